@@ -1,0 +1,19 @@
+# SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# VTK by the usual CMake way (CMAKE_PREFIX_PATH or VTK_DIR). Components are
+# always named: without them some packaged VTKs pull in MPI, Qt, Java, HDF5.
+find_package(VTK 9.1 REQUIRED COMPONENTS
+  CommonCore CommonDataModel CommonExecutionModel CommonMath
+  RenderingCore RenderingOpenGL2)
+
+# What only the examples and tests need.
+set(VTKNBUFFER_EXAMPLE_COMPONENTS
+  ChartsCore CommonColor CommonTransforms FiltersCore FiltersGeneral FiltersModeling FiltersSources
+  ImagingCore IOExport IOExportGL2PS IOGeometry IOImage IOImport IOLegacy IOPLY IOXML
+  InteractionStyle RenderingAnnotation RenderingContext2D RenderingContextOpenGL2
+  RenderingFreeType RenderingGL2PSOpenGL2 RenderingVolume RenderingVolumeOpenGL2 ViewsContext2D)
+if (VTKNBUFFER_BUILD_EXAMPLES OR VTKNBUFFER_BUILD_TESTING)
+  find_package(VTK 9.1 REQUIRED COMPONENTS ${VTKNBUFFER_EXAMPLE_COMPONENTS})
+  list(TRANSFORM VTKNBUFFER_EXAMPLE_COMPONENTS PREPEND "VTK::" OUTPUT_VARIABLE VTKNBUFFER_EXAMPLE_TARGETS)
+endif ()

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferCuller
+ * @brief Draws only the props that can be seen; the image stays the same to the bit.
+ *
+ * @code
+ * vtkNew<vtkNBufferCuller> culler;
+ * renderer->AddCuller(culler);
+ * @endcode
+ *
+ * That is all. The culler may be added before or after the first Render(), to several renderers
+ * of several windows, and removed at any time.
+ *
+ * ## How it decides
+ *
+ * Cull() lets through what was visible in the last frame and every prop that it does not test,
+ * and holds the other candidates back behind one proxy at the end of the list. When the renderer
+ * reaches the proxy, this frame's depth is in the framebuffer. It is reduced to an N-buffer
+ * (vtkNBufferMath.h), the boxes of all candidates are tested against it with at most four
+ * lookups each, and what may be visible is drawn. Where little is known (first frame, camera
+ * cut) the nearest props are drawn first and the others are tested in rounds. Nothing is carried
+ * over from an older depth buffer, so that nothing pops in late.
+ *
+ * Candidates are plain opaque surface actors: vtkOpenGLActor itself with a polydata, composite
+ * or dataset mapper. All other props are drawn as without the culler; vtkNBufferVerdict says why.
+ * Translucent props never hide anything.
+ *
+ * The culler takes over the work of a vtkFrustumCoverageCuller with default settings by moving
+ * itself in front of it (see TakeOverFrustumCulling): its own frustum test costs a fraction.
+ *
+ * Where two props have exactly the same depth in a pixel, the one drawn last wins. A prop that
+ * had been held back is drawn later than its place in the renderer says, so that those that come
+ * after it in the renderer and can touch it are drawn once more (vtkNBufferTieOrder.h).
+ *
+ * ## Cost
+ *
+ * Per frame: about 0.1 microseconds per prop for cached bounds and the frustum test, one read-back
+ * of a reduced depth image (software renderers: of the whole one), and the levels that the
+ * rectangles of this frame call for. Nothing of that with fewer candidates than
+ * MinimumNumberOfCandidates, with a still camera and unchanged props, or, but for a probe now and
+ * then, where recent frames hid next to nothing.
+ *
+ * ## Limits
+ *
+ * It steps aside, and all is drawn as usual, where props are needed that the camera does not see
+ * or where the framebuffer is not the camera's: hardware selection, UseShadows, GL2PS export,
+ * hidden-line removal, unknown render passes, VR windows. vtkNBufferDecision names each case and
+ * GetDecision() tells it. A failure (no depth, lost context) draws everything and warns once.
+ *
+ * Sources: X. Decoret, "N-Buffers for efficient depth map query", 2005, section 3.1; M. Turitzin,
+ * "Hierarchical Depth Buffers", 2020, for reductions of images of any size.
+ *
+ * @sa vtkNBufferStatistics vtkFrustumCoverageCuller
+ */
+#ifndef vtkNBufferCuller_h
+#define vtkNBufferCuller_h
+
+#include "vtkCuller.h"
+#include "vtkNBufferModule.h"     // For export macro
+#include "vtkNBufferStatistics.h" // For vtkNBufferVerdict and the counters
+
+#include <memory> // For the implementation's pointer
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkProp;
+class vtkRenderer;
+
+class VTKNBUFFER_EXPORT vtkNBufferCuller : public vtkCuller
+{
+public:
+  static vtkNBufferCuller* New();
+  vtkTypeMacro(vtkNBufferCuller, vtkCuller);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Where the levels are built.
+  enum BackendType
+  {
+    Auto,   ///< Chosen once per graphics context; see GetBackendInUse().
+    OpenGL, ///< By fragment passes; the levels are read back.
+    CPU     ///< On the host, from the depth image read back.
+  };
+
+  ///@{
+  /// Off lets every prop through. Default: on.
+  vtkSetMacro(Enabled, bool);
+  vtkGetMacro(Enabled, bool);
+  vtkBooleanMacro(Enabled, bool);
+  ///@}
+
+  ///@{
+  /// Where the levels are built. The verdicts are the same. Default: Auto.
+  vtkSetClampMacro(Backend, int, Auto, CPU);
+  vtkGetMacro(Backend, int);
+  ///@}
+
+  ///@{
+  /// Side in pixels of the squares that a texel of level 0 stands for: 1, 2, 4 or 8. Larger is
+  /// cheaper to build and read back and keeps more small hidden props. Other values are refused
+  /// with an error. Default: 4.
+  void SetBaseFactor(int factor);
+  vtkGetMacro(BaseFactor, int);
+  ///@}
+
+  ///@{
+  /// Fewer candidates in the frustum than this are not worth a read-back. Default: 32.
+  vtkSetClampMacro(MinimumNumberOfCandidates, int, 1, VTK_INT_MAX);
+  vtkGetMacro(MinimumNumberOfCandidates, int);
+  ///@}
+
+  ///@{
+  /// Bound on the rounds of test and draw per frame, 1 to 8. Default: 6.
+  vtkSetClampMacro(MaximumNumberOfRounds, int, 1, vtkNBufferStatistics::MaximumNumberOfRounds);
+  vtkGetMacro(MaximumNumberOfRounds, int);
+  ///@}
+
+  ///@{
+  /// Props drawn at once in the first round; every further round draws twice as many before it
+  /// tests again. Default: 64.
+  vtkSetClampMacro(RoundSize, int, 1, VTK_INT_MAX / 512);
+  vtkGetMacro(RoundSize, int);
+  ///@}
+
+  ///@{
+  /// Pieces into which a long box is cut when its first query says visible, 1 to 8: each piece has
+  /// its own rectangle and nearest depth. Default: 8.
+  vtkSetClampMacro(MaximumNumberOfPieces, int, 1, 8);
+  vtkGetMacro(MaximumNumberOfPieces, int);
+  ///@}
+
+  ///@{
+  /// Reuse the verdicts while camera, window and props stay as they are. Default: on.
+  vtkSetMacro(ReuseWhenStill, bool);
+  vtkGetMacro(ReuseWhenStill, bool);
+  vtkBooleanMacro(ReuseWhenStill, bool);
+  ///@}
+
+  ///@{
+  /// Stop testing, but for a probe now and then, where tests hide next to nothing. Default: on.
+  vtkSetMacro(BackOff, bool);
+  vtkGetMacro(BackOff, bool);
+  vtkBooleanMacro(BackOff, bool);
+  ///@}
+
+  ///@{
+  /// Move in front of a vtkFrustumCoverageCuller that has default settings, which then only sees
+  /// the props that are left. One with other settings stays in front. Default: on.
+  vtkSetMacro(TakeOverFrustumCulling, bool);
+  vtkGetMacro(TakeOverFrustumCulling, bool);
+  vtkBooleanMacro(TakeOverFrustumCulling, bool);
+  ///@}
+
+  ///@{
+  /// Keep the verdicts while the camera moves, to fly around and see what a view draws. The image
+  /// is then not the one without the culler. Default: off.
+  vtkSetMacro(Freeze, bool);
+  vtkGetMacro(Freeze, bool);
+  vtkBooleanMacro(Freeze, bool);
+  ///@}
+
+  /// Why a prop was drawn or culled in the last frame of `renderer`, or, without one, of the
+  /// renderer culled last. Unknown if it was not in that frame. Costs one hash look-up.
+  vtkNBufferVerdict GetVerdict(vtkProp* prop, vtkRenderer* renderer = nullptr) const;
+
+  /// Counts and times of the last frame of `renderer`, or of the renderer culled last.
+  const vtkNBufferStatistics& GetStatistics(vtkRenderer* renderer = nullptr) const;
+
+  ///@{
+  /// The same numbers one by one, of the renderer culled last.
+  int GetNumberOfProps() const { return this->GetStatistics().Props; }
+  int GetNumberOfPropsDrawn() const { return this->GetStatistics().GetNumberOfPropsDrawn(); }
+  int GetNumberOfHiddenProps() const
+  {
+    return this->GetStatistics().GetCount(vtkNBufferVerdict::Hidden);
+  }
+  int GetNumberOfPropsOutside() const
+  {
+    return this->GetStatistics().GetCount(vtkNBufferVerdict::Outside);
+  }
+  const char* GetDecision() const
+  {
+    return vtkNBufferStatistics::GetName(this->GetStatistics().Decision);
+  }
+  std::string GetStatisticsAsJSON() const { return this->GetStatistics().GetAsJSON(); }
+  ///@}
+
+  /// The back-end used last (OpenGL or CPU; Auto before the first test) and why it was chosen.
+  int GetBackendInUse() const;
+  const char* GetBackendReason() const;
+
+  /// Called by vtkRenderer before it draws.
+  double Cull(
+    vtkRenderer* renderer, vtkProp** propList, int& listLength, int& initialized) override;
+
+protected:
+  vtkNBufferCuller();
+  ~vtkNBufferCuller() override;
+
+private:
+  vtkNBufferCuller(const vtkNBufferCuller&) = delete;
+  void operator=(const vtkNBufferCuller&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Implementation;
+
+  bool Enabled = true;
+  int Backend = Auto;
+  int BaseFactor = 4;
+  int MinimumNumberOfCandidates = 32;
+  int MaximumNumberOfRounds = 6;
+  int RoundSize = 64;
+  int MaximumNumberOfPieces = 8;
+  bool ReuseWhenStill = true;
+  bool BackOff = true;
+  bool TakeOverFrustumCulling = true;
+  bool Freeze = false;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferLevels.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+// Written so that compilers turn them into one vector instruction each.
+struct Maximum
+{
+  float operator()(float a, float b) const { return a > b ? a : b; }
+};
+struct Minimum
+{
+  float operator()(float a, float b) const { return a < b ? a : b; }
+};
+
+/// Below this many texels a level is finished before another thread has woken up.
+constexpr vtkIdType TexelsWorthAThread = 1 << 18;
+
+/// Rows in parallel when there is work enough for it.
+template <typename Functor>
+void ForEachRow(int rows, vtkIdType texels, Functor&& functor)
+{
+  if (texels < TexelsWorthAThread)
+  {
+    functor(0, rows);
+    return;
+  }
+  vtkSMPTools::For(0, rows, 16, [&functor](vtkIdType begin, vtkIdType end) {
+    functor(static_cast<int>(begin), static_cast<int>(end));
+  });
+}
+
+/// One row of the base: first the `rows` depth rows into one, then `factor` columns into one.
+template <typename Op>
+void ReduceRows(const float* depth, int width, int rows, int factor, float* scratch, float* out)
+{
+  const Op op;
+  const float* columns = depth;
+  if (rows > 1)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      scratch[x] = op(depth[x], depth[static_cast<std::size_t>(width) + x]);
+    }
+    for (int row = 2; row < rows; ++row)
+    {
+      const float* next = depth + static_cast<std::size_t>(row) * width;
+      for (int x = 0; x < width; ++x)
+      {
+        scratch[x] = op(scratch[x], next[x]);
+      }
+    }
+    columns = scratch;
+  }
+  const int whole = width / factor;
+  if (factor == 4)
+  {
+    for (int x = 0; x < whole; ++x)
+    {
+      out[x] =
+        op(op(columns[4 * x], columns[4 * x + 1]), op(columns[4 * x + 2], columns[4 * x + 3]));
+    }
+  }
+  else
+  {
+    for (int x = 0; x < whole; ++x)
+    {
+      float value = columns[x * factor];
+      for (int i = 1; i < factor; ++i)
+      {
+        value = op(value, columns[x * factor + i]);
+      }
+      out[x] = value;
+    }
+  }
+  if (whole * factor < width)
+  {
+    float value = columns[whole * factor];
+    for (int x = whole * factor + 1; x < width; ++x)
+    {
+      value = op(value, columns[x]);
+    }
+    out[whole] = value;
+  }
+}
+
+template <typename Op>
+void ReduceToBase(const float* depth, int width, int height, int factor, float* base)
+{
+  const int baseWidth = vtkNBufferMath::GetBaseSize(width, factor);
+  const int baseHeight = vtkNBufferMath::GetBaseSize(height, factor);
+  ForEachRow(baseHeight, static_cast<vtkIdType>(width) * height,
+    [=](int begin, int end)
+    {
+      std::vector<float> scratch(factor > 1 ? width : 0);
+      for (int y = begin; y < end; ++y)
+      {
+        const int first = y * factor;
+        ReduceRows<Op>(depth + static_cast<std::size_t>(first) * width, width,
+          std::min(factor, height - first), factor, scratch.data(),
+          base + static_cast<std::size_t>(y) * baseWidth);
+      }
+    });
+}
+
+/// Level i + 1 from level i, whose squares have side `step`.
+template <typename Op>
+void BuildLevel(const float* below, int width, int height, int step, float* level)
+{
+  ForEachRow(height, static_cast<vtkIdType>(width) * height,
+    [=](int begin, int end)
+    {
+      const Op op;
+      const int inside = std::max(width - step, 0);
+      for (int y = begin; y < end; ++y)
+      {
+        const float* a = below + static_cast<std::size_t>(y) * width;
+        const float* b = below + static_cast<std::size_t>(std::min(y + step, height - 1)) * width;
+        float* out = level + static_cast<std::size_t>(y) * width;
+        for (int x = 0; x < inside; ++x)
+        {
+          out[x] = op(op(a[x], a[x + step]), op(b[x], b[x + step]));
+        }
+        const float last = op(a[width - 1], b[width - 1]);
+        for (int x = inside; x < width; ++x)
+        {
+          out[x] = op(op(a[x], b[x]), last);
+        }
+      }
+    });
+}
+}
+
+void vtkNBufferLevels::Allocate(
+  int pixelWidth, int pixelHeight, int factor, int levels, vtkNBufferExtremum extremum)
+{
+  this->PixelWidth = pixelWidth;
+  this->PixelHeight = pixelHeight;
+  this->Factor = factor;
+  this->Width = vtkNBufferMath::GetBaseSize(pixelWidth, factor);
+  this->Height = vtkNBufferMath::GetBaseSize(pixelHeight, factor);
+  this->NumberOfLevels =
+    std::min(levels, vtkNBufferMath::GetNumberOfLevels(this->Width, this->Height));
+  this->Extremum = extremum;
+  if (this->Texels.size() < this->GetLevelOffset(this->NumberOfLevels))
+  {
+    this->Texels.resize(this->GetLevelOffset(this->NumberOfLevels));
+  }
+}
+
+void vtkNBufferLevels::BuildBase(
+  const float* depth, int width, int height, int factor, vtkNBufferExtremum extremum)
+{
+  this->Allocate(width, height, factor, 1, extremum);
+  if (this->NumberOfLevels == 0)
+  {
+    return;
+  }
+  float* base = this->GetLevelData(0);
+  if (extremum == vtkNBufferExtremum::Maximum)
+  {
+    ReduceToBase<Maximum>(depth, width, height, factor, base);
+  }
+  else
+  {
+    ReduceToBase<Minimum>(depth, width, height, factor, base);
+  }
+}
+
+int vtkNBufferLevels::BuildLevels(int count)
+{
+  const int first = this->NumberOfLevels;
+  if (first == 0)
+  {
+    return 0;
+  }
+  const int levels = std::min(count, vtkNBufferMath::GetNumberOfLevels(this->Width, this->Height));
+  if (levels <= first)
+  {
+    return 0;
+  }
+  if (this->Texels.size() < this->GetLevelOffset(levels))
+  {
+    this->Texels.resize(this->GetLevelOffset(levels));
+  }
+  this->NumberOfLevels = levels;
+  for (int i = first; i < levels; ++i)
+  {
+    const int step = 1 << (i - 1);
+    if (this->Extremum == vtkNBufferExtremum::Maximum)
+    {
+      BuildLevel<Maximum>(
+        this->GetLevelData(i - 1), this->Width, this->Height, step, this->GetLevelData(i));
+    }
+    else
+    {
+      BuildLevel<Minimum>(
+        this->GetLevelData(i - 1), this->Width, this->Height, step, this->GetLevelData(i));
+    }
+  }
+  return levels - first;
+}
+
+void vtkNBufferLevels::Clear()
+{
+  this->NumberOfLevels = 0;
+  this->Width = this->Height = this->PixelWidth = this->PixelHeight = 0;
+}
+
+const float* vtkNBufferLevels::GetLevelData(int level) const
+{
+  return level >= 0 && level < this->NumberOfLevels
+    ? this->Texels.data() + this->GetLevelOffset(level)
+    : nullptr;
+}
+
+float* vtkNBufferLevels::GetLevelData(int level)
+{
+  return level >= 0 && level < this->NumberOfLevels
+    ? this->Texels.data() + this->GetLevelOffset(level)
+    : nullptr;
+}
+VTK_ABI_NAMESPACE_END

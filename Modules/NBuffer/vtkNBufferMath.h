@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferMath.h
+ * @brief What a texel of an N-buffer covers, and which texels answer a rectangle. No OpenGL.
+ *
+ * An N-buffer (X. Decoret, "N-Buffers for efficient depth map query", Computer Graphics Forum
+ * 24(3), 2005, section 2) is a stack of images of one size. Level 0 is the base image. Texel
+ * (x, y) of level i holds the extremum of the base over the square of side 2^i whose lower left
+ * corner is (x, y):
+ *
+ *     y ^   level 2                      base, 7 x 5 texels
+ *       |   +--+--+--+--+                Texel (1, 0) of level 2 covers the square s:
+ *     3 |   |s |s |s |s |                x in [1, 5), y in [0, 4).
+ *     2 |   |s |s |s |s |                Texel (5, 3) of level 2 covers what is left of its
+ *     1 |   |s |s |s |s |                square inside the base: x in [5, 7), y in [3, 5).
+ *     0 |   |X |s |s |s |                The border adds nothing: a square counts only its
+ *       +---+--+--+--+--+--> x           texels inside the base.
+ *           1  2  3  4
+ *
+ * Level i + 1 is the extremum of four texels of level i, at x and x + 2^i, y and y + 2^i. A
+ * neighbour outside the image is replaced by the last texel of its row or column, which lies
+ * inside the square anyway, so that clamping never changes a result.
+ *
+ * The base may itself be a reduction of the depth image: texel (x, y) of a base of factor f
+ * covers the depth pixels [f x, f x + f) x [f y, f y + f) that exist.
+ *
+ * A rectangle is answered by
+ *  - one lookup: the finest level whose square is at least as wide and as high;
+ *  - at most four lookups: the finest level k whose squares cover the rectangle with at most
+ *    four of them, ceil(w / 2^k) * ceil(h / 2^k) <= 4. The five cases of the paper's figure 3
+ *    are this rule:
+ *
+ *        +--+--+   +-----+   +--+--+--+--+   +--+   and a single square.
+ *        |  |  |   |     |   |  |  |  |  |   |  |
+ *        +--+--+   +-----+   +--+--+--+--+   +--+
+ *        |  |  |   |     |                   :  :
+ *        +--+--+   +-----+                   +--+
+ *         2 x 2     1 x 2      4 x 1, 3 x 1   1 x 4, 1 x 3
+ *
+ * Squares overlap where the side is no multiple of 2^k, which an extremum does not mind. Where a
+ * square is larger than the rectangle it is pushed down (towards y = 0): what lies below the
+ * screen extent of a prop is mostly the ground or another prop that it stands behind, what lies
+ * above it is mostly empty (paper, section 2).
+ */
+#ifndef vtkNBufferMath_h
+#define vtkNBufferMath_h
+
+#include "vtkNBufferModule.h" // For export macro
+#include "vtkNBufferVTKVersion.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/**
+ * A half-open rectangle of pixels or texels: X0 <= x < X1, Y0 <= y < Y1, y upwards.
+ */
+struct vtkNBufferRectangle
+{
+  int X0 = 0;
+  int Y0 = 0;
+  int X1 = 0;
+  int Y1 = 0;
+
+  int GetWidth() const { return this->X1 - this->X0; }
+  int GetHeight() const { return this->Y1 - this->Y0; }
+  bool IsEmpty() const { return this->X1 <= this->X0 || this->Y1 <= this->Y0; }
+};
+
+/**
+ * At most four texels of one level whose squares cover a rectangle and overlap its outside only
+ * where the rule above says so.
+ */
+struct vtkNBufferCover
+{
+  int Level = 0;
+  int Count = 0;
+  int X[4] = { 0, 0, 0, 0 };
+  int Y[4] = { 0, 0, 0, 0 };
+};
+
+/**
+ * Which extremum a level holds: the farthest depth hides (culling), the nearest bounds receivers.
+ */
+enum class vtkNBufferExtremum
+{
+  Maximum,
+  Minimum
+};
+
+namespace vtkNBufferMath
+{
+/// The smallest i with 2^i >= n, for n >= 1; 0 for smaller n.
+VTKNBUFFER_EXPORT int CeilLog2(int n);
+
+/// Side of a base image whose texels cover `factor` pixels each: ceil(size / factor).
+VTKNBUFFER_EXPORT int GetBaseSize(int size, int factor);
+
+/// The texels of the base that a rectangle of pixels touches (rounded outward).
+VTKNBUFFER_EXPORT vtkNBufferRectangle GetBaseRectangle(
+  const vtkNBufferRectangle& pixels, int factor);
+
+/// Number of levels with which any rectangle of a width x height base is answered by one lookup:
+/// level 0 up to the first whose square covers the whole base. 0 for an empty base.
+VTKNBUFFER_EXPORT int GetNumberOfLevels(int width, int height);
+
+/// The finest level whose square covers a width x height rectangle.
+VTKNBUFFER_EXPORT int GetLevelForOneLookup(int width, int height);
+
+/// The finest level whose squares cover a width x height rectangle with at most four.
+VTKNBUFFER_EXPORT int GetLevelForFourLookups(int width, int height);
+
+/// The one texel that covers `rectangle`, which must not be empty and lie inside the base.
+VTKNBUFFER_EXPORT vtkNBufferCover GetCoverOfOne(const vtkNBufferRectangle& rectangle);
+
+/// The at most four texels that cover `rectangle`, which must not be empty and lie inside the
+/// base.
+VTKNBUFFER_EXPORT vtkNBufferCover GetCoverOfFour(const vtkNBufferRectangle& rectangle);
+}
+
+VTK_ABI_NAMESPACE_END
+#endif

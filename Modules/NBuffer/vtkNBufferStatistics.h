@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferStatistics.h
+ * @brief What happened to every prop of a frame, and what finding it out cost.
+ *
+ * One struct feeds the getters of vtkNBufferCuller, PrintSelf, JSON, overlays and tests. Every
+ * prop that the culler was given has exactly one verdict, so that in every frame
+ *
+ *     Props = sum of Verdicts = drawn + hidden + outside.
+ */
+#ifndef vtkNBufferStatistics_h
+#define vtkNBufferStatistics_h
+
+#include "vtkNBufferModule.h" // For export macro
+#include "vtkNBufferVTKVersion.h"
+
+#include <array>
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/**
+ * Why a prop was drawn or not. The first group was culled, the second tested and drawn, the third
+ * drawn without a test because the test could not be trusted for it.
+ */
+enum class vtkNBufferVerdict : int
+{
+  Unknown,         ///< Not in the last frame: invisible, another renderer, or never culled.
+  Outside,         ///< Not drawn: its box lies outside the view frustum.
+  Hidden,          ///< Not drawn: its box lies behind what is drawn.
+  Visible,         ///< Drawn: its box may be seen.
+  NearPlane,       ///< Drawn: its box reaches the near plane or the eye point.
+  Untested,        ///< Drawn: a candidate in a frame without a test (see vtkNBufferDecision).
+  NotAPlainActor,  ///< Drawn: no vtkOpenGLActor itself (subclass, volume, assembly, 2D, custom).
+  NotAPlainMapper, ///< Drawn: mapper of another class, whose bounds may be too small, or none.
+  Translucent,     ///< Drawn: has translucent geometry; it is not held back and hides nothing.
+  NotASurface,     ///< Drawn: points, wireframe, visible edges or vertices, spheres, tubes.
+  DepthOffset,     ///< Drawn: coincident-topology parameters pull its depth towards the eye.
+  ShaderReplaced,  ///< Drawn: the application replaces its shader code.
+  OtherCoordinates,///< Drawn: its coordinate system is not the world.
+  NoBounds,        ///< Drawn: null, uninitialised, infinite or NaN bounds.
+  NumberOfVerdicts
+};
+
+/**
+ * What the culler did with a frame, or why it did nothing. Values above Culled test nothing.
+ */
+enum class vtkNBufferDecision : int
+{
+  None,            ///< No frame yet.
+  Culled,          ///< Tested against this frame's depth.
+  Still,           ///< Camera, window and props are as in the last frame: its verdicts stand.
+  Frozen,          ///< Freeze is on: the verdicts of the frozen frame stand.
+  NothingHeld,     ///< No candidate could be held back: all in the frustum were visible already.
+  FewCandidates,   ///< Fewer candidates in the frustum than MinimumNumberOfCandidates.
+  BackedOff,       ///< Recent tests hid next to nothing; the next one is a probe some frames on.
+  Disabled,        ///< Enabled is off.
+  Selecting,       ///< A hardware selector indexes the props.
+  Shadows,         ///< VTK's shadow maps need the props that the camera does not see.
+  RenderPass,      ///< A render pass that the culler does not know.
+  HiddenLines,     ///< Hidden-line removal draws wireframes by itself.
+  Exporting,       ///< A GL2PS capture draws no depth.
+  Delegated,       ///< A delegate draws this renderer.
+  UnsupportedWindow, ///< No OpenGL window, a VR window, or one without a size or context.
+  OtherView,       ///< Framebuffer, camera or viewport were not those of Cull(): all drawn.
+  NoDepth,         ///< The depth could not be read: all drawn, one warning.
+  NumberOfDecisions
+};
+
+/**
+ * Counts and times of one frame of one renderer (and eye).
+ */
+struct VTKNBUFFER_EXPORT vtkNBufferStatistics
+{
+  static constexpr int MaximumNumberOfRounds = 8;
+  static constexpr int NumberOfVerdicts = int(vtkNBufferVerdict::NumberOfVerdicts);
+
+  vtkNBufferDecision Decision = vtkNBufferDecision::None;
+
+  ///@{
+  /// Props that the culler was given, and of these: candidates for the test, those of them whose
+  /// boxes were tested against depth, those held back until then, those redrawn for the order of
+  /// equal depths (see vtkNBufferTieOrder.h), and the caches refreshed because something changed.
+  int Props = 0;
+  int Candidates = 0;
+  int Tested = 0;
+  int HeldBack = 0;
+  int Redrawn = 0;
+  int Refreshed = 0;
+  ///@}
+
+  /// Props by verdict, indexed by vtkNBufferVerdict.
+  std::array<int, NumberOfVerdicts> Verdicts = {};
+
+  ///@{
+  /// Rounds of test and draw, and the candidates drawn before the first test ([0]) and after each
+  /// ([1], [2], ...).
+  int Rounds = 0;
+  std::array<int, MaximumNumberOfRounds + 1> DrawnInRound = {};
+  ///@}
+
+  ///@{
+  /// N-buffer work of all rounds: levels and texels built, rectangles asked, texels looked up,
+  /// read-backs from the graphics context and their bytes.
+  int Levels = 0;
+  long long Texels = 0;
+  long long Queries = 0;
+  long long Lookups = 0;
+  int ReadBacks = 0;
+  long long BytesRead = 0;
+  ///@}
+
+  ///@{
+  /// Milliseconds of the calling thread: Cull() as a whole and of it bringing caches up to date
+  /// and the frustum test; then waiting for and reading the depth, building levels, testing, and
+  /// drawing what had been held back. On the graphics device: building levels (OpenGL back-end;
+  /// of an earlier frame, because a timer query is never waited for).
+  double CullTime = 0.0;
+  double RefreshTime = 0.0;
+  double FrustumTime = 0.0;
+  double ReadTime = 0.0;
+  double BuildTime = 0.0;
+  double TestTime = 0.0;
+  double DrawTime = 0.0;
+  double DeviceBuildTime = 0.0;
+  ///@}
+
+  int GetCount(vtkNBufferVerdict verdict) const
+  {
+    return this->Verdicts[static_cast<std::size_t>(verdict)];
+  }
+  int GetNumberOfPropsNotDrawn() const
+  {
+    return this->GetCount(vtkNBufferVerdict::Outside) + this->GetCount(vtkNBufferVerdict::Hidden);
+  }
+  int GetNumberOfPropsDrawn() const { return this->Props - this->GetNumberOfPropsNotDrawn(); }
+
+  /// One JSON object with a member per field, verdicts and decision by name.
+  std::string GetAsJSON() const;
+
+  static const char* GetName(vtkNBufferVerdict verdict);
+  static const char* GetName(vtkNBufferDecision decision);
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
