@@ -3,9 +3,14 @@
 
 # VTK by the usual CMake way (CMAKE_PREFIX_PATH or VTK_DIR). Components are
 # always named: without them some packaged VTKs pull in MPI, Qt, Java, HDF5.
-find_package(VTK 9.1 REQUIRED COMPONENTS
+if (NOT DEFINED CMAKE_POLICY_DEFAULT_CMP0174)
+  # VTK 9.7's module functions rely on it and CMake 3.31 warns about each call.
+  set(CMAKE_POLICY_DEFAULT_CMP0174 OLD)
+endif ()
+set(VTKNBUFFER_VTK_COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath
-  RenderingCore RenderingOpenGL2)
+  RenderingCore RenderingOpenGL2 jsoncpp)
+find_package(VTK 9.1 REQUIRED COMPONENTS ${VTKNBUFFER_VTK_COMPONENTS})
 
 # What only the examples and tests need.
 set(VTKNBUFFER_EXAMPLE_COMPONENTS

@@ -4,6 +4,7 @@
 # VTK's module system installs targets and properties but no package
 # configuration: find_package(VTKNBuffer) reads the one written here.
 include(CMakePackageConfigHelpers)
+list(JOIN VTKNBUFFER_VTK_COMPONENTS " " VTKNBUFFER_VTK_COMPONENTS)
 set(_destination "${CMAKE_INSTALL_LIBDIR}/cmake/VTKNBuffer")
 configure_package_config_file(CMake/VTKNBufferConfig.cmake.in
   "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/VTKNBufferConfig.cmake"

@@ -1,45 +1,262 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferCuller.h"
+
+#include "vtkNBufferBackend.h"
+#include "vtkNBufferSituation.h"
+#include "vtkNBufferView.h"
+
+#include "vtkCamera.h"
+#include "vtkCullerCollection.h"
+#include "vtkFrustumCoverageCuller.h"
 #include "vtkObjectFactory.h"
+#include "vtkProp.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <typeinfo>
+#include <vector>
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkNBufferCuller);
+
+/**
+ * Views by renderer and eye, back-ends by window; those of deleted ones go when others come.
+ */
 class vtkNBufferCuller::Internals
 {
 public:
-  vtkNBufferStatistics Last;
+  struct WindowEntry
+  {
+    vtkWeakPointer<vtkRenderWindow> Window;
+    std::unique_ptr<vtkNBufferBackend> Backend;
+  };
+  struct ViewEntry
+  {
+    vtkWeakPointer<vtkRenderer> Renderer;
+    vtkRenderWindow* Window = nullptr;
+    int Eye = 0;
+    std::unique_ptr<vtkNBufferView> View;
+  };
+
+  vtkNBufferBackend& GetBackend(vtkRenderWindow* window)
+  {
+    for (WindowEntry& entry : this->Windows)
+    {
+      if (entry.Window == window)
+      {
+        return *entry.Backend;
+      }
+    }
+    this->Windows.push_back({ window, std::make_unique<vtkNBufferBackend>() });
+    return *this->Windows.back().Backend;
+  }
+
+  vtkNBufferView& GetView(vtkRenderer* renderer)
+  {
+    vtkRenderWindow* window = renderer->GetRenderWindow();
+    const int eye = renderer->GetActiveCamera() && window->GetStereoRender()
+      ? renderer->GetActiveCamera()->GetLeftEye()
+      : 1;
+    for (std::size_t i = 0; i < this->Views.size(); ++i)
+    {
+      ViewEntry& entry = this->Views[i];
+      if (entry.Renderer == renderer && entry.Window == window && entry.Eye == eye)
+      {
+        this->Last = i;
+        return *entry.View;
+      }
+    }
+    this->DropDeleted();
+    this->Last = this->Views.size();
+    this->Views.push_back(
+      { renderer, window, eye, std::make_unique<vtkNBufferView>(this->GetBackend(window)) });
+    return *this->Views.back().View;
+  }
+
+  const vtkNBufferView* FindView(vtkRenderer* renderer) const
+  {
+    if (!renderer)
+    {
+      return this->Last < this->Views.size() ? this->Views[this->Last].View.get() : nullptr;
+    }
+    const vtkNBufferView* found = nullptr;
+    for (std::size_t i = 0; i < this->Views.size(); ++i)
+    {
+      if (this->Views[i].Renderer == renderer && (!found || i == this->Last))
+      {
+        found = this->Views[i].View.get();
+      }
+    }
+    return found;
+  }
+
+private:
+  void DropDeleted()
+  {
+    for (std::size_t i = this->Views.size(); i-- > 0;)
+    {
+      vtkRenderer* renderer = this->Views[i].Renderer;
+      if (!renderer || renderer->GetRenderWindow() != this->Views[i].Window)
+      {
+        this->Views.erase(this->Views.begin() + i);
+      }
+    }
+    for (std::size_t i = this->Windows.size(); i-- > 0;)
+    {
+      if (!this->Windows[i].Window)
+      {
+        this->Windows.erase(this->Windows.begin() + i);
+      }
+    }
+  }
+
+  std::vector<WindowEntry> Windows;
+  std::vector<ViewEntry> Views;
+  std::size_t Last = 0;
 };
+
+namespace
+{
+/// Whether the frustum test of vtkNBufferView does all that this culler would do.
+bool IsDefaultFrustumCuller(vtkCuller* culler)
+{
+  if (typeid(*culler) != typeid(vtkFrustumCoverageCuller))
+  {
+    return false;
+  }
+  auto* frustum = static_cast<vtkFrustumCoverageCuller*>(culler);
+  return frustum->GetMinimumCoverage() == 0.0 && frustum->GetMaximumCoverage() == 1.0 &&
+    frustum->GetSortingStyle() == VTK_CULLER_SORT_NONE;
+}
+
+/// Cullers run in the order of the collection. One that is moved behind those that run now is not
+/// reached again in this frame: the renderer's iterator has passed on.
+void MoveDefaultFrustumCullersBehind(vtkCuller* self, vtkCullerCollection* cullers)
+{
+  std::vector<vtkSmartPointer<vtkCuller>> before;
+  vtkCollectionSimpleIterator cookie;
+  cullers->InitTraversal(cookie);
+  for (vtkCuller* culler = cullers->GetNextCuller(cookie); culler && culler != self;
+       culler = cullers->GetNextCuller(cookie))
+  {
+    if (IsDefaultFrustumCuller(culler))
+    {
+      before.emplace_back(culler);
+    }
+  }
+  for (const vtkSmartPointer<vtkCuller>& culler : before)
+  {
+    cullers->RemoveItem(culler);
+    cullers->AddItem(culler);
+  }
+}
+}
+
 vtkNBufferCuller::vtkNBufferCuller()
   : Implementation(new Internals)
 {
 }
+
 vtkNBufferCuller::~vtkNBufferCuller() = default;
-double vtkNBufferCuller::Cull(vtkRenderer*, vtkProp**, int& n, int&)
+
+void vtkNBufferCuller::SetBaseFactor(int factor)
 {
-  return n;
+  if (factor != 1 && factor != 2 && factor != 4 && factor != 8)
+  {
+    vtkErrorMacro("The base factor must be 1, 2, 4 or 8, not " << factor << "; it stays "
+                                                               << this->BaseFactor << ".");
+    return;
+  }
+  if (this->BaseFactor != factor)
+  {
+    this->BaseFactor = factor;
+    this->Modified();
+  }
 }
-void vtkNBufferCuller::SetBaseFactor(int f)
+
+double vtkNBufferCuller::Cull(
+  vtkRenderer* renderer, vtkProp** propList, int& listLength, int& initialized)
 {
-  this->BaseFactor = f;
+  vtkNBufferView& view = this->Implementation->GetView(renderer);
+  vtkNBufferDecision obstacle = vtkNBufferDecision::Disabled;
+  if (this->Enabled)
+  {
+    obstacle = vtkNBufferSituation::GetObstacle(renderer);
+  }
+  if (obstacle == vtkNBufferDecision::None && listLength < this->MinimumNumberOfCandidates)
+  {
+    obstacle = vtkNBufferDecision::FewCandidates;
+  }
+  if (obstacle != vtkNBufferDecision::None)
+  {
+    view.StepAside(obstacle, listLength);
+    double total = 0.0;
+    for (int i = 0; i < listLength; ++i)
+    {
+      total += initialized ? propList[i]->GetRenderTimeMultiplier() : 1.0;
+    }
+    return total;
+  }
+  if (this->TakeOverFrustumCulling)
+  {
+    MoveDefaultFrustumCullersBehind(this, renderer->GetCullers());
+  }
+  vtkNBufferSettings settings;
+  settings.Backend = static_cast<vtkNBufferBackend::Kind>(this->Backend);
+  settings.BaseFactor = this->BaseFactor;
+  settings.MinimumNumberOfCandidates = this->MinimumNumberOfCandidates;
+  settings.MaximumNumberOfRounds = this->MaximumNumberOfRounds;
+  settings.RoundSize = this->RoundSize;
+  settings.MaximumNumberOfPieces = this->MaximumNumberOfPieces;
+  settings.ReuseWhenStill = this->ReuseWhenStill;
+  settings.BackOff = this->BackOff;
+  settings.Freeze = this->Freeze;
+  return view.Cull(renderer, propList, listLength, initialized, settings);
 }
-vtkNBufferVerdict vtkNBufferCuller::GetVerdict(vtkProp*, vtkRenderer*) const
+
+vtkNBufferVerdict vtkNBufferCuller::GetVerdict(vtkProp* prop, vtkRenderer* renderer) const
 {
-  return vtkNBufferVerdict::Unknown;
+  const vtkNBufferView* view = this->Implementation->FindView(renderer);
+  return view ? view->GetVerdict(prop) : vtkNBufferVerdict::Unknown;
 }
-const vtkNBufferStatistics& vtkNBufferCuller::GetStatistics(vtkRenderer*) const
+
+const vtkNBufferStatistics& vtkNBufferCuller::GetStatistics(vtkRenderer* renderer) const
 {
-  return this->Implementation->Last;
+  static const vtkNBufferStatistics none;
+  const vtkNBufferView* view = this->Implementation->FindView(renderer);
+  return view ? view->GetStatistics() : none;
 }
+
 int vtkNBufferCuller::GetBackendInUse() const
 {
-  return Auto;
+  const vtkNBufferView* view = this->Implementation->FindView(nullptr);
+  return view ? view->GetBackend().GetInUse() : vtkNBufferBackend::Auto;
 }
+
 const char* vtkNBufferCuller::GetBackendReason() const
 {
-  return "";
+  const vtkNBufferView* view = this->Implementation->FindView(nullptr);
+  return view ? view->GetBackend().GetReason().c_str() : "nothing built yet";
 }
+
 void vtkNBufferCuller::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Enabled: " << this->Enabled << "\n";
+  os << indent << "Backend: " << this->Backend << " (in use: " << this->GetBackendInUse() << ", "
+     << this->GetBackendReason() << ")\n";
+  os << indent << "BaseFactor: " << this->BaseFactor << "\n";
+  os << indent << "MinimumNumberOfCandidates: " << this->MinimumNumberOfCandidates << "\n";
+  os << indent << "MaximumNumberOfRounds: " << this->MaximumNumberOfRounds << "\n";
+  os << indent << "RoundSize: " << this->RoundSize << "\n";
+  os << indent << "MaximumNumberOfPieces: " << this->MaximumNumberOfPieces << "\n";
+  os << indent << "ReuseWhenStill: " << this->ReuseWhenStill << "\n";
+  os << indent << "BackOff: " << this->BackOff << "\n";
+  os << indent << "TakeOverFrustumCulling: " << this->TakeOverFrustumCulling << "\n";
+  os << indent << "Freeze: " << this->Freeze << "\n";
+  os << indent << "Statistics: " << this->GetStatisticsAsJSON() << "\n";
 }
 VTK_ABI_NAMESPACE_END

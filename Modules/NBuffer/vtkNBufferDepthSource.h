@@ -6,10 +6,14 @@
  *
  * The bound draw framebuffer is often not the render window's (SSAO, FXAA, framebuffer passes),
  * so that everything is asked of OpenGL and nothing assumed. No call changes the GL state.
+ *
+ * Usable are the window's own framebuffer and framebuffer objects whose depth is a renderbuffer,
+ * a GL_TEXTURE_2D or a GL_TEXTURE_2D_MULTISAMPLE. Layered, cube and array attachments are not.
  */
 #ifndef vtkNBufferDepthSource_h
 #define vtkNBufferDepthSource_h
 
+#include "vtkNBufferMath.h"   // For vtkNBufferExtremum
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferVTKVersion.h"
 
@@ -21,30 +25,43 @@ class vtkOpenGLRenderWindow;
 
 struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
 {
-  unsigned int Framebuffer = 0;       ///< GL name of the draw framebuffer; 0 is the window's own.
-  int Viewport[4] = { 0, 0, 0, 0 };   ///< GL viewport: x, y, width, height in pixels.
-  int Samples = 0;                    ///< 0 or 1: one sample per pixel.
-  int DepthBits = 0;                  ///< 0: no depth buffer.
-  bool FloatDepth = false;            ///< Floating-point depth instead of unsigned normalised.
-  bool DefaultDepthRange = true;      ///< glDepthRange is [0, 1].
-  bool Texture = false;               ///< The depth attachment is a texture (else a renderbuffer).
-  unsigned int DepthName = 0;         ///< GL name of the depth attachment.
-  int DepthLevel = 0;                 ///< Mip level of a texture attachment.
+  unsigned int Framebuffer = 0;     ///< GL name of the draw framebuffer; 0 is the window's own.
+  int Viewport[4] = { 0, 0, 0, 0 }; ///< GL viewport: x, y, width, height in pixels.
+  int Width = 0;                    ///< Width of the depth buffer in pixels.
+  int Height = 0;                   ///< Height of the depth buffer in pixels.
+  int Samples = 0;                  ///< 0 or 1: one sample per pixel.
+  int DepthBits = 0;                ///< 0: no depth buffer.
+  bool FloatDepth = false;          ///< Floating-point depth instead of unsigned normalised.
+  bool DefaultDepthRange = true;    ///< glDepthRange is [0, 1].
+  bool Texture = false;             ///< The depth attachment is a texture (else a renderbuffer).
+  unsigned int DepthName = 0;       ///< GL name of the depth attachment.
+  int DepthLevel = 0;               ///< Mip level of a texture attachment.
 
   /**
    * Ask OpenGL about the framebuffer bound for drawing. The window's context must be current.
-   * Returns false, with the cause and a remedy in `why`, if there is no usable depth buffer.
+   * Returns false, with the cause and a remedy in `why`, if there is no usable depth buffer; all
+   * members then have their defaults. Cost: some twenty glGet calls, no wait for the device.
    */
   bool Inspect(vtkOpenGLRenderWindow* window, std::string& why);
 
   /**
-   * Read a rectangle of single-sample depth, in framebuffer pixels, as floats, row 0 at the
-   * bottom, one blocking glReadPixels. Returns false, with the cause in `why`, on any GL error
-   * and for multisampled framebuffers (vtkNBufferTexture reduces those first); `depth` is then
-   * undefined.
+   * Read a rectangle of single-sample depth, in framebuffer pixels, as floats in [0, 1], row 0 at
+   * the bottom, one blocking glReadPixels. Returns false, with the cause in `why`, on any GL
+   * error, for a rectangle that is not inside the depth buffer, and for multisampled framebuffers
+   * (vtkNBufferTexture reduces those first); `depth` is then undefined.
+   *
+   * Rounding: floating-point depth comes as it is. Depth of 16 and 24 bits comes as samplers
+   * return it, at most one unit in the last place off; 24 bits never nearer than it is.
+   * Normalised depth of 32 bits does not fit a float; it is rounded to a multiple of 2^-24, up for
+   * Maximum (never nearer than the depth, but for a relative 2^-32) and down for Minimum (never
+   * farther). 0 and 1 are exact.
+   *
+   * Depth of 24 and 32 bits is read as integers, which is a plain copy, and converted here: a read
+   * as floats is converted pixel by pixel in Mesa's software drivers and takes four times as long.
    */
   bool Read(vtkOpenGLRenderWindow* window, int x, int y, int width, int height,
-    std::vector<float>& depth, std::string& why) const;
+    std::vector<float>& depth, std::string& why,
+    vtkNBufferExtremum rounding = vtkNBufferExtremum::Maximum) const;
 };
 
 VTK_ABI_NAMESPACE_END

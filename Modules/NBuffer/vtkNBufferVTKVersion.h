@@ -19,4 +19,18 @@
 #define VTK_ABI_NAMESPACE_END
 #endif
 
+// The header that declares OpenGL: VTK loads it with glad since 9.4, with GLEW before.
+// (__has_include would say it more directly, but VTK's header parser does not know it.)
+#if VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 4
+#define VTKNBUFFER_GL_HEADER "vtk_glad.h"
+#else
+#define VTKNBUFFER_GL_HEADER "vtk_glew.h"
+#endif
+
+// vtkProp3D::CoordinateSystem: actors that follow a VR device or the physical world.
+#define VTKNBUFFER_HAS_COORDINATE_SYSTEMS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 2)
+
+// vtkCompositePolyDataMapper2 is what applications use for composite data.
+#define VTKNBUFFER_HAS_COMPOSITE_MAPPER_2 (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 3)
+
 #endif

@@ -1,0 +1,24 @@
+# SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# vtk_module_build computes a module's binary folder from CMAKE_SOURCE_DIR, so
+# a vtk.module in the root itself has none. A staged copy beside a CMakeLists.txt
+# of two lines stands in for it. Outside of VTK's own tree the module is in a
+# namespace of its own.
+set(VTKNBUFFER_MODULE VTKNBuffer::NBuffer)
+set(_stage "${CMAKE_CURRENT_BINARY_DIR}/ModuleStage/NBuffer")
+set(VTKNBUFFER_MODULE_FILE "${_stage}/vtk.module")
+
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS vtk.module)
+file(READ vtk.module _module)
+string(REPLACE "VTK::NBuffer\n" "${VTKNBUFFER_MODULE}\n" _module "${_module}")
+# VTK loads OpenGL with glad since 9.4, with GLEW before.
+if (VTK_VERSION VERSION_LESS 9.4)
+  string(REPLACE "VTK::glad\n" "VTK::glew\n" _module "${_module}")
+endif ()
+file(CONFIGURE OUTPUT "${VTKNBUFFER_MODULE_FILE}" @ONLY CONTENT "@_module@")
+
+file(CONFIGURE OUTPUT "${_stage}/CMakeLists.txt" @ONLY CONTENT
+"set(VTKNBUFFER_MODULE @VTKNBUFFER_MODULE@)
+add_subdirectory(\"@PROJECT_SOURCE_DIR@/Modules/NBuffer\" \"@_stage@/build\")
+")

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferCandidate
+ * @brief One prop as the culler knows it: whether it may be culled, its box, and until when.
+ *
+ * This is the one place that says which props are tested. A prop is a candidate if what it draws
+ * in the opaque stage lies inside its bounds, at the depths of its surface, and if it draws
+ * nothing in the other stages. All others are drawn as usual, with the reason as verdict.
+ *
+ * What is cached stays valid as long as the modification times of everything that it came from do
+ * not change. VTK's times come from one global counter, so that any change makes the largest of
+ * them grow. A prop with a pipeline upstream of its mapper is volatile: it is refreshed in every
+ * frame, pipeline update included, as VTK itself would do.
+ */
+#ifndef vtkNBufferCandidate_h
+#define vtkNBufferCandidate_h
+
+#include "vtkNBufferProjection.h"
+#include "vtkNBufferStatistics.h"
+#include "vtkType.h"
+
+#include <array>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkActor;
+class vtkAlgorithm;
+class vtkMapper;
+class vtkProp;
+
+class VTKNBUFFER_EXPORT vtkNBufferCandidate
+{
+public:
+  explicit vtkNBufferCandidate(vtkProp* prop = nullptr)
+    : Prop(prop)
+  {
+  }
+
+  vtkProp* GetProp() const { return this->Prop; }
+  bool IsCandidate() const { return this->Verdict == vtkNBufferVerdict::Visible; }
+
+  /// Visible for a candidate, otherwise the reason why it is none.
+  vtkNBufferVerdict GetVerdict() const { return this->Verdict; }
+
+  /// World box of a candidate, and of other actors whose bounds are usable.
+  const vtkNBufferBox& GetBox() const { return this->Box; }
+  bool HasBox() const { return this->BoxIsUsable; }
+
+  /// Whether it may write to the depth buffer in the opaque stage.
+  bool WritesDepth() const { return this->DepthWriter; }
+
+  /**
+   * Whether a change of what it draws shows in modification times. What does not (custom props,
+   * level-of-detail actors, shader uniforms) may differ from frame to frame.
+   */
+  bool IsTracked() const { return this->Tracked; }
+
+  /// Whether Refresh() is due. Only reads times; safe in parallel for different props.
+  bool IsStale() const;
+
+  /// Volatile props are refreshed in every frame, by the calling thread.
+  bool IsVolatile() const { return this->Volatile; }
+
+  /**
+   * Look at the prop again. May run its pipeline. Returns whether anything changed since the last
+   * time that may change what it draws. Costs what vtkProp::GetBounds() costs.
+   */
+  bool Refresh();
+
+  /// Global settings of VTK on which verdicts depend; every prop is refreshed when they change.
+  using GlobalState = std::array<double, 6>;
+  static GlobalState GetGlobalState();
+
+private:
+  vtkNBufferVerdict Classify(vtkActor* actor);
+  void TakeBounds(vtkActor* actor);
+  vtkMTimeType GetTime() const;
+
+  vtkProp* Prop = nullptr;
+  vtkActor* Actor = nullptr;
+  vtkMapper* Mapper = nullptr;
+  vtkAlgorithm* Producer = nullptr;
+  vtkMTimeType Time = 0;
+  vtkNBufferBox Box;
+  vtkNBufferVerdict Verdict = vtkNBufferVerdict::Unknown;
+  bool BoxIsUsable = false;
+  bool DepthWriter = true;
+  bool Tracked = false;
+  bool Volatile = true;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

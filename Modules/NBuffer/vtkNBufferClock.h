@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferClock
+ * @brief Milliseconds since it was made, for the times in vtkNBufferStatistics.
+ */
+#ifndef vtkNBufferClock_h
+#define vtkNBufferClock_h
+
+#include "vtkNBufferVTKVersion.h"
+
+#include <chrono>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkNBufferClock
+{
+public:
+  double GetMilliseconds() const
+  {
+    return std::chrono::duration<double, std::milli>(Clock::now() - this->Start).count();
+  }
+
+  /// Milliseconds so far; counting begins anew.
+  double Restart()
+  {
+    const double milliseconds = this->GetMilliseconds();
+    this->Start = Clock::now();
+    return milliseconds;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point Start = Clock::now();
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferGL.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+constexpr GLenum PackNames[] = { GL_PACK_ALIGNMENT, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS,
+  GL_PACK_SKIP_PIXELS, GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST };
+constexpr GLint PackTight[] = { 4, 0, 0, 0, 0, 0 };
+
+constexpr GLenum UnpackNames[] = { GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS,
+  GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST, GL_UNPACK_IMAGE_HEIGHT,
+  GL_UNPACK_SKIP_IMAGES };
+constexpr GLint UnpackTight[] = { 4, 0, 0, 0, 0, 0, 0, 0 };
+
+// What can discard fragments of a full-screen triangle or change what they write. A clip plane is
+// undefined while the vertex shader writes no distance; VTK uses the first six. Blending is apart:
+// it is a property of each draw buffer.
+constexpr GLenum CapabilityNames[] = { GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST,
+  GL_COLOR_LOGIC_OP, GL_RASTERIZER_DISCARD, GL_POLYGON_SMOOTH, GL_CLIP_DISTANCE0,
+  GL_CLIP_DISTANCE0 + 1, GL_CLIP_DISTANCE0 + 2, GL_CLIP_DISTANCE0 + 3, GL_CLIP_DISTANCE0 + 4,
+  GL_CLIP_DISTANCE0 + 5 };
+
+constexpr GLenum Targets[] = { GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D_MULTISAMPLE };
+constexpr GLenum TargetBindings[] = { GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY,
+  GL_TEXTURE_BINDING_2D_MULTISAMPLE };
+
+// OpenGL 4.3; VTK's oldest loaders may not name it.
+constexpr GLenum DepthStencilTextureMode = 0x90EA;
+
+template <typename T, int N>
+constexpr int Size(const T (&)[N])
+{
+  return N;
+}
+
+const char* GetErrorName(GLenum error)
+{
+  switch (error)
+  {
+    case GL_INVALID_ENUM:
+      return "GL_INVALID_ENUM";
+    case GL_INVALID_VALUE:
+      return "GL_INVALID_VALUE";
+    case GL_INVALID_OPERATION:
+      return "GL_INVALID_OPERATION";
+    case GL_INVALID_FRAMEBUFFER_OPERATION:
+      return "GL_INVALID_FRAMEBUFFER_OPERATION";
+    case GL_OUT_OF_MEMORY:
+      return "GL_OUT_OF_MEMORY";
+    default:
+      return "an OpenGL error";
+  }
+}
+}
+
+namespace vtkNBufferGL
+{
+bool HasVersion(int major, int minor)
+{
+  GLint foundMajor = 0;
+  GLint foundMinor = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &foundMajor);
+  glGetIntegerv(GL_MINOR_VERSION, &foundMinor);
+  return foundMajor > major || (foundMajor == major && foundMinor >= minor);
+}
+
+void ClearErrors()
+{
+  // A lost context reports errors without end.
+  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
+  {
+  }
+}
+
+bool CheckErrors(const char* where, std::string& why)
+{
+  const GLenum error = glGetError();
+  if (error == GL_NO_ERROR)
+  {
+    return true;
+  }
+  why = std::string(where) + ": OpenGL reports " + GetErrorName(error) +
+    (error == GL_OUT_OF_MEMORY ? ". A larger base factor needs less memory."
+                               : ". Nothing is known about the depth; a driver update may help.");
+  ClearErrors();
+  return false;
+}
+
+ScopedReadback::ScopedReadback(unsigned int readFramebuffer, unsigned int packBuffer)
+{
+  static_assert(Size(PackNames) == ParameterCount && Size(PackTight) == ParameterCount,
+    "one value for each pack parameter");
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &this->ReadFramebuffer);
+  glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &this->PackBuffer);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, readFramebuffer);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, packBuffer);
+  for (int i = 0; i < ParameterCount; ++i)
+  {
+    glGetIntegerv(PackNames[i], &this->Parameters[i]);
+    glPixelStorei(PackNames[i], PackTight[i]);
+  }
+}
+
+ScopedReadback::~ScopedReadback()
+{
+  for (int i = 0; i < ParameterCount; ++i)
+  {
+    glPixelStorei(PackNames[i], this->Parameters[i]);
+  }
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, this->PackBuffer);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, this->ReadFramebuffer);
+}
+
+ScopedUpload::ScopedUpload(unsigned int unpackBuffer)
+{
+  static_assert(Size(UnpackNames) == ParameterCount && Size(UnpackTight) == ParameterCount,
+    "one value for each unpack parameter");
+  glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &this->UnpackBuffer);
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, unpackBuffer);
+  for (int i = 0; i < ParameterCount; ++i)
+  {
+    glGetIntegerv(UnpackNames[i], &this->Parameters[i]);
+    glPixelStorei(UnpackNames[i], UnpackTight[i]);
+  }
+}
+
+ScopedUpload::~ScopedUpload()
+{
+  for (int i = 0; i < ParameterCount; ++i)
+  {
+    glPixelStorei(UnpackNames[i], this->Parameters[i]);
+  }
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, this->UnpackBuffer);
+}
+
+ScopedPass::ScopedPass(vtkOpenGLRenderWindow* window)
+  : Window(window)
+  , Shader(window->GetShaderCache()->GetLastShaderBound())
+{
+  static_assert(Size(CapabilityNames) == CapabilityCount && Size(Targets) == TargetCount &&
+      Size(TargetBindings) == TargetCount,
+    "one place for each value to put back");
+  for (int i = 0; i < CapabilityCount; ++i)
+  {
+    this->Capabilities[i] = glIsEnabled(CapabilityNames[i]) == GL_TRUE;
+    if (this->Capabilities[i])
+    {
+      glDisable(CapabilityNames[i]);
+    }
+  }
+  this->Blend = glIsEnabledi(GL_BLEND, 0) == GL_TRUE;
+  glDisablei(GL_BLEND, 0);
+  glGetBooleani_v(GL_COLOR_WRITEMASK, 0, this->ColorMask);
+  glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glGetIntegerv(GL_POLYGON_MODE, this->PolygonMode);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+
+  glGetIntegerv(GL_VIEWPORT, this->Viewport);
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &this->DrawFramebuffer);
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &this->ReadFramebuffer);
+  glGetIntegerv(GL_CURRENT_PROGRAM, &this->Program);
+  glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &this->VertexArray);
+
+  glGetIntegerv(GL_ACTIVE_TEXTURE, &this->ActiveTexture);
+  glActiveTexture(GL_TEXTURE0);
+  for (int i = 0; i < TargetCount; ++i)
+  {
+    glGetIntegerv(TargetBindings[i], &this->Textures[i]);
+  }
+  if (HasVersion(3, 3))
+  {
+    glGetIntegerv(GL_SAMPLER_BINDING, &this->Sampler);
+    if (this->Sampler != 0)
+    {
+      // A sampler object hides the parameters of the texture.
+      glBindSampler(0, 0);
+    }
+  }
+}
+
+ScopedPass::~ScopedPass()
+{
+  if (this->Sampler != 0)
+  {
+    glBindSampler(0, this->Sampler);
+  }
+  for (int i = 0; i < TargetCount; ++i)
+  {
+    glBindTexture(Targets[i], this->Textures[i]);
+  }
+  glActiveTexture(this->ActiveTexture);
+
+  // The shader cache remembers which program is bound; foreign code may have bound another.
+  if (this->Shader)
+  {
+    this->Window->GetShaderCache()->ReadyShaderProgram(this->Shader);
+  }
+  else
+  {
+    this->Window->GetShaderCache()->ReleaseCurrentShader();
+  }
+  glUseProgram(this->Program);
+  glBindVertexArray(this->VertexArray);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->DrawFramebuffer);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, this->ReadFramebuffer);
+  glViewport(this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
+
+  // A core profile has one polygon mode for both faces.
+  glPolygonMode(GL_FRONT_AND_BACK, this->PolygonMode[0]);
+  glColorMaski(
+    0, this->ColorMask[0], this->ColorMask[1], this->ColorMask[2], this->ColorMask[3]);
+  if (this->Blend)
+  {
+    glEnablei(GL_BLEND, 0);
+  }
+  for (int i = 0; i < CapabilityCount; ++i)
+  {
+    if (this->Capabilities[i])
+    {
+      glEnable(CapabilityNames[i]);
+    }
+  }
+}
+
+ScopedDepthSampling::ScopedDepthSampling(unsigned int target, int level)
+  : Target(target)
+{
+  if (HasVersion(4, 3))
+  {
+    this->Set(DepthStencilTextureMode, GL_DEPTH_COMPONENT);
+  }
+  if (target == GL_TEXTURE_2D_MULTISAMPLE)
+  {
+    // Multisampled textures have no sampler state.
+    return;
+  }
+  this->Set(GL_TEXTURE_COMPARE_MODE, GL_NONE);
+  this->Set(GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  this->Set(GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  // The order keeps base <= maximum on the way.
+  this->Set(GL_TEXTURE_BASE_LEVEL, 0);
+  this->Set(GL_TEXTURE_MAX_LEVEL, level);
+  this->Set(GL_TEXTURE_BASE_LEVEL, level);
+}
+
+ScopedDepthSampling::~ScopedDepthSampling()
+{
+  for (int i = this->Count - 1; i >= 0; --i)
+  {
+    glTexParameteri(this->Target, this->Names[i], this->Values[i]);
+  }
+}
+
+void ScopedDepthSampling::Set(unsigned int name, int value)
+{
+  this->Names[this->Count] = name;
+  glGetTexParameteriv(this->Target, name, &this->Values[this->Count]);
+  ++this->Count;
+  glTexParameteri(this->Target, name, value);
+}
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferGL.h
+ * @brief OpenGL for this module's sources: the loader, error checks and what puts state back.
+ *
+ * Everything here asks OpenGL itself and puts back exactly what it found. vtkOpenGLState, which
+ * only remembers, is then as right or as wrong after a scope as it was before.
+ */
+#ifndef vtkNBufferGL_h
+#define vtkNBufferGL_h
+
+#include "vtkNBufferVTKVersion.h"
+
+#include VTKNBUFFER_GL_HEADER
+
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+
+namespace vtkNBufferGL
+{
+/// Is the context that is current at least this version?
+bool HasVersion(int major, int minor);
+
+/// Drop errors that others left behind, so that those found later are ours.
+void ClearErrors();
+
+/// False, with the error and `where` in `why`, if OpenGL has reported an error since.
+bool CheckErrors(const char* where, std::string& why);
+
+/**
+ * Read-back into host memory (or into `packBuffer`), rows tightly packed, from `readFramebuffer`.
+ */
+class ScopedReadback
+{
+public:
+  explicit ScopedReadback(unsigned int readFramebuffer, unsigned int packBuffer = 0);
+  ~ScopedReadback();
+  ScopedReadback(const ScopedReadback&) = delete;
+  void operator=(const ScopedReadback&) = delete;
+
+private:
+  static constexpr int ParameterCount = 6;
+  int ReadFramebuffer = 0;
+  int PackBuffer = 0;
+  int Parameters[ParameterCount] = {};
+};
+
+/**
+ * Upload into textures from `unpackBuffer` (0: none), rows tightly packed.
+ */
+class ScopedUpload
+{
+public:
+  explicit ScopedUpload(unsigned int unpackBuffer);
+  ~ScopedUpload();
+  ScopedUpload(const ScopedUpload&) = delete;
+  void operator=(const ScopedUpload&) = delete;
+
+private:
+  static constexpr int ParameterCount = 8;
+  int UnpackBuffer = 0;
+  int Parameters[ParameterCount] = {};
+};
+
+/**
+ * Full-screen passes into one-channel colour attachments: while it lives, nothing that the
+ * renderer left behind keeps a fragment from being written as the shader says. Framebuffer
+ * bindings, viewport, program, vertex array and what is bound to texture unit 0, which is active,
+ * may be changed freely meanwhile.
+ */
+class ScopedPass
+{
+public:
+  explicit ScopedPass(vtkOpenGLRenderWindow* window);
+  ~ScopedPass();
+  ScopedPass(const ScopedPass&) = delete;
+  void operator=(const ScopedPass&) = delete;
+
+private:
+  static constexpr int CapabilityCount = 13;
+  static constexpr int TargetCount = 3;
+  vtkOpenGLRenderWindow* Window;
+  vtkShaderProgram* Shader;
+  bool Capabilities[CapabilityCount] = {};
+  bool Blend = false;
+  unsigned char ColorMask[4] = {};
+  int PolygonMode[2] = {};
+  int Viewport[4] = {};
+  int DrawFramebuffer = 0;
+  int ReadFramebuffer = 0;
+  int Program = 0;
+  int VertexArray = 0;
+  int ActiveTexture = 0;
+  int Textures[TargetCount] = {};
+  int Sampler = 0;
+};
+
+/**
+ * The single-level GL_TEXTURE_2D or GL_TEXTURE_2D_MULTISAMPLE bound to the active unit is sampled
+ * as plain depth, whatever its owner uses it for: no comparison, no filter, this level only.
+ */
+class ScopedDepthSampling
+{
+public:
+  ScopedDepthSampling(unsigned int target, int level);
+  ~ScopedDepthSampling();
+  ScopedDepthSampling(const ScopedDepthSampling&) = delete;
+  void operator=(const ScopedDepthSampling&) = delete;
+
+private:
+  void Set(unsigned int name, int value);
+
+  static constexpr int MaximumCount = 7;
+  unsigned int Target;
+  int Count = 0;
+  unsigned int Names[MaximumCount] = {};
+  int Values[MaximumCount] = {};
+};
+}
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkNBufferGL.h

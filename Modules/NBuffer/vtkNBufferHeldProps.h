@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferHeldProps
+ * @brief The prop that stands in a renderer's list for all props held back.
+ *
+ * It comes last in the list, so that when the renderer draws it, the depth of everything else is
+ * in the framebuffer. It then asks its view which of the held props to draw. Held props are plain
+ * opaque actors (vtkNBufferCandidate), hence it has nothing to draw in the other stages.
+ *
+ * What the renderer and its passes tell a prop reaches the held ones: the render passes among the
+ * property keys (they inject shader code into the mappers), required keys, allocated and estimated
+ * render times.
+ */
+#ifndef vtkNBufferHeldProps_h
+#define vtkNBufferHeldProps_h
+
+#include "vtkNBufferVTKVersion.h"
+#include "vtkProp.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkNBufferView;
+class vtkRenderer;
+
+class vtkNBufferHeldProps : public vtkProp
+{
+public:
+  static vtkNBufferHeldProps* New();
+  vtkTypeMacro(vtkNBufferHeldProps, vtkProp);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The view that decides; not counted as a reference. nullptr: nothing is drawn.
+  void SetView(vtkNBufferView* view) { this->View = view; }
+
+  ///@{
+  /// Union of the held boxes, or unknown for none.
+  void SetBounds(const double bounds[6]);
+  double* GetBounds() VTK_SIZEHINT(6) override { return this->Bounds; }
+  ///@}
+
+  bool HasKeys(vtkInformation* requiredKeys) override;
+  vtkTypeBool HasOpaqueGeometry() override { return 1; }
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  bool RenderFilteredOpaqueGeometry(
+    vtkViewport* viewport, vtkInformation* requiredKeys) override;
+
+  ///@{
+  /// Each held prop that is drawn is given an equal share.
+  void RestoreEstimatedRenderTime() override;
+  double GetEstimatedRenderTime(vtkViewport* viewport) override;
+  double GetEstimatedRenderTime() override;
+  ///@}
+
+  /// Draw one held prop with this prop's render passes and `time` seconds allocated to it.
+  int Draw(vtkProp* prop, vtkRenderer* renderer, double time);
+
+protected:
+  vtkNBufferHeldProps() = default;
+  ~vtkNBufferHeldProps() override = default;
+
+private:
+  vtkNBufferHeldProps(const vtkNBufferHeldProps&) = delete;
+  void operator=(const vtkNBufferHeldProps&) = delete;
+
+  vtkNBufferView* View = nullptr;
+  double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferProjection.h
+ * @brief From a box in the world to a rectangle of pixels and a nearest depth. No OpenGL.
+ *
+ * Everything is computed in double precision and rounded so that the answer covers whatever the
+ * graphics device may draw of the box with its single-precision vertices:
+ *
+ *     outside    no fragment of the box can land in the viewport,
+ *     crossing   the box reaches the near plane or the eye: nothing is known, it counts as visible,
+ *     inside     all its fragments land in `Pixels`, none nearer than `Nearest`.
+ *
+ * ## How far a drawn vertex can be from the exact one
+ *
+ * With u = 2^-24, a clip coordinate is computed on the device as a sum of four products of single
+ * precision: vertex rounded (u), matrix element rounded (u), product and three additions (4u), so
+ * that its error is at most
+ *
+ *     E = 8 u * sum_j |M_j| a_j,        a_j = sum_k |A_jk| |v_k|,
+ *
+ * with M the row of the world-to-clip matrix, A the model-to-world matrix and v the largest model
+ * coordinates: `Magnitude` below. It bounds the composed matrix of the mapper, |M A| |v| <= |M| a,
+ * and VTK's shifted vertex buffers as well. The remaining 2u absorb second-order terms. Divided by
+ * w this gives the slack of x, y and z in NDC, corner by corner.
+ *
+ * Screen positions are snapped to a subpixel grid of at least 4 bits (OpenGL's minimum): 1/16 of a
+ * pixel is added on all sides.
+ *
+ * ## How far an interpolated depth can be from its vertices'
+ *
+ * A sample inside a triangle has a depth between those of its vertices, but for the rounding of
+ * the plane equation z = z0 + (dz/dx) x + (dz/dy) y. The narrowest triangle that covers a sample
+ * is one step of the subpixel grid wide (2^-8 in practice), so that the slope is at most 2^8 times
+ * the triangle's depth range R, and rounding it over an image of n pixels costs 2 u 2^8 n R. R is
+ * at most the depth range of the box. Storing the depth costs a quantum of its format, reading it
+ * back as float at most one more.
+ *
+ *     slack = 2 quantum + 4 u + 2^9 u n R,   n = max(width, height)
+ *
+ * Equal depth counts as visible: a box is hidden only if Nearest > the farthest depth in Pixels.
+ */
+#ifndef vtkNBufferProjection_h
+#define vtkNBufferProjection_h
+
+#include "vtkNBufferMath.h"
+#include "vtkNBufferModule.h" // For export macro
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/**
+ * An axis-aligned box in world coordinates and the rounding that its vertices suffer.
+ */
+struct vtkNBufferBox
+{
+  double Center[3] = { 0.0, 0.0, 0.0 };
+  double HalfSize[3] = { 0.0, 0.0, 0.0 };
+  /// a_j above, world units; with an identity model matrix |Center| + HalfSize.
+  double Magnitude[3] = { 0.0, 0.0, 0.0 };
+  /// Pixels by which what is drawn may stick out of the projected box (wide lines, points).
+  double Margin = 0.0;
+
+  /// A box whose model coordinates are world coordinates, from VTK bounds.
+  VTKNBUFFER_EXPORT static vtkNBufferBox FromBounds(const double bounds[6]);
+};
+
+enum class vtkNBufferPlacement
+{
+  Outside,
+  Crossing,
+  Inside
+};
+
+/**
+ * What a box covers on the screen; only meaningful for boxes that are Inside.
+ */
+struct vtkNBufferScreenBox
+{
+  vtkNBufferRectangle Pixels;   ///< Of the viewport, (0, 0) its lower left pixel; never empty.
+  double Nearest = 0.0;         ///< Window depth, slack subtracted.
+  double Farthest = 1.0;        ///< Window depth, slack added.
+};
+
+/**
+ * One camera, one viewport, one depth format.
+ */
+class VTKNBUFFER_EXPORT vtkNBufferProjection
+{
+public:
+  /**
+   * `worldToClip`: row-major 4 x 4, clip space with z in [-w, w], as
+   * vtkCamera::GetCompositeProjectionTransformMatrix(aspect, -1, 1) gives it. `depthQuantum`: the
+   * step of the depth format near 1, in window depth (2^-16, 2^-24, ...). Sizes in pixels.
+   */
+  void Set(const double worldToClip[16], int width, int height, double depthQuantum);
+
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return this->Height; }
+  const double* GetWorldToClip() const { return &this->Rows[0][0]; }
+
+  /**
+   * Whether a box lies outside one of the six planes, tested in clip space by sign and never by
+   * division, so that eye points inside the box are no special case. Boxes with a Margin are left
+   * to Project(). About 15 ns.
+   */
+  bool IsOutside(const vtkNBufferBox& box) const;
+
+  /**
+   * Rectangle and nearest depth. NaN anywhere gives Crossing. About 70 ns.
+   */
+  vtkNBufferPlacement Project(const vtkNBufferBox& box, vtkNBufferScreenBox& result) const;
+
+  /**
+   * Length in pixels of the projections of the box's three axes through its centre, for choosing
+   * where to cut it. The box must be Inside.
+   */
+  void GetAxisLengths(const vtkNBufferBox& box, double lengths[3]) const;
+
+private:
+  double Rows[4][4] = {};
+  double Planes[6][4] = {};
+  double PlaneErrors[6][4] = {};
+  double RowErrors[4][4] = {};
+  double DepthSlack = 0.0;
+  double DepthRangeSlack = 0.0;
+  int Width = 0;
+  int Height = 0;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

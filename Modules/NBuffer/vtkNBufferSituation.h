@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferSituation.h
+ * @brief When the culler must step aside: the one place that knows VTK's ways of drawing a frame.
+ *
+ * Holding props back is right only if the renderer draws its opaque props once, from its active
+ * camera, into a framebuffer with depth, and nothing needs the props that the camera does not see.
+ */
+#ifndef vtkNBufferSituation_h
+#define vtkNBufferSituation_h
+
+#include "vtkNBufferModule.h" // For export macro
+#include "vtkNBufferStatistics.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkRenderer;
+
+namespace vtkNBufferSituation
+{
+/// Why this frame of `renderer` cannot be culled; None if it can.
+VTKNBUFFER_EXPORT vtkNBufferDecision GetObstacle(vtkRenderer* renderer);
+}
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,538 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferView.h"
+
+#include "vtkNBufferClock.h"
+#include "vtkNBufferOcclusionTest.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// A test that hides less than this share of what is in the frustum is not worth its cost.
+constexpr double PoorShare = 0.05;
+/// Such tests in a row before the culler backs off, and for how many frames at first and at most.
+constexpr int PoorTestsToBackOff = 3;
+constexpr int FirstBackOff = 8;
+constexpr int LongestBackOff = 64;
+}
+
+vtkNBufferView::vtkNBufferView(vtkNBufferBackend& backend)
+  : Backend(backend)
+{
+  this->Proxy->SetView(this);
+}
+
+vtkNBufferView::~vtkNBufferView()
+{
+  this->Proxy->SetView(nullptr);
+}
+
+vtkNBufferView::Key vtkNBufferView::MakeKey(vtkRenderer* renderer)
+{
+  Key key;
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  key.Camera = renderer->GetActiveCamera();
+  vtkMatrix4x4* matrix = key.Camera->GetCompositeProjectionTransformMatrix(
+    renderer->GetTiledAspectRatio(), -1.0, 1.0);
+  std::copy(matrix->GetData(), matrix->GetData() + 16, key.WorldToClip.begin());
+  renderer->GetTiledSizeAndOrigin(
+    &key.Viewport[2], &key.Viewport[3], &key.Viewport[0], &key.Viewport[1]);
+  key.ContextTime = window->GetContextCreationTime();
+  key.MultiSamples = window->GetMultiSamples();
+  return key;
+}
+
+void vtkNBufferView::StepAside(vtkNBufferDecision reason, int count)
+{
+  this->Statistics = vtkNBufferStatistics();
+  this->Statistics.Decision = reason;
+  this->Statistics.Props = count;
+  this->Statistics.Verdicts[static_cast<int>(vtkNBufferVerdict::Untested)] = count;
+  this->Pending = this->DrawnOnce = this->Settled = false;
+}
+
+double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, int& initialized,
+  const vtkNBufferSettings& settings)
+{
+  const vtkNBufferClock clock;
+  const bool wasFrozen = this->Statistics.Decision == vtkNBufferDecision::Frozen;
+  const bool complete = this->Settled && !this->Pending;
+  this->Settings = settings;
+  this->Statistics = vtkNBufferStatistics();
+  this->Statistics.Props = count;
+  this->Pending = this->DrawnOnce = false;
+  this->Kept.clear();
+  this->Held.clear();
+  this->Drawn.clear();
+
+  vtkNBufferClock part;
+  const bool listChanged = this->Props.Synchronize(props, count);
+  this->Statistics.Refreshed = this->Props.Refresh();
+  this->Statistics.RefreshTime = part.Restart();
+
+  const Key key = MakeKey(renderer);
+  const bool changed = listChanged || this->Statistics.Refreshed > 0 || !(key == this->LastKey);
+  if (settings.Freeze && (wasFrozen || complete))
+  {
+    this->Statistics.Decision = vtkNBufferDecision::Frozen;
+  }
+  else if (complete && !changed && settings.ReuseWhenStill && this->MayReuse(renderer))
+  {
+    this->Statistics.Decision = vtkNBufferDecision::Still;
+  }
+  else
+  {
+    this->LastKey = key;
+    this->Projection.Set(
+      key.WorldToClip.data(), key.Viewport[2], key.Viewport[3], this->DepthQuantum);
+    this->Props.Project(this->Projection);
+    this->Statistics.Decision = this->Decide();
+    this->Settled = this->Statistics.Decision == vtkNBufferDecision::Culled;
+    this->Pending = this->Settled;
+  }
+  this->Statistics.FrustumTime = part.GetMilliseconds();
+
+  const double total = this->Emit(props, count, initialized);
+  this->CountVerdicts();
+  this->Statistics.CullTime = clock.GetMilliseconds();
+  return total;
+}
+
+bool vtkNBufferView::MayReuse(vtkRenderer* renderer) const
+{
+  // What was in the buffers before, and depth that changes without a trace, may differ.
+  return !this->Props.HasUntrackedDepth() && renderer->GetErase() &&
+    renderer->GetRenderWindow()->GetErase() && !renderer->GetPreserveDepthBuffer();
+}
+
+vtkNBufferDecision vtkNBufferView::Decide()
+{
+  int candidates = 0;
+  int inside = 0;
+  int last = -1;
+  std::vector<vtkNBufferEntry>& entries = this->Props.GetEntries();
+  for (int i = 0; i < static_cast<int>(entries.size()); ++i)
+  {
+    vtkNBufferEntry& entry = entries[i];
+    if (!entry.Candidate.IsCandidate())
+    {
+      continue;
+    }
+    ++candidates;
+    switch (entry.Placement)
+    {
+      case vtkNBufferPlacement::Outside:
+        entry.Verdict = vtkNBufferVerdict::Outside;
+        entry.WasVisible = false;
+        break;
+      case vtkNBufferPlacement::Crossing:
+        ++inside;
+        entry.Verdict = vtkNBufferVerdict::NearPlane;
+        entry.WasVisible = true;
+        break;
+      case vtkNBufferPlacement::Inside:
+        ++inside;
+        last = i;
+        entry.Verdict = vtkNBufferVerdict::Untested;
+        (entry.WasVisible ? this->Kept : this->Held).push_back(i);
+        break;
+    }
+  }
+  this->Statistics.Candidates = candidates;
+
+  vtkNBufferDecision decision = vtkNBufferDecision::Culled;
+  if (inside < this->Settings.MinimumNumberOfCandidates)
+  {
+    decision = vtkNBufferDecision::FewCandidates;
+  }
+  else if (this->Settings.BackOff && this->FramesUntilProbe > 0)
+  {
+    --this->FramesUntilProbe;
+    decision = vtkNBufferDecision::BackedOff;
+  }
+  else if (this->Held.empty())
+  {
+    // What became hidden since is only found by a test: now and then one prop is held back so
+    // that there is one.
+    if (this->Settings.BackOff && ++this->FramesWithNothingHeld % FirstBackOff != 0)
+    {
+      decision = vtkNBufferDecision::NothingHeld;
+    }
+    else if (last >= 0)
+    {
+      this->Kept.pop_back();
+      this->Held.push_back(last);
+    }
+  }
+  if (decision != vtkNBufferDecision::Culled || this->Held.empty())
+  {
+    this->Held.clear();
+    return decision == vtkNBufferDecision::Culled ? vtkNBufferDecision::NothingHeld : decision;
+  }
+  for (int i : this->Kept)
+  {
+    entries[i].Verdict = vtkNBufferVerdict::Visible;
+  }
+  for (int i : this->Held)
+  {
+    entries[i].Verdict = vtkNBufferVerdict::Unknown;
+  }
+  this->Statistics.HeldBack = static_cast<int>(this->Held.size());
+  return decision;
+}
+
+double vtkNBufferView::Emit(vtkProp** props, int& count, int& initialized)
+{
+  double total = 0.0;
+  int kept = 0;
+  double heldTotal = 0.0;
+  vtkBoundingBox heldBounds;
+  for (const vtkNBufferEntry& entry : this->Props.GetEntries())
+  {
+    vtkProp* prop = entry.Candidate.GetProp();
+    if (entry.Verdict == vtkNBufferVerdict::Outside || entry.Verdict == vtkNBufferVerdict::Hidden)
+    {
+      continue;
+    }
+    if (!initialized)
+    {
+      prop->SetRenderTimeMultiplier(1.0);
+    }
+    if (entry.Verdict == vtkNBufferVerdict::Unknown && this->Pending)
+    {
+      heldTotal += prop->GetRenderTimeMultiplier();
+      const vtkNBufferBox& box = entry.Candidate.GetBox();
+      heldBounds.AddPoint(box.Center[0] - box.HalfSize[0], box.Center[1] - box.HalfSize[1],
+        box.Center[2] - box.HalfSize[2]);
+      heldBounds.AddPoint(box.Center[0] + box.HalfSize[0], box.Center[1] + box.HalfSize[1],
+        box.Center[2] + box.HalfSize[2]);
+      continue;
+    }
+    total += prop->GetRenderTimeMultiplier();
+    props[kept++] = prop;
+  }
+  if (this->Pending)
+  {
+    // In the place of the held ones, so that the list never grows.
+    this->Proxy->SetRenderTimeMultiplier(heldTotal);
+    double bounds[6];
+    heldBounds.GetBounds(bounds);
+    this->Proxy->SetBounds(bounds);
+    total += heldTotal;
+    props[kept++] = this->Proxy;
+  }
+  count = kept;
+  initialized = 1;
+  return total;
+}
+
+void vtkNBufferView::CountVerdicts()
+{
+  this->Statistics.Verdicts.fill(0);
+  for (const vtkNBufferEntry& entry : this->Props.GetEntries())
+  {
+    ++this->Statistics.Verdicts[static_cast<int>(entry.Verdict)];
+  }
+}
+
+vtkNBufferVerdict vtkNBufferView::GetVerdict(vtkProp* prop) const
+{
+  const vtkNBufferEntry* entry = this->Props.Find(prop);
+  return entry ? entry->Verdict : vtkNBufferVerdict::Unknown;
+}
+
+bool vtkNBufferView::HasHeldPropWithKeys(vtkInformation* requiredKeys) const
+{
+  return std::any_of(this->Held.begin(), this->Held.end(), [&](int i) {
+    return this->Props.GetEntries()[i].Candidate.GetProp()->HasKeys(requiredKeys);
+  });
+}
+
+int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* requiredKeys)
+{
+  if (!this->Pending && !this->DrawnOnce)
+  {
+    return 0;
+  }
+  // Only some of the props, or the same props once more: VTK has its reasons, draw what it says.
+  if (requiredKeys || this->DrawnOnce)
+  {
+    this->DrawnOnce = true;
+    return this->DrawAll(renderer, requiredKeys, vtkNBufferDecision::OtherView);
+  }
+  this->DrawnOnce = true;
+  vtkNBufferDepthSource source;
+  const vtkNBufferDecision obstacle = this->PrepareTest(renderer, source);
+  if (obstacle != vtkNBufferDecision::None)
+  {
+    return this->DrawAll(renderer, nullptr, obstacle);
+  }
+  const int drawn = this->DrawRounds(renderer, source);
+  const vtkNBufferClock clock;
+  this->RedrawForTieOrder(renderer);
+  this->Statistics.DrawTime += clock.GetMilliseconds();
+  this->Pending = false;
+  // Mappers return early from an aborted frame: its depth and verdicts are worth nothing.
+  this->Settled = this->Settled && !renderer->GetRenderWindow()->GetAbortRender();
+  this->Learn();
+  this->CountVerdicts();
+  return drawn;
+}
+
+vtkNBufferDecision vtkNBufferView::PrepareTest(
+  vtkRenderer* renderer, vtkNBufferDepthSource& source)
+{
+  if (!(MakeKey(renderer) == this->LastKey))
+  {
+    return vtkNBufferDecision::OtherView;
+  }
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  std::string why;
+  if (!source.Inspect(window, why))
+  {
+    this->Warn(renderer, why);
+    return vtkNBufferDecision::NoDepth;
+  }
+  if (source.Viewport[2] != this->LastKey.Viewport[2] ||
+    source.Viewport[3] != this->LastKey.Viewport[3] ||
+    !vtkNBufferBackend::DrawsOrdinaryDepth(source))
+  {
+    return vtkNBufferDecision::OtherView;
+  }
+  const double quantum = std::ldexp(1.0, -std::min(source.DepthBits, 24));
+  if (quantum != this->DepthQuantum)
+  {
+    this->DepthQuantum = quantum;
+    this->Projection.Set(this->LastKey.WorldToClip.data(), this->LastKey.Viewport[2],
+      this->LastKey.Viewport[3], quantum);
+    for (const std::vector<int>* list : { &this->Kept, &this->Held })
+    {
+      for (int i : *list)
+      {
+        vtkNBufferEntry& entry = this->GetEntry(i);
+        entry.Placement = this->Projection.Project(entry.Candidate.GetBox(), entry.Screen);
+      }
+    }
+  }
+  return vtkNBufferDecision::None;
+}
+
+bool vtkNBufferView::BuildLevels(
+  vtkRenderer* renderer, const vtkNBufferDepthSource& source, const std::vector<int>& held)
+{
+  int levels = 1;
+  for (const std::vector<int>* list : { &held, static_cast<const std::vector<int>*>(&this->Kept) })
+  {
+    for (int i : *list)
+    {
+      levels = std::max(levels,
+        vtkNBufferOcclusionTest::GetLevelsNeeded(
+          this->GetEntry(i).Screen.Pixels, this->Settings.BaseFactor));
+    }
+  }
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  std::string why;
+  if (!this->Backend.Build(this->Settings.Backend, window, source, this->Settings.BaseFactor,
+        levels, this->Levels, this->Statistics, why))
+  {
+    this->Warn(renderer, why);
+    return false;
+  }
+  return true;
+}
+
+int vtkNBufferView::DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSource& source)
+{
+  int drawn = 0;
+  int round = 1;
+  std::vector<int> held = this->Held;
+  const auto nearer = [this](int a, int b) {
+    return this->GetEntry(a).Screen.Nearest < this->GetEntry(b).Screen.Nearest;
+  };
+  const auto drawNearest = [&](std::size_t limit)
+  {
+    std::vector<int> nearest = held;
+    if (limit < held.size())
+    {
+      std::nth_element(held.begin(), held.begin() + limit, held.end(), nearer);
+      nearest.assign(held.begin(), held.begin() + limit);
+    }
+    held.erase(held.begin(), held.begin() + nearest.size());
+    drawn += this->DrawRound(renderer, std::move(nearest), round++);
+  };
+
+  // Where nothing is known, the nearest props are the best guess at what hides the others.
+  if (this->Kept.empty())
+  {
+    drawNearest(this->Settings.RoundSize);
+  }
+  for (;;)
+  {
+    if (!this->BuildLevels(renderer, source, held))
+    {
+      this->Statistics.Decision = vtkNBufferDecision::NoDepth;
+      this->Settled = false;
+      drawNearest(held.size());
+      return drawn;
+    }
+    const vtkNBufferClock clock;
+    vtkNBufferOcclusionTest test(
+      this->Projection, this->Levels, this->Settings.MaximumNumberOfPieces);
+    const auto isHidden = [&](int i)
+    {
+      vtkNBufferEntry& entry = this->GetEntry(i);
+      return entry.Placement == vtkNBufferPlacement::Inside &&
+        test.IsHidden(entry.Candidate.GetBox(), entry.Screen);
+    };
+    if (this->Statistics.Rounds == 0)
+    {
+      // What was let through is tested for the sake of the next frame.
+      for (int i : this->Kept)
+      {
+        this->GetEntry(i).WasVisible = !isHidden(i);
+      }
+      this->Statistics.Tested += static_cast<int>(this->Kept.size() + held.size());
+    }
+    std::vector<int> visible;
+    for (int i : held)
+    {
+      if (isHidden(i))
+      {
+        this->GetEntry(i).Verdict = vtkNBufferVerdict::Hidden;
+      }
+      else
+      {
+        visible.push_back(i);
+      }
+    }
+    held.swap(visible);
+    this->Statistics.Queries += test.GetQueries();
+    this->Statistics.Lookups += test.GetLookups();
+    this->Statistics.TestTime += clock.GetMilliseconds();
+
+    // Another round must save more props than it draws to be worth its read-back.
+    const std::size_t limit = static_cast<std::size_t>(this->Settings.RoundSize)
+      << this->Statistics.Rounds;
+    ++this->Statistics.Rounds;
+    if (held.size() <= 2 * limit ||
+      this->Statistics.Rounds >= this->Settings.MaximumNumberOfRounds)
+    {
+      drawNearest(held.size());
+      return drawn;
+    }
+    drawNearest(limit);
+  }
+}
+
+int vtkNBufferView::DrawRound(vtkRenderer* renderer, std::vector<int> props, int round)
+{
+  const vtkNBufferClock clock;
+  const double time =
+    this->Proxy->GetAllocatedRenderTime() / std::max<std::size_t>(this->Held.size(), 1);
+  int drawn = 0;
+  std::sort(props.begin(), props.end());
+  for (int i : props)
+  {
+    vtkNBufferEntry& entry = this->GetEntry(i);
+    entry.Verdict = vtkNBufferVerdict::Visible;
+    entry.WasVisible = true;
+    drawn += this->Proxy->Draw(entry.Candidate.GetProp(), renderer, time);
+    this->Drawn.push_back(
+      { i, round, entry.Placement == vtkNBufferPlacement::Inside, entry.Screen });
+  }
+  this->Statistics.DrawnInRound[std::min(round, vtkNBufferStatistics::MaximumNumberOfRounds)] +=
+    static_cast<int>(props.size());
+  this->Statistics.DrawTime += clock.GetMilliseconds();
+  return drawn;
+}
+
+int vtkNBufferView::DrawAll(
+  vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason)
+{
+  int drawn = 0;
+  for (int i : this->Held)
+  {
+    vtkNBufferEntry& entry = this->GetEntry(i);
+    vtkProp* prop = entry.Candidate.GetProp();
+    entry.Verdict = vtkNBufferVerdict::Untested;
+    if (prop->HasKeys(requiredKeys))
+    {
+      drawn += this->Proxy->Draw(prop, renderer, this->Proxy->GetAllocatedRenderTime());
+      this->Drawn.push_back({ i, 1, false, entry.Screen });
+    }
+  }
+  this->RedrawForTieOrder(renderer);
+  this->Statistics.Decision = reason;
+  this->Pending = this->Settled = false;
+  this->CountVerdicts();
+  return drawn;
+}
+
+void vtkNBufferView::RedrawForTieOrder(vtkRenderer* renderer)
+{
+  if (this->Drawn.empty())
+  {
+    return;
+  }
+  const int firstLate = std::min_element(this->Drawn.begin(), this->Drawn.end(),
+    [](const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b)
+    { return a.Index < b.Index; })->Index;
+  std::vector<vtkNBufferDrawnProp> all = this->Drawn;
+  const std::vector<vtkNBufferEntry>& entries = this->Props.GetEntries();
+  for (int i = firstLate; i < static_cast<int>(entries.size()); ++i)
+  {
+    const vtkNBufferEntry& entry = entries[i];
+    const bool held = std::binary_search(this->Held.begin(), this->Held.end(), i);
+    if (!held && entry.Verdict != vtkNBufferVerdict::Outside && entry.Candidate.WritesDepth())
+    {
+      const bool bounded = entry.Candidate.IsCandidate() &&
+        entry.Placement == vtkNBufferPlacement::Inside;
+      all.push_back({ i, 0, bounded, entry.Screen });
+    }
+  }
+  const std::vector<int> redraws = vtkNBufferTieOrder::GetRedraws(all);
+  for (int i : redraws)
+  {
+    this->GetProp(all[i].Index)->RenderOpaqueGeometry(renderer);
+  }
+  this->Statistics.Redrawn += static_cast<int>(redraws.size());
+}
+
+void vtkNBufferView::Learn()
+{
+  const int hidden = static_cast<int>(std::count_if(this->Held.begin(), this->Held.end(),
+    [this](int i) { return this->GetEntry(i).Verdict == vtkNBufferVerdict::Hidden; }));
+  const auto inside = static_cast<double>(this->Kept.size() + this->Held.size());
+  this->Statistics.DrawnInRound[0] = static_cast<int>(this->Kept.size());
+  if (hidden >= PoorShare * inside)
+  {
+    this->PoorTests = 0;
+    this->BackOffFrames = 0;
+    return;
+  }
+  if (++this->PoorTests >= PoorTestsToBackOff)
+  {
+    this->BackOffFrames = std::min(std::max(2 * this->BackOffFrames, FirstBackOff), LongestBackOff);
+    this->FramesUntilProbe = this->BackOffFrames;
+  }
+}
+
+void vtkNBufferView::Warn(vtkRenderer* renderer, const std::string& why)
+{
+  if (!this->Warned)
+  {
+    this->Warned = true;
+    vtkWarningWithObjectMacro(renderer,
+      << "vtkNBufferCuller draws everything, because it cannot read the depth buffer: " << why);
+  }
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferView
+ * @brief One renderer and eye as a culler sees it: the two phases of a frame, and what lasts.
+ *
+ *     Cull()           caches up to date, frustum test, list = kept props + the proxy
+ *       |              kept: visible in the last test, crossing the near plane, not candidates
+ *     renderer draws the kept props
+ *       |
+ *     DrawHeldProps()  rounds: levels of the depth so far, test, draw what may be visible
+ *                      then redraw for the order of equal depths
+ *
+ * Lasting from frame to frame: the caches and which candidates the last test found visible. Depth
+ * does not last: every test is against depth of its own frame.
+ */
+#ifndef vtkNBufferView_h
+#define vtkNBufferView_h
+
+#include "vtkNBufferBackend.h"
+#include "vtkNBufferCandidateList.h"
+#include "vtkNBufferHeldProps.h"
+#include "vtkNBufferLevels.h"
+#include "vtkNBufferProjection.h"
+#include "vtkNBufferStatistics.h"
+#include "vtkNBufferTieOrder.h"
+
+#include "vtkNew.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkCamera;
+class vtkInformation;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+
+/**
+ * A culler's settings as they stand at the beginning of a frame; vtkNBufferCuller.h says what they
+ * mean.
+ */
+struct vtkNBufferSettings
+{
+  vtkNBufferBackend::Kind Backend = vtkNBufferBackend::Auto;
+  int BaseFactor = 4;
+  int MinimumNumberOfCandidates = 32;
+  int MaximumNumberOfRounds = 6;
+  int RoundSize = 64;
+  int MaximumNumberOfPieces = 8;
+  bool ReuseWhenStill = true;
+  bool BackOff = true;
+  bool Freeze = false;
+};
+
+class vtkNBufferView
+{
+public:
+  explicit vtkNBufferView(vtkNBufferBackend& backend);
+  ~vtkNBufferView();
+  vtkNBufferView(const vtkNBufferView&) = delete;
+  void operator=(const vtkNBufferView&) = delete;
+
+  /// First phase. Permutes and shortens the list as vtkCuller::Cull may; see there for the rest.
+  double Cull(vtkRenderer* renderer, vtkProp** props, int& count, int& initialized,
+    const vtkNBufferSettings& settings);
+
+  /// This frame is drawn as without the culler, for the reason given.
+  void StepAside(vtkNBufferDecision reason, int count);
+
+  /// Second phase, called by the proxy. Returns the number of props drawn.
+  int DrawHeldProps(vtkRenderer* renderer, vtkInformation* requiredKeys);
+
+  bool HasHeldPropWithKeys(vtkInformation* requiredKeys) const;
+
+  template <typename Functor>
+  void ForEachDrawnHeldProp(Functor&& functor)
+  {
+    for (const vtkNBufferDrawnProp& drawn : this->Drawn)
+    {
+      functor(this->GetProp(drawn.Index));
+    }
+  }
+
+  vtkNBufferVerdict GetVerdict(vtkProp* prop) const;
+  const vtkNBufferStatistics& GetStatistics() const { return this->Statistics; }
+  const vtkNBufferBackend& GetBackend() const { return this->Backend; }
+
+private:
+  /// Everything but the props on which the verdicts of a frame depend.
+  struct Key
+  {
+    std::array<double, 16> WorldToClip{};
+    std::array<int, 4> Viewport{};
+    vtkCamera* Camera = nullptr;
+    vtkMTimeType ContextTime = 0;
+    int MultiSamples = 0;
+
+    bool operator==(const Key& other) const
+    {
+      return this->WorldToClip == other.WorldToClip && this->Viewport == other.Viewport &&
+        this->Camera == other.Camera && this->ContextTime == other.ContextTime &&
+        this->MultiSamples == other.MultiSamples;
+    }
+  };
+
+  static Key MakeKey(vtkRenderer* renderer);
+  vtkNBufferEntry& GetEntry(int index) { return this->Props.GetEntries()[index]; }
+  vtkProp* GetProp(int index) { return this->GetEntry(index).Candidate.GetProp(); }
+
+  bool MayReuse(vtkRenderer* renderer) const;
+  vtkNBufferDecision Decide();
+  double Emit(vtkProp** props, int& count, int& initialized);
+  void CountVerdicts();
+
+  vtkNBufferDecision PrepareTest(vtkRenderer* renderer, vtkNBufferDepthSource& source);
+  bool BuildLevels(vtkRenderer* renderer, const vtkNBufferDepthSource& source,
+    const std::vector<int>& held);
+  int DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSource& source);
+  int DrawRound(vtkRenderer* renderer, std::vector<int> props, int round);
+  int DrawAll(
+    vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason);
+  void RedrawForTieOrder(vtkRenderer* renderer);
+  void Learn();
+  void Warn(vtkRenderer* renderer, const std::string& why);
+
+  vtkNBufferBackend& Backend;
+  vtkNBufferCandidateList Props;
+  vtkNBufferProjection Projection;
+  vtkNBufferLevels Levels;
+  vtkNBufferSettings Settings;
+  vtkNBufferStatistics Statistics;
+  vtkNew<vtkNBufferHeldProps> Proxy;
+  Key LastKey;
+  double DepthQuantum = 0x1p-24; ///< Of the framebuffer drawn last, in window depth.
+
+  std::vector<int> Kept;                   ///< Candidates inside that are let through.
+  std::vector<int> Held;                   ///< Candidates inside that are held back.
+  std::vector<vtkNBufferDrawnProp> Drawn;  ///< Held ones that have been drawn in this frame.
+
+  bool Pending = false;      ///< The proxy is in the list and has not been drawn yet.
+  bool DrawnOnce = false;    ///< The proxy has been drawn in this frame.
+  bool Settled = false;      ///< The verdicts of the last frame are complete.
+  int FramesUntilProbe = 0;  ///< Backed off for as many frames.
+  int FramesWithNothingHeld = 0;
+  int BackOffFrames = 0;     ///< Length of the last back-off.
+  int PoorTests = 0;         ///< Tests in a row that hid next to nothing.
+  bool Warned = false;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
