@@ -83,6 +83,7 @@ bool vtkNBufferBackend::Build(Kind wanted, vtkOpenGLRenderWindow* window,
   vtkNBufferStatistics& statistics, std::string& why)
 {
   this->InUse = this->Choose(wanted, window);
+  this->Depth.clear();
   // What is still being drawn is waited for by either path; it must not count in a trial.
   if (wanted == Auto && this->Chosen == Auto)
   {
@@ -150,6 +151,34 @@ bool vtkNBufferBackend::BuildOnDevice(vtkOpenGLRenderWindow* window,
   return true;
 }
 
+bool vtkNBufferBackend::ReadDepth(vtkOpenGLRenderWindow* window,
+  const vtkNBufferDepthSource& source, vtkNBufferStatistics& statistics, std::string& why)
+{
+  const vtkNBufferClock clock;
+  const int* viewport = source.Viewport;
+  if (!source.Read(window, viewport[0], viewport[1], viewport[2], viewport[3], this->Depth, why))
+  {
+    this->Depth.clear();
+    return false;
+  }
+  statistics.ReadTime += clock.GetMilliseconds();
+  ++statistics.ReadBacks;
+  statistics.BytesRead += static_cast<long long>(sizeof(float)) * viewport[2] * viewport[3];
+  return true;
+}
+
+const float* vtkNBufferBackend::GetDepth(vtkOpenGLRenderWindow* window,
+  const vtkNBufferDepthSource& source, vtkNBufferStatistics& statistics)
+{
+  std::string why;
+  if (this->Depth.empty() &&
+    (source.Samples > 1 || !this->ReadDepth(window, source, statistics, why)))
+  {
+    return nullptr;
+  }
+  return this->Depth.data();
+}
+
 bool vtkNBufferBackend::BuildOnHost(vtkOpenGLRenderWindow* window,
   const vtkNBufferDepthSource& source, int factor, int levelsNeeded, vtkNBufferLevels& levels,
   vtkNBufferStatistics& statistics, std::string& why)
@@ -164,17 +193,13 @@ bool vtkNBufferBackend::BuildOnHost(vtkOpenGLRenderWindow* window,
   }
   else
   {
-    vtkNBufferClock clock;
-    const int* viewport = source.Viewport;
-    if (!source.Read(window, viewport[0], viewport[1], viewport[2], viewport[3], this->Depth, why))
+    if (!this->ReadDepth(window, source, statistics, why))
     {
       return false;
     }
-    statistics.ReadTime += clock.Restart();
-    ++statistics.ReadBacks;
-    statistics.BytesRead += static_cast<long long>(sizeof(float)) * viewport[2] * viewport[3];
-    levels.BuildBase(
-      this->Depth.data(), viewport[2], viewport[3], factor, vtkNBufferExtremum::Maximum);
+    const vtkNBufferClock clock;
+    levels.BuildBase(this->Depth.data(), source.Viewport[2], source.Viewport[3], factor,
+      vtkNBufferExtremum::Maximum);
     statistics.BuildTime += clock.GetMilliseconds();
   }
   const vtkNBufferClock clock;

@@ -50,6 +50,14 @@ public:
     std::string& why);
 
   /**
+   * The whole depth image from which the last levels were built, width * height of the viewport,
+   * or nullptr if there is none (multisampling). On the CPU path it is there already; on the
+   * OpenGL path it is read now, which must be before anything else is drawn.
+   */
+  const float* GetDepth(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
+    vtkNBufferStatistics& statistics);
+
+  /**
    * Whether props are drawn now the way the test presumes: depth test with less or less-or-equal
    * into the whole viewport, depth written over the whole range [0, 1]. Asks OpenGL.
    */
@@ -64,12 +72,14 @@ private:
   bool BuildOnDevice(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
     int factor, int levelsNeeded, vtkNBufferLevels& levels, vtkNBufferStatistics& statistics,
     std::string& why);
+  bool ReadDepth(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
+    vtkNBufferStatistics& statistics, std::string& why);
   bool BuildOnHost(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, int factor,
     int levelsNeeded, vtkNBufferLevels& levels, vtkNBufferStatistics& statistics,
     std::string& why);
 
   vtkNew<vtkNBufferTexture> Texture;
-  std::vector<float> Depth;
+  std::vector<float> Depth; ///< Whole image; empty if the last build did not read it.
   Kind InUse = Auto;
   Kind Chosen = Auto;
   std::string Reason = "nothing built yet";

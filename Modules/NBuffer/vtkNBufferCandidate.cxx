@@ -28,19 +28,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/**
- * vtkProp::GetShaderProperty() makes a shader property where there is none; the culler asks for
- * props that may never be drawn. Naming the protected member through a derived class is the one
- * way to look without making.
- */
-struct ShaderPropertyAccess : vtkProp
-{
-  static vtkShaderProperty* Get(vtkProp* prop)
-  {
-    return prop->*(&ShaderPropertyAccess::ShaderProperty);
-  }
-};
-
 bool HasReplacedShaders(vtkShaderProperty* shaders)
 {
   return shaders &&
@@ -126,50 +113,6 @@ vtkNBufferCandidate::GlobalState vtkNBufferCandidate::GetGlobalState()
   return state;
 }
 
-vtkMTimeType vtkNBufferCandidate::GetTime() const
-{
-  vtkMTimeType time = this->Actor->GetMTime();
-  if (vtkShaderProperty* shaders = ShaderPropertyAccess::Get(this->Actor))
-  {
-    time = std::max(time, shaders->GetMTime());
-  }
-  if (this->Mapper)
-  {
-    time = std::max(time, this->Mapper->GetMTime());
-    if (this->Producer)
-    {
-      // A trivial producer's time includes that of its data.
-      time = std::max(time, this->Producer->GetMTime());
-    }
-    else if (vtkDataObject* input = this->Mapper->GetInputDataObject(0, 0))
-    {
-      time = std::max(time, input->GetMTime());
-    }
-  }
-  return time;
-}
-
-bool vtkNBufferCandidate::IsStale() const
-{
-  if (!this->Actor)
-  {
-    return false;
-  }
-  // In this order: each object is known to be alive only if the one before it has not changed.
-  if (this->Actor->GetMTime() > this->Time)
-  {
-    return true;
-  }
-  vtkShaderProperty* shaders = ShaderPropertyAccess::Get(this->Actor);
-  if (shaders && shaders->GetMTime() > this->Time)
-  {
-    return true;
-  }
-  return this->Mapper &&
-    (this->Mapper->GetMTime() > this->Time ||
-      (this->Producer && this->Producer->GetMTime() > this->Time));
-}
-
 bool vtkNBufferCandidate::Refresh()
 {
   // Nothing else is known of a subclass or another kind of prop, and never will be.
@@ -177,6 +120,7 @@ bool vtkNBufferCandidate::Refresh()
   {
     const bool first = this->Verdict != vtkNBufferVerdict::NotAPlainActor;
     this->Verdict = vtkNBufferVerdict::NotAPlainActor;
+    this->Actor = nullptr;
     this->Volatile = false;
     this->DepthWriter =
       !vtkActor2D::SafeDownCast(this->Prop) && !vtkVolume::SafeDownCast(this->Prop);
@@ -184,28 +128,10 @@ bool vtkNBufferCandidate::Refresh()
     return first;
   }
 
-  this->Actor = static_cast<vtkActor*>(this->Prop);
-  this->Mapper = this->Actor->GetMapper();
-  this->Producer = nullptr;
-  this->Volatile = true;
-  if (this->Mapper && this->Mapper->GetNumberOfInputPorts() > 0 &&
-    this->Mapper->GetNumberOfInputConnections(0) == 1)
-  {
-    vtkAlgorithm* producer = this->Mapper->GetInputAlgorithm(0, 0);
-    vtkDataObject* input = producer ? producer->GetOutputDataObject(0) : nullptr;
-    if (producer && input && typeid(*producer) == typeid(vtkTrivialProducer) &&
-      typeid(*input) == typeid(vtkPolyData))
-    {
-      this->Producer = producer;
-      // A texture's translucency, a transform's pipeline and shared clipping planes are beyond
-      // what may be asked of several props at a time.
-      this->Volatile = this->Actor->GetTexture() || this->Actor->GetUserTransform() ||
-        this->Mapper->GetClippingPlanes();
-    }
-  }
-
   const vtkMTimeType timeBefore = this->Time;
   const vtkNBufferVerdict verdictBefore = this->Verdict;
+  this->Actor = static_cast<vtkActor*>(this->Prop);
+  this->Mapper = this->Actor->GetMapper();
   this->TakeBounds(this->Actor);
   this->Verdict = this->Classify(this->Actor);
   // A composite mapper's blocks have attributes of their own.
@@ -214,11 +140,50 @@ bool vtkNBufferCandidate::Refresh()
       this->Verdict != vtkNBufferVerdict::ShaderReplaced &&
       this->Verdict != vtkNBufferVerdict::OtherCoordinates);
   this->DepthWriter = this->Mapper && this->Actor->HasOpaqueGeometry();
-  this->Time = this->GetTime();
+  this->TakeSources(this->Actor);
   return this->Time != timeBefore || this->Verdict != verdictBefore;
 }
 
-vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor)
+void vtkNBufferCandidate::TakeSources(vtkActor* actor)
+{
+  this->Volatile = true;
+  if (!this->Mapper)
+  {
+    this->Time = actor->GetMTime();
+    return;
+  }
+  vtkAlgorithm* producer = this->Mapper->GetNumberOfInputPorts() > 0 &&
+      this->Mapper->GetNumberOfInputConnections(0) == 1
+    ? this->Mapper->GetInputAlgorithm(0, 0)
+    : nullptr;
+  vtkDataObject* input = this->Mapper->GetInputDataObject(0, 0);
+  if (producer && input && typeid(*producer) == typeid(vtkTrivialProducer) &&
+    typeid(*input) == typeid(vtkPolyData) && IsPlainMapper(this->Mapper) &&
+    !IsCompositeMapper(this->Mapper))
+  {
+    // A texture's translucency, a transform's pipeline and shared clipping planes are beyond what
+    // may be asked of several props at a time.
+    this->Volatile = actor->GetTexture() || actor->GetUserTransform() ||
+      this->Mapper->GetClippingPlanes() ||
+      !this->Sources.Take(actor, this->Mapper, producer, static_cast<vtkPolyData*>(input));
+  }
+  if (!this->Volatile)
+  {
+    this->Time = this->Sources.GetTime();
+    return;
+  }
+  this->Time = std::max(actor->GetMTime(), this->Mapper->GetMTime());
+  if (vtkShaderProperty* shaders = vtkNBufferSources::GetShaderProperty(actor))
+  {
+    this->Time = std::max(this->Time, shaders->GetMTime());
+  }
+  if (input)
+  {
+    this->Time = std::max(this->Time, input->GetMTime());
+  }
+}
+
+vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor) const
 {
   if (HasOtherCoordinates(actor))
   {
@@ -235,7 +200,7 @@ vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor)
   {
     return vtkNBufferVerdict::NotASurface;
   }
-  if (HasReplacedShaders(ShaderPropertyAccess::Get(actor)))
+  if (HasReplacedShaders(vtkNBufferSources::GetShaderProperty(actor)))
   {
     return vtkNBufferVerdict::ShaderReplaced;
   }

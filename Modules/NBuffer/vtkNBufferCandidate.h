@@ -9,14 +9,15 @@
  * nothing in the other stages. All others are drawn as usual, with the reason as verdict.
  *
  * What is cached stays valid as long as the modification times of everything that it came from do
- * not change. VTK's times come from one global counter, so that any change makes the largest of
- * them grow. A prop with a pipeline upstream of its mapper is volatile: it is refreshed in every
- * frame, pipeline update included, as VTK itself would do.
+ * not change (vtkNBufferSources). VTK's times come from one global counter, so that any change
+ * makes the largest of them grow. A prop with a pipeline upstream of its mapper is volatile: it is
+ * refreshed in every frame, pipeline update included, as VTK itself would do.
  */
 #ifndef vtkNBufferCandidate_h
 #define vtkNBufferCandidate_h
 
 #include "vtkNBufferProjection.h"
+#include "vtkNBufferSources.h"
 #include "vtkNBufferStatistics.h"
 #include "vtkType.h"
 
@@ -24,7 +25,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
-class vtkAlgorithm;
 class vtkMapper;
 class vtkProp;
 
@@ -56,10 +56,16 @@ public:
   bool IsTracked() const { return this->Tracked; }
 
   /// Whether Refresh() is due. Only reads times; safe in parallel for different props.
-  bool IsStale() const;
+  bool IsStale() const { return this->Volatile || (this->Actor && this->Sources.HasChanged()); }
 
-  /// Volatile props are refreshed in every frame, by the calling thread.
-  bool IsVolatile() const { return this->Volatile; }
+  /// Have the processor fetch what IsStale() will read.
+  void Prefetch() const
+  {
+    if (!this->Volatile && this->Actor)
+    {
+      this->Sources.Prefetch();
+    }
+  }
 
   /**
    * Look at the prop again. May run its pipeline. Returns whether anything changed since the last
@@ -72,14 +78,14 @@ public:
   static GlobalState GetGlobalState();
 
 private:
-  vtkNBufferVerdict Classify(vtkActor* actor);
+  vtkNBufferVerdict Classify(vtkActor* actor) const;
   void TakeBounds(vtkActor* actor);
-  vtkMTimeType GetTime() const;
+  void TakeSources(vtkActor* actor);
 
   vtkProp* Prop = nullptr;
   vtkActor* Actor = nullptr;
   vtkMapper* Mapper = nullptr;
-  vtkAlgorithm* Producer = nullptr;
+  vtkNBufferSources Sources;
   vtkMTimeType Time = 0;
   vtkNBufferBox Box;
   vtkNBufferVerdict Verdict = vtkNBufferVerdict::Unknown;

@@ -12,6 +12,9 @@ namespace
 /// Props that one thread looks at before another is worth waking.
 constexpr vtkIdType PropsPerThread = 2048;
 
+/// How far ahead of its use an object must be asked for to be there in time.
+constexpr vtkIdType PropsToFetchAhead = 4;
+
 template <typename Functor>
 void ForEachEntry(std::size_t count, Functor&& functor)
 {
@@ -78,8 +81,11 @@ int vtkNBufferCandidateList::Refresh()
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const vtkNBufferCandidate& candidate = this->Entries[i].Candidate;
-        this->Stale[i] = all || candidate.IsVolatile() || candidate.IsStale();
+        if (i + PropsToFetchAhead < end)
+        {
+          this->Entries[i + PropsToFetchAhead].Candidate.Prefetch();
+        }
+        this->Stale[i] = all || this->Entries[i].Candidate.IsStale();
       }
     });
   int changed = 0;

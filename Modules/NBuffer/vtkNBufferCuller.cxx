@@ -211,6 +211,7 @@ double vtkNBufferCuller::Cull(
   settings.MaximumNumberOfRounds = this->MaximumNumberOfRounds;
   settings.RoundSize = this->RoundSize;
   settings.MaximumNumberOfPieces = this->MaximumNumberOfPieces;
+  settings.TestPixels = this->TestPixels;
   settings.ReuseWhenStill = this->ReuseWhenStill;
   settings.BackOff = this->BackOff;
   settings.Freeze = this->Freeze;
@@ -253,6 +254,7 @@ void vtkNBufferCuller::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumNumberOfRounds: " << this->MaximumNumberOfRounds << "\n";
   os << indent << "RoundSize: " << this->RoundSize << "\n";
   os << indent << "MaximumNumberOfPieces: " << this->MaximumNumberOfPieces << "\n";
+  os << indent << "TestPixels: " << this->TestPixels << "\n";
   os << indent << "ReuseWhenStill: " << this->ReuseWhenStill << "\n";
   os << indent << "BackOff: " << this->BackOff << "\n";
   os << indent << "TakeOverFrustumCulling: " << this->TakeOverFrustumCulling << "\n";

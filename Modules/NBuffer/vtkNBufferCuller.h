@@ -89,7 +89,7 @@ public:
   ///@}
 
   ///@{
-  /// Where the levels are built. The verdicts are the same. Default: Auto.
+  /// Where the levels are built; they are the same to the bit. Default: Auto.
   vtkSetClampMacro(Backend, int, Auto, CPU);
   vtkGetMacro(Backend, int);
   ///@}
@@ -126,6 +126,15 @@ public:
   /// its own rectangle and nearest depth. Default: 8.
   vtkSetClampMacro(MaximumNumberOfPieces, int, 1, 8);
   vtkGetMacro(MaximumNumberOfPieces, int);
+  ///@}
+
+  ///@{
+  /// Look at the pixels themselves where the levels do not hide a box (vtkNBufferPixelTest). On
+  /// the OpenGL back-end that takes a second read-back, of the whole depth image, and is done only
+  /// where many props are in doubt; with multisampling there is no such image. Default: on.
+  vtkSetMacro(TestPixels, bool);
+  vtkGetMacro(TestPixels, bool);
+  vtkBooleanMacro(TestPixels, bool);
   ///@}
 
   ///@{
@@ -210,6 +219,7 @@ private:
   int MaximumNumberOfRounds = 6;
   int RoundSize = 64;
   int MaximumNumberOfPieces = 8;
+  bool TestPixels = true;
   bool ReuseWhenStill = true;
   bool BackOff = true;
   bool TakeOverFrustumCulling = true;

@@ -142,22 +142,33 @@ void ConvertNormalised(float* values, std::size_t count, int depthBits, vtkNBuff
   if (depthBits == 24)
   {
     // The upper 24 bits are the depth, whatever the driver filled the lower ones with. This is
-    // how samplers convert, too, so that both back-ends see one depth.
+    // how Mesa's llvmpipe samples, too.
     ConvertInPlace(values, count,
       [](std::uint32_t bits)
-      { return static_cast<float>(static_cast<int>(bits >> NBUFFER_DEPTH32_DROPPED_BITS)) * static_cast<float>(1.0 / NBUFFER_DEPTH24_LARGEST); });
+      {
+        return static_cast<float>(static_cast<int>(bits >> NBUFFER_DEPTH32_DROPPED_BITS)) *
+          static_cast<float>(1.0 / NBUFFER_DEPTH24_LARGEST);
+      });
   }
   else if (rounding == vtkNBufferExtremum::Maximum)
   {
     ConvertInPlace(values, count,
       [](std::uint32_t bits)
-      { return unit * static_cast<float>(static_cast<int>(bits >> NBUFFER_DEPTH32_DROPPED_BITS) + ((bits & NBUFFER_DEPTH32_DROPPED_MASK) != 0)); });
+      {
+        return unit *
+          static_cast<float>(static_cast<int>(bits >> NBUFFER_DEPTH32_DROPPED_BITS) +
+            ((bits & NBUFFER_DEPTH32_DROPPED_MASK) != 0));
+      });
   }
   else
   {
     ConvertInPlace(values, count,
       [](std::uint32_t bits)
-      { return unit * static_cast<float>(static_cast<int>(bits >> NBUFFER_DEPTH32_DROPPED_BITS) + (bits == 0xFFFFFFFFu)); });
+      {
+        return unit *
+          static_cast<float>(
+            static_cast<int>(bits >> NBUFFER_DEPTH32_DROPPED_BITS) + (bits == 0xFFFFFFFFu));
+      });
   }
 }
 }

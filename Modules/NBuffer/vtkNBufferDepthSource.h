@@ -50,8 +50,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
    * error, for a rectangle that is not inside the depth buffer, and for multisampled framebuffers
    * (vtkNBufferTexture reduces those first); `depth` is then undefined.
    *
-   * Rounding: floating-point depth comes as it is. Depth of 16 and 24 bits comes as samplers
-   * return it, at most one unit in the last place off; 24 bits never nearer than it is.
+   * Rounding: floating-point depth comes as it is. Depth of 16 and 24 bits is at most one
+   * unit in the last place off, 24 bits never nearer than it is.
    * Normalised depth of 32 bits does not fit a float; it is rounded to a multiple of 2^-24, up for
    * Maximum (never nearer than the depth, but for a relative 2^-32) and down for Minimum (never
    * farther). 0 and 1 are exact.

@@ -22,8 +22,8 @@ constexpr GLint UnpackTight[] = { 4, 0, 0, 0, 0, 0, 0, 0 };
 // What can discard fragments of a full-screen triangle or change what they write. A clip plane is
 // undefined while the vertex shader writes no distance; VTK uses the first six. Blending is apart:
 // it is a property of each draw buffer.
-constexpr GLenum CapabilityNames[] = { GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST,
-  GL_COLOR_LOGIC_OP, GL_RASTERIZER_DISCARD, GL_POLYGON_SMOOTH, GL_CLIP_DISTANCE0,
+constexpr GLenum CapabilityNames[] = { GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST,
+  GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_RASTERIZER_DISCARD, GL_POLYGON_SMOOTH, GL_CLIP_DISTANCE0,
   GL_CLIP_DISTANCE0 + 1, GL_CLIP_DISTANCE0 + 2, GL_CLIP_DISTANCE0 + 3, GL_CLIP_DISTANCE0 + 4,
   GL_CLIP_DISTANCE0 + 5 };
 
@@ -214,8 +214,7 @@ ScopedPass::~ScopedPass()
 
   // A core profile has one polygon mode for both faces.
   glPolygonMode(GL_FRONT_AND_BACK, this->PolygonMode[0]);
-  glColorMaski(
-    0, this->ColorMask[0], this->ColorMask[1], this->ColorMask[2], this->ColorMask[3]);
+  glColorMaski(0, this->ColorMask[0], this->ColorMask[1], this->ColorMask[2], this->ColorMask[3]);
   if (this->Blend)
   {
     glEnablei(GL_BLEND, 0);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferProjection.h"
 
+#include "vtkMatrix4x4.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,10 +21,6 @@ double Evaluate(const double row[4], const double point[3])
   return row[0] * point[0] + row[1] * point[1] + row[2] * point[2] + row[3];
 }
 
-double Dot(const double a[3], const double b[3])
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 }
 
 vtkNBufferBox vtkNBufferBox::FromBounds(const double bounds[6])
@@ -54,6 +52,7 @@ void vtkNBufferProjection::Set(
       this->RowErrors[i][j] = VertexErrors * UnitRoundoff * std::abs(this->Rows[i][j]);
     }
   }
+  vtkMatrix4x4::Invert(worldToClip, &this->ClipToWorld[0][0]);
   for (int plane = 0; plane < 6; ++plane)
   {
     const int axis = plane / 2;
@@ -105,6 +104,8 @@ vtkNBufferPlacement vtkNBufferProjection::Project(
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double low[3] = { infinity, infinity, infinity };
   double high[3] = { -infinity, -infinity, -infinity };
+  double slacks[3] = { 0.0, 0.0, 0.0 };
+  double maximumW = 0.0;
   for (int corner = 0; corner < 8; ++corner)
   {
     double clip[4];
@@ -127,7 +128,9 @@ vtkNBufferPlacement vtkNBufferProjection::Project(
       const double slack = (error[i] + std::abs(ndc) * error[3]) * inverse;
       low[i] = std::min(low[i], ndc - slack);
       high[i] = std::max(high[i], ndc + slack);
+      slacks[i] = std::max(slacks[i], slack);
     }
+    maximumW = std::max(maximumW, clip[3]);
   }
   for (int i = 0; i < 3; ++i)
   {
@@ -159,8 +162,84 @@ vtkNBufferPlacement vtkNBufferProjection::Project(
   const double slack = this->DepthSlack + 0.5 * (high[2] - low[2]) * this->DepthRangeSlack;
   result.Nearest = 0.5 * (low[2] + 1.0) - slack;
   result.Farthest = 0.5 * (high[2] + 1.0) + slack;
+  for (int i = 0; i < 2; ++i)
+  {
+    result.Slack[i] = slacks[i] + 2.0 * (box.Margin + SnapInPixels) / size[i];
+  }
+  result.Slack[2] = slacks[2] + 2.0 * slack;
+  result.MaximumW = maximumW;
   // Beyond the far plane nothing is drawn.
   return result.Nearest > 1.0 ? vtkNBufferPlacement::Outside : vtkNBufferPlacement::Inside;
+}
+
+bool vtkNBufferProjection::AreApart(const vtkNBufferBox& a, const vtkNBufferScreenBox& screenA,
+  const vtkNBufferBox& b, const vtkNBufferScreenBox& screenB) const
+{
+  const double w = std::max(screenA.MaximumW, screenB.MaximumW);
+  for (int j = 0; j < 3; ++j)
+  {
+    const double distance = b.Center[j] - a.Center[j];
+    const double gap = std::abs(distance) - a.HalfSize[j] - b.HalfSize[j];
+    if (!(gap > 0.0))
+    {
+      continue;
+    }
+    const double middle = a.Center[j] + std::copysign(a.HalfSize[j] + 0.5 * gap, distance);
+    double reach = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      reach += std::abs(this->ClipToWorld[j][k] - middle * this->ClipToWorld[3][k]) *
+        (screenA.Slack[k] + screenB.Slack[k]);
+    }
+    if (gap > w * reach)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool vtkNBufferProjection::GetFacePlane(const vtkNBufferBox& box,
+  const vtkNBufferScreenBox& screen, int face, FacePlane& plane) const
+{
+  const int axis = face / 2;
+  const double sign = face % 2 == 0 ? -1.0 : 1.0;
+  const double offset = box.Center[axis] + sign * box.HalfSize[axis];
+  // Inside of the face L(q) <= 0, see AreApart.
+  double l[4];
+  for (int k = 0; k < 4; ++k)
+  {
+    l[k] = sign * (this->ClipToWorld[axis][k] - offset * this->ClipToWorld[3][k]);
+  }
+  if (!(l[2] < 0.0))
+  {
+    return false;
+  }
+  // z >= (l_x x + l_y y + l_w) / -l_z in NDC, then to pixels and window depth.
+  const double x = -l[0] / l[2];
+  const double y = -l[1] / l[2];
+  plane.SlopeX = x / this->Width;
+  plane.SlopeY = y / this->Height;
+  plane.Depth = 0.5 + 0.5 * (-l[3] / l[2] - x - y -
+    std::abs(x) * screen.Slack[0] - std::abs(y) * screen.Slack[1] - screen.Slack[2]);
+  return std::isfinite(plane.Depth) && std::isfinite(plane.SlopeX) &&
+    std::isfinite(plane.SlopeY);
+}
+
+void vtkNBufferProjection::GetCorners(const vtkNBufferBox& box, double corners[16]) const
+{
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double point[3];
+    for (int j = 0; j < 3; ++j)
+    {
+      point[j] = box.Center[j] + (corner >> j & 1 ? box.HalfSize[j] : -box.HalfSize[j]);
+    }
+    const double inverse = 1.0 / Evaluate(this->Rows[3], point);
+    corners[2 * corner] = 0.5 * this->Width * (Evaluate(this->Rows[0], point) * inverse + 1.0);
+    corners[2 * corner + 1] =
+      0.5 * this->Height * (Evaluate(this->Rows[1], point) * inverse + 1.0);
+  }
 }
 
 void vtkNBufferProjection::GetAxisLengths(const vtkNBufferBox& box, double lengths[3]) const

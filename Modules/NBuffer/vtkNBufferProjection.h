@@ -79,6 +79,8 @@ struct vtkNBufferScreenBox
   vtkNBufferRectangle Pixels;   ///< Of the viewport, (0, 0) its lower left pixel; never empty.
   double Nearest = 0.0;         ///< Window depth, slack subtracted.
   double Farthest = 1.0;        ///< Window depth, slack added.
+  double Slack[3] = {};         ///< How far a drawn point may be from its exact place, NDC.
+  double MaximumW = 0.0;        ///< Largest clip w of the corners.
 };
 
 /**
@@ -111,6 +113,41 @@ public:
   vtkNBufferPlacement Project(const vtkNBufferBox& box, vtkNBufferScreenBox& result) const;
 
   /**
+   * Whether two boxes, both Inside, cannot have fragments of equal depth in one sample, because a
+   * plane between them keeps what is drawn of them apart. Sharper than comparing rectangles and
+   * depth intervals: props side by side in a street overlap in both.
+   *
+   * With c in the middle of a gap g between the boxes along world axis j, and N the clip-to-world
+   * matrix, L(q) = (N_j - c N_3) q = (p_j - c) / w is linear in the NDC point q of world point p.
+   * It differs by at least g / w_max between the boxes, and two fragments in one place can make up
+   * for no more than sum_k |N_jk - c N_3k| (slack_k of one + slack_k of the other).
+   */
+  bool AreApart(const vtkNBufferBox& a, const vtkNBufferScreenBox& screenA,
+    const vtkNBufferBox& b, const vtkNBufferScreenBox& screenB) const;
+
+  /**
+   * The plane of a face as a bound on depth. Face 0 to 5: low x, high x, low y, ... Where it faces
+   * the eye, what is drawn of the box in a square of pixels of half side `h` around (x, y) is
+   * nowhere nearer than
+   *
+   *     Depth + SlopeX x + SlopeY y - h (|SlopeX| + |SlopeY|)
+   *
+   * in window depth and pixels of the viewport, slack included. Returns false for a face that
+   * looks away or is seen edge-on.
+   */
+  struct FacePlane
+  {
+    double Depth;
+    double SlopeX;
+    double SlopeY;
+  };
+  bool GetFacePlane(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen, int face,
+    FacePlane& plane) const;
+
+  /// The eight corners of a box that is Inside, in pixels of the viewport: x0, y0, x1, y1, ...
+  void GetCorners(const vtkNBufferBox& box, double corners[16]) const;
+
+  /**
    * Length in pixels of the projections of the box's three axes through its centre, for choosing
    * where to cut it. The box must be Inside.
    */
@@ -121,6 +158,7 @@ private:
   double Planes[6][4] = {};
   double PlaneErrors[6][4] = {};
   double RowErrors[4][4] = {};
+  double ClipToWorld[4][4] = {};
   double DepthSlack = 0.0;
   double DepthRangeSlack = 0.0;
   int Width = 0;

@@ -97,10 +97,16 @@ namespace vtkNBufferSituation
 vtkNBufferDecision GetObstacle(vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!window || !window->GetInitialized() || window->IsA("vtkVRRenderWindow"))
+  if (!window || window->IsA("vtkVRRenderWindow"))
   {
     return vtkNBufferDecision::UnsupportedWindow;
   }
+#if VTKNBUFFER_HAS_INITIALIZE
+  if (!window->GetInitialized())
+  {
+    return vtkNBufferDecision::UnsupportedWindow;
+  }
+#endif
   int size[2] = { 0, 0 };
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);

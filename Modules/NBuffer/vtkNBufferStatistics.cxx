@@ -95,6 +95,7 @@ std::string vtkNBufferStatistics::GetAsJSON() const
   json["drawn"] = this->GetNumberOfPropsDrawn();
   json["candidates"] = this->Candidates;
   json["tested"] = this->Tested;
+  json["doubtful"] = this->Doubtful;
   json["held_back"] = this->HeldBack;
   json["redrawn"] = this->Redrawn;
   json["refreshed"] = this->Refreshed;
@@ -120,6 +121,7 @@ std::string vtkNBufferStatistics::GetAsJSON() const
   times["read"] = this->ReadTime;
   times["build"] = this->BuildTime;
   times["test"] = this->TestTime;
+  times["pixel_test"] = this->PixelTestTime;
   times["draw"] = this->DrawTime;
   times["device_build"] = this->DeviceBuildTime;
 

@@ -80,11 +80,12 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
 
   ///@{
   /// Props that the culler was given, and of these: candidates for the test, those of them whose
-  /// boxes were tested against depth, those held back until then, those redrawn for the order of
-  /// equal depths (see vtkNBufferTieOrder.h), and the caches refreshed because something changed.
+  /// boxes were tested against depth, those of them that the levels did not find hidden, those
+  /// held back until the test, those redrawn for the order of equal depths (see vtkNBufferTieOrder.h), and the caches refreshed because something changed.
   int Props = 0;
   int Candidates = 0;
   int Tested = 0;
+  int Doubtful = 0;
   int HeldBack = 0;
   int Redrawn = 0;
   int Refreshed = 0;
@@ -113,8 +114,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
 
   ///@{
   /// Milliseconds of the calling thread: Cull() as a whole and of it bringing caches up to date
-  /// and the frustum test; then waiting for and reading the depth, building levels, testing, and
-  /// drawing what had been held back. On the graphics device: building levels (OpenGL back-end;
+  /// and the frustum test; then waiting for and reading the depth, building levels, testing boxes
+  /// and pixels, and drawing what had been held back. On the graphics device: building levels (OpenGL back-end;
   /// of an earlier frame, because a timer query is never waited for).
   double CullTime = 0.0;
   double RefreshTime = 0.0;
@@ -122,6 +123,7 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   double ReadTime = 0.0;
   double BuildTime = 0.0;
   double TestTime = 0.0;
+  double PixelTestTime = 0.0;
   double DrawTime = 0.0;
   double DeviceBuildTime = 0.0;
   ///@}

@@ -1,30 +1,534 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferTexture.h"
+
+#include "Shaders/vtkNBufferShared.h"
+#include "vtkNBufferBaseFS.h"
+#include "vtkNBufferDepthSource.h"
+#include "vtkNBufferFullScreenVS.h"
+#include "vtkNBufferGL.h"
+#include "vtkNBufferLevelFS.h"
+#include "vtkNBufferResourceCallback.h"
+#include "vtkNBufferSharedText.h"
+#include "vtkNBufferTextureStorage.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderTimer.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkNBufferTexture);
+
+namespace
+{
+/// What the text of a shader depends on.
+struct ShaderKey
+{
+  bool Base = false;
+  bool Maximum = true;
+  int Source = NBUFFER_SOURCE_DEPTH;
+  int Factor = 1;
+  int Samples = 1;
+  bool Inexact = false;
+
+  bool operator<(const ShaderKey& other) const { return this->Tie() < other.Tie(); }
+
+  std::string GetDefinitions() const
+  {
+    const auto define = [](const char* name, int value)
+    { return std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
+    std::string text = define("NBUFFER_MAXIMUM", this->Maximum);
+    if (this->Base)
+    {
+      text += define("NBUFFER_SOURCE", this->Source) + define("NBUFFER_FACTOR", this->Factor) +
+        define("NBUFFER_SAMPLES", this->Samples) + define("NBUFFER_INEXACT", this->Inexact);
+    }
+    return text;
+  }
+
+private:
+  std::tuple<bool, bool, int, int, int, bool> Tie() const
+  {
+    return { this->Base, this->Maximum, this->Source, this->Factor, this->Samples, this->Inexact };
+  }
+};
+
+/// The depth that the base pass samples, and where the rectangle begins in it.
+struct SampledDepth
+{
+  int Kind = NBUFFER_SOURCE_DEPTH;
+  bool Foreign = false; ///< Not ours: its sampling parameters are its owner's.
+  GLenum Target = GL_TEXTURE_2D;
+  int Level = 0;
+  int Origin[2] = { 0, 0 };
+};
+
+/// The format to copy depth in without changing a bit.
+GLenum GetCopyFormat(const vtkNBufferDepthSource& source)
+{
+  if (source.FloatDepth)
+  {
+    return GL_DEPTH_COMPONENT32F;
+  }
+  return source.DepthBits <= 16 ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24;
+}
+
+bool Holds32NormalisedBits(const vtkNBufferDepthSource& source)
+{
+  return source.DepthBits > 24 && !source.FloatDepth;
+}
+}
+
 class vtkNBufferTexture::Internals
 {
 public:
+  using Callback = vtkOpenGLResourceFreeCallback<vtkNBufferTexture>;
+
+  explicit Internals(vtkNBufferTexture* self)
+    : ResourceCallback(new Callback(self, &vtkNBufferTexture::ReleaseGraphicsResources))
+  {
+  }
+
+  bool CheckArguments(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, int x,
+    int y, int width, int height, int factor, int levels);
+  void UseContext(vtkOpenGLRenderWindow* window);
+  bool PrepareDepth(
+    const vtkNBufferDepthSource& source, int x, int y, int width, int height, SampledDepth& depth);
+  bool DrawBase(vtkOpenGLRenderWindow* window, const SampledDepth& depth, const ShaderKey& key);
+  bool DrawLevel(vtkOpenGLRenderWindow* window, int level, const ShaderKey& key);
+  bool ReadLevels(vtkNBufferLevels& levels);
+  void Forget();
+
+  int PixelWidth = 0;
+  int PixelHeight = 0;
+  int Factor = 1;
+  int Width = 0;
+  int Height = 0;
+  int NumberOfLevels = 0;
+  vtkNBufferExtremum Extremum = vtkNBufferExtremum::Maximum;
+  int Draws = 0;
+  int Downloads = 0;
+  double DeviceTime = 0.0;
+  bool HasTimer = false;
   std::string Error;
+  vtkNBufferTextureStorage Storage;
+  vtkOpenGLRenderWindow* Window = nullptr; ///< Registered with; it says when it goes.
+  std::unique_ptr<Callback> ResourceCallback;
+  std::unique_ptr<vtkOpenGLRenderTimer> Timer;
+
+private:
+  vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const ShaderKey& key);
+  void Draw(int level);
+
+  vtkMTimeType ContextTime = 0;
+  std::map<ShaderKey, vtkSmartPointer<vtkShaderProgram>> Programs;
 };
+
+bool vtkNBufferTexture::Internals::CheckArguments(vtkOpenGLRenderWindow* window,
+  const vtkNBufferDepthSource& source, int x, int y, int width, int height, int factor, int levels)
+{
+  if (!window || source.DepthBits == 0)
+  {
+    this->Error = "There is no depth buffer to reduce. Call vtkNBufferDepthSource::Inspect first.";
+  }
+  else if (factor != 1 && factor != 2 && factor != 4 && factor != 8)
+  {
+    this->Error = "The base factor is " + std::to_string(factor) + ". It must be 1, 2, 4 or 8.";
+  }
+  else if (levels < 1)
+  {
+    this->Error = "No level was asked for. Ask for at least one.";
+  }
+  else if (width <= 0 || height <= 0 || x < 0 || y < 0 || width > source.Width - x ||
+    height > source.Height - y)
+  {
+    this->Error = "The rectangle to reduce is empty or reaches outside the depth buffer. Keep the "
+                  "viewport inside the framebuffer.";
+  }
+  else if (source.Samples > 1 && !source.Texture)
+  {
+    this->Error = "Multisampled depth in a renderbuffer or in the window's own framebuffer cannot "
+                  "be sampled. Attach a multisampled depth texture or call SetMultiSamples(0) on "
+                  "the render window.";
+  }
+  else
+  {
+    this->Error.clear();
+  }
+  return this->Error.empty();
+}
+
+void vtkNBufferTexture::Internals::UseContext(vtkOpenGLRenderWindow* window)
+{
+  if (this->Window != window)
+  {
+    // What another window holds is released by this. Most window classes then leave that window's
+    // context current.
+    this->ResourceCallback->RegisterGraphicsResources(window);
+    this->Window = window;
+    window->MakeCurrent();
+  }
+  if (this->ContextTime == window->GetContextCreationTime())
+  {
+    return;
+  }
+  // The same window with another context: the objects went with the old one.
+  if (this->ContextTime != 0)
+  {
+    this->Forget();
+  }
+  this->ContextTime = window->GetContextCreationTime();
+  this->HasTimer = vtkNBufferGL::HasVersion(3, 3) && vtkOpenGLRenderTimer::IsSupported();
+}
+
+bool vtkNBufferTexture::Internals::PrepareDepth(
+  const vtkNBufferDepthSource& source, int x, int y, int width, int height, SampledDepth& depth)
+{
+  if (source.Samples > 1 || (source.Texture && !Holds32NormalisedBits(source)))
+  {
+    depth.Foreign = true;
+    depth.Kind = source.Samples > 1 ? NBUFFER_SOURCE_MULTISAMPLE : NBUFFER_SOURCE_DEPTH;
+    depth.Target = source.Samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+    depth.Level = source.DepthLevel;
+    depth.Origin[0] = x;
+    depth.Origin[1] = y;
+    glBindTexture(depth.Target, source.DepthName);
+    return vtkNBufferGL::CheckErrors("Binding the depth texture", this->Error);
+  }
+  if (!Holds32NormalisedBits(source))
+  {
+    if (!this->Storage.ReserveCopy(GetCopyFormat(source), width, height, this->Error))
+    {
+      return false;
+    }
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, source.Framebuffer);
+    glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, x, y, width, height);
+    return vtkNBufferGL::CheckErrors("Copying the depth buffer", this->Error);
+  }
+  // Integers can only be had by way of a buffer. Hardware does not offer this format, and software
+  // copies it as it is.
+  depth.Kind = NBUFFER_SOURCE_INTEGER;
+  if (!this->Storage.ReserveIntegers(width, height, this->Error))
+  {
+    return false;
+  }
+  const unsigned int buffer = this->Storage.GetIntegerBuffer();
+  {
+    const vtkNBufferGL::ScopedReadback readback(source.Framebuffer, buffer);
+    glReadPixels(x, y, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+  }
+  {
+    const vtkNBufferGL::ScopedUpload upload(buffer);
+    glTexSubImage2D(
+      GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  }
+  return vtkNBufferGL::CheckErrors("Copying the depth buffer as integers", this->Error);
+}
+
+vtkShaderProgram* vtkNBufferTexture::Internals::Ready(
+  vtkOpenGLRenderWindow* window, const ShaderKey& key)
+{
+  vtkOpenGLShaderCache* cache = window->GetShaderCache();
+  auto& program = this->Programs[key];
+  if (program)
+  {
+    program = cache->ReadyShaderProgram(program);
+  }
+  else
+  {
+    std::string text = key.Base ? vtkNBufferBaseFS : vtkNBufferLevelFS;
+    vtkShaderProgram::Substitute(text, "//VTK::NBuffer::Shared", vtkNBufferSharedText);
+    vtkShaderProgram::Substitute(text, "//VTK::NBuffer::Dec", key.GetDefinitions());
+    program = cache->ReadyShaderProgram(vtkNBufferFullScreenVS, text.c_str(), "");
+  }
+  if (!program)
+  {
+    this->Error = "A shader of the N-buffer does not compile on this driver. Use the CPU back-end "
+                  "and report the driver's message.";
+    return nullptr;
+  }
+  // The cache believes that what it bound last still is; foreign code may have changed that.
+  glUseProgram(program->GetHandle());
+  return program;
+}
+
+void vtkNBufferTexture::Internals::Draw(int level)
+{
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Storage.GetFramebuffer(level));
+  glViewport(0, 0, this->Width, this->Height);
+  glBindVertexArray(this->Storage.GetVertexArray());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  ++this->Draws;
+}
+
+bool vtkNBufferTexture::Internals::DrawBase(
+  vtkOpenGLRenderWindow* window, const SampledDepth& depth, const ShaderKey& key)
+{
+  vtkShaderProgram* program = this->Ready(window, key);
+  if (!program)
+  {
+    return false;
+  }
+  const int last[2] = { this->PixelWidth - 1, this->PixelHeight - 1 };
+  program->SetUniformi("depth", 0);
+  program->SetUniform2i("origin", depth.Origin);
+  program->SetUniform2i("last", last);
+  if (depth.Foreign)
+  {
+    const vtkNBufferGL::ScopedDepthSampling sampling(depth.Target, depth.Level);
+    this->Draw(0);
+  }
+  else
+  {
+    this->Draw(0);
+  }
+  return true;
+}
+
+bool vtkNBufferTexture::Internals::DrawLevel(
+  vtkOpenGLRenderWindow* window, int level, const ShaderKey& key)
+{
+  vtkShaderProgram* program = this->Ready(window, key);
+  if (!program)
+  {
+    return false;
+  }
+  const int last[2] = { this->Width - 1, this->Height - 1 };
+  program->SetUniformi("below", 0);
+  program->SetUniformi("layer", vtkNBufferTextureStorage::GetLayer(level - 1));
+  program->SetUniformi("side", 1 << (level - 1));
+  program->SetUniform2i("last", last);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, this->Storage.GetArray(level - 1));
+  this->Draw(level);
+  return true;
+}
+
+bool vtkNBufferTexture::Internals::ReadLevels(vtkNBufferLevels& levels)
+{
+  const std::size_t texels = static_cast<std::size_t>(this->Width) * this->Height;
+  const std::size_t bytes = sizeof(float) * texels * this->NumberOfLevels;
+  if (!this->Storage.ReserveReadback(bytes, this->Error))
+  {
+    return false;
+  }
+  const vtkNBufferGL::ScopedReadback readback(0, this->Storage.GetReadbackBuffer());
+  for (int level = 0; level < this->NumberOfLevels; ++level)
+  {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, this->Storage.GetFramebuffer(level));
+    glReadPixels(0, 0, this->Width, this->Height, GL_RED, GL_FLOAT,
+      reinterpret_cast<void*>(sizeof(float) * texels * level));
+  }
+  levels.Allocate(
+    this->PixelWidth, this->PixelHeight, this->Factor, this->NumberOfLevels, this->Extremum);
+  // The one call that waits. Levels lie one behind the other on both sides.
+  glGetBufferSubData(
+    GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(bytes), levels.GetLevelData(0));
+  ++this->Downloads;
+  return vtkNBufferGL::CheckErrors("Reading the levels back", this->Error);
+}
+
+void vtkNBufferTexture::Internals::Forget()
+{
+  this->Storage.Forget();
+  this->Programs.clear();
+  // Queries of a dead context cannot be deleted: their names are left to it.
+  this->Timer.release();
+  this->ContextTime = 0;
+  this->NumberOfLevels = 0;
+  this->DeviceTime = 0.0;
+}
+
 vtkNBufferTexture::vtkNBufferTexture()
-  : Implementation(new Internals)
+  : Implementation(new Internals(this))
 {
 }
-vtkNBufferTexture::~vtkNBufferTexture() = default;
-bool vtkNBufferTexture::Build(vtkOpenGLRenderWindow*, const vtkNBufferDepthSource&, int, int, int, int, int, int, vtkNBufferExtremum) { return false; }
-bool vtkNBufferTexture::Download(vtkOpenGLRenderWindow*, vtkNBufferLevels&) { return false; }
-int vtkNBufferTexture::GetWidth() const { return 0; }
-int vtkNBufferTexture::GetHeight() const { return 0; }
-int vtkNBufferTexture::GetNumberOfLevels() const { return 0; }
-unsigned int vtkNBufferTexture::GetHandle() const { return 0; }
-const std::string& vtkNBufferTexture::GetError() const { return this->Implementation->Error; }
-double vtkNBufferTexture::GetDeviceTime() { return 0; }
-void vtkNBufferTexture::ReleaseGraphicsResources(vtkWindow*) {}
+
+vtkNBufferTexture::~vtkNBufferTexture()
+{
+  this->Implementation->ResourceCallback->Release();
+}
+
+bool vtkNBufferTexture::Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
+  int x, int y, int width, int height, int factor, int levels, vtkNBufferExtremum extremum)
+{
+  Internals& self = *this->Implementation;
+  self.NumberOfLevels = 0;
+  self.Draws = 0;
+  if (!self.CheckArguments(window, source, x, y, width, height, factor, levels))
+  {
+    return false;
+  }
+  if (!this->AllowFloatTextures)
+  {
+    self.Error = "Float textures are switched off (AllowFloatTextures). Switch them on, or use the "
+                 "CPU back-end.";
+    return false;
+  }
+  self.UseContext(window);
+  self.PixelWidth = width;
+  self.PixelHeight = height;
+  self.Factor = factor;
+  self.Extremum = extremum;
+  self.Width = vtkNBufferMath::GetBaseSize(width, factor);
+  self.Height = vtkNBufferMath::GetBaseSize(height, factor);
+  const int count = std::min(levels, vtkNBufferMath::GetNumberOfLevels(self.Width, self.Height));
+
+  ShaderKey key;
+  key.Maximum = extremum == vtkNBufferExtremum::Maximum;
+  vtkNBufferGL::ClearErrors();
+  const vtkNBufferGL::ScopedPass pass(window);
+  if (!self.Storage.ReserveLevels(self.Width, self.Height, count, self.Error))
+  {
+    return false;
+  }
+  this->GetDeviceTime();
+  if (self.HasTimer)
+  {
+    if (!self.Timer)
+    {
+      self.Timer = std::make_unique<vtkOpenGLRenderTimer>();
+    }
+    self.Timer->ReusableStart();
+  }
+  SampledDepth depth;
+  bool drawn = self.PrepareDepth(source, x, y, width, height, depth);
+  if (drawn)
+  {
+    ShaderKey base = key;
+    base.Base = true;
+    base.Source = depth.Kind;
+    base.Factor = factor;
+    base.Samples = std::max(source.Samples, 1);
+    base.Inexact = source.Samples > 1 && Holds32NormalisedBits(source);
+    drawn = self.DrawBase(window, depth, base);
+  }
+  for (int level = 1; drawn && level < count; ++level)
+  {
+    drawn = self.DrawLevel(window, level, key);
+  }
+  if (self.HasTimer)
+  {
+    self.Timer->ReusableStop();
+  }
+  if (!drawn || !vtkNBufferGL::CheckErrors("Building the levels", self.Error))
+  {
+    return false;
+  }
+  self.NumberOfLevels = count;
+  return true;
+}
+
+bool vtkNBufferTexture::Download(vtkOpenGLRenderWindow* window, vtkNBufferLevels& levels)
+{
+  Internals& self = *this->Implementation;
+  if (self.NumberOfLevels == 0 || self.Window != window)
+  {
+    self.Error = "There are no levels to read back in this window. Build them first.";
+    levels.Clear();
+    return false;
+  }
+  vtkNBufferGL::ClearErrors();
+  if (!self.ReadLevels(levels))
+  {
+    levels.Clear();
+    return false;
+  }
+  self.Error.clear();
+  return true;
+}
+
+int vtkNBufferTexture::GetWidth() const
+{
+  return this->Implementation->NumberOfLevels > 0 ? this->Implementation->Width : 0;
+}
+
+int vtkNBufferTexture::GetHeight() const
+{
+  return this->Implementation->NumberOfLevels > 0 ? this->Implementation->Height : 0;
+}
+
+int vtkNBufferTexture::GetNumberOfLevels() const
+{
+  return this->Implementation->NumberOfLevels;
+}
+
+unsigned int vtkNBufferTexture::GetHandle(int level) const
+{
+  const bool built = level >= 0 && level < this->Implementation->NumberOfLevels;
+  return built ? this->Implementation->Storage.GetArray(level) : 0;
+}
+
+int vtkNBufferTexture::GetLayer(int level) const
+{
+  const bool built = level >= 0 && level < this->Implementation->NumberOfLevels;
+  return built ? vtkNBufferTextureStorage::GetLayer(level) : 0;
+}
+
+int vtkNBufferTexture::GetNumberOfDraws() const
+{
+  return this->Implementation->Draws;
+}
+
+int vtkNBufferTexture::GetNumberOfAllocations() const
+{
+  return this->Implementation->Storage.GetNumberOfAllocations();
+}
+
+int vtkNBufferTexture::GetNumberOfDownloads() const
+{
+  return this->Implementation->Downloads;
+}
+
+const std::string& vtkNBufferTexture::GetError() const
+{
+  return this->Implementation->Error;
+}
+
+double vtkNBufferTexture::GetDeviceTime()
+{
+  Internals& self = *this->Implementation;
+  if (self.Timer)
+  {
+    // 0 until a query has finished, then the last that has.
+    const double milliseconds = 1e3 * self.Timer->GetReusableElapsedSeconds();
+    self.DeviceTime = milliseconds > 0.0 ? milliseconds : self.DeviceTime;
+  }
+  return self.DeviceTime;
+}
+
+void vtkNBufferTexture::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& self = *this->Implementation;
+  if (!self.ResourceCallback->IsReleasing())
+  {
+    // Comes back here with the context current, or does nothing where nothing is held.
+    self.ResourceCallback->Release();
+    return;
+  }
+  if (window)
+  {
+    self.Storage.Release();
+    self.Timer.reset();
+  }
+  self.Forget();
+  self.Window = nullptr;
+}
+
 void vtkNBufferTexture::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "AllowFloatTextures: " << (this->AllowFloatTextures ? "On" : "Off") << "\n";
+  os << indent << "Width: " << this->GetWidth() << "\n";
+  os << indent << "Height: " << this->GetHeight() << "\n";
+  os << indent << "NumberOfLevels: " << this->GetNumberOfLevels() << "\n";
+  os << indent << "NumberOfDraws: " << this->GetNumberOfDraws() << "\n";
+  os << indent << "NumberOfAllocations: " << this->GetNumberOfAllocations() << "\n";
+  os << indent << "NumberOfDownloads: " << this->GetNumberOfDownloads() << "\n";
+  os << indent << "Error: " << (this->GetError().empty() ? "(none)" : this->GetError()) << "\n";
 }
 VTK_ABI_NAMESPACE_END

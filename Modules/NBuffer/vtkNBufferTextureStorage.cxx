@@ -43,8 +43,7 @@ bool vtkNBufferTextureStorage::ReserveLevels(int width, int height, int levels, 
   return true;
 }
 
-bool vtkNBufferTextureStorage::AllocateArrays(
-  int width, int height, int levels, std::string& why)
+bool vtkNBufferTextureStorage::AllocateArrays(int width, int height, int levels, std::string& why)
 {
   const vtkNBufferGL::ScopedUpload nothing(0);
   glGenTextures(ArrayCount, this->Arrays);
@@ -55,8 +54,8 @@ bool vtkNBufferTextureStorage::AllocateArrays(
     SetPlainSampling(GL_TEXTURE_2D_ARRAY);
     if (layers > 0)
     {
-      glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32F, width, height, layers, 0, GL_RED, GL_FLOAT,
-        nullptr);
+      glTexImage3D(
+        GL_TEXTURE_2D_ARRAY, 0, GL_R32F, width, height, layers, 0, GL_RED, GL_FLOAT, nullptr);
       ++this->Allocations;
     }
   }
@@ -85,8 +84,7 @@ bool vtkNBufferTextureStorage::AllocateFramebuffers(int levels, std::string& why
 bool vtkNBufferTextureStorage::ReserveCopy(
   unsigned int format, int width, int height, std::string& why)
 {
-  return this->ReserveImage(
-    this->Copy, format, GL_DEPTH_COMPONENT, GL_FLOAT, width, height, why);
+  return this->ReserveImage(this->Copy, format, GL_DEPTH_COMPONENT, GL_FLOAT, width, height, why);
 }
 
 bool vtkNBufferTextureStorage::ReserveIntegers(int width, int height, std::string& why)
@@ -122,8 +120,7 @@ bool vtkNBufferTextureStorage::ReserveImage(Image& image, unsigned int format,
   image.Format = format;
   image.Width = std::max(width, image.Width);
   image.Height = std::max(height, image.Height);
-  glTexImage2D(
-    GL_TEXTURE_2D, 0, format, image.Width, image.Height, 0, components, type, nullptr);
+  glTexImage2D(GL_TEXTURE_2D, 0, format, image.Width, image.Height, 0, components, type, nullptr);
   ++this->Allocations;
   if (!vtkNBufferGL::CheckErrors("Allocating a copy of the depth buffer", why))
   {
@@ -172,8 +169,7 @@ unsigned int vtkNBufferTextureStorage::GetVertexArray()
 void vtkNBufferTextureStorage::ReleaseLevels()
 {
   // Names of 0 are ignored.
-  glDeleteFramebuffers(
-    static_cast<GLsizei>(this->Framebuffers.size()), this->Framebuffers.data());
+  glDeleteFramebuffers(static_cast<GLsizei>(this->Framebuffers.size()), this->Framebuffers.data());
   glDeleteTextures(ArrayCount, this->Arrays);
   this->Framebuffers.clear();
   std::fill(std::begin(this->Arrays), std::end(this->Arrays), 0u);

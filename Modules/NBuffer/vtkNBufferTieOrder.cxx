@@ -8,7 +8,8 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace vtkNBufferTieOrder
 {
-bool CanTie(const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b)
+bool CanTie(const vtkNBufferProjection& projection, const vtkNBufferDrawnProp& a,
+  const vtkNBufferDrawnProp& b)
 {
   if (!a.Bounded || !b.Bounded)
   {
@@ -17,10 +18,12 @@ bool CanTie(const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b)
   const vtkNBufferRectangle& p = a.Screen.Pixels;
   const vtkNBufferRectangle& q = b.Screen.Pixels;
   return p.X0 < q.X1 && q.X0 < p.X1 && p.Y0 < q.Y1 && q.Y0 < p.Y1 &&
-    a.Screen.Nearest <= b.Screen.Farthest && b.Screen.Nearest <= a.Screen.Farthest;
+    a.Screen.Nearest <= b.Screen.Farthest && b.Screen.Nearest <= a.Screen.Farthest &&
+    !projection.AreApart(a.Box, a.Screen, b.Box, b.Screen);
 }
 
-std::vector<int> GetRedraws(std::vector<vtkNBufferDrawnProp>& drawn)
+std::vector<int> GetRedraws(
+  const vtkNBufferProjection& projection, std::vector<vtkNBufferDrawnProp>& drawn)
 {
   std::sort(drawn.begin(), drawn.end(),
     [](const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b) { return a.Index < b.Index; });
@@ -36,7 +39,8 @@ std::vector<int> GetRedraws(std::vector<vtkNBufferDrawnProp>& drawn)
   for (int i = 0; i < static_cast<int>(drawn.size()); ++i)
   {
     const bool again = std::any_of(late.begin(), late.end(), [&](const Late& other) {
-      return other.Round > drawn[i].Round && CanTie(drawn[other.Position], drawn[i]);
+      return other.Round > drawn[i].Round &&
+        CanTie(projection, drawn[other.Position], drawn[i]);
     });
     if (again)
     {

@@ -18,7 +18,8 @@
  * it may tie with was drawn after it, or is drawn again itself. Drawing an opaque prop twice with
  * GL_LEQUAL changes nothing else.
  *
- * Two props can tie only where their pixels and their depth intervals (slack included) overlap.
+ * Two props can tie only where their pixels and their depth intervals (slack included) overlap,
+ * and no plane between them keeps them apart (vtkNBufferProjection::AreApart).
  */
 #ifndef vtkNBufferTieOrder_h
 #define vtkNBufferTieOrder_h
@@ -37,20 +38,23 @@ struct vtkNBufferDrawnProp
 {
   int Index = 0;           ///< Place in the renderer's order.
   int Round = 0;           ///< Props of one round were drawn in the renderer's order.
-  bool Bounded = false;    ///< `Screen` is known; otherwise it may tie with anything.
+  bool Bounded = false;    ///< `Box` and `Screen` are known; otherwise it may tie with anything.
+  vtkNBufferBox Box;
   vtkNBufferScreenBox Screen;
 };
 
 namespace vtkNBufferTieOrder
 {
 /// Whether two props may have fragments of equal depth in a sample.
-VTKNBUFFER_EXPORT bool CanTie(const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b);
+VTKNBUFFER_EXPORT bool CanTie(const vtkNBufferProjection& projection,
+  const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b);
 
 /**
  * Positions in `drawn` of the props to draw once more, in the order in which to draw them. Sorts
  * `drawn` by Index. Cost: number of drawn props times those drawn after the first round.
  */
-VTKNBUFFER_EXPORT std::vector<int> GetRedraws(std::vector<vtkNBufferDrawnProp>& drawn);
+VTKNBUFFER_EXPORT std::vector<int> GetRedraws(
+  const vtkNBufferProjection& projection, std::vector<vtkNBufferDrawnProp>& drawn);
 }
 
 VTK_ABI_NAMESPACE_END

@@ -33,4 +33,13 @@
 // vtkCompositePolyDataMapper2 is what applications use for composite data.
 #define VTKNBUFFER_HAS_COMPOSITE_MAPPER_2 (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 3)
 
+// vtkRenderWindow::Initialize() and GetInitialized(); before, the first Render() makes the context.
+#define VTKNBUFFER_HAS_INITIALIZE (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 4)
+
+// vtkOpenGLResourceFreeCallback.h is installed; see vtkNBufferResourceCallback.h.
+#define VTKNBUFFER_HAS_RESOURCE_CALLBACK (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 5)
+
+// vtkRenderer::SetUseOIT(); before, order-independent transparency is always on.
+#define VTKNBUFFER_HAS_OIT_SWITCH (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 5)
+
 #endif

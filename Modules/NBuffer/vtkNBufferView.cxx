@@ -4,6 +4,7 @@
 
 #include "vtkNBufferClock.h"
 #include "vtkNBufferOcclusionTest.h"
+#include "vtkNBufferPixelTest.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -23,6 +25,9 @@ constexpr double PoorShare = 0.05;
 constexpr int PoorTestsToBackOff = 3;
 constexpr int FirstBackOff = 8;
 constexpr int LongestBackOff = 64;
+
+/// Props in doubt that make reading the whole depth image worth while where it is not there yet.
+constexpr std::size_t DoubtfulWorthARead = 32;
 }
 
 vtkNBufferView::vtkNBufferView(vtkNBufferBackend& backend)
@@ -350,6 +355,70 @@ bool vtkNBufferView::BuildLevels(
   return true;
 }
 
+void vtkNBufferView::Test(
+  vtkRenderer* renderer, const vtkNBufferDepthSource& source, std::vector<int>& held)
+{
+  vtkNBufferClock clock;
+  vtkNBufferOcclusionTest test(
+    this->Projection, this->Levels, this->Settings.MaximumNumberOfPieces);
+  const auto isHidden = [&](int i)
+  {
+    const vtkNBufferEntry& entry = this->GetEntry(i);
+    return entry.Placement == vtkNBufferPlacement::Inside &&
+      test.IsHidden(entry.Candidate.GetBox(), entry.Screen);
+  };
+  // What was let through is tested for the sake of the next frame.
+  std::vector<int> doubtful;
+  if (this->Statistics.Rounds == 0)
+  {
+    for (int i : this->Kept)
+    {
+      this->GetEntry(i).WasVisible = false;
+    }
+    std::remove_copy_if(this->Kept.begin(), this->Kept.end(), std::back_inserter(doubtful), isHidden);
+    this->Statistics.Tested += static_cast<int>(this->Kept.size() + held.size());
+  }
+  const std::size_t kept = doubtful.size();
+  std::remove_copy_if(held.begin(), held.end(), std::back_inserter(doubtful), isHidden);
+  this->Statistics.Queries += test.GetQueries();
+  this->Statistics.Lookups += test.GetLookups();
+  this->Statistics.TestTime += clock.GetMilliseconds();
+
+  // A read-back for the second opinion must have something to save.
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  const float* depth = nullptr;
+  if (this->Settings.TestPixels &&
+    (this->Backend.GetInUse() == vtkNBufferBackend::CPU ||
+      doubtful.size() >= DoubtfulWorthARead))
+  {
+    depth = this->Backend.GetDepth(window, source, this->Statistics);
+  }
+  clock.Restart();
+  vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth);
+  for (int i : held)
+  {
+    this->GetEntry(i).Verdict = vtkNBufferVerdict::Hidden;
+  }
+  held.clear();
+  for (std::size_t n = 0; n < doubtful.size(); ++n)
+  {
+    vtkNBufferEntry& entry = this->GetEntry(doubtful[n]);
+    if (depth && entry.Placement == vtkNBufferPlacement::Inside &&
+      pixelTest.IsHidden(entry.Candidate.GetBox(), entry.Screen))
+    {
+      continue;
+    }
+    entry.WasVisible = true;
+    if (n >= kept)
+    {
+      held.push_back(doubtful[n]);
+    }
+  }
+  this->Statistics.Doubtful += static_cast<int>(doubtful.size());
+  this->Statistics.Lookups += pixelTest.GetLookups();
+  this->Statistics.PixelTestTime += clock.GetMilliseconds();
+}
+
 int vtkNBufferView::DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSource& source)
 {
   int drawn = 0;
@@ -384,40 +453,7 @@ int vtkNBufferView::DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSourc
       drawNearest(held.size());
       return drawn;
     }
-    const vtkNBufferClock clock;
-    vtkNBufferOcclusionTest test(
-      this->Projection, this->Levels, this->Settings.MaximumNumberOfPieces);
-    const auto isHidden = [&](int i)
-    {
-      vtkNBufferEntry& entry = this->GetEntry(i);
-      return entry.Placement == vtkNBufferPlacement::Inside &&
-        test.IsHidden(entry.Candidate.GetBox(), entry.Screen);
-    };
-    if (this->Statistics.Rounds == 0)
-    {
-      // What was let through is tested for the sake of the next frame.
-      for (int i : this->Kept)
-      {
-        this->GetEntry(i).WasVisible = !isHidden(i);
-      }
-      this->Statistics.Tested += static_cast<int>(this->Kept.size() + held.size());
-    }
-    std::vector<int> visible;
-    for (int i : held)
-    {
-      if (isHidden(i))
-      {
-        this->GetEntry(i).Verdict = vtkNBufferVerdict::Hidden;
-      }
-      else
-      {
-        visible.push_back(i);
-      }
-    }
-    held.swap(visible);
-    this->Statistics.Queries += test.GetQueries();
-    this->Statistics.Lookups += test.GetLookups();
-    this->Statistics.TestTime += clock.GetMilliseconds();
+    this->Test(renderer, source, held);
 
     // Another round must save more props than it draws to be worth its read-back.
     const std::size_t limit = static_cast<std::size_t>(this->Settings.RoundSize)
@@ -447,7 +483,8 @@ int vtkNBufferView::DrawRound(vtkRenderer* renderer, std::vector<int> props, int
     entry.WasVisible = true;
     drawn += this->Proxy->Draw(entry.Candidate.GetProp(), renderer, time);
     this->Drawn.push_back(
-      { i, round, entry.Placement == vtkNBufferPlacement::Inside, entry.Screen });
+      { i, round, entry.Placement == vtkNBufferPlacement::Inside, entry.Candidate.GetBox(),
+        entry.Screen });
   }
   this->Statistics.DrawnInRound[std::min(round, vtkNBufferStatistics::MaximumNumberOfRounds)] +=
     static_cast<int>(props.size());
@@ -467,7 +504,7 @@ int vtkNBufferView::DrawAll(
     if (prop->HasKeys(requiredKeys))
     {
       drawn += this->Proxy->Draw(prop, renderer, this->Proxy->GetAllocatedRenderTime());
-      this->Drawn.push_back({ i, 1, false, entry.Screen });
+      this->Drawn.push_back({ i, 1, false, entry.Candidate.GetBox(), entry.Screen });
     }
   }
   this->RedrawForTieOrder(renderer);
@@ -496,10 +533,10 @@ void vtkNBufferView::RedrawForTieOrder(vtkRenderer* renderer)
     {
       const bool bounded = entry.Candidate.IsCandidate() &&
         entry.Placement == vtkNBufferPlacement::Inside;
-      all.push_back({ i, 0, bounded, entry.Screen });
+      all.push_back({ i, 0, bounded, entry.Candidate.GetBox(), entry.Screen });
     }
   }
-  const std::vector<int> redraws = vtkNBufferTieOrder::GetRedraws(all);
+  const std::vector<int> redraws = vtkNBufferTieOrder::GetRedraws(this->Projection, all);
   for (int i : redraws)
   {
     this->GetProp(all[i].Index)->RenderOpaqueGeometry(renderer);

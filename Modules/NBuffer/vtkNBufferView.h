@@ -49,6 +49,7 @@ struct vtkNBufferSettings
   int MaximumNumberOfRounds = 6;
   int RoundSize = 64;
   int MaximumNumberOfPieces = 8;
+  bool TestPixels = true;
   bool ReuseWhenStill = true;
   bool BackOff = true;
   bool Freeze = false;
@@ -117,6 +118,8 @@ private:
   vtkNBufferDecision PrepareTest(vtkRenderer* renderer, vtkNBufferDepthSource& source);
   bool BuildLevels(vtkRenderer* renderer, const vtkNBufferDepthSource& source,
     const std::vector<int>& held);
+  void Test(
+    vtkRenderer* renderer, const vtkNBufferDepthSource& source, std::vector<int>& held);
   int DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSource& source);
   int DrawRound(vtkRenderer* renderer, std::vector<int> props, int round);
   int DrawAll(

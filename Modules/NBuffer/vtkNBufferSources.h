@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferSources
+ * @brief All objects from which something cached was made, and whether any has changed since.
+ *
+ * Asking an actor, its mapper and its data for their modification times walks some thirty cache
+ * lines one after the other; for 15,000 props that is most of a culled frame. Here the objects
+ * whose own times those methods combine are listed once, so that they can be fetched side by side.
+ *
+ * The list mirrors vtkActor, vtkTrivialProducer, vtkPolyData, vtkPoints and vtkFieldData::GetMTime,
+ * which are the same in VTK 9.1 to 9.7. Take() checks that it gives the same time as they do and
+ * otherwise refuses. What VTK makes later without marking its owner as modified (a mapper's lookup
+ * table, a prop's shader property) is asked for anew each time.
+ *
+ * An object is listed behind its owner: it is alive if its owner has not changed.
+ */
+#ifndef vtkNBufferSources_h
+#define vtkNBufferSources_h
+
+#include "vtkNBufferVTKVersion.h"
+#include "vtkType.h"
+
+#include <array>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkActor;
+class vtkAlgorithm;
+class vtkDataSetAttributes;
+class vtkFieldData;
+class vtkMapper;
+class vtkObject;
+class vtkPolyData;
+class vtkShaderProperty;
+
+class vtkNBufferSources
+{
+public:
+  /**
+   * List what an actor with a mapper fed by vtkTrivialProducer with `input` is made of. False if
+   * it does not fit, or if something unknown takes part; HasChanged() must then not be asked.
+   */
+  bool Take(vtkActor* actor, vtkMapper* mapper, vtkAlgorithm* producer, vtkPolyData* input);
+
+  /// Whether anything was modified since Take(). Reads only; safe in parallel.
+  bool HasChanged() const;
+
+  /// Have the processor fetch what HasChanged() will read.
+  void Prefetch() const;
+
+  /// The newest time of everything.
+  vtkMTimeType GetTime() const { return this->Time; }
+
+  /// A prop's shader property, or nullptr: vtkProp::GetShaderProperty() would make one.
+  static vtkShaderProperty* GetShaderProperty(vtkActor* actor);
+
+private:
+  bool Add(const vtkObject* object);
+  bool AddFields(vtkFieldData* fields);
+
+  vtkMTimeType Time = 0;
+  vtkActor* Actor = nullptr;
+  vtkMapper* Mapper = nullptr;
+  vtkShaderProperty* Shaders = nullptr;
+  int Count = 0;
+  int BeforeMapper = 0; ///< Objects of the actor; the mapper's come behind.
+  std::array<const vtkObject*, 18> Objects{};
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
