@@ -4,7 +4,8 @@
 
 #include "vtkSMPTools.h"
 
-#include <utility>
+#include <algorithm>
+#include <atomic>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -16,7 +17,7 @@ constexpr vtkIdType PropsPerThread = 2048;
 constexpr vtkIdType PropsToFetchAhead = 4;
 
 template <typename Functor>
-void ForEachEntry(std::size_t count, Functor&& functor)
+void ForEachProp(std::size_t count, Functor&& functor)
 {
   const auto size = static_cast<vtkIdType>(count);
   if (size < 2 * PropsPerThread)
@@ -30,40 +31,39 @@ void ForEachEntry(std::size_t count, Functor&& functor)
 
 bool vtkNBufferCandidateList::Synchronize(vtkProp** props, int count)
 {
-  const auto size = static_cast<std::size_t>(count);
-  std::size_t same = 0;
-  while (same < size && same < this->Entries.size() &&
-    this->Entries[same].Candidate.GetProp() == props[same])
-  {
-    ++same;
-  }
-  if (same == size && size == this->Entries.size())
+  if (this->Order.size() == static_cast<std::size_t>(count) &&
+    std::equal(this->Order.begin(), this->Order.end(), props))
   {
     return false;
   }
   std::unordered_map<vtkProp*, int> old;
-  old.reserve(this->Entries.size() - same);
-  for (std::size_t i = same; i < this->Entries.size(); ++i)
+  old.reserve(this->Order.size());
+  for (int i = 0; i < this->GetSize(); ++i)
   {
-    old.emplace(this->Entries[i].Candidate.GetProp(), static_cast<int>(i));
+    old.emplace(this->Order[i], i);
   }
-  std::vector<vtkNBufferEntry> rest;
-  rest.reserve(size - same);
-  for (std::size_t i = same; i < size; ++i)
+  std::vector<vtkNBufferCandidate> candidates;
+  std::vector<vtkNBufferState> states;
+  candidates.reserve(count);
+  states.reserve(count);
+  for (int i = 0; i < count; ++i)
   {
     const auto found = old.find(props[i]);
     if (found == old.end())
     {
-      rest.emplace_back();
-      rest.back().Candidate = vtkNBufferCandidate(props[i]);
+      candidates.emplace_back(props[i]);
+      states.emplace_back();
     }
     else
     {
-      rest.push_back(this->Entries[found->second]);
+      candidates.push_back(this->Candidates[found->second]);
+      states.push_back(this->States[found->second]);
     }
   }
-  this->Entries.resize(same);
-  this->Entries.insert(this->Entries.end(), rest.begin(), rest.end());
+  this->Order.assign(props, props + count);
+  this->Candidates.swap(candidates);
+  this->States.swap(states);
+  this->Screens.resize(count);
   this->Index.clear();
   return true;
 }
@@ -75,63 +75,75 @@ int vtkNBufferCandidateList::Refresh()
   this->GlobalState = state;
 
   // Asking for times is most of the work and may be shared out; refreshing may run pipelines.
-  this->Stale.assign(this->Entries.size(), 0);
-  ForEachEntry(this->Entries.size(),
-    [this, all](vtkIdType begin, vtkIdType end)
+  this->Stale.assign(this->Candidates.size(), 0);
+  std::atomic<bool> anyStale(false);
+  ForEachProp(this->Candidates.size(),
+    [this, all, &anyStale](vtkIdType begin, vtkIdType end)
     {
+      bool stale = false;
       for (vtkIdType i = begin; i < end; ++i)
       {
         if (i + PropsToFetchAhead < end)
         {
-          this->Entries[i + PropsToFetchAhead].Candidate.Prefetch();
+          this->Candidates[i + PropsToFetchAhead].Prefetch();
         }
-        this->Stale[i] = all || this->Entries[i].Candidate.IsStale();
+        this->Stale[i] = all || this->Candidates[i].IsStale();
+        stale = stale || this->Stale[i];
+      }
+      if (stale)
+      {
+        anyStale = true;
       }
     });
-  int changed = 0;
-  this->UntrackedDepth = false;
-  for (std::size_t i = 0; i < this->Entries.size(); ++i)
+  if (!anyStale)
   {
-    vtkNBufferCandidate& candidate = this->Entries[i].Candidate;
-    if (this->Stale[i] && candidate.Refresh())
+    return 0;
+  }
+  int changed = 0;
+  for (std::size_t i = 0; i < this->Candidates.size(); ++i)
+  {
+    if (this->Stale[i] && this->Candidates[i].Refresh())
     {
       ++changed;
     }
-    this->UntrackedDepth =
-      this->UntrackedDepth || (candidate.WritesDepth() && !candidate.IsTracked());
   }
+  this->UntrackedDepth = std::any_of(this->Candidates.begin(), this->Candidates.end(),
+    [](const vtkNBufferCandidate& candidate)
+    { return candidate.WritesDepth() && !candidate.IsTracked(); });
   return changed;
 }
 
 void vtkNBufferCandidateList::Project(const vtkNBufferProjection& projection)
 {
-  ForEachEntry(this->Entries.size(),
+  ForEachProp(this->Candidates.size(),
     [this, &projection](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        vtkNBufferEntry& entry = this->Entries[i];
-        entry.Verdict = entry.Candidate.GetVerdict();
-        if (entry.Candidate.IsCandidate())
+        const vtkNBufferCandidate& candidate = this->Candidates[i];
+        vtkNBufferState& state = this->States[i];
+        state.Verdict = candidate.GetVerdict();
+        if (candidate.IsCandidate())
         {
-          const vtkNBufferBox& box = entry.Candidate.GetBox();
-          entry.Placement = projection.IsOutside(box) ? vtkNBufferPlacement::Outside
-                                                      : projection.Project(box, entry.Screen);
+          const vtkNBufferBox& box = candidate.GetBox();
+          state.Placement = projection.IsOutside(box)
+            ? vtkNBufferPlacement::Outside
+            : projection.Project(box, this->Screens[i]);
         }
       }
     });
 }
 
-const vtkNBufferEntry* vtkNBufferCandidateList::Find(vtkProp* prop) const
+int vtkNBufferCandidateList::Find(vtkProp* prop) const
 {
   if (this->Index.empty())
   {
-    for (std::size_t i = 0; i < this->Entries.size(); ++i)
+    for (int i = 0; i < this->GetSize(); ++i)
     {
-      this->Index.emplace(this->Entries[i].Candidate.GetProp(), static_cast<int>(i));
+      this->Index.emplace(this->Order[i], i);
     }
   }
   const auto found = this->Index.find(prop);
-  return found == this->Index.end() ? nullptr : &this->Entries[found->second];
+  return found == this->Index.end() ? -1 : found->second;
 }
 VTK_ABI_NAMESPACE_END

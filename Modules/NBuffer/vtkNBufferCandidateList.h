@@ -20,15 +20,14 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 /**
- * A prop and what is known of it in its view.
+ * What a view knows of a prop in one frame. Small and apart from the caches: every frame walks all
+ * of these several times.
  */
-struct vtkNBufferEntry
+struct vtkNBufferState
 {
-  vtkNBufferCandidate Candidate;
-  vtkNBufferScreenBox Screen;
+  vtkNBufferVerdict Verdict = vtkNBufferVerdict::Unknown;
   vtkNBufferPlacement Placement = vtkNBufferPlacement::Crossing;
-  vtkNBufferVerdict Verdict = vtkNBufferVerdict::Unknown; ///< Of this frame.
-  bool WasVisible = false;                                ///< Found visible by the last test.
+  bool WasVisible = false; ///< Found visible by the last test.
 };
 
 class vtkNBufferCandidateList
@@ -47,16 +46,25 @@ public:
   /// Whether the depth that any of the props writes may change without a trace.
   bool HasUntrackedDepth() const { return this->UntrackedDepth; }
 
-  std::vector<vtkNBufferEntry>& GetEntries() { return this->Entries; }
-  const std::vector<vtkNBufferEntry>& GetEntries() const { return this->Entries; }
+  int GetSize() const { return static_cast<int>(this->Candidates.size()); }
+  vtkProp* GetProp(int i) const { return this->Candidates[i].GetProp(); }
+  const vtkNBufferCandidate& GetCandidate(int i) const { return this->Candidates[i]; }
+  const vtkNBufferBox& GetBox(int i) const { return this->Candidates[i].GetBox(); }
+  vtkNBufferScreenBox& GetScreen(int i) { return this->Screens[i]; }
+  vtkNBufferState& GetState(int i) { return this->States[i]; }
+  const vtkNBufferState& GetState(int i) const { return this->States[i]; }
+  const std::vector<vtkNBufferState>& GetStates() const { return this->States; }
 
-  /// The entry of a prop, or nullptr. One hash look-up, the first one after a change of the list
+  /// Place of a prop in the list, or -1. One hash look-up; the first one after a change of the list
   /// fills the table.
-  const vtkNBufferEntry* Find(vtkProp* prop) const;
+  int Find(vtkProp* prop) const;
 
 private:
-  std::vector<vtkNBufferEntry> Entries;
-  std::vector<int> Stale;
+  std::vector<vtkNBufferCandidate> Candidates;
+  std::vector<vtkNBufferScreenBox> Screens;
+  std::vector<vtkNBufferState> States;
+  std::vector<vtkProp*> Order; ///< The renderer's list as it came last.
+  std::vector<unsigned char> Stale;
   mutable std::unordered_map<vtkProp*, int> Index;
   vtkNBufferCandidate::GlobalState GlobalState{};
   bool UntrackedDepth = false;

@@ -63,6 +63,7 @@ void vtkNBufferView::StepAside(vtkNBufferDecision reason, int count)
   this->Statistics.Props = count;
   this->Statistics.Verdicts[static_cast<int>(vtkNBufferVerdict::Untested)] = count;
   this->Pending = this->DrawnOnce = this->Settled = false;
+  this->Aside = true;
 }
 
 double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, int& initialized,
@@ -74,7 +75,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   this->Settings = settings;
   this->Statistics = vtkNBufferStatistics();
   this->Statistics.Props = count;
-  this->Pending = this->DrawnOnce = false;
+  this->Pending = this->DrawnOnce = this->Aside = false;
   this->Kept.clear();
   this->Held.clear();
   this->Drawn.clear();
@@ -124,13 +125,12 @@ vtkNBufferDecision vtkNBufferView::Decide()
   int candidates = 0;
   int inside = 0;
   int last = -1;
-  std::vector<vtkNBufferEntry>& entries = this->Props.GetEntries();
-  for (int i = 0; i < static_cast<int>(entries.size()); ++i)
+  for (int i = 0; i < this->Props.GetSize(); ++i)
   {
-    vtkNBufferEntry& entry = entries[i];
-    if (!entry.Candidate.IsCandidate())
+    vtkNBufferState& entry = this->Props.GetState(i);
+    if (entry.Verdict != vtkNBufferVerdict::Visible)
     {
-      continue;
+      continue; // not a candidate
     }
     ++candidates;
     switch (entry.Placement)
@@ -185,11 +185,11 @@ vtkNBufferDecision vtkNBufferView::Decide()
   }
   for (int i : this->Kept)
   {
-    entries[i].Verdict = vtkNBufferVerdict::Visible;
+    this->Props.GetState(i).Verdict = vtkNBufferVerdict::Visible;
   }
   for (int i : this->Held)
   {
-    entries[i].Verdict = vtkNBufferVerdict::Unknown;
+    this->Props.GetState(i).Verdict = vtkNBufferVerdict::Unknown;
   }
   this->Statistics.HeldBack = static_cast<int>(this->Held.size());
   return decision;
@@ -201,26 +201,27 @@ double vtkNBufferView::Emit(vtkProp** props, int& count, int& initialized)
   int kept = 0;
   double heldTotal = 0.0;
   vtkBoundingBox heldBounds;
-  for (const vtkNBufferEntry& entry : this->Props.GetEntries())
+  for (int i = 0; i < this->Props.GetSize(); ++i)
   {
-    vtkProp* prop = entry.Candidate.GetProp();
-    if (entry.Verdict == vtkNBufferVerdict::Outside || entry.Verdict == vtkNBufferVerdict::Hidden)
+    const vtkNBufferVerdict verdict = this->Props.GetState(i).Verdict;
+    if (verdict == vtkNBufferVerdict::Outside || verdict == vtkNBufferVerdict::Hidden)
     {
       continue;
     }
-    if (!initialized)
+    vtkProp* prop = this->Props.GetProp(i);
+    if (verdict == vtkNBufferVerdict::Unknown && this->Pending)
     {
-      prop->SetRenderTimeMultiplier(1.0);
-    }
-    if (entry.Verdict == vtkNBufferVerdict::Unknown && this->Pending)
-    {
-      heldTotal += prop->GetRenderTimeMultiplier();
-      const vtkNBufferBox& box = entry.Candidate.GetBox();
+      heldTotal += initialized ? prop->GetRenderTimeMultiplier() : 1.0;
+      const vtkNBufferBox& box = this->Props.GetBox(i);
       heldBounds.AddPoint(box.Center[0] - box.HalfSize[0], box.Center[1] - box.HalfSize[1],
         box.Center[2] - box.HalfSize[2]);
       heldBounds.AddPoint(box.Center[0] + box.HalfSize[0], box.Center[1] + box.HalfSize[1],
         box.Center[2] + box.HalfSize[2]);
       continue;
+    }
+    if (!initialized)
+    {
+      prop->SetRenderTimeMultiplier(1.0);
     }
     total += prop->GetRenderTimeMultiplier();
     props[kept++] = prop;
@@ -243,22 +244,27 @@ double vtkNBufferView::Emit(vtkProp** props, int& count, int& initialized)
 void vtkNBufferView::CountVerdicts()
 {
   this->Statistics.Verdicts.fill(0);
-  for (const vtkNBufferEntry& entry : this->Props.GetEntries())
+  for (const vtkNBufferState& state : this->Props.GetStates())
   {
-    ++this->Statistics.Verdicts[static_cast<int>(entry.Verdict)];
+    ++this->Statistics.Verdicts[static_cast<int>(state.Verdict)];
   }
 }
 
 vtkNBufferVerdict vtkNBufferView::GetVerdict(vtkProp* prop) const
 {
-  const vtkNBufferEntry* entry = this->Props.Find(prop);
-  return entry ? entry->Verdict : vtkNBufferVerdict::Unknown;
+  const int i = this->Props.Find(prop);
+  if (i < 0)
+  {
+    return vtkNBufferVerdict::Unknown;
+  }
+  // In a frame that is drawn as usual the list is not even looked at.
+  return this->Aside ? vtkNBufferVerdict::Untested : this->Props.GetState(i).Verdict;
 }
 
 bool vtkNBufferView::HasHeldPropWithKeys(vtkInformation* requiredKeys) const
 {
   return std::any_of(this->Held.begin(), this->Held.end(), [&](int i) {
-    return this->Props.GetEntries()[i].Candidate.GetProp()->HasKeys(requiredKeys);
+    return this->Props.GetProp(i)->HasKeys(requiredKeys);
   });
 }
 
@@ -323,8 +329,8 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(
     {
       for (int i : *list)
       {
-        vtkNBufferEntry& entry = this->GetEntry(i);
-        entry.Placement = this->Projection.Project(entry.Candidate.GetBox(), entry.Screen);
+        this->Props.GetState(i).Placement =
+          this->Projection.Project(this->Props.GetBox(i), this->Props.GetScreen(i));
       }
     }
   }
@@ -341,7 +347,7 @@ bool vtkNBufferView::BuildLevels(
     {
       levels = std::max(levels,
         vtkNBufferOcclusionTest::GetLevelsNeeded(
-          this->GetEntry(i).Screen.Pixels, this->Settings.BaseFactor));
+          this->Props.GetScreen(i).Pixels, this->Settings.BaseFactor));
     }
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
@@ -363,9 +369,8 @@ void vtkNBufferView::Test(
     this->Projection, this->Levels, this->Settings.MaximumNumberOfPieces);
   const auto isHidden = [&](int i)
   {
-    const vtkNBufferEntry& entry = this->GetEntry(i);
-    return entry.Placement == vtkNBufferPlacement::Inside &&
-      test.IsHidden(entry.Candidate.GetBox(), entry.Screen);
+    return this->Props.GetState(i).Placement == vtkNBufferPlacement::Inside &&
+      test.IsHidden(this->Props.GetBox(i), this->Props.GetScreen(i));
   };
   // What was let through is tested for the sake of the next frame.
   std::vector<int> doubtful;
@@ -373,7 +378,7 @@ void vtkNBufferView::Test(
   {
     for (int i : this->Kept)
     {
-      this->GetEntry(i).WasVisible = false;
+      this->Props.GetState(i).WasVisible = false;
     }
     std::remove_copy_if(this->Kept.begin(), this->Kept.end(), std::back_inserter(doubtful), isHidden);
     this->Statistics.Tested += static_cast<int>(this->Kept.size() + held.size());
@@ -397,21 +402,21 @@ void vtkNBufferView::Test(
   vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth);
   for (int i : held)
   {
-    this->GetEntry(i).Verdict = vtkNBufferVerdict::Hidden;
+    this->Props.GetState(i).Verdict = vtkNBufferVerdict::Hidden;
   }
   held.clear();
   for (std::size_t n = 0; n < doubtful.size(); ++n)
   {
-    vtkNBufferEntry& entry = this->GetEntry(doubtful[n]);
-    if (depth && entry.Placement == vtkNBufferPlacement::Inside &&
-      pixelTest.IsHidden(entry.Candidate.GetBox(), entry.Screen))
+    const int i = doubtful[n];
+    if (depth && this->Props.GetState(i).Placement == vtkNBufferPlacement::Inside &&
+      pixelTest.IsHidden(this->Props.GetBox(i), this->Props.GetScreen(i)))
     {
       continue;
     }
-    entry.WasVisible = true;
+    this->Props.GetState(i).WasVisible = true;
     if (n >= kept)
     {
-      held.push_back(doubtful[n]);
+      held.push_back(i);
     }
   }
   this->Statistics.Doubtful += static_cast<int>(doubtful.size());
@@ -425,7 +430,7 @@ int vtkNBufferView::DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSourc
   int round = 1;
   std::vector<int> held = this->Held;
   const auto nearer = [this](int a, int b) {
-    return this->GetEntry(a).Screen.Nearest < this->GetEntry(b).Screen.Nearest;
+    return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest;
   };
   const auto drawNearest = [&](std::size_t limit)
   {
@@ -478,13 +483,11 @@ int vtkNBufferView::DrawRound(vtkRenderer* renderer, std::vector<int> props, int
   std::sort(props.begin(), props.end());
   for (int i : props)
   {
-    vtkNBufferEntry& entry = this->GetEntry(i);
-    entry.Verdict = vtkNBufferVerdict::Visible;
-    entry.WasVisible = true;
-    drawn += this->Proxy->Draw(entry.Candidate.GetProp(), renderer, time);
-    this->Drawn.push_back(
-      { i, round, entry.Placement == vtkNBufferPlacement::Inside, entry.Candidate.GetBox(),
-        entry.Screen });
+    vtkNBufferState& state = this->Props.GetState(i);
+    state.Verdict = vtkNBufferVerdict::Visible;
+    state.WasVisible = true;
+    drawn += this->Proxy->Draw(this->Props.GetProp(i), renderer, time);
+    this->Drawn.push_back(this->MakeDrawnProp(i, round));
   }
   this->Statistics.DrawnInRound[std::min(round, vtkNBufferStatistics::MaximumNumberOfRounds)] +=
     static_cast<int>(props.size());
@@ -496,21 +499,33 @@ int vtkNBufferView::DrawAll(
   vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason)
 {
   int drawn = 0;
+  this->Drawn.clear();
   for (int i : this->Held)
   {
-    vtkNBufferEntry& entry = this->GetEntry(i);
-    vtkProp* prop = entry.Candidate.GetProp();
-    entry.Verdict = vtkNBufferVerdict::Untested;
+    vtkProp* prop = this->Props.GetProp(i);
+    this->Props.GetState(i).Verdict = vtkNBufferVerdict::Untested;
     if (prop->HasKeys(requiredKeys))
     {
       drawn += this->Proxy->Draw(prop, renderer, this->Proxy->GetAllocatedRenderTime());
-      this->Drawn.push_back({ i, 1, false, entry.Candidate.GetBox(), entry.Screen });
+      this->Drawn.push_back(this->MakeDrawnProp(i, 1));
     }
   }
   this->RedrawForTieOrder(renderer);
   this->Statistics.Decision = reason;
   this->Pending = this->Settled = false;
   this->CountVerdicts();
+  return drawn;
+}
+
+vtkNBufferDrawnProp vtkNBufferView::MakeDrawnProp(int i, int round)
+{
+  vtkNBufferDrawnProp drawn;
+  drawn.Index = i;
+  drawn.Round = round;
+  drawn.Bounded = this->Props.GetCandidate(i).IsCandidate() &&
+    this->Props.GetState(i).Placement == vtkNBufferPlacement::Inside;
+  drawn.Box = this->Props.GetBox(i);
+  drawn.Screen = this->Props.GetScreen(i);
   return drawn;
 }
 
@@ -524,22 +539,20 @@ void vtkNBufferView::RedrawForTieOrder(vtkRenderer* renderer)
     [](const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b)
     { return a.Index < b.Index; })->Index;
   std::vector<vtkNBufferDrawnProp> all = this->Drawn;
-  const std::vector<vtkNBufferEntry>& entries = this->Props.GetEntries();
-  for (int i = firstLate; i < static_cast<int>(entries.size()); ++i)
+  for (int i = firstLate; i < this->Props.GetSize(); ++i)
   {
-    const vtkNBufferEntry& entry = entries[i];
-    const bool held = std::binary_search(this->Held.begin(), this->Held.end(), i);
-    if (!held && entry.Verdict != vtkNBufferVerdict::Outside && entry.Candidate.WritesDepth())
+    const vtkNBufferVerdict verdict = this->Props.GetState(i).Verdict;
+    if (verdict != vtkNBufferVerdict::Outside && verdict != vtkNBufferVerdict::Hidden &&
+      !std::binary_search(this->Held.begin(), this->Held.end(), i) &&
+      this->Props.GetCandidate(i).WritesDepth())
     {
-      const bool bounded = entry.Candidate.IsCandidate() &&
-        entry.Placement == vtkNBufferPlacement::Inside;
-      all.push_back({ i, 0, bounded, entry.Candidate.GetBox(), entry.Screen });
+      all.push_back(this->MakeDrawnProp(i, 0));
     }
   }
   const std::vector<int> redraws = vtkNBufferTieOrder::GetRedraws(this->Projection, all);
   for (int i : redraws)
   {
-    this->GetProp(all[i].Index)->RenderOpaqueGeometry(renderer);
+    this->Props.GetProp(all[i].Index)->RenderOpaqueGeometry(renderer);
   }
   this->Statistics.Redrawn += static_cast<int>(redraws.size());
 }
@@ -547,7 +560,7 @@ void vtkNBufferView::RedrawForTieOrder(vtkRenderer* renderer)
 void vtkNBufferView::Learn()
 {
   const int hidden = static_cast<int>(std::count_if(this->Held.begin(), this->Held.end(),
-    [this](int i) { return this->GetEntry(i).Verdict == vtkNBufferVerdict::Hidden; }));
+    [this](int i) { return this->Props.GetState(i).Verdict == vtkNBufferVerdict::Hidden; }));
   const auto inside = static_cast<double>(this->Kept.size() + this->Held.size());
   this->Statistics.DrawnInRound[0] = static_cast<int>(this->Kept.size());
   if (hidden >= PoorShare * inside)

@@ -80,7 +80,7 @@ public:
   {
     for (const vtkNBufferDrawnProp& drawn : this->Drawn)
     {
-      functor(this->GetProp(drawn.Index));
+      functor(this->Props.GetProp(drawn.Index));
     }
   }
 
@@ -107,9 +107,6 @@ private:
   };
 
   static Key MakeKey(vtkRenderer* renderer);
-  vtkNBufferEntry& GetEntry(int index) { return this->Props.GetEntries()[index]; }
-  vtkProp* GetProp(int index) { return this->GetEntry(index).Candidate.GetProp(); }
-
   bool MayReuse(vtkRenderer* renderer) const;
   vtkNBufferDecision Decide();
   double Emit(vtkProp** props, int& count, int& initialized);
@@ -124,6 +121,7 @@ private:
   int DrawRound(vtkRenderer* renderer, std::vector<int> props, int round);
   int DrawAll(
     vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason);
+  vtkNBufferDrawnProp MakeDrawnProp(int i, int round);
   void RedrawForTieOrder(vtkRenderer* renderer);
   void Learn();
   void Warn(vtkRenderer* renderer, const std::string& why);
@@ -144,6 +142,7 @@ private:
 
   bool Pending = false;      ///< The proxy is in the list and has not been drawn yet.
   bool DrawnOnce = false;    ///< The proxy has been drawn in this frame.
+  bool Aside = false;        ///< The frame is drawn as usual.
   bool Settled = false;      ///< The verdicts of the last frame are complete.
   int FramesUntilProbe = 0;  ///< Backed off for as many frames.
   int FramesWithNothingHeld = 0;
