@@ -205,13 +205,13 @@ double vtkNBufferCuller::Cull(
     MoveDefaultFrustumCullersBehind(this, renderer->GetCullers());
   }
   vtkNBufferSettings settings;
-  settings.Backend = static_cast<vtkNBufferBackend::Kind>(this->Backend);
-  settings.BaseFactor = this->BaseFactor;
+  settings.Test.Backend = static_cast<vtkNBufferBackend::Kind>(this->Backend);
+  settings.Test.BaseFactor = this->BaseFactor;
   settings.MinimumNumberOfCandidates = this->MinimumNumberOfCandidates;
   settings.MaximumNumberOfRounds = this->MaximumNumberOfRounds;
   settings.RoundSize = this->RoundSize;
-  settings.MaximumNumberOfPieces = this->MaximumNumberOfPieces;
-  settings.TestPixels = this->TestPixels;
+  settings.Test.MaximumNumberOfPieces = this->MaximumNumberOfPieces;
+  settings.Test.TestPixels = this->TestPixels;
   settings.ReuseWhenStill = this->ReuseWhenStill;
   settings.BackOff = this->BackOff;
   settings.Freeze = this->Freeze;

@@ -252,8 +252,6 @@ vtkShaderProgram* vtkNBufferTexture::Internals::Ready(
                   "and report the driver's message.";
     return nullptr;
   }
-  // The cache believes that what it bound last still is; foreign code may have changed that.
-  glUseProgram(program->GetHandle());
   return program;
 }
 

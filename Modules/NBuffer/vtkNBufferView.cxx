@@ -3,8 +3,6 @@
 #include "vtkNBufferView.h"
 
 #include "vtkNBufferClock.h"
-#include "vtkNBufferOcclusionTest.h"
-#include "vtkNBufferPixelTest.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
@@ -14,21 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 VTK_ABI_NAMESPACE_BEGIN
-namespace
-{
-/// A test that hides less than this share of what is in the frustum is not worth its cost.
-constexpr double PoorShare = 0.05;
-/// Such tests in a row before the culler backs off, and for how many frames at first and at most.
-constexpr int PoorTestsToBackOff = 3;
-constexpr int FirstBackOff = 8;
-constexpr int LongestBackOff = 64;
-
-/// Props in doubt that make reading the whole depth image worth while where it is not there yet.
-constexpr std::size_t DoubtfulWorthARead = 32;
-}
 
 vtkNBufferView::vtkNBufferView(vtkNBufferBackend& backend)
   : Backend(backend)
@@ -159,16 +144,15 @@ vtkNBufferDecision vtkNBufferView::Decide()
   {
     decision = vtkNBufferDecision::FewCandidates;
   }
-  else if (this->Settings.BackOff && this->FramesUntilProbe > 0)
+  else if (this->Settings.BackOff && this->BackOff.Rests())
   {
-    --this->FramesUntilProbe;
     decision = vtkNBufferDecision::BackedOff;
   }
   else if (this->Held.empty())
   {
     // What became hidden since is only found by a test: now and then one prop is held back so
     // that there is one.
-    if (this->Settings.BackOff && ++this->FramesWithNothingHeld % FirstBackOff != 0)
+    if (this->Settings.BackOff && !this->BackOff.IsProbeDue())
     {
       decision = vtkNBufferDecision::NothingHeld;
     }
@@ -294,8 +278,10 @@ int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* require
   this->Pending = false;
   // Mappers return early from an aborted frame: its depth and verdicts are worth nothing.
   this->Settled = this->Settled && !renderer->GetRenderWindow()->GetAbortRender();
-  this->Learn();
   this->CountVerdicts();
+  this->Statistics.DrawnInRound[0] = static_cast<int>(this->Kept.size());
+  this->BackOff.Learn(this->Statistics.GetCount(vtkNBufferVerdict::Hidden),
+    static_cast<int>(this->Kept.size() + this->Held.size()));
   return drawn;
 }
 
@@ -337,91 +323,19 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(
   return vtkNBufferDecision::None;
 }
 
-bool vtkNBufferView::BuildLevels(
-  vtkRenderer* renderer, const vtkNBufferDepthSource& source, const std::vector<int>& held)
+void vtkNBufferView::TestKept(vtkNBufferDepthTest& test)
 {
-  int levels = 1;
-  for (const std::vector<int>* list : { &held, static_cast<const std::vector<int>*>(&this->Kept) })
+  // They are drawn already; which of them are visible decides what the next frame begins with.
+  for (int i : this->Kept)
   {
-    for (int i : *list)
-    {
-      levels = std::max(levels,
-        vtkNBufferOcclusionTest::GetLevelsNeeded(
-          this->Props.GetScreen(i).Pixels, this->Settings.BaseFactor));
-    }
+    this->Props.GetState(i).WasVisible = false;
   }
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  std::string why;
-  if (!this->Backend.Build(this->Settings.Backend, window, source, this->Settings.BaseFactor,
-        levels, this->Levels, this->Statistics, why))
+  std::vector<int> visible = this->Kept;
+  test.RemoveHidden(visible);
+  for (int i : visible)
   {
-    this->Warn(renderer, why);
-    return false;
-  }
-  return true;
-}
-
-void vtkNBufferView::Test(
-  vtkRenderer* renderer, const vtkNBufferDepthSource& source, std::vector<int>& held)
-{
-  vtkNBufferClock clock;
-  vtkNBufferOcclusionTest test(
-    this->Projection, this->Levels, this->Settings.MaximumNumberOfPieces);
-  const auto isHidden = [&](int i)
-  {
-    return this->Props.GetState(i).Placement == vtkNBufferPlacement::Inside &&
-      test.IsHidden(this->Props.GetBox(i), this->Props.GetScreen(i));
-  };
-  // What was let through is tested for the sake of the next frame.
-  std::vector<int> doubtful;
-  if (this->Statistics.Rounds == 0)
-  {
-    for (int i : this->Kept)
-    {
-      this->Props.GetState(i).WasVisible = false;
-    }
-    std::remove_copy_if(this->Kept.begin(), this->Kept.end(), std::back_inserter(doubtful), isHidden);
-    this->Statistics.Tested += static_cast<int>(this->Kept.size() + held.size());
-  }
-  const std::size_t kept = doubtful.size();
-  std::remove_copy_if(held.begin(), held.end(), std::back_inserter(doubtful), isHidden);
-  this->Statistics.Queries += test.GetQueries();
-  this->Statistics.Lookups += test.GetLookups();
-  this->Statistics.TestTime += clock.GetMilliseconds();
-
-  // A read-back for the second opinion must have something to save.
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  const float* depth = nullptr;
-  if (this->Settings.TestPixels &&
-    (this->Backend.GetInUse() == vtkNBufferBackend::CPU ||
-      doubtful.size() >= DoubtfulWorthARead))
-  {
-    depth = this->Backend.GetDepth(window, source, this->Statistics);
-  }
-  clock.Restart();
-  vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth);
-  for (int i : held)
-  {
-    this->Props.GetState(i).Verdict = vtkNBufferVerdict::Hidden;
-  }
-  held.clear();
-  for (std::size_t n = 0; n < doubtful.size(); ++n)
-  {
-    const int i = doubtful[n];
-    if (depth && this->Props.GetState(i).Placement == vtkNBufferPlacement::Inside &&
-      pixelTest.IsHidden(this->Props.GetBox(i), this->Props.GetScreen(i)))
-    {
-      continue;
-    }
     this->Props.GetState(i).WasVisible = true;
-    if (n >= kept)
-    {
-      held.push_back(i);
-    }
   }
-  this->Statistics.Doubtful += static_cast<int>(doubtful.size());
-  this->Statistics.Lookups += pixelTest.GetLookups();
-  this->Statistics.PixelTestTime += clock.GetMilliseconds();
 }
 
 int vtkNBufferView::DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSource& source)
@@ -449,16 +363,29 @@ int vtkNBufferView::DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSourc
   {
     drawNearest(this->Settings.RoundSize);
   }
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkNBufferDepthTest test(this->Backend, this->Levels, this->Projection, this->Props,
+    this->Statistics, this->Settings.Test);
   for (;;)
   {
-    if (!this->BuildLevels(renderer, source, held))
+    std::string why;
+    if (!test.Build(window, source, this->Kept, held, why))
     {
+      this->Warn(renderer, why);
       this->Statistics.Decision = vtkNBufferDecision::NoDepth;
       this->Settled = false;
       drawNearest(held.size());
       return drawn;
     }
-    this->Test(renderer, source, held);
+    if (this->Statistics.Rounds == 0)
+    {
+      this->TestKept(test);
+    }
+    for (int i : held)
+    {
+      this->Props.GetState(i).Verdict = vtkNBufferVerdict::Hidden;
+    }
+    test.RemoveHidden(held);
 
     // Another round must save more props than it draws to be worth its read-back.
     const std::size_t limit = static_cast<std::size_t>(this->Settings.RoundSize)
@@ -555,25 +482,6 @@ void vtkNBufferView::RedrawForTieOrder(vtkRenderer* renderer)
     this->Props.GetProp(all[i].Index)->RenderOpaqueGeometry(renderer);
   }
   this->Statistics.Redrawn += static_cast<int>(redraws.size());
-}
-
-void vtkNBufferView::Learn()
-{
-  const int hidden = static_cast<int>(std::count_if(this->Held.begin(), this->Held.end(),
-    [this](int i) { return this->Props.GetState(i).Verdict == vtkNBufferVerdict::Hidden; }));
-  const auto inside = static_cast<double>(this->Kept.size() + this->Held.size());
-  this->Statistics.DrawnInRound[0] = static_cast<int>(this->Kept.size());
-  if (hidden >= PoorShare * inside)
-  {
-    this->PoorTests = 0;
-    this->BackOffFrames = 0;
-    return;
-  }
-  if (++this->PoorTests >= PoorTestsToBackOff)
-  {
-    this->BackOffFrames = std::min(std::max(2 * this->BackOffFrames, FirstBackOff), LongestBackOff);
-    this->FramesUntilProbe = this->BackOffFrames;
-  }
 }
 
 void vtkNBufferView::Warn(vtkRenderer* renderer, const std::string& why)

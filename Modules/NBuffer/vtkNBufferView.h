@@ -17,8 +17,10 @@
 #ifndef vtkNBufferView_h
 #define vtkNBufferView_h
 
+#include "vtkNBufferBackOff.h"
 #include "vtkNBufferBackend.h"
 #include "vtkNBufferCandidateList.h"
+#include "vtkNBufferDepthTest.h"
 #include "vtkNBufferHeldProps.h"
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferProjection.h"
@@ -43,13 +45,10 @@ class vtkRenderer;
  */
 struct vtkNBufferSettings
 {
-  vtkNBufferBackend::Kind Backend = vtkNBufferBackend::Auto;
-  int BaseFactor = 4;
+  vtkNBufferDepthTest::Options Test;
   int MinimumNumberOfCandidates = 32;
   int MaximumNumberOfRounds = 6;
   int RoundSize = 64;
-  int MaximumNumberOfPieces = 8;
-  bool TestPixels = true;
   bool ReuseWhenStill = true;
   bool BackOff = true;
   bool Freeze = false;
@@ -113,20 +112,17 @@ private:
   void CountVerdicts();
 
   vtkNBufferDecision PrepareTest(vtkRenderer* renderer, vtkNBufferDepthSource& source);
-  bool BuildLevels(vtkRenderer* renderer, const vtkNBufferDepthSource& source,
-    const std::vector<int>& held);
-  void Test(
-    vtkRenderer* renderer, const vtkNBufferDepthSource& source, std::vector<int>& held);
+  void TestKept(vtkNBufferDepthTest& test);
   int DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSource& source);
   int DrawRound(vtkRenderer* renderer, std::vector<int> props, int round);
   int DrawAll(
     vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason);
   vtkNBufferDrawnProp MakeDrawnProp(int i, int round);
   void RedrawForTieOrder(vtkRenderer* renderer);
-  void Learn();
   void Warn(vtkRenderer* renderer, const std::string& why);
 
   vtkNBufferBackend& Backend;
+  vtkNBufferBackOff BackOff;
   vtkNBufferCandidateList Props;
   vtkNBufferProjection Projection;
   vtkNBufferLevels Levels;
@@ -144,10 +140,6 @@ private:
   bool DrawnOnce = false;    ///< The proxy has been drawn in this frame.
   bool Aside = false;        ///< The frame is drawn as usual.
   bool Settled = false;      ///< The verdicts of the last frame are complete.
-  int FramesUntilProbe = 0;  ///< Backed off for as many frames.
-  int FramesWithNothingHeld = 0;
-  int BackOffFrames = 0;     ///< Length of the last back-off.
-  int PoorTests = 0;         ///< Tests in a row that hid next to nothing.
   bool Warned = false;
 };
 

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferBackOff.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+bool vtkNBufferBackOff::Rests()
+{
+  if (this->FramesToRest == 0)
+  {
+    return false;
+  }
+  --this->FramesToRest;
+  return true;
+}
+
+bool vtkNBufferBackOff::IsProbeDue()
+{
+  return ++this->FramesWithNothingHeld % ShortestRest == 0;
+}
+
+void vtkNBufferBackOff::Learn(int hidden, int inside)
+{
+  if (hidden >= PoorShare * inside)
+  {
+    this->PoorTests = 0;
+    this->LastRest = 0;
+    return;
+  }
+  if (++this->PoorTests >= PoorTestsToRest)
+  {
+    this->LastRest = std::min(std::max(2 * this->LastRest, +ShortestRest), +LongestRest);
+    this->FramesToRest = this->LastRest;
+  }
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferDepthTest.h"
+
+#include "vtkNBufferClock.h"
+#include "vtkNBufferOcclusionTest.h"
+#include "vtkNBufferPixelTest.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// Props in doubt that make reading the whole depth image worth while where it is not there yet.
+constexpr std::size_t DoubtfulWorthARead = 32;
+}
+
+vtkNBufferDepthTest::vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferLevels& levels,
+  const vtkNBufferProjection& projection, vtkNBufferCandidateList& props,
+  vtkNBufferStatistics& statistics, const Options& options)
+  : Backend(backend)
+  , Levels(levels)
+  , Projection(projection)
+  , Props(props)
+  , Statistics(statistics)
+  , Settings(options)
+{
+}
+
+int vtkNBufferDepthTest::GetLevelsNeeded(const std::vector<int>& places) const
+{
+  int levels = 1;
+  for (int i : places)
+  {
+    levels = std::max(levels,
+      vtkNBufferOcclusionTest::GetLevelsNeeded(
+        this->Props.GetScreen(i).Pixels, this->Settings.BaseFactor));
+  }
+  return levels;
+}
+
+bool vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
+  const vtkNBufferDepthSource& source, const std::vector<int>& first,
+  const std::vector<int>& second, std::string& why)
+{
+  this->Window = window;
+  this->Source = source;
+  const int levels = std::max(this->GetLevelsNeeded(first), this->GetLevelsNeeded(second));
+  return this->Backend.Build(this->Settings.Backend, window, source, this->Settings.BaseFactor,
+    levels, this->Levels, this->Statistics, why);
+}
+
+const float* vtkNBufferDepthTest::GetDepth(std::size_t doubtful)
+{
+  // A second read-back must have something to save.
+  if (!this->Settings.TestPixels || doubtful == 0 ||
+    (this->Backend.GetInUse() == vtkNBufferBackend::OpenGL && doubtful < DoubtfulWorthARead))
+  {
+    return nullptr;
+  }
+  return this->Backend.GetDepth(this->Window, this->Source, this->Statistics);
+}
+
+void vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
+{
+  const auto isInside = [this](int i)
+  { return this->Props.GetState(i).Placement == vtkNBufferPlacement::Inside; };
+
+  vtkNBufferClock clock;
+  this->Statistics.Tested += static_cast<int>(places.size());
+  vtkNBufferOcclusionTest test(
+    this->Projection, this->Levels, this->Settings.MaximumNumberOfPieces);
+  places.erase(std::remove_if(places.begin(), places.end(),
+                 [&](int i) {
+                   return isInside(i) &&
+                     test.IsHidden(this->Props.GetBox(i), this->Props.GetScreen(i));
+                 }),
+    places.end());
+  this->Statistics.Queries += test.GetQueries();
+  this->Statistics.Lookups += test.GetLookups();
+  this->Statistics.Doubtful += static_cast<int>(places.size());
+  this->Statistics.TestTime += clock.Restart();
+
+  const float* depth = this->GetDepth(places.size());
+  if (!depth)
+  {
+    return;
+  }
+  clock.Restart();
+  vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth);
+  places.erase(std::remove_if(places.begin(), places.end(),
+                 [&](int i) {
+                   return isInside(i) &&
+                     pixelTest.IsHidden(this->Props.GetBox(i), this->Props.GetScreen(i));
+                 }),
+    places.end());
+  this->Statistics.Lookups += pixelTest.GetLookups();
+  this->Statistics.PixelTestTime += clock.GetMilliseconds();
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferDepthTest
+ * @brief Which candidates of a list lie behind what has been drawn in this frame so far.
+ *
+ * First by the levels (vtkNBufferOcclusionTest), then, for those in doubt and where the depth
+ * image is at hand, by the pixels (vtkNBufferPixelTest).
+ */
+#ifndef vtkNBufferDepthTest_h
+#define vtkNBufferDepthTest_h
+
+#include "vtkNBufferBackend.h"
+#include "vtkNBufferCandidateList.h"
+#include "vtkNBufferLevels.h"
+#include "vtkNBufferProjection.h"
+#include "vtkNBufferStatistics.h"
+
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLRenderWindow;
+
+class vtkNBufferDepthTest
+{
+public:
+  /// As the settings of vtkNBufferCuller of the same names.
+  struct Options
+  {
+    vtkNBufferBackend::Kind Backend = vtkNBufferBackend::Auto;
+    int BaseFactor = 4;
+    int MaximumNumberOfPieces = 8;
+    bool TestPixels = true;
+  };
+
+  /// All but the options are kept by reference and must outlive the test.
+  vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferLevels& levels,
+    const vtkNBufferProjection& projection, vtkNBufferCandidateList& props,
+    vtkNBufferStatistics& statistics, const Options& options);
+
+  /**
+   * Build the levels that the props with the given places need, from the depth of the framebuffer
+   * that is being drawn. False, with cause and remedy in `why`, if there is none.
+   */
+  bool Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
+    const std::vector<int>& first, const std::vector<int>& second, std::string& why);
+
+  /// Take the places of hidden props out of `places`. Nothing may be drawn since Build().
+  void RemoveHidden(std::vector<int>& places);
+
+private:
+  int GetLevelsNeeded(const std::vector<int>& places) const;
+  const float* GetDepth(std::size_t doubtful);
+
+  vtkNBufferBackend& Backend;
+  vtkNBufferLevels& Levels;
+  const vtkNBufferProjection& Projection;
+  vtkNBufferCandidateList& Props;
+  vtkNBufferStatistics& Statistics;
+  Options Settings;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkNBufferDepthSource Source;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
