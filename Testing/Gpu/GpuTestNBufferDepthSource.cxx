@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferDepthSource.h"
+
+#include "DepthTarget.h"
+#include "GLStateSnapshot.h"
+#include "OffscreenFixture.h"
+#include VTKNBUFFER_GL_HEADER
+
+#include "vtkActor.h"
+#include "vtkConeSource.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
+
+#include <cmath>
+#include <vector>
+
+class GpuTestNBufferDepthSource : public OffscreenFixture
+{
+protected:
+  void SetUp() override
+  {
+    OffscreenFixture::SetUp();
+    if (!this->IsSkipped())
+    {
+      this->Window = NewWindow(64, 48);
+    }
+  }
+
+  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
+  std::string Why;
+};
+
+namespace
+{
+/// What OpenGL itself reads as floats.
+std::vector<float> ReadFloats(int x, int y, int width, int height)
+{
+  std::vector<float> depth(static_cast<std::size_t>(width) * height);
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(x, y, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
+  return depth;
+}
+
+/// All formats in textures and in renderbuffers.
+template <typename Function>
+void ForEachTarget(int width, int height, Function&& function)
+{
+  for (const DepthFormat& format : GetDepthFormats())
+  {
+    for (const bool texture : { true, false })
+    {
+      SCOPED_TRACE(std::string(format.Name) + (texture ? " texture" : " renderbuffer"));
+      const DepthTarget target(format, width, height, texture);
+      ASSERT_TRUE(target.IsComplete());
+      function(format, target, texture);
+    }
+  }
+}
+}
+
+TEST_F(GpuTestNBufferDepthSource, WindowIsInspectedAndRead)
+{
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetViewport(0.25, 0.5, 1.0, 1.0);
+  vtkNew<vtkConeSource> cone;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(cone->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  renderer->AddActor(actor);
+  this->Window->AddRenderer(renderer);
+
+  vtkNBufferDepthSource source;
+  std::vector<float> depth;
+  std::vector<float> floats;
+  WhileDrawing(this->Window, renderer,
+    [&]()
+    {
+      ASSERT_TRUE(source.Inspect(this->Window, this->Why)) << this->Why;
+      ASSERT_TRUE(source.Read(this->Window, 16, 24, 48, 24, depth, this->Why)) << this->Why;
+      floats = ReadFloats(16, 24, 48, 24);
+    });
+  EXPECT_EQ(source.Viewport[0], 16);
+  EXPECT_EQ(source.Viewport[1], 24);
+  EXPECT_EQ(source.Viewport[2], 48);
+  EXPECT_EQ(source.Viewport[3], 24);
+  EXPECT_EQ(source.Width, 64);
+  EXPECT_EQ(source.Height, 48);
+  EXPECT_LE(source.Samples, 1);
+  EXPECT_GE(source.DepthBits, 16);
+  EXPECT_TRUE(source.DefaultDepthRange);
+
+  int drawn = 0;
+  for (std::size_t i = 0; i < depth.size(); ++i)
+  {
+    EXPECT_GE(depth[i], std::nextafter(floats[i], 0.0f));
+    EXPECT_LE(depth[i] - floats[i], std::ldexp(1.0, -23));
+    drawn += depth[i] < 1.0f;
+  }
+  EXPECT_GT(drawn, 50);
+  EXPECT_LT(drawn, 48 * 24);
+}
+
+TEST_F(GpuTestNBufferDepthSource, EveryFormatIsInspected)
+{
+  ForEachTarget(21, 13,
+    [this](const DepthFormat& format, const DepthTarget& target, bool texture)
+    {
+      target.Bind(3, 4, 10, 9);
+      vtkNBufferDepthSource source;
+      ASSERT_TRUE(source.Inspect(this->Window, this->Why)) << this->Why;
+      const std::string name = format.Name;
+      EXPECT_EQ(source.FloatDepth, name.find("32F") != std::string::npos);
+      EXPECT_GE(source.DepthBits, std::stoi(name.substr(5, 2)));
+      EXPECT_EQ(source.Texture, texture);
+      EXPECT_EQ(source.Width, 21);
+      EXPECT_EQ(source.Height, 13);
+      EXPECT_EQ(source.Viewport[0], 3);
+      EXPECT_EQ(source.Viewport[3], 9);
+      EXPECT_NE(source.Framebuffer, 0u);
+      EXPECT_NE(source.DepthName, 0u);
+    });
+}
+
+TEST_F(GpuTestNBufferDepthSource, EveryFormatIsReadAndRoundedAsPromised)
+{
+  ForEachTarget(61, 47,
+    [this](const DepthFormat&, const DepthTarget& target, bool)
+    {
+      target.Fill(7);
+      vtkNBufferDepthSource source;
+      ASSERT_TRUE(source.Inspect(this->Window, this->Why)) << this->Why;
+      std::vector<float> up;
+      std::vector<float> down;
+      ASSERT_TRUE(source.Read(this->Window, 5, 3, 50, 40, up, this->Why)) << this->Why;
+      ASSERT_TRUE(
+        source.Read(this->Window, 5, 3, 50, 40, down, this->Why, vtkNBufferExtremum::Minimum))
+        << this->Why;
+      const std::vector<float> floats = ReadFloats(5, 3, 50, 40);
+      const double step = source.FloatDepth || source.DepthBits <= 16 ? 0.0 : std::ldexp(1.0, -24);
+      for (std::size_t i = 0; i < up.size(); ++i)
+      {
+        ASSERT_GE(up[i], floats[i]) << i;
+        ASSERT_LE(up[i] - floats[i], step) << i;
+        ASSERT_LE(std::abs(static_cast<double>(down[i]) - floats[i]), step) << i;
+        if (source.DepthBits == 32)
+        {
+          ASSERT_LE(down[i], floats[i]) << i;
+        }
+        if (floats[i] == 0.0f || floats[i] == 1.0f)
+        {
+          // The float itself may be rounded from 1 - 2^-32.
+          ASSERT_EQ(up[i], floats[i]) << i;
+        }
+      }
+    });
+}
+
+TEST_F(GpuTestNBufferDepthSource, ReadsWhatSamplersReturn)
+{
+  for (const DepthFormat& format : GetDepthFormats())
+  {
+    SCOPED_TRACE(format.Name);
+    const DepthTarget target(format, 61, 47, true);
+    target.Fill(8);
+    vtkNBufferDepthSource source;
+    ASSERT_TRUE(source.Inspect(this->Window, this->Why)) << this->Why;
+    std::vector<float> depth;
+    ASSERT_TRUE(source.Read(this->Window, 0, 0, 61, 47, depth, this->Why)) << this->Why;
+    const std::vector<float> sampled = target.Fetch();
+    // Samplers round what does not fit a float as they like: 24 bits by one unit in the last place
+    // at most (Mesa's llvmpipe as promised, its softpipe not), 32 bits to 23.
+    const bool exact = source.FloatDepth || source.DepthBits <= 16;
+    const double tolerance = exact ? 0.0 : std::ldexp(1.0, source.DepthBits <= 24 ? -24 : -23);
+    for (std::size_t i = 0; i < depth.size(); ++i)
+    {
+      ASSERT_LE(std::abs(static_cast<double>(depth[i]) - sampled[i]), tolerance) << i;
+    }
+  }
+}
+
+TEST_F(GpuTestNBufferDepthSource, ChangesNoState)
+{
+  const DepthTarget target(GetDepthFormats()[2], 20, 10, true);
+  target.Fill(1);
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
+  SpoilGLState();
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
+  vtkNBufferDepthSource source;
+  std::vector<float> depth;
+  ASSERT_TRUE(source.Inspect(this->Window, this->Why)) << this->Why;
+  EXPECT_TRUE(source.Read(this->Window, 2, 2, 5, 5, depth, this->Why)) << this->Why;
+  EXPECT_EQ(before.GetDifference(GLStateSnapshot::Capture(this->Window)), "");
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  glDeleteBuffers(1, &buffer);
+}
+
+TEST_F(GpuTestNBufferDepthSource, DepthRangeIsNoticed)
+{
+  const DepthTarget target(GetDepthFormats()[0], 4, 4, true);
+  target.Bind(0, 0, 4, 4);
+  glDepthRange(0.0, 0.5);
+  vtkNBufferDepthSource source;
+  EXPECT_TRUE(source.Inspect(this->Window, this->Why)) << this->Why;
+  EXPECT_FALSE(source.DefaultDepthRange);
+  glDepthRange(0.0, 1.0);
+}
+
+TEST_F(GpuTestNBufferDepthSource, RefusesRectanglesOutside)
+{
+  const DepthTarget target(GetDepthFormats()[0], 10, 8, true);
+  target.Bind(0, 0, 10, 8);
+  vtkNBufferDepthSource source;
+  ASSERT_TRUE(source.Inspect(this->Window, this->Why)) << this->Why;
+  std::vector<float> depth;
+  EXPECT_TRUE(source.Read(this->Window, 0, 0, 10, 8, depth, this->Why));
+  for (const auto& r : { vtkNBufferRectangle{ -1, 0, 4, 4 }, vtkNBufferRectangle{ 0, -1, 4, 4 },
+         vtkNBufferRectangle{ 7, 0, 4, 4 }, vtkNBufferRectangle{ 0, 5, 4, 4 },
+         vtkNBufferRectangle{ 0, 0, 0, 4 }, vtkNBufferRectangle{ 0, 0, 4, -2 } })
+  {
+    this->Why.clear();
+    EXPECT_FALSE(source.Read(this->Window, r.X0, r.Y0, r.X1, r.Y1, depth, this->Why));
+    EXPECT_NE(this->Why.find("outside"), std::string::npos);
+  }
+}
+
+TEST_F(GpuTestNBufferDepthSource, RefusesMultisampledReads)
+{
+  const DepthTarget target(GetDepthFormats()[1], 10, 8, true, 4);
+  if (target.GetSamples() < 2)
+  {
+    GTEST_SKIP() << "the driver offers no multisampled depth textures";
+  }
+  target.Bind(0, 0, 10, 8);
+  vtkNBufferDepthSource source;
+  ASSERT_TRUE(source.Inspect(this->Window, this->Why)) << this->Why;
+  EXPECT_EQ(source.Samples, target.GetSamples());
+  std::vector<float> depth;
+  EXPECT_FALSE(source.Read(this->Window, 0, 0, 10, 8, depth, this->Why));
+  EXPECT_NE(this->Why.find("ultisampled"), std::string::npos);
+}
+
+TEST_F(GpuTestNBufferDepthSource, RefusesWhatHasNoDepth)
+{
+  GLuint texture = 0;
+  GLuint framebuffer = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  glGenFramebuffers(1, &framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+
+  vtkNBufferDepthSource source;
+  source.DepthBits = 24;
+  EXPECT_FALSE(source.Inspect(this->Window, this->Why));
+  EXPECT_NE(this->Why.find("no depth buffer"), std::string::npos);
+  EXPECT_EQ(source.DepthBits, 0);
+  std::vector<float> depth;
+  EXPECT_FALSE(source.Read(this->Window, 0, 0, 1, 1, depth, this->Why));
+
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);
+  EXPECT_FALSE(source.Inspect(this->Window, this->Why));
+  EXPECT_NE(this->Why.find("incomplete"), std::string::npos);
+  glDeleteFramebuffers(1, &framebuffer);
+  glDeleteTextures(1, &texture);
+}
+
+TEST_F(GpuTestNBufferDepthSource, RefusesLayersOfTextures)
+{
+  GLuint texture = 0;
+  GLuint framebuffer = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT24, 4, 4, 3, 0, GL_DEPTH_COMPONENT,
+    GL_FLOAT, nullptr);
+  glGenFramebuffers(1, &framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, texture, 0, 2);
+  glDrawBuffer(GL_NONE);
+  glReadBuffer(GL_NONE);
+  vtkNBufferDepthSource source;
+  EXPECT_FALSE(source.Inspect(this->Window, this->Why));
+  EXPECT_NE(this->Why.find("layered"), std::string::npos);
+  glDeleteFramebuffers(1, &framebuffer);
+  glDeleteTextures(1, &texture);
+}
+
+TEST_F(GpuTestNBufferDepthSource, RefusesWindowsWithoutContext)
+{
+  vtkNBufferDepthSource source;
+  EXPECT_FALSE(source.Inspect(nullptr, this->Why));
+  auto base = vtkSmartPointer<vtkRenderWindow>::New();
+  EXPECT_FALSE(source.Inspect(vtkOpenGLRenderWindow::SafeDownCast(base), this->Why));
+  EXPECT_NE(this->Why.find("context"), std::string::npos);
+}

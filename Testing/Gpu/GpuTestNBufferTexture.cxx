@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Every level that the device builds equals, bit for bit, what the host builds from the same depth.
+#include "vtkNBufferTexture.h"
+
+#include "DepthTarget.h"
+#include "LevelComparison.h"
+#include "OffscreenFixture.h"
+#include "vtkNBufferDepthSource.h"
+
+#include "vtkActor.h"
+#include "vtkConeSource.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr int Factors[] = { 1, 2, 4, 8 };
+constexpr vtkNBufferExtremum Extrema[] = { vtkNBufferExtremum::Maximum,
+  vtkNBufferExtremum::Minimum };
+constexpr int AllLevels = 99;
+
+std::string Describe(int factor, vtkNBufferExtremum extremum)
+{
+  return "factor " + std::to_string(factor) +
+    (extremum == vtkNBufferExtremum::Maximum ? ", maximum" : ", minimum");
+}
+
+class LevelsFixture : public OffscreenFixture
+{
+protected:
+  void SetUp() override
+  {
+    OffscreenFixture::SetUp();
+    if (!this->IsSkipped())
+    {
+      this->Window = NewWindow(16, 16);
+    }
+  }
+
+  /// Builds from the bound framebuffer, downloads, and compares with what the host makes of
+  /// `depth`.
+  void Compare(const vtkNBufferDepthSource& source, int x, int y, int width, int height, int factor,
+    vtkNBufferExtremum extremum, const std::vector<float>& depth)
+  {
+    SCOPED_TRACE(Describe(factor, extremum));
+    ASSERT_TRUE(
+      this->Texture->Build(this->Window, source, x, y, width, height, factor, AllLevels, extremum))
+      << this->Texture->GetError();
+    vtkNBufferLevels device;
+    ASSERT_TRUE(this->Texture->Download(this->Window, device)) << this->Texture->GetError();
+    EXPECT_EQ(FindDifference(BuildOnHost(depth, width, height, factor, extremum), device), "");
+    EXPECT_EQ(device.GetFactor(), factor);
+    EXPECT_EQ(device.GetPixelWidth(), width);
+    EXPECT_EQ(device.GetPixelHeight(), height);
+    EXPECT_EQ(device.GetExtremum(), extremum);
+    EXPECT_EQ(this->Texture->GetNumberOfDraws(), device.GetNumberOfLevels());
+  }
+
+  /**
+   * All factors and both extrema over a rectangle of single-sample depth. Where depth comes through
+   * a sampler that may round, `sampled` is the whole depth buffer as samplers return it.
+   */
+  void CompareWithRead(int x, int y, int width, int height, const std::vector<float>& sampled = {})
+  {
+    vtkNBufferDepthSource source;
+    std::string why;
+    ASSERT_TRUE(source.Inspect(this->Window, why)) << why;
+    for (const vtkNBufferExtremum extremum : Extrema)
+    {
+      std::vector<float> depth;
+      ASSERT_TRUE(source.Read(this->Window, x, y, width, height, depth, why, extremum)) << why;
+      for (std::size_t i = 0; !sampled.empty() && i < depth.size(); ++i)
+      {
+        const float value = sampled[(y + i / width) * source.Width + x + i % width];
+        // One unit in the last place, near 1.
+        ASSERT_LE(std::abs(value - depth[i]), std::ldexp(1.0f, -24));
+        depth[i] = value;
+      }
+      for (const int factor : Factors)
+      {
+        this->Compare(source, x, y, width, height, factor, extremum, depth);
+      }
+    }
+  }
+
+  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
+  vtkNew<vtkNBufferTexture> Texture;
+};
+
+struct Size
+{
+  int Width;
+  int Height;
+};
+void PrintTo(const Size& size, std::ostream* os)
+{
+  *os << size.Width << "x" << size.Height;
+}
+}
+
+class GpuTestNBufferTextureSizes
+  : public LevelsFixture
+  , public ::testing::WithParamInterface<Size>
+{
+};
+
+TEST_P(GpuTestNBufferTextureSizes, EqualHost)
+{
+  const auto [width, height] = GetParam();
+  // As VTK's windows have it, and what is sampled where it lies.
+  for (const std::size_t format : { 2u, 3u })
+  {
+    SCOPED_TRACE(GetDepthFormats()[format].Name);
+    const DepthTarget target(GetDepthFormats()[format], width, height, true);
+    ASSERT_TRUE(target.IsComplete());
+    target.Fill(static_cast<unsigned int>(width));
+    this->CompareWithRead(0, 0, width, height);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, GpuTestNBufferTextureSizes,
+  ::testing::Values(Size{ 1, 1 }, Size{ 1, 6 }, Size{ 6, 1 }, Size{ 12, 19 }, Size{ 49, 2 },
+    Size{ 100, 300 }, Size{ 511, 1023 }, Size{ 960, 720 }),
+  [](const auto& info)
+  { return std::to_string(info.param.Width) + "x" + std::to_string(info.param.Height); });
+
+struct Attachment
+{
+  std::size_t Format;
+  bool Texture;
+};
+void PrintTo(const Attachment& attachment, std::ostream* os)
+{
+  *os << GetDepthFormats()[attachment.Format].Name
+      << (attachment.Texture ? "Texture" : "Renderbuffer");
+}
+
+class GpuTestNBufferTextureFormats
+  : public LevelsFixture
+  , public ::testing::WithParamInterface<Attachment>
+{
+};
+
+TEST_P(GpuTestNBufferTextureFormats, EqualHost)
+{
+  const DepthFormat& format = GetDepthFormats()[GetParam().Format];
+  std::vector<float> sampled;
+  if (std::string(format.Name).find("24") != std::string::npos)
+  {
+    // Drivers differ in how their samplers round 24 bits.
+    const DepthTarget twin(format, 90, 70, true);
+    twin.Fill(3);
+    sampled = twin.Fetch();
+  }
+  const DepthTarget target(format, 90, 70, GetParam().Texture);
+  ASSERT_TRUE(target.IsComplete());
+  target.Fill(3);
+  this->CompareWithRead(0, 0, 90, 70, sampled);
+  // Rectangles inside, at odd places and of odd sizes.
+  this->CompareWithRead(13, 7, 53, 41, sampled);
+  this->CompareWithRead(89, 69, 1, 1, sampled);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, GpuTestNBufferTextureFormats,
+  ::testing::Values(Attachment{ 0, true }, Attachment{ 0, false }, Attachment{ 1, true },
+    Attachment{ 1, false }, Attachment{ 2, true }, Attachment{ 2, false }, Attachment{ 3, true },
+    Attachment{ 3, false }, Attachment{ 4, true }, Attachment{ 4, false }, Attachment{ 5, true },
+    Attachment{ 5, false }),
+  ::testing::PrintToStringParamName());
+
+class GpuTestNBufferTexture : public LevelsFixture
+{
+protected:
+  void AddCone(vtkRenderer* renderer)
+  {
+    vtkNew<vtkConeSource> cone;
+    cone->SetResolution(30);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(cone->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    renderer->AddActor(actor);
+  }
+};
+
+TEST_F(GpuTestNBufferTexture, WindowInAViewportEqualsHost)
+{
+  this->Window->SetSize(150, 110);
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetViewport(0.2, 0.3, 0.9, 0.95);
+  this->AddCone(renderer);
+  this->Window->AddRenderer(renderer);
+  WhileDrawing(this->Window, renderer,
+    [&]()
+    {
+      vtkNBufferDepthSource source;
+      std::string why;
+      ASSERT_TRUE(source.Inspect(this->Window, why)) << why;
+      const int* viewport = source.Viewport;
+      EXPECT_GT(viewport[0], 0);
+      EXPECT_GT(viewport[1], 0);
+      this->CompareWithRead(viewport[0], viewport[1], viewport[2], viewport[3]);
+    });
+}
+
+TEST_F(GpuTestNBufferTexture, FewerLevelsAreAPrefix)
+{
+  const DepthTarget target(GetDepthFormats()[3], 64, 40, true);
+  target.Fill(5);
+  vtkNBufferDepthSource source;
+  std::string why;
+  ASSERT_TRUE(source.Inspect(this->Window, why)) << why;
+  std::vector<float> depth;
+  ASSERT_TRUE(source.Read(this->Window, 0, 0, 64, 40, depth, why)) << why;
+  for (const int count : { 1, 3 })
+  {
+    ASSERT_TRUE(this->Texture->Build(
+      this->Window, source, 0, 0, 64, 40, 2, count, vtkNBufferExtremum::Maximum));
+    EXPECT_EQ(this->Texture->GetNumberOfDraws(), count);
+    vtkNBufferLevels device;
+    ASSERT_TRUE(this->Texture->Download(this->Window, device));
+    vtkNBufferLevels host;
+    host.BuildBase(depth.data(), 64, 40, 2, vtkNBufferExtremum::Maximum);
+    host.BuildLevels(count);
+    EXPECT_EQ(FindDifference(host, device), "");
+  }
+}
+
+class GpuTestNBufferTextureSamples
+  : public GpuTestNBufferTexture
+  , public ::testing::WithParamInterface<int>
+{
+};
+
+TEST_P(GpuTestNBufferTextureSamples, EveryFormatTakesTheExtremumOfAllSamples)
+{
+  constexpr int width = 37;
+  constexpr int height = 22;
+  int compared = 0;
+  for (const DepthFormat& format : GetDepthFormats())
+  {
+    SCOPED_TRACE(format.Name);
+    const DepthTarget target(format, width, height, true, GetParam());
+    // A driver may give more than was asked for.
+    const int count = target.GetSamples();
+    if (!target.IsComplete() || count < GetParam())
+    {
+      continue;
+    }
+    ++compared;
+    target.Fill(11);
+    std::vector<std::vector<float>> samples;
+    for (int i = 0; i < count; ++i)
+    {
+      samples.push_back(target.Fetch(i));
+    }
+    EXPECT_NE(samples[0], samples[1]) << "the noise does not differ between samples";
+
+    target.Bind(0, 0, width, height);
+    vtkNBufferDepthSource source;
+    std::string why;
+    ASSERT_TRUE(source.Inspect(this->Window, why)) << why;
+    for (const vtkNBufferExtremum extremum : Extrema)
+    {
+      const bool maximum = extremum == vtkNBufferExtremum::Maximum;
+      std::vector<float> depth = samples[0];
+      for (const std::vector<float>& sample : samples)
+      {
+        for (std::size_t i = 0; i < depth.size(); ++i)
+        {
+          depth[i] = maximum ? std::max(depth[i], sample[i]) : std::min(depth[i], sample[i]);
+        }
+      }
+      if (source.DepthBits == 32 && !source.FloatDepth)
+      {
+        // Moved to the safe side by what samplers may lose.
+        const float error = std::ldexp(1.0f, -23);
+        for (float& value : depth)
+        {
+          value = maximum ? std::min(value + error, 1.0f) : std::max(value - error, 0.0f);
+        }
+      }
+      for (const int factor : Factors)
+      {
+        this->Compare(source, 0, 0, width, height, factor, extremum, depth);
+      }
+    }
+  }
+  if (compared == 0)
+  {
+    GTEST_SKIP() << "the driver offers no depth textures of " << GetParam() << " samples";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, GpuTestNBufferTextureSamples, ::testing::Values(2, 4, 8),
+  [](const auto& info) { return std::to_string(info.param); });
+
+TEST_F(GpuTestNBufferTexture, MultisampledWindowIsNeverNearerThanItsSamples)
+{
+  auto window = NewWindow(80, 60, 4);
+  vtkNew<vtkRenderer> renderer;
+  this->AddCone(renderer);
+  window->AddRenderer(renderer);
+  vtkNBufferLevels farthest;
+  vtkNBufferLevels nearest;
+  WhileDrawing(window, renderer,
+    [&]()
+    {
+      vtkNBufferDepthSource source;
+      std::string why;
+      ASSERT_TRUE(source.Inspect(window, why)) << why;
+      if (source.Samples < 2)
+      {
+        return;
+      }
+      ASSERT_TRUE(
+        this->Texture->Build(window, source, 0, 0, 80, 60, 1, 1, vtkNBufferExtremum::Maximum))
+        << this->Texture->GetError();
+      ASSERT_TRUE(this->Texture->Download(window, farthest));
+      ASSERT_TRUE(
+        this->Texture->Build(window, source, 0, 0, 80, 60, 1, 1, vtkNBufferExtremum::Minimum))
+        << this->Texture->GetError();
+      ASSERT_TRUE(this->Texture->Download(window, nearest));
+    });
+  if (farthest.GetNumberOfLevels() == 0)
+  {
+    GTEST_SKIP() << "the window has no multisampling";
+  }
+  // One sample of each pixel, as the window resolves it.
+  std::vector<float> resolved(80 * 60);
+  window->GetZbufferData(0, 0, 79, 59, resolved.data());
+  int edges = 0;
+  int inside = 0;
+  int background = 0;
+  for (int i = 0; i < 80 * 60; ++i)
+  {
+    const float high = farthest.GetLevelData(0)[i];
+    const float low = nearest.GetLevelData(0)[i];
+    ASSERT_GE(high, resolved[i]);
+    ASSERT_LE(low, resolved[i]);
+    edges += high == 1.0f && low < 1.0f - 1e-6f;
+    inside += high < 1.0f;
+    background += low > 1.0f - 1e-6f;
+  }
+  EXPECT_GT(edges, 20);
+  EXPECT_GT(inside, 100);
+  EXPECT_GT(background, 100);
+}
+
+TEST_F(GpuTestNBufferTexture, DeviceTimeArrives)
+{
+  const DepthTarget target(GetDepthFormats()[3], 256, 256, true);
+  target.Fill(5);
+  vtkNBufferDepthSource source;
+  std::string why;
+  ASSERT_TRUE(source.Inspect(this->Window, why)) << why;
+  EXPECT_EQ(this->Texture->GetDeviceTime(), 0.0);
+  vtkNBufferLevels levels;
+  for (int i = 0; i < 5; ++i)
+  {
+    ASSERT_TRUE(this->Texture->Build(
+      this->Window, source, 0, 0, 256, 256, 1, AllLevels, vtkNBufferExtremum::Maximum));
+    ASSERT_TRUE(this->Texture->Download(this->Window, levels));
+  }
+  int major = 0;
+  int minor = 0;
+  this->Window->GetOpenGLVersion(major, minor);
+  const bool queries = major > 3 || (major == 3 && minor >= 3);
+  EXPECT_EQ(this->Texture->GetDeviceTime() > 0.0, queries);
+  EXPECT_LT(this->Texture->GetDeviceTime(), 1e6);
+}
