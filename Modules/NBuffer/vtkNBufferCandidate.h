@@ -39,6 +39,9 @@ public:
   vtkProp* GetProp() const { return this->Prop; }
   bool IsCandidate() const { return this->Verdict == vtkNBufferVerdict::Visible; }
 
+  /// A candidate but for its translucency: never held back, but left out where it is hidden.
+  bool IsTranslucent() const { return this->Verdict == vtkNBufferVerdict::Translucent; }
+
   /// Visible for a candidate, otherwise the reason why it is none.
   vtkNBufferVerdict GetVerdict() const { return this->Verdict; }
 

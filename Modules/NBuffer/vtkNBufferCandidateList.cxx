@@ -123,7 +123,7 @@ void vtkNBufferCandidateList::Project(const vtkNBufferProjection& projection)
         const vtkNBufferCandidate& candidate = this->Candidates[i];
         vtkNBufferState& state = this->States[i];
         state.Verdict = candidate.GetVerdict();
-        if (candidate.IsCandidate())
+        if (candidate.IsCandidate() || candidate.IsTranslucent())
         {
           const vtkNBufferBox& box = candidate.GetBox();
           state.Placement = projection.IsOutside(box)

@@ -39,7 +39,7 @@ public:
   /// Bring the caches up to date. Returns how many props changed.
   int Refresh();
 
-  /// Place every candidate with respect to the view: outside, crossing, or inside with its
+  /// Place every candidate and translucent prop with respect to the view: outside, crossing, or inside with its
   /// rectangle and depth interval.
   void Project(const vtkNBufferProjection& projection);
 

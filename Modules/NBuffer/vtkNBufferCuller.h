@@ -24,7 +24,8 @@
  *
  * Candidates are plain opaque surface actors: vtkOpenGLActor itself with a polydata, composite
  * or dataset mapper. All other props are drawn as without the culler; vtkNBufferVerdict says why.
- * Translucent props never hide anything.
+ * Translucent actors keep their places in the order of blending; those behind opaque props are left
+ * out, and none of them hides anything.
  *
  * The culler takes over the work of a vtkFrustumCoverageCuller with default settings by moving
  * itself in front of it (see TakeOverFrustumCulling): its own frustum test costs a fraction.

@@ -27,25 +27,22 @@ vtkNBufferDepthTest::vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferL
 {
 }
 
-int vtkNBufferDepthTest::GetLevelsNeeded(const std::vector<int>& places) const
-{
-  int levels = 1;
-  for (int i : places)
-  {
-    levels = std::max(levels,
-      vtkNBufferOcclusionTest::GetLevelsNeeded(
-        this->Props.GetScreen(i).Pixels, this->Settings.BaseFactor));
-  }
-  return levels;
-}
-
 bool vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
-  const vtkNBufferDepthSource& source, const std::vector<int>& first,
-  const std::vector<int>& second, std::string& why)
+  const vtkNBufferDepthSource& source, std::initializer_list<const std::vector<int>*> places,
+  std::string& why)
 {
   this->Window = window;
   this->Source = source;
-  const int levels = std::max(this->GetLevelsNeeded(first), this->GetLevelsNeeded(second));
+  int levels = 1;
+  for (const std::vector<int>* list : places)
+  {
+    for (int i : *list)
+    {
+      levels = std::max(levels,
+        vtkNBufferOcclusionTest::GetLevelsNeeded(
+          this->Props.GetScreen(i).Pixels, this->Settings.BaseFactor));
+    }
+  }
   return this->Backend.Build(this->Settings.Backend, window, source, this->Settings.BaseFactor,
     levels, this->Levels, this->Statistics, why);
 }

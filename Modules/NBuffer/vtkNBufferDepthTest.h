@@ -16,6 +16,7 @@
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferStatistics.h"
 
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -40,17 +41,16 @@ public:
     vtkNBufferStatistics& statistics, const Options& options);
 
   /**
-   * Build the levels that the props with the given places need, from the depth of the framebuffer
+   * Build the levels that the props in all of `places` need, from the depth of the framebuffer
    * that is being drawn. False, with cause and remedy in `why`, if there is none.
    */
   bool Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
-    const std::vector<int>& first, const std::vector<int>& second, std::string& why);
+    std::initializer_list<const std::vector<int>*> places, std::string& why);
 
   /// Take the places of hidden props out of `places`. Nothing may be drawn since Build().
   void RemoveHidden(std::vector<int>& places);
 
 private:
-  int GetLevelsNeeded(const std::vector<int>& places) const;
   const float* GetDepth(std::size_t doubtful);
 
   vtkNBufferBackend& Backend;

@@ -2,74 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferHeldProps.h"
 
+#include "vtkNBufferForwardedKeys.h"
 #include "vtkNBufferView.h"
 
-#include "vtkInformation.h"
-#include "vtkInformationObjectBaseVectorKey.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderPass.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkNBufferHeldProps);
-
-namespace
-{
-/**
- * Lends the render passes of one prop's keys to another while it is drawn. The other's own
- * information object is used where it has one: SetPropertyKeys() marks a prop as modified.
- */
-class ScopedRenderPasses
-{
-public:
-  ScopedRenderPasses(vtkInformation* from, vtkProp* to)
-  {
-    vtkInformationObjectBaseVectorKey* key = vtkOpenGLRenderPass::RenderPasses();
-    if (!from || key->Length(from) == 0)
-    {
-      return;
-    }
-    this->Passes = from;
-    if (!to->GetPropertyKeys())
-    {
-      vtkNew<vtkInformation> keys;
-      to->SetPropertyKeys(keys);
-    }
-    this->Keys = to->GetPropertyKeys();
-    for (int i = 0; i < key->Length(from); ++i)
-    {
-      key->Append(this->Keys, key->Get(from, i));
-    }
-  }
-
-  ~ScopedRenderPasses()
-  {
-    if (!this->Keys)
-    {
-      return;
-    }
-    vtkInformationObjectBaseVectorKey* key = vtkOpenGLRenderPass::RenderPasses();
-    for (int i = 0; i < key->Length(this->Passes); ++i)
-    {
-      key->Remove(this->Keys, key->Get(this->Passes, i));
-    }
-    if (key->Length(this->Keys) == 0)
-    {
-      this->Keys->Remove(key);
-    }
-  }
-
-  ScopedRenderPasses(const ScopedRenderPasses&) = delete;
-  void operator=(const ScopedRenderPasses&) = delete;
-
-private:
-  vtkInformation* Passes = nullptr;
-  vtkInformation* Keys = nullptr;
-};
-}
 
 void vtkNBufferHeldProps::SetBounds(const double bounds[6])
 {
@@ -78,7 +20,7 @@ void vtkNBufferHeldProps::SetBounds(const double bounds[6])
 
 int vtkNBufferHeldProps::Draw(vtkProp* prop, vtkRenderer* renderer, double time)
 {
-  const ScopedRenderPasses passes(this->GetPropertyKeys(), prop);
+  const vtkNBufferForwardedKeys keys(this->GetPropertyKeys(), prop);
   prop->SetAllocatedRenderTime(time, renderer);
   return prop->RenderOpaqueGeometry(renderer);
 }

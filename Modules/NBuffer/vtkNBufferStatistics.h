@@ -28,13 +28,13 @@ enum class vtkNBufferVerdict : int
 {
   Unknown,         ///< Not in the last frame: invisible, another renderer, or never culled.
   Outside,         ///< Not drawn: its box lies outside the view frustum.
-  Hidden,          ///< Not drawn: its box lies behind what is drawn.
+  Hidden,          ///< Not drawn: its box lies behind what is drawn (translucent props too).
   Visible,         ///< Drawn: its box may be seen.
   NearPlane,       ///< Drawn: its box reaches the near plane or the eye point.
   Untested,        ///< Drawn: a candidate in a frame without a test (see vtkNBufferDecision).
   NotAPlainActor,  ///< Drawn: no vtkOpenGLActor itself (subclass, volume, assembly, 2D, custom).
   NotAPlainMapper, ///< Drawn: mapper of another class, whose bounds may be too small, or none.
-  Translucent,     ///< Drawn: has translucent geometry; it is not held back and hides nothing.
+  Translucent,     ///< Drawn: may be seen and has translucent geometry; it hides nothing.
   NotASurface,     ///< Drawn: points, wireframe, visible edges or vertices, spheres, tubes.
   DepthOffset,     ///< Drawn: coincident-topology parameters pull its depth towards the eye.
   ShaderReplaced,  ///< Drawn: the application replaces its shader code.

@@ -63,6 +63,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   this->Pending = this->DrawnOnce = this->Aside = false;
   this->Kept.clear();
   this->Held.clear();
+  this->Gated.clear();
   this->Drawn.clear();
 
   vtkNBufferClock part;
@@ -112,28 +113,33 @@ vtkNBufferDecision vtkNBufferView::Decide()
   int last = -1;
   for (int i = 0; i < this->Props.GetSize(); ++i)
   {
-    vtkNBufferState& entry = this->Props.GetState(i);
-    if (entry.Verdict != vtkNBufferVerdict::Visible)
+    vtkNBufferState& state = this->Props.GetState(i);
+    if (state.Verdict == vtkNBufferVerdict::Translucent &&
+      state.Placement == vtkNBufferPlacement::Inside)
+    {
+      this->Gated.push_back(i);
+    }
+    if (state.Verdict != vtkNBufferVerdict::Visible)
     {
       continue; // not a candidate
     }
     ++candidates;
-    switch (entry.Placement)
+    switch (state.Placement)
     {
       case vtkNBufferPlacement::Outside:
-        entry.Verdict = vtkNBufferVerdict::Outside;
-        entry.WasVisible = false;
+        state.Verdict = vtkNBufferVerdict::Outside;
+        state.WasVisible = false;
         break;
       case vtkNBufferPlacement::Crossing:
         ++inside;
-        entry.Verdict = vtkNBufferVerdict::NearPlane;
-        entry.WasVisible = true;
+        state.Verdict = vtkNBufferVerdict::NearPlane;
+        state.WasVisible = true;
         break;
       case vtkNBufferPlacement::Inside:
         ++inside;
         last = i;
-        entry.Verdict = vtkNBufferVerdict::Untested;
-        (entry.WasVisible ? this->Kept : this->Held).push_back(i);
+        state.Verdict = vtkNBufferVerdict::Untested;
+        (state.WasVisible ? this->Kept : this->Held).push_back(i);
         break;
     }
   }
@@ -152,11 +158,13 @@ vtkNBufferDecision vtkNBufferView::Decide()
   {
     // What became hidden since is only found by a test: now and then one prop is held back so
     // that there is one.
-    if (this->Settings.BackOff && !this->BackOff.IsProbeDue())
+    const bool manyGated =
+      static_cast<int>(this->Gated.size()) >= this->Settings.MinimumNumberOfCandidates;
+    if (this->Settings.BackOff && !manyGated && !this->BackOff.IsProbeDue())
     {
       decision = vtkNBufferDecision::NothingHeld;
     }
-    else if (last >= 0)
+    else if (last >= 0) // the last of Kept
     {
       this->Kept.pop_back();
       this->Held.push_back(last);
@@ -165,6 +173,7 @@ vtkNBufferDecision vtkNBufferView::Decide()
   if (decision != vtkNBufferDecision::Culled || this->Held.empty())
   {
     this->Held.clear();
+    this->Gated.clear();
     return decision == vtkNBufferDecision::Culled ? vtkNBufferDecision::NothingHeld : decision;
   }
   for (int i : this->Kept)
@@ -185,17 +194,21 @@ double vtkNBufferView::Emit(vtkProp** props, int& count, int& initialized)
   int kept = 0;
   double heldTotal = 0.0;
   vtkBoundingBox heldBounds;
+  std::size_t gates = 0;
   for (int i = 0; i < this->Props.GetSize(); ++i)
   {
     const vtkNBufferVerdict verdict = this->Props.GetState(i).Verdict;
-    if (verdict == vtkNBufferVerdict::Outside || verdict == vtkNBufferVerdict::Hidden)
+    const bool closed = verdict == vtkNBufferVerdict::Hidden && !this->Pending &&
+      this->Props.GetCandidate(i).IsTranslucent();
+    if (verdict == vtkNBufferVerdict::Outside || (verdict == vtkNBufferVerdict::Hidden && !closed))
     {
       continue;
     }
     vtkProp* prop = this->Props.GetProp(i);
+    const double multiplier = initialized ? prop->GetRenderTimeMultiplier() : 1.0;
     if (verdict == vtkNBufferVerdict::Unknown && this->Pending)
     {
-      heldTotal += initialized ? prop->GetRenderTimeMultiplier() : 1.0;
+      heldTotal += multiplier;
       const vtkNBufferBox& box = this->Props.GetBox(i);
       heldBounds.AddPoint(box.Center[0] - box.HalfSize[0], box.Center[1] - box.HalfSize[1],
         box.Center[2] - box.HalfSize[2]);
@@ -203,11 +216,17 @@ double vtkNBufferView::Emit(vtkProp** props, int& count, int& initialized)
         box.Center[2] + box.HalfSize[2]);
       continue;
     }
-    if (!initialized)
+    const bool gated = this->Pending &&
+      std::binary_search(this->Gated.begin(), this->Gated.end(), i);
+    if (gated || closed)
     {
-      prop->SetRenderTimeMultiplier(1.0);
+      vtkNBufferGatedProp* gate = this->GetGate(gates++);
+      gate->SetProp(prop);
+      gate->SetOpen(!closed);
+      prop = gate;
     }
-    total += prop->GetRenderTimeMultiplier();
+    prop->SetRenderTimeMultiplier(multiplier);
+    total += multiplier;
     props[kept++] = prop;
   }
   if (this->Pending)
@@ -223,6 +242,30 @@ double vtkNBufferView::Emit(vtkProp** props, int& count, int& initialized)
   count = kept;
   initialized = 1;
   return total;
+}
+
+vtkNBufferGatedProp* vtkNBufferView::GetGate(std::size_t n)
+{
+  while (this->Gates.size() <= n)
+  {
+    this->Gates.push_back(vtkSmartPointer<vtkNBufferGatedProp>::New());
+  }
+  return this->Gates[n];
+}
+
+void vtkNBufferView::CloseGates(vtkNBufferDepthTest& test)
+{
+  // Gate n stands for the n-th of Gated.
+  std::vector<int> visible = this->Gated;
+  test.RemoveHidden(visible);
+  for (std::size_t n = 0; n < this->Gated.size(); ++n)
+  {
+    if (!std::binary_search(visible.begin(), visible.end(), this->Gated[n]))
+    {
+      this->Gates[n]->SetOpen(false);
+      this->Props.GetState(this->Gated[n]).Verdict = vtkNBufferVerdict::Hidden;
+    }
+  }
 }
 
 void vtkNBufferView::CountVerdicts()
@@ -281,7 +324,7 @@ int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* require
   this->CountVerdicts();
   this->Statistics.DrawnInRound[0] = static_cast<int>(this->Kept.size());
   this->BackOff.Learn(this->Statistics.GetCount(vtkNBufferVerdict::Hidden),
-    static_cast<int>(this->Kept.size() + this->Held.size()));
+    static_cast<int>(this->Kept.size() + this->Held.size() + this->Gated.size()));
   return drawn;
 }
 
@@ -311,7 +354,7 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(
     this->DepthQuantum = quantum;
     this->Projection.Set(this->LastKey.WorldToClip.data(), this->LastKey.Viewport[2],
       this->LastKey.Viewport[3], quantum);
-    for (const std::vector<int>* list : { &this->Kept, &this->Held })
+    for (const std::vector<int>* list : { &this->Kept, &this->Held, &this->Gated })
     {
       for (int i : *list)
       {
@@ -369,7 +412,7 @@ int vtkNBufferView::DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSourc
   for (;;)
   {
     std::string why;
-    if (!test.Build(window, source, this->Kept, held, why))
+    if (!test.Build(window, source, { &this->Kept, &held, &this->Gated }, why))
     {
       this->Warn(renderer, why);
       this->Statistics.Decision = vtkNBufferDecision::NoDepth;
@@ -394,6 +437,7 @@ int vtkNBufferView::DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSourc
     if (held.size() <= 2 * limit ||
       this->Statistics.Rounds >= this->Settings.MaximumNumberOfRounds)
     {
+      this->CloseGates(test);
       drawNearest(held.size());
       return drawn;
     }

@@ -10,6 +10,8 @@
  *       |
  *     DrawHeldProps()  rounds: levels of the depth so far, test, draw what may be visible
  *                      then redraw for the order of equal depths
+ *       |              and close the gates of translucent props that are hidden
+ *     renderer draws the translucent props whose gates are open
  *
  * Lasting from frame to frame: the caches and which candidates the last test found visible. Depth
  * does not last: every test is against depth of its own frame.
@@ -21,6 +23,7 @@
 #include "vtkNBufferBackend.h"
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDepthTest.h"
+#include "vtkNBufferGatedProp.h"
 #include "vtkNBufferHeldProps.h"
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferProjection.h"
@@ -28,6 +31,7 @@
 #include "vtkNBufferTieOrder.h"
 
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <array>
 #include <string>
@@ -112,6 +116,8 @@ private:
   void CountVerdicts();
 
   vtkNBufferDecision PrepareTest(vtkRenderer* renderer, vtkNBufferDepthSource& source);
+  vtkNBufferGatedProp* GetGate(std::size_t n);
+  void CloseGates(vtkNBufferDepthTest& test);
   void TestKept(vtkNBufferDepthTest& test);
   int DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSource& source);
   int DrawRound(vtkRenderer* renderer, std::vector<int> props, int round);
@@ -129,11 +135,13 @@ private:
   vtkNBufferSettings Settings;
   vtkNBufferStatistics Statistics;
   vtkNew<vtkNBufferHeldProps> Proxy;
+  std::vector<vtkSmartPointer<vtkNBufferGatedProp>> Gates; ///< Reused from frame to frame.
   Key LastKey;
   double DepthQuantum = 0x1p-24; ///< Of the framebuffer drawn last, in window depth.
 
   std::vector<int> Kept;                   ///< Candidates inside that are let through.
   std::vector<int> Held;                   ///< Candidates inside that are held back.
+  std::vector<int> Gated;                  ///< Translucent props inside, behind gates.
   std::vector<vtkNBufferDrawnProp> Drawn;  ///< Held ones that have been drawn in this frame.
 
   bool Pending = false;      ///< The proxy is in the list and has not been drawn yet.
