@@ -12,16 +12,20 @@ bool vtkNBufferBackOff::Rests()
     return false;
   }
   --this->FramesToRest;
+  this->Rested = true;
   return true;
 }
 
 bool vtkNBufferBackOff::IsProbeDue()
 {
-  return ++this->FramesWithNothingHeld % ShortestRest == 0;
+  const bool rested = this->Rested;
+  this->Rested = false;
+  return ++this->FramesWithNothingHeld % ShortestRest == 0 || rested;
 }
 
 void vtkNBufferBackOff::Learn(int hidden, int inside)
 {
+  this->Rested = false;
   if (hidden >= PoorShare * inside)
   {
     this->PoorTests = 0;

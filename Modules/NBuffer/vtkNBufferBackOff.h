@@ -6,8 +6,8 @@
  *
  * Three tests in a row that each hide less than 5 % of what is in the frustum begin a rest of 8
  * frames. A single test then looks whether that has changed; if not, the rests double up to 64
- * frames. Where nothing is held back, every eighth frame is tested all the same: only a test finds
- * what has become hidden.
+ * frames. Where nothing is held back, every eighth frame and the first one after a rest are tested
+ * all the same: only a test finds what has become hidden.
  */
 #ifndef vtkNBufferBackOff_h
 #define vtkNBufferBackOff_h
@@ -31,10 +31,11 @@ public:
   /// Whether a frame in which nothing is held back is due for a test. Call once per such frame.
   bool IsProbeDue();
 
-  /// What a test has hidden of the candidates in the frustum.
+  /// How many of the candidates in the frustum a test found hidden, drawn before it or not.
   void Learn(int hidden, int inside);
 
 private:
+  bool Rested = false;
   int FramesToRest = 0;
   int LastRest = 0;
   int PoorTests = 0;

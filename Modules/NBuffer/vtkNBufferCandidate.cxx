@@ -6,14 +6,20 @@
 #include "vtkAlgorithm.h"
 #include "vtkCompositePolyDataMapper.h"
 #include "vtkDataSetMapper.h"
+#include "vtkFloatArray.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLActor.h"
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
+#include "vtkTexture.h"
 #include "vtkTrivialProducer.h"
 #include "vtkVolume.h"
 
@@ -28,6 +34,9 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
+/// VTK writes the largest float or something near it where it means infinity.
+constexpr double Infinite = 1e30;
+
 bool HasReplacedShaders(vtkShaderProperty* shaders)
 {
   return shaders &&
@@ -96,10 +105,144 @@ bool HasOffsetTowardsEye(vtkMapper* mapper, bool linesOrPoints)
   }
 }
 
+/// What vtkActor::HasTranslucentPolygonalGeometry asks when nothing is forced.
+bool IsTranslucentByItself(vtkActor* actor)
+{
+  vtkTexture* texture = actor->GetTexture();
+  vtkMapper* mapper = actor->GetMapper();
+  return actor->GetProperty()->GetOpacity() < 1.0 || (texture && texture->IsTranslucent()) ||
+    (mapper && mapper->HasTranslucentPolygonalGeometry());
+}
+
+/// A plane that moves leaves the time of the mapper that it clips as it is.
+vtkMTimeType GetTimeOfClippingPlanes(vtkMapper* mapper)
+{
+  vtkMTimeType time = 0;
+  if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
+  {
+    for (int i = 0; i < planes->GetNumberOfItems(); ++i)
+    {
+      time = std::max(time, planes->GetItem(i)->GetMTime());
+    }
+  }
+  return time;
+}
+
+/// Where the zero of a mapper's vertex buffer lies in model coordinates, and how far its vertices
+/// reach from there.
+struct BufferCoordinates
+{
+  bool Known = true;
+  double Origin[3] = { 0.0, 0.0, 0.0 };
+  double Reach[3] = { 0.0, 0.0, 0.0 };
+};
+
+/// Range of one component as vtkDataArray::GetRange gives it. That caches its result behind some
+/// microseconds of dispatch, which for thousands of small meshes is most of a first frame.
+void GetRange(vtkDataArray* points, int component, double range[2])
+{
+  constexpr vtkIdType few = 1024;
+  auto* floats = vtkFloatArray::FastDownCast(points);
+  if (floats && floats->GetNumberOfComponents() == 3 && floats->GetNumberOfTuples() > 0 &&
+    floats->GetNumberOfTuples() <= few)
+  {
+    const float* values = floats->GetPointer(0);
+    float low = values[component];
+    float high = low;
+    bool finite = true;
+    for (vtkIdType i = 0; i < floats->GetNumberOfTuples(); ++i)
+    {
+      const float value = values[3 * i + component];
+      low = std::min(low, value);
+      high = std::max(high, value);
+      finite = finite && std::isfinite(value);
+    }
+    if (finite)
+    {
+      range[0] = low;
+      range[1] = high;
+      return;
+    }
+  }
+  points->GetRange(range, component);
+}
+
+/// Whether vtkOpenGLVertexBufferObject::UpdateShiftScale moves points with these ranges.
+bool IsShifted(vtkOpenGLPolyDataMapper* mapper, const double ranges[3][2])
+{
+  using Method = vtkOpenGLVertexBufferObject;
+  switch (mapper->GetVBOShiftScaleMethod())
+  {
+    case Method::ALWAYS_AUTO_SHIFT_SCALE:
+    case Method::AUTO_SHIFT:
+      return true;
+    case Method::AUTO_SHIFT_SCALE:
+    {
+      double size2 = 0.0;
+      double distance2 = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        const double size = ranges[k][1] - ranges[k][0];
+        const double middle = 0.5 * (ranges[k][1] + ranges[k][0]);
+        size2 += size * size;
+        distance2 += middle * middle;
+      }
+      return size2 > 0.0 ? distance2 / size2 > 1.0e6 || std::abs(std::log10(size2)) > 3.0
+                         : distance2 > 1.0e6;
+    }
+    default:
+      return false;
+  }
+}
+
+BufferCoordinates GetBufferCoordinates(vtkMapper* mapper)
+{
+  BufferCoordinates result;
+  auto* plain = typeid(*mapper) == typeid(vtkOpenGLPolyDataMapper)
+    ? static_cast<vtkOpenGLPolyDataMapper*>(mapper)
+    : nullptr;
+  vtkPolyData* input = plain ? plain->GetInput() : nullptr;
+  if (!input || !input->GetPoints())
+  {
+    // The buffers are made from points that are not at hand. Moved or not, their vertices and the
+    // place of their zero are within twice the bounds.
+    const double* bounds = mapper->GetBounds();
+    for (int k = 0; k < 3; ++k)
+    {
+      result.Reach[k] = 2.0 * std::max(std::abs(bounds[2 * k]), std::abs(bounds[2 * k + 1]));
+    }
+    return result;
+  }
+  const int method = plain->GetVBOShiftScaleMethod();
+  result.Known = method != vtkOpenGLVertexBufferObject::NEAR_PLANE_SHIFT_SCALE &&
+    method != vtkOpenGLVertexBufferObject::FOCAL_POINT_SHIFT_SCALE;
+  // All points, used by cells or not, rule the scale of the buffer.
+  double ranges[3][2];
+  for (int k = 0; k < 3; ++k)
+  {
+    GetRange(input->GetPoints()->GetData(), k, ranges[k]);
+  }
+  const bool shifted = vtkOpenGLVertexBufferObject::GetGlobalCoordShiftAndScaleEnabled() &&
+    IsShifted(plain, ranges);
+  for (int k = 0; k < 3; ++k)
+  {
+    if (shifted)
+    {
+      result.Origin[k] = 0.5 * (ranges[k][0] + ranges[k][1]);
+      result.Reach[k] = 0.5 * (ranges[k][1] - ranges[k][0]);
+    }
+    else
+    {
+      result.Reach[k] = std::max(std::abs(ranges[k][0]), std::abs(ranges[k][1]));
+    }
+  }
+  return result;
+}
+
 bool HasUsableBounds(const double* bounds)
 {
   return bounds && vtkMath::AreBoundsInitialized(bounds) &&
-    std::all_of(bounds, bounds + 6, [](double value) { return std::isfinite(value); });
+    std::all_of(bounds, bounds + 6, [](double value) { return std::abs(value) < Infinite; });
 }
 }
 
@@ -140,6 +283,7 @@ bool vtkNBufferCandidate::Refresh()
       this->Verdict != vtkNBufferVerdict::ShaderReplaced &&
       this->Verdict != vtkNBufferVerdict::OtherCoordinates);
   this->DepthWriter = this->Mapper && this->Actor->HasOpaqueGeometry();
+  this->Blended = this->Actor->GetForceOpaque() && IsTranslucentByItself(this->Actor);
   this->TakeSources(this->Actor);
   return this->Time != timeBefore || this->Verdict != verdictBefore;
 }
@@ -172,7 +316,8 @@ void vtkNBufferCandidate::TakeSources(vtkActor* actor)
     this->Time = this->Sources.GetTime();
     return;
   }
-  this->Time = std::max(actor->GetMTime(), this->Mapper->GetMTime());
+  this->Time = std::max(
+    { actor->GetMTime(), this->Mapper->GetMTime(), GetTimeOfClippingPlanes(this->Mapper) });
   if (vtkShaderProperty* shaders = vtkNBufferSources::GetShaderProperty(actor))
   {
     this->Time = std::max(this->Time, shaders->GetMTime());
@@ -212,6 +357,10 @@ vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor) const
   {
     return vtkNBufferVerdict::NoBounds;
   }
+  if (!this->BufferIsKnown)
+  {
+    return vtkNBufferVerdict::NotAPlainMapper;
+  }
   if (actor->HasTranslucentPolygonalGeometry() || !actor->HasOpaqueGeometry())
   {
     return vtkNBufferVerdict::Translucent;
@@ -230,18 +379,19 @@ void vtkNBufferCandidate::TakeBounds(vtkActor* actor)
   }
   this->Box = vtkNBufferBox::FromBounds(bounds);
   this->Box.Margin = GetMargin(this->Mapper, actor->GetProperty());
-  // sum_k |A_jk| |v_k|, see vtkNBufferProjection.h. The mapper's bounds are model coordinates.
-  const double* model = this->Mapper->GetBounds();
+  const BufferCoordinates buffer = GetBufferCoordinates(this->Mapper);
+  this->BufferIsKnown = buffer.Known;
   vtkMatrix4x4* matrix = actor->GetMatrix();
   for (int j = 0; j < 3; ++j)
   {
-    double magnitude = std::abs(matrix->GetElement(j, 3));
+    this->Box.Origin[j] = matrix->GetElement(j, 3);
+    this->Box.Magnitude[j] = 0.0;
     for (int k = 0; k < 3; ++k)
     {
-      magnitude += std::abs(matrix->GetElement(j, k)) *
-        std::max(std::abs(model[2 * k]), std::abs(model[2 * k + 1]));
+      const double element = matrix->GetElement(j, k);
+      this->Box.Origin[j] += element * buffer.Origin[k];
+      this->Box.Magnitude[j] += std::abs(element) * buffer.Reach[k];
     }
-    this->Box.Magnitude[j] = std::max(this->Box.Magnitude[j], magnitude);
   }
 }
 VTK_ABI_NAMESPACE_END

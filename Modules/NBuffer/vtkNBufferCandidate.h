@@ -52,6 +52,18 @@ public:
   /// Whether it may write to the depth buffer in the opaque stage.
   bool WritesDepth() const { return this->DepthWriter; }
 
+  ///@{
+  /**
+   * Whether it blends in the opaque stage, where the order of drawing then shows: opaque by force
+   * but translucent by itself; or lines and points, if the window smoothes those.
+   */
+  bool IsBlended() const { return this->Blended; }
+  bool MayDrawLines() const
+  {
+    return this->DepthWriter && (!this->IsCandidate() || this->Box.Margin > 0.0);
+  }
+  ///@}
+
   /**
    * Whether a change of what it draws shows in modification times. What does not (custom props,
    * level-of-detail actors, shader uniforms) may differ from frame to frame.
@@ -93,7 +105,9 @@ private:
   vtkNBufferBox Box;
   vtkNBufferVerdict Verdict = vtkNBufferVerdict::Unknown;
   bool BoxIsUsable = false;
+  bool BufferIsKnown = true;
   bool DepthWriter = true;
+  bool Blended = false;
   bool Tracked = false;
   bool Volatile = true;
 };

@@ -65,6 +65,7 @@ bool vtkNBufferCandidateList::Synchronize(vtkProp** props, int count)
   this->States.swap(states);
   this->Screens.resize(count);
   this->Index.clear();
+  this->ListChanged = true;
   return true;
 }
 
@@ -95,10 +96,11 @@ int vtkNBufferCandidateList::Refresh()
         anyStale = true;
       }
     });
-  if (!anyStale)
+  if (!anyStale && !this->ListChanged)
   {
     return 0;
   }
+  this->ListChanged = false;
   int changed = 0;
   for (std::size_t i = 0; i < this->Candidates.size(); ++i)
   {
@@ -107,9 +109,14 @@ int vtkNBufferCandidateList::Refresh()
       ++changed;
     }
   }
-  this->UntrackedDepth = std::any_of(this->Candidates.begin(), this->Candidates.end(),
-    [](const vtkNBufferCandidate& candidate)
-    { return candidate.WritesDepth() && !candidate.IsTracked(); });
+  this->UntrackedDepth = this->Blending = this->Lines = false;
+  for (const vtkNBufferCandidate& candidate : this->Candidates)
+  {
+    this->UntrackedDepth =
+      this->UntrackedDepth || (candidate.WritesDepth() && !candidate.IsTracked());
+    this->Blending = this->Blending || candidate.IsBlended();
+    this->Lines = this->Lines || candidate.MayDrawLines();
+  }
   return changed;
 }
 

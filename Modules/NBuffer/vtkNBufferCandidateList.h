@@ -46,6 +46,9 @@ public:
   /// Whether the depth that any of the props writes may change without a trace.
   bool HasUntrackedDepth() const { return this->UntrackedDepth; }
 
+  /// Whether any prop blends in the opaque stage; `smooth`: the window smoothes lines and points.
+  bool HasBlending(bool smooth) const { return this->Blending || (smooth && this->Lines); }
+
   int GetSize() const { return static_cast<int>(this->Candidates.size()); }
   vtkProp* GetProp(int i) const { return this->Candidates[i].GetProp(); }
   const vtkNBufferCandidate& GetCandidate(int i) const { return this->Candidates[i]; }
@@ -67,7 +70,10 @@ private:
   std::vector<unsigned char> Stale;
   mutable std::unordered_map<vtkProp*, int> Index;
   vtkNBufferCandidate::GlobalState GlobalState{};
+  bool ListChanged = false;
   bool UntrackedDepth = false;
+  bool Blending = false;
+  bool Lines = false;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -192,7 +192,7 @@ double vtkNBufferCuller::Cull(
   }
   if (obstacle != vtkNBufferDecision::None)
   {
-    view.StepAside(obstacle, listLength);
+    view.StepAside(obstacle, propList, listLength);
     double total = 0.0;
     for (int i = 0; i < listLength; ++i)
     {

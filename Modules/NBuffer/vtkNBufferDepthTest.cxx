@@ -58,13 +58,12 @@ const float* vtkNBufferDepthTest::GetDepth(std::size_t doubtful)
   return this->Backend.GetDepth(this->Window, this->Source, this->Statistics);
 }
 
-void vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
+int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
 {
   const auto isInside = [this](int i)
   { return this->Props.GetState(i).Placement == vtkNBufferPlacement::Inside; };
 
   vtkNBufferClock clock;
-  this->Statistics.Tested += static_cast<int>(places.size());
   vtkNBufferOcclusionTest test(
     this->Projection, this->Levels, this->Settings.MaximumNumberOfPieces);
   places.erase(std::remove_if(places.begin(), places.end(),
@@ -75,13 +74,13 @@ void vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
     places.end());
   this->Statistics.Queries += test.GetQueries();
   this->Statistics.Lookups += test.GetLookups();
-  this->Statistics.Doubtful += static_cast<int>(places.size());
+  const auto doubtful = static_cast<int>(places.size());
   this->Statistics.TestTime += clock.Restart();
 
   const float* depth = this->GetDepth(places.size());
   if (!depth)
   {
-    return;
+    return doubtful;
   }
   clock.Restart();
   vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth);
@@ -93,5 +92,6 @@ void vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
     places.end());
   this->Statistics.Lookups += pixelTest.GetLookups();
   this->Statistics.PixelTestTime += clock.GetMilliseconds();
+  return doubtful;
 }
 VTK_ABI_NAMESPACE_END

@@ -47,8 +47,9 @@ public:
   bool Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
     std::initializer_list<const std::vector<int>*> places, std::string& why);
 
-  /// Take the places of hidden props out of `places`. Nothing may be drawn since Build().
-  void RemoveHidden(std::vector<int>& places);
+  /// Take the places of hidden props out of `places`; returns how many of them the levels alone did
+  /// not find hidden. Nothing may be drawn since Build().
+  int RemoveHidden(std::vector<int>& places);
 
 private:
   const float* GetDepth(std::size_t doubtful);

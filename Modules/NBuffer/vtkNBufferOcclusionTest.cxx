@@ -3,6 +3,7 @@
 #include "vtkNBufferOcclusionTest.h"
 
 #include <algorithm>
+#include <cmath>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -58,7 +59,8 @@ bool vtkNBufferOcclusionTest::IsHidden(
   }
   vtkNBufferBox piece = box;
   // A little longer than a part, so that rounding leaves no gap between two pieces.
-  piece.HalfSize[axis] = box.HalfSize[axis] / pieces + box.Magnitude[axis] * 0x1p-49;
+  piece.HalfSize[axis] = 
+    box.HalfSize[axis] / pieces + (std::abs(box.Center[axis]) + box.HalfSize[axis]) * 0x1p-49;
   for (int i = 0; i < pieces; ++i)
   {
     piece.Center[axis] =

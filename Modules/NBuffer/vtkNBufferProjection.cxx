@@ -16,6 +16,16 @@ constexpr double VertexErrors = 8.0;      // in units of UnitRoundoff, derived i
 constexpr double SnapInPixels = 1.0 / 16; // OpenGL's minimum of subpixel bits
 constexpr double SlopeErrors = 512.0;     // 2^9, derived in the header
 
+/// E of the header: how far the device's value of row i may be from Evaluate().
+double GetError(const double row[4], const vtkNBufferBox& box)
+{
+  const double* m = box.Magnitude;
+  const double* o = box.Origin;
+  return VertexErrors * UnitRoundoff *
+    (std::abs(row[0]) * m[0] + std::abs(row[1]) * m[1] + std::abs(row[2]) * m[2] +
+      std::abs(row[0] * o[0] + row[1] * o[1] + row[2] * o[2] + row[3]));
+}
+
 double Evaluate(const double row[4], const double point[3])
 {
   return row[0] * point[0] + row[1] * point[1] + row[2] * point[2] + row[3];
@@ -49,7 +59,6 @@ void vtkNBufferProjection::Set(
     for (int j = 0; j < 4; ++j)
     {
       this->Rows[i][j] = worldToClip[4 * i + j];
-      this->RowErrors[i][j] = VertexErrors * UnitRoundoff * std::abs(this->Rows[i][j]);
     }
   }
   vtkMatrix4x4::Invert(worldToClip, &this->ClipToWorld[0][0]);
@@ -60,7 +69,6 @@ void vtkNBufferProjection::Set(
     for (int j = 0; j < 4; ++j)
     {
       this->Planes[plane][j] = this->Rows[3][j] + sign * this->Rows[axis][j];
-      this->PlaneErrors[plane][j] = this->RowErrors[3][j] + this->RowErrors[axis][j];
     }
   }
 }
@@ -71,13 +79,19 @@ bool vtkNBufferProjection::IsOutside(const vtkNBufferBox& box) const
   {
     return false;
   }
+  const double errorOfW = GetError(this->Rows[3], box);
+  double error = 0.0;
   for (int i = 0; i < 6; ++i)
   {
     const double* plane = this->Planes[i];
+    if (i % 2 == 0)
+    {
+      error = errorOfW + GetError(this->Rows[i / 2], box);
+    }
     // The corner farthest inside, and by how much the device may see it farther inside still.
     const double reach = std::abs(plane[0]) * box.HalfSize[0] +
       std::abs(plane[1]) * box.HalfSize[1] + std::abs(plane[2]) * box.HalfSize[2];
-    if (Evaluate(plane, box.Center) + reach + Evaluate(this->PlaneErrors[i], box.Magnitude) < 0.0)
+    if (Evaluate(plane, box.Center) + reach + error < 0.0)
     {
       return true;
     }
@@ -94,7 +108,7 @@ vtkNBufferPlacement vtkNBufferProjection::Project(
   for (int i = 0; i < 4; ++i)
   {
     center[i] = Evaluate(this->Rows[i], box.Center);
-    error[i] = Evaluate(this->RowErrors[i], box.Magnitude);
+    error[i] = GetError(this->Rows[i], box);
     for (int j = 0; j < 3; ++j)
     {
       axes[j][i] = this->Rows[i][j] * box.HalfSize[j];

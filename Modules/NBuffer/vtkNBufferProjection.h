@@ -13,16 +13,18 @@
  *
  * ## How far a drawn vertex can be from the exact one
  *
- * With u = 2^-24, a clip coordinate is computed on the device as a sum of four products of single
- * precision: vertex rounded (u), matrix element rounded (u), product and three additions (4u), so
- * that its error is at most
+ * With u = 2^-24, a vertex is a float vector v in the vertex buffer, and the device multiplies it
+ * with a matrix that VTK composes in double and rounds to float: from buffer to world p = o + L v,
+ * from world to clip M. A clip coordinate is a sum of four products, with the vertex rounded (u),
+ * the matrix element rounded (u), a product and three additions (4 u); 2 u more absorb what is of
+ * second order:
  *
- *     E = 8 u * sum_j |M_j| a_j,        a_j = sum_k |A_jk| |v_k|,
+ *     E = 8 u (sum_j |M_j| m_j + |M_j o + M_3|),     m_j = sum_k |L_jk| max |v_k|,
  *
- * with M the row of the world-to-clip matrix, A the model-to-world matrix and v the largest model
- * coordinates: `Magnitude` below. It bounds the composed matrix of the mapper, |M A| |v| <= |M| a,
- * and VTK's shifted vertex buffers as well. The remaining 2u absorb second-order terms. Divided by
- * w this gives the slack of x, y and z in NDC, corner by corner.
+ * with `Origin` o and `Magnitude` m below. Usually o is the actor's translation and v are the model
+ * coordinates. VTK moves coordinates that are far from their origin for their size (UTM!) into the
+ * middle of their range first (AUTO_SHIFT_SCALE); o is then that middle, and large coordinates cost
+ * no precision. Divided by w this gives the slack of x, y and z in NDC, corner by corner.
  *
  * Screen positions are snapped to a subpixel grid of at least 4 bits (OpenGL's minimum): 1/16 of a
  * pixel is added on all sides.
@@ -55,12 +57,13 @@ struct vtkNBufferBox
 {
   double Center[3] = { 0.0, 0.0, 0.0 };
   double HalfSize[3] = { 0.0, 0.0, 0.0 };
-  /// a_j above, world units; with an identity model matrix |Center| + HalfSize.
+  /// o and m above, world units: where vertex buffer coordinates are 0, and how far they reach.
+  double Origin[3] = { 0.0, 0.0, 0.0 };
   double Magnitude[3] = { 0.0, 0.0, 0.0 };
   /// Pixels by which what is drawn may stick out of the projected box (wide lines, points).
   double Margin = 0.0;
 
-  /// A box whose model coordinates are world coordinates, from VTK bounds.
+  /// A box from VTK bounds whose vertex buffer holds world coordinates.
   VTKNBUFFER_EXPORT static vtkNBufferBox FromBounds(const double bounds[6]);
 };
 
@@ -90,8 +93,8 @@ class VTKNBUFFER_EXPORT vtkNBufferProjection
 {
 public:
   /**
-   * `worldToClip`: row-major 4 x 4, clip space with z in [-w, w], as
-   * vtkCamera::GetCompositeProjectionTransformMatrix(aspect, -1, 1) gives it. `depthQuantum`: the
+   * `worldToClip`: row-major 4 x 4, clip space with z in [-w, w]: vtkCamera's projection matrix for
+   * (aspect, -1, 1) times its model-view matrix. `depthQuantum`: the
    * step of the depth format near 1, in window depth (2^-16, 2^-24, ...). Sizes in pixels.
    */
   void Set(const double worldToClip[16], int width, int height, double depthQuantum);
@@ -156,8 +159,6 @@ public:
 private:
   double Rows[4][4] = {};
   double Planes[6][4] = {};
-  double PlaneErrors[6][4] = {};
-  double RowErrors[4][4] = {};
   double ClipToWorld[4][4] = {};
   double DepthSlack = 0.0;
   double DepthRangeSlack = 0.0;

@@ -77,6 +77,8 @@ const char* vtkNBufferStatistics::GetName(vtkNBufferDecision decision)
       return "Delegated";
     case vtkNBufferDecision::UnsupportedWindow:
       return "UnsupportedWindow";
+    case vtkNBufferDecision::Blending:
+      return "Blending";
     case vtkNBufferDecision::OtherView:
       return "OtherView";
     case vtkNBufferDecision::NoDepth:

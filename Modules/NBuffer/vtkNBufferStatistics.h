@@ -63,6 +63,7 @@ enum class vtkNBufferDecision : int
   Exporting,       ///< A GL2PS capture draws no depth.
   Delegated,       ///< A delegate draws this renderer.
   UnsupportedWindow, ///< No OpenGL window, a VR window, or one without a size or context.
+  Blending,        ///< A prop blends in the opaque stage, where order then shows.
   OtherView,       ///< Framebuffer, camera or viewport were not those of Cull(): all drawn.
   NoDepth,         ///< The depth could not be read: all drawn, one warning.
   NumberOfDecisions
@@ -79,9 +80,10 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   vtkNBufferDecision Decision = vtkNBufferDecision::None;
 
   ///@{
-  /// Props that the culler was given, and of these: candidates for the test, those of them whose
-  /// boxes were tested against depth, those of them that the levels did not find hidden, those
-  /// held back until the test, those redrawn for the order of equal depths (see vtkNBufferTieOrder.h), and the caches refreshed because something changed.
+  /// Props that the culler was given, and of these: candidates for the test (translucent ones
+  /// too), those whose boxes were tested against depth, those of them that the levels did not find
+  /// hidden in the first round, those held back until the test, those redrawn for the order of
+  /// equal depths (see vtkNBufferTieOrder.h), and the caches refreshed because something changed.
   int Props = 0;
   int Candidates = 0;
   int Tested = 0;

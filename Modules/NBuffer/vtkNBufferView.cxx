@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -31,9 +32,11 @@ vtkNBufferView::Key vtkNBufferView::MakeKey(vtkRenderer* renderer)
   Key key;
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   key.Camera = renderer->GetActiveCamera();
-  vtkMatrix4x4* matrix = key.Camera->GetCompositeProjectionTransformMatrix(
-    renderer->GetTiledAspectRatio(), -1.0, 1.0);
-  std::copy(matrix->GetData(), matrix->GetData() + 16, key.WorldToClip.begin());
+  // The matrices that the mappers get. vtkCamera's composite matrix leaves the eyes' shear out. The
+  // camera learns of stereo when it is drawn, so that the first stereo frame is another view.
+  vtkMatrix4x4::Multiply4x4(
+    key.Camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)->GetData(),
+    key.Camera->GetModelViewTransformMatrix()->GetData(), key.WorldToClip.data());
   renderer->GetTiledSizeAndOrigin(
     &key.Viewport[2], &key.Viewport[3], &key.Viewport[0], &key.Viewport[1]);
   key.ContextTime = window->GetContextCreationTime();
@@ -41,8 +44,9 @@ vtkNBufferView::Key vtkNBufferView::MakeKey(vtkRenderer* renderer)
   return key;
 }
 
-void vtkNBufferView::StepAside(vtkNBufferDecision reason, int count)
+void vtkNBufferView::StepAside(vtkNBufferDecision reason, vtkProp** props, int count)
 {
+  this->Props.Synchronize(props, count);
   this->Statistics = vtkNBufferStatistics();
   this->Statistics.Decision = reason;
   this->Statistics.Props = count;
@@ -87,7 +91,9 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
     this->Projection.Set(
       key.WorldToClip.data(), key.Viewport[2], key.Viewport[3], this->DepthQuantum);
     this->Props.Project(this->Projection);
-    this->Statistics.Decision = this->Decide();
+    vtkRenderWindow* window = renderer->GetRenderWindow();
+    this->Statistics.Decision = this->Decide(window->GetLineSmoothing() ||
+      window->GetPointSmoothing() || window->GetPolygonSmoothing());
     this->Settled = this->Statistics.Decision == vtkNBufferDecision::Culled;
     this->Pending = this->Settled;
   }
@@ -106,7 +112,7 @@ bool vtkNBufferView::MayReuse(vtkRenderer* renderer) const
     renderer->GetRenderWindow()->GetErase() && !renderer->GetPreserveDepthBuffer();
 }
 
-vtkNBufferDecision vtkNBufferView::Decide()
+vtkNBufferDecision vtkNBufferView::Decide(bool smooth)
 {
   int candidates = 0;
   int inside = 0;
@@ -119,6 +125,7 @@ vtkNBufferDecision vtkNBufferView::Decide()
     {
       this->Gated.push_back(i);
     }
+    candidates += state.Verdict == vtkNBufferVerdict::Translucent ? 1 : 0;
     if (state.Verdict != vtkNBufferVerdict::Visible)
     {
       continue; // not a candidate
@@ -146,7 +153,11 @@ vtkNBufferDecision vtkNBufferView::Decide()
   this->Statistics.Candidates = candidates;
 
   vtkNBufferDecision decision = vtkNBufferDecision::Culled;
-  if (inside < this->Settings.MinimumNumberOfCandidates)
+  if (this->Props.HasBlending(smooth))
+  {
+    decision = vtkNBufferDecision::Blending;
+  }
+  else if (inside < this->Settings.MinimumNumberOfCandidates)
   {
     decision = vtkNBufferDecision::FewCandidates;
   }
@@ -184,7 +195,7 @@ vtkNBufferDecision vtkNBufferView::Decide()
   {
     this->Props.GetState(i).Verdict = vtkNBufferVerdict::Unknown;
   }
-  this->Statistics.HeldBack = static_cast<int>(this->Held.size());
+  this->Statistics.HeldBack = static_cast<int>(this->Held.size() + this->Gated.size());
   return decision;
 }
 
@@ -275,6 +286,12 @@ void vtkNBufferView::CountVerdicts()
   {
     ++this->Statistics.Verdicts[static_cast<int>(state.Verdict)];
   }
+  std::array<int, vtkNBufferStatistics::MaximumNumberOfRounds + 1>& drawn =
+    this->Statistics.DrawnInRound;
+  drawn[0] = this->Statistics.GetCount(vtkNBufferVerdict::Visible) +
+    this->Statistics.GetCount(vtkNBufferVerdict::NearPlane) +
+    this->Statistics.GetCount(vtkNBufferVerdict::Untested) -
+    std::accumulate(drawn.begin() + 1, drawn.end(), 0);
 }
 
 vtkNBufferVerdict vtkNBufferView::GetVerdict(vtkProp* prop) const
@@ -322,8 +339,10 @@ int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* require
   // Mappers return early from an aborted frame: its depth and verdicts are worth nothing.
   this->Settled = this->Settled && !renderer->GetRenderWindow()->GetAbortRender();
   this->CountVerdicts();
-  this->Statistics.DrawnInRound[0] = static_cast<int>(this->Kept.size());
-  this->BackOff.Learn(this->Statistics.GetCount(vtkNBufferVerdict::Hidden),
+  const auto keptHidden = std::count_if(this->Kept.begin(), this->Kept.end(),
+    [this](int i) { return !this->Props.GetState(i).WasVisible; });
+  this->BackOff.Learn(
+    this->Statistics.GetCount(vtkNBufferVerdict::Hidden) + static_cast<int>(keptHidden),
     static_cast<int>(this->Kept.size() + this->Held.size() + this->Gated.size()));
   return drawn;
 }
@@ -374,7 +393,7 @@ void vtkNBufferView::TestKept(vtkNBufferDepthTest& test)
     this->Props.GetState(i).WasVisible = false;
   }
   std::vector<int> visible = this->Kept;
-  test.RemoveHidden(visible);
+  this->Statistics.Doubtful += test.RemoveHidden(visible);
   for (int i : visible)
   {
     this->Props.GetState(i).WasVisible = true;
@@ -422,13 +441,16 @@ int vtkNBufferView::DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSourc
     }
     if (this->Statistics.Rounds == 0)
     {
+      this->Statistics.Tested =
+        static_cast<int>(this->Kept.size() + held.size() + this->Gated.size());
       this->TestKept(test);
     }
     for (int i : held)
     {
       this->Props.GetState(i).Verdict = vtkNBufferVerdict::Hidden;
     }
-    test.RemoveHidden(held);
+    const int doubtful = test.RemoveHidden(held);
+    this->Statistics.Doubtful += this->Statistics.Rounds == 0 ? doubtful : 0;
 
     // Another round must save more props than it draws to be worth its read-back.
     const std::size_t limit = static_cast<std::size_t>(this->Settings.RoundSize)

@@ -71,7 +71,7 @@ public:
     const vtkNBufferSettings& settings);
 
   /// This frame is drawn as without the culler, for the reason given.
-  void StepAside(vtkNBufferDecision reason, int count);
+  void StepAside(vtkNBufferDecision reason, vtkProp** props, int count);
 
   /// Second phase, called by the proxy. Returns the number of props drawn.
   int DrawHeldProps(vtkRenderer* renderer, vtkInformation* requiredKeys);
@@ -111,7 +111,7 @@ private:
 
   static Key MakeKey(vtkRenderer* renderer);
   bool MayReuse(vtkRenderer* renderer) const;
-  vtkNBufferDecision Decide();
+  vtkNBufferDecision Decide(bool smooth);
   double Emit(vtkProp** props, int& count, int& initialized);
   void CountVerdicts();
 
