@@ -12,10 +12,6 @@ set(VTKNBUFFER_MODULE_FILE "${_stage}/vtk.module")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS vtk.module)
 file(READ vtk.module _module)
 string(REPLACE "VTK::NBuffer\n" "${VTKNBUFFER_MODULE}\n" _module "${_module}")
-# VTK loads OpenGL with glad since 9.4, with GLEW before.
-if (VTK_VERSION VERSION_LESS 9.4)
-  string(REPLACE "VTK::glad\n" "VTK::glew\n" _module "${_module}")
-endif ()
 file(CONFIGURE OUTPUT "${VTKNBUFFER_MODULE_FILE}" @ONLY CONTENT "@_module@")
 
 file(CONFIGURE OUTPUT "${_stage}/CMakeLists.txt" @ONLY CONTENT

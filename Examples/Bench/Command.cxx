@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Command.h"
+
+#include "vtkVersion.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+namespace NBufferBench
+{
+namespace
+{
+/// "960x720" to width and height; returns the complaint, empty if there is none.
+std::string ParseSize(const std::string& text, int& width, int& height)
+{
+  int used = 0;
+  const bool parsed = std::sscanf(text.c_str(), "%5dx%5d%n", &width, &height, &used) == 2 &&
+    static_cast<std::size_t>(used) == text.size();
+  const int largest = 16384;
+  if (!parsed || width < 1 || height < 1 || width > largest || height > largest)
+  {
+    return "expected WIDTHxHEIGHT in pixels, such as 960x720, not " + text;
+  }
+  return std::string();
+}
+}
+
+void ViewOptions::AddTo(CLI::App& command)
+{
+  command
+    .add_option("--scene", this->SceneNames,
+      "city, a city file, an OSM extract (.osm, .osm.bz2, .pbf), .glb, .gltf, .obj, .wrl, .vtm, "
+      ".vtpc, or one or more .stl or .ply; each also as .gz")
+    ->capture_default_str();
+  command.add_option("--up", this->Up, "Axis that points up (x, y or z); default: by file format")
+    ->check(CLI::IsMember({ "x", "y", "z" }));
+  command.add_option("--path", this->Path,
+    "street, rooftop, drone, orbit, cuts, or a camera file (per line: eye, target, up, "
+    "[view angle, [near, far]]); default: street in a city, orbit elsewhere");
+  command
+    .add_option_function<std::string>(
+      "--size",
+      [this](const std::string& text)
+      {
+        const std::string complaint =
+          ParseSize(text, this->Window.Width, this->Window.Height);
+        if (!complaint.empty())
+        {
+          throw CLI::ValidationError("--size", complaint);
+        }
+      },
+      "Size of the image in pixels")
+    ->type_name("WxH")
+    ->default_str("960x720");
+  command.add_option("--frames", this->Frames, "Frames of the path")->check(CLI::Range(1, 1000000));
+  command.add_option("--seed", this->Seed, "Where the path starts and turns")
+    ->capture_default_str();
+  command.add_option("--samples", this->Window.Samples, "Samples per pixel; 0: no multisampling")
+    ->check(CLI::Range(0, 64))
+    ->capture_default_str();
+  command.add_option("--window", this->Window.Window, "Window system")
+    ->check(CLI::IsMember({ "default", "osmesa", "egl", "glx" }))
+    ->capture_default_str();
+  command.add_option("--backend", this->Mode.Backend, "Where vtkNBufferCuller builds its levels")
+    ->check(CLI::IsMember({ "auto", "opengl", "cpu" }))
+    ->capture_default_str();
+  command.add_option("--base", this->Mode.Base, "Pixels per texel of level 0, default: 4")
+    ->check(CLI::IsMember({ 1, 2, 4, 8 }));
+}
+
+NBufferExamples::Scene ViewOptions::LoadScene() const
+{
+  NBufferExamples::SceneOptions options;
+  options.DefaultCity = NBufferExamples::FindDefaultCity(this->Program);
+  options.Up = this->Up;
+  options.Progress = ShowProgress;
+  NBufferExamples::Scene scene = NBufferExamples::LoadScene(this->SceneNames, options);
+  ShowProgress("");
+  return scene;
+}
+
+std::string ViewOptions::GetPathName(const NBufferExamples::Scene& scene) const
+{
+  return !this->Path.empty() ? this->Path : scene.Plan ? "street" : "orbit";
+}
+
+NBufferExamples::CameraPath ViewOptions::MakePath(
+  const NBufferExamples::Scene& scene, int usualFrames) const
+{
+  const std::string name = this->GetPathName(scene);
+  const bool isFile = std::filesystem::is_regular_file(name);
+  return NBufferExamples::MakePath(
+    scene, name, this->Frames > 0 || isFile ? this->Frames : usualFrames, this->Seed);
+}
+
+Json::Value ViewOptions::Describe(
+  const NBufferExamples::Scene& scene, Session& session) const
+{
+  Json::Value value;
+  value["renderer"] = session.GetDevice();
+  value["window"] = session.GetWindowClass();
+  value["vtk"] = vtkVersion::GetVTKVersion();
+  value["scene"] = scene.Name;
+  value["path"] = this->GetPathName(scene);
+  const int* size = session.GetWindow()->GetActualSize();
+  value["size"] = std::to_string(size[0]) + "x" + std::to_string(size[1]);
+  value["samples"] = session.GetWindow()->GetMultiSamples();
+  value["seed"] = static_cast<Json::UInt64>(this->Seed);
+  return value;
+}
+
+void ShowProgress(const std::string& text)
+{
+  static std::size_t shown = 0;
+  const std::size_t blanks = shown > text.size() ? shown - text.size() : 0;
+  std::cerr << "\r" << text << std::string(blanks, ' ');
+  if (text.empty())
+  {
+    std::cerr << "\r";
+  }
+  std::cerr << std::flush;
+  shown = text.size();
+}
+
+} // namespace NBufferBench

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Command.h
+ * @brief What the subcommands of nbuffer-bench share: the options that say what is rendered.
+ */
+#ifndef Command_h
+#define Command_h
+
+#include "CameraPath.h"
+#include "Mode.h"
+#include "Scene.h"
+#include "Session.h"
+
+#include "vtk_jsoncpp.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace NBufferBench
+{
+
+/// Exit codes. Options that cannot be understood end with a code of CLI11's, above 100.
+enum ExitCode
+{
+  Success = 0,
+  Failure = 1,       ///< An error; its message went to stderr.
+  ImagesDiffer = 2   ///< Bytes differ from mode none.
+};
+
+struct ViewOptions
+{
+  std::string Program;
+  std::vector<std::string> SceneNames = { "city" };
+  std::string Up;
+  std::string Path;
+  int Frames = 0;
+  std::uint64_t Seed = 1;
+  SessionOptions Window;
+  ModeOptions Mode;
+
+  /// Add the options to a subcommand; this object must outlive it.
+  void AddTo(CLI::App& command);
+
+  NBufferExamples::Scene LoadScene() const;
+
+  /// The path asked for: where none is named, street in a city and orbit elsewhere; where no
+  /// number of frames is given, `usualFrames` or all of a camera file.
+  NBufferExamples::CameraPath MakePath(const NBufferExamples::Scene& scene, int usualFrames) const;
+  std::string GetPathName(const NBufferExamples::Scene& scene) const;
+
+  /// What was rendered where, for a report.
+  Json::Value Describe(const NBufferExamples::Scene& scene, Session& session) const;
+};
+
+/// Show what is being done on one line of stderr; an empty text wipes it.
+void ShowProgress(const std::string& text);
+
+///@{
+/// Subcommands. `run` holds what is to be done once the options are parsed.
+using Run = std::function<int()>;
+void AddWalkCommand(CLI::App& app, const std::string& program, Run& run);
+void AddFirstCommand(CLI::App& app, const std::string& program, Run& run);
+void AddPicturesCommand(CLI::App& app, const std::string& program, Run& run);
+///@}
+
+} // namespace NBufferBench
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class Mode
+ * @brief A set of cullers that takes its turn in the one renderer that all modes share.
+ *
+ * Props, buffers and textures are shared, cullers are not: each keeps what it learned in its own
+ * frames. The order in which a mode leaves its cullers is the one that it finds again.
+ */
+#ifndef Mode_h
+#define Mode_h
+
+#include "OracleCuller.h"
+
+#include "vtkNBufferCuller.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkRenderer;
+
+namespace NBufferBench
+{
+
+struct ModeOptions
+{
+  /// auto, opengl or cpu.
+  std::string Backend = "auto";
+  /// Pixels per texel of level 0; 0 for the culler's default.
+  int Base = 0;
+};
+
+class Mode
+{
+public:
+  /// stock: VTK's default culler. none: no culler. nbuffer: the default one and vtkNBufferCuller,
+  /// added as a user adds it. oracle: exactly the props that own a pixel.
+  Mode(const std::string& name, const ModeOptions& options);
+
+  static bool IsName(const std::string& name);
+
+  const std::string& GetName() const { return this->Name; }
+  /// nullptr but for nbuffer and oracle.
+  vtkNBufferCuller* GetNBufferCuller() { return this->NBuffer; }
+  OracleCuller* GetOracleCuller() { return this->Oracle; }
+
+  void Enter(vtkRenderer* renderer);
+  void Leave(vtkRenderer* renderer);
+
+private:
+  std::string Name;
+  std::vector<vtkSmartPointer<vtkCuller>> Cullers;
+  vtkSmartPointer<vtkNBufferCuller> NBuffer;
+  vtkSmartPointer<OracleCuller> Oracle;
+};
+
+} // namespace NBufferBench
+
+#endif

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Session.h
+ * @brief One offscreen window with one renderer that shows a scene, and what it is asked for.
+ */
+#ifndef Session_h
+#define Session_h
+
+#include "CameraPath.h"
+#include "Scene.h"
+
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <string>
+
+namespace NBufferBench
+{
+
+struct SessionOptions
+{
+  int Width = 960;
+  int Height = 720;
+  int Samples = 0;
+  /// osmesa, egl, glx, or default for VTK's choice.
+  std::string Window = "default";
+};
+
+class Session
+{
+public:
+  /**
+   * A session that lives until the process ends. Taking down a window costs VTK a search through
+   * the buffers of all props for each of them: seconds for a city, which the end of the process
+   * does for free. Throws std::runtime_error if the window system is missing or has no OpenGL.
+   */
+  static Session& New(const NBufferExamples::Scene& scene, const SessionOptions& options);
+
+  Session(const Session&) = delete;
+  void operator=(const Session&) = delete;
+
+  vtkRenderer* GetRenderer() { return this->Renderer; }
+  vtkRenderWindow* GetWindow() { return this->Window; }
+
+  /// Move the camera. Everything that follows from it counts as changed, also when the pose is
+  /// the one of the last frame, as if another mode had not rendered it already.
+  void SetPose(const NBufferExamples::CameraPose& pose);
+
+  /// Render, wait until the image is finished, and return the milliseconds that both took.
+  double Render();
+
+  /// RGBA bytes of the frame rendered last, row 0 at the bottom.
+  void ReadPixels(vtkUnsignedCharArray* pixels);
+
+  /// GL_RENDERER, and the class of the window.
+  std::string GetDevice();
+  std::string GetWindowClass();
+
+private:
+  Session(const NBufferExamples::Scene& scene, const SessionOptions& options);
+
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  double Bounds[6];
+};
+
+} // namespace NBufferBench
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file VerdictPicture.h
+ * @brief A scene from above: what a view draws, what it culls, and what lies outside of it.
+ */
+#ifndef VerdictPicture_h
+#define VerdictPicture_h
+
+#include "CameraPath.h"
+#include "Scene.h"
+#include "Session.h"
+
+#include "vtkImageData.h"
+#include "vtkNBufferStatistics.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+namespace NBufferBench
+{
+
+/**
+ * `verdicts` are those of the scene's actors for a frame seen from `pose`. The actors are left
+ * in the colours of this picture: drawn blue, culled red, outside the view pale. `reach` is the
+ * distance from the eye that the picture shows.
+ */
+vtkSmartPointer<vtkImageData> MakeVerdictPicture(Session& session,
+  const NBufferExamples::Scene& scene, const std::vector<vtkNBufferVerdict>& verdicts,
+  const NBufferExamples::CameraPose& pose, double reach);
+
+} // namespace NBufferBench
+
+#endif

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file nbuffer-bench.cxx
+ * @brief Measures and verifies vtkNBufferCuller on any scene; each subcommand is a file.
+ */
+#include "Command.h"
+
+#include <exception>
+#include <iostream>
+
+int main(int argc, char* argv[])
+{
+  CLI::App app("Measure and verify occlusion culling with vtkNBufferCuller");
+  app.set_version_flag("--version", NBUFFER_VERSION);
+  app.require_subcommand(1);
+  NBufferBench::Run run;
+  NBufferBench::AddWalkCommand(app, argv[0], run);
+  NBufferBench::AddFirstCommand(app, argv[0], run);
+  NBufferBench::AddPicturesCommand(app, argv[0], run);
+  CLI11_PARSE(app, argc, argv);
+  try
+  {
+    return run();
+  }
+  catch (const std::exception& error)
+  {
+    NBufferBench::ShowProgress("");
+    std::cerr << "nbuffer-bench: " << error.what() << "\n";
+    return NBufferBench::Failure;
+  }
+}

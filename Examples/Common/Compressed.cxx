@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Compressed.h"
+
+#include "vtk_zlib.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+namespace NBufferExamples
+{
+namespace
+{
+struct GzClose
+{
+  void operator()(gzFile_s* file) const { gzclose(file); }
+};
+using GzFile = std::unique_ptr<gzFile_s, GzClose>;
+}
+
+std::string ReadMaybeCompressed(const std::string& fileName, std::size_t limit)
+{
+  if (std::filesystem::is_directory(fileName))
+  {
+    throw std::runtime_error(fileName + " is a folder, not a file");
+  }
+  errno = 0;
+  const GzFile file(gzopen(fileName.c_str(), "rb"));
+  if (!file)
+  {
+    throw std::runtime_error("cannot open " + fileName + ": " + std::strerror(errno));
+  }
+  std::string contents;
+  while (contents.size() < limit)
+  {
+    const std::size_t size = contents.size();
+    const std::size_t step = std::min<std::size_t>(limit - size, 1 << 20);
+    contents.resize(size + step);
+    const int count = gzread(file.get(), &contents[size], static_cast<unsigned int>(step));
+    contents.resize(size + static_cast<std::size_t>(std::max(count, 0)));
+    int code = Z_OK;
+    const char* cause = gzerror(file.get(), &code);
+    // A file that was cut off only shows as Z_BUF_ERROR beside the bytes before the cut.
+    if (count < 0 || (code != Z_OK && code != Z_STREAM_END))
+    {
+      throw std::runtime_error(fileName + " is damaged: " + cause);
+    }
+    if (count == 0)
+    {
+      break;
+    }
+  }
+  return contents;
+}
+
+void WriteCompressed(const std::string& fileName, const std::string& contents)
+{
+  errno = 0;
+  GzFile file(gzopen(fileName.c_str(), "wb9"));
+  if (!file)
+  {
+    throw std::runtime_error("cannot write " + fileName + ": " + std::strerror(errno));
+  }
+  const bool written = contents.empty() ||
+    gzwrite(file.get(), contents.data(), static_cast<unsigned int>(contents.size())) ==
+      static_cast<int>(contents.size());
+  if (gzclose(file.release()) != Z_OK || !written)
+  {
+    throw std::runtime_error("cannot write " + fileName + ": disk full?");
+  }
+}
+
+} // namespace NBufferExamples

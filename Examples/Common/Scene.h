@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Scene.h
+ * @brief Many actors from anywhere: the city, an OSM extract, or files that VTK imports.
+ */
+#ifndef Scene_h
+#define Scene_h
+
+#include "City.h"
+
+#include "vtkActor.h"
+#include "vtkBoundingBox.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkRenderer;
+
+namespace NBufferExamples
+{
+
+struct Scene
+{
+  std::string Name;
+  /// In a city the buildings come first, in the order of Plan->Buildings.
+  std::vector<vtkSmartPointer<vtkActor>> Actors;
+  /// Only of a city.
+  std::shared_ptr<const City> Plan;
+  /// 0, 1 or 2: x, y or z points up.
+  int UpAxis = 2;
+
+  vtkBoundingBox GetBounds() const;
+
+  /// Add all actors, and light and background that suit them.
+  void AddTo(vtkRenderer* renderer) const;
+};
+
+struct SceneOptions
+{
+  /// The city file that the name "city" stands for; see FindDefaultCity.
+  std::string DefaultCity;
+  /// "x", "y", "z", or empty for what is usual with the file format.
+  std::string Up;
+  /// Called with what is being done.
+  std::function<void(const std::string&)> Progress;
+};
+
+/**
+ * The city that comes with the examples: beside an installed program (`program` is argv[0]) or in
+ * the source tree. Empty when it is nowhere.
+ */
+std::string FindDefaultCity(const std::string& program);
+
+/**
+ * One name: "city", a city file, an OSM extract, .glb, .gltf, .obj, .wrl, .vtm or .vtpc. One or
+ * more: .stl or .ply. Each but an OSM extract also as .gz. Throws std::runtime_error that names
+ * the file, the cause, and where there is one a remedy.
+ */
+Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& options);
+
+} // namespace NBufferExamples
+
+#endif

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file StreetPlan.h
+ * @brief The streets of a city as a graph, and where its buildings stand.
+ */
+#ifndef StreetPlan_h
+#define StreetPlan_h
+
+#include "City.h"
+#include "Random.h"
+
+#include <unordered_map>
+#include <vector>
+
+namespace NBufferExamples
+{
+
+/// A point of the plan in metres.
+struct PlanPoint
+{
+  double X = 0.0;
+  double Y = 0.0;
+};
+
+class StreetPlan
+{
+public:
+  explicit StreetPlan(const City& city);
+
+  /// Whether a building stands within about `clearance` metres of a point.
+  bool IsBuiltOver(const PlanPoint& point, double clearance) const;
+
+  /**
+   * Corners of the streets where the most of the ground is built over, the densest first;
+   * `share` in (0, 1] of all. Streets end where buildings begin, and motorways are left out.
+   */
+  std::vector<PlanPoint> GetDensePoints(double share) const;
+
+  /**
+   * A walk of at least `length` metres that starts near the dense points, goes straight on where
+   * it can, takes no street twice and enters no building. Points are 0.5 m apart or where a
+   * street bends. Throws std::runtime_error if the city has none.
+   */
+  std::vector<PlanPoint> Walk(double length, Random& random) const;
+
+private:
+  struct Edge
+  {
+    int To = 0;
+    int Id = 0;
+  };
+  struct Cell
+  {
+    std::vector<int> Buildings;
+    double BuiltArea = 0.0;
+  };
+
+  std::uint64_t GetCellKey(double x, double y, int stepX = 0, int stepY = 0) const;
+  bool Contains(int building, const PlanPoint& point) const;
+  bool IsEdgeFree(int from, const Edge& edge) const;
+  double GetDensity(const PlanPoint& point) const;
+  std::vector<PlanPoint> WalkFrom(int start, double length) const;
+  std::vector<int> GetDenseNodes(double share) const;
+
+  const City& Plan;
+  std::vector<PlanPoint> Nodes;
+  std::vector<std::vector<Edge>> Edges;
+  int NumberOfEdges = 0;
+  std::unordered_map<std::uint64_t, Cell> Cells;
+};
+
+} // namespace NBufferExamples
+
+#endif

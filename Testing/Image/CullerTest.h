@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CullerTest.h
+ * @brief The same scene twice in one process, with and without the culler, compared to the byte.
+ *
+ * A test gives a function that builds its scene. It is called for two stages, each with a window
+ * of its own: the reference has no culler at all, the other one has vtkNBufferCuller added as a
+ * user does. Every Frame() renders both and fails if
+ *
+ *  - a byte of the RGBA windows or, where it can be read, a bit of the depth differs,
+ *  - the statistics are not consistent in themselves and with the draws that mappers announced,
+ *  - VTK or OpenGL reported an error or a warning.
+ */
+#ifndef CullerTest_h
+#define CullerTest_h
+
+#include "vtkNBufferCuller.h"
+#include "vtkNBufferVTKVersion.h"
+
+#include "vtkActor.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Order-independent transparency, where this VTK has a switch for it.
+inline void SetUseOIT(vtkRenderer* renderer, bool on)
+{
+#if VTKNBUFFER_HAS_OIT_SWITCH
+  renderer->SetUseOIT(on);
+#else
+  (void)renderer;
+  (void)on;
+#endif
+}
+
+/// One window with its renderers, and what the tests want to find again in it.
+class Stage
+{
+public:
+  vtkSmartPointer<vtkRenderWindow> Window;
+  std::vector<vtkSmartPointer<vtkRenderer>> Renderers;
+  /// All props in the order in which they were added.
+  std::vector<vtkSmartPointer<vtkProp>> Props;
+  /// The culler; nullptr in the reference.
+  vtkSmartPointer<vtkNBufferCuller> Culler;
+
+  vtkRenderer* GetRenderer() const { return this->Renderers.front(); }
+  vtkActor* GetActor(int index) const;
+
+  /// Another renderer of this window.
+  vtkRenderer* AddRenderer(double x0, double y0, double x1, double y1, int layer = 0);
+
+  /// Add to the first renderer or to a given one. Draws of actors are counted.
+  void Add(vtkProp* prop, vtkRenderer* renderer = nullptr);
+  vtkActor* AddActor(vtkPolyData* data, const double color[3], vtkRenderer* renderer = nullptr);
+
+  /// Count the draws that the actor's mapper announces; call again after a change of mapper.
+  void CountDraws(vtkActor* actor);
+  int GetDraws(int prop) const { return *this->Draws[prop]; }
+  bool AreDrawsCounted(int prop) const;
+  void ResetDraws();
+
+private:
+  std::vector<std::shared_ptr<int>> Draws;
+};
+
+/// How a comparison is set up, where a test wants it otherwise.
+struct ComparisonOptions
+{
+  int Width = 301;
+  int Height = 173;
+  int MultiSamples = 0;
+  /// vtkRenderer's own vtkFrustumCoverageCuller stays in front of ours; else ours is alone.
+  bool KeepDefaultCuller = true;
+  /// The reference is stock VTK (with vtkFrustumCoverageCuller), not VTK without any culler.
+  bool StockReference = false;
+  /// Add the culler while the scene is built; else the test calls AddCuller().
+  bool AddCuller = true;
+  /// Compare depth as well; not where the last renderer or a pass leaves none to read.
+  bool CompareDepth = true;
+  /// Compare the draws of each prop with the reference. Not in stereo: the statistics are those
+  /// of one eye.
+  bool CompareDraws = true;
+  /// RoundSize of the culler. Its own default would draw most of these small scenes before the
+  /// first test; 0 leaves it, for tests of the culler as it comes.
+  int RoundSize = 12;
+  /// Whether the culler may spare itself tests that hide little; most of these scenes are too
+  /// small, and their cameras too quick, for that to be what is to be tested.
+  bool BackOff = false;
+  /// The culler is not added at all (environment variable VTKNBUFFER_TEST_CONTROL).
+  bool Control = false;
+  /// Called for the culler before the first frame.
+  std::function<void(vtkNBufferCuller*)> Configure;
+};
+
+class Comparison
+{
+public:
+  using Change = std::function<void(Stage&)>;
+
+  Comparison(const Change& build, const ComparisonOptions& options = ComparisonOptions());
+  ~Comparison();
+
+  /// Do the same to both stages.
+  void Both(const Change& change);
+  /// Render both and compare; `what` names the frame in failures.
+  void Frame(const std::string& what = "");
+  /// Add the culler to all renderers of the second stage as a user does.
+  void AddCuller();
+
+  vtkNBufferCuller* GetCuller() const { return this->Culled.Culler; }
+  const vtkNBufferStatistics& GetStatistics(int renderer = 0) const
+  {
+    return this->Culled.Culler->GetStatistics(this->Culled.Renderers[renderer]);
+  }
+  int GetHidden(int renderer = 0) const
+  {
+    return this->GetStatistics(renderer).GetCount(vtkNBufferVerdict::Hidden);
+  }
+  vtkNBufferDecision GetDecision(int renderer = 0) const
+  {
+    return this->GetStatistics(renderer).Decision;
+  }
+  vtkNBufferVerdict GetVerdict(int prop, int renderer = 0) const
+  {
+    return this->Culled.Culler->GetVerdict(
+      this->Culled.Props[prop], this->Culled.Renderers[renderer]);
+  }
+
+  Stage Reference;
+  Stage Culled;
+
+private:
+  void ComparePixels(const std::string& what);
+  void CheckStatistics();
+  void CheckDraws();
+
+  ComparisonOptions Options;
+  int Frames = 0;
+};
+
+/// Text of the errors and warnings that VTK reported since the last call.
+std::string TakeMessages();
+
+/// Names in failures instead of bytes.
+void PrintTo(vtkNBufferVerdict verdict, std::ostream* os);
+void PrintTo(vtkNBufferDecision decision, std::ostream* os);
+
+/// No N-buffer work at all in this frame.
+testing::AssertionResult DidNoWork(const vtkNBufferStatistics& statistics);
+
+#endif

@@ -1,0 +1,427 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One renderer, one window: the image is the same and culling takes place, with every setting.
+#include "CullerTest.h"
+#include "Scenes.h"
+
+#include "vtkCamera.h"
+#include "vtkCullerCollection.h"
+
+#include <sstream>
+
+using Verdict = vtkNBufferVerdict;
+using Decision = vtkNBufferDecision;
+using Scenes::Wall;
+
+namespace
+{
+/// The culler exactly as it comes.
+ComparisonOptions Defaults()
+{
+  ComparisonOptions options;
+  options.RoundSize = 0;
+  options.BackOff = true;
+  return options;
+}
+
+void Walk(Comparison& comparison, int frames, double from = 0.0, double step = 0.01)
+{
+  for (int i = 0; i < frames; ++i)
+  {
+    comparison.Both(
+      [&](Stage& stage) { Scenes::SetCityCamera(stage.GetRenderer(), from + step * i); });
+    comparison.Frame("walk");
+  }
+}
+
+int GetPropsDrawnInRounds(const vtkNBufferStatistics& statistics)
+{
+  int sum = 0;
+  for (int drawn : statistics.DrawnInRound)
+  {
+    sum += drawn;
+  }
+  return sum;
+}
+}
+
+// Hazard: a culler that shows nothing but its own test scene; hidden props must be found at all,
+// and those that the first round drew for nothing must go with the next frame.
+TEST(CullerBasics, WallHidesWhatIsBehindIt)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  comparison.Frame();
+  EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+  EXPECT_EQ(comparison.GetVerdict(Wall::Index), Verdict::Visible);
+  EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.1); });
+  comparison.Frame("next");
+  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.2); });
+  comparison.Frame("and the one after that");
+  for (int i = 0; i < Wall::Behind; ++i)
+  {
+    EXPECT_EQ(comparison.GetVerdict(Wall::FirstBehind + i), Verdict::Hidden) << i;
+  }
+  EXPECT_EQ(comparison.GetHidden(), Wall::Behind);
+  EXPECT_EQ(comparison.GetCuller()->GetNumberOfHiddenProps(), Wall::Behind);
+  EXPECT_EQ(comparison.GetCuller()->GetNumberOfProps(), Wall::Count);
+  EXPECT_STREQ(comparison.GetCuller()->GetDecision(), "Culled");
+}
+
+// Hazard: nothing is known in the first frame, and a screenshot is often the only one.
+TEST(CullerBasics, FirstFrameIsCulled)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage); }, Defaults());
+  comparison.Frame("first");
+  const vtkNBufferStatistics& statistics = comparison.GetStatistics();
+  EXPECT_EQ(statistics.Decision, Decision::Culled);
+  EXPECT_GT(comparison.GetHidden(), 40);
+  EXPECT_GT(statistics.GetCount(Verdict::Outside), 0);
+  EXPECT_GE(statistics.Rounds, 1);
+  EXPECT_LE(statistics.Rounds, 6);
+  EXPECT_GT(statistics.Levels, 0);
+  // In the first frame the default culler still stood before ours.
+  EXPECT_GT(statistics.Props, 100);
+  EXPECT_EQ(GetPropsDrawnInRounds(statistics),
+    statistics.Candidates - statistics.GetNumberOfPropsNotDrawn());
+}
+
+// Hazard: a moving camera uncovers what was hidden; nothing may appear a frame late.
+TEST(CullerBasics, WalkThroughTheCity)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage); }, Defaults());
+  for (int i = 0; i < 40; ++i)
+  {
+    Walk(comparison, 1, 0.025 * i);
+    const vtkNBufferStatistics& statistics = comparison.GetStatistics();
+    if (i < 20)
+    {
+      EXPECT_EQ(comparison.GetDecision(), Decision::Culled) << i;
+      EXPECT_GT(comparison.GetHidden(), 10) << i;
+    }
+    if (comparison.GetDecision() == Decision::Culled)
+    {
+      EXPECT_EQ(GetPropsDrawnInRounds(statistics),
+        statistics.Candidates - statistics.GetNumberOfPropsNotDrawn())
+        << i;
+    }
+  }
+}
+
+// Hazard: after a cut nothing that was visible helps; rounds must find the new occluders.
+TEST(CullerBasics, CameraCuts)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage, 18); }, Defaults());
+  const double times[] = { 0.45, 0.05, 0.3, 0.05, 0.45, 0.2 };
+  for (double t : times)
+  {
+    Walk(comparison, 1, t);
+    EXPECT_GT(comparison.GetHidden(), 50) << t;
+    EXPECT_LE(comparison.GetStatistics().Rounds, 6) << t;
+  }
+  // Turned round on the spot: the two visible sets have next to nothing in common.
+  for (int i = 0; i < 4; ++i)
+  {
+    comparison.Both(
+      [](Stage& stage)
+      {
+        stage.GetRenderer()->GetActiveCamera()->Yaw(175.0);
+        stage.GetRenderer()->ResetCameraClippingRange();
+      });
+    comparison.Frame("turned");
+    EXPECT_LE(comparison.GetStatistics().Rounds, 6);
+  }
+}
+
+// Hazard: jumping to and fro between two views, each with the other's visible set.
+TEST(CullerBasics, JumpingToAndFro)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  for (int i = 0; i < 8; ++i)
+  {
+    comparison.Both(
+      [i](Stage& stage)
+      {
+        vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+        camera->SetPosition(i % 2 ? 3.0 : -1.0, 0.5, i % 2 ? -20.0 : 20.0);
+        stage.GetRenderer()->ResetCameraClippingRange();
+      });
+    comparison.Frame(i % 2 ? "behind" : "before");
+    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+  }
+}
+
+// Hazard: VTK builds the list of props in every Render(); a culler may come in at any time.
+TEST(CullerBasics, AddedAfterTheFirstRenderAndRemovedAgain)
+{
+  ComparisonOptions options;
+  options.AddCuller = false;
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
+  comparison.Culled.Window->Render();
+  comparison.Culled.Window->Render();
+  comparison.AddCuller();
+  comparison.Frame("added");
+  EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+  comparison.Culled.GetRenderer()->GetCullers()->RemoveItem(comparison.GetCuller());
+  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 1.0); });
+  comparison.Culled.ResetDraws();
+  comparison.Culled.Window->Render();
+  for (int i = 0; i < Wall::Count; ++i)
+  {
+    // Stock VTK culls what is outside.
+    EXPECT_TRUE(i > Wall::Behind || comparison.Culled.GetDraws(i) == 1) << i;
+  }
+  comparison.AddCuller();
+  comparison.Frame("added again");
+  EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+}
+
+// Hazard: without vtkFrustumCoverageCuller nobody else tests the frustum.
+TEST(CullerBasics, WithoutTheDefaultCuller)
+{
+  ComparisonOptions options;
+  options.KeepDefaultCuller = false;
+  Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage); }, options);
+  Walk(comparison, 6);
+  EXPECT_GT(comparison.GetHidden(), 60);
+  EXPECT_GT(comparison.GetStatistics().GetCount(Verdict::Outside), 0);
+}
+
+// Hazard: with TakeOverFrustumCulling off the default culler has removed and sorted before us.
+TEST(CullerBasics, BehindTheDefaultCuller)
+{
+  ComparisonOptions options;
+  options.StockReference = true;
+  options.Configure = [](vtkNBufferCuller* culler) { culler->TakeOverFrustumCullingOff(); };
+  Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage); }, options);
+  Walk(comparison, 6);
+  EXPECT_GT(comparison.GetHidden(), 60);
+}
+
+// Hazard: a prop that left or joined the renderer between two frames.
+TEST(CullerBasics, PropsComeAndGo)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  comparison.Frame();
+  comparison.Both([](Stage& stage) { Scenes::AddBox(stage, 0.0, 0.0, 3.0, 1.0, 1.0, 1.0); });
+  comparison.Frame("one in front added");
+  comparison.Both([](Stage& stage) { Scenes::AddBox(stage, 1.0, 1.0, -3.0, 1.0, 1.0, 1.0); });
+  comparison.Frame("one behind added");
+  EXPECT_EQ(comparison.GetVerdict(Wall::Count + 1), Verdict::Hidden);
+  comparison.Both(
+    [](Stage& stage) { stage.GetRenderer()->RemoveViewProp(stage.Props[Wall::FirstBehind]); });
+  comparison.Frame("one behind removed");
+  EXPECT_EQ(comparison.GetVerdict(Wall::FirstBehind), Verdict::Unknown);
+  comparison.Both(
+    [](Stage& stage) { stage.GetRenderer()->RemoveViewProp(stage.Props[Wall::Index]); });
+  comparison.Frame("the wall removed");
+  EXPECT_LT(comparison.GetHidden(), Wall::Behind / 2);
+  comparison.Both([](Stage& stage) { stage.GetRenderer()->AddViewProp(stage.Props[Wall::Index]); });
+  comparison.Frame("the wall back, now last in the list");
+  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.1); });
+  comparison.Frame("the wall known to hide");
+  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.2); });
+  comparison.Frame("what it hides held back");
+  EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+  comparison.Both(
+    [](Stage& stage)
+    {
+      for (int i = 1; i < Wall::Count; i += 2)
+      {
+        stage.Props[i]->SetVisibility(false);
+      }
+    });
+  comparison.Frame("every other one invisible");
+  comparison.Both([](Stage& stage) { stage.GetRenderer()->RemoveAllViewProps(); });
+  comparison.Frame("all removed");
+  comparison.Both([](Stage& stage) { Scenes::BuildWall(stage); });
+  comparison.Frame("another scene");
+}
+
+// Hazard: a pointer that is reused for a new prop must not inherit a verdict.
+TEST(CullerBasics, ManyGenerationsOfProps)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  for (int i = 0; i < 6; ++i)
+  {
+    comparison.Both(
+      [i](Stage& stage)
+      {
+        stage.GetRenderer()->RemoveAllViewProps();
+        Stage fresh;
+        fresh.Window = stage.Window;
+        fresh.Renderers = stage.Renderers;
+        fresh.Culler = stage.Culler;
+        stage = fresh;
+        Scenes::BuildWall(stage);
+        Scenes::SetWallCamera(stage.GetRenderer(), 0.5 * i);
+      });
+    comparison.Frame("generation " + std::to_string(i));
+    EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+  }
+}
+
+// Hazard: an empty renderer, a single prop.
+TEST(CullerBasics, NoPropsAndOneProp)
+{
+  Comparison comparison([](Stage& stage) { stage.GetRenderer()->SetBackground(0.3, 0.1, 0.1); });
+  comparison.Frame("no props");
+  EXPECT_EQ(comparison.GetHidden(), 0);
+  comparison.Both(
+    [](Stage& stage)
+    {
+      Scenes::AddBox(stage, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0);
+      stage.GetRenderer()->ResetCamera();
+    });
+  comparison.Frame("one prop");
+  EXPECT_EQ(comparison.GetVerdict(0), Verdict::Untested);
+}
+
+// Hazard: off must mean off, and on again must not remember what was hidden long ago.
+TEST(CullerBasics, EnabledOffDrawsAll)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  comparison.Frame();
+  comparison.GetCuller()->EnabledOff();
+  comparison.Frame("off");
+  EXPECT_EQ(comparison.GetDecision(), Decision::Disabled);
+  EXPECT_EQ(comparison.GetHidden(), 0);
+  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 8.0); });
+  comparison.GetCuller()->EnabledOn();
+  comparison.Frame("on again");
+  EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+}
+
+//------------------------------------------------------------------------------------------------
+namespace
+{
+struct Setting
+{
+  const char* Name;
+  std::function<void(vtkNBufferCuller*)> Configure;
+};
+
+void PrintTo(const Setting& setting, std::ostream* os)
+{
+  *os << setting.Name;
+}
+
+class CullerSettings : public testing::TestWithParam<Setting>
+{
+};
+
+const Setting Settings[] = {
+  { "BaseFactor1", [](vtkNBufferCuller* c) { c->SetBaseFactor(1); } },
+  { "BaseFactor2", [](vtkNBufferCuller* c) { c->SetBaseFactor(2); } },
+  { "BaseFactor8", [](vtkNBufferCuller* c) { c->SetBaseFactor(8); } },
+  { "BackendCPU", [](vtkNBufferCuller* c) { c->SetBackend(vtkNBufferCuller::CPU); } },
+  { "BackendOpenGL", [](vtkNBufferCuller* c) { c->SetBackend(vtkNBufferCuller::OpenGL); } },
+  { "BackendOpenGLFactor1",
+    [](vtkNBufferCuller* c)
+    {
+      c->SetBackend(vtkNBufferCuller::OpenGL);
+      c->SetBaseFactor(1);
+    } },
+  { "OneRound", [](vtkNBufferCuller* c) { c->SetMaximumNumberOfRounds(1); } },
+  { "EightRoundsOfFour",
+    [](vtkNBufferCuller* c)
+    {
+      c->SetMaximumNumberOfRounds(8);
+      c->SetRoundSize(4);
+    } },
+  { "OnePiece", [](vtkNBufferCuller* c) { c->SetMaximumNumberOfPieces(1); } },
+  { "ThreePieces", [](vtkNBufferCuller* c) { c->SetMaximumNumberOfPieces(3); } },
+  { "NoPixels", [](vtkNBufferCuller* c) { c->TestPixelsOff(); } },
+  { "NoReuse", [](vtkNBufferCuller* c) { c->ReuseWhenStillOff(); } },
+  { "BackOff", [](vtkNBufferCuller* c) { c->BackOffOn(); } },
+};
+}
+
+// Hazard: a setting that nobody walks with is a setting that nobody has tested.
+TEST_P(CullerSettings, WalkThroughTheCity)
+{
+  ComparisonOptions options;
+  options.Configure = this->GetParam().Configure;
+  Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage); }, options);
+  Walk(comparison, 8, 0.2, 0.03);
+  EXPECT_GT(comparison.GetHidden(), 50);
+  EXPECT_LE(comparison.GetStatistics().Rounds, comparison.GetCuller()->GetMaximumNumberOfRounds());
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, CullerSettings, testing::ValuesIn(Settings),
+  [](const testing::TestParamInfo<Setting>& info) { return std::string(info.param.Name); });
+
+// Hazard: the two back-ends must agree on every verdict, or one of them is wrong.
+TEST(CullerBasics, BackendsAgreeOnEveryVerdict)
+{
+  ComparisonOptions cpu;
+  cpu.Configure = [](vtkNBufferCuller* c)
+  {
+    c->SetBackend(vtkNBufferCuller::CPU);
+    c->TestPixelsOff(); // of which the back-ends see more or less
+  };
+  ComparisonOptions gl;
+  gl.Configure = [](vtkNBufferCuller* c)
+  {
+    c->SetBackend(vtkNBufferCuller::OpenGL);
+    c->TestPixelsOff();
+  };
+  Comparison a([](Stage& stage) { Scenes::BuildCity(stage); }, cpu);
+  Comparison b([](Stage& stage) { Scenes::BuildCity(stage); }, gl);
+  for (int i = 0; i < 4; ++i)
+  {
+    Walk(a, 1, 0.1 * i);
+    Walk(b, 1, 0.1 * i);
+    EXPECT_EQ(a.GetCuller()->GetBackendInUse(), vtkNBufferCuller::CPU);
+    EXPECT_EQ(b.GetCuller()->GetBackendInUse(), vtkNBufferCuller::OpenGL);
+    for (std::size_t prop = 0; prop < a.Culled.Props.size(); ++prop)
+    {
+      EXPECT_EQ(a.GetVerdict(static_cast<int>(prop)), b.GetVerdict(static_cast<int>(prop)))
+        << "frame " << i << " prop " << prop;
+    }
+  }
+}
+
+// Hazard: a refused value must leave the setting as it was, and say so.
+TEST(CullerBasics, BaseFactorsOtherThanPowersUpToEightAreRefused)
+{
+  TakeMessages();
+  vtkNew<vtkNBufferCuller> culler;
+  for (int factor : { 1, 2, 4, 8 })
+  {
+    culler->SetBaseFactor(factor);
+    EXPECT_EQ(culler->GetBaseFactor(), factor);
+  }
+  EXPECT_EQ(TakeMessages(), "");
+  for (int factor : { 0, -4, 3, 5, 6, 7, 9, 16 })
+  {
+    culler->SetBaseFactor(factor);
+    EXPECT_EQ(culler->GetBaseFactor(), 8) << factor;
+    EXPECT_NE(TakeMessages(), "") << factor;
+  }
+}
+
+// Hazard: a culler asked before its first frame, or about a renderer that it never saw.
+TEST(CullerBasics, QuestionsBeforeTheFirstFrame)
+{
+  TakeMessages();
+  vtkNew<vtkNBufferCuller> culler;
+  vtkNew<vtkActor> actor;
+  vtkNew<vtkRenderer> renderer;
+  EXPECT_EQ(culler->GetVerdict(actor), Verdict::Unknown);
+  EXPECT_EQ(culler->GetVerdict(actor, renderer), Verdict::Unknown);
+  EXPECT_EQ(culler->GetVerdict(nullptr), Verdict::Unknown);
+  EXPECT_EQ(culler->GetStatistics().Decision, Decision::None);
+  EXPECT_EQ(culler->GetStatistics(renderer).Decision, Decision::None);
+  EXPECT_EQ(culler->GetBackendInUse(), vtkNBufferCuller::Auto);
+  EXPECT_NE(culler->GetBackendReason(), nullptr);
+  std::ostringstream text;
+  culler->Print(text);
+  for (const char* field : { "Enabled", "Backend", "BaseFactor", "MinimumNumberOfCandidates",
+         "MaximumNumberOfRounds", "RoundSize", "MaximumNumberOfPieces", "ReuseWhenStill", "BackOff",
+         "TakeOverFrustumCulling", "TestPixels", "Freeze" })
+  {
+    EXPECT_NE(text.str().find(field), std::string::npos) << field;
+  }
+  EXPECT_EQ(TakeMessages(), "");
+}

@@ -1,0 +1,464 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whatever an application changes between two frames is seen in the very next one.
+#include "CullerTest.h"
+#include "Scenes.h"
+
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkImageData.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkSphereSource.h"
+#include "vtkTexture.h"
+#include "vtkTransform.h"
+#include "vtkTransformFilter.h"
+#include "vtkUnsignedCharArray.h"
+
+using Verdict = vtkNBufferVerdict;
+using Decision = vtkNBufferDecision;
+using Scenes::Wall;
+
+namespace
+{
+constexpr int Behind = Wall::FirstBehind;
+
+/// A prop behind the wall that comes with a pipeline, and what a change needs to find again.
+constexpr int Piped = Wall::Count;
+
+struct Change
+{
+  const char* Name;
+  std::function<void(Stage&)> Prepare;
+  std::function<void(Stage&)> Apply;
+  /// The verdict of prop `Prop` after it; Unknown for none.
+  int Prop;
+  Verdict After;
+};
+
+void PrintTo(const Change& change, std::ostream* os)
+{
+  *os << change.Name;
+}
+
+vtkPolyData* GetData(Stage& stage, int prop)
+{
+  return vtkPolyData::SafeDownCast(stage.GetActor(prop)->GetMapper()->GetInput());
+}
+
+vtkPolyDataMapper* GetMapper(Stage& stage, int prop)
+{
+  return vtkPolyDataMapper::SafeDownCast(stage.GetActor(prop)->GetMapper());
+}
+
+/// Above the wall, where the camera sees it.
+void LiftPoints(vtkPoints* points)
+{
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    points->SetPoint(i, p[0], p[1] + 7.0, p[2]);
+  }
+  points->Modified();
+}
+
+vtkSmartPointer<vtkTexture> MakeTexture(unsigned char alpha)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4, 4, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  auto* pixels = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int i = 0; i < 16; ++i)
+  {
+    pixels[4 * i] = static_cast<unsigned char>(16 * i);
+    pixels[4 * i + 1] = pixels[4 * i + 2] = 128;
+    pixels[4 * i + 3] = i % 2 ? alpha : 255;
+  }
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(image);
+  return texture;
+}
+
+void Nothing(Stage&) {}
+
+class CullerChanges : public testing::TestWithParam<Change>
+{
+protected:
+  void TearDown() override { vtkMapper::SetResolveCoincidentTopologyToDefault(); }
+};
+}
+
+// Hazard: verdicts and bounds are cached; a change that leaves the actor's own time untouched must
+// still be noticed before the frame in which it is drawn.
+TEST_P(CullerChanges, SeenInThatFrame)
+{
+  const Change& change = this->GetParam();
+  for (bool still : { true, false })
+  {
+    SCOPED_TRACE(still ? "after still frames" : "while the camera moves");
+    Comparison comparison(
+      [&change](Stage& stage)
+      {
+        Scenes::BuildWall(stage);
+        change.Prepare(stage);
+      });
+    for (int i = 0; i < 3; ++i)
+    {
+      comparison.Both(
+        [=](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), still ? 0.0 : 0.05 * i); });
+      comparison.Frame("before");
+    }
+    EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+    comparison.Both(change.Apply);
+    comparison.Frame("after");
+    if (change.After != Verdict::Unknown)
+    {
+      EXPECT_EQ(comparison.GetVerdict(change.Prop), change.After);
+    }
+    comparison.Frame("after that");
+    comparison.Frame("and after that");
+    if (change.After != Verdict::Unknown)
+    {
+      EXPECT_EQ(comparison.GetVerdict(change.Prop), change.After);
+    }
+  }
+}
+
+namespace
+{
+void AddPiped(Stage& stage)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(0.0, 0.0, -3.0);
+  sphere->SetRadius(0.5);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  stage.Add(actor);
+}
+
+void AddPipedTransform(Stage& stage)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(0.0, 0.0, -3.0);
+  vtkNew<vtkTransform> transform;
+  vtkNew<vtkTransformFilter> filter;
+  filter->SetInputConnection(sphere->GetOutputPort());
+  filter->SetTransform(transform);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(filter->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  stage.Add(actor);
+}
+
+const Change PropChanges[] = {
+  { "PointsInPlace", Nothing, [](Stage& s) { LiftPoints(GetData(s, Behind)->GetPoints()); }, Behind,
+    Verdict::Visible },
+  { "PointsReplaced", Nothing,
+    [](Stage& s)
+    {
+      vtkNew<vtkPoints> points;
+      points->DeepCopy(GetData(s, Behind)->GetPoints());
+      LiftPoints(points);
+      GetData(s, Behind)->SetPoints(points);
+    },
+    Behind, Verdict::Visible },
+  { "PointsInPlaceThenDataModified", Nothing,
+    [](Stage& s)
+    {
+      vtkPolyData* data = GetData(s, Behind);
+      for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+      {
+        double p[3];
+        data->GetPoint(i, p);
+        data->GetPoints()->SetPoint(i, p[0], p[1] + 7.0, p[2]);
+      }
+      data->GetPoints()->GetData()->Modified();
+      data->Modified();
+    },
+    Behind, Verdict::Unknown },
+  { "DataDeepCopied", Nothing,
+    [](Stage& s)
+    {
+      const double center[3] = { 0.0, 6.0, -3.0 };
+      const double size[3] = { 1.0, 1.0, 1.0 };
+      GetData(s, Behind)->DeepCopy(Scenes::MakeBox(center, size));
+    },
+    Behind, Verdict::Visible },
+  { "DataReplaced", Nothing,
+    [](Stage& s)
+    {
+      const double center[3] = { 0.0, 6.0, -3.0 };
+      const double size[3] = { 1.0, 1.0, 1.0 };
+      GetMapper(s, Behind)->SetInputData(Scenes::MakeBox(center, size));
+    },
+    Behind, Verdict::Visible },
+  { "MapperReplaced", Nothing,
+    [](Stage& s)
+    {
+      const double center[3] = { 0.0, 6.0, -3.0 };
+      const double size[3] = { 1.0, 1.0, 1.0 };
+      vtkNew<vtkPolyDataMapper> mapper;
+      mapper->SetInputData(Scenes::MakeBox(center, size));
+      s.GetActor(Behind)->SetMapper(mapper);
+      s.CountDraws(s.GetActor(Behind));
+    },
+    Behind, Verdict::Visible },
+  { "Position", Nothing, [](Stage& s) { s.GetActor(Behind)->SetPosition(0.0, 7.0, 0.0); }, Behind,
+    Verdict::Visible },
+  { "Scale", Nothing, [](Stage& s) { s.GetActor(Behind)->SetScale(30.0, 30.0, 1.0); }, Behind,
+    Verdict::Unknown },
+  { "Origin", [](Stage& s) { s.GetActor(Behind)->SetScale(0.1); },
+    [](Stage& s) { s.GetActor(Behind)->SetOrigin(0.0, 7.0, 0.0); }, Behind, Verdict::Unknown },
+  { "Orientation", [](Stage& s) { s.GetActor(Behind)->SetScale(1.0, 1.0, 0.5); },
+    [](Stage& s) { s.GetActor(Behind)->RotateX(90.0); }, Behind, Verdict::Unknown },
+  { "UserMatrixInPlace",
+    [](Stage& s)
+    {
+      vtkNew<vtkMatrix4x4> matrix;
+      s.GetActor(Behind)->SetUserMatrix(matrix);
+    },
+    [](Stage& s) { s.GetActor(Behind)->GetUserMatrix()->SetElement(1, 3, 7.0); }, Behind,
+    Verdict::Visible },
+  { "UserTransformInPlace",
+    [](Stage& s)
+    {
+      vtkNew<vtkTransform> transform;
+      s.GetActor(Behind)->SetUserTransform(transform);
+    },
+    [](Stage& s) {
+      vtkTransform::SafeDownCast(s.GetActor(Behind)->GetUserTransform())->Translate(0.0, 7.0, 0.0);
+    },
+    Behind, Verdict::Visible },
+  { "UserTransformInputInPlace",
+    [](Stage& s)
+    {
+      vtkNew<vtkTransform> inner;
+      vtkNew<vtkTransform> outer;
+      outer->SetInput(inner);
+      s.GetActor(Behind)->SetUserTransform(outer);
+    },
+    [](Stage& s)
+    {
+      auto* outer = vtkTransform::SafeDownCast(s.GetActor(Behind)->GetUserTransform());
+      vtkTransform::SafeDownCast(outer->GetInput())->Translate(0.0, 7.0, 0.0);
+    },
+    Behind, Verdict::Visible },
+  { "SourceRadius", AddPiped,
+    [](Stage& s)
+    { vtkSphereSource::SafeDownCast(GetMapper(s, Piped)->GetInputAlgorithm())->SetRadius(9.0); },
+    Piped, Verdict::Visible },
+  { "SourceCenter", AddPiped,
+    [](Stage& s)
+    {
+      vtkSphereSource::SafeDownCast(GetMapper(s, Piped)->GetInputAlgorithm())
+        ->SetCenter(0.0, 6.0, -3.0);
+    },
+    Piped, Verdict::Visible },
+  { "FilterTransform", AddPipedTransform,
+    [](Stage& s)
+    {
+      auto* filter = vtkTransformFilter::SafeDownCast(GetMapper(s, Piped)->GetInputAlgorithm());
+      vtkTransform::SafeDownCast(filter->GetTransform())->Translate(0.0, 5.0, 0.0);
+    },
+    Piped, Verdict::Visible },
+  { "SourceTwoFiltersUp", AddPipedTransform,
+    [](Stage& s)
+    {
+      auto* filter = GetMapper(s, Piped)->GetInputAlgorithm();
+      vtkSphereSource::SafeDownCast(filter->GetInputAlgorithm())->SetRadius(9.0);
+    },
+    Piped, Verdict::Visible },
+  { "ConnectionReplaced", AddPiped,
+    [](Stage& s)
+    {
+      vtkNew<vtkSphereSource> other;
+      other->SetCenter(0.0, 6.0, -3.0);
+      GetMapper(s, Piped)->SetInputConnection(other->GetOutputPort());
+    },
+    Piped, Verdict::Visible },
+  { "BecomesTranslucent", Nothing,
+    [](Stage& s) { s.GetActor(Behind)->GetProperty()->SetOpacity(0.5); }, Behind, Verdict::Hidden },
+  { "BecomesWireframe", Nothing,
+    [](Stage& s) { s.GetActor(Behind)->GetProperty()->SetRepresentationToWireframe(); }, Behind,
+    Verdict::NotASurface },
+  { "PropertyReplaced", Nothing,
+    [](Stage& s)
+    {
+      vtkNew<vtkProperty> property;
+      property->SetOpacity(0.5);
+      s.GetActor(Behind)->SetProperty(property);
+    },
+    Behind, Verdict::Hidden },
+  { "DepthOffsetSet", Nothing,
+    [](Stage& s)
+    {
+      vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+      GetMapper(s, Behind)->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, -66000.0);
+    },
+    Behind, Verdict::DepthOffset },
+  { "Recoloured", Nothing,
+    [](Stage& s) { s.GetActor(Wall::Index)->GetProperty()->SetColor(1.0, 0.0, 0.5); }, Behind,
+    Verdict::Hidden },
+};
+
+const Change OccluderChanges[] = {
+  { "Invisible", Nothing, [](Stage& s) { s.Props[Wall::Index]->VisibilityOff(); }, Wall::Index,
+    Verdict::Unknown },
+  { "Removed", Nothing, [](Stage& s) { s.GetRenderer()->RemoveViewProp(s.Props[Wall::Index]); },
+    Wall::Index, Verdict::Unknown },
+  { "Moved", Nothing, [](Stage& s) { s.GetActor(Wall::Index)->SetPosition(7.0, 0.0, 0.0); },
+    Wall::Index, Verdict::Visible },
+  { "Translucent", Nothing,
+    [](Stage& s) { s.GetActor(Wall::Index)->GetProperty()->SetOpacity(0.5); }, Wall::Index,
+    Verdict::Translucent },
+  { "ForceTranslucent", Nothing, [](Stage& s) { s.GetActor(Wall::Index)->ForceTranslucentOn(); },
+    Wall::Index, Verdict::Translucent },
+  { "Wireframe", Nothing,
+    [](Stage& s) { s.GetActor(Wall::Index)->GetProperty()->SetRepresentationToWireframe(); },
+    Wall::Index, Verdict::NotASurface },
+  { "Points", Nothing,
+    [](Stage& s) { s.GetActor(Wall::Index)->GetProperty()->SetRepresentationToPoints(); },
+    Wall::Index, Verdict::NotASurface },
+  { "FrontFacesCulled", Nothing,
+    [](Stage& s)
+    {
+      s.GetActor(Wall::Index)->GetProperty()->FrontfaceCullingOn();
+      s.GetActor(Wall::Index)->GetProperty()->BackfaceCullingOn();
+    },
+    Wall::Index, Verdict::Unknown },
+  { "FacesRemovedBoundsTheSame", Nothing,
+    [](Stage& s)
+    {
+      // Only the two small sides stay: same points, same bounds, a hole between.
+      vtkPolyData* data = GetData(s, Wall::Index);
+      vtkNew<vtkCellArray> faces;
+      faces->InsertNextCell(data->GetCell(0));
+      faces->InsertNextCell(data->GetCell(1));
+      data->SetPolys(faces);
+    },
+    Wall::Index, Verdict::Unknown },
+  { "Clipped", Nothing,
+    [](Stage& s)
+    {
+      vtkNew<vtkPlane> plane;
+      plane->SetNormal(1.0, 0.0, 0.0);
+      GetMapper(s, Wall::Index)->AddClippingPlane(plane);
+    },
+    Wall::Index, Verdict::Unknown },
+  { "ClippingPlaneMoved",
+    [](Stage& s)
+    {
+      vtkNew<vtkPlane> plane;
+      plane->SetNormal(1.0, 0.0, 0.0);
+      plane->SetOrigin(-7.0, 0.0, 0.0);
+      GetMapper(s, Wall::Index)->AddClippingPlane(plane);
+    },
+    [](Stage& s)
+    { GetMapper(s, Wall::Index)->GetClippingPlanes()->GetItem(0)->SetOrigin(3.0, 0.0, 0.0); },
+    Wall::Index, Verdict::Unknown },
+  { "TextureWithAlpha", Nothing,
+    [](Stage& s) { s.GetActor(Wall::Index)->SetTexture(MakeTexture(40)); }, Wall::Index,
+    Verdict::Translucent },
+  { "ScalarsWithAlpha", Nothing,
+    [](Stage& s)
+    {
+      vtkPolyData* data = GetData(s, Wall::Index);
+      vtkNew<vtkUnsignedCharArray> colors;
+      colors->SetNumberOfComponents(4);
+      for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+      {
+        colors->InsertNextTuple4(200, 100, 50, 80);
+      }
+      data->GetPointData()->SetScalars(colors);
+    },
+    Wall::Index, Verdict::Translucent },
+  { "DataEmptied", Nothing, [](Stage& s) { GetData(s, Wall::Index)->Initialize(); }, Wall::Index,
+    Verdict::Unknown },
+};
+
+const Change ViewChanges[] = {
+  { "CameraMoved", Nothing, [](Stage& s) { Scenes::SetWallCamera(s.GetRenderer(), 9.0); }, Behind,
+    Verdict::Unknown },
+  { "ViewAngle", Nothing, [](Stage& s) { s.GetRenderer()->GetActiveCamera()->SetViewAngle(80.0); },
+    Behind, Verdict::Hidden },
+  { "ClippingRange", Nothing,
+    [](Stage& s) { s.GetRenderer()->GetActiveCamera()->SetClippingRange(20.5, 60.0); }, Wall::Index,
+    Verdict::Unknown },
+  { "ParallelProjection", Nothing,
+    [](Stage& s) { s.GetRenderer()->GetActiveCamera()->ParallelProjectionOn(); }, Behind,
+    Verdict::Unknown },
+  { "WindowCenter", Nothing,
+    [](Stage& s) { s.GetRenderer()->GetActiveCamera()->SetWindowCenter(0.7, 0.3); }, Behind,
+    Verdict::Unknown },
+  { "CameraReplaced", Nothing,
+    [](Stage& s)
+    {
+      vtkNew<vtkCamera> camera;
+      s.GetRenderer()->SetActiveCamera(camera);
+      Scenes::SetWallCamera(s.GetRenderer(), 9.0);
+    },
+    Behind, Verdict::Unknown },
+  { "Viewport", Nothing, [](Stage& s) { s.GetRenderer()->SetViewport(0.3, 0.2, 0.9, 0.95); },
+    Behind, Verdict::Hidden },
+  { "OccluderSlidesAway", Nothing,
+    [](Stage& s)
+    {
+      s.GetActor(Wall::Index)->SetPosition(2.0, 0.0, 0.0);
+      Scenes::SetWallCamera(s.GetRenderer(), 0.3);
+    },
+    Wall::Index, Verdict::Visible },
+};
+
+std::string GetChangeName(const testing::TestParamInfo<Change>& info)
+{
+  return info.param.Name;
+}
+}
+
+INSTANTIATE_TEST_SUITE_P(Prop, CullerChanges, testing::ValuesIn(PropChanges), GetChangeName);
+INSTANTIATE_TEST_SUITE_P(
+  Occluder, CullerChanges, testing::ValuesIn(OccluderChanges), GetChangeName);
+INSTANTIATE_TEST_SUITE_P(View, CullerChanges, testing::ValuesIn(ViewChanges), GetChangeName);
+
+// Hazard: a moving occluder uncovers in every frame something that was hidden in the one before.
+TEST(CullerChangesOnce, ADoorThatOpens)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  for (int i = 0; i < 20; ++i)
+  {
+    comparison.Both(
+      [i](Stage& stage) { stage.GetActor(Wall::Index)->SetPosition(0.5 * i, 0.0, 0.0); });
+    comparison.Frame();
+  }
+}
+
+// Hazard: props that move and deform at once, each with caches of its own.
+TEST(CullerChangesOnce, EverythingMoves)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  for (int i = 0; i < 8; ++i)
+  {
+    comparison.Both(
+      [i](Stage& stage)
+      {
+        for (int prop = 1; prop < Wall::Count; ++prop)
+        {
+          stage.GetActor(prop)->AddPosition(
+            0.3 * ((prop + i) % 3 - 1), 0.25 * ((prop + 2 * i) % 3 - 1), 0.2);
+          stage.GetActor(prop)->RotateZ(10.0);
+        }
+      });
+    comparison.Frame();
+    EXPECT_GT(comparison.GetHidden(), 10);
+  }
+}

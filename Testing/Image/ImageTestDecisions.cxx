@@ -1,0 +1,440 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// When the culler does nothing, says so, and really does nothing.
+#include "CullerTest.h"
+#include "Scenes.h"
+
+#include "vtkCamera.h"
+#include "vtkCullerCollection.h"
+#include "vtkGL2PSExporter.h"
+#include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
+#include "vtkPropCollection.h"
+#include "vtkPropPicker.h"
+#include "vtkProperty.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <set>
+
+using Verdict = vtkNBufferVerdict;
+using Decision = vtkNBufferDecision;
+using Scenes::Wall;
+
+namespace
+{
+void Move(Comparison& comparison, double shift)
+{
+  comparison.Both([shift](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), shift); });
+}
+
+/// Boxes side by side: all visible.
+void BuildNothingHidden(Stage& stage)
+{
+  for (int i = 0; i < 10; ++i)
+  {
+    for (int j = 0; j < 8; ++j)
+    {
+      Scenes::AddBox(stage, 1.2 * i - 5.4, 1.0 * j - 3.5, 0.0, 0.4, 0.4, 0.4);
+    }
+  }
+  Scenes::SetWallCamera(stage.GetRenderer());
+}
+}
+
+// Hazard: a read-back costs more than a handful of props.
+TEST(CullerDecisions, FewCandidates)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::AddBox(stage, 0.0, 0.0, 0.0, 12.0, 6.0, 0.5);
+      for (int i = 0; i < 20; ++i)
+      {
+        Scenes::AddBox(stage, 0.2 * i - 2.0, 0.0, -3.0, 0.5, 0.5, 0.5);
+      }
+      Scenes::SetWallCamera(stage.GetRenderer());
+    });
+  for (int i = 0; i < 4; ++i)
+  {
+    Move(comparison, 0.1 * i);
+    comparison.Frame();
+    EXPECT_EQ(comparison.GetDecision(), Decision::FewCandidates);
+    EXPECT_TRUE(DidNoWork(comparison.GetStatistics()));
+    EXPECT_EQ(comparison.GetVerdict(1), Verdict::Untested);
+  }
+  comparison.GetCuller()->SetMinimumNumberOfCandidates(21);
+  Move(comparison, 0.5);
+  comparison.Frame("21 are enough now");
+  EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+  EXPECT_GT(comparison.GetHidden(), 5);
+}
+
+// Hazard: what is outside the frustum does not count towards what is worth a test.
+TEST(CullerDecisions, FewCandidatesInTheFrustum)
+{
+  ComparisonOptions options;
+  options.KeepDefaultCuller = false;
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      for (int i = 0; i < 100; ++i)
+      {
+        Scenes::AddBox(stage, 40.0 + i, 0.0, 0.0, 0.5, 0.5, 0.5);
+      }
+      Scenes::AddBox(stage, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0);
+      Scenes::SetWallCamera(stage.GetRenderer());
+    },
+    options);
+  comparison.Frame();
+  EXPECT_EQ(comparison.GetDecision(), Decision::FewCandidates);
+  EXPECT_EQ(comparison.GetStatistics().GetCount(Verdict::Outside), 100);
+  EXPECT_TRUE(DidNoWork(comparison.GetStatistics()));
+}
+
+// Hazard: VTK redraws on every expose event; a still picture must not be tested again.
+TEST(CullerDecisions, StillCamera)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  comparison.Frame("first");
+  // What is drawn for the first time is modified by being drawn.
+  comparison.Frame("second");
+  for (int i = 0; i < 4; ++i)
+  {
+    comparison.Frame("still");
+    EXPECT_EQ(comparison.GetDecision(), Decision::Still) << i;
+    EXPECT_TRUE(DidNoWork(comparison.GetStatistics()));
+    EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+    EXPECT_EQ(comparison.GetVerdict(Wall::FirstBehind), Verdict::Hidden);
+    EXPECT_EQ(comparison.GetStatistics().Refreshed, 0);
+  }
+  Move(comparison, 0.1);
+  comparison.Frame("moved");
+  EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+  comparison.Frame("still again");
+  EXPECT_EQ(comparison.GetDecision(), Decision::Still);
+  comparison.GetCuller()->ReuseWhenStillOff();
+  comparison.Frame("reuse off");
+  EXPECT_NE(comparison.GetDecision(), Decision::Still);
+  EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+}
+
+// Hazard: Modified() without a change of position must at worst cost a test.
+TEST(CullerDecisions, CameraTouchedButNotMoved)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  for (int i = 0; i < 4; ++i)
+  {
+    comparison.Both([](Stage& stage) { stage.GetRenderer()->GetActiveCamera()->Modified(); });
+    comparison.Frame();
+    EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+  }
+}
+
+// Hazard: where nothing is hidden the tests are wasted; where something is again, they must resume.
+TEST(CullerDecisions, BacksOffWhereNothingIsHiddenAndProbes)
+{
+  ComparisonOptions options;
+  options.BackOff = true;
+  Comparison comparison(BuildNothingHidden, options);
+  int tested = 0;
+  int backedOff = 0;
+  for (int i = 0; i < 60; ++i)
+  {
+    Move(comparison, 0.01 * i);
+    comparison.Frame();
+    tested += comparison.GetDecision() == Decision::Culled;
+    if (comparison.GetDecision() == Decision::BackedOff)
+    {
+      ++backedOff;
+      EXPECT_TRUE(DidNoWork(comparison.GetStatistics()));
+      EXPECT_EQ(comparison.GetVerdict(0), Verdict::Untested);
+    }
+  }
+  EXPECT_GT(backedOff, 20);
+  EXPECT_LE(tested, 30);
+  comparison.Both([](Stage& stage) { Scenes::AddBox(stage, 0.0, 0.0, 2.0, 14.0, 9.0, 0.2); });
+  int frames = 0;
+  for (; frames < 100 && comparison.GetHidden() < 40; ++frames)
+  {
+    Move(comparison, 0.01 * frames);
+    comparison.Frame("wall put up");
+  }
+  EXPECT_LT(frames, 100) << "a probe must find the new wall";
+}
+
+// Hazard: all visible props held back and drawn after the test for nothing.
+TEST(CullerDecisions, NothingHeldWhereEverythingWasVisible)
+{
+  ComparisonOptions options;
+  options.BackOff = true;
+  Comparison comparison(BuildNothingHidden, options);
+  for (int i = 0; i < 6; ++i)
+  {
+    Move(comparison, 0.01 * i);
+    comparison.Frame();
+    EXPECT_EQ(comparison.GetHidden(), 0);
+    if (comparison.GetDecision() == Decision::NothingHeld)
+    {
+      EXPECT_TRUE(DidNoWork(comparison.GetStatistics()));
+      EXPECT_EQ(comparison.GetStatistics().HeldBack, 0);
+    }
+  }
+}
+
+// Hazard: only the levels that rectangles ask for are worth building.
+TEST(CullerDecisions, SmallPropsNeedFewLevels)
+{
+  const auto build = [](double size)
+  {
+    return [size](Stage& stage)
+    {
+      for (int i = 0; i < 12 * 20; ++i)
+      {
+        Scenes::AddBox(stage, 0.5 * (i % 20) - 4.75, 0.5 * (i / 20) - 2.75, 0.0, 0.5, 0.5, 0.5);
+      }
+      for (int i = 0; i < 40; ++i)
+      {
+        Scenes::AddBox(stage, 0.1 * i - 2.0, 0.0, -6.0, size, size, 0.1);
+      }
+      Scenes::SetWallCamera(stage.GetRenderer());
+    };
+  };
+  Comparison small(build(0.05));
+  Comparison large(build(4.0));
+  for (int i = 0; i < 3; ++i)
+  {
+    Move(small, 0.1 * i);
+    Move(large, 0.1 * i);
+    small.Frame("small");
+    large.Frame("large");
+  }
+  EXPECT_GE(small.GetHidden(), 30);
+  EXPECT_GE(large.GetHidden(), 30);
+  EXPECT_LT(small.GetStatistics().Levels, large.GetStatistics().Levels);
+  EXPECT_LE(small.GetStatistics().BytesRead, 4LL * 301 * 173 * small.GetStatistics().ReadBacks);
+  EXPECT_LE(small.GetStatistics().Texels, large.GetStatistics().Texels);
+}
+
+// Hazard: bounds are dear; props that do not change are not asked again.
+TEST(CullerDecisions, OnlyChangedPropsAreRefreshed)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  comparison.Frame();
+  EXPECT_EQ(comparison.GetStatistics().Refreshed, comparison.GetStatistics().Props);
+  Move(comparison, 0.05);
+  comparison.Frame();
+  Move(comparison, 0.1);
+  comparison.Frame();
+  EXPECT_EQ(comparison.GetStatistics().Refreshed, 0);
+  comparison.Both([](Stage& stage) { stage.GetActor(5)->SetPosition(0.1, 0.0, 0.0); });
+  Move(comparison, 0.2);
+  comparison.Frame();
+  EXPECT_EQ(comparison.GetStatistics().Refreshed, 1);
+}
+
+// Hazard: what Freeze keeps is shown from elsewhere, and thawed it must be right at once.
+TEST(CullerDecisions, FreezeKeepsTheVerdicts)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  comparison.Frame();
+  std::vector<Verdict> verdicts;
+  for (int i = 0; i < Wall::Count; ++i)
+  {
+    verdicts.push_back(comparison.GetVerdict(i));
+  }
+  comparison.GetCuller()->FreezeOn();
+  for (double shift : { 3.0, 9.0, -15.0 })
+  {
+    Move(comparison, shift);
+    comparison.Culled.ResetDraws();
+    comparison.Culled.Window->Render();
+    EXPECT_EQ(comparison.GetDecision(), Decision::Frozen);
+    EXPECT_TRUE(DidNoWork(comparison.GetStatistics()));
+    for (int i = 0; i < Wall::Count; ++i)
+    {
+      EXPECT_EQ(comparison.GetVerdict(i), verdicts[i]) << i;
+      const bool culled = verdicts[i] == Verdict::Hidden || verdicts[i] == Verdict::Outside;
+      EXPECT_TRUE(!culled || comparison.Culled.GetDraws(i) == 0) << i;
+    }
+    EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+  }
+  comparison.GetCuller()->FreezeOff();
+  comparison.Frame("thawed");
+  EXPECT_NE(comparison.GetDecision(), Decision::Frozen);
+}
+
+// Hazard: a prop that joins while frozen has no verdict to keep.
+TEST(CullerDecisions, PropsThatJoinWhileFrozenAreDrawn)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  comparison.Frame();
+  comparison.GetCuller()->FreezeOn();
+  comparison.Both([](Stage& stage) { Scenes::AddBox(stage, 0.0, 0.0, 4.0, 1.0, 1.0, 1.0); });
+  comparison.Culled.ResetDraws();
+  comparison.Culled.Window->Render();
+  EXPECT_EQ(comparison.Culled.GetDraws(Wall::Count), 1);
+}
+
+//------------------------------------------------------------------------------------------------
+namespace
+{
+/// Indices of the props that a selection of the whole window finds, with their pixel counts.
+std::map<int, int> Select(Stage& stage)
+{
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(stage.GetRenderer());
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  const int* size = stage.Window->GetSize();
+  selector->SetArea(0, 0, size[0] - 1, size[1] - 1);
+  auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  std::map<int, int> found;
+  for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
+  {
+    vtkSelectionNode* node = selection->GetNode(i);
+    vtkObjectBase* prop = node->GetProperties()->Get(vtkSelectionNode::PROP());
+    const auto at = std::find(stage.Props.begin(), stage.Props.end(), prop);
+    const int index = at == stage.Props.end() ? -1 : static_cast<int>(at - stage.Props.begin());
+    found[index] = node->GetProperties()->Get(vtkSelectionNode::PIXEL_COUNT());
+  }
+  return found;
+}
+}
+
+// Hazard: a hardware selector numbers the props of each pass; a proxy or a gap confuses all.
+TEST(CullerDecisions, HardwareSelectionFindsTheSame)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      stage.GetActor(Wall::FirstInFront)->PickableOff();
+    });
+  comparison.Frame();
+  for (int round = 0; round < 3; ++round)
+  {
+    const std::map<int, int> expected = Select(comparison.Reference);
+    const std::map<int, int> found = Select(comparison.Culled);
+    EXPECT_GT(expected.size(), 5u);
+    EXPECT_EQ(found, expected);
+    EXPECT_EQ(comparison.GetDecision(), Decision::Selecting);
+    EXPECT_EQ(comparison.GetHidden(), 0);
+    Move(comparison, 0.2 * round);
+    comparison.Frame("after selecting");
+    EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+  }
+  // The wall not pickable: what it hides can be selected.
+  comparison.Both([](Stage& stage) { stage.GetActor(Wall::Index)->PickableOff(); });
+  EXPECT_EQ(Select(comparison.Culled), Select(comparison.Reference));
+}
+
+// Hazard: picking by rendering uses the same path.
+TEST(CullerDecisions, PropPickerPicksTheSame)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  comparison.Frame();
+  for (int x = 5; x < 301; x += 40)
+  {
+    for (int y = 5; y < 173; y += 30)
+    {
+      int picked[2];
+      for (Stage* stage : { &comparison.Reference, &comparison.Culled })
+      {
+        vtkNew<vtkPropPicker> picker;
+        picker->PickProp(x, y, stage->GetRenderer());
+        const auto at = std::find(stage->Props.begin(), stage->Props.end(), picker->GetViewProp());
+        picked[stage == &comparison.Culled] = static_cast<int>(at - stage->Props.begin());
+      }
+      EXPECT_EQ(picked[0], picked[1]) << x << " " << y;
+    }
+  }
+  comparison.Frame("after picking");
+  EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+}
+
+// Hazard: a vector export captures geometry and draws no depth; nothing may be missing in it.
+TEST(CullerDecisions, GL2PSExportIsTheSame)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  comparison.Frame();
+  std::string text[2];
+  for (Stage* stage : { &comparison.Reference, &comparison.Culled })
+  {
+    const int which = stage == &comparison.Culled;
+    const std::string prefix = testing::TempDir() + "nbuffer-gl2ps-" + std::to_string(which);
+    vtkNew<vtkGL2PSExporter> exporter;
+    exporter->SetRenderWindow(stage->Window);
+    exporter->SetFileFormatToSVG();
+    exporter->CompressOff();
+    exporter->Write3DPropsAsRasterImageOff();
+    exporter->SetFilePrefix(prefix.c_str());
+    exporter->Write();
+    if (std::FILE* file = std::fopen((prefix + ".svg").c_str(), "rb"))
+    {
+      char buffer[4096];
+      for (std::size_t n; (n = std::fread(buffer, 1, sizeof(buffer), file)) > 0;)
+      {
+        text[which].append(buffer, n);
+      }
+      std::fclose(file);
+      std::remove((prefix + ".svg").c_str());
+    }
+  }
+  EXPECT_FALSE(text[0].empty());
+  EXPECT_EQ(text[0].size(), text[1].size());
+  comparison.Frame("after the export");
+  EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+}
+
+// Hazard: an observer that removes or deletes props while the frame is drawn.
+TEST(CullerDecisions, AbortedRenderIsNotLearntFrom)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  comparison.Frame();
+  comparison.Both([](Stage& stage) { stage.Window->SetAbortRender(1); });
+  comparison.Both(
+    [](Stage& stage)
+    {
+      Scenes::SetWallCamera(stage.GetRenderer(), 9.0);
+      stage.Window->Render();
+    });
+  TakeMessages();
+  comparison.Frame("the next one");
+  comparison.Frame("still");
+}
+
+// Hazard: verdicts are kept for props by pointer; asked about others it must not crash.
+TEST(CullerDecisions, VerdictsOfStrangers)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  comparison.Frame();
+  vtkNew<vtkActor> stranger;
+  vtkNew<vtkRenderer> elsewhere;
+  EXPECT_EQ(comparison.GetCuller()->GetVerdict(stranger), Verdict::Unknown);
+  EXPECT_EQ(comparison.GetCuller()->GetVerdict(nullptr), Verdict::Unknown);
+  EXPECT_EQ(
+    comparison.GetCuller()->GetVerdict(comparison.Culled.Props[0], elsewhere), Verdict::Unknown);
+  EXPECT_EQ(comparison.GetCuller()->GetVerdict(comparison.Culled.Props[0]), Verdict::Visible);
+}
+
+// Hazard: the proxy is nobody's business: the renderer's own lists must never contain it.
+TEST(CullerDecisions, TheRendererKeepsItsProps)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  for (int i = 0; i < 3; ++i)
+  {
+    Move(comparison, 0.2 * i);
+    comparison.Frame();
+    vtkPropCollection* props = comparison.Culled.GetRenderer()->GetViewProps();
+    ASSERT_EQ(props->GetNumberOfItems(), Wall::Count);
+    for (int prop = 0; prop < Wall::Count; ++prop)
+    {
+      EXPECT_EQ(props->GetItemAsObject(prop), comparison.Culled.Props[prop]);
+    }
+    EXPECT_EQ(comparison.Culled.GetRenderer()->GetNumberOfPropsRendered(),
+      comparison.GetStatistics().GetNumberOfPropsDrawn());
+  }
+}

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scenes.h"
+
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCubeSource.h"
+#include "vtkPoints.h"
+#include "vtkProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+namespace Scenes
+{
+vtkSmartPointer<vtkPolyData> MakeBox(const double center[3], const double size[3])
+{
+  vtkNew<vtkCubeSource> source;
+  source->SetCenter(center[0], center[1], center[2]);
+  source->SetXLength(size[0]);
+  source->SetYLength(size[1]);
+  source->SetZLength(size[2]);
+  source->Update();
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->DeepCopy(source->GetOutput());
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> MakeQuad(
+  double x0, double y0, double x1, double y1, double z, int cells)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> quads;
+  for (int j = 0; j <= cells; ++j)
+  {
+    for (int i = 0; i <= cells; ++i)
+    {
+      points->InsertNextPoint(x0 + (x1 - x0) * i / cells, y0 + (y1 - y0) * j / cells, z);
+      if (i < cells && j < cells)
+      {
+        const vtkIdType first = static_cast<vtkIdType>(j) * (cells + 1) + i;
+        quads->InsertNextCell({ first, first + 1, first + cells + 2, first + cells + 1 });
+      }
+    }
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(quads);
+  return data;
+}
+
+void GetColor(int index, double color[3])
+{
+  std::minstd_rand random(static_cast<unsigned int>(index) + 1);
+  random.discard(3);
+  for (int i = 0; i < 3; ++i)
+  {
+    color[i] = 0.2 + 0.8 * static_cast<double>(random() % 1000) / 999.0;
+  }
+}
+
+int AddBox(Stage& stage, double x, double y, double z, double sx, double sy, double sz,
+  vtkRenderer* renderer)
+{
+  const int index = static_cast<int>(stage.Props.size());
+  const double center[3] = { x, y, z };
+  const double size[3] = { sx, sy, sz };
+  double color[3];
+  GetColor(index, color);
+  stage.AddActor(MakeBox(center, size), color, renderer);
+  return index;
+}
+
+void BuildWall(Stage& stage, vtkRenderer* renderer)
+{
+  vtkRenderer* target = renderer ? renderer : stage.GetRenderer();
+  target->SetBackground(0.1, 0.2, 0.3);
+  AddBox(stage, 0.0, 0.0, 0.0, 12.0, 6.0, 0.5, target);
+  std::mt19937 random(3);
+  const auto uniform = [&random](double a, double b)
+  { return a + (b - a) * static_cast<double>(random() % 10000) / 10000.0; };
+  for (int i = 0; i < Wall::Behind; ++i)
+  {
+    const double x = uniform(-4.0, 4.0);
+    const double y = uniform(-2.0, 2.0);
+    AddBox(stage, x, y, uniform(-8.0, -2.0), 0.6, 0.6, 0.6, target);
+  }
+  for (int i = 0; i < Wall::InFront; ++i)
+  {
+    // On both sides of the wall's edge, before it and beside it.
+    AddBox(stage, uniform(-9.0, 9.0), uniform(-4.0, 4.0), uniform(1.0, 5.0), 0.5, 0.5, 0.5, target);
+  }
+  SetWallCamera(target);
+}
+
+void SetWallCamera(vtkRenderer* renderer, double shift)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(shift, 0.25 * shift, 20.0);
+  camera->SetFocalPoint(0.5 * shift, 0.0, 0.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  renderer->ResetCameraClippingRange();
+}
+
+void BuildCity(Stage& stage, int count, vtkRenderer* renderer)
+{
+  vtkRenderer* target = renderer ? renderer : stage.GetRenderer();
+  target->SetBackground(0.5, 0.7, 0.9);
+  const double extent = 12.0 * count;
+  AddBox(stage, 0.5 * extent, 0.5 * extent, -0.5, 1.2 * extent, 1.2 * extent, 1.0, target);
+  std::mt19937 random(17);
+  for (int i = 0; i < count; ++i)
+  {
+    for (int j = 0; j < count; ++j)
+    {
+      const double height = 3.0 + 0.02 * static_cast<double>(random() % 700);
+      AddBox(stage, 12.0 * i + 6.0, 12.0 * j + 6.0, 0.5 * height, 8.0, 8.0, height, target);
+    }
+  }
+  SetCityCamera(target, 0.0);
+}
+
+void SetCityCamera(vtkRenderer* renderer, double t)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double angle = 0.8 * std::sin(7.0 * t);
+  const double position[3] = { 24.0 + 0.5 * std::sin(20.0 * t), 1.0 + 100.0 * t, 1.7 };
+  camera->SetPosition(position);
+  camera->SetFocalPoint(
+    position[0] + std::sin(angle), position[1] + std::cos(angle), position[2] + 0.05);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  camera->SetViewAngle(60.0);
+  renderer->ResetCameraClippingRange();
+}
+
+int AddQuad(Stage& stage, double x0, double y0, double x1, double y1, double z, int cells)
+{
+  const int index = static_cast<int>(stage.Props.size());
+  double color[3];
+  GetColor(index, color);
+  vtkActor* actor = stage.AddActor(MakeQuad(x0, y0, x1, y1, z, cells), color);
+  // Only the colour tells the quads apart.
+  actor->GetProperty()->LightingOff();
+  return index;
+}
+
+void BuildTies(Stage& stage, unsigned int seed, bool large)
+{
+  std::mt19937 random(seed);
+  const auto uniform = [&random](double a, double b)
+  { return a + (b - a) * static_cast<double>(random() % 1000) / 1000.0; };
+  std::vector<std::function<void()>> makers;
+  for (int i = 0; i < 60; ++i)
+  {
+    const double x = uniform(-5.0, 4.0);
+    const double y = uniform(-3.0, 2.0);
+    const double side = large ? 3.0 : 1.0;
+    const double z = -0.5 * (i % 3);
+    makers.emplace_back([&stage, x, y, side, z] { AddQuad(stage, x, y, x + side, y + side, z); });
+  }
+  makers.emplace_back([&stage] { Scenes::AddBox(stage, 0.0, 0.0, 3.0, 5.0, 4.5, 0.2); });
+  std::shuffle(makers.begin(), makers.end(), random);
+  for (const auto& make : makers)
+  {
+    make();
+  }
+  vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+  camera->SetPosition(0.0, 0.0, 15.0);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  stage.GetRenderer()->ResetCameraClippingRange();
+}
+
+int FindDoor(const Stage& stage)
+{
+  for (std::size_t i = 0; i < stage.Props.size(); ++i)
+  {
+    if (stage.GetActor(static_cast<int>(i))->GetBounds()[5] > 2.0)
+    {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+}

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Scenes.h
+ * @brief The scenes that several image tests share. Seeded, so that both stages get the same.
+ */
+#ifndef Scenes_h
+#define Scenes_h
+
+#include "CullerTest.h"
+
+namespace Scenes
+{
+/// A box as polydata with its own points.
+vtkSmartPointer<vtkPolyData> MakeBox(const double center[3], const double size[3]);
+
+/// An upright rectangle (normal z) as one polygon, cut in cells x cells quads of equal size.
+vtkSmartPointer<vtkPolyData> MakeQuad(
+  double x0, double y0, double x1, double y1, double z, int cells = 1);
+
+/// A colour that differs from prop to prop.
+void GetColor(int index, double color[3]);
+
+/// Add a box of its own colour; returns its index in Stage::Props.
+int AddBox(Stage& stage, double x, double y, double z, double sx, double sy, double sz,
+  vtkRenderer* renderer = nullptr);
+
+/// Where the wall scene keeps what.
+struct Wall
+{
+  static constexpr int Index = 0;       ///< The wall itself.
+  static constexpr int FirstBehind = 1; ///< Boxes that the wall hides wholly.
+  static constexpr int Behind = 60;     ///< How many of them.
+  static constexpr int FirstInFront = FirstBehind + Behind;
+  static constexpr int InFront = 12; ///< Boxes between camera and wall, and beside it.
+  static constexpr int Count = FirstInFront + InFront;
+  /// So many are hidden at least, the first frame's guesses at the occluders apart.
+  static constexpr int Hidden = Behind - 4;
+};
+
+/// A wall at z = 0 across most of the view, boxes behind and before it, camera at (0, 0, 20).
+void BuildWall(Stage& stage, vtkRenderer* renderer = nullptr);
+
+/// The wall scene's camera, moved a little sideways.
+void SetWallCamera(vtkRenderer* renderer, double shift = 0.0);
+
+/// Streets of blocks, `count` x `count`, each an actor of its own, on a ground.
+void BuildCity(Stage& stage, int count = 14, vtkRenderer* renderer = nullptr);
+
+/// A walk at eye height along a street of that city, looking around; t in [0, 1].
+void SetCityCamera(vtkRenderer* renderer, double t);
+
+/// Add an unlit quad of its own colour, so that only the colour tells quads apart.
+int AddQuad(Stage& stage, double x0, double y0, double x1, double y1, double z, int cells = 1);
+
+/// Props that cover each other at exactly the same depths, and a door before them, anywhere in the
+/// list.
+void BuildTies(Stage& stage, unsigned int seed, bool large);
+
+/// Index of that door.
+int FindDoor(const Stage& stage);
+}
+
+#endif

@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""check_sources.py finds each kind of fault, and only these, in a made-up repository."""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+import check_sources  # noqa: E402
+
+HEADER = """\
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+"""
+
+
+class CheckSources(unittest.TestCase):
+    def faults(self, files):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for name, text in files.items():
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).write_text(text)
+            return [f"{name}: {fault}" for name, fault in check_sources.check(root)]
+
+    def one_fault(self, files, words):
+        faults = self.faults(files)
+        self.assertEqual(len(faults), 1, faults)
+        self.assertIn(words, faults[0])
+
+    def test_good(self):
+        self.assertEqual(self.faults({
+            "LICENSE": "text",
+            "build/x.cxx": "",
+            "Modules/a.cxx": HEADER + '// uniform sampler2D x in a comment\nchar q = \'"\';\n',
+            "Modules/a.glsl": HEADER + "void main() {}\n",
+            "Modules/b.cxx": HEADER + 'auto s = "//VTK::Light::Impl";\n',
+            "Testing/a.cxx": HEADER + 'auto s = "uniform float x;";\n',
+            "data/README.md": HEADER,
+            "data/a.json": "{}",
+            "CMakeLists.txt": HEADER + "$ENV{HOME}/work/x <a>/tmp/x ${b}/tmp/x\n"}), [])
+
+    def test_no_spdx(self):
+        self.one_fault({"a.cxx": "int a;\n"}, "no SPDX lines in the first")
+        self.one_fault({"a.json": "{}\n"}, "no .license file")
+
+    def test_too_long(self):
+        self.assertEqual(self.faults({"a.h": HEADER + "\n" * 598}), [])
+        self.one_fault({"a.h": HEADER + "\n" * 599}, "601 lines")
+
+    def test_glsl_in_strings(self):
+        self.one_fault({"Modules/a.cxx": HEADER + 'auto s = "void main()";\n'}, "line 3: GLSL")
+        self.one_fault({"Modules/a.cxx": HEADER + 'auto s = R"(\n#version 150)";\n'}, "GLSL")
+        self.one_fault({"Modules/a.cxx": HEADER + 'auto s = "\\"gl_Position";\n'}, "GLSL")
+        self.one_fault({"a.glsl": HEADER + "// \u00e9\n"}, "ASCII")
+
+    def test_machine_paths(self):
+        # Put together here, so that this file is free of them itself.
+        for path in ("/ho" "me/me/x", '"/tm' 'p/x"', "C:\\Us" "ers\\x"):
+            self.one_fault({"a.md": HEADER + path + "\n"}, "line 3: path")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SampledViews.h
+ * @brief Random cameras and boxes, and brute force to judge what is said about them.
+ *
+ * Points are sampled in a box and projected twice: exactly (long double), and as a device may do
+ * it, with vertices, matrix and sums rounded to float. Whatever is claimed of a box must hold for
+ * every one of these points.
+ */
+#ifndef SampledViews_h
+#define SampledViews_h
+
+#include "vtkNBufferProjection.h"
+
+#include <array>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+struct View
+{
+  std::array<double, 16> WorldToClip{};
+  int Width = 0;
+  int Height = 0;
+  double Near = 0.0;
+  double Far = 0.0;
+  std::array<double, 3> Position{};
+  std::array<double, 3> Direction{};
+  bool Parallel = false;
+  std::string Text; ///< For failures.
+};
+
+/// A point on the screen: pixels of the viewport and window depth.
+struct ScreenPoint
+{
+  double X;
+  double Y;
+  double Z;
+};
+
+class ViewSampler
+{
+public:
+  explicit ViewSampler(unsigned int seed)
+    : Random(seed)
+  {
+  }
+
+  double Uniform(double a, double b);
+  int Integer(int a, int b);
+
+  /// Perspective and parallel, at `offset` from the origin, near and far from 1e-3 to 1e7.
+  View MakeView(double offset, bool extremeRange = true);
+
+  /// Bounds near the view: small and large, flat and thin, before, around and behind the eye. All
+  /// coordinates are floats, as points of datasets are.
+  std::array<double, 6> MakeBounds(const View& view);
+
+  /// The corners and `count` points on the surface and inside.
+  std::vector<std::array<double, 3>> MakePoints(const std::array<double, 6>& bounds, int count);
+
+private:
+  std::mt19937 Random;
+};
+
+/// Exact projection, if the point is before the eye and inside all six planes.
+std::optional<ScreenPoint> ProjectExactly(const View& view, const std::array<double, 3>& point);
+
+/// The same in single precision, products added in the order of `permutation` (0 to 3 first).
+std::optional<ScreenPoint> ProjectAsDevice(
+  const View& view, const std::array<double, 3>& point, int permutation);
+
+/// Where the ray through pixel position (x, y) enters and leaves a box, in window depth.
+std::optional<std::array<double, 2>> GetDepthsAlongRay(
+  const View& view, const std::array<double, 6>& bounds, double x, double y);
+
+std::string GetText(const std::array<double, 6>& bounds);
+
+#endif
