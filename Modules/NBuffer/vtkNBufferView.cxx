@@ -116,7 +116,6 @@ vtkNBufferDecision vtkNBufferView::Decide(bool smooth)
 {
   int candidates = 0;
   int inside = 0;
-  int last = -1;
   for (int i = 0; i < this->Props.GetSize(); ++i)
   {
     vtkNBufferState& state = this->Props.GetState(i);
@@ -144,7 +143,6 @@ vtkNBufferDecision vtkNBufferView::Decide(bool smooth)
         break;
       case vtkNBufferPlacement::Inside:
         ++inside;
-        last = i;
         state.Verdict = vtkNBufferVerdict::Untested;
         (state.WasVisible ? this->Kept : this->Held).push_back(i);
         break;
@@ -168,21 +166,29 @@ vtkNBufferDecision vtkNBufferView::Decide(bool smooth)
   else if (this->Held.empty())
   {
     // What became hidden since is only found by a test: now and then one prop is held back so
-    // that there is one.
+    // that there is one, the farthest, which hides least.
     const bool manyGated =
       static_cast<int>(this->Gated.size()) >= this->Settings.MinimumNumberOfCandidates;
     if (this->Settings.BackOff && !manyGated && !this->BackOff.IsProbeDue())
     {
       decision = vtkNBufferDecision::NothingHeld;
     }
-    else if (last >= 0) // the last of Kept
+    else if (!this->Kept.empty())
     {
-      this->Kept.pop_back();
-      this->Held.push_back(last);
+      const auto farthest = std::max_element(this->Kept.begin(), this->Kept.end(),
+        [this](int a, int b)
+        { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; });
+      this->Held.push_back(*farthest);
+      this->Kept.erase(farthest);
     }
   }
   if (decision != vtkNBufferDecision::Culled || this->Held.empty())
   {
+    // All of them are drawn now, so that the next test begins with all of them in the depth.
+    for (int i : this->Held)
+    {
+      this->Props.GetState(i).WasVisible = true;
+    }
     this->Held.clear();
     this->Gated.clear();
     return decision == vtkNBufferDecision::Culled ? vtkNBufferDecision::NothingHeld : decision;
