@@ -284,6 +284,7 @@ bool vtkNBufferCandidate::Refresh()
       this->Verdict != vtkNBufferVerdict::OtherCoordinates);
   this->DepthWriter = this->Mapper && this->Actor->HasOpaqueGeometry();
   this->Blended = this->Actor->GetForceOpaque() && IsTranslucentByItself(this->Actor);
+  this->Unlit = !this->Actor->GetProperty()->GetLighting();
   this->TakeSources(this->Actor);
   return this->Time != timeBefore || this->Verdict != verdictBefore;
 }
@@ -392,6 +393,9 @@ void vtkNBufferCandidate::TakeBounds(vtkActor* actor)
       this->Box.Origin[j] += element * buffer.Origin[k];
       this->Box.Magnitude[j] += std::abs(element) * buffer.Reach[k];
     }
+    // VTK's bounds leave infinite points out; the device does not.
+    this->BoxIsUsable = this->BoxIsUsable && std::isfinite(this->Box.Origin[j]) &&
+      std::isfinite(this->Box.Magnitude[j]);
   }
 }
 VTK_ABI_NAMESPACE_END

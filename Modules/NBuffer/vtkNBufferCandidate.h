@@ -54,14 +54,16 @@ public:
 
   ///@{
   /**
-   * Whether it blends in the opaque stage, where the order of drawing then shows: opaque by force
-   * but translucent by itself; or lines and points, if the window smoothes those.
+   * Whether it blends in the opaque stage, where the order of drawing then shows: because it is
+   * opaque by force but translucent by itself; if the window smoothes lines and points; or if
+   * ambient occlusion wants its normals (see vtkNBufferSituation.h).
    */
   bool IsBlended() const { return this->Blended; }
   bool MayDrawLines() const
   {
     return this->DepthWriter && (!this->IsCandidate() || this->Box.Margin > 0.0);
   }
+  bool MayLackNormals() const { return this->Unlit || this->MayDrawLines(); }
   ///@}
 
   /**
@@ -108,6 +110,7 @@ private:
   bool BufferIsKnown = true;
   bool DepthWriter = true;
   bool Blended = false;
+  bool Unlit = false;
   bool Tracked = false;
   bool Volatile = true;
 };

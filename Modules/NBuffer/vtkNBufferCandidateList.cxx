@@ -109,13 +109,14 @@ int vtkNBufferCandidateList::Refresh()
       ++changed;
     }
   }
-  this->UntrackedDepth = this->Blending = this->Lines = false;
+  this->UntrackedDepth = this->Blending = this->Lines = this->LackOfNormals = false;
   for (const vtkNBufferCandidate& candidate : this->Candidates)
   {
     this->UntrackedDepth =
       this->UntrackedDepth || (candidate.WritesDepth() && !candidate.IsTracked());
     this->Blending = this->Blending || candidate.IsBlended();
     this->Lines = this->Lines || candidate.MayDrawLines();
+    this->LackOfNormals = this->LackOfNormals || candidate.MayLackNormals();
   }
   return changed;
 }

@@ -46,8 +46,12 @@ public:
   /// Whether the depth that any of the props writes may change without a trace.
   bool HasUntrackedDepth() const { return this->UntrackedDepth; }
 
-  /// Whether any prop blends in the opaque stage; `smooth`: the window smoothes lines and points.
-  bool HasBlending(bool smooth) const { return this->Blending || (smooth && this->Lines); }
+  /// Whether any prop blends in the opaque stage, with smooth lines or ambient occlusion or not.
+  bool HasBlending(bool smoothLines, bool ambientOcclusion) const
+  {
+    return this->Blending || (smoothLines && this->Lines) ||
+      (ambientOcclusion && this->LackOfNormals);
+  }
 
   int GetSize() const { return static_cast<int>(this->Candidates.size()); }
   vtkProp* GetProp(int i) const { return this->Candidates[i].GetProp(); }
@@ -74,6 +78,7 @@ private:
   bool UntrackedDepth = false;
   bool Blending = false;
   bool Lines = false;
+  bool LackOfNormals = false;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -21,57 +21,67 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 /// Passes that draw the renderer's own props from its own camera. A pass that draws into another
 /// size or with another camera is caught later, when the proxy is drawn.
-bool IsKnownPass(vtkRenderPass* pass)
+const std::array<const char*, 17> KnownPasses = { "vtkSequencePass", "vtkCameraPass",
+  "vtkRenderStepsPass", "vtkSSAOPass", "vtkSSAAPass", "vtkOpenGLFXAAPass", "vtkToneMappingPass",
+  "vtkLightsPass", "vtkDefaultPass", "vtkOpaquePass", "vtkTranslucentPass", "vtkVolumetricPass",
+  "vtkOverlayPass", "vtkClearZPass", "vtkDepthPeelingPass", "vtkDualDepthPeelingPass",
+  "vtkOrderIndependentTranslucentPass" };
+
+/// The passes that a pass hands on to.
+std::vector<vtkRenderPass*> GetParts(vtkRenderPass* pass)
+{
+  std::vector<vtkRenderPass*> parts;
+  if (auto* sequence = vtkSequencePass::SafeDownCast(pass))
+  {
+    if (vtkRenderPassCollection* passes = sequence->GetPasses())
+    {
+      for (int i = 0; i < passes->GetNumberOfItems(); ++i)
+      {
+        parts.push_back(vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i)));
+      }
+    }
+  }
+  else if (auto* camera = vtkCameraPass::SafeDownCast(pass))
+  {
+    parts = { camera->GetDelegatePass() };
+  }
+  else if (auto* steps = vtkRenderStepsPass::SafeDownCast(pass))
+  {
+    parts = { steps->GetCameraPass(), steps->GetLightsPass(), steps->GetOpaquePass(),
+      steps->GetTranslucentPass(), steps->GetVolumetricPass(), steps->GetOverlayPass(),
+      steps->GetPostProcessPass() };
+  }
+  else if (auto* image = vtkImageProcessingPass::SafeDownCast(pass))
+  {
+    parts = { image->GetDelegatePass() };
+  }
+  return parts;
+}
+
+template <typename Predicate>
+bool AnyPass(vtkRenderPass* pass, Predicate&& predicate)
 {
   if (!pass)
   {
-    return true;
+    return false;
   }
+  const std::vector<vtkRenderPass*> parts = GetParts(pass);
+  return predicate(pass) ||
+    std::any_of(parts.begin(), parts.end(),
+      [&predicate](vtkRenderPass* part) { return AnyPass(part, predicate); });
+}
+
+bool IsUnknownPass(vtkRenderPass* pass)
+{
   const std::string name = pass->GetClassName();
-  if (auto* sequence = vtkSequencePass::SafeDownCast(pass))
-  {
-    vtkRenderPassCollection* passes = sequence->GetPasses();
-    vtkCollectionSimpleIterator cookie;
-    vtkRenderPass* part = nullptr;
-    for (passes ? passes->InitTraversal(cookie) : void();
-         passes && (part = passes->GetNextRenderPass(cookie));)
-    {
-      if (!IsKnownPass(part))
-      {
-        return false;
-      }
-    }
-    return name == "vtkSequencePass";
-  }
-  if (auto* camera = vtkCameraPass::SafeDownCast(pass))
-  {
-    return name == "vtkCameraPass" && IsKnownPass(camera->GetDelegatePass());
-  }
-  if (auto* steps = vtkRenderStepsPass::SafeDownCast(pass))
-  {
-    return name == "vtkRenderStepsPass" && IsKnownPass(steps->GetCameraPass()) &&
-      IsKnownPass(steps->GetLightsPass()) && IsKnownPass(steps->GetOpaquePass()) &&
-      IsKnownPass(steps->GetTranslucentPass()) && IsKnownPass(steps->GetVolumetricPass()) &&
-      IsKnownPass(steps->GetOverlayPass()) && IsKnownPass(steps->GetPostProcessPass());
-  }
-  if (auto* image = vtkImageProcessingPass::SafeDownCast(pass))
-  {
-    static const std::array<const char*, 4> images = { "vtkSSAOPass", "vtkSSAAPass",
-      "vtkOpenGLFXAAPass", "vtkToneMappingPass" };
-    return std::find(images.begin(), images.end(), name) != images.end() &&
-      IsKnownPass(image->GetDelegatePass());
-  }
-  static const std::array<const char*, 11> simple = { "vtkLightsPass", "vtkDefaultPass",
-    "vtkOpaquePass", "vtkTranslucentPass", "vtkVolumetricPass", "vtkOverlayPass", "vtkClearZPass",
-    "vtkClearRGBPass", "vtkDepthPeelingPass", "vtkDualDepthPeelingPass",
-    "vtkOrderIndependentTranslucentPass" };
-  return std::find(simple.begin(), simple.end(), name) != simple.end();
+  return std::find(KnownPasses.begin(), KnownPasses.end(), name) == KnownPasses.end();
 }
 
 bool HasWireframes(vtkRenderer* renderer)
@@ -94,6 +104,19 @@ bool HasWireframes(vtkRenderer* renderer)
 
 namespace vtkNBufferSituation
 {
+bool HasAmbientOcclusion(vtkRenderer* renderer)
+{
+  return renderer->GetUseSSAO() ||
+    AnyPass(renderer->GetPass(), [](vtkRenderPass* pass) { return pass->IsA("vtkSSAOPass"); });
+}
+
+bool SmoothesLines(vtkRenderer* renderer)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  return window->GetLineSmoothing() || window->GetPointSmoothing() ||
+    window->GetPolygonSmoothing();
+}
+
 vtkNBufferDecision GetObstacle(vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -126,7 +149,7 @@ vtkNBufferDecision GetObstacle(vtkRenderer* renderer)
   {
     return vtkNBufferDecision::Shadows;
   }
-  if (!IsKnownPass(renderer->GetPass()))
+  if (AnyPass(renderer->GetPass(), IsUnknownPass))
   {
     return vtkNBufferDecision::RenderPass;
   }

@@ -20,6 +20,14 @@ namespace vtkNBufferSituation
 {
 /// Why this frame of `renderer` cannot be culled; None if it can.
 VTKNBUFFER_EXPORT vtkNBufferDecision GetObstacle(vtkRenderer* renderer);
+
+///@{
+/// Blending in the opaque stage, where it shows what has been drawn below and in which order:
+/// screen-space ambient occlusion takes positions and normals of what lies below from props that
+/// have none of their own (unlit ones), smooth lines and points are mixed with it at their edges.
+VTKNBUFFER_EXPORT bool HasAmbientOcclusion(vtkRenderer* renderer);
+VTKNBUFFER_EXPORT bool SmoothesLines(vtkRenderer* renderer);
+///@}
 }
 
 VTK_ABI_NAMESPACE_END

@@ -3,6 +3,7 @@
 #include "vtkNBufferView.h"
 
 #include "vtkNBufferClock.h"
+#include "vtkNBufferSituation.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
@@ -91,9 +92,10 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
     this->Projection.Set(
       key.WorldToClip.data(), key.Viewport[2], key.Viewport[3], this->DepthQuantum);
     this->Props.Project(this->Projection);
-    vtkRenderWindow* window = renderer->GetRenderWindow();
-    this->Statistics.Decision = this->Decide(window->GetLineSmoothing() ||
-      window->GetPointSmoothing() || window->GetPolygonSmoothing());
+    const bool blending =
+      this->Props.HasBlending(vtkNBufferSituation::SmoothesLines(renderer),
+        vtkNBufferSituation::HasAmbientOcclusion(renderer));
+    this->Statistics.Decision = this->Decide(blending);
     this->Settled = this->Statistics.Decision == vtkNBufferDecision::Culled;
     this->Pending = this->Settled;
   }
@@ -112,7 +114,7 @@ bool vtkNBufferView::MayReuse(vtkRenderer* renderer) const
     renderer->GetRenderWindow()->GetErase() && !renderer->GetPreserveDepthBuffer();
 }
 
-vtkNBufferDecision vtkNBufferView::Decide(bool smooth)
+vtkNBufferDecision vtkNBufferView::Decide(bool blending)
 {
   int candidates = 0;
   int inside = 0;
@@ -151,7 +153,7 @@ vtkNBufferDecision vtkNBufferView::Decide(bool smooth)
   this->Statistics.Candidates = candidates;
 
   vtkNBufferDecision decision = vtkNBufferDecision::Culled;
-  if (this->Props.HasBlending(smooth))
+  if (blending)
   {
     decision = vtkNBufferDecision::Blending;
   }

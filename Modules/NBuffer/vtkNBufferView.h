@@ -111,7 +111,7 @@ private:
 
   static Key MakeKey(vtkRenderer* renderer);
   bool MayReuse(vtkRenderer* renderer) const;
-  vtkNBufferDecision Decide(bool smooth);
+  vtkNBufferDecision Decide(bool blending);
   double Emit(vtkProp** props, int& count, int& initialized);
   void CountVerdicts();
 
