@@ -8,8 +8,6 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <chrono>
-#include <ctime>
-#include <cstdlib>
 #include <sstream>
 #include <stdexcept>
 
@@ -85,12 +83,10 @@ void Session::SetPose(const NBufferExamples::CameraPose& pose)
 
 double Session::Render()
 {
-  const auto c0 = clock();
   const auto begin = std::chrono::steady_clock::now();
   this->Window->Render();
   this->Window->WaitForCompletion();
   const auto end = std::chrono::steady_clock::now();
-  if (getenv("XC")) return (clock()-c0)*1e-3;
   return std::chrono::duration<double, std::milli>(end - begin).count();
 }
 

@@ -12,6 +12,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPolygon.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkRibbonFilter.h"
@@ -20,7 +21,7 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <cstdlib>
+#include <numeric>
 #include <utility>
 
 namespace NBufferExamples
@@ -30,11 +31,29 @@ namespace
 constexpr double Foundation = -0.5;    // metres
 constexpr double PathLevel = 0.05;     // metres above the ground, so that nothing shares a plane
 constexpr double CarriageLevel = 0.10; // metres
-constexpr double TileSize = 2000.0;    // metres, of the streets that make one actor
+constexpr double TileSize = 1000.0;    // metres, of the streets that make one actor
 
 double ToMetres(std::int32_t centimetres)
 {
   return CityMetresPerUnit * centimetres;
+}
+
+/// A ring that crosses itself, which vtkContourTriangulator refuses: triangles that overlap are
+/// better than a missing building.
+void FillCrossedRing(vtkPoints* points, std::size_t count, vtkCellArray* triangles)
+{
+  vtkNew<vtkPolygon> polygon;
+  polygon->GetPoints()->ShallowCopy(points);
+  polygon->GetPointIds()->SetNumberOfIds(static_cast<vtkIdType>(count));
+  std::iota(polygon->GetPointIds()->begin(), polygon->GetPointIds()->end(), 0);
+  vtkNew<vtkIdList> corners;
+  if (polygon->EarCutTriangulation(corners))
+  {
+    for (vtkIdType i = 0; i + 2 < corners->GetNumberOfIds(); i += 3)
+    {
+      triangles->InsertNextCell(3, corners->GetPointer(i));
+    }
+  }
 }
 
 /// The triangles of the plan, counterclockwise, as indices into the rings' points one after
@@ -76,6 +95,7 @@ vtkSmartPointer<vtkCellArray> FillPlan(const CityBuilding& building)
   if (!filled)
   {
     triangles->Initialize();
+    FillCrossedRing(points, building.Rings.front().size(), triangles);
   }
   return triangles;
 }
@@ -104,7 +124,13 @@ void AddPlan(vtkCellArray* triangles, vtkIdType first, bool up, vtkCellArray* po
   }
 }
 
-vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* data, const double color[3])
+enum class Shading
+{
+  Lit,
+  Flat ///< The colour as it is: for what is level anyway.
+};
+
+vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* data, const double color[3], Shading shading)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
@@ -112,8 +138,9 @@ vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* data, const double color[3])
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);
-  actor->GetProperty()->SetAmbient(0.38);
-  actor->GetProperty()->SetDiffuse(0.85);
+  actor->GetProperty()->SetAmbient(0.56);
+  actor->GetProperty()->SetDiffuse(0.54);
+  actor->GetProperty()->SetLighting(shading == Shading::Lit);
   return actor;
 }
 
@@ -146,8 +173,8 @@ vtkSmartPointer<vtkActor> MakeGround(const City& city)
   plane->SetPoint1(side, -side, 0.0);
   plane->SetPoint2(-side, side, 0.0);
   plane->Update();
-  const double color[3] = { 0.52, 0.58, 0.44 };
-  return MakeActor(plane->GetOutput(), color);
+  const double color[3] = { 0.50, 0.57, 0.42 };
+  return MakeActor(plane->GetOutput(), color, Shading::Flat);
 }
 
 /// Streets of one width inside one tile, as lines.
@@ -208,7 +235,7 @@ void AddStreets(const City& city, bool carriageways, const double color[3], City
   }
   for (const auto& tile : tiles)
   {
-    actors.Surroundings.push_back(MakeActor(MakeRibbons(tile.second), color));
+    actors.Surroundings.push_back(MakeActor(MakeRibbons(tile.second), color, Shading::Flat));
   }
 }
 }
@@ -277,41 +304,29 @@ CityActors MakeCityActors(const City& city)
   actors.Buildings.reserve(city.Buildings.size());
   for (const CityBuilding& building : city.Buildings)
   {
-    actors.Buildings.push_back(MakeActor(MakeBuilding(building), GetBuildingColor(building).data()));
+    actors.Buildings.push_back(
+      MakeActor(MakeBuilding(building), GetBuildingColor(building).data(), Shading::Lit));
   }
-  const double asphalt[3] = { 0.50, 0.51, 0.53 };
-  const double gravel[3] = { 0.70, 0.67, 0.60 };
-  if (!getenv("XG")) actors.Surroundings.push_back(MakeGround(city));
-  if (!getenv("XS")) {
+  const double asphalt[3] = { 0.47, 0.48, 0.50 };
+  const double gravel[3] = { 0.68, 0.64, 0.56 };
+  actors.Surroundings.push_back(MakeGround(city));
   AddStreets(city, true, asphalt, actors);
-  AddStreets(city, false, gravel, actors);}
+  AddStreets(city, false, gravel, actors);
   return actors;
 }
 
 void LightCity(vtkRenderer* renderer)
 {
-  struct Sun
-  {
-    double Direction[3], Color[3], Intensity;
-  };
-  // The sun, and from two more sides the sky, so that no wall is black.
-  const Sun suns[] = { { { -0.75, -0.50, 0.70 }, { 1.0, 0.96, 0.88 }, 0.90 },
-    { { 0.40, 0.85, 0.30 }, { 0.85, 0.92, 1.0 }, 0.35 },
-    { { 0.85, -0.50, 0.20 }, { 1.0, 0.98, 0.94 }, 0.22 } };
+  // One light that goes with the camera, over its left shoulder: whatever way one looks, fronts,
+  // sides and roofs differ, and one light costs a software renderer least.
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToCameraLight();
+  light->PositionalOff();
+  light->SetPosition(-0.42, 0.75, 1.0);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetColor(1.0, 0.98, 0.94);
   renderer->RemoveAllLights();
-  int nl = getenv("XL") ? atoi(getenv("XL")) : 3;
-  for (const Sun& sun : suns)
-  {
-    if (nl-- <= 0) break;
-    vtkNew<vtkLight> light;
-    light->SetLightTypeToSceneLight();
-    light->PositionalOff();
-    light->SetFocalPoint(0.0, 0.0, 0.0);
-    light->SetPosition(sun.Direction);
-    light->SetColor(sun.Color);
-    light->SetIntensity(sun.Intensity);
-    renderer->AddLight(light);
-  }
+  renderer->AddLight(light);
   // One colour: a gradient makes VTK look through the buffers of all props in every frame.
   renderer->SetBackground(0.66, 0.79, 0.92);
 }

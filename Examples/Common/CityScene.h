@@ -23,8 +23,8 @@ namespace NBufferExamples
 /**
  * The closed surface of a building: walls, flat roof and floor, facing outward, neighbours sharing
  * their points. It goes half a metre into the ground, so that its floor and the ground never share
- * a plane. Holes become
- * courtyards. Empty (no cells) if the footprint crosses itself so that it cannot be filled.
+ * a plane. Holes become courtyards. A footprint that crosses itself gets a roof with overlapping
+ * triangles, and no cells at all if that fails as well.
  */
 vtkSmartPointer<vtkPolyData> MakeBuilding(const CityBuilding& building);
 
@@ -38,13 +38,13 @@ struct CityActors
 {
   /// In the order of City::Buildings.
   std::vector<vtkSmartPointer<vtkActor>> Buildings;
-  /// The ground, then the carriageways and the paths in tiles of 2 km.
+  /// The ground, then the carriageways and the paths in tiles of 1 km.
   std::vector<vtkSmartPointer<vtkActor>> Surroundings;
 };
 
 CityActors MakeCityActors(const City& city);
 
-/// A low sun in the south-west, light from the sky, and the sky as background.
+/// Light, and the colour of the sky as background.
 void LightCity(vtkRenderer* renderer);
 
 } // namespace NBufferExamples

@@ -39,9 +39,9 @@ vtkNBufferBox vtkNBufferBox::FromBounds(const double bounds[6])
   for (int i = 0; i < 3; ++i)
   {
     box.Center[i] = 0.5 * (bounds[2 * i] + bounds[2 * i + 1]);
-    // The sum of centre and half size may round to just inside of the bound: one step outward.
-    box.HalfSize[i] =
-      0.5 * (bounds[2 * i + 1] - bounds[2 * i]) + std::abs(box.Center[i]) * 0x1p-50;
+    // Centre and half size are rounded, and so is their sum: a few steps outward.
+    const double half = 0.5 * (bounds[2 * i + 1] - bounds[2 * i]);
+    box.HalfSize[i] = half + (std::abs(box.Center[i]) + half) * 0x1p-50;
     box.Magnitude[i] = std::abs(box.Center[i]) + box.HalfSize[i];
   }
   return box;
