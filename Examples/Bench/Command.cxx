@@ -4,9 +4,18 @@
 
 #include "vtkVersion.h"
 
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <stdexcept>
+
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
 
 namespace NBufferBench
 {
@@ -24,6 +33,15 @@ std::string ParseSize(const std::string& text, int& width, int& height)
     return "expected WIDTHxHEIGHT in pixels, such as 960x720, not " + text;
   }
   return std::string();
+}
+
+bool IsTerminal()
+{
+#ifdef _WIN32
+  return _isatty(_fileno(stderr)) != 0;
+#else
+  return isatty(STDERR_FILENO) != 0;
+#endif
 }
 }
 
@@ -72,6 +90,8 @@ void ViewOptions::AddTo(CLI::App& command)
 
 NBufferExamples::Scene ViewOptions::LoadScene() const
 {
+  // Importers make windows, too.
+  ChooseWindowSystem(this->Window.Window);
   NBufferExamples::SceneOptions options;
   options.DefaultCity = NBufferExamples::FindDefaultCity(this->Program);
   options.Up = this->Up;
@@ -114,14 +134,30 @@ Json::Value ViewOptions::Describe(
 void ShowProgress(const std::string& text)
 {
   static std::size_t shown = 0;
-  const std::size_t blanks = shown > text.size() ? shown - text.size() : 0;
-  std::cerr << "\r" << text << std::string(blanks, ' ');
-  if (text.empty())
+  static std::chrono::steady_clock::time_point last;
+  if (!IsTerminal())
   {
-    std::cerr << "\r";
+    // A log gets a line every few seconds instead of one that is overwritten.
+    const auto now = std::chrono::steady_clock::now();
+    if (!text.empty() && now - last > std::chrono::seconds(5))
+    {
+      std::cerr << text << std::endl;
+      last = now;
+    }
+    return;
   }
-  std::cerr << std::flush;
+  const std::size_t blanks = shown > text.size() ? shown - text.size() : 0;
+  std::cerr << "\r" << text << std::string(blanks, ' ') << (text.empty() ? "\r" : "")
+            << std::flush;
   shown = text.size();
+}
+
+void CheckWritable(const std::string& fileName)
+{
+  if (!fileName.empty() && !std::ofstream(fileName, std::ios::app))
+  {
+    throw std::runtime_error("cannot write " + fileName);
+  }
 }
 
 } // namespace NBufferBench

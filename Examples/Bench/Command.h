@@ -57,8 +57,12 @@ struct ViewOptions
   Json::Value Describe(const NBufferExamples::Scene& scene, Session& session) const;
 };
 
-/// Show what is being done on one line of stderr; an empty text wipes it.
+/// Show what is being done on one line of stderr; an empty text wipes it. Where stderr is no
+/// terminal: a line every few seconds.
 void ShowProgress(const std::string& text);
+
+/// Throws std::runtime_error now rather than at the end of a long run. An empty name passes.
+void CheckWritable(const std::string& fileName);
 
 ///@{
 /// Subcommands. `run` holds what is to be done once the options are parsed.

@@ -90,6 +90,7 @@ Json::Value RunElsewhere(
 
 int RunAll(const FirstOptions& options, const std::vector<std::string>& arguments)
 {
+  CheckWritable(options.JSON);
   Json::Value report;
   std::map<std::string, std::vector<double>> times;
   for (int i = 0; i < options.Repeat; ++i)
@@ -97,7 +98,7 @@ int RunAll(const FirstOptions& options, const std::vector<std::string>& argument
     for (const std::string& mode : options.Modes)
     {
       ShowProgress("first image " + std::to_string(i + 1) + " of " +
-        std::to_string(options.Repeat) + " in mode " + mode + "\n");
+        std::to_string(options.Repeat) + " in mode " + mode);
       const Json::Value single = RunElsewhere(options, arguments, mode);
       for (const char* name :
         { "renderer", "window", "vtk", "scene", "path", "size", "samples", "seed", "props" })

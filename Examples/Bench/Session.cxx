@@ -31,20 +31,17 @@ const char* GetClassOf(const std::string& window)
   }
   return nullptr;
 }
+}
 
-/// VTK from 9.4 on chooses the window system by this variable, when a window is made.
-vtkSmartPointer<vtkRenderWindow> MakeWindow(const std::string& system)
+void ChooseWindowSystem(const std::string& system)
 {
   if (const char* name = GetClassOf(system))
   {
     vtksys::SystemTools::PutEnv(std::string("VTK_DEFAULT_OPENGL_WINDOW=") + name);
   }
-  return vtkSmartPointer<vtkRenderWindow>::New();
-}
 }
 
 Session::Session(const NBufferExamples::Scene& scene, const SessionOptions& options)
-  : Window(MakeWindow(options.Window))
 {
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(options.Samples);
@@ -72,6 +69,7 @@ Session::Session(const NBufferExamples::Scene& scene, const SessionOptions& opti
 
 Session& Session::New(const NBufferExamples::Scene& scene, const SessionOptions& options)
 {
+  ChooseWindowSystem(options.Window);
   return *new Session(scene, options);
 }
 

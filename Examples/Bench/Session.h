@@ -13,7 +13,6 @@
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <string>
@@ -29,6 +28,9 @@ struct SessionOptions
   /// osmesa, egl, glx, or default for VTK's choice.
   std::string Window = "default";
 };
+
+/// Which window system VTK's windows are of from now on; VTK before 9.4 knows one only.
+void ChooseWindowSystem(const std::string& system);
 
 class Session
 {
@@ -63,7 +65,7 @@ public:
 private:
   Session(const NBufferExamples::Scene& scene, const SessionOptions& options);
 
-  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   double Bounds[6];
 };

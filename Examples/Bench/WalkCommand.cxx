@@ -25,6 +25,10 @@ struct WalkCommandOptions
 int RunWalkCommand(WalkCommandOptions& options)
 {
   std::vector<std::string>& modes = options.Walk.Modes;
+  for (auto mode = modes.begin(); mode != modes.end();)
+  {
+    mode = std::find(modes.begin(), mode, *mode) == mode ? mode + 1 : modes.erase(mode);
+  }
   if (options.Walk.Verify && std::find(modes.begin(), modes.end(), "none") == modes.end())
   {
     modes.emplace_back("none");
@@ -33,6 +37,7 @@ int RunWalkCommand(WalkCommandOptions& options)
   {
     MakeFolder(options.Walk.ImageFolder);
   }
+  CheckWritable(options.JSON);
   const NBufferExamples::Scene scene = options.View.LoadScene();
   const NBufferExamples::CameraPath path = options.View.MakePath(scene, 120);
   if (!options.SavePath.empty())

@@ -47,7 +47,7 @@ std::string ReadMaybeCompressed(const std::string& fileName, std::size_t limit)
     // A file that was cut off only shows as Z_BUF_ERROR beside the bytes before the cut.
     if (count < 0 || (code != Z_OK && code != Z_STREAM_END))
     {
-      throw std::runtime_error(fileName + " is damaged: " + cause);
+      throw std::runtime_error("damaged file " + std::string(cause)); // It names the file.
     }
     if (count == 0)
     {

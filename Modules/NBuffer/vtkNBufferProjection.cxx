@@ -61,7 +61,13 @@ void vtkNBufferProjection::Set(
       this->Rows[i][j] = worldToClip[4 * i + j];
     }
   }
-  vtkMatrix4x4::Invert(worldToClip, &this->ClipToWorld[0][0]);
+  // A matrix that cannot be inverted leaves NaN, which every comparison below takes for "unknown".
+  const double determinant = vtkMatrix4x4::Determinant(worldToClip);
+  std::fill_n(&this->ClipToWorld[0][0], 16, std::numeric_limits<double>::quiet_NaN());
+  if (determinant != 0.0)
+  {
+    vtkMatrix4x4::Invert(worldToClip, &this->ClipToWorld[0][0]);
+  }
   for (int plane = 0; plane < 6; ++plane)
   {
     const int axis = plane / 2;

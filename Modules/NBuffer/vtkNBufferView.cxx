@@ -553,7 +553,16 @@ void vtkNBufferView::RedrawForTieOrder(vtkRenderer* renderer)
   const std::vector<int> redraws = vtkNBufferTieOrder::GetRedraws(this->Projection, all);
   for (int i : redraws)
   {
-    this->Props.GetProp(all[i].Index)->RenderOpaqueGeometry(renderer);
+    // Passes have told the kept props what they told the proxy; a held one must hear it again.
+    vtkProp* prop = this->Props.GetProp(all[i].Index);
+    if (std::binary_search(this->Held.begin(), this->Held.end(), all[i].Index))
+    {
+      this->Proxy->Draw(prop, renderer, prop->GetAllocatedRenderTime());
+    }
+    else
+    {
+      prop->RenderOpaqueGeometry(renderer);
+    }
   }
   this->Statistics.Redrawn += static_cast<int>(redraws.size());
 }
