@@ -6,13 +6,16 @@
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkLookupTable.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkScalarsToColors.h"
 #include "vtkShaderProperty.h"
+#include "vtkTimeStamp.h"
 
 #include <algorithm>
 #include <typeinfo>
@@ -20,20 +23,29 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// Naming the protected member through a derived class is the one way to look without making.
-struct ShaderPropertyAccess : vtkProp
+/// Naming protected members through derived classes is the one way to look at them as they are:
+/// the getters make what is missing, or are virtual and combine other objects' times.
+struct PropAccess : vtkProp
 {
-  static vtkShaderProperty* Get(vtkProp* prop)
+  static vtkShaderProperty* const& GetShaders(vtkProp* prop)
   {
-    return prop->*(&ShaderPropertyAccess::ShaderProperty);
+    return prop->*(&PropAccess::ShaderProperty);
   }
 };
-
-/// An object's own time, without what a subclass adds.
-vtkMTimeType GetOwnTime(const vtkObject* object)
+struct MapperAccess : vtkMapper
 {
-  return const_cast<vtkObject*>(object)->vtkObject::GetMTime();
-}
+  static vtkScalarsToColors* const& GetTable(vtkMapper* mapper)
+  {
+    return mapper->*(&MapperAccess::LookupTable);
+  }
+};
+struct ObjectAccess : vtkObject
+{
+  static const vtkTimeStamp& GetStamp(const vtkObject* object)
+  {
+    return object->*(&ObjectAccess::MTime);
+  }
+};
 
 void FetchLine(const void* address)
 {
@@ -47,7 +59,7 @@ void FetchLine(const void* address)
 
 vtkShaderProperty* vtkNBufferSources::GetShaderProperty(vtkActor* actor)
 {
-  return ShaderPropertyAccess::Get(actor);
+  return PropAccess::GetShaders(actor);
 }
 
 bool vtkNBufferSources::Add(const vtkObject* object)
@@ -56,11 +68,11 @@ bool vtkNBufferSources::Add(const vtkObject* object)
   {
     return true;
   }
-  if (this->Count == static_cast<int>(this->Objects.size()))
+  if (this->Count == static_cast<int>(this->Stamps.size()))
   {
     return false;
   }
-  this->Objects[this->Count++] = object;
+  this->Stamps[this->Count++] = &ObjectAccess::GetStamp(object);
   return true;
 }
 
@@ -80,46 +92,39 @@ bool vtkNBufferSources::Take(
   this->Actor = actor;
   this->Mapper = mapper;
   this->Shaders = GetShaderProperty(actor);
+  this->LookupTable = MapperAccess::GetTable(mapper);
   this->Count = 0;
   bool fits = this->Add(actor) && this->Add(actor->GetProperty()) &&
     this->Add(actor->GetBackfaceProperty()) && this->Add(actor->GetUserMatrix()) &&
     this->Add(this->Shaders);
   this->BeforeMapper = this->Count;
   vtkPoints* points = input->GetPoints();
-  fits = fits && this->Add(producer) && this->Add(input) && this->Add(points) &&
-    this->Add(points ? points->GetData() : nullptr) && this->Add(input->GetVerts()) &&
-    this->Add(input->GetLines()) && this->Add(input->GetPolys()) &&
+  fits = fits && this->Add(mapper) && this->Add(this->LookupTable) && this->Add(producer) &&
+    this->Add(input) && this->Add(points) && this->Add(points ? points->GetData() : nullptr) &&
+    this->Add(input->GetVerts()) && this->Add(input->GetLines()) && this->Add(input->GetPolys()) &&
     this->Add(input->GetStrips()) && this->AddFields(input->GetPointData()) &&
     this->AddFields(input->GetCellData()) && this->AddFields(input->GetFieldData());
 
   this->Time = 0;
   for (int i = 0; i < this->Count; ++i)
   {
-    this->Time = std::max(this->Time, GetOwnTime(this->Objects[i]));
+    this->Time = std::max(this->Time, this->Stamps[i]->GetMTime());
   }
   const vtkMTimeType shaders = this->Shaders ? this->Shaders->GetMTime() : 0;
-  const bool same = this->Time == std::max({ actor->GetMTime(), producer->GetMTime(), shaders });
-  this->Time = std::max(this->Time, mapper->GetMTime());
-  return fits && same;
+  // Classes that combine the times of still other objects.
+  const bool plain = !mapper->GetClippingPlanes() &&
+    (!this->LookupTable || typeid(*this->LookupTable) == typeid(vtkLookupTable)) &&
+    (!points || typeid(*points) == typeid(vtkPoints));
+  return fits && plain &&
+    this->Time ==
+    std::max({ actor->GetMTime(), mapper->GetMTime(), producer->GetMTime(), shaders });
 }
 
-bool vtkNBufferSources::HasChanged() const
+bool vtkNBufferSources::HasNewer(int begin, int end) const
 {
-  // In this order: each object is known to be alive only if the one before it has not changed.
-  for (int i = 0; i < this->BeforeMapper; ++i)
+  for (int i = begin; i < end; ++i)
   {
-    if (GetOwnTime(this->Objects[i]) > this->Time)
-    {
-      return true;
-    }
-  }
-  if (GetShaderProperty(this->Actor) != this->Shaders || this->Mapper->GetMTime() > this->Time)
-  {
-    return true;
-  }
-  for (int i = this->BeforeMapper; i < this->Count; ++i)
-  {
-    if (GetOwnTime(this->Objects[i]) > this->Time)
+    if (this->Stamps[i]->GetMTime() > this->Time)
     {
       return true;
     }
@@ -127,14 +132,22 @@ bool vtkNBufferSources::HasChanged() const
   return false;
 }
 
+bool vtkNBufferSources::HasChanged() const
+{
+  // In this order: each object is known to be alive only if the one before it has not changed.
+  return this->HasNewer(0, this->BeforeMapper) ||
+    PropAccess::GetShaders(this->Actor) != this->Shaders ||
+    MapperAccess::GetTable(this->Mapper) != this->LookupTable ||
+    this->HasNewer(this->BeforeMapper, this->Count);
+}
+
 void vtkNBufferSources::Prefetch() const
 {
   for (int i = 0; i < this->Count; ++i)
   {
-    FetchLine(this->Objects[i]);
-    // The time lies in the first 64 bytes of an object, which may begin anywhere in a line.
-    FetchLine(reinterpret_cast<const char*>(this->Objects[i]) + 48);
+    FetchLine(this->Stamps[i]);
   }
-  FetchLine(this->Mapper);
+  FetchLine(&PropAccess::GetShaders(this->Actor));
+  FetchLine(&MapperAccess::GetTable(this->Mapper));
 }
 VTK_ABI_NAMESPACE_END

@@ -5,15 +5,16 @@
  * @brief All objects from which something cached was made, and whether any has changed since.
  *
  * Asking an actor, its mapper and its data for their modification times walks some thirty cache
- * lines one after the other; for 15,000 props that is most of a culled frame. Here the objects
- * whose own times those methods combine are listed once, so that they can be fetched side by side.
+ * lines one after the other; for 15,000 props that is most of a culled frame. Here the time stamps
+ * that those methods combine are listed once, so that they can be fetched side by side, each from
+ * the one cache line that it lies in.
  *
- * The list mirrors vtkActor, vtkTrivialProducer, vtkPolyData, vtkPoints and vtkFieldData::GetMTime,
- * which are the same in VTK 9.1 to 9.7. Take() checks that it gives the same time as they do and
- * otherwise refuses. What VTK makes later without marking its owner as modified (a mapper's lookup
- * table, a prop's shader property) is asked for anew each time.
+ * The list mirrors vtkActor, vtkMapper, vtkTrivialProducer, vtkPolyData, vtkPoints and
+ * vtkFieldData::GetMTime, which are the same in VTK 9.1 to 9.7. Take() checks that it gives the same
+ * time as they do and otherwise refuses. What VTK makes later without marking its owner as modified
+ * (a mapper's lookup table, a prop's shader property) is compared as well.
  *
- * An object is listed behind its owner: it is alive if its owner has not changed.
+ * An object's stamp is listed behind its owner's: it is alive if its owner has not changed.
  */
 #ifndef vtkNBufferSources_h
 #define vtkNBufferSources_h
@@ -26,12 +27,13 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkAlgorithm;
-class vtkDataSetAttributes;
 class vtkFieldData;
 class vtkMapper;
 class vtkObject;
 class vtkPolyData;
+class vtkScalarsToColors;
 class vtkShaderProperty;
+class vtkTimeStamp;
 
 class vtkNBufferSources
 {
@@ -57,14 +59,16 @@ public:
 private:
   bool Add(const vtkObject* object);
   bool AddFields(vtkFieldData* fields);
+  bool HasNewer(int begin, int end) const;
 
   vtkMTimeType Time = 0;
   vtkActor* Actor = nullptr;
   vtkMapper* Mapper = nullptr;
   vtkShaderProperty* Shaders = nullptr;
+  vtkScalarsToColors* LookupTable = nullptr;
   int Count = 0;
-  int BeforeMapper = 0; ///< Objects of the actor; the mapper's come behind.
-  std::array<const vtkObject*, 18> Objects{};
+  int BeforeMapper = 0; ///< Stamps of the actor; the mapper's come behind.
+  std::array<const vtkTimeStamp*, 18> Stamps{};
 };
 
 VTK_ABI_NAMESPACE_END
