@@ -38,7 +38,7 @@ struct Look
 };
 // Told apart also by those who do not tell red from green (Okabe and Ito).
 constexpr Look Looks[] = { { "none", "no culler", { 120, 120, 120 } },
-  { "stock", "VTK's culler", { 213, 94, 0 } }, { "nbuffer", "vtkNBufferCuller", { 0, 114, 178 } },
+  { "stock", "VTK's default", { 213, 94, 0 } }, { "nbuffer", "N-buffer culler", { 0, 114, 178 } },
   { "oracle", "lower bound", { 0, 158, 115 } } };
 
 const Look& GetLook(const std::string& mode)
@@ -106,6 +106,7 @@ void WriteChart(const WalkResult& result, const std::string& title, const std::s
   chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
   chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
   chart->GetLegend()->SetLabelSize(16);
+  chart->GetLegend()->SetPadding(14); // Viewers of the SVG file take other, wider fonts.
 
   vtkNew<vtkTable> table;
   vtkNew<vtkDoubleArray> frames;
@@ -122,8 +123,8 @@ void WriteChart(const WalkResult& result, const std::string& title, const std::s
     const ModeResult& mode = result.Modes.at(name);
     const Look& look = GetLook(name);
     char label[96];
-    std::snprintf(label, sizeof(label), "%s, %.3g ms", look.Label,
-      GetQuantile(mode.Milliseconds, 0.5));
+    std::snprintf(
+      label, sizeof(label), "%s, %.3g ms", look.Label, GetQuantile(mode.Milliseconds, 0.5));
     vtkNew<vtkDoubleArray> column;
     column->SetName(label);
     for (double milliseconds : mode.Milliseconds)

@@ -62,8 +62,7 @@ void ViewOptions::AddTo(CLI::App& command)
       "--size",
       [this](const std::string& text)
       {
-        const std::string complaint =
-          ParseSize(text, this->Window.Width, this->Window.Height);
+        const std::string complaint = ParseSize(text, this->Window.Width, this->Window.Height);
         if (!complaint.empty())
         {
           throw CLI::ValidationError("--size", complaint);
@@ -115,8 +114,7 @@ NBufferExamples::CameraPath ViewOptions::MakePath(
     scene, name, this->Frames > 0 || isFile ? this->Frames : usualFrames, this->Seed);
 }
 
-Json::Value ViewOptions::Describe(
-  const NBufferExamples::Scene& scene, Session& session) const
+Json::Value ViewOptions::Describe(const NBufferExamples::Scene& scene, Session& session) const
 {
   Json::Value value;
   value["renderer"] = session.GetDevice();
@@ -147,8 +145,7 @@ void ShowProgress(const std::string& text)
     return;
   }
   const std::size_t blanks = shown > text.size() ? shown - text.size() : 0;
-  std::cerr << "\r" << text << std::string(blanks, ' ') << (text.empty() ? "\r" : "")
-            << std::flush;
+  std::cerr << "\r" << text << std::string(blanks, ' ') << (text.empty() ? "\r" : "") << std::flush;
   shown = text.size();
 }
 

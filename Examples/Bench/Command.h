@@ -28,8 +28,8 @@ namespace NBufferBench
 enum ExitCode
 {
   Success = 0,
-  Failure = 1,       ///< An error; its message went to stderr.
-  ImagesDiffer = 2   ///< Bytes differ from mode none.
+  Failure = 1,     ///< An error; its message went to stderr.
+  ImagesDiffer = 2 ///< Bytes differ from mode none.
 };
 
 struct ViewOptions

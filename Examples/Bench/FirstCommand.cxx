@@ -68,8 +68,8 @@ Json::Value RunElsewhere(
 {
   const fs::path file = fs::temp_directory_path() /
     ("nbuffer-first-" + std::to_string(std::random_device()()) + ".json");
-  std::string command = Quote(options.View.Program) + " first --here --modes " + mode +
-    " --json " + Quote(file.string());
+  std::string command = Quote(options.View.Program) + " first --here --modes " + mode + " --json " +
+    Quote(file.string());
   for (const std::string& argument : arguments)
   {
     command += " " + Quote(argument);
@@ -77,7 +77,8 @@ Json::Value RunElsewhere(
   const int code = std::system(command.c_str());
   Json::Value report;
   std::ifstream stream(file);
-  const bool read = code == 0 && Json::parseFromStream(Json::CharReaderBuilder(), stream, &report, nullptr);
+  const bool read =
+    code == 0 && Json::parseFromStream(Json::CharReaderBuilder(), stream, &report, nullptr);
   stream.close();
   std::error_code ignored;
   fs::remove(file, ignored);
@@ -117,8 +118,7 @@ int RunAll(const FirstOptions& options, const std::vector<std::string>& argument
   }
   if (times.count("stock") && times.count("nbuffer"))
   {
-    const double ratio =
-      GetQuantile(times["nbuffer"], 0.5) / GetQuantile(times["stock"], 0.5);
+    const double ratio = GetQuantile(times["nbuffer"], 0.5) / GetQuantile(times["stock"], 0.5);
     report["ratios"]["nbuffer/stock"] = ratio;
     std::cout << "nbuffer/stock " << ratio << "\n";
   }
@@ -152,8 +152,8 @@ std::vector<std::string> GetArguments(const CLI::App& command)
 
 void AddFirstCommand(CLI::App& app, const std::string& program, Run& run)
 {
-  CLI::App* command = app.add_subcommand("first",
-    "Time the first image of a fresh process, uploads included, in several modes");
+  CLI::App* command = app.add_subcommand(
+    "first", "Time the first image of a fresh process, uploads included, in several modes");
   auto options = std::make_shared<FirstOptions>();
   options->View.Program = program;
   options->View.AddTo(*command);

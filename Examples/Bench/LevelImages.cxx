@@ -12,8 +12,8 @@
 namespace NBufferBench
 {
 
-std::vector<vtkSmartPointer<vtkImageData>> MakeLevelImages(const vtkNBufferLevels& levels,
-  const std::vector<int>& which, double near, double far)
+std::vector<vtkSmartPointer<vtkImageData>> MakeLevelImages(
+  const vtkNBufferLevels& levels, const std::vector<int>& which, double near, double far)
 {
   const vtkIdType texels = static_cast<vtkIdType>(levels.GetWidth()) * levels.GetHeight();
   const auto distance = [near, far](float depth)

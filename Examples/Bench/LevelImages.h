@@ -22,8 +22,8 @@ namespace NBufferBench
  * the nearest in level 0 (dark) to the farthest (light); where nothing was drawn it is white.
  * `near` and `far` are the distances of the clipping planes of a perspective camera.
  */
-std::vector<vtkSmartPointer<vtkImageData>> MakeLevelImages(const vtkNBufferLevels& levels,
-  const std::vector<int>& which, double near, double far);
+std::vector<vtkSmartPointer<vtkImageData>> MakeLevelImages(
+  const vtkNBufferLevels& levels, const std::vector<int>& which, double near, double far);
 
 } // namespace NBufferBench
 

@@ -44,8 +44,8 @@ vtkSmartPointer<vtkImageData> ComposePanels(const std::vector<Panel>& panels, do
     const Panel& panel = panels[static_cast<std::size_t>(i)];
     const double left = i * (width + Gap);
     vtkNew<vtkRenderer> renderer;
-    renderer->SetViewport(left / totalWidth, CaptionHeight / totalHeight,
-      (left + width) / totalWidth, 1.0);
+    renderer->SetViewport(
+      left / totalWidth, CaptionHeight / totalHeight, (left + width) / totalWidth, 1.0);
     window->AddRenderer(renderer);
     vtkNew<vtkImageActor> actor;
     actor->GetMapper()->SetInputData(panel.Image);

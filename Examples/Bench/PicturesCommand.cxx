@@ -75,8 +75,7 @@ void WriteLevels(Session& session, const std::string& folder)
   vtkNew<vtkFloatArray> depth;
   session.GetWindow()->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depth);
   vtkNBufferLevels levels;
-  levels.BuildBase(
-    depth->GetPointer(0), size[0], size[1], 1, vtkNBufferExtremum::Maximum);
+  levels.BuildBase(depth->GetPointer(0), size[0], size[1], 1, vtkNBufferExtremum::Maximum);
   const std::vector<int> which = { 0, 4, 6 };
   levels.BuildLevels(which.back() + 1);
   if (levels.GetNumberOfLevels() <= which.back())
@@ -92,7 +91,8 @@ void WriteLevels(Session& session, const std::string& folder)
   {
     const std::string side = std::to_string(1 << which[i]);
     WritePNG(images[i], folder + "/level-" + std::to_string(which[i]) + ".png");
-    panels.push_back({ images[i], which[i] == 0
+    panels.push_back({ images[i],
+      which[i] == 0
         ? "level 0: the depth"
         : "level " + std::to_string(which[i]) + ": farthest in " + side + " x " + side });
   }
@@ -142,8 +142,8 @@ int RunPictures(PicturesOptions& options)
                            { with.Image, Describe(with, "vtkNBufferCuller") } },
              0.6),
     options.Folder + "/frames.png");
-  std::cout << Describe(without, "stock") << ", " << Describe(with, "nbuffer") << ", the images are "
-            << (same ? "the same" : "NOT THE SAME") << "\n";
+  std::cout << Describe(without, "stock") << ", " << Describe(with, "nbuffer")
+            << ", the images are " << (same ? "the same" : "NOT THE SAME") << "\n";
 
   WriteLevels(session, options.Folder);
 

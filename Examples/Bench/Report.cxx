@@ -79,8 +79,9 @@ Json::Value GetMedian(const std::vector<Json::Value>& values)
       ++counts[value.asString()];
     }
     result = std::max_element(counts.begin(), counts.end(),
-      [](const auto& a, const auto& b) { return a.second < b.second; })
-               ->first;
+      [](const auto& a, const auto& b) {
+        return a.second < b.second;
+      })->first;
   }
   else
   {
@@ -126,8 +127,7 @@ Json::Value SummarizeMode(const ModeResult& mode)
   result["median_ms"] = Round(GetQuantile(mode.Milliseconds, 0.5));
   result["p10_ms"] = Round(GetQuantile(mode.Milliseconds, 0.1));
   result["p90_ms"] = Round(GetQuantile(mode.Milliseconds, 0.9));
-  result["drawn"] =
-    GetQuantile(std::vector<double>(mode.Drawn.begin(), mode.Drawn.end()), 0.5);
+  result["drawn"] = GetQuantile(std::vector<double>(mode.Drawn.begin(), mode.Drawn.end()), 0.5);
   Json::Value& each = result["frames_ms"] = Json::Value(Json::arrayValue);
   for (double milliseconds : mode.Milliseconds)
   {
@@ -217,9 +217,9 @@ Json::Value MakeReport(const WalkResult& result)
   }
   report["verified_frames"] = static_cast<Json::UInt64>(result.VerifiedFrames);
   const auto nbuffer = result.Modes.find("nbuffer");
-  report["differing_bytes"] = static_cast<Json::Int64>(nbuffer != result.Modes.end()
-      ? Sum(nbuffer->second.DifferingBytes)
-      : GetDifferingBytes(result));
+  report["differing_bytes"] =
+    static_cast<Json::Int64>(nbuffer != result.Modes.end() ? Sum(nbuffer->second.DifferingBytes)
+                                                           : GetDifferingBytes(result));
   return report;
 }
 

@@ -31,11 +31,12 @@ enum Group
   Drawn,
   Culled,
   Outside,
-  Surroundings,
+  Ground,
+  Streets,
   NumberOfGroups
 };
 constexpr double Colors[NumberOfGroups][3] = { { 0.05, 0.40, 0.85 }, { 0.86, 0.20, 0.16 },
-  { 0.86, 0.86, 0.85 }, { 0.93, 0.94, 0.92 } };
+  { 0.86, 0.86, 0.85 }, { 0.93, 0.94, 0.92 }, { 0.80, 0.81, 0.80 } };
 
 Group GetGroup(vtkNBufferVerdict verdict)
 {
@@ -63,8 +64,8 @@ Axes GetAxes(const CameraPose& pose, int upAxis)
   return axes;
 }
 
-void Move(const double from[3], const Axes& axes, double ahead, double side, double up,
-  double result[3])
+void Move(
+  const double from[3], const Axes& axes, double ahead, double side, double up, double result[3])
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -147,7 +148,9 @@ vtkSmartPointer<vtkImageData> MakeVerdictPicture(Session& session, const Scene& 
   {
     const Group group = GetGroup(verdicts[i]);
     ++counts[group];
-    scene.Actors[i]->SetProperty(properties[i < buildings ? group : Surroundings]);
+    // After the buildings of a city come its ground and then its streets.
+    const Group color = i < buildings ? group : i == buildings ? Ground : Streets;
+    scene.Actors[i]->SetProperty(properties[color]);
   }
 
   vtkRenderer* renderer = session.GetRenderer();
@@ -160,7 +163,8 @@ vtkSmartPointer<vtkImageData> MakeVerdictPicture(Session& session, const Scene& 
   const vtkSmartPointer<vtkTextActor> texts[] = {
     MakeText(std::to_string(counts[Drawn]) + " props drawn", Colors[Drawn], 74.0),
     MakeText(std::to_string(counts[Culled]) + " culled: hidden", Colors[Culled], 44.0),
-    MakeText(std::to_string(counts[Outside]) + " outside the view", grey, 14.0) };
+    MakeText(std::to_string(counts[Outside]) + " outside the view", grey, 14.0)
+  };
   for (const vtkSmartPointer<vtkTextActor>& text : texts)
   {
     renderer->AddViewProp(text);

@@ -36,8 +36,8 @@ std::vector<std::vector<vtkProp*>> FindVisibleProps(Session& session,
   const auto pixels = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
   vtkNew<vtkHardwareSelector> selector;
   selector->SetRenderer(renderer);
-  selector->SetArea(0, 0, static_cast<unsigned int>(size[0] - 1),
-    static_cast<unsigned int>(size[1] - 1));
+  selector->SetArea(
+    0, 0, static_cast<unsigned int>(size[0] - 1), static_cast<unsigned int>(size[1] - 1));
   selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
   selector->SetActorPassOnly(true);
 

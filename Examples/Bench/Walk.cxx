@@ -113,8 +113,12 @@ private:
   void RunBlock(Mode& mode, std::size_t begin, std::size_t end)
   {
     mode.Enter(this->Where.GetRenderer());
-    const std::size_t before = begin > 0 ? begin - 1 : std::min<std::size_t>(1, end - 1);
-    this->RenderFrame(mode, before);
+    // The first frame comes after the second one, walked backwards.
+    const std::size_t before = begin > 0 ? begin - 1 : 1;
+    if (before < this->Path.size())
+    {
+      this->RenderFrame(mode, before);
+    }
     ModeResult& result = this->Result.Modes[mode.GetName()];
     for (std::size_t frame = begin; frame < end; ++frame)
     {
@@ -171,9 +175,9 @@ private:
     {
       for (std::size_t frame = begin; frame < end; ++frame)
       {
-        const long long differing =
-          name == "none" ? 0 : CountDifferingBytes(this->Images["none"][frame],
-                                 this->Images[name][frame]);
+        const long long differing = name == "none"
+          ? 0
+          : CountDifferingBytes(this->Images["none"][frame], this->Images[name][frame]);
         result.DifferingBytes.push_back(differing);
         if (differing > 0 && !this->Options.ImageFolder.empty())
         {

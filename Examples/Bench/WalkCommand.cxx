@@ -58,13 +58,14 @@ int RunWalkCommand(WalkCommandOptions& options)
   report["block"] = options.Walk.Block;
   std::cout << report["scene"].asString() << ", " << report["path"].asString() << ", "
             << report["size"].asString() << ", " << result.Frames << " frames, " << result.Props
-            << " props, " << report["renderer"].asString() << ", VTK "
-            << report["vtk"].asString() << "\n";
+            << " props, " << report["renderer"].asString() << ", VTK " << report["vtk"].asString()
+            << "\n";
   PrintTable(report, std::cout);
   if (!options.Walk.ImageFolder.empty())
   {
-    WriteChart(result, scene.Name + ", " + report["path"].asString() + " walk, " +
-        report["size"].asString(), options.Walk.ImageFolder + "/frame-times");
+    WriteChart(result,
+      scene.Name + ", " + report["path"].asString() + " walk, " + report["size"].asString(),
+      options.Walk.ImageFolder + "/frame-times");
   }
   if (!options.JSON.empty())
   {
@@ -83,8 +84,8 @@ int RunWalkCommand(WalkCommandOptions& options)
 
 void AddWalkCommand(CLI::App& app, const std::string& program, Run& run)
 {
-  CLI::App* command = app.add_subcommand("walk",
-    "Time the frames of a camera path in several modes, interleaved in one run");
+  CLI::App* command = app.add_subcommand(
+    "walk", "Time the frames of a camera path in several modes, interleaved in one run");
   auto options = std::make_shared<WalkCommandOptions>();
   options->View.Program = program;
   options->View.AddTo(*command);

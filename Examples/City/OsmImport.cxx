@@ -20,8 +20,8 @@ namespace NBufferExamples
 {
 namespace
 {
-using LocationIndex = osmium::index::map::FlexMem<osmium::unsigned_object_id_type,
-  osmium::Location>;
+using LocationIndex =
+  osmium::index::map::FlexMem<osmium::unsigned_object_id_type, osmium::Location>;
 using LocationHandler = osmium::handler::NodeLocationsForWays<LocationIndex>;
 
 constexpr double SmallestBuilding = 4.0; // square metres
@@ -233,8 +233,7 @@ public:
   double Longitude0 = 0.0;
 };
 
-void AddBuildings(
-  const std::vector<GeoBuilding>& buildings, const Projection& project, City& city,
+void AddBuildings(const std::vector<GeoBuilding>& buildings, const Projection& project, City& city,
   OsmImportCounts& counts)
 {
   for (const GeoBuilding& source : buildings)
@@ -288,8 +287,7 @@ void AddStreets(const std::vector<GeoStreet>& streets, const Projection& project
     {
       continue;
     }
-    const auto kind =
-      std::find(city.StreetKinds.begin(), city.StreetKinds.end(), source.Kind);
+    const auto kind = std::find(city.StreetKinds.begin(), city.StreetKinds.end(), source.Kind);
     street.Kind = static_cast<int>(kind - city.StreetKinds.begin());
     if (kind == city.StreetKinds.end())
     {
@@ -299,8 +297,7 @@ void AddStreets(const std::vector<GeoStreet>& streets, const Projection& project
   }
 }
 
-void ReadInto(
-  Handler& handler, const osmium::io::File& file, const OsmImportOptions& options)
+void ReadInto(Handler& handler, const osmium::io::File& file, const OsmImportOptions& options)
 {
   LocationIndex index;
   LocationHandler locations(index);
@@ -317,8 +314,7 @@ void ReadInto(
     osmium::relations::read_relations(file, manager);
   }
 
-  osmium::io::Reader reader(
-    file, osmium::osm_entity_bits::node | osmium::osm_entity_bits::way);
+  osmium::io::Reader reader(file, osmium::osm_entity_bits::node | osmium::osm_entity_bits::way);
   std::vector<osmium::memory::Buffer> areas;
   auto collect = manager.handler(
     [&areas](osmium::memory::Buffer&& buffer) { areas.push_back(std::move(buffer)); });

@@ -16,8 +16,8 @@
 
 namespace
 {
-void PrintSummary(const NBufferExamples::City& city,
-  const NBufferExamples::OsmImportCounts& counts, const std::string& output)
+void PrintSummary(const NBufferExamples::City& city, const NBufferExamples::OsmImportCounts& counts,
+  const std::string& output)
 {
   std::array<int, 3> heights = {};
   std::size_t corners = 0;
@@ -29,9 +29,9 @@ void PrintSummary(const NBufferExamples::City& city,
       corners += ring.size();
     }
   }
-  std::cout << city.Buildings.size() << " buildings with " << corners << " corners; left out: "
-            << counts.TooSmall << " too small, " << counts.NotClosed << " not closed, "
-            << counts.NoLocation << " cut off by the extract\n"
+  std::cout << city.Buildings.size() << " buildings with " << corners
+            << " corners; left out: " << counts.TooSmall << " too small, " << counts.NotClosed
+            << " not closed, " << counts.NoLocation << " cut off by the extract\n"
             << "heights: " << heights[1] << " tagged, " << heights[2] << " from storeys, "
             << heights[0] << " synthetic\n"
             << city.Streets.size() << " streets of " << city.StreetKinds.size() << " kinds\n"

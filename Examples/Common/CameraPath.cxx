@@ -59,8 +59,8 @@ CameraPose LookFrom(const Frame& frame, double azimuth, double elevation, double
   return pose;
 }
 
-/// The sphere around the scene fills the view angle of 30 degrees.
-constexpr double FittingDistance = 3.7; // radii; 1 / sin(15 degrees) with a little less room
+/// Radii of the sphere around the scene from which most scenes fill a view of 30 degrees.
+constexpr double FittingDistance = 2.9;
 
 CameraPath MakeOrbit(const Scene& scene, int frames)
 {
@@ -68,8 +68,7 @@ CameraPath MakeOrbit(const Scene& scene, int frames)
   CameraPath path;
   for (int i = 0; i < frames; ++i)
   {
-    path.push_back(
-      LookFrom(frame, 2.0 * Pi * i / frames, 0.35, FittingDistance * frame.Radius));
+    path.push_back(LookFrom(frame, 2.0 * Pi * i / frames, 0.35, FittingDistance * frame.Radius));
   }
   return path;
 }
@@ -118,8 +117,8 @@ CameraPath MakePath(const Scene& scene, const std::string& name, int frames, std
   {
     if (!std::filesystem::is_regular_file(name))
     {
-      throw std::runtime_error("no path " + name +
-        ": neither street, rooftop, drone, orbit, cuts nor a camera file");
+      throw std::runtime_error(
+        "no path " + name + ": neither street, rooftop, drone, orbit, cuts nor a camera file");
     }
     CameraPath path = ReadCameraFile(name);
     if (frames > 0 && static_cast<std::size_t>(frames) < path.size())

@@ -71,8 +71,7 @@ vtkSmartPointer<vtkCellArray> FillPlan(const CityBuilding& building)
     loops->InsertNextCell(static_cast<int>(ring.size()) + 1);
     for (const CityPoint& point : ring)
     {
-      const vtkIdType id =
-        points->InsertNextPoint(ToMetres(point.X), ToMetres(point.Y), 0.0);
+      const vtkIdType id = points->InsertNextPoint(ToMetres(point.X), ToMetres(point.Y), 0.0);
       loops->InsertCellPoint(id);
       polygon->InsertNextId(id);
     }
@@ -279,8 +278,8 @@ double GetStreetWidth(const std::string& kind)
   static const std::map<std::string, double> widths = { { "motorway", 14.0 }, { "trunk", 12.0 },
     { "primary", 11.0 }, { "secondary", 9.0 }, { "tertiary", 8.0 }, { "residential", 6.5 },
     { "living_street", 6.0 }, { "unclassified", 6.0 }, { "road", 6.0 }, { "pedestrian", 6.0 },
-    { "service", 4.0 }, { "track", 3.0 }, { "cycleway", 2.5 }, { "footway", 2.0 },
-    { "path", 1.8 }, { "steps", 2.0 } };
+    { "service", 4.0 }, { "track", 3.0 }, { "cycleway", 2.5 }, { "footway", 2.0 }, { "path", 1.8 },
+    { "steps", 2.0 } };
   const auto found = widths.find(kind);
   return found == widths.end() ? 6.0 : found->second; // The rest: links.
 }

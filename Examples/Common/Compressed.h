@@ -14,8 +14,7 @@ namespace NBufferExamples
 
 /// The contents of a file, or its first `limit` bytes, decompressed if it is gzipped. Throws
 /// std::runtime_error with the name and the cause: missing, unreadable, damaged.
-std::string ReadMaybeCompressed(
-  const std::string& fileName, std::size_t limit = std::string::npos);
+std::string ReadMaybeCompressed(const std::string& fileName, std::size_t limit = std::string::npos);
 
 /// Write a gzip file that depends on `contents` alone (no time stamp, no name).
 void WriteCompressed(const std::string& fileName, const std::string& contents);

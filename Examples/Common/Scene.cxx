@@ -37,8 +37,7 @@ Scene MakeCityScene(City city, const std::string& name, const SceneOptions& opti
   scene.Name = name;
   CityActors actors = MakeCityActors(city);
   scene.Actors = std::move(actors.Buildings);
-  scene.Actors.insert(
-    scene.Actors.end(), actors.Surroundings.begin(), actors.Surroundings.end());
+  scene.Actors.insert(scene.Actors.end(), actors.Surroundings.begin(), actors.Surroundings.end());
   scene.Plan = std::make_shared<const City>(std::move(city));
   return scene;
 }

@@ -26,7 +26,8 @@ namespace NBufferExamples
 struct Scene
 {
   std::string Name;
-  /// In a city the buildings come first, in the order of Plan->Buildings.
+  /// In a city the buildings come first, in the order of Plan->Buildings, then the ground, then
+  /// the streets.
   std::vector<vtkSmartPointer<vtkActor>> Actors;
   /// Only of a city.
   std::shared_ptr<const City> Plan;

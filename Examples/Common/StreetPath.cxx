@@ -12,23 +12,23 @@ namespace NBufferExamples
 {
 namespace
 {
-constexpr double EyeHeight = 1.7;       // metres
-constexpr double StreetStep = 0.5;      // metres per frame
-constexpr double RooftopHeight = 25.0;  // metres
-constexpr double RooftopStep = 1.0;     // metres per frame
-constexpr double RooftopPitch = -8.0;   // degrees
-constexpr double DroneHeight = 120.0;   // metres
-constexpr double DroneStep = 2.0;       // metres per frame
-constexpr double DronePitch = -35.0;    // degrees
-constexpr double LookAhead = 8.0;       // metres of the way over which the heading is averaged
-constexpr double LookBack = 3.0;        // metres
-constexpr double ViewAngle = 60.0;      // degrees
-constexpr double Near = 0.3;            // metres
-constexpr double Far = 30000.0;         // metres
+constexpr double EyeHeight = 1.7;      // metres
+constexpr double StreetStep = 0.5;     // metres per frame
+constexpr double RooftopHeight = 25.0; // metres
+constexpr double RooftopStep = 1.0;    // metres per frame
+constexpr double RooftopPitch = -8.0;  // degrees
+constexpr double DroneHeight = 120.0;  // metres
+constexpr double DroneStep = 2.0;      // metres per frame
+constexpr double DronePitch = -35.0;   // degrees
+constexpr double LookAhead = 8.0;      // metres of the way over which the heading is averaged
+constexpr double LookBack = 3.0;       // metres
+constexpr double ViewAngle = 60.0;     // degrees
+constexpr double Near = 0.3;           // metres
+constexpr double Far = 30000.0;        // metres
 constexpr double Pi = 3.14159265358979323846;
 
-CameraPose MakePose(const PlanPoint& eye, double height, double headingX, double headingY,
-  double pitch)
+CameraPose MakePose(
+  const PlanPoint& eye, double height, double headingX, double headingY, double pitch)
 {
   CameraPose pose;
   const double length = std::hypot(headingX, headingY);
@@ -58,8 +58,8 @@ public:
     for (std::size_t i = 1; i < this->Points.size(); ++i)
     {
       this->Lengths.push_back(this->Lengths.back() +
-        std::hypot(this->Points[i].X - this->Points[i - 1].X,
-          this->Points[i].Y - this->Points[i - 1].Y));
+        std::hypot(
+          this->Points[i].X - this->Points[i - 1].X, this->Points[i].Y - this->Points[i - 1].Y));
     }
   }
 
@@ -89,8 +89,7 @@ CameraPath MakeWalk(
     const double s = i * step;
     const PlanPoint ahead = way(s + LookAhead);
     const PlanPoint behind = way(s - LookBack);
-    path.push_back(
-      MakePose(way(s), height, ahead.X - behind.X, ahead.Y - behind.Y, pitch));
+    path.push_back(MakePose(way(s), height, ahead.X - behind.X, ahead.Y - behind.Y, pitch));
   }
   return path;
 }

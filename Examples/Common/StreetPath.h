@@ -14,8 +14,7 @@ namespace NBufferExamples
 {
 
 /// `name` is street, rooftop, drone or cuts.
-CameraPath MakeCityPath(
-  const City& city, const std::string& name, int frames, std::uint64_t seed);
+CameraPath MakeCityPath(const City& city, const std::string& name, int frames, std::uint64_t seed);
 
 } // namespace NBufferExamples
 

@@ -11,10 +11,10 @@ namespace NBufferExamples
 {
 namespace
 {
-constexpr double CellSize = 50.0;  // metres
-constexpr double Clearance = 0.45; // metres from a wall, more than the near plane is away
+constexpr double CellSize = 50.0;      // metres
+constexpr double Clearance = 0.45;     // metres from a wall, more than the near plane is away
 constexpr double LargestHouse = 400.0; // square metres
-constexpr double Step = 0.5;       // metres between points that are looked at
+constexpr double Step = 0.5;           // metres between points that are looked at
 
 PlanPoint ToMetres(const CityPoint& point)
 {
@@ -97,9 +97,10 @@ StreetPlan::StreetPlan(const City& city)
 
 std::uint64_t StreetPlan::GetCellKey(double x, double y, int stepX, int stepY) const
 {
-  const auto cell = [](double value, int step) {
-    return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(value / CellSize)) +
-      step);
+  const auto cell = [](double value, int step)
+  {
+    return static_cast<std::uint32_t>(
+      static_cast<std::int32_t>(std::floor(value / CellSize)) + step);
   };
   return static_cast<std::uint64_t>(cell(x, stepX)) << 32 | cell(y, stepY);
 }
@@ -187,8 +188,7 @@ std::vector<int> StreetPlan::GetDenseNodes(double share) const
   }
   std::vector<int> nodes(this->Nodes.size());
   std::iota(nodes.begin(), nodes.end(), 0);
-  std::stable_sort(nodes.begin(), nodes.end(),
-    [&density](int a, int b)
+  std::stable_sort(nodes.begin(), nodes.end(), [&density](int a, int b)
     { return density[static_cast<std::size_t>(a)] > density[static_cast<std::size_t>(b)]; });
   nodes.resize(static_cast<std::size_t>(std::ceil(share * static_cast<double>(nodes.size()))));
   return nodes;

@@ -47,12 +47,16 @@ bool vtkNBufferOcclusionTest::IsHidden(
   {
     return true;
   }
-  double lengths[3];
-  this->Projection.GetAxisLengths(box, lengths);
-  const int axis = static_cast<int>(std::max_element(lengths, lengths + 3) - lengths);
-  const double pixelsPerPiece = TexelsPerPiece * this->Levels.GetFactor();
-  const int pieces = static_cast<int>(
-    std::min<double>(this->MaximumPieces, lengths[axis] / pixelsPerPiece));
+  int axis = static_cast<int>(std::max_element(box.HalfSize, box.HalfSize + 3) - box.HalfSize);
+  int pieces = this->MaximumPieces;
+  if (!screen.Clipped)
+  {
+    double lengths[3];
+    this->Projection.GetAxisLengths(box, lengths);
+    axis = static_cast<int>(std::max_element(lengths, lengths + 3) - lengths);
+    pieces = static_cast<int>(std::min<double>(
+      pieces, lengths[axis] / (TexelsPerPiece * this->Levels.GetFactor())));
+  }
   if (pieces < 2)
   {
     return false;

@@ -60,6 +60,25 @@ vtkNBufferPixelTest::vtkNBufferPixelTest(
 
 void vtkNBufferPixelTest::SetOutline(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)
 {
+  this->NumberOfEdges = 0;
+  if (!screen.Clipped)
+  {
+    this->SetEdges(box, screen);
+  }
+
+  this->Nearest = screen.Nearest;
+  this->NumberOfPlanes = 0;
+  for (int face = 0; face < 6 && this->NumberOfPlanes < 3; ++face)
+  {
+    if (this->Projection.GetFacePlane(box, screen, face, this->Planes[this->NumberOfPlanes]))
+    {
+      ++this->NumberOfPlanes;
+    }
+  }
+}
+
+void vtkNBufferPixelTest::SetEdges(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)
+{
   double corners[16];
   this->Projection.GetCorners(box, corners);
   std::array<Point, 8> points;
@@ -82,16 +101,6 @@ void vtkNBufferPixelTest::SetOutline(const vtkNBufferBox& box, const vtkNBufferS
     edge.Y = from.X - to.X;
     edge.Offset = -edge.X * from.X - edge.Y * from.Y - std::abs(edge.X) * slackX -
       std::abs(edge.Y) * slackY;
-  }
-
-  this->Nearest = screen.Nearest;
-  this->NumberOfPlanes = 0;
-  for (int face = 0; face < 6 && this->NumberOfPlanes < 3; ++face)
-  {
-    if (this->Projection.GetFacePlane(box, screen, face, this->Planes[this->NumberOfPlanes]))
-    {
-      ++this->NumberOfPlanes;
-    }
   }
 }
 

@@ -51,6 +51,7 @@ private:
     double Offset;
   };
 
+  void SetEdges(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen);
   void SetOutline(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen);
   bool IsBeside(double x, double y, double halfSide) const;
   double GetNearest(double x, double y, double halfSide) const;

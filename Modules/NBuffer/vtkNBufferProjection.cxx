@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -15,6 +16,7 @@ constexpr double UnitRoundoff = 1.0 / (1 << 24);
 constexpr double VertexErrors = 8.0;      // in units of UnitRoundoff, derived in the header
 constexpr double SnapInPixels = 1.0 / 16; // OpenGL's minimum of subpixel bits
 constexpr double SlopeErrors = 512.0;     // 2^9, derived in the header
+constexpr double NearPlaneMargin = 1e-6;  // far more than unprojecting in double can err
 
 /// E of the header: how far the device's value of row i may be from Evaluate().
 double GetError(const double row[4], const vtkNBufferBox& box)
@@ -85,19 +87,14 @@ bool vtkNBufferProjection::IsOutside(const vtkNBufferBox& box) const
   {
     return false;
   }
-  const double errorOfW = GetError(this->Rows[3], box);
-  double error = 0.0;
   for (int i = 0; i < 6; ++i)
   {
     const double* plane = this->Planes[i];
-    if (i % 2 == 0)
-    {
-      error = errorOfW + GetError(this->Rows[i / 2], box);
-    }
     // The corner farthest inside, and by how much the device may see it farther inside still.
-    const double reach = std::abs(plane[0]) * box.HalfSize[0] +
+    const double reach = Evaluate(plane, box.Center) + std::abs(plane[0]) * box.HalfSize[0] +
       std::abs(plane[1]) * box.HalfSize[1] + std::abs(plane[2]) * box.HalfSize[2];
-    if (Evaluate(plane, box.Center) + reach + error < 0.0)
+    if (reach < 0.0 &&
+      reach + GetError(this->Rows[3], box) + GetError(this->Rows[i / 2], box) < 0.0)
     {
       return true;
     }
@@ -105,89 +102,216 @@ bool vtkNBufferProjection::IsOutside(const vtkNBufferBox& box) const
   return false;
 }
 
-vtkNBufferPlacement vtkNBufferProjection::Project(
-  const vtkNBufferBox& box, vtkNBufferScreenBox& result) const
+/**
+ * What the points of a box, added one by one in clip space, cover in NDC with their slack.
+ */
+class vtkNBufferProjection::Extent
 {
-  double center[4];
-  double axes[3][4];
-  double error[4];
-  for (int i = 0; i < 4; ++i)
+public:
+  Extent(const vtkNBufferProjection& projection, const vtkNBufferBox& box)
   {
-    center[i] = Evaluate(this->Rows[i], box.Center);
-    error[i] = GetError(this->Rows[i], box);
-    for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 4; ++i)
     {
-      axes[j][i] = this->Rows[i][j] * box.HalfSize[j];
+      this->Error[i] = GetError(projection.Rows[i], box);
     }
   }
 
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  double low[3] = { infinity, infinity, infinity };
-  double high[3] = { -infinity, -infinity, -infinity };
-  double slacks[3] = { 0.0, 0.0, 0.0 };
-  double maximumW = 0.0;
-  for (int corner = 0; corner < 8; ++corner)
+  const double* GetErrors() const { return this->Error; }
+
+  /// False for a point before the near plane, behind the eye, or too near to the eye for its error
+  /// to be bounded. Written so that NaN takes this way out.
+  bool Add(const double clip[4])
   {
-    double clip[4];
-    for (int i = 0; i < 4; ++i)
+    const double w = clip[3] - this->Error[3];
+    if (!(w > this->Error[3] && clip[2] + clip[3] > this->Error[2] + this->Error[3]))
     {
-      clip[i] = center[i] + (corner & 1 ? axes[0][i] : -axes[0][i]) +
-        (corner & 2 ? axes[1][i] : -axes[1][i]) + (corner & 4 ? axes[2][i] : -axes[2][i]);
-    }
-    const double w = clip[3] - error[3];
-    // Before the near plane, behind the eye, or too near to the eye for its error to be bounded.
-    // Written so that NaN takes this way out.
-    if (!(w > error[3] && clip[2] + clip[3] > error[2] + error[3]))
-    {
-      return vtkNBufferPlacement::Crossing;
+      return false;
     }
     const double inverse = 1.0 / w;
     for (int i = 0; i < 3; ++i)
     {
       const double ndc = clip[i] / clip[3];
-      const double slack = (error[i] + std::abs(ndc) * error[3]) * inverse;
-      low[i] = std::min(low[i], ndc - slack);
-      high[i] = std::max(high[i], ndc + slack);
-      slacks[i] = std::max(slacks[i], slack);
+      const double slack = (this->Error[i] + std::abs(ndc) * this->Error[3]) * inverse;
+      this->Low[i] = std::min(this->Low[i], ndc - slack);
+      this->High[i] = std::max(this->High[i], ndc + slack);
+      this->Slack[i] = std::max(this->Slack[i], slack);
     }
-    maximumW = std::max(maximumW, clip[3]);
+    this->MaximumW = std::max(this->MaximumW, clip[3]);
+    return true;
   }
-  for (int i = 0; i < 3; ++i)
+
+  double Low[3] = { Infinity, Infinity, Infinity };
+  double High[3] = { -Infinity, -Infinity, -Infinity };
+  double Slack[3] = { 0.0, 0.0, 0.0 };
+  double MaximumW = 0.0;
+
+private:
+  static constexpr double Infinity = std::numeric_limits<double>::infinity();
+  double Error[4];
+};
+
+vtkNBufferPlacement vtkNBufferProjection::Project(
+  const vtkNBufferBox& box, vtkNBufferScreenBox& result) const
+{
+  double center[4];
+  double axes[3][4];
+  for (int i = 0; i < 4; ++i)
   {
-    if (!std::isfinite(low[i]) || !std::isfinite(high[i]))
+    center[i] = Evaluate(this->Rows[i], box.Center);
+    for (int j = 0; j < 3; ++j)
+    {
+      axes[j][i] = this->Rows[i][j] * box.HalfSize[j];
+    }
+  }
+  ClipPoint corners[8];
+  Extent extent(*this, box);
+  bool before = true;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      corners[corner][i] = center[i] + (corner & 1 ? axes[0][i] : -axes[0][i]) +
+        (corner & 2 ? axes[1][i] : -axes[1][i]) + (corner & 4 ? axes[2][i] : -axes[2][i]);
+    }
+    before = before && extent.Add(corners[corner].data());
+  }
+  result.Clipped = !before;
+  if (!before)
+  {
+    extent = Extent(*this, box);
+    const vtkNBufferPlacement placement = this->Clip(box, corners, extent);
+    if (placement != vtkNBufferPlacement::Inside)
+    {
+      return placement;
+    }
+  }
+  return this->Finish(box, extent, result);
+}
+
+vtkNBufferPlacement vtkNBufferProjection::Clip(
+  const vtkNBufferBox& box, const ClipPoint corners[8], Extent& extent) const
+{
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    if (!std::all_of(corners[corner].begin(), corners[corner].end(),
+          [](double value) { return std::isfinite(value); }))
     {
       return vtkNBufferPlacement::Crossing;
     }
   }
 
+  // A corner of the near plane inside the box: nothing bounds what is drawn of it.
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double ndc[4] = { corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, -1.0, 1.0 };
+    const double w = Evaluate(this->ClipToWorld[3], ndc);
+    bool inside = true;
+    for (int j = 0; j < 3; ++j)
+    {
+      const double distance = Evaluate(this->ClipToWorld[j], ndc) / w - box.Center[j];
+      inside = inside && !(std::abs(distance) > box.HalfSize[j] + NearPlaneMargin *
+        (std::abs(box.Center[j]) + box.HalfSize[j]));
+    }
+    if (inside)
+    {
+      return vtkNBufferPlacement::Crossing;
+    }
+  }
+
+  // Each face, cut at the four sides of the view (Sutherland and Hodgman, 1974), which are moved
+  // out by what the device may see farther inside. What remains has w >= 0.
+  static const int faces[6][4] = { { 0, 2, 6, 4 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 3, 7, 6 },
+    { 0, 1, 3, 2 }, { 4, 5, 7, 6 } };
+  const int size[2] = { this->Width, this->Height };
+  bool any = false;
+  std::vector<ClipPoint> polygon;
+  std::vector<ClipPoint> rest;
+  for (const auto& face : faces)
+  {
+    polygon.clear();
+    for (int corner : face)
+    {
+      polygon.push_back(corners[corner]);
+    }
+    for (int side = 0; side < 4; ++side)
+    {
+      const int axis = side / 2;
+      const double sign = side % 2 == 0 ? 1.0 : -1.0;
+      const double widening = 1.0 + 2.0 * (box.Margin + SnapInPixels) / size[axis];
+      const double offset = widening * extent.GetErrors()[3] + extent.GetErrors()[axis];
+      const auto distance = [&](const ClipPoint& point)
+      { return widening * point[3] + sign * point[axis] + offset; };
+      rest.clear();
+      for (std::size_t i = 0; i < polygon.size(); ++i)
+      {
+        const ClipPoint& from = polygon[i];
+        const ClipPoint& to = polygon[(i + 1) % polygon.size()];
+        const double d = distance(from);
+        const double e = distance(to);
+        if (d >= 0.0)
+        {
+          rest.push_back(from);
+        }
+        if ((d >= 0.0) != (e >= 0.0))
+        {
+          ClipPoint cut;
+          for (int k = 0; k < 4; ++k)
+          {
+            cut[k] = from[k] + (to[k] - from[k]) * (d / (d - e));
+          }
+          rest.push_back(cut);
+        }
+      }
+      polygon.swap(rest);
+    }
+    for (const ClipPoint& point : polygon)
+    {
+      any = true;
+      if (!extent.Add(point.data()))
+      {
+        return vtkNBufferPlacement::Crossing;
+      }
+    }
+  }
+  return any ? vtkNBufferPlacement::Inside : vtkNBufferPlacement::Outside;
+}
+
+vtkNBufferPlacement vtkNBufferProjection::Finish(
+  const vtkNBufferBox& box, const Extent& extent, vtkNBufferScreenBox& result) const
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    if (!std::isfinite(extent.Low[i]) || !std::isfinite(extent.High[i]))
+    {
+      return vtkNBufferPlacement::Crossing;
+    }
+  }
   const int size[2] = { this->Width, this->Height };
   int begin[2];
   int end[2];
   for (int i = 0; i < 2; ++i)
   {
     const double border = box.Margin + SnapInPixels;
-    const double from = 0.5 * (low[i] + 1.0) * size[i] - border;
-    const double to = 0.5 * (high[i] + 1.0) * size[i] + border;
+    const double from = 0.5 * (extent.Low[i] + 1.0) * size[i] - border;
+    const double to = 0.5 * (extent.High[i] + 1.0) * size[i] + border;
     if (to <= 0.0 || from >= size[i] || size[i] < 1)
     {
       return vtkNBufferPlacement::Outside;
     }
     begin[i] = static_cast<int>(std::floor(std::max(from, 0.0)));
     end[i] = static_cast<int>(std::ceil(std::min(to, static_cast<double>(size[i]))));
+    result.Slack[i] = extent.Slack[i] + 2.0 * border / size[i];
   }
   result.Pixels.X0 = begin[0];
   result.Pixels.Y0 = begin[1];
   result.Pixels.X1 = end[0];
   result.Pixels.Y1 = end[1];
-  const double slack = this->DepthSlack + 0.5 * (high[2] - low[2]) * this->DepthRangeSlack;
-  result.Nearest = 0.5 * (low[2] + 1.0) - slack;
-  result.Farthest = 0.5 * (high[2] + 1.0) + slack;
-  for (int i = 0; i < 2; ++i)
-  {
-    result.Slack[i] = slacks[i] + 2.0 * (box.Margin + SnapInPixels) / size[i];
-  }
-  result.Slack[2] = slacks[2] + 2.0 * slack;
-  result.MaximumW = maximumW;
+  const double slack =
+    this->DepthSlack + 0.5 * (extent.High[2] - extent.Low[2]) * this->DepthRangeSlack;
+  result.Nearest = 0.5 * (extent.Low[2] + 1.0) - slack;
+  result.Farthest = 0.5 * (extent.High[2] + 1.0) + slack;
+  result.Slack[2] = extent.Slack[2] + 2.0 * slack;
+  result.MaximumW = extent.MaximumW;
   // Beyond the far plane nothing is drawn.
   return result.Nearest > 1.0 ? vtkNBufferPlacement::Outside : vtkNBufferPlacement::Inside;
 }

@@ -192,12 +192,14 @@ TEST(CullerHazards, BoxesThroughTheNearPlaneAndAroundTheEye)
   {
     comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.1 * i); });
     comparison.Frame();
-    EXPECT_EQ(comparison.GetVerdict(Wall::Count), Verdict::NearPlane);
-    EXPECT_EQ(comparison.GetVerdict(Wall::Count + 1), Verdict::NearPlane);
+    // The first two reach behind the eye, but not through the near plane in view.
+    EXPECT_EQ(comparison.GetVerdict(Wall::Count), Verdict::Visible);
+    EXPECT_EQ(comparison.GetVerdict(Wall::Count + 1), Verdict::Visible);
     EXPECT_EQ(comparison.GetVerdict(Wall::Count + 2), Verdict::NearPlane);
     // In the first frame the default culler still stood before ours.
     EXPECT_EQ(comparison.GetVerdict(Wall::Count + 3), i ? Verdict::Outside : Verdict::Unknown);
-    EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+    // In the first frame the nearest props are drawn untested, in the second as visible before.
+    EXPECT_GE(comparison.GetHidden(), i > 1 ? Wall::Hidden : 40);
   }
 }
 

@@ -266,7 +266,13 @@ TEST(NBufferProjectionOnce, MarginWidensTheRectangle)
     EXPECT_FALSE(projection.IsOutside(box)) << "left to Project()";
     if (before == vtkNBufferPlacement::Inside)
     {
-      ASSERT_EQ(projection.Project(box, wide), vtkNBufferPlacement::Inside);
+      // What sticks out may reach the near plane in view where the box itself does not.
+      const vtkNBufferPlacement after = projection.Project(box, wide);
+      ASSERT_NE(after, vtkNBufferPlacement::Outside);
+      if (after == vtkNBufferPlacement::Crossing)
+      {
+        continue;
+      }
       ASSERT_LE(wide.Pixels.X0, std::max(plain.Pixels.X0 - 3, 0));
       ASSERT_GE(wide.Pixels.X1, std::min(plain.Pixels.X1 + 3, view.Width));
       ASSERT_LE(wide.Pixels.Y0, std::max(plain.Pixels.Y0 - 3, 0));
