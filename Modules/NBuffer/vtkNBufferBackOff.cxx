@@ -23,10 +23,14 @@ bool vtkNBufferBackOff::IsProbeDue()
   return ++this->FramesWithNothingHeld % ShortestRest == 0 || rested;
 }
 
-void vtkNBufferBackOff::Learn(int hidden, int inside)
+void vtkNBufferBackOff::Learn(int saved, int inside)
 {
   this->Rested = false;
-  if (hidden >= PoorShare * inside)
+  if (inside == 0)
+  {
+    return;
+  }
+  if (saved >= PoorNumber && saved >= PoorShare * inside)
   {
     this->PoorTests = 0;
     this->LastRest = 0;

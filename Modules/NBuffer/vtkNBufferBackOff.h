@@ -4,7 +4,8 @@
  * @class vtkNBufferBackOff
  * @brief When testing does not pay: how long to rest, and when to look again. No OpenGL.
  *
- * Three tests in a row that each hide less than 5 % of what is in the frustum begin a rest of 8
+ * A test is poor if it saves fewer than 16 draws or less than 5 % of what is in the frustum, draws
+ * for the order of equal depths set off against it. Three poor tests in a row begin a rest of 8
  * frames. A single test then looks whether that has changed; if not, the rests double up to 64
  * frames. Where nothing is held back, every eighth frame and the first one after a rest are tested
  * all the same: only a test finds what has become hidden.
@@ -20,6 +21,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKNBUFFER_EXPORT vtkNBufferBackOff
 {
 public:
+  static constexpr int PoorNumber = 16;
   static constexpr double PoorShare = 0.05;
   static constexpr int PoorTestsToRest = 3;
   static constexpr int ShortestRest = 8;
@@ -31,8 +33,9 @@ public:
   /// Whether a frame in which nothing is held back is due for a test. Call once per such frame.
   bool IsProbeDue();
 
-  /// How many of the candidates in the frustum a test found hidden, drawn before it or not.
-  void Learn(int hidden, int inside);
+  /// How many draws of the candidates in the frustum a test saves: those found hidden, whether they
+  /// had been drawn already or not, less those drawn once more.
+  void Learn(int saved, int inside);
 
 private:
   bool Rested = false;

@@ -103,8 +103,8 @@ bool vtkNBufferBackend::Build(Kind wanted, vtkOpenGLRenderWindow* window,
     this->Judge(this->InUse, clock.GetMilliseconds());
   }
   statistics.Levels += levels.GetNumberOfLevels();
-  statistics.Texels += static_cast<long long>(levels.GetNumberOfLevels()) * levels.GetWidth() *
-    levels.GetHeight();
+  statistics.Texels +=
+    static_cast<long long>(levels.GetNumberOfLevels()) * levels.GetWidth() * levels.GetHeight();
   return true;
 }
 

@@ -69,14 +69,12 @@ public:
 private:
   Kind Choose(Kind wanted, vtkOpenGLRenderWindow* window);
   void Judge(Kind used, double milliseconds);
-  bool BuildOnDevice(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
-    int factor, int levelsNeeded, vtkNBufferLevels& levels, vtkNBufferStatistics& statistics,
-    std::string& why);
+  bool BuildOnDevice(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, int factor,
+    int levelsNeeded, vtkNBufferLevels& levels, vtkNBufferStatistics& statistics, std::string& why);
   bool ReadDepth(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
     vtkNBufferStatistics& statistics, std::string& why);
   bool BuildOnHost(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, int factor,
-    int levelsNeeded, vtkNBufferLevels& levels, vtkNBufferStatistics& statistics,
-    std::string& why);
+    int levelsNeeded, vtkNBufferLevels& levels, vtkNBufferStatistics& statistics, std::string& why);
 
   vtkNew<vtkNBufferTexture> Texture;
   std::vector<float> Depth; ///< Whole image; empty if the last build did not read it.

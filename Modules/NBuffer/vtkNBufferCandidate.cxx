@@ -222,8 +222,8 @@ BufferCoordinates GetBufferCoordinates(vtkMapper* mapper)
   {
     GetRange(input->GetPoints()->GetData(), k, ranges[k]);
   }
-  const bool shifted = vtkOpenGLVertexBufferObject::GetGlobalCoordShiftAndScaleEnabled() &&
-    IsShifted(plain, ranges);
+  const bool shifted =
+    vtkOpenGLVertexBufferObject::GetGlobalCoordShiftAndScaleEnabled() && IsShifted(plain, ranges);
   for (int k = 0; k < 3; ++k)
   {
     if (shifted)
@@ -297,8 +297,8 @@ void vtkNBufferCandidate::TakeSources(vtkActor* actor)
     this->Time = actor->GetMTime();
     return;
   }
-  vtkAlgorithm* producer = this->Mapper->GetNumberOfInputPorts() > 0 &&
-      this->Mapper->GetNumberOfInputConnections(0) == 1
+  vtkAlgorithm* producer =
+    this->Mapper->GetNumberOfInputPorts() > 0 && this->Mapper->GetNumberOfInputConnections(0) == 1
     ? this->Mapper->GetInputAlgorithm(0, 0)
     : nullptr;
   vtkDataObject* input = this->Mapper->GetInputDataObject(0, 0);

@@ -69,7 +69,7 @@ bool vtkNBufferCandidateList::Synchronize(vtkProp** props, int count)
   return true;
 }
 
-int vtkNBufferCandidateList::Refresh()
+int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
 {
   const vtkNBufferCandidate::GlobalState state = vtkNBufferCandidate::GetGlobalState();
   const bool all = state != this->GlobalState;
@@ -79,7 +79,7 @@ int vtkNBufferCandidateList::Refresh()
   this->Stale.assign(this->Candidates.size(), 0);
   std::atomic<bool> anyStale(false);
   ForEachProp(this->Candidates.size(),
-    [this, all, &anyStale](vtkIdType begin, vtkIdType end)
+    [this, all, projection, &anyStale](vtkIdType begin, vtkIdType end)
     {
       bool stale = false;
       for (vtkIdType i = begin; i < end; ++i)
@@ -90,6 +90,10 @@ int vtkNBufferCandidateList::Refresh()
         }
         this->Stale[i] = all || this->Candidates[i].IsStale();
         stale = stale || this->Stale[i];
+        if (projection && !this->Stale[i])
+        {
+          this->ProjectOne(i, *projection);
+        }
       }
       if (stale)
       {
@@ -104,9 +108,14 @@ int vtkNBufferCandidateList::Refresh()
   int changed = 0;
   for (std::size_t i = 0; i < this->Candidates.size(); ++i)
   {
-    if (this->Stale[i] && this->Candidates[i].Refresh())
+    if (!this->Stale[i])
     {
-      ++changed;
+      continue;
+    }
+    changed += this->Candidates[i].Refresh() ? 1 : 0;
+    if (projection)
+    {
+      this->ProjectOne(static_cast<vtkIdType>(i), *projection);
     }
   }
   this->UntrackedDepth = this->Blending = this->Lines = this->LackOfNormals = false;
@@ -121,6 +130,19 @@ int vtkNBufferCandidateList::Refresh()
   return changed;
 }
 
+void vtkNBufferCandidateList::ProjectOne(vtkIdType i, const vtkNBufferProjection& projection)
+{
+  const vtkNBufferCandidate& candidate = this->Candidates[i];
+  vtkNBufferState& state = this->States[i];
+  state.Verdict = candidate.GetVerdict();
+  if (candidate.IsCandidate() || candidate.IsTranslucent())
+  {
+    const vtkNBufferBox& box = candidate.GetBox();
+    state.Placement = projection.IsOutside(box) ? vtkNBufferPlacement::Outside
+                                                : projection.Project(box, this->Screens[i]);
+  }
+}
+
 void vtkNBufferCandidateList::Project(const vtkNBufferProjection& projection)
 {
   ForEachProp(this->Candidates.size(),
@@ -128,16 +150,7 @@ void vtkNBufferCandidateList::Project(const vtkNBufferProjection& projection)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const vtkNBufferCandidate& candidate = this->Candidates[i];
-        vtkNBufferState& state = this->States[i];
-        state.Verdict = candidate.GetVerdict();
-        if (candidate.IsCandidate() || candidate.IsTranslucent())
-        {
-          const vtkNBufferBox& box = candidate.GetBox();
-          state.Placement = projection.IsOutside(box)
-            ? vtkNBufferPlacement::Outside
-            : projection.Project(box, this->Screens[i]);
-        }
+        this->ProjectOne(i, projection);
       }
     });
 }

@@ -36,11 +36,14 @@ public:
   /// Take over a renderer's list. Returns whether it differs from the last one.
   bool Synchronize(vtkProp** props, int count);
 
-  /// Bring the caches up to date. Returns how many props changed.
-  int Refresh();
+  /**
+   * Bring the caches up to date and, given a projection, do what Project() does: both walk the same
+   * memory, so that together they cost little more than one. Returns how many props changed.
+   */
+  int Refresh(const vtkNBufferProjection* projection);
 
-  /// Place every candidate and translucent prop with respect to the view: outside, crossing, or inside with its
-  /// rectangle and depth interval.
+  /// Place every candidate and translucent prop with respect to the view: outside, crossing, or
+  /// inside with its rectangle and depth interval.
   void Project(const vtkNBufferProjection& projection);
 
   /// Whether the depth that any of the props writes may change without a trace.
@@ -67,6 +70,8 @@ public:
   int Find(vtkProp* prop) const;
 
 private:
+  void ProjectOne(vtkIdType i, const vtkNBufferProjection& projection);
+
   std::vector<vtkNBufferCandidate> Candidates;
   std::vector<vtkNBufferScreenBox> Screens;
   std::vector<vtkNBufferState> States;

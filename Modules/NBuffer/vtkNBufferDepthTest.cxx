@@ -27,9 +27,8 @@ vtkNBufferDepthTest::vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferL
 {
 }
 
-bool vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
-  const vtkNBufferDepthSource& source, std::initializer_list<const std::vector<int>*> places,
-  std::string& why)
+bool vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
+  std::initializer_list<const std::vector<int>*> places, std::string& why)
 {
   this->Window = window;
   this->Source = source;
@@ -66,11 +65,9 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
   vtkNBufferClock clock;
   vtkNBufferOcclusionTest test(
     this->Projection, this->Levels, this->Settings.MaximumNumberOfPieces);
-  places.erase(std::remove_if(places.begin(), places.end(),
-                 [&](int i) {
-                   return isInside(i) &&
-                     test.IsHidden(this->Props.GetBox(i), this->Props.GetScreen(i));
-                 }),
+  places.erase(
+    std::remove_if(places.begin(), places.end(), [&](int i)
+      { return isInside(i) && test.IsHidden(this->Props.GetBox(i), this->Props.GetScreen(i)); }),
     places.end());
   this->Statistics.Queries += test.GetQueries();
   this->Statistics.Lookups += test.GetLookups();

@@ -41,8 +41,7 @@ public:
   bool HasKeys(vtkInformation* requiredKeys) override;
   vtkTypeBool HasOpaqueGeometry() override { return 1; }
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
-  bool RenderFilteredOpaqueGeometry(
-    vtkViewport* viewport, vtkInformation* requiredKeys) override;
+  bool RenderFilteredOpaqueGeometry(vtkViewport* viewport, vtkInformation* requiredKeys) override;
 
   ///@{
   /// Each held prop that is drawn is given an equal share.

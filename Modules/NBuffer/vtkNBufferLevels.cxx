@@ -19,8 +19,9 @@ struct Minimum
   float operator()(float a, float b) const { return a < b ? a : b; }
 };
 
-/// Below this many texels a level is finished before another thread has woken up.
-constexpr vtkIdType TexelsWorthAThread = 1 << 18;
+/// Below this many texels a level is finished before another thread has woken up, which takes
+/// longer than the scheduler's figures suggest (virtual machines).
+constexpr vtkIdType TexelsWorthAThread = 1 << 22;
 
 /// Rows in parallel when there is work enough for it.
 template <typename Functor>
@@ -31,9 +32,8 @@ void ForEachRow(int rows, vtkIdType texels, Functor&& functor)
     functor(0, rows);
     return;
   }
-  vtkSMPTools::For(0, rows, 16, [&functor](vtkIdType begin, vtkIdType end) {
-    functor(static_cast<int>(begin), static_cast<int>(end));
-  });
+  vtkSMPTools::For(0, rows, 16, [&functor](vtkIdType begin, vtkIdType end)
+    { functor(static_cast<int>(begin), static_cast<int>(end)); });
 }
 
 /// One row of the base: first the `rows` depth rows into one, then `factor` columns into one.

@@ -9,8 +9,8 @@
  * covers. Values are window depths in [0, 1], but any floats without NaN do.
  *
  * Memory is (number of levels) * (base size) floats and is kept from build to build. Building a
- * level reads the level below once; images of a quarter million texels and more are shared out
- * by vtkSMPTools. A query is at most four reads, whatever the size of its rectangle.
+ * level reads the level below once; images of four million texels and more are shared out by
+ * vtkSMPTools. A query is at most four reads, whatever the size of its rectangle.
  */
 #ifndef vtkNBufferLevels_h
 #define vtkNBufferLevels_h
@@ -39,8 +39,8 @@ public:
    * GetLevelData(0)), each standing for `factor` x `factor` pixels, and `levels` levels in all
    * if they are filled as well. pixelWidth and pixelHeight are the size of the depth image.
    */
-  void Allocate(int pixelWidth, int pixelHeight, int factor, int levels,
-    vtkNBufferExtremum extremum);
+  void Allocate(
+    int pixelWidth, int pixelHeight, int factor, int levels, vtkNBufferExtremum extremum);
 
   /**
    * Build the levels that are missing up to `count` levels in all, at most

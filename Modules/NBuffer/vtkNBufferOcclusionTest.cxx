@@ -40,8 +40,7 @@ bool vtkNBufferOcclusionTest::IsBehind(const vtkNBufferScreenBox& screen)
   return screen.Nearest > static_cast<double>(this->Levels.Query(cover));
 }
 
-bool vtkNBufferOcclusionTest::IsHidden(
-  const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)
+bool vtkNBufferOcclusionTest::IsHidden(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)
 {
   if (this->IsBehind(screen))
   {
@@ -54,8 +53,8 @@ bool vtkNBufferOcclusionTest::IsHidden(
     double lengths[3];
     this->Projection.GetAxisLengths(box, lengths);
     axis = static_cast<int>(std::max_element(lengths, lengths + 3) - lengths);
-    pieces = static_cast<int>(std::min<double>(
-      pieces, lengths[axis] / (TexelsPerPiece * this->Levels.GetFactor())));
+    pieces = static_cast<int>(
+      std::min<double>(pieces, lengths[axis] / (TexelsPerPiece * this->Levels.GetFactor())));
   }
   if (pieces < 2)
   {
@@ -63,12 +62,11 @@ bool vtkNBufferOcclusionTest::IsHidden(
   }
   vtkNBufferBox piece = box;
   // A little longer than a part, so that rounding leaves no gap between two pieces.
-  piece.HalfSize[axis] = 
+  piece.HalfSize[axis] =
     box.HalfSize[axis] / pieces + (std::abs(box.Center[axis]) + box.HalfSize[axis]) * 0x1p-49;
   for (int i = 0; i < pieces; ++i)
   {
-    piece.Center[axis] =
-      box.Center[axis] + box.HalfSize[axis] * ((2.0 * i + 1.0) / pieces - 1.0);
+    piece.Center[axis] = box.Center[axis] + box.HalfSize[axis] * ((2.0 * i + 1.0) / pieces - 1.0);
     vtkNBufferScreenBox part;
     switch (this->Projection.Project(piece, part))
     {

@@ -99,17 +99,20 @@ void vtkNBufferPixelTest::SetEdges(const vtkNBufferBox& box, const vtkNBufferScr
     Edge& edge = this->Edges[this->NumberOfEdges++];
     edge.X = to.Y - from.Y;
     edge.Y = from.X - to.X;
-    edge.Offset = -edge.X * from.X - edge.Y * from.Y - std::abs(edge.X) * slackX -
-      std::abs(edge.Y) * slackY;
+    edge.Offset =
+      -edge.X * from.X - edge.Y * from.Y - std::abs(edge.X) * slackX - std::abs(edge.Y) * slackY;
   }
 }
 
 bool vtkNBufferPixelTest::IsBeside(double x, double y, double halfSide) const
 {
-  return std::any_of(this->Edges, this->Edges + this->NumberOfEdges, [=](const Edge& edge) {
-    return edge.X * x + edge.Y * y + edge.Offset -
-      halfSide * (std::abs(edge.X) + std::abs(edge.Y)) > 0.0;
-  });
+  return std::any_of(this->Edges, this->Edges + this->NumberOfEdges,
+    [=](const Edge& edge)
+    {
+      return edge.X * x + edge.Y * y + edge.Offset -
+        halfSide * (std::abs(edge.X) + std::abs(edge.Y)) >
+        0.0;
+    });
 }
 
 double vtkNBufferPixelTest::GetNearest(double x, double y, double halfSide) const

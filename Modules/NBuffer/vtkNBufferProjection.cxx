@@ -209,8 +209,9 @@ vtkNBufferPlacement vtkNBufferProjection::Clip(
     for (int j = 0; j < 3; ++j)
     {
       const double distance = Evaluate(this->ClipToWorld[j], ndc) / w - box.Center[j];
-      inside = inside && !(std::abs(distance) > box.HalfSize[j] + NearPlaneMargin *
-        (std::abs(box.Center[j]) + box.HalfSize[j]));
+      inside = inside &&
+        !(std::abs(distance) >
+          box.HalfSize[j] + NearPlaneMargin * (std::abs(box.Center[j]) + box.HalfSize[j]));
     }
     if (inside)
     {
@@ -343,8 +344,8 @@ bool vtkNBufferProjection::AreApart(const vtkNBufferBox& a, const vtkNBufferScre
   return false;
 }
 
-bool vtkNBufferProjection::GetFacePlane(const vtkNBufferBox& box,
-  const vtkNBufferScreenBox& screen, int face, FacePlane& plane) const
+bool vtkNBufferProjection::GetFacePlane(
+  const vtkNBufferBox& box, const vtkNBufferScreenBox& screen, int face, FacePlane& plane) const
 {
   const int axis = face / 2;
   const double sign = face % 2 == 0 ? -1.0 : 1.0;
@@ -364,10 +365,11 @@ bool vtkNBufferProjection::GetFacePlane(const vtkNBufferBox& box,
   const double y = -l[1] / l[2];
   plane.SlopeX = x / this->Width;
   plane.SlopeY = y / this->Height;
-  plane.Depth = 0.5 + 0.5 * (-l[3] / l[2] - x - y -
-    std::abs(x) * screen.Slack[0] - std::abs(y) * screen.Slack[1] - screen.Slack[2]);
-  return std::isfinite(plane.Depth) && std::isfinite(plane.SlopeX) &&
-    std::isfinite(plane.SlopeY);
+  plane.Depth = 0.5 +
+    0.5 *
+      (-l[3] / l[2] - x - y - std::abs(x) * screen.Slack[0] - std::abs(y) * screen.Slack[1] -
+        screen.Slack[2]);
+  return std::isfinite(plane.Depth) && std::isfinite(plane.SlopeX) && std::isfinite(plane.SlopeY);
 }
 
 void vtkNBufferProjection::GetCorners(const vtkNBufferBox& box, double corners[16]) const
@@ -381,8 +383,7 @@ void vtkNBufferProjection::GetCorners(const vtkNBufferBox& box, double corners[1
     }
     const double inverse = 1.0 / Evaluate(this->Rows[3], point);
     corners[2 * corner] = 0.5 * this->Width * (Evaluate(this->Rows[0], point) * inverse + 1.0);
-    corners[2 * corner + 1] =
-      0.5 * this->Height * (Evaluate(this->Rows[1], point) * inverse + 1.0);
+    corners[2 * corner + 1] = 0.5 * this->Height * (Evaluate(this->Rows[1], point) * inverse + 1.0);
   }
 }
 

@@ -81,12 +81,12 @@ enum class vtkNBufferPlacement
  */
 struct vtkNBufferScreenBox
 {
-  vtkNBufferRectangle Pixels;   ///< Of the viewport, (0, 0) its lower left pixel; never empty.
-  double Nearest = 0.0;         ///< Window depth, slack subtracted.
-  double Farthest = 1.0;        ///< Window depth, slack added.
-  double Slack[3] = {};         ///< How far a drawn point may be from its exact place, NDC.
-  double MaximumW = 0.0;        ///< Largest clip w of the corners.
-  bool Clipped = false;         ///< Corners are behind the eye: the part in view was cut out.
+  vtkNBufferRectangle Pixels; ///< Of the viewport, (0, 0) its lower left pixel; never empty.
+  double Nearest = 0.0;       ///< Window depth, slack subtracted.
+  double Farthest = 1.0;      ///< Window depth, slack added.
+  double Slack[3] = {};       ///< How far a drawn point may be from its exact place, NDC.
+  double MaximumW = 0.0;      ///< Largest clip w of the corners.
+  bool Clipped = false;       ///< Corners are behind the eye: the part in view was cut out.
 };
 
 /**
@@ -132,8 +132,8 @@ public:
    * It differs by at least g / w_max between the boxes, and two fragments in one place can make up
    * for no more than sum_k |N_jk - c N_3k| (slack_k of one + slack_k of the other).
    */
-  bool AreApart(const vtkNBufferBox& a, const vtkNBufferScreenBox& screenA,
-    const vtkNBufferBox& b, const vtkNBufferScreenBox& screenB) const;
+  bool AreApart(const vtkNBufferBox& a, const vtkNBufferScreenBox& screenA, const vtkNBufferBox& b,
+    const vtkNBufferScreenBox& screenB) const;
 
   /**
    * The plane of a face as a bound on depth. Face 0 to 5: low x, high x, low y, ... Where it faces
@@ -151,8 +151,8 @@ public:
     double SlopeX;
     double SlopeY;
   };
-  bool GetFacePlane(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen, int face,
-    FacePlane& plane) const;
+  bool GetFacePlane(
+    const vtkNBufferBox& box, const vtkNBufferScreenBox& screen, int face, FacePlane& plane) const;
 
   /// The eight corners of a box that is Inside, in pixels of the viewport: x0, y0, x1, y1, ...
   void GetCorners(const vtkNBufferBox& box, double corners[16]) const;

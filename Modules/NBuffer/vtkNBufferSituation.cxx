@@ -113,8 +113,7 @@ bool HasAmbientOcclusion(vtkRenderer* renderer)
 bool SmoothesLines(vtkRenderer* renderer)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();
-  return window->GetLineSmoothing() || window->GetPointSmoothing() ||
-    window->GetPolygonSmoothing();
+  return window->GetLineSmoothing() || window->GetPointSmoothing() || window->GetPolygonSmoothing();
 }
 
 vtkNBufferDecision GetObstacle(vtkRenderer* renderer)

@@ -90,17 +90,18 @@ bool vtkNBufferSources::Take(
   vtkActor* actor, vtkMapper* mapper, vtkAlgorithm* producer, vtkPolyData* input)
 {
   this->Actor = actor;
-  this->Mapper = mapper;
   this->Shaders = GetShaderProperty(actor);
-  this->LookupTable = MapperAccess::GetTable(mapper);
+  // A lookup table that is missing now is made when there are scalars to map, and such a change
+  // shows in the data.
+  vtkScalarsToColors* table = MapperAccess::GetTable(mapper);
   this->Count = 0;
   bool fits = this->Add(actor) && this->Add(actor->GetProperty()) &&
     this->Add(actor->GetBackfaceProperty()) && this->Add(actor->GetUserMatrix()) &&
     this->Add(this->Shaders);
   this->BeforeMapper = this->Count;
   vtkPoints* points = input->GetPoints();
-  fits = fits && this->Add(mapper) && this->Add(this->LookupTable) && this->Add(producer) &&
-    this->Add(input) && this->Add(points) && this->Add(points ? points->GetData() : nullptr) &&
+  fits = fits && this->Add(mapper) && this->Add(table) && this->Add(producer) && this->Add(input) &&
+    this->Add(points) && this->Add(points ? points->GetData() : nullptr) &&
     this->Add(input->GetVerts()) && this->Add(input->GetLines()) && this->Add(input->GetPolys()) &&
     this->Add(input->GetStrips()) && this->AddFields(input->GetPointData()) &&
     this->AddFields(input->GetCellData()) && this->AddFields(input->GetFieldData());
@@ -113,7 +114,7 @@ bool vtkNBufferSources::Take(
   const vtkMTimeType shaders = this->Shaders ? this->Shaders->GetMTime() : 0;
   // Classes that combine the times of still other objects.
   const bool plain = !mapper->GetClippingPlanes() &&
-    (!this->LookupTable || typeid(*this->LookupTable) == typeid(vtkLookupTable)) &&
+    (!table || typeid(*table) == typeid(vtkLookupTable)) &&
     (!points || typeid(*points) == typeid(vtkPoints));
   return fits && plain &&
     this->Time ==
@@ -137,7 +138,6 @@ bool vtkNBufferSources::HasChanged() const
   // In this order: each object is known to be alive only if the one before it has not changed.
   return this->HasNewer(0, this->BeforeMapper) ||
     PropAccess::GetShaders(this->Actor) != this->Shaders ||
-    MapperAccess::GetTable(this->Mapper) != this->LookupTable ||
     this->HasNewer(this->BeforeMapper, this->Count);
 }
 
@@ -148,6 +148,5 @@ void vtkNBufferSources::Prefetch() const
     FetchLine(this->Stamps[i]);
   }
   FetchLine(&PropAccess::GetShaders(this->Actor));
-  FetchLine(&MapperAccess::GetTable(this->Mapper));
 }
 VTK_ABI_NAMESPACE_END

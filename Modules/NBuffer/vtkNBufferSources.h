@@ -10,9 +10,9 @@
  * the one cache line that it lies in.
  *
  * The list mirrors vtkActor, vtkMapper, vtkTrivialProducer, vtkPolyData, vtkPoints and
- * vtkFieldData::GetMTime, which are the same in VTK 9.1 to 9.7. Take() checks that it gives the same
- * time as they do and otherwise refuses. What VTK makes later without marking its owner as modified
- * (a mapper's lookup table, a prop's shader property) is compared as well.
+ * vtkFieldData::GetMTime, which are the same in VTK 9.1 to 9.7. Take() checks that it gives the
+ * same time as they do and otherwise refuses. A shader property, which VTK makes later without
+ * marking its prop as modified, is compared as well.
  *
  * An object's stamp is listed behind its owner's: it is alive if its owner has not changed.
  */
@@ -31,7 +31,6 @@ class vtkFieldData;
 class vtkMapper;
 class vtkObject;
 class vtkPolyData;
-class vtkScalarsToColors;
 class vtkShaderProperty;
 class vtkTimeStamp;
 
@@ -63,9 +62,7 @@ private:
 
   vtkMTimeType Time = 0;
   vtkActor* Actor = nullptr;
-  vtkMapper* Mapper = nullptr;
   vtkShaderProperty* Shaders = nullptr;
-  vtkScalarsToColors* LookupTable = nullptr;
   int Count = 0;
   int BeforeMapper = 0; ///< Stamps of the actor; the mapper's come behind.
   std::array<const vtkTimeStamp*, 18> Stamps{};

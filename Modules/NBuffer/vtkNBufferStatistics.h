@@ -26,20 +26,20 @@ VTK_ABI_NAMESPACE_BEGIN
  */
 enum class vtkNBufferVerdict : int
 {
-  Unknown,         ///< Not in the last frame: invisible, another renderer, or never culled.
-  Outside,         ///< Not drawn: its box lies outside the view frustum.
-  Hidden,          ///< Not drawn: its box lies behind what is drawn (translucent props too).
-  Visible,         ///< Drawn: its box may be seen.
-  NearPlane,       ///< Drawn: its box reaches the near plane or the eye point.
-  Untested,        ///< Drawn: a candidate in a frame without a test (see vtkNBufferDecision).
-  NotAPlainActor,  ///< Drawn: no vtkOpenGLActor itself (subclass, volume, assembly, 2D, custom).
-  NotAPlainMapper, ///< Drawn: mapper of another class, whose bounds may be too small, or none.
-  Translucent,     ///< Drawn: may be seen and has translucent geometry; it hides nothing.
-  NotASurface,     ///< Drawn: points, wireframe, visible edges or vertices, spheres, tubes.
-  DepthOffset,     ///< Drawn: coincident-topology parameters pull its depth towards the eye.
-  ShaderReplaced,  ///< Drawn: the application replaces its shader code.
-  OtherCoordinates,///< Drawn: its coordinate system is not the world.
-  NoBounds,        ///< Drawn: null, uninitialised, infinite or NaN bounds.
+  Unknown,          ///< Not in the last frame: invisible, another renderer, or never culled.
+  Outside,          ///< Not drawn: its box lies outside the view frustum.
+  Hidden,           ///< Not drawn: its box lies behind what is drawn (translucent props too).
+  Visible,          ///< Drawn: its box may be seen.
+  NearPlane,        ///< Drawn: its box reaches the near plane or the eye point.
+  Untested,         ///< Drawn: a candidate in a frame without a test (see vtkNBufferDecision).
+  NotAPlainActor,   ///< Drawn: no vtkOpenGLActor itself (subclass, volume, assembly, 2D, custom).
+  NotAPlainMapper,  ///< Drawn: mapper of another class, whose bounds may be too small, or none.
+  Translucent,      ///< Drawn: may be seen and has translucent geometry; it hides nothing.
+  NotASurface,      ///< Drawn: points, wireframe, visible edges or vertices, spheres, tubes.
+  DepthOffset,      ///< Drawn: coincident-topology parameters pull its depth towards the eye.
+  ShaderReplaced,   ///< Drawn: the application replaces its shader code.
+  OtherCoordinates, ///< Drawn: its coordinate system is not the world.
+  NoBounds,         ///< Drawn: null, uninitialised, infinite or NaN bounds.
   NumberOfVerdicts
 };
 
@@ -48,24 +48,24 @@ enum class vtkNBufferVerdict : int
  */
 enum class vtkNBufferDecision : int
 {
-  None,            ///< No frame yet.
-  Culled,          ///< Tested against this frame's depth.
-  Still,           ///< Camera, window and props are as in the last frame: its verdicts stand.
-  Frozen,          ///< Freeze is on: the verdicts of the frozen frame stand.
-  NothingHeld,     ///< No candidate could be held back: all in the frustum were visible already.
-  FewCandidates,   ///< Fewer candidates in the frustum than MinimumNumberOfCandidates.
-  BackedOff,       ///< Recent tests hid next to nothing; the next one is a probe some frames on.
-  Disabled,        ///< Enabled is off.
-  Selecting,       ///< A hardware selector indexes the props.
-  Shadows,         ///< VTK's shadow maps need the props that the camera does not see.
-  RenderPass,      ///< A render pass that the culler does not know.
-  HiddenLines,     ///< Hidden-line removal draws wireframes by itself.
-  Exporting,       ///< A GL2PS capture draws no depth.
-  Delegated,       ///< A delegate draws this renderer.
+  None,              ///< No frame yet.
+  Culled,            ///< Tested against this frame's depth.
+  Still,             ///< Camera, window and props are as in the last frame: its verdicts stand.
+  Frozen,            ///< Freeze is on: the verdicts of the frozen frame stand.
+  NothingHeld,       ///< No candidate could be held back: all in the frustum were visible already.
+  FewCandidates,     ///< Fewer candidates in the frustum than MinimumNumberOfCandidates.
+  BackedOff,         ///< Recent tests hid next to nothing; the next one is a probe some frames on.
+  Disabled,          ///< Enabled is off.
+  Selecting,         ///< A hardware selector indexes the props.
+  Shadows,           ///< VTK's shadow maps need the props that the camera does not see.
+  RenderPass,        ///< A render pass that the culler does not know.
+  HiddenLines,       ///< Hidden-line removal draws wireframes by itself.
+  Exporting,         ///< A GL2PS capture draws no depth.
+  Delegated,         ///< A delegate draws this renderer.
   UnsupportedWindow, ///< No OpenGL window, a VR window, or one without a size or context.
-  Blending,        ///< A prop blends in the opaque stage, where order then shows.
-  OtherView,       ///< Framebuffer, camera or viewport were not those of Cull(): all drawn.
-  NoDepth,         ///< The depth could not be read: all drawn, one warning.
+  Blending,          ///< A prop blends in the opaque stage, where order then shows.
+  OtherView,         ///< Framebuffer, camera or viewport were not those of Cull(): all drawn.
+  NoDepth,           ///< The depth could not be read: all drawn, one warning.
   NumberOfDecisions
 };
 
@@ -116,8 +116,9 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
 
   ///@{
   /// Milliseconds of the calling thread: Cull() as a whole and of it bringing caches up to date
-  /// and the frustum test; then waiting for and reading the depth, building levels, testing boxes
-  /// and pixels, and drawing what had been held back. On the graphics device: building levels (OpenGL back-end;
+  /// (with the frustum test where the camera has moved) and deciding (with the frustum test
+  /// elsewhere); then waiting for and reading the depth, building levels, testing boxes and pixels,
+  /// and drawing what had been held back. On the graphics device: building levels (OpenGL back-end;
   /// of an earlier frame, because a timer query is never waited for).
   double CullTime = 0.0;
   double RefreshTime = 0.0;

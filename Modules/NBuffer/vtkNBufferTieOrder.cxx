@@ -38,10 +38,10 @@ std::vector<int> GetRedraws(
   std::vector<int> redraws;
   for (int i = 0; i < static_cast<int>(drawn.size()); ++i)
   {
-    const bool again = std::any_of(late.begin(), late.end(), [&](const Late& other) {
-      return other.Round > drawn[i].Round &&
-        CanTie(projection, drawn[other.Position], drawn[i]);
-    });
+    const bool again = std::any_of(late.begin(), late.end(),
+      [&](const Late& other) {
+        return other.Round > drawn[i].Round && CanTie(projection, drawn[other.Position], drawn[i]);
+      });
     if (again)
     {
       redraws.push_back(i);

@@ -36,9 +36,9 @@ VTK_ABI_NAMESPACE_BEGIN
  */
 struct vtkNBufferDrawnProp
 {
-  int Index = 0;           ///< Place in the renderer's order.
-  int Round = 0;           ///< Props of one round were drawn in the renderer's order.
-  bool Bounded = false;    ///< `Box` and `Screen` are known; otherwise it may tie with anything.
+  int Index = 0;        ///< Place in the renderer's order.
+  int Round = 0;        ///< Props of one round were drawn in the renderer's order.
+  bool Bounded = false; ///< `Box` and `Screen` are known; otherwise it may tie with anything.
   vtkNBufferBox Box;
   vtkNBufferScreenBox Screen;
 };
@@ -46,8 +46,8 @@ struct vtkNBufferDrawnProp
 namespace vtkNBufferTieOrder
 {
 /// Whether two props may have fragments of equal depth in a sample.
-VTKNBUFFER_EXPORT bool CanTie(const vtkNBufferProjection& projection,
-  const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b);
+VTKNBUFFER_EXPORT bool CanTie(const vtkNBufferProjection& projection, const vtkNBufferDrawnProp& a,
+  const vtkNBufferDrawnProp& b);
 
 /**
  * Positions in `drawn` of the props to draw once more, in the order in which to draw them. Sorts

@@ -73,12 +73,18 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
 
   vtkNBufferClock part;
   const bool listChanged = this->Props.Synchronize(props, count);
-  this->Statistics.Refreshed = this->Props.Refresh();
+  const Key key = MakeKey(renderer);
+  const bool frozen = settings.Freeze && (wasFrozen || complete);
+  const bool moved = !frozen && !(key == this->LastKey);
+  if (moved)
+  {
+    this->SetProjection(key);
+  }
+  this->Statistics.Refreshed = this->Props.Refresh(moved ? &this->Projection : nullptr);
   this->Statistics.RefreshTime = part.Restart();
 
-  const Key key = MakeKey(renderer);
-  const bool changed = listChanged || this->Statistics.Refreshed > 0 || !(key == this->LastKey);
-  if (settings.Freeze && (wasFrozen || complete))
+  const bool changed = listChanged || this->Statistics.Refreshed > 0 || moved;
+  if (frozen)
   {
     this->Statistics.Decision = vtkNBufferDecision::Frozen;
   }
@@ -88,13 +94,12 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   }
   else
   {
-    this->LastKey = key;
-    this->Projection.Set(
-      key.WorldToClip.data(), key.Viewport[2], key.Viewport[3], this->DepthQuantum);
-    this->Props.Project(this->Projection);
-    const bool blending =
-      this->Props.HasBlending(vtkNBufferSituation::SmoothesLines(renderer),
-        vtkNBufferSituation::HasAmbientOcclusion(renderer));
+    if (!moved)
+    {
+      this->Props.Project(this->Projection);
+    }
+    const bool blending = this->Props.HasBlending(vtkNBufferSituation::SmoothesLines(renderer),
+      vtkNBufferSituation::HasAmbientOcclusion(renderer));
     this->Statistics.Decision = this->Decide(blending);
     this->Settled = this->Statistics.Decision == vtkNBufferDecision::Culled;
     this->Pending = this->Settled;
@@ -105,6 +110,13 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   this->CountVerdicts();
   this->Statistics.CullTime = clock.GetMilliseconds();
   return total;
+}
+
+void vtkNBufferView::SetProjection(const Key& key)
+{
+  this->LastKey = key;
+  this->Projection.Set(
+    key.WorldToClip.data(), key.Viewport[2], key.Viewport[3], this->DepthQuantum);
 }
 
 bool vtkNBufferView::MayReuse(vtkRenderer* renderer) const
@@ -177,9 +189,9 @@ vtkNBufferDecision vtkNBufferView::Decide(bool blending)
     }
     else if (!this->Kept.empty())
     {
-      const auto farthest = std::max_element(this->Kept.begin(), this->Kept.end(),
-        [this](int a, int b)
-        { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; });
+      const auto farthest =
+        std::max_element(this->Kept.begin(), this->Kept.end(), [this](int a, int b)
+          { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; });
       this->Held.push_back(*farthest);
       this->Kept.erase(farthest);
     }
@@ -235,8 +247,8 @@ double vtkNBufferView::Emit(vtkProp** props, int& count, int& initialized)
         box.Center[2] + box.HalfSize[2]);
       continue;
     }
-    const bool gated = this->Pending &&
-      std::binary_search(this->Gated.begin(), this->Gated.end(), i);
+    const bool gated =
+      this->Pending && std::binary_search(this->Gated.begin(), this->Gated.end(), i);
     if (gated || closed)
     {
       vtkNBufferGatedProp* gate = this->GetGate(gates++);
@@ -315,9 +327,8 @@ vtkNBufferVerdict vtkNBufferView::GetVerdict(vtkProp* prop) const
 
 bool vtkNBufferView::HasHeldPropWithKeys(vtkInformation* requiredKeys) const
 {
-  return std::any_of(this->Held.begin(), this->Held.end(), [&](int i) {
-    return this->Props.GetProp(i)->HasKeys(requiredKeys);
-  });
+  return std::any_of(this->Held.begin(), this->Held.end(),
+    [&](int i) { return this->Props.GetProp(i)->HasKeys(requiredKeys); });
 }
 
 int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* requiredKeys)
@@ -349,14 +360,13 @@ int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* require
   this->CountVerdicts();
   const auto keptHidden = std::count_if(this->Kept.begin(), this->Kept.end(),
     [this](int i) { return !this->Props.GetState(i).WasVisible; });
-  this->BackOff.Learn(
-    this->Statistics.GetCount(vtkNBufferVerdict::Hidden) + static_cast<int>(keptHidden),
+  this->BackOff.Learn(this->Statistics.GetCount(vtkNBufferVerdict::Hidden) +
+      static_cast<int>(keptHidden) - this->Statistics.Redrawn,
     static_cast<int>(this->Kept.size() + this->Held.size() + this->Gated.size()));
   return drawn;
 }
 
-vtkNBufferDecision vtkNBufferView::PrepareTest(
-  vtkRenderer* renderer, vtkNBufferDepthSource& source)
+vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBufferDepthSource& source)
 {
   if (!(MakeKey(renderer) == this->LastKey))
   {
@@ -379,8 +389,7 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(
   if (quantum != this->DepthQuantum)
   {
     this->DepthQuantum = quantum;
-    this->Projection.Set(this->LastKey.WorldToClip.data(), this->LastKey.Viewport[2],
-      this->LastKey.Viewport[3], quantum);
+    this->SetProjection(this->LastKey);
     for (const std::vector<int>* list : { &this->Kept, &this->Held, &this->Gated })
     {
       for (int i : *list)
@@ -413,9 +422,8 @@ int vtkNBufferView::DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSourc
   int drawn = 0;
   int round = 1;
   std::vector<int> held = this->Held;
-  const auto nearer = [this](int a, int b) {
-    return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest;
-  };
+  const auto nearer = [this](int a, int b)
+  { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; };
   const auto drawNearest = [&](std::size_t limit)
   {
     std::vector<int> nearest = held;
@@ -464,8 +472,7 @@ int vtkNBufferView::DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSourc
     const std::size_t limit = static_cast<std::size_t>(this->Settings.RoundSize)
       << this->Statistics.Rounds;
     ++this->Statistics.Rounds;
-    if (held.size() <= 2 * limit ||
-      this->Statistics.Rounds >= this->Settings.MaximumNumberOfRounds)
+    if (held.size() <= 2 * limit || this->Statistics.Rounds >= this->Settings.MaximumNumberOfRounds)
     {
       this->CloseGates(test);
       drawNearest(held.size());
@@ -537,8 +544,9 @@ void vtkNBufferView::RedrawForTieOrder(vtkRenderer* renderer)
     return;
   }
   const int firstLate = std::min_element(this->Drawn.begin(), this->Drawn.end(),
-    [](const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b)
-    { return a.Index < b.Index; })->Index;
+    [](const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b) {
+      return a.Index < b.Index;
+    })->Index;
   std::vector<vtkNBufferDrawnProp> all = this->Drawn;
   for (int i = firstLate; i < this->Props.GetSize(); ++i)
   {

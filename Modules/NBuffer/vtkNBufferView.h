@@ -110,6 +110,7 @@ private:
   };
 
   static Key MakeKey(vtkRenderer* renderer);
+  void SetProjection(const Key& key);
   bool MayReuse(vtkRenderer* renderer) const;
   vtkNBufferDecision Decide(bool blending);
   double Emit(vtkProp** props, int& count, int& initialized);
@@ -121,8 +122,7 @@ private:
   void TestKept(vtkNBufferDepthTest& test);
   int DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSource& source);
   int DrawRound(vtkRenderer* renderer, std::vector<int> props, int round);
-  int DrawAll(
-    vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason);
+  int DrawAll(vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason);
   vtkNBufferDrawnProp MakeDrawnProp(int i, int round);
   void RedrawForTieOrder(vtkRenderer* renderer);
   void Warn(vtkRenderer* renderer, const std::string& why);
@@ -139,15 +139,15 @@ private:
   Key LastKey;
   double DepthQuantum = 0x1p-24; ///< Of the framebuffer drawn last, in window depth.
 
-  std::vector<int> Kept;                   ///< Candidates inside that are let through.
-  std::vector<int> Held;                   ///< Candidates inside that are held back.
-  std::vector<int> Gated;                  ///< Translucent props inside, behind gates.
-  std::vector<vtkNBufferDrawnProp> Drawn;  ///< Held ones that have been drawn in this frame.
+  std::vector<int> Kept;                  ///< Candidates inside that are let through.
+  std::vector<int> Held;                  ///< Candidates inside that are held back.
+  std::vector<int> Gated;                 ///< Translucent props inside, behind gates.
+  std::vector<vtkNBufferDrawnProp> Drawn; ///< Held ones that have been drawn in this frame.
 
-  bool Pending = false;      ///< The proxy is in the list and has not been drawn yet.
-  bool DrawnOnce = false;    ///< The proxy has been drawn in this frame.
-  bool Aside = false;        ///< The frame is drawn as usual.
-  bool Settled = false;      ///< The verdicts of the last frame are complete.
+  bool Pending = false;   ///< The proxy is in the list and has not been drawn yet.
+  bool DrawnOnce = false; ///< The proxy has been drawn in this frame.
+  bool Aside = false;     ///< The frame is drawn as usual.
+  bool Settled = false;   ///< The verdicts of the last frame are complete.
   bool Warned = false;
 };
 
