@@ -41,7 +41,7 @@ class CheckSources(unittest.TestCase):
             "Testing/a.cxx": HEADER + 'auto s = "uniform float x;";\n',
             "data/README.md": HEADER,
             "data/a.json": "{}",
-            "CMakeLists.txt": HEADER + "$ENV{HOME}/work/x <a>/tmp/x ${b}/tmp/x\n"}), [])
+            "CMakeLists.txt": HEADER + "$ENV{HOME}/src/x <a>/tmp/x ${b}/tmp/x\n"}), [])
 
     def test_no_spdx(self):
         self.one_fault({"a.cxx": "int a;\n"}, "no SPDX lines in the first")
