@@ -7,8 +7,8 @@
  * OpenGL: the depth is reduced and the levels are built by fragment passes, then read back once.
  * CPU: the depth is read back once, reduced and built here. Both give the same levels to the bit.
  *
- * Which one is faster depends on the machine. On software renderers the passes cost 10 to 25
- * times what the host needs (docs/benchmarks.md), so that Auto takes the CPU there without a
+ * Which one is faster depends on the machine. On llvmpipe the passes took 20 to 40 times what the
+ * host needs (docs/benchmarks.md), so that Auto takes the CPU on software renderers without a
  * trial. Elsewhere it times both on real frames, once per graphics context: the first build warms
  * the passes up, the second and third are measured, the faster path stays.
  */
