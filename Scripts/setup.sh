@@ -8,7 +8,9 @@
 #   2. puts CMake and Ninja from PyPI into build/setup/tools, pinned by version and hash,
 #   3. puts VTK 9.7.0 from PyPI into build/setup/vtk, pinned likewise; with VTK_DIR, VTK_ROOT or
 #      CMAKE_PREFIX_PATH in the environment it takes that VTK instead,
-#   4. configures and builds in build/, programs in build/bin/.
+#   4. configures and builds in build/, programs in build/bin/;
+#
+# nbuffer_setup_debian_vtk does 4 with the distribution's VTK, in build/debian-vtk.
 #
 # Each step leaves a stamp and is skipped when nothing of what it depends on has changed.
 
@@ -16,6 +18,7 @@ set -euo pipefail
 
 nbuffer_source=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 nbuffer_build="$nbuffer_source/build"
+nbuffer_debian_build="$nbuffer_build/debian-vtk"
 nbuffer_state="$nbuffer_build/setup"
 
 nbuffer_say() {
@@ -58,20 +61,29 @@ nbuffer_mark_done() {
   printf '%s\n' "$2" >"$nbuffer_state/$1.stamp"
 }
 
-nbuffer_install_packages() {
-  local -a wanted missing=()
-  mapfile -t wanted < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' \
-    "$nbuffer_source/Scripts/requirements-debian.txt")
-  if ! command -v dpkg-query >/dev/null; then
-    nbuffer_say "Packages: no Debian system; needed are what Debian calls ${wanted[*]}"
-    return
-  fi
+# The packages named in a file of requirements.
+nbuffer_wanted_packages() {
+  sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$nbuffer_source/Scripts/$1"
+}
+
+# Those of them that are not installed.
+nbuffer_missing_packages() {
   local name
-  for name in "${wanted[@]}"; do
+  for name in $(nbuffer_wanted_packages "$1"); do
     if [[ "$(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null)" != installed ]]; then
-      missing+=("$name")
+      printf '%s\n' "$name"
     fi
   done
+}
+
+nbuffer_install_packages() {
+  if ! command -v dpkg-query >/dev/null; then
+    nbuffer_say "Packages: no Debian system; needed are what Debian calls" \
+      "$(nbuffer_wanted_packages "$1" | tr '\n' ' ')"
+    return
+  fi
+  local -a missing
+  mapfile -t missing < <(nbuffer_missing_packages "$1")
   if ((${#missing[@]} == 0)); then
     nbuffer_say "Packages: all installed"
     return
@@ -131,27 +143,47 @@ nbuffer_fetch_vtk() {
   nbuffer_vtk=("-DCMAKE_PREFIX_PATH=$vtk/cvista_sdk/cmake")
 }
 
+# nbuffer_build <stamp> <folder> <arguments for CMake...>
 nbuffer_build() {
+  local stamp=$1 folder=$2
+  shift 2
   # Another VTK or another place of the sources: a fresh cache.
-  local choice="$nbuffer_source ${nbuffer_vtk[*]} ${VTK_DIR:-} ${VTK_ROOT:-} ${CMAKE_PREFIX_PATH:-}"
+  local choice="$nbuffer_source $* ${VTK_DIR:-} ${VTK_ROOT:-} ${CMAKE_PREFIX_PATH:-}"
   local -a fresh=()
-  if ! nbuffer_is_done configure "$choice"; then
+  if ! nbuffer_is_done "$stamp" "$choice"; then
     fresh=(--fresh)
   fi
   nbuffer_say "Configure"
-  cmake "${fresh[@]}" -S "$nbuffer_source" -B "$nbuffer_build" -G Ninja \
-    -DCMAKE_BUILD_TYPE=Release "${nbuffer_vtk[@]}"
-  nbuffer_mark_done configure "$choice"
+  cmake "${fresh[@]}" -S "$nbuffer_source" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@"
+  nbuffer_mark_done "$stamp" "$choice"
   nbuffer_say "Build"
-  cmake --build "$nbuffer_build"
+  cmake --build "$folder"
 }
 
 nbuffer_setup() {
   mkdir -p "$nbuffer_state"
-  nbuffer_install_packages
+  nbuffer_install_packages requirements-debian.txt
   nbuffer_install_tools
   nbuffer_fetch_vtk
-  nbuffer_build
+  nbuffer_build configure "$nbuffer_build" "${nbuffer_vtk[@]}"
   # No X server: VTK's window in memory, unless the user wants another one.
   export VTK_DEFAULT_OPENGL_WINDOW="${VTK_DEFAULT_OPENGL_WINDOW:-vtkOSOpenGLRenderWindow}"
+}
+
+# After nbuffer_setup. Returns 1, with the reason printed, where there is no such VTK.
+nbuffer_setup_debian_vtk() {
+  local requirements=requirements-debian-vtk.txt
+  if ! command -v dpkg-query >/dev/null; then
+    nbuffer_say "SKIPPED: the distribution's VTK: no Debian system"
+    return 1
+  fi
+  if ((EUID != 0)) && [[ -n "$(nbuffer_missing_packages $requirements)" ]]; then
+    nbuffer_say "SKIPPED: the distribution's VTK: only root can install" \
+      "$(nbuffer_missing_packages $requirements | tr '\n' ' ')"
+    return 1
+  fi
+  nbuffer_install_packages $requirements
+  local config
+  config=$(dpkg-query -L libvtk9-dev | grep '/vtk-config\.cmake$')
+  nbuffer_build configure-debian-vtk "$nbuffer_debian_build" "-DVTK_DIR=${config%/*}"
 }

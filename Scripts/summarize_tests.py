@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Summarises ctest's JUnit file; its last line is "N passed, N failed, N skipped".
+"""Summarises ctest's JUnit files; the last line is "N passed, N failed, N skipped".
 
 The exit status is 0 only if ctest's was, nothing failed and enough tests ran. A test whose
 program is missing or whose fixture failed is "skipped" for ctest; here it has failed.
@@ -37,14 +37,18 @@ def classify(case):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("results", type=pathlib.Path)
+    parser.add_argument("results", type=pathlib.Path, nargs="+")
     parser.add_argument("--minimum", type=int, default=0, help="tests that must have run")
     parser.add_argument("--status", type=int, default=0, help="exit status of ctest")
     arguments = parser.parse_args()
 
     groups = {"passed": [], "failed": [], "skipped": []}
-    if arguments.results.exists():
-        for case in xml.etree.ElementTree.parse(arguments.results).iter("testcase"):
+    for results in arguments.results:
+        if not results.exists():
+            print(f"error: {results.name} of {results.parent.name} was not written")
+            arguments.status = arguments.status or 1
+            continue
+        for case in xml.etree.ElementTree.parse(results).iter("testcase"):
             groups[classify(case)].append(case)
 
     print()

@@ -3,12 +3,14 @@
 #include "vtkNBufferCuller.h"
 
 #include "vtkNBufferBackend.h"
+#include "vtkNBufferFrameGuard.h"
 #include "vtkNBufferSituation.h"
 #include "vtkNBufferView.h"
 
 #include "vtkCamera.h"
 #include "vtkCullerCollection.h"
 #include "vtkFrustumCoverageCuller.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkProp.h"
 #include "vtkRenderWindow.h"
@@ -39,7 +41,19 @@ public:
     vtkRenderWindow* Window = nullptr;
     int Eye = 0;
     std::unique_ptr<vtkNBufferView> View;
+    vtkWeakPointer<vtkNBufferFrameGuard> Guard; ///< Lives as long as the renderer's observers.
   };
+
+  Internals() = default;
+  Internals(const Internals&) = delete;
+  void operator=(const Internals&) = delete;
+  ~Internals()
+  {
+    for (ViewEntry& entry : this->Views)
+    {
+      Detach(entry);
+    }
+  }
 
   vtkNBufferBackend& GetBackend(vtkRenderWindow* window)
   {
@@ -54,7 +68,7 @@ public:
     return *this->Windows.back().Backend;
   }
 
-  vtkNBufferView& GetView(vtkRenderer* renderer)
+  ViewEntry& GetView(vtkRenderer* renderer)
   {
     vtkRenderWindow* window = renderer->GetRenderWindow();
     const int eye = renderer->GetActiveCamera() && window->GetStereoRender()
@@ -66,14 +80,16 @@ public:
       if (entry.Renderer == renderer && entry.Window == window && entry.Eye == eye)
       {
         this->Last = i;
-        return *entry.View;
+        return entry;
       }
     }
     this->DropDeleted();
     this->Last = this->Views.size();
-    this->Views.push_back(
-      { renderer, window, eye, std::make_unique<vtkNBufferView>(this->GetBackend(window)) });
-    return *this->Views.back().View;
+    vtkNew<vtkNBufferFrameGuard> guard;
+    guard->Attach(renderer);
+    this->Views.push_back({ renderer, window, eye,
+      std::make_unique<vtkNBufferView>(this->GetBackend(window)), guard.Get() });
+    return this->Views.back();
   }
 
   const vtkNBufferView* FindView(vtkRenderer* renderer) const
@@ -94,6 +110,14 @@ public:
   }
 
 private:
+  static void Detach(ViewEntry& entry)
+  {
+    if (const vtkSmartPointer<vtkNBufferFrameGuard> guard = entry.Guard.Get())
+    {
+      guard->Detach();
+    }
+  }
+
   void DropDeleted()
   {
     for (std::size_t i = this->Views.size(); i-- > 0;)
@@ -101,6 +125,7 @@ private:
       vtkRenderer* renderer = this->Views[i].Renderer;
       if (!renderer || renderer->GetRenderWindow() != this->Views[i].Window)
       {
+        Detach(this->Views[i]);
         this->Views.erase(this->Views.begin() + i);
       }
     }
@@ -180,7 +205,8 @@ void vtkNBufferCuller::SetBaseFactor(int factor)
 double vtkNBufferCuller::Cull(
   vtkRenderer* renderer, vtkProp** propList, int& listLength, int& initialized)
 {
-  vtkNBufferView& view = this->Implementation->GetView(renderer);
+  Internals::ViewEntry& entry = this->Implementation->GetView(renderer);
+  vtkNBufferView& view = *entry.View;
   vtkNBufferDecision obstacle = vtkNBufferDecision::Disabled;
   if (this->Enabled)
   {
@@ -200,6 +226,7 @@ double vtkNBufferCuller::Cull(
     }
     return total;
   }
+  entry.Guard->BeginFrame(this);
   if (this->TakeOverFrustumCulling)
   {
     MoveDefaultFrustumCullersBehind(this, renderer->GetCullers());

@@ -42,6 +42,11 @@
  * MinimumNumberOfCandidates, with a still camera and unchanged props, or, but for a probe now and
  * then, where recent frames hid next to nothing.
  *
+ * ## Lifetime
+ *
+ * Observers may remove and delete props, and the culler itself, while a frame is drawn: what the
+ * frame was begun with is drawn, as in VTK, but lives until its end (vtkNBufferFrameGuard.h).
+ *
  * ## Limits
  *
  * It steps aside, and all is drawn as usual, where props are needed that the camera does not see
