@@ -78,7 +78,7 @@ void vtkNBufferBackend::Judge(Kind used, double milliseconds)
   }
 }
 
-bool vtkNBufferBackend::Build(Kind wanted, vtkOpenGLRenderWindow* window,
+vtkNBufferDecision vtkNBufferBackend::Build(Kind wanted, vtkOpenGLRenderWindow* window,
   const vtkNBufferDepthSource& source, int factor, int levelsNeeded, vtkNBufferLevels& levels,
   vtkNBufferStatistics& statistics, std::string& why)
 {
@@ -90,13 +90,22 @@ bool vtkNBufferBackend::Build(Kind wanted, vtkOpenGLRenderWindow* window,
     glFinish();
   }
   const vtkNBufferClock clock;
-  const bool built = this->InUse == OpenGL
-    ? this->BuildOnDevice(window, source, factor, levelsNeeded, levels, statistics, why)
-    : this->BuildOnHost(window, source, factor, levelsNeeded, levels, statistics, why);
+  bool built = this->InUse == OpenGL &&
+    this->BuildOnDevice(window, source, factor, levelsNeeded, levels, statistics, why);
+  if (!built && this->InUse == OpenGL && wanted == Auto)
+  {
+    this->InUse = this->Chosen = CPU;
+    this->Reason = "the device cannot build: " + why;
+  }
+  if (!built && this->InUse == CPU)
+  {
+    built = this->BuildOnHost(window, source, factor, levelsNeeded, levels, statistics, why);
+  }
   if (!built)
   {
     levels.Clear();
-    return false;
+    return this->Texture->LacksFloatTextures() ? vtkNBufferDecision::NoFloatTextures
+                                               : vtkNBufferDecision::NoDepth;
   }
   if (wanted == Auto)
   {
@@ -105,7 +114,13 @@ bool vtkNBufferBackend::Build(Kind wanted, vtkOpenGLRenderWindow* window,
   statistics.Levels += levels.GetNumberOfLevels();
   statistics.Texels +=
     static_cast<long long>(levels.GetNumberOfLevels()) * levels.GetWidth() * levels.GetHeight();
-  return true;
+  return vtkNBufferDecision::None;
+}
+
+bool vtkNBufferBackend::CountFailure(vtkNBufferDecision failure)
+{
+  ++this->FailedFrames;
+  return this->Told.insert(failure).second;
 }
 
 bool vtkNBufferBackend::DrawsOrdinaryDepth(const vtkNBufferDepthSource& source)

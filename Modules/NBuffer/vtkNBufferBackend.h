@@ -23,6 +23,7 @@
 #include "vtkNew.h"
 #include "vtkType.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,10 +43,11 @@ public:
 
   /**
    * Build `levelsNeeded` levels of maxima over the viewport of `source`, the framebuffer bound for
-   * drawing. Fills the counts and times of `statistics`. On failure returns false with cause and
-   * remedy in `why`, and the levels hold nothing.
+   * drawing. Fills the counts and times of `statistics`. Returns None; on failure NoFloatTextures
+   * or NoDepth with cause and remedy in `why`, and the levels hold nothing. Auto goes on with the
+   * CPU where the device cannot build.
    */
-  bool Build(Kind wanted, vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
+  vtkNBufferDecision Build(Kind wanted, vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
     int factor, int levelsNeeded, vtkNBufferLevels& levels, vtkNBufferStatistics& statistics,
     std::string& why);
 
@@ -62,6 +64,16 @@ public:
    * into the whole viewport, depth written over the whole range [0, 1]. Asks OpenGL.
    */
   static bool DrawsOrdinaryDepth(const vtkNBufferDepthSource& source);
+
+  /// See vtkNBufferTexture.
+  void SetAllowFloatTextures(bool allow) { this->Texture->SetAllowFloatTextures(allow); }
+
+  ///@{
+  /// Count a frame that is drawn whole because of `failure`; true for the first of its kind, which
+  /// is to be told.
+  bool CountFailure(vtkNBufferDecision failure);
+  int GetFailedFrames() const { return this->FailedFrames; }
+  ///@}
 
   Kind GetInUse() const { return this->InUse; }
   const std::string& GetReason() const { return this->Reason; }
@@ -84,6 +96,8 @@ private:
   vtkMTimeType ContextTime = 0;
   int Trial = 0;
   double TrialTimes[2] = { 0.0, 0.0 };
+  int FailedFrames = 0;
+  std::set<vtkNBufferDecision> Told;
 };
 
 VTK_ABI_NAMESPACE_END

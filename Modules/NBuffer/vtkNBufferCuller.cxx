@@ -38,10 +38,11 @@ public:
   struct ViewEntry
   {
     vtkWeakPointer<vtkRenderer> Renderer;
-    vtkRenderWindow* Window = nullptr;
+    vtkWeakPointer<vtkRenderWindow> Window;
     int Eye = 0;
     std::unique_ptr<vtkNBufferView> View;
-    vtkWeakPointer<vtkNBufferFrameGuard> Guard; ///< Lives as long as the renderer's observers.
+    /// Not by a vtkWeakPointer: VTK 9.1 does not clear those to a deleted vtkCommand.
+    vtkSmartPointer<vtkNBufferFrameGuard> Guard;
   };
 
   Internals() = default;
@@ -51,7 +52,7 @@ public:
   {
     for (ViewEntry& entry : this->Views)
     {
-      Detach(entry);
+      entry.Guard->Detach();
     }
   }
 
@@ -110,22 +111,15 @@ public:
   }
 
 private:
-  static void Detach(ViewEntry& entry)
-  {
-    if (const vtkSmartPointer<vtkNBufferFrameGuard> guard = entry.Guard.Get())
-    {
-      guard->Detach();
-    }
-  }
-
   void DropDeleted()
   {
     for (std::size_t i = this->Views.size(); i-- > 0;)
     {
       vtkRenderer* renderer = this->Views[i].Renderer;
-      if (!renderer || renderer->GetRenderWindow() != this->Views[i].Window)
+      vtkRenderWindow* window = this->Views[i].Window;
+      if (!renderer || !window || renderer->GetRenderWindow() != window)
       {
-        Detach(this->Views[i]);
+        this->Views[i].Guard->Detach();
         this->Views.erase(this->Views.begin() + i);
       }
     }
@@ -178,6 +172,23 @@ void MoveDefaultFrustumCullersBehind(vtkCuller* self, vtkCullerCollection* culle
     cullers->AddItem(culler);
   }
 }
+
+/// Whether a culler behind this one would have removed props that are held back from it.
+bool IsOtherCullerBehind(vtkCuller* self, vtkCullerCollection* cullers)
+{
+  bool behind = false;
+  vtkCollectionSimpleIterator cookie;
+  cullers->InitTraversal(cookie);
+  while (vtkCuller* culler = cullers->GetNextCuller(cookie))
+  {
+    if (behind && !IsDefaultFrustumCuller(culler))
+    {
+      return true;
+    }
+    behind = behind || culler == self;
+  }
+  return false;
+}
 }
 
 vtkNBufferCuller::vtkNBufferCuller()
@@ -212,6 +223,10 @@ double vtkNBufferCuller::Cull(
   {
     obstacle = vtkNBufferSituation::GetObstacle(renderer);
   }
+  if (obstacle == vtkNBufferDecision::None && IsOtherCullerBehind(this, renderer->GetCullers()))
+  {
+    obstacle = vtkNBufferDecision::OtherCuller;
+  }
   if (obstacle == vtkNBufferDecision::None && listLength < this->MinimumNumberOfCandidates)
   {
     obstacle = vtkNBufferDecision::FewCandidates;
@@ -219,6 +234,12 @@ double vtkNBufferCuller::Cull(
   if (obstacle != vtkNBufferDecision::None)
   {
     view.StepAside(obstacle, propList, listLength);
+    if (obstacle == vtkNBufferDecision::NoContext)
+    {
+      view.Fail(renderer, obstacle,
+        "The render window has no OpenGL context. Use a window of VTK::RenderingOpenGL2, with the "
+        "context made.");
+    }
     double total = 0.0;
     for (int i = 0; i < listLength; ++i)
     {
@@ -239,6 +260,7 @@ double vtkNBufferCuller::Cull(
   settings.RoundSize = this->RoundSize;
   settings.Test.MaximumNumberOfPieces = this->MaximumNumberOfPieces;
   settings.Test.TestPixels = this->TestPixels;
+  settings.Test.AllowFloatTextures = this->AllowFloatTextures;
   settings.ReuseWhenStill = this->ReuseWhenStill;
   settings.BackOff = this->BackOff;
   settings.Freeze = this->Freeze;
@@ -282,6 +304,7 @@ void vtkNBufferCuller::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RoundSize: " << this->RoundSize << "\n";
   os << indent << "MaximumNumberOfPieces: " << this->MaximumNumberOfPieces << "\n";
   os << indent << "TestPixels: " << this->TestPixels << "\n";
+  os << indent << "AllowFloatTextures: " << this->AllowFloatTextures << "\n";
   os << indent << "ReuseWhenStill: " << this->ReuseWhenStill << "\n";
   os << indent << "BackOff: " << this->BackOff << "\n";
   os << indent << "TakeOverFrustumCulling: " << this->TakeOverFrustumCulling << "\n";

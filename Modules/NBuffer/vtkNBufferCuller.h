@@ -51,8 +51,9 @@
  *
  * It steps aside, and all is drawn as usual, where props are needed that the camera does not see
  * or where the framebuffer is not the camera's: hardware selection, UseShadows, GL2PS export,
- * hidden-line removal, unknown render passes, VR windows. vtkNBufferDecision names each case and
- * GetDecision() tells it. A failure (no depth, lost context) draws everything and warns once.
+ * hidden-line removal, unknown render passes, VR windows, other cullers behind this one. vtkNBufferDecision names each case and
+ * GetDecision() tells it. A failure (no context or an old one, no float textures, depth that cannot
+ * be read) draws everything, is counted, and the first of its kind warns with cause and remedy.
  *
  * Sources: X. Decoret, "N-Buffers for efficient depth map query", 2005, section 3.1; M. Turitzin,
  * "Hierarchical Depth Buffers", 2020, for reductions of images of any size.
@@ -144,6 +145,15 @@ public:
   ///@}
 
   ///@{
+  /// Whether the device may draw into float textures, which the OpenGL back-end and multisampling
+  /// call for. Off is as on a device that cannot: Auto takes the CPU back-end, and what needs the
+  /// device draws everything (NoFloatTextures). Default: on.
+  vtkSetMacro(AllowFloatTextures, bool);
+  vtkGetMacro(AllowFloatTextures, bool);
+  vtkBooleanMacro(AllowFloatTextures, bool);
+  ///@}
+
+  ///@{
   /// Reuse the verdicts while camera, window and props stay as they are. Default: on.
   vtkSetMacro(ReuseWhenStill, bool);
   vtkGetMacro(ReuseWhenStill, bool);
@@ -159,7 +169,9 @@ public:
 
   ///@{
   /// Move in front of a vtkFrustumCoverageCuller that has default settings, which then only sees
-  /// the props that are left. One with other settings stays in front. Default: on.
+  /// the props that are left. One with other settings stays in front; behind this culler it would
+  /// miss the props held back, so that all cullers but those with default settings are to be added
+  /// before this one. Default: on.
   vtkSetMacro(TakeOverFrustumCulling, bool);
   vtkGetMacro(TakeOverFrustumCulling, bool);
   vtkBooleanMacro(TakeOverFrustumCulling, bool);
@@ -226,6 +238,7 @@ private:
   int RoundSize = 64;
   int MaximumNumberOfPieces = 8;
   bool TestPixels = true;
+  bool AllowFloatTextures = true;
   bool ReuseWhenStill = true;
   bool BackOff = true;
   bool TakeOverFrustumCulling = true;

@@ -27,7 +27,7 @@ vtkNBufferDepthTest::vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferL
 {
 }
 
-bool vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
+vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
   std::initializer_list<const std::vector<int>*> places, std::string& why)
 {
   this->Window = window;
@@ -42,6 +42,7 @@ bool vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window, const vtkNBufferD
           this->Props.GetScreen(i).Pixels, this->Settings.BaseFactor));
     }
   }
+  this->Backend.SetAllowFloatTextures(this->Settings.AllowFloatTextures);
   return this->Backend.Build(this->Settings.Backend, window, source, this->Settings.BaseFactor,
     levels, this->Levels, this->Statistics, why);
 }

@@ -33,6 +33,7 @@ public:
     int BaseFactor = 4;
     int MaximumNumberOfPieces = 8;
     bool TestPixels = true;
+    bool AllowFloatTextures = true;
   };
 
   /// All but the options are kept by reference and must outlive the test.
@@ -42,9 +43,9 @@ public:
 
   /**
    * Build the levels that the props in all of `places` need, from the depth of the framebuffer
-   * that is being drawn. False, with cause and remedy in `why`, if there is none.
+   * that is being drawn. As vtkNBufferBackend::Build.
    */
-  bool Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
+  vtkNBufferDecision Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
     std::initializer_list<const std::vector<int>*> places, std::string& why);
 
   /// Take the places of hidden props out of `places`; returns how many of them the levels alone did

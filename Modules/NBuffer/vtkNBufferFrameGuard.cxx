@@ -13,6 +13,7 @@ void vtkNBufferFrameGuard::Attach(vtkRenderer* renderer)
   this->Renderer = renderer;
   this->Props = renderer->GetViewProps();
   renderer->AddObserver(vtkCommand::EndEvent, this);
+  renderer->AddObserver(vtkCommand::DeleteEvent, this);
   this->Props->AddObserver(vtkCommand::ModifiedEvent, this);
 }
 
@@ -55,16 +56,17 @@ void vtkNBufferFrameGuard::DropProps()
 
 void vtkNBufferFrameGuard::Execute(vtkObject*, unsigned long event, void*)
 {
-  if (event == vtkCommand::ModifiedEvent)
+  if (event != vtkCommand::EndEvent)
   {
     this->Holding = false;
   }
   // A change while a frame is drawn waits for its end.
-  if (!this->Holding && (event == vtkCommand::EndEvent || !this->Culler))
+  const bool isOver = event != vtkCommand::ModifiedEvent;
+  if (!this->Holding && (isOver || !this->Culler))
   {
     this->DropProps();
   }
-  if (event == vtkCommand::EndEvent)
+  if (isOver)
   {
     // Its last reference may be this one; the guard itself is kept by whoever calls.
     const vtkSmartPointer<vtkObject> culler = this->Culler;

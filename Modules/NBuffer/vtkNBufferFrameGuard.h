@@ -5,8 +5,8 @@
  * @brief Keeps alive what a frame draws, whatever observers remove while it is drawn.
  *
  * From Cull() to the end of vtkRenderer::Render() the renderer and the culler know the props by
- * plain pointers. An observer (of a mapper, of the window) that removes a prop in between, and drops
- * the last reference to it, would leave both with a dead one. So
+ * plain pointers. An observer (of a mapper, of the window) that removes a prop in between, and
+ * drops the last reference to it, would leave both with a dead one. So
  *
  *  - every prop of the renderer is referenced from its first Cull() on. The references go when
  *    props are added or removed: at once, or at the end of the frame that is being drawn. A frame
@@ -44,7 +44,7 @@ public:
   /// The renderer begins to draw a frame that `culler` has a part in.
   void BeginFrame(vtkObject* culler);
 
-  /// The renderer's end of a frame, or a change of its props.
+  /// The renderer's end of a frame, a change of its props, or its deletion.
   void Execute(vtkObject* caller, unsigned long event, void* data) override;
 
 protected:

@@ -13,6 +13,7 @@ void vtkNBufferGatedProp::SetProp(vtkProp* prop)
 {
   this->Prop = prop;
   this->Open = true;
+  this->Drawn = false;
 }
 
 int vtkNBufferGatedProp::RenderOpaqueGeometry(vtkViewport* viewport)
@@ -27,6 +28,7 @@ int vtkNBufferGatedProp::RenderTranslucentPolygonalGeometry(vtkViewport* viewpor
   {
     return 0;
   }
+  this->Drawn = true;
   const vtkNBufferForwardedKeys keys(this->GetPropertyKeys(), this->Prop);
   return this->Prop->RenderTranslucentPolygonalGeometry(viewport);
 }

@@ -31,6 +31,9 @@ public:
   /// A closed gate draws nothing in the translucent stage.
   void SetOpen(bool open) { this->Open = open; }
 
+  /// Whether the prop has been drawn in the translucent stage, by a pass that draws that one first.
+  bool HasDrawn() const { return this->Drawn; }
+
   double* GetBounds() VTK_SIZEHINT(6) override { return this->Prop->GetBounds(); }
   bool HasKeys(vtkInformation* keys) override { return this->Prop->HasKeys(keys); }
   vtkTypeBool HasOpaqueGeometry() override { return this->Prop->HasOpaqueGeometry(); }
@@ -66,6 +69,7 @@ private:
 
   vtkProp* Prop = nullptr;
   bool Open = true;
+  bool Drawn = false;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -73,6 +73,16 @@ vtkNBufferRectangle GetBaseRectangle(const vtkNBufferRectangle& pixels, int fact
   return texels;
 }
 
+vtkNBufferRectangle Intersect(const vtkNBufferRectangle& a, const vtkNBufferRectangle& b)
+{
+  vtkNBufferRectangle both;
+  both.X0 = std::max(a.X0, b.X0);
+  both.Y0 = std::max(a.Y0, b.Y0);
+  both.X1 = std::min(a.X1, b.X1);
+  both.Y1 = std::min(a.Y1, b.Y1);
+  return both;
+}
+
 int GetNumberOfLevels(int width, int height)
 {
   return width < 1 || height < 1 ? 0 : CeilLog2(std::max(width, height)) + 1;

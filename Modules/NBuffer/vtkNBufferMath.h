@@ -80,6 +80,7 @@ struct vtkNBufferCover
 
 /**
  * Which extremum a level holds: the farthest depth hides (culling), the nearest bounds receivers.
+ * Which of them is the farthest, vtkNBufferDepthConvention.h says.
  */
 enum class vtkNBufferExtremum
 {
@@ -98,6 +99,10 @@ VTKNBUFFER_EXPORT int GetBaseSize(int size, int factor);
 /// The texels of the base that a rectangle of pixels touches (rounded outward).
 VTKNBUFFER_EXPORT vtkNBufferRectangle GetBaseRectangle(
   const vtkNBufferRectangle& pixels, int factor);
+
+/// The pixels that two rectangles share; empty if there are none.
+VTKNBUFFER_EXPORT vtkNBufferRectangle Intersect(
+  const vtkNBufferRectangle& a, const vtkNBufferRectangle& b);
 
 /// Number of levels with which any rectangle of a width x height base is answered by one lookup:
 /// level 0 up to the first whose square covers the whole base. 0 for an empty base.

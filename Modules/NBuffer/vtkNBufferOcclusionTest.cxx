@@ -37,7 +37,7 @@ bool vtkNBufferOcclusionTest::IsBehind(const vtkNBufferScreenBox& screen)
   }
   ++this->Queries;
   this->Lookups += cover.Count;
-  return screen.Nearest > static_cast<double>(this->Levels.Query(cover));
+  return screen.Nearest > this->Projection.GetDepthSign() * this->Levels.Query(cover);
 }
 
 bool vtkNBufferOcclusionTest::IsHidden(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)
@@ -75,7 +75,10 @@ bool vtkNBufferOcclusionTest::IsHidden(const vtkNBufferBox& box, const vtkNBuffe
       case vtkNBufferPlacement::Crossing:
         return false;
       case vtkNBufferPlacement::Inside:
-        if (!this->IsBehind(part))
+        // What is drawn of a piece also lies in the rectangle of the whole box. Without this a
+        // piece, being a little too long, might ask for a level that the box does not need.
+        part.Pixels = vtkNBufferMath::Intersect(part.Pixels, screen.Pixels);
+        if (!part.Pixels.IsEmpty() && !this->IsBehind(part))
         {
           return false;
         }

@@ -23,8 +23,9 @@ class VTKNBUFFER_EXPORT vtkNBufferOcclusionTest
 {
 public:
   /**
-   * Both arguments are kept by reference and must outlive the test. `levels` holds maxima of the
-   * projection's viewport, with all levels that the boxes need (see GetLevelsNeeded).
+   * Both arguments are kept by reference and must outlive the test. `levels` holds the farthest
+   * stored depths of the projection's viewport and convention (vtkNBufferMath::GetFarthest), with
+   * all levels that the boxes need (see GetLevelsNeeded).
    */
   vtkNBufferOcclusionTest(
     const vtkNBufferProjection& projection, const vtkNBufferLevels& levels, int maximumPieces);

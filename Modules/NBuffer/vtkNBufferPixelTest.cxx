@@ -131,6 +131,7 @@ double vtkNBufferPixelTest::GetNearest(double x, double y, double halfSide) cons
 bool vtkNBufferPixelTest::IsSquareHidden(int x, int y, const vtkNBufferRectangle& pixels)
 {
   constexpr double half = 0.5 * Side;
+  const double sign = this->Projection.GetDepthSign();
   if (this->IsBeside(x + half, y + half, half))
   {
     return true;
@@ -143,7 +144,7 @@ bool vtkNBufferPixelTest::IsSquareHidden(int x, int y, const vtkNBufferRectangle
     cover.X[0] = x / this->Levels.GetFactor();
     cover.Y[0] = y / this->Levels.GetFactor();
     ++this->Lookups;
-    if (this->GetNearest(x + half, y + half, half) > this->Levels.Query(cover))
+    if (this->GetNearest(x + half, y + half, half) > sign * this->Levels.Query(cover))
     {
       return true;
     }
@@ -154,7 +155,7 @@ bool vtkNBufferPixelTest::IsSquareHidden(int x, int y, const vtkNBufferRectangle
     for (int column = std::max(x, pixels.X0); column < std::min(x + Side, pixels.X1); ++column)
     {
       ++this->Lookups;
-      const double depth = this->Depth[row * width + column];
+      const double depth = sign * this->Depth[row * width + column];
       if (!(this->Nearest > depth) && !this->IsBeside(column + 0.5, row + 0.5, 0.5) &&
         !(this->GetNearest(column + 0.5, row + 0.5, 0.5) > depth))
       {

@@ -30,9 +30,9 @@ class VTKNBUFFER_EXPORT vtkNBufferPixelTest
 {
 public:
   /**
-   * All arguments are kept by reference and must outlive the test. `levels` holds maxima of the
-   * projection's viewport; `depth` is the depth image that they were made from, row 0 at the
-   * bottom.
+   * All arguments are kept by reference and must outlive the test. `levels` holds the
+   * farthest stored depths of the projection's viewport and convention; `depth` is the depth image
+   * that they were made from, row 0 at the bottom.
    */
   vtkNBufferPixelTest(
     const vtkNBufferProjection& projection, const vtkNBufferLevels& levels, const float* depth);

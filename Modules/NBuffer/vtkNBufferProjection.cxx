@@ -13,10 +13,14 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 constexpr double UnitRoundoff = 1.0 / (1 << 24);
-constexpr double VertexErrors = 8.0;      // in units of UnitRoundoff, derived in the header
-constexpr double SnapInPixels = 1.0 / 16; // OpenGL's minimum of subpixel bits
-constexpr double SlopeErrors = 512.0;     // 2^9, derived in the header
-constexpr double NearPlaneMargin = 1e-6;  // far more than unprojecting in double can err
+// Derived in the header, in units of UnitRoundoff.
+constexpr double VertexErrors = 8.0;
+constexpr double DepthErrors = 4.0;
+constexpr double PlaneErrors = 8.0;
+constexpr double SnapInPixels = 1.0 / 16;       // OpenGL's minimum of subpixel bits
+constexpr double OvershootInPixels = 1.0 / 362; // half the diagonal of a step of 2^-8
+constexpr double InverseOfHeight = 16.0;        // of the lowest triangle that is covered
+constexpr double NearPlaneMargin = 1e-6;        // far more than unprojecting in double can err
 
 /// E of the header: how far the device's value of row i may be from Evaluate().
 double GetError(const double row[4], const vtkNBufferBox& box)
@@ -49,26 +53,23 @@ vtkNBufferBox vtkNBufferBox::FromBounds(const double bounds[6])
   return box;
 }
 
-void vtkNBufferProjection::Set(
-  const double worldToClip[16], int width, int height, double depthQuantum)
+void vtkNBufferProjection::Set(const double worldToClip[16], int width, int height,
+  double depthQuantum, vtkNBufferDepthConvention convention, int largestCoordinate)
 {
   this->Width = width;
   this->Height = height;
-  this->DepthSlack = 2.0 * depthQuantum + 4.0 * UnitRoundoff;
-  this->DepthRangeSlack = SlopeErrors * UnitRoundoff * std::max(width, height);
-  for (int i = 0; i < 4; ++i)
-  {
-    for (int j = 0; j < 4; ++j)
-    {
-      this->Rows[i][j] = worldToClip[4 * i + j];
-    }
-  }
+  this->DepthRangeSlack = InverseOfHeight *
+    (OvershootInPixels +
+      PlaneErrors * UnitRoundoff * std::max({ width, height, largestCoordinate }));
+  std::copy_n(worldToClip, 16, &this->WorldToClip[0][0]);
+  std::copy_n(worldToClip, 16, &this->Rows[0][0]);
+  this->SetConvention(convention, depthQuantum);
   // A matrix that cannot be inverted leaves NaN, which every comparison below takes for "unknown".
-  const double determinant = vtkMatrix4x4::Determinant(worldToClip);
+  const double determinant = vtkMatrix4x4::Determinant(&this->Rows[0][0]);
   std::fill_n(&this->ClipToWorld[0][0], 16, std::numeric_limits<double>::quiet_NaN());
   if (determinant != 0.0)
   {
-    vtkMatrix4x4::Invert(worldToClip, &this->ClipToWorld[0][0]);
+    vtkMatrix4x4::Invert(&this->Rows[0][0], &this->ClipToWorld[0][0]);
   }
   for (int plane = 0; plane < 6; ++plane)
   {
@@ -76,9 +77,41 @@ void vtkNBufferProjection::Set(
     const double sign = plane % 2 == 0 ? 1.0 : -1.0;
     for (int j = 0; j < 4; ++j)
     {
-      this->Planes[plane][j] = this->Rows[3][j] + sign * this->Rows[axis][j];
+      this->Planes[plane][j] = this->WorldToClip[3][j] + sign * this->WorldToClip[axis][j];
     }
   }
+}
+
+void vtkNBufferProjection::SetConvention(vtkNBufferDepthConvention convention, double depthQuantum)
+{
+  this->DepthSign = vtkNBufferMath::GetDepthSign(convention);
+  this->FarthestOrder = this->DepthSign * vtkNBufferMath::GetBackgroundDepth(convention);
+  if (convention == vtkNBufferDepthConvention::Forward)
+  {
+    this->OrderScale = 0.5;
+    this->OrderOffset = 0.5;
+    this->DepthSlack = 2.0 * depthQuantum + DepthErrors * UnitRoundoff;
+    this->RelativeDepthSlack = 0.0;
+    return;
+  }
+  this->OrderScale = 1.0;
+  this->OrderOffset = 0.0;
+  this->DepthSlack = 2.0 * depthQuantum;
+  this->RelativeDepthSlack = (DepthErrors + 2.0) * UnitRoundoff;
+  if (convention == vtkNBufferDepthConvention::Reversed)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      this->Rows[2][j] = 0.5 * (this->WorldToClip[2][j] - this->WorldToClip[3][j]);
+    }
+    return;
+  }
+  // w of the near plane, in the middle of the view.
+  double clipToWorld[16];
+  std::fill_n(clipToWorld, 16, std::numeric_limits<double>::quiet_NaN());
+  vtkMatrix4x4::Invert(&this->WorldToClip[0][0], clipToWorld);
+  std::fill_n(this->Rows[2], 3, 0.0);
+  this->Rows[2][3] = -1.0 / (clipToWorld[15] - clipToWorld[14]);
 }
 
 bool vtkNBufferProjection::IsOutside(const vtkNBufferBox& box) const
@@ -94,7 +127,7 @@ bool vtkNBufferProjection::IsOutside(const vtkNBufferBox& box) const
     const double reach = Evaluate(plane, box.Center) + std::abs(plane[0]) * box.HalfSize[0] +
       std::abs(plane[1]) * box.HalfSize[1] + std::abs(plane[2]) * box.HalfSize[2];
     if (reach < 0.0 &&
-      reach + GetError(this->Rows[3], box) + GetError(this->Rows[i / 2], box) < 0.0)
+      reach + GetError(this->WorldToClip[3], box) + GetError(this->WorldToClip[i / 2], box) < 0.0)
     {
       return true;
     }
@@ -307,14 +340,16 @@ vtkNBufferPlacement vtkNBufferProjection::Finish(
   result.Pixels.Y0 = begin[1];
   result.Pixels.X1 = end[0];
   result.Pixels.Y1 = end[1];
-  const double slack =
-    this->DepthSlack + 0.5 * (extent.High[2] - extent.Low[2]) * this->DepthRangeSlack;
-  result.Nearest = 0.5 * (extent.Low[2] + 1.0) - slack;
-  result.Farthest = 0.5 * (extent.High[2] + 1.0) + slack;
-  result.Slack[2] = extent.Slack[2] + 2.0 * slack;
+  const double scale = this->OrderScale;
+  const double slack = this->DepthSlack + this->RelativeDepthSlack * std::abs(extent.Low[2]) +
+    scale * (extent.High[2] - extent.Low[2]) * this->DepthRangeSlack;
+  result.Nearest = scale * extent.Low[2] + this->OrderOffset - slack;
+  result.Farthest = scale * extent.High[2] + this->OrderOffset + slack;
+  result.Slack[2] = extent.Slack[2] + slack / scale;
   result.MaximumW = extent.MaximumW;
   // Beyond the far plane nothing is drawn.
-  return result.Nearest > 1.0 ? vtkNBufferPlacement::Outside : vtkNBufferPlacement::Inside;
+  return result.Nearest > this->FarthestOrder ? vtkNBufferPlacement::Outside
+                                              : vtkNBufferPlacement::Inside;
 }
 
 bool vtkNBufferProjection::AreApart(const vtkNBufferBox& a, const vtkNBufferScreenBox& screenA,
@@ -360,13 +395,13 @@ bool vtkNBufferProjection::GetFacePlane(
   {
     return false;
   }
-  // z >= (l_x x + l_y y + l_w) / -l_z in NDC, then to pixels and window depth.
+  // z >= (l_x x + l_y y + l_w) / -l_z in NDC, then to pixels and order.
   const double x = -l[0] / l[2];
   const double y = -l[1] / l[2];
-  plane.SlopeX = x / this->Width;
-  plane.SlopeY = y / this->Height;
-  plane.Depth = 0.5 +
-    0.5 *
+  plane.SlopeX = 2.0 * this->OrderScale * x / this->Width;
+  plane.SlopeY = 2.0 * this->OrderScale * y / this->Height;
+  plane.Depth = this->OrderOffset +
+    this->OrderScale *
       (-l[3] / l[2] - x - y - std::abs(x) * screen.Slack[0] - std::abs(y) * screen.Slack[1] -
         screen.Slack[2]);
   return std::isfinite(plane.Depth) && std::isfinite(plane.SlopeX) && std::isfinite(plane.SlopeY);

@@ -31,20 +31,41 @@
  *
  * ## How far an interpolated depth can be from its vertices'
  *
- * A sample inside a triangle has a depth between those of its vertices, but for the rounding of
- * the plane equation z = z0 + (dz/dx) x + (dz/dy) y. The narrowest triangle that covers a sample
- * is one step of the subpixel grid wide (2^-8 in practice), so that the slope is at most 2^8 times
- * the triangle's depth range R, and rounding it over an image of n pixels costs 2 u 2^8 n R. R is
- * at most the depth range of the box. Storing the depth costs a quantum of its format, reading it
+ * A point inside a triangle has a depth between those of its vertices. The depth of a sample in it
+ * may lie outside of that range for two reasons, both in proportion to the slope s of the plane,
+ * depth per pixel. With R the triangle's depth range and t its smallest height in pixels s is at
+ * most R / t, since no triangle is narrower than t in any direction.
+ *
+ *  - Samples are chosen with snapped vertices, the plane may be that of the vertices as they were
+ *    (Mesa's llvmpipe does so). On a grid of 2^-8 pixels a sample then lies up to 2^-8.5 pixels
+ *    beside the triangle that gives its depth: 2^-8.5 s.
+ *  - The plane z = (z0 - (dz/dx) x0 - (dz/dy) y0) + (dz/dx) x + (dz/dy) y is rounded to float where
+ *    its terms are as large as s n, n being the largest window coordinate: 8 u n s, four
+ *    times the largest found.
+ *
+ * R is at most the depth range of the box. The division by w, the viewport transform and the last
+ * addition round a value up to 1: 4 u. Storing the depth costs a quantum of its format, reading it
  * back as float at most one more.
  *
- *     slack = 2 quantum + 4 u + 2^9 u n R,   n = max(width, height)
+ *     slack = 2 quantum + 4 u + (2^-8.5 + 8 u n) R / t,   t = 1/16 pixel
+ *
+ * Triangles lower than 1/16 pixel are not covered: those few that own a sample nevertheless may
+ * be given any depth by such a rasteriser. docs/precision.md has the largest errors found for each
+ * format and projection, beside this slack, and says how rare such triangles are.
+ *
+ * ## Other depths than VTK's
+ *
+ * Everything is computed in the order of distance (vtkNBufferDepthConvention.h), for Forward the
+ * window depth itself. Where small depths are far, they are precise there: for Reversed and
+ * InverseW the slack is 2 quantum + 6 u * (largest depth of the box) + the same part of R, with a
+ * quantum of 0 for floats, whose storage the 6 u include.
  *
  * Equal depth counts as visible: a box is hidden only if Nearest > the farthest depth in Pixels.
  */
 #ifndef vtkNBufferProjection_h
 #define vtkNBufferProjection_h
 
+#include "vtkNBufferDepthConvention.h"
 #include "vtkNBufferMath.h"
 #include "vtkNBufferModule.h" // For export macro
 
@@ -82,11 +103,15 @@ enum class vtkNBufferPlacement
 struct vtkNBufferScreenBox
 {
   vtkNBufferRectangle Pixels; ///< Of the viewport, (0, 0) its lower left pixel; never empty.
-  double Nearest = 0.0;       ///< Window depth, slack subtracted.
-  double Farthest = 1.0;      ///< Window depth, slack added.
-  double Slack[3] = {};       ///< How far a drawn point may be from its exact place, NDC.
-  double MaximumW = 0.0;      ///< Largest clip w of the corners.
-  bool Clipped = false;       ///< Corners are behind the eye: the part in view was cut out.
+  ///@{
+  /// Order of distance, larger is farther: the window depth for Forward, minus the stored depth for
+  /// the other conventions. Slack subtracted from one and added to the other.
+  double Nearest = 0.0;
+  double Farthest = 1.0;
+  ///@}
+  double Slack[3] = {};  ///< How far a drawn point may be from its exact place, NDC.
+  double MaximumW = 0.0; ///< Largest clip w of the corners.
+  bool Clipped = false;  ///< Corners are behind the eye: the part in view was cut out.
 };
 
 /**
@@ -97,14 +122,20 @@ class VTKNBUFFER_EXPORT vtkNBufferProjection
 public:
   /**
    * `worldToClip`: row-major 4 x 4, clip space with z in [-w, w]: vtkCamera's projection matrix for
-   * (aspect, -1, 1) times its model-view matrix. `depthQuantum`: the
-   * step of the depth format near 1, in window depth (2^-16, 2^-24, ...). Sizes in pixels.
+   * (aspect, -1, 1) times its model-view matrix, whatever the convention. `depthQuantum`: the step
+   * of the depth format (2^-16, 2^-24, ...), for Forward the one near 1. Sizes in pixels.
+   * `largestCoordinate`: where the viewport ends in the window, if it does not begin at 0.
    */
-  void Set(const double worldToClip[16], int width, int height, double depthQuantum);
+  void Set(const double worldToClip[16], int width, int height, double depthQuantum,
+    vtkNBufferDepthConvention convention = vtkNBufferDepthConvention::Forward,
+    int largestCoordinate = 0);
 
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
-  const double* GetWorldToClip() const { return &this->Rows[0][0]; }
+  const double* GetWorldToClip() const { return &this->WorldToClip[0][0]; }
+
+  /// Stored depth times this is the order of distance, see vtkNBufferDepthConvention.h.
+  double GetDepthSign() const { return this->DepthSign; }
 
   /**
    * Whether a box lies outside one of the six planes, tested in clip space by sign and never by
@@ -142,7 +173,7 @@ public:
    *
    *     Depth + SlopeX x + SlopeY y - h (|SlopeX| + |SlopeY|)
    *
-   * in window depth and pixels of the viewport, slack included. Returns false for a face that
+   * in order of distance and pixels of the viewport, slack included. Returns false for a face that
    * looks away or is seen edge-on.
    */
   struct FacePlane
@@ -171,11 +202,22 @@ private:
   vtkNBufferPlacement Finish(
     const vtkNBufferBox& box, const Extent& extent, vtkNBufferScreenBox& result) const;
 
-  double Rows[4][4] = {};
+  void SetConvention(vtkNBufferDepthConvention convention, double depthQuantum);
+
+  double WorldToClip[4][4] = {};
+  double Rows[4][4] = {}; ///< WorldToClip, but row 2 gives the order, -1 on the near plane.
   double Planes[6][4] = {};
-  double ClipToWorld[4][4] = {};
+  double ClipToWorld[4][4] = {}; ///< The inverse of Rows.
+  double DepthSign = 1.0;
+  double FarthestOrder = 1.0; ///< Of the background.
+  ///@{
+  /// order = OrderScale * (row 2 of Rows . p) / w + OrderOffset.
+  double OrderScale = 0.5;
+  double OrderOffset = 0.5;
+  ///@}
   double DepthSlack = 0.0;
-  double DepthRangeSlack = 0.0;
+  double RelativeDepthSlack = 0.0; ///< In units of the largest depth of the box.
+  double DepthRangeSlack = 0.0;    ///< In units of the depth range of the box.
   int Width = 0;
   int Height = 0;
 };

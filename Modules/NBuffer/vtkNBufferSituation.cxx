@@ -119,16 +119,20 @@ bool SmoothesLines(vtkRenderer* renderer)
 vtkNBufferDecision GetObstacle(vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!window || window->IsA("vtkVRRenderWindow"))
+  if (!window || window->GetContextCreationTime() == 0)
   {
-    return vtkNBufferDecision::UnsupportedWindow;
+    return vtkNBufferDecision::NoContext;
   }
 #if VTKNBUFFER_HAS_INITIALIZE
   if (!window->GetInitialized())
   {
-    return vtkNBufferDecision::UnsupportedWindow;
+    return vtkNBufferDecision::NoContext;
   }
 #endif
+  if (window->IsA("vtkVRRenderWindow"))
+  {
+    return vtkNBufferDecision::UnsupportedWindow;
+  }
   int size[2] = { 0, 0 };
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);

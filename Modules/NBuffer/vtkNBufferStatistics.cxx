@@ -77,10 +77,18 @@ const char* vtkNBufferStatistics::GetName(vtkNBufferDecision decision)
       return "Delegated";
     case vtkNBufferDecision::UnsupportedWindow:
       return "UnsupportedWindow";
+    case vtkNBufferDecision::OtherCuller:
+      return "OtherCuller";
     case vtkNBufferDecision::Blending:
       return "Blending";
     case vtkNBufferDecision::OtherView:
       return "OtherView";
+    case vtkNBufferDecision::NoContext:
+      return "NoContext";
+    case vtkNBufferDecision::OldContext:
+      return "OldContext";
+    case vtkNBufferDecision::NoFloatTextures:
+      return "NoFloatTextures";
     case vtkNBufferDecision::NoDepth:
       return "NoDepth";
     case vtkNBufferDecision::NumberOfDecisions:
@@ -101,6 +109,7 @@ std::string vtkNBufferStatistics::GetAsJSON() const
   json["held_back"] = this->HeldBack;
   json["redrawn"] = this->Redrawn;
   json["refreshed"] = this->Refreshed;
+  json["failed_frames"] = this->FailedFrames;
   for (int i = 0; i < NumberOfVerdicts; ++i)
   {
     json["verdicts"][GetName(static_cast<vtkNBufferVerdict>(i))] = this->Verdicts[i];

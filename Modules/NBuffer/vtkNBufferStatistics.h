@@ -44,7 +44,9 @@ enum class vtkNBufferVerdict : int
 };
 
 /**
- * What the culler did with a frame, or why it did nothing. Values above Culled test nothing.
+ * What the culler did with a frame, or why it did nothing. Values above Culled test nothing. After
+ * a failure everything is drawn, and the first one of its kind in a window is a warning with cause
+ * and remedy.
  */
 enum class vtkNBufferDecision : int
 {
@@ -62,10 +64,14 @@ enum class vtkNBufferDecision : int
   HiddenLines,       ///< Hidden-line removal draws wireframes by itself.
   Exporting,         ///< A GL2PS capture draws no depth.
   Delegated,         ///< A delegate draws this renderer.
-  UnsupportedWindow, ///< No OpenGL window, a VR window, or one without a size or context.
+  UnsupportedWindow, ///< A VR window, or one without a size.
+  OtherCuller,       ///< A culler behind this one, which would not see what is held back.
   Blending,          ///< A prop blends in the opaque stage, where order then shows.
   OtherView,         ///< Framebuffer, camera or viewport were not those of Cull(): all drawn.
-  NoDepth,           ///< The depth could not be read: all drawn, one warning.
+  NoContext,         ///< Failure: no OpenGL window, or one without a context.
+  OldContext,        ///< Failure: OpenGL older than 3.2.
+  NoFloatTextures,   ///< Failure: levels cannot be built on the device, nor the depth be read.
+  NoDepth,           ///< Failure: the depth cannot be read.
   NumberOfDecisions
 };
 
@@ -92,6 +98,9 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   int Redrawn = 0;
   int Refreshed = 0;
   ///@}
+
+  /// Frames of this window so far that were drawn whole because of a failure.
+  int FailedFrames = 0;
 
   /// Props by verdict, indexed by vtkNBufferVerdict.
   std::array<int, NumberOfVerdicts> Verdicts = {};

@@ -115,6 +115,7 @@ public:
   int Downloads = 0;
   double DeviceTime = 0.0;
   bool HasTimer = false;
+  bool LacksFloatTextures = false;
   std::string Error;
   vtkNBufferTextureStorage Storage;
   vtkOpenGLRenderWindow* Window = nullptr; ///< Registered with; it says when it goes.
@@ -357,6 +358,7 @@ bool vtkNBufferTexture::Build(vtkOpenGLRenderWindow* window, const vtkNBufferDep
   Internals& self = *this->Implementation;
   self.NumberOfLevels = 0;
   self.Draws = 0;
+  self.LacksFloatTextures = !this->AllowFloatTextures;
   if (!self.CheckArguments(window, source, x, y, width, height, factor, levels))
   {
     return false;
@@ -364,7 +366,7 @@ bool vtkNBufferTexture::Build(vtkOpenGLRenderWindow* window, const vtkNBufferDep
   if (!this->AllowFloatTextures)
   {
     self.Error = "Float textures are switched off (AllowFloatTextures). Switch them on, or use the "
-                 "CPU back-end.";
+                 "CPU back-end without multisampling.";
     return false;
   }
   self.UseContext(window);
@@ -382,6 +384,7 @@ bool vtkNBufferTexture::Build(vtkOpenGLRenderWindow* window, const vtkNBufferDep
   const vtkNBufferGL::ScopedPass pass(window);
   if (!self.Storage.ReserveLevels(self.Width, self.Height, count, self.Error))
   {
+    self.LacksFloatTextures = true;
     return false;
   }
   this->GetDeviceTime();
@@ -438,6 +441,11 @@ bool vtkNBufferTexture::Download(vtkOpenGLRenderWindow* window, vtkNBufferLevels
   }
   self.Error.clear();
   return true;
+}
+
+bool vtkNBufferTexture::LacksFloatTextures() const
+{
+  return this->Implementation->LacksFloatTextures;
 }
 
 int vtkNBufferTexture::GetWidth() const

@@ -97,6 +97,9 @@ public:
   vtkGetMacro(AllowFloatTextures, bool);
   ///@}
 
+  /// Whether the last Build() failed because there are no float textures to draw into.
+  bool LacksFloatTextures() const;
+
   /// Cause and remedy of the last failure; empty after a success.
   const std::string& GetError() const;
 

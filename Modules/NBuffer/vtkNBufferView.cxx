@@ -3,16 +3,16 @@
 #include "vtkNBufferView.h"
 
 #include "vtkNBufferClock.h"
+#include "vtkNBufferGL.h"
 #include "vtkNBufferSituation.h"
 
 #include "vtkBoundingBox.h"
-#include "vtkCamera.h"
-#include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -28,27 +28,10 @@ vtkNBufferView::~vtkNBufferView()
   this->Proxy->SetView(nullptr);
 }
 
-vtkNBufferView::Key vtkNBufferView::MakeKey(vtkRenderer* renderer)
-{
-  Key key;
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  key.Camera = renderer->GetActiveCamera();
-  // The matrices that the mappers get. vtkCamera's composite matrix leaves the eyes' shear out. The
-  // camera learns of stereo when it is drawn, so that the first stereo frame is another view.
-  vtkMatrix4x4::Multiply4x4(
-    key.Camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)->GetData(),
-    key.Camera->GetModelViewTransformMatrix()->GetData(), key.WorldToClip.data());
-  renderer->GetTiledSizeAndOrigin(
-    &key.Viewport[2], &key.Viewport[3], &key.Viewport[0], &key.Viewport[1]);
-  key.ContextTime = window->GetContextCreationTime();
-  key.MultiSamples = window->GetMultiSamples();
-  return key;
-}
-
 void vtkNBufferView::StepAside(vtkNBufferDecision reason, vtkProp** props, int count)
 {
   this->Props.Synchronize(props, count);
-  this->Statistics = vtkNBufferStatistics();
+  this->ResetStatistics();
   this->Statistics.Decision = reason;
   this->Statistics.Props = count;
   this->Statistics.Verdicts[static_cast<int>(vtkNBufferVerdict::Untested)] = count;
@@ -63,7 +46,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   const bool wasFrozen = this->Statistics.Decision == vtkNBufferDecision::Frozen;
   const bool complete = this->Settled && !this->Pending;
   this->Settings = settings;
-  this->Statistics = vtkNBufferStatistics();
+  this->ResetStatistics();
   this->Statistics.Props = count;
   this->Pending = this->DrawnOnce = this->Aside = false;
   this->Kept.clear();
@@ -73,7 +56,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
 
   vtkNBufferClock part;
   const bool listChanged = this->Props.Synchronize(props, count);
-  const Key key = MakeKey(renderer);
+  const vtkNBufferViewKey key = vtkNBufferViewKey::Make(renderer);
   const bool frozen = settings.Freeze && (wasFrozen || complete);
   const bool moved = !frozen && !(key == this->LastKey);
   if (moved)
@@ -112,7 +95,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   return total;
 }
 
-void vtkNBufferView::SetProjection(const Key& key)
+void vtkNBufferView::SetProjection(const vtkNBufferViewKey& key)
 {
   this->LastKey = key;
   this->Projection.Set(
@@ -121,8 +104,9 @@ void vtkNBufferView::SetProjection(const Key& key)
 
 bool vtkNBufferView::MayReuse(vtkRenderer* renderer) const
 {
-  // What was in the buffers before, and depth that changes without a trace, may differ.
-  return !this->Props.HasUntrackedDepth() && renderer->GetErase() &&
+  // Another test saves what the last one found hidden too late. What was in the buffers before, and
+  // depth that changes without a trace, may differ.
+  return !this->Improves && !this->Props.HasUntrackedDepth() && renderer->GetErase() &&
     renderer->GetRenderWindow()->GetErase() && !renderer->GetPreserveDepthBuffer();
 }
 
@@ -291,7 +275,8 @@ void vtkNBufferView::CloseGates(vtkNBufferDepthTest& test)
   test.RemoveHidden(visible);
   for (std::size_t n = 0; n < this->Gated.size(); ++n)
   {
-    if (!std::binary_search(visible.begin(), visible.end(), this->Gated[n]))
+    if (!this->Gates[n]->HasDrawn() &&
+      !std::binary_search(visible.begin(), visible.end(), this->Gated[n]))
     {
       this->Gates[n]->SetOpen(false);
       this->Props.GetState(this->Gated[n]).Verdict = vtkNBufferVerdict::Hidden;
@@ -360,6 +345,7 @@ int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* require
   this->CountVerdicts();
   const auto keptHidden = std::count_if(this->Kept.begin(), this->Kept.end(),
     [this](int i) { return !this->Props.GetState(i).WasVisible; });
+  this->Improves = keptHidden > 0;
   this->BackOff.Learn(this->Statistics.GetCount(vtkNBufferVerdict::Hidden) +
       static_cast<int>(keptHidden) - this->Statistics.Redrawn,
     static_cast<int>(this->Kept.size() + this->Held.size() + this->Gated.size()));
@@ -368,15 +354,21 @@ int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* require
 
 vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBufferDepthSource& source)
 {
-  if (!(MakeKey(renderer) == this->LastKey))
+  if (!(vtkNBufferViewKey::Make(renderer) == this->LastKey))
   {
     return vtkNBufferDecision::OtherView;
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  if (!vtkNBufferGL::HasVersion(3, 2))
+  {
+    this->Fail(renderer, vtkNBufferDecision::OldContext,
+      "The OpenGL context is older than 3.2. Update the driver or use Mesa's software renderer.");
+    return vtkNBufferDecision::OldContext;
+  }
   std::string why;
   if (!source.Inspect(window, why))
   {
-    this->Warn(renderer, why);
+    this->Fail(renderer, vtkNBufferDecision::NoDepth, why);
     return vtkNBufferDecision::NoDepth;
   }
   if (source.Viewport[2] != this->LastKey.Viewport[2] ||
@@ -447,11 +439,17 @@ int vtkNBufferView::DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSourc
   for (;;)
   {
     std::string why;
-    if (!test.Build(window, source, { &this->Kept, &held, &this->Gated }, why))
+    const vtkNBufferDecision failure =
+      test.Build(window, source, { &this->Kept, &held, &this->Gated }, why);
+    if (failure != vtkNBufferDecision::None)
     {
-      this->Warn(renderer, why);
-      this->Statistics.Decision = vtkNBufferDecision::NoDepth;
+      this->Fail(renderer, failure, why);
+      this->Statistics.Decision = failure;
       this->Settled = false;
+      // What earlier rounds found hidden as well.
+      held.clear();
+      std::copy_if(this->Held.begin(), this->Held.end(), std::back_inserter(held),
+        [this](int i) { return this->Props.GetState(i).Verdict != vtkNBufferVerdict::Visible; });
       drawNearest(held.size());
       return drawn;
     }
@@ -507,6 +505,11 @@ int vtkNBufferView::DrawAll(
   vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason)
 {
   int drawn = 0;
+  for (std::size_t n = 0; n < this->Gated.size(); ++n)
+  {
+    this->Gates[n]->SetOpen(true);
+    this->Props.GetState(this->Gated[n]).Verdict = vtkNBufferVerdict::Translucent;
+  }
   this->Drawn.clear();
   for (int i : this->Held)
   {
@@ -547,12 +550,14 @@ void vtkNBufferView::RedrawForTieOrder(vtkRenderer* renderer)
     [](const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b) {
       return a.Index < b.Index;
     })->Index;
+  // Other cullers mark what they take off the list with a multiplier of 0.
   std::vector<vtkNBufferDrawnProp> all = this->Drawn;
   for (int i = firstLate; i < this->Props.GetSize(); ++i)
   {
     const vtkNBufferVerdict verdict = this->Props.GetState(i).Verdict;
     if (verdict != vtkNBufferVerdict::Outside && verdict != vtkNBufferVerdict::Hidden &&
       !std::binary_search(this->Held.begin(), this->Held.end(), i) &&
+      this->Props.GetProp(i)->GetRenderTimeMultiplier() > 0.0 &&
       this->Props.GetCandidate(i).WritesDepth())
     {
       all.push_back(this->MakeDrawnProp(i, 0));
@@ -575,13 +580,19 @@ void vtkNBufferView::RedrawForTieOrder(vtkRenderer* renderer)
   this->Statistics.Redrawn += static_cast<int>(redraws.size());
 }
 
-void vtkNBufferView::Warn(vtkRenderer* renderer, const std::string& why)
+void vtkNBufferView::Fail(vtkRenderer* renderer, vtkNBufferDecision failure, const std::string& why)
 {
-  if (!this->Warned)
+  if (this->Backend.CountFailure(failure))
   {
-    this->Warned = true;
-    vtkWarningWithObjectMacro(renderer,
-      << "vtkNBufferCuller draws everything, because it cannot read the depth buffer: " << why);
+    vtkWarningWithObjectMacro(renderer, << "vtkNBufferCuller draws everything ("
+                                        << vtkNBufferStatistics::GetName(failure) << "). " << why);
   }
+  this->Statistics.FailedFrames = this->Backend.GetFailedFrames();
+}
+
+void vtkNBufferView::ResetStatistics()
+{
+  this->Statistics = vtkNBufferStatistics();
+  this->Statistics.FailedFrames = this->Backend.GetFailedFrames();
 }
 VTK_ABI_NAMESPACE_END

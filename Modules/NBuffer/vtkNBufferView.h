@@ -29,16 +29,15 @@
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferStatistics.h"
 #include "vtkNBufferTieOrder.h"
+#include "vtkNBufferViewKey.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
-#include <array>
 #include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkCamera;
 class vtkInformation;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
@@ -73,6 +72,9 @@ public:
   /// This frame is drawn as without the culler, for the reason given.
   void StepAside(vtkNBufferDecision reason, vtkProp** props, int count);
 
+  /// Count a failure, whose frame is drawn whole; the first of its kind in the window is told.
+  void Fail(vtkRenderer* renderer, vtkNBufferDecision failure, const std::string& why);
+
   /// Second phase, called by the proxy. Returns the number of props drawn.
   int DrawHeldProps(vtkRenderer* renderer, vtkInformation* requiredKeys);
 
@@ -92,28 +94,11 @@ public:
   const vtkNBufferBackend& GetBackend() const { return this->Backend; }
 
 private:
-  /// Everything but the props on which the verdicts of a frame depend.
-  struct Key
-  {
-    std::array<double, 16> WorldToClip{};
-    std::array<int, 4> Viewport{};
-    vtkCamera* Camera = nullptr;
-    vtkMTimeType ContextTime = 0;
-    int MultiSamples = 0;
-
-    bool operator==(const Key& other) const
-    {
-      return this->WorldToClip == other.WorldToClip && this->Viewport == other.Viewport &&
-        this->Camera == other.Camera && this->ContextTime == other.ContextTime &&
-        this->MultiSamples == other.MultiSamples;
-    }
-  };
-
-  static Key MakeKey(vtkRenderer* renderer);
-  void SetProjection(const Key& key);
+  void SetProjection(const vtkNBufferViewKey& key);
   bool MayReuse(vtkRenderer* renderer) const;
   vtkNBufferDecision Decide(bool blending);
   double Emit(vtkProp** props, int& count, int& initialized);
+  void ResetStatistics();
   void CountVerdicts();
 
   vtkNBufferDecision PrepareTest(vtkRenderer* renderer, vtkNBufferDepthSource& source);
@@ -125,7 +110,6 @@ private:
   int DrawAll(vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason);
   vtkNBufferDrawnProp MakeDrawnProp(int i, int round);
   void RedrawForTieOrder(vtkRenderer* renderer);
-  void Warn(vtkRenderer* renderer, const std::string& why);
 
   vtkNBufferBackend& Backend;
   vtkNBufferBackOff BackOff;
@@ -136,7 +120,7 @@ private:
   vtkNBufferStatistics Statistics;
   vtkNew<vtkNBufferHeldProps> Proxy;
   std::vector<vtkSmartPointer<vtkNBufferGatedProp>> Gates; ///< Reused from frame to frame.
-  Key LastKey;
+  vtkNBufferViewKey LastKey;
   double DepthQuantum = 0x1p-24; ///< Of the framebuffer drawn last, in window depth.
 
   std::vector<int> Kept;                  ///< Candidates inside that are let through.
@@ -148,7 +132,7 @@ private:
   bool DrawnOnce = false; ///< The proxy has been drawn in this frame.
   bool Aside = false;     ///< The frame is drawn as usual.
   bool Settled = false;   ///< The verdicts of the last frame are complete.
-  bool Warned = false;
+  bool Improves = false;  ///< The last test found props hidden that had been drawn already.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -98,6 +98,8 @@ struct ComparisonOptions
   /// Whether the culler may spare itself tests that hide little; most of these scenes are too
   /// small, and their cameras too quick, for that to be what is to be tested.
   bool BackOff = false;
+  /// What VTK reports is kept in Comparison::Messages instead of failing the test.
+  bool KeepMessages = false;
   /// The culler is not added at all (environment variable VTKNBUFFER_TEST_CONTROL).
   bool Control = false;
   /// Called for the culler before the first frame.
@@ -140,8 +142,10 @@ public:
 
   Stage Reference;
   Stage Culled;
+  std::string Messages; ///< See ComparisonOptions::KeepMessages.
 
 private:
+  void CheckMessages();
   void ComparePixels(const std::string& what);
   void CheckStatistics();
   void CheckDraws();

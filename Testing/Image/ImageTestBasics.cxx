@@ -137,17 +137,21 @@ TEST(CullerBasics, CameraCuts)
 TEST(CullerBasics, JumpingToAndFro)
 {
   Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
-  for (int i = 0; i < 8; ++i)
+  for (int i = 0; i < 16; ++i)
   {
     comparison.Both(
       [i](Stage& stage)
       {
+        // Two frames on each side of the wall.
+        const bool behind = i % 4 >= 2;
         vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
-        camera->SetPosition(i % 2 ? 3.0 : -1.0, 0.5, i % 2 ? -20.0 : 20.0);
+        camera->SetPosition((behind ? 3.0 : -1.0) + 0.1 * (i % 2), 0.5, behind ? -20.0 : 20.0);
         stage.GetRenderer()->ResetCameraClippingRange();
       });
-    comparison.Frame(i % 2 ? "behind" : "before");
+    comparison.Frame(i % 4 >= 2 ? "behind" : "before");
     EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+    // What the other side saw is drawn once more before it is found hidden.
+    EXPECT_TRUE(i % 4 != 1 || comparison.GetHidden() >= Wall::Hidden) << comparison.GetHidden();
   }
 }
 

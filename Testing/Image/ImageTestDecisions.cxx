@@ -7,18 +7,10 @@
 #include "vtkCamera.h"
 #include "vtkCullerCollection.h"
 #include "vtkGL2PSExporter.h"
-#include "vtkHardwareSelector.h"
-#include "vtkInformation.h"
 #include "vtkPropCollection.h"
-#include "vtkPropPicker.h"
 #include "vtkProperty.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 
-#include <algorithm>
 #include <cstdio>
-#include <map>
-#include <set>
 
 using Verdict = vtkNBufferVerdict;
 using Decision = vtkNBufferDecision;
@@ -280,81 +272,6 @@ TEST(CullerDecisions, PropsThatJoinWhileFrozenAreDrawn)
 }
 
 //------------------------------------------------------------------------------------------------
-namespace
-{
-/// Indices of the props that a selection of the whole window finds, with their pixel counts.
-std::map<int, int> Select(Stage& stage)
-{
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(stage.GetRenderer());
-  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
-  const int* size = stage.Window->GetSize();
-  selector->SetArea(0, 0, size[0] - 1, size[1] - 1);
-  auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
-  std::map<int, int> found;
-  for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
-  {
-    vtkSelectionNode* node = selection->GetNode(i);
-    vtkObjectBase* prop = node->GetProperties()->Get(vtkSelectionNode::PROP());
-    const auto at = std::find(stage.Props.begin(), stage.Props.end(), prop);
-    const int index = at == stage.Props.end() ? -1 : static_cast<int>(at - stage.Props.begin());
-    found[index] = node->GetProperties()->Get(vtkSelectionNode::PIXEL_COUNT());
-  }
-  return found;
-}
-}
-
-// Hazard: a hardware selector numbers the props of each pass; a proxy or a gap confuses all.
-TEST(CullerDecisions, HardwareSelectionFindsTheSame)
-{
-  Comparison comparison(
-    [](Stage& stage)
-    {
-      Scenes::BuildWall(stage);
-      stage.GetActor(Wall::FirstInFront)->PickableOff();
-    });
-  comparison.Frame();
-  for (int round = 0; round < 3; ++round)
-  {
-    const std::map<int, int> expected = Select(comparison.Reference);
-    const std::map<int, int> found = Select(comparison.Culled);
-    EXPECT_GT(expected.size(), 5u);
-    EXPECT_EQ(found, expected);
-    EXPECT_EQ(comparison.GetDecision(), Decision::Selecting);
-    EXPECT_EQ(comparison.GetHidden(), 0);
-    Move(comparison, 0.2 * round);
-    comparison.Frame("after selecting");
-    EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
-  }
-  // The wall not pickable: what it hides can be selected.
-  comparison.Both([](Stage& stage) { stage.GetActor(Wall::Index)->PickableOff(); });
-  EXPECT_EQ(Select(comparison.Culled), Select(comparison.Reference));
-}
-
-// Hazard: picking by rendering uses the same path.
-TEST(CullerDecisions, PropPickerPicksTheSame)
-{
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
-  comparison.Frame();
-  for (int x = 5; x < 301; x += 40)
-  {
-    for (int y = 5; y < 173; y += 30)
-    {
-      int picked[2];
-      for (Stage* stage : { &comparison.Reference, &comparison.Culled })
-      {
-        vtkNew<vtkPropPicker> picker;
-        picker->PickProp(x, y, stage->GetRenderer());
-        const auto at = std::find(stage->Props.begin(), stage->Props.end(), picker->GetViewProp());
-        picked[stage == &comparison.Culled] = static_cast<int>(at - stage->Props.begin());
-      }
-      EXPECT_EQ(picked[0], picked[1]) << x << " " << y;
-    }
-  }
-  comparison.Frame("after picking");
-  EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
-}
-
 // Hazard: a vector export captures geometry and draws no depth; nothing may be missing in it.
 TEST(CullerDecisions, GL2PSExportIsTheSame)
 {
@@ -387,23 +304,6 @@ TEST(CullerDecisions, GL2PSExportIsTheSame)
   EXPECT_EQ(text[0].size(), text[1].size());
   comparison.Frame("after the export");
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
-}
-
-// Hazard: an observer that removes or deletes props while the frame is drawn.
-TEST(CullerDecisions, AbortedRenderIsNotLearntFrom)
-{
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
-  comparison.Frame();
-  comparison.Both([](Stage& stage) { stage.Window->SetAbortRender(1); });
-  comparison.Both(
-    [](Stage& stage)
-    {
-      Scenes::SetWallCamera(stage.GetRenderer(), 9.0);
-      stage.Window->Render();
-    });
-  TakeMessages();
-  comparison.Frame("the next one");
-  comparison.Frame("still");
 }
 
 // Hazard: verdicts are kept for props by pointer; asked about others it must not crash.

@@ -20,7 +20,9 @@
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkPolyDataMapper.h"
@@ -279,6 +281,59 @@ vtkSmartPointer<vtkProp> MakeImageActor()
   return actor;
 }
 
+vtkSmartPointer<vtkProp> MakePropAssembly()
+{
+  auto assembly = vtkSmartPointer<vtkPropAssembly>::New();
+  assembly->AddPart(MakeHidden());
+  return assembly;
+}
+
+/// Draws an actor, but says nothing about where.
+class PropWithoutBounds : public vtkProp
+{
+public:
+  static PropWithoutBounds* New();
+  vtkTypeMacro(PropWithoutBounds, vtkProp);
+  double* GetBounds() override { return nullptr; }
+  vtkTypeBool HasOpaqueGeometry() override { return 1; }
+  int RenderOpaqueGeometry(vtkViewport* viewport) override
+  {
+    return this->Actor->RenderOpaqueGeometry(viewport);
+  }
+  void ReleaseGraphicsResources(vtkWindow* window) override
+  {
+    this->Actor->ReleaseGraphicsResources(window);
+  }
+
+private:
+  vtkSmartPointer<vtkActor> Actor = MakeHidden();
+};
+vtkStandardNewMacro(PropWithoutBounds);
+
+/// A cut-out: half of its texels are transparent.
+void AddTextureWithAlpha(vtkActor* actor)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  auto* pixels = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int i = 0; i < 16; ++i)
+  {
+    pixels[i] = static_cast<unsigned char>(i < 8 ? 255 : 0);
+  }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  actor->SetTexture(texture);
+}
+
+void AddClippingPlane(vtkActor* actor)
+{
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(1.0, 0.5, -3.0);
+  plane->SetNormal(1.0, 0.5, 0.0);
+  actor->GetMapper()->AddClippingPlane(plane);
+}
+
 vtkSmartPointer<vtkProp> MakeEmpty()
 {
   return MakeActor(vtkSmartPointer<vtkPolyData>::New());
@@ -293,7 +348,9 @@ vtkSmartPointer<vtkProp> MakeWithCoordinate(double value)
 
 const Kind Kinds[] = {
   { "PlainActor", [] { return MakeHidden(); }, Verdict::Hidden },
+  // Hazard: a mirroring matrix swaps the corners of the box.
   { "MirroredActor", With([](vtkActor* a) { a->SetScale(-1.0, 1.0, 1.0); }), Verdict::Hidden },
+  // Hazard: the box of a sheared prop is larger than the prop's own.
   { "ShearedActor",
     With(
       [](vtkActor* a)
@@ -309,8 +366,14 @@ const Kind Kinds[] = {
     With([](vtkActor* a) { a->SetBackfaceProperty(vtkSmartPointer<vtkProperty>::New()); }),
     Verdict::Hidden },
   { "DataSetMapper", MakeDataSetActor, Verdict::Hidden },
+  // Hazard: one prop is many blocks, some of them invisible.
   { "CompositeMapper", [] { return MakeComposite(false); }, Verdict::Hidden },
+  // Hazard: one prop is drawn in the opaque and in the translucent stage.
   { "CompositeWithTranslucentBlock", [] { return MakeComposite(true); }, Verdict::Hidden },
+  // Hazard: what a clipping plane leaves is smaller than the bounds.
+  { "ClippingPlane", With(AddClippingPlane), Verdict::Hidden },
+  // Hazard: the texels alone make a prop translucent.
+  { "TextureWithAlpha", With(AddTextureWithAlpha), Verdict::Hidden },
   { "Opacity", With([](vtkActor* a) { a->GetProperty()->SetOpacity(0.4); }), Verdict::Hidden },
   { "ForceTranslucent", With([](vtkActor* a) { a->ForceTranslucentOn(); }), Verdict::Hidden },
   { "TranslucentScalars",
@@ -381,6 +444,7 @@ const Kind Kinds[] = {
   { "DeviceCoordinates", With([](vtkActor* a) { a->SetCoordinateSystemToDevice(); }),
     Verdict::OtherCoordinates },
 #endif
+  // Hazard: the bounds of a glyph mapper need not hold its glyphs.
   { "GlyphMapper",
     []
     {
@@ -402,6 +466,7 @@ const Kind Kinds[] = {
     },
     Verdict::NotAPlainMapper },
   { "NoMapper", [] { return vtkSmartPointer<vtkActor>::New(); }, Verdict::NotAPlainMapper },
+  // Hazard: a follower has turned since its bounds were asked.
   { "Follower",
     []
     {
@@ -412,13 +477,24 @@ const Kind Kinds[] = {
       return follower;
     },
     Verdict::NotAPlainActor },
+  // Hazard: an assembly draws its parts with a matrix that they do not know.
   { "Assembly", MakeAssembly, Verdict::NotAPlainActor },
+  // Hazard: an assembly that is no vtkProp3D.
+  { "PropAssembly", MakePropAssembly, Verdict::NotAPlainActor },
+  // Hazard: the bounds are those of the level drawn last.
   { "LODProp", MakeLOD, Verdict::NotAPlainActor },
   { "AxesActor", [] { return vtkSmartPointer<vtkAxesActor>::New(); }, Verdict::NotAPlainActor },
+  // Hazard: a volume is blended and writes no depth.
   { "Volume", MakeVolume, Verdict::NotAPlainActor },
   { "ImageActor", MakeImageActor, Verdict::NotAPlainActor },
+  // Hazard: a text in space is as large as its pixels, whatever its bounds.
   { "Billboard", MakeBillboard, Verdict::NotAPlainActor },
+  // Hazard: a 2-D actor has no bounds and no depth.
   { "Text2D", MakeText, Verdict::NotAPlainActor },
+  // Hazard: a prop that has no bounds at all.
+  { "NullBounds", [] { return vtkSmartPointer<PropWithoutBounds>::New(); },
+    Verdict::NotAPlainActor },
+  // Hazard: the bounds of a mapper without points are not initialised.
   { "EmptyData", MakeEmpty, Verdict::NoBounds, true },
   // VTK's bounds leave NaN out, as does the device: a face with such a point is not drawn.
   { "NaNPoint", [] { return MakeWithCoordinate(std::nan("")); }, Verdict::Hidden, true },
@@ -429,109 +505,3 @@ const Kind Kinds[] = {
 
 INSTANTIATE_TEST_SUITE_P(Each, CullerKinds, testing::ValuesIn(Kinds),
   [](const testing::TestParamInfo<Kind>& info) { return std::string(info.param.Name); });
-
-//------------------------------------------------------------------------------------------------
-// Hazard: a translucent wall that writes depth somewhere hides what shines through it.
-TEST(CullerProps, TranslucentPropsNeverHide)
-{
-  for (int mode = 0; mode < 3; ++mode)
-  {
-    SCOPED_TRACE(mode);
-    Comparison comparison(
-      [mode](Stage& stage)
-      {
-        Scenes::BuildWall(stage);
-        stage.GetActor(Wall::Index)->GetProperty()->SetOpacity(0.6);
-        SetUseOIT(stage.GetRenderer(), mode == 0);
-        stage.GetRenderer()->SetUseDepthPeeling(mode == 2);
-      });
-    for (int i = 0; i < 4; ++i)
-    {
-      comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.1 * i); });
-      comparison.Frame();
-      // Boxes behind the wall hide each other, here and there.
-      EXPECT_LT(comparison.GetHidden(), Wall::Behind / 4);
-      EXPECT_EQ(comparison.GetVerdict(Wall::Index), Verdict::Translucent);
-    }
-  }
-}
-
-// Hazard: the order in which translucent props blend is that of the renderer's list.
-TEST(CullerProps, TranslucentPropsBetweenHeldBackOnesKeepTheirOrder)
-{
-  Comparison comparison(
-    [](Stage& stage)
-    {
-      Scenes::BuildWall(stage);
-      SetUseOIT(stage.GetRenderer(), false);
-      for (int i = 0; i < 20; ++i)
-      {
-        Scenes::AddBox(stage, 0.2 * i - 2.0, 0.1 * i - 1.0, -2.0 - 0.1 * i, 0.4, 0.4, 0.4);
-        const int glass = Scenes::AddBox(
-          stage, 0.3 * i - 3.0, 0.1 * i - 1.0, 2.0 + 0.1 * (i * 7 % 20), 1.5, 1.5, 0.1);
-        stage.GetActor(glass)->GetProperty()->SetOpacity(0.5);
-      }
-    });
-  for (int i = 0; i < 4; ++i)
-  {
-    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 3.0 * i); });
-    comparison.Frame();
-    EXPECT_GT(comparison.GetHidden(), 20);
-  }
-}
-
-// Hazard: opaque by force with an opacity below one is blended in the opaque stage, so that what
-// it is drawn over, and how often, shows.
-TEST(CullerProps, BlendedInTheOpaqueStage)
-{
-  Comparison comparison(
-    [](Stage& stage)
-    {
-      Scenes::BuildWall(stage);
-      for (int i = 0; i < 6; ++i)
-      {
-        const int glass = Scenes::AddBox(stage, 2.4 * i - 6.0, 0.0, 6.0 + 0.1 * i, 2.0, 9.0, 0.1);
-        stage.GetActor(glass)->GetProperty()->SetOpacity(0.5);
-        stage.GetActor(glass)->ForceOpaqueOn();
-      }
-      Scenes::AddBox(stage, 0.0, 5.0, -2.0, 9.0, 2.0, 0.5);
-      Scenes::SetWallCamera(stage.GetRenderer());
-    });
-  for (int i = 0; i < 8; ++i)
-  {
-    comparison.Both(
-      [i](Stage& stage)
-      {
-        Scenes::SetWallCamera(stage.GetRenderer(), i % 2 ? 9.0 : -2.0 * i);
-        stage.GetActor(Wall::Index)->SetPosition(i % 3, 0.0, 0.0);
-      });
-    comparison.Frame();
-  }
-}
-
-// Hazard: smooth lines are blended at their edges in the opaque stage.
-TEST(CullerProps, SmoothLines)
-{
-  Comparison comparison(
-    [](Stage& stage)
-    {
-      Scenes::BuildWall(stage);
-      for (int i = 2; i < Wall::Count; i += 5)
-      {
-        stage.GetActor(i)->GetProperty()->SetRepresentationToWireframe();
-        stage.GetActor(i)->GetProperty()->RenderLinesAsTubesOff();
-        stage.GetActor(i)->GetProperty()->SetLineWidth(3.0);
-      }
-      stage.Window->LineSmoothingOn();
-    });
-  for (int i = 0; i < 6; ++i)
-  {
-    comparison.Both(
-      [i](Stage& stage)
-      {
-        Scenes::SetWallCamera(stage.GetRenderer(), i % 2 ? 7.0 : -2.0 * i);
-        stage.GetActor(Wall::Index)->SetPosition(2.0 * (i % 3), 0.0, 0.0);
-      });
-    comparison.Frame();
-  }
-}

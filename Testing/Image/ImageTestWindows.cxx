@@ -81,6 +81,37 @@ TEST(CullerWindows, ResizedBetweenFrames)
   }
 }
 
+// Hazard: a window or viewport without a pixel has no depth, and no texel to build levels from.
+TEST(CullerWindows, ResizedToZeroAndBack)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  comparison.Frame("before");
+  EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+  const int sizes[][2] = { { 0, 0 }, { 0, 90 }, { 120, 0 } };
+  for (const auto& size : sizes)
+  {
+    SCOPED_TRACE(std::to_string(size[0]) + " x " + std::to_string(size[1]));
+    comparison.Both(
+      [&size](Stage& stage)
+      {
+        stage.Window->SetSize(size[0], size[1]);
+        stage.Window->Render();
+        stage.Window->Render();
+      });
+    TakeMessages(); // VTK's own: it draws in a size of its choice, or in none
+    comparison.Both([](Stage& stage) { stage.Window->SetSize(301, 173); });
+    comparison.Frame("back");
+    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+    EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+  }
+  comparison.Both([](Stage& stage) { stage.GetRenderer()->SetViewport(0.5, 0.2, 0.5, 0.8); });
+  comparison.Frame("a viewport without width");
+  EXPECT_EQ(comparison.GetDecision(), Decision::UnsupportedWindow);
+  comparison.Both([](Stage& stage) { stage.GetRenderer()->SetViewport(0.0, 0.0, 1.0, 1.0); });
+  comparison.Frame("back");
+  EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+}
+
 // Hazard: handles of a context that is gone must not be used in its successor.
 TEST(CullerWindows, ContextReleasedAndMadeAnew)
 {
@@ -248,6 +279,9 @@ TEST(CullerWindows, RendererWithoutErase)
   {
     MoveWallCamera(comparison, 0.2 * i);
     comparison.Frame();
+    EXPECT_GE(comparison.GetHidden(0), Wall::Hidden);
+    EXPECT_EQ(comparison.GetDecision(1), Decision::Culled) << "what it keeps hides as well";
+    EXPECT_GT(comparison.GetHidden(1), 5);
   }
 }
 
@@ -299,6 +333,7 @@ TEST_P(CullerStereo, WallAndCity)
   options.KeepDefaultCuller = false;
   const auto stereo = [type = this->GetParam().Type](Stage& stage)
   {
+    stage.Window->SetStereoCapableWindow(type == VTK_STEREO_CRYSTAL_EYES);
     stage.Window->SetStereoType(type);
     stage.Window->StereoRenderOn();
     stage.GetRenderer()->GetActiveCamera()->SetEyeAngle(6.0);
@@ -321,6 +356,9 @@ TEST_P(CullerStereo, WallAndCity)
   {
     MoveWallCamera(wall, 0.4 * i);
     wall.Frame("wall");
+    // The second eye of Fake sees what the first one has seen.
+    EXPECT_TRUE(i == 0 || wall.GetDecision() == Decision::Culled ||
+      (this->GetParam().Type == VTK_STEREO_FAKE && wall.GetDecision() == Decision::Still));
     EXPECT_TRUE(i == 0 || wall.GetHidden() > Wall::Behind / 2) << wall.GetHidden();
     city.Both([i](Stage& stage) { Scenes::SetCityCamera(stage.GetRenderer(), 0.1 * i); });
     city.Frame("city");
@@ -332,11 +370,13 @@ TEST_P(CullerStereo, WallAndCity)
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, CullerStereo,
-  testing::Values(Stereo{ "RedBlue", VTK_STEREO_RED_BLUE },
-    Stereo{ "Anaglyph", VTK_STEREO_ANAGLYPH }, Stereo{ "Interlaced", VTK_STEREO_INTERLACED },
-    Stereo{ "Dresden", VTK_STEREO_DRESDEN }, Stereo{ "Checkerboard", VTK_STEREO_CHECKERBOARD },
+  testing::Values(Stereo{ "CrystalEyes", VTK_STEREO_CRYSTAL_EYES },
+    Stereo{ "RedBlue", VTK_STEREO_RED_BLUE }, Stereo{ "Anaglyph", VTK_STEREO_ANAGLYPH },
+    Stereo{ "Interlaced", VTK_STEREO_INTERLACED }, Stereo{ "Dresden", VTK_STEREO_DRESDEN },
+    Stereo{ "Checkerboard", VTK_STEREO_CHECKERBOARD },
     Stereo{ "Split", VTK_STEREO_SPLITVIEWPORT_HORIZONTAL }, Stereo{ "Left", VTK_STEREO_LEFT },
-    Stereo{ "Right", VTK_STEREO_RIGHT }, Stereo{ "Fake", VTK_STEREO_FAKE }),
+    Stereo{ "Right", VTK_STEREO_RIGHT }, Stereo{ "Fake", VTK_STEREO_FAKE },
+    Stereo{ "Emulate", VTK_STEREO_EMULATE }),
   [](const testing::TestParamInfo<Stereo>& info) { return std::string(info.param.Name); });
 
 //------------------------------------------------------------------------------------------------
@@ -478,6 +518,7 @@ TEST(CullerWindows, TiledWindow)
         stage.Window->SetTileViewport(x, y, x + 0.5, y + 0.5);
       });
     comparison.Frame("tile " + std::to_string(tile));
+    EXPECT_GT(comparison.GetHidden(), 0);
   }
 }
 

@@ -183,4 +183,42 @@ int FindDoor(const Stage& stage)
   }
   return -1;
 }
+
+ComparisonOptions MakeExactOptions(int width, int height, int baseFactor)
+{
+  ComparisonOptions options;
+  options.Width = width;
+  options.Height = height;
+  options.KeepDefaultCuller = false;
+  options.Configure = [baseFactor](vtkNBufferCuller* culler)
+  {
+    culler->SetBaseFactor(baseFactor);
+    culler->SetMinimumNumberOfCandidates(1);
+    culler->SetReuseWhenStill(false);
+  };
+  return options;
+}
+
+void SetPixelCamera(vtkRenderer* renderer, int width, int height, double shiftX, double shiftY)
+{
+  const double x = 0.5 * width + shiftX;
+  const double y = 0.5 * height + shiftY;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(0.5 * height);
+  camera->SetPosition(x, y, 100.0);
+  camera->SetFocalPoint(x, y, 0.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->SetClippingRange(1.0, 201.0);
+}
+
+void Settle(Comparison& comparison)
+{
+  // The first frame draws the nearest props, the second finds out which of them are hidden, the
+  // third holds those back.
+  for (int i = 0; i < 4; ++i)
+  {
+    comparison.Frame("settling");
+  }
+}
 }

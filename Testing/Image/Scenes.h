@@ -59,6 +59,18 @@ void BuildTies(Stage& stage, unsigned int seed, bool large);
 
 /// Index of that door.
 int FindDoor(const Stage& stage);
+
+/// For tests that know every verdict: the culler alone, testing in every frame, however few props
+/// there are, with texels of level 0 of `baseFactor` pixels.
+ComparisonOptions MakeExactOptions(int width, int height, int baseFactor = 1);
+
+/// A parallel camera in which a unit of x and y is a pixel of a viewport of this size, (0, 0) is
+/// its lower left corner, and z from 99 to -101 becomes a window depth from 0 to 1.
+void SetPixelCamera(
+  vtkRenderer* renderer, int width, int height, double shiftX = 0.0, double shiftY = 0.0);
+
+/// Render until what the first frame drew as a guess has been tested.
+void Settle(Comparison& comparison);
 }
 
 #endif

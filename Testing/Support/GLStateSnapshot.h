@@ -25,6 +25,9 @@ public:
   /// Lines of "name: this value, then the other's"; empty if all are equal.
   std::string GetDifference(const GLStateSnapshot& other) const;
 
+  /// By name; "vtkOpenGLState " begins the names of what vtkOpenGLState remembers.
+  const std::map<std::string, std::string>& GetValues() const { return this->Values; }
+
 private:
   std::map<std::string, std::string> Values;
 };

@@ -24,8 +24,9 @@ int ViewSampler::Integer(int a, int b)
 View ViewSampler::MakeView(double offset, bool extremeRange)
 {
   View view;
-  const int sizes[][2] = { { 301, 173 }, { 97, 211 }, { 640, 33 }, { 1, 1 }, { 1920, 1080 } };
-  const auto& size = sizes[this->Integer(0, 4)];
+  const int sizes[][2] = { { 301, 173 }, { 97, 211 }, { 640, 33 }, { 1, 1 }, { 1920, 1080 },
+    { 1, 300 }, { 257, 1 } };
+  const auto& size = sizes[this->Integer(0, 6)];
   view.Width = size[0];
   view.Height = size[1];
   view.Parallel = this->Integer(0, 3) == 0;
@@ -107,54 +108,97 @@ std::vector<std::array<double, 3>> ViewSampler::MakePoints(
   return points;
 }
 
+double View::ToStored(double windowDepth, vtkNBufferDepthConvention convention) const
+{
+  switch (convention)
+  {
+    case vtkNBufferDepthConvention::Forward:
+      break;
+    case vtkNBufferDepthConvention::Reversed:
+      return 1.0 - windowDepth;
+    case vtkNBufferDepthConvention::InverseW:
+      // 1 / w is linear in window depth.
+      return 1.0 - windowDepth * (1.0 - this->Near / this->Far);
+  }
+  return windowDepth;
+}
+
 namespace
 {
+using Matrix = std::array<double, 16>;
+
+/// The matrix that a renderer uploads. The third row gives the depth that it stores times w, but
+/// for Forward NDC z times w.
+Matrix GetMatrix(const View& view, vtkNBufferDepthConvention convention)
+{
+  Matrix matrix = view.WorldToClip;
+  for (int j = 0; j < 4; ++j)
+  {
+    if (convention == vtkNBufferDepthConvention::Reversed)
+    {
+      matrix[8 + j] = 0.5 * (matrix[12 + j] - matrix[8 + j]);
+    }
+    else if (convention == vtkNBufferDepthConvention::InverseW)
+    {
+      matrix[8 + j] = j == 3 ? view.Near : 0.0;
+    }
+  }
+  return matrix;
+}
+
 template <typename Real>
-std::optional<ScreenPoint> ToScreen(const View& view, const Real clip[4])
+std::optional<ScreenPoint> ToScreen(
+  const View& view, const Real clip[4], vtkNBufferDepthConvention convention)
 {
   if (!(clip[3] > 0))
   {
     return {};
   }
+  const Real nearest = convention == vtkNBufferDepthConvention::Forward ? -clip[3] : 0;
   for (int i = 0; i < 3; ++i)
   {
-    if (clip[i] < -clip[3] || clip[i] > clip[3])
+    if (clip[i] < (i < 2 ? -clip[3] : nearest) || clip[i] > clip[3])
     {
       return {};
     }
   }
   const Real half = static_cast<Real>(0.5);
+  const Real depth = clip[2] / clip[3];
   return ScreenPoint{ static_cast<double>((clip[0] / clip[3] * half + half) * view.Width),
     static_cast<double>((clip[1] / clip[3] * half + half) * view.Height),
-    static_cast<double>(clip[2] / clip[3] * half + half) };
+    static_cast<double>(
+      convention == vtkNBufferDepthConvention::Forward ? depth * half + half : depth) };
 }
 }
 
-std::optional<ScreenPoint> ProjectExactly(const View& view, const std::array<double, 3>& point)
+std::optional<ScreenPoint> ProjectExactly(
+  const View& view, const std::array<double, 3>& point, vtkNBufferDepthConvention convention)
 {
+  const Matrix matrix = GetMatrix(view, convention);
   long double clip[4];
   for (int i = 0; i < 4; ++i)
   {
-    clip[i] = view.WorldToClip[4 * i + 3];
+    clip[i] = matrix[4 * i + 3];
     for (int j = 0; j < 3; ++j)
     {
-      clip[i] += static_cast<long double>(view.WorldToClip[4 * i + j]) * point[j];
+      clip[i] += static_cast<long double>(matrix[4 * i + j]) * point[j];
     }
   }
-  return ToScreen(view, clip);
+  return ToScreen(view, clip, convention);
 }
 
-std::optional<ScreenPoint> ProjectAsDevice(
-  const View& view, const std::array<double, 3>& point, int permutation)
+std::optional<ScreenPoint> ProjectAsDevice(const View& view, const std::array<double, 3>& point,
+  int permutation, vtkNBufferDepthConvention convention)
 {
+  const Matrix matrix = GetMatrix(view, convention);
   float clip[4];
   for (int i = 0; i < 4; ++i)
   {
     float terms[4];
     for (int j = 0; j < 4; ++j)
     {
-      terms[j] = static_cast<float>(view.WorldToClip[4 * i + j]) *
-        (j < 3 ? static_cast<float>(point[j]) : 1.0f);
+      terms[j] =
+        static_cast<float>(matrix[4 * i + j]) * (j < 3 ? static_cast<float>(point[j]) : 1.0f);
     }
     std::swap(terms[0], terms[permutation]);
     clip[i] = terms[0];
@@ -163,7 +207,7 @@ std::optional<ScreenPoint> ProjectAsDevice(
       clip[i] += terms[j];
     }
   }
-  return ToScreen(view, clip);
+  return ToScreen(view, clip, convention);
 }
 
 std::optional<std::array<double, 2>> GetDepthsAlongRay(

@@ -29,10 +29,14 @@ struct View
   std::array<double, 3> Position{};
   std::array<double, 3> Direction{};
   bool Parallel = false;
+
+  /// What is stored for a window depth of VTK's.
+  double ToStored(double windowDepth, vtkNBufferDepthConvention convention) const;
+
   std::string Text; ///< For failures.
 };
 
-/// A point on the screen: pixels of the viewport and window depth.
+/// A point on the screen: pixels of the viewport and stored depth.
 struct ScreenPoint
 {
   double X;
@@ -66,11 +70,12 @@ private:
 };
 
 /// Exact projection, if the point is before the eye and inside all six planes.
-std::optional<ScreenPoint> ProjectExactly(const View& view, const std::array<double, 3>& point);
+std::optional<ScreenPoint> ProjectExactly(const View& view, const std::array<double, 3>& point,
+  vtkNBufferDepthConvention convention = vtkNBufferDepthConvention::Forward);
 
 /// The same in single precision, products added in the order of `permutation` (0 to 3 first).
-std::optional<ScreenPoint> ProjectAsDevice(
-  const View& view, const std::array<double, 3>& point, int permutation);
+std::optional<ScreenPoint> ProjectAsDevice(const View& view, const std::array<double, 3>& point,
+  int permutation, vtkNBufferDepthConvention convention = vtkNBufferDepthConvention::Forward);
 
 /// Where the ray through pixel position (x, y) enters and leaves a box, in window depth.
 std::optional<std::array<double, 2>> GetDepthsAlongRay(

@@ -203,9 +203,8 @@ TEST(NBufferMath, LevelsAreThoseOfThePapersFiveCases)
       ASSERT_EQ(vtkNBufferMath::GetLevelForFourLookups(w, h), PaperLevel(w, h)) << w << " x " << h;
     }
   }
-  const auto count = [](int w, int h) {
-    return vtkNBufferMath::GetCoverOfFour({ 0, 0, w, h }).Count;
-  };
+  const auto count = [](int w, int h)
+  { return vtkNBufferMath::GetCoverOfFour({ 0, 0, w, h }).Count; };
   EXPECT_EQ(count(1, 1), 1);
   EXPECT_EQ(count(7, 6), 4); // 2 x 2
   EXPECT_EQ(count(8, 4), 2); // 2 x 1

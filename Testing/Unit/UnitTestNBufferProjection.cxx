@@ -8,15 +8,19 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace
 {
-constexpr double Quantum = 0x1p-24;
+using Convention = vtkNBufferDepthConvention;
+const Convention Conventions[] = { Convention::Forward, Convention::Reversed,
+  Convention::InverseW };
 
-vtkNBufferProjection MakeProjection(const View& view)
+vtkNBufferProjection MakeProjection(const View& view, Convention convention = Convention::Forward)
 {
   vtkNBufferProjection projection;
-  projection.Set(view.WorldToClip.data(), view.Width, view.Height, Quantum);
+  projection.Set(view.WorldToClip.data(), view.Width, view.Height,
+    convention == Convention::Forward ? 0x1p-24 : 0.0, convention);
   return projection;
 }
 
@@ -35,20 +39,21 @@ void CheckPoint(const vtkNBufferProjection& projection, vtkNBufferPlacement plac
   ASSERT_LE(point.X, r.X1);
   ASSERT_GE(point.Y, r.Y0);
   ASSERT_LE(point.Y, r.Y1);
-  ASSERT_GE(point.Z, screen.Nearest);
-  ASSERT_LE(point.Z, screen.Farthest);
+  const double order = projection.GetDepthSign() * point.Z;
+  ASSERT_GE(order, screen.Nearest);
+  ASSERT_LE(order, screen.Farthest);
   for (int face = 0; face < 6; ++face)
   {
     vtkNBufferProjection::FacePlane plane;
     if (projection.GetFacePlane(box, screen, face, plane))
     {
-      ASSERT_GE(point.Z, plane.Depth + plane.SlopeX * point.X + plane.SlopeY * point.Y)
+      ASSERT_GE(order, plane.Depth + plane.SlopeX * point.X + plane.SlopeY * point.Y)
         << "face " << face;
     }
   }
 }
 
-class NBufferProjection : public testing::TestWithParam<double>
+class NBufferProjection : public testing::TestWithParam<std::tuple<double, Convention>>
 {
 };
 }
@@ -57,6 +62,7 @@ class NBufferProjection : public testing::TestWithParam<double>
 // although it is seen; a frustum test that divides by w loses boxes that reach behind the eye.
 TEST_P(NBufferProjection, EverySampledPointIsCovered)
 {
+  const auto [offset, convention] = this->GetParam();
   ViewSampler sampler(5);
   int inside = 0;
   int rejected = 0;
@@ -64,8 +70,8 @@ TEST_P(NBufferProjection, EverySampledPointIsCovered)
   int visiblePoints = 0;
   for (int v = 0; v < 150; ++v)
   {
-    const View view = sampler.MakeView(this->GetParam());
-    const vtkNBufferProjection projection = MakeProjection(view);
+    const View view = sampler.MakeView(offset);
+    const vtkNBufferProjection projection = MakeProjection(view, convention);
     for (int b = 0; b < 40; ++b)
     {
       const std::array<double, 6> bounds = sampler.MakeBounds(view);
@@ -88,14 +94,14 @@ TEST_P(NBufferProjection, EverySampledPointIsCovered)
       }
       for (const auto& point : sampler.MakePoints(bounds, 60))
       {
-        if (const auto exact = ProjectExactly(view, point))
+        if (const auto exact = ProjectExactly(view, point, convention))
         {
           ++visiblePoints;
           CheckPoint(projection, placement, outside, box, screen, *exact);
         }
         for (int permutation = 0; permutation < 4; ++permutation)
         {
-          if (const auto drawn = ProjectAsDevice(view, point, permutation))
+          if (const auto drawn = ProjectAsDevice(view, point, permutation, convention))
           {
             CheckPoint(projection, placement, outside, box, screen, *drawn);
           }
@@ -113,8 +119,14 @@ TEST_P(NBufferProjection, EverySampledPointIsCovered)
   EXPECT_GT(inside + crossing, 1000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Offset, NBufferProjection, testing::Values(0.0, 1e3, 1e5, 5e6),
-  [](const auto& info) { return std::to_string(static_cast<int>(info.param)); });
+INSTANTIATE_TEST_SUITE_P(Offset, NBufferProjection,
+  testing::Combine(testing::Values(0.0, 1e3, 1e5, 5e6), testing::ValuesIn(Conventions)),
+  [](const auto& info)
+  {
+    static const char* const names[] = { "Forward", "Reversed", "InverseW" };
+    return std::to_string(static_cast<int>(std::get<0>(info.param))) +
+      names[static_cast<int>(std::get<1>(info.param))];
+  });
 
 // Hazard: slack that is safe because it is huge hides nothing.
 TEST(NBufferProjectionOnce, RectangleAndDepthAreTight)
@@ -162,8 +174,9 @@ TEST(NBufferProjectionOnce, RectangleAndDepthAreTight)
       ASSERT_LE(screen.Pixels.X1, std::ceil(high[0] + 0.25));
       ASSERT_GE(screen.Pixels.Y0, std::floor(low[1] - 0.25));
       ASSERT_LE(screen.Pixels.Y1, std::ceil(high[1] + 0.25));
-      // The header's slack for interpolation, 2^9 u n R, is by far the largest part.
-      const double interpolation = 0x1p-15 * std::max(view.Width, view.Height) * (high[2] - low[2]);
+      // The header's slack for interpolation, (2^-8.5 + 8 u n) R / t, is by far the largest part.
+      const double interpolation =
+        16.0 * (1.0 / 362.0 + 0x1p-21 * std::max(view.Width, view.Height)) * (high[2] - low[2]);
       ASSERT_GE(screen.Nearest, low[2] - 1e-4 - 1.01 * interpolation);
     }
   }
@@ -281,8 +294,12 @@ TEST(NBufferProjectionOnce, MarginWidensTheRectangle)
   }
 }
 
+class NBufferProjectionOfDepths : public testing::TestWithParam<Convention>
+{
+};
+
 // Hazard: two props said to be apart tie in a pixel after all.
-TEST(NBufferProjectionOnce, BoxesThatAreApartNeverMeetInAPixel)
+TEST_P(NBufferProjectionOfDepths, BoxesThatAreApartNeverMeetInAPixel)
 {
   ViewSampler sampler(11);
   int apart = 0;
@@ -290,7 +307,7 @@ TEST(NBufferProjectionOnce, BoxesThatAreApartNeverMeetInAPixel)
   for (int n = 0; n < 4000; ++n)
   {
     const View view = sampler.MakeView(0.0, n % 2 == 0);
-    const vtkNBufferProjection projection = MakeProjection(view);
+    const vtkNBufferProjection projection = MakeProjection(view, this->GetParam());
     const std::array<double, 6> a = sampler.MakeBounds(view);
     std::array<double, 6> b = a;
     // A neighbour: moved by about its size along one axis.
@@ -331,4 +348,34 @@ TEST(NBufferProjectionOnce, BoxesThatAreApartNeverMeetInAPixel)
   }
   EXPECT_GT(apart, 50);
   EXPECT_GT(met, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, NBufferProjectionOfDepths, testing::ValuesIn(Conventions),
+  [](const auto& info)
+  {
+    static const char* const names[] = { "Forward", "Reversed", "InverseW" };
+    return std::string(names[static_cast<int>(info.param)]);
+  });
+
+// Hazard: a viewport that begins far from the window's corner is rounded with larger coordinates.
+TEST(NBufferProjectionOnce, SlackGrowsWithTheLargestCoordinate)
+{
+  ViewSampler sampler(12);
+  const View view = sampler.MakeView(0.0, false);
+  const double bounds[6] = { view.Position[0] + 20.0 * view.Direction[0] - 1.0,
+    view.Position[0] + 20.0 * view.Direction[0] + 1.0,
+    view.Position[1] + 20.0 * view.Direction[1] - 1.0,
+    view.Position[1] + 20.0 * view.Direction[1] + 1.0,
+    view.Position[2] + 20.0 * view.Direction[2] - 1.0,
+    view.Position[2] + 20.0 * view.Direction[2] + 1.0 };
+  const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
+  vtkNBufferProjection projection = MakeProjection(view);
+  vtkNBufferScreenBox before;
+  ASSERT_EQ(projection.Project(box, before), vtkNBufferPlacement::Inside);
+  projection.Set(
+    view.WorldToClip.data(), view.Width, view.Height, 0x1p-24, Convention::Forward, 20000);
+  vtkNBufferScreenBox after;
+  ASSERT_EQ(projection.Project(box, after), vtkNBufferPlacement::Inside);
+  EXPECT_LT(after.Nearest, before.Nearest);
+  EXPECT_GT(after.Farthest, before.Farthest);
 }

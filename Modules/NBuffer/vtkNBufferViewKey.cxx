@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferViewKey.h"
+
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkNBufferViewKey vtkNBufferViewKey::Make(vtkRenderer* renderer)
+{
+  vtkNBufferViewKey key;
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  key.Camera = renderer->GetActiveCamera();
+  // vtkCamera's composite matrix leaves the eyes' shear out. The camera learns of stereo when it is
+  // drawn, so that the first stereo frame is another view.
+  vtkMatrix4x4::Multiply4x4(
+    key.Camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)->GetData(),
+    key.Camera->GetModelViewTransformMatrix()->GetData(), key.WorldToClip.data());
+  renderer->GetTiledSizeAndOrigin(
+    &key.Viewport[2], &key.Viewport[3], &key.Viewport[0], &key.Viewport[1]);
+  key.ContextTime = window->GetContextCreationTime();
+  key.MultiSamples = window->GetMultiSamples();
+  return key;
+}
+VTK_ABI_NAMESPACE_END

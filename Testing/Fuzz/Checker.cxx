@@ -1,0 +1,444 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checker.h"
+
+#include "GLStateSnapshot.h"
+#include "StatisticsCheck.h"
+
+#include "vtkNBufferVTKVersion.h"
+#include VTKNBUFFER_GL_HEADER
+
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOutputWindow.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <sstream>
+
+namespace NBufferFuzz
+{
+namespace
+{
+/// Comparing the state asks OpenGL some thousand questions.
+constexpr int FramesPerStateCheck = 4;
+
+/// Keeps what VTK reports.
+class MessageCollector : public vtkOutputWindow
+{
+public:
+  static MessageCollector* New();
+  vtkTypeMacro(MessageCollector, vtkOutputWindow);
+  void DisplayText(const char* text) override { this->Text += text; }
+
+  std::string Text;
+};
+vtkStandardNewMacro(MessageCollector);
+
+MessageCollector* GetCollector()
+{
+  static vtkSmartPointer<MessageCollector> collector;
+  if (!collector)
+  {
+    collector = vtkSmartPointer<MessageCollector>::New();
+    vtkOutputWindow::SetInstance(collector);
+  }
+  return collector;
+}
+
+/// What differs between two contexts although nothing is wrong: names of objects, which each
+/// context gives out anew, what the prop drawn last leaves behind, and what the translucent stage
+/// does, which VTK leaves out where all translucent props are outside.
+bool IsComparable(const std::string& name)
+{
+  static const std::array<const char*, 12> excluded = { "BINDING", "CURRENT_PROGRAM",
+    "LastShaderBound", "BUFFER", "GL_LINE_WIDTH", "GL_POINT_SIZE", "GL_CULL_FACE",
+    "GL_POLYGON_MODE", "GL_ACTIVE_TEXTURE", "GL_BLEND_", "GL_COLOR_CLEAR_VALUE",
+    "GL_DEPTH_WRITEMASK" };
+  return std::none_of(excluded.begin(), excluded.end(),
+    [&name](const char* part) { return name.find(part) != std::string::npos; });
+}
+
+/// What vtkOpenGLState takes for the state although it is not, by name.
+std::map<std::string, std::string> FindMisremembered(const GLStateSnapshot& snapshot)
+{
+  const std::string prefix = "vtkOpenGLState ";
+  std::map<std::string, std::string> result;
+  for (const auto& [name, value] : snapshot.GetValues())
+  {
+    const auto truth = name.compare(0, prefix.size(), prefix) == 0
+      ? snapshot.GetValues().find(name.substr(prefix.size()))
+      : snapshot.GetValues().end();
+    // Booleans are "on" and "off" on one side, 1 and 0 on the other, where a query is an integer.
+    if (truth == snapshot.GetValues().end() || truth->second == value ||
+      (truth->second == (value == "on" ? "1" : "0") && (value == "on" || value == "off")))
+    {
+      continue;
+    }
+    result[name] = truth->second + ", remembered as " + value;
+  }
+  return result;
+}
+
+std::string CompareStates(const GLStateSnapshot& reference, const GLStateSnapshot& tested)
+{
+  std::string difference;
+  for (const auto& [name, value] : reference.GetValues())
+  {
+    const auto found = tested.GetValues().find(name);
+    if (IsComparable(name) && found != tested.GetValues().end() && found->second != value)
+    {
+      difference += name + ": " + value + " without the culler, " + found->second + " with it\n";
+    }
+  }
+  const auto known = FindMisremembered(reference);
+  for (const auto& [name, value] : FindMisremembered(tested))
+  {
+    if (known.find(name) == known.end())
+    {
+      difference += name + ": " + value + "\n";
+    }
+  }
+  return difference.empty() ? "" : "The OpenGL state differs:\n" + difference;
+}
+}
+
+std::string TakeMessages()
+{
+  std::string text;
+  std::swap(text, GetCollector()->Text);
+  return text;
+}
+
+std::string FindFault()
+{
+  TakeMessages();
+  vtkNew<vtkRenderWindow> window;
+  const char* wanted = std::getenv("VTK_DEFAULT_OPENGL_WINDOW");
+  if (wanted && std::strcmp(wanted, window->GetClassName()) != 0)
+  {
+    return std::string(wanted) + " is not in this VTK (got " + window->GetClassName() + ")";
+  }
+  if (window->IsA("vtkXOpenGLRenderWindow") && !std::getenv("DISPLAY"))
+  {
+    return "this VTK opens X windows only, and DISPLAY is not set";
+  }
+  window->SetOffScreenRendering(1);
+  window->SetSize(16, 16);
+  window->Render();
+  if (!window->SupportsOpenGL())
+  {
+    return std::string(window->GetClassName()) + " has no usable OpenGL: " + TakeMessages();
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------------------------
+Checker::Checker(Role role)
+  : Reference(Role::Reference)
+  , Tested(role)
+{
+  TakeMessages();
+}
+
+Outcome Checker::Run(const Scenario& scenario, bool freshWindows, Tally* tally)
+{
+  if (freshWindows)
+  {
+    this->Reference.DropWindow();
+    this->Tested.DropWindow();
+  }
+  TakeMessages();
+  this->Reference.Begin(scenario);
+  this->Tested.Begin(scenario);
+  const Outcome outcome = this->RunFrames(scenario, tally);
+  this->Reference.End();
+  this->Tested.End();
+  if (outcome.HasFailed())
+  {
+    // What went wrong may have left its traces.
+    this->Reference.DropWindow();
+    this->Tested.DropWindow();
+  }
+  return outcome;
+}
+
+Outcome Checker::RunFrames(const Scenario& scenario, Tally* tally)
+{
+  Outcome outcome;
+  for (int frame = 0; frame < scenario.Frames; ++frame)
+  {
+    this->GLErrors = 0;
+    const std::string failure = this->CheckFrame(scenario, frame);
+    if (tally)
+    {
+      this->Count(scenario, *tally);
+    }
+    if (!failure.empty())
+    {
+      outcome.Frame = frame;
+      outcome.Failure = failure;
+      break;
+    }
+  }
+  if (tally)
+  {
+    ++tally->Scenarios;
+  }
+  return outcome;
+}
+
+std::string Checker::CheckFrame(const Scenario& scenario, int frame)
+{
+  const std::string expected = this->Reference.Prepare(frame);
+  std::string messages = TakeMessages();
+  const std::string found = this->Tested.Prepare(frame);
+  std::string testedMessages = TakeMessages();
+  if (found != expected)
+  {
+    return "Selected: " + expected + "without the culler, " + found + "with it\n";
+  }
+
+  const bool checkState = frame % FramesPerStateCheck == 1;
+  GLStateSnapshot states[2];
+  GLenum errors[2] = { GL_NO_ERROR, GL_NO_ERROR };
+  for (Stage* stage : { &this->Reference, &this->Tested })
+  {
+    const int index = stage == &this->Tested;
+    stage->Render();
+    stage->GetWindow()->MakeCurrent();
+    errors[index] = glGetError();
+    if (checkState)
+    {
+      states[index] =
+        GLStateSnapshot::Capture(vtkOpenGLRenderWindow::SafeDownCast(stage->GetWindow()));
+      while (glGetError() != GL_NO_ERROR)
+      {
+      }
+    }
+    (index ? testedMessages : messages) += TakeMessages();
+  }
+
+  std::string failure;
+  // What VTK itself does wrong is not ours.
+  if (errors[1] != GL_NO_ERROR && errors[0] == GL_NO_ERROR)
+  {
+    ++this->GLErrors;
+    std::ostringstream text;
+    text << "OpenGL error 0x" << std::hex << errors[1] << "\n";
+    failure += text.str();
+  }
+  if (!testedMessages.empty() && messages.empty())
+  {
+    failure += "VTK reports: " + testedMessages;
+  }
+  const bool stereo = this->Reference.GetWindow()->GetStereoRender() != 0;
+  failure += this->CompareImages(this->Reference.GetWindow()->GetMultiSamples() <= 1 && !stereo);
+  const bool stockCuller = scenario.Culler.DefaultCuller != DefaultCuller::Removed;
+  failure += this->CheckStatistics(stockCuller);
+  // The statistics are those of one eye.
+  if (!stereo && scenario.Renderers.size() == 1)
+  {
+    failure += this->CheckDraws(stockCuller);
+  }
+  if (checkState)
+  {
+    failure += CompareStates(states[0], states[1]);
+  }
+  TakeMessages();
+  return failure;
+}
+
+std::string Checker::CompareImages(bool compareDepth)
+{
+  vtkNew<vtkUnsignedCharArray> pixels[2];
+  vtkNew<vtkFloatArray> depths[2];
+  int sizes[2][2];
+  for (Stage* stage : { &this->Reference, &this->Tested })
+  {
+    const int index = stage == &this->Tested;
+    vtkRenderWindow* window = stage->GetWindow();
+    std::copy_n(window->GetActualSize(), 2, sizes[index]);
+    const int* size = sizes[index];
+    window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels[index]);
+    if (compareDepth)
+    {
+      window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depths[index]);
+    }
+    window->MakeCurrent();
+    while (glGetError() != GL_NO_ERROR)
+    {
+    }
+  }
+  const vtkIdType count = static_cast<vtkIdType>(sizes[0][0]) * sizes[0][1];
+  if (!std::equal(sizes[0], sizes[0] + 2, sizes[1]) ||
+    pixels[0]->GetNumberOfValues() != 4 * count || pixels[1]->GetNumberOfValues() != 4 * count)
+  {
+    return "The windows have different sizes.\n";
+  }
+  std::ostringstream text;
+  const auto say = [&](const char* what, vtkIdType differing, vtkIdType first)
+  {
+    text << what << " differs in " << differing << " of " << count << " pixels, first in ("
+         << first % sizes[0][0] << ", " << first / sizes[0][0] << ")\n";
+  };
+  const auto compare = [&](const char* what, const void* data, const void* other, std::size_t size)
+  {
+    const auto* a = static_cast<const unsigned char*>(data);
+    const auto* b = static_cast<const unsigned char*>(other);
+    if (std::memcmp(a, b, size * count) == 0)
+    {
+      return;
+    }
+    vtkIdType differing = 0;
+    vtkIdType first = -1;
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      if (std::memcmp(a + size * i, b + size * i, size) != 0)
+      {
+        ++differing;
+        first = first < 0 ? i : first;
+      }
+    }
+    say(what, differing, first);
+  };
+  compare("The image", pixels[0]->GetPointer(0), pixels[1]->GetPointer(0), 4);
+  if (compareDepth && depths[0]->GetNumberOfValues() == count &&
+    depths[1]->GetNumberOfValues() == count)
+  {
+    compare("The depth", depths[0]->GetPointer(0), depths[1]->GetPointer(0), sizeof(float));
+  }
+  return text.str();
+}
+
+std::string Checker::CheckStatistics(bool stockCuller)
+{
+  std::string failure;
+  for (int i = 0; i < this->Tested.GetNumberOfRenderers(); ++i)
+  {
+    if (vtkNBufferCuller* culler = this->Tested.GetCuller(i))
+    {
+      const vtkNBufferStatistics& statistics =
+        culler->GetStatistics(this->Tested.GetRenderer(i));
+      // A culler behind ours may have taken out all that was held back, untested.
+      if (stockCuller && statistics.Decision == vtkNBufferDecision::Culled &&
+        statistics.Rounds == 0)
+      {
+        continue;
+      }
+      const std::string fault =
+        FindInconsistency(statistics, culler->GetMaximumNumberOfRounds());
+      if (!fault.empty())
+      {
+        failure += fault + "\n" + statistics.GetAsJSON() + "\n";
+      }
+    }
+  }
+  return failure;
+}
+
+std::string Checker::CheckDraws(bool stockCuller)
+{
+  vtkNBufferCuller* culler = this->Tested.GetCuller(0);
+  if (!culler)
+  {
+    return "";
+  }
+  const vtkNBufferStatistics& statistics = culler->GetStatistics(this->Tested.GetRenderer(0));
+  if (statistics.Decision > vtkNBufferDecision::BackedOff)
+  {
+    return ""; // shadows and selections draw what and as often as they like
+  }
+  int extra = 0;
+  std::ostringstream wrong;
+  for (std::size_t i = 0; i < this->Tested.GetMembers().size(); ++i)
+  {
+    const Stage::Member& member = this->Tested.GetMembers()[i];
+    if (!member.Present || !member.Counted)
+    {
+      continue;
+    }
+    const int expected = this->Reference.GetMembers()[i].Draws;
+    extra += std::max(member.Draws - expected, 0);
+    const vtkNBufferVerdict verdict =
+      culler->GetVerdict(member.Object, this->Tested.GetRenderer(0));
+    const bool culled =
+      verdict == vtkNBufferVerdict::Hidden || verdict == vtkNBufferVerdict::Outside;
+    // vtkFrustumCoverageCuller may still remove some of the others.
+    if ((culled && member.Draws > 0) || (!culled && !stockCuller && member.Draws < expected))
+    {
+      wrong << "Prop " << member.Description->Id << " is "
+            << vtkNBufferStatistics::GetName(verdict) << " and was drawn " << member.Draws
+            << " times (" << expected << " without the culler).\n";
+    }
+  }
+  if (extra > statistics.Redrawn)
+  {
+    wrong << extra << " draws beyond those without the culler, " << statistics.Redrawn
+          << " counted.\n";
+  }
+  return wrong.str();
+}
+
+void Checker::Count(const Scenario& scenario, Tally& tally) const
+{
+  ++tally.Frames;
+  tally.GLErrors += this->GLErrors;
+  ++tally.Features["family " + scenario.Family];
+  bool hidden = false;
+  for (int i = 0; i < this->Tested.GetNumberOfRenderers(); ++i)
+  {
+    vtkNBufferCuller* culler = this->Tested.GetCuller(i);
+    if (!culler)
+    {
+      ++tally.Features["without culler"];
+      continue;
+    }
+    const vtkNBufferStatistics& statistics = culler->GetStatistics(this->Tested.GetRenderer(i));
+    ++tally.Decisions[vtkNBufferStatistics::GetName(statistics.Decision)];
+    for (int verdict = 0; verdict < vtkNBufferStatistics::NumberOfVerdicts; ++verdict)
+    {
+      if (statistics.Verdicts[verdict] > 0)
+      {
+        tally.Verdicts[vtkNBufferStatistics::GetName(static_cast<vtkNBufferVerdict>(verdict))] +=
+          statistics.Verdicts[verdict];
+      }
+    }
+    const int hiddenProps = statistics.GetCount(vtkNBufferVerdict::Hidden);
+    tally.Props += statistics.Props;
+    tally.Tested += statistics.Tested;
+    tally.HeldBack += statistics.HeldBack;
+    tally.Hidden += hiddenProps;
+    tally.Redrawn += statistics.Redrawn;
+    hidden = hidden || hiddenProps > 0;
+    if (statistics.Decision == vtkNBufferDecision::Culled)
+    {
+      ++tally.Features[culler->GetBackendInUse() == vtkNBufferCuller::OpenGL ? "culled by OpenGL"
+                                                                             : "culled by CPU"];
+      tally.Features["culled in several rounds"] += statistics.Rounds > 1;
+    }
+  }
+  tally.FramesWithHidden += hidden;
+  vtkRenderWindow* window = this->Tested.GetWindow();
+  tally.Features["multisampled"] += window->GetMultiSamples() > 1;
+  tally.Features["stereo"] += window->GetStereoRender() != 0;
+  tally.Features["several renderers"] += this->Tested.GetNumberOfRenderers() > 1;
+  tally.Features["stencil"] += window->GetStencilCapable() != 0;
+  for (const Renderer& renderer : scenario.Renderers)
+  {
+    ++tally.Features[std::string("pass ") +
+      EnumNames<PassKind>::Get()[static_cast<int>(renderer.Pass)]];
+    tally.Features["SSAO"] += renderer.SSAO;
+    tally.Features["FXAA"] += renderer.FXAA;
+    tally.Features["depth peeling"] += renderer.DepthPeeling;
+    tally.Features["layers"] += renderer.Layer > 0;
+    tally.Features["hidden lines"] += renderer.HiddenLines;
+    tally.Features["shadows"] += renderer.Shadows;
+  }
+}
+}

@@ -1,0 +1,439 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Families.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace NBufferFuzz
+{
+Prop& Writer::Add(ShapeKind kind, const Vector3& center, const Vector3& size)
+{
+  Prop prop;
+  prop.Id = static_cast<int>(this->Scene.Props.size());
+  prop.Shape.Kind = kind;
+  prop.Shape.Center = center;
+  prop.Shape.Size = size;
+  prop.Shape.Detail = this->Integer(1, 12);
+  prop.Shape.Seed = this->Integer(0, 999);
+  for (double& component : prop.Color)
+  {
+    component = this->Between(0.2, 1.0);
+  }
+  this->Scene.Props.push_back(prop);
+  return this->Scene.Props.back();
+}
+
+void Writer::AddChange(int frame, ChangeKind kind, int target, std::vector<double> values)
+{
+  Change change;
+  change.Frame = frame;
+  change.Kind = kind;
+  change.Target = target;
+  change.Values = std::move(values);
+  this->Scene.Changes.push_back(std::move(change));
+}
+
+View& Writer::AddView(int frame)
+{
+  View view = this->Scene.Views.empty() ? View() : this->Scene.Views.back();
+  view.Frame = frame;
+  this->Scene.Views.push_back(view);
+  return this->Scene.Views.back();
+}
+
+namespace
+{
+constexpr double Distance = 20.0; // of the camera from the plane z = 0
+
+int GetProps(Writer& writer)
+{
+  return writer.Integer(24, writer.Chance(0.1) ? 150 : 60);
+}
+
+/// The camera walks, cuts, jumps back and forth or stays, before the plane z = 0.
+void AddViewsFromFront(Writer& writer, double width)
+{
+  View first;
+  first.ViewAngle = writer.Any({ 30.0, 30.0, 45.0, 60.0, 90.0 });
+  first.Parallel = writer.Chance(0.25);
+  first.ParallelScale = 0.5 * width;
+  const double distance = writer.Chance(0.7)
+    ? 0.5 * width / std::tan(vtkMath::RadiansFromDegrees(0.5 * first.ViewAngle))
+    : Distance;
+  first.Position = { 0.0, 0.0, distance };
+  writer.Scale = width;
+  writer.Scene.Views.push_back(first);
+  const int style = writer.Integer(0, 4);
+  const Vector3 other = { writer.Between(-0.7, 0.7) * width, writer.Between(-0.5, 0.5) * width,
+    writer.Chance(0.8) ? distance : -distance };
+  for (int frame = 1; frame < writer.Scene.Frames; ++frame)
+  {
+    switch (style)
+    {
+      case 0: // still
+        break;
+      case 1: // a walk
+      {
+        View& view = writer.AddView(frame);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          view.Position[axis] += writer.Between(-0.02, 0.02) * width;
+        }
+        break;
+      }
+      case 2: // back and forth
+        writer.AddView(frame).Position = frame % 2 ? other : first.Position;
+        break;
+      case 3: // cuts
+      {
+        View& view = writer.AddView(frame);
+        view.Position = { writer.Between(-0.8, 0.8) * width, writer.Between(-0.5, 0.5) * width,
+          writer.Between(0.3, 1.2) * distance };
+        view.FocalPoint = { writer.Between(-0.2, 0.2) * width, 0.0, 0.0 };
+        break;
+      }
+      default: // still in between
+        if (writer.Chance(0.5))
+        {
+          View& view = writer.AddView(frame);
+          view.Position[0] += writer.Between(-0.1, 0.1) * width;
+          view.FocalPoint[0] = writer.Between(0.0, 1.0) < 0.5 ? 0.0 : view.Position[0];
+        }
+        break;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------------------------
+/// A wall, whole or with holes, boxes behind it and some before it.
+void BuildWall(Writer& writer)
+{
+  const double width = 10.0;
+  const ShapeKind kind =
+    writer.Any({ ShapeKind::Box, ShapeKind::Box, ShapeKind::Quad, ShapeKind::Lattice,
+      ShapeKind::Grating, ShapeKind::Terrain, ShapeKind::Sphere });
+  Prop& wall = writer.Add(kind, { 0.0, 0.0, 0.0 }, { 9.0, 7.0, 0.5 });
+  wall.Shape.Fill = writer.Between(0.5, 1.0);
+  writer.Occluders.push_back(wall.Id);
+  if (writer.Chance(0.3))
+  {
+    writer.Occluders.push_back(writer.AddBox({ 1.0, 0.0, 2.0 }, { 3.0, 9.0, 0.1 }).Id);
+  }
+  const int count = GetProps(writer);
+  for (int i = 0; i < count; ++i)
+  {
+    const bool behind = writer.Chance(0.8);
+    const Vector3 center = { writer.Between(-5.0, 5.0), writer.Between(-4.0, 4.0),
+      behind ? writer.Between(-8.0, -0.8) : writer.Between(0.8, 6.0) };
+    const double size = std::pow(10.0, writer.Between(-1.5, behind ? 0.3 : -0.3));
+    writer.Add(writer.Chance(0.7) ? ShapeKind::Box : writer.Any({ ShapeKind::Sphere,
+                 ShapeKind::Quad, ShapeKind::Terrain, ShapeKind::Soup, ShapeKind::Lines }),
+      center, { size, size * writer.Between(0.3, 2.0), size * writer.Between(0.1, 1.5) });
+  }
+  AddViewsFromFront(writer, width);
+}
+
+/// An occluder whose borders lie at chosen places between pixels, and small boxes behind it that
+/// stick out of it by fractions of a pixel up to two.
+void BuildPeeking(Writer& writer)
+{
+  const Window& window = writer.Scene.Window;
+  const bool parallel = writer.Chance(0.6);
+  const double angle = vtkMath::RadiansFromDegrees(30.0);
+  // World units of a pixel at z = 0 and at z = -depth.
+  const double pixel = writer.Any({ 0.1, 0.125 });
+  const double distance = 0.5 * pixel * window.Height / std::tan(0.5 * angle);
+  const auto getPixel = [&](double z)
+  { return parallel ? pixel : pixel * (distance - z) / distance; };
+
+  const double left = -0.5 * window.Width + writer.Integer(3, 12) + writer.Any({ 0.0, 0.25, 0.5 });
+  const double right = 0.5 * window.Width - writer.Integer(3, 12) + writer.Any({ 0.0, 0.25, 0.5 });
+  const double low = -0.5 * window.Height + writer.Integer(3, 12) + writer.Any({ 0.0, 0.25, 0.5 });
+  const double high = 0.5 * window.Height - writer.Integer(3, 12) + writer.Any({ 0.0, 0.25, 0.5 });
+  // The window is larger than that, unless it is tiny.
+  Prop& wall = writer.Add(writer.Any({ ShapeKind::Quad, ShapeKind::Box }),
+    { 0.5 * (left + right) * pixel, 0.5 * (low + high) * pixel, -0.05 },
+    { (right - left) * pixel, (high - low) * pixel, 0.1 });
+  wall.Shape.Center[2] = wall.Shape.Kind == ShapeKind::Quad ? 0.0 : -0.05;
+  const int count = GetProps(writer);
+  for (int i = 0; i < count; ++i)
+  {
+    const double z = -writer.Between(0.2, 4.0);
+    const double unit = getPixel(z);
+    const double out = writer.Any({ -1.0, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0, 1.0, 1.5, 2.0 }) +
+      writer.Any({ 0.0, 0.0, 0.01, -0.01 });
+    const double width = writer.Between(1.0, 14.0);
+    const double height = writer.Between(1.0, 14.0);
+    double x = writer.Between(left + width, right - width);
+    double y = writer.Between(low + height, high - height);
+    switch (writer.Integer(0, 3))
+    {
+      case 0:
+        x = right + out - 0.5 * width;
+        break;
+      case 1:
+        x = left - out + 0.5 * width;
+        break;
+      case 2:
+        y = high + out - 0.5 * height;
+        break;
+      default:
+        y = low - out + 0.5 * height;
+        break;
+    }
+    const double depth = writer.Chance(0.5) ? 0.0 : writer.Between(0.1, 1.0) * unit;
+    writer.Add(depth == 0.0 ? ShapeKind::Quad : ShapeKind::Box,
+      { x * unit, y * unit, z - 0.5 * depth }, { width * unit, height * unit, depth });
+  }
+  View first;
+  first.Parallel = parallel;
+  first.ParallelScale = 0.5 * pixel * window.Height;
+  first.Position = { 0.0, 0.0, distance };
+  writer.Scale = pixel * window.Width;
+  writer.Scene.Views.push_back(first);
+  for (int frame = 1; frame < writer.Scene.Frames; ++frame)
+  {
+    if (writer.Chance(0.7))
+    {
+      // By parts of a pixel; now and then away, so that all are seen in between.
+      const double step = writer.Chance(0.2) ? 60.0 : writer.Any({ 0.0, 0.25, 0.5, 1.0 });
+      View& view = writer.AddView(frame);
+      view.Position = { step * pixel, writer.Any({ 0.0, 0.25, -0.5 }) * pixel, distance };
+      view.FocalPoint = { view.Position[0], view.Position[1], 0.0 };
+    }
+  }
+}
+
+/// Quads and boxes that share planes exactly, and doors before them.
+void BuildCoplanar(Writer& writer)
+{
+  const double width = 10.0;
+  const bool large = writer.Chance(0.5);
+  const int count = GetProps(writer);
+  const int axis = writer.Integer(0, 2);
+  const double plane = writer.Any({ 0.0, 0.3, 1.0 / 3.0 });
+  for (int i = 0; i < count; ++i)
+  {
+    const double side = large ? writer.Between(1.0, 4.0) : 1.0;
+    Vector3 center = { writer.Between(-4.0, 4.0), writer.Between(-3.0, 3.0), 0.0 };
+    if (!large)
+    {
+      center = { std::round(center[0]), std::round(center[1]), 0.0 };
+    }
+    center[2] = plane - 0.5 * writer.Integer(0, 2);
+    const bool flush = writer.Chance(0.3);
+    const double thickness = flush ? 0.5 : 0.0;
+    // A box ends in the plane in which others lie.
+    center[2] -= 0.5 * thickness;
+    Prop& prop = writer.Add(ShapeKind::Box, center, { side, side, thickness });
+    prop.Lighting = writer.Chance(0.2);
+    if (writer.Chance(0.5))
+    {
+      // The same place by way of the actor's matrix.
+      prop.Position = prop.Shape.Center;
+      prop.Shape.Center = { 0.0, 0.0, 0.0 };
+    }
+    if (writer.Chance(0.4))
+    {
+      prop.From = writer.Integer(0, writer.Scene.Frames - 1);
+    }
+  }
+  for (int i = writer.Integer(0, 2); i > 0; --i)
+  {
+    Prop& door = writer.AddBox(
+      { writer.Between(-2.0, 2.0), 0.0, 3.0 }, { writer.Between(2.0, 6.0), 8.0, 0.2 });
+    writer.Occluders.push_back(door.Id);
+  }
+  AddViewsFromFront(writer, width);
+  if (axis == 0)
+  {
+    // Askew: equal planes, but depths that are rounded along slopes.
+    for (View& view : writer.Scene.Views)
+    {
+      view.Position[0] += 0.9 * Distance;
+      view.Position[1] += 0.3 * Distance;
+    }
+  }
+}
+
+/// Gratings with gaps of about a pixel and less.
+void BuildSlits(Writer& writer)
+{
+  const double width = 10.0;
+  const int gratings = writer.Integer(1, 3);
+  for (int i = 0; i < gratings; ++i)
+  {
+    Prop& grating = writer.Add(ShapeKind::Grating, { 0.0, 0.0, 0.3 * i }, { 11.0, 11.0, 0.0 });
+    grating.Shape.Detail = writer.Integer(8, 60);
+    const double barWidth = 11.0 / grating.Shape.Detail;
+    const double pixel = width / writer.Scene.Window.Height;
+    grating.Shape.Fill = 1.0 - std::min(0.9, writer.Between(0.05, 1.5) * pixel / barWidth);
+    if (writer.Chance(0.4))
+    {
+      grating.Orientation[2] = writer.Any({ 90.0, 3.0, 45.0 });
+    }
+    writer.Occluders.push_back(grating.Id);
+  }
+  const int count = GetProps(writer);
+  for (int i = 0; i < count; ++i)
+  {
+    const double size = writer.Between(0.05, 0.8);
+    writer.Add(writer.Any({ ShapeKind::Box, ShapeKind::Quad, ShapeKind::Sphere }),
+      { writer.Between(-5.0, 5.0), writer.Between(-4.0, 4.0), writer.Between(-5.0, -0.5) },
+      { size, size, writer.Between(0.05, 0.5) });
+  }
+  AddViewsFromFront(writer, width);
+}
+
+/// Many props smaller than a pixel, lines and points of some pixels among them.
+void BuildSpecks(Writer& writer)
+{
+  const double width = 10.0;
+  const int walls = writer.Integer(1, 4);
+  for (int i = 0; i < walls; ++i)
+  {
+    Prop& wall = writer.AddBox({ writer.Between(-3.0, 3.0), writer.Between(-3.0, 3.0), 0.1 * i },
+      { writer.Between(2.0, 6.0), writer.Between(2.0, 6.0), 0.05 });
+    writer.Occluders.push_back(wall.Id);
+  }
+  const int count = writer.Integer(60, 180);
+  for (int i = 0; i < count; ++i)
+  {
+    const ShapeKind kind = writer.Chance(0.6)
+      ? ShapeKind::Box
+      : writer.Any({ ShapeKind::Points, ShapeKind::Lines, ShapeKind::Quad });
+    const double size = std::pow(10.0, writer.Between(-3.0, -0.6));
+    Prop& prop = writer.Add(kind,
+      { writer.Between(-5.0, 5.0), writer.Between(-4.5, 4.5), writer.Between(-3.0, -0.01) },
+      { size, size, size });
+    prop.Shape.Detail = std::min(prop.Shape.Detail, 3);
+    if (kind == ShapeKind::Points || kind == ShapeKind::Lines)
+    {
+      prop.LineWidth = prop.PointSize = writer.Any({ 1.0, 2.0, 5.0, 9.0 });
+    }
+  }
+  AddViewsFromFront(writer, width);
+}
+
+/// The eye among boxes, some of which it is inside of; a floor under it, explicit near planes.
+void BuildNear(Writer& writer)
+{
+  const int count = GetProps(writer);
+  writer.AddBox({ 0.0, 0.0, -1.2 }, { 40.0, 40.0, 0.4 });
+  if (writer.Chance(0.3))
+  {
+    writer.AddBox({ 0.0, 0.0, 0.0 }, { 60.0, 60.0, 60.0 });
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    const double size = std::pow(10.0, writer.Between(-0.7, 0.8));
+    Prop& prop =
+      writer.AddBox({ writer.Between(-10.0, 10.0), writer.Between(-10.0, 10.0),
+                      writer.Between(-1.0, 2.0) },
+        { size, size * writer.Between(0.05, 1.0), size * writer.Between(0.1, 1.0) });
+    if (size > 2.0)
+    {
+      writer.Occluders.push_back(prop.Id);
+    }
+  }
+  writer.Scale = 10.0;
+  const bool cuts = writer.Chance(0.4);
+  View first;
+  first.ViewUp = { 0.0, 0.0, 1.0 };
+  first.ViewAngle = writer.Any({ 30.0, 60.0, 100.0 });
+  first.Position = { writer.Between(-8.0, 8.0), writer.Between(-8.0, 8.0), 0.2 };
+  if (writer.Chance(0.7))
+  {
+    first.Near = writer.Any({ 1e-3, 0.01, 0.1, 1.0 });
+    first.Far = first.Near * writer.Any({ 1e3, 1e5, 1e7 });
+    first.Far = std::max(first.Far, 30.0);
+  }
+  double heading = writer.Between(0.0, 6.3);
+  first.FocalPoint = { first.Position[0] + std::cos(heading),
+    first.Position[1] + std::sin(heading), first.Position[2] };
+  writer.Scene.Views.push_back(first);
+  for (int frame = 1; frame < writer.Scene.Frames; ++frame)
+  {
+    View& view = writer.AddView(frame);
+    heading += cuts ? writer.Between(0.0, 6.3) : writer.Between(-0.3, 0.3);
+    view.Position[0] += writer.Between(-0.6, 0.6);
+    view.Position[1] += writer.Between(-0.6, 0.6);
+    view.FocalPoint = { view.Position[0] + std::cos(heading),
+      view.Position[1] + std::sin(heading), view.Position[2] + writer.Between(-0.3, 0.3) };
+  }
+}
+
+/// Blocks along streets.
+void BuildCity(Writer& writer)
+{
+  const int side = writer.Integer(5, 9);
+  const double extent = 12.0 * side;
+  writer.AddBox({ 0.5 * extent, 0.5 * extent, -0.5 }, { 1.2 * extent, 1.2 * extent, 1.0 });
+  for (int i = 0; i < side; ++i)
+  {
+    for (int j = 0; j < side; ++j)
+    {
+      const double height = writer.Between(3.0, 17.0);
+      const double width = writer.Chance(0.3) ? 12.0 : 8.0;
+      writer.Occluders.push_back(
+        writer
+          .AddBox({ 12.0 * i + 6.0, 12.0 * j + 6.0, 0.5 * height }, { width, 8.0, height })
+          .Id);
+    }
+  }
+  writer.Scale = 30.0;
+  View view;
+  view.ViewUp = { 0.0, 0.0, 1.0 };
+  view.ViewAngle = 60.0;
+  double heading = 0.5 * vtkMath::Pi() + writer.Between(-0.5, 0.5);
+  view.Position = { 12.0 * writer.Integer(1, side - 1) + writer.Between(-1.0, 1.0),
+    writer.Between(0.0, 12.0), writer.Any({ 1.7, 6.0, 12.0 }) };
+  const bool jumps = writer.Chance(0.3);
+  for (int frame = 0; frame < writer.Scene.Frames; ++frame)
+  {
+    heading += jumps ? writer.Any({ 0.0, 0.5, 3.1 }) : writer.Between(-0.2, 0.2);
+    view.Frame = frame;
+    view.Position[1] += writer.Between(0.0, 3.0);
+    view.FocalPoint = { view.Position[0] + std::cos(heading),
+      view.Position[1] + std::sin(heading), view.Position[2] };
+    writer.Scene.Views.push_back(view);
+  }
+}
+
+/// Long props that recede, and others along them.
+void BuildLong(Writer& writer)
+{
+  writer.Occluders.push_back(writer.AddBox({ -1.0, 0.0, -20.0 }, { 0.1, 6.0, 50.0 }).Id);
+  const int count = GetProps(writer);
+  for (int i = 0; i < count; ++i)
+  {
+    const double length = writer.Between(1.0, 44.0);
+    const double y = writer.Between(-3.2, 3.2);
+    writer.AddBox({ -1.1 - writer.Between(0.0, 2.0), y, -20.0 + writer.Between(-20.0, 20.0) },
+      { writer.Between(0.01, 0.3), writer.Between(0.01, 0.3), length });
+  }
+  writer.Scale = 6.0;
+  View view;
+  view.ViewAngle = 60.0;
+  for (int frame = 0; frame < writer.Scene.Frames; ++frame)
+  {
+    view.Frame = frame;
+    view.Position = { writer.Between(-0.8, 1.5), writer.Between(-2.0, 2.0), 4.0 };
+    view.FocalPoint = { -0.5, 0.0, -20.0 };
+    writer.Scene.Views.push_back(view);
+  }
+}
+}
+
+const std::vector<NamedFamily>& GetFamilies()
+{
+  static const std::vector<NamedFamily> families = { { "wall", 3.0, BuildWall },
+    { "peeking", 3.0, BuildPeeking }, { "coplanar", 3.0, BuildCoplanar },
+    { "slits", 2.0, BuildSlits }, { "specks", 1.0, BuildSpecks }, { "near", 2.0, BuildNear },
+    { "city", 1.5, BuildCity }, { "long", 1.0, BuildLong } };
+  return families;
+}
+}

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FuzzPasses.h"
+
+#include "vtkCameraPass.h"
+#include "vtkDefaultPass.h"
+#include "vtkDepthPeelingPass.h"
+#include "vtkDualDepthPeelingPass.h"
+#include "vtkFramebufferPass.h"
+#include "vtkLightsPass.h"
+#include "vtkNew.h"
+#include "vtkOpaquePass.h"
+#include "vtkOpenGLFXAAPass.h"
+#include "vtkOverlayPass.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSSAOPass.h"
+#include "vtkSequencePass.h"
+#include "vtkSobelGradientMagnitudePass.h"
+#include "vtkTranslucentPass.h"
+#include "vtkVolumetricPass.h"
+
+#include <initializer_list>
+
+namespace NBufferFuzz
+{
+namespace
+{
+constexpr int Peels = 4;
+
+vtkSmartPointer<vtkRenderPass> InSequence(std::initializer_list<vtkRenderPass*> passes)
+{
+  vtkNew<vtkRenderPassCollection> collection;
+  for (vtkRenderPass* pass : passes)
+  {
+    collection->AddItem(pass);
+  }
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(collection);
+  return sequence;
+}
+
+vtkSmartPointer<vtkRenderPass> WithCamera(vtkRenderPass* inner)
+{
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(inner);
+  return camera;
+}
+
+template <typename PassType>
+vtkSmartPointer<vtkRenderPass> AroundSteps()
+{
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<PassType> pass;
+  pass->SetDelegatePass(steps);
+  return pass;
+}
+
+template <typename PassType>
+vtkSmartPointer<vtkRenderPass> WithPeeling()
+{
+  vtkNew<vtkLightsPass> lights;
+  vtkNew<vtkOpaquePass> opaque;
+  vtkNew<vtkTranslucentPass> translucent;
+  vtkNew<PassType> peeling;
+  peeling->SetTranslucentPass(translucent);
+  peeling->SetMaximumNumberOfPeels(Peels);
+  peeling->SetOcclusionRatio(0.0);
+  return WithCamera(InSequence({ lights, opaque, peeling }));
+}
+}
+
+vtkSmartPointer<vtkRenderPass> MakePass(PassKind kind)
+{
+  vtkNew<vtkLightsPass> lights;
+  vtkNew<vtkOpaquePass> opaque;
+  vtkNew<vtkTranslucentPass> translucent;
+  switch (kind)
+  {
+    case PassKind::None:
+      return nullptr;
+    case PassKind::RenderSteps:
+      return vtkSmartPointer<vtkRenderStepsPass>::New();
+    case PassKind::OpaqueTranslucent:
+    {
+      vtkNew<vtkVolumetricPass> volumetric;
+      vtkNew<vtkOverlayPass> overlay;
+      return WithCamera(InSequence({ lights, opaque, translucent, volumetric, overlay }));
+    }
+    case PassKind::OpaqueTwice:
+    {
+      vtkNew<vtkOpaquePass> again;
+      return WithCamera(InSequence({ lights, opaque, again }));
+    }
+    case PassKind::TranslucentFirst:
+      return WithCamera(InSequence({ lights, translucent, opaque }));
+    case PassKind::Default:
+    {
+      vtkNew<vtkDefaultPass> steps;
+      return WithCamera(InSequence({ lights, steps }));
+    }
+    case PassKind::DepthPeeling:
+      return WithPeeling<vtkDepthPeelingPass>();
+    case PassKind::DualDepthPeeling:
+      return WithPeeling<vtkDualDepthPeelingPass>();
+    case PassKind::SSAO:
+      return AroundSteps<vtkSSAOPass>();
+    case PassKind::FXAA:
+      return AroundSteps<vtkOpenGLFXAAPass>();
+    case PassKind::Framebuffer:
+    {
+      vtkNew<vtkFramebufferPass> framebuffer;
+      framebuffer->SetDelegatePass(InSequence({ lights, opaque }));
+      return WithCamera(framebuffer);
+    }
+    case PassKind::Sobel:
+      return AroundSteps<vtkSobelGradientMagnitudePass>();
+  }
+  return nullptr;
+}
+}

@@ -1,0 +1,429 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FuzzProps.h"
+
+#include "Shapes.h"
+
+#include "vtkNBufferVTKVersion.h"
+
+#include "vtkActor.h"
+#include "vtkAssembly.h"
+#include "vtkBillboardTextActor3D.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataSetMapper.h"
+#include "vtkFollower.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkImageData.h"
+#include "vtkLODProp3D.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkShaderProperty.h"
+#include "vtkSmartVolumeMapper.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkTexture.h"
+#include "vtkTransform.h"
+#include "vtkTransformFilter.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
+#include "vtkCompositePolyDataMapper2.h"
+#else
+#include "vtkCompositePolyDataMapper.h"
+#endif
+
+#include <algorithm>
+
+namespace NBufferFuzz
+{
+namespace
+{
+#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
+using CompositeMapper = vtkCompositePolyDataMapper2;
+#else
+using CompositeMapper = vtkCompositePolyDataMapper;
+#endif
+
+vtkSmartPointer<vtkTexture> MakeTexture(Translucency translucency)
+{
+  constexpr int side = 4;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(side, side, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  auto* pixels = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int i = 0; i < side * side; ++i)
+  {
+    pixels[4 * i] = static_cast<unsigned char>(16 * i);
+    pixels[4 * i + 1] = pixels[4 * i + 2] = 128;
+    pixels[4 * i + 3] = translucency == Translucency::Some && i % 2 ? 40 : 255;
+  }
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(image);
+  return texture;
+}
+
+/// The shape beside itself, for props with two parts.
+Shape GetSecondPart(const Shape& shape)
+{
+  Shape second = shape;
+  second.Center[0] += 1.25 * shape.Size[0];
+  second.Seed += 1;
+  return second;
+}
+
+void SetInput(vtkPolyDataMapper* mapper, const Prop& prop)
+{
+  vtkSmartPointer<vtkPolyData> data = MakeShape(prop.Shape, prop.Scalars);
+  if (prop.Kind != PropKind::Piped)
+  {
+    mapper->SetInputData(data);
+    return;
+  }
+  vtkNew<vtkTransformFilter> filter;
+  vtkNew<vtkTransform> transform;
+  filter->SetTransform(transform);
+  filter->SetInputData(data);
+  mapper->SetInputConnection(filter->GetOutputPort());
+}
+
+vtkSmartPointer<vtkMapper> MakeMapper(const Prop& prop)
+{
+  if (prop.Kind == PropKind::DataSet)
+  {
+    vtkNew<vtkDataSetMapper> mapper;
+    mapper->SetInputData(MakeShape(prop.Shape, prop.Scalars));
+    return mapper;
+  }
+  if (prop.Kind == PropKind::Glyphs)
+  {
+    Shape small = prop.Shape;
+    small.Center = { 0.0, 0.0, 0.0 };
+    std::for_each(small.Size.begin(), small.Size.end(), [](double& size) { size *= 0.2; });
+    vtkNew<vtkGlyph3DMapper> mapper;
+    mapper->SetInputData(MakeShape(prop.Shape));
+    mapper->SetSourceData(MakeShape(small));
+    return mapper;
+  }
+  if (prop.Kind == PropKind::Composite)
+  {
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    blocks->SetBlock(0, MakeShape(prop.Shape, prop.Scalars));
+    blocks->SetBlock(1, MakeShape(GetSecondPart(prop.Shape), prop.Scalars));
+    vtkNew<CompositeMapper> mapper;
+    mapper->SetInputDataObject(blocks);
+    vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+    mapper->SetCompositeDataDisplayAttributes(attributes);
+    mapper->SetBlockColor(1, 1.0 - prop.Color[0], prop.Color[2], prop.Color[1]);
+    return mapper;
+  }
+  vtkNew<vtkPolyDataMapper> mapper;
+  SetInput(mapper, prop);
+  if (!prop.ShiftCoordinates)
+  {
+    mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+  }
+  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, prop.OffsetUnits);
+  return mapper;
+}
+
+void SetProperty(vtkProperty* property, const Prop& prop)
+{
+  property->SetColor(prop.Color[0], prop.Color[1], prop.Color[2]);
+  property->SetOpacity(prop.Opacity);
+  property->SetLighting(prop.Lighting);
+  if (prop.Flat)
+  {
+    property->SetInterpolationToFlat();
+  }
+  property->SetRepresentation(static_cast<int>(prop.Representation));
+  property->SetEdgeVisibility(prop.Edges);
+  property->SetVertexVisibility(prop.Vertices);
+  property->SetRenderPointsAsSpheres(prop.Spheres);
+  property->SetRenderLinesAsTubes(prop.Tubes);
+  property->SetLineWidth(static_cast<float>(prop.LineWidth));
+  property->SetPointSize(static_cast<float>(prop.PointSize));
+  property->SetFrontfaceCulling(prop.CulledFaces == 1);
+  property->SetBackfaceCulling(prop.CulledFaces == 2);
+}
+
+void SetShader(vtkActor* actor, Shader shader)
+{
+  if (shader == Shader::MovesVertices)
+  {
+    actor->GetShaderProperty()->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true,
+      "//VTK::PositionVC::Impl\n gl_Position.y += 0.4 * gl_Position.w;\n", false);
+  }
+  else if (shader == Shader::WritesDepth)
+  {
+    actor->GetShaderProperty()->AddFragmentShaderReplacement(
+      "//VTK::Light::Impl", true, "//VTK::Light::Impl\n gl_FragDepth = 0.25;\n", false);
+  }
+}
+
+void SetActor(vtkActor* actor, const Prop& prop)
+{
+  vtkSmartPointer<vtkMapper> mapper = MakeMapper(prop);
+  if (prop.ClippingPlane.size() == 6)
+  {
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(prop.ClippingPlane[0], prop.ClippingPlane[1], prop.ClippingPlane[2]);
+    plane->SetNormal(prop.ClippingPlane[3], prop.ClippingPlane[4], prop.ClippingPlane[5]);
+    mapper->AddClippingPlane(plane);
+  }
+  if (prop.Kind != PropKind::NoMapper)
+  {
+    actor->SetMapper(mapper);
+  }
+  SetProperty(actor->GetProperty(), prop);
+  actor->SetForceOpaque(prop.ForceOpaque);
+  actor->SetForceTranslucent(prop.ForceTranslucent);
+  if (prop.Texture != Translucency::None)
+  {
+    actor->SetTexture(MakeTexture(prop.Texture));
+  }
+  SetShader(actor, prop.Shader);
+}
+
+void SetMatrix(vtkProp3D* prop, const std::vector<double>& elements)
+{
+  if (elements.size() == 16)
+  {
+    vtkNew<vtkMatrix4x4> matrix;
+    matrix->DeepCopy(elements.data());
+    prop->SetUserMatrix(matrix);
+  }
+}
+
+vtkSmartPointer<vtkProp3D> MakeVolume(const Prop& prop)
+{
+  constexpr int side = 6;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(side, side, side);
+  const Vector3& size = prop.Shape.Size;
+  const auto spacing = [&size](int i) { return std::max(size[i], 1e-3) / (side - 1); };
+  image->SetSpacing(spacing(0), spacing(1), spacing(2));
+  image->SetOrigin(prop.Shape.Center[0] - 0.5 * size[0], prop.Shape.Center[1] - 0.5 * size[1],
+    prop.Shape.Center[2] - 0.5 * size[2]);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* voxels = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int i = 0; i < side * side * side; ++i)
+  {
+    voxels[i] = static_cast<unsigned char>(37 * i);
+  }
+  vtkNew<vtkSmartVolumeMapper> mapper;
+  mapper->SetInputData(image);
+  // Its sampling would depend on the time that the frames before have taken.
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->InteractiveAdjustSampleDistancesOff();
+  vtkNew<vtkColorTransferFunction> colors;
+  colors->AddRGBPoint(0.0, prop.Color[0], prop.Color[1], prop.Color[2]);
+  colors->AddRGBPoint(255.0, 1.0, 0.5, 0.0);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.1);
+  opacity->AddPoint(255.0, 0.9);
+  auto volume = vtkSmartPointer<vtkVolume>::New();
+  volume->SetMapper(mapper);
+  volume->GetProperty()->SetColor(colors);
+  volume->GetProperty()->SetScalarOpacity(opacity);
+  return volume;
+}
+
+vtkSmartPointer<vtkProp3D> MakeAssembly(const Prop& prop)
+{
+  auto assembly = vtkSmartPointer<vtkAssembly>::New();
+  Prop part = prop;
+  part.Kind = PropKind::Actor;
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkNew<vtkActor> actor;
+    SetActor(actor, part);
+    assembly->AddPart(actor);
+    part.Shape = GetSecondPart(prop.Shape);
+  }
+  return assembly;
+}
+
+vtkSmartPointer<vtkProp3D> MakeLOD(const Prop& prop)
+{
+  auto lod = vtkSmartPointer<vtkLODProp3D>::New();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(MakeShape(prop.Shape));
+  vtkNew<vtkProperty> property;
+  SetProperty(property, prop);
+  lod->AddLOD(mapper, property, 0.0);
+  return lod;
+}
+
+vtkSmartPointer<vtkProp3D> MakeProp3D(const Prop& prop, vtkCamera* camera)
+{
+  switch (prop.Kind)
+  {
+    case PropKind::Assembly:
+      return MakeAssembly(prop);
+    case PropKind::LOD:
+      return MakeLOD(prop);
+    case PropKind::Volume:
+      return MakeVolume(prop);
+    case PropKind::Billboard:
+    {
+      auto text = vtkSmartPointer<vtkBillboardTextActor3D>::New();
+      text->SetInput("N");
+      return text;
+    }
+    case PropKind::Follower:
+    {
+      auto follower = vtkSmartPointer<vtkFollower>::New();
+      follower->SetCamera(camera);
+      SetActor(follower, prop);
+      return follower;
+    }
+    default:
+    {
+      auto actor = vtkSmartPointer<vtkActor>::New();
+      SetActor(actor, prop);
+      return actor;
+    }
+  }
+}
+
+void MovePoints(vtkMapper* mapper, const Change& change)
+{
+  auto* data = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
+  vtkPoints* points = data ? data->GetPoints() : nullptr;
+  for (vtkIdType i = 0; points && i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    points->SetPoint(i, p[0] + GetValue(change, 0), p[1] + GetValue(change, 1),
+      p[2] + GetValue(change, 2));
+  }
+  if (points)
+  {
+    points->Modified();
+  }
+}
+
+void ReplaceData(vtkMapper* mapper, const Prop& description, const Change& change)
+{
+  auto* plain = vtkPolyDataMapper::SafeDownCast(mapper);
+  if (plain && description.Kind != PropKind::Composite)
+  {
+    Prop other = description;
+    other.Shape.Size = { GetValue(change, 0), GetValue(change, 1), GetValue(change, 2) };
+    SetInput(plain, other);
+  }
+}
+
+void ChangeActor(vtkActor* actor, const Prop& description, const Change& change)
+{
+  vtkProperty* property = actor->GetProperty();
+  vtkMapper* mapper = actor->GetMapper();
+  const double value = GetValue(change, 0);
+  switch (change.Kind)
+  {
+    case ChangeKind::Color:
+      property->SetColor(value, GetValue(change, 1), GetValue(change, 2));
+      break;
+    case ChangeKind::Opacity:
+      property->SetOpacity(value);
+      break;
+    case ChangeKind::Representation:
+      property->SetRepresentation(static_cast<int>(value));
+      break;
+    case ChangeKind::LineWidth:
+      property->SetLineWidth(static_cast<float>(value));
+      property->SetPointSize(static_cast<float>(value));
+      break;
+    case ChangeKind::Edges:
+      property->SetEdgeVisibility(value != 0.0);
+      break;
+    case ChangeKind::MovePoints:
+      // What a filter puts out is its own.
+      if (description.Kind == PropKind::Actor)
+      {
+        MovePoints(mapper, change);
+      }
+      break;
+    case ChangeKind::ReplaceData:
+      ReplaceData(mapper, description, change);
+      break;
+    case ChangeKind::ClippingPlane:
+      if (mapper && mapper->GetClippingPlanes())
+      {
+        mapper->GetClippingPlanes()->GetItem(0)->SetOrigin(
+          value, GetValue(change, 1), GetValue(change, 2));
+      }
+      break;
+    default:
+      break;
+  }
+}
+}
+
+double GetValue(const Change& change, std::size_t n)
+{
+  return n < change.Values.size() ? change.Values[n] : 0.0;
+}
+
+vtkSmartPointer<vtkProp> MakeProp(const Prop& prop, vtkCamera* camera)
+{
+  if (prop.Kind == PropKind::Text)
+  {
+    auto text = vtkSmartPointer<vtkTextActor>::New();
+    text->SetInput("2D");
+    text->SetPosition(3, 3);
+    text->GetTextProperty()->SetFontSize(10);
+    return text;
+  }
+  vtkSmartPointer<vtkProp3D> result = MakeProp3D(prop, camera);
+  result->SetPosition(prop.Position[0], prop.Position[1], prop.Position[2]);
+  result->SetOrientation(prop.Orientation[0], prop.Orientation[1], prop.Orientation[2]);
+  result->SetScale(prop.Scale[0], prop.Scale[1], prop.Scale[2]);
+  SetMatrix(result, prop.UserMatrix);
+  result->SetVisibility(prop.Visible);
+  return result;
+}
+
+void ChangeProp(vtkProp* prop, const Prop& description, const Change& change)
+{
+  double values[3] = { GetValue(change, 0), GetValue(change, 1), GetValue(change, 2) };
+  if (change.Kind == ChangeKind::Visible)
+  {
+    prop->SetVisibility(values[0] != 0.0);
+  }
+  else if (auto* prop3D = vtkProp3D::SafeDownCast(prop))
+  {
+    switch (change.Kind)
+    {
+      case ChangeKind::Position:
+        prop3D->SetPosition(values);
+        break;
+      case ChangeKind::Orientation:
+        prop3D->SetOrientation(values);
+        break;
+      case ChangeKind::Scale:
+        prop3D->SetScale(values);
+        break;
+      case ChangeKind::UserMatrix:
+        SetMatrix(prop3D, change.Values);
+        break;
+      default:
+        if (auto* actor = vtkActor::SafeDownCast(prop))
+        {
+          ChangeActor(actor, description, change);
+        }
+        break;
+    }
+  }
+}
+}

@@ -1,0 +1,506 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FuzzStage.h"
+
+#include "FuzzPasses.h"
+#include "FuzzProps.h"
+
+#include "vtkNBufferVTKVersion.h"
+
+#include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkCullerCollection.h"
+#include "vtkDataObject.h"
+#include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
+#include "vtkLight.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace NBufferFuzz
+{
+namespace
+{
+void CountDraw(vtkObject*, unsigned long, void* counter, void*)
+{
+  ++*static_cast<int*>(counter);
+}
+
+void SetStereo(vtkRenderWindow* window, int type)
+{
+  window->SetStereoRender(type >= 0);
+  if (type >= 0)
+  {
+    window->SetStereoType(type);
+  }
+}
+
+void SetSize(vtkRenderWindow* window, double width, double height)
+{
+  constexpr double largest = 2048.0;
+  window->SetSize(static_cast<int>(std::min(std::max(width, 1.0), largest)),
+    static_cast<int>(std::min(std::max(height, 1.0), largest)));
+}
+
+void SetUp(vtkRenderer* renderer, const Renderer& description, int index)
+{
+  renderer->SetViewport(description.Viewport.data());
+  renderer->SetLayer(description.Layer);
+  renderer->SetErase(description.Erase);
+  renderer->SetPreserveDepthBuffer(description.PreserveDepth);
+  renderer->SetBackground(0.1 + 0.2 * index, 0.2, 0.3);
+  renderer->SetPass(MakePass(description.Pass));
+  renderer->SetUseSSAO(description.SSAO);
+  renderer->SetSSAOKernelSize(8);
+  renderer->SetUseFXAA(description.FXAA);
+  renderer->SetUseDepthPeeling(description.DepthPeeling);
+  renderer->SetMaximumNumberOfPeels(3);
+#if VTKNBUFFER_HAS_OIT_SWITCH
+  renderer->SetUseOIT(description.OIT);
+#endif
+  renderer->SetUseHiddenLineRemoval(description.HiddenLines);
+  if (description.Shadows)
+  {
+    renderer->SetUseShadows(true);
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->SetPositional(true);
+    light->SetConeAngle(60.0);
+    light->SetPosition(8.0, 9.0, 14.0);
+    renderer->AddLight(light);
+  }
+}
+}
+
+Stage::~Stage()
+{
+  this->End();
+}
+
+void Stage::DropWindow()
+{
+  this->End();
+  this->Window = nullptr;
+}
+
+void Stage::Begin(const Scenario& scenario)
+{
+  this->End();
+  const NBufferFuzz::Window& window = scenario.Window;
+  if (this->Window && this->StencilCapable != window.StencilCapable)
+  {
+    this->DropWindow();
+  }
+  vtkMapper::SetResolveCoincidentTopologyToDefault();
+  this->Scene = &scenario;
+  if (!this->Window)
+  {
+    this->Window = vtkSmartPointer<vtkRenderWindow>::New();
+    this->Window->SetOffScreenRendering(1);
+    this->StencilCapable = window.StencilCapable;
+    this->Window->SetStencilCapable(window.StencilCapable);
+  }
+  this->Window->SetMultiSamples(window.MultiSamples);
+  SetSize(this->Window, window.Width, window.Height);
+  this->Window->SetLineSmoothing(window.LineSmoothing);
+  SetStereo(this->Window, window.Stereo);
+  const int tiles = std::min(std::max(window.TileScale, 1), 4);
+  this->Window->SetTileScale(tiles, tiles);
+  this->Window->SetTileViewport(0.0, 0.0, 1.0 / tiles, 1.0 / tiles);
+  this->AddRenderers();
+  this->AddCullers();
+  this->Members.resize(scenario.Props.size());
+  for (std::size_t i = 0; i < scenario.Props.size(); ++i)
+  {
+    this->Members[i].Description = &scenario.Props[i];
+    this->Places[scenario.Props[i].Id] = i;
+  }
+}
+
+void Stage::End()
+{
+  for (const auto& renderer : this->Renderers)
+  {
+    renderer->RemoveAllViewProps();
+    this->Window->RemoveRenderer(renderer);
+  }
+  this->Members.clear();
+  this->Places.clear();
+  this->Renderers.clear();
+  this->Cullers.clear();
+  this->Scene = nullptr;
+}
+
+void Stage::AddRenderers()
+{
+  int layers = 1;
+  for (std::size_t i = 0; i < this->Scene->Renderers.size(); ++i)
+  {
+    const NBufferFuzz::Renderer& description = this->Scene->Renderers[i];
+    auto renderer = vtkSmartPointer<vtkRenderer>::New();
+    SetUp(renderer, description, static_cast<int>(i));
+    if (description.SharesCamera && i > 0)
+    {
+      renderer->SetActiveCamera(this->Renderers[0]->GetActiveCamera());
+    }
+    else
+    {
+      vtkNew<vtkCamera> camera;
+      renderer->SetActiveCamera(camera);
+    }
+    layers = std::max(layers, description.Layer + 1);
+    this->Window->SetNumberOfLayers(layers);
+    this->Window->AddRenderer(renderer);
+    this->Renderers.push_back(renderer);
+  }
+}
+
+void Stage::AddCullers()
+{
+  const NBufferFuzz::Culler& settings = this->Scene->Culler;
+  for (const auto& renderer : this->Renderers)
+  {
+    if (this->Part == Role::Reference || settings.DefaultCuller == DefaultCuller::Removed)
+    {
+      renderer->GetCullers()->RemoveAllItems();
+    }
+    if (this->Part != Role::Culled)
+    {
+      continue;
+    }
+    if (this->Cullers.empty() || settings.OnePerRenderer)
+    {
+      auto culler = vtkSmartPointer<vtkNBufferCuller>::New();
+      culler->SetBackend(settings.Backend);
+      culler->SetBaseFactor(settings.BaseFactor);
+      culler->SetMinimumNumberOfCandidates(settings.MinimumNumberOfCandidates);
+      culler->SetMaximumNumberOfRounds(settings.MaximumNumberOfRounds);
+      culler->SetRoundSize(settings.RoundSize);
+      culler->SetMaximumNumberOfPieces(settings.MaximumNumberOfPieces);
+      culler->SetTestPixels(settings.TestPixels);
+      culler->SetReuseWhenStill(settings.ReuseWhenStill);
+      culler->SetBackOff(settings.BackOff);
+      culler->SetTakeOverFrustumCulling(settings.DefaultCuller != DefaultCuller::NoTakeOver);
+      this->Cullers.push_back(culler);
+    }
+    else
+    {
+      this->Cullers.push_back(this->Cullers.front());
+    }
+  }
+}
+
+vtkNBufferCuller* Stage::GetCuller(int renderer) const
+{
+  if (this->Part != Role::Culled ||
+    !this->Renderers[renderer]->GetCullers()->IsItemPresent(this->Cullers[renderer]))
+  {
+    return nullptr;
+  }
+  return this->Cullers[renderer];
+}
+
+//------------------------------------------------------------------------------------------------
+std::string Stage::Prepare(int frame)
+{
+  this->Frame = frame;
+  this->JoinAndLeave(frame);
+  std::string found;
+  for (const Change& change : this->Scene->Changes)
+  {
+    if (change.Frame != frame)
+    {
+      continue;
+    }
+    if (change.Kind == ChangeKind::Select)
+    {
+      found += this->Select();
+    }
+    else
+    {
+      this->Apply(change);
+    }
+  }
+  for (const View& view : this->Scene->Views)
+  {
+    if (view.Frame == frame)
+    {
+      this->Look(view);
+    }
+  }
+  if (frame == this->Scene->Culler.AddedInFrame)
+  {
+    Change present;
+    present.Kind = ChangeKind::CullerPresent;
+    present.Values = { 1.0 };
+    this->ApplyToCullers(present);
+  }
+  return found;
+}
+
+void Stage::Render()
+{
+  for (Member& member : this->Members)
+  {
+    member.Draws = 0;
+  }
+  this->Window->Render();
+}
+
+void Stage::JoinAndLeave(int frame)
+{
+  for (Member& member : this->Members)
+  {
+    const Prop& description = *member.Description;
+    const bool present =
+      description.From <= frame && (description.Until < 0 || frame < description.Until);
+    if (present != member.Present)
+    {
+      this->Join(member, present);
+    }
+  }
+}
+
+void Stage::Join(Member& member, bool present)
+{
+  const Prop& description = *member.Description;
+  const int index = description.Renderer;
+  if (index < 0 || index >= this->GetNumberOfRenderers())
+  {
+    return;
+  }
+  if (!member.Object)
+  {
+    member.Object = MakeProp(description, this->Renderers[index]->GetActiveCamera());
+    auto* actor = vtkActor::SafeDownCast(member.Object);
+    // Polydata mappers announce every piece they draw by a StartEvent; others announce updates as
+    // well, or draw by mappers of their own.
+    if (actor && actor->GetMapper() &&
+      (description.Kind == PropKind::Actor || description.Kind == PropKind::Piped))
+    {
+      vtkNew<vtkCallbackCommand> observer;
+      observer->SetCallback(CountDraw);
+      observer->SetClientData(&member.Draws);
+      actor->GetMapper()->AddObserver(vtkCommand::StartEvent, observer);
+      member.Counted = true;
+    }
+  }
+  member.Present = present;
+  for (int i = 0; i < this->GetNumberOfRenderers(); ++i)
+  {
+    if (i != index && (index != 0 || !this->Scene->Renderers[i].SharesProps))
+    {
+      continue;
+    }
+    if (present)
+    {
+      this->Renderers[i]->AddViewProp(member.Object);
+    }
+    else
+    {
+      this->Renderers[i]->RemoveViewProp(member.Object);
+    }
+  }
+}
+
+void Stage::Look(const View& view)
+{
+  if (view.Renderer < 0 || view.Renderer >= this->GetNumberOfRenderers())
+  {
+    return;
+  }
+  vtkRenderer* renderer = this->Renderers[view.Renderer];
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(view.Position.data());
+  camera->SetFocalPoint(view.FocalPoint.data());
+  camera->SetViewUp(view.ViewUp.data());
+  camera->SetViewAngle(view.ViewAngle);
+  camera->SetParallelProjection(view.Parallel);
+  camera->SetParallelScale(view.ParallelScale);
+  camera->SetWindowCenter(view.WindowCenter[0], view.WindowCenter[1]);
+  camera->SetEyeAngle(view.EyeAngle);
+  if (view.Near == 0.0 && view.Far == 0.0)
+  {
+    renderer->ResetCameraClippingRange();
+  }
+  else
+  {
+    camera->SetClippingRange(view.Near, view.Far);
+  }
+}
+
+//------------------------------------------------------------------------------------------------
+void Stage::Apply(const Change& change)
+{
+  const double value = GetValue(change, 0);
+  vtkRenderer* renderer = change.Target >= 0 && change.Target < this->GetNumberOfRenderers()
+    ? this->Renderers[change.Target].Get()
+    : nullptr;
+  switch (change.Kind)
+  {
+    case ChangeKind::Viewport:
+      if (renderer)
+      {
+        renderer->SetViewport(
+          value, GetValue(change, 1), GetValue(change, 2), GetValue(change, 3));
+      }
+      return;
+    case ChangeKind::Pass:
+      if (renderer)
+      {
+        if (vtkRenderPass* old = renderer->GetPass())
+        {
+          old->ReleaseGraphicsResources(this->Window);
+        }
+        renderer->SetPass(MakePass(static_cast<PassKind>(static_cast<int>(value))));
+      }
+      return;
+    case ChangeKind::FXAA:
+      if (renderer)
+      {
+        renderer->SetUseFXAA(value != 0.0);
+      }
+      return;
+    case ChangeKind::SSAO:
+      if (renderer)
+      {
+        renderer->SetUseSSAO(value != 0.0);
+      }
+      return;
+    case ChangeKind::WindowSize:
+    case ChangeKind::MultiSamples:
+    case ChangeKind::Stereo:
+    case ChangeKind::NewContext:
+    case ChangeKind::PolygonOffset:
+      this->ApplyToWindow(change);
+      return;
+    case ChangeKind::CullerEnabled:
+    case ChangeKind::CullerBackend:
+    case ChangeKind::CullerBaseFactor:
+    case ChangeKind::CullerRoundSize:
+    case ChangeKind::CullerPresent:
+      this->ApplyToCullers(change);
+      return;
+    default:
+      break;
+  }
+  const auto found = this->Places.find(change.Target);
+  if (found == this->Places.end() || !this->Members[found->second].Object)
+  {
+    return;
+  }
+  Member& member = this->Members[found->second];
+  if (change.Kind != ChangeKind::Rejoin)
+  {
+    ChangeProp(member.Object, *member.Description, change);
+  }
+  else if (member.Present)
+  {
+    this->Join(member, false);
+    this->Join(member, true);
+  }
+}
+
+void Stage::ApplyToWindow(const Change& change)
+{
+  const double value = GetValue(change, 0);
+  switch (change.Kind)
+  {
+    case ChangeKind::WindowSize:
+      SetSize(this->Window, value, GetValue(change, 1));
+      break;
+    case ChangeKind::MultiSamples:
+      this->Window->SetMultiSamples(static_cast<int>(value));
+      break;
+    case ChangeKind::Stereo:
+      SetStereo(this->Window, static_cast<int>(value));
+      break;
+    case ChangeKind::NewContext:
+      this->Window->Finalize();
+      break;
+    default:
+      // One switch for both stages: the same twice is no change.
+      vtkMapper::SetResolveCoincidentTopology(
+        value != 0.0 ? VTK_RESOLVE_POLYGON_OFFSET : VTK_RESOLVE_OFF);
+      break;
+  }
+}
+
+void Stage::ApplyToCullers(const Change& change)
+{
+  const auto value = static_cast<int>(GetValue(change, 0));
+  for (std::size_t i = 0; i < this->Cullers.size(); ++i)
+  {
+    vtkNBufferCuller* culler = this->Cullers[i];
+    vtkCullerCollection* cullers = this->Renderers[i]->GetCullers();
+    switch (change.Kind)
+    {
+      case ChangeKind::CullerEnabled:
+        culler->SetEnabled(value != 0);
+        break;
+      case ChangeKind::CullerBackend:
+        culler->SetBackend(value);
+        break;
+      case ChangeKind::CullerBaseFactor:
+        culler->SetBaseFactor(value);
+        break;
+      case ChangeKind::CullerRoundSize:
+        culler->SetRoundSize(value);
+        break;
+      default:
+        cullers->RemoveItem(culler);
+        if (value != 0)
+        {
+          this->Renderers[i]->AddCuller(culler);
+          if (this->Scene->Culler.DefaultCuller == DefaultCuller::Behind &&
+            cullers->GetNumberOfItems() == 2)
+          {
+            const vtkSmartPointer<vtkCuller> first =
+              vtkCuller::SafeDownCast(cullers->GetItemAsObject(0));
+            cullers->RemoveItem(first);
+            cullers->AddItem(first);
+          }
+        }
+        break;
+    }
+  }
+}
+
+std::string Stage::Select()
+{
+  // Before the first frame there is nothing to select from.
+  if (this->Frame == 0)
+  {
+    return "";
+  }
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(this->Renderers[0]);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  const int* size = this->Window->GetSize();
+  selector->SetArea(0, 0, size[0] - 1, size[1] - 1);
+  auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  std::map<int, int> found;
+  for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
+  {
+    vtkInformation* properties = selection->GetNode(i)->GetProperties();
+    vtkObjectBase* prop = properties->Get(vtkSelectionNode::PROP());
+    const auto member = std::find_if(this->Members.begin(), this->Members.end(),
+      [prop](const Member& candidate) { return candidate.Object == prop; });
+    const int id = member == this->Members.end() ? -1 : member->Description->Id;
+    found[id] += properties->Get(vtkSelectionNode::PIXEL_COUNT());
+  }
+  std::ostringstream text;
+  for (const auto& [id, pixels] : found)
+  {
+    text << id << ": " << pixels << " ";
+  }
+  return text.str();
+}
+}

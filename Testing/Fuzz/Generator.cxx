@@ -1,0 +1,518 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Generator.h"
+
+#include "Families.h"
+
+#include "vtkMath.h"
+#include "vtkRenderWindow.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace NBufferFuzz
+{
+namespace
+{
+void MakeWindow(Writer& writer)
+{
+  Window& window = writer.Scene.Window;
+  window.Width = writer.Integer(40, 160);
+  window.Height = writer.Integer(40, 130);
+  if (writer.Chance(0.08))
+  {
+    window.Width = writer.Any({ 1, 2, 3, 7, 33, 300 });
+    window.Height = writer.Any({ 1, 2, 5, 64, 250 });
+  }
+  const bool slits = writer.Scene.Family == "slits";
+  if (writer.Chance(slits ? 0.5 : 0.15))
+  {
+    window.MultiSamples = writer.Any({ 2, 4, 4, 8 });
+  }
+  window.StencilCapable = writer.Chance(0.03);
+  window.LineSmoothing = writer.Chance(0.02);
+  if (writer.Chance(0.0))
+  {
+    window.Stereo =
+      writer.Any({ VTK_STEREO_RED_BLUE, VTK_STEREO_INTERLACED, VTK_STEREO_LEFT, VTK_STEREO_RIGHT,
+        VTK_STEREO_CHECKERBOARD, VTK_STEREO_SPLITVIEWPORT_HORIZONTAL });
+  }
+  window.TileScale = writer.Chance(0.02) ? 2 : 1;
+}
+
+void MakeCuller(Writer& writer)
+{
+  Culler& culler = writer.Scene.Culler;
+  if (writer.Chance(0.3))
+  {
+    culler.DefaultCuller =
+      writer.Any({ DefaultCuller::Before, DefaultCuller::Behind, DefaultCuller::NoTakeOver });
+  }
+  culler.OnePerRenderer = writer.Chance(0.3);
+  culler.AddedInFrame = writer.Chance(0.05) ? 1 : 0;
+  culler.Backend = writer.Any({ 0, 1, 1, 2 });
+  culler.BaseFactor = writer.Any({ 1, 1, 2, 4, 4, 8 });
+  culler.MinimumNumberOfCandidates = writer.Chance(0.1) ? writer.Integer(1, 40) : 1;
+  culler.MaximumNumberOfRounds = writer.Integer(1, 8);
+  culler.RoundSize = writer.Any({ 1, 2, 4, 8, 12, 64 });
+  culler.MaximumNumberOfPieces = writer.Any({ 1, 3, 8, 8 });
+  culler.TestPixels = writer.Chance(0.6);
+  culler.ReuseWhenStill = writer.Chance(0.8);
+  culler.BackOff = writer.Chance(0.1);
+}
+
+//------------------------------------------------------------------------------------------------
+/// Render passes and the other ways to draw of one renderer.
+void MakePasses(Writer& writer, Renderer& renderer)
+{
+  if (writer.Chance(0.12))
+  {
+    renderer.Pass = writer.Any({ PassKind::RenderSteps, PassKind::OpaqueTranslucent,
+      PassKind::Default, PassKind::DepthPeeling,
+      PassKind::DualDepthPeeling, PassKind::SSAO, PassKind::FXAA, PassKind::Framebuffer,
+      PassKind::Sobel });
+  }
+  renderer.SSAO = writer.Chance(0.04);
+  renderer.FXAA = writer.Chance(0.04);
+  renderer.DepthPeeling = writer.Chance(0.08);
+  renderer.OIT = writer.Chance(0.5);
+  renderer.HiddenLines = writer.Chance(0.01);
+  renderer.Shadows = writer.Chance(0.005);
+}
+
+void MakeRenderers(Writer& writer)
+{
+  Scenario& scene = writer.Scene;
+  MakePasses(writer, scene.Renderers[0]);
+  if (writer.Chance(0.2))
+  {
+    scene.Renderers[0].Viewport = { writer.Between(0.0, 0.3), writer.Between(0.0, 0.3),
+      writer.Between(0.7, 1.0), writer.Between(0.7, 1.0) };
+  }
+  if (!writer.Chance(0.12))
+  {
+    return;
+  }
+  Renderer second;
+  MakePasses(writer, second);
+  switch (writer.Integer(0, 3))
+  {
+    case 0: // beside it, with the same props
+      second.SharesProps = true;
+      second.Viewport = { 0.5, 0.0, 1.0, 1.0 };
+      scene.Renderers[0].Viewport = { 0.0, 0.0, 0.5, 1.0 };
+      break;
+    case 1: // the same camera in another shape
+      second.SharesProps = second.SharesCamera = true;
+      second.Viewport = { 0.0, 0.6, 1.0, 1.0 };
+      scene.Renderers[0].Viewport = { 0.0, 0.0, 1.0, 0.6 };
+      break;
+    case 2: // a layer over it
+      second.Layer = 1;
+      second.SharesCamera = true;
+      second.PreserveDepth = writer.Chance(0.5);
+      break;
+    default: // over it without erasing
+      second.SharesCamera = writer.Chance(0.5);
+      second.Erase = false;
+      break;
+  }
+  scene.Renderers.push_back(second);
+  if (!second.SharesProps)
+  {
+    for (Prop& prop : scene.Props)
+    {
+      prop.Renderer = writer.Chance(0.4) ? 1 : 0;
+    }
+  }
+  if (!second.SharesCamera)
+  {
+    const std::size_t views = scene.Views.size();
+    for (std::size_t i = 0; i < views; ++i)
+    {
+      View view = scene.Views[i];
+      view.Renderer = 1;
+      view.Position[0] += 0.2 * writer.Scale;
+      scene.Views.push_back(view);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------------------------
+/// What a few props are beside opaque surfaces.
+void MakeOdd(Writer& writer, Prop& prop)
+{
+  switch (writer.Integer(0, 19))
+  {
+    case 0:
+    case 1:
+    case 2:
+      prop.Opacity = writer.Between(0.2, 0.8);
+      break;
+    case 3:
+      prop.ForceTranslucent = true;
+      break;
+    case 4:
+      prop.Representation = writer.Any({ Representation::Wireframe, Representation::Points });
+      prop.LineWidth = prop.PointSize = writer.Between(1.0, 5.0);
+      break;
+    case 5:
+      prop.Edges = true;
+      break;
+    case 6:
+      prop.Vertices = true;
+      break;
+    case 7:
+      prop.Kind = writer.Any({ PropKind::Piped, PropKind::DataSet, PropKind::Composite });
+      break;
+    case 8:
+      prop.Kind = writer.Any({ PropKind::Assembly, PropKind::Follower, PropKind::Glyphs });
+      break;
+    case 9:
+      prop.Kind = writer.Any({ PropKind::LOD, PropKind::NoMapper, PropKind::Text });
+      if (prop.Kind == PropKind::LOD && writer.Scene.Culler.DefaultCuller != DefaultCuller::Removed)
+      {
+        prop.Kind = PropKind::Actor;
+      }
+      break;
+    case 10:
+      prop.Texture = writer.Any({ Translucency::Some, Translucency::Opaque });
+      break;
+    case 11:
+      prop.Scalars = writer.Any({ Translucency::Some, Translucency::Opaque });
+      break;
+    case 12:
+      prop.CulledFaces = writer.Integer(1, 2);
+      break;
+    case 13:
+      prop.Shape.Kind = writer.Any({ ShapeKind::Empty, ShapeKind::NaNPoint, ShapeKind::Points });
+      break;
+    case 14:
+    case 15:
+      // Mirrored, sheared.
+      prop.UserMatrix = { writer.Any({ -1.0, 1.0, 1.5 }), writer.Between(-0.4, 0.4), 0.0, 0.0, 0.0,
+        1.0, writer.Between(-0.3, 0.3), 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0 };
+      break;
+    case 16:
+      prop.Orientation = { writer.Between(-90.0, 90.0), writer.Between(-90.0, 90.0), 0.0 };
+      break;
+    case 17:
+    {
+      const Vector3& c = prop.Shape.Center;
+      prop.ClippingPlane = { c[0], c[1], c[2], 1.0, writer.Between(-1.0, 1.0), 0.0 };
+      break;
+    }
+    case 18:
+      prop.OffsetUnits = writer.Any({ -4.0, 4.0, -2000.0 });
+      break;
+    default:
+      if (writer.Chance(0.3))
+      {
+        prop.ForceOpaque = true;
+        prop.Opacity = 0.5;
+      }
+      else if (writer.Chance(0.3))
+      {
+        prop.Shader = writer.Any({ Shader::MovesVertices, Shader::WritesDepth });
+      }
+      break;
+  }
+}
+
+void MakeMaterials(Writer& writer)
+{
+  const double share = writer.Any({ 0.0, 0.0, 0.05, 0.2 });
+  const double flat = writer.Any({ 0.0, 0.5 });
+  for (Prop& prop : writer.Scene.Props)
+  {
+    if (writer.Chance(share))
+    {
+      MakeOdd(writer, prop);
+    }
+    prop.Flat = writer.Chance(flat);
+  }
+  // These take long to draw in software, or their shaders to compile.
+  if (writer.Chance(0.01))
+  {
+    Prop& prop =
+      writer.Scene.Props[static_cast<std::size_t>(writer.Integer(
+        0, static_cast<int>(writer.Scene.Props.size()) - 1))];
+    prop.Kind = writer.Any({ PropKind::Volume, PropKind::Billboard });
+  }
+}
+
+//------------------------------------------------------------------------------------------------
+Vector3 GetRandomVector(Writer& writer, double size)
+{
+  return { writer.Between(-size, size), writer.Between(-size, size), writer.Between(-size, size) };
+}
+
+void ChangeAnyProp(Writer& writer, int frame)
+{
+  const std::vector<Prop>& props = writer.Scene.Props;
+  const Prop& prop = props[writer.Random.Index(props.size())];
+  const Vector3 move = GetRandomVector(writer, 0.5 * writer.Scale);
+  const Vector3 moved = { prop.Position[0] + move[0], prop.Position[1] + move[1],
+    prop.Position[2] + move[2] };
+  const auto add = [&](ChangeKind kind, std::vector<double> values)
+  { writer.AddChange(frame, kind, prop.Id, std::move(values)); };
+  switch (writer.Integer(0, 15))
+  {
+    case 0:
+    case 1:
+    case 2:
+    case 3:
+      add(ChangeKind::Position, { moved[0], moved[1], moved[2] });
+      break;
+    case 4:
+    case 5:
+      add(ChangeKind::MovePoints, { move[0], move[1], move[2] });
+      break;
+    case 6:
+      add(ChangeKind::ReplaceData,
+        { writer.Between(0.1, 0.5) * writer.Scale, writer.Between(0.1, 0.5) * writer.Scale, 0.5 });
+      break;
+    case 7:
+      add(ChangeKind::Scale, { writer.Between(0.2, 6.0), writer.Between(0.2, 6.0), 1.0 });
+      break;
+    case 8:
+      add(ChangeKind::Orientation, { 0.0, 0.0, writer.Between(0.0, 180.0) });
+      break;
+    case 9:
+      add(ChangeKind::Color, { writer.Between(0.0, 1.0), 0.5, 0.9 });
+      break;
+    case 10:
+      add(ChangeKind::Opacity, { writer.Any({ 0.5, 1.0 }) });
+      break;
+    case 11:
+    case 12:
+      add(ChangeKind::Visible, { writer.Any({ 0.0, 1.0 }) });
+      break;
+    case 13:
+      add(ChangeKind::Rejoin, {});
+      break;
+    case 14:
+      add(ChangeKind::Representation, { writer.Any({ 1.0, 2.0 }) });
+      break;
+    default:
+      add(writer.Any({ ChangeKind::Edges, ChangeKind::ClippingPlane, ChangeKind::LineWidth }),
+        { 1.0, 0.5, 0.5 });
+      break;
+  }
+}
+
+/// What hides the others goes away, comes back, or moves aside.
+void ChangeOccluder(Writer& writer, int frame)
+{
+  if (writer.Occluders.empty())
+  {
+    return;
+  }
+  const int id = writer.Occluders[writer.Random.Index(writer.Occluders.size())];
+  if (writer.Chance(0.5))
+  {
+    writer.AddChange(frame, ChangeKind::Visible, id, { writer.Any({ 0.0, 1.0 }) });
+  }
+  else
+  {
+    writer.AddChange(frame, ChangeKind::Position, id,
+      { writer.Between(-0.5, 0.5) * writer.Scale, 0.0, 0.0 });
+  }
+}
+
+void ChangeSettings(Writer& writer, int frame)
+{
+  const auto add = [&](ChangeKind kind, std::vector<double> values)
+  { writer.AddChange(frame, kind, 0, std::move(values)); };
+  switch (writer.Integer(0, 13))
+  {
+    case 0:
+      add(ChangeKind::WindowSize,
+        { static_cast<double>(writer.Integer(20, 150)), static_cast<double>(writer.Integer(20, 150)) });
+      break;
+    case 1:
+      add(ChangeKind::MultiSamples, { writer.Any({ 0.0, 4.0 }) });
+      break;
+    case 2:
+      add(ChangeKind::Stereo,
+        { -1.0 });
+      break;
+    case 3:
+      add(ChangeKind::Viewport,
+        { writer.Between(0.0, 0.4), writer.Between(0.0, 0.4), writer.Between(0.6, 1.0),
+          writer.Between(0.6, 1.0) });
+      break;
+    case 4:
+      add(ChangeKind::FXAA, { writer.Any({ 0.0, 1.0 }) });
+      break;
+    case 5:
+      add(ChangeKind::Pass, { writer.Any({ 0.0, 1.0, 2.0, 5.0 }) });
+      break;
+    case 6:
+      add(ChangeKind::CullerEnabled, { writer.Any({ 0.0, 1.0 }) });
+      break;
+    case 7:
+      add(ChangeKind::CullerBackend, { writer.Any({ 0.0, 1.0, 2.0 }) });
+      break;
+    case 8:
+      add(ChangeKind::CullerBaseFactor, { writer.Any({ 1.0, 2.0, 4.0, 8.0 }) });
+      break;
+    case 9:
+      add(ChangeKind::CullerRoundSize, { writer.Any({ 1.0, 5.0, 64.0 }) });
+      break;
+    case 10:
+      add(ChangeKind::CullerPresent, { writer.Any({ 0.0, 1.0 }) });
+      break;
+    case 11:
+      add(ChangeKind::PolygonOffset, { writer.Any({ 0.0, 1.0 }) });
+      break;
+    case 12:
+      if (writer.Chance(0.5))
+      {
+        add(ChangeKind::NewContext, {});
+      }
+      break;
+    default:
+      add(ChangeKind::Select, {});
+      break;
+  }
+}
+
+void MakeChanges(Writer& writer)
+{
+  const double props = writer.Any({ 0.0, 0.5, 1.0, 3.0 });
+  const double occluders = writer.Any({ 0.0, 0.0, 0.5 });
+  const double settings = writer.Any({ 0.0, 0.0, 0.0, 0.3 });
+  for (int frame = 1; frame < writer.Scene.Frames; ++frame)
+  {
+    for (double left = props; left > 0.0; left -= 1.0)
+    {
+      if (writer.Chance(left))
+      {
+        ChangeAnyProp(writer, frame);
+      }
+    }
+    if (writer.Chance(occluders))
+    {
+      ChangeOccluder(writer, frame);
+    }
+    if (writer.Chance(settings))
+    {
+      ChangeSettings(writer, frame);
+    }
+  }
+  if (writer.Chance(0.2))
+  {
+    for (Prop& prop : writer.Scene.Props)
+    {
+      if (writer.Chance(0.2))
+      {
+        prop.From = writer.Integer(0, writer.Scene.Frames - 1);
+        prop.Until = writer.Chance(0.5) ? writer.Integer(0, writer.Scene.Frames) : -1;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------------------------
+/// The whole scene larger or smaller, somewhere else.
+void MoveFarAway(Writer& writer)
+{
+  Scenario& scene = writer.Scene;
+  const double factor = writer.Any({ 1e-3, 1.0, 1.0, 10.0, 1e3 });
+  const double offset = writer.Any({ 0.0, 1e3, 1e5, 5e6 });
+  const Vector3 origin = { offset, 0.9 * offset, 0.0 };
+  const bool inMatrix = writer.Chance(0.3);
+  const bool shift = writer.Chance(0.5);
+  const auto place = [&](Vector3& point, bool absolute)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      point[i] = factor * point[i] + (absolute ? origin[i] : 0.0);
+    }
+  };
+  for (Prop& prop : scene.Props)
+  {
+    place(prop.Position, inMatrix);
+    place(prop.Shape.Center, !inMatrix);
+    place(prop.Shape.Size, false);
+    prop.ShiftCoordinates = shift;
+    if (prop.ClippingPlane.size() == 6)
+    {
+      prop.ClippingPlane.clear();
+    }
+    // These turn and mirror about the origin.
+    if (!inMatrix)
+    {
+      prop.Orientation = { 0.0, 0.0, 0.0 };
+      prop.UserMatrix.clear();
+    }
+  }
+  for (View& view : scene.Views)
+  {
+    place(view.Position, true);
+    place(view.FocalPoint, true);
+    view.ParallelScale *= factor;
+    view.Near *= factor;
+    view.Far *= factor;
+  }
+  for (Change& change : scene.Changes)
+  {
+    if (change.Kind == ChangeKind::Position || change.Kind == ChangeKind::MovePoints)
+    {
+      for (std::size_t i = 0; i < change.Values.size(); ++i)
+      {
+        change.Values[i] =
+          factor * change.Values[i] + (change.Kind == ChangeKind::Position && inMatrix ? origin[i] : 0.0);
+      }
+    }
+  }
+}
+}
+
+Scenario MakeScenario(std::uint64_t seed)
+{
+  Scenario scenario;
+  scenario.Seed = seed;
+  NBufferExamples::Random random(seed);
+  Writer writer(scenario, random);
+
+  double sum = 0.0;
+  for (const NamedFamily& family : GetFamilies())
+  {
+    sum += family.Weight;
+  }
+  double left = random.Between(0.0, sum);
+  const NamedFamily* chosen = &GetFamilies().back();
+  for (const NamedFamily& family : GetFamilies())
+  {
+    if (left < family.Weight)
+    {
+      chosen = &family;
+      break;
+    }
+    left -= family.Weight;
+  }
+  scenario.Family = chosen->Name;
+  scenario.Frames = writer.Integer(4, 10);
+  MakeWindow(writer);
+  MakeCuller(writer);
+  chosen->Build(writer);
+  if (writer.Chance(0.2))
+  {
+    // Neither props nor their order may depend on which was there first.
+    for (std::size_t i = scenario.Props.size(); i > 1; --i)
+    {
+      std::swap(scenario.Props[i - 1], scenario.Props[random.Index(i)]);
+    }
+  }
+  MakeMaterials(writer);
+  MakeChanges(writer);
+  MakeRenderers(writer);
+  if (writer.Chance(0.2))
+  {
+    MoveFarAway(writer);
+  }
+  return scenario;
+}
+}

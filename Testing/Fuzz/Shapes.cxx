@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shapes.h"
+
+#include "Random.h"
+
+#include "vtkCellArray.h"
+#include "vtkFloatArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace NBufferFuzz
+{
+namespace
+{
+constexpr int LargestDetail = 64;
+
+/// Collects points given as shares of a box, -0.5 to 0.5, and cells of them.
+class Builder
+{
+public:
+  explicit Builder(const Shape& shape)
+    : Box(shape)
+  {
+  }
+
+  vtkIdType Point(double x, double y, double z)
+  {
+    const Vector3& c = this->Box.Center;
+    const Vector3& s = this->Box.Size;
+    return this->Points->InsertNextPoint(c[0] + x * s[0], c[1] + y * s[1], c[2] + z * s[2]);
+  }
+  /// A point of a corner of its own for each face, with the face's normal.
+  vtkIdType Point(double x, double y, double z, const Vector3& normal)
+  {
+    this->Normals->InsertNextTuple3(normal[0], normal[1], normal[2]);
+    return this->Point(x, y, z);
+  }
+  vtkIdType AnyPoint(NBufferExamples::Random& random)
+  {
+    const double x = random.Between(-0.5, 0.5);
+    const double y = random.Between(-0.5, 0.5);
+    return this->Point(x, y, random.Between(-0.5, 0.5));
+  }
+  void Polygon(std::initializer_list<vtkIdType> points) { this->Polygons->InsertNextCell(points); }
+  void UprightQuad(double x0, double y0, double x1, double y1)
+  {
+    const vtkIdType first = this->Point(x0, y0, 0.0);
+    this->Point(x1, y0, 0.0);
+    this->Point(x1, y1, 0.0);
+    this->Point(x0, y1, 0.0);
+    this->Polygon({ first, first + 1, first + 2, first + 3 });
+  }
+
+  vtkSmartPointer<vtkPolyData> Finish()
+  {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(this->Points);
+    if (this->Polygons->GetNumberOfCells() > 0)
+    {
+      data->SetPolys(this->Polygons);
+    }
+    if (this->Lines->GetNumberOfCells() > 0)
+    {
+      data->SetLines(this->Lines);
+    }
+    if (this->Verts->GetNumberOfCells() > 0)
+    {
+      data->SetVerts(this->Verts);
+    }
+    if (this->Normals->GetNumberOfTuples() > 0)
+    {
+      data->GetPointData()->SetNormals(this->Normals);
+    }
+    return data;
+  }
+
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkCellArray> Polygons;
+  vtkNew<vtkCellArray> Lines;
+  vtkNew<vtkCellArray> Verts;
+
+  Builder(const Builder&) = delete;
+  void operator=(const Builder&) = delete;
+
+  void InitializeNormals()
+  {
+    this->Normals->SetNumberOfComponents(3);
+    this->Normals->SetName("Normals");
+  }
+
+private:
+  const Shape& Box;
+  vtkNew<vtkFloatArray> Normals;
+};
+
+void AddBox(Builder& builder)
+{
+  builder.InitializeNormals();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (double side : { -0.5, 0.5 })
+    {
+      Vector3 normal = { 0.0, 0.0, 0.0 };
+      normal[axis] = 2.0 * side;
+      vtkIdType first = 0;
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        Vector3 p;
+        p[axis] = side;
+        p[(axis + 1) % 3] = (corner == 0 || corner == 3 ? -0.5 : 0.5) * (2.0 * side);
+        p[(axis + 2) % 3] = corner < 2 ? -0.5 : 0.5;
+        const vtkIdType id = builder.Point(p[0], p[1], p[2], normal);
+        first = corner == 0 ? id : first;
+      }
+      builder.Polygon({ first, first + 1, first + 2, first + 3 });
+    }
+  }
+}
+
+void AddSphere(Builder& builder, int detail)
+{
+  builder.InitializeNormals();
+  const int columns = 6 + 2 * detail;
+  const int rows = 3 + detail;
+  for (int row = 0; row <= rows; ++row)
+  {
+    const double latitude = vtkMath::Pi() * (static_cast<double>(row) / rows - 0.5);
+    for (int column = 0; column < columns; ++column)
+    {
+      const double longitude = 2.0 * vtkMath::Pi() * column / columns;
+      const Vector3 n = { std::cos(latitude) * std::cos(longitude),
+        std::cos(latitude) * std::sin(longitude), std::sin(latitude) };
+      builder.Point(0.5 * n[0], 0.5 * n[1], 0.5 * n[2], n);
+      if (row > 0)
+      {
+        const vtkIdType below = static_cast<vtkIdType>(row - 1) * columns;
+        const vtkIdType next = (column + 1) % columns;
+        builder.Polygon(
+          { below + column, below + next, below + columns + next, below + columns + column });
+      }
+    }
+  }
+}
+
+void AddTerrain(Builder& builder, int detail, NBufferExamples::Random& random)
+{
+  for (int j = 0; j <= detail; ++j)
+  {
+    for (int i = 0; i <= detail; ++i)
+    {
+      const vtkIdType id = builder.Point(static_cast<double>(i) / detail - 0.5,
+        static_cast<double>(j) / detail - 0.5, random.Between(-0.5, 0.5));
+      if (i > 0 && j > 0)
+      {
+        builder.Polygon({ id - detail - 2, id - detail - 1, id });
+        builder.Polygon({ id - detail - 2, id, id - 1 });
+      }
+    }
+  }
+}
+
+void AddLattice(Builder& builder, const Shape& shape, int detail, NBufferExamples::Random& random)
+{
+  for (int j = 0; j < detail; ++j)
+  {
+    for (int i = 0; i < detail; ++i)
+    {
+      if (random.Between(0.0, 1.0) < shape.Fill)
+      {
+        builder.UprightQuad(static_cast<double>(i) / detail - 0.5,
+          static_cast<double>(j) / detail - 0.5, (i + 1.0) / detail - 0.5,
+          (j + 1.0) / detail - 0.5);
+      }
+    }
+  }
+}
+
+void AddCells(Builder& builder, const Shape& shape, int detail)
+{
+  NBufferExamples::Random random(static_cast<std::uint64_t>(shape.Seed) + 1);
+  switch (shape.Kind)
+  {
+    case ShapeKind::Sphere:
+      AddSphere(builder, std::min(detail, 8));
+      break;
+    case ShapeKind::Quad:
+      builder.UprightQuad(-0.5, -0.5, 0.5, 0.5);
+      break;
+    case ShapeKind::Grating:
+      for (int i = 0; i < detail; ++i)
+      {
+        builder.UprightQuad(static_cast<double>(i) / detail - 0.5, -0.5,
+          (i + std::min(std::max(shape.Fill, 0.0), 1.0)) / detail - 0.5, 0.5);
+      }
+      break;
+    case ShapeKind::Lattice:
+      AddLattice(builder, shape, std::min(detail, 16), random);
+      break;
+    case ShapeKind::Terrain:
+      AddTerrain(builder, std::min(detail, 16), random);
+      break;
+    case ShapeKind::Soup:
+      for (int i = 0; i < detail; ++i)
+      {
+        const vtkIdType a = builder.AnyPoint(random);
+        const vtkIdType b = builder.AnyPoint(random);
+        builder.Polygon({ a, b, builder.AnyPoint(random) });
+      }
+      break;
+    case ShapeKind::Lines:
+      for (int i = 0; i < detail; ++i)
+      {
+        const vtkIdType a = builder.AnyPoint(random);
+        builder.Lines->InsertNextCell({ a, builder.AnyPoint(random) });
+      }
+      break;
+    case ShapeKind::Points:
+      for (int i = 0; i < detail; ++i)
+      {
+        builder.Verts->InsertNextCell({ builder.AnyPoint(random) });
+      }
+      break;
+    case ShapeKind::Empty:
+      break;
+    case ShapeKind::Box:
+    case ShapeKind::NaNPoint:
+      AddBox(builder);
+      break;
+  }
+}
+
+void AddScalars(vtkPolyData* data, Translucency translucency)
+{
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(4);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    const double alpha = translucency == Translucency::Some && i % 3 == 0 ? 90.0 : 255.0;
+    colors->InsertNextTuple4(
+      static_cast<double>(80 * i % 256), 200.0, static_cast<double>(255 - 40 * i % 256), alpha);
+  }
+  data->GetPointData()->SetScalars(colors);
+}
+}
+
+vtkSmartPointer<vtkPolyData> MakeShape(const Shape& shape, Translucency scalars)
+{
+  Builder builder(shape);
+  // Large coordinates would lose their shape as floats before VTK moves them.
+  const bool large = std::any_of(shape.Center.begin(), shape.Center.end(),
+    [](double value) { return std::abs(value) > 1e3; });
+  builder.Points->SetDataType(large || shape.Seed % 2 ? VTK_DOUBLE : VTK_FLOAT);
+  AddCells(builder, shape, std::min(std::max(shape.Detail, 1), LargestDetail));
+  vtkSmartPointer<vtkPolyData> data = builder.Finish();
+  if (shape.Kind == ShapeKind::NaNPoint)
+  {
+    const double value = shape.Seed % 2 ? std::numeric_limits<double>::infinity()
+                                        : std::numeric_limits<double>::quiet_NaN();
+    data->GetPoints()->SetPoint(0, value, shape.Center[1], shape.Center[2]);
+  }
+  if (scalars != Translucency::None)
+  {
+    AddScalars(data, scalars);
+  }
+  return data;
+}
+}

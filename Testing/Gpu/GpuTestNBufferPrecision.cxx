@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Rasterised depth against depth in double precision, for random triangles: the slack that
+// vtkNBufferProjection grants is larger than every error, and not many times larger.
+//
+// VTKNBUFFER_TEST_VERBOSE=1 prints the table of docs/precision.md.
+#include "GpuTestNBufferPrecisionTriangles.h"
+
+#include "DepthTarget.h"
+#include "GpuTestNBufferPrecisionFS.h"
+#include "GpuTestNBufferPrecisionVS.h"
+#include "OffscreenFixture.h"
+#include "vtkNBufferCandidate.h"
+#include "vtkNBufferDepthSource.h"
+#include "vtkNBufferVTKVersion.h"
+#include VTKNBUFFER_GL_HEADER
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <iterator>
+#include <vector>
+
+namespace
+{
+constexpr double LargestMultiple = 16.0; // slack over largest error, of one format and kind
+
+const CameraCase Cameras[] = {
+  { "far/near 1e1", 0.1, 1.0, false, 0.0, false },
+  { "far/near 1e3", 0.1, 100.0, false, 0.0, false },
+  { "far/near 1e5", 0.01, 1e3, false, 0.0, false },
+  { "far/near 1e7", 0.01, 1e5, false, 0.0, false },
+  { "parallel", 1.0, 1e3, true, 0.0, false },
+  { "at 5e6", 100.0, 1e5, false, 5e6, false },
+  { "at 5e6, shifted", 0.1, 100.0, false, 5e6, true },
+  { "parallel at 5e6", 1.0, 1e4, true, 5e6, false },
+};
+
+const Kind Kinds[] = { Kind::Facing, Kind::Slanted, Kind::SubPixel, Kind::Steep, Kind::Behind };
+const char* const KindNames[] = { "facing", "slanted", "sub-pixel", "steep", "behind" };
+
+/// Small triangles seldom cover a sample.
+int GetCount(Kind kind)
+{
+  return kind == Kind::Steep || kind == Kind::SubPixel ? 300 : 50;
+}
+
+void Print(const std::string& name, Kind kind, const Finding& finding)
+{
+  if (std::getenv("VTKNBUFFER_TEST_VERBOSE"))
+  {
+    std::printf("| %s | %s | %lld | %lld | %.2e | %.2e | %.3f | %.3f |\n", name.c_str(),
+      KindNames[static_cast<int>(kind)], finding.Fragments, finding.Nearer, finding.Outside,
+      finding.Slack, finding.Largest, finding.OfPlane);
+  }
+}
+
+/// Vertices and matrix in floats, as VTK uploads them; one triangle is drawn at a time.
+class TriangleProgram
+{
+public:
+  TriangleProgram()
+  {
+    this->Attach(GL_VERTEX_SHADER, GpuTestNBufferPrecisionVS);
+    this->Attach(GL_FRAGMENT_SHADER, GpuTestNBufferPrecisionFS);
+    glLinkProgram(this->Name);
+    GLint linked = 0;
+    glGetProgramiv(this->Name, GL_LINK_STATUS, &linked);
+    EXPECT_TRUE(linked);
+    glUseProgram(this->Name);
+    glGenVertexArrays(1, &this->Array);
+    glBindVertexArray(this->Array);
+    glGenBuffers(1, &this->Buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, this->Buffer);
+    const auto vertex = static_cast<GLuint>(glGetAttribLocation(this->Name, "vertexMC"));
+    glEnableVertexAttribArray(vertex);
+    glVertexAttribPointer(vertex, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glDepthMask(GL_TRUE);
+    glClearDepth(1.0);
+    for (GLenum capability : { GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST })
+    {
+      glDisable(capability);
+    }
+  }
+  ~TriangleProgram()
+  {
+    glUseProgram(0);
+    glBindVertexArray(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glDeleteProgram(this->Name);
+    glDeleteVertexArrays(1, &this->Array);
+    glDeleteBuffers(1, &this->Buffer);
+  }
+  TriangleProgram(const TriangleProgram&) = delete;
+  void operator=(const TriangleProgram&) = delete;
+
+  void SetMatrix(const Sampler& sampler)
+  {
+    double shift[16];
+    vtkMatrix4x4::Identity(shift);
+    for (int j = 0; j < 3; ++j)
+    {
+      shift[4 * j + 3] = sampler.GetShift(j);
+    }
+    double matrix[16];
+    vtkMatrix4x4::Multiply4x4(sampler.GetWorldToClip(), shift, matrix);
+    std::copy_n(matrix, 16, this->Matrix);
+    glUniformMatrix4fv(glGetUniformLocation(this->Name, "MCDCMatrix"), 1, GL_TRUE, this->Matrix);
+  }
+
+  /// False if the triangle, as it would be drawn, is too low to be covered.
+  bool Draw(const Triangle& triangle, const Sampler& sampler, bool isBehind)
+  {
+    float vertices[9];
+    ScreenVertex drawn[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int j = 0; j < 3; ++j)
+      {
+        vertices[3 * i + j] = static_cast<float>(triangle[i][j] - sampler.GetShift(j));
+      }
+      drawn[i] = ToScreen(this->Matrix, vertices + 3 * i);
+    }
+    if (!isBehind && !(GetHeight(drawn) >= LowestHeight))
+    {
+      return false;
+    }
+    glBufferData(GL_ARRAY_BUFFER, sizeof(vertices), vertices, GL_STREAM_DRAW);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    return true;
+  }
+
+private:
+  void Attach(GLenum type, const char* source)
+  {
+    const GLuint shader = glCreateShader(type);
+    glShaderSource(shader, 1, &source, nullptr);
+    glCompileShader(shader);
+    glAttachShader(this->Name, shader);
+    glDeleteShader(shader);
+  }
+
+  GLuint Name = glCreateProgram();
+  GLuint Array = 0;
+  GLuint Buffer = 0;
+  float Matrix[16] = {};
+};
+}
+
+class GpuTestNBufferPrecision : public OffscreenFixture
+{
+protected:
+  /// `count` triangles of one kind.
+  void Check(const vtkNBufferDepthSource& source, TriangleProgram& program, Sampler& sampler,
+    const vtkNBufferProjection& projection, Kind kind, int count, Finding& finding)
+  {
+    const bool isBehind = kind == Kind::Behind;
+    std::vector<float> depth;
+    std::string why;
+    for (int n = 0; n < count; ++n)
+    {
+      const Triangle triangle = sampler.Make(kind);
+      vtkNBufferScreenBox screen;
+      if (projection.Project(MakeBox(triangle, sampler), screen) != vtkNBufferPlacement::Inside ||
+        !program.Draw(triangle, sampler, isBehind))
+      {
+        continue;
+      }
+      // Two pixels more on all sides, where nothing may be drawn.
+      const vtkNBufferRectangle& r = screen.Pixels;
+      const int x0 = std::max(r.X0 - 2, 0);
+      const int y0 = std::max(r.Y0 - 2, 0);
+      const int width = std::min(r.X1 + 2, Width) - x0;
+      ASSERT_TRUE(
+        source.Read(this->Window, x0, y0, width, std::min(r.Y1 + 2, Height) - y0, depth, why))
+        << why;
+      SCOPED_TRACE("triangle " + std::to_string(n));
+      Judge(sampler.GetWorldToClip(), triangle, isBehind)
+        .Compare(screen, x0, y0, width, depth, finding);
+      if (this->HasFatalFailure())
+      {
+        return;
+      }
+    }
+  }
+
+  /// One triangle as an actor.
+  void CheckActor(vtkRenderer* renderer, Sampler& sampler, const vtkNBufferProjection& projection,
+    Kind kind, Finding& finding)
+  {
+    Triangle triangle;
+    ScreenVertex exact[3];
+    do
+    {
+      triangle = sampler.Make(kind);
+      for (int i = 0; i < 3; ++i)
+      {
+        exact[i] = ToScreen(sampler.GetWorldToClip(), triangle[i].data());
+      }
+    } while (GetHeight(exact) < 2.0 * LowestHeight);
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell({ 0, 1, 2 });
+    for (const Point& point : triangle)
+    {
+      points->InsertNextPoint(point.data());
+    }
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    data->SetPolys(cells);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(data);
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    vtkNBufferCandidate candidate(actor);
+    candidate.Refresh();
+    ASSERT_TRUE(candidate.IsCandidate());
+    vtkNBufferScreenBox screen;
+    if (projection.Project(candidate.GetBox(), screen) != vtkNBufferPlacement::Inside)
+    {
+      return;
+    }
+    renderer->AddActor(actor);
+    std::vector<float> depth;
+    std::string why;
+    WhileDrawing(this->Window, renderer,
+      [&]()
+      {
+        vtkNBufferDepthSource source;
+        EXPECT_TRUE(source.Inspect(this->Window, why) &&
+          source.Read(this->Window, 0, 0, Width, Height, depth, why))
+          << why;
+      });
+    renderer->RemoveActor(actor);
+    Judge(sampler.GetWorldToClip(), triangle, false).Compare(screen, 0, 0, Width, depth, finding);
+  }
+
+  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
+};
+
+class GpuTestNBufferPrecisionFormats
+  : public GpuTestNBufferPrecision
+  , public ::testing::WithParamInterface<std::size_t>
+{
+};
+
+// Hazard: a fragment nearer than the box that it belongs to is said to be.
+TEST_P(GpuTestNBufferPrecisionFormats, ErrorsStayUnderTheSlack)
+{
+  const DepthFormat& format = GetDepthFormats()[GetParam()];
+  this->Window = NewWindow(16, 16);
+  const DepthTarget target(format, Width, Height, true);
+  if (!target.IsComplete())
+  {
+    GTEST_SKIP() << "The driver refuses " << format.Name << ".";
+  }
+  target.Bind(0, 0, Width, Height);
+  vtkNBufferDepthSource source;
+  std::string why;
+  ASSERT_TRUE(source.Inspect(this->Window, why)) << why;
+  const double quantum = std::ldexp(1.0, -std::min(source.DepthBits, 24));
+
+  TriangleProgram program;
+  Finding all[std::size(Kinds)];
+  for (const CameraCase& camera : Cameras)
+  {
+    Sampler sampler(camera, 40);
+    program.SetMatrix(sampler);
+    vtkNBufferProjection projection;
+    projection.Set(sampler.GetWorldToClip(), Width, Height, quantum);
+    for (const Kind kind : Kinds)
+    {
+      if (kind == Kind::Behind && camera.Parallel)
+      {
+        continue;
+      }
+      SCOPED_TRACE(std::string(camera.Name) + ", " + KindNames[static_cast<int>(kind)]);
+      Finding finding;
+      this->Check(source, program, sampler, projection, kind, GetCount(kind), finding);
+      if (this->HasFatalFailure())
+      {
+        return;
+      }
+      Print(std::string(format.Name) + " | " + camera.Name, kind, finding);
+      Finding& sum = all[static_cast<int>(kind)];
+      sum.Fragments += finding.Fragments;
+      sum.Nearer += finding.Nearer;
+      sum.AddOutside(finding.Outside, finding.Slack);
+      sum.OfPlane = std::max(sum.OfPlane, finding.OfPlane);
+    }
+  }
+  for (const Kind kind : Kinds)
+  {
+    const Finding& sum = all[static_cast<int>(kind)];
+    Print(std::string(format.Name) + " | all", kind, sum);
+    EXPECT_GT(sum.Fragments, 0);
+    if (kind == Kind::Facing || kind == Kind::Slanted || kind == Kind::Steep)
+    {
+      EXPECT_GT(sum.Nearer, 0) << "without slack these would be culled although they are drawn";
+      EXPECT_GE(sum.Largest, 1.0 / LargestMultiple) << KindNames[static_cast<int>(kind)];
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, GpuTestNBufferPrecisionFormats, ::testing::Values(0, 1, 2, 3, 4, 5),
+  [](const auto& info) { return std::string(GetDepthFormats()[info.param].Name); });
+
+// The same through mappers, with the boxes that the culler takes from them.
+TEST_F(GpuTestNBufferPrecision, ActorsStayUnderTheSlack)
+{
+  this->Window = NewWindow(Width, Height);
+  vtkNew<vtkRenderer> renderer;
+  this->Window->AddRenderer(renderer);
+  for (const CameraCase& camera : Cameras)
+  {
+    Sampler sampler(camera, 41);
+    renderer->SetActiveCamera(sampler.GetCamera());
+    vtkNBufferProjection projection;
+    projection.Set(sampler.GetWorldToClip(), Width, Height, 0x1p-24);
+    for (const Kind kind : { Kind::Facing, Kind::Slanted, Kind::Steep })
+    {
+      SCOPED_TRACE(std::string(camera.Name) + ", " + KindNames[static_cast<int>(kind)]);
+      Finding finding;
+      for (int n = 0; n < 12; ++n)
+      {
+        this->CheckActor(renderer, sampler, projection, kind, finding);
+        if (this->HasFatalFailure())
+        {
+          return;
+        }
+      }
+      Print(std::string("actors | ") + camera.Name, kind, finding);
+      EXPECT_GT(finding.Fragments, kind == Kind::Steep ? 0 : 1000);
+    }
+  }
+}

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Props that are blended: they hide nothing, and the order of drawing shows.
+#include "CullerTest.h"
+#include "Scenes.h"
+
+#include "vtkProperty.h"
+
+using Verdict = vtkNBufferVerdict;
+using Decision = vtkNBufferDecision;
+using Scenes::Wall;
+
+// Hazard: a translucent wall that writes depth somewhere hides what shines through it.
+TEST(CullerProps, TranslucentPropsNeverHide)
+{
+  for (int mode = 0; mode < 3; ++mode)
+  {
+    SCOPED_TRACE(mode);
+    Comparison comparison(
+      [mode](Stage& stage)
+      {
+        Scenes::BuildWall(stage);
+        stage.GetActor(Wall::Index)->GetProperty()->SetOpacity(0.6);
+        SetUseOIT(stage.GetRenderer(), mode == 0);
+        stage.GetRenderer()->SetUseDepthPeeling(mode == 2);
+      });
+    for (int i = 0; i < 4; ++i)
+    {
+      comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.1 * i); });
+      comparison.Frame();
+      // Boxes behind the wall hide each other, here and there.
+      EXPECT_LT(comparison.GetHidden(), Wall::Behind / 4);
+      EXPECT_EQ(comparison.GetVerdict(Wall::Index), Verdict::Translucent);
+    }
+  }
+}
+
+// Hazard: the order in which translucent props blend is that of the renderer's list.
+TEST(CullerProps, TranslucentPropsBetweenHeldBackOnesKeepTheirOrder)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      SetUseOIT(stage.GetRenderer(), false);
+      for (int i = 0; i < 20; ++i)
+      {
+        Scenes::AddBox(stage, 0.2 * i - 2.0, 0.1 * i - 1.0, -2.0 - 0.1 * i, 0.4, 0.4, 0.4);
+        const int glass = Scenes::AddBox(
+          stage, 0.3 * i - 3.0, 0.1 * i - 1.0, 2.0 + 0.1 * (i * 7 % 20), 1.5, 1.5, 0.1);
+        stage.GetActor(glass)->GetProperty()->SetOpacity(0.5);
+      }
+    });
+  for (int i = 0; i < 4; ++i)
+  {
+    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 3.0 * i); });
+    comparison.Frame();
+    EXPECT_GT(comparison.GetHidden(), 20);
+  }
+}
+
+// Hazard: opaque by force with an opacity below one is blended in the opaque stage, so that what
+// it is drawn over, and how often, shows.
+TEST(CullerProps, BlendedInTheOpaqueStage)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      for (int i = 0; i < 6; ++i)
+      {
+        const int glass = Scenes::AddBox(stage, 2.4 * i - 6.0, 0.0, 6.0 + 0.1 * i, 2.0, 9.0, 0.1);
+        stage.GetActor(glass)->GetProperty()->SetOpacity(0.5);
+        stage.GetActor(glass)->ForceOpaqueOn();
+      }
+      Scenes::AddBox(stage, 0.0, 5.0, -2.0, 9.0, 2.0, 0.5);
+      Scenes::SetWallCamera(stage.GetRenderer());
+    });
+  for (int i = 0; i < 8; ++i)
+  {
+    comparison.Both(
+      [i](Stage& stage)
+      {
+        Scenes::SetWallCamera(stage.GetRenderer(), i % 2 ? 9.0 : -2.0 * i);
+        stage.GetActor(Wall::Index)->SetPosition(i % 3, 0.0, 0.0);
+      });
+    comparison.Frame();
+    EXPECT_EQ(comparison.GetDecision(), Decision::Blending);
+    EXPECT_EQ(comparison.GetHidden(), 0);
+  }
+}
+
+// Hazard: smooth lines are blended at their edges in the opaque stage.
+TEST(CullerProps, SmoothLines)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      for (int i = 2; i < Wall::Count; i += 5)
+      {
+        stage.GetActor(i)->GetProperty()->SetRepresentationToWireframe();
+        stage.GetActor(i)->GetProperty()->RenderLinesAsTubesOff();
+        stage.GetActor(i)->GetProperty()->SetLineWidth(3.0);
+      }
+      stage.Window->LineSmoothingOn();
+    });
+  for (int i = 0; i < 6; ++i)
+  {
+    comparison.Both(
+      [i](Stage& stage)
+      {
+        Scenes::SetWallCamera(stage.GetRenderer(), i % 2 ? 7.0 : -2.0 * i);
+        stage.GetActor(Wall::Index)->SetPosition(2.0 * (i % 3), 0.0, 0.0);
+      });
+    comparison.Frame();
+    EXPECT_EQ(comparison.GetDecision(), Decision::Blending);
+    EXPECT_EQ(comparison.GetHidden(), 0);
+  }
+}

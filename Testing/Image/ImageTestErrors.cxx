@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What fails is told once, with cause and remedy, is counted, and leaves the image as it is without
+// the culler. docs/limits.md lists the messages.
+#include "CullerTest.h"
+#include "Scenes.h"
+
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
+
+#include VTKNBUFFER_GL_HEADER
+
+namespace
+{
+using Decision = vtkNBufferDecision;
+
+constexpr int Frames = 4;
+
+int CountWarnings(const std::string& messages)
+{
+  const std::string beginning = "vtkNBufferCuller draws everything";
+  int count = 0;
+  for (std::size_t at = messages.find(beginning); at != std::string::npos;
+       at = messages.find(beginning, at + 1))
+  {
+    ++count;
+  }
+  return count;
+}
+
+/// The wall, some frames of a walk, each drawn whole for the same reason; one warning in all that
+/// names cause and remedy.
+void ExpectFailure(const Comparison::Change& build, ComparisonOptions options, Decision failure,
+  const std::string& cause, const std::string& remedy)
+{
+  options.KeepMessages = true;
+  Comparison comparison(build, options);
+  for (int i = 0; i < Frames; ++i)
+  {
+    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.01 * i); });
+    comparison.Frame();
+    EXPECT_EQ(comparison.GetDecision(), failure);
+    EXPECT_EQ(comparison.GetHidden(), 0);
+    // The first frame's list has been through VTK's own culler.
+    EXPECT_EQ(comparison.GetStatistics().GetNumberOfPropsDrawn(),
+      comparison.GetStatistics().Props -
+        comparison.GetStatistics().GetCount(vtkNBufferVerdict::Outside));
+    EXPECT_EQ(comparison.GetStatistics().FailedFrames, i + 1);
+  }
+  EXPECT_EQ(CountWarnings(comparison.Messages), 1) << comparison.Messages;
+  EXPECT_NE(comparison.Messages.find(cause), std::string::npos) << comparison.Messages;
+  EXPECT_NE(comparison.Messages.find(remedy), std::string::npos) << comparison.Messages;
+}
+
+/// An application that draws the opaque props into a framebuffer of its own: binds it when it is
+/// drawn in the opaque stage, and copies the colours to where they belong in the overlay stage.
+class OwnFramebuffer : public vtkProp
+{
+public:
+  static OwnFramebuffer* New();
+  vtkTypeMacro(OwnFramebuffer, vtkProp);
+
+  int Samples = 0;
+  bool WithDepth = true;
+
+  vtkTypeBool HasOpaqueGeometry() override { return 1; }
+  int RenderOpaqueGeometry(vtkViewport* viewport) override
+  {
+    const int* size = viewport->GetVTKWindow()->GetSize();
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &this->Before);
+    glGenFramebuffers(1, &this->Name);
+    glGenRenderbuffers(2, this->Buffers);
+    this->State(viewport)->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Name);
+    this->Attach(0, GL_COLOR_ATTACHMENT0, GL_RGBA8, size);
+    if (this->WithDepth)
+    {
+      this->Attach(1, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, size);
+    }
+    EXPECT_EQ(glCheckFramebufferStatus(GL_FRAMEBUFFER), GLenum(GL_FRAMEBUFFER_COMPLETE));
+    this->State(viewport)->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    this->State(viewport)->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    return 1;
+  }
+  int RenderOverlay(vtkViewport* viewport) override
+  {
+    const int* size = viewport->GetVTKWindow()->GetSize();
+    this->State(viewport)->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Before);
+    glBlitFramebuffer(
+      0, 0, size[0], size[1], 0, 0, size[0], size[1], GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    this->State(viewport)->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Before);
+    glDeleteFramebuffers(1, &this->Name);
+    glDeleteRenderbuffers(2, this->Buffers);
+    return 1;
+  }
+
+protected:
+  OwnFramebuffer() = default;
+
+private:
+  static vtkOpenGLState* State(vtkViewport* viewport)
+  {
+    return static_cast<vtkOpenGLRenderWindow*>(viewport->GetVTKWindow())->GetState();
+  }
+  void Attach(int index, GLenum attachment, GLenum format, const int size[2])
+  {
+    glBindRenderbuffer(GL_RENDERBUFFER, this->Buffers[index]);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, this->Samples, format, size[0], size[1]);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, this->Buffers[index]);
+  }
+
+  GLint Before = 0;
+  GLuint Name = 0;
+  GLuint Buffers[2] = { 0, 0 };
+};
+vtkStandardNewMacro(OwnFramebuffer);
+
+/// The wall scene behind such a prop; depth of the window itself is then that of nothing.
+Comparison::Change WithOwnFramebuffer(int samples, bool withDepth)
+{
+  return [=](Stage& stage)
+  {
+    vtkNew<OwnFramebuffer> framebuffer;
+    framebuffer->Samples = samples;
+    framebuffer->WithDepth = withDepth;
+    stage.GetRenderer()->AddViewProp(framebuffer);
+    Scenes::BuildWall(stage);
+  };
+}
+
+bool HasSamples(int samples)
+{
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->Render();
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_SAMPLES, &most);
+  return most >= samples;
+}
+}
+
+// Hazard: a window without an OpenGL context has no depth to ask for.
+TEST(CullerErrors, NoContext)
+{
+  TakeMessages();
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  vtkNew<vtkRenderer> renderer;
+  window->AddRenderer(renderer);
+  vtkNew<vtkNBufferCuller> culler;
+  culler->SetMinimumNumberOfCandidates(1);
+  std::vector<vtkSmartPointer<vtkActor>> actors(50);
+  std::vector<vtkProp*> list;
+  for (auto& actor : actors)
+  {
+    actor = vtkSmartPointer<vtkActor>::New();
+    renderer->AddActor(actor);
+    list.push_back(actor);
+  }
+  const std::vector<vtkProp*> before = list;
+  std::string messages;
+  for (int i = 0; i < Frames; ++i)
+  {
+    int count = static_cast<int>(list.size());
+    int initialized = 0;
+    culler->Cull(renderer, list.data(), count, initialized);
+    messages += TakeMessages();
+    EXPECT_EQ(count, static_cast<int>(before.size()));
+    EXPECT_EQ(list, before);
+    EXPECT_EQ(culler->GetStatistics().Decision, Decision::NoContext);
+    EXPECT_EQ(culler->GetStatistics().FailedFrames, i + 1);
+  }
+  EXPECT_EQ(CountWarnings(messages), 1) << messages;
+  EXPECT_NE(messages.find("has no OpenGL context"), std::string::npos) << messages;
+  EXPECT_NE(messages.find("VTK::RenderingOpenGL2"), std::string::npos) << messages;
+}
+
+// Hazard: a device that cannot draw into float textures cannot build levels.
+TEST(CullerErrors, NoFloatTexturesOnTheDevice)
+{
+  ComparisonOptions options;
+  options.Configure = [](vtkNBufferCuller* culler)
+  {
+    culler->SetBackend(vtkNBufferCuller::OpenGL);
+    culler->AllowFloatTexturesOff();
+  };
+  ExpectFailure([](Stage& stage) { Scenes::BuildWall(stage); }, options, Decision::NoFloatTextures,
+    "Float textures are switched off", "use the CPU back-end");
+}
+
+// Hazard: the host builds without float textures, but samples can only be reduced on the device.
+TEST(CullerErrors, NoFloatTexturesAndMultiSamples)
+{
+  if (!HasSamples(4))
+  {
+    GTEST_SKIP() << "no framebuffer of 4 samples here";
+  }
+  ComparisonOptions options;
+  options.MultiSamples = 4;
+  options.Configure = [](vtkNBufferCuller* culler) { culler->AllowFloatTexturesOff(); };
+  ExpectFailure([](Stage& stage) { Scenes::BuildWall(stage); }, options, Decision::NoFloatTextures,
+    "Float textures are switched off", "without multisampling");
+}
+
+// Hazard: where the back-end is a free choice, a missing feature of one must not cost the culling.
+TEST(CullerErrors, AutoDoesWithoutFloatTextures)
+{
+  ComparisonOptions options;
+  options.Configure = [](vtkNBufferCuller* culler) { culler->AllowFloatTexturesOff(); };
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
+  Scenes::Settle(comparison);
+  EXPECT_GE(comparison.GetHidden(), Scenes::Wall::Hidden);
+  EXPECT_EQ(comparison.GetStatistics().FailedFrames, 0);
+  EXPECT_EQ(comparison.GetCuller()->GetBackendInUse(), vtkNBufferCuller::CPU);
+}
+
+// Hazard: the application draws into a framebuffer whose samples OpenGL lets nobody read.
+TEST(CullerErrors, MultisampledRenderbuffer)
+{
+  if (!HasSamples(4))
+  {
+    GTEST_SKIP() << "no framebuffer of 4 samples here";
+  }
+  ExpectFailure(WithOwnFramebuffer(4, true), ComparisonOptions(), Decision::NoDepth,
+    "Multisampled depth in a renderbuffer", "SetMultiSamples(0)");
+}
+
+// Hazard: the application draws into a framebuffer that has no depth at all.
+TEST(CullerErrors, NoDepthBuffer)
+{
+  ExpectFailure(WithOwnFramebuffer(0, false), ComparisonOptions(), Decision::NoDepth,
+    "has no depth buffer", "Attach one");
+}
+
+// The counterpart of the two above: a framebuffer of the application's own that can be read.
+TEST(CullerErrors, OwnFramebufferWithReadableDepth)
+{
+  Comparison comparison(WithOwnFramebuffer(0, true));
+  Scenes::Settle(comparison);
+  EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+  EXPECT_GE(comparison.GetHidden(), Scenes::Wall::Hidden);
+}
+
+// Hazard: a failure that ends must not be held against the culler.
+TEST(CullerErrors, CullsAgainAfterAFailure)
+{
+  ComparisonOptions options;
+  options.KeepMessages = true;
+  options.Configure = [](vtkNBufferCuller* culler)
+  {
+    culler->SetBackend(vtkNBufferCuller::OpenGL);
+    culler->AllowFloatTexturesOff();
+  };
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
+  comparison.Frame("fails");
+  EXPECT_EQ(comparison.GetDecision(), Decision::NoFloatTextures);
+  comparison.GetCuller()->AllowFloatTexturesOn();
+  Scenes::Settle(comparison);
+  EXPECT_GE(comparison.GetHidden(), Scenes::Wall::Hidden);
+  EXPECT_EQ(comparison.GetStatistics().FailedFrames, 1);
+}

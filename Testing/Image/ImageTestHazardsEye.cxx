@@ -1,0 +1,390 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The eye and the near plane among the boxes, and boxes that are none.
+#include "CullerTest.h"
+#include "Scenes.h"
+
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkTextActor.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+using Verdict = vtkNBufferVerdict;
+using Decision = vtkNBufferDecision;
+using Scenes::Wall;
+
+namespace
+{
+void LookFromTheOrigin(Stage& stage, double x, double near = 0.1, double far = 100.0)
+{
+  vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+  camera->SetPosition(x, 0.0, 0.0);
+  camera->SetFocalPoint(x, 0.0, -1.0);
+  camera->SetViewAngle(50.0);
+  camera->SetClippingRange(near, far);
+}
+}
+
+// Hazard: of a box that the near plane cuts, what is behind the plane is not drawn and has a depth
+// that means nothing; the rest begins at depth 0, whatever the corners say.
+TEST(CullerHazards, NearPlaneThroughABox)
+{
+  constexpr int Count = 24;
+  constexpr double Step = 0.25;
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      for (int i = 0; i < Count; ++i)
+      {
+        // From z = 0.5 on, each 0.5 long, beside each other before the wall and some small enough
+        // to lie behind it wholly if their depth were taken for that of the far side.
+        Scenes::AddBox(stage, 0.24 * i - 2.8, 0.0, 0.75 + Step * i, 0.2, 1.0, 0.5);
+      }
+      Scenes::SetWallCamera(stage.GetRenderer());
+    },
+    Scenes::MakeExactOptions(301, 173));
+  Scenes::Settle(comparison);
+  EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+  // At faces, just beside faces, and between them; the wall stays in view.
+  for (double z : { 2.0, 2.0 + 1e-9, 2.0 - 1e-9, 2.0 + 1e-5, 2.0 - 1e-5, 2.1, 3.25, 5.9, 0.6 })
+  {
+    comparison.Both([z](Stage& stage)
+      { stage.GetRenderer()->GetActiveCamera()->SetClippingRange(20.0 - z, 40.0); });
+    comparison.Frame("near plane at z = " + std::to_string(z));
+    comparison.Frame("the same again");
+    for (int i = 0; i < Count; ++i)
+    {
+      const double begin = 0.5 + Step * i;
+      const Verdict verdict = comparison.GetVerdict(Wall::Count + i);
+      if (begin > z + 1e-4)
+      {
+        EXPECT_EQ(verdict, Verdict::Outside) << i;
+      }
+      else if (begin < z - 1e-4 && begin + 0.5 > z + 1e-4)
+      {
+        EXPECT_EQ(verdict, Verdict::NearPlane) << i;
+      }
+      else
+      {
+        EXPECT_NE(verdict, Verdict::Hidden) << i;
+      }
+    }
+    EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+  }
+}
+
+// Hazard: an eye inside a box sees its inner faces in all directions, and no corner says where.
+TEST(CullerHazards, EyeInsideABox)
+{
+  constexpr int Rooms = 3;
+  constexpr int Each = 120;
+  for (bool parallel : { false, true })
+  {
+    SCOPED_TRACE(parallel ? "parallel" : "perspective");
+    Comparison comparison(
+      [parallel](Stage& stage)
+      {
+        // Rooms in each other; the walls of the smallest hide all that is outside of it.
+        for (double side : { 10.0, 11.0, 30.0 })
+        {
+          Scenes::AddBox(stage, 0.0, 0.0, 0.0, side, side, side);
+        }
+        for (int i = 0; i < Each; ++i)
+        {
+          const double angle = 0.7 * i;
+          const double r = 7.0 + 0.03 * i;
+          Scenes::AddBox(stage, r * std::sin(angle), 0.02 * i - 1.0, r * std::cos(angle), 0.4, 0.4,
+            0.4); // outside
+          Scenes::AddBox(stage, 0.4 * r * std::sin(angle), 0.02 * i - 1.0,
+            0.4 * r * std::cos(angle), 0.1, 0.1, 0.1); // inside
+        }
+        stage.GetRenderer()->GetActiveCamera()->SetParallelProjection(parallel);
+        stage.GetRenderer()->GetActiveCamera()->SetParallelScale(2.0);
+      },
+      Scenes::MakeExactOptions(301, 173));
+    for (int i = 0; i < 8; ++i)
+    {
+      const double angle = i < 3 ? 0.0 : 0.8 * i;
+      comparison.Both(
+        [angle](Stage& stage)
+        {
+          vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+          camera->SetPosition(0.1, 0.0, 0.2);
+          camera->SetFocalPoint(0.1 + std::sin(angle), 0.1, 0.2 + std::cos(angle));
+          camera->SetViewAngle(60.0);
+          camera->SetClippingRange(0.05, 60.0);
+        });
+      comparison.Frame();
+      comparison.Frame("the same again");
+      for (int room = 0; room < Rooms; ++room)
+      {
+        EXPECT_EQ(comparison.GetVerdict(room), Verdict::NearPlane) << room;
+      }
+      int hidden = 0;
+      for (int k = 0; k < Each; ++k)
+      {
+        const Verdict outside = comparison.GetVerdict(Rooms + 2 * k);
+        EXPECT_TRUE(outside == Verdict::Hidden || outside == Verdict::Outside) << k;
+        hidden += outside == Verdict::Hidden;
+      }
+      EXPECT_GT(hidden, Each / 20);
+    }
+  }
+}
+
+// Hazard: what is behind the eye has w < 0 and would land, divided by it, upside down on the
+// screen; a box that reaches from before the eye to behind it is in view with a part of it.
+TEST(CullerHazards, BoxesBehindTheEyeAndBesideIt)
+{
+  constexpr int Each = 40;
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      // A wall on the left that begins beside the eye.
+      Scenes::AddBox(stage, -1.0, 0.0, -20.0, 0.1, 60.0, 60.0);
+      for (int i = 0; i < Each; ++i)
+      {
+        const double y = 0.05 * i - 1.0;
+        Scenes::AddBox(stage, 0.1 * i - 2.0, y, 3.0 + 0.1 * i, 0.3, 0.3, 0.3); // behind the eye
+        Scenes::AddBox(stage, -3.0 - 0.02 * i, y, -10.0, 0.02, 0.02, 40.0);    // behind the wall
+        Scenes::AddBox(stage, 0.5 + 0.02 * i, 0.2 * y, -10.0, 0.005, 0.005, 40.0); // in view
+      }
+      LookFromTheOrigin(stage, 0.0);
+    },
+    Scenes::MakeExactOptions(301, 173));
+  for (int i = 0; i < 6; ++i)
+  {
+    comparison.Both([i](Stage& stage) { LookFromTheOrigin(stage, 0.02 * i); });
+    comparison.Frame();
+    int hidden = 0;
+    for (int k = 0; k < Each; ++k)
+    {
+      EXPECT_EQ(comparison.GetVerdict(1 + 3 * k), Verdict::Outside) << k;
+      hidden += comparison.GetVerdict(2 + 3 * k) == Verdict::Hidden;
+      EXPECT_NE(comparison.GetVerdict(3 + 3 * k), Verdict::Hidden) << k;
+    }
+    EXPECT_TRUE(i < 3 || hidden == Each) << hidden << " of the rails behind the wall";
+  }
+}
+
+//------------------------------------------------------------------------------------------------
+namespace
+{
+/// Draws nothing and has no bounds.
+class PropWithoutBounds : public vtkProp
+{
+public:
+  static PropWithoutBounds* New();
+  vtkTypeMacro(PropWithoutBounds, vtkProp);
+  double* GetBounds() override { return nullptr; }
+};
+vtkStandardNewMacro(PropWithoutBounds);
+
+struct OddBounds
+{
+  const char* Name;
+  /// Adds one prop.
+  std::function<void(Stage&)> Add;
+};
+void PrintTo(const OddBounds& odd, std::ostream* os)
+{
+  *os << odd.Name;
+}
+class CullerOddBounds : public testing::TestWithParam<OddBounds>
+{
+};
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// A box behind the wall whose points are changed.
+std::function<void(Stage&)> Points(const std::function<void(vtkPoints*)>& change)
+{
+  return [change](Stage& stage)
+  {
+    const double center[3] = { 0.0, 0.0, -4.0 };
+    const double size[3] = { 0.5, 0.5, 0.5 };
+    vtkSmartPointer<vtkPolyData> data = Scenes::MakeBox(center, size);
+    change(data->GetPoints());
+    data->GetPoints()->Modified();
+    const double red[3] = { 1.0, 0.0, 0.0 };
+    stage.AddActor(data, red);
+  };
+}
+
+/// A box behind the wall whose actor is changed.
+std::function<void(Stage&)> Actor(const std::function<void(vtkActor*)>& change)
+{
+  return [change](Stage& stage)
+  { change(stage.GetActor(Scenes::AddBox(stage, 0.0, 0.0, -4.0, 0.5, 0.5, 0.5))); };
+}
+
+std::function<void(vtkActor*)> MatrixElement(int row, int column, double value)
+{
+  return [row, column, value](vtkActor* actor)
+  {
+    vtkNew<vtkMatrix4x4> matrix;
+    matrix->SetElement(row, column, value);
+    actor->SetUserMatrix(matrix);
+  };
+}
+}
+
+// Hazard: comparisons with NaN are false, infinite and uninitialised bounds are in no order, and a
+// prop may have none at all: nothing that they say may cull anything, and the others stay hidden.
+TEST_P(CullerOddBounds, AmongTheOthers)
+{
+  ComparisonOptions options = Scenes::MakeExactOptions(301, 173, 4);
+  Comparison comparison(
+    [this](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      this->GetParam().Add(stage);
+      Scenes::AddBox(stage, 0.0, 0.5, -5.0, 0.5, 0.5, 0.5);
+      this->GetParam().Add(stage);
+      Scenes::SetWallCamera(stage.GetRenderer());
+      stage.GetRenderer()->GetActiveCamera()->SetClippingRange(1.0, 60.0);
+    },
+    options);
+  for (int i = 0; i < 5; ++i)
+  {
+    comparison.Both([i](Stage& stage)
+      { stage.GetRenderer()->GetActiveCamera()->SetPosition(0.1 * i, 0.0, 20.0); });
+    comparison.Frame();
+  }
+  EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+  EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+  for (int prop : { Wall::Count, Wall::Count + 2 })
+  {
+    EXPECT_NE(comparison.GetVerdict(prop), Verdict::Hidden);
+    EXPECT_NE(comparison.GetVerdict(prop), Verdict::Outside);
+    EXPECT_NE(comparison.GetVerdict(prop), Verdict::Unknown);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, CullerOddBounds,
+  testing::Values(
+    OddBounds{ "Null", [](Stage& stage) { stage.Add(vtkSmartPointer<PropWithoutBounds>::New()); } },
+    OddBounds{ "NullOf2D",
+      [](Stage& stage)
+      {
+        vtkNew<vtkTextActor> text;
+        text->SetInput("2D");
+        stage.Add(text);
+      } },
+    OddBounds{ "UninitialisedWithoutPoints",
+      [](Stage& stage)
+      {
+        const double red[3] = { 1.0, 0.0, 0.0 };
+        stage.AddActor(vtkSmartPointer<vtkPolyData>::New(), red);
+      } },
+    OddBounds{ "UninitialisedWithoutMapper",
+      [](Stage& stage) { stage.Add(vtkSmartPointer<vtkActor>::New()); } },
+    OddBounds{ "InfinitePoint", Points([](vtkPoints* p) { p->SetPoint(0, Infinity, 0.0, -4.0); }) },
+    OddBounds{ "InfinitePoints",
+      Points(
+        [](vtkPoints* p)
+        {
+          for (vtkIdType i = 0; i < p->GetNumberOfPoints(); ++i)
+          {
+            p->SetPoint(i, 0.0, i % 2 ? Infinity : -Infinity, -4.0);
+          }
+        }) },
+    OddBounds{ "OnlyNaNPoints",
+      Points(
+        [](vtkPoints* p)
+        {
+          for (vtkIdType i = 0; i < p->GetNumberOfPoints(); ++i)
+          {
+            p->SetPoint(i, NaN, NaN, NaN);
+          }
+        }) },
+    OddBounds{ "LargestFloat",
+      Points([](vtkPoints* p) { p->SetPoint(0, std::numeric_limits<float>::max(), 0.0, -4.0); }) },
+    OddBounds{ "NaNMatrix", Actor(MatrixElement(0, 0, NaN)) },
+    OddBounds{ "NaNTranslation", Actor(MatrixElement(1, 3, NaN)) },
+    OddBounds{ "InfiniteTranslation", Actor(MatrixElement(2, 3, -Infinity)) },
+    OddBounds{ "InfiniteScale", Actor(MatrixElement(0, 0, Infinity)) },
+    OddBounds{ "HugeScale", Actor(MatrixElement(0, 0, 1e300)) }),
+  [](const testing::TestParamInfo<OddBounds>& info) { return std::string(info.param.Name); });
+
+//------------------------------------------------------------------------------------------------
+// Hazard: matrices that mirror, shear, flatten and turn actors; faces are turned round, and bounds
+// are those of eight corners that have been moved.
+TEST(CullerHazards, UserMatricesWithMirrorAndShear)
+{
+  constexpr int Each = 48;
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      for (int i = 0; i < 3 * Each; ++i)
+      {
+        const int prop = Scenes::AddBox(stage, 0.0, 0.0, 0.0, 0.4, 0.3, 0.2);
+        vtkActor* actor = stage.GetActor(prop);
+        const int kind = i % Each;
+        vtkNew<vtkMatrix4x4> matrix;
+        matrix->SetElement(0, 0, kind & 1 ? -1.0 : 1.0);
+        matrix->SetElement(1, 1, kind & 2 ? -1.3 : 0.7);
+        matrix->SetElement(2, 2, kind & 4 ? -1.0 : 1.0);
+        matrix->SetElement(0, 1, kind & 8 ? 0.8 : 0.0);
+        matrix->SetElement(1, 2, kind & 16 ? -0.6 : 0.0);
+        matrix->SetElement(2, 0, kind & 32 ? 0.5 : 0.0);
+        if (kind % 7 == 6)
+        {
+          matrix->SetElement(2, 2, 0.0); // flat
+        }
+        // Behind the wall, before it, and across its upper edge.
+        const double x = 0.15 * kind - 3.5;
+        const double place[3][2] = { { 0.3, -3.0 }, { 1.1 * (kind % 4) - 1.6, 3.0 },
+          { 3.2, -2.0 } };
+        matrix->SetElement(0, 3, x);
+        matrix->SetElement(1, 3, place[i / Each][0]);
+        matrix->SetElement(2, 3, place[i / Each][1]);
+        actor->SetUserMatrix(matrix);
+        actor->RotateX(13.0 * kind);
+        actor->SetOrientation(0.0, 0.0, kind % 5 == 4 ? 20.0 : 0.0);
+        if (kind % 3 == 2)
+        {
+          actor->GetProperty()->BackfaceCullingOn();
+        }
+      }
+      Scenes::SetWallCamera(stage.GetRenderer());
+    },
+    Scenes::MakeExactOptions(401, 233));
+  for (int i = 0; i < 6; ++i)
+  {
+    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.05 * i); });
+    comparison.Frame();
+  }
+  for (int i = 0; i < Each; ++i)
+  {
+    EXPECT_EQ(comparison.GetVerdict(Wall::Count + i), Verdict::Hidden) << i;
+    EXPECT_EQ(comparison.GetVerdict(Wall::Count + Each + i), Verdict::Visible) << i;
+  }
+  // A matrix changed behind an unmodified actor: sheared out past the edge of the wall.
+  comparison.Both(
+    [](Stage& stage)
+    {
+      for (int i = 0; i < Each; ++i)
+      {
+        vtkMatrix4x4* matrix = stage.GetActor(Wall::Count + i)->GetUserMatrix();
+        matrix->SetElement(0, 1, 80.0);
+      }
+    });
+  comparison.Frame("sheared");
+  for (int i = 0; i < Each; ++i)
+  {
+    EXPECT_NE(comparison.GetVerdict(Wall::Count + i), Verdict::Hidden) << i;
+  }
+}

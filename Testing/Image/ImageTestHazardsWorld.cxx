@@ -1,0 +1,432 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Coordinates of millions with details of centimetres: terrain and city where maps have them.
+#include "CullerTest.h"
+#include "Scenes.h"
+
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+
+#if VTKNBUFFER_TEST_HAS_CITY
+#include "CityFile.h"
+#include "CityScene.h"
+#include "Compressed.h"
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <vector>
+
+using Verdict = vtkNBufferVerdict;
+using Decision = vtkNBufferDecision;
+
+namespace
+{
+/// How coordinates of millions come to be.
+enum class Storage
+{
+  Local,   ///< Not at all: the same scene around the origin, to compare the counts with.
+  Doubles, ///< In points of doubles.
+  Floats,  ///< In points of floats, half a metre apart there.
+  Position ///< In the position of the actor, its points around the origin.
+};
+
+/// A place as UTM gives it: east and north in metres.
+constexpr double East = 3.5e5 + 0.37;
+constexpr double North = 4.785e6 + 0.21;
+
+struct World
+{
+  Storage How;
+  double Origin[2] = { 0.0, 0.0 };
+
+  explicit World(Storage how)
+    : How(how)
+  {
+    if (how != Storage::Local)
+    {
+      this->Origin[0] = East;
+      this->Origin[1] = North;
+    }
+  }
+
+  /// Add an actor with these points around the origin, moved to its place in this way.
+  void Add(Stage& stage, vtkPolyData* local) const
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataType(this->How == Storage::Doubles ? VTK_DOUBLE : VTK_FLOAT);
+    const bool inPoints = this->How == Storage::Doubles || this->How == Storage::Floats;
+    for (vtkIdType i = 0; i < local->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      local->GetPoint(i, p);
+      points->InsertNextPoint(
+        p[0] + (inPoints ? this->Origin[0] : 0.0), p[1] + (inPoints ? this->Origin[1] : 0.0), p[2]);
+    }
+    vtkNew<vtkPolyData> data;
+    data->ShallowCopy(local);
+    data->SetPoints(points);
+    double color[3];
+    Scenes::GetColor(static_cast<int>(stage.Props.size()), color);
+    vtkActor* actor = stage.AddActor(data, color);
+    if (this->How == Storage::Position)
+    {
+      actor->SetPosition(this->Origin[0], this->Origin[1], 0.0);
+    }
+  }
+
+  void AddBox(Stage& stage, double x, double y, double z, double sx, double sy, double sz) const
+  {
+    const double center[3] = { x, y, z };
+    const double size[3] = { sx, sy, sz };
+    this->Add(stage, Scenes::MakeBox(center, size));
+  }
+
+  void Look(Stage& stage, const std::array<double, 3>& eye, const std::array<double, 3>& to,
+    double near, double far) const
+  {
+    vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+    camera->SetPosition(eye[0] + this->Origin[0], eye[1] + this->Origin[1], eye[2]);
+    camera->SetFocalPoint(to[0] + this->Origin[0], to[1] + this->Origin[1], to[2]);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    camera->SetViewAngle(45.0);
+    camera->SetClippingRange(near, far);
+  }
+};
+
+/// Elevations in metres on a grid of 3 arc seconds.
+class Terrain
+{
+public:
+  static constexpr int Side = 97;
+  static constexpr int Cells = 8; ///< Of a tile, in x and y.
+  static constexpr int Tiles = (Side - 1) / Cells;
+  static constexpr double StepX = 74.41; ///< Metres between columns, at 36.6 degrees north
+  static constexpr double StepY = 92.66; ///< and between rows.
+
+  bool Read(const std::string& file)
+  {
+    std::ifstream stream(file);
+    std::string line;
+    while (std::getline(stream, line))
+    {
+      std::istringstream row(line);
+      std::string value;
+      while (std::getline(row, value, ','))
+      {
+        this->Heights.push_back(std::stod(value));
+      }
+    }
+    return this->Heights.size() == static_cast<std::size_t>(Side) * Side;
+  }
+
+  double GetHeight(int column, int row) const { return this->Heights[row * Side + column]; }
+
+  vtkSmartPointer<vtkPolyData> MakeTile(int tileX, int tileY) const
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataType(VTK_DOUBLE);
+    vtkNew<vtkCellArray> triangles;
+    for (int j = 0; j <= Cells; ++j)
+    {
+      for (int i = 0; i <= Cells; ++i)
+      {
+        const int column = tileX * Cells + i;
+        const int row = tileY * Cells + j;
+        points->InsertNextPoint(column * StepX, row * StepY, this->GetHeight(column, row));
+        if (i < Cells && j < Cells)
+        {
+          const vtkIdType p = static_cast<vtkIdType>(j) * (Cells + 1) + i;
+          triangles->InsertNextCell({ p, p + 1, p + Cells + 2 });
+          triangles->InsertNextCell({ p, p + Cells + 2, p + Cells + 1 });
+        }
+      }
+    }
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(points);
+    data->SetPolys(triangles);
+    return data;
+  }
+
+private:
+  std::vector<double> Heights;
+};
+
+const char* GetName(Storage how)
+{
+  switch (how)
+  {
+    case Storage::Local:
+      return "Local";
+    case Storage::Doubles:
+      return "Doubles";
+    case Storage::Floats:
+      return "Floats";
+    default:
+      return "Position";
+  }
+}
+
+void PrintTo(Storage how, std::ostream* os)
+{
+  *os << GetName(how);
+}
+
+class CullerFarAway : public testing::TestWithParam<Storage>
+{
+protected:
+  /// Hidden props over all frames, with the scene around the origin and where it belongs.
+  template <typename Run>
+  void Compare(Run&& run)
+  {
+    const int local = run(World(Storage::Local));
+    const int away = run(World(this->GetParam()));
+    EXPECT_GT(local, 0);
+    // VTK moves points near to zero before it rounds them to float. What the points themselves
+    // have lost is lost, and half a metre matters for boxes of centimetres.
+    EXPECT_GE(away, this->GetParam() == Storage::Floats ? local / 4 : local - local / 20)
+      << "of " << local << " around the origin: slack that grows with the coordinates hides less";
+  }
+};
+}
+
+// Hazard: a terrain in tiles, un-shifted as a map has it; float vertices and a float matrix lose
+// metres there, and slack that covers this hides nothing any more.
+TEST_P(CullerFarAway, Terrain)
+{
+  Terrain terrain;
+  ASSERT_TRUE(terrain.Read(VTKNBUFFER_TEST_DATA "/jacksboro-heights.csv"));
+  this->Compare(
+    [&terrain](const World& world)
+    {
+      Comparison comparison(
+        [&](Stage& stage)
+        {
+          for (int i = 0; i < Terrain::Tiles * Terrain::Tiles; ++i)
+          {
+            world.Add(stage, terrain.MakeTile(i % Terrain::Tiles, i / Terrain::Tiles));
+          }
+        },
+        Scenes::MakeExactOptions(301, 173));
+      int hidden = 0;
+      for (int i = 0; i < 8; ++i)
+      {
+        const int column = 20 + 6 * i;
+        const double eye = terrain.GetHeight(column, 30) + 20.0;
+        comparison.Both(
+          [&](Stage& stage)
+          {
+            world.Look(stage, { column * Terrain::StepX, 30.0 * Terrain::StepY, eye },
+              { column * Terrain::StepX + 300.0 * std::sin(0.7 * i), 30.0 * Terrain::StepY + 300.0,
+                eye - 20.0 },
+              1.0, 12000.0);
+          });
+        comparison.Frame();
+        EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+        hidden += comparison.GetHidden();
+      }
+      EXPECT_GT(hidden, 8 * 5);
+      return hidden;
+    });
+}
+
+// Hazard: details of centimetres at coordinates of millions; a board hides what is a few
+// centimetres behind it and not what sticks out by one.
+TEST_P(CullerFarAway, DetailsOfCentimetres)
+{
+  constexpr int Count = 48;
+  this->Compare(
+    [](const World& world)
+    {
+      Comparison comparison(
+        [&](Stage& stage)
+        {
+          world.AddBox(stage, 0.0, 3.0, 1.0, 1.6, 0.02, 1.0); // the board
+          for (int i = 0; i < Count; ++i)
+          {
+            const double x = 0.03 * i - 0.72;
+            world.AddBox(stage, x, 3.10, 1.1, 0.02, 0.02, 0.02); // behind
+            world.AddBox(stage, x, 3.03, 1.5, 0.02, 0.02, 0.02); // sticks out by 1 cm
+            world.AddBox(stage, x, 2.96, 1.3, 0.02, 0.02, 0.02); // before
+          }
+        },
+        Scenes::MakeExactOptions(401, 301));
+      int hidden = 0;
+      for (int i = 0; i < 5; ++i)
+      {
+        comparison.Both([&](Stage& stage)
+          { world.Look(stage, { 0.01 * i, 0.0, 1.5 }, { 0.01 * i, 3.0, 1.2 }, 0.5, 500.0); });
+        comparison.Frame();
+        hidden += comparison.GetHidden();
+        for (int k = 0; k < Count; ++k)
+        {
+          EXPECT_TRUE(world.How == Storage::Floats || i < 3 ||
+            comparison.GetVerdict(1 + 3 * k) == Verdict::Hidden)
+            << k;
+          EXPECT_TRUE(
+            world.How == Storage::Floats || comparison.GetVerdict(2 + 3 * k) == Verdict::Visible)
+            << k;
+          EXPECT_TRUE(
+            world.How == Storage::Floats || comparison.GetVerdict(3 + 3 * k) == Verdict::Visible)
+            << k;
+        }
+      }
+      return hidden;
+    });
+}
+
+// Hazard: the same with a real city whose buildings stand where the map has them.
+TEST_P(CullerFarAway, City)
+{
+#if VTKNBUFFER_TEST_HAS_CITY
+  const NBufferExamples::City city = NBufferExamples::ReadCity(VTKNBUFFER_TEST_CITY);
+  std::vector<vtkSmartPointer<vtkPolyData>> buildings;
+  for (const NBufferExamples::CityBuilding& building : city.Buildings)
+  {
+    const NBufferExamples::CityPoint& point = building.Rings.front().front();
+    if (std::hypot(point.X, point.Y) < 45000.0) // cm
+    {
+      buildings.emplace_back(NBufferExamples::MakeBuilding(building));
+    }
+  }
+  ASSERT_GT(buildings.size(), 100u);
+  this->Compare(
+    [&buildings](const World& world)
+    {
+      Comparison comparison(
+        [&](Stage& stage)
+        {
+          world.AddBox(stage, 0.0, 0.0, -0.5, 1000.0, 1000.0, 1.0);
+          for (const auto& building : buildings)
+          {
+            world.Add(stage, building);
+          }
+        },
+        Scenes::MakeExactOptions(301, 173));
+      int hidden = 0;
+      for (int i = 0; i < 8; ++i)
+      {
+        comparison.Both(
+          [&](Stage& stage)
+          {
+            const double angle = 0.8 * i;
+            world.Look(stage, { 3.0 * i, -2.0 * i, 2.0 + i },
+              { 3.0 * i + std::sin(angle), -2.0 * i + std::cos(angle), 2.0 + i }, 0.3, 1500.0);
+          });
+        comparison.Frame();
+        hidden += comparison.GetHidden();
+      }
+      EXPECT_GT(hidden, 8 * 20);
+      return hidden;
+    });
+#else
+  GTEST_SKIP() << "built without the examples, which read the city";
+#endif
+}
+
+// Hazard: points of a map that a file gives with six digits, so that they lie ten metres apart and
+// triangles are slivers. The terrain is not part of this repository.
+TEST_P(CullerFarAway, TerrainOfAFile)
+{
+  const char* file = std::getenv("VTKNBUFFER_TEST_TERRAIN");
+  if (!file)
+  {
+    GTEST_SKIP() << "VTKNBUFFER_TEST_TERRAIN does not name an ASCII STL file (it may be "
+                    "compressed by gzip)";
+  }
+#if VTKNBUFFER_TEST_HAS_CITY
+  std::istringstream stream(NBufferExamples::ReadMaybeCompressed(file));
+  std::vector<std::array<double, 3>> corners;
+  std::string word;
+  while (stream >> word)
+  {
+    std::array<double, 3> p;
+    if (word == "vertex" && stream >> p[0] >> p[1] >> p[2])
+    {
+      corners.push_back(p);
+    }
+  }
+  ASSERT_GE(corners.size(), 3u);
+  std::array<double, 3> low = corners[0];
+  std::array<double, 3> high = corners[0];
+  for (const auto& p : corners)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  }
+  // Tiles of a twelfth of the whole, as they lie, in points of doubles or floats or moved.
+  const bool moved = this->GetParam() == Storage::Position;
+  std::map<std::pair<int, int>, std::vector<std::array<double, 3>>> tiles;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+  {
+    const auto cell = [&](int k)
+    { return static_cast<int>(12.0 * (corners[i][k] - low[k]) / (high[k] - low[k] + 1.0)); };
+    auto& tile = tiles[{ cell(0), cell(1) }];
+    tile.insert(tile.end(), corners.begin() + i, corners.begin() + i + 3);
+  }
+  Comparison comparison(
+    [&](Stage& stage)
+    {
+      for (const auto& tile : tiles)
+      {
+        vtkNew<vtkPoints> points;
+        points->SetDataType(this->GetParam() == Storage::Doubles ? VTK_DOUBLE : VTK_FLOAT);
+        vtkNew<vtkCellArray> triangles;
+        for (const auto& p : tile.second)
+        {
+          const vtkIdType id = points->InsertNextPoint(
+            moved ? p[0] - low[0] : p[0], moved ? p[1] - low[1] : p[1], p[2]);
+          if (id % 3 == 2)
+          {
+            triangles->InsertNextCell({ id - 2, id - 1, id });
+          }
+        }
+        vtkNew<vtkPolyData> data;
+        data->SetPoints(points);
+        data->SetPolys(triangles);
+        double color[3];
+        Scenes::GetColor(static_cast<int>(stage.Props.size()), color);
+        vtkActor* actor = stage.AddActor(data, color);
+        if (moved)
+        {
+          actor->SetPosition(low[0], low[1], 0.0);
+        }
+      }
+    },
+    Scenes::MakeExactOptions(301, 173));
+  int hidden = 0;
+  for (int i = 0; i < 8; ++i)
+  {
+    comparison.Both(
+      [&](Stage& stage)
+      {
+        vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+        const double t = 0.125 * i;
+        camera->SetPosition(low[0] + t * (high[0] - low[0]), low[1] - 60.0, low[2] + 40.0);
+        camera->SetFocalPoint(0.5 * (low[0] + high[0]), high[1], low[2]);
+        camera->SetViewUp(0.0, 0.0, 1.0);
+        camera->SetClippingRange(1.0, 3000.0);
+      });
+    comparison.Frame();
+    hidden += comparison.GetHidden();
+  }
+  EXPECT_GT(hidden, 0);
+#else
+  GTEST_SKIP() << "built without the examples, which read compressed files";
+#endif
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, CullerFarAway,
+  testing::Values(Storage::Doubles, Storage::Floats, Storage::Position),
+  [](const testing::TestParamInfo<Storage>& info) { return std::string(GetName(info.param)); });

@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Observers that remove and delete what is being drawn, and frames that are given up half way.
+#include "CullerTest.h"
+#include "Scenes.h"
+
+#include "vtkCommand.h"
+#include "vtkCullerCollection.h"
+#include "vtkMapper.h"
+#include "vtkProperty.h"
+#include "vtkWeakPointer.h"
+
+#include <chrono>
+#include <thread>
+
+using Verdict = vtkNBufferVerdict;
+using Decision = vtkNBufferDecision;
+using Scenes::Wall;
+
+namespace
+{
+/// Calls a function on the first event that it hears.
+class Once : public vtkCommand
+{
+public:
+  static Once* New() { return new Once; }
+  void Execute(vtkObject*, unsigned long, void*) override
+  {
+    if (std::function<void()> action = std::move(this->Action))
+    {
+      this->Action = nullptr;
+      action();
+    }
+  }
+
+  std::function<void()> Action;
+};
+
+void Observe(vtkObject* object, unsigned long event, std::function<void()> action)
+{
+  vtkNew<Once> once;
+  once->Action = std::move(action);
+  object->AddObserver(event, once);
+}
+
+void Move(Comparison& comparison, double shift)
+{
+  comparison.Both([shift](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), shift); });
+}
+
+/// A translucent box, seen between camera and wall.
+constexpr int Glass = Wall::Count;
+
+void BuildWallAndGlass(Stage& stage)
+{
+  Scenes::BuildWall(stage);
+  Scenes::AddBox(stage, 1.0, 0.5, 3.0, 1.0, 1.0, 1.0);
+  stage.GetActor(Glass)->GetProperty()->SetOpacity(0.5);
+  // Uncovered by the very frame in which it is removed, so that the culler holds it back.
+  Scenes::AddBox(stage, 6.5, 0.0, -8.0, 0.4, 0.4, 0.4);
+}
+
+/// What the observer removes: the wall itself, a hidden prop, one that is seen, a translucent one,
+/// and one that comes out from behind the wall.
+const int Removed[] = { Wall::Index, Wall::FirstBehind, Wall::FirstInFront, Glass, Glass + 1 };
+
+/// Where the observer sits.
+struct Moment
+{
+  const char* Name;
+  std::function<vtkObject*(Stage&)> Where;
+  unsigned long Event;
+};
+
+void PrintTo(const Moment& moment, std::ostream* os)
+{
+  *os << moment.Name;
+}
+
+class CullerLifetime : public testing::TestWithParam<Moment>
+{
+};
+}
+
+// Hazard: a prop that an observer removes and deletes during the frame stands in the list of the
+// frame as a plain pointer. With the culler it lives until the frame ends, and no longer. Stock VTK
+// would draw freed memory, so that the reference keeps the props itself.
+TEST_P(CullerLifetime, PropsDeletedByAnObserver)
+{
+  const Moment& moment = this->GetParam();
+  for (bool moving : { true, false })
+  {
+    SCOPED_TRACE(moving ? "while the camera moves" : "after still frames");
+    Comparison comparison(BuildWallAndGlass);
+    for (int i = 0; i < 3; ++i)
+    {
+      Move(comparison, moving ? 0.05 * i : 0.0);
+      comparison.Frame("before");
+    }
+    EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+    EXPECT_EQ(comparison.GetVerdict(Wall::FirstBehind), Verdict::Hidden);
+    EXPECT_EQ(comparison.GetVerdict(Glass), Verdict::Translucent);
+
+    std::vector<vtkSmartPointer<vtkProp>> keptByReference;
+    std::vector<vtkWeakPointer<vtkProp>> removed;
+    for (int prop : Removed)
+    {
+      keptByReference.push_back(comparison.Reference.Props[prop]);
+      removed.emplace_back(comparison.Culled.Props[prop].Get());
+    }
+    comparison.Both(
+      [&moment](Stage& stage)
+      {
+        Observe(moment.Where(stage), moment.Event,
+          [&stage]
+          {
+            for (int prop : Removed)
+            {
+              stage.GetRenderer()->RemoveViewProp(stage.Props[prop]);
+              stage.Props[prop] = nullptr;
+            }
+          });
+      });
+    if (moving)
+    {
+      Move(comparison, 4.0);
+    }
+    comparison.Frame("removed");
+    for (const vtkWeakPointer<vtkProp>& prop : removed)
+    {
+      EXPECT_EQ(prop, nullptr) << "kept beyond the frame";
+    }
+    keptByReference.clear();
+    comparison.Frame("the next one");
+    EXPECT_EQ(comparison.GetStatistics().Props, Wall::Count + 2 - 5);
+    EXPECT_LT(comparison.GetHidden(), Wall::Behind / 4) << "without the wall";
+    comparison.Frame("still");
+    Move(comparison, 0.3);
+    comparison.Frame("moved");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(At, CullerLifetime,
+  testing::Values(Moment{ "MapperStart", [](Stage& s) -> vtkObject*
+                    { return s.GetActor(0)->GetMapper(); }, vtkCommand::StartEvent },
+    Moment{ "RendererStart", [](Stage& s) -> vtkObject* { return s.GetRenderer(); },
+      vtkCommand::StartEvent },
+    Moment{
+      "RendererEnd", [](Stage& s) -> vtkObject* { return s.GetRenderer(); }, vtkCommand::EndEvent },
+    Moment{
+      "WindowStart", [](Stage& s) -> vtkObject* { return s.Window; }, vtkCommand::StartEvent },
+    Moment{ "WindowEnd", [](Stage& s) -> vtkObject* { return s.Window; }, vtkCommand::EndEvent }),
+  [](const testing::TestParamInfo<Moment>& info) { return std::string(info.param.Name); });
+
+// Hazard: the culler owns the proxy that stands in the renderer's list while the frame is drawn.
+TEST(CullerLifetimeOnce, CullerDeletedByAnObserver)
+{
+  ComparisonOptions options;
+  options.CompareDraws = false; // of a culler that is gone
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
+  for (int i = 0; i < 3; ++i)
+  {
+    Move(comparison, 0.1 * i);
+    comparison.Frame("before");
+    EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+  }
+  Stage& culled = comparison.Culled;
+  const vtkWeakPointer<vtkNBufferCuller> culler(culled.Culler.Get());
+  Observe(culled.GetActor(Wall::Index)->GetMapper(), vtkCommand::StartEvent,
+    [&culled]
+    {
+      culled.GetRenderer()->GetCullers()->RemoveItem(culled.Culler);
+      culled.Culler = nullptr;
+    });
+  Move(comparison, 5.0);
+  comparison.Frame("culler deleted");
+  EXPECT_EQ(culler, nullptr) << "kept beyond the frame";
+  Move(comparison, 0.0);
+  comparison.Frame("without a culler");
+  culled.Culler = vtkSmartPointer<vtkNBufferCuller>::New();
+  culled.GetRenderer()->AddCuller(culled.Culler);
+  comparison.Frame("with another one");
+  EXPECT_GT(comparison.GetHidden(), 0);
+}
+
+// Hazard: an observer that adds props while the frame is drawn: they are in no list of this frame.
+TEST(CullerLifetimeOnce, PropsAddedByAnObserver)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Move(comparison, 0.1);
+  comparison.Frame("before");
+  EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+  comparison.Both(
+    [](Stage& stage)
+    {
+      Observe(stage.GetActor(Wall::Index)->GetMapper(), vtkCommand::StartEvent,
+        [&stage]
+        {
+          for (int i = 0; i < 40; ++i)
+          {
+            Scenes::AddBox(stage, 0.1 * i - 2.0, 0.0, i % 2 ? 3.0 : -3.0, 0.3, 0.3, 0.3);
+          }
+        });
+    });
+  Move(comparison, 0.2);
+  comparison.Frame("added meanwhile");
+  EXPECT_EQ(comparison.GetStatistics().Props, Wall::Count);
+  for (int i = 0; i < 3; ++i)
+  {
+    Move(comparison, 0.2 + 0.1 * i);
+    comparison.Frame("after that");
+    EXPECT_EQ(comparison.GetStatistics().Props, Wall::Count + 40);
+  }
+  EXPECT_GE(comparison.GetHidden(), Wall::Hidden + 15);
+}
+
+//------------------------------------------------------------------------------------------------
+namespace
+{
+/// Give up the frame that is drawn next, when the mapper of a prop is about to draw. The other
+/// stage gives its own up likewise.
+void AbortNextFrame(Comparison& comparison, int prop, bool byCheck)
+{
+  comparison.Both(
+    [prop, byCheck](Stage& stage)
+    {
+      vtkRenderWindow* window = stage.Window;
+      const auto abort = [window] { window->SetAbortRender(1); };
+      Observe(stage.GetActor(prop)->GetMapper(), vtkCommand::StartEvent,
+        [=]
+        {
+          if (byCheck)
+          {
+            // VTK invokes the event five times a second at most.
+            std::this_thread::sleep_for(std::chrono::milliseconds(250));
+            Observe(window, vtkCommand::AbortCheckEvent, abort);
+          }
+          else
+          {
+            abort();
+          }
+        });
+      window->Render();
+    });
+}
+}
+
+// Hazard: an aborted frame has drawn some props and not others; neither its depth nor what it says
+// about who is hidden may be used in the next one.
+TEST(CullerLifetimeOnce, AbortedFramesAreNotLearntFrom)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Move(comparison, 0.0);
+  comparison.Frame("before");
+  EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+  for (bool byCheck : { false, true })
+  {
+    // The wall is the first to be drawn; of those before it some come later, some are held back.
+    for (int prop : { static_cast<int>(Wall::Index), static_cast<int>(Wall::FirstInFront) })
+    {
+      SCOPED_TRACE(std::to_string(prop) + (byCheck ? " by AbortCheckEvent" : " by SetAbortRender"));
+      Move(comparison, 9.0);
+      AbortNextFrame(comparison, prop, byCheck);
+      EXPECT_LT(comparison.Culled.GetDraws(Wall::Index), 3);
+      comparison.Frame("the next one, of the same view");
+      EXPECT_EQ(comparison.GetDecision(), Decision::Culled) << "not taken for still";
+      EXPECT_GT(comparison.GetHidden(), 0);
+      comparison.Frame("still");
+      Move(comparison, 0.0);
+      AbortNextFrame(comparison, prop, byCheck);
+      Move(comparison, 0.1);
+      comparison.Frame("the next one, of another view");
+      EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+      Move(comparison, 0.0);
+      comparison.Frame("and the one after that");
+      EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+    }
+  }
+}

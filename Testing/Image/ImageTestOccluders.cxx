@@ -1,0 +1,418 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The wall that hides the others, drawn by every kind of prop: as long as it stands they are
+// hidden, and once it is gone they are seen in that very frame.
+#include "CullerTest.h"
+#include "Scenes.h"
+
+#include "vtkAssembly.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkFollower.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkImageActor.h"
+#include "vtkImageData.h"
+#include "vtkImageMapper3D.h"
+#include "vtkLODProp3D.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProp3DCollection.h"
+#include "vtkPropAssembly.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkSmartVolumeMapper.h"
+#include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
+#include "vtkCompositePolyDataMapper2.h"
+#else
+#include "vtkCompositePolyDataMapper.h"
+#endif
+#if VTKNBUFFER_TEST_HAS_RENDERINGLOD
+#include "vtkLODActor.h"
+#include "vtkQuadricLODActor.h"
+#endif
+
+#include <algorithm>
+
+using Verdict = vtkNBufferVerdict;
+using Decision = vtkNBufferDecision;
+using Scenes::Wall;
+
+namespace
+{
+#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
+using CompositeMapper = vtkCompositePolyDataMapper2;
+#else
+using CompositeMapper = vtkCompositePolyDataMapper;
+#endif
+
+struct Occluder
+{
+  const char* Name;
+  std::function<vtkSmartPointer<vtkProp>(Stage&)> Make;
+  std::function<void(vtkProp*)> Uncover;
+  Verdict Expected;
+  bool Hides = true;
+};
+
+void PrintTo(const Occluder& occluder, std::ostream* os)
+{
+  *os << occluder.Name;
+}
+
+class CullerOccluders : public testing::TestWithParam<Occluder>
+{
+};
+
+/// A wall like that of the wall scene, or a box too small to hide anything.
+vtkSmartPointer<vtkPolyData> MakeWallData(bool small = false)
+{
+  const double center[3] = { 0.0, 0.0, 0.0 };
+  const double sizes[2][3] = { { 12.0, 6.0, 0.5 }, { 0.2, 0.2, 0.5 } };
+  return Scenes::MakeBox(center, sizes[small]);
+}
+
+vtkSmartPointer<vtkPolyDataMapper> MakeMapper(vtkPolyData* data)
+{
+  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  mapper->SetInputData(data);
+  return mapper;
+}
+
+template <typename ActorType>
+vtkSmartPointer<ActorType> MakeWall()
+{
+  auto actor = vtkSmartPointer<ActorType>::New();
+  actor->SetMapper(MakeMapper(MakeWallData()));
+  actor->GetProperty()->SetColor(1.0, 0.8, 0.1);
+  return actor;
+}
+
+void LiftPoints(vtkDataObject* data)
+{
+  auto* polydata = vtkPolyData::SafeDownCast(data);
+  vtkPoints* points = polydata->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    points->SetPoint(i, p[0], p[1] + 9.0, p[2]);
+  }
+  points->Modified();
+  polydata->Modified();
+}
+
+vtkSmartPointer<vtkProp> MakeNestedAssembly(Stage&)
+{
+  vtkNew<vtkAssembly> inner;
+  inner->AddPart(MakeWall<vtkActor>());
+  auto outer = vtkSmartPointer<vtkAssembly>::New();
+  outer->AddPart(inner);
+  return outer;
+}
+
+vtkSmartPointer<vtkProp> MakePropAssembly(Stage&)
+{
+  auto assembly = vtkSmartPointer<vtkPropAssembly>::New();
+  assembly->AddPart(MakeWall<vtkActor>());
+  return assembly;
+}
+
+vtkSmartPointer<vtkProp> MakeLODProp(Stage&)
+{
+  auto lod = vtkSmartPointer<vtkLODProp3D>::New();
+  lod->AutomaticLODSelectionOff();
+  lod->SetSelectedLODID(lod->AddLOD(MakeMapper(MakeWallData()), 0.0));
+  lod->AddLOD(MakeMapper(MakeWallData(true)), 0.0);
+  return lod;
+}
+
+vtkSmartPointer<vtkProp> MakeFollower(Stage& stage)
+{
+  auto follower = MakeWall<vtkFollower>();
+  follower->SetCamera(stage.GetRenderer()->GetActiveCamera());
+  return follower;
+}
+
+vtkSmartPointer<vtkProp> MakeGlyphs(Stage&)
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  vtkNew<vtkPolyData> places;
+  places->SetPoints(points);
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputData(places);
+  mapper->SetSourceData(MakeWallData());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  return actor;
+}
+
+vtkSmartPointer<vtkImageData> MakeImage(int nx, int ny, int nz, int components)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(nx, ny, nz);
+  image->SetOrigin(-6.0, -3.0, -0.2);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, components);
+  std::fill_n(static_cast<unsigned char*>(image->GetScalarPointer()), nx * ny * nz * components,
+    static_cast<unsigned char>(255));
+  return image;
+}
+
+vtkSmartPointer<vtkProp> MakeImageActor(Stage&)
+{
+  auto actor = vtkSmartPointer<vtkImageActor>::New();
+  actor->SetInputData(MakeImage(13, 7, 1, 3));
+  return actor;
+}
+
+vtkSmartPointer<vtkProp> MakeVolume(Stage&)
+{
+  vtkNew<vtkSmartVolumeMapper> mapper;
+  mapper->SetInputData(MakeImage(13, 7, 2, 1));
+  vtkNew<vtkColorTransferFunction> colors;
+  colors->AddRGBPoint(255.0, 1.0, 0.5, 0.0);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(255.0, 0.5);
+  auto volume = vtkSmartPointer<vtkVolume>::New();
+  volume->SetMapper(mapper);
+  volume->GetProperty()->SetColor(colors);
+  volume->GetProperty()->SetScalarOpacity(opacity);
+  return volume;
+}
+
+/// The wall is block 1 by flat index, another box in the middle of it block 2.
+vtkSmartPointer<vtkProp> MakeComposite(Stage&)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakeWallData());
+  blocks->SetBlock(1, MakeWallData(true));
+  vtkNew<CompositeMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  mapper->SetCompositeDataDisplayAttributes(attributes);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  return actor;
+}
+
+CompositeMapper* GetComposite(vtkProp* prop)
+{
+  return CompositeMapper::SafeDownCast(vtkActor::SafeDownCast(prop)->GetMapper());
+}
+
+vtkSmartPointer<vtkProp> MakeTextured(Stage&)
+{
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(MakeImage(4, 4, 1, 4));
+  auto actor = MakeWall<vtkActor>();
+  actor->SetTexture(texture);
+  return actor;
+}
+
+void MakeTextureTranslucent(vtkProp* prop)
+{
+  vtkImageData* image = vtkActor::SafeDownCast(prop)->GetTexture()->GetInput();
+  auto* pixels = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int i = 0; i < 16; ++i)
+  {
+    pixels[4 * i + 3] = 40;
+  }
+  image->GetPointData()->GetScalars()->Modified();
+  image->Modified();
+}
+
+/// Mirrored in x and sheared in y.
+vtkSmartPointer<vtkProp> MakeMirrored(Stage&)
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->SetElement(0, 0, -1.0);
+  matrix->SetElement(1, 0, 0.02);
+  auto actor = MakeWall<vtkActor>();
+  actor->SetUserMatrix(matrix);
+  return actor;
+}
+
+void Shrink(vtkProp* prop)
+{
+  vtkProp3D::SafeDownCast(prop)->SetScale(0.03);
+}
+
+#if VTKNBUFFER_TEST_HAS_RENDERINGLOD
+template <typename LODType>
+vtkSmartPointer<vtkProp> MakeLODActor(Stage& stage)
+{
+  // Time enough for the finest level in every frame.
+  stage.Window->SetDesiredUpdateRate(1e-4);
+  return MakeWall<LODType>();
+}
+
+void LiftActorsPoints(vtkProp* prop)
+{
+  LiftPoints(vtkActor::SafeDownCast(prop)->GetMapper()->GetInputDataObject(0, 0));
+}
+#endif
+}
+
+// Hazard: what hides others is not a plain actor, so that its depth changes without a trace that
+// the culler could follow.
+TEST_P(CullerOccluders, WallStandsAndGoes)
+{
+  const Occluder& occluder = this->GetParam();
+  if (!occluder.Make)
+  {
+    GTEST_SKIP() << "this VTK comes without RenderingLOD";
+  }
+  Comparison comparison(
+    [&occluder](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      stage.Props[Wall::Index]->VisibilityOff();
+      stage.Add(occluder.Make(stage));
+      Scenes::SetWallCamera(stage.GetRenderer());
+    });
+  const auto expectHidden = [&](const char* when)
+  {
+    EXPECT_TRUE(comparison.GetHidden() >= Wall::Hidden || !occluder.Hides)
+      << when << ": " << comparison.GetHidden();
+    EXPECT_TRUE(comparison.GetHidden() < Wall::Behind / 4 || occluder.Hides)
+      << when << ": " << comparison.GetHidden();
+    EXPECT_EQ(comparison.GetVerdict(Wall::Count), occluder.Expected) << when;
+  };
+  for (int i = 0; i < 3; ++i)
+  {
+    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.1 * i); });
+    comparison.Frame("moved");
+    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+  }
+  expectHidden("moved");
+  comparison.Frame("still");
+  comparison.Frame("still");
+  expectHidden("still");
+  comparison.Both([&occluder](Stage& stage) { occluder.Uncover(stage.Props[Wall::Count]); });
+  comparison.Frame("uncovered");
+  // What writes no depth may change in a still frame: nobody else's verdict depends on it.
+  EXPECT_EQ(comparison.GetDecision(), occluder.Hides ? Decision::Culled : Decision::Still);
+  EXPECT_LT(comparison.GetHidden(), Wall::Behind / 4);
+  comparison.Frame("after that");
+  EXPECT_LT(comparison.GetHidden(), Wall::Behind / 4);
+}
+
+namespace
+{
+const Occluder Occluders[] = {
+  // Hazard: a part moves and its assembly knows nothing of it.
+  { "Assembly",
+    [](Stage&)
+    {
+      auto assembly = vtkSmartPointer<vtkAssembly>::New();
+      assembly->AddPart(MakeWall<vtkActor>());
+      return assembly;
+    },
+    [](vtkProp* p)
+    { vtkAssembly::SafeDownCast(p)->GetParts()->GetLastProp3D()->SetPosition(0.0, 9.0, 0.0); },
+    Verdict::NotAPlainActor },
+  // Hazard: matrices of assemblies multiply; a part's own bounds are not where it is drawn.
+  { "NestedAssembly", MakeNestedAssembly, Shrink, Verdict::NotAPlainActor },
+  // Hazard: an assembly that is no vtkProp3D; one of its parts is switched off.
+  { "PropAssembly", MakePropAssembly, [](vtkProp* p)
+    { vtkPropAssembly::SafeDownCast(p)->GetParts()->GetLastProp()->VisibilityOff(); },
+    Verdict::NotAPlainActor },
+  // Hazard: the level of detail changes, and with it the depth.
+  { "LODProp3D", MakeLODProp,
+    [](vtkProp* p)
+    {
+      auto* lod = vtkLODProp3D::SafeDownCast(p);
+      lod->SetSelectedLODID(lod->GetSelectedLODID() + 1);
+    },
+    Verdict::NotAPlainActor },
+// Hazard: actors that draw by devices and mappers of their own, at a level of their choice.
+#if VTKNBUFFER_TEST_HAS_RENDERINGLOD
+  { "LODActor", MakeLODActor<vtkLODActor>, LiftActorsPoints, Verdict::NotAPlainActor },
+  { "QuadricLODActor", MakeLODActor<vtkQuadricLODActor>, LiftActorsPoints,
+    Verdict::NotAPlainActor },
+#else
+  { "LODActor", nullptr, nullptr, Verdict::NotAPlainActor },
+  { "QuadricLODActor", nullptr, nullptr, Verdict::NotAPlainActor },
+#endif
+  // Hazard: a follower turns with the camera; its matrix is known when it is drawn.
+  { "Follower", MakeFollower, Shrink, Verdict::NotAPlainActor },
+  // Hazard: glyphs are drawn where the points of another data set are.
+  { "Glyphs", MakeGlyphs, [](vtkProp* p)
+    { LiftPoints(vtkActor::SafeDownCast(p)->GetMapper()->GetInputDataObject(0, 0)); },
+    Verdict::NotAPlainMapper },
+  { "ImageActor", MakeImageActor, Shrink, Verdict::NotAPlainActor },
+  // Hazard: a volume covers and hides nothing; what shines through it must be drawn.
+  { "Volume", MakeVolume, Shrink, Verdict::NotAPlainActor, false },
+  // Hazard: a block is switched off in the mapper's attributes: same data, same actor.
+  { "CompositeBlockInvisible", MakeComposite,
+    [](vtkProp* p) { GetComposite(p)->SetBlockVisibility(1, false); }, Verdict::Visible },
+  // Hazard: one block turns translucent, the others stay opaque: one actor is both.
+  { "CompositeBlockTranslucent", MakeComposite,
+    [](vtkProp* p) { GetComposite(p)->SetBlockOpacity(1, 0.4); }, Verdict::Visible },
+  // Hazard: the points of a block change in place.
+  { "CompositeBlockMoved", MakeComposite,
+    [](vtkProp* p)
+    {
+      auto* blocks = vtkMultiBlockDataSet::SafeDownCast(GetComposite(p)->GetInputDataObject(0, 0));
+      LiftPoints(blocks->GetBlock(0));
+      blocks->Modified();
+    },
+    Verdict::Visible },
+  // Hazard: texels become translucent in place, far from actor and mapper.
+  { "TextureTurnsTranslucent", MakeTextured, MakeTextureTranslucent, Verdict::Visible },
+  // Hazard: a matrix that mirrors turns the faces round, one that shears moves the corners.
+  { "MirroredAndSheared", MakeMirrored, [](vtkProp* p)
+    { vtkActor::SafeDownCast(p)->GetUserMatrix()->SetElement(1, 3, 9.0); }, Verdict::Visible },
+};
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, CullerOccluders, testing::ValuesIn(Occluders),
+  [](const testing::TestParamInfo<Occluder>& info) { return std::string(info.param.Name); });
+
+// Hazard: an actor drawn twice, once by itself and once as a part of an assembly that pokes another
+// matrix into it while it draws.
+TEST(CullerOccludersOnce, PartOfAnAssemblyThatIsAlsoInTheRenderer)
+{
+  constexpr int parts = 10;
+  ComparisonOptions options;
+  options.CompareDraws = false; // of props drawn by others
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      vtkNew<vtkAssembly> assembly;
+      for (int i = 0; i < parts; ++i)
+      {
+        assembly->AddPart(stage.GetActor(Wall::FirstBehind + i));
+      }
+      assembly->SetPosition(5.0, 1.0, 0.0);
+      stage.Add(assembly);
+      Scenes::SetWallCamera(stage.GetRenderer());
+    },
+    options);
+  for (int i = 0; i < 4; ++i)
+  {
+    comparison.Both(
+      [i](Stage& stage)
+      {
+        Scenes::SetWallCamera(stage.GetRenderer(), 0.1 * i);
+        vtkProp3D::SafeDownCast(stage.Props[Wall::Count])->SetPosition(-5.0 + i, 2.0, 4.0 * i);
+      });
+    comparison.Frame("moved");
+  }
+  EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+  for (int prop = Wall::FirstBehind; prop < Wall::FirstBehind + parts; ++prop)
+  {
+    EXPECT_EQ(comparison.GetVerdict(prop), Verdict::Hidden) << prop;
+    EXPECT_EQ(comparison.Reference.GetDraws(prop), 2) << prop;
+    EXPECT_EQ(comparison.Culled.GetDraws(prop), 1) << prop << ", as a part";
+  }
+}

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What lies above the scene: 2-D actors, axes, scalar bars, an orientation marker in a layer of
+// its own.
+#include "CullerTest.h"
+#include "Scenes.h"
+
+#include "vtkAxesActor.h"
+#include "vtkCamera.h"
+#include "vtkCaptionActor2D.h"
+#include "vtkCornerAnnotation.h"
+#include "vtkLookupTable.h"
+#include "vtkScalarBarActor.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+
+#if VTKNBUFFER_TEST_HAS_INTERACTIONWIDGETS
+#include "vtkOrientationMarkerWidget.h"
+#include "vtkRenderWindowInteractor.h"
+#endif
+
+using Verdict = vtkNBufferVerdict;
+using Decision = vtkNBufferDecision;
+using Scenes::Wall;
+
+// Hazard: 2-D actors cover pixels without having depth: what lies below them is hidden by nothing,
+// and they are drawn in a stage of their own, whoever is held back.
+TEST(CullerOverlay, TextScalarBarAxesAndCornerAnnotation)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      vtkNew<vtkTextActor> text;
+      text->SetInput("above");
+      text->SetPosition(100, 60);
+      text->GetTextProperty()->SetFontSize(40);
+      stage.Add(text);
+      vtkNew<vtkLookupTable> table;
+      table->Build();
+      vtkNew<vtkScalarBarActor> bar;
+      bar->SetLookupTable(table);
+      bar->SetTitle("depth");
+      stage.Add(bar);
+      vtkNew<vtkCornerAnnotation> corner;
+      corner->SetText(vtkCornerAnnotation::UpperLeft, "upper left");
+      stage.Add(corner);
+      vtkNew<vtkAxesActor> axes;
+      axes->SetTotalLength(6.0, 6.0, 6.0);
+      stage.Add(axes);
+    });
+  for (int i = 0; i < 4; ++i)
+  {
+    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.1 * i); });
+    comparison.Frame("moved");
+    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+    EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+    // Not a box in front is hidden by what covers it in the image.
+    EXPECT_EQ(comparison.GetVerdict(Wall::FirstInFront), Verdict::Visible);
+  }
+  for (int prop = Wall::Count; prop < Wall::Count + 4; ++prop)
+  {
+    EXPECT_EQ(comparison.GetVerdict(prop), Verdict::NotAPlainActor);
+  }
+  comparison.Both([](Stage& stage)
+    { vtkTextActor::SafeDownCast(stage.Props[Wall::Count])->SetInput("changed"); });
+  comparison.Frame("text changed");
+  comparison.Both([](Stage& stage) { stage.Props[Wall::Count]->VisibilityOff(); });
+  comparison.Frame("text invisible");
+  EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+}
+
+// Hazard: a marker in a layer above clears the depth of its corner between two renderers' frames.
+TEST(CullerOverlay, MarkerInALayerOfItsOwn)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      stage.Window->SetNumberOfLayers(2);
+      Scenes::BuildWall(stage);
+      vtkRenderer* corner = stage.AddRenderer(0.0, 0.0, 0.4, 0.5, 1);
+      corner->InteractiveOff();
+      stage.Add(vtkNew<vtkAxesActor>(), corner);
+    });
+  for (int i = 0; i < 4; ++i)
+  {
+    comparison.Both(
+      [i](Stage& stage)
+      {
+        Scenes::SetWallCamera(stage.GetRenderer(), 0.2 * i);
+        stage.Renderers[1]->GetActiveCamera()->SetPosition(0.3 * i, 1.0, 5.0);
+        stage.Renderers[1]->ResetCamera();
+      });
+    comparison.Frame("moved");
+    EXPECT_GE(comparison.GetHidden(0), Wall::Hidden);
+    EXPECT_EQ(comparison.GetDecision(1), Decision::FewCandidates);
+    EXPECT_TRUE(DidNoWork(comparison.GetStatistics(1)));
+  }
+}
+
+// Hazard: VTK's own widget adds a renderer and turns its camera in events of the window.
+TEST(CullerOverlay, OrientationMarkerWidget)
+{
+#if VTKNBUFFER_TEST_HAS_INTERACTIONWIDGETS
+  // The widget of a stage lives as long as its window is drawn.
+  std::vector<vtkSmartPointer<vtkOrientationMarkerWidget>> widgets;
+  std::vector<vtkSmartPointer<vtkRenderWindowInteractor>> interactors;
+  {
+    Comparison comparison(
+      [&](Stage& stage)
+      {
+        Scenes::BuildWall(stage);
+        auto interactor = vtkSmartPointer<vtkRenderWindowInteractor>::New();
+        interactor->SetRenderWindow(stage.Window);
+        auto widget = vtkSmartPointer<vtkOrientationMarkerWidget>::New();
+        widget->SetOrientationMarker(vtkNew<vtkAxesActor>());
+        widget->SetInteractor(interactor);
+        widget->SetDefaultRenderer(stage.GetRenderer());
+        widget->SetViewport(0.0, 0.0, 0.4, 0.5);
+        widget->SetEnabled(1);
+        widget->InteractiveOff();
+        widgets.push_back(widget);
+        interactors.push_back(interactor);
+      });
+    for (int i = 0; i < 4; ++i)
+    {
+      comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.2 * i); });
+      comparison.Frame("moved");
+      EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+    }
+    for (const auto& widget : widgets)
+    {
+      widget->SetEnabled(0);
+    }
+    comparison.Frame("widget off");
+    EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+    widgets.clear();
+    interactors.clear();
+  }
+#else
+  GTEST_SKIP() << "this VTK comes without InteractionWidgets";
+#endif
+}

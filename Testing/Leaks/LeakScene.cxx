@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LeakScene.h"
+
+#include "vtkCamera.h"
+#include "vtkCubeSource.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace LeakScene
+{
+vtkStandardNewMacro(Spy);
+
+vtkSmartPointer<vtkActor> MakeBox(double x, double y, double z, double size, int kind)
+{
+  vtkNew<vtkCubeSource> source;
+  source->SetCenter(x, y, z);
+  source->SetXLength(size);
+  source->SetYLength(size);
+  source->SetZLength(size);
+  vtkNew<vtkPolyDataMapper> mapper;
+  if (kind == 1)
+  {
+    mapper->SetInputConnection(source->GetOutputPort());
+  }
+  else
+  {
+    source->Update();
+    vtkNew<vtkPolyData> data;
+    data->DeepCopy(source->GetOutput());
+    mapper->SetInputData(data);
+  }
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.5 + 0.5 * std::sin(x), 0.5 + 0.5 * std::sin(y), 0.5);
+  actor->GetProperty()->SetOpacity(kind == 2 ? 0.5 : 1.0);
+  return actor;
+}
+
+void Build(vtkRenderer* renderer)
+{
+  vtkSmartPointer<vtkActor> wall = MakeBox(0.0, 0.0, 0.0, 1.0, 0);
+  wall->SetScale(12.0, 6.0, 0.5);
+  renderer->AddActor(wall);
+  for (int i = 0; i < BoxesBehind + TranslucentBehind; ++i)
+  {
+    renderer->AddActor(MakeBox(-4.0 + 0.8 * (i % 11), -1.5 + 0.6 * (i / 11), -2.0 - 0.1 * i, 0.5,
+      i < BoxesBehind ? i % 2 : 2));
+  }
+  SetCamera(renderer, 0);
+}
+
+void SetCamera(vtkRenderer* renderer, int frame)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double shift = std::sin(0.37 * frame);
+  camera->SetPosition(shift, 0.25 * shift, 20.0);
+  camera->SetFocalPoint(0.5 * shift, 0.0, 0.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->SetClippingRange(1.0, 100.0);
+}
+
+double Spy::Cull(vtkRenderer* renderer, vtkProp** props, int& count, int&)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    const auto isThis = [&](vtkProp* known) { return known == props[i]; };
+    if (!renderer->HasViewProp(props[i]) &&
+      std::none_of(this->Foreign.begin(), this->Foreign.end(), isThis))
+    {
+      this->Foreign.emplace_back(props[i]);
+    }
+  }
+  return static_cast<double>(count);
+}
+
+int Spy::GetNumberOfLivingForeignProps() const
+{
+  return static_cast<int>(std::count_if(
+    this->Foreign.begin(), this->Foreign.end(), [](vtkProp* prop) { return prop != nullptr; }));
+}
+
+Contents::Contents(vtkRenderer* renderer)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator cookie;
+  props->InitTraversal(cookie);
+  while (vtkProp* prop = props->GetNextProp(cookie))
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    for (vtkObject* object : std::initializer_list<vtkObject*>{
+           actor, actor->GetMapper(), actor->GetProperty(), actor->GetMapper()->GetInput() })
+    {
+      this->Objects.emplace_back(object);
+    }
+  }
+}
+
+int Contents::GetNumberOfLivingObjects() const
+{
+  return static_cast<int>(std::count_if(this->Objects.begin(), this->Objects.end(),
+    [](vtkObject* object) { return object != nullptr; }));
+}
+
+int Contents::GetNumberOfReferences() const
+{
+  int references = 0;
+  for (vtkObject* object : this->Objects)
+  {
+    references += object ? object->GetReferenceCount() : 0;
+  }
+  return references;
+}
+}

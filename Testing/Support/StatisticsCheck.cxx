@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StatisticsCheck.h"
+
+#include <algorithm>
+#include <numeric>
+
+std::string FindInconsistency(const vtkNBufferStatistics& s, int maximumNumberOfRounds)
+{
+  std::string faults;
+  const auto demand = [&faults](bool fulfilled, const char* what)
+  {
+    if (!fulfilled)
+    {
+      faults += std::string("Not so: ") + what + "\n";
+    }
+  };
+  const int hidden = s.GetCount(vtkNBufferVerdict::Hidden);
+  demand(std::accumulate(s.Verdicts.begin(), s.Verdicts.end(), 0) == s.Props,
+    "Props = sum of Verdicts");
+  demand(s.GetNumberOfPropsDrawn() + hidden + s.GetCount(vtkNBufferVerdict::Outside) == s.Props,
+    "Props = drawn + hidden + outside");
+  demand(std::all_of(s.Verdicts.begin(), s.Verdicts.end(), [](int count) { return count >= 0; }),
+    "no count is negative");
+  demand(s.GetCount(vtkNBufferVerdict::Unknown) == 0, "every prop has a verdict");
+  demand(s.Candidates <= s.Props, "Candidates <= Props");
+  demand(s.HeldBack <= s.Candidates, "HeldBack <= Candidates");
+  demand(s.Rounds <= maximumNumberOfRounds, "Rounds <= MaximumNumberOfRounds");
+  demand(s.Tested <= s.Candidates * std::max(s.Rounds, 1), "Tested <= Candidates * Rounds");
+  demand(s.Doubtful <= s.Tested * std::max(s.Rounds, 1), "Doubtful <= Tested * Rounds");
+  if (s.Decision == vtkNBufferDecision::Culled)
+  {
+    demand(s.Rounds >= 1, "a culled frame has a round");
+    demand(s.ReadBacks >= 1 && s.BytesRead > 0, "a culled frame reads depth");
+    demand(s.Lookups >= s.Queries, "Lookups >= Queries");
+    // Pixels looked at for props in doubt count as lookups, too.
+    demand(s.Lookups <= 4 * s.Queries || s.PixelTestTime > 0.0,
+      "at most four lookups for a rectangle");
+    demand(hidden <= s.HeldBack, "only what is held back can be hidden");
+  }
+  else if (s.Decision != vtkNBufferDecision::NoDepth &&
+    s.Decision != vtkNBufferDecision::OtherView)
+  {
+    // These two are found out while the held props are drawn.
+    demand(s.Levels == 0 && s.Texels == 0 && s.Queries == 0 && s.Lookups == 0 &&
+        s.ReadBacks == 0 && s.BytesRead == 0 && s.Tested == 0,
+      "a frame without a test does no work");
+  }
+  demand(s.Decision <= vtkNBufferDecision::BackedOff || hidden == 0,
+    "nothing is hidden where the culler steps aside");
+  return faults;
+}

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file StatisticsCheck.h
+ * @brief What has to be true of the statistics of every frame.
+ */
+#ifndef StatisticsCheck_h
+#define StatisticsCheck_h
+
+#include "vtkNBufferStatistics.h"
+
+#include <string>
+
+/// Empty, or what contradicts what. `maximumNumberOfRounds` is that of the culler.
+std::string FindInconsistency(const vtkNBufferStatistics& statistics, int maximumNumberOfRounds);
+
+#endif
