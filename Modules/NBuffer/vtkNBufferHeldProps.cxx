@@ -8,15 +8,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
 
-#include <algorithm>
-
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkNBufferHeldProps);
-
-void vtkNBufferHeldProps::SetBounds(const double bounds[6])
-{
-  std::copy(bounds, bounds + 6, this->Bounds);
-}
 
 int vtkNBufferHeldProps::Draw(vtkProp* prop, vtkRenderer* renderer, double time)
 {

@@ -32,11 +32,8 @@ public:
   /// The view that decides; not counted as a reference. nullptr: nothing is drawn.
   void SetView(vtkNBufferView* view) { this->View = view; }
 
-  ///@{
-  /// Union of the held boxes, or unknown for none.
-  void SetBounds(const double bounds[6]);
-  double* GetBounds() VTK_SIZEHINT(6) override { return this->Bounds; }
-  ///@}
+  /// None, so that no culler behind ours drops the proxy.
+  double* GetBounds() VTK_SIZEHINT(6) override { return nullptr; }
 
   bool HasKeys(vtkInformation* requiredKeys) override;
   vtkTypeBool HasOpaqueGeometry() override { return 1; }
@@ -62,7 +59,6 @@ private:
   void operator=(const vtkNBufferHeldProps&) = delete;
 
   vtkNBufferView* View = nullptr;
-  double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
 };
 
 VTK_ABI_NAMESPACE_END

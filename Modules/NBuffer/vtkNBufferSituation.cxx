@@ -165,8 +165,11 @@ vtkNBufferDecision GetObstacle(vtkRenderer* renderer)
   {
     return vtkNBufferDecision::HiddenLines;
   }
-  // Only a part of the viewport is drawn; depth elsewhere is of another frame.
-  if (!renderer->GetActiveCamera() || renderer->GetActiveCamera()->GetUseScissor())
+  vtkCamera* camera = renderer->GetActiveCamera();
+  // With a scissor only a part of the viewport is drawn; depth elsewhere is of another frame. A
+  // camera learns that it is one of two eyes when it is drawn, which is too late for the frustum.
+  if (!camera || camera->GetUseScissor() ||
+    (camera->GetStereo() != 0) != (window->GetStereoRender() != 0))
   {
     return vtkNBufferDecision::OtherView;
   }

@@ -6,7 +6,6 @@
 #include "vtkNBufferGL.h"
 #include "vtkNBufferSituation.h"
 
-#include "vtkBoundingBox.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
@@ -208,7 +207,6 @@ double vtkNBufferView::Emit(vtkProp** props, int& count, int& initialized)
   double total = 0.0;
   int kept = 0;
   double heldTotal = 0.0;
-  vtkBoundingBox heldBounds;
   std::size_t gates = 0;
   for (int i = 0; i < this->Props.GetSize(); ++i)
   {
@@ -224,11 +222,6 @@ double vtkNBufferView::Emit(vtkProp** props, int& count, int& initialized)
     if (verdict == vtkNBufferVerdict::Unknown && this->Pending)
     {
       heldTotal += multiplier;
-      const vtkNBufferBox& box = this->Props.GetBox(i);
-      heldBounds.AddPoint(box.Center[0] - box.HalfSize[0], box.Center[1] - box.HalfSize[1],
-        box.Center[2] - box.HalfSize[2]);
-      heldBounds.AddPoint(box.Center[0] + box.HalfSize[0], box.Center[1] + box.HalfSize[1],
-        box.Center[2] + box.HalfSize[2]);
       continue;
     }
     const bool gated =
@@ -248,9 +241,6 @@ double vtkNBufferView::Emit(vtkProp** props, int& count, int& initialized)
   {
     // In the place of the held ones, so that the list never grows.
     this->Proxy->SetRenderTimeMultiplier(heldTotal);
-    double bounds[6];
-    heldBounds.GetBounds(bounds);
-    this->Proxy->SetBounds(bounds);
     total += heldTotal;
     props[kept++] = this->Proxy;
   }

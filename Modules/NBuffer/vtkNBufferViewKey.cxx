@@ -13,8 +13,7 @@ vtkNBufferViewKey vtkNBufferViewKey::Make(vtkRenderer* renderer)
   vtkNBufferViewKey key;
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   key.Camera = renderer->GetActiveCamera();
-  // vtkCamera's composite matrix leaves the eyes' shear out. The camera learns of stereo when it is
-  // drawn, so that the first stereo frame is another view.
+  // vtkCamera's composite matrix leaves the eyes' shear out.
   vtkMatrix4x4::Multiply4x4(
     key.Camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)->GetData(),
     key.Camera->GetModelViewTransformMatrix()->GetData(), key.WorldToClip.data());

@@ -128,7 +128,7 @@ TEST(CullerHazards, TheSameQuadFiftyTimes)
     // None is hidden by another one's equal depth.
     EXPECT_TRUE(i % 4 == 0 || comparison.GetHidden() == 0) << comparison.GetHidden();
   }
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < 4; ++i)
   {
     comparison.Both(
       [i](Stage& stage)

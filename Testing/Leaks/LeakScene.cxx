@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LeakScene.h"
 
+#include "vtkNBufferVTKVersion.h"
+
 #include "vtkCamera.h"
 #include "vtkCubeSource.h"
 #include "vtkNew.h"
@@ -13,10 +15,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace LeakScene
 {
-vtkStandardNewMacro(Spy);
+vtkStandardNewMacro(Renderer);
 
 vtkSmartPointer<vtkActor> MakeBox(double x, double y, double z, double size, int kind)
 {
@@ -67,24 +70,35 @@ void SetCamera(vtkRenderer* renderer, int frame)
   camera->SetClippingRange(1.0, 100.0);
 }
 
-double Spy::Cull(vtkRenderer* renderer, vtkProp** props, int& count, int&)
+void ForeignProps::Note(vtkProp* prop)
 {
-  for (int i = 0; i < count; ++i)
+  if (std::find(this->Props.begin(), this->Props.end(), prop) == this->Props.end())
   {
-    const auto isThis = [&](vtkProp* known) { return known == props[i]; };
-    if (!renderer->HasViewProp(props[i]) &&
-      std::none_of(this->Foreign.begin(), this->Foreign.end(), isThis))
-    {
-      this->Foreign.emplace_back(props[i]);
-    }
+    this->Props.emplace_back(prop);
   }
-  return static_cast<double>(count);
 }
 
-int Spy::GetNumberOfLivingForeignProps() const
+int ForeignProps::GetNumberOfLivingProps() const
 {
   return static_cast<int>(std::count_if(
-    this->Foreign.begin(), this->Foreign.end(), [](vtkProp* prop) { return prop != nullptr; }));
+    this->Props.begin(), this->Props.end(), [](vtkProp* prop) { return prop != nullptr; }));
+}
+
+int Renderer::UpdateGeometry(vtkFrameBufferObjectBase* framebuffer)
+{
+#if VTKNBUFFER_HAS_PROP_VECTOR
+  const int count = static_cast<int>(this->PropArray.size());
+#else
+  const int count = this->PropArrayCount;
+#endif
+  for (int i = 0; i < count; ++i)
+  {
+    if (!this->HasViewProp(this->PropArray[i]))
+    {
+      this->Foreign->Note(this->PropArray[i]);
+    }
+  }
+  return this->Superclass::UpdateGeometry(framebuffer);
 }
 
 Contents::Contents(vtkRenderer* renderer)

@@ -7,14 +7,12 @@
 #ifndef LeakScene_h
 #define LeakScene_h
 
-#include "vtkNBufferVTKVersion.h"
-
 #include "vtkActor.h"
-#include "vtkCuller.h"
-#include "vtkRenderer.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+#include <memory>
 #include <vector>
 
 namespace LeakScene
@@ -34,28 +32,36 @@ void Build(vtkRenderer* renderer);
 /// Another view of it; one that differs from frame to frame is culled anew.
 void SetCamera(vtkRenderer* renderer, int frame);
 
-/**
- * The culler behind ours: it sees what ours puts into the renderer's list, and keeps weak pointers
- * to every prop there that is not the renderer's own.
- */
-class Spy : public vtkCuller
+/// Weak pointers to the props that stood in a renderer's list without being the renderer's own:
+/// those that the culler put there.
+class ForeignProps
 {
 public:
-  static Spy* New();
-  vtkTypeMacro(Spy, vtkCuller);
-
-  double Cull(vtkRenderer* renderer, vtkProp** props, int& count, int& initialized) override;
-
-  /// How many of them were seen, and how many of those are alive.
-  int GetNumberOfForeignProps() const { return static_cast<int>(this->Foreign.size()); }
-  int GetNumberOfLivingForeignProps() const;
-
-protected:
-  Spy() = default;
-  ~Spy() override = default;
+  void Note(vtkProp* prop);
+  int GetNumberOfProps() const { return static_cast<int>(this->Props.size()); }
+  int GetNumberOfLivingProps() const;
 
 private:
-  std::vector<vtkWeakPointer<vtkProp>> Foreign;
+  std::vector<vtkWeakPointer<vtkProp>> Props;
+};
+
+/// A renderer that notes them in every frame.
+class Renderer : public vtkOpenGLRenderer
+{
+public:
+  static Renderer* New();
+  vtkTypeMacro(Renderer, vtkOpenGLRenderer);
+
+  const std::shared_ptr<ForeignProps>& GetForeignProps() const { return this->Foreign; }
+
+protected:
+  Renderer() = default;
+  ~Renderer() override = default;
+
+  int UpdateGeometry(vtkFrameBufferObjectBase* framebuffer) override;
+
+private:
+  std::shared_ptr<ForeignProps> Foreign = std::make_shared<ForeignProps>();
 };
 
 /// Weak pointers to a renderer's actors, their mappers, properties and data.

@@ -154,10 +154,14 @@ std::optional<ScreenPoint> ToScreen(
   {
     return {};
   }
-  const Real nearest = convention == vtkNBufferDepthConvention::Forward ? -clip[3] : 0;
+  // Where the third one ends: at the near plane for Forward, at the far plane for the others.
+  const Real end = convention == vtkNBufferDepthConvention::Forward ? -clip[3]
+    : convention == vtkNBufferDepthConvention::Reversed
+    ? 0
+    : clip[3] * static_cast<Real>(view.Near / view.Far);
   for (int i = 0; i < 3; ++i)
   {
-    if (clip[i] < (i < 2 ? -clip[3] : nearest) || clip[i] > clip[3])
+    if (clip[i] < (i < 2 ? -clip[3] : end) || clip[i] > clip[3])
     {
       return {};
     }

@@ -207,7 +207,7 @@ TEST_P(NBufferOcclusionOfDepths, EqualDepthIsVisible)
 {
   ViewSampler sampler(31);
   int nearlyFlush = 0;
-  for (int s = 0; s < 300; ++s)
+  for (int s = 0; s < 400; ++s)
   {
     Scene scene;
     MakeScene(sampler, 0.0, 4, this->GetParam(), scene);

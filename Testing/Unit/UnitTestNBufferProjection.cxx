@@ -13,6 +13,7 @@
 namespace
 {
 using Convention = vtkNBufferDepthConvention;
+const char* const ConventionNames[] = { "Forward", "Reversed", "InverseW" };
 const Convention Conventions[] = { Convention::Forward, Convention::Reversed,
   Convention::InverseW };
 
@@ -71,6 +72,10 @@ TEST_P(NBufferProjection, EverySampledPointIsCovered)
   for (int v = 0; v < 150; ++v)
   {
     const View view = sampler.MakeView(offset);
+    if (view.Parallel && convention == Convention::InverseW)
+    {
+      continue;
+    }
     const vtkNBufferProjection projection = MakeProjection(view, convention);
     for (int b = 0; b < 40; ++b)
     {
@@ -123,9 +128,8 @@ INSTANTIATE_TEST_SUITE_P(Offset, NBufferProjection,
   testing::Combine(testing::Values(0.0, 1e3, 1e5, 5e6), testing::ValuesIn(Conventions)),
   [](const auto& info)
   {
-    static const char* const names[] = { "Forward", "Reversed", "InverseW" };
     return std::to_string(static_cast<int>(std::get<0>(info.param))) +
-      names[static_cast<int>(std::get<1>(info.param))];
+      ConventionNames[static_cast<int>(std::get<1>(info.param))];
   });
 
 // Hazard: slack that is safe because it is huge hides nothing.
@@ -351,11 +355,7 @@ TEST_P(NBufferProjectionOfDepths, BoxesThatAreApartNeverMeetInAPixel)
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, NBufferProjectionOfDepths, testing::ValuesIn(Conventions),
-  [](const auto& info)
-  {
-    static const char* const names[] = { "Forward", "Reversed", "InverseW" };
-    return std::string(names[static_cast<int>(info.param)]);
-  });
+  [](const auto& info) { return std::string(ConventionNames[static_cast<int>(info.param)]); });
 
 // Hazard: a viewport that begins far from the window's corner is rounded with larger coordinates.
 TEST(NBufferProjectionOnce, SlackGrowsWithTheLargestCoordinate)

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the fuzzer's word rests on: scenarios survive their files, runs repeat themselves, and the
+// shrinker finds what a failure needs.
+#include "Checker.h"
+#include "Generator.h"
+#include "ScenarioJson.h"
+#include "Shrinker.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace NBufferFuzz;
+
+namespace
+{
+Json::Value Parse(const std::string& text)
+{
+  Json::Value value;
+  std::istringstream stream(text);
+  std::string errors;
+  EXPECT_TRUE(Json::parseFromStream(Json::CharReaderBuilder(), stream, &value, &errors)) << errors;
+  return value;
+}
+
+Scenario PassThroughText(const Scenario& scenario)
+{
+  return FromJson(Parse(ToText(ToJson(scenario))));
+}
+
+class FuzzRuns : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    const std::string fault = FindFault();
+    if (!fault.empty())
+    {
+      GTEST_SKIP() << fault;
+    }
+  }
+};
+}
+
+TEST(FuzzScenario, SameSeedSameScenario)
+{
+  for (std::uint64_t seed = 0; seed < 50; ++seed)
+  {
+    EXPECT_EQ(ToText(ToJson(MakeScenario(seed))), ToText(ToJson(MakeScenario(seed))));
+  }
+  EXPECT_NE(ToText(ToJson(MakeScenario(1))), ToText(ToJson(MakeScenario(2))));
+}
+
+TEST(FuzzScenario, SurvivesItsFile)
+{
+  for (std::uint64_t seed = 0; seed < 200; ++seed)
+  {
+    const Scenario scenario = MakeScenario(seed);
+    const Scenario read = PassThroughText(scenario);
+    ASSERT_EQ(ToText(ToJson(read)), ToText(ToJson(scenario)));
+    ASSERT_EQ(read.Seed, scenario.Seed);
+    ASSERT_EQ(read.Props.size(), scenario.Props.size());
+    for (std::size_t i = 0; i < read.Props.size(); ++i)
+    {
+      // Bit by bit, not merely as text.
+      ASSERT_EQ(read.Props[i].Shape.Center, scenario.Props[i].Shape.Center);
+      ASSERT_EQ(read.Props[i].Shape.Size, scenario.Props[i].Shape.Size);
+      ASSERT_EQ(read.Props[i].Color, scenario.Props[i].Color);
+    }
+  }
+}
+
+TEST(FuzzScenario, NumbersOfEveryKindSurvive)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<double> values = { 0.0, -0.0, 0.1, 1.0 / 3.0, 5e6 + 0.01,
+    std::numeric_limits<double>::min(), std::numeric_limits<double>::denorm_min(),
+    std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest(),
+    std::nextafter(1.0, 2.0), infinity, -infinity, std::nan("") };
+  Scenario scenario;
+  scenario.Seed = std::numeric_limits<std::uint64_t>::max();
+  Change change;
+  change.Values = values;
+  scenario.Changes.push_back(change);
+  const Scenario read = PassThroughText(scenario);
+  EXPECT_EQ(read.Seed, scenario.Seed);
+  const std::vector<double>& found = read.Changes.at(0).Values;
+  ASSERT_EQ(found.size(), values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    EXPECT_TRUE(std::isnan(values[i]) ? std::isnan(found[i]) : found[i] == values[i]) << values[i];
+    EXPECT_EQ(std::signbit(found[i]), std::signbit(values[i])) << values[i];
+  }
+}
+
+TEST(FuzzScenario, SaysWhereAFileIsWrong)
+{
+  const auto getFault = [](const std::string& text) -> std::string
+  {
+    try
+    {
+      FromJson(Parse(text));
+    }
+    catch (const std::runtime_error& error)
+    {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(getFault("{}"), "");
+  EXPECT_EQ(getFault(R"({"frames": "many"})"), "scenario.frames must be an integer");
+  EXPECT_EQ(getFault(R"({"props": [{}, {"kind": "Dragon"}]})"),
+    "scenario.props[1].kind must be one of the names known here");
+  EXPECT_EQ(getFault(R"({"window": {"depth": 3}})"),
+    "scenario.window must be without members that are not known here");
+  EXPECT_EQ(
+    getFault(R"({"views": [{"position": [1, 2]}]})"), "scenario.views[0].position must be 3 numbers");
+  EXPECT_THROW(ReadJson("no/such/file.json"), std::runtime_error);
+}
+
+//------------------------------------------------------------------------------------------------
+// A planted fault: two props of a colour, under MSAA, from frame 3 on.
+TEST(FuzzShrinker, LeavesWhatTheFailureNeeds)
+{
+  Scenario scenario = MakeScenario(7);
+  scenario.Frames = 9;
+  scenario.Window.MultiSamples = 4;
+  ASSERT_GT(scenario.Props.size(), 10u);
+  scenario.Props[2].Opacity = 0.125;
+  scenario.Props[9].Opacity = 0.125;
+  Change change;
+  change.Frame = 3;
+  change.Kind = ChangeKind::Select;
+  scenario.Changes.push_back(change);
+  const auto fails = [](const Json::Value& value)
+  {
+    const Scenario candidate = FromJson(value);
+    const auto odd = std::count_if(candidate.Props.begin(), candidate.Props.end(),
+      [](const Prop& prop) { return prop.Opacity == 0.125; });
+    return odd == 2 && candidate.Window.MultiSamples == 4 &&
+      std::any_of(candidate.Changes.begin(), candidate.Changes.end(), [&](const Change& c)
+        { return c.Kind == ChangeKind::Select && c.Frame < candidate.Frames; });
+  };
+  const ShrinkResult result = Shrink(ToJson(scenario), fails, 5000);
+  const Scenario small = FromJson(result.Value);
+  EXPECT_TRUE(fails(result.Value));
+  EXPECT_EQ(small.Props.size(), 2u);
+  EXPECT_EQ(small.Changes.size(), 1u);
+  EXPECT_TRUE(small.Views.empty());
+  EXPECT_EQ(small.Frames, 1) << "frames before the one that fails are left out";
+  Scenario expected;
+  expected.Seed = scenario.Seed;
+  expected.Window.MultiSamples = 4;
+  expected.Props.resize(2);
+  for (int i = 0; i < 2; ++i)
+  {
+    expected.Props[i].Id = scenario.Props[i == 0 ? 2 : 9].Id;
+    expected.Props[i].Opacity = 0.125;
+  }
+  expected.Changes.resize(1);
+  expected.Changes[0].Kind = ChangeKind::Select;
+  EXPECT_EQ(ToText(result.Value), ToText(ToJson(expected))) << "all else has its default";
+}
+
+TEST(FuzzShrinker, KeepsToItsBudget)
+{
+  const Json::Value whole = ToJson(MakeScenario(3));
+  int questions = 0;
+  const auto never = [&questions](const Json::Value&)
+  {
+    ++questions;
+    return false;
+  };
+  const ShrinkResult result = Shrink(whole, never, 25);
+  EXPECT_EQ(questions, 25);
+  EXPECT_EQ(result.Questions, 25);
+  EXPECT_EQ(ToText(result.Value), ToText(whole)) << "what does not fail is not kept";
+}
+
+//------------------------------------------------------------------------------------------------
+// A run is worth reporting only if it can be repeated.
+TEST_F(FuzzRuns, RepeatThemselvesFromTheirFiles)
+{
+  for (std::uint64_t seed = 0; seed < 3; ++seed)
+  {
+    Scenario scenario = MakeScenario(seed);
+    scenario.Frames = 3;
+    Tally tallies[2];
+    Checker checker;
+    const Outcome first = checker.Run(scenario, true, &tallies[0]);
+    const Outcome second = checker.Run(PassThroughText(scenario), true, &tallies[1]);
+    EXPECT_EQ(first.Failure, "");
+    EXPECT_EQ(second.Failure, "");
+    EXPECT_EQ(tallies[0].Frames, 3);
+    EXPECT_EQ(tallies[0].Verdicts, tallies[1].Verdicts);
+    EXPECT_EQ(tallies[0].Decisions, tallies[1].Decisions);
+    EXPECT_EQ(tallies[0].Hidden, tallies[1].Hidden);
+  }
+}
+
+// A checker that compares nothing finds nothing. VTK's own culler drops a prop below the window
+// although its shader lifts it into the picture.
+TEST_F(FuzzRuns, SeeWhatACullerDropsWrongly)
+{
+  Scenario scenario;
+  scenario.Frames = 2;
+  scenario.Culler.DefaultCuller = DefaultCuller::Before;
+  scenario.Props.resize(1);
+  scenario.Props[0].Shape.Center = { 0.0, -1.2, 0.0 };
+  scenario.Props[0].Shape.Size = { 0.2, 0.2, 0.2 };
+  scenario.Props[0].Shader = Shader::MovesVertices;
+  scenario.Views.resize(1);
+  scenario.Views[0].Parallel = true;
+  scenario.Views[0].Near = 1.0;
+  scenario.Views[0].Far = 20.0;
+  EXPECT_EQ(Checker(Role::Reference).Run(scenario, true).Failure, "");
+  const Outcome outcome = Checker(Role::Stock).Run(scenario, true);
+  EXPECT_EQ(outcome.Frame, 0);
+  EXPECT_EQ(outcome.Failure.find("The image differs in "), 0u) << outcome.Failure;
+}
+
+TEST_F(FuzzRuns, CountWhatIsHidden)
+{
+  Scenario scenario;
+  scenario.Frames = 3;
+  scenario.Culler.RoundSize = 1;
+  for (int i = 0; i < 6; ++i)
+  {
+    Prop prop;
+    prop.Id = i;
+    prop.Shape.Center = { 0.0, 0.0, -2.0 * i };
+    prop.Shape.Size = { 2.0, 2.0, i == 0 ? 0.1 : 1.0 };
+    scenario.Props.push_back(prop);
+  }
+  scenario.Views.resize(1);
+  Tally tally;
+  EXPECT_EQ(Checker().Run(scenario, true, &tally).Failure, "");
+  EXPECT_EQ(tally.Scenarios, 1);
+  EXPECT_EQ(tally.Frames, 3);
+  EXPECT_EQ(tally.Props, 18);
+  EXPECT_GE(tally.Hidden, 3 * 3);
+  EXPECT_EQ(tally.FramesWithHidden, 3);
+  EXPECT_EQ(tally.GLErrors, 0);
+}

@@ -1,0 +1,127 @@
+# SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Errors to plant in the module for mutation_test.py.
+
+A mutant is a name and a list of replacements (file in Modules/NBuffer, exact old text, new text);
+the old text must be there exactly once.
+"""
+
+PROJECTION = "vtkNBufferProjection.cxx"
+VIEW = "vtkNBufferView.cxx"
+CANDIDATE = "vtkNBufferCandidate.cxx"
+
+NO_VERTEX_SLACK = (PROJECTION, "VertexErrors = 8.0;", "VertexErrors = 0.0;")
+NO_DEPTH_SLACK = [
+    (PROJECTION, "this->DepthSlack = 2.0 * depthQuantum + DepthErrors * UnitRoundoff;",
+     "this->DepthSlack = 0.0;"),
+    (PROJECTION, "InverseOfHeight = 16.0;", "InverseOfHeight = 0.0;")]
+
+MUTANTS = {
+    # Tolerances.
+    "no slack at all": [NO_VERTEX_SLACK, *NO_DEPTH_SLACK,
+                        (PROJECTION, "SnapInPixels = 1.0 / 16;", "SnapInPixels = 0.0;")],
+    "no slack for stored and interpolated depth": NO_DEPTH_SLACK,
+    "no slack for rounded vertices": [NO_VERTEX_SLACK],
+    "no slack for rounded vertices in x and y": [
+        (PROJECTION, "ndc - slack);", "ndc - (i < 2 ? 0.0 : slack));"),
+        (PROJECTION, "ndc + slack);", "ndc + (i < 2 ? 0.0 : slack));")],
+    "vertices believed to be near the buffer's zero": [
+        (CANDIDATE, "IsShifted(plain, ranges);", "(IsShifted(plain, ranges) || true);")],
+    "no margin for wide lines and points": [
+        (CANDIDATE, "this->Box.Margin = GetMargin(this->Mapper, actor->GetProperty());",
+         "this->Box.Margin = 0.0;")],
+
+    # Rectangles and lookups.
+    "rectangle one pixel short at the right and top": [
+        (PROJECTION, "std::ceil(std::min(to, static_cast<double>(size[i]))));",
+         "std::ceil(std::min(to, static_cast<double>(size[i])))) - 1;\n"
+         "    end[i] = std::max(end[i], begin[i] + 1);")],
+    "rectangle one pixel short at the left and bottom": [
+        (PROJECTION, "std::ceil(std::min(to, static_cast<double>(size[i]))));",
+         "std::ceil(std::min(to, static_cast<double>(size[i]))));\n"
+         "    begin[i] = std::min(begin[i] + 1, end[i] - 1);")],
+    "base rectangle one texel short": [
+        ("vtkNBufferMath.cxx", "texels.X1 = GetBaseSize(pixels.X1, factor);",
+         "texels.X1 = std::max(pixels.X1 / factor, texels.X0 + 1);")],
+    "squares of a level side by side with a gap": [
+        ("vtkNBufferLevels.cxx", "const int step = 1 << (i - 1);", "const int step = 1 << i;")],
+    "the last level not built": [
+        ("vtkNBufferLevels.cxx", "for (int i = first; i < levels; ++i)",
+         "for (int i = first; i < levels - 1; ++i)")],
+    "the last column of a cut base texel left out": [
+        ("vtkNBufferLevels.cxx", "for (int x = whole * factor + 1; x < width; ++x)",
+         "for (int x = whole * factor + 1; x < width - 1; ++x)")],
+    "a square's level looked up that was not built (< turned to <=)": [
+        ("vtkNBufferPixelTest.cxx", "this->SquareLevel < this->Levels.GetNumberOfLevels()",
+         "this->SquareLevel <= this->Levels.GetNumberOfLevels()")],
+    "pixel test one column short": [
+        ("vtkNBufferPixelTest.cxx", "column < std::min(x + Side, pixels.X1)",
+         "column < std::min(x + Side, pixels.X1 - 1)")],
+    "the last piece of a long box not tested": [
+        ("vtkNBufferOcclusionTest.cxx", "for (int i = 0; i < pieces; ++i)",
+         "for (int i = 0; i < pieces - 1; ++i)")],
+    "one round too many (>= turned to >)": [
+        (VIEW, "this->Statistics.Rounds >= this->Settings.MaximumNumberOfRounds",
+         "this->Statistics.Rounds > this->Settings.MaximumNumberOfRounds")],
+
+    # Depth.
+    "one sample of a multisampled pixel": [
+        ("Shaders/vtkNBufferBaseFS.glsl", "for (int i = 1; i < NBUFFER_SAMPLES; ++i)",
+         "for (int i = 1; i < 1; ++i)")],
+    "viewport's origin ignored on the host": [
+        ("vtkNBufferBackend.cxx",
+         "if (!source.Read(window, viewport[0], viewport[1],", "if (!source.Read(window, 0, 0,")],
+    "viewport's origin ignored on the device": [
+        ("vtkNBufferBackend.cxx",
+         "this->Texture->Build(window, source, viewport[0], viewport[1],",
+         "this->Texture->Build(window, source, 0, 0,")],
+
+    # The near plane.
+    "crossing the near plane counts as inside": [
+        (PROJECTION,
+         "if (!(w > this->Error[3] && clip[2] + clip[3] > this->Error[2] + this->Error[3]))",
+         "if (!(w > this->Error[3]))")],
+    "the part of a box behind the eye is forgotten": [
+        (PROJECTION, "result.Clipped = !before;", "result.Clipped = !before;\n  before = true;")],
+
+    # From frame to frame.
+    "stale bounds": [
+        ("vtkNBufferCandidate.h",
+         "return this->Volatile || (this->Actor && this->Sources.HasChanged());",
+         "return this->BoxIsUsable ? false : this->Volatile;")],
+    "camera's motion not noticed": [
+        ("vtkNBufferViewKey.h", "return this->WorldToClip == other.WorldToClip &&", "return")],
+    "verdicts of the last frame reused although props changed": [
+        (VIEW, "else if (complete && !changed &&", "else if (complete && !moved &&")],
+    "verdicts of the last frame reused over depth that changes without a trace": [
+        (VIEW, "!this->Props.HasUntrackedDepth() && renderer->GetErase() &&", "")],
+    "order of equal depths forgotten": [
+        (VIEW, "if (this->Drawn.empty())\n  {\n    return;\n  }\n  const int firstLate",
+         "if (!this->Drawn.empty())\n  {\n    return;\n  }\n  const int firstLate")],
+    "equal depths of overlapping rectangles forgotten": [
+        ("vtkNBufferTieOrder.cxx", "p.X0 < q.X1 && q.X0 < p.X1", "p.X0 < q.X0 && q.X0 < p.X1")],
+
+    # Props that are none of the tested kind.
+    "translucent props hide": [
+        (CANDIDATE,
+         "if (actor->HasTranslucentPolygonalGeometry() || !actor->HasOpaqueGeometry())",
+         "if (actor->GetMapper() == nullptr)")],
+    "wireframes and points are tested as surfaces": [
+        (CANDIDATE, "property->GetRepresentation() != VTK_SURFACE ||", "")],
+    "passes do not reach what is held back": [
+        ("vtkNBufferForwardedKeys.cxx",
+         "if (!from || (passes->Length(from) == 0 && !from->Has(depthMask)))", "if (to)")],
+}
+
+# These change no image: what they take away is there twice, or is only about speed. They are run
+# with --equivalent, to see that the fuzzer does not report what is no error.
+EQUIVALENT = {
+    # Equal depth has to count as visible. But Nearest is the depth less a slack that is never 0, so
+    # that where the two numbers are equal the prop lies at least the slack behind the depth.
+    "equal numbers count as hidden (> turned to >=)": [
+        ("vtkNBufferOcclusionTest.cxx", "return screen.Nearest > this->Projection",
+         "return screen.Nearest >= this->Projection")],
+    # The next frame begins with more props than it needs.
+    "visible props are not remembered": [
+        (VIEW, "    state.WasVisible = true;\n    drawn +=", "    drawn +=")],
+}
