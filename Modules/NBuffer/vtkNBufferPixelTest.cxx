@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -99,8 +100,14 @@ void vtkNBufferPixelTest::SetEdges(const vtkNBufferBox& box, const vtkNBufferScr
     Edge& edge = this->Edges[this->NumberOfEdges++];
     edge.X = to.Y - from.Y;
     edge.Y = from.X - to.X;
-    edge.Offset =
-      -edge.X * from.X - edge.Y * from.Y - std::abs(edge.X) * slackX - std::abs(edge.Y) * slackY;
+    // Beyond the farthest corner, not through `from`: where corners differ by rounding only (boxes
+    // without thickness) an edge may point anywhere, and this holds for every direction.
+    double reach = -std::numeric_limits<double>::infinity();
+    for (const Point& point : points)
+    {
+      reach = std::max(reach, edge.X * point.X + edge.Y * point.Y);
+    }
+    edge.Offset = -reach - std::abs(edge.X) * slackX - std::abs(edge.Y) * slackY;
   }
 }
 

@@ -42,7 +42,4 @@
 // vtkRenderer::SetUseOIT(); before, order-independent transparency is always on.
 #define VTKNBUFFER_HAS_OIT_SWITCH (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 5)
 
-// vtkRenderer::PropArray is a vector; before, a pointer beside PropArrayCount.
-#define VTKNBUFFER_HAS_PROP_VECTOR (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 7)
-
 #endif

@@ -167,7 +167,7 @@ TEST(FuzzShrinker, LeavesWhatTheFailureNeeds)
   }
   expected.Changes.resize(1);
   expected.Changes[0].Kind = ChangeKind::Select;
-  EXPECT_EQ(ToText(result.Value), ToText(ToJson(expected))) << "all else has its default";
+  EXPECT_EQ(ToText(ToJson(small)), ToText(ToJson(expected))) << "all else has its default";
 }
 
 TEST(FuzzShrinker, KeepsToItsBudget)

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LeakScene.h"
 
-#include "vtkNBufferVTKVersion.h"
-
 #include "vtkCamera.h"
 #include "vtkCubeSource.h"
 #include "vtkNew.h"
@@ -86,11 +84,7 @@ int ForeignProps::GetNumberOfLivingProps() const
 
 int Renderer::UpdateGeometry(vtkFrameBufferObjectBase* framebuffer)
 {
-#if VTKNBUFFER_HAS_PROP_VECTOR
-  const int count = static_cast<int>(this->PropArray.size());
-#else
-  const int count = this->PropArrayCount;
-#endif
+  const int count = CountProps(this, this->PropArray);
   for (int i = 0; i < count; ++i)
   {
     if (!this->HasViewProp(this->PropArray[i]))

@@ -61,6 +61,20 @@ protected:
   int UpdateGeometry(vtkFrameBufferObjectBase* framebuffer) override;
 
 private:
+  ///@{
+  /// PropArray is a vector, or (before VTK 9.7) a pointer beside a member that has its length.
+  template <typename Self>
+  static int CountProps(Self*, const std::vector<vtkProp*>& props)
+  {
+    return static_cast<int>(props.size());
+  }
+  template <typename Self>
+  static int CountProps(Self* self, vtkProp**)
+  {
+    return self->PropArrayCount;
+  }
+  ///@}
+
   std::shared_ptr<ForeignProps> Foreign = std::make_shared<ForeignProps>();
 };
 

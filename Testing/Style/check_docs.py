@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks that the documents keep up with the sources; prints each fault, exits 1 on any.
+
+* docs/limits.md names every verdict and every decision.
+* Every test that docs/hazards.md names exists, and every hazard has one.
+"""
+
+import pathlib
+import re
+import sys
+
+
+def enumerators(header, name):
+    body = re.search(rf"enum class {name}[^{{]*{{(.*?)\n}};", header, re.DOTALL)[1]
+    names = re.findall(r"^\s*([A-Z]\w*)", body, re.MULTILINE)
+    return [value for value in names if not value.startswith("NumberOf")]
+
+
+def check_limits(root):
+    header = (root / "Modules/NBuffer/vtkNBufferStatistics.h").read_text()
+    text = (root / "docs/limits.md").read_text()
+    for enumeration in ("vtkNBufferVerdict", "vtkNBufferDecision"):
+        for name in enumerators(header, enumeration):
+            if f"`{name}`" not in text:
+                yield f"docs/limits.md: {enumeration}::{name} is not named"
+
+
+def check_hazards(root):
+    sources = "\n".join(path.read_text() for path in sorted((root / "Testing").rglob("*.cxx")))
+    tests = {f"{suite}.{case}" for suite, case in re.findall(
+        r"TEST(?:_F|_P)?\(\s*(\w+)\s*,\s*(\w+)\s*\)", sources)}
+    for line in (root / "docs/hazards.md").read_text().splitlines():
+        cells = [cell.strip() for cell in line.split("|")[1:-1]]
+        if len(cells) < 2 or set(cells[0]) <= set("- ") or cells[0] == "hazard":
+            continue
+        names = re.findall(r"`([\w]+\.[\w]+)[^`]*`", cells[1])
+        if not names:
+            yield f"docs/hazards.md: no test for '{cells[0]}'"
+        for name in names:
+            if name not in tests:
+                yield f"docs/hazards.md: there is no test {name}"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
+    faults = [*check_limits(root), *check_hazards(root)]
+    print("\n".join(faults) if faults else "no faults")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
