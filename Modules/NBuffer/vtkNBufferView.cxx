@@ -97,8 +97,10 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
 void vtkNBufferView::SetProjection(const vtkNBufferViewKey& key)
 {
   this->LastKey = key;
-  this->Projection.Set(
-    key.WorldToClip.data(), key.Viewport[2], key.Viewport[3], this->DepthQuantum);
+  const auto& viewport = key.Viewport;
+  this->Projection.Set(key.WorldToClip.data(), viewport[2], viewport[3], this->DepthQuantum,
+    vtkNBufferDepthConvention::Forward,
+    std::max(viewport[0] + viewport[2], viewport[1] + viewport[3]));
 }
 
 bool vtkNBufferView::MayReuse(vtkRenderer* renderer) const

@@ -239,12 +239,11 @@ std::string Checker::CheckFrame(const Scenario& scenario, int frame)
   }
   const bool stereo = this->Reference.GetWindow()->GetStereoRender() != 0;
   failure += this->CompareImages(this->Reference.GetWindow()->GetMultiSamples() <= 1 && !stereo);
-  const bool stockCuller = scenario.Culler.DefaultCuller != DefaultCuller::Removed;
-  failure += this->CheckStatistics(stockCuller);
+  failure += this->CheckStatistics();
   // The statistics are those of one eye.
   if (!stereo && scenario.Renderers.size() == 1)
   {
-    failure += this->CheckDraws(stockCuller);
+    failure += this->CheckDraws(scenario.Culler.DefaultCuller != DefaultCuller::Removed);
   }
   if (checkState)
   {
@@ -316,23 +315,15 @@ std::string Checker::CompareImages(bool compareDepth)
   return text.str();
 }
 
-std::string Checker::CheckStatistics(bool stockCuller)
+std::string Checker::CheckStatistics()
 {
   std::string failure;
   for (int i = 0; i < this->Tested.GetNumberOfRenderers(); ++i)
   {
     if (vtkNBufferCuller* culler = this->Tested.GetCuller(i))
     {
-      const vtkNBufferStatistics& statistics =
-        culler->GetStatistics(this->Tested.GetRenderer(i));
-      // A culler behind ours may have taken out all that was held back, untested.
-      if (stockCuller && statistics.Decision == vtkNBufferDecision::Culled &&
-        statistics.Rounds == 0)
-      {
-        continue;
-      }
-      const std::string fault =
-        FindInconsistency(statistics, culler->GetMaximumNumberOfRounds());
+      const vtkNBufferStatistics& statistics = culler->GetStatistics(this->Tested.GetRenderer(i));
+      const std::string fault = FindInconsistency(statistics, culler->GetMaximumNumberOfRounds());
       if (!fault.empty())
       {
         failure += fault + "\n" + statistics.GetAsJSON() + "\n";
@@ -372,9 +363,9 @@ std::string Checker::CheckDraws(bool stockCuller)
     // vtkFrustumCoverageCuller may still remove some of the others.
     if ((culled && member.Draws > 0) || (!culled && !stockCuller && member.Draws < expected))
     {
-      wrong << "Prop " << member.Description->Id << " is "
-            << vtkNBufferStatistics::GetName(verdict) << " and was drawn " << member.Draws
-            << " times (" << expected << " without the culler).\n";
+      wrong << "Prop " << member.Description->Id << " is " << vtkNBufferStatistics::GetName(verdict)
+            << " and was drawn " << member.Draws << " times (" << expected
+            << " without the culler).\n";
     }
   }
   if (extra > statistics.Redrawn)

@@ -62,7 +62,7 @@ private:
   Outcome RunFrames(const Scenario& scenario, Tally* tally);
   std::string CheckFrame(const Scenario& scenario, int frame);
   std::string CompareImages(bool compareDepth);
-  std::string CheckStatistics(bool stockCuller);
+  std::string CheckStatistics();
   std::string CheckDraws(bool stockCuller);
   void Count(const Scenario& scenario, Tally& tally) const;
 

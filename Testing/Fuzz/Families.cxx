@@ -112,9 +112,8 @@ void AddViewsFromFront(Writer& writer, double width)
 void BuildWall(Writer& writer)
 {
   const double width = 10.0;
-  const ShapeKind kind =
-    writer.Any({ ShapeKind::Box, ShapeKind::Box, ShapeKind::Quad, ShapeKind::Lattice,
-      ShapeKind::Grating, ShapeKind::Terrain, ShapeKind::Sphere });
+  const ShapeKind kind = writer.Any({ ShapeKind::Box, ShapeKind::Box, ShapeKind::Quad,
+    ShapeKind::Lattice, ShapeKind::Grating, ShapeKind::Terrain, ShapeKind::Sphere });
   Prop& wall = writer.Add(kind, { 0.0, 0.0, 0.0 }, { 9.0, 7.0, 0.5 });
   wall.Shape.Fill = writer.Between(0.5, 1.0);
   writer.Occluders.push_back(wall.Id);
@@ -129,8 +128,9 @@ void BuildWall(Writer& writer)
     const Vector3 center = { writer.Between(-5.0, 5.0), writer.Between(-4.0, 4.0),
       behind ? writer.Between(-8.0, -0.8) : writer.Between(0.8, 6.0) };
     const double size = std::pow(10.0, writer.Between(-1.5, behind ? 0.3 : -0.3));
-    writer.Add(writer.Chance(0.7) ? ShapeKind::Box : writer.Any({ ShapeKind::Sphere,
-                 ShapeKind::Quad, ShapeKind::Terrain, ShapeKind::Soup, ShapeKind::Lines }),
+    writer.Add(writer.Chance(0.7) ? ShapeKind::Box
+                                  : writer.Any({ ShapeKind::Sphere, ShapeKind::Quad,
+                                      ShapeKind::Terrain, ShapeKind::Soup, ShapeKind::Lines }),
       center, { size, size * writer.Between(0.3, 2.0), size * writer.Between(0.1, 1.5) });
   }
   AddViewsFromFront(writer, width);
@@ -259,6 +259,58 @@ void BuildCoplanar(Writer& writer)
   }
 }
 
+/// Plates that face the camera, and decals inside of them at exactly their depth, which is the
+/// depth of the decals' boxes as well: nothing but the tolerance keeps them from being hidden.
+void BuildDecals(Writer& writer)
+{
+  const int plates = writer.Integer(2, 6);
+  for (int i = 0; i < plates; ++i)
+  {
+    const double z = writer.Between(-6.0, 4.0);
+    const double width = writer.Between(3.0, 9.0);
+    const double height = writer.Between(3.0, 7.0);
+    const double x = writer.Between(-3.0, 3.0);
+    const double y = writer.Between(-2.0, 2.0);
+    const double thickness = writer.Any({ 0.0, 0.0, 0.4 });
+    const bool inMatrix = writer.Chance(0.5);
+    Prop& plate = writer.AddBox({ x, y, z - 0.5 * thickness }, { width, height, thickness });
+    plate.Lighting = false;
+    const int decals = writer.Integer(6, 20);
+    for (int j = 0; j < decals; ++j)
+    {
+      const double size = writer.Between(0.05, 0.25);
+      const Vector3 center = { x + writer.Between(-0.3, 0.3) * width,
+        y + writer.Between(-0.3, 0.3) * height, z };
+      Prop& decal = writer.AddBox(
+        inMatrix ? Vector3{ 0.0, 0.0, 0.0 } : center, { size * width, size * height, 0.0 });
+      decal.Lighting = false;
+      if (inMatrix)
+      {
+        decal.Position = center;
+      }
+      if (writer.Chance(0.3))
+      {
+        decal.From = writer.Integer(0, writer.Scene.Frames - 1);
+      }
+    }
+  }
+  if (writer.Chance(0.5))
+  {
+    writer.Occluders.push_back(writer.AddBox({ 0.0, 0.0, 5.0 }, { 6.0, 8.0, 0.2 }).Id);
+  }
+  AddViewsFromFront(writer, 10.0);
+  for (View& view : writer.Scene.Views)
+  {
+    // Straight on.
+    view.FocalPoint = { view.Position[0], view.Position[1], 0.0 };
+    if (writer.Chance(0.1))
+    {
+      view.Near = 0.1;
+      view.Far = 1000.0;
+    }
+  }
+}
+
 /// Gratings with gaps of about a pixel and less.
 void BuildSlits(Writer& writer)
 {
@@ -330,10 +382,9 @@ void BuildNear(Writer& writer)
   for (int i = 0; i < count; ++i)
   {
     const double size = std::pow(10.0, writer.Between(-0.7, 0.8));
-    Prop& prop =
-      writer.AddBox({ writer.Between(-10.0, 10.0), writer.Between(-10.0, 10.0),
-                      writer.Between(-1.0, 2.0) },
-        { size, size * writer.Between(0.05, 1.0), size * writer.Between(0.1, 1.0) });
+    Prop& prop = writer.AddBox(
+      { writer.Between(-10.0, 10.0), writer.Between(-10.0, 10.0), writer.Between(-1.0, 2.0) },
+      { size, size * writer.Between(0.05, 1.0), size * writer.Between(0.1, 1.0) });
     if (size > 2.0)
     {
       writer.Occluders.push_back(prop.Id);
@@ -352,8 +403,8 @@ void BuildNear(Writer& writer)
     first.Far = std::max(first.Far, 30.0);
   }
   double heading = writer.Between(0.0, 6.3);
-  first.FocalPoint = { first.Position[0] + std::cos(heading),
-    first.Position[1] + std::sin(heading), first.Position[2] };
+  first.FocalPoint = { first.Position[0] + std::cos(heading), first.Position[1] + std::sin(heading),
+    first.Position[2] };
   writer.Scene.Views.push_back(first);
   for (int frame = 1; frame < writer.Scene.Frames; ++frame)
   {
@@ -361,8 +412,8 @@ void BuildNear(Writer& writer)
     heading += cuts ? writer.Between(0.0, 6.3) : writer.Between(-0.3, 0.3);
     view.Position[0] += writer.Between(-0.6, 0.6);
     view.Position[1] += writer.Between(-0.6, 0.6);
-    view.FocalPoint = { view.Position[0] + std::cos(heading),
-      view.Position[1] + std::sin(heading), view.Position[2] + writer.Between(-0.3, 0.3) };
+    view.FocalPoint = { view.Position[0] + std::cos(heading), view.Position[1] + std::sin(heading),
+      view.Position[2] + writer.Between(-0.3, 0.3) };
   }
 }
 
@@ -379,9 +430,7 @@ void BuildCity(Writer& writer)
       const double height = writer.Between(3.0, 17.0);
       const double width = writer.Chance(0.3) ? 12.0 : 8.0;
       writer.Occluders.push_back(
-        writer
-          .AddBox({ 12.0 * i + 6.0, 12.0 * j + 6.0, 0.5 * height }, { width, 8.0, height })
-          .Id);
+        writer.AddBox({ 12.0 * i + 6.0, 12.0 * j + 6.0, 0.5 * height }, { width, 8.0, height }).Id);
     }
   }
   writer.Scale = 30.0;
@@ -397,8 +446,8 @@ void BuildCity(Writer& writer)
     heading += jumps ? writer.Any({ 0.0, 0.5, 3.1 }) : writer.Between(-0.2, 0.2);
     view.Frame = frame;
     view.Position[1] += writer.Between(0.0, 3.0);
-    view.FocalPoint = { view.Position[0] + std::cos(heading),
-      view.Position[1] + std::sin(heading), view.Position[2] };
+    view.FocalPoint = { view.Position[0] + std::cos(heading), view.Position[1] + std::sin(heading),
+      view.Position[2] };
     writer.Scene.Views.push_back(view);
   }
 }
@@ -431,9 +480,9 @@ void BuildLong(Writer& writer)
 const std::vector<NamedFamily>& GetFamilies()
 {
   static const std::vector<NamedFamily> families = { { "wall", 3.0, BuildWall },
-    { "peeking", 3.0, BuildPeeking }, { "coplanar", 3.0, BuildCoplanar },
-    { "slits", 2.0, BuildSlits }, { "specks", 1.0, BuildSpecks }, { "near", 2.0, BuildNear },
-    { "city", 1.5, BuildCity }, { "long", 1.0, BuildLong } };
+    { "peeking", 3.0, BuildPeeking }, { "coplanar", 2.0, BuildCoplanar },
+    { "decals", 2.0, BuildDecals }, { "slits", 2.0, BuildSlits }, { "specks", 1.0, BuildSpecks },
+    { "near", 2.0, BuildNear }, { "city", 1.5, BuildCity }, { "long", 1.0, BuildLong } };
   return families;
 }
 }

@@ -19,6 +19,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
@@ -128,9 +129,10 @@ vtkSmartPointer<vtkMapper> MakeMapper(const Prop& prop)
   }
   vtkNew<vtkPolyDataMapper> mapper;
   SetInput(mapper, prop);
-  if (!prop.ShiftCoordinates)
+  auto* openGL = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
+  if (openGL && !prop.ShiftCoordinates)
   {
-    mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+    openGL->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
   }
   mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, prop.OffsetUnits);
   return mapper;
@@ -304,8 +306,8 @@ void MovePoints(vtkMapper* mapper, const Change& change)
   {
     double p[3];
     points->GetPoint(i, p);
-    points->SetPoint(i, p[0] + GetValue(change, 0), p[1] + GetValue(change, 1),
-      p[2] + GetValue(change, 2));
+    points->SetPoint(
+      i, p[0] + GetValue(change, 0), p[1] + GetValue(change, 1), p[2] + GetValue(change, 2));
   }
   if (points)
   {

@@ -348,8 +348,7 @@ void Stage::Apply(const Change& change)
     case ChangeKind::Viewport:
       if (renderer)
       {
-        renderer->SetViewport(
-          value, GetValue(change, 1), GetValue(change, 2), GetValue(change, 3));
+        renderer->SetViewport(value, GetValue(change, 1), GetValue(change, 2), GetValue(change, 3));
       }
       return;
     case ChangeKind::Pass:

@@ -121,8 +121,8 @@ TEST(FuzzScenario, SaysWhereAFileIsWrong)
     "scenario.props[1].kind must be one of the names known here");
   EXPECT_EQ(getFault(R"({"window": {"depth": 3}})"),
     "scenario.window must be without members that are not known here");
-  EXPECT_EQ(
-    getFault(R"({"views": [{"position": [1, 2]}]})"), "scenario.views[0].position must be 3 numbers");
+  EXPECT_EQ(getFault(R"({"views": [{"position": [1, 2]}]})"),
+    "scenario.views[0].position must be 3 numbers");
   EXPECT_THROW(ReadJson("no/such/file.json"), std::runtime_error);
 }
 

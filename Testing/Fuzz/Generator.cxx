@@ -31,11 +31,10 @@ void MakeWindow(Writer& writer)
   }
   window.StencilCapable = writer.Chance(0.03);
   window.LineSmoothing = writer.Chance(0.02);
-  if (writer.Chance(0.0))
+  if (writer.Chance(0.04))
   {
-    window.Stereo =
-      writer.Any({ VTK_STEREO_RED_BLUE, VTK_STEREO_INTERLACED, VTK_STEREO_LEFT, VTK_STEREO_RIGHT,
-        VTK_STEREO_CHECKERBOARD, VTK_STEREO_SPLITVIEWPORT_HORIZONTAL });
+    window.Stereo = writer.Any({ VTK_STEREO_RED_BLUE, VTK_STEREO_INTERLACED, VTK_STEREO_LEFT,
+      VTK_STEREO_RIGHT, VTK_STEREO_CHECKERBOARD, VTK_STEREO_SPLITVIEWPORT_HORIZONTAL });
   }
   window.TileScale = writer.Chance(0.02) ? 2 : 1;
 }
@@ -68,7 +67,7 @@ void MakePasses(Writer& writer, Renderer& renderer)
   if (writer.Chance(0.12))
   {
     renderer.Pass = writer.Any({ PassKind::RenderSteps, PassKind::OpaqueTranslucent,
-      PassKind::Default, PassKind::DepthPeeling,
+      PassKind::OpaqueTwice, PassKind::TranslucentFirst, PassKind::Default, PassKind::DepthPeeling,
       PassKind::DualDepthPeeling, PassKind::SSAO, PassKind::FXAA, PassKind::Framebuffer,
       PassKind::Sobel });
   }
@@ -170,10 +169,6 @@ void MakeOdd(Writer& writer, Prop& prop)
       break;
     case 9:
       prop.Kind = writer.Any({ PropKind::LOD, PropKind::NoMapper, PropKind::Text });
-      if (prop.Kind == PropKind::LOD && writer.Scene.Culler.DefaultCuller != DefaultCuller::Removed)
-      {
-        prop.Kind = PropKind::Actor;
-      }
       break;
     case 10:
       prop.Texture = writer.Any({ Translucency::Some, Translucency::Opaque });
@@ -234,9 +229,8 @@ void MakeMaterials(Writer& writer)
   // These take long to draw in software, or their shaders to compile.
   if (writer.Chance(0.01))
   {
-    Prop& prop =
-      writer.Scene.Props[static_cast<std::size_t>(writer.Integer(
-        0, static_cast<int>(writer.Scene.Props.size()) - 1))];
+    Prop& prop = writer.Scene.Props[static_cast<std::size_t>(
+      writer.Integer(0, static_cast<int>(writer.Scene.Props.size()) - 1))];
     prop.Kind = writer.Any({ PropKind::Volume, PropKind::Billboard });
   }
 }
@@ -315,8 +309,8 @@ void ChangeOccluder(Writer& writer, int frame)
   }
   else
   {
-    writer.AddChange(frame, ChangeKind::Position, id,
-      { writer.Between(-0.5, 0.5) * writer.Scale, 0.0, 0.0 });
+    writer.AddChange(
+      frame, ChangeKind::Position, id, { writer.Between(-0.5, 0.5) * writer.Scale, 0.0, 0.0 });
   }
 }
 
@@ -328,14 +322,14 @@ void ChangeSettings(Writer& writer, int frame)
   {
     case 0:
       add(ChangeKind::WindowSize,
-        { static_cast<double>(writer.Integer(20, 150)), static_cast<double>(writer.Integer(20, 150)) });
+        { static_cast<double>(writer.Integer(20, 150)),
+          static_cast<double>(writer.Integer(20, 150)) });
       break;
     case 1:
       add(ChangeKind::MultiSamples, { writer.Any({ 0.0, 4.0 }) });
       break;
     case 2:
-      add(ChangeKind::Stereo,
-        { -1.0 });
+      add(ChangeKind::Stereo, { writer.Any({ -1.0, static_cast<double>(VTK_STEREO_RED_BLUE) }) });
       break;
     case 3:
       add(ChangeKind::Viewport,
@@ -346,7 +340,7 @@ void ChangeSettings(Writer& writer, int frame)
       add(ChangeKind::FXAA, { writer.Any({ 0.0, 1.0 }) });
       break;
     case 5:
-      add(ChangeKind::Pass, { writer.Any({ 0.0, 1.0, 2.0, 5.0 }) });
+      add(ChangeKind::Pass, { static_cast<double>(writer.Integer(0, 5)) });
       break;
     case 6:
       add(ChangeKind::CullerEnabled, { writer.Any({ 0.0, 1.0 }) });
@@ -415,15 +409,20 @@ void MakeChanges(Writer& writer)
 }
 
 //------------------------------------------------------------------------------------------------
-/// The whole scene larger or smaller, somewhere else.
+/// The whole scene larger or smaller, somewhere else. Where vertices are not moved to the origin on
+/// their way to the device, pixels and steps of float are made comparable.
 void MoveFarAway(Writer& writer)
 {
   Scenario& scene = writer.Scene;
-  const double factor = writer.Any({ 1e-3, 1.0, 1.0, 10.0, 1e3 });
-  const double offset = writer.Any({ 0.0, 1e3, 1e5, 5e6 });
-  const Vector3 origin = { offset, 0.9 * offset, 0.0 };
+  const double offset = writer.Any({ 0.0, 1e3, 1e5, 5e6, 5e6 });
+  const double step = std::ldexp(offset, -23);
+  const double pixel = writer.Scale / scene.Window.Width;
+  const double factor = offset == 0.0
+    ? writer.Any({ 1e-3, 10.0, 1e3 })
+    : std::max(writer.Any({ 0.5, 1.0, 2.0, 4.0, 16.0, 1e3 }) * step / pixel, 1e-3);
+  const Vector3 origin = { offset, 0.9 * offset, writer.Any({ 0.0, 0.0, 0.8 }) * offset };
   const bool inMatrix = writer.Chance(0.3);
-  const bool shift = writer.Chance(0.5);
+  const bool shift = writer.Chance(0.3);
   const auto place = [&](Vector3& point, bool absolute)
   {
     for (int i = 0; i < 3; ++i)
@@ -462,8 +461,8 @@ void MoveFarAway(Writer& writer)
     {
       for (std::size_t i = 0; i < change.Values.size(); ++i)
       {
-        change.Values[i] =
-          factor * change.Values[i] + (change.Kind == ChangeKind::Position && inMatrix ? origin[i] : 0.0);
+        change.Values[i] = factor * change.Values[i] +
+          (change.Kind == ChangeKind::Position && inMatrix ? origin[i] : 0.0);
       }
     }
   }
@@ -509,7 +508,7 @@ Scenario MakeScenario(std::uint64_t seed)
   MakeMaterials(writer);
   MakeChanges(writer);
   MakeRenderers(writer);
-  if (writer.Chance(0.2))
+  if (writer.Chance(0.3))
   {
     MoveFarAway(writer);
   }

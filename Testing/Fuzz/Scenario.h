@@ -226,30 +226,30 @@ struct View
 //------------------------------------------------------------------------------------------------
 enum class ChangeKind
 {
-  Position,      ///< Of prop `Target`; 3 values.
-  Orientation,   ///< 3 values.
-  Scale,         ///< 3 values.
-  UserMatrix,    ///< 16 values.
-  Color,         ///< 3 values.
-  Opacity,       ///< 1 value, as all below that say nothing else.
-  Visible,       //
+  Position,       ///< Of prop `Target`; 3 values.
+  Orientation,    ///< 3 values.
+  Scale,          ///< 3 values.
+  UserMatrix,     ///< 16 values.
+  Color,          ///< 3 values.
+  Opacity,        ///< 1 value, as all below that say nothing else.
+  Visible,        //
   Representation, //
-  LineWidth,     ///< And the size of points.
-  Edges,         //
-  MovePoints,    ///< Add 3 values to the points of the data, in place.
-  ReplaceData,   ///< Another data set, whose shape has the 3 values as size.
-  ClippingPlane, ///< The origin of the plane in place; 3 values.
-  Rejoin,        ///< Taken out of the renderer and added again, at the end.
-  WindowSize,    ///< 2 values.
-  MultiSamples,  //
-  Stereo,        ///< A stereo type of VTK, or -1.
-  NewContext,    ///< The window's context is released.
-  Viewport,      ///< Of renderer `Target`; 4 values.
-  Pass,          ///< Of renderer `Target`, a value of PassKind.
-  FXAA,          ///< Of renderer `Target`.
-  SSAO,          ///< Of renderer `Target`.
-  CullerEnabled, //
-  CullerBackend, //
+  LineWidth,      ///< And the size of points.
+  Edges,          //
+  MovePoints,     ///< Add 3 values to the points of the data, in place.
+  ReplaceData,    ///< Another data set, whose shape has the 3 values as size.
+  ClippingPlane,  ///< The origin of the plane in place; 3 values.
+  Rejoin,         ///< Taken out of the renderer and added again, at the end.
+  WindowSize,     ///< 2 values.
+  MultiSamples,   //
+  Stereo,         ///< A stereo type of VTK, or -1.
+  NewContext,     ///< The window's context is released.
+  Viewport,       ///< Of renderer `Target`; 4 values.
+  Pass,           ///< Of renderer `Target`, a value of PassKind.
+  FXAA,           ///< Of renderer `Target`.
+  SSAO,           ///< Of renderer `Target`.
+  CullerEnabled,  //
+  CullerBackend,  //
   CullerBaseFactor,
   CullerRoundSize,
   CullerPresent, ///< In the renderers' lists of cullers or not.
@@ -258,8 +258,8 @@ enum class ChangeKind
 };
 NBUFFER_FUZZ_NAMES(ChangeKind, "Position", "Orientation", "Scale", "UserMatrix", "Color", "Opacity",
   "Visible", "Representation", "LineWidth", "Edges", "MovePoints", "ReplaceData", "ClippingPlane",
-  "Rejoin", "WindowSize", "MultiSamples", "Stereo", "NewContext", "Viewport", "Pass", "FXAA", "SSAO",
-  "CullerEnabled", "CullerBackend", "CullerBaseFactor", "CullerRoundSize", "CullerPresent",
+  "Rejoin", "WindowSize", "MultiSamples", "Stereo", "NewContext", "Viewport", "Pass", "FXAA",
+  "SSAO", "CullerEnabled", "CullerBackend", "CullerBaseFactor", "CullerRoundSize", "CullerPresent",
   "PolygonOffset", "Select");
 
 /// Done before the frame is drawn, in the order of the list.

@@ -129,8 +129,9 @@ public:
     {
       const std::string text = json.asString();
       this->Demand(text == "nan" || text == "inf" || text == "-inf", "a number");
-      value = text == "nan" ? std::numeric_limits<double>::quiet_NaN()
-                            : std::numeric_limits<double>::infinity() * (text == "inf" ? 1.0 : -1.0);
+      value = text == "nan"
+        ? std::numeric_limits<double>::quiet_NaN()
+        : std::numeric_limits<double>::infinity() * (text == "inf" ? 1.0 : -1.0);
       return;
     }
     this->Demand(json.isNumeric(), "a number");

@@ -255,8 +255,8 @@ vtkSmartPointer<vtkPolyData> MakeShape(const Shape& shape, Translucency scalars)
 {
   Builder builder(shape);
   // Large coordinates would lose their shape as floats before VTK moves them.
-  const bool large = std::any_of(shape.Center.begin(), shape.Center.end(),
-    [](double value) { return std::abs(value) > 1e3; });
+  const bool large = std::any_of(
+    shape.Center.begin(), shape.Center.end(), [](double value) { return std::abs(value) > 1e3; });
   builder.Points->SetDataType(large || shape.Seed % 2 ? VTK_DOUBLE : VTK_FLOAT);
   AddCells(builder, shape, std::min(std::max(shape.Detail, 1), LargestDetail));
   vtkSmartPointer<vtkPolyData> data = builder.Finish();

@@ -159,9 +159,9 @@ private:
     {
       Json::Value candidate = this->Result.Value;
       candidate["frames"] = candidate.get("frames", 1).asInt() - 1;
-      for (const auto& [list, member] : { std::make_pair("views", "frame"),
-             std::make_pair("changes", "frame"), std::make_pair("props", "from"),
-             std::make_pair("props", "until") })
+      for (const auto& [list, member] :
+        { std::make_pair("views", "frame"), std::make_pair("changes", "frame"),
+          std::make_pair("props", "from"), std::make_pair("props", "until") })
       {
         if (!candidate.isMember(list))
         {

@@ -16,6 +16,9 @@ NO_DEPTH_SLACK = [
      "this->DepthSlack = 0.0;"),
     (PROJECTION, "InverseOfHeight = 16.0;", "InverseOfHeight = 0.0;")]
 
+NEAR_PLANE_TEST = (
+    "if (!(w > this->Error[3] && clip[2] + clip[3] > this->Error[2] + this->Error[3]))")
+
 MUTANTS = {
     # Tolerances.
     "no slack at all": [NO_VERTEX_SLACK, *NO_DEPTH_SLACK,
@@ -77,10 +80,8 @@ MUTANTS = {
          "this->Texture->Build(window, source, 0, 0,")],
 
     # The near plane.
-    "crossing the near plane counts as inside": [
-        (PROJECTION,
-         "if (!(w > this->Error[3] && clip[2] + clip[3] > this->Error[2] + this->Error[3]))",
-         "if (!(w > this->Error[3]))")],
+    "crossing the near plane or the eye counts as inside": [
+        (PROJECTION, NEAR_PLANE_TEST, "if (std::isnan(w))")],
     "the part of a box behind the eye is forgotten": [
         (PROJECTION, "result.Clipped = !before;", "result.Clipped = !before;\n  before = true;")],
 
@@ -121,6 +122,9 @@ EQUIVALENT = {
     "equal numbers count as hidden (> turned to >=)": [
         ("vtkNBufferOcclusionTest.cxx", "return screen.Nearest > this->Projection",
          "return screen.Nearest >= this->Projection")],
+    # What is before the near plane and in front of the eye has a negative depth, which nothing hides.
+    "crossing the near plane counts as inside, crossing the eye does not": [
+        (PROJECTION, NEAR_PLANE_TEST, "if (!(w > this->Error[3]))")],
     # The next frame begins with more props than it needs.
     "visible props are not remembered": [
         (VIEW, "    state.WasVisible = true;\n    drawn +=", "    drawn +=")],

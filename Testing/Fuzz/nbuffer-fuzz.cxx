@@ -124,8 +124,8 @@ public:
       Scenario scenario = MakeScenario(seed);
       if (this->Settings.Frames > 0)
       {
-        scenario.Frames = static_cast<int>(std::min<long long>(
-          scenario.Frames, this->Settings.Frames - this->Counts.Frames));
+        scenario.Frames = static_cast<int>(
+          std::min<long long>(scenario.Frames, this->Settings.Frames - this->Counts.Frames));
       }
       // Windows of their own now and then: what begins with a context is tested, too.
       const bool fresh = this->Counts.Scenarios % ScenariosPerWindow == 0;
@@ -242,7 +242,8 @@ int main(int argc, char* argv[])
   Options options;
   options.Seed = std::random_device()();
   CLI::App app("Compares random frames with and without vtkNBufferCuller.", "nbuffer-fuzz");
-  app.add_option("--frames", options.Frames, "Stop after so many frames")->check(CLI::NonNegativeNumber);
+  app.add_option("--frames", options.Frames, "Stop after so many frames")
+    ->check(CLI::NonNegativeNumber);
   app.add_option("--seconds", options.Seconds, "Stop after so long")->check(CLI::NonNegativeNumber);
   app.add_option("--seed", options.Seed, "Of all that is random; any if not given");
   app.add_option("--max-failures", options.MaximumFailures, "Stop after so many")

@@ -122,8 +122,9 @@ public:
     glUniformMatrix4fv(glGetUniformLocation(this->Name, "MCDCMatrix"), 1, GL_TRUE, this->Matrix);
   }
 
-  /// False if the triangle, as it would be drawn, is too low to be covered.
-  bool Draw(const Triangle& triangle, const Sampler& sampler, bool isBehind)
+  /// False if the triangle, as the device may place its vertices, is too low to be covered.
+  bool Draw(const Triangle& triangle, const Sampler& sampler, const vtkNBufferScreenBox& screen,
+    bool isBehind)
   {
     float vertices[9];
     ScreenVertex drawn[3];
@@ -135,7 +136,10 @@ public:
       }
       drawn[i] = ToScreen(this->Matrix, vertices + 3 * i);
     }
-    if (!isBehind && !(GetHeight(drawn) >= LowestHeight))
+    // The slack on the screen is 1/16 pixel for snapping and what vertices may err.
+    const double error =
+      std::max(0.5 * Width * screen.Slack[0], 0.5 * Height * screen.Slack[1]) - 1.0 / 16;
+    if (!isBehind && !(GetHeight(drawn) >= LowestHeight + 2.0 * error))
     {
       return false;
     }
@@ -177,7 +181,7 @@ protected:
       const Triangle triangle = sampler.Make(kind);
       vtkNBufferScreenBox screen;
       if (projection.Project(MakeBox(triangle, sampler), screen) != vtkNBufferPlacement::Inside ||
-        !program.Draw(triangle, sampler, isBehind))
+        !program.Draw(triangle, sampler, screen, isBehind))
       {
         continue;
       }

@@ -47,9 +47,16 @@ public:
   static constexpr int Width = 301;
   static constexpr int Height = 173;
 
-  ComparisonOptions GetOptions() const
+  ComparisonOptions GetOptions(int backend) const
   {
     ComparisonOptions options = Scenes::MakeExactOptions(Width, Height);
+    options.Configure = [backend, exact = options.Configure](vtkNBufferCuller* culler)
+    {
+      exact(culler);
+      culler->SetBackend(backend);
+      // By the levels alone, which the device then makes of each format.
+      culler->SetTestPixels(backend == vtkNBufferCuller::CPU);
+    };
     options.MultiSamples = this->GetParam().Samples;
     // VTK cannot read multisampled depth whose format is not that of its other framebuffers.
     options.CompareDepth = this->GetParam().Samples == 0;
@@ -123,44 +130,48 @@ TEST_P(CullerDepthFormats, LadderOfDistances)
     gaps.push_back(-std::ldexp(1.0, power));
   }
   gaps.push_back(0.0);
-  Comparison comparison(
-    [this, &gaps](Stage& stage)
-    {
-      this->SetFormat(stage);
-      for (std::size_t i = 0; i < gaps.size(); ++i)
-      {
-        const double x = 30.0 * static_cast<double>(i % 10) + 2.0;
-        const double y = 32.0 * static_cast<double>(i / 10) + 2.0;
-        const double z = Top - gaps[i] * Range;
-        AddQuad(stage, x, y, x + 25.0, y + 28.0, Top);
-        AddQuad(stage, x + 2.0, y + 2.0, x + 11.0, y + 25.0, z);            // flat
-        Scenes::AddBox(stage, x + 18.5, y + 13.5, z - 1.0, 9.0, 23.0, 2.0); // 1/100 deep
-      }
-      Scenes::SetPixelCamera(stage.GetRenderer(), Width, Height);
-    },
-    this->GetOptions());
-  Scenes::Settle(comparison);
-  this->CheckFormat(comparison);
-  const bool coarse = this->GetParam().Bits == 16;
-  for (std::size_t i = 0; i < gaps.size(); ++i)
+  for (int backend : { vtkNBufferCuller::CPU, vtkNBufferCuller::OpenGL })
   {
-    SCOPED_TRACE(gaps[i]);
-    const Verdict flat = comparison.GetVerdict(static_cast<int>(3 * i + 1));
-    const Verdict deep = comparison.GetVerdict(static_cast<int>(3 * i + 2));
-    if (gaps[i] <= 0.0)
+    SCOPED_TRACE(backend == vtkNBufferCuller::CPU ? "CPU" : "OpenGL");
+    Comparison comparison(
+      [this, &gaps](Stage& stage)
+      {
+        this->SetFormat(stage);
+        for (std::size_t i = 0; i < gaps.size(); ++i)
+        {
+          const double x = 30.0 * static_cast<double>(i % 10) + 2.0;
+          const double y = 32.0 * static_cast<double>(i / 10) + 2.0;
+          const double z = Top - gaps[i] * Range;
+          AddQuad(stage, x, y, x + 25.0, y + 28.0, Top);
+          AddQuad(stage, x + 2.0, y + 2.0, x + 11.0, y + 25.0, z);            // flat
+          Scenes::AddBox(stage, x + 18.5, y + 13.5, z - 1.0, 9.0, 23.0, 2.0); // 1/100 deep
+        }
+        Scenes::SetPixelCamera(stage.GetRenderer(), Width, Height);
+      },
+      this->GetOptions(backend));
+    Scenes::Settle(comparison);
+    this->CheckFormat(comparison);
+    const bool coarse = this->GetParam().Bits == 16;
+    for (std::size_t i = 0; i < gaps.size(); ++i)
     {
-      EXPECT_EQ(flat, Verdict::Visible);
-      EXPECT_EQ(deep, Verdict::Visible);
-    }
-    // The slack is two steps of the format and what rounding to float costs, for a flat prop less
-    // than 2^-20 with 24 bits and more, and a twentieth of the depth range for others.
-    if (gaps[i] >= std::ldexp(1.0, coarse ? -14 : -19))
-    {
-      EXPECT_EQ(flat, Verdict::Hidden);
-    }
-    if (gaps[i] >= std::ldexp(1.0, -10))
-    {
-      EXPECT_EQ(deep, Verdict::Hidden);
+      SCOPED_TRACE(gaps[i]);
+      const Verdict flat = comparison.GetVerdict(static_cast<int>(3 * i + 1));
+      const Verdict deep = comparison.GetVerdict(static_cast<int>(3 * i + 2));
+      if (gaps[i] <= 0.0)
+      {
+        EXPECT_EQ(flat, Verdict::Visible);
+        EXPECT_EQ(deep, Verdict::Visible);
+      }
+      // The slack is two steps of the format and what rounding to float costs, for a flat prop less
+      // than 2^-20 with 24 bits and more, and a twentieth of the depth range for others.
+      if (gaps[i] >= std::ldexp(1.0, coarse ? -14 : -19))
+      {
+        EXPECT_EQ(flat, Verdict::Hidden);
+      }
+      if (gaps[i] >= std::ldexp(1.0, -10))
+      {
+        EXPECT_EQ(deep, Verdict::Hidden);
+      }
     }
   }
 }
@@ -168,31 +179,35 @@ TEST_P(CullerDepthFormats, LadderOfDistances)
 // Hazard: depth of one format is taken for another's; a walk in perspective with decals.
 TEST_P(CullerDepthFormats, WallAndDecals)
 {
-  Comparison comparison(
-    [this](Stage& stage)
-    {
-      this->SetFormat(stage);
-      Scenes::BuildWall(stage);
-      for (int i = 0; i < 12; ++i)
+  for (int backend : { vtkNBufferCuller::CPU, vtkNBufferCuller::OpenGL })
+  {
+    SCOPED_TRACE(backend == vtkNBufferCuller::CPU ? "CPU" : "OpenGL");
+    Comparison comparison(
+      [this](Stage& stage)
       {
-        // On the wall's face, on its back, and on neither.
-        AddQuad(stage, i - 6.0, -1.0, i - 5.2, 1.0, 0.25);
-        AddQuad(stage, i - 5.8, 1.2, i - 5.2, 2.0, -0.25);
-        AddQuad(stage, i - 5.8, -2.0, i - 5.2, -1.2, 0.2501);
-      }
-    },
-    this->GetOptions());
-  for (int i = 0; i < 6; ++i)
-  {
-    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.4 * i); });
-    comparison.Frame();
-    EXPECT_TRUE(i < 2 || comparison.GetHidden() >= Wall::Hidden) << comparison.GetHidden();
-  }
-  this->CheckFormat(comparison);
-  for (int i = 0; i < 12; ++i)
-  {
-    EXPECT_NE(comparison.GetVerdict(Wall::Count + 3 * i), Verdict::Hidden);
-    EXPECT_NE(comparison.GetVerdict(Wall::Count + 3 * i + 2), Verdict::Hidden);
+        this->SetFormat(stage);
+        Scenes::BuildWall(stage);
+        for (int i = 0; i < 12; ++i)
+        {
+          // On the wall's face, on its back, and on neither.
+          AddQuad(stage, i - 6.0, -1.0, i - 5.2, 1.0, 0.25);
+          AddQuad(stage, i - 5.8, 1.2, i - 5.2, 2.0, -0.25);
+          AddQuad(stage, i - 5.8, -2.0, i - 5.2, -1.2, 0.2501);
+        }
+      },
+      this->GetOptions(backend));
+    for (int i = 0; i < 6; ++i)
+    {
+      comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.4 * i); });
+      comparison.Frame();
+      EXPECT_TRUE(i < 2 || comparison.GetHidden() >= Wall::Hidden) << comparison.GetHidden();
+    }
+    this->CheckFormat(comparison);
+    for (int i = 0; i < 12; ++i)
+    {
+      EXPECT_NE(comparison.GetVerdict(Wall::Count + 3 * i), Verdict::Hidden);
+      EXPECT_NE(comparison.GetVerdict(Wall::Count + 3 * i + 2), Verdict::Hidden);
+    }
   }
 }
 

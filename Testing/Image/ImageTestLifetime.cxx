@@ -183,6 +183,29 @@ TEST(CullerLifetimeOnce, CullerDeletedByAnObserver)
   EXPECT_GT(comparison.GetHidden(), 0);
 }
 
+// Hazard: a culler that outlives renderers would keep alive what it held for their frames.
+TEST(CullerLifetimeOnce, PropsDieWithTheirRenderer)
+{
+  vtkSmartPointer<vtkNBufferCuller> culler;
+  vtkWeakPointer<vtkProp> props[2];
+  {
+    Comparison comparison(
+      [](Stage& stage)
+      {
+        Scenes::BuildWall(stage);
+        Scenes::BuildWall(stage, stage.AddRenderer(0.0, 0.0, 0.5, 0.5));
+      });
+    comparison.Frame();
+    EXPECT_GE(comparison.GetHidden(0), Wall::Hidden);
+    EXPECT_GE(comparison.GetHidden(1), Wall::Hidden);
+    culler = comparison.Culled.Culler;
+    props[0] = comparison.Culled.Props[Wall::FirstBehind];
+    props[1] = comparison.Culled.Props[Wall::Count + Wall::FirstBehind];
+  }
+  EXPECT_EQ(props[0], nullptr);
+  EXPECT_EQ(props[1], nullptr);
+}
+
 // Hazard: an observer that adds props while the frame is drawn: they are in no list of this frame.
 TEST(CullerLifetimeOnce, PropsAddedByAnObserver)
 {

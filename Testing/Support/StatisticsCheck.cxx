@@ -16,8 +16,8 @@ std::string FindInconsistency(const vtkNBufferStatistics& s, int maximumNumberOf
     }
   };
   const int hidden = s.GetCount(vtkNBufferVerdict::Hidden);
-  demand(std::accumulate(s.Verdicts.begin(), s.Verdicts.end(), 0) == s.Props,
-    "Props = sum of Verdicts");
+  demand(
+    std::accumulate(s.Verdicts.begin(), s.Verdicts.end(), 0) == s.Props, "Props = sum of Verdicts");
   demand(s.GetNumberOfPropsDrawn() + hidden + s.GetCount(vtkNBufferVerdict::Outside) == s.Props,
     "Props = drawn + hidden + outside");
   demand(std::all_of(s.Verdicts.begin(), s.Verdicts.end(), [](int count) { return count >= 0; }),
@@ -34,16 +34,15 @@ std::string FindInconsistency(const vtkNBufferStatistics& s, int maximumNumberOf
     demand(s.ReadBacks >= 1 && s.BytesRead > 0, "a culled frame reads depth");
     demand(s.Lookups >= s.Queries, "Lookups >= Queries");
     // Pixels looked at for props in doubt count as lookups, too.
-    demand(s.Lookups <= 4 * s.Queries || s.PixelTestTime > 0.0,
-      "at most four lookups for a rectangle");
+    demand(
+      s.Lookups <= 4 * s.Queries || s.PixelTestTime > 0.0, "at most four lookups for a rectangle");
     demand(hidden <= s.HeldBack, "only what is held back can be hidden");
   }
-  else if (s.Decision != vtkNBufferDecision::NoDepth &&
-    s.Decision != vtkNBufferDecision::OtherView)
+  else if (s.Decision != vtkNBufferDecision::NoDepth && s.Decision != vtkNBufferDecision::OtherView)
   {
     // These two are found out while the held props are drawn.
-    demand(s.Levels == 0 && s.Texels == 0 && s.Queries == 0 && s.Lookups == 0 &&
-        s.ReadBacks == 0 && s.BytesRead == 0 && s.Tested == 0,
+    demand(s.Levels == 0 && s.Texels == 0 && s.Queries == 0 && s.Lookups == 0 && s.ReadBacks == 0 &&
+        s.BytesRead == 0 && s.Tested == 0,
       "a frame without a test does no work");
   }
   demand(s.Decision <= vtkNBufferDecision::BackedOff || hidden == 0,
