@@ -454,6 +454,7 @@ int vtkNBufferView::DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSourc
     for (int i : held)
     {
       this->Props.GetState(i).Verdict = vtkNBufferVerdict::Hidden;
+      this->Props.GetState(i).WasVisible = false;
     }
     const int doubtful = test.RemoveHidden(held);
     this->Statistics.Doubtful += this->Statistics.Rounds == 0 ? doubtful : 0;
