@@ -203,6 +203,12 @@ bool vtkNBufferDepthSource::Inspect(vtkOpenGLRenderWindow* window, std::string& 
   return true;
 }
 
+bool vtkNBufferDepthSource::HoldsViewport() const
+{
+  const auto& [x, y, width, height] = this->Viewport;
+  return x >= 0 && y >= 0 && width <= this->Width - x && height <= this->Height - y;
+}
+
 bool vtkNBufferDepthSource::Read(vtkOpenGLRenderWindow* window, int x, int y, int width, int height,
   std::vector<float>& depth, std::string& why, vtkNBufferExtremum rounding) const
 {

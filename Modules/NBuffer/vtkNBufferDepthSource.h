@@ -45,6 +45,13 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
   bool Inspect(vtkOpenGLRenderWindow* window, std::string& why);
 
   /**
+   * True if every pixel of the viewport has depth. It is not so where a pass draws into a
+   * framebuffer of the viewport's size at the viewport's place in the window (vtkSSAOPass before
+   * VTK 9.7 in a part of a window).
+   */
+  bool HoldsViewport() const;
+
+  /**
    * Read a rectangle of single-sample depth, in framebuffer pixels, as floats in [0, 1], row 0 at
    * the bottom, one blocking glReadPixels. Returns false, with the cause in `why`, on any GL
    * error, for a rectangle that is not inside the depth buffer, and for multisampled framebuffers

@@ -42,4 +42,7 @@
 // vtkRenderer::SetUseOIT(); before, order-independent transparency is always on.
 #define VTKNBUFFER_HAS_OIT_SWITCH (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 5)
 
+// Ambient occlusion works in a part of a window; before, it draws outside its framebuffer.
+#define VTKNBUFFER_HAS_SSAO_IN_PARTS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 7)
+
 #endif

@@ -364,7 +364,7 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBuffer
     return vtkNBufferDecision::NoDepth;
   }
   if (source.Viewport[2] != this->LastKey.Viewport[2] ||
-    source.Viewport[3] != this->LastKey.Viewport[3] ||
+    source.Viewport[3] != this->LastKey.Viewport[3] || !source.HoldsViewport() ||
     !vtkNBufferBackend::DrawsOrdinaryDepth(source))
   {
     return vtkNBufferDecision::OtherView;

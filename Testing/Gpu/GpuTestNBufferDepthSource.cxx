@@ -230,6 +230,26 @@ TEST_F(GpuTestNBufferDepthSource, RefusesRectanglesOutside)
   }
 }
 
+TEST_F(GpuTestNBufferDepthSource, TellsWhetherItHoldsTheViewport)
+{
+  const DepthTarget target(GetDepthFormats()[0], 10, 7, true);
+  const auto holds = [&](int x, int y, int width, int height)
+  {
+    target.Bind(x, y, width, height);
+    vtkNBufferDepthSource source;
+    EXPECT_TRUE(source.Inspect(this->Window, this->Why)) << this->Why;
+    return source.HoldsViewport();
+  };
+  EXPECT_TRUE(holds(0, 0, 10, 7));
+  EXPECT_TRUE(holds(9, 6, 1, 1));
+  EXPECT_TRUE(holds(3, 2, 7, 5));
+  EXPECT_FALSE(holds(-1, 0, 4, 4));
+  EXPECT_FALSE(holds(0, -1, 4, 4));
+  EXPECT_FALSE(holds(3, 2, 8, 5));
+  EXPECT_FALSE(holds(3, 2, 7, 6));
+  EXPECT_FALSE(holds(10, 0, 1, 1));
+}
+
 TEST_F(GpuTestNBufferDepthSource, RefusesMultisampledReads)
 {
   const DepthTarget target(GetDepthFormats()[1], 10, 8, true, 4);

@@ -420,6 +420,38 @@ TEST(CullerPassesOnce, TiesUnderPasses)
   EXPECT_GT(redrawn, 0);
 }
 
+// Hazard: ambient occlusion in a part of the window draws into a framebuffer of the part's size.
+// Older VTK draws to the part's place in the window even there, in part or wholly outside.
+TEST(CullerPassesOnce, SSAOInPartsOfTheWindow)
+{
+  using Part = std::array<double, 4>;
+  for (const Part& part : { Part{ 0.0, 0.6, 1.0, 1.0 }, Part{ 0.3, 0.0, 0.9, 0.7 },
+         Part{ 0.0, 0.0, 0.5, 0.5 }, Part{ 0.55, 0.45, 1.0, 1.0 } })
+  {
+    SCOPED_TRACE(testing::PrintToString(part));
+    Comparison comparison(
+      [&part](Stage& stage)
+      {
+        Scenes::BuildWall(stage);
+        stage.GetRenderer()->SetViewport(part.data());
+        stage.GetRenderer()->SetUseSSAO(true);
+        stage.GetRenderer()->SetSSAOKernelSize(16);
+      });
+    comparison.Frame();
+    comparison.Frame();
+    const bool shifted = part[0] + part[1] > 0.0;
+    if (shifted && !VTKNBUFFER_HAS_SSAO_IN_PARTS)
+    {
+      EXPECT_EQ(comparison.GetStatistics().Decision, Decision::OtherView);
+    }
+    else
+    {
+      EXPECT_GT(comparison.GetHidden(), 0);
+    }
+    EXPECT_EQ(comparison.GetStatistics().FailedFrames, 0);
+  }
+}
+
 // Hazard: a city under the passes that inject most, walked through, so that rounds are drawn.
 TEST(CullerPassesOnce, CityWithSSAOAndTranslucentPropsAndFXAA)
 {

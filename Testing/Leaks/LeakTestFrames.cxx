@@ -214,11 +214,13 @@ TEST_F(LeaksOverManyFrames, MemoryAndGLObjectsStayFlat)
 {
   ASSERT_TRUE(DrawsWithoutThreads);
   const int cycles = GetNumberOfCycles();
-  // What VTK and the driver lose by themselves is not ours; a quarter of the frames tells.
+  // What VTK and the driver lose by themselves is not ours; a quarter of the frames tells. (VTK 9.1
+  // on X loses some 1.8 kB in each cycle.)
+  const int controlCycles = std::max(cycles / 4, 2);
   std::vector<Sample> without;
   {
     Traffic control(false);
-    without = RunCycles(control, std::max(cycles / 4, 2));
+    without = RunCycles(control, controlCycles);
   }
   Traffic traffic(true);
   const std::vector<Sample> with = RunCycles(traffic, cycles);
@@ -244,6 +246,7 @@ TEST_F(LeaksOverManyFrames, MemoryAndGLObjectsStayFlat)
   }
   if (with.front().Heap >= 0)
   {
-    EXPECT_LE(GetHeapGrowth(with), std::max(GetHeapGrowth(without), 0LL) + HeapTolerance);
+    const long long expected = std::max(GetHeapGrowth(without), 0LL) * cycles / controlCycles;
+    EXPECT_LE(GetHeapGrowth(with), expected + HeapTolerance);
   }
 }
