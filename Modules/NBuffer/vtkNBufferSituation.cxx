@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferSituation.h"
 
+#include "vtkNBufferVTKVersion.h"
+
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
@@ -173,6 +175,13 @@ vtkNBufferDecision GetObstacle(vtkRenderer* renderer)
   {
     return vtkNBufferDecision::OtherView;
   }
+#if !VTKNBUFFER_HAS_SSAO_IN_PARTS
+  // What is outside of its framebuffer, and even whether anything is drawn, shows.
+  if (HasAmbientOcclusion(renderer) && (origin[0] > 0 || origin[1] > 0))
+  {
+    return vtkNBufferDecision::OtherView;
+  }
+#endif
   return vtkNBufferDecision::None;
 }
 }

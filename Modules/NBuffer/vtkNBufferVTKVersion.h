@@ -45,4 +45,7 @@
 // Ambient occlusion works in a part of a window; before, it draws outside its framebuffer.
 #define VTKNBUFFER_HAS_SSAO_IN_PARTS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 7)
 
+// Shadow maps survive a prop that is added later, which ends the program in 9.1.
+#define VTKNBUFFER_HAS_LASTING_SHADOW_MAPS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 7)
+
 #endif

@@ -139,9 +139,9 @@ std::string FindFault()
 }
 
 //------------------------------------------------------------------------------------------------
-Checker::Checker(Role role)
-  : Reference(Role::Reference)
-  , Tested(role)
+Checker::Checker(Role tested, Role reference)
+  : Reference(reference)
+  , Tested(tested)
 {
   TakeMessages();
 }

@@ -50,7 +50,7 @@ struct Outcome
 class Checker
 {
 public:
-  explicit Checker(Role role = Role::Culled);
+  explicit Checker(Role tested = Role::Culled, Role reference = Role::Reference);
 
   /**
    * Up to the first frame that fails. Windows are kept from one scenario to the next, because

@@ -18,6 +18,7 @@
 #include "vtkLight.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
+#include "vtkOpenGLFXAAPass.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 
@@ -49,6 +50,17 @@ void SetSize(vtkRenderWindow* window, double width, double height)
     static_cast<int>(std::min(std::max(height, 1.0), largest)));
 }
 
+/// VTK 9.1's pass keeps the shader of the old context, and ends the program with it.
+void ReplaceFXAAPass(vtkRenderer* renderer)
+{
+  if (auto* old = vtkOpenGLFXAAPass::SafeDownCast(renderer->GetPass()))
+  {
+    vtkNew<vtkOpenGLFXAAPass> pass;
+    pass->SetDelegatePass(old->GetDelegatePass());
+    renderer->SetPass(pass);
+  }
+}
+
 void SetUp(vtkRenderer* renderer, const Renderer& description, int index)
 {
   renderer->SetViewport(description.Viewport.data());
@@ -66,7 +78,7 @@ void SetUp(vtkRenderer* renderer, const Renderer& description, int index)
   renderer->SetUseOIT(description.OIT);
 #endif
   renderer->SetUseHiddenLineRemoval(description.HiddenLines);
-  if (description.Shadows)
+  if (description.Shadows && VTKNBUFFER_HAS_LASTING_SHADOW_MAPS)
   {
     renderer->SetUseShadows(true);
     vtkNew<vtkLight> light;
@@ -423,6 +435,10 @@ void Stage::ApplyToWindow(const Change& change)
       break;
     case ChangeKind::NewContext:
       this->Window->Finalize();
+      for (const auto& renderer : this->Renderers)
+      {
+        ReplaceFXAAPass(renderer);
+      }
       break;
     default:
       // One switch for both stages: the same twice is no change.

@@ -48,6 +48,9 @@ MUTANTS = {
          "texels.X1 = std::max(pixels.X1 / factor, texels.X0 + 1);")],
     "squares of a level side by side with a gap": [
         ("vtkNBufferLevels.cxx", "const int step = 1 << (i - 1);", "const int step = 1 << i;")],
+    "one of the four lookups left out": [
+        ("vtkNBufferLevels.h", "for (int i = 1; i < cover.Count; ++i)",
+         "for (int i = 1; i < cover.Count - 1; ++i)")],
     "the last level not built": [
         ("vtkNBufferLevels.cxx", "for (int i = first; i < levels; ++i)",
          "for (int i = first; i < levels - 1; ++i)")],
