@@ -23,11 +23,7 @@ MUTANTS = {
     # Tolerances.
     "no slack at all": [NO_VERTEX_SLACK, *NO_DEPTH_SLACK,
                         (PROJECTION, "SnapInPixels = 1.0 / 16;", "SnapInPixels = 0.0;")],
-    "no slack for stored and interpolated depth": NO_DEPTH_SLACK,
     "no slack for rounded vertices": [NO_VERTEX_SLACK],
-    "no slack for rounded vertices in x and y": [
-        (PROJECTION, "ndc - slack);", "ndc - (i < 2 ? 0.0 : slack));"),
-        (PROJECTION, "ndc + slack);", "ndc + (i < 2 ? 0.0 : slack));")],
     "vertices believed to be near the buffer's zero": [
         (CANDIDATE, "IsShifted(plain, ranges);", "(IsShifted(plain, ranges) || true);")],
     "no margin for wide lines and points": [
@@ -57,9 +53,6 @@ MUTANTS = {
     "the last column of a cut base texel left out": [
         ("vtkNBufferLevels.cxx", "for (int x = whole * factor + 1; x < width; ++x)",
          "for (int x = whole * factor + 1; x < width - 1; ++x)")],
-    "a square's level looked up that was not built (< turned to <=)": [
-        ("vtkNBufferPixelTest.cxx", "this->SquareLevel < this->Levels.GetNumberOfLevels()",
-         "this->SquareLevel <= this->Levels.GetNumberOfLevels()")],
     "pixel test one column short": [
         ("vtkNBufferPixelTest.cxx", "column < std::min(x + Side, pixels.X1)",
          "column < std::min(x + Side, pixels.X1 - 1)")],
@@ -97,8 +90,6 @@ MUTANTS = {
         ("vtkNBufferViewKey.h", "return this->WorldToClip == other.WorldToClip &&", "return")],
     "verdicts of the last frame reused although props changed": [
         (VIEW, "else if (complete && !changed &&", "else if (complete && !moved &&")],
-    "verdicts of the last frame reused over depth that changes without a trace": [
-        (VIEW, "!this->Props.HasUntrackedDepth() && renderer->GetErase() &&", "")],
     "order of equal depths forgotten": [
         (VIEW, "if (this->Drawn.empty())\n  {\n    return;\n  }\n  const int firstLate",
          "if (!this->Drawn.empty())\n  {\n    return;\n  }\n  const int firstLate")],
@@ -115,6 +106,20 @@ MUTANTS = {
     "passes do not reach what is held back": [
         ("vtkNBufferForwardedKeys.cxx",
          "if (!from || (passes->Length(from) == 0 && !from->Has(depthMask)))", "if (to)")],
+}
+
+# These leave an error in so few frames that ten times as many are granted: other tolerances cover
+# most of what the missing one let through, or the frames that show it are rare.
+RARE = {
+    "no slack for stored and interpolated depth": NO_DEPTH_SLACK,
+    "no slack for rounded vertices in x and y": [
+        (PROJECTION, "ndc - slack);", "ndc - (i < 2 ? 0.0 : slack));"),
+        (PROJECTION, "ndc + slack);", "ndc + (i < 2 ? 0.0 : slack));")],
+    "a square's level looked up that was not built (< turned to <=)": [
+        ("vtkNBufferPixelTest.cxx", "this->SquareLevel < this->Levels.GetNumberOfLevels()",
+         "this->SquareLevel <= this->Levels.GetNumberOfLevels()")],
+    "verdicts of the last frame reused over depth that changes without a trace": [
+        (VIEW, "!this->Props.HasUntrackedDepth() && renderer->GetErase() &&", "")],
 }
 
 # These change no image: what they take away is there twice, or is only about speed. They are run

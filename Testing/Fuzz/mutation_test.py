@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plants errors in a copy of the module and demands that nbuffer-fuzz finds each in 1,000 frames.
+"""Plants errors in a copy of the module and demands that nbuffer-fuzz finds each in 1,000 frames,
+rare ones in 10,000.
 
     Testing/Fuzz/mutation_test.py --build build --scratch FOLDER
 
@@ -121,7 +122,7 @@ def main():
                         help="only whether every old text is there once; builds nothing")
     arguments = parser.parse_args()
 
-    everything = {**mutants.MUTANTS, **mutants.EQUIVALENT}
+    everything = {**mutants.MUTANTS, **mutants.RARE, **mutants.EQUIVALENT}
     faults = list(check_texts(everything))
     if faults or arguments.check_texts:
         print("\n".join(faults) or f"{len(everything)} changes fit the sources")
@@ -129,7 +130,8 @@ def main():
     if not arguments.build or not arguments.scratch:
         parser.error("--build and --scratch are needed")
 
-    chosen = mutants.EQUIVALENT if arguments.equivalent else mutants.MUTANTS
+    chosen = (mutants.EQUIVALENT if arguments.equivalent
+              else {**mutants.MUTANTS, **mutants.RARE})
     chosen = {name: list_ for name, list_ in chosen.items() if arguments.only in name}
     scratch = arguments.scratch.resolve()
     source, build, output = scratch / "source", scratch / "build", scratch / "output"
@@ -147,7 +149,8 @@ def main():
         originals = plant(source, replacements)
         try:
             build_fuzzer(build, arguments.jobs)
-            frames, text = run_fuzzer(build, arguments.frames, arguments.seed, output)
+            limit = arguments.frames * (10 if name in mutants.RARE else 1)
+            frames, text = run_fuzzer(build, limit, arguments.seed, output)
         finally:
             for path, original in originals.items():
                 path.write_text(original)
