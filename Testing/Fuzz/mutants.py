@@ -118,8 +118,6 @@ RARE = {
     "a square's level looked up that was not built (< turned to <=)": [
         ("vtkNBufferPixelTest.cxx", "this->SquareLevel < this->Levels.GetNumberOfLevels()",
          "this->SquareLevel <= this->Levels.GetNumberOfLevels()")],
-    "verdicts of the last frame reused over depth that changes without a trace": [
-        (VIEW, "!this->Props.HasUntrackedDepth() && renderer->GetErase() &&", "")],
 }
 
 # These change no image: what they take away is there twice, or is only about speed. They are run

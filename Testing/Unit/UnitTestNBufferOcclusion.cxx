@@ -242,6 +242,35 @@ TEST_P(NBufferOcclusionOfDepths, EqualDepthIsVisible)
   EXPECT_GT(nearlyFlush, 50);
 }
 
+// Hazard: > turned to >=. Boxes are nearer than their surface by a slack, so that no image would show
+// it; the numbers themselves do.
+TEST_P(NBufferOcclusionOfDepths, EqualNumbersAreVisible)
+{
+  ViewSampler sampler(33);
+  int tested = 0;
+  for (int s = 0; s < 100; ++s)
+  {
+    Scene scene;
+    MakeScene(sampler, 0.0, 4, this->GetParam(), scene);
+    scene.Fill(0.5f);
+    scene.Build(4, 20);
+    const std::array<double, 6> bounds = sampler.MakeBounds(scene.Eye);
+    const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds.data());
+    vtkNBufferScreenBox screen;
+    if (scene.Projection.Project(box, screen) != vtkNBufferPlacement::Inside)
+    {
+      continue;
+    }
+    ++tested;
+    vtkNBufferOcclusionTest test(scene.Projection, scene.Levels, 1);
+    screen.Nearest = scene.GetSign() * 0.5;
+    EXPECT_FALSE(test.IsHidden(box, screen)) << scene.Eye.Text << ", " << GetText(bounds);
+    screen.Nearest = std::nextafter(screen.Nearest, 2.0);
+    EXPECT_TRUE(test.IsHidden(box, screen)) << scene.Eye.Text << ", " << GetText(bounds);
+  }
+  EXPECT_GT(tested, 20);
+}
+
 // Hazard: a wall before everything that hides nothing.
 TEST_P(NBufferOcclusionOfDepths, ANearWallHidesAllBehindIt)
 {
