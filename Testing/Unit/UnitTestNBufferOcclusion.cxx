@@ -242,13 +242,13 @@ TEST_P(NBufferOcclusionOfDepths, EqualDepthIsVisible)
   EXPECT_GT(nearlyFlush, 50);
 }
 
-// Hazard: > turned to >=. Boxes are nearer than their surface by a slack, so that no image would show
-// it; the numbers themselves do.
+// Hazard: > turned to >=. Boxes are nearer than their surface by a slack, so that no image would
+// show it; the numbers themselves do.
 TEST_P(NBufferOcclusionOfDepths, EqualNumbersAreVisible)
 {
   ViewSampler sampler(33);
   int tested = 0;
-  for (int s = 0; s < 100; ++s)
+  for (int s = 0; s < 300; ++s)
   {
     Scene scene;
     MakeScene(sampler, 0.0, 4, this->GetParam(), scene);
