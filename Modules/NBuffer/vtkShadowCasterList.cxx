@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowCasterList.h"
+
+#include "vtkActor.h"
+#include "vtkActor2D.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeRange.h"
+#include "vtkInformation.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
+#include "vtkCompositePolyDataMapper2.h"
+#endif
+#include "vtkCompositePolyDataMapper.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// The attributes of a mapper of composite data; nullptr for other mappers.
+vtkCompositeDataDisplayAttributes* GetAttributes(vtkMapper* mapper)
+{
+#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
+  if (auto* composite = vtkCompositePolyDataMapper2::SafeDownCast(mapper))
+  {
+    return composite->GetCompositeDataDisplayAttributes();
+  }
+  return nullptr;
+#else
+  auto* composite = vtkCompositePolyDataMapper::SafeDownCast(mapper);
+  return composite ? composite->GetCompositeDataDisplayAttributes() : nullptr;
+#endif
+}
+}
+
+void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* requiredKeys)
+{
+  ++this->Round;
+  this->Casters.clear();
+  this->Skipped.fill(0);
+  this->Updates = 0;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator cookie;
+  props->InitTraversal(cookie);
+  while (vtkProp* prop = props->GetNextProp(cookie))
+  {
+    if (prop->GetVisibility() && prop->HasKeys(requiredKeys))
+    {
+      this->AddProp(prop);
+    }
+  }
+  for (auto entry = this->Entries.begin(); entry != this->Entries.end();)
+  {
+    entry = entry->second.Round == this->Round ? std::next(entry) : this->Entries.erase(entry);
+  }
+}
+
+void vtkShadowCasterList::AddProp(vtkProp* prop)
+{
+  if (vtkActor2D::SafeDownCast(prop))
+  {
+    return;
+  }
+  int path = 0;
+  prop->InitPathTraversal();
+  while (vtkAssemblyPath* nodes = prop->GetNextPath())
+  {
+    vtkAssemblyNode* last = nodes->GetLastNode();
+    auto* actor = vtkActor::SafeDownCast(last->GetViewProp());
+    if (!actor)
+    {
+      this->Skip(vtkShadowSkip::NotAnActor);
+    }
+    else if (actor->GetVisibility())
+    {
+      this->AddActor(actor, path, last->GetMatrix() ? last->GetMatrix() : actor->GetMatrix());
+    }
+    ++path;
+  }
+}
+
+void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matrix)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  if (!mapper)
+  {
+    return;
+  }
+  if (actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
+  {
+    this->Skip(vtkShadowSkip::NotASurface);
+    return;
+  }
+  if (actor->HasTranslucentPolygonalGeometry())
+  {
+    this->Skip(vtkShadowSkip::Translucent);
+    return;
+  }
+  if (mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0)
+  {
+    this->Skip(vtkShadowSkip::ClippingPlanes);
+    return;
+  }
+  if (!mapper->GetStatic())
+  {
+    mapper->Update();
+  }
+  if (vtkCompositeDataDisplayAttributes* attributes = GetAttributes(mapper))
+  {
+    (void)attributes;
+    this->AddData(actor, path, matrix, mapper->GetInputDataObject(0, 0), true, 1.0);
+    return;
+  }
+  vtkPolyData* mesh = vtkPolyDataMapper::SafeDownCast(mapper)
+    ? static_cast<vtkPolyDataMapper*>(mapper)->GetInput()
+    : nullptr;
+  if (!mesh)
+  {
+    this->Skip(vtkShadowSkip::NotAPlainMapper);
+    return;
+  }
+  this->AddMesh(actor, path, matrix, mesh);
+}
+
+void vtkShadowCasterList::AddData(vtkActor* actor, int path, vtkMatrix4x4* matrix,
+  vtkDataObject* data, bool visible, double opacity)
+{
+  vtkCompositeDataDisplayAttributes* attributes = GetAttributes(actor->GetMapper());
+  if (data && attributes->HasBlockVisibility(data))
+  {
+    visible = attributes->GetBlockVisibility(data);
+  }
+  if (data && attributes->HasBlockOpacity(data))
+  {
+    opacity = attributes->GetBlockOpacity(data);
+  }
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+  {
+    for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
+    {
+      this->AddData(actor, path, matrix, child, visible, opacity);
+    }
+  }
+  else if (auto* mesh = vtkPolyData::SafeDownCast(data))
+  {
+    if (visible && opacity < 1.0)
+    {
+      this->Skip(vtkShadowSkip::Translucent);
+    }
+    else if (visible)
+    {
+      this->AddMesh(actor, path, matrix, mesh);
+    }
+  }
+}
+
+void vtkShadowCasterList::AddMesh(
+  vtkActor* actor, int path, vtkMatrix4x4* matrix, vtkPolyData* mesh)
+{
+  Entry& entry = this->Entries[Key(actor, path, mesh)];
+  if (!entry.Caster)
+  {
+    entry.Caster = std::make_unique<vtkShadowCaster>();
+  }
+  entry.Round = this->Round;
+  this->Updates += entry.Caster->Update(mesh, matrix) ? 1 : 0;
+  if (entry.Caster->GetNumberOfTriangles() > 0)
+  {
+    this->Casters.push_back(entry.Caster.get());
+  }
+}
+VTK_ABI_NAMESPACE_END
