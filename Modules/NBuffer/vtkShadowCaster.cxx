@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -39,7 +40,8 @@ std::shared_ptr<const vtkShadowTopology> MakeTopology(vtkPolyData* mesh)
   {
     mesh->GetPoint(i, &points[3 * static_cast<std::size_t>(i)]);
   }
-  const std::vector<vtkIdType> triangles = count > 0 ? GetTriangles(mesh) : std::vector<vtkIdType>();
+  const std::vector<vtkIdType> triangles =
+    count > 0 ? GetTriangles(mesh) : std::vector<vtkIdType>();
   topology->Build(
     points.data(), count, triangles.data(), static_cast<vtkIdType>(triangles.size() / 3));
   return topology;
@@ -52,49 +54,114 @@ std::shared_ptr<const vtkShadowTopology> MakeTopology(
   const std::vector<vtkIdType> triangles(
     whole.GetTriangles().begin() + 3 * begin, whole.GetTriangles().begin() + 3 * end);
   auto topology = std::make_shared<vtkShadowTopology>();
-  topology->Build(
-    points.data(), whole.GetNumberOfPoints(), triangles.data(), end - begin);
+  topology->Build(points.data(), whole.GetNumberOfPoints(), triangles.data(), end - begin);
   return topology;
 }
 
-bool IsSame(const vtkShadowLight& a, const vtkShadowLight& b)
+/// What a plane leaves of triangles. New points are shared by the triangles on both sides of an
+/// edge.
+void Clip(std::vector<double>& points, std::vector<vtkIdType>& triangles,
+  const vtkShadowCaster::Plane& plane)
 {
-  return a.Kind == b.Kind && a.ConeAngle == b.ConeAngle &&
-    std::equal(a.Position, a.Position + 3, b.Position) &&
-    std::equal(a.Direction, a.Direction + 3, b.Direction);
+  std::vector<double> sides;
+  for (std::size_t k = 0; k < points.size(); k += 3)
+  {
+    sides.push_back(
+      plane[0] * points[k] + plane[1] * points[k + 1] + plane[2] * points[k + 2] + plane[3]);
+  }
+  std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> cuts;
+  const auto getCut = [&](vtkIdType a, vtkIdType b)
+  {
+    const auto [cut, isNew] =
+      cuts.try_emplace(std::minmax(a, b), static_cast<vtkIdType>(points.size() / 3));
+    if (isNew)
+    {
+      const auto [from, to] = cut->first;
+      const double t = sides[from] / (sides[from] - sides[to]);
+      for (int i = 0; i < 3; ++i)
+      {
+        const double x = points[3 * from + i];
+        points.push_back(x + t * (points[3 * to + i] - x));
+      }
+    }
+    return cut->second;
+  };
+  std::vector<vtkIdType> left;
+  for (std::size_t t = 0; t < triangles.size(); t += 3)
+  {
+    std::vector<vtkIdType> polygon;
+    for (int i = 0; i < 3; ++i)
+    {
+      const vtkIdType a = triangles[t + i];
+      const vtkIdType b = triangles[t + (i + 1) % 3];
+      if (sides[a] >= 0.0)
+      {
+        polygon.push_back(a);
+      }
+      if ((sides[a] >= 0.0) != (sides[b] >= 0.0))
+      {
+        polygon.push_back(getCut(a, b));
+      }
+    }
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+    {
+      left.insert(left.end(), { polygon[0], polygon[i - 1], polygon[i] });
+    }
+  }
+  triangles = std::move(left);
 }
 }
 
-bool vtkShadowCaster::Update(vtkPolyData* mesh, vtkMatrix4x4* matrix)
+bool vtkShadowCaster::Update(
+  vtkPolyData* mesh, vtkMatrix4x4* matrix, const std::vector<Plane>& planes)
 {
   const bool newMesh = this->Mesh != mesh || this->MeshTime != mesh->GetMTime();
   if (newMesh)
   {
-    this->Topology = MakeTopology(mesh);
+    this->MeshTopology = MakeTopology(mesh);
     this->Mesh = mesh;
     this->MeshTime = mesh->GetMTime();
   }
-  if (!newMesh && std::equal(this->Matrix.begin(), this->Matrix.end(), matrix->GetData()))
+  if (!newMesh && planes == this->Planes &&
+    std::equal(this->Matrix.begin(), this->Matrix.end(), matrix->GetData()))
   {
     return false;
   }
   std::copy_n(matrix->GetData(), 16, this->Matrix.begin());
-  const std::vector<double>& model = this->Topology->GetPoints();
-  this->Points.resize(model.size());
-  for (int i = 0; i < 3; ++i)
+  this->Planes = planes;
+  this->Topology = this->MeshTopology;
+  this->Points = this->Topology->GetPoints();
+  for (std::size_t k = 0; k < this->Points.size(); k += 3)
   {
-    this->Bounds[2 * i] = HUGE_VAL;
-    this->Bounds[2 * i + 1] = -HUGE_VAL;
-  }
-  for (std::size_t k = 0; k < model.size(); k += 3)
-  {
-    double x[4] = { model[k], model[k + 1], model[k + 2], 1.0 };
+    double x[4] = { this->Points[k], this->Points[k + 1], this->Points[k + 2], 1.0 };
     matrix->MultiplyPoint(x, x);
     for (int i = 0; i < 3; ++i)
     {
       this->Points[k + i] = x[i] / x[3];
-      this->Bounds[2 * i] = std::min(this->Bounds[2 * i], this->Points[k + i]);
-      this->Bounds[2 * i + 1] = std::max(this->Bounds[2 * i + 1], this->Points[k + i]);
+    }
+  }
+  if (!planes.empty())
+  {
+    std::vector<vtkIdType> triangles(
+      this->Topology->GetTriangles().begin(), this->Topology->GetTriangles().end());
+    for (const Plane& plane : planes)
+    {
+      Clip(this->Points, triangles, plane);
+    }
+    auto clipped = std::make_shared<vtkShadowTopology>();
+    clipped->Build(this->Points.data(), static_cast<vtkIdType>(this->Points.size() / 3),
+      triangles.data(), static_cast<vtkIdType>(triangles.size() / 3));
+    this->Points = clipped->GetPoints();
+    this->Topology = clipped;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Bounds[2 * i] = HUGE_VAL;
+    this->Bounds[2 * i + 1] = -HUGE_VAL;
+    for (std::size_t k = i; k < this->Points.size(); k += 3)
+    {
+      this->Bounds[2 * i] = std::min(this->Bounds[2 * i], this->Points[k]);
+      this->Bounds[2 * i + 1] = std::max(this->Bounds[2 * i + 1], this->Points[k]);
     }
   }
   this->Slots.clear();
@@ -117,7 +184,7 @@ const std::vector<vtkShadowCaster::Part>& vtkShadowCaster::GetParts(
     this->Slots.resize(slot + 1);
   }
   Slot& cached = this->Slots[slot];
-  if (!cached.Valid || !IsSame(cached.Light, light))
+  if (!cached.Valid || !(cached.Light == light))
   {
     cached.Parts.clear();
     cached.Light = light;

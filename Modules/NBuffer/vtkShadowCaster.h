@@ -10,8 +10,10 @@
  * What is cached lasts as long as what it was made from:
  *
  *     topology     the mesh (modification time of the data)
- *     points       topology and matrix, element by element
+ *     points       topology, matrix and clipping planes, value by value
  *     silhouettes  points, and the light in world coordinates
+ *
+ * Clipping planes of the mapper cut the triangles; what is cut stays open, as it is drawn.
  *
  * A stencil counts to 255. Where more triangles of a caster than that may lie between a light and a
  * receiver, its triangles are shared out among several parts, which are drawn one by one: counts
@@ -47,8 +49,11 @@ public:
     vtkShadowFootprint Footprint;
   };
 
-  /// Bring mesh and matrix up to date. Returns whether anything has changed.
-  bool Update(vtkPolyData* mesh, vtkMatrix4x4* matrix);
+  /// A plane that keeps the side to which its normal points: a x + b y + c z + d >= 0 in the world.
+  using Plane = std::array<double, 4>;
+
+  /// Bring mesh, matrix and planes up to date. Returns whether anything has changed.
+  bool Update(vtkPolyData* mesh, vtkMatrix4x4* matrix, const std::vector<Plane>& planes);
 
   /// World coordinates of the merged points, xyz each.
   const std::vector<double>& GetPoints() const { return this->Points; }
@@ -76,12 +81,15 @@ private:
   };
 
   bool IsAround(const vtkShadowLight& light) const;
-  void AddPart(Slot& slot, Part part, const vtkShadowFrame& frame, vtkShadowCounting counting) const;
+  void AddPart(
+    Slot& slot, Part part, const vtkShadowFrame& frame, vtkShadowCounting counting) const;
 
   const void* Mesh = nullptr; ///< To compare only.
   vtkMTimeType MeshTime = 0;
   std::array<double, 16> Matrix = {};
-  std::shared_ptr<const vtkShadowTopology> Topology;
+  std::vector<Plane> Planes;
+  std::shared_ptr<const vtkShadowTopology> MeshTopology;
+  std::shared_ptr<const vtkShadowTopology> Topology; ///< Of what the planes leave.
   std::vector<double> Points;
   double Bounds[6] = {};
   std::vector<Slot> Slots;

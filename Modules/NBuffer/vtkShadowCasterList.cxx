@@ -10,7 +10,9 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeRange.h"
 #include "vtkInformation.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -26,6 +28,21 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
+/// In world coordinates, as VTK has them.
+std::vector<vtkShadowCaster::Plane> GetPlanes(vtkMapper* mapper)
+{
+  std::vector<vtkShadowCaster::Plane> result;
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    vtkPlane* plane = planes->GetItem(i);
+    const double* normal = plane->GetNormal();
+    result.push_back(
+      { normal[0], normal[1], normal[2], -vtkMath::Dot(normal, plane->GetOrigin()) });
+  }
+  return result;
+}
+
 /// The attributes of a mapper of composite data; nullptr for other mappers.
 vtkCompositeDataDisplayAttributes* GetAttributes(vtkMapper* mapper)
 {
@@ -105,18 +122,12 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
     this->Skip(vtkShadowSkip::Translucent);
     return;
   }
-  if (mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0)
-  {
-    this->Skip(vtkShadowSkip::ClippingPlanes);
-    return;
-  }
   if (!mapper->GetStatic())
   {
     mapper->Update();
   }
-  if (vtkCompositeDataDisplayAttributes* attributes = GetAttributes(mapper))
+  if (GetAttributes(mapper))
   {
-    (void)attributes;
     this->AddData(actor, path, matrix, mapper->GetInputDataObject(0, 0), true, 1.0);
     return;
   }
@@ -172,7 +183,7 @@ void vtkShadowCasterList::AddMesh(
     entry.Caster = std::make_unique<vtkShadowCaster>();
   }
   entry.Round = this->Round;
-  this->Updates += entry.Caster->Update(mesh, matrix) ? 1 : 0;
+  this->Updates += entry.Caster->Update(mesh, matrix, GetPlanes(actor->GetMapper())) ? 1 : 0;
   if (entry.Caster->GetNumberOfTriangles() > 0)
   {
     this->Casters.push_back(entry.Caster.get());

@@ -29,8 +29,8 @@ constexpr GLenum StencilNames[2][7] = { { GL_STENCIL_FUNC, GL_STENCIL_REF, GL_ST
   { GL_STENCIL_BACK_FUNC, GL_STENCIL_BACK_REF, GL_STENCIL_BACK_VALUE_MASK, GL_STENCIL_BACK_FAIL,
     GL_STENCIL_BACK_PASS_DEPTH_FAIL, GL_STENCIL_BACK_PASS_DEPTH_PASS, GL_STENCIL_BACK_WRITEMASK } };
 
-bool UploadBuffer(GLenum target, unsigned int& name, std::size_t& capacity, const void* data,
-  std::size_t bytes)
+bool UploadBuffer(
+  GLenum target, unsigned int& name, std::size_t& capacity, const void* data, std::size_t bytes)
 {
   if (name == 0)
   {
@@ -74,8 +74,7 @@ bool vtkShadowCounter::Upload(const vtkShadowVolume& volume, std::string& why)
   return uploaded;
 }
 
-vtkShadowCounter::Scope::Scope(
-  vtkOpenGLRenderWindow* window, const int viewport[4])
+vtkShadowCounter::Scope::Scope(vtkOpenGLRenderWindow* window, const int viewport[4])
   : Pass(window)
 {
   glGetIntegerv(GL_DEPTH_FUNC, &this->DepthFunction);
@@ -123,8 +122,7 @@ vtkShadowCounter::Scope::~Scope()
   }
 }
 
-void vtkShadowCounter::ClearMask(
-  const vtkShadowTarget& target, int mask, const int viewport[4])
+void vtkShadowCounter::ClearMask(const vtkShadowTarget& target, int mask, const int viewport[4])
 {
   glBindFramebuffer(GL_FRAMEBUFFER, target.GetMaskFramebuffer(mask));
   glScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
@@ -132,8 +130,7 @@ void vtkShadowCounter::ClearMask(
   glClearBufferfv(GL_COLOR, 0, lit);
 }
 
-void vtkShadowCounter::ClearStencil(
-  const vtkShadowTarget& target, const int viewport[4], int start)
+void vtkShadowCounter::ClearStencil(const vtkShadowTarget& target, const int viewport[4], int start)
 {
   glBindFramebuffer(GL_FRAMEBUFFER, target.GetDepthFramebuffer());
   glScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
@@ -174,8 +171,7 @@ void vtkShadowCounter::SetDirection(bool zPass)
 
 bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
   const double volumeToClip[16], const vtkShadowDraw* first, const vtkShadowDraw* last,
-  long long* fragments,
-  std::string& why)
+  long long* fragments, std::string& why)
 {
   vtkShaderProgram* program =
     this->Ready(window, this->VolumeProgram, vtkShadowVolumeVS, vtkShadowVolumeFS, why);

@@ -12,13 +12,14 @@
  *     z-fail   behind the receiver, in reverse. Right wherever the eye is, for closed volumes.
  *
  * Depth is clamped, so that the far plane cuts nothing off: all volumes are closed by themselves.
- * What lies before the near plane is cut off for z-fail, which has no use for it. Counts are kept modulo 256 and wrap, so that their order does not matter;
- * the caller sees to it that no receiver is in 256 volumes at once.
+ * What lies before the near plane is cut off for z-fail, which has no use for it. Counts are kept
+ * modulo 256 and wrap, so that their order does not matter; the caller sees to it that no receiver
+ * is in 256 volumes at once.
  *
  * Volumes whose near cap may lie in a lit surface (those of open meshes) are pushed away from the
- * eye. There equal depths (fragments that fail LESS) are right, but another program may compute them
- * two units off, and vertices a step of the subpixel grid, 1/256 of a pixel, beside each other in
- * both.
+ * eye. There equal depths (fragments that fail LESS) are right, but another program may compute
+ * them two units off, and vertices a step of the subpixel grid, 1/256 of a pixel, beside each other
+ * in both.
  */
 #ifndef vtkShadowCounter_h
 #define vtkShadowCounter_h
@@ -76,13 +77,12 @@ public:
 
   /**
    * Count draws [first, last). `volumeToClip`: row-major matrix from the uploaded vertices to clip
-   * coordinates. `fragments`: if not null, the fragments that volumes covered, whether or not the depth test
-   * passed, are added to it (as many more draws, and a wait for the device).
+   * coordinates. `fragments`: if not null, the fragments that volumes covered, whether or not the
+   * depth test passed, are added to it (as many more draws, and a wait for the device).
    */
   bool Count(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
     const double volumeToClip[16], const vtkShadowDraw* first, const vtkShadowDraw* last,
-    long long* fragments,
-    std::string& why);
+    long long* fragments, std::string& why);
 
   /// Darken a channel of a mask where the count is not 0.
   bool Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target, int mask, int channel,

@@ -9,6 +9,13 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
+bool vtkShadowLight::operator==(const vtkShadowLight& other) const
+{
+  return this->Kind == other.Kind && this->ConeAngle == other.ConeAngle &&
+    std::equal(this->Position, this->Position + 3, other.Position) &&
+    std::equal(this->Direction, this->Direction + 3, other.Direction);
+}
+
 int vtkShadowLight::GetFacing(const double a[3], const double b[3], const double c[3]) const
 {
   double ab[3];
@@ -96,8 +103,8 @@ void vtkShadowFrame::ToWorld(const double pqs[3], double x[3]) const
   const double factor = this->Positional ? pqs[2] : 1.0;
   for (int i = 0; i < 3; ++i)
   {
-    x[i] = this->Apex[i] + factor * (pqs[0] * this->U[i] + pqs[1] * this->V[i]) +
-      pqs[2] * this->Axis[i];
+    x[i] =
+      this->Apex[i] + factor * (pqs[0] * this->U[i] + pqs[1] * this->V[i]) + pqs[2] * this->Axis[i];
   }
 }
 

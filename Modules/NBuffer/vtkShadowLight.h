@@ -39,9 +39,12 @@ enum class vtkShadowLightKind
 struct VTKNBUFFER_EXPORT vtkShadowLight
 {
   vtkShadowLightKind Kind = vtkShadowLightKind::Directional;
-  double Position[3] = { 0.0, 0.0, 0.0 };   ///< World; not used for Directional.
-  double Direction[3] = { 0.0, 0.0, -1.0 }; ///< World, unit length, away from the light; not for Point.
-  double ConeAngle = 90.0;                  ///< Spot: degrees from the axis to the cone's surface.
+  double Position[3] = { 0.0, 0.0, 0.0 }; ///< World; not used for Directional.
+  double Direction[3] = { 0.0, 0.0,
+    -1.0 };                ///< World, unit length, away from the light; not for Point.
+  double ConeAngle = 90.0; ///< Spot: degrees from the axis to the cone's surface.
+
+  bool operator==(const vtkShadowLight& other) const;
 
   bool IsPositional() const { return this->Kind != vtkShadowLightKind::Directional; }
 

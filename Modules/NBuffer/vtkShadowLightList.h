@@ -27,6 +27,12 @@ struct vtkShadowLightSource
   float Attenuation = 1.0f;
   vtkShadowLight Geometry;
 
+  bool operator==(const vtkShadowLightSource& other) const
+  {
+    return this->Source == other.Source && this->Number == other.Number &&
+      this->Attenuation == other.Attenuation && this->Geometry == other.Geometry;
+  }
+
   static std::vector<vtkShadowLightSource> Find(
     vtkRenderer* renderer, const std::set<vtkLight*>& excluded);
 };

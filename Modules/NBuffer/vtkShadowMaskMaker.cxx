@@ -65,8 +65,8 @@ bool vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer, std::size_t lights)
   }
   constexpr int each = vtkShadowTarget::LightsPerMask;
   const int masks = static_cast<int>(lights + each - 1) / each;
-  if (!this->Target.Reserve(window, viewport[0] + viewport[2], viewport[1] + viewport[3], masks,
-        this->Error))
+  if (!this->Target.Reserve(
+        window, viewport[0] + viewport[2], viewport[1] + viewport[3], masks, this->Error))
   {
     return false;
   }
@@ -95,8 +95,9 @@ bool vtkShadowMaskMaker::ReadDepth(vtkOpenGLRenderWindow* window, vtkShadowStati
   return done;
 }
 
-bool vtkShadowMaskMaker::Make(vtkRenderer* renderer, const std::vector<vtkShadowLightSource>& lights,
-  const Settings& settings, vtkShadowStatistics& statistics)
+bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
+  const std::vector<vtkShadowLightSource>& lights, const Settings& settings,
+  vtkShadowStatistics& statistics)
 {
   this->Shadows = 0;
   this->Error.clear();
@@ -130,8 +131,7 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer, const std::vector<vtkShadow
 }
 
 bool vtkShadowMaskMaker::Shade(vtkOpenGLRenderWindow* window, const vtkShadowLightSource& light,
-  std::size_t slot, const Camera& camera, const Settings& settings,
-  vtkShadowStatistics& statistics)
+  std::size_t slot, const Camera& camera, const Settings& settings, vtkShadowStatistics& statistics)
 {
   vtkNBufferClock clock;
   const vtkShadowLight& geometry = light.Geometry;
@@ -207,8 +207,7 @@ bool vtkShadowMaskMaker::Count(vtkOpenGLRenderWindow* window,
     this->Counter.ClearStencil(this->Target, this->Viewport, start);
     if (!this->Counter.Count(window, this->Target, camera.EyeToClip, first, last,
           countFragments ? &statistics.Fragments : nullptr, this->Error) ||
-      !this->Counter.Resolve(
-        window, this->Target, mask, channel, this->Viewport, this->Error))
+      !this->Counter.Resolve(window, this->Target, mask, channel, this->Viewport, this->Error))
     {
       return false;
     }

@@ -47,8 +47,8 @@ public:
 
   /**
    * Bind a framebuffer for the depth of what is drawn next, in the viewport that is set now, and
-   * clear it. Returns false, with the cause in GetError(), if OpenGL refuses; nothing is bound then.
-   * Otherwise the caller pops the framebuffer bindings of the window's vtkOpenGLState.
+   * clear it. Returns false, with the cause in GetError(), if OpenGL refuses; nothing is bound
+   * then. Otherwise the caller pops the framebuffer bindings of the window's vtkOpenGLState.
    */
   bool BeginDepth(vtkRenderer* renderer, std::size_t lights);
 

@@ -157,8 +157,7 @@ void vtkShadowPlan::AddWhole(const vtkShadowSilhouette& silhouette, const double
   draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
   if (!draw.ZPass && this->Camera.Parallel && this->Frame.IsPositional())
   {
-    draw.Start =
-      CountCrossings(silhouette, points, this->Light.Position, this->Camera.Direction);
+    draw.Start = CountCrossings(silhouette, points, this->Light.Position, this->Camera.Direction);
   }
   this->AddDraw(volume, extent, draw);
 }
@@ -206,8 +205,8 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
     draw.MaximumCount = silhouette.GetMaximumCount();
     draw.Offset = footprint.Far >= slab.Near && silhouette.GetCounting() == vtkShadowCounting::All;
     const std::size_t firstVertex = volume.GetVertices().size();
-    volume.AddClamped(silhouette, points, numberOfPoints, this->Frame, slab, footprint.Far,
-      vtkShadowCap::Fan);
+    volume.AddClamped(
+      silhouette, points, numberOfPoints, this->Frame, slab, footprint.Far, vtkShadowCap::Fan);
     draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
     this->AddDraw(volume, &extent, draw);
   }

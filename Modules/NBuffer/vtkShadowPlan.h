@@ -8,18 +8,18 @@
  *
  * In light coordinates (vtkShadowLight.h) a caster takes up a rectangle of rays [p0, p1] x [q0, q1]
  * and a range of depths [near, far]. Whatever it shadows lies on those rays, at depths beyond near.
- * A litmap (vtkShadowLitmap.h) knows an extent of all receivers on them: a range of depths, a box on
- * the screen, occupied bins. So a caster
+ * A litmap (vtkShadowLitmap.h) knows an extent of all receivers on them: a range of depths, a box
+ * on the screen, occupied bins. So a caster
  *
  *  - without receivers on its rays draws nothing                        (NoReceiver),
  *  - whose receivers all are nearer to the light than itself, too       (BeforeCaster),
  *  - draws into the receivers' box of pixels only otherwise, and, if planes may be added,
  *  - only the part of its volume in the slabs that the receivers take up.
  *
- * Leaving out and cutting to a box of pixels change no vertex and with that no fragment: the stencil
- * is bit for bit that of whole volumes wherever there is a receiver. Slabs make new vertices, which
- * the device snaps to its subpixel grid by themselves: samples closer to the edge of a shadow than
- * that may change.
+ * Leaving out and cutting to a box of pixels change no vertex and with that no fragment: the
+ * stencil is bit for bit that of whole volumes wherever there is a receiver. Slabs make new
+ * vertices, which the device snaps to its subpixel grid by themselves: samples closer to the edge
+ * of a shadow than that may change.
  *
  * A positional light's coordinates mean nothing at and behind its plane s = 0. A caster that is
  * wholly there shadows nothing that a spot of less than 90 degrees reaches (BehindLight); one that
@@ -29,11 +29,11 @@
  *
  * Counting between the eye and the receiver (z-pass) is right if the eye is outside of the piece.
  * Counting behind the receiver (z-fail) is right always. z-pass is taken where the whole piece lies
- * beyond the near plane, which the eye never does. That asks for more than it has to: an eye outside
- * of the piece would do, with depth clamp in the place of near clipping. But what then reaches
- * behind the eye is cut at w = 0, where depths have no bound, and rasterisers that interpolate depth
- * on the screen lose it all over the triangle. For z-fail what lies before the near plane is of no
- * use and is cut off there.
+ * beyond the near plane, which the eye never does. That asks for more than it has to: an eye
+ * outside of the piece would do, with depth clamp in the place of near clipping. But what then
+ * reaches behind the eye is cut at w = 0, where depths have no bound, and rasterisers that
+ * interpolate depth on the screen lose it all over the triangle. For z-fail what lies before the
+ * near plane is of no use and is cut off there.
  *
  * With a parallel camera the lines of sight end at infinity, outside of every clamped piece. Whole
  * volumes reach to infinity themselves: for a directional light in its direction alone, for a

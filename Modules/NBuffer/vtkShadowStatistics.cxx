@@ -41,8 +41,6 @@ const char* vtkShadowStatistics::GetName(vtkShadowSkip reason)
       return "NotASurface";
     case vtkShadowSkip::Translucent:
       return "Translucent";
-    case vtkShadowSkip::ClippingPlanes:
-      return "ClippingPlanes";
     case vtkShadowSkip::NotAPlainMapper:
       return "NotAPlainMapper";
     case vtkShadowSkip::NumberOfSkips:
@@ -59,6 +57,8 @@ const char* vtkShadowStatistics::GetName(vtkShadowDecision decision)
       return "None";
     case vtkShadowDecision::Drawn:
       return "Drawn";
+    case vtkShadowDecision::Still:
+      return "Still";
     case vtkShadowDecision::NoLight:
       return "NoLight";
     case vtkShadowDecision::NoCaster:

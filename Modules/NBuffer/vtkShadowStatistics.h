@@ -47,7 +47,6 @@ enum class vtkShadowSkip : int
   NotAnActor,      ///< Volumes, billboards, props of the application's own.
   NotASurface,     ///< Wireframes and points.
   Translucent,     ///< It, or the block of it.
-  ClippingPlanes,  ///< The mapper cuts it.
   NotAPlainMapper, ///< No polydata to be had: glyphs, data sets.
   NumberOfSkips
 };
@@ -58,6 +57,7 @@ enum class vtkShadowDecision : int
 {
   None,       ///< No frame yet.
   Drawn,      ///< With shadows.
+  Still,      ///< With the shadows of the last frame: nothing has changed.
   NoLight,    ///< No light that is switched on can cast.
   NoCaster,   ///< No prop can cast.
   NoReceiver, ///< No caster has a receiver: drawn as without the pass.
@@ -70,14 +70,14 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   static constexpr int NumberOfVerdicts = static_cast<int>(vtkShadowVerdict::NumberOfVerdicts);
 
   vtkShadowDecision Decision = vtkShadowDecision::None;
-  int Lights = 0;  ///< That cast.
-  int Casters = 0; ///< Meshes that can cast.
-  std::array<int, NumberOfShadowSkips> Skipped = {};   ///< Actors that cannot, by reason.
-  std::array<int, NumberOfVerdicts> Verdicts = {};     ///< Casters, for each light.
-  int Updates = 0;     ///< Casters whose mesh or matrix changed.
-  int Silhouettes = 0; ///< Made in this frame.
-  int Draws = 0;       ///< Of volumes.
-  int ZPass = 0;       ///< Of these, counted between eye and receiver.
+  int Lights = 0;                                    ///< That cast.
+  int Casters = 0;                                   ///< Meshes that can cast.
+  std::array<int, NumberOfShadowSkips> Skipped = {}; ///< Actors that cannot, by reason.
+  std::array<int, NumberOfVerdicts> Verdicts = {};   ///< Casters, for each light.
+  int Updates = 0;                                   ///< Casters whose mesh or matrix changed.
+  int Silhouettes = 0;                               ///< Made in this frame.
+  int Draws = 0;                                     ///< Of volumes.
+  int ZPass = 0; ///< Of these, counted between eye and receiver.
   int Slabs = 0;
   long long Triangles = 0; ///< Of volumes.
   long long Receivers = 0; ///< Samples scattered into litmaps, of all lights.

@@ -4,8 +4,8 @@
  * @file vtkShadowTarget.h
  * @brief The OpenGL objects that shadows are counted in: depth and stencil of the receivers, masks.
  *
- * VTK's own framebuffers have no stencil before 9.7, and nothing tells: without one the stencil test
- * passes. So depth and stencil (24 and 8 bits) are a texture of ours, in two framebuffers:
+ * VTK's own framebuffers have no stencil before 9.7, and nothing tells: without one the stencil
+ * test passes. So depth and stencil (24 and 8 bits) are a texture of ours, in two framebuffers:
  *
  *     depth     depth and stencil alone, without colour: receivers and volumes are drawn into it
  *     mask i    depth and stencil with mask i as colour
@@ -36,8 +36,7 @@ public:
    * Room for images of at least this size and this many masks. Returns false, with the cause and a
    * remedy in `why`, if OpenGL refuses. Leaves the draw and read framebuffer bound as they were.
    */
-  bool Reserve(
-    vtkOpenGLRenderWindow* window, int width, int height, int masks, std::string& why);
+  bool Reserve(vtkOpenGLRenderWindow* window, int width, int height, int masks, std::string& why);
 
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }

@@ -5,6 +5,7 @@
 #include "vtkNBufferClock.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferResourceCallback.h"
+#include "vtkShadowFrameKey.h"
 #include "vtkShadowLightDec.h"
 #include "vtkShadowMaskMaker.h"
 
@@ -78,6 +79,7 @@ public:
   std::vector<int> ShaderLights;            ///< Numbers of the lights that the shaders know.
   vtkTimeStamp ShaderTime;
   std::vector<int> TextureUnits;
+  vtkShadowFrameKey Key; ///< Of the masks.
   int FailedFrames = 0;
   bool HasWarned = false;
   bool HasWarnedOfShader = false;
@@ -215,22 +217,16 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
 
   self.UseContext(window);
   self.SetShaderLights(lights);
+  const vtkShadowFrameKey key(s, lights, self.Masks.Casters.GetCasters(), this->GetMTime());
+  const bool still = statistics.Updates == 0 && !this->CountFragments && key == self.Key;
+  bool done = true;
   // The depth is drawn by the shaders that will draw the colour: it is the same to the bit, and no
   // mapper has to rebuild one.
   this->PreRender(s);
-  bool done = self.Masks.BeginDepth(renderer, lights.size());
-  if (done)
+  if (!still)
   {
-    self.TextureUnits.assign(self.Masks.GetTarget().GetNumberOfMasks(), 0);
-    self.Opaque->Render(s);
-    window->GetState()->PopFramebufferBindings();
-    statistics.DepthTime = clock.Restart();
-    vtkShadowMaskMaker::Settings settings;
-    settings.Mode = static_cast<vtkShadowMode>(this->Mode);
-    settings.Resolution = this->LitmapResolution;
-    settings.SlabGap = this->SlabGap;
-    settings.CountFragments = this->CountFragments;
-    done = self.Masks.Make(renderer, lights, settings, statistics);
+    self.Key = vtkShadowFrameKey();
+    done = this->MakeMasks(s, lights, statistics);
   }
   if (!done || self.Masks.GetNumberOfShadows() == 0)
   {
@@ -245,10 +241,44 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
       }
     }
     drawPlain(done ? vtkShadowDecision::NoReceiver : vtkShadowDecision::Failed);
+    self.Key = done ? key : vtkShadowFrameKey();
     return;
   }
+  self.Lights = lights;
+  this->DrawOpaque(s);
+  this->PostRender(s);
+  self.Key = key;
+  statistics.Decision = still ? vtkShadowDecision::Still : vtkShadowDecision::Drawn;
+  self.Statistics = statistics;
+}
 
-  self.Lights = std::move(lights);
+bool vtkShadowVolumeClampPass::MakeMasks(const vtkRenderState* s,
+  const std::vector<vtkShadowLightSource>& lights, vtkShadowStatistics& statistics)
+{
+  Internals& self = *this->Implementation;
+  vtkRenderer* renderer = s->GetRenderer();
+  const vtkNBufferClock clock;
+  if (!self.Masks.BeginDepth(renderer, lights.size()))
+  {
+    return false;
+  }
+  self.TextureUnits.assign(self.Masks.GetTarget().GetNumberOfMasks(), 0);
+  self.Opaque->Render(s);
+  static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
+    ->GetState()
+    ->PopFramebufferBindings();
+  statistics.DepthTime = clock.GetMilliseconds();
+  vtkShadowMaskMaker::Settings settings;
+  settings.Mode = static_cast<vtkShadowMode>(this->Mode);
+  settings.Resolution = this->LitmapResolution;
+  settings.SlabGap = this->SlabGap;
+  settings.CountFragments = this->CountFragments;
+  return self.Masks.Make(renderer, lights, settings, statistics);
+}
+
+void vtkShadowVolumeClampPass::DrawOpaque(const vtkRenderState* s)
+{
+  Internals& self = *this->Implementation;
   const vtkShadowTarget& target = self.Masks.GetTarget();
   for (int i = 0; i < target.GetNumberOfMasks(); ++i)
   {
@@ -261,9 +291,6 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
   {
     target.GetMask(i)->Deactivate();
   }
-  this->PostRender(s);
-  statistics.Decision = vtkShadowDecision::Drawn;
-  self.Statistics = statistics;
 }
 
 //------------------------------------------------------------------------------------------------
@@ -355,8 +382,8 @@ std::vector<unsigned char> vtkShadowVolumeClampPass::GetMask(
   {
     const vtkNBufferGL::ScopedReadback readback(
       self.Masks.GetTarget().GetMaskFramebuffer(static_cast<int>(slot / each)));
-    glReadPixels(viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE,
-      pixels.data());
+    glReadPixels(
+      viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
   }
   std::string why;
   if (!vtkNBufferGL::CheckErrors("Reading a shadow mask", why))
@@ -386,6 +413,7 @@ void vtkShadowVolumeClampPass::ReleaseGraphicsResources(vtkWindow* window)
   }
   self.Masks.Release();
   self.Lights.clear();
+  self.Key = vtkShadowFrameKey();
   self.Window = nullptr;
 }
 

@@ -27,11 +27,11 @@
  *
  * ## How
  *
- * The opaque props are drawn into depth alone, then for each light the shadow volumes of the casters
- * into the stencil buffer, from which a mask with one channel for each light is made; then the
- * opaque props are drawn once, with shaders (Phong and PBR) that take from each light what its mask
- * does not let through: ShadowAttenuation of it. What is lit by all lights has, to the bit, the
- * colour that it has without the pass.
+ * The opaque props are drawn into depth alone, then for each light the shadow volumes of the
+ * casters into the stencil buffer, from which a mask with one channel for each light is made; then
+ * the opaque props are drawn once, with shaders (Phong and PBR) that take from each light what its
+ * mask does not let through: ShadowAttenuation of it. What is lit by all lights has, to the bit,
+ * the colour that it has without the pass.
  *
  * Mode says how much of the volumes is drawn. The depth of the receivers is scattered into a litmap
  * for each light (X. Decoret, "N-Buffers for efficient depth map query", Computer Graphics Forum
@@ -42,13 +42,14 @@
  * ## Limits
  *
  * Casters are opaque surfaces of polydata or composite data sets; GetStatistics() counts what is
- * not, by reason. Wireframes, points, glyphs, textures with alpha, and what clipping planes cut or
- * shaders displace cast nothing or whole. Point lights and lights with more casters than receivers
- * know nothing of litmaps: their volumes are drawn whole. With multisampling masks are by pixel, not
- * by sample. Needs OpenGL 3.2 with depth and stencil in one texture; where anything is refused the
- * frame is drawn without shadows, with one warning.
+ * not, by reason. Wireframes, points and glyphs cast nothing; textures with alpha and what shaders
+ * displace cast as if they did not. Point lights and lights with more casters than receivers
+ * know nothing of litmaps: their volumes are drawn whole. With multisampling masks are by pixel,
+ * not by sample. Needs OpenGL 3.2 with depth and stencil in one texture; where anything is refused
+ * the frame is drawn without shadows, with one warning.
  *
- * Cost: two draws of the opaque props, a read-back of the depth (but for Unclamped), and the volumes.
+ * Cost: two draws of the opaque props, a read-back of the depth (but for Unclamped), and the
+ * volumes.
  */
 #ifndef vtkShadowVolumeClampPass_h
 #define vtkShadowVolumeClampPass_h
@@ -64,6 +65,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkInformation;
 class vtkLight;
 class vtkRenderStepsPass;
+struct vtkShadowLightSource;
 
 class VTKNBUFFER_EXPORT vtkShadowVolumeClampPass : public vtkOpenGLRenderPass
 {
@@ -82,9 +84,9 @@ public:
   ///@{
   /**
    * How much of the shadow volumes is drawn: Unclamped, all; Exact, casters with receivers, into
-   * their receivers' box of pixels, with the stencil of Unclamped to the bit; Clamped, slabs of them
-   * around the receivers, where samples within 1/256 of a pixel of a shadow's edge may differ. The
-   * default is Exact.
+   * their receivers' box of pixels, with the stencil of Unclamped to the bit; Clamped, slabs of
+   * them around the receivers, where samples within 1/256 of a pixel of a shadow's edge may differ.
+   * The default is Exact.
    */
   vtkSetClampMacro(Mode, int, Unclamped, Clamped);
   vtkGetMacro(Mode, int);
@@ -142,9 +144,9 @@ public:
   const vtkShadowStatistics& GetStatistics() const;
 
   /**
-   * The mask of a light of the last frame: one value for each pixel of the viewport, row by row, the
-   * lowest first; 0 lit, 255 in shadow (also what the light does not reach). Empty, and `width` and
-   * `height` 0, if the light did not cast. Reads it back; the window's context must be current.
+   * The mask of a light of the last frame: one value for each pixel of the viewport, row by row,
+   * the lowest first; 0 lit, 255 in shadow (also what the light does not reach). Empty, and `width`
+   * and `height` 0, if the light did not cast. Reads it back; the window's context must be current.
    */
   std::vector<unsigned char> GetMask(vtkLight* light, int& width, int& height);
 
@@ -173,6 +175,9 @@ private:
   class Internals;
   class OpaqueStage;
   void RenderOpaque(const vtkRenderState* s);
+  bool MakeMasks(const vtkRenderState* s, const std::vector<vtkShadowLightSource>& lights,
+    vtkShadowStatistics& statistics);
+  void DrawOpaque(const vtkRenderState* s);
 
   int Mode = Exact;
   int LitmapResolution = 256;

@@ -10,11 +10,18 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace
 {
 constexpr double Jitter = 1.0 / 64.0; // pixels
+/// Of a step beside the sample, that leads off the plane of its triangle: the sine of 6 degrees.
+constexpr double SharpEdge = 0.1;
+/// Window depth: two units of 24 bits for the receiver, two for the volume.
+constexpr double DepthSteps = 4.0 / (1 << 24);
+/// Pixels: two steps of a subpixel grid of 8 bits.
+constexpr double GridSteps = 2.0 / 256;
 constexpr double TerminatorMargin = 1e-4;
 constexpr double ConeMargin = 1e-6;
 
@@ -89,7 +96,9 @@ void Oracle::SetView(vtkRenderer* renderer)
   vtkMatrix4x4* projection =
     camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0);
   std::copy_n(projection->GetData(), 16, &this->Projection[0][0]);
-  vtkMatrix4x4::Invert(camera->GetModelViewTransformMatrix()->GetData(), &this->ViewToWorld[0][0]);
+  const double* worldToView = camera->GetModelViewTransformMatrix()->GetData();
+  std::copy_n(worldToView, 16, &this->WorldToView[0][0]);
+  vtkMatrix4x4::Invert(worldToView, &this->ViewToWorld[0][0]);
 }
 
 Ray Oracle::GetEyeRay(int x, int y, double jitterX, double jitterY) const
@@ -243,6 +252,8 @@ bool Oracle::IsAmbiguous(int x, int y, const OracleLight& light, const Classific
   {
     return true;
   }
+  Receiver receiver;
+  this->GetReceiver(x, y, 0.0, 0.0, receiver);
   for (const double jitterX : { -Jitter, Jitter })
   {
     for (const double jitterY : { -Jitter, Jitter })
@@ -251,9 +262,95 @@ bool Oracle::IsAmbiguous(int x, int y, const OracleLight& light, const Classific
       {
         return true;
       }
+      Receiver beside;
+      if (this->GetReceiver(x, y, jitterX, jitterY, beside))
+      {
+        double step[3];
+        vtkMath::Subtract(beside.Position, receiver.Position, step);
+        if (std::abs(vtkMath::Dot(step, receiver.Normal)) > SharpEdge * vtkMath::Norm(step))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return (centre.Sample == OracleSample::Lit || centre.Sample == OracleSample::Shadowed) &&
+    this->DependsOnRounding(x, y, receiver, light, centre.Sample == OracleSample::Shadowed);
+}
+
+bool Oracle::DependsOnRounding(
+  int x, int y, const Receiver& receiver, const OracleLight& light, bool shadowed) const
+{
+  const Ray ray = this->GetEyeRay(x, y);
+  const double distance =
+    std::sqrt(vtkMath::Distance2BetweenPoints(receiver.Position, ray.Origin));
+  const auto getPoint = [](const Ray& along, double t, double point[3])
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      point[i] = along.Origin[i] + t * along.Direction[i];
+    }
+  };
+  std::array<std::array<double, 3>, 4> offs;
+  // Steps of depth along the eye ray, as many again where a volume is pushed away from a surface:
+  // by how much the depth changes over a part of it.
+  constexpr double part = 1e-3;
+  double far[3];
+  double near[3];
+  getPoint(ray, distance * (1.0 + part), far);
+  getPoint(ray, distance * (1.0 - part), near);
+  const double change = this->GetWindowDepth(far) - this->GetWindowDepth(near);
+  for (int i = 0; i < 3; ++i)
+  {
+    offs[0][i] = (far[i] - near[i]) * DepthSteps / change;
+    offs[1][i] = 2.0 * offs[0][i];
+  }
+  // Two steps of the subpixel grid beside it.
+  for (int k = 0; k < 2; ++k)
+  {
+    double beside[3];
+    getPoint(this->GetEyeRay(x, y, k == 0 ? GridSteps : 0.0, k == 1 ? GridSteps : 0.0), distance,
+      beside);
+    vtkMath::Subtract(beside, receiver.Position, offs[k + 2].data());
+  }
+  double toLight[3];
+  GetDirectionToLight(receiver.Position, light, toLight);
+  const double cosine = vtkMath::Dot(receiver.Normal, toLight);
+  for (const std::array<double, 3>& off : offs)
+  {
+    for (const double sign : { -1.0, 1.0 })
+    {
+      // Back to the surface along the light's ray: a volume's sides follow it.
+      Receiver moved = receiver;
+      const double back = -sign * vtkMath::Dot(off.data(), receiver.Normal) / cosine;
+      for (int i = 0; i < 3; ++i)
+      {
+        moved.Position[i] += sign * off[i] + back * toLight[i];
+      }
+      if (this->IsShadowed(moved, light) != shadowed)
+      {
+        return true;
+      }
     }
   }
   return false;
+}
+
+double Oracle::GetWindowDepth(const double world[3]) const
+{
+  double view[4] = { 0.0, 0.0, 0.0, 1.0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    const double* row = this->WorldToView[i];
+    view[i] = vtkMath::Dot(row, world) + row[3];
+  }
+  double clip[2] = { 0.0, 0.0 };
+  for (int j = 0; j < 4; ++j)
+  {
+    clip[0] += this->Projection[2][j] * view[j];
+    clip[1] += this->Projection[3][j] * view[j];
+  }
+  return 0.5 + 0.5 * clip[0] / clip[1];
 }
 
 OracleImage Oracle::Cast(const OracleLight& light) const

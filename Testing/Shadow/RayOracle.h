@@ -105,8 +105,11 @@ public:
     int x, int y, double jitterX, double jitterY, const OracleLight& light) const;
 
   /**
-   * True if the sample is marginal, or if one of the samples 1/64 of a pixel beside it in the four
-   * diagonal directions is of another kind.
+   * True if the sample is marginal; if one of the samples 1/64 of a pixel beside it in the four
+   * diagonal directions is of another kind, or beyond an edge or a step of the surface, so that a
+   * rasteriser may see another one; or if it is of another kind where rounding may put it: 4 or 8 units
+   * of depth of 24 bits along the eye ray, or 2 steps of a subpixel grid of 1/256 pixel beside it, and
+   * from there back to its surface along the light's ray, which grazing light makes a long way.
    */
   bool IsAmbiguous(int x, int y, const OracleLight& light) const;
 
@@ -117,10 +120,14 @@ private:
   void SetView(vtkRenderer* renderer);
   Ray GetShadowRay(const Receiver& receiver, const OracleLight& light) const;
   bool IsAmbiguous(int x, int y, const OracleLight& light, const Classification& centre) const;
+  bool DependsOnRounding(
+    int x, int y, const Receiver& receiver, const OracleLight& light, bool shadowed) const;
+  double GetWindowDepth(const double world[3]) const;
 
   int Width = 0;
   int Height = 0;
   double Projection[4][4]; ///< View to clip coordinates.
+  double WorldToView[4][4];
   double ViewToWorld[4][4];
   double Tolerance = 0.0; ///< World length in which surfaces coincide.
   RenderedTriangles Triangles;
