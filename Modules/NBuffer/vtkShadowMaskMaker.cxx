@@ -14,6 +14,21 @@
 #include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// The faces of a cube around a point light.
+std::vector<vtkShadowFrame> MakeFaces(const vtkShadowLight& light)
+{
+  std::vector<vtkShadowFrame> faces;
+  for (int i = 0; i < 6; ++i)
+  {
+    double axis[3] = { 0.0, 0.0, 0.0 };
+    axis[i / 2] = i % 2 ? -1.0 : 1.0;
+    faces.emplace_back(light, axis);
+  }
+  return faces;
+}
+}
 
 /// The view of a frame, in world coordinates relative to the eye.
 struct vtkShadowMaskMaker::Camera
@@ -102,10 +117,7 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
   this->Shadows = 0;
   this->Error.clear();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  const bool needsLitmap = settings.Mode != vtkShadowMode::Unclamped &&
-    std::any_of(lights.begin(), lights.end(), [](const vtkShadowLightSource& light)
-      { return light.Geometry.Kind != vtkShadowLightKind::Point; });
-  if (needsLitmap && !this->ReadDepth(window, statistics))
+  if (settings.Mode != vtkShadowMode::Unclamped && !this->ReadDepth(window, statistics))
   {
     return false;
   }
@@ -130,30 +142,46 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
   return true;
 }
 
+void vtkShadowMaskMaker::MakeLitmaps(const vtkShadowLight& light,
+  const std::vector<vtkShadowFrame>& frames, const Camera& camera, int resolution,
+  vtkShadowStatistics& statistics)
+{
+  vtkShadowView view;
+  vtkMatrix4x4::Invert(camera.EyeToClip, view.ClipToWorld);
+  std::copy_n(camera.Eye, 3, view.Origin);
+  view.Width = this->Viewport[2];
+  view.Height = this->Viewport[3];
+  this->Litmaps.resize(std::max(this->Litmaps.size(), frames.size()));
+  for (std::size_t i = 0; i < frames.size(); ++i)
+  {
+    statistics.Receivers += vtkShadowReceivers::Scatter(
+      this->Depth.data(), nullptr, view, light, frames[i], resolution, this->Litmaps[i]);
+    this->Litmaps[i].Build();
+    ++statistics.Litmaps;
+  }
+}
+
 bool vtkShadowMaskMaker::Shade(vtkOpenGLRenderWindow* window, const vtkShadowLightSource& light,
   std::size_t slot, const Camera& camera, const Settings& settings, vtkShadowStatistics& statistics)
 {
   vtkNBufferClock clock;
   const vtkShadowLight& geometry = light.Geometry;
   const vtkShadowFrame frame(geometry);
-  const bool usesLitmap =
-    settings.Mode != vtkShadowMode::Unclamped && geometry.Kind != vtkShadowLightKind::Point;
-  if (usesLitmap)
+  // What the rays of the plan's litmaps go round: the light's axis, or those of a cube.
+  std::vector<vtkShadowFrame> frames;
+  if (settings.Mode != vtkShadowMode::Unclamped)
   {
-    vtkShadowView view;
-    vtkMatrix4x4::Invert(camera.EyeToClip, view.ClipToWorld);
-    std::copy_n(camera.Eye, 3, view.Origin);
-    view.Width = this->Viewport[2];
-    view.Height = this->Viewport[3];
-    statistics.Receivers += vtkShadowReceivers::Scatter(
-      this->Depth.data(), nullptr, view, geometry, frame, settings.Resolution, this->Litmap);
-    this->Litmap.Build();
-    ++statistics.Litmaps;
+    frames = geometry.Kind == vtkShadowLightKind::Point ? MakeFaces(geometry)
+                                                        : std::vector<vtkShadowFrame>{ frame };
+    this->MakeLitmaps(geometry, frames, camera, settings.Resolution, statistics);
     statistics.LitmapTime += clock.Restart();
   }
-
   vtkShadowPlan plan(geometry, frame, camera.Plan, settings.Mode,
-    usesLitmap ? &this->Litmap : nullptr, settings.SlabGap);
+    frames.size() == 1 ? this->Litmaps.data() : nullptr, settings.SlabGap);
+  for (std::size_t i = 0; frames.size() > 1 && i < frames.size(); ++i)
+  {
+    plan.AddFace(frames[i], this->Litmaps[i]);
+  }
   this->Volume.Begin(camera.Eye);
   for (vtkShadowCaster* caster : this->Casters.GetCasters())
   {
@@ -170,15 +198,15 @@ bool vtkShadowMaskMaker::Shade(vtkOpenGLRenderWindow* window, const vtkShadowLig
   statistics.Triangles += static_cast<long long>(this->Volume.GetIndices().size() / 3);
   statistics.PlanTime += clock.Restart();
   const bool done = plan.GetDraws().empty() ||
-    this->Count(window, plan.GetDraws(), slot, camera, settings.CountFragments, statistics);
+    this->Count(window, plan, slot, camera, settings.CountFragments, statistics);
   statistics.DrawTime += clock.GetMilliseconds();
   return done;
 }
 
-bool vtkShadowMaskMaker::Count(vtkOpenGLRenderWindow* window,
-  const std::vector<vtkShadowDraw>& draws, std::size_t slot, const Camera& camera,
-  bool countFragments, vtkShadowStatistics& statistics)
+bool vtkShadowMaskMaker::Count(vtkOpenGLRenderWindow* window, const vtkShadowPlan& plan,
+  std::size_t slot, const Camera& camera, bool countFragments, vtkShadowStatistics& statistics)
 {
+  const std::vector<vtkShadowDraw>& draws = plan.GetDraws();
   ++this->Shadows;
   statistics.Draws += static_cast<int>(draws.size());
   statistics.ZPass += static_cast<int>(std::count_if(
@@ -191,6 +219,7 @@ bool vtkShadowMaskMaker::Count(vtkOpenGLRenderWindow* window,
   const int mask = static_cast<int>(slot) / each;
   const int channel = static_cast<int>(slot) % each;
   // As many volumes at a time as the stencil can count, should a receiver be in all of them.
+  const bool allAtOnce = plan.IsCountBelow(vtkShadowCaster::MaximumCount);
   const vtkShadowDraw* first = draws.data();
   const vtkShadowDraw* const end = first + draws.size();
   while (first != end)
@@ -198,7 +227,8 @@ bool vtkShadowMaskMaker::Count(vtkOpenGLRenderWindow* window,
     int count = first->MaximumCount;
     int start = first->Start;
     const vtkShadowDraw* last = first + 1;
-    while (last != end && count + last->MaximumCount <= vtkShadowCaster::MaximumCount)
+    while (
+      last != end && (allAtOnce || count + last->MaximumCount <= vtkShadowCaster::MaximumCount))
     {
       count += last->MaximumCount;
       start += last->Start;

@@ -71,14 +71,16 @@ private:
   struct Camera;
 
   bool ReadDepth(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics);
+  void MakeLitmaps(const vtkShadowLight& light, const std::vector<vtkShadowFrame>& frames,
+    const Camera& camera, int resolution, vtkShadowStatistics& statistics);
   bool Shade(vtkOpenGLRenderWindow* window, const vtkShadowLightSource& light, std::size_t slot,
     const Camera& camera, const Settings& settings, vtkShadowStatistics& statistics);
-  bool Count(vtkOpenGLRenderWindow* window, const std::vector<vtkShadowDraw>& draws,
-    std::size_t slot, const Camera& camera, bool countFragments, vtkShadowStatistics& statistics);
+  bool Count(vtkOpenGLRenderWindow* window, const vtkShadowPlan& plan, std::size_t slot,
+    const Camera& camera, bool countFragments, vtkShadowStatistics& statistics);
 
   vtkShadowTarget Target;
   vtkShadowCounter Counter;
-  vtkShadowLitmap Litmap;
+  std::vector<vtkShadowLitmap> Litmaps; ///< Of the light at work: one, or one for each face.
   vtkShadowVolume Volume;
   std::vector<float> Depth;
   int Viewport[4] = { 0, 0, 0, 0 };

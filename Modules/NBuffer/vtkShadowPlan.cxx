@@ -60,6 +60,12 @@ vtkShadowFootprint vtkShadowFootprint::Make(
     result.Q[1] = std::max(result.Q[1], pqs[1]);
     result.Near = std::min(result.Near, pqs[2]);
     result.Far = std::max(result.Far, pqs[2]);
+    for (int k = 0; k < 3; ++k)
+    {
+      const double x = points[3 * i + k];
+      result.Bounds[2 * k] = i > 0 ? std::min(result.Bounds[2 * k], x) : x;
+      result.Bounds[2 * k + 1] = i > 0 ? std::max(result.Bounds[2 * k + 1], x) : x;
+    }
   }
   return result;
 }
@@ -71,8 +77,46 @@ vtkShadowPlan::vtkShadowPlan(const vtkShadowLight& light, const vtkShadowFrame& 
   , Camera(view)
   , Mode(litmap ? mode : vtkShadowMode::Unclamped)
   , Litmap(litmap)
+  , ModeOfFaces(mode)
   , Gap(gap)
 {
+}
+
+void vtkShadowPlan::AddFace(const vtkShadowFrame& frame, const vtkShadowLitmap& litmap)
+{
+  this->Faces.push_back({ &frame, &litmap });
+  this->Mode = std::min(this->ModeOfFaces, vtkShadowMode::Exact);
+}
+
+vtkShadowExtent vtkShadowPlan::Query(const vtkShadowFootprint& footprint) const
+{
+  if (this->Faces.empty())
+  {
+    return this->IsThroughLightPlane(footprint)
+      ? this->Litmap->Query(-Everything, -Everything, Everything, Everything)
+      : this->Litmap->Query(footprint.P[0], footprint.Q[0], footprint.P[1], footprint.Q[1]);
+  }
+  double corners[24];
+  for (int i = 0; i < 8; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[3 * i + k] = footprint.Bounds[2 * k + (i >> k & 1)];
+    }
+  }
+  vtkShadowExtent extent;
+  for (const Face& face : this->Faces)
+  {
+    const vtkShadowFootprint box = vtkShadowFootprint::Make(corners, 8, *face.Frame);
+    if (box.Far <= 0.0)
+    {
+      continue;
+    }
+    extent.Merge(this->IsThroughLightPlane(box)
+        ? face.Litmap->Query(-Everything, -Everything, Everything, Everything)
+        : face.Litmap->Query(box.P[0], box.Q[0], box.P[1], box.Q[1]));
+  }
+  return extent;
 }
 
 bool vtkShadowPlan::IsBeyondNearPlane(const vtkShadowVolume& volume, std::size_t firstVertex) const
@@ -125,6 +169,26 @@ std::vector<vtkShadowSlab> vtkShadowPlan::GetSlabs(
   return slabs;
 }
 
+void vtkShadowPlan::AddRectangle(
+  const vtkShadowSilhouette& silhouette, const vtkShadowFootprint& footprint)
+{
+  vtkShadowRectangle rectangle;
+  rectangle.Weight = silhouette.GetMaximumCount();
+  if (!this->IsThroughLightPlane(footprint))
+  {
+    const double low[2] = { footprint.P[0], footprint.Q[0] };
+    const double high[2] = { footprint.P[1], footprint.Q[1] };
+    rectangle.Add(low);
+    rectangle.Add(high);
+  }
+  this->Rectangles.push_back(rectangle); // of infinite sides if it may be anywhere
+}
+
+bool vtkShadowPlan::IsCountBelow(int limit) const
+{
+  return vtkShadowOverlap::GetBound(this->Rectangles) <= limit;
+}
+
 void vtkShadowPlan::AddDraw(
   const vtkShadowVolume& volume, const vtkShadowExtent* extent, vtkShadowDraw draw)
 {
@@ -175,22 +239,22 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
   }
   if (this->Mode == vtkShadowMode::Unclamped)
   {
+    this->AddRectangle(silhouette, footprint);
     this->AddWhole(silhouette, points, numberOfPoints, nullptr, volume);
     return vtkShadowVerdict::Whole;
   }
 
-  const bool through = this->IsThroughLightPlane(footprint);
-  const vtkShadowExtent extent = through
-    ? this->Litmap->Query(-Everything, -Everything, Everything, Everything)
-    : this->Litmap->Query(footprint.P[0], footprint.Q[0], footprint.P[1], footprint.Q[1]);
+  const bool through = this->Faces.empty() && this->IsThroughLightPlane(footprint);
+  const vtkShadowExtent extent = this->Query(footprint);
   if (extent.IsEmpty())
   {
     return vtkShadowVerdict::NoReceiver;
   }
-  if (!through && extent.Far < footprint.Near)
+  if (!through && this->Faces.empty() && extent.Far < footprint.Near)
   {
     return vtkShadowVerdict::BeforeCaster;
   }
+  this->AddRectangle(silhouette, footprint);
   if (through || this->Mode == vtkShadowMode::Exact)
   {
     this->AddWhole(silhouette, points, numberOfPoints, &extent, volume);

@@ -25,6 +25,15 @@
  * wholly there shadows nothing that a spot of less than 90 degrees reaches (BehindLight); one that
  * reaches through it is drawn whole, into the box of all receivers (ThroughLightPlane).
  *
+ * A point light has six litmaps, one for each face of a cube around it. The rays of a caster's
+ * bounding box are looked up in all faces that they meet, for the receivers' box of pixels alone:
+ * its volumes are never clamped.
+ *
+ * ## The range of the stencil
+ *
+ * A receiver is inside of volumes at most as often as the casters that its light ray can meet
+ * count. Where the rectangles of rays of all casters bound that by 255, all are counted at once.
+ *
  * ## z-pass or z-fail
  *
  * Counting between the eye and the receiver (z-pass) is right if the eye is outside of the piece.
@@ -45,6 +54,7 @@
 
 #include "vtkShadowLight.h"
 #include "vtkShadowLitmap.h"
+#include "vtkShadowOverlap.h"
 #include "vtkShadowSilhouette.h"
 #include "vtkShadowStatistics.h"
 #include "vtkShadowVolume.h"
@@ -60,6 +70,7 @@ struct VTKNBUFFER_EXPORT vtkShadowFootprint
   double Q[2] = { 0.0, 0.0 };
   double Near = 0.0;
   double Far = 0.0;
+  double Bounds[6] = {}; ///< World.
 
   static vtkShadowFootprint Make(
     const double* points, int numberOfPoints, const vtkShadowFrame& frame);
@@ -97,6 +108,9 @@ public:
   vtkShadowPlan(const vtkShadowLight& light, const vtkShadowFrame& frame, const View& view,
     vtkShadowMode mode, const vtkShadowLitmap* litmap, int gap = 4);
 
+  /// One of the six litmaps of a point light, with its frame; both must outlive the plan.
+  void AddFace(const vtkShadowFrame& frame, const vtkShadowLitmap& litmap);
+
   /**
    * Decide about a caster, and if it is to be drawn add its triangles to `volume` and its draws to
    * GetDraws().
@@ -105,15 +119,26 @@ public:
     int numberOfPoints, const vtkShadowFootprint& footprint, vtkShadowVolume& volume);
 
   const std::vector<vtkShadowDraw>& GetDraws() const { return this->Draws; }
+
+  /// True if no receiver is inside of all volumes drawn more often than this.
+  bool IsCountBelow(int limit) const;
   int GetNumberOfSlabs() const { return this->Slabs; }
 
 private:
+  struct Face
+  {
+    const vtkShadowFrame* Frame;
+    const vtkShadowLitmap* Litmap;
+  };
+
+  vtkShadowExtent Query(const vtkShadowFootprint& footprint) const;
   std::vector<vtkShadowSlab> GetSlabs(
     const vtkShadowExtent& extent, const vtkShadowFootprint& footprint) const;
   bool IsThroughLightPlane(const vtkShadowFootprint& footprint) const;
   bool IsBeyondNearPlane(const vtkShadowVolume& volume, std::size_t firstVertex) const;
   void AddWhole(const vtkShadowSilhouette& silhouette, const double* points, int numberOfPoints,
     const vtkShadowExtent* extent, vtkShadowVolume& volume);
+  void AddRectangle(const vtkShadowSilhouette& silhouette, const vtkShadowFootprint& footprint);
   void AddDraw(const vtkShadowVolume& volume, const vtkShadowExtent* extent, vtkShadowDraw draw);
 
   const vtkShadowLight& Light;
@@ -121,6 +146,9 @@ private:
   View Camera;
   vtkShadowMode Mode;
   const vtkShadowLitmap* Litmap;
+  std::vector<Face> Faces;
+  std::vector<vtkShadowRectangle> Rectangles; ///< Of the casters drawn, weighted by their counts.
+  vtkShadowMode ModeOfFaces;
   int Gap;
   int Slabs = 0;
   std::vector<vtkShadowDraw> Draws;

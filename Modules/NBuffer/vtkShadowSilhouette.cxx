@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowSilhouette.h"
 
+#include "vtkShadowOverlap.h"
+
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -41,66 +43,6 @@ std::vector<bool> FindInsideOut(const vtkShadowTopology& topology, const double*
   return insideOut;
 }
 
-/// A rectangle in light coordinates (p, q).
-struct Rectangle
-{
-  double Low[2] = { std::numeric_limits<double>::infinity(),
-    std::numeric_limits<double>::infinity() };
-  double High[2] = { -std::numeric_limits<double>::infinity(),
-    -std::numeric_limits<double>::infinity() };
-
-  void Add(const double pq[2])
-  {
-    for (int i = 0; i < 2; ++i)
-    {
-      this->Low[i] = std::min(this->Low[i], pq[i]);
-      this->High[i] = std::max(this->High[i], pq[i]);
-    }
-  }
-};
-
-/// The largest number of rectangles that touch one cell of a grid over all of them. Linear in their
-/// number: a rectangle is entered into the differences between cells by its four corners.
-int FindLargestOverlap(const std::vector<Rectangle>& rectangles, const Rectangle& all)
-{
-  // About four cells for each rectangle.
-  const int size =
-    std::clamp(static_cast<int>(2.0 * std::sqrt(static_cast<double>(rectangles.size()))), 1, 1024);
-  const std::size_t row = static_cast<std::size_t>(size) + 1;
-  const auto getCell = [&](double value, int i)
-  {
-    const double width = (all.High[i] - all.Low[i]) / size;
-    return width > 0.0
-      ? static_cast<std::size_t>(std::clamp((value - all.Low[i]) / width, 0.0, size - 1.0))
-      : 0;
-  };
-  std::vector<int> grid(row * row, 0);
-  for (const Rectangle& rectangle : rectangles)
-  {
-    std::size_t low[2];
-    std::size_t end[2];
-    for (int i = 0; i < 2; ++i)
-    {
-      const double margin = 1e-6 * (all.High[i] - all.Low[i]); // far above the rounding of p and q
-      low[i] = getCell(rectangle.Low[i] - margin, i);
-      end[i] = getCell(rectangle.High[i] + margin, i) + 1;
-    }
-    ++grid[low[1] * row + low[0]];
-    --grid[low[1] * row + end[0]];
-    --grid[end[1] * row + low[0]];
-    ++grid[end[1] * row + end[0]];
-  }
-  for (std::size_t i = 1; i < grid.size(); ++i)
-  {
-    grid[i] += i % row > 0 ? grid[i - 1] : 0;
-  }
-  for (std::size_t i = row; i < grid.size(); ++i)
-  {
-    grid[i] += grid[i - row];
-  }
-  return *std::max_element(grid.begin(), grid.end());
-}
-
 /// Upper bound of how many of the triangles one ray of the light can meet: as many as have bounding
 /// rectangles in light coordinates that overlap, where these exist, or else all.
 int BoundOverlap(
@@ -116,8 +58,7 @@ int BoundOverlap(
   }
   const vtkShadowFrame frame =
     light.IsPositional() ? vtkShadowFrame(light, axis) : vtkShadowFrame(light);
-  Rectangle all;
-  std::vector<Rectangle> rectangles(static_cast<std::size_t>(count));
+  std::vector<vtkShadowRectangle> rectangles(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     double pqs[3];
@@ -126,12 +67,9 @@ int BoundOverlap(
     {
       return count; // the caster is around the light
     }
-    all.Add(pqs);
     rectangles[i / 3].Add(pqs);
   }
-  const bool finite =
-    std::isfinite(all.High[0] - all.Low[0]) && std::isfinite(all.High[1] - all.Low[1]);
-  return finite ? FindLargestOverlap(rectangles, all) : count;
+  return static_cast<int>(vtkShadowOverlap::GetBound(rectangles));
 }
 }
 

@@ -43,8 +43,8 @@
  *
  * Casters are opaque surfaces of polydata or composite data sets; GetStatistics() counts what is
  * not, by reason. Wireframes, points and glyphs cast nothing; textures with alpha and what shaders
- * displace cast as if they did not. Point lights and lights with more casters than receivers
- * know nothing of litmaps: their volumes are drawn whole. With multisampling masks are by pixel,
+ * displace cast as if they did not. The volumes of point lights are never
+ * clamped. With multisampling masks are by pixel,
  * not by sample. Needs OpenGL 3.2 with depth and stencil in one texture; where anything is refused
  * the frame is drawn without shadows, with one warning.
  *
