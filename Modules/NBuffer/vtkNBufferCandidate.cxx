@@ -4,12 +4,18 @@
 
 #include "vtkActor2D.h"
 #include "vtkAlgorithm.h"
+#include "vtkCellTypes.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkCompositePolyDataMapper.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetMapper.h"
 #include "vtkFloatArray.h"
+#include "vtkGenericCell.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkOpenGLActor.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLVertexBufferObject.h"
@@ -19,6 +25,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
+#include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 #include "vtkTrivialProducer.h"
 #include "vtkVolume.h"
@@ -72,6 +79,49 @@ bool HasOtherCoordinates(vtkActor* actor)
   (void)actor;
   return false;
 #endif
+}
+
+bool HasLines(vtkDataSet* data)
+{
+  if (auto* polys = vtkPolyData::SafeDownCast(data))
+  {
+    return polys->GetNumberOfLines() > 0;
+  }
+  vtkNew<vtkCellTypes> types;
+  data->VTKNBUFFER_GET_CELL_TYPES(types);
+  vtkNew<vtkGenericCell> cell;
+  for (int i = 0; i < types->GetNumberOfTypes(); ++i)
+  {
+    cell->SetCellType(types->GetCellType(i));
+    if (cell->GetCellDimension() == 1)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether the mapper draws lines, as far as its input is at hand.
+bool DrawsLines(vtkMapper* mapper)
+{
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  if (auto* data = vtkDataSet::SafeDownCast(input))
+  {
+    return HasLines(data);
+  }
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    const auto blocks = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+    {
+      auto* data = vtkDataSet::SafeDownCast(blocks->GetCurrentDataObject());
+      if (data && HasLines(data))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 /// What is drawn as lines or points is as wide as the property says, in pixels.
@@ -342,7 +392,7 @@ vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor) const
   vtkProperty* property = actor->GetProperty();
   if (property->GetRepresentation() != VTK_SURFACE || property->GetEdgeVisibility() ||
     property->GetVertexVisibility() || property->GetRenderPointsAsSpheres() ||
-    property->GetRenderLinesAsTubes())
+    property->GetRenderLinesAsTubes() || this->HasLines)
   {
     return vtkNBufferVerdict::NotASurface;
   }
@@ -380,6 +430,7 @@ void vtkNBufferCandidate::TakeBounds(vtkActor* actor)
   }
   this->Box = vtkNBufferBox::FromBounds(bounds);
   this->Box.Margin = GetMargin(this->Mapper, actor->GetProperty());
+  this->HasLines = this->Box.Margin > 0.0 && DrawsLines(this->Mapper);
   const BufferCoordinates buffer = GetBufferCoordinates(this->Mapper);
   this->BufferIsKnown = buffer.Known;
   vtkMatrix4x4* matrix = actor->GetMatrix();

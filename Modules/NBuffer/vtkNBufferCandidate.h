@@ -8,6 +8,9 @@
  * in the opaque stage lies inside its bounds, at the depths of its surface, and if it draws
  * nothing in the other stages. All others are drawn as usual, with the reason as verdict.
  *
+ * Lines are no surface: fragments lie up to half a pixel beyond a line's ends, at depths that go on
+ * as steeply as the line does. Seen end-on, there is no bound to that.
+ *
  * What is cached stays valid as long as the modification times of everything that it came from do
  * not change (vtkNBufferSources). VTK's times come from one global counter, so that any change
  * makes the largest of them grow. A prop with a pipeline upstream of its mapper is volatile: it is
@@ -108,6 +111,7 @@ private:
   vtkNBufferVerdict Verdict = vtkNBufferVerdict::Unknown;
   bool BoxIsUsable = false;
   bool BufferIsKnown = true;
+  bool HasLines = false;
   bool DepthWriter = true;
   bool Blended = false;
   bool Unlit = false;

@@ -35,7 +35,7 @@ enum class vtkNBufferVerdict : int
   NotAPlainActor,   ///< Drawn: no vtkOpenGLActor itself (subclass, volume, assembly, 2D, custom).
   NotAPlainMapper,  ///< Drawn: mapper of another class, whose bounds may be too small, or none.
   Translucent,      ///< Drawn: may be seen and has translucent geometry; it hides nothing.
-  NotASurface,      ///< Drawn: points, wireframe, visible edges or vertices, spheres, tubes.
+  NotASurface,      ///< Drawn: lines, wireframe, all as points, visible edges or vertices, spheres.
   DepthOffset,      ///< Drawn: coincident-topology parameters pull its depth towards the eye.
   ShaderReplaced,   ///< Drawn: the application replaces its shader code.
   OtherCoordinates, ///< Drawn: its coordinate system is not the world.

@@ -42,6 +42,13 @@
 // vtkRenderer::SetUseOIT(); before, order-independent transparency is always on.
 #define VTKNBUFFER_HAS_OIT_SWITCH (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 5)
 
+// What vtkDataSet's list of cell types is called.
+#if VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 6
+#define VTKNBUFFER_GET_CELL_TYPES GetDistinctCellTypes
+#else
+#define VTKNBUFFER_GET_CELL_TYPES GetCellTypes
+#endif
+
 // Ambient occlusion works in a part of a window; before, it draws outside its framebuffer.
 #define VTKNBUFFER_HAS_SSAO_IN_PARTS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 7)
 

@@ -238,7 +238,11 @@ std::string Checker::CheckFrame(const Scenario& scenario, int frame)
     failure += "VTK reports: " + testedMessages;
   }
   const bool stereo = this->Reference.GetWindow()->GetStereoRender() != 0;
-  failure += this->CompareImages(this->Reference.GetWindow()->GetMultiSamples() <= 1 && !stereo);
+  this->IsUndefined = errors[0] != GL_NO_ERROR;
+  if (!this->IsUndefined)
+  {
+    failure += this->CompareImages(this->Reference.GetWindow()->GetMultiSamples() <= 1 && !stereo);
+  }
   failure += this->CheckStatistics();
   // The statistics are those of one eye.
   if (!stereo && scenario.Renderers.size() == 1)
@@ -380,6 +384,7 @@ void Checker::Count(const Scenario& scenario, Tally& tally) const
 {
   ++tally.Frames;
   tally.GLErrors += this->GLErrors;
+  tally.Undefined += this->IsUndefined;
   ++tally.Features["family " + scenario.Family];
   bool hidden = false;
   for (int i = 0; i < this->Tested.GetNumberOfRenderers(); ++i)

@@ -33,6 +33,8 @@ struct Tally
   long long Hidden = 0;
   long long Redrawn = 0;
   long long GLErrors = 0;
+  long long Undefined =
+    0; ///< Frames in which VTK alone makes an OpenGL error: no image to compare.
   long long FramesWithHidden = 0;
   std::map<std::string, long long> Decisions; ///< Renderer frames by decision.
   std::map<std::string, long long> Verdicts;  ///< Props by verdict.
@@ -69,6 +71,7 @@ private:
   Stage Reference;
   Stage Tested;
   long long GLErrors = 0;
+  bool IsUndefined = false; ///< The frame: what VTK's error leaves behind depends on nothing known.
 };
 
 /// Text of the errors and warnings that VTK reported since the last call.

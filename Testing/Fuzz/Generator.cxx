@@ -165,7 +165,10 @@ void MakeOdd(Writer& writer, Prop& prop)
       prop.Kind = writer.Any({ PropKind::Piped, PropKind::DataSet, PropKind::Composite });
       break;
     case 8:
-      prop.Kind = writer.Any({ PropKind::Assembly, PropKind::Follower, PropKind::Glyphs });
+      // Glyphs of lines are as wide as the lines that happened to be drawn before (docs/limits.md).
+      prop.Kind = prop.Shape.Kind == ShapeKind::Lines
+        ? writer.Any({ PropKind::Assembly, PropKind::Follower })
+        : writer.Any({ PropKind::Assembly, PropKind::Follower, PropKind::Glyphs });
       break;
     case 9:
       prop.Kind = writer.Any({ PropKind::LOD, PropKind::NoMapper, PropKind::Text });

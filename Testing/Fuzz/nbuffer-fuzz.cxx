@@ -192,6 +192,7 @@ private:
     json["frames_until_failure"] = Json::Int64(this->FirstFailure);
     json["differs_without_culler"] = this->Excused;
     json["gl_errors"] = Json::Int64(t.GLErrors);
+    json["undefined_without_culler"] = Json::Int64(t.Undefined);
     json["props"] = Json::Int64(t.Props);
     json["tested"] = Json::Int64(t.Tested);
     json["held_back"] = Json::Int64(t.HeldBack);

@@ -249,7 +249,11 @@ void Comparison::Frame(const std::string& what)
     stage->Window->MakeCurrent();
     errors[stage == &this->Culled] = glGetError();
   }
-  // What VTK itself does wrong is not ours.
+  if (!this->Options.ReadRendered)
+  {
+    // Else there might be nothing in the image to compare.
+    EXPECT_EQ(errors[0], GL_NO_ERROR) << "VTK alone";
+  }
   EXPECT_TRUE(errors[1] == GL_NO_ERROR || errors[0] != GL_NO_ERROR)
     << "OpenGL error 0x" << std::hex << errors[1] << std::dec;
   if (std::getenv("VTKNBUFFER_TEST_VERBOSE") && this->Culled.Culler)
@@ -281,9 +285,11 @@ void Comparison::ComparePixels(const std::string& what)
   const int* size = this->Reference.Window->GetActualSize();
   ASSERT_EQ(size[0], this->Culled.Window->GetActualSize()[0]);
   ASSERT_EQ(size[1], this->Culled.Window->GetActualSize()[1]);
-  const auto read = [size](const Stage& stage, vtkUnsignedCharArray* pixels, vtkFloatArray* depth)
+  const auto read = [this, size](
+                      const Stage& stage, vtkUnsignedCharArray* pixels, vtkFloatArray* depth)
   {
-    stage.Window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels);
+    stage.Window->GetRGBACharPixelData(
+      0, 0, size[0] - 1, size[1] - 1, this->Options.ReadRendered ? 0 : 1, pixels);
     if (depth)
     {
       stage.Window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depth);
@@ -319,8 +325,7 @@ void Comparison::ComparePixels(const std::string& what)
     {
       const auto* info = testing::UnitTest::GetInstance()->current_test_info();
       std::string file = std::string(info->test_suite_name()) + "." + info->name() + "." + what;
-      std::replace_if(
-        file.begin(), file.end(), [](char c) { return c == '/' || c == ' '; }, '_');
+      std::replace_if(file.begin(), file.end(), [](char c) { return c == '/' || c == ' '; }, '_');
       WriteImage(this->Reference.Window, std::string(folder) + "/" + file + ".expected.png");
       WriteImage(this->Culled.Window, std::string(folder) + "/" + file + ".culled.png");
     }

@@ -89,6 +89,9 @@ struct ComparisonOptions
   bool AddCuller = true;
   /// Compare depth as well; not where the last renderer or a pass leaves none to read.
   bool CompareDepth = true;
+  /// Read what was rendered instead of the copy that VTK makes of it to show. Where the formats of
+  /// depth differ VTK fails to make that copy; then its OpenGL errors are no failure.
+  bool ReadRendered = false;
   /// Compare the draws of each prop with the reference. Not in stereo: the statistics are those
   /// of one eye.
   bool CompareDraws = true;

@@ -60,6 +60,7 @@ public:
     options.MultiSamples = this->GetParam().Samples;
     // VTK cannot read multisampled depth whose format is not that of its other framebuffers.
     options.CompareDepth = this->GetParam().Samples == 0;
+    options.ReadRendered = this->GetParam().Texture >= 0;
     return options;
   }
 

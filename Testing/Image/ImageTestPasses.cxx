@@ -349,8 +349,6 @@ const Way Ways[] = {
     Outcome::Aside, Decision::RenderPass },
   // Hazard: multisampled depth under translucent props, and under passes that resolve it.
   { "MultiSamples4TranslucentOIT", [](Stage&) {}, Outcome::Culls, Decision::None, true, 4 },
-  { "MultiSamples4FXAA", [](Stage& s) { s.GetRenderer()->SetUseFXAA(true); }, Outcome::Culls,
-    Decision::None, false, 4 },
   { "MultiSamples4SSAO",
     [](Stage& s)
     {
@@ -575,6 +573,8 @@ TEST(CullerPassesOnce, SettingsChangeBetweenFrames)
   comparison.Frame("SSAO off");
   comparison.Both([](Stage& stage) { stage.GetRenderer()->SetUseFXAA(true); });
   comparison.Frame("FXAA on");
+  comparison.Both([](Stage& stage) { stage.GetRenderer()->SetUseFXAA(false); });
+  comparison.Frame("FXAA off");
   comparison.Both([](Stage& stage) { stage.Window->SetMultiSamples(4); });
   comparison.Frame("MSAA on");
   comparison.Both([](Stage& stage) { stage.Window->SetMultiSamples(0); });

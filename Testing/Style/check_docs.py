@@ -31,9 +31,11 @@ def check_hazards(root):
     sources = "\n".join(path.read_text() for path in sorted((root / "Testing").rglob("*.cxx")))
     tests = {f"{suite}.{case}" for suite, case in re.findall(
         r"TEST(?:_F|_P)?\(\s*(\w+)\s*,\s*(\w+)\s*\)", sources)}
+    in_table = False
     for line in (root / "docs/hazards.md").read_text().splitlines():
         cells = [cell.strip() for cell in line.split("|")[1:-1]]
-        if len(cells) < 2 or set(cells[0]) <= set("- ") or cells[0] == "hazard":
+        in_table = cells[:1] == ["hazard"] or (in_table and bool(cells))
+        if not in_table or len(cells) < 2 or set(cells[0]) <= set("- ") or cells[0] == "hazard":
             continue
         names = re.findall(r"`([\w]+\.[\w]+)[^`]*`", cells[1])
         if not names:
