@@ -4,13 +4,15 @@
  * @file ShadowCommand.cxx
  * @brief Fragments, times and errors of shadows, by mode.
  *
- *     renderer, window, vtk, scene, path, size, samples, seed, frames, props, block, litmap
+ *     renderer, window, vtk, scene, path, size, samples, seed, frames, props, block, litmap,
+ *     ground_casts
  *     modes.NAME              median_ms, p10_ms, p90_ms, frames_ms
  *     modes.(volumes)         also fragments (mean of all frames), fragments_percent (of mode
  *                             unclamped) and statistics: the members of vtkShadowStatistics, each
  *                             the median over the timed frames
  *     modes.NAME.oracle       only with --oracle: samples compared with rays; wrong: those that
- *                             differ and are not ambiguous; ambiguous: those that differ and are
+ *                             differ and are not ambiguous; ambiguous: those that differ and are;
+ *                             wrong_places: [frame, x, y] of the first wrong ones
  *     ratios.A/B              median over the frames of (ms of mode A) / (ms of mode B)
  */
 #include "Chart.h"
@@ -38,6 +40,7 @@ struct ShadowCommandOptions
 {
   ViewOptions View;
   ShadowWalkOptions Walk;
+  bool GroundCasts = true;
   std::string JSON;
 };
 
@@ -83,6 +86,15 @@ Json::Value MakeModeReport(const ShadowWalkResult& result, const std::string& na
     oracle["samples"] = static_cast<Json::Int64>(counts->second.Samples);
     oracle["wrong"] = static_cast<Json::Int64>(counts->second.Wrong);
     oracle["ambiguous"] = static_cast<Json::Int64>(counts->second.Ambiguous);
+    for (const auto& place : counts->second.Places)
+    {
+      Json::Value pixel(Json::arrayValue);
+      for (const int value : place)
+      {
+        pixel.append(value);
+      }
+      oracle["wrong_places"].append(pixel);
+    }
   }
   return report;
 }
@@ -167,6 +179,10 @@ int RunShadowCommand(ShadowCommandOptions& options)
   Session& session = Session::New(scene, options.View.Window);
   const std::string& name = options.View.SceneNames.front();
   vtkLight* light = LightScene(name, scene, path, session.GetRenderer());
+  if (!options.GroundCasts)
+  {
+    options.Walk.CasterKeys = MarkCasters(name, scene);
+  }
   options.Walk.Progress = ShowProgress;
   const ShadowWalkResult result = RunShadowWalk(session, light, path, options.Walk);
 
@@ -174,6 +190,7 @@ int RunShadowCommand(ShadowCommandOptions& options)
   report["scene"] = name == "city-sun" || name == "city-spot" ? name : scene.Name;
   report["frames"] = static_cast<Json::UInt64>(path.size());
   report["props"] = static_cast<Json::UInt64>(scene.Actors.size());
+  report["ground_casts"] = options.Walk.CasterKeys == nullptr;
   report["block"] = options.Walk.Block;
   report["litmap"] = options.Walk.Litmap;
   report["ratios"] = Json::Value(Json::objectValue);
@@ -237,6 +254,8 @@ void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
   command->add_option("--block", options->Walk.Block, "Timed frames of a mode in a row")
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();
+  command->add_flag("!--no-ground-caster", options->GroundCasts,
+    "In vtkShadowVolumeClampPass ground and streets only receive shadows");
   command->add_option("--json", options->JSON, "File for the figures");
   command->add_option("--images", options->Walk.ImageFolder,
     "Folder for the middle frame of each mode and the chart of frame times");

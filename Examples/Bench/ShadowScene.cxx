@@ -8,6 +8,7 @@
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
 #include "vtkCylinderSource.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -59,7 +60,7 @@ vtkActor* AddBox(Scene& scene, vtkPolyDataMapper* box, double x, double y, doubl
   return actor;
 }
 
-/// Its top is at height 0.
+/// A square slab, its top at height 0.
 void AddGround(Scene& scene, vtkPolyDataMapper* box, double side)
 {
   AddBox(scene, box, 0.0, 0.0, -0.5, side, side, 1.0)->GetProperty()->SetColor(0.62, 0.66, 0.58);
@@ -112,7 +113,7 @@ Scene MakeParts(std::uint64_t seed)
   cone->SetResolution(48);
   const vtkSmartPointer<vtkPolyDataMapper> parts[] = { MakeMapper(cube.Get()),
     MakeMapper(cylinder.Get()), MakeMapper(sphere.Get()), MakeMapper(cone.Get()) };
-  AddGround(scene, parts[0], 24.0);
+  AddGround(scene, parts[0], 14.0);
   for (std::size_t i = 0; i < 20; ++i)
   {
     double values[9];
@@ -198,6 +199,25 @@ vtkLight* LightScene(const std::string& name, const Scene& scene,
   renderer->AutomaticLightCreationOff();
   renderer->AddLight(light);
   return light;
+}
+
+vtkSmartPointer<vtkInformation> MarkCasters(const std::string& name, const Scene& scene)
+{
+  if (!scene.Plan && !IsMadeScene(name))
+  {
+    return nullptr;
+  }
+  static auto* const key = vtkInformationIntegerKey::MakeKey("CASTS", "NBufferBench");
+  auto keys = vtkSmartPointer<vtkInformation>::New();
+  keys->Set(key, 1);
+  // The ground is the first actor of scenes made here; in a city it follows the buildings.
+  const std::size_t first = scene.Plan ? 0 : 1;
+  const std::size_t end = scene.Plan ? scene.Plan->Buildings.size() : scene.Actors.size();
+  for (std::size_t i = first; i < end; ++i)
+  {
+    scene.Actors[i]->SetPropertyKeys(keys);
+  }
+  return keys;
 }
 
 } // namespace NBufferBench

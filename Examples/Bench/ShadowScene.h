@@ -17,7 +17,9 @@
 #include "CameraPath.h"
 #include "Scene.h"
 
+#include "vtkInformation.h"
 #include "vtkLight.h"
+#include "vtkSmartPointer.h"
 
 #include <cstdint>
 #include <string>
@@ -37,6 +39,11 @@ NBufferExamples::Scene MakeScene(const std::string& name, std::uint64_t seed);
 /// the middle of the path.
 vtkLight* LightScene(const std::string& name, const NBufferExamples::Scene& scene,
   const NBufferExamples::CameraPath& path, vtkRenderer* renderer);
+
+/// Give all actors a property key but the ground and what lies on it; returns it, so that these only
+/// receive shadows. nullptr for scenes of files, whose parts are not told apart.
+vtkSmartPointer<vtkInformation> MarkCasters(
+  const std::string& name, const NBufferExamples::Scene& scene);
 
 } // namespace NBufferBench
 

@@ -7,6 +7,7 @@
 #include "ShadowMode.h"
 
 #include "vtkLight.h"
+#include "vtkProp.h"
 #include "vtkShadowVolumeClampPass.h"
 
 #include <algorithm>
@@ -33,6 +34,7 @@ public:
     , Path(path)
     , Options(options)
   {
+    this->Volumes->SetCasterKeys(options.CasterKeys);
     this->Result.Walk.Frames = path.size();
     for (const std::string& name : options.Modes)
     {
@@ -152,19 +154,22 @@ private:
     {
       this->Progress("casting rays, frame " + std::to_string(frame));
       this->Where.SetPose(this->Path[frame]);
-      const OracleImage expected = Cast(this->Where.GetRenderer(), this->Light);
+      const Oracle oracle(this->Where.GetRenderer(),
+        [this](vtkProp* prop) { return prop->HasKeys(this->Options.CasterKeys); });
+      const OracleImage expected = oracle.Cast(OracleLight(this->Light));
       for (const ShadowMode& mode : this->Modes)
       {
         if (mode.GetName() != "none")
         {
           Compare(this->FindShadows(mode, frame, expected.Samples.size()), expected,
-            this->Result.Oracle[mode.GetName()]);
+            static_cast<int>(frame), this->Result.Oracle[mode.GetName()]);
         }
       }
     }
   }
 
-  static void Compare(const Shadows& shadows, const OracleImage& expected, OracleCounts& counts)
+  static void Compare(
+    const Shadows& shadows, const OracleImage& expected, int frame, OracleCounts& counts)
   {
     for (std::size_t i = 0; i < shadows.size(); ++i)
     {
@@ -174,9 +179,20 @@ private:
         continue;
       }
       ++counts.Samples;
-      if ((shadows[i] != 0) != (sample == OracleSample::Shadowed))
+      if ((shadows[i] != 0) == (sample == OracleSample::Shadowed))
       {
-        ++(expected.Ambiguous[i] ? counts.Ambiguous : counts.Wrong);
+        continue;
+      }
+      if (expected.Ambiguous[i])
+      {
+        ++counts.Ambiguous;
+        continue;
+      }
+      constexpr long long places = 20;
+      if (counts.Wrong++ < places)
+      {
+        const int pixel = static_cast<int>(i);
+        counts.Places.push_back({ frame, pixel % expected.Width, pixel / expected.Width });
       }
     }
   }

@@ -14,6 +14,10 @@
 #include "Session.h"
 #include "Walk.h"
 
+#include "vtkInformation.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
 #include <functional>
 #include <map>
 #include <string>
@@ -29,6 +33,8 @@ struct ShadowWalkOptions
   std::vector<std::string> Modes = { "none", "unclamped", "exact", "clamp", "slabs", "vtk" };
   /// Lexels along each side of the litmaps of modes that do not name it.
   int Litmap = 256;
+  /// Only props with these keys cast; nullptr: all.
+  vtkSmartPointer<vtkInformation> CasterKeys;
   /// Compare the first, middle and last frame with rays.
   bool Oracle = false;
   /// Timed frames of a mode in a row.
@@ -44,6 +50,8 @@ struct OracleCounts
   long long Samples = 0;
   long long Wrong = 0;     ///< They differ and are not ambiguous.
   long long Ambiguous = 0; ///< They differ and are ambiguous.
+  /// Frame, x and y (from below) of the first wrong ones.
+  std::vector<std::array<int, 3>> Places;
 };
 
 struct ShadowWalkResult

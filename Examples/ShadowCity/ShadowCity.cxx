@@ -2,20 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShadowCity.cxx
- * @brief The shadows of a city on 21 June, from a bird's eye view.
+ * @brief The shadows of a city of 15,328 buildings at 9 in the morning of 21 June, from above the
+ * roofs.
  *
  *     shadow-city [--out FOLDER]
  *
- * Opens a window at 9 in the morning, solar time (Sun.h has the formula); the left and right arrow
- * keys go half an hour back and on. With --out it writes pictures of every second hour from 5 to 19
- * o'clock, FOLDER/shadow-city-05.png and so on.
+ * opens a window; with --out it writes a picture for every second hour from 5 to 19 o'clock,
+ * FOLDER/shadow-city-05.png and so on. Hours are of solar time; Sun.h has the formula.
  */
 #include "CameraPath.h"
 #include "Scene.h"
 #include "Sun.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkRenderWindow.h"
@@ -26,14 +24,14 @@
 
 #include <vtksys/SystemTools.hxx>
 
-#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <string>
 
 int main(int argc, char* argv[])
 {
-  if (argc != 1 && (argc != 3 || std::string(argv[1]) != "--out"))
+  const bool toFiles = argc == 3 && std::string(argv[1]) == "--out";
+  if (argc != 1 && !toFiles)
   {
     std::cerr << "usage: shadow-city [--out FOLDER]\n";
     return 1;
@@ -47,9 +45,7 @@ int main(int argc, char* argv[])
     NBufferExamples::LightGround(scene);
     vtkNew<vtkRenderer> renderer;
     scene.AddTo(renderer);
-
-    NBufferExamples::SunTime time;
-    const vtkSmartPointer<vtkLight> sun = NBufferExamples::MakeSun(time);
+    const vtkSmartPointer<vtkLight> sun = NBufferExamples::MakeSun({});
     renderer->RemoveAllLights();
     renderer->AddLight(sun);
 
@@ -64,31 +60,37 @@ int main(int argc, char* argv[])
     double bounds[6];
     scene.GetBounds().GetBounds(bounds);
     NBufferExamples::ApplyPose(path.front(), bounds, renderer);
-    if (argc == 3)
+    if (!toFiles)
     {
-      vtksys::SystemTools::MakeDirectory(argv[2]);
-      window->SetOffScreenRendering(1);
-      for (time.Hour = 5.0; time.Hour <= 19.0; time.Hour += 2.0)
-      {
-        NBufferExamples::SetSun(time, sun);
-        window->Render();
-        vtkNew<vtkWindowToImageFilter> grab;
-        grab->SetInput(window);
-        grab->ReadFrontBufferOff();
-        char name[32];
-        std::snprintf(name, sizeof(name), "/shadow-city-%02d.png", static_cast<int>(time.Hour));
-        vtkNew<vtkPNGWriter> writer;
-        writer->SetInputConnection(grab->GetOutputPort());
-        writer->SetFileName((argv[2] + std::string(name)).c_str());
-        writer->Write();
-        std::cout << time.Hour << " o'clock: " << shadows->GetStatistics().Casters
-                  << " casters, shadows drawn in " << shadows->GetStatistics().Draws << " draws\n";
-        if (writer->GetErrorCode() != 0)
-        {
-          return 1;
-        }
-      }
+      vtkNew<vtkRenderWindowInteractor> interactor;
+      interactor->SetRenderWindow(window);
+      window->Render();
+      interactor->Start();
       return 0;
+    }
+    vtksys::SystemTools::MakeDirectory(argv[2]);
+    window->SetOffScreenRendering(1);
+    for (int hour = 5; hour < 20; hour += 2)
+    {
+      NBufferExamples::SunTime time;
+      time.Hour = hour;
+      NBufferExamples::SetSun(time, sun);
+      window->Render();
+      vtkNew<vtkWindowToImageFilter> grab;
+      grab->SetInput(window);
+      grab->ReadFrontBufferOff();
+      vtkNew<vtkPNGWriter> writer;
+      const std::string number = (hour < 10 ? "0" : "") + std::to_string(hour);
+      writer->SetInputConnection(grab->GetOutputPort());
+      writer->SetFileName((argv[2] + ("/shadow-city-" + number + ".png")).c_str());
+      writer->Write();
+      const vtkShadowStatistics& statistics = shadows->GetStatistics();
+      std::cout << hour << " o'clock: the shadows of " << statistics.Draws << " of "
+                << statistics.Casters << " casters drawn\n";
+      if (writer->GetErrorCode() != 0 || statistics.Decision != vtkShadowDecision::Drawn)
+      {
+        return 1;
+      }
     }
   }
   catch (const std::exception& error)

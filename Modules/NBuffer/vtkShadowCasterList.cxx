@@ -4,6 +4,7 @@
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
+#include "vtkAlgorithm.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 #include "vtkCompositeDataDisplayAttributes.h"
@@ -19,6 +20,9 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkTrivialProducer.h"
+
+#include <typeinfo>
 
 #if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
 #include "vtkCompositePolyDataMapper2.h"
@@ -122,8 +126,10 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
     this->Skip(vtkShadowSkip::Translucent);
     return;
   }
-  if (!mapper->GetStatic())
+  vtkAlgorithm* producer = mapper->GetInputAlgorithm();
+  if (!mapper->GetStatic() && producer && typeid(*producer) != typeid(vtkTrivialProducer))
   {
+    // Without a pipeline there is nothing to update, which takes longer than all the rest.
     mapper->Update();
   }
   if (GetAttributes(mapper))

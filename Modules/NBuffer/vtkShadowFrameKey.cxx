@@ -15,8 +15,7 @@ VTK_ABI_NAMESPACE_BEGIN
 vtkShadowFrameKey::vtkShadowFrameKey(const vtkRenderState* state,
   const std::vector<vtkShadowLightSource>& lights, const std::vector<vtkShadowCaster*>& casters,
   vtkMTimeType settingsTime)
-  : Complete(true)
-  , Renderer(state->GetRenderer())
+  : Renderer(state->GetRenderer())
   , SettingsTime(settingsTime)
   , Lights(lights)
   , Casters(casters)
@@ -25,6 +24,11 @@ vtkShadowFrameKey::vtkShadowFrameKey(const vtkRenderState* state,
   this->ContextTime = view.ContextTime;
   this->WorldToClip = view.WorldToClip;
   glGetIntegerv(GL_VIEWPORT, this->Viewport.data());
+}
+
+void vtkShadowFrameKey::AddProps(const vtkRenderState* state)
+{
+  this->Complete = true;
   for (int i = 0; i < state->GetPropArrayCount(); ++i)
   {
     vtkProp* prop = state->GetPropArray()[i];
@@ -33,11 +37,16 @@ vtkShadowFrameKey::vtkShadowFrameKey(const vtkRenderState* state,
   }
 }
 
+bool vtkShadowFrameKey::HasSameView(const vtkShadowFrameKey& other) const
+{
+  return this->Renderer == other.Renderer && this->ContextTime == other.ContextTime &&
+    this->SettingsTime == other.SettingsTime && this->Viewport == other.Viewport &&
+    this->WorldToClip == other.WorldToClip && this->Lights == other.Lights &&
+    this->Casters == other.Casters;
+}
+
 bool vtkShadowFrameKey::operator==(const vtkShadowFrameKey& other) const
 {
-  return this->Complete && other.Complete && this->Renderer == other.Renderer &&
-    this->ContextTime == other.ContextTime && this->SettingsTime == other.SettingsTime &&
-    this->Viewport == other.Viewport && this->WorldToClip == other.WorldToClip &&
-    this->Lights == other.Lights && this->Casters == other.Casters && this->Props == other.Props;
+  return this->Complete && other.Complete && this->HasSameView(other) && this->Props == other.Props;
 }
 VTK_ABI_NAMESPACE_END

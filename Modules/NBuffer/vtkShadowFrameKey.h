@@ -34,6 +34,10 @@ public:
   vtkShadowFrameKey(const vtkRenderState* state, const std::vector<vtkShadowLightSource>& lights,
     const std::vector<vtkShadowCaster*>& casters, vtkMTimeType settingsTime);
 
+  /// Whether all but the props is equal.
+  bool HasSameView(const vtkShadowFrameKey& other) const;
+  void AddProps(const vtkRenderState* state);
+
   bool operator==(const vtkShadowFrameKey& other) const;
 
 private:

@@ -10,7 +10,7 @@
 #include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkCamera.h"
-#include "vtkCompositePolyDataMapper.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
@@ -25,16 +25,36 @@
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
 
-#include <utility>
+#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
+#include "vtkCompositePolyDataMapper2.h"
+#else
+#include "vtkCompositePolyDataMapper.h"
+#endif
 
 using namespace ShadowShapes;
 
 namespace
 {
+#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
+using CompositeMapper = vtkCompositePolyDataMapper2;
+#else
+using CompositeMapper = vtkCompositePolyDataMapper;
+#endif
+
 vtkInformationIntegerKey* GetCastsKey()
 {
   static vtkInformationIntegerKey* const key = vtkInformationIntegerKey::MakeKey("Casts", "Pass");
   return key;
+}
+
+void SetCasts(vtkProp* prop, bool casts)
+{
+  vtkNew<vtkInformation> keys;
+  if (casts)
+  {
+    keys->Set(GetCastsKey(), 1);
+  }
+  prop->SetPropertyKeys(keys);
 }
 
 /// Props of each kind that either all cast or all do not.
@@ -72,40 +92,42 @@ void Props::Add(vtkRenderer* renderer, double x, double z)
   this->Composite = AddMesh(renderer, nullptr);
   this->Blocks->SetBlock(0, MakeBox({ x, 2.0, z }, { 0.3, 0.3, 0.3 }));
   this->Blocks->SetBlock(1, MakeBox({ x, 2.0, z + 0.4 }, { 0.2, 0.2, 0.2 }));
-  vtkNew<vtkCompositePolyDataMapper> mapper;
+  vtkNew<CompositeMapper> mapper;
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  mapper->SetCompositeDataDisplayAttributes(attributes);
   mapper->SetInputDataObject(this->Blocks);
   this->Composite->SetMapper(mapper);
   vtkNew<vtkPolyDataMapper> partMapper;
   partMapper->SetInputData(MakeBox({ x, -2.0, z }, { 0.4, 0.4, 0.4 }));
   this->Part->SetMapper(partMapper);
   this->Assembly->AddPart(this->Part);
-  renderer->AddActor(this->Assembly);
 }
 
 void Props::SetCast(bool casts)
 {
-  vtkNew<vtkInformation> keys;
-  if (casts)
-  {
-    keys->Set(GetCastsKey(), 1);
-  }
   for (vtkProp* prop : std::initializer_list<vtkProp*>{
          this->Box, this->Sphere, this->Clipped, this->Composite, this->Assembly })
   {
-    prop->SetPropertyKeys(keys);
+    SetCasts(prop, casts);
   }
 }
 
 /// Casters float over receivers that do not cast; a floor; three lights; a caster out of sight.
 struct ChangingStage
 {
-  ChangingStage()
+  /// With assemblies no frame is as the last one.
+  explicit ChangingStage(bool assemblies = false)
     : Stage({ "Changing", [this](vtkRenderer* renderer) { this->Build(renderer); } })
   {
     this->Pass = AddPass(this->Stage);
     vtkNew<vtkInformation> keys;
     keys->Set(GetCastsKey(), 1);
     this->Pass->SetCasterKeys(keys);
+    if (assemblies)
+    {
+      this->Stage.Renderer->AddActor(this->Casters.Assembly);
+      this->Stage.Renderer->AddActor(this->Receivers.Assembly);
+    }
   }
 
   void Build(vtkRenderer* renderer)
@@ -115,7 +137,7 @@ struct ChangingStage
     this->Casters.SetCast(true);
     this->Receivers.Add(renderer, 0.5, 0.4);
     this->Unseen = AddBox(renderer, { -8.0, 0.5, 8.5 }, { 1.0, 1.0, 1.0 });
-    this->Unseen->SetPropertyKeys(this->Casters.Box->GetPropertyKeys());
+    SetCasts(this->Unseen, true);
     AddDirectional(renderer, { 1.0, 0.0, -1.0 });
     AddSpot(renderer, { -2.0, -2.0, 5.0 }, { 0.0, 0.0, 0.0 }, 35.0);
     AddPoint(renderer, { -0.5, 0.5, 3.0 });
@@ -136,7 +158,7 @@ struct Change
 {
   std::string Name;
   std::function<void(ChangingStage&)> Make;
-  bool Image = true; ///< Whether anything is seen of it.
+  bool Assemblies = false; ///< Whether it needs them.
 };
 
 void PrintTo(const Change& change, std::ostream* stream)
@@ -159,9 +181,11 @@ void MovePoints(vtkActor* actor, double up)
 /// Of props that cast or that are only seen.
 void AddPropChanges(const std::string& of, Props ChangingStage::*props, std::vector<Change>& result)
 {
-  const auto add = [&](const std::string& name, const std::function<void(Props&)>& change)
+  const auto add =
+    [&](const std::string& name, const std::function<void(Props&)>& change, bool assemblies = false)
   {
-    result.push_back({ of + name, [props, change](ChangingStage& stage) { change(stage.*props); } });
+    result.push_back({ of + name,
+      [props, change](ChangingStage& stage) { change(stage.*props); }, assemblies });
   };
   add("Moved", [](Props& p) { p.Sphere->AddPosition(0.2, 0.0, 0.1); });
   add("MatrixChanged", [](Props& p) { p.Matrix->SetElement(0, 3, 0.2); });
@@ -194,11 +218,11 @@ void AddPropChanges(const std::string& of, Props ChangingStage::*props, std::vec
   add("BlockHidden",
     [](Props& p)
     {
-      static_cast<vtkCompositePolyDataMapper*>(p.Composite->GetMapper())
+      static_cast<CompositeMapper*>(p.Composite->GetMapper())
         ->SetBlockVisibility(2, false);
     });
-  add("PartMoved", [](Props& p) { p.Part->AddPosition(0.3, 0.0, 0.0); });
-  add("AssemblyMoved", [](Props& p) { p.Assembly->AddPosition(0.0, 0.3, 0.0); });
+  add("PartMoved", [](Props& p) { p.Part->AddPosition(0.3, 0.0, 0.0); }, true);
+  add("AssemblyMoved", [](Props& p) { p.Assembly->AddPosition(0.0, 0.3, 0.0); }, true);
   add("Translucent", [](Props& p) { p.Box->GetProperty()->SetOpacity(0.5); });
   add("Wireframe", [](Props& p) { p.Sphere->GetProperty()->SetRepresentationToWireframe(); });
   add("FrontFacesCulled", [](Props& p) { p.Sphere->GetProperty()->FrontfaceCullingOn(); });
@@ -333,10 +357,14 @@ class PassChanges
 
 TEST_P(PassChanges, AreSeenInTheNextFrame)
 {
-  ChangingStage stage;
+  ChangingStage stage(this->GetParam().Assemblies);
   const Frame first = Render(stage, stage.Pass);
   EXPECT_EQ(stage.Pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
+  // VTK gives props without keys some in the first frame, which changes them.
+  Render(stage, stage.Pass);
   const Frame still = Render(stage, stage.Pass);
+  EXPECT_EQ(stage.Pass->GetStatistics().Decision,
+    this->GetParam().Assemblies ? vtkShadowDecision::Drawn : vtkShadowDecision::Still);
   EXPECT_TRUE(first.Masks == still.Masks);
   EXPECT_TRUE(IsSameImage(first.Image, still.Image, stage.Stage.Window));
   this->GetParam().Make(stage);
@@ -396,7 +424,8 @@ TEST_F(PassHistory, ModesAndResolutions)
 TEST_F(PassHistory, AMovingCaster)
 {
   ChangingStage stage;
-  for (int frame = 0; frame < 10; ++frame)
+  Render(stage, stage.Pass);
+  for (int frame = 1; frame <= 10; ++frame)
   {
     SCOPED_TRACE("frame " + std::to_string(frame));
     stage.Unseen->SetPosition(1.5 * frame, -0.05 * frame, -0.9 * frame);
@@ -414,9 +443,18 @@ TEST_F(PassHistory, ActorsThatAreReplaced)
     SCOPED_TRACE("frame " + std::to_string(frame));
     stage.Stage.Renderer->RemoveActor(stage.Unseen);
     stage.Unseen = AddBox(stage.Stage.Renderer, { -0.1 * frame, 0.5, 2.5 }, { 0.5, 0.5, 0.5 });
-    stage.Unseen->SetPropertyKeys(stage.Casters.Box->GetPropertyKeys());
+    SetCasts(stage.Unseen, true);
     ExpectNoMemory(stage);
   }
+}
+
+// Hazard: passes are noted in a prop's keys, several times where props share them.
+TEST_F(PassHistory, PropsThatShareTheirKeys)
+{
+  ChangingStage stage;
+  stage.Casters.Sphere->SetPropertyKeys(stage.Casters.Box->GetPropertyKeys());
+  stage.Unseen->SetPropertyKeys(stage.Casters.Box->GetPropertyKeys());
+  EXPECT_GT(ExpectComposedOfDimmed(stage.Stage, stage.Pass), 100);
 }
 
 // Hazard: a light that is new at the address of a deleted one that was not to cast.
@@ -438,6 +476,21 @@ TEST_F(PassHistory, LightsAreNotRememberedByAddress)
     GTEST_SKIP() << "The address is not given out again.";
   }
   EXPECT_TRUE(stage.Pass->GetLightCasts(light));
+}
+
+// Hazard: composite data without attributes of blocks is all visible and opaque.
+TEST_F(PassHistory, CompositeDataWithoutAttributes)
+{
+  ChangingStage stage;
+  vtkNew<CompositeMapper> mapper;
+  mapper->SetInputDataObject(stage.Casters.Blocks);
+  stage.Casters.Composite->SetMapper(mapper);
+  const Frame expected = Render(stage, stage.Pass);
+  EXPECT_EQ(stage.Pass->GetStatistics().Skipped, (std::array<int, NumberOfShadowSkips>{}));
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  mapper->SetCompositeDataDisplayAttributes(attributes);
+  const Frame actual = Render(stage, stage.Pass);
+  EXPECT_TRUE(expected.Masks == actual.Masks);
 }
 
 // Lights that the camera carries move with it in the same frame.

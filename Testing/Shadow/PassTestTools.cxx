@@ -203,7 +203,7 @@ std::string FindInconsistency(const vtkShadowStatistics& statistics)
     demand(verdicts >= statistics.Lights * statistics.Casters, "casters without a verdict");
     demand(statistics.Draws > 0 && statistics.Triangles >= statistics.Draws, "nothing was drawn");
     demand(statistics.Draws <= whole + statistics.Slabs, "more draws than casters and slabs");
-    demand(statistics.Litmaps <= statistics.Lights, "more litmaps than lights");
+    demand(statistics.Litmaps <= 6 * statistics.Lights, "more litmaps than six for a light");
     demand((statistics.Litmaps > 0) == (statistics.ReadBacks == 1), "read-backs without litmaps");
     demand((statistics.Litmaps > 0) || statistics.Receivers == 0, "receivers without litmaps");
   }
