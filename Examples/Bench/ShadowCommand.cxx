@@ -68,14 +68,15 @@ Json::Value MakeModeReport(const ShadowWalkResult& result, const std::string& na
     const auto all = result.Fragments.find("unclamped");
     if (all != result.Fragments.end() && all->second > 0)
     {
-      report["fragments_percent"] = Round(
-        100.0 * static_cast<double>(fragments->second) / static_cast<double>(all->second));
+      report["fragments_percent"] =
+        Round(100.0 * static_cast<double>(fragments->second) / static_cast<double>(all->second));
     }
   }
   if (!mode.Statistics.empty())
   {
     std::vector<Json::Value> frames;
-    std::transform(mode.Statistics.begin(), mode.Statistics.end(), std::back_inserter(frames), Parse);
+    std::transform(
+      mode.Statistics.begin(), mode.Statistics.end(), std::back_inserter(frames), Parse);
     report["statistics"] = GetMedian(frames);
     report["statistics"].removeMember("fragments");
   }
@@ -149,10 +150,17 @@ void PrintShadowTable(
 /// The chart has a line for each kind of shadows, not for each resolution.
 WalkResult GetCharted(const WalkResult& walk)
 {
-  WalkResult charted = walk;
-  const auto isSized = [](const std::string& name) { return name.find('@') != std::string::npos; };
-  charted.Names.erase(
-    std::remove_if(charted.Names.begin(), charted.Names.end(), isSized), charted.Names.end());
+  WalkResult charted;
+  charted.Frames = walk.Frames;
+  for (const std::string& name : walk.Names)
+  {
+    if (name.find('@') == std::string::npos)
+    {
+      // As Chart.cxx calls it.
+      charted.Names.push_back(name == "none" ? "no shadows" : name);
+      charted.Modes[charted.Names.back()] = walk.Modes.at(name);
+    }
+  }
   return charted;
 }
 

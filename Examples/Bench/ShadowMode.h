@@ -11,8 +11,8 @@
  *     slabs       the same, clamped to several slabs (SlabGap 4)
  *     vtk         vtkShadowMapPass with its baker, as VTK's tests put them together
  *
- * exact@N, clamp@N and slabs@N have litmaps of N x N lexels, vtk@N shadow maps of N x N texels instead
- * of VTK's default.
+ * exact@N, clamp@N and slabs@N have litmaps of N x N lexels, vtk@N shadow maps of N x N texels
+ * instead of VTK's default.
  */
 #ifndef ShadowMode_h
 #define ShadowMode_h
@@ -43,7 +43,7 @@ public:
 
 private:
   std::string Name;
-  std::string Kind; ///< The name without @N.
+  std::string Kind;   ///< The name without @N.
   int Resolution = 0; ///< Of the name, or 0.
   int Litmap;
   bool IsVolumes;

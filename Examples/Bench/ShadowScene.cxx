@@ -208,16 +208,21 @@ vtkSmartPointer<vtkInformation> MarkCasters(const std::string& name, const Scene
     return nullptr;
   }
   static auto* const key = vtkInformationIntegerKey::MakeKey("CASTS", "NBufferBench");
-  auto keys = vtkSmartPointer<vtkInformation>::New();
-  keys->Set(key, 1);
+  const auto makeKeys = []()
+  {
+    auto keys = vtkSmartPointer<vtkInformation>::New();
+    keys->Set(key, 1);
+    return keys;
+  };
   // The ground is the first actor of scenes made here; in a city it follows the buildings.
   const std::size_t first = scene.Plan ? 0 : 1;
   const std::size_t end = scene.Plan ? scene.Plan->Buildings.size() : scene.Actors.size();
   for (std::size_t i = first; i < end; ++i)
   {
-    scene.Actors[i]->SetPropertyKeys(keys);
+    // Of its own: render passes write themselves into it, once for each prop.
+    scene.Actors[i]->SetPropertyKeys(makeKeys());
   }
-  return keys;
+  return makeKeys();
 }
 
 } // namespace NBufferBench

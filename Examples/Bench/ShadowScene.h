@@ -40,8 +40,8 @@ NBufferExamples::Scene MakeScene(const std::string& name, std::uint64_t seed);
 vtkLight* LightScene(const std::string& name, const NBufferExamples::Scene& scene,
   const NBufferExamples::CameraPath& path, vtkRenderer* renderer);
 
-/// Give all actors a property key but the ground and what lies on it; returns it, so that these only
-/// receive shadows. nullptr for scenes of files, whose parts are not told apart.
+/// Give all actors a property key but the ground and what lies on it; returns it, so that these
+/// only receive shadows. nullptr for scenes of files, whose parts are not told apart.
 vtkSmartPointer<vtkInformation> MarkCasters(
   const std::string& name, const NBufferExamples::Scene& scene);
 

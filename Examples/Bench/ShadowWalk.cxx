@@ -174,7 +174,8 @@ private:
     for (std::size_t i = 0; i < shadows.size(); ++i)
     {
       const OracleSample sample = expected.Samples[i];
-      if (shadows[i] == Unknown || (sample != OracleSample::Lit && sample != OracleSample::Shadowed))
+      if (shadows[i] == Unknown ||
+        (sample != OracleSample::Lit && sample != OracleSample::Shadowed))
       {
         continue;
       }
@@ -216,8 +217,8 @@ private:
     return mask;
   }
 
-  /// Passes without masks: a pixel is in shadow if it is nearer to what it is without the light than
-  /// to what it is with the light and without shadows; unknown where these two hardly differ.
+  /// Passes without masks: a pixel is in shadow if it is nearer to what it is without the light
+  /// than to what it is with the light and without shadows; unknown where these two hardly differ.
   Shadows FindShadowsInImages(const ShadowMode& mode, std::size_t frame)
   {
     const double intensity = this->Light->GetIntensity();

@@ -4,8 +4,8 @@
  * @file ShadowWalk.h
  * @brief Renders the frames of a camera path with several kinds of shadows and times each.
  *
- * Modes take turns in blocks of frames as in Walk.h. Fragments are counted and rays cast afterwards,
- * in frames that are not timed.
+ * Modes take turns in blocks of frames as in Walk.h. Fragments are counted and rays cast
+ * afterwards, in frames that are not timed.
  */
 #ifndef ShadowWalk_h
 #define ShadowWalk_h

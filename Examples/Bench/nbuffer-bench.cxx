@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file nbuffer-bench.cxx
- * @brief Measures and verifies vtkNBufferCuller and vtkShadowVolumeClampPass on any scene; each subcommand is a file.
+ * @brief Measures and verifies vtkNBufferCuller and vtkShadowVolumeClampPass on any scene; each
+ * subcommand is a file.
  */
 #include "Command.h"
 

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShadowCity.cxx
- * @brief The shadows of a city of 15,328 buildings at 9 in the morning of 21 June, from above the
- * roofs.
+ * @brief The shadows of a city of 15,328 buildings at 9 in the morning of 21 June.
  *
  *     shadow-city [--out FOLDER]
  *
- * opens a window; with --out it writes a picture for every second hour from 5 to 19 o'clock,
- * FOLDER/shadow-city-05.png and so on. Hours are of solar time; Sun.h has the formula.
+ * opens a window; with --out it writes a picture for every second hour from 5 to 19 o'clock to
+ * FOLDER/shadow-city-05.png and so on. Solar time; Sun.h has the formula.
  */
 #include "CameraPath.h"
 #include "Scene.h"
@@ -42,10 +41,11 @@ int main(int argc, char* argv[])
     options.DefaultCity = NBufferExamples::FindDefaultCity(argv[0]);
     const NBufferExamples::Scene scene = NBufferExamples::LoadScene({ "city" }, options);
     const NBufferExamples::CameraPath path = NBufferExamples::MakePath(scene, "rooftop", 1, 1);
-    NBufferExamples::LightGround(scene);
     vtkNew<vtkRenderer> renderer;
     scene.AddTo(renderer);
-    const vtkSmartPointer<vtkLight> sun = NBufferExamples::MakeSun({});
+    NBufferExamples::LightGround(scene);
+    NBufferExamples::SunTime time;
+    const vtkSmartPointer<vtkLight> sun = NBufferExamples::MakeSun(time);
     renderer->RemoveAllLights();
     renderer->AddLight(sun);
 
@@ -55,7 +55,6 @@ int main(int argc, char* argv[])
     vtkNew<vtkRenderWindow> window;
     window->SetMultiSamples(0);
     window->SetSize(960, 720);
-    window->SetWindowName("shadow-city");
     window->AddRenderer(renderer);
     double bounds[6];
     scene.GetBounds().GetBounds(bounds);
@@ -72,7 +71,6 @@ int main(int argc, char* argv[])
     window->SetOffScreenRendering(1);
     for (int hour = 5; hour < 20; hour += 2)
     {
-      NBufferExamples::SunTime time;
       time.Hour = hour;
       NBufferExamples::SetSun(time, sun);
       window->Render();

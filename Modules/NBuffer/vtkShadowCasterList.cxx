@@ -26,8 +26,9 @@
 
 #if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
 #include "vtkCompositePolyDataMapper2.h"
-#endif
+#else
 #include "vtkCompositePolyDataMapper.h"
+#endif
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -47,20 +48,11 @@ std::vector<vtkShadowCaster::Plane> GetPlanes(vtkMapper* mapper)
   return result;
 }
 
-/// The attributes of a mapper of composite data; nullptr for other mappers.
-vtkCompositeDataDisplayAttributes* GetAttributes(vtkMapper* mapper)
-{
 #if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-  if (auto* composite = vtkCompositePolyDataMapper2::SafeDownCast(mapper))
-  {
-    return composite->GetCompositeDataDisplayAttributes();
-  }
-  return nullptr;
+using CompositeMapper = vtkCompositePolyDataMapper2;
 #else
-  auto* composite = vtkCompositePolyDataMapper::SafeDownCast(mapper);
-  return composite ? composite->GetCompositeDataDisplayAttributes() : nullptr;
+using CompositeMapper = vtkCompositePolyDataMapper;
 #endif
-}
 }
 
 void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* requiredKeys)
@@ -132,7 +124,7 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
     // Without a pipeline there is nothing to update, which takes longer than all the rest.
     mapper->Update();
   }
-  if (GetAttributes(mapper))
+  if (CompositeMapper::SafeDownCast(mapper))
   {
     this->AddData(actor, path, matrix, mapper->GetInputDataObject(0, 0), true, 1.0);
     return;
@@ -151,12 +143,13 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
 void vtkShadowCasterList::AddData(vtkActor* actor, int path, vtkMatrix4x4* matrix,
   vtkDataObject* data, bool visible, double opacity)
 {
-  vtkCompositeDataDisplayAttributes* attributes = GetAttributes(actor->GetMapper());
-  if (data && attributes->HasBlockVisibility(data))
+  vtkCompositeDataDisplayAttributes* attributes =
+    static_cast<CompositeMapper*>(actor->GetMapper())->GetCompositeDataDisplayAttributes();
+  if (data && attributes && attributes->HasBlockVisibility(data))
   {
     visible = attributes->GetBlockVisibility(data);
   }
-  if (data && attributes->HasBlockOpacity(data))
+  if (data && attributes && attributes->HasBlockOpacity(data))
   {
     opacity = attributes->GetBlockOpacity(data);
   }

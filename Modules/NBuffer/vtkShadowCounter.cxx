@@ -84,7 +84,6 @@ vtkShadowCounter::Scope::Scope(vtkOpenGLRenderWindow* window, const int viewport
   glGetFloatv(GL_POLYGON_OFFSET_UNITS, &this->OffsetUnits);
   this->Clamp = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
   this->Offset = glIsEnabled(GL_POLYGON_OFFSET_FILL) == GL_TRUE;
-  glGetIntegerv(GL_STENCIL_CLEAR_VALUE, &this->StencilClear);
   for (int face = 0; face < 2; ++face)
   {
     for (int i = 0; i < 7; ++i)
@@ -111,7 +110,6 @@ vtkShadowCounter::Scope::~Scope()
   glDepthFunc(this->DepthFunction);
   glDepthMask(this->DepthMask);
   glScissor(this->Scissor[0], this->Scissor[1], this->Scissor[2], this->Scissor[3]);
-  glClearStencil(this->StencilClear);
   for (int face = 0; face < 2; ++face)
   {
     const GLenum side = face == 0 ? GL_FRONT : GL_BACK;
@@ -254,9 +252,9 @@ bool vtkShadowCounter::Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTar
   glScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
   glStencilFunc(GL_NOTEQUAL, 0, 0xff);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-  glColorMask(channel == 0, channel == 1, channel == 2, channel == 3);
+  glColorMaski(0, channel == 0, channel == 1, channel == 2, channel == 3);
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   ++this->Draws;
   return vtkNBufferGL::CheckErrors("Making a shadow mask", why);
 }

@@ -25,6 +25,7 @@
 #define vtkShadowCounter_h
 
 #include "vtkNBufferGL.h"
+#include "vtkNBufferModule.h" // For export macro
 #include "vtkShadowPlan.h"
 
 #include "vtkSmartPointer.h"
@@ -38,7 +39,7 @@ class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkShadowTarget;
 
-class vtkShadowCounter
+class VTKNBUFFER_EXPORT vtkShadowCounter
 {
 public:
   /// Send a volume to the device. False, with the cause, if OpenGL refuses.
@@ -65,7 +66,6 @@ public:
     float OffsetUnits = 0.0f;
     bool Clamp = false;
     bool Offset = false;
-    int StencilClear = 0;
     int Stencil[2][7] = {};
   };
 

@@ -5,10 +5,9 @@
  * @brief All that the masks of a frame depend on: where two keys are equal, masks are as they were.
  *
  * Renderer and context, viewport and camera matrix, lights, settings, casters (whose own changes
- * the caller looks at), and the props that are drawn, each with the time of its last change
- * (vtkProp::GetRedrawMTime, which looks at the pipeline too).
- * What other props than plain actors draw may change without a trace: keys of frames with such
- * props equal none, not even themselves.
+ * the caller looks at), and the props that are drawn, each with the time of its last change. What
+ * other props than plain actors draw may change without a trace: keys of frames with such props
+ * equal none, not even themselves.
  */
 #ifndef vtkShadowFrameKey_h
 #define vtkShadowFrameKey_h
@@ -34,14 +33,10 @@ public:
   vtkShadowFrameKey(const vtkRenderState* state, const std::vector<vtkShadowLightSource>& lights,
     const std::vector<vtkShadowCaster*>& casters, vtkMTimeType settingsTime);
 
-  /// Whether all but the props is equal.
-  bool HasSameView(const vtkShadowFrameKey& other) const;
-  void AddProps(const vtkRenderState* state);
-
   bool operator==(const vtkShadowFrameKey& other) const;
 
 private:
-  bool Complete = false;
+  bool Complete = false; ///< All props show their changes.
   const void* Renderer = nullptr;
   vtkMTimeType ContextTime = 0;
   vtkMTimeType SettingsTime = 0;

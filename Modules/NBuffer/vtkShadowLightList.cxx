@@ -11,7 +11,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 std::vector<vtkShadowLightSource> vtkShadowLightSource::Find(
-  vtkRenderer* renderer, const std::set<vtkLight*>& excluded)
+  vtkRenderer* renderer, const std::function<bool(vtkLight*)>& casts)
 {
   std::vector<vtkShadowLightSource> result;
   int number = 0;
@@ -46,8 +46,7 @@ std::vector<vtkShadowLightSource> vtkShadowLightSource::Find(
       std::copy_n(down, 3, geometry.Direction);
     }
     if (!light->LightTypeIsHeadlight() && light->GetIntensity() > 0.0 &&
-      (directed || geometry.Kind == vtkShadowLightKind::Point) &&
-      excluded.find(light) == excluded.end())
+      (directed || geometry.Kind == vtkShadowLightKind::Point) && casts(light))
     {
       result.push_back(source);
     }

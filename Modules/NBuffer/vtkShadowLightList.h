@@ -5,7 +5,7 @@
  * @brief Which of a renderer's lights cast, as geometry.
  *
  * A light casts if it is switched on with an intensity above 0, is no headlight (it stands in the
- * eye, where no shadow can be seen) and is not excluded. Positional lights are spots if their cone
+ * eye, where no shadow can be seen) and `casts` says so. Positional lights are spots if their cone
  * angle is below 90 degrees, as in VTK's shaders, else they shine in all directions.
  */
 #ifndef vtkShadowLightList_h
@@ -13,7 +13,7 @@
 
 #include "vtkShadowLight.h"
 
-#include <set>
+#include <functional>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -34,7 +34,7 @@ struct vtkShadowLightSource
   }
 
   static std::vector<vtkShadowLightSource> Find(
-    vtkRenderer* renderer, const std::set<vtkLight*>& excluded);
+    vtkRenderer* renderer, const std::function<bool(vtkLight*)>& casts);
 };
 VTK_ABI_NAMESPACE_END
 #endif

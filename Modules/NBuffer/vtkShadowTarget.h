@@ -16,6 +16,7 @@
 #ifndef vtkShadowTarget_h
 #define vtkShadowTarget_h
 
+#include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferVTKVersion.h"
 
 #include "vtkSmartPointer.h"
@@ -27,7 +28,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 
-class vtkShadowTarget
+class VTKNBUFFER_EXPORT vtkShadowTarget
 {
 public:
   static constexpr int LightsPerMask = 4;

@@ -22,9 +22,9 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtkTimeStamp.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <set>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -71,7 +71,7 @@ public:
   vtkNew<OpaqueStage> Stage;
   vtkNew<vtkRenderStepsPass> Steps;
   vtkNew<vtkOpaquePass> Opaque;
-  std::set<vtkLight*> Excluded;
+  std::vector<vtkWeakPointer<vtkLight>> Excluded;
   vtkSmartPointer<vtkInformation> CasterKeys;
   vtkShadowMaskMaker Masks;
   vtkShadowStatistics Statistics;
@@ -89,12 +89,14 @@ public:
 
 void vtkShadowVolumeClampPass::Internals::UseContext(vtkOpenGLRenderWindow* window)
 {
-  if (this->Window != window)
+  if (this->Window == window)
   {
-    this->ResourceCallback->RegisterGraphicsResources(window);
-    this->Window = window;
-    window->MakeCurrent();
+    return;
   }
+  // What another window holds is released by this, in its context.
+  this->ResourceCallback->RegisterGraphicsResources(window);
+  this->Window = window;
+  window->MakeCurrent();
 }
 
 void vtkShadowVolumeClampPass::Internals::SetShaderLights(
@@ -133,16 +135,25 @@ vtkShadowVolumeClampPass::~vtkShadowVolumeClampPass()
 
 void vtkShadowVolumeClampPass::SetLightCasts(vtkLight* light, bool casts)
 {
-  std::set<vtkLight*>& excluded = this->Implementation->Excluded;
-  if (light && (casts ? excluded.erase(light) > 0 : excluded.insert(light).second))
+  if (!light || casts == this->GetLightCasts(light))
   {
-    this->Modified();
+    return;
   }
+  std::vector<vtkWeakPointer<vtkLight>>& excluded = this->Implementation->Excluded;
+  excluded.erase(std::remove_if(excluded.begin(), excluded.end(),
+                   [light](vtkLight* other) { return !other || other == light; }),
+    excluded.end());
+  if (!casts)
+  {
+    excluded.emplace_back(light);
+  }
+  this->Modified();
 }
 
 bool vtkShadowVolumeClampPass::GetLightCasts(vtkLight* light) const
 {
-  return this->Implementation->Excluded.find(light) == this->Implementation->Excluded.end();
+  const std::vector<vtkWeakPointer<vtkLight>>& excluded = this->Implementation->Excluded;
+  return std::find(excluded.begin(), excluded.end(), light) == excluded.end();
 }
 
 void vtkShadowVolumeClampPass::SetCasterKeys(vtkInformation* keys)
@@ -189,7 +200,8 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
   vtkShadowStatistics statistics;
   statistics.FailedFrames = self.FailedFrames;
   self.Lights.clear();
-  std::vector<vtkShadowLightSource> lights = vtkShadowLightSource::Find(renderer, self.Excluded);
+  std::vector<vtkShadowLightSource> lights = vtkShadowLightSource::Find(
+    renderer, [this](vtkLight* light) { return this->GetLightCasts(light); });
   statistics.Lights = static_cast<int>(lights.size());
   const auto drawPlain = [&](vtkShadowDecision decision)
   {
@@ -217,11 +229,7 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
 
   self.UseContext(window);
   self.SetShaderLights(lights);
-  vtkShadowFrameKey key(s, lights, self.Masks.Casters.GetCasters(), this->GetMTime());
-  if (key.HasSameView(self.Key))
-  {
-    key.AddProps(s);
-  }
+  const vtkShadowFrameKey key(s, lights, self.Masks.Casters.GetCasters(), this->GetMTime());
   const bool still = statistics.Updates == 0 && !this->CountFragments && key == self.Key;
   bool done = true;
   // The depth is drawn by the shaders that will draw the colour: it is the same to the bit, and no
@@ -301,6 +309,11 @@ void vtkShadowVolumeClampPass::DrawOpaque(const vtkRenderState* s)
 bool vtkShadowVolumeClampPass::PreReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
+  // Props that share their property keys hand a pass on once for each.
+  if (fragmentShader.find("NBUFFER_SHADOW_LIGHTS") != std::string::npos)
+  {
+    return true;
+  }
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Dec",
     this->Implementation->GetDeclaration() + "//VTK::Light::Dec", false);
   return true;
@@ -316,7 +329,11 @@ bool vtkShadowVolumeClampPass::PostReplaceShaderValues(
     constexpr std::size_t each = vtkShadowTarget::LightsPerMask;
     const std::string share = "NBUFFER_SHADOW_SHARE(" + std::to_string(i) + ", " +
       std::to_string(i / each) + ", " + std::to_string(i % each) + ")";
-    bool replaced = false;
+    bool replaced = fragmentShader.find(share) != std::string::npos;
+    if (replaced)
+    {
+      continue;
+    }
     const auto replace = [&](const std::string& before, const std::string& after)
     {
       const std::string old = before + color + after;
@@ -412,10 +429,21 @@ void vtkShadowVolumeClampPass::ReleaseGraphicsResources(vtkWindow* window)
   {
     self.Steps->ReleaseGraphicsResources(window);
     self.Opaque->ReleaseGraphicsResources(window);
-    self.ResourceCallback->Release();
+    // VTK calls this for a window that is about to get its context, too.
+    if (!window || window == self.Window)
+    {
+      self.ResourceCallback->Release();
+    }
     return;
   }
   self.Masks.Release();
+  if (auto* other = vtkOpenGLRenderWindow::SafeDownCast(window))
+  {
+    // OSMesa sets them anew where a context is made current, behind the back of what remembers
+    // them.
+    other->GetState()->ResetGLViewportState();
+    other->GetState()->ResetGLScissorState();
+  }
   self.Lights.clear();
   self.Key = vtkShadowFrameKey();
   self.Window = nullptr;

@@ -15,7 +15,9 @@ namespace
 constexpr int Modes[] = { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Exact,
   vtkShadowVolumeClampPass::Clamped };
 
-class ShadowPass : public OffscreenFixture, public ::testing::WithParamInterface<NamedScene>
+class ShadowPass
+  : public OffscreenFixture
+  , public ::testing::WithParamInterface<NamedScene>
 {
 };
 

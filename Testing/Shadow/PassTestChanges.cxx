@@ -123,6 +123,7 @@ struct ChangingStage
     vtkNew<vtkInformation> keys;
     keys->Set(GetCastsKey(), 1);
     this->Pass->SetCasterKeys(keys);
+    this->Pass->SetLitmapResolution(64);
     if (assemblies)
     {
       this->Stage.Renderer->AddActor(this->Casters.Assembly);
@@ -184,8 +185,8 @@ void AddPropChanges(const std::string& of, Props ChangingStage::*props, std::vec
   const auto add =
     [&](const std::string& name, const std::function<void(Props&)>& change, bool assemblies = false)
   {
-    result.push_back({ of + name,
-      [props, change](ChangingStage& stage) { change(stage.*props); }, assemblies });
+    result.push_back(
+      { of + name, [props, change](ChangingStage& stage) { change(stage.*props); }, assemblies });
   };
   add("Moved", [](Props& p) { p.Sphere->AddPosition(0.2, 0.0, 0.1); });
   add("MatrixChanged", [](Props& p) { p.Matrix->SetElement(0, 3, 0.2); });
@@ -215,12 +216,8 @@ void AddPropChanges(const std::string& of, Props ChangingStage::*props, std::vec
       }
       block->GetPoints()->Modified();
     });
-  add("BlockHidden",
-    [](Props& p)
-    {
-      static_cast<CompositeMapper*>(p.Composite->GetMapper())
-        ->SetBlockVisibility(2, false);
-    });
+  add("BlockHidden", [](Props& p)
+    { static_cast<CompositeMapper*>(p.Composite->GetMapper())->SetBlockVisibility(2, false); });
   add("PartMoved", [](Props& p) { p.Part->AddPosition(0.3, 0.0, 0.0); }, true);
   add("AssemblyMoved", [](Props& p) { p.Assembly->AddPosition(0.0, 0.3, 0.0); }, true);
   add("Translucent", [](Props& p) { p.Box->GetProperty()->SetOpacity(0.5); });
@@ -233,18 +230,17 @@ void AddPropChanges(const std::string& of, Props ChangingStage::*props, std::vec
 std::vector<Change> GetChanges()
 {
   std::vector<Change> result = {
-    { "CameraMoved", [](ChangingStage& s)
-      { s.Stage.Renderer->GetActiveCamera()->Azimuth(10.0); } },
-    { "CameraZoomed", [](ChangingStage& s)
-      { s.Stage.Renderer->GetActiveCamera()->SetViewAngle(30.0); } },
+    { "CameraMoved", [](ChangingStage& s) { s.Stage.Renderer->GetActiveCamera()->Azimuth(10.0); } },
+    { "CameraZoomed",
+      [](ChangingStage& s) { s.Stage.Renderer->GetActiveCamera()->SetViewAngle(30.0); } },
     { "CameraParallel",
       [](ChangingStage& s)
       {
         s.Stage.Renderer->GetActiveCamera()->ParallelProjectionOn();
         s.Stage.Renderer->GetActiveCamera()->SetParallelScale(2.5);
       } },
-    { "ClippingRange", [](ChangingStage& s)
-      { s.Stage.Renderer->GetActiveCamera()->SetClippingRange(1.0, 7.0); } },
+    { "ClippingRange",
+      [](ChangingStage& s) { s.Stage.Renderer->GetActiveCamera()->SetClippingRange(1.0, 7.0); } },
     { "Viewport", [](ChangingStage& s) { s.Stage.Renderer->SetViewport(0.3, 0.2, 1.0, 0.9); } },
     { "Larger", [](ChangingStage& s) { s.Stage.Window->SetSize(311, 201); } },
     { "Smaller", [](ChangingStage& s) { s.Stage.Window->SetSize(111, 91); } },
@@ -253,8 +249,7 @@ std::vector<Change> GetChanges()
     { "LightTurned", [](ChangingStage& s) { s.Stage.Lights[0]->SetPosition(-1.0, 0.5, 1.5); } },
     { "LightCone", [](ChangingStage& s) { s.Stage.Lights[1]->SetConeAngle(20.0); } },
     { "LightColour", [](ChangingStage& s) { s.Stage.Lights[1]->SetColor(1.0, 0.0, 0.0); } },
-    { "LightAttenuation", [](ChangingStage& s)
-      { s.Stage.Lights[2]->SetShadowAttenuation(0.5f); } },
+    { "LightAttenuation", [](ChangingStage& s) { s.Stage.Lights[2]->SetShadowAttenuation(0.5f); } },
     { "LightOff", [](ChangingStage& s) { s.Stage.Lights[0]->SwitchOff(); } },
     { "LightDark", [](ChangingStage& s) { s.Stage.Lights[1]->SetIntensity(0.0); } },
     { "LightRemoved", [](ChangingStage& s) { s.Stage.Renderer->RemoveLight(s.Stage.Lights[1]); } },
@@ -263,8 +258,8 @@ std::vector<Change> GetChanges()
     { "LightBecomesHeadlight",
       [](ChangingStage& s) { s.Stage.Lights[0]->SetLightTypeToHeadlight(); } },
     { "LightBecomesSpot", [](ChangingStage& s) { s.Stage.Lights[2]->SetConeAngle(40.0); } },
-    { "LightDoesNotCast", [](ChangingStage& s)
-      { s.Pass->SetLightCasts(s.Stage.Lights[1], false); } },
+    { "LightDoesNotCast",
+      [](ChangingStage& s) { s.Pass->SetLightCasts(s.Stage.Lights[1], false); } },
     { "LightsReordered",
       [](ChangingStage& s)
       {
@@ -272,10 +267,9 @@ std::vector<Change> GetChanges()
         s.Stage.Renderer->RemoveLight(first);
         s.Stage.Renderer->AddLight(first);
       } },
-    { "ModeUnclamped", [](ChangingStage& s)
-      { s.Pass->SetMode(vtkShadowVolumeClampPass::Unclamped); } },
-    { "ModeClamped", [](ChangingStage& s)
-      { s.Pass->SetMode(vtkShadowVolumeClampPass::Clamped); } },
+    { "ModeUnclamped",
+      [](ChangingStage& s) { s.Pass->SetMode(vtkShadowVolumeClampPass::Unclamped); } },
+    { "ModeClamped", [](ChangingStage& s) { s.Pass->SetMode(vtkShadowVolumeClampPass::Clamped); } },
     { "Resolution", [](ChangingStage& s) { s.Pass->SetLitmapResolution(16); } },
     { "SlabGap", [](ChangingStage& s) { s.Pass->SetSlabGap(64); } },
     { "AllCast", [](ChangingStage& s) { s.Pass->SetCasterKeys(nullptr); } },
@@ -286,13 +280,11 @@ std::vector<Change> GetChanges()
     { "FloorRemoved", [](ChangingStage& s) { s.Stage.Renderer->RemoveActor(s.Floor); } },
     { "FloorTextured", [](ChangingStage& s) { s.Floor->GetProperty()->SetAmbient(0.3); } },
     { "ActorAdded",
-      [](ChangingStage& s)
-      { AddBox(s.Stage.Renderer, { 1.5, 0.0, 0.5 }, { 0.5, 0.5, 1.0 }); } },
+      [](ChangingStage& s) { AddBox(s.Stage.Renderer, { 1.5, 0.0, 0.5 }, { 0.5, 0.5, 1.0 }); } },
     { "AllRemoved", [](ChangingStage& s) { s.Stage.Renderer->RemoveAllViewProps(); } },
-    { "PassReleased", [](ChangingStage& s)
-      { s.Pass->ReleaseGraphicsResources(s.Stage.Window); } },
-    { "WindowReleased", [](ChangingStage& s)
-      { s.Stage.Renderer->ReleaseGraphicsResources(s.Stage.Window); } },
+    { "PassReleased", [](ChangingStage& s) { s.Pass->ReleaseGraphicsResources(s.Stage.Window); } },
+    { "WindowReleased",
+      [](ChangingStage& s) { s.Stage.Renderer->ReleaseGraphicsResources(s.Stage.Window); } },
     { "NewContext", [](ChangingStage& s) { s.Stage.Window->Finalize(); } },
   };
   AddPropChanges("Casters", &ChangingStage::Casters, result);

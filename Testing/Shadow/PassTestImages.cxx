@@ -126,11 +126,9 @@ TEST_F(PassImages, WithoutShadowAreThoseWithoutThePass)
 {
   const std::pair<const char*, std::function<void(const ShadowStage&, vtkShadowVolumeClampPass*)>>
     ways[] = {
-      { "no casting light",
-        [](const ShadowStage& stage, vtkShadowVolumeClampPass*)
+      { "no casting light", [](const ShadowStage& stage, vtkShadowVolumeClampPass*)
         { stage.Lights[0]->SetLightTypeToHeadlight(); } },
-      { "a light that may not cast",
-        [](const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
+      { "a light that may not cast", [](const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
         { pass->SetLightCasts(stage.Lights[0], false); } },
       { "no caster",
         [](const ShadowStage&, vtkShadowVolumeClampPass* pass)
@@ -140,16 +138,12 @@ TEST_F(PassImages, WithoutShadowAreThoseWithoutThePass)
           pass->SetCasterKeys(keys);
         } },
       { "casters that are translucent",
-        [](const ShadowStage& stage, vtkShadowVolumeClampPass*)
-        {
-          ForEachProperty(
-            stage.Renderer, [](vtkProperty* property) { property->SetOpacity(0.5); });
+        [](const ShadowStage& stage, vtkShadowVolumeClampPass*) {
+          ForEachProperty(stage.Renderer, [](vtkProperty* property) { property->SetOpacity(0.5); });
         } },
-      { "no receiver",
-        [](const ShadowStage& stage, vtkShadowVolumeClampPass*)
+      { "no receiver", [](const ShadowStage& stage, vtkShadowVolumeClampPass*)
         { ShadowShapes::Look(stage.Renderer, { 20.0, 0.0, 1.0 }, { 30.0, 0.0, 1.0 }); } },
-      { "nothing at all",
-        [](const ShadowStage& stage, vtkShadowVolumeClampPass*)
+      { "nothing at all", [](const ShadowStage& stage, vtkShadowVolumeClampPass*)
         { stage.Renderer->RemoveAllViewProps(); } },
     };
   for (const auto& way : ways)
@@ -162,8 +156,7 @@ TEST_F(PassImages, WithoutShadowAreThoseWithoutThePass)
     {
       stage.Window->Render();
       const ShadowImage actual = GetImage(stage.Window);
-      EXPECT_TRUE(
-        IsSameImage(GetPlainImage(stage.Window, stage.Renderer), actual, stage.Window));
+      EXPECT_TRUE(IsSameImage(GetPlainImage(stage.Window, stage.Renderer), actual, stage.Window));
       EXPECT_EQ(FindInconsistency(pass->GetStatistics()), "");
     }
   }
@@ -184,8 +177,7 @@ TEST_F(PassImages, InASequenceAreThoseOfThePassAlone)
     stage.Window->Render();
     const ShadowImage expected = GetImage(stage.Window);
     EXPECT_EQ(alone->GetStatistics().Decision, vtkShadowDecision::Drawn);
-    EXPECT_FALSE(
-      IsSameImage(GetPlainImage(stage.Window, stage.Renderer), expected, stage.Window));
+    EXPECT_FALSE(IsSameImage(GetPlainImage(stage.Window, stage.Renderer), expected, stage.Window));
 
     vtkNew<vtkShadowVolumeClampPass> shadows;
     vtkNew<vtkRenderPassCollection> passes;

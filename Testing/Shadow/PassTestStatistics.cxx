@@ -17,8 +17,8 @@
 #include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPolyData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkRenderStepsPass.h"
 
 #include <algorithm>
@@ -214,7 +214,7 @@ class PassState : public OffscreenFixture
 };
 
 // What OpenGL and VTK's record of it are left as is what they are left as without shadows, but for
-// the program of the mapper that drew last.
+// the program of the mapper that drew last, and textures in units that nothing holds.
 TEST_F(PassState, IsThatOfAFrameWithoutShadows)
 {
   for (const char* name : { "ManyLights", "Inset", "MultiSamples" })
@@ -250,7 +250,10 @@ TEST_F(PassState, IsThatOfAFrameWithoutShadows)
         std::istringstream lines(plain.GetDifference(shadowed));
         for (std::string line; std::getline(lines, line);)
         {
-          EXPECT_EQ(line.find("GL_CURRENT_PROGRAM"), 0u) << line;
+          const bool expected = line.find("GL_CURRENT_PROGRAM") == 0 ||
+            line.find("GL_TEXTURE_BINDING_2D of unit ") == 0 ||
+            line.find("vtkOpenGLShaderCache LastShaderBound") == 0;
+          EXPECT_TRUE(expected) << line;
         }
       }
     }

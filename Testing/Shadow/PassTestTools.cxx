@@ -191,8 +191,7 @@ std::string FindInconsistency(const vtkShadowStatistics& statistics)
       result += std::string(result.empty() ? "" : "; ") + what;
     }
   };
-  const int verdicts =
-    std::accumulate(statistics.Verdicts.begin(), statistics.Verdicts.end(), 0);
+  const int verdicts = std::accumulate(statistics.Verdicts.begin(), statistics.Verdicts.end(), 0);
   const int whole = count(vtkShadowVerdict::Whole) + count(vtkShadowVerdict::Boxed) +
     count(vtkShadowVerdict::ThroughLightPlane);
   const int clamped = count(vtkShadowVerdict::Clamped);

@@ -44,8 +44,8 @@ void ExpectMatchesOracle(const ShadowStage& stage, vtkShadowVolumeClampPass* pas
  * Render, and compare each pixel of the image with one of the images without the pass in which
  * lights are dimmed to 1 - ShadowAttenuation: that in which the lights are dim whose masks are 255
  * there. Masks are of nothing but 0 and 255. The stage has one renderer and at most six lights that
- * cast; colours are exact for attenuations of 0, 0.5 and 1. Returns the number of shadowed pixels of
- * all lights. The renderer has the pass again afterwards.
+ * cast; colours are exact for attenuations of 0, 0.5 and 1. Returns the number of shadowed pixels
+ * of all lights. The renderer has the pass again afterwards.
  */
 int ExpectComposedOfDimmed(const ShadowStage& stage, vtkShadowVolumeClampPass* pass);
 

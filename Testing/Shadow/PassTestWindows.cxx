@@ -23,7 +23,8 @@ class PassWindows : public OffscreenFixture
 namespace
 {
 /// Another renderer of the window with a scene of the list.
-ShadowStage AddRenderer(const ShadowStage& stage, const std::string& scene, const double viewport[4])
+ShadowStage AddRenderer(
+  const ShadowStage& stage, const std::string& scene, const double viewport[4])
 {
   ShadowStage result = stage;
   result.Renderer = vtkSmartPointer<vtkRenderer>::New();
@@ -125,7 +126,7 @@ TEST_F(PassWindows, Resizing)
 
 TEST_F(PassWindows, MultiSamplesOnAndOff)
 {
-  ShadowStage stage = MakeStage();
+  ShadowStage stage = MakeStage("Spot");
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   for (int samples : { 4, 0, 2, 4 })
   {

@@ -275,15 +275,31 @@ bool Oracle::IsAmbiguous(int x, int y, const OracleLight& light, const Classific
     }
   }
   return (centre.Sample == OracleSample::Lit || centre.Sample == OracleSample::Shadowed) &&
-    this->DependsOnRounding(x, y, receiver, light, centre.Sample == OracleSample::Shadowed);
+    this->DependsOnRounding(x, y, receiver, light);
+}
+
+std::set<int> Oracle::GetCrossed(const Receiver& receiver, const OracleLight& light) const
+{
+  std::set<int> owners;
+  this->Tree.VisitCrossings(this->GetShadowRay(receiver, light),
+    [&](int triangle, double)
+    {
+      const int owner = this->Triangles.Owners[triangle];
+      if (triangle != receiver.Triangle && this->Casts[owner])
+      {
+        owners.insert(owner);
+      }
+      return true;
+    });
+  return owners;
 }
 
 bool Oracle::DependsOnRounding(
-  int x, int y, const Receiver& receiver, const OracleLight& light, bool shadowed) const
+  int x, int y, const Receiver& receiver, const OracleLight& light) const
 {
+  const std::set<int> crossed = this->GetCrossed(receiver, light);
   const Ray ray = this->GetEyeRay(x, y);
-  const double distance =
-    std::sqrt(vtkMath::Distance2BetweenPoints(receiver.Position, ray.Origin));
+  const double distance = std::sqrt(vtkMath::Distance2BetweenPoints(receiver.Position, ray.Origin));
   const auto getPoint = [](const Ray& along, double t, double point[3])
   {
     for (int i = 0; i < 3; ++i)
@@ -309,8 +325,8 @@ bool Oracle::DependsOnRounding(
   for (int k = 0; k < 2; ++k)
   {
     double beside[3];
-    getPoint(this->GetEyeRay(x, y, k == 0 ? GridSteps : 0.0, k == 1 ? GridSteps : 0.0), distance,
-      beside);
+    getPoint(
+      this->GetEyeRay(x, y, k == 0 ? GridSteps : 0.0, k == 1 ? GridSteps : 0.0), distance, beside);
     vtkMath::Subtract(beside, receiver.Position, offs[k + 2].data());
   }
   double toLight[3];
@@ -327,7 +343,8 @@ bool Oracle::DependsOnRounding(
       {
         moved.Position[i] += sign * off[i] + back * toLight[i];
       }
-      if (this->IsShadowed(moved, light) != shadowed)
+      // By which actors, not only whether: what has left one shadow may be below a floor.
+      if (this->GetCrossed(moved, light) != crossed)
       {
         return true;
       }

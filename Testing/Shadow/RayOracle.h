@@ -22,6 +22,7 @@
 #include "TriangleTree.h"
 
 #include <functional>
+#include <set>
 #include <vector>
 
 class vtkLight;
@@ -107,9 +108,10 @@ public:
   /**
    * True if the sample is marginal; if one of the samples 1/64 of a pixel beside it in the four
    * diagonal directions is of another kind, or beyond an edge or a step of the surface, so that a
-   * rasteriser may see another one; or if it is of another kind where rounding may put it: 4 or 8 units
-   * of depth of 24 bits along the eye ray, or 2 steps of a subpixel grid of 1/256 pixel beside it, and
-   * from there back to its surface along the light's ray, which grazing light makes a long way.
+   * rasteriser may see another one; or if it is of another kind where rounding may put it: 4 or 8
+   * units of depth of 24 bits along the eye ray, or 2 steps of a subpixel grid of 1/256 pixel
+   * beside it, and from there back to its surface along the light's ray, which grazing light makes
+   * a long way.
    */
   bool IsAmbiguous(int x, int y, const OracleLight& light) const;
 
@@ -120,8 +122,9 @@ private:
   void SetView(vtkRenderer* renderer);
   Ray GetShadowRay(const Receiver& receiver, const OracleLight& light) const;
   bool IsAmbiguous(int x, int y, const OracleLight& light, const Classification& centre) const;
-  bool DependsOnRounding(
-    int x, int y, const Receiver& receiver, const OracleLight& light, bool shadowed) const;
+  /// The actors that are crossed between it and the light.
+  std::set<int> GetCrossed(const Receiver& receiver, const OracleLight& light) const;
+  bool DependsOnRounding(int x, int y, const Receiver& receiver, const OracleLight& light) const;
   double GetWindowDepth(const double world[3]) const;
 
   int Width = 0;
