@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShadowCity.cxx
- * @brief The shadows of a city of 15,328 buildings at 9 in the morning of 21 June.
+ * @brief `shadow-city [--out FOLDER]`: the shadows of a city at 9 in the morning of 21 June.
  *
- *     shadow-city [--out FOLDER]
- *
- * opens a window; with --out it writes a picture for every second hour from 5 to 19 o'clock to
+ * Opens a window; with --out it writes a picture for every second hour from 5 to 19 o'clock to
  * FOLDER/shadow-city-05.png and so on. Solar time; Sun.h has the formula.
  */
 #include "CameraPath.h"
@@ -78,9 +76,10 @@ int main(int argc, char* argv[])
       grab->SetInput(window);
       grab->ReadFrontBufferOff();
       vtkNew<vtkPNGWriter> writer;
-      const std::string number = (hour < 10 ? "0" : "") + std::to_string(hour);
+      const std::string name =
+        (hour < 10 ? "/shadow-city-0" : "/shadow-city-") + std::to_string(hour);
       writer->SetInputConnection(grab->GetOutputPort());
-      writer->SetFileName((argv[2] + ("/shadow-city-" + number + ".png")).c_str());
+      writer->SetFileName((argv[2] + name + ".png").c_str());
       writer->Write();
       const vtkShadowStatistics& statistics = shadows->GetStatistics();
       std::cout << hour << " o'clock: the shadows of " << statistics.Draws << " of "

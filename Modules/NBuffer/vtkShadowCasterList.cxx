@@ -13,6 +13,7 @@
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLActor.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
@@ -81,6 +82,13 @@ void vtkShadowCasterList::AddProp(vtkProp* prop)
 {
   if (vtkActor2D::SafeDownCast(prop))
   {
+    return;
+  }
+  // Paths cost more than all the rest.
+  if (typeid(*prop) == typeid(vtkOpenGLActor))
+  {
+    auto* actor = static_cast<vtkActor*>(prop);
+    this->AddActor(actor, 0, actor->GetMatrix());
     return;
   }
   int path = 0;
