@@ -446,8 +446,8 @@ TEST(ShadowVolume, ShadowsDoNotDependOnTheMeshsForm)
           continue;
         }
         const int count = CountInVolume(volume, nowhere, x, random);
-        // Inside of a closed body, where all triangles count, it is dark; those that face away count
-        // nothing there.
+        // Inside of a closed body, where all triangles count, it is dark; those that face away
+        // count nothing there.
         const bool dark = CountInVolume(badlyWound, nowhere, x, random) != 0;
         const std::optional<int> all = CountByBruteForce(mesh, light, x, false);
         ASSERT_TRUE(dark == (count != 0) || (dark && all.value() % 2 == 1));
