@@ -39,7 +39,10 @@ struct Look
 // Told apart also by those who do not tell red from green (Okabe and Ito).
 constexpr Look Looks[] = { { "none", "no culler", { 120, 120, 120 } },
   { "stock", "VTK's default", { 213, 94, 0 } }, { "nbuffer", "N-buffer culler", { 0, 114, 178 } },
-  { "oracle", "lower bound", { 0, 158, 115 } } };
+  { "no shadows", "no shadows", { 120, 120, 120 } },
+  { "unclamped", "whole volumes", { 213, 94, 0 } }, { "exact", "exact", { 0, 114, 178 } },
+  { "clamp", "one slab", { 86, 180, 233 } }, { "slabs", "several slabs", { 204, 121, 167 } },
+  { "vtk", "VTK's shadow maps", { 230, 159, 0 } }, { "oracle", "lower bound", { 0, 158, 115 } } };
 
 const Look& GetLook(const std::string& mode)
 {

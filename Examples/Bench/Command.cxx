@@ -47,11 +47,7 @@ bool IsTerminal()
 
 void ViewOptions::AddTo(CLI::App& command)
 {
-  command
-    .add_option("--scene", this->SceneNames,
-      "city, a city file, an OSM extract (.osm, .osm.bz2, .pbf), .glb, .gltf, .obj, .wrl, .vtm, "
-      ".vtpc, or one or more .stl or .ply; each also as .gz")
-    ->capture_default_str();
+  command.add_option("--scene", this->SceneNames, this->SceneHelp)->capture_default_str();
   command.add_option("--up", this->Up, "Axis that points up (x, y or z); default: by file format")
     ->check(CLI::IsMember({ "x", "y", "z" }));
   command.add_option("--path", this->Path,
@@ -70,7 +66,7 @@ void ViewOptions::AddTo(CLI::App& command)
       },
       "Size of the image in pixels")
     ->type_name("WxH")
-    ->default_str("960x720");
+    ->default_str(std::to_string(this->Window.Width) + "x" + std::to_string(this->Window.Height));
   command.add_option("--frames", this->Frames, "Frames of the path")->check(CLI::Range(1, 1000000));
   command.add_option("--seed", this->Seed, "Where the path starts and turns")
     ->capture_default_str();
@@ -80,6 +76,10 @@ void ViewOptions::AddTo(CLI::App& command)
   command.add_option("--window", this->Window.Window, "Window system")
     ->check(CLI::IsMember({ "default", "osmesa", "egl", "glx" }))
     ->capture_default_str();
+}
+
+void ViewOptions::AddCullerTo(CLI::App& command)
+{
   command.add_option("--backend", this->Mode.Backend, "Where vtkNBufferCuller builds its levels")
     ->check(CLI::IsMember({ "auto", "opengl", "cpu" }))
     ->capture_default_str();

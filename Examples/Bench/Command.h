@@ -43,8 +43,15 @@ struct ViewOptions
   SessionOptions Window;
   ModeOptions Mode;
 
-  /// Add the options to a subcommand; this object must outlive it.
+  /// What --scene can be, for the help.
+  std::string SceneHelp = "city, a city file, an OSM extract (.osm, .osm.bz2, .pbf), .glb, .gltf, "
+                          ".obj, .wrl, .vtm, .vtpc, or one or more .stl or .ply; each also as .gz";
+
+  ///@{
+  /// Add options to a subcommand; this object must outlive it.
   void AddTo(CLI::App& command);
+  void AddCullerTo(CLI::App& command);
+  ///@}
 
   NBufferExamples::Scene LoadScene() const;
 
@@ -70,6 +77,7 @@ using Run = std::function<int()>;
 void AddWalkCommand(CLI::App& app, const std::string& program, Run& run);
 void AddFirstCommand(CLI::App& app, const std::string& program, Run& run);
 void AddPicturesCommand(CLI::App& app, const std::string& program, Run& run);
+void AddShadowCommand(CLI::App& app, const std::string& program, Run& run);
 ///@}
 
 } // namespace NBufferBench

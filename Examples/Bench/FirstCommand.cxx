@@ -157,6 +157,7 @@ void AddFirstCommand(CLI::App& app, const std::string& program, Run& run)
   auto options = std::make_shared<FirstOptions>();
   options->View.Program = program;
   options->View.AddTo(*command);
+  options->View.AddCullerTo(*command);
   command->add_option("--modes", options->Modes, "stock, none or nbuffer")
     ->delimiter(',')
     ->check(CLI::IsMember({ "stock", "none", "nbuffer" }))

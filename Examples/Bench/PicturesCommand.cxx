@@ -166,6 +166,7 @@ void AddPicturesCommand(CLI::App& app, const std::string& program, Run& run)
   auto options = std::make_shared<PicturesOptions>();
   options->View.Program = program;
   options->View.AddTo(*command);
+  options->View.AddCullerTo(*command);
   command->add_option("--out", options->Folder, "Folder for the pictures")->required();
   command->add_flag(
     "--chart,!--no-chart", options->Chart, "Measure a walk and draw its frame times");

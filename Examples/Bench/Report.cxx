@@ -13,9 +13,6 @@
 
 namespace NBufferBench
 {
-namespace
-{
-/// Numbers as they are read, not to seventeen digits.
 Json::Value Round(double value)
 {
   return std::round(value * 1e4) / 1e4;
@@ -33,7 +30,6 @@ Json::Value Parse(const std::string& text)
   return value;
 }
 
-/// Member by member the median over values of the same shape; of text the most frequent.
 Json::Value GetMedian(const std::vector<Json::Value>& values)
 {
   const Json::Value& first = values.front();
@@ -90,6 +86,32 @@ Json::Value GetMedian(const std::vector<Json::Value>& values)
   return result;
 }
 
+double GetMedianRatio(const ModeResult& a, const ModeResult& b)
+{
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < a.Milliseconds.size(); ++i)
+  {
+    ratios.push_back(a.Milliseconds[i] / b.Milliseconds[i]);
+  }
+  return GetQuantile(ratios, 0.5);
+}
+
+Json::Value SummarizeTimes(const ModeResult& mode)
+{
+  Json::Value result;
+  result["median_ms"] = Round(GetQuantile(mode.Milliseconds, 0.5));
+  result["p10_ms"] = Round(GetQuantile(mode.Milliseconds, 0.1));
+  result["p90_ms"] = Round(GetQuantile(mode.Milliseconds, 0.9));
+  Json::Value& each = result["frames_ms"] = Json::Value(Json::arrayValue);
+  for (double milliseconds : mode.Milliseconds)
+  {
+    each.append(Round(milliseconds));
+  }
+  return result;
+}
+
+namespace
+{
 Json::Value SummarizeStatistics(const std::vector<std::string>& texts)
 {
   std::vector<Json::Value> frames;
@@ -123,16 +145,8 @@ Json::Value SummarizeStatistics(const std::vector<std::string>& texts)
 
 Json::Value SummarizeMode(const ModeResult& mode)
 {
-  Json::Value result;
-  result["median_ms"] = Round(GetQuantile(mode.Milliseconds, 0.5));
-  result["p10_ms"] = Round(GetQuantile(mode.Milliseconds, 0.1));
-  result["p90_ms"] = Round(GetQuantile(mode.Milliseconds, 0.9));
+  Json::Value result = SummarizeTimes(mode);
   result["drawn"] = GetQuantile(std::vector<double>(mode.Drawn.begin(), mode.Drawn.end()), 0.5);
-  Json::Value& each = result["frames_ms"] = Json::Value(Json::arrayValue);
-  for (double milliseconds : mode.Milliseconds)
-  {
-    each.append(Round(milliseconds));
-  }
   if (!mode.DifferingBytes.empty())
   {
     Json::Value& frames = result["differing_frames"] = Json::Value(Json::arrayValue);
@@ -153,16 +167,6 @@ Json::Value SummarizeMode(const ModeResult& mode)
     result["statistics"] = SummarizeStatistics(mode.Statistics);
   }
   return result;
-}
-
-double GetMedianRatio(const ModeResult& a, const ModeResult& b)
-{
-  std::vector<double> ratios;
-  for (std::size_t i = 0; i < a.Milliseconds.size(); ++i)
-  {
-    ratios.push_back(a.Milliseconds[i] / b.Milliseconds[i]);
-  }
-  return GetQuantile(ratios, 0.5);
 }
 
 long long Sum(const std::vector<long long>& values)

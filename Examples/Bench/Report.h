@@ -32,6 +32,22 @@ namespace NBufferBench
 /// Of sorted or unsorted values, linear between neighbours; share in [0, 1]. 0 for no values.
 double GetQuantile(std::vector<double> values, double share);
 
+/// Numbers as they are read, not to seventeen digits.
+Json::Value Round(double value);
+
+/// Throws std::runtime_error if the text is no JSON.
+Json::Value Parse(const std::string& text);
+
+/// Member by member the median over values of the same shape, at least one; of text the most
+/// frequent.
+Json::Value GetMedian(const std::vector<Json::Value>& values);
+
+/// Median over the frames of (ms of mode a) / (ms of mode b).
+double GetMedianRatio(const ModeResult& a, const ModeResult& b);
+
+/// median_ms, p10_ms, p90_ms and frames_ms of a mode.
+Json::Value SummarizeTimes(const ModeResult& mode);
+
 /// modes, ratios, verified_frames, differing_bytes, frames and props of a walk.
 Json::Value MakeReport(const WalkResult& result);
 

@@ -89,6 +89,7 @@ void AddWalkCommand(CLI::App& app, const std::string& program, Run& run)
   auto options = std::make_shared<WalkCommandOptions>();
   options->View.Program = program;
   options->View.AddTo(*command);
+  options->View.AddCullerTo(*command);
   command
     ->add_option("--modes", options->Walk.Modes,
       "stock: VTK's default culler; none: no culler; nbuffer: vtkNBufferCuller; oracle: exactly "

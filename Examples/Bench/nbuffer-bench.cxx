@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file nbuffer-bench.cxx
- * @brief Measures and verifies vtkNBufferCuller on any scene; each subcommand is a file.
+ * @brief Measures and verifies vtkNBufferCuller and vtkShadowVolumeClampPass on any scene; each
+ * subcommand is a file.
  */
 #include "Command.h"
 
@@ -11,13 +12,14 @@
 
 int main(int argc, char* argv[])
 {
-  CLI::App app("Measure and verify occlusion culling with vtkNBufferCuller");
+  CLI::App app("Measure and verify occlusion culling and shadows with N-buffers");
   app.set_version_flag("--version", NBUFFER_VERSION);
   app.require_subcommand(1);
   NBufferBench::Run run;
   NBufferBench::AddWalkCommand(app, argv[0], run);
   NBufferBench::AddFirstCommand(app, argv[0], run);
   NBufferBench::AddPicturesCommand(app, argv[0], run);
+  NBufferBench::AddShadowCommand(app, argv[0], run);
   CLI11_PARSE(app, argc, argv);
   try
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferLevels.h"
 
-#include "vtkSMPTools.h"
+#include "vtkNBufferLevelBuilder.h"
 
 #include <algorithm>
 
@@ -18,23 +18,6 @@ struct Minimum
 {
   float operator()(float a, float b) const { return a < b ? a : b; }
 };
-
-/// Below this many texels a level is built serially. Waking threads for 691,200 pixels made it
-/// slower on two cores; where it begins to pay has not been measured.
-constexpr vtkIdType TexelsWorthAThread = 1 << 22;
-
-/// Rows in parallel when there is work enough for it.
-template <typename Functor>
-void ForEachRow(int rows, vtkIdType texels, Functor&& functor)
-{
-  if (texels < TexelsWorthAThread)
-  {
-    functor(0, rows);
-    return;
-  }
-  vtkSMPTools::For(0, rows, 16, [&functor](vtkIdType begin, vtkIdType end)
-    { functor(static_cast<int>(begin), static_cast<int>(end)); });
-}
 
 /// One row of the base: first the `rows` depth rows into one, then `factor` columns into one.
 template <typename Op>
@@ -95,7 +78,7 @@ void ReduceToBase(const float* depth, int width, int height, int factor, float* 
 {
   const int baseWidth = vtkNBufferMath::GetBaseSize(width, factor);
   const int baseHeight = vtkNBufferMath::GetBaseSize(height, factor);
-  ForEachRow(baseHeight, static_cast<vtkIdType>(width) * height,
+  vtkNBufferLevelBuilder::ForEachRow(baseHeight, static_cast<vtkIdType>(width) * height,
     [=](int begin, int end)
     {
       std::vector<float> scratch(factor > 1 ? width : 0);
@@ -105,33 +88,6 @@ void ReduceToBase(const float* depth, int width, int height, int factor, float* 
         ReduceRows<Op>(depth + static_cast<std::size_t>(first) * width, width,
           std::min(factor, height - first), factor, scratch.data(),
           base + static_cast<std::size_t>(y) * baseWidth);
-      }
-    });
-}
-
-/// Level i + 1 from level i, whose squares have side `step`.
-template <typename Op>
-void BuildLevel(const float* below, int width, int height, int step, float* level)
-{
-  ForEachRow(height, static_cast<vtkIdType>(width) * height,
-    [=](int begin, int end)
-    {
-      const Op op;
-      const int inside = std::max(width - step, 0);
-      for (int y = begin; y < end; ++y)
-      {
-        const float* a = below + static_cast<std::size_t>(y) * width;
-        const float* b = below + static_cast<std::size_t>(std::min(y + step, height - 1)) * width;
-        float* out = level + static_cast<std::size_t>(y) * width;
-        for (int x = 0; x < inside; ++x)
-        {
-          out[x] = op(op(a[x], a[x + step]), op(b[x], b[x + step]));
-        }
-        const float last = op(a[width - 1], b[width - 1]);
-        for (int x = inside; x < width; ++x)
-        {
-          out[x] = op(op(a[x], b[x]), last);
-        }
       }
     });
 }
@@ -190,19 +146,15 @@ int vtkNBufferLevels::BuildLevels(int count)
     this->Texels.resize(this->GetLevelOffset(levels));
   }
   this->NumberOfLevels = levels;
-  for (int i = first; i < levels; ++i)
+  if (this->Extremum == vtkNBufferExtremum::Maximum)
   {
-    const int step = 1 << (i - 1);
-    if (this->Extremum == vtkNBufferExtremum::Maximum)
-    {
-      BuildLevel<Maximum>(
-        this->GetLevelData(i - 1), this->Width, this->Height, step, this->GetLevelData(i));
-    }
-    else
-    {
-      BuildLevel<Minimum>(
-        this->GetLevelData(i - 1), this->Width, this->Height, step, this->GetLevelData(i));
-    }
+    vtkNBufferLevelBuilder::BuildLevels<Maximum>(
+      this->Texels.data(), this->Width, this->Height, first, levels);
+  }
+  else
+  {
+    vtkNBufferLevelBuilder::BuildLevels<Minimum>(
+      this->Texels.data(), this->Width, this->Height, first, levels);
   }
   return levels - first;
 }

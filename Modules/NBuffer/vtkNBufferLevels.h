@@ -68,24 +68,15 @@ public:
    */
   float Query(const vtkNBufferCover& cover) const
   {
-    const float* level = this->Texels.data() + this->GetLevelOffset(cover.Level);
-    float result = level[this->GetTexelOffset(cover.X[0], cover.Y[0])];
-    for (int i = 1; i < cover.Count; ++i)
-    {
-      const float value = level[this->GetTexelOffset(cover.X[i], cover.Y[i])];
-      result = (this->Extremum == vtkNBufferExtremum::Maximum) == (value > result) ? value : result;
-    }
-    return result;
+    const bool maximum = this->Extremum == vtkNBufferExtremum::Maximum;
+    return vtkNBufferMath::MergeCover(this->Texels.data(), this->Width, this->Height, cover,
+      [maximum](float a, float b) { return maximum == (b > a) ? b : a; });
   }
 
 private:
   std::size_t GetLevelOffset(int level) const
   {
     return static_cast<std::size_t>(level) * this->Width * this->Height;
-  }
-  std::size_t GetTexelOffset(int x, int y) const
-  {
-    return static_cast<std::size_t>(y) * this->Width + x;
   }
 
   std::vector<float> Texels;

@@ -49,6 +49,8 @@
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferVTKVersion.h"
 
+#include <cstddef>
+
 VTK_ABI_NAMESPACE_BEGIN
 
 /**
@@ -120,6 +122,25 @@ VTKNBUFFER_EXPORT vtkNBufferCover GetCoverOfOne(const vtkNBufferRectangle& recta
 /// The at most four texels that cover `rectangle`, which must not be empty and lie inside the
 /// base.
 VTKNBUFFER_EXPORT vtkNBufferCover GetCoverOfFour(const vtkNBufferRectangle& rectangle);
+
+/**
+ * The merge of the texels of a cover. `texels`: all levels of a width x height base after each
+ * other, row by row. Texels may be of any type with a merge of two that is commutative, associative
+ * and idempotent (maximum, minimum, union of boxes, bitwise or): squares overlap, and what counts
+ * twice must not matter.
+ */
+template <typename Texel, typename Merge>
+Texel MergeCover(
+  const Texel* texels, int width, int height, const vtkNBufferCover& cover, Merge merge)
+{
+  const Texel* level = texels + static_cast<std::size_t>(cover.Level) * width * height;
+  Texel result = level[static_cast<std::size_t>(cover.Y[0]) * width + cover.X[0]];
+  for (int i = 1; i < cover.Count; ++i)
+  {
+    result = merge(result, level[static_cast<std::size_t>(cover.Y[i]) * width + cover.X[i]]);
+  }
+  return result;
+}
 }
 
 VTK_ABI_NAMESPACE_END

@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ShadowCommand.cxx
+ * @brief Fragments, times and errors of shadows, by mode.
+ *
+ *     renderer, window, vtk, scene, path, size, samples, seed, frames, props, block, litmap,
+ *     ground_casts
+ *     modes.NAME              median_ms, p10_ms, p90_ms, frames_ms
+ *     modes.(volumes)         also fragments (mean of all frames), fragments_percent (of mode
+ *                             unclamped) and statistics: the members of vtkShadowStatistics, each
+ *                             the median over the timed frames
+ *     modes.NAME.oracle       only with --oracle: samples compared with rays; wrong: those that
+ *                             differ and are not ambiguous; ambiguous: those that differ and are;
+ *                             wrong_places: [frame, x, y] of the first wrong ones
+ *     ratios.A/B              median over the frames of (ms of mode A) / (ms of mode B)
+ */
+#include "Chart.h"
+#include "Command.h"
+#include "Images.h"
+#include "Report.h"
+#include "ShadowMode.h"
+#include "ShadowScene.h"
+#include "ShadowWalk.h"
+
+#include "vtkNew.h"
+#include "vtkShadowVolumeClampPass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace NBufferBench
+{
+namespace
+{
+struct ShadowCommandOptions
+{
+  ViewOptions View;
+  ShadowWalkOptions Walk;
+  bool GroundCasts = true;
+  std::string JSON;
+};
+
+NBufferExamples::Scene LoadShadowScene(ViewOptions view)
+{
+  if (view.SceneNames.size() == 1 && IsMadeScene(view.SceneNames[0]))
+  {
+    ChooseWindowSystem(view.Window.Window);
+    return MakeScene(view.SceneNames[0], view.Seed);
+  }
+  view.SceneNames = GetActorNames(view.SceneNames);
+  return view.LoadScene();
+}
+
+Json::Value MakeModeReport(const ShadowWalkResult& result, const std::string& name)
+{
+  const ModeResult& mode = result.Walk.Modes.at(name);
+  Json::Value report = SummarizeTimes(mode);
+  const auto fragments = result.Fragments.find(name);
+  if (fragments != result.Fragments.end())
+  {
+    const auto frames = static_cast<double>(result.Walk.Frames);
+    report["fragments"] =
+      static_cast<Json::Int64>(std::llround(static_cast<double>(fragments->second) / frames));
+    const auto all = result.Fragments.find("unclamped");
+    if (all != result.Fragments.end() && all->second > 0)
+    {
+      report["fragments_percent"] =
+        Round(100.0 * static_cast<double>(fragments->second) / static_cast<double>(all->second));
+    }
+  }
+  if (!mode.Statistics.empty())
+  {
+    std::vector<Json::Value> frames;
+    std::transform(
+      mode.Statistics.begin(), mode.Statistics.end(), std::back_inserter(frames), Parse);
+    report["statistics"] = GetMedian(frames);
+    report["statistics"].removeMember("fragments");
+  }
+  const auto counts = result.Oracle.find(name);
+  if (counts != result.Oracle.end())
+  {
+    Json::Value& oracle = report["oracle"];
+    oracle["samples"] = static_cast<Json::Int64>(counts->second.Samples);
+    oracle["wrong"] = static_cast<Json::Int64>(counts->second.Wrong);
+    oracle["ambiguous"] = static_cast<Json::Int64>(counts->second.Ambiguous);
+    for (const auto& place : counts->second.Places)
+    {
+      Json::Value pixel(Json::arrayValue);
+      for (const int value : place)
+      {
+        pixel.append(value);
+      }
+      oracle["wrong_places"].append(pixel);
+    }
+  }
+  return report;
+}
+
+void AddRatio(
+  const WalkResult& walk, const std::string& a, const std::string& b, Json::Value& ratios)
+{
+  const auto first = walk.Modes.find(a);
+  const auto second = walk.Modes.find(b);
+  if (a != b && first != walk.Modes.end() && second != walk.Modes.end())
+  {
+    ratios[a + "/" + b] = Round(GetMedianRatio(first->second, second->second));
+  }
+}
+
+void PrintShadowTable(
+  const Json::Value& report, const std::vector<std::string>& names, std::ostream& out)
+{
+  char line[256];
+  std::snprintf(line, sizeof(line), "%-14s%10s%9s%9s%12s%9s%12s%8s\n", "mode", "median ms", "p10",
+    "p90", "fragments", "%", "unclamped/", "/none");
+  out << line;
+  const Json::Value& ratios = report["ratios"];
+  for (const std::string& name : names)
+  {
+    const Json::Value& mode = report["modes"][name];
+    const auto format = [](const char* how, const Json::Value& value)
+    {
+      char text[32] = "-";
+      if (!value.isNull())
+      {
+        std::snprintf(text, sizeof(text), how, value.asDouble());
+      }
+      return std::string(text);
+    };
+    std::snprintf(line, sizeof(line), "%-14s%10.2f%9.2f%9.2f%12s%9s%12s%8s", name.c_str(),
+      mode["median_ms"].asDouble(), mode["p10_ms"].asDouble(), mode["p90_ms"].asDouble(),
+      format("%.0f", mode["fragments"]).c_str(), format("%.2f", mode["fragments_percent"]).c_str(),
+      format("%.2f", ratios["unclamped/" + name]).c_str(),
+      format("%.2f", ratios[name + "/none"]).c_str());
+    out << line;
+    if (mode.isMember("oracle"))
+    {
+      const Json::Value& oracle = mode["oracle"];
+      out << "   " << oracle["wrong"].asInt64() << " wrong and " << oracle["ambiguous"].asInt64()
+          << " ambiguous of " << oracle["samples"].asInt64();
+    }
+    out << "\n";
+  }
+}
+
+/// The chart has a line for each kind of shadows, not for each resolution.
+WalkResult GetCharted(const WalkResult& walk)
+{
+  WalkResult charted;
+  charted.Frames = walk.Frames;
+  for (const std::string& name : walk.Names)
+  {
+    if (name.find('@') == std::string::npos)
+    {
+      // As Chart.cxx calls it.
+      charted.Names.push_back(name == "none" ? "no shadows" : name);
+      charted.Modes[charted.Names.back()] = walk.Modes.at(name);
+    }
+  }
+  return charted;
+}
+
+bool IsWrong(const ShadowWalkResult& result)
+{
+  return std::any_of(result.Oracle.begin(), result.Oracle.end(), [&](const auto& counts)
+    { return counts.second.Wrong > 0 && result.Fragments.count(counts.first) > 0; });
+}
+
+int RunShadowCommand(ShadowCommandOptions& options)
+{
+  std::vector<std::string>& modes = options.Walk.Modes;
+  for (auto mode = modes.begin(); mode != modes.end();)
+  {
+    mode = std::find(modes.begin(), mode, *mode) == mode ? mode + 1 : modes.erase(mode);
+  }
+  if (!options.Walk.ImageFolder.empty())
+  {
+    MakeFolder(options.Walk.ImageFolder);
+  }
+  CheckWritable(options.JSON);
+  const NBufferExamples::Scene scene = LoadShadowScene(options.View);
+  const NBufferExamples::CameraPath path = options.View.MakePath(scene, 30);
+  Session& session = Session::New(scene, options.View.Window);
+  const std::string& name = options.View.SceneNames.front();
+  vtkLight* light = LightScene(name, scene, path, session.GetRenderer());
+  if (!options.GroundCasts)
+  {
+    options.Walk.CasterKeys = MarkCasters(name, scene);
+  }
+  options.Walk.Progress = ShowProgress;
+  const ShadowWalkResult result = RunShadowWalk(session, light, path, options.Walk);
+
+  Json::Value report = options.View.Describe(scene, session);
+  report["scene"] = name == "city-sun" || name == "city-spot" ? name : scene.Name;
+  report["frames"] = static_cast<Json::UInt64>(path.size());
+  report["props"] = static_cast<Json::UInt64>(scene.Actors.size());
+  report["ground_casts"] = options.Walk.CasterKeys == nullptr;
+  report["block"] = options.Walk.Block;
+  report["litmap"] = options.Walk.Litmap;
+  report["ratios"] = Json::Value(Json::objectValue);
+  for (const std::string& mode : result.Walk.Names)
+  {
+    report["modes"][mode] = MakeModeReport(result, mode);
+    AddRatio(result.Walk, "unclamped", mode, report["ratios"]);
+    AddRatio(result.Walk, mode, "none", report["ratios"]);
+  }
+  std::cout << report["scene"].asString() << ", " << report["path"].asString() << ", "
+            << report["size"].asString() << ", " << path.size() << " frames, "
+            << scene.Actors.size() << " props, litmaps of " << options.Walk.Litmap << ", "
+            << report["renderer"].asString() << ", VTK " << report["vtk"].asString() << "\n";
+  PrintShadowTable(report, result.Walk.Names, std::cout);
+  if (!options.Walk.ImageFolder.empty())
+  {
+    WriteChart(GetCharted(result.Walk),
+      report["scene"].asString() + ", shadows, " + report["size"].asString(),
+      options.Walk.ImageFolder + "/shadow-times");
+  }
+  if (!options.JSON.empty())
+  {
+    WriteJSON(report, options.JSON);
+  }
+  return IsWrong(result) ? ImagesDiffer : Success;
+}
+
+void CheckModes(const std::vector<std::string>& names)
+{
+  vtkNew<vtkShadowVolumeClampPass> volumes;
+  for (const std::string& name : names)
+  {
+    ShadowMode(name, 1, volumes);
+  }
+}
+}
+
+void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
+{
+  CLI::App* command = app.add_subcommand("shadow",
+    "Time shadows in several modes, interleaved in one run, and count what the volumes cover");
+  auto options = std::make_shared<ShadowCommandOptions>();
+  options->View.Program = program;
+  options->View.SceneNames = { "city-sun" };
+  options->View.SceneHelp = "city-sun, city-spot, birds (synthetic), simple, or a file that walk "
+                            "knows";
+  options->View.Window.Width = 640;
+  options->View.Window.Height = 480;
+  options->View.AddTo(*command);
+  command
+    ->add_option("--modes", options->Walk.Modes,
+      "none; of vtkShadowVolumeClampPass unclamped, exact, clamp (one slab), slabs; vtk: "
+      "vtkShadowMapPass; exact@64: with a litmap of 64 x 64, vtk@64 with such maps")
+    ->delimiter(',')
+    ->capture_default_str();
+  command->add_option("--litmap", options->Walk.Litmap, "Lexels along each side of the litmaps")
+    ->check(CLI::Range(1, 4096))
+    ->capture_default_str();
+  command->add_flag("--oracle", options->Walk.Oracle,
+    "Compare the first, middle and last frame with rays in double precision");
+  command->add_option("--block", options->Walk.Block, "Timed frames of a mode in a row")
+    ->check(CLI::Range(1, 1000))
+    ->capture_default_str();
+  command->add_flag("!--no-ground-caster", options->GroundCasts,
+    "In vtkShadowVolumeClampPass ground and streets only receive shadows");
+  command->add_option("--json", options->JSON, "File for the figures");
+  command->add_option("--images", options->Walk.ImageFolder,
+    "Folder for the middle frame of each mode and the chart of frame times");
+  command->callback(
+    [options, &run]()
+    {
+      run = [options]()
+      {
+        CheckModes(options->Walk.Modes);
+        return RunShadowCommand(*options);
+      };
+    });
+}
+
+} // namespace NBufferBench

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShadowMode.h"
+
+#include "vtkCameraPass.h"
+#include "vtkNew.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderer.h"
+#include "vtkSequencePass.h"
+#include "vtkShadowMapBakerPass.h"
+#include "vtkShadowMapPass.h"
+#include "vtkShadowVolumeClampPass.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+#include <stdexcept>
+
+namespace NBufferBench
+{
+namespace
+{
+struct VolumeKind
+{
+  const char* Name;
+  int Mode;
+  int SlabGap;
+};
+constexpr VolumeKind VolumeKinds[] = { { "unclamped", vtkShadowVolumeClampPass::Unclamped, 4 },
+  { "exact", vtkShadowVolumeClampPass::Exact, 4 },
+  { "clamp", vtkShadowVolumeClampPass::Clamped, 64 },
+  { "slabs", vtkShadowVolumeClampPass::Clamped, 4 } };
+
+const VolumeKind* FindVolumeKind(const std::string& name)
+{
+  const auto* end = std::end(VolumeKinds);
+  const auto* found = std::find_if(
+    std::begin(VolumeKinds), end, [&name](const VolumeKind& kind) { return name == kind.Name; });
+  return found == end ? nullptr : found;
+}
+
+vtkSmartPointer<vtkRenderPass> MakeShadowMaps(int resolution)
+{
+  vtkNew<vtkShadowMapPass> shadows;
+  if (resolution > 0)
+  {
+    shadows->GetShadowMapBakerPass()->SetResolution(static_cast<unsigned int>(resolution));
+  }
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(shadows->GetShadowMapBakerPass());
+  passes->AddItem(shadows);
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(passes);
+  auto camera = vtkSmartPointer<vtkCameraPass>::New();
+  camera->SetDelegatePass(sequence);
+  return camera;
+}
+}
+
+ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClampPass* volumes)
+  : Name(name)
+  , Kind(name.substr(0, name.find('@')))
+  , Litmap(litmap)
+  , IsVolumes(FindVolumeKind(Kind) != nullptr)
+{
+  const bool isSized = this->Kind != name;
+  int used = 0;
+  const bool hasSize = isSized &&
+    std::sscanf(name.c_str() + this->Kind.size(), "@%4d%n", &this->Resolution, &used) == 1 &&
+    this->Kind.size() + static_cast<std::size_t>(used) == name.size() && this->Resolution > 0;
+  const bool canHaveSize = this->Kind != "none" && this->Kind != "unclamped";
+  const bool isKnown = this->IsVolumes || this->Kind == "none" || this->Kind == "vtk";
+  if (!isKnown || (isSized && !(hasSize && canHaveSize)))
+  {
+    throw std::runtime_error("no mode " + name +
+      "; there are none, unclamped, exact, clamp, slabs and vtk, all but the first two also with a "
+      "resolution of 1 to 9999, such as exact@64");
+  }
+  if (this->IsVolumes)
+  {
+    this->Pass = volumes;
+  }
+  else if (this->Kind == "vtk")
+  {
+    this->Pass = MakeShadowMaps(this->Resolution);
+  }
+}
+
+void ShadowMode::Enter(vtkRenderer* renderer) const
+{
+  if (const VolumeKind* kind = FindVolumeKind(this->Kind))
+  {
+    auto* volumes = static_cast<vtkShadowVolumeClampPass*>(this->Pass.GetPointer());
+    volumes->SetMode(kind->Mode);
+    volumes->SetSlabGap(kind->SlabGap);
+    volumes->SetLitmapResolution(this->Resolution > 0 ? this->Resolution : this->Litmap);
+  }
+  renderer->SetPass(this->Pass);
+}
+
+} // namespace NBufferBench

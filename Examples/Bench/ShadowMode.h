@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class ShadowMode
+ * @brief A way to draw shadows that takes its turn in the one renderer that all modes share.
+ *
+ *     none        without shadows
+ *     unclamped   vtkShadowVolumeClampPass, whole volumes
+ *     exact       casters that have receivers, inside of the receivers' box of pixels
+ *     clamp       the same, clamped to one slab (SlabGap 64)
+ *     slabs       the same, clamped to several slabs (SlabGap 4)
+ *     vtk         vtkShadowMapPass with its baker, as VTK's tests put them together
+ *
+ * exact@N, clamp@N and slabs@N have litmaps of N x N lexels, vtk@N shadow maps of N x N texels
+ * instead of VTK's default.
+ */
+#ifndef ShadowMode_h
+#define ShadowMode_h
+
+#include "vtkRenderPass.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkRenderer;
+class vtkShadowVolumeClampPass;
+
+namespace NBufferBench
+{
+
+class ShadowMode
+{
+public:
+  /// Modes of vtkShadowVolumeClampPass set up `volumes`, which they share, with litmaps of `litmap`
+  /// x `litmap` where the name says nothing. Throws std::runtime_error if there is no such mode.
+  ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClampPass* volumes);
+
+  const std::string& GetName() const { return this->Name; }
+
+  bool HasVolumes() const { return this->IsVolumes; }
+
+  void Enter(vtkRenderer* renderer) const;
+
+private:
+  std::string Name;
+  std::string Kind;   ///< The name without @N.
+  int Resolution = 0; ///< Of the name, or 0.
+  int Litmap;
+  bool IsVolumes;
+  vtkSmartPointer<vtkRenderPass> Pass;
+};
+
+} // namespace NBufferBench
+
+#endif

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShadowScene.h"
+
+#include "Random.h"
+#include "Sun.h"
+
+#include "vtkConeSource.h"
+#include "vtkCubeSource.h"
+#include "vtkCylinderSource.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace NBufferBench
+{
+namespace
+{
+using NBufferExamples::Random;
+using NBufferExamples::Scene;
+
+template <class Source>
+vtkSmartPointer<vtkPolyDataMapper> MakeMapper(Source* source)
+{
+  source->Update();
+  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  mapper->SetInputData(source->GetOutput());
+  return mapper;
+}
+
+/// A part of unit size, coloured by its number.
+vtkActor* AddPart(Scene& scene, vtkPolyDataMapper* mapper)
+{
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  double color[3];
+  const double hue = 0.08 + 0.61803398875 * static_cast<double>(scene.Actors.size());
+  vtkMath::HSVToRGB(hue - static_cast<int>(hue), 0.35, 0.9, &color[0], &color[1], &color[2]);
+  actor->GetProperty()->SetColor(color);
+  actor->GetProperty()->SetAmbient(0.35);
+  actor->GetProperty()->SetDiffuse(0.65);
+  scene.Actors.push_back(actor);
+  return actor;
+}
+
+vtkActor* AddBox(Scene& scene, vtkPolyDataMapper* box, double x, double y, double z, double sizeX,
+  double sizeY, double sizeZ)
+{
+  vtkActor* actor = AddPart(scene, box);
+  actor->SetPosition(x, y, z);
+  actor->SetScale(sizeX, sizeY, sizeZ);
+  return actor;
+}
+
+/// A square slab, its top at height 0.
+void AddGround(Scene& scene, vtkPolyDataMapper* box, double side)
+{
+  AddBox(scene, box, 0.0, 0.0, -0.5, side, side, 1.0)->GetProperty()->SetColor(0.62, 0.66, 0.58);
+}
+
+Scene MakeBirds(std::uint64_t seed)
+{
+  Scene scene;
+  scene.Name = "birds";
+  Random random(seed);
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(10);
+  sphere->SetPhiResolution(10);
+  const auto box = MakeMapper(cube.Get());
+  const auto bird = MakeMapper(sphere.Get());
+  AddGround(scene, box, 120.0);
+  for (int i = 0; i < 12; ++i)
+  {
+    const double height = random.Between(8.0, 25.0);
+    const double x = random.Between(-45.0, 45.0);
+    const double y = random.Between(-45.0, 45.0);
+    const double width = random.Between(3.0, 6.0);
+    AddBox(scene, box, x, y, 0.5 * height, width, random.Between(3.0, 6.0), height);
+  }
+  for (int i = 0; i < 400; ++i)
+  {
+    const double x = random.Between(-50.0, 50.0);
+    const double y = random.Between(-50.0, 50.0);
+    const double z = random.Between(10.0, 30.0);
+    vtkActor* actor = AddPart(scene, bird);
+    actor->SetPosition(x, y, z);
+    actor->SetScale(random.Between(0.6, 1.8));
+  }
+  return scene;
+}
+
+Scene MakeParts(std::uint64_t seed)
+{
+  Scene scene;
+  scene.Name = "simple";
+  Random random(seed);
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkCylinderSource> cylinder;
+  cylinder->SetResolution(48);
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(48);
+  sphere->SetPhiResolution(48);
+  vtkNew<vtkConeSource> cone;
+  cone->SetResolution(48);
+  const vtkSmartPointer<vtkPolyDataMapper> parts[] = { MakeMapper(cube.Get()),
+    MakeMapper(cylinder.Get()), MakeMapper(sphere.Get()), MakeMapper(cone.Get()) };
+  AddGround(scene, parts[0], 14.0);
+  for (std::size_t i = 0; i < 20; ++i)
+  {
+    double values[9];
+    for (int j = 0; j < 9; ++j)
+    {
+      // Position, size, axis of rotation.
+      values[j] = j < 2 ? random.Between(-4.0, 4.0)
+        : j == 2        ? random.Between(1.0, 5.0)
+        : j < 6         ? random.Between(1.0, 3.0)
+                        : random.Between(-1.0, 1.0);
+    }
+    vtkActor* actor = AddBox(scene, parts[i % std::size(parts)], values[0], values[1], values[2],
+      values[3], values[4], values[5]);
+    actor->RotateWXYZ(random.Between(0.0, 360.0), values[6], values[7], values[8]);
+  }
+  return scene;
+}
+
+vtkSmartPointer<vtkLight> MakeSpot(const NBufferExamples::CameraPath& path)
+{
+  // Metres: a lamp high above the street, beside the way, and what lies 20 m ahead.
+  constexpr double ahead = 20.0;
+  const double lamp[3] = { 25.0, -25.0, 60.0 };
+  const NBufferExamples::CameraPose& pose = path[path.size() / 2];
+  double direction[3];
+  vtkMath::Subtract(pose.Target, pose.Eye, direction);
+  direction[2] = 0.0;
+  vtkMath::Normalize(direction);
+  double place[3] = { pose.Eye[0] + ahead * direction[0], pose.Eye[1] + ahead * direction[1], 0.0 };
+  auto light = vtkSmartPointer<vtkLight>::New();
+  light->SetLightTypeToSceneLight();
+  light->PositionalOn();
+  light->SetConeAngle(40.0);
+  light->SetExponent(0.0);
+  light->SetFocalPoint(place);
+  vtkMath::Add(place, lamp, place);
+  light->SetPosition(place);
+  return light;
+}
+}
+
+std::vector<std::string> GetActorNames(std::vector<std::string> names)
+{
+  if (names.size() == 1 && (names[0] == "city-sun" || names[0] == "city-spot"))
+  {
+    names[0] = "city";
+  }
+  return names;
+}
+
+bool IsMadeScene(const std::string& name)
+{
+  return name == "birds" || name == "simple";
+}
+
+Scene MakeScene(const std::string& name, std::uint64_t seed)
+{
+  return name == "birds" ? MakeBirds(seed) : MakeParts(seed);
+}
+
+vtkLight* LightScene(const std::string& name, const Scene& scene,
+  const NBufferExamples::CameraPath& path, vtkRenderer* renderer)
+{
+  if (scene.Plan)
+  {
+    NBufferExamples::LightGround(scene);
+  }
+  vtkSmartPointer<vtkLight> light;
+  if (name == "city-spot")
+  {
+    light = MakeSpot(path);
+  }
+  else
+  {
+    light = NBufferExamples::MakeSun({});
+    // What is z for the sun is the scene's axis that points up.
+    double position[3];
+    light->GetPosition(position);
+    std::rotate(position, position + 2 - scene.UpAxis, position + 3);
+    light->SetPosition(position);
+  }
+  renderer->RemoveAllLights();
+  renderer->AutomaticLightCreationOff();
+  renderer->AddLight(light);
+  return light;
+}
+
+vtkSmartPointer<vtkInformation> MarkCasters(const std::string& name, const Scene& scene)
+{
+  if (!scene.Plan && !IsMadeScene(name))
+  {
+    return nullptr;
+  }
+  static auto* const key = vtkInformationIntegerKey::MakeKey("CASTS", "NBufferBench");
+  const auto makeKeys = []()
+  {
+    auto keys = vtkSmartPointer<vtkInformation>::New();
+    keys->Set(key, 1);
+    return keys;
+  };
+  // The ground is the first actor of scenes made here; in a city it follows the buildings.
+  const std::size_t first = scene.Plan ? 0 : 1;
+  const std::size_t end = scene.Plan ? scene.Plan->Buildings.size() : scene.Actors.size();
+  for (std::size_t i = first; i < end; ++i)
+  {
+    // Of its own: render passes write themselves into it, once for each prop.
+    scene.Actors[i]->SetPropertyKeys(makeKeys());
+  }
+  return makeKeys();
+}
+
+} // namespace NBufferBench

@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowCounter.h"
+
+#include "vtkShadowTarget.h"
+#include "vtkShadowVolume.h"
+
+#include "vtkNBufferFullScreenVS.h"
+#include "vtkShadowMaskFS.h"
+#include "vtkShadowVolumeFS.h"
+#include "vtkShadowVolumeVS.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+constexpr float OffsetFactor = 1.0f / 128;
+constexpr float OffsetUnits = 2.0f;
+
+constexpr GLenum StencilNames[2][7] = { { GL_STENCIL_FUNC, GL_STENCIL_REF, GL_STENCIL_VALUE_MASK,
+                                          GL_STENCIL_FAIL, GL_STENCIL_PASS_DEPTH_FAIL,
+                                          GL_STENCIL_PASS_DEPTH_PASS, GL_STENCIL_WRITEMASK },
+  { GL_STENCIL_BACK_FUNC, GL_STENCIL_BACK_REF, GL_STENCIL_BACK_VALUE_MASK, GL_STENCIL_BACK_FAIL,
+    GL_STENCIL_BACK_PASS_DEPTH_FAIL, GL_STENCIL_BACK_PASS_DEPTH_PASS, GL_STENCIL_BACK_WRITEMASK } };
+
+bool UploadBuffer(
+  GLenum target, unsigned int& name, std::size_t& capacity, const void* data, std::size_t bytes)
+{
+  if (name == 0)
+  {
+    glGenBuffers(1, &name);
+  }
+  glBindBuffer(target, name);
+  // Orphaned, so that nobody waits for the last frame's draws.
+  capacity = std::max(capacity, bytes);
+  glBufferData(target, static_cast<GLsizeiptr>(capacity), nullptr, GL_STREAM_DRAW);
+  glBufferSubData(target, 0, static_cast<GLsizeiptr>(bytes), data);
+  return glGetError() == GL_NO_ERROR;
+}
+}
+
+bool vtkShadowCounter::Upload(const vtkShadowVolume& volume, std::string& why)
+{
+  vtkNBufferGL::ClearErrors();
+  int arrayBuffer = 0;
+  int vertexArray = 0;
+  glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &arrayBuffer);
+  glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &vertexArray);
+  if (this->VertexArray == 0)
+  {
+    glGenVertexArrays(1, &this->VertexArray);
+    glGenVertexArrays(1, &this->EmptyVertexArray);
+  }
+  glBindVertexArray(this->VertexArray);
+  const bool uploaded =
+    UploadBuffer(GL_ARRAY_BUFFER, this->VertexBuffer, this->VertexBytes,
+      volume.GetVertices().data(), volume.GetVertices().size() * sizeof(float)) &&
+    UploadBuffer(GL_ELEMENT_ARRAY_BUFFER, this->IndexBuffer, this->IndexBytes,
+      volume.GetIndices().data(), volume.GetIndices().size() * sizeof(unsigned int));
+  glBindVertexArray(vertexArray);
+  glBindBuffer(GL_ARRAY_BUFFER, arrayBuffer);
+  if (!uploaded)
+  {
+    vtkNBufferGL::ClearErrors();
+    why = "There is no memory on the device for " + std::to_string(volume.GetIndices().size() / 3) +
+      " triangles of shadow volumes. Let fewer or simpler props cast.";
+  }
+  return uploaded;
+}
+
+vtkShadowCounter::Scope::Scope(vtkOpenGLRenderWindow* window, const int viewport[4])
+  : Pass(window)
+{
+  glGetIntegerv(GL_DEPTH_FUNC, &this->DepthFunction);
+  glGetBooleanv(GL_DEPTH_WRITEMASK, &this->DepthMask);
+  glGetIntegerv(GL_SCISSOR_BOX, this->Scissor);
+  glGetFloatv(GL_POLYGON_OFFSET_FACTOR, &this->OffsetFactor);
+  glGetFloatv(GL_POLYGON_OFFSET_UNITS, &this->OffsetUnits);
+  this->Clamp = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
+  this->Offset = glIsEnabled(GL_POLYGON_OFFSET_FILL) == GL_TRUE;
+  for (int face = 0; face < 2; ++face)
+  {
+    for (int i = 0; i < 7; ++i)
+    {
+      glGetIntegerv(StencilNames[face][i], &this->Stencil[face][i]);
+    }
+  }
+  glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  glEnable(GL_SCISSOR_TEST);
+  glEnable(GL_STENCIL_TEST);
+  glStencilMask(0xff);
+  glDepthMask(GL_FALSE);
+}
+
+vtkShadowCounter::Scope::~Scope()
+{
+  // ScopedPass enables again what was enabled before.
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_STENCIL_TEST);
+  glDisable(GL_DEPTH_TEST);
+  (this->Clamp ? glEnable : glDisable)(GL_DEPTH_CLAMP);
+  (this->Offset ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(this->OffsetFactor, this->OffsetUnits);
+  glDepthFunc(this->DepthFunction);
+  glDepthMask(this->DepthMask);
+  glScissor(this->Scissor[0], this->Scissor[1], this->Scissor[2], this->Scissor[3]);
+  for (int face = 0; face < 2; ++face)
+  {
+    const GLenum side = face == 0 ? GL_FRONT : GL_BACK;
+    const int* s = this->Stencil[face];
+    glStencilFuncSeparate(side, s[0], s[1], static_cast<GLuint>(s[2]));
+    glStencilOpSeparate(side, s[3], s[4], s[5]);
+    glStencilMaskSeparate(side, static_cast<GLuint>(s[6]));
+  }
+}
+
+void vtkShadowCounter::ClearMask(const vtkShadowTarget& target, int mask, const int viewport[4])
+{
+  glBindFramebuffer(GL_FRAMEBUFFER, target.GetMaskFramebuffer(mask));
+  glScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
+  const float lit[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  glClearBufferfv(GL_COLOR, 0, lit);
+}
+
+void vtkShadowCounter::ClearStencil(const vtkShadowTarget& target, const int viewport[4], int start)
+{
+  glBindFramebuffer(GL_FRAMEBUFFER, target.GetDepthFramebuffer());
+  glScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
+  const int value = start % 256;
+  glClearBufferiv(GL_STENCIL, 0, &value);
+}
+
+vtkShaderProgram* vtkShadowCounter::Ready(vtkOpenGLRenderWindow* window,
+  vtkSmartPointer<vtkShaderProgram>& program, const char* vertexShader, const char* fragmentShader,
+  std::string& why)
+{
+  vtkOpenGLShaderCache* cache = window->GetShaderCache();
+  program = program ? cache->ReadyShaderProgram(program)
+                    : cache->ReadyShaderProgram(vertexShader, fragmentShader, "");
+  if (!program)
+  {
+    why = "A shader for shadow volumes does not compile on this driver. Update the driver, and "
+          "report its message.";
+  }
+  return program;
+}
+
+void vtkShadowCounter::SetDirection(bool zPass)
+{
+  glStencilFunc(GL_ALWAYS, 0, 0xff);
+  (zPass ? glDisable : glEnable)(GL_CLIP_DISTANCE0);
+  if (zPass)
+  {
+    glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
+    glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
+  }
+  else
+  {
+    glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
+    glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
+  }
+}
+
+bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
+  const double volumeToClip[16], const vtkShadowDraw* first, const vtkShadowDraw* last,
+  long long* fragments, std::string& why)
+{
+  vtkShaderProgram* program =
+    this->Ready(window, this->VolumeProgram, vtkShadowVolumeVS, vtkShadowVolumeFS, why);
+  if (!program)
+  {
+    return false;
+  }
+  vtkNBufferGL::ClearErrors();
+  float columns[16];
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      columns[4 * column + row] = static_cast<float>(volumeToClip[4 * row + column]);
+    }
+  }
+  program->SetUniformMatrix4x4("volumeToClip", columns);
+  glBindFramebuffer(GL_FRAMEBUFFER, target.GetDepthFramebuffer());
+  glBindVertexArray(this->VertexArray);
+  const int attribute = glGetAttribLocation(program->GetHandle(), "corner");
+  int arrayBuffer = 0;
+  glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &arrayBuffer);
+  glBindBuffer(GL_ARRAY_BUFFER, this->VertexBuffer);
+  glEnableVertexAttribArray(attribute);
+  glVertexAttribPointer(attribute, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glBindBuffer(GL_ARRAY_BUFFER, arrayBuffer);
+
+  glEnable(GL_DEPTH_CLAMP);
+  glPolygonOffset(OffsetFactor, OffsetUnits);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  const auto drawAll = [&](bool counting)
+  {
+    for (const vtkShadowDraw* draw = first; draw != last; ++draw)
+    {
+      this->SetDirection(draw->ZPass);
+      if (!counting)
+      {
+        glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+      }
+      (draw->Offset ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
+      glScissor(draw->Box[0], draw->Box[1], draw->Box[2], draw->Box[3]);
+      glDrawElements(GL_TRIANGLES, draw->NumberOfIndices, GL_UNSIGNED_INT,
+        reinterpret_cast<const void*>(draw->FirstIndex * sizeof(unsigned int)));
+      ++this->Draws;
+    }
+  };
+  drawAll(true);
+  if (fragments)
+  {
+    if (this->Query == 0)
+    {
+      glGenQueries(1, &this->Query);
+    }
+    glDepthFunc(GL_ALWAYS);
+    glBeginQuery(GL_SAMPLES_PASSED, this->Query);
+    drawAll(false);
+    glEndQuery(GL_SAMPLES_PASSED);
+    GLuint samples = 0;
+    glGetQueryObjectuiv(this->Query, GL_QUERY_RESULT, &samples);
+    *fragments += samples;
+  }
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glDisable(GL_DEPTH_CLAMP);
+  glDisable(GL_CLIP_DISTANCE0);
+  return vtkNBufferGL::CheckErrors("Drawing shadow volumes", why);
+}
+
+bool vtkShadowCounter::Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
+  int mask, int channel, const int viewport[4], std::string& why)
+{
+  if (!this->Ready(window, this->MaskProgram, vtkNBufferFullScreenVS, vtkShadowMaskFS, why))
+  {
+    return false;
+  }
+  vtkNBufferGL::ClearErrors();
+  glBindFramebuffer(GL_FRAMEBUFFER, target.GetMaskFramebuffer(mask));
+  glBindVertexArray(this->EmptyVertexArray);
+  glScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
+  glStencilFunc(GL_NOTEQUAL, 0, 0xff);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  glColorMaski(0, channel == 0, channel == 1, channel == 2, channel == 3);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  ++this->Draws;
+  return vtkNBufferGL::CheckErrors("Making a shadow mask", why);
+}
+
+void vtkShadowCounter::Release()
+{
+  glDeleteBuffers(1, &this->VertexBuffer);
+  glDeleteBuffers(1, &this->IndexBuffer);
+  glDeleteVertexArrays(1, &this->VertexArray);
+  glDeleteVertexArrays(1, &this->EmptyVertexArray);
+  glDeleteQueries(1, &this->Query);
+  *this = vtkShadowCounter();
+}
+VTK_ABI_NAMESPACE_END

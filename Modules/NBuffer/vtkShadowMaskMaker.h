@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkShadowMaskMaker
+ * @brief From casters, lights and the depth of the receivers to one mask for each light.
+ *
+ *     receivers' depth (drawn by the caller after BeginDepth())
+ *        |                 for each light:
+ *        +-- read --> litmap --> plan: which part of which caster's volume
+ *        |                          |
+ *        +------ stencil <----------+
+ *                   |
+ *                   +--> channel of a mask
+ */
+#ifndef vtkShadowMaskMaker_h
+#define vtkShadowMaskMaker_h
+
+#include "vtkShadowCasterList.h"
+#include "vtkShadowCounter.h"
+#include "vtkShadowLightList.h"
+#include "vtkShadowLitmap.h"
+#include "vtkShadowReceivers.h"
+#include "vtkShadowStatistics.h"
+#include "vtkShadowTarget.h"
+#include "vtkShadowVolume.h"
+
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+
+class vtkShadowMaskMaker
+{
+public:
+  struct Settings
+  {
+    vtkShadowMode Mode = vtkShadowMode::Exact;
+    int Resolution = 256;
+    int SlabGap = 4;
+    bool CountFragments = false;
+  };
+
+  /// Casters of the renderer, visible to the camera or not.
+  vtkShadowCasterList Casters;
+
+  /**
+   * Bind a framebuffer for the depth of what is drawn next, in the viewport that is set now, and
+   * clear it. Returns false, with the cause in GetError(), if OpenGL refuses; nothing is bound
+   * then. Otherwise the caller pops the framebuffer bindings of the window's vtkOpenGLState.
+   */
+  bool BeginDepth(vtkRenderer* renderer, std::size_t lights);
+
+  /**
+   * Make the masks; `statistics` is added to. Returns false on failure, with the cause in
+   * GetError(). GetNumberOfShadows() says afterwards for how many lights anything was drawn.
+   */
+  bool Make(vtkRenderer* renderer, const std::vector<vtkShadowLightSource>& lights,
+    const Settings& settings, vtkShadowStatistics& statistics);
+
+  int GetNumberOfShadows() const { return this->Shadows; }
+  const vtkShadowTarget& GetTarget() const { return this->Target; }
+  const int* GetViewport() const { return this->Viewport; }
+  const std::string& GetError() const { return this->Error; }
+
+  /// Delete the OpenGL objects; the context that made them must be current.
+  void Release();
+
+private:
+  struct Camera;
+
+  bool ReadDepth(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics);
+  void MakeLitmaps(const vtkShadowLight& light, const std::vector<vtkShadowFrame>& frames,
+    const Camera& camera, int resolution, vtkShadowStatistics& statistics);
+  bool Shade(vtkOpenGLRenderWindow* window, const vtkShadowLightSource& light, std::size_t slot,
+    const Camera& camera, const Settings& settings, vtkShadowStatistics& statistics);
+  bool Count(vtkOpenGLRenderWindow* window, const vtkShadowPlan& plan, std::size_t slot,
+    const Camera& camera, bool countFragments, vtkShadowStatistics& statistics);
+
+  vtkShadowTarget Target;
+  vtkShadowCounter Counter;
+  std::vector<vtkShadowLitmap> Litmaps; ///< Of the light at work: one, or one for each face.
+  vtkShadowVolume Volume;
+  std::vector<float> Depth;
+  int Viewport[4] = { 0, 0, 0, 0 };
+  int Shadows = 0;
+  std::string Error;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkShadowMaskMaker.h

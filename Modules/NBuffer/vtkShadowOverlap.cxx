@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowOverlap.h"
+
+#include <algorithm>
+#include <cmath>
+
+VTK_ABI_NAMESPACE_BEGIN
+long long vtkShadowOverlap::GetBound(const std::vector<vtkShadowRectangle>& rectangles)
+{
+  vtkShadowRectangle all;
+  std::vector<vtkShadowRectangle> finite;
+  long long anywhere = 0;
+  for (const vtkShadowRectangle& rectangle : rectangles)
+  {
+    if (!std::isfinite(rectangle.Low[0] + rectangle.Low[1] + rectangle.High[0] + rectangle.High[1]))
+    {
+      anywhere += rectangle.Weight;
+      continue;
+    }
+    all.Add(rectangle.Low);
+    all.Add(rectangle.High);
+    finite.push_back(rectangle);
+  }
+  if (finite.empty())
+  {
+    return anywhere;
+  }
+  const int size =
+    std::clamp(static_cast<int>(2.0 * std::sqrt(static_cast<double>(finite.size()))), 1, 1024);
+  const std::size_t row = static_cast<std::size_t>(size) + 1;
+  const auto getCell = [&](double value, int i)
+  {
+    const double width = (all.High[i] - all.Low[i]) / size;
+    return width > 0.0
+      ? static_cast<std::size_t>(std::clamp((value - all.Low[i]) / width, 0.0, size - 1.0))
+      : 0;
+  };
+  // A rectangle is entered into the differences between cells by its four corners.
+  std::vector<long long> grid(row * row, 0);
+  for (const vtkShadowRectangle& rectangle : finite)
+  {
+    std::size_t low[2];
+    std::size_t end[2];
+    for (int i = 0; i < 2; ++i)
+    {
+      const double margin = 1e-6 * (all.High[i] - all.Low[i]); // far above the rounding of p and q
+      low[i] = getCell(rectangle.Low[i] - margin, i);
+      end[i] = getCell(rectangle.High[i] + margin, i) + 1;
+    }
+    grid[low[1] * row + low[0]] += rectangle.Weight;
+    grid[low[1] * row + end[0]] -= rectangle.Weight;
+    grid[end[1] * row + low[0]] -= rectangle.Weight;
+    grid[end[1] * row + end[0]] += rectangle.Weight;
+  }
+  for (std::size_t i = 1; i < grid.size(); ++i)
+  {
+    grid[i] += i % row > 0 ? grid[i - 1] : 0;
+  }
+  for (std::size_t i = row; i < grid.size(); ++i)
+  {
+    grid[i] += grid[i - row];
+  }
+  return anywhere + *std::max_element(grid.begin(), grid.end());
+}
+VTK_ABI_NAMESPACE_END

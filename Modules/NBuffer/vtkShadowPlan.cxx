@@ -1,0 +1,280 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowPlan.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// Of a caster's own size: what rounding may do to its footprint, generously.
+constexpr double Margin = 1e-6;
+
+/// Infinite in both directions: all lexels.
+constexpr double Everything = std::numeric_limits<double>::infinity();
+
+/// How many of the triangles counted the ray from `origin` along `direction` crosses.
+int CountCrossings(const vtkShadowSilhouette& silhouette, const double* points,
+  const double origin[3], const double direction[3])
+{
+  int count = 0;
+  const std::vector<int>& triangles = silhouette.GetTriangles();
+  for (std::size_t t = 0; t < triangles.size(); t += 3)
+  {
+    double corners[3][3];
+    for (int i = 0; i < 3; ++i)
+    {
+      vtkMath::Subtract(points + 3 * triangles[t + i], origin, corners[i]);
+    }
+    // Anticlockwise as seen from the origin: the ray passes left of all three edges.
+    bool inside = true;
+    for (int i = 0; i < 3; ++i)
+    {
+      double normal[3];
+      vtkMath::Cross(corners[i], corners[(i + 1) % 3], normal);
+      inside = inside && vtkMath::Dot(normal, direction) < 0.0;
+    }
+    count += inside;
+  }
+  return count;
+}
+}
+
+vtkShadowFootprint vtkShadowFootprint::Make(
+  const double* points, int numberOfPoints, const vtkShadowFrame& frame)
+{
+  vtkShadowFootprint result;
+  result.P[0] = result.Q[0] = result.Near = std::numeric_limits<double>::infinity();
+  result.P[1] = result.Q[1] = result.Far = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i < numberOfPoints; ++i)
+  {
+    double pqs[3];
+    frame.ToLight(points + 3 * i, pqs);
+    result.P[0] = std::min(result.P[0], pqs[0]);
+    result.P[1] = std::max(result.P[1], pqs[0]);
+    result.Q[0] = std::min(result.Q[0], pqs[1]);
+    result.Q[1] = std::max(result.Q[1], pqs[1]);
+    result.Near = std::min(result.Near, pqs[2]);
+    result.Far = std::max(result.Far, pqs[2]);
+    for (int k = 0; k < 3; ++k)
+    {
+      const double x = points[3 * i + k];
+      result.Bounds[2 * k] = i > 0 ? std::min(result.Bounds[2 * k], x) : x;
+      result.Bounds[2 * k + 1] = i > 0 ? std::max(result.Bounds[2 * k + 1], x) : x;
+    }
+  }
+  return result;
+}
+
+vtkShadowPlan::vtkShadowPlan(const vtkShadowLight& light, const vtkShadowFrame& frame,
+  const View& view, vtkShadowMode mode, const vtkShadowLitmap* litmap, int gap)
+  : Light(light)
+  , Frame(frame)
+  , Camera(view)
+  , Mode(litmap ? mode : vtkShadowMode::Unclamped)
+  , Litmap(litmap)
+  , ModeOfFaces(mode)
+  , Gap(gap)
+{
+}
+
+void vtkShadowPlan::AddFace(const vtkShadowFrame& frame, const vtkShadowLitmap& litmap)
+{
+  this->Faces.push_back({ &frame, &litmap });
+  this->Mode = std::min(this->ModeOfFaces, vtkShadowMode::Exact);
+}
+
+vtkShadowExtent vtkShadowPlan::Query(const vtkShadowFootprint& footprint) const
+{
+  if (this->Faces.empty())
+  {
+    return this->IsThroughLightPlane(footprint)
+      ? this->Litmap->Query(-Everything, -Everything, Everything, Everything)
+      : this->Litmap->Query(footprint.P[0], footprint.Q[0], footprint.P[1], footprint.Q[1]);
+  }
+  double corners[24];
+  for (int i = 0; i < 8; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[3 * i + k] = footprint.Bounds[2 * k + (i >> k & 1)];
+    }
+  }
+  vtkShadowExtent extent;
+  for (const Face& face : this->Faces)
+  {
+    const vtkShadowFootprint box = vtkShadowFootprint::Make(corners, 8, *face.Frame);
+    if (box.Far <= 0.0)
+    {
+      continue;
+    }
+    extent.Merge(this->IsThroughLightPlane(box)
+        ? face.Litmap->Query(-Everything, -Everything, Everything, Everything)
+        : face.Litmap->Query(box.P[0], box.Q[0], box.P[1], box.Q[1]));
+  }
+  return extent;
+}
+
+bool vtkShadowPlan::IsBeyondNearPlane(const vtkShadowVolume& volume, std::size_t firstVertex) const
+{
+  const std::vector<float>& vertices = volume.GetVertices();
+  const double* plane = this->Camera.NearPlane;
+  for (std::size_t i = firstVertex; i < vertices.size(); i += 4)
+  {
+    double sum = 0.0;
+    double terms = 0.0;
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      const double term = plane[k] * vertices[i + k];
+      sum += term;
+      terms += std::abs(term);
+    }
+    if (!(sum > Margin * terms))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool vtkShadowPlan::IsThroughLightPlane(const vtkShadowFootprint& footprint) const
+{
+  return this->Frame.IsPositional() && !(footprint.Near > Margin * std::abs(footprint.Far));
+}
+
+std::vector<vtkShadowSlab> vtkShadowPlan::GetSlabs(
+  const vtkShadowExtent& extent, const vtkShadowFootprint& footprint) const
+{
+  std::vector<vtkShadowSlab> slabs;
+  for (const auto& [near, far] : this->Litmap->GetSlabs(extent, this->Gap))
+  {
+    if (far < footprint.Near)
+    {
+      continue;
+    }
+    // Pieces that begin at the caster itself would overlap: one for all of them.
+    if (!slabs.empty() && slabs.back().Near <= footprint.Far && near <= footprint.Far)
+    {
+      slabs.back().Far = far;
+    }
+    else
+    {
+      slabs.push_back({ near, far });
+    }
+  }
+  return slabs;
+}
+
+void vtkShadowPlan::AddRectangle(
+  const vtkShadowSilhouette& silhouette, const vtkShadowFootprint& footprint)
+{
+  vtkShadowRectangle rectangle;
+  rectangle.Weight = silhouette.GetMaximumCount();
+  if (!this->IsThroughLightPlane(footprint))
+  {
+    const double low[2] = { footprint.P[0], footprint.Q[0] };
+    const double high[2] = { footprint.P[1], footprint.Q[1] };
+    rectangle.Add(low);
+    rectangle.Add(high);
+  }
+  this->Rectangles.push_back(rectangle); // of infinite sides if it may be anywhere
+}
+
+bool vtkShadowPlan::IsCountBelow(int limit) const
+{
+  return vtkShadowOverlap::GetBound(this->Rectangles) <= limit;
+}
+
+void vtkShadowPlan::AddDraw(
+  const vtkShadowVolume& volume, const vtkShadowExtent* extent, vtkShadowDraw draw)
+{
+  draw.NumberOfIndices = static_cast<int>(volume.GetIndices().size()) - draw.FirstIndex;
+  const int* viewport = this->Camera.Viewport;
+  std::copy_n(viewport, 4, draw.Box);
+  // What the stencil begins with has to be taken away again everywhere.
+  if (extent && draw.Start == 0)
+  {
+    draw.Box[0] = viewport[0] + extent->X0;
+    draw.Box[1] = viewport[1] + extent->Y0;
+    draw.Box[2] = extent->X1 - extent->X0;
+    draw.Box[3] = extent->Y1 - extent->Y0;
+  }
+  if (draw.NumberOfIndices > 0)
+  {
+    this->Draws.push_back(draw);
+  }
+}
+
+void vtkShadowPlan::AddWhole(const vtkShadowSilhouette& silhouette, const double* points,
+  int numberOfPoints, const vtkShadowExtent* extent, vtkShadowVolume& volume)
+{
+  vtkShadowDraw draw;
+  draw.FirstIndex = static_cast<int>(volume.GetIndices().size());
+  draw.MaximumCount = silhouette.GetMaximumCount();
+  draw.Offset = silhouette.GetCounting() == vtkShadowCounting::All;
+  const std::size_t firstVertex = volume.GetVertices().size();
+  volume.AddWhole(silhouette, points, numberOfPoints, this->Light);
+  draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
+  if (!draw.ZPass && this->Camera.Parallel && this->Frame.IsPositional())
+  {
+    draw.Start = CountCrossings(silhouette, points, this->Light.Position, this->Camera.Direction);
+  }
+  this->AddDraw(volume, extent, draw);
+}
+
+vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const double* points,
+  int numberOfPoints, const vtkShadowFootprint& footprint, vtkShadowVolume& volume)
+{
+  if (silhouette.GetTriangles().empty())
+  {
+    return vtkShadowVerdict::Empty;
+  }
+  if (this->Light.Kind == vtkShadowLightKind::Spot && footprint.Far <= 0.0)
+  {
+    return vtkShadowVerdict::BehindLight;
+  }
+  if (this->Mode == vtkShadowMode::Unclamped)
+  {
+    this->AddRectangle(silhouette, footprint);
+    this->AddWhole(silhouette, points, numberOfPoints, nullptr, volume);
+    return vtkShadowVerdict::Whole;
+  }
+
+  const bool through = this->Faces.empty() && this->IsThroughLightPlane(footprint);
+  const vtkShadowExtent extent = this->Query(footprint);
+  if (extent.IsEmpty())
+  {
+    return vtkShadowVerdict::NoReceiver;
+  }
+  if (!through && this->Faces.empty() && extent.Far < footprint.Near)
+  {
+    return vtkShadowVerdict::BeforeCaster;
+  }
+  this->AddRectangle(silhouette, footprint);
+  if (through || this->Mode == vtkShadowMode::Exact)
+  {
+    this->AddWhole(silhouette, points, numberOfPoints, &extent, volume);
+    return through ? vtkShadowVerdict::ThroughLightPlane : vtkShadowVerdict::Boxed;
+  }
+
+  const std::vector<vtkShadowSlab> slabs = this->GetSlabs(extent, footprint);
+  for (const vtkShadowSlab& slab : slabs)
+  {
+    vtkShadowDraw draw;
+    draw.FirstIndex = static_cast<int>(volume.GetIndices().size());
+    draw.MaximumCount = silhouette.GetMaximumCount();
+    draw.Offset = footprint.Far >= slab.Near && silhouette.GetCounting() == vtkShadowCounting::All;
+    const std::size_t firstVertex = volume.GetVertices().size();
+    volume.AddClamped(
+      silhouette, points, numberOfPoints, this->Frame, slab, footprint.Far, vtkShadowCap::Fan);
+    draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
+    this->AddDraw(volume, &extent, draw);
+  }
+  this->Slabs += static_cast<int>(slabs.size());
+  return slabs.empty() ? vtkShadowVerdict::BeforeCaster : vtkShadowVerdict::Clamped;
+}
+VTK_ABI_NAMESPACE_END

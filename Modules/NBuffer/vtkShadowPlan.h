@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkShadowPlan
+ * @brief What has to be drawn of each caster's shadow volume for one light and one view. No OpenGL.
+ *
+ * ## The footprint
+ *
+ * In light coordinates (vtkShadowLight.h) a caster takes up a rectangle of rays [p0, p1] x [q0, q1]
+ * and a range of depths [near, far]. Whatever it shadows lies on those rays, at depths beyond near.
+ * A litmap (vtkShadowLitmap.h) knows an extent of all receivers on them: a range of depths, a box
+ * on the screen, occupied bins. So a caster
+ *
+ *  - without receivers on its rays draws nothing                        (NoReceiver),
+ *  - whose receivers all are nearer to the light than itself, too       (BeforeCaster),
+ *  - draws into the receivers' box of pixels only otherwise, and, if planes may be added,
+ *  - only the part of its volume in the slabs that the receivers take up.
+ *
+ * Leaving out and cutting to a box of pixels change no vertex and with that no fragment: the
+ * stencil is bit for bit that of whole volumes wherever there is a receiver. Slabs make new
+ * vertices, which the device snaps to its subpixel grid by themselves: samples closer to the edge
+ * of a shadow than that may change.
+ *
+ * A positional light's coordinates mean nothing at and behind its plane s = 0. A caster that is
+ * wholly there shadows nothing that a spot of less than 90 degrees reaches (BehindLight); one that
+ * reaches through it is drawn whole, into the box of all receivers (ThroughLightPlane).
+ *
+ * A point light has six litmaps, one for each face of a cube around it. The rays of a caster's
+ * bounding box are looked up in all faces that they meet, for the receivers' box of pixels alone:
+ * its volumes are never clamped.
+ *
+ * ## The range of the stencil
+ *
+ * A receiver is inside of volumes at most as often as the casters that its light ray can meet
+ * count. Where the rectangles of rays of all casters bound that by 255, all are counted at once.
+ *
+ * ## z-pass or z-fail
+ *
+ * Counting between the eye and the receiver (z-pass) is right if the eye is outside of the piece.
+ * Counting behind the receiver (z-fail) is right always. z-pass is taken where the whole piece lies
+ * beyond the near plane, which the eye never does. That asks for more than it has to: an eye
+ * outside of the piece would do, with depth clamp in the place of near clipping. But what then
+ * reaches behind the eye is cut at w = 0, where depths have no bound, and rasterisers that
+ * interpolate depth on the screen lose it all over the triangle. For z-fail what lies before the
+ * near plane is of no use and is cut off there.
+ *
+ * With a parallel camera the lines of sight end at infinity, outside of every clamped piece. Whole
+ * volumes reach to infinity themselves: for a directional light in its direction alone, for a
+ * positional light in all directions in which a triangle counts. Where lines of sight end inside c
+ * times, the stencil begins at c instead of 0, everywhere.
+ */
+#ifndef vtkShadowPlan_h
+#define vtkShadowPlan_h
+
+#include "vtkShadowLight.h"
+#include "vtkShadowLitmap.h"
+#include "vtkShadowOverlap.h"
+#include "vtkShadowSilhouette.h"
+#include "vtkShadowStatistics.h"
+#include "vtkShadowVolume.h"
+
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/// What a caster takes up in light coordinates.
+struct VTKNBUFFER_EXPORT vtkShadowFootprint
+{
+  double P[2] = { 0.0, 0.0 }; ///< Undefined if Near <= 0 for a positional light.
+  double Q[2] = { 0.0, 0.0 };
+  double Near = 0.0;
+  double Far = 0.0;
+  double Bounds[6] = {}; ///< World.
+
+  static vtkShadowFootprint Make(
+    const double* points, int numberOfPoints, const vtkShadowFrame& frame);
+};
+
+/// A run of a volume's triangles that are drawn in the same way.
+struct vtkShadowDraw
+{
+  int FirstIndex = 0;
+  int NumberOfIndices = 0;
+  bool ZPass = false;
+  int Box[4] = { 0, 0, 0, 0 }; ///< Pixels of the framebuffer to draw into: x, y, width, height.
+  int MaximumCount = 0;        ///< No receiver is inside more often.
+  int Start = 0;               ///< What the stencil has to begin with beside.
+  bool Offset = false;         ///< Has caps in surfaces that may be lit: push it away a little.
+};
+
+class VTKNBUFFER_EXPORT vtkShadowPlan
+{
+public:
+  struct View
+  {
+    /// z + w of the clip coordinates of (x, y, z, w) relative to the volume's origin, which is
+    /// positive beyond the near plane.
+    double NearPlane[4] = { 0.0, 0.0, 0.0, 1.0 };
+    double Direction[3] = { 0.0, 0.0, -1.0 }; ///< World: where the camera looks.
+    bool Parallel = false;
+    int Viewport[4] = { 0, 0, 0, 0 }; ///< Of the framebuffer: x, y, width, height.
+  };
+
+  /**
+   * `litmap` has its levels built and must outlive the plan; nullptr: nothing is known of the
+   * receivers, as with the mode Unclamped. `gap`: empty bins of 64 that part two slabs.
+   */
+  vtkShadowPlan(const vtkShadowLight& light, const vtkShadowFrame& frame, const View& view,
+    vtkShadowMode mode, const vtkShadowLitmap* litmap, int gap = 4);
+
+  /// One of the six litmaps of a point light, with its frame; both must outlive the plan.
+  void AddFace(const vtkShadowFrame& frame, const vtkShadowLitmap& litmap);
+
+  /**
+   * Decide about a caster, and if it is to be drawn add its triangles to `volume` and its draws to
+   * GetDraws().
+   */
+  vtkShadowVerdict Add(const vtkShadowSilhouette& silhouette, const double* points,
+    int numberOfPoints, const vtkShadowFootprint& footprint, vtkShadowVolume& volume);
+
+  const std::vector<vtkShadowDraw>& GetDraws() const { return this->Draws; }
+
+  /// True if no receiver is inside of all volumes drawn more often than this.
+  bool IsCountBelow(int limit) const;
+  int GetNumberOfSlabs() const { return this->Slabs; }
+
+private:
+  struct Face
+  {
+    const vtkShadowFrame* Frame;
+    const vtkShadowLitmap* Litmap;
+  };
+
+  vtkShadowExtent Query(const vtkShadowFootprint& footprint) const;
+  std::vector<vtkShadowSlab> GetSlabs(
+    const vtkShadowExtent& extent, const vtkShadowFootprint& footprint) const;
+  bool IsThroughLightPlane(const vtkShadowFootprint& footprint) const;
+  bool IsBeyondNearPlane(const vtkShadowVolume& volume, std::size_t firstVertex) const;
+  void AddWhole(const vtkShadowSilhouette& silhouette, const double* points, int numberOfPoints,
+    const vtkShadowExtent* extent, vtkShadowVolume& volume);
+  void AddRectangle(const vtkShadowSilhouette& silhouette, const vtkShadowFootprint& footprint);
+  void AddDraw(const vtkShadowVolume& volume, const vtkShadowExtent* extent, vtkShadowDraw draw);
+
+  const vtkShadowLight& Light;
+  const vtkShadowFrame& Frame;
+  View Camera;
+  vtkShadowMode Mode;
+  const vtkShadowLitmap* Litmap;
+  std::vector<Face> Faces;
+  std::vector<vtkShadowRectangle> Rectangles; ///< Of the casters drawn, weighted by their counts.
+  vtkShadowMode ModeOfFaces;
+  int Gap;
+  int Slabs = 0;
+  std::vector<vtkShadowDraw> Draws;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,280 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowReceivers.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// Half the side of a cube's face around a point light, a little widened.
+constexpr double FaceLimit = 1.0 + 0x1p-8;
+
+/// Of a depth, by the transformation to clip coordinates in float, for a narrow view.
+constexpr double DepthRounding = 0x1p-22;
+
+/// Of a position, in units of its distance from the eye; of world coordinates in double.
+constexpr double PositionRounding = 0x1p-20;
+constexpr double WorldRounding = 0x1p-48;
+
+/// The range of a litmap is taken from every fourth row and column: what lies outside is not lost
+/// (vtkShadowLitmap::Begin), and it need not be exact.
+constexpr int RangeStride = 4;
+
+double GetLength1(const double v[3])
+{
+  return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
+}
+
+/// How far the corners of the image are from the eye, in units of the distance of its centre.
+double GetCornerDistance(const vtkShadowView& view)
+{
+  const double* m = view.ClipToWorld;
+  const auto getDistance = [m](double x, double y)
+  {
+    double point[4];
+    for (int i = 0; i < 4; ++i)
+    {
+      point[i] = m[4 * i] * x + m[4 * i + 1] * y + m[4 * i + 3];
+    }
+    return vtkMath::Norm(point) / point[3];
+  };
+  return std::max(std::max(getDistance(-1.0, -1.0), getDistance(1.0, -1.0)),
+           std::max(getDistance(-1.0, 1.0), getDistance(1.0, 1.0))) /
+    getDistance(0.0, 0.0);
+}
+
+/// What vtkShadowLitmap::Add takes.
+struct Receiver
+{
+  double A[3];
+  double B[3];
+  double Radius;
+};
+
+/// From (pixel x, pixel y, depth) to light coordinates.
+class Projector
+{
+public:
+  Projector(const vtkShadowView& view, const vtkShadowLight& light, const vtkShadowFrame& frame);
+
+  /// Begin with a row of pixels of one sample.
+  void SetRow(const std::array<double, 2>& sample, int y);
+
+  /// False if the light cannot reach it.
+  bool Project(int x, double depth, Receiver& receiver) const;
+
+  /// Bound of |p| and |q|.
+  double GetLimit() const { return this->Limit; }
+
+private:
+  bool MayReach(const double a[3], const double b[3], double radius) const;
+
+  vtkShadowLightKind Kind;
+  double DepthError;
+  double Limit = std::numeric_limits<double>::infinity();
+  double ReachCosine;
+  double Direction[3]; ///< The light's, along u, v and the axis.
+  double Eye[3];       ///< Relative to the apex, along u, v and the axis.
+  double WorldError;
+  /// Rows: places along u, v and the axis relative to the apex, and w. Columns: pixel x, pixel y,
+  /// depth, 1.
+  double Matrix[4][4];
+  double Row[4] = {}; ///< Matrix * (sample, y, 0, 1).
+};
+
+Projector::Projector(
+  const vtkShadowView& view, const vtkShadowLight& light, const vtkShadowFrame& frame)
+  : Kind(light.Kind)
+  , DepthError(2.0 * view.DepthQuantum + DepthRounding * (1.0 + GetCornerDistance(view)))
+  , ReachCosine(light.GetReachCosine())
+  , WorldError(WorldRounding * (GetLength1(view.Origin) + GetLength1(frame.GetApex())))
+{
+  double eye[3];
+  vtkMath::Subtract(view.Origin, frame.GetApex(), eye);
+  const double* axes[3] = { frame.GetU(), frame.GetV(), frame.GetAxis() };
+  double ndc[4][4];
+  for (int j = 0; j < 4; ++j)
+  {
+    ndc[3][j] = view.ClipToWorld[12 + j];
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Eye[i] = vtkMath::Dot(eye, axes[i]);
+    this->Direction[i] = vtkMath::Dot(light.Direction, axes[i]);
+    for (int j = 0; j < 4; ++j)
+    {
+      ndc[i][j] = axes[i][0] * view.ClipToWorld[j] + axes[i][1] * view.ClipToWorld[4 + j] +
+        axes[i][2] * view.ClipToWorld[8 + j] + this->Eye[i] * ndc[3][j];
+    }
+  }
+  // NDC are 2 x / width - 1, 2 y / height - 1 and 2 depth - 1.
+  for (int i = 0; i < 4; ++i)
+  {
+    this->Matrix[i][0] = 2.0 * ndc[i][0] / view.Width;
+    this->Matrix[i][1] = 2.0 * ndc[i][1] / view.Height;
+    this->Matrix[i][2] = 2.0 * ndc[i][2];
+    this->Matrix[i][3] = ndc[i][3] - ndc[i][0] - ndc[i][1] - ndc[i][2];
+  }
+  if (this->Kind == vtkShadowLightKind::Point)
+  {
+    this->Limit = FaceLimit;
+  }
+  if (this->Kind == vtkShadowLightKind::Spot)
+  {
+    const double widest =
+      std::acos(std::clamp(this->Direction[2], -1.0, 1.0)) + std::acos(this->ReachCosine);
+    this->Limit = widest < 0.5 * vtkMath::Pi() ? std::tan(widest) : this->Limit;
+  }
+}
+
+void Projector::SetRow(const std::array<double, 2>& sample, int y)
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    this->Row[i] =
+      this->Matrix[i][0] * sample[0] + this->Matrix[i][1] * (y + sample[1]) + this->Matrix[i][3];
+  }
+}
+
+bool Projector::MayReach(const double a[3], const double b[3], double radius) const
+{
+  const double x = 0.5 * (a[0] + b[0]);
+  const double y = 0.5 * (a[1] + b[1]);
+  const double s = 0.5 * (a[2] + b[2]);
+  if (s + radius <= 0.0)
+  {
+    return false;
+  }
+  if (this->Kind == vtkShadowLightKind::Point)
+  {
+    return std::max(std::abs(x), std::abs(y)) - radius <= this->Limit * (s + radius);
+  }
+  const double along = x * this->Direction[0] + y * this->Direction[1] + s * this->Direction[2];
+  return along + radius >=
+    this->ReachCosine * std::sqrt(x * x + y * y + s * s) - std::abs(this->ReachCosine) * radius;
+}
+
+bool Projector::Project(int x, double depth, Receiver& receiver) const
+{
+  double start[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    start[i] = this->Row[i] + this->Matrix[i][0] * x;
+  }
+  const double nearest = std::max(depth - this->DepthError, 0.0);
+  const double farthest = std::min(depth + this->DepthError, 1.0);
+  const double scaleA = 1.0 / (start[3] + this->Matrix[3][2] * nearest);
+  const double scaleB = 1.0 / (start[3] + this->Matrix[3][2] * farthest);
+  double* a = receiver.A;
+  double* b = receiver.B;
+  double length = 0.0;
+  double distance = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    a[i] = (start[i] + this->Matrix[i][2] * nearest) * scaleA;
+    b[i] = (start[i] + this->Matrix[i][2] * farthest) * scaleB;
+    length += std::abs(b[i] - a[i]);
+    distance += std::abs(b[i] - this->Eye[i]);
+  }
+  const double rounding = PositionRounding * (distance + length) + this->WorldError;
+  receiver.Radius = rounding;
+  if (this->Kind != vtkShadowLightKind::Directional)
+  {
+    if (!this->MayReach(a, b, 0.5 * length + rounding))
+    {
+      return false;
+    }
+    const double nearestS = std::min(a[2], b[2]) - rounding;
+    if (nearestS > 0.0)
+    {
+      for (double* end : { a, b })
+      {
+        const double scale = 1.0 / end[2];
+        end[0] *= scale;
+        end[1] *= scale;
+      }
+      const double largest = std::max(
+        std::max(std::abs(a[0]), std::abs(a[1])), std::max(std::abs(b[0]), std::abs(b[1])));
+      receiver.Radius = rounding * (1.0 + largest) / nearestS;
+    }
+    else
+    {
+      a[0] = a[1] = b[0] = b[1] = 0.0;
+      receiver.Radius = std::numeric_limits<double>::infinity();
+    }
+  }
+  const double sign = a[2] <= b[2] ? 1.0 : -1.0;
+  a[2] -= sign * rounding;
+  b[2] += sign * rounding;
+  return true;
+}
+
+/// functor(receiver, x, y) for each receiver in every `stride`-th row and column.
+template <typename Functor>
+void ForEachReceiver(const float* depth, const unsigned char* lit, const vtkShadowView& view,
+  Projector& projector, int stride, Functor&& functor)
+{
+  Receiver receiver;
+  std::size_t image = 0;
+  for (const std::array<double, 2>& sample : view.Samples)
+  {
+    for (int y = 0; y < view.Height; y += stride)
+    {
+      projector.SetRow(sample, y);
+      const std::size_t row = image + static_cast<std::size_t>(y) * view.Width;
+      for (int x = 0; x < view.Width; x += stride)
+      {
+        const std::size_t i = row + x;
+        if (depth[i] < 1.0f && (!lit || lit[i]) && projector.Project(x, depth[i], receiver))
+        {
+          functor(receiver, x, y);
+        }
+      }
+    }
+    image += static_cast<std::size_t>(view.Width) * view.Height;
+  }
+}
+}
+
+namespace vtkShadowReceivers
+{
+vtkIdType Scatter(const float* depth, const unsigned char* lit, const vtkShadowView& view,
+  const vtkShadowLight& light, const vtkShadowFrame& frame, int resolution, vtkShadowLitmap& litmap)
+{
+  Projector projector(view, light, frame);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double low[3] = { infinity, infinity, infinity };
+  double high[3] = { -infinity, -infinity, -infinity };
+  for (int stride : { RangeStride, 1 })
+  {
+    ForEachReceiver(depth, lit, view, projector, stride,
+      [&](const Receiver& receiver, int, int)
+      {
+        const double radius[3] = { receiver.Radius, receiver.Radius, 0.0 };
+        for (int i = 0; i < 3; ++i)
+        {
+          low[i] = std::min(low[i], std::min(receiver.A[i], receiver.B[i]) - radius[i]);
+          high[i] = std::max(high[i], std::max(receiver.A[i], receiver.B[i]) + radius[i]);
+        }
+      });
+    if (low[2] <= high[2])
+    {
+      break;
+    }
+  }
+  const double limit = projector.GetLimit();
+  const double range[4] = { std::max(low[0], -limit), std::min(high[0], limit),
+    std::max(low[1], -limit), std::min(high[1], limit) };
+  const double depths[2] = { low[2], high[2] };
+  litmap.Begin(resolution, range, depths);
+  ForEachReceiver(depth, lit, view, projector, 1, [&litmap](const Receiver& receiver, int x, int y)
+    { litmap.Add(receiver.A, receiver.B, receiver.Radius, x, y); });
+  return litmap.GetNumberOfReceivers();
+}
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkShadowReceivers.h
+ * @brief From a depth image to a litmap: which samples are receivers, and where they may lie. No
+ * OpenGL.
+ *
+ * ## Which samples are receivers
+ *
+ * A sample of the depth image is a receiver if all of these hold:
+ *
+ *  - its depth is less than 1, which stands for the background (geometry so close to the far plane
+ *    that its depth is rounded to 1 cannot be told from it);
+ *  - the mask, where there is one, is not 0 for it;
+ *  - the light can reach it: a spot in its cone (vtkShadowLight::GetReachCosine), a directional
+ *    light everywhere;
+ *  - a point light's frame takes in one face of a cube around the light, |p| <= 1 and |q| <= 1, a
+ *    little widened: six frames make up all directions.
+ *
+ * Positional lights have receivers at s > 0 only.
+ *
+ * ## Where it may lie
+ *
+ * On the eye ray through the sample, in an interval: a stored depth is off by a quantum, what is
+ * drawn against it by another one, and both by the transformation to clip coordinates in float.
+ * In four million random points (views of 1 to 120 degrees, far / near 3 to 1e8) that was off by at
+ * most 5.4 * 2^-24 in window depth; it grows with the distance of the image's corners from the eye.
+ * With r, this distance in units of that of the image's centre, the interval reaches 2 quanta and
+ * 4 (1 + r) 2^-24 to both sides. (Where the depth range is short for its distance, the error is
+ * larger, but a quantum is so small a length that the next term covers it.)
+ *
+ * Around that, in all directions, by the rounding of a position, 2^-20 of its distance from the
+ * eye, and of world coordinates in double, 2^-48 of theirs.
+ *
+ * Intervals are projected to light coordinates end by end; where straight lines stay straight, that
+ * loses nothing. The tests of the last two rules above are about the ball around the interval: what
+ * may be reached is a receiver. Where it cannot be told on which side of the light's plane s = 0 an
+ * interval lies, it is put into all lexels.
+ */
+#ifndef vtkShadowReceivers_h
+#define vtkShadowReceivers_h
+
+#include "vtkNBufferModule.h" // For export macro
+#include "vtkShadowLight.h"
+#include "vtkShadowLitmap.h"
+
+#include <array>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/**
+ * The camera and the image that a depth image is of.
+ */
+struct vtkShadowView
+{
+  /// Row-major 4 x 4: the inverse of vtkCamera's world-to-clip matrix for z in [-w, w], with world
+  /// coordinates relative to Origin.
+  double ClipToWorld[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  double Origin[3] = { 0.0, 0.0, 0.0 }; ///< World: the eye.
+  int Width = 0;                        ///< Pixels, at most 65535.
+  int Height = 0;
+  double DepthQuantum = 0x1p-24; ///< Step of the depth format near 1.
+  /// Places of the samples in a pixel, in [0, 1] from its lower left corner.
+  std::vector<std::array<double, 2>> Samples = { { { 0.5, 0.5 } } };
+};
+
+namespace vtkShadowReceivers
+{
+/**
+ * Fill `litmap` with the receivers of a depth image as `frame` sees them, over about the range of
+ * p, q and s that they take up, and return their number. The caller builds its levels then.
+ *
+ * `depth`: window depths in [0, 1], one image of Width x Height for each sample of a pixel, row 0
+ * at the bottom. `lit`: the same number of bytes, 0 for what the light cannot change; or nullptr.
+ *
+ * About 30 ns for each sample.
+ */
+VTKNBUFFER_EXPORT vtkIdType Scatter(const float* depth, const unsigned char* lit,
+  const vtkShadowView& view, const vtkShadowLight& light, const vtkShadowFrame& frame,
+  int resolution, vtkShadowLitmap& litmap);
+}
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkShadowStatistics.h
+ * @brief What shadows of a frame took: casters by verdict, volumes, fragments, times.
+ *
+ * One struct feeds the getters of vtkShadowVolumeClampPass, PrintSelf, JSON and tests. Every caster
+ * has one verdict for each casting light: for each light they add up to Casters (to more where a
+ * caster is drawn in several parts).
+ */
+#ifndef vtkShadowStatistics_h
+#define vtkShadowStatistics_h
+
+#include "vtkNBufferModule.h" // For export macro
+#include "vtkNBufferVTKVersion.h"
+
+#include <array>
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/// Which part of shadow volumes is drawn.
+enum class vtkShadowMode : int
+{
+  Unclamped, ///< All of every caster's, everywhere.
+  Exact,     ///< Of casters with receivers, into the receivers' box on the screen.
+  Clamped    ///< Of these, where the receivers are.
+};
+
+/// What became of a caster for a light.
+enum class vtkShadowVerdict : int
+{
+  Whole,             ///< Drawn whole: Unclamped.
+  Boxed,             ///< Drawn whole, into its receivers' box of pixels.
+  Clamped,           ///< Drawn in slabs, into that box.
+  ThroughLightPlane, ///< Drawn whole: it reaches to the light's plane or behind it.
+  NoReceiver,        ///< Not drawn: the camera sees nothing on its rays.
+  BeforeCaster,      ///< Not drawn: all that the camera sees there is nearer to the light.
+  BehindLight,       ///< Not drawn: the light looks away from it.
+  Empty,             ///< Not drawn: no triangle counts.
+  NumberOfVerdicts
+};
+
+/// Why an actor of the renderer does not cast.
+enum class vtkShadowSkip : int
+{
+  NotAnActor,      ///< Volumes, billboards, props of the application's own.
+  NotASurface,     ///< Wireframes and points.
+  Translucent,     ///< It, or the block of it.
+  NotAPlainMapper, ///< No polydata to be had: glyphs, data sets.
+  NumberOfSkips
+};
+constexpr int NumberOfShadowSkips = static_cast<int>(vtkShadowSkip::NumberOfSkips);
+
+/// What was done with a frame, or why no shadow was due.
+enum class vtkShadowDecision : int
+{
+  None,       ///< No frame yet.
+  Drawn,      ///< With shadows.
+  Still,      ///< With the shadows of the last frame: nothing has changed.
+  NoLight,    ///< No light that is switched on can cast.
+  NoCaster,   ///< No prop can cast.
+  NoReceiver, ///< No caster has a receiver: drawn as without the pass.
+  Failed,     ///< OpenGL refused something: drawn as without the pass.
+  NumberOfDecisions
+};
+
+struct VTKNBUFFER_EXPORT vtkShadowStatistics
+{
+  static constexpr int NumberOfVerdicts = static_cast<int>(vtkShadowVerdict::NumberOfVerdicts);
+
+  vtkShadowDecision Decision = vtkShadowDecision::None;
+  int Lights = 0;                                    ///< That cast.
+  int Casters = 0;                                   ///< Meshes that can cast.
+  std::array<int, NumberOfShadowSkips> Skipped = {}; ///< Actors that cannot, by reason.
+  std::array<int, NumberOfVerdicts> Verdicts = {};   ///< Casters, for each light.
+  int Updates = 0;                                   ///< Casters whose mesh or matrix changed.
+  int Silhouettes = 0;                               ///< Made in this frame.
+  int Draws = 0;                                     ///< Of volumes.
+  int ZPass = 0; ///< Of these, counted between eye and receiver.
+  int Slabs = 0;
+  long long Triangles = 0; ///< Of volumes.
+  long long Receivers = 0; ///< Samples scattered into litmaps, of all lights.
+  /// Fragments that volumes covered, whatever the depth test said; -1 unless they are counted.
+  long long Fragments = -1;
+  int Litmaps = 0;   ///< Made in this frame.
+  int ReadBacks = 0; ///< Of depth.
+  int FailedFrames = 0;
+
+  ///@{
+  /// Milliseconds of the calling thread: collecting casters and silhouettes, drawing receivers'
+  /// depth, reading it, making litmaps, deciding and making volumes, and drawing them.
+  double CasterTime = 0.0;
+  double DepthTime = 0.0;
+  double ReadTime = 0.0;
+  double LitmapTime = 0.0;
+  double PlanTime = 0.0;
+  double DrawTime = 0.0;
+  ///@}
+
+  int GetCount(vtkShadowVerdict verdict) const
+  {
+    return this->Verdicts[static_cast<std::size_t>(verdict)];
+  }
+
+  /// One JSON object with a member per field, verdicts and decision by name.
+  std::string GetAsJSON() const;
+
+  static const char* GetName(vtkShadowVerdict verdict);
+  static const char* GetName(vtkShadowSkip reason);
+  static const char* GetName(vtkShadowDecision decision);
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

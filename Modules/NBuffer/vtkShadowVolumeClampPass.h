@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkShadowVolumeClampPass
+ * @brief Exact hard shadows by stencil shadow volumes, drawn only where a receiver can be seen.
+ *
+ * Every switched-on light that is not a headlight casts: directional lights, spots (with VTK's cone
+ * and exponent) and point lights. What the camera does not see casts all the same. Shadows have the
+ * edges that a ray from every pixel to the light would find, at any distance, in windows of any
+ * shape; there is no map whose resolution shows.
+ *
+ * As the pass of a renderer it draws everything, with the usual stages for camera, lights,
+ * translucent props, volumes and overlays (GetSteps() has them):
+ *
+ *     vtkNew<vtkShadowVolumeClampPass> shadows;
+ *     renderer->SetPass(shadows);
+ *
+ * In a sequence of passes it is the opaque stage, in the place of vtkOpaquePass:
+ *
+ *     vtkNew<vtkRenderPassCollection> passes;
+ *     passes->AddItem(vtkSmartPointer<vtkLightsPass>::New());
+ *     passes->AddItem(shadows);
+ *     passes->AddItem(vtkSmartPointer<vtkTranslucentPass>::New());
+ *     sequence->SetPasses(passes);
+ *     cameraPass->SetDelegatePass(sequence);
+ *     renderer->SetPass(cameraPass);
+ *
+ * ## How
+ *
+ * The opaque props are drawn into depth alone, then for each light the shadow volumes of the
+ * casters into the stencil buffer, from which a mask with one channel for each light is made; then
+ * the opaque props are drawn once, with shaders (Phong and PBR) that take from each light what its
+ * mask does not let through: ShadowAttenuation of it. What is lit by all lights has, to the bit,
+ * the colour that it has without the pass.
+ *
+ * Mode says how much of the volumes is drawn. The depth of the receivers is scattered into a litmap
+ * for each light (X. Decoret, "N-Buffers for efficient depth map query", Computer Graphics Forum
+ * 24(3), 2005, section 3.3; vtkShadowReceivers.h says what differs): from it Exact knows which
+ * casters have no receiver, and the box of pixels of those that have; Clamped, also the depths at
+ * which they lie. vtkShadowPlan.h has the rules.
+ *
+ * ## Limits
+ *
+ * Casters are opaque surfaces of polydata or composite data sets; GetStatistics() counts what is
+ * not, by reason. Wireframes, points and glyphs cast nothing; textures with alpha and what shaders
+ * displace cast as if they did not. The volumes of point lights are never
+ * clamped. With multisampling masks are by pixel,
+ * not by sample. Needs OpenGL 3.2 with depth and stencil in one texture; where anything is refused
+ * the frame is drawn without shadows, with one warning.
+ *
+ * Cost: two draws of the opaque props, a read-back of the depth (but for Unclamped), and the
+ * volumes.
+ */
+#ifndef vtkShadowVolumeClampPass_h
+#define vtkShadowVolumeClampPass_h
+
+#include "vtkNBufferModule.h" // For export macro
+#include "vtkOpenGLRenderPass.h"
+#include "vtkShadowStatistics.h"
+
+#include <memory>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkInformation;
+class vtkLight;
+class vtkRenderStepsPass;
+struct vtkShadowLightSource;
+
+class VTKNBUFFER_EXPORT vtkShadowVolumeClampPass : public vtkOpenGLRenderPass
+{
+public:
+  static vtkShadowVolumeClampPass* New();
+  vtkTypeMacro(vtkShadowVolumeClampPass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Modes
+  {
+    Unclamped = static_cast<int>(vtkShadowMode::Unclamped),
+    Exact = static_cast<int>(vtkShadowMode::Exact),
+    Clamped = static_cast<int>(vtkShadowMode::Clamped)
+  };
+
+  ///@{
+  /**
+   * How much of the shadow volumes is drawn: Unclamped, all; Exact, casters with receivers, into
+   * their receivers' box of pixels, with the stencil of Unclamped to the bit; Clamped, slabs of
+   * them around the receivers, where samples within 1/256 of a pixel of a shadow's edge may differ.
+   * The default is Exact.
+   */
+  vtkSetClampMacro(Mode, int, Unclamped, Clamped);
+  vtkGetMacro(Mode, int);
+  ///@}
+
+  ///@{
+  /**
+   * Lexels along each side of a litmap, 1 to 4096, 256 by default. More make tighter boxes and
+   * slabs; none makes a shadow wrong.
+   */
+  vtkSetClampMacro(LitmapResolution, int, 1, 4096);
+  vtkGetMacro(LitmapResolution, int);
+  ///@}
+
+  ///@{
+  /**
+   * Empty bins, of the 64 between the nearest and the farthest receiver, that part two slabs; 1 to
+   * 64, 4 by default. 64 makes one slab of all, as in the paper.
+   */
+  vtkSetClampMacro(SlabGap, int, 1, 64);
+  vtkGetMacro(SlabGap, int);
+  ///@}
+
+  ///@{
+  /**
+   * Count the fragments of volumes (vtkShadowStatistics::Fragments). Draws them once more and waits
+   * for the device. Off by default.
+   */
+  vtkSetMacro(CountFragments, bool);
+  vtkGetMacro(CountFragments, bool);
+  vtkBooleanMacro(CountFragments, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a light casts, if it is of a kind that can; all do by default. nullptr is ignored.
+   */
+  void SetLightCasts(vtkLight* light, bool casts);
+  bool GetLightCasts(vtkLight* light) const;
+  ///@}
+
+  ///@{
+  /**
+   * Only props whose property keys (vtkProp::SetPropertyKeys) hold these keys cast; nullptr, the
+   * default: all.
+   */
+  void SetCasterKeys(vtkInformation* keys);
+  vtkInformation* GetCasterKeys();
+  ///@}
+
+  /// The stages of the pass where it is the renderer's own: camera, lights, translucent, ...
+  vtkRenderStepsPass* GetSteps();
+
+  /// Of the last frame.
+  const vtkShadowStatistics& GetStatistics() const;
+
+  /**
+   * The mask of a light of the last frame: one value for each pixel of the viewport, row by row,
+   * the lowest first; 0 lit, 255 in shadow (also what the light does not reach). Empty, and `width`
+   * and `height` 0, if the light did not cast. Reads it back; the window's context must be current.
+   */
+  std::vector<unsigned char> GetMask(vtkLight* light, int& width, int& height);
+
+  void Render(const vtkRenderState* s) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /// Called by mappers.
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  vtkMTimeType GetShaderStageMTime() override;
+  ///@}
+
+protected:
+  vtkShadowVolumeClampPass();
+  ~vtkShadowVolumeClampPass() override;
+
+private:
+  vtkShadowVolumeClampPass(const vtkShadowVolumeClampPass&) = delete;
+  void operator=(const vtkShadowVolumeClampPass&) = delete;
+
+  class Internals;
+  class OpaqueStage;
+  void RenderOpaque(const vtkRenderState* s);
+  bool MakeMasks(const vtkRenderState* s, const std::vector<vtkShadowLightSource>& lights,
+    vtkShadowStatistics& statistics);
+  void DrawOpaque(const vtkRenderState* s);
+
+  int Mode = Exact;
+  int LitmapResolution = 256;
+  int SlabGap = 4;
+  bool CountFragments = false;
+  std::unique_ptr<Internals> Implementation;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

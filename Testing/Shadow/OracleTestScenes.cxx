@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The scenes: what is drawn is what the oracle sees, and what must not change its answer does not.
+#include "OffscreenFixture.h"
+#include "SceneChanges.h"
+#include "ShadowTest.h"
+
+#include "vtkCamera.h"
+#include "vtkFloatArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <utility>
+
+namespace
+{
+class OracleSceneTest
+  : public OffscreenFixture
+  , public ::testing::WithParamInterface<NamedScene>
+{
+};
+
+/// Window depth of what the oracle sees there.
+double GetDepth(
+  const Oracle& oracle, vtkMatrix4x4* worldToClip, int x, int y, double jitterX, double jitterY)
+{
+  Oracle::Receiver receiver;
+  if (!oracle.GetReceiver(x, y, jitterX, jitterY, receiver))
+  {
+    return 1.0;
+  }
+  double clip[4] = { receiver.Position[0], receiver.Position[1], receiver.Position[2], 1.0 };
+  worldToClip->MultiplyPoint(clip, clip);
+  return 0.5 * clip[2] / clip[3] + 0.5;
+}
+
+/// Pixels whose depth is not that of the oracle, nor between those 1/32 of a pixel beside.
+int CountOtherDepths(ShadowStage& stage)
+{
+  const Oracle oracle(stage.Renderer);
+  int size[2];
+  int origin[2];
+  stage.Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  vtkNew<vtkFloatArray> depths;
+  stage.Window->GetZbufferData(
+    origin[0], origin[1], origin[0] + size[0] - 1, origin[1] + size[1] - 1, depths);
+  vtkMatrix4x4* worldToClip =
+    stage.Renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+      stage.Renderer->GetTiledAspectRatio(), -1.0, 1.0);
+  constexpr double tolerance = 1e-5;
+  int result = 0;
+  for (int y = 0; y < size[1]; ++y)
+  {
+    for (int x = 0; x < size[0]; ++x)
+    {
+      const double drawn = depths->GetValue(static_cast<vtkIdType>(y) * size[0] + x);
+      double low = GetDepth(oracle, worldToClip, x, y, 0.0, 0.0);
+      double high = low;
+      if (std::abs(drawn - low) <= tolerance)
+      {
+        continue;
+      }
+      for (const double jitterX : { -1.0 / 32.0, 1.0 / 32.0 })
+      {
+        for (const double jitterY : { -1.0 / 32.0, 1.0 / 32.0 })
+        {
+          const double depth = GetDepth(oracle, worldToClip, x, y, jitterX, jitterY);
+          low = std::min(low, depth);
+          high = std::max(high, depth);
+        }
+      }
+      result += drawn < low - tolerance || drawn > high + tolerance;
+    }
+  }
+  return result;
+}
+
+std::vector<OracleImage> CastAll(const ShadowStage& stage)
+{
+  const Oracle oracle(stage.Renderer);
+  std::vector<OracleImage> result;
+  for (vtkLight* light : stage.Lights)
+  {
+    result.push_back(oracle.Cast(OracleLight(light)));
+  }
+  return result;
+}
+
+/// What is unambiguous in `expected` is the same in the stage.
+void ExpectSame(const ShadowStage& stage, const std::vector<OracleImage>& expected)
+{
+  const Oracle oracle(stage.Renderer);
+  ASSERT_EQ(stage.Lights.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i)
+  {
+    const OracleLight light(stage.Lights[i]);
+    int wrong = 0;
+    for (int y = 0; y < expected[i].Height; ++y)
+    {
+      for (int x = 0; x < expected[i].Width; ++x)
+      {
+        const std::size_t pixel = static_cast<std::size_t>(y) * expected[i].Width + x;
+        wrong += !expected[i].Ambiguous[pixel] &&
+          oracle.Classify(x, y, 0.0, 0.0, light).Sample != expected[i].Samples[pixel];
+      }
+    }
+    EXPECT_EQ(wrong, 0) << "light " << i;
+  }
+}
+}
+
+TEST_P(OracleSceneTest, SeesWhatIsDrawn)
+{
+  NamedScene scene = this->GetParam();
+  scene.MultiSamples = 0; // depth of the centres
+  ShadowStage stage(scene);
+  stage.Window->Render();
+  EXPECT_EQ(CountOtherDepths(stage), 0);
+  if (scene.Change)
+  {
+    scene.Change(stage.Renderer);
+    stage.Window->Render();
+    EXPECT_EQ(CountOtherDepths(stage), 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, OracleSceneTest, ::testing::ValuesIn(GetScenes()),
+  [](const auto& info) { return info.param.Name; });
+
+class OracleScenesTest : public OffscreenFixture
+{
+};
+
+// Each light of each scene lights something and casts a shadow, but for one that is shut in.
+TEST_F(OracleScenesTest, HaveLightAndShadow)
+{
+  for (const NamedScene& scene : GetScenes())
+  {
+    SCOPED_TRACE(scene.Name);
+    const ShadowStage stage(scene);
+    EXPECT_FALSE(stage.Lights.empty());
+    for (const OracleImage& image : CastAll(stage))
+    {
+      std::cout << scene.Name << ": " << image.Count(OracleSample::Lit) << " lit, "
+                << image.Count(OracleSample::Shadowed) << " in shadow, "
+                << image.Count(OracleSample::Unlit) << " unlit, " << image.CountAmbiguous()
+                << " ambiguous\n";
+      EXPECT_EQ(image.Count(OracleSample::Lit) > 100, scene.Name != "LightInsideCaster");
+      EXPECT_GT(image.Count(OracleSample::Shadowed), 100);
+      // Boundaries only.
+      EXPECT_LT(image.CountAmbiguous(), image.Width * image.Height / 10);
+    }
+  }
+}
+
+// Windings, sharing, grouping and order of the triangles are no part of the oracle's question, nor
+// is where the world is.
+TEST_F(OracleScenesTest, KeepTheirShadows)
+{
+  using Change = void (*)(vtkRenderer*);
+  const std::pair<const char*, Change> changes[] = { { "windings", SceneChanges::FlipWindings },
+    { "points", SceneChanges::UnsharePoints }, { "actors", SceneChanges::SplitActors },
+    { "order", SceneChanges::ReverseProps },
+    { "place", [](vtkRenderer* renderer)
+      {
+        const double offset[3] = { 12.0, -7.0, 3.0 };
+        SceneChanges::Move(renderer, offset);
+      } } };
+  for (const NamedScene& scene : GetScenes())
+  {
+    SCOPED_TRACE(scene.Name);
+    const std::vector<OracleImage> expected = CastAll(ShadowStage(scene));
+    for (const auto& change : changes)
+    {
+      SCOPED_TRACE(change.first);
+      const ShadowStage stage(scene);
+      change.second(stage.Renderer);
+      ExpectSame(stage, expected);
+    }
+  }
+}

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Colours with vtkShadowVolumeClampPass, to the byte those of images without it.
+#include "OffscreenFixture.h"
+#include "PassTestTools.h"
+#include "ShadowShapes.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkCameraPass.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkLight.h"
+#include "vtkLightsPass.h"
+#include "vtkNew.h"
+#include "vtkProperty.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkSequencePass.h"
+#include "vtkTranslucentPass.h"
+
+namespace
+{
+void ForEachProperty(vtkRenderer* renderer, const std::function<void(vtkProperty*)>& function)
+{
+  vtkCollectionSimpleIterator cookie;
+  renderer->GetActors()->InitTraversal(cookie);
+  while (vtkActor* actor = renderer->GetActors()->GetNextActor(cookie))
+  {
+    function(actor->GetProperty());
+  }
+}
+
+vtkInformationIntegerKey* GetCastsKey()
+{
+  static vtkInformationIntegerKey* const key = new vtkInformationIntegerKey("Casts", "PassImages");
+  return key;
+}
+
+/// A headlight, a light that is off, a camera light, and one more than fit into a mask.
+void AddLights(vtkRenderer* renderer)
+{
+  vtkNew<vtkLight> headlight;
+  headlight->SetLightTypeToHeadlight();
+  headlight->SetIntensity(0.25);
+  renderer->AddLight(headlight);
+  ShadowShapes::AddDirectional(renderer, { 0.0, 0.0, -1.0 })->SwitchOff();
+  vtkNew<vtkLight> cameraLight;
+  cameraLight->SetLightTypeToCameraLight();
+  cameraLight->SetPosition(1.0, 1.0, 1.0);
+  cameraLight->SetFocalPoint(0.0, 0.0, 0.0);
+  cameraLight->SetIntensity(0.5);
+  renderer->AddLight(cameraLight);
+  ShadowShapes::AddDirectional(renderer, { 0.6, 0.35, -0.7 })->SetIntensity(0.25);
+  ShadowShapes::AddSpot(renderer, { -4.0, -2.0, 5.0 }, { 0.0, 0.0, 0.0 }, 25.0)->SetIntensity(0.5);
+  ShadowShapes::AddDirectional(renderer, { -0.6, 0.35, -0.7 })->SwitchOff();
+  ShadowShapes::AddPoint(renderer, { -0.1, 0.2, 2.2 })->SetIntensity(0.25);
+  ShadowShapes::AddDirectional(renderer, { -0.6, 0.35, -0.7 })->SetIntensity(0.25);
+}
+
+NamedScene GetColourScene(const std::string& name)
+{
+  if (name != "SixLights")
+  {
+    return GetScene(name);
+  }
+  NamedScene scene = GetScene("Directional");
+  const std::function<void(vtkRenderer*)> build = scene.Build;
+  scene.Name = name;
+  scene.Build = [build](vtkRenderer* renderer)
+  {
+    build(renderer);
+    AddLights(renderer);
+  };
+  return scene;
+}
+}
+
+class PassColours
+  : public OffscreenFixture
+  , public ::testing::WithParamInterface<const char*>
+{
+};
+
+// What a light does not reach has the colour of the image in which it is switched off, all else
+// that of the image without shadows, whatever the lights, the shading and the attenuation.
+TEST_P(PassColours, AreThoseOfDimmedLights)
+{
+  ShadowStage stage(GetColourScene(this->GetParam()));
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  for (const bool physicallyBased : { false, true })
+  {
+    SCOPED_TRACE(physicallyBased ? "PBR" : "Phong");
+    ForEachProperty(stage.Renderer,
+      [physicallyBased](vtkProperty* property)
+      {
+        property->SetInterpolation(physicallyBased ? VTK_PBR : VTK_PHONG);
+        property->SetSpecular(0.5);
+        property->SetRoughness(0.4);
+      });
+    for (const double attenuation : { 1.0, 0.5, 0.0 })
+    {
+      SCOPED_TRACE("attenuation " + std::to_string(attenuation));
+      double next = attenuation;
+      for (vtkLight* light : stage.Lights)
+      {
+        light->SetShadowAttenuation(next);
+        next = next == 0.0 ? 1.0 : next - 0.5;
+      }
+      EXPECT_GT(ExpectComposedOfDimmed(stage, pass), 100);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PassColours,
+  ::testing::Values("Directional", "Spot", "Point", "ManyLights", "SixLights", "SpotExponent",
+    "MultiSamples", "Inset", "OddSize", "ParallelCamera", "LightInRoom", "Composite"),
+  [](const auto& info) { return info.param; });
+
+class PassImages : public OffscreenFixture
+{
+};
+
+// Hazard: a pass that shades by itself changes what it has no business with.
+TEST_F(PassImages, WithoutShadowAreThoseWithoutThePass)
+{
+  const std::pair<const char*, std::function<void(const ShadowStage&, vtkShadowVolumeClampPass*)>>
+    ways[] = {
+      { "no casting light", [](const ShadowStage& stage, vtkShadowVolumeClampPass*)
+        { stage.Lights[0]->SetLightTypeToHeadlight(); } },
+      { "a light that may not cast", [](const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
+        { pass->SetLightCasts(stage.Lights[0], false); } },
+      { "no caster",
+        [](const ShadowStage&, vtkShadowVolumeClampPass* pass)
+        {
+          vtkNew<vtkInformation> keys;
+          keys->Set(GetCastsKey(), 1);
+          pass->SetCasterKeys(keys);
+        } },
+      { "casters that are translucent",
+        [](const ShadowStage& stage, vtkShadowVolumeClampPass*) {
+          ForEachProperty(stage.Renderer, [](vtkProperty* property) { property->SetOpacity(0.5); });
+        } },
+      { "no receiver", [](const ShadowStage& stage, vtkShadowVolumeClampPass*)
+        { ShadowShapes::Look(stage.Renderer, { 20.0, 0.0, 1.0 }, { 30.0, 0.0, 1.0 }); } },
+      { "nothing at all", [](const ShadowStage& stage, vtkShadowVolumeClampPass*)
+        { stage.Renderer->RemoveAllViewProps(); } },
+    };
+  for (const auto& way : ways)
+  {
+    SCOPED_TRACE(way.first);
+    const ShadowStage stage(GetScene("Directional"));
+    vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+    way.second(stage, pass);
+    for (int frame = 0; frame < 2; ++frame)
+    {
+      stage.Window->Render();
+      const ShadowImage actual = GetImage(stage.Window);
+      EXPECT_TRUE(IsSameImage(GetPlainImage(stage.Window, stage.Renderer), actual, stage.Window));
+      EXPECT_EQ(FindInconsistency(pass->GetStatistics()), "");
+    }
+  }
+}
+
+// In a sequence of passes, in the place of vtkOpaquePass, the image is the same.
+TEST_F(PassImages, InASequenceAreThoseOfThePassAlone)
+{
+  for (const char* name : { "ManyLights", "Inset", "MultiSamples" })
+  {
+    SCOPED_TRACE(name);
+    const ShadowStage stage(GetScene(name));
+    ShadowShapes::AddBox(stage.Renderer, { 0.0, -2.5, 1.0 }, { 1.0, 0.2, 1.0 })
+      ->GetProperty()
+      ->SetOpacity(0.5);
+    vtkNew<vtkShadowVolumeClampPass> alone;
+    stage.Renderer->SetPass(alone);
+    stage.Window->Render();
+    const ShadowImage expected = GetImage(stage.Window);
+    EXPECT_EQ(alone->GetStatistics().Decision, vtkShadowDecision::Drawn);
+    EXPECT_FALSE(IsSameImage(GetPlainImage(stage.Window, stage.Renderer), expected, stage.Window));
+
+    vtkNew<vtkShadowVolumeClampPass> shadows;
+    vtkNew<vtkRenderPassCollection> passes;
+    passes->AddItem(vtkSmartPointer<vtkLightsPass>::New());
+    passes->AddItem(shadows);
+    passes->AddItem(vtkSmartPointer<vtkTranslucentPass>::New());
+    vtkNew<vtkSequencePass> sequence;
+    sequence->SetPasses(passes);
+    vtkNew<vtkCameraPass> camera;
+    camera->SetDelegatePass(sequence);
+    stage.Renderer->SetPass(camera);
+    for (int frame = 0; frame < 2; ++frame)
+    {
+      stage.Window->Render();
+      EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
+      EXPECT_GT(shadows->GetNumberOfRenderedProps(), 0);
+    }
+  }
+}

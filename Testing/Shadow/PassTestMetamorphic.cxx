@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What leaves shadows as they are leaves the masks as they are; and VTK's own shadows, counted.
+#include "OffscreenFixture.h"
+#include "PassTestTools.h"
+#include "SceneChanges.h"
+
+#include "vtkCameraPass.h"
+#include "vtkLight.h"
+#include "vtkLightsPass.h"
+#include "vtkNew.h"
+#include "vtkOpaquePass.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkSequencePass.h"
+#include "vtkShadowMapBakerPass.h"
+#include "vtkShadowMapPass.h"
+
+#include <iostream>
+
+namespace
+{
+struct Change
+{
+  const char* Name;
+  void (*Make)(vtkRenderer*);
+};
+
+const Change Changes[] = { { "windings", SceneChanges::FlipWindings },
+  { "points", SceneChanges::UnsharePoints }, { "actors", SceneChanges::SplitActors },
+  { "order", SceneChanges::ReverseProps },
+  { "place", [](vtkRenderer* renderer)
+    {
+      const double offset[3] = { 12.0, -7.0, 3.0 };
+      SceneChanges::Move(renderer, offset);
+    } } };
+
+std::vector<ShadowMask> GetMasks(const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
+{
+  stage.Window->Render();
+  std::vector<ShadowMask> result;
+  for (vtkLight* light : stage.Lights)
+  {
+    result.push_back(GetMask(pass, light, CountPixels(stage.Renderer)));
+  }
+  return result;
+}
+
+bool IsCompared(const OracleImage& oracle, std::size_t pixel)
+{
+  return !oracle.Ambiguous[pixel] &&
+    (oracle.Samples[pixel] == OracleSample::Lit || oracle.Samples[pixel] == OracleSample::Shadowed);
+}
+}
+
+class PassMetamorphic
+  : public OffscreenFixture
+  , public ::testing::WithParamInterface<NamedScene>
+{
+};
+
+// Windings, sharing, grouping and order of triangles, and where the world is, are no part of the
+// question.
+TEST_P(PassMetamorphic, MasksAreKept)
+{
+  const NamedScene& scene = this->GetParam();
+  const ShadowStage original(scene);
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(original);
+  const std::vector<ShadowMask> expected = GetMasks(original, pass);
+  std::vector<OracleImage> oracles;
+  for (vtkLight* light : original.Lights)
+  {
+    oracles.push_back(Cast(original.Renderer, light));
+  }
+  for (const Change& change : Changes)
+  {
+    SCOPED_TRACE(change.Name);
+    const ShadowStage stage(scene);
+    change.Make(stage.Renderer);
+    vtkSmartPointer<vtkShadowVolumeClampPass> changedPass = AddPass(stage);
+    const std::vector<ShadowMask> masks = GetMasks(stage, changedPass);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+    {
+      int different = 0;
+      for (std::size_t k = 0; k < expected[i].size(); ++k)
+      {
+        different += IsCompared(oracles[i], k) && expected[i][k] != masks[i][k];
+      }
+      EXPECT_EQ(different, 0) << "light " << i << ", " << changedPass->GetStatistics().GetAsJSON();
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Lights, PassMetamorphic,
+  ::testing::ValuesIn(ShadowScenes::GetLightScenes()),
+  [](const auto& info) { return info.param.Name; });
+INSTANTIATE_TEST_SUITE_P(Meshes, PassMetamorphic,
+  ::testing::ValuesIn(ShadowScenes::GetMeshScenes()),
+  [](const auto& info) { return info.param.Name; });
+
+class PassComparison : public OffscreenFixture
+{
+};
+
+// VTK's own shadow maps for the same scenes. Wrong is a pixel that has less than half of its
+// brightness without shadows where a ray reaches the light, or half and more where none does.
+TEST_F(PassComparison, WithShadowMaps)
+{
+  std::cout << "scene: compared pixels, wrong of vtkShadowMapPass, wrong of this pass\n";
+  for (const char* name : { "Directional", "Spot", "Point", "OddSize", "Inset", "CityDirectional",
+         "BirdsSpot", "CadDirectional" })
+  {
+    const ShadowStage stage(GetScene(name));
+    vtkLight* light = stage.Lights[0];
+    const OracleImage oracle = Cast(stage.Renderer, light);
+    vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+    stage.Window->Render();
+    const ShadowMask mask = GetMask(pass, light, CountPixels(stage.Renderer));
+    const ShadowImage lit = GetPlainImage(stage.Window, stage.Renderer);
+
+    vtkNew<vtkShadowMapBakerPass> baker;
+    vtkNew<vtkShadowMapPass> maps;
+    maps->SetShadowMapBakerPass(baker);
+    vtkNew<vtkOpaquePass> opaque;
+    vtkNew<vtkSequencePass> opaqueSequence;
+    vtkNew<vtkRenderPassCollection> opaquePasses;
+    opaquePasses->AddItem(vtkSmartPointer<vtkLightsPass>::New());
+    opaquePasses->AddItem(opaque);
+    opaqueSequence->SetPasses(opaquePasses);
+    vtkNew<vtkCameraPass> opaqueCamera;
+    opaqueCamera->SetDelegatePass(opaqueSequence);
+    baker->SetOpaqueSequence(opaqueCamera);
+    maps->SetOpaqueSequence(opaqueSequence);
+    vtkNew<vtkRenderPassCollection> passes;
+    passes->AddItem(baker);
+    passes->AddItem(maps);
+    vtkNew<vtkSequencePass> sequence;
+    sequence->SetPasses(passes);
+    vtkNew<vtkCameraPass> camera;
+    camera->SetDelegatePass(sequence);
+    stage.Renderer->SetPass(camera);
+    stage.Window->Render();
+    const ShadowImage mapped = GetImage(stage.Window);
+
+    int size[2];
+    int origin[2];
+    stage.Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+    int compared = 0;
+    int wrongMaps = 0;
+    int wrongVolumes = 0;
+    for (int y = 0; y < size[1]; ++y)
+    {
+      for (int x = 0; x < size[0]; ++x)
+      {
+        const std::size_t sample = static_cast<std::size_t>(y) * size[0] + x;
+        const std::size_t pixel = 4 *
+          (static_cast<std::size_t>(y + origin[1]) * stage.Window->GetSize()[0] + x + origin[0]);
+        const int brightness = lit[pixel] + lit[pixel + 1] + lit[pixel + 2];
+        if (!IsCompared(oracle, sample) || brightness < 30)
+        {
+          continue;
+        }
+        ++compared;
+        const bool shadowed = oracle.Samples[sample] == OracleSample::Shadowed;
+        const int left = mapped[pixel] + mapped[pixel + 1] + mapped[pixel + 2];
+        wrongMaps += (2 * left < brightness) != shadowed;
+        wrongVolumes += (mask[sample] != 0) != shadowed;
+      }
+    }
+    std::cout << name << ": " << compared << ", " << wrongMaps << ", " << wrongVolumes << "\n";
+    EXPECT_GT(compared, 1000);
+    EXPECT_EQ(wrongVolumes, 0);
+    EXPECT_GT(wrongMaps, wrongVolumes) << name;
+  }
+}

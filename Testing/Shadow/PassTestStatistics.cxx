@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What a frame takes: nothing where nothing is due, and what OpenGL is left as.
+#include "GLStateSnapshot.h"
+#include "OffscreenFixture.h"
+#include "PassTestTools.h"
+
+#include "../Leaks/GLObjects.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkCamera.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkLight.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRenderStepsPass.h"
+
+#include <algorithm>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+namespace
+{
+constexpr int Modes[] = { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Exact,
+  vtkShadowVolumeClampPass::Clamped };
+
+vtkActor* GetLastActor(const ShadowStage& stage)
+{
+  return stage.Renderer->GetActors()->GetLastActor();
+}
+
+/// No volume, litmap or read-back, and nothing cached anew.
+::testing::AssertionResult DidNothing(const vtkShadowStatistics& statistics)
+{
+  const bool nothing = statistics.Draws == 0 && statistics.Triangles == 0 &&
+    statistics.Litmaps == 0 && statistics.Receivers == 0 && statistics.ReadBacks == 0 &&
+    statistics.Silhouettes == 0 && statistics.Updates == 0 &&
+    std::count(statistics.Verdicts.begin(), statistics.Verdicts.end(), 0) ==
+      vtkShadowStatistics::NumberOfVerdicts;
+  return (nothing ? ::testing::AssertionSuccess() : ::testing::AssertionFailure())
+    << statistics.GetAsJSON();
+}
+
+GLObjects::Counts CountObjects(const ShadowStage& stage)
+{
+  vtkOpenGLRenderWindow::SafeDownCast(stage.Window)->MakeCurrent();
+  return GLObjects::Count();
+}
+}
+
+class PassStatistics : public OffscreenFixture
+{
+};
+
+// Where there is no light or nothing that casts, OpenGL is not asked for anything.
+TEST_F(PassStatistics, NothingDueCostsNothing)
+{
+  for (const bool withLight : { false, true })
+  {
+    SCOPED_TRACE(withLight ? "no caster" : "no light");
+    const ShadowStage stage(GetScene("ManyLights"));
+    vtkNew<vtkRenderStepsPass> steps;
+    stage.Renderer->SetPass(steps);
+    stage.Window->Render();
+    stage.Window->Render();
+    const GLObjects::Counts before = CountObjects(stage);
+    vtkNew<vtkShadowVolumeClampPass> pass;
+    vtkNew<vtkInformation> keys;
+    keys->Set(vtkInformationIntegerKey::MakeKey("Casts", "PassStatistics"), 1);
+    pass->SetCasterKeys(withLight ? keys.Get() : nullptr);
+    for (vtkLight* light : stage.Lights)
+    {
+      pass->SetLightCasts(light, withLight);
+    }
+    stage.Renderer->SetPass(pass);
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      stage.Renderer->GetActiveCamera()->Azimuth(5.0);
+      stage.Window->Render();
+      EXPECT_TRUE(DidNothing(pass->GetStatistics()));
+      EXPECT_EQ(pass->GetStatistics().Decision,
+        withLight ? vtkShadowDecision::NoCaster : vtkShadowDecision::NoLight);
+    }
+    EXPECT_EQ(CountObjects(stage), before);
+  }
+}
+
+// A still frame takes its masks from the last one; a moving camera makes no new objects.
+TEST_F(PassStatistics, FramesMakeNoNewObjects)
+{
+  for (const int mode : Modes)
+  {
+    SCOPED_TRACE("mode " + std::to_string(mode));
+    const ShadowStage stage(GetScene("ManyLights"));
+    vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+    pass->SetMode(mode);
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      stage.Window->Render();
+    }
+    const GLObjects::Counts before = CountObjects(stage);
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      stage.Window->Render();
+      EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Still);
+      EXPECT_TRUE(DidNothing(pass->GetStatistics()));
+    }
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      stage.Renderer->GetActiveCamera()->Azimuth(5.0);
+      stage.Window->Render();
+      EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
+    }
+    EXPECT_EQ(CountObjects(stage), before);
+  }
+}
+
+TEST_F(PassStatistics, FragmentsAreCountedOnlyIfAsked)
+{
+  const ShadowStage stage(GetScene("Directional"));
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  stage.Window->Render();
+  EXPECT_EQ(pass->GetStatistics().Fragments, -1);
+  const ShadowImage expected = GetImage(stage.Window);
+  pass->CountFragmentsOn();
+  stage.Window->Render();
+  EXPECT_GT(pass->GetStatistics().Fragments, 0);
+  EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
+}
+
+// Silhouettes last until mesh, matrix or light change, and then only those of what changed.
+TEST_F(PassStatistics, SilhouettesAreMadeOnce)
+{
+  const ShadowStage stage(GetScene("ManyLights"));
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  const auto expect = [&](int updates, int silhouettes, const char* what)
+  {
+    stage.Window->Render();
+    const vtkShadowStatistics& statistics = pass->GetStatistics();
+    EXPECT_EQ(statistics.Decision, vtkShadowDecision::Drawn) << what;
+    EXPECT_EQ(statistics.Updates, updates) << what;
+    EXPECT_EQ(statistics.Silhouettes, silhouettes) << what;
+  };
+  const int lights = static_cast<int>(stage.Lights.size());
+  const int casters = stage.Renderer->GetActors()->GetNumberOfItems();
+  expect(casters, casters * lights, "the first frame");
+  stage.Renderer->GetActiveCamera()->Azimuth(5.0);
+  expect(0, 0, "the camera moved");
+  stage.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  expect(0, 0, "the camera became parallel");
+  pass->SetMode(vtkShadowVolumeClampPass::Clamped);
+  expect(0, 0, "another mode");
+  stage.Lights[1]->SetPosition(-4.5, -2.0, 5.0);
+  expect(0, casters, "a light moved");
+  stage.Lights[1]->SetColor(1.0, 0.5, 0.5);
+  stage.Renderer->GetActiveCamera()->Azimuth(5.0);
+  expect(0, 0, "a light's colour");
+  GetLastActor(stage)->AddPosition(0.1, 0.0, 0.0);
+  expect(1, lights, "an actor moved");
+  auto* mesh = vtkPolyData::SafeDownCast(GetLastActor(stage)->GetMapper()->GetInput());
+  mesh->GetPoints()->SetPoint(0, 0.3, -1.2, 1.7);
+  mesh->GetPoints()->Modified();
+  expect(1, lights, "points moved");
+}
+
+class PassWork
+  : public OffscreenFixture
+  , public ::testing::WithParamInterface<NamedScene>
+{
+};
+
+// Every caster has a verdict for each light, and no mode draws more than one that knows less.
+TEST_P(PassWork, IsLessTheMoreIsKnown)
+{
+  const NamedScene& scene = this->GetParam();
+  const ShadowStage stage(scene);
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  pass->CountFragmentsOn();
+  long long fragments[3] = {};
+  for (const int mode : Modes)
+  {
+    pass->SetMode(mode);
+    stage.Window->Render();
+    const vtkShadowStatistics& statistics = pass->GetStatistics();
+    EXPECT_EQ(FindInconsistency(statistics), "");
+    fragments[mode] = statistics.Fragments;
+  }
+  std::cout << scene.Name << ": " << fragments[0] << " fragments, exact "
+            << 100.0 * fragments[1] / fragments[0] << " %, clamped "
+            << 100.0 * fragments[2] / fragments[0] << " %\n";
+  EXPECT_GT(fragments[0], 0);
+  EXPECT_LE(fragments[1], fragments[0]);
+  const std::vector<NamedScene> large = ShadowScenes::GetLargeScenes();
+  if (std::any_of(large.begin(), large.end(),
+        [&scene](const NamedScene& other) { return other.Name == scene.Name; }))
+  {
+    EXPECT_LE(fragments[2], fragments[1]);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PassWork, ::testing::ValuesIn(GetScenes()),
+  [](const auto& info) { return info.param.Name; });
+
+//------------------------------------------------------------------------------------------------
+class PassState : public OffscreenFixture
+{
+};
+
+// What OpenGL and VTK's record of it are left as is what they are left as without shadows, but for
+// the program of the mapper that drew last, and textures in units that nothing holds.
+TEST_F(PassState, IsThatOfAFrameWithoutShadows)
+{
+  for (const char* name : { "ManyLights", "Inset", "MultiSamples" })
+  {
+    SCOPED_TRACE(name);
+    const ShadowStage stage(GetScene(name));
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(stage.Window);
+    const auto capture = [&]
+    {
+      GLStateSnapshot result;
+      WhileDrawing(
+        stage.Window, stage.Renderer, [&] { result = GLStateSnapshot::Capture(window); });
+      return result;
+    };
+    vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+    for (vtkLight* light : stage.Lights)
+    {
+      pass->SetLightCasts(light, false);
+    }
+    capture();
+    const GLStateSnapshot plain = capture();
+    for (vtkLight* light : stage.Lights)
+    {
+      pass->SetLightCasts(light, true);
+    }
+    for (const int mode : Modes)
+    {
+      SCOPED_TRACE("mode " + std::to_string(mode));
+      pass->SetMode(mode);
+      for (int frame = 0; frame < 4; ++frame)
+      {
+        const GLStateSnapshot shadowed = capture();
+        std::istringstream lines(plain.GetDifference(shadowed));
+        for (std::string line; std::getline(lines, line);)
+        {
+          const bool expected = line.find("GL_CURRENT_PROGRAM") == 0 ||
+            line.find("GL_TEXTURE_BINDING_2D of unit ") == 0 ||
+            line.find("vtkOpenGLShaderCache LastShaderBound") == 0;
+          EXPECT_TRUE(expected) << line;
+        }
+      }
+    }
+  }
+}

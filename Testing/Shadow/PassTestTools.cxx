@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PassTestTools.h"
+
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace
+{
+/// A light that has cast, as it was.
+struct CastingLight
+{
+  vtkLight* Light;
+  double Intensity;
+  ShadowMask Mask;
+};
+}
+
+ShadowImage GetImage(vtkRenderWindow* window)
+{
+  const int* size = window->GetSize();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels);
+  const unsigned char* data = pixels->GetPointer(0);
+  return ShadowImage(data, data + 4 * static_cast<std::size_t>(pixels->GetNumberOfTuples()));
+}
+
+::testing::AssertionResult IsSameImage(
+  const ShadowImage& expected, const ShadowImage& actual, vtkRenderWindow* window)
+{
+  if (expected.size() != actual.size())
+  {
+    return ::testing::AssertionFailure()
+      << "The images have " << expected.size() / 4 << " and " << actual.size() / 4 << " pixels";
+  }
+  std::size_t different = 0;
+  std::size_t first = 0;
+  for (std::size_t i = expected.size(); i > 0; i -= 4)
+  {
+    if (!std::equal(&expected[i - 4], &expected[i - 4] + 4, &actual[i - 4]))
+    {
+      ++different;
+      first = i / 4 - 1;
+    }
+  }
+  if (different == 0)
+  {
+    return ::testing::AssertionSuccess();
+  }
+  const std::size_t width = static_cast<std::size_t>(window->GetSize()[0]);
+  auto result = ::testing::AssertionFailure();
+  result << different << " pixels differ, the first is (" << first % width << ", " << first / width
+         << "):";
+  for (const ShadowImage* image : { &expected, &actual })
+  {
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      result << ' ' << static_cast<int>((*image)[4 * first + i]);
+    }
+    result << (image == &expected ? " expected," : " drawn");
+  }
+  return result;
+}
+
+vtkSmartPointer<vtkShadowVolumeClampPass> AddPass(const ShadowStage& stage)
+{
+  auto pass = vtkSmartPointer<vtkShadowVolumeClampPass>::New();
+  stage.Renderer->SetPass(pass);
+  return pass;
+}
+
+std::size_t CountPixels(vtkRenderer* renderer)
+{
+  int size[2];
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  return static_cast<std::size_t>(size[0]) * size[1];
+}
+
+ShadowMask GetMask(vtkShadowVolumeClampPass* pass, vtkLight* light, std::size_t pixels)
+{
+  int width = 0;
+  int height = 0;
+  ShadowMask mask = pass->GetMask(light, width, height);
+  if (mask.empty())
+  {
+    mask.assign(pixels, 0);
+  }
+  EXPECT_EQ(mask.size(), pixels);
+  return mask;
+}
+
+void ExpectMatchesOracle(const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
+{
+  stage.Window->Render();
+  const Oracle oracle(stage.Renderer);
+  for (vtkLight* light : stage.Lights)
+  {
+    const ShadowMask mask = GetMask(pass, light, CountPixels(stage.Renderer));
+    EXPECT_TRUE(MatchesOracle(mask, oracle.Cast(OracleLight(light))))
+      << pass->GetStatistics().GetAsJSON();
+  }
+}
+
+int ExpectComposedOfDimmed(const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
+{
+  vtkRenderer* renderer = stage.Renderer;
+  int size[2];
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  stage.Window->Render();
+  const ShadowImage actual = GetImage(stage.Window);
+  std::vector<CastingLight> casting;
+  int shadowed = 0;
+  for (vtkLight* light : stage.Lights)
+  {
+    int width = 0;
+    int height = 0;
+    ShadowMask mask = pass->GetMask(light, width, height);
+    if (mask.empty())
+    {
+      continue;
+    }
+    EXPECT_EQ(width, size[0]);
+    EXPECT_EQ(height, size[1]);
+    const auto full = std::count(mask.begin(), mask.end(), 255);
+    EXPECT_EQ(full + std::count(mask.begin(), mask.end(), 0), static_cast<long>(mask.size()));
+    shadowed += static_cast<int>(full);
+    casting.push_back({ light, light->GetIntensity(), std::move(mask) });
+  }
+
+  std::vector<ShadowImage> dimmed;
+  for (unsigned int dim = 0; dim < 1u << casting.size(); ++dim)
+  {
+    for (std::size_t i = 0; i < casting.size(); ++i)
+    {
+      const double attenuation = (dim >> i & 1u) ? casting[i].Light->GetShadowAttenuation() : 0.0;
+      casting[i].Light->SetIntensity(casting[i].Intensity * (1.0 - attenuation));
+    }
+    dimmed.push_back(GetPlainImage(stage.Window, renderer));
+  }
+  for (const CastingLight& light : casting)
+  {
+    light.Light->SetIntensity(light.Intensity);
+  }
+  ShadowImage expected = dimmed.front();
+  const std::size_t windowWidth = static_cast<std::size_t>(stage.Window->GetSize()[0]);
+  for (int y = 0; y < size[1]; ++y)
+  {
+    for (int x = 0; x < size[0]; ++x)
+    {
+      const std::size_t inMask = static_cast<std::size_t>(y) * size[0] + x;
+      std::size_t dim = 0;
+      for (std::size_t i = 0; i < casting.size(); ++i)
+      {
+        dim |= static_cast<std::size_t>(casting[i].Mask[inMask] != 0) << i;
+      }
+      const std::size_t pixel = 4 * ((y + origin[1]) * windowWidth + x + origin[0]);
+      std::copy_n(&dimmed[dim][pixel], 4, &expected[pixel]);
+    }
+  }
+  EXPECT_TRUE(IsSameImage(expected, actual, stage.Window)) << pass->GetStatistics().GetAsJSON();
+  return shadowed;
+}
+
+ShadowImage GetPlainImage(vtkRenderWindow* window, vtkRenderer* renderer)
+{
+  const vtkSmartPointer<vtkRenderPass> pass = renderer->GetPass();
+  vtkNew<vtkRenderStepsPass> steps;
+  renderer->SetPass(steps);
+  window->Render();
+  ShadowImage result = GetImage(window);
+  steps->ReleaseGraphicsResources(window);
+  renderer->SetPass(pass);
+  return result;
+}
+
+std::string FindInconsistency(const vtkShadowStatistics& statistics)
+{
+  const auto count = [&](vtkShadowVerdict verdict) { return statistics.GetCount(verdict); };
+  std::string result;
+  const auto demand = [&](bool holds, const char* what)
+  {
+    if (!holds)
+    {
+      result += std::string(result.empty() ? "" : "; ") + what;
+    }
+  };
+  const int verdicts = std::accumulate(statistics.Verdicts.begin(), statistics.Verdicts.end(), 0);
+  const int whole = count(vtkShadowVerdict::Whole) + count(vtkShadowVerdict::Boxed) +
+    count(vtkShadowVerdict::ThroughLightPlane);
+  const int clamped = count(vtkShadowVerdict::Clamped);
+  demand(statistics.ZPass <= statistics.Draws, "more z-pass than draws");
+  demand(statistics.Slabs >= clamped, "a clamped caster without a slab");
+  if (statistics.Decision == vtkShadowDecision::Drawn)
+  {
+    demand(verdicts >= statistics.Lights * statistics.Casters, "casters without a verdict");
+    demand(statistics.Draws > 0 && statistics.Triangles >= statistics.Draws, "nothing was drawn");
+    demand(statistics.Draws <= whole + statistics.Slabs, "more draws than casters and slabs");
+    demand(statistics.Litmaps <= 6 * statistics.Lights, "more litmaps than six for a light");
+    demand((statistics.Litmaps > 0) == (statistics.ReadBacks == 1), "read-backs without litmaps");
+    demand((statistics.Litmaps > 0) || statistics.Receivers == 0, "receivers without litmaps");
+  }
+  else
+  {
+    demand(statistics.Draws == 0 && statistics.Triangles == 0, "volumes were drawn");
+  }
+  return result.empty() ? result : result + ": " + statistics.GetAsJSON();
+}

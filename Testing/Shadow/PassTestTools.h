@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PassTestTools.h
+ * @brief What tests of vtkShadowVolumeClampPass share: images, and what they have to be.
+ */
+#ifndef PassTestTools_h
+#define PassTestTools_h
+
+#include "ShadowTest.h"
+
+#include "vtkShadowVolumeClampPass.h"
+
+#include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+/// RGBA of each pixel of a window, row by row, the lowest first.
+using ShadowImage = std::vector<unsigned char>;
+
+/// Of the last frame; a window is as large as its size says.
+ShadowImage GetImage(vtkRenderWindow* window);
+
+/// For EXPECT_TRUE: all bytes are equal. Says how many pixels differ and which is the first.
+::testing::AssertionResult IsSameImage(
+  const ShadowImage& expected, const ShadowImage& actual, vtkRenderWindow* window);
+
+/// The pass as the pass of the stage's renderer.
+vtkSmartPointer<vtkShadowVolumeClampPass> AddPass(const ShadowStage& stage);
+
+/// The mask of the last frame; all 0, of `pixels` values, if nothing was in shadow.
+ShadowMask GetMask(vtkShadowVolumeClampPass* pass, vtkLight* light, std::size_t pixels);
+
+/// Number of pixels of a renderer.
+std::size_t CountPixels(vtkRenderer* renderer);
+
+/// Renders with a mode and compares the masks of all lights of the scene with rays.
+void ExpectMatchesOracle(const ShadowStage& stage, vtkShadowVolumeClampPass* pass);
+
+/**
+ * Render, and compare each pixel of the image with one of the images without the pass in which
+ * lights are dimmed to 1 - ShadowAttenuation: that in which the lights are dim whose masks are 255
+ * there. Masks are of nothing but 0 and 255. The stage has one renderer and at most six lights that
+ * cast; colours are exact for attenuations of 0, 0.5 and 1. Returns the number of shadowed pixels
+ * of all lights. The renderer has the pass again afterwards.
+ */
+int ExpectComposedOfDimmed(const ShadowStage& stage, vtkShadowVolumeClampPass* pass);
+
+/// The image of the renderer with vtkRenderStepsPass; its pass is as before afterwards.
+ShadowImage GetPlainImage(vtkRenderWindow* window, vtkRenderer* renderer);
+
+/// Verdicts add up, and nothing is counted twice; "" or what is wrong.
+std::string FindInconsistency(const vtkShadowStatistics& statistics);
+
+#endif

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Windows, renderers and lifetimes.
+#include "OffscreenFixture.h"
+#include "PassTestTools.h"
+
+#include "vtkNBufferCuller.h"
+
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkNew.h"
+
+#include <array>
+#include <functional>
+#include <utility>
+
+class PassWindows : public OffscreenFixture
+{
+};
+
+namespace
+{
+/// Another renderer of the window with a scene of the list.
+ShadowStage AddRenderer(
+  const ShadowStage& stage, const std::string& scene, const double viewport[4])
+{
+  ShadowStage result = stage;
+  result.Renderer = vtkSmartPointer<vtkRenderer>::New();
+  result.Renderer->SetViewport(viewport);
+  result.Window->AddRenderer(result.Renderer);
+  result.Renderer->SetAutomaticLightCreation(0);
+  GetScene(scene).Build(result.Renderer);
+  result.Lights = { vtkLight::SafeDownCast(result.Renderer->GetLights()->GetItemAsObject(0)) };
+  return result;
+}
+
+ShadowStage MakeStage(const std::string& scene = "ManyLights")
+{
+  return ShadowStage(GetScene(scene));
+}
+}
+
+// Odd corners and sizes; one pass for each renderer.
+TEST_F(PassWindows, TwoRenderers)
+{
+  ShadowStage left = MakeStage("Directional");
+  left.Window->SetSize(307, 211);
+  left.Renderer->SetViewport(0.05, 0.3, 0.45, 0.95);
+  const double viewport[4] = { 0.5, 0.1, 0.97, 0.7 };
+  const ShadowStage right = AddRenderer(left, "Spot", viewport);
+  for (int mode = vtkShadowVolumeClampPass::Unclamped; mode <= vtkShadowVolumeClampPass::Clamped;
+       ++mode)
+  {
+    SCOPED_TRACE("mode " + std::to_string(mode));
+    vtkSmartPointer<vtkShadowVolumeClampPass> leftPass = AddPass(left);
+    vtkSmartPointer<vtkShadowVolumeClampPass> rightPass = AddPass(right);
+    leftPass->SetMode(mode);
+    rightPass->SetMode(mode);
+    ExpectMatchesOracle(left, leftPass);
+    ExpectMatchesOracle(right, rightPass);
+    EXPECT_GT(ExpectComposedOfDimmed(left, leftPass), 100);
+    EXPECT_GT(ExpectComposedOfDimmed(right, rightPass), 100);
+  }
+}
+
+// Renderers of one window that share a pass see their own shadows.
+TEST_F(PassWindows, OnePassForTwoRenderers)
+{
+  ShadowStage left = MakeStage("Directional");
+  left.Window->SetSize(307, 211);
+  left.Renderer->SetViewport(0.05, 0.3, 0.45, 0.95);
+  const double viewport[4] = { 0.5, 0.1, 0.97, 0.7 };
+  const ShadowStage right = AddRenderer(left, "ManyLights", viewport);
+  vtkSmartPointer<vtkShadowVolumeClampPass> leftPass = AddPass(left);
+  vtkSmartPointer<vtkShadowVolumeClampPass> rightPass = AddPass(right);
+  left.Window->Render();
+  const ShadowImage expected = GetImage(left.Window);
+  vtkSmartPointer<vtkShadowVolumeClampPass> shared = AddPass(left);
+  right.Renderer->SetPass(shared);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    left.Window->Render();
+    EXPECT_TRUE(IsSameImage(expected, GetImage(left.Window), left.Window)) << "frame " << frame;
+  }
+}
+
+// A pass and actors that wander between windows.
+TEST_F(PassWindows, OnePassForTwoWindows)
+{
+  std::array<ShadowStage, 2> stages = { MakeStage("Directional"), MakeStage("Spot") };
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stages[0]);
+  stages[1].Renderer->SetPass(pass);
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    for (const ShadowStage& stage : stages)
+    {
+      ExpectMatchesOracle(stage, pass);
+      EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
+    }
+  }
+  for (ShadowStage& stage : stages)
+  {
+    EXPECT_GT(ExpectComposedOfDimmed(stage, pass), 100);
+  }
+  stages[0].Renderer = nullptr;
+  stages[0].Window = nullptr;
+  ExpectMatchesOracle(stages[1], pass);
+}
+
+TEST_F(PassWindows, Resizing)
+{
+  ShadowStage stage = MakeStage("Directional");
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  for (const auto& [width, height] : std::initializer_list<std::pair<int, int>>{
+         { 200, 150 }, { 97, 203 }, { 333, 55 }, { 1, 1 }, { 201, 151 }, { 2, 120 }, { 64, 64 } })
+  {
+    SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height));
+    stage.Window->SetSize(width, height);
+    ExpectMatchesOracle(stage, pass);
+    ExpectComposedOfDimmed(stage, pass);
+    EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
+  }
+}
+
+TEST_F(PassWindows, MultiSamplesOnAndOff)
+{
+  ShadowStage stage = MakeStage("Spot");
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  for (int samples : { 4, 0, 2, 4 })
+  {
+    SCOPED_TRACE(std::to_string(samples) + " samples");
+    stage.Window->SetMultiSamples(samples);
+    ExpectMatchesOracle(stage, pass);
+    EXPECT_GT(ExpectComposedOfDimmed(stage, pass), 100);
+  }
+}
+
+// The culler and the pass: what is hidden from the camera casts all the same.
+TEST_F(PassWindows, WithTheCuller)
+{
+  for (const char* name : { "CityDirectional", "ManyLights" })
+  {
+    SCOPED_TRACE(name);
+    const ShadowStage stage = MakeStage(name);
+    vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+    stage.Window->Render();
+    stage.Window->Render();
+    const ShadowImage expected = GetImage(stage.Window);
+    vtkNew<vtkNBufferCuller> culler;
+    stage.Renderer->AddCuller(culler);
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      SCOPED_TRACE("frame " + std::to_string(frame));
+      stage.Renderer->GetActiveCamera()->Modified();
+      stage.Window->Render();
+      EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
+      ExpectMatchesOracle(stage, pass);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------------------------
+class PassLifetime : public OffscreenFixture
+{
+};
+
+TEST_F(PassLifetime, PassBeforeWindow)
+{
+  const ShadowStage stage = MakeStage();
+  {
+    vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+    stage.Window->Render();
+    stage.Renderer->SetPass(nullptr);
+  }
+  stage.Window->Render();
+}
+
+TEST_F(PassLifetime, WindowBeforePass)
+{
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass;
+  std::array<ShadowMask, 2> masks;
+  for (ShadowMask& mask : masks)
+  {
+    const ShadowStage stage = MakeStage();
+    pass = pass ? pass : AddPass(stage);
+    stage.Renderer->SetPass(pass);
+    stage.Window->Render();
+    mask = GetMask(pass, stage.Lights[0], CountPixels(stage.Renderer));
+  }
+  EXPECT_TRUE(masks[0] == masks[1]);
+  EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
+}
+
+TEST_F(PassLifetime, NeverRendered)
+{
+  vtkNew<vtkShadowVolumeClampPass> pass;
+  EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::None);
+  int width = -1;
+  int height = -1;
+  EXPECT_TRUE(pass->GetMask(nullptr, width, height).empty());
+  EXPECT_EQ(width, 0);
+  EXPECT_EQ(height, 0);
+  pass->ReleaseGraphicsResources(nullptr);
+}
+
+// Hazard: objects of a context that is gone.
+TEST_F(PassLifetime, ReleasedAndDrawnAgain)
+{
+  const ShadowStage stage = MakeStage();
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  stage.Window->Render();
+  const ShadowImage expected = GetImage(stage.Window);
+  const std::function<void()> releases[] = { [&] { pass->ReleaseGraphicsResources(stage.Window); },
+    [&] { stage.Renderer->ReleaseGraphicsResources(stage.Window); },
+    [&] { stage.Window->Finalize(); },
+    [&]
+    {
+      pass->ReleaseGraphicsResources(stage.Window);
+      pass->ReleaseGraphicsResources(stage.Window);
+      stage.Window->Finalize();
+    } };
+  for (const std::function<void()>& release : releases)
+  {
+    release();
+    stage.Window->Render();
+    EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
+    EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
+    EXPECT_GT(ExpectComposedOfDimmed(stage, pass), 100);
+  }
+}

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RenderedTriangles.h
+ * @brief The triangles that a renderer draws for its opaque actors, in double world coordinates.
+ */
+#ifndef RenderedTriangles_h
+#define RenderedTriangles_h
+
+#include <vector>
+
+class vtkActor;
+class vtkProp;
+class vtkRenderer;
+
+/// A prop of the renderer and the actor of one of its paths (the same, assemblies apart).
+struct RenderedActor
+{
+  vtkProp* Prop = nullptr;
+  vtkActor* Actor = nullptr;
+};
+
+struct RenderedTriangles
+{
+  std::vector<double> Corners; ///< Nine coordinates for each triangle.
+  std::vector<int> Owners;     ///< For each triangle its actor's place in Actors.
+  std::vector<RenderedActor> Actors;
+};
+
+/**
+ * All actors that are visible, opaque and drawn as surfaces; assemblies by their paths, the visible
+ * blocks of composite data, polygons cut into triangles by the mapper's own function, clipping
+ * planes applied. Triangles with a coordinate that is not finite are left out.
+ *
+ * Throws std::invalid_argument for a mapper whose triangles are not known here.
+ */
+RenderedTriangles CollectRenderedTriangles(vtkRenderer* renderer);
+
+#endif

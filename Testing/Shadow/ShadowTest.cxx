@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShadowTest.h"
+
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+
+ShadowStage::ShadowStage(const NamedScene& scene)
+  : Window(vtkSmartPointer<vtkRenderWindow>::New())
+  , Renderer(vtkSmartPointer<vtkRenderer>::New())
+{
+  this->Window->SetOffScreenRendering(1);
+  this->Window->SetMultiSamples(scene.MultiSamples);
+  this->Window->SetSize(scene.Width, scene.Height);
+  this->Window->AddRenderer(this->Renderer);
+  this->Renderer->SetAutomaticLightCreation(0);
+  scene.Build(this->Renderer);
+  vtkCollectionSimpleIterator cookie;
+  this->Renderer->GetLights()->InitTraversal(cookie);
+  while (vtkLight* light = this->Renderer->GetLights()->GetNextLight(cookie))
+  {
+    this->Lights.push_back(light);
+  }
+}
+
+std::ostream& operator<<(std::ostream& stream, const MaskComparison& comparison)
+{
+  stream << comparison.Samples << " samples, " << comparison.Shadowed << " in shadow, "
+         << comparison.Wrong << " wrong, " << comparison.AmbiguousDiffering
+         << " differ and are ambiguous";
+  if (comparison.Wrong > 0)
+  {
+    stream << "; the first wrong one is pixel (" << comparison.FirstWrong[0] << ", "
+           << comparison.FirstWrong[1] << ")";
+  }
+  return stream;
+}
+
+MaskComparison CompareMask(const ShadowMask& mask, const OracleImage& oracle)
+{
+  MaskComparison result;
+  for (std::size_t i = 0; i < oracle.Samples.size(); ++i)
+  {
+    const OracleSample sample = oracle.Samples[i];
+    if (sample != OracleSample::Lit && sample != OracleSample::Shadowed)
+    {
+      continue;
+    }
+    const bool shadowed = sample == OracleSample::Shadowed;
+    ++result.Samples;
+    result.Shadowed += shadowed;
+    if ((mask.at(i) != 0) == shadowed)
+    {
+      continue;
+    }
+    if (oracle.Ambiguous[i])
+    {
+      ++result.AmbiguousDiffering;
+      continue;
+    }
+    if (result.Wrong++ == 0)
+    {
+      result.FirstWrong[0] = static_cast<int>(i % oracle.Width);
+      result.FirstWrong[1] = static_cast<int>(i / oracle.Width);
+    }
+  }
+  return result;
+}
+
+ShadowMask MakeMask(const OracleImage& oracle)
+{
+  ShadowMask mask;
+  mask.reserve(oracle.Samples.size());
+  for (const OracleSample sample : oracle.Samples)
+  {
+    mask.push_back(sample == OracleSample::Shadowed);
+  }
+  return mask;
+}
+
+::testing::AssertionResult MatchesOracle(const ShadowMask& mask, const OracleImage& oracle)
+{
+  if (mask.size() != oracle.Samples.size())
+  {
+    return ::testing::AssertionFailure()
+      << "The mask has " << mask.size() << " pixels, the oracle " << oracle.Samples.size();
+  }
+  const MaskComparison comparison = CompareMask(mask, oracle);
+  return (comparison.Wrong == 0 ? ::testing::AssertionSuccess() : ::testing::AssertionFailure())
+    << comparison;
+}

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ShadowTest.h
+ * @brief What shadow tests share: the window of a scene, and comparing a mask with the oracle.
+ */
+#ifndef ShadowTest_h
+#define ShadowTest_h
+
+#include "RayOracle.h"
+#include "ShadowScenes.h"
+
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <vector>
+
+/// A scene in an off-screen window of its size that has not rendered yet.
+struct ShadowStage
+{
+  explicit ShadowStage(const NamedScene& scene);
+
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkRenderer> Renderer;
+  std::vector<vtkLight*> Lights; ///< Those of the scene, in order.
+};
+
+/// A mask: one value for each pixel of the viewport, row by row, the lowest first; not 0: shadowed.
+using ShadowMask = std::vector<unsigned char>;
+
+struct MaskComparison
+{
+  int Samples = 0;            ///< Compared: lit or shadowed by the oracle.
+  int Shadowed = 0;           ///< Of these, shadowed by the oracle.
+  int Wrong = 0;              ///< They differ and are not ambiguous.
+  int AmbiguousDiffering = 0; ///< They differ and are ambiguous.
+  int FirstWrong[2] = { -1, -1 };
+};
+
+std::ostream& operator<<(std::ostream& stream, const MaskComparison& comparison);
+
+/// The mask's size has to be the oracle's.
+MaskComparison CompareMask(const ShadowMask& mask, const OracleImage& oracle);
+
+/// The oracle's own answer as a mask; what is not compared is 0.
+ShadowMask MakeMask(const OracleImage& oracle);
+
+/// For EXPECT_TRUE: no sample is wrong. Says how many are and where, else the counts.
+::testing::AssertionResult MatchesOracle(const ShadowMask& mask, const OracleImage& oracle);
+
+#endif

@@ -1,0 +1,358 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShadowMeshes.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+
+void ShadowMesh::AddQuad(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d)
+{
+  this->Triangles.insert(this->Triangles.end(), { a, b, c, a, c, d });
+}
+
+void ShadowMesh::Append(const ShadowMesh& other)
+{
+  const vtkIdType first = this->GetNumberOfPoints();
+  this->Points.insert(this->Points.end(), other.Points.begin(), other.Points.end());
+  for (const vtkIdType index : other.Triangles)
+  {
+    this->Triangles.push_back(first + index);
+  }
+}
+
+ShadowMesh ShadowMesh::Translate(double x, double y, double z) const
+{
+  return this->Move(
+    [=](const Point& point) { return Point{ point[0] + x, point[1] + y, point[2] + z }; });
+}
+
+ShadowMesh ShadowMesh::Reverse() const
+{
+  ShadowMesh result = *this;
+  for (std::size_t i = 0; i < this->Triangles.size(); i += 3)
+  {
+    std::swap(result.Triangles[i + 1], result.Triangles[i + 2]);
+  }
+  return result;
+}
+
+ShadowMesh ShadowMesh::Unshare() const
+{
+  ShadowMesh result;
+  result.Name = this->Name + ", unshared";
+  for (const vtkIdType index : this->Triangles)
+  {
+    result.Triangles.push_back(result.GetNumberOfPoints());
+    result.Points.push_back(this->Points[index]);
+  }
+  return result;
+}
+
+ShadowMesh MakeTetrahedron()
+{
+  return { "tetrahedron", { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+    { 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3 } };
+}
+
+ShadowMesh MakeCube()
+{
+  ShadowMesh mesh;
+  mesh.Name = "cube";
+  for (int i = 0; i < 8; ++i)
+  {
+    mesh.Points.push_back({ (i & 1) - 0.5, (i >> 1 & 1) - 0.5, (i >> 2) - 0.5 });
+  }
+  mesh.AddQuad(0, 2, 3, 1); // below
+  mesh.AddQuad(0, 1, 5, 4);
+  mesh.AddQuad(1, 3, 7, 5);
+  mesh.AddQuad(3, 2, 6, 7);
+  mesh.AddQuad(2, 0, 4, 6);
+  mesh.AddQuad(4, 5, 7, 6); // above
+  return mesh;
+}
+
+ShadowMesh MakeCubeOf24()
+{
+  const ShadowMesh cube = MakeCube();
+  ShadowMesh mesh;
+  mesh.Name = "cube with 24 points";
+  for (std::size_t face = 0; face < cube.Triangles.size(); face += 6)
+  {
+    const vtkIdType first = mesh.GetNumberOfPoints();
+    for (const int corner : { 0, 1, 2, 5 })
+    {
+      mesh.Points.push_back(cube.Points[cube.Triangles[face + corner]]);
+    }
+    mesh.AddQuad(first, first + 1, first + 2, first + 3);
+  }
+  return mesh;
+}
+
+ShadowMesh MakeSphere(int rows, int columns)
+{
+  ShadowMesh mesh;
+  mesh.Name = "sphere";
+  for (int i = 0; i <= rows; ++i)
+  {
+    for (int j = 0; j <= columns; ++j)
+    {
+      const bool pole = i == 0 || i == rows;
+      const double theta = vtkMath::Pi() * i / rows;
+      const double phi = 2.0 * vtkMath::Pi() * (j % columns) / columns;
+      const double radius = pole ? 0.0 : std::sin(theta);
+      mesh.Points.push_back({ radius * std::cos(phi), radius * std::sin(phi),
+        pole ? (i ? -1.0 : 1.0) : std::cos(theta) });
+    }
+  }
+  for (int i = 0; i < rows; ++i)
+  {
+    for (int j = 0; j < columns; ++j)
+    {
+      const int a = i * (columns + 1) + j;
+      const int b = a + columns + 1;
+      if (i > 0)
+      {
+        mesh.Triangles.insert(mesh.Triangles.end(), { a, b, a + 1 });
+      }
+      if (i < rows - 1)
+      {
+        mesh.Triangles.insert(mesh.Triangles.end(), { a + 1, b, b + 1 });
+      }
+    }
+  }
+  return mesh;
+}
+
+ShadowMesh MakeEll()
+{
+  ShadowMesh mesh;
+  mesh.Name = "L";
+  const double outline[6][2] = { { -1, -1 }, { 1, -1 }, { 1, 0 }, { 0, 0 }, { 0, 1 }, { -1, 1 } };
+  for (const double z : { -0.5, 0.5 })
+  {
+    for (const auto& corner : outline)
+    {
+      mesh.Points.push_back({ corner[0], corner[1], z });
+    }
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    const int j = (i + 1) % 6;
+    mesh.AddQuad(i, j, j + 6, i + 6);
+  }
+  mesh.AddQuad(6, 7, 8, 9);
+  mesh.AddQuad(6, 9, 10, 11);
+  mesh.AddQuad(0, 3, 2, 1);
+  mesh.AddQuad(0, 5, 4, 3);
+  return mesh;
+}
+
+ShadowMesh MakeTorus(int rows, int columns)
+{
+  ShadowMesh mesh;
+  mesh.Name = "torus";
+  for (int i = 0; i < rows; ++i)
+  {
+    for (int j = 0; j < columns; ++j)
+    {
+      const double theta = 2.0 * vtkMath::Pi() * i / rows;
+      const double phi = 2.0 * vtkMath::Pi() * j / columns;
+      const double radius = 0.8 + 0.3 * std::cos(theta);
+      mesh.Points.push_back(
+        { radius * std::cos(phi), radius * std::sin(phi), 0.3 * std::sin(theta) });
+    }
+  }
+  for (int i = 0; i < rows; ++i)
+  {
+    for (int j = 0; j < columns; ++j)
+    {
+      const int i1 = (i + 1) % rows;
+      const int j1 = (j + 1) % columns;
+      mesh.AddQuad(i * columns + j, i * columns + j1, i1 * columns + j1, i1 * columns + j);
+    }
+  }
+  return mesh;
+}
+
+ShadowMesh MakePentagram()
+{
+  ShadowMesh mesh;
+  mesh.Name = "bipyramid over a pentagram";
+  for (int i = 0; i < 5; ++i)
+  {
+    const double phi = 4.0 * vtkMath::Pi() * i / 5.0;
+    mesh.Points.push_back({ std::cos(phi), std::sin(phi), 0.0 });
+  }
+  mesh.Points.push_back({ 0.0, 0.0, 1.0 });
+  mesh.Points.push_back({ 0.0, 0.0, -1.0 });
+  for (int i = 0; i < 5; ++i)
+  {
+    const int j = (i + 1) % 5;
+    mesh.Triangles.insert(mesh.Triangles.end(), { i, j, 5, j, i, 6 });
+  }
+  return mesh;
+}
+
+ShadowMesh MakeQuad()
+{
+  ShadowMesh mesh;
+  mesh.Name = "quad";
+  mesh.Points = { { -1, -1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 } };
+  mesh.AddQuad(0, 1, 2, 3);
+  return mesh;
+}
+
+ShadowMesh MakeOpenCube()
+{
+  ShadowMesh mesh = MakeCube();
+  mesh.Name = "open cube";
+  mesh.Triangles.resize(mesh.Triangles.size() - 6);
+  return mesh;
+}
+
+ShadowMesh MakeMoebius(int segments)
+{
+  ShadowMesh mesh;
+  mesh.Name = "Moebius strip";
+  for (int i = 0; i < segments; ++i)
+  {
+    const double phi = 2.0 * vtkMath::Pi() * i / segments;
+    for (const double width : { -0.3, 0.3 })
+    {
+      const double radius = 1.0 + width * std::cos(phi / 2.0);
+      mesh.Points.push_back(
+        { radius * std::cos(phi), radius * std::sin(phi), width * std::sin(phi / 2.0) });
+    }
+  }
+  for (int i = 0; i < segments; ++i)
+  {
+    const int a = 2 * i;
+    const bool last = i == segments - 1;
+    mesh.AddQuad(a, a + 1, last ? 0 : a + 3, last ? 1 : a + 2);
+  }
+  return mesh;
+}
+
+ShadowMesh MakeThreePages()
+{
+  ShadowMesh mesh;
+  mesh.Name = "three pages";
+  mesh.Points = { { 0, 0, -1 }, { 0, 0, 1 }, { 1, 0, -1 }, { 1, 0, 1 }, { -0.5, 0.75, -1 },
+    { -0.5, 0.75, 1 }, { -0.5, -0.75, -1 }, { -0.5, -0.75, 1 } };
+  for (int page = 2; page < 8; page += 2)
+  {
+    mesh.AddQuad(0, page, page + 1, 1);
+  }
+  return mesh;
+}
+
+ShadowMesh MakeTwoSided()
+{
+  ShadowMesh mesh = MakeQuad();
+  mesh.Append(MakeQuad().Reverse());
+  mesh.Name = "two-sided quad";
+  return mesh;
+}
+
+ShadowMesh MakeSoup(std::mt19937& random, int points, int triangles)
+{
+  ShadowMesh mesh;
+  mesh.Name = "soup";
+  for (int i = 0; i < points; ++i)
+  {
+    mesh.Points.push_back(MakePoint(random, 1.0));
+  }
+  while (mesh.GetNumberOfTriangles() < triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      mesh.Triangles.push_back(static_cast<vtkIdType>(random() % points));
+    }
+  }
+  return mesh;
+}
+
+std::vector<ShadowMesh> MakeShadowMeshes(unsigned int seed)
+{
+  std::mt19937 random(seed);
+  std::vector<ShadowMesh> meshes = { MakeTetrahedron(), MakeCube(), MakeCubeOf24(),
+    MakeSphere(5, 7), MakeEll(), MakeTorus(4, 6), MakePentagram(), MakeQuad(), MakeOpenCube(),
+    MakeMoebius(9), MakeThreePages(), MakeTwoSided(), MakeSoup(random, 8, 25),
+    MakeSoup(random, 30, 20) };
+
+  ShadowMesh duplicates = MakeCube();
+  duplicates.Name = "cube with duplicate triangles";
+  duplicates.Append(MakeTetrahedron());
+  duplicates.Triangles.insert(duplicates.Triangles.end(), { 4, 5, 7, 4, 5, 7, 0, 2, 3 });
+  meshes.push_back(duplicates);
+
+  ShadowMesh twice = MakeCube();
+  twice.Append(MakeCube());
+  twice.Name = "cube twice";
+  meshes.push_back(twice);
+
+  ShadowMesh beside = MakeCube();
+  beside.Append(MakeCube().Translate(1, 1, 0));
+  beside.Name = "cubes that share an edge";
+  meshes.push_back(beside);
+
+  ShadowMesh mixed = MakeCube().Translate(-0.7, 0, 0);
+  mixed.Append(MakeTetrahedron().Reverse().Translate(0.4, 0, 0));
+  mixed.Name = "two bodies, one of them inside out";
+  meshes.push_back(mixed);
+
+  ShadowMesh flipped = MakeSphere(4, 5);
+  flipped.Name = "badly wound sphere";
+  for (std::size_t i = 0; i < flipped.Triangles.size(); i += 3)
+  {
+    if (random() % 2)
+    {
+      std::swap(flipped.Triangles[i + 1], flipped.Triangles[i + 2]);
+    }
+  }
+  meshes.push_back(flipped);
+  return meshes;
+}
+
+RigidMotion::RigidMotion(std::mt19937& random, double distance)
+{
+  double quaternion[4];
+  for (double& value : quaternion)
+  {
+    value = MakeUniform(random, -1.0, 1.0);
+  }
+  double matrix[3][3];
+  vtkMath::QuaternionToMatrix3x3(quaternion, matrix); // normalises
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Rows[i] = { matrix[i][0], matrix[i][1], matrix[i][2] };
+  }
+  this->Offset = MakePoint(random, distance);
+}
+
+Point RigidMotion::operator()(const Point& x) const
+{
+  Point result;
+  for (int i = 0; i < 3; ++i)
+  {
+    result[i] = vtkMath::Dot(this->Rows[i].data(), x.data()) + this->Offset[i];
+  }
+  return result;
+}
+
+double MakeUniform(std::mt19937& random, double a, double b)
+{
+  return a + (b - a) * (static_cast<double>(random()) / 4294967296.0);
+}
+
+Point MakePoint(std::mt19937& random, double extent)
+{
+  Point point;
+  for (double& value : point)
+  {
+    value = MakeUniform(random, -extent, extent);
+  }
+  return point;
+}

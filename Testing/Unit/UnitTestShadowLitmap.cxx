@@ -1,0 +1,392 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Queries of vtkShadowLitmap against a loop over the receivers that were added.
+#include "vtkShadowLitmap.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+struct Receiver
+{
+  double A[3];
+  double B[3];
+  double Radius;
+  int X;
+  int Y;
+};
+
+struct Map
+{
+  double Range[4] = { -2.0, 3.0, 10.0, 11.0 };
+  double Depths[2] = { 4.0, 36.0 };
+  std::vector<Receiver> Receivers;
+  vtkShadowLitmap Litmap;
+
+  void Build(int resolution)
+  {
+    this->Litmap.Begin(resolution, this->Range, this->Depths);
+    for (const Receiver& r : this->Receivers)
+    {
+      ASSERT_TRUE(this->Litmap.Add(r.A, r.B, r.Radius, r.X, r.Y));
+    }
+    this->Litmap.Build();
+  }
+};
+
+/// Points, some outside of the map, and a few segments of all lengths.
+std::vector<Receiver> MakeReceivers(const Map& map, int count, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-0.1, 1.1);
+  std::vector<Receiver> receivers;
+  for (int n = 0; n < count; ++n)
+  {
+    Receiver r;
+    r.Radius = n % 3 ? 0.0 : 0.02 * uniform(random) + 0.002;
+    const double length = n % 4 ? 0.0 : std::ldexp(1.0, -static_cast<int>(random() % 12));
+    const double* ranges[3] = { map.Range, map.Range + 2, map.Depths };
+    for (int i = 0; i < 3; ++i)
+    {
+      const double width = ranges[i][1] - ranges[i][0];
+      r.A[i] = ranges[i][0] + width * uniform(random);
+      r.B[i] = r.A[i] + width * length * (uniform(random) - 0.5);
+    }
+    r.X = static_cast<int>(random() % 640);
+    r.Y = static_cast<int>(random() % 480);
+    receivers.push_back(r);
+  }
+  return receivers;
+}
+
+bool Contains(const vtkShadowExtent& extent, const vtkShadowExtent& part)
+{
+  return extent.Near <= part.Near && extent.Far >= part.Far && extent.X0 <= part.X0 &&
+    extent.Y0 <= part.Y0 && extent.X1 >= part.X1 && extent.Y1 >= part.Y1 &&
+    (extent.Bins & part.Bins) == part.Bins;
+}
+
+bool Equal(const vtkShadowExtent& a, const vtkShadowExtent& b)
+{
+  return Contains(a, b) && Contains(b, a);
+}
+
+/// All receivers with a place in the rectangle (each segment by many of its points), without bins.
+vtkShadowExtent Scan(const Map& map, double p0, double q0, double p1, double q1)
+{
+  vtkShadowExtent result;
+  for (const Receiver& r : map.Receivers)
+  {
+    const bool point = std::equal(r.A, r.A + 2, r.B);
+    bool inside = false;
+    for (int i = 0; i <= (point ? 0 : 200) && !inside; ++i)
+    {
+      const double p = r.A[0] + (r.B[0] - r.A[0]) * i / 200.0;
+      const double q = r.A[1] + (r.B[1] - r.A[1]) * i / 200.0;
+      inside = p >= p0 - r.Radius && p <= p1 + r.Radius && q >= q0 - r.Radius && q <= q1 + r.Radius;
+    }
+    if (inside)
+    {
+      vtkShadowExtent one;
+      one.Near = std::min(r.A[2], r.B[2]);
+      one.Far = std::max(r.A[2], r.B[2]);
+      one.X0 = static_cast<std::uint16_t>(r.X);
+      one.Y0 = static_cast<std::uint16_t>(r.Y);
+      one.X1 = static_cast<std::uint16_t>(r.X + 1);
+      one.Y1 = static_cast<std::uint16_t>(r.Y + 1);
+      result.Merge(one);
+    }
+  }
+  return result;
+}
+
+/// What the squares that answer the query hold, from level 0.
+vtkShadowExtent ScanCover(const vtkShadowLitmap& map, const vtkNBufferRectangle& lexels)
+{
+  const vtkNBufferCover cover = vtkNBufferMath::GetCoverOfFour(lexels);
+  const int side = 1 << cover.Level;
+  vtkShadowExtent result;
+  for (int i = 0; i < cover.Count; ++i)
+  {
+    for (int y = cover.Y[i]; y < std::min(cover.Y[i] + side, map.GetResolution()); ++y)
+    {
+      for (int x = cover.X[i]; x < std::min(cover.X[i] + side, map.GetResolution()); ++x)
+      {
+        result.Merge(map.GetLevelData(0)[y * map.GetResolution() + x]);
+      }
+    }
+  }
+  return result;
+}
+
+/// Slabs hold every receiver of the rectangle, lie in the extent, in order and apart.
+void CheckSlabs(const Map& map, const vtkShadowExtent& extent, double p0, double q0, double p1,
+  double q1, int gap)
+{
+  const auto slabs = map.Litmap.GetSlabs(extent, gap);
+  ASSERT_EQ(slabs.empty(), extent.IsEmpty());
+  const double bin = (map.Depths[1] - map.Depths[0]) / vtkShadowLitmap::NumberOfBins;
+  for (std::size_t i = 0; i < slabs.size(); ++i)
+  {
+    ASSERT_LE(slabs[i].first, slabs[i].second);
+    ASSERT_GE(slabs[i].first, extent.Near);
+    ASSERT_LE(slabs[i].second, extent.Far);
+    ASSERT_TRUE(i == 0 || slabs[i].first - slabs[i - 1].second > gap * bin * (1.0 - 1e-9));
+  }
+  for (const Receiver& r : map.Receivers)
+  {
+    if (r.A[0] >= p0 && r.A[0] <= p1 && r.A[1] >= q0 && r.A[1] <= q1)
+    {
+      const double nearS = std::min(r.A[2], r.B[2]);
+      const double farS = std::max(r.A[2], r.B[2]);
+      ASSERT_TRUE(std::any_of(slabs.begin(), slabs.end(),
+        [=](const auto& slab) { return slab.first <= nearS && farS <= slab.second; }))
+        << "depths [" << nearS << ", " << farS << "], gap " << gap;
+    }
+  }
+}
+
+/// One query in all respects.
+void CheckQuery(const Map& map, double p0, double q0, double p1, double q1, int gap)
+{
+  std::ostringstream where;
+  where.precision(17);
+  where << "[" << p0 << ", " << p1 << "] x [" << q0 << ", " << q1 << "], resolution "
+        << map.Litmap.GetResolution();
+  SCOPED_TRACE(where.str());
+  const vtkShadowExtent extent = map.Litmap.Query(p0, q0, p1, q1);
+  ASSERT_TRUE(Contains(extent, Scan(map, p0, q0, p1, q1))) << "a receiver was missed";
+  const vtkNBufferRectangle lexels = map.Litmap.GetLexels(p0, q0, p1, q1);
+  ASSERT_TRUE(Equal(extent, lexels.IsEmpty() ? vtkShadowExtent() : ScanCover(map.Litmap, lexels)));
+  ASSERT_NO_FATAL_FAILURE(CheckSlabs(map, extent, p0, q0, p1, q1, gap));
+}
+
+class ShadowLitmap : public testing::TestWithParam<int>
+{
+};
+}
+
+// Hazard: a receiver that is missed loses its shadow. Rectangles inside, partly and wholly outside.
+TEST_P(ShadowLitmap, RandomRectangles)
+{
+  for (int count : { 0, 1, 40 })
+  {
+    Map map;
+    map.Receivers = MakeReceivers(map, count, 5 + count);
+    ASSERT_NO_FATAL_FAILURE(map.Build(this->GetParam()));
+    EXPECT_EQ(map.Litmap.GetNumberOfReceivers(), count);
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> uniform(-0.5, 1.5);
+    for (int n = 0; n < 300; ++n)
+    {
+      const double size = std::ldexp(1.0, -static_cast<int>(random() % 12));
+      const double p0 = -2.0 + 5.0 * uniform(random);
+      const double q0 = 10.0 + uniform(random);
+      const double p1 = p0 + 5.0 * size * (uniform(random) + 0.5);
+      const double q1 = q0 + size * (uniform(random) + 0.5);
+      ASSERT_NO_FATAL_FAILURE(CheckQuery(map, p0, q0, p1, q1, 1 + static_cast<int>(random() % 5)));
+    }
+    // Each receiver by itself, as small as it is.
+    for (const Receiver& r : map.Receivers)
+    {
+      ASSERT_NO_FATAL_FAILURE(CheckQuery(map, r.A[0], r.A[1], r.A[0], r.A[1], 1));
+    }
+    ASSERT_NO_FATAL_FAILURE(CheckQuery(map, -1e300, -1e300, 1e300, 1e300, 1));
+    ASSERT_NO_FATAL_FAILURE(CheckQuery(map, -Infinity, -Infinity, Infinity, Infinity, 64));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Resolutions, ShadowLitmap, testing::Values(1, 2, 3, 7, 64, 100),
+  testing::PrintToStringParamName());
+
+// Hazard: a rectangle that is none (a caster at the light's own plane) must not miss anything.
+TEST(ShadowLitmapOnce, NaNAsksForTheWholeMap)
+{
+  Map map;
+  map.Receivers = MakeReceivers(map, 30, 9);
+  ASSERT_NO_FATAL_FAILURE(map.Build(16));
+  const vtkShadowExtent all = map.Litmap.Query(-Infinity, -Infinity, Infinity, Infinity);
+  EXPECT_TRUE(Contains(all, Scan(map, -Infinity, -Infinity, Infinity, Infinity)));
+  EXPECT_TRUE(Equal(map.Litmap.Query(NaN, 10.0, 0.0, 10.1), all));
+  EXPECT_TRUE(Equal(map.Litmap.Query(0.0, NaN, 0.0, 10.1), all));
+  EXPECT_TRUE(Equal(map.Litmap.Query(0.0, 10.0, NaN, 10.1), all));
+  EXPECT_TRUE(Equal(map.Litmap.Query(0.0, 10.0, 0.1, NaN), all));
+  EXPECT_TRUE(Equal(map.Litmap.Query(0.1, 10.0, 0.0, 10.1), all)) << "wrong way round";
+}
+
+// Rectangles without a receiver near them are empty: casters there are culled.
+TEST(ShadowLitmapOnce, NothingIsFoundWhereNothingIs)
+{
+  Map map;
+  map.Receivers = { { { 0.0, 10.5, 8.0 }, { 0.0, 10.5, 8.0 }, 0.0, 3, 4 } };
+  ASSERT_NO_FATAL_FAILURE(map.Build(100));
+  EXPECT_FALSE(map.Litmap.Query(0.0, 10.5, 0.0, 10.5).IsEmpty());
+  EXPECT_TRUE(map.Litmap.Query(-1.0, 10.5, -0.5, 10.5).IsEmpty());
+  EXPECT_TRUE(map.Litmap.Query(0.0, 10.6, 0.0, 10.7).IsEmpty());
+  EXPECT_TRUE(map.Litmap.Query(4.0, 10.5, 5.0, 10.5).IsEmpty()) << "beside the map";
+  EXPECT_TRUE(map.Litmap.Query(0.0, -Infinity, 0.0, 9.0).IsEmpty()) << "beside the map";
+}
+
+// The guard: one lexel on all sides, cut to the map.
+TEST(ShadowLitmapOnce, QueriesAreWidenedByALexel)
+{
+  const double range[4] = { 0.0, 8.0, -8.0, 8.0 };
+  const double depths[2] = { 0.0, 1.0 };
+  vtkShadowLitmap litmap;
+  litmap.Begin(8, range, depths);
+  const vtkNBufferRectangle inside = litmap.GetLexels(2.5, -2.5, 2.6, 1.5);
+  EXPECT_EQ(inside.X0, 1);
+  EXPECT_EQ(inside.X1, 4);
+  EXPECT_EQ(inside.Y0, 1);
+  EXPECT_EQ(inside.Y1, 6);
+  const vtkNBufferRectangle cut = litmap.GetLexels(-0.5, 7.0, 0.5, 9.5);
+  EXPECT_EQ(cut.X0, 0);
+  EXPECT_EQ(cut.X1, 2);
+  EXPECT_EQ(cut.Y0, 6);
+  EXPECT_EQ(cut.Y1, 8);
+}
+
+// A long segment is put where it passes and not into its whole box.
+TEST(ShadowLitmapOnce, SegmentsAreThin)
+{
+  Map map;
+  map.Receivers = { { { -2.0, 10.0, 8.0 }, { 3.0, 11.0, 9.0 }, 1e-6, 3, 4 } };
+  ASSERT_NO_FATAL_FAILURE(map.Build(64));
+  const vtkShadowExtent* lexels = map.Litmap.GetLevelData(0);
+  const auto filled = std::count_if(
+    lexels, lexels + 64 * 64, [](const vtkShadowExtent& extent) { return !extent.IsEmpty(); });
+  EXPECT_GE(filled, 64);
+  EXPECT_LE(filled, 3 * 64);
+}
+
+// Hazard: values that are not finite would be put anywhere.
+TEST(ShadowLitmapOnce, RefusesWhatIsNotFinite)
+{
+  Map map;
+  map.Litmap.Begin(8, map.Range, map.Depths);
+  const double good[3] = { 0.0, 10.5, 8.0 };
+  for (double value : { NaN, Infinity, -Infinity })
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      double bad[3] = { 0.0, 10.5, 8.0 };
+      bad[i] = value;
+      EXPECT_FALSE(map.Litmap.Add(bad, good, 0.0, 0, 0));
+      EXPECT_FALSE(map.Litmap.Add(good, bad, 0.0, 0, 0));
+    }
+  }
+  EXPECT_EQ(map.Litmap.GetNumberOfReceivers(), 0);
+  map.Litmap.Build();
+  EXPECT_TRUE(map.Litmap.Query(NaN, NaN, NaN, NaN).IsEmpty());
+}
+
+// A receiver whose place is not known is found everywhere.
+TEST(ShadowLitmapOnce, AnInfiniteRadiusIsEverywhere)
+{
+  Map map;
+  map.Receivers = { { { 0.0, 0.0, 8.0 }, { 0.0, 0.0, 9.0 }, Infinity, 3, 4 } };
+  ASSERT_NO_FATAL_FAILURE(map.Build(64));
+  for (double p : { -100.0, -2.0, 0.5, 3.0, 1e9 })
+  {
+    for (double q : { -100.0, 10.0, 10.5, 11.0, 1e9 })
+    {
+      EXPECT_EQ(map.Litmap.Query(p, q, p, q).X0, 3);
+    }
+  }
+}
+
+// Hazard: all receivers at one p (a wall along the light) or in one place.
+TEST(ShadowLitmapOnce, RangesWithoutAWidth)
+{
+  Map map;
+  map.Range[1] = map.Range[0];
+  map.Depths[1] = map.Depths[0];
+  map.Receivers = { { { -2.0, 10.5, 4.0 }, { -2.0, 10.5, 4.0 }, 0.0, 1, 2 },
+    { { -2.0, 10.9, 4.0 }, { -2.0, 10.9, 4.0 }, 0.0, 3, 4 } };
+  ASSERT_NO_FATAL_FAILURE(map.Build(32));
+  const vtkShadowExtent extent = map.Litmap.Query(-2.0, 10.5, -2.0, 10.5);
+  EXPECT_EQ(extent.X0, 1);
+  EXPECT_EQ(extent.X1, 2);
+  const auto slabs = map.Litmap.GetSlabs(extent, 4);
+  ASSERT_EQ(slabs.size(), 1u);
+  EXPECT_EQ(slabs[0].first, 4.0);
+  EXPECT_EQ(slabs[0].second, 4.0);
+}
+
+// Hazard: memory is kept; what an older, larger map held must not show.
+TEST(ShadowLitmapOnce, BeginForgets)
+{
+  Map map;
+  map.Receivers = MakeReceivers(map, 200, 3);
+  ASSERT_NO_FATAL_FAILURE(map.Build(100));
+  map.Receivers = MakeReceivers(map, 3, 4);
+  ASSERT_NO_FATAL_FAILURE(map.Build(33));
+  EXPECT_EQ(map.Litmap.GetNumberOfReceivers(), 3);
+  EXPECT_EQ(map.Litmap.GetLevelData(map.Litmap.GetNumberOfLevels()), nullptr);
+  ASSERT_NO_FATAL_FAILURE(CheckQuery(map, -2.0, 10.0, 3.0, 11.0, 1));
+  ASSERT_NO_FATAL_FAILURE(CheckQuery(map, -1.0, 10.2, 1.0, 10.7, 1));
+  map.Litmap.Begin(33, map.Range, map.Depths);
+  EXPECT_TRUE(map.Litmap.Query(-2.0, 10.0, 3.0, 11.0).IsEmpty()) << "not built";
+}
+
+// Gaps of bins part slabs exactly as told.
+TEST(ShadowLitmapOnce, SlabsRespectTheGap)
+{
+  Map map; // 64 bins of half a unit.
+  for (double s : { 4.1, 4.6, 7.1, 20.1, 35.9 })
+  {
+    map.Receivers.push_back({ { 0.0, 10.5, s }, { 0.0, 10.5, s }, 0.0, 3, 4 });
+  }
+  ASSERT_NO_FATAL_FAILURE(map.Build(4));
+  const vtkShadowExtent extent = map.Litmap.Query(0.0, 10.5, 0.0, 10.5);
+  // Bins 0 and 1, 6, 32, 63: 4, 25 and 30 empty ones between.
+  EXPECT_EQ(map.Litmap.GetSlabs(extent, 1).size(), 4u);
+  EXPECT_EQ(map.Litmap.GetSlabs(extent, 4).size(), 4u);
+  EXPECT_EQ(map.Litmap.GetSlabs(extent, 5).size(), 3u);
+  EXPECT_EQ(map.Litmap.GetSlabs(extent, 26).size(), 2u);
+  EXPECT_EQ(map.Litmap.GetSlabs(extent, 31).size(), 1u);
+  EXPECT_EQ(map.Litmap.GetSlabs(vtkShadowExtent(), 4).size(), 0u);
+  const auto slabs = map.Litmap.GetSlabs(extent, 4);
+  EXPECT_EQ(slabs.front().first, 4.1);
+  EXPECT_NEAR(slabs.front().second, 5.0, 1e-9);
+  EXPECT_NEAR(slabs[1].first, 7.0, 1e-9);
+  EXPECT_NEAR(slabs[1].second, 7.5, 1e-9);
+  EXPECT_EQ(slabs.back().second, 35.9);
+}
+
+// Hazard: a depth on the edge of a bin, rounded to one side here and to the other there.
+TEST(ShadowLitmapOnce, SlabsHoldDepthsOnTheEdgesOfBins)
+{
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (int n = 0; n < 100; ++n)
+  {
+    Map map;
+    map.Depths[0] = (n % 3 - 1) * std::pow(10.0, n % 8) + uniform(random);
+    map.Depths[1] = map.Depths[0] + 10.0 * uniform(random);
+    for (int bin = 0; bin <= 64; ++bin)
+    {
+      const double edge = map.Depths[0] + (map.Depths[1] - map.Depths[0]) * bin / 64.0;
+      for (double s : { std::nextafter(edge, -1e9), edge, std::nextafter(edge, 1e9) })
+      {
+        map.Receivers = { { { 0.0, 10.5, s }, { 0.0, 10.5, s }, 0.0, 3, 4 } };
+        ASSERT_NO_FATAL_FAILURE(map.Build(1));
+        const auto slabs = map.Litmap.GetSlabs(map.Litmap.Query(0.0, 10.5, 0.0, 10.5), 1);
+        ASSERT_EQ(slabs.size(), 1u);
+        ASSERT_EQ(slabs[0].first, s) << "case " << n << ", bin " << bin;
+        ASSERT_EQ(slabs[0].second, s) << "case " << n << ", bin " << bin;
+      }
+    }
+  }
+}

@@ -1,0 +1,427 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What is drawn of a caster, where and how: decisions of vtkShadowPlan, without OpenGL.
+#include "ShadowCounts.h"
+#include "ShadowMeshes.h"
+
+#include "vtkShadowPlan.h"
+
+#include "vtkMath.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace
+{
+using Verdict = vtkShadowVerdict;
+
+vtkShadowLight MakeDirectional()
+{
+  vtkShadowLight light;
+  light.Kind = vtkShadowLightKind::Directional;
+  return light; // Straight down: s = -z.
+}
+
+/// At `height` above the origin, straight down.
+vtkShadowLight MakePositional(vtkShadowLightKind kind, double height, double cone = 60.0)
+{
+  vtkShadowLight light;
+  light.Kind = kind;
+  light.Position[2] = height;
+  light.ConeAngle = cone;
+  return light;
+}
+
+/// One caster, one light, a camera far away, receivers put in by hand.
+struct Situation
+{
+  explicit Situation(const vtkShadowLight& light, const ShadowMesh& mesh = MakeCube())
+    : Light(light)
+    , Frame(light)
+  {
+    this->Topology.Build(mesh.GetPoints(), mesh.GetNumberOfPoints(), mesh.Triangles.data(),
+      mesh.GetNumberOfTriangles());
+    this->View.Viewport[0] = 10;
+    this->View.Viewport[1] = 20;
+    this->View.Viewport[2] = 300;
+    this->View.Viewport[3] = 200;
+    // What lies more than 100 below the origin of the volume is before the near plane.
+    this->View.NearPlane[2] = 1.0;
+    this->View.NearPlane[3] = 100.0;
+    const double range[4] = { -4.0, 4.0, -4.0, 4.0 };
+    const double depths[2] = { -10.0, 54.0 };
+    this->Litmap.Begin(64, range, depths);
+  }
+
+  /// A receiver at a place in the world, seen at a pixel of the viewport.
+  void AddReceiver(const Point& x, int pixelX, int pixelY)
+  {
+    double pqs[3];
+    this->Frame.ToLight(x.data(), pqs);
+    ASSERT_TRUE(this->Litmap.Add(pqs, pqs, 0.0, pixelX, pixelY));
+  }
+
+  Verdict Decide(vtkShadowMode mode, int gap = 4, bool useLitmap = true)
+  {
+    this->Litmap.Build();
+    const double* points = this->Topology.GetPoints().data();
+    this->Silhouette.Compute(this->Topology, points, this->Light, this->Counting);
+    this->Footprint =
+      vtkShadowFootprint::Make(points, this->Topology.GetNumberOfPoints(), this->Frame);
+    vtkShadowPlan plan(
+      this->Light, this->Frame, this->View, mode, useLitmap ? &this->Litmap : nullptr, gap);
+    const double origin[3] = { 0.0, 0.0, 0.0 };
+    this->Volume.Begin(origin);
+    const Verdict verdict = plan.Add(
+      this->Silhouette, points, this->Topology.GetNumberOfPoints(), this->Footprint, this->Volume);
+    this->Draws = plan.GetDraws();
+    this->Slabs = plan.GetNumberOfSlabs();
+    this->CheckDraws();
+    return verdict;
+  }
+
+  /// Draws follow each other and take up all triangles.
+  void CheckDraws() const
+  {
+    int next = 0;
+    for (const vtkShadowDraw& draw : this->Draws)
+    {
+      EXPECT_EQ(draw.FirstIndex, next);
+      EXPECT_GT(draw.NumberOfIndices, 0);
+      next += draw.NumberOfIndices;
+    }
+    EXPECT_EQ(next, static_cast<int>(this->Volume.GetIndices().size()));
+  }
+
+  /// The smallest and the largest z of a draw's corners.
+  std::pair<double, double> GetHeights(const vtkShadowDraw& draw) const
+  {
+    std::pair<double, double> result = { HUGE_VAL, -HUGE_VAL };
+    for (int i = draw.FirstIndex; i < draw.FirstIndex + draw.NumberOfIndices; ++i)
+    {
+      const float* vertex = &this->Volume.GetVertices()[4 * this->Volume.GetIndices()[i]];
+      result.first = std::min<double>(result.first, vertex[2]);
+      result.second = std::max<double>(result.second, vertex[2]);
+    }
+    return result;
+  }
+
+  vtkShadowLight Light;
+  vtkShadowFrame Frame;
+  vtkShadowTopology Topology;
+  vtkShadowSilhouette Silhouette;
+  vtkShadowCounting Counting = vtkShadowCounting::Away;
+  vtkShadowFootprint Footprint;
+  vtkShadowLitmap Litmap;
+  vtkShadowPlan::View View;
+  vtkShadowVolume Volume;
+  std::vector<vtkShadowDraw> Draws;
+  int Slabs = 0;
+};
+
+void ExpectBox(const vtkShadowDraw& draw, int x, int y, int width, int height)
+{
+  EXPECT_EQ(draw.Box[0], x);
+  EXPECT_EQ(draw.Box[1], y);
+  EXPECT_EQ(draw.Box[2], width);
+  EXPECT_EQ(draw.Box[3], height);
+}
+}
+
+TEST(ShadowPlanFootprint, HoldsAllPoints)
+{
+  std::mt19937 random(3);
+  for (const bool positional : { false, true })
+  {
+    for (int n = 0; n < 50; ++n)
+    {
+      vtkShadowLight light = MakePositional(
+        positional ? vtkShadowLightKind::Spot : vtkShadowLightKind::Directional, 5.0);
+      for (double& x : light.Direction)
+      {
+        x += 0.5 * MakeUniform(random, -0.5, 0.5);
+      }
+      vtkMath::Normalize(light.Direction);
+      const vtkShadowFrame frame(light);
+      std::vector<Point> points;
+      for (int i = 0; i < 20; ++i)
+      {
+        points.push_back(MakePoint(random, 2.0));
+      }
+      const auto footprint = vtkShadowFootprint::Make(points[0].data(), 20, frame);
+      int touched[6] = {};
+      for (const Point& point : points)
+      {
+        double pqs[3];
+        frame.ToLight(point.data(), pqs);
+        const double bounds[3][2] = { { footprint.P[0], footprint.P[1] },
+          { footprint.Q[0], footprint.Q[1] }, { footprint.Near, footprint.Far } };
+        for (int i = 0; i < 3; ++i)
+        {
+          EXPECT_LE(bounds[i][0], pqs[i]);
+          EXPECT_GE(bounds[i][1], pqs[i]);
+          touched[2 * i] += bounds[i][0] == pqs[i];
+          touched[2 * i + 1] += bounds[i][1] == pqs[i];
+        }
+      }
+      EXPECT_EQ(std::count(touched, touched + 6, 0), 0) << "no wider than need be, case " << n;
+    }
+  }
+}
+
+TEST(ShadowPlan, WithoutALitmapAllIsDrawnEverywhere)
+{
+  for (const auto mode : { vtkShadowMode::Unclamped, vtkShadowMode::Exact, vtkShadowMode::Clamped })
+  {
+    Situation situation(MakeDirectional());
+    EXPECT_EQ(situation.Decide(mode, 4, false), Verdict::Whole);
+    ASSERT_EQ(situation.Draws.size(), 1u);
+    ExpectBox(situation.Draws[0], 10, 20, 300, 200);
+  }
+  Situation situation(MakeDirectional());
+  situation.AddReceiver({ 0.0, 0.0, -3.0 }, 5, 6);
+  EXPECT_EQ(situation.Decide(vtkShadowMode::Unclamped), Verdict::Whole) << "not asked";
+}
+
+TEST(ShadowPlan, VerdictsFollowTheReceivers)
+{
+  for (const auto mode : { vtkShadowMode::Exact, vtkShadowMode::Clamped })
+  {
+    const Verdict drawn = mode == vtkShadowMode::Exact ? Verdict::Boxed : Verdict::Clamped;
+    const struct
+    {
+      const char* Where;
+      Point Receiver;
+      Verdict Expected;
+    } cases[] = { { "below", { 0.0, 0.0, -3.0 }, drawn },
+      { "above", { 0.0, 0.0, 3.0 }, Verdict::BeforeCaster },
+      { "beside", { 3.5, 3.5, -3.0 }, Verdict::NoReceiver },
+      { "inside", { 0.0, 0.0, 0.0 }, drawn } };
+    for (const auto& c : cases)
+    {
+      SCOPED_TRACE(c.Where);
+      Situation situation(MakeDirectional());
+      situation.AddReceiver(c.Receiver, 5, 6);
+      EXPECT_EQ(situation.Decide(mode), c.Expected);
+      EXPECT_EQ(situation.Draws.empty(), c.Expected != drawn);
+    }
+    Situation nothing(MakeDirectional());
+    EXPECT_EQ(nothing.Decide(mode), Verdict::NoReceiver);
+    Situation empty(MakeDirectional(), ShadowMesh());
+    empty.AddReceiver({ 0.0, 0.0, -3.0 }, 5, 6);
+    EXPECT_EQ(empty.Decide(mode), Verdict::Empty);
+  }
+}
+
+// Pixels of the receivers, in the framebuffer's coordinates.
+TEST(ShadowPlan, BoxesHoldTheReceiversPixels)
+{
+  Situation situation(MakeDirectional());
+  situation.AddReceiver({ 0.1, 0.1, -3.0 }, 5, 6);
+  situation.AddReceiver({ -0.1, 0.1, -3.0 }, 12, 4);
+  situation.AddReceiver({ 3.5, 3.5, -3.0 }, 200, 150);
+  for (const auto mode : { vtkShadowMode::Exact, vtkShadowMode::Clamped })
+  {
+    situation.Decide(mode);
+    ASSERT_EQ(situation.Draws.size(), 1u);
+    ExpectBox(situation.Draws[0], 15, 24, 8, 3);
+  }
+}
+
+TEST(ShadowPlan, CastersAtTheLightsPlane)
+{
+  // The cube reaches from -0.5 to 0.5 or so; lights below, in, and above it.
+  Situation behind(MakePositional(vtkShadowLightKind::Spot, -5.0));
+  behind.AddReceiver({ 0.0, 0.0, -8.0 }, 5, 6);
+  EXPECT_EQ(behind.Decide(vtkShadowMode::Exact), Verdict::BehindLight);
+  EXPECT_EQ(behind.Decide(vtkShadowMode::Unclamped), Verdict::BehindLight);
+  EXPECT_TRUE(behind.Draws.empty());
+
+  for (const auto mode : { vtkShadowMode::Exact, vtkShadowMode::Clamped })
+  {
+    Situation through(
+      MakePositional(vtkShadowLightKind::Spot, 0.1), MakeCube().Translate(3.0, 0.0, 0.0));
+    through.AddReceiver({ 0.0, 0.0, -8.0 }, 5, 6);
+    EXPECT_EQ(through.Decide(mode), Verdict::ThroughLightPlane);
+    ASSERT_EQ(through.Draws.size(), 1u);
+    ExpectBox(through.Draws[0], 15, 26, 1, 1);
+  }
+
+  Situation front(MakePositional(vtkShadowLightKind::Spot, 5.0));
+  front.AddReceiver({ 0.0, 0.0, -8.0 }, 5, 6);
+  EXPECT_EQ(front.Decide(vtkShadowMode::Exact), Verdict::Boxed);
+
+  // A point light shines on both sides.
+  Situation point(MakePositional(vtkShadowLightKind::Point, -5.0));
+  EXPECT_EQ(point.Decide(vtkShadowMode::Unclamped, 4, false), Verdict::Whole);
+}
+
+// Groups of receivers make slabs of their own where they are far enough from each other.
+TEST(ShadowPlan, SlabsHoldTheReceivers)
+{
+  Situation situation(MakeDirectional());
+  const double heights[] = { -4.0, -5.0, -20.0, -45.0 };
+  for (double z : heights)
+  {
+    situation.AddReceiver({ 0.0, 0.0, z }, 5, 6);
+  }
+  const std::pair<int, std::size_t> gaps[] = { { 4, 3u }, { 20, 2u }, { 64, 1u } };
+  for (const auto& [gap, slabs] : gaps)
+  {
+    SCOPED_TRACE("gap " + std::to_string(gap));
+    EXPECT_EQ(situation.Decide(vtkShadowMode::Clamped, gap), Verdict::Clamped);
+    EXPECT_EQ(situation.Draws.size(), slabs);
+    EXPECT_EQ(situation.Slabs, static_cast<int>(slabs));
+    for (double z : heights)
+    {
+      EXPECT_EQ(std::count_if(situation.Draws.begin(), situation.Draws.end(),
+                  [&](const vtkShadowDraw& draw)
+                  {
+                    const auto [low, high] = situation.GetHeights(draw);
+                    return low <= z && z <= high;
+                  }),
+        1)
+        << z;
+    }
+  }
+}
+
+// Receivers before the caster need no slab; those within its depths are in one with it.
+TEST(ShadowPlan, SlabsThatReachTheCasterAreOne)
+{
+  const ShadowMesh tall =
+    MakeCube().Move([](const Point& x) { return Point{ x[0], x[1], 20.0 * x[2] }; });
+  Situation situation(MakeDirectional(), tall);
+  const auto bounds = vtkShadowFootprint::Make(
+    tall.GetPoints(), static_cast<int>(tall.Points.size()), situation.Frame);
+  for (double z : { 9.9, 0.0, -bounds.Far + 0.5, -40.0 })
+  {
+    situation.AddReceiver({ 0.0, 0.0, z }, 5, 6);
+  }
+  EXPECT_EQ(situation.Decide(vtkShadowMode::Clamped, 1), Verdict::Clamped);
+  EXPECT_EQ(situation.Draws.size(), 2u);
+  // Counted once: what is inside of both would be twice as deep in shadow.
+  const auto upper = situation.GetHeights(situation.Draws[0]);
+  const auto lower = situation.GetHeights(situation.Draws[1]);
+  EXPECT_GT(upper.first, lower.second);
+
+  Situation before(MakeDirectional());
+  before.AddReceiver({ 0.0, 0.0, 8.0 }, 5, 6);
+  before.AddReceiver({ 0.0, 0.0, -8.0 }, 5, 6);
+  EXPECT_EQ(before.Decide(vtkShadowMode::Clamped), Verdict::Clamped);
+  EXPECT_EQ(before.Draws.size(), 1u);
+  EXPECT_LT(before.GetHeights(before.Draws[0]).second, 0.0);
+}
+
+// z-pass only where all of the piece lies beyond the near plane.
+TEST(ShadowPlan, ZPassNeedsAllOfThePieceBeyondTheNearPlane)
+{
+  Situation situation(MakeDirectional());
+  situation.AddReceiver({ 0.0, 0.0, -4.0 }, 5, 6);
+  situation.AddReceiver({ 0.0, 0.0, -50.0 }, 5, 6);
+  situation.Decide(vtkShadowMode::Clamped);
+  ASSERT_EQ(situation.Draws.size(), 2u);
+  EXPECT_TRUE(situation.Draws[0].ZPass);
+  EXPECT_TRUE(situation.Draws[1].ZPass);
+  situation.View.NearPlane[3] = 20.0; // Only what is above -20.
+  situation.Decide(vtkShadowMode::Clamped);
+  ASSERT_EQ(situation.Draws.size(), 2u);
+  EXPECT_TRUE(situation.Draws[0].ZPass);
+  EXPECT_FALSE(situation.Draws[1].ZPass);
+  // The whole volume goes down for ever.
+  situation.Decide(vtkShadowMode::Exact);
+  EXPECT_FALSE(situation.Draws.at(0).ZPass);
+  // A near plane that looks down has all of it before itself.
+  situation.View.NearPlane[2] = -1.0;
+  situation.Decide(vtkShadowMode::Exact);
+  EXPECT_TRUE(situation.Draws.at(0).ZPass);
+  // One that touches the cap does not.
+  situation.View.NearPlane[3] = -situation.Footprint.Far;
+  situation.Decide(vtkShadowMode::Exact);
+  EXPECT_FALSE(situation.Draws.at(0).ZPass);
+}
+
+// Lines of sight of a parallel camera end at infinity: in as many of the volumes of a positional
+// light as triangles that count lie in their direction.
+TEST(ShadowPlan, StartsOfParallelCameras)
+{
+  std::mt19937 random(11);
+  int inside = 0;
+  for (int n = 0; n < 200; ++n)
+  {
+    const bool all = n % 2 == 0;
+    Situation situation(
+      MakePositional(n % 3 == 0 ? vtkShadowLightKind::Spot : vtkShadowLightKind::Point, 3.0),
+      n % 5 == 0 ? MakeTorus(6, 8) : MakeCube());
+    situation.Counting = all ? vtkShadowCounting::All : vtkShadowCounting::Away;
+    situation.View.Parallel = true;
+    double* direction = situation.View.Direction;
+    const Point offset = MakePoint(random, 0.4);
+    direction[0] = offset[0];
+    direction[1] = offset[1];
+    direction[2] = -1.0;
+    vtkMath::Normalize(direction);
+    // Nothing is beyond this plane, so that nothing is counted from the eye.
+    situation.View.NearPlane[2] = 0.0;
+    situation.View.NearPlane[3] = -1.0;
+    situation.Decide(vtkShadowMode::Unclamped, 4, false);
+    ASSERT_EQ(situation.Draws.size(), 1u);
+    EXPECT_FALSE(situation.Draws[0].ZPass);
+    // From the light in that direction, far away: the same by the volume itself.
+    Point far;
+    for (int i = 0; i < 3; ++i)
+    {
+      far[i] = situation.Light.Position[i] + 1e4 * direction[i];
+    }
+    const Point origin = { 0.0, 0.0, 0.0 };
+    EXPECT_EQ(situation.Draws[0].Start, CountInVolume(situation.Volume, origin, far, random))
+      << "case " << n;
+    inside += situation.Draws[0].Start > 0;
+    if (situation.Draws[0].Start > 0)
+    {
+      ExpectBox(situation.Draws[0], 10, 20, 300, 200);
+    }
+    // Perspective lines of sight end at the receiver or beyond all.
+    situation.View.Parallel = false;
+    situation.Decide(vtkShadowMode::Unclamped, 4, false);
+    EXPECT_EQ(situation.Draws.at(0).Start, 0);
+  }
+  EXPECT_GT(inside, 20);
+  EXPECT_LT(inside, 180);
+}
+
+// A directional light's volumes end in one direction, which no line of sight but one has.
+TEST(ShadowPlan, DirectionalLightsNeedNoStart)
+{
+  Situation situation(MakeDirectional());
+  situation.View.Parallel = true;
+  situation.View.NearPlane[2] = 0.0;
+  situation.View.NearPlane[3] = -1.0;
+  situation.Decide(vtkShadowMode::Unclamped, 4, false);
+  EXPECT_EQ(situation.Draws.at(0).Start, 0);
+}
+
+// Caps in surfaces that may be lit are those of open meshes, where the piece has one.
+TEST(ShadowPlan, OffsetsAreForCapsInLitSurfaces)
+{
+  Situation closed(MakeDirectional());
+  closed.AddReceiver({ 0.0, 0.0, -3.0 }, 5, 6);
+  closed.Decide(vtkShadowMode::Exact);
+  EXPECT_FALSE(closed.Draws.at(0).Offset);
+  EXPECT_EQ(closed.Draws.at(0).MaximumCount, 1);
+  Situation open(MakeDirectional(), MakeOpenCube());
+  open.AddReceiver({ 0.0, 0.0, -3.0 }, 5, 6);
+  open.Decide(vtkShadowMode::Exact);
+  EXPECT_TRUE(open.Draws.at(0).Offset);
+  open.Decide(vtkShadowMode::Clamped);
+  EXPECT_FALSE(open.Draws.at(0).Offset) << "begins below the caster";
+  open.Decide(vtkShadowMode::Unclamped);
+  EXPECT_TRUE(open.Draws.at(0).Offset);
+}

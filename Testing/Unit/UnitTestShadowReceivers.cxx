@@ -1,0 +1,444 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From depth images to litmaps: points whose places are known are projected, their depths rounded,
+// and every one must be found where it is.
+#include "vtkShadowReceivers.h"
+
+#include "vtkCamera.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+using Kind = vtkShadowLightKind;
+using Point = std::array<double, 3>;
+
+/// An image of known points.
+struct Image
+{
+  vtkShadowView View;
+  std::vector<float> Depth;
+  std::vector<Point> World; ///< Exact; of the background anything.
+};
+
+struct Camera
+{
+  bool Parallel = false;
+  double Near = 0.1;
+  double Far = 1000.0;
+  Point Origin = { 0.0, 0.0, 0.0 };
+  double Angle = 60.0;
+  /// 16 or 24: normalised; 32: float.
+  int DepthBits = 24;
+};
+
+void PrintTo(const Camera& c, std::ostream* os)
+{
+  *os << (c.Parallel ? "parallel" : "perspective") << ", near " << c.Near << ", far " << c.Far
+      << ", origin " << c.Origin[0] << ", angle " << c.Angle << ", bits " << c.DepthBits;
+}
+
+class Maker
+{
+public:
+  Maker(const Camera& camera, int width, int height, unsigned int seed)
+    : Setup(camera)
+    , Random(seed)
+  {
+    this->Made.View.Width = width;
+    this->Made.View.Height = height;
+    this->Made.View.DepthQuantum = camera.DepthBits == 16 ? 0x1p-16 : 0x1p-24;
+    std::copy_n(camera.Origin.data(), 3, this->Made.View.Origin);
+    this->Aspect = static_cast<double>(width) / height;
+    // At the origin: the matrix is relative to the eye.
+    const Point focus = this->Vector(1.0);
+    const Point up = this->Vector(1.0);
+    this->Eye->SetPosition(0.0, 0.0, 0.0);
+    this->Eye->SetFocalPoint(focus[0], focus[1], focus[2]);
+    this->Eye->SetViewUp(up[0], up[1], up[2]);
+    this->Eye->OrthogonalizeViewUp();
+    this->Eye->SetViewAngle(camera.Angle);
+    this->Eye->SetParallelProjection(camera.Parallel);
+    this->Eye->SetParallelScale(0.3 * camera.Far);
+    this->Eye->SetClippingRange(camera.Near, camera.Far);
+    this->WorldToClip->DeepCopy(
+      this->Eye->GetCompositeProjectionTransformMatrix(this->Aspect, -1.0, 1.0));
+    vtkNew<vtkMatrix4x4> inverse;
+    vtkMatrix4x4::Invert(this->WorldToClip, inverse);
+    std::copy_n(inverse->GetData(), 16, this->Made.View.ClipToWorld);
+  }
+
+  /// Uniform in [-size, size].
+  double Number(double size)
+  {
+    return std::uniform_real_distribution<double>(-size, size)(this->Random);
+  }
+
+  Point Vector(double size)
+  {
+    const double x = this->Number(size);
+    const double y = this->Number(size);
+    return { x, y, this->Number(size) };
+  }
+
+  /// A point for the next sample: at distance z, seen at (x, y) in pixels.
+  void Add(double x, double y, double z)
+  {
+    const double* forward = this->Eye->GetDirectionOfProjection();
+    const double* up = this->Eye->GetViewUp();
+    double right[3];
+    vtkMath::Cross(forward, up, right);
+    const double size = this->Setup.Parallel
+      ? this->Eye->GetParallelScale()
+      : z * std::tan(vtkMath::RadiansFromDegrees(0.5 * this->Setup.Angle));
+    const double across = size * this->Aspect * (2.0 * x / this->Made.View.Width - 1.0);
+    const double upwards = size * (2.0 * y / this->Made.View.Height - 1.0);
+    double point[4] = { 0.0, 0.0, 0.0, 1.0 };
+    Point world;
+    for (int i = 0; i < 3; ++i)
+    {
+      point[i] = z * forward[i] + across * right[i] + upwards * up[i];
+      world[i] = this->Setup.Origin[i] + point[i];
+    }
+    this->Made.World.push_back(world);
+    // As a graphics device does it: everything rounded to float, in the clip coordinates too.
+    float clip[2] = { 0.0f, 0.0f };
+    for (int i = 0; i < 4; ++i)
+    {
+      clip[0] +=
+        static_cast<float>(this->WorldToClip->GetElement(2, i)) * static_cast<float>(point[i]);
+      clip[1] +=
+        static_cast<float>(this->WorldToClip->GetElement(3, i)) * static_cast<float>(point[i]);
+    }
+    this->Made.Depth.push_back(this->Round(0.5f * (clip[0] / clip[1]) + 0.5f));
+  }
+
+  /// All samples, at distances of all magnitudes; one in eight is background.
+  void AddAll()
+  {
+    for (const std::array<double, 2>& sample : this->Made.View.Samples)
+    {
+      for (int y = 0; y < this->Made.View.Height; ++y)
+      {
+        for (int x = 0; x < this->Made.View.Width; ++x)
+        {
+          const double t = 0.5 + this->Number(0.4999);
+          this->Add(x + sample[0], y + sample[1],
+            this->Setup.Near * std::pow(this->Setup.Far / this->Setup.Near, t));
+          if (this->Random() % 8 == 0)
+          {
+            this->Made.Depth.back() = 1.0f;
+          }
+        }
+      }
+    }
+  }
+
+  /// Positional ones are near one of the points.
+  vtkShadowLight MakeLight(Kind kind)
+  {
+    vtkShadowLight light;
+    light.Kind = kind;
+    const Point& near = this->Made.World[this->Random() % this->Made.World.size()];
+    double distance = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      distance += std::abs(near[i] - this->Setup.Origin[i]);
+    }
+    Point direction = this->Vector(1.0);
+    vtkMath::Normalize(direction.data());
+    for (int i = 0; i < 3; ++i)
+    {
+      light.Position[i] = near[i] + this->Number(distance);
+      light.Direction[i] = direction[i];
+    }
+    light.ConeAngle = 45.0 + this->Number(44.0);
+    return light;
+  }
+
+  Image Made;
+
+private:
+  /// As it would be stored, one step off now and then.
+  float Round(float depth)
+  {
+    depth = std::clamp(depth, 0.0f, 1.0f);
+    if (this->Setup.DepthBits == 32)
+    {
+      return std::nextafter(depth, this->Random() % 2 ? 0.0f : 1.0f);
+    }
+    const double steps = std::ldexp(1.0, this->Setup.DepthBits) - 1.0;
+    return static_cast<float>(
+      std::clamp(std::round(depth * steps + this->Number(1.0)), 0.0, steps) / steps);
+  }
+
+  Camera Setup;
+  double Aspect;
+  std::mt19937 Random;
+  vtkNew<vtkCamera> Eye;
+  vtkNew<vtkMatrix4x4> WorldToClip;
+};
+
+bool IsInCone(const vtkShadowLight& light, const double x[3])
+{
+  double ray[3];
+  vtkMath::Subtract(x, light.Position, ray);
+  return light.Kind != Kind::Spot ||
+    vtkMath::AngleBetweenVectors(ray, light.Direction) <=
+    vtkMath::RadiansFromDegrees(light.ConeAngle);
+}
+
+/// The axes under which a light is looked at: its own, or those of a cube.
+std::vector<vtkShadowFrame> GetFrames(const vtkShadowLight& light)
+{
+  if (light.Kind != Kind::Point)
+  {
+    return { vtkShadowFrame(light) };
+  }
+  std::vector<vtkShadowFrame> frames;
+  for (int i = 0; i < 6; ++i)
+  {
+    double axis[3] = { 0.0, 0.0, 0.0 };
+    axis[i / 2] = i % 2 ? -1.0 : 1.0;
+    frames.emplace_back(light, axis);
+  }
+  return frames;
+}
+
+/// Scatter the image and look for every point that the light reaches; returns how many there are.
+int CheckAll(const Image& image, const vtkShadowLight& light, const unsigned char* lit,
+  int resolution, vtkShadowLitmap& litmap)
+{
+  const vtkShadowView& view = image.View;
+  int found = 0;
+  for (const vtkShadowFrame& frame : GetFrames(light))
+  {
+    vtkShadowReceivers::Scatter(image.Depth.data(), lit, view, light, frame, resolution, litmap);
+    litmap.Build();
+    for (std::size_t i = 0; i < image.Depth.size(); ++i)
+    {
+      double pqs[3];
+      frame.ToLight(image.World[i].data(), pqs);
+      const bool inFrame = light.Kind == Kind::Directional ||
+        (pqs[2] > 0.0 && IsInCone(light, image.World[i].data()) &&
+          (light.Kind == Kind::Spot || std::max(std::abs(pqs[0]), std::abs(pqs[1])) <= 1.0));
+      if (image.Depth[i] >= 1.0f || (lit && !lit[i]) || !inFrame)
+      {
+        continue;
+      }
+      const int x = static_cast<int>(i % view.Width);
+      const int y = static_cast<int>(i / view.Width) % view.Height;
+      const vtkNBufferRectangle lexels = litmap.GetLexels(pqs[0], pqs[1], pqs[0], pqs[1]);
+      // Without the guard, where it is not cut at the border.
+      const bool whole = lexels.GetWidth() == 3 && lexels.GetHeight() == 3;
+      const vtkShadowExtent extent = whole
+        ? litmap.GetLevelData(0)[(lexels.Y0 + 1) * resolution + lexels.X0 + 1]
+        : litmap.Query(pqs[0], pqs[1], pqs[0], pqs[1]);
+      std::ostringstream where;
+      where.precision(17);
+      where << "sample " << i << ", depth " << image.Depth[i] << ", p, q, s " << pqs[0] << " "
+            << pqs[1] << " " << pqs[2] << ", extent " << extent.Near << " to " << extent.Far
+            << ", kind " << static_cast<int>(light.Kind);
+      EXPECT_TRUE(extent.X0 <= x && x < extent.X1 && extent.Y0 <= y && y < extent.Y1)
+        << where.str();
+      EXPECT_TRUE(extent.Near <= pqs[2] && pqs[2] <= extent.Far) << where.str();
+      const auto slabs = litmap.GetSlabs(extent, 1);
+      EXPECT_TRUE(std::any_of(slabs.begin(), slabs.end(),
+        [&](const auto& slab) { return slab.first <= pqs[2] && pqs[2] <= slab.second; }))
+        << where.str();
+      ++found;
+      if (testing::Test::HasFailure())
+      {
+        return found;
+      }
+    }
+  }
+  return found;
+}
+
+class ShadowReceivers : public testing::TestWithParam<Camera>
+{
+};
+}
+
+// Hazard: a receiver in a lexel where no query looks, or outside of its extent, loses its shadow.
+TEST_P(ShadowReceivers, NoneIsMissed)
+{
+  vtkShadowLitmap litmap;
+  const int sizes[][2] = { { 37, 23 }, { 1, 50 }, { 50, 1 }, { 16, 16 }, { 3, 5 }, { 1, 1 } };
+  const int resolutions[] = { 64, 1, 17, 256 };
+  int found = 0;
+  for (unsigned int n = 0; n < 24; ++n)
+  {
+    const Kind kind = static_cast<Kind>(n % 3);
+    std::ostringstream where;
+    where << "case " << n;
+    SCOPED_TRACE(where.str());
+    Maker maker(this->GetParam(), sizes[n % 6][0], sizes[n % 6][1], 100 + n);
+    maker.AddAll();
+    found += CheckAll(maker.Made, maker.MakeLight(kind), nullptr, resolutions[n / 3 % 4], litmap);
+    if (this->HasFailure())
+    {
+      return;
+    }
+  }
+  EXPECT_GT(found, 1000);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cameras, ShadowReceivers,
+  testing::Values(Camera(), Camera{ false, 0.1, 1000.0, { 0, 0, 0 }, 60.0, 16 },
+    Camera{ false, 0.1, 1000.0, { 0, 0, 0 }, 60.0, 32 },
+    Camera{ false, 1e-3, 1e5, { 0, 0, 0 }, 100.0, 24 },
+    Camera{ false, 1e-3, 1e5, { 0, 0, 0 }, 40.0, 16 },
+    Camera{ false, 1e-3, 1e5, { 5e6, -4e6, 300 }, 60.0, 32 },
+    Camera{ false, 1e-4, 1.0, { 5e6, 5e6, -5e6 }, 60.0, 32 },
+    Camera{ false, 1.0, 3.0, { 5e6, 5e6, 5e6 }, 1.0, 24 },
+    Camera{ false, 1e5, 1.0001e5, { -5e6, 0, 1 }, 0.01, 24 },
+    Camera{ true, 0.1, 1000.0, { 0, 0, 0 }, 60.0, 24 },
+    Camera{ true, 1.0, 20.0, { 5e6, -5e6, 5e6 }, 60.0, 16 },
+    Camera{ true, 1e-3, 1e5, { 5e6, 0, 0 }, 60.0, 32 }));
+
+// Hazard: what lies between two faces of the cube around a point light belongs to both, or neither.
+TEST(ShadowReceiversOnce, EdgesOfTheCube)
+{
+  vtkShadowLitmap litmap;
+  for (unsigned int n = 0; n < 300; ++n)
+  {
+    Maker maker(Camera(), 1, 1, 200 + n);
+    maker.Add(0.5, 0.5, 20.0);
+    vtkShadowLight light;
+    light.Kind = Kind::Point;
+    const double s = 20.0 + maker.Number(19.0);
+    const double edge = s * (1.0 + maker.Number(1.0) * (n % 2 ? 1e-3 : 1e-7));
+    const double offset[3] = { s, edge, maker.Number(s) };
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      light.Position[i] = maker.Made.World[0][i] + offset[(i + n) % 3] * (n % 4 < 2 ? 1.0 : -1.0);
+    }
+    EXPECT_GE(CheckAll(maker.Made, light, nullptr, 64, litmap), 1) << "case " << n;
+  }
+}
+
+// All samples of a multisampled pixel are receivers, each at its own place.
+TEST(ShadowReceiversOnce, Multisampling)
+{
+  Maker maker(Camera(), 21, 13, 7);
+  maker.Made.View.Samples = { { { 0.375, 0.125 } }, { { 0.875, 0.375 } }, { { 0.125, 0.625 } },
+    { { 0.625, 0.875 } } };
+  maker.AddAll();
+  ASSERT_EQ(maker.Made.Depth.size(), 4u * 21u * 13u);
+  vtkShadowLitmap litmap;
+  const int found = CheckAll(maker.Made, maker.MakeLight(Kind::Directional), nullptr, 100, litmap);
+  EXPECT_EQ(found, litmap.GetNumberOfReceivers());
+}
+
+// Only what has depth, can be lit and is reached: counted exactly.
+TEST(ShadowReceiversOnce, WhichSamplesAreReceivers)
+{
+  Maker maker(Camera(), 40, 30, 8);
+  maker.AddAll();
+  const vtkShadowLight light = maker.MakeLight(Kind::Directional);
+  const vtkShadowFrame frame(light);
+  vtkShadowLitmap litmap;
+  std::vector<unsigned char> lit(maker.Made.Depth.size());
+  int expected = 0;
+  for (std::size_t i = 0; i < lit.size(); ++i)
+  {
+    lit[i] = i % 3 == 0 ? 255 : (i % 3 == 1 ? 1 : 0);
+    expected += lit[i] && maker.Made.Depth[i] < 1.0f;
+  }
+  const float* depth = maker.Made.Depth.data();
+  EXPECT_EQ(
+    vtkShadowReceivers::Scatter(depth, lit.data(), maker.Made.View, light, frame, 32, litmap),
+    expected);
+  EXPECT_EQ(CheckAll(maker.Made, light, lit.data(), 32, litmap), expected);
+  std::fill(lit.begin(), lit.end(), static_cast<unsigned char>(0));
+  EXPECT_EQ(
+    vtkShadowReceivers::Scatter(depth, lit.data(), maker.Made.View, light, frame, 32, litmap), 0);
+  litmap.Build();
+  EXPECT_TRUE(litmap.Query(-1e9, -1e9, 1e9, 1e9).IsEmpty());
+  const std::vector<float> background(lit.size(), 1.0f);
+  EXPECT_EQ(vtkShadowReceivers::Scatter(
+              background.data(), nullptr, maker.Made.View, light, frame, 32, litmap),
+    0);
+  const std::vector<float> broken(lit.size(), std::nanf(""));
+  EXPECT_EQ(
+    vtkShadowReceivers::Scatter(broken.data(), nullptr, maker.Made.View, light, frame, 32, litmap),
+    0);
+}
+
+// Conservative is not enough: what a spot does not reach is left out, but for a margin.
+TEST(ShadowReceiversOnce, OutsideOfTheConeIsLeftOut)
+{
+  for (unsigned int seed = 0; seed < 20; ++seed)
+  {
+    Maker maker(Camera{ false, 1.0, 100.0 }, 40, 30, 30 + seed);
+    maker.AddAll();
+    vtkShadowLight light = maker.MakeLight(Kind::Spot);
+    vtkShadowLight wider = light;
+    wider.ConeAngle += 0.2;
+    int reached = 0;
+    int atMost = 0;
+    for (std::size_t i = 0; i < maker.Made.Depth.size(); ++i)
+    {
+      if (maker.Made.Depth[i] < 1.0f)
+      {
+        reached += light.Reaches(maker.Made.World[i].data());
+        atMost += wider.Reaches(maker.Made.World[i].data());
+      }
+    }
+    vtkShadowLitmap litmap;
+    const vtkIdType count = vtkShadowReceivers::Scatter(
+      maker.Made.Depth.data(), nullptr, maker.Made.View, light, vtkShadowFrame(light), 32, litmap);
+    EXPECT_GE(count, reached) << "seed " << seed;
+    // Far away, where a quantum of depth is longer than the margin, and next to the apex.
+    EXPECT_LE(count, atMost + 12) << "seed " << seed;
+  }
+}
+
+// Conservative is not enough: an extent around a single receiver is tight.
+TEST(ShadowReceiversOnce, ExtentsAreTight)
+{
+  for (unsigned int seed = 0; seed < 50; ++seed)
+  {
+    Camera camera;
+    camera.Parallel = seed % 2 != 0;
+    Maker maker(camera, 30, 20, 60 + seed);
+    maker.AddAll();
+    std::vector<float> depth(maker.Made.Depth.size(), 1.0f);
+    const std::size_t i = seed * 7;
+    const double z = camera.Parallel ? 300.0 : 5.0;
+    maker.Made.Depth.clear();
+    maker.Made.World.clear();
+    maker.Add(i % 30 + 0.5, i / 30 + 0.5, z);
+    depth[i] = maker.Made.Depth[0];
+    const vtkShadowLight light = maker.MakeLight(Kind::Directional);
+    const vtkShadowFrame frame(light);
+    vtkShadowLitmap litmap;
+    ASSERT_EQ(
+      vtkShadowReceivers::Scatter(depth.data(), nullptr, maker.Made.View, light, frame, 64, litmap),
+      1);
+    litmap.Build();
+    double pqs[3];
+    frame.ToLight(maker.Made.World[0].data(), pqs);
+    const vtkShadowExtent extent = litmap.Query(pqs[0], pqs[1], pqs[0], pqs[1]);
+    EXPECT_EQ(extent.X0, i % 30);
+    EXPECT_EQ(extent.X1, i % 30 + 1);
+    EXPECT_EQ(extent.Y0, i / 30);
+    EXPECT_EQ(extent.Y1, i / 30 + 1);
+    // 10 quanta on both sides: 5 * 5 / 0.1 * 2^-24 * 20 or 1000 * 2^-24 * 20, twice that aslant,
+    // and the rounding, 300 * 2^-20 * 4.
+    EXPECT_LE(extent.Far - extent.Near, camera.Parallel ? 4e-3 : 6e-4) << "seed " << seed;
+    EXPECT_TRUE(litmap.Query(pqs[0] + 0.1, pqs[1], pqs[0] + 0.2, pqs[1]).IsEmpty());
+  }
+}

@@ -1,0 +1,521 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Shadow volumes are watertight, and their signed crossings are the number of triangles that a
+// point's shadow ray meets: for all meshes, lights and kinds of pieces.
+#include "ShadowCounts.h"
+#include "ShadowMeshes.h"
+#include "vtkShadowVolume.h"
+
+#include "vtkMath.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+namespace
+{
+/// A mesh as casters are: topology, and a silhouette for one light.
+struct Caster
+{
+  Caster(const ShadowMesh& mesh, const vtkShadowLight& light, vtkShadowCounting counting)
+    : Mesh(mesh)
+    , Light(light)
+  {
+    this->Topology.Build(mesh.GetPoints(), mesh.GetNumberOfPoints(), mesh.Triangles.data(),
+      mesh.GetNumberOfTriangles());
+    this->Silhouette.Compute(this->Topology, this->GetPoints(), light, counting);
+  }
+
+  const double* GetPoints() const { return this->Topology.GetPoints().data(); }
+
+  void AddWhole(vtkShadowVolume& volume) const
+  {
+    volume.AddWhole(
+      this->Silhouette, this->GetPoints(), this->Topology.GetNumberOfPoints(), this->Light);
+  }
+
+  void AddClamped(vtkShadowVolume& volume, const vtkShadowFrame& frame, const vtkShadowSlab& slab,
+    vtkShadowCap cap) const
+  {
+    volume.AddClamped(this->Silhouette, this->GetPoints(), this->Topology.GetNumberOfPoints(),
+      frame, slab, this->GetDepths(frame).second, cap);
+  }
+
+  std::pair<double, double> GetDepths(const vtkShadowFrame& frame) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    double largest = -least;
+    for (int i = 0; i < this->Topology.GetNumberOfPoints(); ++i)
+    {
+      const double depth = frame.GetDepth(this->GetPoints() + 3 * std::size_t(i));
+      least = std::min(least, depth);
+      largest = std::max(largest, depth);
+    }
+    return { least, largest };
+  }
+
+  /// A point, half of them behind a triangle.
+  Point MakeReceiver(std::mt19937& random) const
+  {
+    Point x = MakePoint(random, 3.0);
+    if (random() % 2)
+    {
+      const std::size_t t = random() % this->Topology.GetNumberOfTriangles();
+      double weights[3] = { MakeUniform(random, 0, 1), MakeUniform(random, 0, 1),
+        MakeUniform(random, 0, 1) };
+      const double sum = weights[0] + weights[1] + weights[2];
+      const double distance = MakeUniform(random, 0.0, 2.0);
+      Point hit = { 0, 0, 0 };
+      for (int i = 0; i < 9; ++i)
+      {
+        const int corner = this->Topology.GetTriangles()[3 * t + i / 3];
+        hit[i % 3] += weights[i / 3] / sum * this->GetPoints()[3 * std::size_t(corner) + i % 3];
+      }
+      for (int i = 0; i < 3; ++i)
+      {
+        x[i] = hit[i] +
+          distance *
+            (this->Light.IsPositional() ? hit[i] - this->Light.Position[i]
+                                        : this->Light.Direction[i]);
+      }
+    }
+    return x;
+  }
+
+  ShadowMesh Mesh; ///< What brute force counts with.
+  vtkShadowLight Light;
+  vtkShadowTopology Topology;
+  vtkShadowSilhouette Silhouette;
+};
+
+vtkShadowLight MakeLight(vtkShadowLightKind kind, const Point& position, const Point& target)
+{
+  vtkShadowLight light;
+  light.Kind = kind;
+  std::copy(position.begin(), position.end(), light.Position);
+  vtkMath::Subtract(target.data(), position.data(), light.Direction);
+  vtkMath::Normalize(light.Direction);
+  return light;
+}
+
+/// A light of any kind, outside of all meshes, turned towards the origin.
+vtkShadowLight MakeLight(std::mt19937& random)
+{
+  Point position = MakePoint(random, 1.0);
+  const double norm = vtkMath::Norm(position.data());
+  const double distance = MakeUniform(random, 2.5, 5.0);
+  for (double& value : position)
+  {
+    value *= distance / norm;
+  }
+  constexpr vtkShadowLightKind kinds[] = { vtkShadowLightKind::Directional,
+    vtkShadowLightKind::Spot, vtkShadowLightKind::Point };
+  return MakeLight(kinds[random() % 3], position, { 0, 0, 0 });
+}
+
+std::string GetText(const vtkShadowLight& light)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << "light of kind " << static_cast<int>(light.Kind);
+  for (int i = 0; i < 3; ++i)
+  {
+    text << (i ? " " : ", position ") << light.Position[i];
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    text << (i ? " " : ", direction ") << light.Direction[i];
+  }
+  return text.str();
+}
+
+/// Where a volume is claimed to hold a caster's counts; elsewhere it must hold nothing.
+struct Range
+{
+  double Near = -std::numeric_limits<double>::infinity();
+  double Far = std::numeric_limits<double>::infinity();
+};
+
+/// Counts of a volume against brute force, for random points.
+void CheckCounts(const Caster& caster, const vtkShadowVolume& volume, const Point& origin,
+  const vtkShadowFrame& frame, const Range& range, std::mt19937& random, int points, int& shadowed)
+{
+  ASSERT_TRUE(IsWatertight(volume));
+  const bool lit = caster.Silhouette.GetCounting() == vtkShadowCounting::Away;
+  for (int i = 0; i < points; ++i)
+  {
+    const Point x = caster.MakeReceiver(random);
+    const double depth = frame.GetDepth(x.data());
+    std::optional<int> expected = CountByBruteForce(caster.Mesh, caster.Light, x, lit);
+    if (!expected || std::abs(depth - range.Near) < 1e-4 || std::abs(depth - range.Far) < 1e-4)
+    {
+      continue;
+    }
+    ASSERT_LE(*expected, caster.Silhouette.GetMaximumCount());
+    if (depth < range.Near || depth > range.Far)
+    {
+      expected = 0;
+    }
+    shadowed += *expected != 0;
+    ASSERT_EQ(CountInVolume(volume, origin, x, random), *expected)
+      << "at " << testing::PrintToString(x) << ", depth " << depth;
+  }
+}
+
+/// Whole and clamped volumes of a caster. `outwards` is the same mesh, wound outwards if closed.
+void CheckVolumes(const ShadowMesh& mesh, const ShadowMesh& outwards, const vtkShadowLight& light,
+  vtkShadowCounting counting, std::mt19937& random, int points, int& shadowed)
+{
+  SCOPED_TRACE(mesh.Name + ", " + GetText(light));
+  Caster caster(mesh, light, counting);
+  caster.Mesh = outwards;
+  const Point axis = { -light.Position[0], -light.Position[1], -light.Position[2] };
+  const vtkShadowFrame frame = light.Kind == vtkShadowLightKind::Point
+    ? vtkShadowFrame(light, axis.data())
+    : vtkShadowFrame(light);
+  const Point origin = MakePoint(random, 2.0);
+  vtkShadowVolume volume;
+  volume.Begin(origin.data());
+  caster.AddWhole(volume);
+  ASSERT_NO_FATAL_FAILURE(
+    CheckCounts(caster, volume, origin, frame, Range(), random, points, shadowed));
+
+  const auto [least, largest] = caster.GetDepths(frame);
+  if (light.IsPositional() && least < 0.1)
+  {
+    return;
+  }
+  const vtkShadowSlab slabs[] = { { largest + 0.3, largest + 1.3 },
+    { (least + largest) / 2.0, largest + 0.6 }, { least - 0.05, (least + largest) / 2.0 } };
+  for (const vtkShadowSlab& slab : slabs)
+  {
+    for (const vtkShadowCap cap : { vtkShadowCap::Triangles, vtkShadowCap::Fan })
+    {
+      SCOPED_TRACE("slab " + std::to_string(slab.Near) + " " + std::to_string(slab.Far) +
+        (cap == vtkShadowCap::Fan ? ", fan" : ", triangles"));
+      Range range;
+      range.Near = largest < slab.Near ? slab.Near : range.Near;
+      range.Far = std::max(slab.Far, largest);
+      volume.Begin(origin.data());
+      caster.AddClamped(volume, frame, slab, cap);
+      ASSERT_NO_FATAL_FAILURE(
+        CheckCounts(caster, volume, origin, frame, range, random, points, shadowed));
+    }
+  }
+}
+
+/// The multiplicities of a silhouette, each with the number of its edges.
+std::map<int, int> CountMultiplicities(const vtkShadowSilhouette& silhouette)
+{
+  std::map<int, int> counts;
+  for (const vtkShadowSilhouette::Edge& edge : silhouette.GetEdges())
+  {
+    ++counts[edge.Multiplicity];
+  }
+  return counts;
+}
+
+using Multiplicities = std::map<int, int>;
+}
+
+TEST(ShadowVolume, SilhouettesOfKnownMeshes)
+{
+  const vtkShadowLight sun = MakeLight(vtkShadowLightKind::Directional, { 0, 0, 1 }, { 0, 0, 0 });
+  const vtkShadowLight slanted =
+    MakeLight(vtkShadowLightKind::Directional, { 3, 2, 1 }, { 0, 0, 0 });
+  const auto get = [](const ShadowMesh& mesh, const vtkShadowLight& light,
+                     vtkShadowCounting counting = vtkShadowCounting::Away)
+  { return Caster(mesh, light, counting).Silhouette; };
+
+  // Walls are seen edge-on.
+  vtkShadowSilhouette cube = get(MakeCube(), sun);
+  EXPECT_EQ(cube.GetTriangles().size(), 3u * 2u);
+  EXPECT_EQ(CountMultiplicities(cube), (Multiplicities{ { 1, 4 } }));
+  EXPECT_EQ(cube.GetMaximumCount(), 1);
+  cube = get(MakeCube(), slanted);
+  EXPECT_EQ(cube.GetTriangles().size(), 3u * 6u);
+  EXPECT_EQ(CountMultiplicities(cube), (Multiplicities{ { 1, 6 } }));
+  // Both the lit and the unlit triangles end at the outline.
+  cube = get(MakeCube(), slanted, vtkShadowCounting::All);
+  EXPECT_EQ(cube.GetTriangles().size(), 3u * 12u);
+  EXPECT_EQ(CountMultiplicities(cube), (Multiplicities{ { 2, 6 } }));
+  EXPECT_EQ(cube.GetMaximumCount(), 2);
+
+  const vtkShadowSilhouette quad = get(MakeQuad(), sun);
+  EXPECT_EQ(quad.GetCounting(), vtkShadowCounting::All);
+  EXPECT_EQ(CountMultiplicities(quad), (Multiplicities{ { 1, 4 } }));
+  EXPECT_EQ(quad.GetMaximumCount(), 2);
+
+  // Pages at 45, 0 and -45 degrees around their spine: all on one side of it as this light sees
+  // them, or two on one and one on the other.
+  ShadowMesh book = MakeThreePages();
+  book.Points[4] = { 1, 1, -1 };
+  book.Points[5] = { 1, 1, 1 };
+  book.Points[6] = { 1, -1, -1 };
+  book.Points[7] = { 1, -1, 1 };
+  const vtkShadowLight above =
+    MakeLight(vtkShadowLightKind::Directional, { 1, 9, 0.5 }, { 0, 0, 0 });
+  const vtkShadowLight along =
+    MakeLight(vtkShadowLightKind::Directional, { -1, 0.1, 0 }, { 0, 0, 0 });
+  EXPECT_EQ(CountMultiplicities(get(book, above)), (Multiplicities{ { 1, 9 }, { 3, 1 } }));
+  EXPECT_EQ(CountMultiplicities(get(book, along)), (Multiplicities{ { 1, 10 } }));
+}
+
+// Hazard: holes, counts that do not cancel, images of caps that do not fit their sides.
+TEST(ShadowVolume, CountsAgreeWithBruteForce)
+{
+  std::mt19937 random(11);
+  int shadowed = 0;
+  for (int seed = 0; seed < 6; ++seed)
+  {
+    for (const ShadowMesh& made : MakeShadowMeshes(100 + seed))
+    {
+      const ShadowMesh mesh = made.Move(RigidMotion(random, 0.3));
+      const bool mixed = mesh.Name.rfind("two bodies", 0) == 0;
+      const vtkShadowCounting counting =
+        random() % 3 == 0 || mixed ? vtkShadowCounting::All : vtkShadowCounting::Away;
+      ASSERT_NO_FATAL_FAILURE(
+        CheckVolumes(mesh, mesh, MakeLight(random), counting, random, 12, shadowed));
+    }
+  }
+  EXPECT_GT(shadowed, 1000);
+}
+
+// Hazard: the surface of a mirrored or badly wound body counts where it leaves the light.
+TEST(ShadowVolume, InsideOutBodiesAreTurnedRound)
+{
+  std::mt19937 random(12);
+  int shadowed = 0;
+  const auto mirror = [](const Point& x) { return Point{ -x[0], x[1], x[2] }; };
+  for (int i = 0; i < 20; ++i)
+  {
+    const RigidMotion motion(random, 0.3);
+    const vtkShadowLight light = MakeLight(random);
+    for (const ShadowMesh& made : { MakeEll(), MakeSphere(4, 5), MakeTorus(3, 5) })
+    {
+      const ShadowMesh mesh = made.Move(mirror).Move(motion);
+      ASSERT_NO_FATAL_FAILURE(
+        CheckVolumes(mesh, mesh.Reverse(), light, vtkShadowCounting::Away, random, 12, shadowed));
+    }
+    ShadowMesh mesh = MakeCube().Translate(-0.7, 0, 0);
+    ShadowMesh outwards = mesh;
+    mesh.Append(MakeTetrahedron().Reverse().Translate(0.2, 0, 0));
+    outwards.Append(MakeTetrahedron().Translate(0.2, 0, 0));
+    ASSERT_NO_FATAL_FAILURE(CheckVolumes(mesh.Move(motion), outwards.Move(motion), light,
+      vtkShadowCounting::Away, random, 12, shadowed));
+  }
+  EXPECT_GT(shadowed, 500);
+}
+
+// Hazard: a count beyond the bound overflows the stencil; a bound far too large costs passes.
+TEST(ShadowVolume, CountsAreBounded)
+{
+  std::mt19937 random(15);
+  const ShadowMesh meshes[] = { MakeSphere(30, 40), MakeTorus(30, 40), MakeSoup(random, 900, 300),
+    MakeSphere(4, 5) };
+  for (int i = 0; i < 12; ++i)
+  {
+    const ShadowMesh& mesh = meshes[i % 4];
+    const vtkShadowLight light = MakeLight(random);
+    SCOPED_TRACE(mesh.Name + ", " + GetText(light));
+    const Caster caster(mesh, light, vtkShadowCounting::Away);
+    const int bound = caster.Silhouette.GetMaximumCount();
+    const bool lit = caster.Silhouette.GetCounting() == vtkShadowCounting::Away;
+    for (int p = 0; p < 500; ++p)
+    {
+      const std::optional<int> count =
+        CountByBruteForce(mesh, light, caster.MakeReceiver(random), lit);
+      ASSERT_LE(count.value_or(0), bound);
+    }
+    if (mesh.Triangles.size() > 3000)
+    {
+      EXPECT_LT(bound, 60);
+    }
+  }
+
+  ShadowMesh sheets;
+  for (int i = 0; i < 300; ++i)
+  {
+    sheets.Append(MakeQuad().Translate(0, 0, 0.01 * i));
+  }
+  const Caster caster(sheets, MakeLight(vtkShadowLightKind::Directional, { 0, 0, 1 }, { 0, 0, 0 }),
+    vtkShadowCounting::Away);
+  EXPECT_GE(caster.Silhouette.GetMaximumCount(), 300);
+  EXPECT_LE(caster.Silhouette.GetMaximumCount(), 600);
+  // All but one in the same cell.
+  ShadowMesh pile = MakeQuad();
+  const ShadowMesh small = MakeQuad().Move(
+    [](const Point& x) { return Point{ 0.5 + 1e-3 * x[0], 0.5 + 1e-3 * x[1], x[2] }; });
+  for (int i = 1; i <= 300; ++i)
+  {
+    pile.Append(small.Translate(0, 0, 0.01 * i));
+  }
+  EXPECT_GE(Caster(pile, caster.Light, vtkShadowCounting::Away).Silhouette.GetMaximumCount(), 300);
+  const Caster around(MakeSphere(30, 40),
+    MakeLight(vtkShadowLightKind::Point, { 0, 0, 0 }, { 1, 0, 0 }), vtkShadowCounting::All);
+  EXPECT_EQ(around.Silhouette.GetMaximumCount(), around.Topology.GetNumberOfTriangles());
+}
+
+// Hazard: no triangle faces a light inside, so that nothing at all is dark.
+TEST(ShadowVolume, LightInsideOrOnACaster)
+{
+  std::mt19937 random(13);
+  int shadowed = 0;
+  const auto check = [&](const ShadowMesh& mesh, const Point& position)
+  {
+    const vtkShadowLight light = MakeLight(vtkShadowLightKind::Point, position, { 2, 3, 4 });
+    CheckVolumes(mesh, mesh, light, vtkShadowCounting::All, random, 50, shadowed);
+  };
+  for (int i = 0; i < 10; ++i)
+  {
+    check(MakeCube(), MakePoint(random, 0.4));
+    check(MakeSphere(5, 7), MakePoint(random, 0.4));
+    check(MakeEll(), MakePoint(random, 0.6));
+    check(MakeOpenCube(), MakePoint(random, 0.4));
+  }
+  EXPECT_GT(shadowed, 1000);
+
+  // At a corner, on an edge, in a face; then outside in the plane of a face and on an edge's line.
+  check(MakeTetrahedron(), { 0, 0, 0 });
+  check(MakeTetrahedron(), { 0.5, 0, 0 });
+  check(MakeTetrahedron(), { 0.25, 0.25, 0 });
+  for (const Point& position : { Point{ 2, 2, 0 }, Point{ 3, 0, 0 } })
+  {
+    const vtkShadowLight light = MakeLight(vtkShadowLightKind::Point, position, { 0, 0, 0.4 });
+    const ShadowMesh mesh = MakeTetrahedron();
+    CheckVolumes(mesh, mesh, light, vtkShadowCounting::Away, random, 200, shadowed);
+  }
+}
+
+// What is in shadow does not depend on how triangles are wound or on which points they share, and
+// moves with the scene.
+TEST(ShadowVolume, ShadowsDoNotDependOnTheMeshsForm)
+{
+  std::mt19937 random(14);
+  int shadowed = 0;
+  for (int i = 0; i < 4; ++i)
+  {
+    for (const ShadowMesh& mesh : MakeShadowMeshes(200 + i))
+    {
+      const vtkShadowLight light = MakeLight(random);
+      SCOPED_TRACE(mesh.Name + ", " + GetText(light));
+      ShadowMesh flipped = mesh;
+      for (std::size_t t = 0; t < flipped.Triangles.size(); t += 3)
+      {
+        if (random() % 2)
+        {
+          std::swap(flipped.Triangles[t + 1], flipped.Triangles[t + 2]);
+        }
+      }
+      const RigidMotion motion(random, 10.0);
+      const Point origin = motion({ 0, 0, 0 });
+      vtkShadowLight movedLight = light;
+      const Point position = motion({ light.Position[0], light.Position[1], light.Position[2] });
+      const Point end = motion({ light.Direction[0], light.Direction[1], light.Direction[2] });
+      std::copy(position.begin(), position.end(), movedLight.Position);
+      vtkMath::Subtract(end.data(), origin.data(), movedLight.Direction);
+
+      const vtkShadowCounting counting = vtkShadowCounting::Away;
+      const Caster caster(mesh, light, counting);
+      const Point nowhere = { 0, 0, 0 };
+      const auto makeVolume = [](const Caster& from, const Point& around)
+      {
+        vtkShadowVolume volume;
+        volume.Begin(around.data());
+        from.AddWhole(volume);
+        return volume;
+      };
+      const vtkShadowVolume volume = makeVolume(caster, nowhere);
+      const vtkShadowVolume unshared = makeVolume({ mesh.Unshare(), light, counting }, nowhere);
+      const vtkShadowVolume badlyWound = makeVolume({ flipped, light, counting }, nowhere);
+      const vtkShadowVolume moved = makeVolume({ mesh.Move(motion), movedLight, counting }, origin);
+      EXPECT_EQ(volume.GetVertices(), unshared.GetVertices());
+      EXPECT_EQ(volume.GetIndices(), unshared.GetIndices());
+      for (int p = 0; p < 20; ++p)
+      {
+        const Point x = caster.MakeReceiver(random);
+        if (!CountByBruteForce(mesh, light, x, false))
+        {
+          continue;
+        }
+        const int count = CountInVolume(volume, nowhere, x, random);
+        // Inside of a closed body, where all triangles count, it is dark; those that face away
+        // count nothing there.
+        const bool dark = CountInVolume(badlyWound, nowhere, x, random) != 0;
+        const std::optional<int> all = CountByBruteForce(mesh, light, x, false);
+        ASSERT_TRUE(dark == (count != 0) || (dark && all.value() % 2 == 1));
+        ASSERT_EQ(CountInVolume(moved, origin, motion(x), random), count);
+        shadowed += count != 0;
+      }
+    }
+  }
+  EXPECT_GT(shadowed, 200);
+}
+
+// Hazard: coordinates far from the origin of the world lose the digits that matter near the eye.
+TEST(ShadowVolume, VerticesAreRoundedOnceRelativeToTheOrigin)
+{
+  const ShadowMesh mesh = MakeCube();
+  const Point place = { 5.0e5, 4.0e6, 304.0 };
+  const Point eye = { 0.25, -1.0 / 3.0, 7.0 };
+  const Point movedEye = { place[0] + eye[0], place[1] + eye[1], place[2] + eye[2] };
+  const Point roundedEye = { movedEye[0] - place[0], movedEye[1] - place[1],
+    movedEye[2] - place[2] };
+  const vtkShadowLight light = MakeLight(vtkShadowLightKind::Directional, { 1, 2, 4 }, { 0, 0, 0 });
+  vtkShadowVolume volume;
+  volume.Begin(roundedEye.data());
+  Caster(mesh, light, vtkShadowCounting::Away).AddWhole(volume);
+  vtkShadowVolume moved;
+  moved.Begin(movedEye.data());
+  Caster(mesh.Translate(place[0], place[1], place[2]), light, vtkShadowCounting::Away)
+    .AddWhole(moved);
+  EXPECT_EQ(volume.GetVertices(), moved.GetVertices());
+  EXPECT_EQ(volume.GetIndices(), moved.GetIndices());
+}
+
+TEST(ShadowVolume, SizesOfPieces)
+{
+  const vtkShadowLight light = MakeLight(vtkShadowLightKind::Spot, { 3, 2, 1 }, { 0, 0, 0 });
+  const vtkShadowFrame frame(light);
+  const Caster caster(MakeSphere(8, 10), light, vtkShadowCounting::Away);
+  const std::size_t lit = caster.Silhouette.GetTriangles().size() / 3;
+  const std::size_t edges = caster.Silhouette.GetEdges().size();
+  const Point origin = { 0, 0, 0 };
+  const auto getSize = [&](const vtkShadowVolume& volume)
+  { return std::make_pair(volume.GetIndices().size() / 3, volume.GetVertices().size() / 4); };
+  const auto clamp = [&](const vtkShadowSlab& slab, vtkShadowCap cap)
+  {
+    vtkShadowVolume volume;
+    volume.Begin(origin.data());
+    caster.AddClamped(volume, frame, slab, cap);
+    return getSize(volume);
+  };
+  EXPECT_EQ(clamp({ 6, 7 }, vtkShadowCap::Triangles).first, 2 * lit + 2 * edges);
+  EXPECT_EQ(clamp({ 6, 7 }, vtkShadowCap::Fan), std::make_pair(4 * edges, 2 * edges + 2));
+  EXPECT_EQ(clamp({ 1, 7 }, vtkShadowCap::Fan).first, lit + 3 * edges);
+
+  // Several casters in one volume.
+  vtkShadowVolume volume;
+  volume.Begin(origin.data());
+  caster.AddWhole(volume);
+  EXPECT_EQ(volume.GetIndices().size() / 3, 2 * lit + 2 * edges);
+  caster.AddClamped(volume, frame, { 6, 7 }, vtkShadowCap::Fan);
+  EXPECT_EQ(volume.GetIndices().size() / 3, 2 * lit + 6 * edges);
+  EXPECT_TRUE(IsWatertight(volume));
+  volume.Begin(origin.data());
+  EXPECT_TRUE(volume.GetVertices().empty());
+  EXPECT_TRUE(volume.GetIndices().empty());
+
+  const Caster sunlit(MakeSphere(8, 10),
+    MakeLight(vtkShadowLightKind::Directional, { 3, 2, 1 }, { 0, 0, 0 }), vtkShadowCounting::Away);
+  sunlit.AddWhole(volume);
+  EXPECT_EQ(volume.GetIndices().size(),
+    sunlit.Silhouette.GetTriangles().size() + 3 * sunlit.Silhouette.GetEdges().size());
+}
