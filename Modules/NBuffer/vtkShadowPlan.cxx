@@ -146,6 +146,33 @@ bool vtkShadowPlan::IsThroughLightPlane(const vtkShadowFootprint& footprint) con
   return this->Frame.IsPositional() && !(footprint.Near > Margin * std::abs(footprint.Far));
 }
 
+bool vtkShadowPlan::IsOutsideCone(const vtkShadowFootprint& footprint) const
+{
+  if (this->Light.Kind != vtkShadowLightKind::Spot)
+  {
+    return false;
+  }
+  double toCenter[3];
+  double radius2 = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double* bounds = footprint.Bounds + 2 * i;
+    toCenter[i] = 0.5 * (bounds[0] + bounds[1]) - this->Light.Position[i];
+    radius2 += 0.25 * (bounds[1] - bounds[0]) * (bounds[1] - bounds[0]);
+  }
+  const double distance = vtkMath::Norm(toCenter);
+  const double radius = std::sqrt(radius2);
+  if (!(distance > radius))
+  {
+    return false;
+  }
+  const double angle =
+    std::acos(std::clamp(vtkMath::Dot(toCenter, this->Light.Direction) / distance, -1.0, 1.0));
+  constexpr double margin = 1e-3; // radians; more than vtkShadowLight::Reaches() is wider
+  return angle - std::asin(radius / distance) >
+    vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;
+}
+
 std::vector<vtkShadowSlab> vtkShadowPlan::GetSlabs(
   const vtkShadowExtent& extent, const vtkShadowFootprint& footprint) const
 {
@@ -245,6 +272,10 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
   }
 
   const bool through = this->Faces.empty() && this->IsThroughLightPlane(footprint);
+  if (through && this->IsOutsideCone(footprint))
+  {
+    return vtkShadowVerdict::OutsideCone;
+  }
   const vtkShadowExtent extent = this->Query(footprint);
   if (extent.IsEmpty())
   {

@@ -23,7 +23,8 @@
  *
  * A positional light's coordinates mean nothing at and behind its plane s = 0. A caster that is
  * wholly there shadows nothing that a spot of less than 90 degrees reaches (BehindLight); one that
- * reaches through it is drawn whole, into the box of all receivers (ThroughLightPlane).
+ * reaches through it is drawn whole, into the box of all receivers (ThroughLightPlane), unless the
+ * sphere around its bounds lies beside the spot's cone (OutsideCone).
  *
  * A point light has six litmaps, one for each face of a cube around it. The rays of a caster's
  * bounding box are looked up in all faces that they meet, for the receivers' box of pixels alone:
@@ -135,6 +136,7 @@ private:
   std::vector<vtkShadowSlab> GetSlabs(
     const vtkShadowExtent& extent, const vtkShadowFootprint& footprint) const;
   bool IsThroughLightPlane(const vtkShadowFootprint& footprint) const;
+  bool IsOutsideCone(const vtkShadowFootprint& footprint) const;
   bool IsBeyondNearPlane(const vtkShadowVolume& volume, std::size_t firstVertex) const;
   void AddWhole(const vtkShadowSilhouette& silhouette, const double* points, int numberOfPoints,
     const vtkShadowExtent* extent, vtkShadowVolume& volume);

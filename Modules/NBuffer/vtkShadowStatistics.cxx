@@ -23,6 +23,8 @@ const char* vtkShadowStatistics::GetName(vtkShadowVerdict verdict)
       return "BeforeCaster";
     case vtkShadowVerdict::BehindLight:
       return "BehindLight";
+    case vtkShadowVerdict::OutsideCone:
+      return "OutsideCone";
     case vtkShadowVerdict::Empty:
       return "Empty";
     case vtkShadowVerdict::NumberOfVerdicts:

@@ -37,6 +37,7 @@ enum class vtkShadowVerdict : int
   NoReceiver,        ///< Not drawn: the camera sees nothing on its rays.
   BeforeCaster,      ///< Not drawn: all that the camera sees there is nearer to the light.
   BehindLight,       ///< Not drawn: the light looks away from it.
+  OutsideCone,       ///< Not drawn: no ray of the spot meets it.
   Empty,             ///< Not drawn: no triangle counts.
   NumberOfVerdicts
 };
@@ -50,7 +51,7 @@ enum class vtkShadowSkip : int
   NotAPlainMapper, ///< No polydata to be had: glyphs, data sets.
   NumberOfSkips
 };
-constexpr int NumberOfShadowSkips = static_cast<int>(vtkShadowSkip::NumberOfSkips);
+constexpr int NumberOfShadowSkips = int(vtkShadowSkip::NumberOfSkips);
 
 /// What was done with a frame, or why no shadow was due.
 enum class vtkShadowDecision : int
@@ -67,7 +68,7 @@ enum class vtkShadowDecision : int
 
 struct VTKNBUFFER_EXPORT vtkShadowStatistics
 {
-  static constexpr int NumberOfVerdicts = static_cast<int>(vtkShadowVerdict::NumberOfVerdicts);
+  static constexpr int NumberOfVerdicts = int(vtkShadowVerdict::NumberOfVerdicts);
 
   vtkShadowDecision Decision = vtkShadowDecision::None;
   int Lights = 0;                                    ///< That cast.

@@ -76,9 +76,9 @@ public:
 
   enum Modes
   {
-    Unclamped = static_cast<int>(vtkShadowMode::Unclamped),
-    Exact = static_cast<int>(vtkShadowMode::Exact),
-    Clamped = static_cast<int>(vtkShadowMode::Clamped)
+    Unclamped = int(vtkShadowMode::Unclamped),
+    Exact = int(vtkShadowMode::Exact),
+    Clamped = int(vtkShadowMode::Clamped)
   };
 
   ///@{

@@ -247,11 +247,17 @@ TEST(ShadowPlan, CastersAtTheLightsPlane)
   for (const auto mode : { vtkShadowMode::Exact, vtkShadowMode::Clamped })
   {
     Situation through(
-      MakePositional(vtkShadowLightKind::Spot, 0.1), MakeCube().Translate(3.0, 0.0, 0.0));
+      MakePositional(vtkShadowLightKind::Spot, 0.1), MakeCube().Translate(0.8, 0.0, 0.0));
     through.AddReceiver({ 0.0, 0.0, -8.0 }, 5, 6);
     EXPECT_EQ(through.Decide(mode), Verdict::ThroughLightPlane);
     ASSERT_EQ(through.Draws.size(), 1u);
     ExpectBox(through.Draws[0], 15, 26, 1, 1);
+
+    Situation beside(
+      MakePositional(vtkShadowLightKind::Spot, 0.1), MakeCube().Translate(5.0, 0.0, 0.0));
+    beside.AddReceiver({ 0.0, 0.0, -8.0 }, 5, 6);
+    EXPECT_EQ(beside.Decide(mode), Verdict::OutsideCone);
+    EXPECT_TRUE(beside.Draws.empty());
   }
 
   Situation front(MakePositional(vtkShadowLightKind::Spot, 5.0));
