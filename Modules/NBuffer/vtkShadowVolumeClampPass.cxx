@@ -344,8 +344,10 @@ bool vtkShadowVolumeClampPass::PostReplaceShaderValues(
     replace("diffuse += (df * ", ");");
     replace("specular += (sf * ", ");");
     replace("radiance = ", ";");
-    if (!replaced && fragmentShader.find("* " + color) != std::string::npos &&
-      !self.HasWarnedOfShader)
+    replace("radiance = ", " * attenuation;"); // positional lights before VTK 9.5
+    const bool used = fragmentShader.find("* " + color) != std::string::npos ||
+      fragmentShader.find("= " + color) != std::string::npos;
+    if (!replaced && used && !self.HasWarnedOfShader)
     {
       self.HasWarnedOfShader = true;
       vtkErrorMacro(<< "A mapper's shader has lighting that this pass does not know, so that its "

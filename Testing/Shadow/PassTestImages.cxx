@@ -23,9 +23,11 @@ namespace
 {
 void ForEachProperty(vtkRenderer* renderer, const std::function<void(vtkProperty*)>& function)
 {
+  // Every call of GetActors() fills the collection anew.
+  vtkActorCollection* actors = renderer->GetActors();
   vtkCollectionSimpleIterator cookie;
-  renderer->GetActors()->InitTraversal(cookie);
-  while (vtkActor* actor = renderer->GetActors()->GetNextActor(cookie))
+  actors->InitTraversal(cookie);
+  while (vtkActor* actor = actors->GetNextActor(cookie))
   {
     function(actor->GetProperty());
   }
