@@ -1,15 +1,25 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A program of its own: Mesa gives contexts that say they are of OpenGL 3.1 while the environment
-// asks for them (CMakeLists.txt), in which VTK still draws.
+// asks for them, in which VTK still draws.
 #include "CullerTest.h"
 #include "Scenes.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
+#include <cstdlib>
+
+namespace
+{
+/// Before any context exists.
+const bool AsksForAnOldContext = setenv("MESA_GL_VERSION_OVERRIDE", "3.1", 1) == 0 &&
+  setenv("MESA_GLSL_VERSION_OVERRIDE", "150", 1) == 0;
+}
+
 // Hazard: an OpenGL older than what VTK and the culler's passes are written for.
 TEST(CullerErrors, OldContext)
 {
+  ASSERT_TRUE(AsksForAnOldContext);
   ComparisonOptions options;
   options.KeepMessages = true;
   Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
