@@ -155,6 +155,18 @@ void vtkNBufferCandidateList::Project(const vtkNBufferProjection& projection)
     });
 }
 
+void vtkNBufferCandidateList::KeepIfAllAreOutside()
+{
+  if (std::all_of(this->States.begin(), this->States.end(),
+        [](const vtkNBufferState& state) { return state.Verdict == vtkNBufferVerdict::Outside; }))
+  {
+    for (vtkNBufferState& state : this->States)
+    {
+      state.Verdict = vtkNBufferVerdict::Untested;
+    }
+  }
+}
+
 int vtkNBufferCandidateList::Find(vtkProp* prop) const
 {
   if (this->Index.empty())

@@ -46,6 +46,10 @@ public:
   /// inside with its rectangle and depth interval.
   void Project(const vtkNBufferProjection& projection);
 
+  /// Where every prop is outside, take none of them for outside: VTK leaves a renderer whose list
+  /// is empty alone, image processing included. All of them, since a culler behind may remove any.
+  void KeepIfAllAreOutside();
+
   /// Whether the depth that any of the props writes may change without a trace.
   bool HasUntrackedDepth() const { return this->UntrackedDepth; }
 

@@ -112,6 +112,11 @@ bool HasAmbientOcclusion(vtkRenderer* renderer)
     AnyPass(renderer->GetPass(), [](vtkRenderPass* pass) { return pass->IsA("vtkSSAOPass"); });
 }
 
+bool ProcessesImage(vtkRenderer* renderer)
+{
+  return renderer->GetUseFXAA() || renderer->GetUseSSAO();
+}
+
 bool SmoothesLines(vtkRenderer* renderer)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();

@@ -21,6 +21,10 @@ namespace vtkNBufferSituation
 /// Why this frame of `renderer` cannot be culled; None if it can.
 VTKNBUFFER_EXPORT vtkNBufferDecision GetObstacle(vtkRenderer* renderer);
 
+/// Whether the renderer changes the picture beyond what its props draw (FXAA, SSAO), also that of
+/// layers below. It does so only if there is a prop left in its list, be it one that draws nothing.
+VTKNBUFFER_EXPORT bool ProcessesImage(vtkRenderer* renderer);
+
 ///@{
 /// Blending in the opaque stage, where it shows what has been drawn below and in which order:
 /// screen-space ambient occlusion takes positions and normals of what lies below from props that

@@ -88,6 +88,10 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   }
   this->Statistics.FrustumTime = part.GetMilliseconds();
 
+  if (vtkNBufferSituation::ProcessesImage(renderer))
+  {
+    this->Props.KeepIfAllAreOutside();
+  }
   const double total = this->Emit(props, count, initialized);
   this->CountVerdicts();
   this->Statistics.CullTime = clock.GetMilliseconds();

@@ -29,6 +29,7 @@
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
 #include "vtkSobelGradientMagnitudePass.h"
+#include "vtkSphereSource.h"
 #include "vtkTranslucentPass.h"
 #include "vtkVolumetricPass.h"
 
@@ -559,6 +560,43 @@ TEST(CullerPassesOnce, CityWithMultiSamples)
       comparison.Frame();
       EXPECT_GT(comparison.GetHidden(), 10);
     }
+  }
+}
+
+// Hazard: a renderer whose list is empty does nothing at all, not even what it does to the picture
+// of the layers below; so the list must not be emptied.
+TEST(CullerPassesOnce, LayerWithNothingInsideProcessesWhatLiesBelow)
+{
+  for (const bool stock : { false, true })
+  {
+    ComparisonOptions options;
+    options.KeepDefaultCuller = options.StockReference = stock;
+    options.Configure = [](vtkNBufferCuller* culler) { culler->SetMinimumNumberOfCandidates(1); };
+    Comparison comparison(
+      [](Stage& stage)
+      {
+        Scenes::BuildWall(stage);
+        stage.Window->SetNumberOfLayers(2);
+        vtkRenderer* layer = stage.AddRenderer(0.0, 0.0, 1.0, 1.0, 1);
+        layer->SetErase(false);
+        layer->SetActiveCamera(stage.GetRenderer()->GetActiveCamera());
+        vtkNew<vtkSphereSource> sphere;
+        sphere->SetCenter(0.0, 0.0, 1e4);
+        sphere->Update();
+        const double color[3] = { 1.0, 0.0, 0.0 };
+        stage.AddActor(sphere->GetOutput(), color, layer);
+      },
+      options);
+    // VTK's own culler removes the prop before ours sees it.
+    const int outside = stock ? 0 : 1;
+    comparison.Frame("plain");
+    EXPECT_EQ(comparison.GetStatistics(1).GetCount(Verdict::Outside), outside);
+    comparison.Both([](Stage& stage) { stage.Renderers[1]->SetUseFXAA(true); });
+    comparison.Frame("FXAA");
+    comparison.Both([](Stage& stage) { stage.Renderers[1]->SetUseSSAO(true); });
+    comparison.Frame("FXAA and SSAO");
+    EXPECT_EQ(comparison.GetStatistics(1).GetCount(Verdict::Untested), outside);
+    EXPECT_GE(comparison.GetHidden(0), Wall::Hidden);
   }
 }
 
