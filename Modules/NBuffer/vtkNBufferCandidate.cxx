@@ -3,7 +3,6 @@
 #include "vtkNBufferCandidate.h"
 
 #include "vtkActor2D.h"
-#include "vtkAlgorithm.h"
 #include "vtkCellTypes.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -27,7 +26,6 @@
 #include "vtkShaderProperty.h"
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
-#include "vtkTrivialProducer.h"
 #include "vtkVolume.h"
 
 #if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
@@ -341,27 +339,13 @@ bool vtkNBufferCandidate::Refresh()
 
 void vtkNBufferCandidate::TakeSources(vtkActor* actor)
 {
-  this->Volatile = true;
   if (!this->Mapper)
   {
+    this->Volatile = true;
     this->Time = actor->GetMTime();
     return;
   }
-  vtkAlgorithm* producer =
-    this->Mapper->GetNumberOfInputPorts() > 0 && this->Mapper->GetNumberOfInputConnections(0) == 1
-    ? this->Mapper->GetInputAlgorithm(0, 0)
-    : nullptr;
-  vtkDataObject* input = this->Mapper->GetInputDataObject(0, 0);
-  if (producer && input && typeid(*producer) == typeid(vtkTrivialProducer) &&
-    typeid(*input) == typeid(vtkPolyData) && IsPlainMapper(this->Mapper) &&
-    !IsCompositeMapper(this->Mapper))
-  {
-    // A texture's translucency, a transform's pipeline and shared clipping planes are beyond what
-    // may be asked of several props at a time.
-    this->Volatile = actor->GetTexture() || actor->GetUserTransform() ||
-      this->Mapper->GetClippingPlanes() ||
-      !this->Sources.Take(actor, this->Mapper, producer, static_cast<vtkPolyData*>(input));
-  }
+  this->Volatile = !this->Sources.Take(actor);
   if (!this->Volatile)
   {
     this->Time = this->Sources.GetTime();
@@ -373,6 +357,8 @@ void vtkNBufferCandidate::TakeSources(vtkActor* actor)
   {
     this->Time = std::max(this->Time, shaders->GetMTime());
   }
+  vtkDataObject* input =
+    this->Mapper->GetNumberOfInputPorts() > 0 ? this->Mapper->GetInputDataObject(0, 0) : nullptr;
   if (input)
   {
     this->Time = std::max(this->Time, input->GetMTime());

@@ -6,9 +6,11 @@
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataSetMapper.h"
 #include "vtkLookupTable.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -16,6 +18,7 @@
 #include "vtkScalarsToColors.h"
 #include "vtkShaderProperty.h"
 #include "vtkTimeStamp.h"
+#include "vtkTrivialProducer.h"
 
 #include <algorithm>
 #include <typeinfo>
@@ -86,7 +89,27 @@ bool vtkNBufferSources::AddFields(vtkFieldData* fields)
   return fits;
 }
 
-bool vtkNBufferSources::Take(
+bool vtkNBufferSources::Take(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  if (!mapper ||
+    (typeid(*mapper) != typeid(vtkOpenGLPolyDataMapper) &&
+      typeid(*mapper) != typeid(vtkDataSetMapper)) ||
+    mapper->GetNumberOfInputConnections(0) != 1)
+  {
+    return false;
+  }
+  vtkAlgorithm* producer = mapper->GetInputAlgorithm(0, 0);
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  // A texture's translucency, a transform's pipeline and shared clipping planes are beyond what
+  // may be asked of several props at a time.
+  return producer && input && typeid(*producer) == typeid(vtkTrivialProducer) &&
+    typeid(*input) == typeid(vtkPolyData) && !actor->GetTexture() && !actor->GetUserTransform() &&
+    !mapper->GetClippingPlanes() &&
+    this->TakeAll(actor, mapper, producer, static_cast<vtkPolyData*>(input));
+}
+
+bool vtkNBufferSources::TakeAll(
   vtkActor* actor, vtkMapper* mapper, vtkAlgorithm* producer, vtkPolyData* input)
 {
   this->Actor = actor;
@@ -113,8 +136,7 @@ bool vtkNBufferSources::Take(
   }
   const vtkMTimeType shaders = this->Shaders ? this->Shaders->GetMTime() : 0;
   // Classes that combine the times of still other objects.
-  const bool plain = !mapper->GetClippingPlanes() &&
-    (!table || typeid(*table) == typeid(vtkLookupTable)) &&
+  const bool plain = (!table || typeid(*table) == typeid(vtkLookupTable)) &&
     (!points || typeid(*points) == typeid(vtkPoints));
   return fits && plain &&
     this->Time ==

@@ -38,10 +38,11 @@ class vtkNBufferSources
 {
 public:
   /**
-   * List what an actor with a mapper fed by vtkTrivialProducer with `input` is made of. False if
-   * it does not fit, or if something unknown takes part; HasChanged() must then not be asked.
+   * List what an actor is made of whose mapper (vtkOpenGLPolyDataMapper or vtkDataSetMapper) shows
+   * polydata without a pipeline. False for others, if it does not fit, or if something unknown
+   * takes part; HasChanged() must then not be asked.
    */
-  bool Take(vtkActor* actor, vtkMapper* mapper, vtkAlgorithm* producer, vtkPolyData* input);
+  bool Take(vtkActor* actor);
 
   /// Whether anything was modified since Take(). Reads only; safe in parallel.
   bool HasChanged() const;
@@ -56,6 +57,7 @@ public:
   static vtkShaderProperty* GetShaderProperty(vtkActor* actor);
 
 private:
+  bool TakeAll(vtkActor* actor, vtkMapper* mapper, vtkAlgorithm* producer, vtkPolyData* input);
   bool Add(const vtkObject* object);
   bool AddFields(vtkFieldData* fields);
   bool HasNewer(int begin, int end) const;

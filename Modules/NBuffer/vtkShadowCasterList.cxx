@@ -10,10 +10,12 @@
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeRange.h"
+#include "vtkDataSetMapper.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLActor.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
@@ -21,9 +23,13 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkTexture.h"
 #include "vtkTrivialProducer.h"
 
+#include <algorithm>
+#include <functional>
 #include <typeinfo>
+#include <unordered_map>
 
 #if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
 #include "vtkCompositePolyDataMapper2.h"
@@ -54,31 +60,171 @@ using CompositeMapper = vtkCompositePolyDataMapper2;
 #else
 using CompositeMapper = vtkCompositePolyDataMapper;
 #endif
+
+/// Of data and, if it is composite, of its parts.
+vtkMTimeType GetDataTime(vtkDataObject* data)
+{
+  vtkMTimeType time = data ? data->GetMTime() : 0;
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+  {
+    for (vtkDataObject* part : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
+    {
+      time = std::max(time, GetDataTime(part));
+    }
+  }
+  return time;
+}
+
+/// Without a pipeline there is nothing to update, which takes longer than all the rest.
+void UpdatePipeline(vtkAlgorithm* algorithm)
+{
+  vtkAlgorithm* producer =
+    algorithm->GetNumberOfInputConnections(0) > 0 ? algorithm->GetInputAlgorithm() : nullptr;
+  if (producer && typeid(*producer) != typeid(vtkTrivialProducer))
+  {
+    producer->Update();
+  }
+}
+
+/// Of a mapper or texture, and of what it shows.
+vtkMTimeType GetPipelineTime(vtkAlgorithm* algorithm)
+{
+  UpdatePipeline(algorithm);
+  return std::max(algorithm->GetMTime(), GetDataTime(algorithm->GetInputDataObject(0, 0)));
+}
+
+/// The time of the last change of what an actor draws; 0 where times do not tell.
+vtkMTimeType GetTime(vtkActor* actor)
+{
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  if (!mapper ||
+    (typeid(*mapper) != typeid(vtkOpenGLPolyDataMapper) && !CompositeMapper::SafeDownCast(mapper)))
+  {
+    return 0;
+  }
+  vtkMTimeType time = std::max(actor->GetMTime(), GetPipelineTime(mapper));
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    time = std::max(time, planes->GetItem(i)->GetMTime());
+  }
+  return actor->GetTexture() ? std::max(time, GetPipelineTime(actor->GetTexture())) : time;
+}
+
+template <typename Counts>
+void Skip(Counts& skipped, vtkShadowSkip reason)
+{
+  ++skipped[static_cast<std::size_t>(reason)];
+}
+
+/// How far ahead of its use an object must be asked for to be there in time.
+constexpr std::size_t PropsToFetchAhead = 4;
 }
 
 void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* requiredKeys)
 {
-  ++this->Round;
-  this->Casters.clear();
-  this->Skipped.fill(0);
-  this->Updates = 0;
+  this->Found.clear();
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator cookie;
   props->InitTraversal(cookie);
   while (vtkProp* prop = props->GetNextProp(cookie))
   {
-    if (prop->GetVisibility() && prop->HasKeys(requiredKeys))
+    if (prop->GetVisibility())
     {
-      this->AddProp(prop);
+      this->Found.push_back(prop);
     }
   }
-  for (auto entry = this->Entries.begin(); entry != this->Entries.end();)
+  bool changed = this->Found != this->Props;
+  if (changed)
   {
-    entry = entry->second.Round == this->Round ? std::next(entry) : this->Entries.erase(entry);
+    this->Synchronize(this->Found);
+  }
+  const vtkNBufferCandidate::GlobalState state = vtkNBufferCandidate::GetGlobalState();
+  changed = changed || state != this->GlobalState;
+  this->GlobalState = state;
+
+  this->Updates = 0;
+  bool looked = changed;
+  for (std::size_t i = 0; i < this->Members.size(); ++i)
+  {
+    if (i + PropsToFetchAhead < this->Members.size() &&
+      this->Members[i + PropsToFetchAhead].Watched)
+    {
+      this->Members[i + PropsToFetchAhead].Sources.Prefetch();
+    }
+    Member& member = this->Members[i];
+    const bool casts = this->Props[i]->HasKeys(requiredKeys);
+    if (!member.Watched || casts != member.Casts || member.Sources.HasChanged())
+    {
+      member.Casts = casts;
+      changed = this->Look(this->Props[i], member) || changed;
+      looked = true;
+    }
+  }
+  this->Version += changed ? 1 : 0;
+  if (looked)
+  {
+    this->Casters.clear();
+    this->Skipped.fill(0);
+    for (const Member& member : this->Members)
+    {
+      for (const Mesh& mesh : member.Meshes)
+      {
+        if (mesh.Caster->GetNumberOfTriangles() > 0)
+        {
+          this->Casters.push_back(mesh.Caster.get());
+        }
+      }
+      std::transform(member.Skipped.begin(), member.Skipped.end(), this->Skipped.begin(),
+        this->Skipped.begin(), std::plus<int>());
+    }
   }
 }
 
-void vtkShadowCasterList::AddProp(vtkProp* prop)
+void vtkShadowCasterList::Synchronize(std::vector<vtkProp*>& props)
+{
+  std::unordered_map<vtkProp*, Member*> old;
+  old.reserve(this->Props.size());
+  for (std::size_t i = 0; i < this->Props.size(); ++i)
+  {
+    old.emplace(this->Props[i], &this->Members[i]);
+  }
+  std::vector<Member> members(props.size());
+  for (std::size_t i = 0; i < props.size(); ++i)
+  {
+    const auto found = old.find(props[i]);
+    if (found != old.end())
+    {
+      members[i] = std::move(*found->second);
+      old.erase(found);
+    }
+  }
+  this->Props = props;
+  this->Members = std::move(members);
+}
+
+bool vtkShadowCasterList::Look(vtkProp* prop, Member& member)
+{
+  const int updatesBefore = this->Updates;
+  const vtkMTimeType timeBefore = member.Time;
+  const std::size_t meshesBefore = member.Meshes.size();
+  this->OldMeshes = std::move(member.Meshes);
+  member.Meshes.clear();
+  member.Skipped.fill(0);
+  if (member.Casts)
+  {
+    this->AddProp(prop, member);
+  }
+  this->OldMeshes.clear();
+  auto* actor =
+    typeid(*prop) == typeid(vtkOpenGLActor) ? static_cast<vtkOpenGLActor*>(prop) : nullptr;
+  member.Watched = actor && member.Sources.Take(actor);
+  member.Time = member.Watched ? member.Sources.GetTime() : GetTime(actor);
+  return member.Time == 0 || member.Time != timeBefore || this->Updates != updatesBefore ||
+    member.Meshes.size() != meshesBefore;
+}
+
+void vtkShadowCasterList::AddProp(vtkProp* prop, Member& member)
 {
   if (vtkActor2D::SafeDownCast(prop))
   {
@@ -88,7 +234,7 @@ void vtkShadowCasterList::AddProp(vtkProp* prop)
   if (typeid(*prop) == typeid(vtkOpenGLActor))
   {
     auto* actor = static_cast<vtkActor*>(prop);
-    this->AddActor(actor, 0, actor->GetMatrix());
+    this->AddActor(actor, 0, actor->GetMatrix(), member);
     return;
   }
   int path = 0;
@@ -99,17 +245,18 @@ void vtkShadowCasterList::AddProp(vtkProp* prop)
     auto* actor = vtkActor::SafeDownCast(last->GetViewProp());
     if (!actor)
     {
-      this->Skip(vtkShadowSkip::NotAnActor);
+      Skip(member.Skipped, vtkShadowSkip::NotAnActor);
     }
     else if (actor->GetVisibility())
     {
-      this->AddActor(actor, path, last->GetMatrix() ? last->GetMatrix() : actor->GetMatrix());
+      this->AddActor(
+        actor, path, last->GetMatrix() ? last->GetMatrix() : actor->GetMatrix(), member);
     }
     ++path;
   }
 }
 
-void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matrix)
+void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matrix, Member& member)
 {
   vtkMapper* mapper = actor->GetMapper();
   if (!mapper)
@@ -118,38 +265,38 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
   }
   if (actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
   {
-    this->Skip(vtkShadowSkip::NotASurface);
+    Skip(member.Skipped, vtkShadowSkip::NotASurface);
     return;
   }
   if (actor->HasTranslucentPolygonalGeometry())
   {
-    this->Skip(vtkShadowSkip::Translucent);
+    Skip(member.Skipped, vtkShadowSkip::Translucent);
     return;
   }
-  vtkAlgorithm* producer = mapper->GetInputAlgorithm();
-  if (!mapper->GetStatic() && producer && typeid(*producer) != typeid(vtkTrivialProducer))
+  if (!mapper->GetStatic())
   {
-    // Without a pipeline there is nothing to update, which takes longer than all the rest.
-    mapper->Update();
+    UpdatePipeline(mapper);
   }
   if (CompositeMapper::SafeDownCast(mapper))
   {
-    this->AddData(actor, path, matrix, mapper->GetInputDataObject(0, 0), true, 1.0);
+    this->AddData(actor, path, matrix, mapper->GetInputDataObject(0, 0), true, 1.0, member);
     return;
   }
-  vtkPolyData* mesh = vtkPolyDataMapper::SafeDownCast(mapper)
-    ? static_cast<vtkPolyDataMapper*>(mapper)->GetInput()
+  // A vtkDataSetMapper hands on polydata as it is.
+  vtkPolyData* mesh =
+    vtkPolyDataMapper::SafeDownCast(mapper) || vtkDataSetMapper::SafeDownCast(mapper)
+    ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0))
     : nullptr;
   if (!mesh)
   {
-    this->Skip(vtkShadowSkip::NotAPlainMapper);
+    Skip(member.Skipped, vtkShadowSkip::NotAPlainMapper);
     return;
   }
-  this->AddMesh(actor, path, matrix, mesh);
+  this->AddMesh(actor, path, matrix, mesh, member);
 }
 
 void vtkShadowCasterList::AddData(vtkActor* actor, int path, vtkMatrix4x4* matrix,
-  vtkDataObject* data, bool visible, double opacity)
+  vtkDataObject* data, bool visible, double opacity, Member& member)
 {
   vtkCompositeDataDisplayAttributes* attributes =
     static_cast<CompositeMapper*>(actor->GetMapper())->GetCompositeDataDisplayAttributes();
@@ -165,35 +312,41 @@ void vtkShadowCasterList::AddData(vtkActor* actor, int path, vtkMatrix4x4* matri
   {
     for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
     {
-      this->AddData(actor, path, matrix, child, visible, opacity);
+      this->AddData(actor, path, matrix, child, visible, opacity, member);
     }
   }
   else if (auto* mesh = vtkPolyData::SafeDownCast(data))
   {
     if (visible && opacity < 1.0)
     {
-      this->Skip(vtkShadowSkip::Translucent);
+      Skip(member.Skipped, vtkShadowSkip::Translucent);
     }
     else if (visible)
     {
-      this->AddMesh(actor, path, matrix, mesh);
+      this->AddMesh(actor, path, matrix, mesh, member);
     }
   }
 }
 
 void vtkShadowCasterList::AddMesh(
-  vtkActor* actor, int path, vtkMatrix4x4* matrix, vtkPolyData* mesh)
+  vtkActor* actor, int path, vtkMatrix4x4* matrix, vtkPolyData* mesh, Member& member)
 {
-  Entry& entry = this->Entries[Key(actor, path, mesh)];
+  Mesh entry{ path, mesh, nullptr };
+  // As a rule blocks come in the order of the last time.
+  const std::size_t count = this->OldMeshes.size();
+  for (std::size_t k = 0; k < count && !entry.Caster; ++k)
+  {
+    Mesh& old = this->OldMeshes[(member.Meshes.size() + k) % count];
+    if (old.Path == path && old.Block == mesh)
+    {
+      entry.Caster = std::move(old.Caster);
+    }
+  }
   if (!entry.Caster)
   {
     entry.Caster = std::make_unique<vtkShadowCaster>();
   }
-  entry.Round = this->Round;
   this->Updates += entry.Caster->Update(mesh, matrix, GetPlanes(actor->GetMapper())) ? 1 : 0;
-  if (entry.Caster->GetNumberOfTriangles() > 0)
-  {
-    this->Casters.push_back(entry.Caster.get());
-  }
+  member.Meshes.push_back(std::move(entry));
 }
 VTK_ABI_NAMESPACE_END

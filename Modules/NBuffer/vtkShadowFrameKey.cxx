@@ -3,26 +3,13 @@
 #include "vtkShadowFrameKey.h"
 
 #include "vtkNBufferGL.h"
+#include "vtkNBufferGatedProp.h"
+#include "vtkNBufferHeldProps.h"
 #include "vtkNBufferViewKey.h"
+#include "vtkShadowCasterList.h"
 
-#include "vtkAlgorithm.h"
-#include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeRange.h"
-#include "vtkMapper.h"
-#include "vtkOpenGLActor.h"
-#include "vtkOpenGLPolyDataMapper.h"
-#include "vtkPlane.h"
-#include "vtkPlaneCollection.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
-#include "vtkTexture.h"
-#include "vtkTrivialProducer.h"
-
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-#include "vtkCompositePolyDataMapper2.h"
-#else
-#include "vtkCompositePolyDataMapper.h"
-#endif
 
 #include <algorithm>
 #include <typeinfo>
@@ -30,78 +17,48 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#else
-using CompositeMapper = vtkCompositePolyDataMapper;
-#endif
-
-/// Of data and, if it is composite, of its parts.
-vtkMTimeType GetDataTime(vtkDataObject* data)
+/// What vtkNBufferCuller puts into the list in the place of the renderer's own props.
+bool IsStandIn(vtkProp* prop)
 {
-  vtkMTimeType time = data ? data->GetMTime() : 0;
-  if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+  return typeid(*prop) == typeid(vtkNBufferHeldProps) ||
+    typeid(*prop) == typeid(vtkNBufferGatedProp);
+}
+
+/// Whether `part` is `whole` with some left out, in the same order, but for stand-ins.
+bool IsPart(const std::vector<vtkProp*>& part, const std::vector<vtkProp*>& whole)
+{
+  auto next = whole.begin();
+  for (vtkProp* prop : part)
   {
-    for (vtkDataObject* part : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
+    if (IsStandIn(prop))
     {
-      time = std::max(time, GetDataTime(part));
+      continue;
     }
+    next = std::find(next, whole.end(), prop);
+    if (next == whole.end())
+    {
+      return false;
+    }
+    ++next;
   }
-  return time;
-}
-
-/// Of a mapper or texture, and of what it shows.
-vtkMTimeType GetPipelineTime(vtkAlgorithm* algorithm)
-{
-  vtkAlgorithm* producer =
-    algorithm->GetNumberOfInputConnections(0) > 0 ? algorithm->GetInputAlgorithm() : nullptr;
-  // Without a pipeline there is nothing to update.
-  if (producer && typeid(*producer) != typeid(vtkTrivialProducer))
-  {
-    producer->Update();
-  }
-  return std::max(algorithm->GetMTime(), GetDataTime(algorithm->GetInputDataObject(0, 0)));
-}
-
-/// The time of the last change of what an actor draws; 0 where times do not tell.
-vtkMTimeType GetTime(vtkProp* prop)
-{
-  auto* actor = typeid(*prop) == typeid(vtkOpenGLActor) ? static_cast<vtkActor*>(prop) : nullptr;
-  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-  if (!mapper ||
-    (typeid(*mapper) != typeid(vtkOpenGLPolyDataMapper) && !CompositeMapper::SafeDownCast(mapper)))
-  {
-    return 0;
-  }
-  vtkMTimeType time = std::max(actor->GetMTime(), GetPipelineTime(mapper));
-  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
-  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
-  {
-    time = std::max(time, planes->GetItem(i)->GetMTime());
-  }
-  return actor->GetTexture() ? std::max(time, GetPipelineTime(actor->GetTexture())) : time;
+  return true;
 }
 }
 
 vtkShadowFrameKey::vtkShadowFrameKey(const vtkRenderState* state,
-  const std::vector<vtkShadowLightSource>& lights, const std::vector<vtkShadowCaster*>& casters,
+  const std::vector<vtkShadowLightSource>& lights, const vtkShadowCasterList& props,
   vtkMTimeType settingsTime)
   : Renderer(state->GetRenderer())
   , SettingsTime(settingsTime)
   , Lights(lights)
-  , Casters(casters)
+  , PropsVersion(props.GetVersion())
+  , Drawn(state->GetPropArray(), state->GetPropArray() + state->GetPropArrayCount())
 {
   const vtkNBufferViewKey view = vtkNBufferViewKey::Make(state->GetRenderer());
   this->ContextTime = view.ContextTime;
   this->WorldToClip = view.WorldToClip;
   glGetIntegerv(GL_VIEWPORT, this->Viewport.data());
-  this->Complete = true;
-  for (int i = 0; i < state->GetPropArrayCount(); ++i)
-  {
-    vtkProp* prop = state->GetPropArray()[i];
-    this->Props.emplace_back(prop, GetTime(prop));
-    this->Complete = this->Complete && this->Props.back().second > 0;
-  }
+  this->Complete = IsPart(this->Drawn, props.GetProps());
 }
 
 bool vtkShadowFrameKey::operator==(const vtkShadowFrameKey& other) const
@@ -109,6 +66,7 @@ bool vtkShadowFrameKey::operator==(const vtkShadowFrameKey& other) const
   return this->Complete && other.Complete && this->Renderer == other.Renderer &&
     this->ContextTime == other.ContextTime && this->SettingsTime == other.SettingsTime &&
     this->Viewport == other.Viewport && this->WorldToClip == other.WorldToClip &&
-    this->Lights == other.Lights && this->Casters == other.Casters && this->Props == other.Props;
+    this->Lights == other.Lights && this->PropsVersion == other.PropsVersion &&
+    this->Drawn == other.Drawn;
 }
 VTK_ABI_NAMESPACE_END

@@ -229,7 +229,7 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
 
   self.UseContext(window);
   self.SetShaderLights(lights);
-  const vtkShadowFrameKey key(s, lights, self.Masks.Casters.GetCasters(), this->GetMTime());
+  const vtkShadowFrameKey key(s, lights, self.Masks.Casters, this->GetMTime());
   const bool still = statistics.Updates == 0 && !this->CountFragments && key == self.Key;
   bool done = true;
   // The depth is drawn by the shaders that will draw the colour: it is the same to the bit, and no
