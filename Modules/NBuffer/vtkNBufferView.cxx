@@ -333,7 +333,7 @@ int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* require
   }
   const int drawn = this->DrawRounds(renderer, source);
   const vtkNBufferClock clock;
-  this->RedrawForTieOrder(renderer);
+  this->RedrawForTieOrder(renderer, true);
   this->Statistics.DrawTime += clock.GetMilliseconds();
   this->Pending = false;
   // Mappers return early from an aborted frame: its depth and verdicts are worth nothing.
@@ -518,7 +518,8 @@ int vtkNBufferView::DrawAll(
       this->Drawn.push_back(this->MakeDrawnProp(i, 1));
     }
   }
-  this->RedrawForTieOrder(renderer);
+  // In another view boxes are elsewhere; without a depth test the last one wins at any depth.
+  this->RedrawForTieOrder(renderer, false);
   this->Statistics.Decision = reason;
   this->Pending = this->Settled = false;
   this->CountVerdicts();
@@ -537,7 +538,7 @@ vtkNBufferDrawnProp vtkNBufferView::MakeDrawnProp(int i, int round)
   return drawn;
 }
 
-void vtkNBufferView::RedrawForTieOrder(vtkRenderer* renderer)
+void vtkNBufferView::RedrawForTieOrder(vtkRenderer* renderer, bool screensHold)
 {
   if (this->Drawn.empty())
   {
@@ -559,6 +560,10 @@ void vtkNBufferView::RedrawForTieOrder(vtkRenderer* renderer)
     {
       all.push_back(this->MakeDrawnProp(i, 0));
     }
+  }
+  for (vtkNBufferDrawnProp& drawn : all)
+  {
+    drawn.Bounded = drawn.Bounded && screensHold;
   }
   const std::vector<int> redraws = vtkNBufferTieOrder::GetRedraws(this->Projection, all);
   for (int i : redraws)

@@ -109,7 +109,7 @@ private:
   int DrawRound(vtkRenderer* renderer, std::vector<int> props, int round);
   int DrawAll(vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason);
   vtkNBufferDrawnProp MakeDrawnProp(int i, int round);
-  void RedrawForTieOrder(vtkRenderer* renderer);
+  void RedrawForTieOrder(vtkRenderer* renderer, bool screensHold);
 
   vtkNBufferBackend& Backend;
   vtkNBufferBackOff BackOff;

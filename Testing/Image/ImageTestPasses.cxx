@@ -17,12 +17,16 @@
 #include "vtkGaussianBlurPass.h"
 #include "vtkLight.h"
 #include "vtkLightsPass.h"
+#include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLFXAAPass.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
 #include "vtkOverlayPass.h"
 #include "vtkProperty.h"
 #include "vtkRenderPassCollection.h"
+#include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSSAOPass.h"
 #include "vtkSequencePass.h"
@@ -417,6 +421,66 @@ TEST(CullerPassesOnce, TiesUnderPasses)
     }
   }
   EXPECT_GT(redrawn, 0);
+}
+
+namespace
+{
+/// Ends, from the second frame on, as VTK's own passes do when a selection is drawn through them.
+class LeavesDepthTestOff : public vtkRenderStepsPass
+{
+public:
+  static LeavesDepthTestOff* New();
+  vtkTypeMacro(LeavesDepthTestOff, vtkRenderStepsPass);
+
+  void Render(const vtkRenderState* s) override
+  {
+    this->Superclass::Render(s);
+    if (this->Frame++ > 0)
+    {
+      static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow())
+        ->GetState()
+        ->vtkglDisable(GL_DEPTH_TEST);
+    }
+  }
+
+private:
+  int Frame = 0;
+};
+vtkStandardNewMacro(LeavesDepthTestOff);
+}
+
+// Hazard: a pass leaves the depth test off for the renderer behind it, where the last prop drawn
+// wins whatever its depth.
+TEST(CullerPassesOnce, DepthTestLeftOffByAnotherRenderersPass)
+{
+  ComparisonOptions options;
+  options.CompareDraws = false;
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      stage.AddRenderer(0.0, 0.0, 1.0, 1.0)->SetErase(false);
+      std::swap(stage.Renderers[0], stage.Renderers[1]);
+      for (int i = 0; i < 40; ++i)
+      {
+        Scenes::AddBox(stage, 0.05 * i, 0.02 * i, 0.1 * i - 4.0, 3.0, 3.0, 0.02);
+      }
+      vtkNew<LeavesDepthTestOff> pass;
+      stage.Renderers[1]->SetPass(pass);
+    },
+    options);
+  for (int i = 0; i < 4; ++i)
+  {
+    comparison.Both(
+      [i](Stage& stage)
+      {
+        vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+        camera->SetPosition(0.5 * i, 0.0, 15.0);
+        camera->SetFocalPoint(0.0, 0.0, 0.0);
+        stage.GetRenderer()->ResetCameraClippingRange();
+      });
+    comparison.Frame();
+    EXPECT_EQ(comparison.GetDecision(), i > 0 ? Decision::OtherView : Decision::Culled);
+  }
 }
 
 // Hazard: ambient occlusion in a part of the window draws into a framebuffer of the part's size.
