@@ -24,6 +24,7 @@
 #include "ShadowWalk.h"
 
 #include "vtkNew.h"
+#include "vtkNBufferCuller.h"
 #include "vtkShadowVolumeClampPass.h"
 
 #include <algorithm>
@@ -41,6 +42,7 @@ struct ShadowCommandOptions
   ViewOptions View;
   ShadowWalkOptions Walk;
   bool GroundCasts = true;
+  bool Culler = false;
   std::string JSON;
 };
 
@@ -187,6 +189,11 @@ int RunShadowCommand(ShadowCommandOptions& options)
   Session& session = Session::New(scene, options.View.Window);
   const std::string& name = options.View.SceneNames.front();
   vtkLight* light = LightScene(name, scene, path, session.GetRenderer());
+  if (options.Culler)
+  {
+    vtkNew<vtkNBufferCuller> culler;
+    session.GetRenderer()->AddCuller(culler);
+  }
   if (!options.GroundCasts)
   {
     options.Walk.CasterKeys = MarkCasters(name, scene);
@@ -198,6 +205,7 @@ int RunShadowCommand(ShadowCommandOptions& options)
   report["scene"] = name == "city-sun" || name == "city-spot" ? name : scene.Name;
   report["frames"] = static_cast<Json::UInt64>(path.size());
   report["props"] = static_cast<Json::UInt64>(scene.Actors.size());
+  report["culler"] = options.Culler;
   report["ground_casts"] = options.Walk.CasterKeys == nullptr;
   report["block"] = options.Walk.Block;
   report["litmap"] = options.Walk.Litmap;
@@ -264,6 +272,7 @@ void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
     ->capture_default_str();
   command->add_flag("!--no-ground-caster", options->GroundCasts,
     "In vtkShadowVolumeClampPass ground and streets only receive shadows");
+  command->add_flag("--culler", options->Culler, "All modes with vtkNBufferCuller");
   command->add_option("--json", options->JSON, "File for the figures");
   command->add_option("--images", options->Walk.ImageFolder,
     "Folder for the middle frame of each mode and the chart of frame times");

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -165,6 +166,32 @@ void vtkNBufferCandidateList::KeepIfAllAreOutside()
       state.Verdict = vtkNBufferVerdict::Untested;
     }
   }
+}
+
+void vtkNBufferCandidateList::CountVerdicts(vtkNBufferStatistics& statistics) const
+{
+  statistics.Verdicts.fill(0);
+  for (const vtkNBufferState& state : this->States)
+  {
+    ++statistics.Verdicts[static_cast<int>(state.Verdict)];
+  }
+  std::array<int, vtkNBufferStatistics::MaximumNumberOfRounds + 1>& drawn = statistics.DrawnInRound;
+  drawn[0] = statistics.GetCount(vtkNBufferVerdict::Visible) +
+    statistics.GetCount(vtkNBufferVerdict::NearPlane) +
+    statistics.GetCount(vtkNBufferVerdict::Untested) -
+    std::accumulate(drawn.begin() + 1, drawn.end(), 0);
+}
+
+vtkNBufferDrawnProp vtkNBufferCandidateList::GetDrawn(int i, int round) const
+{
+  vtkNBufferDrawnProp drawn;
+  drawn.Index = i;
+  drawn.Round = round;
+  drawn.Bounded =
+    this->Candidates[i].IsCandidate() && this->States[i].Placement == vtkNBufferPlacement::Inside;
+  drawn.Box = this->GetBox(i);
+  drawn.Screen = this->Screens[i];
+  return drawn;
 }
 
 int vtkNBufferCandidateList::Find(vtkProp* prop) const

@@ -13,6 +13,7 @@
 
 #include "vtkNBufferCandidate.h"
 #include "vtkNBufferProjection.h"
+#include "vtkNBufferTieOrder.h"
 
 #include <unordered_map>
 #include <vector>
@@ -59,6 +60,12 @@ public:
     return this->Blending || (smoothLines && this->Lines) ||
       (ambientOcclusion && this->LackOfNormals);
   }
+
+  /// Verdicts, and from them how many props were drawn before the first test.
+  void CountVerdicts(vtkNBufferStatistics& statistics) const;
+
+  /// Prop i as drawn in a round, for the order of equal depths.
+  vtkNBufferDrawnProp GetDrawn(int i, int round) const;
 
   int GetSize() const { return static_cast<int>(this->Candidates.size()); }
   vtkProp* GetProp(int i) const { return this->Candidates[i].GetProp(); }

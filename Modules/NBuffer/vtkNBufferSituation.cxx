@@ -3,6 +3,7 @@
 #include "vtkNBufferSituation.h"
 
 #include "vtkNBufferVTKVersion.h"
+#include "vtkShadowVolumeClampPass.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -30,11 +31,11 @@ namespace
 {
 /// Passes that draw the renderer's own props from its own camera. A pass that draws into another
 /// size or with another camera is caught later, when the proxy is drawn.
-const std::array<const char*, 17> KnownPasses = { "vtkSequencePass", "vtkCameraPass",
+const std::array<const char*, 19> KnownPasses = { "vtkSequencePass", "vtkCameraPass",
   "vtkRenderStepsPass", "vtkSSAOPass", "vtkSSAAPass", "vtkOpenGLFXAAPass", "vtkToneMappingPass",
   "vtkLightsPass", "vtkDefaultPass", "vtkOpaquePass", "vtkTranslucentPass", "vtkVolumetricPass",
   "vtkOverlayPass", "vtkClearZPass", "vtkDepthPeelingPass", "vtkDualDepthPeelingPass",
-  "vtkOrderIndependentTranslucentPass" };
+  "vtkOrderIndependentTranslucentPass", "vtkShadowVolumeClampPass", "OpaqueStage" };
 
 /// The passes that a pass hands on to.
 std::vector<vtkRenderPass*> GetParts(vtkRenderPass* pass)
@@ -59,6 +60,10 @@ std::vector<vtkRenderPass*> GetParts(vtkRenderPass* pass)
     parts = { steps->GetCameraPass(), steps->GetLightsPass(), steps->GetOpaquePass(),
       steps->GetTranslucentPass(), steps->GetVolumetricPass(), steps->GetOverlayPass(),
       steps->GetPostProcessPass() };
+  }
+  else if (auto* shadows = vtkShadowVolumeClampPass::SafeDownCast(pass))
+  {
+    parts = { shadows->GetSteps() };
   }
   else if (auto* image = vtkImageProcessingPass::SafeDownCast(pass))
   {
@@ -115,6 +120,12 @@ bool HasAmbientOcclusion(vtkRenderer* renderer)
 bool ProcessesImage(vtkRenderer* renderer)
 {
   return renderer->GetUseFXAA() || renderer->GetUseSSAO();
+}
+
+bool DrawsOpaquePropsTwice(vtkRenderer* renderer)
+{
+  return AnyPass(
+    renderer->GetPass(), [](vtkRenderPass* pass) { return pass->IsA("vtkShadowVolumeClampPass"); });
 }
 
 bool SmoothesLines(vtkRenderer* renderer)

@@ -25,6 +25,12 @@ VTKNBUFFER_EXPORT vtkNBufferDecision GetObstacle(vtkRenderer* renderer);
 /// layers below. It does so only if there is a prop left in its list, be it one that draws nothing.
 VTKNBUFFER_EXPORT bool ProcessesImage(vtkRenderer* renderer);
 
+/**
+ * Whether a pass (vtkShadowVolumeClampPass) may draw the same opaque props twice, first the depth
+ * alone, then everything: what is hidden in the first drawing is hidden in the second.
+ */
+VTKNBUFFER_EXPORT bool DrawsOpaquePropsTwice(vtkRenderer* renderer);
+
 ///@{
 /// Blending in the opaque stage, where it shows what has been drawn below and in which order:
 /// screen-space ambient occlusion takes positions and normals of what lies below from props that

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -93,7 +92,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
     this->Props.KeepIfAllAreOutside();
   }
   const double total = this->Emit(props, count, initialized);
-  this->CountVerdicts();
+  this->Props.CountVerdicts(this->Statistics);
   this->Statistics.CullTime = clock.GetMilliseconds();
   return total;
 }
@@ -213,7 +212,7 @@ double vtkNBufferView::Emit(vtkProp** props, int& count, int& initialized)
   double total = 0.0;
   int kept = 0;
   double heldTotal = 0.0;
-  std::size_t gates = 0;
+  this->Gates.Clear();
   for (int i = 0; i < this->Props.GetSize(); ++i)
   {
     const vtkNBufferVerdict verdict = this->Props.GetState(i).Verdict;
@@ -234,10 +233,7 @@ double vtkNBufferView::Emit(vtkProp** props, int& count, int& initialized)
       this->Pending && std::binary_search(this->Gated.begin(), this->Gated.end(), i);
     if (gated || closed)
     {
-      vtkNBufferGatedProp* gate = this->GetGate(gates++);
-      gate->SetProp(prop);
-      gate->SetOpen(!closed);
-      prop = gate;
+      prop = this->Gates.Add(prop, !closed);
     }
     prop->SetRenderTimeMultiplier(multiplier);
     total += multiplier;
@@ -255,15 +251,6 @@ double vtkNBufferView::Emit(vtkProp** props, int& count, int& initialized)
   return total;
 }
 
-vtkNBufferGatedProp* vtkNBufferView::GetGate(std::size_t n)
-{
-  while (this->Gates.size() <= n)
-  {
-    this->Gates.push_back(vtkSmartPointer<vtkNBufferGatedProp>::New());
-  }
-  return this->Gates[n];
-}
-
 void vtkNBufferView::CloseGates(vtkNBufferDepthTest& test)
 {
   // Gate n stands for the n-th of Gated.
@@ -271,28 +258,13 @@ void vtkNBufferView::CloseGates(vtkNBufferDepthTest& test)
   test.RemoveHidden(visible);
   for (std::size_t n = 0; n < this->Gated.size(); ++n)
   {
-    if (!this->Gates[n]->HasDrawn() &&
+    if (!this->Gates.HasDrawn(n) &&
       !std::binary_search(visible.begin(), visible.end(), this->Gated[n]))
     {
-      this->Gates[n]->SetOpen(false);
+      this->Gates.SetOpen(n, false);
       this->Props.GetState(this->Gated[n]).Verdict = vtkNBufferVerdict::Hidden;
     }
   }
-}
-
-void vtkNBufferView::CountVerdicts()
-{
-  this->Statistics.Verdicts.fill(0);
-  for (const vtkNBufferState& state : this->Props.GetStates())
-  {
-    ++this->Statistics.Verdicts[static_cast<int>(state.Verdict)];
-  }
-  std::array<int, vtkNBufferStatistics::MaximumNumberOfRounds + 1>& drawn =
-    this->Statistics.DrawnInRound;
-  drawn[0] = this->Statistics.GetCount(vtkNBufferVerdict::Visible) +
-    this->Statistics.GetCount(vtkNBufferVerdict::NearPlane) +
-    this->Statistics.GetCount(vtkNBufferVerdict::Untested) -
-    std::accumulate(drawn.begin() + 1, drawn.end(), 0);
 }
 
 vtkNBufferVerdict vtkNBufferView::GetVerdict(vtkProp* prop) const
@@ -318,6 +290,11 @@ int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* require
   {
     return 0;
   }
+  vtkNBufferDepthSource source;
+  if (!requiredKeys && this->MayRepeat(renderer, source))
+  {
+    return this->Repeat(renderer);
+  }
   // Only some of the props, or the same props once more: VTK has its reasons, draw what it says.
   if (requiredKeys || this->DrawnOnce)
   {
@@ -325,12 +302,13 @@ int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* require
     return this->DrawAll(renderer, requiredKeys, vtkNBufferDecision::OtherView);
   }
   this->DrawnOnce = true;
-  vtkNBufferDepthSource source;
   const vtkNBufferDecision obstacle = this->PrepareTest(renderer, source);
   if (obstacle != vtkNBufferDecision::None)
   {
     return this->DrawAll(renderer, nullptr, obstacle);
   }
+  this->TestedBits = source.DepthBits;
+  this->TestedSamples = source.Samples;
   const int drawn = this->DrawRounds(renderer, source);
   const vtkNBufferClock clock;
   this->RedrawForTieOrder(renderer, true);
@@ -338,13 +316,39 @@ int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* require
   this->Pending = false;
   // Mappers return early from an aborted frame: its depth and verdicts are worth nothing.
   this->Settled = this->Settled && !renderer->GetRenderWindow()->GetAbortRender();
-  this->CountVerdicts();
+  this->Props.CountVerdicts(this->Statistics);
   const auto keptHidden = std::count_if(this->Kept.begin(), this->Kept.end(),
     [this](int i) { return !this->Props.GetState(i).WasVisible; });
   this->Improves = keptHidden > 0;
   this->BackOff.Learn(this->Statistics.GetCount(vtkNBufferVerdict::Hidden) +
       static_cast<int>(keptHidden) - this->Statistics.Redrawn,
     static_cast<int>(this->Kept.size() + this->Held.size() + this->Gated.size()));
+  return drawn;
+}
+
+bool vtkNBufferView::MayRepeat(vtkRenderer* renderer, vtkNBufferDepthSource& source)
+{
+  // Depth that is coarser than that of the test holds other ties, other samples see past others.
+  return this->DrawnOnce && !this->Pending && this->Settled &&
+    vtkNBufferSituation::DrawsOpaquePropsTwice(renderer) &&
+    this->PrepareTest(renderer, source) == vtkNBufferDecision::None &&
+    std::max(source.Samples, 1) == std::max(this->TestedSamples, 1) &&
+    std::min(source.DepthBits, 24) >= std::min(this->TestedBits, 24);
+}
+
+int vtkNBufferView::Repeat(vtkRenderer* renderer)
+{
+  const vtkNBufferClock clock;
+  int drawn = 0;
+  for (const vtkNBufferDrawnProp& prop : this->Drawn)
+  {
+    vtkProp* held = this->Props.GetProp(prop.Index);
+    drawn += this->Proxy->Draw(held, renderer, held->GetAllocatedRenderTime());
+  }
+  const int redrawn = this->Statistics.Redrawn;
+  this->RedrawForTieOrder(renderer, true);
+  this->Statistics.Redrawn = redrawn; // of one drawing
+  this->Statistics.DrawTime += clock.GetMilliseconds();
   return drawn;
 }
 
@@ -490,7 +494,7 @@ int vtkNBufferView::DrawRound(vtkRenderer* renderer, std::vector<int> props, int
     state.Verdict = vtkNBufferVerdict::Visible;
     state.WasVisible = true;
     drawn += this->Proxy->Draw(this->Props.GetProp(i), renderer, time);
-    this->Drawn.push_back(this->MakeDrawnProp(i, round));
+    this->Drawn.push_back(this->Props.GetDrawn(i, round));
   }
   this->Statistics.DrawnInRound[std::min(round, vtkNBufferStatistics::MaximumNumberOfRounds)] +=
     static_cast<int>(props.size());
@@ -504,7 +508,7 @@ int vtkNBufferView::DrawAll(
   int drawn = 0;
   for (std::size_t n = 0; n < this->Gated.size(); ++n)
   {
-    this->Gates[n]->SetOpen(true);
+    this->Gates.SetOpen(n, true);
     this->Props.GetState(this->Gated[n]).Verdict = vtkNBufferVerdict::Translucent;
   }
   this->Drawn.clear();
@@ -515,26 +519,14 @@ int vtkNBufferView::DrawAll(
     if (prop->HasKeys(requiredKeys))
     {
       drawn += this->Proxy->Draw(prop, renderer, this->Proxy->GetAllocatedRenderTime());
-      this->Drawn.push_back(this->MakeDrawnProp(i, 1));
+      this->Drawn.push_back(this->Props.GetDrawn(i, 1));
     }
   }
   // In another view boxes are elsewhere; without a depth test the last one wins at any depth.
   this->RedrawForTieOrder(renderer, false);
   this->Statistics.Decision = reason;
   this->Pending = this->Settled = false;
-  this->CountVerdicts();
-  return drawn;
-}
-
-vtkNBufferDrawnProp vtkNBufferView::MakeDrawnProp(int i, int round)
-{
-  vtkNBufferDrawnProp drawn;
-  drawn.Index = i;
-  drawn.Round = round;
-  drawn.Bounded = this->Props.GetCandidate(i).IsCandidate() &&
-    this->Props.GetState(i).Placement == vtkNBufferPlacement::Inside;
-  drawn.Box = this->Props.GetBox(i);
-  drawn.Screen = this->Props.GetScreen(i);
+  this->Props.CountVerdicts(this->Statistics);
   return drawn;
 }
 
@@ -558,7 +550,7 @@ void vtkNBufferView::RedrawForTieOrder(vtkRenderer* renderer, bool screensHold)
       this->Props.GetProp(i)->GetRenderTimeMultiplier() > 0.0 &&
       this->Props.GetCandidate(i).WritesDepth())
     {
-      all.push_back(this->MakeDrawnProp(i, 0));
+      all.push_back(this->Props.GetDrawn(i, 0));
     }
   }
   for (vtkNBufferDrawnProp& drawn : all)

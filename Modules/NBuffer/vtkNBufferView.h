@@ -11,6 +11,8 @@
  *     DrawHeldProps()  rounds: levels of the depth so far, test, draw what may be visible
  *                      then redraw for the order of equal depths
  *       |              and close the gates of translucent props that are hidden
+ *       |              If a pass draws the same list once more (vtkNBufferSituation), the same
+ *       |              draws again in the same order, without another test.
  *     renderer draws the translucent props whose gates are open
  *
  * Lasting from frame to frame: the caches and which candidates the last test found visible. Depth
@@ -23,16 +25,14 @@
 #include "vtkNBufferBackend.h"
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDepthTest.h"
-#include "vtkNBufferGatedProp.h"
+#include "vtkNBufferGates.h"
 #include "vtkNBufferHeldProps.h"
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferStatistics.h"
-#include "vtkNBufferTieOrder.h"
 #include "vtkNBufferViewKey.h"
 
 #include "vtkNew.h"
-#include "vtkSmartPointer.h"
 
 #include <string>
 #include <vector>
@@ -99,16 +99,15 @@ private:
   vtkNBufferDecision Decide(bool blending);
   double Emit(vtkProp** props, int& count, int& initialized);
   void ResetStatistics();
-  void CountVerdicts();
 
   vtkNBufferDecision PrepareTest(vtkRenderer* renderer, vtkNBufferDepthSource& source);
-  vtkNBufferGatedProp* GetGate(std::size_t n);
   void CloseGates(vtkNBufferDepthTest& test);
   void TestKept(vtkNBufferDepthTest& test);
   int DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSource& source);
   int DrawRound(vtkRenderer* renderer, std::vector<int> props, int round);
+  bool MayRepeat(vtkRenderer* renderer, vtkNBufferDepthSource& source);
+  int Repeat(vtkRenderer* renderer);
   int DrawAll(vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason);
-  vtkNBufferDrawnProp MakeDrawnProp(int i, int round);
   void RedrawForTieOrder(vtkRenderer* renderer, bool screensHold);
 
   vtkNBufferBackend& Backend;
@@ -119,9 +118,11 @@ private:
   vtkNBufferSettings Settings;
   vtkNBufferStatistics Statistics;
   vtkNew<vtkNBufferHeldProps> Proxy;
-  std::vector<vtkSmartPointer<vtkNBufferGatedProp>> Gates; ///< Reused from frame to frame.
+  vtkNBufferGates Gates; ///< Gate n is that of the n-th of Gated.
   vtkNBufferViewKey LastKey;
   double DepthQuantum = 0x1p-24; ///< Of the framebuffer drawn last, in window depth.
+  int TestedBits = 0;            ///< Of the depth of this frame's test.
+  int TestedSamples = 0;
 
   std::vector<int> Kept;                  ///< Candidates inside that are let through.
   std::vector<int> Held;                  ///< Candidates inside that are held back.

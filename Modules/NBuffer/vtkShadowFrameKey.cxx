@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowFrameKey.h"
 
+#include "vtkNBufferCuller.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferGatedProp.h"
 #include "vtkNBufferHeldProps.h"
 #include "vtkNBufferViewKey.h"
 #include "vtkShadowCasterList.h"
 
+#include "vtkCullerCollection.h"
+#include "vtkFrustumCoverageCuller.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 
@@ -43,6 +46,28 @@ bool IsPart(const std::vector<vtkProp*>& part, const std::vector<vtkProp*>& whol
   }
   return true;
 }
+
+/// Whether what is left out of the list is hidden or outside: then it is all the same how much.
+/// The frustum culler decides by camera, props and its own settings.
+bool KeepCullersTheImage(vtkRenderer* renderer, vtkMTimeType& settingsTime)
+{
+  bool keep = false;
+  vtkCullerCollection* cullers = renderer->GetCullers();
+  for (int i = 0; i < cullers->GetNumberOfItems(); ++i)
+  {
+    vtkObject* culler = cullers->GetItemAsObject(i);
+    if (typeid(*culler) == typeid(vtkNBufferCuller))
+    {
+      keep = true;
+    }
+    else if (typeid(*culler) != typeid(vtkFrustumCoverageCuller))
+    {
+      return false;
+    }
+    settingsTime = std::max(settingsTime, culler->GetMTime());
+  }
+  return keep;
+}
 }
 
 vtkShadowFrameKey::vtkShadowFrameKey(const vtkRenderState* state,
@@ -59,6 +84,10 @@ vtkShadowFrameKey::vtkShadowFrameKey(const vtkRenderState* state,
   this->WorldToClip = view.WorldToClip;
   glGetIntegerv(GL_VIEWPORT, this->Viewport.data());
   this->Complete = IsPart(this->Drawn, props.GetProps());
+  if (KeepCullersTheImage(state->GetRenderer(), this->SettingsTime))
+  {
+    this->Drawn.clear();
+  }
 }
 
 bool vtkShadowFrameKey::operator==(const vtkShadowFrameKey& other) const

@@ -5,8 +5,9 @@
  * @brief All that the masks of a frame depend on: where two keys are equal, masks are as they were.
  *
  * Renderer and context, viewport and camera matrix, lights, settings, the renderer's props as
- * vtkShadowCasterList has looked at them, and which of them are drawn. Where others are drawn, too,
- * whose changes nobody looks at, the key equals none, not even itself.
+ * vtkShadowCasterList has looked at them, and, unless vtkNBufferCuller chooses them, which of them
+ * are drawn. Where others are drawn, too, whose changes nobody looks at, the key equals none, not
+ * even itself.
  */
 #ifndef vtkShadowFrameKey_h
 #define vtkShadowFrameKey_h

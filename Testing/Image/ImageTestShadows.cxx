@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The culler beside vtkShadowVolumeClampPass: what the camera does not see is not drawn, and casts.
+#include "CullerTest.h"
+#include "Scenes.h"
+
+#include "vtkShadowVolumeClampPass.h"
+
+#include "vtkCamera.h"
+#include "vtkCameraPass.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkLightsPass.h"
+#include "vtkProperty.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkSequencePass.h"
+#include "vtkTranslucentPass.h"
+
+#include <algorithm>
+
+using Decision = vtkNBufferDecision;
+using Verdict = vtkNBufferVerdict;
+using Scenes::Wall;
+
+namespace
+{
+vtkLight* AddLight(Stage& stage, double x, double y, double z, bool positional = false)
+{
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(x, y, z);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetPositional(positional);
+  light->SetConeAngle(positional ? 60.0 : 90.0);
+  stage.GetRenderer()->AddLight(light);
+  return light;
+}
+
+vtkShadowVolumeClampPass* AddShadows(Stage& stage)
+{
+  stage.GetRenderer()->RemoveAllLights();
+  stage.GetRenderer()->SetAutomaticLightCreation(false);
+  AddLight(stage, -8.0, 9.0, 14.0);
+  vtkNew<vtkShadowVolumeClampPass> pass;
+  stage.GetRenderer()->SetPass(pass);
+  return pass;
+}
+
+vtkShadowVolumeClampPass* GetPass(const Stage& stage)
+{
+  return vtkShadowVolumeClampPass::SafeDownCast(stage.GetRenderer()->GetPass());
+}
+
+/// Shadowed samples of the first light; the masks of both stages have to be equal.
+int CompareMasks(const Comparison& comparison)
+{
+  std::vector<unsigned char> masks[2];
+  for (const Stage* stage : { &comparison.Reference, &comparison.Culled })
+  {
+    int width = 0;
+    int height = 0;
+    auto* light = vtkLight::SafeDownCast(stage->GetRenderer()->GetLights()->GetItemAsObject(0));
+    stage->Window->MakeCurrent();
+    masks[stage == &comparison.Culled] = GetPass(*stage)->GetMask(light, width, height);
+  }
+  EXPECT_TRUE(masks[0] == masks[1]);
+  return static_cast<int>(std::count(masks[1].begin(), masks[1].end(), 255));
+}
+}
+
+// Hazard: the depth of the receivers is drawn first, and that is where props are tested; the colour
+// is drawn after that, of the same props, in the same order.
+TEST(CullerShadows, HiddenPropsCastAndAreNotDrawn)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      AddShadows(stage);
+    });
+  for (int i = 0; i < 6; ++i)
+  {
+    comparison.Both(
+      [i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), i < 3 ? 0.2 * i : 4.0 * i); });
+    comparison.Frame("moved");
+    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+    EXPECT_GT(comparison.GetHidden(), Wall::Behind / 3);
+    const vtkShadowStatistics& shadows = GetPass(comparison.Culled)->GetStatistics();
+    EXPECT_EQ(shadows.Decision, vtkShadowDecision::Drawn);
+    EXPECT_EQ(shadows.Casters, Wall::Count);
+    EXPECT_GT(CompareMasks(comparison), 0);
+  }
+}
+
+TEST(CullerShadows, MasksOfAStillFrameStand)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      AddShadows(stage);
+    });
+  // What the test found hidden is left out of the list in the second frame.
+  comparison.Frame("first");
+  comparison.Frame("second");
+  comparison.Frame("third");
+  EXPECT_EQ(comparison.GetDecision(), Decision::Still);
+  EXPECT_EQ(GetPass(comparison.Culled)->GetStatistics().Decision, vtkShadowDecision::Still);
+  // A caster that the camera does not see moves.
+  comparison.Both([](Stage& stage) { stage.GetActor(Wall::FirstBehind)->SetPosition(0, 0, -0.1); });
+  comparison.Frame("hidden caster moved");
+  EXPECT_EQ(comparison.GetVerdict(Wall::FirstBehind), Verdict::Hidden);
+  EXPECT_EQ(GetPass(comparison.Culled)->GetStatistics().Decision, vtkShadowDecision::Drawn);
+  EXPECT_EQ(GetPass(comparison.Culled)->GetStatistics().Updates, 1);
+}
+
+// Hazard: a hidden caster's shadow lies on what is seen.
+TEST(CullerShadows, ShadowOfAHiddenPropIsSeen)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      // A wall before the camera, a tower behind it, and ground beside the wall.
+      Scenes::AddBox(stage, 0.0, 0.0, 0.0, 8.0, 6.0, 0.2);
+      Scenes::AddBox(stage, 0.0, -3.2, 0.0, 60.0, 0.2, 60.0);
+      for (int i = 0; i < 40; ++i)
+      {
+        Scenes::AddBox(stage, 0.1 * (i % 8) - 0.4, -1.0, -3.0 - 0.3 * i, 0.3, 4.0, 0.2);
+      }
+      Scenes::SetWallCamera(stage.GetRenderer());
+      stage.GetRenderer()->RemoveAllLights();
+      stage.GetRenderer()->SetAutomaticLightCreation(false);
+      AddLight(stage, -14.0, 3.0, -3.0);
+      vtkNew<vtkShadowVolumeClampPass> pass;
+      stage.GetRenderer()->SetPass(pass);
+    });
+  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.01); });
+  comparison.Frame();
+  EXPECT_GE(comparison.GetHidden(), 28);
+  const int shadowed = CompareMasks(comparison);
+  // Without the hidden ones the ground beside the wall is lit.
+  comparison.Both(
+    [](Stage& stage)
+    {
+      for (int i = 2; i < 42; ++i)
+      {
+        stage.Props[i]->VisibilityOff();
+      }
+    });
+  comparison.Frame("without casters");
+  EXPECT_LT(CompareMasks(comparison), shadowed);
+}
+
+TEST(CullerShadows, CityWalkInEveryMode)
+{
+  for (int mode : { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Exact,
+         vtkShadowVolumeClampPass::Clamped })
+  {
+    SCOPED_TRACE(mode);
+    Comparison comparison(
+      [mode](Stage& stage)
+      {
+        Scenes::BuildCity(stage, 10);
+        AddShadows(stage)->SetMode(mode);
+        AddLight(stage, 20.0, 30.0, 10.0, true);
+        for (int i = 5; i < 100; i += 9)
+        {
+          stage.GetActor(i)->GetProperty()->SetOpacity(0.5);
+        }
+      });
+    for (int i = 0; i < 5; ++i)
+    {
+      comparison.Both([i](Stage& stage) { Scenes::SetCityCamera(stage.GetRenderer(), 0.05 * i); });
+      comparison.Frame();
+      EXPECT_GT(comparison.GetHidden(), 10);
+      CompareMasks(comparison);
+    }
+  }
+}
+
+// Hazard: equal depths, whose order has to be that of the renderer in both drawings.
+TEST(CullerShadows, Ties)
+{
+  int redrawn = 0;
+  for (unsigned int seed = 0; seed < 6; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    ComparisonOptions options;
+    options.RoundSize = 5;
+    options.CompareDraws = false;
+    Comparison comparison(
+      [seed](Stage& stage)
+      {
+        Scenes::BuildTies(stage, seed, true);
+        AddShadows(stage);
+      },
+      options);
+    const int door = Scenes::FindDoor(comparison.Reference);
+    for (int i = 0; i < 6; ++i)
+    {
+      comparison.Both([i, door](Stage& stage)
+        { stage.GetActor(door)->SetPosition(2.5 * (i % 4) - 4.0, 0.0, 0.0); });
+      comparison.Frame();
+      redrawn += comparison.GetStatistics().Redrawn;
+    }
+  }
+  EXPECT_GT(redrawn, 0);
+}
+
+// Hazard: other samples than those that were tested see past the silhouettes that hide a prop.
+TEST(CullerShadows, MultiSamples)
+{
+  ComparisonOptions options;
+  options.MultiSamples = 4;
+  options.CompareDepth = false;
+  options.CompareDraws = false;
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildCity(stage, 10);
+      AddShadows(stage);
+    },
+    options);
+  for (int i = 0; i < 5; ++i)
+  {
+    comparison.Both([i](Stage& stage) { Scenes::SetCityCamera(stage.GetRenderer(), 0.05 * i); });
+    comparison.Frame();
+    EXPECT_EQ(comparison.GetStatistics().FailedFrames, 0);
+  }
+}
+
+TEST(CullerShadows, PassInASequenceAndInAPartOfTheWindow)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      stage.GetRenderer()->SetViewport(0.31, 0.17, 0.93, 0.99);
+      Scenes::BuildWall(stage);
+      AddShadows(stage);
+      vtkNew<vtkLightsPass> lights;
+      vtkNew<vtkTranslucentPass> translucent;
+      vtkNew<vtkRenderPassCollection> passes;
+      passes->AddItem(lights);
+      passes->AddItem(stage.GetRenderer()->GetPass());
+      passes->AddItem(translucent);
+      vtkNew<vtkSequencePass> sequence;
+      sequence->SetPasses(passes);
+      vtkNew<vtkCameraPass> camera;
+      camera->SetDelegatePass(sequence);
+      stage.GetRenderer()->SetPass(camera);
+    });
+  for (int i = 0; i < 4; ++i)
+  {
+    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.2 * i); });
+    comparison.Frame();
+    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+    EXPECT_GT(comparison.GetHidden(), Wall::Behind / 3);
+  }
+}
