@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What a renderer leaves to the one behind it, and takes from the one before it.
+#include "CullerTest.h"
+#include "Scenes.h"
+
+#include "vtkNBufferGL.h"
+
+#include "vtkCamera.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderState.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSphereSource.h"
+
+#include <utility>
+
+using Verdict = vtkNBufferVerdict;
+using Decision = vtkNBufferDecision;
+using Scenes::Wall;
+
+// Hazard: a renderer whose list is empty does nothing at all, not even what it does to the picture
+// of the layers below; so the list must not be emptied.
+TEST(CullerLayers, LayerWithNothingInsideProcessesWhatLiesBelow)
+{
+  for (const bool stock : { false, true })
+  {
+    ComparisonOptions options;
+    options.KeepDefaultCuller = options.StockReference = stock;
+    options.Configure = [](vtkNBufferCuller* culler) { culler->SetMinimumNumberOfCandidates(1); };
+    Comparison comparison(
+      [](Stage& stage)
+      {
+        Scenes::BuildWall(stage);
+        stage.Window->SetNumberOfLayers(2);
+        vtkRenderer* layer = stage.AddRenderer(0.0, 0.0, 1.0, 1.0, 1);
+        layer->SetErase(false);
+        layer->SetActiveCamera(stage.GetRenderer()->GetActiveCamera());
+        vtkNew<vtkSphereSource> sphere;
+        sphere->SetCenter(0.0, 0.0, 1e4);
+        sphere->Update();
+        const double color[3] = { 1.0, 0.0, 0.0 };
+        stage.AddActor(sphere->GetOutput(), color, layer);
+      },
+      options);
+    // VTK's own culler removes the prop before ours sees it.
+    const int outside = stock ? 0 : 1;
+    comparison.Frame("plain");
+    EXPECT_EQ(comparison.GetStatistics(1).GetCount(Verdict::Outside), outside);
+    comparison.Both([](Stage& stage) { stage.Renderers[1]->SetUseFXAA(true); });
+    comparison.Frame("FXAA");
+    comparison.Both([](Stage& stage) { stage.Renderers[1]->SetUseSSAO(true); });
+    comparison.Frame("FXAA and SSAO");
+    EXPECT_EQ(comparison.GetStatistics(1).GetCount(Verdict::Untested), outside);
+    EXPECT_GE(comparison.GetHidden(0), Wall::Hidden);
+  }
+}
+
+namespace
+{
+/// Ends, from the second frame on, as VTK's own passes do when a selection is drawn through them.
+class LeavesDepthTestOff : public vtkRenderStepsPass
+{
+public:
+  static LeavesDepthTestOff* New();
+  vtkTypeMacro(LeavesDepthTestOff, vtkRenderStepsPass);
+
+  void Render(const vtkRenderState* s) override
+  {
+    this->Superclass::Render(s);
+    if (this->Frame++ > 0)
+    {
+      static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow())
+        ->GetState()
+        ->vtkglDisable(GL_DEPTH_TEST);
+    }
+  }
+
+private:
+  int Frame = 0;
+};
+vtkStandardNewMacro(LeavesDepthTestOff);
+}
+
+// Hazard: a pass leaves the depth test off for the renderer behind it, where the last prop drawn
+// wins whatever its depth.
+TEST(CullerLayers, DepthTestLeftOffByAnotherRenderersPass)
+{
+  ComparisonOptions options;
+  options.CompareDraws = false;
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      stage.AddRenderer(0.0, 0.0, 1.0, 1.0)->SetErase(false);
+      std::swap(stage.Renderers[0], stage.Renderers[1]);
+      for (int i = 0; i < 40; ++i)
+      {
+        Scenes::AddBox(stage, 0.05 * i, 0.02 * i, 0.1 * i - 4.0, 3.0, 3.0, 0.02);
+      }
+      vtkNew<LeavesDepthTestOff> pass;
+      stage.Renderers[1]->SetPass(pass);
+    },
+    options);
+  for (int i = 0; i < 4; ++i)
+  {
+    comparison.Both(
+      [i](Stage& stage)
+      {
+        vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+        camera->SetPosition(0.5 * i, 0.0, 15.0);
+        camera->SetFocalPoint(0.0, 0.0, 0.0);
+        stage.GetRenderer()->ResetCameraClippingRange();
+      });
+    comparison.Frame();
+    EXPECT_EQ(comparison.GetDecision(), i > 0 ? Decision::OtherView : Decision::Culled);
+  }
+}
