@@ -11,6 +11,7 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeRange.h"
 #include "vtkDataSetMapper.h"
+#include "vtkGeometryFilter.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -98,7 +99,8 @@ vtkMTimeType GetTime(vtkActor* actor)
 {
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
   if (!mapper ||
-    (typeid(*mapper) != typeid(vtkOpenGLPolyDataMapper) && !CompositeMapper::SafeDownCast(mapper)))
+    (typeid(*mapper) != typeid(vtkOpenGLPolyDataMapper) &&
+      typeid(*mapper) != typeid(vtkDataSetMapper) && !CompositeMapper::SafeDownCast(mapper)))
   {
     return 0;
   }
@@ -282,11 +284,22 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
     this->AddData(actor, path, matrix, mapper->GetInputDataObject(0, 0), true, 1.0, member);
     return;
   }
-  // A vtkDataSetMapper hands on polydata as it is.
-  vtkPolyData* mesh =
+  vtkDataObject* input =
     vtkPolyDataMapper::SafeDownCast(mapper) || vtkDataSetMapper::SafeDownCast(mapper)
-    ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0))
+    ? mapper->GetInputDataObject(0, 0)
     : nullptr;
+  vtkPolyData* mesh = vtkPolyData::SafeDownCast(input);
+  if (input && !mesh)
+  {
+    vtkSmartPointer<vtkGeometryFilter>& surface = member.Surfaces[path];
+    if (!surface)
+    {
+      surface = vtkSmartPointer<vtkGeometryFilter>::New();
+    }
+    surface->SetInputData(input);
+    surface->Update();
+    mesh = surface->GetOutput();
+  }
   if (!mesh)
   {
     Skip(member.Skipped, vtkShadowSkip::NotAPlainMapper);

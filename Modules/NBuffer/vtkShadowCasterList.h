@@ -5,8 +5,9 @@
  * @brief Which props of a renderer cast, whether the camera sees them or not.
  *
  * Of every visible prop of the renderer the actors are looked at, those in assemblies too. An actor
- * casts if it is drawn opaque, as a surface, by a mapper of polydata or of composite data sets of
- * them. What cannot cast is counted by reason (vtkShadowSkip).
+ * casts if it is drawn opaque, as a surface, by a mapper of polydata, of composite data sets of
+ * them, or of other data sets (vtkDataSetMapper), whose surface is extracted as that mapper does.
+ * What cannot cast is counted by reason (vtkShadowSkip).
  *
  * A prop is looked at again when the modification times of what it came from say so
  * (vtkNBufferSources), and in every frame where they cannot tell. Pipelines are brought up to date
@@ -20,13 +21,17 @@
 #include "vtkShadowCaster.h"
 #include "vtkShadowStatistics.h"
 
+#include "vtkSmartPointer.h"
+
 #include <array>
+#include <map>
 #include <memory>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkDataObject;
+class vtkGeometryFilter;
 class vtkInformation;
 class vtkMatrix4x4;
 class vtkPolyData;
@@ -72,6 +77,7 @@ private:
     vtkMTimeType Time = 0; ///< Of the last change, as far as times tell.
     std::vector<Mesh> Meshes;
     std::array<int, NumberOfShadowSkips> Skipped = {};
+    std::map<int, vtkSmartPointer<vtkGeometryFilter>> Surfaces; ///< Of data sets, by path.
   };
 
   void Synchronize(std::vector<vtkProp*>& props);

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Data sets that are not polydata cast as their surfaces do.
+#include "OffscreenFixture.h"
+#include "PassTestTools.h"
+#include "ShadowShapes.h"
+
+#include "vtkActor.h"
+#include "vtkDataSetMapper.h"
+#include "vtkGeometryFilter.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <utility>
+
+using namespace ShadowShapes;
+
+namespace
+{
+class ShadowDataSets : public OffscreenFixture
+{
+};
+
+/// Hexahedra in a row, of which the inner faces are nobody's surface.
+vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(int cells)
+{
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i <= cells; ++i)
+  {
+    for (const auto& [y, z] :
+      { std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1) })
+    {
+      points->InsertNextPoint(0.5 * i, y, 1.0 + z);
+    }
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  for (vtkIdType i = 0; i < cells; ++i)
+  {
+    const vtkIdType corners[8] = { 4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3, 4 * i + 4, 4 * i + 5,
+      4 * i + 6, 4 * i + 7 };
+    grid->InsertNextCell(VTK_HEXAHEDRON, 8, corners);
+  }
+  return grid;
+}
+
+void Build(vtkRenderer* renderer)
+{
+  AddFloor(renderer, 6.0);
+  AddDirectional(renderer, { 0.4, 0.3, -1.0 });
+  Look(renderer, { 4.0, -7.0, 6.0 }, { 1.0, 0.5, 0.5 });
+}
+}
+
+// Hazard: a viewer that maps everything by vtkDataSetMapper has no casters.
+TEST_F(ShadowDataSets, CastAsTheirSurfaces)
+{
+  const NamedScene scene{ "DataSets", Build };
+  ShadowStage asGrid(scene);
+  ShadowStage asMesh(scene);
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = MakeGrid(4);
+  vtkActor* actor = AddMesh(asGrid.Renderer, nullptr);
+  vtkNew<vtkDataSetMapper> mapper;
+  mapper->SetInputData(grid);
+  actor->SetMapper(mapper);
+  vtkNew<vtkGeometryFilter> surface;
+  surface->SetInputData(grid);
+  surface->Update();
+  AddMesh(asMesh.Renderer, surface->GetOutput());
+
+  const auto pass = AddPass(asGrid);
+  const auto other = AddPass(asMesh);
+  const std::size_t pixels = CountPixels(asGrid.Renderer);
+  for (const double height : { 0.0, 0.0, 1.5 })
+  {
+    if (height > 0.0)
+    {
+      grid->GetPoints()->SetPoint(4, 0.5, 0.0, height);
+      grid->GetPoints()->Modified();
+      grid->Modified();
+      surface->Update();
+    }
+    asGrid.Window->Render();
+    asMesh.Window->Render();
+    const ShadowMask mask = GetMask(pass, asGrid.Lights[0], pixels);
+    EXPECT_GT(std::count(mask.begin(), mask.end(), 255), 200);
+    EXPECT_TRUE(mask == GetMask(other, asMesh.Lights[0], pixels));
+    EXPECT_TRUE(IsSameImage(GetImage(asMesh.Window), GetImage(asGrid.Window), asGrid.Window));
+    EXPECT_EQ(pass->GetStatistics().Casters, 2);
+    EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
+  }
+  // A still frame keeps its masks with such a caster, too.
+  asGrid.Window->Render();
+  EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Still);
+}
