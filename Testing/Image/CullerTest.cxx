@@ -430,7 +430,9 @@ void Comparison::CheckDraws()
     }
   }
   EXPECT_EQ(wrong.str(), "") << "these props were drawn against their verdict";
-  // Draws of other kinds of prop cannot be counted.
+  // Draws of other kinds of prop cannot be counted. In a view that draws twice what was hidden the
+  // first time makes up for some of the extra draws of the second.
+  allCounted = allCounted && this->GetDecision() != vtkNBufferDecision::OtherView;
   EXPECT_LE(extra, redrawn) << "draws beyond one per prop must be counted ones";
   EXPECT_TRUE(extra == redrawn || !allCounted) << extra << " extra draws, counted " << redrawn;
 }
