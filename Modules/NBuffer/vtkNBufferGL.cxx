@@ -93,6 +93,19 @@ bool CheckErrors(const char* where, std::string& why)
   return false;
 }
 
+void SetMatrix(vtkShaderProgram* program, const char* name, const double rows[16])
+{
+  float columns[16];
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      columns[4 * column + row] = static_cast<float>(rows[4 * row + column]);
+    }
+  }
+  program->SetUniformMatrix4x4(name, columns);
+}
+
 ScopedReadback::ScopedReadback(unsigned int readFramebuffer, unsigned int packBuffer)
 {
   static_assert(Size(PackNames) == ParameterCount && Size(PackTight) == ParameterCount,
@@ -226,6 +239,29 @@ ScopedPass::~ScopedPass()
       glEnable(CapabilityNames[i]);
     }
   }
+}
+
+ScopedBlend::ScopedBlend(unsigned int equation, unsigned int source, unsigned int destination)
+{
+  glGetIntegerv(GL_BLEND_EQUATION_RGB, &this->Equations[0]);
+  glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &this->Equations[1]);
+  constexpr GLenum names[] = { GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
+    GL_BLEND_DST_ALPHA };
+  for (int i = 0; i < Size(names); ++i)
+  {
+    glGetIntegerv(names[i], &this->Factors[i]);
+  }
+  glBlendEquation(equation);
+  glBlendFunc(source, destination);
+  glEnablei(GL_BLEND, 0);
+}
+
+ScopedBlend::~ScopedBlend()
+{
+  glDisablei(GL_BLEND, 0);
+  glBlendEquationSeparate(this->Equations[0], this->Equations[1]);
+  const int* f = this->Factors;
+  glBlendFuncSeparate(f[0], f[1], f[2], f[3]);
 }
 
 ScopedDepthSampling::ScopedDepthSampling(unsigned int target, int level)

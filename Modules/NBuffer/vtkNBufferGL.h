@@ -31,6 +31,9 @@ void ClearErrors();
 /// False, with the error and `where` in `why`, if OpenGL has reported an error since.
 bool CheckErrors(const char* where, std::string& why);
 
+/// Set a uniform mat4 of the program that is in use from a row-major matrix.
+void SetMatrix(vtkShaderProgram* program, const char* name, const double rows[16]);
+
 /**
  * Read-back into host memory (or into `packBuffer`), rows tightly packed, from `readFramebuffer`.
  */
@@ -97,6 +100,23 @@ private:
   int ActiveTexture = 0;
   int Textures[TargetCount] = {};
   int Sampler = 0;
+};
+
+/**
+ * Inside of a ScopedPass: blends into the first colour attachment, with one equation and the same
+ * factors for colour and alpha.
+ */
+class ScopedBlend
+{
+public:
+  ScopedBlend(unsigned int equation, unsigned int source, unsigned int destination);
+  ~ScopedBlend();
+  ScopedBlend(const ScopedBlend&) = delete;
+  void operator=(const ScopedBlend&) = delete;
+
+private:
+  int Equations[2] = {};
+  int Factors[4] = {};
 };
 
 /**

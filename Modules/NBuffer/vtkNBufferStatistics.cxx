@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferStatistics.h"
 
-#include "vtk_jsoncpp.h"
+#include "vtkNBufferJSON.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 const char* vtkNBufferStatistics::GetName(vtkNBufferVerdict verdict)
@@ -110,10 +110,7 @@ std::string vtkNBufferStatistics::GetAsJSON() const
   json["redrawn"] = this->Redrawn;
   json["refreshed"] = this->Refreshed;
   json["failed_frames"] = this->FailedFrames;
-  for (int i = 0; i < NumberOfVerdicts; ++i)
-  {
-    json["verdicts"][GetName(static_cast<vtkNBufferVerdict>(i))] = this->Verdicts[i];
-  }
+  json["verdicts"] = vtkNBufferJSON::ByName<vtkNBufferVerdict>(this->Verdicts, GetName);
   json["rounds"] = this->Rounds;
   for (int drawn : this->DrawnInRound)
   {
@@ -135,9 +132,6 @@ std::string vtkNBufferStatistics::GetAsJSON() const
   times["pixel_test"] = this->PixelTestTime;
   times["draw"] = this->DrawTime;
   times["device_build"] = this->DeviceBuildTime;
-
-  Json::StreamWriterBuilder writer;
-  writer["indentation"] = "";
-  return Json::writeString(writer, json);
+  return vtkNBufferJSON::Write(json);
 }
 VTK_ABI_NAMESPACE_END

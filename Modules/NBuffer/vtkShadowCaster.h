@@ -58,6 +58,7 @@ public:
   /// World coordinates of the merged points, xyz each.
   const std::vector<double>& GetPoints() const { return this->Points; }
   int GetNumberOfPoints() const { return static_cast<int>(this->Points.size() / 3); }
+  const std::vector<int>& GetTriangles() const { return this->Topology->GetTriangles(); }
   int GetNumberOfTriangles() const { return this->Topology->GetNumberOfTriangles(); }
 
   /**

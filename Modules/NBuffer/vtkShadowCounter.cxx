@@ -7,6 +7,7 @@
 
 #include "vtkNBufferFullScreenVS.h"
 #include "vtkShadowMaskFS.h"
+#include "vtkShadowTintFS.h"
 #include "vtkShadowVolumeFS.h"
 #include "vtkShadowVolumeVS.h"
 
@@ -167,6 +168,27 @@ void vtkShadowCounter::SetDirection(bool zPass)
   }
 }
 
+void vtkShadowCounter::BindVolume(vtkShaderProgram* program, const double volumeToClip[16])
+{
+  vtkNBufferGL::SetMatrix(program, "volumeToClip", volumeToClip);
+  glBindVertexArray(this->VertexArray);
+  const int attribute = glGetAttribLocation(program->GetHandle(), "corner");
+  int arrayBuffer = 0;
+  glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &arrayBuffer);
+  glBindBuffer(GL_ARRAY_BUFFER, this->VertexBuffer);
+  glEnableVertexAttribArray(attribute);
+  glVertexAttribPointer(attribute, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glBindBuffer(GL_ARRAY_BUFFER, arrayBuffer);
+}
+
+void vtkShadowCounter::DrawVolume(const vtkShadowDraw& draw)
+{
+  glScissor(draw.Box[0], draw.Box[1], draw.Box[2], draw.Box[3]);
+  glDrawElements(GL_TRIANGLES, draw.NumberOfIndices, GL_UNSIGNED_INT,
+    reinterpret_cast<const void*>(draw.FirstIndex * sizeof(unsigned int)));
+  ++this->Draws;
+}
+
 bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
   const double volumeToClip[16], const vtkShadowDraw* first, const vtkShadowDraw* last,
   long long* fragments, std::string& why)
@@ -178,24 +200,8 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
     return false;
   }
   vtkNBufferGL::ClearErrors();
-  float columns[16];
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      columns[4 * column + row] = static_cast<float>(volumeToClip[4 * row + column]);
-    }
-  }
-  program->SetUniformMatrix4x4("volumeToClip", columns);
+  this->BindVolume(program, volumeToClip);
   glBindFramebuffer(GL_FRAMEBUFFER, target.GetDepthFramebuffer());
-  glBindVertexArray(this->VertexArray);
-  const int attribute = glGetAttribLocation(program->GetHandle(), "corner");
-  int arrayBuffer = 0;
-  glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &arrayBuffer);
-  glBindBuffer(GL_ARRAY_BUFFER, this->VertexBuffer);
-  glEnableVertexAttribArray(attribute);
-  glVertexAttribPointer(attribute, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
-  glBindBuffer(GL_ARRAY_BUFFER, arrayBuffer);
 
   glEnable(GL_DEPTH_CLAMP);
   glPolygonOffset(OffsetFactor, OffsetUnits);
@@ -211,10 +217,7 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
         glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
       }
       (draw->Offset ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
-      glScissor(draw->Box[0], draw->Box[1], draw->Box[2], draw->Box[3]);
-      glDrawElements(GL_TRIANGLES, draw->NumberOfIndices, GL_UNSIGNED_INT,
-        reinterpret_cast<const void*>(draw->FirstIndex * sizeof(unsigned int)));
-      ++this->Draws;
+      this->DrawVolume(*draw);
     }
   };
   drawAll(true);
@@ -237,6 +240,37 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
   glDisable(GL_DEPTH_CLAMP);
   glDisable(GL_CLIP_DISTANCE0);
   return vtkNBufferGL::CheckErrors("Drawing shadow volumes", why);
+}
+
+bool vtkShadowCounter::Show(vtkOpenGLRenderWindow* window, const double volumeToClip[16],
+  const std::vector<vtkShadowDraw>& draws, Look look, std::string& why)
+{
+  vtkShaderProgram* program =
+    this->Ready(window, this->TintProgram, vtkShadowVolumeVS, vtkShadowTintFS, why);
+  if (!program)
+  {
+    return false;
+  }
+  this->BindVolume(program, volumeToClip);
+  const bool edges = look == Look::Edges;
+  constexpr float zPass[4] = { 0.2f, 0.6f, 1.0f, 0.8f };
+  constexpr float zFail[4] = { 1.0f, 0.55f, 0.1f, 0.8f };
+  constexpr float one[4] = { 1.0f / 255, 1.0f / 255, 1.0f / 255, 1.0f / 255 };
+  // Edges replace what they cover.
+  const vtkNBufferGL::ScopedBlend blend(GL_FUNC_ADD, GL_ONE, edges ? GL_ZERO : GL_ONE);
+  glPolygonMode(GL_FRONT_AND_BACK, edges ? GL_LINE : GL_FILL);
+  glEnable(GL_DEPTH_CLAMP);
+  glEnable(GL_SCISSOR_TEST);
+  for (const vtkShadowDraw& draw : draws)
+  {
+    program->SetUniform4f("tint", !edges ? one : draw.ZPass ? zPass : zFail);
+    (draw.ZPass ? glDisable : glEnable)(GL_CLIP_DISTANCE0);
+    this->DrawVolume(draw);
+  }
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_DEPTH_CLAMP);
+  glDisable(GL_CLIP_DISTANCE0);
+  return vtkNBufferGL::CheckErrors("Showing shadow volumes", why);
 }
 
 bool vtkShadowCounter::Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,

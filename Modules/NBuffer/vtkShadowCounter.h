@@ -88,6 +88,21 @@ public:
   bool Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target, int mask, int channel,
     const int viewport[4], std::string& why);
 
+  /// How volumes are made visible: their fragments, each of which adds 1/255 to all channels, or
+  /// the edges of their triangles, blue where they are counted by z-pass and orange by z-fail.
+  enum class Look
+  {
+    Fragments,
+    Edges
+  };
+
+  /**
+   * Draw volumes, without a depth test, into the colours of the framebuffer that is bound, in the
+   * viewport that is set, for debug views. To be called within a ScopedPass.
+   */
+  bool Show(vtkOpenGLRenderWindow* window, const double volumeToClip[16],
+    const std::vector<vtkShadowDraw>& draws, Look look, std::string& why);
+
   int GetNumberOfDraws() const { return this->Draws; }
 
   /// Delete everything; the context that made it must be current.
@@ -96,7 +111,9 @@ public:
 private:
   vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, vtkSmartPointer<vtkShaderProgram>& program,
     const char* vertexShader, const char* fragmentShader, std::string& why);
+  void BindVolume(vtkShaderProgram* program, const double volumeToClip[16]);
   void SetDirection(bool zPass);
+  void DrawVolume(const vtkShadowDraw& draw);
 
   unsigned int VertexBuffer = 0;
   unsigned int IndexBuffer = 0;
@@ -108,6 +125,7 @@ private:
   int Draws = 0;
   vtkSmartPointer<vtkShaderProgram> VolumeProgram;
   vtkSmartPointer<vtkShaderProgram> MaskProgram;
+  vtkSmartPointer<vtkShaderProgram> TintProgram;
 };
 VTK_ABI_NAMESPACE_END
 #endif

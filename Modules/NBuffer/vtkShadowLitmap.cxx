@@ -50,6 +50,13 @@ void vtkShadowLitmap::Begin(int resolution, const double range[4], const double 
   std::fill_n(this->Lexels.begin(), size, vtkShadowExtent());
 }
 
+inline std::uint64_t vtkShadowLitmap::GetBins(double nearest, double farthest) const
+{
+  const int first = this->Depths.GetCell(nearest);
+  const int last = this->Depths.GetCell(farthest);
+  return (~std::uint64_t(0) << first) & (~std::uint64_t(0) >> (63 - last));
+}
+
 inline void vtkShadowLitmap::AddToLexels(
   int i0, int i1, int j0, int j1, const vtkShadowExtent& receiver)
 {
@@ -76,9 +83,7 @@ bool vtkShadowLitmap::Add(const double a[3], const double b[3], double radius, i
   receiver.Y0 = static_cast<std::uint16_t>(y);
   receiver.X1 = static_cast<std::uint16_t>(x + 1);
   receiver.Y1 = static_cast<std::uint16_t>(y + 1);
-  const int firstBin = this->Depths.GetCell(receiver.Near);
-  const int lastBin = this->Depths.GetCell(receiver.Far);
-  receiver.Bins = (~std::uint64_t(0) << firstBin) & (~std::uint64_t(0) >> (63 - lastBin));
+  receiver.Bins = this->GetBins(receiver.Near, receiver.Far);
   ++this->NumberOfReceivers;
 
   const double p0 = std::min(a[0], b[0]) - radius;
@@ -111,6 +116,20 @@ bool vtkShadowLitmap::Add(const double a[3], const double b[3], double radius, i
     const double high = std::min(std::max(qBegin, qEnd) + radius, q1);
     this->AddToLexels(i, i, this->Q.GetCell(low), this->Q.GetCell(high), receiver);
   }
+  return true;
+}
+
+bool vtkShadowLitmap::AddLexel(int i, int j, vtkShadowExtent extent)
+{
+  const bool inside = i >= 0 && j >= 0 && i < this->Resolution && j < this->Resolution;
+  if (!inside || extent.IsEmpty() || extent.Y1 <= extent.Y0 || !(extent.Near <= extent.Far) ||
+    !std::isfinite(extent.Far - extent.Near))
+  {
+    return false;
+  }
+  extent.Bins = this->GetBins(extent.Near, extent.Far);
+  ++this->NumberOfReceivers;
+  this->AddToLexels(i, i, j, j, extent);
   return true;
 }
 

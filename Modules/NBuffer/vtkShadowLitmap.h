@@ -19,7 +19,8 @@
  * answers are. All three are merges that may count the same receiver twice, which is what the
  * levels of an N-buffer need: any rectangle of lexels is answered by four lookups.
  *
- * Which samples are receivers, and where they may lie, vtkShadowReceivers.h says.
+ * Which samples are receivers, and where they may lie, vtkShadowReceivers.h says. For comparison
+ * vtkShadowRerenderedLitmap.h fills a litmap in the paper's way.
  */
 #ifndef vtkShadowLitmap_h
 #define vtkShadowLitmap_h
@@ -85,6 +86,14 @@ public:
    */
   bool Add(const double a[3], const double b[3], double radius, int x, int y);
 
+  /**
+   * Add receivers that lie in one lexel, at depths from `extent.Near` to `extent.Far` and within
+   * its box of pixels; its bins are not used: all from Near to Far are set. Lexels outside of the
+   * map, empty boxes, and depths that are not finite or not in order are refused, which returns
+   * false.
+   */
+  bool AddLexel(int i, int j, vtkShadowExtent extent);
+
   /// Make all levels that queries need. No Add() until the next Begin().
   void Build();
 
@@ -137,6 +146,7 @@ private:
     double GetEdge(int cell) const;
   };
 
+  std::uint64_t GetBins(double nearest, double farthest) const;
   void AddToLexels(int i0, int i1, int j0, int j1, const vtkShadowExtent& receiver);
 
   int Resolution = 0;

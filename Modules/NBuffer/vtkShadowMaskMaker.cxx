@@ -57,6 +57,16 @@ struct vtkShadowMaskMaker::Camera
     }
   }
 
+  vtkShadowView GetView() const
+  {
+    vtkShadowView view;
+    vtkMatrix4x4::Invert(this->EyeToClip, view.ClipToWorld);
+    std::copy_n(this->Eye, 3, view.Origin);
+    view.Width = this->Plan.Viewport[2];
+    view.Height = this->Plan.Viewport[3];
+    return view;
+  }
+
   double Eye[3];
   double EyeToClip[16];
   vtkShadowPlan::View Plan;
@@ -123,6 +133,13 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
   }
   Camera camera(renderer);
   std::copy_n(this->Viewport, 4, camera.Plan.Viewport);
+  this->DebugView.Clear();
+  if (settings.Mode != vtkShadowMode::Unclamped &&
+    settings.LitmapMethod == vtkShadowLitmapMethod::Rerendered &&
+    !this->UploadReceivers(window, camera))
+  {
+    return false;
+  }
   const vtkShadowCounter::Scope scope(window, this->Viewport);
   for (int mask = 0; mask < this->Target.GetNumberOfMasks(); ++mask)
   {
@@ -142,23 +159,48 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
   return true;
 }
 
-void vtkShadowMaskMaker::MakeLitmaps(const vtkShadowLight& light,
-  const std::vector<vtkShadowFrame>& frames, const Camera& camera, int resolution,
+bool vtkShadowMaskMaker::UploadReceivers(vtkOpenGLRenderWindow* window, const Camera& camera)
+{
+  this->Rerendered.Begin(camera.Eye);
+  for (const vtkShadowCaster* receiver : this->Receivers.GetCasters())
+  {
+    this->Rerendered.AddReceiver(
+      receiver->GetPoints().data(), receiver->GetNumberOfPoints(), receiver->GetTriangles());
+  }
+  return this->Rerendered.Upload(window, this->Depth.data(), camera.GetView(), this->Error);
+}
+
+bool vtkShadowMaskMaker::MakeLitmaps(vtkOpenGLRenderWindow* window, const vtkShadowLight& light,
+  const std::vector<vtkShadowFrame>& frames, const Camera& camera, const Settings& settings,
   vtkShadowStatistics& statistics)
 {
-  vtkShadowView view;
-  vtkMatrix4x4::Invert(camera.EyeToClip, view.ClipToWorld);
-  std::copy_n(camera.Eye, 3, view.Origin);
-  view.Width = this->Viewport[2];
-  view.Height = this->Viewport[3];
+  const vtkShadowView view = camera.GetView();
   this->Litmaps.resize(std::max(this->Litmaps.size(), frames.size()));
   for (std::size_t i = 0; i < frames.size(); ++i)
   {
-    statistics.Receivers += vtkShadowReceivers::Scatter(
-      this->Depth.data(), nullptr, view, light, frames[i], resolution, this->Litmaps[i]);
-    this->Litmaps[i].Build();
+    vtkShadowLitmap& litmap = this->Litmaps[i];
+    if (settings.LitmapMethod == vtkShadowLitmapMethod::Rerendered)
+    {
+      double range[4];
+      double depths[2];
+      vtkShadowReceivers::GetRange(
+        this->Depth.data(), nullptr, view, light, frames[i], range, depths);
+      if (!this->Rerendered.Draw(
+            window, frames[i], range, depths, settings.Resolution, litmap, this->Error))
+      {
+        return false;
+      }
+    }
+    else
+    {
+      vtkShadowReceivers::Scatter(
+        this->Depth.data(), nullptr, view, light, frames[i], settings.Resolution, litmap);
+    }
+    statistics.Receivers += litmap.GetNumberOfReceivers();
+    litmap.Build();
     ++statistics.Litmaps;
   }
+  return true;
 }
 
 bool vtkShadowMaskMaker::Shade(vtkOpenGLRenderWindow* window, const vtkShadowLightSource& light,
@@ -173,7 +215,10 @@ bool vtkShadowMaskMaker::Shade(vtkOpenGLRenderWindow* window, const vtkShadowLig
   {
     frames = geometry.Kind == vtkShadowLightKind::Point ? MakeFaces(geometry)
                                                         : std::vector<vtkShadowFrame>{ frame };
-    this->MakeLitmaps(geometry, frames, camera, settings.Resolution, statistics);
+    if (!this->MakeLitmaps(window, geometry, frames, camera, settings, statistics))
+    {
+      return false;
+    }
     statistics.LitmapTime += clock.Restart();
   }
   vtkShadowPlan plan(geometry, frame, camera.Plan, settings.Mode,
@@ -200,12 +245,20 @@ bool vtkShadowMaskMaker::Shade(vtkOpenGLRenderWindow* window, const vtkShadowLig
   const bool done = plan.GetDraws().empty() ||
     this->Count(window, plan, slot, camera, settings.CountFragments, statistics);
   statistics.DrawTime += clock.GetMilliseconds();
+  if (done && (settings.PictureLight ? settings.PictureLight == light.Source : slot == 0))
+  {
+    const vtkShadowDebugView::Subject subject = { this->Litmaps.data(),
+      static_cast<int>(frames.size()), plan.GetDraws(), camera.EyeToClip, this->Viewport };
+    return this->DebugView.Make(
+      window, settings.Picture, subject, this->Counter, statistics, this->Error);
+  }
   return done;
 }
 
 bool vtkShadowMaskMaker::Count(vtkOpenGLRenderWindow* window, const vtkShadowPlan& plan,
   std::size_t slot, const Camera& camera, bool countFragments, vtkShadowStatistics& statistics)
 {
+  const vtkShadowTimers::Scope timed(this->Timers, vtkShadowStage::Draw);
   const std::vector<vtkShadowDraw>& draws = plan.GetDraws();
   ++this->Shadows;
   statistics.Draws += static_cast<int>(draws.size());
@@ -249,6 +302,9 @@ bool vtkShadowMaskMaker::Count(vtkOpenGLRenderWindow* window, const vtkShadowPla
 void vtkShadowMaskMaker::Release()
 {
   this->Counter.Release();
+  this->Rerendered.Release();
+  this->Timers.Release();
+  this->DebugView.Release();
   this->Target.Release();
 }
 VTK_ABI_NAMESPACE_END

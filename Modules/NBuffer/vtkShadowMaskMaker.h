@@ -17,11 +17,14 @@
 
 #include "vtkShadowCasterList.h"
 #include "vtkShadowCounter.h"
+#include "vtkShadowDebugView.h"
 #include "vtkShadowLightList.h"
 #include "vtkShadowLitmap.h"
 #include "vtkShadowReceivers.h"
+#include "vtkShadowRerenderedLitmap.h"
 #include "vtkShadowStatistics.h"
 #include "vtkShadowTarget.h"
+#include "vtkShadowTimers.h"
 #include "vtkShadowVolume.h"
 
 #include <string>
@@ -40,10 +43,22 @@ public:
     int Resolution = 256;
     int SlabGap = 4;
     bool CountFragments = false;
+    vtkShadowLitmapMethod LitmapMethod = vtkShadowLitmapMethod::Scattered;
+    vtkShadowPicture Picture = vtkShadowPicture::None;
+    const vtkLight* PictureLight = nullptr; ///< Whose picture; nullptr: of the first one.
   };
 
   /// Casters of the renderer, visible to the camera or not.
   vtkShadowCasterList Casters;
+
+  /// What is drawn as receivers into rerendered litmaps; not used by the other method.
+  vtkShadowCasterList Receivers;
+
+  /// Of the stages of a frame; the caller begins it, and measures those that it draws itself.
+  vtkShadowTimers Timers;
+
+  /// Made with the masks; the caller shows it.
+  vtkShadowDebugView DebugView;
 
   /**
    * Bind a framebuffer for the depth of what is drawn next, in the viewport that is set now, and
@@ -71,8 +86,10 @@ private:
   struct Camera;
 
   bool ReadDepth(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics);
-  void MakeLitmaps(const vtkShadowLight& light, const std::vector<vtkShadowFrame>& frames,
-    const Camera& camera, int resolution, vtkShadowStatistics& statistics);
+  bool UploadReceivers(vtkOpenGLRenderWindow* window, const Camera& camera);
+  bool MakeLitmaps(vtkOpenGLRenderWindow* window, const vtkShadowLight& light,
+    const std::vector<vtkShadowFrame>& frames, const Camera& camera, const Settings& settings,
+    vtkShadowStatistics& statistics);
   bool Shade(vtkOpenGLRenderWindow* window, const vtkShadowLightSource& light, std::size_t slot,
     const Camera& camera, const Settings& settings, vtkShadowStatistics& statistics);
   bool Count(vtkOpenGLRenderWindow* window, const vtkShadowPlan& plan, std::size_t slot,
@@ -80,6 +97,7 @@ private:
 
   vtkShadowTarget Target;
   vtkShadowCounter Counter;
+  vtkShadowRerenderedLitmap Rerendered;
   std::vector<vtkShadowLitmap> Litmaps; ///< Of the light at work: one, or one for each face.
   vtkShadowVolume Volume;
   std::vector<float> Depth;

@@ -243,8 +243,8 @@ void ForEachReceiver(const float* depth, const unsigned char* lit, const vtkShad
 
 namespace vtkShadowReceivers
 {
-vtkIdType Scatter(const float* depth, const unsigned char* lit, const vtkShadowView& view,
-  const vtkShadowLight& light, const vtkShadowFrame& frame, int resolution, vtkShadowLitmap& litmap)
+void GetRange(const float* depth, const unsigned char* lit, const vtkShadowView& view,
+  const vtkShadowLight& light, const vtkShadowFrame& frame, double range[4], double depths[2])
 {
   Projector projector(view, light, frame);
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -268,10 +268,23 @@ vtkIdType Scatter(const float* depth, const unsigned char* lit, const vtkShadowV
     }
   }
   const double limit = projector.GetLimit();
-  const double range[4] = { std::max(low[0], -limit), std::min(high[0], limit),
-    std::max(low[1], -limit), std::min(high[1], limit) };
-  const double depths[2] = { low[2], high[2] };
+  for (int i = 0; i < 2; ++i)
+  {
+    range[2 * i] = std::max(low[i], -limit);
+    range[2 * i + 1] = std::min(high[i], limit);
+  }
+  depths[0] = low[2];
+  depths[1] = high[2];
+}
+
+vtkIdType Scatter(const float* depth, const unsigned char* lit, const vtkShadowView& view,
+  const vtkShadowLight& light, const vtkShadowFrame& frame, int resolution, vtkShadowLitmap& litmap)
+{
+  double range[4];
+  double depths[2];
+  GetRange(depth, lit, view, light, frame, range, depths);
   litmap.Begin(resolution, range, depths);
+  Projector projector(view, light, frame);
   ForEachReceiver(depth, lit, view, projector, 1, [&litmap](const Receiver& receiver, int x, int y)
     { litmap.Add(receiver.A, receiver.B, receiver.Radius, x, y); });
   return litmap.GetNumberOfReceivers();

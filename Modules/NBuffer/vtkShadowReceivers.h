@@ -68,6 +68,15 @@ struct vtkShadowView
 namespace vtkShadowReceivers
 {
 /**
+ * About what the receivers of a depth image take up: p in [range[0], range[1]], q in [range[2],
+ * range[3]], s in [depths[0], depths[1]]. It is taken from every fourth row and column, or from all
+ * where these have no receiver; without any the minima are infinity and the maxima -infinity.
+ */
+VTKNBUFFER_EXPORT void GetRange(const float* depth, const unsigned char* lit,
+  const vtkShadowView& view, const vtkShadowLight& light, const vtkShadowFrame& frame,
+  double range[4], double depths[2]);
+
+/**
  * Fill `litmap` with the receivers of a depth image as `frame` sees them, over about the range of
  * p, q and s that they take up, and return their number. The caller builds its levels then.
  *

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowStatistics.h"
 
-#include "vtk_jsoncpp.h"
+#include "vtkNBufferJSON.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 const char* vtkShadowStatistics::GetName(vtkShadowVerdict verdict)
@@ -75,20 +75,30 @@ const char* vtkShadowStatistics::GetName(vtkShadowDecision decision)
   return "Invalid";
 }
 
+const char* vtkShadowStatistics::GetName(vtkShadowStage stage)
+{
+  switch (stage)
+  {
+    case vtkShadowStage::Depth:
+      return "depth";
+    case vtkShadowStage::Draw:
+      return "draw";
+    case vtkShadowStage::Color:
+      return "color";
+    case vtkShadowStage::NumberOfStages:
+      break;
+  }
+  return "Invalid";
+}
+
 std::string vtkShadowStatistics::GetAsJSON() const
 {
   Json::Value json(Json::objectValue);
   json["decision"] = GetName(this->Decision);
   json["lights"] = this->Lights;
   json["casters"] = this->Casters;
-  for (int i = 0; i < NumberOfVerdicts; ++i)
-  {
-    json["verdicts"][GetName(static_cast<vtkShadowVerdict>(i))] = this->Verdicts[i];
-  }
-  for (int i = 0; i < NumberOfShadowSkips; ++i)
-  {
-    json["skipped"][GetName(static_cast<vtkShadowSkip>(i))] = this->Skipped[i];
-  }
+  json["verdicts"] = vtkNBufferJSON::ByName<vtkShadowVerdict>(this->Verdicts, GetName);
+  json["skipped"] = vtkNBufferJSON::ByName<vtkShadowSkip>(this->Skipped, GetName);
   json["updates"] = this->Updates;
   json["silhouettes"] = this->Silhouettes;
   json["draws"] = this->Draws;
@@ -100,6 +110,7 @@ std::string vtkShadowStatistics::GetAsJSON() const
   json["litmaps"] = this->Litmaps;
   json["read_backs"] = this->ReadBacks;
   json["failed_frames"] = this->FailedFrames;
+  json["debug_draws"] = this->DebugDraws;
   Json::Value& times = json["milliseconds"];
   times["casters"] = this->CasterTime;
   times["depth"] = this->DepthTime;
@@ -107,9 +118,7 @@ std::string vtkShadowStatistics::GetAsJSON() const
   times["litmaps"] = this->LitmapTime;
   times["plan"] = this->PlanTime;
   times["draw"] = this->DrawTime;
-
-  Json::StreamWriterBuilder writer;
-  writer["indentation"] = "";
-  return Json::writeString(writer, json);
+  json["device_milliseconds"] = vtkNBufferJSON::ByName<vtkShadowStage>(this->DeviceTimes, GetName);
+  return vtkNBufferJSON::Write(json);
 }
 VTK_ABI_NAMESPACE_END

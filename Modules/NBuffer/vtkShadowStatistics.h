@@ -27,6 +27,35 @@ enum class vtkShadowMode : int
   Clamped    ///< Of these, where the receivers are.
 };
 
+/// How litmaps are made.
+enum class vtkShadowLitmapMethod : int
+{
+  Scattered, ///< From the camera's depth, each sample into its lexels: misses no receiver.
+  Rerendered ///< As in the paper, receivers drawn from the light: may miss some, for comparison.
+};
+
+/// What is drawn over the picture to show why shadows take what they take.
+enum class vtkShadowPicture : int
+{
+  None,
+  Litmaps, ///< Nearest and farthest depth and occupancy of each lexel.
+  Extents, ///< The boxes of pixels into which volumes are drawn.
+  Volumes, ///< The edges of the volumes' triangles.
+  Counts   ///< How many fragments volumes have in each pixel.
+};
+
+/// What the graphics device is timed for.
+enum class vtkShadowStage : int
+{
+  Depth, ///< Drawing the receivers' depth.
+  Draw,  ///< Counting volumes and making masks.
+  Color, ///< Drawing the opaque props with their shadows.
+  NumberOfStages
+};
+constexpr int NumberOfShadowStages = int(vtkShadowStage::NumberOfStages);
+using vtkShadowStageTimes = std::array<double, NumberOfShadowStages>;
+constexpr vtkShadowStageTimes UnknownShadowStageTimes = { -1.0, -1.0, -1.0 };
+
 /// What became of a caster for a light.
 enum class vtkShadowVerdict : int
 {
@@ -81,12 +110,13 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   int ZPass = 0; ///< Of these, counted between eye and receiver.
   int Slabs = 0;
   long long Triangles = 0; ///< Of volumes.
-  long long Receivers = 0; ///< Samples scattered into litmaps, of all lights.
+  long long Receivers = 0; ///< Samples scattered into litmaps (or lexels drawn), of all lights.
   /// Fragments that volumes covered, whatever the depth test said; -1 unless they are counted.
   long long Fragments = -1;
   int Litmaps = 0;   ///< Made in this frame.
   int ReadBacks = 0; ///< Of depth.
   int FailedFrames = 0;
+  int DebugDraws = 0; ///< Of debug views.
 
   ///@{
   /// Milliseconds of the calling thread: collecting casters and silhouettes, drawing receivers'
@@ -99,6 +129,15 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   double DrawTime = 0.0;
   ///@}
 
+  /// Milliseconds of the graphics device by stage, of the last frame that is known (timers are
+  /// never waited for); -1 unless they are measured, and where the driver has no timers.
+  vtkShadowStageTimes DeviceTimes = UnknownShadowStageTimes;
+
+  double GetDeviceTime(vtkShadowStage stage) const
+  {
+    return this->DeviceTimes[static_cast<std::size_t>(stage)];
+  }
+
   int GetCount(vtkShadowVerdict verdict) const
   {
     return this->Verdicts[static_cast<std::size_t>(verdict)];
@@ -110,6 +149,7 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   static const char* GetName(vtkShadowVerdict verdict);
   static const char* GetName(vtkShadowSkip reason);
   static const char* GetName(vtkShadowDecision decision);
+  static const char* GetName(vtkShadowStage stage);
 };
 
 VTK_ABI_NAMESPACE_END

@@ -73,6 +73,7 @@ public:
   vtkNew<vtkOpaquePass> Opaque;
   std::vector<vtkWeakPointer<vtkLight>> Excluded;
   vtkSmartPointer<vtkInformation> CasterKeys;
+  vtkWeakPointer<vtkLight> DebugLight;
   vtkShadowMaskMaker Masks;
   vtkShadowStatistics Statistics;
   std::vector<vtkShadowLightSource> Lights; ///< Of the masks.
@@ -170,6 +171,20 @@ vtkInformation* vtkShadowVolumeClampPass::GetCasterKeys()
   return this->Implementation->CasterKeys;
 }
 
+void vtkShadowVolumeClampPass::SetDebugLight(vtkLight* light)
+{
+  if (this->Implementation->DebugLight != light)
+  {
+    this->Implementation->DebugLight = light;
+    this->Modified();
+  }
+}
+
+vtkLight* vtkShadowVolumeClampPass::GetDebugLight()
+{
+  return this->Implementation->DebugLight;
+}
+
 vtkRenderStepsPass* vtkShadowVolumeClampPass::GetSteps()
 {
   return this->Implementation->Steps;
@@ -228,6 +243,8 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
   }
 
   self.UseContext(window);
+  self.Masks.Timers.Begin(this->MeasureDeviceTime);
+  statistics.DeviceTimes = self.Masks.Timers.GetTimes();
   self.SetShaderLights(lights);
   const vtkShadowFrameKey key(s, lights, self.Masks.Casters, this->GetMTime());
   const bool still = statistics.Updates == 0 && !this->CountFragments && key == self.Key;
@@ -246,19 +263,21 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
     if (!done)
     {
       statistics.FailedFrames = ++self.FailedFrames;
-      if (!self.HasWarned)
-      {
-        self.HasWarned = true;
-        vtkWarningMacro(<< "Drawn without shadows. " << self.Masks.GetError());
-      }
+      this->Warn("Drawn without shadows. " + self.Masks.GetError());
+      self.Masks.DebugView.Clear();
     }
-    drawPlain(done ? vtkShadowDecision::NoReceiver : vtkShadowDecision::Failed);
+    {
+      const vtkShadowTimers::Scope timed(self.Masks.Timers, vtkShadowStage::Color);
+      drawPlain(done ? vtkShadowDecision::NoReceiver : vtkShadowDecision::Failed);
+    }
+    this->ShowDebugView(window, self.Statistics);
     self.Key = done ? key : vtkShadowFrameKey();
     return;
   }
   self.Lights = lights;
   this->DrawOpaque(s);
   this->PostRender(s);
+  this->ShowDebugView(window, statistics);
   self.Key = key;
   statistics.Decision = still ? vtkShadowDecision::Still : vtkShadowDecision::Drawn;
   self.Statistics = statistics;
@@ -269,13 +288,20 @@ bool vtkShadowVolumeClampPass::MakeMasks(const vtkRenderState* s,
 {
   Internals& self = *this->Implementation;
   vtkRenderer* renderer = s->GetRenderer();
+  if (this->LitmapMethod == Rerendered && this->Mode != Unclamped)
+  {
+    self.Masks.Receivers.Update(renderer, nullptr);
+  }
   const vtkNBufferClock clock;
   if (!self.Masks.BeginDepth(renderer, lights.size()))
   {
     return false;
   }
   self.TextureUnits.assign(self.Masks.GetTarget().GetNumberOfMasks(), 0);
-  self.Opaque->Render(s);
+  {
+    const vtkShadowTimers::Scope timed(self.Masks.Timers, vtkShadowStage::Depth);
+    self.Opaque->Render(s);
+  }
   static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
     ->GetState()
     ->PopFramebufferBindings();
@@ -285,6 +311,9 @@ bool vtkShadowVolumeClampPass::MakeMasks(const vtkRenderState* s,
   settings.Resolution = this->LitmapResolution;
   settings.SlabGap = this->SlabGap;
   settings.CountFragments = this->CountFragments;
+  settings.LitmapMethod = static_cast<vtkShadowLitmapMethod>(this->LitmapMethod);
+  settings.Picture = static_cast<vtkShadowPicture>(this->DebugView);
+  settings.PictureLight = self.DebugLight;
   return self.Masks.Make(renderer, lights, settings, statistics);
 }
 
@@ -297,11 +326,33 @@ void vtkShadowVolumeClampPass::DrawOpaque(const vtkRenderState* s)
     target.GetMask(i)->Activate();
     self.TextureUnits[i] = target.GetMask(i)->GetTextureUnit();
   }
-  self.Opaque->Render(s);
+  {
+    const vtkShadowTimers::Scope timed(self.Masks.Timers, vtkShadowStage::Color);
+    self.Opaque->Render(s);
+  }
   this->NumberOfRenderedProps = self.Opaque->GetNumberOfRenderedProps();
   for (int i = 0; i < target.GetNumberOfMasks(); ++i)
   {
     target.GetMask(i)->Deactivate();
+  }
+}
+
+void vtkShadowVolumeClampPass::ShowDebugView(
+  vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics)
+{
+  std::string why;
+  if (!this->Implementation->Masks.DebugView.Show(window, statistics, why))
+  {
+    this->Warn("Drawn without a debug view. " + why);
+  }
+}
+
+void vtkShadowVolumeClampPass::Warn(const std::string& what)
+{
+  if (!this->Implementation->HasWarned)
+  {
+    this->Implementation->HasWarned = true;
+    vtkWarningMacro(<< what);
   }
 }
 
@@ -424,6 +475,15 @@ std::vector<unsigned char> vtkShadowVolumeClampPass::GetMask(
   return mask;
 }
 
+std::vector<unsigned char> vtkShadowVolumeClampPass::GetDebugImage(int& width, int& height) const
+{
+  const vtkShadowDebugView& view = this->Implementation->Masks.DebugView;
+  const bool shown = this->Implementation->Statistics.DebugDraws > 0;
+  width = shown ? view.GetWidth() : 0;
+  height = shown ? view.GetHeight() : 0;
+  return shown ? view.GetImage() : std::vector<unsigned char>();
+}
+
 void vtkShadowVolumeClampPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   Internals& self = *this->Implementation;
@@ -458,6 +518,10 @@ void vtkShadowVolumeClampPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Mode: " << this->Mode << "\n";
   os << indent << "LitmapResolution: " << this->LitmapResolution << "\n";
   os << indent << "SlabGap: " << this->SlabGap << "\n";
+  os << indent << "LitmapMethod: " << this->LitmapMethod << "\n";
+  os << indent << "DebugView: " << this->DebugView << "\n";
+  os << indent << "DebugLight: " << self.DebugLight.Get() << "\n";
+  os << indent << "MeasureDeviceTime: " << (this->MeasureDeviceTime ? "On" : "Off") << "\n";
   os << indent << "CountFragments: " << (this->CountFragments ? "On" : "Off") << "\n";
   os << indent << "CasterKeys: " << self.CasterKeys.Get() << "\n";
   os << indent << "LightsThatDoNotCast: " << self.Excluded.size() << "\n";

@@ -64,6 +64,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkInformation;
 class vtkLight;
+class vtkOpenGLRenderWindow;
 class vtkRenderStepsPass;
 struct vtkShadowLightSource;
 
@@ -90,6 +91,25 @@ public:
    */
   vtkSetClampMacro(Mode, int, Unclamped, Clamped);
   vtkGetMacro(Mode, int);
+  ///@}
+
+  enum LitmapMethods
+  {
+    Scattered = int(vtkShadowLitmapMethod::Scattered),
+    Rerendered = int(vtkShadowLitmapMethod::Rerendered)
+  };
+
+  ///@{
+  /**
+   * How litmaps are made: Scattered, the default, misses no receiver. Rerendered draws them from
+   * the light as section 3.3 of the paper says; it is there to be compared with, may miss
+   * receivers, so that shadows are lost in all modes that use litmaps, and costs more
+   * (vtkShadowRerenderedLitmap.h).
+   */
+  vtkSetClampMacro(LitmapMethod, int, Scattered, Rerendered);
+  vtkGetMacro(LitmapMethod, int);
+  void SetLitmapMethodToScattered() { this->SetLitmapMethod(Scattered); }
+  void SetLitmapMethodToRerendered() { this->SetLitmapMethod(Rerendered); }
   ///@}
 
   ///@{
@@ -122,6 +142,51 @@ public:
 
   ///@{
   /**
+   * Measure how long the graphics device takes (vtkShadowStatistics::DeviceTimes). Two timer
+   * queries for each light and for each draw of the props, read when they are known, without
+   * waiting. Off by default.
+   */
+  vtkSetMacro(MeasureDeviceTime, bool);
+  vtkGetMacro(MeasureDeviceTime, bool);
+  vtkBooleanMacro(MeasureDeviceTime, bool);
+  ///@}
+
+  enum DebugViews
+  {
+    NoDebugView = int(vtkShadowPicture::None),
+    Litmaps = int(vtkShadowPicture::Litmaps),
+    Extents = int(vtkShadowPicture::Extents),
+    Volumes = int(vtkShadowPicture::Volumes),
+    Counts = int(vtkShadowPicture::Counts)
+  };
+
+  ///@{
+  /**
+   * What is laid over the opaque props to show what the shadows of one light take. NoDebugView, the
+   * default, costs nothing.
+   *
+   *  - Litmaps: squares for nearest and farthest receiver (bright: near to the light) and occupied
+   *    bins of each lexel; a row for each of the six litmaps of a point light. Not in Unclamped.
+   *  - Extents: the boxes of pixels into which volumes are drawn, and in how many a pixel is.
+   *  - Volumes: the edges of the volumes' triangles in these boxes, blue where they are counted by
+   *    z-pass, orange by z-fail.
+   *  - Counts: how many fragments volumes have in each pixel, whatever the depth test says of them.
+   *
+   * Numbers are colours from blue (1) over cyan (4), green (16) and yellow (64) to red (255 and
+   * more). Costs a few full-screen images on the host each time that masks are made.
+   */
+  vtkSetClampMacro(DebugView, int, NoDebugView, Counts);
+  vtkGetMacro(DebugView, int);
+  ///@}
+
+  ///@{
+  /// The light of the debug view; nullptr, the default: the first one that casts. Not owned.
+  void SetDebugLight(vtkLight* light);
+  vtkLight* GetDebugLight();
+  ///@}
+
+  ///@{
+  /**
    * Whether a light casts, if it is of a kind that can; all do by default. nullptr is ignored.
    */
   void SetLightCasts(vtkLight* light, bool casts);
@@ -149,6 +214,13 @@ public:
    * and `height` 0, if the light did not cast. Reads it back; the window's context must be current.
    */
   std::vector<unsigned char> GetMask(vtkLight* light, int& width, int& height);
+
+  /**
+   * The debug view of the last frame: red, green, blue and opacity of each pixel of the viewport,
+   * row by row, the lowest first; all 0 where it shows nothing. Empty, and `width` and `height` 0,
+   * if there is none.
+   */
+  std::vector<unsigned char> GetDebugImage(int& width, int& height) const;
 
   void Render(const vtkRenderState* s) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -178,11 +250,16 @@ private:
   bool MakeMasks(const vtkRenderState* s, const std::vector<vtkShadowLightSource>& lights,
     vtkShadowStatistics& statistics);
   void DrawOpaque(const vtkRenderState* s);
+  void ShowDebugView(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics);
+  void Warn(const std::string& what);
 
   int Mode = Exact;
   int LitmapResolution = 256;
   int SlabGap = 4;
+  int LitmapMethod = Scattered;
+  int DebugView = NoDebugView;
   bool CountFragments = false;
+  bool MeasureDeviceTime = false;
   std::unique_ptr<Internals> Implementation;
 };
 

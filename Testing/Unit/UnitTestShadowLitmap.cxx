@@ -390,3 +390,50 @@ TEST(ShadowLitmapOnce, SlabsHoldDepthsOnTheEdgesOfBins)
     }
   }
 }
+
+// A litmap filled lexel by lexel is the one of receivers that lie there.
+TEST(ShadowLitmap, LexelsAreAddedAsReceivers)
+{
+  const double range[4] = { 0.0, 4.0, 0.0, 4.0 };
+  const double depths[2] = { 0.0, 64.0 };
+  vtkShadowLitmap added;
+  added.Begin(4, range, depths);
+  const double a[3] = { 2.5, 1.5, 3.5 };
+  const double b[3] = { 2.5, 1.5, 9.5 };
+  ASSERT_TRUE(added.Add(a, b, 0.0, 7, 8));
+  ASSERT_TRUE(added.Add(a, b, 0.0, 9, 12));
+  added.Build();
+
+  vtkShadowLitmap filled;
+  filled.Begin(4, range, depths);
+  vtkShadowExtent extent;
+  EXPECT_FALSE(filled.AddLexel(2, 1, extent)) << "empty";
+  extent.Near = 3.5;
+  extent.Far = 9.5;
+  extent.X0 = 7;
+  extent.X1 = 10;
+  extent.Y0 = 8;
+  extent.Y1 = 13;
+  ASSERT_TRUE(filled.AddLexel(2, 1, extent));
+  for (const int outside : { -1, 4 })
+  {
+    EXPECT_FALSE(filled.AddLexel(outside, 1, extent));
+    EXPECT_FALSE(filled.AddLexel(2, outside, extent));
+  }
+  for (const double bad : { 3.0, NaN, Infinity })
+  {
+    vtkShadowExtent refused = extent;
+    refused.Far = bad;
+    EXPECT_FALSE(filled.AddLexel(2, 1, refused)) << bad;
+  }
+  EXPECT_EQ(filled.GetNumberOfReceivers(), 1);
+  filled.Build();
+  for (int i = 0; i < 16; ++i)
+  {
+    const vtkShadowExtent& x = added.GetLevelData(0)[i];
+    const vtkShadowExtent& y = filled.GetLevelData(0)[i];
+    EXPECT_TRUE(x.Near == y.Near && x.Far == y.Far && x.X0 == y.X0 && x.X1 == y.X1 &&
+      x.Y0 == y.Y0 && x.Y1 == y.Y1 && x.Bins == y.Bins)
+      << i;
+  }
+}

@@ -1,0 +1,12 @@
+//VTK::System::Dec
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+//VTK::Output::Dec
+
+// Volumes made visible.
+uniform vec4 tint;
+
+void main()
+{
+  gl_FragData[0] = tint;
+}

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferJSON.h
+ * @brief What the JSON of all statistics has in common.
+ */
+#ifndef vtkNBufferJSON_h
+#define vtkNBufferJSON_h
+
+#include "vtkNBufferVTKVersion.h"
+
+#include "vtk_jsoncpp.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace vtkNBufferJSON
+{
+/// An object with a member for each value: values[i] by the name of enumerator i.
+template <typename Enum, typename Value, std::size_t Size>
+Json::Value ByName(const std::array<Value, Size>& values, const char* (*getName)(Enum))
+{
+  Json::Value json(Json::objectValue);
+  for (std::size_t i = 0; i < Size; ++i)
+  {
+    json[getName(static_cast<Enum>(i))] = values[i];
+  }
+  return json;
+}
+
+/// On one line.
+inline std::string Write(const Json::Value& json)
+{
+  Json::StreamWriterBuilder writer;
+  writer["indentation"] = "";
+  return Json::writeString(writer, json);
+}
+}
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkNBufferJSON.h

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowDebugView.h"
+
+#include "vtkNBufferGL.h"
+#include "vtkShadowCounter.h"
+
+#include "vtkNBufferFullScreenVS.h"
+#include "vtkShadowDebugFS.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+bool vtkShadowDebugView::Make(vtkOpenGLRenderWindow* window, vtkShadowPicture picture,
+  const Subject& subject, vtkShadowCounter& counter, vtkShadowStatistics& statistics,
+  std::string& why)
+{
+  std::copy_n(subject.Viewport, 4, this->Viewport);
+  switch (picture)
+  {
+    case vtkShadowPicture::None:
+      this->Image.clear();
+      return true;
+    case vtkShadowPicture::Litmaps:
+      this->Image = vtkShadowDebugImage::PaintLitmaps(
+        subject.Litmaps, subject.NumberOfLitmaps, this->GetWidth(), this->GetHeight());
+      break;
+    case vtkShadowPicture::Extents:
+      this->Image = vtkShadowDebugImage::PaintExtents(subject.Draws, this->Viewport);
+      break;
+    case vtkShadowPicture::Volumes:
+    case vtkShadowPicture::Counts:
+      if (!this->DrawVolumes(window, picture, subject, counter, statistics, why))
+      {
+        this->Image.clear();
+        return false;
+      }
+      break;
+  }
+  if (picture == vtkShadowPicture::Counts)
+  {
+    vtkShadowDebugImage::PaintCounts(this->Image);
+  }
+  return true;
+}
+
+bool vtkShadowDebugView::Reserve(std::string& why)
+{
+  const int width = this->Viewport[0] + this->Viewport[2];
+  const int height = this->Viewport[1] + this->Viewport[3];
+  if (width <= this->Width && height <= this->Height)
+  {
+    return true;
+  }
+  this->Release();
+  glGenVertexArrays(1, &this->VertexArray);
+  glGenTextures(1, &this->Texture);
+  glBindTexture(GL_TEXTURE_2D, this->Texture);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  {
+    const vtkNBufferGL::ScopedUpload nothing(0);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  }
+  if (!vtkNBufferGL::CheckErrors("Allocating a debug view", why))
+  {
+    this->Release();
+    return false;
+  }
+  int drawFramebuffer = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawFramebuffer);
+  glGenFramebuffers(1, &this->Framebuffer);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Framebuffer);
+  glFramebufferTexture2D(
+    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Texture, 0);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, drawFramebuffer);
+  this->Width = width;
+  this->Height = height;
+  return true;
+}
+
+bool vtkShadowDebugView::DrawVolumes(vtkOpenGLRenderWindow* window, vtkShadowPicture picture,
+  const Subject& subject, vtkShadowCounter& counter, vtkShadowStatistics& statistics,
+  std::string& why)
+{
+  const int* viewport = this->Viewport;
+  this->Image.assign(4 * static_cast<std::size_t>(viewport[2]) * viewport[3], 0);
+  if (subject.Draws.empty())
+  {
+    return true;
+  }
+  vtkNBufferGL::ClearErrors();
+  const vtkNBufferGL::ScopedPass pass(window);
+  if (!this->Reserve(why))
+  {
+    return false;
+  }
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Framebuffer);
+  glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  glClearBufferfv(GL_COLOR, 0, nothing);
+  if (!counter.Show(window, subject.VolumeToClip, subject.Draws,
+        picture == vtkShadowPicture::Counts ? vtkShadowCounter::Look::Fragments
+                                            : vtkShadowCounter::Look::Edges,
+        why))
+  {
+    return false;
+  }
+  ++statistics.DebugDraws;
+  const vtkNBufferGL::ScopedReadback readback(this->Framebuffer);
+  glReadPixels(viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE,
+    this->Image.data());
+  return vtkNBufferGL::CheckErrors("Drawing volumes for a debug view", why);
+}
+
+bool vtkShadowDebugView::Show(
+  vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics, std::string& why)
+{
+  if (this->Image.empty())
+  {
+    return true;
+  }
+  const int* viewport = this->Viewport;
+  vtkNBufferGL::ClearErrors();
+  const vtkNBufferGL::ScopedPass pass(window);
+  if (!this->Reserve(why))
+  {
+    return false;
+  }
+  vtkOpenGLShaderCache* cache = window->GetShaderCache();
+  this->Program = this->Program
+    ? cache->ReadyShaderProgram(this->Program)
+    : cache->ReadyShaderProgram(vtkNBufferFullScreenVS, vtkShadowDebugFS, "");
+  if (!this->Program)
+  {
+    why = "The shader for debug views does not compile on this driver. Switch them off, and report "
+          "its message.";
+    return false;
+  }
+  glBindTexture(GL_TEXTURE_2D, this->Texture);
+  {
+    const vtkNBufferGL::ScopedUpload upload(0);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA,
+      GL_UNSIGNED_BYTE, this->Image.data());
+  }
+  this->Program->SetUniformi("image", 0);
+  glBindVertexArray(this->VertexArray);
+  glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  const vtkNBufferGL::ScopedBlend blend(GL_FUNC_ADD, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  ++statistics.DebugDraws;
+  return vtkNBufferGL::CheckErrors("Showing a debug view", why);
+}
+
+void vtkShadowDebugView::Release()
+{
+  glDeleteTextures(1, &this->Texture);
+  glDeleteFramebuffers(1, &this->Framebuffer);
+  glDeleteVertexArrays(1, &this->VertexArray);
+  this->Texture = this->Framebuffer = this->VertexArray = 0;
+  this->Width = this->Height = 0;
+  this->Program = nullptr;
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// vtkShadowRerenderedLitmap: in each lexel what the camera sees there, and what it misses.
+#include "vtkShadowRerenderedLitmap.h"
+
+#include "GLStateSnapshot.h"
+#include "OffscreenFixture.h"
+
+#include "vtkNBufferGL.h"
+
+#include "vtkOpenGLRenderWindow.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace
+{
+constexpr int Width = 16;
+constexpr int Height = 12;
+constexpr int Resolution = 32;
+constexpr double Eye[3] = { 100.0, 200.0, 300.0 };
+
+/// From the eye along -z, x and y in [-1, 1], depths 0 to 1 as window depths 0 to 1.
+vtkShadowView MakeView()
+{
+  vtkShadowView view;
+  const double clipToWorld[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.5, -0.5, 0, 0, 0, 1 };
+  std::copy_n(clipToWorld, 16, view.ClipToWorld);
+  std::copy_n(Eye, 3, view.Origin);
+  view.Width = Width;
+  view.Height = Height;
+  return view;
+}
+
+/// A rectangle [x0, x1] x [-1, 1] at a depth; its sides are `dx` farther to the right at the far
+/// end, `depth + dz`.
+std::vector<double> MakeRectangle(double x0, double x1, double depth)
+{
+  std::vector<double> points;
+  for (const double x : { x0, x1 })
+  {
+    for (const double y : { -1.0, 1.0 })
+    {
+      points.insert(points.end(), { Eye[0] + x, Eye[1] + y, Eye[2] - depth });
+    }
+  }
+  return points;
+}
+const std::vector<int> Quad = { 0, 1, 3, 0, 3, 2 };
+
+/// The light stands 2 behind the eye and looks as the eye does.
+vtkShadowLight MakeLight(vtkShadowLightKind kind)
+{
+  vtkShadowLight light;
+  light.Kind = kind;
+  light.ConeAngle = 45.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    light.Position[i] = Eye[i] + (i == 2 ? 2.0 : 0.0);
+  }
+  return light;
+}
+}
+
+class GpuTestShadowRerenderedLitmap : public OffscreenFixture
+{
+protected:
+  void SetUp() override
+  {
+    OffscreenFixture::SetUp();
+    if (!this->IsSkipped())
+    {
+      this->Window = NewWindow(16, 16);
+    }
+  }
+
+  void TearDown() override
+  {
+    if (this->Window)
+    {
+      this->Litmap.Release();
+    }
+  }
+
+  /// On the left a rectangle at depth 0.25 before one at 0.75 that covers all; seen or not.
+  void Draw(const vtkShadowLight& light, const std::vector<float>& depth, vtkShadowLitmap& result)
+  {
+    const vtkShadowFrame frame(light);
+    this->Litmap.Begin(Eye);
+    this->Litmap.AddReceiver(MakeRectangle(-1.0, 0.0, 0.25).data(), 4, Quad);
+    this->Litmap.AddReceiver(MakeRectangle(-1.0, 1.0, 0.75).data(), 4, Quad);
+    std::string why;
+    ASSERT_TRUE(this->Litmap.Upload(this->Window, depth.data(), MakeView(), why)) << why;
+    double range[4];
+    double depths[2];
+    vtkShadowReceivers::GetRange(depth.data(), nullptr, MakeView(), light, frame, range, depths);
+    ASSERT_TRUE(this->Litmap.Draw(this->Window, frame, range, depths, Resolution, result, why))
+      << why;
+    result.Build();
+    std::copy_n(range, 4, this->Range);
+  }
+
+  /// What the camera sees: the nearer rectangle on the left, the farther one on the right.
+  static std::vector<float> MakeDepth(float left, float right)
+  {
+    std::vector<float> depth;
+    for (int i = 0; i < Width * Height; ++i)
+    {
+      depth.push_back(i % Width < Width / 2 ? left : right);
+    }
+    return depth;
+  }
+
+  /// (p, q) of the centre of a lexel.
+  void GetCentre(int i, int j, double pq[2]) const
+  {
+    pq[0] = this->Range[0] + (this->Range[1] - this->Range[0]) * (i + 0.5) / Resolution;
+    pq[1] = this->Range[2] + (this->Range[3] - this->Range[2]) * (j + 0.5) / Resolution;
+  }
+
+  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
+  vtkShadowRerenderedLitmap Litmap;
+  double Range[4] = {};
+};
+
+// The ray through the centre of each lexel, computed here: where it meets what is seen.
+TEST_F(GpuTestShadowRerenderedLitmap, LexelsHoldWhatIsSeenAtTheirCentres)
+{
+  const std::vector<float> depth = MakeDepth(0.25f, 0.75f);
+  for (const vtkShadowLightKind kind :
+    { vtkShadowLightKind::Directional, vtkShadowLightKind::Spot })
+  {
+    SCOPED_TRACE(kind == vtkShadowLightKind::Spot ? "spot" : "directional");
+    const vtkShadowLight light = MakeLight(kind);
+    const vtkShadowFrame frame(light);
+    vtkShadowLitmap litmap;
+    ASSERT_NO_FATAL_FAILURE(this->Draw(light, depth, litmap));
+    int filled = 0;
+    for (int lexel = 0; lexel < Resolution * Resolution; ++lexel)
+    {
+      double pqs[3];
+      this->GetCentre(lexel % Resolution, lexel / Resolution, pqs);
+      vtkShadowExtent expected;
+      bool close = false;
+      for (const double z : { 0.25, 0.75 })
+      {
+        const double plane[3] = { Eye[0], Eye[1], Eye[2] - z };
+        pqs[2] = frame.GetDepth(plane);
+        double x[3];
+        frame.ToWorld(pqs, x);
+        const double u = x[0] - Eye[0];
+        const double v = x[1] - Eye[1];
+        const double column = 0.5 * (u + 1.0) * Width;
+        const double row = 0.5 * (v + 1.0) * Height;
+        // Rounding decides.
+        close = close || std::abs(column - std::round(column)) < 1e-3 ||
+          std::abs(row - std::round(row)) < 1e-3;
+        if (std::abs(u) < 1.0 && std::abs(v) < 1.0 && (u < 0.0) == (z == 0.25))
+        {
+          vtkShadowExtent seen;
+          seen.Near = seen.Far = pqs[2];
+          seen.X0 = static_cast<std::uint16_t>(column);
+          seen.Y0 = static_cast<std::uint16_t>(row);
+          seen.X1 = seen.X0 + 1;
+          seen.Y1 = seen.Y0 + 1;
+          expected.Merge(seen);
+        }
+      }
+      const vtkShadowExtent& actual = litmap.GetLevelData(0)[lexel];
+      if (close)
+      {
+        continue;
+      }
+      ASSERT_EQ(actual.IsEmpty(), expected.IsEmpty()) << lexel;
+      if (expected.IsEmpty())
+      {
+        continue;
+      }
+      ++filled;
+      EXPECT_EQ(actual.X0, expected.X0) << lexel;
+      EXPECT_EQ(actual.Y0, expected.Y0) << lexel;
+      EXPECT_EQ(actual.X1, expected.X1) << lexel;
+      EXPECT_EQ(actual.Y1, expected.Y1) << lexel;
+      EXPECT_LE(actual.Near, expected.Near) << lexel;
+      EXPECT_GE(actual.Far, expected.Far) << lexel;
+      EXPECT_NEAR(actual.Near, expected.Near, 1e-5) << lexel;
+      EXPECT_NEAR(actual.Far, expected.Far, 1e-5) << lexel;
+    }
+    EXPECT_GT(filled, Resolution * Resolution / 2);
+  }
+}
+
+// The paper's defect in its plainest form: what lies a little behind the depth of its pixel is not
+// seen, and what has no lexel's centre is not drawn. Scattering has both.
+TEST_F(GpuTestShadowRerenderedLitmap, MissesWhatScatteringFinds)
+{
+  const vtkShadowLight light = MakeLight(vtkShadowLightKind::Directional);
+  const vtkShadowFrame frame(light);
+  const auto behind = static_cast<float>(2.0 * vtkShadowRerenderedLitmap::DepthBias);
+  const std::vector<float> depth = MakeDepth(0.25f, 0.75f - behind);
+  vtkShadowLitmap rerendered;
+  ASSERT_NO_FATAL_FAILURE(this->Draw(light, depth, rerendered));
+  vtkShadowLitmap scattered;
+  vtkShadowReceivers::Scatter(
+    depth.data(), nullptr, MakeView(), light, frame, Resolution, scattered);
+  scattered.Build();
+  const vtkShadowExtent seen = rerendered.Query(NAN, 0.0, 0.0, 0.0);
+  const vtkShadowExtent all = scattered.Query(NAN, 0.0, 0.0, 0.0);
+  EXPECT_EQ(all.X1, Width);
+  EXPECT_EQ(seen.X1, Width / 2) << "the right side lies behind the depth";
+  EXPECT_NEAR(seen.Far, 0.25 - Eye[2], 1e-4);
+  EXPECT_NEAR(all.Far, 0.75 - Eye[2], 1e-3);
+
+  // Seen edge-on by the light it has no fragment.
+  this->Litmap.Begin(Eye);
+  std::vector<double> wall = MakeRectangle(-1.0, -1.0, 0.1);
+  for (int corner = 2; corner < 4; ++corner)
+  {
+    wall[3 * corner + 2] -= 0.8;
+  }
+  this->Litmap.AddReceiver(wall.data(), 4, Quad);
+  std::string why;
+  ASSERT_TRUE(this->Litmap.Upload(this->Window, depth.data(), MakeView(), why)) << why;
+  const double range[4] = { -300.0, 300.0, -300.0, 300.0 };
+  const double depths[2] = { 0.0, 1.0 };
+  ASSERT_TRUE(this->Litmap.Draw(this->Window, frame, range, depths, Resolution, rerendered, why))
+    << why;
+  EXPECT_EQ(rerendered.GetNumberOfReceivers(), 0);
+}
+
+TEST_F(GpuTestShadowRerenderedLitmap, StateIsSetAndRestored)
+{
+  const vtkShadowLight light = MakeLight(vtkShadowLightKind::Spot);
+  const std::vector<float> depth = MakeDepth(0.25f, 0.75f);
+  vtkShadowLitmap expected;
+  // Objects are made in the first use.
+  ASSERT_NO_FATAL_FAILURE(this->Draw(light, depth, expected));
+  ASSERT_GT(expected.GetNumberOfReceivers(), 0);
+  SpoilGLState();
+  glDisable(GL_RASTERIZER_DISCARD);
+  const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
+  vtkShadowLitmap litmap;
+  ASSERT_NO_FATAL_FAILURE(this->Draw(light, depth, litmap));
+  EXPECT_EQ(before.GetDifference(GLStateSnapshot::Capture(this->Window)), "");
+  EXPECT_EQ(litmap.GetNumberOfReceivers(), expected.GetNumberOfReceivers());
+  UnspoilGLState();
+}
+
+// Hazard: names of a context that is gone, or of another one, are used again.
+TEST_F(GpuTestShadowRerenderedLitmap, WorksAgainAfterRelease)
+{
+  for (int round = 0; round < 2; ++round)
+  {
+    vtkShadowLitmap litmap;
+    ASSERT_NO_FATAL_FAILURE(
+      this->Draw(MakeLight(vtkShadowLightKind::Directional), MakeDepth(0.25f, 0.75f), litmap));
+    EXPECT_GT(litmap.GetNumberOfReceivers(), 0);
+    this->Litmap.Release();
+    this->Litmap.Release();
+    this->Window = nullptr;
+    this->Window = NewWindow(16, 16);
+  }
+}

@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Debug views change what they show and nothing else; times of the device.
+#include "GLStateSnapshot.h"
+#include "OffscreenFixture.h"
+#include "PassTestTools.h"
+
+#include "../Leaks/GLObjects.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <string>
+
+namespace
+{
+constexpr int Views[] = { vtkShadowVolumeClampPass::Litmaps, vtkShadowVolumeClampPass::Extents,
+  vtkShadowVolumeClampPass::Volumes, vtkShadowVolumeClampPass::Counts };
+
+/// The image is the plain one with the view of the viewport at (x0, y0) laid over it.
+::testing::AssertionResult IsLaidOver(const ShadowImage& plain, const ShadowImage& actual,
+  vtkShadowVolumeClampPass* pass, int windowWidth, int x0, int y0)
+{
+  int width = 0;
+  int height = 0;
+  const std::vector<unsigned char> view = pass->GetDebugImage(width, height);
+  std::vector<double> expected(plain.begin(), plain.end());
+  int shown = 0;
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      const unsigned char* over = view.data() + 4 * (y * width + x);
+      const std::size_t pixel = 4 * static_cast<std::size_t>((y + y0) * windowWidth + x + x0);
+      shown += over[3] != 0;
+      for (int i = 0; i < 3; ++i)
+      {
+        const double opacity = over[3] / 255.0;
+        expected[pixel + i] = opacity * over[i] + (1.0 - opacity) * plain[pixel + i];
+      }
+    }
+  }
+  for (std::size_t i = 0; i < expected.size(); ++i)
+  {
+    // Bytes are integers where nothing is laid over.
+    const bool over = expected[i] != plain[i];
+    if (std::abs(actual[i] - expected[i]) > (over ? 1.0 : 0.0))
+    {
+      return ::testing::AssertionFailure()
+        << "byte " << i << " is " << static_cast<int>(actual[i]) << ", not " << expected[i];
+    }
+  }
+  return (shown > 20 ? ::testing::AssertionSuccess() : ::testing::AssertionFailure())
+    << shown << " pixels shown";
+}
+}
+
+class PassDebugViews : public OffscreenFixture
+{
+};
+
+TEST_F(PassDebugViews, AreLaidOverThePicture)
+{
+  for (const char* name : { "Directional", "Point", "Inset" })
+  {
+    SCOPED_TRACE(name);
+    const ShadowStage stage(GetScene(name));
+    vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+    stage.Window->Render();
+    const ShadowImage plain = GetImage(stage.Window);
+    const std::size_t pixels = CountPixels(stage.Renderer);
+    const ShadowMask mask = GetMask(pass, stage.Lights[0], pixels);
+    int size[2];
+    int origin[2];
+    stage.Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+    for (const int view : Views)
+    {
+      SCOPED_TRACE("view " + std::to_string(view));
+      pass->SetDebugView(view);
+      // Made in the first frame, kept in the second.
+      for (int frame = 0; frame < 2; ++frame)
+      {
+        stage.Window->Render();
+        const vtkShadowStatistics& statistics = pass->GetStatistics();
+        EXPECT_EQ(
+          statistics.Decision, frame == 0 ? vtkShadowDecision::Drawn : vtkShadowDecision::Still);
+        const bool draws = frame == 0 && view >= vtkShadowVolumeClampPass::Volumes;
+        EXPECT_EQ(statistics.DebugDraws, draws ? 2 : 1);
+        EXPECT_TRUE(IsLaidOver(
+          plain, GetImage(stage.Window), pass, stage.Window->GetSize()[0], origin[0], origin[1]));
+        EXPECT_EQ(GetMask(pass, stage.Lights[0], pixels), mask);
+      }
+    }
+    pass->SetDebugView(vtkShadowVolumeClampPass::NoDebugView);
+    stage.Window->Render();
+    EXPECT_TRUE(IsSameImage(plain, GetImage(stage.Window), stage.Window));
+  }
+}
+
+// Off it draws nothing, makes no objects and keeps no image.
+TEST_F(PassDebugViews, OffCostsNothing)
+{
+  const ShadowStage stage(GetScene("ManyLights"));
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  const auto count = [&stage]
+  {
+    stage.Window->Render();
+    vtkOpenGLRenderWindow::SafeDownCast(stage.Window)->MakeCurrent();
+    return GLObjects::Count();
+  };
+  count();
+  const GLObjects::Counts before = count();
+  int width = -1;
+  int height = -1;
+  EXPECT_EQ(pass->GetStatistics().DebugDraws, 0);
+  EXPECT_TRUE(pass->GetDebugImage(width, height).empty());
+  EXPECT_EQ(width, 0);
+  EXPECT_EQ(height, 0);
+  pass->SetDebugView(vtkShadowVolumeClampPass::Counts);
+  EXPECT_NE(count(), before);
+  EXPECT_EQ(pass->GetStatistics().DebugDraws, 2);
+  EXPECT_EQ(pass->GetDebugImage(width, height).size(), 4 * CountPixels(stage.Renderer));
+  pass->SetDebugView(vtkShadowVolumeClampPass::NoDebugView);
+  const GLObjects::Counts after = count();
+  EXPECT_EQ(pass->GetStatistics().DebugDraws, 0);
+  EXPECT_TRUE(pass->GetDebugImage(width, height).empty());
+  stage.Renderer->GetActiveCamera()->Azimuth(5.0);
+  EXPECT_EQ(count(), after);
+}
+
+// Each light has its own view; one that does not cast has none.
+TEST_F(PassDebugViews, AreOfOneLight)
+{
+  const ShadowStage stage(GetScene("ManyLights"));
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  pass->SetDebugView(vtkShadowVolumeClampPass::Counts);
+  const auto getImage = [&](vtkLight* light)
+  {
+    pass->SetDebugLight(light);
+    EXPECT_EQ(pass->GetDebugLight(), light);
+    stage.Window->Render();
+    int width = 0;
+    int height = 0;
+    return pass->GetDebugImage(width, height);
+  };
+  const auto ofNull = getImage(nullptr);
+  EXPECT_EQ(getImage(stage.Lights[0]), ofNull);
+  EXPECT_NE(getImage(stage.Lights[1]), ofNull);
+  pass->SetLightCasts(stage.Lights[1], false);
+  EXPECT_TRUE(getImage(stage.Lights[1]).empty());
+  EXPECT_EQ(pass->GetStatistics().DebugDraws, 0);
+}
+
+// Litmaps tell why no caster has a receiver.
+TEST_F(PassDebugViews, AreShownWithoutShadows)
+{
+  const ShadowStage stage(GetScene("Directional"));
+  // Nothing but a box is left, which shadows nothing that is seen from the light's side.
+  vtkActorCollection* actors = stage.Renderer->GetActors();
+  actors->InitTraversal();
+  while (vtkActor* actor = actors->GetNextActor())
+  {
+    actor->GetProperty()->SetRepresentationToWireframe();
+  }
+  actors->GetLastActor()->GetProperty()->SetRepresentationToSurface();
+  stage.Renderer->GetActiveCamera()->SetFocalPoint(100.0, 100.0, 0.0);
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  pass->SetDebugView(vtkShadowVolumeClampPass::Litmaps);
+  stage.Window->Render();
+  EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::NoReceiver);
+  EXPECT_EQ(pass->GetStatistics().DebugDraws, 1);
+}
+
+// What OpenGL is left as does not depend on the view.
+TEST_F(PassDebugViews, LeaveTheStateAsItIs)
+{
+  const ShadowStage stage(GetScene("Inset"));
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(stage.Window);
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  const auto capture = [&]
+  {
+    GLStateSnapshot result;
+    WhileDrawing(stage.Window, stage.Renderer, [&] { result = GLStateSnapshot::Capture(window); });
+    return result;
+  };
+  capture();
+  const GLStateSnapshot plain = capture();
+  for (const int view : Views)
+  {
+    pass->SetDebugView(view);
+    for (int frame = 0; frame < 2; ++frame)
+    {
+      EXPECT_EQ(plain.GetDifference(capture()), "") << "view " << view << ", frame " << frame;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------------------------
+class PassDeviceTimes : public OffscreenFixture
+{
+};
+
+TEST_F(PassDeviceTimes, AreMeasuredIfAsked)
+{
+  const ShadowStage stage(GetScene("ManyLights"));
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  stage.Window->Render();
+  EXPECT_EQ(pass->GetStatistics().DeviceTimes, UnknownShadowStageTimes);
+  const ShadowImage plain = GetImage(stage.Window);
+  pass->MeasureDeviceTimeOn();
+  vtkShadowStageTimes times = UnknownShadowStageTimes;
+  // Reading the image waits for the device, so that the next frame knows the times of this one.
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    pass->Modified();
+    stage.Window->Render();
+    EXPECT_TRUE(IsSameImage(plain, GetImage(stage.Window), stage.Window));
+    times = pass->GetStatistics().DeviceTimes;
+  }
+  if (times == UnknownShadowStageTimes)
+  {
+    GTEST_SKIP() << "The driver has no timers.";
+  }
+  std::cout << "depth " << times[0] << " ms, draw " << times[1] << " ms, color " << times[2]
+            << " ms\n";
+  for (const double time : times)
+  {
+    EXPECT_GT(time, 0.0);
+    EXPECT_LT(time, 60e3);
+  }
+  // Still frames draw neither depth nor volumes.
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    stage.Window->Render();
+    GetImage(stage.Window);
+  }
+  EXPECT_EQ(pass->GetStatistics().GetDeviceTime(vtkShadowStage::Depth), 0.0);
+  EXPECT_EQ(pass->GetStatistics().GetDeviceTime(vtkShadowStage::Draw), 0.0);
+  EXPECT_GT(pass->GetStatistics().GetDeviceTime(vtkShadowStage::Color), 0.0);
+  pass->MeasureDeviceTimeOff();
+  stage.Window->Render();
+  EXPECT_EQ(pass->GetStatistics().DeviceTimes, UnknownShadowStageTimes);
+}

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The paper's litmap beside the scattered one: where both find all receivers, and where it does
+// not.
+#include "OffscreenFixture.h"
+#include "PassTestTools.h"
+#include "ShadowShapes.h"
+
+#include "vtkActor.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <functional>
+#include <iostream>
+#include <string>
+
+using namespace ShadowShapes;
+
+namespace
+{
+/// A floor and a low box that receive, a box in the air; the receivers face light and camera.
+void AddLargeReceivers(vtkRenderer* renderer)
+{
+  AddFloor(renderer, 5.0);
+  AddBox(renderer, { 1.0, 0.0, 0.2 }, { 2.0, 2.0, 0.4 });
+  AddBox(renderer, { 0.0, 0.0, 1.5 }, { 0.8, 0.8, 0.8 });
+  Look(renderer, { 0.5, -3.0, 7.0 }, { 0.3, 0.0, 0.0 }, 30.0);
+}
+
+/// A wall above a floor, of which the light sees next to nothing. The box above them is out of
+/// sight.
+void AddThinReceiver(vtkRenderer* renderer)
+{
+  AddMesh(renderer,
+    MakeMesh({ { -2.0, 0.0, -2.0 }, { 2.0, 0.0, -2.0 }, { 2.0, 0.0, 1.0 }, { -2.0, 0.0, 1.0 } },
+      { { 0, 1, 2, 3 } }));
+  AddBox(renderer, { 0.2, 0.0, 2.0 }, { 1.0, 1.0, 0.5 });
+  AddFloor(renderer, 5.0, -2.5);
+  AddDirectional(renderer, { 0.0, 0.002, -1.0 });
+  Look(renderer, { 0.0, -8.0, -0.5 }, { 0.0, 0.0, -0.8 }, 25.0);
+}
+
+MaskComparison CountWrong(const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
+{
+  stage.Window->Render();
+  EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
+  const Oracle oracle(stage.Renderer);
+  vtkLight* light = stage.Lights.front();
+  return CompareMask(
+    GetMask(pass, light, CountPixels(stage.Renderer)), oracle.Cast(OracleLight(light)));
+}
+
+constexpr int Modes[] = { vtkShadowVolumeClampPass::Exact, vtkShadowVolumeClampPass::Clamped };
+}
+
+class PassLitmapMethods : public OffscreenFixture
+{
+};
+
+// Every receiver covers many lexels, and every pixel several.
+TEST_F(PassLitmapMethods, AgreeOnLargeReceivers)
+{
+  const std::function<void(vtkRenderer*)> lights[] = {
+    [](vtkRenderer* renderer) { AddDirectional(renderer, { 0.3, 0.2, -1.0 }); },
+    [](vtkRenderer* renderer) { AddSpot(renderer, { -1.0, -1.0, 6.0 }, { 0.3, 0.0, 0.0 }, 30.0); },
+    [](vtkRenderer* renderer) { AddPoint(renderer, { -1.0, -1.0, 6.0 }); },
+  };
+  for (const auto& addLight : lights)
+  {
+    const ShadowStage stage({ "Large",
+      [&addLight](vtkRenderer* renderer)
+      {
+        AddLargeReceivers(renderer);
+        addLight(renderer);
+      },
+      80, 60 });
+    SCOPED_TRACE(&addLight - lights);
+    vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+    pass->SetLitmapResolution(512);
+    for (const int mode : Modes)
+    {
+      SCOPED_TRACE("mode " + std::to_string(mode));
+      pass->SetMode(mode);
+      pass->SetLitmapMethodToScattered();
+      ExpectMatchesOracle(stage, pass);
+      const ShadowMask scattered = GetMask(pass, stage.Lights.front(), CountPixels(stage.Renderer));
+      EXPECT_GT(std::count(scattered.begin(), scattered.end(), 255), 50);
+      const vtkShadowStatistics before = pass->GetStatistics();
+      pass->SetLitmapMethodToRerendered();
+      ExpectMatchesOracle(stage, pass);
+      EXPECT_EQ(GetMask(pass, stage.Lights.front(), CountPixels(stage.Renderer)), scattered);
+      EXPECT_EQ(pass->GetStatistics().Litmaps, before.Litmaps);
+      EXPECT_EQ(pass->GetStatistics().Verdicts, before.Verdicts);
+      EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
+    }
+  }
+}
+
+// The defect for which litmaps are scattered: the shadow on a wall along the light.
+TEST_F(PassLitmapMethods, RerenderedMissesThinReceivers)
+{
+  const ShadowStage stage({ "Thin", AddThinReceiver });
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  for (const int mode : Modes)
+  {
+    SCOPED_TRACE("mode " + std::to_string(mode));
+    pass->SetMode(mode);
+    pass->SetLitmapMethodToScattered();
+    const MaskComparison scattered = CountWrong(stage, pass);
+    pass->SetLitmapMethodToRerendered();
+    const MaskComparison rerendered = CountWrong(stage, pass);
+    std::cout << "scattered: " << scattered << "\nrerendered: " << rerendered << "\n";
+    EXPECT_GT(scattered.Shadowed, 500);
+    EXPECT_EQ(scattered.Wrong, 0);
+    EXPECT_GT(rerendered.Wrong, 100);
+  }
+}
+
+// What does not cast is drawn into litmaps all the same.
+TEST_F(PassLitmapMethods, ReceiversNeedNotCast)
+{
+  auto* key = vtkInformationIntegerKey::MakeKey("Casts", "PassLitmapMethods");
+  vtkNew<vtkInformation> keys;
+  keys->Set(key, 1);
+  const ShadowStage stage({ "Keys",
+    [key](vtkRenderer* renderer)
+    {
+      AddFloor(renderer, 5.0);
+      vtkNew<vtkInformation> own;
+      own->Set(key, 1);
+      AddBox(renderer, { 0.0, 0.0, 1.5 }, { 0.8, 0.8, 0.8 })->SetPropertyKeys(own);
+      AddDirectional(renderer, { 0.3, 0.2, -1.0 });
+      Look(renderer, { 0.5, -3.0, 7.0 }, { 0.3, 0.0, 0.0 }, 30.0);
+    },
+    80, 60 });
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  pass->SetCasterKeys(keys);
+  pass->SetLitmapMethodToRerendered();
+  pass->SetLitmapResolution(512);
+  stage.Window->Render();
+  const ShadowMask rerendered = GetMask(pass, stage.Lights[0], CountPixels(stage.Renderer));
+  EXPECT_GT(std::count(rerendered.begin(), rerendered.end(), 255), 50);
+  pass->SetLitmapMethodToScattered();
+  stage.Window->Render();
+  EXPECT_EQ(GetMask(pass, stage.Lights[0], CountPixels(stage.Renderer)), rerendered);
+}
