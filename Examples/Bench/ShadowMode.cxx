@@ -25,11 +25,14 @@ struct VolumeKind
   const char* Name;
   int Mode;
   int SlabGap;
+  int LitmapMethod;
 };
-constexpr VolumeKind VolumeKinds[] = { { "unclamped", vtkShadowVolumeClampPass::Unclamped, 4 },
-  { "exact", vtkShadowVolumeClampPass::Exact, 4 },
-  { "clamp", vtkShadowVolumeClampPass::Clamped, 64 },
-  { "slabs", vtkShadowVolumeClampPass::Clamped, 4 } };
+constexpr VolumeKind VolumeKinds[] = { { "unclamped", vtkShadowVolumeClampPass::Unclamped, 4,
+                                         vtkShadowVolumeClampPass::Scattered },
+  { "exact", vtkShadowVolumeClampPass::Exact, 4, vtkShadowVolumeClampPass::Scattered },
+  { "clamp", vtkShadowVolumeClampPass::Clamped, 64, vtkShadowVolumeClampPass::Scattered },
+  { "slabs", vtkShadowVolumeClampPass::Clamped, 4, vtkShadowVolumeClampPass::Scattered },
+  { "paper", vtkShadowVolumeClampPass::Clamped, 64, vtkShadowVolumeClampPass::Rerendered } };
 
 const VolumeKind* FindVolumeKind(const std::string& name)
 {
@@ -73,7 +76,8 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   if (!isKnown || (isSized && !(hasSize && canHaveSize)))
   {
     throw std::runtime_error("no mode " + name +
-      "; there are none, unclamped, exact, clamp, slabs and vtk, all but the first two also with a "
+      "; there are none, unclamped, exact, clamp, slabs, paper and vtk, all but the first two also "
+      "with a "
       "resolution of 1 to 9999, such as exact@64");
   }
   if (this->IsVolumes)
@@ -86,6 +90,12 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   }
 }
 
+bool ShadowMode::IsExact(const std::string& name)
+{
+  const VolumeKind* kind = FindVolumeKind(name.substr(0, name.find('@')));
+  return kind && kind->LitmapMethod == vtkShadowVolumeClampPass::Scattered;
+}
+
 void ShadowMode::Enter(vtkRenderer* renderer) const
 {
   if (const VolumeKind* kind = FindVolumeKind(this->Kind))
@@ -93,6 +103,7 @@ void ShadowMode::Enter(vtkRenderer* renderer) const
     auto* volumes = static_cast<vtkShadowVolumeClampPass*>(this->Pass.GetPointer());
     volumes->SetMode(kind->Mode);
     volumes->SetSlabGap(kind->SlabGap);
+    volumes->SetLitmapMethod(kind->LitmapMethod);
     volumes->SetLitmapResolution(this->Resolution > 0 ? this->Resolution : this->Litmap);
   }
   renderer->SetPass(this->Pass);

@@ -9,10 +9,11 @@
  *     exact       casters that have receivers, inside of the receivers' box of pixels
  *     clamp       the same, clamped to one slab (SlabGap 64)
  *     slabs       the same, clamped to several slabs (SlabGap 4)
+ *     paper       clamp, with the paper's litmap, drawn from the light: shadows may be lost
  *     vtk         vtkShadowMapPass with its baker, as VTK's tests put them together
  *
- * exact@N, clamp@N and slabs@N have litmaps of N x N lexels, vtk@N shadow maps of N x N texels
- * instead of VTK's default.
+ * exact@N, clamp@N, slabs@N and paper@N have litmaps of N x N lexels, vtk@N shadow maps of N x N
+ * texels instead of VTK's default.
  */
 #ifndef ShadowMode_h
 #define ShadowMode_h
@@ -38,6 +39,9 @@ public:
   const std::string& GetName() const { return this->Name; }
 
   bool HasVolumes() const { return this->IsVolumes; }
+
+  /// Whether a sample that differs from a ray and is not ambiguous is an error of this module.
+  static bool IsExact(const std::string& name);
 
   void Enter(vtkRenderer* renderer) const;
 

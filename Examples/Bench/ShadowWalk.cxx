@@ -35,6 +35,7 @@ public:
     , Options(options)
   {
     this->Volumes->SetCasterKeys(options.CasterKeys);
+    this->Volumes->SetMeasureDeviceTime(options.DeviceTimes);
     this->Result.Walk.Frames = path.size();
     for (const std::string& name : options.Modes)
     {
@@ -135,6 +136,7 @@ private:
     {
       return;
     }
+    this->Volumes->SetDebugView(this->Options.DebugView);
     for (const ShadowMode& mode : this->Modes)
     {
       mode.Enter(this->Where.GetRenderer());
@@ -145,6 +147,7 @@ private:
       WritePNG(MakeImage(pixels, size[0], size[1]),
         this->Options.ImageFolder + "/shadow-" + mode.GetName() + ".png");
     }
+    this->Volumes->SetDebugView(vtkShadowVolumeClampPass::NoDebugView);
   }
 
   void CompareWithRays()

@@ -37,10 +37,14 @@ struct ShadowWalkOptions
   vtkSmartPointer<vtkInformation> CasterKeys;
   /// Compare the first, middle and last frame with rays.
   bool Oracle = false;
+  /// Measure the times of the graphics device, too.
+  bool DeviceTimes = false;
   /// Timed frames of a mode in a row.
   int Block = 5;
   /// Where to write the middle frame of each mode.
   std::string ImageFolder;
+  /// What of vtkShadowVolumeClampPass::DebugViews is laid over these.
+  int DebugView = 0;
   std::function<void(const std::string&)> Progress;
 };
 
