@@ -288,11 +288,12 @@ bool vtkShadowVolumeClampPass::MakeMasks(const vtkRenderState* s,
 {
   Internals& self = *this->Implementation;
   vtkRenderer* renderer = s->GetRenderer();
+  vtkNBufferClock clock;
   if (this->LitmapMethod == Rerendered && this->Mode != Unclamped)
   {
     self.Masks.Receivers.Update(renderer, nullptr);
+    statistics.CasterTime += clock.Restart();
   }
-  const vtkNBufferClock clock;
   if (!self.Masks.BeginDepth(renderer, lights.size()))
   {
     return false;

@@ -142,9 +142,9 @@ public:
 
   ///@{
   /**
-   * Measure how long the graphics device takes (vtkShadowStatistics::DeviceTimes). Two timer
-   * queries for each light and for each draw of the props, read when they are known, without
-   * waiting. Off by default.
+   * Measure how long the graphics device takes (vtkShadowStatistics::DeviceTimes). Off by default.
+   * Costs two timer queries and two flushes for each light and for each draw of the props; they are
+   * read when they are known, without waiting.
    */
   vtkSetMacro(MeasureDeviceTime, bool);
   vtkGetMacro(MeasureDeviceTime, bool);

@@ -34,8 +34,7 @@ vtkShadowView MakeView()
   return view;
 }
 
-/// A rectangle [x0, x1] x [-1, 1] at a depth; its sides are `dx` farther to the right at the far
-/// end, `depth + dz`.
+/// A rectangle [x0, x1] x [-1, 1] at a depth.
 std::vector<double> MakeRectangle(double x0, double x1, double depth)
 {
   std::vector<double> points;

@@ -136,6 +136,35 @@ TEST_F(PassDebugViews, OffCostsNothing)
   EXPECT_EQ(count(), after);
 }
 
+// What views, timers and rerendered litmaps hold goes with the pass. (Programs stay in the window's
+// cache.)
+TEST_F(PassDebugViews, LeaveNoObjectsBehind)
+{
+  const ShadowStage stage(GetScene("ManyLights"));
+  const auto countAfter = [&stage](int view, bool all)
+  {
+    vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+    pass->SetDebugView(view);
+    pass->SetMeasureDeviceTime(all);
+    pass->SetLitmapMethod(
+      all ? vtkShadowVolumeClampPass::Rerendered : vtkShadowVolumeClampPass::Scattered);
+    stage.Window->Render();
+    stage.Renderer->SetPass(nullptr);
+    pass = nullptr;
+    stage.Window->Render();
+    vtkOpenGLRenderWindow::SafeDownCast(stage.Window)->MakeCurrent();
+    GLObjects::Counts counts = GLObjects::Count();
+    counts.erase("programs");
+    counts.erase("shaders");
+    return counts;
+  };
+  const GLObjects::Counts before = countAfter(vtkShadowVolumeClampPass::NoDebugView, false);
+  for (const int view : Views)
+  {
+    EXPECT_EQ(countAfter(view, true), before) << "view " << view;
+  }
+}
+
 // Each light has its own view; one that does not cast has none.
 TEST_F(PassDebugViews, AreOfOneLight)
 {
