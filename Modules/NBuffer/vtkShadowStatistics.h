@@ -130,8 +130,8 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   ///@}
 
   /// Milliseconds of the graphics device by stage, of the last frame that is known (timers are
-  /// never waited for; see vtkShadowTimers.h); -1 unless they are measured, and where the driver has
-  /// no timers.
+  /// never waited for; see vtkShadowTimers.h); -1 unless they are measured, and where the driver
+  /// has no timers.
   vtkShadowStageTimes DeviceTimes = UnknownShadowStageTimes;
 
   double GetDeviceTime(vtkShadowStage stage) const
