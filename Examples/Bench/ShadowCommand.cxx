@@ -24,8 +24,8 @@
 #include "ShadowScene.h"
 #include "ShadowWalk.h"
 
-#include "vtkNew.h"
 #include "vtkNBufferCuller.h"
+#include "vtkNew.h"
 #include "vtkShadowVolumeClampPass.h"
 
 #include <algorithm>
