@@ -21,9 +21,9 @@ constexpr int PixelTolerance = 24;
 constexpr double LargestImageError = 8.0;
 
 /**
- * How far two RGB pictures are apart: over all pixels, the sum of what the channels differ by
- * beyond PixelTolerance, in units of 3 x 255. As many pixels that are black in one and white in the
- * other have an error 10 % below their number. Infinite for pictures of different sizes.
+ * How far two RGB pictures are apart: over all pixels but those of the border, two wide, the sum of
+ * what the channels differ by beyond PixelTolerance, in units of 3 x 255. A pixel that is black in
+ * one and white in the other counts 0.91. Infinite for pictures of different sizes.
  */
 double GetImageError(vtkImageData* first, vtkImageData* second);
 

@@ -160,6 +160,44 @@ TEST_P(PassLooks, LikeTheBaseline)
   std::cout << name << ": error " << error << ", without shadows " << errorWithout << "\n";
 }
 
+namespace
+{
+/// All pixels of one grey level but for one.
+vtkSmartPointer<vtkImageData> MakePicture(int width, int x, int y, int other)
+{
+  auto picture = vtkSmartPointer<vtkImageData>::New();
+  picture->SetDimensions(width, 8, 1);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int i = 0; i < 3 * width * 8; ++i)
+  {
+    static_cast<unsigned char*>(picture->GetScalarPointer())[i] = 100;
+  }
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    *(static_cast<unsigned char*>(picture->GetScalarPointer(x, y, 0)) + channel) =
+      static_cast<unsigned char>(other);
+  }
+  return picture;
+}
+}
+
+// The error that decides: nothing up to the tolerance, then what is beyond.
+TEST(ImageComparison, CountsWhatIsBeyondTheTolerance)
+{
+  const vtkSmartPointer<vtkImageData> plain = MakePicture(10, 4, 4, 100);
+  EXPECT_EQ(GetImageError(plain, plain), 0.0);
+  for (const int sign : { -1, 1 })
+  {
+    const auto error = [&](int x, int difference)
+    { return GetImageError(plain, MakePicture(10, x, 4, 100 + sign * difference)); };
+    EXPECT_EQ(error(4, PixelTolerance), 0.0);
+    EXPECT_DOUBLE_EQ(error(4, PixelTolerance + 51), 51.0 / 255.0);
+    EXPECT_DOUBLE_EQ(error(2, PixelTolerance + 51), 51.0 / 255.0);
+    EXPECT_EQ(error(1, PixelTolerance + 51), 0.0) << "the filter compares all but the border";
+  }
+  EXPECT_GT(GetImageError(plain, MakePicture(11, 4, 4, 100)), 1e300);
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, PassLooks,
   ::testing::Values(Picture{ "SpotCone", SpotCone }, Picture{ "TwoLights", TwoLights },
     Picture{ "PhysicallyBased", PhysicallyBased }, Picture{ "TranslucentPane", TranslucentPane },
