@@ -23,9 +23,9 @@ nbuffer_say "Pictures: what is culled, and the levels of the N-buffer"
 "$bench" pictures --size 960x720 --no-chart --out "$out"
 
 nbuffer_say "Shadows: a city, hills, a room"
-for program in shadow-city shadow-terrain shadow-room; do
-  "$nbuffer_build/bin/$program" --size 480x360 --out "$out"
-done
+"$nbuffer_build/bin/shadow-city" --size 480x360 --out "$out" --hour 5 --until 19 --step 2
+"$nbuffer_build/bin/shadow-terrain" --size 480x360 --out "$out"
+"$nbuffer_build/bin/shadow-room" --size 480x360 --out "$out"
 
 nbuffer_say "Written to out/"
 (cd "$out" && find . -type f | sort)

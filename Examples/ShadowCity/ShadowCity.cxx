@@ -16,12 +16,12 @@
 
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
-#include "vtkNew.h"
 #include "vtkShadowVolumeClampPass.h"
 
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
+#include <vector>
 
 int main(int argc, char* argv[])
 {
@@ -32,16 +32,27 @@ int main(int argc, char* argv[])
   example.App.add_option("--hour", time.Hour, "Of the first picture, solar time")
     ->check(CLI::Range(0.0, 24.0))
     ->capture_default_str();
-  example.App.add_option("--until", until, "Hour of the last picture (default: only one)")
-    ->check(CLI::Range(0.0, 24.0));
-  example.App.add_option("--step", step, "Hours from picture to picture")
-    ->check(CLI::Range(1.0 / 60.0, 24.0))
-    ->capture_default_str();
-  example.App.add_option("--day", time.Day, "Of the year; 172 is 21 June")
-    ->check(CLI::Range(1, 366))
-    ->capture_default_str();
+  example.App.add_option("--until", until, "Hour of the last picture (default: only one)");
+  example.App.add_option("--step", step, "Hours from picture to picture (default: 1)")
+    ->check(CLI::Range(1.0 / 60.0, 24.0));
+  example.App.add_option("--day", time.Day, "Of the year (default: 172, 21 June)")
+    ->check(CLI::Range(1, 366));
   const auto show = [&]()
   {
+    std::vector<NBufferExamples::SunTime> times = { time };
+    while (time.Hour + step <= until + 1e-4) // Half a second for rounding.
+    {
+      time.Hour += step;
+      times.push_back(time);
+    }
+    for (const NBufferExamples::SunTime& each : times)
+    {
+      if (NBufferExamples::GetElevation(each) <= 0.0)
+      {
+        throw std::runtime_error("the sun is below the horizon; take other hours");
+      }
+    }
+
     NBufferExamples::SceneOptions options;
     options.DefaultCity = NBufferExamples::FindDefaultCity(argv[0]);
     const NBufferExamples::Scene city = NBufferExamples::LoadScene({ "city" }, options);
@@ -50,7 +61,7 @@ int main(int argc, char* argv[])
     NBufferExamples::LightGround(city);
 
     renderer->RemoveAllLights();
-    const vtkSmartPointer<vtkLight> sun = NBufferExamples::MakeSun(time);
+    const vtkSmartPointer<vtkLight> sun = NBufferExamples::MakeSun(times.front());
     renderer->AddLight(sun);
     example.AddFill(0.2);
 
@@ -72,22 +83,13 @@ int main(int argc, char* argv[])
 
     double bounds[6];
     city.GetBounds().GetBounds(bounds);
-    // Over the old town, from the south-west.
-    const NBufferExamples::CameraPose pose{ { -120.0, 3080.0, 230.0 }, { 260.0, 3400.0, 20.0 },
-      { 0.0, 0.0, 1.0 } };
-    NBufferExamples::ApplyPose(pose, bounds, renderer);
-    const double first = time.Hour;
-    for (int i = 0; i == 0 || first + i * step <= until; ++i)
+    const NBufferExamples::CameraPose overTheOldTown{ { -120.0, 3080.0, 230.0 },
+      { 260.0, 3400.0, 20.0 }, { 0.0, 0.0, 1.0 } };
+    NBufferExamples::ApplyPose(overTheOldTown, bounds, renderer);
+    for (const NBufferExamples::SunTime& each : times)
     {
-      time.Hour = first + i * step;
-      double toSun[3];
-      NBufferExamples::GetDirectionToSun(time, toSun);
-      if (toSun[2] <= 0.0)
-      {
-        throw std::runtime_error("the sun is below the horizon; take other hours");
-      }
-      NBufferExamples::SetSun(time, sun);
-      const long minutes = std::lround(60.0 * time.Hour);
+      NBufferExamples::SetSun(each, sun);
+      const long minutes = std::lround(60.0 * each.Hour);
       char name[40];
       std::snprintf(name, sizeof(name), "shadow-city-%02ld%02ld", minutes / 60, minutes % 60);
       example.Show(name, shadows);
