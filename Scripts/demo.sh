@@ -22,5 +22,10 @@ nbuffer_say "A walk along the streets: 60 frames in four modes, every one compar
 nbuffer_say "Pictures: what is culled, and the levels of the N-buffer"
 "$bench" pictures --size 960x720 --no-chart --out "$out"
 
+nbuffer_say "Shadows: a city, hills, a room"
+"$nbuffer_build/bin/shadow-city" --size 480x360 --out "$out" --hour 5 --until 19 --step 2
+"$nbuffer_build/bin/shadow-terrain" --size 480x360 --out "$out"
+"$nbuffer_build/bin/shadow-room" --size 480x360 --out "$out"
+
 nbuffer_say "Written to out/"
 (cd "$out" && find . -type f | sort)

@@ -114,14 +114,14 @@ void Scene::AddTo(vtkRenderer* renderer) const
   }
 }
 
-std::string FindDefaultCity(const std::string& program)
+std::string FindData(const std::string& program, const std::string& name)
 {
   std::string found = program;
   std::string error;
   vtksys::SystemTools::FindProgramPath(program.c_str(), found, error);
   const fs::path folder = fs::path(found).parent_path();
   for (const fs::path& candidate :
-    { folder / NBUFFER_DATA_FROM_BIN / "neubrandenburg.city", fs::path(NBUFFER_CITY_IN_SOURCE) })
+    { folder / NBUFFER_DATA_FROM_BIN / name, fs::path(NBUFFER_DATA_IN_SOURCE) / name })
   {
     std::error_code ignored;
     if (fs::is_regular_file(candidate, ignored))
@@ -130,6 +130,11 @@ std::string FindDefaultCity(const std::string& program)
     }
   }
   return std::string();
+}
+
+std::string FindDefaultCity(const std::string& program)
+{
+  return FindData(program, "neubrandenburg.city");
 }
 
 Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& options)

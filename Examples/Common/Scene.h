@@ -51,9 +51,12 @@ struct SceneOptions
 };
 
 /**
- * The city that comes with the examples: beside an installed program (`program` is argv[0]) or in
+ * A file that comes with the examples: beside an installed program (`program` is argv[0]) or in
  * the source tree. Empty when it is nowhere.
  */
+std::string FindData(const std::string& program, const std::string& name);
+
+/// The city that comes with them.
 std::string FindDefaultCity(const std::string& program);
 
 /**

@@ -25,6 +25,13 @@ void GetDirectionToSun(const SunTime& time, double direction[3])
     std::cos(latitude) * std::cos(declination) * std::cos(hour);
 }
 
+double GetElevation(const SunTime& time)
+{
+  double direction[3];
+  GetDirectionToSun(time, direction);
+  return vtkMath::DegreesFromRadians(std::asin(direction[2]));
+}
+
 vtkSmartPointer<vtkLight> MakeSun(const SunTime& time)
 {
   auto light = vtkSmartPointer<vtkLight>::New();

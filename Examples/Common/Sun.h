@@ -34,6 +34,9 @@ struct SunTime
 /// Unit vector to the sun, x east, y north, z up.
 void GetDirectionToSun(const SunTime& time, double direction[3]);
 
+/// Of the sun above the horizon, degrees.
+double GetElevation(const SunTime& time);
+
 /// A directional light from the sun; move it with SetSun.
 vtkSmartPointer<vtkLight> MakeSun(const SunTime& time);
 void SetSun(const SunTime& time, vtkLight* light);

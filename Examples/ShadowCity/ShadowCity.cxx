@@ -2,98 +2,98 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShadowCity.cxx
- * @brief `shadow-city [--out FOLDER]`: the shadows of a city at 9 in the morning of 21 June.
+ * @brief The shadows of a city at 9 in the morning of 21 June, or at any other time of the year.
  *
- * Opens a window; with --out it writes a picture for every second hour from 5 to 19 o'clock to
- * FOLDER/shadow-city-05.png and so on. Solar time; Sun.h has the formula.
+ *     shadow-city --out pictures --hour 5 --until 19 --step 2
+ *
+ * writes pictures/shadow-city-0500.png, shadow-city-0700.png and so on. Hours are those of the sun,
+ * which stands in the south at 12; Sun.h has the formula.
  */
 #include "CameraPath.h"
 #include "Scene.h"
+#include "ShadowExample.h"
 #include "Sun.h"
 
-#include "vtkNew.h"
-#include "vtkPNGWriter.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderWindowInteractor.h"
-#include "vtkRenderer.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkShadowVolumeClampPass.h"
-#include "vtkWindowToImageFilter.h"
 
-#include <vtksys/SystemTools.hxx>
-
-#include <exception>
-#include <iostream>
-#include <string>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <vector>
 
 int main(int argc, char* argv[])
 {
-  const bool toFiles = argc == 3 && std::string(argv[1]) == "--out";
-  if (argc != 1 && !toFiles)
+  NBufferExamples::ShadowExample example("The shadows of a city through a day");
+  NBufferExamples::SunTime time;
+  double until = 0.0;
+  double step = 1.0;
+  example.App.add_option("--hour", time.Hour, "Of the first picture, solar time")
+    ->check(CLI::Range(0.0, 24.0))
+    ->capture_default_str();
+  example.App.add_option("--until", until, "Hour of the last picture (default: only one)");
+  example.App.add_option("--step", step, "Hours from picture to picture (default: 1)")
+    ->check(CLI::Range(1.0 / 60.0, 24.0));
+  example.App.add_option("--day", time.Day, "Of the year (default: 172, 21 June)")
+    ->check(CLI::Range(1, 366));
+  const auto show = [&]()
   {
-    std::cerr << "usage: shadow-city [--out FOLDER]\n";
-    return 1;
-  }
-  try
-  {
-    NBufferExamples::SceneOptions options;
-    options.DefaultCity = NBufferExamples::FindDefaultCity(argv[0]);
-    const NBufferExamples::Scene scene = NBufferExamples::LoadScene({ "city" }, options);
-    const NBufferExamples::CameraPath path = NBufferExamples::MakePath(scene, "rooftop", 1, 1);
-    vtkNew<vtkRenderer> renderer;
-    scene.AddTo(renderer);
-    NBufferExamples::LightGround(scene);
-    NBufferExamples::SunTime time;
-    const vtkSmartPointer<vtkLight> sun = NBufferExamples::MakeSun(time);
-    renderer->RemoveAllLights();
-    renderer->AddLight(sun);
-
-    vtkNew<vtkShadowVolumeClampPass> shadows;
-    renderer->SetPass(shadows);
-
-    vtkNew<vtkRenderWindow> window;
-    window->SetMultiSamples(0);
-    window->SetSize(960, 720);
-    window->AddRenderer(renderer);
-    double bounds[6];
-    scene.GetBounds().GetBounds(bounds);
-    NBufferExamples::ApplyPose(path.front(), bounds, renderer);
-    if (!toFiles)
+    std::vector<NBufferExamples::SunTime> times = { time };
+    while (time.Hour + step <= until + 1e-4) // Half a second for rounding.
     {
-      vtkNew<vtkRenderWindowInteractor> interactor;
-      interactor->SetRenderWindow(window);
-      window->Render();
-      interactor->Start();
-      return 0;
+      time.Hour += step;
+      times.push_back(time);
     }
-    vtksys::SystemTools::MakeDirectory(argv[2]);
-    window->SetOffScreenRendering(1);
-    for (int hour = 5; hour < 20; hour += 2)
+    for (const NBufferExamples::SunTime& each : times)
     {
-      time.Hour = hour;
-      NBufferExamples::SetSun(time, sun);
-      window->Render();
-      vtkNew<vtkWindowToImageFilter> grab;
-      grab->SetInput(window);
-      grab->ReadFrontBufferOff();
-      vtkNew<vtkPNGWriter> writer;
-      const std::string name =
-        (hour < 10 ? "/shadow-city-0" : "/shadow-city-") + std::to_string(hour);
-      writer->SetInputConnection(grab->GetOutputPort());
-      writer->SetFileName((argv[2] + name + ".png").c_str());
-      writer->Write();
-      const vtkShadowStatistics& statistics = shadows->GetStatistics();
-      std::cout << hour << " o'clock: the shadows of " << statistics.Draws << " of "
-                << statistics.Casters << " casters drawn\n";
-      if (writer->GetErrorCode() != 0 || statistics.Decision != vtkShadowDecision::Drawn)
+      if (NBufferExamples::GetElevation(each) <= 0.0)
       {
-        return 1;
+        throw std::runtime_error("the sun is below the horizon; take other hours");
       }
     }
-  }
-  catch (const std::exception& error)
-  {
-    std::cerr << "shadow-city: " << error.what() << "\n";
-    return 1;
-  }
-  return 0;
+
+    NBufferExamples::SceneOptions options;
+    options.DefaultCity = NBufferExamples::FindDefaultCity(argv[0]);
+    const NBufferExamples::Scene city = NBufferExamples::LoadScene({ "city" }, options);
+    vtkRenderer* renderer = example.GetRenderer();
+    city.AddTo(renderer);
+    NBufferExamples::LightGround(city);
+
+    renderer->RemoveAllLights();
+    const vtkSmartPointer<vtkLight> sun = NBufferExamples::MakeSun(times.front());
+    renderer->AddLight(sun);
+    example.AddFill(0.2);
+
+    // The ground and the streets, which have nothing below them, need not cast.
+    vtkInformationIntegerKey* casts = vtkInformationIntegerKey::MakeKey("Casts", "ShadowCity");
+    for (std::size_t i = 0; i < city.Plan->Buildings.size(); ++i)
+    {
+      vtkNew<vtkInformation> keys;
+      keys->Set(casts, 1);
+      city.Actors[i]->SetPropertyKeys(keys);
+    }
+    vtkNew<vtkInformation> required;
+    required->Set(casts, 1);
+
+    vtkNew<vtkShadowVolumeClampPass> shadows;
+    shadows->SetCasterKeys(required);
+    shadows->SetLightCasts(sun, example.HasShadows());
+    renderer->SetPass(shadows);
+
+    double bounds[6];
+    city.GetBounds().GetBounds(bounds);
+    const NBufferExamples::CameraPose overTheOldTown{ { -120.0, 3080.0, 230.0 },
+      { 260.0, 3400.0, 20.0 }, { 0.0, 0.0, 1.0 } };
+    NBufferExamples::ApplyPose(overTheOldTown, bounds, renderer);
+    for (const NBufferExamples::SunTime& each : times)
+    {
+      NBufferExamples::SetSun(each, sun);
+      const long minutes = std::lround(60.0 * each.Hour);
+      char name[40];
+      std::snprintf(name, sizeof(name), "shadow-city-%02ld%02ld", minutes / 60, minutes % 60);
+      example.Show(name, shadows);
+    }
+  };
+  return example.Run(argc, argv, show);
 }

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What frames of vtkShadowVolumeClampPass look like, against pictures that somebody looked at
+// (Testing/Baselines). Exact colours and edges are tested elsewhere as numbers.
+#include "ImageComparison.h"
+#include "OffscreenFixture.h"
+#include "PassTestTools.h"
+#include "ShadowShapes.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <functional>
+
+using namespace ShadowShapes;
+
+namespace
+{
+/// A floor, a wall behind it, and on it a box and a ball; the camera sees all of them.
+void AddProps(vtkRenderer* renderer)
+{
+  AddFloor(renderer, 5.0)->GetProperty()->SetColor(0.75, 0.75, 0.7);
+  AddBox(renderer, { 0.0, 3.1, 1.5 }, { 10.0, 0.2, 3.2 })->GetProperty()->SetColor(0.8, 0.7, 0.6);
+  AddBox(renderer, { -1.2, 0.6, 0.7 }, { 0.9, 0.9, 1.4 })->GetProperty()->SetColor(0.4, 0.6, 0.8);
+  vtkActor* ball = AddSphere(renderer, { 0.9, -0.2, 0.8 }, 0.7, 64);
+  ball->GetProperty()->SetColor(0.85, 0.4, 0.3);
+  ball->GetProperty()->SetInterpolationToPhong();
+  renderer->SetBackground(0.3, 0.35, 0.4);
+  Look(renderer, { 1.5, -8.0, 4.5 }, { 0.0, 0.5, 0.8 }, 30.0);
+}
+
+void AddFill(vtkRenderer* renderer)
+{
+  vtkNew<vtkLight> fill;
+  fill->SetLightTypeToHeadlight();
+  fill->SetIntensity(0.25);
+  renderer->AddLight(fill);
+}
+
+/// The cone's edge crosses floor, wall and both casters; the light falls off from the axis.
+void SpotCone(vtkRenderer* renderer)
+{
+  AddProps(renderer);
+  AddSpot(renderer, { -3.5, -3.5, 5.0 }, { 0.0, 0.5, 0.0 }, 20.0)->SetExponent(8.0);
+  AddFill(renderer);
+}
+
+/// Shadows of each are filled by the colour of the other; dark only where both end.
+void TwoLights(vtkRenderer* renderer)
+{
+  AddProps(renderer);
+  AddDirectional(renderer, { 0.7, 0.5, -0.8 })->SetDiffuseColor(0.9, 0.5, 0.1);
+  AddPoint(renderer, { 2.8, -1.5, 2.6 })->SetDiffuseColor(0.1, 0.4, 0.8);
+}
+
+void PhysicallyBased(vtkRenderer* renderer)
+{
+  AddProps(renderer);
+  vtkActorCollection* actors = renderer->GetActors();
+  vtkCollectionSimpleIterator cookie;
+  actors->InitTraversal(cookie);
+  while (vtkActor* actor = actors->GetNextActor(cookie))
+  {
+    actor->GetProperty()->SetInterpolationToPBR();
+    actor->GetProperty()->SetRoughness(0.4);
+    actor->GetProperty()->SetMetallic(0.2);
+  }
+  AddDirectional(renderer, { -0.6, 0.6, -0.7 })->SetIntensity(2.0);
+  AddFill(renderer);
+}
+
+/// A pane in front of shadows, which are seen through it; the pane itself casts none.
+void TranslucentPane(vtkRenderer* renderer)
+{
+  AddProps(renderer);
+  vtkActor* pane = AddBox(renderer, { 0.2, -1.6, 1.0 }, { 2.4, 0.05, 2.0 });
+  pane->GetProperty()->SetColor(0.3, 0.9, 0.5);
+  pane->GetProperty()->SetOpacity(0.4);
+  AddDirectional(renderer, { 0.7, 0.4, -0.6 });
+  AddFill(renderer);
+}
+
+/// A ball cut in half along the light: its shadow is half as well.
+void ClippingPlane(vtkRenderer* renderer)
+{
+  AddProps(renderer);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.9, -0.2, 0.8);
+  plane->SetNormal(0.8, 1.0, 0.0);
+  vtkNew<vtkPlaneCollection> planes;
+  planes->AddItem(plane);
+  renderer->GetActors()->GetLastActor()->GetMapper()->SetClippingPlanes(planes);
+  AddDirectional(renderer, { -0.5, 0.4, -0.8 });
+  AddFill(renderer);
+}
+
+struct Picture
+{
+  const char* Name;
+  void (*Build)(vtkRenderer*);
+};
+
+void PrintTo(const Picture& picture, std::ostream* stream)
+{
+  *stream << picture.Name;
+}
+
+vtkSmartPointer<vtkImageData> Grab(vtkRenderWindow* window)
+{
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  grab->Update();
+  return grab->GetOutput();
+}
+}
+
+class PassLooks
+  : public OffscreenFixture
+  , public ::testing::WithParamInterface<Picture>
+{
+};
+
+// Without shadows they do not, so that the baselines are of shadows.
+TEST_P(PassLooks, LikeTheBaseline)
+{
+  const std::string name = this->GetParam().Name;
+  const ShadowStage stage({ name, this->GetParam().Build, 320, 240 });
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  const vtkSmartPointer<vtkImageData> actual = Grab(stage.Window);
+  EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
+
+  // What a new baseline is made from.
+  const std::string written = "shadow-" + name + "-" + stage.Window->GetClassName() + ".png";
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(written.c_str());
+  writer->SetInputData(actual);
+  writer->Write();
+
+  const vtkSmartPointer<vtkImageData> baseline =
+    ReadPicture(VTKNBUFFER_BASELINES "/shadow-" + name + ".png");
+  const double error = GetImageError(baseline, actual);
+  EXPECT_LE(error, LargestImageError) << "The picture is " << written;
+
+  stage.Renderer->SetPass(nullptr);
+  const double errorWithout = GetImageError(baseline, Grab(stage.Window));
+  EXPECT_GT(errorWithout, LargestImageError);
+  this->RecordProperty("error", std::to_string(error));
+  this->RecordProperty("errorWithoutShadows", std::to_string(errorWithout));
+  std::cout << name << ": error " << error << ", without shadows " << errorWithout << "\n";
+}
+
+namespace
+{
+/// All pixels of one grey level but for one.
+vtkSmartPointer<vtkImageData> MakePicture(int width, int x, int y, int other)
+{
+  auto picture = vtkSmartPointer<vtkImageData>::New();
+  picture->SetDimensions(width, 8, 1);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int i = 0; i < 3 * width * 8; ++i)
+  {
+    static_cast<unsigned char*>(picture->GetScalarPointer())[i] = 100;
+  }
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    *(static_cast<unsigned char*>(picture->GetScalarPointer(x, y, 0)) + channel) =
+      static_cast<unsigned char>(other);
+  }
+  return picture;
+}
+}
+
+// The error that decides: nothing up to the tolerance, then what is beyond.
+TEST(ImageComparison, CountsWhatIsBeyondTheTolerance)
+{
+  const vtkSmartPointer<vtkImageData> plain = MakePicture(10, 4, 4, 100);
+  EXPECT_EQ(GetImageError(plain, plain), 0.0);
+  for (const int sign : { -1, 1 })
+  {
+    const auto error = [&](int x, int difference)
+    { return GetImageError(plain, MakePicture(10, x, 4, 100 + sign * difference)); };
+    EXPECT_EQ(error(4, PixelTolerance), 0.0);
+    EXPECT_DOUBLE_EQ(error(4, PixelTolerance + 51), 51.0 / 255.0);
+    EXPECT_DOUBLE_EQ(error(2, PixelTolerance + 51), 51.0 / 255.0);
+    EXPECT_EQ(error(1, PixelTolerance + 51), 0.0) << "the filter compares all but the border";
+  }
+  EXPECT_GT(GetImageError(plain, MakePicture(11, 4, 4, 100)), 1e300);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PassLooks,
+  ::testing::Values(Picture{ "SpotCone", SpotCone }, Picture{ "TwoLights", TwoLights },
+    Picture{ "PhysicallyBased", PhysicallyBased }, Picture{ "TranslucentPane", TranslucentPane },
+    Picture{ "ClippingPlane", ClippingPlane }),
+  [](const auto& info) { return info.param.Name; });
