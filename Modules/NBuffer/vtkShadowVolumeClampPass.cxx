@@ -275,7 +275,10 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
     return;
   }
   self.Lights = lights;
-  this->DrawOpaque(s);
+  {
+    const vtkShadowTimers::Scope timed(self.Masks.Timers, vtkShadowStage::Color);
+    this->DrawOpaque(s);
+  }
   this->PostRender(s);
   this->ShowDebugView(window, statistics);
   self.Key = key;
@@ -298,10 +301,12 @@ bool vtkShadowVolumeClampPass::MakeMasks(const vtkRenderState* s,
   {
     return false;
   }
+  // With the masks of the last frame bound: their samplers must not share a unit with textures of
+  // another kind (buffers of edges or cell data), or OpenGL draws nothing.
   self.TextureUnits.assign(self.Masks.GetTarget().GetNumberOfMasks(), 0);
   {
     const vtkShadowTimers::Scope timed(self.Masks.Timers, vtkShadowStage::Depth);
-    self.Opaque->Render(s);
+    this->DrawOpaque(s);
   }
   static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
     ->GetState()
@@ -327,10 +332,7 @@ void vtkShadowVolumeClampPass::DrawOpaque(const vtkRenderState* s)
     target.GetMask(i)->Activate();
     self.TextureUnits[i] = target.GetMask(i)->GetTextureUnit();
   }
-  {
-    const vtkShadowTimers::Scope timed(self.Masks.Timers, vtkShadowStage::Color);
-    self.Opaque->Render(s);
-  }
+  self.Opaque->Render(s);
   this->NumberOfRenderedProps = self.Opaque->GetNumberOfRenderedProps();
   for (int i = 0; i < target.GetNumberOfMasks(); ++i)
   {
