@@ -100,6 +100,8 @@ std::string vtkShadowStatistics::GetAsJSON() const
   json["litmaps"] = this->Litmaps;
   json["read_backs"] = this->ReadBacks;
   json["failed_frames"] = this->FailedFrames;
+  json["samples"] = this->Samples;
+  json["pixel_frames"] = this->PixelFrames;
   Json::Value& times = json["milliseconds"];
   times["casters"] = this->CasterTime;
   times["depth"] = this->DepthTime;
