@@ -307,6 +307,8 @@ void vtkShadowVolumeClampPass::DrawOpaque(const vtkRenderState* s, vtkTextureObj
 {
   Internals& self = *this->Implementation;
   const vtkShadowTarget& target = self.Masks.GetTarget();
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
+  const vtkOpenGLState::ScopedglActiveTexture activeUnit(window->GetState());
   // Also where only depth is drawn: samplers of two kinds must not share a texture unit.
   self.TextureUnits.resize(target.GetNumberOfMasks());
   for (int i = 0; i < target.GetNumberOfMasks(); ++i)
