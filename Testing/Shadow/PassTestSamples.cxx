@@ -169,43 +169,52 @@ TEST_F(PassSamples, MasksMatchRays)
     SCOPED_TRACE(name);
     ShadowStage stage(GetScene(name));
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+    vtkLight* light = stage.Lights[0];
     stage.Window->SetSize(161, 123);
     stage.Renderer->SetViewport(0.11, 0.23, 0.9, 0.97);
+    std::vector<std::array<double, 2>> places;
     for (const int samples : { 2, 4, 8 })
     {
       SCOPED_TRACE(std::to_string(samples) + " samples");
       stage.Window->SetMultiSamples(samples);
-      std::vector<ShadowMask> unclamped;
+      stage.Window->Render();
+      // Drivers give what they have.
+      if (places == GetSamplePlaces(stage.Window))
+      {
+        continue;
+      }
+      places = GetSamplePlaces(stage.Window);
+      std::vector<ShadowMask> masks[3];
       for (const int mode : Modes)
       {
-        SCOPED_TRACE("mode " + std::to_string(mode));
         pass->SetMode(mode);
-        ExpectMatchesOracle(stage, pass);
-        const int count = pass->GetStatistics().Samples;
-        EXPECT_EQ(count, static_cast<int>(GetSamplePlaces(stage.Window).size()));
+        stage.Window->Render();
+        EXPECT_EQ(pass->GetStatistics().Samples, static_cast<int>(places.size()));
         EXPECT_EQ(pass->GetStatistics().PixelFrames, 0);
-        for (int i = 0; i < count && mode != vtkShadowVolumeClampPass::Clamped; ++i)
+        for (std::size_t i = 0; i < places.size(); ++i)
         {
-          const ShadowMask mask = GetMask(pass, stage.Lights[0], CountPixels(stage.Renderer), i);
-          if (mode == vtkShadowVolumeClampPass::Unclamped)
-          {
-            unclamped.push_back(mask);
-          }
-          else
-          {
-            Oracle oracle(stage.Renderer);
-            const auto place = GetSamplePlaces(stage.Window)[i];
-            oracle.SetSample(place[0], place[1]);
-            const OracleImage image = oracle.Cast(OracleLight(stage.Lights[0]));
-            int differing = 0;
-            for (std::size_t k = 0; k < mask.size(); ++k)
-            {
-              differing += image.Samples[k] != OracleSample::Background &&
-                image.Samples[k] != OracleSample::Unlit && mask[k] != unclamped[i][k];
-            }
-            EXPECT_EQ(differing, 0) << "Exact differs from Unclamped in sample " << i;
-          }
+          masks[mode].push_back(
+            GetMask(pass, light, CountPixels(stage.Renderer), static_cast<int>(i)));
         }
+      }
+      Oracle oracle(stage.Renderer);
+      for (std::size_t i = 0; i < places.size(); ++i)
+      {
+        SCOPED_TRACE("sample " + std::to_string(i));
+        oracle.SetSample(places[i][0], places[i][1]);
+        const OracleImage rays = oracle.Cast(OracleLight(light));
+        for (const int mode : Modes)
+        {
+          EXPECT_TRUE(MatchesOracle(masks[mode][i], rays)) << "mode " << mode;
+        }
+        int differing = 0;
+        for (std::size_t k = 0; k < rays.Samples.size(); ++k)
+        {
+          const bool compared =
+            rays.Samples[k] == OracleSample::Lit || rays.Samples[k] == OracleSample::Shadowed;
+          differing += compared && masks[0][i][k] != masks[1][i][k];
+        }
+        EXPECT_EQ(differing, 0) << "Exact differs from Unclamped";
       }
     }
   }
@@ -271,7 +280,6 @@ TEST_F(PassSamples, PictureIsTheMeanOfItsSamples)
     pass->SetMode(mode);
     stage.Window->Render();
     const PictureComparison comparison = ComparePicture(stage, stage.Lights[0]);
-    std::cout << comparison << "\n";
     EXPECT_EQ(comparison.Wrong, 0) << comparison;
     EXPECT_GT(comparison.Mixed, 100);
   }
