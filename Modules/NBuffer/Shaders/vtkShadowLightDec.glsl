@@ -8,9 +8,9 @@ uniform sampler2DMS shadowMasks[NBUFFER_SHADOW_MASKS];
 uniform sampler2DMS shadowDepth; // of the receivers
 uniform vec2 shadowSamples[NBUFFER_SHADOW_SAMPLES]; // places in a pixel, from its centre
 
-// The mean over the samples that the fragment covers and that no nearer surface has: exactly 0
-// where the light shines on all of them. Where the fragment's own depth says that it has none
-// (what is drawn with a depth of its own), over all that it covers.
+// The mean over the samples that the fragment covers and whose receiver has its depth, so that no
+// nearer surface hides it there: exactly 0 where the light shines on all of them. Where there is
+// none (what is drawn with a depth of its own), over all that it covers.
 float NBufferShadow(sampler2DMS mask, int channel)
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -29,8 +29,8 @@ float NBufferShadow(sampler2DMS mask, int channel)
 #endif
     vec2 term = vec2(texelFetch(mask, pixel, i)[channel], 1.0);
     covered += term;
-    float depth = gl_FragCoord.z + dot(slope, shadowSamples[i]) - tolerance;
-    seen += texelFetch(shadowDepth, pixel, i).r >= depth ? term : vec2(0.0);
+    float off = gl_FragCoord.z + dot(slope, shadowSamples[i]) - texelFetch(shadowDepth, pixel, i).r;
+    seen += abs(off) <= tolerance ? term : vec2(0.0);
   }
   seen = seen.y > 0.0 ? seen : covered;
   return seen.x / max(seen.y, 1.0);
