@@ -152,6 +152,8 @@ private:
 
   void CompareWithRays()
   {
+    // Through the centres of pixels, where there are no other samples.
+    this->Where.GetWindow()->SetMultiSamples(0);
     const std::set<std::size_t> frames = { 0, this->Path.size() / 2, this->Path.size() - 1 };
     for (const std::size_t frame : frames)
     {

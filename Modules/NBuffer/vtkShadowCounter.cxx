@@ -30,6 +30,10 @@ constexpr GLenum StencilNames[2][7] = { { GL_STENCIL_FUNC, GL_STENCIL_REF, GL_ST
   { GL_STENCIL_BACK_FUNC, GL_STENCIL_BACK_REF, GL_STENCIL_BACK_VALUE_MASK, GL_STENCIL_BACK_FAIL,
     GL_STENCIL_BACK_PASS_DEPTH_FAIL, GL_STENCIL_BACK_PASS_DEPTH_PASS, GL_STENCIL_BACK_WRITEMASK } };
 
+/// What decides on the samples that are written; only the first is of use here.
+constexpr GLenum SampleNames[] = { GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_COVERAGE,
+  GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK };
+
 bool UploadBuffer(
   GLenum target, unsigned int& name, std::size_t& capacity, const void* data, std::size_t bytes)
 {
@@ -92,6 +96,11 @@ vtkShadowCounter::Scope::Scope(vtkOpenGLRenderWindow* window, const int viewport
       glGetIntegerv(StencilNames[face][i], &this->Stencil[face][i]);
     }
   }
+  for (std::size_t i = 0; i < this->SampleCapabilities.size(); ++i)
+  {
+    this->SampleCapabilities[i] = glIsEnabled(SampleNames[i]) == GL_TRUE;
+    (i == 0 ? glEnable : glDisable)(SampleNames[i]);
+  }
   glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   glEnable(GL_SCISSOR_TEST);
   glEnable(GL_STENCIL_TEST);
@@ -105,6 +114,10 @@ vtkShadowCounter::Scope::~Scope()
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_STENCIL_TEST);
   glDisable(GL_DEPTH_TEST);
+  for (std::size_t i = 0; i < this->SampleCapabilities.size(); ++i)
+  {
+    (this->SampleCapabilities[i] ? glEnable : glDisable)(SampleNames[i]);
+  }
   (this->Clamp ? glEnable : glDisable)(GL_DEPTH_CLAMP);
   (this->Offset ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(this->OffsetFactor, this->OffsetUnits);

@@ -20,6 +20,8 @@
  * eye. There equal depths (fragments that fail LESS) are right, but another program may compute
  * them two units off, and vertices a step of the subpixel grid, 1/256 of a pixel, beside each other
  * in both.
+ *
+ * Where the target is multisampled, all of this is done for each sample by itself.
  */
 #ifndef vtkShadowCounter_h
 #define vtkShadowCounter_h
@@ -30,6 +32,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -66,6 +69,7 @@ public:
     float OffsetUnits = 0.0f;
     bool Clamp = false;
     bool Offset = false;
+    std::array<bool, 5> SampleCapabilities = {};
     int Stencil[2][7] = {};
   };
 
@@ -78,7 +82,8 @@ public:
   /**
    * Count draws [first, last). `volumeToClip`: row-major matrix from the uploaded vertices to clip
    * coordinates. `fragments`: if not null, the fragments that volumes covered, whether or not the
-   * depth test passed, are added to it (as many more draws, and a wait for the device).
+   * depth test passed, are added to it (as many more draws, and a wait for the device); samples of
+   * them where the target is multisampled.
    */
   bool Count(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
     const double volumeToClip[16], const vtkShadowDraw* first, const vtkShadowDraw* last,

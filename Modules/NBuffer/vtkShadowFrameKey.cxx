@@ -83,6 +83,7 @@ vtkShadowFrameKey::vtkShadowFrameKey(const vtkRenderState* state,
   this->ContextTime = view.ContextTime;
   this->WorldToClip = view.WorldToClip;
   glGetIntegerv(GL_VIEWPORT, this->Viewport.data());
+  glGetIntegerv(GL_SAMPLES, &this->Samples);
   this->Complete = IsPart(this->Drawn, props.GetProps());
   if (KeepCullersTheImage(state->GetRenderer(), this->SettingsTime))
   {
@@ -94,8 +95,8 @@ bool vtkShadowFrameKey::operator==(const vtkShadowFrameKey& other) const
 {
   return this->Complete && other.Complete && this->Renderer == other.Renderer &&
     this->ContextTime == other.ContextTime && this->SettingsTime == other.SettingsTime &&
-    this->Viewport == other.Viewport && this->WorldToClip == other.WorldToClip &&
-    this->Lights == other.Lights && this->PropsVersion == other.PropsVersion &&
-    this->Drawn == other.Drawn;
+    this->Viewport == other.Viewport && this->Samples == other.Samples &&
+    this->WorldToClip == other.WorldToClip && this->Lights == other.Lights &&
+    this->PropsVersion == other.PropsVersion && this->Drawn == other.Drawn;
 }
 VTK_ABI_NAMESPACE_END

@@ -4,10 +4,10 @@
  * @file vtkShadowFrameKey.h
  * @brief All that the masks of a frame depend on: where two keys are equal, masks are as they were.
  *
- * Renderer and context, viewport and camera matrix, lights, settings, the renderer's props as
- * vtkShadowCasterList has looked at them, and, unless vtkNBufferCuller chooses them, which of them
- * are drawn. Where others are drawn, too, whose changes nobody looks at, the key equals none, not
- * even itself.
+ * Renderer and context, viewport, samples and camera matrix, lights, settings, the renderer's props
+ * as vtkShadowCasterList has looked at them, and, unless vtkNBufferCuller chooses them, which of
+ * them are drawn. Where others are drawn, too, whose changes nobody looks at, the key equals none,
+ * not even itself.
  */
 #ifndef vtkShadowFrameKey_h
 #define vtkShadowFrameKey_h
@@ -41,6 +41,7 @@ private:
   vtkMTimeType ContextTime = 0;
   vtkMTimeType SettingsTime = 0;
   std::array<int, 4> Viewport = {};
+  int Samples = 0; ///< Of the framebuffer that is drawn.
   std::array<double, 16> WorldToClip = {};
   std::vector<vtkShadowLightSource> Lights;
   vtkMTimeType PropsVersion = 0;

@@ -10,8 +10,10 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
+#include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <functional>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -92,7 +94,7 @@ struct vtkShadowMaskMaker::Camera
   vtkShadowPlan::View Plan;
 };
 
-bool vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer, std::size_t lights)
+bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   if (!vtkNBufferGL::HasVersion(3, 2))
@@ -110,23 +112,39 @@ bool vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer, std::size_t lights)
   }
   constexpr int each = vtkShadowTarget::LightsPerMask;
   const int masks = static_cast<int>(lights + each - 1) / each;
-  if (!this->Target.Reserve(
-        window, viewport[0] + viewport[2], viewport[1] + viewport[3], masks, this->Error))
-  {
-    return false;
-  }
+  return this->Target.Reserve(window, viewport[0] + viewport[2], viewport[1] + viewport[3], masks,
+    vtkShadowTarget::GetBoundSamples(), this->Error);
+}
+
+void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Target.GetDepthFramebuffer());
   state->vtkglDepthMask(GL_TRUE);
   const float farthest = 1.0f;
   glClearBufferfv(GL_DEPTH, 0, &farthest);
-  return true;
 }
 
 bool vtkShadowMaskMaker::ReadDepth(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics)
 {
   const vtkNBufferClock clock;
+  ++statistics.ReadBacks;
+  if (this->Target.IsMultisampled())
+  {
+    const std::size_t pixels = static_cast<std::size_t>(this->Viewport[2]) * this->Viewport[3];
+    const std::size_t samples = this->Target.GetSamples().size();
+    this->Depth.resize(samples * pixels);
+    bool done = true;
+    for (std::size_t i = 0; i < samples && done; ++i)
+    {
+      done = this->SampleReader.Read(window, this->Target.GetDepth()->GetHandle(),
+        static_cast<int>(i), 0, this->Viewport, this->Depth.data() + i * pixels, this->Error);
+    }
+    statistics.ReadTime += clock.GetMilliseconds();
+    return done;
+  }
   int bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Target.GetDepthFramebuffer());
@@ -135,9 +153,48 @@ bool vtkShadowMaskMaker::ReadDepth(vtkOpenGLRenderWindow* window, vtkShadowStati
     source.Read(window, this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3],
       this->Depth, this->Error);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
-  ++statistics.ReadBacks;
   statistics.ReadTime += clock.GetMilliseconds();
   return done;
+}
+
+bool vtkShadowMaskMaker::ReadMask(
+  vtkOpenGLRenderWindow* window, std::size_t slot, int sample, std::vector<unsigned char>& mask)
+{
+  constexpr std::size_t each = vtkShadowTarget::LightsPerMask;
+  const int number = static_cast<int>(slot / each);
+  const std::size_t channel = slot % each;
+  const int* viewport = this->Viewport;
+  mask.resize(static_cast<std::size_t>(viewport[2]) * viewport[3]);
+  if (!this->Target.IsMultisampled())
+  {
+    std::vector<unsigned char> pixels(each * mask.size());
+    vtkNBufferGL::ClearErrors();
+    const vtkNBufferGL::ScopedReadback readback(this->Target.GetMaskFramebuffer(number));
+    glReadPixels(
+      viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    for (std::size_t i = 0; i < mask.size(); ++i)
+    {
+      mask[i] = pixels[each * i + channel];
+    }
+    return vtkNBufferGL::CheckErrors("Reading a shadow mask", this->Error);
+  }
+  const int samples = static_cast<int>(this->Target.GetSamples().size());
+  const int first = std::max(sample, 0);
+  const int last = sample < 0 ? samples : sample + 1;
+  std::vector<float> values(mask.size());
+  std::vector<float> sums(mask.size(), 0.0f);
+  for (int i = first; i < last; ++i)
+  {
+    if (!this->SampleReader.Read(window, this->Target.GetMask(number)->GetHandle(), i,
+          static_cast<int>(channel), viewport, values.data(), this->Error))
+    {
+      return false;
+    }
+    std::transform(sums.begin(), sums.end(), values.begin(), sums.begin(), std::plus<float>());
+  }
+  std::transform(sums.begin(), sums.end(), mask.begin(), [&](float sum)
+    { return static_cast<unsigned char>(255.0f * sum / static_cast<float>(last - first) + 0.5f); });
+  return true;
 }
 
 bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
@@ -194,7 +251,8 @@ bool vtkShadowMaskMaker::MakeLitmaps(vtkOpenGLRenderWindow* window, const vtkSha
   const std::vector<vtkShadowFrame>& frames, const Camera& camera, const Settings& settings,
   vtkShadowStatistics& statistics)
 {
-  const vtkShadowView view = camera.GetView();
+  vtkShadowView view = camera.GetView();
+  view.Samples = this->Target.GetSamples();
   this->Litmaps.resize(std::max(this->Litmaps.size(), frames.size()));
   for (std::size_t i = 0; i < frames.size(); ++i)
   {
@@ -326,5 +384,6 @@ void vtkShadowMaskMaker::Release()
   this->Timers.Release();
   this->DebugView.Release();
   this->Target.Release();
+  this->SampleReader.Release();
 }
 VTK_ABI_NAMESPACE_END

@@ -22,6 +22,7 @@
 #include "vtkShadowLitmap.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowRerenderedLitmap.h"
+#include "vtkShadowSampleReader.h"
 #include "vtkShadowStatistics.h"
 #include "vtkShadowTarget.h"
 #include "vtkShadowTimers.h"
@@ -61,11 +62,17 @@ public:
   vtkShadowDebugView DebugView;
 
   /**
-   * Bind a framebuffer for the depth of what is drawn next, in the viewport that is set now, and
-   * clear it. Returns false, with the cause in GetError(), if OpenGL refuses; nothing is bound
-   * then. Otherwise the caller pops the framebuffer bindings of the window's vtkOpenGLState.
+   * Room for the masks of so many lights in the viewport that is set now, with the samples of the
+   * framebuffer that is bound for drawing, or with one (vtkShadowTarget::HasRefusedSamples(), the
+   * cause in GetError()). Returns false, with the cause in GetError(), if OpenGL refuses.
    */
-  bool BeginDepth(vtkRenderer* renderer, std::size_t lights);
+  bool Reserve(vtkRenderer* renderer, std::size_t lights);
+
+  /**
+   * After Reserve(): bind a framebuffer for the depth of what is drawn next, and clear it. The
+   * caller pops the framebuffer bindings of the window's vtkOpenGLState.
+   */
+  void BeginDepth(vtkRenderer* renderer);
 
   /**
    * Make the masks; `statistics` is added to. Returns false on failure, with the cause in
@@ -73,6 +80,14 @@ public:
    */
   bool Make(vtkRenderer* renderer, const std::vector<vtkShadowLightSource>& lights,
     const Settings& settings, vtkShadowStatistics& statistics);
+
+  /**
+   * Read back the mask of a light, by its number in what Make() was given: one value for each pixel
+   * of the viewport, row by row, the lowest first, 0 lit to 255 in shadow. Of a sample, or, if it
+   * is negative, the mean of all. Returns false, with the cause in GetError(), if OpenGL refuses.
+   */
+  bool ReadMask(
+    vtkOpenGLRenderWindow* window, std::size_t slot, int sample, std::vector<unsigned char>& mask);
 
   int GetNumberOfShadows() const { return this->Shadows; }
   const vtkShadowTarget& GetTarget() const { return this->Target; }
@@ -98,6 +113,7 @@ private:
   vtkShadowTarget Target;
   vtkShadowCounter Counter;
   vtkShadowRerenderedLitmap Rerendered;
+  vtkShadowSampleReader SampleReader;
   std::vector<vtkShadowLitmap> Litmaps; ///< Of the light at work: one, or one for each face.
   vtkShadowVolume Volume;
   std::vector<float> Depth;

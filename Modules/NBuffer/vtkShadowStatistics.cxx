@@ -111,6 +111,8 @@ std::string vtkShadowStatistics::GetAsJSON() const
   json["read_backs"] = this->ReadBacks;
   json["failed_frames"] = this->FailedFrames;
   json["debug_draws"] = this->DebugDraws;
+  json["samples"] = this->Samples;
+  json["pixel_frames"] = this->PixelFrames;
   Json::Value& times = json["milliseconds"];
   times["casters"] = this->CasterTime;
   times["depth"] = this->DepthTime;

@@ -111,12 +111,15 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   int Slabs = 0;
   long long Triangles = 0; ///< Of volumes.
   long long Receivers = 0; ///< Samples scattered into litmaps (or lexels drawn), of all lights.
-  /// Fragments that volumes covered, whatever the depth test said; -1 unless they are counted.
+  /// Fragments that volumes covered, samples of them with multisampling, whatever the depth test
+  /// said; -1 unless they are counted.
   long long Fragments = -1;
   int Litmaps = 0;   ///< Made in this frame.
   int ReadBacks = 0; ///< Of depth.
   int FailedFrames = 0;
   int DebugDraws = 0; ///< Of debug views.
+  int Samples = 1;     ///< Of each pixel of the masks.
+  int PixelFrames = 0; ///< With one for each pixel, the device having refused those of the window.
 
   ///@{
   /// Milliseconds of the calling thread: collecting casters and silhouettes, drawing receivers'

@@ -12,6 +12,11 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
+vtkShadowTarget::SamplePlaces GetCentre()
+{
+  return { { { 0.5, 0.5 } } };
+}
+
 /// What is bound for drawing and reading, as it was.
 class ScopedFramebuffers
 {
@@ -35,26 +40,72 @@ private:
 };
 }
 
-bool vtkShadowTarget::Reserve(
-  vtkOpenGLRenderWindow* window, int width, int height, int masks, std::string& why)
+vtkShadowTarget::SamplePlaces vtkShadowTarget::GetBoundSamples()
 {
-  if (width <= this->Width && height <= this->Height && masks <= this->GetNumberOfMasks())
+  int count = 0;
+  glGetIntegerv(GL_SAMPLES, &count);
+  if (count < 2)
+  {
+    return GetCentre();
+  }
+  SamplePlaces places;
+  for (int i = 0; i < count; ++i)
+  {
+    float place[2] = { 0.0f, 0.0f };
+    glGetMultisamplefv(GL_SAMPLE_POSITION, i, place);
+    places.push_back({ place[0], place[1] });
+  }
+  return places;
+}
+
+bool vtkShadowTarget::Reserve(vtkOpenGLRenderWindow* window, int width, int height, int masks,
+  const SamplePlaces& samples, std::string& why)
+{
+  if (samples != this->RefusedSamples)
+  {
+    this->RefusedSamples.clear();
+  }
+  const SamplePlaces wanted = this->HasRefusedSamples() ? GetCentre() : samples;
+  if (width <= this->Width && height <= this->Height && masks <= this->GetNumberOfMasks() &&
+    wanted == this->Samples)
   {
     return true;
   }
   const ScopedFramebuffers bindings;
   vtkNBufferGL::ClearErrors();
+  const int newWidth = std::max(width, this->Width);
+  const int newHeight = std::max(height, this->Height);
   const int count = std::max(masks, this->GetNumberOfMasks());
+  if (wanted != this->Samples)
+  {
+    this->Free();
+    this->Samples = wanted;
+  }
+  bool done = this->Allocate(window, newWidth, newHeight, count, why);
+  if (!done && this->IsMultisampled())
+  {
+    this->Free();
+    this->Samples = GetCentre();
+    this->RefusedSamples = samples;
+    done = this->Allocate(window, newWidth, newHeight, count, why);
+  }
+  if (!done)
+  {
+    this->Release();
+  }
+  return done;
+}
+
+bool vtkShadowTarget::Allocate(
+  vtkOpenGLRenderWindow* window, int width, int height, int count, std::string& why)
+{
   if (width > this->Width || height > this->Height)
   {
-    const int newWidth = std::max(width, this->Width);
-    const int newHeight = std::max(height, this->Height);
-    this->Release();
-    this->Width = newWidth;
-    this->Height = newHeight;
-    if (!this->AllocateDepth(why))
+    this->Free();
+    this->Width = width;
+    this->Height = height;
+    if (!this->AllocateDepth(window, why))
     {
-      this->Release();
       return false;
     }
   }
@@ -63,18 +114,24 @@ bool vtkShadowTarget::Reserve(
     this->Masks.emplace_back();
     if (!this->AllocateMask(window, this->Masks.back(), why))
     {
-      this->Release();
       return false;
     }
   }
   return true;
 }
 
-bool vtkShadowTarget::AllocateDepth(std::string& why)
+bool vtkShadowTarget::AllocateDepth(vtkOpenGLRenderWindow* window, std::string& why)
 {
-  int bound = 0;
-  glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+  if (this->IsMultisampled())
   {
+    this->Depth = this->NewTexture(window);
+    this->Depth->AllocateDepthStencil(this->Width, this->Height);
+    this->DepthStencil = this->Depth->GetHandle();
+  }
+  else
+  {
+    int bound = 0;
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
     const vtkNBufferGL::ScopedUpload nothing(0);
     glGenTextures(1, &this->DepthStencil);
     glBindTexture(GL_TEXTURE_2D, this->DepthStencil);
@@ -83,8 +140,8 @@ bool vtkShadowTarget::AllocateDepth(std::string& why)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH24_STENCIL8, this->Width, this->Height, 0,
       GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, nullptr);
+    glBindTexture(GL_TEXTURE_2D, bound);
   }
-  glBindTexture(GL_TEXTURE_2D, bound);
   ++this->Allocations;
   if (!vtkNBufferGL::CheckErrors("Allocating depth and stencil", why))
   {
@@ -94,14 +151,22 @@ bool vtkShadowTarget::AllocateDepth(std::string& why)
   return this->Attach(this->DepthFramebuffer, 0, why);
 }
 
+vtkSmartPointer<vtkTextureObject> vtkShadowTarget::NewTexture(vtkOpenGLRenderWindow* window) const
+{
+  auto texture = vtkSmartPointer<vtkTextureObject>::New();
+  texture->SetContext(window);
+  texture->SetSamples(
+    this->IsMultisampled() ? static_cast<unsigned int>(this->Samples.size()) : 0u);
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  return texture;
+}
+
 bool vtkShadowTarget::AllocateMask(vtkOpenGLRenderWindow* window, Mask& mask, std::string& why)
 {
-  mask.Texture = vtkSmartPointer<vtkTextureObject>::New();
-  mask.Texture->SetContext(window);
-  mask.Texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  mask.Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  mask.Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  mask.Texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  mask.Texture = this->NewTexture(window);
   if (!mask.Texture->Allocate2D(this->Width, this->Height, 4, VTK_UNSIGNED_CHAR) ||
     !vtkNBufferGL::CheckErrors("Allocating a shadow mask", why))
   {
@@ -115,11 +180,12 @@ bool vtkShadowTarget::AllocateMask(vtkOpenGLRenderWindow* window, Mask& mask, st
 bool vtkShadowTarget::Attach(unsigned int framebuffer, unsigned int color, std::string& why)
 {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  const GLenum target = this->GetTextureTarget();
   glFramebufferTexture2D(
-    GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, this->DepthStencil, 0);
+    GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, target, this->DepthStencil, 0);
   if (color != 0)
   {
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target, color, 0);
   }
   const GLenum buffer = color != 0 ? GL_COLOR_ATTACHMENT0 : GL_NONE;
   glDrawBuffers(1, &buffer);
@@ -134,10 +200,26 @@ bool vtkShadowTarget::Attach(unsigned int framebuffer, unsigned int color, std::
           "driver or use Mesa's software renderer.";
     return false;
   }
+  if (GetBoundSamples() != this->Samples)
+  {
+    why = "The device has other samples in textures than in the framebuffer that is drawn.";
+    return false;
+  }
   return vtkNBufferGL::CheckErrors("Attaching depth and stencil", why);
 }
 
+unsigned int vtkShadowTarget::GetTextureTarget() const
+{
+  return this->IsMultisampled() ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+}
+
 void vtkShadowTarget::Release()
+{
+  this->Free();
+  this->RefusedSamples.clear();
+}
+
+void vtkShadowTarget::Free()
 {
   for (const Mask& mask : this->Masks)
   {
@@ -146,7 +228,15 @@ void vtkShadowTarget::Release()
   }
   this->Masks.clear();
   glDeleteFramebuffers(1, &this->DepthFramebuffer);
-  glDeleteTextures(1, &this->DepthStencil);
+  if (this->Depth)
+  {
+    this->Depth->ReleaseGraphicsResources(this->Depth->GetContext());
+    this->Depth = nullptr;
+  }
+  else
+  {
+    glDeleteTextures(1, &this->DepthStencil);
+  }
   this->DepthFramebuffer = this->DepthStencil = 0;
   this->Width = this->Height = 0;
 }

@@ -12,6 +12,9 @@
  *
  * A mask is an RGBA8 texture: channel c of mask i belongs to the light 4 i + c, 0 where it shines
  * and 255 where it does not. Objects grow and never shrink until released.
+ *
+ * All have the samples of the framebuffer that shadows are for, at the same places in a pixel. With
+ * more than one they are GL_TEXTURE_2D_MULTISAMPLE with fixed sample locations, else GL_TEXTURE_2D.
  */
 #ifndef vtkShadowTarget_h
 #define vtkShadowTarget_h
@@ -22,6 +25,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -33,11 +37,24 @@ class VTKNBUFFER_EXPORT vtkShadowTarget
 public:
   static constexpr int LightsPerMask = 4;
 
+  /// Places of the samples in a pixel, in [0, 1] from its lower left corner; one: its centre.
+  using SamplePlaces = std::vector<std::array<double, 2>>;
+
+  /// Those of the framebuffer that is bound for drawing.
+  static SamplePlaces GetBoundSamples();
+
   /**
-   * Room for images of at least this size and this many masks. Returns false, with the cause and a
-   * remedy in `why`, if OpenGL refuses. Leaves the draw and read framebuffer bound as they were.
+   * Room for images of at least this size and this many masks, with these samples. Where the device
+   * has no such samples for textures, there is one for each pixel, and HasRefusedSamples() says so.
+   * Returns false, with the cause and a remedy in `why`, if OpenGL refuses that, too. Leaves the
+   * draw and read framebuffer bound as they were.
    */
-  bool Reserve(vtkOpenGLRenderWindow* window, int width, int height, int masks, std::string& why);
+  bool Reserve(vtkOpenGLRenderWindow* window, int width, int height, int masks,
+    const SamplePlaces& samples, std::string& why);
+
+  const SamplePlaces& GetSamples() const { return this->Samples; }
+  bool IsMultisampled() const { return this->Samples.size() > 1; }
+  bool HasRefusedSamples() const { return !this->RefusedSamples.empty(); }
 
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
@@ -48,6 +65,8 @@ public:
   unsigned int GetMaskFramebuffer(int mask) const { return this->Masks[mask].Framebuffer; }
 
   vtkTextureObject* GetMask(int mask) const { return this->Masks[mask].Texture; }
+  /// To sample; nullptr without multisampling.
+  vtkTextureObject* GetDepth() const { return this->Depth; }
 
   /// Times that OpenGL was asked for memory since construction.
   int GetNumberOfAllocations() const { return this->Allocations; }
@@ -62,14 +81,21 @@ private:
     vtkSmartPointer<vtkTextureObject> Texture;
   };
 
-  bool AllocateDepth(std::string& why);
+  bool Allocate(vtkOpenGLRenderWindow* window, int width, int height, int masks, std::string& why);
+  bool AllocateDepth(vtkOpenGLRenderWindow* window, std::string& why);
+  vtkSmartPointer<vtkTextureObject> NewTexture(vtkOpenGLRenderWindow* window) const;
   bool AllocateMask(vtkOpenGLRenderWindow* window, Mask& mask, std::string& why);
   bool Attach(unsigned int framebuffer, unsigned int color, std::string& why);
+  unsigned int GetTextureTarget() const;
+  void Free();
 
+  SamplePlaces Samples = { { { 0.5, 0.5 } } };
+  SamplePlaces RefusedSamples; ///< Empty, or those that Reserve() asked for in vain.
   int Width = 0;
   int Height = 0;
   int Allocations = 0;
   unsigned int DepthStencil = 0;
+  vtkSmartPointer<vtkTextureObject> Depth; ///< The same, if it is multisampled.
   unsigned int DepthFramebuffer = 0;
   std::vector<Mask> Masks;
 };

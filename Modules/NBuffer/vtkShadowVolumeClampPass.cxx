@@ -8,6 +8,7 @@
 #include "vtkShadowFrameKey.h"
 #include "vtkShadowLightDec.h"
 #include "vtkShadowMaskMaker.h"
+#include "vtkShadowSampleDec.h"
 
 #include "vtkInformation.h"
 #include "vtkLight.h"
@@ -65,7 +66,7 @@ public:
   ~Internals() { this->Stage->Owner = nullptr; }
 
   void UseContext(vtkOpenGLRenderWindow* window);
-  void SetShaderLights(const std::vector<vtkShadowLightSource>& lights);
+  void SetShaderLights(const std::vector<vtkShadowLightSource>& lights, int samples);
   std::string GetDeclaration() const;
 
   vtkNew<OpaqueStage> Stage;
@@ -78,11 +79,15 @@ public:
   vtkShadowStatistics Statistics;
   std::vector<vtkShadowLightSource> Lights; ///< Of the masks.
   std::vector<int> ShaderLights;            ///< Numbers of the lights that the shaders know.
+  int ShaderSamples = 1;                    ///< Of the masks that they know.
   vtkTimeStamp ShaderTime;
   std::vector<int> TextureUnits;
+  int DepthUnit = 0;
   vtkShadowFrameKey Key; ///< Of the masks.
   int FailedFrames = 0;
+  int PixelFrames = 0;
   bool HasWarned = false;
+  bool HasWarnedOfSamples = false;
   bool HasWarnedOfShader = false;
   vtkOpenGLRenderWindow* Window = nullptr; ///< Registered with; it says when it goes.
   std::unique_ptr<Callback> ResourceCallback;
@@ -101,16 +106,17 @@ void vtkShadowVolumeClampPass::Internals::UseContext(vtkOpenGLRenderWindow* wind
 }
 
 void vtkShadowVolumeClampPass::Internals::SetShaderLights(
-  const std::vector<vtkShadowLightSource>& lights)
+  const std::vector<vtkShadowLightSource>& lights, int samples)
 {
   std::vector<int> numbers;
   for (const vtkShadowLightSource& light : lights)
   {
     numbers.push_back(light.Number);
   }
-  if (numbers != this->ShaderLights)
+  if (numbers != this->ShaderLights || samples != this->ShaderSamples)
   {
     this->ShaderLights = numbers;
+    this->ShaderSamples = samples;
     this->ShaderTime.Modified();
   }
 }
@@ -120,7 +126,8 @@ std::string vtkShadowVolumeClampPass::Internals::GetDeclaration() const
   const int lights = static_cast<int>(this->ShaderLights.size());
   constexpr int each = vtkShadowTarget::LightsPerMask;
   return "#define NBUFFER_SHADOW_LIGHTS " + std::to_string(lights) +
-    "\n#define NBUFFER_SHADOW_MASKS " + std::to_string((lights + each - 1) / each) + "\n" +
+    "\n#define NBUFFER_SHADOW_MASKS " + std::to_string((lights + each - 1) / each) +
+    "\n#define NBUFFER_SHADOW_SAMPLES " + std::to_string(this->ShaderSamples) + "\n" +
     vtkShadowLightDec;
 }
 
@@ -245,17 +252,29 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
   self.UseContext(window);
   self.Masks.Timers.Begin(this->MeasureDeviceTime);
   statistics.DeviceTimes = self.Masks.Timers.GetTimes();
-  self.SetShaderLights(lights);
   const vtkShadowFrameKey key(s, lights, self.Masks.Casters, this->GetMTime());
   const bool still = statistics.Updates == 0 && !this->CountFragments && key == self.Key;
-  bool done = true;
+  const vtkShadowTarget& target = self.Masks.GetTarget();
+  bool done = still || self.Masks.Reserve(renderer, lights.size());
+  statistics.Samples = static_cast<int>(target.GetSamples().size());
+  if (done && target.HasRefusedSamples())
+  {
+    ++self.PixelFrames;
+    if (!self.HasWarnedOfSamples)
+    {
+      self.HasWarnedOfSamples = true;
+      vtkWarningMacro(<< "Shadows have one sample for each pixel. " << self.Masks.GetError());
+    }
+  }
+  statistics.PixelFrames = self.PixelFrames;
+  self.SetShaderLights(lights, statistics.Samples);
   // The depth is drawn by the shaders that will draw the colour: it is the same to the bit, and no
   // mapper has to rebuild one.
   this->PreRender(s);
   if (!still)
   {
     self.Key = vtkShadowFrameKey();
-    done = this->MakeMasks(s, lights, statistics);
+    done = done && this->MakeMasks(s, lights, statistics);
   }
   if (!done || self.Masks.GetNumberOfShadows() == 0)
   {
@@ -277,7 +296,7 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
   self.Lights = lights;
   {
     const vtkShadowTimers::Scope timed(self.Masks.Timers, vtkShadowStage::Color);
-    this->DrawOpaque(s);
+    this->DrawOpaque(s, target.GetDepth());
   }
   this->PostRender(s);
   this->ShowDebugView(window, statistics);
@@ -297,16 +316,10 @@ bool vtkShadowVolumeClampPass::MakeMasks(const vtkRenderState* s,
     self.Masks.Receivers.Update(renderer, nullptr);
     statistics.CasterTime += clock.Restart();
   }
-  if (!self.Masks.BeginDepth(renderer, lights.size()))
-  {
-    return false;
-  }
-  // With the masks of the last frame bound: their samplers must not share a unit with textures of
-  // another kind (buffers of edges or cell data), or OpenGL draws nothing.
-  self.TextureUnits.assign(self.Masks.GetTarget().GetNumberOfMasks(), 0);
+  self.Masks.BeginDepth(renderer);
   {
     const vtkShadowTimers::Scope timed(self.Masks.Timers, vtkShadowStage::Depth);
-    this->DrawOpaque(s);
+    this->DrawOpaque(s, nullptr);
   }
   static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
     ->GetState()
@@ -323,20 +336,34 @@ bool vtkShadowVolumeClampPass::MakeMasks(const vtkRenderState* s,
   return self.Masks.Make(renderer, lights, settings, statistics);
 }
 
-void vtkShadowVolumeClampPass::DrawOpaque(const vtkRenderState* s)
+void vtkShadowVolumeClampPass::DrawOpaque(const vtkRenderState* s, vtkTextureObject* depth)
 {
   Internals& self = *this->Implementation;
   const vtkShadowTarget& target = self.Masks.GetTarget();
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
+  const vtkOpenGLState::ScopedglActiveTexture activeUnit(window->GetState());
+  // Also where only depth is drawn: samplers of two kinds must not share a texture unit.
+  self.TextureUnits.resize(target.GetNumberOfMasks());
   for (int i = 0; i < target.GetNumberOfMasks(); ++i)
   {
     target.GetMask(i)->Activate();
     self.TextureUnits[i] = target.GetMask(i)->GetTextureUnit();
+  }
+  self.DepthUnit = self.TextureUnits[0];
+  if (depth)
+  {
+    depth->Activate();
+    self.DepthUnit = depth->GetTextureUnit();
   }
   self.Opaque->Render(s);
   this->NumberOfRenderedProps = self.Opaque->GetNumberOfRenderedProps();
   for (int i = 0; i < target.GetNumberOfMasks(); ++i)
   {
     target.GetMask(i)->Deactivate();
+  }
+  if (depth)
+  {
+    depth->Deactivate();
   }
 }
 
@@ -370,6 +397,11 @@ bool vtkShadowVolumeClampPass::PreReplaceShaderValues(
   }
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Dec",
     this->Implementation->GetDeclaration() + "//VTK::Light::Dec", false);
+  if (this->Implementation->ShaderSamples > 1)
+  {
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec",
+      std::string("//VTK::System::Dec\n") + vtkShadowSampleDec, false);
+  }
   return true;
 }
 
@@ -421,6 +453,17 @@ bool vtkShadowVolumeClampPass::SetShaderParameters(
     program->SetUniform1iv(
       "shadowMasks", static_cast<int>(self.TextureUnits.size()), self.TextureUnits.data());
   }
+  if (program->IsUniformUsed("shadowDepth"))
+  {
+    std::vector<float> offsets;
+    for (const std::array<double, 2>& place : self.Masks.GetTarget().GetSamples())
+    {
+      offsets.push_back(static_cast<float>(place[0] - 0.5));
+      offsets.push_back(static_cast<float>(place[1] - 0.5));
+    }
+    program->SetUniformi("shadowDepth", self.DepthUnit);
+    program->SetUniform2fv("shadowSamples", static_cast<int>(offsets.size() / 2), offsets.data());
+  }
   if (program->IsUniformUsed("shadowAttenuations"))
   {
     std::vector<float> attenuations(self.ShaderLights.size(), 0.0f);
@@ -441,40 +484,25 @@ vtkMTimeType vtkShadowVolumeClampPass::GetShaderStageMTime()
 
 //------------------------------------------------------------------------------------------------
 std::vector<unsigned char> vtkShadowVolumeClampPass::GetMask(
-  vtkLight* light, int& width, int& height)
+  vtkLight* light, int& width, int& height, int sample)
 {
   Internals& self = *this->Implementation;
   width = height = 0;
   const auto found = std::find_if(self.Lights.begin(), self.Lights.end(),
     [light](const vtkShadowLightSource& source) { return source.Source == light; });
-  if (found == self.Lights.end())
+  if (found == self.Lights.end() || sample >= self.Statistics.Samples)
   {
     return {};
   }
   const std::size_t slot = static_cast<std::size_t>(found - self.Lights.begin());
-  constexpr std::size_t each = vtkShadowTarget::LightsPerMask;
-  const int* viewport = self.Masks.GetViewport();
-  const std::size_t count = static_cast<std::size_t>(viewport[2]) * viewport[3];
-  std::vector<unsigned char> pixels(4 * count);
+  std::vector<unsigned char> mask;
+  if (!self.Masks.ReadMask(self.Window, slot, sample, mask))
   {
-    const vtkNBufferGL::ScopedReadback readback(
-      self.Masks.GetTarget().GetMaskFramebuffer(static_cast<int>(slot / each)));
-    glReadPixels(
-      viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-  }
-  std::string why;
-  if (!vtkNBufferGL::CheckErrors("Reading a shadow mask", why))
-  {
-    vtkErrorMacro(<< why);
+    vtkErrorMacro(<< self.Masks.GetError());
     return {};
   }
-  std::vector<unsigned char> mask(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    mask[i] = pixels[4 * i + slot % each];
-  }
-  width = viewport[2];
-  height = viewport[3];
+  width = self.Masks.GetViewport()[2];
+  height = self.Masks.GetViewport()[3];
   return mask;
 }
 

@@ -39,13 +39,17 @@
  * casters have no receiver, and the box of pixels of those that have; Clamped, also the depths at
  * which they lie. vtkShadowPlan.h has the rules.
  *
+ * With multisampling masks have the samples of the framebuffer that is drawn, and so has the depth
+ * of the receivers. A fragment gets the mean of the mask over the samples in which it is seen,
+ * as if each of them had been shaded by itself. (OpenGL before 4.0 without ARB_gpu_shader5 does not
+ * say which it covers: then those of its depth are taken.)
+ *
  * ## Limits
  *
  * Casters are opaque surfaces of polydata or composite data sets; GetStatistics() counts what is
  * not, by reason. Wireframes, points and glyphs cast nothing; textures with alpha and what shaders
  * displace cast as if they did not. The volumes of point lights are never
- * clamped. With multisampling masks are by pixel,
- * not by sample. Needs OpenGL 3.2 with depth and stencil in one texture; where anything is refused
+ * clamped. Needs OpenGL 3.2 with depth and stencil in one texture; where anything is refused
  * the frame is drawn without shadows, with one warning.
  *
  * Cost: two draws of the opaque props, a read-back of the depth (but for Unclamped), and the
@@ -66,6 +70,7 @@ class vtkInformation;
 class vtkLight;
 class vtkOpenGLRenderWindow;
 class vtkRenderStepsPass;
+class vtkTextureObject;
 struct vtkShadowLightSource;
 
 class VTKNBUFFER_EXPORT vtkShadowVolumeClampPass : public vtkOpenGLRenderPass
@@ -210,10 +215,12 @@ public:
 
   /**
    * The mask of a light of the last frame: one value for each pixel of the viewport, row by row,
-   * the lowest first; 0 lit, 255 in shadow (also what the light does not reach). Empty, and `width`
-   * and `height` 0, if the light did not cast. Reads it back; the window's context must be current.
+   * the lowest first; 0 lit, 255 in shadow (also what the light does not reach). With multisampling
+   * the mean of the pixel's samples, or one of them: `sample` from 0 to less than
+   * vtkShadowStatistics::Samples. Empty, and `width` and `height` 0, if the light did not cast or
+   * there is no such sample. Reads it back; the window's context must be current.
    */
-  std::vector<unsigned char> GetMask(vtkLight* light, int& width, int& height);
+  std::vector<unsigned char> GetMask(vtkLight* light, int& width, int& height, int sample = -1);
 
   /**
    * The debug view of the last frame: red, green, blue and opacity of each pixel of the viewport,
@@ -249,7 +256,7 @@ private:
   void RenderOpaque(const vtkRenderState* s);
   bool MakeMasks(const vtkRenderState* s, const std::vector<vtkShadowLightSource>& lights,
     vtkShadowStatistics& statistics);
-  void DrawOpaque(const vtkRenderState* s);
+  void DrawOpaque(const vtkRenderState* s, vtkTextureObject* depth);
   void ShowDebugView(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics);
   void Warn(const std::string& what);
 

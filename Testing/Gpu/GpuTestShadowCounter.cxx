@@ -26,6 +26,7 @@ constexpr int Width = 40;
 constexpr int Height = 30;
 constexpr int Viewport[4] = { 7, 5, 21, 15 };
 constexpr unsigned char Sentinel = 0x55;
+const vtkShadowTarget::SamplePlaces Centre = { { { 0.5, 0.5 } } };
 
 /// A volume over x in (-0.5, 0.5), y in (-0.3, 0.3), z in (-0.2, 0.2) that goes from left to right,
 /// so many times.
@@ -89,7 +90,7 @@ protected:
     }
     this->Window = NewWindow(16, 16);
     std::string why;
-    ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 2, why)) << why;
+    ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 2, Centre, why)) << why;
     this->Fill();
   }
 
@@ -206,14 +207,14 @@ TEST_F(GpuTestShadowCounter, TargetsGrowAndKeepBindings)
 {
   const int allocations = this->Target.GetNumberOfAllocations();
   std::string why;
-  ASSERT_TRUE(this->Target.Reserve(this->Window, Width, 1, 1, why));
+  ASSERT_TRUE(this->Target.Reserve(this->Window, Width, 1, 1, Centre, why));
   EXPECT_EQ(this->Target.GetNumberOfAllocations(), allocations);
   EXPECT_EQ(this->Target.GetHeight(), Height);
   EXPECT_EQ(this->Target.GetNumberOfMasks(), 2);
   const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
-  ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 3, why));
+  ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 3, Centre, why));
   EXPECT_EQ(this->Target.GetNumberOfAllocations(), allocations + 1);
-  ASSERT_TRUE(this->Target.Reserve(this->Window, 1, Height + 5, 1, why));
+  ASSERT_TRUE(this->Target.Reserve(this->Window, 1, Height + 5, 1, Centre, why));
   EXPECT_EQ(this->Target.GetWidth(), Width);
   EXPECT_EQ(this->Target.GetHeight(), Height + 5);
   EXPECT_EQ(this->Target.GetNumberOfMasks(), 3);
@@ -239,10 +240,10 @@ TEST_F(GpuTestShadowCounter, TooLargeTargetsAreRefused)
 #ifdef GL_DEBUG_OUTPUT
   glDisable(GL_DEBUG_OUTPUT);
 #endif
-  EXPECT_FALSE(this->Target.Reserve(this->Window, 2 * maximum, 1, 1, why));
+  EXPECT_FALSE(this->Target.Reserve(this->Window, 2 * maximum, 1, 1, Centre, why));
   EXPECT_NE(why, "");
   EXPECT_EQ(this->Target.GetDepthFramebuffer(), 0u);
-  ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 1, why)) << why;
+  ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 1, Centre, why)) << why;
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
@@ -416,7 +417,7 @@ TEST_F(GpuTestShadowCounter, WorksAgainAfterRelease)
     this->Window = nullptr;
     this->Window = NewWindow(16, 16);
     std::string why;
-    ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 2, why)) << why;
+    ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 2, Centre, why)) << why;
     this->Fill();
   }
 }

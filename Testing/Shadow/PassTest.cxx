@@ -3,6 +3,7 @@
 
 // The masks of vtkShadowVolumeClampPass against rays, and against each other.
 #include "OffscreenFixture.h"
+#include "PassTestTools.h"
 #include "ShadowTest.h"
 
 #include "vtkShadowVolumeClampPass.h"
@@ -21,11 +22,12 @@ class ShadowPass
 {
 };
 
-ShadowMask GetMask(vtkShadowVolumeClampPass* pass, vtkLight* light, const OracleImage& oracle)
+ShadowMask GetMask(
+  vtkShadowVolumeClampPass* pass, vtkLight* light, const OracleImage& oracle, int sample)
 {
   int width = 0;
   int height = 0;
-  ShadowMask mask = pass->GetMask(light, width, height);
+  ShadowMask mask = pass->GetMask(light, width, height, sample);
   if (mask.empty())
   {
     // Nothing is in its shadow.
@@ -37,29 +39,42 @@ ShadowMask GetMask(vtkShadowVolumeClampPass* pass, vtkLight* light, const Oracle
   return mask;
 }
 
+void Check(const ShadowStage& stage, vtkShadowVolumeClampPass* pass, vtkLight* light,
+  const OracleImage& oracle, int sample)
+{
+  ShadowMask masks[3];
+  for (int mode : Modes)
+  {
+    SCOPED_TRACE("mode " + std::to_string(mode));
+    pass->SetMode(mode);
+    stage.Window->Render();
+    masks[mode] = GetMask(pass, light, oracle, sample);
+    EXPECT_TRUE(MatchesOracle(masks[mode], oracle)) << pass->GetStatistics().GetAsJSON();
+    EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
+  }
+  // Where there is a receiver that the light reaches.
+  int differing = 0;
+  for (std::size_t i = 0; i < oracle.Samples.size(); ++i)
+  {
+    differing += oracle.Samples[i] != OracleSample::Background &&
+      oracle.Samples[i] != OracleSample::Unlit && masks[0][i] != masks[1][i];
+  }
+  EXPECT_EQ(differing, 0) << "Exact differs from Unclamped";
+}
+
 void Check(const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
 {
+  stage.Window->Render();
+  Oracle oracle(stage.Renderer);
+  const std::vector<std::array<double, 2>> places = GetSamplePlaces(stage.Window);
   for (vtkLight* light : stage.Lights)
   {
-    const OracleImage oracle = Cast(stage.Renderer, light);
-    ShadowMask masks[3];
-    for (int mode : Modes)
+    for (std::size_t i = 0; i < places.size(); ++i)
     {
-      SCOPED_TRACE("mode " + std::to_string(mode));
-      pass->SetMode(mode);
-      stage.Window->Render();
-      masks[mode] = GetMask(pass, light, oracle);
-      EXPECT_TRUE(MatchesOracle(masks[mode], oracle)) << pass->GetStatistics().GetAsJSON();
-      EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
+      SCOPED_TRACE("sample " + std::to_string(i));
+      oracle.SetSample(places[i][0], places[i][1]);
+      Check(stage, pass, light, oracle.Cast(OracleLight(light)), static_cast<int>(i));
     }
-    // Where there is a receiver that the light reaches.
-    int differing = 0;
-    for (std::size_t i = 0; i < oracle.Samples.size(); ++i)
-    {
-      differing += oracle.Samples[i] != OracleSample::Background &&
-        oracle.Samples[i] != OracleSample::Unlit && masks[0][i] != masks[1][i];
-    }
-    EXPECT_EQ(differing, 0) << "Exact differs from Unclamped";
   }
 }
 }

@@ -252,6 +252,7 @@ TEST_F(PassState, IsThatOfAFrameWithoutShadows)
         {
           const bool expected = line.find("GL_CURRENT_PROGRAM") == 0 ||
             line.find("GL_TEXTURE_BINDING_2D of unit ") == 0 ||
+            line.find("GL_TEXTURE_BINDING_2D_MULTISAMPLE of unit ") == 0 ||
             line.find("vtkOpenGLShaderCache LastShaderBound") == 0;
           EXPECT_TRUE(expected) << line;
         }

@@ -101,12 +101,18 @@ void Oracle::SetView(vtkRenderer* renderer)
   vtkMatrix4x4::Invert(worldToView, &this->ViewToWorld[0][0]);
 }
 
+void Oracle::SetSample(double x, double y)
+{
+  this->Sample[0] = x;
+  this->Sample[1] = y;
+}
+
 Ray Oracle::GetEyeRay(int x, int y, double jitterX, double jitterY) const
 {
   // The points that are drawn at (ndcX, ndcY) are where two planes meet in view coordinates:
   // clip x - ndcX clip w = 0, clip y - ndcY clip w = 0.
-  const double ndcX = 2.0 * (x + 0.5 + jitterX) / this->Width - 1.0;
-  const double ndcY = 2.0 * (y + 0.5 + jitterY) / this->Height - 1.0;
+  const double ndcX = 2.0 * (x + this->Sample[0] + jitterX) / this->Width - 1.0;
+  const double ndcY = 2.0 * (y + this->Sample[1] + jitterY) / this->Height - 1.0;
   double a[4];
   double b[4];
   double nearPlane[4]; // clip z + clip w >= 0 is drawn

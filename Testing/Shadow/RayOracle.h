@@ -84,12 +84,15 @@ public:
   /// Keeps nothing of the renderer but pointers to props. All props cast unless `isCaster` says no.
   explicit Oracle(vtkRenderer* renderer, const std::function<bool(vtkProp*)>& isCaster = {});
 
+  /// Where the sample of a pixel is, in [0, 1] from its lower left corner: at first its centre.
+  void SetSample(double x, double y);
+
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
   const RenderedTriangles& GetTriangles() const { return this->Triangles; }
   const TriangleTree& GetTree() const { return this->Tree; }
 
-  /// The ray through pixel (x, y) of the viewport, `jitter` pixels beside its centre, from the near
+  /// The ray through pixel (x, y) of the viewport, `jitter` pixels beside its sample, from the near
   /// to the far plane. Its direction has unit length.
   Ray GetEyeRay(int x, int y, double jitterX = 0.0, double jitterY = 0.0) const;
 
@@ -129,6 +132,7 @@ private:
 
   int Width = 0;
   int Height = 0;
+  double Sample[2] = { 0.5, 0.5 };
   double Projection[4][4]; ///< View to clip coordinates.
   double WorldToView[4][4];
   double ViewToWorld[4][4];

@@ -1,0 +1,15 @@
+//VTK::System::Dec
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+//VTK::Output::Dec
+
+// One channel of one sample of each texel.
+uniform sampler2DMS samples;
+uniform int index;
+uniform int channel;
+uniform ivec2 origin; // of the rectangle that is read, in texels
+
+void main()
+{
+  gl_FragData[0] = vec4(texelFetch(samples, origin + ivec2(gl_FragCoord.xy), index)[channel]);
+}

@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// vtkShadowTarget and vtkShadowSampleReader with multisampling: every sample has its own depth,
+// count and mask.
+#include "vtkShadowCounter.h"
+#include "vtkShadowSampleReader.h"
+#include "vtkShadowTarget.h"
+
+#include "DepthTarget.h"
+#include "GLStateSnapshot.h"
+#include "OffscreenFixture.h"
+#include "vtkNBufferDepthSource.h"
+#include "vtkShadowSilhouette.h"
+#include "vtkShadowTopology.h"
+#include "vtkShadowVolume.h"
+
+#include "vtkOpenGLRenderWindow.h"
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace
+{
+constexpr int Width = 37;
+constexpr int Height = 29;
+constexpr int Viewport[4] = { 5, 3, 23, 17 };
+
+const DepthFormat& GetFormat()
+{
+  const std::vector<DepthFormat>& formats = GetDepthFormats();
+  return *std::find_if(formats.begin(), formats.end(),
+    [](const DepthFormat& format) { return std::string(format.Name) == "Depth24Stencil8"; });
+}
+}
+
+class GpuTestShadowSamples : public OffscreenFixture
+{
+protected:
+  void SetUp() override
+  {
+    OffscreenFixture::SetUp();
+    if (!this->IsSkipped())
+    {
+      this->Window = NewWindow(16, 16);
+    }
+  }
+
+  void TearDown() override
+  {
+    if (this->Window)
+    {
+      this->Reader.Release();
+      this->Counter.Release();
+      this->Target.Release();
+    }
+  }
+
+  /// function(depth target, its samples) for each number of samples that the driver has.
+  void ForEachCount(
+    const std::function<void(const DepthTarget&, const vtkShadowTarget::SamplePlaces&)>& function)
+  {
+    int last = 1;
+    for (const int count : { 2, 4, 8, 16 })
+    {
+      const DepthTarget target(GetFormat(), Width, Height, true, count);
+      if (!target.IsComplete() || target.GetSamples() == last)
+      {
+        continue;
+      }
+      last = target.GetSamples();
+      SCOPED_TRACE(std::to_string(last) + " samples");
+      target.Bind(Viewport[0], Viewport[1], Viewport[2], Viewport[3]);
+      const vtkShadowTarget::SamplePlaces places = vtkShadowTarget::GetBoundSamples();
+      ASSERT_EQ(static_cast<int>(places.size()), last);
+      function(target, places);
+    }
+    EXPECT_GT(last, 1) << "no multisampling at all";
+  }
+
+  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
+  vtkShadowTarget Target;
+  vtkShadowCounter Counter;
+  vtkShadowSampleReader Reader;
+  std::string Why;
+};
+
+TEST_F(GpuTestShadowSamples, ReaderReadsWhatSamplersReturn)
+{
+  this->ForEachCount(
+    [&](const DepthTarget& depth, const vtkShadowTarget::SamplePlaces& places)
+    {
+      depth.Fill(7);
+      depth.Bind(Viewport[0], Viewport[1], Viewport[2], Viewport[3]);
+      vtkNBufferDepthSource source;
+      ASSERT_TRUE(source.Inspect(this->Window, this->Why)) << this->Why;
+      std::vector<float> read(static_cast<std::size_t>(Viewport[2]) * Viewport[3]);
+      for (int sample = 0; sample < static_cast<int>(places.size()); ++sample)
+      {
+        ASSERT_TRUE(this->Reader.Read(
+          this->Window, source.DepthName, sample, 0, Viewport, read.data(), this->Why))
+          << this->Why;
+        const std::vector<float> expected = depth.Fetch(sample);
+        for (int y = 0; y < Viewport[3]; ++y)
+        {
+          for (int x = 0; x < Viewport[2]; ++x)
+          {
+            ASSERT_EQ(
+              read[y * Viewport[2] + x], expected[(y + Viewport[1]) * Width + x + Viewport[0]])
+              << "sample " << sample << " at (" << x << ", " << y << ")";
+          }
+        }
+      }
+    });
+}
+
+TEST_F(GpuTestShadowSamples, ReaderKeepsTheState)
+{
+  this->ForEachCount(
+    [&](const DepthTarget& depth, const vtkShadowTarget::SamplePlaces&)
+    {
+      depth.Fill(3);
+      depth.Bind(0, 0, Width, Height);
+      vtkNBufferDepthSource source;
+      ASSERT_TRUE(source.Inspect(this->Window, this->Why)) << this->Why;
+      std::vector<float> plain(static_cast<std::size_t>(Viewport[2]) * Viewport[3]);
+      std::vector<float> spoiled(plain.size());
+      ASSERT_TRUE(
+        this->Reader.Read(this->Window, source.DepthName, 1, 0, Viewport, plain.data(), this->Why));
+      SpoilGLState();
+      const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
+      EXPECT_TRUE(this->Reader.Read(
+        this->Window, source.DepthName, 1, 0, Viewport, spoiled.data(), this->Why));
+      EXPECT_EQ(before.GetDifference(GLStateSnapshot::Capture(this->Window)), "");
+      UnspoilGLState();
+      EXPECT_EQ(plain, spoiled);
+    });
+}
+
+// A count for each sample, where a volume's sides cross pixels, and within the viewport only.
+TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
+{
+  // Its shadow, along x: x in (-0.51, 0.47), y in (-0.31, 0.29), z in (-0.2, 0.2).
+  const std::vector<double> points = { -0.9, -0.31, -0.2, -0.9, 0.29, -0.2, -0.9, 0.29, 0.2, -0.9,
+    -0.31, 0.2 };
+  const std::vector<vtkIdType> triangles = { 0, 1, 2, 0, 2, 3 };
+  vtkShadowTopology topology;
+  topology.Build(points.data(), 4, triangles.data(), 2);
+  vtkShadowLight light;
+  light.Direction[0] = 1.0;
+  light.Direction[2] = 0.0;
+  vtkShadowSilhouette silhouette;
+  silhouette.Compute(topology, topology.GetPoints().data(), light, vtkShadowCounting::All);
+  vtkShadowVolume volume;
+  const double origin[3] = { 0.0, 0.0, 0.0 };
+  volume.Begin(origin);
+  volume.AddClamped(silhouette, topology.GetPoints().data(), 4, vtkShadowFrame(light),
+    { -0.51, 0.47 }, -0.9, vtkShadowCap::Fan);
+  const double volumeToClip[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1 };
+  vtkShadowDraw draw;
+  draw.NumberOfIndices = static_cast<int>(volume.GetIndices().size());
+  std::copy_n(Viewport, 4, draw.Box);
+
+  this->ForEachCount(
+    [&](const DepthTarget&, const vtkShadowTarget::SamplePlaces& places)
+    {
+      for (const bool zPass : { false, true })
+      {
+        SCOPED_TRACE(zPass ? "z-pass" : "z-fail");
+        draw.ZPass = zPass;
+        ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 2, places, this->Why))
+          << this->Why;
+        ASSERT_FALSE(this->Target.HasRefusedSamples()) << this->Why;
+        EXPECT_EQ(this->Target.GetSamples(), places);
+        UnspoilGLState();
+        glDisable(GL_SCISSOR_TEST);
+        glBindFramebuffer(GL_FRAMEBUFFER, this->Target.GetDepthFramebuffer());
+        glClearBufferfi(GL_DEPTH_STENCIL, 0, 0.5f, 0);
+        glBindFramebuffer(GL_FRAMEBUFFER, this->Target.GetMaskFramebuffer(1));
+        const float half[4] = { 0.5f, 0.5f, 0.5f, 0.5f };
+        glClearBufferfv(GL_COLOR, 0, half);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        // What keeps samples from being written.
+        glEnable(GL_SAMPLE_MASK);
+        glSampleMaski(0, 1);
+        glDisable(GL_MULTISAMPLE);
+        const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
+        ASSERT_TRUE(this->Counter.Upload(volume, this->Why)) << this->Why;
+        {
+          const vtkShadowCounter::Scope scope(this->Window, Viewport);
+          this->Counter.ClearMask(this->Target, 1, Viewport);
+          this->Counter.ClearStencil(this->Target, Viewport, 0);
+          ASSERT_TRUE(this->Counter.Count(
+            this->Window, this->Target, volumeToClip, &draw, &draw + 1, nullptr, this->Why))
+            << this->Why;
+          ASSERT_TRUE(this->Counter.Resolve(this->Window, this->Target, 1, 2, Viewport, this->Why))
+            << this->Why;
+        }
+        EXPECT_EQ(before.GetDifference(GLStateSnapshot::Capture(this->Window)), "");
+        glDisable(GL_SAMPLE_MASK);
+        glSampleMaski(0, ~0u);
+        glEnable(GL_MULTISAMPLE);
+
+        const int all[4] = { 0, 0, Width, Height };
+        std::vector<float> mask(static_cast<std::size_t>(Width) * Height);
+        int mixed = 0;
+        std::vector<int> shadowed(mask.size(), 0);
+        for (std::size_t sample = 0; sample < places.size(); ++sample)
+        {
+          ASSERT_TRUE(this->Reader.Read(this->Window, this->Target.GetMask(1)->GetHandle(),
+            static_cast<int>(sample), 2, all, mask.data(), this->Why))
+            << this->Why;
+          for (int y = 0; y < Height; ++y)
+          {
+            for (int x = 0; x < Width; ++x)
+            {
+              const double inX = x - Viewport[0] + places[sample][0];
+              const double inY = y - Viewport[1] + places[sample][1];
+              const double u = 2.0 * inX / Viewport[2] - 1.0;
+              const double v = 2.0 * inY / Viewport[3] - 1.0;
+              const bool inside = std::max(std::abs(u), std::abs(v)) < 1.0;
+              const bool inVolume = u > -0.51 && u < 0.47 && v > -0.31 && v < 0.29;
+              const float value = mask[y * Width + x];
+              if (!inside)
+              {
+                ASSERT_NEAR(value, 0.5f, 0.01f) << "at (" << x << ", " << y << ")";
+                continue;
+              }
+              ASSERT_EQ(value, inVolume ? 1.0f : 0.0f)
+                << "sample " << sample << " at (" << x << ", " << y << ")";
+              shadowed[y * Width + x] += inVolume;
+            }
+          }
+        }
+        for (const int count : shadowed)
+        {
+          mixed += count > 0 && count < static_cast<int>(places.size());
+        }
+        EXPECT_GT(mixed, 10);
+      }
+    });
+}
+
+// Samples that textures do not have: one for each pixel, and asked for once.
+TEST_F(GpuTestShadowSamples, RefusedSamplesLeaveOneForEachPixel)
+{
+#ifdef GL_DEBUG_OUTPUT
+  glDisable(GL_DEBUG_OUTPUT);
+#endif
+  const vtkShadowTarget::SamplePlaces centre = { { { 0.5, 0.5 } } };
+  const vtkShadowTarget::SamplePlaces many(1000, { 0.5, 0.5 });
+  vtkShadowTarget::SamplePlaces elsewhere;
+  this->ForEachCount(
+    [&](const DepthTarget&, const vtkShadowTarget::SamplePlaces& places) { elsewhere = places; });
+  elsewhere[0] = { 0.0, 0.0 };
+  for (const vtkShadowTarget::SamplePlaces& wanted : { many, elsewhere })
+  {
+    this->Why.clear();
+    ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 1, wanted, this->Why));
+    EXPECT_NE(this->Why, "");
+    EXPECT_TRUE(this->Target.HasRefusedSamples());
+    EXPECT_FALSE(this->Target.IsMultisampled());
+    EXPECT_EQ(this->Target.GetSamples(), centre);
+    EXPECT_EQ(this->Target.GetDepth(), nullptr);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    const int allocations = this->Target.GetNumberOfAllocations();
+    ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 1, wanted, this->Why));
+    EXPECT_EQ(this->Target.GetNumberOfAllocations(), allocations);
+    // Larger, and still not.
+    ASSERT_TRUE(this->Target.Reserve(this->Window, Width + 1, Height, 1, wanted, this->Why));
+    EXPECT_TRUE(this->Target.HasRefusedSamples());
+    ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 1, centre, this->Why));
+    EXPECT_FALSE(this->Target.HasRefusedSamples());
+    this->Target.Release();
+  }
+}

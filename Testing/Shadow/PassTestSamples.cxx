@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Multisampling: masks and pictures, sample by sample.
+#include "OffscreenFixture.h"
+#include "PassTestTools.h"
+#include "ShadowShapes.h"
+
+#include "vtkShadowSampleReader.h"
+
+#include "vtkActor.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProperty.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cmath>
+
+class PassSamples : public OffscreenFixture
+{
+};
+
+namespace
+{
+constexpr int Modes[] = { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Exact,
+  vtkShadowVolumeClampPass::Clamped };
+
+/// Boxes on a floor, all faces flat and diffuse, a white background, one directional light.
+void Boxes(vtkRenderer* renderer)
+{
+  ShadowShapes::AddFloor(renderer, 5.0);
+  ShadowShapes::AddBox(renderer, { -1.0, 0.0, 0.75 }, { 1.0, 1.0, 1.5 });
+  ShadowShapes::AddBox(renderer, { 1.0, 0.5, 0.3 }, { 0.5, 1.5, 0.6 });
+  ShadowShapes::AddBox(renderer, { 0.3, -1.2, 1.1 }, { 0.7, 0.1, 0.4 });
+  ShadowShapes::AddDirectional(renderer, { 0.6, 0.35, -0.7 });
+  ShadowShapes::Look(renderer, { 3.0, -7.0, 5.0 }, { 0.3, 0.0, 0.3 });
+  renderer->SetBackground(1.0, 1.0, 1.0);
+}
+
+/// RGB, 0 to 1, of what the oracle sees at a sample, shaded by itself.
+std::array<double, 3> Shade(
+  const Oracle& oracle, int x, int y, vtkRenderer* renderer, vtkLight* light, OracleSample sample)
+{
+  std::array<double, 3> color = { 0.0, 0.0, 0.0 };
+  Oracle::Receiver receiver;
+  if (!oracle.GetReceiver(x, y, 0.0, 0.0, receiver))
+  {
+    renderer->GetBackground(color.data());
+  }
+  else if (sample == OracleSample::Lit)
+  {
+    const OracleLight source(light);
+    const RenderedTriangles& triangles = oracle.GetTriangles();
+    const double* diffuse =
+      triangles.Actors[triangles.Owners[receiver.Triangle]].Actor->GetProperty()->GetDiffuseColor();
+    const double cosine = -vtkMath::Dot(receiver.Normal, source.Direction);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      color[i] = std::min(diffuse[i] * cosine * light->GetIntensity(), 1.0);
+    }
+  }
+  return color;
+}
+
+using Colors = std::vector<std::array<double, 3>>;
+
+/// Of the pixels of a renderer, the means of the samples of the window's framebuffer. (What VTK
+/// shows is another mean, of colours to the power of 2.2.)
+Colors GetMeans(const ShadowStage& stage)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(stage.Window);
+  vtkTextureObject* texture = window->GetRenderFramebuffer()->GetColorAttachmentAsTextureObject(0);
+  const int samples = static_cast<int>(GetSamplePlaces(stage.Window).size());
+  int box[4];
+  stage.Renderer->GetTiledSizeAndOrigin(&box[2], &box[3], &box[0], &box[1]);
+  Colors means(CountPixels(stage.Renderer), { 0.0, 0.0, 0.0 });
+  std::vector<float> values(means.size());
+  vtkShadowSampleReader reader;
+  std::string why;
+  for (int sample = 0; sample < samples; ++sample)
+  {
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      EXPECT_TRUE(
+        reader.Read(window, texture->GetHandle(), sample, channel, box, values.data(), why))
+        << why;
+      for (std::size_t i = 0; i < means.size(); ++i)
+      {
+        means[i][channel] += static_cast<double>(values[i]) / samples;
+      }
+    }
+  }
+  reader.Release();
+  return means;
+}
+
+struct PictureComparison
+{
+  int Compared = 0; ///< Pixels without ambiguous samples.
+  int Mixed = 0;    ///< Of these, with samples lit and in shadow.
+  int Wrong = 0;    ///< Of these, off by more than rounding.
+  int First[2] = { -1, -1 };
+};
+
+std::ostream& operator<<(std::ostream& stream, const PictureComparison& comparison)
+{
+  return stream << comparison.Compared << " pixels, " << comparison.Mixed << " mixed, "
+                << comparison.Wrong << " wrong, the first (" << comparison.First[0] << ", "
+                << comparison.First[1] << ")";
+}
+
+/// The picture of the last frame with the means of samples that are shaded one by one.
+PictureComparison ComparePicture(const ShadowStage& stage, vtkLight* light)
+{
+  const Colors actual = GetMeans(stage);
+  Oracle oracle(stage.Renderer);
+  const int width = oracle.GetWidth();
+  const std::size_t pixels = actual.size();
+  Colors means(pixels, { 0.0, 0.0, 0.0 });
+  std::vector<unsigned char> ambiguous(pixels, 0);
+  std::vector<unsigned char> kinds(pixels, 0); // 1 lit, 2 shadowed, 3 both
+  const std::vector<std::array<double, 2>> places = GetSamplePlaces(stage.Window);
+  for (const std::array<double, 2>& place : places)
+  {
+    oracle.SetSample(place[0], place[1]);
+    const OracleImage expected = oracle.Cast(OracleLight(light));
+    for (std::size_t i = 0; i < pixels; ++i)
+    {
+      const OracleSample sample = expected.Samples[i];
+      const std::array<double, 3> color = Shade(oracle, static_cast<int>(i) % width,
+        static_cast<int>(i) / width, stage.Renderer, light, sample);
+      std::transform(color.begin(), color.end(), means[i].begin(), means[i].begin(),
+        [&](double add, double sum) { return sum + add / static_cast<double>(places.size()); });
+      ambiguous[i] |= expected.Ambiguous[i];
+      kinds[i] |= sample == OracleSample::Lit ? 1 : sample == OracleSample::Shadowed ? 2 : 0;
+    }
+  }
+  // A fragment's colour is rounded to eight bits.
+  constexpr double rounding = 0.501 / 255.0;
+  PictureComparison result;
+  for (std::size_t i = 0; i < pixels; ++i)
+  {
+    if (ambiguous[i])
+    {
+      continue;
+    }
+    ++result.Compared;
+    result.Mixed += kinds[i] == 3;
+    const bool right = std::equal(means[i].begin(), means[i].end(), actual[i].begin(),
+      [](double expected, double value) { return std::abs(expected - value) <= rounding; });
+    if (!right && result.Wrong++ == 0)
+    {
+      result.First[0] = static_cast<int>(i) % width;
+      result.First[1] = static_cast<int>(i) / width;
+    }
+  }
+  return result;
+}
+}
+
+// Odd sizes, viewports away from the corner, all kinds of light.
+TEST_F(PassSamples, MasksMatchRays)
+{
+  for (const char* name : { "Directional", "Spot", "Point", "Inset" })
+  {
+    SCOPED_TRACE(name);
+    ShadowStage stage(GetScene(name));
+    vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+    vtkLight* light = stage.Lights[0];
+    stage.Window->SetSize(161, 123);
+    stage.Renderer->SetViewport(0.11, 0.23, 0.9, 0.97);
+    std::vector<std::array<double, 2>> places;
+    for (const int samples : { 2, 4, 8 })
+    {
+      SCOPED_TRACE(std::to_string(samples) + " samples");
+      stage.Window->SetMultiSamples(samples);
+      stage.Window->Render();
+      // Drivers give what they have.
+      if (places == GetSamplePlaces(stage.Window))
+      {
+        continue;
+      }
+      places = GetSamplePlaces(stage.Window);
+      std::vector<ShadowMask> masks[3];
+      for (const int mode : Modes)
+      {
+        pass->SetMode(mode);
+        stage.Window->Render();
+        EXPECT_EQ(pass->GetStatistics().Samples, static_cast<int>(places.size()));
+        EXPECT_EQ(pass->GetStatistics().PixelFrames, 0);
+        for (std::size_t i = 0; i < places.size(); ++i)
+        {
+          masks[mode].push_back(
+            GetMask(pass, light, CountPixels(stage.Renderer), static_cast<int>(i)));
+        }
+      }
+      Oracle oracle(stage.Renderer);
+      for (std::size_t i = 0; i < places.size(); ++i)
+      {
+        SCOPED_TRACE("sample " + std::to_string(i));
+        oracle.SetSample(places[i][0], places[i][1]);
+        const OracleImage rays = oracle.Cast(OracleLight(light));
+        for (const int mode : Modes)
+        {
+          EXPECT_TRUE(MatchesOracle(masks[mode][i], rays)) << "mode " << mode;
+        }
+        int differing = 0;
+        for (std::size_t k = 0; k < rays.Samples.size(); ++k)
+        {
+          const bool compared =
+            rays.Samples[k] == OracleSample::Lit || rays.Samples[k] == OracleSample::Shadowed;
+          differing += compared && masks[0][i][k] != masks[1][i][k];
+        }
+        EXPECT_EQ(differing, 0) << "Exact differs from Unclamped";
+      }
+    }
+  }
+}
+
+// What the oracle says at the samples it does not say at the centre.
+TEST_F(PassSamples, MasksAreNotThoseOfCentres)
+{
+  ShadowStage stage(GetScene("Directional"));
+  stage.Window->SetMultiSamples(4);
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  stage.Window->Render();
+  const OracleImage centres = Cast(stage.Renderer, stage.Lights[0]);
+  for (int i = 0; i < pass->GetStatistics().Samples; ++i)
+  {
+    EXPECT_FALSE(
+      MatchesOracle(GetMask(pass, stage.Lights[0], CountPixels(stage.Renderer), i), centres));
+  }
+}
+
+TEST_F(PassSamples, TheMeanIsOfAllSamples)
+{
+  ShadowStage stage(GetScene("ManyLights"));
+  stage.Window->SetMultiSamples(4);
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  stage.Window->Render();
+  const int samples = pass->GetStatistics().Samples;
+  ASSERT_GT(samples, 1);
+  const std::size_t pixels = CountPixels(stage.Renderer);
+  for (vtkLight* light : stage.Lights)
+  {
+    std::vector<int> sums(pixels, 0);
+    for (int i = 0; i < samples; ++i)
+    {
+      const ShadowMask mask = GetMask(pass, light, pixels, i);
+      std::transform(mask.begin(), mask.end(), sums.begin(), sums.begin(), std::plus<int>());
+    }
+    const ShadowMask mean = GetMask(pass, light, pixels);
+    for (std::size_t i = 0; i < pixels; ++i)
+    {
+      ASSERT_EQ(static_cast<int>(mean[i]), (2 * sums[i] + samples) / (2 * samples)) << i;
+    }
+    int width = -1;
+    int height = -1;
+    EXPECT_TRUE(pass->GetMask(light, width, height, samples).empty());
+    EXPECT_EQ(width, 0);
+    EXPECT_EQ(height, 0);
+  }
+}
+
+// The picture is the mean of samples that are shaded one by one.
+TEST_F(PassSamples, PictureIsTheMeanOfItsSamples)
+{
+  NamedScene scene{ "Boxes", Boxes };
+  scene.MultiSamples = 4;
+  ShadowStage stage(scene);
+  stage.Window->SetSize(203, 151);
+  stage.Renderer->SetViewport(0.04, 0.06, 0.93, 0.97);
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  for (const int mode : Modes)
+  {
+    SCOPED_TRACE("mode " + std::to_string(mode));
+    pass->SetMode(mode);
+    stage.Window->Render();
+    const PictureComparison comparison = ComparePicture(stage, stage.Lights[0]);
+    EXPECT_EQ(comparison.Wrong, 0) << comparison;
+    EXPECT_GT(comparison.Mixed, 100);
+  }
+}
+
+// A plate so thin that one sample of each pixel sees it, and none of the centres.
+TEST_F(PassSamples, SliverThatNoCentreSees)
+{
+  ShadowStage first(GetScene("Directional"));
+  first.Window->SetMultiSamples(4);
+  first.Window->Render();
+  const std::vector<std::array<double, 2>> places = GetSamplePlaces(first.Window);
+  for (const std::array<double, 2>& place : places)
+  {
+    NamedScene scene;
+    scene.Width = 33;
+    scene.Height = 20;
+    scene.MultiSamples = 4;
+    // A pixel is 0.1 wide; the upper half of the plate is in the shadow of a box above the view.
+    scene.Build = [&place](vtkRenderer* renderer)
+    {
+      const double x = 0.1 * (20 + place[0]) - 1.65;
+      ShadowShapes::AddMesh(renderer,
+        ShadowShapes::MakeMesh({ { x - 0.005, 0.0, -0.75 }, { x + 0.005, 0.0, -0.75 },
+                                 { x + 0.005, 0.0, 0.75 }, { x - 0.005, 0.0, 0.75 } },
+          { { 0, 1, 2, 3 } }));
+      ShadowShapes::AddBox(renderer, { x, -3.0, 3.55 }, { 1.0, 0.2, 1.0 });
+      ShadowShapes::AddDirectional(renderer, { 0.0, 1.0, -1.0 });
+      ShadowShapes::LookParallel(renderer, { 0.0, -10.0, 0.0 }, { 0.0, 0.0, 0.0 }, 1.0);
+      renderer->SetBackground(1.0, 1.0, 1.0);
+    };
+    const ShadowStage stage(scene);
+    vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+    for (const int mode : Modes)
+    {
+      SCOPED_TRACE("mode " + std::to_string(mode));
+      pass->SetMode(mode);
+      ExpectMatchesOracle(stage, pass);
+      EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
+      const PictureComparison comparison = ComparePicture(stage, stage.Lights[0]);
+      EXPECT_EQ(comparison.Wrong, 0) << comparison;
+      // In shadow, and lit.
+      const Colors means = GetMeans(stage);
+      EXPECT_EQ(means[33 * 15 + 20][0], 0.75);
+      EXPECT_NEAR(means[33 * 5 + 20][0], 0.75 + 0.25 * 0.4 * std::sqrt(0.5), 0.5 / 255.0);
+    }
+    stage.Window->SetMultiSamples(0);
+    stage.Window->Render();
+    EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::NoReceiver);
+  }
+}
