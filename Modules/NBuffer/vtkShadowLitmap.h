@@ -26,6 +26,7 @@
 
 #include "vtkNBufferMath.h"
 #include "vtkNBufferModule.h" // For export macro
+#include "vtkShadowTiles.h"
 
 #include "vtkType.h"
 
@@ -84,6 +85,12 @@ public:
    * refused, which returns false; a radius of infinity puts it into all lexels.
    */
   bool Add(const double a[3], const double b[3], double radius, int x, int y);
+
+  ///@{
+  /// The same receivers by tiles of the screen. Begin() leaves nothing known of them.
+  vtkShadowTiles& GetTiles() { return this->Tiles; }
+  const vtkShadowTiles& GetTiles() const { return this->Tiles; }
+  ///@}
 
   /// Make all levels that queries need. No Add() until the next Begin().
   void Build();
@@ -147,6 +154,7 @@ private:
   double Bounds[4] = {}; ///< The map's range, and of receivers outside.
   vtkIdType NumberOfReceivers = 0;
   std::vector<vtkShadowExtent> Lexels; ///< Level by level.
+  vtkShadowTiles Tiles;
 };
 
 VTK_ABI_NAMESPACE_END
