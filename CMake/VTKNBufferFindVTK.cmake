@@ -8,7 +8,7 @@ if (NOT DEFINED CMAKE_POLICY_DEFAULT_CMP0174)
   set(CMAKE_POLICY_DEFAULT_CMP0174 OLD)
 endif ()
 set(VTKNBUFFER_VTK_COMPONENTS
-  CommonCore CommonDataModel CommonExecutionModel CommonMath
+  CommonCore CommonDataModel CommonExecutionModel CommonMath FiltersGeometry
   RenderingCore RenderingOpenGL2 jsoncpp)
 find_package(VTK 9.1 REQUIRED COMPONENTS ${VTKNBUFFER_VTK_COMPONENTS})
 
