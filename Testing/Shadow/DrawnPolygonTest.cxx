@@ -6,19 +6,24 @@
 #include "OffscreenFixture.h"
 #include "ShadowShapes.h"
 #include "ShadowTest.h"
+#include "ThinSides.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
+#include "vtkLight.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
+#include <memory>
 #include <random>
+#include <vector>
 
 using namespace ShadowShapes;
 
@@ -170,4 +175,39 @@ TEST_F(DrawnPolygonTest, Slivers)
   EXPECT_GT(errors.Samples, 1000);
   EXPECT_EQ(errors.TooLarge, 0) << errors;
   EXPECT_GT(errors.Ratio, 1.0 / 128.0) << errors;
+}
+
+// A triangle 1/200 pixel wide and one of pixels throw shadows to the right and away from the eye.
+TEST(ThinSidesTest, ThinSidesAloneAreFound)
+{
+  constexpr int size = 200;
+  // Looking along -z with 90 degrees, near 1, far 100.
+  const ThinSides::View view = { { 0.0, 0.0, 0.0 },
+    { { 1.0, 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0, 0.0 }, { 0.0, 0.0, -101.0 / 99.0, -200.0 / 99.0 },
+      { 0.0, 0.0, -1.0, 0.0 } },
+    size, size };
+  vtkNew<vtkLight> light;
+  light->SetPosition(0.0, 0.0, 0.0);
+  light->SetFocalPoint(1.0, 0.0, -1.0);
+  const auto make = [&](double halfWidth, double length)
+  {
+    RenderedTriangles triangles;
+    triangles.Corners = { 0.0, 0.1 - halfWidth, -10.0, 0.0, 0.1 + halfWidth, -10.0, 0.0, 0.1,
+      -10.0 - length };
+    triangles.Owners = { 0 };
+    return ThinSides(triangles, { 1 }, OracleLight(light), view);
+  };
+  const ThinSides thin = make(5e-4, 1e-2);
+  const ThinSides wide = make(2.0, 4.0);
+  // Where x / -z is that of pixel 150: x = t, z = -10 - t.
+  const double t = 5.05 / (1.0 - 0.505);
+  const double depth = 0.5 + 0.5 * (101.0 / 99.0 - 200.0 / 99.0 / (10.0 + t));
+  EXPECT_TRUE(thin.AreNear(150, 100, depth, 0.0));
+  EXPECT_FALSE(thin.AreNear(150, 100, depth + 0.05, 0.0));
+  EXPECT_TRUE(thin.AreNear(150, 100, depth + 0.05, 0.05));
+  EXPECT_FALSE(thin.AreNear(150, 90, depth, 1.0));
+  for (int i = 0; i < size * size; ++i)
+  {
+    EXPECT_FALSE(wide.AreNear(i % size, i / size, 0.5, 1.0)) << i;
+  }
 }
