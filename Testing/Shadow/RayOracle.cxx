@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace
 {
@@ -86,6 +87,7 @@ Oracle::Oracle(vtkRenderer* renderer, const std::function<bool(vtkProp*)>& isCas
       1e-9 * std::sqrt(vtkMath::Distance2BetweenPoints(low, high)) + 1e-14 * largest;
   }
   this->Tree.Build(corners);
+  this->FindClipped();
 }
 
 void Oracle::SetView(vtkRenderer* renderer)
@@ -97,7 +99,7 @@ void Oracle::SetView(vtkRenderer* renderer)
     camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0);
   std::copy_n(projection->GetData(), 16, &this->Projection[0][0]);
   const double* worldToView = camera->GetModelViewTransformMatrix()->GetData();
-  std::copy_n(worldToView, 16, &this->WorldToView[0][0]);
+  vtkMatrix4x4::Multiply4x4(projection->GetData(), worldToView, &this->WorldToClip[0][0]);
   vtkMatrix4x4::Invert(worldToView, &this->ViewToWorld[0][0]);
 }
 
@@ -273,7 +275,10 @@ bool Oracle::IsAmbiguous(int x, int y, const OracleLight& light, const Classific
       {
         double step[3];
         vtkMath::Subtract(beside.Position, receiver.Position, step);
-        if (std::abs(vtkMath::Dot(step, receiver.Normal)) > SharpEdge * vtkMath::Norm(step))
+        // Off the plane of either: one of them may be seen edge-on.
+        const double off = std::max(std::abs(vtkMath::Dot(step, receiver.Normal)),
+          std::abs(vtkMath::Dot(step, beside.Normal)));
+        if (off > SharpEdge * vtkMath::Norm(step))
         {
           return true;
         }
@@ -313,7 +318,7 @@ bool Oracle::DependsOnRounding(
       point[i] = along.Origin[i] + t * along.Direction[i];
     }
   };
-  std::array<std::array<double, 3>, 4> offs;
+  std::vector<std::array<double, 3>> offs;
   // Steps of depth along the eye ray, as many again where a volume is pushed away from a surface:
   // by how much the depth changes over a part of it.
   constexpr double part = 1e-3;
@@ -322,10 +327,21 @@ bool Oracle::DependsOnRounding(
   getPoint(ray, distance * (1.0 + part), far);
   getPoint(ray, distance * (1.0 - part), near);
   const double change = this->GetWindowDepth(far) - this->GetWindowDepth(near);
-  for (int i = 0; i < 3; ++i)
+  const double bound = this->GetDepthBound(x, y, receiver.Triangle);
+  const auto addSteps = [&](double steps)
   {
-    offs[0][i] = (far[i] - near[i]) * DepthSteps / change;
-    offs[1][i] = 2.0 * offs[0][i];
+    offs.emplace_back();
+    for (int i = 0; i < 3; ++i)
+    {
+      offs.back()[i] = (far[i] - near[i]) * steps / change;
+    }
+  };
+  addSteps(DepthSteps + bound);
+  addSteps(2.0 * DepthSteps + bound);
+  // On the way there, too: what is thinner must not be missed.
+  for (double less = 0.25 * bound; less > DepthSteps; less *= 0.25)
+  {
+    addSteps(less);
   }
   // Two steps of the subpixel grid beside it.
   for (int k = 0; k < 2; ++k)
@@ -333,7 +349,8 @@ bool Oracle::DependsOnRounding(
     double beside[3];
     getPoint(
       this->GetEyeRay(x, y, k == 0 ? GridSteps : 0.0, k == 1 ? GridSteps : 0.0), distance, beside);
-    vtkMath::Subtract(beside, receiver.Position, offs[k + 2].data());
+    offs.emplace_back();
+    vtkMath::Subtract(beside, receiver.Position, offs.back().data());
   }
   double toLight[3];
   GetDirectionToLight(receiver.Position, light, toLight);
@@ -361,19 +378,57 @@ bool Oracle::DependsOnRounding(
 
 double Oracle::GetWindowDepth(const double world[3]) const
 {
-  double view[4] = { 0.0, 0.0, 0.0, 1.0 };
-  for (int i = 0; i < 3; ++i)
+  const double* z = this->WorldToClip[2];
+  const double* w = this->WorldToClip[3];
+  return 0.5 + 0.5 * (vtkMath::Dot(z, world) + z[3]) / (vtkMath::Dot(w, world) + w[3]);
+}
+
+double Oracle::GetDepthBound(int x, int y, int triangle) const
+{
+  const auto polygon = this->Clipped.find(triangle);
+  return polygon == this->Clipped.end() ? 0.0 : polygon->second.GetBound(x + 0.5, y + 0.5);
+}
+
+void Oracle::FindClipped()
+{
+  for (std::size_t triangle = 0; triangle < this->Triangles.Owners.size(); ++triangle)
   {
-    const double* row = this->WorldToView[i];
-    view[i] = vtkMath::Dot(row, world) + row[3];
+    // Relative to the triangle's middle: VTK moves coordinates that are large for the size of what
+    // they belong to.
+    const double* points = &this->Triangles.Corners[9 * triangle];
+    double middle[3];
+    double middleToClip[4][4];
+    for (int i = 0; i < 3; ++i)
+    {
+      middle[i] = (points[i] + points[3 + i] + points[6 + i]) / 3.0;
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      std::copy_n(this->WorldToClip[i], 3, middleToClip[i]);
+      middleToClip[i][3] = vtkMath::Dot(this->WorldToClip[i], middle) + this->WorldToClip[i][3];
+    }
+    std::vector<DrawnPolygon::Corner> corners;
+    bool clipped = false;
+    for (int k = 0; k < 3; ++k)
+    {
+      double x[3];
+      vtkMath::Subtract(points + 3 * k, middle, x);
+      corners.push_back(DrawnPolygon::Transform(middleToClip, x));
+      const std::array<double, 4>& clip = corners.back().Clip;
+      for (int i = 0; i < 3; ++i)
+      {
+        clipped = clipped || std::abs(clip[i]) > clip[3];
+      }
+    }
+    if (clipped)
+    {
+      DrawnPolygon polygon(corners, DrawnPolygon::Planes::NearAndFar, this->Width, this->Height);
+      if (polygon.IsVisible())
+      {
+        this->Clipped.emplace(static_cast<int>(triangle), std::move(polygon));
+      }
+    }
   }
-  double clip[2] = { 0.0, 0.0 };
-  for (int j = 0; j < 4; ++j)
-  {
-    clip[0] += this->Projection[2][j] * view[j];
-    clip[1] += this->Projection[3][j] * view[j];
-  }
-  return 0.5 + 0.5 * clip[0] / clip[1];
 }
 
 OracleImage Oracle::Cast(const OracleLight& light) const
@@ -384,6 +439,20 @@ OracleImage Oracle::Cast(const OracleLight& light) const
   const std::size_t size = static_cast<std::size_t>(this->Width) * this->Height;
   image.Samples.resize(size);
   image.Ambiguous.resize(size);
+  ThinSides::View view;
+  for (int i = 0; i < 3; ++i)
+  {
+    view.Eye[i] = this->ViewToWorld[i][3];
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    const double* m = this->WorldToClip[i];
+    std::copy_n(m, 3, view.EyeToClip[i]);
+    view.EyeToClip[i][3] = vtkMath::Dot(m, view.Eye) + m[3];
+  }
+  view.Width = this->Width;
+  view.Height = this->Height;
+  const ThinSides sides(this->Triangles, this->Casts, light, view);
   vtkSMPTools::For(0, this->Height,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -395,6 +464,12 @@ OracleImage Oracle::Cast(const OracleLight& light) const
           const Classification centre = this->Classify(x, y, 0.0, 0.0, light);
           image.Samples[i] = centre.Sample;
           image.Ambiguous[i] = this->IsAmbiguous(x, y, light, centre);
+          Receiver receiver;
+          if (!image.Ambiguous[i] && this->GetReceiver(x, y, 0.0, 0.0, receiver))
+          {
+            image.Ambiguous[i] = sides.AreNear(x, y, this->GetWindowDepth(receiver.Position),
+              DepthSteps + this->GetDepthBound(x, y, receiver.Triangle));
+          }
         }
       }
     });

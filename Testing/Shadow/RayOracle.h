@@ -18,10 +18,13 @@
 #ifndef RayOracle_h
 #define RayOracle_h
 
+#include "DrawnPolygon.h"
 #include "RenderedTriangles.h"
+#include "ThinSides.h"
 #include "TriangleTree.h"
 
 #include <functional>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -55,7 +58,8 @@ struct OracleImage
   int Width = 0;
   int Height = 0;
   std::vector<OracleSample> Samples; ///< Row by row, the lowest first.
-  /// Not 0: the sample is so near to a boundary that rounding may decide, see Oracle::IsAmbiguous.
+  /// Not 0: the sample is so near to a boundary that rounding may decide, see Oracle::IsAmbiguous
+  /// and ThinSides.h.
   std::vector<unsigned char> Ambiguous;
 
   int Count(OracleSample sample) const;
@@ -114,7 +118,8 @@ public:
    * rasteriser may see another one; or if it is of another kind where rounding may put it: 4 or 8
    * units of depth of 24 bits along the eye ray, or 2 steps of a subpixel grid of 1/256 pixel
    * beside it, and from there back to its surface along the light's ray, which grazing light makes
-   * a long way.
+   * a long way. Where its triangle reaches out of the view, the bound of DrawnPolygon.h, which is
+   * the larger the farther it does, is added to the units of depth.
    */
   bool IsAmbiguous(int x, int y, const OracleLight& light) const;
 
@@ -123,22 +128,26 @@ public:
 
 private:
   void SetView(vtkRenderer* renderer);
+  void FindClipped();
   Ray GetShadowRay(const Receiver& receiver, const OracleLight& light) const;
   bool IsAmbiguous(int x, int y, const OracleLight& light, const Classification& centre) const;
   /// The actors that are crossed between it and the light.
   std::set<int> GetCrossed(const Receiver& receiver, const OracleLight& light) const;
   bool DependsOnRounding(int x, int y, const Receiver& receiver, const OracleLight& light) const;
   double GetWindowDepth(const double world[3]) const;
+  /// How far the window depth of its surface may be drawn from the exact one, beyond DepthSteps.
+  double GetDepthBound(int x, int y, int triangle) const;
 
   int Width = 0;
   int Height = 0;
   double Sample[2] = { 0.5, 0.5 };
   double Projection[4][4]; ///< View to clip coordinates.
-  double WorldToView[4][4];
   double ViewToWorld[4][4];
+  double WorldToClip[4][4];
   double Tolerance = 0.0; ///< World length in which surfaces coincide.
   RenderedTriangles Triangles;
-  std::vector<unsigned char> Casts; ///< For each actor.
+  std::vector<unsigned char> Casts;    ///< For each actor.
+  std::map<int, DrawnPolygon> Clipped; ///< Triangles that reach out of the view.
   TriangleTree Tree;
 };
 

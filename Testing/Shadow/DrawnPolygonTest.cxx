@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The depth that a rasteriser gives to clipped triangles against the bound that the oracle grants.
+#include "DrawnPolygon.h"
+#include "OffscreenFixture.h"
+#include "ShadowShapes.h"
+#include "ShadowTest.h"
+#include "ThinSides.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkFloatArray.h"
+#include "vtkLight.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <random>
+#include <vector>
+
+using namespace ShadowShapes;
+
+namespace
+{
+constexpr int Width = 200;
+constexpr int Height = 150;
+/// Window depth: storing it in 24 bits and reading it.
+constexpr double Storage = 4.0 / (1 << 24);
+
+/// What one triangle, or many, were given.
+struct Errors
+{
+  int Samples = 0;
+  int TooLarge = 0;     ///< Samples beyond the bound.
+  double Largest = 0.0; ///< Window depth.
+  double Ratio = 0.0;   ///< The largest (error - storage) / bound.
+  double Bound = 0.0;   ///< The largest.
+};
+
+std::ostream& operator<<(std::ostream& stream, const Errors& errors)
+{
+  constexpr double units = 1 << 24;
+  return stream << errors.Samples << " samples, largest error " << errors.Largest * units
+                << " units of 24 bits, largest bound " << errors.Bound * units
+                << ", largest error / bound " << errors.Ratio;
+}
+
+class DrawnPolygonTest : public OffscreenFixture
+{
+protected:
+  void SetUp() override
+  {
+    OffscreenFixture::SetUp();
+    if (IsSkipped())
+    {
+      return;
+    }
+    NamedScene scene;
+    scene.Width = Width;
+    scene.Height = Height;
+    scene.Build = [this](vtkRenderer* renderer)
+    {
+      this->Actor =
+        AddMesh(renderer, MakeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } }));
+    };
+    this->Stage = std::make_unique<ShadowStage>(scene);
+  }
+
+  /// Corners have to be floats, so that nothing is rounded before the device has them.
+  void Draw(const std::array<Point, 3>& corners, Errors& errors)
+  {
+    vtkPolyDataMapper::SafeDownCast(this->Actor->GetMapper())
+      ->SetInputData(MakeMesh({ corners[0], corners[1], corners[2] }, { { 0, 1, 2 } }));
+    this->Stage->Window->Render();
+    vtkNew<vtkFloatArray> depths;
+    this->Stage->Window->GetZbufferData(0, 0, Width - 1, Height - 1, depths);
+    vtkMatrix4x4* matrix =
+      this->Stage->Renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+        this->Stage->Renderer->GetTiledAspectRatio(), -1.0, 1.0);
+    std::vector<DrawnPolygon::Corner> clip;
+    for (const Point& corner : corners)
+    {
+      clip.push_back(DrawnPolygon::Transform(matrix->Element, corner.data()));
+    }
+    const DrawnPolygon polygon(clip, DrawnPolygon::Planes::NearAndFar, Width, Height);
+    for (int i = 0; polygon.IsVisible() && i < Width * Height; ++i)
+    {
+      const double drawn = depths->GetValue(i);
+      if (drawn == 1.0)
+      {
+        continue;
+      }
+      const double x = i % Width + 0.5;
+      const double y = i / Width + 0.5;
+      const double error = std::abs(drawn - polygon.GetDepth(x, y));
+      const double bound = polygon.GetBound(x, y);
+      ++errors.Samples;
+      errors.TooLarge += error > bound + Storage;
+      errors.Largest = std::max(errors.Largest, error);
+      errors.Bound = std::max(errors.Bound, bound);
+      errors.Ratio = std::max(errors.Ratio, (error - Storage) / bound);
+    }
+  }
+
+  std::unique_ptr<ShadowStage> Stage;
+  vtkActor* Actor = nullptr;
+};
+}
+
+// A ground of one triangle, seen from eye height, up to kilometres beyond what is in view.
+TEST_F(DrawnPolygonTest, LargeGround)
+{
+  for (const double size : { 1e2, 1e3, 1e4, 1e5 })
+  {
+    Errors errors;
+    for (int k = 0; k < 8; ++k)
+    {
+      const double turn = 0.7 * k;
+      Look(this->Stage->Renderer, { 10.0, 20.0, 1.7 },
+        { 10.0 + 10.0 * std::cos(turn), 20.0 + 10.0 * std::sin(turn), 1.0 });
+      this->Stage->Renderer->GetActiveCamera()->SetClippingRange(0.3, 30000.0);
+      this->Draw(
+        { { { -size, -size, 0.0 }, { 2.0 * size, -size, 0.0 }, { -size, 2.0 * size, 0.0 } } },
+        errors);
+    }
+    std::cout << "  " << size << " units: " << errors << "\n";
+    EXPECT_GT(errors.Samples, 10000);
+    EXPECT_EQ(errors.TooLarge, 0) << size << ": " << errors;
+    if (size >= 1e4)
+    {
+      EXPECT_GT(errors.Ratio, 1.0 / 32.0) << size << ": " << errors;
+    }
+  }
+}
+
+// As the sides of volumes: 1/50 to 1 pixel wide, from the middle of the view to beyond its border,
+// deep.
+TEST_F(DrawnPolygonTest, Slivers)
+{
+  std::mt19937 random(3);
+  const auto between = [&random](double low, double high)
+  { return low + (high - low) * static_cast<double>(random()) / std::mt19937::max(); };
+  Errors errors;
+  // A unit in the distance of 10 is 75 pixels / (10 tan 15 degrees).
+  Look(this->Stage->Renderer, { 0.0, 0.0, 10.0 }, { 0.0, 0.0, 0.0 });
+  this->Stage->Renderer->GetActiveCamera()->SetClippingRange(5.0, 50.0);
+  for (int i = 0; i < 200; ++i)
+  {
+    const double width = std::exp(between(std::log(0.02), 0.0)) / 28.0;
+    const double turn = between(0.0, 6.28);
+    const double along[2] = { std::cos(turn), std::sin(turn) };
+    const double x = between(-1.0, 1.0);
+    const double y = between(-1.0, 1.0);
+    const double depth = between(-2.0, 2.0);
+    std::array<Point, 3> corners = { { { x, y, depth },
+      { x - width * along[1], y + width * along[0], depth + between(-0.1, 0.1) },
+      { x + 20.0 * along[0], y + 20.0 * along[1], between(-20.0, -3.0) } } };
+    for (Point& corner : corners)
+    {
+      for (double& value : corner)
+      {
+        value = static_cast<float>(value);
+      }
+    }
+    this->Draw(corners, errors);
+  }
+  std::cout << "  " << errors << "\n";
+  EXPECT_GT(errors.Samples, 1000);
+  EXPECT_EQ(errors.TooLarge, 0) << errors;
+  EXPECT_GT(errors.Ratio, 1.0 / 128.0) << errors;
+}
+
+// A triangle 1/200 pixel wide and one of pixels throw shadows to the right and away from the eye.
+TEST(ThinSidesTest, ThinSidesAloneAreFound)
+{
+  constexpr int size = 200;
+  // Looking along -z with 90 degrees, near 1, far 100.
+  const ThinSides::View view = { { 0.0, 0.0, 0.0 },
+    { { 1.0, 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0, 0.0 }, { 0.0, 0.0, -101.0 / 99.0, -200.0 / 99.0 },
+      { 0.0, 0.0, -1.0, 0.0 } },
+    size, size };
+  vtkNew<vtkLight> light;
+  light->SetPosition(0.0, 0.0, 0.0);
+  light->SetFocalPoint(1.0, 0.0, -1.0);
+  const auto make = [&](double halfWidth, double length)
+  {
+    RenderedTriangles triangles;
+    triangles.Corners = { 0.0, 0.1 - halfWidth, -10.0, 0.0, 0.1 + halfWidth, -10.0, 0.0, 0.1,
+      -10.0 - length };
+    triangles.Owners = { 0 };
+    return ThinSides(triangles, { 1 }, OracleLight(light), view);
+  };
+  const ThinSides thin = make(5e-4, 1e-2);
+  const ThinSides wide = make(2.0, 4.0);
+  // Where x / -z is that of pixel 150: x = t, z = -10 - t.
+  const double t = 5.05 / (1.0 - 0.505);
+  const double depth = 0.5 + 0.5 * (101.0 / 99.0 - 200.0 / 99.0 / (10.0 + t));
+  EXPECT_TRUE(thin.AreNear(150, 100, depth, 0.0));
+  EXPECT_FALSE(thin.AreNear(150, 100, depth + 0.05, 0.0));
+  EXPECT_TRUE(thin.AreNear(150, 100, depth + 0.05, 0.05));
+  EXPECT_FALSE(thin.AreNear(150, 90, depth, 1.0));
+  for (int i = 0; i < size * size; ++i)
+  {
+    EXPECT_FALSE(wide.AreNear(i % size, i / size, 0.5, 1.0)) << i;
+  }
+}
