@@ -218,7 +218,7 @@ void vtkShadowCaster::AddPart(
     }
     return;
   }
-  part.Footprint = vtkShadowFootprint::Make(points, part.Topology->GetNumberOfPoints(), frame);
+  part.Footprint = vtkShadowFootprint::Make(part.Silhouette, points, frame);
   slot.Parts.push_back(std::move(part));
 }
 VTK_ABI_NAMESPACE_END

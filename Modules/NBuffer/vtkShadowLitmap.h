@@ -27,6 +27,7 @@
 
 #include "vtkNBufferMath.h"
 #include "vtkNBufferModule.h" // For export macro
+#include "vtkShadowTiles.h"
 
 #include "vtkType.h"
 
@@ -94,6 +95,12 @@ public:
    */
   bool AddLexel(int i, int j, vtkShadowExtent extent);
 
+  ///@{
+  /// The same receivers by tiles of the screen. Begin() leaves nothing known of them.
+  vtkShadowTiles& GetTiles() { return this->Tiles; }
+  const vtkShadowTiles& GetTiles() const { return this->Tiles; }
+  ///@}
+
   /// Make all levels that queries need. No Add() until the next Begin().
   void Build();
 
@@ -157,6 +164,7 @@ private:
   double Bounds[4] = {}; ///< The map's range, and of receivers outside.
   vtkIdType NumberOfReceivers = 0;
   std::vector<vtkShadowExtent> Lexels; ///< Level by level.
+  vtkShadowTiles Tiles;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -261,9 +261,11 @@ bool vtkShadowMaskMaker::Count(vtkOpenGLRenderWindow* window, const vtkShadowPla
   const vtkShadowTimers::Scope timed(this->Timers, vtkShadowStage::Draw);
   const std::vector<vtkShadowDraw>& draws = plan.GetDraws();
   ++this->Shadows;
-  statistics.Draws += static_cast<int>(draws.size());
-  statistics.ZPass += static_cast<int>(std::count_if(
-    draws.begin(), draws.end(), [](const vtkShadowDraw& draw) { return draw.ZPass; }));
+  statistics.Boxes += static_cast<int>(draws.size());
+  statistics.Draws += static_cast<int>(std::count_if(
+    draws.begin(), draws.end(), [](const vtkShadowDraw& draw) { return !draw.Again; }));
+  statistics.ZPass += static_cast<int>(std::count_if(draws.begin(), draws.end(),
+    [](const vtkShadowDraw& draw) { return draw.ZPass && !draw.Again; }));
   if (!this->Counter.Upload(this->Volume, this->Error))
   {
     return false;
@@ -280,10 +282,10 @@ bool vtkShadowMaskMaker::Count(vtkOpenGLRenderWindow* window, const vtkShadowPla
     int count = first->MaximumCount;
     int start = first->Start;
     const vtkShadowDraw* last = first + 1;
-    while (
-      last != end && (allAtOnce || count + last->MaximumCount <= vtkShadowCaster::MaximumCount))
+    while (last != end &&
+      (allAtOnce || last->Again || count + last->MaximumCount <= vtkShadowCaster::MaximumCount))
     {
-      count += last->MaximumCount;
+      count += last->Again ? 0 : last->MaximumCount;
       start += last->Start;
       ++last;
     }

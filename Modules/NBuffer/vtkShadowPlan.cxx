@@ -17,6 +17,12 @@ constexpr double Margin = 1e-6;
 /// Infinite in both directions: all lexels.
 constexpr double Everything = std::numeric_limits<double>::infinity();
 
+/// What one more box is worth, in pixels left out: a draw, and each triangle that it sets up again.
+/// A compromise: software renderers fill in a few nanoseconds for each pixel and set up a triangle
+/// in some tenths of a microsecond, devices are limited by what they fill.
+constexpr double BoxCost = 256.0;
+constexpr double TriangleCost = 8.0;
+
 /// How many of the triangles counted the ray from `origin` along `direction` crosses.
 int CountCrossings(const vtkShadowSilhouette& silhouette, const double* points,
   const double origin[3], const double direction[3])
@@ -70,6 +76,19 @@ vtkShadowFootprint vtkShadowFootprint::Make(
   return result;
 }
 
+vtkShadowFootprint vtkShadowFootprint::Make(
+  const vtkShadowSilhouette& silhouette, const double* points, const vtkShadowFrame& frame)
+{
+  std::vector<double> corners;
+  corners.reserve(3 * silhouette.GetTriangles().size());
+  for (const int corner : silhouette.GetTriangles())
+  {
+    const double* point = points + 3 * std::size_t(corner);
+    corners.insert(corners.end(), point, point + 3);
+  }
+  return Make(corners.data(), static_cast<int>(silhouette.GetTriangles().size()), frame);
+}
+
 vtkShadowPlan::vtkShadowPlan(const vtkShadowLight& light, const vtkShadowFrame& frame,
   const View& view, vtkShadowMode mode, const vtkShadowLitmap* litmap, int gap)
   : Light(light)
@@ -88,13 +107,28 @@ void vtkShadowPlan::AddFace(const vtkShadowFrame& frame, const vtkShadowLitmap& 
   this->Mode = std::min(this->ModeOfFaces, vtkShadowMode::Exact);
 }
 
-vtkShadowExtent vtkShadowPlan::Query(const vtkShadowFootprint& footprint) const
+std::vector<vtkShadowPlan::Aspect> vtkShadowPlan::GetAspects(
+  const vtkShadowFootprint& footprint) const
 {
+  std::vector<Aspect> aspects;
+  const auto add = [&](const Face& face, const vtkShadowFootprint& part)
+  {
+    vtkShadowBlock rays;
+    const bool anywhere = this->IsThroughLightPlane(part);
+    const double* ranges[2] = { part.P, part.Q };
+    for (int i = 0; i < 2; ++i)
+    {
+      rays.Low[i] = anywhere ? -Everything : ranges[i][0];
+      rays.High[i] = anywhere ? Everything : ranges[i][1];
+    }
+    rays.Low[2] = anywhere ? -Everything : part.Near;
+    rays.High[2] = Everything;
+    aspects.push_back({ face, rays });
+  };
   if (this->Faces.empty())
   {
-    return this->IsThroughLightPlane(footprint)
-      ? this->Litmap->Query(-Everything, -Everything, Everything, Everything)
-      : this->Litmap->Query(footprint.P[0], footprint.Q[0], footprint.P[1], footprint.Q[1]);
+    add({ &this->Frame, this->Litmap }, footprint);
+    return aspects;
   }
   double corners[24];
   for (int i = 0; i < 8; ++i)
@@ -104,19 +138,35 @@ vtkShadowExtent vtkShadowPlan::Query(const vtkShadowFootprint& footprint) const
       corners[3 * i + k] = footprint.Bounds[2 * k + (i >> k & 1)];
     }
   }
-  vtkShadowExtent extent;
   for (const Face& face : this->Faces)
   {
     const vtkShadowFootprint box = vtkShadowFootprint::Make(corners, 8, *face.Frame);
-    if (box.Far <= 0.0)
+    if (box.Far > 0.0)
     {
-      continue;
+      add(face, box);
     }
-    extent.Merge(this->IsThroughLightPlane(box)
-        ? face.Litmap->Query(-Everything, -Everything, Everything, Everything)
-        : face.Litmap->Query(box.P[0], box.Q[0], box.P[1], box.Q[1]));
   }
-  return extent;
+  return aspects;
+}
+
+vtkShadowTileSet vtkShadowPlan::FindTiles(const std::vector<Aspect>& aspects,
+  const vtkShadowSilhouette& silhouette, const double* points, const vtkShadowExtent& extent,
+  bool& isOnRays)
+{
+  vtkShadowTileSet set({ extent.X0, extent.Y0, extent.X1, extent.Y1 });
+  for (const Aspect& aspect : aspects)
+  {
+    const vtkShadowTiles& tiles = aspect.Map.Litmap->GetTiles();
+    const vtkShadowReach reach(silhouette, points, *aspect.Map.Frame, aspect.Rays);
+    set.Mark(
+      [&](int column, int row)
+      {
+        const bool meets = !tiles.IsKnown() || reach.MeetsRays(tiles.Get(column, row));
+        isOnRays = isOnRays || meets;
+        return meets && (!tiles.IsKnown() || reach.MayShadow(tiles.Get(column, row)));
+      });
+  }
+  return set;
 }
 
 bool vtkShadowPlan::IsBeyondNearPlane(const vtkShadowVolume& volume, std::size_t firstVertex) const
@@ -217,27 +267,35 @@ bool vtkShadowPlan::IsCountBelow(int limit) const
 }
 
 void vtkShadowPlan::AddDraw(
-  const vtkShadowVolume& volume, const vtkShadowExtent* extent, vtkShadowDraw draw)
+  const vtkShadowVolume& volume, const vtkShadowTileSet* tiles, vtkShadowDraw draw)
 {
   draw.NumberOfIndices = static_cast<int>(volume.GetIndices().size()) - draw.FirstIndex;
+  if (draw.NumberOfIndices == 0)
+  {
+    return;
+  }
   const int* viewport = this->Camera.Viewport;
   std::copy_n(viewport, 4, draw.Box);
   // What the stencil begins with has to be taken away again everywhere.
-  if (extent && draw.Start == 0)
-  {
-    draw.Box[0] = viewport[0] + extent->X0;
-    draw.Box[1] = viewport[1] + extent->Y0;
-    draw.Box[2] = extent->X1 - extent->X0;
-    draw.Box[3] = extent->Y1 - extent->Y0;
-  }
-  if (draw.NumberOfIndices > 0)
+  if (!tiles || draw.Start != 0)
   {
     this->Draws.push_back(draw);
+    return;
+  }
+  const double cost = BoxCost + TriangleCost * (draw.NumberOfIndices / 3);
+  for (const vtkNBufferRectangle& box : tiles->GetBoxes(cost))
+  {
+    draw.Box[0] = viewport[0] + box.X0;
+    draw.Box[1] = viewport[1] + box.Y0;
+    draw.Box[2] = box.GetWidth();
+    draw.Box[3] = box.GetHeight();
+    this->Draws.push_back(draw);
+    draw.Again = true;
   }
 }
 
 void vtkShadowPlan::AddWhole(const vtkShadowSilhouette& silhouette, const double* points,
-  int numberOfPoints, const vtkShadowExtent* extent, vtkShadowVolume& volume)
+  int numberOfPoints, const vtkShadowTileSet* tiles, vtkShadowVolume& volume)
 {
   vtkShadowDraw draw;
   draw.FirstIndex = static_cast<int>(volume.GetIndices().size());
@@ -250,7 +308,7 @@ void vtkShadowPlan::AddWhole(const vtkShadowSilhouette& silhouette, const double
   {
     draw.Start = CountCrossings(silhouette, points, this->Light.Position, this->Camera.Direction);
   }
-  this->AddDraw(volume, extent, draw);
+  this->AddDraw(volume, tiles, draw);
 }
 
 vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const double* points,
@@ -260,15 +318,15 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
   {
     return vtkShadowVerdict::Empty;
   }
-  if (this->Light.Kind == vtkShadowLightKind::Spot && footprint.Far <= 0.0)
-  {
-    return vtkShadowVerdict::BehindLight;
-  }
   if (this->Mode == vtkShadowMode::Unclamped)
   {
     this->AddRectangle(silhouette, footprint);
     this->AddWhole(silhouette, points, numberOfPoints, nullptr, volume);
     return vtkShadowVerdict::Whole;
+  }
+  if (this->Light.Kind == vtkShadowLightKind::Spot && footprint.Far <= 0.0)
+  {
+    return vtkShadowVerdict::BehindLight;
   }
 
   const bool through = this->Faces.empty() && this->IsThroughLightPlane(footprint);
@@ -276,7 +334,13 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
   {
     return vtkShadowVerdict::OutsideCone;
   }
-  const vtkShadowExtent extent = this->Query(footprint);
+  const std::vector<Aspect> aspects = this->GetAspects(footprint);
+  vtkShadowExtent extent;
+  for (const Aspect& aspect : aspects)
+  {
+    const vtkShadowBlock& rays = aspect.Rays;
+    extent.Merge(aspect.Map.Litmap->Query(rays.Low[0], rays.Low[1], rays.High[0], rays.High[1]));
+  }
   if (extent.IsEmpty())
   {
     return vtkShadowVerdict::NoReceiver;
@@ -285,16 +349,30 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
   {
     return vtkShadowVerdict::BeforeCaster;
   }
-  this->AddRectangle(silhouette, footprint);
+  bool isOnRays = false;
   if (through || this->Mode == vtkShadowMode::Exact)
   {
-    this->AddWhole(silhouette, points, numberOfPoints, &extent, volume);
+    const vtkShadowTileSet tiles = FindTiles(aspects, silhouette, points, extent, isOnRays);
+    if (tiles.IsEmpty())
+    {
+      return isOnRays ? vtkShadowVerdict::BeforeCaster : vtkShadowVerdict::NoReceiver;
+    }
+    this->AddRectangle(silhouette, footprint);
+    this->AddWhole(silhouette, points, numberOfPoints, &tiles, volume);
     return through ? vtkShadowVerdict::ThroughLightPlane : vtkShadowVerdict::Boxed;
   }
 
-  const std::vector<vtkShadowSlab> slabs = this->GetSlabs(extent, footprint);
-  for (const vtkShadowSlab& slab : slabs)
+  int drawn = 0;
+  for (const vtkShadowSlab& slab : this->GetSlabs(extent, footprint))
   {
+    std::vector<Aspect> inSlab = aspects;
+    inSlab[0].Rays.Low[2] = std::max(footprint.Near, slab.Near);
+    inSlab[0].Rays.High[2] = slab.Far;
+    const vtkShadowTileSet tiles = FindTiles(inSlab, silhouette, points, extent, isOnRays);
+    if (tiles.IsEmpty())
+    {
+      continue;
+    }
     vtkShadowDraw draw;
     draw.FirstIndex = static_cast<int>(volume.GetIndices().size());
     draw.MaximumCount = silhouette.GetMaximumCount();
@@ -303,9 +381,15 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
     volume.AddClamped(
       silhouette, points, numberOfPoints, this->Frame, slab, footprint.Far, vtkShadowCap::Fan);
     draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
-    this->AddDraw(volume, &extent, draw);
+    this->AddDraw(volume, &tiles, draw);
+    ++drawn;
   }
-  this->Slabs += static_cast<int>(slabs.size());
-  return slabs.empty() ? vtkShadowVerdict::BeforeCaster : vtkShadowVerdict::Clamped;
+  if (drawn == 0)
+  {
+    return isOnRays ? vtkShadowVerdict::BeforeCaster : vtkShadowVerdict::NoReceiver;
+  }
+  this->AddRectangle(silhouette, footprint);
+  this->Slabs += drawn;
+  return vtkShadowVerdict::Clamped;
 }
 VTK_ABI_NAMESPACE_END

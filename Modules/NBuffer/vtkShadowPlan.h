@@ -16,6 +16,11 @@
  *  - draws into the receivers' box of pixels only otherwise, and, if planes may be added,
  *  - only the part of its volume in the slabs that the receivers take up.
  *
+ * Of this box, the tiles of 8 x 8 pixels that the caster's shadow can reach (vtkShadowReach.h) are
+ * found, and the volume is drawn into few boxes around these (vtkShadowTiles.h): one more where it
+ * leaves out more pixels than drawing the triangles once more costs. A caster that reaches no tile
+ * is one of the two that draw nothing.
+ *
  * Leaving out and cutting to a box of pixels change no vertex and with that no fragment: the
  * stencil is bit for bit that of whole volumes wherever there is a receiver. Slabs make new
  * vertices, which the device snaps to its subpixel grid by themselves: samples closer to the edge
@@ -27,7 +32,7 @@
  * sphere around its bounds lies beside the spot's cone (OutsideCone).
  *
  * A point light has six litmaps, one for each face of a cube around it. The rays of a caster's
- * bounding box are looked up in all faces that they meet, for the receivers' box of pixels alone:
+ * bounding box are looked up in all faces that they meet, for the receivers' boxes of pixels alone:
  * its volumes are never clamped.
  *
  * ## The range of the stencil
@@ -56,8 +61,10 @@
 #include "vtkShadowLight.h"
 #include "vtkShadowLitmap.h"
 #include "vtkShadowOverlap.h"
+#include "vtkShadowReach.h"
 #include "vtkShadowSilhouette.h"
 #include "vtkShadowStatistics.h"
+#include "vtkShadowTiles.h"
 #include "vtkShadowVolume.h"
 
 #include <vector>
@@ -75,6 +82,10 @@ struct VTKNBUFFER_EXPORT vtkShadowFootprint
 
   static vtkShadowFootprint Make(
     const double* points, int numberOfPoints, const vtkShadowFrame& frame);
+
+  /// Of the triangles that count alone; `points`: those that the silhouette was computed with.
+  static vtkShadowFootprint Make(
+    const vtkShadowSilhouette& silhouette, const double* points, const vtkShadowFrame& frame);
 };
 
 /// A run of a volume's triangles that are drawn in the same way.
@@ -87,6 +98,7 @@ struct vtkShadowDraw
   int MaximumCount = 0;        ///< No receiver is inside more often.
   int Start = 0;               ///< What the stencil has to begin with beside.
   bool Offset = false;         ///< Has caps in surfaces that may be lit: push it away a little.
+  bool Again = false; ///< The triangles of the draw before, in a box apart from its: count as one.
 };
 
 class VTKNBUFFER_EXPORT vtkShadowPlan
@@ -131,17 +143,26 @@ private:
     const vtkShadowFrame* Frame;
     const vtkShadowLitmap* Litmap;
   };
+  /// A caster as it is looked up in a litmap.
+  struct Aspect
+  {
+    Face Map;
+    vtkShadowBlock Rays; ///< Depths from its nearest corner on.
+  };
 
-  vtkShadowExtent Query(const vtkShadowFootprint& footprint) const;
+  std::vector<Aspect> GetAspects(const vtkShadowFootprint& footprint) const;
+  static vtkShadowTileSet FindTiles(const std::vector<Aspect>& aspects,
+    const vtkShadowSilhouette& silhouette, const double* points, const vtkShadowExtent& extent,
+    bool& isOnRays);
   std::vector<vtkShadowSlab> GetSlabs(
     const vtkShadowExtent& extent, const vtkShadowFootprint& footprint) const;
   bool IsThroughLightPlane(const vtkShadowFootprint& footprint) const;
   bool IsOutsideCone(const vtkShadowFootprint& footprint) const;
   bool IsBeyondNearPlane(const vtkShadowVolume& volume, std::size_t firstVertex) const;
   void AddWhole(const vtkShadowSilhouette& silhouette, const double* points, int numberOfPoints,
-    const vtkShadowExtent* extent, vtkShadowVolume& volume);
+    const vtkShadowTileSet* tiles, vtkShadowVolume& volume);
   void AddRectangle(const vtkShadowSilhouette& silhouette, const vtkShadowFootprint& footprint);
-  void AddDraw(const vtkShadowVolume& volume, const vtkShadowExtent* extent, vtkShadowDraw draw);
+  void AddDraw(const vtkShadowVolume& volume, const vtkShadowTileSet* tiles, vtkShadowDraw draw);
 
   const vtkShadowLight& Light;
   const vtkShadowFrame& Frame;

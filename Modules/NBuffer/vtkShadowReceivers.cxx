@@ -25,6 +25,10 @@ constexpr double WorldRounding = 0x1p-48;
 /// (vtkShadowLitmap::Begin), and it need not be exact.
 constexpr int RangeStride = 4;
 
+/// Of a pixel: how far beside its place the side of a volume may be drawn. Devices snap corners to
+/// 1/256 of a pixel or better; the rest is for their rounding where they clip long triangles.
+constexpr double Guard = 0.25;
+
 double GetLength1(const double v[3])
 {
   return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
@@ -48,12 +52,13 @@ double GetCornerDistance(const vtkShadowView& view)
     getDistance(0.0, 0.0);
 }
 
-/// What vtkShadowLitmap::Add takes.
+/// What vtkShadowLitmap::Add and vtkShadowTiles::Add take.
 struct Receiver
 {
   double A[3];
   double B[3];
   double Radius;
+  double TileRadius[3];
 };
 
 /// From (pixel x, pixel y, depth) to light coordinates.
@@ -81,6 +86,7 @@ private:
   double Direction[3]; ///< The light's, along u, v and the axis.
   double Eye[3];       ///< Relative to the apex, along u, v and the axis.
   double WorldError;
+  double GuardAtW1; ///< Guard in world units, for w = 1.
   /// Rows: places along u, v and the axis relative to the apex, and w. Columns: pixel x, pixel y,
   /// depth, 1.
   double Matrix[4][4];
@@ -120,6 +126,13 @@ Projector::Projector(
     this->Matrix[i][2] = 2.0 * ndc[i][2];
     this->Matrix[i][3] = ndc[i][3] - ndc[i][0] - ndc[i][1] - ndc[i][2];
   }
+  double pixel[2];
+  for (int j = 0; j < 2; ++j)
+  {
+    const double step[3] = { this->Matrix[0][j], this->Matrix[1][j], this->Matrix[2][j] };
+    pixel[j] = vtkMath::Norm(step);
+  }
+  this->GuardAtW1 = Guard * std::max(pixel[0], pixel[1]);
   if (this->Kind == vtkShadowLightKind::Point)
   {
     this->Limit = FaceLimit;
@@ -182,7 +195,10 @@ bool Projector::Project(int x, double depth, Receiver& receiver) const
     distance += std::abs(b[i] - this->Eye[i]);
   }
   const double rounding = PositionRounding * (distance + length) + this->WorldError;
+  const double guard = this->GuardAtW1 * std::max(std::abs(scaleA), std::abs(scaleB));
   receiver.Radius = rounding;
+  receiver.TileRadius[0] = rounding + guard;
+  receiver.TileRadius[2] = guard;
   if (this->Kind != vtkShadowLightKind::Directional)
   {
     if (!this->MayReach(a, b, 0.5 * length + rounding))
@@ -201,13 +217,17 @@ bool Projector::Project(int x, double depth, Receiver& receiver) const
       const double largest = std::max(
         std::max(std::abs(a[0]), std::abs(a[1])), std::max(std::abs(b[0]), std::abs(b[1])));
       receiver.Radius = rounding * (1.0 + largest) / nearestS;
+      receiver.TileRadius[0] = nearestS > guard
+        ? (rounding + guard) * (1.0 + largest) / (nearestS - guard)
+        : std::numeric_limits<double>::infinity();
     }
     else
     {
       a[0] = a[1] = b[0] = b[1] = 0.0;
-      receiver.Radius = std::numeric_limits<double>::infinity();
+      receiver.Radius = receiver.TileRadius[0] = std::numeric_limits<double>::infinity();
     }
   }
+  receiver.TileRadius[1] = receiver.TileRadius[0];
   const double sign = a[2] <= b[2] ? 1.0 : -1.0;
   a[2] -= sign * rounding;
   b[2] += sign * rounding;
@@ -285,8 +305,16 @@ vtkIdType Scatter(const float* depth, const unsigned char* lit, const vtkShadowV
   GetRange(depth, lit, view, light, frame, range, depths);
   litmap.Begin(resolution, range, depths);
   Projector projector(view, light, frame);
-  ForEachReceiver(depth, lit, view, projector, 1, [&litmap](const Receiver& receiver, int x, int y)
-    { litmap.Add(receiver.A, receiver.B, receiver.Radius, x, y); });
+  vtkShadowTiles& tiles = litmap.GetTiles();
+  tiles.Begin(view.Width, view.Height);
+  ForEachReceiver(depth, lit, view, projector, 1,
+    [&](const Receiver& receiver, int x, int y)
+    {
+      if (litmap.Add(receiver.A, receiver.B, receiver.Radius, x, y))
+      {
+        tiles.Add(receiver.A, receiver.B, receiver.TileRadius, x, y);
+      }
+    });
   return litmap.GetNumberOfReceivers();
 }
 }

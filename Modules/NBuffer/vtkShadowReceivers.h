@@ -32,6 +32,9 @@
  * Around that, in all directions, by the rounding of a position, 2^-20 of its distance from the
  * eye, and of world coordinates in double, 2^-48 of theirs.
  *
+ * Tiles (vtkShadowTiles.h) are to hold all samples for which a volume may be drawn, and devices
+ * draw its sides a little beside their place: a quarter of a pixel more in all directions.
+ *
  * Intervals are projected to light coordinates end by end; where straight lines stay straight, that
  * loses nothing. The tests of the last two rules above are about the ball around the interval: what
  * may be reached is a receiver. Where it cannot be told on which side of the light's plane s = 0 an
@@ -77,8 +80,9 @@ VTKNBUFFER_EXPORT void GetRange(const float* depth, const unsigned char* lit,
   double range[4], double depths[2]);
 
 /**
- * Fill `litmap` with the receivers of a depth image as `frame` sees them, over about the range of
- * p, q and s that they take up, and return their number. The caller builds its levels then.
+ * Fill `litmap` and its tiles with the receivers of a depth image as `frame` sees them, over about
+ * the range of p, q and s that they take up, and return their number. The caller builds its levels
+ * then.
  *
  * `depth`: window depths in [0, 1], one image of Width x Height for each sample of a pixel, row 0
  * at the bottom. `lit`: the same number of bytes, 0 for what the light cannot change; or nullptr.

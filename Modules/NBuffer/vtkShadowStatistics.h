@@ -22,8 +22,8 @@ VTK_ABI_NAMESPACE_BEGIN
 /// Which part of shadow volumes is drawn.
 enum class vtkShadowMode : int
 {
-  Unclamped, ///< All of every caster's, everywhere.
-  Exact,     ///< Of casters with receivers, into the receivers' box on the screen.
+  Unclamped, ///< All of every caster's, everywhere: the reference for what others save.
+  Exact,     ///< Of casters with receivers, into the receivers' boxes on the screen.
   Clamped    ///< Of these, where the receivers are.
 };
 
@@ -60,8 +60,8 @@ constexpr vtkShadowStageTimes UnknownShadowStageTimes = { -1.0, -1.0, -1.0 };
 enum class vtkShadowVerdict : int
 {
   Whole,             ///< Drawn whole: Unclamped.
-  Boxed,             ///< Drawn whole, into its receivers' box of pixels.
-  Clamped,           ///< Drawn in slabs, into that box.
+  Boxed,             ///< Drawn whole, into its receivers' boxes of pixels.
+  Clamped,           ///< Drawn in slabs, into such boxes.
   ThroughLightPlane, ///< Drawn whole: it reaches to the light's plane or behind it.
   NoReceiver,        ///< Not drawn: the camera sees nothing on its rays.
   BeforeCaster,      ///< Not drawn: all that the camera sees there is nearer to the light.
@@ -108,6 +108,7 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   int Silhouettes = 0;                               ///< Made in this frame.
   int Draws = 0;                                     ///< Of volumes.
   int ZPass = 0; ///< Of these, counted between eye and receiver.
+  int Boxes = 0; ///< Of pixels that volumes were drawn into: one or more for each of the Draws.
   int Slabs = 0;
   long long Triangles = 0; ///< Of volumes.
   long long Receivers = 0; ///< Samples scattered into litmaps (or lexels drawn), of all lights.

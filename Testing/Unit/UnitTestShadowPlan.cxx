@@ -66,6 +66,11 @@ struct Situation
     double pqs[3];
     this->Frame.ToLight(x.data(), pqs);
     ASSERT_TRUE(this->Litmap.Add(pqs, pqs, 0.0, pixelX, pixelY));
+    if (this->Litmap.GetTiles().IsKnown())
+    {
+      const double radius[3] = { 1e-3, 1e-3, 1e-3 };
+      this->Litmap.GetTiles().Add(pqs, pqs, radius, pixelX, pixelY);
+    }
   }
 
   Verdict Decide(vtkShadowMode mode, int gap = 4, bool useLitmap = true)
@@ -73,8 +78,7 @@ struct Situation
     this->Litmap.Build();
     const double* points = this->Topology.GetPoints().data();
     this->Silhouette.Compute(this->Topology, points, this->Light, this->Counting);
-    this->Footprint =
-      vtkShadowFootprint::Make(points, this->Topology.GetNumberOfPoints(), this->Frame);
+    this->Footprint = vtkShadowFootprint::Make(this->Silhouette, points, this->Frame);
     vtkShadowPlan plan(
       this->Light, this->Frame, this->View, mode, useLitmap ? &this->Litmap : nullptr, gap);
     const double origin[3] = { 0.0, 0.0, 0.0 };
@@ -87,15 +91,20 @@ struct Situation
     return verdict;
   }
 
-  /// Draws follow each other and take up all triangles.
+  /// Draws follow each other, but for those that repeat one in other boxes, and take up all
+  /// triangles.
   void CheckDraws() const
   {
     int next = 0;
     for (const vtkShadowDraw& draw : this->Draws)
     {
-      EXPECT_EQ(draw.FirstIndex, next);
       EXPECT_GT(draw.NumberOfIndices, 0);
-      next += draw.NumberOfIndices;
+      if (!draw.Again)
+      {
+        EXPECT_EQ(draw.FirstIndex, next);
+        next += draw.NumberOfIndices;
+      }
+      EXPECT_EQ(draw.FirstIndex + draw.NumberOfIndices, next);
     }
     EXPECT_EQ(next, static_cast<int>(this->Volume.GetIndices().size()));
   }
@@ -203,7 +212,7 @@ TEST(ShadowPlan, VerdictsFollowTheReceivers)
     } cases[] = { { "below", { 0.0, 0.0, -3.0 }, drawn },
       { "above", { 0.0, 0.0, 3.0 }, Verdict::BeforeCaster },
       { "beside", { 3.5, 3.5, -3.0 }, Verdict::NoReceiver },
-      { "inside", { 0.0, 0.0, 0.0 }, drawn } };
+      { "inside", { 0.0, 0.0, 0.0 }, Verdict::BeforeCaster } };
     for (const auto& c : cases)
     {
       SCOPED_TRACE(c.Where);
@@ -235,14 +244,51 @@ TEST(ShadowPlan, BoxesHoldTheReceiversPixels)
   }
 }
 
+// With tiles known, only those that the shadow can reach, and apart from each other where what lies
+// between them is more than drawing twice costs.
+TEST(ShadowPlan, BoxesHoldTheTilesInShadow)
+{
+  for (const auto mode : { vtkShadowMode::Exact, vtkShadowMode::Clamped })
+  {
+    Situation situation(MakeDirectional());
+    situation.Litmap.GetTiles().Begin(300, 200);
+    situation.AddReceiver({ 0.0, 0.0, -3.0 }, 5, 6);
+    situation.AddReceiver({ 0.1, 0.0, -3.0 }, 150, 100);
+    situation.AddReceiver({ 0.0, 0.0, 3.0 }, 290, 190);  // before the caster
+    situation.AddReceiver({ 0.9, 0.0, -3.0 }, 250, 190); // in the lexels around it
+    situation.Decide(mode);
+    ASSERT_EQ(situation.Draws.size(), 2u);
+    ExpectBox(situation.Draws[0], 15, 26, 3, 2); // the pixels of tile (0, 0) in the receivers' box
+    ExpectBox(situation.Draws[1], 154, 116, 8, 8);
+    EXPECT_FALSE(situation.Draws[0].Again);
+    EXPECT_TRUE(situation.Draws[1].Again);
+
+    Situation near(MakeDirectional());
+    near.Litmap.GetTiles().Begin(300, 200);
+    near.AddReceiver({ 0.0, 0.0, -3.0 }, 5, 6);
+    near.AddReceiver({ 0.1, 0.0, -3.0 }, 20, 6);
+    near.Decide(mode);
+    EXPECT_EQ(near.Draws.size(), 1u);
+
+    // The litmap knows no better: nearer and farther receivers on its rays, all of them elsewhere.
+    Situation none(MakeDirectional());
+    none.Litmap.GetTiles().Begin(300, 200);
+    none.AddReceiver({ 0.0, 0.0, 3.0 }, 5, 6);
+    none.AddReceiver({ 0.9, 0.0, -3.0 }, 150, 100);
+    EXPECT_EQ(none.Decide(mode), Verdict::BeforeCaster);
+    EXPECT_TRUE(none.Draws.empty());
+  }
+}
+
 TEST(ShadowPlan, CastersAtTheLightsPlane)
 {
   // The cube reaches from -0.5 to 0.5 or so; lights below, in, and above it.
   Situation behind(MakePositional(vtkShadowLightKind::Spot, -5.0));
   behind.AddReceiver({ 0.0, 0.0, -8.0 }, 5, 6);
   EXPECT_EQ(behind.Decide(vtkShadowMode::Exact), Verdict::BehindLight);
-  EXPECT_EQ(behind.Decide(vtkShadowMode::Unclamped), Verdict::BehindLight);
   EXPECT_TRUE(behind.Draws.empty());
+  EXPECT_EQ(behind.Decide(vtkShadowMode::Unclamped), Verdict::Whole) << "nothing is left out";
+  EXPECT_EQ(behind.Draws.size(), 1u);
 
   for (const auto mode : { vtkShadowMode::Exact, vtkShadowMode::Clamped })
   {

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkShadowReach
+ * @brief Where a caster's shadow can reach, in light coordinates. No OpenGL.
+ *
+ * A point P is in shadow of a caster if the segment from the light to P crosses a triangle that
+ * counts (vtkShadowSilhouette.h). Then
+ *
+ *  - the ray of P is one of the rays of these triangles: its p and q lie in their ranges;
+ *  - P is no nearer to the light than the nearest corner of these triangles: s >= near;
+ *  - P lies beyond the plane of at least one of them: a segment crosses a plane once, from the
+ *    light's side to the other.
+ *
+ * So what has all planes beyond itself is not in shadow of the caster, whatever its shape: its lit
+ * side, where the triangles that face away count, and what the light meets before it. The planes of
+ * a ground that has a thickness are those below and beside it: it shadows nothing that stands on
+ * it.
+ *
+ * Planes are used of casters with at most 64 triangles that count; of a sphere they would say
+ * little more than its nearest corner.
+ */
+#ifndef vtkShadowReach_h
+#define vtkShadowReach_h
+
+#include "vtkNBufferModule.h" // For export macro
+#include "vtkShadowLight.h"
+#include "vtkShadowSilhouette.h"
+#include "vtkShadowTiles.h"
+
+#include <array>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKNBUFFER_EXPORT vtkShadowReach
+{
+public:
+  static constexpr int MaximumTriangles = 64;
+
+  /**
+   * In the coordinates of `frame`, whose light must be the silhouette's. `points`: those that the
+   * silhouette was computed with. `rays`: p and q of the triangles that count, infinite where they
+   * have none; s in it from their nearest corner on.
+   */
+  vtkShadowReach(const vtkShadowSilhouette& silhouette, const double* points,
+    const vtkShadowFrame& frame, const vtkShadowBlock& rays);
+
+  /// False if no point in the block is on one of the rays, at any depth.
+  bool MeetsRays(const vtkShadowBlock& block) const;
+
+  /// False if no point in the block is in shadow.
+  bool MayShadow(const vtkShadowBlock& block) const;
+
+private:
+  /// a p + b q + c s - d, or s (a p + b q + c) - d for positional lights: > 0 beyond it.
+  using Plane = std::array<double, 4>;
+
+  bool IsBefore(const vtkShadowBlock& block, const Plane& plane) const;
+
+  bool Positional;
+  vtkShadowBlock Rays;
+  bool UsePlanes;
+  std::vector<Plane> Planes;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkShadowTiles.h
+ * @brief Receivers by tiles of the screen, and boxes of pixels around some of the tiles. No OpenGL.
+ *
+ * A litmap is asked from the light: what lies on these rays? Its answer is one box of pixels, in
+ * which most may lie on other rays, or before the caster. Tiles of 8 x 8 pixels are asked from the
+ * camera: where in light coordinates (vtkShadowLight.h) do your receivers lie? The tiles that a
+ * caster can shadow (vtkShadowReach.h) are marked, and few boxes that share no pixel put around
+ * them.
+ */
+#ifndef vtkShadowTiles_h
+#define vtkShadowTiles_h
+
+#include "vtkNBufferMath.h"
+#include "vtkNBufferModule.h" // For export macro
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/// A range of light coordinates p, q and s; empty as constructed.
+struct vtkShadowBlock
+{
+  double Low[3] = { std::numeric_limits<double>::infinity(),
+    std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity() };
+  double High[3] = { -std::numeric_limits<double>::infinity(),
+    -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
+
+  bool IsEmpty() const { return !(this->Low[2] <= this->High[2]); }
+};
+
+class VTKNBUFFER_EXPORT vtkShadowTiles
+{
+public:
+  static constexpr int Size = 8; ///< Pixels.
+
+  /// Start anew, for an image of that many pixels; with 0 nothing is known. Memory is kept.
+  void Begin(int width, int height);
+
+  /**
+   * Add a receiver that covers pixel (x, y) of the image and lies somewhere on the segment from a
+   * to b in light coordinates, or at most radius[i] beside it in p, q and s. Infinite is anywhere.
+   */
+  void Add(const double a[3], const double b[3], const double radius[3], int x, int y)
+  {
+    vtkShadowBlock& block =
+      this->Blocks[static_cast<std::size_t>(y / Size) * this->Columns + x / Size];
+    for (int i = 0; i < 3; ++i)
+    {
+      const double low = (a[i] < b[i] ? a[i] : b[i]) - radius[i];
+      const double high = (a[i] < b[i] ? b[i] : a[i]) + radius[i];
+      block.Low[i] = low < block.Low[i] ? low : block.Low[i];
+      block.High[i] = high > block.High[i] ? high : block.High[i];
+    }
+  }
+
+  /// Whether there is an image.
+  bool IsKnown() const { return this->Columns > 0; }
+
+  const vtkShadowBlock& Get(int column, int row) const
+  {
+    return this->Blocks[static_cast<std::size_t>(row) * this->Columns + column];
+  }
+
+private:
+  int Columns = 0;
+  std::vector<vtkShadowBlock> Blocks; ///< Row by row.
+};
+
+/**
+ * Some of the tiles in a rectangle of pixels.
+ */
+class VTKNBUFFER_EXPORT vtkShadowTileSet
+{
+public:
+  /// None yet, of those that touch `pixels`, which must not be empty.
+  explicit vtkShadowTileSet(const vtkNBufferRectangle& pixels);
+
+  /// functor(column, row) -> bool for all tiles not in the set; those for which it is true are put
+  /// into it.
+  template <typename Functor>
+  void Mark(Functor&& functor)
+  {
+    std::size_t i = 0;
+    for (int row = this->Tiles.Y0; row < this->Tiles.Y1; ++row)
+    {
+      for (int column = this->Tiles.X0; column < this->Tiles.X1; ++column, ++i)
+      {
+        this->Marks[i] = this->Marks[i] || functor(column, row);
+      }
+    }
+  }
+
+  bool IsEmpty() const
+  {
+    return std::find(this->Marks.begin(), this->Marks.end(), 1) == this->Marks.end();
+  }
+
+  /**
+   * Boxes of pixels that hold all pixels of the rectangle in tiles of the set, and have none in
+   * common. A box is cut in two where that leaves out more than `cost` pixels, at the place where
+   * it leaves out most, and so are the parts.
+   */
+  std::vector<vtkNBufferRectangle> GetBoxes(double cost) const;
+
+private:
+  void Divide(
+    const vtkNBufferRectangle& tiles, double cost, std::vector<vtkNBufferRectangle>& boxes) const;
+
+  vtkNBufferRectangle Pixels;
+  vtkNBufferRectangle Tiles;
+  std::vector<unsigned char> Marks; ///< Of Tiles, row by row.
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

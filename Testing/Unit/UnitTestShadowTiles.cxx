@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Which tiles of the screen a caster can shadow, and the boxes around them.
+#include "ShadowCounts.h"
+#include "ShadowMeshes.h"
+
+#include "vtkShadowPlan.h"
+#include "vtkShadowReach.h"
+#include "vtkShadowTiles.h"
+
+#include "vtkMath.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace
+{
+constexpr int Size = vtkShadowTiles::Size;
+
+using Tile = std::pair<int, int>;
+
+vtkShadowTileSet MakeSet(const vtkNBufferRectangle& pixels, const std::set<Tile>& tiles)
+{
+  vtkShadowTileSet set(pixels);
+  set.Mark([&](int column, int row) { return tiles.count({ column, row }) > 0; });
+  return set;
+}
+
+int GetArea(const std::vector<vtkNBufferRectangle>& boxes)
+{
+  int area = 0;
+  for (const vtkNBufferRectangle& box : boxes)
+  {
+    area += box.GetWidth() * box.GetHeight();
+  }
+  return area;
+}
+
+vtkShadowBlock MakeBlock(const vtkShadowFrame& frame, const Point& x, double radius)
+{
+  double pqs[3];
+  frame.ToLight(x.data(), pqs);
+  vtkShadowBlock block;
+  for (int i = 0; i < 3; ++i)
+  {
+    block.Low[i] = pqs[i] - radius;
+    block.High[i] = pqs[i] + radius;
+  }
+  return block;
+}
+
+/// A caster before a light, and what its shadow can reach.
+struct Caster
+{
+  Caster(const ShadowMesh& mesh, const vtkShadowLight& light, const vtkShadowFrame& frame,
+    vtkShadowCounting counting)
+  {
+    this->Topology.Build(mesh.GetPoints(), mesh.GetNumberOfPoints(), mesh.Triangles.data(),
+      mesh.GetNumberOfTriangles());
+    const double* points = this->Topology.GetPoints().data();
+    this->Silhouette.Compute(this->Topology, points, light, counting);
+    const auto footprint = vtkShadowFootprint::Make(this->Silhouette, points, frame);
+    const bool anywhere = frame.IsPositional() && !(footprint.Near > 0.0);
+    const double* ranges[2] = { footprint.P, footprint.Q };
+    for (int i = 0; i < 2; ++i)
+    {
+      this->Rays.Low[i] = anywhere ? -HUGE_VAL : ranges[i][0];
+      this->Rays.High[i] = anywhere ? HUGE_VAL : ranges[i][1];
+    }
+    this->Rays.Low[2] = anywhere ? -HUGE_VAL : footprint.Near;
+    this->Rays.High[2] = HUGE_VAL;
+  }
+
+  vtkShadowReach GetReach(const vtkShadowFrame& frame) const
+  {
+    return { this->Silhouette, this->Topology.GetPoints().data(), frame, this->Rays };
+  }
+
+  vtkShadowTopology Topology;
+  vtkShadowSilhouette Silhouette;
+  vtkShadowBlock Rays;
+};
+}
+
+TEST(ShadowTileSet, BoxesAreApartAndHoldAllMarks)
+{
+  std::mt19937 random(5);
+  for (int n = 0; n < 200; ++n)
+  {
+    const auto pick = [&](int low, int high)
+    { return low + static_cast<int>(random() % static_cast<unsigned int>(high - low + 1)); };
+    vtkNBufferRectangle pixels;
+    pixels.X0 = pick(0, 40);
+    pixels.Y0 = pick(0, 40);
+    pixels.X1 = pixels.X0 + pick(1, 90);
+    pixels.Y1 = pixels.Y0 + pick(1, 90);
+    std::set<Tile> marks;
+    for (int i = pick(0, 30); i > 0; --i)
+    {
+      marks.insert({ pick(0, 17), pick(0, 17) });
+    }
+    const vtkShadowTileSet set = MakeSet(pixels, marks);
+    for (const double cost : { 0.0, 100.0, 1e9 })
+    {
+      SCOPED_TRACE("case " + std::to_string(n) + ", cost " + std::to_string(cost));
+      const std::vector<vtkNBufferRectangle> boxes = set.GetBoxes(cost);
+      EXPECT_EQ(boxes.empty(), set.IsEmpty());
+      EXPECT_LE(boxes.size(), cost < 1e9 ? 18u * 18u : 1u);
+      int marked = 0;
+      for (int y = pixels.Y0; y < pixels.Y1; ++y)
+      {
+        for (int x = pixels.X0; x < pixels.X1; ++x)
+        {
+          const auto count =
+            std::count_if(boxes.begin(), boxes.end(), [&](const vtkNBufferRectangle& box)
+              { return x >= box.X0 && x < box.X1 && y >= box.Y0 && y < box.Y1; });
+          const bool isMarked = marks.count({ x / Size, y / Size }) > 0;
+          marked += isMarked;
+          ASSERT_LE(count, 1);
+          ASSERT_TRUE(count == 1 || !isMarked);
+        }
+      }
+      EXPECT_GE(GetArea(boxes), marked) << "nothing outside of the rectangle";
+    }
+  }
+}
+
+// A cut is made where it leaves out more than it costs.
+TEST(ShadowTileSet, CutsAreWorthTheirCost)
+{
+  const vtkNBufferRectangle pixels = { 0, 0, 10 * Size, 10 * Size };
+  const vtkShadowTileSet corners = MakeSet(pixels, { { 0, 0 }, { 9, 9 } });
+  const int saved = 98 * Size * Size;
+  EXPECT_EQ(corners.GetBoxes(saved).size(), 1u);
+  EXPECT_EQ(GetArea(corners.GetBoxes(saved)), 100 * Size * Size);
+  EXPECT_EQ(corners.GetBoxes(saved - 1).size(), 2u);
+  EXPECT_EQ(GetArea(corners.GetBoxes(saved - 1)), 2 * Size * Size);
+  // A frame of tiles around nothing has no cut that leaves out anything at once but corners.
+  const vtkShadowTileSet bar = MakeSet(pixels, { { 2, 5 }, { 3, 5 }, { 4, 5 } });
+  EXPECT_EQ(bar.GetBoxes(0.0).size(), 1u);
+  EXPECT_EQ(GetArea(bar.GetBoxes(0.0)), 3 * Size * Size);
+}
+
+TEST(ShadowTiles, HoldTheirReceivers)
+{
+  vtkShadowTiles tiles;
+  EXPECT_FALSE(tiles.IsKnown());
+  tiles.Begin(2 * Size + 1, Size);
+  EXPECT_TRUE(tiles.IsKnown());
+  const double a[3] = { 1.0, 5.0, 3.0 };
+  const double b[3] = { 2.0, 4.0, 3.5 };
+  const double radius[3] = { 0.25, 0.5, 0.125 };
+  tiles.Add(a, b, radius, 2 * Size, Size - 1);
+  EXPECT_TRUE(tiles.Get(0, 0).IsEmpty());
+  EXPECT_TRUE(tiles.Get(1, 0).IsEmpty());
+  const vtkShadowBlock& block = tiles.Get(2, 0);
+  const double low[3] = { 0.75, 3.5, 2.875 };
+  const double high[3] = { 2.25, 5.5, 3.625 };
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(block.Low[i], low[i]);
+    EXPECT_EQ(block.High[i], high[i]);
+  }
+  tiles.Begin(0, 0);
+  EXPECT_FALSE(tiles.IsKnown());
+}
+
+// Whatever a volume counts is within its caster's reach, for all meshes, lights and countings.
+TEST(ShadowReach, HoldsAllThatIsInShadow)
+{
+  std::mt19937 random(17);
+  const Point origin = { 0.0, 0.0, 0.0 };
+  int inShadow = 0;
+  int left = 0;
+  for (const ShadowMesh& mesh : MakeShadowMeshes(4))
+  {
+    for (int n = 0; n < 12; ++n)
+    {
+      vtkShadowLight light;
+      light.Kind = n % 2 ? vtkShadowLightKind::Spot : vtkShadowLightKind::Directional;
+      for (int i = 0; i < 3; ++i)
+      {
+        light.Direction[i] += MakeUniform(random, -0.8, 0.8);
+        light.Position[i] = (i == 2 ? 3.0 : 0.0) + MakeUniform(random, -1.0, 1.0);
+      }
+      vtkMath::Normalize(light.Direction);
+      const vtkShadowFrame frame(light);
+      const Caster caster(
+        mesh, light, frame, n % 3 ? vtkShadowCounting::Away : vtkShadowCounting::All);
+      if (caster.Silhouette.GetTriangles().empty())
+      {
+        continue;
+      }
+      const vtkShadowReach reach = caster.GetReach(frame);
+      vtkShadowVolume volume;
+      volume.Begin(origin.data());
+      volume.AddWhole(caster.Silhouette, caster.Topology.GetPoints().data(),
+        caster.Topology.GetNumberOfPoints(), light);
+      for (int i = 0; i < 40; ++i)
+      {
+        const Point x = MakePoint(random, 2.0);
+        const vtkShadowBlock block = MakeBlock(frame, x, 1e-7);
+        if (frame.IsPositional() && block.Low[2] <= 0.0)
+        {
+          continue; // has no p and q
+        }
+        if (CountInVolume(volume, origin, x, random) != 0)
+        {
+          ++inShadow;
+          EXPECT_TRUE(reach.MayShadow(block)) << mesh.Name << ", case " << n;
+          EXPECT_TRUE(reach.MeetsRays(block)) << mesh.Name << ", case " << n;
+        }
+        else
+        {
+          left += reach.MayShadow(block);
+        }
+      }
+    }
+  }
+  EXPECT_GT(inShadow, 500);
+  EXPECT_GT(left, 0) << "nothing but what is in shadow would be a surprise";
+}
+
+// A slab of ground does not reach what stands on it, though that is on its rays and beyond its
+// nearest corner.
+TEST(ShadowReach, GroundDoesNotReachWhatStandsOnIt)
+{
+  for (const bool positional : { false, true })
+  {
+    vtkShadowLight light;
+    light.Kind = positional ? vtkShadowLightKind::Spot : vtkShadowLightKind::Directional;
+    light.Position[0] = -20.0;
+    light.Position[2] = 20.0;
+    light.Direction[0] = 0.8;
+    light.Direction[2] = -0.6;
+    const vtkShadowFrame frame(light);
+    const ShadowMesh ground =
+      MakeCube().Move([](const Point& x) { return Point{ 20.0 * x[0], 20.0 * x[1], x[2] - 0.5 }; });
+    const Caster caster(ground, light, frame, vtkShadowCounting::Away);
+    const vtkShadowReach reach = caster.GetReach(frame);
+    double top = -HUGE_VAL;
+    for (const Point& x : ground.Points)
+    {
+      top = std::max(top, x[2]);
+    }
+    for (const double height : { 0.0, 0.5, 2.0 })
+    {
+      EXPECT_TRUE(reach.MeetsRays(MakeBlock(frame, { 0.0, 0.0, top + height }, 0.01)));
+      EXPECT_FALSE(reach.MayShadow(MakeBlock(frame, { 0.0, 0.0, top + height }, 0.01)));
+    }
+    EXPECT_TRUE(reach.MayShadow(MakeBlock(frame, { 0.0, 0.0, top - 3.0 }, 0.01)));
+    // Where it may be, in the light of what is not known.
+    vtkShadowBlock anywhere = MakeBlock(frame, { 0.0, 0.0, top }, 0.01);
+    anywhere.Low[0] = anywhere.Low[1] = -HUGE_VAL;
+    anywhere.High[0] = anywhere.High[1] = HUGE_VAL;
+    EXPECT_TRUE(reach.MayShadow(anywhere));
+    EXPECT_FALSE(reach.MayShadow(vtkShadowBlock()));
+  }
+}
