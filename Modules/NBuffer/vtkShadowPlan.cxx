@@ -149,7 +149,7 @@ std::vector<vtkShadowPlan::Aspect> vtkShadowPlan::GetAspects(
   return aspects;
 }
 
-vtkShadowTileSet vtkShadowPlan::FindTiles(const std::vector<Aspect>& aspects,
+vtkShadowPlan::Boxes vtkShadowPlan::FindBoxes(const std::vector<Aspect>& aspects,
   const vtkShadowSilhouette& silhouette, const double* points, const vtkShadowExtent& extent,
   bool& isOnRays)
 {
@@ -166,7 +166,10 @@ vtkShadowTileSet vtkShadowPlan::FindTiles(const std::vector<Aspect>& aspects,
         return meets && (!tiles.IsKnown() || reach.MayShadow(tiles.Get(column, row)));
       });
   }
-  return set;
+  // As many triangles as a whole volume of a directional light has, for all kinds of pieces.
+  const std::size_t triangles =
+    silhouette.GetTriangles().size() / 3 + 2 * silhouette.GetEdges().size();
+  return set.GetBoxes(BoxCost + TriangleCost * static_cast<double>(triangles));
 }
 
 bool vtkShadowPlan::IsBeyondNearPlane(const vtkShadowVolume& volume, std::size_t firstVertex) const
@@ -266,8 +269,7 @@ bool vtkShadowPlan::IsCountBelow(int limit) const
   return vtkShadowOverlap::GetBound(this->Rectangles) <= limit;
 }
 
-void vtkShadowPlan::AddDraw(
-  const vtkShadowVolume& volume, const vtkShadowTileSet* tiles, vtkShadowDraw draw)
+void vtkShadowPlan::AddDraw(const vtkShadowVolume& volume, const Boxes& boxes, vtkShadowDraw draw)
 {
   draw.NumberOfIndices = static_cast<int>(volume.GetIndices().size()) - draw.FirstIndex;
   if (draw.NumberOfIndices == 0)
@@ -277,13 +279,12 @@ void vtkShadowPlan::AddDraw(
   const int* viewport = this->Camera.Viewport;
   std::copy_n(viewport, 4, draw.Box);
   // What the stencil begins with has to be taken away again everywhere.
-  if (!tiles || draw.Start != 0)
+  if (boxes.empty() || draw.Start != 0)
   {
     this->Draws.push_back(draw);
     return;
   }
-  const double cost = BoxCost + TriangleCost * (draw.NumberOfIndices / 3);
-  for (const vtkNBufferRectangle& box : tiles->GetBoxes(cost))
+  for (const vtkNBufferRectangle& box : boxes)
   {
     draw.Box[0] = viewport[0] + box.X0;
     draw.Box[1] = viewport[1] + box.Y0;
@@ -295,7 +296,7 @@ void vtkShadowPlan::AddDraw(
 }
 
 void vtkShadowPlan::AddWhole(const vtkShadowSilhouette& silhouette, const double* points,
-  int numberOfPoints, const vtkShadowTileSet* tiles, vtkShadowVolume& volume)
+  int numberOfPoints, const Boxes& boxes, vtkShadowVolume& volume)
 {
   vtkShadowDraw draw;
   draw.FirstIndex = static_cast<int>(volume.GetIndices().size());
@@ -308,7 +309,7 @@ void vtkShadowPlan::AddWhole(const vtkShadowSilhouette& silhouette, const double
   {
     draw.Start = CountCrossings(silhouette, points, this->Light.Position, this->Camera.Direction);
   }
-  this->AddDraw(volume, tiles, draw);
+  this->AddDraw(volume, boxes, draw);
 }
 
 vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const double* points,
@@ -321,7 +322,7 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
   if (this->Mode == vtkShadowMode::Unclamped)
   {
     this->AddRectangle(silhouette, footprint);
-    this->AddWhole(silhouette, points, numberOfPoints, nullptr, volume);
+    this->AddWhole(silhouette, points, numberOfPoints, {}, volume);
     return vtkShadowVerdict::Whole;
   }
   if (this->Light.Kind == vtkShadowLightKind::Spot && footprint.Far <= 0.0)
@@ -352,13 +353,13 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
   bool isOnRays = false;
   if (through || this->Mode == vtkShadowMode::Exact)
   {
-    const vtkShadowTileSet tiles = FindTiles(aspects, silhouette, points, extent, isOnRays);
-    if (tiles.IsEmpty())
+    const Boxes boxes = FindBoxes(aspects, silhouette, points, extent, isOnRays);
+    if (boxes.empty())
     {
       return isOnRays ? vtkShadowVerdict::BeforeCaster : vtkShadowVerdict::NoReceiver;
     }
     this->AddRectangle(silhouette, footprint);
-    this->AddWhole(silhouette, points, numberOfPoints, &tiles, volume);
+    this->AddWhole(silhouette, points, numberOfPoints, boxes, volume);
     return through ? vtkShadowVerdict::ThroughLightPlane : vtkShadowVerdict::Boxed;
   }
 
@@ -368,8 +369,8 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
     std::vector<Aspect> inSlab = aspects;
     inSlab[0].Rays.Low[2] = std::max(footprint.Near, slab.Near);
     inSlab[0].Rays.High[2] = slab.Far;
-    const vtkShadowTileSet tiles = FindTiles(inSlab, silhouette, points, extent, isOnRays);
-    if (tiles.IsEmpty())
+    const Boxes boxes = FindBoxes(inSlab, silhouette, points, extent, isOnRays);
+    if (boxes.empty())
     {
       continue;
     }
@@ -381,7 +382,7 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
     volume.AddClamped(
       silhouette, points, numberOfPoints, this->Frame, slab, footprint.Far, vtkShadowCap::Fan);
     draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
-    this->AddDraw(volume, &tiles, draw);
+    this->AddDraw(volume, boxes, draw);
     ++drawn;
   }
   if (drawn == 0)

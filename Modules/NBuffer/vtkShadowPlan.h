@@ -149,20 +149,20 @@ private:
     Face Map;
     vtkShadowBlock Rays; ///< Depths from its nearest corner on.
   };
+  using Boxes = std::vector<vtkNBufferRectangle>; ///< Of pixels of the viewport.
 
   std::vector<Aspect> GetAspects(const vtkShadowFootprint& footprint) const;
-  static vtkShadowTileSet FindTiles(const std::vector<Aspect>& aspects,
-    const vtkShadowSilhouette& silhouette, const double* points, const vtkShadowExtent& extent,
-    bool& isOnRays);
+  static Boxes FindBoxes(const std::vector<Aspect>& aspects, const vtkShadowSilhouette& silhouette,
+    const double* points, const vtkShadowExtent& extent, bool& isOnRays);
   std::vector<vtkShadowSlab> GetSlabs(
     const vtkShadowExtent& extent, const vtkShadowFootprint& footprint) const;
   bool IsThroughLightPlane(const vtkShadowFootprint& footprint) const;
   bool IsOutsideCone(const vtkShadowFootprint& footprint) const;
   bool IsBeyondNearPlane(const vtkShadowVolume& volume, std::size_t firstVertex) const;
   void AddWhole(const vtkShadowSilhouette& silhouette, const double* points, int numberOfPoints,
-    const vtkShadowTileSet* tiles, vtkShadowVolume& volume);
+    const Boxes& boxes, vtkShadowVolume& volume);
   void AddRectangle(const vtkShadowSilhouette& silhouette, const vtkShadowFootprint& footprint);
-  void AddDraw(const vtkShadowVolume& volume, const vtkShadowTileSet* tiles, vtkShadowDraw draw);
+  void AddDraw(const vtkShadowVolume& volume, const Boxes& boxes, vtkShadowDraw draw);
 
   const vtkShadowLight& Light;
   const vtkShadowFrame& Frame;

@@ -12,6 +12,16 @@ namespace
 {
 /// Of the terms of a plane's equation: what rounding may do to them, generously.
 constexpr double Rounding = 1e-9;
+
+/// Of triangles in one plane, as far as doubles can tell: far below what Rounding is for.
+bool IsSame(const std::array<double, 4>& plane, const std::array<double, 4>& other, double distance)
+{
+  constexpr double tolerance = 1e-14;
+  return std::abs(plane[0] - other[0]) + std::abs(plane[1] - other[1]) +
+      std::abs(plane[2] - other[2]) <=
+    tolerance &&
+    std::abs(plane[3] - other[3]) <= tolerance * distance;
+}
 }
 
 vtkShadowReach::vtkShadowReach(const vtkShadowSilhouette& silhouette, const double* points,
@@ -20,8 +30,7 @@ vtkShadowReach::vtkShadowReach(const vtkShadowSilhouette& silhouette, const doub
   , Rays(rays)
 {
   const std::vector<int>& corners = silhouette.GetTriangles();
-  this->UsePlanes = corners.size() <= 3 * std::size_t(MaximumTriangles);
-  for (std::size_t t = 0; this->UsePlanes && t < corners.size(); t += 3)
+  for (std::size_t t = 0; t < corners.size() && this->Planes.size() <= MaximumPlanes; t += 3)
   {
     const double* a = points + 3 * std::size_t(corners[t]);
     double sides[2][3];
@@ -32,11 +41,17 @@ vtkShadowReach::vtkShadowReach(const vtkShadowSilhouette& silhouette, const doub
     // Corners go round anticlockwise as seen from the light: this points away from it.
     double normal[3];
     vtkMath::Cross(sides[1], sides[0], normal);
+    vtkMath::Normalize(normal);
     double relative[3];
     vtkMath::Subtract(a, frame.GetApex(), relative);
-    this->Planes.push_back({ vtkMath::Dot(normal, frame.GetU()), vtkMath::Dot(normal, frame.GetV()),
-      vtkMath::Dot(normal, frame.GetAxis()), vtkMath::Dot(normal, relative) });
+    const Plane plane = { vtkMath::Dot(normal, frame.GetU()), vtkMath::Dot(normal, frame.GetV()),
+      vtkMath::Dot(normal, frame.GetAxis()), vtkMath::Dot(normal, relative) };
+    if (this->Planes.empty() || !IsSame(plane, this->Planes.back(), vtkMath::Norm(relative)))
+    {
+      this->Planes.push_back(plane);
+    }
   }
+  this->UsePlanes = this->Planes.size() <= MaximumPlanes;
 }
 
 bool vtkShadowReach::IsBefore(const vtkShadowBlock& block, const Plane& plane) const

@@ -17,8 +17,14 @@
  * a ground that has a thickness are those below and beside it: it shadows nothing that stands on
  * it.
  *
- * Planes are used of casters with at most 64 triangles that count; of a sphere they would say
- * little more than its nearest corner.
+ * Planes are used if there are at most 64, triangle after triangle in one plane being one; of a
+ * sphere they would say little more than its nearest corner.
+ *
+ * Two more kinds of receivers need no shadow, but are not told from others: those whose surface
+ * faces away from the light, and those on the caster's own unlit side. Depth alone is not enough to
+ * be certain. Normals are interpolated, and turned towards the camera, so that a facet that faces
+ * away may be lit in part; and a sample as deep as an unlit facet may be of something else just
+ * before it, a relief or a poster on a wall, whose light that wall has to take away.
  */
 #ifndef vtkShadowReach_h
 #define vtkShadowReach_h
@@ -36,7 +42,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKNBUFFER_EXPORT vtkShadowReach
 {
 public:
-  static constexpr int MaximumTriangles = 64;
+  static constexpr std::size_t MaximumPlanes = 64;
 
   /**
    * In the coordinates of `frame`, whose light must be the silhouette's. `points`: those that the
@@ -60,7 +66,7 @@ private:
 
   bool Positional;
   vtkShadowBlock Rays;
-  bool UsePlanes;
+  bool UsePlanes = false;
   std::vector<Plane> Planes;
 };
 

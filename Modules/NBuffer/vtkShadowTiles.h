@@ -16,7 +16,6 @@
 #include "vtkNBufferMath.h"
 #include "vtkNBufferModule.h" // For export macro
 
-#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -93,11 +92,6 @@ public:
         this->Marks[i] = this->Marks[i] || functor(column, row);
       }
     }
-  }
-
-  bool IsEmpty() const
-  {
-    return std::find(this->Marks.begin(), this->Marks.end(), 1) == this->Marks.end();
   }
 
   /**
