@@ -8,8 +8,6 @@
 #include "vtkCommand.h"
 #include "vtkCullerCollection.h"
 #include "vtkFloatArray.h"
-#include "vtkObjectFactory.h"
-#include "vtkOutputWindow.h"
 #include "vtkPNGWriter.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -26,29 +24,6 @@
 
 namespace
 {
-/// Keeps what VTK reports, so that a test can fail for it.
-class MessageCollector : public vtkOutputWindow
-{
-public:
-  static MessageCollector* New();
-  vtkTypeMacro(MessageCollector, vtkOutputWindow);
-  void DisplayText(const char* text) override { this->Text += text; }
-
-  std::string Text;
-};
-vtkStandardNewMacro(MessageCollector);
-
-MessageCollector* GetCollector()
-{
-  static vtkSmartPointer<MessageCollector> collector;
-  if (!collector)
-  {
-    collector = vtkSmartPointer<MessageCollector>::New();
-    vtkOutputWindow::SetInstance(collector);
-  }
-  return collector;
-}
-
 void CountDraw(vtkObject*, unsigned long, void* counter, void*)
 {
   ++*static_cast<int*>(counter);
@@ -64,13 +39,6 @@ void WriteImage(vtkRenderWindow* window, const std::string& name)
   writer->SetInputConnection(grab->GetOutputPort());
   writer->Write();
 }
-}
-
-std::string TakeMessages()
-{
-  std::string text;
-  std::swap(text, GetCollector()->Text);
-  return text;
 }
 
 void PrintTo(vtkNBufferVerdict verdict, std::ostream* os)

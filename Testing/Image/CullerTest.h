@@ -15,6 +15,8 @@
 #ifndef CullerTest_h
 #define CullerTest_h
 
+#include "Messages.h"
+
 #include "vtkNBufferCuller.h"
 #include "vtkNBufferVTKVersion.h"
 
@@ -156,9 +158,6 @@ private:
   ComparisonOptions Options;
   int Frames = 0;
 };
-
-/// Text of the errors and warnings that VTK reported since the last call.
-std::string TakeMessages();
 
 /// Names in failures instead of bytes.
 void PrintTo(vtkNBufferVerdict verdict, std::ostream* os);

@@ -6,40 +6,11 @@
 
 #include "vtkAutoInit.h"
 
-#include <cstdlib>
-#include <cstring>
 #include <iostream>
 
 namespace
 {
 constexpr int Skipped = 125;
-
-/// Empty if a window of the class asked for works.
-std::string FindFault()
-{
-  vtkNew<vtkRenderWindow> window;
-  const char* wanted = std::getenv("VTK_DEFAULT_OPENGL_WINDOW");
-  if (wanted && std::strcmp(wanted, window->GetClassName()) != 0)
-  {
-    return std::string(wanted) + " is not in this VTK (got " + window->GetClassName() + ")";
-  }
-  if (window->IsA("vtkXOpenGLRenderWindow") && !std::getenv("DISPLAY"))
-  {
-    return "this VTK opens X windows only, and DISPLAY is not set";
-  }
-  window->SetOffScreenRendering(1);
-  window->SetSize(16, 16);
-#if VTKNBUFFER_HAS_INITIALIZE
-  window->Initialize();
-#else
-  window->Render();
-#endif
-  if (!window->SupportsOpenGL())
-  {
-    return std::string(window->GetClassName()) + " has no usable OpenGL: " + TakeMessages();
-  }
-  return "";
-}
 }
 
 int main(int argc, char* argv[])
@@ -48,7 +19,7 @@ int main(int argc, char* argv[])
   TakeMessages();
   if (!testing::GTEST_FLAG(list_tests))
   {
-    const std::string fault = FindFault();
+    const std::string fault = FindWindowFault();
     if (!fault.empty())
     {
       std::cout << "SKIPPED: " << fault << std::endl;

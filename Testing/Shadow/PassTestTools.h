@@ -8,6 +8,7 @@
 #define PassTestTools_h
 
 #include "ShadowTest.h"
+#include "StatisticsCheck.h"
 
 #include "vtkShadowVolumeClampPass.h"
 
@@ -51,8 +52,5 @@ int ExpectComposedOfDimmed(const ShadowStage& stage, vtkShadowVolumeClampPass* p
 
 /// The image of the renderer with vtkRenderStepsPass; its pass is as before afterwards.
 ShadowImage GetPlainImage(vtkRenderWindow* window, vtkRenderer* renderer);
-
-/// Verdicts add up, and nothing is counted twice; "" or what is wrong.
-std::string FindInconsistency(const vtkShadowStatistics& statistics);
 
 #endif

@@ -49,3 +49,36 @@ std::string FindInconsistency(const vtkNBufferStatistics& s, int maximumNumberOf
     "nothing is hidden where the culler steps aside");
   return faults;
 }
+
+std::string FindInconsistency(const vtkShadowStatistics& statistics)
+{
+  const auto count = [&](vtkShadowVerdict verdict) { return statistics.GetCount(verdict); };
+  std::string result;
+  const auto demand = [&](bool holds, const char* what)
+  {
+    if (!holds)
+    {
+      result += std::string(result.empty() ? "" : "; ") + what;
+    }
+  };
+  const int verdicts = std::accumulate(statistics.Verdicts.begin(), statistics.Verdicts.end(), 0);
+  const int whole = count(vtkShadowVerdict::Whole) + count(vtkShadowVerdict::Boxed) +
+    count(vtkShadowVerdict::ThroughLightPlane);
+  const int clamped = count(vtkShadowVerdict::Clamped);
+  demand(statistics.ZPass <= statistics.Draws, "more z-pass than draws");
+  demand(statistics.Slabs >= clamped, "a clamped caster without a slab");
+  if (statistics.Decision == vtkShadowDecision::Drawn)
+  {
+    demand(verdicts >= statistics.Lights * statistics.Casters, "casters without a verdict");
+    demand(statistics.Draws > 0 && statistics.Triangles >= statistics.Draws, "nothing was drawn");
+    demand(statistics.Draws <= whole + statistics.Slabs, "more draws than casters and slabs");
+    demand(statistics.Litmaps <= 6 * statistics.Lights, "more litmaps than six for a light");
+    demand((statistics.Litmaps > 0) == (statistics.ReadBacks == 1), "read-backs without litmaps");
+    demand((statistics.Litmaps > 0) || statistics.Receivers == 0, "receivers without litmaps");
+  }
+  else
+  {
+    demand(statistics.Draws == 0 && statistics.Triangles == 0, "volumes were drawn");
+  }
+  return result.empty() ? result : result + ": " + statistics.GetAsJSON();
+}

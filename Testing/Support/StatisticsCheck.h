@@ -8,10 +8,14 @@
 #define StatisticsCheck_h
 
 #include "vtkNBufferStatistics.h"
+#include "vtkShadowStatistics.h"
 
 #include <string>
 
 /// Empty, or what contradicts what. `maximumNumberOfRounds` is that of the culler.
 std::string FindInconsistency(const vtkNBufferStatistics& statistics, int maximumNumberOfRounds);
+
+/// Empty, or what is wrong: verdicts add up, and nothing is counted twice.
+std::string FindInconsistency(const vtkShadowStatistics& statistics);
 
 #endif
