@@ -3,6 +3,7 @@
 #include "Checker.h"
 
 #include "GLStateSnapshot.h"
+#include "Messages.h"
 #include "StatisticsCheck.h"
 
 #include "vtkNBufferVTKVersion.h"
@@ -10,14 +11,11 @@
 
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
-#include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOutputWindow.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <cstring>
 #include <sstream>
 
@@ -27,29 +25,6 @@ namespace
 {
 /// Comparing the state asks OpenGL some thousand questions.
 constexpr int FramesPerStateCheck = 4;
-
-/// Keeps what VTK reports.
-class MessageCollector : public vtkOutputWindow
-{
-public:
-  static MessageCollector* New();
-  vtkTypeMacro(MessageCollector, vtkOutputWindow);
-  void DisplayText(const char* text) override { this->Text += text; }
-
-  std::string Text;
-};
-vtkStandardNewMacro(MessageCollector);
-
-MessageCollector* GetCollector()
-{
-  static vtkSmartPointer<MessageCollector> collector;
-  if (!collector)
-  {
-    collector = vtkSmartPointer<MessageCollector>::New();
-    vtkOutputWindow::SetInstance(collector);
-  }
-  return collector;
-}
 
 /// What differs between two contexts although nothing is wrong: names of objects, which each
 /// context gives out anew, what the prop drawn last leaves behind, and what the translucent stage
@@ -108,39 +83,35 @@ std::string CompareStates(const GLStateSnapshot& reference, const GLStateSnapsho
 }
 }
 
-std::string TakeMessages()
-{
-  std::string text;
-  std::swap(text, GetCollector()->Text);
-  return text;
-}
-
-std::string FindFault()
-{
-  TakeMessages();
-  vtkNew<vtkRenderWindow> window;
-  const char* wanted = std::getenv("VTK_DEFAULT_OPENGL_WINDOW");
-  if (wanted && std::strcmp(wanted, window->GetClassName()) != 0)
-  {
-    return std::string(wanted) + " is not in this VTK (got " + window->GetClassName() + ")";
-  }
-  if (window->IsA("vtkXOpenGLRenderWindow") && !std::getenv("DISPLAY"))
-  {
-    return "this VTK opens X windows only, and DISPLAY is not set";
-  }
-  window->SetOffScreenRendering(1);
-  window->SetSize(16, 16);
-  window->Render();
-  if (!window->SupportsOpenGL())
-  {
-    return std::string(window->GetClassName()) + " has no usable OpenGL: " + TakeMessages();
-  }
-  return "";
-}
-
 //------------------------------------------------------------------------------------------------
+/// What came with a frame.
+struct Checker::Drawn
+{
+  unsigned int Error = GL_NO_ERROR;
+  std::string Messages;
+  GLStateSnapshot State; ///< If it was asked for.
+};
+
+Checker::Drawn Checker::Draw(Stage& stage, ShadowPasses passes, bool captureState)
+{
+  Drawn drawn;
+  stage.Render(passes);
+  stage.GetWindow()->MakeCurrent();
+  drawn.Error = glGetError();
+  if (captureState)
+  {
+    drawn.State = GLStateSnapshot::Capture(vtkOpenGLRenderWindow::SafeDownCast(stage.GetWindow()));
+    while (glGetError() != GL_NO_ERROR)
+    {
+    }
+  }
+  drawn.Messages = TakeMessages();
+  return drawn;
+}
+
 Checker::Checker(Role tested, Role reference)
-  : Reference(reference)
+  : IsJudging(tested == Role::Culled)
+  , Reference(reference)
   , Tested(tested)
 {
   TakeMessages();
@@ -178,6 +149,7 @@ Outcome Checker::RunFrames(const Scenario& scenario, Tally* tally)
     if (tally)
     {
       this->Count(scenario, *tally);
+      tally->Shadows = this->Shadows;
     }
     if (!failure.empty())
     {
@@ -204,56 +176,112 @@ std::string Checker::CheckFrame(const Scenario& scenario, int frame)
     return "Selected: " + expected + "without the culler, " + found + "with it\n";
   }
 
+  // What VTK itself does wrong is not ours.
   const bool checkState = frame % FramesPerStateCheck == 1;
-  GLStateSnapshot states[2];
-  GLenum errors[2] = { GL_NO_ERROR, GL_NO_ERROR };
-  for (Stage* stage : { &this->Reference, &this->Tested })
+  const Lights& lights = this->Reference.GetLights();
+  const bool shadows = lights.HasShadows();
+  const Drawn alone =
+    Draw(this->Reference, shadows ? ShadowPasses::Absent : ShadowPasses::Lasting, checkState);
+  messages += alone.Messages;
+  this->IsUndefined = alone.Error != GL_NO_ERROR;
+  const auto judge = [&](const Drawn& drawn, const std::string& before)
   {
-    const int index = stage == &this->Tested;
-    stage->Render();
-    stage->GetWindow()->MakeCurrent();
-    errors[index] = glGetError();
-    if (checkState)
+    std::string failure;
+    if (drawn.Error != GL_NO_ERROR && !this->IsUndefined)
     {
-      states[index] =
-        GLStateSnapshot::Capture(vtkOpenGLRenderWindow::SafeDownCast(stage->GetWindow()));
-      while (glGetError() != GL_NO_ERROR)
-      {
-      }
+      ++this->GLErrors;
+      std::ostringstream text;
+      text << "OpenGL error 0x" << std::hex << drawn.Error << "\n";
+      failure += text.str();
     }
-    (index ? testedMessages : messages) += TakeMessages();
-  }
+    if (!(before + drawn.Messages).empty() && messages.empty())
+    {
+      failure += "VTK reports: " + before + drawn.Messages;
+    }
+    return failure;
+  };
 
   std::string failure;
-  // What VTK itself does wrong is not ours.
-  if (errors[1] != GL_NO_ERROR && errors[0] == GL_NO_ERROR)
+  ShadowPasses last = ShadowPasses::Lasting;
+  if (shadows)
   {
-    ++this->GLErrors;
-    std::ostringstream text;
-    text << "OpenGL error 0x" << std::hex << errors[1] << "\n";
-    failure += text.str();
-  }
-  if (!testedMessages.empty() && messages.empty())
-  {
-    failure += "VTK reports: " + testedMessages;
+    last =
+      lights.GetMode() == ShadowMode::Clamped ? ShadowPasses::Fresh : ShadowPasses::FreshUnclamped;
+    failure += this->DrawReferenceShadows(scenario, frame, judge);
   }
   const bool stereo = this->Reference.GetWindow()->GetStereoRender() != 0;
-  this->IsUndefined = errors[0] != GL_NO_ERROR;
+  const ShadowPasses passes = this->IsJudging ? ShadowPasses::Lasting : last;
+  if (shadows && stereo)
+  {
+    // VTK's first frame in stereo is not the second one, and the reference has had several.
+    Draw(this->Tested, passes, false);
+  }
+  const Drawn tested = Draw(this->Tested, passes, checkState);
+  failure += judge(tested, testedMessages);
   if (!this->IsUndefined)
   {
     failure += this->CompareImages(this->Reference.GetWindow()->GetMultiSamples() <= 1 && !stereo);
   }
   failure += this->CheckStatistics();
-  // The statistics are those of one eye.
-  if (!stereo && scenario.Renderers.size() == 1)
+  if (shadows && this->IsJudging)
+  {
+    failure += this->CheckShadows();
+  }
+  // The statistics are those of one eye; shadows draw what and as often as they like.
+  if (!stereo && !shadows && scenario.Renderers.size() == 1)
   {
     failure += this->CheckDraws(scenario.Culler.DefaultCuller != DefaultCuller::Removed);
   }
   if (checkState)
   {
-    failure += CompareStates(states[0], states[1]);
+    failure += CompareStates(alone.State, tested.State);
+  }
+  if (shadows && !failure.empty())
+  {
+    failure += "Shadows of the reference:\n" + GetShadowStatistics(this->Reference) +
+      "and of what is tested:\n" + GetShadowStatistics(this->Tested);
   }
   TakeMessages();
+  return failure;
+}
+
+std::string Checker::DrawReferenceShadows(const Scenario& scenario, int frame, const Judge& judge)
+{
+  std::string failure;
+  Drawn drawn = Draw(this->Reference, ShadowPasses::FreshUnclamped, false);
+  this->HasMasks = HasReadableReceivers(this->Reference) && !this->IsUndefined;
+  if (this->IsJudging)
+  {
+    failure += judge(drawn, "") + CheckShadowStatistics(this->Reference);
+    if (this->HasMasks)
+    {
+      this->Unclamped = CaptureShadows(this->Reference);
+      if (scenario.Shadows.CompareRays && frame == scenario.Frames - 1)
+      {
+        failure += CompareWithRays(this->Reference, this->Unclamped, this->Shadows);
+      }
+    }
+  }
+  if (this->Reference.GetLights().GetMode() == ShadowMode::Clamped)
+  {
+    drawn = Draw(this->Reference, ShadowPasses::Fresh, false);
+    if (this->IsJudging)
+    {
+      failure += judge(drawn, "") + CheckShadowStatistics(this->Reference);
+    }
+  }
+  return failure;
+}
+
+std::string Checker::CheckShadows()
+{
+  std::string failure =
+    CheckShadowStatistics(this->Tested) + CompareShadowStatistics(this->Reference, this->Tested);
+  if (this->HasMasks)
+  {
+    failure += CompareMasks(this->Unclamped, CaptureShadows(this->Tested),
+      this->Tested.GetLights().GetMode(), this->Shadows);
+  }
   return failure;
 }
 
@@ -380,6 +408,35 @@ std::string Checker::CheckDraws(bool stockCuller)
   return wrong.str();
 }
 
+void Checker::CountShadows(Tally& tally) const
+{
+  const Lights& lights = this->Tested.GetLights();
+  bool drawn = false;
+  for (int i = 0; i < this->Tested.GetNumberOfRenderers(); ++i)
+  {
+    if (vtkShadowVolumeClampPass* pass = lights.GetPass(i))
+    {
+      const vtkShadowStatistics& statistics = pass->GetStatistics();
+      ++tally.ShadowDecisions[vtkShadowStatistics::GetName(statistics.Decision)];
+      for (int verdict = 0; verdict < vtkShadowStatistics::NumberOfVerdicts; ++verdict)
+      {
+        tally
+          .ShadowVerdicts[vtkShadowStatistics::GetName(static_cast<vtkShadowVerdict>(verdict))] +=
+          statistics.Verdicts[verdict];
+      }
+      drawn = true;
+    }
+  }
+  if (drawn)
+  {
+    ++tally.ShadowFrames;
+    ++tally.Features[std::string("shadows ") +
+      EnumNames<ShadowMode>::Get()[static_cast<int>(lights.GetMode())]];
+    tally.Features["shadows with caster keys"] += lights.HasCasterKeys();
+    tally.Features["shadows with multisampling"] += this->Tested.GetWindow()->GetMultiSamples() > 1;
+  }
+}
+
 void Checker::Count(const Scenario& scenario, Tally& tally) const
 {
   ++tally.Frames;
@@ -420,6 +477,7 @@ void Checker::Count(const Scenario& scenario, Tally& tally) const
     }
   }
   tally.FramesWithHidden += hidden;
+  this->CountShadows(tally);
   vtkRenderWindow* window = this->Tested.GetWindow();
   tally.Features["multisampled"] += window->GetMultiSamples() > 1;
   tally.Features["stereo"] += window->GetStereoRender() != 0;

@@ -4,19 +4,28 @@
  * @file Checker.h
  * @brief Plays a scenario with and without the culler and compares every frame.
  *
+ * With shadow volumes the reference draws the frame without them, with a pass that is Unclamped and
+ * lives for this frame alone and, where the scenario is Clamped, with one that is so, too. The last
+ * of these is what the culler's window has to be the same as, whose pass lives as long as the
+ * scenario.
+ *
  * A frame fails if
  *
  *  - a byte of the RGBA windows or, where it can be read, a bit of the depth differs,
  *  - a hardware selection before it found other props,
  *  - the statistics are not consistent in themselves or with the draws that mappers announced,
  *  - VTK or OpenGL reported an error or warning that they do not report without the culler,
- *  - the OpenGL state that it leaves, or what vtkOpenGLState remembers of it, is another one.
+ *  - the OpenGL state that it leaves, or what vtkOpenGLState remembers of it, is another one,
+ *  - masks of shadows are not those of Unclamped (ShadowCheck.h says what Clamped may), or
+ *    contradict rays; a pass failed, or its statistics are not consistent.
  */
 #ifndef Checker_h
 #define Checker_h
 
 #include "FuzzStage.h"
+#include "ShadowCheck.h"
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -36,9 +45,13 @@ struct Tally
   long long Undefined =
     0; ///< Frames in which VTK alone makes an OpenGL error: no image to compare.
   long long FramesWithHidden = 0;
-  std::map<std::string, long long> Decisions; ///< Renderer frames by decision.
-  std::map<std::string, long long> Verdicts;  ///< Props by verdict.
-  std::map<std::string, long long> Features;  ///< Frames in which something took part.
+  std::map<std::string, long long> Decisions;       ///< Renderer frames by decision.
+  std::map<std::string, long long> Verdicts;        ///< Props by verdict.
+  std::map<std::string, long long> Features;        ///< Frames in which something took part.
+  long long ShadowFrames = 0;                       ///< With a pass with shadow volumes.
+  std::map<std::string, long long> ShadowDecisions; ///< Renderer frames by decision.
+  std::map<std::string, long long> ShadowVerdicts;  ///< Casters, for each light, by verdict.
+  ShadowTally Shadows;
 };
 
 struct Outcome
@@ -61,25 +74,31 @@ public:
   Outcome Run(const Scenario& scenario, bool freshWindows, Tally* tally = nullptr);
 
 private:
+  struct Drawn;
+  /// What is wrong with what came with a frame; the text is what came before it.
+  using Judge = std::function<std::string(const Drawn& drawn, const std::string& before)>;
+
+  static Drawn Draw(Stage& stage, ShadowPasses passes, bool captureState);
   Outcome RunFrames(const Scenario& scenario, Tally* tally);
   std::string CheckFrame(const Scenario& scenario, int frame);
   std::string CompareImages(bool compareDepth);
   std::string CheckStatistics();
+  std::string DrawReferenceShadows(const Scenario& scenario, int frame, const Judge& judge);
+  std::string CheckShadows();
   std::string CheckDraws(bool stockCuller);
   void Count(const Scenario& scenario, Tally& tally) const;
+  void CountShadows(Tally& tally) const;
 
+  /// Not where two stages are compared to see whether VTK repeats itself.
+  const bool IsJudging;
   Stage Reference;
   Stage Tested;
   long long GLErrors = 0;
+  bool HasMasks = false;    ///< In the frame, of the reference.
+  ShadowFrame Unclamped;    ///< Of the reference, in the frame.
+  ShadowTally Shadows;      ///< Since the beginning.
   bool IsUndefined = false; ///< The frame: what VTK's error leaves behind depends on nothing known.
 };
-
-/// Text of the errors and warnings that VTK reported since the last call.
-std::string TakeMessages();
-
-/// Whether this VTK has the window class that the environment asks for, and OpenGL with it; if not,
-/// why.
-std::string FindFault();
 }
 
 #endif

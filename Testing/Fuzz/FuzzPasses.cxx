@@ -70,7 +70,7 @@ vtkSmartPointer<vtkRenderPass> WithPeeling()
 }
 }
 
-vtkSmartPointer<vtkRenderPass> MakePass(PassKind kind)
+vtkSmartPointer<vtkRenderPass> MakePass(PassKind kind, vtkRenderPass* shadows)
 {
   vtkNew<vtkLightsPass> lights;
   vtkNew<vtkOpaquePass> opaque;
@@ -79,13 +79,22 @@ vtkSmartPointer<vtkRenderPass> MakePass(PassKind kind)
   {
     case PassKind::None:
       return nullptr;
+    case PassKind::ShadowVolumes:
+      if (shadows)
+      {
+        return shadows;
+      }
+      [[fallthrough]];
     case PassKind::RenderSteps:
       return vtkSmartPointer<vtkRenderStepsPass>::New();
+    case PassKind::ShadowVolumesInSequence:
     case PassKind::OpaqueTranslucent:
     {
       vtkNew<vtkVolumetricPass> volumetric;
       vtkNew<vtkOverlayPass> overlay;
-      return WithCamera(InSequence({ lights, opaque, translucent, volumetric, overlay }));
+      const bool cast = shadows && kind == PassKind::ShadowVolumesInSequence;
+      return WithCamera(
+        InSequence({ lights, cast ? shadows : opaque.Get(), translucent, volumetric, overlay }));
     }
     case PassKind::OpaqueTwice:
     {

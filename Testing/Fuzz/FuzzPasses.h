@@ -14,8 +14,14 @@
 
 namespace NBufferFuzz
 {
-/// nullptr for PassKind::None.
-vtkSmartPointer<vtkRenderPass> MakePass(PassKind kind);
+/// nullptr for PassKind::None. `shadows` is used by the kinds with shadow volumes; these are as the
+/// others, without shadows, where it is nullptr.
+vtkSmartPointer<vtkRenderPass> MakePass(PassKind kind, vtkRenderPass* shadows = nullptr);
+
+inline bool HasShadowVolumes(PassKind kind)
+{
+  return kind == PassKind::ShadowVolumes || kind == PassKind::ShadowVolumesInSequence;
+}
 }
 
 #endif

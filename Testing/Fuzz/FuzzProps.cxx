@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FuzzProps.h"
 
+#include "FuzzLights.h"
 #include "Shapes.h"
 
 #include "vtkNBufferVTKVersion.h"
@@ -359,6 +360,12 @@ void ChangeActor(vtkActor* actor, const Prop& description, const Change& change)
     case ChangeKind::ReplaceData:
       ReplaceData(mapper, description, change);
       break;
+    case ChangeKind::BlockVisible:
+      if (auto* composite = CompositeMapper::SafeDownCast(mapper))
+      {
+        composite->SetBlockVisibility(2, value != 0.0);
+      }
+      break;
     case ChangeKind::ClippingPlane:
       if (mapper && mapper->GetClippingPlanes())
       {
@@ -402,6 +409,10 @@ void ChangeProp(vtkProp* prop, const Prop& description, const Change& change)
   if (change.Kind == ChangeKind::Visible)
   {
     prop->SetVisibility(values[0] != 0.0);
+  }
+  else if (change.Kind == ChangeKind::Casts)
+  {
+    Lights::SetCasts(prop, values[0] != 0.0);
   }
   else if (auto* prop3D = vtkProp3D::SafeDownCast(prop))
   {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FuzzStage.h"
 
-#include "FuzzPasses.h"
 #include "FuzzProps.h"
 
 #include "vtkNBufferVTKVersion.h"
@@ -68,7 +67,6 @@ void SetUp(vtkRenderer* renderer, const Renderer& description, int index)
   renderer->SetErase(description.Erase);
   renderer->SetPreserveDepthBuffer(description.PreserveDepth);
   renderer->SetBackground(0.1 + 0.2 * index, 0.2, 0.3);
-  renderer->SetPass(MakePass(description.Pass));
   renderer->SetUseSSAO(description.SSAO);
   renderer->SetSSAOKernelSize(8);
   renderer->SetUseFXAA(description.FXAA);
@@ -127,6 +125,7 @@ void Stage::Begin(const Scenario& scenario)
   this->Window->SetTileScale(tiles, tiles);
   this->Window->SetTileViewport(0.0, 0.0, 1.0 / tiles, 1.0 / tiles);
   this->AddRenderers();
+  this->Lighting.Begin(scenario, this->Renderers);
   this->AddCullers();
   this->Members.resize(scenario.Props.size());
   for (std::size_t i = 0; i < scenario.Props.size(); ++i)
@@ -145,6 +144,7 @@ void Stage::End()
   }
   this->Members.clear();
   this->Places.clear();
+  this->Lighting.End();
   this->Renderers.clear();
   this->Cullers.clear();
   this->Scene = nullptr;
@@ -257,8 +257,9 @@ std::string Stage::Prepare(int frame)
   return found;
 }
 
-void Stage::Render()
+void Stage::Render(ShadowPasses passes)
 {
+  this->Lighting.UsePasses(passes);
   for (Member& member : this->Members)
   {
     member.Draws = 0;
@@ -291,6 +292,10 @@ void Stage::Join(Member& member, bool present)
   if (!member.Object)
   {
     member.Object = MakeProp(description, this->Renderers[index]->GetActiveCamera());
+    if (this->Lighting.HasShadows())
+    {
+      Lights::SetCasts(member.Object, description.Casts);
+    }
     auto* actor = vtkActor::SafeDownCast(member.Object);
     // Polydata mappers announce every piece they draw by a StartEvent; others announce updates as
     // well, or draw by mappers of their own.
@@ -351,6 +356,10 @@ void Stage::Look(const View& view)
 //------------------------------------------------------------------------------------------------
 void Stage::Apply(const Change& change)
 {
+  if (this->Lighting.Apply(change))
+  {
+    return;
+  }
   const double value = GetValue(change, 0);
   vtkRenderer* renderer = change.Target >= 0 && change.Target < this->GetNumberOfRenderers()
     ? this->Renderers[change.Target].Get()
@@ -370,7 +379,7 @@ void Stage::Apply(const Change& change)
         {
           old->ReleaseGraphicsResources(this->Window);
         }
-        renderer->SetPass(MakePass(static_cast<PassKind>(static_cast<int>(value))));
+        this->Lighting.SetPassKind(change.Target, static_cast<PassKind>(static_cast<int>(value)));
       }
       return;
     case ChangeKind::FXAA:

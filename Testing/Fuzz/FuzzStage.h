@@ -7,6 +7,7 @@
 #ifndef FuzzStage_h
 #define FuzzStage_h
 
+#include "FuzzLights.h"
 #include "Scenario.h"
 
 #include "vtkNBufferCuller.h"
@@ -47,7 +48,7 @@ public:
 
   /// Do what the scenario says before a frame. Returns what selections found.
   std::string Prepare(int frame);
-  void Render();
+  void Render(ShadowPasses passes = ShadowPasses::Lasting);
 
   /// Empty the window and keep it.
   void End();
@@ -60,6 +61,7 @@ public:
   vtkRenderer* GetRenderer(int i) const { return this->Renderers[i]; }
   /// nullptr while the renderer has none.
   vtkNBufferCuller* GetCuller(int renderer) const;
+  const Lights& GetLights() const { return this->Lighting; }
 
   struct Member
   {
@@ -88,6 +90,7 @@ private:
   bool StencilCapable = false;
   std::vector<vtkSmartPointer<vtkRenderer>> Renderers;
   std::vector<vtkSmartPointer<vtkNBufferCuller>> Cullers; ///< One for each renderer, or the same.
+  Lights Lighting;
   std::vector<Member> Members;
   std::map<int, std::size_t> Places; ///< Of props in Members, by Id.
   int Frame = 0;

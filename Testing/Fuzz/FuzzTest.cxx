@@ -4,6 +4,7 @@
 // shrinker finds what a failure needs.
 #include "Checker.h"
 #include "Generator.h"
+#include "Messages.h"
 #include "ScenarioJson.h"
 #include "Shrinker.h"
 
@@ -41,7 +42,7 @@ class FuzzRuns : public testing::Test
 protected:
   void SetUp() override
   {
-    const std::string fault = FindFault();
+    const std::string fault = FindWindowFault();
     if (!fault.empty())
     {
       GTEST_SKIP() << fault;
@@ -61,12 +62,14 @@ TEST(FuzzScenario, SameSeedSameScenario)
 
 TEST(FuzzScenario, SurvivesItsFile)
 {
-  for (std::uint64_t seed = 0; seed < 200; ++seed)
+  for (std::uint64_t seed = 0; seed < 400; ++seed)
   {
-    const Scenario scenario = MakeScenario(seed);
+    const Scenario scenario =
+      MakeScenario(seed, seed % 2 ? ScenarioKind::Shadows : ScenarioKind::Culling);
     const Scenario read = PassThroughText(scenario);
     ASSERT_EQ(ToText(ToJson(read)), ToText(ToJson(scenario)));
     ASSERT_EQ(read.Seed, scenario.Seed);
+    ASSERT_EQ(read.Lights.size(), scenario.Lights.size());
     ASSERT_EQ(read.Props.size(), scenario.Props.size());
     for (std::size_t i = 0; i < read.Props.size(); ++i)
     {
@@ -249,4 +252,95 @@ TEST_F(FuzzRuns, CountWhatIsHidden)
   EXPECT_GE(tally.Hidden, 3 * 3);
   EXPECT_EQ(tally.FramesWithHidden, 3);
   EXPECT_EQ(tally.GLErrors, 0);
+}
+
+//------------------------------------------------------------------------------------------------
+namespace
+{
+/// A box over a floor, in the light of a lamp.
+Scenario MakeShadowScene(ShadowMode mode)
+{
+  Scenario scenario;
+  scenario.Frames = 3;
+  scenario.Shadows.Mode = mode;
+  scenario.Shadows.CompareRays = true;
+  scenario.Lights.resize(1);
+  scenario.Renderers[0].Pass = PassKind::ShadowVolumes;
+  scenario.Props.resize(2);
+  scenario.Props[0].Shape.Size = { 6.0, 0.1, 6.0 };
+  scenario.Props[1].Id = 1;
+  scenario.Props[1].Shape.Center = { 0.0, 1.0, 0.0 };
+  scenario.Views.resize(1);
+  scenario.Views[0].Position = { 0.0, 5.0, 10.0 };
+  return scenario;
+}
+
+ShadowFrame MakeFrame(const std::vector<unsigned char>& mask, int width)
+{
+  ShadowFrame frame;
+  frame.Width = width;
+  frame.Height = static_cast<int>(mask.size()) / width;
+  frame.Depth.assign(mask.size(), 0.5f);
+  frame.Receivers.emplace_back(mask.size(), static_cast<unsigned char>(1));
+  frame.Masks.push_back(mask);
+  return frame;
+}
+}
+
+TEST_F(FuzzRuns, CompareShadows)
+{
+  for (const ShadowMode mode : { ShadowMode::Unclamped, ShadowMode::Exact, ShadowMode::Clamped })
+  {
+    Tally tally;
+    EXPECT_EQ(Checker().Run(MakeShadowScene(mode), true, &tally).Failure, "");
+    EXPECT_EQ(tally.ShadowFrames, 3);
+    EXPECT_EQ(tally.ShadowDecisions["Drawn"] + tally.ShadowDecisions["Still"], 3);
+    EXPECT_GE(tally.ShadowDecisions["Still"], 1);
+    EXPECT_GT(tally.Shadows.Samples, 3 * 1000);
+    EXPECT_GT(tally.Shadows.Shadowed, 3 * 50);
+    EXPECT_GT(tally.Shadows.Rays, 1000) << "of the last frame";
+  }
+}
+
+TEST(FuzzShadows, MasksMayDifferAtEdgesOnly)
+{
+  // Left of the middle is in shadow.
+  constexpr int width = 9;
+  std::vector<unsigned char> mask(width * width, 0);
+  for (std::size_t i = 0; i < mask.size(); ++i)
+  {
+    mask[i] = i % width < 4 ? 255 : 0;
+  }
+  const ShadowFrame expected = MakeFrame(mask, width);
+  const auto compare = [&expected](std::size_t flipped, ShadowMode mode)
+  {
+    ShadowFrame tested = expected;
+    tested.Masks[0][flipped] = static_cast<unsigned char>(~tested.Masks[0][flipped]);
+    ShadowTally tally;
+    const std::string failure = CompareMasks(expected, tested, mode, tally);
+    EXPECT_EQ(tally.Samples, width * width);
+    return failure;
+  };
+  constexpr std::size_t middle = 4 * width;
+  EXPECT_EQ(compare(middle + 3, ShadowMode::Clamped), "");
+  EXPECT_EQ(compare(middle + 4, ShadowMode::Clamped), "");
+  EXPECT_NE(compare(middle + 2, ShadowMode::Clamped), "");
+  EXPECT_NE(compare(middle + 5, ShadowMode::Clamped), "");
+  EXPECT_NE(compare(middle + 3, ShadowMode::Exact), "");
+  EXPECT_NE(compare(middle + 4, ShadowMode::Exact), "");
+
+  ShadowFrame noReceiver = expected;
+  noReceiver.Receivers[0][middle + 6] = 0;
+  ShadowFrame tested = noReceiver;
+  tested.Masks[0][middle + 6] = 255;
+  ShadowTally tally;
+  EXPECT_EQ(CompareMasks(noReceiver, tested, ShadowMode::Exact, tally), "");
+
+  ShadowFrame shifted = expected;
+  for (std::size_t row = 0; row < width; ++row)
+  {
+    shifted.Masks[0][row * width + 4] = 255;
+  }
+  EXPECT_NE(CompareMasks(expected, shifted, ShadowMode::Clamped, tally), "")
+    << "more than a few samples at the edge";
 }

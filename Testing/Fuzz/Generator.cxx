@@ -3,6 +3,7 @@
 #include "Generator.h"
 
 #include "Families.h"
+#include "ShadowFamilies.h"
 
 #include "vtkMath.h"
 #include "vtkRenderWindow.h"
@@ -458,14 +459,24 @@ void MoveFarAway(Writer& writer)
     view.Near *= factor;
     view.Far *= factor;
   }
+  for (Light& light : scene.Lights)
+  {
+    if (light.Kind != LightKind::Camera)
+    {
+      place(light.Position, true);
+      place(light.FocalPoint, true);
+    }
+  }
   for (Change& change : scene.Changes)
   {
-    if (change.Kind == ChangeKind::Position || change.Kind == ChangeKind::MovePoints)
+    const bool ofLight =
+      change.Kind == ChangeKind::LightPosition || change.Kind == ChangeKind::LightFocalPoint;
+    if (change.Kind == ChangeKind::Position || change.Kind == ChangeKind::MovePoints || ofLight)
     {
+      const bool absolute = ofLight || (change.Kind == ChangeKind::Position && inMatrix);
       for (std::size_t i = 0; i < change.Values.size(); ++i)
       {
-        change.Values[i] = factor * change.Values[i] +
-          (change.Kind == ChangeKind::Position && inMatrix ? origin[i] : 0.0);
+        change.Values[i] = factor * change.Values[i] + (absolute ? origin[i] : 0.0);
       }
     }
   }
@@ -495,36 +506,42 @@ void RemoveUndefined(Scenario& scene)
     }
   }
 }
+
+const NamedFamily& ChooseFamily(Writer& writer, const std::vector<NamedFamily>& families)
+{
+  double sum = 0.0;
+  for (const NamedFamily& family : families)
+  {
+    sum += family.Weight;
+  }
+  double left = writer.Between(0.0, sum);
+  for (const NamedFamily& family : families)
+  {
+    if (left < family.Weight)
+    {
+      return family;
+    }
+    left -= family.Weight;
+  }
+  return families.back();
+}
 }
 
-Scenario MakeScenario(std::uint64_t seed)
+Scenario MakeScenario(std::uint64_t seed, ScenarioKind kind)
 {
   Scenario scenario;
   scenario.Seed = seed;
   NBufferExamples::Random random(seed);
   Writer writer(scenario, random);
 
-  double sum = 0.0;
-  for (const NamedFamily& family : GetFamilies())
-  {
-    sum += family.Weight;
-  }
-  double left = random.Between(0.0, sum);
-  const NamedFamily* chosen = &GetFamilies().back();
-  for (const NamedFamily& family : GetFamilies())
-  {
-    if (left < family.Weight)
-    {
-      chosen = &family;
-      break;
-    }
-    left -= family.Weight;
-  }
-  scenario.Family = chosen->Name;
+  const bool shadows = kind == ScenarioKind::Shadows;
+  const NamedFamily& family =
+    ChooseFamily(writer, shadows && writer.Chance(0.7) ? GetShadowFamilies() : GetFamilies());
+  scenario.Family = family.Name;
   scenario.Frames = writer.Integer(4, 10);
   MakeWindow(writer);
   MakeCuller(writer);
-  chosen->Build(writer);
+  family.Build(writer);
   if (writer.Chance(0.2))
   {
     // Neither props nor their order may depend on which was there first.
@@ -536,7 +553,11 @@ Scenario MakeScenario(std::uint64_t seed)
   MakeMaterials(writer);
   MakeChanges(writer);
   MakeRenderers(writer);
-  if (writer.Chance(0.3))
+  if (shadows)
+  {
+    AddShadows(writer);
+  }
+  if (writer.Chance(shadows ? 0.1 : 0.3))
   {
     MoveFarAway(writer);
   }

@@ -16,8 +16,14 @@
 
 namespace NBufferFuzz
 {
-/// The same for the same seed, on every machine.
-Scenario MakeScenario(std::uint64_t seed);
+enum class ScenarioKind
+{
+  Culling,
+  Shadows ///< With vtkShadowVolumeClampPass.
+};
+
+/// The same for the same seed and kind, on every machine.
+Scenario MakeScenario(std::uint64_t seed, ScenarioKind kind = ScenarioKind::Culling);
 }
 
 #endif

@@ -47,11 +47,14 @@ enum class ShapeKind
   Soup,    ///< `Detail` triangles anywhere in the box.
   Lines,   ///< `Detail` segments anywhere in the box.
   Points,  ///< `Detail` vertices anywhere in the box.
+  Book,    ///< `Detail` leaves round an upright spine that they share, wound by turns.
+  Strip,   ///< A triangle strip of 2 x `Detail` triangles, heights anywhere in the box.
+  Stack,   ///< `Detail` level quads above each other.
   Empty,   ///< No points at all.
   NaNPoint ///< A box with a coordinate that is no number, or infinite for an odd `Seed`.
 };
 NBUFFER_FUZZ_NAMES(ShapeKind, "Box", "Sphere", "Quad", "Grating", "Lattice", "Terrain", "Soup",
-  "Lines", "Points", "Empty", "NaNPoint");
+  "Lines", "Points", "Book", "Strip", "Stack", "Empty", "NaNPoint");
 
 struct Shape
 {
@@ -150,6 +153,7 @@ struct Prop
   std::vector<double> ClippingPlane; ///< Empty, or origin and normal.
   bool ShiftCoordinates = true;      ///< Large coordinates are moved on their way to the device.
   double OffsetUnits = 0.0;          ///< Relative polygon offset, where such offsets are on.
+  bool Casts = true;                 ///< Has the key of Shadows::CasterKeys.
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit)
@@ -185,6 +189,7 @@ struct Prop
     visit("clipping_plane", self.ClippingPlane);
     visit("shift_coordinates", self.ShiftCoordinates);
     visit("offset_units", self.OffsetUnits);
+    visit("casts", self.Casts);
   }
 };
 
@@ -254,13 +259,27 @@ enum class ChangeKind
   CullerRoundSize,
   CullerPresent, ///< In the renderers' lists of cullers or not.
   PolygonOffset, ///< VTK's global switch.
-  Select         ///< A hardware selection of the whole window between two frames.
+  Select,        ///< A hardware selection of the whole window between two frames.
+  Casts,
+  BlockVisible,  ///< Of the second block of a composite prop.
+  LightPosition, ///< Of light `Target`; 3 values.
+  LightFocalPoint,
+  LightCone,
+  LightOn,
+  LightCasts,
+  LightAttenuation, ///< ShadowAttenuation.
+  ShadowMode,       ///< A value of the enumeration of that name, as all below of Shadows' members.
+  LitmapResolution,
+  SlabGap,
+  CasterKeys
 };
 NBUFFER_FUZZ_NAMES(ChangeKind, "Position", "Orientation", "Scale", "UserMatrix", "Color", "Opacity",
   "Visible", "Representation", "LineWidth", "Edges", "MovePoints", "ReplaceData", "ClippingPlane",
   "Rejoin", "WindowSize", "MultiSamples", "Stereo", "NewContext", "Viewport", "Pass", "FXAA",
   "SSAO", "CullerEnabled", "CullerBackend", "CullerBaseFactor", "CullerRoundSize", "CullerPresent",
-  "PolygonOffset", "Select");
+  "PolygonOffset", "Select", "Casts", "BlockVisible", "LightPosition", "LightFocalPoint",
+  "LightCone", "LightOn", "LightCasts", "LightAttenuation", "ShadowMode", "LitmapResolution",
+  "SlabGap", "CasterKeys");
 
 /// Done before the frame is drawn, in the order of the list.
 struct Change
@@ -293,12 +312,14 @@ enum class PassKind
   DualDepthPeeling,
   SSAO,
   FXAA,
-  Framebuffer, ///< One that the culler does not know.
-  Sobel        ///< One that the culler does not know.
+  Framebuffer,            ///< One that the culler does not know.
+  Sobel,                  ///< One that the culler does not know.
+  ShadowVolumes,          ///< vtkShadowVolumeClampPass as the pass of the renderer.
+  ShadowVolumesInSequence ///< In the place of the opaque pass of OpaqueTranslucent.
 };
 NBUFFER_FUZZ_NAMES(PassKind, "None", "RenderSteps", "OpaqueTranslucent", "OpaqueTwice",
   "TranslucentFirst", "Default", "DepthPeeling", "DualDepthPeeling", "SSAO", "FXAA", "Framebuffer",
-  "Sobel");
+  "Sobel", "ShadowVolumes", "ShadowVolumesInSequence");
 
 struct Renderer
 {
@@ -402,6 +423,79 @@ struct Culler
   }
 };
 
+//------------------------------------------------------------------------------------------------
+enum class LightKind
+{
+  Directional,
+  Spot,
+  Point,
+  Headlight,
+  Camera ///< A directional light that moves with the camera; in its coordinates.
+};
+NBUFFER_FUZZ_NAMES(LightKind, "Directional", "Spot", "Point", "Headlight", "Camera");
+
+/// Every renderer has one of its own of each.
+struct Light
+{
+  LightKind Kind = LightKind::Directional;
+  Vector3 Position = { 3.0, 8.0, 5.0 };
+  Vector3 FocalPoint = { 0.0, 0.0, 0.0 };
+  double ConeAngle = 40.0; ///< Of spots.
+  double Exponent = 0.0;   ///< Of spots.
+  Vector3 Attenuation = { 1.0, 0.0, 0.0 };
+  Vector3 Color = { 1.0, 1.0, 1.0 };
+  double Intensity = 0.7;
+  bool On = true;
+  bool Casts = true; ///< vtkShadowVolumeClampPass::SetLightCasts
+  double ShadowAttenuation = 1.0;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& visit)
+  {
+    visit("kind", self.Kind);
+    visit("position", self.Position);
+    visit("focal_point", self.FocalPoint);
+    visit("cone_angle", self.ConeAngle);
+    visit("exponent", self.Exponent);
+    visit("attenuation", self.Attenuation);
+    visit("color", self.Color);
+    visit("intensity", self.Intensity);
+    visit("on", self.On);
+    visit("casts", self.Casts);
+    visit("shadow_attenuation", self.ShadowAttenuation);
+  }
+};
+
+enum class ShadowMode
+{
+  Unclamped,
+  Exact,
+  Clamped
+};
+NBUFFER_FUZZ_NAMES(ShadowMode, "Unclamped", "Exact", "Clamped");
+
+/// Properties of vtkShadowVolumeClampPass of the same names, and how it is used.
+struct Shadows
+{
+  ShadowMode Mode = ShadowMode::Exact;
+  int LitmapResolution = 256;
+  int SlabGap = 4;
+  bool CasterKeys = false;  ///< Only props with Prop::Casts cast.
+  bool OneForAll = false;   ///< Renderers share one pass object.
+  bool CompareRays = false; ///< One frame is compared with rays in double precision, too.
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& visit)
+  {
+    visit("mode", self.Mode);
+    visit("litmap_resolution", self.LitmapResolution);
+    visit("slab_gap", self.SlabGap);
+    visit("caster_keys", self.CasterKeys);
+    visit("one_for_all", self.OneForAll);
+    visit("compare_rays", self.CompareRays);
+  }
+};
+
 struct Scenario
 {
   std::uint64_t Seed = 0;
@@ -410,7 +504,9 @@ struct Scenario
   NBufferFuzz::Window Window;
   std::vector<NBufferFuzz::Renderer> Renderers = std::vector<NBufferFuzz::Renderer>(1);
   NBufferFuzz::Culler Culler;
-  std::vector<NBufferFuzz::Prop> Props; ///< In the order in which they join the renderers.
+  NBufferFuzz::Shadows Shadows;
+  std::vector<NBufferFuzz::Light> Lights; ///< None: VTK's own headlight.
+  std::vector<NBufferFuzz::Prop> Props;   ///< In the order in which they join the renderers.
   std::vector<NBufferFuzz::View> Views;
   std::vector<NBufferFuzz::Change> Changes;
 
@@ -423,6 +519,8 @@ struct Scenario
     visit("window", self.Window);
     visit("renderers", self.Renderers);
     visit("culler", self.Culler);
+    visit("shadows", self.Shadows);
+    visit("lights", self.Lights);
     visit("props", self.Props);
     visit("views", self.Views);
     visit("changes", self.Changes);

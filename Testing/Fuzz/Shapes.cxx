@@ -67,6 +67,10 @@ public:
     {
       data->SetPolys(this->Polygons);
     }
+    if (this->Strips->GetNumberOfCells() > 0)
+    {
+      data->SetStrips(this->Strips);
+    }
     if (this->Lines->GetNumberOfCells() > 0)
     {
       data->SetLines(this->Lines);
@@ -84,6 +88,7 @@ public:
 
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Polygons;
+  vtkNew<vtkCellArray> Strips;
   vtkNew<vtkCellArray> Lines;
   vtkNew<vtkCellArray> Verts;
 
@@ -183,6 +188,54 @@ void AddLattice(Builder& builder, const Shape& shape, int detail, NBufferExample
   }
 }
 
+void AddBook(Builder& builder, int leaves)
+{
+  const vtkIdType bottom = builder.Point(0.0, -0.5, 0.0);
+  const vtkIdType top = builder.Point(0.0, 0.5, 0.0);
+  for (int i = 0; i < leaves; ++i)
+  {
+    const double angle = 2.0 * vtkMath::Pi() * i / leaves;
+    const double x = 0.5 * std::cos(angle);
+    const double z = 0.5 * std::sin(angle);
+    const vtkIdType low = builder.Point(x, -0.5, z);
+    const vtkIdType high = builder.Point(x, 0.5, z);
+    if (i % 2)
+    {
+      builder.Polygon({ bottom, low, high, top });
+    }
+    else
+    {
+      builder.Polygon({ bottom, top, high, low });
+    }
+  }
+}
+
+void AddStack(Builder& builder, int sheets)
+{
+  for (int i = 0; i < sheets; ++i)
+  {
+    const double y = (i + 0.5) / sheets - 0.5;
+    const vtkIdType first = builder.Point(-0.5, y, -0.5);
+    builder.Point(-0.5, y, 0.5);
+    builder.Point(0.5, y, 0.5);
+    builder.Point(0.5, y, -0.5);
+    builder.Polygon({ first, first + 1, first + 2, first + 3 });
+  }
+}
+
+void AddStrip(Builder& builder, int detail, NBufferExamples::Random& random)
+{
+  builder.Strips->InsertNextCell(2 * (detail + 1));
+  for (int i = 0; i <= detail; ++i)
+  {
+    for (double y : { -0.5, 0.5 })
+    {
+      builder.Strips->InsertCellPoint(
+        builder.Point(static_cast<double>(i) / detail - 0.5, y, random.Between(-0.5, 0.5)));
+    }
+  }
+}
+
 void AddCells(Builder& builder, const Shape& shape, int detail)
 {
   NBufferExamples::Random random(static_cast<std::uint64_t>(shape.Seed) + 1);
@@ -227,6 +280,15 @@ void AddCells(Builder& builder, const Shape& shape, int detail)
       {
         builder.Verts->InsertNextCell({ builder.AnyPoint(random) });
       }
+      break;
+    case ShapeKind::Book:
+      AddBook(builder, detail);
+      break;
+    case ShapeKind::Strip:
+      AddStrip(builder, detail, random);
+      break;
+    case ShapeKind::Stack:
+      AddStack(builder, detail);
       break;
     case ShapeKind::Empty:
       break;

@@ -9,6 +9,11 @@ the old text must be there exactly once.
 PROJECTION = "vtkNBufferProjection.cxx"
 VIEW = "vtkNBufferView.cxx"
 CANDIDATE = "vtkNBufferCandidate.cxx"
+CASTER = "vtkShadowCaster.cxx"
+FRAME_KEY = "vtkShadowFrameKey.cxx"
+MASK_MAKER = "vtkShadowMaskMaker.cxx"
+PLAN = "vtkShadowPlan.cxx"
+VOLUME = "vtkShadowVolume.cxx"
 
 NO_VERTEX_SLACK = (PROJECTION, "VertexErrors = 8.0;", "VertexErrors = 0.0;")
 NO_DEPTH_SLACK = [
@@ -43,13 +48,13 @@ MUTANTS = {
         ("vtkNBufferMath.cxx", "texels.X1 = GetBaseSize(pixels.X1, factor);",
          "texels.X1 = std::max(pixels.X1 / factor, texels.X0 + 1);")],
     "squares of a level side by side with a gap": [
-        ("vtkNBufferLevels.cxx", "const int step = 1 << (i - 1);", "const int step = 1 << i;")],
+        ("vtkNBufferLevelBuilder.h", "width, height, 1 << (i - 1),", "width, height, 1 << i,")],
     "one of the four lookups left out": [
-        ("vtkNBufferLevels.h", "for (int i = 1; i < cover.Count; ++i)",
+        ("vtkNBufferMath.h", "for (int i = 1; i < cover.Count; ++i)",
          "for (int i = 1; i < cover.Count - 1; ++i)")],
     "the last level not built": [
-        ("vtkNBufferLevels.cxx", "for (int i = first; i < levels; ++i)",
-         "for (int i = first; i < levels - 1; ++i)")],
+        ("vtkNBufferLevelBuilder.h", "for (int i = first; i < end; ++i)",
+         "for (int i = first; i < end - 1; ++i)")],
     "the last column of a cut base texel left out": [
         ("vtkNBufferLevels.cxx", "for (int x = whole * factor + 1; x < width; ++x)",
          "for (int x = whole * factor + 1; x < width - 1; ++x)")],
@@ -106,6 +111,81 @@ MUTANTS = {
     "passes do not reach what is held back": [
         ("vtkNBufferForwardedKeys.cxx",
          "if (!from || (passes->Length(from) == 0 && !from->Has(depthMask)))", "if (to)")],
+}
+
+# Found in scenes with shadow volumes.
+SHADOW_MUTANTS = {
+    # Litmaps, boxes and slabs.
+    "litmap query without the lexels at the border": [
+        ("vtkShadowLitmap.cxx",
+         "this->P.GetCell(p1 + guardP) + 1, this->Q.GetCell(q1 + guardQ) + 1 };",
+         "this->P.GetCell(p1), this->Q.GetCell(q1) };")],
+    "slab padding removed": [
+        ("vtkShadowReceivers.cxx",
+         "DepthError(2.0 * view.DepthQuantum + DepthRounding * (1.0 + GetCornerDistance(view)))",
+         "DepthError(0.0 * GetCornerDistance(view))"),
+        ("vtkShadowReceivers.cxx", "a[2] -= sign * rounding;", ""),
+        ("vtkShadowReceivers.cxx", "b[2] += sign * rounding;", "(void)sign;")],
+    "box of pixels one column short": [
+        (PLAN, "draw.Box[2] = extent->X1 - extent->X0;",
+         "draw.Box[2] = extent->X1 - extent->X0 - 1;")],
+    "slabs that begin at the caster end with the first of them": [
+        (PLAN, "slabs.back().Far = far;", "slabs.back().Far = std::min(far, slabs.back().Far);")],
+    "receivers beside the caster count as before it": [
+        (PLAN, "this->Faces.empty() && extent.Far < footprint.Near)",
+         "this->Faces.empty() && extent.Far < footprint.Far)")],
+    "casters through the light's plane as others": [
+        (PLAN,
+         "return this->Frame.IsPositional() && !(footprint.Near > Margin * "
+         "std::abs(footprint.Far));",
+         "return this->Frame.IsPositional() && footprint.Far < -1e300;")],
+    "half the cone": [
+        (PLAN, "vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;",
+         "0.5 * vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;")],
+    "a face around a point light left out": [
+        (MASK_MAKER, "for (int i = 0; i < 6; ++i)", "for (int i = 0; i < 5; ++i)")],
+
+    # Volumes and counting.
+    "z-pass where the piece crosses the near plane": [
+        (PLAN, "if (!(sum > Margin * terms))", "if (!(terms >= sum * sum - sum * sum))")],
+    "far cap of a clamped piece missing": [
+        (VOLUME, "this->AddFan(silhouette, farImage, Side::Far);", "")],
+    "near cap missing": [
+        (VOLUME,
+         "this->AddTriangles(silhouette, nearImage, Side::Near);\n\n  if (light.IsPositional())",
+         "if (light.IsPositional())")],
+    "multiplicity of edges left out": [
+        ("vtkShadowSilhouette.cxx", "this->Edges.push_back({ edge.A, edge.B, left });",
+         "this->Edges.push_back({ edge.A, edge.B, 1 });")],
+    "components inside out taken for others": [
+        ("vtkShadowSilhouette.cxx",
+         "(facing > 0) != insideOut[topology.GetComponents()[t]]", "(facing > 0)")],
+    "stencil overflow not parted": [
+        (MASK_MAKER,
+         "const bool allAtOnce = plan.IsCountBelow(vtkShadowCaster::MaximumCount);",
+         "const bool allAtOnce = true;")],
+    "the inside of closed casters not seen": [
+        (CASTER, "|| this->Meets(nearBounds)", "")],
+    "masks of pixels where nothing is seen": [
+        ("vtkShadowCounter.cxx", "glDepthFunc(GL_GREATER);", "glDepthFunc(GL_ALWAYS);")],
+    "clipping planes ignored": [
+        (CASTER, "if (!planes.empty())", "if (planes.size() > 9)")],
+
+    # From frame to frame.
+    "stale silhouettes after a change of matrix or mesh": [
+        (CASTER, "this->Slots.clear();", "")],
+    "stale silhouettes of a light that moved": [
+        (CASTER, "!(cached.Light == light) ||", "")],
+    "frame key without lights": [
+        (FRAME_KEY, "this->Lights == other.Lights &&", "")],
+    "frame key without the camera": [
+        (FRAME_KEY, "this->WorldToClip == other.WorldToClip &&", "")],
+    "frame key without props": [
+        (FRAME_KEY, "this->PropsVersion == other.PropsVersion &&", "")],
+    "keys of casters not looked at again": [
+        ("vtkShadowCasterList.cxx", "casts != member.Casts ||", "")],
+    "shaders kept when lights change": [
+        ("vtkShadowVolumeClampPass.cxx", "this->ShaderTime.Modified();", "")],
 }
 
 # These leave an error in so few frames that ten times as many are granted: other tolerances cover

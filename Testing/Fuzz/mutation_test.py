@@ -69,12 +69,13 @@ def build_fuzzer(build, jobs):
         sys.exit(f"does not compile:\n{result.stdout[-4000:]}")
 
 
-def run_fuzzer(build, frames, seed, output):
+def run_fuzzer(build, frames, seed, output, shadows):
     """Frames until the first failure, or None, and what failed."""
     counts = output / "counts.json"
     counts.unlink(missing_ok=True)
     result = subprocess.run(
         [build / "bin" / "nbuffer-fuzz", "--frames", str(frames), "--seed", str(seed),
+         "--shadows", "1" if shadows else "0",
          "--max-failures", "1", "--no-shrink", "--json", counts, "--output", output],
         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
     if result.returncode == 125:
@@ -116,13 +117,15 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--only", default="", help="only errors whose name holds this")
+    parser.add_argument("--shadows", action="store_true", help="only errors in shadow volumes")
     parser.add_argument("--equivalent", action="store_true",
                         help="the changes that are no errors, which must not be found")
     parser.add_argument("--check-texts", action="store_true",
                         help="only whether every old text is there once; builds nothing")
     arguments = parser.parse_args()
 
-    everything = {**mutants.MUTANTS, **mutants.RARE, **mutants.EQUIVALENT}
+    everything = {**mutants.MUTANTS, **mutants.SHADOW_MUTANTS, **mutants.RARE,
+                  **mutants.EQUIVALENT}
     faults = list(check_texts(everything))
     if faults or arguments.check_texts:
         print("\n".join(faults) or f"{len(everything)} changes fit the sources")
@@ -131,7 +134,8 @@ def main():
         parser.error("--build and --scratch are needed")
 
     chosen = (mutants.EQUIVALENT if arguments.equivalent
-              else {**mutants.MUTANTS, **mutants.RARE})
+              else mutants.SHADOW_MUTANTS if arguments.shadows
+              else {**mutants.MUTANTS, **mutants.SHADOW_MUTANTS, **mutants.RARE})
     chosen = {name: list_ for name, list_ in chosen.items() if arguments.only in name}
     scratch = arguments.scratch.resolve()
     source, build, output = scratch / "source", scratch / "build", scratch / "output"
@@ -139,10 +143,12 @@ def main():
     copy_sources(source)
     configure(source, build, arguments.build.resolve())
     build_fuzzer(build, arguments.jobs)
-    frames, text = run_fuzzer(build, arguments.frames, arguments.seed, output)
-    if frames is not None:
-        sys.exit(f"the unchanged module fails after {frames} frames: {text}")
-    print(f"unchanged: no failure in {arguments.frames} frames, seed {arguments.seed}", flush=True)
+    for shadows in {name in mutants.SHADOW_MUTANTS for name in chosen}:
+        frames, text = run_fuzzer(build, arguments.frames, arguments.seed, output, shadows)
+        if frames is not None:
+            sys.exit(f"the unchanged module fails after {frames} frames: {text}")
+        print(f"unchanged: no failure in {arguments.frames} frames"
+              f"{' with shadows' if shadows else ''}, seed {arguments.seed}", flush=True)
 
     wrong = []
     for name, replacements in chosen.items():
@@ -150,7 +156,8 @@ def main():
         try:
             build_fuzzer(build, arguments.jobs)
             limit = arguments.frames * (10 if name in mutants.RARE else 1)
-            frames, text = run_fuzzer(build, limit, arguments.seed, output)
+            frames, text = run_fuzzer(build, limit, arguments.seed, output,
+                                      name in mutants.SHADOW_MUTANTS)
         finally:
             for path, original in originals.items():
                 path.write_text(original)

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Random scenes, cameras, windows, passes and changes: every frame with the culler has to be the
-// frame without it.
+// frame without it. Some cast shadows: those have to be the shadows of a pass without litmaps and
+// caches.
 #include "Checker.h"
 #include "Generator.h"
+#include "Messages.h"
 #include "ScenarioJson.h"
 #include "Shrinker.h"
 
@@ -37,6 +39,7 @@ struct Options
   std::uint64_t Seed = 0;
   int MaximumFailures = 3;
   bool Shrink = true;
+  double Shadows = 0.3;
   std::string JsonFile;
   std::string ReplayFile;
   std::string ScenarioFile;
@@ -52,6 +55,14 @@ std::uint64_t Mix(std::uint64_t seed, std::uint64_t n)
   sequence.generate(words, words + 2);
   // JSON readers of other languages keep 53 bits.
   return (static_cast<std::uint64_t>(words[0]) << 32 | words[1]) >> 11;
+}
+
+/// What a scenario seed stands for is the same in every run with the same share.
+ScenarioKind ChooseKind(std::uint64_t scenarioSeed, double shareOfShadows)
+{
+  constexpr std::uint64_t parts = 1000;
+  return static_cast<double>(scenarioSeed % parts) < shareOfShadows * parts ? ScenarioKind::Shadows
+                                                                            : ScenarioKind::Culling;
 }
 
 enum class Blame
@@ -123,7 +134,7 @@ public:
     {
       const std::uint64_t seed =
         Mix(this->Settings.Seed, static_cast<std::uint64_t>(this->Counts.Scenarios));
-      Scenario scenario = MakeScenario(seed);
+      Scenario scenario = MakeScenario(seed, ChooseKind(seed, this->Settings.Shadows));
       if (this->Settings.Frames > 0)
       {
         scenario.Frames = static_cast<int>(
@@ -199,6 +210,14 @@ private:
     json["hidden"] = Json::Int64(t.Hidden);
     json["redrawn"] = Json::Int64(t.Redrawn);
     json["frames_with_hidden"] = Json::Int64(t.FramesWithHidden);
+    json["shadow_frames"] = Json::Int64(t.ShadowFrames);
+    json["shadow_samples"] = Json::Int64(t.Shadows.Samples);
+    json["shadow_samples_shadowed"] = Json::Int64(t.Shadows.Shadowed);
+    json["shadow_samples_flipped_by_clamping"] = Json::Int64(t.Shadows.ClampedFlips);
+    json["shadow_rays"] = Json::Int64(t.Shadows.Rays);
+    json["shadow_rays_ambiguous"] = Json::Int64(t.Shadows.RaysAmbiguous);
+    json["shadow_decisions"] = ToJson(t.ShadowDecisions);
+    json["shadow_verdicts"] = ToJson(t.ShadowVerdicts);
     json["seconds"] = this->GetSeconds();
     json["decisions"] = ToJson(t.Decisions);
     json["verdicts"] = ToJson(t.Verdicts);
@@ -221,8 +240,9 @@ private:
   long long FirstFailure = -1;
 };
 
-int Replay(const std::string& fileName)
+int Replay(const Options& options)
 {
+  const std::string& fileName = options.ReplayFile;
   const Scenario scenario = FromJson(ReadJson(fileName));
   const Outcome outcome = Checker().Run(scenario, true);
   if (!outcome.HasFailed())
@@ -235,6 +255,10 @@ int Replay(const std::string& fileName)
   if (FindBlame(scenario) == Blame::Elsewhere)
   {
     std::cout << "  (it differs without the culler, too)" << std::endl;
+  }
+  if (!options.ScenarioFile.empty())
+  {
+    WriteJson(options.ScenarioFile, MakeSmall(scenario, options));
   }
   return Failed;
 }
@@ -251,6 +275,8 @@ int main(int argc, char* argv[])
   app.add_option("--seed", options.Seed, "Of all that is random; any if not given");
   app.add_option("--max-failures", options.MaximumFailures, "Stop after so many")
     ->check(CLI::PositiveNumber);
+  app.add_option("--shadows", options.Shadows, "Share of scenarios with shadow volumes")
+    ->check(CLI::Range(0.0, 1.0));
   app.add_flag("!--no-shrink", options.Shrink, "Write failing scenarios as they are");
   app.add_option("--json", options.JsonFile, "Write what was counted");
   app.add_option("--output", options.Output, "Folder for scenarios that fail")
@@ -258,7 +284,8 @@ int main(int argc, char* argv[])
   app.add_option("--replay", options.ReplayFile, "Run one scenario of a file instead")
     ->check(CLI::ExistingFile);
   app.add_option("--write-scenario", options.ScenarioFile,
-    "Write the scenario of the seed of a scenario, and run nothing");
+    "Write the scenario of the seed of a scenario, and run nothing; with --replay, write what "
+    "shrinking leaves of one that fails");
   CLI11_PARSE(app, argc, argv);
 #ifndef _WIN32
   // In windows as small as these, waking Mesa's rasteriser threads takes longer than drawing.
@@ -268,12 +295,13 @@ int main(int argc, char* argv[])
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   try
   {
-    if (!options.ScenarioFile.empty())
+    if (!options.ScenarioFile.empty() && options.ReplayFile.empty())
     {
-      WriteJson(options.ScenarioFile, NBufferFuzz::ToJson(MakeScenario(options.Seed)));
+      const ScenarioKind kind = ChooseKind(options.Seed, options.Shadows);
+      WriteJson(options.ScenarioFile, NBufferFuzz::ToJson(MakeScenario(options.Seed, kind)));
       return Success;
     }
-    const std::string fault = FindFault();
+    const std::string fault = FindWindowFault();
     if (!fault.empty())
     {
       std::cout << "SKIPPED: " << fault << std::endl;
@@ -281,7 +309,7 @@ int main(int argc, char* argv[])
     }
     if (!options.ReplayFile.empty())
     {
-      return Replay(options.ReplayFile);
+      return Replay(options);
     }
     if (options.Frames == 0 && options.Seconds == 0.0)
     {

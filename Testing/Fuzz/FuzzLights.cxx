@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FuzzLights.h"
+
+#include "FuzzPasses.h"
+#include "FuzzProps.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+
+#include <algorithm>
+
+namespace NBufferFuzz
+{
+namespace
+{
+vtkInformationIntegerKey* GetCasterKey()
+{
+  static vtkInformationIntegerKey* key =
+    vtkInformationIntegerKey::MakeKey("CASTS", "NBufferFuzz::Lights");
+  return key;
+}
+
+Vector3 GetVector(const Change& change)
+{
+  return { GetValue(change, 0), GetValue(change, 1), GetValue(change, 2) };
+}
+
+void SetUp(vtkLight* light, const Light& description)
+{
+  switch (description.Kind)
+  {
+    case LightKind::Headlight:
+      light->SetLightTypeToHeadlight();
+      break;
+    case LightKind::Camera:
+      light->SetLightTypeToCameraLight();
+      break;
+    default:
+      light->SetLightTypeToSceneLight();
+      break;
+  }
+  const bool spot = description.Kind == LightKind::Spot;
+  light->SetPositional(spot || description.Kind == LightKind::Point);
+  light->SetConeAngle(spot ? description.ConeAngle : 180.0);
+  light->SetExponent(description.Exponent);
+  light->SetPosition(description.Position.data());
+  light->SetFocalPoint(description.FocalPoint.data());
+  light->SetAttenuationValues(description.Attenuation.data());
+  light->SetColor(description.Color.data());
+  light->SetIntensity(description.Intensity);
+  light->SetSwitch(description.On);
+  light->SetShadowAttenuation(static_cast<float>(description.ShadowAttenuation));
+}
+}
+
+void Lights::SetCasts(vtkProp* prop, bool casts)
+{
+  vtkSmartPointer<vtkInformation> keys = prop->GetPropertyKeys();
+  if (!keys)
+  {
+    keys = vtkSmartPointer<vtkInformation>::New();
+    prop->SetPropertyKeys(keys);
+  }
+  if (casts)
+  {
+    keys->Set(GetCasterKey(), 1);
+  }
+  else
+  {
+    keys->Remove(GetCasterKey());
+  }
+}
+
+void Lights::Begin(
+  const Scenario& scenario, const std::vector<vtkSmartPointer<vtkRenderer>>& renderers)
+{
+  this->Settings = scenario.Shadows;
+  this->Descriptions = scenario.Lights;
+  for (std::size_t i = 0; i < renderers.size(); ++i)
+  {
+    Place place;
+    place.Renderer = renderers[i];
+    this->AddLights(place);
+    this->Places.push_back(place);
+    this->SetPassKind(static_cast<int>(i), scenario.Renderers[i].Pass);
+  }
+}
+
+void Lights::End()
+{
+  this->Places.clear();
+}
+
+void Lights::AddLights(Place& place) const
+{
+  place.Renderer->SetAutomaticLightCreation(this->Descriptions.empty());
+  for (const Light& description : this->Descriptions)
+  {
+    auto light = vtkSmartPointer<vtkLight>::New();
+    NBufferFuzz::SetUp(light, description);
+    place.Renderer->AddLight(light);
+    place.Lights.push_back(light);
+  }
+}
+
+void Lights::SetUp(vtkShadowVolumeClampPass* pass, ShadowMode mode) const
+{
+  pass->SetMode(static_cast<int>(mode));
+  pass->SetLitmapResolution(this->Settings.LitmapResolution);
+  pass->SetSlabGap(this->Settings.SlabGap);
+  if (this->Settings.CasterKeys != (pass->GetCasterKeys() != nullptr))
+  {
+    vtkNew<vtkInformation> keys;
+    keys->Set(GetCasterKey(), 1);
+    pass->SetCasterKeys(this->Settings.CasterKeys ? keys.Get() : nullptr);
+  }
+  for (const Place& place : this->Places)
+  {
+    for (std::size_t i = 0; i < place.Lights.size(); ++i)
+    {
+      pass->SetLightCasts(place.Lights[i], this->Descriptions[i].Casts);
+    }
+  }
+}
+
+void Lights::SetPassKind(int renderer, PassKind kind)
+{
+  Place& place = this->Places[renderer];
+  place.Kind = kind;
+  place.Lasting = nullptr;
+  place.Outermost = nullptr;
+  place.Used = nullptr;
+  if (!HasShadowVolumes(kind))
+  {
+    place.Renderer->SetPass(MakePass(kind));
+  }
+}
+
+bool Lights::HasShadows() const
+{
+  return std::any_of(this->Places.begin(), this->Places.end(),
+    [](const Place& place) { return HasShadowVolumes(place.Kind); });
+}
+
+void Lights::UsePasses(ShadowPasses which)
+{
+  const auto getLasting = [this](Place& place)
+  {
+    if (!place.Lasting && this->Settings.OneForAll)
+    {
+      const auto other = std::find_if(this->Places.begin(), this->Places.end(),
+        [](const Place& candidate) { return candidate.Lasting != nullptr; });
+      place.Lasting = other == this->Places.end() ? nullptr : other->Lasting;
+    }
+    if (!place.Lasting)
+    {
+      place.Lasting = vtkSmartPointer<vtkShadowVolumeClampPass>::New();
+    }
+    if (!place.Outermost)
+    {
+      place.Outermost = MakePass(place.Kind, place.Lasting);
+    }
+    this->SetUp(place.Lasting, this->Settings.Mode);
+    return place.Outermost;
+  };
+  for (Place& place : this->Places)
+  {
+    // Renderers share shader programs. VTK takes a program for up to date that another renderer's
+    // lights have been given to since these have changed.
+    for (std::size_t i = 0; this->Places.size() > 1 && i < place.Lights.size(); ++i)
+    {
+      place.Lights[i]->Modified();
+    }
+    if (!HasShadowVolumes(place.Kind))
+    {
+      continue;
+    }
+    vtkRenderPass* old = place.Renderer->GetPass();
+    vtkSmartPointer<vtkRenderPass> pass;
+    place.Used = nullptr;
+    if (which == ShadowPasses::Lasting)
+    {
+      pass = getLasting(place);
+      place.Used = place.Lasting;
+    }
+    else if (which == ShadowPasses::Absent)
+    {
+      pass = MakePass(place.Kind);
+    }
+    else
+    {
+      place.Used = vtkSmartPointer<vtkShadowVolumeClampPass>::New();
+      this->SetUp(
+        place.Used, which == ShadowPasses::Fresh ? this->Settings.Mode : ShadowMode::Unclamped);
+      pass = MakePass(place.Kind, place.Used);
+    }
+    if (old && old != pass)
+    {
+      old->ReleaseGraphicsResources(place.Renderer->GetRenderWindow());
+    }
+    place.Renderer->SetPass(pass);
+  }
+}
+
+bool Lights::Apply(const Change& change)
+{
+  const double value = GetValue(change, 0);
+  switch (change.Kind)
+  {
+    case ChangeKind::ShadowMode:
+      this->Settings.Mode = static_cast<ShadowMode>(std::clamp(static_cast<int>(value), 0, 2));
+      return true;
+    case ChangeKind::LitmapResolution:
+      this->Settings.LitmapResolution = static_cast<int>(value);
+      return true;
+    case ChangeKind::SlabGap:
+      this->Settings.SlabGap = static_cast<int>(value);
+      return true;
+    case ChangeKind::CasterKeys:
+      this->Settings.CasterKeys = value != 0.0;
+      return true;
+    case ChangeKind::LightPosition:
+    case ChangeKind::LightFocalPoint:
+    case ChangeKind::LightCone:
+    case ChangeKind::LightOn:
+    case ChangeKind::LightCasts:
+    case ChangeKind::LightAttenuation:
+      break;
+    default:
+      return false;
+  }
+  if (change.Target < 0 || change.Target >= this->GetNumberOfLights())
+  {
+    return true;
+  }
+  Light& description = this->Descriptions[change.Target];
+  switch (change.Kind)
+  {
+    case ChangeKind::LightPosition:
+      description.Position = GetVector(change);
+      break;
+    case ChangeKind::LightFocalPoint:
+      description.FocalPoint = GetVector(change);
+      break;
+    case ChangeKind::LightCone:
+      description.ConeAngle = value;
+      break;
+    case ChangeKind::LightOn:
+      description.On = value != 0.0;
+      break;
+    case ChangeKind::LightCasts:
+      description.Casts = value != 0.0;
+      break;
+    default:
+      description.ShadowAttenuation = value;
+      break;
+  }
+  for (Place& place : this->Places)
+  {
+    NBufferFuzz::SetUp(place.Lights[change.Target], description);
+  }
+  return true;
+}
+}

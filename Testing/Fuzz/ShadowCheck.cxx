@@ -1,0 +1,339 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShadowCheck.h"
+
+#include "RayOracle.h"
+#include "StatisticsCheck.h"
+
+#include "vtkCamera.h"
+#include "vtkFloatArray.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace NBufferFuzz
+{
+namespace
+{
+/// Where single precision may see a sample on the other side of the cone. In radians.
+constexpr double ConeMargin = 2e-4;
+
+bool Casts(const Stage& stage, int number)
+{
+  vtkLight* light = stage.GetLights().GetLight(0, number);
+  return light->GetSwitch() && !light->LightTypeIsHeadlight() && light->GetIntensity() > 0.0 &&
+    stage.GetLights().GetPass(0)->GetLightCasts(light);
+}
+
+/// Surely in the cone, if there is one.
+bool IsReached(const OracleLight& light, const double point[3])
+{
+  if (light.ConeCosine <= -1.0)
+  {
+    return true;
+  }
+  double ray[3];
+  vtkMath::Subtract(point, light.Position, ray);
+  const double cosine = vtkMath::Dot(ray, light.Direction) / vtkMath::Norm(ray);
+  return std::acos(std::clamp(cosine, -1.0, 1.0)) < std::acos(light.ConeCosine) - ConeMargin;
+}
+
+/// From pixels and depth in [0, 1] to the world.
+class Unprojection
+{
+public:
+  Unprojection(vtkRenderer* renderer, int width, int height)
+    : Width(width)
+    , Height(height)
+  {
+    vtkCamera* camera = renderer->GetActiveCamera();
+    vtkNew<vtkMatrix4x4> matrix;
+    vtkMatrix4x4::Multiply4x4(
+      camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0),
+      camera->GetModelViewTransformMatrix(), matrix);
+    vtkMatrix4x4::Invert(matrix, this->ClipToWorld);
+  }
+
+  void Apply(int x, int y, double depth, double world[3]) const
+  {
+    double clip[4] = { (2.0 * x + 1.0) / this->Width - 1.0, (2.0 * y + 1.0) / this->Height - 1.0,
+      2.0 * depth - 1.0, 1.0 };
+    this->ClipToWorld->MultiplyPoint(clip, clip);
+    for (int i = 0; i < 3; ++i)
+    {
+      world[i] = clip[i] / clip[3];
+    }
+  }
+
+private:
+  int Width;
+  int Height;
+  vtkNew<vtkMatrix4x4> ClipToWorld;
+};
+
+/// Whether the 3 x 3 pixels around a pixel have both values.
+bool IsAtShadowEdge(const ShadowFrame& frame, const std::vector<unsigned char>& mask, int x, int y)
+{
+  const unsigned char value = mask[static_cast<std::size_t>(y) * frame.Width + x];
+  for (int j = std::max(y - 1, 0); j <= std::min(y + 1, frame.Height - 1); ++j)
+  {
+    for (int i = std::max(x - 1, 0); i <= std::min(x + 1, frame.Width - 1); ++i)
+    {
+      if (mask[static_cast<std::size_t>(j) * frame.Width + i] != value)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Whether the 3 x 3 pixels around a pixel lie in no plane, or beyond the image. Depth is linear in
+/// the image over each plane.
+bool IsAtSurfaceEdge(const ShadowFrame& frame, int x, int y)
+{
+  constexpr float rounding = 1e-6f;
+  const auto getDepth = [&frame](int i, int j)
+  { return frame.Depth[static_cast<std::size_t>(j) * frame.Width + i]; };
+  if (x == 0 || y == 0 || x == frame.Width - 1 || y == frame.Height - 1)
+  {
+    return true;
+  }
+  for (const auto& [i, j] :
+    { std::make_pair(1, 0), std::make_pair(0, 1), std::make_pair(1, 1), std::make_pair(1, -1) })
+  {
+    const float bend = getDepth(x - i, y - j) - 2.0f * getDepth(x, y) + getDepth(x + i, y + j);
+    if (std::abs(bend) > rounding)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::string SayWhere(const char* what, int light, long long count, long long first, int width)
+{
+  std::ostringstream text;
+  text << what << " in " << count << " samples of light " << light << ", first in ("
+       << first % width << ", " << first / width << ")\n";
+  return text.str();
+}
+}
+
+bool HasReadableReceivers(const Stage& stage)
+{
+  vtkRenderWindow* window = stage.GetWindow();
+  const bool onlySurfaces = std::none_of(stage.GetMembers().begin(), stage.GetMembers().end(),
+    [](const Stage::Member& member)
+    {
+      const PropKind kind = member.Description->Kind;
+      return kind == PropKind::Text || kind == PropKind::Billboard || kind == PropKind::Volume;
+    });
+  return onlySurfaces && stage.GetNumberOfRenderers() == 1 && stage.GetLights().GetPass(0) &&
+    window->GetMultiSamples() <= 1 && !window->GetStereoRender();
+}
+
+ShadowFrame CaptureShadows(const Stage& stage)
+{
+  ShadowFrame frame;
+  vtkRenderer* renderer = stage.GetRenderer(0);
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&frame.Width, &frame.Height, &origin[0], &origin[1]);
+  const std::size_t count = static_cast<std::size_t>(frame.Width) * frame.Height;
+  vtkNew<vtkFloatArray> depth;
+  stage.GetWindow()->GetZbufferData(
+    origin[0], origin[1], origin[0] + frame.Width - 1, origin[1] + frame.Height - 1, depth);
+  stage.GetWindow()->MakeCurrent();
+  const bool readable = depth->GetNumberOfValues() == static_cast<vtkIdType>(count);
+  frame.Depth.assign(count, 1.0f);
+  std::copy_n(depth->GetPointer(0), readable ? count : 0, frame.Depth.begin());
+  const Unprojection unprojection(renderer, frame.Width, frame.Height);
+  for (int light = 0; light < stage.GetLights().GetNumberOfLights(); ++light)
+  {
+    const OracleLight geometry(stage.GetLights().GetLight(0, light));
+    std::vector<unsigned char> receivers(count, 0);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const float value = frame.Depth[i];
+      if (value < 1.0f)
+      {
+        double world[3];
+        unprojection.Apply(
+          static_cast<int>(i % frame.Width), static_cast<int>(i / frame.Width), value, world);
+        receivers[i] = IsReached(geometry, world);
+      }
+    }
+    frame.Receivers.push_back(std::move(receivers));
+    int size[2];
+    std::vector<unsigned char> mask =
+      stage.GetLights().GetPass(0)->GetMask(stage.GetLights().GetLight(0, light), size[0], size[1]);
+    if (mask.size() != count)
+    {
+      mask.assign(count, 0);
+    }
+    frame.Masks.push_back(std::move(mask));
+  }
+  return frame;
+}
+
+long long GetClampedFlips(long long receiversAtEdges)
+{
+  return 4 + receiversAtEdges / 50;
+}
+
+std::string CompareMasks(
+  const ShadowFrame& expected, const ShadowFrame& tested, ShadowMode mode, ShadowTally& tally)
+{
+  if (expected.Width != tested.Width || expected.Height != tested.Height)
+  {
+    return "The masks have different sizes.\n";
+  }
+  std::string failure;
+  for (std::size_t light = 0; light < expected.Masks.size(); ++light)
+  {
+    const std::vector<unsigned char>& mask = expected.Masks[light];
+    long long wrong = 0;
+    long long first = -1;
+    long long flips = 0;
+    long long edges = 0;
+    for (std::size_t i = 0; i < mask.size(); ++i)
+    {
+      if (!expected.Receivers[light][i])
+      {
+        continue;
+      }
+      ++tally.Samples;
+      tally.Shadowed += mask[i] != 0;
+      const int x = static_cast<int>(i % expected.Width);
+      const int y = static_cast<int>(i / expected.Width);
+      const bool clamped = mode == ShadowMode::Clamped;
+      const bool atEdge = clamped && IsAtShadowEdge(expected, mask, x, y);
+      edges += atEdge;
+      if (tested.Masks[light][i] == mask[i])
+      {
+        continue;
+      }
+      if (atEdge || (clamped && IsAtSurfaceEdge(expected, x, y)))
+      {
+        ++flips;
+        continue;
+      }
+      ++wrong;
+      first = first < 0 ? static_cast<long long>(i) : first;
+    }
+    tally.ClampedFlips += flips;
+    if (wrong > 0)
+    {
+      failure += SayWhere(mode == ShadowMode::Clamped ? "The clamped mask differs away from edges"
+                                                      : "The mask differs",
+        static_cast<int>(light), wrong, first, expected.Width);
+    }
+    if (flips > GetClampedFlips(edges))
+    {
+      failure += "The clamped mask differs at edges in " + std::to_string(flips) + " of " +
+        std::to_string(edges) + " samples of light " + std::to_string(light) + "\n";
+    }
+  }
+  return failure;
+}
+
+std::string CompareWithRays(const Stage& stage, const ShadowFrame& frame, ShadowTally& tally)
+{
+  vtkInformation* keys = stage.GetLights().GetPass(0)->GetCasterKeys();
+  const Oracle oracle(
+    stage.GetRenderer(0), [keys](vtkProp* prop) { return !keys || prop->HasKeys(keys); });
+  std::string failure;
+  for (int light = 0; light < stage.GetLights().GetNumberOfLights(); ++light)
+  {
+    if (!Casts(stage, light))
+    {
+      continue;
+    }
+    const OracleImage expected = oracle.Cast(OracleLight(stage.GetLights().GetLight(0, light)));
+    long long wrong = 0;
+    long long first = -1;
+    for (std::size_t i = 0; i < expected.Samples.size(); ++i)
+    {
+      const OracleSample sample = expected.Samples[i];
+      if (sample != OracleSample::Lit && sample != OracleSample::Shadowed)
+      {
+        continue;
+      }
+      ++tally.Rays;
+      if ((sample == OracleSample::Shadowed) == (frame.Masks[light][i] != 0))
+      {
+        continue;
+      }
+      if (expected.Ambiguous[i])
+      {
+        ++tally.RaysAmbiguous;
+        continue;
+      }
+      ++wrong;
+      first = first < 0 ? static_cast<long long>(i) : first;
+    }
+    if (wrong > 0)
+    {
+      failure += SayWhere("The mask contradicts rays", light, wrong, first, frame.Width);
+    }
+  }
+  return failure;
+}
+
+std::string CheckShadowStatistics(const Stage& stage)
+{
+  std::string failure;
+  for (int i = 0; i < stage.GetNumberOfRenderers(); ++i)
+  {
+    vtkShadowVolumeClampPass* pass = stage.GetLights().GetPass(i);
+    if (!pass)
+    {
+      continue;
+    }
+    const vtkShadowStatistics& statistics = pass->GetStatistics();
+    std::string fault = FindInconsistency(statistics);
+    if (statistics.Decision == vtkShadowDecision::Failed)
+    {
+      fault += "The pass failed\n";
+    }
+    if (!fault.empty())
+    {
+      failure += fault + statistics.GetAsJSON() + "\n";
+    }
+  }
+  return failure;
+}
+
+std::string GetShadowStatistics(const Stage& stage)
+{
+  std::string text;
+  for (int i = 0; i < stage.GetNumberOfRenderers(); ++i)
+  {
+    if (vtkShadowVolumeClampPass* pass = stage.GetLights().GetPass(i))
+    {
+      text += pass->GetStatistics().GetAsJSON() + "\n";
+    }
+  }
+  return text;
+}
+
+std::string CompareShadowStatistics(const Stage& expected, const Stage& tested)
+{
+  // A pass has the statistics of the renderer that it drew last.
+  vtkShadowVolumeClampPass* passes[2] = { expected.GetLights().GetPass(0),
+    tested.GetLights().GetPass(0) };
+  if (expected.GetNumberOfRenderers() > 1 || !passes[0] || !passes[1])
+  {
+    return "";
+  }
+  const vtkShadowStatistics& a = passes[0]->GetStatistics();
+  const vtkShadowStatistics& b = passes[1]->GetStatistics();
+  return a.Lights == b.Lights && a.Casters == b.Casters && a.Skipped == b.Skipped
+    ? ""
+    : "Lights or casters differ:\n" + a.GetAsJSON() + "\n" + b.GetAsJSON() + "\n";
+}
+}

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ShadowCheck.h
+ * @brief Masks of shadows against each other and against rays in double precision.
+ */
+#ifndef ShadowCheck_h
+#define ShadowCheck_h
+
+#include "FuzzStage.h"
+
+#include <string>
+#include <vector>
+
+namespace NBufferFuzz
+{
+/// Sums over frames.
+struct ShadowTally
+{
+  long long Samples = 0;       ///< Receivers whose masks were compared, for each light.
+  long long Shadowed = 0;      ///< Of these, in shadow.
+  long long ClampedFlips = 0;  ///< Samples at edges in which Clamped differs from Unclamped.
+  long long Rays = 0;          ///< Samples compared with rays.
+  long long RaysAmbiguous = 0; ///< Of these, ambiguous ones that differ.
+};
+
+/// What the light of one renderer falls on, and where it does not.
+struct ShadowFrame
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<float> Depth; ///< Of each pixel, row by row, the lowest first.
+  /// For each light and pixel, row by row, the lowest first: not 0 if something opaque is seen
+  /// there that the light can reach.
+  std::vector<std::vector<unsigned char>> Receivers;
+  std::vector<std::vector<unsigned char>> Masks; ///< All 0 for lights that threw no shadow.
+};
+
+/// Whether the depth in the window is that of the one renderer, sample by sample.
+bool HasReadableReceivers(const Stage& stage);
+
+/// After a frame with shadows, of a stage with HasReadableReceivers().
+ShadowFrame CaptureShadows(const Stage& stage);
+
+/**
+ * What is wrong with the masks of `tested`; "" if nothing is. Exact: receivers have the same mask.
+ * Clamped: they may differ at edges, in GetClampedFlips(receivers at shadows' edges) samples. At an
+ * edge the 3 x 3 pixels around a sample have both values in `expected` (the edge of a shadow) or do
+ * not lie in a plane (the edge of a surface, from behind which an edge of a shadow may come).
+ */
+std::string CompareMasks(
+  const ShadowFrame& expected, const ShadowFrame& tested, ShadowMode mode, ShadowTally& tally);
+long long GetClampedFlips(long long receiversAtEdges);
+
+/// What is wrong with the masks by rays of the scene as it is.
+std::string CompareWithRays(const Stage& stage, const ShadowFrame& frame, ShadowTally& tally);
+
+/// Contradictions in the statistics of a stage's passes, and failures.
+std::string CheckShadowStatistics(const Stage& stage);
+
+/// A line of JSON for each renderer that has such a pass.
+std::string GetShadowStatistics(const Stage& stage);
+
+/// What statistics of different passes over the same frame have to share.
+std::string CompareShadowStatistics(const Stage& expected, const Stage& tested);
+}
+
+#endif
