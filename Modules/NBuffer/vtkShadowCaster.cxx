@@ -168,32 +168,42 @@ bool vtkShadowCaster::Update(
   return true;
 }
 
+bool vtkShadowCaster::Meets(const double bounds[6]) const
+{
+  const double* b = this->Bounds;
+  return bounds[1] >= b[0] && bounds[0] <= b[1] && bounds[3] >= b[2] && bounds[2] <= b[3] &&
+    bounds[5] >= b[4] && bounds[4] <= b[5];
+}
+
 bool vtkShadowCaster::IsAround(const vtkShadowLight& light) const
 {
   const double* x = light.Position;
-  const double* b = this->Bounds;
-  return light.IsPositional() && x[0] >= b[0] && x[0] <= b[1] && x[1] >= b[2] && x[1] <= b[3] &&
-    x[2] >= b[4] && x[2] <= b[5];
+  const double point[6] = { x[0], x[0], x[1], x[1], x[2], x[2] };
+  return light.IsPositional() && this->Meets(point);
 }
 
-const std::vector<vtkShadowCaster::Part>& vtkShadowCaster::GetParts(
-  std::size_t slot, const vtkShadowLight& light, const vtkShadowFrame& frame, int& built)
+const std::vector<vtkShadowCaster::Part>& vtkShadowCaster::GetParts(std::size_t slot,
+  const vtkShadowLight& light, const vtkShadowFrame& frame, const double nearBounds[6], int& built)
 {
   if (slot >= this->Slots.size())
   {
     this->Slots.resize(slot + 1);
   }
   Slot& cached = this->Slots[slot];
-  if (!cached.Valid || !(cached.Light == light))
+  // A light in the bounds may be inside the caster, where no triangle faces it; and where the
+  // inside is seen, it is in shadow.
+  const vtkShadowCounting counting = this->IsAround(light) || this->Meets(nearBounds)
+    ? vtkShadowCounting::All
+    : vtkShadowCounting::Away;
+  if (!cached.Valid || !(cached.Light == light) || cached.Counting != counting)
   {
     cached.Parts.clear();
     cached.Light = light;
+    cached.Counting = counting;
     cached.Valid = true;
     Part whole;
     whole.Topology = this->Topology;
-    // A light in the bounds may be inside the caster, where no triangle faces it.
-    this->AddPart(cached, std::move(whole), frame,
-      this->IsAround(light) ? vtkShadowCounting::All : vtkShadowCounting::Away);
+    this->AddPart(cached, std::move(whole), frame, counting);
     ++built;
   }
   return cached.Parts;

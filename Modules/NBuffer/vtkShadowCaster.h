@@ -62,11 +62,12 @@ public:
   int GetNumberOfTriangles() const { return this->Topology->GetNumberOfTriangles(); }
 
   /**
-   * The parts for a light, usually one. `slot` names the light: 0, 1, 2, ... `built` is raised by
-   * the number of silhouettes that were not cached.
+   * The parts for a light, usually one. `slot` names the light: 0, 1, 2, ... `nearBounds` are those
+   * of the near plane's rectangle: the inside of a caster that it meets may be seen. `built` is
+   * raised by the number of silhouettes that were not cached.
    */
-  const std::vector<Part>& GetParts(
-    std::size_t slot, const vtkShadowLight& light, const vtkShadowFrame& frame, int& built);
+  const std::vector<Part>& GetParts(std::size_t slot, const vtkShadowLight& light,
+    const vtkShadowFrame& frame, const double nearBounds[6], int& built);
 
   static const double* GetPoints(const vtkShadowCaster& caster, const Part& part)
   {
@@ -77,10 +78,12 @@ private:
   struct Slot
   {
     vtkShadowLight Light;
+    vtkShadowCounting Counting = vtkShadowCounting::All;
     bool Valid = false;
     std::vector<Part> Parts;
   };
 
+  bool Meets(const double bounds[6]) const;
   bool IsAround(const vtkShadowLight& light) const;
   void AddPart(
     Slot& slot, Part part, const vtkShadowFrame& frame, vtkShadowCounting counting) const;

@@ -286,9 +286,17 @@ bool vtkShadowCounter::Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTar
   glScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
   glStencilFunc(GL_NOTEQUAL, 0, 0xff);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  // At the far plane, behind everything that was drawn.
+  double range[2];
+  glGetDoublev(GL_DEPTH_RANGE, range);
+  glDepthRange(1.0, 1.0);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GREATER);
   glColorMaski(0, channel == 0, channel == 1, channel == 2, channel == 3);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDisable(GL_DEPTH_TEST);
+  glDepthRange(range[0], range[1]);
   ++this->Draws;
   return vtkNBufferGL::CheckErrors("Making a shadow mask", why);
 }

@@ -55,6 +55,25 @@ struct vtkShadowMaskMaker::Camera
     {
       this->Plan.NearPlane[i] = this->EyeToClip[8 + i] + this->EyeToClip[12 + i];
     }
+    this->SetNearBounds();
+  }
+
+  void SetNearBounds()
+  {
+    double clipToEye[16];
+    vtkMatrix4x4::Invert(this->EyeToClip, clipToEye);
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      double x[4] = { corner % 2 ? 1.0 : -1.0, corner / 2 ? 1.0 : -1.0, -1.0, 1.0 };
+      vtkMatrix4x4::MultiplyPoint(clipToEye, x, x);
+      for (int i = 0; i < 3; ++i)
+      {
+        const double place = this->Eye[i] + x[i] / x[3];
+        double* bounds = this->NearBounds + 2 * i;
+        bounds[0] = corner == 0 ? place : std::min(bounds[0], place);
+        bounds[1] = corner == 0 ? place : std::max(bounds[1], place);
+      }
+    }
   }
 
   vtkShadowView GetView() const
@@ -69,6 +88,7 @@ struct vtkShadowMaskMaker::Camera
 
   double Eye[3];
   double EyeToClip[16];
+  double NearBounds[6]; ///< World, of the near plane's rectangle.
   vtkShadowPlan::View Plan;
 };
 
@@ -231,7 +251,7 @@ bool vtkShadowMaskMaker::Shade(vtkOpenGLRenderWindow* window, const vtkShadowLig
   for (vtkShadowCaster* caster : this->Casters.GetCasters())
   {
     for (const vtkShadowCaster::Part& part :
-      caster->GetParts(slot, geometry, frame, statistics.Silhouettes))
+      caster->GetParts(slot, geometry, frame, camera.NearBounds, statistics.Silhouettes))
     {
       const vtkShadowVerdict verdict =
         plan.Add(part.Silhouette, vtkShadowCaster::GetPoints(*caster, part),

@@ -11,8 +11,9 @@
  *    caster): a shadow begins where the light would leave the caster. Inside of it nothing is seen,
  *    and on its lit surface, where a cap of the volume would lie in the surface itself, there is no
  *    cap;
- *  - with a light inside the caster, or an open or badly wound mesh, all triangles count, each
- *    turned towards the light (2 beyond a convex caster).
+ *  - with a light inside the caster, where its inside is seen (the near plane cuts it), or of an
+ *    open or badly wound mesh, all triangles count, each turned towards the light (2 beyond a convex
+ *    caster).
  *
  * Both agree on what is in shadow outside of the caster and on its lit surface.
  *

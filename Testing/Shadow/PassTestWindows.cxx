@@ -7,11 +7,15 @@
 
 #include "vtkNBufferCuller.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkNew.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkSphereSource.h"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <utility>
@@ -134,6 +138,69 @@ TEST_F(PassWindows, MultiSamplesOnAndOff)
     stage.Window->SetMultiSamples(samples);
     ExpectMatchesOracle(stage, pass);
     EXPECT_GT(ExpectComposedOfDimmed(stage, pass), 100);
+  }
+}
+
+// At the edges of surfaces a pixel may have covered samples without anything being seen at its
+// centre: what the volumes count there, where Exact leaves out casters, is in no mask.
+TEST_F(PassWindows, MultiSamplesBesideReceivers)
+{
+  const ShadowStage stage = MakeStage("ManyLights");
+  stage.Renderer->GetActiveCamera()->Zoom(0.3);
+  stage.Window->SetMultiSamples(4);
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  pass->SetMode(vtkShadowVolumeClampPass::Unclamped);
+  stage.Window->Render();
+  const ShadowImage expected = GetImage(stage.Window);
+  std::vector<ShadowMask> masks;
+  for (vtkLight* light : stage.Lights)
+  {
+    masks.push_back(GetMask(pass, light, CountPixels(stage.Renderer)));
+  }
+  pass->SetMode(vtkShadowVolumeClampPass::Exact);
+  stage.Window->Render();
+  EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
+  const OracleImage seen = Cast(stage.Renderer, stage.Lights[0]);
+  EXPECT_GT(seen.Count(OracleSample::Background), 1000);
+  for (std::size_t i = 0; i < masks.size(); ++i)
+  {
+    EXPECT_EQ(
+      std::count(masks[i].begin(), masks[i].end(), 255) > 0, pass->GetLightCasts(stage.Lights[i]));
+    for (std::size_t k = 0; k < masks[i].size(); ++k)
+    {
+      ASSERT_FALSE(seen.Samples[k] == OracleSample::Background && !seen.Ambiguous[k] && masks[i][k])
+        << "light " << i << ", sample " << k;
+    }
+  }
+}
+
+// From inside a closed caster its own inside is seen, which is in shadow; and it may be seen
+// through what the near plane cuts away.
+TEST_F(PassWindows, CameraInsideAClosedCaster)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(3.0);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  const ShadowStage stage = MakeStage("Directional");
+  stage.Renderer->AddActor(actor);
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  vtkCamera* camera = stage.Renderer->GetActiveCamera();
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  for (const auto& [distance, nearest] :
+    std::initializer_list<std::pair<double, double>>{ { 1.0, 0.1 }, { 5.0, 3.0 }, { 5.0, 0.1 } })
+  {
+    camera->SetPosition(distance, 0.1 * distance, 0.2 * distance);
+    camera->SetClippingRange(nearest, 100.0);
+    for (int mode = vtkShadowVolumeClampPass::Unclamped; mode <= vtkShadowVolumeClampPass::Clamped;
+         ++mode)
+    {
+      SCOPED_TRACE("mode " + std::to_string(mode) + ", distance " + std::to_string(distance));
+      pass->SetMode(mode);
+      ExpectMatchesOracle(stage, pass);
+    }
   }
 }
 
