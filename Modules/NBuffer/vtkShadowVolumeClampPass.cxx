@@ -298,10 +298,12 @@ bool vtkShadowVolumeClampPass::MakeMasks(const vtkRenderState* s,
   {
     return false;
   }
+  // With the masks of the last frame bound: their samplers must not share a unit with textures of
+  // another kind (buffers of edges or cell data), or OpenGL draws nothing.
   self.TextureUnits.assign(self.Masks.GetTarget().GetNumberOfMasks(), 0);
   {
     const vtkShadowTimers::Scope timed(self.Masks.Timers, vtkShadowStage::Depth);
-    self.Opaque->Render(s);
+    this->DrawOpaque(s);
   }
   static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
     ->GetState()

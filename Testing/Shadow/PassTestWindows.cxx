@@ -9,11 +9,15 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCellData.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkNew.h"
+#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkSphereSource.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
@@ -201,6 +205,38 @@ TEST_F(PassWindows, CameraInsideAClosedCaster)
       pass->SetMode(mode);
       ExpectMatchesOracle(stage, pass);
     }
+  }
+}
+
+// Edges (before VTK 9.2) and cell colours come out of buffer textures, whose samplers must not
+// share a unit with those of the masks.
+TEST_F(PassWindows, BufferTextures)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(0.8);
+  sphere->Update();
+  vtkPolyData* data = sphere->GetOutput();
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    colors->InsertNextTuple3(255.0, static_cast<double>(i % 256), 0.0);
+  }
+  data->GetCellData()->SetScalars(colors);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->EdgeVisibilityOn();
+  const ShadowStage stage = MakeStage("Directional");
+  stage.Renderer->AddActor(actor);
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    SCOPED_TRACE("frame " + std::to_string(frame));
+    stage.Renderer->GetActiveCamera()->Azimuth(5.0);
+    ExpectMatchesOracle(stage, pass);
+    EXPECT_GT(pass->GetStatistics().Receivers, 1000);
   }
 }
 
