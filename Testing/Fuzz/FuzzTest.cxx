@@ -282,6 +282,7 @@ ShadowFrame MakeFrame(const std::vector<unsigned char>& mask, int width)
   frame.Height = static_cast<int>(mask.size()) / width;
   frame.Depth.assign(mask.size(), 0.5f);
   frame.Receivers.emplace_back(mask.size(), static_cast<unsigned char>(1));
+  frame.Facing.emplace_back(mask.size(), static_cast<unsigned char>(1));
   frame.Masks.push_back(mask);
   return frame;
 }
@@ -312,10 +313,14 @@ TEST(FuzzShadows, MasksMayDifferAtEdgesOnly)
     mask[i] = i % width < 4 ? 255 : 0;
   }
   const ShadowFrame expected = MakeFrame(mask, width);
+  // Three samples above each other: more than may differ away from edges.
   const auto compare = [&expected](std::size_t flipped, ShadowMode mode)
   {
     ShadowFrame tested = expected;
-    tested.Masks[0][flipped] = static_cast<unsigned char>(~tested.Masks[0][flipped]);
+    for (std::size_t i : { flipped, flipped + width, flipped + 2 * width })
+    {
+      tested.Masks[0][i] = static_cast<unsigned char>(~tested.Masks[0][i]);
+    }
     ShadowTally tally;
     const std::string failure = CompareMasks(expected, tested, mode, tally);
     EXPECT_EQ(tally.Samples, width * width);

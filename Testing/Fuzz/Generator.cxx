@@ -427,6 +427,8 @@ void MoveFarAway(Writer& writer)
   const Vector3 origin = { offset, 0.9 * offset, writer.Any({ 0.0, 0.0, 0.8 }) * offset };
   const bool inMatrix = writer.Chance(0.3);
   const bool shift = writer.Chance(0.3);
+  // Rays are cast at double coordinates.
+  scene.Shadows.CompareRays = scene.Shadows.CompareRays && shift;
   const auto place = [&](Vector3& point, bool absolute)
   {
     for (int i = 0; i < 3; ++i)

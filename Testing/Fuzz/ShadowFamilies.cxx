@@ -250,7 +250,9 @@ void ChangeShadows(Writer& writer, int frame)
   }
 }
 
-/// Whether every pixel shows what rays are cast at: plain surfaces as their triangles are.
+/// Whether every pixel shows what rays are cast at: plain surfaces as their triangles are. Closed
+/// meshes without a volume are left out: where their faces coincide their shadow begins in the lit
+/// face itself.
 bool IsPlain(const Scenario& scene)
 {
   const bool plainProps = std::all_of(scene.Props.begin(), scene.Props.end(),
@@ -259,10 +261,12 @@ bool IsPlain(const Scenario& scene)
       return (prop.Kind == PropKind::Actor || prop.Kind == PropKind::Piped ||
                prop.Kind == PropKind::Composite) &&
         prop.Shape.Kind != ShapeKind::Lines && prop.Shape.Kind != ShapeKind::Points &&
-        prop.Shape.Kind != ShapeKind::NaNPoint && prop.Representation == Representation::Surface &&
-        !prop.Edges && !prop.Vertices && prop.Shader == Shader::Original && prop.CulledFaces == 0 &&
-        prop.OffsetUnits == 0.0 && prop.Opacity == 1.0 && !prop.ForceTranslucent &&
-        prop.Texture != Translucency::Some && prop.Scalars != Translucency::Some;
+        prop.Shape.Kind != ShapeKind::NaNPoint &&
+        *std::min_element(prop.Shape.Size.begin(), prop.Shape.Size.end()) > 0.0 &&
+        prop.Representation == Representation::Surface && !prop.Edges && !prop.Vertices &&
+        prop.Shader == Shader::Original && prop.CulledFaces == 0 && prop.OffsetUnits == 0.0 &&
+        prop.Opacity == 1.0 && !prop.ForceTranslucent && prop.Texture != Translucency::Some &&
+        prop.Scalars != Translucency::Some;
     });
   const bool plainChanges = std::all_of(scene.Changes.begin(), scene.Changes.end(),
     [](const Change& change)
@@ -299,6 +303,15 @@ void AddShadows(Writer& writer)
   for (int i = 0; i < lights; ++i)
   {
     scene.Lights.push_back(MakeLight(writer, middle));
+  }
+  // With multisampling a pixel's mask is that of its centre: where the surface there is beside the
+  // cone, Exact says nothing of what the other samples show.
+  const bool multiSampled = scene.Window.MultiSamples > 1 ||
+    std::any_of(scene.Changes.begin(), scene.Changes.end(),
+      [](const Change& change) { return change.Kind == ChangeKind::MultiSamples; });
+  for (Light& light : scene.Lights)
+  {
+    light.Kind = multiSampled && light.Kind == LightKind::Spot ? LightKind::Point : light.Kind;
   }
   Shadows& shadows = scene.Shadows;
   shadows.Mode = writer.Any({ ShadowMode::Exact, ShadowMode::Exact, ShadowMode::Clamped });
