@@ -275,7 +275,7 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
     return;
   }
   self.Lights = lights;
-  this->DrawOpaque(s);
+  this->DrawOpaque(s, vtkShadowStage::Color);
   this->PostRender(s);
   this->ShowDebugView(window, statistics);
   self.Key = key;
@@ -301,10 +301,7 @@ bool vtkShadowVolumeClampPass::MakeMasks(const vtkRenderState* s,
   // With the masks of the last frame bound: their samplers must not share a unit with textures of
   // another kind (buffers of edges or cell data), or OpenGL draws nothing.
   self.TextureUnits.assign(self.Masks.GetTarget().GetNumberOfMasks(), 0);
-  {
-    const vtkShadowTimers::Scope timed(self.Masks.Timers, vtkShadowStage::Depth);
-    this->DrawOpaque(s);
-  }
+  this->DrawOpaque(s, vtkShadowStage::Depth);
   static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
     ->GetState()
     ->PopFramebufferBindings();
@@ -320,7 +317,7 @@ bool vtkShadowVolumeClampPass::MakeMasks(const vtkRenderState* s,
   return self.Masks.Make(renderer, lights, settings, statistics);
 }
 
-void vtkShadowVolumeClampPass::DrawOpaque(const vtkRenderState* s)
+void vtkShadowVolumeClampPass::DrawOpaque(const vtkRenderState* s, vtkShadowStage stage)
 {
   Internals& self = *this->Implementation;
   const vtkShadowTarget& target = self.Masks.GetTarget();
@@ -330,7 +327,7 @@ void vtkShadowVolumeClampPass::DrawOpaque(const vtkRenderState* s)
     self.TextureUnits[i] = target.GetMask(i)->GetTextureUnit();
   }
   {
-    const vtkShadowTimers::Scope timed(self.Masks.Timers, vtkShadowStage::Color);
+    const vtkShadowTimers::Scope timed(self.Masks.Timers, stage);
     self.Opaque->Render(s);
   }
   this->NumberOfRenderedProps = self.Opaque->GetNumberOfRenderedProps();

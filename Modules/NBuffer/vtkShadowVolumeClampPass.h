@@ -249,7 +249,7 @@ private:
   void RenderOpaque(const vtkRenderState* s);
   bool MakeMasks(const vtkRenderState* s, const std::vector<vtkShadowLightSource>& lights,
     vtkShadowStatistics& statistics);
-  void DrawOpaque(const vtkRenderState* s);
+  void DrawOpaque(const vtkRenderState* s, vtkShadowStage stage);
   void ShowDebugView(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics);
   void Warn(const std::string& what);
 
