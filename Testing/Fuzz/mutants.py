@@ -151,9 +151,6 @@ SHADOW_MUTANTS = {
     "multiplicity of edges left out": [
         ("vtkShadowSilhouette.cxx", "this->Edges.push_back({ edge.A, edge.B, left });",
          "this->Edges.push_back({ edge.A, edge.B, 1 });")],
-    "components inside out taken for others": [
-        ("vtkShadowSilhouette.cxx",
-         "(facing > 0) != insideOut[topology.GetComponents()[t]]", "(facing > 0)")],
     "stencil overflow not parted": [
         (MASK_MAKER,
          "const bool allAtOnce = plan.IsCountBelow(vtkShadowCaster::MaximumCount);",
