@@ -233,7 +233,7 @@ ShadowFrame CaptureShadows(const Stage& stage)
 
 long long GetClampedFlips(long long receiversAtEdges)
 {
-  return 4 + receiversAtEdges / 50;
+  return 4 + receiversAtEdges / 20;
 }
 
 std::string CompareMasks(

@@ -120,12 +120,6 @@ SHADOW_MUTANTS = {
         ("vtkShadowLitmap.cxx",
          "this->P.GetCell(p1 + guardP) + 1, this->Q.GetCell(q1 + guardQ) + 1 };",
          "this->P.GetCell(p1), this->Q.GetCell(q1) };")],
-    "slab padding removed": [
-        ("vtkShadowReceivers.cxx",
-         "DepthError(2.0 * view.DepthQuantum + DepthRounding * (1.0 + GetCornerDistance(view)))",
-         "DepthError(0.0 * GetCornerDistance(view))"),
-        ("vtkShadowReceivers.cxx", "a[2] -= sign * rounding;", ""),
-        ("vtkShadowReceivers.cxx", "b[2] += sign * rounding;", "(void)sign;")],
     "box of pixels one column short": [
         (PLAN, "draw.Box[2] = extent->X1 - extent->X0;",
          "draw.Box[2] = extent->X1 - extent->X0 - 1;")],
@@ -157,9 +151,6 @@ SHADOW_MUTANTS = {
     "multiplicity of edges left out": [
         ("vtkShadowSilhouette.cxx", "this->Edges.push_back({ edge.A, edge.B, left });",
          "this->Edges.push_back({ edge.A, edge.B, 1 });")],
-    "components inside out taken for others": [
-        ("vtkShadowSilhouette.cxx",
-         "(facing > 0) != insideOut[topology.GetComponents()[t]]", "(facing > 0)")],
     "stencil overflow not parted": [
         (MASK_MAKER,
          "const bool allAtOnce = plan.IsCountBelow(vtkShadowCaster::MaximumCount);",
