@@ -158,6 +158,23 @@ double DrawnPolygon::GetRounding(
     (height > 0.0 ? 8.0 * U * this->Largest * range / height : 0.0);
 }
 
+double DrawnPolygon::GetThickness() const
+{
+  double area = 0.0;
+  double longest = 0.0;
+  for (std::size_t i = 1; i < this->Corners.size(); ++i)
+  {
+    const WindowCorner& a = this->Corners[i - 1];
+    const WindowCorner& b = this->Corners[i];
+    area += GetArea(a, b, this->Corners[0].X, this->Corners[0].Y);
+    for (std::size_t k = 0; k < i; ++k)
+    {
+      longest = std::max(longest, std::hypot(b.X - this->Corners[k].X, b.Y - this->Corners[k].Y));
+    }
+  }
+  return longest > 0.0 ? std::abs(area) / longest : 0.0;
+}
+
 double DrawnPolygon::GetShift() const
 {
   return this->LargestBound / std::hypot(this->Slope[0], this->Slope[1]);

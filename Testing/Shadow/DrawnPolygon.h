@@ -63,6 +63,9 @@ public:
   /// Least and largest y of what is in view, in pixels.
   const std::array<double, 2>& GetBoundsY() const { return this->BoundsY; }
 
+  /// Pixels across, of what is in view: twice its area by its longest diagonal.
+  double GetThickness() const;
+
   /// Pixels that the polygon's plane has to be moved by to change depth by the largest bound.
   double GetShift() const;
 

@@ -145,8 +145,8 @@ TEST_F(PassWindows, MultiSamplesOnAndOff)
   }
 }
 
-// At the edges of surfaces a pixel may have covered samples without anything being seen at its
-// centre: what the volumes count there, where Exact leaves out casters, is in no mask.
+// At the edges of surfaces a pixel may have samples in which nothing is seen: what volumes count
+// there, where Exact leaves out casters, is in no mask.
 TEST_F(PassWindows, MultiSamplesBesideReceivers)
 {
   const ShadowStage stage = MakeStage("ManyLights");
@@ -164,17 +164,11 @@ TEST_F(PassWindows, MultiSamplesBesideReceivers)
   pass->SetMode(vtkShadowVolumeClampPass::Exact);
   stage.Window->Render();
   EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
-  const OracleImage seen = Cast(stage.Renderer, stage.Lights[0]);
-  EXPECT_GT(seen.Count(OracleSample::Background), 1000);
   for (std::size_t i = 0; i < masks.size(); ++i)
   {
     EXPECT_EQ(
       std::count(masks[i].begin(), masks[i].end(), 255) > 0, pass->GetLightCasts(stage.Lights[i]));
-    for (std::size_t k = 0; k < masks[i].size(); ++k)
-    {
-      ASSERT_FALSE(seen.Samples[k] == OracleSample::Background && !seen.Ambiguous[k] && masks[i][k])
-        << "light " << i << ", sample " << k;
-    }
+    EXPECT_TRUE(GetMask(pass, stage.Lights[i], masks[i].size()) == masks[i]) << "light " << i;
   }
 }
 

@@ -108,7 +108,8 @@ void ThinSides::AddSide(
     corners.push_back(DrawnPolygon::Transform(view.EyeToClip, light.Direction, 0.0));
   }
   const DrawnPolygon polygon(corners, DrawnPolygon::Planes::Near, view.Width, view.Height);
-  if (!polygon.IsVisible() || polygon.GetShift() <= GetLeastShift())
+  if (!polygon.IsVisible() || polygon.GetThickness() >= GetLargestThickness() ||
+    polygon.GetShift() <= GetLeastShift())
   {
     return;
   }

@@ -10,8 +10,9 @@
  * cut off at the borders of the view. The depth that a sample in it is given may be off by the
  * bound of DrawnPolygon.h, and the side counts as before or behind a receiver that close to it.
  *
- * Sides whose bound is worth less than GetLeastShift() are left out: the oracle moves samples by
- * more than that anyway.
+ * Only slivers of less than a pixel across count: the bound of wider sides is far above what is
+ * seen of them. Sides whose bound is worth less than GetLeastShift() are left out: the oracle moves
+ * samples by more than that anyway.
  */
 #ifndef ThinSides_h
 #define ThinSides_h
@@ -37,8 +38,11 @@ public:
   ThinSides(const RenderedTriangles& triangles, const std::vector<unsigned char>& casts,
     const OracleLight& light, const View& view);
 
+  ///@{
   /// Pixels, see above.
   static double GetLeastShift() { return 2.0 / 256; }
+  static double GetLargestThickness() { return 1.0; }
+  ///@}
 
   /// Whether a side that covers the middle of pixel (x, y) may be drawn on the other side of a
   /// receiver with this window depth, which is uncertain by `slack` itself.
