@@ -218,15 +218,16 @@ std::string Checker::CheckFrame(const Scenario& scenario, int frame)
   }
   const Drawn tested = Draw(this->Tested, passes, checkState);
   failure += judge(tested, testedMessages);
-  if (!this->IsUndefined)
+  bool strays = false;
+  if (shadows && this->IsJudging)
+  {
+    failure += this->CheckShadows(strays);
+  }
+  if (!this->IsUndefined && !strays)
   {
     failure += this->CompareImages(this->Reference.GetWindow()->GetMultiSamples() <= 1 && !stereo);
   }
   failure += this->CheckStatistics();
-  if (shadows && this->IsJudging)
-  {
-    failure += this->CheckShadows();
-  }
   // The statistics are those of one eye; shadows draw what and as often as they like.
   if (!stereo && !shadows && scenario.Renderers.size() == 1)
   {
@@ -273,14 +274,21 @@ std::string Checker::DrawReferenceShadows(const Scenario& scenario, int frame, c
   return failure;
 }
 
-std::string Checker::CheckShadows()
+std::string Checker::CheckShadows(bool& strays)
 {
   std::string failure =
     CheckShadowStatistics(this->Tested) + CompareShadowStatistics(this->Reference, this->Tested);
   if (this->HasMasks)
   {
-    failure += CompareMasks(this->Unclamped, CaptureShadows(this->Tested),
-      this->Tested.GetLights().GetMode(), this->Shadows);
+    const ShadowFrame tested = CaptureShadows(this->Tested);
+    const ShadowMode mode = this->Tested.GetLights().GetMode();
+    const std::string masks = CompareMasks(this->Unclamped, tested, mode, this->Shadows);
+    const long long count = masks.empty() || mode == ShadowMode::Clamped
+      ? 0
+      : CountStrays(this->Tested, this->Unclamped, tested);
+    this->Shadows.Strays += count;
+    strays = count > 0;
+    failure += strays ? "" : masks;
   }
   return failure;
 }

@@ -84,7 +84,7 @@ private:
   std::string CompareImages(bool compareDepth);
   std::string CheckStatistics();
   std::string DrawReferenceShadows(const Scenario& scenario, int frame, const Judge& judge);
-  std::string CheckShadows();
+  std::string CheckShadows(bool& strays);
   std::string CheckDraws(bool stockCuller);
   void Count(const Scenario& scenario, Tally& tally) const;
   void CountShadows(Tally& tally) const;

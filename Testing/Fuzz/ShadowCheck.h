@@ -21,6 +21,7 @@ struct ShadowTally
   long long Shadowed = 0;     ///< Of these, in shadow.
   long long ClampedFlips = 0; ///< Samples at edges in which Clamped differs from Unclamped.
   long long ClampedFlipsElsewhere = 0;
+  long long Strays = 0;        ///< Samples that Exact has right, by rays, and Unclamped wrong.
   long long Rays = 0;          ///< Samples compared with rays.
   long long RaysAmbiguous = 0; ///< Of these, ambiguous ones that differ.
 };
@@ -57,6 +58,14 @@ std::string CompareMasks(
   const ShadowFrame& expected, const ShadowFrame& tested, ShadowMode mode, ShadowTally& tally);
 long long GetClampedFlips(long long receiversAtEdges);
 constexpr long long MaximumFlipsElsewhere = 2;
+
+/**
+ * The number of receivers in which Exact (`tested`) differs from Unclamped (`expected`), if rays
+ * say for each that Exact is right and there are at most MaximumFlipsElsewhere of a light; else 0.
+ * Rasterisers may draw slivers of whole volumes far off their planes (docs/shadows.md), where Exact
+ * leaves them out.
+ */
+long long CountStrays(const Stage& stage, const ShadowFrame& expected, const ShadowFrame& tested);
 
 /// What is wrong with the masks by rays of the scene as it is.
 std::string CompareWithRays(const Stage& stage, const ShadowFrame& frame, ShadowTally& tally);
