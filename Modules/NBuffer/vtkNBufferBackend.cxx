@@ -3,30 +3,15 @@
 #include "vtkNBufferBackend.h"
 
 #include "vtkNBufferClock.h"
+#include "vtkNBufferGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
 #include VTKNBUFFER_GL_HEADER
 
 #include <algorithm>
-#include <array>
-#include <cstring>
 
 VTK_ABI_NAMESPACE_BEGIN
-namespace
-{
-/// The name of a renderer that runs on the host, or nullptr.
-const char* GetSoftwareRenderer()
-{
-  static const std::array<const char*, 6> names = { "llvmpipe", "softpipe", "swrast",
-    "Software Rasterizer", "SwiftShader", "Microsoft Basic Render" };
-  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const auto found = std::find_if(names.begin(), names.end(),
-    [renderer](const char* name) { return renderer && std::strstr(renderer, name); });
-  return found == names.end() ? nullptr : *found;
-}
-}
-
 vtkNBufferBackend::Kind vtkNBufferBackend::Choose(Kind wanted, vtkOpenGLRenderWindow* window)
 {
   if (wanted != Auto)
@@ -42,7 +27,7 @@ vtkNBufferBackend::Kind vtkNBufferBackend::Choose(Kind wanted, vtkOpenGLRenderWi
   }
   if (this->Chosen == Auto && this->Trial == 0)
   {
-    if (const char* software = GetSoftwareRenderer())
+    if (const char* software = vtkNBufferGL::GetSoftwareRenderer())
     {
       this->Chosen = CPU;
       this->Reason = std::string("software renderer (") + software +

@@ -7,6 +7,10 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
+#include <array>
+#include <cstring>
+
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
@@ -69,6 +73,16 @@ bool HasVersion(int major, int minor)
   glGetIntegerv(GL_MAJOR_VERSION, &foundMajor);
   glGetIntegerv(GL_MINOR_VERSION, &foundMinor);
   return foundMajor > major || (foundMajor == major && foundMinor >= minor);
+}
+
+const char* GetSoftwareRenderer()
+{
+  static const std::array<const char*, 6> names = { "llvmpipe", "softpipe", "swrast",
+    "Software Rasterizer", "SwiftShader", "Microsoft Basic Render" };
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const auto found = std::find_if(names.begin(), names.end(),
+    [renderer](const char* name) { return renderer && std::strstr(renderer, name); });
+  return found == names.end() ? nullptr : *found;
 }
 
 void ClearErrors()

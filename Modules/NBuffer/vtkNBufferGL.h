@@ -25,6 +25,9 @@ namespace vtkNBufferGL
 /// Is the context that is current at least this version?
 bool HasVersion(int major, int minor);
 
+/// The name of the renderer of the current context if it runs on the host, or nullptr.
+const char* GetSoftwareRenderer();
+
 /// Drop errors that others left behind, so that those found later are ours.
 void ClearErrors();
 

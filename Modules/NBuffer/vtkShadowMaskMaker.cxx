@@ -210,6 +210,7 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
   }
   Camera camera(renderer);
   std::copy_n(this->Viewport, 4, camera.Plan.Viewport);
+  camera.Plan.Boxes = this->Target.GetSamples().size() <= 1 || !vtkNBufferGL::GetSoftwareRenderer();
   this->DebugView.Clear();
   if (settings.Mode != vtkShadowMode::Unclamped &&
     settings.LitmapMethod == vtkShadowLitmapMethod::Rerendered &&

@@ -279,7 +279,7 @@ void vtkShadowPlan::AddDraw(const vtkShadowVolume& volume, const Boxes& boxes, v
   const int* viewport = this->Camera.Viewport;
   std::copy_n(viewport, 4, draw.Box);
   // What the stencil begins with has to be taken away again everywhere.
-  if (boxes.empty() || draw.Start != 0)
+  if (boxes.empty() || draw.Start != 0 || !this->Camera.Boxes)
   {
     this->Draws.push_back(draw);
     return;

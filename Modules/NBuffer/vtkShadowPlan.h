@@ -112,6 +112,9 @@ public:
     double Direction[3] = { 0.0, 0.0, -1.0 }; ///< World: where the camera looks.
     bool Parallel = false;
     int Viewport[4] = { 0, 0, 0, 0 }; ///< Of the framebuffer: x, y, width, height.
+    /// Whether the device keeps to boxes of pixels. llvmpipe (Mesa 22.3) draws some of the samples
+    /// of the row below, too, if pixels have several.
+    bool Boxes = true;
   };
 
   /**

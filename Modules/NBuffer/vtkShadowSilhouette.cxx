@@ -117,8 +117,56 @@ void vtkShadowSilhouette::Compute(const vtkShadowTopology& topology, const doubl
     }
   }
 
+  this->Pushes.clear();
+  if (!away)
+  {
+    this->ComputePushes(topology, points, light);
+  }
   const int count = static_cast<int>(this->Triangles.size() / 3);
   this->MaximumCount = topology.IsConvex() ? std::min(count, away ? 1 : 2)
                                            : BoundOverlap(this->Triangles, points, light);
+}
+
+void vtkShadowSilhouette::ComputePushes(
+  const vtkShadowTopology& topology, const double* points, const vtkShadowLight& light)
+{
+  constexpr double alongNormal = 0x1p-18; // of a triangle's longest side
+  constexpr double leastCosine = 0.125;   // what the light grazes is cut by depth anyway
+  this->Pushes.assign(3 * static_cast<std::size_t>(topology.GetNumberOfPoints()), 0.0);
+  for (std::size_t t = 0; t < this->Triangles.size(); t += 3)
+  {
+    const double* corners[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      corners[i] = points + 3 * std::size_t(this->Triangles[t + i]);
+    }
+    double sides[3][3];
+    double longest = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      vtkMath::Subtract(corners[(i + 1) % 3], corners[i], sides[i]);
+      longest = std::max(longest, vtkMath::Norm(sides[i]));
+    }
+    double normal[3];
+    vtkMath::Cross(sides[0], sides[1], normal);
+    vtkMath::Normalize(normal);
+    for (int i = 0; i < 3; ++i)
+    {
+      double ray[3] = { light.Direction[0], light.Direction[1], light.Direction[2] };
+      if (light.IsPositional())
+      {
+        vtkMath::Subtract(corners[i], light.Position, ray);
+        vtkMath::Normalize(ray);
+      }
+      const double length =
+        alongNormal * longest / std::max(std::abs(vtkMath::Dot(normal, ray)), leastCosine);
+      double* push = &this->Pushes[3 * std::size_t(this->Triangles[t + i])];
+      if (length > vtkMath::Norm(push))
+      {
+        vtkMath::MultiplyScalar(ray, length);
+        std::copy_n(ray, 3, push);
+      }
+    }
+  }
 }
 VTK_ABI_NAMESPACE_END

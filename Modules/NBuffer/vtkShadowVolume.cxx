@@ -10,6 +10,18 @@
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// Where the near cap has point i.
+void GetNearPoint(const vtkShadowSilhouette& silhouette, const double* points, int i, double x[3])
+{
+  std::copy_n(points + 3 * i, 3, x);
+  if (!silhouette.GetPushes().empty())
+  {
+    vtkMath::Add(x, &silhouette.GetPushes()[3 * std::size_t(i)], x);
+  }
+}
+}
 
 /// The vertices that stand for merged points on one side of the volume, each made when it is first
 /// asked for.
@@ -53,9 +65,10 @@ void vtkShadowVolume::AddWhole(const vtkShadowSilhouette& silhouette, const doub
 {
   const auto addPoint = [&](int i)
   {
-    double relative[3];
-    vtkMath::Subtract(points + 3 * i, this->Origin, relative);
-    return this->AddVertex(relative, 1.0f);
+    double x[3];
+    GetNearPoint(silhouette, points, i, x);
+    vtkMath::Subtract(x, this->Origin, x);
+    return this->AddVertex(x, 1.0f);
   };
   Image nearImage(numberOfPoints, addPoint);
   this->AddTriangles(silhouette, nearImage, Side::Near);
@@ -90,10 +103,13 @@ void vtkShadowVolume::AddClamped(const vtkShadowSilhouette& silhouette, const do
   const auto addImage = [&](int i, bool extruded, double depth)
   {
     double x[3];
-    std::copy_n(points + 3 * i, 3, x);
     if (extruded)
     {
       frame.Extrude(points + 3 * i, depth, x);
+    }
+    else
+    {
+      GetNearPoint(silhouette, points, i, x);
     }
     vtkMath::Subtract(x, this->Origin, x);
     return this->AddVertex(x, 1.0f);

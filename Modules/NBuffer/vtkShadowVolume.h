@@ -7,7 +7,8 @@
  * The triangles made here bound the set of points P with m(P) > 0 (vtkShadowSilhouette.h) so that,
  * counted with sign along any line from outside, they add up to m(P):
  *
- *  - the near cap is the triangles counted;
+ *  - the near cap is the triangles counted, pushed away from the light by what rounding may do to
+ *    them where they are lit themselves (vtkShadowSilhouette::GetPushes);
  *  - the far cap is the same turned round and moved away from the light;
  *  - the sides join the outlines of both, once for each use of an edge that is left over.
  *
