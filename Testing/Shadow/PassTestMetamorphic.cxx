@@ -16,6 +16,7 @@
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace
@@ -81,12 +82,23 @@ TEST_P(PassMetamorphic, MasksAreKept)
     const std::vector<ShadowMask> masks = GetMasks(stage, changedPass);
     for (std::size_t i = 0; i < expected.size(); ++i)
     {
-      int different = 0;
+      std::vector<std::size_t> differing;
       for (std::size_t k = 0; k < expected[i].size(); ++k)
       {
-        different += IsCompared(oracles[i], k) && expected[i][k] != masks[i][k];
+        if (IsCompared(oracles[i], k) && expected[i][k] != masks[i][k])
+        {
+          differing.push_back(k);
+        }
       }
-      EXPECT_EQ(different, 0) << "light " << i << ", " << changedPass->GetStatistics().GetAsJSON();
+      std::size_t different = 0;
+      if (!differing.empty())
+      {
+        // Parts have outlines, and with that ambiguous samples, of their own.
+        const OracleImage oracle = Cast(stage.Renderer, stage.Lights[i]);
+        different = std::count_if(differing.begin(), differing.end(),
+          [&oracle](std::size_t k) { return IsCompared(oracle, k); });
+      }
+      EXPECT_EQ(different, 0u) << "light " << i << ", " << changedPass->GetStatistics().GetAsJSON();
     }
   }
 }

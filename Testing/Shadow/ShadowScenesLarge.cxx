@@ -140,10 +140,11 @@ void VastGround(vtkRenderer* renderer)
   AddFloor(renderer, 7000.0);
   for (int i = 0; i < 12; ++i)
   {
-    AddBox(renderer, { 60.0 * (i % 4) - 90.0, 300.0 + 80.0 * (i / 4), 12.0 }, { 20.0, 20.0, 24.0 });
+    AddBox(
+      renderer, { 60.0 * (i % 4) + 150.0, 80.0 * (i / 4) + 3200.0, 12.0 }, { 20.0, 20.0, 24.0 });
   }
-  AddDirectional(renderer, { 0.5, 0.3, -0.6 });
-  Look(renderer, { -100.0, -100.0, 160.0 }, { 0.0, 300.0, 20.0 }, 30.0);
+  AddDirectional(renderer, { -0.72, 0.12, -0.68 });
+  Look(renderer, { 100.0, 2950.0, 160.0 }, { 300.0, 3350.0, 20.0 }, 30.0);
 }
 
 std::vector<NamedScene> GetLargeScenes()
@@ -158,7 +159,7 @@ std::vector<NamedScene> GetLargeScenes()
     { "Glyphs", Glyphs, 200 } };
   const std::pair<const char*, Lighting> lights[] = { { "Directional", Lighting::Directional },
     { "Spot", Lighting::Spot }, { "Point", Lighting::Point } };
-  std::vector<NamedScene> result = { { "VastGround", VastGround } };
+  std::vector<NamedScene> result = { { "VastGround", VastGround, 640, 480 } };
   for (const auto& scene : scenes)
   {
     for (const auto& light : lights)
