@@ -374,7 +374,8 @@ std::string CompareWithRays(const Stage& stage, const ShadowFrame& frame, Shadow
       ++wrong;
       first = first < 0 ? static_cast<long long>(i) : first;
     }
-    if (wrong > 0)
+    tally.Strays += wrong;
+    if (wrong > MaximumFlipsElsewhere)
     {
       failure += SayWhere("The mask contradicts rays", light, wrong, first, frame.Width);
     }

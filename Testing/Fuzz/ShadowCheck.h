@@ -21,7 +21,7 @@ struct ShadowTally
   long long Shadowed = 0;     ///< Of these, in shadow.
   long long ClampedFlips = 0; ///< Samples at edges in which Clamped differs from Unclamped.
   long long ClampedFlipsElsewhere = 0;
-  long long Strays = 0;        ///< Samples that Exact has right, by rays, and Unclamped wrong.
+  long long Strays = 0;        ///< Samples of whole volumes that rays say are wrong.
   long long Rays = 0;          ///< Samples compared with rays.
   long long RaysAmbiguous = 0; ///< Of these, ambiguous ones that differ.
 };
@@ -67,7 +67,8 @@ constexpr long long MaximumFlipsElsewhere = 2;
  */
 long long CountStrays(const Stage& stage, const ShadowFrame& expected, const ShadowFrame& tested);
 
-/// What is wrong with the masks by rays of the scene as it is.
+/// What is wrong with the masks by rays of the scene as it is: more than MaximumFlipsElsewhere
+/// samples of a light, the rest being strays.
 std::string CompareWithRays(const Stage& stage, const ShadowFrame& frame, ShadowTally& tally);
 
 /// Contradictions in the statistics of a stage's passes, and failures.
