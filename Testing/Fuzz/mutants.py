@@ -121,8 +121,8 @@ SHADOW_MUTANTS = {
          "this->P.GetCell(p1 + guardP) + 1, this->Q.GetCell(q1 + guardQ) + 1 };",
          "this->P.GetCell(p1), this->Q.GetCell(q1) };")],
     "box of pixels one column short": [
-        (PLAN, "draw.Box[2] = extent->X1 - extent->X0;",
-         "draw.Box[2] = extent->X1 - extent->X0 - 1;")],
+        (PLAN, "draw.Box[2] = box.GetWidth();",
+         "draw.Box[2] = box.GetWidth() - 1;")],
     "slabs that begin at the caster end with the first of them": [
         (PLAN, "slabs.back().Far = far;", "slabs.back().Far = std::min(far, slabs.back().Far);")],
     "receivers beside the caster count as before it": [
