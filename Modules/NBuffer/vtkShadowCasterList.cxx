@@ -145,6 +145,12 @@ void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* required
   changed = changed || state != this->GlobalState;
   this->GlobalState = state;
 
+  const vtkMTimeType requiredTime = requiredKeys ? requiredKeys->GetMTime() : 0;
+  const bool sameRequired =
+    requiredKeys == this->RequiredKeys && requiredTime == this->RequiredTime;
+  this->RequiredKeys = requiredKeys;
+  this->RequiredTime = requiredTime;
+
   this->Updates = 0;
   bool looked = changed;
   for (std::size_t i = 0; i < this->Members.size(); ++i)
@@ -155,10 +161,11 @@ void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* required
       this->Members[i + PropsToFetchAhead].Sources.Prefetch();
     }
     Member& member = this->Members[i];
-    const bool casts = this->Props[i]->HasKeys(requiredKeys);
+    const bool casts = HasKeys(this->Props[i], requiredKeys, sameRequired, member);
     if (!member.Watched || casts != member.Casts || member.Sources.HasChanged())
     {
       member.Casts = casts;
+      member.Looked = true;
       changed = this->Look(this->Props[i], member) || changed;
       looked = true;
     }
@@ -181,6 +188,21 @@ void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* required
         this->Skipped.begin(), std::plus<int>());
     }
   }
+}
+
+bool vtkShadowCasterList::HasKeys(
+  vtkProp* prop, vtkInformation* required, bool sameRequired, Member& member)
+{
+  // vtkProp::HasKeys() makes an iterator each time, which takes longer than all the rest.
+  vtkInformation* keys = prop->GetPropertyKeys();
+  const vtkMTimeType time = keys ? keys->GetMTime() : 0;
+  if (sameRequired && keys == member.Keys && time == member.KeysTime && member.Looked)
+  {
+    return member.Casts;
+  }
+  member.Keys = keys;
+  member.KeysTime = time;
+  return prop->HasKeys(required);
 }
 
 void vtkShadowCasterList::Synchronize(std::vector<vtkProp*>& props)
