@@ -46,7 +46,7 @@
  *
  * ## Limits
  *
- * Casters are opaque surfaces of polydata or composite data sets; GetStatistics() counts what is
+ * Casters are opaque surfaces of data sets or composites of polydata; GetStatistics() counts what is
  * not, by reason. Wireframes, points and glyphs cast nothing; textures with alpha and what shaders
  * displace cast as if they did not. The volumes of point lights are never
  * clamped. Needs OpenGL 3.2 with depth and stencil in one texture; where anything is refused
