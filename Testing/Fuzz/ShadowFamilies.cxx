@@ -261,7 +261,7 @@ bool IsPlain(const Scenario& scene)
       return (prop.Kind == PropKind::Actor || prop.Kind == PropKind::Piped ||
                prop.Kind == PropKind::Composite) &&
         prop.Shape.Kind != ShapeKind::Lines && prop.Shape.Kind != ShapeKind::Points &&
-        prop.Shape.Kind != ShapeKind::NaNPoint &&
+        prop.Shape.Kind != ShapeKind::NaNPoint && prop.Shape.Kind != ShapeKind::Stack &&
         *std::min_element(prop.Shape.Size.begin(), prop.Shape.Size.end()) > 0.0 &&
         prop.Representation == Representation::Surface && !prop.Edges && !prop.Vertices &&
         prop.Shader == Shader::Original && prop.CulledFaces == 0 && prop.OffsetUnits == 0.0 &&
@@ -304,8 +304,7 @@ void AddShadows(Writer& writer)
   {
     scene.Lights.push_back(MakeLight(writer, middle));
   }
-  // With multisampling a pixel's mask is that of its centre: where the surface there is beside the
-  // cone, Exact says nothing of what the other samples show.
+  // Left out since masks had one sample for each pixel.
   const bool multiSampled = scene.Window.MultiSamples > 1 ||
     std::any_of(scene.Changes.begin(), scene.Changes.end(),
       [](const Change& change) { return change.Kind == ChangeKind::MultiSamples; });
