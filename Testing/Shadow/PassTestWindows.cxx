@@ -221,7 +221,6 @@ TEST_F(PassWindows, BufferTextures)
   mapper->SetInputData(data);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  actor->GetProperty()->EdgeVisibilityOn();
   const ShadowStage stage = MakeStage("Directional");
   stage.Renderer->AddActor(actor);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
@@ -229,8 +228,14 @@ TEST_F(PassWindows, BufferTextures)
   {
     SCOPED_TRACE("frame " + std::to_string(frame));
     stage.Renderer->GetActiveCamera()->Azimuth(5.0);
+    actor->GetProperty()->EdgeVisibilityOff();
     ExpectMatchesOracle(stage, pass);
-    EXPECT_GT(pass->GetStatistics().Receivers, 1000);
+    const long long receivers = pass->GetStatistics().Receivers;
+    EXPECT_GT(receivers, 1000);
+    // Older VTK draws edges as lines, which reach beyond the surface: rays do not know them.
+    actor->GetProperty()->EdgeVisibilityOn();
+    stage.Window->Render();
+    EXPECT_GE(pass->GetStatistics().Receivers, receivers);
   }
 }
 
