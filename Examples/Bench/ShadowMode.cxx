@@ -29,6 +29,7 @@ struct VolumeKind
 };
 constexpr VolumeKind VolumeKinds[] = { { "unclamped", vtkShadowVolumeClampPass::Unclamped, 4,
                                          vtkShadowVolumeClampPass::Scattered },
+  { "auto", vtkShadowVolumeClampPass::Automatic, 4, vtkShadowVolumeClampPass::Scattered },
   { "exact", vtkShadowVolumeClampPass::Exact, 4, vtkShadowVolumeClampPass::Scattered },
   { "clamp", vtkShadowVolumeClampPass::Clamped, 64, vtkShadowVolumeClampPass::Scattered },
   { "slabs", vtkShadowVolumeClampPass::Clamped, 4, vtkShadowVolumeClampPass::Scattered },
@@ -76,9 +77,8 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   if (!isKnown || (isSized && !(hasSize && canHaveSize)))
   {
     throw std::runtime_error("no mode " + name +
-      "; there are none, unclamped, exact, clamp, slabs, paper and vtk, all but the first two also "
-      "with a "
-      "resolution of 1 to 9999, such as exact@64");
+      "; there are none, unclamped, auto, exact, clamp, slabs, paper and vtk, all but the first two "
+      "also with a resolution of 1 to 9999, such as exact@64");
   }
   if (this->IsVolumes)
   {

@@ -28,6 +28,7 @@
 #include "vtkShadowTimers.h"
 #include "vtkShadowVolume.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -99,16 +100,19 @@ public:
 
 private:
   struct Camera;
+  struct Work;
+  using Verdicts = std::array<int, vtkShadowStatistics::NumberOfVerdicts>;
 
   bool ReadDepth(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics);
-  bool UploadReceivers(vtkOpenGLRenderWindow* window, const Camera& camera);
-  bool MakeLitmaps(vtkOpenGLRenderWindow* window, const vtkShadowLight& light,
-    const std::vector<vtkShadowFrame>& frames, const Camera& camera, const Settings& settings,
-    vtkShadowStatistics& statistics);
-  bool Shade(vtkOpenGLRenderWindow* window, const vtkShadowLightSource& light, std::size_t slot,
-    const Camera& camera, const Settings& settings, vtkShadowStatistics& statistics);
-  bool Count(vtkOpenGLRenderWindow* window, const vtkShadowPlan& plan, std::size_t slot,
-    const Camera& camera, bool countFragments, vtkShadowStatistics& statistics);
+  bool ReadReceivers(const Work& work);
+  bool MakeLitmaps(const Work& work, const std::vector<vtkShadowFrame>& frames);
+  template <typename Functor>
+  void ForEachPart(const Work& work, Functor&& functor); ///< functor(caster, part)
+  Verdicts AddCasters(const Work& work, vtkShadowPlan& plan);
+  bool DoLitmapsPay(const Work& work, double fragments, long long triangles) const;
+  bool DoLitmapsPay(const Work& work); ///< For the triangles alone.
+  bool Shade(const Work& work);
+  bool Count(const Work& work, const vtkShadowPlan& plan);
 
   vtkShadowTarget Target;
   vtkShadowCounter Counter;
@@ -116,7 +120,8 @@ private:
   vtkShadowSampleReader SampleReader;
   std::vector<vtkShadowLitmap> Litmaps; ///< Of the light at work: one, or one for each face.
   vtkShadowVolume Volume;
-  std::vector<float> Depth;
+  std::vector<float> Depth; ///< Of the receivers, if HasReceivers.
+  bool HasReceivers = false;
   int Viewport[4] = { 0, 0, 0, 0 };
   int Shadows = 0;
   std::string Error;

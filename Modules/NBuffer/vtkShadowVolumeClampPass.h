@@ -46,13 +46,13 @@
  *
  * ## Limits
  *
- * Casters are opaque surfaces of data sets or composites of polydata; GetStatistics() counts what is
- * not, by reason. Wireframes, points and glyphs cast nothing; textures with alpha and what shaders
- * displace cast as if they did not. The volumes of point lights are never
- * clamped. Needs OpenGL 3.2 with depth and stencil in one texture; where anything is refused
- * the frame is drawn without shadows, with one warning.
+ * Casters are opaque surfaces of data sets or composites of polydata; GetStatistics() counts what
+ * is not, by reason. Wireframes, points and glyphs cast nothing; textures with alpha and what
+ * shaders displace cast as if they did not. The volumes of point lights are never clamped. Needs
+ * OpenGL 3.2 with depth and stencil in one texture; where anything is refused the frame is drawn
+ * without shadows, with one warning.
  *
- * Cost: two draws of the opaque props, a read-back of the depth (but for Unclamped), and the
+ * Cost: two draws of the opaque props, a read-back of the depth (where litmaps are made), and the
  * volumes.
  */
 #ifndef vtkShadowVolumeClampPass_h
@@ -84,17 +84,19 @@ public:
   {
     Unclamped = int(vtkShadowMode::Unclamped),
     Exact = int(vtkShadowMode::Exact),
-    Clamped = int(vtkShadowMode::Clamped)
+    Clamped = int(vtkShadowMode::Clamped),
+    Automatic = int(vtkShadowMode::Automatic)
   };
 
   ///@{
   /**
    * How much of the shadow volumes is drawn: Unclamped, all; Exact, casters with receivers, into
    * their receivers' box of pixels, with the stencil of Unclamped to the bit; Clamped, slabs of
-   * them around the receivers, where samples within 1/256 of a pixel of a shadow's edge may differ.
-   * The default is Exact.
+   * them around the receivers, where samples within 1/256 of a pixel of a shadow's edge may differ;
+   * Automatic, the default, Exact for lights where that is likely to take less time, Unclamped for
+   * others (vtkShadowFill.h): the masks of both are the same.
    */
-  vtkSetClampMacro(Mode, int, Unclamped, Clamped);
+  vtkSetClampMacro(Mode, int, Unclamped, Automatic);
   vtkGetMacro(Mode, int);
   ///@}
 
@@ -171,7 +173,8 @@ public:
    * default, costs nothing.
    *
    *  - Litmaps: squares for nearest and farthest receiver (bright: near to the light) and occupied
-   *    bins of each lexel; a row for each of the six litmaps of a point light. Not in Unclamped.
+   *    bins of each lexel; a row for each of the six litmaps of a point light. Nothing where
+   *    there are none (Unclamped).
    *  - Extents: the boxes of pixels into which volumes are drawn, and in how many a pixel is.
    *  - Volumes: the edges of the volumes' triangles in these boxes, blue where they are counted by
    *    z-pass, orange by z-fail.
@@ -260,7 +263,7 @@ private:
   void ShowDebugView(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics);
   void Warn(const std::string& what);
 
-  int Mode = Exact;
+  int Mode = Automatic;
   int LitmapResolution = 256;
   int SlabGap = 4;
   int LitmapMethod = Scattered;
