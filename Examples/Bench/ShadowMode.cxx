@@ -77,7 +77,8 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   if (!isKnown || (isSized && !(hasSize && canHaveSize)))
   {
     throw std::runtime_error("no mode " + name +
-      "; there are none, unclamped, auto, exact, clamp, slabs, paper and vtk, all but the first two "
+      "; there are none, unclamped, auto, exact, clamp, slabs, paper and vtk, all but the first "
+      "two "
       "also with a resolution of 1 to 9999, such as exact@64");
   }
   if (this->IsVolumes)

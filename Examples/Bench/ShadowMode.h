@@ -13,8 +13,8 @@
  *     paper       clamp, with the paper's litmap, drawn from the light: shadows may be lost
  *     vtk         vtkShadowMapPass with its baker, as VTK's tests put them together
  *
- * auto@N, exact@N, clamp@N, slabs@N and paper@N have litmaps of N x N lexels, vtk@N shadow maps of N x N
- * texels instead of VTK's default.
+ * auto@N, exact@N, clamp@N, slabs@N and paper@N have litmaps of N x N lexels, vtk@N shadow maps of
+ * N x N texels instead of VTK's default.
  */
 #ifndef ShadowMode_h
 #define ShadowMode_h
