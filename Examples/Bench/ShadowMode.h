@@ -10,6 +10,7 @@
  *     exact       casters that have receivers, inside of the receivers' box of pixels
  *     clamp       the same, clamped to one slab (SlabGap 64)
  *     slabs       the same, clamped to several slabs (SlabGap 4)
+ *     exactlit    exact, with SkipUnlitReceivers; slabslit: slabs with it
  *     paper       clamp, with the paper's litmap, drawn from the light: shadows may be lost
  *     vtk         vtkShadowMapPass with its baker, as VTK's tests put them together
  *

@@ -20,6 +20,10 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
+/// What a colour of NBufferShadowReceiver (vtkShadowLightDec.glsl) has room for.
+constexpr std::size_t FilteredLights = 24;
+constexpr std::size_t BytesPerSample = 4;
+
 /// The faces of a cube around a point light.
 std::vector<vtkShadowFrame> MakeFaces(const vtkShadowLight& light)
 {
@@ -114,7 +118,7 @@ struct vtkShadowMaskMaker::Work
   vtkShadowFrame Frame;
 };
 
-bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights)
+bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights, bool skipUnlitReceivers)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   if (!vtkNBufferGL::HasVersion(3, 2))
@@ -130,10 +134,12 @@ bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights)
     this->Error = "The viewport is empty or begins outside of the window. Move it inside.";
     return false;
   }
+  this->SkipUnlit = skipUnlitReceivers;
   constexpr int each = vtkShadowTarget::LightsPerMask;
   const int masks = static_cast<int>(lights + each - 1) / each;
   return this->Target.Reserve(window, viewport[0] + viewport[2], viewport[1] + viewport[3], masks,
-    vtkShadowTarget::GetBoundSamples(), this->Error);
+           vtkShadowTarget::GetBoundSamples(), this->Error) &&
+    (!skipUnlitReceivers || this->Target.ReserveLit(window, this->Error));
 }
 
 void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
@@ -141,10 +147,16 @@ void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Target.GetDepthFramebuffer());
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER,
+    this->SkipUnlit ? this->Target.GetLitFramebuffer() : this->Target.GetDepthFramebuffer());
   state->vtkglDepthMask(GL_TRUE);
   const float farthest = 1.0f;
   glClearBufferfv(GL_DEPTH, 0, &farthest);
+  if (this->SkipUnlit)
+  {
+    const float litByAll[4] = { 1.0f, 1.0f, 1.0f, 1.0f };
+    glClearBufferfv(GL_COLOR, 0, litByAll);
+  }
 }
 
 bool vtkShadowMaskMaker::ReadDepth(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics)
@@ -177,6 +189,46 @@ bool vtkShadowMaskMaker::ReadDepth(vtkOpenGLRenderWindow* window, vtkShadowStati
   return done;
 }
 
+bool vtkShadowMaskMaker::ReadLights(vtkOpenGLRenderWindow* window)
+{
+  const int* viewport = this->Viewport;
+  const std::size_t pixels = static_cast<std::size_t>(viewport[2]) * viewport[3];
+  const std::size_t samples = this->Target.GetSamples().size();
+  this->LitBits.resize(BytesPerSample * samples * pixels);
+  if (!this->Target.IsMultisampled())
+  {
+    vtkNBufferGL::ClearErrors();
+    const vtkNBufferGL::ScopedReadback readback(this->Target.GetLitFramebuffer());
+    glReadPixels(viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE,
+      this->LitBits.data());
+    return vtkNBufferGL::CheckErrors("Reading which lights receivers have", this->Error);
+  }
+  std::vector<float> values(pixels);
+  for (std::size_t i = 0; i < samples; ++i)
+  {
+    for (int channel = 0; channel < static_cast<int>(FilteredLights) / 8; ++channel)
+    {
+      if (!this->SampleReader.Read(window, this->Target.GetLit()->GetHandle(), static_cast<int>(i),
+            channel, viewport, values.data(), this->Error))
+      {
+        return false;
+      }
+      unsigned char* bits = this->LitBits.data() + BytesPerSample * i * pixels + channel;
+      for (std::size_t k = 0; k < pixels; ++k)
+      {
+        bits[BytesPerSample * k] = static_cast<unsigned char>(255.0f * values[k] + 0.5f);
+      }
+    }
+  }
+  return true;
+}
+
+bool vtkShadowMaskMaker::IsUnlit(std::size_t slot, std::size_t sample) const
+{
+  return this->Filtered[slot] &&
+    (this->LitBits[BytesPerSample * sample + slot / 8] >> slot % 8 & 1) == 0;
+}
+
 bool vtkShadowMaskMaker::ReadMask(
   vtkOpenGLRenderWindow* window, std::size_t slot, int sample, std::vector<unsigned char>& mask)
 {
@@ -194,7 +246,7 @@ bool vtkShadowMaskMaker::ReadMask(
       viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     for (std::size_t i = 0; i < mask.size(); ++i)
     {
-      mask[i] = pixels[each * i + channel];
+      mask[i] = this->IsUnlit(slot, i) ? 255 : pixels[each * i + channel];
     }
     return vtkNBufferGL::CheckErrors("Reading a shadow mask", this->Error);
   }
@@ -210,7 +262,10 @@ bool vtkShadowMaskMaker::ReadMask(
     {
       return false;
     }
-    std::transform(sums.begin(), sums.end(), values.begin(), sums.begin(), std::plus<float>());
+    for (std::size_t k = 0; k < mask.size(); ++k)
+    {
+      sums[k] += this->IsUnlit(slot, i * mask.size() + k) ? 1.0f : values[k];
+    }
   }
   std::transform(sums.begin(), sums.end(), mask.begin(), [&](float sum)
     { return static_cast<unsigned char>(255.0f * sum / static_cast<float>(last - first) + 0.5f); });
@@ -225,9 +280,11 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
   this->Error.clear();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   this->HasReceivers = false;
+  this->Filtered.assign(lights.size(), false);
   Camera camera(renderer);
   std::copy_n(this->Viewport, 4, camera.Plan.Viewport);
   camera.Plan.Boxes = this->Target.GetSamples().size() <= 1 || !vtkNBufferGL::GetSoftwareRenderer();
+  camera.Plan.BoxCost = settings.BoxCost;
   this->DebugView.Clear();
   const vtkShadowCounter::Scope scope(window, this->Viewport);
   for (int mask = 0; mask < this->Target.GetNumberOfMasks(); ++mask)
@@ -256,7 +313,8 @@ bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
   {
     return true;
   }
-  if (!this->ReadDepth(work.Window, work.Statistics))
+  if (!this->ReadDepth(work.Window, work.Statistics) ||
+    (this->SkipUnlit && !this->ReadLights(work.Window)))
   {
     return false;
   }
@@ -277,6 +335,22 @@ bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
   return true;
 }
 
+const unsigned char* vtkShadowMaskMaker::FindLit(const Work& work)
+{
+  if (!this->SkipUnlit || work.Slot >= FilteredLights ||
+    work.How.LitmapMethod == vtkShadowLitmapMethod::Rerendered)
+  {
+    return nullptr;
+  }
+  this->Filtered[work.Slot] = true;
+  this->Lit.resize(this->Depth.size());
+  for (std::size_t i = 0; i < this->Lit.size(); ++i)
+  {
+    this->Lit[i] = !this->IsUnlit(work.Slot, i);
+  }
+  return this->Lit.data();
+}
+
 bool vtkShadowMaskMaker::MakeLitmaps(const Work& work, const std::vector<vtkShadowFrame>& frames)
 {
   if (!this->ReadReceivers(work))
@@ -285,6 +359,7 @@ bool vtkShadowMaskMaker::MakeLitmaps(const Work& work, const std::vector<vtkShad
   }
   const vtkNBufferClock clock;
   const int resolution = work.How.Resolution;
+  const unsigned char* lit = this->FindLit(work);
   vtkShadowView view = work.View.GetView();
   view.Samples = this->Target.GetSamples();
   this->Litmaps.resize(std::max(this->Litmaps.size(), frames.size()));
@@ -296,7 +371,7 @@ bool vtkShadowMaskMaker::MakeLitmaps(const Work& work, const std::vector<vtkShad
       double range[4];
       double depths[2];
       vtkShadowReceivers::GetRange(
-        this->Depth.data(), nullptr, view, work.GetLight(), frames[i], range, depths);
+        this->Depth.data(), lit, view, work.GetLight(), frames[i], range, depths);
       if (!this->Rerendered.Draw(
             work.Window, frames[i], range, depths, resolution, litmap, this->Error))
       {
@@ -306,7 +381,7 @@ bool vtkShadowMaskMaker::MakeLitmaps(const Work& work, const std::vector<vtkShad
     else
     {
       vtkShadowReceivers::Scatter(
-        this->Depth.data(), nullptr, view, work.GetLight(), frames[i], resolution, litmap);
+        this->Depth.data(), lit, view, work.GetLight(), frames[i], resolution, litmap);
     }
     work.Statistics.Receivers += litmap.GetNumberOfReceivers();
     litmap.Build();

@@ -44,6 +44,7 @@ public:
     vtkShadowMode Mode = vtkShadowMode::Exact;
     int Resolution = 256;
     int SlabGap = 4;
+    int BoxCost = 256;
     bool CountFragments = false;
     vtkShadowLitmapMethod LitmapMethod = vtkShadowLitmapMethod::Scattered;
     vtkShadowPicture Picture = vtkShadowPicture::None;
@@ -67,10 +68,11 @@ public:
    * framebuffer that is bound for drawing, or with one (vtkShadowTarget::HasRefusedSamples(), the
    * cause in GetError()). Returns false, with the cause in GetError(), if OpenGL refuses.
    */
-  bool Reserve(vtkRenderer* renderer, std::size_t lights);
+  bool Reserve(vtkRenderer* renderer, std::size_t lights, bool skipUnlitReceivers);
 
   /**
-   * After Reserve(): bind a framebuffer for the depth of what is drawn next, and clear it. The
+   * After Reserve(): bind a framebuffer for the depth of what is drawn next, and clear it; with
+   * skipUnlitReceivers it has a colour for NBufferShadowReceiver (vtkShadowLightDec.glsl), too. The
    * caller pops the framebuffer bindings of the window's vtkOpenGLState.
    */
   void BeginDepth(vtkRenderer* renderer);
@@ -104,7 +106,10 @@ private:
   using Verdicts = std::array<int, vtkShadowStatistics::NumberOfVerdicts>;
 
   bool ReadDepth(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics);
+  bool ReadLights(vtkOpenGLRenderWindow* window);
   bool ReadReceivers(const Work& work);
+  const unsigned char* FindLit(const Work& work);
+  bool IsUnlit(std::size_t slot, std::size_t sample) const;
   bool MakeLitmaps(const Work& work, const std::vector<vtkShadowFrame>& frames);
   template <typename Functor>
   void ForEachPart(const Work& work, Functor&& functor); ///< functor(caster, part)
@@ -122,6 +127,10 @@ private:
   vtkShadowVolume Volume;
   std::vector<float> Depth; ///< Of the receivers, if HasReceivers.
   bool HasReceivers = false;
+  bool SkipUnlit = false;
+  std::vector<unsigned char> LitBits; ///< Four of each sample: bit i for light i, if it is lit.
+  std::vector<unsigned char> Lit;     ///< Samples, by the light at work.
+  std::vector<bool> Filtered;         ///< Lights for which nothing else is a receiver.
   int Viewport[4] = { 0, 0, 0, 0 };
   int Shadows = 0;
   std::string Error;

@@ -139,6 +139,29 @@ public:
 
   ///@{
   /**
+   * Pixels that one more box around the receivers of a caster has to leave out to be worth drawing
+   * the caster's volume in it, too (1/32 of it for each triangle besides); 0 to 1e9, 256 by
+   * default. Less makes more and tighter boxes; none makes a shadow wrong.
+   */
+  vtkSetClampMacro(BoxCost, int, 0, 1000000000);
+  vtkGetMacro(BoxCost, int);
+  ///@}
+
+  ///@{
+  /**
+   * Take for receivers of a light only what is lit by it: not what the normals that it is shaded
+   * with turn away. The picture is the same to the bit, masks are 255 there. Less is drawn of
+   * volumes; the receivers' depth is drawn with their shading, and one more image read back. Off by
+   * default: docs/benchmarks.md has what it saves and costs. Applies to the first 24 lights that
+   * cast, and to Phong shading; not to Rerendered litmaps, nor to lights that are drawn without.
+   */
+  vtkSetMacro(SkipUnlitReceivers, bool);
+  vtkGetMacro(SkipUnlitReceivers, bool);
+  vtkBooleanMacro(SkipUnlitReceivers, bool);
+  ///@}
+
+  ///@{
+  /**
    * Count the fragments of volumes (vtkShadowStatistics::Fragments). Draws them once more and waits
    * for the device. Off by default.
    */
@@ -218,7 +241,8 @@ public:
 
   /**
    * The mask of a light of the last frame: one value for each pixel of the viewport, row by row,
-   * the lowest first; 0 lit, 255 in shadow (also what the light does not reach). With multisampling
+   * the lowest first; 0 lit, 255 in shadow (also what the light does not reach; with
+   * SkipUnlitReceivers, what faces away from it). With multisampling
    * the mean of the pixel's samples, or one of them: `sample` from 0 to less than
    * vtkShadowStatistics::Samples. Empty, and `width` and `height` 0, if the light did not cast or
    * there is no such sample. Reads it back; the window's context must be current.
@@ -257,6 +281,7 @@ private:
   class Internals;
   class OpaqueStage;
   void RenderOpaque(const vtkRenderState* s);
+  void NoteInProps(const vtkRenderState* s);
   bool MakeMasks(const vtkRenderState* s, const std::vector<vtkShadowLightSource>& lights,
     vtkShadowStatistics& statistics);
   void DrawOpaque(const vtkRenderState* s, vtkTextureObject* depth);
@@ -266,8 +291,10 @@ private:
   int Mode = Automatic;
   int LitmapResolution = 256;
   int SlabGap = 4;
+  int BoxCost = 256;
   int LitmapMethod = Scattered;
   int DebugView = NoDebugView;
+  bool SkipUnlitReceivers = false;
   bool CountFragments = false;
   bool MeasureDeviceTime = false;
   std::unique_ptr<Internals> Implementation;
