@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FuzzProps.h"
+#include "CompositeMapper.h"
 
 #include "FuzzLights.h"
 #include "Shapes.h"
@@ -38,24 +39,12 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-#include "vtkCompositePolyDataMapper2.h"
-#else
-#include "vtkCompositePolyDataMapper.h"
-#endif
-
 #include <algorithm>
 
 namespace NBufferFuzz
 {
 namespace
 {
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#else
-using CompositeMapper = vtkCompositePolyDataMapper;
-#endif
-
 vtkSmartPointer<vtkTexture> MakeTexture(Translucency translucency)
 {
   constexpr int side = 4;

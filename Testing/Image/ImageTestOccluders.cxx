@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The wall that hides the others, drawn by every kind of prop: as long as it stands they are
 // hidden, and once it is gone they are seen in that very frame.
+#include "CompositeMapper.h"
 #include "CullerTest.h"
 #include "Scenes.h"
 
@@ -30,11 +31,6 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-#include "vtkCompositePolyDataMapper2.h"
-#else
-#include "vtkCompositePolyDataMapper.h"
-#endif
 #if VTKNBUFFER_TEST_HAS_RENDERINGLOD
 #include "vtkLODActor.h"
 #include "vtkQuadricLODActor.h"
@@ -48,12 +44,6 @@ using Scenes::Wall;
 
 namespace
 {
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#else
-using CompositeMapper = vtkCompositePolyDataMapper;
-#endif
-
 struct Occluder
 {
   const char* Name;

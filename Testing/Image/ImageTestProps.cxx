@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Props of every kind: who is tested, who is drawn as usual, and under which verdict.
+#include "CompositeMapper.h"
 #include "CullerTest.h"
 #include "Scenes.h"
 
@@ -37,12 +38,6 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
-
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-#include "vtkCompositePolyDataMapper2.h"
-#else
-#include "vtkCompositePolyDataMapper.h"
-#endif
 
 #include <cmath>
 #include <limits>
@@ -164,12 +159,6 @@ TEST_P(CullerKinds, BehindTheWall)
 
 namespace
 {
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#else
-using CompositeMapper = vtkCompositePolyDataMapper;
-#endif
-
 vtkSmartPointer<vtkProp> MakeComposite(bool translucentBlock)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;

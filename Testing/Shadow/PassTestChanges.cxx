@@ -3,6 +3,7 @@
 
 // What changes between frames is seen in the next one: masks and image are those of a pass that has
 // seen no frame before.
+#include "CompositeMapper.h"
 #include "OffscreenFixture.h"
 #include "PassTestTools.h"
 #include "ShadowShapes.h"
@@ -25,22 +26,10 @@
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
 
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-#include "vtkCompositePolyDataMapper2.h"
-#else
-#include "vtkCompositePolyDataMapper.h"
-#endif
-
 using namespace ShadowShapes;
 
 namespace
 {
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#else
-using CompositeMapper = vtkCompositePolyDataMapper;
-#endif
-
 vtkInformationIntegerKey* GetCastsKey()
 {
   static vtkInformationIntegerKey* const key = vtkInformationIntegerKey::MakeKey("Casts", "Pass");

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderedTriangles.h"
+#include "../Support/CompositeMapper.h"
 
 #include "vtkNBufferVTKVersion.h"
 
@@ -21,12 +22,6 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-#include "vtkCompositePolyDataMapper2.h"
-#else
-#include "vtkCompositePolyDataMapper.h"
-#endif
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,12 +30,6 @@
 
 namespace
 {
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#else
-using CompositeMapper = vtkCompositePolyDataMapper;
-#endif
-
 using Point = std::array<double, 3>;
 
 /// The part of a convex polygon on the plane's positive side.

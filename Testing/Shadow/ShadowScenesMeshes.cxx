@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "CompositeMapper.h"
 #include "ShadowScenes.h"
 
 #include "ShadowShapes.h"
@@ -26,12 +27,6 @@
 #include "vtkStripper.h"
 #include "vtkTriangleFilter.h"
 
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-#include "vtkCompositePolyDataMapper2.h"
-#else
-#include "vtkCompositePolyDataMapper.h"
-#endif
-
 #include <cmath>
 #include <limits>
 
@@ -39,12 +34,6 @@ using namespace ShadowShapes;
 
 namespace
 {
-#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#else
-using CompositeMapper = vtkCompositePolyDataMapper;
-#endif
-
 /// What the casters of this file stand on or float above, with a light from above.
 void Prepare(vtkRenderer* renderer)
 {

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CompositeMapper.h
+ * @brief The mapper of composite data that draws with OpenGL, by its name in this version of VTK.
+ */
+#ifndef CompositeMapper_h
+#define CompositeMapper_h
+
+#include "vtkNBufferVTKVersion.h"
+
+#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
+#include "vtkCompositePolyDataMapper2.h"
+using CompositeMapper = vtkCompositePolyDataMapper2;
+#else
+#include "vtkCompositePolyDataMapper.h"
+using CompositeMapper = vtkCompositePolyDataMapper;
+#endif
+
+#endif
