@@ -20,6 +20,17 @@ constexpr double Everything = std::numeric_limits<double>::infinity();
 /// Of View::BoxCost, for each triangle.
 constexpr double TriangleShare = 1.0 / 32;
 
+void GetCorners(const double bounds[6], double corners[24])
+{
+  for (int i = 0; i < 8; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[3 * i + k] = bounds[2 * k + (i >> k & 1)];
+    }
+  }
+}
+
 /// How many of the triangles counted the ray from `origin` along `direction` crosses.
 int CountCrossings(const vtkShadowSilhouette& silhouette, const double* points,
   const double origin[3], const double direction[3])
@@ -91,9 +102,8 @@ vtkShadowPlan::vtkShadowPlan(const vtkShadowLight& light, const vtkShadowFrame& 
   : Light(light)
   , Frame(frame)
   , Camera(view)
-  , Mode(litmap ? mode : vtkShadowMode::Unclamped)
-  , Litmap(litmap)
-  , ModeOfFaces(mode)
+  , Mode(mode)
+  , Whole{ &this->Frame, litmap }
   , Gap(gap)
 {
 }
@@ -101,46 +111,58 @@ vtkShadowPlan::vtkShadowPlan(const vtkShadowLight& light, const vtkShadowFrame& 
 void vtkShadowPlan::AddFace(const vtkShadowFrame& frame, const vtkShadowLitmap& litmap)
 {
   this->Faces.push_back({ &frame, &litmap });
-  this->Mode = std::min(this->ModeOfFaces, vtkShadowMode::Exact);
+}
+
+const vtkShadowPlan::Face* vtkShadowPlan::FindHome(const vtkShadowFootprint& footprint) const
+{
+  if (this->Faces.empty())
+  {
+    return this->IsThroughLightPlane(footprint) ? nullptr : &this->Whole;
+  }
+  double corners[24];
+  GetCorners(footprint.Bounds, corners);
+  const auto found = std::find_if(this->Faces.begin(), this->Faces.end(),
+    [&corners](const Face& face)
+    {
+      const vtkShadowFootprint box = vtkShadowFootprint::Make(corners, 8, *face.Frame);
+      return box.Near > Margin * box.Far && std::min(box.P[0], box.Q[0]) > -1.0 &&
+        std::max(box.P[1], box.Q[1]) < 1.0;
+    });
+  return found == this->Faces.end() ? nullptr : &*found;
+}
+
+vtkShadowPlan::Aspect vtkShadowPlan::MakeAspect(
+  const Face& face, const vtkShadowFootprint& footprint) const
+{
+  vtkShadowBlock rays;
+  const bool anywhere = this->IsThroughLightPlane(footprint);
+  const double* ranges[2] = { footprint.P, footprint.Q };
+  for (int i = 0; i < 2; ++i)
+  {
+    rays.Low[i] = anywhere ? -Everything : ranges[i][0];
+    rays.High[i] = anywhere ? Everything : ranges[i][1];
+  }
+  rays.Low[2] = anywhere ? -Everything : footprint.Near;
+  rays.High[2] = Everything;
+  return { face, rays };
 }
 
 std::vector<vtkShadowPlan::Aspect> vtkShadowPlan::GetAspects(
   const vtkShadowFootprint& footprint) const
 {
-  std::vector<Aspect> aspects;
-  const auto add = [&](const Face& face, const vtkShadowFootprint& part)
-  {
-    vtkShadowBlock rays;
-    const bool anywhere = this->IsThroughLightPlane(part);
-    const double* ranges[2] = { part.P, part.Q };
-    for (int i = 0; i < 2; ++i)
-    {
-      rays.Low[i] = anywhere ? -Everything : ranges[i][0];
-      rays.High[i] = anywhere ? Everything : ranges[i][1];
-    }
-    rays.Low[2] = anywhere ? -Everything : part.Near;
-    rays.High[2] = Everything;
-    aspects.push_back({ face, rays });
-  };
   if (this->Faces.empty())
   {
-    add({ &this->Frame, this->Litmap }, footprint);
-    return aspects;
+    return { this->MakeAspect(this->Whole, footprint) };
   }
+  std::vector<Aspect> aspects;
   double corners[24];
-  for (int i = 0; i < 8; ++i)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      corners[3 * i + k] = footprint.Bounds[2 * k + (i >> k & 1)];
-    }
-  }
+  GetCorners(footprint.Bounds, corners);
   for (const Face& face : this->Faces)
   {
     const vtkShadowFootprint box = vtkShadowFootprint::Make(corners, 8, *face.Frame);
     if (box.Far > 0.0)
     {
-      add(face, box);
+      aspects.push_back(this->MakeAspect(face, box));
     }
   }
   return aspects;
@@ -224,11 +246,11 @@ bool vtkShadowPlan::IsOutsideCone(const vtkShadowFootprint& footprint) const
     vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;
 }
 
-std::vector<vtkShadowSlab> vtkShadowPlan::GetSlabs(
+std::vector<vtkShadowSlab> vtkShadowPlan::GetSlabs(const vtkShadowLitmap& litmap,
   const vtkShadowExtent& extent, const vtkShadowFootprint& footprint) const
 {
   std::vector<vtkShadowSlab> slabs;
-  for (const auto& [near, far] : this->Litmap->GetSlabs(extent, this->Gap))
+  for (const auto& [near, far] : litmap.GetSlabs(extent, this->Gap))
   {
     if (far < footprint.Near)
     {
@@ -317,7 +339,7 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
   {
     return vtkShadowVerdict::Empty;
   }
-  if (this->Mode == vtkShadowMode::Unclamped)
+  if (this->Mode == vtkShadowMode::Unclamped || (!this->Whole.Litmap && this->Faces.empty()))
   {
     this->AddRectangle(silhouette, footprint);
     this->AddWhole(silhouette, points, numberOfPoints, {}, volume);
@@ -333,7 +355,12 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
   {
     return vtkShadowVerdict::OutsideCone;
   }
-  const std::vector<Aspect> aspects = this->GetAspects(footprint);
+  const Face* home = this->FindHome(footprint);
+  const vtkShadowFootprint atHome = home && !this->Faces.empty()
+    ? vtkShadowFootprint::Make(points, numberOfPoints, *home->Frame)
+    : footprint;
+  const std::vector<Aspect> aspects =
+    home ? std::vector<Aspect>{ this->MakeAspect(*home, atHome) } : this->GetAspects(footprint);
   vtkShadowExtent extent;
   for (const Aspect& aspect : aspects)
   {
@@ -344,30 +371,43 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
   {
     return vtkShadowVerdict::NoReceiver;
   }
-  if (!through && this->Faces.empty() && extent.Far < footprint.Near)
+  if (home && extent.Far < atHome.Near)
   {
     return vtkShadowVerdict::BeforeCaster;
   }
-  bool isOnRays = false;
-  if (through || this->Mode == vtkShadowMode::Exact)
+  if (home && this->Mode == vtkShadowMode::Clamped)
   {
-    const Boxes boxes = FindBoxes(aspects, silhouette, points, extent, isOnRays);
-    if (boxes.empty())
+    const vtkShadowVerdict verdict =
+      this->AddSlabs(silhouette, points, numberOfPoints, atHome, aspects.front(), extent, volume);
+    if (verdict == vtkShadowVerdict::Clamped)
     {
-      return isOnRays ? vtkShadowVerdict::BeforeCaster : vtkShadowVerdict::NoReceiver;
+      this->AddRectangle(silhouette, footprint);
     }
-    this->AddRectangle(silhouette, footprint);
-    this->AddWhole(silhouette, points, numberOfPoints, boxes, volume);
-    return through ? vtkShadowVerdict::ThroughLightPlane : vtkShadowVerdict::Boxed;
+    return verdict;
   }
-
-  int drawn = 0;
-  for (const vtkShadowSlab& slab : this->GetSlabs(extent, footprint))
+  bool isOnRays = false;
+  const Boxes boxes = this->FindBoxes(aspects, silhouette, points, extent, isOnRays);
+  if (boxes.empty())
   {
-    std::vector<Aspect> inSlab = aspects;
-    inSlab[0].Rays.Low[2] = std::max(footprint.Near, slab.Near);
-    inSlab[0].Rays.High[2] = slab.Far;
-    const Boxes boxes = FindBoxes(inSlab, silhouette, points, extent, isOnRays);
+    return isOnRays ? vtkShadowVerdict::BeforeCaster : vtkShadowVerdict::NoReceiver;
+  }
+  this->AddRectangle(silhouette, footprint);
+  this->AddWhole(silhouette, points, numberOfPoints, boxes, volume);
+  return through ? vtkShadowVerdict::ThroughLightPlane : vtkShadowVerdict::Boxed;
+}
+
+vtkShadowVerdict vtkShadowPlan::AddSlabs(const vtkShadowSilhouette& silhouette,
+  const double* points, int numberOfPoints, const vtkShadowFootprint& footprint,
+  const Aspect& aspect, const vtkShadowExtent& extent, vtkShadowVolume& volume)
+{
+  bool isOnRays = false;
+  int drawn = 0;
+  for (const vtkShadowSlab& slab : this->GetSlabs(*aspect.Map.Litmap, extent, footprint))
+  {
+    Aspect inSlab = aspect;
+    inSlab.Rays.Low[2] = std::max(footprint.Near, slab.Near);
+    inSlab.Rays.High[2] = slab.Far;
+    const Boxes boxes = this->FindBoxes({ inSlab }, silhouette, points, extent, isOnRays);
     if (boxes.empty())
     {
       continue;
@@ -377,18 +417,15 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
     draw.MaximumCount = silhouette.GetMaximumCount();
     draw.Offset = footprint.Far >= slab.Near && silhouette.GetCounting() == vtkShadowCounting::All;
     const std::size_t firstVertex = volume.GetVertices().size();
-    volume.AddClamped(
-      silhouette, points, numberOfPoints, this->Frame, slab, footprint.Far, vtkShadowCap::Fan);
+    volume.AddClamped(silhouette, points, numberOfPoints, *aspect.Map.Frame, slab, footprint.Far,
+      vtkShadowCap::Fan);
     draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
     this->AddDraw(volume, boxes, draw);
     ++drawn;
   }
-  if (drawn == 0)
-  {
-    return isOnRays ? vtkShadowVerdict::BeforeCaster : vtkShadowVerdict::NoReceiver;
-  }
-  this->AddRectangle(silhouette, footprint);
   this->Slabs += drawn;
-  return vtkShadowVerdict::Clamped;
+  return drawn > 0 ? vtkShadowVerdict::Clamped
+    : isOnRays     ? vtkShadowVerdict::BeforeCaster
+                   : vtkShadowVerdict::NoReceiver;
 }
 VTK_ABI_NAMESPACE_END

@@ -31,9 +31,10 @@
  * reaches through it is drawn whole, into the box of all receivers (ThroughLightPlane), unless the
  * sphere around its bounds lies beside the spot's cone (OutsideCone).
  *
- * A point light has six litmaps, one for each face of a cube around it. The rays of a caster's
- * bounding box are looked up in all faces that they meet, for the receivers' boxes of pixels alone:
- * its volumes are never clamped.
+ * A point light has six litmaps, one for each face of a cube around it. A caster whose bounding box
+ * lies in the pyramid of one face is as one before a spot: no other face has receivers on its rays,
+ * and its volume can be clamped to slabs. The rays of others are looked up in all faces that they
+ * meet, for the receivers' boxes of pixels alone: their volumes are never clamped.
  *
  * ## The range of the stencil
  *
@@ -159,11 +160,17 @@ private:
   };
   using Boxes = std::vector<vtkNBufferRectangle>; ///< Of pixels of the viewport.
 
+  /// Where all of a caster's rays are; nullptr: in no one face, or through the light's plane.
+  const Face* FindHome(const vtkShadowFootprint& footprint) const;
+  Aspect MakeAspect(const Face& face, const vtkShadowFootprint& footprint) const;
   std::vector<Aspect> GetAspects(const vtkShadowFootprint& footprint) const;
   Boxes FindBoxes(const std::vector<Aspect>& aspects, const vtkShadowSilhouette& silhouette,
     const double* points, const vtkShadowExtent& extent, bool& isOnRays) const;
-  std::vector<vtkShadowSlab> GetSlabs(
-    const vtkShadowExtent& extent, const vtkShadowFootprint& footprint) const;
+  std::vector<vtkShadowSlab> GetSlabs(const vtkShadowLitmap& litmap, const vtkShadowExtent& extent,
+    const vtkShadowFootprint& footprint) const;
+  vtkShadowVerdict AddSlabs(const vtkShadowSilhouette& silhouette, const double* points,
+    int numberOfPoints, const vtkShadowFootprint& footprint, const Aspect& aspect,
+    const vtkShadowExtent& extent, vtkShadowVolume& volume);
   bool IsThroughLightPlane(const vtkShadowFootprint& footprint) const;
   bool IsOutsideCone(const vtkShadowFootprint& footprint) const;
   bool IsBeyondNearPlane(const vtkShadowVolume& volume, std::size_t firstVertex) const;
@@ -176,10 +183,9 @@ private:
   const vtkShadowFrame& Frame;
   View Camera;
   vtkShadowMode Mode;
-  const vtkShadowLitmap* Litmap;
+  Face Whole; ///< Of lights that are not points; without a litmap: Unclamped.
   std::vector<Face> Faces;
   std::vector<vtkShadowRectangle> Rectangles; ///< Of the casters drawn, weighted by their counts.
-  vtkShadowMode ModeOfFaces;
   int Gap;
   int Slabs = 0;
   std::vector<vtkShadowDraw> Draws;
