@@ -29,7 +29,8 @@
  * A positional light's coordinates mean nothing at and behind its plane s = 0. A caster that is
  * wholly there shadows nothing that a spot of less than 90 degrees reaches (BehindLight); one that
  * reaches through it is drawn whole, into the box of all receivers (ThroughLightPlane), unless the
- * sphere around its bounds lies beside the spot's cone (OutsideCone).
+ * sphere around its bounds lies beside the spot's cone (OutsideCone). Neither of the two is left
+ * out where there are receivers beside the cone (vtkShadowReceivers.h).
  *
  * A point light has six litmaps, one for each face of a cube around it. The rays of a caster's
  * bounding box are looked up in all faces that they meet, for the receivers' boxes of pixels alone:
