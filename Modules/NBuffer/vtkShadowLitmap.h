@@ -96,6 +96,13 @@ public:
   bool AddLexel(int i, int j, vtkShadowExtent extent);
 
   ///@{
+  /// Whether some of the receivers lie outside of the spot's cone (vtkShadowReceivers.h). Begin()
+  /// sets it to false.
+  void SetReceiversBesideCone(bool has) { this->ReceiversBesideCone = has; }
+  bool HasReceiversBesideCone() const { return this->ReceiversBesideCone; }
+  ///@}
+
+  ///@{
   /// The same receivers by tiles of the screen. Begin() leaves nothing known of them.
   vtkShadowTiles& GetTiles() { return this->Tiles; }
   const vtkShadowTiles& GetTiles() const { return this->Tiles; }
@@ -163,6 +170,7 @@ private:
   Scale Depths;
   double Bounds[4] = {}; ///< The map's range, and of receivers outside.
   vtkIdType NumberOfReceivers = 0;
+  bool ReceiversBesideCone = false;
   std::vector<vtkShadowExtent> Lexels; ///< Level by level.
   vtkShadowTiles Tiles;
 };

@@ -345,13 +345,15 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
     this->AddWhole(silhouette, points, numberOfPoints, {}, volume);
     return vtkShadowVerdict::Whole;
   }
-  if (this->Light.Kind == vtkShadowLightKind::Spot && footprint.Far <= 0.0)
+  const bool onlyInCone = this->Light.Kind == vtkShadowLightKind::Spot &&
+    !(this->Litmap && this->Litmap->HasReceiversBesideCone());
+  if (onlyInCone && footprint.Far <= 0.0)
   {
     return vtkShadowVerdict::BehindLight;
   }
 
   const bool through = this->Faces.empty() && this->IsThroughLightPlane(footprint);
-  if (through && this->IsOutsideCone(footprint))
+  if (through && onlyInCone && this->IsOutsideCone(footprint))
   {
     return vtkShadowVerdict::OutsideCone;
   }

@@ -29,7 +29,8 @@
  * A positional light's coordinates mean nothing at and behind its plane s = 0. A caster that is
  * wholly there shadows nothing that a spot of less than 90 degrees reaches (BehindLight); one that
  * reaches through it is drawn whole, into the box of all receivers (ThroughLightPlane), unless the
- * sphere around its bounds lies beside the spot's cone (OutsideCone).
+ * sphere around its bounds lies beside the spot's cone (OutsideCone). Neither of the two is left
+ * out where there are receivers beside the cone (vtkShadowReceivers.h).
  *
  * A point light has six litmaps, one for each face of a cube around it. A caster whose bounding box
  * lies in the pyramid of one face is as one before a spot: no other face has receivers on its rays,

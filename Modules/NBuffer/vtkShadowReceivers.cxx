@@ -3,6 +3,7 @@
 #include "vtkShadowReceivers.h"
 
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,9 @@ constexpr double DepthRounding = 0x1p-22;
 /// Of a position, in units of its distance from the eye; of world coordinates in double.
 constexpr double PositionRounding = 0x1p-20;
 constexpr double WorldRounding = 0x1p-48;
+
+/// Of a coordinate that a shader transforms in float: products, sums and what goes into them.
+constexpr double ShaderRounding = 5.0 * 0x1p-24;
 
 /// The range of a litmap is taken from every fourth row and column: what lies outside is not lost
 /// (vtkShadowLitmap::Begin), and it need not be exact.
@@ -59,6 +63,7 @@ struct Receiver
   double B[3];
   double Radius;
   double TileRadius[3];
+  bool InReach; ///< Not only by the rounding of VTK's shader.
 };
 
 /// From (pixel x, pixel y, depth) to light coordinates.
@@ -78,6 +83,9 @@ public:
 
 private:
   bool MayReach(const double a[3], const double b[3], double radius) const;
+  void SetShaderError(const vtkShadowView& view);
+  /// How far from its place VTK's shader may see what is at this distance from the eye.
+  double GetShaderError(double distance) const;
 
   vtkShadowLightKind Kind;
   double DepthError;
@@ -86,7 +94,10 @@ private:
   double Direction[3]; ///< The light's, along u, v and the axis.
   double Eye[3];       ///< Relative to the apex, along u, v and the axis.
   double WorldError;
-  double GuardAtW1; ///< Guard in world units, for w = 1.
+  double ShaderOffset = 0.0;  ///< What is added to the distance for S.
+  double PlaceFactor = 0.0;   ///< By what E is multiplied in a place,
+  double InverseFactor = 0.0; ///< and in 1 / w.
+  double GuardAtW1;           ///< Guard in world units, for w = 1.
   /// Rows: places along u, v and the axis relative to the apex, and w. Columns: pixel x, pixel y,
   /// depth, 1.
   double Matrix[4][4];
@@ -142,7 +153,35 @@ Projector::Projector(
     const double widest =
       std::acos(std::clamp(this->Direction[2], -1.0, 1.0)) + std::acos(this->ReachCosine);
     this->Limit = widest < 0.5 * vtkMath::Pi() ? std::tan(widest) : this->Limit;
+    this->SetShaderError(view);
   }
+}
+
+void Projector::SetShaderError(const vtkShadowView& view)
+{
+  this->ShaderOffset = 2.0 * GetLength1(view.Origin) + GetLength1(this->Eye);
+  double worldToClip[16];
+  vtkMatrix4x4::Invert(view.ClipToWorld, worldToClip);
+  double factors[4] = {};
+  for (int i = 0; i < 4; ++i)
+  {
+    const double error = vtkMath::Norm(worldToClip + 4 * i);
+    for (int k = 0; k < 4; ++k)
+    {
+      factors[k] += std::abs(view.ClipToWorld[4 * k + i]) * error;
+    }
+  }
+  const double viewCoordinates = std::sqrt(3.0);
+  this->PlaceFactor = viewCoordinates + vtkMath::Norm(factors);
+  this->InverseFactor = factors[3];
+}
+
+double Projector::GetShaderError(double distance) const
+{
+  const double error = ShaderRounding * (this->ShaderOffset + distance);
+  const double left = 1.0 - error * this->InverseFactor;
+  return left > 0.0 ? error * (this->PlaceFactor + distance * this->InverseFactor) / left
+                    : std::numeric_limits<double>::infinity();
 }
 
 void Projector::SetRow(const std::array<double, 2>& sample, int y)
@@ -159,6 +198,10 @@ bool Projector::MayReach(const double a[3], const double b[3], double radius) co
   const double x = 0.5 * (a[0] + b[0]);
   const double y = 0.5 * (a[1] + b[1]);
   const double s = 0.5 * (a[2] + b[2]);
+  if (std::isinf(radius))
+  {
+    return true;
+  }
   if (s + radius <= 0.0)
   {
     return false;
@@ -199,9 +242,14 @@ bool Projector::Project(int x, double depth, Receiver& receiver) const
   receiver.Radius = rounding;
   receiver.TileRadius[0] = rounding + guard;
   receiver.TileRadius[2] = guard;
+  receiver.InReach = true;
   if (this->Kind != vtkShadowLightKind::Directional)
   {
-    if (!this->MayReach(a, b, 0.5 * length + rounding))
+    const double radius = 0.5 * length + rounding;
+    receiver.InReach = this->MayReach(a, b, radius);
+    if (!receiver.InReach &&
+      (this->Kind == vtkShadowLightKind::Point ||
+        !this->MayReach(a, b, radius + this->GetShaderError(distance + length))))
     {
       return false;
     }
@@ -313,6 +361,7 @@ vtkIdType Scatter(const float* depth, const unsigned char* lit, const vtkShadowV
       if (litmap.Add(receiver.A, receiver.B, receiver.Radius, x, y))
       {
         tiles.Add(receiver.A, receiver.B, receiver.TileRadius, x, y);
+        litmap.SetReceiversBesideCone(litmap.HasReceiversBesideCone() || !receiver.InReach);
       }
     });
   return litmap.GetNumberOfReceivers();

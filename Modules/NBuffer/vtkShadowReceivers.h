@@ -13,7 +13,7 @@
  *    that its depth is rounded to 1 cannot be told from it);
  *  - the mask, where there is one, is not 0 for it;
  *  - the light can reach it: a spot in its cone (vtkShadowLight::GetReachCosine), a directional
- *    light everywhere;
+ *    light everywhere; or VTK's shader may think so, see below;
  *  - a point light's frame takes in one face of a cube around the light, |p| <= 1 and |q| <= 1, a
  *    little widened: six frames make up all directions.
  *
@@ -31,6 +31,16 @@
  *
  * Around that, in all directions, by the rounding of a position, 2^-20 of its distance from the
  * eye, and of world coordinates in double, 2^-48 of theirs.
+ *
+ * VTK's shader has another place for it when it tells whether it lies in a spot's cone: corners as
+ * floats, wherever their origin is, transformed to view coordinates in floats, while depth comes
+ * from their transformation to clip coordinates. With u = 2^-24 and S the distances of eye and
+ * sample from the origin and of eye and light from each other, summed up, each of these is off by
+ * E = 5 u S times the length of its row in the matrix (DrawnPolygon.h in the tests derives that),
+ * which the way back from clip coordinates multiplies. Where VTK shifts coordinates to the middle
+ * of what they belong to, it is less. Receivers outside of the cone that this alone brings in may
+ * have their shadow of any caster, also of those that shadow nothing in the cone:
+ * vtkShadowLitmap::HasReceiversBesideCone.
  *
  * Tiles (vtkShadowTiles.h) are to hold all samples for which a volume may be drawn, and devices
  * draw its sides a little beside their place: a quarter of a pixel more in all directions.

@@ -282,7 +282,8 @@ std::string Checker::CheckShadows(bool& strays)
   {
     const ShadowFrame tested = CaptureShadows(this->Tested);
     const ShadowMode mode = this->Tested.GetLights().GetMode();
-    const std::string masks = CompareMasks(this->Unclamped, tested, mode, this->Shadows);
+    const std::string masks =
+      CompareMasks(this->Unclamped, tested, mode, this->Shadows, MakeRayJudge(this->Tested));
     const long long count = masks.empty() || mode == ShadowMode::Clamped
       ? 0
       : CountStrays(this->Tested, this->Unclamped, tested);

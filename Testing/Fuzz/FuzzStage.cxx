@@ -137,6 +137,7 @@ void Stage::Begin(const Scenario& scenario)
 
 void Stage::End()
 {
+  this->MakeCurrent();
   for (const auto& renderer : this->Renderers)
   {
     renderer->RemoveAllViewProps();
@@ -220,8 +221,17 @@ vtkNBufferCuller* Stage::GetCuller(int renderer) const
 }
 
 //------------------------------------------------------------------------------------------------
+void Stage::MakeCurrent()
+{
+  if (this->Window)
+  {
+    this->Window->MakeCurrent();
+  }
+}
+
 std::string Stage::Prepare(int frame)
 {
+  this->MakeCurrent();
   this->Frame = frame;
   this->JoinAndLeave(frame);
   std::string found;
@@ -259,6 +269,7 @@ std::string Stage::Prepare(int frame)
 
 void Stage::Render(ShadowPasses passes)
 {
+  this->MakeCurrent();
   this->Lighting.UsePasses(passes);
   for (Member& member : this->Members)
   {

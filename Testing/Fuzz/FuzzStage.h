@@ -74,6 +74,9 @@ public:
   const std::vector<Member>& GetMembers() const { return this->Members; }
 
 private:
+  /// Props, passes and renderers that go delete their objects in the context that is current, some
+  /// of VTK's without asking which it is: those of the other stage's window have the same names.
+  void MakeCurrent();
   void AddRenderers();
   void AddCullers();
   void JoinAndLeave(int frame);

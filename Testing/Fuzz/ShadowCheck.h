@@ -8,7 +8,9 @@
 #define ShadowCheck_h
 
 #include "FuzzStage.h"
+#include "RayOracle.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,6 +42,10 @@ struct ShadowFrame
   std::vector<std::vector<unsigned char>> Masks; ///< All 0 for lights that threw no shadow.
 };
 
+/// What rays say of a light of the scene as it is.
+using RayJudge = std::function<OracleImage(int light)>;
+RayJudge MakeRayJudge(const Stage& stage);
+
 /// Whether the depth in the window is that of the one renderer, sample by sample.
 bool HasReadableReceivers(const Stage& stage);
 
@@ -53,9 +59,12 @@ ShadowFrame CaptureShadows(const Stage& stage);
  * of a surface, from behind which an edge of a shadow may come), and where they have both values in
  * `expected` (the edge of a shadow) in GetClampedFlips(receivers at such edges) samples.
  * Elsewhere MaximumFlipsElsewhere samples may differ, where sides of volumes are seen edge-on.
+ *
+ * A straight edge that runs along a column or row of samples flips all of them at once: where more
+ * differ at edges, those are left out that `judge` says are ambiguous, or right in `tested`.
  */
-std::string CompareMasks(
-  const ShadowFrame& expected, const ShadowFrame& tested, ShadowMode mode, ShadowTally& tally);
+std::string CompareMasks(const ShadowFrame& expected, const ShadowFrame& tested, ShadowMode mode,
+  ShadowTally& tally, const RayJudge& judge);
 long long GetClampedFlips(long long receiversAtEdges);
 constexpr long long MaximumFlipsElsewhere = 2;
 

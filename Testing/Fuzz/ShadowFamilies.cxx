@@ -261,7 +261,7 @@ bool IsPlain(const Scenario& scene)
       return (prop.Kind == PropKind::Actor || prop.Kind == PropKind::Piped ||
                prop.Kind == PropKind::Composite) &&
         prop.Shape.Kind != ShapeKind::Lines && prop.Shape.Kind != ShapeKind::Points &&
-        prop.Shape.Kind != ShapeKind::NaNPoint && prop.Shape.Kind != ShapeKind::Stack &&
+        prop.Shape.Kind != ShapeKind::NaNPoint &&
         *std::min_element(prop.Shape.Size.begin(), prop.Shape.Size.end()) > 0.0 &&
         prop.Representation == Representation::Surface && !prop.Edges && !prop.Vertices &&
         prop.Shader == Shader::Original && prop.CulledFaces == 0 && prop.OffsetUnits == 0.0 &&
@@ -303,14 +303,6 @@ void AddShadows(Writer& writer)
   for (int i = 0; i < lights; ++i)
   {
     scene.Lights.push_back(MakeLight(writer, middle));
-  }
-  // Left out since masks had one sample for each pixel.
-  const bool multiSampled = scene.Window.MultiSamples > 1 ||
-    std::any_of(scene.Changes.begin(), scene.Changes.end(),
-      [](const Change& change) { return change.Kind == ChangeKind::MultiSamples; });
-  for (Light& light : scene.Lights)
-  {
-    light.Kind = multiSampled && light.Kind == LightKind::Spot ? LightKind::Point : light.Kind;
   }
   Shadows& shadows = scene.Shadows;
   shadows.Mode = writer.Any({ ShadowMode::Exact, ShadowMode::Exact, ShadowMode::Clamped });

@@ -53,6 +53,7 @@ DrawnPolygon::DrawnPolygon(std::vector<Corner> corners, Planes planes, int width
       scale[1] * (corner.Clip[1] / w + 1.0), scale[2] * (corner.Clip[2] / w + 1.0), 0.0 });
   }
   this->Visible = this->SetPlane();
+  this->EdgeOn = !this->Visible;
   for (std::size_t i = 0; this->Visible && i < corners.size(); ++i)
   {
     const Corner& corner = corners[i];
@@ -173,11 +174,6 @@ double DrawnPolygon::GetThickness() const
     }
   }
   return longest > 0.0 ? std::abs(area) / longest : 0.0;
-}
-
-double DrawnPolygon::GetShift() const
-{
-  return this->LargestBound / std::hypot(this->Slope[0], this->Slope[1]);
 }
 
 bool DrawnPolygon::GetRow(double y, double margin, double& x0, double& x1) const

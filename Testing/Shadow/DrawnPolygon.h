@@ -60,14 +60,15 @@ public:
   /// False if nothing of it is in view, or if it is seen edge-on.
   bool IsVisible() const { return this->Visible; }
 
+  /// Something of it is in view and has no area on the screen: it has no plane there, only its
+  /// place (GetBoundsY, GetRow) is known.
+  bool IsEdgeOn() const { return this->EdgeOn; }
+
   /// Least and largest y of what is in view, in pixels.
   const std::array<double, 2>& GetBoundsY() const { return this->BoundsY; }
 
   /// Pixels across, of what is in view: twice its area by its longest diagonal.
   double GetThickness() const;
-
-  /// Pixels that the polygon's plane has to be moved by to change depth by the largest bound.
-  double GetShift() const;
 
   /// Where it is, or less than `margin` pixels in x and y beside, on the line y: false if nowhere.
   bool GetRow(double y, double margin, double& x0, double& x1) const;
@@ -99,6 +100,7 @@ private:
   double Slope[2] = {};
   double LargestBound = 0.0;
   bool Visible = false;
+  bool EdgeOn = false;
 };
 
 #endif

@@ -177,7 +177,7 @@ TEST_F(DrawnPolygonTest, Slivers)
   EXPECT_GT(errors.Ratio, 1.0 / 128.0) << errors;
 }
 
-// A triangle 1/200 pixel wide and one of pixels throw shadows to the right and away from the eye.
+// A triangle 1/20 pixel wide and one of pixels throw shadows to the right and away from the eye.
 TEST(ThinSidesTest, ThinSidesAloneAreFound)
 {
   constexpr int size = 200;
@@ -189,18 +189,19 @@ TEST(ThinSidesTest, ThinSidesAloneAreFound)
   vtkNew<vtkLight> light;
   light->SetPosition(0.0, 0.0, 0.0);
   light->SetFocalPoint(1.0, 0.0, -1.0);
+  // Where x / -z is that of pixel 150: x = t, z = -10 - t. And y the middle of row 100.
+  const double t = 5.05 / (1.0 - 0.505);
+  const double y = 0.005 * (10.0 + t);
   const auto make = [&](double halfWidth, double length)
   {
     RenderedTriangles triangles;
-    triangles.Corners = { 0.0, 0.1 - halfWidth, -10.0, 0.0, 0.1 + halfWidth, -10.0, 0.0, 0.1,
+    triangles.Corners = { 0.0, y - halfWidth, -10.0, 0.0, y + halfWidth, -10.0, 0.0, y,
       -10.0 - length };
     triangles.Owners = { 0 };
     return ThinSides(triangles, { 1 }, OracleLight(light), view);
   };
-  const ThinSides thin = make(5e-4, 1e-2);
+  const ThinSides thin = make(5e-3, 1e-2);
   const ThinSides wide = make(2.0, 4.0);
-  // Where x / -z is that of pixel 150: x = t, z = -10 - t.
-  const double t = 5.05 / (1.0 - 0.505);
   const double depth = 0.5 + 0.5 * (101.0 / 99.0 - 200.0 / 99.0 / (10.0 + t));
   EXPECT_TRUE(thin.AreNear(150, 100, depth, 0.0));
   EXPECT_FALSE(thin.AreNear(150, 100, depth + 0.05, 0.0));
@@ -209,5 +210,36 @@ TEST(ThinSidesTest, ThinSidesAloneAreFound)
   for (int i = 0; i < size * size; ++i)
   {
     EXPECT_FALSE(wide.AreNear(i % size, i / size, 0.5, 1.0)) << i;
+  }
+  // Less than two steps of the subpixel grid: any depth.
+  const ThinSides thinnest = make(1e-5, 1e-5);
+  EXPECT_TRUE(thinnest.AreNear(150, 100, 0.001, 0.0));
+  EXPECT_FALSE(thinnest.AreNear(150, 98, 0.001, 0.0));
+}
+
+// The light, an edge of the caster and the eye in one plane: the side on the edge is seen as a
+// line, and a rasteriser may draw its samples at any depth.
+TEST(ThinSidesTest, SidesSeenEdgeOnHaveAnyDepth)
+{
+  constexpr int size = 201;
+  const ThinSides::View view = { { 0.0, 0.0, 0.0 },
+    { { 1.0, 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0, 0.0 }, { 0.0, 0.0, -101.0 / 99.0, -200.0 / 99.0 },
+      { 0.0, 0.0, -1.0, 0.0 } },
+    size, size };
+  vtkNew<vtkLight> light;
+  light->PositionalOn();
+  light->SetConeAngle(180.0);
+  light->SetPosition(0.0, 0.0, -10.0);
+  RenderedTriangles triangles;
+  triangles.Corners = { 2.0, 0.0, -9.0, 2.0, 0.0, -11.0, 2.0, -2.0, -10.0 };
+  triangles.Owners = { 0 };
+  const ThinSides sides(triangles, { 1 }, OracleLight(light), view);
+  // The side reaches from the right of the middle to the border, in the middle row.
+  for (const double depth : { 0.0, 0.5, 1.0 })
+  {
+    EXPECT_TRUE(sides.AreNear(150, 100, depth, 0.0)) << depth;
+    EXPECT_FALSE(sides.AreNear(50, 100, depth, 0.0)) << depth;
+    EXPECT_FALSE(sides.AreNear(150, 101, depth, 0.0)) << depth;
+    EXPECT_FALSE(sides.AreNear(150, 99, depth, 0.0)) << depth;
   }
 }

@@ -202,6 +202,42 @@ TEST_F(OracleTest, NearAnEdgeIsAmbiguous)
   }
 }
 
+// Two sheets, half a pixel above each other, seen at an angle of 1 : 40 and all in shadow, so many
+// pixels beside the edge of the upper one: a rasteriser may see either.
+TEST_F(OracleTest, StepBetweenSheetsSeenAlmostEdgeOnIsAmbiguous)
+{
+  for (const double distance : { -0.02, -0.015, -0.001, 0.001, 0.015, 0.02 })
+  {
+    SCOPED_TRACE(distance);
+    const double edge = 15.5 + distance;
+    ShadowStage stage(MakePixelScene(40, 30,
+      [&](vtkRenderer* renderer)
+      {
+        const auto addSheet = [&](double low, double high, double z)
+        {
+          AddMesh(renderer,
+            MakeMesh({ { -50.0, low, z }, { 90.0, low, z }, { 90.0, high, z - 40.0 * (high - low) },
+                       { -50.0, high, z - 40.0 * (high - low) } },
+              { { 0, 1, 2, 3 } }));
+        };
+        addSheet(edge, edge + 10.0, -1000.0);
+        addSheet(edge - 10.0, edge + 10.0, -1020.0 + 400.0);
+        AddMesh(renderer,
+          MakeMesh({ { -50.0, 500.0, 0.0 }, { 90.0, 500.0, 0.0 }, { 90.0, 500.0, -2000.0 },
+                     { -50.0, 500.0, -2000.0 } },
+            { { 0, 1, 2, 3 } }));
+        AddDirectional(renderer, { 0.0, -1.0, 0.0 });
+      }));
+    const OracleImage image = Cast(stage.Renderer, stage.Lights[0]);
+    for (int y = 8; y < 23; ++y)
+    {
+      const std::size_t i = 40 * y + 20;
+      EXPECT_EQ(image.Samples[i], OracleSample::Shadowed) << y;
+      EXPECT_EQ(image.Ambiguous[i] != 0, std::abs(distance) < 1.0 / 64.0 && y == 15) << y;
+    }
+  }
+}
+
 TEST_F(OracleTest, GrazingLightIsAmbiguous)
 {
   for (const double slope : { -1e-3, -5e-5, 5e-5, 1e-3 })

@@ -14,6 +14,8 @@
 #include "vtkLight.h"
 #include "vtkLightsPass.h"
 #include "vtkNew.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkProperty.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkSequencePass.h"
@@ -199,5 +201,44 @@ TEST_F(PassImages, InASequenceAreThoseOfThePassAlone)
       EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
       EXPECT_GT(shadows->GetNumberOfRenderedProps(), 0);
     }
+  }
+}
+
+// Where coordinates are large and not shifted, VTK's shader ends a cone somewhere else: what it
+// sees in the cone has its shadow.
+TEST_F(PassImages, ConesOfVerticesFarFromTheOrigin)
+{
+  constexpr double x = 5e6;
+  constexpr double y = 4.5e6;
+  NamedScene scene;
+  scene.Width = 400;
+  scene.Height = 300;
+  scene.Build = [=](vtkRenderer* renderer)
+  {
+    ShadowShapes::AddBox(renderer, { x, y, -0.5 }, { 60.0, 60.0, 1.0 });
+    ShadowShapes::AddBox(renderer, { x + 5.0, y, 7.0 }, { 10.0, 20.0, 2.0 });
+    ShadowShapes::AddSpot(renderer, { x, y, 20.0 }, { x, y, 0.0 }, 15.0);
+    ShadowShapes::Look(renderer, { x + 3.0, y - 60.0, 40.0 }, { x, y, 0.0 });
+    vtkActorCollection* actors = renderer->GetActors();
+    for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+    {
+      vtkOpenGLPolyDataMapper::SafeDownCast(
+        vtkActor::SafeDownCast(actors->GetItemAsObject(i))->GetMapper())
+        ->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+    }
+  };
+  const ShadowStage stage(scene);
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  for (const double cone : { 10.0, 15.0, 20.0, 25.0, 30.0 })
+  {
+    SCOPED_TRACE(cone);
+    stage.Lights[0]->SetConeAngle(cone);
+    pass->SetMode(vtkShadowVolumeClampPass::Unclamped);
+    stage.Window->Render();
+    const ShadowImage expected = GetImage(stage.Window);
+    EXPECT_FALSE(IsSameImage(GetPlainImage(stage.Window, stage.Renderer), expected, stage.Window));
+    pass->SetMode(vtkShadowVolumeClampPass::Exact);
+    stage.Window->Render();
+    EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
   }
 }

@@ -19,6 +19,8 @@ namespace
 constexpr double Jitter = 1.0 / 64.0; // pixels
 /// Of a step beside the sample, that leads off the plane of its triangle: the sine of 6 degrees.
 constexpr double SharpEdge = 0.1;
+/// Of a unit normal.
+constexpr double PlaneRounding = 1e-6;
 /// Window depth: two units of 24 bits for the receiver, two for the volume.
 constexpr double DepthSteps = 4.0 / (1 << 24);
 /// Pixels: two steps of a subpixel grid of 8 bits.
@@ -249,6 +251,19 @@ Oracle::Classification Oracle::Classify(
   return result;
 }
 
+bool Oracle::IsStep(const Receiver& a, const Receiver& b) const
+{
+  double step[3];
+  double cross[3];
+  vtkMath::Subtract(b.Position, a.Position, step);
+  vtkMath::Cross(a.Normal, b.Normal, cross);
+  const double length = vtkMath::Norm(step);
+  const double off =
+    std::max(std::abs(vtkMath::Dot(step, a.Normal)), std::abs(vtkMath::Dot(step, b.Normal)));
+  return off > SharpEdge * length ||
+    off > (vtkMath::Norm(cross) + PlaneRounding) * length + this->Tolerance;
+}
+
 bool Oracle::IsAmbiguous(int x, int y, const OracleLight& light) const
 {
   return this->IsAmbiguous(x, y, light, this->Classify(x, y, 0.0, 0.0, light));
@@ -271,17 +286,9 @@ bool Oracle::IsAmbiguous(int x, int y, const OracleLight& light, const Classific
         return true;
       }
       Receiver beside;
-      if (this->GetReceiver(x, y, jitterX, jitterY, beside))
+      if (this->GetReceiver(x, y, jitterX, jitterY, beside) && this->IsStep(receiver, beside))
       {
-        double step[3];
-        vtkMath::Subtract(beside.Position, receiver.Position, step);
-        // Off the plane of either: one of them may be seen edge-on.
-        const double off = std::max(std::abs(vtkMath::Dot(step, receiver.Normal)),
-          std::abs(vtkMath::Dot(step, beside.Normal)));
-        if (off > SharpEdge * vtkMath::Norm(step))
-        {
-          return true;
-        }
+        return true;
       }
     }
   }

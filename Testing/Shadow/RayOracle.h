@@ -130,6 +130,13 @@ private:
   void SetView(vtkRenderer* renderer);
   void FindClipped();
   Ray GetShadowRay(const Receiver& receiver, const OracleLight& light) const;
+  /**
+   * Whether the surface that is seen at a is not, or only over a sharp edge, that at b beside it.
+   * If their planes meet between them, neither is farther off the other's plane than the sine of
+   * the planes' angle times the distance. Sheets behind each other are, at however small an angle
+   * they are seen.
+   */
+  bool IsStep(const Receiver& a, const Receiver& b) const;
   bool IsAmbiguous(int x, int y, const OracleLight& light, const Classification& centre) const;
   /// The actors that are crossed between it and the light.
   std::set<int> GetCrossed(const Receiver& receiver, const OracleLight& light) const;

@@ -108,11 +108,12 @@ void ThinSides::AddSide(
     corners.push_back(DrawnPolygon::Transform(view.EyeToClip, light.Direction, 0.0));
   }
   const DrawnPolygon polygon(corners, DrawnPolygon::Planes::Near, view.Width, view.Height);
-  if (!polygon.IsVisible() || polygon.GetThickness() >= GetLargestThickness() ||
-    polygon.GetShift() <= GetLeastShift())
+  if ((!polygon.IsVisible() && !polygon.IsEdgeOn()) ||
+    polygon.GetThickness() >= GetLargestThickness())
   {
     return;
   }
+  const bool anyDepth = polygon.GetThickness() < GetLeastThickness();
   constexpr double margin = 1.0 / 256; // a step of the subpixel grid
   const int end = std::min(view.Height, static_cast<int>(polygon.GetBoundsY()[1] + margin) + 1);
   for (int row = std::max(0, static_cast<int>(polygon.GetBoundsY()[0] - margin)); row < end; ++row)
@@ -126,8 +127,10 @@ void ThinSides::AddSide(
     const int last = std::min(view.Width - 1, static_cast<int>(std::floor(x1 - 0.5)));
     for (int column = std::max(0, static_cast<int>(std::ceil(x0 - 0.5))); column <= last; ++column)
     {
-      this->Pixels[static_cast<std::size_t>(row) * view.Width + column].push_back(
-        { polygon.GetDepth(column + 0.5, row + 0.5), polygon.GetBound(column + 0.5, row + 0.5) });
+      const Crossing crossing = anyDepth ? Crossing{ 0.5, HUGE_VAL }
+                                         : Crossing{ polygon.GetDepth(column + 0.5, row + 0.5),
+                                             polygon.GetBound(column + 0.5, row + 0.5) };
+      this->Pixels[static_cast<std::size_t>(row) * view.Width + column].push_back(crossing);
     }
   }
 }

@@ -11,8 +11,11 @@
  * bound of DrawnPolygon.h, and the side counts as before or behind a receiver that close to it.
  *
  * Only slivers of less than a pixel across count: the bound of wider sides is far above what is
- * seen of them. Sides whose bound is worth less than GetLeastShift() are left out: the oracle moves
- * samples by more than that anyway.
+ * seen of them. What is thinner than two steps of the subpixel grid, and what is seen edge-on, has
+ * no plane on the screen after its corners were snapped, if it is not gone: its samples may be
+ * given any depth, also one before or behind all of it. (A bound may be worth no more than a small
+ * part of a pixel by which the side is moved. But moved samples do not stand for it: they do not
+ * see its plane where the side has ended.)
  */
 #ifndef ThinSides_h
 #define ThinSides_h
@@ -40,7 +43,7 @@ public:
 
   ///@{
   /// Pixels, see above.
-  static double GetLeastShift() { return 2.0 / 256; }
+  static double GetLeastThickness() { return 2.0 / 256; }
   static double GetLargestThickness() { return 1.0; }
   ///@}
 

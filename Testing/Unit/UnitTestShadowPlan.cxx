@@ -289,6 +289,8 @@ TEST(ShadowPlan, CastersAtTheLightsPlane)
   EXPECT_TRUE(behind.Draws.empty());
   EXPECT_EQ(behind.Decide(vtkShadowMode::Unclamped), Verdict::Whole) << "nothing is left out";
   EXPECT_EQ(behind.Draws.size(), 1u);
+  behind.Litmap.SetReceiversBesideCone(true);
+  EXPECT_EQ(behind.Decide(vtkShadowMode::Exact), Verdict::ThroughLightPlane);
 
   for (const auto mode : { vtkShadowMode::Exact, vtkShadowMode::Clamped })
   {
@@ -304,6 +306,8 @@ TEST(ShadowPlan, CastersAtTheLightsPlane)
     beside.AddReceiver({ 0.0, 0.0, -8.0 }, 5, 6);
     EXPECT_EQ(beside.Decide(mode), Verdict::OutsideCone);
     EXPECT_TRUE(beside.Draws.empty());
+    beside.Litmap.SetReceiversBesideCone(true);
+    EXPECT_EQ(beside.Decide(mode), Verdict::ThroughLightPlane);
   }
 
   Situation front(MakePositional(vtkShadowLightKind::Spot, 5.0));

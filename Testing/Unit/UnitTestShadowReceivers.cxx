@@ -406,6 +406,49 @@ TEST(ShadowReceiversOnce, OutsideOfTheConeIsLeftOut)
   }
 }
 
+// The same far from the origin, where VTK's shader may see the cone's end units beside it.
+TEST(ShadowReceiversOnce, WhatRoundingBringsIntoTheConeIsNotLeftOut)
+{
+  constexpr double far = 1e6;
+  // A shader's place, in each coordinate: a few steps of floats as large as this.
+  const double rounding = 4.0 * far * 0x1p-24;
+  vtkIdType more = 0;
+  for (unsigned int seed = 0; seed < 20; ++seed)
+  {
+    Maker maker(Camera{ false, 1.0, 100.0 }, 40, 30, 30 + seed);
+    maker.AddAll();
+    vtkShadowLight light = maker.MakeLight(Kind::Spot);
+    vtkShadowLitmap litmap;
+    const vtkIdType near = vtkShadowReceivers::Scatter(
+      maker.Made.Depth.data(), nullptr, maker.Made.View, light, vtkShadowFrame(light), 32, litmap);
+    int reached = 0;
+    for (std::size_t i = 0; i < maker.Made.Depth.size(); ++i)
+    {
+      bool any = false;
+      for (int k = 0; k < 6; ++k)
+      {
+        std::array<double, 3> x = { maker.Made.World[i][0], maker.Made.World[i][1],
+          maker.Made.World[i][2] };
+        x[static_cast<std::size_t>(k / 2)] += k % 2 ? rounding : -rounding;
+        any = any || light.Reaches(x.data());
+      }
+      reached += maker.Made.Depth[i] < 1.0f && any;
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      maker.Made.View.Origin[k] += far;
+      light.Position[k] += far;
+    }
+    const vtkIdType found = vtkShadowReceivers::Scatter(
+      maker.Made.Depth.data(), nullptr, maker.Made.View, light, vtkShadowFrame(light), 32, litmap);
+    EXPECT_GE(found, reached) << "seed " << seed;
+    EXPECT_GE(found, near) << "seed " << seed;
+    EXPECT_TRUE(found == near || litmap.HasReceiversBesideCone()) << "seed " << seed;
+    more += found - near;
+  }
+  EXPECT_GT(more, 20);
+}
+
 // Conservative is not enough: an extent around a single receiver is tight.
 TEST(ShadowReceiversOnce, ExtentsAreTight)
 {
