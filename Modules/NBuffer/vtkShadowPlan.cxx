@@ -346,7 +346,7 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
     return vtkShadowVerdict::Whole;
   }
   const bool onlyInCone = this->Light.Kind == vtkShadowLightKind::Spot &&
-    !(this->Litmap && this->Litmap->HasReceiversBesideCone());
+    !(this->Whole.Litmap && this->Whole.Litmap->HasReceiversBesideCone());
   if (onlyInCone && footprint.Far <= 0.0)
   {
     return vtkShadowVerdict::BehindLight;
