@@ -141,21 +141,22 @@ void DepthStructure::SetSize(int width, int height)
         level.StepX = hasLeft || !hasLower;
         level.StepY = !hasLeft;
         level.From = place(x - (level.StepX ? 1 : 0), y - (level.StepY ? 1 : 0));
-        if (!this->IsPlain())
-        {
-          level.Storage.resize(static_cast<std::size_t>(level.Width) * level.Height);
-        }
       }
       this->Levels.push_back(std::move(level));
     }
   }
-  for (Level& level : this->Levels)
+}
+
+void DepthStructure::Allocate()
+{
+  const std::size_t row = static_cast<std::size_t>(this->Columns.GetSize());
+  this->Scratch.resize(this->Family.Separable ? row * this->Rows.GetSize() : row);
+  for (std::size_t i = 1; i < this->Levels.size(); ++i)
   {
+    Level& level = this->Levels[i];
+    level.Storage.resize(static_cast<std::size_t>(level.Width) * level.Height);
     level.Texels = level.Storage.data();
   }
-  this->Scratch.resize(this->Family.Separable
-      ? static_cast<std::size_t>(this->Columns.GetSize()) * this->Rows.GetSize()
-      : static_cast<std::size_t>(this->Columns.GetSize()));
 }
 
 void DepthStructure::BuildColumns(
@@ -218,6 +219,7 @@ void DepthStructure::Build(const float* depth, int width, int height)
     }
     return;
   }
+  this->Allocate();
   this->Levels.front().Texels = this->Base.GetLevelData(0);
   for (std::size_t i = 1; i < this->Levels.size(); ++i)
   {

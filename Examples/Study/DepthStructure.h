@@ -41,7 +41,8 @@ public:
 
   const DepthFamily& GetFamily() const { return this->Family; }
 
-  /// Room for images of this size. Build() calls it where the size has changed.
+  /// Lay out the levels for images of this size, which Build() does where it has changed. Enough
+  /// for GetCovered(), GetCover() and GetNumberOfTexels(): memory comes with the first build.
   void SetSize(int width, int height);
 
   /// `depth`: order of distance, larger is farther; row 0 at the bottom.
@@ -83,6 +84,7 @@ private:
 
   bool IsPlain() const;
   bool HasLevel(int x, int y) const;
+  void Allocate();
   void BuildLevel(Level& level);
   void BuildColumns(const float* in, int width, int height, const Level& level, float* out);
 

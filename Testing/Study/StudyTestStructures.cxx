@@ -3,6 +3,7 @@
 // Every member of the family against the double loop: what it covers contains the rectangle, what
 // it answers is the farthest depth of what it covers, and where it is said to be exact it is.
 #include "DepthStructure.h"
+#include "OverCoverage.h"
 #include "StudyImage.h"
 
 #include <gtest/gtest.h>
@@ -254,6 +255,37 @@ TEST(StudyStructures, TexelsAndMemoryAreThoseOfTheArticle)
   EXPECT_NEAR(
     count({ 1, DepthGrid::Mips, 0, 0, DepthTaps::TwoByTwo, false }, 255, 255), 1.33, 0.01);
   EXPECT_EQ(count(windows(FullStride, 0, 4), 256, 256), 7.0 / 16.0);
+}
+
+TEST(StudyStructures, OverCoverageIsThatOfTheSquares)
+{
+  const auto measure = [](DepthTaps taps)
+  {
+    return NBufferStudy::MeasureOverCoverage(
+      { 1, DepthGrid::Windows, FullStride, 0, taps, false }, 40, 1);
+  };
+  const NBufferStudy::OverCoverage one = measure(DepthTaps::One);
+  const NBufferStudy::OverCoverage four = measure(DepthTaps::Four);
+  double extra = 0.0;
+  double area = 0.0;
+  for (int height = 1; height <= 40; ++height)
+  {
+    for (int width = 1; width <= 40; ++width)
+    {
+      const double pixels = width * height;
+      const double side = 1 << vtkNBufferMath::GetLevelForOneLookup(width, height);
+      const double small = 1 << vtkNBufferMath::GetLevelForFourLookups(width, height);
+      const auto place = static_cast<std::size_t>((height - 1) * 40 + width - 1);
+      EXPECT_DOUBLE_EQ(one.Shares[place], side * side / pixels - 1.0);
+      EXPECT_DOUBLE_EQ(four.Shares[place],
+        std::max<double>(width, small) * std::max<double>(height, small) / pixels - 1.0);
+      extra += pixels * four.Shares[place];
+      area += pixels;
+    }
+  }
+  EXPECT_NEAR(four.GetShareOfArea(), extra / area, 1e-12);
+  EXPECT_LT(four.GetMean(), one.GetMean());
+  EXPECT_EQ(four.GetQuantile(0.0), 0.0);
 }
 
 TEST(StudyStructures, NamesAreUnique)
