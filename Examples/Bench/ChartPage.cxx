@@ -38,7 +38,7 @@ void SetLogAxis(vtkAxis* axis, double low, double high)
   vtkNew<vtkStringArray> labels;
   low /= 1.25;
   high *= 1.25;
-  for (double decade = 1e-3; decade < 1e6; decade *= 10.0)
+  for (double decade = 1e-3; decade < 1e9; decade *= 10.0)
   {
     for (double step : { 1.0, 2.0, 5.0 })
     {
@@ -46,7 +46,7 @@ void SetLogAxis(vtkAxis* axis, double low, double high)
       if (value >= low && value <= high)
       {
         char text[32];
-        std::snprintf(text, sizeof(text), "%g", value);
+        std::snprintf(text, sizeof(text), value < 1e6 ? "%g" : "%.0e", value);
         places->InsertNextValue(std::log10(value));
         labels->InsertNextValue(text);
       }

@@ -10,6 +10,7 @@
 #include "Report.h"
 #include "StudyChart.h"
 #include "StudyFrames.h"
+#include "StudyHierarchy.h"
 #include "StudyPaper.h"
 #include "StudyReport.h"
 
@@ -23,14 +24,37 @@ namespace NBufferBench
 {
 namespace
 {
+/// How much of everything.
+struct Effort
+{
+  int Frames;
+  int Repetitions;
+  int PaperFrames;      ///< Of table 2.
+  int PaperRepetitions; ///< Of table 1.
+  int LargestImage;     ///< Of table 1.
+  int LargestRectangle; ///< Of figure 4.
+  int MostProps;        ///< Of the hierarchy.
+};
+constexpr Effort Full = { 8, 7, 6, 9, 1024, 256, 1000000 };
+constexpr Effort Quick = { 3, 3, 2, 3, 1024, 128, 100000 };
+constexpr Effort Tiny = { 1, 1, 1, 1, 256, 16, 1000 };
+
 struct StudyOptions
 {
   ViewOptions View;
   std::string Folder = "out/study";
-  bool Quick = false;
-  bool Tiny = false;
+  bool IsQuick = false;
+  bool IsTiny = false;
   int Repetitions = 0;
   double Megabytes = 120.0;
+
+  Effort GetEffort() const
+  {
+    Effort effort = this->IsTiny ? Tiny : this->IsQuick ? Quick : Full;
+    effort.Frames = this->View.Frames > 0 ? this->View.Frames : effort.Frames;
+    effort.Repetitions = this->Repetitions > 0 ? this->Repetitions : effort.Repetitions;
+    return effort;
+  }
 };
 
 /// Poses far enough apart to be different work.
@@ -60,6 +84,7 @@ class Study
 public:
   explicit Study(StudyOptions& options)
     : Options(options)
+    , Spent(options.GetEffort())
   {
   }
 
@@ -72,7 +97,9 @@ public:
     Session& session = Session::New(scene, this->Options.View.Window);
     this->Report = this->Options.View.Describe(scene, session);
     this->Report.removeMember("path");
-    this->Report["quick"] = this->Options.Quick;
+    this->Report["effort"] = this->Options.IsTiny ? "tiny"
+      : this->Options.IsQuick                     ? "quick"
+                                                  : "full";
     this->Report["default"] = NBufferStudy::GetDefaultName();
 
     std::vector<std::string> paths = { this->Options.View.GetPathName(scene) };
@@ -81,9 +108,14 @@ public:
       paths = { "street", "rooftop", "drone" };
     }
     this->Report["scenes"] = Json::Value(Json::arrayValue);
+    this->Report["hierarchy"] = Json::Value(Json::arrayValue);
     for (const std::string& path : paths)
     {
       this->RunPath(scene, session, path);
+    }
+    for (const std::string& path : paths)
+    {
+      this->RunHierarchy(scene, session, path);
     }
     this->RunPaper(scene, session, paths.front());
     ShowProgress("");
@@ -107,8 +139,7 @@ private:
 
   void RunPath(const NBufferExamples::Scene& scene, Session& session, const std::string& name)
   {
-    const int usual = this->Options.Tiny ? 1 : this->Options.Quick ? 3 : 8;
-    const int frames = this->Options.View.Frames > 0 ? this->Options.View.Frames : usual;
+    const int frames = this->Spent.Frames;
     const std::vector<NBufferStudy::DepthFrame> work =
       CollectFrames(session, this->MakePath(scene, name, frames),
         [&](std::size_t frame)
@@ -118,10 +149,7 @@ private:
         });
     const std::vector<NBufferStudy::ContenderPointer> contenders = NBufferStudy::MakeContenders(
       work.front().Width, work.front().Height, this->Options.Megabytes);
-    const int repetitions = this->Options.Repetitions > 0 ? this->Options.Repetitions
-      : this->Options.Tiny                                ? 1
-      : this->Options.Quick                               ? 3
-                                                          : 7;
+    const int repetitions = this->Spent.Repetitions;
     const std::vector<NBufferStudy::ContestResult> results =
       NBufferStudy::RunContest(work, contenders, repetitions,
         [&](int turn, int turns)
@@ -149,27 +177,45 @@ private:
     this->Report["scenes"].append(report);
   }
 
+  /// All props of the scene, and copies of it, tested in a frame of the path.
+  void RunHierarchy(const NBufferExamples::Scene& scene, Session& session, const std::string& name)
+  {
+    NBufferExamples::CameraPose pose = this->MakePath(scene, name, 1).front();
+    if (scene.Plan)
+    {
+      pose.Near = 0.5;
+      pose.Far = 20000.0; // The copies as well.
+    }
+    const NBufferStudy::DepthFrame frame =
+      CollectFrames(session, { pose }, std::function<void(std::size_t)>()).front();
+    Json::Value hierarchy;
+    hierarchy["scene"] = scene.Name;
+    hierarchy["path"] = name;
+    hierarchy["entries"] = MeasureHierarchy(frame, CollectBoxes(session), pose.Eye,
+      this->Spent.MostProps, this->Spent.Repetitions,
+      [&](int count) { ShowProgress(name + ": hierarchy over " + std::to_string(count)); });
+    hierarchy["chart"] = "hierarchy-" + GetFileName(scene.Name) + "-" + GetFileName(name);
+    WriteHierarchyChart(hierarchy["entries"], scene.Name + ", " + name + ", copies side by side",
+      this->Options.Folder + "/" + hierarchy["chart"].asString());
+    this->Report["hierarchy"].append(hierarchy);
+  }
+
   void RunPaper(const NBufferExamples::Scene& scene, Session& session, const std::string& path)
   {
-    const int frames = this->Options.Tiny ? 1 : this->Options.Quick ? 2 : 6;
     ShowProgress("the paper's table 2");
     session.GetWindow()->SetSize(512, 512);
-    this->Report["table2"] = MakeTable2(CollectFrames(
-      session, this->MakePath(scene, path, frames), std::function<void(std::size_t)>()));
+    this->Report["table2"] = MakeTable2(CollectFrames(session,
+      this->MakePath(scene, path, this->Spent.PaperFrames), std::function<void(std::size_t)>()));
+    this->FalseHidden += this->Report["table2"]["false_hidden"].asInt();
     ShowProgress("the paper's table 1");
     this->Report["table1"] = MakeTable1(session, this->MakePath(scene, path, 1).front(),
-      this->Options.Tiny      ? 1
-        : this->Options.Quick ? 3
-                              : 9,
-      this->Options.Tiny ? 256 : 1024);
+      this->Spent.PaperRepetitions, this->Spent.LargestImage);
     ShowProgress("the paper's figure 4");
-    this->Report["figure4"] = MakeFigure4(this->Options.Tiny ? 16
-        : this->Options.Quick                                ? 128
-                                                             : 256,
-      this->Options.Folder);
+    this->Report["figure4"] = MakeFigure4(this->Spent.LargestRectangle, this->Options.Folder);
   }
 
   StudyOptions& Options;
+  Effort Spent;
   Json::Value Report;
   long long FalseHidden = 0;
 };
@@ -186,8 +232,8 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
   options->View.AddTo(*command);
   command->add_option("--out", options->Folder, "Folder for study.json, study.csv and the charts")
     ->capture_default_str();
-  command->add_flag("--quick", options->Quick, "Fewer frames and repetitions: under 3 minutes");
-  command->add_flag("--tiny", options->Tiny, "One frame of each: only whether everything runs");
+  command->add_flag("--quick", options->IsQuick, "Fewer frames and repetitions: under 3 minutes");
+  command->add_flag("--tiny", options->IsTiny, "One frame of each: only whether everything runs");
   command
     ->add_option("--repeat", options->Repetitions, "Timed repetitions of each frame; default: 7")
     ->check(CLI::Range(1, 1000));

@@ -154,6 +154,19 @@ std::vector<DepthFrame> CollectFrames(Session& session, const NBufferExamples::C
   return frames;
 }
 
+std::vector<vtkNBufferBox> CollectBoxes(Session& session)
+{
+  std::vector<vtkNBufferBox> boxes;
+  for (const vtkNBufferCandidate& candidate : MakeCandidates(session.GetRenderer()))
+  {
+    if (candidate.IsCandidate())
+    {
+      boxes.push_back(candidate.GetBox());
+    }
+  }
+  return boxes;
+}
+
 DeviceBuild MeasureDeviceBuild(
   Session& session, const CameraPose& pose, int width, int height, int factor, int repetitions)
 {

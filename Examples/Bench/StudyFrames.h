@@ -24,6 +24,9 @@ namespace NBufferBench
 std::vector<NBufferStudy::DepthFrame> CollectFrames(Session& session,
   const NBufferExamples::CameraPath& path, const std::function<void(std::size_t)>& progress);
 
+/// Of all props that may be culled, in view or not.
+std::vector<vtkNBufferBox> CollectBoxes(Session& session);
+
 struct DeviceBuild
 {
   int Width = 0;

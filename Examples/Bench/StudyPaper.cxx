@@ -33,6 +33,7 @@ struct Tests
   double Flat = 0.0;
   double Hierarchy = 0.0;
   double Nodes = 0.0;
+  int FalseHidden = 0; ///< Visible boxes that the hierarchy leaves out.
 };
 
 /// Tests of the boxes of a frame, flat and over a hierarchy. isHidden(box, screen, tests) adds the
@@ -44,6 +45,7 @@ Tests CountTests(const DepthFrame& frame, const BoxTree& tree, IsHidden&& isHidd
   for (const DepthBox& box : frame.Boxes)
   {
     isHidden(box.Box, box.Screen, tests.Flat);
+    tests.FalseHidden += box.Visible ? 1 : 0;
   }
   tree.Visit(
     [&](const vtkNBufferBox& box)
@@ -57,8 +59,9 @@ Tests CountTests(const DepthFrame& frame, const BoxTree& tree, IsHidden&& isHidd
     },
     [&](int i)
     {
-      isHidden(frame.Boxes[static_cast<std::size_t>(i)].Box,
-        frame.Boxes[static_cast<std::size_t>(i)].Screen, tests.Hierarchy);
+      const DepthBox& box = frame.Boxes[static_cast<std::size_t>(i)];
+      const bool hidden = isHidden(box.Box, box.Screen, tests.Hierarchy);
+      tests.FalseHidden -= box.Visible && !hidden ? 1 : 0;
     });
   return tests;
 }
@@ -165,6 +168,7 @@ Json::Value MakeTable2(const std::vector<DepthFrame>& frames)
     Add(table["tests"]["oq_hierarchy"], share * oq.Hierarchy);
     Add(table["tests"]["nb"], share * nb.Flat);
     Add(table["tests"]["nb_hierarchy"], share * nb.Hierarchy);
+    Add(table["false_hidden"], oq.FalseHidden + nb.FalseHidden);
     Add(table["nodes"]["oq"], share * oq.Nodes);
     Add(table["nodes"]["nb"], share * nb.Nodes);
   }

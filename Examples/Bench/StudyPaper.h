@@ -7,7 +7,8 @@
  *     table1[]    width, height, levels, cpu_ms, opengl_ms (median, p10, p90), paper_levels,
  * paper_ms table2      boxes, visible, and of a frame at 512 x 512: tests.oq, oq_hierarchy, nb,
  *                 nb_hierarchy (depth comparisons), nodes.oq and nodes.nb (boxes of the hierarchy
- *                 asked); paper.* the same four of the paper
+ *                 asked); paper.* the same four of the paper; false_hidden: visible props
+ *                 that a hierarchy leaves out, has to be 0
  *     figure4[]   name, caption; mean_percent, median_percent and most_percent over all sizes;
  *                 area_percent: all that is covered too much by all that was asked for
  */

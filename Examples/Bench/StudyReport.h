@@ -10,6 +10,8 @@
  *                        looked at beyond the rectangles, -1 where that has no meaning; build_ms,
  *                        query_ms, total_ms of a frame, each median, p10 and p90; queries and
  *                        lookups of a frame; texels; bytes
+ *     hierarchy[]        scene, path, entries[]: see StudyHierarchy.h
+ *     table1, table2, figure4   see StudyPaper.h
  */
 #ifndef StudyReport_h
 #define StudyReport_h
