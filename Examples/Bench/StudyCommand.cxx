@@ -12,6 +12,7 @@
 #include "StudyFrames.h"
 #include "StudyHierarchy.h"
 #include "StudyPaper.h"
+#include "StudyPeers.h"
 #include "StudyReport.h"
 
 #include "Contest.h"
@@ -34,10 +35,12 @@ struct Effort
   int LargestImage;     ///< Of table 1.
   int LargestRectangle; ///< Of figure 4.
   int MostProps;        ///< Of the hierarchy.
+  int WalkFrames;       ///< Of the peers, whole frames.
+  int LatentPairs;
 };
-constexpr Effort Full = { 8, 7, 6, 9, 1024, 256, 1000000 };
-constexpr Effort Quick = { 3, 3, 2, 3, 1024, 128, 100000 };
-constexpr Effort Tiny = { 1, 1, 1, 1, 256, 16, 1000 };
+constexpr Effort Full = { 8, 7, 6, 9, 1024, 256, 1000000, 40, 12 };
+constexpr Effort Quick = { 3, 3, 2, 3, 1024, 128, 100000, 8, 3 };
+constexpr Effort Tiny = { 1, 1, 1, 1, 256, 16, 1000, 2, 1 };
 
 struct StudyOptions
 {
@@ -162,6 +165,8 @@ private:
     report["path"] = name;
     report["size"] = std::to_string(work.front().Width) + "x" + std::to_string(work.front().Height);
     report["repetitions"] = repetitions;
+    report["frames_by_mode"] = this->RunPeers(scene, session, name, report["latent"]);
+    AddLosses(report, report["frames_by_mode"]["draw_us"].asDouble());
     report["chart"] = "pareto-" + GetFileName(scene.Name) + "-" + GetFileName(name);
     WriteParetoChart(report, scene.Name + ", " + name + ", " + report["size"].asString(),
       this->Options.Folder + "/" + report["chart"].asString());
@@ -175,6 +180,27 @@ private:
       }
     }
     this->Report["scenes"].append(report);
+  }
+
+  /// Whole frames, one pose after the other.
+  Json::Value RunPeers(const NBufferExamples::Scene& scene, Session& session,
+    const std::string& name, Json::Value& latent)
+  {
+    const auto progress = [&name](const std::string& text)
+    { ShowProgress(name + ": whole frames, " + text); };
+    const Json::Value frames = MeasureFrames(session,
+      NBufferExamples::MakePath(scene, name, this->Spent.WalkFrames, this->Options.View.Seed),
+      progress);
+    const NBufferExamples::CameraPath path =
+      NBufferExamples::MakePath(scene, name, 480, this->Options.View.Seed);
+    for (int step : { 1, 10 })
+    {
+      progress("by verdicts of " + std::to_string(step) + " poses ago");
+      latent.append(MeasureLatent(session, path, step, this->Spent.LatentPairs,
+        this->Options.Folder + "/latent-" + GetFileName(scene.Name) + "-" + GetFileName(name) +
+          "-" + std::to_string(step) + ".png"));
+    }
+    return frames;
   }
 
   /// All props of the scene, and copies of it, tested in a frame of the path.

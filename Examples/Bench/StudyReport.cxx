@@ -125,12 +125,21 @@ Json::Value ReportContest(
   return scene;
 }
 
+void AddLosses(Json::Value& scene, double microsecondsPerProp)
+{
+  for (Json::Value& point : scene["points"])
+  {
+    const double kept = 0.01 * GetError(point) * scene["hidden"].asDouble();
+    point["loss_ms"] = Round(GetTotal(point) + 1e-3 * kept * microsecondsPerProp);
+  }
+}
+
 void WriteStudyCSV(const Json::Value& report, const std::string& fileName)
 {
   std::ofstream file(fileName);
   file << "scene,path,name,group,default,pareto,false_visible_percent,false_hidden,"
-          "over_covered_percent,build_ms,query_ms,total_ms,total_ms_p10,total_ms_p90,queries,"
-          "lookups,texels,bytes\n";
+          "over_covered_percent,build_ms,query_ms,total_ms,total_ms_p10,total_ms_p90,loss_ms,"
+          "queries,lookups,texels,bytes\n";
   for (const Json::Value& scene : report["scenes"])
   {
     for (const Json::Value& point : scene["points"])
@@ -143,8 +152,9 @@ void WriteStudyCSV(const Json::Value& report, const std::string& fileName)
            << point["build_ms"]["median"].asDouble() << ','
            << point["query_ms"]["median"].asDouble() << ',' << GetTotal(point) << ','
            << point["total_ms"]["p10"].asDouble() << ',' << point["total_ms"]["p90"].asDouble()
-           << ',' << point["queries"].asDouble() << ',' << point["lookups"].asDouble() << ','
-           << point["texels"].asUInt64() << ',' << point["bytes"].asUInt64() << '\n';
+           << ',' << point["loss_ms"].asDouble() << ',' << point["queries"].asDouble() << ','
+           << point["lookups"].asDouble() << ',' << point["texels"].asUInt64() << ','
+           << point["bytes"].asUInt64() << '\n';
     }
   }
   if (!file.flush())

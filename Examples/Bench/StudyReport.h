@@ -10,6 +10,8 @@
  *                        looked at beyond the rectangles, -1 where that has no meaning; build_ms,
  *                        query_ms, total_ms of a frame, each median, p10 and p90; queries and
  *                        lookups of a frame; texels; bytes
+ *     points[].loss_ms   median of total_ms, and kept props a frame times draw_us
+ *     frames_by_mode, latent   of a scene, see StudyPeers.h
  *     hierarchy[]        scene, path, entries[]: see StudyHierarchy.h
  *     table1, table2, figure4   see StudyPaper.h
  */
@@ -33,6 +35,9 @@ Json::Value Summarize(const std::vector<double>& values);
 /// One scene of the report, but for its name, path and size.
 Json::Value ReportContest(const std::vector<NBufferStudy::DepthFrame>& frames,
   const std::vector<NBufferStudy::ContestResult>& results);
+
+/// loss_ms of every point: its median time, and what drawing the hidden props costs that it keeps.
+void AddLosses(Json::Value& scene, double microsecondsPerProp);
 
 /// Every point of every scene, one a line. Throws std::runtime_error when it cannot be written.
 void WriteStudyCSV(const Json::Value& report, const std::string& fileName);
