@@ -38,10 +38,16 @@ void SetLogAxis(vtkAxis* axis, double low, double high)
   vtkNew<vtkStringArray> labels;
   low /= 1.25;
   high *= 1.25;
-  for (double decade = 1e-3; decade < 1e9; decade *= 10.0)
+  // Over many decades the powers of ten alone.
+  const bool wide = high > 1e4 * low;
+  for (double decade = 1e-6; decade < 1e9; decade *= 10.0)
   {
     for (double step : { 1.0, 2.0, 5.0 })
     {
+      if (wide && step > 1.0)
+      {
+        break;
+      }
       const double value = step * decade;
       if (value >= low && value <= high)
       {

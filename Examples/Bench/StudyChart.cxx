@@ -240,6 +240,31 @@ void WriteParetoChart(
   page.Write(fileStem);
 }
 
+void WriteLineChart(const std::vector<ChartLine>& lines, const std::string& title,
+  const std::string& bottom, const std::string& left, const std::string& fileStem)
+{
+  ChartPage page(title, 1200, 640);
+  double low[2] = { 1e300, 1e300 };
+  double high[2] = { 0.0, 0.0 };
+  for (const ChartLine& line : lines)
+  {
+    for (const auto& point : line.Points)
+    {
+      low[0] = std::min(low[0], point.first);
+      low[1] = std::min(low[1], point.second);
+      high[0] = std::max(high[0], point.first);
+      high[1] = std::max(high[1], point.second);
+    }
+    vtkPlot* plot = AddPlot(page.GetChart(), vtkChart::LINE, line.Label, line.Points);
+    plot->SetColor(line.Color[0], line.Color[1], line.Color[2], 255);
+    plot->SetWidth(2.5);
+  }
+  page.SetAxisTitles(bottom, left);
+  SetLogAxis(page.GetChart()->GetAxis(vtkAxis::BOTTOM), low[0], high[0]);
+  SetLogAxis(page.GetChart()->GetAxis(vtkAxis::LEFT), low[1], high[1]);
+  page.Write(fileStem);
+}
+
 vtkSmartPointer<vtkImageData> MakeCoverageImage(
   const NBufferStudy::OverCoverage& coverage, double most)
 {

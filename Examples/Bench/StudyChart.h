@@ -14,6 +14,8 @@
 #include "vtk_jsoncpp.h"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace NBufferBench
 {
@@ -25,6 +27,17 @@ namespace NBufferBench
  */
 void WriteParetoChart(
   const Json::Value& scene, const std::string& title, const std::string& fileStem);
+
+struct ChartLine
+{
+  std::string Label;
+  unsigned char Color[3];
+  std::vector<std::pair<double, double>> Points; ///< Both above 0.
+};
+
+/// Both axes logarithmic; `fileStem`.png and .svg.
+void WriteLineChart(const std::vector<ChartLine>& lines, const std::string& title,
+  const std::string& bottom, const std::string& left, const std::string& fileStem);
 
 /// Logarithmic from 0 (dark) to `most` and more (light); width to the right, height upwards.
 vtkSmartPointer<vtkImageData> MakeCoverageImage(

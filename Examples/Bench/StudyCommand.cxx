@@ -9,6 +9,7 @@
 #include "Images.h"
 #include "Report.h"
 #include "StudyChart.h"
+#include "StudyFormats.h"
 #include "StudyFrames.h"
 #include "StudyHierarchy.h"
 #include "StudyPaper.h"
@@ -120,6 +121,10 @@ public:
     {
       this->RunHierarchy(scene, session, path);
     }
+    if (scene.Plan)
+    {
+      this->RunFormats(scene, session, "drone");
+    }
     this->RunPaper(scene, session, paths.front());
     ShowProgress("");
     this->Report["seconds"] =
@@ -224,6 +229,28 @@ private:
     WriteHierarchyChart(hierarchy["entries"], scene.Name + ", " + name + ", copies side by side",
       this->Options.Folder + "/" + hierarchy["chart"].asString());
     this->Report["hierarchy"].append(hierarchy);
+  }
+
+  /// Of a view from above, where nothing is near: the planes can be a hundredfold apart.
+  void RunFormats(const NBufferExamples::Scene& scene, Session& session, const std::string& name)
+  {
+    NBufferExamples::CameraPose pose = this->MakePath(scene, name, 1).front();
+    pose.Near = 60.0;
+    pose.Far = 6000.0;
+    const NBufferStudy::DepthFrame frame =
+      CollectFrames(session, { pose }, std::function<void(std::size_t)>()).front();
+    Json::Value formats;
+    formats["scene"] = scene.Name;
+    formats["path"] = name;
+    formats["entries"] = MeasureFormats(frame, pose.Near, pose.Far, this->Spent.Repetitions,
+      [](const std::string& format) { ShowProgress("depth formats: " + format); });
+    WriteFormatsChart(formats["entries"], scene.Name + ", " + name + ": formats of depth",
+      this->Options.Folder + "/formats");
+    for (const Json::Value& entry : formats["entries"])
+    {
+      this->FalseHidden += entry["false_hidden"].asInt();
+    }
+    this->Report["formats"] = formats;
   }
 
   void RunPaper(const NBufferExamples::Scene& scene, Session& session, const std::string& path)

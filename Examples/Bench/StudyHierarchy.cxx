@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StudyHierarchy.h"
 
-#include "ChartPage.h"
 #include "Report.h"
+#include "StudyChart.h"
 #include "StudyReport.h"
 
 #include "BoxTree.h"
@@ -11,11 +11,6 @@
 #include "vtkBoundingBox.h"
 #include "vtkNBufferClock.h"
 #include "vtkNBufferOcclusionTest.h"
-
-#include "vtkAxis.h"
-#include "vtkDoubleArray.h"
-#include "vtkPlot.h"
-#include "vtkTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -238,54 +233,18 @@ Json::Value MeasureHierarchy(const DepthFrame& frame, const std::vector<vtkNBuff
 void WriteHierarchyChart(
   const Json::Value& entries, const std::string& title, const std::string& fileStem)
 {
-  const struct
-  {
-    const char* Label;
-    unsigned char Color[3];
-    std::function<double(const Json::Value&)> Get;
-  } lines[] = {
-    { "one by one", { 213, 94, 0 },
-      [](const Json::Value& entry) { return entry["flat"]["ms"]["median"].asDouble(); } },
-    { "over the hierarchy", { 0, 114, 178 },
-      [](const Json::Value& entry) { return entry["tree"]["ms"]["median"].asDouble(); } },
-    { "hierarchy and refit", { 86, 180, 233 },
-      [](const Json::Value& entry) {
-        return entry["tree"]["ms"]["median"].asDouble() + entry["refit_ms"]["median"].asDouble();
-      } },
-  };
-  ChartPage page(title, 1200, 640);
-  vtkNew<vtkTable> table;
-  vtkNew<vtkDoubleArray> props;
-  props->SetName("props");
+  std::vector<ChartLine> lines = { { "one by one", { 213, 94, 0 }, {} },
+    { "over the hierarchy", { 0, 114, 178 }, {} },
+    { "hierarchy and refit", { 86, 180, 233 }, {} } };
   for (const Json::Value& entry : entries)
   {
-    props->InsertNextValue(entry["props"].asDouble());
+    const double props = entry["props"].asDouble();
+    const double tree = entry["tree"]["ms"]["median"].asDouble();
+    lines[0].Points.emplace_back(props, entry["flat"]["ms"]["median"].asDouble());
+    lines[1].Points.emplace_back(props, tree);
+    lines[2].Points.emplace_back(props, tree + entry["refit_ms"]["median"].asDouble());
   }
-  table->AddColumn(props);
-  double low = 1e300;
-  double high = 0.0;
-  for (const auto& line : lines)
-  {
-    vtkNew<vtkDoubleArray> column;
-    column->SetName(line.Label);
-    for (const Json::Value& entry : entries)
-    {
-      const double value = std::max(line.Get(entry), 1e-3);
-      column->InsertNextValue(value);
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-    table->AddColumn(column);
-    vtkPlot* plot = page.GetChart()->AddPlot(vtkChart::LINE);
-    plot->SetInputData(table, 0, table->GetNumberOfColumns() - 1);
-    plot->SetColor(line.Color[0], line.Color[1], line.Color[2], 255);
-    plot->SetWidth(2.5);
-  }
-  page.SetAxisTitles("props", "milliseconds to test all of them");
-  SetLogAxis(page.GetChart()->GetAxis(vtkAxis::BOTTOM), props->GetValue(0),
-    props->GetValue(props->GetNumberOfTuples() - 1));
-  SetLogAxis(page.GetChart()->GetAxis(vtkAxis::LEFT), low, high);
-  page.Write(fileStem);
+  WriteLineChart(lines, title, "props", "milliseconds to test all of them", fileStem);
 }
 
 } // namespace NBufferBench

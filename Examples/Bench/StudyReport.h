@@ -13,6 +13,7 @@
  *     points[].loss_ms   median of total_ms, and kept props a frame times draw_us
  *     frames_by_mode, latent   of a scene, see StudyPeers.h
  *     hierarchy[]        scene, path, entries[]: see StudyHierarchy.h
+ *     formats            scene, path, entries[]: see StudyFormats.h; of a city alone
  *     table1, table2, figure4   see StudyPaper.h
  */
 #ifndef StudyReport_h
