@@ -9,6 +9,7 @@
 #include "Images.h"
 #include "Report.h"
 #include "StudyChart.h"
+#include "StudyDocument.h"
 #include "StudyFormats.h"
 #include "StudyFrames.h"
 #include "StudyHierarchy.h"
@@ -19,8 +20,11 @@
 #include "Contest.h"
 
 #include <chrono>
+#include <fstream>
 #include <iostream>
 #include <memory>
+#include <sstream>
+#include <stdexcept>
 
 namespace NBufferBench
 {
@@ -47,6 +51,8 @@ struct StudyOptions
 {
   ViewOptions View;
   std::string Folder = "out/study";
+  std::string Links = ".";
+  std::string From;
   bool IsQuick = false;
   bool IsTiny = false;
   int Repetitions = 0;
@@ -81,6 +87,42 @@ std::string GetFileName(const std::string& text)
     name += std::isalnum(static_cast<unsigned char>(c)) ? c : '-';
   }
   return name;
+}
+
+std::string ReadFile(const std::string& name)
+{
+  std::ifstream file(name);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file)
+  {
+    throw std::runtime_error("cannot read " + name);
+  }
+  return text.str();
+}
+
+/// accuracy.md, where the text for it comes with the program.
+void WriteDocument(const StudyOptions& options, const Json::Value& report)
+{
+  const std::string name = NBufferExamples::FindData(options.View.Program, "accuracy.md.in");
+  if (name.empty())
+  {
+    return;
+  }
+  const std::string fileName = options.Folder + "/accuracy.md";
+  std::ofstream file(fileName);
+  file << FillDocument(ReadFile(name), report, options.Links);
+  if (!file.flush())
+  {
+    throw std::runtime_error("cannot write " + fileName);
+  }
+}
+
+int Rewrite(const StudyOptions& options)
+{
+  MakeFolder(options.Folder);
+  WriteDocument(options, Parse(ReadFile(options.From)));
+  return Success;
 }
 
 class Study
@@ -131,6 +173,11 @@ public:
       Round(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     WriteJSON(this->Report, this->Options.Folder + "/study.json");
     WriteStudyCSV(this->Report, this->Options.Folder + "/study.csv");
+    // The text is about the city.
+    if (scene.Plan && this->Options.View.Path.empty())
+    {
+      WriteDocument(this->Options, this->Report);
+    }
     std::cout << "written to " << this->Options.Folder << " in " << this->Report["seconds"].asInt()
               << " s\n";
     return this->FalseHidden == 0 ? Success : ImagesDiffer;
@@ -285,6 +332,10 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
   options->View.AddTo(*command);
   command->add_option("--out", options->Folder, "Folder for study.json, study.csv and the charts")
     ->capture_default_str();
+  command->add_option("--links", options->Links, "Folder of the charts as seen from accuracy.md")
+    ->capture_default_str();
+  command->add_option("--from", options->From,
+    "A study.json from which accuracy.md is written again; nothing is measured");
   command->add_flag("--quick", options->IsQuick, "Fewer frames and repetitions: under 3 minutes");
   command->add_flag("--tiny", options->IsTiny, "One frame of each: only whether everything runs");
   command
@@ -295,7 +346,12 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
       "--megabytes", options->Megabytes, "Leave out structures that need more for a frame")
     ->check(CLI::PositiveNumber)
     ->capture_default_str();
-  command->callback([options, &run]() { run = [options]() { return Study(*options).Run(); }; });
+  command->callback(
+    [options, &run]()
+    {
+      run = [options]()
+      { return options->From.empty() ? Study(*options).Run() : Rewrite(*options); };
+    });
 }
 
 } // namespace NBufferBench

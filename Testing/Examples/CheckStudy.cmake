@@ -68,3 +68,8 @@ list(LENGTH lines lines)
 if (lines LESS 150)
   message(FATAL_ERROR "study.csv has ${lines} lines")
 endif ()
+
+file(READ "${OUT}/accuracy.md" document)
+if (NOT document MATCHES "llvmpipe|softpipe|OpenGL" OR document MATCHES "\n@")
+  message(FATAL_ERROR "accuracy.md lacks its figures")
+endif ()
