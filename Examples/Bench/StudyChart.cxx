@@ -192,9 +192,12 @@ void WriteParetoChart(
     places.push_back(place(*line[i]));
     labels->Add(places.back().first, places.back().second, std::to_string(i + 1));
   }
-  vtkPlot* pareto = AddPlot(chart, vtkChart::LINE, "Pareto line", places);
-  pareto->SetColor(60, 60, 60, 255);
-  pareto->SetWidth(1.5);
+  if (places.size() > 1)
+  {
+    vtkPlot* pareto = AddPlot(chart, vtkChart::LINE, "Pareto line", places);
+    pareto->SetColor(60, 60, 60, 255);
+    pareto->SetWidth(1.5);
+  }
   for (const Look& look : Looks)
   {
     places.clear();
@@ -255,9 +258,18 @@ void WriteLineChart(const std::vector<ChartLine>& lines, const std::string& titl
       high[0] = std::max(high[0], point.first);
       high[1] = std::max(high[1], point.second);
     }
-    vtkPlot* plot = AddPlot(page.GetChart(), vtkChart::LINE, line.Label, line.Points);
-    plot->SetColor(line.Color[0], line.Color[1], line.Color[2], 255);
-    plot->SetWidth(2.5);
+    if (line.Points.size() > 1)
+    {
+      vtkPlot* plot = AddPlot(page.GetChart(), vtkChart::LINE, line.Label, line.Points);
+      plot->SetColor(line.Color[0], line.Color[1], line.Color[2], 255);
+      plot->SetWidth(2.5);
+    }
+    else
+    {
+      SetColor(vtkPlotPoints::SafeDownCast(
+                 AddPlot(page.GetChart(), vtkChart::POINTS, line.Label, line.Points)),
+        line.Color, 1.0);
+    }
   }
   page.SetAxisTitles(bottom, left);
   SetLogAxis(page.GetChart()->GetAxis(vtkAxis::BOTTOM), low[0], high[0]);
