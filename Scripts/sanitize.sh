@@ -5,8 +5,8 @@
 # Runs the tests under tools that find memory errors; installs what is missing, as test.sh does.
 #
 #   Scripts/sanitize.sh                  address, leak and undefined-behaviour sanitizers: the unit,
-#                                        GPU, image and leak tests under OSMesa and 60 frames of a
-#                                        walk, in build-asan-ubsan/ (the preset asan-ubsan)
+#                                        GPU, image, leak, fuzz and shadow tests under OSMesa and 60
+#                                        frames of a walk, in build-asan-ubsan/ (the preset asan-ubsan)
 #   Scripts/sanitize.sh -L unit          arguments are ctest's
 #   Scripts/sanitize.sh valgrind         valgrind's memcheck: a small part of the tests, with the
 #                                        optimised build in build/

@@ -7,6 +7,8 @@
  *     renderer, window, vtk, scene, path, size, samples, seed, frames, props, block, litmap,
  *     ground_casts
  *     modes.NAME              median_ms, p10_ms, p90_ms, frames_ms
+ *     shadowed                pixels that shadows change (mean of all frames): no mode can have
+ *                             fewer fragments
  *     modes.(volumes)         also fragments (mean of all frames), fragments_percent (of mode
  *                             unclamped) and statistics: the members of vtkShadowStatistics, each
  *                             the median over the timed frames; device_milliseconds are -1
@@ -218,6 +220,12 @@ int RunShadowCommand(ShadowCommandOptions& options)
   report["ground_casts"] = options.Walk.CasterKeys == nullptr;
   report["block"] = options.Walk.Block;
   report["litmap"] = options.Walk.Litmap;
+  report["box_cost"] = options.Walk.BoxCost;
+  if (result.Shadowed >= 0)
+  {
+    report["shadowed"] =
+      static_cast<Json::Int64>(result.Shadowed / static_cast<long long>(path.size()));
+  }
   report["ratios"] = Json::Value(Json::objectValue);
   for (const std::string& mode : result.Walk.Names)
   {
@@ -230,6 +238,11 @@ int RunShadowCommand(ShadowCommandOptions& options)
             << scene.Actors.size() << " props, litmaps of " << options.Walk.Litmap << ", "
             << report["renderer"].asString() << ", VTK " << report["vtk"].asString() << "\n";
   PrintShadowTable(report, result.Walk.Names, std::cout);
+  if (report.isMember("shadowed"))
+  {
+    std::cout << "pixels that shadows change, and that each need a fragment: "
+              << report["shadowed"].asInt64() << " a frame\n";
+  }
   if (!options.Walk.ImageFolder.empty())
   {
     WriteChart(GetCharted(result.Walk),
@@ -267,13 +280,20 @@ void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
   options->View.AddTo(*command);
   command
     ->add_option("--modes", options->Walk.Modes,
-      "none; of vtkShadowVolumeClampPass unclamped, exact, clamp (one slab), slabs, paper (clamp "
-      "with litmaps drawn from the light, which lose shadows); vtk: "
-      "vtkShadowMapPass; exact@64: with a litmap of 64 x 64, vtk@64 with such maps")
+      "none; of vtkShadowVolumeClampPass unclamped, exact, auto (one of these), clamp (one slab), "
+      "slabs, exactlit and slabslit (with SkipUnlitReceivers), paper (clamp with litmaps drawn "
+      "from "
+      "the light, which lose shadows); vtk: vtkShadowMapPass; exact@64: with a litmap of 64 x 64, "
+      "vtk@64 with such maps")
     ->delimiter(',')
     ->capture_default_str();
   command->add_option("--litmap", options->Walk.Litmap, "Lexels along each side of the litmaps")
     ->check(CLI::Range(1, 4096))
+    ->capture_default_str();
+  command
+    ->add_option("--box-cost", options->Walk.BoxCost,
+      "Pixels that one more box around a caster's receivers has to leave out")
+    ->check(CLI::Range(0, 1000000000))
     ->capture_default_str();
   command->add_flag("--oracle", options->Walk.Oracle,
     "Compare the first, middle and last frame with rays in double precision");

@@ -26,13 +26,19 @@ struct VolumeKind
   int Mode;
   int SlabGap;
   int LitmapMethod;
+  bool SkipUnlitReceivers;
 };
-constexpr VolumeKind VolumeKinds[] = { { "unclamped", vtkShadowVolumeClampPass::Unclamped, 4,
-                                         vtkShadowVolumeClampPass::Scattered },
-  { "exact", vtkShadowVolumeClampPass::Exact, 4, vtkShadowVolumeClampPass::Scattered },
-  { "clamp", vtkShadowVolumeClampPass::Clamped, 64, vtkShadowVolumeClampPass::Scattered },
-  { "slabs", vtkShadowVolumeClampPass::Clamped, 4, vtkShadowVolumeClampPass::Scattered },
-  { "paper", vtkShadowVolumeClampPass::Clamped, 64, vtkShadowVolumeClampPass::Rerendered } };
+using Pass = vtkShadowVolumeClampPass;
+constexpr VolumeKind VolumeKinds[] = {
+  { "unclamped", Pass::Unclamped, 4, Pass::Scattered, false },
+  { "auto", Pass::Automatic, 4, Pass::Scattered, false },
+  { "exact", Pass::Exact, 4, Pass::Scattered, false },
+  { "clamp", Pass::Clamped, 64, Pass::Scattered, false },
+  { "slabs", Pass::Clamped, 4, Pass::Scattered, false },
+  { "exactlit", Pass::Exact, 4, Pass::Scattered, true },
+  { "slabslit", Pass::Clamped, 4, Pass::Scattered, true },
+  { "paper", Pass::Clamped, 64, Pass::Rerendered, false },
+};
 
 const VolumeKind* FindVolumeKind(const std::string& name)
 {
@@ -76,9 +82,9 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   if (!isKnown || (isSized && !(hasSize && canHaveSize)))
   {
     throw std::runtime_error("no mode " + name +
-      "; there are none, unclamped, exact, clamp, slabs, paper and vtk, all but the first two also "
-      "with a "
-      "resolution of 1 to 9999, such as exact@64");
+      "; there are none, unclamped, auto, exact, clamp, slabs, exactlit, slabslit, paper and vtk, "
+      "all "
+      "but the first two also with a resolution of 1 to 9999, such as exact@64");
   }
   if (this->IsVolumes)
   {
@@ -104,6 +110,7 @@ void ShadowMode::Enter(vtkRenderer* renderer) const
     volumes->SetMode(kind->Mode);
     volumes->SetSlabGap(kind->SlabGap);
     volumes->SetLitmapMethod(kind->LitmapMethod);
+    volumes->SetSkipUnlitReceivers(kind->SkipUnlitReceivers);
     volumes->SetLitmapResolution(this->Resolution > 0 ? this->Resolution : this->Litmap);
   }
   renderer->SetPass(this->Pass);

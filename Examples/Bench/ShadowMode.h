@@ -6,14 +6,16 @@
  *
  *     none        without shadows
  *     unclamped   vtkShadowVolumeClampPass, whole volumes
+ *     auto        for each light unclamped or exact, whichever is guessed to be faster: the default
  *     exact       casters that have receivers, inside of the receivers' box of pixels
  *     clamp       the same, clamped to one slab (SlabGap 64)
  *     slabs       the same, clamped to several slabs (SlabGap 4)
+ *     exactlit    exact, with SkipUnlitReceivers; slabslit: slabs with it
  *     paper       clamp, with the paper's litmap, drawn from the light: shadows may be lost
  *     vtk         vtkShadowMapPass with its baker, as VTK's tests put them together
  *
- * exact@N, clamp@N, slabs@N and paper@N have litmaps of N x N lexels, vtk@N shadow maps of N x N
- * texels instead of VTK's default.
+ * auto@N, exact@N, clamp@N, slabs@N and paper@N have litmaps of N x N lexels, vtk@N shadow maps of
+ * N x N texels instead of VTK's default.
  */
 #ifndef ShadowMode_h
 #define ShadowMode_h

@@ -9,6 +9,7 @@
 #include "vtkLight.h"
 #include "vtkProp.h"
 #include "vtkShadowVolumeClampPass.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <set>
@@ -36,6 +37,7 @@ public:
   {
     this->Volumes->SetCasterKeys(options.CasterKeys);
     this->Volumes->SetMeasureDeviceTime(options.DeviceTimes);
+    this->Volumes->SetBoxCost(options.BoxCost);
     this->Result.Walk.Frames = path.size();
     for (const std::string& name : options.Modes)
     {
@@ -66,6 +68,7 @@ public:
         "timed frame " + std::to_string(end) + " of " + std::to_string(this->Path.size()));
     }
     this->CountFragments();
+    this->CountShadowed();
     this->WriteImages();
     if (this->Options.Oracle)
     {
@@ -128,6 +131,37 @@ private:
       }
     }
     this->Volumes->CountFragmentsOff();
+  }
+
+  void CountShadowed()
+  {
+    const auto unclamped = std::find_if(this->Modes.begin(), this->Modes.end(),
+      [](const ShadowMode& mode) { return mode.GetName() == "unclamped"; });
+    if (unclamped == this->Modes.end())
+    {
+      return;
+    }
+    this->Progress("counting pixels in shadow");
+    this->Result.Shadowed = 0;
+    for (std::size_t frame = 0; frame < this->Path.size(); ++frame)
+    {
+      vtkNew<vtkUnsignedCharArray> images[2];
+      for (const bool lit : { false, true })
+      {
+        this->Volumes->SetLightCasts(this->Light, !lit);
+        unclamped->Enter(this->Where.GetRenderer());
+        this->RenderFrame(frame);
+        const int* size = this->Where.GetWindow()->GetActualSize();
+        this->Where.GetWindow()->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 1, images[lit]);
+      }
+      const vtkIdType pixels = images[0]->GetNumberOfValues() / 3;
+      for (vtkIdType i = 0; i < pixels; ++i)
+      {
+        const unsigned char* a = images[0]->GetPointer(3 * i);
+        this->Result.Shadowed += !std::equal(a, a + 3, images[1]->GetPointer(3 * i));
+      }
+    }
+    this->Volumes->SetLightCasts(this->Light, true);
   }
 
   void WriteImages()

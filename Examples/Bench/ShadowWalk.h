@@ -33,6 +33,8 @@ struct ShadowWalkOptions
   std::vector<std::string> Modes = { "none", "unclamped", "exact", "clamp", "slabs", "vtk" };
   /// Lexels along each side of the litmaps of modes that do not name it.
   int Litmap = 256;
+  /// vtkShadowVolumeClampPass::BoxCost.
+  int BoxCost = 256;
   /// Only props with these keys cast; nullptr: all.
   vtkSmartPointer<vtkInformation> CasterKeys;
   /// Compare the first, middle and last frame with rays.
@@ -64,6 +66,9 @@ struct ShadowWalkResult
   WalkResult Walk;
   /// Of all frames, by mode; only of shadow volumes.
   std::map<std::string, long long> Fragments;
+  /// Pixels of all frames that shadows change: what no mode can have fewer fragments than. -1
+  /// unless unclamped is among the modes.
+  long long Shadowed = -1;
   /// Empty without the oracle, and not of none.
   std::map<std::string, OracleCounts> Oracle;
 };

@@ -156,12 +156,20 @@ void vtkNBufferCandidateList::Project(const vtkNBufferProjection& projection)
     });
 }
 
-void vtkNBufferCandidateList::KeepIfAllAreOutside()
+void vtkNBufferCandidateList::KeepIfNoneIsInside()
 {
-  if (std::all_of(this->States.begin(), this->States.end(),
-        [](const vtkNBufferState& state) { return state.Verdict == vtkNBufferVerdict::Outside; }))
+  for (std::size_t i = 0; i < this->States.size(); ++i)
   {
-    for (vtkNBufferState& state : this->States)
+    const vtkNBufferCandidate& candidate = this->Candidates[i];
+    if ((candidate.IsCandidate() || candidate.IsTranslucent()) &&
+      this->States[i].Placement != vtkNBufferPlacement::Outside)
+    {
+      return;
+    }
+  }
+  for (vtkNBufferState& state : this->States)
+  {
+    if (state.Verdict == vtkNBufferVerdict::Outside)
     {
       state.Verdict = vtkNBufferVerdict::Untested;
     }

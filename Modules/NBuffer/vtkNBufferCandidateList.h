@@ -47,9 +47,9 @@ public:
   /// inside with its rectangle and depth interval.
   void Project(const vtkNBufferProjection& projection);
 
-  /// Where every prop is outside, take none of them for outside: VTK leaves a renderer whose list
-  /// is empty alone, image processing included. All of them, since a culler behind may remove any.
-  void KeepIfAllAreOutside();
+  /// Where no prop is known to reach into the view, take none for outside: VTK leaves a renderer
+  /// whose list is empty alone, image processing included, and a culler behind may remove any.
+  void KeepIfNoneIsInside();
 
   /// Whether the depth that any of the props writes may change without a trace.
   bool HasUntrackedDepth() const { return this->UntrackedDepth; }

@@ -89,7 +89,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
 
   if (vtkNBufferSituation::ProcessesImage(renderer))
   {
-    this->Props.KeepIfAllAreOutside();
+    this->Props.KeepIfNoneIsInside();
   }
   const double total = this->Emit(props, count, initialized);
   this->Props.CountVerdicts(this->Statistics);

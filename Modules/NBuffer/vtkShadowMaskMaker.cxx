@@ -4,6 +4,7 @@
 
 #include "vtkNBufferClock.h"
 #include "vtkNBufferDepthSource.h"
+#include "vtkShadowFill.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
@@ -14,10 +15,15 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
+/// What a colour of NBufferShadowReceiver (vtkShadowLightDec.glsl) has room for.
+constexpr std::size_t FilteredLights = 24;
+constexpr std::size_t BytesPerSample = 4;
+
 /// The faces of a cube around a point light.
 std::vector<vtkShadowFrame> MakeFaces(const vtkShadowLight& light)
 {
@@ -94,7 +100,25 @@ struct vtkShadowMaskMaker::Camera
   vtkShadowPlan::View Plan;
 };
 
-bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights)
+/// One light of a frame.
+struct vtkShadowMaskMaker::Work
+{
+  const vtkShadowLight& GetLight() const { return this->Source.Geometry; }
+  int GetNumberOfFaces() const
+  {
+    return this->GetLight().Kind == vtkShadowLightKind::Point ? 6 : 1;
+  }
+
+  vtkOpenGLRenderWindow* Window;
+  const Camera& View;
+  const Settings& How;
+  vtkShadowStatistics& Statistics;
+  const vtkShadowLightSource& Source;
+  std::size_t Slot;
+  vtkShadowFrame Frame;
+};
+
+bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights, bool skipUnlitReceivers)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   if (!vtkNBufferGL::HasVersion(3, 2))
@@ -110,10 +134,12 @@ bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights)
     this->Error = "The viewport is empty or begins outside of the window. Move it inside.";
     return false;
   }
+  this->SkipUnlit = skipUnlitReceivers;
   constexpr int each = vtkShadowTarget::LightsPerMask;
   const int masks = static_cast<int>(lights + each - 1) / each;
   return this->Target.Reserve(window, viewport[0] + viewport[2], viewport[1] + viewport[3], masks,
-    vtkShadowTarget::GetBoundSamples(), this->Error);
+           vtkShadowTarget::GetBoundSamples(), this->Error) &&
+    (!skipUnlitReceivers || this->Target.ReserveLit(window, this->Error));
 }
 
 void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
@@ -121,10 +147,16 @@ void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Target.GetDepthFramebuffer());
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER,
+    this->SkipUnlit ? this->Target.GetLitFramebuffer() : this->Target.GetDepthFramebuffer());
   state->vtkglDepthMask(GL_TRUE);
   const float farthest = 1.0f;
   glClearBufferfv(GL_DEPTH, 0, &farthest);
+  if (this->SkipUnlit)
+  {
+    const float litByAll[4] = { 1.0f, 1.0f, 1.0f, 1.0f };
+    glClearBufferfv(GL_COLOR, 0, litByAll);
+  }
 }
 
 bool vtkShadowMaskMaker::ReadDepth(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics)
@@ -157,6 +189,46 @@ bool vtkShadowMaskMaker::ReadDepth(vtkOpenGLRenderWindow* window, vtkShadowStati
   return done;
 }
 
+bool vtkShadowMaskMaker::ReadLights(vtkOpenGLRenderWindow* window)
+{
+  const int* viewport = this->Viewport;
+  const std::size_t pixels = static_cast<std::size_t>(viewport[2]) * viewport[3];
+  const std::size_t samples = this->Target.GetSamples().size();
+  this->LitBits.resize(BytesPerSample * samples * pixels);
+  if (!this->Target.IsMultisampled())
+  {
+    vtkNBufferGL::ClearErrors();
+    const vtkNBufferGL::ScopedReadback readback(this->Target.GetLitFramebuffer());
+    glReadPixels(viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE,
+      this->LitBits.data());
+    return vtkNBufferGL::CheckErrors("Reading which lights receivers have", this->Error);
+  }
+  std::vector<float> values(pixels);
+  for (std::size_t i = 0; i < samples; ++i)
+  {
+    for (int channel = 0; channel < static_cast<int>(FilteredLights) / 8; ++channel)
+    {
+      if (!this->SampleReader.Read(window, this->Target.GetLit()->GetHandle(), static_cast<int>(i),
+            channel, viewport, values.data(), this->Error))
+      {
+        return false;
+      }
+      unsigned char* bits = this->LitBits.data() + BytesPerSample * i * pixels + channel;
+      for (std::size_t k = 0; k < pixels; ++k)
+      {
+        bits[BytesPerSample * k] = static_cast<unsigned char>(255.0f * values[k] + 0.5f);
+      }
+    }
+  }
+  return true;
+}
+
+bool vtkShadowMaskMaker::IsUnlit(std::size_t slot, std::size_t sample) const
+{
+  return this->Filtered[slot] &&
+    (this->LitBits[BytesPerSample * sample + slot / 8] >> slot % 8 & 1) == 0;
+}
+
 bool vtkShadowMaskMaker::ReadMask(
   vtkOpenGLRenderWindow* window, std::size_t slot, int sample, std::vector<unsigned char>& mask)
 {
@@ -174,7 +246,7 @@ bool vtkShadowMaskMaker::ReadMask(
       viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     for (std::size_t i = 0; i < mask.size(); ++i)
     {
-      mask[i] = pixels[each * i + channel];
+      mask[i] = this->IsUnlit(slot, i) ? 255 : pixels[each * i + channel];
     }
     return vtkNBufferGL::CheckErrors("Reading a shadow mask", this->Error);
   }
@@ -190,7 +262,10 @@ bool vtkShadowMaskMaker::ReadMask(
     {
       return false;
     }
-    std::transform(sums.begin(), sums.end(), values.begin(), sums.begin(), std::plus<float>());
+    for (std::size_t k = 0; k < mask.size(); ++k)
+    {
+      sums[k] += this->IsUnlit(slot, i * mask.size() + k) ? 1.0f : values[k];
+    }
   }
   std::transform(sums.begin(), sums.end(), mask.begin(), [&](float sum)
     { return static_cast<unsigned char>(255.0f * sum / static_cast<float>(last - first) + 0.5f); });
@@ -204,20 +279,13 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
   this->Shadows = 0;
   this->Error.clear();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  if (settings.Mode != vtkShadowMode::Unclamped && !this->ReadDepth(window, statistics))
-  {
-    return false;
-  }
+  this->HasReceivers = false;
+  this->Filtered.assign(lights.size(), false);
   Camera camera(renderer);
   std::copy_n(this->Viewport, 4, camera.Plan.Viewport);
   camera.Plan.Boxes = this->Target.GetSamples().size() <= 1 || !vtkNBufferGL::GetSoftwareRenderer();
+  camera.Plan.BoxCost = settings.BoxCost;
   this->DebugView.Clear();
-  if (settings.Mode != vtkShadowMode::Unclamped &&
-    settings.LitmapMethod == vtkShadowLitmapMethod::Rerendered &&
-    !this->UploadReceivers(window, camera))
-  {
-    return false;
-  }
   const vtkShadowCounter::Scope scope(window, this->Viewport);
   for (int mask = 0; mask < this->Target.GetNumberOfMasks(); ++mask)
   {
@@ -229,7 +297,9 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
   }
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    if (!this->Shade(window, lights[i], i, camera, settings, statistics))
+    const Work work = { window, camera, settings, statistics, lights[i], i,
+      vtkShadowFrame(lights[i].Geometry) };
+    if (!this->Shade(work))
     {
       return false;
     }
@@ -237,35 +307,73 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
   return true;
 }
 
-bool vtkShadowMaskMaker::UploadReceivers(vtkOpenGLRenderWindow* window, const Camera& camera)
+bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
 {
-  this->Rerendered.Begin(camera.Eye);
-  for (const vtkShadowCaster* receiver : this->Receivers.GetCasters())
+  if (this->HasReceivers)
   {
-    this->Rerendered.AddReceiver(
-      receiver->GetPoints().data(), receiver->GetNumberOfPoints(), receiver->GetTriangles());
+    return true;
   }
-  return this->Rerendered.Upload(window, this->Depth.data(), camera.GetView(), this->Error);
+  if (!this->ReadDepth(work.Window, work.Statistics) ||
+    (this->SkipUnlit && !this->ReadLights(work.Window)))
+  {
+    return false;
+  }
+  if (work.How.LitmapMethod == vtkShadowLitmapMethod::Rerendered)
+  {
+    this->Rerendered.Begin(work.View.Eye);
+    for (const vtkShadowCaster* receiver : this->Receivers.GetCasters())
+    {
+      this->Rerendered.AddReceiver(
+        receiver->GetPoints().data(), receiver->GetNumberOfPoints(), receiver->GetTriangles());
+    }
+    if (!this->Rerendered.Upload(work.Window, this->Depth.data(), work.View.GetView(), this->Error))
+    {
+      return false;
+    }
+  }
+  this->HasReceivers = true;
+  return true;
 }
 
-bool vtkShadowMaskMaker::MakeLitmaps(vtkOpenGLRenderWindow* window, const vtkShadowLight& light,
-  const std::vector<vtkShadowFrame>& frames, const Camera& camera, const Settings& settings,
-  vtkShadowStatistics& statistics)
+const unsigned char* vtkShadowMaskMaker::FindLit(const Work& work)
 {
-  vtkShadowView view = camera.GetView();
+  if (!this->SkipUnlit || work.Slot >= FilteredLights ||
+    work.How.LitmapMethod == vtkShadowLitmapMethod::Rerendered)
+  {
+    return nullptr;
+  }
+  this->Filtered[work.Slot] = true;
+  this->Lit.resize(this->Depth.size());
+  for (std::size_t i = 0; i < this->Lit.size(); ++i)
+  {
+    this->Lit[i] = !this->IsUnlit(work.Slot, i);
+  }
+  return this->Lit.data();
+}
+
+bool vtkShadowMaskMaker::MakeLitmaps(const Work& work, const std::vector<vtkShadowFrame>& frames)
+{
+  if (!this->ReadReceivers(work))
+  {
+    return false;
+  }
+  const vtkNBufferClock clock;
+  const int resolution = work.How.Resolution;
+  const unsigned char* lit = this->FindLit(work);
+  vtkShadowView view = work.View.GetView();
   view.Samples = this->Target.GetSamples();
   this->Litmaps.resize(std::max(this->Litmaps.size(), frames.size()));
   for (std::size_t i = 0; i < frames.size(); ++i)
   {
     vtkShadowLitmap& litmap = this->Litmaps[i];
-    if (settings.LitmapMethod == vtkShadowLitmapMethod::Rerendered)
+    if (work.How.LitmapMethod == vtkShadowLitmapMethod::Rerendered)
     {
       double range[4];
       double depths[2];
       vtkShadowReceivers::GetRange(
-        this->Depth.data(), nullptr, view, light, frames[i], range, depths);
+        this->Depth.data(), lit, view, work.GetLight(), frames[i], range, depths);
       if (!this->Rerendered.Draw(
-            window, frames[i], range, depths, settings.Resolution, litmap, this->Error))
+            work.Window, frames[i], range, depths, resolution, litmap, this->Error))
       {
         return false;
       }
@@ -273,72 +381,129 @@ bool vtkShadowMaskMaker::MakeLitmaps(vtkOpenGLRenderWindow* window, const vtkSha
     else
     {
       vtkShadowReceivers::Scatter(
-        this->Depth.data(), nullptr, view, light, frames[i], settings.Resolution, litmap);
+        this->Depth.data(), lit, view, work.GetLight(), frames[i], resolution, litmap);
     }
-    statistics.Receivers += litmap.GetNumberOfReceivers();
+    work.Statistics.Receivers += litmap.GetNumberOfReceivers();
     litmap.Build();
-    ++statistics.Litmaps;
+    ++work.Statistics.Litmaps;
   }
+  work.Statistics.LitmapTime += clock.GetMilliseconds();
   return true;
 }
 
-bool vtkShadowMaskMaker::Shade(vtkOpenGLRenderWindow* window, const vtkShadowLightSource& light,
-  std::size_t slot, const Camera& camera, const Settings& settings, vtkShadowStatistics& statistics)
+template <typename Functor>
+void vtkShadowMaskMaker::ForEachPart(const Work& work, Functor&& functor)
+{
+  for (vtkShadowCaster* caster : this->Casters.GetCasters())
+  {
+    for (const vtkShadowCaster::Part& part : caster->GetParts(work.Slot, work.GetLight(),
+           work.Frame, work.View.NearBounds, work.Statistics.Silhouettes))
+    {
+      functor(*caster, part);
+    }
+  }
+}
+
+vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vtkShadowPlan& plan)
+{
+  Verdicts verdicts = {};
+  this->Volume.Begin(work.View.Eye);
+  this->ForEachPart(work,
+    [&](const vtkShadowCaster& caster, const vtkShadowCaster::Part& part)
+    {
+      const vtkShadowVerdict verdict =
+        plan.Add(part.Silhouette, vtkShadowCaster::GetPoints(caster, part),
+          part.Topology->GetNumberOfPoints(), part.Footprint, this->Volume);
+      ++verdicts[static_cast<std::size_t>(verdict)];
+    });
+  return verdicts;
+}
+
+bool vtkShadowMaskMaker::DoLitmapsPay(const Work& work, double fragments, long long triangles) const
+{
+  const long long samples = static_cast<long long>(this->Target.GetSamples().size()) *
+    this->Viewport[2] * this->Viewport[3];
+  return vtkShadowFill::DoLitmapsPay(fragments, triangles, samples, work.GetNumberOfFaces(),
+    vtkNBufferGL::GetSoftwareRenderer() != nullptr);
+}
+
+bool vtkShadowMaskMaker::DoLitmapsPay(const Work& work)
+{
+  const bool positional = work.GetLight().Kind != vtkShadowLightKind::Directional;
+  long long triangles = 0;
+  this->ForEachPart(work, [&](const vtkShadowCaster&, const vtkShadowCaster::Part& part)
+    { triangles += vtkShadowFill::CountTriangles(part.Silhouette, positional); });
+  return this->DoLitmapsPay(work, 0.0, triangles);
+}
+
+bool vtkShadowMaskMaker::Shade(const Work& work)
 {
   vtkNBufferClock clock;
-  const vtkShadowLight& geometry = light.Geometry;
-  const vtkShadowFrame frame(geometry);
-  // What the rays of the plan's litmaps go round: the light's axis, or those of a cube.
-  std::vector<vtkShadowFrame> frames;
-  if (settings.Mode != vtkShadowMode::Unclamped)
+  const vtkShadowLight& light = work.GetLight();
+  const vtkShadowPlan::View& view = work.View.Plan;
+  std::vector<vtkShadowFrame> frames; // of litmaps
+  std::optional<vtkShadowPlan> plan;
+  Verdicts verdicts = {};
+  const bool automatic = work.How.Mode == vtkShadowMode::Automatic;
+  if (work.How.Mode == vtkShadowMode::Unclamped || (automatic && !this->DoLitmapsPay(work)))
   {
-    frames = geometry.Kind == vtkShadowLightKind::Point ? MakeFaces(geometry)
-                                                        : std::vector<vtkShadowFrame>{ frame };
-    if (!this->MakeLitmaps(window, geometry, frames, camera, settings, statistics))
+    plan.emplace(light, work.Frame, view, vtkShadowMode::Unclamped, nullptr);
+    verdicts = this->AddCasters(work, *plan);
+    if (automatic &&
+      this->DoLitmapsPay(work,
+        vtkShadowFill::EstimateFragments(
+          this->Volume, work.View.EyeToClip, this->Viewport[2], this->Viewport[3]),
+        static_cast<long long>(this->Volume.GetIndices().size() / 3)))
+    {
+      plan.reset();
+    }
+  }
+  work.Statistics.PlanTime += clock.Restart();
+  if (plan)
+  {
+    ++work.Statistics.UnclampedLights;
+  }
+  else
+  {
+    frames = light.Kind == vtkShadowLightKind::Point ? MakeFaces(light)
+                                                     : std::vector<vtkShadowFrame>{ work.Frame };
+    if (!this->MakeLitmaps(work, frames))
     {
       return false;
     }
-    statistics.LitmapTime += clock.Restart();
-  }
-  vtkShadowPlan plan(geometry, frame, camera.Plan, settings.Mode,
-    frames.size() == 1 ? this->Litmaps.data() : nullptr, settings.SlabGap);
-  for (std::size_t i = 0; frames.size() > 1 && i < frames.size(); ++i)
-  {
-    plan.AddFace(frames[i], this->Litmaps[i]);
-  }
-  this->Volume.Begin(camera.Eye);
-  for (vtkShadowCaster* caster : this->Casters.GetCasters())
-  {
-    for (const vtkShadowCaster::Part& part :
-      caster->GetParts(slot, geometry, frame, camera.NearBounds, statistics.Silhouettes))
+    clock.Restart();
+    const bool isOne = frames.size() == 1;
+    plan.emplace(light, work.Frame, view, automatic ? vtkShadowMode::Exact : work.How.Mode,
+      isOne ? this->Litmaps.data() : nullptr, work.How.SlabGap);
+    for (std::size_t i = 0; !isOne && i < frames.size(); ++i)
     {
-      const vtkShadowVerdict verdict =
-        plan.Add(part.Silhouette, vtkShadowCaster::GetPoints(*caster, part),
-          part.Topology->GetNumberOfPoints(), part.Footprint, this->Volume);
-      ++statistics.Verdicts[static_cast<int>(verdict)];
+      plan->AddFace(frames[i], this->Litmaps[i]);
     }
+    verdicts = this->AddCasters(work, *plan);
+    work.Statistics.PlanTime += clock.Restart();
   }
-  statistics.Slabs += plan.GetNumberOfSlabs();
-  statistics.Triangles += static_cast<long long>(this->Volume.GetIndices().size() / 3);
-  statistics.PlanTime += clock.Restart();
-  const bool done = plan.GetDraws().empty() ||
-    this->Count(window, plan, slot, camera, settings.CountFragments, statistics);
-  statistics.DrawTime += clock.GetMilliseconds();
-  if (done && (settings.PictureLight ? settings.PictureLight == light.Source : slot == 0))
+  std::transform(verdicts.begin(), verdicts.end(), work.Statistics.Verdicts.begin(),
+    work.Statistics.Verdicts.begin(), std::plus<int>());
+  work.Statistics.Slabs += plan->GetNumberOfSlabs();
+  work.Statistics.Triangles += static_cast<long long>(this->Volume.GetIndices().size() / 3);
+  const bool done = plan->GetDraws().empty() || this->Count(work, *plan);
+  work.Statistics.DrawTime += clock.GetMilliseconds();
+  const vtkLight* pictured = work.How.PictureLight;
+  if (done && (pictured ? pictured == work.Source.Source : work.Slot == 0))
   {
     const vtkShadowDebugView::Subject subject = { this->Litmaps.data(),
-      static_cast<int>(frames.size()), plan.GetDraws(), camera.EyeToClip, this->Viewport };
+      static_cast<int>(frames.size()), plan->GetDraws(), work.View.EyeToClip, this->Viewport };
     return this->DebugView.Make(
-      window, settings.Picture, subject, this->Counter, statistics, this->Error);
+      work.Window, work.How.Picture, subject, this->Counter, work.Statistics, this->Error);
   }
   return done;
 }
 
-bool vtkShadowMaskMaker::Count(vtkOpenGLRenderWindow* window, const vtkShadowPlan& plan,
-  std::size_t slot, const Camera& camera, bool countFragments, vtkShadowStatistics& statistics)
+bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
 {
   const vtkShadowTimers::Scope timed(this->Timers, vtkShadowStage::Draw);
   const std::vector<vtkShadowDraw>& draws = plan.GetDraws();
+  vtkShadowStatistics& statistics = work.Statistics;
   ++this->Shadows;
   statistics.Boxes += static_cast<int>(draws.size());
   statistics.Draws += static_cast<int>(std::count_if(
@@ -349,9 +514,9 @@ bool vtkShadowMaskMaker::Count(vtkOpenGLRenderWindow* window, const vtkShadowPla
   {
     return false;
   }
-  constexpr int each = vtkShadowTarget::LightsPerMask;
-  const int mask = static_cast<int>(slot) / each;
-  const int channel = static_cast<int>(slot) % each;
+  constexpr std::size_t each = vtkShadowTarget::LightsPerMask;
+  const int mask = static_cast<int>(work.Slot / each);
+  const int channel = static_cast<int>(work.Slot % each);
   // As many volumes at a time as the stencil can count, should a receiver be in all of them.
   const bool allAtOnce = plan.IsCountBelow(vtkShadowCaster::MaximumCount);
   const vtkShadowDraw* first = draws.data();
@@ -369,9 +534,9 @@ bool vtkShadowMaskMaker::Count(vtkOpenGLRenderWindow* window, const vtkShadowPla
       ++last;
     }
     this->Counter.ClearStencil(this->Target, this->Viewport, start);
-    if (!this->Counter.Count(window, this->Target, camera.EyeToClip, first, last,
-          countFragments ? &statistics.Fragments : nullptr, this->Error) ||
-      !this->Counter.Resolve(window, this->Target, mask, channel, this->Viewport, this->Error))
+    if (!this->Counter.Count(work.Window, this->Target, work.View.EyeToClip, first, last,
+          work.How.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||
+      !this->Counter.Resolve(work.Window, this->Target, mask, channel, this->Viewport, this->Error))
     {
       return false;
     }

@@ -28,6 +28,7 @@
 #include "vtkShadowTimers.h"
 #include "vtkShadowVolume.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,7 @@ public:
     vtkShadowMode Mode = vtkShadowMode::Exact;
     int Resolution = 256;
     int SlabGap = 4;
+    int BoxCost = 256;
     bool CountFragments = false;
     vtkShadowLitmapMethod LitmapMethod = vtkShadowLitmapMethod::Scattered;
     vtkShadowPicture Picture = vtkShadowPicture::None;
@@ -66,10 +68,11 @@ public:
    * framebuffer that is bound for drawing, or with one (vtkShadowTarget::HasRefusedSamples(), the
    * cause in GetError()). Returns false, with the cause in GetError(), if OpenGL refuses.
    */
-  bool Reserve(vtkRenderer* renderer, std::size_t lights);
+  bool Reserve(vtkRenderer* renderer, std::size_t lights, bool skipUnlitReceivers);
 
   /**
-   * After Reserve(): bind a framebuffer for the depth of what is drawn next, and clear it. The
+   * After Reserve(): bind a framebuffer for the depth of what is drawn next, and clear it; with
+   * skipUnlitReceivers it has a colour for NBufferShadowReceiver (vtkShadowLightDec.glsl), too. The
    * caller pops the framebuffer bindings of the window's vtkOpenGLState.
    */
   void BeginDepth(vtkRenderer* renderer);
@@ -99,16 +102,22 @@ public:
 
 private:
   struct Camera;
+  struct Work;
+  using Verdicts = std::array<int, vtkShadowStatistics::NumberOfVerdicts>;
 
   bool ReadDepth(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics);
-  bool UploadReceivers(vtkOpenGLRenderWindow* window, const Camera& camera);
-  bool MakeLitmaps(vtkOpenGLRenderWindow* window, const vtkShadowLight& light,
-    const std::vector<vtkShadowFrame>& frames, const Camera& camera, const Settings& settings,
-    vtkShadowStatistics& statistics);
-  bool Shade(vtkOpenGLRenderWindow* window, const vtkShadowLightSource& light, std::size_t slot,
-    const Camera& camera, const Settings& settings, vtkShadowStatistics& statistics);
-  bool Count(vtkOpenGLRenderWindow* window, const vtkShadowPlan& plan, std::size_t slot,
-    const Camera& camera, bool countFragments, vtkShadowStatistics& statistics);
+  bool ReadLights(vtkOpenGLRenderWindow* window);
+  bool ReadReceivers(const Work& work);
+  const unsigned char* FindLit(const Work& work);
+  bool IsUnlit(std::size_t slot, std::size_t sample) const;
+  bool MakeLitmaps(const Work& work, const std::vector<vtkShadowFrame>& frames);
+  template <typename Functor>
+  void ForEachPart(const Work& work, Functor&& functor); ///< functor(caster, part)
+  Verdicts AddCasters(const Work& work, vtkShadowPlan& plan);
+  bool DoLitmapsPay(const Work& work, double fragments, long long triangles) const;
+  bool DoLitmapsPay(const Work& work); ///< For the triangles alone.
+  bool Shade(const Work& work);
+  bool Count(const Work& work, const vtkShadowPlan& plan);
 
   vtkShadowTarget Target;
   vtkShadowCounter Counter;
@@ -116,7 +125,12 @@ private:
   vtkShadowSampleReader SampleReader;
   std::vector<vtkShadowLitmap> Litmaps; ///< Of the light at work: one, or one for each face.
   vtkShadowVolume Volume;
-  std::vector<float> Depth;
+  std::vector<float> Depth; ///< Of the receivers, if HasReceivers.
+  bool HasReceivers = false;
+  bool SkipUnlit = false;
+  std::vector<unsigned char> LitBits; ///< Four of each sample: bit i for light i, if it is lit.
+  std::vector<unsigned char> Lit;     ///< Samples, by the light at work.
+  std::vector<bool> Filtered;         ///< Lights for which nothing else is a receiver.
   int Viewport[4] = { 0, 0, 0, 0 };
   int Shadows = 0;
   std::string Error;

@@ -17,11 +17,8 @@ constexpr double Margin = 1e-6;
 /// Infinite in both directions: all lexels.
 constexpr double Everything = std::numeric_limits<double>::infinity();
 
-/// What one more box is worth, in pixels left out: a draw, and each triangle that it sets up again.
-/// A compromise: software renderers fill in a few nanoseconds for each pixel and set up a triangle
-/// in some tenths of a microsecond, devices are limited by what they fill.
-constexpr double BoxCost = 256.0;
-constexpr double TriangleCost = 8.0;
+/// Of View::BoxCost, for each triangle.
+constexpr double TriangleShare = 1.0 / 32;
 
 /// How many of the triangles counted the ray from `origin` along `direction` crosses.
 int CountCrossings(const vtkShadowSilhouette& silhouette, const double* points,
@@ -151,7 +148,7 @@ std::vector<vtkShadowPlan::Aspect> vtkShadowPlan::GetAspects(
 
 vtkShadowPlan::Boxes vtkShadowPlan::FindBoxes(const std::vector<Aspect>& aspects,
   const vtkShadowSilhouette& silhouette, const double* points, const vtkShadowExtent& extent,
-  bool& isOnRays)
+  bool& isOnRays) const
 {
   vtkShadowTileSet set({ extent.X0, extent.Y0, extent.X1, extent.Y1 });
   for (const Aspect& aspect : aspects)
@@ -169,7 +166,8 @@ vtkShadowPlan::Boxes vtkShadowPlan::FindBoxes(const std::vector<Aspect>& aspects
   // As many triangles as a whole volume of a directional light has, for all kinds of pieces.
   const std::size_t triangles =
     silhouette.GetTriangles().size() / 3 + 2 * silhouette.GetEdges().size();
-  return set.GetBoxes(BoxCost + TriangleCost * static_cast<double>(triangles));
+  return set.GetBoxes(
+    this->Camera.BoxCost * (1.0 + TriangleShare * static_cast<double>(triangles)));
 }
 
 bool vtkShadowPlan::IsBeyondNearPlane(const vtkShadowVolume& volume, std::size_t firstVertex) const

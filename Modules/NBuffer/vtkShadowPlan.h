@@ -18,8 +18,8 @@
  *
  * Of this box, the tiles of 8 x 8 pixels that the caster's shadow can reach (vtkShadowReach.h) are
  * found, and the volume is drawn into few boxes around these (vtkShadowTiles.h): one more where it
- * leaves out more pixels than drawing the triangles once more costs. A caster that reaches no tile
- * is one of the two that draw nothing.
+ * leaves out more pixels than drawing the triangles once more costs (View::BoxCost). A caster that
+ * reaches no tile is one of the two that draw nothing.
  *
  * Leaving out and cutting to a box of pixels change no vertex and with that no fragment: the
  * stencil is bit for bit that of whole volumes wherever there is a receiver. Slabs make new
@@ -115,6 +115,11 @@ public:
     /// Whether the device keeps to boxes of pixels. llvmpipe (Mesa 22.3) draws some of the samples
     /// of the row below, too, if pixels have several.
     bool Boxes = true;
+    /// What one more box is worth, in pixels left out, and 1/32 of it for each triangle that it has
+    /// set up again. The default is a compromise: software renderers fill in a few nanoseconds for
+    /// each pixel and set up a triangle in some tenths of a microsecond, devices are limited by
+    /// what they fill.
+    double BoxCost = 256.0;
   };
 
   /**
@@ -155,8 +160,8 @@ private:
   using Boxes = std::vector<vtkNBufferRectangle>; ///< Of pixels of the viewport.
 
   std::vector<Aspect> GetAspects(const vtkShadowFootprint& footprint) const;
-  static Boxes FindBoxes(const std::vector<Aspect>& aspects, const vtkShadowSilhouette& silhouette,
-    const double* points, const vtkShadowExtent& extent, bool& isOnRays);
+  Boxes FindBoxes(const std::vector<Aspect>& aspects, const vtkShadowSilhouette& silhouette,
+    const double* points, const vtkShadowExtent& extent, bool& isOnRays) const;
   std::vector<vtkShadowSlab> GetSlabs(
     const vtkShadowExtent& extent, const vtkShadowFootprint& footprint) const;
   bool IsThroughLightPlane(const vtkShadowFootprint& footprint) const;

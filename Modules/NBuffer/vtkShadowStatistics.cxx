@@ -109,6 +109,7 @@ std::string vtkShadowStatistics::GetAsJSON() const
   json["receivers"] = static_cast<Json::Int64>(this->Receivers);
   json["fragments"] = static_cast<Json::Int64>(this->Fragments);
   json["litmaps"] = this->Litmaps;
+  json["unclamped_lights"] = this->UnclampedLights;
   json["read_backs"] = this->ReadBacks;
   json["failed_frames"] = this->FailedFrames;
   json["debug_draws"] = this->DebugDraws;

@@ -24,7 +24,8 @@ enum class vtkShadowMode : int
 {
   Unclamped, ///< All of every caster's, everywhere: the reference for what others save.
   Exact,     ///< Of casters with receivers, into the receivers' boxes on the screen.
-  Clamped    ///< Of these, where the receivers are.
+  Clamped,   ///< Of these, where the receivers are.
+  Automatic  ///< Exact for lights whose litmaps pay (vtkShadowFill.h), Unclamped for others.
 };
 
 /// How litmaps are made.
@@ -59,7 +60,7 @@ constexpr vtkShadowStageTimes UnknownShadowStageTimes = { -1.0, -1.0, -1.0 };
 /// What became of a caster for a light.
 enum class vtkShadowVerdict : int
 {
-  Whole,             ///< Drawn whole: Unclamped.
+  Whole,             ///< Drawn whole: Unclamped, or no litmap was worth it.
   Boxed,             ///< Drawn whole, into its receivers' boxes of pixels.
   Clamped,           ///< Drawn in slabs, into such boxes.
   ThroughLightPlane, ///< Drawn whole: it reaches to the light's plane or behind it.
@@ -115,10 +116,11 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   /// Fragments that volumes covered, samples of them with multisampling, whatever the depth test
   /// said; -1 unless they are counted.
   long long Fragments = -1;
-  int Litmaps = 0;   ///< Made in this frame.
-  int ReadBacks = 0; ///< Of depth.
+  int Litmaps = 0;         ///< Made in this frame.
+  int UnclampedLights = 0; ///< Drawn without litmaps in this frame.
+  int ReadBacks = 0;       ///< Of depth.
   int FailedFrames = 0;
-  int DebugDraws = 0; ///< Of debug views.
+  int DebugDraws = 0;  ///< Of debug views.
   int Samples = 1;     ///< Of each pixel of the masks.
   int PixelFrames = 0; ///< With one for each pixel, the device having refused those of the window.
 

@@ -96,6 +96,22 @@ bool vtkShadowTarget::Reserve(vtkOpenGLRenderWindow* window, int width, int heig
   return done;
 }
 
+bool vtkShadowTarget::ReserveLit(vtkOpenGLRenderWindow* window, std::string& why)
+{
+  if (this->Lit.Framebuffer != 0)
+  {
+    return true;
+  }
+  const ScopedFramebuffers bindings;
+  vtkNBufferGL::ClearErrors();
+  const bool done = this->AllocateMask(window, this->Lit, why);
+  if (!done)
+  {
+    FreeMask(this->Lit);
+  }
+  return done;
+}
+
 bool vtkShadowTarget::Allocate(
   vtkOpenGLRenderWindow* window, int width, int height, int count, std::string& why)
 {
@@ -219,14 +235,24 @@ void vtkShadowTarget::Release()
   this->RefusedSamples.clear();
 }
 
-void vtkShadowTarget::Free()
+void vtkShadowTarget::FreeMask(Mask& mask)
 {
-  for (const Mask& mask : this->Masks)
+  glDeleteFramebuffers(1, &mask.Framebuffer);
+  if (mask.Texture)
   {
-    glDeleteFramebuffers(1, &mask.Framebuffer);
     mask.Texture->ReleaseGraphicsResources(mask.Texture->GetContext());
   }
+  mask = Mask();
+}
+
+void vtkShadowTarget::Free()
+{
+  for (Mask& mask : this->Masks)
+  {
+    FreeMask(mask);
+  }
   this->Masks.clear();
+  FreeMask(this->Lit);
   glDeleteFramebuffers(1, &this->DepthFramebuffer);
   if (this->Depth)
   {

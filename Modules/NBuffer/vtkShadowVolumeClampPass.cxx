@@ -6,11 +6,11 @@
 #include "vtkNBufferGL.h"
 #include "vtkNBufferResourceCallback.h"
 #include "vtkShadowFrameKey.h"
-#include "vtkShadowLightDec.h"
 #include "vtkShadowMaskMaker.h"
-#include "vtkShadowSampleDec.h"
+#include "vtkShadowShader.h"
 
 #include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkLight.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
@@ -66,8 +66,7 @@ public:
   ~Internals() { this->Stage->Owner = nullptr; }
 
   void UseContext(vtkOpenGLRenderWindow* window);
-  void SetShaderLights(const std::vector<vtkShadowLightSource>& lights, int samples);
-  std::string GetDeclaration() const;
+  void SetShader(const std::vector<vtkShadowLightSource>& lights, int samples, bool filter);
 
   vtkNew<OpaqueStage> Stage;
   vtkNew<vtkRenderStepsPass> Steps;
@@ -78,9 +77,9 @@ public:
   vtkShadowMaskMaker Masks;
   vtkShadowStatistics Statistics;
   std::vector<vtkShadowLightSource> Lights; ///< Of the masks.
-  std::vector<int> ShaderLights;            ///< Numbers of the lights that the shaders know.
-  int ShaderSamples = 1;                    ///< Of the masks that they know.
+  vtkShadowShader Shader;                   ///< Of the mappers.
   vtkTimeStamp ShaderTime;
+  bool DrawsReceivers = false;
   std::vector<int> TextureUnits;
   int DepthUnit = 0;
   vtkShadowFrameKey Key; ///< Of the masks.
@@ -105,30 +104,21 @@ void vtkShadowVolumeClampPass::Internals::UseContext(vtkOpenGLRenderWindow* wind
   window->MakeCurrent();
 }
 
-void vtkShadowVolumeClampPass::Internals::SetShaderLights(
-  const std::vector<vtkShadowLightSource>& lights, int samples)
+void vtkShadowVolumeClampPass::Internals::SetShader(
+  const std::vector<vtkShadowLightSource>& lights, int samples, bool filter)
 {
-  std::vector<int> numbers;
+  vtkShadowShader shader;
   for (const vtkShadowLightSource& light : lights)
   {
-    numbers.push_back(light.Number);
+    shader.Lights.push_back(light.Number);
   }
-  if (numbers != this->ShaderLights || samples != this->ShaderSamples)
+  shader.Samples = samples;
+  shader.Filter = filter;
+  if (!(shader == this->Shader))
   {
-    this->ShaderLights = numbers;
-    this->ShaderSamples = samples;
+    this->Shader = shader;
     this->ShaderTime.Modified();
   }
-}
-
-std::string vtkShadowVolumeClampPass::Internals::GetDeclaration() const
-{
-  const int lights = static_cast<int>(this->ShaderLights.size());
-  constexpr int each = vtkShadowTarget::LightsPerMask;
-  return "#define NBUFFER_SHADOW_LIGHTS " + std::to_string(lights) +
-    "\n#define NBUFFER_SHADOW_MASKS " + std::to_string((lights + each - 1) / each) +
-    "\n#define NBUFFER_SHADOW_SAMPLES " + std::to_string(this->ShaderSamples) + "\n" +
-    vtkShadowLightDec;
 }
 
 vtkShadowVolumeClampPass::vtkShadowVolumeClampPass()
@@ -255,7 +245,7 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
   const vtkShadowFrameKey key(s, lights, self.Masks.Casters, this->GetMTime());
   const bool still = statistics.Updates == 0 && !this->CountFragments && key == self.Key;
   const vtkShadowTarget& target = self.Masks.GetTarget();
-  bool done = still || self.Masks.Reserve(renderer, lights.size());
+  bool done = still || self.Masks.Reserve(renderer, lights.size(), this->SkipUnlitReceivers);
   statistics.Samples = static_cast<int>(target.GetSamples().size());
   if (done && target.HasRefusedSamples())
   {
@@ -267,10 +257,10 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
     }
   }
   statistics.PixelFrames = self.PixelFrames;
-  self.SetShaderLights(lights, statistics.Samples);
+  self.SetShader(lights, statistics.Samples, this->SkipUnlitReceivers);
   // The depth is drawn by the shaders that will draw the colour: it is the same to the bit, and no
   // mapper has to rebuild one.
-  this->PreRender(s);
+  this->NoteInProps(s);
   if (!still)
   {
     self.Key = vtkShadowFrameKey();
@@ -305,6 +295,29 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
   self.Statistics = statistics;
 }
 
+void vtkShadowVolumeClampPass::NoteInProps(const vtkRenderState* s)
+{
+  // As PreRender(), but once in keys that props share: PostRender() gives back one reference only.
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    vtkProp* prop = s->GetPropArray()[i];
+    if (!prop->GetPropertyKeys())
+    {
+      prop->SetPropertyKeys(vtkSmartPointer<vtkInformation>::New());
+    }
+    vtkInformation* keys = prop->GetPropertyKeys();
+    bool noted = false;
+    for (int k = 0; k < keys->Length(RenderPasses()); ++k)
+    {
+      noted = noted || keys->Get(RenderPasses(), k) == this;
+    }
+    if (!noted)
+    {
+      keys->Append(RenderPasses(), this);
+    }
+  }
+}
+
 bool vtkShadowVolumeClampPass::MakeMasks(const vtkRenderState* s,
   const std::vector<vtkShadowLightSource>& lights, vtkShadowStatistics& statistics)
 {
@@ -319,7 +332,9 @@ bool vtkShadowVolumeClampPass::MakeMasks(const vtkRenderState* s,
   self.Masks.BeginDepth(renderer);
   {
     const vtkShadowTimers::Scope timed(self.Masks.Timers, vtkShadowStage::Depth);
+    self.DrawsReceivers = true;
     this->DrawOpaque(s, nullptr);
+    self.DrawsReceivers = false;
   }
   static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
     ->GetState()
@@ -329,6 +344,7 @@ bool vtkShadowVolumeClampPass::MakeMasks(const vtkRenderState* s,
   settings.Mode = static_cast<vtkShadowMode>(this->Mode);
   settings.Resolution = this->LitmapResolution;
   settings.SlabGap = this->SlabGap;
+  settings.BoxCost = this->BoxCost;
   settings.CountFragments = this->CountFragments;
   settings.LitmapMethod = static_cast<vtkShadowLitmapMethod>(this->LitmapMethod);
   settings.Picture = static_cast<vtkShadowPicture>(this->DebugView);
@@ -390,18 +406,7 @@ void vtkShadowVolumeClampPass::Warn(const std::string& what)
 bool vtkShadowVolumeClampPass::PreReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  // Props that share their property keys hand a pass on once for each.
-  if (fragmentShader.find("NBUFFER_SHADOW_LIGHTS") != std::string::npos)
-  {
-    return true;
-  }
-  vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Dec",
-    this->Implementation->GetDeclaration() + "//VTK::Light::Dec", false);
-  if (this->Implementation->ShaderSamples > 1)
-  {
-    vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec",
-      std::string("//VTK::System::Dec\n") + vtkShadowSampleDec, false);
-  }
+  this->Implementation->Shader.Declare(fragmentShader);
   return true;
 }
 
@@ -409,37 +414,12 @@ bool vtkShadowVolumeClampPass::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
   Internals& self = *this->Implementation;
-  for (std::size_t i = 0; i < self.ShaderLights.size(); ++i)
+  if (!self.Shader.Insert(fragmentShader) && !self.HasWarnedOfShader)
   {
-    const std::string color = "lightColor" + std::to_string(self.ShaderLights[i]);
-    constexpr std::size_t each = vtkShadowTarget::LightsPerMask;
-    const std::string share = "NBUFFER_SHADOW_SHARE(" + std::to_string(i) + ", " +
-      std::to_string(i / each) + ", " + std::to_string(i % each) + ")";
-    bool replaced = fragmentShader.find(share) != std::string::npos;
-    if (replaced)
-    {
-      continue;
-    }
-    const auto replace = [&](const std::string& before, const std::string& after)
-    {
-      const std::string old = before + color + after;
-      replaced = vtkShaderProgram::Substitute(
-                   fragmentShader, old, before + share + " * " + color + after, true) ||
-        replaced;
-    };
-    replace("diffuse += (df * ", ");");
-    replace("specular += (sf * ", ");");
-    replace("radiance = ", ";");
-    replace("radiance = ", " * attenuation;"); // positional lights before VTK 9.5
-    const bool used = fragmentShader.find("* " + color) != std::string::npos ||
-      fragmentShader.find("= " + color) != std::string::npos;
-    if (!replaced && used && !self.HasWarnedOfShader)
-    {
-      self.HasWarnedOfShader = true;
-      vtkErrorMacro(<< "A mapper's shader has lighting that this pass does not know, so that its "
-                       "props receive no shadows. Use VTK's own lighting code, or report the "
-                       "version of VTK.");
-    }
+    self.HasWarnedOfShader = true;
+    vtkErrorMacro(<< "A mapper's shader has lighting that this pass does not know, so that its "
+                     "props receive no shadows. Use VTK's own lighting code, or report the "
+                     "version of VTK.");
   }
   return true;
 }
@@ -452,6 +432,10 @@ bool vtkShadowVolumeClampPass::SetShaderParameters(
   {
     program->SetUniform1iv(
       "shadowMasks", static_cast<int>(self.TextureUnits.size()), self.TextureUnits.data());
+  }
+  if (program->IsUniformUsed("shadowReceivers"))
+  {
+    program->SetUniformi("shadowReceivers", self.DrawsReceivers);
   }
   if (program->IsUniformUsed("shadowDepth"))
   {
@@ -466,7 +450,7 @@ bool vtkShadowVolumeClampPass::SetShaderParameters(
   }
   if (program->IsUniformUsed("shadowAttenuations"))
   {
-    std::vector<float> attenuations(self.ShaderLights.size(), 0.0f);
+    std::vector<float> attenuations(self.Shader.Lights.size(), 0.0f);
     for (std::size_t i = 0; i < self.Lights.size(); ++i)
     {
       attenuations[i] = self.Lights[i].Attenuation;
@@ -549,7 +533,9 @@ void vtkShadowVolumeClampPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Mode: " << this->Mode << "\n";
   os << indent << "LitmapResolution: " << this->LitmapResolution << "\n";
   os << indent << "SlabGap: " << this->SlabGap << "\n";
+  os << indent << "BoxCost: " << this->BoxCost << "\n";
   os << indent << "LitmapMethod: " << this->LitmapMethod << "\n";
+  os << indent << "SkipUnlitReceivers: " << (this->SkipUnlitReceivers ? "On" : "Off") << "\n";
   os << indent << "DebugView: " << this->DebugView << "\n";
   os << indent << "DebugLight: " << self.DebugLight.Get() << "\n";
   os << indent << "MeasureDeviceTime: " << (this->MeasureDeviceTime ? "On" : "Off") << "\n";

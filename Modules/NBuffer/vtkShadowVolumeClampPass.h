@@ -46,13 +46,13 @@
  *
  * ## Limits
  *
- * Casters are opaque surfaces of data sets or composites of polydata; GetStatistics() counts what is
- * not, by reason. Wireframes, points and glyphs cast nothing; textures with alpha and what shaders
- * displace cast as if they did not. The volumes of point lights are never
- * clamped. Needs OpenGL 3.2 with depth and stencil in one texture; where anything is refused
- * the frame is drawn without shadows, with one warning.
+ * Casters are opaque surfaces of data sets or composites of polydata; GetStatistics() counts what
+ * is not, by reason. Wireframes, points and glyphs cast nothing; textures with alpha and what
+ * shaders displace cast as if they did not. The volumes of point lights are never clamped. Needs
+ * OpenGL 3.2 with depth and stencil in one texture; where anything is refused the frame is drawn
+ * without shadows, with one warning.
  *
- * Cost: two draws of the opaque props, a read-back of the depth (but for Unclamped), and the
+ * Cost: two draws of the opaque props, a read-back of the depth (where litmaps are made), and the
  * volumes.
  */
 #ifndef vtkShadowVolumeClampPass_h
@@ -84,17 +84,19 @@ public:
   {
     Unclamped = int(vtkShadowMode::Unclamped),
     Exact = int(vtkShadowMode::Exact),
-    Clamped = int(vtkShadowMode::Clamped)
+    Clamped = int(vtkShadowMode::Clamped),
+    Automatic = int(vtkShadowMode::Automatic)
   };
 
   ///@{
   /**
    * How much of the shadow volumes is drawn: Unclamped, all; Exact, casters with receivers, into
    * their receivers' box of pixels, with the stencil of Unclamped to the bit; Clamped, slabs of
-   * them around the receivers, where samples within 1/256 of a pixel of a shadow's edge may differ.
-   * The default is Exact.
+   * them around the receivers, where samples within 1/256 of a pixel of a shadow's edge may differ;
+   * Automatic, the default, Exact for lights where that is likely to take less time, Unclamped for
+   * others (vtkShadowFill.h): the masks of both are the same.
    */
-  vtkSetClampMacro(Mode, int, Unclamped, Clamped);
+  vtkSetClampMacro(Mode, int, Unclamped, Automatic);
   vtkGetMacro(Mode, int);
   ///@}
 
@@ -137,6 +139,29 @@ public:
 
   ///@{
   /**
+   * Pixels that one more box around the receivers of a caster has to leave out to be worth drawing
+   * the caster's volume in it, too (1/32 of it for each triangle besides); 0 to 1e9, 256 by
+   * default. Less makes more and tighter boxes; none makes a shadow wrong.
+   */
+  vtkSetClampMacro(BoxCost, int, 0, 1000000000);
+  vtkGetMacro(BoxCost, int);
+  ///@}
+
+  ///@{
+  /**
+   * Take for receivers of a light only what is lit by it: not what the normals that it is shaded
+   * with turn away. The picture is the same to the bit, masks are 255 there. Less is drawn of
+   * volumes; the receivers' depth is drawn with their shading, and one more image read back. Off by
+   * default: docs/benchmarks.md has what it saves and costs. Applies to the first 24 lights that
+   * cast, and to Phong shading; not to Rerendered litmaps, nor to lights that are drawn without.
+   */
+  vtkSetMacro(SkipUnlitReceivers, bool);
+  vtkGetMacro(SkipUnlitReceivers, bool);
+  vtkBooleanMacro(SkipUnlitReceivers, bool);
+  ///@}
+
+  ///@{
+  /**
    * Count the fragments of volumes (vtkShadowStatistics::Fragments). Draws them once more and waits
    * for the device. Off by default.
    */
@@ -171,7 +196,8 @@ public:
    * default, costs nothing.
    *
    *  - Litmaps: squares for nearest and farthest receiver (bright: near to the light) and occupied
-   *    bins of each lexel; a row for each of the six litmaps of a point light. Not in Unclamped.
+   *    bins of each lexel; a row for each of the six litmaps of a point light. Nothing where
+   *    there are none (Unclamped).
    *  - Extents: the boxes of pixels into which volumes are drawn, and in how many a pixel is.
    *  - Volumes: the edges of the volumes' triangles in these boxes, blue where they are counted by
    *    z-pass, orange by z-fail.
@@ -215,7 +241,8 @@ public:
 
   /**
    * The mask of a light of the last frame: one value for each pixel of the viewport, row by row,
-   * the lowest first; 0 lit, 255 in shadow (also what the light does not reach). With multisampling
+   * the lowest first; 0 lit, 255 in shadow (also what the light does not reach; with
+   * SkipUnlitReceivers, what faces away from it). With multisampling
    * the mean of the pixel's samples, or one of them: `sample` from 0 to less than
    * vtkShadowStatistics::Samples. Empty, and `width` and `height` 0, if the light did not cast or
    * there is no such sample. Reads it back; the window's context must be current.
@@ -254,17 +281,20 @@ private:
   class Internals;
   class OpaqueStage;
   void RenderOpaque(const vtkRenderState* s);
+  void NoteInProps(const vtkRenderState* s);
   bool MakeMasks(const vtkRenderState* s, const std::vector<vtkShadowLightSource>& lights,
     vtkShadowStatistics& statistics);
   void DrawOpaque(const vtkRenderState* s, vtkTextureObject* depth);
   void ShowDebugView(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics);
   void Warn(const std::string& what);
 
-  int Mode = Exact;
+  int Mode = Automatic;
   int LitmapResolution = 256;
   int SlabGap = 4;
+  int BoxCost = 256;
   int LitmapMethod = Scattered;
   int DebugView = NoDebugView;
+  bool SkipUnlitReceivers = false;
   bool CountFragments = false;
   bool MeasureDeviceTime = false;
   std::unique_ptr<Internals> Implementation;

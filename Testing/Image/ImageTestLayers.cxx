@@ -8,13 +8,16 @@
 #include "vtkNBufferGL.h"
 
 #include "vtkCamera.h"
+#include "vtkCubeSource.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSphereSource.h"
 
+#include <string>
 #include <utility>
 
 using Verdict = vtkNBufferVerdict;
@@ -56,6 +59,43 @@ TEST(CullerLayers, LayerWithNothingInsideProcessesWhatLiesBelow)
     EXPECT_EQ(comparison.GetStatistics(1).GetCount(Verdict::Untested), outside);
     EXPECT_GE(comparison.GetHidden(0), Wall::Hidden);
   }
+}
+
+// Hazard: what ours keeps there is nothing that it knows to be seen, and VTK's own culler, behind
+// ours, removes it; what ours takes away, VTK's would keep, whose test is with a sphere.
+TEST(CullerLayers, LayerWhoseRestTheDefaultCullerRemovesProcessesWhatLiesBelow)
+{
+  ComparisonOptions options;
+  options.KeepDefaultCuller = options.StockReference = true;
+  options.Configure = [](vtkNBufferCuller* culler) { culler->SetMinimumNumberOfCandidates(1); };
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      stage.Window->SetNumberOfLayers(2);
+      vtkRenderer* layer = stage.AddRenderer(0.0, 0.0, 1.0, 1.0, 1);
+      layer->SetErase(false);
+      layer->SetActiveCamera(stage.GetRenderer()->GetActiveCamera());
+      layer->SetUseFXAA(true);
+      const double color[3] = { 1.0, 0.0, 0.0 };
+      vtkNew<vtkCubeSource> flat;
+      flat->SetBounds(-50.0, 50.0, 50.0, 50.1, -0.1, 0.1);
+      flat->Update();
+      stage.AddActor(flat->GetOutput(), color, layer);
+      vtkNew<vtkSphereSource> sphere;
+      sphere->SetCenter(0.0, 0.0, 1e4);
+      sphere->Update();
+      stage.AddActor(sphere->GetOutput(), color, layer)
+        ->GetProperty()
+        ->SetRepresentationToWireframe();
+    },
+    options);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    comparison.Frame("frame " + std::to_string(frame));
+  }
+  EXPECT_EQ(comparison.GetStatistics(1).GetCount(Verdict::Untested), 1);
+  EXPECT_EQ(comparison.GetStatistics(1).GetCount(Verdict::NotASurface), 1);
 }
 
 namespace

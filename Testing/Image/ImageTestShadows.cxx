@@ -43,6 +43,7 @@ vtkShadowVolumeClampPass* AddShadows(Stage& stage)
   stage.GetRenderer()->SetAutomaticLightCreation(false);
   AddLight(stage, -8.0, 9.0, 14.0);
   vtkNew<vtkShadowVolumeClampPass> pass;
+  pass->SetMode(vtkShadowVolumeClampPass::Exact);
   stage.GetRenderer()->SetPass(pass);
   return pass;
 }
@@ -133,6 +134,7 @@ TEST(CullerShadows, ShadowOfAHiddenPropIsSeen)
       stage.GetRenderer()->SetAutomaticLightCreation(false);
       AddLight(stage, -14.0, 3.0, -3.0);
       vtkNew<vtkShadowVolumeClampPass> pass;
+      pass->SetMode(vtkShadowVolumeClampPass::Exact);
       stage.GetRenderer()->SetPass(pass);
     });
   comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.01); });

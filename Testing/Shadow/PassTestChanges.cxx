@@ -447,6 +447,12 @@ TEST_F(PassHistory, PropsThatShareTheirKeys)
   stage.Casters.Sphere->SetPropertyKeys(stage.Casters.Box->GetPropertyKeys());
   stage.Unseen->SetPropertyKeys(stage.Casters.Box->GetPropertyKeys());
   EXPECT_GT(ExpectComposedOfDimmed(stage.Stage, stage.Pass), 100);
+  // VTK gives back one reference of several.
+  stage.Stage.Window->Render();
+  const int references = stage.Pass->GetReferenceCount();
+  stage.Stage.Renderer->GetActiveCamera()->Azimuth(3.0);
+  stage.Stage.Window->Render();
+  EXPECT_EQ(stage.Pass->GetReferenceCount(), references);
 }
 
 // Hazard: a light that is new at the address of a deleted one that was not to cast.

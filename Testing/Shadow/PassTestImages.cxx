@@ -175,6 +175,7 @@ TEST_F(PassImages, InASequenceAreThoseOfThePassAlone)
       ->GetProperty()
       ->SetOpacity(0.5);
     vtkNew<vtkShadowVolumeClampPass> alone;
+    alone->SetMode(vtkShadowVolumeClampPass::Exact);
     stage.Renderer->SetPass(alone);
     stage.Window->Render();
     const ShadowImage expected = GetImage(stage.Window);
@@ -182,6 +183,7 @@ TEST_F(PassImages, InASequenceAreThoseOfThePassAlone)
     EXPECT_FALSE(IsSameImage(GetPlainImage(stage.Window, stage.Renderer), expected, stage.Window));
 
     vtkNew<vtkShadowVolumeClampPass> shadows;
+    shadows->SetMode(vtkShadowVolumeClampPass::Exact);
     vtkNew<vtkRenderPassCollection> passes;
     passes->AddItem(vtkSmartPointer<vtkLightsPass>::New());
     passes->AddItem(shadows);

@@ -8,6 +8,8 @@
 
 #include "../Leaks/GLObjects.h"
 
+#include "vtkNBufferGL.h"
+
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkCamera.h"
@@ -19,7 +21,9 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkRenderStepsPass.h"
+#include "vtkSphereSource.h"
 
 #include <algorithm>
 #include <iostream>
@@ -133,6 +137,54 @@ TEST_F(PassStatistics, FragmentsAreCountedOnlyIfAsked)
   stage.Window->Render();
   EXPECT_GT(pass->GetStatistics().Fragments, 0);
   EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
+}
+
+// With few casters litmaps cost more than they save: no read-back, none made, and the same picture.
+TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
+{
+  const ShadowStage stage(GetScene("ManyLights"));
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  const auto expect = [&](int mode, int litmaps, int unclamped)
+  {
+    pass->SetMode(mode);
+    stage.Window->Render();
+    const vtkShadowStatistics& statistics = pass->GetStatistics();
+    EXPECT_EQ(statistics.Decision, vtkShadowDecision::Drawn);
+    EXPECT_EQ(statistics.Litmaps, litmaps);
+    EXPECT_EQ(statistics.UnclampedLights, unclamped);
+    EXPECT_EQ(statistics.ReadBacks, litmaps > 0 ? 1 : 0);
+    EXPECT_EQ(FindInconsistency(statistics), "");
+    return GetImage(stage.Window);
+  };
+  const int lights = static_cast<int>(stage.Lights.size());
+  const int points = static_cast<int>(std::count_if(stage.Lights.begin(), stage.Lights.end(),
+    [](vtkLight* light) { return light->GetPositional() && light->GetConeAngle() >= 90.0; }));
+  ASSERT_GT(points, 0);
+  ASSERT_LT(points, lights);
+  ShadowImage expected = expect(vtkShadowVolumeClampPass::Exact, lights + 5 * points, 0);
+  EXPECT_TRUE(
+    IsSameImage(expected, expect(vtkShadowVolumeClampPass::Automatic, 0, lights), stage.Window));
+
+  // Six of them, of a point light, cost more than they save longer than one does.
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(90);
+  sphere->SetPhiResolution(60);
+  sphere->SetRadius(0.2);
+  sphere->SetCenter(0.0, 0.0, 2.0);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  stage.Renderer->AddActor(actor);
+  expected = expect(vtkShadowVolumeClampPass::Exact, lights + 5 * points, 0);
+  const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  if (renderer.find("llvmpipe") == std::string::npos)
+  {
+    GTEST_SKIP() << "how many casters are worth a litmap is known for llvmpipe, and this is "
+                 << renderer;
+  }
+  EXPECT_TRUE(IsSameImage(
+    expected, expect(vtkShadowVolumeClampPass::Automatic, lights - points, points), stage.Window));
 }
 
 // Silhouettes last until mesh, matrix or light change, and then only those of what changed.

@@ -74,6 +74,7 @@ ShadowImage GetImage(vtkRenderWindow* window)
 vtkSmartPointer<vtkShadowVolumeClampPass> AddPass(const ShadowStage& stage)
 {
   auto pass = vtkSmartPointer<vtkShadowVolumeClampPass>::New();
+  pass->SetMode(vtkShadowVolumeClampPass::Exact);
   stage.Renderer->SetPass(pass);
   return pass;
 }

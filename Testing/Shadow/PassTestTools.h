@@ -30,7 +30,7 @@ ShadowImage GetImage(vtkRenderWindow* window);
 ::testing::AssertionResult IsSameImage(
   const ShadowImage& expected, const ShadowImage& actual, vtkRenderWindow* window);
 
-/// The pass as the pass of the stage's renderer.
+/// The pass as the pass of the stage's renderer, with Exact: small scenes are not worth a litmap.
 vtkSmartPointer<vtkShadowVolumeClampPass> AddPass(const ShadowStage& stage);
 
 /// The places of the samples in a pixel of a window that has rendered, in [0, 1] from the lower

@@ -298,6 +298,7 @@ TEST_F(PassLifetime, WindowBeforePass)
 TEST_F(PassLifetime, NeverRendered)
 {
   vtkNew<vtkShadowVolumeClampPass> pass;
+  pass->SetMode(vtkShadowVolumeClampPass::Exact);
   EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::None);
   int width = -1;
   int height = -1;

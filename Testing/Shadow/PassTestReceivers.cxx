@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Receivers that their shading turns away from a light are left out: less is drawn, and the picture
+// stays.
+#include "OffscreenFixture.h"
+#include "PassTestTools.h"
+#include "ShadowShapes.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkLight.h"
+#include "vtkProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace
+{
+struct Frame
+{
+  ShadowImage Image;
+  std::vector<ShadowMask> Masks;
+  vtkShadowStatistics Statistics;
+};
+
+Frame Render(const ShadowStage& stage, vtkShadowVolumeClampPass* pass, bool skip)
+{
+  pass->SetSkipUnlitReceivers(skip);
+  stage.Window->Render();
+  Frame frame;
+  frame.Image = GetImage(stage.Window);
+  frame.Statistics = pass->GetStatistics();
+  EXPECT_EQ(frame.Statistics.FailedFrames, 0);
+  EXPECT_EQ(FindInconsistency(frame.Statistics), "");
+  for (vtkLight* light : stage.Lights)
+  {
+    frame.Masks.push_back(GetMask(pass, light, CountPixels(stage.Renderer)));
+  }
+  return frame;
+}
+
+/// What lies beside the renderer, in a tile of a larger image, nobody draws.
+::testing::AssertionResult IsSameView(
+  const ShadowStage& stage, const ShadowImage& expected, const ShadowImage& actual)
+{
+  int size[2];
+  int origin[2];
+  stage.Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  const std::size_t width = static_cast<std::size_t>(stage.Window->GetSize()[0]);
+  for (int y = origin[1]; y < origin[1] + size[1]; ++y)
+  {
+    const std::size_t first = 4 * (y * width + origin[0]);
+    if (!std::equal(expected.begin() + first, expected.begin() + first + 4 * std::size_t(size[0]),
+          actual.begin() + first))
+    {
+      return ::testing::AssertionFailure() << "row " << y << " differs";
+    }
+  }
+  return ::testing::AssertionSuccess();
+}
+
+/// Renders without and with, and returns the frame with.
+Frame ExpectSamePicture(const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
+{
+  const Frame all = Render(stage, pass, false);
+  Frame lit = Render(stage, pass, true);
+  EXPECT_TRUE(IsSameView(stage, all.Image, lit.Image));
+  EXPECT_LE(lit.Statistics.Receivers, all.Statistics.Receivers);
+  // What was in shadow is, or is left out, which is 255, too.
+  for (std::size_t i = 0; i < all.Masks.size(); ++i)
+  {
+    int lost = 0;
+    for (std::size_t k = 0; k < all.Masks[i].size(); ++k)
+    {
+      lost += lit.Masks[i][k] < all.Masks[i][k];
+    }
+    EXPECT_EQ(lost, 0) << "light " << i;
+  }
+  return lit;
+}
+
+class PassReceivers
+  : public OffscreenFixture
+  , public ::testing::WithParamInterface<NamedScene>
+{
+};
+
+class PassReceiversOnce : public OffscreenFixture
+{
+};
+}
+
+TEST_P(PassReceivers, PictureStays)
+{
+  const ShadowStage stage(this->GetParam());
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  ExpectSamePicture(stage, pass);
+  if (this->GetParam().Change)
+  {
+    this->GetParam().Change(stage.Renderer);
+    SCOPED_TRACE("after the change");
+    ExpectSamePicture(stage, pass);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PassReceivers, ::testing::ValuesIn(GetScenes()),
+  [](const auto& info) { return info.param.Name; });
+
+// Most, not all: boxes around fewer tiles need not be smaller.
+TEST_F(PassReceiversOnce, LessIsDrawn)
+{
+  int less = 0;
+  int more = 0;
+  for (const NamedScene& scene : GetScenes())
+  {
+    const ShadowStage stage(scene);
+    vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+    pass->CountFragmentsOn();
+    const vtkShadowStatistics all = Render(stage, pass, false).Statistics;
+    const vtkShadowStatistics lit = Render(stage, pass, true).Statistics;
+    EXPECT_EQ(lit.ReadBacks, all.ReadBacks) << "of depth";
+    less += lit.Fragments < 0.98 * all.Fragments;
+    more += lit.Fragments > 1.02 * all.Fragments;
+  }
+  std::cout << "less in " << less << " scenes, more in " << more << "\n";
+  EXPECT_GT(less, more);
+}
+
+// The mapper of a shadow's receiver has to have room for all lights, or leave none out.
+TEST_F(PassReceiversOnce, MoreLightsThanBits)
+{
+  ShadowStage stage(GetScene("Directional"));
+  for (int i = 0; i < 27; ++i)
+  {
+    const double angle = 0.23 * i;
+    vtkLight* light = ShadowShapes::AddDirectional(
+      stage.Renderer, { std::cos(angle), std::sin(angle), -0.2 - 0.1 * (i % 5) });
+    light->SetIntensity(0.05);
+    stage.Lights.emplace_back(light);
+  }
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  ExpectSamePicture(stage, pass);
+}
+
+// PBR takes something of every light from all sides: nothing may be left out.
+TEST_F(PassReceiversOnce, PhysicallyBasedShading)
+{
+  const ShadowStage stage(GetScene("CadDirectional"));
+  vtkActorCollection* actors = stage.Renderer->GetActors();
+  vtkCollectionSimpleIterator cookie;
+  actors->InitTraversal(cookie);
+  while (vtkActor* actor = actors->GetNextActor(cookie))
+  {
+    actor->GetProperty()->SetInterpolationToPBR();
+  }
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  const vtkIdType receivers = Render(stage, pass, false).Statistics.Receivers;
+  EXPECT_EQ(ExpectSamePicture(stage, pass).Statistics.Receivers, receivers);
+}
+
+// Masks of a still frame are those of the frame that made them; Unclamped leaves nothing out.
+TEST_F(PassReceiversOnce, StillFramesAndOtherModes)
+{
+  const ShadowStage stage(GetScene("ManyLights"));
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  Render(stage, pass, true);
+  const Frame made = Render(stage, pass, true);
+  const Frame still = Render(stage, pass, true);
+  EXPECT_EQ(still.Statistics.Decision, vtkShadowDecision::Still);
+  EXPECT_TRUE(still.Masks == made.Masks);
+  EXPECT_TRUE(IsSameImage(made.Image, still.Image, stage.Window));
+  pass->SetMode(vtkShadowVolumeClampPass::Unclamped);
+  const Frame unclamped = Render(stage, pass, false);
+  const Frame skipped = Render(stage, pass, true);
+  EXPECT_TRUE(skipped.Masks == unclamped.Masks);
+  EXPECT_TRUE(IsSameImage(made.Image, skipped.Image, stage.Window));
+}
