@@ -2,28 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Chart.h"
 
-#include "Images.h"
+#include "ChartPage.h"
 #include "Report.h"
 
 #include "vtkAxis.h"
-#include "vtkChartLegend.h"
-#include "vtkChartXY.h"
-#include "vtkContextActor.h"
-#include "vtkContextScene.h"
 #include "vtkDoubleArray.h"
-#include "vtkGL2PSExporter.h"
-#include "vtkNew.h"
-#include "vtkPen.h"
 #include "vtkPlot.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
-#include "vtkTextProperty.h"
-#include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 namespace NBufferBench
@@ -50,66 +37,12 @@ const Look& GetLook(const std::string& mode)
     [&mode](const Look& look) { return mode == look.Mode; });
 }
 
-void SetFont(vtkTextProperty* font, int size)
-{
-  font->SetFontFamilyToArial();
-  font->SetFontSize(size);
-  font->SetColor(0.15, 0.15, 0.15);
-  font->SetBold(0);
-  font->SetItalic(0);
-}
-
-/// Ticks at 1, 2 and 5 times the powers of ten, written as plain numbers.
-void SetTimeAxis(vtkAxis* axis, double low, double high)
-{
-  vtkNew<vtkDoubleArray> places;
-  vtkNew<vtkStringArray> labels;
-  low /= 1.25;
-  high *= 1.25;
-  for (double decade = 1e-3; decade < 1e6; decade *= 10.0)
-  {
-    for (double step : { 1.0, 2.0, 5.0 })
-    {
-      const double value = step * decade;
-      if (value >= low && value <= high)
-      {
-        char text[32];
-        std::snprintf(text, sizeof(text), "%g", value);
-        places->InsertNextValue(std::log10(value));
-        labels->InsertNextValue(text);
-      }
-    }
-  }
-  axis->LogScaleOn();
-  axis->SetBehavior(vtkAxis::FIXED);
-  axis->SetUnscaledRange(low, high);
-  axis->SetCustomTickPositions(places, labels);
-}
 }
 
 void WriteChart(const WalkResult& result, const std::string& title, const std::string& fileStem)
 {
-  vtkNew<vtkRenderWindow> window;
-  vtkNew<vtkRenderer> renderer;
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(0);
-  window->SetSize(1200, 640);
-  window->AddRenderer(renderer);
-  renderer->SetBackground(1.0, 1.0, 1.0);
-
-  vtkNew<vtkContextActor> actor;
-  renderer->AddActor(actor);
-  actor->GetScene()->SetRenderer(renderer);
-  vtkNew<vtkChartXY> chart;
-  actor->GetScene()->AddItem(chart);
-  chart->SetTitle(title);
-  SetFont(chart->GetTitleProperties(), 20);
-  chart->SetShowLegend(true);
-  chart->GetLegend()->SetInline(false);
-  chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
-  chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
-  chart->GetLegend()->SetLabelSize(16);
-  chart->GetLegend()->SetPadding(14); // Viewers of the SVG file take other, wider fonts.
+  ChartPage page(title, 1200, 640);
+  vtkChartXY* chart = page.GetChart();
 
   vtkNew<vtkTable> table;
   vtkNew<vtkDoubleArray> frames;
@@ -145,34 +78,11 @@ void WriteChart(const WalkResult& result, const std::string& title, const std::s
 
   vtkAxis* bottom = chart->GetAxis(vtkAxis::BOTTOM);
   vtkAxis* left = chart->GetAxis(vtkAxis::LEFT);
-  bottom->SetTitle("frame");
-  left->SetTitle("milliseconds per frame");
-  for (vtkAxis* axis : { bottom, left })
-  {
-    SetFont(axis->GetTitleProperties(), 17);
-    SetFont(axis->GetLabelProperties(), 15);
-    axis->GetGridPen()->SetColor(225, 225, 225, 255);
-  }
+  page.SetAxisTitles("frame", "milliseconds per frame");
   bottom->SetBehavior(vtkAxis::FIXED);
   bottom->SetRange(0.0, static_cast<double>(std::max<std::size_t>(result.Frames, 2) - 1));
-  SetTimeAxis(left, low, high);
-
-  window->Render();
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->ReadFrontBufferOff();
-  grab->Update();
-  WritePNG(grab->GetOutput(), fileStem + ".png");
-
-  vtkNew<vtkGL2PSExporter> exporter;
-  exporter->SetRenderWindow(window);
-  exporter->SetFilePrefix(fileStem.c_str());
-  exporter->SetFileFormatToSVG();
-  exporter->CompressOff();
-  exporter->SetSortToOff();
-  exporter->DrawBackgroundOn();
-  exporter->SilentOn();
-  exporter->Write();
+  SetLogAxis(left, low, high);
+  page.Write(fileStem);
 }
 
 } // namespace NBufferBench

@@ -78,6 +78,7 @@ void AddWalkCommand(CLI::App& app, const std::string& program, Run& run);
 void AddFirstCommand(CLI::App& app, const std::string& program, Run& run);
 void AddPicturesCommand(CLI::App& app, const std::string& program, Run& run);
 void AddShadowCommand(CLI::App& app, const std::string& program, Run& run);
+void AddStudyCommand(CLI::App& app, const std::string& program, Run& run);
 ///@}
 
 } // namespace NBufferBench

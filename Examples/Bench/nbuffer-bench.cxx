@@ -20,6 +20,7 @@ int main(int argc, char* argv[])
   NBufferBench::AddFirstCommand(app, argv[0], run);
   NBufferBench::AddPicturesCommand(app, argv[0], run);
   NBufferBench::AddShadowCommand(app, argv[0], run);
+  NBufferBench::AddStudyCommand(app, argv[0], run);
   CLI11_PARSE(app, argc, argv);
   try
   {

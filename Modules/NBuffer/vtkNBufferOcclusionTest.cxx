@@ -2,16 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferOcclusionTest.h"
 
-#include <algorithm>
-#include <cmath>
+#include "vtkNBufferPieces.h"
 
 VTK_ABI_NAMESPACE_BEGIN
-namespace
-{
-/// A piece shorter than this many texels of the base gains nothing from another cut.
-constexpr double TexelsPerPiece = 2.0;
-}
-
 vtkNBufferOcclusionTest::vtkNBufferOcclusionTest(
   const vtkNBufferProjection& projection, const vtkNBufferLevels& levels, int maximumPieces)
   : Projection(projection)
@@ -42,49 +35,8 @@ bool vtkNBufferOcclusionTest::IsBehind(const vtkNBufferScreenBox& screen)
 
 bool vtkNBufferOcclusionTest::IsHidden(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)
 {
-  if (this->IsBehind(screen))
-  {
-    return true;
-  }
-  int axis = static_cast<int>(std::max_element(box.HalfSize, box.HalfSize + 3) - box.HalfSize);
-  int pieces = this->MaximumPieces;
-  if (!screen.Clipped)
-  {
-    double lengths[3];
-    this->Projection.GetAxisLengths(box, lengths);
-    axis = static_cast<int>(std::max_element(lengths, lengths + 3) - lengths);
-    pieces = static_cast<int>(
-      std::min<double>(pieces, lengths[axis] / (TexelsPerPiece * this->Levels.GetFactor())));
-  }
-  if (pieces < 2)
-  {
-    return false;
-  }
-  vtkNBufferBox piece = box;
-  // A little longer than a part, so that rounding leaves no gap between two pieces.
-  piece.HalfSize[axis] =
-    box.HalfSize[axis] / pieces + (std::abs(box.Center[axis]) + box.HalfSize[axis]) * 0x1p-49;
-  for (int i = 0; i < pieces; ++i)
-  {
-    piece.Center[axis] = box.Center[axis] + box.HalfSize[axis] * ((2.0 * i + 1.0) / pieces - 1.0);
-    vtkNBufferScreenBox part;
-    switch (this->Projection.Project(piece, part))
-    {
-      case vtkNBufferPlacement::Outside:
-        break;
-      case vtkNBufferPlacement::Crossing:
-        return false;
-      case vtkNBufferPlacement::Inside:
-        // What is drawn of a piece also lies in the rectangle of the whole box. Without this a
-        // piece, being a little too long, might ask for a level that the box does not need.
-        part.Pixels = vtkNBufferMath::Intersect(part.Pixels, screen.Pixels);
-        if (!part.Pixels.IsEmpty() && !this->IsBehind(part))
-        {
-          return false;
-        }
-        break;
-    }
-  }
-  return true;
+  return vtkNBufferPieces::AreBehind(this->Projection, box, screen, this->MaximumPieces,
+    this->Levels.GetFactor(),
+    [this](const vtkNBufferScreenBox& part) { return this->IsBehind(part); });
 }
 VTK_ABI_NAMESPACE_END

@@ -1,0 +1,357 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file StudyCommand.cxx
+ * @brief What accuracy costs in time: all depth structures on the same frames, and the figures of
+ * the paper.
+ */
+#include "Command.h"
+#include "Images.h"
+#include "Report.h"
+#include "StudyChart.h"
+#include "StudyDocument.h"
+#include "StudyFormats.h"
+#include "StudyFrames.h"
+#include "StudyHierarchy.h"
+#include "StudyPaper.h"
+#include "StudyPeers.h"
+#include "StudyReport.h"
+
+#include "Contest.h"
+
+#include <chrono>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+
+namespace NBufferBench
+{
+namespace
+{
+/// How much of everything.
+struct Effort
+{
+  int Frames;
+  int Repetitions;
+  int PaperFrames;      ///< Of table 2.
+  int PaperRepetitions; ///< Of table 1.
+  int LargestImage;     ///< Of table 1.
+  int LargestRectangle; ///< Of figure 4.
+  int MostProps;        ///< Of the hierarchy.
+  int WalkFrames;       ///< Of the peers, whole frames.
+  int LatentPairs;
+};
+constexpr Effort Full = { 8, 7, 6, 9, 1024, 256, 1000000, 40, 12 };
+constexpr Effort Quick = { 3, 3, 2, 3, 1024, 128, 100000, 8, 3 };
+constexpr Effort Tiny = { 1, 1, 1, 1, 256, 16, 1000, 2, 1 };
+
+struct StudyOptions
+{
+  ViewOptions View;
+  std::string Folder = "out/study";
+  std::string Links = ".";
+  std::string From;
+  bool IsQuick = false;
+  bool IsTiny = false;
+  int Repetitions = 0;
+  double Megabytes = 120.0;
+
+  Effort GetEffort() const
+  {
+    Effort effort = this->IsTiny ? Tiny : this->IsQuick ? Quick : Full;
+    effort.Frames = this->View.Frames > 0 ? this->View.Frames : effort.Frames;
+    effort.Repetitions = this->Repetitions > 0 ? this->Repetitions : effort.Repetitions;
+    return effort;
+  }
+};
+
+/// Poses far enough apart to be different work.
+NBufferExamples::CameraPath Spread(const NBufferExamples::CameraPath& path, int frames)
+{
+  NBufferExamples::CameraPath spread;
+  for (int i = 0; i < frames; ++i)
+  {
+    spread.push_back(
+      path[path.size() * static_cast<std::size_t>(i) / static_cast<std::size_t>(frames)]);
+  }
+  return spread;
+}
+
+std::string GetFileName(const std::string& text)
+{
+  std::string name;
+  for (char c : text)
+  {
+    name += std::isalnum(static_cast<unsigned char>(c)) ? c : '-';
+  }
+  return name;
+}
+
+std::string ReadFile(const std::string& name)
+{
+  std::ifstream file(name);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file)
+  {
+    throw std::runtime_error("cannot read " + name);
+  }
+  return text.str();
+}
+
+/// accuracy.md, where the text for it comes with the program.
+void WriteDocument(const StudyOptions& options, const Json::Value& report)
+{
+  const std::string name = NBufferExamples::FindData(options.View.Program, "accuracy.md.in");
+  if (name.empty())
+  {
+    return;
+  }
+  const std::string fileName = options.Folder + "/accuracy.md";
+  std::ofstream file(fileName);
+  file << FillDocument(ReadFile(name), report, options.Links);
+  if (!file.flush())
+  {
+    throw std::runtime_error("cannot write " + fileName);
+  }
+}
+
+int Rewrite(const StudyOptions& options)
+{
+  MakeFolder(options.Folder);
+  WriteDocument(options, Parse(ReadFile(options.From)));
+  return Success;
+}
+
+class Study
+{
+public:
+  explicit Study(StudyOptions& options)
+    : Options(options)
+    , Spent(options.GetEffort())
+  {
+  }
+
+  int Run()
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    MakeFolder(this->Options.Folder);
+    CheckWritable(this->Options.Folder + "/study.json");
+    const NBufferExamples::Scene scene = this->Options.View.LoadScene();
+    Session& session = Session::New(scene, this->Options.View.Window);
+    this->Report = this->Options.View.Describe(scene, session);
+    this->Report.removeMember("path");
+    this->Report["effort"] = this->Options.IsTiny ? "tiny"
+      : this->Options.IsQuick                     ? "quick"
+                                                  : "full";
+    this->Report["default"] = NBufferStudy::GetDefaultName();
+
+    std::vector<std::string> paths = { this->Options.View.GetPathName(scene) };
+    if (this->Options.View.Path.empty() && scene.Plan)
+    {
+      paths = { "street", "rooftop", "drone" };
+    }
+    this->Report["scenes"] = Json::Value(Json::arrayValue);
+    this->Report["hierarchy"] = Json::Value(Json::arrayValue);
+    for (const std::string& path : paths)
+    {
+      this->RunPath(scene, session, path);
+    }
+    for (const std::string& path : paths)
+    {
+      this->RunHierarchy(scene, session, path);
+    }
+    if (scene.Plan)
+    {
+      this->RunFormats(scene, session, "drone");
+    }
+    this->RunPaper(scene, session, paths.front());
+    ShowProgress("");
+    this->Report["seconds"] =
+      Round(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    WriteJSON(this->Report, this->Options.Folder + "/study.json");
+    WriteStudyCSV(this->Report, this->Options.Folder + "/study.csv");
+    // The text is about the city.
+    if (scene.Plan && this->Options.View.Path.empty())
+    {
+      WriteDocument(this->Options, this->Report);
+    }
+    std::cout << "written to " << this->Options.Folder << " in " << this->Report["seconds"].asInt()
+              << " s\n";
+    return this->FalseHidden == 0 ? Success : ImagesDiffer;
+  }
+
+private:
+  NBufferExamples::CameraPath MakePath(
+    const NBufferExamples::Scene& scene, const std::string& name, int frames) const
+  {
+    // As far as a walk of some minutes goes; once around everything else.
+    const int length = scene.Plan ? 60 * frames : frames;
+    return Spread(NBufferExamples::MakePath(scene, name, length, this->Options.View.Seed), frames);
+  }
+
+  void RunPath(const NBufferExamples::Scene& scene, Session& session, const std::string& name)
+  {
+    const int frames = this->Spent.Frames;
+    const std::vector<NBufferStudy::DepthFrame> work =
+      CollectFrames(session, this->MakePath(scene, name, frames),
+        [&](std::size_t frame)
+        {
+          ShowProgress(name + ": which props own a pixel, frame " + std::to_string(frame + 1) +
+            " of " + std::to_string(frames));
+        });
+    const std::vector<NBufferStudy::ContenderPointer> contenders = NBufferStudy::MakeContenders(
+      work.front().Width, work.front().Height, this->Options.Megabytes);
+    const int repetitions = this->Spent.Repetitions;
+    const std::vector<NBufferStudy::ContestResult> results =
+      NBufferStudy::RunContest(work, contenders, repetitions,
+        [&](int turn, int turns)
+        {
+          ShowProgress(name + ": " + std::to_string(contenders.size()) + " structures, turn " +
+            std::to_string(turn) + " of " + std::to_string(turns));
+        });
+    Json::Value report = ReportContest(work, results);
+    report["scene"] = scene.Name;
+    report["path"] = name;
+    report["size"] = std::to_string(work.front().Width) + "x" + std::to_string(work.front().Height);
+    report["repetitions"] = repetitions;
+    report["frames_by_mode"] = this->RunPeers(scene, session, name, report["latent"]);
+    AddLosses(report, report["frames_by_mode"]["draw_us"].asDouble());
+    report["chart"] = "pareto-" + GetFileName(scene.Name) + "-" + GetFileName(name);
+    WriteParetoChart(report, scene.Name + ", " + name + ", " + report["size"].asString(),
+      this->Options.Folder + "/" + report["chart"].asString());
+    for (const NBufferStudy::ContestResult& result : results)
+    {
+      this->FalseHidden += result.FalseHidden;
+      if (result.FalseHidden > 0)
+      {
+        std::cerr << "nbuffer-bench: " << result.Name << " hides " << result.FalseHidden
+                  << " visible props\n";
+      }
+    }
+    this->Report["scenes"].append(report);
+  }
+
+  /// Whole frames, one pose after the other.
+  Json::Value RunPeers(const NBufferExamples::Scene& scene, Session& session,
+    const std::string& name, Json::Value& latent)
+  {
+    const auto progress = [&name](const std::string& text)
+    { ShowProgress(name + ": whole frames, " + text); };
+    const Json::Value frames = MeasureFrames(session,
+      NBufferExamples::MakePath(scene, name, this->Spent.WalkFrames, this->Options.View.Seed),
+      progress);
+    const NBufferExamples::CameraPath path =
+      NBufferExamples::MakePath(scene, name, 480, this->Options.View.Seed);
+    for (int step : { 1, 10 })
+    {
+      progress("by verdicts of " + std::to_string(step) + " poses ago");
+      latent.append(MeasureLatent(session, path, step, this->Spent.LatentPairs,
+        this->Options.Folder + "/latent-" + GetFileName(scene.Name) + "-" + GetFileName(name) +
+          "-" + std::to_string(step) + ".png"));
+    }
+    return frames;
+  }
+
+  /// All props of the scene, and copies of it, tested in a frame of the path.
+  void RunHierarchy(const NBufferExamples::Scene& scene, Session& session, const std::string& name)
+  {
+    NBufferExamples::CameraPose pose = this->MakePath(scene, name, 1).front();
+    if (scene.Plan)
+    {
+      pose.Near = 0.5;
+      pose.Far = 20000.0; // The copies as well.
+    }
+    const NBufferStudy::DepthFrame frame =
+      CollectFrames(session, { pose }, std::function<void(std::size_t)>()).front();
+    Json::Value hierarchy;
+    hierarchy["scene"] = scene.Name;
+    hierarchy["path"] = name;
+    hierarchy["entries"] = MeasureHierarchy(frame, CollectBoxes(session), pose.Eye,
+      this->Spent.MostProps, this->Spent.Repetitions,
+      [&](int count) { ShowProgress(name + ": hierarchy over " + std::to_string(count)); });
+    hierarchy["chart"] = "hierarchy-" + GetFileName(scene.Name) + "-" + GetFileName(name);
+    WriteHierarchyChart(hierarchy["entries"], scene.Name + ", " + name + ", copies side by side",
+      this->Options.Folder + "/" + hierarchy["chart"].asString());
+    this->Report["hierarchy"].append(hierarchy);
+  }
+
+  /// Of a view from above, where nothing is near: the planes can be a hundredfold apart.
+  void RunFormats(const NBufferExamples::Scene& scene, Session& session, const std::string& name)
+  {
+    NBufferExamples::CameraPose pose = this->MakePath(scene, name, 1).front();
+    pose.Near = 60.0;
+    pose.Far = 6000.0;
+    const NBufferStudy::DepthFrame frame =
+      CollectFrames(session, { pose }, std::function<void(std::size_t)>()).front();
+    Json::Value formats;
+    formats["scene"] = scene.Name;
+    formats["path"] = name;
+    formats["entries"] = MeasureFormats(frame, pose.Near, pose.Far, this->Spent.Repetitions,
+      [](const std::string& format) { ShowProgress("depth formats: " + format); });
+    WriteFormatsChart(formats["entries"], scene.Name + ", " + name + ": formats of depth",
+      this->Options.Folder + "/formats");
+    for (const Json::Value& entry : formats["entries"])
+    {
+      this->FalseHidden += entry["false_hidden"].asInt();
+    }
+    this->Report["formats"] = formats;
+  }
+
+  void RunPaper(const NBufferExamples::Scene& scene, Session& session, const std::string& path)
+  {
+    ShowProgress("the paper's table 2");
+    session.GetWindow()->SetSize(512, 512);
+    this->Report["table2"] = MakeTable2(CollectFrames(session,
+      this->MakePath(scene, path, this->Spent.PaperFrames), std::function<void(std::size_t)>()));
+    this->FalseHidden += this->Report["table2"]["false_hidden"].asInt();
+    ShowProgress("the paper's table 1");
+    this->Report["table1"] = MakeTable1(session, this->MakePath(scene, path, 1).front(),
+      this->Spent.PaperRepetitions, this->Spent.LargestImage);
+    ShowProgress("the paper's figure 4");
+    this->Report["figure4"] = MakeFigure4(this->Spent.LargestRectangle, this->Options.Folder);
+  }
+
+  StudyOptions& Options;
+  Effort Spent;
+  Json::Value Report;
+  long long FalseHidden = 0;
+};
+}
+
+void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
+{
+  CLI::App* command = app.add_subcommand("study",
+    "What accuracy costs in time: every depth structure on the same frames, charts of error "
+    "against "
+    "time, and the paper's figures");
+  auto options = std::make_shared<StudyOptions>();
+  options->View.Program = program;
+  options->View.AddTo(*command);
+  command->add_option("--out", options->Folder, "Folder for study.json, study.csv and the charts")
+    ->capture_default_str();
+  command->add_option("--links", options->Links, "Folder of the charts as seen from accuracy.md")
+    ->capture_default_str();
+  command->add_option("--from", options->From,
+    "A study.json from which accuracy.md is written again; nothing is measured");
+  command->add_flag("--quick", options->IsQuick, "Fewer frames and repetitions: under 3 minutes");
+  command->add_flag("--tiny", options->IsTiny, "One frame of each: only whether everything runs");
+  command
+    ->add_option("--repeat", options->Repetitions, "Timed repetitions of each frame; default: 7")
+    ->check(CLI::Range(1, 1000));
+  command
+    ->add_option(
+      "--megabytes", options->Megabytes, "Leave out structures that need more for a frame")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  command->callback(
+    [options, &run]()
+    {
+      run = [options]()
+      { return options->From.empty() ? Study(*options).Run() : Rewrite(*options); };
+    });
+}
+
+} // namespace NBufferBench

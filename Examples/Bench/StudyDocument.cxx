@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StudyDocument.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+namespace NBufferBench
+{
+namespace
+{
+using Cells = std::vector<std::string>;
+
+std::string Print(double value)
+{
+  char text[32];
+  const double size = std::abs(value);
+  const bool whole = size >= 100.0 || std::round(value) == value;
+  std::snprintf(text, sizeof(text), whole ? "%.0f" : size >= 10.0 ? "%.1f" : "%.2f", value);
+  // Thousands apart.
+  std::string result = text;
+  for (auto place = static_cast<std::ptrdiff_t>(
+                      result.find('.') == std::string::npos ? result.size() : result.find('.')) -
+         3;
+       place > (value < 0.0 ? 1 : 0); place -= 3)
+  {
+    result.insert(static_cast<std::size_t>(place), ",");
+  }
+  return result;
+}
+
+std::string PrintShare(double percent)
+{
+  return percent < 0.0 ? "" : Print(percent);
+}
+
+class Table
+{
+public:
+  explicit Table(const Cells& head)
+  {
+    this->Add(head);
+    this->Add(Cells(head.size(), "---"));
+  }
+
+  void Add(const Cells& cells)
+  {
+    this->Text << "|";
+    for (const std::string& cell : cells)
+    {
+      this->Text << " " << cell << " |";
+    }
+    this->Text << "\n";
+  }
+
+  std::string Get() const { return this->Text.str(); }
+
+private:
+  std::ostringstream Text;
+};
+
+/// The entry of a list whose path is this one; null if there is none.
+const Json::Value& Find(const Json::Value& list, const std::string& path)
+{
+  for (const Json::Value& entry : list)
+  {
+    if (entry["path"].asString() == path)
+    {
+      return entry;
+    }
+  }
+  return Json::Value::nullSingleton();
+}
+
+std::vector<Json::Value> Sort(
+  const Json::Value& points, const std::function<double(const Json::Value&)>& key)
+{
+  std::vector<Json::Value> sorted(points.begin(), points.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+    [&key](const Json::Value& a, const Json::Value& b) { return key(a) < key(b); });
+  return sorted;
+}
+
+double GetTotal(const Json::Value& point)
+{
+  return point["total_ms"]["median"].asDouble();
+}
+
+const Cells PointHead = { "", "structure", "hidden props kept, %", "covered too much, %",
+  "build ms", "query ms", "both: p10 to p90", "lookups", "MB", "loss ms" };
+
+Cells MakePointRow(const std::string& number, const Json::Value& point)
+{
+  return { number, point["name"].asString() + (point["is_default"].asBool() ? " (default)" : ""),
+    Print(point["false_visible_percent"].asDouble()),
+    PrintShare(point["over_covered_percent"].asDouble()),
+    Print(point["build_ms"]["median"].asDouble()), Print(point["query_ms"]["median"].asDouble()),
+    Print(point["total_ms"]["p10"].asDouble()) + " to " +
+      Print(point["total_ms"]["p90"].asDouble()),
+    Print(point["lookups"].asDouble()), Print(1e-6 * point["bytes"].asDouble()),
+    Print(point["loss_ms"].asDouble()) };
+}
+
+std::string MakeMachine(const Json::Value& report)
+{
+  std::ostringstream text;
+  text << report["renderer"].asString() << ", VTK " << report["vtk"].asString() << ", "
+       << report["size"].asString() << ", " << report["effort"].asString() << " run, "
+       << report["seconds"].asInt() << " s.\n";
+  return text.str();
+}
+
+std::string MakePareto(const Json::Value& report, const std::string& path)
+{
+  const Json::Value& scene = Find(report["scenes"], path);
+  Table table(PointHead);
+  int number = 0;
+  for (const Json::Value& point : Sort(scene["points"], GetTotal))
+  {
+    if (point["pareto"].asBool())
+    {
+      table.Add(MakePointRow(std::to_string(++number), point));
+    }
+    else if (point["is_default"].asBool())
+    {
+      table.Add(MakePointRow("", point));
+    }
+  }
+  return Print(scene["in_view"].asDouble()) + " props in view, " +
+    Print(scene["hidden"].asDouble()) + " of them hidden (means over " +
+    scene["frames"].asString() + " frames); " + std::to_string(scene["points"].size()) +
+    " structures.\n\n" + table.Get();
+}
+
+std::string MakeBest(const Json::Value& report, const std::string& path)
+{
+  Table table(PointHead);
+  int number = 0;
+  for (const Json::Value& point : Sort(Find(report["scenes"], path)["points"],
+         [](const Json::Value& p) { return p["loss_ms"].asDouble(); }))
+  {
+    ++number;
+    if (number <= 6 || point["is_default"].asBool())
+    {
+      table.Add(MakePointRow(std::to_string(number) + ".", point));
+    }
+  }
+  return table.Get();
+}
+
+std::string MakeChain(const Json::Value& report, const std::string& path)
+{
+  Table table(PointHead);
+  for (const char* name : { "one level 1/4", "one level 1/8", "one level 1/16", "mips 2x2 1/4",
+         "fat mips 2x2 1/4", "mips 4x4 1/4", "fat mips 4x4 1/4", "squares x1 1/4",
+         "squares s=2 x4 1/4", "squares x4 1/4", "squares x4 1/8", "squares x4 1/16" })
+  {
+    for (const Json::Value& point : Find(report["scenes"], path)["points"])
+    {
+      if (point["name"].asString() == name)
+      {
+        table.Add(MakePointRow("", point));
+      }
+    }
+  }
+  return table.Get();
+}
+
+std::string MakeFrames(const Json::Value& report)
+{
+  Table table({ "path", "stock ms", "nbuffer ms", "oracle ms", "drawn: stock / nbuffer / oracle",
+    "stock / nbuffer", "nbuffer / oracle", "a prop more, µs" });
+  for (const Json::Value& scene : report["scenes"])
+  {
+    const Json::Value& frames = scene["frames_by_mode"];
+    const Json::Value& modes = frames["modes"];
+    table.Add({ scene["path"].asString(), Print(modes["stock"]["median_ms"].asDouble()),
+      Print(modes["nbuffer"]["median_ms"].asDouble()),
+      Print(modes["oracle"]["median_ms"].asDouble()),
+      Print(modes["stock"]["drawn"].asDouble()) + " / " +
+        Print(modes["nbuffer"]["drawn"].asDouble()) + " / " +
+        Print(modes["oracle"]["drawn"].asDouble()),
+      Print(frames["ratios"]["stock/nbuffer"].asDouble()),
+      Print(frames["ratios"]["nbuffer/oracle"].asDouble()), Print(frames["draw_us"].asDouble()) });
+  }
+  return table.Get();
+}
+
+std::string MakeLatent(const Json::Value& report)
+{
+  Table table({ "path", "poses ago", "frames", "frames with wrong pixels", "visible props missing",
+    "wrong pixels", "most in a frame", "hidden props left out, %" });
+  for (const Json::Value& scene : report["scenes"])
+  {
+    for (const Json::Value& entry : scene["latent"])
+    {
+      table.Add({ scene["path"].asString(), entry["step"].asString(), entry["frames"].asString(),
+        entry["popping_frames"].asString(), entry["missing_props"].asString(),
+        entry["wrong_pixels"].asString(), entry["most_wrong_pixels"].asString(),
+        Print(entry["hidden_share_percent"].asDouble()) });
+    }
+  }
+  return table.Get();
+}
+
+std::string MakeHierarchy(const Json::Value& report, const std::string& path)
+{
+  Table table({ "props", "kept", "boxes tested: flat", "tree", "nodes looked at", "flat ms",
+    "tree ms", "flat / tree", "refit ms", "build ms" });
+  for (const Json::Value& entry : Find(report["hierarchy"], path)["entries"])
+  {
+    const double flat = entry["flat"]["ms"]["median"].asDouble();
+    const double tree = entry["tree"]["ms"]["median"].asDouble();
+    table.Add({ Print(entry["props"].asDouble()), Print(entry["flat"]["kept"].asDouble()),
+      Print(entry["flat"]["tests"].asDouble()), Print(entry["tree"]["tests"].asDouble()),
+      Print(entry["tree"]["nodes"].asDouble()), Print(flat), Print(tree),
+      Print(tree > 0.0 ? flat / tree : 0.0), Print(entry["refit_ms"]["median"].asDouble()),
+      Print(entry["build_ms"]["median"].asDouble()) });
+  }
+  return table.Get();
+}
+
+std::string MakeFormats(const Json::Value& report)
+{
+  const Json::Value& entries = report["formats"]["entries"];
+  Cells head = { "far / near" };
+  std::map<double, Cells> rows;
+  for (const Json::Value& entry : entries)
+  {
+    const std::string format = entry["format"].asString();
+    if (std::find(head.begin(), head.end(), format) == head.end())
+    {
+      head.push_back(format);
+    }
+    char text[64];
+    std::snprintf(text, sizeof(text), "%.3g m, %.1f %%", entry["slack"]["median"].asDouble(),
+      entry["false_visible_percent"].asDouble());
+    rows[entry["ratio"].asDouble()].push_back(text);
+  }
+  Table table(head);
+  for (const auto& [ratio, cells] : rows)
+  {
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.0e", ratio);
+    Cells row = { text };
+    row.insert(row.end(), cells.begin(), cells.end());
+    table.Add(row);
+  }
+  return table.Get();
+}
+
+std::string MakeTable1(const Json::Value& report)
+{
+  Table table({ "size", "levels", "the paper's: levels", "the paper's ms", "CPU ms",
+    "OpenGL ms (p10 to p90)" });
+  for (const Json::Value& row : report["table1"])
+  {
+    table.Add({ row["width"].asString() + " x " + row["height"].asString(),
+      row["levels"].asString(), row["paper_levels"].asString(), Print(row["paper_ms"].asDouble()),
+      Print(row["cpu_ms"]["median"].asDouble()),
+      Print(row["opengl_ms"]["median"].asDouble()) + " (" +
+        Print(row["opengl_ms"]["p10"].asDouble()) + " to " +
+        Print(row["opengl_ms"]["p90"].asDouble()) + ")" });
+  }
+  return table.Get();
+}
+
+std::string MakeTable2(const Json::Value& report)
+{
+  Table table({ "depth tests of a frame", "queries over a hierarchy", "queries",
+    "N-buffer over a hierarchy", "N-buffer" });
+  const Json::Value& all = report["table2"];
+  for (const char* source : { "paper", "tests" })
+  {
+    const Json::Value& row = all[source];
+    table.Add({ source == std::string("paper") ? "the paper" : "here",
+      Print(row["oq_hierarchy"].asDouble()), Print(row["oq"].asDouble()),
+      Print(row["nb_hierarchy"].asDouble()), Print(row["nb"].asDouble()) });
+  }
+  return Print(all["boxes"].asDouble()) + " boxes in view, " + Print(all["visible"].asDouble()) +
+    " visible.\n\n" + table.Get();
+}
+
+std::string MakeFigure4(const Json::Value& report)
+{
+  Table table(
+    { "", "all pixels too many / all asked for, %", "mean over sizes, %", "median, %", "most, %" });
+  for (const Json::Value& entry : report["figure4"])
+  {
+    table.Add({ entry["caption"].asString(), Print(entry["area_percent"].asDouble()),
+      Print(entry["mean_percent"].asDouble()), Print(entry["median_percent"].asDouble()),
+      Print(entry["most_percent"].asDouble()) });
+  }
+  return table.Get();
+}
+
+/// What a placeholder, without its @, stands for.
+std::string Fill(const std::string& words, const Json::Value& report, const std::string& links)
+{
+  const std::size_t space = words.find(' ');
+  const std::string name = words.substr(0, space);
+  const std::string argument = space == std::string::npos ? "" : words.substr(space + 1);
+  using Maker = std::function<std::string()>;
+  const std::map<std::string, Maker> makers = {
+    { "machine", [&]() { return MakeMachine(report); } },
+    { "frames", [&]() { return MakeFrames(report); } },
+    { "latent", [&]() { return MakeLatent(report); } },
+    { "pareto", [&]() { return MakePareto(report, argument); } },
+    { "best", [&]() { return MakeBest(report, argument); } },
+    { "chain", [&]() { return MakeChain(report, argument); } },
+    { "hierarchy", [&]() { return MakeHierarchy(report, argument); } },
+    { "formats", [&]() { return MakeFormats(report); } },
+    { "table1", [&]() { return MakeTable1(report); } },
+    { "table2", [&]() { return MakeTable2(report); } },
+    { "figure4", [&]() { return MakeFigure4(report); } },
+    { "image",
+      [&]()
+      {
+        const std::size_t end = argument.find(' ');
+        return "![" + argument.substr(std::min(end, argument.size() - 1) + 1) + "](" + links + "/" +
+          argument.substr(0, end) + ".png)\n";
+      } },
+  };
+  const auto maker = makers.find(name);
+  if (maker == makers.end())
+  {
+    throw std::runtime_error("the document has an unknown placeholder @" + words + "@");
+  }
+  return maker->second();
+}
+}
+
+std::string FillDocument(
+  const std::string& text, const Json::Value& report, const std::string& links)
+{
+  std::istringstream lines(text);
+  std::ostringstream document;
+  for (std::string line; std::getline(lines, line);)
+  {
+    const bool placeholder = line.size() > 2 && line.front() == '@' && line.back() == '@';
+    document << (placeholder ? Fill(line.substr(1, line.size() - 2), report, links) : line + "\n");
+  }
+  return document.str();
+}
+
+} // namespace NBufferBench

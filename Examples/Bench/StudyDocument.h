@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file StudyDocument.h
+ * @brief The figures of a study as a document: a text written by hand, with tables filled in.
+ *
+ * Lines of the text that are `@name argument@` are replaced:
+ *
+ *     machine            where and with what it was measured
+ *     frames             whole frames of all paths; latent likewise
+ *     pareto PATH        the Pareto line of a path, in the order of its chart, and the default
+ *     best PATH          the six points that cost least, kept props included
+ *     chain PATH         one level, mip chains and squares on the same base
+ *     hierarchy PATH     by number of props
+ *     formats            slack and kept props by format and ratio
+ *     table1, table2, figure4
+ *     image NAME TEXT    a picture of the study
+ */
+#ifndef StudyDocument_h
+#define StudyDocument_h
+
+#include "vtk_jsoncpp.h"
+
+#include <string>
+
+namespace NBufferBench
+{
+
+/// `links`: folder of the pictures as seen from the document. Throws std::runtime_error for a
+/// placeholder that it does not know.
+std::string FillDocument(
+  const std::string& text, const Json::Value& report, const std::string& links);
+
+} // namespace NBufferBench
+
+#endif

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StudyFrames.h"
+
+#include "VisibleProps.h"
+
+#include "vtkNBufferCandidate.h"
+#include "vtkNBufferClock.h"
+#include "vtkNBufferDepthSource.h"
+#include "vtkNBufferTexture.h"
+
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkCullerCollection.h"
+#include "vtkFrustumCoverageCuller.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPropCollection.h"
+
+#include <stdexcept>
+#include <unordered_set>
+
+namespace NBufferBench
+{
+namespace
+{
+using NBufferExamples::CameraPose;
+using NBufferStudy::DepthBox;
+using NBufferStudy::DepthFrame;
+
+/// Calls a function while the renderer's framebuffer is bound and its frame finished.
+class AtEnd : public vtkCommand
+{
+public:
+  static AtEnd* New() { return new AtEnd; }
+  vtkTypeMacro(AtEnd, vtkCommand);
+
+  void Execute(vtkObject*, unsigned long, void*) override { this->Function(); }
+
+  std::function<void()> Function;
+};
+
+/// Renders a frame; `function` gets the window and the source of its depth.
+void RenderAndInspect(Session& session, const CameraPose& pose,
+  const std::function<void(vtkOpenGLRenderWindow*, const vtkNBufferDepthSource&)>& function)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(session.GetWindow());
+  std::string why = "no OpenGL window";
+  vtkNew<AtEnd> atEnd;
+  atEnd->Function = [&]()
+  {
+    vtkNBufferDepthSource source;
+    if (window && source.Inspect(window, why))
+    {
+      why.clear();
+      function(window, source);
+    }
+  };
+  session.SetPose(pose);
+  const unsigned long tag = session.GetRenderer()->AddObserver(vtkCommand::EndEvent, atEnd);
+  session.Render();
+  session.GetRenderer()->RemoveObserver(tag);
+  if (!why.empty())
+  {
+    throw std::runtime_error("the depth cannot be read: " + why);
+  }
+}
+
+std::vector<vtkNBufferCandidate> MakeCandidates(vtkRenderer* renderer)
+{
+  std::vector<vtkNBufferCandidate> candidates;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator iterator;
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    candidates.emplace_back(prop);
+    candidates.back().Refresh();
+  }
+  return candidates;
+}
+
+void SetProjection(
+  vtkRenderer* renderer, const vtkNBufferDepthSource& source, vtkNBufferProjection& projection)
+{
+  const double quantum = source.FloatDepth ? 0x1p-24 : 1.0 / ((1ULL << source.DepthBits) - 1);
+  projection.Set(
+    renderer->GetActiveCamera()
+      ->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)
+      ->GetData(),
+    source.Viewport[2], source.Viewport[3], quantum);
+}
+
+void TakeBoxes(const std::vector<vtkNBufferCandidate>& candidates,
+  const std::unordered_set<vtkProp*>& visible, DepthFrame& frame)
+{
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    const vtkNBufferCandidate& candidate = candidates[i];
+    if (!candidate.IsCandidate())
+    {
+      ++frame.NotCandidates;
+      continue;
+    }
+    DepthBox box;
+    box.Box = candidate.GetBox();
+    switch (frame.Projection.Project(box.Box, box.Screen))
+    {
+      case vtkNBufferPlacement::Outside:
+        ++frame.Outside;
+        break;
+      case vtkNBufferPlacement::Crossing:
+        ++frame.Crossing;
+        break;
+      case vtkNBufferPlacement::Inside:
+        box.Visible = visible.count(candidate.GetProp()) > 0;
+        box.Prop = static_cast<int>(i);
+        frame.Boxes.push_back(box);
+        break;
+    }
+  }
+}
+}
+
+std::vector<DepthFrame> CollectFrames(Session& session, const NBufferExamples::CameraPath& path,
+  const std::function<void(std::size_t)>& progress)
+{
+  const std::vector<std::vector<vtkProp*>> visible = FindVisibleProps(session, path, progress);
+  session.GetRenderer()->GetCullers()->RemoveAllItems();
+  vtkNew<vtkFrustumCoverageCuller> frustum;
+  session.GetRenderer()->AddCuller(frustum);
+  const std::vector<vtkNBufferCandidate> candidates = MakeCandidates(session.GetRenderer());
+  std::vector<DepthFrame> frames(path.size());
+  for (std::size_t i = 0; i < path.size(); ++i)
+  {
+    DepthFrame& frame = frames[i];
+    RenderAndInspect(session, path[i],
+      [&](vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source)
+      {
+        frame.Width = source.Viewport[2];
+        frame.Height = source.Viewport[3];
+        SetProjection(session.GetRenderer(), source, frame.Projection);
+        std::string why;
+        if (!source.Read(window, source.Viewport[0], source.Viewport[1], frame.Width, frame.Height,
+              frame.Depth, why))
+        {
+          throw std::runtime_error("the depth cannot be read: " + why);
+        }
+      });
+    TakeBoxes(
+      candidates, std::unordered_set<vtkProp*>(visible[i].begin(), visible[i].end()), frame);
+  }
+  session.GetRenderer()->GetCullers()->RemoveAllItems();
+  return frames;
+}
+
+std::vector<vtkNBufferBox> CollectBoxes(Session& session)
+{
+  std::vector<vtkNBufferBox> boxes;
+  for (const vtkNBufferCandidate& candidate : MakeCandidates(session.GetRenderer()))
+  {
+    if (candidate.IsCandidate())
+    {
+      boxes.push_back(candidate.GetBox());
+    }
+  }
+  return boxes;
+}
+
+DeviceBuild MeasureDeviceBuild(
+  Session& session, const CameraPose& pose, int width, int height, int factor, int repetitions)
+{
+  DeviceBuild result;
+  session.GetWindow()->SetSize(width, height);
+  vtkNew<vtkNBufferTexture> texture;
+  RenderAndInspect(session, pose,
+    [&](vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source)
+    {
+      result.Width = source.Viewport[2];
+      result.Height = source.Viewport[3];
+      std::string why;
+      source.Read(window, 0, 0, result.Width, result.Height, result.Depth, why);
+      // The first one compiles and allocates.
+      for (int i = 0; i <= repetitions; ++i)
+      {
+        window->WaitForCompletion();
+        const vtkNBufferClock clock;
+        if (!texture->Build(window, source, 0, 0, result.Width, result.Height, factor, 64,
+              vtkNBufferExtremum::Maximum))
+        {
+          throw std::runtime_error("no levels by OpenGL: " + texture->GetError());
+        }
+        window->WaitForCompletion();
+        if (i > 0)
+        {
+          result.Milliseconds.push_back(clock.GetMilliseconds());
+        }
+      }
+      result.Levels = texture->GetNumberOfLevels();
+      texture->ReleaseGraphicsResources(window);
+    });
+  return result;
+}
+
+} // namespace NBufferBench

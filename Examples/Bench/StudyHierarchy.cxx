@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StudyHierarchy.h"
+
+#include "Report.h"
+#include "StudyChart.h"
+#include "StudyReport.h"
+
+#include "BoxTree.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkNBufferClock.h"
+#include "vtkNBufferOcclusionTest.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace NBufferBench
+{
+namespace
+{
+using NBufferStudy::BoxTree;
+using NBufferStudy::DepthFrame;
+
+constexpr int LeafSize = 8;
+
+double GetDistance2(const vtkNBufferBox& box, const double eye[3])
+{
+  double sum = 0.0;
+  for (int j = 0; j < 3; ++j)
+  {
+    sum += (box.Center[j] - eye[j]) * (box.Center[j] - eye[j]);
+  }
+  return sum;
+}
+
+/// Copies of the scene around it, ring by ring, until there are `count` boxes; then the nearest.
+std::vector<vtkNBufferBox> MakeBoxes(
+  const std::vector<vtkNBufferBox>& scene, const double eye[3], int count)
+{
+  vtkBoundingBox bounds;
+  for (const vtkNBufferBox& box : scene)
+  {
+    bounds.AddPoint(box.Center[0], box.Center[1], box.Center[2]);
+  }
+  const auto wanted = static_cast<std::size_t>(count);
+  std::vector<vtkNBufferBox> boxes;
+  for (int ring = 0; boxes.size() < wanted; ++ring)
+  {
+    for (int y = -ring; y <= ring; ++y)
+    {
+      for (int x = -ring; x <= ring; ++x)
+      {
+        if (std::max(std::abs(x), std::abs(y)) < ring)
+        {
+          continue;
+        }
+        const double shift[2] = { x * bounds.GetLength(0), y * bounds.GetLength(1) };
+        for (vtkNBufferBox box : scene)
+        {
+          for (int j = 0; j < 2; ++j)
+          {
+            box.Center[j] += shift[j];
+            box.Origin[j] += shift[j];
+          }
+          boxes.push_back(box);
+        }
+      }
+    }
+  }
+  std::nth_element(boxes.begin(), boxes.begin() + (count - 1), boxes.end(),
+    [eye](const vtkNBufferBox& a, const vtkNBufferBox& b)
+    { return GetDistance2(a, eye) < GetDistance2(b, eye); });
+  boxes.resize(wanted);
+  return boxes;
+}
+
+/// One way of finding out which of the boxes may be seen.
+struct Way
+{
+  std::vector<double> Milliseconds;
+  long long Tests = 0;
+  long long Lookups = 0;
+  long long Kept = 0;
+  long long Nodes = 0;
+  std::vector<char> Visible;
+
+  Json::Value Report() const
+  {
+    Json::Value value;
+    value["ms"] = Summarize(this->Milliseconds);
+    value["tests"] = static_cast<Json::Int64>(this->Tests);
+    value["lookups"] = static_cast<Json::Int64>(this->Lookups);
+    value["kept"] = static_cast<Json::Int64>(this->Kept);
+    value["nodes"] = static_cast<Json::Int64>(this->Nodes);
+    return value;
+  }
+};
+
+class Tester
+{
+public:
+  Tester(const DepthFrame& frame, const vtkNBufferLevels& levels)
+    : Frame(frame)
+    , Levels(levels)
+  {
+  }
+
+  void RunFlat(const std::vector<vtkNBufferBox>& boxes, Way& way) const
+  {
+    const vtkNBufferClock clock;
+    vtkNBufferOcclusionTest test = this->Begin(boxes.size(), way);
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+    {
+      this->AskBox(boxes[i], i, test, way);
+    }
+    this->End(clock, test, way);
+  }
+
+  void RunTree(const std::vector<vtkNBufferBox>& boxes, const BoxTree& tree, Way& way) const
+  {
+    const vtkNBufferClock clock;
+    vtkNBufferOcclusionTest test = this->Begin(boxes.size(), way);
+    tree.Visit(
+      [&](const vtkNBufferBox& box)
+      {
+        ++way.Nodes;
+        if (this->Frame.Projection.IsOutside(box))
+        {
+          return BoxTree::Answer::Skip;
+        }
+        ++way.Tests;
+        vtkNBufferScreenBox screen;
+        switch (this->Frame.Projection.Project(box, screen))
+        {
+          case vtkNBufferPlacement::Outside:
+            return BoxTree::Answer::Skip;
+          case vtkNBufferPlacement::Inside:
+            return test.IsHidden(box, screen) ? BoxTree::Answer::Skip : BoxTree::Answer::Descend;
+          case vtkNBufferPlacement::Crossing:
+            break;
+        }
+        return BoxTree::Answer::Descend;
+      },
+      [&](int i)
+      {
+        const auto place = static_cast<std::size_t>(i);
+        this->AskBox(boxes[place], place, test, way);
+      });
+    this->End(clock, test, way);
+  }
+
+private:
+  vtkNBufferOcclusionTest Begin(std::size_t count, Way& way) const
+  {
+    way.Tests = way.Nodes = 0;
+    way.Visible.assign(count, 0);
+    return vtkNBufferOcclusionTest(this->Frame.Projection, this->Levels, 8);
+  }
+
+  void AskBox(
+    const vtkNBufferBox& box, std::size_t place, vtkNBufferOcclusionTest& test, Way& way) const
+  {
+    if (this->Frame.Projection.IsOutside(box))
+    {
+      return;
+    }
+    ++way.Tests;
+    vtkNBufferScreenBox screen;
+    const vtkNBufferPlacement placement = this->Frame.Projection.Project(box, screen);
+    way.Visible[place] = placement == vtkNBufferPlacement::Crossing ||
+      (placement == vtkNBufferPlacement::Inside && !test.IsHidden(box, screen));
+  }
+
+  static void End(const vtkNBufferClock& clock, const vtkNBufferOcclusionTest& test, Way& way)
+  {
+    way.Milliseconds.push_back(clock.GetMilliseconds());
+    way.Lookups = test.GetLookups();
+    way.Kept = std::count(way.Visible.begin(), way.Visible.end(), 1);
+  }
+
+  const DepthFrame& Frame;
+  const vtkNBufferLevels& Levels;
+};
+}
+
+Json::Value MeasureHierarchy(const DepthFrame& frame, const std::vector<vtkNBufferBox>& scene,
+  const double eye[3], int most, int repetitions, const std::function<void(int)>& progress)
+{
+  vtkNBufferLevels levels;
+  levels.BuildBase(frame.Depth.data(), frame.Width, frame.Height, 4, vtkNBufferExtremum::Maximum);
+  levels.BuildLevels(64);
+  const Tester tester(frame, levels);
+  Json::Value entries(Json::arrayValue);
+  for (int count : { 1000, 3000, 10000, 30000, 100000, 300000, 1000000 })
+  {
+    if (count > most)
+    {
+      break;
+    }
+    if (progress)
+    {
+      progress(count);
+    }
+    const std::vector<vtkNBufferBox> boxes = MakeBoxes(scene, eye, count);
+    BoxTree tree;
+    std::vector<double> build;
+    std::vector<double> refit;
+    Way flat;
+    Way hierarchy;
+    for (int i = 0; i < repetitions; ++i)
+    {
+      vtkNBufferClock clock;
+      tree.Build(boxes, LeafSize);
+      build.push_back(clock.Restart());
+      tree.Refit(boxes);
+      refit.push_back(clock.GetMilliseconds());
+      tester.RunFlat(boxes, flat);
+      tester.RunTree(boxes, tree, hierarchy);
+    }
+    Json::Value entry;
+    entry["props"] = count;
+    entry["flat"] = flat.Report();
+    entry["tree"] = hierarchy.Report();
+    entry["tree_nodes"] = static_cast<Json::UInt64>(tree.GetNumberOfNodes());
+    entry["build_ms"] = Summarize(build);
+    entry["refit_ms"] = Summarize(refit);
+    entries.append(entry);
+  }
+  return entries;
+}
+
+void WriteHierarchyChart(
+  const Json::Value& entries, const std::string& title, const std::string& fileStem)
+{
+  std::vector<ChartLine> lines = { { "one by one", { 213, 94, 0 }, {} },
+    { "over the hierarchy", { 0, 114, 178 }, {} },
+    { "hierarchy and refit", { 86, 180, 233 }, {} } };
+  for (const Json::Value& entry : entries)
+  {
+    const double props = entry["props"].asDouble();
+    const double tree = entry["tree"]["ms"]["median"].asDouble();
+    lines[0].Points.emplace_back(props, entry["flat"]["ms"]["median"].asDouble());
+    lines[1].Points.emplace_back(props, tree);
+    lines[2].Points.emplace_back(props, tree + entry["refit_ms"]["median"].asDouble());
+  }
+  WriteLineChart(lines, title, "props", "milliseconds to test all of them", fileStem);
+}
+
+} // namespace NBufferBench

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Contender.h"
+
+#include "DepthStructure.h"
+#include "PositionedLevels.h"
+
+#include "vtkNBufferOcclusionTest.h"
+#include "vtkNBufferPieces.h"
+#include "vtkNBufferPixelTest.h"
+
+#include <algorithm>
+
+namespace NBufferStudy
+{
+namespace
+{
+std::string AddPieces(const std::string& name, int pieces)
+{
+  return pieces > 1 ? name + " in " + std::to_string(pieces) : name;
+}
+
+class FamilyContender : public Contender
+{
+public:
+  FamilyContender(const DepthFamily& family, int pieces)
+    : Contender(AddPieces(family.GetName(), pieces))
+    , Structure(family)
+    , Pieces(pieces)
+  {
+  }
+
+  void Build(const DepthFrame& frame) override
+  {
+    this->Structure.Build(frame.Depth.data(), frame.Width, frame.Height);
+  }
+
+  bool IsHidden(const DepthFrame& frame, const DepthBox& box, ContestCounts& counts) override
+  {
+    return vtkNBufferPieces::AreBehind(frame.Projection, box.Box, box.Screen, this->Pieces,
+      this->Structure.GetFamily().Factor,
+      [&](const vtkNBufferScreenBox& screen)
+      {
+        ++counts.Queries;
+        return screen.Nearest > this->Structure.Query(screen.Pixels, counts.Lookups);
+      });
+  }
+
+  std::size_t GetNumberOfTexels() const override { return this->Structure.GetNumberOfTexels(); }
+  std::size_t GetMemory() const override { return this->Structure.GetMemory(); }
+
+  long long GetCoveredArea(const DepthBox& box) const override
+  {
+    const vtkNBufferRectangle covered = this->Structure.GetCovered(box.Screen.Pixels);
+    return static_cast<long long>(covered.GetWidth()) * covered.GetHeight();
+  }
+
+private:
+  DepthStructure Structure;
+  int Pieces;
+};
+
+class PositionContender : public Contender
+{
+public:
+  PositionContender(int factor, int pieces)
+    : Contender(AddPieces("squares x4 1/" + std::to_string(factor) + " with positions", pieces))
+    , Factor(factor)
+    , Pieces(pieces)
+  {
+  }
+
+  void Build(const DepthFrame& frame) override
+  {
+    this->Levels.Build(frame.Depth.data(), frame.Width, frame.Height, this->Factor);
+  }
+
+  bool IsHidden(const DepthFrame& frame, const DepthBox& box, ContestCounts& counts) override
+  {
+    return vtkNBufferPieces::AreBehind(frame.Projection, box.Box, box.Screen, this->Pieces,
+      this->Factor,
+      [&](const vtkNBufferScreenBox& screen)
+      {
+        ++counts.Queries;
+        return screen.Nearest > this->Levels.Query(screen.Pixels, counts.Lookups).Depth;
+      });
+  }
+
+  std::size_t GetNumberOfTexels() const override { return this->Levels.GetNumberOfTexels(); }
+  std::size_t GetMemory() const override { return this->Levels.GetMemory(); }
+
+private:
+  PositionedLevels Levels;
+  int Factor;
+  int Pieces;
+};
+
+std::string GetModuleName(int factor, int pieces, bool testPixels)
+{
+  return AddPieces("culler 1/" + std::to_string(factor), pieces) + (testPixels ? " + pixels" : "");
+}
+
+/// The order of vtkNBufferDepthTest: the levels that are needed, the levels' word on every box, and
+/// the pixels' on what is in doubt.
+class ModuleContender : public Contender
+{
+public:
+  ModuleContender(const std::string& name, int factor, int pieces, bool testLevels, bool testPixels)
+    : Contender(name)
+    , Factor(factor)
+    , Pieces(pieces)
+    , TestLevels(testLevels)
+    , TestPixels(testPixels)
+  {
+  }
+
+  void Build(const DepthFrame& frame) override
+  {
+    // Squares of 8 pixels, from which the look at the pixels begins.
+    int levels = vtkNBufferMath::CeilLog2(8 / std::min(this->Factor, 8)) + 1;
+    for (const DepthBox& box : frame.Boxes)
+    {
+      if (this->TestLevels)
+      {
+        levels = std::max(
+          levels, vtkNBufferOcclusionTest::GetLevelsNeeded(box.Screen.Pixels, this->Factor));
+      }
+    }
+    this->Levels.BuildBase(
+      frame.Depth.data(), frame.Width, frame.Height, this->Factor, vtkNBufferExtremum::Maximum);
+    this->Levels.BuildLevels(levels);
+    this->Occlusion =
+      std::make_unique<vtkNBufferOcclusionTest>(frame.Projection, this->Levels, this->Pieces);
+    this->Pixels =
+      std::make_unique<vtkNBufferPixelTest>(frame.Projection, this->Levels, frame.Depth.data());
+  }
+
+  bool IsHidden(const DepthFrame&, const DepthBox& box, ContestCounts& counts) override
+  {
+    const long long queries = this->Occlusion->GetQueries();
+    const long long lookups = this->Occlusion->GetLookups() + this->Pixels->GetLookups();
+    const bool hidden = (this->TestLevels && this->Occlusion->IsHidden(box.Box, box.Screen)) ||
+      (this->TestPixels && this->Pixels->IsHidden(box.Box, box.Screen));
+    counts.Queries += this->Occlusion->GetQueries() - queries;
+    counts.Lookups += this->Occlusion->GetLookups() + this->Pixels->GetLookups() - lookups;
+    return hidden;
+  }
+
+  std::size_t GetNumberOfTexels() const override
+  {
+    return static_cast<std::size_t>(this->Levels.GetWidth()) * this->Levels.GetHeight() *
+      this->Levels.GetNumberOfLevels();
+  }
+  std::size_t GetMemory() const override { return this->GetNumberOfTexels() * sizeof(float); }
+
+private:
+  int Factor;
+  int Pieces;
+  bool TestLevels;
+  bool TestPixels;
+  vtkNBufferLevels Levels;
+  std::unique_ptr<vtkNBufferOcclusionTest> Occlusion;
+  std::unique_ptr<vtkNBufferPixelTest> Pixels;
+};
+}
+
+ContenderPointer MakeFamilyContender(const DepthFamily& family, int pieces)
+{
+  return std::make_unique<FamilyContender>(family, pieces);
+}
+
+ContenderPointer MakePositionContender(int factor, int pieces)
+{
+  return std::make_unique<PositionContender>(factor, pieces);
+}
+
+ContenderPointer MakeModuleContender(int factor, int pieces, bool testPixels)
+{
+  return std::make_unique<ModuleContender>(
+    GetModuleName(factor, pieces, testPixels), factor, pieces, true, testPixels);
+}
+
+ContenderPointer MakePixelContender()
+{
+  return std::make_unique<ModuleContender>("outline per pixel", 4, 1, false, true);
+}
+
+std::string GetDefaultName()
+{
+  return GetModuleName(4, 8, true);
+}
+
+std::vector<ContenderPointer> MakeContenders(int width, int height, double megabytes)
+{
+  std::vector<ContenderPointer> contenders;
+  const auto add = [&](const DepthFamily& family, int pieces = 1)
+  {
+    DepthStructure structure(family);
+    structure.SetSize(width, height);
+    if (static_cast<double>(structure.GetNumberOfTexels()) * sizeof(float) <= megabytes * 1e6)
+    {
+      contenders.push_back(MakeFamilyContender(family, pieces));
+    }
+  };
+  constexpr DepthGrid windows = DepthGrid::Windows;
+  constexpr DepthTaps four = DepthTaps::Four;
+  for (int factor : { 1, 2, 4, 8, 16 })
+  {
+    add({ factor, windows, FullStride, 0, DepthTaps::One, false });
+    add({ factor, windows, FullStride, 0, four, false });
+    add({ factor, windows, FullStride, 0, four, false }, 8);
+  }
+  for (int factor : { 1, 4 })
+  {
+    add({ factor, windows, FullStride, 0, four, true });
+    for (int stride : { 0, 1, 2, 3 })
+    {
+      add({ factor, windows, stride, 0, four, false });
+    }
+    for (int stride : { 0, 2 })
+    {
+      add({ factor, windows, stride, 0, four, false }, 8);
+    }
+    for (DepthGrid mips : { DepthGrid::Mips, DepthGrid::FatMips })
+    {
+      add({ factor, mips, FullStride, 0, DepthTaps::TwoByTwo, false });
+      add({ factor, mips, FullStride, 0, DepthTaps::FourByFour, false });
+    }
+    add({ factor, DepthGrid::Mips, FullStride, 0, DepthTaps::FourByFour, false }, 8);
+    for (int band : { 1, 2 })
+    {
+      add({ factor, windows, FullStride, band, four, false });
+    }
+    add({ factor, windows, 2, AllShapes, four, false });
+    contenders.push_back(MakePositionContender(factor, 1));
+  }
+  for (int factor : { 4, 8, 16 })
+  {
+    add({ factor, windows, FullStride, AllShapes, four, false });
+    add({ factor, windows, FullStride, AllShapes, four, false }, 8);
+    add({ factor, windows, FullStride, 0, DepthTaps::All, false });
+  }
+  for (int factor : { 2, 4, 8 })
+  {
+    contenders.push_back(MakeModuleContender(factor, 8, false));
+    contenders.push_back(MakeModuleContender(factor, 8, true));
+  }
+  contenders.push_back(MakePixelContender());
+  return contenders;
+}
+
+} // namespace NBufferStudy

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DepthFormats.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace NBufferStudy
+{
+namespace
+{
+/// Of a perspective projection: NDC z = Scale + Offset / distance.
+struct Planes
+{
+  double Near;
+  double Scale;
+  double Offset;
+
+  Planes(double near, double far)
+    : Near(near)
+    , Scale((far + near) / (far - near))
+    , Offset(-2.0 * far * near / (far - near))
+  {
+  }
+
+  double GetStored(vtkNBufferDepthConvention convention, double distance) const
+  {
+    const double ndc = this->Scale + this->Offset / distance;
+    return convention == vtkNBufferDepthConvention::Forward ? 0.5 * (1.0 + ndc)
+      : convention == vtkNBufferDepthConvention::Reversed   ? 0.5 * (1.0 - ndc)
+                                                            : this->Near / distance;
+  }
+
+  double GetDistance(vtkNBufferDepthConvention convention, double stored) const
+  {
+    if (convention == vtkNBufferDepthConvention::InverseW)
+    {
+      return this->Near / stored;
+    }
+    const double ndc =
+      convention == vtkNBufferDepthConvention::Forward ? 2.0 * stored - 1.0 : 1.0 - 2.0 * stored;
+    return this->Offset / (ndc - this->Scale);
+  }
+};
+
+double GetSign(const DepthFormat& format)
+{
+  return vtkNBufferMath::GetDepthSign(format.Convention);
+}
+}
+
+float DepthFormat::Store(double depth) const
+{
+  if (this->Bits == 0)
+  {
+    return static_cast<float>(depth);
+  }
+  const double steps = std::ldexp(1.0, this->Bits) - 1.0;
+  double stored = std::round(depth * steps) / steps;
+  // What does not fit a float is read rounded away from the eye: vtkNBufferDepthSource::Read.
+  if (this->Bits > 24)
+  {
+    const bool up = this->Convention == vtkNBufferDepthConvention::Forward;
+    stored = (up ? std::ceil(stored * 0x1p24) : std::floor(stored * 0x1p24)) * 0x1p-24;
+  }
+  return static_cast<float>(stored);
+}
+
+double DepthFormat::GetQuantum() const
+{
+  if (this->Bits == 0)
+  {
+    return this->Convention == vtkNBufferDepthConvention::Forward ? 0x1p-24 : 0.0;
+  }
+  return 1.0 / (std::ldexp(1.0, std::min(this->Bits, 24)) - 1.0);
+}
+
+const std::vector<DepthFormat>& GetDepthFormats()
+{
+  using Convention = vtkNBufferDepthConvention;
+  static const std::vector<DepthFormat> formats = {
+    { "16 bits", Convention::Forward, 16 },
+    { "24 bits", Convention::Forward, 24 },
+    { "32 bits", Convention::Forward, 32 },
+    { "float", Convention::Forward, 0 },
+    { "24 bits reversed", Convention::Reversed, 24 },
+    { "float reversed", Convention::Reversed, 0 },
+    { "1/w 24 bits", Convention::InverseW, 24 },
+    { "1/w float", Convention::InverseW, 0 },
+  };
+  return formats;
+}
+
+DepthFrame Convert(
+  const DepthFrame& frame, double near, double far, double newNear, const DepthFormat& format)
+{
+  DepthFrame result = frame;
+  const Planes old(near, far);
+  const Planes planes(newNear, far);
+  double worldToClip[16];
+  std::copy(frame.Projection.GetWorldToClip(), frame.Projection.GetWorldToClip() + 16, worldToClip);
+  for (int j = 0; j < 4; ++j)
+  {
+    worldToClip[8 + j] = planes.Scale * worldToClip[12 + j] + (j == 3 ? planes.Offset : 0.0);
+  }
+  result.Projection.Set(
+    worldToClip, frame.Width, frame.Height, format.GetQuantum(), format.Convention);
+  const double unknown = 4.0 * 0x1p-24;
+  for (float& depth : result.Depth)
+  {
+    const double distance = depth >= 1.0f
+      ? far
+      : std::min(old.GetDistance(vtkNBufferDepthConvention::Forward, depth + unknown), far);
+    depth = static_cast<float>(GetSign(format) *
+      (distance >= far ? vtkNBufferMath::GetBackgroundDepth(format.Convention)
+                       : format.Store(planes.GetStored(format.Convention, distance))));
+  }
+  result.Boxes.clear();
+  for (DepthBox box : frame.Boxes)
+  {
+    if (result.Projection.Project(box.Box, box.Screen) == vtkNBufferPlacement::Inside)
+    {
+      result.Boxes.push_back(box);
+    }
+  }
+  return result;
+}
+
+std::vector<double> GetSlacks(
+  const DepthFrame& frame, double near, double far, const DepthFormat& format)
+{
+  const Planes planes(near, far);
+  const double* row = frame.Projection.GetWorldToClip() + 12;
+  std::vector<double> slacks;
+  for (const DepthBox& box : frame.Boxes)
+  {
+    double nearest = row[3];
+    for (int j = 0; j < 3; ++j)
+    {
+      nearest += row[j] * box.Box.Center[j] - std::abs(row[j]) * box.Box.HalfSize[j];
+    }
+    if (!box.Screen.Clipped)
+    {
+      slacks.push_back(
+        nearest - planes.GetDistance(format.Convention, GetSign(format) * box.Screen.Nearest));
+    }
+  }
+  return slacks;
+}
+
+} // namespace NBufferStudy

@@ -1,0 +1,75 @@
+# SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# cmake -DPROGRAM=... -DOUT=... -P this
+#
+# Runs a study of one frame of each path and looks whether its figures can be true.
+
+file(REMOVE_RECURSE "${OUT}")
+execute_process(
+  COMMAND "${PROGRAM}" study --tiny --size 161x119 --out "${OUT}"
+  OUTPUT_VARIABLE output
+  ERROR_VARIABLE errors
+  RESULT_VARIABLE result)
+message("${output}${errors}")
+if (NOT result STREQUAL 0)
+  message(FATAL_ERROR "the study ended with ${result}")
+endif ()
+
+file(READ "${OUT}/study.json" json)
+string(JSON scenes LENGTH "${json}" scenes)
+if (NOT scenes EQUAL 3)
+  message(FATAL_ERROR "${scenes} scenes instead of three paths through the city")
+endif ()
+foreach (scene RANGE 2)
+  string(JSON hidden GET "${json}" scenes ${scene} hidden)
+  string(JSON count LENGTH "${json}" scenes ${scene} points)
+  string(JSON chart GET "${json}" scenes ${scene} chart)
+  foreach (file IN ITEMS "${chart}.png" "${chart}.svg")
+    if (NOT EXISTS "${OUT}/${file}")
+      message(FATAL_ERROR "${file} is missing")
+    endif ()
+  endforeach ()
+  if (count LESS 50 OR NOT hidden GREATER 0)
+    message(FATAL_ERROR "scene ${scene}: ${count} structures, ${hidden} hidden props")
+  endif ()
+  math(EXPR last "${count} - 1")
+  set(defaults 0)
+  set(front 0)
+  foreach (i RANGE ${last})
+    string(JSON point GET "${json}" scenes ${scene} points ${i})
+    string(JSON name GET "${point}" name)
+    string(JSON kept GET "${point}" false_visible_percent)
+    string(JSON wrong GET "${point}" false_hidden)
+    string(JSON default GET "${point}" is_default)
+    string(JSON pareto GET "${point}" pareto)
+    if (kept LESS 0 OR kept GREATER 100 OR NOT wrong EQUAL 0)
+      message(FATAL_ERROR "${name}: ${kept} % kept, ${wrong} visible ones hidden")
+    endif ()
+    if (default)
+      math(EXPR defaults "${defaults} + 1")
+    endif ()
+    if (pareto)
+      math(EXPR front "${front} + 1")
+    endif ()
+  endforeach ()
+  if (NOT defaults EQUAL 1 OR front LESS 1)
+    message(FATAL_ERROR "scene ${scene}: ${defaults} defaults, ${front} on the Pareto line")
+  endif ()
+endforeach ()
+
+string(JSON flat GET "${json}" table2 tests nb)
+string(JSON exact GET "${json}" table2 tests oq)
+if (NOT flat LESS exact)
+  message(FATAL_ERROR "${flat} lookups, ${exact} pixels: four lookups a box have to be fewer")
+endif ()
+file(STRINGS "${OUT}/study.csv" lines)
+list(LENGTH lines lines)
+if (lines LESS 150)
+  message(FATAL_ERROR "study.csv has ${lines} lines")
+endif ()
+
+file(READ "${OUT}/accuracy.md" document)
+if (NOT document MATCHES "llvmpipe|softpipe|OpenGL" OR document MATCHES "\n@")
+  message(FATAL_ERROR "accuracy.md lacks its figures")
+endif ()
