@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -39,6 +40,7 @@ void vtkShadowLitmap::Begin(int resolution, const double range[4], const double 
   this->NumberOfLevels = 0;
   this->NumberOfReceivers = 0;
   this->ReceiversBesideCone = false;
+  this->Everywhere = vtkShadowExtent();
   this->Tiles.Begin(0, 0);
   this->P.Set(range[0], range[1], this->Resolution);
   this->Q.Set(range[2], range[3], this->Resolution);
@@ -88,6 +90,11 @@ bool vtkShadowLitmap::Add(const double a[3], const double b[3], double radius, i
   receiver.Bins = this->GetBins(receiver.Near, receiver.Far);
   ++this->NumberOfReceivers;
 
+  if (std::isinf(radius))
+  {
+    this->Everywhere.Merge(receiver);
+    return true;
+  }
   const double p0 = std::min(a[0], b[0]) - radius;
   const double p1 = std::max(a[0], b[0]) + radius;
   const double q0 = std::min(a[1], b[1]) - radius;
@@ -100,7 +107,7 @@ bool vtkShadowLitmap::Add(const double a[3], const double b[3], double radius, i
   const int i1 = this->P.GetCell(p1);
   const int j0 = this->Q.GetCell(q0);
   const int j1 = this->Q.GetCell(q1);
-  if (i1 - i0 < 2 || j1 - j0 < 2 || a[0] == b[0] || std::isinf(radius))
+  if (i1 - i0 < 2 || j1 - j0 < 2 || a[0] == b[0])
   {
     this->AddToLexels(i0, i1, j0, j1, receiver);
     return true;
@@ -137,6 +144,12 @@ bool vtkShadowLitmap::AddLexel(int i, int j, vtkShadowExtent extent)
 
 void vtkShadowLitmap::Build()
 {
+  if (!this->Everywhere.IsEmpty())
+  {
+    this->AddToLexels(0, this->Resolution - 1, 0, this->Resolution - 1, this->Everywhere);
+    this->Bounds[0] = this->Bounds[2] = -std::numeric_limits<double>::infinity();
+    this->Bounds[1] = this->Bounds[3] = std::numeric_limits<double>::infinity();
+  }
   this->NumberOfLevels =
     vtkNBufferMath::GetLevelForFourLookups(this->Resolution, this->Resolution) + 1;
   const std::size_t size = static_cast<std::size_t>(this->Resolution) * this->Resolution;

@@ -171,6 +171,7 @@ private:
   double Bounds[4] = {}; ///< The map's range, and of receivers outside.
   vtkIdType NumberOfReceivers = 0;
   bool ReceiversBesideCone = false;
+  vtkShadowExtent Everywhere;          ///< Of receivers on any ray, for all lexels.
   std::vector<vtkShadowExtent> Lexels; ///< Level by level.
   vtkShadowTiles Tiles;
 };

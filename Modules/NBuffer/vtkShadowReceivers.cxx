@@ -25,6 +25,9 @@ constexpr double WorldRounding = 0x1p-48;
 /// Of a coordinate that a shader transforms in float: products, sums and what goes into them.
 constexpr double ShaderRounding = 5.0 * 0x1p-24;
 
+/// Of the cosine between a line of sight and a cone's axis, generously.
+constexpr double LineRounding = 1e-3;
+
 /// The range of a litmap is taken from every fourth row and column: what lies outside is not lost
 /// (vtkShadowLitmap::Begin), and it need not be exact.
 constexpr int RangeStride = 4;
@@ -84,6 +87,8 @@ public:
 private:
   bool MayReach(const double a[3], const double b[3], double radius) const;
   void SetShaderError(const vtkShadowView& view);
+  /// Whether the line of sight through the centre of a pixel meets the cone, widened by an angle.
+  bool MayCentreReach(int x, double widening) const;
   /// How far from its place VTK's shader may see what is at this distance from the eye.
   double GetShaderError(double distance) const;
 
@@ -101,7 +106,9 @@ private:
   /// Rows: places along u, v and the axis relative to the apex, and w. Columns: pixel x, pixel y,
   /// depth, 1.
   double Matrix[4][4];
-  double Row[4] = {}; ///< Matrix * (sample, y, 0, 1).
+  double Row[4] = {};    ///< Matrix * (sample, y, 0, 1).
+  bool ByCentre = false; ///< Fragments ask for the cone where the pixel's centre is.
+  double CentreRow[4] = {};
 };
 
 Projector::Projector(
@@ -154,6 +161,7 @@ Projector::Projector(
       std::acos(std::clamp(this->Direction[2], -1.0, 1.0)) + std::acos(this->ReachCosine);
     this->Limit = widest < 0.5 * vtkMath::Pi() ? std::tan(widest) : this->Limit;
     this->SetShaderError(view);
+    this->ByCentre = view.Samples.size() > 1;
   }
 }
 
@@ -190,7 +198,39 @@ void Projector::SetRow(const std::array<double, 2>& sample, int y)
   {
     this->Row[i] =
       this->Matrix[i][0] * sample[0] + this->Matrix[i][1] * (y + sample[1]) + this->Matrix[i][3];
+    this->CentreRow[i] =
+      this->Matrix[i][0] * 0.5 + this->Matrix[i][1] * (y + 0.5) + this->Matrix[i][3];
   }
+}
+
+bool Projector::MayCentreReach(int x, double widening) const
+{
+  double near[4];
+  double far[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    near[i] = this->CentreRow[i] + this->Matrix[i][0] * x;
+    far[i] = near[i] + this->Matrix[i][2];
+  }
+  double along[3];
+  double across[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    near[i] /= near[3];
+    along[i] = far[i] / far[3] - near[i];
+    across[i] = near[i];
+  }
+  // Directions from the light to the line's points are half a great circle.
+  vtkMath::Normalize(along);
+  const double offset = vtkMath::Dot(across, along);
+  for (int i = 0; i < 3; ++i)
+  {
+    across[i] -= offset * along[i];
+  }
+  vtkMath::Normalize(across);
+  const double c = vtkMath::Dot(along, this->Direction);
+  const double s = std::max(vtkMath::Dot(across, this->Direction), 0.0);
+  return std::max(std::abs(c), std::hypot(c, s)) >= this->ReachCosine - widening;
 }
 
 bool Projector::MayReach(const double a[3], const double b[3], double radius) const
@@ -247,11 +287,15 @@ bool Projector::Project(int x, double depth, Receiver& receiver) const
   {
     const double radius = 0.5 * length + rounding;
     receiver.InReach = this->MayReach(a, b, radius);
-    if (!receiver.InReach &&
-      (this->Kind == vtkShadowLightKind::Point ||
-        !this->MayReach(a, b, radius + this->GetShaderError(distance + length))))
+    if (!receiver.InReach)
     {
-      return false;
+      const double error = this->GetShaderError(distance + length);
+      if (this->Kind == vtkShadowLightKind::Point ||
+        (!this->MayReach(a, b, radius + error) &&
+          !(this->ByCentre && this->MayCentreReach(x, LineRounding + error / vtkMath::Norm(b)))))
+      {
+        return false;
+      }
     }
     const double nearestS = std::min(a[2], b[2]) - rounding;
     if (nearestS > 0.0)

@@ -42,13 +42,17 @@
  * have their shadow of any caster, also of those that shadow nothing in the cone:
  * vtkShadowLitmap::HasReceiversBesideCone.
  *
+ * With multisampling a fragment asks once whether it lies in a spot's cone: where its surface,
+ * going on, is at the pixel's centre. How deep that is no sample knows. So a sample whose pixel's
+ * centre is on a line of sight that meets the cone is such a receiver, too.
+ *
  * Tiles (vtkShadowTiles.h) are to hold all samples for which a volume may be drawn, and devices
  * draw its sides a little beside their place: a quarter of a pixel more in all directions.
  *
  * Intervals are projected to light coordinates end by end; where straight lines stay straight, that
  * loses nothing. The tests of the last two rules above are about the ball around the interval: what
  * may be reached is a receiver. Where it cannot be told on which side of the light's plane s = 0 an
- * interval lies, it is put into all lexels.
+ * interval lies, or how far off it is seen, it is put into all lexels.
  */
 #ifndef vtkShadowReceivers_h
 #define vtkShadowReceivers_h

@@ -33,7 +33,7 @@ void vtkShadowShader::Declare(std::string& fragmentShader) const
   {
     // Behind all that may change the colour.
     vtkShaderProgram::Substitute(fragmentShader, "//VTK::Picking::Impl",
-      "//VTK::Picking::Impl\n  gl_FragData[0] = NBufferShadowReceiver(gl_FragData[0]);\n", false);
+      "//VTK::Picking::Impl\n  NBUFFER_SHADOW_END\n", false);
   }
   if (this->Samples > 1)
   {

@@ -328,6 +328,29 @@ TEST_F(FuzzRuns, CompareShadows)
   }
 }
 
+// Hazard of the shadow pass: with multisampling a fragment asks whether it is in a spot's cone
+// where its surface is at the pixel's centre. A sample that lies beside the cone is then shaded
+// with its own mask, of a caster that shadows nothing in the cone. As the fuzzer found it.
+TEST_F(FuzzRuns, ConesOfMultisampledPixels)
+{
+  const Scenario scenario = FromJson(Parse(R"(
+    {"changes": [{"kind": "LightPosition",
+       "values": [-2.7423202109150484, 3.5264679819438687, -0.057150995465871546]}],
+     "frames": 1,
+     "lights": [{"cone_angle": 10.0, "kind": "Spot"}],
+     "props": [
+       {"id": 13, "shape": {
+         "center": [-1.471187804409133, 1.3291382835716572, -0.7811930567548471],
+         "detail": 4, "kind": "Sphere",
+         "size": [0.5222990174044354, 0.5222990174044354, 0.11326893076647807]}},
+       {"shape": {"detail": 33, "kind": "Grating", "size": [11.0, 11.0, 0.0]}}],
+     "renderers": [{"pass": "ShadowVolumesInSequence"}],
+     "seed": 1732826749382466,
+     "views": [{"position": [0.0, 0.0, 20.0]}],
+     "window": {"height": 117, "multi_samples": 8, "width": 77}})"));
+  EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
+}
+
 TEST(FuzzShadows, MasksMayDifferAtEdgesOnly)
 {
   // Left of the middle is in shadow.

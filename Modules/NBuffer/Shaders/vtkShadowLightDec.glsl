@@ -63,6 +63,7 @@ vec4 NBufferShadowReceiver(vec4 color)
   ivec3 bits = ivec3(nbufferShadowTaken, nbufferShadowTaken >> 8, nbufferShadowTaken >> 16) & 255;
   return shadowReceivers != 0 ? vec4(vec3(bits) / 255.0, 1.0) : color;
 }
+#define NBUFFER_SHADOW_END gl_FragData[0] = NBufferShadowReceiver(gl_FragData[0]);
 #else
 #define NBufferShadowTake(light, factor) 1.0
 #endif
