@@ -8,6 +8,8 @@
 #include "vtkMath.h"
 #include "vtkRenderWindow.h"
 
+#include "vtkNBufferVTKVersion.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -484,11 +486,40 @@ void MoveFarAway(Writer& writer)
   }
 }
 
+bool HasAmbientOcclusion(const Scenario& scene)
+{
+  return std::any_of(scene.Renderers.begin(), scene.Renderers.end(), [](const Renderer& renderer)
+           { return renderer.SSAO || renderer.Pass == PassKind::SSAO; }) ||
+    std::any_of(scene.Changes.begin(), scene.Changes.end(),
+      [](const Change& change)
+      {
+        return change.Kind == ChangeKind::SSAO ||
+          (change.Kind == ChangeKind::Pass &&
+            change.Values.front() == static_cast<double>(PassKind::SSAO));
+      });
+}
+
 /// What VTK leaves undefined, so that it does not even repeat itself: with a render pass a selector
-/// draws props without having set their number, and an overlay inside of an SSAO pass writes to one
-/// of its three attachments only.
+/// draws props without having set their number; an overlay inside of an SSAO pass writes to one of
+/// its three attachments only; ambient occlusion does not clear its own framebuffer where the
+/// renderer does not erase, and before 9.7 shows what it has not drawn of it in a part of a window.
 void RemoveUndefined(Scenario& scene)
 {
+  if (HasAmbientOcclusion(scene))
+  {
+    for (Renderer& renderer : scene.Renderers)
+    {
+      renderer.Erase = true;
+#if !VTKNBUFFER_HAS_SSAO_IN_PARTS
+      renderer.Viewport = { 0.0, 0.0, 1.0, 1.0 };
+#endif
+    }
+#if !VTKNBUFFER_HAS_SSAO_IN_PARTS
+    scene.Changes.erase(std::remove_if(scene.Changes.begin(), scene.Changes.end(),
+                          [](const Change& change) { return change.Kind == ChangeKind::Viewport; }),
+      scene.Changes.end());
+#endif
+  }
   const auto hasPass = [&scene](auto&& predicate)
   {
     return std::any_of(scene.Renderers.begin(), scene.Renderers.end(),
