@@ -5,10 +5,10 @@
 #include "Families.h"
 #include "ShadowFamilies.h"
 
+#include "vtkNBufferVTKVersion.h"
+
 #include "vtkMath.h"
 #include "vtkRenderWindow.h"
-
-#include "vtkNBufferVTKVersion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -494,7 +494,7 @@ bool HasAmbientOcclusion(const Scenario& scene)
       [](const Change& change)
       {
         return change.Kind == ChangeKind::SSAO ||
-          (change.Kind == ChangeKind::Pass &&
+          (change.Kind == ChangeKind::Pass && !change.Values.empty() &&
             change.Values.front() == static_cast<double>(PassKind::SSAO));
       });
 }
