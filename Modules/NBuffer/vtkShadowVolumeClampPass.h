@@ -48,9 +48,9 @@
  *
  * Casters are opaque surfaces of data sets or composites of polydata; GetStatistics() counts what
  * is not, by reason. Wireframes, points and glyphs cast nothing; textures with alpha and what
- * shaders displace cast as if they did not. The volumes of point lights are never clamped. Needs
- * OpenGL 3.2 with depth and stencil in one texture; where anything is refused the frame is drawn
- * without shadows, with one warning.
+ * shaders displace cast as if they did not. Volumes of a point light are clamped if their caster
+ * lies in one face of the cube around it. Needs OpenGL 3.2 with depth and stencil in one texture;
+ * where anything is refused the frame is drawn without shadows, with one warning.
  *
  * Cost: two draws of the opaque props, a read-back of the depth (where litmaps are made), and the
  * volumes.
@@ -242,10 +242,10 @@ public:
   /**
    * The mask of a light of the last frame: one value for each pixel of the viewport, row by row,
    * the lowest first; 0 lit, 255 in shadow (also what the light does not reach; with
-   * SkipUnlitReceivers, what faces away from it). With multisampling
-   * the mean of the pixel's samples, or one of them: `sample` from 0 to less than
-   * vtkShadowStatistics::Samples. Empty, and `width` and `height` 0, if the light did not cast or
-   * there is no such sample. Reads it back; the window's context must be current.
+   * SkipUnlitReceivers, what faces away from it). With multisampling the mean of the pixel's
+   * samples, or one of them: `sample` from 0 to less than vtkShadowStatistics::Samples. Empty, and
+   * `width` and `height` 0, if the light did not cast or there is no such sample. Reads it back;
+   * the window's context must be current.
    */
   std::vector<unsigned char> GetMask(vtkLight* light, int& width, int& height, int sample = -1);
 
