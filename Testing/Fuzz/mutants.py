@@ -62,7 +62,7 @@ MUTANTS = {
         ("vtkNBufferPixelTest.cxx", "column < std::min(x + Side, pixels.X1)",
          "column < std::min(x + Side, pixels.X1 - 1)")],
     "the last piece of a long box not tested": [
-        ("vtkNBufferOcclusionTest.cxx", "for (int i = 0; i < pieces; ++i)",
+        ("vtkNBufferPieces.h", "for (int i = 0; i < pieces; ++i)",
          "for (int i = 0; i < pieces - 1; ++i)")],
     "one round too many (>= turned to >)": [
         (VIEW, "this->Statistics.Rounds >= this->Settings.MaximumNumberOfRounds",
@@ -126,8 +126,7 @@ SHADOW_MUTANTS = {
     "slabs that begin at the caster end with the first of them": [
         (PLAN, "slabs.back().Far = far;", "slabs.back().Far = std::min(far, slabs.back().Far);")],
     "receivers beside the caster count as before it": [
-        (PLAN, "this->Faces.empty() && extent.Far < footprint.Near)",
-         "this->Faces.empty() && extent.Far < footprint.Far)")],
+        (PLAN, "home && extent.Far < atHome.Near)", "home && extent.Far < atHome.Far)")],
     "casters through the light's plane as others": [
         (PLAN,
          "return this->Frame.IsPositional() && !(footprint.Near > Margin * "
