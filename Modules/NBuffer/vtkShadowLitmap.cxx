@@ -39,7 +39,7 @@ void vtkShadowLitmap::Begin(int resolution, const double range[4], const double 
   this->Resolution = std::clamp(resolution, 1, MaximumResolution);
   this->NumberOfLevels = 0;
   this->NumberOfReceivers = 0;
-  this->ReceiversBesideCone = false;
+  this->Reach = 0.0;
   this->Everywhere = vtkShadowExtent();
   this->Tiles.Begin(0, 0);
   this->P.Set(range[0], range[1], this->Resolution);

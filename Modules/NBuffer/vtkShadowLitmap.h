@@ -96,10 +96,10 @@ public:
   bool AddLexel(int i, int j, vtkShadowExtent extent);
 
   ///@{
-  /// Whether some of the receivers lie outside of the spot's cone (vtkShadowReceivers.h). Begin()
-  /// sets it to false.
-  void SetReceiversBesideCone(bool has) { this->ReceiversBesideCone = has; }
-  bool HasReceiversBesideCone() const { return this->ReceiversBesideCone; }
+  /// Radians between a spot's axis and the farthest receiver outside of its cone
+  /// (vtkShadowReceivers.h); 0, as after Begin(), without any.
+  void AddReach(double angle) { this->Reach = angle > this->Reach ? angle : this->Reach; }
+  double GetReach() const { return this->Reach; }
   ///@}
 
   ///@{
@@ -170,7 +170,7 @@ private:
   Scale Depths;
   double Bounds[4] = {}; ///< The map's range, and of receivers outside.
   vtkIdType NumberOfReceivers = 0;
-  bool ReceiversBesideCone = false;
+  double Reach = 0.0;
   vtkShadowExtent Everywhere;          ///< Of receivers on any ray, for all lexels.
   std::vector<vtkShadowExtent> Lexels; ///< Level by level.
   vtkShadowTiles Tiles;

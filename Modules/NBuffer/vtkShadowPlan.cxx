@@ -219,6 +219,13 @@ bool vtkShadowPlan::IsThroughLightPlane(const vtkShadowFootprint& footprint) con
   return this->Frame.IsPositional() && !(footprint.Near > Margin * std::abs(footprint.Far));
 }
 
+double vtkShadowPlan::GetReach() const
+{
+  constexpr double margin = 1e-3; // radians; more than vtkShadowLight::Reaches() is wider
+  const double cone = vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;
+  return this->Whole.Litmap ? std::max(cone, this->Whole.Litmap->GetReach()) : cone;
+}
+
 bool vtkShadowPlan::IsOutsideCone(const vtkShadowFootprint& footprint) const
 {
   if (this->Light.Kind != vtkShadowLightKind::Spot)
@@ -241,9 +248,7 @@ bool vtkShadowPlan::IsOutsideCone(const vtkShadowFootprint& footprint) const
   }
   const double angle =
     std::acos(std::clamp(vtkMath::Dot(toCenter, this->Light.Direction) / distance, -1.0, 1.0));
-  constexpr double margin = 1e-3; // radians; more than vtkShadowLight::Reaches() is wider
-  return angle - std::asin(radius / distance) >
-    vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;
+  return angle - std::asin(radius / distance) > this->GetReach();
 }
 
 std::vector<vtkShadowSlab> vtkShadowPlan::GetSlabs(const vtkShadowLitmap& litmap,
@@ -345,15 +350,14 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
     this->AddWhole(silhouette, points, numberOfPoints, {}, volume);
     return vtkShadowVerdict::Whole;
   }
-  const bool onlyInCone = this->Light.Kind == vtkShadowLightKind::Spot &&
-    !(this->Whole.Litmap && this->Whole.Litmap->HasReceiversBesideCone());
-  if (onlyInCone && footprint.Far <= 0.0)
+  if (this->Light.Kind == vtkShadowLightKind::Spot && footprint.Far <= 0.0 &&
+    this->GetReach() < 0.5 * vtkMath::Pi())
   {
     return vtkShadowVerdict::BehindLight;
   }
 
   const bool through = this->Faces.empty() && this->IsThroughLightPlane(footprint);
-  if (through && onlyInCone && this->IsOutsideCone(footprint))
+  if (through && this->IsOutsideCone(footprint))
   {
     return vtkShadowVerdict::OutsideCone;
   }

@@ -29,8 +29,9 @@
  * A positional light's coordinates mean nothing at and behind its plane s = 0. A caster that is
  * wholly there shadows nothing that a spot of less than 90 degrees reaches (BehindLight); one that
  * reaches through it is drawn whole, into the box of all receivers (ThroughLightPlane), unless the
- * sphere around its bounds lies beside the spot's cone (OutsideCone). Neither of the two is left
- * out where there are receivers beside the cone (vtkShadowReceivers.h).
+ * sphere around its bounds lies beside the spot's cone (OutsideCone). Receivers
+ * beside the cone (vtkShadowReceivers.h) widen it, and where one may lie behind the light, nothing
+ * is BehindLight.
  *
  * A point light has six litmaps, one for each face of a cube around it. A caster whose bounding box
  * lies in the pyramid of one face is as one before a spot: no other face has receivers on its rays,
@@ -173,6 +174,7 @@ private:
     int numberOfPoints, const vtkShadowFootprint& footprint, const Aspect& aspect,
     const vtkShadowExtent& extent, vtkShadowVolume& volume);
   bool IsThroughLightPlane(const vtkShadowFootprint& footprint) const;
+  double GetReach() const; ///< Of a spot, radians.
   bool IsOutsideCone(const vtkShadowFootprint& footprint) const;
   bool IsBeyondNearPlane(const vtkShadowVolume& volume, std::size_t firstVertex) const;
   void AddWhole(const vtkShadowSilhouette& silhouette, const double* points, int numberOfPoints,

@@ -25,6 +25,10 @@ constexpr double WorldRounding = 0x1p-48;
 /// Of a coordinate that a shader transforms in float: products, sums and what goes into them.
 constexpr double ShaderRounding = 5.0 * 0x1p-24;
 
+/// How far along a surface the centre of a pixel may be from a sample, in widths of a pixel there:
+/// so far where it is seen at an angle of one degree.
+constexpr double GrazingPixels = 64.0;
+
 /// Of the cosine between a line of sight and a cone's axis, generously.
 constexpr double LineRounding = 1e-3;
 
@@ -66,7 +70,7 @@ struct Receiver
   double B[3];
   double Radius;
   double TileRadius[3];
-  bool InReach; ///< Not only by the rounding of VTK's shader.
+  double Angle; ///< Radians from a spot's axis, at most, if it lies outside of its cone; else 0.
 };
 
 /// From (pixel x, pixel y, depth) to light coordinates.
@@ -87,6 +91,7 @@ public:
 private:
   bool MayReach(const double a[3], const double b[3], double radius) const;
   void SetShaderError(const vtkShadowView& view);
+  double GetAngle(const double a[3], const double b[3], double radius) const;
   /// Whether the line of sight through the centre of a pixel meets the cone, widened by an angle.
   bool MayCentreReach(int x, double widening) const;
   /// How far from its place VTK's shader may see what is at this distance from the eye.
@@ -203,6 +208,20 @@ void Projector::SetRow(const std::array<double, 2>& sample, int y)
   }
 }
 
+double Projector::GetAngle(const double a[3], const double b[3], double radius) const
+{
+  double middle[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    middle[i] = 0.5 * (a[i] + b[i]);
+  }
+  const double distance = vtkMath::Norm(middle);
+  return distance > radius
+    ? std::acos(std::clamp(vtkMath::Dot(middle, this->Direction) / distance, -1.0, 1.0)) +
+      std::asin(radius / distance)
+    : vtkMath::Pi();
+}
+
 bool Projector::MayCentreReach(int x, double widening) const
 {
   double near[4];
@@ -282,20 +301,25 @@ bool Projector::Project(int x, double depth, Receiver& receiver) const
   receiver.Radius = rounding;
   receiver.TileRadius[0] = rounding + guard;
   receiver.TileRadius[2] = guard;
-  receiver.InReach = true;
+  receiver.Angle = 0.0;
   if (this->Kind != vtkShadowLightKind::Directional)
   {
     const double radius = 0.5 * length + rounding;
-    receiver.InReach = this->MayReach(a, b, radius);
-    if (!receiver.InReach)
+    if (!this->MayReach(a, b, radius))
     {
-      const double error = this->GetShaderError(distance + length);
-      if (this->Kind == vtkShadowLightKind::Point ||
-        (!this->MayReach(a, b, radius + error) &&
-          !(this->ByCentre && this->MayCentreReach(x, LineRounding + error / vtkMath::Norm(b)))))
+      if (this->Kind == vtkShadowLightKind::Point)
       {
         return false;
       }
+      const double error = radius + this->GetShaderError(distance + length);
+      const double pixels = GrazingPixels / Guard * guard;
+      if (!this->MayReach(a, b, error) &&
+        !(this->ByCentre && this->MayReach(a, b, error + pixels) &&
+          this->MayCentreReach(x, LineRounding + error / vtkMath::Norm(b))))
+      {
+        return false;
+      }
+      receiver.Angle = this->GetAngle(a, b, radius);
     }
     const double nearestS = std::min(a[2], b[2]) - rounding;
     if (nearestS > 0.0)
@@ -405,7 +429,7 @@ vtkIdType Scatter(const float* depth, const unsigned char* lit, const vtkShadowV
       if (litmap.Add(receiver.A, receiver.B, receiver.Radius, x, y))
       {
         tiles.Add(receiver.A, receiver.B, receiver.TileRadius, x, y);
-        litmap.SetReceiversBesideCone(litmap.HasReceiversBesideCone() || !receiver.InReach);
+        litmap.AddReach(receiver.Angle);
       }
     });
   return litmap.GetNumberOfReceivers();

@@ -39,12 +39,14 @@
  * E = 5 u S times the length of its row in the matrix (DrawnPolygon.h in the tests derives that),
  * which the way back from clip coordinates multiplies. Where VTK shifts coordinates to the middle
  * of what they belong to, it is less. Receivers outside of the cone that this alone brings in may
- * have their shadow of any caster, also of those that shadow nothing in the cone:
- * vtkShadowLitmap::HasReceiversBesideCone.
+ * have their shadow of casters that shadow nothing in the cone: vtkShadowLitmap::GetReach() says
+ * how far off they are.
  *
  * With multisampling a fragment asks once whether it lies in a spot's cone: where its surface,
  * going on, is at the pixel's centre. How deep that is no sample knows. So a sample whose pixel's
- * centre is on a line of sight that meets the cone is such a receiver, too.
+ * centre is on a line of sight that meets the cone is such a receiver, too, if the cone is not
+ * farther from it than 64 widths of a pixel: on surfaces that are seen at less than a degree it
+ * might be.
  *
  * Tiles (vtkShadowTiles.h) are to hold all samples for which a volume may be drawn, and devices
  * draw its sides a little beside their place: a quarter of a pixel more in all directions.

@@ -289,7 +289,7 @@ TEST(ShadowPlan, CastersAtTheLightsPlane)
   EXPECT_TRUE(behind.Draws.empty());
   EXPECT_EQ(behind.Decide(vtkShadowMode::Unclamped), Verdict::Whole) << "nothing is left out";
   EXPECT_EQ(behind.Draws.size(), 1u);
-  behind.Litmap.SetReceiversBesideCone(true);
+  behind.Litmap.AddReach(vtkMath::Pi());
   EXPECT_EQ(behind.Decide(vtkShadowMode::Exact), Verdict::ThroughLightPlane);
 
   for (const auto mode : { vtkShadowMode::Exact, vtkShadowMode::Clamped })
@@ -306,7 +306,7 @@ TEST(ShadowPlan, CastersAtTheLightsPlane)
     beside.AddReceiver({ 0.0, 0.0, -8.0 }, 5, 6);
     EXPECT_EQ(beside.Decide(mode), Verdict::OutsideCone);
     EXPECT_TRUE(beside.Draws.empty());
-    beside.Litmap.SetReceiversBesideCone(true);
+    beside.Litmap.AddReach(vtkMath::Pi());
     EXPECT_EQ(beside.Decide(mode), Verdict::ThroughLightPlane);
   }
 
