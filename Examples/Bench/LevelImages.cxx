@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LevelImages.h"
+#include "Viridis.h"
 
-#include "vtkColorTransferFunction.h"
 #include "vtkNBufferLevels.h"
 #include "vtkNew.h"
 
@@ -33,15 +33,7 @@ std::vector<vtkSmartPointer<vtkImageData>> MakeLevelImages(
   // The ground reaches to the horizon, which would leave one colour for all the rest.
   farthest = std::clamp(farthest, 2.0 * nearest, 300.0 * nearest);
 
-  // Samples of the map "viridis".
-  vtkNew<vtkColorTransferFunction> colors;
-  const double map[][3] = { { 0.267, 0.005, 0.329 }, { 0.254, 0.265, 0.530 },
-    { 0.164, 0.471, 0.558 }, { 0.135, 0.659, 0.518 }, { 0.478, 0.821, 0.318 },
-    { 0.993, 0.906, 0.144 } };
-  for (int i = 0; i < 6; ++i)
-  {
-    colors->AddRGBPoint(i / 5.0, map[i][0], map[i][1], map[i][2]);
-  }
+  const vtkSmartPointer<vtkColorTransferFunction> colors = MakeViridis();
 
   std::vector<vtkSmartPointer<vtkImageData>> images;
   for (int level : which)

@@ -3,9 +3,9 @@
 #include "StudyChart.h"
 
 #include "ChartPage.h"
+#include "Viridis.h"
 
 #include "vtkAxis.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkContext2D.h"
 #include "vtkContextItem.h"
 #include "vtkDoubleArray.h"
@@ -280,15 +280,7 @@ void WriteLineChart(const std::vector<ChartLine>& lines, const std::string& titl
 vtkSmartPointer<vtkImageData> MakeCoverageImage(
   const NBufferStudy::OverCoverage& coverage, double most)
 {
-  vtkNew<vtkColorTransferFunction> colors;
-  // Samples of the map "viridis".
-  const double map[][3] = { { 0.267, 0.005, 0.329 }, { 0.254, 0.265, 0.530 },
-    { 0.164, 0.471, 0.558 }, { 0.135, 0.659, 0.518 }, { 0.478, 0.821, 0.318 },
-    { 0.993, 0.906, 0.144 } };
-  for (int i = 0; i < 6; ++i)
-  {
-    colors->AddRGBPoint(i / 5.0, map[i][0], map[i][1], map[i][2]);
-  }
+  const vtkSmartPointer<vtkColorTransferFunction> colors = MakeViridis();
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(coverage.Size, coverage.Size, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);

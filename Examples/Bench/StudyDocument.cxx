@@ -300,7 +300,7 @@ std::string MakeFigure4(const Json::Value& report)
   return table.Get();
 }
 
-/// What a placeholder, without its @, stands for.
+/// What a field, a line between two @, stands for.
 std::string Fill(const std::string& words, const Json::Value& report, const std::string& links)
 {
   const std::size_t space = words.find(' ');
@@ -330,7 +330,7 @@ std::string Fill(const std::string& words, const Json::Value& report, const std:
   const auto maker = makers.find(name);
   if (maker == makers.end())
   {
-    throw std::runtime_error("the document has an unknown placeholder @" + words + "@");
+    throw std::runtime_error("the document has an unknown field @" + words + "@");
   }
   return maker->second();
 }
@@ -343,8 +343,8 @@ std::string FillDocument(
   std::ostringstream document;
   for (std::string line; std::getline(lines, line);)
   {
-    const bool placeholder = line.size() > 2 && line.front() == '@' && line.back() == '@';
-    document << (placeholder ? Fill(line.substr(1, line.size() - 2), report, links) : line + "\n");
+    const bool isField = line.size() > 2 && line.front() == '@' && line.back() == '@';
+    document << (isField ? Fill(line.substr(1, line.size() - 2), report, links) : line + "\n");
   }
   return document.str();
 }

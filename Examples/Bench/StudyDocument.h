@@ -27,7 +27,7 @@ namespace NBufferBench
 {
 
 /// `links`: folder of the pictures as seen from the document. Throws std::runtime_error for a
-/// placeholder that it does not know.
+/// field, a line between two @, that it does not know.
 std::string FillDocument(
   const std::string& text, const Json::Value& report, const std::string& links);
 

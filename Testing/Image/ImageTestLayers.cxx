@@ -7,6 +7,7 @@
 
 #include "vtkNBufferGL.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCubeSource.h"
 #include "vtkObjectFactory.h"
@@ -24,6 +25,25 @@ using Verdict = vtkNBufferVerdict;
 using Decision = vtkNBufferDecision;
 using Scenes::Wall;
 
+namespace
+{
+/// A layer over the wall's scene that does not erase, with a sphere behind the camera, which is
+/// returned.
+vtkActor* BuildLayerOverWall(Stage& stage)
+{
+  Scenes::BuildWall(stage);
+  stage.Window->SetNumberOfLayers(2);
+  vtkRenderer* layer = stage.AddRenderer(0.0, 0.0, 1.0, 1.0, 1);
+  layer->SetErase(false);
+  layer->SetActiveCamera(stage.GetRenderer()->GetActiveCamera());
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(0.0, 0.0, 1e4);
+  sphere->Update();
+  const double color[3] = { 1.0, 0.0, 0.0 };
+  return stage.AddActor(sphere->GetOutput(), color, layer);
+}
+}
+
 // Hazard: a renderer whose list is empty does nothing at all, not even what it does to the picture
 // of the layers below; so the list must not be emptied.
 TEST(CullerLayers, LayerWithNothingInsideProcessesWhatLiesBelow)
@@ -33,21 +53,7 @@ TEST(CullerLayers, LayerWithNothingInsideProcessesWhatLiesBelow)
     ComparisonOptions options;
     options.KeepDefaultCuller = options.StockReference = stock;
     options.Configure = [](vtkNBufferCuller* culler) { culler->SetMinimumNumberOfCandidates(1); };
-    Comparison comparison(
-      [](Stage& stage)
-      {
-        Scenes::BuildWall(stage);
-        stage.Window->SetNumberOfLayers(2);
-        vtkRenderer* layer = stage.AddRenderer(0.0, 0.0, 1.0, 1.0, 1);
-        layer->SetErase(false);
-        layer->SetActiveCamera(stage.GetRenderer()->GetActiveCamera());
-        vtkNew<vtkSphereSource> sphere;
-        sphere->SetCenter(0.0, 0.0, 1e4);
-        sphere->Update();
-        const double color[3] = { 1.0, 0.0, 0.0 };
-        stage.AddActor(sphere->GetOutput(), color, layer);
-      },
-      options);
+    Comparison comparison([](Stage& stage) { BuildLayerOverWall(stage); }, options);
     // VTK's own culler removes the prop before ours sees it.
     const int outside = stock ? 0 : 1;
     comparison.Frame("plain");
@@ -71,23 +77,13 @@ TEST(CullerLayers, LayerWhoseRestTheDefaultCullerRemovesProcessesWhatLiesBelow)
   Comparison comparison(
     [](Stage& stage)
     {
-      Scenes::BuildWall(stage);
-      stage.Window->SetNumberOfLayers(2);
-      vtkRenderer* layer = stage.AddRenderer(0.0, 0.0, 1.0, 1.0, 1);
-      layer->SetErase(false);
-      layer->SetActiveCamera(stage.GetRenderer()->GetActiveCamera());
-      layer->SetUseFXAA(true);
-      const double color[3] = { 1.0, 0.0, 0.0 };
+      BuildLayerOverWall(stage)->GetProperty()->SetRepresentationToWireframe();
+      stage.Renderers[1]->SetUseFXAA(true);
       vtkNew<vtkCubeSource> flat;
       flat->SetBounds(-50.0, 50.0, 50.0, 50.1, -0.1, 0.1);
       flat->Update();
-      stage.AddActor(flat->GetOutput(), color, layer);
-      vtkNew<vtkSphereSource> sphere;
-      sphere->SetCenter(0.0, 0.0, 1e4);
-      sphere->Update();
-      stage.AddActor(sphere->GetOutput(), color, layer)
-        ->GetProperty()
-        ->SetRepresentationToWireframe();
+      const double color[3] = { 1.0, 0.0, 0.0 };
+      stage.AddActor(flat->GetOutput(), color, stage.Renderers[1]);
     },
     options);
   for (int frame = 0; frame < 3; ++frame)

@@ -177,15 +177,23 @@ TEST_F(DrawnPolygonTest, Slivers)
   EXPECT_GT(errors.Ratio, 1.0 / 128.0) << errors;
 }
 
+namespace
+{
+/// From the origin along -z with 90 degrees, near 1, far 100.
+ThinSides::View LookAlongZ(int size)
+{
+  return { { 0.0, 0.0, 0.0 },
+    { { 1.0, 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0, 0.0 }, { 0.0, 0.0, -101.0 / 99.0, -200.0 / 99.0 },
+      { 0.0, 0.0, -1.0, 0.0 } },
+    size, size };
+}
+}
+
 // A triangle 1/20 pixel wide and one of pixels throw shadows to the right and away from the eye.
 TEST(ThinSidesTest, ThinSidesAloneAreFound)
 {
   constexpr int size = 200;
-  // Looking along -z with 90 degrees, near 1, far 100.
-  const ThinSides::View view = { { 0.0, 0.0, 0.0 },
-    { { 1.0, 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0, 0.0 }, { 0.0, 0.0, -101.0 / 99.0, -200.0 / 99.0 },
-      { 0.0, 0.0, -1.0, 0.0 } },
-    size, size };
+  const ThinSides::View view = LookAlongZ(size);
   vtkNew<vtkLight> light;
   light->SetPosition(0.0, 0.0, 0.0);
   light->SetFocalPoint(1.0, 0.0, -1.0);
@@ -222,10 +230,7 @@ TEST(ThinSidesTest, ThinSidesAloneAreFound)
 TEST(ThinSidesTest, SidesSeenEdgeOnHaveAnyDepth)
 {
   constexpr int size = 201;
-  const ThinSides::View view = { { 0.0, 0.0, 0.0 },
-    { { 1.0, 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0, 0.0 }, { 0.0, 0.0, -101.0 / 99.0, -200.0 / 99.0 },
-      { 0.0, 0.0, -1.0, 0.0 } },
-    size, size };
+  const ThinSides::View view = LookAlongZ(size);
   vtkNew<vtkLight> light;
   light->PositionalOn();
   light->SetConeAngle(180.0);

@@ -165,10 +165,14 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
   EXPECT_TRUE(
     IsSameImage(expected, expect(vtkShadowVolumeClampPass::Automatic, 0, lights), stage.Window));
 
-  // Six of them, of a point light, cost more than they save longer than one does.
+  // Six of them, of a point light, cost more than they save longer than one does; triangles are
+  // taken to cost a fifth where the renderer is not software (vtkShadowFill.h).
+  const std::string name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const bool software =
+    name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos;
   vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(90);
-  sphere->SetPhiResolution(60);
+  sphere->SetThetaResolution(software ? 90 : 260);
+  sphere->SetPhiResolution(software ? 60 : 180);
   sphere->SetRadius(0.2);
   sphere->SetCenter(0.0, 0.0, 2.0);
   vtkNew<vtkPolyDataMapper> mapper;
@@ -177,12 +181,6 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
   actor->SetMapper(mapper);
   stage.Renderer->AddActor(actor);
   expected = expect(vtkShadowVolumeClampPass::Exact, lights + 5 * points, 0);
-  const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  if (renderer.find("llvmpipe") == std::string::npos)
-  {
-    GTEST_SKIP() << "how many casters are worth a litmap is known for llvmpipe, and this is "
-                 << renderer;
-  }
   EXPECT_TRUE(IsSameImage(
     expected, expect(vtkShadowVolumeClampPass::Automatic, lights - points, points), stage.Window));
 }

@@ -2,52 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file StudyImage.h
- * @brief Depth images and rectangles by chance, and the double loop over them.
+ * @brief Depth images and rectangles in them by chance.
  */
 #ifndef StudyImage_h
 #define StudyImage_h
 
+#include "../Support/DepthImage.h"
+
 #include "vtkNBufferMath.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <random>
-#include <vector>
 
 namespace StudyTest
 {
 
-struct Image
+struct Image : DepthImage
 {
-  int Width;
-  int Height;
-  std::vector<float> Depth;
-
-  /// Every pixel another depth, so that a texel too few or too many shows.
   Image(int width, int height, unsigned int seed)
-    : Width(width)
-    , Height(height)
-    , Depth(static_cast<std::size_t>(width) * height)
+    : DepthImage(width, height, seed, Fill::Uniform)
   {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
-    for (float& depth : this->Depth)
-    {
-      depth = uniform(random);
-    }
   }
 
+  using DepthImage::Scan;
   float Scan(const vtkNBufferRectangle& r) const
   {
-    float result = -1.0f;
-    for (int y = r.Y0; y < r.Y1; ++y)
-    {
-      for (int x = r.X0; x < r.X1; ++x)
-      {
-        result = std::max(result, this->Depth[static_cast<std::size_t>(y) * this->Width + x]);
-      }
-    }
-    return result;
+    return this->Scan(r.X0, r.Y0, r.X1, r.Y1, vtkNBufferExtremum::Maximum);
   }
 };
 

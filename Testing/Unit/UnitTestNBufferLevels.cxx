@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Every texel and many rectangles of vtkNBufferLevels against a double loop over the image.
+#include "../Support/DepthImage.h"
 #include "vtkNBufferLevels.h"
 
 #include <gtest/gtest.h>
@@ -18,41 +19,11 @@ namespace
 {
 using Extremum = vtkNBufferExtremum;
 
-struct Image
+struct Image : DepthImage
 {
-  int Width;
-  int Height;
-  std::vector<float> Depth;
-
   Image(int width, int height, unsigned int seed)
-    : Width(width)
-    , Height(height)
-    , Depth(static_cast<std::size_t>(width) * height)
+    : DepthImage(width, height, seed, Fill::Outliers)
   {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
-    // Mostly near 1 with single outliers both ways: one texel missed changes an extremum.
-    for (float& depth : this->Depth)
-    {
-      const float value = uniform(random);
-      depth = random() % 16 ? 0.9f + 0.1f * value : value;
-    }
-  }
-
-  /// The oracle: a loop over the pixels of a rectangle, cut to the image.
-  float Scan(int x0, int y0, int x1, int y1, Extremum extremum) const
-  {
-    float result = extremum == Extremum::Maximum ? -std::numeric_limits<float>::infinity()
-                                                 : std::numeric_limits<float>::infinity();
-    for (int y = std::max(y0, 0); y < std::min(y1, this->Height); ++y)
-    {
-      for (int x = std::max(x0, 0); x < std::min(x1, this->Width); ++x)
-      {
-        const float value = this->Depth[static_cast<std::size_t>(y) * this->Width + x];
-        result = extremum == Extremum::Maximum ? std::max(result, value) : std::min(result, value);
-      }
-    }
-    return result;
   }
 };
 
