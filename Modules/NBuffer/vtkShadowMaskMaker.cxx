@@ -3,15 +3,13 @@
 #include "vtkShadowMaskMaker.h"
 
 #include "vtkNBufferClock.h"
-#include "vtkNBufferDepthSource.h"
+#include "vtkNBufferGL.h"
+#include "vtkShadowCamera.h"
 #include "vtkShadowFill.h"
 
-#include "vtkCamera.h"
-#include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <functional>
@@ -20,10 +18,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// What a colour of NBufferShadowReceiver (vtkShadowLightDec.glsl) has room for.
-constexpr std::size_t FilteredLights = 24;
-constexpr std::size_t BytesPerSample = 4;
-
 /// The faces of a cube around a point light.
 std::vector<vtkShadowFrame> MakeFaces(const vtkShadowLight& light)
 {
@@ -38,68 +32,6 @@ std::vector<vtkShadowFrame> MakeFaces(const vtkShadowLight& light)
 }
 }
 
-/// The view of a frame, in world coordinates relative to the eye.
-struct vtkShadowMaskMaker::Camera
-{
-  explicit Camera(vtkRenderer* renderer)
-  {
-    vtkCamera* camera = renderer->GetActiveCamera();
-    camera->GetPosition(this->Eye);
-    camera->GetDirectionOfProjection(this->Plan.Direction);
-    this->Plan.Parallel = camera->GetParallelProjection() != 0;
-    // vtkCamera's composite matrix leaves the eyes' shear out.
-    double worldToClip[16];
-    vtkMatrix4x4::Multiply4x4(
-      camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)->GetData(),
-      camera->GetModelViewTransformMatrix()->GetData(), worldToClip);
-    for (int row = 0; row < 4; ++row)
-    {
-      const double* m = worldToClip + 4 * row;
-      std::copy_n(m, 3, this->EyeToClip + 4 * row);
-      this->EyeToClip[4 * row + 3] =
-        m[0] * this->Eye[0] + m[1] * this->Eye[1] + m[2] * this->Eye[2] + m[3];
-    }
-    for (int i = 0; i < 4; ++i)
-    {
-      this->Plan.NearPlane[i] = this->EyeToClip[8 + i] + this->EyeToClip[12 + i];
-    }
-    this->SetNearBounds();
-  }
-
-  void SetNearBounds()
-  {
-    double clipToEye[16];
-    vtkMatrix4x4::Invert(this->EyeToClip, clipToEye);
-    for (int corner = 0; corner < 4; ++corner)
-    {
-      double x[4] = { corner % 2 ? 1.0 : -1.0, corner / 2 ? 1.0 : -1.0, -1.0, 1.0 };
-      vtkMatrix4x4::MultiplyPoint(clipToEye, x, x);
-      for (int i = 0; i < 3; ++i)
-      {
-        const double place = this->Eye[i] + x[i] / x[3];
-        double* bounds = this->NearBounds + 2 * i;
-        bounds[0] = corner == 0 ? place : std::min(bounds[0], place);
-        bounds[1] = corner == 0 ? place : std::max(bounds[1], place);
-      }
-    }
-  }
-
-  vtkShadowView GetView() const
-  {
-    vtkShadowView view;
-    vtkMatrix4x4::Invert(this->EyeToClip, view.ClipToWorld);
-    std::copy_n(this->Eye, 3, view.Origin);
-    view.Width = this->Plan.Viewport[2];
-    view.Height = this->Plan.Viewport[3];
-    return view;
-  }
-
-  double Eye[3];
-  double EyeToClip[16];
-  double NearBounds[6]; ///< World, of the near plane's rectangle.
-  vtkShadowPlan::View Plan;
-};
-
 /// One light of a frame.
 struct vtkShadowMaskMaker::Work
 {
@@ -110,7 +42,7 @@ struct vtkShadowMaskMaker::Work
   }
 
   vtkOpenGLRenderWindow* Window;
-  const Camera& View;
+  const vtkShadowCamera& Camera;
   const Settings& How;
   vtkShadowStatistics& Statistics;
   const vtkShadowLightSource& Source;
@@ -159,117 +91,10 @@ void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
   }
 }
 
-bool vtkShadowMaskMaker::ReadDepth(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics)
-{
-  const vtkNBufferClock clock;
-  ++statistics.ReadBacks;
-  if (this->Target.IsMultisampled())
-  {
-    const std::size_t pixels = static_cast<std::size_t>(this->Viewport[2]) * this->Viewport[3];
-    const std::size_t samples = this->Target.GetSamples().size();
-    this->Depth.resize(samples * pixels);
-    bool done = true;
-    for (std::size_t i = 0; i < samples && done; ++i)
-    {
-      done = this->SampleReader.Read(window, this->Target.GetDepth()->GetHandle(),
-        static_cast<int>(i), 0, this->Viewport, this->Depth.data() + i * pixels, this->Error);
-    }
-    statistics.ReadTime += clock.GetMilliseconds();
-    return done;
-  }
-  int bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Target.GetDepthFramebuffer());
-  vtkNBufferDepthSource source;
-  const bool done = source.Inspect(window, this->Error) &&
-    source.Read(window, this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3],
-      this->Depth, this->Error);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
-  statistics.ReadTime += clock.GetMilliseconds();
-  return done;
-}
-
-bool vtkShadowMaskMaker::ReadLights(vtkOpenGLRenderWindow* window)
-{
-  const int* viewport = this->Viewport;
-  const std::size_t pixels = static_cast<std::size_t>(viewport[2]) * viewport[3];
-  const std::size_t samples = this->Target.GetSamples().size();
-  this->LitBits.resize(BytesPerSample * samples * pixels);
-  if (!this->Target.IsMultisampled())
-  {
-    vtkNBufferGL::ClearErrors();
-    const vtkNBufferGL::ScopedReadback readback(this->Target.GetLitFramebuffer());
-    glReadPixels(viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE,
-      this->LitBits.data());
-    return vtkNBufferGL::CheckErrors("Reading which lights receivers have", this->Error);
-  }
-  std::vector<float> values(pixels);
-  for (std::size_t i = 0; i < samples; ++i)
-  {
-    for (int channel = 0; channel < static_cast<int>(FilteredLights) / 8; ++channel)
-    {
-      if (!this->SampleReader.Read(window, this->Target.GetLit()->GetHandle(), static_cast<int>(i),
-            channel, viewport, values.data(), this->Error))
-      {
-        return false;
-      }
-      unsigned char* bits = this->LitBits.data() + BytesPerSample * i * pixels + channel;
-      for (std::size_t k = 0; k < pixels; ++k)
-      {
-        bits[BytesPerSample * k] = static_cast<unsigned char>(255.0f * values[k] + 0.5f);
-      }
-    }
-  }
-  return true;
-}
-
-bool vtkShadowMaskMaker::IsUnlit(std::size_t slot, std::size_t sample) const
-{
-  return this->Filtered[slot] &&
-    (this->LitBits[BytesPerSample * sample + slot / 8] >> slot % 8 & 1) == 0;
-}
-
 bool vtkShadowMaskMaker::ReadMask(
   vtkOpenGLRenderWindow* window, std::size_t slot, int sample, std::vector<unsigned char>& mask)
 {
-  constexpr std::size_t each = vtkShadowTarget::LightsPerMask;
-  const int number = static_cast<int>(slot / each);
-  const std::size_t channel = slot % each;
-  const int* viewport = this->Viewport;
-  mask.resize(static_cast<std::size_t>(viewport[2]) * viewport[3]);
-  if (!this->Target.IsMultisampled())
-  {
-    std::vector<unsigned char> pixels(each * mask.size());
-    vtkNBufferGL::ClearErrors();
-    const vtkNBufferGL::ScopedReadback readback(this->Target.GetMaskFramebuffer(number));
-    glReadPixels(
-      viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-    for (std::size_t i = 0; i < mask.size(); ++i)
-    {
-      mask[i] = this->IsUnlit(slot, i) ? 255 : pixels[each * i + channel];
-    }
-    return vtkNBufferGL::CheckErrors("Reading a shadow mask", this->Error);
-  }
-  const int samples = static_cast<int>(this->Target.GetSamples().size());
-  const int first = std::max(sample, 0);
-  const int last = sample < 0 ? samples : sample + 1;
-  std::vector<float> values(mask.size());
-  std::vector<float> sums(mask.size(), 0.0f);
-  for (int i = first; i < last; ++i)
-  {
-    if (!this->SampleReader.Read(window, this->Target.GetMask(number)->GetHandle(), i,
-          static_cast<int>(channel), viewport, values.data(), this->Error))
-    {
-      return false;
-    }
-    for (std::size_t k = 0; k < mask.size(); ++k)
-    {
-      sums[k] += this->IsUnlit(slot, i * mask.size() + k) ? 1.0f : values[k];
-    }
-  }
-  std::transform(sums.begin(), sums.end(), mask.begin(), [&](float sum)
-    { return static_cast<unsigned char>(255.0f * sum / static_cast<float>(last - first) + 0.5f); });
-  return true;
+  return this->Reader.ReadMask(window, this->Target, slot, sample, mask, this->Error);
 }
 
 bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
@@ -279,9 +104,8 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
   this->Shadows = 0;
   this->Error.clear();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  this->HasReceivers = false;
-  this->Filtered.assign(lights.size(), false);
-  Camera camera(renderer);
+  this->Reader.Begin(this->Viewport, lights.size());
+  vtkShadowCamera camera(renderer);
   std::copy_n(this->Viewport, 4, camera.Plan.Viewport);
   camera.Plan.Boxes = this->Target.GetSamples().size() <= 1 || !vtkNBufferGL::GetSoftwareRenderer();
   camera.Plan.BoxCost = settings.BoxCost;
@@ -309,46 +133,27 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
 
 bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
 {
-  if (this->HasReceivers)
+  if (this->Reader.HasReceivers())
   {
     return true;
   }
-  if (!this->ReadDepth(work.Window, work.Statistics) ||
-    (this->SkipUnlit && !this->ReadLights(work.Window)))
+  const vtkNBufferClock clock;
+  ++work.Statistics.ReadBacks;
+  const bool done =
+    this->Reader.ReadReceivers(work.Window, this->Target, this->SkipUnlit, this->Error);
+  work.Statistics.ReadTime += clock.GetMilliseconds();
+  if (done && work.How.LitmapMethod == vtkShadowLitmapMethod::Rerendered)
   {
-    return false;
-  }
-  if (work.How.LitmapMethod == vtkShadowLitmapMethod::Rerendered)
-  {
-    this->Rerendered.Begin(work.View.Eye);
+    this->Rerendered.Begin(work.Camera.Eye);
     for (const vtkShadowCaster* receiver : this->Receivers.GetCasters())
     {
       this->Rerendered.AddReceiver(
         receiver->GetPoints().data(), receiver->GetNumberOfPoints(), receiver->GetTriangles());
     }
-    if (!this->Rerendered.Upload(work.Window, this->Depth.data(), work.View.GetView(), this->Error))
-    {
-      return false;
-    }
+    return this->Rerendered.Upload(
+      work.Window, this->Reader.GetDepth().data(), work.Camera.GetView(), this->Error);
   }
-  this->HasReceivers = true;
-  return true;
-}
-
-const unsigned char* vtkShadowMaskMaker::FindLit(const Work& work)
-{
-  if (!this->SkipUnlit || work.Slot >= FilteredLights ||
-    work.How.LitmapMethod == vtkShadowLitmapMethod::Rerendered)
-  {
-    return nullptr;
-  }
-  this->Filtered[work.Slot] = true;
-  this->Lit.resize(this->Depth.size());
-  for (std::size_t i = 0; i < this->Lit.size(); ++i)
-  {
-    this->Lit[i] = !this->IsUnlit(work.Slot, i);
-  }
-  return this->Lit.data();
+  return done;
 }
 
 bool vtkShadowMaskMaker::MakeLitmaps(const Work& work, const std::vector<vtkShadowFrame>& frames)
@@ -359,19 +164,20 @@ bool vtkShadowMaskMaker::MakeLitmaps(const Work& work, const std::vector<vtkShad
   }
   const vtkNBufferClock clock;
   const int resolution = work.How.Resolution;
-  const unsigned char* lit = this->FindLit(work);
-  vtkShadowView view = work.View.GetView();
+  const bool rerendered = work.How.LitmapMethod == vtkShadowLitmapMethod::Rerendered;
+  const float* depth = this->Reader.GetDepth().data();
+  const unsigned char* lit = rerendered ? nullptr : this->Reader.FindLit(work.Slot);
+  vtkShadowView view = work.Camera.GetView();
   view.Samples = this->Target.GetSamples();
   this->Litmaps.resize(std::max(this->Litmaps.size(), frames.size()));
   for (std::size_t i = 0; i < frames.size(); ++i)
   {
     vtkShadowLitmap& litmap = this->Litmaps[i];
-    if (work.How.LitmapMethod == vtkShadowLitmapMethod::Rerendered)
+    if (rerendered)
     {
       double range[4];
       double depths[2];
-      vtkShadowReceivers::GetRange(
-        this->Depth.data(), lit, view, work.GetLight(), frames[i], range, depths);
+      vtkShadowReceivers::GetRange(depth, lit, view, work.GetLight(), frames[i], range, depths);
       if (!this->Rerendered.Draw(
             work.Window, frames[i], range, depths, resolution, litmap, this->Error))
       {
@@ -380,8 +186,7 @@ bool vtkShadowMaskMaker::MakeLitmaps(const Work& work, const std::vector<vtkShad
     }
     else
     {
-      vtkShadowReceivers::Scatter(
-        this->Depth.data(), lit, view, work.GetLight(), frames[i], resolution, litmap);
+      vtkShadowReceivers::Scatter(depth, lit, view, work.GetLight(), frames[i], resolution, litmap);
     }
     work.Statistics.Receivers += litmap.GetNumberOfReceivers();
     litmap.Build();
@@ -397,7 +202,7 @@ void vtkShadowMaskMaker::ForEachPart(const Work& work, Functor&& functor)
   for (vtkShadowCaster* caster : this->Casters.GetCasters())
   {
     for (const vtkShadowCaster::Part& part : caster->GetParts(work.Slot, work.GetLight(),
-           work.Frame, work.View.NearBounds, work.Statistics.Silhouettes))
+           work.Frame, work.Camera.NearBounds, work.Statistics.Silhouettes))
     {
       functor(*caster, part);
     }
@@ -407,7 +212,7 @@ void vtkShadowMaskMaker::ForEachPart(const Work& work, Functor&& functor)
 vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vtkShadowPlan& plan)
 {
   Verdicts verdicts = {};
-  this->Volume.Begin(work.View.Eye);
+  this->Volume.Begin(work.Camera.Eye);
   this->ForEachPart(work,
     [&](const vtkShadowCaster& caster, const vtkShadowCaster::Part& part)
     {
@@ -440,7 +245,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
 {
   vtkNBufferClock clock;
   const vtkShadowLight& light = work.GetLight();
-  const vtkShadowPlan::View& view = work.View.Plan;
+  const vtkShadowPlan::View& view = work.Camera.Plan;
   std::vector<vtkShadowFrame> frames; // of litmaps
   std::optional<vtkShadowPlan> plan;
   Verdicts verdicts = {};
@@ -452,7 +257,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
     if (automatic &&
       this->DoLitmapsPay(work,
         vtkShadowFill::EstimateFragments(
-          this->Volume, work.View.EyeToClip, this->Viewport[2], this->Viewport[3]),
+          this->Volume, work.Camera.EyeToClip, this->Viewport[2], this->Viewport[3]),
         static_cast<long long>(this->Volume.GetIndices().size() / 3)))
     {
       plan.reset();
@@ -492,7 +297,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   if (done && (pictured ? pictured == work.Source.Source : work.Slot == 0))
   {
     const vtkShadowDebugView::Subject subject = { this->Litmaps.data(),
-      static_cast<int>(frames.size()), plan->GetDraws(), work.View.EyeToClip, this->Viewport };
+      static_cast<int>(frames.size()), plan->GetDraws(), work.Camera.EyeToClip, this->Viewport };
     return this->DebugView.Make(
       work.Window, work.How.Picture, subject, this->Counter, work.Statistics, this->Error);
   }
@@ -534,7 +339,7 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
       ++last;
     }
     this->Counter.ClearStencil(this->Target, this->Viewport, start);
-    if (!this->Counter.Count(work.Window, this->Target, work.View.EyeToClip, first, last,
+    if (!this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClip, first, last,
           work.How.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||
       !this->Counter.Resolve(work.Window, this->Target, mask, channel, this->Viewport, this->Error))
     {
@@ -552,6 +357,6 @@ void vtkShadowMaskMaker::Release()
   this->Timers.Release();
   this->DebugView.Release();
   this->Target.Release();
-  this->SampleReader.Release();
+  this->Reader.Release();
 }
 VTK_ABI_NAMESPACE_END

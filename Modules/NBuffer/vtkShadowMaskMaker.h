@@ -22,9 +22,9 @@
 #include "vtkShadowLitmap.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowRerenderedLitmap.h"
-#include "vtkShadowSampleReader.h"
 #include "vtkShadowStatistics.h"
 #include "vtkShadowTarget.h"
+#include "vtkShadowTargetReader.h"
 #include "vtkShadowTimers.h"
 #include "vtkShadowVolume.h"
 
@@ -101,15 +101,10 @@ public:
   void Release();
 
 private:
-  struct Camera;
   struct Work;
   using Verdicts = std::array<int, vtkShadowStatistics::NumberOfVerdicts>;
 
-  bool ReadDepth(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics);
-  bool ReadLights(vtkOpenGLRenderWindow* window);
   bool ReadReceivers(const Work& work);
-  const unsigned char* FindLit(const Work& work);
-  bool IsUnlit(std::size_t slot, std::size_t sample) const;
   bool MakeLitmaps(const Work& work, const std::vector<vtkShadowFrame>& frames);
   template <typename Functor>
   void ForEachPart(const Work& work, Functor&& functor); ///< functor(caster, part)
@@ -122,15 +117,10 @@ private:
   vtkShadowTarget Target;
   vtkShadowCounter Counter;
   vtkShadowRerenderedLitmap Rerendered;
-  vtkShadowSampleReader SampleReader;
+  vtkShadowTargetReader Reader;
   std::vector<vtkShadowLitmap> Litmaps; ///< Of the light at work: one, or one for each face.
   vtkShadowVolume Volume;
-  std::vector<float> Depth; ///< Of the receivers, if HasReceivers.
-  bool HasReceivers = false;
   bool SkipUnlit = false;
-  std::vector<unsigned char> LitBits; ///< Four of each sample: bit i for light i, if it is lit.
-  std::vector<unsigned char> Lit;     ///< Samples, by the light at work.
-  std::vector<bool> Filtered;         ///< Lights for which nothing else is a receiver.
   int Viewport[4] = { 0, 0, 0, 0 };
   int Shadows = 0;
   std::string Error;

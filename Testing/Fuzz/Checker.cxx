@@ -280,7 +280,11 @@ std::string Checker::CheckShadows(bool& strays)
     CheckShadowStatistics(this->Tested) + CompareShadowStatistics(this->Reference, this->Tested);
   if (this->HasMasks)
   {
-    const ShadowFrame tested = CaptureShadows(this->Tested);
+    ShadowFrame tested = CaptureShadows(this->Tested);
+    if (this->Tested.GetLights().GetSkipUnlitReceivers())
+    {
+      GrantUnlit(this->Unclamped, tested);
+    }
     const ShadowMode mode = this->Tested.GetLights().GetMode();
     const std::string masks =
       CompareMasks(this->Unclamped, tested, mode, this->Shadows, MakeRayJudge(this->Tested));

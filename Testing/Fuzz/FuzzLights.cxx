@@ -109,6 +109,8 @@ void Lights::AddLights(Place& place) const
 void Lights::SetUp(vtkShadowVolumeClampPass* pass, ShadowMode mode) const
 {
   pass->SetMode(static_cast<int>(mode));
+  pass->SetSkipUnlitReceivers(mode != ShadowMode::Unclamped && this->Settings.SkipUnlitReceivers);
+  pass->SetBoxCost(this->Settings.BoxCost);
   pass->SetLitmapResolution(this->Settings.LitmapResolution);
   pass->SetSlabGap(this->Settings.SlabGap);
   if (this->Settings.CasterKeys != (pass->GetCasterKeys() != nullptr))
@@ -211,13 +213,19 @@ bool Lights::Apply(const Change& change)
   switch (change.Kind)
   {
     case ChangeKind::ShadowMode:
-      this->Settings.Mode = static_cast<ShadowMode>(std::clamp(static_cast<int>(value), 0, 2));
+      this->Settings.Mode = static_cast<ShadowMode>(std::clamp(static_cast<int>(value), 0, 3));
       return true;
     case ChangeKind::LitmapResolution:
       this->Settings.LitmapResolution = static_cast<int>(value);
       return true;
     case ChangeKind::SlabGap:
       this->Settings.SlabGap = static_cast<int>(value);
+      return true;
+    case ChangeKind::BoxCost:
+      this->Settings.BoxCost = static_cast<int>(value);
+      return true;
+    case ChangeKind::SkipUnlitReceivers:
+      this->Settings.SkipUnlitReceivers = value != 0.0;
       return true;
     case ChangeKind::CasterKeys:
       this->Settings.CasterKeys = value != 0.0;

@@ -315,10 +315,14 @@ ShadowFrame MakeFrame(const std::vector<unsigned char>& mask, int width)
 
 TEST_F(FuzzRuns, CompareShadows)
 {
-  for (const ShadowMode mode : { ShadowMode::Unclamped, ShadowMode::Exact, ShadowMode::Clamped })
+  std::vector<Scenario> scenarios = { MakeShadowScene(ShadowMode::Unclamped),
+    MakeShadowScene(ShadowMode::Exact), MakeShadowScene(ShadowMode::Clamped),
+    MakeShadowScene(ShadowMode::Automatic), MakeShadowScene(ShadowMode::Exact) };
+  scenarios.back().Shadows.SkipUnlitReceivers = true;
+  for (const Scenario& scenario : scenarios)
   {
     Tally tally;
-    EXPECT_EQ(Checker().Run(MakeShadowScene(mode), true, &tally).Failure, "");
+    EXPECT_EQ(Checker().Run(scenario, true, &tally).Failure, "");
     EXPECT_EQ(tally.ShadowFrames, 3);
     EXPECT_EQ(tally.ShadowDecisions["Drawn"] + tally.ShadowDecisions["Still"], 3);
     EXPECT_GE(tally.ShadowDecisions["Still"], 1);
@@ -388,6 +392,18 @@ TEST(FuzzShadows, MasksMayDifferAtEdgesOnly)
   tested.Masks[0][middle + 6] = 255;
   ShadowTally tally;
   EXPECT_EQ(CompareMasks(noReceiver, tested, ShadowMode::Exact, tally, {}), "");
+
+  // Skipped samples are in shadow, unless all are.
+  tested = expected;
+  tested.Masks[0][middle + 6] = 255;
+  GrantUnlit(expected, tested);
+  EXPECT_EQ(tested.Masks, expected.Masks);
+  tested.Masks[0][middle + 1] = 0;
+  GrantUnlit(expected, tested);
+  EXPECT_NE(CompareMasks(expected, tested, ShadowMode::Exact, tally, {}), "");
+  tested.Masks[0].assign(mask.size(), 0);
+  GrantUnlit(expected, tested);
+  EXPECT_EQ(tested.Masks, expected.Masks);
 
   ShadowFrame shifted = expected;
   for (std::size_t row = 0; row < width; ++row)

@@ -271,7 +271,9 @@ enum class ChangeKind
   ShadowMode,       ///< A value of the enumeration of that name, as all below of Shadows' members.
   LitmapResolution,
   SlabGap,
-  CasterKeys
+  CasterKeys,
+  BoxCost,
+  SkipUnlitReceivers
 };
 NBUFFER_FUZZ_NAMES(ChangeKind, "Position", "Orientation", "Scale", "UserMatrix", "Color", "Opacity",
   "Visible", "Representation", "LineWidth", "Edges", "MovePoints", "ReplaceData", "ClippingPlane",
@@ -279,7 +281,7 @@ NBUFFER_FUZZ_NAMES(ChangeKind, "Position", "Orientation", "Scale", "UserMatrix",
   "SSAO", "CullerEnabled", "CullerBackend", "CullerBaseFactor", "CullerRoundSize", "CullerPresent",
   "PolygonOffset", "Select", "Casts", "BlockVisible", "LightPosition", "LightFocalPoint",
   "LightCone", "LightOn", "LightCasts", "LightAttenuation", "ShadowMode", "LitmapResolution",
-  "SlabGap", "CasterKeys");
+  "SlabGap", "CasterKeys", "BoxCost", "SkipUnlitReceivers");
 
 /// Done before the frame is drawn, in the order of the list.
 struct Change
@@ -470,9 +472,10 @@ enum class ShadowMode
 {
   Unclamped,
   Exact,
-  Clamped
+  Clamped,
+  Automatic
 };
-NBUFFER_FUZZ_NAMES(ShadowMode, "Unclamped", "Exact", "Clamped");
+NBUFFER_FUZZ_NAMES(ShadowMode, "Unclamped", "Exact", "Clamped", "Automatic");
 
 /// Properties of vtkShadowVolumeClampPass of the same names, and how it is used.
 struct Shadows
@@ -480,6 +483,8 @@ struct Shadows
   ShadowMode Mode = ShadowMode::Exact;
   int LitmapResolution = 256;
   int SlabGap = 4;
+  int BoxCost = 256;
+  bool SkipUnlitReceivers = false;
   bool CasterKeys = false;  ///< Only props with Prop::Casts cast.
   bool OneForAll = false;   ///< Renderers share one pass object.
   bool CompareRays = false; ///< One frame is compared with rays in double precision, too.
@@ -490,6 +495,8 @@ struct Shadows
     visit("mode", self.Mode);
     visit("litmap_resolution", self.LitmapResolution);
     visit("slab_gap", self.SlabGap);
+    visit("box_cost", self.BoxCost);
+    visit("skip_unlit_receivers", self.SkipUnlitReceivers);
     visit("caster_keys", self.CasterKeys);
     visit("one_for_all", self.OneForAll);
     visit("compare_rays", self.CompareRays);

@@ -69,6 +69,13 @@ long long GetClampedFlips(long long receiversAtEdges);
 constexpr long long MaximumFlipsElsewhere = 2;
 
 /**
+ * With SkipUnlitReceivers masks say shadow where the shading says that the light changes nothing,
+ * and are all 0 if it does so everywhere. Give such samples of `tested` the value of `expected`;
+ * that the light changed something there after all is what the comparison of the images finds.
+ */
+void GrantUnlit(const ShadowFrame& expected, ShadowFrame& tested);
+
+/**
  * The number of receivers in which Exact (`tested`) differs from Unclamped (`expected`), if rays
  * say for each that Exact is right and there are at most MaximumFlipsElsewhere of a light; else 0.
  * Rasterisers may draw slivers of whole volumes far off their planes (docs/shadows.md), where Exact

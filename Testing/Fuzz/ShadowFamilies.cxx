@@ -205,7 +205,7 @@ void ChangeShadows(Writer& writer, int frame)
   };
   const Light& light = lights > 0 ? writer.Scene.Lights[target] : Light();
   const auto props = static_cast<int>(writer.Scene.Props.size());
-  switch (writer.Integer(0, 13))
+  switch (writer.Integer(0, 15))
   {
     case 0:
     case 1:
@@ -228,7 +228,7 @@ void ChangeShadows(Writer& writer, int frame)
       add(ChangeKind::LightAttenuation, { writer.Any({ 0.0, 0.5, 1.0 }) });
       break;
     case 8:
-      add(ChangeKind::ShadowMode, { static_cast<double>(writer.Integer(0, 2)) });
+      add(ChangeKind::ShadowMode, { static_cast<double>(writer.Integer(0, 3)) });
       break;
     case 9:
       add(ChangeKind::LitmapResolution, { writer.Any({ 1.0, 16.0, 100.0 }) });
@@ -240,6 +240,12 @@ void ChangeShadows(Writer& writer, int frame)
       add(ChangeKind::CasterKeys, { writer.Any({ 0.0, 1.0 }) });
       break;
     case 12:
+      add(ChangeKind::BoxCost, { writer.Any({ 0.0, 16.0, 1024.0 }) });
+      break;
+    case 13:
+      add(ChangeKind::SkipUnlitReceivers, { writer.Any({ 0.0, 1.0 }) });
+      break;
+    case 14:
       writer.AddChange(
         frame, ChangeKind::Casts, writer.Integer(0, props - 1), { writer.Any({ 0.0, 1.0 }) });
       break;
@@ -329,5 +335,11 @@ void AddShadows(Writer& writer)
     scene.Culler.AddedInFrame = -1; // without the culler
   }
   shadows.CompareRays = writer.Chance(0.7) && IsPlain(scene);
+  if (writer.Chance(0.2))
+  {
+    shadows.Mode = ShadowMode::Automatic;
+  }
+  shadows.BoxCost = writer.Any({ 0, 16, 256, 256, 4096 });
+  shadows.SkipUnlitReceivers = writer.Chance(0.3);
 }
 }

@@ -12,6 +12,7 @@ CANDIDATE = "vtkNBufferCandidate.cxx"
 CASTER = "vtkShadowCaster.cxx"
 FRAME_KEY = "vtkShadowFrameKey.cxx"
 MASK_MAKER = "vtkShadowMaskMaker.cxx"
+TARGET_READER = "vtkShadowTargetReader.cxx"
 PLAN = "vtkShadowPlan.cxx"
 VOLUME = "vtkShadowVolume.cxx"
 
@@ -137,6 +138,12 @@ SHADOW_MUTANTS = {
          "0.5 * vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;")],
     "a face around a point light left out": [
         (MASK_MAKER, "for (int i = 0; i < 6; ++i)", "for (int i = 0; i < 5; ++i)")],
+    "receivers that the next light does not reach skipped": [
+        (TARGET_READER, "slot / 8] >> slot % 8 & 1) == 0;",
+         "slot / 8] >> (slot + 1) % 8 & 1) == 0;")],
+    "steep receivers skipped": [
+        ("Shaders/vtkShadowLightDec.glsl", "factor > 0.0 ? 1 << light : 0;",
+         "factor > 0.2 ? 1 << light : 0;")],
 
     # Volumes and counting.
     "z-pass where the piece crosses the near plane": [

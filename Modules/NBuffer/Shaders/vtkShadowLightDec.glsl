@@ -56,7 +56,7 @@ float NBufferShadowTake(int light, float factor)
   return 1.0;
 }
 
-// Eight lights in each of red, green and blue, as vtkShadowMaskMaker reads them; opaque, in case
+// Eight lights in each of red, green and blue, as vtkShadowTargetReader reads them; opaque, in case
 // that colours are blended.
 vec4 NBufferShadowReceiver(vec4 color)
 {
