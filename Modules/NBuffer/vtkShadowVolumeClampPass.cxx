@@ -9,6 +9,7 @@
 #include "vtkShadowMaskMaker.h"
 #include "vtkShadowShader.h"
 
+#include "vtkCamera.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkLight.h"
@@ -195,8 +196,16 @@ const vtkShadowStatistics& vtkShadowVolumeClampPass::GetStatistics() const
 //------------------------------------------------------------------------------------------------
 void vtkShadowVolumeClampPass::Render(const vtkRenderState* s)
 {
-  if (s->GetRenderer()->GetPass() == this)
+  vtkRenderer* renderer = s->GetRenderer();
+  if (renderer->GetPass() == this)
   {
+    // VTK's camera pass leaves out what vtkCamera::Render() asks the window: whether there are two
+    // eyes.
+    vtkCamera* camera = renderer->GetActiveCamera();
+    if (camera->GetStereo() != renderer->GetRenderWindow()->GetStereoRender())
+    {
+      camera->Render(renderer);
+    }
     this->Implementation->Steps->Render(s);
     this->NumberOfRenderedProps = this->Implementation->Steps->GetNumberOfRenderedProps();
     return;

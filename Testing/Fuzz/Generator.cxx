@@ -3,6 +3,7 @@
 #include "Generator.h"
 
 #include "Families.h"
+#include "FuzzPasses.h"
 #include "ShadowFamilies.h"
 
 #include "vtkNBufferVTKVersion.h"
@@ -502,7 +503,9 @@ bool HasAmbientOcclusion(const Scenario& scene)
 /// What VTK leaves undefined, so that it does not even repeat itself: with a render pass a selector
 /// draws props without having set their number; an overlay inside of an SSAO pass writes to one of
 /// its three attachments only; ambient occlusion does not clear its own framebuffer where the
-/// renderer does not erase, and before 9.7 shows what it has not drawn of it in a part of a window.
+/// renderer does not erase, and before 9.7 shows what it has not drawn of it in a part of a window;
+/// split stereo squeezes the whole window, and the next frame what of that is left beside the
+/// viewports, so that pictures depend on how many frames there were: with shadows not the same.
 void RemoveUndefined(Scenario& scene)
 {
   if (HasAmbientOcclusion(scene))
@@ -525,6 +528,10 @@ void RemoveUndefined(Scenario& scene)
     return std::any_of(scene.Renderers.begin(), scene.Renderers.end(),
       [&predicate](const Renderer& renderer) { return predicate(renderer.Pass); });
   };
+  if (hasPass(HasShadowVolumes) && scene.Window.Stereo == VTK_STEREO_SPLITVIEWPORT_HORIZONTAL)
+  {
+    scene.Window.Stereo = VTK_STEREO_CHECKERBOARD;
+  }
   if (hasPass([](PassKind pass) { return pass != PassKind::None; }))
   {
     scene.Changes.erase(std::remove_if(scene.Changes.begin(), scene.Changes.end(),

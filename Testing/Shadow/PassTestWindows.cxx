@@ -73,6 +73,39 @@ TEST_F(PassWindows, TwoRenderers)
   }
 }
 
+// VTK's own passes take no notice of stereo until a frame was drawn without a pass.
+TEST_F(PassWindows, EyesOfStereo)
+{
+  const auto draw = [](int type, bool plainFrameBefore)
+  {
+    ShadowStage stage = MakeStage();
+    stage.Window->SetSize(301, 211);
+    stage.Renderer->SetViewport(0.1, 0.0, 0.9, 0.8);
+    stage.Window->SetStereoType(type);
+    stage.Window->SetStereoRender(1);
+    if (plainFrameBefore)
+    {
+      stage.Window->Render();
+    }
+    vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+    stage.Window->Render();
+    const ShadowImage image = GetImage(stage.Window);
+    EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
+    for (vtkLight* light : stage.Lights)
+    {
+      const ShadowMask mask = GetMask(pass, light, CountPixels(stage.Renderer));
+      EXPECT_TRUE(MatchesOracle(mask, Oracle(stage.Renderer).Cast(OracleLight(light))));
+    }
+    EXPECT_TRUE(IsSameImage(image, (stage.Window->Render(), GetImage(stage.Window)), stage.Window));
+    return image;
+  };
+  const ShadowImage left = draw(VTK_STEREO_LEFT, false);
+  const ShadowImage right = draw(VTK_STEREO_RIGHT, false);
+  EXPECT_NE(left, right);
+  EXPECT_EQ(left, draw(VTK_STEREO_LEFT, true));
+  EXPECT_EQ(right, draw(VTK_STEREO_RIGHT, true));
+}
+
 // Renderers of one window that share a pass see their own shadows.
 TEST_F(PassWindows, OnePassForTwoRenderers)
 {
