@@ -241,11 +241,11 @@ public:
 
   /**
    * The mask of a light of the last frame: one value for each pixel of the viewport, row by row,
-   * the lowest first; 0 lit, 255 in shadow (also what the light does not reach; with
-   * SkipUnlitReceivers, what faces away from it). With multisampling the mean of the pixel's
-   * samples, or one of them: `sample` from 0 to less than vtkShadowStatistics::Samples. Empty, and
-   * `width` and `height` 0, if the light did not cast or there is no such sample. Reads it back;
-   * the window's context must be current.
+   * the lowest first; 0 lit or nothing opaque seen, 255 in shadow (also what the light does not
+   * reach; with SkipUnlitReceivers, what faces away from it). With multisampling the mean of the
+   * pixel's samples, or one of them: `sample` from 0 to less than vtkShadowStatistics::Samples.
+   * Empty, and `width` and `height` 0, if the light did not cast or there is no such sample. Reads
+   * it back; the window's context must be current.
    */
   std::vector<unsigned char> GetMask(vtkLight* light, int& width, int& height, int sample = -1);
 

@@ -393,6 +393,9 @@ TEST(FuzzShadows, MasksMayDifferAtEdgesOnly)
   ShadowTally tally;
   EXPECT_EQ(CompareMasks(noReceiver, tested, ShadowMode::Exact, tally, {}), "");
 
+  noReceiver.Depth[middle + 6] = 1.0f;
+  EXPECT_NE(CompareMasks(noReceiver, tested, ShadowMode::Exact, tally, {}), "");
+
   // Skipped samples are in shadow, unless all are.
   tested = expected;
   tested.Masks[0][middle + 6] = 255;

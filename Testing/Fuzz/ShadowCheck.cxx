@@ -288,8 +288,10 @@ std::string CompareMasks(const ShadowFrame& expected, const ShadowFrame& tested,
     long long first = -1;
     std::vector<std::size_t> flips;
     long long edges = 0;
+    long long nothing = 0;
     for (std::size_t i = 0; i < mask.size(); ++i)
     {
+      nothing += expected.Depth[i] >= 1.0f && tested.Masks[light][i] != 0;
       if (!expected.Receivers[light][i])
       {
         continue;
@@ -317,6 +319,9 @@ std::string CompareMasks(const ShadowFrame& expected, const ShadowFrame& tested,
       ++wrong;
       first = first < 0 ? static_cast<long long>(i) : first;
     }
+    failure += nothing > 0
+      ? "The mask has shadow where nothing is seen, in " + std::to_string(nothing) + " samples\n"
+      : "";
     tally.ClampedFlipsElsewhere += clamped ? wrong : 0;
     if (wrong > (clamped ? MaximumFlipsElsewhere : 0))
     {

@@ -53,7 +53,8 @@ bool HasReadableReceivers(const Stage& stage);
 ShadowFrame CaptureShadows(const Stage& stage);
 
 /**
- * What is wrong with the masks of `tested`; "" if nothing is. Exact: receivers have the same mask.
+ * What is wrong with the masks of `tested`; "" if nothing is. Where nothing is seen they are 0.
+ * Exact: receivers have the same mask.
  * In what follows surfaces that turn away from the light do not count, which are dark anyway.
  * Clamped: they may differ where the 3 x 3 pixels around a sample do not lie in a plane (the edge
  * of a surface, from behind which an edge of a shadow may come), and where they have both values in

@@ -157,16 +157,10 @@ SHADOW_MUTANTS = {
     "multiplicity of edges left out": [
         ("vtkShadowSilhouette.cxx", "this->Edges.push_back({ edge.A, edge.B, left });",
          "this->Edges.push_back({ edge.A, edge.B, 1 });")],
-    "stencil overflow not parted": [
-        (MASK_MAKER,
-         "const bool allAtOnce = plan.IsCountBelow(vtkShadowCaster::MaximumCount);",
-         "const bool allAtOnce = true;")],
     "the inside of closed casters not seen": [
         (CASTER, "|| this->Meets(nearBounds)", "")],
     "masks of pixels where nothing is seen": [
         ("vtkShadowCounter.cxx", "glDepthFunc(GL_GREATER);", "glDepthFunc(GL_ALWAYS);")],
-    "clipping planes ignored": [
-        (CASTER, "if (!planes.empty())", "if (planes.size() > 9)")],
 
     # From frame to frame.
     "stale silhouettes after a change of matrix or mesh": [
@@ -195,6 +189,15 @@ RARE = {
     "a square's level looked up that was not built (< turned to <=)": [
         ("vtkNBufferPixelTest.cxx", "this->SquareLevel < this->Levels.GetNumberOfLevels()",
          "this->SquareLevel <= this->Levels.GetNumberOfLevels()")],
+}
+
+RARE_SHADOWS = {
+    "stencil overflow not parted": [
+        (MASK_MAKER,
+         "const bool allAtOnce = plan.IsCountBelow(vtkShadowCaster::MaximumCount);",
+         "const bool allAtOnce = true;")],
+    "clipping planes ignored": [
+        (CASTER, "if (!planes.empty())", "if (planes.size() > 9)")],
 }
 
 # These change no image: what they take away is there twice, or is only about speed. They are run

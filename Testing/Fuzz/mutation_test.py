@@ -124,8 +124,10 @@ def main():
                         help="only whether every old text is there once; builds nothing")
     arguments = parser.parse_args()
 
-    everything = {**mutants.MUTANTS, **mutants.SHADOW_MUTANTS, **mutants.RARE,
-                  **mutants.EQUIVALENT}
+    shadow_mutants = {**mutants.SHADOW_MUTANTS, **mutants.RARE_SHADOWS}
+    rare = {**mutants.RARE, **mutants.RARE_SHADOWS}
+    errors = {**mutants.MUTANTS, **mutants.RARE, **shadow_mutants}
+    everything = {**errors, **mutants.EQUIVALENT}
     faults = list(check_texts(everything))
     if faults or arguments.check_texts:
         print("\n".join(faults) or f"{len(everything)} changes fit the sources")
@@ -134,8 +136,7 @@ def main():
         parser.error("--build and --scratch are needed")
 
     chosen = (mutants.EQUIVALENT if arguments.equivalent
-              else mutants.SHADOW_MUTANTS if arguments.shadows
-              else {**mutants.MUTANTS, **mutants.SHADOW_MUTANTS, **mutants.RARE})
+              else shadow_mutants if arguments.shadows else errors)
     chosen = {name: list_ for name, list_ in chosen.items() if arguments.only in name}
     scratch = arguments.scratch.resolve()
     source, build, output = scratch / "source", scratch / "build", scratch / "output"
@@ -143,7 +144,7 @@ def main():
     copy_sources(source)
     configure(source, build, arguments.build.resolve())
     build_fuzzer(build, arguments.jobs)
-    for shadows in {name in mutants.SHADOW_MUTANTS for name in chosen}:
+    for shadows in {name in shadow_mutants for name in chosen}:
         frames, text = run_fuzzer(build, arguments.frames, arguments.seed, output, shadows)
         if frames is not None:
             sys.exit(f"the unchanged module fails after {frames} frames: {text}")
@@ -155,9 +156,9 @@ def main():
         originals = plant(source, replacements)
         try:
             build_fuzzer(build, arguments.jobs)
-            limit = arguments.frames * (10 if name in mutants.RARE else 1)
+            limit = arguments.frames * (10 if name in rare else 1)
             frames, text = run_fuzzer(build, limit, arguments.seed, output,
-                                      name in mutants.SHADOW_MUTANTS)
+                                      name in shadow_mutants)
         finally:
             for path, original in originals.items():
                 path.write_text(original)
