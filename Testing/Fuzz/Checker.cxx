@@ -213,7 +213,7 @@ std::string Checker::CheckFrame(const Scenario& scenario, int frame)
   const ShadowPasses passes = this->IsJudging ? ShadowPasses::Lasting : last;
   if (shadows && stereo)
   {
-    // VTK's first frame in stereo is not the second one, and the reference has had several.
+    // As the reference: see DrawReferenceShadows().
     Draw(this->Tested, passes, false);
   }
   const Drawn tested = Draw(this->Tested, passes, checkState);
@@ -249,6 +249,11 @@ std::string Checker::CheckFrame(const Scenario& scenario, int frame)
 std::string Checker::DrawReferenceShadows(const Scenario& scenario, int frame, const Judge& judge)
 {
   std::string failure;
+  if (this->Reference.GetWindow()->GetStereoRender())
+  {
+    // VTK's first frame in stereo is not the second one.
+    Draw(this->Reference, ShadowPasses::FreshUnclamped, false);
+  }
   Drawn drawn = Draw(this->Reference, ShadowPasses::FreshUnclamped, false);
   this->HasMasks = HasReadableReceivers(this->Reference) && !this->IsUndefined;
   if (this->IsJudging)
