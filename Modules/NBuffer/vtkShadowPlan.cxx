@@ -381,7 +381,7 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
   {
     return vtkShadowVerdict::BeforeCaster;
   }
-  if (home && this->Faces.empty() && this->Mode == vtkShadowMode::Clamped)
+  if (home && this->Mode == vtkShadowMode::Clamped)
   {
     const vtkShadowVerdict verdict =
       this->AddSlabs(silhouette, points, numberOfPoints, atHome, aspects.front(), extent, volume);

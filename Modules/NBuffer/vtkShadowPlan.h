@@ -34,9 +34,9 @@
  * is BehindLight.
  *
  * A point light has six litmaps, one for each face of a cube around it. A caster whose bounding box
- * lies in the pyramid of one face is looked up there alone: no other face has receivers on its
- * rays. The rays of others are looked up in all faces that they meet. Volumes are never clamped:
- * with slabs of one face, four samples away from edges were wrong in a random scene.
+ * lies in the pyramid of one face is as one before a spot: no other face has receivers on its rays,
+ * and its volume can be clamped to slabs. The rays of others are looked up in all faces that they
+ * meet, for the receivers' boxes of pixels alone: their volumes are never clamped.
  *
  * ## The range of the stencil
  *

@@ -48,9 +48,9 @@
  *
  * Casters are opaque surfaces of data sets or composites of polydata; GetStatistics() counts what
  * is not, by reason. Wireframes, points and glyphs cast nothing; textures with alpha and what
- * shaders displace cast as if they did not. Volumes of point lights are never clamped. Needs
- * OpenGL 3.2 with depth and stencil in one texture; where anything is refused the frame is drawn
- * without shadows, with one warning.
+ * shaders displace cast as if they did not. Volumes of a point light are clamped if their caster
+ * lies in one face of the cube around it. Needs OpenGL 3.2 with depth and stencil in one texture;
+ * where anything is refused the frame is drawn without shadows, with one warning.
  *
  * Cost: two draws of the opaque props, a read-back of the depth (where litmaps are made), and the
  * volumes.

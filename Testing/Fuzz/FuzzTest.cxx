@@ -365,8 +365,12 @@ TEST(FuzzShadows, MasksMayDifferAtEdgesOnly)
     mask[i] = i % width < 4 ? 255 : 0;
   }
   const ShadowFrame expected = MakeFrame(mask, width);
+  OracleImage rays;
+  rays.Samples.assign(mask.size(), OracleSample::Unlit);
+  rays.Ambiguous.assign(mask.size(), 0);
+  const auto judge = [&rays](int) { return rays; };
   // Three samples above each other: more than may differ away from edges.
-  const auto compare = [&expected](std::size_t flipped, ShadowMode mode)
+  const auto compare = [&](std::size_t flipped, ShadowMode mode)
   {
     ShadowFrame tested = expected;
     for (std::size_t i : { flipped, flipped + width, flipped + 2 * width })
@@ -374,7 +378,7 @@ TEST(FuzzShadows, MasksMayDifferAtEdgesOnly)
       tested.Masks[0][i] = static_cast<unsigned char>(~tested.Masks[0][i]);
     }
     ShadowTally tally;
-    const std::string failure = CompareMasks(expected, tested, mode, tally, {});
+    const std::string failure = CompareMasks(expected, tested, mode, tally, judge);
     EXPECT_EQ(tally.Samples, width * width);
     return failure;
   };
@@ -383,6 +387,9 @@ TEST(FuzzShadows, MasksMayDifferAtEdgesOnly)
   EXPECT_EQ(compare(middle + 4, ShadowMode::Clamped), "");
   EXPECT_NE(compare(middle + 2, ShadowMode::Clamped), "");
   EXPECT_NE(compare(middle + 5, ShadowMode::Clamped), "");
+  rays.Ambiguous.assign(mask.size(), 1);
+  EXPECT_EQ(compare(middle + 5, ShadowMode::Clamped), "");
+  rays.Ambiguous.assign(mask.size(), 0);
   EXPECT_NE(compare(middle + 3, ShadowMode::Exact), "");
   EXPECT_NE(compare(middle + 4, ShadowMode::Exact), "");
 
@@ -414,10 +421,7 @@ TEST(FuzzShadows, MasksMayDifferAtEdgesOnly)
     shifted.Masks[0][row * width + 4] = 255;
   }
   // More than a few samples at the edge: all of its column. Rays decide.
-  OracleImage rays;
   rays.Samples.assign(mask.size(), OracleSample::Lit);
-  rays.Ambiguous.assign(mask.size(), 0);
-  const auto judge = [&rays](int) { return rays; };
   EXPECT_NE(CompareMasks(expected, shifted, ShadowMode::Clamped, tally, judge), "");
   rays.Ambiguous.assign(mask.size(), 1);
   EXPECT_EQ(CompareMasks(expected, shifted, ShadowMode::Clamped, tally, judge), "");

@@ -284,8 +284,7 @@ std::string CompareMasks(const ShadowFrame& expected, const ShadowFrame& tested,
   {
     const std::vector<unsigned char>& mask = expected.Masks[light];
     const bool clamped = mode == ShadowMode::Clamped;
-    long long wrong = 0;
-    long long first = -1;
+    std::vector<std::size_t> elsewhere;
     std::vector<std::size_t> flips;
     long long edges = 0;
     long long nothing = 0;
@@ -316,24 +315,32 @@ std::string CompareMasks(const ShadowFrame& expected, const ShadowFrame& tested,
         ++tally.ClampedFlips;
         continue;
       }
-      ++wrong;
-      first = first < 0 ? static_cast<long long>(i) : first;
+      elsewhere.push_back(i);
     }
     failure += nothing > 0
       ? "The mask has shadow where nothing is seen, in " + std::to_string(nothing) + " samples\n"
       : "";
-    tally.ClampedFlipsElsewhere += clamped ? wrong : 0;
-    if (wrong > (clamped ? MaximumFlipsElsewhere : 0))
+    // Of more samples than are granted, those that rays do not explain.
+    const auto count = [&](const std::vector<std::size_t>& samples, long long granted)
+    {
+      const auto all = static_cast<long long>(samples.size());
+      return all > granted && clamped
+        ? CountUnexplained(tested, light, samples, judge(static_cast<int>(light)))
+        : all;
+    };
+    tally.ClampedFlipsElsewhere += clamped ? static_cast<long long>(elsewhere.size()) : 0;
+    const long long grantedElsewhere = clamped ? MaximumFlipsElsewhere : 0;
+    const long long wrong = count(elsewhere, grantedElsewhere);
+    if (wrong > grantedElsewhere)
     {
       failure += SayWhere(clamped ? "The clamped mask differs away from edges" : "The mask differs",
-        static_cast<int>(light), wrong, first, expected.Width);
+        static_cast<int>(light), wrong, static_cast<long long>(elsewhere.front()), expected.Width);
     }
-    const long long unexplained = static_cast<long long>(flips.size()) > GetClampedFlips(edges)
-      ? CountUnexplained(tested, light, flips, judge(static_cast<int>(light)))
-      : 0;
-    if (unexplained > GetClampedFlips(edges))
+    const long long grantedAtEdges = GetClampedFlips(edges);
+    const long long wrongAtEdges = count(flips, grantedAtEdges);
+    if (wrongAtEdges > grantedAtEdges)
     {
-      failure += "The clamped mask differs at edges in " + std::to_string(unexplained) + " of " +
+      failure += "The clamped mask differs at edges in " + std::to_string(wrongAtEdges) + " of " +
         std::to_string(edges) + " samples of light " + std::to_string(light) + "\n";
     }
   }

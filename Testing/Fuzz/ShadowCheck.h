@@ -61,8 +61,9 @@ ShadowFrame CaptureShadows(const Stage& stage);
  * `expected` (the edge of a shadow) in GetClampedFlips(receivers at such edges) samples.
  * Elsewhere MaximumFlipsElsewhere samples may differ, where sides of volumes are seen edge-on.
  *
- * A straight edge that runs along a column or row of samples flips all of them at once: where more
- * differ at edges, those are left out that `judge` says are ambiguous, or right in `tested`.
+ * A straight edge that runs along a column or row of samples flips all of them at once, and so does
+ * a surface seen edge-on in a depth buffer of coarse steps: where more differ, those are left out
+ * that `judge` says are ambiguous, or right in `tested`.
  */
 std::string CompareMasks(const ShadowFrame& expected, const ShadowFrame& tested, ShadowMode mode,
   ShadowTally& tally, const RayJudge& judge);
