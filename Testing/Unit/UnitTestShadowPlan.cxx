@@ -60,6 +60,34 @@ struct Situation
     this->Litmap.Begin(64, range, depths);
   }
 
+  /// Six faces around a point light take the place of the litmap.
+  void UseFaces()
+  {
+    const double range[4] = { -1.0, 1.0, -1.0, 1.0 };
+    const double depths[2] = { 0.0, 64.0 };
+    for (int i = 0; i < 6; ++i)
+    {
+      double axis[3] = { 0.0, 0.0, 0.0 };
+      axis[i / 2] = i % 2 ? -1.0 : 1.0;
+      this->Faces.push_back({ vtkShadowFrame(this->Light, axis), {} });
+      this->Faces.back().second.Begin(64, range, depths);
+    }
+  }
+
+  /// A receiver of the face that it lies in.
+  void AddFaceReceiver(const Point& x)
+  {
+    for (auto& [frame, litmap] : this->Faces)
+    {
+      double pqs[3];
+      frame.ToLight(x.data(), pqs);
+      if (pqs[2] > 0.0 && std::abs(pqs[0]) < 1.0 && std::abs(pqs[1]) < 1.0)
+      {
+        EXPECT_TRUE(litmap.Add(pqs, pqs, 0.0, 5, 6));
+      }
+    }
+  }
+
   /// A receiver at a place in the world, seen at a pixel of the viewport.
   void AddReceiver(const Point& x, int pixelX, int pixelY)
   {
@@ -79,8 +107,13 @@ struct Situation
     const double* points = this->Topology.GetPoints().data();
     this->Silhouette.Compute(this->Topology, points, this->Light, this->Counting);
     this->Footprint = vtkShadowFootprint::Make(this->Silhouette, points, this->Frame);
-    vtkShadowPlan plan(
-      this->Light, this->Frame, this->View, mode, useLitmap ? &this->Litmap : nullptr, gap);
+    vtkShadowPlan plan(this->Light, this->Frame, this->View, mode,
+      useLitmap && this->Faces.empty() ? &this->Litmap : nullptr, gap);
+    for (auto& [frame, litmap] : this->Faces)
+    {
+      litmap.Build();
+      plan.AddFace(frame, litmap);
+    }
     const double origin[3] = { 0.0, 0.0, 0.0 };
     this->Volume.Begin(origin);
     const Verdict verdict = plan.Add(
@@ -129,6 +162,7 @@ struct Situation
   vtkShadowCounting Counting = vtkShadowCounting::Away;
   vtkShadowFootprint Footprint;
   vtkShadowLitmap Litmap;
+  std::vector<std::pair<vtkShadowFrame, vtkShadowLitmap>> Faces;
   vtkShadowPlan::View View;
   vtkShadowVolume Volume;
   std::vector<vtkShadowDraw> Draws;
@@ -346,6 +380,37 @@ TEST(ShadowPlan, SlabsHoldTheReceivers)
         1)
         << z;
     }
+  }
+}
+
+// Before a point light what lies in one face of the cube is clamped along that face's axis; what
+// lies in two is drawn whole.
+TEST(ShadowPlan, SlabsOfOneFace)
+{
+  for (const double x : { 0.0, 10.0 })
+  {
+    SCOPED_TRACE("x " + std::to_string(x));
+    Situation situation(MakePositional(vtkShadowLightKind::Point, 10.0),
+      MakeCube().Move([x](const Point& p) { return Point{ p[0] + x, p[1], p[2] }; }));
+    situation.UseFaces();
+    // On rays through the cube, in steps of its distance from the light.
+    for (double t : { 1.5, 1.6, 4.0 })
+    {
+      situation.AddFaceReceiver({ 1.01 * t * x, 0.1, 10.0 - 10.0 * t });
+    }
+    if (x == 0.0)
+    {
+      EXPECT_EQ(situation.Decide(vtkShadowMode::Clamped), Verdict::Clamped);
+      ASSERT_EQ(situation.Slabs, 2);
+      EXPECT_GT(situation.GetHeights(situation.Draws[0]).first, -20.0);
+      EXPECT_LT(situation.GetHeights(situation.Draws[1]).second, -20.0);
+    }
+    else
+    {
+      EXPECT_EQ(situation.Decide(vtkShadowMode::Clamped), Verdict::Boxed);
+      EXPECT_EQ(situation.Slabs, 0);
+    }
+    EXPECT_EQ(situation.Decide(vtkShadowMode::Exact), Verdict::Boxed);
   }
 }
 
