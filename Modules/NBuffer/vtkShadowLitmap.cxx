@@ -38,6 +38,7 @@ void vtkShadowLitmap::Begin(int resolution, const double range[4], const double 
 {
   this->Resolution = std::clamp(resolution, 1, MaximumResolution);
   this->NumberOfLevels = 0;
+  this->NumberOfParts = 1;
   this->NumberOfReceivers = 0;
   this->Reach = 0.0;
   this->Everywhere = vtkShadowExtent();
@@ -140,6 +141,44 @@ bool vtkShadowLitmap::AddLexel(int i, int j, vtkShadowExtent extent)
   ++this->NumberOfReceivers;
   this->AddToLexels(i, i, j, j, extent);
   return true;
+}
+
+void vtkShadowLitmap::Split(int count)
+{
+  this->NumberOfParts = std::max(count, 1);
+  const double range[4] = { this->P.Low, this->P.High, this->Q.Low, this->Q.High };
+  const double depths[2] = { this->Depths.Low, this->Depths.High };
+  this->Parts.resize(
+    std::max(this->Parts.size(), static_cast<std::size_t>(this->NumberOfParts - 1)));
+  for (int i = 1; i < this->NumberOfParts; ++i)
+  {
+    vtkShadowLitmap& part = this->GetPart(i);
+    part.Begin(this->Resolution, range, depths);
+    part.Tiles.BeginAs(this->Tiles);
+  }
+}
+
+void vtkShadowLitmap::Join()
+{
+  const std::size_t size = static_cast<std::size_t>(this->Resolution) * this->Resolution;
+  for (int i = 1; i < this->NumberOfParts; ++i)
+  {
+    const vtkShadowLitmap& part = this->GetPart(i);
+    for (std::size_t k = 0; k < size; ++k)
+    {
+      this->Lexels[k].Merge(part.Lexels[k]);
+    }
+    for (int side = 0; side < 4; side += 2)
+    {
+      this->Bounds[side] = std::min(this->Bounds[side], part.Bounds[side]);
+      this->Bounds[side + 1] = std::max(this->Bounds[side + 1], part.Bounds[side + 1]);
+    }
+    this->NumberOfReceivers += part.NumberOfReceivers;
+    this->Everywhere.Merge(part.Everywhere);
+    this->Tiles.Merge(part.Tiles);
+    this->AddReach(part.Reach);
+  }
+  this->NumberOfParts = 1;
 }
 
 void vtkShadowLitmap::Build()

@@ -108,6 +108,18 @@ public:
   const vtkShadowTiles& GetTiles() const { return this->Tiles; }
   ///@}
 
+  ///@{
+  /**
+   * Add by several threads: after Begin() of litmap and tiles, Split() makes `count` (at least 1)
+   * parts, each of which one thread may add to, and Join() merges them. The order of receivers
+   * does not matter to extents and blocks, so that the litmap is the same to the bit. Part 0 is the
+   * litmap itself; memory of the others is kept.
+   */
+  void Split(int count);
+  vtkShadowLitmap& GetPart(int i) { return i == 0 ? *this : this->Parts[i - 1]; }
+  void Join();
+  ///@}
+
   /// Make all levels that queries need. No Add() until the next Begin().
   void Build();
 
@@ -174,6 +186,8 @@ private:
   vtkShadowExtent Everywhere;          ///< Of receivers on any ray, for all lexels.
   std::vector<vtkShadowExtent> Lexels; ///< Level by level.
   vtkShadowTiles Tiles;
+  std::vector<vtkShadowLitmap> Parts; ///< But for the first.
+  int NumberOfParts = 1;
 };
 
 VTK_ABI_NAMESPACE_END

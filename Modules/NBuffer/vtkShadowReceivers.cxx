@@ -4,6 +4,7 @@
 
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -350,20 +351,28 @@ bool Projector::Project(int x, double depth, Receiver& receiver) const
   return true;
 }
 
-/// functor(receiver, x, y) for each receiver in every `stride`-th row and column.
+/// Rows of pixels from Begin to End - 1, every Stride-th of them and of their columns.
+struct Rows
+{
+  int Begin;
+  int End;
+  int Stride;
+};
+
+/// functor(receiver, x, y) for each receiver in these rows.
 template <typename Functor>
 void ForEachReceiver(const float* depth, const unsigned char* lit, const vtkShadowView& view,
-  Projector& projector, int stride, Functor&& functor)
+  Projector& projector, const Rows& rows, Functor&& functor)
 {
   Receiver receiver;
   std::size_t image = 0;
   for (const std::array<double, 2>& sample : view.Samples)
   {
-    for (int y = 0; y < view.Height; y += stride)
+    for (int y = rows.Begin; y < rows.End; y += rows.Stride)
     {
       projector.SetRow(sample, y);
       const std::size_t row = image + static_cast<std::size_t>(y) * view.Width;
-      for (int x = 0; x < view.Width; x += stride)
+      for (int x = 0; x < view.Width; x += rows.Stride)
       {
         const std::size_t i = row + x;
         if (depth[i] < 1.0f && (!lit || lit[i]) && projector.Project(x, depth[i], receiver))
@@ -374,6 +383,20 @@ void ForEachReceiver(const float* depth, const unsigned char* lit, const vtkShad
     }
     image += static_cast<std::size_t>(view.Width) * view.Height;
   }
+}
+/// How many threads shall scatter. Clearing and merging the lexels of one more costs about as much
+/// as a third as many samples.
+int GetNumberOfBands(const vtkShadowView& view, int resolution)
+{
+  const double samples = static_cast<double>(view.Samples.size()) * view.Width * view.Height;
+  const double lexels = static_cast<double>(resolution) * resolution;
+  const int threads = std::min(vtkSMPTools::GetEstimatedNumberOfThreads(), view.Height);
+  int bands = 1;
+  while (bands < threads && 3.0 * samples > lexels * bands * (bands + 1))
+  {
+    ++bands;
+  }
+  return bands;
 }
 }
 
@@ -388,7 +411,7 @@ void GetRange(const float* depth, const unsigned char* lit, const vtkShadowView&
   double high[3] = { -infinity, -infinity, -infinity };
   for (int stride : { RangeStride, 1 })
   {
-    ForEachReceiver(depth, lit, view, projector, stride,
+    ForEachReceiver(depth, lit, view, projector, { 0, view.Height, stride },
       [&](const Receiver& receiver, int, int)
       {
         const double radius[3] = { receiver.Radius, receiver.Radius, 0.0 };
@@ -420,18 +443,33 @@ vtkIdType Scatter(const float* depth, const unsigned char* lit, const vtkShadowV
   double depths[2];
   GetRange(depth, lit, view, light, frame, range, depths);
   litmap.Begin(resolution, range, depths);
-  Projector projector(view, light, frame);
-  vtkShadowTiles& tiles = litmap.GetTiles();
-  tiles.Begin(view.Width, view.Height);
-  ForEachReceiver(depth, lit, view, projector, 1,
-    [&](const Receiver& receiver, int x, int y)
-    {
-      if (litmap.Add(receiver.A, receiver.B, receiver.Radius, x, y))
+  litmap.GetTiles().Begin(view.Width, view.Height);
+  const int bands = GetNumberOfBands(view, litmap.GetResolution());
+  litmap.Split(bands);
+  const auto addBand = [&](int band)
+  {
+    vtkShadowLitmap& part = litmap.GetPart(band);
+    Projector projector(view, light, frame);
+    ForEachReceiver(depth, lit, view, projector,
+      { view.Height * band / bands, view.Height * (band + 1) / bands, 1 },
+      [&part](const Receiver& receiver, int x, int y)
       {
-        tiles.Add(receiver.A, receiver.B, receiver.TileRadius, x, y);
-        litmap.AddReach(receiver.Angle);
+        if (part.Add(receiver.A, receiver.B, receiver.Radius, x, y))
+        {
+          part.GetTiles().Add(receiver.A, receiver.B, receiver.TileRadius, x, y);
+          part.AddReach(receiver.Angle);
+        }
+      });
+  };
+  vtkSMPTools::For(0, bands, 1,
+    [&addBand](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType band = begin; band < end; ++band)
+      {
+        addBand(static_cast<int>(band));
       }
     });
+  litmap.Join();
   return litmap.GetNumberOfReceivers();
 }
 }

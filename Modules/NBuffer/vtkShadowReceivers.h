@@ -103,7 +103,8 @@ VTKNBUFFER_EXPORT void GetRange(const float* depth, const unsigned char* lit,
  * `depth`: window depths in [0, 1], one image of Width x Height for each sample of a pixel, row 0
  * at the bottom. `lit`: the same number of bytes, 0 for what the light cannot change; or nullptr.
  *
- * About 30 ns for each sample.
+ * About 30 ns for each sample, shared by the threads of vtkSMPTools; the litmap is the same with
+ * any number of them.
  */
 VTKNBUFFER_EXPORT vtkIdType Scatter(const float* depth, const unsigned char* lit,
   const vtkShadowView& view, const vtkShadowLight& light, const vtkShadowFrame& frame,

@@ -47,6 +47,23 @@ void vtkShadowTiles::Begin(int width, int height)
     static_cast<std::size_t>(this->Columns) * ((height + Size - 1) / Size), vtkShadowBlock());
 }
 
+void vtkShadowTiles::BeginAs(const vtkShadowTiles& other)
+{
+  this->Columns = other.Columns;
+  this->Blocks.assign(other.Blocks.size(), vtkShadowBlock());
+}
+
+void vtkShadowTiles::Merge(const vtkShadowTiles& other)
+{
+  for (std::size_t k = 0; k < this->Blocks.size(); ++k)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Blocks[k].Add(i, other.Blocks[k].Low[i], other.Blocks[k].High[i]);
+    }
+  }
+}
+
 vtkShadowTileSet::vtkShadowTileSet(const vtkNBufferRectangle& pixels)
   : Pixels(pixels)
 {

@@ -30,6 +30,13 @@ struct vtkShadowBlock
     -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
 
   bool IsEmpty() const { return !(this->Low[2] <= this->High[2]); }
+
+  /// Widen coordinate i to hold [low, high].
+  void Add(int i, double low, double high)
+  {
+    this->Low[i] = low < this->Low[i] ? low : this->Low[i];
+    this->High[i] = high > this->High[i] ? high : this->High[i];
+  }
 };
 
 class VTKNBUFFER_EXPORT vtkShadowTiles
@@ -50,12 +57,16 @@ public:
       this->Blocks[static_cast<std::size_t>(y / Size) * this->Columns + x / Size];
     for (int i = 0; i < 3; ++i)
     {
-      const double low = (a[i] < b[i] ? a[i] : b[i]) - radius[i];
-      const double high = (a[i] < b[i] ? b[i] : a[i]) + radius[i];
-      block.Low[i] = low < block.Low[i] ? low : block.Low[i];
-      block.High[i] = high > block.High[i] ? high : block.High[i];
+      block.Add(
+        i, (a[i] < b[i] ? a[i] : b[i]) - radius[i], (a[i] < b[i] ? b[i] : a[i]) + radius[i]);
     }
   }
+
+  /// Start anew, for an image of the size of another.
+  void BeginAs(const vtkShadowTiles& other);
+
+  /// Add the receivers of another image of that size.
+  void Merge(const vtkShadowTiles& other);
 
   /// Whether there is an image.
   bool IsKnown() const { return this->Columns > 0; }

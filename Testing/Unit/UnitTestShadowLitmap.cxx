@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Queries of vtkShadowLitmap against a loop over the receivers that were added.
+#include "SameLitmaps.h"
+
 #include "vtkShadowLitmap.h"
 
 #include <gtest/gtest.h>
@@ -75,11 +77,6 @@ bool Contains(const vtkShadowExtent& extent, const vtkShadowExtent& part)
   return extent.Near <= part.Near && extent.Far >= part.Far && extent.X0 <= part.X0 &&
     extent.Y0 <= part.Y0 && extent.X1 >= part.X1 && extent.Y1 >= part.Y1 &&
     (extent.Bins & part.Bins) == part.Bins;
-}
-
-bool Equal(const vtkShadowExtent& a, const vtkShadowExtent& b)
-{
-  return Contains(a, b) && Contains(b, a);
 }
 
 /// All receivers with a place in the rectangle (each segment by many of its points), without bins.
@@ -168,7 +165,8 @@ void CheckQuery(const Map& map, double p0, double q0, double p1, double q1, int 
   const vtkShadowExtent extent = map.Litmap.Query(p0, q0, p1, q1);
   ASSERT_TRUE(Contains(extent, Scan(map, p0, q0, p1, q1))) << "a receiver was missed";
   const vtkNBufferRectangle lexels = map.Litmap.GetLexels(p0, q0, p1, q1);
-  ASSERT_TRUE(Equal(extent, lexels.IsEmpty() ? vtkShadowExtent() : ScanCover(map.Litmap, lexels)));
+  ASSERT_TRUE(
+    IsSameExtent(extent, lexels.IsEmpty() ? vtkShadowExtent() : ScanCover(map.Litmap, lexels)));
   ASSERT_NO_FATAL_FAILURE(CheckSlabs(map, extent, p0, q0, p1, q1, gap));
 }
 
@@ -218,11 +216,11 @@ TEST(ShadowLitmapOnce, NaNAsksForTheWholeMap)
   ASSERT_NO_FATAL_FAILURE(map.Build(16));
   const vtkShadowExtent all = map.Litmap.Query(-Infinity, -Infinity, Infinity, Infinity);
   EXPECT_TRUE(Contains(all, Scan(map, -Infinity, -Infinity, Infinity, Infinity)));
-  EXPECT_TRUE(Equal(map.Litmap.Query(NaN, 10.0, 0.0, 10.1), all));
-  EXPECT_TRUE(Equal(map.Litmap.Query(0.0, NaN, 0.0, 10.1), all));
-  EXPECT_TRUE(Equal(map.Litmap.Query(0.0, 10.0, NaN, 10.1), all));
-  EXPECT_TRUE(Equal(map.Litmap.Query(0.0, 10.0, 0.1, NaN), all));
-  EXPECT_TRUE(Equal(map.Litmap.Query(0.1, 10.0, 0.0, 10.1), all)) << "wrong way round";
+  EXPECT_TRUE(IsSameExtent(map.Litmap.Query(NaN, 10.0, 0.0, 10.1), all));
+  EXPECT_TRUE(IsSameExtent(map.Litmap.Query(0.0, NaN, 0.0, 10.1), all));
+  EXPECT_TRUE(IsSameExtent(map.Litmap.Query(0.0, 10.0, NaN, 10.1), all));
+  EXPECT_TRUE(IsSameExtent(map.Litmap.Query(0.0, 10.0, 0.1, NaN), all));
+  EXPECT_TRUE(IsSameExtent(map.Litmap.Query(0.1, 10.0, 0.0, 10.1), all)) << "wrong way round";
 }
 
 // Rectangles without a receiver near them are empty: casters there are culled.
@@ -392,6 +390,41 @@ TEST(ShadowLitmapOnce, SlabsHoldDepthsOnTheEdgesOfBins)
 }
 
 // A litmap filled lexel by lexel is the one of receivers that lie there.
+// Filled in parts, in any order: the same lexels, tiles and reach, to the bit. Parts that were used
+// before begin anew.
+TEST(ShadowLitmap, PartsJoin)
+{
+  Map whole;
+  whole.Receivers = MakeReceivers(whole, 500, 7);
+  whole.Receivers.push_back({ { 0, 0, 5.0 }, { 0, 0, 6.0 }, Infinity, 3, 4 });
+  constexpr int width = 65535;
+  constexpr int height = 9;
+  const double radius[3] = { 0.1, 0.2, 0.3 };
+  for (const int count : { 1, 3, 2 })
+  {
+    SCOPED_TRACE("parts: " + std::to_string(count));
+    vtkShadowLitmap litmaps[2];
+    for (int filled = 0; filled < 2; ++filled)
+    {
+      vtkShadowLitmap& litmap = litmaps[filled];
+      litmap.Begin(37, whole.Range, whole.Depths);
+      litmap.GetTiles().Begin(width, height);
+      litmap.Split(filled == 0 ? 1 : count);
+      for (std::size_t i = 0; i < whole.Receivers.size(); ++i)
+      {
+        const Receiver& r = whole.Receivers[i];
+        vtkShadowLitmap& part = litmap.GetPart(filled == 0 ? 0 : static_cast<int>(i) % count);
+        ASSERT_TRUE(part.Add(r.A, r.B, r.Radius, r.X, r.Y));
+        part.GetTiles().Add(r.A, r.B, radius, r.X, r.Y % height);
+        part.AddReach(0.001 * static_cast<double>(i));
+      }
+      litmap.Join();
+      litmap.Build();
+    }
+    ExpectSameLitmaps(litmaps[0], litmaps[1], width, height);
+  }
+}
+
 TEST(ShadowLitmap, LexelsAreAddedAsReceivers)
 {
   const double range[4] = { 0.0, 4.0, 0.0, 4.0 };
@@ -430,10 +463,6 @@ TEST(ShadowLitmap, LexelsAreAddedAsReceivers)
   filled.Build();
   for (int i = 0; i < 16; ++i)
   {
-    const vtkShadowExtent& x = added.GetLevelData(0)[i];
-    const vtkShadowExtent& y = filled.GetLevelData(0)[i];
-    EXPECT_TRUE(x.Near == y.Near && x.Far == y.Far && x.X0 == y.X0 && x.X1 == y.X1 &&
-      x.Y0 == y.Y0 && x.Y1 == y.Y1 && x.Bins == y.Bins)
-      << i;
+    EXPECT_TRUE(IsSameExtent(added.GetLevelData(0)[i], filled.GetLevelData(0)[i])) << i;
   }
 }

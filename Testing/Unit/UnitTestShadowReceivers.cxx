@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From depth images to litmaps: points whose places are known are projected, their depths rounded,
 // and every one must be found where it is.
+#include "SameLitmaps.h"
+
 #include "vtkShadowReceivers.h"
 
 #include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkSMPTools.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +19,8 @@
 #include <cmath>
 #include <random>
 #include <sstream>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -340,6 +345,39 @@ TEST(ShadowReceiversOnce, Multisampling)
   vtkShadowLitmap litmap;
   const int found = CheckAll(maker.Made, maker.MakeLight(Kind::Directional), nullptr, 100, litmap);
   EXPECT_EQ(found, litmap.GetNumberOfReceivers());
+}
+
+// As many threads as there may be, more than rows, too: the litmap of one thread, to the bit.
+TEST(ShadowReceiversOnce, ThreadsDoNotMatter)
+{
+  for (const auto& [width, height] : { std::pair(61, 43), std::pair(700, 2) })
+  {
+    Maker maker(Camera(), width, height, 11);
+    maker.Made.View.Samples = { { { 0.25, 0.75 } }, { { 0.75, 0.25 } } };
+    maker.AddAll();
+    const vtkShadowLight light = maker.MakeLight(Kind::Spot);
+    const vtkShadowFrame frame(light);
+    const auto scatter = [&](int threads, vtkShadowLitmap& litmap)
+    {
+      vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false },
+        [&]()
+        {
+          vtkShadowReceivers::Scatter(
+            maker.Made.Depth.data(), nullptr, maker.Made.View, light, frame, 16, litmap);
+        });
+      litmap.Build();
+    };
+    vtkShadowLitmap one;
+    scatter(1, one);
+    EXPECT_GT(one.GetNumberOfReceivers(), 50);
+    for (const int threads : { 2, 3, 5 })
+    {
+      SCOPED_TRACE("threads: " + std::to_string(threads));
+      vtkShadowLitmap litmap;
+      scatter(threads, litmap);
+      ExpectSameLitmaps(one, litmap, width, height);
+    }
+  }
 }
 
 // Only what has depth, can be lit and is reached: counted exactly.
