@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShadowScene.h"
 
+#include "Parts.h"
 #include "Random.h"
 #include "Sun.h"
 
@@ -31,39 +32,25 @@ template <class Source>
 vtkSmartPointer<vtkPolyDataMapper> MakeMapper(Source* source)
 {
   source->Update();
-  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-  mapper->SetInputData(source->GetOutput());
-  return mapper;
+  return NBufferExamples::MakePartMapper(source->GetOutput());
 }
 
-/// A part of unit size, coloured by its number.
-vtkActor* AddPart(Scene& scene, vtkPolyDataMapper* mapper)
+/// A part that is seen in the shadow, too.
+vtkActor* AddLitPart(Scene& scene, vtkPolyDataMapper* mapper, double x, double y, double z,
+  double sizeX, double sizeY, double sizeZ)
 {
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  double color[3];
-  const double hue = 0.08 + 0.61803398875 * static_cast<double>(scene.Actors.size());
-  vtkMath::HSVToRGB(hue - static_cast<int>(hue), 0.35, 0.9, &color[0], &color[1], &color[2]);
-  actor->GetProperty()->SetColor(color);
+  vtkActor* actor = NBufferExamples::AddPart(scene, mapper, x, y, z, sizeX, sizeY, sizeZ);
   actor->GetProperty()->SetAmbient(0.35);
   actor->GetProperty()->SetDiffuse(0.65);
-  scene.Actors.push_back(actor);
-  return actor;
-}
-
-vtkActor* AddBox(Scene& scene, vtkPolyDataMapper* box, double x, double y, double z, double sizeX,
-  double sizeY, double sizeZ)
-{
-  vtkActor* actor = AddPart(scene, box);
-  actor->SetPosition(x, y, z);
-  actor->SetScale(sizeX, sizeY, sizeZ);
   return actor;
 }
 
 /// A square slab, its top at height 0.
 void AddGround(Scene& scene, vtkPolyDataMapper* box, double side)
 {
-  AddBox(scene, box, 0.0, 0.0, -0.5, side, side, 1.0)->GetProperty()->SetColor(0.62, 0.66, 0.58);
+  AddLitPart(scene, box, 0.0, 0.0, -0.5, side, side, 1.0)
+    ->GetProperty()
+    ->SetColor(0.62, 0.66, 0.58);
 }
 
 Scene MakeBirds(std::uint64_t seed)
@@ -84,16 +71,15 @@ Scene MakeBirds(std::uint64_t seed)
     const double x = random.Between(-45.0, 45.0);
     const double y = random.Between(-45.0, 45.0);
     const double width = random.Between(3.0, 6.0);
-    AddBox(scene, box, x, y, 0.5 * height, width, random.Between(3.0, 6.0), height);
+    AddLitPart(scene, box, x, y, 0.5 * height, width, random.Between(3.0, 6.0), height);
   }
   for (int i = 0; i < 400; ++i)
   {
     const double x = random.Between(-50.0, 50.0);
     const double y = random.Between(-50.0, 50.0);
     const double z = random.Between(10.0, 30.0);
-    vtkActor* actor = AddPart(scene, bird);
-    actor->SetPosition(x, y, z);
-    actor->SetScale(random.Between(0.6, 1.8));
+    const double size = random.Between(0.6, 1.8);
+    AddLitPart(scene, bird, x, y, z, size, size, size);
   }
   return scene;
 }
@@ -125,8 +111,8 @@ Scene MakeParts(std::uint64_t seed)
         : j < 6         ? random.Between(1.0, 3.0)
                         : random.Between(-1.0, 1.0);
     }
-    vtkActor* actor = AddBox(scene, parts[i % std::size(parts)], values[0], values[1], values[2],
-      values[3], values[4], values[5]);
+    vtkActor* actor = AddLitPart(scene, parts[i % std::size(parts)], values[0], values[1],
+      values[2], values[3], values[4], values[5]);
     actor->RotateWXYZ(random.Between(0.0, 360.0), values[6], values[7], values[8]);
   }
   return scene;

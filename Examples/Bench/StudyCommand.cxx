@@ -13,12 +13,15 @@
 #include "StudyFormats.h"
 #include "StudyFrames.h"
 #include "StudyHierarchy.h"
+#include "StudyKnown.h"
 #include "StudyPaper.h"
 #include "StudyPeers.h"
 #include "StudyReport.h"
+#include "StudyScenes.h"
 
 #include "Contest.h"
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <iostream>
@@ -53,6 +56,7 @@ struct StudyOptions
   std::string Folder = "out/study";
   std::string Links = ".";
   std::string From;
+  std::string Scenes = "out/scenes";
   bool IsQuick = false;
   bool IsTiny = false;
   int Repetitions = 0;
@@ -168,6 +172,10 @@ public:
       this->RunFormats(scene, session, "drone");
     }
     this->RunPaper(scene, session, paths.front());
+    if (scene.Plan && this->Options.View.Path.empty())
+    {
+      this->RunOtherScenes();
+    }
     ShowProgress("");
     this->Report["seconds"] =
       Round(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
@@ -188,22 +196,26 @@ private:
     const NBufferExamples::Scene& scene, const std::string& name, int frames) const
   {
     // As far as a walk of some minutes goes; once around everything else.
-    const int length = scene.Plan ? 60 * frames : frames;
+    const int length = scene.Plan || scene.Known ? 60 * frames : frames;
     return Spread(NBufferExamples::MakePath(scene, name, length, this->Options.View.Seed), frames);
   }
 
   void RunPath(const NBufferExamples::Scene& scene, Session& session, const std::string& name)
   {
     const int frames = this->Spent.Frames;
-    const std::vector<NBufferStudy::DepthFrame> work =
-      CollectFrames(session, this->MakePath(scene, name, frames),
-        [&](std::size_t frame)
-        {
-          ShowProgress(name + ": which props own a pixel, frame " + std::to_string(frame + 1) +
-            " of " + std::to_string(frames));
-        });
-    const std::vector<NBufferStudy::ContenderPointer> contenders = NBufferStudy::MakeContenders(
+    const NBufferExamples::CameraPath poses = this->MakePath(scene, name, frames);
+    const std::vector<NBufferStudy::DepthFrame> work = CollectFrames(session, poses,
+      [&](std::size_t frame)
+      {
+        ShowProgress(name + ": which props own a pixel, frame " + std::to_string(frame + 1) +
+          " of " + std::to_string(frames));
+      });
+    std::vector<NBufferStudy::ContenderPointer> contenders = NBufferStudy::MakeContenders(
       work.front().Width, work.front().Height, this->Options.Megabytes);
+    if (scene.Known)
+    {
+      contenders.push_back(MakeKnownContender(*scene.Known, work, poses));
+    }
     const int repetitions = this->Spent.Repetitions;
     const std::vector<NBufferStudy::ContestResult> results =
       NBufferStudy::RunContest(work, contenders, repetitions,
@@ -213,6 +225,11 @@ private:
             std::to_string(turn) + " of " + std::to_string(turns));
         });
     Json::Value report = ReportContest(work, results);
+    if (scene.Known)
+    {
+      report["table"] = CheckKnown(session, *scene.Known, work, poses);
+      this->FalseHidden += report["table"]["contradictions"].asInt64();
+    }
     report["scene"] = scene.Name;
     report["path"] = name;
     report["size"] = std::to_string(work.front().Width) + "x" + std::to_string(work.front().Height);
@@ -224,6 +241,10 @@ private:
       this->Options.Folder + "/" + report["chart"].asString());
     for (const NBufferStudy::ContestResult& result : results)
     {
+      if (result.Name == GetKnownName())
+      {
+        continue; // See CheckKnown.
+      }
       this->FalseHidden += result.FalseHidden;
       if (result.FalseHidden > 0)
       {
@@ -232,6 +253,39 @@ private:
       }
     }
     this->Report["scenes"].append(report);
+  }
+
+  void RunOtherScenes()
+  {
+    this->Report["left_out"] = Json::Value(Json::arrayValue);
+    for (const StudyScene& other : GetStudyScenes())
+    {
+      if (this->Options.IsTiny || (this->Options.IsQuick && !other.InQuick))
+      {
+        continue;
+      }
+      if (!other.IsThere(this->Options.Scenes))
+      {
+        this->Report["left_out"].append(other.Name);
+        std::cout << other.Name << " is not in " << this->Options.Scenes << " and left out; "
+                  << GetSceneCommand() << " builds it\n";
+        continue;
+      }
+      ViewOptions view = this->Options.View;
+      view.SceneNames = { other.GetPath(this->Options.Scenes) };
+      const NBufferExamples::Scene scene = view.LoadScene();
+      Session& session = Session::New(scene, view.Window);
+      const Effort city = this->Spent;
+      this->Spent.Frames = std::min(city.Frames, other.Frames);
+      this->Spent.Repetitions = std::min(city.Repetitions, other.Repetitions);
+      this->Spent.WalkFrames = std::min(city.WalkFrames, other.WalkFrames);
+      this->Spent.LatentPairs = std::min(city.LatentPairs, other.LatentPairs);
+      for (const std::string& path : other.Paths)
+      {
+        this->RunPath(scene, session, path);
+      }
+      this->Spent = city;
+    }
   }
 
   /// Whole frames, one pose after the other.
@@ -333,6 +387,10 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
   command->add_option("--out", options->Folder, "Folder for study.json, study.csv and the charts")
     ->capture_default_str();
   command->add_option("--links", options->Links, "Folder of the charts as seen from accuracy.md")
+    ->capture_default_str();
+  command
+    ->add_option("--scenes", options->Scenes,
+      std::string("Folder of the scenes that ") + GetSceneCommand() + " builds")
     ->capture_default_str();
   command->add_option("--from", options->From,
     "A study.json from which accuracy.md is written again; nothing is measured");

@@ -24,6 +24,7 @@ std::string GetGroup(const std::string& name)
   const auto has = [&name](const char* text) { return name.find(text) != std::string::npos; };
   return begins("culler") ? "culler"
     : begins("outline")   ? "outline"
+    : begins("table")     ? "table"
     : has("positions")    ? "positions"
     : begins("one level") ? "one level"
     : has("mips")         ? "mips"
