@@ -25,6 +25,7 @@ namespace NBufferBench
 {
 namespace
 {
+using NBufferExamples::AddPart;
 using NBufferExamples::Random;
 using NBufferExamples::Scene;
 
@@ -35,22 +36,10 @@ vtkSmartPointer<vtkPolyDataMapper> MakeMapper(Source* source)
   return NBufferExamples::MakePartMapper(source->GetOutput());
 }
 
-/// A part that is seen in the shadow, too.
-vtkActor* AddLitPart(Scene& scene, vtkPolyDataMapper* mapper, double x, double y, double z,
-  double sizeX, double sizeY, double sizeZ)
-{
-  vtkActor* actor = NBufferExamples::AddPart(scene, mapper, x, y, z, sizeX, sizeY, sizeZ);
-  actor->GetProperty()->SetAmbient(0.35);
-  actor->GetProperty()->SetDiffuse(0.65);
-  return actor;
-}
-
 /// A square slab, its top at height 0.
 void AddGround(Scene& scene, vtkPolyDataMapper* box, double side)
 {
-  AddLitPart(scene, box, 0.0, 0.0, -0.5, side, side, 1.0)
-    ->GetProperty()
-    ->SetColor(0.62, 0.66, 0.58);
+  AddPart(scene, box, 0.0, 0.0, -0.5, side, side, 1.0)->GetProperty()->SetColor(0.62, 0.66, 0.58);
 }
 
 Scene MakeBirds(std::uint64_t seed)
@@ -71,7 +60,7 @@ Scene MakeBirds(std::uint64_t seed)
     const double x = random.Between(-45.0, 45.0);
     const double y = random.Between(-45.0, 45.0);
     const double width = random.Between(3.0, 6.0);
-    AddLitPart(scene, box, x, y, 0.5 * height, width, random.Between(3.0, 6.0), height);
+    AddPart(scene, box, x, y, 0.5 * height, width, random.Between(3.0, 6.0), height);
   }
   for (int i = 0; i < 400; ++i)
   {
@@ -79,7 +68,7 @@ Scene MakeBirds(std::uint64_t seed)
     const double y = random.Between(-50.0, 50.0);
     const double z = random.Between(10.0, 30.0);
     const double size = random.Between(0.6, 1.8);
-    AddLitPart(scene, bird, x, y, z, size, size, size);
+    AddPart(scene, bird, x, y, z, size, size, size);
   }
   return scene;
 }
@@ -111,8 +100,8 @@ Scene MakeParts(std::uint64_t seed)
         : j < 6         ? random.Between(1.0, 3.0)
                         : random.Between(-1.0, 1.0);
     }
-    vtkActor* actor = AddLitPart(scene, parts[i % std::size(parts)], values[0], values[1],
-      values[2], values[3], values[4], values[5]);
+    vtkActor* actor = AddPart(scene, parts[i % std::size(parts)], values[0], values[1], values[2],
+      values[3], values[4], values[5]);
     actor->RotateWXYZ(random.Between(0.0, 360.0), values[6], values[7], values[8]);
   }
   return scene;
@@ -141,6 +130,9 @@ vtkSmartPointer<vtkLight> MakeSpot(const NBufferExamples::CameraPath& path)
 }
 }
 
+namespace
+{
+/// The name under which LoadScene knows the actors of a scene.
 std::vector<std::string> GetActorNames(std::vector<std::string> names)
 {
   if (names.size() == 1 && (names[0] == "city-sun" || names[0] == "city-spot"))
@@ -150,6 +142,7 @@ std::vector<std::string> GetActorNames(std::vector<std::string> names)
   return names;
 }
 
+/// Whether the scene is made here.
 bool IsMadeScene(const std::string& name)
 {
   return name == "birds" || name == "simple";
@@ -158,6 +151,7 @@ bool IsMadeScene(const std::string& name)
 Scene MakeScene(const std::string& name, std::uint64_t seed)
 {
   return name == "birds" ? MakeBirds(seed) : MakeParts(seed);
+}
 }
 
 vtkLight* LightScene(const std::string& name, const Scene& scene,
@@ -209,6 +203,17 @@ vtkSmartPointer<vtkInformation> MarkCasters(const std::string& name, const Scene
     scene.Actors[i]->SetPropertyKeys(makeKeys());
   }
   return makeKeys();
+}
+
+NBufferExamples::Scene LoadShadowScene(ViewOptions view)
+{
+  if (view.SceneNames.size() == 1 && IsMadeScene(view.SceneNames[0]))
+  {
+    ChooseWindowSystem(view.Window.Window);
+    return MakeScene(view.SceneNames[0], view.Seed);
+  }
+  view.SceneNames = GetActorNames(view.SceneNames);
+  return view.LoadScene();
 }
 
 } // namespace NBufferBench

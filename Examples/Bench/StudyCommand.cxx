@@ -18,6 +18,7 @@
 #include "StudyPeers.h"
 #include "StudyReport.h"
 #include "StudyScenes.h"
+#include "StudyShadows.h"
 
 #include "Contest.h"
 
@@ -83,13 +84,34 @@ NBufferExamples::CameraPath Spread(const NBufferExamples::CameraPath& path, int 
   return spread;
 }
 
+/// As the camera moves on, ten poses in a row, at several places of a path.
+NBufferExamples::CameraPath MakeRuns(const NBufferExamples::CameraPath& path, int frames)
+{
+  constexpr std::size_t row = 10;
+  const std::size_t runs = (static_cast<std::size_t>(frames) + row - 1) / row;
+  NBufferExamples::CameraPath poses;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(frames); ++i)
+  {
+    poses.push_back(path[(i / row * path.size() / runs + i % row) % path.size()]);
+  }
+  return poses;
+}
+
 std::string GetFileName(const std::string& text)
 {
   std::string name;
   for (char c : text)
   {
-    name += std::isalnum(static_cast<unsigned char>(c)) ? c : '-';
+    if (std::isalnum(static_cast<unsigned char>(c)))
+    {
+      name += c;
+    }
+    else if (!name.empty() && name.back() != '-')
+    {
+      name += '-';
+    }
   }
+  name.erase(name.find_last_not_of('-') + 1);
   return name;
 }
 
@@ -175,6 +197,7 @@ public:
     if (scene.Plan && this->Options.View.Path.empty())
     {
       this->RunOtherScenes();
+      this->RunShadows();
     }
     ShowProgress("");
     this->Report["seconds"] =
@@ -196,7 +219,7 @@ private:
     const NBufferExamples::Scene& scene, const std::string& name, int frames) const
   {
     // As far as a walk of some minutes goes; once around everything else.
-    const int length = scene.Plan || scene.Known ? 60 * frames : frames;
+    const int length = scene.Plan || !scene.Paths.empty() ? 60 * frames : frames;
     return Spread(NBufferExamples::MakePath(scene, name, length, this->Options.View.Seed), frames);
   }
 
@@ -288,14 +311,42 @@ private:
     }
   }
 
+  void RunShadows()
+  {
+    const ShadowEffort effort = this->Options.IsTiny ? ShadowEffort{ 1, { 64 } }
+      : this->Options.IsQuick                        ? ShadowEffort{ 2, { 64, 256 } }
+                              : ShadowEffort{ 6, { 32, 64, 128, 256, 512, 1024 } };
+    this->Report["shadows"] = Json::Value(Json::arrayValue);
+    for (const std::string& name : GetShadowSceneNames())
+    {
+      if (effort.Litmaps.size() < 3 && (name == "city-spot" || name == "simple"))
+      {
+        continue; // One of each kind.
+      }
+      const Json::Value scene = MeasureShadows(name, this->Options.View, effort, ShowProgress);
+      WriteShadowCharts(scene, this->Options.Folder);
+      this->Report["shadows"].append(scene);
+      const long long wrong = GetWrongSamples(scene);
+      this->FalseHidden += wrong;
+      if (wrong > 0)
+      {
+        std::cerr << "nbuffer-bench: " << name << ": " << wrong << " samples in wrong light\n";
+      }
+    }
+    WriteShadowCSV(this->Report["shadows"], this->Options.Folder + "/shadows.csv");
+  }
+
   /// Whole frames, one pose after the other.
   Json::Value RunPeers(const NBufferExamples::Scene& scene, Session& session,
     const std::string& name, Json::Value& latent)
   {
     const auto progress = [&name](const std::string& text)
     { ShowProgress(name + ": whole frames, " + text); };
+    const int walkFrames = this->Spent.WalkFrames;
     const Json::Value frames = MeasureFrames(session,
-      NBufferExamples::MakePath(scene, name, this->Spent.WalkFrames, this->Options.View.Seed),
+      scene.Plan ? NBufferExamples::MakePath(scene, name, walkFrames, this->Options.View.Seed)
+                 : MakeRuns(NBufferExamples::MakePath(scene, name, 480, this->Options.View.Seed),
+                     walkFrames),
       progress);
     const NBufferExamples::CameraPath path =
       NBufferExamples::MakePath(scene, name, 480, this->Options.View.Seed);

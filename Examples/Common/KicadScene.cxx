@@ -18,7 +18,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
+#include "vtkTransformFilter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVRMLImporter.h"
 
@@ -84,6 +84,10 @@ public:
       vtkNew<vtkVRMLImporter> importer;
       importer->SetFileName(file.c_str());
       actors = ImportActors(importer);
+      // Some nodes of VRML become actors without anything to draw.
+      actors.erase(std::remove_if(
+                     actors.begin(), actors.end(), [](vtkActor* actor) { return !GetMesh(actor); }),
+        actors.end());
     }
     return actors;
   }
@@ -113,16 +117,26 @@ public:
   }
 
 private:
+  static vtkPolyData* GetMesh(vtkActor* actor)
+  {
+    if (!actor->GetMapper() || actor->GetMapper()->GetNumberOfInputConnections(0) == 0)
+    {
+      return nullptr;
+    }
+    actor->GetMapper()->Update();
+    auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput());
+    return mesh && mesh->GetNumberOfCells() > 0 ? mesh : nullptr;
+  }
+
   static vtkSmartPointer<vtkPolyData> MakeColored(vtkActor* actor)
   {
     vtkNew<vtkTransform> place;
     place->SetMatrix(actor->GetMatrix());
-    vtkNew<vtkTransformPolyDataFilter> moved;
+    vtkNew<vtkTransformFilter> moved;
     moved->SetTransform(place);
-    actor->GetMapper()->Update();
-    moved->SetInputData(vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput()));
+    moved->SetInputData(GetMesh(actor));
     moved->Update();
-    vtkSmartPointer<vtkPolyData> data = moved->GetOutput();
+    vtkSmartPointer<vtkPolyData> data = moved->GetPolyDataOutput();
     vtkNew<vtkUnsignedCharArray> colors;
     colors->SetName("color");
     colors->SetNumberOfComponents(3);
@@ -306,21 +320,22 @@ CameraPath MakeOutside(int frames)
   return path;
 }
 
-/// Between two boards, another two every eighth frame, looking along them.
+/// Between two boards, eight times another two, once around in each gap, looking along the boards.
 CameraPath MakeBetween(int frames)
 {
+  constexpr int gaps = 8;
   CameraPath path;
   for (int i = 0; i < frames; ++i)
   {
-    const int stretch = i / 8;
-    const double share = (i % 8) / 8.0;
-    const int slot = (7 + 11 * stretch) % (Slots - 1);
-    const double z = (slot + 0.5 - 0.5 * (Slots - 1)) * Pitch + 0.25 * Pitch;
+    const int gap = i * gaps / frames;
+    const double share = static_cast<double>(i) * gaps / frames - gap;
+    const int slot = (7 + 11 * gap) % (Slots - 1);
+    // Nearer to the boards that one looks at from behind: their parts are on the other side.
+    const double z = (slot + 0.75 - 0.5 * (Slots - 1)) * Pitch;
     const double yaw = 2.0 * vtkMath::Pi() * share;
     const double eye[3] = { 40.0 * (share - 0.5), 10.0, z };
     const double target[3] = { eye[0] + std::cos(yaw), eye[1] + std::sin(yaw), z - 0.15 };
-    CameraPose pose = Look(eye, target, 2, 60.0, 0.5, 2500.0);
-    path.push_back(pose);
+    path.push_back(Look(eye, target, 2, 60.0, 0.5, 2500.0));
   }
   return path;
 }

@@ -30,6 +30,8 @@ vtkActor* AddPart(Scene& scene, vtkPolyDataMapper* mapper)
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   PaintPart(actor, scene.Actors.size());
+  actor->GetProperty()->SetAmbient(0.35);
+  actor->GetProperty()->SetDiffuse(0.65);
   scene.Actors.push_back(actor);
   return actor;
 }

@@ -25,7 +25,7 @@ vtkSmartPointer<vtkPolyDataMapper> MakePartMapper(vtkPolyData* data);
 /// A colour for the part of a number: hues by the golden ratio, little saturated.
 void PaintPart(vtkActor* actor, std::size_t number, double value = 0.9);
 
-/// A part of unit size at the origin, coloured by its number.
+/// A part of unit size at the origin, coloured by its number, and seen where no light falls, too.
 vtkActor* AddPart(Scene& scene, vtkPolyDataMapper* mapper);
 
 /// The same at a place in a size.
