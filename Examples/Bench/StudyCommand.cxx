@@ -313,13 +313,15 @@ private:
 
   void RunShadows()
   {
-    const ShadowEffort effort = this->Options.IsTiny ? ShadowEffort{ 1, { 64 } }
-      : this->Options.IsQuick                        ? ShadowEffort{ 2, { 64, 256 } }
-                              : ShadowEffort{ 6, { 32, 64, 128, 256, 512, 1024 } };
+    const ShadowEffort full = { 6, 640, 480, { 32, 64, 128, 256, 512, 1024 } };
+    const ShadowEffort quick = { 2, 320, 240, { 64, 256 } };
+    const ShadowEffort tiny = { 1, 320, 240, { 64 } };
+    const ShadowEffort& effort = this->Options.IsTiny ? tiny : this->Options.IsQuick ? quick : full;
+    const bool isFull = !this->Options.IsTiny && !this->Options.IsQuick;
     this->Report["shadows"] = Json::Value(Json::arrayValue);
     for (const std::string& name : GetShadowSceneNames())
     {
-      if (effort.Litmaps.size() < 3 && (name == "city-spot" || name == "simple"))
+      if (!isFull && (name == "city-spot" || name == "simple"))
       {
         continue; // One of each kind.
       }

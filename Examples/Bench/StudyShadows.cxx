@@ -127,9 +127,8 @@ Json::Value MeasureShadows(const std::string& name, const ViewOptions& common,
 {
   ViewOptions view = common;
   view.SceneNames = { name };
-  // Rays are cast for every pixel.
-  view.Window.Width = std::min(view.Window.Width, 640);
-  view.Window.Height = std::min(view.Window.Height, 480);
+  view.Window.Width = std::min(view.Window.Width, effort.Width);
+  view.Window.Height = std::min(view.Window.Height, effort.Height);
   const NBufferExamples::Scene scene = LoadShadowScene(view);
   view.Frames = effort.Frames;
   const NBufferExamples::CameraPath path = view.MakePath(scene, effort.Frames);

@@ -32,6 +32,11 @@ const std::vector<std::string>& GetShadowSceneNames();
 struct ShadowEffort
 {
   int Frames;
+  ///@{
+  /// Of the image at most: a ray is cast for every pixel.
+  int Width;
+  int Height;
+  ///@}
   /// Lexels along a side of the litmaps that are tried.
   std::vector<int> Litmaps;
 };

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BspMap.h"
+#include "TinyMap.h"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,109 +16,9 @@ using NBufferExamples::BspMap;
 using NBufferExamples::BspMesh;
 using NBufferExamples::BspSurface;
 
-/// The numbers of a lump, little-endian.
-class Bytes
-{
-public:
-  Bytes& Int(int value)
-  {
-    for (int i = 0; i < 4; ++i)
-    {
-      this->Text += static_cast<char>(static_cast<std::uint32_t>(value) >> (8 * i) & 255u);
-    }
-    return *this;
-  }
-  Bytes& Float(float value)
-  {
-    int bits = 0;
-    std::memcpy(&bits, &value, sizeof(bits));
-    return this->Int(bits);
-  }
-  Bytes& Skip(std::size_t count)
-  {
-    this->Text.append(count, '\0');
-    return *this;
-  }
-  std::string Text;
-};
-
-constexpr int Lumps = 17;
-
-/**
- * Two rooms left and right of a wall of -1 < x < 1, which do not see each other: a quad at x = 5, a
- * patch of one piece at x = -5 (its middle bulges to -3), a door in no leaf, and a flare.
- */
-std::vector<std::string> MakeLumps()
-{
-  std::vector<std::string> lumps(Lumps);
-  lumps[0] = "{\n\"classname\" \"info_player_start\"\n\"origin\" \"7 8 9\"\n}\n"
-             "{\n\"origin\" \"1 2 3\"\n\"classname\" \"light\"\n}\n";
-  Bytes planes;
-  for (float distance : { 1.0f, -1.0f })
-  {
-    planes.Float(1.0f).Float(0.0f).Float(0.0f).Float(distance);
-  }
-  lumps[2] = planes.Text;
-  // Right of 1: leaf 0; left of -1: leaf 2; between them leaf 1.
-  lumps[3] = Bytes().Int(0).Int(-1).Int(1).Skip(24).Int(1).Int(-2).Int(-3).Skip(24).Text;
-  Bytes leaves;
-  const int clusters[] = { 0, -1, 1 };
-  const int faces[][2] = { { 0, 1 }, { 1, 0 }, { 1, 2 } };
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    leaves.Int(clusters[i]).Skip(28).Int(faces[i][0]).Int(faces[i][1]).Skip(8);
-  }
-  lumps[4] = leaves.Text;
-  lumps[5] = Bytes().Int(0).Int(1).Int(1).Text;
-  lumps[7] = Bytes().Skip(24).Int(0).Int(2).Skip(8).Text;
-  Bytes vertices;
-  const auto add = [&vertices](float x, float y, float z)
-  { vertices.Float(x).Float(y).Float(z).Skip(32); };
-  for (const auto& corner : { std::pair<float, float>{ 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } })
-  {
-    add(5.0f, corner.first, corner.second);
-  }
-  for (int i = 0; i < 9; ++i)
-  {
-    add(i == 4 ? 3.0f : -5.0f, static_cast<float>(i % 3), static_cast<float>(i / 3));
-  }
-  lumps[10] = vertices.Text;
-  Bytes indices;
-  for (int index : { 0, 1, 2, 0, 2, 3 })
-  {
-    indices.Int(index);
-  }
-  lumps[11] = indices.Text;
-  Bytes surfaces;
-  const int kinds[][7] = { { 1, 0, 4, 0, 6, 0, 0 }, { 2, 4, 9, 0, 0, 3, 3 },
-    { 3, 0, 4, 0, 3, 0, 0 }, { 4, 0, 0, 0, 0, 0, 0 } };
-  for (const int* kind : kinds)
-  {
-    surfaces.Skip(8).Int(kind[0]).Int(kind[1]).Int(kind[2]).Int(kind[3]).Int(kind[4]).Skip(68);
-    surfaces.Int(kind[5]).Int(kind[6]);
-  }
-  lumps[13] = surfaces.Text;
-  lumps[16] = Bytes().Int(2).Int(1).Text + "\x01\x02";
-  return lumps;
-}
-
-std::string Join(const std::vector<std::string>& lumps, int version = 46)
-{
-  Bytes file;
-  file.Text = "IBSP";
-  file.Int(version);
-  std::size_t offset = 8 + 8 * lumps.size();
-  for (const std::string& lump : lumps)
-  {
-    file.Int(static_cast<int>(offset)).Int(static_cast<int>(lump.size()));
-    offset += lump.size();
-  }
-  for (const std::string& lump : lumps)
-  {
-    file.Text += lump;
-  }
-  return file.Text;
-}
+using StudyTest::Bytes;
+using StudyTest::Join;
+using StudyTest::MakeLumps;
 
 std::string GetError(const std::string& bytes)
 {
@@ -200,18 +100,18 @@ TEST(StudyMap, TessellatesPatches)
   ASSERT_EQ(patch.Points.size(), 25u);
   EXPECT_EQ(patch.Triangles.size(), 32u);
   // A quarter of the middle point's weight, the corners as they are.
-  EXPECT_DOUBLE_EQ(patch.Points[12][0], -5.0 + 0.25 * 8.0);
-  EXPECT_DOUBLE_EQ(patch.Points[12][1], 1.0);
-  EXPECT_DOUBLE_EQ(patch.Points[24][1], 2.0);
-  EXPECT_DOUBLE_EQ(patch.Points[24][2], 2.0);
-  EXPECT_DOUBLE_EQ(patch.Points[24][0], -5.0);
+  EXPECT_DOUBLE_EQ(patch.Points[12][0], -500.0 + 0.25 * 800.0);
+  EXPECT_DOUBLE_EQ(patch.Points[12][1], 0.0);
+  EXPECT_DOUBLE_EQ(patch.Points[24][0], -500.0);
+  EXPECT_DOUBLE_EQ(patch.Points[24][1], 1000.0);
+  EXPECT_DOUBLE_EQ(patch.Points[24][2], 1000.0);
 }
 
 TEST(StudyMap, FindsOriginsOfEntities)
 {
   const BspMap map(Join(MakeLumps()));
   ASSERT_EQ(map.FindOrigins("info_player").size(), 1u);
-  EXPECT_EQ(map.FindOrigins("info_player")[0], (NBufferExamples::BspPoint{ 7.0, 8.0, 9.0 }));
+  EXPECT_EQ(map.FindOrigins("info_player")[0], (NBufferExamples::BspPoint{ 100.0, 8.0, 9.0 }));
   EXPECT_EQ(map.FindOrigins("light")[0][2], 3.0);
   EXPECT_TRUE(map.FindOrigins("team").empty());
 }
