@@ -42,7 +42,7 @@ constexpr Look Looks[] = {
   { "rectangles", "rectangles", { 204, 121, 167 }, vtkPlotPoints::CIRCLE },
   { "mips", "mip chain", { 213, 94, 0 }, vtkPlotPoints::CROSS },
   { "one level", "one level", { 120, 120, 120 }, vtkPlotPoints::PLUS },
-  { "table", "table of the map", { 160, 100, 0 }, vtkPlotPoints::CROSS },
+  { "table", "table of the map", { 170, 0, 0 }, vtkPlotPoints::CIRCLE },
   { "positions", "squares with positions", { 0, 114, 178 }, vtkPlotPoints::PLUS },
   { "culler", "vtkNBufferCuller", { 0, 158, 115 }, vtkPlotPoints::DIAMOND },
   { "outline", "outline per pixel", { 0, 0, 0 }, vtkPlotPoints::DIAMOND },

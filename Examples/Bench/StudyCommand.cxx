@@ -144,10 +144,27 @@ void WriteDocument(const StudyOptions& options, const Json::Value& report)
   }
 }
 
+void WriteSceneChart(const Json::Value& scene, const std::string& folder)
+{
+  WriteParetoChart(scene,
+    scene["scene"].asString() + ", " + scene["path"].asString() + ", " + scene["size"].asString(),
+    folder + "/" + scene["chart"].asString());
+}
+
 int Rewrite(const StudyOptions& options)
 {
   MakeFolder(options.Folder);
-  WriteDocument(options, Parse(ReadFile(options.From)));
+  const Json::Value report = Parse(ReadFile(options.From));
+  ChooseWindowSystem(options.View.Window.Window);
+  for (const Json::Value& scene : report["scenes"])
+  {
+    WriteSceneChart(scene, options.Folder);
+  }
+  for (const Json::Value& scene : report["shadows"])
+  {
+    WriteShadowCharts(scene, options.Folder);
+  }
+  WriteDocument(options, report);
   return Success;
 }
 
@@ -251,7 +268,13 @@ private:
     if (scene.Known)
     {
       report["table"] = CheckKnown(session, *scene.Known, work, poses);
-      this->FalseHidden += report["table"]["contradictions"].asInt64();
+      const long long contradictions = report["table"]["contradictions"].asInt64();
+      this->FalseHidden += contradictions;
+      if (contradictions > 0)
+      {
+        std::cerr << "nbuffer-bench: " << contradictions
+                  << " pixels belong to props that the map's table says cannot be seen\n";
+      }
     }
     report["scene"] = scene.Name;
     report["path"] = name;
@@ -260,8 +283,7 @@ private:
     report["frames_by_mode"] = this->RunPeers(scene, session, name, report["latent"]);
     AddLosses(report, report["frames_by_mode"]["draw_us"].asDouble());
     report["chart"] = "pareto-" + GetFileName(scene.Name) + "-" + GetFileName(name);
-    WriteParetoChart(report, scene.Name + ", " + name + ", " + report["size"].asString(),
-      this->Options.Folder + "/" + report["chart"].asString());
+    WriteSceneChart(report, this->Options.Folder);
     for (const NBufferStudy::ContestResult& result : results)
     {
       if (result.Name == GetKnownName())
@@ -446,7 +468,7 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
       std::string("Folder of the scenes that ") + GetSceneCommand() + " builds")
     ->capture_default_str();
   command->add_option("--from", options->From,
-    "A study.json from which accuracy.md is written again; nothing is measured");
+    "A study.json from which accuracy.md and charts of error are made again; nothing is measured");
   command->add_flag("--quick", options->IsQuick, "Fewer frames and repetitions: under 3 minutes");
   command->add_flag("--tiny", options->IsTiny, "One frame of each: only whether everything runs");
   command
