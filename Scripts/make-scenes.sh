@@ -12,7 +12,7 @@
 #               112 MB to download)
 #   cards       six boards of kicad-demos, and those models of kicad-packages3d that they use
 #               (CC-BY-SA-4.0 with KiCad's design exception; 382 MB to download)
-#   motorbike   motorBike.obj.gz of openfoam-examples (GPL-3+)
+#   motorbike   motorBike.obj.gz of openfoam-examples (GPL-3+; 36 MB)
 
 set -euo pipefail
 source=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -213,17 +213,16 @@ void WriteErrorChart(
     const unsigned char green[] = { 0, 158, 115 };
     SetColor(ring, green, 0.4);
   }
-  vtkPlot* bound = AddPlot(chart, vtkChart::LINE, errors.Bound,
-    { { low / 2.0, std::max(errors.Least, floor) },
-      { 2.0 * high, std::max(errors.Least, floor) } });
+  const double bottom = errors.Least > 0.0 ? errors.Least : floor;
+  vtkPlot* bound =
+    AddPlot(chart, vtkChart::LINE, errors.Bound, { { low / 2.0, bottom }, { 2.0 * high, bottom } });
   bound->SetColor(0, 158, 115, 255);
   bound->GetPen()->SetLineType(vtkPen::DASH_LINE);
   bound->SetWidth(2.0);
   page.GetScene()->AddItem(labels);
 
   page.SetAxisTitles(errors.Bottom, errors.Left);
-  SetLogAxis(chart->GetAxis(vtkAxis::LEFT),
-    errors.Least > 0.0 ? std::min(errors.Least, floor) : floor, std::max(most, 2.0 * floor));
+  SetLogAxis(chart->GetAxis(vtkAxis::LEFT), std::min(bottom, floor), std::max(most, 2.0 * floor));
   SetLogAxis(chart->GetAxis(vtkAxis::BOTTOM), low, high);
   page.Write(fileStem);
 }

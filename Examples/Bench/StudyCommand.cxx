@@ -56,7 +56,7 @@ struct StudyOptions
   ViewOptions View;
   std::string Folder = "out/study";
   std::string Links = ".";
-  std::string From;
+  std::vector<std::string> From;
   std::string Scenes = "out/scenes";
   bool IsQuick = false;
   bool IsTiny = false;
@@ -154,7 +154,15 @@ void WriteSceneChart(const Json::Value& scene, const std::string& folder)
 int Rewrite(const StudyOptions& options)
 {
   MakeFolder(options.Folder);
-  const Json::Value report = Parse(ReadFile(options.From));
+  Json::Value report = Parse(ReadFile(options.From.front()));
+  for (const std::string& name : options.From)
+  {
+    const Json::Value other = Parse(ReadFile(name));
+    if (other.isMember("shadows"))
+    {
+      report["shadows"] = other["shadows"];
+    }
+  }
   ChooseWindowSystem(options.View.Window.Window);
   for (const Json::Value& scene : report["scenes"])
   {
@@ -182,6 +190,12 @@ public:
     const auto begin = std::chrono::steady_clock::now();
     MakeFolder(this->Options.Folder);
     CheckWritable(this->Options.Folder + "/study.json");
+    if (this->Options.View.SceneNames == std::vector<std::string>{ "shadows" })
+    {
+      this->RunShadows();
+      WriteJSON(this->Report, this->Options.Folder + "/study.json");
+      return this->FalseHidden == 0 ? Success : ImagesDiffer;
+    }
     const NBufferExamples::Scene scene = this->Options.View.LoadScene();
     Session& session = Session::New(scene, this->Options.View.Window);
     this->Report = this->Options.View.Describe(scene, session);
@@ -335,7 +349,7 @@ private:
 
   void RunShadows()
   {
-    const ShadowEffort full = { 6, 640, 480, { 32, 64, 128, 256, 512, 1024 } };
+    const ShadowEffort full = { 8, 640, 480, { 32, 64, 128, 256, 512, 1024 } };
     const ShadowEffort quick = { 2, 320, 240, { 64, 256 } };
     const ShadowEffort tiny = { 1, 320, 240, { 64 } };
     const ShadowEffort& effort = this->Options.IsTiny ? tiny : this->Options.IsQuick ? quick : full;
@@ -458,6 +472,7 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
     "time, and the paper's figures");
   auto options = std::make_shared<StudyOptions>();
   options->View.Program = program;
+  options->View.SceneHelp += "; shadows: those of the study alone";
   options->View.AddTo(*command);
   command->add_option("--out", options->Folder, "Folder for study.json, study.csv and the charts")
     ->capture_default_str();
@@ -468,7 +483,9 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
       std::string("Folder of the scenes that ") + GetSceneCommand() + " builds")
     ->capture_default_str();
   command->add_option("--from", options->From,
-    "A study.json from which accuracy.md and charts of error are made again; nothing is measured");
+    "A study.json from which accuracy.md and charts of error are made again, with the shadows of "
+    "the "
+    "last one that has some; nothing is measured");
   command->add_flag("--quick", options->IsQuick, "Fewer frames and repetitions: under 3 minutes");
   command->add_flag("--tiny", options->IsTiny, "One frame of each: only whether everything runs");
   command

@@ -139,6 +139,7 @@ Json::Value MeasureShadows(const std::string& name, const ViewOptions& common,
   ShadowWalkOptions options;
   options.Modes = MakeModes(effort.Litmaps);
   options.CasterKeys = MarkCasters(name, scene);
+  options.Block = 2; // Many modes: turns have to be short to meet the same disturbances.
   options.Oracle = true;
   options.OracleOnce = true; // Up to a minute for an image of the city.
   options.Progress = [&](const std::string& text) { progress(name + ": " + text); };
