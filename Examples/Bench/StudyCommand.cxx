@@ -127,20 +127,24 @@ std::string ReadFile(const std::string& name)
   return text.str();
 }
 
-/// accuracy.md, where the text for it comes with the program.
-void WriteDocument(const StudyOptions& options, const Json::Value& report)
+/// accuracy.md and accuracy-scenes.md, where the texts for them come with the program.
+void WriteDocuments(const StudyOptions& options, const Json::Value& report)
 {
-  const std::string name = NBufferExamples::FindData(options.View.Program, "accuracy.md.in");
-  if (name.empty())
+  for (const char* document : { "accuracy.md", "accuracy-scenes.md" })
   {
-    return;
-  }
-  const std::string fileName = options.Folder + "/accuracy.md";
-  std::ofstream file(fileName);
-  file << FillDocument(ReadFile(name), report, options.Links);
-  if (!file.flush())
-  {
-    throw std::runtime_error("cannot write " + fileName);
+    const std::string name =
+      NBufferExamples::FindData(options.View.Program, document + std::string(".in"));
+    if (name.empty())
+    {
+      continue;
+    }
+    const std::string fileName = options.Folder + "/" + document;
+    std::ofstream file(fileName);
+    file << FillDocument(ReadFile(name), report, options.Links);
+    if (!file.flush())
+    {
+      throw std::runtime_error("cannot write " + fileName);
+    }
   }
 }
 
@@ -172,7 +176,7 @@ int Rewrite(const StudyOptions& options)
   {
     WriteShadowCharts(scene, options.Folder);
   }
-  WriteDocument(options, report);
+  WriteDocuments(options, report);
   return Success;
 }
 
@@ -238,7 +242,7 @@ public:
     // The text is about the city.
     if (scene.Plan && this->Options.View.Path.empty())
     {
-      WriteDocument(this->Options, this->Report);
+      WriteDocuments(this->Options, this->Report);
     }
     std::cout << "written to " << this->Options.Folder << " in " << this->Report["seconds"].asInt()
               << " s\n";
