@@ -343,9 +343,10 @@ private:
       this->Spent.Repetitions = std::min(city.Repetitions, other.Repetitions);
       this->Spent.WalkFrames = std::min(city.WalkFrames, other.WalkFrames);
       this->Spent.LatentPairs = std::min(city.LatentPairs, other.LatentPairs);
-      for (const std::string& path : other.Paths)
+      const std::size_t paths = this->Options.IsQuick ? 1 : other.Paths.size();
+      for (std::size_t i = 0; i < paths; ++i)
       {
-        this->RunPath(scene, session, path);
+        this->RunPath(scene, session, other.Paths[i]);
       }
       this->Spent = city;
     }
@@ -361,9 +362,12 @@ private:
     this->Report["shadows"] = Json::Value(Json::arrayValue);
     for (const std::string& name : GetShadowSceneNames())
     {
-      if (!isFull && (name == "city-spot" || name == "simple"))
+      // The cheapest in a quick run, one of each kind in a tiny one.
+      const bool isWanted =
+        isFull || name == "birds" || (name == "city-sun" && this->Options.IsTiny);
+      if (!isWanted)
       {
-        continue; // One of each kind.
+        continue;
       }
       const Json::Value scene = MeasureShadows(name, this->Options.View, effort, ShowProgress);
       WriteShadowCharts(scene, this->Options.Folder);
