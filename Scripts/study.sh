@@ -4,11 +4,9 @@
 #
 # Scripts/study.sh [--quick] [FILE...]
 #
-# The study of the city, and then of every scene file named: out/study and out/study-NAME. Scenes
-# that this repository must not hold come from Debian's packages; the negative control for example:
-#
-#     apt-get download openfoam-examples && dpkg -x openfoam-examples_*.deb openfoam
-#     Scripts/study.sh $(find openfoam -name motorBike.obj.gz)
+# The study of the city and the other scenes, and then of every scene file named: out/study and
+# out/study-NAME. Scenes that this repository must not hold are taken out of Debian's packages once,
+# by Scripts/make-scenes.sh; those that are missing are left out, and the study says so.
 
 set -euo pipefail
 source=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -23,7 +21,7 @@ if [[ ${1:-} == --quick ]]; then
   options+=(--quick)
   shift
 fi
-"$bench" study "${options[@]}" --out out/study
+"$bench" study "${options[@]}" --scenes "$source/out/scenes" --out out/study
 for file in "$@"; do
   name=$(basename "$file")
   "$bench" study "${options[@]}" --scene "$file" --out "out/study-${name%%.*}"

@@ -94,6 +94,7 @@ NBufferExamples::Scene ViewOptions::LoadScene() const
   NBufferExamples::SceneOptions options;
   options.DefaultCity = NBufferExamples::FindDefaultCity(this->Program);
   options.Up = this->Up;
+  options.Seed = this->Seed;
   options.Progress = ShowProgress;
   NBufferExamples::Scene scene = NBufferExamples::LoadScene(this->SceneNames, options);
   ShowProgress("");
@@ -102,7 +103,10 @@ NBufferExamples::Scene ViewOptions::LoadScene() const
 
 std::string ViewOptions::GetPathName(const NBufferExamples::Scene& scene) const
 {
-  return !this->Path.empty() ? this->Path : scene.Plan ? "street" : "orbit";
+  return !this->Path.empty() ? this->Path
+    : scene.Plan             ? "street"
+    : !scene.Paths.empty()   ? scene.Paths.front().first
+                             : "orbit";
 }
 
 NBufferExamples::CameraPath ViewOptions::MakePath(

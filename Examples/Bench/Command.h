@@ -44,7 +44,8 @@ struct ViewOptions
   ModeOptions Mode;
 
   /// What --scene can be, for the help.
-  std::string SceneHelp = "city, a city file, an OSM extract (.osm, .osm.bz2, .pbf), .glb, .gltf, "
+  std::string SceneHelp = "city, plant (synthetic), a city file, an OSM extract (.osm, .osm.bz2, "
+                          ".pbf), .bsp, .kicad_pcb or a folder of them, .glb, .gltf, "
                           ".obj, .wrl, .vtm, .vtpc, or one or more .stl or .ply; each also as .gz";
 
   ///@{

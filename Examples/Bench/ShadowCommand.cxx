@@ -50,17 +50,6 @@ struct ShadowCommandOptions
   std::string JSON;
 };
 
-NBufferExamples::Scene LoadShadowScene(ViewOptions view)
-{
-  if (view.SceneNames.size() == 1 && IsMadeScene(view.SceneNames[0]))
-  {
-    ChooseWindowSystem(view.Window.Window);
-    return MakeScene(view.SceneNames[0], view.Seed);
-  }
-  view.SceneNames = GetActorNames(view.SceneNames);
-  return view.LoadScene();
-}
-
 Json::Value MakeModeReport(const ShadowWalkResult& result, const std::string& name)
 {
   const ModeResult& mode = result.Walk.Modes.at(name);

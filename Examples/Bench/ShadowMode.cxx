@@ -5,6 +5,7 @@
 #include "vtkCameraPass.h"
 #include "vtkNew.h"
 #include "vtkRenderPassCollection.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSequencePass.h"
 #include "vtkShadowMapBakerPass.h"
@@ -114,6 +115,15 @@ void ShadowMode::Enter(vtkRenderer* renderer) const
     volumes->SetLitmapResolution(this->Resolution > 0 ? this->Resolution : this->Litmap);
   }
   renderer->SetPass(this->Pass);
+}
+
+void ShadowMode::Release(vtkRenderer* renderer) const
+{
+  renderer->SetPass(nullptr);
+  if (this->Pass)
+  {
+    this->Pass->ReleaseGraphicsResources(renderer->GetRenderWindow());
+  }
 }
 
 } // namespace NBufferBench

@@ -47,6 +47,9 @@ public:
 
   void Enter(vtkRenderer* renderer) const;
 
+  /// Back to no pass; frees what the pass has on the graphics device.
+  void Release(vtkRenderer* renderer) const;
+
 private:
   std::string Name;
   std::string Kind;   ///< The name without @N.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShadowScene.h"
 
+#include "Parts.h"
 #include "Random.h"
 #include "Sun.h"
 
@@ -24,6 +25,7 @@ namespace NBufferBench
 {
 namespace
 {
+using NBufferExamples::AddPart;
 using NBufferExamples::Random;
 using NBufferExamples::Scene;
 
@@ -31,39 +33,13 @@ template <class Source>
 vtkSmartPointer<vtkPolyDataMapper> MakeMapper(Source* source)
 {
   source->Update();
-  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-  mapper->SetInputData(source->GetOutput());
-  return mapper;
-}
-
-/// A part of unit size, coloured by its number.
-vtkActor* AddPart(Scene& scene, vtkPolyDataMapper* mapper)
-{
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  double color[3];
-  const double hue = 0.08 + 0.61803398875 * static_cast<double>(scene.Actors.size());
-  vtkMath::HSVToRGB(hue - static_cast<int>(hue), 0.35, 0.9, &color[0], &color[1], &color[2]);
-  actor->GetProperty()->SetColor(color);
-  actor->GetProperty()->SetAmbient(0.35);
-  actor->GetProperty()->SetDiffuse(0.65);
-  scene.Actors.push_back(actor);
-  return actor;
-}
-
-vtkActor* AddBox(Scene& scene, vtkPolyDataMapper* box, double x, double y, double z, double sizeX,
-  double sizeY, double sizeZ)
-{
-  vtkActor* actor = AddPart(scene, box);
-  actor->SetPosition(x, y, z);
-  actor->SetScale(sizeX, sizeY, sizeZ);
-  return actor;
+  return NBufferExamples::MakePartMapper(source->GetOutput());
 }
 
 /// A square slab, its top at height 0.
 void AddGround(Scene& scene, vtkPolyDataMapper* box, double side)
 {
-  AddBox(scene, box, 0.0, 0.0, -0.5, side, side, 1.0)->GetProperty()->SetColor(0.62, 0.66, 0.58);
+  AddPart(scene, box, 0.0, 0.0, -0.5, side, side, 1.0)->GetProperty()->SetColor(0.62, 0.66, 0.58);
 }
 
 Scene MakeBirds(std::uint64_t seed)
@@ -84,16 +60,15 @@ Scene MakeBirds(std::uint64_t seed)
     const double x = random.Between(-45.0, 45.0);
     const double y = random.Between(-45.0, 45.0);
     const double width = random.Between(3.0, 6.0);
-    AddBox(scene, box, x, y, 0.5 * height, width, random.Between(3.0, 6.0), height);
+    AddPart(scene, box, x, y, 0.5 * height, width, random.Between(3.0, 6.0), height);
   }
   for (int i = 0; i < 400; ++i)
   {
     const double x = random.Between(-50.0, 50.0);
     const double y = random.Between(-50.0, 50.0);
     const double z = random.Between(10.0, 30.0);
-    vtkActor* actor = AddPart(scene, bird);
-    actor->SetPosition(x, y, z);
-    actor->SetScale(random.Between(0.6, 1.8));
+    const double size = random.Between(0.6, 1.8);
+    AddPart(scene, bird, x, y, z, size, size, size);
   }
   return scene;
 }
@@ -125,7 +100,7 @@ Scene MakeParts(std::uint64_t seed)
         : j < 6         ? random.Between(1.0, 3.0)
                         : random.Between(-1.0, 1.0);
     }
-    vtkActor* actor = AddBox(scene, parts[i % std::size(parts)], values[0], values[1], values[2],
+    vtkActor* actor = AddPart(scene, parts[i % std::size(parts)], values[0], values[1], values[2],
       values[3], values[4], values[5]);
     actor->RotateWXYZ(random.Between(0.0, 360.0), values[6], values[7], values[8]);
   }
@@ -155,6 +130,9 @@ vtkSmartPointer<vtkLight> MakeSpot(const NBufferExamples::CameraPath& path)
 }
 }
 
+namespace
+{
+/// The name under which LoadScene knows the actors of a scene.
 std::vector<std::string> GetActorNames(std::vector<std::string> names)
 {
   if (names.size() == 1 && (names[0] == "city-sun" || names[0] == "city-spot"))
@@ -164,6 +142,7 @@ std::vector<std::string> GetActorNames(std::vector<std::string> names)
   return names;
 }
 
+/// Whether the scene is made here.
 bool IsMadeScene(const std::string& name)
 {
   return name == "birds" || name == "simple";
@@ -172,6 +151,7 @@ bool IsMadeScene(const std::string& name)
 Scene MakeScene(const std::string& name, std::uint64_t seed)
 {
   return name == "birds" ? MakeBirds(seed) : MakeParts(seed);
+}
 }
 
 vtkLight* LightScene(const std::string& name, const Scene& scene,
@@ -223,6 +203,17 @@ vtkSmartPointer<vtkInformation> MarkCasters(const std::string& name, const Scene
     scene.Actors[i]->SetPropertyKeys(makeKeys());
   }
   return makeKeys();
+}
+
+NBufferExamples::Scene LoadShadowScene(ViewOptions view)
+{
+  if (view.SceneNames.size() == 1 && IsMadeScene(view.SceneNames[0]))
+  {
+    ChooseWindowSystem(view.Window.Window);
+    return MakeScene(view.SceneNames[0], view.Seed);
+  }
+  view.SceneNames = GetActorNames(view.SceneNames);
+  return view.LoadScene();
 }
 
 } // namespace NBufferBench

@@ -15,25 +15,19 @@
 #define ShadowScene_h
 
 #include "CameraPath.h"
+#include "Command.h"
 #include "Scene.h"
 
 #include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkSmartPointer.h"
 
-#include <cstdint>
 #include <string>
-#include <vector>
 
 namespace NBufferBench
 {
 
-/// The name under which LoadScene knows the actors of a scene.
-std::vector<std::string> GetActorNames(std::vector<std::string> names);
-
-/// Whether the scene is made here.
-bool IsMadeScene(const std::string& name);
-NBufferExamples::Scene MakeScene(const std::string& name, std::uint64_t seed);
+NBufferExamples::Scene LoadShadowScene(ViewOptions view);
 
 /// Replace the lights of the renderer by the one of the scene. A spot shines on the place before
 /// the middle of the path.

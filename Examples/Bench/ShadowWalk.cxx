@@ -74,6 +74,11 @@ public:
     {
       this->CompareWithRays();
     }
+    // Now, as the window may outlive this.
+    for (const ShadowMode& mode : this->Modes)
+    {
+      mode.Release(this->Where.GetRenderer());
+    }
     this->Progress("");
     return std::move(this->Result);
   }
@@ -188,7 +193,11 @@ private:
   {
     // Through the centres of pixels, where there are no other samples.
     this->Where.GetWindow()->SetMultiSamples(0);
-    const std::set<std::size_t> frames = { 0, this->Path.size() / 2, this->Path.size() - 1 };
+    std::set<std::size_t> frames = { this->Path.size() / 2 };
+    if (!this->Options.OracleOnce)
+    {
+      frames.insert({ 0, this->Path.size() - 1 });
+    }
     for (const std::size_t frame : frames)
     {
       this->Progress("casting rays, frame " + std::to_string(frame));

@@ -39,6 +39,8 @@ struct ShadowWalkOptions
   vtkSmartPointer<vtkInformation> CasterKeys;
   /// Compare the first, middle and last frame with rays.
   bool Oracle = false;
+  /// The middle one alone.
+  bool OracleOnce = false;
   /// Measure the times of the graphics device, too.
   bool DeviceTimes = false;
   /// Timed frames of a mode in a row.

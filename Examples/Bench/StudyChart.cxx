@@ -42,6 +42,7 @@ constexpr Look Looks[] = {
   { "rectangles", "rectangles", { 204, 121, 167 }, vtkPlotPoints::CIRCLE },
   { "mips", "mip chain", { 213, 94, 0 }, vtkPlotPoints::CROSS },
   { "one level", "one level", { 120, 120, 120 }, vtkPlotPoints::PLUS },
+  { "table", "table of the map", { 170, 0, 0 }, vtkPlotPoints::CIRCLE },
   { "positions", "squares with positions", { 0, 114, 178 }, vtkPlotPoints::PLUS },
   { "culler", "vtkNBufferCuller", { 0, 158, 115 }, vtkPlotPoints::DIAMOND },
   { "outline", "outline per pixel", { 0, 0, 0 }, vtkPlotPoints::DIAMOND },
@@ -55,17 +56,6 @@ double GetTime(const Json::Value& point)
 double GetError(const Json::Value& point)
 {
   return point["false_visible_percent"].asDouble();
-}
-
-/// What stands for nothing at all on a logarithmic axis: below all that is more than nothing.
-double GetFloor(const Json::Value& points)
-{
-  double least = 100.0;
-  for (const Json::Value& point : points)
-  {
-    least = GetError(point) > 0.0 ? std::min(least, GetError(point)) : least;
-  }
-  return 0.5 * least;
 }
 
 /// Adds columns of points, and a plot of them.
@@ -159,88 +149,115 @@ void SetColor(vtkPlotPoints* points, const unsigned char color[3], double opacit
 }
 }
 
-void WriteParetoChart(
-  const Json::Value& scene, const std::string& title, const std::string& fileStem)
+void WriteErrorChart(
+  const ErrorChart& errors, const std::string& title, const std::string& fileStem)
 {
   ChartPage page(title, 1200, 720);
   vtkChartXY* chart = page.GetChart();
   double low = 1e300;
   double high = 0.0;
   double most = 0.0;
-  const double floor = GetFloor(scene["points"]);
-  const auto place = [floor](const Json::Value& point)
-  { return std::make_pair(GetTime(point), std::max(GetError(point), floor)); };
-  std::vector<const Json::Value*> line;
-  for (const Json::Value& point : scene["points"])
+  double least = 100.0;
+  for (const ErrorGroup& group : errors.Groups)
   {
-    low = std::min(low, GetTime(point));
-    high = std::max(high, GetTime(point));
-    most = std::max(most, GetError(point));
-    if (point["pareto"].asBool())
+    for (const ChartPoint& point : group.Points)
     {
-      line.push_back(&point);
+      low = std::min(low, point.first);
+      high = std::max(high, point.first);
+      most = std::max(most, point.second);
+      least = point.second > 0.0 ? std::min(least, point.second) : least;
     }
   }
-  std::sort(line.begin(), line.end(),
-    [](const Json::Value* a, const Json::Value* b) { return GetTime(*a) < GetTime(*b); });
+  // What stands for nothing at all on a logarithmic axis: below all that is more than nothing.
+  const double floor = 0.5 * least;
+  const auto place = [floor](std::vector<ChartPoint> points)
+  {
+    for (ChartPoint& point : points)
+    {
+      point.second = std::max(point.second, floor);
+    }
+    return points;
+  };
+  std::vector<ChartPoint> line = place(errors.Pareto);
+  std::sort(line.begin(), line.end());
 
-  std::vector<std::pair<double, double>> places;
   vtkNew<Labels> labels;
   labels->Chart = chart;
   for (std::size_t i = 0; i < line.size(); ++i)
   {
-    places.push_back(place(*line[i]));
-    labels->Add(places.back().first, places.back().second, std::to_string(i + 1));
+    labels->Add(line[i].first, line[i].second, std::to_string(i + 1));
   }
-  if (places.size() > 1)
+  if (line.size() > 1)
   {
-    vtkPlot* pareto = AddPlot(chart, vtkChart::LINE, "Pareto line", places);
+    vtkPlot* pareto = AddPlot(chart, vtkChart::LINE, "Pareto line", line);
     pareto->SetColor(60, 60, 60, 255);
     pareto->SetWidth(1.5);
   }
+  for (const ErrorGroup& group : errors.Groups)
+  {
+    if (!group.Points.empty())
+    {
+      auto* points = vtkPlotPoints::SafeDownCast(
+        AddPlot(chart, vtkChart::POINTS, group.Label, place(group.Points)));
+      points->SetMarkerStyle(group.Marker);
+      points->SetMarkerSize(9.0f);
+      SetColor(points, group.Color, 1.0);
+    }
+  }
+  if (!errors.Default.empty())
+  {
+    auto* ring = vtkPlotPoints::SafeDownCast(
+      AddPlot(chart, vtkChart::POINTS, "default settings", place(errors.Default)));
+    ring->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+    ring->SetMarkerSize(20.0f);
+    const unsigned char green[] = { 0, 158, 115 };
+    SetColor(ring, green, 0.4);
+  }
+  const double bottom = errors.Least > 0.0 ? errors.Least : floor;
+  vtkPlot* bound =
+    AddPlot(chart, vtkChart::LINE, errors.Bound, { { low / 2.0, bottom }, { 2.0 * high, bottom } });
+  bound->SetColor(0, 158, 115, 255);
+  bound->GetPen()->SetLineType(vtkPen::DASH_LINE);
+  bound->SetWidth(2.0);
+  page.GetScene()->AddItem(labels);
+
+  page.SetAxisTitles(errors.Bottom, errors.Left);
+  SetLogAxis(chart->GetAxis(vtkAxis::LEFT), std::min(bottom, floor), std::max(most, 2.0 * floor));
+  SetLogAxis(chart->GetAxis(vtkAxis::BOTTOM), low, high);
+  page.Write(fileStem);
+}
+
+void WriteParetoChart(
+  const Json::Value& scene, const std::string& title, const std::string& fileStem)
+{
+  ErrorChart chart;
+  chart.Bottom = "milliseconds of a frame: build and all queries";
+  chart.Left = "hidden props that are kept, %";
+  chart.Bound = "oracle: 0 %, in no time";
   for (const Look& look : Looks)
   {
-    places.clear();
+    chart.Groups.push_back(
+      { look.Label, { look.Color[0], look.Color[1], look.Color[2] }, look.Marker, {} });
     for (const Json::Value& point : scene["points"])
     {
       if (point["group"].asString() == look.Group)
       {
-        places.push_back(place(point));
+        chart.Groups.back().Points.emplace_back(GetTime(point), GetError(point));
       }
-    }
-    if (!places.empty())
-    {
-      auto* points =
-        vtkPlotPoints::SafeDownCast(AddPlot(chart, vtkChart::POINTS, look.Label, places));
-      points->SetMarkerStyle(look.Marker);
-      points->SetMarkerSize(9.0f);
-      SetColor(points, look.Color, 1.0);
     }
   }
   for (const Json::Value& point : scene["points"])
   {
+    if (point["pareto"].asBool())
+    {
+      chart.Pareto.emplace_back(GetTime(point), GetError(point));
+    }
     if (point["is_default"].asBool())
     {
-      auto* ring = vtkPlotPoints::SafeDownCast(
-        AddPlot(chart, vtkChart::POINTS, "default settings", { place(point) }));
-      ring->SetMarkerStyle(vtkPlotPoints::CIRCLE);
-      ring->SetMarkerSize(20.0f);
-      const unsigned char green[] = { 0, 158, 115 };
-      SetColor(ring, green, 0.4);
+      chart.Default.emplace_back(GetTime(point), GetError(point));
     }
   }
-  vtkPlot* oracle = AddPlot(chart, vtkChart::LINE, "oracle: 0 %, in no time",
-    { { low / 2.0, floor }, { 2.0 * high, floor } });
-  oracle->SetColor(0, 158, 115, 255);
-  oracle->GetPen()->SetLineType(vtkPen::DASH_LINE);
-  oracle->SetWidth(2.0);
-  page.GetScene()->AddItem(labels);
-
-  page.SetAxisTitles(
-    "milliseconds of a frame: build and all queries", "hidden props that are kept, %");
-  SetLogAxis(chart->GetAxis(vtkAxis::LEFT), floor, std::max(most, 2.0 * floor));
-  SetLogAxis(chart->GetAxis(vtkAxis::BOTTOM), low, high);
-  page.Write(fileStem);
+  WriteErrorChart(chart, title, fileStem);
 }
 
 void WriteLineChart(const std::vector<ChartLine>& lines, const std::string& title,

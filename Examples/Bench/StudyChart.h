@@ -28,6 +28,35 @@ namespace NBufferBench
 void WriteParetoChart(
   const Json::Value& scene, const std::string& title, const std::string& fileStem);
 
+using ChartPoint = std::pair<double, double>;
+
+struct ErrorGroup
+{
+  std::string Label;
+  unsigned char Color[3];
+  int Marker; ///< Of vtkPlotPoints.
+  std::vector<ChartPoint> Points;
+};
+
+/// Errors against times; both axes logarithmic, an error of 0 below all others.
+struct ErrorChart
+{
+  std::string Bottom;
+  std::string Left;
+  std::string Bound;  ///< What the dashed line is,
+  double Least = 0.0; ///< and where.
+  std::vector<ErrorGroup> Groups;
+  ///@{
+  /// Points of the groups: those of the line, numbered along it, and those in a ring.
+  std::vector<ChartPoint> Pareto;
+  std::vector<ChartPoint> Default;
+  ///@}
+};
+
+/// `fileStem`.png and .svg.
+void WriteErrorChart(
+  const ErrorChart& errors, const std::string& title, const std::string& fileStem);
+
 struct ChartLine
 {
   std::string Label;

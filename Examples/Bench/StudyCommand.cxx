@@ -13,12 +13,16 @@
 #include "StudyFormats.h"
 #include "StudyFrames.h"
 #include "StudyHierarchy.h"
+#include "StudyKnown.h"
 #include "StudyPaper.h"
 #include "StudyPeers.h"
 #include "StudyReport.h"
+#include "StudyScenes.h"
+#include "StudyShadows.h"
 
 #include "Contest.h"
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <iostream>
@@ -52,7 +56,8 @@ struct StudyOptions
   ViewOptions View;
   std::string Folder = "out/study";
   std::string Links = ".";
-  std::string From;
+  std::vector<std::string> From;
+  std::string Scenes = "out/scenes";
   bool IsQuick = false;
   bool IsTiny = false;
   int Repetitions = 0;
@@ -79,13 +84,34 @@ NBufferExamples::CameraPath Spread(const NBufferExamples::CameraPath& path, int 
   return spread;
 }
 
+/// As the camera moves on, ten poses in a row, at several places of a path.
+NBufferExamples::CameraPath MakeRuns(const NBufferExamples::CameraPath& path, int frames)
+{
+  constexpr std::size_t row = 10;
+  const std::size_t runs = (static_cast<std::size_t>(frames) + row - 1) / row;
+  NBufferExamples::CameraPath poses;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(frames); ++i)
+  {
+    poses.push_back(path[(i / row * path.size() / runs + i % row) % path.size()]);
+  }
+  return poses;
+}
+
 std::string GetFileName(const std::string& text)
 {
   std::string name;
   for (char c : text)
   {
-    name += std::isalnum(static_cast<unsigned char>(c)) ? c : '-';
+    if (std::isalnum(static_cast<unsigned char>(c)))
+    {
+      name += c;
+    }
+    else if (!name.empty() && name.back() != '-')
+    {
+      name += '-';
+    }
   }
+  name.erase(name.find_last_not_of('-') + 1);
   return name;
 }
 
@@ -101,27 +127,56 @@ std::string ReadFile(const std::string& name)
   return text.str();
 }
 
-/// accuracy.md, where the text for it comes with the program.
-void WriteDocument(const StudyOptions& options, const Json::Value& report)
+/// accuracy.md and accuracy-scenes.md, where the texts for them come with the program.
+void WriteDocuments(const StudyOptions& options, const Json::Value& report)
 {
-  const std::string name = NBufferExamples::FindData(options.View.Program, "accuracy.md.in");
-  if (name.empty())
+  for (const char* document : { "accuracy.md", "accuracy-scenes.md" })
   {
-    return;
+    const std::string name =
+      NBufferExamples::FindData(options.View.Program, document + std::string(".in"));
+    if (name.empty())
+    {
+      continue;
+    }
+    const std::string fileName = options.Folder + "/" + document;
+    std::ofstream file(fileName);
+    file << FillDocument(ReadFile(name), report, options.Links);
+    if (!file.flush())
+    {
+      throw std::runtime_error("cannot write " + fileName);
+    }
   }
-  const std::string fileName = options.Folder + "/accuracy.md";
-  std::ofstream file(fileName);
-  file << FillDocument(ReadFile(name), report, options.Links);
-  if (!file.flush())
-  {
-    throw std::runtime_error("cannot write " + fileName);
-  }
+}
+
+void WriteSceneChart(const Json::Value& scene, const std::string& folder)
+{
+  WriteParetoChart(scene,
+    scene["scene"].asString() + ", " + scene["path"].asString() + ", " + scene["size"].asString(),
+    folder + "/" + scene["chart"].asString());
 }
 
 int Rewrite(const StudyOptions& options)
 {
   MakeFolder(options.Folder);
-  WriteDocument(options, Parse(ReadFile(options.From)));
+  Json::Value report = Parse(ReadFile(options.From.front()));
+  for (const std::string& name : options.From)
+  {
+    const Json::Value other = Parse(ReadFile(name));
+    if (other.isMember("shadows"))
+    {
+      report["shadows"] = other["shadows"];
+    }
+  }
+  ChooseWindowSystem(options.View.Window.Window);
+  for (const Json::Value& scene : report["scenes"])
+  {
+    WriteSceneChart(scene, options.Folder);
+  }
+  for (const Json::Value& scene : report["shadows"])
+  {
+    WriteShadowCharts(scene, options.Folder);
+  }
+  WriteDocuments(options, report);
   return Success;
 }
 
@@ -139,6 +194,12 @@ public:
     const auto begin = std::chrono::steady_clock::now();
     MakeFolder(this->Options.Folder);
     CheckWritable(this->Options.Folder + "/study.json");
+    if (this->Options.View.SceneNames == std::vector<std::string>{ "shadows" })
+    {
+      this->RunShadows();
+      WriteJSON(this->Report, this->Options.Folder + "/study.json");
+      return this->FalseHidden == 0 ? Success : ImagesDiffer;
+    }
     const NBufferExamples::Scene scene = this->Options.View.LoadScene();
     Session& session = Session::New(scene, this->Options.View.Window);
     this->Report = this->Options.View.Describe(scene, session);
@@ -168,6 +229,11 @@ public:
       this->RunFormats(scene, session, "drone");
     }
     this->RunPaper(scene, session, paths.front());
+    if (scene.Plan && this->Options.View.Path.empty())
+    {
+      this->RunOtherScenes();
+      this->RunShadows();
+    }
     ShowProgress("");
     this->Report["seconds"] =
       Round(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
@@ -176,7 +242,7 @@ public:
     // The text is about the city.
     if (scene.Plan && this->Options.View.Path.empty())
     {
-      WriteDocument(this->Options, this->Report);
+      WriteDocuments(this->Options, this->Report);
     }
     std::cout << "written to " << this->Options.Folder << " in " << this->Report["seconds"].asInt()
               << " s\n";
@@ -188,22 +254,26 @@ private:
     const NBufferExamples::Scene& scene, const std::string& name, int frames) const
   {
     // As far as a walk of some minutes goes; once around everything else.
-    const int length = scene.Plan ? 60 * frames : frames;
+    const int length = scene.Plan || !scene.Paths.empty() ? 60 * frames : frames;
     return Spread(NBufferExamples::MakePath(scene, name, length, this->Options.View.Seed), frames);
   }
 
   void RunPath(const NBufferExamples::Scene& scene, Session& session, const std::string& name)
   {
     const int frames = this->Spent.Frames;
-    const std::vector<NBufferStudy::DepthFrame> work =
-      CollectFrames(session, this->MakePath(scene, name, frames),
-        [&](std::size_t frame)
-        {
-          ShowProgress(name + ": which props own a pixel, frame " + std::to_string(frame + 1) +
-            " of " + std::to_string(frames));
-        });
-    const std::vector<NBufferStudy::ContenderPointer> contenders = NBufferStudy::MakeContenders(
+    const NBufferExamples::CameraPath poses = this->MakePath(scene, name, frames);
+    const std::vector<NBufferStudy::DepthFrame> work = CollectFrames(session, poses,
+      [&](std::size_t frame)
+      {
+        ShowProgress(name + ": which props own a pixel, frame " + std::to_string(frame + 1) +
+          " of " + std::to_string(frames));
+      });
+    std::vector<NBufferStudy::ContenderPointer> contenders = NBufferStudy::MakeContenders(
       work.front().Width, work.front().Height, this->Options.Megabytes);
+    if (scene.Known)
+    {
+      contenders.push_back(MakeKnownContender(*scene.Known, work, poses));
+    }
     const int repetitions = this->Spent.Repetitions;
     const std::vector<NBufferStudy::ContestResult> results =
       NBufferStudy::RunContest(work, contenders, repetitions,
@@ -213,6 +283,17 @@ private:
             std::to_string(turn) + " of " + std::to_string(turns));
         });
     Json::Value report = ReportContest(work, results);
+    if (scene.Known)
+    {
+      report["table"] = CheckKnown(session, *scene.Known, work, poses);
+      const long long contradictions = report["table"]["contradictions"].asInt64();
+      this->FalseHidden += contradictions;
+      if (contradictions > 0)
+      {
+        std::cerr << "nbuffer-bench: " << contradictions
+                  << " pixels belong to props that the map's table says cannot be seen\n";
+      }
+    }
     report["scene"] = scene.Name;
     report["path"] = name;
     report["size"] = std::to_string(work.front().Width) + "x" + std::to_string(work.front().Height);
@@ -220,10 +301,13 @@ private:
     report["frames_by_mode"] = this->RunPeers(scene, session, name, report["latent"]);
     AddLosses(report, report["frames_by_mode"]["draw_us"].asDouble());
     report["chart"] = "pareto-" + GetFileName(scene.Name) + "-" + GetFileName(name);
-    WriteParetoChart(report, scene.Name + ", " + name + ", " + report["size"].asString(),
-      this->Options.Folder + "/" + report["chart"].asString());
+    WriteSceneChart(report, this->Options.Folder);
     for (const NBufferStudy::ContestResult& result : results)
     {
+      if (result.Name == GetKnownName())
+      {
+        continue; // See CheckKnown.
+      }
       this->FalseHidden += result.FalseHidden;
       if (result.FalseHidden > 0)
       {
@@ -234,14 +318,81 @@ private:
     this->Report["scenes"].append(report);
   }
 
+  void RunOtherScenes()
+  {
+    this->Report["left_out"] = Json::Value(Json::arrayValue);
+    for (const StudyScene& other : GetStudyScenes())
+    {
+      if (this->Options.IsTiny || (this->Options.IsQuick && !other.InQuick))
+      {
+        continue;
+      }
+      if (!other.IsThere(this->Options.Scenes))
+      {
+        this->Report["left_out"].append(other.Name);
+        std::cout << other.Name << " is not in " << this->Options.Scenes << " and left out; "
+                  << GetSceneCommand() << " builds it\n";
+        continue;
+      }
+      ViewOptions view = this->Options.View;
+      view.SceneNames = { other.GetPath(this->Options.Scenes) };
+      const NBufferExamples::Scene scene = view.LoadScene();
+      Session& session = Session::New(scene, view.Window);
+      const Effort city = this->Spent;
+      this->Spent.Frames = std::min(city.Frames, other.Frames);
+      this->Spent.Repetitions = std::min(city.Repetitions, other.Repetitions);
+      this->Spent.WalkFrames = std::min(city.WalkFrames, other.WalkFrames);
+      this->Spent.LatentPairs = std::min(city.LatentPairs, other.LatentPairs);
+      const std::size_t paths = this->Options.IsQuick ? 1 : other.Paths.size();
+      for (std::size_t i = 0; i < paths; ++i)
+      {
+        this->RunPath(scene, session, other.Paths[i]);
+      }
+      this->Spent = city;
+    }
+  }
+
+  void RunShadows()
+  {
+    const ShadowEffort full = { 8, 640, 480, { 32, 64, 128, 256, 512, 1024 } };
+    const ShadowEffort quick = { 2, 320, 240, { 64, 256 } };
+    const ShadowEffort tiny = { 1, 320, 240, { 64 } };
+    const ShadowEffort& effort = this->Options.IsTiny ? tiny : this->Options.IsQuick ? quick : full;
+    const bool isFull = !this->Options.IsTiny && !this->Options.IsQuick;
+    this->Report["shadows"] = Json::Value(Json::arrayValue);
+    for (const std::string& name : GetShadowSceneNames())
+    {
+      // The cheapest in a quick run, one of each kind in a tiny one.
+      const bool isWanted =
+        isFull || name == "birds" || (name == "city-sun" && this->Options.IsTiny);
+      if (!isWanted)
+      {
+        continue;
+      }
+      const Json::Value scene = MeasureShadows(name, this->Options.View, effort, ShowProgress);
+      WriteShadowCharts(scene, this->Options.Folder);
+      this->Report["shadows"].append(scene);
+      const long long wrong = GetWrongSamples(scene);
+      this->FalseHidden += wrong;
+      if (wrong > 0)
+      {
+        std::cerr << "nbuffer-bench: " << name << ": " << wrong << " samples in wrong light\n";
+      }
+    }
+    WriteShadowCSV(this->Report["shadows"], this->Options.Folder + "/shadows.csv");
+  }
+
   /// Whole frames, one pose after the other.
   Json::Value RunPeers(const NBufferExamples::Scene& scene, Session& session,
     const std::string& name, Json::Value& latent)
   {
     const auto progress = [&name](const std::string& text)
     { ShowProgress(name + ": whole frames, " + text); };
+    const int walkFrames = this->Spent.WalkFrames;
     const Json::Value frames = MeasureFrames(session,
-      NBufferExamples::MakePath(scene, name, this->Spent.WalkFrames, this->Options.View.Seed),
+      scene.Plan ? NBufferExamples::MakePath(scene, name, walkFrames, this->Options.View.Seed)
+                 : MakeRuns(NBufferExamples::MakePath(scene, name, 480, this->Options.View.Seed),
+                     walkFrames),
       progress);
     const NBufferExamples::CameraPath path =
       NBufferExamples::MakePath(scene, name, 480, this->Options.View.Seed);
@@ -329,13 +480,20 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
     "time, and the paper's figures");
   auto options = std::make_shared<StudyOptions>();
   options->View.Program = program;
+  options->View.SceneHelp += "; shadows: those of the study alone";
   options->View.AddTo(*command);
   command->add_option("--out", options->Folder, "Folder for study.json, study.csv and the charts")
     ->capture_default_str();
   command->add_option("--links", options->Links, "Folder of the charts as seen from accuracy.md")
     ->capture_default_str();
+  command
+    ->add_option("--scenes", options->Scenes,
+      std::string("Folder of the scenes that ") + GetSceneCommand() + " builds")
+    ->capture_default_str();
   command->add_option("--from", options->From,
-    "A study.json from which accuracy.md is written again; nothing is measured");
+    "A study.json from which accuracy.md and charts of error are made again, with the shadows of "
+    "the "
+    "last one that has some; nothing is measured");
   command->add_flag("--quick", options->IsQuick, "Fewer frames and repetitions: under 3 minutes");
   command->add_flag("--tiny", options->IsTiny, "One frame of each: only whether everything runs");
   command

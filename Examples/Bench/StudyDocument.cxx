@@ -65,12 +65,19 @@ private:
   std::ostringstream Text;
 };
 
-/// The entry of a list whose path is this one; null if there is none.
+/// What a scene is called in a table: those of the city by their paths alone.
+std::string GetTitle(const Json::Value& scene)
+{
+  const std::string path = scene["path"].asString();
+  return scene["scene"].asString() == "city" ? path : scene["scene"].asString() + " " + path;
+}
+
+/// The entry of a list whose title is this one; null if there is none.
 const Json::Value& Find(const Json::Value& list, const std::string& path)
 {
   for (const Json::Value& entry : list)
   {
-    if (entry["path"].asString() == path)
+    if (GetTitle(entry) == path)
     {
       return entry;
     }
@@ -116,9 +123,16 @@ std::string MakeMachine(const Json::Value& report)
   return text.str();
 }
 
+const char* const NotMeasured =
+  "Not measured in this run: left out of quick runs, or the scene was not there.\n";
+
 std::string MakePareto(const Json::Value& report, const std::string& path)
 {
   const Json::Value& scene = Find(report["scenes"], path);
+  if (scene.isNull())
+  {
+    return NotMeasured;
+  }
   Table table(PointHead);
   int number = 0;
   for (const Json::Value& point : Sort(scene["points"], GetTotal))
@@ -140,6 +154,10 @@ std::string MakePareto(const Json::Value& report, const std::string& path)
 
 std::string MakeBest(const Json::Value& report, const std::string& path)
 {
+  if (Find(report["scenes"], path).isNull())
+  {
+    return std::string();
+  }
   Table table(PointHead);
   int number = 0;
   for (const Json::Value& point : Sort(Find(report["scenes"], path)["points"],
@@ -150,6 +168,139 @@ std::string MakeBest(const Json::Value& report, const std::string& path)
     {
       table.Add(MakePointRow(std::to_string(number) + ".", point));
     }
+  }
+  return table.Get();
+}
+
+/// Nothing for charts of scenes that were not measured.
+std::string MakeImage(
+  const Json::Value& report, const std::string& links, const std::string& argument)
+{
+  const std::size_t end = argument.find(' ');
+  const std::string name = argument.substr(0, end);
+  const auto isOf = [&name](
+                      const Json::Value& list, const std::function<bool(const Json::Value&)>& is)
+  { return std::any_of(list.begin(), list.end(), is); };
+  const bool isPareto = name.rfind("pareto-", 0) == 0;
+  const bool isShadow = name.rfind("shadow", 0) == 0;
+  if ((isPareto &&
+        !isOf(report["scenes"], [&name](const Json::Value& s) { return s["chart"] == name; })) ||
+    (isShadow &&
+      !isOf(report["shadows"],
+        [&name](const Json::Value& s)
+        {
+          const std::string scene = s["scene"].asString();
+          return name == "shadows-" + scene || name == "shadow-errors-" + scene;
+        })))
+  {
+    return std::string();
+  }
+  return "![" + argument.substr(std::min(end, argument.size() - 1) + 1) + "](" + links + "/" +
+    name + ".png)\n";
+}
+
+std::string MakeLeftOut(const Json::Value& report)
+{
+  if (report["left_out"].empty())
+  {
+    return std::string();
+  }
+  std::string names;
+  for (const Json::Value& name : report["left_out"])
+  {
+    names += (names.empty() ? "`" : ", `") + name.asString() + "`";
+  }
+  return "Not there in this run and left out: " + names + ".\n";
+}
+
+std::string MakeKnown(const Json::Value& report)
+{
+  Table table({ "scene", "props in view", "left in by the table", "kept by the culler",
+    "own a pixel", "pixels checked", "outside the table", "of these through undrawn walls" });
+  for (const Json::Value& scene : report["scenes"])
+  {
+    const Json::Value& known = scene["table"];
+    if (known.isNull())
+    {
+      continue;
+    }
+    double kept = 0.0;
+    for (const Json::Value& point : scene["points"])
+    {
+      if (point["is_default"].asBool())
+      {
+        kept = known["visible"].asDouble() +
+          0.01 * point["false_visible_percent"].asDouble() * scene["hidden"].asDouble();
+      }
+    }
+    table.Add(
+      { GetTitle(scene), Print(known["in_view"].asDouble()), Print(known["table"].asDouble()),
+        Print(kept), Print(known["visible"].asDouble()), Print(known["pixels"].asDouble()),
+        Print(known["undrawn_pixels"].asDouble() + known["contradictions"].asDouble()),
+        Print(known["undrawn_pixels"].asDouble()) });
+  }
+  return table.Get();
+}
+
+std::string MakeShadows(const Json::Value& report, const std::string& name)
+{
+  Table table({ "", "mode@litmap", "ms (p10 to p90)", "fragments, %", "wrong samples",
+    "differ and are ambiguous" });
+  for (const Json::Value& scene : report["shadows"])
+  {
+    if (scene["scene"].asString() != name)
+    {
+      continue;
+    }
+    int number = 0;
+    for (const Json::Value& point :
+      Sort(scene["points"], [](const Json::Value& p) { return p["ms"]["median"].asDouble(); }))
+    {
+      const std::string mode = point["name"].asString();
+      const bool isPareto = point["pareto"].asBool();
+      if (isPareto || point["is_default"].asBool() || point["wrong"].asInt64() > 0 ||
+        mode == "unclamped")
+      {
+        table.Add({ isPareto ? std::to_string(++number) : "",
+          mode + (point["is_default"].asBool() ? " (default)" : ""),
+          Print(point["ms"]["median"].asDouble()) + " (" + Print(point["ms"]["p10"].asDouble()) +
+            " to " + Print(point["ms"]["p90"].asDouble()) + ")",
+          PrintShare(point["fragments_percent"].asDouble()),
+          Print(point["wrong"].asDouble()) + " of " + Print(point["samples"].asDouble()),
+          Print(point["ambiguous"].asDouble()) });
+      }
+    }
+    return "Without shadows " + Print(scene["none_ms"]["median"].asDouble()) +
+      " ms; pixels that shadows "
+      "change: " +
+      Print(scene["shadowed_percent"].asDouble()) + " % of the fragments of whole volumes; " +
+      std::to_string(scene["points"].size()) + " modes.\n\n" + table.Get();
+  }
+  return NotMeasured;
+}
+
+/// Section 4.4 of the paper.
+std::string MakeFill(const Json::Value& report)
+{
+  Table table({ "scene", "fragments of whole volumes, a frame", "litmap 256: exact, %",
+    "clamped to one slab, %", "to several, %", "the paper's litmap, %" });
+  table.Add({ "the paper, city", "", "", "2.5", "", "" });
+  table.Add({ "the paper, simple scenes", "", "", "20", "", "" });
+  for (const Json::Value& scene : report["shadows"])
+  {
+    std::map<std::string, const Json::Value*> points;
+    for (const Json::Value& point : scene["points"])
+    {
+      points[point["name"].asString()] = &point;
+    }
+    const auto print = [&points](const char* name)
+    {
+      const auto point = points.find(name);
+      return point == points.end() ? std::string()
+                                   : Print((*point->second)["fragments_percent"].asDouble());
+    };
+    table.Add({ scene["scene"].asString(), Print((*points.at("unclamped"))["fragments"].asDouble()),
+      print("exact@256"), print("clamp@256"), print("slabs@256"), print("paper@256") });
   }
   return table.Get();
 }
@@ -180,7 +331,7 @@ std::string MakeFrames(const Json::Value& report)
   {
     const Json::Value& frames = scene["frames_by_mode"];
     const Json::Value& modes = frames["modes"];
-    table.Add({ scene["path"].asString(), Print(modes["stock"]["median_ms"].asDouble()),
+    table.Add({ GetTitle(scene), Print(modes["stock"]["median_ms"].asDouble()),
       Print(modes["nbuffer"]["median_ms"].asDouble()),
       Print(modes["oracle"]["median_ms"].asDouble()),
       Print(modes["stock"]["drawn"].asDouble()) + " / " +
@@ -200,7 +351,7 @@ std::string MakeLatent(const Json::Value& report)
   {
     for (const Json::Value& entry : scene["latent"])
     {
-      table.Add({ scene["path"].asString(), entry["step"].asString(), entry["frames"].asString(),
+      table.Add({ GetTitle(scene), entry["step"].asString(), entry["frames"].asString(),
         entry["popping_frames"].asString(), entry["missing_props"].asString(),
         entry["wrong_pixels"].asString(), entry["most_wrong_pixels"].asString(),
         Print(entry["hidden_share_percent"].asDouble()) });
@@ -319,13 +470,11 @@ std::string Fill(const std::string& words, const Json::Value& report, const std:
     { "table1", [&]() { return MakeTable1(report); } },
     { "table2", [&]() { return MakeTable2(report); } },
     { "figure4", [&]() { return MakeFigure4(report); } },
-    { "image",
-      [&]()
-      {
-        const std::size_t end = argument.find(' ');
-        return "![" + argument.substr(std::min(end, argument.size() - 1) + 1) + "](" + links + "/" +
-          argument.substr(0, end) + ".png)\n";
-      } },
+    { "left_out", [&]() { return MakeLeftOut(report); } },
+    { "known", [&]() { return MakeKnown(report); } },
+    { "shadows", [&]() { return MakeShadows(report, argument); } },
+    { "fill", [&]() { return MakeFill(report); } },
+    { "image", [&]() { return MakeImage(report, links, argument); } },
   };
   const auto maker = makers.find(name);
   if (maker == makers.end())

@@ -14,7 +14,14 @@
  *     hierarchy PATH     by number of props
  *     formats            slack and kept props by format and ratio
  *     table1, table2, figure4
+ *     left_out           scenes that were not there
+ *     known              of maps: what their tables leave in, the culler keeps, and owns a pixel
+ *     shadows SCENE      the Pareto line of a scene with shadows, and what is wrong
+ *     fill               fragments of volumes, and the paper's
  *     image NAME TEXT    a picture of the study
+ *
+ * PATH is a path through the city, or a scene and its path. Fields of scenes that were not measured
+ * say so.
  */
 #ifndef StudyDocument_h
 #define StudyDocument_h

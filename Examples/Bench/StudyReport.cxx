@@ -24,6 +24,7 @@ std::string GetGroup(const std::string& name)
   const auto has = [&name](const char* text) { return name.find(text) != std::string::npos; };
   return begins("culler") ? "culler"
     : begins("outline")   ? "outline"
+    : begins("table")     ? "table"
     : has("positions")    ? "positions"
     : begins("one level") ? "one level"
     : has("mips")         ? "mips"
@@ -42,25 +43,6 @@ double GetTotal(const Json::Value& point)
 double GetError(const Json::Value& point)
 {
   return point["false_visible_percent"].asDouble();
-}
-
-/// Nothing is both faster and keeps less.
-void MarkPareto(Json::Value& points)
-{
-  std::vector<Json::ArrayIndex> order(points.size());
-  for (Json::ArrayIndex i = 0; i < points.size(); ++i)
-  {
-    order[i] = i;
-  }
-  std::sort(order.begin(), order.end(), [&points](Json::ArrayIndex a, Json::ArrayIndex b)
-    { return GetTotal(points[a]) < GetTotal(points[b]); });
-  double least = std::numeric_limits<double>::infinity();
-  for (Json::ArrayIndex i : order)
-  {
-    const bool better = GetError(points[i]) < least;
-    points[i]["pareto"] = better;
-    least = std::min(least, GetError(points[i]));
-  }
 }
 
 Json::Value ReportPoint(const ContestResult& result, double frames)
@@ -93,6 +75,25 @@ Json::Value Summarize(const std::vector<double>& values)
   return summary;
 }
 
+void MarkPareto(Json::Value& points, const std::function<double(const Json::Value&)>& time,
+  const std::function<double(const Json::Value&)>& error)
+{
+  std::vector<Json::ArrayIndex> order(points.size());
+  for (Json::ArrayIndex i = 0; i < points.size(); ++i)
+  {
+    order[i] = i;
+  }
+  std::sort(order.begin(), order.end(),
+    [&](Json::ArrayIndex a, Json::ArrayIndex b) { return time(points[a]) < time(points[b]); });
+  double least = std::numeric_limits<double>::infinity();
+  for (Json::ArrayIndex i : order)
+  {
+    const bool better = error(points[i]) < least;
+    points[i]["pareto"] = better;
+    least = std::min(least, error(points[i]));
+  }
+}
+
 Json::Value ReportContest(
   const std::vector<DepthFrame>& frames, const std::vector<ContestResult>& results)
 {
@@ -121,7 +122,7 @@ Json::Value ReportContest(
   {
     points.append(ReportPoint(result, count));
   }
-  MarkPareto(points);
+  MarkPareto(points, GetTotal, GetError);
   return scene;
 }
 

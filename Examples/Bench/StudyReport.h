@@ -14,6 +14,9 @@
  *     frames_by_mode, latent   of a scene, see StudyPeers.h
  *     hierarchy[]        scene, path, entries[]: see StudyHierarchy.h
  *     formats            scene, path, entries[]: see StudyFormats.h; of a city alone
+ *     scenes[].table  of maps, see StudyKnown.h
+ *     shadows[]       see StudyShadows.h
+ *     left_out[]      scenes that were not there
  *     table1, table2, figure4   see StudyPaper.h
  */
 #ifndef StudyReport_h
@@ -24,6 +27,7 @@
 
 #include "vtk_jsoncpp.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,6 +36,10 @@ namespace NBufferBench
 
 /// median, p10 and p90.
 Json::Value Summarize(const std::vector<double>& values);
+
+/// pareto of every point: whether nothing is both faster and less in error.
+void MarkPareto(Json::Value& points, const std::function<double(const Json::Value&)>& time,
+  const std::function<double(const Json::Value&)>& error);
 
 /// One scene of the report, but for its name, path and size.
 Json::Value ReportContest(const std::vector<NBufferStudy::DepthFrame>& frames,

@@ -28,6 +28,10 @@ namespace NBufferBench
 std::vector<std::vector<vtkProp*>> FindVisibleProps(Session& session,
   const NBufferExamples::CameraPath& path, const std::function<void(std::size_t)>& progress);
 
+/// Of every pixel, row 0 at the bottom, the prop that owns it: its place in the renderer's list, or
+/// -1. With the same consequences.
+std::vector<int> FindPixelOwners(Session& session, const NBufferExamples::CameraPose& pose);
+
 } // namespace NBufferBench
 
 #endif

@@ -113,12 +113,26 @@ void ApplyPose(const CameraPose& pose, const double bounds[6], vtkRenderer* rend
 
 CameraPath MakePath(const Scene& scene, const std::string& name, int frames, std::uint64_t seed)
 {
+  if (frames > 0)
+  {
+    for (const auto& [own, make] : scene.Paths)
+    {
+      if (own == name)
+      {
+        return make(frames, seed);
+      }
+    }
+  }
   if (!IsPathName(name))
   {
     if (!std::filesystem::is_regular_file(name))
     {
-      throw std::runtime_error(
-        "no path " + name + ": neither street, rooftop, drone, orbit, cuts nor a camera file");
+      std::string known = "street, rooftop, drone, orbit, cuts";
+      for (const auto& own : scene.Paths)
+      {
+        known += ", " + own.first;
+      }
+      throw std::runtime_error("no path " + name + ": neither " + known + " nor a camera file");
     }
     CameraPath path = ReadCameraFile(name);
     if (frames > 0 && static_cast<std::size_t>(frames) < path.size())

@@ -16,28 +16,16 @@
 #ifndef CameraPath_h
 #define CameraPath_h
 
+#include "CameraPose.h"
+
 #include <cstdint>
 #include <string>
-#include <vector>
 
 class vtkRenderer;
 
 namespace NBufferExamples
 {
 struct Scene;
-
-struct CameraPose
-{
-  double Eye[3] = { 0.0, 0.0, 1.0 };
-  double Target[3] = { 0.0, 0.0, 0.0 };
-  double Up[3] = { 0.0, 1.0, 0.0 };
-  double ViewAngle = 30.0;
-  /// Distances of the near and far plane; both 0: fitted to the scene.
-  double Near = 0.0;
-  double Far = 0.0;
-};
-
-using CameraPath = std::vector<CameraPose>;
 
 /// Set up the active camera. `bounds` is that of the scene, for near and far.
 void ApplyPose(const CameraPose& pose, const double bounds[6], vtkRenderer* renderer);
@@ -51,6 +39,7 @@ void ApplyPose(const CameraPose& pose, const double bounds[6], vtkRenderer* rend
  *     cuts      in every frame another eye point, in a city at 1.7 m in a street, elsewhere around
  *               the scene, and another direction
  *     orbit     once around the scene, looking at its centre
+ *     inside, around, walk, between ...   those that the scene has of its own (Scene::Paths)
  *     a file    a camera file; with `frames` 0 all of it, else its first frames
  *
  * Throws std::runtime_error for a path that the scene does not have.

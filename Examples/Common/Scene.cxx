@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene.h"
 
+#include "BspScene.h"
 #include "CityFile.h"
 #include "CityScene.h"
+#include "KicadScene.h"
+#include "Plant.h"
 #include "SceneFiles.h"
 #ifdef NBUFFER_HAVE_OSM
 #include "OsmImport.h"
@@ -156,9 +159,23 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
     Report(options, "reading the city");
     scene = MakeCityScene(ReadCity(options.DefaultCity), name, options);
   }
+  else if (name == "plant")
+  {
+    scene = MakePlant(options.Seed);
+  }
+  else if (IsKicadName(name))
+  {
+    Report(options, "reading " + name);
+    scene = LoadKicad(name, options.Progress);
+  }
+  else if (IsBspName(name))
+  {
+    Report(options, "reading " + name);
+    scene = LoadBsp(name);
+  }
   else if (!fs::exists(name))
   {
-    throw std::runtime_error("no scene " + name + ": neither \"city\" nor a file");
+    throw std::runtime_error("no scene " + name + ": neither \"city\" nor \"plant\" nor a file");
   }
   else if (LooksLikeOsm(name))
   {
@@ -177,7 +194,7 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   {
     throw std::runtime_error(name + " is a scene by itself; only .stl and .ply files go together");
   }
-  scene.UpAxis = GetAxis(options.Up, 2);
+  scene.UpAxis = GetAxis(options.Up, scene.UpAxis);
   return scene;
 }
 

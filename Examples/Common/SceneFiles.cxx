@@ -3,8 +3,9 @@
 #include "SceneFiles.h"
 
 #include "Compressed.h"
+#include "Imported.h"
+#include "Parts.h"
 
-#include "vtkActorCollection.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
@@ -12,7 +13,6 @@
 #include "vtkDataArray.h"
 #include "vtkGLTFImporter.h"
 #include "vtkGeometryFilter.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkOBJImporter.h"
 #include "vtkOBJReader.h"
@@ -20,10 +20,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
 #include "vtkSTLReader.h"
 #include "vtkVRMLImporter.h"
 #include "vtkXMLMultiBlockDataReader.h"
@@ -105,18 +101,12 @@ private:
   fs::path Folder;
 };
 
-/// Parts without colours of their own get one each: hues by the golden ratio, little saturated.
+/// Parts without colours of their own get one each.
 vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* data, std::size_t index)
 {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(data);
-  mapper->ScalarVisibilityOff();
   auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  const double hue = 0.08 + 0.61803398875 * static_cast<double>(index);
-  double color[3];
-  vtkMath::HSVToRGB(hue - static_cast<int>(hue), 0.35, 0.85, &color[0], &color[1], &color[2]);
-  actor->GetProperty()->SetColor(color);
+  actor->SetMapper(MakePartMapper(data));
+  PaintPart(actor, index, 0.85);
   return actor;
 }
 
@@ -159,28 +149,6 @@ vtkSmartPointer<vtkPolyData> TakeGroup(
   return part;
 }
 
-Actors ImportByVTK(vtkImporter* importer)
-{
-  // Only a place for the importer to put its actors; it never gets a context.
-  vtkNew<vtkRenderWindow> window;
-  vtkNew<vtkRenderer> renderer;
-  window->AddRenderer(renderer);
-  importer->SetRenderWindow(window);
-  importer->Update();
-  Actors actors;
-  if (vtkRenderer* filled = importer->GetRenderer())
-  {
-    vtkActorCollection* collection = filled->GetActors();
-    collection->InitTraversal();
-    while (vtkActor* actor = collection->GetNextActor())
-    {
-      actors.emplace_back(actor);
-    }
-    filled->RemoveAllViewProps();
-  }
-  return actors;
-}
-
 Actors ReadObj(const std::string& path)
 {
   vtkNew<vtkOBJReader> reader;
@@ -205,7 +173,7 @@ Actors ReadObj(const std::string& path)
     }
     vtkNew<vtkOBJImporter> importer;
     importer->SetFileName(path.c_str());
-    return ImportByVTK(importer);
+    return ImportActors(importer);
   }
   Actors actors;
   std::vector<vtkIdType> newIds(static_cast<std::size_t>(data->GetNumberOfPoints()), -1);
@@ -290,13 +258,13 @@ Actors ReadOne(const std::string& name, const std::string& ending, std::size_t i
   {
     vtkNew<vtkVRMLImporter> importer;
     importer->SetFileName(path.c_str());
-    return ImportByVTK(importer);
+    return ImportActors(importer);
   }
   if (ending == ".glb" || ending == ".gltf")
   {
     vtkNew<vtkGLTFImporter> importer;
     importer->SetFileName(path.c_str());
-    return ImportByVTK(importer);
+    return ImportActors(importer);
   }
   throw std::runtime_error("cannot tell how to read " + name +
     ": known are .city, .osm, .pbf, .glb, .gltf, .obj, .wrl, .vtm, .vtpc, .stl and .ply");

@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BspScene.h"
+
+#include "BspMap.h"
+#include "Compressed.h"
+#include "Parts.h"
+#include "PotentiallyVisibleSet.h"
+#include "Random.h"
+
+#include "vtkCellArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+
+namespace NBufferExamples
+{
+namespace
+{
+namespace fs = std::filesystem;
+using MapPointer = std::shared_ptr<const BspMap>;
+
+// Units of the map.
+constexpr double EyeHeight = 26.0; // above the origin of a player
+constexpr double Step = 12.0;
+constexpr double Clearance = 16.0;
+constexpr double LookAhead = 48.0;
+constexpr double NearPlane = 4.0;
+constexpr int PatchSteps = 4;
+
+/// Faces by actor.
+using Parts = std::vector<std::vector<std::size_t>>;
+
+Parts MakeParts(const BspMap& map, BspParts kind)
+{
+  std::map<int, std::vector<std::size_t>> byCluster;
+  Parts parts;
+  for (std::size_t face = 0; face < map.GetFaces().size(); ++face)
+  {
+    if (map.GetMesh(face, 1).Triangles.empty())
+    {
+      continue;
+    }
+    const std::vector<int>& clusters = map.GetClusters(face);
+    if (kind == BspParts::Clusters && map.IsWorld(face) && !clusters.empty())
+    {
+      byCluster[clusters.front()].push_back(face);
+    }
+    else
+    {
+      parts.push_back({ face });
+    }
+  }
+  for (const auto& cluster : byCluster)
+  {
+    parts.push_back(cluster.second);
+  }
+  return parts;
+}
+
+vtkSmartPointer<vtkPolyData> MakeMesh(const BspMap& map, const std::vector<std::size_t>& faces)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> triangles;
+  for (std::size_t face : faces)
+  {
+    const BspMesh mesh = map.GetMesh(face, PatchSteps);
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (const BspPoint& point : mesh.Points)
+    {
+      points->InsertNextPoint(point.data());
+    }
+    for (const auto& triangle : mesh.Triangles)
+    {
+      triangles->InsertNextCell({ first + triangle[0], first + triangle[1], first + triangle[2] });
+    }
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(triangles);
+  return data;
+}
+
+class BspVisibility : public PotentiallyVisibleSet
+{
+public:
+  BspVisibility(MapPointer map, const Parts& parts)
+    : Map(std::move(map))
+  {
+    for (const std::vector<std::size_t>& part : parts)
+    {
+      std::vector<int> clusters;
+      bool known = true;
+      for (std::size_t face : part)
+      {
+        const std::vector<int>& more = this->Map->GetClusters(face);
+        known = known && this->Map->IsWorld(face) && !more.empty();
+        clusters.insert(clusters.end(), more.begin(), more.end());
+      }
+      std::sort(clusters.begin(), clusters.end());
+      clusters.erase(std::unique(clusters.begin(), clusters.end()), clusters.end());
+      this->Clusters.push_back(known ? clusters : std::vector<int>());
+    }
+  }
+
+  std::vector<char> Find(const double eye[3]) const override
+  {
+    const int from = this->Map->FindCluster({ eye[0], eye[1], eye[2] });
+    if (from == BspMap::Opaque)
+    {
+      return {};
+    }
+    std::vector<char> visible;
+    visible.reserve(this->Clusters.size());
+    for (const std::vector<int>& clusters : this->Clusters)
+    {
+      visible.push_back(clusters.empty() ||
+        std::any_of(
+          clusters.begin(), clusters.end(), [&](int to) { return this->Map->MaySee(from, to); }));
+    }
+    return visible;
+  }
+
+  bool IsKnown(int actor) const override
+  {
+    return !this->Clusters[static_cast<std::size_t>(actor)].empty();
+  }
+
+  bool IsBlocked(const double from[3], const double to[3]) const override
+  {
+    // A unit is what the place of a pixel may be behind the surface, which bounds opaque leaves.
+    constexpr double tolerance = 1.0;
+    return this->Map->GetOpaqueLength({ from[0], from[1], from[2] }, { to[0], to[1], to[2] }) >
+      tolerance;
+  }
+
+private:
+  MapPointer Map;
+  /// By actor; empty: unknown.
+  std::vector<std::vector<int>> Clusters;
+};
+
+/// Whether no opaque wall is within the clearance.
+bool IsFree(const BspMap& map, const BspPoint& eye)
+{
+  for (int x = -1; x <= 1; ++x)
+  {
+    for (int y = -1; y <= 1; ++y)
+    {
+      for (int z = -1; z <= 1; ++z)
+      {
+        if (map.FindCluster({ eye[0] + Clearance * x, eye[1] + Clearance * y,
+              eye[2] + Clearance * z }) == BspMap::Opaque)
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+std::vector<BspPoint> FindStarts(const BspMap& map)
+{
+  std::vector<BspPoint> starts;
+  for (const char* prefix : { "info_player_", "team_CTF_" })
+  {
+    for (BspPoint origin : map.FindOrigins(prefix))
+    {
+      origin[2] += EyeHeight;
+      if (IsFree(map, origin))
+      {
+        starts.push_back(origin);
+      }
+    }
+  }
+  return starts;
+}
+
+CameraPath MakeWalk(const BspMap& map, int frames, std::uint64_t seed)
+{
+  const std::vector<BspPoint> starts = FindStarts(map);
+  if (starts.empty())
+  {
+    throw std::runtime_error("the map has no start of a player that is free of walls; take orbit, "
+                             "cuts or a camera file");
+  }
+  // Another start after each sixth, to see more of the map.
+  const int stretch = std::max(10, (frames + 5) / 6);
+  Random random(seed);
+  CameraPath path;
+  BspPoint eye{};
+  double yaw = 0.0;
+  for (int i = 0; i < frames; ++i)
+  {
+    const auto ahead = [&](double distance)
+    {
+      return BspPoint{ eye[0] + distance * std::cos(yaw), eye[1] + distance * std::sin(yaw),
+        eye[2] };
+    };
+    if (i % stretch == 0)
+    {
+      eye = starts[random.Index(starts.size())];
+      yaw = random.Between(0.0, 2.0 * vtkMath::Pi());
+    }
+    else
+    {
+      const auto isFree = [&]()
+      { return IsFree(map, ahead(Step)) && map.GetOpaqueLength(eye, ahead(LookAhead)) == 0.0; };
+      yaw += random.Between(-0.03, 0.03);
+      for (int turns = 0; turns < 12 && !isFree(); ++turns)
+      {
+        yaw += 0.5;
+      }
+      eye = isFree() ? ahead(Step) : eye;
+    }
+    CameraPose pose;
+    const BspPoint target = ahead(1.0);
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      pose.Eye[j] = eye[j];
+      pose.Target[j] = target[j];
+      pose.Up[j] = j == 2 ? 1.0 : 0.0;
+    }
+    pose.ViewAngle = 73.74; // 90 degrees wide at 4 to 3, the game's default.
+    pose.Near = NearPlane;
+    pose.Far = 8192.0;
+    path.push_back(pose);
+  }
+  return path;
+}
+
+/// The file, and what follows its last colon.
+std::pair<std::string, std::string> Split(const std::string& name)
+{
+  for (const char* parts : { "faces", "clusters" })
+  {
+    const std::string ending = std::string(":") + parts;
+    if (name.size() > ending.size() &&
+      name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
+    {
+      return { name.substr(0, name.size() - ending.size()), parts };
+    }
+  }
+  return { name, "faces" };
+}
+}
+
+bool IsBspName(const std::string& name)
+{
+  fs::path file = Split(name).first;
+  if (file.extension() == ".gz")
+  {
+    file.replace_extension();
+  }
+  return file.extension() == ".bsp";
+}
+
+Scene LoadBsp(const std::string& name)
+{
+  const auto [file, parts] = Split(name);
+  MapPointer map;
+  try
+  {
+    map = std::make_shared<const BspMap>(ReadMaybeCompressed(file));
+  }
+  catch (const std::runtime_error& error)
+  {
+    const std::string what = error.what();
+    throw std::runtime_error(what.find(file) == std::string::npos ? file + ": " + what : what);
+  }
+  const Parts faces = MakeParts(*map, parts == "faces" ? BspParts::Faces : BspParts::Clusters);
+  if (faces.empty())
+  {
+    throw std::runtime_error(file + ": the map has nothing to draw");
+  }
+  Scene scene;
+  scene.Name = fs::path(file).filename().string() + " " + parts;
+  for (const std::vector<std::size_t>& part : faces)
+  {
+    AddPart(scene, MakePartMapper(MakeMesh(*map, part)));
+  }
+  scene.Known = std::make_shared<const BspVisibility>(map, faces);
+  scene.Paths = { { "walk",
+    [map](int frames, std::uint64_t seed) { return MakeWalk(*map, frames, seed); } } };
+  return scene;
+}
+
+} // namespace NBufferExamples

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file KicadBoard.h
+ * @brief Where the parts of a printed board are: what a scene needs of KiCad's board files.
+ *
+ * Millimetres and degrees, as in the file: y points down there.
+ */
+#ifndef KicadBoard_h
+#define KicadBoard_h
+
+#include <string>
+#include <vector>
+
+namespace NBufferExamples
+{
+
+struct KicadPart
+{
+  std::string Model; ///< As in the file, with variables such as ${KICAD6_3DMODEL_DIR}.
+  double X = 0.0;
+  double Y = 0.0;
+  double Angle = 0.0; ///< Counter-clockwise.
+  bool IsBelow = false;
+  ///@{
+  /// Of the model in its part.
+  double Offset[3] = { 0.0, 0.0, 0.0 };
+  double Scale[3] = { 1.0, 1.0, 1.0 };
+  double Rotation[3] = { 0.0, 0.0, 0.0 };
+  ///@}
+};
+
+struct KicadBoard
+{
+  double Low[2] = { 0.0, 0.0 };
+  double High[2] = { 0.0, 0.0 };
+  double Thickness = 1.6;
+  std::vector<KicadPart> Parts;
+  /// Parts that name no model.
+  int Bare = 0;
+};
+
+/// Throws std::runtime_error that says where the text is no board with an outline.
+KicadBoard ReadKicadBoard(const std::string& text);
+
+} // namespace NBufferExamples
+
+#endif

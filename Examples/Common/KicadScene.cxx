@@ -1,0 +1,413 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "KicadScene.h"
+
+#include "Compressed.h"
+#include "Imported.h"
+#include "KicadBoard.h"
+#include "Parts.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCellData.h"
+#include "vtkCubeSource.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkTransform.h"
+#include "vtkTransformFilter.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVRMLImporter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+
+namespace NBufferExamples
+{
+namespace
+{
+namespace fs = std::filesystem;
+using Actors = std::vector<vtkSmartPointer<vtkActor>>;
+
+constexpr int Slots = 80;
+constexpr double Pitch = 22.0;        // millimetres
+constexpr double UnitOfModels = 2.54; // millimetres: KiCad's VRML is in tenths of an inch
+
+std::vector<fs::path> FindBoards(const fs::path& folder)
+{
+  std::vector<fs::path> boards;
+  for (const fs::path& place : { folder, folder / "boards" })
+  {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(place, ignored))
+    {
+      if (entry.path().extension() == ".kicad_pcb")
+      {
+        boards.push_back(entry.path());
+      }
+    }
+  }
+  std::sort(boards.begin(), boards.end());
+  return boards;
+}
+
+/// The models, each read once.
+class Library
+{
+public:
+  explicit Library(const fs::path& folder)
+  {
+    const char* named = std::getenv("KICAD6_3DMODEL_DIR");
+    this->Folders = { folder / "kicad-3dmodels", folder / ".." / "kicad-3dmodels",
+      named ? fs::path(named) : fs::path(), "/usr/share/kicad/3dmodels" };
+  }
+
+  /// What the importer makes of a model; nothing if it is missing or cannot be read.
+  const Actors& GetActors(const std::string& model)
+  {
+    const auto found = this->Read.find(model);
+    if (found != this->Read.end())
+    {
+      return found->second;
+    }
+    Actors& actors = this->Read[model];
+    const std::string file = this->FindFile(model);
+    if (!file.empty())
+    {
+      vtkNew<vtkVRMLImporter> importer;
+      importer->SetFileName(file.c_str());
+      actors = ImportActors(importer);
+      // Some nodes of VRML become actors without anything to draw.
+      actors.erase(std::remove_if(
+                     actors.begin(), actors.end(), [](vtkActor* actor) { return !GetMesh(actor); }),
+        actors.end());
+    }
+    return actors;
+  }
+
+  /// All of a model as one mesh with colours; nullptr if there is none.
+  vtkPolyDataMapper* GetMapper(const std::string& model)
+  {
+    const auto found = this->Mappers.find(model);
+    if (found != this->Mappers.end())
+    {
+      return found->second;
+    }
+    vtkSmartPointer<vtkPolyDataMapper>& mapper = this->Mappers[model];
+    vtkNew<vtkAppendPolyData> all;
+    for (vtkActor* actor : this->GetActors(model))
+    {
+      all->AddInputData(MakeColored(actor));
+    }
+    if (!this->GetActors(model).empty())
+    {
+      all->Update();
+      mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+      mapper->SetInputData(all->GetOutput());
+      mapper->SetScalarModeToUseCellData();
+    }
+    return mapper;
+  }
+
+private:
+  static vtkPolyData* GetMesh(vtkActor* actor)
+  {
+    if (!actor->GetMapper() || actor->GetMapper()->GetNumberOfInputConnections(0) == 0)
+    {
+      return nullptr;
+    }
+    actor->GetMapper()->Update();
+    auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput());
+    return mesh && mesh->GetNumberOfCells() > 0 ? mesh : nullptr;
+  }
+
+  static vtkSmartPointer<vtkPolyData> MakeColored(vtkActor* actor)
+  {
+    vtkNew<vtkTransform> place;
+    place->SetMatrix(actor->GetMatrix());
+    vtkNew<vtkTransformFilter> moved;
+    moved->SetTransform(place);
+    moved->SetInputData(GetMesh(actor));
+    moved->Update();
+    vtkSmartPointer<vtkPolyData> data = moved->GetPolyDataOutput();
+    vtkNew<vtkUnsignedCharArray> colors;
+    colors->SetName("color");
+    colors->SetNumberOfComponents(3);
+    colors->SetNumberOfTuples(data->GetNumberOfCells());
+    for (int i = 0; i < 3; ++i)
+    {
+      colors->FillComponent(i, std::round(255.0 * actor->GetProperty()->GetDiffuseColor()[i]));
+    }
+    data->GetCellData()->Initialize();
+    data->GetCellData()->SetScalars(colors);
+    return data;
+  }
+
+  std::string FindFile(const std::string& model) const
+  {
+    // What follows the variable; KiCad itself takes VRML in place of STEP.
+    const std::size_t end = model.find('}');
+    fs::path name =
+      end == std::string::npos ? model : model.substr(std::min(end + 2, model.size()));
+    name.replace_extension(".wrl");
+    for (const fs::path& folder : this->Folders)
+    {
+      std::error_code ignored;
+      if (!folder.empty() && fs::is_regular_file(folder / name, ignored))
+      {
+        return (folder / name).string();
+      }
+    }
+    return std::string();
+  }
+
+  std::vector<fs::path> Folders;
+  std::map<std::string, Actors> Read;
+  std::map<std::string, vtkSmartPointer<vtkPolyDataMapper>> Mappers;
+};
+
+/// From a model to its board: x and y from the middle of the outline, y up, z from its middle
+/// layer.
+vtkSmartPointer<vtkTransform> MakePlacement(const KicadBoard& board, const KicadPart& part)
+{
+  auto place = vtkSmartPointer<vtkTransform>::New();
+  place->Translate(part.X - 0.5 * (board.Low[0] + board.High[0]),
+    0.5 * (board.Low[1] + board.High[1]) - part.Y, (part.IsBelow ? -0.5 : 0.5) * board.Thickness);
+  place->RotateZ(part.Angle);
+  if (part.IsBelow)
+  {
+    place->RotateY(180.0);
+    place->RotateZ(180.0);
+  }
+  place->Translate(part.Offset);
+  place->RotateZ(-part.Rotation[2]);
+  place->RotateY(-part.Rotation[1]);
+  place->RotateX(-part.Rotation[0]);
+  place->Scale(
+    UnitOfModels * part.Scale[0], UnitOfModels * part.Scale[1], UnitOfModels * part.Scale[2]);
+  return place;
+}
+
+KicadBoard ReadBoard(const fs::path& file)
+{
+  try
+  {
+    return ReadKicadBoard(ReadMaybeCompressed(file.string()));
+  }
+  catch (const std::runtime_error& error)
+  {
+    const std::string what = error.what();
+    throw std::runtime_error(
+      what.find(file.string()) == std::string::npos ? file.string() + ": " + what : what);
+  }
+}
+
+class Builder
+{
+public:
+  Builder(const fs::path& folder, const std::function<void(const std::string&)>& progress)
+    : Models(folder)
+    , Progress(progress)
+  {
+    vtkNew<vtkCubeSource> cube;
+    cube->Update();
+    this->Box = MakePartMapper(cube->GetOutput());
+  }
+
+  void AddBoard(const KicadBoard& board, double z)
+  {
+    AddPart(this->Result, this->Box, 0.0, 0.0, z, board.High[0] - board.Low[0],
+      board.High[1] - board.Low[1], board.Thickness)
+      ->GetProperty()
+      ->SetColor(0.1, 0.35, 0.2);
+  }
+
+  /// One actor.
+  void AddWhole(const KicadBoard& board, const KicadPart& part, double z)
+  {
+    vtkPolyDataMapper* mapper = this->Models.GetMapper(part.Model);
+    if (!mapper)
+    {
+      ++this->Missing;
+      return;
+    }
+    vtkNew<vtkMatrix4x4> matrix;
+    matrix->DeepCopy(MakePlacement(board, part)->GetMatrix());
+    matrix->SetElement(2, 3, matrix->GetElement(2, 3) + z);
+    AddPart(this->Result, mapper)->SetUserMatrix(matrix);
+    ++this->Found;
+  }
+
+  /// All that the importer makes of it.
+  void AddPieces(const KicadBoard& board, const KicadPart& part)
+  {
+    const Actors& pieces = this->Models.GetActors(part.Model);
+    const vtkSmartPointer<vtkTransform> place = MakePlacement(board, part);
+    for (vtkActor* piece : pieces)
+    {
+      vtkNew<vtkMatrix4x4> matrix;
+      vtkMatrix4x4::Multiply4x4(place->GetMatrix(), piece->GetMatrix(), matrix);
+      auto actor = vtkSmartPointer<vtkActor>::New();
+      actor->SetMapper(piece->GetMapper());
+      actor->SetProperty(piece->GetProperty());
+      actor->SetUserMatrix(matrix);
+      this->Result.Actors.push_back(actor);
+    }
+    ++(pieces.empty() ? this->Missing : this->Found);
+  }
+
+  Scene Finish(const std::string& name)
+  {
+    if (this->Found == 0)
+    {
+      throw std::runtime_error(name +
+        ": none of the models of its parts was found or could be read; they are in Debian's "
+        "kicad-packages3d, and KICAD6_3DMODEL_DIR may name their folder");
+    }
+    if (this->Progress && this->Missing > 0)
+    {
+      this->Progress(name + ": " + std::to_string(this->Missing) + " of " +
+        std::to_string(this->Missing + this->Found) + " parts without a model that can be read");
+    }
+    this->Result.Name = name;
+    return std::move(this->Result);
+  }
+
+private:
+  Library Models;
+  const std::function<void(const std::string&)>& Progress;
+  vtkSmartPointer<vtkPolyDataMapper> Box;
+  Scene Result;
+  int Found = 0;
+  int Missing = 0;
+};
+
+CameraPose Look(const double eye[3], const double target[3], int up, double angle, double nearest,
+  double farthest)
+{
+  CameraPose pose;
+  for (int i = 0; i < 3; ++i)
+  {
+    pose.Eye[i] = eye[i];
+    pose.Target[i] = target[i];
+    pose.Up[i] = i == up ? 1.0 : 0.0;
+  }
+  pose.ViewAngle = angle;
+  pose.Near = nearest;
+  pose.Far = farthest;
+  return pose;
+}
+
+/// Around the cage, 0.9 m from its middle line.
+CameraPath MakeOutside(int frames)
+{
+  const double middle[3] = { 0.0, 0.0, 0.0 };
+  CameraPath path;
+  for (int i = 0; i < frames; ++i)
+  {
+    const double angle = 2.0 * vtkMath::Pi() * (i + 0.25) / frames;
+    const double eye[3] = { 900.0 * std::cos(angle), 300.0,
+      (0.5 * Slots * Pitch + 500.0) * std::sin(angle) };
+    path.push_back(Look(eye, middle, 1, 60.0, 50.0, 4000.0));
+  }
+  return path;
+}
+
+/// Between two boards, eight times another two, once around in each gap, looking along the boards.
+CameraPath MakeBetween(int frames)
+{
+  constexpr int gaps = 8;
+  CameraPath path;
+  for (int i = 0; i < frames; ++i)
+  {
+    const int gap = i * gaps / frames;
+    const double share = static_cast<double>(i) * gaps / frames - gap;
+    const int slot = (7 + 11 * gap) % (Slots - 1);
+    // Nearer to the boards that one looks at from behind: their parts are on the other side.
+    const double z = (slot + 0.75 - 0.5 * (Slots - 1)) * Pitch;
+    const double yaw = 2.0 * vtkMath::Pi() * share;
+    const double eye[3] = { 40.0 * (share - 0.5), 10.0, z };
+    const double target[3] = { eye[0] + std::cos(yaw), eye[1] + std::sin(yaw), z - 0.15 };
+    path.push_back(Look(eye, target, 2, 60.0, 0.5, 2500.0));
+  }
+  return path;
+}
+
+/// Low over one board, looking at its middle.
+CameraPath MakeOver(const KicadBoard& board, int frames)
+{
+  const double radius =
+    0.5 * std::max(board.High[0] - board.Low[0], board.High[1] - board.Low[1]) + 10.0;
+  const double middle[3] = { 0.0, 0.0, 0.0 };
+  CameraPath path;
+  for (int i = 0; i < frames; ++i)
+  {
+    const double angle = 2.0 * vtkMath::Pi() * i / frames;
+    const double eye[3] = { radius * std::cos(angle), radius * std::sin(angle), 25.0 };
+    path.push_back(Look(eye, middle, 2, 50.0, 2.0, 500.0));
+  }
+  return path;
+}
+
+Scene LoadBoard(const fs::path& file, const std::function<void(const std::string&)>& progress)
+{
+  const KicadBoard board = ReadBoard(file);
+  Builder builder(file.parent_path(), progress);
+  builder.AddBoard(board, 0.0);
+  for (const KicadPart& part : board.Parts)
+  {
+    builder.AddPieces(board, part);
+  }
+  Scene scene = builder.Finish(file.stem().string());
+  scene.Paths = { { "over",
+    [board](int frames, std::uint64_t) { return MakeOver(board, frames); } } };
+  return scene;
+}
+
+Scene LoadCage(const fs::path& folder, const std::function<void(const std::string&)>& progress)
+{
+  std::vector<KicadBoard> boards;
+  for (const fs::path& file : FindBoards(folder))
+  {
+    boards.push_back(ReadBoard(file));
+  }
+  Builder builder(folder, progress);
+  for (int slot = 0; slot < Slots; ++slot)
+  {
+    const KicadBoard& board = boards[static_cast<std::size_t>(slot) % boards.size()];
+    const double z = (slot - 0.5 * (Slots - 1)) * Pitch;
+    builder.AddBoard(board, z);
+    for (const KicadPart& part : board.Parts)
+    {
+      builder.AddWhole(board, part, z);
+    }
+  }
+  Scene scene = builder.Finish("card cage");
+  scene.UpAxis = 1;
+  scene.Paths = { { "outside", [](int frames, std::uint64_t) { return MakeOutside(frames); } },
+    { "between", [](int frames, std::uint64_t) { return MakeBetween(frames); } } };
+  return scene;
+}
+}
+
+bool IsKicadName(const std::string& name)
+{
+  std::error_code ignored;
+  return fs::path(name).extension() == ".kicad_pcb" ||
+    (fs::is_directory(name, ignored) && !FindBoards(name).empty());
+}
+
+Scene LoadKicad(const std::string& name, const std::function<void(const std::string&)>& progress)
+{
+  return fs::path(name).extension() == ".kicad_pcb" ? LoadBoard(name, progress)
+                                                    : LoadCage(name, progress);
+}
+
+} // namespace NBufferExamples

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Parts.h"
+
+#include "vtkMath.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+
+namespace NBufferExamples
+{
+
+vtkSmartPointer<vtkPolyDataMapper> MakePartMapper(vtkPolyData* data)
+{
+  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  mapper->SetInputData(data);
+  mapper->ScalarVisibilityOff();
+  return mapper;
+}
+
+void PaintPart(vtkActor* actor, std::size_t number, double value)
+{
+  const double hue = 0.08 + 0.61803398875 * static_cast<double>(number);
+  double color[3];
+  vtkMath::HSVToRGB(hue - static_cast<int>(hue), 0.35, value, &color[0], &color[1], &color[2]);
+  actor->GetProperty()->SetColor(color);
+}
+
+vtkActor* AddPart(Scene& scene, vtkPolyDataMapper* mapper)
+{
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  PaintPart(actor, scene.Actors.size());
+  actor->GetProperty()->SetAmbient(0.35);
+  actor->GetProperty()->SetDiffuse(0.65);
+  scene.Actors.push_back(actor);
+  return actor;
+}
+
+vtkActor* AddPart(Scene& scene, vtkPolyDataMapper* mapper, double x, double y, double z,
+  double sizeX, double sizeY, double sizeZ)
+{
+  vtkActor* actor = AddPart(scene, mapper);
+  actor->SetPosition(x, y, z);
+  actor->SetScale(sizeX, sizeY, sizeZ);
+  return actor;
+}
+
+} // namespace NBufferExamples

@@ -1,0 +1,410 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Plant.h"
+
+#include "Parts.h"
+#include "Random.h"
+
+#include "vtkCellArray.h"
+#include "vtkCubeSource.h"
+#include "vtkCylinderSource.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
+#include "vtkSphereSource.h"
+#include "vtkTransform.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace NBufferExamples
+{
+namespace
+{
+using Point = std::array<double, 3>;
+
+// Metres.
+constexpr double Length = 120.0;
+constexpr double Bay = 6.0;
+constexpr double RackWidth = 6.0;
+constexpr double RackStep = 20.0; // from one rack to the next
+constexpr double FirstLevel = 4.5;
+constexpr double LevelStep = 2.2;
+constexpr int Racks = 3;
+constexpr int Levels = 4;
+/// Of an elbow's middle line, in diameters of its pipe.
+constexpr double BendRadius = 1.5;
+
+double GetRackPlace(int rack)
+{
+  return (rack - 0.5 * (Racks - 1)) * RackStep;
+}
+
+/// A bend by a right angle of a pipe of diameter 1: from the origin along x, turning to y.
+vtkSmartPointer<vtkPolyData> MakeElbow()
+{
+  constexpr int around = 12;
+  constexpr int along = 6;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> quads;
+  for (int i = 0; i <= along; ++i)
+  {
+    const double turn = 0.5 * vtkMath::Pi() * i / along;
+    for (int j = 0; j < around; ++j)
+    {
+      const double angle = 2.0 * vtkMath::Pi() * j / around;
+      const double radius = BendRadius + 0.5 * std::cos(angle);
+      points->InsertNextPoint(
+        radius * std::sin(turn), BendRadius - radius * std::cos(turn), 0.5 * std::sin(angle));
+      if (i < along)
+      {
+        const vtkIdType next = (j + 1) % around;
+        const vtkIdType quad[] = { i * around + j, i * around + next, (i + 1) * around + next,
+          (i + 1) * around + j };
+        quads->InsertNextCell(4, quad);
+      }
+    }
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(quads);
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(data);
+  normals->Update();
+  return normals->GetOutput();
+}
+
+template <class Source>
+vtkSmartPointer<vtkPolyDataMapper> MakeMapper(Source* source)
+{
+  source->Update();
+  return MakePartMapper(source->GetOutput());
+}
+
+class Builder
+{
+public:
+  explicit Builder(std::uint64_t seed)
+    : Numbers(seed)
+  {
+    vtkNew<vtkCubeSource> cube;
+    this->Box = MakeMapper(cube.Get());
+    vtkNew<vtkCylinderSource> cylinder;
+    cylinder->SetResolution(16);
+    this->Cylinder = MakeMapper(cylinder.Get());
+    vtkNew<vtkCylinderSource> drum;
+    drum->SetResolution(48);
+    this->Drum = MakeMapper(drum.Get());
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetThetaResolution(24);
+    sphere->SetPhiResolution(16);
+    this->Ball = MakeMapper(sphere.Get());
+    this->Elbow = MakePartMapper(MakeElbow());
+  }
+
+  Scene Build()
+  {
+    this->Result.Name = "plant (synthetic)";
+    this->AddBox({ 0.0, 0.0, -0.5 }, { Length + 20.0, 90.0, 1.0 })
+      ->GetProperty()
+      ->SetColor(0.6, 0.6, 0.58);
+    for (int rack = 0; rack < Racks; ++rack)
+    {
+      this->AddSteel(GetRackPlace(rack));
+      this->AddPipesOfRack(GetRackPlace(rack));
+    }
+    this->AddTanks();
+    this->AddVessels();
+    this->AddHouses();
+    return std::move(this->Result);
+  }
+
+private:
+  vtkActor* AddBox(const Point& center, const Point& size)
+  {
+    return AddPart(
+      this->Result, this->Box, center[0], center[1], center[2], size[0], size[1], size[2]);
+  }
+
+  /// A cylinder, which VTK makes along y, along another axis.
+  vtkActor* AddCylinder(
+    vtkPolyDataMapper* mapper, const Point& center, int axis, double diameter, double length)
+  {
+    vtkActor* actor = AddPart(this->Result, mapper);
+    actor->SetPosition(center[0], center[1], center[2]);
+    actor->SetScale(diameter, length, diameter);
+    actor->SetOrientation(axis == 2 ? 90.0 : 0.0, 0.0, axis == 0 ? 90.0 : 0.0);
+    return actor;
+  }
+
+  void AddElbow(const Point& corner, const Point& from, const Point& to, double diameter)
+  {
+    double across[3];
+    vtkMath::Cross(from.data(), to.data(), across);
+    vtkNew<vtkMatrix4x4> matrix;
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto j = static_cast<std::size_t>(i);
+      matrix->SetElement(i, 0, diameter * from[j]);
+      matrix->SetElement(i, 1, diameter * to[j]);
+      matrix->SetElement(i, 2, diameter * across[j]);
+      matrix->SetElement(i, 3, corner[j] - BendRadius * diameter * from[j]);
+    }
+    AddPart(this->Result, this->Elbow)->SetUserMatrix(matrix);
+  }
+
+  /// A pipe through corners, each of which differs from the one before in one coordinate: pieces of
+  /// at most a bay with flanges between them, elbows, and a valve here and there.
+  void AddPipe(const std::vector<Point>& corners, double diameter)
+  {
+    Point last{};
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+    {
+      Point begin = corners[i];
+      Point end = corners[i + 1];
+      Point way{};
+      int axis = 0;
+      double length = 0.0;
+      for (std::size_t j = 0; j < 3; ++j)
+      {
+        if (end[j] != begin[j])
+        {
+          axis = static_cast<int>(j);
+          length = std::abs(end[j] - begin[j]);
+          way[j] = end[j] > begin[j] ? 1.0 : -1.0;
+        }
+      }
+      if (i > 0)
+      {
+        this->AddElbow(begin, last, way, diameter);
+      }
+      const double bend = BendRadius * diameter;
+      const double first = i > 0 ? bend : 0.0;
+      const double rest = length - first - (i + 2 < corners.size() ? bend : 0.0);
+      if (rest > 0.0)
+      {
+        for (std::size_t j = 0; j < 3; ++j)
+        {
+          begin[j] += first * way[j];
+        }
+        this->AddLeg(begin, way, axis, rest, diameter);
+      }
+      last = way;
+    }
+  }
+
+  void AddLeg(const Point& begin, const Point& way, int axis, double length, double diameter)
+  {
+    const int pieces = std::max(1, static_cast<int>(std::ceil(length / Bay - 1e-9)));
+    const auto at = [&](double distance)
+    {
+      Point point = begin;
+      for (std::size_t j = 0; j < 3; ++j)
+      {
+        point[j] += distance * way[j];
+      }
+      return point;
+    };
+    const double piece = length / pieces;
+    for (int i = 0; i < pieces; ++i)
+    {
+      this->AddCylinder(this->Cylinder, at((i + 0.5) * piece), axis, diameter, piece);
+      this->AddCylinder(this->Cylinder, at(i * piece), axis, 1.6 * diameter, 0.25 * diameter);
+      if (piece > 6.0 * diameter && this->Numbers.Between(0.0, 1.0) < 0.12)
+      {
+        const Point place = at((i + 0.3) * piece);
+        AddPart(this->Result, this->Ball, place[0], place[1], place[2], 1.9 * diameter,
+          1.9 * diameter, 1.9 * diameter);
+        this->AddCylinder(this->Cylinder, { place[0], place[1], place[2] + diameter }, 2,
+          0.3 * diameter, 2.0 * diameter);
+        this->AddCylinder(this->Cylinder, { place[0], place[1], place[2] + 2.0 * diameter }, 2,
+          1.6 * diameter, 0.15 * diameter);
+      }
+    }
+  }
+
+  void AddSteel(double y)
+  {
+    const double top = FirstLevel + Levels * LevelStep;
+    const int bays = static_cast<int>(Length / Bay);
+    for (int i = 0; i <= bays; ++i)
+    {
+      const double x = (i - 0.5 * bays) * Bay;
+      for (double side : { -0.5, 0.5 })
+      {
+        this->AddBox({ x, y + side * RackWidth, 0.5 * top }, { 0.3, 0.3, top });
+        for (int level = 0; level < Levels && i < bays; ++level)
+        {
+          this->AddBox(
+            { x + 0.5 * Bay, y + side * RackWidth, FirstLevel + level * LevelStep - 0.15 },
+            { Bay - 0.3, 0.15, 0.2 });
+        }
+      }
+      for (int level = 0; level < Levels; ++level)
+      {
+        this->AddBox(
+          { x, y, FirstLevel + level * LevelStep - 0.15 }, { 0.25, RackWidth - 0.3, 0.3 });
+      }
+    }
+  }
+
+  void AddPipesOfRack(double y)
+  {
+    for (int level = 0; level < Levels; ++level)
+    {
+      double place = -0.5 * RackWidth + 0.3;
+      while (true)
+      {
+        const double diameter = this->Numbers.Between(0.12, 0.6);
+        place += 0.5 * diameter;
+        if (place + 0.5 * diameter > 0.5 * RackWidth - 0.2)
+        {
+          break;
+        }
+        const double z = FirstLevel + level * LevelStep + 0.5 * diameter;
+        const double begin = -0.5 * Length + Bay * this->Numbers.Index(5);
+        const double end = 0.5 * Length - Bay * this->Numbers.Index(5) - 1.0;
+        // Some leave the rack: up over the others, aside, and down.
+        if (this->Numbers.Between(0.0, 1.0) < 0.35)
+        {
+          const double side = this->Numbers.Index(2) == 0 ? -1.0 : 1.0;
+          const double over = FirstLevel + Levels * LevelStep + this->Numbers.Between(0.3, 2.5);
+          const double out = y + side * (0.5 * RackWidth + this->Numbers.Between(1.5, 5.0));
+          this->AddPipe({ { begin, y + place, z }, { end, y + place, z }, { end, y + place, over },
+                          { end, out, over }, { end, out, 1.0 } },
+            diameter);
+        }
+        else
+        {
+          this->AddPipe({ { begin, y + place, z }, { end, y + place, z } }, diameter);
+        }
+        place += 0.5 * diameter + this->Numbers.Between(0.08, 0.25);
+      }
+    }
+  }
+
+  void AddTanks()
+  {
+    const double y = GetRackPlace(0) - 0.5 * RackStep - 6.0;
+    for (double x = -0.5 * Length + 6.0; x < 0.5 * Length - 6.0; x += 13.0)
+    {
+      const double diameter = this->Numbers.Between(6.0, 10.0);
+      const double height = this->Numbers.Between(8.0, 15.0);
+      this->AddCylinder(this->Drum, { x, y, 0.5 * height }, 2, diameter, height);
+      AddPart(this->Result, this->Ball, x, y, height, diameter, diameter, 0.35 * diameter);
+      // To the first rack, and a ladder's rungs.
+      this->AddPipe({ { x, y + 0.5 * diameter, 1.2 }, { x, GetRackPlace(0) - 6.0, 1.2 },
+                      { x, GetRackPlace(0) - 6.0, 3.6 }, { x, GetRackPlace(0), 3.6 } },
+        0.3);
+      for (double z = 0.4; z < height; z += 0.4)
+      {
+        this->AddBox({ x + 0.5 * diameter + 0.2, y, z }, { 0.04, 0.5, 0.04 });
+      }
+    }
+  }
+
+  void AddVessels()
+  {
+    for (int rack = 0; rack + 1 < Racks; ++rack)
+    {
+      const double y = GetRackPlace(rack) + 0.5 * RackStep + 3.2;
+      for (double x = -0.5 * Length + 8.0; x < 0.5 * Length - 8.0; x += 9.0)
+      {
+        const double diameter = this->Numbers.Between(1.2, 2.4);
+        const double length = this->Numbers.Between(4.0, 6.0);
+        const double z = 0.8 + 0.5 * diameter;
+        this->AddCylinder(this->Drum, { x, y, z }, 0, diameter, length);
+        for (double end : { -0.5, 0.5 })
+        {
+          AddPart(
+            this->Result, this->Ball, x + end * length, y, z, 0.6 * diameter, diameter, diameter);
+          this->AddBox({ x + 0.6 * end * length, y, 0.4 }, { 0.3, diameter, 0.8 });
+        }
+        const double up = GetRackPlace(rack + 1) - 1.0;
+        this->AddPipe({ { x, y, z + 0.5 * diameter }, { x, y, 4.0 }, { x, up, 4.0 } }, 0.2);
+        // A pump beside it.
+        this->AddBox({ x + 3.5, y - 1.5, 0.3 }, { 1.8, 0.8, 0.6 });
+        this->AddCylinder(this->Cylinder, { x + 3.2, y - 1.5, 0.95 }, 0, 0.6, 0.9);
+        this->AddCylinder(this->Cylinder, { x + 4.0, y - 1.5, 0.95 }, 0, 0.9, 0.3);
+      }
+    }
+  }
+
+  void AddHouses()
+  {
+    const double y = GetRackPlace(Racks - 1) + 0.5 * RackStep + 6.0;
+    for (double x : { -40.0, 0.0, 42.0 })
+    {
+      const double height = this->Numbers.Between(4.0, 9.0);
+      this->AddBox({ x, y, 0.5 * height }, { this->Numbers.Between(12.0, 26.0), 9.0, height });
+    }
+  }
+
+  Random Numbers;
+  Scene Result;
+  vtkSmartPointer<vtkPolyDataMapper> Box, Cylinder, Drum, Ball, Elbow;
+};
+
+CameraPath MakeInside(int frames)
+{
+  // Between the first two racks, where the vessels are not.
+  const double y = GetRackPlace(0) + 0.5 * RackStep - 2.0;
+  CameraPath path;
+  for (int i = 0; i < frames; ++i)
+  {
+    const double share = static_cast<double>(i) / frames;
+    CameraPose pose;
+    pose.Eye[0] = (share - 0.5) * (Length - 20.0);
+    pose.Eye[1] = y;
+    pose.Eye[2] = 1.7;
+    // Looking ahead and, four times on the way, to the left and right.
+    const double yaw = 1.2 * std::sin(8.0 * vtkMath::Pi() * share);
+    pose.Target[0] = pose.Eye[0] + std::cos(yaw);
+    pose.Target[1] = pose.Eye[1] + std::sin(yaw);
+    pose.Target[2] = pose.Eye[2] + 0.1;
+    pose.Up[1] = 0.0;
+    pose.Up[2] = 1.0;
+    pose.ViewAngle = 60.0;
+    pose.Near = 0.1;
+    pose.Far = 250.0;
+    path.push_back(pose);
+  }
+  return path;
+}
+
+CameraPath MakeAround(int frames)
+{
+  CameraPath path;
+  for (int i = 0; i < frames; ++i)
+  {
+    const double angle = 2.0 * vtkMath::Pi() * i / frames;
+    CameraPose pose;
+    pose.Eye[0] = 110.0 * std::cos(angle);
+    pose.Eye[1] = 80.0 * std::sin(angle);
+    pose.Eye[2] = 25.0;
+    pose.Target[2] = 5.0;
+    pose.Up[1] = 0.0;
+    pose.Up[2] = 1.0;
+    pose.ViewAngle = 45.0;
+    pose.Near = 5.0;
+    pose.Far = 300.0;
+    path.push_back(pose);
+  }
+  return path;
+}
+}
+
+Scene MakePlant(std::uint64_t seed)
+{
+  Scene scene = Builder(seed).Build();
+  scene.Paths = { { "inside", [](int frames, std::uint64_t) { return MakeInside(frames); } },
+    { "around", [](int frames, std::uint64_t) { return MakeAround(frames); } } };
+  return scene;
+}
+
+} // namespace NBufferExamples
