@@ -9,8 +9,10 @@
 #include "Images.h"
 #include "Report.h"
 #include "StudyChart.h"
+#include "StudyDevice.h"
 #include "StudyDocument.h"
 #include "StudyFormats.h"
+#include "StudyFragments.h"
 #include "StudyFrames.h"
 #include "StudyHierarchy.h"
 #include "StudyPaper.h"
@@ -42,10 +44,13 @@ struct Effort
   int MostProps;        ///< Of the hierarchy.
   int WalkFrames;       ///< Of the peers, whole frames.
   int LatentPairs;
+  int FragmentFrames;
+  int DeviceRepetitions;
+  int MostDevicePixels;
 };
-constexpr Effort Full = { 8, 7, 6, 9, 1024, 256, 1000000, 40, 12 };
-constexpr Effort Quick = { 3, 3, 2, 3, 1024, 128, 100000, 8, 3 };
-constexpr Effort Tiny = { 1, 1, 1, 1, 256, 16, 1000, 2, 1 };
+constexpr Effort Full = { 8, 7, 6, 9, 1024, 256, 1000000, 40, 12, 6, 9, 1920 * 1080 };
+constexpr Effort Quick = { 3, 3, 2, 3, 1024, 128, 100000, 8, 3, 1, 2, 1920 * 1080 };
+constexpr Effort Tiny = { 1, 1, 1, 1, 256, 16, 1000, 2, 1, 1, 1, 256 * 256 };
 
 struct StudyOptions
 {
@@ -168,6 +173,9 @@ public:
       this->RunFormats(scene, session, "drone");
     }
     this->RunPaper(scene, session, paths.front());
+    this->Report["device"] = MeasureDevice(session, this->MakePath(scene, paths.front(), 1).front(),
+      this->Spent.DeviceRepetitions, this->Spent.MostDevicePixels,
+      [](const std::string& size) { ShowProgress("the device: " + size); });
     ShowProgress("");
     this->Report["seconds"] =
       Round(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
@@ -217,7 +225,7 @@ private:
     report["path"] = name;
     report["size"] = std::to_string(work.front().Width) + "x" + std::to_string(work.front().Height);
     report["repetitions"] = repetitions;
-    report["frames_by_mode"] = this->RunPeers(scene, session, name, report["latent"]);
+    report["frames_by_mode"] = this->RunPeers(scene, session, name, report);
     AddLosses(report, report["frames_by_mode"]["draw_us"].asDouble());
     report["chart"] = "pareto-" + GetFileName(scene.Name) + "-" + GetFileName(name);
     WriteParetoChart(report, scene.Name + ", " + name + ", " + report["size"].asString(),
@@ -236,19 +244,27 @@ private:
 
   /// Whole frames, one pose after the other.
   Json::Value RunPeers(const NBufferExamples::Scene& scene, Session& session,
-    const std::string& name, Json::Value& latent)
+    const std::string& name, Json::Value& report)
   {
     const auto progress = [&name](const std::string& text)
     { ShowProgress(name + ": whole frames, " + text); };
     const Json::Value frames = MeasureFrames(session,
       NBufferExamples::MakePath(scene, name, this->Spent.WalkFrames, this->Options.View.Seed),
       progress);
+    this->FalseHidden += frames["wrong_bytes"].asInt64();
+    if (frames["wrong_bytes"].asInt64() > 0)
+    {
+      std::cerr << "nbuffer-bench: whole frames of " << name << " differ in "
+                << frames["wrong_bytes"].asInt64() << " bytes\n";
+    }
     const NBufferExamples::CameraPath path =
       NBufferExamples::MakePath(scene, name, 480, this->Options.View.Seed);
+    report["fragments"] =
+      MeasureFragments(session, path, GetPeersThatRun(), this->Spent.FragmentFrames, progress);
     for (int step : { 1, 10 })
     {
       progress("by verdicts of " + std::to_string(step) + " poses ago");
-      latent.append(MeasureLatent(session, path, step, this->Spent.LatentPairs,
+      report["latent"].append(MeasureLatent(session, path, step, this->Spent.LatentPairs,
         this->Options.Folder + "/latent-" + GetFileName(scene.Name) + "-" + GetFileName(name) +
           "-" + std::to_string(step) + ".png"));
     }
