@@ -48,8 +48,8 @@ struct Effort
   int DeviceRepetitions;
   int MostDevicePixels;
 };
-constexpr Effort Full = { 8, 7, 6, 9, 1024, 256, 1000000, 40, 12, 6, 9, 1920 * 1080 };
-constexpr Effort Quick = { 3, 3, 2, 3, 1024, 128, 100000, 8, 3, 1, 2, 1920 * 1080 };
+constexpr Effort Full = { 8, 7, 6, 9, 1024, 256, 1000000, 30, 12, 4, 9, 1920 * 1080 };
+constexpr Effort Quick = { 3, 3, 2, 3, 1024, 128, 100000, 5, 3, 1, 2, 1920 * 1080 };
 constexpr Effort Tiny = { 1, 1, 1, 1, 256, 16, 1000, 2, 1, 1, 1, 256 * 256 };
 
 struct StudyOptions

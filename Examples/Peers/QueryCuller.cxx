@@ -18,6 +18,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace NBufferPeers

@@ -12,7 +12,7 @@
  *
  * For one renderer without render passes, depth peeling of held props or selection while it is
  * attached: a peer of a study, not a culler to ship. Where queries are missing it draws everything
- * in view and GetError() says why.
+ * and GetError() says why.
  */
 #ifndef QueryCuller_h
 #define QueryCuller_h
@@ -59,7 +59,7 @@ public:
 
   const QueryStatistics& GetStatistics() const;
 
-  /// Why the last frame drew everything in view; empty if it did not.
+  /// Why the last frame drew everything; empty if it did not.
   const std::string& GetError() const;
 
   double Cull(

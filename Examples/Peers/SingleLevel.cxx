@@ -254,7 +254,10 @@ bool SingleLevel::Reduce(ReduceMethod method, int factor, std::string& why)
     : nullptr;
   if (this->Timer)
   {
+    // Rasterisers that collect draws before they begin would begin to count with the last of them,
+    // and those that dispatch at once would not count that at all.
     this->Timer->Start();
+    glFlush();
   }
   const bool done = method == ReduceMethod::Compute ? this->Dispatch(factor, why)
     : method == ReduceMethod::Passes                ? this->ReduceByPasses(factor, why)
@@ -262,8 +265,6 @@ bool SingleLevel::Reduce(ReduceMethod method, int factor, std::string& why)
                                                         this->PixelHeight, factor, this->Targets[0], why);
   if (this->Timer)
   {
-    // Rasterisers that collect draws before they begin would take the time of none.
-    glFlush();
     this->Timer->Stop();
     glFlush();
   }

@@ -229,6 +229,21 @@ TEST_P(StudyPeers, PropsComeAndGo)
   this->Compare("no wall");
 }
 
+TEST_P(StudyPeers, MultisampledInAnotherWindow)
+{
+  this->AddWall();
+  this->Compare("one sample");
+  this->Window->RemoveRenderer(this->Renderer);
+  this->Window = NewWindow(301, 173, 4);
+  this->Window->AddRenderer(this->Renderer);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    this->SetCamera(0.3 * frame, 0.1, 20.0);
+    this->Compare("four samples");
+  }
+  EXPECT_GT(this->Culler->GetStatistics().Hidden, 50);
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, StudyPeers,
   testing::Values(Kind{ "Flat", QueryMethod::Flat, QueryTarget::Any },
     Kind{ "FlatConservative", QueryMethod::Flat, QueryTarget::AnyConservative },
