@@ -17,6 +17,7 @@
 #include "StudyHierarchy.h"
 #include "StudyPaper.h"
 #include "StudyPeers.h"
+#include "StudyPeersCSV.h"
 #include "StudyReport.h"
 
 #include "Contest.h"
@@ -181,6 +182,7 @@ public:
       Round(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     WriteJSON(this->Report, this->Options.Folder + "/study.json");
     WriteStudyCSV(this->Report, this->Options.Folder + "/study.csv");
+    WritePeersCSV(this->Report, this->Options.Folder);
     // The text is about the city.
     if (scene.Plan && this->Options.View.Path.empty())
     {
@@ -346,7 +348,9 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
   auto options = std::make_shared<StudyOptions>();
   options->View.Program = program;
   options->View.AddTo(*command);
-  command->add_option("--out", options->Folder, "Folder for study.json, study.csv and the charts")
+  command
+    ->add_option("--out", options->Folder,
+      "Folder for study.json, study.csv, peers.csv, device.csv and the charts")
     ->capture_default_str();
   command->add_option("--links", options->Links, "Folder of the charts as seen from accuracy.md")
     ->capture_default_str();
