@@ -5,7 +5,8 @@
  * @brief Fragments that the draws of a frame leave in the framebuffer, and how many are wasted.
  *
  * Counted are samples that pass the depth test when their prop is drawn (GL_SAMPLES_PASSED around
- * each draw of a prop, in the order and as often as the mode draws them; boxes of queries apart). A
+ * each draw of a prop, in the order and as often as the mode draws them, the least of three counts;
+ * boxes of queries apart). A
  * pixel shows one of them: *wasted* are all others, those that a later draw covers and those that a
  * prop drawn again leaves once more.
  *
