@@ -6,22 +6,66 @@
 #include "vtkFrustumCoverageCuller.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace NBufferBench
 {
-
-bool Mode::IsName(const std::string& name)
+namespace
 {
-  return name == "stock" || name == "none" || name == "nbuffer" || name == "oracle";
+using NBufferPeers::QueryMethod;
+using NBufferPeers::QueryTarget;
+
+struct QueryMode
+{
+  const char* Name;
+  QueryMethod Method;
+  QueryTarget Target;
+};
+constexpr QueryMode QueryModes[] = { { "queries", QueryMethod::Flat, QueryTarget::Any },
+  { "queries-conservative", QueryMethod::Flat, QueryTarget::AnyConservative },
+  { "queries-count", QueryMethod::Flat, QueryTarget::Samples },
+  { "chc", QueryMethod::Coherent, QueryTarget::Any } };
+
+const QueryMode* FindQueryMode(const std::string& name)
+{
+  const auto found = std::find_if(std::begin(QueryModes), std::end(QueryModes),
+    [&name](const QueryMode& mode) { return name == mode.Name; });
+  return found == std::end(QueryModes) ? nullptr : found;
+}
+}
+
+const std::vector<std::string>& Mode::GetNames()
+{
+  static const std::vector<std::string> names = []
+  {
+    std::vector<std::string> all = { "stock", "none", "nbuffer", "oracle" };
+    for (const QueryMode& mode : QueryModes)
+    {
+      all.emplace_back(mode.Name);
+    }
+    return all;
+  }();
+  return names;
+}
+
+std::string Mode::GetObstacle(const std::string& name)
+{
+  const QueryMode* mode = FindQueryMode(name);
+  return mode ? NBufferPeers::BoxQueries::GetObstacle(mode->Target) : "";
 }
 
 Mode::Mode(const std::string& name, const ModeOptions& options)
   : Name(name)
 {
-  if (!IsName(name))
+  if (std::find(GetNames().begin(), GetNames().end(), name) == GetNames().end())
   {
-    throw std::runtime_error("no mode " + name + "; there are stock, none, nbuffer and oracle");
+    std::string message = "no mode " + name + "; there are";
+    for (const std::string& other : GetNames())
+    {
+      message += " " + other;
+    }
+    throw std::runtime_error(message);
   }
   if (name == "stock" || name == "nbuffer")
   {
@@ -43,6 +87,13 @@ Mode::Mode(const std::string& name, const ModeOptions& options)
   {
     this->Oracle = vtkSmartPointer<OracleCuller>::New();
     this->Cullers.push_back(this->Oracle);
+  }
+  if (const QueryMode* mode = FindQueryMode(name))
+  {
+    this->Queries = vtkSmartPointer<NBufferPeers::QueryCuller>::New();
+    this->Queries->SetMethod(mode->Method);
+    this->Queries->SetTarget(mode->Target);
+    this->Cullers.push_back(this->Queries);
   }
 }
 

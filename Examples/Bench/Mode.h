@@ -12,6 +12,8 @@
 
 #include "OracleCuller.h"
 
+#include "QueryCuller.h"
+
 #include "vtkNBufferCuller.h"
 #include "vtkSmartPointer.h"
 
@@ -35,15 +37,22 @@ class Mode
 {
 public:
   /// stock: VTK's default culler. none: no culler. nbuffer: the default one and vtkNBufferCuller,
-  /// added as a user adds it. oracle: exactly the props that own a pixel.
+  /// added as a user adds it. oracle: exactly the props that own a pixel. queries,
+  /// queries-conservative, queries-count: an occlusion query for each prop, of the exact, the
+  /// conservative or the counting kind, each waited for. chc: coherent hierarchical culling by
+  /// exact queries.
   Mode(const std::string& name, const ModeOptions& options);
 
-  static bool IsName(const std::string& name);
+  static const std::vector<std::string>& GetNames();
 
   const std::string& GetName() const { return this->Name; }
-  /// nullptr but for nbuffer and oracle.
+  /// Why the current context cannot run a mode; empty if it can.
+  static std::string GetObstacle(const std::string& name);
+
+  /// nullptr but for the modes that have one.
   vtkNBufferCuller* GetNBufferCuller() { return this->NBuffer; }
   OracleCuller* GetOracleCuller() { return this->Oracle; }
+  NBufferPeers::QueryCuller* GetQueryCuller() { return this->Queries; }
 
   void Enter(vtkRenderer* renderer);
   void Leave(vtkRenderer* renderer);
@@ -53,6 +62,7 @@ private:
   std::vector<vtkSmartPointer<vtkCuller>> Cullers;
   vtkSmartPointer<vtkNBufferCuller> NBuffer;
   vtkSmartPointer<OracleCuller> Oracle;
+  vtkSmartPointer<NBufferPeers::QueryCuller> Queries;
 };
 
 } // namespace NBufferBench

@@ -143,6 +143,26 @@ Json::Value SummarizeStatistics(const std::vector<std::string>& texts)
   return result;
 }
 
+Json::Value SummarizeQueries(const std::vector<NBufferPeers::QueryStatistics>& all)
+{
+  std::vector<Json::Value> frames;
+  for (const NBufferPeers::QueryStatistics& statistics : all)
+  {
+    Json::Value frame;
+    frame["in_view"] = statistics.InView;
+    frame["queries"] = statistics.Queries;
+    frame["waits"] = statistics.Waits;
+    frame["wait_ms"] = statistics.WaitTime;
+    frame["nodes"] = statistics.Nodes;
+    frame["visits"] = statistics.Visits;
+    frame["drawn"] = statistics.Drawn;
+    frame["hidden"] = statistics.Hidden;
+    frame["redrawn"] = statistics.Redrawn;
+    frames.push_back(frame);
+  }
+  return GetMedian(frames);
+}
+
 Json::Value SummarizeMode(const ModeResult& mode)
 {
   Json::Value result = SummarizeTimes(mode);
@@ -165,6 +185,10 @@ Json::Value SummarizeMode(const ModeResult& mode)
   {
     result["backend"] = mode.Backend;
     result["statistics"] = SummarizeStatistics(mode.Statistics);
+  }
+  if (!mode.Queries.empty())
+  {
+    result["queries"] = SummarizeQueries(mode.Queries);
   }
   return result;
 }

@@ -9,13 +9,16 @@
 #include "Images.h"
 #include "Report.h"
 #include "StudyChart.h"
+#include "StudyDevice.h"
 #include "StudyDocument.h"
 #include "StudyFormats.h"
+#include "StudyFragments.h"
 #include "StudyFrames.h"
 #include "StudyHierarchy.h"
 #include "StudyKnown.h"
 #include "StudyPaper.h"
 #include "StudyPeers.h"
+#include "StudyPeersCSV.h"
 #include "StudyReport.h"
 #include "StudyScenes.h"
 #include "StudyShadows.h"
@@ -46,10 +49,13 @@ struct Effort
   int MostProps;        ///< Of the hierarchy.
   int WalkFrames;       ///< Of the peers, whole frames.
   int LatentPairs;
+  int FragmentFrames;
+  int DeviceRepetitions;
+  int MostDevicePixels;
 };
-constexpr Effort Full = { 8, 7, 6, 9, 1024, 256, 1000000, 40, 12 };
-constexpr Effort Quick = { 3, 3, 2, 3, 1024, 128, 100000, 8, 3 };
-constexpr Effort Tiny = { 1, 1, 1, 1, 256, 16, 1000, 2, 1 };
+constexpr Effort Full = { 8, 7, 6, 9, 1024, 256, 1000000, 30, 12, 4, 9, 1920 * 1080 };
+constexpr Effort Quick = { 3, 3, 2, 3, 1024, 128, 100000, 5, 3, 1, 2, 1920 * 1080 };
+constexpr Effort Tiny = { 1, 1, 1, 1, 256, 16, 1000, 2, 1, 1, 1, 256 * 256 };
 
 struct StudyOptions
 {
@@ -229,6 +235,9 @@ public:
       this->RunFormats(scene, session, "drone");
     }
     this->RunPaper(scene, session, paths.front());
+    this->Report["device"] = MeasureDevice(session, this->MakePath(scene, paths.front(), 1).front(),
+      this->Spent.DeviceRepetitions, this->Spent.MostDevicePixels,
+      [](const std::string& size) { ShowProgress("the device: " + size); });
     if (scene.Plan && this->Options.View.Path.empty())
     {
       this->RunOtherScenes();
@@ -239,6 +248,7 @@ public:
       Round(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     WriteJSON(this->Report, this->Options.Folder + "/study.json");
     WriteStudyCSV(this->Report, this->Options.Folder + "/study.csv");
+    WritePeersCSV(this->Report, this->Options.Folder);
     // The text is about the city.
     if (scene.Plan && this->Options.View.Path.empty())
     {
@@ -298,7 +308,7 @@ private:
     report["path"] = name;
     report["size"] = std::to_string(work.front().Width) + "x" + std::to_string(work.front().Height);
     report["repetitions"] = repetitions;
-    report["frames_by_mode"] = this->RunPeers(scene, session, name, report["latent"]);
+    report["frames_by_mode"] = this->RunPeers(scene, session, name, report);
     AddLosses(report, report["frames_by_mode"]["draw_us"].asDouble());
     report["chart"] = "pareto-" + GetFileName(scene.Name) + "-" + GetFileName(name);
     WriteSceneChart(report, this->Options.Folder);
@@ -384,7 +394,7 @@ private:
 
   /// Whole frames, one pose after the other.
   Json::Value RunPeers(const NBufferExamples::Scene& scene, Session& session,
-    const std::string& name, Json::Value& latent)
+    const std::string& name, Json::Value& report)
   {
     const auto progress = [&name](const std::string& text)
     { ShowProgress(name + ": whole frames, " + text); };
@@ -394,12 +404,20 @@ private:
                  : MakeRuns(NBufferExamples::MakePath(scene, name, 480, this->Options.View.Seed),
                      walkFrames),
       progress);
+    this->FalseHidden += frames["wrong_bytes"].asInt64();
+    if (frames["wrong_bytes"].asInt64() > 0)
+    {
+      std::cerr << "nbuffer-bench: whole frames of " << name << " differ in "
+                << frames["wrong_bytes"].asInt64() << " bytes\n";
+    }
     const NBufferExamples::CameraPath path =
       NBufferExamples::MakePath(scene, name, 480, this->Options.View.Seed);
+    report["fragments"] =
+      MeasureFragments(session, path, GetPeersThatRun(), this->Spent.FragmentFrames, progress);
     for (int step : { 1, 10 })
     {
       progress("by verdicts of " + std::to_string(step) + " poses ago");
-      latent.append(MeasureLatent(session, path, step, this->Spent.LatentPairs,
+      report["latent"].append(MeasureLatent(session, path, step, this->Spent.LatentPairs,
         this->Options.Folder + "/latent-" + GetFileName(scene.Name) + "-" + GetFileName(name) +
           "-" + std::to_string(step) + ".png"));
     }
@@ -482,7 +500,9 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
   options->View.Program = program;
   options->View.SceneHelp += "; shadows: those of the study alone";
   options->View.AddTo(*command);
-  command->add_option("--out", options->Folder, "Folder for study.json, study.csv and the charts")
+  command
+    ->add_option("--out", options->Folder,
+      "Folder for study.json, study.csv, peers.csv, device.csv and the charts")
     ->capture_default_str();
   command->add_option("--links", options->Links, "Folder of the charts as seen from accuracy.md")
     ->capture_default_str();

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StudyDocument.h"
 
+#include "StudyPeersTables.h"
+#include "StudyTable.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -15,63 +18,6 @@ namespace NBufferBench
 {
 namespace
 {
-using Cells = std::vector<std::string>;
-
-std::string Print(double value)
-{
-  char text[32];
-  const double size = std::abs(value);
-  const bool whole = size >= 100.0 || std::round(value) == value;
-  std::snprintf(text, sizeof(text), whole ? "%.0f" : size >= 10.0 ? "%.1f" : "%.2f", value);
-  // Thousands apart.
-  std::string result = text;
-  for (auto place = static_cast<std::ptrdiff_t>(
-                      result.find('.') == std::string::npos ? result.size() : result.find('.')) -
-         3;
-       place > (value < 0.0 ? 1 : 0); place -= 3)
-  {
-    result.insert(static_cast<std::size_t>(place), ",");
-  }
-  return result;
-}
-
-std::string PrintShare(double percent)
-{
-  return percent < 0.0 ? "" : Print(percent);
-}
-
-class Table
-{
-public:
-  explicit Table(const Cells& head)
-  {
-    this->Add(head);
-    this->Add(Cells(head.size(), "---"));
-  }
-
-  void Add(const Cells& cells)
-  {
-    this->Text << "|";
-    for (const std::string& cell : cells)
-    {
-      this->Text << " " << cell << " |";
-    }
-    this->Text << "\n";
-  }
-
-  std::string Get() const { return this->Text.str(); }
-
-private:
-  std::ostringstream Text;
-};
-
-/// What a scene is called in a table: those of the city by their paths alone.
-std::string GetTitle(const Json::Value& scene)
-{
-  const std::string path = scene["path"].asString();
-  return scene["scene"].asString() == "city" ? path : scene["scene"].asString() + " " + path;
-}
-
 /// The entry of a list whose title is this one; null if there is none.
 const Json::Value& Find(const Json::Value& list, const std::string& path)
 {
@@ -461,6 +407,10 @@ std::string Fill(const std::string& words, const Json::Value& report, const std:
   const std::map<std::string, Maker> makers = {
     { "machine", [&]() { return MakeMachine(report); } },
     { "frames", [&]() { return MakeFrames(report); } },
+    { "peers", [&]() { return MakePeersTable(report); } },
+    { "fragments", [&]() { return MakeFragmentsTable(report); } },
+    { "device", [&]() { return MakeDeviceTable(report); } },
+    { "single", [&]() { return MakeSingleTable(report); } },
     { "latent", [&]() { return MakeLatent(report); } },
     { "pareto", [&]() { return MakePareto(report, argument); } },
     { "best", [&]() { return MakeBest(report, argument); } },

@@ -7,7 +7,8 @@
  * Lines of the text that are `@name argument@` are replaced:
  *
  *     machine            where and with what it was measured
- *     frames             whole frames of all paths; latent likewise
+ *     frames             whole frames of all paths; peers, fragments, latent likewise
+ *     device, single     by size: what runs on the device; one level by three ways
  *     pareto PATH        the Pareto line of a path, in the order of its chart, and the default
  *     best PATH          the six points that cost least, kept props included
  *     chain PATH         one level, mip chains and squares on the same base

@@ -40,32 +40,6 @@ public:
   std::function<void()> Function;
 };
 
-/// Renders a frame; `function` gets the window and the source of its depth.
-void RenderAndInspect(Session& session, const CameraPose& pose,
-  const std::function<void(vtkOpenGLRenderWindow*, const vtkNBufferDepthSource&)>& function)
-{
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(session.GetWindow());
-  std::string why = "no OpenGL window";
-  vtkNew<AtEnd> atEnd;
-  atEnd->Function = [&]()
-  {
-    vtkNBufferDepthSource source;
-    if (window && source.Inspect(window, why))
-    {
-      why.clear();
-      function(window, source);
-    }
-  };
-  session.SetPose(pose);
-  const unsigned long tag = session.GetRenderer()->AddObserver(vtkCommand::EndEvent, atEnd);
-  session.Render();
-  session.GetRenderer()->RemoveObserver(tag);
-  if (!why.empty())
-  {
-    throw std::runtime_error("the depth cannot be read: " + why);
-  }
-}
-
 std::vector<vtkNBufferCandidate> MakeCandidates(vtkRenderer* renderer)
 {
   std::vector<vtkNBufferCandidate> candidates;
@@ -120,6 +94,31 @@ void TakeBoxes(const std::vector<vtkNBufferCandidate>& candidates,
     }
   }
 }
+}
+
+void RenderAndInspect(Session& session, const CameraPose& pose,
+  const std::function<void(vtkOpenGLRenderWindow*, const vtkNBufferDepthSource&)>& function)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(session.GetWindow());
+  std::string why = "no OpenGL window";
+  vtkNew<AtEnd> atEnd;
+  atEnd->Function = [&]()
+  {
+    vtkNBufferDepthSource source;
+    if (window && source.Inspect(window, why))
+    {
+      why.clear();
+      function(window, source);
+    }
+  };
+  session.SetPose(pose);
+  const unsigned long tag = session.GetRenderer()->AddObserver(vtkCommand::EndEvent, atEnd);
+  session.Render();
+  session.GetRenderer()->RemoveObserver(tag);
+  if (!why.empty())
+  {
+    throw std::runtime_error("the depth cannot be read: " + why);
+  }
 }
 
 std::vector<DepthFrame> CollectFrames(Session& session, const NBufferExamples::CameraPath& path,

@@ -15,7 +15,9 @@
 #include <functional>
 #include <vector>
 
+class vtkOpenGLRenderWindow;
 class vtkProp;
+struct vtkNBufferDepthSource;
 
 namespace NBufferBench
 {
@@ -26,6 +28,11 @@ std::vector<NBufferStudy::DepthFrame> CollectFrames(Session& session,
 
 /// Of all props that may be culled, in view or not.
 std::vector<vtkNBufferBox> CollectBoxes(Session& session);
+
+/// Renders a frame; `function` gets the window and the source of its depth while its framebuffer is
+/// bound. Throws std::runtime_error where depth cannot be read.
+void RenderAndInspect(Session& session, const NBufferExamples::CameraPose& pose,
+  const std::function<void(vtkOpenGLRenderWindow*, const vtkNBufferDepthSource&)>& function);
 
 struct DeviceBuild
 {

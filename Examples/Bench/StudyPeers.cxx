@@ -14,6 +14,7 @@
 #include "vtkPropCollection.h"
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_set>
 
 namespace NBufferBench
@@ -90,11 +91,29 @@ long long MarkDifferences(vtkUnsignedCharArray* image, vtkUnsignedCharArray* exp
 }
 }
 
+const std::vector<std::string>& GetPeerNames()
+{
+  static const std::vector<std::string> names = { "stock", "nbuffer", "queries",
+    "queries-conservative", "chc", "oracle" };
+  return names;
+}
+
+std::vector<std::string> GetPeersThatRun()
+{
+  std::vector<std::string> names;
+  std::copy_if(GetPeerNames().begin(), GetPeerNames().end(), std::back_inserter(names),
+    [](const std::string& name) { return Mode::GetObstacle(name).empty(); });
+  return names;
+}
+
 Json::Value MeasureFrames(
   Session& session, const CameraPath& path, const std::function<void(const std::string&)>& progress)
 {
   WalkOptions options;
   options.Progress = progress;
+  options.Modes = GetPeersThatRun();
+  options.Modes.emplace_back("none");
+  options.Verify = true;
   const WalkResult result = RunWalk(session, path, options);
   const Json::Value report = MakeReport(result);
   Json::Value frames;
@@ -105,6 +124,16 @@ Json::Value MeasureFrames(
     mode.removeMember("frames_ms");
     mode.removeMember("statistics");
     frames["modes"][name] = mode;
+  }
+  frames["wrong_bytes"] = static_cast<Json::Int64>(GetDifferingBytes(result));
+  frames["skipped"] = Json::Value(Json::objectValue);
+  for (const std::string& name : GetPeerNames())
+  {
+    const std::string why = Mode::GetObstacle(name);
+    if (!why.empty())
+    {
+      frames["skipped"][name] = why;
+    }
   }
   const Json::Value& none = frames["modes"]["none"];
   const Json::Value& oracle = frames["modes"]["oracle"];

@@ -4,11 +4,12 @@
  * @file StudyPeers.h
  * @brief Whole frames by other means: stock VTK, no culler, the oracle, and last frame's verdicts.
  *
- *     frames    modes (as Report.h) and ratios; draw_us: what a prop more costs, from the times of
- *               modes none and oracle and the props that they draw
- *     latent[]  step: poses of the path from the frame that is tested to the one that is drawn by
- * its verdicts; frames; popping_frames: with wrong pixels; missing_props and wrong_pixels: of all
- * frames, most_wrong_pixels: of one; hidden_share_percent: hidden props that are left out
+ *     frames    modes (as Report.h, with queries of the hardware) and ratios, wrong_bytes: of all
+ *               modes but oracle, skipped.MODE: why it cannot run here; draw_us: what a prop more
+ * costs, from the times of modes none and oracle and the props that they draw latent[]  step: poses
+ * of the path from the frame that is tested to the one that is drawn by its verdicts; frames;
+ * popping_frames: with wrong pixels; missing_props and wrong_pixels: of all frames,
+ * most_wrong_pixels: of one; hidden_share_percent: hidden props that are left out
  */
 #ifndef StudyPeers_h
 #define StudyPeers_h
@@ -20,9 +21,16 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace NBufferBench
 {
+
+/// Modes of whole frames that the study compares, in the order of its tables.
+const std::vector<std::string>& GetPeerNames();
+
+/// Those that the current context can run.
+std::vector<std::string> GetPeersThatRun();
 
 Json::Value MeasureFrames(Session& session, const NBufferExamples::CameraPath& path,
   const std::function<void(const std::string&)>& progress);

@@ -11,13 +11,14 @@
  *                        query_ms, total_ms of a frame, each median, p10 and p90; queries and
  *                        lookups of a frame; texels; bytes
  *     points[].loss_ms   median of total_ms, and kept props a frame times draw_us
- *     frames_by_mode, latent   of a scene, see StudyPeers.h
+ *     frames_by_mode, latent   of a scene, see StudyPeers.h; fragments: StudyFragments.h
  *     hierarchy[]        scene, path, entries[]: see StudyHierarchy.h
  *     formats            scene, path, entries[]: see StudyFormats.h; of a city alone
  *     scenes[].table  of maps, see StudyKnown.h
  *     shadows[]       see StudyShadows.h
  *     left_out[]      scenes that were not there
  *     table1, table2, figure4   see StudyPaper.h
+ *     device[]           see StudyDevice.h
  */
 #ifndef StudyReport_h
 #define StudyReport_h

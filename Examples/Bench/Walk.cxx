@@ -129,6 +129,10 @@ private:
         result.Statistics.push_back(culler->GetStatisticsAsJSON());
         result.Backend = GetBackendName(culler->GetBackendInUse());
       }
+      if (NBufferPeers::QueryCuller* culler = mode.GetQueryCuller())
+      {
+        result.Queries.push_back(culler->GetStatistics());
+      }
       this->KeepImage(mode.GetName(), frame);
     }
     mode.Leave(this->Where.GetRenderer());

@@ -47,6 +47,8 @@ struct ModeResult
   std::vector<int> Drawn;
   /// Of nbuffer: vtkNBufferStatistics as JSON.
   std::vector<std::string> Statistics;
+  /// Of the modes that ask the hardware.
+  std::vector<NBufferPeers::QueryStatistics> Queries;
   /// Bytes that are not those of mode none, when verified.
   std::vector<long long> DifferingBytes;
   std::string Backend;

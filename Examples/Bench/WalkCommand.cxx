@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 
 namespace NBufferBench
 {
@@ -45,6 +46,14 @@ int RunWalkCommand(WalkCommandOptions& options)
     NBufferExamples::WriteCameraFile(path, options.SavePath);
   }
   Session& session = Session::New(scene, options.View.Window);
+  for (const std::string& mode : modes)
+  {
+    const std::string why = Mode::GetObstacle(mode);
+    if (!why.empty())
+    {
+      throw std::runtime_error("mode " + mode + " cannot run here: " + why);
+    }
+  }
   options.Walk.Mode = options.View.Mode;
   options.Walk.Progress = ShowProgress;
   const WalkResult result = RunWalk(session, path, options.Walk);
@@ -93,9 +102,11 @@ void AddWalkCommand(CLI::App& app, const std::string& program, Run& run)
   command
     ->add_option("--modes", options->Walk.Modes,
       "stock: VTK's default culler; none: no culler; nbuffer: vtkNBufferCuller; oracle: exactly "
-      "the props that own a pixel")
+      "the props that own a pixel; queries, queries-conservative, queries-count: an occlusion "
+      "query "
+      "of the hardware for each prop, waited for; chc: coherent hierarchical culling by them")
     ->delimiter(',')
-    ->check(CLI::IsMember({ "stock", "none", "nbuffer", "oracle" }))
+    ->check(CLI::IsMember(Mode::GetNames()))
     ->capture_default_str();
   command->add_option("--block", options->Walk.Block, "Timed frames of a mode in a row")
     ->check(CLI::Range(1, 1000))

@@ -21,6 +21,16 @@ namespace NBufferStudy
 class BoxTree
 {
 public:
+  struct Node
+  {
+    vtkNBufferBox Box;
+    int Begin = 0; ///< In Order.
+    int End = 0;
+    int Left = -1; ///< -1: a leaf. The left child is the next node.
+    int Right = -1;
+    int Next = 0; ///< The first node that is not below this one.
+  };
+
   /// Boxes are referred to by their places in `boxes`.
   void Build(const std::vector<vtkNBufferBox>& boxes, int leafSize);
 
@@ -58,17 +68,13 @@ public:
 
   std::size_t GetNumberOfNodes() const { return this->Nodes.size(); }
 
-private:
-  struct Node
-  {
-    vtkNBufferBox Box;
-    int Begin = 0; ///< In Order.
-    int End = 0;
-    int Left = -1; ///< -1: a leaf. The left child is the next node.
-    int Right = -1;
-    int Next = 0; ///< The first node that is not below this one.
-  };
+  ///@{
+  /// For other walks: the root comes first; places of boxes, a leaf's from Begin to End.
+  const std::vector<Node>& GetNodes() const { return this->Nodes; }
+  const std::vector<int>& GetOrder() const { return this->Order; }
+  ///@}
 
+private:
   int Split(const std::vector<vtkNBufferBox>& boxes, int begin, int end, int leafSize);
 
   std::vector<Node> Nodes;

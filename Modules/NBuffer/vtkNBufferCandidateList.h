@@ -12,6 +12,7 @@
 #define vtkNBufferCandidateList_h
 
 #include "vtkNBufferCandidate.h"
+#include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferTieOrder.h"
 
@@ -31,7 +32,7 @@ struct vtkNBufferState
   bool WasVisible = false; ///< Found visible by the last test.
 };
 
-class vtkNBufferCandidateList
+class VTKNBUFFER_EXPORT vtkNBufferCandidateList
 {
 public:
   /// Take over a renderer's list. Returns whether it differs from the last one.

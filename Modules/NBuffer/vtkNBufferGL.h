@@ -10,6 +10,7 @@
 #ifndef vtkNBufferGL_h
 #define vtkNBufferGL_h
 
+#include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferVTKVersion.h"
 
 #include VTKNBUFFER_GL_HEADER
@@ -23,24 +24,25 @@ class vtkShaderProgram;
 namespace vtkNBufferGL
 {
 /// Is the context that is current at least this version?
-bool HasVersion(int major, int minor);
+VTKNBUFFER_EXPORT bool HasVersion(int major, int minor);
 
 /// The name of the renderer of the current context if it runs on the host, or nullptr.
-const char* GetSoftwareRenderer();
+VTKNBUFFER_EXPORT const char* GetSoftwareRenderer();
 
 /// Drop errors that others left behind, so that those found later are ours.
-void ClearErrors();
+VTKNBUFFER_EXPORT void ClearErrors();
 
 /// False, with the error and `where` in `why`, if OpenGL has reported an error since.
-bool CheckErrors(const char* where, std::string& why);
+VTKNBUFFER_EXPORT bool CheckErrors(const char* where, std::string& why);
 
 /// Set a uniform mat4 of the program that is in use from a row-major matrix.
-void SetMatrix(vtkShaderProgram* program, const char* name, const double rows[16]);
+VTKNBUFFER_EXPORT void SetMatrix(
+  vtkShaderProgram* program, const char* name, const double rows[16]);
 
 /**
  * Read-back into host memory (or into `packBuffer`), rows tightly packed, from `readFramebuffer`.
  */
-class ScopedReadback
+class VTKNBUFFER_EXPORT ScopedReadback
 {
 public:
   explicit ScopedReadback(unsigned int readFramebuffer, unsigned int packBuffer = 0);
@@ -58,7 +60,7 @@ private:
 /**
  * Upload into textures from `unpackBuffer` (0: none), rows tightly packed.
  */
-class ScopedUpload
+class VTKNBUFFER_EXPORT ScopedUpload
 {
 public:
   explicit ScopedUpload(unsigned int unpackBuffer);
@@ -78,7 +80,7 @@ private:
  * bindings, viewport, program, vertex array and what is bound to texture unit 0, which is active,
  * may be changed freely meanwhile.
  */
-class ScopedPass
+class VTKNBUFFER_EXPORT ScopedPass
 {
 public:
   explicit ScopedPass(vtkOpenGLRenderWindow* window);
@@ -109,7 +111,7 @@ private:
  * Inside of a ScopedPass: blends into the first colour attachment, with one equation and the same
  * factors for colour and alpha.
  */
-class ScopedBlend
+class VTKNBUFFER_EXPORT ScopedBlend
 {
 public:
   ScopedBlend(unsigned int equation, unsigned int source, unsigned int destination);
@@ -126,7 +128,7 @@ private:
  * The single-level GL_TEXTURE_2D or GL_TEXTURE_2D_MULTISAMPLE bound to the active unit is sampled
  * as plain depth, whatever its owner uses it for: no comparison, no filter, this level only.
  */
-class ScopedDepthSampling
+class VTKNBUFFER_EXPORT ScopedDepthSampling
 {
 public:
   ScopedDepthSampling(unsigned int target, int level);

@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StudyFragments.h"
+
+#include "Mode.h"
+#include "Report.h"
+#include "VisibleProps.h"
+
+#include "DrawStage.h"
+
+#include "vtkNBufferDepthSource.h"
+#include "vtkNBufferGL.h"
+
+#include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCullerCollection.h"
+#include "vtkMapper.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPropCollection.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace NBufferBench
+{
+namespace
+{
+/// Which props are drawn, in order, for as long as it lives.
+class Recorder
+{
+public:
+  explicit Recorder(vtkRenderer* renderer)
+  {
+    this->Observer->SetClientData(this);
+    this->Observer->SetCallback(
+      [](vtkObject* mapper, unsigned long, void* self, void*)
+      {
+        auto* recorder = static_cast<Recorder*>(self);
+        recorder->Draws.push_back(recorder->Props.at(mapper));
+      });
+    vtkPropCollection* props = renderer->GetViewProps();
+    vtkCollectionSimpleIterator iterator;
+    props->InitTraversal(iterator);
+    while (vtkProp* prop = props->GetNextProp(iterator))
+    {
+      auto* actor = vtkActor::SafeDownCast(prop);
+      if (actor && actor->GetMapper())
+      {
+        if (!this->Props.emplace(actor->GetMapper(), prop).second)
+        {
+          throw std::runtime_error("props share a mapper: their draws cannot be told apart");
+        }
+        this->Tags.emplace_back(actor->GetMapper(),
+          actor->GetMapper()->AddObserver(vtkCommand::StartEvent, this->Observer));
+      }
+    }
+  }
+  ~Recorder()
+  {
+    for (const auto& [mapper, tag] : this->Tags)
+    {
+      mapper->RemoveObserver(tag);
+    }
+  }
+  Recorder(const Recorder&) = delete;
+  void operator=(const Recorder&) = delete;
+
+  std::vector<vtkProp*> Draws;
+
+private:
+  vtkNew<vtkCallbackCommand> Observer;
+  std::unordered_map<vtkObject*, vtkProp*> Props;
+  std::vector<std::pair<vtkMapper*, unsigned long>> Tags;
+};
+
+/// Leaves one prop in the list.
+class StageCuller : public vtkCuller
+{
+public:
+  static StageCuller* New();
+  vtkTypeMacro(StageCuller, vtkCuller);
+
+  double Cull(vtkRenderer*, vtkProp** props, int& count, int& initialized) override
+  {
+    if (count > 0)
+    {
+      this->Stage->SetRenderTimeMultiplier(1.0);
+      props[0] = this->Stage;
+      count = initialized = 1;
+    }
+    return count;
+  }
+
+  vtkNew<NBufferPeers::DrawStage> Stage;
+};
+vtkStandardNewMacro(StageCuller);
+
+struct Fragments
+{
+  long long Passed = 0;
+  long long OfHidden = 0;
+  long long Again = 0;
+  long long Shown = 0;
+  std::size_t Draws = 0;
+};
+
+long long CountShown(vtkRenderer* renderer)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkNBufferDepthSource source;
+  std::string why;
+  std::vector<float> depth;
+  if (!window || !source.Inspect(window, why) ||
+    !source.Read(window, source.Viewport[0], source.Viewport[1], source.Viewport[2],
+      source.Viewport[3], depth, why))
+  {
+    throw std::runtime_error("the depth cannot be read: " + why);
+  }
+  return std::count_if(depth.begin(), depth.end(), [](float value) { return value < 1.0f; });
+}
+
+/// Draws them again, each within a query; samples of each, and pixels that show a prop.
+std::vector<GLuint> Replay(Session& session, const std::vector<vtkProp*>& draws, long long& shown)
+{
+  std::vector<GLuint> samples(draws.size());
+  vtkNew<StageCuller> culler;
+  culler->Stage->Function = [&](vtkRenderer* renderer)
+  {
+    std::vector<GLuint> queries(draws.size());
+    glGenQueries(static_cast<GLsizei>(queries.size()), queries.data());
+    for (std::size_t i = 0; i < draws.size(); ++i)
+    {
+      glBeginQuery(GL_SAMPLES_PASSED, queries[i]);
+      draws[i]->RenderOpaqueGeometry(renderer);
+      glEndQuery(GL_SAMPLES_PASSED);
+    }
+    for (std::size_t i = 0; i < draws.size(); ++i)
+    {
+      glGetQueryObjectuiv(queries[i], GL_QUERY_RESULT, &samples[i]);
+    }
+    glDeleteQueries(static_cast<GLsizei>(queries.size()), queries.data());
+    shown = CountShown(renderer);
+    return static_cast<int>(draws.size());
+  };
+  session.GetRenderer()->GetCullers()->RemoveAllItems();
+  session.GetRenderer()->AddCuller(culler);
+  session.Render();
+  session.GetRenderer()->GetCullers()->RemoveAllItems();
+  return samples;
+}
+
+/// Of each draw the least of three counts: llvmpipe now and then counts samples more than once.
+Fragments Count(
+  Session& session, const std::vector<vtkProp*>& draws, const std::vector<vtkProp*>& visible)
+{
+  constexpr int times = 3;
+  const std::unordered_set<vtkProp*> seen(visible.begin(), visible.end());
+  Fragments fragments;
+  fragments.Draws = draws.size();
+  std::vector<GLuint> least = Replay(session, draws, fragments.Shown);
+  for (int i = 1; i < times; ++i)
+  {
+    const std::vector<GLuint> samples = Replay(session, draws, fragments.Shown);
+    std::transform(samples.begin(), samples.end(), least.begin(), least.begin(),
+      [](GLuint a, GLuint b) { return std::min(a, b); });
+  }
+  std::unordered_set<vtkProp*> drawn;
+  for (std::size_t i = 0; i < draws.size(); ++i)
+  {
+    fragments.Passed += least[i];
+    fragments.Again += drawn.insert(draws[i]).second ? 0 : least[i];
+    fragments.OfHidden += seen.count(draws[i]) > 0 ? 0 : least[i];
+  }
+  return fragments;
+}
+}
+
+Json::Value MeasureFragments(Session& session, const NBufferExamples::CameraPath& path,
+  const std::vector<std::string>& modes, int frames,
+  const std::function<void(const std::string&)>& progress)
+{
+  // Each frame and the one before it.
+  std::vector<std::size_t> places;
+  NBufferExamples::CameraPath poses;
+  for (int i = 0; i < frames; ++i)
+  {
+    places.push_back(1 + (path.size() - 2) * static_cast<std::size_t>(i) / std::max(frames - 1, 1));
+    poses.push_back(path[places.back()]);
+  }
+  const std::vector<std::vector<vtkProp*>> visible =
+    FindVisibleProps(session, poses, std::function<void(std::size_t)>());
+  ModeOptions options;
+  // Passes of the OpenGL back-end are no draws of props.
+  options.Backend = "cpu";
+  Json::Value result(Json::objectValue);
+  for (const std::string& name : modes)
+  {
+    progress("fragments of " + name);
+    Fragments sum;
+    Mode mode(name, options);
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      std::vector<vtkProp*> draws;
+      mode.Enter(session.GetRenderer());
+      if (OracleCuller* oracle = mode.GetOracleCuller())
+      {
+        oracle->SetProps(&visible[i]);
+      }
+      // Twice before: what culls by the last frame has to have got used to it.
+      for (std::size_t before : { places[i] - 1, places[i] - 1 })
+      {
+        session.SetPose(path[before]);
+        session.Render();
+      }
+      {
+        Recorder recorder(session.GetRenderer());
+        session.SetPose(path[places[i]]);
+        session.Render();
+        draws = recorder.Draws;
+      }
+      mode.Leave(session.GetRenderer());
+      const Fragments fragments = Count(session, draws, visible[i]);
+      sum.Passed += fragments.Passed;
+      sum.OfHidden += fragments.OfHidden;
+      sum.Again += fragments.Again;
+      sum.Shown += fragments.Shown;
+      sum.Draws += fragments.Draws;
+    }
+    const auto mean = [&places](double value)
+    { return Round(value / static_cast<double>(places.size())); };
+    Json::Value& entry = result[name];
+    entry["passed"] = mean(static_cast<double>(sum.Passed));
+    entry["shown"] = mean(static_cast<double>(sum.Shown));
+    entry["wasted"] = mean(static_cast<double>(sum.Passed - sum.Shown));
+    entry["of_hidden"] = mean(static_cast<double>(sum.OfHidden));
+    entry["again"] = mean(static_cast<double>(sum.Again));
+    entry["draws"] = mean(static_cast<double>(sum.Draws));
+  }
+  return result;
+}
+
+} // namespace NBufferBench

@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "QueryCuller.h"
+
+#include "CoherentQueries.h"
+#include "DrawStage.h"
+#include "FlatQueries.h"
+
+#include "vtkNBufferCandidateList.h"
+#include "vtkNBufferClock.h"
+#include "vtkNBufferDepthSource.h"
+
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace NBufferPeers
+{
+
+vtkStandardNewMacro(QueryCuller);
+
+class QueryCuller::Internals : public QueryHost
+{
+public:
+  Internals()
+  {
+    this->Stage->Function = [this](vtkRenderer* renderer) { return this->DrawProps(renderer); };
+  }
+
+  int TakeProps(vtkProp** props, int count);
+
+  PlacedBox Place(const vtkNBufferBox& box) override;
+  int Ask(const PlacedBox& box) override;
+  bool HasAnswer(int query) override { return this->Queries.HasAnswer(query); }
+  bool IsVisible(int query) override;
+  void Draw(int prop) override;
+
+  QueryMethod Method = QueryMethod::Flat;
+  QueryTarget Target = QueryTarget::Any;
+  QueryStatistics Statistics;
+  std::string Error;
+
+private:
+  bool SetView(vtkRenderer* renderer);
+  int DrawProps(vtkRenderer* renderer);
+  void DrawByTree(bool changed);
+  void Redraw();
+
+  vtkNew<DrawStage> Stage;
+  vtkNBufferCandidateList Props;
+  std::vector<int> Candidates; ///< Places in Props of those that are left to the stage.
+  vtkNBufferProjection Projection;
+  BoxQueries Queries;
+  CoherentQueries Tree;
+  bool TreeIsOld = true;
+  vtkRenderer* Renderer = nullptr;
+  std::vector<vtkNBufferDrawnProp> Drawn;
+};
+
+int QueryCuller::Internals::TakeProps(vtkProp** props, int count)
+{
+  const bool other = this->Props.Synchronize(props, count);
+  const bool changed = this->Props.Refresh(nullptr) > 0;
+  this->TreeIsOld = this->TreeIsOld || other || changed;
+  this->Candidates.clear();
+  int kept = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    if (this->Props.GetCandidate(i).IsCandidate())
+    {
+      this->Candidates.push_back(i);
+    }
+    else
+    {
+      props[kept++] = props[i];
+    }
+  }
+  if (kept < count)
+  {
+    // Last, so that everything else is in the depth buffer.
+    this->Stage->SetRenderTimeMultiplier(1.0);
+    props[kept++] = this->Stage;
+  }
+  return kept;
+}
+
+bool QueryCuller::Internals::SetView(vtkRenderer* renderer)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkNBufferDepthSource source;
+  if (!window || !source.Inspect(window, this->Error))
+  {
+    this->Error = window ? this->Error : "no OpenGL window";
+    return false;
+  }
+  const double quantum =
+    source.FloatDepth ? 0x1p-24 : 1.0 / static_cast<double>((1ULL << source.DepthBits) - 1);
+  this->Projection.Set(
+    renderer->GetActiveCamera()
+      ->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)
+      ->GetData(),
+    source.Viewport[2], source.Viewport[3], quantum, vtkNBufferDepthConvention::Forward,
+    std::max(source.Viewport[0] + source.Viewport[2], source.Viewport[1] + source.Viewport[3]));
+  this->Props.Project(this->Projection);
+  return this->Queries.Begin(window, this->Target, this->Error);
+}
+
+PlacedBox QueryCuller::Internals::Place(const vtkNBufferBox& box)
+{
+  PlacedBox placed;
+  placed.Box = box;
+  placed.Placement = this->Projection.IsOutside(box) ? vtkNBufferPlacement::Outside
+                                                     : this->Projection.Project(box, placed.Screen);
+  return placed;
+}
+
+int QueryCuller::Internals::Ask(const PlacedBox& box)
+{
+  ClipBox clip;
+  return MakeClipBox(this->Projection, box.Box, box.Screen, clip) ? this->Queries.Ask(clip) : -1;
+}
+
+bool QueryCuller::Internals::IsVisible(int query)
+{
+  const vtkNBufferClock clock;
+  this->Statistics.Waits += this->Queries.HasAnswer(query) ? 0 : 1;
+  const bool visible = this->Queries.IsVisible(query);
+  this->Statistics.WaitTime += clock.GetMilliseconds();
+  return visible;
+}
+
+void QueryCuller::Internals::Draw(int prop)
+{
+  // A leaf of the tree can be in view where the prop's own box, rounded once less, is not.
+  if (this->Props.GetState(prop).Placement == vtkNBufferPlacement::Outside)
+  {
+    return;
+  }
+  this->Props.GetProp(prop)->RenderOpaqueGeometry(this->Renderer);
+  this->Drawn.push_back(this->Props.GetDrawn(prop, static_cast<int>(this->Drawn.size()) + 1));
+}
+
+void QueryCuller::Internals::DrawByTree(bool old)
+{
+  if (old)
+  {
+    std::vector<vtkNBufferBox> boxes;
+    for (int i : this->Candidates)
+    {
+      boxes.push_back(this->Props.GetBox(i));
+    }
+    this->Tree.Build(boxes, this->Candidates);
+  }
+  this->Tree.Draw(*this);
+  this->Statistics.Nodes = static_cast<int>(this->Tree.GetNumberOfNodes());
+  this->Statistics.Visits = this->Tree.GetNumberOfVisits();
+}
+
+void QueryCuller::Internals::Redraw()
+{
+  // With what was drawn before the stage, in the renderer's order.
+  std::vector<vtkNBufferDrawnProp> all = this->Drawn;
+  for (int i = 0; i < this->Props.GetSize(); ++i)
+  {
+    if (!this->Props.GetCandidate(i).IsCandidate() && this->Props.GetCandidate(i).WritesDepth())
+    {
+      all.push_back(this->Props.GetDrawn(i, 0));
+    }
+  }
+  const std::vector<int> redraws = vtkNBufferTieOrder::GetRedraws(this->Projection, all);
+  for (int i : redraws)
+  {
+    this->Props.GetProp(all[i].Index)->RenderOpaqueGeometry(this->Renderer);
+  }
+  this->Statistics.Redrawn = static_cast<int>(redraws.size());
+}
+
+int QueryCuller::Internals::DrawProps(vtkRenderer* renderer)
+{
+  this->Renderer = renderer;
+  this->Statistics = QueryStatistics();
+  this->Error.clear();
+  this->Drawn.clear();
+  if (!this->SetView(renderer))
+  {
+    for (int i : this->Candidates)
+    {
+      this->Props.GetProp(i)->RenderOpaqueGeometry(renderer);
+    }
+    return static_cast<int>(this->Candidates.size());
+  }
+  std::vector<FlatItem> items;
+  for (int i : this->Candidates)
+  {
+    const vtkNBufferPlacement placement = this->Props.GetState(i).Placement;
+    if (placement != vtkNBufferPlacement::Outside)
+    {
+      ++this->Statistics.InView;
+      if (this->Method == QueryMethod::Flat)
+      {
+        items.push_back({ { this->Props.GetBox(i), this->Props.GetScreen(i), placement }, i });
+      }
+    }
+  }
+  if (this->Method == QueryMethod::Flat)
+  {
+    DrawByFlatQueries(*this, items);
+  }
+  else
+  {
+    this->DrawByTree(std::exchange(this->TreeIsOld, false));
+  }
+  this->Statistics.Queries = this->Queries.GetCount();
+  this->Statistics.Drawn = static_cast<int>(this->Drawn.size());
+  this->Statistics.Hidden = this->Statistics.InView - this->Statistics.Drawn;
+  this->Redraw();
+  return this->Statistics.Drawn;
+}
+
+QueryCuller::QueryCuller()
+  : Implementation(std::make_unique<Internals>())
+{
+}
+
+QueryCuller::~QueryCuller() = default;
+
+void QueryCuller::SetMethod(QueryMethod method)
+{
+  this->Implementation->Method = method;
+}
+
+void QueryCuller::SetTarget(QueryTarget target)
+{
+  this->Implementation->Target = target;
+}
+
+const QueryStatistics& QueryCuller::GetStatistics() const
+{
+  return this->Implementation->Statistics;
+}
+
+const std::string& QueryCuller::GetError() const
+{
+  return this->Implementation->Error;
+}
+
+double QueryCuller::Cull(
+  vtkRenderer* vtkNotUsed(renderer), vtkProp** propList, int& listLength, int& initialized)
+{
+  listLength = this->Implementation->TakeProps(propList, listLength);
+  for (int i = 0; i < listLength; ++i)
+  {
+    propList[i]->SetRenderTimeMultiplier(1.0);
+  }
+  initialized = 1;
+  return listLength;
+}
+
+} // namespace NBufferPeers

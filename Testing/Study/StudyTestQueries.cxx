@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The algorithms of occlusion queries without OpenGL: a host that knows which props are visible.
+#include "ClipBox.h"
+#include "CoherentQueries.h"
+#include "FlatQueries.h"
+#include "StudyView.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+
+namespace
+{
+using namespace NBufferPeers;
+
+constexpr int Width = 320;
+constexpr int Height = 200;
+
+vtkNBufferBox MakeBox(double x, double y, double size = 0.5)
+{
+  const double bounds[6] = { x, x + size, y, y + size, -size, size };
+  return vtkNBufferBox::FromBounds(bounds);
+}
+
+/// Answers yes for every box that contains one of the visible props; answers come late.
+class KnowingHost : public QueryHost
+{
+public:
+  KnowingHost(std::vector<vtkNBufferBox> boxes, int delay)
+    : Boxes(std::move(boxes))
+    , Projection(StudyTest::MakeProjection(Width, Height))
+    , Delay(delay)
+  {
+  }
+
+  PlacedBox Place(const vtkNBufferBox& box) override
+  {
+    PlacedBox placed;
+    placed.Box = box;
+    placed.Placement = this->Projection.Project(box, placed.Screen);
+    return placed;
+  }
+
+  int Ask(const PlacedBox& box) override
+  {
+    bool visible = false;
+    for (int i : this->Visible)
+    {
+      visible = visible || Contains(box.Box, this->Boxes[i]);
+    }
+    this->Answers.push_back({ visible, this->Delay });
+    return static_cast<int>(this->Answers.size()) - 1;
+  }
+
+  bool HasAnswer(int query) override { return --this->Answers[query].second < 0; }
+
+  bool IsVisible(int query) override { return this->Answers[query].first; }
+
+  void Draw(int prop) override
+  {
+    EXPECT_TRUE(this->Drawn.insert(prop).second) << prop << " is drawn twice";
+  }
+
+  static bool Contains(const vtkNBufferBox& outer, const vtkNBufferBox& inner)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      if (std::abs(inner.Center[j] - outer.Center[j]) + inner.HalfSize[j] >
+        outer.HalfSize[j] + 1e-9)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  std::vector<vtkNBufferBox> Boxes;
+  vtkNBufferProjection Projection;
+  int Delay;
+  std::set<int> Visible;
+  std::set<int> Drawn;
+  std::vector<std::pair<bool, int>> Answers;
+};
+
+std::vector<vtkNBufferBox> MakeGrid(int count)
+{
+  std::vector<vtkNBufferBox> boxes;
+  for (int i = 0; i < count; ++i)
+  {
+    boxes.push_back(MakeBox(-6.0 + i % 13, 30.0 + 3.0 * (i / 13)));
+  }
+  return boxes;
+}
+
+TEST(StudyQueries, FlatAsksEveryPropOnceNearestFirst)
+{
+  KnowingHost host(MakeGrid(60), 0);
+  host.Visible = { 3, 40 };
+  std::vector<FlatItem> items;
+  for (int i = 0; i < 60; ++i)
+  {
+    items.push_back({ host.Place(host.Boxes[i]), i });
+  }
+  std::reverse(items.begin(), items.end());
+  DrawByFlatQueries(host, items);
+  EXPECT_EQ(host.Drawn, host.Visible);
+  EXPECT_EQ(host.Answers.size(), 60u);
+  for (std::size_t i = 1; i < items.size(); ++i)
+  {
+    EXPECT_LE(items[i - 1].Box.GetNearest(), items[i].Box.GetNearest());
+  }
+}
+
+TEST(StudyQueries, WhatReachesTheEyeIsDrawnUnasked)
+{
+  KnowingHost host({ MakeBox(-1.0, -1.0, 20.0) }, 0);
+  std::vector<FlatItem> items = { { host.Place(host.Boxes[0]), 0 } };
+  DrawByFlatQueries(host, items);
+  EXPECT_EQ(host.Drawn.size(), 1u);
+  EXPECT_TRUE(host.Answers.empty());
+}
+
+/// Whatever was visible before and however late answers come.
+TEST(StudyQueries, CoherentDrawsAllThatIsVisibleAndNoMoreThanWasOrIs)
+{
+  std::mt19937 random(5);
+  for (int delay : { 0, 1, 7, 1000 })
+  {
+    KnowingHost host(MakeGrid(100), delay);
+    std::vector<int> props(100);
+    for (int i = 0; i < 100; ++i)
+    {
+      props[i] = i;
+    }
+    CoherentQueries queries;
+    queries.Build(host.Boxes, props);
+    EXPECT_EQ(queries.GetNumberOfNodes(), 199u);
+    std::set<int> before;
+    for (int frame = 0; frame < 12; ++frame)
+    {
+      host.Visible.clear();
+      for (int i = 0; i < 100; ++i)
+      {
+        if (random() % 4 == 0 || (before.count(i) > 0 && random() % 4 != 0))
+        {
+          host.Visible.insert(i);
+        }
+      }
+      host.Drawn.clear();
+      host.Answers.clear();
+      queries.Draw(host);
+      EXPECT_TRUE(std::includes(
+        host.Drawn.begin(), host.Drawn.end(), host.Visible.begin(), host.Visible.end()));
+      for (int i : host.Drawn)
+      {
+        EXPECT_TRUE(host.Visible.count(i) > 0 || before.count(i) > 0) << i;
+      }
+      EXPECT_LE(host.Answers.size(), queries.GetNumberOfNodes());
+      EXPECT_LE(queries.GetNumberOfVisits(), static_cast<int>(queries.GetNumberOfNodes()));
+      before = host.Visible;
+    }
+  }
+}
+
+TEST(StudyQueries, CoherentOpensWhatWasVisibleUnasked)
+{
+  KnowingHost host(MakeGrid(64), 0);
+  std::vector<int> props(64);
+  for (int i = 0; i < 64; ++i)
+  {
+    props[i] = i;
+    host.Visible.insert(i);
+  }
+  CoherentQueries queries;
+  queries.Build(host.Boxes, props);
+  queries.Draw(host);
+  EXPECT_EQ(host.Answers.size(), 127u);
+  host.Answers.clear();
+  host.Drawn.clear();
+  queries.Draw(host);
+  EXPECT_EQ(host.Answers.size(), 64u) << "leaves alone";
+  host.Visible.clear();
+  host.Drawn.clear();
+  queries.Draw(host);
+  host.Answers.clear();
+  host.Drawn.clear();
+  queries.Draw(host);
+  EXPECT_EQ(host.Answers.size(), 1u) << "the root alone";
+  EXPECT_TRUE(host.Drawn.empty());
+}
+
+TEST(StudyQueries, CoherentWithoutProps)
+{
+  KnowingHost host({}, 0);
+  CoherentQueries queries;
+  queries.Build({}, {});
+  queries.Draw(host);
+  EXPECT_TRUE(host.Drawn.empty());
+}
+
+/// Every corner of the box, moved by the slack in any direction, is within the padded box's outline
+/// and behind its nearest corner.
+TEST(StudyQueries, PaddedBoxesReachBeyondWhatIsDrawn)
+{
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> place(-40.0, 40.0);
+  const vtkNBufferProjection projection = StudyTest::MakeProjection(Width, Height);
+  int asked = 0;
+  for (int n = 0; n < 2000; ++n)
+  {
+    const double low[3] = { place(random), place(random) + 60.0, place(random) };
+    double bounds[6];
+    for (int j = 0; j < 3; ++j)
+    {
+      bounds[2 * j] = low[j];
+      bounds[2 * j + 1] = low[j] + (random() % 3 == 0 ? 0.0 : std::abs(place(random)) * 0.2);
+    }
+    const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
+    vtkNBufferScreenBox screen;
+    ClipBox clip;
+    if (projection.Project(box, screen) != vtkNBufferPlacement::Inside ||
+      !MakeClipBox(projection, box, screen, clip))
+    {
+      continue;
+    }
+    ++asked;
+    double lowest[3] = { 1e9, 1e9, 1e9 };
+    double highest[2] = { -1e9, -1e9 };
+    for (const auto& corner : clip.Corners)
+    {
+      ASSERT_GT(corner[3], 0.0f);
+      ASSERT_GT(corner[2], -corner[3]);
+      for (int j = 0; j < 3; ++j)
+      {
+        lowest[j] = std::min(lowest[j], static_cast<double>(corner[j]) / corner[3]);
+      }
+      for (int j = 0; j < 2; ++j)
+      {
+        highest[j] = std::max(highest[j], static_cast<double>(corner[j]) / corner[3]);
+      }
+    }
+    double corners[16];
+    projection.GetCorners(box, corners);
+    for (int i = 0; i < 8; ++i)
+    {
+      const double ndc[2] = { 2.0 * corners[2 * i] / Width - 1.0,
+        2.0 * corners[2 * i + 1] / Height - 1.0 };
+      const double pixel[2] = { 2.0 / Width, 2.0 / Height };
+      for (int j = 0; j < 2; ++j)
+      {
+        const double least = screen.Slack[j] + 0.125 * pixel[j];
+        EXPECT_LE(lowest[j], ndc[j] - least);
+        EXPECT_GE(highest[j], ndc[j] + least);
+      }
+    }
+    EXPECT_LE(0.5 + 0.5 * lowest[2], screen.Nearest);
+  }
+  EXPECT_GT(asked, 500);
+}
+
+TEST(StudyQueries, WhatTouchesTheNearPlaneIsNotAsked)
+{
+  const vtkNBufferProjection projection = StudyTest::MakeProjection(Width, Height);
+  int inside = 0;
+  for (double y = 0.0; y < 4.0; y += 0.001)
+  {
+    const vtkNBufferBox box = MakeBox(-0.05, y, 0.1);
+    vtkNBufferScreenBox screen;
+    ClipBox clip;
+    if (projection.Project(box, screen) == vtkNBufferPlacement::Inside &&
+      MakeClipBox(projection, box, screen, clip))
+    {
+      ++inside;
+      for (const auto& corner : clip.Corners)
+      {
+        EXPECT_GT(corner[2], -corner[3]) << y;
+      }
+    }
+  }
+  EXPECT_GT(inside, 100);
+}
+}

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One level by the device equals the double loop, bit for bit.
+#include "OffscreenFixture.h"
+#include "SingleLevel.h"
+#include "StudyImage.h"
+
+#include "vtkOpenGLRenderWindow.h"
+
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace
+{
+using NBufferPeers::ReduceMethod;
+using NBufferPeers::SingleLevel;
+using StudyTest::Image;
+
+constexpr std::pair<int, int> Sizes[] = { { 1, 1 }, { 1, 37 }, { 41, 1 }, { 7, 3 }, { 16, 16 },
+  { 17, 33 }, { 61, 45 }, { 64, 64 }, { 301, 173 }, { 511, 129 } };
+
+class StudySingleLevel
+  : public OffscreenFixture
+  , public testing::WithParamInterface<ReduceMethod>
+{
+protected:
+  void SetUp() override
+  {
+    OffscreenFixture::SetUp();
+    if (!this->IsSkipped())
+    {
+      this->Window = NewWindow(32, 32);
+      const std::string why = SingleLevel::GetObstacle(GetParam());
+      if (!why.empty())
+      {
+        GTEST_SKIP() << why;
+      }
+    }
+  }
+
+  void Compare(const Image& image)
+  {
+    std::string why;
+    ASSERT_TRUE(this->Level.SetDepth(this->Window, image.Depth, image.Width, image.Height, why))
+      << why;
+    for (int factor : { 4, 8, 16 })
+    {
+      std::vector<float> level;
+      ASSERT_TRUE(this->Level.Reduce(GetParam(), factor, why)) << why;
+      ASSERT_TRUE(this->Level.Download(level, why)) << why;
+      const int width = (image.Width + factor - 1) / factor;
+      const int height = (image.Height + factor - 1) / factor;
+      ASSERT_EQ(this->Level.GetWidth(), width);
+      ASSERT_EQ(this->Level.GetHeight(), height);
+      ASSERT_EQ(level.size(), static_cast<std::size_t>(width) * height);
+      for (int y = 0; y < height; ++y)
+      {
+        for (int x = 0; x < width; ++x)
+        {
+          const float expected = image.Scan({ factor * x, factor * y,
+            std::min(factor * (x + 1), image.Width), std::min(factor * (y + 1), image.Height) });
+          const float found = level[static_cast<std::size_t>(y) * width + x];
+          ASSERT_EQ(std::memcmp(&expected, &found, sizeof(float)), 0)
+            << "factor " << factor << ", texel (" << x << ", " << y << ") of " << image.Width
+            << " x " << image.Height << ": expected " << expected << ", found " << found;
+        }
+      }
+    }
+  }
+
+  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
+  SingleLevel Level;
+};
+
+TEST_P(StudySingleLevel, IsTheDoubleLoop)
+{
+  for (const auto& [width, height] : Sizes)
+  {
+    this->Compare(Image(width, height, 7));
+  }
+}
+
+TEST_P(StudySingleLevel, EndsOfTheRangeAndNeighbouringFloats)
+{
+  Image image(50, 38, 1);
+  const float values[] = { 0.0f, 1.0f, 0.5f, std::nextafter(0.5f, 1.0f), std::nextafter(1.0f, 0.0f),
+    1e-30f };
+  for (std::size_t i = 0; i < image.Depth.size(); ++i)
+  {
+    // Whole cells of zeros too.
+    image.Depth[i] = i % 50 < 20 ? 0.0f : values[(i * 2654435761u >> 7) % 6];
+  }
+  this->Compare(image);
+}
+
+TEST_P(StudySingleLevel, OtherFactorsAreRefused)
+{
+  std::string why;
+  EXPECT_FALSE(this->Level.Reduce(GetParam(), 4, why));
+  EXPECT_NE(why.find("SetDepth"), std::string::npos);
+  const Image image(5, 5, 1);
+  ASSERT_TRUE(this->Level.SetDepth(this->Window, image.Depth, 5, 5, why)) << why;
+  EXPECT_FALSE(this->Level.Reduce(GetParam(), 5, why));
+  EXPECT_NE(why.find("4, 8 or 16"), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, StudySingleLevel,
+  testing::Values(ReduceMethod::OnePass, ReduceMethod::Passes, ReduceMethod::Compute),
+  [](const auto& info)
+  {
+    return std::string(info.param == ReduceMethod::Compute ? "Compute"
+        : info.param == ReduceMethod::Passes               ? "Passes"
+                                                           : "OnePass");
+  });
+}
