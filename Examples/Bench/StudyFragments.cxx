@@ -28,6 +28,22 @@ namespace NBufferBench
 {
 namespace
 {
+template <typename Functor>
+void ForEachMapper(vtkRenderer* renderer, Functor&& functor)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator iterator;
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    if (actor && actor->GetMapper())
+    {
+      functor(actor->GetMapper(), prop);
+    }
+  }
+}
+
 /// Which props are drawn, in order, for as long as it lives.
 class Recorder
 {
@@ -41,22 +57,18 @@ public:
         auto* recorder = static_cast<Recorder*>(self);
         recorder->Draws.push_back(recorder->Props.at(mapper));
       });
-    vtkPropCollection* props = renderer->GetViewProps();
-    vtkCollectionSimpleIterator iterator;
-    props->InitTraversal(iterator);
-    while (vtkProp* prop = props->GetNextProp(iterator))
+    const std::string why = GetFragmentsObstacle(renderer);
+    if (!why.empty())
     {
-      auto* actor = vtkActor::SafeDownCast(prop);
-      if (actor && actor->GetMapper())
-      {
-        if (!this->Props.emplace(actor->GetMapper(), prop).second)
-        {
-          throw std::runtime_error("props share a mapper: their draws cannot be told apart");
-        }
-        this->Tags.emplace_back(actor->GetMapper(),
-          actor->GetMapper()->AddObserver(vtkCommand::StartEvent, this->Observer));
-      }
+      throw std::runtime_error(why);
     }
+    ForEachMapper(renderer,
+      [this](vtkMapper* mapper, vtkProp* prop)
+      {
+        this->Props.emplace(mapper, prop);
+        this->Tags.emplace_back(
+          mapper, mapper->AddObserver(vtkCommand::StartEvent, this->Observer));
+      });
   }
   ~Recorder()
   {
@@ -176,6 +188,15 @@ Fragments Count(
   }
   return fragments;
 }
+}
+
+std::string GetFragmentsObstacle(vtkRenderer* renderer)
+{
+  std::unordered_set<vtkMapper*> mappers;
+  bool shared = false;
+  ForEachMapper(renderer,
+    [&](vtkMapper* mapper, vtkProp*) { shared = !mappers.insert(mapper).second || shared; });
+  return shared ? "props share a mapper, their draws cannot be told apart" : "";
 }
 
 Json::Value MeasureFragments(Session& session, const NBufferExamples::CameraPath& path,

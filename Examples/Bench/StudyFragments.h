@@ -29,8 +29,12 @@
 namespace NBufferBench
 {
 
-/// Of `frames` frames spread over the path, each after the one before it on the path. Draws are
-/// told by events of the mappers, which must not be shared.
+/// Why fragments cannot be told by prop; empty if they can: draws are told by events of the
+/// mappers, which props must not share.
+std::string GetFragmentsObstacle(vtkRenderer* renderer);
+
+/// Of `frames` frames spread over the path, each after the one before it on the path. Throws
+/// std::runtime_error where there is an obstacle.
 Json::Value MeasureFragments(Session& session, const NBufferExamples::CameraPath& path,
   const std::vector<std::string>& modes, int frames,
   const std::function<void(const std::string&)>& progress);

@@ -106,12 +106,12 @@ std::vector<std::string> GetPeersThatRun()
   return names;
 }
 
-Json::Value MeasureFrames(
-  Session& session, const CameraPath& path, const std::function<void(const std::string&)>& progress)
+Json::Value MeasureFrames(Session& session, const CameraPath& path,
+  const std::vector<std::string>& modes, const std::function<void(const std::string&)>& progress)
 {
   WalkOptions options;
   options.Progress = progress;
-  options.Modes = GetPeersThatRun();
+  options.Modes = modes;
   options.Modes.emplace_back("none");
   options.Verify = true;
   const WalkResult result = RunWalk(session, path, options);

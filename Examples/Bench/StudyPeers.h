@@ -6,10 +6,11 @@
  *
  *     frames    modes (as Report.h, with queries of the hardware) and ratios, wrong_bytes: of all
  *               modes but oracle, skipped.MODE: why it cannot run here; draw_us: what a prop more
- * costs, from the times of modes none and oracle and the props that they draw latent[]  step: poses
- * of the path from the frame that is tested to the one that is drawn by its verdicts; frames;
- * popping_frames: with wrong pixels; missing_props and wrong_pixels: of all frames,
- * most_wrong_pixels: of one; hidden_share_percent: hidden props that are left out
+ *               costs, from the times of modes none and oracle and the props that they draw
+ *     latent[]  step: poses of the path from the frame that is tested to the one that is drawn by
+ *               its verdicts; frames; popping_frames: with wrong pixels; missing_props and
+ *               wrong_pixels: of all frames, most_wrong_pixels: of one; hidden_share_percent:
+ *               hidden props that are left out
  */
 #ifndef StudyPeers_h
 #define StudyPeers_h
@@ -32,8 +33,9 @@ const std::vector<std::string>& GetPeerNames();
 /// Those that the current context can run.
 std::vector<std::string> GetPeersThatRun();
 
+/// `modes`: stock, nbuffer, oracle, and of the others those that can run.
 Json::Value MeasureFrames(Session& session, const NBufferExamples::CameraPath& path,
-  const std::function<void(const std::string&)>& progress);
+  const std::vector<std::string>& modes, const std::function<void(const std::string&)>& progress);
 
 /// Picks `pairs` pairs of poses along the path. The worst frame goes to `fileName`, wrong pixels in
 /// red; no picture if there are none.

@@ -63,6 +63,10 @@ std::string MakePeersTable(const Json::Value& report)
   for (const Json::Value& scene : report["scenes"])
   {
     const Json::Value& frames = scene["frames_by_mode"];
+    if (!frames["modes"].isMember("queries") && !frames["modes"].isMember("chc"))
+    {
+      continue; // The table of whole frames has it.
+    }
     const double seen = frames["modes"]["oracle"]["drawn"].asDouble();
     const double hidden = frames["modes"]["stock"]["drawn"].asDouble() - seen;
     for (const std::string& name : GetPeerNames())
