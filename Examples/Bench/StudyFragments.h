@@ -6,9 +6,8 @@
  *
  * Counted are samples that pass the depth test when their prop is drawn (GL_SAMPLES_PASSED around
  * each draw of a prop, in the order and as often as the mode draws them, the least of three counts;
- * boxes of queries apart). A
- * pixel shows one of them: *wasted* are all others, those that a later draw covers and those that a
- * prop drawn again leaves once more.
+ * boxes of queries apart). A pixel shows one of them: *wasted* are all others, those that a later
+ * draw covers and those that a prop drawn again leaves once more.
  *
  *     MODE    passed: fragments a frame; shown: pixels with a prop; wasted: passed - shown;
  *             of_hidden: passed by props that own no pixel; again: by draws of a prop that has

@@ -75,9 +75,9 @@ std::string FindDefaultCity(const std::string& program);
 
 /**
  * One name: "city", "plant" (Plant.h), a city file, an OSM extract, a map (BspScene.h), a board or
- * a folder of boards (KicadScene.h), .glb,
- * .gltf, .obj, .wrl, .vtm or .vtpc. One or more: .stl or .ply. Each but an OSM extract also as .gz.
- * Throws std::runtime_error that names the file, the cause, and where there is one a remedy.
+ * a folder of boards (KicadScene.h), .glb, .gltf, .obj, .wrl, .vtm or .vtpc. One or more: .stl or
+ * .ply. Each but an OSM extract also as .gz. Throws std::runtime_error that names the file, the
+ * cause, and where there is one a remedy.
  */
 Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& options);
 
