@@ -3,10 +3,8 @@
 #include "Generator.h"
 
 #include "Families.h"
-#include "FuzzPasses.h"
 #include "ShadowFamilies.h"
-
-#include "vtkNBufferVTKVersion.h"
+#include "Undefined.h"
 
 #include "vtkMath.h"
 #include "vtkRenderWindow.h"
@@ -483,66 +481,6 @@ void MoveFarAway(Writer& writer)
       {
         change.Values[i] = factor * change.Values[i] + (absolute ? origin[i] : 0.0);
       }
-    }
-  }
-}
-
-bool HasAmbientOcclusion(const Scenario& scene)
-{
-  return std::any_of(scene.Renderers.begin(), scene.Renderers.end(), [](const Renderer& renderer)
-           { return renderer.SSAO || renderer.Pass == PassKind::SSAO; }) ||
-    std::any_of(scene.Changes.begin(), scene.Changes.end(),
-      [](const Change& change)
-      {
-        return change.Kind == ChangeKind::SSAO ||
-          (change.Kind == ChangeKind::Pass && !change.Values.empty() &&
-            change.Values.front() == static_cast<double>(PassKind::SSAO));
-      });
-}
-
-/// What VTK leaves undefined, so that it does not even repeat itself: with a render pass a selector
-/// draws props without having set their number; an overlay inside of an SSAO pass writes to one of
-/// its three attachments only; ambient occlusion does not clear its own framebuffer where the
-/// renderer does not erase, and before 9.7 shows what it has not drawn of it in a part of a window;
-/// split stereo squeezes the whole window, and the next frame what of that is left beside the
-/// viewports, so that pictures depend on how many frames there were: with shadows not the same.
-void RemoveUndefined(Scenario& scene)
-{
-  if (HasAmbientOcclusion(scene))
-  {
-    for (Renderer& renderer : scene.Renderers)
-    {
-      renderer.Erase = true;
-#if !VTKNBUFFER_HAS_SSAO_IN_PARTS
-      renderer.Viewport = { 0.0, 0.0, 1.0, 1.0 };
-#endif
-    }
-#if !VTKNBUFFER_HAS_SSAO_IN_PARTS
-    scene.Changes.erase(std::remove_if(scene.Changes.begin(), scene.Changes.end(),
-                          [](const Change& change) { return change.Kind == ChangeKind::Viewport; }),
-      scene.Changes.end());
-#endif
-  }
-  const auto hasPass = [&scene](auto&& predicate)
-  {
-    return std::any_of(scene.Renderers.begin(), scene.Renderers.end(),
-      [&predicate](const Renderer& renderer) { return predicate(renderer.Pass); });
-  };
-  if (hasPass(HasShadowVolumes) && scene.Window.Stereo == VTK_STEREO_SPLITVIEWPORT_HORIZONTAL)
-  {
-    scene.Window.Stereo = VTK_STEREO_CHECKERBOARD;
-  }
-  if (hasPass([](PassKind pass) { return pass != PassKind::None; }))
-  {
-    scene.Changes.erase(std::remove_if(scene.Changes.begin(), scene.Changes.end(),
-                          [](const Change& change) { return change.Kind == ChangeKind::Select; }),
-      scene.Changes.end());
-  }
-  if (hasPass([](PassKind pass) { return pass == PassKind::SSAO; }))
-  {
-    for (Prop& prop : scene.Props)
-    {
-      prop.Kind = prop.Kind == PropKind::Text ? PropKind::Actor : prop.Kind;
     }
   }
 }

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Undefined.h"
+
+#include "FuzzPasses.h"
+
+#include "vtkNBufferVTKVersion.h"
+
+#include "vtkRenderWindow.h"
+
+#include <algorithm>
+
+namespace NBufferFuzz
+{
+namespace
+{
+bool HasAmbientOcclusion(const Scenario& scene)
+{
+  return std::any_of(scene.Renderers.begin(), scene.Renderers.end(), [](const Renderer& renderer)
+           { return renderer.SSAO || renderer.Pass == PassKind::SSAO; }) ||
+    std::any_of(scene.Changes.begin(), scene.Changes.end(),
+      [](const Change& change)
+      {
+        return change.Kind == ChangeKind::SSAO ||
+          (change.Kind == ChangeKind::Pass && !change.Values.empty() &&
+            change.Values.front() == static_cast<double>(PassKind::SSAO));
+      });
+}
+}
+
+void RemoveUndefined(Scenario& scene)
+{
+  if (HasAmbientOcclusion(scene))
+  {
+    for (Renderer& renderer : scene.Renderers)
+    {
+      renderer.Erase = true;
+#if !VTKNBUFFER_HAS_SSAO_IN_PARTS
+      renderer.Viewport = { 0.0, 0.0, 1.0, 1.0 };
+#endif
+    }
+#if !VTKNBUFFER_HAS_SSAO_IN_PARTS
+    scene.Changes.erase(std::remove_if(scene.Changes.begin(), scene.Changes.end(),
+                          [](const Change& change) { return change.Kind == ChangeKind::Viewport; }),
+      scene.Changes.end());
+#endif
+  }
+  const auto hasPass = [&scene](auto&& predicate)
+  {
+    return std::any_of(scene.Renderers.begin(), scene.Renderers.end(),
+      [&predicate](const Renderer& renderer) { return predicate(renderer.Pass); });
+  };
+  if (hasPass(HasShadowVolumes) && scene.Window.Stereo == VTK_STEREO_SPLITVIEWPORT_HORIZONTAL)
+  {
+    scene.Window.Stereo = VTK_STEREO_CHECKERBOARD;
+  }
+  if (hasPass([](PassKind pass) { return pass != PassKind::None; }))
+  {
+    scene.Changes.erase(std::remove_if(scene.Changes.begin(), scene.Changes.end(),
+                          [](const Change& change) { return change.Kind == ChangeKind::Select; }),
+      scene.Changes.end());
+  }
+  if (hasPass([](PassKind pass) { return pass == PassKind::SSAO; }))
+  {
+    for (Prop& prop : scene.Props)
+    {
+      prop.Kind = prop.Kind == PropKind::Text ? PropKind::Actor : prop.Kind;
+    }
+  }
+}
+}

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Undefined.h
+ * @brief What VTK leaves undefined, so that it does not even repeat itself, taken out of scenarios.
+ */
+#ifndef Undefined_h
+#define Undefined_h
+
+#include "Scenario.h"
+
+namespace NBufferFuzz
+{
+/// What VTK leaves undefined, so that it does not even repeat itself: with a render pass a selector
+/// draws props without having set their number; an overlay inside of an SSAO pass writes to one of
+/// its three attachments only; ambient occlusion does not clear its own framebuffer where the
+/// renderer does not erase, and before 9.7 shows what it has not drawn of it in a part of a window;
+/// split stereo squeezes the whole window, and the next frame what of that is left beside the
+/// viewports, so that pictures depend on how many frames there were: with shadows not the same.
+void RemoveUndefined(Scenario& scene);
+}
+
+#endif
