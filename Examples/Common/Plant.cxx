@@ -350,6 +350,18 @@ private:
   vtkSmartPointer<vtkPolyDataMapper> Box, Cylinder, Drum, Ball, Elbow;
 };
 
+/// z is up.
+CameraPose MakeUprightPose(double viewAngle, double nearest, double farthest)
+{
+  CameraPose pose;
+  pose.Up[1] = 0.0;
+  pose.Up[2] = 1.0;
+  pose.ViewAngle = viewAngle;
+  pose.Near = nearest;
+  pose.Far = farthest;
+  return pose;
+}
+
 CameraPath MakeInside(int frames)
 {
   // Between the first two racks, where the vessels are not.
@@ -358,7 +370,7 @@ CameraPath MakeInside(int frames)
   for (int i = 0; i < frames; ++i)
   {
     const double share = static_cast<double>(i) / frames;
-    CameraPose pose;
+    CameraPose pose = MakeUprightPose(60.0, 0.1, 250.0);
     pose.Eye[0] = (share - 0.5) * (Length - 20.0);
     pose.Eye[1] = y;
     pose.Eye[2] = 1.7;
@@ -367,11 +379,6 @@ CameraPath MakeInside(int frames)
     pose.Target[0] = pose.Eye[0] + std::cos(yaw);
     pose.Target[1] = pose.Eye[1] + std::sin(yaw);
     pose.Target[2] = pose.Eye[2] + 0.1;
-    pose.Up[1] = 0.0;
-    pose.Up[2] = 1.0;
-    pose.ViewAngle = 60.0;
-    pose.Near = 0.1;
-    pose.Far = 250.0;
     path.push_back(pose);
   }
   return path;
@@ -383,16 +390,11 @@ CameraPath MakeAround(int frames)
   for (int i = 0; i < frames; ++i)
   {
     const double angle = 2.0 * vtkMath::Pi() * i / frames;
-    CameraPose pose;
+    CameraPose pose = MakeUprightPose(45.0, 5.0, 300.0);
     pose.Eye[0] = 110.0 * std::cos(angle);
     pose.Eye[1] = 80.0 * std::sin(angle);
     pose.Eye[2] = 25.0;
     pose.Target[2] = 5.0;
-    pose.Up[1] = 0.0;
-    pose.Up[2] = 1.0;
-    pose.ViewAngle = 45.0;
-    pose.Near = 5.0;
-    pose.Far = 300.0;
     path.push_back(pose);
   }
   return path;
