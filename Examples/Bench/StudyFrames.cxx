@@ -49,7 +49,7 @@ std::vector<vtkNBufferCandidate> MakeCandidates(vtkRenderer* renderer)
   while (vtkProp* prop = props->GetNextProp(iterator))
   {
     candidates.emplace_back(prop);
-    candidates.back().Refresh();
+    candidates.back().Refresh(true);
   }
   return candidates;
 }

@@ -9,6 +9,7 @@
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferClock.h"
 #include "vtkNBufferDepthSource.h"
+#include "vtkNBufferGL.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
@@ -60,6 +61,7 @@ private:
   BoxQueries Queries;
   CoherentQueries Tree;
   bool TreeIsOld = true;
+  int Samples = 0; ///< Of the framebuffer.
   vtkRenderer* Renderer = nullptr;
   std::vector<vtkNBufferDrawnProp> Drawn;
 };
@@ -109,6 +111,7 @@ bool QueryCuller::Internals::SetView(vtkRenderer* renderer)
     source.Viewport[2], source.Viewport[3], quantum, vtkNBufferDepthConvention::Forward,
     std::max(source.Viewport[0] + source.Viewport[2], source.Viewport[1] + source.Viewport[3]));
   this->Props.Project(this->Projection);
+  this->Samples = source.Samples;
   return this->Queries.Begin(window, this->Target, this->Error);
 }
 
@@ -174,12 +177,14 @@ void QueryCuller::Internals::Redraw()
       all.push_back(this->Props.GetDrawn(i, 0));
     }
   }
-  const std::vector<int> redraws = vtkNBufferTieOrder::GetRedraws(this->Projection, all);
-  for (int i : redraws)
+  const std::vector<vtkNBufferRedraw> redraws = vtkNBufferTieOrder::GetRedraws(
+    this->Projection, all, vtkNBufferGL::KeepsToScissor(this->Samples));
+  for (const vtkNBufferRedraw& redraw : redraws)
   {
-    this->Props.GetProp(all[i].Index)->RenderOpaqueGeometry(this->Renderer);
+    vtkProp* prop = this->Props.GetProp(all[redraw.Position].Index);
+    this->Statistics.Redrawn +=
+      vtkNBufferGL::DrawIn(redraw.Regions, [&]() { prop->RenderOpaqueGeometry(this->Renderer); });
   }
-  this->Statistics.Redrawn = static_cast<int>(redraws.size());
 }
 
 int QueryCuller::Internals::DrawProps(vtkRenderer* renderer)

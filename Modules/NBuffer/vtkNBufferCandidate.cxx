@@ -304,8 +304,12 @@ vtkNBufferCandidate::GlobalState vtkNBufferCandidate::GetGlobalState()
   return state;
 }
 
-bool vtkNBufferCandidate::Refresh()
+bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
 {
+  if (this->PipelineTaken && !globalStateChanged && !this->Pipeline.HasChanged())
+  {
+    return false;
+  }
   // Nothing else is known of a subclass or another kind of prop, and never will be.
   if (typeid(*this->Prop) != typeid(vtkOpenGLActor))
   {
@@ -339,6 +343,7 @@ bool vtkNBufferCandidate::Refresh()
 
 void vtkNBufferCandidate::TakeSources(vtkActor* actor)
 {
+  this->PipelineTaken = false;
   if (!this->Mapper)
   {
     this->Volatile = true;
@@ -363,6 +368,7 @@ void vtkNBufferCandidate::TakeSources(vtkActor* actor)
   {
     this->Time = std::max(this->Time, input->GetMTime());
   }
+  this->PipelineTaken = this->Pipeline.Take(actor);
 }
 
 vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor) const

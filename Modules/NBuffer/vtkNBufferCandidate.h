@@ -13,12 +13,14 @@
  *
  * What is cached stays valid as long as the modification times of everything that it came from do
  * not change (vtkNBufferSources). VTK's times come from one global counter, so that any change
- * makes the largest of them grow. A prop with a pipeline upstream of its mapper is volatile: it is
- * refreshed in every frame, pipeline update included, as VTK itself would do.
+ * makes the largest of them grow. A prop with a pipeline upstream of its mapper is volatile: its
+ * pipeline is asked in every frame (vtkNBufferPipeline), and where the answer says nothing it is
+ * looked at anew, pipeline update included, as VTK itself would do.
  */
 #ifndef vtkNBufferCandidate_h
 #define vtkNBufferCandidate_h
 
+#include "vtkNBufferPipeline.h"
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferSources.h"
 #include "vtkNBufferStatistics.h"
@@ -88,10 +90,11 @@ public:
   }
 
   /**
-   * Look at the prop again. May run its pipeline. Returns whether anything changed since the last
-   * time that may change what it draws. Costs what vtkProp::GetBounds() costs.
+   * Look at the prop again, unless its pipeline says that nothing changed and GetGlobalState() did
+   * not either. May run its pipeline. Returns whether anything changed since the last time that may
+   * change what it draws. Costs what vtkProp::GetBounds() costs.
    */
-  bool Refresh();
+  bool Refresh(bool globalStateChanged);
 
   /// Global settings of VTK on which verdicts depend; every prop is refreshed when they change.
   using GlobalState = std::array<double, 6>;
@@ -106,6 +109,7 @@ private:
   vtkActor* Actor = nullptr;
   vtkMapper* Mapper = nullptr;
   vtkNBufferSources Sources;
+  vtkNBufferPipeline Pipeline;
   vtkMTimeType Time = 0;
   vtkNBufferBox Box;
   vtkNBufferVerdict Verdict = vtkNBufferVerdict::Unknown;
@@ -117,6 +121,7 @@ private:
   bool Unlit = false;
   bool Tracked = false;
   bool Volatile = true;
+  bool PipelineTaken = false;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -113,7 +113,7 @@ int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
     {
       continue;
     }
-    changed += this->Candidates[i].Refresh() ? 1 : 0;
+    changed += this->Candidates[i].Refresh(all) ? 1 : 0;
     if (projection)
     {
       this->ProjectOne(static_cast<vtkIdType>(i), *projection);

@@ -10,12 +10,14 @@
 #ifndef vtkNBufferGL_h
 #define vtkNBufferGL_h
 
+#include "vtkNBufferMath.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferVTKVersion.h"
 
 #include VTKNBUFFER_GL_HEADER
 
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
@@ -28,6 +30,10 @@ VTKNBUFFER_EXPORT bool HasVersion(int major, int minor);
 
 /// The name of the renderer of the current context if it runs on the host, or nullptr.
 VTKNBUFFER_EXPORT const char* GetSoftwareRenderer();
+
+/// Whether the renderer of the current context keeps to scissor boxes where pixels have `samples`.
+/// llvmpipe (Mesa 22.3) draws some of the samples of the row below, too, if there are several.
+VTKNBUFFER_EXPORT bool KeepsToScissor(int samples);
 
 /// Drop errors that others left behind, so that those found later are ours.
 VTKNBUFFER_EXPORT void ClearErrors();
@@ -106,6 +112,47 @@ private:
   int Textures[TargetCount] = {};
   int Sampler = 0;
 };
+
+/**
+ * What is drawn meanwhile, by VTK or not, is drawn only inside a rectangle. OpenGL guarantees that
+ * fragments inside are the same as without it (4.6, appendix A.3, rule 2: scissor parameters).
+ */
+class VTKNBUFFER_EXPORT ScopedScissor
+{
+public:
+  ScopedScissor();
+  ~ScopedScissor();
+  ScopedScissor(const ScopedScissor&) = delete;
+  void operator=(const ScopedScissor&) = delete;
+
+  /// In pixels of the viewport as it is now. What the renderer's own scissor leaves out stays out.
+  void Set(const vtkNBufferRectangle& pixels) const;
+
+private:
+  bool Enabled;
+  vtkNBufferRectangle Viewport;
+  vtkNBufferRectangle Outer; ///< Of the framebuffer: where drawing was confined to before.
+  int Box[4] = {};
+};
+
+/// Call draw() once for each of the regions, in pixels of the viewport, confined to it; without
+/// regions once and not confined. Returns how many times.
+template <typename Functor>
+int DrawIn(const std::vector<vtkNBufferRectangle>& regions, Functor&& draw)
+{
+  if (regions.empty())
+  {
+    draw();
+    return 1;
+  }
+  const ScopedScissor scissor;
+  for (const vtkNBufferRectangle& region : regions)
+  {
+    scissor.Set(region);
+    draw();
+  }
+  return static_cast<int>(regions.size());
+}
 
 /**
  * Inside of a ScopedPass: blends into the first colour attachment, with one equation and the same

@@ -49,6 +49,7 @@
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferVTKVersion.h"
 
+#include <algorithm>
 #include <cstddef>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -66,6 +67,13 @@ struct vtkNBufferRectangle
   int GetWidth() const { return this->X1 - this->X0; }
   int GetHeight() const { return this->Y1 - this->Y0; }
   bool IsEmpty() const { return this->X1 <= this->X0 || this->Y1 <= this->Y0; }
+
+  /// What two rectangles share; may be empty.
+  vtkNBufferRectangle GetIntersection(const vtkNBufferRectangle& other) const
+  {
+    return { std::max(this->X0, other.X0), std::max(this->Y0, other.Y0),
+      std::min(this->X1, other.X1), std::min(this->Y1, other.Y1) };
+  }
 };
 
 /**

@@ -352,31 +352,42 @@ vtkNBufferPlacement vtkNBufferProjection::Finish(
                                               : vtkNBufferPlacement::Inside;
 }
 
-bool vtkNBufferProjection::AreApart(const vtkNBufferBox& a, const vtkNBufferScreenBox& screenA,
-  const vtkNBufferBox& b, const vtkNBufferScreenBox& screenB) const
+bool vtkNBufferProjection::GetContact(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen,
+  const vtkNBufferBox& other, const vtkNBufferScreenBox& otherScreen,
+  vtkNBufferRectangle& pixels) const
 {
-  const double w = std::max(screenA.MaximumW, screenB.MaximumW);
+  vtkNBufferBox shared = box;
   for (int j = 0; j < 3; ++j)
   {
-    const double distance = b.Center[j] - a.Center[j];
-    const double gap = std::abs(distance) - a.HalfSize[j] - b.HalfSize[j];
-    if (!(gap > 0.0))
+    double range[2];
+    for (int end = 0; end < 2; ++end)
     {
-      continue;
+      const double sign = end == 0 ? -1.0 : 1.0;
+      const double face = other.Center[j] + sign * other.HalfSize[j];
+      double reach = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        reach += std::abs(this->ClipToWorld[j][k] - face * this->ClipToWorld[3][k]) *
+          (screen.Slack[k] + otherScreen.Slack[k]);
+      }
+      range[end] = sign *
+        std::min(sign * face + screen.MaximumW * reach, sign * box.Center[j] + box.HalfSize[j]);
     }
-    const double middle = a.Center[j] + std::copysign(a.HalfSize[j] + 0.5 * gap, distance);
-    double reach = 0.0;
-    for (int k = 0; k < 3; ++k)
+    if (range[0] > range[1])
     {
-      reach += std::abs(this->ClipToWorld[j][k] - middle * this->ClipToWorld[3][k]) *
-        (screenA.Slack[k] + screenB.Slack[k]);
+      return false;
     }
-    if (gap > w * reach)
-    {
-      return true;
-    }
+    shared.Center[j] = 0.5 * (range[0] + range[1]);
+    shared.HalfSize[j] = 0.5 * (range[1] - range[0]);
   }
-  return false;
+  pixels = screen.Pixels.GetIntersection(otherScreen.Pixels);
+  vtkNBufferScreenBox sharedScreen;
+  const vtkNBufferPlacement placement = this->Project(shared, sharedScreen);
+  if (placement == vtkNBufferPlacement::Inside)
+  {
+    pixels = pixels.GetIntersection(sharedScreen.Pixels);
+  }
+  return placement != vtkNBufferPlacement::Outside && !pixels.IsEmpty();
 }
 
 bool vtkNBufferProjection::GetFacePlane(
@@ -385,7 +396,7 @@ bool vtkNBufferProjection::GetFacePlane(
   const int axis = face / 2;
   const double sign = face % 2 == 0 ? -1.0 : 1.0;
   const double offset = box.Center[axis] + sign * box.HalfSize[axis];
-  // Inside of the face L(q) <= 0, see AreApart.
+  // Inside of the face L(q) <= 0, see GetContact.
   double l[4];
   for (int k = 0; k < 4; ++k)
   {

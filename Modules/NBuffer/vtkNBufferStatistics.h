@@ -88,8 +88,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   ///@{
   /// Props that the culler was given, and of these: candidates for the test (translucent ones
   /// too), those whose boxes were tested against depth, those of them that the levels did not find
-  /// hidden in the first round, those held back until the test, those redrawn for the order of
-  /// equal depths (see vtkNBufferTieOrder.h), and the caches refreshed because something changed.
+  /// hidden in the first round, those held back until the test, draws once more for the order
+  /// of equal depths (see vtkNBufferTieOrder.h), and the caches refreshed because something changed.
   int Props = 0;
   int Candidates = 0;
   int Tested = 0;

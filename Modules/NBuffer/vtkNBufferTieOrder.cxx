@@ -6,51 +6,200 @@
 #include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
-namespace vtkNBufferTieOrder
+namespace
 {
-bool CanTie(const vtkNBufferProjection& projection, const vtkNBufferDrawnProp& a,
-  const vtkNBufferDrawnProp& b)
+/// More rectangles leave out more and cost a draw each: beyond four nothing was gained.
+constexpr std::size_t MaximumNumberOfRegions = 4;
+
+/// Tiles along the longer side of the viewport.
+constexpr int TilesPerSide = 32;
+
+/**
+ * A prop that was drawn after props that follow it, and where. What is drawn again comes after all
+ * rounds.
+ */
+struct LateDraw
 {
-  if (!a.Bounded || !b.Bounded)
+  int Position = 0;
+  int Round = 0;
+  vtkNBufferRectangle Pixels;
+};
+
+/**
+ * The late draws by tiles of the viewport.
+ */
+class LateDraws
+{
+public:
+  LateDraws(int width, int height)
+    : TileSize(std::max(1, (std::max(width, height) + TilesPerSide - 1) / TilesPerSide))
+    , Columns((width + this->TileSize - 1) / this->TileSize)
+    , Tiles(
+        static_cast<std::size_t>(this->Columns) * ((height + this->TileSize - 1) / this->TileSize))
   {
-    return true;
   }
-  const vtkNBufferRectangle& p = a.Screen.Pixels;
-  const vtkNBufferRectangle& q = b.Screen.Pixels;
-  return p.X0 < q.X1 && q.X0 < p.X1 && p.Y0 < q.Y1 && q.Y0 < p.Y1 &&
-    a.Screen.Nearest <= b.Screen.Farthest && b.Screen.Nearest <= a.Screen.Farthest &&
-    !projection.AreApart(a.Box, a.Screen, b.Box, b.Screen);
+
+  void Add(const LateDraw& draw)
+  {
+    this->ForEachTile(
+      draw.Pixels, [&draw](int, int, std::vector<LateDraw>& tile) { tile.push_back(draw); });
+  }
+
+  /// Calls functor(draw, shared pixels) once for each draw that meets the rectangle.
+  template <typename Functor>
+  void ForEachIn(const vtkNBufferRectangle& pixels, Functor&& functor)
+  {
+    this->ForEachTile(pixels,
+      [&](int column, int row, const std::vector<LateDraw>& tile)
+      {
+        for (const LateDraw& draw : tile)
+        {
+          // Of the tiles that both are in, the one with the lower left corner of what they share.
+          const vtkNBufferRectangle shared = draw.Pixels.GetIntersection(pixels);
+          if (!shared.IsEmpty() && shared.X0 / this->TileSize == column &&
+            shared.Y0 / this->TileSize == row)
+          {
+            functor(draw, shared);
+          }
+        }
+      });
+  }
+
+private:
+  template <typename Functor>
+  void ForEachTile(const vtkNBufferRectangle& pixels, Functor&& functor)
+  {
+    for (int row = pixels.Y0 / this->TileSize; row * this->TileSize < pixels.Y1; ++row)
+    {
+      for (int column = pixels.X0 / this->TileSize; column * this->TileSize < pixels.X1; ++column)
+      {
+        functor(column, row, this->Tiles[static_cast<std::size_t>(row) * this->Columns + column]);
+      }
+    }
+  }
+
+  int TileSize;
+  int Columns;
+  std::vector<std::vector<LateDraw>> Tiles;
+};
+
+double GetArea(const vtkNBufferRectangle& pixels)
+{
+  return static_cast<double>(pixels.GetWidth()) * pixels.GetHeight();
 }
 
-std::vector<int> GetRedraws(
-  const vtkNBufferProjection& projection, std::vector<vtkNBufferDrawnProp>& drawn)
+vtkNBufferRectangle GetUnion(const vtkNBufferRectangle& a, const vtkNBufferRectangle& b)
+{
+  return { std::min(a.X0, b.X0), std::min(a.Y0, b.Y0), std::max(a.X1, b.X1), std::max(a.Y1, b.Y1) };
+}
+
+/// Add a rectangle; pairs become one where that covers no more, and where there are too many.
+void AddRegion(std::vector<vtkNBufferRectangle>& regions, const vtkNBufferRectangle& pixels)
+{
+  regions.push_back(pixels);
+  while (regions.size() > 1)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t first = 0;
+    std::size_t second = 0;
+    for (std::size_t a = 0; a < regions.size(); ++a)
+    {
+      for (std::size_t b = a + 1; b < regions.size(); ++b)
+      {
+        const double growth =
+          GetArea(GetUnion(regions[a], regions[b])) - GetArea(regions[a]) - GetArea(regions[b]);
+        if (growth < least)
+        {
+          least = growth;
+          first = a;
+          second = b;
+        }
+      }
+    }
+    if (least > 0.0 && regions.size() <= MaximumNumberOfRegions)
+    {
+      return;
+    }
+    regions[first] = GetUnion(regions[first], regions[second]);
+    regions.erase(regions.begin() + static_cast<std::ptrdiff_t>(second));
+  }
+}
+
+bool Covers(const std::vector<vtkNBufferRectangle>& regions, const vtkNBufferRectangle& pixels)
+{
+  return std::any_of(regions.begin(), regions.end(),
+    [&pixels](const vtkNBufferRectangle& region)
+    {
+      return region.X0 <= pixels.X0 && region.Y0 <= pixels.Y0 && region.X1 >= pixels.X1 &&
+        region.Y1 >= pixels.Y1;
+    });
+}
+}
+
+namespace vtkNBufferTieOrder
+{
+bool GetTie(const vtkNBufferProjection& projection, const vtkNBufferDrawnProp& a,
+  const vtkNBufferDrawnProp& b, vtkNBufferRectangle& pixels)
+{
+  if (a.Bounded && b.Bounded)
+  {
+    return a.Screen.Nearest <= b.Screen.Farthest && b.Screen.Nearest <= a.Screen.Farthest &&
+      projection.GetContact(a.Box, a.Screen, b.Box, b.Screen, pixels);
+  }
+  pixels = { 0, 0, projection.GetWidth(), projection.GetHeight() };
+  for (const vtkNBufferDrawnProp* prop : { &a, &b })
+  {
+    pixels = prop->Bounded ? prop->Screen.Pixels : pixels;
+  }
+  return true;
+}
+
+std::vector<vtkNBufferRedraw> GetRedraws(
+  const vtkNBufferProjection& projection, std::vector<vtkNBufferDrawnProp>& drawn, bool inRegions)
 {
   std::sort(drawn.begin(), drawn.end(),
     [](const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b) { return a.Index < b.Index; });
-  // Earlier props that were drawn after the first round, and with which round they count: a prop
-  // drawn again comes after all rounds.
-  struct Late
-  {
-    int Position;
-    int Round;
-  };
-  std::vector<Late> late;
-  std::vector<int> redraws;
+  const vtkNBufferRectangle viewport = { 0, 0, projection.GetWidth(), projection.GetHeight() };
+  LateDraws late(projection.GetWidth(), projection.GetHeight());
+  std::vector<vtkNBufferRedraw> redraws;
   for (int i = 0; i < static_cast<int>(drawn.size()); ++i)
   {
-    const bool again = std::any_of(late.begin(), late.end(),
-      [&](const Late& other) {
-        return other.Round > drawn[i].Round && CanTie(projection, drawn[other.Position], drawn[i]);
+    const vtkNBufferDrawnProp& prop = drawn[i];
+    const vtkNBufferRectangle& all = prop.Bounded ? prop.Screen.Pixels : viewport;
+    vtkNBufferRedraw redraw;
+    redraw.Position = i;
+    late.ForEachIn(all,
+      [&](const LateDraw& other, const vtkNBufferRectangle& shared)
+      {
+        vtkNBufferRectangle tie;
+        if (other.Round <= prop.Round || Covers(redraw.Regions, shared) ||
+          !GetTie(projection, drawn[other.Position], prop, tie))
+        {
+          return;
+        }
+        tie = tie.GetIntersection(shared);
+        if (!tie.IsEmpty())
+        {
+          AddRegion(redraw.Regions, inRegions && prop.Bounded ? tie : all);
+        }
       });
-    if (again)
+    if (prop.Round > 0)
     {
-      redraws.push_back(i);
-      late.push_back({ i, std::numeric_limits<int>::max() });
+      late.Add({ i, prop.Round, all });
     }
-    else if (drawn[i].Round > 0)
+    if (redraw.Regions.empty())
     {
-      late.push_back({ i, drawn[i].Round });
+      continue;
     }
+    for (const vtkNBufferRectangle& region : redraw.Regions)
+    {
+      late.Add({ i, std::numeric_limits<int>::max(), region });
+    }
+    if (!inRegions || !prop.Bounded)
+    {
+      redraw.Regions.clear();
+    }
+    redraws.push_back(std::move(redraw));
   }
   return redraws;
 }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferTieOrder.h
- * @brief Which props to draw once more so that equal depths end as in the renderer's order.
+ * @brief Which props to draw once more, and where, so that equal depths end as in the renderer's
+ * order.
  *
  * VTK draws with GL_LEQUAL: of several fragments of the same depth in a sample the one drawn last
  * stays. Without a culler that is the prop that comes last in the renderer. A culler that holds
@@ -14,12 +15,20 @@
  *     once more:                 D       D is drawn again and wins as it should.
  *
  * The final image is right if, among the props that tie in a sample, the last of the renderer's
- * order is drawn last. So, in the renderer's order, a prop is drawn again if an earlier prop that
- * it may tie with was drawn after it, or is drawn again itself. Drawing an opaque prop twice with
- * GL_LEQUAL changes nothing else.
+ * order is drawn last. So, in the renderer's order, a prop is drawn again where an earlier prop
+ * that it may tie with was drawn after it, or is drawn again itself. Drawing an opaque prop twice
+ * with GL_LEQUAL changes nothing else.
  *
- * Two props can tie only where their pixels and their depth intervals (slack included) overlap,
- * and no plane between them keeps them apart (vtkNBufferProjection::AreApart).
+ * Two props can tie only where their depth intervals (slack included) overlap and in the rectangle
+ * of pixels in which they touch (vtkNBufferProjection::GetContact). Drawn again by a scissor in
+ * such rectangles alone, a prop bothers no other elsewhere; drawn again whole, it bothers all that
+ * it touches, they what they touch, and where parts touch, as in machines and on boards, most of
+ * what follows is drawn twice for a few that were held back:
+ *
+ *     first draw:    . B C D E           A is held back, touches B alone, and B touches C, C D, ...
+ *     after test:    A
+ *     whole:           B C D E
+ *     in rectangles:   b                 C is not met by the part of B that touches A.
  */
 #ifndef vtkNBufferTieOrder_h
 #define vtkNBufferTieOrder_h
@@ -43,18 +52,29 @@ struct vtkNBufferDrawnProp
   vtkNBufferScreenBox Screen;
 };
 
+/**
+ * A prop to draw once more.
+ */
+struct vtkNBufferRedraw
+{
+  int Position = 0; ///< In the list of the props drawn.
+  /// Where, in pixels of the viewport: one to four rectangles; none: all of the prop.
+  std::vector<vtkNBufferRectangle> Regions;
+};
+
 namespace vtkNBufferTieOrder
 {
-/// Whether two props may have fragments of equal depth in a sample.
-VTKNBUFFER_EXPORT bool CanTie(const vtkNBufferProjection& projection, const vtkNBufferDrawnProp& a,
-  const vtkNBufferDrawnProp& b);
+/// Whether two props may have fragments of equal depth in a sample, and within which pixels.
+VTKNBUFFER_EXPORT bool GetTie(const vtkNBufferProjection& projection, const vtkNBufferDrawnProp& a,
+  const vtkNBufferDrawnProp& b, vtkNBufferRectangle& pixels);
 
 /**
- * Positions in `drawn` of the props to draw once more, in the order in which to draw them. Sorts
- * `drawn` by Index. Cost: number of drawn props times those drawn after the first round.
+ * What to draw once more, in that order. `inRegions`: rectangles will be kept to, to the sample;
+ * otherwise props are drawn again whole. Sorts `drawn` by Index. Cost: for each drawn prop, the
+ * props in the same part of the screen that were drawn after the first round.
  */
-VTKNBUFFER_EXPORT std::vector<int> GetRedraws(
-  const vtkNBufferProjection& projection, std::vector<vtkNBufferDrawnProp>& drawn);
+VTKNBUFFER_EXPORT std::vector<vtkNBufferRedraw> GetRedraws(
+  const vtkNBufferProjection& projection, std::vector<vtkNBufferDrawnProp>& drawn, bool inRegions);
 }
 
 VTK_ABI_NAMESPACE_END

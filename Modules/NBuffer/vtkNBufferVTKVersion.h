@@ -33,6 +33,9 @@
 // vtkCompositePolyDataMapper2 is what applications use for composite data.
 #define VTKNBUFFER_HAS_COMPOSITE_MAPPER_2 (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 3)
 
+// vtkAlgorithm::ABORTED(): a filter whose last run did not come to its end.
+#define VTKNBUFFER_HAS_ABORTED_FILTERS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 3)
+
 // vtkRenderWindow::Initialize() and GetInitialized(); before, the first Render() makes the context.
 #define VTKNBUFFER_HAS_INITIALIZE (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 4)
 

@@ -557,21 +557,27 @@ void vtkNBufferView::RedrawForTieOrder(vtkRenderer* renderer, bool screensHold)
   {
     drawn.Bounded = drawn.Bounded && screensHold;
   }
-  const std::vector<int> redraws = vtkNBufferTieOrder::GetRedraws(this->Projection, all);
-  for (int i : redraws)
+  const std::vector<vtkNBufferRedraw> redraws = vtkNBufferTieOrder::GetRedraws(
+    this->Projection, all, vtkNBufferGL::KeepsToScissor(this->TestedSamples));
+  for (const vtkNBufferRedraw& redraw : redraws)
   {
     // Passes have told the kept props what they told the proxy; a held one must hear it again.
-    vtkProp* prop = this->Props.GetProp(all[i].Index);
-    if (std::binary_search(this->Held.begin(), this->Held.end(), all[i].Index))
-    {
-      this->Proxy->Draw(prop, renderer, prop->GetAllocatedRenderTime());
-    }
-    else
-    {
-      prop->RenderOpaqueGeometry(renderer);
-    }
+    const int index = all[redraw.Position].Index;
+    vtkProp* prop = this->Props.GetProp(index);
+    const bool held = std::binary_search(this->Held.begin(), this->Held.end(), index);
+    this->Statistics.Redrawn += vtkNBufferGL::DrawIn(redraw.Regions,
+      [&]()
+      {
+        if (held)
+        {
+          this->Proxy->Draw(prop, renderer, prop->GetAllocatedRenderTime());
+        }
+        else
+        {
+          prop->RenderOpaqueGeometry(renderer);
+        }
+      });
   }
-  this->Statistics.Redrawn += static_cast<int>(redraws.size());
 }
 
 void vtkNBufferView::Fail(vtkRenderer* renderer, vtkNBufferDecision failure, const std::string& why)

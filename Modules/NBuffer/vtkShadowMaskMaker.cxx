@@ -107,7 +107,8 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
   this->Reader.Begin(this->Viewport, lights.size());
   vtkShadowCamera camera(renderer);
   std::copy_n(this->Viewport, 4, camera.Plan.Viewport);
-  camera.Plan.Boxes = this->Target.GetSamples().size() <= 1 || !vtkNBufferGL::GetSoftwareRenderer();
+  camera.Plan.Boxes =
+    vtkNBufferGL::KeepsToScissor(static_cast<int>(this->Target.GetSamples().size()));
   camera.Plan.BoxCost = settings.BoxCost;
   this->DebugView.Clear();
   const vtkShadowCounter::Scope scope(window, this->Viewport);

@@ -100,7 +100,18 @@ MUTANTS = {
         (VIEW, "if (this->Drawn.empty())\n  {\n    return;\n  }\n  const int firstLate",
          "if (!this->Drawn.empty())\n  {\n    return;\n  }\n  const int firstLate")],
     "equal depths of overlapping rectangles forgotten": [
-        ("vtkNBufferTieOrder.cxx", "p.X0 < q.X1 && q.X0 < p.X1", "p.X0 < q.X0 && q.X0 < p.X1")],
+        ("vtkNBufferTieOrder.cxx",
+         "projection.GetContact(a.Box, a.Screen, b.Box, b.Screen, pixels);",
+         "projection.GetContact(a.Box, a.Screen, b.Box, b.Screen, pixels) &&\n"
+         "      a.Screen.Pixels.X0 < b.Screen.Pixels.X0;")],
+    "what is drawn again is drawn beside its regions too": [
+        ("vtkNBufferGL.h", "scissor.Set(region);", "")],
+    "regions in which props touch one column short": [
+        (PROJECTION, "pixels = pixels.GetIntersection(sharedScreen.Pixels);",
+         "pixels = pixels.GetIntersection(sharedScreen.Pixels);\n    --pixels.X1;")],
+    "changes upstream of a mapper not noticed": [
+        (CANDIDATE, "!globalStateChanged && !this->Pipeline.HasChanged()",
+         "!globalStateChanged")],
 
     # Props that are none of the tested kind.
     "translucent props hide": [

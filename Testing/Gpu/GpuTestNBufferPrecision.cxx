@@ -233,7 +233,7 @@ protected:
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     vtkNBufferCandidate candidate(actor);
-    candidate.Refresh();
+    candidate.Refresh(true);
     ASSERT_TRUE(candidate.IsCandidate());
     vtkNBufferScreenBox screen;
     if (projection.Project(candidate.GetBox(), screen) != vtkNBufferPlacement::Inside)

@@ -201,3 +201,35 @@ TEST(CullerHazards, ChainLinkFence)
     }
   }
 }
+
+// Hazard: in a row of parts that touch, drawing one of them late has all others drawn again.
+TEST(CullerHazards, PartsThatTouchAreDrawnAgainWhereTheyTouch)
+{
+  constexpr int Parts = 50;
+  constexpr int Door = Parts;
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      // From the far end to the near one, and a door before the first.
+      for (int i = 0; i < Parts; ++i)
+      {
+        Scenes::AddBox(stage, 0.2 * i - 5.0, 0.0, 0.0, 0.2, 0.6, 0.2);
+      }
+      Scenes::AddBox(stage, -5.0, 0.0, 1.0, 0.3, 1.2, 0.05);
+      stage.GetRenderer()->GetActiveCamera()->SetPosition(-5.0, 0.0, 25.0);
+      stage.GetRenderer()->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
+      stage.GetRenderer()->ResetCameraClippingRange();
+    });
+  for (int i = 0; i < 3; ++i)
+  {
+    comparison.Frame("door shut");
+  }
+  EXPECT_EQ(comparison.GetHidden(), 1);
+  comparison.Both([](Stage& stage) { stage.GetActor(Door)->SetPosition(0.0, 2.0, 0.0); });
+  comparison.Frame("door open");
+  const vtkNBufferStatistics& statistics = comparison.GetStatistics();
+  EXPECT_EQ(statistics.GetCount(Verdict::Hidden), 0);
+  EXPECT_EQ(statistics.DrawnInRound[1], 1);
+  // The second part, where it touches the first; not the 48 that follow.
+  EXPECT_EQ(statistics.Redrawn, 1);
+}

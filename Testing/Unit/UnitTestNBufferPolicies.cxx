@@ -39,11 +39,14 @@ struct Pixel
   int Owner = -1;
 };
 
-void Draw(const Prop& prop, std::vector<Pixel>& window)
+void Draw(const Prop& prop, std::vector<Pixel>& window,
+  const vtkNBufferRectangle& region = { 0, 0, Side, Side })
 {
-  for (int y = prop.Rectangle[2]; y < prop.Rectangle[3]; ++y)
+  const vtkNBufferRectangle pixels = region.GetIntersection(
+    { prop.Rectangle[0], prop.Rectangle[2], prop.Rectangle[1], prop.Rectangle[3] });
+  for (int y = pixels.Y0; y < pixels.Y1; ++y)
   {
-    for (int x = prop.Rectangle[0]; x < prop.Rectangle[1]; ++x)
+    for (int x = pixels.X0; x < pixels.X1; ++x)
     {
       Pixel& pixel = window[y * Side + x];
       if (prop.Depth <= pixel.Depth)
@@ -73,7 +76,8 @@ TEST(NBufferTieOrder, RedrawsRestoreTheOrder)
   const vtkNBufferProjection projection = MakeProjection();
   std::mt19937 random(41);
   int redrawn = 0;
-  for (int n = 0; n < 3000; ++n)
+  int regions = 0;
+  for (int n = 0; n < 6000; ++n)
   {
     const int count = 2 + static_cast<int>(random() % 12);
     const int rounds = 1 + static_cast<int>(random() % 4);
@@ -119,10 +123,23 @@ TEST(NBufferTieOrder, RedrawsRestoreTheOrder)
         }
       }
     }
-    const std::vector<int> redraws = vtkNBufferTieOrder::GetRedraws(projection, drawn);
-    for (int position : redraws)
+    const bool inRegions = n % 3 != 0;
+    const std::vector<vtkNBufferRedraw> redraws =
+      vtkNBufferTieOrder::GetRedraws(projection, drawn, inRegions);
+    for (const vtkNBufferRedraw& redraw : redraws)
     {
-      Draw(props[drawn[position].Index], window);
+      const Prop& prop = props[drawn[redraw.Position].Index];
+      ASSERT_LE(redraw.Regions.size(), 4u);
+      ASSERT_TRUE(redraw.Regions.empty() || (inRegions && prop.Drawn.Bounded));
+      for (const vtkNBufferRectangle& region : redraw.Regions)
+      {
+        Draw(prop, window, region);
+        ++regions;
+      }
+      if (redraw.Regions.empty())
+      {
+        Draw(prop, window);
+      }
     }
     redrawn += static_cast<int>(redraws.size());
     ASSERT_EQ(GetOwners(window), GetOwners(expected));
@@ -131,7 +148,65 @@ TEST(NBufferTieOrder, RedrawsRestoreTheOrder)
       ASSERT_TRUE(redraws.empty()) << "one round is the renderer's order";
     }
   }
-  EXPECT_GT(redrawn, 1000);
+  EXPECT_GT(redrawn, 2000);
+  EXPECT_GT(regions, 1000);
+}
+
+// Hazard: a chain of props that touch is drawn again from end to end for the first of them.
+TEST(NBufferTieOrder, ChainsEndWhereRegionsDoNotMeet)
+{
+  const vtkNBufferProjection projection = MakeProjection();
+  std::vector<vtkNBufferDrawnProp> drawn(5);
+  for (int i = 0; i < 5; ++i)
+  {
+    // Two pixels wide each, side by side: faces touch between pixels 2 i + 1 and 2 i + 2.
+    const double bounds[6] = { 2.0 * i + 1.0, 2.0 * i + 3.0, 1.0, 5.0, 0.25, 0.75 };
+    drawn[i].Index = i;
+    drawn[i].Round = i == 0 ? 1 : 0;
+    drawn[i].Bounded = true;
+    drawn[i].Box = vtkNBufferBox::FromBounds(bounds);
+    ASSERT_EQ(projection.Project(drawn[i].Box, drawn[i].Screen), vtkNBufferPlacement::Inside);
+  }
+  EXPECT_EQ(vtkNBufferTieOrder::GetRedraws(projection, drawn, false).size(), 4u);
+
+  const std::vector<vtkNBufferRedraw> redraws =
+    vtkNBufferTieOrder::GetRedraws(projection, drawn, true);
+  ASSERT_EQ(redraws.size(), 1u);
+  EXPECT_EQ(redraws[0].Position, 1);
+  ASSERT_EQ(redraws[0].Regions.size(), 1u);
+  // The face at x = 3 and 1/16 of a pixel on both sides.
+  EXPECT_EQ(redraws[0].Regions[0].X0, 2);
+  EXPECT_EQ(redraws[0].Regions[0].X1, 4);
+}
+
+// Hazard: a large prop that touches many small ones is drawn again all over.
+TEST(NBufferTieOrder, RegionsAreNoMoreThanFour)
+{
+  const vtkNBufferProjection projection = MakeProjection();
+  std::vector<vtkNBufferDrawnProp> drawn(7);
+  for (int i = 0; i < 7; ++i)
+  {
+    // Six columns of half a pixel on a floor, as seen from above.
+    const double x = 0.3 + 2.0 * i;
+    const double bounds[6] = { x, x + 0.4, 4.3, 4.7, 0.25, 0.5 };
+    const double floor[6] = { 0.3, 11.7, 0.3, 11.7, 0.5, 0.6 };
+    drawn[i].Index = i;
+    drawn[i].Round = i < 6 ? 1 : 0;
+    drawn[i].Bounded = true;
+    drawn[i].Box = vtkNBufferBox::FromBounds(i < 6 ? bounds : floor);
+    ASSERT_EQ(projection.Project(drawn[i].Box, drawn[i].Screen), vtkNBufferPlacement::Inside);
+  }
+  const std::vector<vtkNBufferRedraw> redraws =
+    vtkNBufferTieOrder::GetRedraws(projection, drawn, true);
+  ASSERT_EQ(redraws.size(), 1u);
+  EXPECT_EQ(redraws[0].Position, 6);
+  ASSERT_EQ(redraws[0].Regions.size(), 4u);
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_TRUE(std::any_of(redraws[0].Regions.begin(), redraws[0].Regions.end(),
+      [i](const vtkNBufferRectangle& region)
+      { return region.X0 <= 2 * i && region.X1 > 2 * i && region.Y0 <= 4 && region.Y1 > 4; }));
+  }
 }
 
 // Hazard: props that cannot touch are drawn twice for nothing.
@@ -148,15 +223,27 @@ TEST(NBufferTieOrder, OnlyPropsThatTouchTie)
     return prop;
   };
   const vtkNBufferDrawnProp a = make(1.0, 1.0, 0.5);
-  EXPECT_TRUE(vtkNBufferTieOrder::CanTie(projection, a, a));
-  EXPECT_TRUE(vtkNBufferTieOrder::CanTie(projection, a, make(2.0, 2.0, 0.52)));
-  EXPECT_TRUE(vtkNBufferTieOrder::CanTie(projection, a, make(1.0, 1.0, 0.55))) << "face to face";
-  EXPECT_FALSE(vtkNBufferTieOrder::CanTie(projection, a, make(5.0, 1.0, 0.5))) << "beside";
-  EXPECT_FALSE(vtkNBufferTieOrder::CanTie(projection, a, make(1.0, 1.0, 0.7))) << "behind";
+  vtkNBufferRectangle pixels;
+  const auto tie = [&](const vtkNBufferDrawnProp& first, const vtkNBufferDrawnProp& second)
+  { return vtkNBufferTieOrder::GetTie(projection, first, second, pixels); };
+  EXPECT_TRUE(tie(a, a));
+  EXPECT_TRUE(tie(a, make(2.0, 2.0, 0.52)));
+  EXPECT_TRUE(tie(a, make(1.0, 1.0, 0.55))) << "face to face";
+  EXPECT_FALSE(tie(a, make(5.0, 1.0, 0.5))) << "beside";
+  EXPECT_FALSE(tie(a, make(1.0, 1.0, 0.7))) << "behind";
+  EXPECT_TRUE(tie(a, make(2.5, 1.5, 0.5)));
+  EXPECT_EQ(pixels.X0, 2);
+  EXPECT_EQ(pixels.X1, 4);
+  EXPECT_EQ(pixels.Y0, 1);
+  EXPECT_EQ(pixels.Y1, 4);
   vtkNBufferDrawnProp unbounded = make(8.0, 8.0, 0.1);
   unbounded.Bounded = false;
-  EXPECT_TRUE(vtkNBufferTieOrder::CanTie(projection, a, unbounded));
-  EXPECT_TRUE(vtkNBufferTieOrder::CanTie(projection, unbounded, a));
+  EXPECT_TRUE(tie(a, unbounded));
+  EXPECT_TRUE(tie(unbounded, a));
+  EXPECT_EQ(pixels.X0, a.Screen.Pixels.X0) << "within the pixels of the one that is known";
+  EXPECT_EQ(pixels.Y1, a.Screen.Pixels.Y1);
+  EXPECT_TRUE(tie(unbounded, unbounded));
+  EXPECT_EQ(pixels.GetWidth(), Side);
 }
 
 // Hazard: a rest that never begins wastes tests, one that never ends hides nothing any more.

@@ -302,23 +302,30 @@ class NBufferProjectionOfDepths : public testing::TestWithParam<Convention>
 {
 };
 
-// Hazard: two props said to be apart tie in a pixel after all.
-TEST_P(NBufferProjectionOfDepths, BoxesThatAreApartNeverMeetInAPixel)
+// Hazard: two props tie in a pixel in which they are said not to touch.
+TEST_P(NBufferProjectionOfDepths, BoxesMeetInTheirContactAlone)
 {
   ViewSampler sampler(11);
   int apart = 0;
+  int smaller = 0;
   int met = 0;
-  for (int n = 0; n < 4000; ++n)
+  for (int n = 0; n < 6000; ++n)
   {
     const View view = sampler.MakeView(0.0, n % 2 == 0);
     const vtkNBufferProjection projection = MakeProjection(view, this->GetParam());
     const std::array<double, 6> a = sampler.MakeBounds(view);
     std::array<double, 6> b = a;
-    // A neighbour: moved by about its size along one axis.
+    // A neighbour: moved by about its size along one axis, every third by a part of it along all.
     const int axis = sampler.Integer(0, 2);
-    const double shift = (a[2 * axis + 1] - a[2 * axis]) * sampler.Uniform(0.9, 1.3);
-    b[2 * axis] += shift;
-    b[2 * axis + 1] += shift;
+    for (int j = 0; j < 3; ++j)
+    {
+      const double size = a[2 * j + 1] - a[2 * j];
+      const double shift = n % 3 == 0 ? size * sampler.Uniform(-0.9, 0.9)
+        : j == axis                   ? size * sampler.Uniform(0.9, 1.3)
+                                      : 0.0;
+      b[2 * j] += shift;
+      b[2 * j + 1] += shift;
+    }
     const vtkNBufferBox boxA = vtkNBufferBox::FromBounds(a.data());
     const vtkNBufferBox boxB = vtkNBufferBox::FromBounds(b.data());
     vtkNBufferScreenBox screenA;
@@ -328,17 +335,26 @@ TEST_P(NBufferProjectionOfDepths, BoxesThatAreApartNeverMeetInAPixel)
     {
       continue;
     }
-    if (!projection.AreApart(boxA, screenA, boxB, screenB))
+    vtkNBufferRectangle contact;
+    const bool touch = projection.GetContact(boxA, screenA, boxB, screenB, contact);
+    const vtkNBufferRectangle both = screenA.Pixels.GetIntersection(screenB.Pixels);
+    if (touch)
     {
-      continue;
+      ASSERT_TRUE(!contact.IsEmpty() && contact.X0 >= both.X0 && contact.Y0 >= both.Y0 &&
+        contact.X1 <= both.X1 && contact.Y1 <= both.Y1);
+      smaller += contact.GetWidth() * contact.GetHeight() < both.GetWidth() * both.GetHeight();
     }
-    ++apart;
+    apart += touch ? 0 : 1;
     SCOPED_TRACE(view.Text + ", " + GetText(a) + ", " + GetText(b));
     const vtkNBufferRectangle& r = screenA.Pixels;
     for (int i = 0; i < 50; ++i)
     {
       const double x = sampler.Uniform(r.X0, r.X1);
       const double y = sampler.Uniform(r.Y0, r.Y1);
+      if (touch && x >= contact.X0 && x < contact.X1 && y >= contact.Y0 && y < contact.Y1)
+      {
+        continue;
+      }
       const auto depthsA = GetDepthsAlongRay(view, a, x, y);
       const auto depthsB = GetDepthsAlongRay(view, b, x, y);
       if (depthsA && depthsB)
@@ -351,6 +367,7 @@ TEST_P(NBufferProjectionOfDepths, BoxesThatAreApartNeverMeetInAPixel)
     }
   }
   EXPECT_GT(apart, 50);
+  EXPECT_GT(smaller, 50);
   EXPECT_GT(met, 100);
 }
 
