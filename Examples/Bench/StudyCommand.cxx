@@ -393,7 +393,7 @@ private:
   /// Of the culler in the city, and of shadows.
   void RunSettings(const NBufferExamples::Scene& city, Session& session, bool ofCuller)
   {
-    const SettingsEffort full = { 25, { "street", "rooftop", "drone", "cuts" }, true,
+    const SettingsEffort full = { 15, { "street", "rooftop", "drone", "cuts" }, true,
       GetShadowSceneNames(), { 8, 640, 480, {} } };
     const SettingsEffort quick = { 5, { "street" }, false, { "birds" }, { 2, 320, 240, {} } };
     const SettingsEffort tiny = { 2, { "street" }, false, { "birds" }, { 1, 320, 240, {} } };

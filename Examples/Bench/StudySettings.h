@@ -12,6 +12,8 @@
  *     few[]      scene, path, entries[]: props in view, the nearest ones and no others; drawn by
  *                the culler; stock_ms; points[] as above, kept_percent left out
  *     shadows[]  scene, path, size, frames, none_ms, unclamped_ms, shadowed_percent, points[]
+ *     again_ratio    of culler, still and shadows: of the default, drawn once more under another
+ *                    name, to itself
  *     points[]   mode (see ModeSettings.h); setting and value, or none for the defaults;
  * is_default; ms: median, p10 and p90; ratio: median over the frames to the mode without the
  *                setting; of the culler drawn and rounds, each median, and kept_percent: of the

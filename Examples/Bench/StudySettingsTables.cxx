@@ -93,6 +93,7 @@ std::string MakeSettingTable(const Json::Value& settings, const std::string& set
     std::string Title;
     std::map<int, std::string> Cells;
     std::string Default;
+    std::string Again;
   };
   std::vector<Row> rows;
   std::map<int, bool> values; // Whether it is the default.
@@ -111,7 +112,11 @@ std::string MakeSettingTable(const Json::Value& settings, const std::string& set
           ofShadows ? scene["scene"].asString() + ", " + point["kind"].asString() : GetTitle(scene);
         if (rows.empty() || rows.back().Title != title)
         {
-          rows.push_back({ title, {}, "" });
+          rows.push_back({ title, {}, "", "" });
+          // Of the mode that is the default itself.
+          const std::string kind = point["kind"].asString();
+          rows.back().Again =
+            kind == "nbuffer" || kind == "auto" ? Print(scene["again_ratio"].asDouble()) : "";
         }
         const int value = point["value"].asInt();
         const bool isDefault = point["is_default"].asBool();
@@ -128,7 +133,7 @@ std::string MakeSettingTable(const Json::Value& settings, const std::string& set
   {
     return "Not measured in this run.\n";
   }
-  Cells head = { ofShadows ? "scene, mode" : "path", "default: ms (p10 to p90)" };
+  Cells head = { ofShadows ? "scene, mode" : "path", "default: ms (p10 to p90)", "default again" };
   for (const auto& [value, isDefault] : values)
   {
     head.push_back(std::to_string(value) + (isDefault ? " (default)" : ""));
@@ -136,7 +141,7 @@ std::string MakeSettingTable(const Json::Value& settings, const std::string& set
   Table table(head);
   for (const Row& row : rows)
   {
-    Cells cells = { row.Title, row.Default };
+    Cells cells = { row.Title, row.Default, row.Again };
     for (const auto& [value, isDefault] : values)
     {
       const auto cell = row.Cells.find(value);
