@@ -112,7 +112,7 @@ std::string ReadFile(const std::string& name)
   return text.str();
 }
 
-/// accuracy.md and accuracy-scenes.md, where the texts for them come with the program.
+/// accuracy.md and what goes with it, where the texts for them come with the program.
 void WriteDocuments(const StudyOptions& options, const Json::Value& report)
 {
   for (const char* document : { "accuracy.md", "accuracy-scenes.md", "accuracy-settings.md" })
@@ -393,10 +393,11 @@ private:
   /// Of the culler in the city, and of shadows.
   void RunSettings(const NBufferExamples::Scene& city, Session& session, bool ofCuller)
   {
-    const SettingsEffort full = { 15, { "street", "rooftop", "drone", "cuts" }, true,
-      GetShadowSceneNames(), { 8, 640, 480, {} } };
-    const SettingsEffort quick = { 5, { "street" }, false, { "birds" }, { 2, 320, 240, {} } };
-    const SettingsEffort tiny = { 2, { "street" }, false, { "birds" }, { 1, 320, 240, {} } };
+    const SettingsEffort full = { 15, { "street", "rooftop", "drone", "cuts" },
+      { 8, 16, 24, 32, 48, 64, 128 }, true, GetShadowSceneNames(), { 8, 640, 480, {} } };
+    const SettingsEffort quick = { 5, { "street" }, { 32 }, false, { "birds" },
+      { 1, 320, 240, {} } };
+    const SettingsEffort tiny = { 2, { "street" }, { 8 }, false, { "birds" }, { 1, 320, 240, {} } };
     const auto begin = std::chrono::steady_clock::now();
     session.GetWindow()->SetSize(this->Options.View.Window.Width, this->Options.View.Window.Height);
     SettingsEffort effort = this->Options.IsTiny ? tiny : this->Options.IsQuick ? quick : full;

@@ -257,7 +257,8 @@ Json::Value MeasureStill(Session& session, const CameraPath& path, const Progres
   return MeasureValues(session, path, { { "ReuseWhenStill", { 0, 1 } } }, true, progress);
 }
 
-Json::Value MeasureFewProps(Session& session, const CameraPath& path, const Progress& progress)
+Json::Value MeasureFewProps(Session& session, const CameraPath& path,
+  const std::vector<std::size_t>& numbers, const Progress& progress)
 {
   std::vector<DepthBox> boxes =
     CollectFrames(session, { path.front() }, std::function<void(std::size_t)>()).front().Boxes;
@@ -265,7 +266,7 @@ Json::Value MeasureFewProps(Session& session, const CameraPath& path, const Prog
     [](const DepthBox& a, const DepthBox& b) { return a.Screen.Nearest < b.Screen.Nearest; });
   ShownProps shown(session.GetRenderer());
   Json::Value entries(Json::arrayValue);
-  for (std::size_t number : { 8, 16, 24, 32, 48, 64, 128 })
+  for (const std::size_t number : numbers)
   {
     if (number > boxes.size())
     {
@@ -364,7 +365,7 @@ Json::Value MeasureSettings(const NBufferExamples::Scene& city, Session& session
     }
     add("still", city, name, MeasureStill(session, path, tell));
     Json::Value few;
-    few["entries"] = MeasureFewProps(session, path, tell);
+    few["entries"] = MeasureFewProps(session, path, effort.FewProps, tell);
     add("few", city, name, few);
   }
   if (effort.Plant)

@@ -30,6 +30,7 @@
 
 #include "vtk_jsoncpp.h"
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -47,15 +48,16 @@ Json::Value MeasureCullerSettings(Session& session, const NBufferExamples::Camer
 Json::Value MeasureStill(
   Session& session, const NBufferExamples::CameraPath& path, const Progress& progress);
 
-/// Entries for 8 to 128 of the props in view.
-Json::Value MeasureFewProps(
-  Session& session, const NBufferExamples::CameraPath& path, const Progress& progress);
+/// An entry for each number of props in view, ascending.
+Json::Value MeasureFewProps(Session& session, const NBufferExamples::CameraPath& path,
+  const std::vector<std::size_t>& numbers, const Progress& progress);
 
 struct SettingsEffort
 {
   int Frames; ///< Of whole frames, a multiple of five.
   /// Of the city.
   std::vector<std::string> Paths;
+  std::vector<std::size_t> FewProps;
   bool Plant;
   std::vector<std::string> ShadowScenes;
   ShadowEffort Shadows;

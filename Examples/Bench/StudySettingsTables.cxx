@@ -185,7 +185,7 @@ void WriteSettingsCharts(const Json::Value& settings, const std::string& folder)
       ErrorChart chart;
       chart.Bottom = "milliseconds of a frame";
       chart.Left = ofShadows ? "fragments of volumes, % of whole ones" : "hidden props drawn, %";
-      chart.Bound = ofShadows ? "pixels that shadows change" : "oracle";
+      chart.Bound = ofShadows ? "pixels that shadows change" : "oracle: 0 %";
       chart.Least = ofShadows ? scene["shadowed_percent"].asDouble() : 0.0;
       for (const Look& look : Looks)
       {
