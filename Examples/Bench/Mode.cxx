@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mode.h"
 
+#include "ModeSettings.h"
+
 #include "vtkCullerCollection.h"
 #include "vtkFrustumCoverageCuller.h"
 #include "vtkRenderer.h"
@@ -58,7 +60,8 @@ std::string Mode::GetObstacle(const std::string& name)
 Mode::Mode(const std::string& name, const ModeOptions& options)
   : Name(name)
 {
-  if (std::find(GetNames().begin(), GetNames().end(), name) == GetNames().end())
+  const std::string kind = GetModeKind(name);
+  if (std::find(GetNames().begin(), GetNames().end(), kind) == GetNames().end())
   {
     std::string message = "no mode " + name + "; there are";
     for (const std::string& other : GetNames())
@@ -67,11 +70,15 @@ Mode::Mode(const std::string& name, const ModeOptions& options)
     }
     throw std::runtime_error(message);
   }
-  if (name == "stock" || name == "nbuffer")
+  if (kind != name && kind != "nbuffer")
+  {
+    throw std::runtime_error("mode " + kind + " has no settings, nbuffer has");
+  }
+  if (kind == "stock" || kind == "nbuffer")
   {
     this->Cullers.push_back(vtkSmartPointer<vtkFrustumCoverageCuller>::New());
   }
-  if (name == "nbuffer")
+  if (kind == "nbuffer")
   {
     this->NBuffer = vtkSmartPointer<vtkNBufferCuller>::New();
     this->NBuffer->SetBackend(options.Backend == "cpu" ? vtkNBufferCuller::CPU
@@ -81,6 +88,7 @@ Mode::Mode(const std::string& name, const ModeOptions& options)
     {
       this->NBuffer->SetBaseFactor(options.Base);
     }
+    ApplySettings(name, this->NBuffer);
     this->Cullers.push_back(this->NBuffer);
   }
   if (name == "oracle")

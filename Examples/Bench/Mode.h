@@ -40,9 +40,11 @@ public:
   /// added as a user adds it. oracle: exactly the props that own a pixel. queries,
   /// queries-conservative, queries-count: an occlusion query for each prop, of the exact, the
   /// conservative or the counting kind, each waited for. chc: coherent hierarchical culling by
-  /// exact queries.
+  /// exact queries. nbuffer also with settings, see ModeSettings.h. Throws std::runtime_error for
+  /// a name that means nothing.
   Mode(const std::string& name, const ModeOptions& options);
 
+  /// Without settings.
   static const std::vector<std::string>& GetNames();
 
   const std::string& GetName() const { return this->Name; }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report.h"
 
+#include "ModeSettings.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -241,6 +243,17 @@ Json::Value MakeReport(const WalkResult& result)
     if (a != result.Modes.end() && b != result.Modes.end())
     {
       report["ratios"][a->first + "/" + b->first] = Round(GetMedianRatio(a->second, b->second));
+    }
+  }
+  if (result.Modes.count("nbuffer") > 0)
+  {
+    for (const std::string& name : result.Names)
+    {
+      if (name != "nbuffer" && GetModeKind(name) == "nbuffer")
+      {
+        report["ratios"][name + "/nbuffer"] =
+          Round(GetMedianRatio(result.Modes.at(name), result.Modes.at("nbuffer")));
+      }
     }
   }
   report["verified_frames"] = static_cast<Json::UInt64>(result.VerifiedFrames);

@@ -21,6 +21,7 @@
 #include "Chart.h"
 #include "Command.h"
 #include "Images.h"
+#include "ModeSettings.h"
 #include "Report.h"
 #include "ShadowMode.h"
 #include "ShadowScene.h"
@@ -221,6 +222,7 @@ int RunShadowCommand(ShadowCommandOptions& options)
     report["modes"][mode] = MakeModeReport(result, mode);
     AddRatio(result.Walk, "unclamped", mode, report["ratios"]);
     AddRatio(result.Walk, mode, "none", report["ratios"]);
+    AddRatio(result.Walk, mode, GetModeKind(mode), report["ratios"]); // Of a setting.
   }
   std::cout << report["scene"].asString() << ", " << report["path"].asString() << ", "
             << report["size"].asString() << ", " << path.size() << " frames, "
@@ -262,6 +264,7 @@ void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
   auto options = std::make_shared<ShadowCommandOptions>();
   options->View.Program = program;
   options->View.SceneNames = { "city-sun" };
+  options->Walk.BoxCost = vtkNew<vtkShadowVolumeClampPass>()->GetBoxCost();
   options->View.SceneHelp = "city-sun, city-spot, birds (synthetic), simple, or a file that walk "
                             "knows";
   options->View.Window.Width = 640;
@@ -273,7 +276,8 @@ void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
       "slabs, exactlit and slabslit (with SkipUnlitReceivers), paper (clamp with litmaps drawn "
       "from "
       "the light, which lose shadows); vtk: vtkShadowMapPass; exact@64: with a litmap of 64 x 64, "
-      "vtk@64 with such maps")
+      "vtk@64 with such maps; those of volumes also with settings of their own, such as "
+      "auto:BoxCost=16, slabs@64:SlabGap=2")
     ->delimiter(',')
     ->capture_default_str();
   command->add_option("--litmap", options->Walk.Litmap, "Lexels along each side of the litmaps")

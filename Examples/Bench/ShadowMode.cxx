@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShadowMode.h"
 
+#include "ModeSettings.h"
+
 #include "vtkCameraPass.h"
 #include "vtkNew.h"
 #include "vtkRenderPassCollection.h"
@@ -69,26 +71,31 @@ vtkSmartPointer<vtkRenderPass> MakeShadowMaps(int resolution)
 
 ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClampPass* volumes)
   : Name(name)
-  , Kind(name.substr(0, name.find('@')))
+  , Kind(name.substr(0, name.find_first_of("@:")))
   , Litmap(litmap)
+  , BoxCost(volumes->GetBoxCost())
   , IsVolumes(FindVolumeKind(Kind) != nullptr)
 {
-  const bool isSized = this->Kind != name;
+  const std::string sized = GetModeKind(name);
+  const bool isSized = this->Kind != sized;
   int used = 0;
   const bool hasSize = isSized &&
-    std::sscanf(name.c_str() + this->Kind.size(), "@%4d%n", &this->Resolution, &used) == 1 &&
-    this->Kind.size() + static_cast<std::size_t>(used) == name.size() && this->Resolution > 0;
+    std::sscanf(sized.c_str() + this->Kind.size(), "@%4d%n", &this->Resolution, &used) == 1 &&
+    this->Kind.size() + static_cast<std::size_t>(used) == sized.size() && this->Resolution > 0;
   const bool canHaveSize = this->Kind != "none" && this->Kind != "unclamped";
-  const bool isKnown = this->IsVolumes || this->Kind == "none" || this->Kind == "vtk";
+  const bool isKnown =
+    this->IsVolumes || (sized == name && (this->Kind == "none" || this->Kind == "vtk"));
   if (!isKnown || (isSized && !(hasSize && canHaveSize)))
   {
     throw std::runtime_error("no mode " + name +
       "; there are none, unclamped, auto, exact, clamp, slabs, exactlit, slabslit, paper and vtk, "
       "all "
-      "but the first two also with a resolution of 1 to 9999, such as exact@64");
+      "but the first two also with a resolution of 1 to 9999, such as exact@64, and those of "
+      "volumes with settings, such as slabs@64:SlabGap=2");
   }
   if (this->IsVolumes)
   {
+    ApplySettings(name, vtkNew<vtkShadowVolumeClampPass>()); // Whether they are settings at all.
     this->Pass = volumes;
   }
   else if (this->Kind == "vtk")
@@ -99,7 +106,7 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
 
 bool ShadowMode::IsExact(const std::string& name)
 {
-  const VolumeKind* kind = FindVolumeKind(name.substr(0, name.find('@')));
+  const VolumeKind* kind = FindVolumeKind(name.substr(0, name.find_first_of("@:")));
   return kind && kind->LitmapMethod == vtkShadowVolumeClampPass::Scattered;
 }
 
@@ -113,6 +120,8 @@ void ShadowMode::Enter(vtkRenderer* renderer) const
     volumes->SetLitmapMethod(kind->LitmapMethod);
     volumes->SetSkipUnlitReceivers(kind->SkipUnlitReceivers);
     volumes->SetLitmapResolution(this->Resolution > 0 ? this->Resolution : this->Litmap);
+    volumes->SetBoxCost(this->BoxCost);
+    ApplySettings(this->Name, volumes);
   }
   renderer->SetPass(this->Pass);
 }

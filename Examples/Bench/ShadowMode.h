@@ -15,7 +15,8 @@
  *     vtk         vtkShadowMapPass with its baker, as VTK's tests put them together
  *
  * auto@N, exact@N, clamp@N, slabs@N and paper@N have litmaps of N x N lexels, vtk@N shadow maps of
- * N x N texels instead of VTK's default.
+ * N x N texels instead of VTK's default. Modes of volumes also with settings (ModeSettings.h), such
+ * as slabs@64:SlabGap=2.
  */
 #ifndef ShadowMode_h
 #define ShadowMode_h
@@ -52,9 +53,10 @@ public:
 
 private:
   std::string Name;
-  std::string Kind;   ///< The name without @N.
+  std::string Kind;   ///< The name without @N and settings.
   int Resolution = 0; ///< Of the name, or 0.
   int Litmap;
+  int BoxCost; ///< Of the pass, where the name says nothing.
   bool IsVolumes;
   vtkSmartPointer<vtkRenderPass> Pass;
 };

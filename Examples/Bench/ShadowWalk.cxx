@@ -37,7 +37,10 @@ public:
   {
     this->Volumes->SetCasterKeys(options.CasterKeys);
     this->Volumes->SetMeasureDeviceTime(options.DeviceTimes);
-    this->Volumes->SetBoxCost(options.BoxCost);
+    if (options.BoxCost >= 0)
+    {
+      this->Volumes->SetBoxCost(options.BoxCost);
+    }
     this->Result.Walk.Frames = path.size();
     for (const std::string& name : options.Modes)
     {

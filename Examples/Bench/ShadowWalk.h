@@ -33,8 +33,8 @@ struct ShadowWalkOptions
   std::vector<std::string> Modes = { "none", "unclamped", "exact", "clamp", "slabs", "vtk" };
   /// Lexels along each side of the litmaps of modes that do not name it.
   int Litmap = 256;
-  /// vtkShadowVolumeClampPass::BoxCost.
-  int BoxCost = 256;
+  /// vtkShadowVolumeClampPass::BoxCost of modes that do not name it; less than 0: its default.
+  int BoxCost = -1;
   /// Only props with these keys cast; nullptr: all.
   vtkSmartPointer<vtkInformation> CasterKeys;
   /// Compare the first, middle and last frame with rays.

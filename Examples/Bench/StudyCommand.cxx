@@ -19,8 +19,11 @@
 #include "StudyPaper.h"
 #include "StudyPeers.h"
 #include "StudyPeersCSV.h"
+#include "StudyPoses.h"
 #include "StudyReport.h"
 #include "StudyScenes.h"
+#include "StudySettings.h"
+#include "StudySettingsTables.h"
 #include "StudyShadows.h"
 
 #include "Contest.h"
@@ -79,31 +82,6 @@ struct StudyOptions
   }
 };
 
-/// Poses far enough apart to be different work.
-NBufferExamples::CameraPath Spread(const NBufferExamples::CameraPath& path, int frames)
-{
-  NBufferExamples::CameraPath spread;
-  for (int i = 0; i < frames; ++i)
-  {
-    spread.push_back(
-      path[path.size() * static_cast<std::size_t>(i) / static_cast<std::size_t>(frames)]);
-  }
-  return spread;
-}
-
-/// As the camera moves on, ten poses in a row, at several places of a path.
-NBufferExamples::CameraPath MakeRuns(const NBufferExamples::CameraPath& path, int frames)
-{
-  constexpr std::size_t row = 10;
-  const std::size_t runs = (static_cast<std::size_t>(frames) + row - 1) / row;
-  NBufferExamples::CameraPath poses;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(frames); ++i)
-  {
-    poses.push_back(path[(i / row * path.size() / runs + i % row) % path.size()]);
-  }
-  return poses;
-}
-
 std::string GetFileName(const std::string& text)
 {
   std::string name;
@@ -134,10 +112,10 @@ std::string ReadFile(const std::string& name)
   return text.str();
 }
 
-/// accuracy.md and accuracy-scenes.md, where the texts for them come with the program.
+/// accuracy.md and what goes with it, where the texts for them come with the program.
 void WriteDocuments(const StudyOptions& options, const Json::Value& report)
 {
-  for (const char* document : { "accuracy.md", "accuracy-scenes.md" })
+  for (const char* document : { "accuracy.md", "accuracy-scenes.md", "accuracy-settings.md" })
   {
     const std::string name =
       NBufferExamples::FindData(options.View.Program, document + std::string(".in"));
@@ -173,6 +151,10 @@ int Rewrite(const StudyOptions& options)
     {
       report["shadows"] = other["shadows"];
     }
+    for (const std::string& part : other["settings"].getMemberNames())
+    {
+      report["settings"][part] = other["settings"][part];
+    }
   }
   ChooseWindowSystem(options.View.Window.Window);
   for (const Json::Value& scene : report["scenes"])
@@ -183,6 +165,7 @@ int Rewrite(const StudyOptions& options)
   {
     WriteShadowCharts(scene, options.Folder);
   }
+  WriteSettingsCharts(report["settings"], options.Folder);
   WriteDocuments(options, report);
   return Success;
 }
@@ -207,6 +190,12 @@ public:
       WriteJSON(this->Report, this->Options.Folder + "/study.json");
       return this->FalseHidden == 0 ? Success : ImagesDiffer;
     }
+    const std::string part = this->Options.View.SceneNames.front();
+    const bool settingsAlone = part == "settings" || part == "shadow-settings";
+    if (settingsAlone)
+    {
+      this->Options.View.SceneNames = { "city" };
+    }
     const NBufferExamples::Scene scene = this->Options.View.LoadScene();
     Session& session = Session::New(scene, this->Options.View.Window);
     this->Report = this->Options.View.Describe(scene, session);
@@ -214,6 +203,12 @@ public:
     this->Report["effort"] = this->Options.IsTiny ? "tiny"
       : this->Options.IsQuick                     ? "quick"
                                                   : "full";
+    if (settingsAlone)
+    {
+      this->RunSettings(scene, session, part == "settings");
+      WriteJSON(this->Report, this->Options.Folder + "/study.json");
+      return this->FalseHidden == 0 ? Success : ImagesDiffer;
+    }
     this->Report["default"] = NBufferStudy::GetDefaultName();
 
     std::vector<std::string> paths = { this->Options.View.GetPathName(scene) };
@@ -241,6 +236,7 @@ public:
       [](const std::string& size) { ShowProgress("the device: " + size); });
     if (scene.Plan && this->Options.View.Path.empty())
     {
+      this->RunSettings(scene, session, true);
       this->RunOtherScenes();
       this->RunShadows();
     }
@@ -394,6 +390,60 @@ private:
     WriteShadowCSV(this->Report["shadows"], this->Options.Folder + "/shadows.csv");
   }
 
+  /// Of the culler in the city, and of shadows.
+  void RunSettings(const NBufferExamples::Scene& city, Session& session, bool ofCuller)
+  {
+    const SettingsEffort full = { 15, { "street", "rooftop", "drone", "cuts" },
+      { 8, 16, 24, 32, 48, 64, 128 }, true, GetShadowSceneNames(), { 8, 640, 480, {} } };
+    const SettingsEffort quick = { 5, { "street" }, { 32 }, false, { "birds" },
+      { 1, 320, 240, {} } };
+    const SettingsEffort tiny = { 2, { "street" }, { 8 }, false, { "birds" }, { 1, 320, 240, {} } };
+    const auto begin = std::chrono::steady_clock::now();
+    session.GetWindow()->SetSize(this->Options.View.Window.Width, this->Options.View.Window.Height);
+    SettingsEffort effort = this->Options.IsTiny ? tiny : this->Options.IsQuick ? quick : full;
+    if (!ofCuller)
+    {
+      effort.Paths.clear();
+      effort.Plant = false;
+    }
+    Json::Value settings = MeasureSettings(city, session, this->Options.View, effort, ShowProgress);
+    for (const char* part : { "culler", "still" })
+    {
+      for (const Json::Value& scene : settings[part])
+      {
+        this->CountWrong("settings", scene);
+      }
+    }
+    for (const Json::Value& scene : settings["few"])
+    {
+      for (const Json::Value& entry : scene["entries"])
+      {
+        this->CountWrong("few props", entry);
+      }
+    }
+    // They may be put beside the figures of another run.
+    for (const char* name : { "renderer", "vtk", "size", "effort" })
+    {
+      settings[name] = this->Report[name];
+    }
+    settings["seconds"] =
+      Round(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    WriteSettingsCharts(settings, this->Options.Folder);
+    WriteSettingsCSV(settings, this->Options.Folder + "/settings.csv");
+    this->Report["settings"] = settings;
+  }
+
+  /// Bytes that differ from VTK without cullers.
+  void CountWrong(const std::string& what, const Json::Value& frames)
+  {
+    const long long bytes = frames["wrong_bytes"].asInt64();
+    this->FalseHidden += bytes;
+    if (bytes > 0)
+    {
+      std::cerr << "nbuffer-bench: " << what << " differ in " << bytes << " bytes\n";
+    }
+  }
+
   /// Whole frames, one pose after the other.
   Json::Value RunPeers(const NBufferExamples::Scene& scene, Session& session,
     const std::string& name, Json::Value& report)
@@ -409,12 +459,7 @@ private:
                  : MakeRuns(NBufferExamples::MakePath(scene, name, 480, this->Options.View.Seed),
                      walkFrames),
       modes, progress);
-    this->FalseHidden += frames["wrong_bytes"].asInt64();
-    if (frames["wrong_bytes"].asInt64() > 0)
-    {
-      std::cerr << "nbuffer-bench: whole frames of " << name << " differ in "
-                << frames["wrong_bytes"].asInt64() << " bytes\n";
-    }
+    this->CountWrong("whole frames of " + name, frames);
     const NBufferExamples::CameraPath path =
       NBufferExamples::MakePath(scene, name, 480, this->Options.View.Seed);
     const std::string why = GetFragmentsObstacle(session.GetRenderer());
@@ -507,11 +552,11 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
     "time, and the paper's figures");
   auto options = std::make_shared<StudyOptions>();
   options->View.Program = program;
-  options->View.SceneHelp += "; shadows: those of the study alone";
+  options->View.SceneHelp += "; shadows, settings, shadow-settings: these of the study alone";
   options->View.AddTo(*command);
   command
     ->add_option("--out", options->Folder,
-      "Folder for study.json, study.csv, peers.csv, device.csv and the charts")
+      "Folder for study.json, study.csv, peers.csv, device.csv, settings.csv and the charts")
     ->capture_default_str();
   command->add_option("--links", options->Links, "Folder of the charts as seen from accuracy.md")
     ->capture_default_str();
@@ -520,9 +565,8 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
       std::string("Folder of the scenes that ") + GetSceneCommand() + " builds")
     ->capture_default_str();
   command->add_option("--from", options->From,
-    "A study.json from which accuracy.md and charts of error are made again, with the shadows of "
-    "the "
-    "last one that has some; nothing is measured");
+    "A study.json from which accuracy.md and charts of error are made again, with the shadows and "
+    "the settings of the last one that has some; nothing is measured");
   command->add_flag("--quick", options->IsQuick, "Fewer frames and repetitions: under 3 minutes");
   command->add_flag("--tiny", options->IsTiny, "One frame of each: only whether everything runs");
   command

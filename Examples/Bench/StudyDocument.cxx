@@ -3,6 +3,7 @@
 #include "StudyDocument.h"
 
 #include "StudyPeersTables.h"
+#include "StudySettingsTables.h"
 #include "StudyTable.h"
 
 #include <algorithm>
@@ -129,8 +130,10 @@ std::string MakeImage(
   { return std::any_of(list.begin(), list.end(), is); };
   const bool isPareto = name.rfind("pareto-", 0) == 0;
   const bool isShadow = name.rfind("shadow", 0) == 0;
-  if ((isPareto &&
-        !isOf(report["scenes"], [&name](const Json::Value& s) { return s["chart"] == name; })) ||
+  const bool isSetting = name.rfind("settings-", 0) == 0;
+  if ((isSetting && !HasSettingsChart(report["settings"], name)) ||
+    (isPareto &&
+      !isOf(report["scenes"], [&name](const Json::Value& s) { return s["chart"] == name; })) ||
     (isShadow &&
       !isOf(report["shadows"],
         [&name](const Json::Value& s)
@@ -406,6 +409,7 @@ std::string Fill(const std::string& words, const Json::Value& report, const std:
   using Maker = std::function<std::string()>;
   const std::map<std::string, Maker> makers = {
     { "machine", [&]() { return MakeMachine(report); } },
+    { "settings_machine", [&]() { return MakeMachine(report["settings"]); } },
     { "frames", [&]() { return MakeFrames(report); } },
     { "peers", [&]() { return MakePeersTable(report); } },
     { "fragments", [&]() { return MakeFragmentsTable(report); } },
@@ -424,6 +428,8 @@ std::string Fill(const std::string& words, const Json::Value& report, const std:
     { "known", [&]() { return MakeKnown(report); } },
     { "shadows", [&]() { return MakeShadows(report, argument); } },
     { "fill", [&]() { return MakeFill(report); } },
+    { "setting", [&]() { return MakeSettingTable(report["settings"], argument); } },
+    { "few", [&]() { return MakeFewTable(report["settings"]); } },
     { "image", [&]() { return MakeImage(report, links, argument); } },
   };
   const auto maker = makers.find(name);

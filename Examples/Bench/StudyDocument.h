@@ -19,6 +19,9 @@
  *     known              of maps: what their tables leave in, the culler keeps, and owns a pixel
  *     shadows SCENE      the Pareto line of a scene with shadows, and what is wrong
  *     fill               fragments of volumes, and the paper's
+ *     setting NAME       of a setting of the culler or of shadows: time and error by value
+ *     settings_machine   as machine, of these
+ *     few                few props in view: whether testing pays
  *     image NAME TEXT    a picture of the study
  *
  * PATH is a path through the city, or a scene and its path. Fields of scenes that were not measured

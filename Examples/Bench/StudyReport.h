@@ -16,6 +16,7 @@
  *     formats            scene, path, entries[]: see StudyFormats.h; of a city alone
  *     scenes[].table  of maps, see StudyKnown.h
  *     shadows[]       see StudyShadows.h
+ *     settings        see StudySettings.h
  *     left_out[]      scenes that were not there
  *     table1, table2, figure4   see StudyPaper.h
  *     device[]           see StudyDevice.h

@@ -5,7 +5,6 @@
 #include "Report.h"
 #include "ShadowMode.h"
 #include "ShadowScene.h"
-#include "ShadowWalk.h"
 #include "StudyChart.h"
 #include "StudyReport.h"
 
@@ -122,8 +121,9 @@ const std::vector<std::string>& GetShadowSceneNames()
   return names;
 }
 
-Json::Value MeasureShadows(const std::string& name, const ViewOptions& common,
-  const ShadowEffort& effort, const std::function<void(const std::string&)>& progress)
+ShadowWalkResult WalkShadows(const std::string& name, const ViewOptions& common,
+  const ShadowEffort& effort, ShadowWalkOptions& options,
+  const std::function<void(const std::string&)>& progress, Json::Value& report)
 {
   ViewOptions view = common;
   view.SceneNames = { name };
@@ -136,23 +136,29 @@ Json::Value MeasureShadows(const std::string& name, const ViewOptions& common,
   vtkLight* light = LightScene(name, scene, path, session.GetRenderer());
   vtkNew<vtkNBufferCuller> culler;
   session.GetRenderer()->AddCuller(culler);
-  ShadowWalkOptions options;
-  options.Modes = MakeModes(effort.Litmaps);
   options.CasterKeys = MarkCasters(name, scene);
   options.Block = 2; // Many modes: turns have to be short to meet the same disturbances.
-  options.Oracle = true;
-  options.OracleOnce = true; // Up to a minute for an image of the city.
   options.Progress = [&](const std::string& text) { progress(name + ": " + text); };
-  const ShadowWalkResult result = RunShadowWalk(session, light, path, options);
-
-  vtkNew<vtkShadowVolumeClampPass> usual;
-  const std::string defaultName = "auto@" + std::to_string(usual->GetLitmapResolution());
-  Json::Value report;
   report["scene"] = name;
   report["path"] = view.GetPathName(scene);
   const int* size = session.GetWindow()->GetActualSize();
   report["size"] = std::to_string(size[0]) + "x" + std::to_string(size[1]);
   report["frames"] = static_cast<Json::UInt64>(path.size());
+  return RunShadowWalk(session, light, path, options);
+}
+
+Json::Value MeasureShadows(const std::string& name, const ViewOptions& common,
+  const ShadowEffort& effort, const std::function<void(const std::string&)>& progress)
+{
+  ShadowWalkOptions options;
+  options.Modes = MakeModes(effort.Litmaps);
+  options.Oracle = true;
+  options.OracleOnce = true; // Up to a minute for an image of the city.
+  Json::Value report;
+  const ShadowWalkResult result = WalkShadows(name, common, effort, options, progress, report);
+
+  vtkNew<vtkShadowVolumeClampPass> usual;
+  const std::string defaultName = "auto@" + std::to_string(usual->GetLitmapResolution());
   report["none_ms"] = Summarize(result.Walk.Modes.at("none").Milliseconds);
   report["shadowed_percent"] = Round(100.0 * static_cast<double>(result.Shadowed) /
     static_cast<double>(std::max(result.Fragments.at("unclamped"), 1LL)));

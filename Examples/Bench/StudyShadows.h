@@ -17,6 +17,7 @@
 #define StudyShadows_h
 
 #include "Command.h"
+#include "ShadowWalk.h"
 
 #include "vtk_jsoncpp.h"
 
@@ -40,6 +41,12 @@ struct ShadowEffort
   /// Lexels along a side of the litmaps that are tried.
   std::vector<int> Litmaps;
 };
+
+/// A walk with vtkNBufferCuller, ground and streets only receiving shadows. `report` gets scene,
+/// path, size and frames.
+ShadowWalkResult WalkShadows(const std::string& scene, const ViewOptions& view,
+  const ShadowEffort& effort, ShadowWalkOptions& options,
+  const std::function<void(const std::string&)>& progress, Json::Value& report);
 
 /// All modes of a scene, with vtkNBufferCuller, ground and streets only receiving shadows.
 Json::Value MeasureShadows(const std::string& scene, const ViewOptions& view,

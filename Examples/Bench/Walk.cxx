@@ -114,7 +114,7 @@ private:
   {
     mode.Enter(this->Where.GetRenderer());
     // The first frame comes after the second one, walked backwards.
-    const std::size_t before = begin > 0 ? begin - 1 : 1;
+    const std::size_t before = this->Options.Still ? begin : begin > 0 ? begin - 1 : 1;
     if (before < this->Path.size())
     {
       this->RenderFrame(mode, before);
@@ -122,7 +122,8 @@ private:
     ModeResult& result = this->Result.Modes[mode.GetName()];
     for (std::size_t frame = begin; frame < end; ++frame)
     {
-      result.Milliseconds[frame] = this->RenderFrame(mode, frame);
+      result.Milliseconds[frame] =
+        this->Options.Still ? this->Where.Render() : this->RenderFrame(mode, frame);
       result.Drawn[frame] = this->Where.GetRenderer()->GetNumberOfPropsRendered();
       if (vtkNBufferCuller* culler = mode.GetNBufferCuller())
       {

@@ -35,6 +35,8 @@ struct WalkOptions
   bool Verify = false;
   /// Timed frames of a mode in a row.
   int Block = 5;
+  /// The camera stays where it is for a block: at the pose of its first frame.
+  bool Still = false;
   /// Where to write the first, middle and last frame of each mode, and those that differ.
   std::string ImageFolder;
   std::function<void(const std::string&)> Progress;

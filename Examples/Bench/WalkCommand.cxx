@@ -104,9 +104,24 @@ void AddWalkCommand(CLI::App& app, const std::string& program, Run& run)
       "stock: VTK's default culler; none: no culler; nbuffer: vtkNBufferCuller; oracle: exactly "
       "the props that own a pixel; queries, queries-conservative, queries-count: an occlusion "
       "query "
-      "of the hardware for each prop, waited for; chc: coherent hierarchical culling by them")
+      "of the hardware for each prop, waited for; chc: coherent hierarchical culling by them. "
+      "nbuffer "
+      "also with settings of its own, such as nbuffer:RoundSize=16:BackOff=0")
     ->delimiter(',')
-    ->check(CLI::IsMember(Mode::GetNames()))
+    ->check(CLI::Validator(
+      [](std::string& name)
+      {
+        try
+        {
+          const Mode mode(name, ModeOptions());
+        }
+        catch (const std::runtime_error& error)
+        {
+          return std::string(error.what());
+        }
+        return std::string();
+      },
+      "MODE"))
     ->capture_default_str();
   command->add_option("--block", options->Walk.Block, "Timed frames of a mode in a row")
     ->check(CLI::Range(1, 1000))
