@@ -12,7 +12,8 @@
  * The list mirrors vtkActor, vtkMapper, vtkTrivialProducer, vtkPolyData, vtkPoints and
  * vtkFieldData::GetMTime, which are the same in VTK 9.1 to 9.7. Take() checks that it gives the
  * same time as they do and otherwise refuses. A shader property, which VTK makes later without
- * marking its prop as modified, is compared as well.
+ * marking its prop as modified, is compared as well. A user's vtkTransform, as importers give each
+ * of their actors, is asked itself: what it is concatenated from has no limit.
  *
  * An object's stamp is listed behind its owner's: it is alive if its owner has not changed.
  */
