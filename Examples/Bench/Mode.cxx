@@ -39,7 +39,8 @@ const std::vector<std::string>& Mode::GetNames()
 {
   static const std::vector<std::string> names = []
   {
-    std::vector<std::string> all = { "stock", "none", "nbuffer", "oracle" };
+    std::vector<std::string> all = { "stock", "none", "nbuffer", "nbuffer-flat", "nbuffer-tree",
+      "oracle" };
     for (const QueryMode& mode : QueryModes)
     {
       all.emplace_back(mode.Name);
@@ -67,13 +68,18 @@ Mode::Mode(const std::string& name, const ModeOptions& options)
     }
     throw std::runtime_error(message);
   }
-  if (name == "stock" || name == "nbuffer")
+  const bool isNBuffer = name.rfind("nbuffer", 0) == 0;
+  if (name == "stock" || isNBuffer)
   {
     this->Cullers.push_back(vtkSmartPointer<vtkFrustumCoverageCuller>::New());
   }
-  if (name == "nbuffer")
+  if (isNBuffer)
   {
     this->NBuffer = vtkSmartPointer<vtkNBufferCuller>::New();
+    if (name != "nbuffer")
+    {
+      this->NBuffer->SetHierarchySize(name == "nbuffer-tree" ? 0 : VTK_INT_MAX);
+    }
     this->NBuffer->SetBackend(options.Backend == "cpu" ? vtkNBufferCuller::CPU
         : options.Backend == "opengl"                  ? vtkNBufferCuller::OpenGL
                                                        : vtkNBufferCuller::Auto);
