@@ -36,7 +36,8 @@
  *
  * ## Cost
  *
- * Per frame: about 0.1 microseconds per prop for cached bounds and the frustum test, one read-back
+ * Per frame: about 0.1 microseconds per prop for cached bounds and the frustum test (of long lists
+ * over a hierarchy, see HierarchySize), one read-back
  * of a reduced depth image (software renderers: of the whole one), and the levels that the
  * rectangles of this frame call for. Nothing of that with fewer candidates than
  * MinimumNumberOfCandidates, with a still camera and unchanged props, or, but for a probe now and

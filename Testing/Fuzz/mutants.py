@@ -9,7 +9,9 @@ the old text must be there exactly once.
 PROJECTION = "vtkNBufferProjection.cxx"
 VIEW = "vtkNBufferView.cxx"
 CANDIDATE = "vtkNBufferCandidate.cxx"
+CANDIDATE_TREE = "vtkNBufferCandidateTree.cxx"
 CASTER = "vtkShadowCaster.cxx"
+HIERARCHY = "vtkNBufferHierarchy.cxx"
 FRAME_KEY = "vtkShadowFrameKey.cxx"
 MASK_MAKER = "vtkShadowMaskMaker.cxx"
 TARGET_READER = "vtkShadowTargetReader.cxx"
@@ -35,6 +37,15 @@ MUTANTS = {
     "no margin for wide lines and points": [
         (CANDIDATE, "this->Box.Margin = GetMargin(this->Mapper, actor->GetProperty());",
          "this->Box.Margin = 0.0;")],
+
+    # The hierarchy over the props.
+    "hierarchy not refit to props that move": [
+        (CANDIDATE_TREE, "this->Tree.Move(place, candidate.GetBox());", "")],
+    "hierarchy of boxes that lack their upper parts": [
+        (HIERARCHY, "this->High[j] = std::max(this->High[j], high);",
+         "this->High[j] = std::max(this->High[j], low);")],
+    "deferred props below hierarchy nodes that are seen taken for hidden": [
+        (CANDIDATE_TREE, "!test.IsHidden(node.Box, screen))", "false)")],
 
     # Rectangles and lookups.
     "rectangle one pixel short at the right and top": [
