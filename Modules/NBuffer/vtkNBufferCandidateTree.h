@@ -9,6 +9,10 @@
  * their rectangles are made when they are asked for, and never for those below a node that the
  * depth test hides any other              its children are asked, or each prop of a leaf
  *
+ * Placements are those that asking one by one would give (rounding of double precision apart, which
+ * the slack of the projection exceeds by far). Of the props in view more may be found hidden: the
+ * squares that answer the rectangle of a prop may reach beyond those that answer its node's.
+ *
  * Which props are in the tree: all that have a place in the view (candidates and translucent ones).
  * Props of other kinds are none of its business, and those that have become candidates since it
  * was built are asked one by one.

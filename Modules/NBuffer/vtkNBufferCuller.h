@@ -132,7 +132,7 @@ public:
   ///@{
   /// Props of a renderer from which on they are placed in view and tested over a hierarchy of their
   /// boxes, 0 (always) to VTK_INT_MAX (never). The image is the same; a few more props may be found
-  /// hidden. Costs 128 bytes per prop, and where the list of props changes about 0.5 microseconds
+  /// hidden. Costs 150 bytes per prop, and where the list of props changes about 0.5 microseconds
   /// per prop to build it; see vtkNBufferCandidateTree. Default: 10000.
   vtkSetClampMacro(HierarchySize, int, 0, VTK_INT_MAX);
   vtkGetMacro(HierarchySize, int);

@@ -17,8 +17,8 @@
  * at least that of each of them, and its margin the largest. A box that is not finite makes all
  * nodes above it so, of which nothing is ever known.
  *
- * Cost of n boxes: Build() about n log n, Refit() the nodes above what has moved; memory 128 bytes
- * per box and as much again for every four boxes.
+ * Cost of n boxes: Build() about n log n, Refit() the nodes above what has moved; memory about 150
+ * bytes per box.
  */
 #ifndef vtkNBufferHierarchy_h
 #define vtkNBufferHierarchy_h
