@@ -70,6 +70,10 @@ void ViewOptions::AddTo(CLI::App& command)
   command.add_option("--frames", this->Frames, "Frames of the path")->check(CLI::Range(1, 1000000));
   command.add_option("--seed", this->Seed, "Where the path starts and turns")
     ->capture_default_str();
+  command
+    .add_option("--props", this->Props,
+      "Copies of the scene beside it until it has this many props; default: the scene alone")
+    ->check(CLI::Range(1, 10000000));
   command.add_option("--samples", this->Window.Samples, "Samples per pixel; 0: no multisampling")
     ->check(CLI::Range(0, 64))
     ->capture_default_str();
@@ -97,6 +101,7 @@ NBufferExamples::Scene ViewOptions::LoadScene() const
   options.Seed = this->Seed;
   options.Progress = ShowProgress;
   NBufferExamples::Scene scene = NBufferExamples::LoadScene(this->SceneNames, options);
+  scene.Tile(this->Props);
   ShowProgress("");
   return scene;
 }

@@ -40,6 +40,7 @@ struct ViewOptions
   std::string Path;
   int Frames = 0;
   std::uint64_t Seed = 1;
+  int Props = 0;
   SessionOptions Window;
   ModeOptions Mode;
 

@@ -41,7 +41,8 @@ const std::vector<std::string>& Mode::GetNames()
 {
   static const std::vector<std::string> names = []
   {
-    std::vector<std::string> all = { "stock", "none", "nbuffer", "oracle" };
+    std::vector<std::string> all = { "stock", "none", "nbuffer", "nbuffer-flat", "nbuffer-tree",
+      "oracle" };
     for (const QueryMode& mode : QueryModes)
     {
       all.emplace_back(mode.Name);
@@ -70,17 +71,22 @@ Mode::Mode(const std::string& name, const ModeOptions& options)
     }
     throw std::runtime_error(message);
   }
-  if (kind != name && kind != "nbuffer")
+  const bool isNBuffer = kind.rfind("nbuffer", 0) == 0;
+  if (kind != name && !isNBuffer)
   {
     throw std::runtime_error("mode " + kind + " has no settings, nbuffer has");
   }
-  if (kind == "stock" || kind == "nbuffer")
+  if (kind == "stock" || isNBuffer)
   {
     this->Cullers.push_back(vtkSmartPointer<vtkFrustumCoverageCuller>::New());
   }
-  if (kind == "nbuffer")
+  if (isNBuffer)
   {
     this->NBuffer = vtkSmartPointer<vtkNBufferCuller>::New();
+    if (kind != "nbuffer")
+    {
+      this->NBuffer->SetHierarchySize(kind == "nbuffer-tree" ? 0 : VTK_INT_MAX);
+    }
     this->NBuffer->SetBackend(options.Backend == "cpu" ? vtkNBufferCuller::CPU
         : options.Backend == "opengl"                  ? vtkNBufferCuller::OpenGL
                                                        : vtkNBufferCuller::Auto);

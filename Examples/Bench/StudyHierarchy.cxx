@@ -6,10 +6,9 @@
 #include "StudyChart.h"
 #include "StudyReport.h"
 
-#include "BoxTree.h"
-
 #include "vtkBoundingBox.h"
 #include "vtkNBufferClock.h"
+#include "vtkNBufferHierarchy.h"
 #include "vtkNBufferOcclusionTest.h"
 
 #include <algorithm>
@@ -19,10 +18,7 @@ namespace NBufferBench
 {
 namespace
 {
-using NBufferStudy::BoxTree;
 using NBufferStudy::DepthFrame;
-
-constexpr int LeafSize = 8;
 
 double GetDistance2(const vtkNBufferBox& box, const double eye[3])
 {
@@ -117,7 +113,8 @@ public:
     this->End(clock, test, way);
   }
 
-  void RunTree(const std::vector<vtkNBufferBox>& boxes, const BoxTree& tree, Way& way) const
+  void RunTree(
+    const std::vector<vtkNBufferBox>& boxes, const vtkNBufferHierarchy& tree, Way& way) const
   {
     const vtkNBufferClock clock;
     vtkNBufferOcclusionTest test = this->Begin(boxes.size(), way);
@@ -127,20 +124,21 @@ public:
         ++way.Nodes;
         if (this->Frame.Projection.IsOutside(box))
         {
-          return BoxTree::Answer::Skip;
+          return vtkNBufferHierarchy::Answer::Skip;
         }
         ++way.Tests;
         vtkNBufferScreenBox screen;
         switch (this->Frame.Projection.Project(box, screen))
         {
           case vtkNBufferPlacement::Outside:
-            return BoxTree::Answer::Skip;
+            return vtkNBufferHierarchy::Answer::Skip;
           case vtkNBufferPlacement::Inside:
-            return test.IsHidden(box, screen) ? BoxTree::Answer::Skip : BoxTree::Answer::Descend;
+            return test.IsHidden(box, screen) ? vtkNBufferHierarchy::Answer::Skip
+                                              : vtkNBufferHierarchy::Answer::Descend;
           case vtkNBufferPlacement::Crossing:
             break;
         }
-        return BoxTree::Answer::Descend;
+        return vtkNBufferHierarchy::Answer::Descend;
       },
       [&](int i)
       {
@@ -203,7 +201,7 @@ Json::Value MeasureHierarchy(const DepthFrame& frame, const std::vector<vtkNBuff
       progress(count);
     }
     const std::vector<vtkNBufferBox> boxes = MakeBoxes(scene, eye, count);
-    BoxTree tree;
+    vtkNBufferHierarchy tree;
     std::vector<double> build;
     std::vector<double> refit;
     Way flat;
@@ -211,7 +209,7 @@ Json::Value MeasureHierarchy(const DepthFrame& frame, const std::vector<vtkNBuff
     for (int i = 0; i < repetitions; ++i)
     {
       vtkNBufferClock clock;
-      tree.Build(boxes, LeafSize);
+      tree.Build(boxes);
       build.push_back(clock.Restart());
       tree.Refit(boxes);
       refit.push_back(clock.GetMilliseconds());

@@ -9,10 +9,10 @@
 #include "StudyReport.h"
 
 #include "BoxOutline.h"
-#include "BoxTree.h"
 #include "OverCoverage.h"
 
 #include "vtkNBufferClock.h"
+#include "vtkNBufferHierarchy.h"
 #include "vtkNBufferOcclusionTest.h"
 #include "vtkNBufferPixelTest.h"
 
@@ -23,7 +23,6 @@ namespace NBufferBench
 {
 namespace
 {
-using NBufferStudy::BoxTree;
 using NBufferStudy::DepthBox;
 using NBufferStudy::DepthFrame;
 
@@ -39,7 +38,7 @@ struct Tests
 /// Tests of the boxes of a frame, flat and over a hierarchy. isHidden(box, screen, tests) adds the
 /// depth comparisons that it took.
 template <typename IsHidden>
-Tests CountTests(const DepthFrame& frame, const BoxTree& tree, IsHidden&& isHidden)
+Tests CountTests(const DepthFrame& frame, const vtkNBufferHierarchy& tree, IsHidden&& isHidden)
 {
   Tests tests;
   for (const DepthBox& box : frame.Boxes)
@@ -54,8 +53,8 @@ Tests CountTests(const DepthFrame& frame, const BoxTree& tree, IsHidden&& isHidd
       ++tests.Nodes;
       return frame.Projection.Project(box, screen) == vtkNBufferPlacement::Inside &&
           isHidden(box, screen, tests.Hierarchy)
-        ? BoxTree::Answer::Skip
-        : BoxTree::Answer::Descend;
+        ? vtkNBufferHierarchy::Answer::Skip
+        : vtkNBufferHierarchy::Answer::Descend;
     },
     [&](int i)
     {
@@ -136,7 +135,7 @@ Json::Value MakeTable2(const std::vector<DepthFrame>& frames)
     {
       boxes.push_back(box.Box);
     }
-    BoxTree tree;
+    vtkNBufferHierarchy tree;
     tree.Build(boxes, 4);
 
     vtkNBufferLevels levels;

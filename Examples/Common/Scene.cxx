@@ -12,10 +12,13 @@
 #include "OsmImport.h"
 #endif
 
+#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 
@@ -100,11 +103,46 @@ vtkBoundingBox Scene::GetBounds() const
   return box;
 }
 
+void Scene::Tile(int count)
+{
+  const vtkBoundingBox bounds = this->GetBounds();
+  const int axes[2] = { this->UpAxis == 0 ? 1 : 0, this->UpAxis == 2 ? 1 : 2 };
+  const std::size_t originals = this->Actors.size();
+  const auto wanted = static_cast<std::size_t>(std::max(count, 0));
+  for (int ring = 1; originals > 0 && this->Actors.size() < wanted; ++ring)
+  {
+    for (int place = 0; place < (2 * ring + 1) * (2 * ring + 1); ++place)
+    {
+      const int tile[2] = { place % (2 * ring + 1) - ring, place / (2 * ring + 1) - ring };
+      if (std::max(std::abs(tile[0]), std::abs(tile[1])) < ring)
+      {
+        continue;
+      }
+      for (std::size_t i = 0; i < originals && this->Actors.size() < wanted; ++i)
+      {
+        vtkActor* original = this->Actors[i];
+        auto copy = vtkSmartPointer<vtkActor>::New();
+        copy->ShallowCopy(original);
+        double position[3];
+        original->GetPosition(position);
+        for (int j = 0; j < 2; ++j)
+        {
+          position[axes[j]] += tile[j] * bounds.GetLength(axes[j]);
+        }
+        copy->SetPosition(position);
+        this->Actors.push_back(copy);
+      }
+    }
+  }
+}
+
 void Scene::AddTo(vtkRenderer* renderer) const
 {
   for (vtkActor* actor : this->Actors)
   {
-    renderer->AddActor(actor);
+    // AddActor() looks through all props for each one, and these are all different.
+    renderer->GetViewProps()->AddItem(actor);
+    actor->AddConsumer(renderer);
   }
   if (this->Plan)
   {

@@ -50,6 +50,13 @@ struct Scene
 
   /// Add all actors, and light and background that suit them.
   void AddTo(vtkRenderer* renderer) const;
+
+  /**
+   * Copies of the actors around them, ring by ring in the plane that is not up, until there are
+   * `count`. A copy shares mapper and property with its original. Plan, Known and Paths stay those
+   * of the original.
+   */
+  void Tile(int count);
 };
 
 struct SceneOptions

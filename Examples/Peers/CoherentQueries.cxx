@@ -14,7 +14,7 @@ void CoherentQueries::Build(const std::vector<vtkNBufferBox>& boxes, const std::
   this->States.assign(this->Tree.GetNodes().size(), State());
   for (int i = 0; i < static_cast<int>(this->States.size()); ++i)
   {
-    const NBufferStudy::BoxTree::Node& node = this->Tree.GetNodes()[i];
+    const vtkNBufferHierarchy::Node& node = this->Tree.GetNodes()[i];
     if (node.Left >= 0)
     {
       this->States[node.Left].Parent = i;
@@ -85,7 +85,7 @@ void CoherentQueries::Visit(QueryHost& host, const Entry& entry)
 
 void CoherentQueries::Open(QueryHost& host, int place)
 {
-  const NBufferStudy::BoxTree::Node& node = this->Tree.GetNodes()[place];
+  const vtkNBufferHierarchy::Node& node = this->Tree.GetNodes()[place];
   if (node.Left < 0)
   {
     // The answer to a leaf that has been drawn without waiting for it.

@@ -23,7 +23,7 @@
 
 #include "QueryHost.h"
 
-#include "BoxTree.h"
+#include "vtkNBufferHierarchy.h"
 
 #include <deque>
 #include <queue>
@@ -77,7 +77,7 @@ private:
   void PullUp(int node);
   void Push(QueryHost& host, int node);
 
-  NBufferStudy::BoxTree Tree;
+  vtkNBufferHierarchy Tree;
   std::vector<int> Props;
   std::vector<State> States;
   std::priority_queue<Entry, std::vector<Entry>, Later> Distances;

@@ -66,6 +66,7 @@ bool vtkNBufferCandidateList::Synchronize(vtkProp** props, int count)
   this->States.swap(states);
   this->Screens.resize(count);
   this->Index.clear();
+  this->Tree.ListHasChanged();
   this->ListChanged = true;
   return true;
 }
@@ -75,12 +76,18 @@ int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
   const vtkNBufferCandidate::GlobalState state = vtkNBufferCandidate::GetGlobalState();
   const bool all = state != this->GlobalState;
   this->GlobalState = state;
+  this->Tree.BeginFrame();
+  const bool overTree = this->UsesTree();
+  if (!overTree)
+  {
+    this->Tree.ListHasChanged();
+  }
 
   // Asking for times is most of the work and may be shared out; refreshing may run pipelines.
   this->Stale.assign(this->Candidates.size(), 0);
   std::atomic<bool> anyStale(false);
   ForEachProp(this->Candidates.size(),
-    [this, all, projection, &anyStale](vtkIdType begin, vtkIdType end)
+    [this, all, projection, overTree, &anyStale](vtkIdType begin, vtkIdType end)
     {
       bool stale = false;
       for (vtkIdType i = begin; i < end; ++i)
@@ -93,7 +100,7 @@ int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
         stale = stale || this->Stale[i];
         if (projection && !this->Stale[i])
         {
-          this->ProjectOne(i, *projection);
+          overTree ? this->Unplace(i) : this->ProjectOne(i, *projection);
         }
       }
       if (stale)
@@ -101,10 +108,21 @@ int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
         anyStale = true;
       }
     });
-  if (!anyStale && !this->ListChanged)
+  int changed = 0;
+  if (anyStale || this->ListChanged)
   {
-    return 0;
+    changed = this->RefreshStale(projection, all);
   }
+  if (projection && overTree)
+  {
+    this->ProjectOverTree(*projection);
+  }
+  return changed;
+}
+
+int vtkNBufferCandidateList::RefreshStale(
+  const vtkNBufferProjection* projection, bool globalStateChanged)
+{
   this->ListChanged = false;
   int changed = 0;
   for (std::size_t i = 0; i < this->Candidates.size(); ++i)
@@ -113,10 +131,11 @@ int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
     {
       continue;
     }
-    changed += this->Candidates[i].Refresh(all) ? 1 : 0;
+    changed += this->RefreshOne(i, globalStateChanged) ? 1 : 0;
     if (projection)
     {
-      this->ProjectOne(static_cast<vtkIdType>(i), *projection);
+      const auto place = static_cast<vtkIdType>(i);
+      this->UsesTree() ? this->Unplace(place) : this->ProjectOne(place, *projection);
     }
   }
   this->UntrackedDepth = this->Blending = this->Lines = this->LackOfNormals = false;
@@ -131,11 +150,37 @@ int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
   return changed;
 }
 
+bool vtkNBufferCandidateList::RefreshOne(std::size_t i, bool globalStateChanged)
+{
+  vtkNBufferCandidate& candidate = this->Candidates[i];
+  const vtkNBufferVerdict verdict = candidate.GetVerdict();
+  const vtkNBufferBox box = candidate.GetBox();
+  const bool changed = candidate.Refresh(globalStateChanged);
+  if (verdict != candidate.GetVerdict() || !(box == candidate.GetBox()))
+  {
+    this->Tree.HasChanged(static_cast<int>(i));
+  }
+  return changed;
+}
+
+void vtkNBufferCandidateList::Unplace(vtkIdType i)
+{
+  const vtkNBufferCandidate& candidate = this->Candidates[i];
+  vtkNBufferState& state = this->States[i];
+  state.Verdict = candidate.GetVerdict();
+  state.Deferred = state.Behind = false;
+  if (candidate.IsCandidate() || candidate.IsTranslucent())
+  {
+    state.Placement = vtkNBufferPlacement::Outside;
+  }
+}
+
 void vtkNBufferCandidateList::ProjectOne(vtkIdType i, const vtkNBufferProjection& projection)
 {
   const vtkNBufferCandidate& candidate = this->Candidates[i];
   vtkNBufferState& state = this->States[i];
   state.Verdict = candidate.GetVerdict();
+  state.Deferred = state.Behind = false;
   if (candidate.IsCandidate() || candidate.IsTranslucent())
   {
     const vtkNBufferBox& box = candidate.GetBox();
@@ -145,6 +190,64 @@ void vtkNBufferCandidateList::ProjectOne(vtkIdType i, const vtkNBufferProjection
 }
 
 void vtkNBufferCandidateList::Project(const vtkNBufferProjection& projection)
+{
+  if (!this->UsesTree())
+  {
+    this->ProjectAll(projection);
+    return;
+  }
+  ForEachProp(this->Candidates.size(),
+    [this](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        this->Unplace(i);
+      }
+    });
+  this->ProjectOverTree(projection);
+}
+
+void vtkNBufferCandidateList::ProjectOverTree(const vtkNBufferProjection& projection)
+{
+  if (!this->Tree.Update(this->Candidates))
+  {
+    this->ProjectAll(projection);
+    return;
+  }
+  this->Projection = &projection;
+  this->Reached.clear();
+  this->Tree.Place(projection, this->Candidates, this->States, this->Reached);
+  ForEachProp(this->Reached.size(),
+    [this, &projection](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        this->ProjectOne(this->Reached[i], projection);
+      }
+    });
+}
+
+void vtkNBufferCandidateList::ProjectDeferred(int i)
+{
+  vtkNBufferState& state = this->States[i];
+  state.Deferred = false;
+  state.Placement = this->Projection->Project(this->GetBox(i), this->Screens[i]);
+}
+
+int vtkNBufferCandidateList::GetLevelsNeeded(int factor) const
+{
+  return this->Projection ? this->Tree.GetLevelsNeeded(*this->Projection, factor) : 1;
+}
+
+void vtkNBufferCandidateList::MarkHidden(vtkNBufferOcclusionTest& test)
+{
+  if (this->Projection)
+  {
+    this->Tree.MarkHidden(*this->Projection, test, this->States);
+  }
+}
+
+void vtkNBufferCandidateList::ProjectAll(const vtkNBufferProjection& projection)
 {
   ForEachProp(this->Candidates.size(),
     [this, &projection](vtkIdType begin, vtkIdType end)
@@ -178,6 +281,10 @@ void vtkNBufferCandidateList::KeepIfNoneIsInside()
 
 void vtkNBufferCandidateList::CountVerdicts(vtkNBufferStatistics& statistics) const
 {
+  const vtkNBufferCandidateTree::Work& work = this->Tree.GetWork();
+  statistics.Nodes = work.Nodes;
+  statistics.Refits = work.Refits;
+  statistics.Builds = work.Builds;
   statistics.Verdicts.fill(0);
   for (const vtkNBufferState& state : this->States)
   {
@@ -190,15 +297,16 @@ void vtkNBufferCandidateList::CountVerdicts(vtkNBufferStatistics& statistics) co
     std::accumulate(drawn.begin() + 1, drawn.end(), 0);
 }
 
-vtkNBufferDrawnProp vtkNBufferCandidateList::GetDrawn(int i, int round) const
+vtkNBufferDrawnProp vtkNBufferCandidateList::GetDrawn(int i, int round)
 {
+  const vtkNBufferScreenBox& screen = this->GetScreen(i);
   vtkNBufferDrawnProp drawn;
   drawn.Index = i;
   drawn.Round = round;
   drawn.Bounded =
     this->Candidates[i].IsCandidate() && this->States[i].Placement == vtkNBufferPlacement::Inside;
   drawn.Box = this->GetBox(i);
-  drawn.Screen = this->Screens[i];
+  drawn.Screen = screen;
   return drawn;
 }
 

@@ -258,6 +258,7 @@ double vtkNBufferCuller::Cull(
   settings.MinimumNumberOfCandidates = this->MinimumNumberOfCandidates;
   settings.MaximumNumberOfRounds = this->MaximumNumberOfRounds;
   settings.RoundSize = this->RoundSize;
+  settings.HierarchySize = this->HierarchySize;
   settings.Test.MaximumNumberOfPieces = this->MaximumNumberOfPieces;
   settings.Test.TestPixels = this->TestPixels;
   settings.Test.AllowFloatTextures = this->AllowFloatTextures;
@@ -302,6 +303,7 @@ void vtkNBufferCuller::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumNumberOfCandidates: " << this->MinimumNumberOfCandidates << "\n";
   os << indent << "MaximumNumberOfRounds: " << this->MaximumNumberOfRounds << "\n";
   os << indent << "RoundSize: " << this->RoundSize << "\n";
+  os << indent << "HierarchySize: " << this->HierarchySize << "\n";
   os << indent << "MaximumNumberOfPieces: " << this->MaximumNumberOfPieces << "\n";
   os << indent << "TestPixels: " << this->TestPixels << "\n";
   os << indent << "AllowFloatTextures: " << this->AllowFloatTextures << "\n";

@@ -27,8 +27,9 @@ vtkNBufferDepthTest::vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferL
 {
 }
 
-vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
-  std::initializer_list<const std::vector<int>*> places, std::string& why)
+vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
+  const vtkNBufferDepthSource& source, std::initializer_list<const std::vector<int>*> places,
+  std::string& why)
 {
   this->Window = window;
   this->Source = source;
@@ -37,11 +38,16 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window, con
   {
     for (int i : *list)
     {
-      levels = std::max(levels,
-        vtkNBufferOcclusionTest::GetLevelsNeeded(
-          this->Props.GetScreen(i).Pixels, this->Settings.BaseFactor));
+      // Deferred ones need no more than the nodes that they are in.
+      if (!this->Props.GetState(i).Deferred)
+      {
+        levels = std::max(levels,
+          vtkNBufferOcclusionTest::GetLevelsNeeded(
+            this->Props.GetScreen(i).Pixels, this->Settings.BaseFactor));
+      }
     }
   }
+  levels = std::max(levels, this->Props.GetLevelsNeeded(this->Settings.BaseFactor));
   this->Backend.SetAllowFloatTextures(this->Settings.AllowFloatTextures);
   return this->Backend.Build(this->Settings.Backend, window, source, this->Settings.BaseFactor,
     levels, this->Levels, this->Statistics, why);
@@ -60,18 +66,25 @@ const float* vtkNBufferDepthTest::GetDepth(std::size_t doubtful)
 
 int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
 {
-  const auto isInside = [this](int i)
-  { return this->Props.GetState(i).Placement == vtkNBufferPlacement::Inside; };
+  // `test` is asked with the rectangle made; a placement that is not Inside has none.
+  const auto isHiddenBy = [this](int i, auto& test)
+  {
+    const vtkNBufferScreenBox& screen = this->Props.GetScreen(i);
+    return this->Props.GetState(i).Placement == vtkNBufferPlacement::Inside &&
+      test.IsHidden(this->Props.GetBox(i), screen);
+  };
 
   vtkNBufferClock clock;
+  // Children are cheaper than pieces of their parent.
+  vtkNBufferOcclusionTest nodeTest(this->Projection, this->Levels, 1);
+  this->Props.MarkHidden(nodeTest);
   vtkNBufferOcclusionTest test(
     this->Projection, this->Levels, this->Settings.MaximumNumberOfPieces);
-  places.erase(
-    std::remove_if(places.begin(), places.end(), [&](int i)
-      { return isInside(i) && test.IsHidden(this->Props.GetBox(i), this->Props.GetScreen(i)); }),
+  places.erase(std::remove_if(places.begin(), places.end(),
+                 [&](int i) { return this->Props.GetState(i).Behind || isHiddenBy(i, test); }),
     places.end());
-  this->Statistics.Queries += test.GetQueries();
-  this->Statistics.Lookups += test.GetLookups();
+  this->Statistics.Queries += test.GetQueries() + nodeTest.GetQueries();
+  this->Statistics.Lookups += test.GetLookups() + nodeTest.GetLookups();
   const auto doubtful = static_cast<int>(places.size());
   this->Statistics.TestTime += clock.Restart();
 
@@ -82,11 +95,8 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
   }
   clock.Restart();
   vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth);
-  places.erase(std::remove_if(places.begin(), places.end(),
-                 [&](int i) {
-                   return isInside(i) &&
-                     pixelTest.IsHidden(this->Props.GetBox(i), this->Props.GetScreen(i));
-                 }),
+  places.erase(
+    std::remove_if(places.begin(), places.end(), [&](int i) { return isHiddenBy(i, pixelTest); }),
     places.end());
   this->Statistics.Lookups += pixelTest.GetLookups();
   this->Statistics.PixelTestTime += clock.GetMilliseconds();

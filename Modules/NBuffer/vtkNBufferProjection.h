@@ -86,6 +86,15 @@ struct vtkNBufferBox
   /// Pixels by which what is drawn may stick out of the projected box (wide lines, points).
   double Margin = 0.0;
 
+  bool operator==(const vtkNBufferBox& other) const
+  {
+    const auto same = [](const double a[3], const double b[3])
+    { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; };
+    return same(this->Center, other.Center) && same(this->HalfSize, other.HalfSize) &&
+      same(this->Origin, other.Origin) && same(this->Magnitude, other.Magnitude) &&
+      this->Margin == other.Margin;
+  }
+
   /// A box from VTK bounds whose vertex buffer holds world coordinates.
   VTKNBUFFER_EXPORT static vtkNBufferBox FromBounds(const double bounds[6]);
 };
@@ -152,6 +161,18 @@ public:
    * about a microsecond. Crossing remains what crosses the near plane in view.
    */
   vtkNBufferPlacement Project(const vtkNBufferBox& box, vtkNBufferScreenBox& result) const;
+
+  /**
+   * Whether nothing of a box that is Inside lies beyond a side of the view, behind the eye or
+   * beyond the far plane: then every box in it is Inside as well, and need not be asked.
+   */
+  bool IsWhollyInside(const vtkNBufferScreenBox& screen) const
+  {
+    // Farthest lies at least DepthSlack behind the box, Nearest of what is in it as much before.
+    return !screen.Clipped && screen.Pixels.X0 > 0 && screen.Pixels.Y0 > 0 &&
+      screen.Pixels.X1 < this->Width && screen.Pixels.Y1 < this->Height &&
+      screen.Farthest - 2.0 * this->DepthSlack <= this->FarthestOrder;
+  }
 
   /**
    * Where two boxes, both Inside, may have fragments of equal depth in one sample: a rectangle of

@@ -18,6 +18,7 @@
 #include "vtkScalarsToColors.h"
 #include "vtkShaderProperty.h"
 #include "vtkTimeStamp.h"
+#include "vtkTransform.h"
 #include "vtkTrivialProducer.h"
 
 #include <algorithm>
@@ -101,11 +102,12 @@ bool vtkNBufferSources::Take(vtkActor* actor)
   }
   vtkAlgorithm* producer = mapper->GetInputAlgorithm(0, 0);
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
-  // A texture's translucency, a transform's pipeline and shared clipping planes are beyond what
-  // may be asked of several props at a time.
+  // A texture's translucency, other transforms' pipelines and shared clipping planes are beyond
+  // what may be asked of several props at a time.
+  vtkLinearTransform* transform = actor->GetUserTransform();
   return producer && input && typeid(*producer) == typeid(vtkTrivialProducer) &&
-    typeid(*input) == typeid(vtkPolyData) && !actor->GetTexture() && !actor->GetUserTransform() &&
-    !mapper->GetClippingPlanes() &&
+    typeid(*input) == typeid(vtkPolyData) && !actor->GetTexture() &&
+    (!transform || typeid(*transform) == typeid(vtkTransform)) && !mapper->GetClippingPlanes() &&
     this->TakeAll(actor, mapper, producer, static_cast<vtkPolyData*>(input));
 }
 
@@ -113,6 +115,7 @@ bool vtkNBufferSources::TakeAll(
   vtkActor* actor, vtkMapper* mapper, vtkAlgorithm* producer, vtkPolyData* input)
 {
   this->Actor = actor;
+  this->UserTransform = static_cast<vtkTransform*>(actor->GetUserTransform());
   this->Shaders = GetShaderProperty(actor);
   // A lookup table that is missing now is made when there are scalars to map, and such a change
   // shows in the data.
@@ -129,7 +132,7 @@ bool vtkNBufferSources::TakeAll(
     this->Add(input->GetStrips()) && this->AddFields(input->GetPointData()) &&
     this->AddFields(input->GetCellData()) && this->AddFields(input->GetFieldData());
 
-  this->Time = 0;
+  this->Time = this->UserTransform ? this->UserTransform->GetMTime() : 0;
   for (int i = 0; i < this->Count; ++i)
   {
     this->Time = std::max(this->Time, this->Stamps[i]->GetMTime());
@@ -160,6 +163,7 @@ bool vtkNBufferSources::HasChanged() const
   // In this order: each object is known to be alive only if the one before it has not changed.
   return this->HasNewer(0, this->BeforeMapper) ||
     PropAccess::GetShaders(this->Actor) != this->Shaders ||
+    (this->UserTransform && this->UserTransform->GetMTime() > this->Time) ||
     this->HasNewer(this->BeforeMapper, this->Count);
 }
 

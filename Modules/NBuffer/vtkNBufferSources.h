@@ -34,6 +34,7 @@ class vtkObject;
 class vtkPolyData;
 class vtkShaderProperty;
 class vtkTimeStamp;
+class vtkTransform;
 
 class vtkNBufferSources
 {
@@ -66,6 +67,7 @@ private:
   vtkMTimeType Time = 0;
   vtkActor* Actor = nullptr;
   vtkShaderProperty* Shaders = nullptr;
+  vtkTransform* UserTransform = nullptr;
   int Count = 0;
   int BeforeMapper = 0; ///< Stamps of the actor; the mapper's come behind.
   std::array<const vtkTimeStamp*, 18> Stamps{};

@@ -122,6 +122,9 @@ std::string vtkNBufferStatistics::GetAsJSON() const
   json["lookups"] = static_cast<Json::Int64>(this->Lookups);
   json["read_backs"] = this->ReadBacks;
   json["bytes_read"] = static_cast<Json::Int64>(this->BytesRead);
+  json["nodes"] = static_cast<Json::Int64>(this->Nodes);
+  json["refits"] = this->Refits;
+  json["builds"] = this->Builds;
   Json::Value& times = json["milliseconds"];
   times["cull"] = this->CullTime;
   times["refresh"] = this->RefreshTime;

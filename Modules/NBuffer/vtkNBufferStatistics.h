@@ -124,6 +124,15 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   ///@}
 
   ///@{
+  /// Work of the hierarchy over the props (vtkNBufferCuller::SetHierarchySize): nodes looked at for
+  /// the view and for the test, boxes that it was refit to because they had changed, and whether it
+  /// was built.
+  long long Nodes = 0;
+  int Refits = 0;
+  int Builds = 0;
+  ///@}
+
+  ///@{
   /// Milliseconds of the calling thread: Cull() as a whole and of it bringing caches up to date
   /// (with the frustum test where the camera has moved) and deciding (with the frustum test
   /// elsewhere); then waiting for and reading the depth, building levels, testing boxes and pixels,

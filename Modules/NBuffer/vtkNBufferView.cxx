@@ -53,6 +53,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   this->Drawn.clear();
 
   vtkNBufferClock part;
+  this->Props.SetHierarchySize(settings.HierarchySize);
   const bool listChanged = this->Props.Synchronize(props, count);
   const vtkNBufferViewKey key = vtkNBufferViewKey::Make(renderer);
   const bool frozen = settings.Freeze && (wasFrozen || complete);

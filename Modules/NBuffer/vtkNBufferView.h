@@ -52,6 +52,7 @@ struct vtkNBufferSettings
   int MinimumNumberOfCandidates = 32;
   int MaximumNumberOfRounds = 6;
   int RoundSize = 64;
+  int HierarchySize = 10000;
   bool ReuseWhenStill = true;
   bool BackOff = true;
   bool Freeze = false;

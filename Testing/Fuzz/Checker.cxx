@@ -492,6 +492,7 @@ void Checker::Count(const Scenario& scenario, Tally& tally) const
       ++tally.Features[culler->GetBackendInUse() == vtkNBufferCuller::OpenGL ? "culled by OpenGL"
                                                                              : "culled by CPU"];
       tally.Features["culled in several rounds"] += statistics.Rounds > 1;
+      tally.Features["culled over a hierarchy"] += statistics.Nodes > 0;
     }
   }
   tally.FramesWithHidden += hidden;

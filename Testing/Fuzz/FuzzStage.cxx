@@ -197,6 +197,7 @@ void Stage::AddCullers()
       culler->SetMaximumNumberOfRounds(settings.MaximumNumberOfRounds);
       culler->SetRoundSize(settings.RoundSize);
       culler->SetMaximumNumberOfPieces(settings.MaximumNumberOfPieces);
+      culler->SetHierarchySize(settings.HierarchySize);
       culler->SetTestPixels(settings.TestPixels);
       culler->SetReuseWhenStill(settings.ReuseWhenStill);
       culler->SetBackOff(settings.BackOff);

@@ -403,6 +403,7 @@ struct Culler
   int MaximumNumberOfRounds = 6;
   int RoundSize = 8;
   int MaximumNumberOfPieces = 8;
+  int HierarchySize = 10000;
   bool TestPixels = true;
   bool ReuseWhenStill = true;
   bool BackOff = false;
@@ -419,6 +420,7 @@ struct Culler
     visit("maximum_number_of_rounds", self.MaximumNumberOfRounds);
     visit("round_size", self.RoundSize);
     visit("maximum_number_of_pieces", self.MaximumNumberOfPieces);
+    visit("hierarchy_size", self.HierarchySize);
     visit("test_pixels", self.TestPixels);
     visit("reuse_when_still", self.ReuseWhenStill);
     visit("back_off", self.BackOff);

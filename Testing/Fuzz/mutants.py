@@ -9,7 +9,9 @@ the old text must be there exactly once.
 PROJECTION = "vtkNBufferProjection.cxx"
 VIEW = "vtkNBufferView.cxx"
 CANDIDATE = "vtkNBufferCandidate.cxx"
+CANDIDATE_TREE = "vtkNBufferCandidateTree.cxx"
 CASTER = "vtkShadowCaster.cxx"
+HIERARCHY = "vtkNBufferHierarchy.cxx"
 FRAME_KEY = "vtkShadowFrameKey.cxx"
 MASK_MAKER = "vtkShadowMaskMaker.cxx"
 TARGET_READER = "vtkShadowTargetReader.cxx"
@@ -35,6 +37,13 @@ MUTANTS = {
     "no margin for wide lines and points": [
         (CANDIDATE, "this->Box.Margin = GetMargin(this->Mapper, actor->GetProperty());",
          "this->Box.Margin = 0.0;")],
+
+    # The hierarchy over the props.
+    "hierarchy of boxes that lack their upper parts": [
+        (HIERARCHY, "this->High[j] = std::max(this->High[j], high);",
+         "this->High[j] = std::max(this->High[j], low);")],
+    "deferred props below hierarchy nodes that are seen taken for hidden": [
+        (CANDIDATE_TREE, "!test.IsHidden(node.Box, screen))", "false)")],
 
     # Rectangles and lookups.
     "rectangle one pixel short at the right and top": [
@@ -193,6 +202,8 @@ SHADOW_MUTANTS = {
 # These leave an error in so few frames that ten times as many are granted: other tolerances cover
 # most of what the missing one let through, or the frames that show it are rare.
 RARE = {
+    "hierarchy not refit to props that move": [
+        (CANDIDATE_TREE, "this->Tree.Move(place, candidate.GetBox());", "")],
     "no slack for stored and interpolated depth": NO_DEPTH_SLACK,
     "no slack for rounded vertices in x and y": [
         (PROJECTION, "ndc - slack);", "ndc - (i < 2 ? 0.0 : slack));"),

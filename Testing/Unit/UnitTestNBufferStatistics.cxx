@@ -54,6 +54,9 @@ vtkNBufferStatistics Fill()
   statistics.ReadBacks = 11;
   statistics.BytesRead = 12000000000LL;
   statistics.FailedFrames = 14;
+  statistics.Nodes = 15000000000LL;
+  statistics.Refits = 16;
+  statistics.Builds = 17;
   statistics.CullTime = 0.125;
   statistics.RefreshTime = 0.25;
   statistics.FrustumTime = 0.375;
@@ -137,6 +140,9 @@ TEST(NBufferStatistics, JSONHoldsEveryField)
   EXPECT_EQ(json["read_backs"].asInt(), 11);
   EXPECT_EQ(json["bytes_read"].asInt64(), 12000000000LL);
   EXPECT_EQ(json["failed_frames"].asInt(), 14);
+  EXPECT_EQ(json["nodes"].asInt64(), 15000000000LL);
+  EXPECT_EQ(json["refits"].asInt(), 16);
+  EXPECT_EQ(json["builds"].asInt(), 17);
   ASSERT_EQ(static_cast<int>(json["verdicts"].size()), vtkNBufferStatistics::NumberOfVerdicts);
   for (int i = 0; i < vtkNBufferStatistics::NumberOfVerdicts; ++i)
   {
@@ -160,5 +166,5 @@ TEST(NBufferStatistics, JSONHoldsEveryField)
   EXPECT_EQ(times["draw"].asDouble(), 0.875);
   EXPECT_EQ(times["device_build"].asDouble(), 1.125);
   EXPECT_EQ(times.size(), 9u);
-  EXPECT_EQ(json.size(), 20u) << "a new field wants its line here";
+  EXPECT_EQ(json.size(), 23u) << "a new field wants its line here";
 }

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferHierarchy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// The union of boxes, and of what rounding does to them.
+class Union
+{
+public:
+  void Add(const vtkNBufferBox& box)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      const double low = box.Center[j] - box.HalfSize[j];
+      const double high = box.Center[j] + box.HalfSize[j];
+      // Around the origin o = 0 instead of the box's own: |M o + M_3| <= |M| |o| + |M_3|.
+      const double magnitude = std::abs(box.Origin[j]) + box.Magnitude[j];
+      this->Low[j] = std::min(this->Low[j], low);
+      this->High[j] = std::max(this->High[j], high);
+      this->Magnitude[j] = std::max(this->Magnitude[j], magnitude);
+      this->Known = this->Known && std::isfinite(low) && std::isfinite(high) &&
+        std::isfinite(magnitude) && low <= high;
+    }
+    this->Margin = std::max(this->Margin, box.Margin);
+    this->Known = this->Known && std::isfinite(box.Margin);
+  }
+
+  vtkNBufferBox Get() const
+  {
+    vtkNBufferBox box;
+    for (int j = 0; j < 3; ++j)
+    {
+      box.Center[j] = 0.5 * (this->Low[j] + this->High[j]);
+      // Rounding must not cut anything off.
+      box.HalfSize[j] = 0.5 * (this->High[j] - this->Low[j]) +
+        (std::abs(this->Low[j]) + std::abs(this->High[j])) * 0x1p-51;
+      box.Magnitude[j] = this->Magnitude[j];
+      if (!this->Known)
+      {
+        // Which the projection takes for "unknown" in every comparison.
+        box.Center[j] = box.HalfSize[j] = std::numeric_limits<double>::quiet_NaN();
+      }
+    }
+    box.Margin = this->Margin;
+    return box;
+  }
+
+private:
+  static constexpr double Infinity = std::numeric_limits<double>::infinity();
+  double Low[3] = { Infinity, Infinity, Infinity };
+  double High[3] = { -Infinity, -Infinity, -Infinity };
+  double Magnitude[3] = { 0.0, 0.0, 0.0 };
+  double Margin = 0.0;
+  bool Known = true;
+};
+
+double GetExtent(const vtkNBufferBox& box)
+{
+  return box.HalfSize[0] + box.HalfSize[1] + box.HalfSize[2];
+}
+}
+
+/// What the median is looked for in: small, so that it moves little memory.
+struct vtkNBufferHierarchy::Key
+{
+  double Center[3];
+  int Place;
+};
+
+void vtkNBufferHierarchy::Clear()
+{
+  this->Nodes.clear();
+  this->Dirty.clear();
+  this->Order.clear();
+  this->Slots.clear();
+  this->Boxes.clear();
+  this->Extent = this->BuiltExtent = 0.0;
+}
+
+void vtkNBufferHierarchy::Build(const std::vector<vtkNBufferBox>& boxes, int leafSize)
+{
+  std::vector<int> places(boxes.size());
+  std::iota(places.begin(), places.end(), 0);
+  this->Build(boxes, std::move(places), leafSize);
+}
+
+void vtkNBufferHierarchy::Build(
+  const std::vector<vtkNBufferBox>& boxes, std::vector<int> places, int leafSize)
+{
+  this->Clear();
+  if (places.empty())
+  {
+    return;
+  }
+  std::vector<Key> keys(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const vtkNBufferBox& box = boxes[static_cast<std::size_t>(places[i])];
+    for (int j = 0; j < 3; ++j)
+    {
+      // NaN has no place in an order.
+      keys[i].Center[j] = std::isfinite(box.Center[j]) ? box.Center[j] : 0.0;
+    }
+    keys[i].Place = places[i];
+  }
+  this->Split(keys, 0, static_cast<int>(keys.size()), std::max(leafSize, 1));
+  this->Order = std::move(places);
+  this->Slots.assign(boxes.size(), -1);
+  this->Boxes.resize(keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    this->Order[i] = keys[i].Place;
+    this->Slots[static_cast<std::size_t>(keys[i].Place)] = static_cast<int>(i);
+    this->Boxes[i] = boxes[static_cast<std::size_t>(keys[i].Place)];
+  }
+  this->Dirty.assign(this->Nodes.size(), 1);
+  this->Refit();
+  this->BuiltExtent = this->Extent;
+}
+
+int vtkNBufferHierarchy::Split(std::vector<Key>& keys, int begin, int end, int leafSize)
+{
+  const int place = static_cast<int>(this->Nodes.size());
+  this->Nodes.emplace_back();
+  int left = -1;
+  int right = -1;
+  if (end - begin > leafSize)
+  {
+    int axis = 0;
+    double length = -1.0;
+    for (int j = 0; j < 3; ++j)
+    {
+      const auto [least, greatest] = std::minmax_element(keys.begin() + begin, keys.begin() + end,
+        [j](const Key& a, const Key& b) { return a.Center[j] < b.Center[j]; });
+      const double size = greatest->Center[j] - least->Center[j];
+      axis = size > length ? j : axis;
+      length = std::max(length, size);
+    }
+    const int middle = begin + (end - begin) / 2;
+    std::nth_element(keys.begin() + begin, keys.begin() + middle, keys.begin() + end,
+      [axis](const Key& a, const Key& b) { return a.Center[axis] < b.Center[axis]; });
+    left = this->Split(keys, begin, middle, leafSize);
+    right = this->Split(keys, middle, end, leafSize);
+  }
+  Node& node = this->Nodes[static_cast<std::size_t>(place)];
+  node.Begin = begin;
+  node.End = end;
+  node.Left = left;
+  node.Right = right;
+  node.Next = static_cast<int>(this->Nodes.size());
+  return place;
+}
+
+void vtkNBufferHierarchy::Move(int place, const vtkNBufferBox& box)
+{
+  const int slot = this->Slots[static_cast<std::size_t>(place)];
+  this->Boxes[static_cast<std::size_t>(slot)] = box;
+  for (int i = 0; i >= 0;)
+  {
+    const Node& node = this->Nodes[static_cast<std::size_t>(i)];
+    this->Dirty[static_cast<std::size_t>(i)] = 1;
+    i = node.Left < 0 || slot < this->Nodes[static_cast<std::size_t>(node.Left)].End ? node.Left
+                                                                                     : node.Right;
+  }
+}
+
+int vtkNBufferHierarchy::Refit()
+{
+  int fitted = 0;
+  for (std::size_t i = this->Nodes.size(); i-- > 0;)
+  {
+    if (this->Dirty[i])
+    {
+      this->FitNode(i);
+      this->Dirty[i] = 0;
+      ++fitted;
+    }
+  }
+  return fitted;
+}
+
+void vtkNBufferHierarchy::FitNode(std::size_t place)
+{
+  Node& node = this->Nodes[place];
+  Union all;
+  if (node.Left >= 0)
+  {
+    all.Add(this->Nodes[static_cast<std::size_t>(node.Left)].Box);
+    all.Add(this->Nodes[static_cast<std::size_t>(node.Right)].Box);
+    node.Box = all.Get();
+    return;
+  }
+  for (int slot = node.Begin; slot < node.End; ++slot)
+  {
+    all.Add(this->Boxes[static_cast<std::size_t>(slot)]);
+  }
+  const double before = GetExtent(node.Box);
+  node.Box = all.Get();
+  const double change = GetExtent(node.Box) - before;
+  // Leaves of which nothing is known are left out of the sum.
+  this->Extent += std::isfinite(change) ? change : 0.0;
+}
+
+void vtkNBufferHierarchy::Refit(const std::vector<vtkNBufferBox>& boxes)
+{
+  for (std::size_t i = 0; i < this->Order.size(); ++i)
+  {
+    this->Boxes[i] = boxes[static_cast<std::size_t>(this->Order[i])];
+  }
+  std::fill(this->Dirty.begin(), this->Dirty.end(), static_cast<unsigned char>(1));
+  this->Refit();
+}
+
+double vtkNBufferHierarchy::GetGrowth() const
+{
+  return this->BuiltExtent > 0.0 ? this->Extent / this->BuiltExtent : 1.0;
+}
+VTK_ABI_NAMESPACE_END

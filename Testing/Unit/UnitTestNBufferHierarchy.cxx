@@ -1,0 +1,372 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What holds for a node holds for all that is below it, by brute force over points.
+#include "SampledViews.h"
+#include "vtkNBufferHierarchy.h"
+#include "vtkNBufferProjection.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <vector>
+
+namespace
+{
+using Node = vtkNBufferHierarchy::Node;
+using Answer = vtkNBufferHierarchy::Answer;
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<vtkNBufferBox> MakeBoxes(int count, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  std::vector<vtkNBufferBox> boxes;
+  for (int i = 0; i < count; ++i)
+  {
+    const double x = 60.0 * uniform(random);
+    const double y = 60.0 + 70.0 * uniform(random);
+    const double z = 10.0 * uniform(random);
+    const double size = 1.0 + uniform(random);
+    const double bounds[6] = { x, x + size, y, y + 2.0 * size, z, z + 0.5 * size };
+    boxes.push_back(vtkNBufferBox::FromBounds(bounds));
+  }
+  return boxes;
+}
+
+/// Whether what may be drawn of the inner box may be drawn of the outer one, margin and rounding
+/// included.
+bool Contains(const vtkNBufferBox& outer, const vtkNBufferBox& inner)
+{
+  bool contains = outer.Margin >= inner.Margin;
+  for (int j = 0; j < 3; ++j)
+  {
+    contains = contains &&
+      outer.Center[j] - outer.HalfSize[j] <= inner.Center[j] - inner.HalfSize[j] &&
+      outer.Center[j] + outer.HalfSize[j] >= inner.Center[j] + inner.HalfSize[j] &&
+      outer.Origin[j] == 0.0 &&
+      outer.Magnitude[j] >= std::abs(inner.Origin[j]) + inner.Magnitude[j];
+  }
+  return contains;
+}
+
+/// Nothing is ever known of it, in any view.
+void CheckUnknown(const vtkNBufferBox& box)
+{
+  ViewSampler sampler(11);
+  for (int i = 0; i < 20; ++i)
+  {
+    const View view = sampler.MakeView(0.0);
+    vtkNBufferProjection projection;
+    projection.Set(view.WorldToClip.data(), view.Width, view.Height, 0x1p-24);
+    vtkNBufferScreenBox screen;
+    EXPECT_FALSE(projection.IsOutside(box));
+    EXPECT_EQ(projection.Project(box, screen), vtkNBufferPlacement::Crossing);
+  }
+}
+
+/// Every place once, in nodes that contain it, and children beneath their parents.
+void CheckNodes(
+  const vtkNBufferHierarchy& tree, const std::vector<vtkNBufferBox>& boxes, std::vector<int> places)
+{
+  std::vector<int> order = tree.GetOrder();
+  for (const Node& node : tree.GetNodes())
+  {
+    for (int slot = node.Begin; slot < node.End; ++slot)
+    {
+      EXPECT_TRUE(Contains(node.Box, boxes[order[slot]]));
+    }
+    if (node.Left >= 0)
+    {
+      EXPECT_EQ(tree.GetNodes()[node.Left].Begin, node.Begin);
+      EXPECT_EQ(tree.GetNodes()[node.Left].End, tree.GetNodes()[node.Right].Begin);
+      EXPECT_EQ(tree.GetNodes()[node.Right].End, node.End);
+      EXPECT_EQ(tree.GetNodes()[node.Left].Next, node.Right);
+      EXPECT_EQ(tree.GetNodes()[node.Right].Next, node.Next);
+    }
+  }
+  std::vector<int> asked;
+  tree.Visit(
+    [](const vtkNBufferBox&) { return Answer::Descend; }, [&](int i) { asked.push_back(i); });
+  EXPECT_EQ(asked, order);
+  std::sort(order.begin(), order.end());
+  EXPECT_EQ(order, places);
+  for (std::size_t i = 0; i < boxes.size() + 2; ++i)
+  {
+    EXPECT_EQ(tree.Has(static_cast<int>(i)),
+      std::binary_search(places.begin(), places.end(), static_cast<int>(i)));
+  }
+}
+
+std::vector<int> GetAll(const std::vector<vtkNBufferBox>& boxes)
+{
+  std::vector<int> all(boxes.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+void ExpectSameBoxes(const vtkNBufferHierarchy& a, const vtkNBufferHierarchy& b)
+{
+  ASSERT_EQ(a.GetNumberOfNodes(), b.GetNumberOfNodes());
+  for (std::size_t i = 0; i < a.GetNumberOfNodes(); ++i)
+  {
+    EXPECT_TRUE(a.GetNodes()[i].Box == b.GetNodes()[i].Box) << "node " << i;
+  }
+}
+}
+
+TEST(NBufferHierarchy, NodesContainWhatIsBelowThem)
+{
+  for (int count : { 0, 1, 2, 5, 8, 9, 1000 })
+  {
+    for (int leafSize : { 0, 1, 4, vtkNBufferHierarchy::DefaultLeafSize })
+    {
+      std::vector<vtkNBufferBox> boxes = MakeBoxes(count, 3);
+      for (std::size_t i = 0; i < boxes.size(); i += 7)
+      {
+        boxes[i].Margin = 0.25 * static_cast<double>(i);
+        boxes[i].Origin[1] = 1000.0;
+      }
+      vtkNBufferHierarchy tree;
+      tree.Build(boxes, leafSize);
+      CheckNodes(tree, boxes, GetAll(boxes));
+    }
+  }
+}
+
+TEST(NBufferHierarchy, OfSomeOfTheBoxes)
+{
+  const std::vector<vtkNBufferBox> boxes = MakeBoxes(300, 3);
+  std::vector<int> places;
+  for (int i = 1; i < 300; i += 3)
+  {
+    places.push_back(i);
+  }
+  vtkNBufferHierarchy tree;
+  tree.Build(boxes, places);
+  CheckNodes(tree, boxes, places);
+  tree.Clear();
+  CheckNodes(tree, boxes, {});
+  tree.Build(boxes, std::vector<int>());
+  CheckNodes(tree, boxes, {});
+}
+
+// The claims of the projection for a node, judged by points of the boxes below it.
+TEST(NBufferHierarchy, WhatIsSaidOfANodeHoldsForThePointsBelow)
+{
+  ViewSampler sampler(5);
+  int outside = 0;
+  int wholly = 0;
+  int drawn = 0;
+  for (int n = 0; n < 150; ++n)
+  {
+    const View view = sampler.MakeView(n % 3 == 0 ? 0.0 : n % 3 == 1 ? 1e3 : 1e5, n % 2 == 0);
+    vtkNBufferProjection projection;
+    projection.Set(view.WorldToClip.data(), view.Width, view.Height, 0x1p-24);
+    std::vector<vtkNBufferBox> boxes;
+    std::vector<std::array<double, 6>> bounds;
+    for (int i = 0; i < 40; ++i)
+    {
+      bounds.push_back(sampler.MakeBounds(view));
+      boxes.push_back(vtkNBufferBox::FromBounds(bounds.back().data()));
+    }
+    vtkNBufferHierarchy tree;
+    tree.Build(boxes, 2);
+    for (const Node& node : tree.GetNodes())
+    {
+      const bool rejected = projection.IsOutside(node.Box);
+      vtkNBufferScreenBox screen;
+      const vtkNBufferPlacement placement =
+        rejected ? vtkNBufferPlacement::Outside : projection.Project(node.Box, screen);
+      outside += placement == vtkNBufferPlacement::Outside ? 1 : 0;
+      for (int slot = node.Begin; slot < node.End; ++slot)
+      {
+        const int place = tree.GetOrder()[slot];
+        if (placement == vtkNBufferPlacement::Inside && projection.IsWhollyInside(screen))
+        {
+          ++wholly;
+          vtkNBufferScreenBox inner;
+          EXPECT_EQ(projection.Project(boxes[place], inner), vtkNBufferPlacement::Inside)
+            << view.Text;
+        }
+        for (const auto& corner : sampler.MakePoints(bounds[place], 8))
+        {
+          for (int permutation : { -1, 0, 3 })
+          {
+            const auto point = permutation < 0 ? ProjectExactly(view, corner)
+                                               : ProjectAsDevice(view, corner, permutation);
+            if (!point)
+            {
+              continue;
+            }
+            ++drawn;
+            ASSERT_NE(placement, vtkNBufferPlacement::Outside) << view.Text;
+            if (placement == vtkNBufferPlacement::Inside)
+            {
+              ASSERT_GE(point->X, screen.Pixels.X0) << view.Text;
+              ASSERT_LE(point->X, screen.Pixels.X1) << view.Text;
+              ASSERT_GE(point->Y, screen.Pixels.Y0) << view.Text;
+              ASSERT_LE(point->Y, screen.Pixels.Y1) << view.Text;
+              ASSERT_GE(point->Z, screen.Nearest) << view.Text;
+              ASSERT_LE(point->Z, screen.Farthest) << view.Text;
+            }
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(outside, 500);
+  EXPECT_GT(wholly, 100);
+  EXPECT_GT(drawn, 10000);
+}
+
+// Twice as large everywhere: the same tree, and no rounding that differs.
+TEST(NBufferHierarchy, RefitEqualsAnotherBuild)
+{
+  std::vector<vtkNBufferBox> boxes = MakeBoxes(500, 3);
+  vtkNBufferHierarchy tree;
+  vtkNBufferHierarchy moved;
+  tree.Build(boxes);
+  moved.Build(boxes);
+  for (vtkNBufferBox& box : boxes)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      box.Center[j] *= 2.0;
+      box.HalfSize[j] *= 2.0;
+      box.Magnitude[j] *= 2.0;
+    }
+  }
+  vtkNBufferHierarchy built;
+  built.Build(boxes);
+  tree.Refit(boxes);
+  for (int i : GetAll(boxes))
+  {
+    moved.Move(i, boxes[static_cast<std::size_t>(i)]);
+  }
+  EXPECT_EQ(moved.Refit(), static_cast<int>(moved.GetNumberOfNodes()));
+  EXPECT_EQ(built.GetOrder(), tree.GetOrder());
+  ExpectSameBoxes(tree, built);
+  ExpectSameBoxes(moved, built);
+  EXPECT_EQ(built.GetGrowth(), 1.0);
+  EXPECT_NEAR(tree.GetGrowth(), 2.0, 1e-9);
+  EXPECT_NEAR(moved.GetGrowth(), 2.0, 1e-9);
+}
+
+TEST(NBufferHierarchy, OnlyWhatIsAboveAMoveIsRefit)
+{
+  std::vector<vtkNBufferBox> boxes = MakeBoxes(64, 3);
+  vtkNBufferHierarchy tree;
+  tree.Build(boxes, 8);
+  EXPECT_EQ(tree.GetNumberOfNodes(), 15u);
+  EXPECT_EQ(tree.Refit(), 0);
+  for (int place : { 0, 17, 63 })
+  {
+    boxes[static_cast<std::size_t>(place)] = MakeBoxes(1, 90u + static_cast<unsigned>(place))[0];
+    tree.Move(place, boxes[static_cast<std::size_t>(place)]);
+    EXPECT_EQ(tree.Refit(), 4); // from the root to a leaf
+    CheckNodes(tree, boxes, GetAll(boxes));
+  }
+  vtkNBufferHierarchy all;
+  all.Build(MakeBoxes(64, 3), 8);
+  all.Refit(boxes);
+  ExpectSameBoxes(tree, all);
+}
+
+TEST(NBufferHierarchy, NothingIsAskedBelowASkippedNode)
+{
+  const std::vector<vtkNBufferBox> boxes = MakeBoxes(100, 3);
+  vtkNBufferHierarchy tree;
+  tree.Build(boxes, 4);
+  int nodes = 0;
+  int asked = 0;
+  tree.Visit([&](const vtkNBufferBox&) { return ++nodes == 2 ? Answer::Skip : Answer::Descend; },
+    [&](int) { ++asked; });
+  EXPECT_EQ(asked, 50); // The left half.
+}
+
+TEST(NBufferHierarchy, EqualCentres)
+{
+  std::vector<vtkNBufferBox> boxes = MakeBoxes(100, 3);
+  for (vtkNBufferBox& box : boxes)
+  {
+    std::fill_n(box.Center, 3, 4.0);
+  }
+  vtkNBufferHierarchy tree;
+  tree.Build(boxes);
+  EXPECT_LT(tree.GetNumberOfNodes(), 40u);
+  CheckNodes(tree, boxes, GetAll(boxes));
+}
+
+TEST(NBufferHierarchy, HugeBoxes)
+{
+  std::vector<vtkNBufferBox> boxes = MakeBoxes(100, 3);
+  for (int i : { 5, 50 })
+  {
+    const double bounds[6] = { -9e29, 9e29, -1e12, 9e29, 0.0, 1.0 };
+    boxes[static_cast<std::size_t>(i)] = vtkNBufferBox::FromBounds(bounds);
+  }
+  vtkNBufferHierarchy tree;
+  tree.Build(boxes);
+  CheckNodes(tree, boxes, GetAll(boxes));
+}
+
+// No order and no union is to be had with them; the tree around them must hold nevertheless.
+TEST(NBufferHierarchy, BoxesThatAreNotFiniteAreUnknownToTheRoot)
+{
+  for (double bad : { NaN, Infinity, -Infinity, std::numeric_limits<double>::max() })
+  {
+    for (int part = 0; part < 4; ++part)
+    {
+      std::vector<vtkNBufferBox> boxes = MakeBoxes(200, 3);
+      vtkNBufferBox& box = boxes[77];
+      (part == 0      ? box.Center
+          : part == 1 ? box.HalfSize
+          : part == 2 ? box.Magnitude
+                      : box.Origin)[1] = bad;
+      if (part == 1 && std::isfinite(bad))
+      {
+        box.HalfSize[1] = Infinity;
+      }
+      vtkNBufferHierarchy tree;
+      tree.Build(boxes);
+      int unknown = 0;
+      for (const Node& node : tree.GetNodes())
+      {
+        const auto begin = tree.GetOrder().begin();
+        const bool above = std::find(begin + node.Begin, begin + node.End, 77) != begin + node.End;
+        if (above && !std::isfinite(node.Box.HalfSize[1] + node.Box.Magnitude[1]))
+        {
+          CheckUnknown(node.Box);
+          ++unknown;
+        }
+        else if (above)
+        {
+          EXPECT_TRUE(Contains(node.Box, boxes[77]));
+        }
+      }
+      EXPECT_TRUE(unknown == 6 || std::isfinite(bad)) << unknown; // 200 in leaves of up to 8
+      // And back to where something is known.
+      const std::vector<vtkNBufferBox> good = MakeBoxes(200, 3);
+      tree.Move(77, good[77]);
+      tree.Refit();
+      CheckNodes(tree, good, GetAll(good));
+    }
+  }
+}
+
+TEST(NBufferHierarchy, GrowthTellsThatBoxesHaveLeftTheirLeaves)
+{
+  std::vector<vtkNBufferBox> boxes = MakeBoxes(1000, 3);
+  vtkNBufferHierarchy tree;
+  EXPECT_EQ(tree.GetGrowth(), 1.0);
+  tree.Build(boxes);
+  EXPECT_EQ(tree.GetGrowth(), 1.0);
+  std::shuffle(boxes.begin(), boxes.end(), std::mt19937(4));
+  tree.Refit(boxes);
+  EXPECT_GT(tree.GetGrowth(), 2.0);
+}
