@@ -32,14 +32,14 @@
  *
  * Where two props have exactly the same depth in a pixel, the one drawn last wins. A prop that
  * had been held back is drawn later than its place in the renderer says, so that those that come
- * after it in the renderer and can touch it are drawn once more (vtkNBufferTieOrder.h).
+ * after it in the renderer are drawn once more where they can touch it (vtkNBufferTieOrder.h).
  *
  * ## Cost
  *
  * Per frame: about 0.1 microseconds per prop for cached bounds and the frustum test (of long lists
- * over a hierarchy, see HierarchySize), one read-back
- * of a reduced depth image (software renderers: of the whole one), and the levels that the
- * rectangles of this frame call for. Nothing of that with fewer candidates than
+ * over a hierarchy, see HierarchySize), one microsecond or two for a prop with a pipeline; one
+ * read-back of a reduced depth image (software renderers: of the whole one), and the levels that
+ * the rectangles of this frame call for. Nothing of that with fewer candidates than
  * MinimumNumberOfCandidates, with a still camera and unchanged props, or, but for a probe now and
  * then, where recent frames hid next to nothing.
  *
