@@ -4,10 +4,12 @@
  * @class vtkNBufferCandidateTree
  * @brief Where the candidates of a long list lie in view, found over a hierarchy. No OpenGL.
  *
- *     node outside           all below are Outside, none is looked at
- *     node wholly inside     all below are Inside; those that nothing is known of are deferred:
- * their rectangles are made when they are asked for, and never for those below a node that the
- * depth test hides any other              its children are asked, or each prop of a leaf
+ *     node outside        all below are Outside, none is looked at
+ *     node wholly inside  all below are Inside; those that nothing is known of are deferred
+ *     any other           its children are asked, or each prop of a leaf
+ *
+ * The rectangle of a deferred prop is made when it is asked for, and never below a node that the
+ * depth test hides.
  *
  * Placements are those that asking one by one would give (rounding of double precision apart, which
  * the slack of the projection exceeds by far). Of the props in view more may be found hidden: the
@@ -19,8 +21,8 @@
  *
  * When it is built and refit:
  *
- *  - Refit to the boxes that have changed, in every frame in which some have. Where more than one
- * in ChangesPerFrame have changed, the frame is done one by one, which is cheaper.
+ *  - Refit to the boxes that have changed, in every frame in which some have. Where more than
+ *    FewChanges and one in ChangesPerFrame have, the frame is done one by one, which is cheaper.
  *  - Built when the list has changed, but not before it has stayed the same for a frame: building
  *    takes some ten times as long as a frame one by one, which a list that changes in every frame
  *    would never earn. And where refits have made leaves more than twice as wide as they were built
