@@ -5,7 +5,7 @@
  * @brief Fragments, times and errors of shadows, by mode.
  *
  *     renderer, window, vtk, scene, path, size, samples, seed, frames, props, block, litmap,
- *     ground_casts
+ *     ground_casts; lamp: place and cone angle of the spot of city-spot
  *     modes.NAME              median_ms, p10_ms, p90_ms, frames_ms
  *     shadowed                pixels that shadows change (mean of all frames): no mode can have
  *                             fewer fragments
@@ -13,9 +13,9 @@
  *                             unclamped) and statistics: the members of vtkShadowStatistics, each
  *                             the median over the timed frames; device_milliseconds are -1
  *                             without --device-times and without timers
- *     modes.NAME.oracle       only with --oracle: samples compared with rays; wrong: those that
- *                             differ and are not ambiguous; ambiguous: those that differ and are;
- *                             wrong_places: [frame, x, y] of the first wrong ones
+ *     modes.NAME.oracle       only with --oracle: samples compared with rays; shadowed: those in
+ *                             shadow by rays; wrong: those that differ and are not ambiguous;
+ * ambiguous: those that differ and are; wrong_places: [frame, x, y] of the first wrong ones
  *     ratios.A/B              median over the frames of (ms of mode A) / (ms of mode B)
  */
 #include "Chart.h"
@@ -48,6 +48,8 @@ struct ShadowCommandOptions
   ShadowWalkOptions Walk;
   bool GroundCasts = true;
   bool Culler = false;
+  /// Empty: that of the scene.
+  std::vector<double> Lamp;
   std::string JSON;
 };
 
@@ -81,6 +83,7 @@ Json::Value MakeModeReport(const ShadowWalkResult& result, const std::string& na
   {
     Json::Value& oracle = report["oracle"];
     oracle["samples"] = static_cast<Json::Int64>(counts->second.Samples);
+    oracle["shadowed"] = static_cast<Json::Int64>(counts->second.Shadowed);
     oracle["wrong"] = static_cast<Json::Int64>(counts->second.Wrong);
     oracle["ambiguous"] = static_cast<Json::Int64>(counts->second.Ambiguous);
     for (const auto& place : counts->second.Places)
@@ -144,7 +147,8 @@ void PrintShadowTable(
     {
       const Json::Value& oracle = mode["oracle"];
       out << "   " << oracle["wrong"].asInt64() << " wrong and " << oracle["ambiguous"].asInt64()
-          << " ambiguous of " << oracle["samples"].asInt64();
+          << " ambiguous of " << oracle["samples"].asInt64() << ", " << oracle["shadowed"].asInt64()
+          << " in shadow";
     }
     out << "\n";
   }
@@ -185,11 +189,12 @@ int RunShadowCommand(ShadowCommandOptions& options)
     MakeFolder(options.Walk.ImageFolder);
   }
   CheckWritable(options.JSON);
+  const std::string& name = options.View.SceneNames.front();
+  const SpotLamp lamp = options.Lamp.empty() ? SpotLamp() : ReadLamp(name, options.Lamp);
   const NBufferExamples::Scene scene = LoadShadowScene(options.View);
   const NBufferExamples::CameraPath path = options.View.MakePath(scene, 30);
   Session& session = Session::New(scene, options.View.Window);
-  const std::string& name = options.View.SceneNames.front();
-  vtkLight* light = LightScene(name, scene, path, session.GetRenderer());
+  vtkLight* light = LightScene(name, scene, path, session.GetRenderer(), lamp);
   if (options.Culler)
   {
     vtkNew<vtkNBufferCuller> culler;
@@ -208,6 +213,13 @@ int RunShadowCommand(ShadowCommandOptions& options)
   report["props"] = static_cast<Json::UInt64>(scene.Actors.size());
   report["culler"] = options.Culler;
   report["ground_casts"] = options.Walk.CasterKeys == nullptr;
+  if (name == "city-spot")
+  {
+    for (const double number : { lamp.Offset[0], lamp.Offset[1], lamp.Offset[2], lamp.ConeAngle })
+    {
+      report["lamp"].append(number);
+    }
+  }
   report["block"] = options.Walk.Block;
   report["litmap"] = options.Walk.Litmap;
   report["box_cost"] = options.Walk.BoxCost;
@@ -297,6 +309,13 @@ void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
     ->capture_default_str();
   command->add_flag("!--no-ground-caster", options->GroundCasts,
     "In vtkShadowVolumeClampPass ground and streets only receive shadows");
+  command
+    ->add_option("--lamp", options->Lamp,
+      "x,y,z,cone: where the spot of city-spot hangs, in metres from the place on the street that "
+      "it "
+      "shines on, and the degrees from its axis to its edge; 25,-25,60,40 if not given")
+    ->delimiter(',')
+    ->expected(4);
   command->add_flag("--culler", options->Culler, "All modes with vtkNBufferCuller");
   command->add_option("--json", options->JSON, "File for the figures");
   command->add_option("--images", options->Walk.ImageFolder,

@@ -12,7 +12,8 @@
  *     slabs       the same, clamped to several slabs (SlabGap 4)
  *     exactlit    exact, with SkipUnlitReceivers; slabslit: slabs with it
  *     paper       clamp, with the paper's litmap, drawn from the light: shadows may be lost
- *     vtk         vtkShadowMapPass with its baker, as VTK's tests put them together
+ *     vtk         vtkShadowMapPass with its baker, as VTK's tests put them together; right in
+ *                 square windows only, as it looks maps up with an aspect ratio of 1
  *
  * auto@N, exact@N, clamp@N, slabs@N and paper@N have litmaps of N x N lexels, vtk@N shadow maps of
  * N x N texels instead of VTK's default. Modes of volumes also with settings (ModeSettings.h), such

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <stdexcept>
 
 namespace NBufferBench
 {
@@ -107,11 +108,9 @@ Scene MakeParts(std::uint64_t seed)
   return scene;
 }
 
-vtkSmartPointer<vtkLight> MakeSpot(const NBufferExamples::CameraPath& path)
+vtkSmartPointer<vtkLight> MakeSpot(const NBufferExamples::CameraPath& path, const SpotLamp& lamp)
 {
-  // Metres: a lamp high above the street, beside the way, and what lies 20 m ahead.
-  constexpr double ahead = 20.0;
-  const double lamp[3] = { 25.0, -25.0, 60.0 };
+  constexpr double ahead = 20.0; // metres
   const NBufferExamples::CameraPose& pose = path[path.size() / 2];
   double direction[3];
   vtkMath::Subtract(pose.Target, pose.Eye, direction);
@@ -121,10 +120,10 @@ vtkSmartPointer<vtkLight> MakeSpot(const NBufferExamples::CameraPath& path)
   auto light = vtkSmartPointer<vtkLight>::New();
   light->SetLightTypeToSceneLight();
   light->PositionalOn();
-  light->SetConeAngle(40.0);
+  light->SetConeAngle(lamp.ConeAngle);
   light->SetExponent(0.0);
   light->SetFocalPoint(place);
-  vtkMath::Add(place, lamp, place);
+  vtkMath::Add(place, lamp.Offset.data(), place);
   light->SetPosition(place);
   return light;
 }
@@ -154,8 +153,25 @@ Scene MakeScene(const std::string& name, std::uint64_t seed)
 }
 }
 
+SpotLamp ReadLamp(const std::string& name, const std::vector<double>& numbers)
+{
+  if (name != "city-spot")
+  {
+    throw std::runtime_error("a lamp is for the scene city-spot, not for " + name);
+  }
+  constexpr double rightAngle = 90.0;
+  if (numbers.size() != 4 || !std::all_of(numbers.begin(), numbers.end(), vtkMath::IsFinite) ||
+    numbers[2] <= 0.0 || numbers[3] <= 0.0 || numbers[3] >= rightAngle)
+  {
+    throw std::runtime_error(
+      "a lamp is x,y,z,cone: metres from the place that it lights, z above 0, "
+      "and an angle between 0 and 90 degrees");
+  }
+  return { { numbers[0], numbers[1], numbers[2] }, numbers[3] };
+}
+
 vtkLight* LightScene(const std::string& name, const Scene& scene,
-  const NBufferExamples::CameraPath& path, vtkRenderer* renderer)
+  const NBufferExamples::CameraPath& path, vtkRenderer* renderer, const SpotLamp& lamp)
 {
   if (scene.Plan)
   {
@@ -164,7 +180,7 @@ vtkLight* LightScene(const std::string& name, const Scene& scene,
   vtkSmartPointer<vtkLight> light;
   if (name == "city-spot")
   {
-    light = MakeSpot(path);
+    light = MakeSpot(path, lamp);
   }
   else
   {

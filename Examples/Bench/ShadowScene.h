@@ -5,7 +5,8 @@
  * @brief Scenes whose shadows are measured.
  *
  *     city-sun   the city at 9 in the morning on 21 June, solar time: the sun in the south-east
- *     city-spot  the city under one spotlight of 40 degrees, 60 m above the street
+ *     city-spot  the city under one spotlight, of 40 degrees and 60 m above the street unless a
+ *                SpotLamp says otherwise
  *     birds      400 spheres, synthetic and seeded, floating above ground and 12 towers; the sun
  *     simple     20 large parts that touch and cross each other above a floor, seeded; the sun
  *
@@ -22,17 +23,32 @@
 #include "vtkLight.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <string>
+#include <vector>
 
 namespace NBufferBench
 {
 
 NBufferExamples::Scene LoadShadowScene(ViewOptions view);
 
-/// Replace the lights of the renderer by the one of the scene. A spot shines on the place before
-/// the middle of the path.
+/// The spot of city-spot. It shines on the place on the street 20 m ahead of the path's middle
+/// pose.
+struct SpotLamp
+{
+  /// From that place, metres: east, north, up. Usually high above the street and beside the way.
+  std::array<double, 3> Offset = { 25.0, -25.0, 60.0 };
+  /// Degrees from the axis to the edge, as vtkLight has it; between 0 and 90.
+  double ConeAngle = 40.0;
+};
+
+/// x, y, z and cone angle. Throws std::runtime_error if the scene has no spot, the lamp is not
+/// above the street, or the angle out of range.
+SpotLamp ReadLamp(const std::string& name, const std::vector<double>& numbers);
+
+/// Replace the lights of the renderer by the one of the scene.
 vtkLight* LightScene(const std::string& name, const NBufferExamples::Scene& scene,
-  const NBufferExamples::CameraPath& path, vtkRenderer* renderer);
+  const NBufferExamples::CameraPath& path, vtkRenderer* renderer, const SpotLamp& lamp = {});
 
 /// Give all actors a property key but the ground and what lies on it; returns it, so that these
 /// only receive shadows. nullptr for scenes of files, whose parts are not told apart.

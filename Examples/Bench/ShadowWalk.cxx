@@ -231,6 +231,7 @@ private:
         continue;
       }
       ++counts.Samples;
+      counts.Shadowed += sample == OracleSample::Shadowed;
       if ((shadows[i] != 0) == (sample == OracleSample::Shadowed))
       {
         continue;

@@ -56,6 +56,7 @@ struct ShadowWalkOptions
 struct OracleCounts
 {
   long long Samples = 0;
+  long long Shadowed = 0;  ///< In shadow by rays.
   long long Wrong = 0;     ///< They differ and are not ambiguous.
   long long Ambiguous = 0; ///< They differ and are ambiguous.
   /// Frame, x and y (from below) of the first wrong ones.
