@@ -10,6 +10,7 @@
 #include "vtkLookupTable.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMatrixToLinearTransform.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -50,6 +51,13 @@ struct ObjectAccess : vtkObject
     return object->*(&ObjectAccess::MTime);
   }
 };
+
+/// Whether asking for its time only reads. vtkProp3D wraps a user's matrix in the second kind.
+bool IsPlain(vtkLinearTransform* transform)
+{
+  return !transform || typeid(*transform) == typeid(vtkTransform) ||
+    typeid(*transform) == typeid(vtkMatrixToLinearTransform);
+}
 
 void FetchLine(const void* address)
 {
@@ -104,10 +112,9 @@ bool vtkNBufferSources::Take(vtkActor* actor)
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
   // A texture's translucency, other transforms' pipelines and shared clipping planes are beyond
   // what may be asked of several props at a time.
-  vtkLinearTransform* transform = actor->GetUserTransform();
   return producer && input && typeid(*producer) == typeid(vtkTrivialProducer) &&
     typeid(*input) == typeid(vtkPolyData) && !actor->GetTexture() &&
-    (!transform || typeid(*transform) == typeid(vtkTransform)) && !mapper->GetClippingPlanes() &&
+    IsPlain(actor->GetUserTransform()) && !mapper->GetClippingPlanes() &&
     this->TakeAll(actor, mapper, producer, static_cast<vtkPolyData*>(input));
 }
 
@@ -115,7 +122,7 @@ bool vtkNBufferSources::TakeAll(
   vtkActor* actor, vtkMapper* mapper, vtkAlgorithm* producer, vtkPolyData* input)
 {
   this->Actor = actor;
-  this->UserTransform = static_cast<vtkTransform*>(actor->GetUserTransform());
+  this->UserTransform = actor->GetUserTransform();
   this->Shaders = GetShaderProperty(actor);
   // A lookup table that is missing now is made when there are scalars to map, and such a change
   // shows in the data.

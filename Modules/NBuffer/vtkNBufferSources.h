@@ -12,8 +12,8 @@
  * The list mirrors vtkActor, vtkMapper, vtkTrivialProducer, vtkPolyData, vtkPoints and
  * vtkFieldData::GetMTime, which are the same in VTK 9.1 to 9.7. Take() checks that it gives the
  * same time as they do and otherwise refuses. A shader property, which VTK makes later without
- * marking its prop as modified, is compared as well. A user's vtkTransform, as importers give each
- * of their actors, is asked itself: what it is concatenated from has no limit.
+ * marking its prop as modified, is compared as well. A transform or matrix of the user's, as
+ * importers give each of their actors, is asked itself: what it is concatenated from has no limit.
  *
  * An object's stamp is listed behind its owner's: it is alive if its owner has not changed.
  */
@@ -29,12 +29,12 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkAlgorithm;
 class vtkFieldData;
+class vtkLinearTransform;
 class vtkMapper;
 class vtkObject;
 class vtkPolyData;
 class vtkShaderProperty;
 class vtkTimeStamp;
-class vtkTransform;
 
 class vtkNBufferSources
 {
@@ -67,7 +67,7 @@ private:
   vtkMTimeType Time = 0;
   vtkActor* Actor = nullptr;
   vtkShaderProperty* Shaders = nullptr;
-  vtkTransform* UserTransform = nullptr;
+  vtkLinearTransform* UserTransform = nullptr;
   int Count = 0;
   int BeforeMapper = 0; ///< Stamps of the actor; the mapper's come behind.
   std::array<const vtkTimeStamp*, 18> Stamps{};

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether an actor's pipeline says that something changed, without being run.
+#include "vtkNBufferCandidate.h"
 #include "vtkNBufferPipeline.h"
 
 #include "vtkActor.h"
@@ -8,6 +9,7 @@
 #include "vtkDataSetMapper.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPlane.h"
@@ -163,4 +165,40 @@ TEST(NBufferPipelines, WhatDoesNotShowInTimesIsNotTaken)
       mapper->SetInputData(vtkNew<vtkImageData>());
       piped.Actor->SetMapper(mapper);
     }));
+}
+
+// Hazard: props with a matrix of their user's, as importers make them, are looked at anew in every
+// frame; or not even when it changes.
+TEST(NBufferPipelines, WithoutOneTransformsOfUsersAreAskedInParallel)
+{
+  vtkNew<vtkSphereSource> source;
+  source->Update();
+  vtkNew<vtkOpenGLPolyDataMapper> mapper;
+  mapper->SetInputData(source->GetOutput());
+  vtkNew<vtkMatrix4x4> matrix;
+  vtkNew<vtkTransform> transform;
+  vtkNew<vtkTransform> outer;
+  transform->Concatenate(outer);
+  for (const bool isMatrix : { true, false })
+  {
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    if (isMatrix)
+    {
+      actor->SetUserMatrix(matrix);
+    }
+    else
+    {
+      actor->SetUserTransform(transform);
+    }
+    vtkNBufferCandidate candidate(actor);
+    candidate.Refresh(false);
+    ASSERT_TRUE(candidate.IsCandidate());
+    EXPECT_FALSE(candidate.IsStale());
+    matrix->SetElement(0, 3, 2.0);
+    outer->Translate(1.0, 0.0, 0.0);
+    EXPECT_TRUE(candidate.IsStale());
+    EXPECT_TRUE(candidate.Refresh(false));
+    EXPECT_FALSE(candidate.IsStale());
+  }
 }
