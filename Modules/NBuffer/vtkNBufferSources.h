@@ -20,6 +20,7 @@
 #ifndef vtkNBufferSources_h
 #define vtkNBufferSources_h
 
+#include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferVTKVersion.h"
 #include "vtkType.h"
 
@@ -36,7 +37,7 @@ class vtkPolyData;
 class vtkShaderProperty;
 class vtkTimeStamp;
 
-class vtkNBufferSources
+class VTKNBUFFER_EXPORT vtkNBufferSources
 {
 public:
   /**
