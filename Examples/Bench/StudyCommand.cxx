@@ -70,6 +70,7 @@ struct StudyOptions
   std::string Scenes = "out/scenes";
   bool IsQuick = false;
   bool IsTiny = false;
+  bool LeavesOutSettings = false;
   int Repetitions = 0;
   double Megabytes = 120.0;
 
@@ -236,7 +237,10 @@ public:
       [](const std::string& size) { ShowProgress("the device: " + size); });
     if (scene.Plan && this->Options.View.Path.empty())
     {
-      this->RunSettings(scene, session, true);
+      if (!this->Options.LeavesOutSettings)
+      {
+        this->RunSettings(scene, session, true);
+      }
       this->RunOtherScenes();
       this->RunShadows();
     }
@@ -569,6 +573,8 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
     "the settings of the last one that has some; nothing is measured");
   command->add_flag("--quick", options->IsQuick, "Fewer frames and repetitions: under 3 minutes");
   command->add_flag("--tiny", options->IsTiny, "One frame of each: only whether everything runs");
+  command->add_flag("--no-settings", options->LeavesOutSettings,
+    "Without the settings of the culler and of the shadow pass, a third of a full run");
   command
     ->add_option("--repeat", options->Repetitions, "Timed repetitions of each frame; default: 7")
     ->check(CLI::Range(1, 1000));
