@@ -46,8 +46,9 @@ struct ViewOptions
 
   /// What --scene can be, for the help.
   std::string SceneHelp = "city, plant (synthetic), a city file, an OSM extract (.osm, .osm.bz2, "
-                          ".pbf), .bsp, .kicad_pcb or a folder of them, .glb, .gltf, "
-                          ".obj, .wrl, .vtm, .vtpc, or one or more .stl or .ply; each also as .gz";
+                          ".pbf), .bsp, .kicad_pcb or a folder of them (with :actors behind: "
+                          "all actors of VTK's importer), .glb, .gltf, .obj, .wrl, .vtm, .vtpc, or "
+                          "one or more .stl or .ply; each also as .gz";
 
   ///@{
   /// Add options to a subcommand; this object must outlive it.

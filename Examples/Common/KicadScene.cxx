@@ -246,14 +246,16 @@ public:
   }
 
   /// All that the importer makes of it.
-  void AddPieces(const KicadBoard& board, const KicadPart& part)
+  void AddPieces(const KicadBoard& board, const KicadPart& part, double z)
   {
     const Actors& pieces = this->Models.GetActors(part.Model);
-    const vtkSmartPointer<vtkTransform> place = MakePlacement(board, part);
+    vtkNew<vtkMatrix4x4> place;
+    place->DeepCopy(MakePlacement(board, part)->GetMatrix());
+    place->SetElement(2, 3, place->GetElement(2, 3) + z);
     for (vtkActor* piece : pieces)
     {
       vtkNew<vtkMatrix4x4> matrix;
-      vtkMatrix4x4::Multiply4x4(place->GetMatrix(), piece->GetMatrix(), matrix);
+      vtkMatrix4x4::Multiply4x4(place, piece->GetMatrix(), matrix);
       auto actor = vtkSmartPointer<vtkActor>::New();
       actor->SetMapper(piece->GetMapper());
       actor->SetProperty(piece->GetProperty());
@@ -363,7 +365,7 @@ Scene LoadBoard(const fs::path& file, const std::function<void(const std::string
   builder.AddBoard(board, 0.0);
   for (const KicadPart& part : board.Parts)
   {
-    builder.AddPieces(board, part);
+    builder.AddPieces(board, part, 0.0);
   }
   Scene scene = builder.Finish(file.stem().string());
   scene.Paths = { { "over",
@@ -371,7 +373,17 @@ Scene LoadBoard(const fs::path& file, const std::function<void(const std::string
   return scene;
 }
 
-Scene LoadCage(const fs::path& folder, const std::function<void(const std::string&)>& progress)
+/// The name of a cage without what says that it is to be in pieces.
+std::string GetFolder(const std::string& name)
+{
+  static const std::string suffix = ":actors";
+  const bool inPieces = name.size() > suffix.size() &&
+    name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0;
+  return inPieces ? name.substr(0, name.size() - suffix.size()) : name;
+}
+
+Scene LoadCage(
+  const fs::path& folder, bool inPieces, const std::function<void(const std::string&)>& progress)
 {
   std::vector<KicadBoard> boards;
   for (const fs::path& file : FindBoards(folder))
@@ -386,10 +398,10 @@ Scene LoadCage(const fs::path& folder, const std::function<void(const std::strin
     builder.AddBoard(board, z);
     for (const KicadPart& part : board.Parts)
     {
-      builder.AddWhole(board, part, z);
+      inPieces ? builder.AddPieces(board, part, z) : builder.AddWhole(board, part, z);
     }
   }
-  Scene scene = builder.Finish("card cage");
+  Scene scene = builder.Finish(inPieces ? "card cage of actors" : "card cage");
   scene.UpAxis = 1;
   scene.Paths = { { "outside", [](int frames, std::uint64_t) { return MakeOutside(frames); } },
     { "between", [](int frames, std::uint64_t) { return MakeBetween(frames); } } };
@@ -399,15 +411,17 @@ Scene LoadCage(const fs::path& folder, const std::function<void(const std::strin
 
 bool IsKicadName(const std::string& name)
 {
+  const std::string folder = GetFolder(name);
   std::error_code ignored;
   return fs::path(name).extension() == ".kicad_pcb" ||
-    (fs::is_directory(name, ignored) && !FindBoards(name).empty());
+    (fs::is_directory(folder, ignored) && !FindBoards(folder).empty());
 }
 
 Scene LoadKicad(const std::string& name, const std::function<void(const std::string&)>& progress)
 {
+  const std::string folder = GetFolder(name);
   return fs::path(name).extension() == ".kicad_pcb" ? LoadBoard(name, progress)
-                                                    : LoadCage(name, progress);
+                                                    : LoadCage(folder, folder != name, progress);
 }
 
 } // namespace NBufferExamples

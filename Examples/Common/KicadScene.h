@@ -18,14 +18,17 @@
 namespace NBufferExamples
 {
 
-/// A .kicad_pcb, or a folder with some in it or in its folder "boards".
+/// A .kicad_pcb, or a folder with some in it or in its folder "boards", perhaps with :actors
+/// behind.
 bool IsKicadName(const std::string& name);
 
 /**
  * A file: the board lying, and each of the many actors that VTK's importer makes of a part, z up;
  * path "over". A folder: a cage of 80 boards 22 mm apart, the folder's boards by turns, one actor
- * for each part, y up; paths "outside" and "between". Parts whose model is missing or cannot be
- * read are left out and their number told. Throws std::runtime_error if there is no part at all.
+ * for each part, y up; paths "outside" and "between". With :actors behind the folder's name all
+ * that the importer makes of each part, some hundred thousand actors. Parts whose model is missing
+ * or cannot be read are left out and their number told. Throws std::runtime_error if there is no
+ * part at all.
  */
 Scene LoadKicad(const std::string& name, const std::function<void(const std::string&)>& progress);
 

@@ -22,9 +22,10 @@ file(WRITE "${OUT}/board.kicad_pcb" "(kicad_pcb (version 20211014) (general (thi
   (gr_line (start 0 0) (end 50 40) (layer \"Edge.Cuts\")))
 ")
 
-# Of a board two shapes of two parts and itself; of a cage two parts and the board, 80 times.
-foreach (case IN ITEMS "board.kicad_pcb:over:5" ".:outside:240" ".:between:240")
-  string(REPLACE ":" ";" case "${case}")
+# Of a board two shapes of two parts and itself; of a cage two parts, or their shapes, and the board,
+# 80 times.
+foreach (case IN ITEMS "board.kicad_pcb|over|5" ".|outside|240" ".|between|240" ".:actors|outside|400")
+  string(REPLACE "|" ";" case "${case}")
   list(GET case 0 name)
   list(GET case 1 path)
   list(GET case 2 props)
