@@ -293,12 +293,16 @@ std::string Checker::CheckShadows(bool& strays)
     const ShadowMode mode = this->Tested.GetLights().GetMode();
     const std::string masks =
       CompareMasks(this->Unclamped, tested, mode, this->Shadows, MakeRayJudge(this->Tested));
-    const long long count = masks.empty() || mode == ShadowMode::Clamped
-      ? 0
-      : CountStrays(this->Tested, this->Unclamped, tested);
-    this->Shadows.Strays += count;
-    strays = count > 0;
-    failure += strays ? "" : masks;
+    const std::optional<ShadowStrays> found = masks.empty() || mode == ShadowMode::Clamped
+      ? std::nullopt
+      : FindStrays(this->Tested, this->Unclamped, tested);
+    if (found)
+    {
+      this->Shadows.Strays += found->Seen;
+      this->Shadows.UnlitStrays += found->Unlit;
+    }
+    strays = found && found->Seen > 0;
+    failure += found ? "" : masks;
   }
   return failure;
 }

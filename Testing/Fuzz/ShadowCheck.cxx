@@ -367,10 +367,11 @@ void GrantUnlit(const ShadowFrame& expected, ShadowFrame& tested)
   }
 }
 
-long long CountStrays(const Stage& stage, const ShadowFrame& expected, const ShadowFrame& tested)
+std::optional<ShadowStrays> FindStrays(
+  const Stage& stage, const ShadowFrame& expected, const ShadowFrame& tested)
 {
   const Oracle oracle = MakeOracle(stage);
-  long long all = 0;
+  ShadowStrays all;
   for (std::size_t light = 0; light < expected.Masks.size(); ++light)
   {
     std::vector<std::size_t> differing;
@@ -389,11 +390,15 @@ long long CountStrays(const Stage& stage, const ShadowFrame& expected, const Sha
     const OracleImage rays = oracle.Cast(OracleLight(stage.GetLights().GetLight(0, number)));
     const bool right = std::all_of(differing.begin(), differing.end(),
       [&](std::size_t i) { return !ContradictsRays(tested.Masks[light][i], rays.Samples[i]); });
-    if (!right || static_cast<long long>(differing.size()) > MaximumFlipsElsewhere)
+    const auto unlit = std::count_if(differing.begin(), differing.end(),
+      [&](std::size_t i) { return rays.Samples[i] == OracleSample::Unlit; });
+    const auto seen = static_cast<long long>(differing.size()) - unlit;
+    if (!right || seen > MaximumFlipsElsewhere)
     {
-      return 0;
+      return std::nullopt;
     }
-    all += static_cast<long long>(differing.size());
+    all.Seen += seen;
+    all.Unlit += unlit;
   }
   return all;
 }

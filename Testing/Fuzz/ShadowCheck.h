@@ -11,6 +11,7 @@
 #include "RayOracle.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct ShadowTally
   long long ClampedFlips = 0; ///< Samples at edges in which Clamped differs from Unclamped.
   long long ClampedFlipsElsewhere = 0;
   long long Strays = 0;        ///< Samples of whole volumes that rays say are wrong.
+  long long UnlitStrays = 0;   ///< Such where the light is behind the surface, see ShadowStrays.
   long long Rays = 0;          ///< Samples compared with rays.
   long long RaysAmbiguous = 0; ///< Of these, ambiguous ones that differ.
 };
@@ -77,13 +79,21 @@ constexpr long long MaximumFlipsElsewhere = 2;
  */
 void GrantUnlit(const ShadowFrame& expected, ShadowFrame& tested);
 
+/// Receivers in which Exact differs from Unclamped.
+struct ShadowStrays
+{
+  long long Seen = 0;  ///< The light reaches them, so that the images differ, too.
+  long long Unlit = 0; ///< They look away from the light: no image shows what their masks say.
+};
+
 /**
- * The number of receivers in which Exact (`tested`) differs from Unclamped (`expected`), if rays
- * say for each that Exact is right and there are at most MaximumFlipsElsewhere of a light; else 0.
- * Rasterisers may draw slivers of whole volumes far off their planes (docs/shadows.md), where Exact
- * leaves them out.
+ * Where Exact (`tested`) differs from Unclamped (`expected`), if rays say for each sample that
+ * Exact is right and at most MaximumFlipsElsewhere of a light are seen; else nothing. Rasterisers
+ * may draw slivers of whole volumes far off their planes (docs/shadows.md), where Exact leaves them
+ * out; an edge along a row of samples flips all of them at once.
  */
-long long CountStrays(const Stage& stage, const ShadowFrame& expected, const ShadowFrame& tested);
+std::optional<ShadowStrays> FindStrays(
+  const Stage& stage, const ShadowFrame& expected, const ShadowFrame& tested);
 
 /// What is wrong with the masks by rays of the scene as it is: more than MaximumFlipsElsewhere
 /// samples of a light, the rest being strays.
