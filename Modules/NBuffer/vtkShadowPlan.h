@@ -16,7 +16,7 @@
  *  - draws into the receivers' box of pixels only otherwise, and, if planes may be added,
  *  - only the part of its volume in the slabs that the receivers take up.
  *
- * Of this box, the tiles of 8 x 8 pixels that the caster's shadow can reach (vtkShadowReach.h) are
+ * Of this box, the tiles of 4 x 4 pixels that the caster's shadow can reach (vtkShadowReach.h) are
  * found, and the volume is drawn into few boxes around these (vtkShadowTiles.h): one more where it
  * leaves out more pixels than drawing the triangles once more costs (View::BoxCost). A caster that
  * reaches no tile is one of the two that draw nothing.

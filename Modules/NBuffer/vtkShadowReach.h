@@ -59,6 +59,18 @@ public:
   /// False if no point in the block is in shadow.
   bool MayShadow(const vtkShadowBlock& block) const;
 
+  ///@{
+  /// The same of a tile.
+  bool MeetsRays(const vtkShadowTiles::Layers& tile) const
+  {
+    return this->MeetsRays(tile[0]) || this->MeetsRays(tile[1]);
+  }
+  bool MayShadow(const vtkShadowTiles::Layers& tile) const
+  {
+    return this->MayShadow(tile[0]) || this->MayShadow(tile[1]);
+  }
+  ///@}
+
 private:
   /// a p + b q + c s - d, or s (a p + b q + c) - d for positional lights: > 0 beyond it.
   using Plane = std::array<double, 4>;

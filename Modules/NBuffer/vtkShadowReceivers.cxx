@@ -359,7 +359,7 @@ struct Rows
   int Stride;
 };
 
-/// functor(receiver, x, y) for each receiver in these rows.
+/// functor(receiver, x, y, depth) for each receiver in these rows.
 template <typename Functor>
 void ForEachReceiver(const float* depth, const unsigned char* lit, const vtkShadowView& view,
   Projector& projector, const Rows& rows, Functor&& functor)
@@ -377,13 +377,73 @@ void ForEachReceiver(const float* depth, const unsigned char* lit, const vtkShad
         const std::size_t i = row + x;
         if (depth[i] < 1.0f && (!lit || lit[i]) && projector.Project(x, depth[i], receiver))
         {
-          functor(receiver, x, y);
+          functor(receiver, x, y, depth[i]);
         }
       }
     }
     image += static_cast<std::size_t>(view.Width) * view.Height;
   }
 }
+
+/// The depth halfway between two, in distances from the eye.
+float GetMiddle(const vtkShadowView& view, float nearest, float farthest)
+{
+  // 1 / w is a linear function of depth, and constant for parallel projections.
+  const double slope = 2.0 * view.ClipToWorld[14];
+  const double start = view.ClipToWorld[15] - view.ClipToWorld[14];
+  const double nearW = 1.0 / (start + slope * nearest);
+  const double farW = 1.0 / (start + slope * farthest);
+  const double middle = slope != 0.0 ? (2.0 / (nearW + farW) - start) / slope
+                                     : 0.5 * (static_cast<double>(nearest) + farthest);
+  return static_cast<float>(middle);
+}
+
+/// Part the layers of all tiles, by the depth of what may be receivers.
+void Split(
+  const float* depth, const unsigned char* lit, const vtkShadowView& view, vtkShadowTiles& tiles)
+{
+  constexpr int size = vtkShadowTiles::Size;
+  const std::size_t image = static_cast<std::size_t>(view.Width) * view.Height;
+  const auto splitRow = [&](int row, std::vector<std::array<float, 2>>& ranges)
+  {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    ranges.assign(static_cast<std::size_t>(tiles.GetNumberOfColumns()), { infinity, -infinity });
+    for (int y = row * size; y < std::min((row + 1) * size, view.Height); ++y)
+    {
+      for (std::size_t sample = 0; sample < view.Samples.size(); ++sample)
+      {
+        const std::size_t first = sample * image + static_cast<std::size_t>(y) * view.Width;
+        for (std::size_t x = 0; x < static_cast<std::size_t>(view.Width); ++x)
+        {
+          const float z = depth[first + x];
+          if (z < 1.0f && (!lit || lit[first + x]))
+          {
+            std::array<float, 2>& range = ranges[x / size];
+            range = { std::min(range[0], z), std::max(range[1], z) };
+          }
+        }
+      }
+    }
+    for (int column = 0; column < tiles.GetNumberOfColumns(); ++column)
+    {
+      const auto [nearest, farthest] = ranges[static_cast<std::size_t>(column)];
+      if (nearest < farthest)
+      {
+        tiles.SetSplit(column, row, GetMiddle(view, nearest, farthest));
+      }
+    }
+  };
+  vtkSMPTools::For(0, tiles.GetNumberOfRows(),
+    [&splitRow](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<std::array<float, 2>> ranges;
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        splitRow(static_cast<int>(row), ranges);
+      }
+    });
+}
+
 /// How many threads shall scatter. Clearing and merging the lexels of one more costs about as much
 /// as a third as many samples.
 int GetNumberOfBands(const vtkShadowView& view, int resolution)
@@ -412,7 +472,7 @@ void GetRange(const float* depth, const unsigned char* lit, const vtkShadowView&
   for (int stride : { RangeStride, 1 })
   {
     ForEachReceiver(depth, lit, view, projector, { 0, view.Height, stride },
-      [&](const Receiver& receiver, int, int)
+      [&](const Receiver& receiver, int, int, float)
       {
         const double radius[3] = { receiver.Radius, receiver.Radius, 0.0 };
         for (int i = 0; i < 3; ++i)
@@ -444,6 +504,7 @@ vtkIdType Scatter(const float* depth, const unsigned char* lit, const vtkShadowV
   GetRange(depth, lit, view, light, frame, range, depths);
   litmap.Begin(resolution, range, depths);
   litmap.GetTiles().Begin(view.Width, view.Height);
+  Split(depth, lit, view, litmap.GetTiles());
   const int bands = GetNumberOfBands(view, litmap.GetResolution());
   litmap.Split(bands);
   const auto addBand = [&](int band)
@@ -452,11 +513,11 @@ vtkIdType Scatter(const float* depth, const unsigned char* lit, const vtkShadowV
     Projector projector(view, light, frame);
     ForEachReceiver(depth, lit, view, projector,
       { view.Height * band / bands, view.Height * (band + 1) / bands, 1 },
-      [&part](const Receiver& receiver, int x, int y)
+      [&part](const Receiver& receiver, int x, int y, float windowDepth)
       {
         if (part.Add(receiver.A, receiver.B, receiver.Radius, x, y))
         {
-          part.GetTiles().Add(receiver.A, receiver.B, receiver.TileRadius, x, y);
+          part.GetTiles().Add(receiver.A, receiver.B, receiver.TileRadius, x, y, windowDepth);
           part.AddReach(receiver.Angle);
         }
       });

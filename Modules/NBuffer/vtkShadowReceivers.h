@@ -51,6 +51,9 @@
  * Tiles (vtkShadowTiles.h) are to hold all samples for which a volume may be drawn, and devices
  * draw its sides a little beside their place: a quarter of a pixel more in all directions.
  *
+ * A tile's layers are parted halfway, in distances from the eye, between its nearest and its
+ * farthest receiver.
+ *
  * Intervals are projected to light coordinates end by end; where straight lines stay straight, that
  * loses nothing. The tests of the last two rules above are about the ball around the interval: what
  * may be reached is a receiver. Where it cannot be told on which side of the light's plane s = 0 an

@@ -43,23 +43,31 @@ std::vector<int> GetAreas(Iterator line, Iterator end)
 void vtkShadowTiles::Begin(int width, int height)
 {
   this->Columns = (width + Size - 1) / Size;
-  this->Blocks.assign(
-    static_cast<std::size_t>(this->Columns) * ((height + Size - 1) / Size), vtkShadowBlock());
+  this->Rows = (height + Size - 1) / Size;
+  const std::size_t size = this->GetIndex(0, this->Rows);
+  this->Tiles.assign(size, Layers());
+  this->Splits.assign(size, std::numeric_limits<float>::infinity());
 }
 
 void vtkShadowTiles::BeginAs(const vtkShadowTiles& other)
 {
   this->Columns = other.Columns;
-  this->Blocks.assign(other.Blocks.size(), vtkShadowBlock());
+  this->Rows = other.Rows;
+  this->Tiles.assign(other.Tiles.size(), Layers());
+  this->Splits = other.Splits;
 }
 
 void vtkShadowTiles::Merge(const vtkShadowTiles& other)
 {
-  for (std::size_t k = 0; k < this->Blocks.size(); ++k)
+  for (std::size_t k = 0; k < this->Tiles.size(); ++k)
   {
-    for (int i = 0; i < 3; ++i)
+    for (std::size_t layer = 0; layer < this->Tiles[k].size(); ++layer)
     {
-      this->Blocks[k].Add(i, other.Blocks[k].Low[i], other.Blocks[k].High[i]);
+      const vtkShadowBlock& block = other.Tiles[k][layer];
+      for (int i = 0; i < 3; ++i)
+      {
+        this->Tiles[k][layer].Add(i, block.Low[i], block.High[i]);
+      }
     }
   }
 }

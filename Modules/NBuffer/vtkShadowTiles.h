@@ -5,10 +5,15 @@
  * @brief Receivers by tiles of the screen, and boxes of pixels around some of the tiles. No OpenGL.
  *
  * A litmap is asked from the light: what lies on these rays? Its answer is one box of pixels, in
- * which most may lie on other rays, or before the caster. Tiles of 8 x 8 pixels are asked from the
+ * which most may lie on other rays, or before the caster. Tiles of 4 x 4 pixels are asked from the
  * camera: where in light coordinates (vtkShadowLight.h) do your receivers lie? The tiles that a
  * caster can shadow (vtkShadowReach.h) are marked, and few boxes that share no pixel put around
  * them.
+ *
+ * Where the camera sees past an edge, a tile has receivers in two places: of what the edge belongs
+ * to, and of what is seen behind it. One block around both would hold all that lies between them,
+ * and of small things before a far ground that is most of what they throw shadows on. So a tile has
+ * two layers, parted at a window depth of its own (SetSplit()), with a block for each.
  */
 #ifndef vtkShadowTiles_h
 #define vtkShadowTiles_h
@@ -16,6 +21,7 @@
 #include "vtkNBufferMath.h"
 #include "vtkNBufferModule.h" // For export macro
 
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -42,19 +48,31 @@ struct vtkShadowBlock
 class VTKNBUFFER_EXPORT vtkShadowTiles
 {
 public:
-  static constexpr int Size = 8; ///< Pixels.
+  static constexpr int Size = 4; ///< Pixels.
 
-  /// Start anew, for an image of that many pixels; with 0 nothing is known. Memory is kept.
+  /// Of a tile: before its split, and from there on.
+  using Layers = std::array<vtkShadowBlock, 2>;
+
+  /// Start anew, for an image of that many pixels, without splits; with 0 nothing is known. Memory
+  /// is kept.
   void Begin(int width, int height);
 
-  /**
-   * Add a receiver that covers pixel (x, y) of the image and lies somewhere on the segment from a
-   * to b in light coordinates, or at most radius[i] beside it in p, q and s. Infinite is anywhere.
-   */
-  void Add(const double a[3], const double b[3], const double radius[3], int x, int y)
+  /// Window depth from which on receivers belong to the second layer of a tile. Any is right; good
+  /// ones part what lies far apart. To be set before receivers are added.
+  void SetSplit(int column, int row, float depth)
   {
-    vtkShadowBlock& block =
-      this->Blocks[static_cast<std::size_t>(y / Size) * this->Columns + x / Size];
+    this->Splits[this->GetIndex(column, row)] = depth;
+  }
+
+  /**
+   * Add a receiver of a window depth that covers pixel (x, y) of the image and lies somewhere on
+   * the segment from a to b in light coordinates, or at most radius[i] beside it in p, q and s.
+   * Infinite is anywhere.
+   */
+  void Add(const double a[3], const double b[3], const double radius[3], int x, int y, float depth)
+  {
+    const std::size_t tile = this->GetIndex(x / Size, y / Size);
+    vtkShadowBlock& block = this->Tiles[tile][depth >= this->Splits[tile]];
     for (int i = 0; i < 3; ++i)
     {
       block.Add(
@@ -62,23 +80,30 @@ public:
     }
   }
 
-  /// Start anew, for an image of the size of another.
+  /// Start anew, for an image of the size of another, with its splits.
   void BeginAs(const vtkShadowTiles& other);
 
-  /// Add the receivers of another image of that size.
+  /// Add the receivers of another image of that size and splits.
   void Merge(const vtkShadowTiles& other);
 
   /// Whether there is an image.
   bool IsKnown() const { return this->Columns > 0; }
 
-  const vtkShadowBlock& Get(int column, int row) const
-  {
-    return this->Blocks[static_cast<std::size_t>(row) * this->Columns + column];
-  }
+  int GetNumberOfColumns() const { return this->Columns; }
+  int GetNumberOfRows() const { return this->Rows; }
+
+  const Layers& Get(int column, int row) const { return this->Tiles[this->GetIndex(column, row)]; }
 
 private:
+  std::size_t GetIndex(int column, int row) const
+  {
+    return static_cast<std::size_t>(row) * this->Columns + column;
+  }
+
   int Columns = 0;
-  std::vector<vtkShadowBlock> Blocks; ///< Row by row.
+  int Rows = 0;
+  std::vector<Layers> Tiles; ///< Row by row.
+  std::vector<float> Splits;
 };
 
 /**

@@ -19,9 +19,13 @@ inline bool IsSameExtent(const vtkShadowExtent& a, const vtkShadowExtent& b)
     a.Y1 == b.Y1 && a.Bins == b.Bins;
 }
 
-/// Lexels of all levels, numbers, reach, and the tiles of an image of that size.
-inline void ExpectSameLitmaps(
-  const vtkShadowLitmap& a, const vtkShadowLitmap& b, int width, int height)
+inline bool IsSameBlock(const vtkShadowBlock& a, const vtkShadowBlock& b)
+{
+  return std::equal(a.Low, a.Low + 3, b.Low) && std::equal(a.High, a.High + 3, b.High);
+}
+
+/// Lexels of all levels, numbers, reach, and tiles.
+inline void ExpectSameLitmaps(const vtkShadowLitmap& a, const vtkShadowLitmap& b)
 {
   EXPECT_EQ(a.GetNumberOfReceivers(), b.GetNumberOfReceivers());
   EXPECT_EQ(a.GetReach(), b.GetReach());
@@ -33,14 +37,14 @@ inline void ExpectSameLitmaps(
     const vtkShadowExtent* data = a.GetLevelData(level);
     EXPECT_TRUE(std::equal(data, data + lexels, b.GetLevelData(level), IsSameExtent)) << level;
   }
-  constexpr int size = vtkShadowTiles::Size;
-  for (int row = 0; row < (height + size - 1) / size; ++row)
+  ASSERT_EQ(a.GetTiles().GetNumberOfColumns(), b.GetTiles().GetNumberOfColumns());
+  ASSERT_EQ(a.GetTiles().GetNumberOfRows(), b.GetTiles().GetNumberOfRows());
+  for (int row = 0; row < a.GetTiles().GetNumberOfRows(); ++row)
   {
-    for (int column = 0; column < (width + size - 1) / size; ++column)
+    for (int column = 0; column < a.GetTiles().GetNumberOfColumns(); ++column)
     {
-      const vtkShadowBlock& x = a.GetTiles().Get(column, row);
-      const vtkShadowBlock& y = b.GetTiles().Get(column, row);
-      EXPECT_TRUE(std::equal(x.Low, x.Low + 3, y.Low) && std::equal(x.High, x.High + 3, y.High))
+      EXPECT_TRUE(std::equal(a.GetTiles().Get(column, row).begin(),
+        a.GetTiles().Get(column, row).end(), b.GetTiles().Get(column, row).begin(), IsSameBlock))
         << "tile " << column << ", " << row;
     }
   }

@@ -409,19 +409,21 @@ TEST(ShadowLitmap, PartsJoin)
       vtkShadowLitmap& litmap = litmaps[filled];
       litmap.Begin(37, whole.Range, whole.Depths);
       litmap.GetTiles().Begin(width, height);
+      litmap.GetTiles().SetSplit(whole.Receivers[1].X / vtkShadowTiles::Size,
+        whole.Receivers[1].Y % height / vtkShadowTiles::Size, 0.5f);
       litmap.Split(filled == 0 ? 1 : count);
       for (std::size_t i = 0; i < whole.Receivers.size(); ++i)
       {
         const Receiver& r = whole.Receivers[i];
         vtkShadowLitmap& part = litmap.GetPart(filled == 0 ? 0 : static_cast<int>(i) % count);
         ASSERT_TRUE(part.Add(r.A, r.B, r.Radius, r.X, r.Y));
-        part.GetTiles().Add(r.A, r.B, radius, r.X, r.Y % height);
+        part.GetTiles().Add(r.A, r.B, radius, r.X, r.Y % height, i % 2 ? 0.75f : 0.25f);
         part.AddReach(0.001 * static_cast<double>(i));
       }
       litmap.Join();
       litmap.Build();
     }
-    ExpectSameLitmaps(litmaps[0], litmaps[1], width, height);
+    ExpectSameLitmaps(litmaps[0], litmaps[1]);
   }
 }
 

@@ -89,7 +89,7 @@ struct Situation
   }
 
   /// A receiver at a place in the world, seen at a pixel of the viewport.
-  void AddReceiver(const Point& x, int pixelX, int pixelY)
+  void AddReceiver(const Point& x, int pixelX, int pixelY, float depth = 0.0f)
   {
     double pqs[3];
     this->Frame.ToLight(x.data(), pqs);
@@ -97,7 +97,7 @@ struct Situation
     if (this->Litmap.GetTiles().IsKnown())
     {
       const double radius[3] = { 1e-3, 1e-3, 1e-3 };
-      this->Litmap.GetTiles().Add(pqs, pqs, radius, pixelX, pixelY);
+      this->Litmap.GetTiles().Add(pqs, pqs, radius, pixelX, pixelY, depth);
     }
   }
 
@@ -292,8 +292,10 @@ TEST(ShadowPlan, BoxesHoldTheTilesInShadow)
     situation.AddReceiver({ 0.9, 0.0, -3.0 }, 250, 190); // in the lexels around it
     situation.Decide(mode);
     ASSERT_EQ(situation.Draws.size(), 2u);
-    ExpectBox(situation.Draws[0], 15, 26, 3, 2); // the pixels of tile (0, 0) in the receivers' box
-    ExpectBox(situation.Draws[1], 154, 116, 8, 8);
+    // The pixels of the receiver's tile in the box of all.
+    constexpr int size = vtkShadowTiles::Size;
+    ExpectBox(situation.Draws[0], 10 + 5, 20 + 6, size - 5 % size, size - 6 % size);
+    ExpectBox(situation.Draws[1], 10 + 150 / size * size, 20 + 100 / size * size, size, size);
     EXPECT_FALSE(situation.Draws[0].Again);
     EXPECT_TRUE(situation.Draws[1].Again);
 
@@ -311,6 +313,27 @@ TEST(ShadowPlan, BoxesHoldTheTilesInShadow)
     none.AddReceiver({ 0.9, 0.0, -3.0 }, 150, 100);
     EXPECT_EQ(none.Decide(mode), Verdict::BeforeCaster);
     EXPECT_TRUE(none.Draws.empty());
+  }
+}
+
+// A tile with receivers before and behind the caster's shadow: a block around both would reach into
+// it, the layers do not.
+TEST(ShadowPlan, LayersKeepApartWhatATileSees)
+{
+  for (const bool parted : { false, true })
+  {
+    Situation situation(MakeDirectional());
+    vtkShadowTiles& tiles = situation.Litmap.GetTiles();
+    tiles.Begin(300, 200);
+    if (parted)
+    {
+      tiles.SetSplit(20 / vtkShadowTiles::Size, 20 / vtkShadowTiles::Size, 0.5f);
+    }
+    situation.AddReceiver({ 0.0, 0.0, 3.0 }, 20, 20, 0.25f);  // on its rays, before it
+    situation.AddReceiver({ 0.6, 0.0, -3.0 }, 20, 20, 0.75f); // beyond, beside its rays
+    EXPECT_EQ(
+      situation.Decide(vtkShadowMode::Exact), parted ? Verdict::BeforeCaster : Verdict::Boxed);
+    EXPECT_EQ(situation.Draws.empty(), parted);
   }
 }
 

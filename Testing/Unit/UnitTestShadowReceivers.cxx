@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <random>
 #include <sstream>
 #include <string>
@@ -220,6 +221,12 @@ std::vector<vtkShadowFrame> GetFrames(const vtkShadowLight& light)
   return frames;
 }
 
+bool IsInside(const vtkShadowBlock& block, const double pqs[3])
+{
+  return std::equal(block.Low, block.Low + 3, pqs, std::less_equal<double>()) &&
+    std::equal(pqs, pqs + 3, block.High, std::less_equal<double>());
+}
+
 /// Scatter the image and look for every point that the light reaches; returns how many there are.
 int CheckAll(const Image& image, const vtkShadowLight& light, const unsigned char* lit,
   int resolution, vtkShadowLitmap& litmap)
@@ -261,6 +268,9 @@ int CheckAll(const Image& image, const vtkShadowLight& light, const unsigned cha
       EXPECT_TRUE(std::any_of(slabs.begin(), slabs.end(),
         [&](const auto& slab) { return slab.first <= pqs[2] && pqs[2] <= slab.second; }))
         << where.str();
+      const vtkShadowTiles::Layers& tile =
+        litmap.GetTiles().Get(x / vtkShadowTiles::Size, y / vtkShadowTiles::Size);
+      EXPECT_TRUE(IsInside(tile[0], pqs) || IsInside(tile[1], pqs)) << where.str();
       ++found;
       if (testing::Test::HasFailure())
       {
@@ -375,7 +385,7 @@ TEST(ShadowReceiversOnce, ThreadsDoNotMatter)
       SCOPED_TRACE("threads: " + std::to_string(threads));
       vtkShadowLitmap litmap;
       scatter(threads, litmap);
-      ExpectSameLitmaps(one, litmap, width, height);
+      ExpectSameLitmaps(one, litmap);
     }
   }
 }
@@ -522,4 +532,68 @@ TEST(ShadowReceiversOnce, ExtentsAreTight)
     EXPECT_LE(extent.Far - extent.Near, camera.Parallel ? 4e-3 : 6e-4) << "seed " << seed;
     EXPECT_TRUE(litmap.Query(pqs[0] + 0.1, pqs[1], pqs[0] + 0.2, pqs[1]).IsEmpty());
   }
+}
+
+// Something small before something far: each has a block of its own, and what lies between them is
+// in neither.
+TEST(ShadowReceiversOnce, LayersAreWhatLiesApart)
+{
+  for (const bool parallel : { false, true })
+  {
+    SCOPED_TRACE(parallel ? "parallel" : "perspective");
+    Camera camera;
+    camera.Parallel = parallel;
+    Maker maker(camera, 9, 6, 81);
+    const double distances[] = { 10.0, 200.0 };
+    for (int i = 0; i < 9 * 6; ++i)
+    {
+      maker.Add(i % 9 + 0.5, i / 9 + 0.5, distances[i % 2]);
+    }
+    const vtkShadowView& view = maker.Made.View;
+    const vtkShadowLight light; // straight down
+    const vtkShadowFrame frame(light);
+    vtkShadowLitmap litmap;
+    ASSERT_EQ(
+      vtkShadowReceivers::Scatter(maker.Made.Depth.data(), nullptr, view, light, frame, 16, litmap),
+      9 * 6);
+    const vtkShadowTiles& tiles = litmap.GetTiles();
+    ASSERT_EQ(tiles.GetNumberOfColumns(), (9 + vtkShadowTiles::Size - 1) / vtkShadowTiles::Size);
+    ASSERT_EQ(tiles.GetNumberOfRows(), (6 + vtkShadowTiles::Size - 1) / vtkShadowTiles::Size);
+    for (int i = 0; i < 9 * 6; ++i)
+    {
+      double pqs[3];
+      frame.ToLight(maker.Made.World[static_cast<std::size_t>(i)].data(), pqs);
+      const vtkShadowTiles::Layers& tile =
+        tiles.Get(i % 9 / vtkShadowTiles::Size, i / 9 / vtkShadowTiles::Size);
+      EXPECT_TRUE(IsInside(tile[i % 2], pqs)) << i;
+      // (A tile of this parallel view is wider than the way from the near ones to the far ones.)
+      EXPECT_TRUE(parallel || !IsInside(tile[1 - i % 2], pqs)) << i;
+    }
+  }
+}
+
+// Of a surface that is all at one depth there is nothing to part, nor where there is no receiver.
+TEST(ShadowReceiversOnce, OneDepthIsOneLayer)
+{
+  vtkShadowView view;
+  view.Width = 5;
+  view.Height = 3;
+  std::vector<float> depth(5 * 3, 0.5f);
+  std::fill_n(depth.begin(), 3, 1.0f);
+  std::vector<unsigned char> lit(5 * 3, 1);
+  const vtkShadowLight light;
+  vtkShadowLitmap litmap;
+  vtkShadowReceivers::Scatter(
+    depth.data(), lit.data(), view, light, vtkShadowFrame(light), 4, litmap);
+  EXPECT_FALSE(litmap.GetTiles().Get(0, 0)[0].IsEmpty());
+  EXPECT_TRUE(litmap.GetTiles().Get(0, 0)[1].IsEmpty());
+  depth[7] = 0.75f;
+  lit[7] = 0;
+  vtkShadowReceivers::Scatter(
+    depth.data(), lit.data(), view, light, vtkShadowFrame(light), 4, litmap);
+  EXPECT_TRUE(litmap.GetTiles().Get(0, 0)[1].IsEmpty()) << "the light cannot change it";
+  lit[7] = 1;
+  vtkShadowReceivers::Scatter(
+    depth.data(), lit.data(), view, light, vtkShadowFrame(light), 4, litmap);
+  EXPECT_FALSE(litmap.GetTiles().Get(0, 0)[1].IsEmpty());
 }

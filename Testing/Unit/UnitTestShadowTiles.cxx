@@ -154,20 +154,25 @@ TEST(ShadowTiles, HoldTheirReceivers)
   EXPECT_FALSE(tiles.IsKnown());
   tiles.Begin(2 * Size + 1, Size);
   EXPECT_TRUE(tiles.IsKnown());
+  EXPECT_EQ(tiles.GetNumberOfColumns(), 3);
+  EXPECT_EQ(tiles.GetNumberOfRows(), 1);
+  tiles.SetSplit(2, 0, 0.5f);
   const double a[3] = { 1.0, 5.0, 3.0 };
   const double b[3] = { 2.0, 4.0, 3.5 };
   const double radius[3] = { 0.25, 0.5, 0.125 };
-  tiles.Add(a, b, radius, 2 * Size, Size - 1);
-  EXPECT_TRUE(tiles.Get(0, 0).IsEmpty());
-  EXPECT_TRUE(tiles.Get(1, 0).IsEmpty());
-  const vtkShadowBlock& block = tiles.Get(2, 0);
   const double low[3] = { 0.75, 3.5, 2.875 };
   const double high[3] = { 2.25, 5.5, 3.625 };
-  for (int i = 0; i < 3; ++i)
-  {
-    EXPECT_EQ(block.Low[i], low[i]);
-    EXPECT_EQ(block.High[i], high[i]);
-  }
+  const auto isBlock = [&](const vtkShadowBlock& block)
+  { return std::equal(low, low + 3, block.Low) && std::equal(high, high + 3, block.High); };
+  tiles.Add(a, b, radius, 2 * Size, Size - 1, 0.5f); // from the split on
+  EXPECT_TRUE(tiles.Get(2, 0)[0].IsEmpty());
+  EXPECT_TRUE(isBlock(tiles.Get(2, 0)[1]));
+  tiles.Add(a, b, radius, 2 * Size, 0, 0.25f);
+  EXPECT_TRUE(isBlock(tiles.Get(2, 0)[0]));
+  tiles.Add(a, b, radius, Size, 0, 0.99f); // no split there
+  EXPECT_TRUE(isBlock(tiles.Get(1, 0)[0]));
+  EXPECT_TRUE(tiles.Get(1, 0)[1].IsEmpty());
+  EXPECT_TRUE(tiles.Get(0, 0)[0].IsEmpty());
   tiles.Begin(0, 0);
   EXPECT_FALSE(tiles.IsKnown());
 }
