@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -22,6 +23,67 @@ bool IsSame(const std::array<double, 4>& plane, const std::array<double, 4>& oth
     tolerance &&
     std::abs(plane[3] - other[3]) <= tolerance * distance;
 }
+
+/// Of a triangle that goes round anticlockwise as seen from the light.
+std::array<double, 4> GetPlane(
+  const int* corners, const double* points, const vtkShadowFrame& frame)
+{
+  const double* a = points + 3 * std::size_t(corners[0]);
+  double sides[2][3];
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkMath::Subtract(points + 3 * std::size_t(corners[1 + i]), a, sides[i]);
+  }
+  double normal[3]; // away from the light
+  vtkMath::Cross(sides[1], sides[0], normal);
+  vtkMath::Normalize(normal);
+  double relative[3];
+  vtkMath::Subtract(a, frame.GetApex(), relative);
+  return { vtkMath::Dot(normal, frame.GetU()), vtkMath::Dot(normal, frame.GetV()),
+    vtkMath::Dot(normal, frame.GetAxis()), vtkMath::Dot(normal, relative) };
+}
+
+/// The side from a to b of a triangle in p and q, whose third corner is c. Nothing where that is
+/// too close to the side's line to tell on which side of it the triangle lies.
+std::array<double, 3> GetSide(const double a[2], const double b[2], const double c[2])
+{
+  double normal[2] = { b[1] - a[1], a[0] - b[0] };
+  const double size = std::abs(a[0]) + std::abs(a[1]) + std::abs(c[0]) + std::abs(c[1]);
+  const double length = std::hypot(normal[0], normal[1]);
+  const double inside = normal[0] * (c[0] - a[0]) + normal[1] * (c[1] - a[1]);
+  if (!(std::abs(inside) > Rounding * length * size))
+  {
+    return { 0.0, 0.0, 0.0 };
+  }
+  const double scale = (inside > 0.0 ? -1.0 : 1.0) / length;
+  normal[0] *= scale;
+  normal[1] *= scale;
+  return { normal[0], normal[1], normal[0] * a[0] + normal[1] * a[1] };
+}
+
+/// What a block has of these rays.
+vtkShadowBlock GetCommon(const vtkShadowBlock& block, const vtkShadowBlock& rays)
+{
+  vtkShadowBlock common = block;
+  for (int i = 0; i < 2; ++i)
+  {
+    common.Low[i] = std::max(block.Low[i], rays.Low[i]);
+    common.High[i] = std::min(block.High[i], rays.High[i]);
+  }
+  return common;
+}
+
+bool Overlap(const vtkShadowBlock& block, const vtkShadowBlock& rays)
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    if (block.High[i] < rays.Low[i] || block.Low[i] > rays.High[i])
+    {
+      return false;
+    }
+  }
+  return true;
+}
 }
 
 vtkShadowReach::vtkShadowReach(const vtkShadowSilhouette& silhouette, const double* points,
@@ -30,28 +92,58 @@ vtkShadowReach::vtkShadowReach(const vtkShadowSilhouette& silhouette, const doub
   , Rays(rays)
 {
   const std::vector<int>& corners = silhouette.GetTriangles();
-  for (std::size_t t = 0; t < corners.size() && this->Planes.size() <= MaximumPlanes; t += 3)
+  if (corners.size() <= 3 * MaximumFacets && std::isfinite(rays.Low[0]))
   {
-    const double* a = points + 3 * std::size_t(corners[t]);
-    double sides[2][3];
-    for (int i = 0; i < 2; ++i)
+    this->AddFacets(corners, points, frame);
+  }
+  else
+  {
+    this->AddPlanes(corners, points, frame);
+  }
+}
+
+void vtkShadowReach::AddFacets(
+  const std::vector<int>& corners, const double* points, const vtkShadowFrame& frame)
+{
+  this->Facets.reserve(corners.size() / 3);
+  for (std::size_t t = 0; t < corners.size(); t += 3)
+  {
+    Facet facet = { GetPlane(corners.data() + t, points, frame), {}, {} };
+    double pqs[3][3];
+    for (std::size_t i = 0; i < 3; ++i)
     {
-      vtkMath::Subtract(points + 3 * std::size_t(corners[t + 1 + i]), a, sides[i]);
+      frame.ToLight(points + 3 * std::size_t(corners[t + i]), pqs[i]);
+      for (int k = 0; k < 3; ++k)
+      {
+        facet.Rays.Add(k, pqs[i][k], pqs[i][k]);
+      }
     }
-    // Corners go round anticlockwise as seen from the light: this points away from it.
-    double normal[3];
-    vtkMath::Cross(sides[1], sides[0], normal);
-    vtkMath::Normalize(normal);
+    facet.Rays.High[2] = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      facet.Sides[i] = GetSide(pqs[i], pqs[(i + 1) % 3], pqs[(i + 2) % 3]);
+    }
+    this->Facets.push_back(facet);
+  }
+}
+
+void vtkShadowReach::AddPlanes(
+  const std::vector<int>& corners, const double* points, const vtkShadowFrame& frame)
+{
+  for (std::size_t t = 0; t < corners.size() && this->Planes.size() <= MaximumFacets; t += 3)
+  {
+    const Plane plane = GetPlane(corners.data() + t, points, frame);
     double relative[3];
-    vtkMath::Subtract(a, frame.GetApex(), relative);
-    const Plane plane = { vtkMath::Dot(normal, frame.GetU()), vtkMath::Dot(normal, frame.GetV()),
-      vtkMath::Dot(normal, frame.GetAxis()), vtkMath::Dot(normal, relative) };
+    vtkMath::Subtract(points + 3 * std::size_t(corners[t]), frame.GetApex(), relative);
     if (this->Planes.empty() || !IsSame(plane, this->Planes.back(), vtkMath::Norm(relative)))
     {
       this->Planes.push_back(plane);
     }
   }
-  this->UsePlanes = this->Planes.size() <= MaximumPlanes;
+  if (this->Planes.size() > MaximumFacets)
+  {
+    this->Planes.clear();
+  }
 }
 
 bool vtkShadowReach::IsBefore(const vtkShadowBlock& block, const Plane& plane) const
@@ -78,24 +170,53 @@ bool vtkShadowReach::IsBefore(const vtkShadowBlock& block, const Plane& plane) c
   return largest - plane[3] < -Rounding * (terms + std::abs(plane[3]));
 }
 
+bool vtkShadowReach::Meets(const vtkShadowBlock& block, const Facet& facet)
+{
+  return Overlap(block, facet.Rays) &&
+    std::all_of(facet.Sides.begin(), facet.Sides.end(),
+      [&block](const std::array<double, 3>& side)
+      {
+        double least = 0.0;
+        double terms = std::abs(side[2]);
+        for (int i = 0; i < 2; ++i)
+        {
+          const double factor = side[static_cast<std::size_t>(i)];
+          // Not 0 times infinity.
+          least += factor > 0.0 ? factor * block.Low[i]
+            : factor < 0.0      ? factor * block.High[i]
+                                : 0.0;
+          terms += std::abs(factor) * std::max(std::abs(block.Low[i]), std::abs(block.High[i]));
+        }
+        return !(least - side[2] > Rounding * terms);
+      });
+}
+
 bool vtkShadowReach::MeetsRays(const vtkShadowBlock& block) const
 {
-  for (int i = 0; i < 2; ++i)
-  {
-    if (block.High[i] < this->Rays.Low[i] || block.Low[i] > this->Rays.High[i])
-    {
-      return false;
-    }
-  }
-  return !block.IsEmpty();
+  return !block.IsEmpty() && Overlap(block, this->Rays) &&
+    (this->Facets.empty() ||
+      std::any_of(this->Facets.begin(), this->Facets.end(),
+        [&block](const Facet& facet) { return Meets(block, facet); }));
 }
 
 bool vtkShadowReach::MayShadow(const vtkShadowBlock& block) const
 {
-  return this->MeetsRays(block) && block.High[2] >= this->Rays.Low[2] &&
-    block.Low[2] <= this->Rays.High[2] &&
-    !(this->UsePlanes &&
-      std::all_of(this->Planes.begin(), this->Planes.end(),
-        [&](const Plane& plane) { return this->IsBefore(block, plane); }));
+  if (block.IsEmpty() || !Overlap(block, this->Rays) || block.High[2] < this->Rays.Low[2] ||
+    block.Low[2] > this->Rays.High[2])
+  {
+    return false;
+  }
+  if (!this->Facets.empty())
+  {
+    return std::any_of(this->Facets.begin(), this->Facets.end(),
+      [&](const Facet& facet)
+      {
+        return block.High[2] >= facet.Rays.Low[2] && Meets(block, facet) &&
+          !this->IsBefore(GetCommon(block, facet.Rays), facet.Beyond);
+      });
+  }
+  return this->Planes.empty() ||
+    std::any_of(this->Planes.begin(), this->Planes.end(),
+      [&](const Plane& plane) { return !this->IsBefore(block, plane); });
 }
 VTK_ABI_NAMESPACE_END

@@ -5,20 +5,21 @@
  * @brief Where a caster's shadow can reach, in light coordinates. No OpenGL.
  *
  * A point P is in shadow of a caster if the segment from the light to P crosses a triangle that
- * counts (vtkShadowSilhouette.h). Then
+ * counts (vtkShadowSilhouette.h). Then of one of these triangles
  *
- *  - the ray of P is one of the rays of these triangles: its p and q lie in their ranges;
- *  - P is no nearer to the light than the nearest corner of these triangles: s >= near;
- *  - P lies beyond the plane of at least one of them: a segment crosses a plane once, from the
- *    light's side to the other.
+ *  - the ray of P is one of its rays: in p and q, P lies in the triangle;
+ *  - P is no nearer to the light than its nearest corner: s >= near;
+ *  - P lies beyond its plane: a segment crosses a plane once, from the light's side to the other.
  *
- * So what has all planes beyond itself is not in shadow of the caster, whatever its shape: its lit
- * side, where the triangles that face away count, and what the light meets before it. The planes of
- * a ground that has a thickness are those below and beside it: it shadows nothing that stands on
- * it.
+ * So what is not all of that for the same triangle is not in shadow of the caster, whatever its
+ * shape: its lit side, where the triangles that face away count, what the light meets before it,
+ * and what lies in the corner of a building with wings. The planes of a ground that has a thickness
+ * are those below and beside it: it shadows nothing that stands on it.
  *
- * Planes are used if there are at most 64, triangle after triangle in one plane being one; of a
- * sphere they would say little more than its nearest corner.
+ * Triangles are asked one by one where there are at most 64 that count. Of more, the ranges of p, q
+ * and s are asked, and whether P lies beyond any of the planes if there are at most 64 of these,
+ * triangle after triangle in one plane being one; of a sphere planes would say little more than its
+ * nearest corner.
  *
  * Two more kinds of receivers need no shadow, but are not told from others here: those whose
  * surface faces away from the light, and those on the caster's own unlit side. Depth alone is not
@@ -43,7 +44,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKNBUFFER_EXPORT vtkShadowReach
 {
 public:
-  static constexpr std::size_t MaximumPlanes = 64;
+  static constexpr std::size_t MaximumFacets = 64; ///< Triangles, or planes.
 
   /**
    * In the coordinates of `frame`, whose light must be the silhouette's. `points`: those that the
@@ -75,12 +76,26 @@ private:
   /// a p + b q + c s - d, or s (a p + b q + c) - d for positional lights: > 0 beyond it.
   using Plane = std::array<double, 4>;
 
+  /// A triangle that counts.
+  struct Facet
+  {
+    Plane Beyond;
+    vtkShadowBlock Rays;
+    /// a p + b q <= c inside; a = b = c = 0 of sides that say nothing.
+    std::array<std::array<double, 3>, 3> Sides;
+  };
+
+  void AddFacets(
+    const std::vector<int>& corners, const double* points, const vtkShadowFrame& frame);
+  void AddPlanes(
+    const std::vector<int>& corners, const double* points, const vtkShadowFrame& frame);
+  static bool Meets(const vtkShadowBlock& block, const Facet& facet);
   bool IsBefore(const vtkShadowBlock& block, const Plane& plane) const;
 
   bool Positional;
   vtkShadowBlock Rays;
-  bool UsePlanes = false;
-  std::vector<Plane> Planes;
+  std::vector<Facet> Facets; ///< None: not asked one by one.
+  std::vector<Plane> Planes; ///< None: not asked.
 };
 
 VTK_ABI_NAMESPACE_END
