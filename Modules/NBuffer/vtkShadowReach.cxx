@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -118,7 +117,6 @@ void vtkShadowReach::AddFacets(
         facet.Rays.Add(k, pqs[i][k], pqs[i][k]);
       }
     }
-    facet.Rays.High[2] = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 3; ++i)
     {
       facet.Sides[i] = GetSide(pqs[i], pqs[(i + 1) % 3], pqs[(i + 2) % 3]);

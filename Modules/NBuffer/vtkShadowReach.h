@@ -80,7 +80,7 @@ private:
   struct Facet
   {
     Plane Beyond;
-    vtkShadowBlock Rays;
+    vtkShadowBlock Rays; ///< Around its corners.
     /// a p + b q <= c inside; a = b = c = 0 of sides that say nothing.
     std::array<std::array<double, 3>, 3> Sides;
   };

@@ -16,6 +16,7 @@ FRAME_KEY = "vtkShadowFrameKey.cxx"
 MASK_MAKER = "vtkShadowMaskMaker.cxx"
 TARGET_READER = "vtkShadowTargetReader.cxx"
 PLAN = "vtkShadowPlan.cxx"
+REACH = "vtkShadowReach.cxx"
 VOLUME = "vtkShadowVolume.cxx"
 
 NO_VERTEX_SLACK = (PROJECTION, "VertexErrors = 8.0;", "VertexErrors = 0.0;")
@@ -153,6 +154,14 @@ SHADOW_MUTANTS = {
          "return this->Frame.IsPositional() && !(footprint.Near > Margin * "
          "std::abs(footprint.Far));",
          "return this->Frame.IsPositional() && footprint.Far < -1e300;")],
+    "receivers behind an edge not asked": [
+        ("vtkShadowReach.h", "return this->MayShadow(tile[0]) || this->MayShadow(tile[1]);",
+         "return this->MayShadow(tile[0]);")],
+    "sides of triangles that look the wrong way": [
+        (REACH, "(inside > 0.0 ? -1.0 : 1.0) / length;", "1.0 / length;")],
+    "beyond the plane of every triangle, not of one": [
+        (REACH, "return std::any_of(this->Facets.begin(), this->Facets.end(),\n      [&](",
+         "return std::all_of(this->Facets.begin(), this->Facets.end(),\n      [&](")],
     "half the cone": [
         (PLAN, "vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;",
          "0.5 * vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;")],
