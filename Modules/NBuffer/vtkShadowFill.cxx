@@ -142,13 +142,14 @@ double EstimateFragments(
     : 0.0;
 }
 
-bool DoLitmapsPay(
-  double fragments, long long triangles, long long samples, int faces, bool softwareRenderer)
+bool DoLitmapsPay(double fragments, long long triangles, long long samples, long long seen,
+  int faces, bool softwareRenderer)
 {
   const Costs& costs = softwareRenderer ? SoftwareCosts : DeviceCosts;
   const double drawing =
     costs.Fragment * fragments + costs.Triangle * static_cast<double>(triangles);
-  return Saving * drawing > static_cast<double>(samples) * (ReadCost + FaceCost * faces);
+  return Saving * drawing >
+    ReadCost * static_cast<double>(samples) + FaceCost * faces * static_cast<double>(seen);
 }
 }
 VTK_ABI_NAMESPACE_END

@@ -7,18 +7,21 @@
  *
  * Litmaps leave out at least about two thirds of what is drawn (nbuffer-bench shadow, scene simple,
  * 20 casters: 67 % of the fragments), more where there are many casters. They cost the read-back of
- * the receivers' depth and the projection of each sample, six times for a point light. So they pay
- * if
+ * the receivers' depth and the projection of each sample that sees something, six times for a point
+ * light. So they pay if
  *
- *     2/3 (fragments * cost + triangles * cost)  >  samples * (cost + faces * cost)
+ *     2/3 (fragments * cost + triangles * cost)  >  samples * cost + seen * faces * cost
  *
- * with costs in nanoseconds:
+ * How many samples see something only the depth itself says. Where it matters, the number that was
+ * found last is taken (vtkShadowMaskMaker::CountSeen).
+ *
+ * Costs in nanoseconds:
  *
  *     |                            | software renderers | devices |
  *     | a fragment in the stencil  |         5          |   0.05  |
  *     | a triangle, made and drawn |       250          |    45   |
  *     | a sample, read             |         4          |     4   |
- *     | a sample, for each face    |        30          |    30   |
+ *     | one seen, for each face    |        30          |    30   |
  *
  * The left column was fitted to llvmpipe on two cores, and so was what the host does (samples, and
  * 40 of a triangle); what devices do is assumed, no measurement stands behind it. A wrong guess
@@ -47,9 +50,10 @@ VTKNBUFFER_EXPORT long long CountTriangles(const vtkShadowSilhouette& silhouette
 VTKNBUFFER_EXPORT double EstimateFragments(
   const vtkShadowVolume& volume, const double volumeToClip[16], int width, int height);
 
-/// The rule above. `samples`: of the receivers' depth. `faces`: litmaps of the light, 1 or 6.
-VTKNBUFFER_EXPORT bool DoLitmapsPay(
-  double fragments, long long triangles, long long samples, int faces, bool softwareRenderer);
+/// The rule above. `samples`: of the receivers' depth; `seen`: those that are not background.
+/// `faces`: litmaps of the light, 1 or 6.
+VTKNBUFFER_EXPORT bool DoLitmapsPay(double fragments, long long triangles, long long samples,
+  long long seen, int faces, bool softwareRenderer);
 }
 
 VTK_ABI_NAMESPACE_END

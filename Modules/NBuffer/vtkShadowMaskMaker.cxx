@@ -12,12 +12,16 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
+/// For so many frames Automatic believes what it knows of how many samples see something.
+constexpr int SeenFrames = 30;
+
 /// The faces of a cube around a point light.
 std::vector<vtkShadowFrame> MakeFaces(const vtkShadowLight& light)
 {
@@ -105,6 +109,7 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
   this->Error.clear();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   this->Reader.Begin(this->Viewport, lights.size());
+  ++this->SeenAge;
   vtkShadowCamera camera(renderer);
   std::copy_n(this->Viewport, 4, camera.Plan.Viewport);
   camera.Plan.Boxes =
@@ -132,6 +137,12 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
   return true;
 }
 
+std::size_t vtkShadowMaskMaker::GetNumberOfSamples() const
+{
+  return this->Target.GetSamples().size() * static_cast<std::size_t>(this->Viewport[2]) *
+    static_cast<std::size_t>(this->Viewport[3]);
+}
+
 bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
 {
   if (this->Reader.HasReceivers())
@@ -142,6 +153,12 @@ bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
   ++work.Statistics.ReadBacks;
   const bool done =
     this->Reader.ReadReceivers(work.Window, this->Target, this->SkipUnlit, this->Error);
+  if (done)
+  {
+    const std::vector<float>& depth = this->Reader.GetDepth();
+    const auto seen = std::count_if(depth.begin(), depth.end(), [](float z) { return z < 1.0f; });
+    this->SetSeen(static_cast<std::size_t>(seen), depth.size());
+  }
   work.Statistics.ReadTime += clock.GetMilliseconds();
   if (done && work.How.LitmapMethod == vtkShadowLitmapMethod::Rerendered)
   {
@@ -225,12 +242,35 @@ vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vt
   return verdicts;
 }
 
-bool vtkShadowMaskMaker::DoLitmapsPay(const Work& work, double fragments, long long triangles) const
+void vtkShadowMaskMaker::SetSeen(std::size_t seen, std::size_t samples)
 {
-  const long long samples = static_cast<long long>(this->Target.GetSamples().size()) *
-    this->Viewport[2] * this->Viewport[3];
-  return vtkShadowFill::DoLitmapsPay(fragments, triangles, samples, work.GetNumberOfFaces(),
-    vtkNBufferGL::GetSoftwareRenderer() != nullptr);
+  this->SeenShare = static_cast<double>(seen) / static_cast<double>(samples);
+  this->SeenSamples = samples;
+  this->SeenAge = 0;
+}
+
+long long vtkShadowMaskMaker::CountSeen(const Work& work)
+{
+  const std::size_t samples = this->GetNumberOfSamples();
+  if (!this->Reader.HasReceivers() &&
+    (this->SeenSamples != samples || this->SeenAge >= SeenFrames) && !this->ReadReceivers(work))
+  {
+    // Without litmaps there is no need to read anything.
+    this->Error.clear();
+    this->SetSeen(samples, samples);
+  }
+  return std::llround(this->SeenShare * static_cast<double>(samples));
+}
+
+bool vtkShadowMaskMaker::DoLitmapsPay(const Work& work, double fragments, long long triangles)
+{
+  const auto samples = static_cast<long long>(this->GetNumberOfSamples());
+  const auto pay = [&](long long seen)
+  {
+    return vtkShadowFill::DoLitmapsPay(fragments, triangles, samples, seen, work.GetNumberOfFaces(),
+      vtkNBufferGL::GetSoftwareRenderer() != nullptr);
+  };
+  return pay(samples) || (pay(0) && pay(this->CountSeen(work)));
 }
 
 bool vtkShadowMaskMaker::DoLitmapsPay(const Work& work)

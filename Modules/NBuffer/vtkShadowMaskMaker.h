@@ -104,13 +104,16 @@ private:
   struct Work;
   using Verdicts = std::array<int, vtkShadowStatistics::NumberOfVerdicts>;
 
+  std::size_t GetNumberOfSamples() const; ///< Of the viewport.
   bool ReadReceivers(const Work& work);
   bool MakeLitmaps(const Work& work, const std::vector<vtkShadowFrame>& frames);
   template <typename Functor>
   void ForEachPart(const Work& work, Functor&& functor); ///< functor(caster, part)
   Verdicts AddCasters(const Work& work, vtkShadowPlan& plan);
-  bool DoLitmapsPay(const Work& work, double fragments, long long triangles) const;
+  bool DoLitmapsPay(const Work& work, double fragments, long long triangles);
   bool DoLitmapsPay(const Work& work); ///< For the triangles alone.
+  long long CountSeen(const Work& work);
+  void SetSeen(std::size_t seen, std::size_t samples);
   bool Shade(const Work& work);
   bool Count(const Work& work, const vtkShadowPlan& plan);
 
@@ -121,6 +124,9 @@ private:
   std::vector<vtkShadowLitmap> Litmaps; ///< Of the light at work: one, or one for each face.
   vtkShadowVolume Volume;
   bool SkipUnlit = false;
+  double SeenShare = 1.0;      ///< Of the samples, when their depth was last read.
+  std::size_t SeenSamples = 0; ///< How many there were then,
+  int SeenAge = 0;             ///< and how many frames ago that was.
   int Viewport[4] = { 0, 0, 0, 0 };
   int Shadows = 0;
   std::string Error;

@@ -155,7 +155,9 @@ TEST(ShadowFill, NothingAndBesideTheView)
 TEST(ShadowFill, LitmapsPayWhereTheySaveMoreThanTheyCost)
 {
   constexpr long long vga = 640 * 480;
-  const auto pays = vtkShadowFill::DoLitmapsPay;
+  const auto pays =
+    [](double fragments, long long triangles, long long samples, int faces, bool software)
+  { return vtkShadowFill::DoLitmapsPay(fragments, triangles, samples, samples, faces, software); };
   EXPECT_FALSE(pays(0.0, 0, vga, 1, true));
   EXPECT_FALSE(pays(0.9e6, 2000, vga, 1, true)) << "a few parts";
   EXPECT_TRUE(pays(13e6, 250000, vga, 1, true)) << "a city";
@@ -165,4 +167,8 @@ TEST(ShadowFill, LitmapsPayWhereTheySaveMoreThanTheyCost)
   EXPECT_FALSE(pays(5e6, 0, 4 * vga, 1, true)) << "with four samples for each pixel";
   EXPECT_FALSE(pays(5e6, 0, vga, 1, false)) << "on a device that fills faster";
   EXPECT_TRUE(pays(5e6, 1000000, vga, 1, false)) << "and yet has much to draw";
+  const auto paysIfSeen = [](long long seen)
+  { return vtkShadowFill::DoLitmapsPay(1e6, 30000, 2 * vga, seen, 1, true); };
+  EXPECT_FALSE(paysIfSeen(2 * vga));
+  EXPECT_TRUE(paysIfSeen(vga / 4)) << "what is sky costs next to nothing";
 }
