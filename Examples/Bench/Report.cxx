@@ -235,8 +235,7 @@ Json::Value MakeReport(const WalkResult& result)
   }
   report["ratios"] = Json::Value(Json::objectValue);
   const char* const pairs[][2] = { { "stock", "nbuffer" }, { "nbuffer", "stock" },
-    { "nbuffer", "oracle" }, { "none", "stock" }, { "stock", "oracle" },
-    { "nbuffer-flat", "nbuffer-tree" } };
+    { "nbuffer", "oracle" }, { "none", "stock" }, { "stock", "oracle" } };
   for (const auto& pair : pairs)
   {
     const auto a = result.Modes.find(pair[0]);
