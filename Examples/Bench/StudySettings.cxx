@@ -166,8 +166,7 @@ Json::Value MeasureValues(Session& session, const CameraPath& path,
   const SeenProps seen = still ? SeenProps() : CountSeen(session, path);
   const WalkResult walk = RunWalk(session, path, options);
   Json::Value report;
-  const int* size = session.GetWindow()->GetActualSize();
-  report["size"] = std::to_string(size[0]) + "x" + std::to_string(size[1]);
+  report["size"] = session.GetSize();
   report["frames"] = static_cast<Json::UInt64>(path.size());
   report["stock_ms"] = Summarize(walk.Modes.at("stock").Milliseconds);
   report["wrong_bytes"] = static_cast<Json::Int64>(GetDifferingBytes(walk));
