@@ -131,8 +131,7 @@ Json::Value ViewOptions::Describe(const NBufferExamples::Scene& scene, Session& 
   value["vtk"] = vtkVersion::GetVTKVersion();
   value["scene"] = scene.Name;
   value["path"] = this->GetPathName(scene);
-  const int* size = session.GetWindow()->GetActualSize();
-  value["size"] = std::to_string(size[0]) + "x" + std::to_string(size[1]);
+  value["size"] = session.GetSize();
   value["samples"] = session.GetWindow()->GetMultiSamples();
   value["seed"] = static_cast<Json::UInt64>(this->Seed);
   return value;

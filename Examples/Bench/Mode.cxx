@@ -41,8 +41,7 @@ const std::vector<std::string>& Mode::GetNames()
 {
   static const std::vector<std::string> names = []
   {
-    std::vector<std::string> all = { "stock", "none", "nbuffer", "nbuffer-flat", "nbuffer-tree",
-      "oracle" };
+    std::vector<std::string> all = { "stock", "none", "nbuffer", "oracle" };
     for (const QueryMode& mode : QueryModes)
     {
       all.emplace_back(mode.Name);
@@ -71,7 +70,7 @@ Mode::Mode(const std::string& name, const ModeOptions& options)
     }
     throw std::runtime_error(message);
   }
-  const bool isNBuffer = kind.rfind("nbuffer", 0) == 0;
+  const bool isNBuffer = kind == "nbuffer";
   if (kind != name && !isNBuffer)
   {
     throw std::runtime_error("mode " + kind + " has no settings, nbuffer has");
@@ -83,10 +82,6 @@ Mode::Mode(const std::string& name, const ModeOptions& options)
   if (isNBuffer)
   {
     this->NBuffer = vtkSmartPointer<vtkNBufferCuller>::New();
-    if (kind != "nbuffer")
-    {
-      this->NBuffer->SetHierarchySize(kind == "nbuffer-tree" ? 0 : VTK_INT_MAX);
-    }
     this->NBuffer->SetBackend(options.Backend == "cpu" ? vtkNBufferCuller::CPU
         : options.Backend == "opengl"                  ? vtkNBufferCuller::OpenGL
                                                        : vtkNBufferCuller::Auto);

@@ -37,12 +37,11 @@ class Mode
 {
 public:
   /// stock: VTK's default culler. none: no culler. nbuffer: the default one and vtkNBufferCuller,
-  /// added as a user adds it; nbuffer-flat and nbuffer-tree: the same without and with a hierarchy
-  /// over the props, whatever their number. oracle: exactly the props that own a pixel. queries,
-  /// queries-conservative, queries-count: an occlusion query for each prop, of the exact, the
-  /// conservative or the counting kind, each waited for. chc: coherent hierarchical culling by
-  /// exact queries. nbuffer also with settings, see ModeSettings.h. Throws std::runtime_error for
-  /// a name that means nothing.
+  /// added as a user adds it, or with settings, see ModeSettings.h. oracle: exactly the props that
+  /// own a pixel. queries, queries-conservative, queries-count: an occlusion query for each prop,
+  /// of the exact, the conservative or the counting kind, each waited for. chc: coherent
+  /// hierarchical culling by exact queries. Throws std::runtime_error for a name that means
+  /// nothing.
   Mode(const std::string& name, const ModeOptions& options);
 
   /// Without settings.

@@ -35,6 +35,8 @@ constexpr Setting<Culler> CullerSettings[] = {
     [](Culler* c) { return c->GetBaseFactor(); } },
   { "MaximumNumberOfPieces", [](Culler* c, int v) { c->SetMaximumNumberOfPieces(v); },
     [](Culler* c) { return c->GetMaximumNumberOfPieces(); } },
+  { "HierarchySize", [](Culler* c, int v) { c->SetHierarchySize(v); },
+    [](Culler* c) { return c->GetHierarchySize(); } },
   { "TestPixels", [](Culler* c, int v) { c->SetTestPixels(v != 0); },
     [](Culler* c) { return int(c->GetTestPixels()); } },
   { "BackOff", [](Culler* c, int v) { c->SetBackOff(v != 0); },

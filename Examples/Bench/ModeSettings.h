@@ -4,9 +4,8 @@
  * @file ModeSettings.h
  * @brief Settings in the name of a mode, such as nbuffer:RoundSize=16:BackOff=0.
  *
- * Of vtkNBufferCuller: RoundSize, MaximumNumberOfRounds, MinimumNumberOfCandidates, BaseFactor,
- * MaximumNumberOfPieces, TestPixels, BackOff, ReuseWhenStill, TakeOverFrustumCulling; of
- * vtkShadowVolumeClampPass: BoxCost, SlabGap.
+ * They are named as the properties of vtkNBufferCuller and vtkShadowVolumeClampPass are, and are
+ * whole numbers; of switches 0 or 1. ModeSettings.cxx has the lists.
  */
 #ifndef ModeSettings_h
 #define ModeSettings_h

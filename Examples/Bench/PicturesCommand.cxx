@@ -144,6 +144,9 @@ int RunPictures(PicturesOptions& options)
     options.Folder + "/frames.png");
   std::cout << Describe(without, "stock") << ", " << Describe(with, "nbuffer")
             << ", the images are " << (same ? "the same" : "NOT THE SAME") << "\n";
+  const vtkNBufferStatistics statistics = nbuffer.GetNBufferCuller()->GetStatistics();
+  const std::string hierarchy = DescribeHierarchy(statistics);
+  std::cout << hierarchy << (hierarchy.empty() ? "" : "\n");
 
   WriteLevels(session, options.Folder);
 
@@ -152,7 +155,7 @@ int RunPictures(PicturesOptions& options)
   {
     verdicts.push_back(nbuffer.GetNBufferCuller()->GetVerdict(actor));
   }
-  WritePNG(MakeVerdictPicture(session, scene, verdicts, path[middle], GetReach(scene)),
+  WritePNG(MakeVerdictPicture(session, scene, verdicts, statistics, path[middle], GetReach(scene)),
     options.Folder + "/culled.png");
   return same ? Success : ImagesDiffer;
 }

@@ -235,8 +235,7 @@ Json::Value MakeReport(const WalkResult& result)
   }
   report["ratios"] = Json::Value(Json::objectValue);
   const char* const pairs[][2] = { { "stock", "nbuffer" }, { "nbuffer", "stock" },
-    { "nbuffer", "oracle" }, { "none", "stock" }, { "stock", "oracle" },
-    { "nbuffer-flat", "nbuffer-tree" } };
+    { "nbuffer", "oracle" }, { "none", "stock" }, { "stock", "oracle" } };
   for (const auto& pair : pairs)
   {
     const auto a = result.Modes.find(pair[0]);
@@ -258,23 +257,29 @@ Json::Value MakeReport(const WalkResult& result)
     }
   }
   report["verified_frames"] = static_cast<Json::UInt64>(result.VerifiedFrames);
-  const auto nbuffer = result.Modes.find("nbuffer");
-  report["differing_bytes"] =
-    static_cast<Json::Int64>(nbuffer != result.Modes.end() ? Sum(nbuffer->second.DifferingBytes)
-                                                           : GetDifferingBytes(result));
+  report["differing_bytes"] = static_cast<Json::Int64>(GetDifferingBytes(result));
   return report;
 }
 
 void PrintTable(const Json::Value& report, std::ostream& out)
 {
+  const auto getWidth = [](const std::vector<std::string>& names, std::size_t least)
+  {
+    for (const std::string& name : names)
+    {
+      least = std::max(least, name.size() + 1);
+    }
+    return static_cast<int>(least);
+  };
   std::ostringstream text;
   text << std::fixed << std::setprecision(2);
-  text << std::left << std::setw(10) << "mode" << std::right << std::setw(10) << "median ms"
+  const int modeWidth = getWidth(report["modes"].getMemberNames(), 10);
+  text << std::left << std::setw(modeWidth) << "mode" << std::right << std::setw(10) << "median ms"
        << std::setw(10) << "p10" << std::setw(10) << "p90" << std::setw(10) << "drawn\n";
   for (const std::string& name : report["modes"].getMemberNames())
   {
     const Json::Value& mode = report["modes"][name];
-    text << std::left << std::setw(10) << name << std::right;
+    text << std::left << std::setw(modeWidth) << name << std::right;
     for (const char* value : { "median_ms", "p10_ms", "p90_ms" })
     {
       text << std::setw(10) << mode[value].asDouble();
@@ -286,9 +291,10 @@ void PrintTable(const Json::Value& report, std::ostream& out)
     }
     text << "\n";
   }
+  const int ratioWidth = getWidth(report["ratios"].getMemberNames(), 16);
   for (const std::string& name : report["ratios"].getMemberNames())
   {
-    text << std::left << std::setw(16) << name << std::right << std::setw(8)
+    text << std::left << std::setw(ratioWidth) << name << std::right << std::setw(8)
          << report["ratios"][name].asDouble() << "\n";
   }
   out << text.str();

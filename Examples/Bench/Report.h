@@ -11,10 +11,12 @@
  *     modes.nbuffer           also backend and statistics: the members of vtkNBufferStatistics,
  *                             each the median over all frames; decisions: frames by decision;
  *                             when_tested: medians over the frames with a test alone, per stage
- *     modes.NAME.queries      of modes that ask the hardware, medians: see QueryStatistics;
- * in_view, queries, waits, wait_ms, nodes, visits, drawn, hidden, redrawn ratios.A/B median over
- * the frames of (ms of mode A) / (ms of mode B) verified_frames         frames compared with mode
- * none byte for byte differing_bytes         of mode nbuffer, or, without it, of stock and oracle
+ *     modes.NAME.queries      of modes that ask the hardware, medians (see QueryStatistics):
+ *                             in_view, queries, waits, wait_ms, nodes, visits, drawn, hidden,
+ *                             redrawn
+ *     ratios.A/B              median over the frames of (ms of mode A) / (ms of mode B)
+ *     verified_frames         frames compared with mode none byte for byte
+ *     differing_bytes         see GetDifferingBytes
  */
 #ifndef Report_h
 #define Report_h

@@ -117,4 +117,10 @@ std::string Session::GetWindowClass()
   return this->Window->GetClassName();
 }
 
+std::string Session::GetSize()
+{
+  const int* size = this->Window->GetActualSize();
+  return std::to_string(size[0]) + "x" + std::to_string(size[1]);
+}
+
 } // namespace NBufferBench

@@ -58,9 +58,10 @@ public:
   /// RGBA bytes of the frame rendered last, row 0 at the bottom.
   void ReadPixels(vtkUnsignedCharArray* pixels);
 
-  /// GL_RENDERER, and the class of the window.
+  /// GL_RENDERER, the class of the window, and its size in pixels as in 960x720.
   std::string GetDevice();
   std::string GetWindowClass();
+  std::string GetSize();
 
 private:
   Session(const NBufferExamples::Scene& scene, const SessionOptions& options);

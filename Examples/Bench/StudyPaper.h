@@ -5,7 +5,8 @@
  * @brief Tables 1 and 2 and figure 4 of the paper (Decoret 2005), measured here.
  *
  *     table1[]    width, height, levels, cpu_ms, opengl_ms (median, p10, p90), paper_levels,
- * paper_ms table2      boxes, visible, and of a frame at 512 x 512: tests.oq, oq_hierarchy, nb,
+ *                 paper_ms
+ *     table2      boxes, visible, and of a frame at 512 x 512: tests.oq, oq_hierarchy, nb,
  *                 nb_hierarchy (depth comparisons), nodes.oq and nodes.nb (boxes of the hierarchy
  *                 asked); paper.* the same four of the paper; false_hidden: visible props
  *                 that a hierarchy leaves out, has to be 0

@@ -51,11 +51,11 @@ const std::vector<Values>& GetRestValues()
 }
 
 /// The default under other names. After a mode that draws everything the next one finds nothing of
-/// its own in the caches: this one pays, and is not reported. The other one, far from the default's
-/// turn, shows what ratios are worth.
-constexpr const char* AfterStock = "nbuffer:TestPixels=1";
+/// its own in the caches: the first of these pays, and is not reported. The one drawn again, far
+/// from the default's turn, shows what ratios are worth.
+constexpr const char* CullerWarmUp = "nbuffer:TestPixels=1";
 constexpr const char* CullerAgain = "nbuffer:BackOff=1";
-constexpr const char* AfterUnclamped = "auto:SlabGap=4";
+constexpr const char* ShadowsWarmUp = "auto:SlabGap=4";
 constexpr const char* ShadowsAgain = "auto:BoxCost=256";
 
 std::string MakeName(const std::string& kind, const char* setting, int value)
@@ -151,7 +151,7 @@ Json::Value MeasureValues(Session& session, const CameraPath& path,
 {
   vtkNew<vtkNBufferCuller> usual;
   WalkOptions options;
-  options.Modes = { "none", "stock", AfterStock };
+  options.Modes = { "none", "stock", CullerWarmUp };
   options.Verify = true;
   options.Still = still;
   options.Progress = progress;
@@ -166,8 +166,7 @@ Json::Value MeasureValues(Session& session, const CameraPath& path,
   const SeenProps seen = still ? SeenProps() : CountSeen(session, path);
   const WalkResult walk = RunWalk(session, path, options);
   Json::Value report;
-  const int* size = session.GetWindow()->GetActualSize();
-  report["size"] = std::to_string(size[0]) + "x" + std::to_string(size[1]);
+  report["size"] = session.GetSize();
   report["frames"] = static_cast<Json::UInt64>(path.size());
   report["stock_ms"] = Summarize(walk.Modes.at("stock").Milliseconds);
   report["wrong_bytes"] = static_cast<Json::Int64>(GetDifferingBytes(walk));
@@ -274,21 +273,23 @@ Json::Value MeasureFewProps(Session& session, const CameraPath& path,
     }
     shown.ShowOnly(boxes, number);
     WalkOptions options;
-    options.Modes = { "none", AfterStock, "stock", "nbuffer", "nbuffer:MinimumNumberOfCandidates=1",
+    const std::vector<std::string> reported = { "nbuffer", "nbuffer:MinimumNumberOfCandidates=1",
       "nbuffer:MinimumNumberOfCandidates=1:BackOff=0" };
+    options.Modes = { "none", CullerWarmUp, "stock" };
+    options.Modes.insert(options.Modes.end(), reported.begin(), reported.end());
     options.Verify = true;
     options.Progress = progress;
     const WalkResult walk = RunWalk(session, path, options);
     Json::Value entry;
     entry["props"] = static_cast<Json::UInt64>(number);
-    entry["drawn"] = GetDrawn(walk, options.Modes.back());
+    entry["drawn"] = GetDrawn(walk, reported.back());
     entry["stock_ms"] = Summarize(walk.Modes.at("stock").Milliseconds);
     entry["wrong_bytes"] = static_cast<Json::Int64>(GetDifferingBytes(walk));
-    for (std::size_t i = 3; i < options.Modes.size(); ++i)
+    for (const std::string& mode : reported)
     {
-      Json::Value point = MakePoint(walk, options.Modes[i], "stock");
-      point["is_default"] = options.Modes[i] == "nbuffer";
-      point["drawn"] = GetDrawn(walk, options.Modes[i]);
+      Json::Value point = MakePoint(walk, mode, "stock");
+      point["is_default"] = mode == "nbuffer";
+      point["drawn"] = GetDrawn(walk, mode);
       entry["points"].append(point);
     }
     entries.append(entry);
@@ -301,7 +302,7 @@ Json::Value MeasureShadowSettings(const std::string& name, const ViewOptions& co
 {
   vtkNew<vtkShadowVolumeClampPass> usual;
   ShadowWalkOptions options;
-  options.Modes = { "none", "unclamped", AfterUnclamped };
+  options.Modes = { "none", "unclamped", ShadowsWarmUp };
   for (const ShadowValues& row : GetShadowValues())
   {
     for (int value : row.Row.Tried)

@@ -10,15 +10,16 @@
  *     still[]    the same, the camera standing still, only the settings that tell then; no
  *                kept_percent
  *     few[]      scene, path, entries[]: props in view, the nearest ones and no others; drawn by
- *                the culler; stock_ms; points[] as above, kept_percent left out
+ *                the culler; stock_ms; wrong_bytes; points[] as below, without setting and value,
+ *                rounds and kept_percent
  *     shadows[]  scene, path, size, frames, none_ms, unclamped_ms, shadowed_percent, points[]
  *     again_ratio    of culler, still and shadows: of the default, drawn once more under another
  *                    name, to itself
- *     points[]   mode (see ModeSettings.h); setting and value, or none for the defaults;
- * is_default; ms: median, p10 and p90; ratio: median over the frames to the mode without the
- *                setting; of the culler drawn and rounds, each median, and kept_percent: of the
- *                hidden props those drawn, in every fifth frame; of shadows kind and
- * fragments_percent of those of whole volumes
+ *     points[]   mode (see ModeSettings.h) and kind, that mode without settings; setting and value;
+ *                is_default; ms: median, p10 and p90; ratio: median over the frames to the kind, in
+ *                few[] to stock; of the culler drawn and rounds, each median, and kept_percent: of
+ *                the hidden props those drawn, in every fifth frame; of shadows fragments_percent
+ *                of those of whole volumes
  */
 #ifndef StudySettings_h
 #define StudySettings_h

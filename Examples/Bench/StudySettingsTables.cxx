@@ -59,6 +59,13 @@ double GetError(const Json::Value& point)
   return point[IsShadow(point) ? "fragments_percent" : "kept_percent"].asDouble();
 }
 
+/// Whether its setting is that of the mode that users get without asking.
+bool IsOfUsualMode(const Json::Value& point)
+{
+  const std::string kind = point["kind"].asString();
+  return kind == "nbuffer" || kind == "auto";
+}
+
 std::string GetLabel(const Json::Value& point)
 {
   const std::string setting = point["setting"].asString();
@@ -113,10 +120,7 @@ std::string MakeSettingTable(const Json::Value& settings, const std::string& set
         if (rows.empty() || rows.back().Title != title)
         {
           rows.push_back({ title, {}, "", "" });
-          // Of the mode that is the default itself.
-          const std::string kind = point["kind"].asString();
-          rows.back().Again =
-            kind == "nbuffer" || kind == "auto" ? Print(scene["again_ratio"].asDouble()) : "";
+          rows.back().Again = IsOfUsualMode(point) ? Print(scene["again_ratio"].asDouble()) : "";
         }
         const int value = point["value"].asInt();
         const bool isDefault = point["is_default"].asBool();
@@ -201,8 +205,7 @@ void WriteSettingsCharts(const Json::Value& settings, const std::string& folder)
       }
       for (const Json::Value& point : scene["points"])
       {
-        const std::string kind = point["kind"].asString();
-        if (point["is_default"].asBool() && (kind == "nbuffer" || kind == "auto"))
+        if (point["is_default"].asBool() && IsOfUsualMode(point))
         {
           chart.Default = { { GetTime(point), GetError(point) } };
         }

@@ -141,8 +141,7 @@ ShadowWalkResult WalkShadows(const std::string& name, const ViewOptions& common,
   options.Progress = [&](const std::string& text) { progress(name + ": " + text); };
   report["scene"] = name;
   report["path"] = view.GetPathName(scene);
-  const int* size = session.GetWindow()->GetActualSize();
-  report["size"] = std::to_string(size[0]) + "x" + std::to_string(size[1]);
+  report["size"] = session.GetSize();
   report["frames"] = static_cast<Json::UInt64>(path.size());
   return RunShadowWalk(session, light, path, options);
 }

@@ -132,8 +132,19 @@ vtkSmartPointer<vtkTextActor> MakeText(const std::string& text, const double col
 }
 }
 
+std::string DescribeHierarchy(const vtkNBufferStatistics& statistics)
+{
+  if (statistics.Nodes == 0)
+  {
+    return "";
+  }
+  return "hierarchy: " + std::to_string(statistics.Nodes) + " nodes looked at for " +
+    std::to_string(statistics.Props) + " props";
+}
+
 vtkSmartPointer<vtkImageData> MakeVerdictPicture(Session& session, const Scene& scene,
-  const std::vector<vtkNBufferVerdict>& verdicts, const CameraPose& pose, double reach)
+  const std::vector<vtkNBufferVerdict>& verdicts, const vtkNBufferStatistics& statistics,
+  const CameraPose& pose, double reach)
 {
   vtkNew<vtkProperty> properties[NumberOfGroups];
   for (int group = 0; group < NumberOfGroups; ++group)
@@ -160,11 +171,16 @@ vtkSmartPointer<vtkImageData> MakeVerdictPicture(Session& session, const Scene& 
     MakeMarker(pose, axes, static_cast<double>(size[0]) / size[1], reach);
   renderer->AddActor(marker);
   const double grey[3] = { 0.35, 0.35, 0.35 };
-  const vtkSmartPointer<vtkTextActor> texts[] = {
+  std::vector<vtkSmartPointer<vtkTextActor>> texts = {
     MakeText(std::to_string(counts[Drawn]) + " props drawn", Colors[Drawn], 74.0),
     MakeText(std::to_string(counts[Culled]) + " culled: hidden", Colors[Culled], 44.0),
     MakeText(std::to_string(counts[Outside]) + " outside the view", grey, 14.0)
   };
+  const std::string hierarchy = DescribeHierarchy(statistics);
+  if (!hierarchy.empty())
+  {
+    texts.push_back(MakeText(hierarchy, grey, 104.0));
+  }
   for (const vtkSmartPointer<vtkTextActor>& text : texts)
   {
     renderer->AddViewProp(text);

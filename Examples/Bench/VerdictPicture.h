@@ -15,19 +15,24 @@
 #include "vtkNBufferStatistics.h"
 #include "vtkSmartPointer.h"
 
+#include <string>
 #include <vector>
 
 namespace NBufferBench
 {
 
+/// How many nodes of the hierarchy were looked at in a frame, for how many props; empty where none
+/// was used.
+std::string DescribeHierarchy(const vtkNBufferStatistics& statistics);
+
 /**
- * `verdicts` are those of the scene's actors for a frame seen from `pose`. The actors are left
- * in the colours of this picture: drawn blue, culled red, outside the view pale. `reach` is the
- * distance from the eye that the picture shows.
+ * `verdicts` and `statistics` are those of the scene's actors and of a frame seen from `pose`. The
+ * actors are left in the colours of this picture: drawn blue, culled red, outside the view pale.
+ * `reach` is the distance from the eye that the picture shows.
  */
 vtkSmartPointer<vtkImageData> MakeVerdictPicture(Session& session,
   const NBufferExamples::Scene& scene, const std::vector<vtkNBufferVerdict>& verdicts,
-  const NBufferExamples::CameraPose& pose, double reach);
+  const vtkNBufferStatistics& statistics, const NBufferExamples::CameraPose& pose, double reach);
 
 } // namespace NBufferBench
 

@@ -103,10 +103,8 @@ void AddWalkCommand(CLI::App& app, const std::string& program, Run& run)
     ->add_option("--modes", options->Walk.Modes,
       "stock: VTK's default culler; none: no culler; nbuffer: vtkNBufferCuller; oracle: exactly "
       "the props that own a pixel; queries, queries-conservative, queries-count: an occlusion "
-      "query "
-      "of the hardware for each prop, waited for; chc: coherent hierarchical culling by them. "
-      "nbuffer "
-      "also with settings of its own, such as nbuffer:RoundSize=16:BackOff=0")
+      "query of the hardware for each prop, waited for; chc: coherent hierarchical culling by "
+      "them. nbuffer also with settings of its own, such as nbuffer:RoundSize=16:BackOff=0")
     ->delimiter(',')
     ->check(CLI::Validator(
       [](std::string& name)

@@ -398,7 +398,14 @@ Scene LoadCage(
     builder.AddBoard(board, z);
     for (const KicadPart& part : board.Parts)
     {
-      inPieces ? builder.AddPieces(board, part, z) : builder.AddWhole(board, part, z);
+      if (inPieces)
+      {
+        builder.AddPieces(board, part, z);
+      }
+      else
+      {
+        builder.AddWhole(board, part, z);
+      }
     }
   }
   Scene scene = builder.Finish(inPieces ? "card cage of actors" : "card cage");

@@ -12,6 +12,8 @@
 #include "OsmImport.h"
 #endif
 
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 
@@ -87,6 +89,24 @@ int GetAxis(const std::string& up, int usual)
   }
   return static_cast<int>(axis);
 }
+
+/// In world coordinates: the user's matrix comes after the position.
+void Move(vtkActor* actor, const double way[3])
+{
+  vtkMatrix4x4* shared = actor->GetUserMatrix();
+  if (!shared)
+  {
+    actor->AddPosition(way[0], way[1], way[2]);
+    return;
+  }
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->DeepCopy(shared);
+  for (int i = 0; i < 3; ++i)
+  {
+    matrix->SetElement(i, 3, matrix->GetElement(i, 3) + way[i]);
+  }
+  actor->SetUserMatrix(matrix);
+}
 }
 
 vtkBoundingBox Scene::GetBounds() const
@@ -123,13 +143,12 @@ void Scene::Tile(int count)
         vtkActor* original = this->Actors[i];
         auto copy = vtkSmartPointer<vtkActor>::New();
         copy->ShallowCopy(original);
-        double position[3];
-        original->GetPosition(position);
+        double way[3] = { 0.0, 0.0, 0.0 };
         for (int j = 0; j < 2; ++j)
         {
-          position[axes[j]] += tile[j] * bounds.GetLength(axes[j]);
+          way[axes[j]] = tile[j] * bounds.GetLength(axes[j]);
         }
-        copy->SetPosition(position);
+        Move(copy, way);
         this->Actors.push_back(copy);
       }
     }

@@ -6,9 +6,9 @@
  *
  *     family    a DepthStructure; long boxes in up to `pieces` pieces (vtkNBufferPieces.h)
  *     position  PositionedLevels, which also say which pixel keeps a box visible
- *     module    what vtkNBufferCuller does with the same settings, level by level as needed, with
- * or without the second look at the pixels pixels    every box by its outline, pixel by pixel: what
- * a query of the hardware finds
+ *     module    what vtkNBufferCuller does with the same settings, level by level as needed,
+ *               with or without the second look at the pixels
+ *     pixels    every box by its outline, pixel by pixel: what a query of the hardware finds
  */
 #ifndef Contender_h
 #define Contender_h

@@ -17,6 +17,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 vtkNBufferView::vtkNBufferView(vtkNBufferBackend& backend)
   : Backend(backend)
+  , Draws(this->Props, this->Projection, this->Proxy)
 {
   this->Proxy->SetView(this);
 }
@@ -50,7 +51,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   this->Kept.clear();
   this->Held.clear();
   this->Gated.clear();
-  this->Drawn.clear();
+  this->Draws.Clear();
 
   vtkNBufferClock part;
   this->Props.SetHierarchySize(settings.HierarchySize);
@@ -312,7 +313,8 @@ int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* require
   this->TestedSamples = source.Samples;
   const int drawn = this->DrawRounds(renderer, source);
   const vtkNBufferClock clock;
-  this->RedrawForTieOrder(renderer, true);
+  this->Statistics.Redrawn +=
+    this->Draws.RestoreTieOrder(renderer, this->Held, true, this->TestedSamples);
   this->Statistics.DrawTime += clock.GetMilliseconds();
   this->Pending = false;
   // Mappers return early from an aborted frame: its depth and verdicts are worth nothing.
@@ -340,15 +342,9 @@ bool vtkNBufferView::MayRepeat(vtkRenderer* renderer, vtkNBufferDepthSource& sou
 int vtkNBufferView::Repeat(vtkRenderer* renderer)
 {
   const vtkNBufferClock clock;
-  int drawn = 0;
-  for (const vtkNBufferDrawnProp& prop : this->Drawn)
-  {
-    vtkProp* held = this->Props.GetProp(prop.Index);
-    drawn += this->Proxy->Draw(held, renderer, held->GetAllocatedRenderTime());
-  }
-  const int redrawn = this->Statistics.Redrawn;
-  this->RedrawForTieOrder(renderer, true);
-  this->Statistics.Redrawn = redrawn; // of one drawing
+  const int drawn = this->Draws.Repeat(renderer);
+  // Statistics are of one drawing.
+  this->Draws.RestoreTieOrder(renderer, this->Held, true, this->TestedSamples);
   this->Statistics.DrawTime += clock.GetMilliseconds();
   return drawn;
 }
@@ -494,8 +490,7 @@ int vtkNBufferView::DrawRound(vtkRenderer* renderer, std::vector<int> props, int
     vtkNBufferState& state = this->Props.GetState(i);
     state.Verdict = vtkNBufferVerdict::Visible;
     state.WasVisible = true;
-    drawn += this->Proxy->Draw(this->Props.GetProp(i), renderer, time);
-    this->Drawn.push_back(this->Props.GetDrawn(i, round));
+    drawn += this->Draws.Draw(renderer, i, round, time);
   }
   this->Statistics.DrawnInRound[std::min(round, vtkNBufferStatistics::MaximumNumberOfRounds)] +=
     static_cast<int>(props.size());
@@ -512,73 +507,22 @@ int vtkNBufferView::DrawAll(
     this->Gates.SetOpen(n, true);
     this->Props.GetState(this->Gated[n]).Verdict = vtkNBufferVerdict::Translucent;
   }
-  this->Drawn.clear();
+  this->Draws.Clear();
   for (int i : this->Held)
   {
-    vtkProp* prop = this->Props.GetProp(i);
     this->Props.GetState(i).Verdict = vtkNBufferVerdict::Untested;
-    if (prop->HasKeys(requiredKeys))
+    if (this->Props.GetProp(i)->HasKeys(requiredKeys))
     {
-      drawn += this->Proxy->Draw(prop, renderer, this->Proxy->GetAllocatedRenderTime());
-      this->Drawn.push_back(this->Props.GetDrawn(i, 1));
+      drawn += this->Draws.Draw(renderer, i, 1, this->Proxy->GetAllocatedRenderTime());
     }
   }
   // In another view boxes are elsewhere; without a depth test the last one wins at any depth.
-  this->RedrawForTieOrder(renderer, false);
+  this->Statistics.Redrawn +=
+    this->Draws.RestoreTieOrder(renderer, this->Held, false, this->TestedSamples);
   this->Statistics.Decision = reason;
   this->Pending = this->Settled = false;
   this->Props.CountVerdicts(this->Statistics);
   return drawn;
-}
-
-void vtkNBufferView::RedrawForTieOrder(vtkRenderer* renderer, bool screensHold)
-{
-  if (this->Drawn.empty())
-  {
-    return;
-  }
-  const int firstLate = std::min_element(this->Drawn.begin(), this->Drawn.end(),
-    [](const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b) {
-      return a.Index < b.Index;
-    })->Index;
-  // Other cullers mark what they take off the list with a multiplier of 0.
-  std::vector<vtkNBufferDrawnProp> all = this->Drawn;
-  for (int i = firstLate; i < this->Props.GetSize(); ++i)
-  {
-    const vtkNBufferVerdict verdict = this->Props.GetState(i).Verdict;
-    if (verdict != vtkNBufferVerdict::Outside && verdict != vtkNBufferVerdict::Hidden &&
-      !std::binary_search(this->Held.begin(), this->Held.end(), i) &&
-      this->Props.GetProp(i)->GetRenderTimeMultiplier() > 0.0 &&
-      this->Props.GetCandidate(i).WritesDepth())
-    {
-      all.push_back(this->Props.GetDrawn(i, 0));
-    }
-  }
-  for (vtkNBufferDrawnProp& drawn : all)
-  {
-    drawn.Bounded = drawn.Bounded && screensHold;
-  }
-  const std::vector<vtkNBufferRedraw> redraws = vtkNBufferTieOrder::GetRedraws(
-    this->Projection, all, vtkNBufferGL::KeepsToScissor(this->TestedSamples));
-  for (const vtkNBufferRedraw& redraw : redraws)
-  {
-    // Passes have told the kept props what they told the proxy; a held one must hear it again.
-    const int index = all[redraw.Position].Index;
-    vtkProp* prop = this->Props.GetProp(index);
-    const bool held = std::binary_search(this->Held.begin(), this->Held.end(), index);
-    this->Statistics.Redrawn += vtkNBufferGL::DrawIn(redraw.Regions,
-      [&]()
-      {
-        if (held)
-        {
-          this->Proxy->Draw(prop, renderer, prop->GetAllocatedRenderTime());
-        }
-        else
-        {
-          prop->RenderOpaqueGeometry(renderer);
-        }
-      });
-  }
 }
 
 void vtkNBufferView::Fail(vtkRenderer* renderer, vtkNBufferDecision failure, const std::string& why)

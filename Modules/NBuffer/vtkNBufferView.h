@@ -9,7 +9,7 @@
  *     renderer draws the kept props
  *       |
  *     DrawHeldProps()  rounds: levels of the depth so far, test, draw what may be visible
- *                      then redraw for the order of equal depths
+ *                      then restore the order of equal depths
  *       |              and close the gates of translucent props that are hidden
  *       |              If a pass draws the same list once more (vtkNBufferSituation), the same
  *       |              draws again in the same order, without another test.
@@ -26,6 +26,7 @@
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDepthTest.h"
 #include "vtkNBufferGates.h"
+#include "vtkNBufferHeldDraws.h"
 #include "vtkNBufferHeldProps.h"
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferProjection.h"
@@ -84,7 +85,7 @@ public:
   template <typename Functor>
   void ForEachDrawnHeldProp(Functor&& functor)
   {
-    for (const vtkNBufferDrawnProp& drawn : this->Drawn)
+    for (const vtkNBufferDrawnProp& drawn : this->Draws.Get())
     {
       functor(this->Props.GetProp(drawn.Index));
     }
@@ -109,7 +110,6 @@ private:
   bool MayRepeat(vtkRenderer* renderer, vtkNBufferDepthSource& source);
   int Repeat(vtkRenderer* renderer);
   int DrawAll(vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason);
-  void RedrawForTieOrder(vtkRenderer* renderer, bool screensHold);
 
   vtkNBufferBackend& Backend;
   vtkNBufferBackOff BackOff;
@@ -119,16 +119,16 @@ private:
   vtkNBufferSettings Settings;
   vtkNBufferStatistics Statistics;
   vtkNew<vtkNBufferHeldProps> Proxy;
-  vtkNBufferGates Gates; ///< Gate n is that of the n-th of Gated.
+  vtkNBufferHeldDraws Draws; ///< Of this frame.
+  vtkNBufferGates Gates;     ///< Gate n is that of the n-th of Gated.
   vtkNBufferViewKey LastKey;
   double DepthQuantum = 0x1p-24; ///< Of the framebuffer drawn last, in window depth.
   int TestedBits = 0;            ///< Of the depth of this frame's test.
   int TestedSamples = 0;
 
-  std::vector<int> Kept;                  ///< Candidates inside that are let through.
-  std::vector<int> Held;                  ///< Candidates inside that are held back.
-  std::vector<int> Gated;                 ///< Translucent props inside, behind gates.
-  std::vector<vtkNBufferDrawnProp> Drawn; ///< Held ones that have been drawn in this frame.
+  std::vector<int> Kept;  ///< Candidates inside that are let through.
+  std::vector<int> Held;  ///< Candidates inside that are held back.
+  std::vector<int> Gated; ///< Translucent props inside, behind gates.
 
   bool Pending = false;   ///< The proxy is in the list and has not been drawn yet.
   bool DrawnOnce = false; ///< The proxy has been drawn in this frame.

@@ -107,8 +107,7 @@ MUTANTS = {
     "verdicts of the last frame reused although props changed": [
         (VIEW, "else if (complete && !changed &&", "else if (complete && !moved &&")],
     "order of equal depths forgotten": [
-        (VIEW, "if (this->Drawn.empty())\n  {\n    return;\n  }\n  const int firstLate",
-         "if (!this->Drawn.empty())\n  {\n    return;\n  }\n  const int firstLate")],
+        ("vtkNBufferHeldDraws.cxx", "if (this->Drawn.empty())", "if (!this->Drawn.empty())")],
     "equal depths of overlapping rectangles forgotten": [
         ("vtkNBufferTieOrder.cxx",
          "projection.GetContact(a.Box, a.Screen, b.Box, b.Screen, pixels);",

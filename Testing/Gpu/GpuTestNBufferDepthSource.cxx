@@ -4,7 +4,7 @@
 
 #include "DepthTarget.h"
 #include "GLStateSnapshot.h"
-#include "OffscreenFixture.h"
+#include "WindowFixture.h"
 #include VTKNBUFFER_GL_HEADER
 
 #include "vtkActor.h"
@@ -17,19 +17,14 @@
 #include <cmath>
 #include <vector>
 
-class GpuTestNBufferDepthSource : public OffscreenFixture
+class GpuTestNBufferDepthSource : public WindowFixture
 {
 protected:
-  void SetUp() override
+  GpuTestNBufferDepthSource()
+    : WindowFixture(64, 48)
   {
-    OffscreenFixture::SetUp();
-    if (!this->IsSkipped())
-    {
-      this->Window = NewWindow(64, 48);
-    }
   }
 
-  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
   std::string Why;
 };
 

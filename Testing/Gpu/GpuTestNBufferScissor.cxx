@@ -5,7 +5,7 @@
 #include "vtkNBufferGL.h"
 
 #include "GLStateSnapshot.h"
-#include "OffscreenFixture.h"
+#include "WindowFixture.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
@@ -72,19 +72,9 @@ private:
 };
 }
 
-class GpuTestNBufferScissor : public OffscreenFixture
+class GpuTestNBufferScissor : public WindowFixture
 {
 protected:
-  void SetUp() override
-  {
-    OffscreenFixture::SetUp();
-    if (!this->IsSkipped())
-    {
-      this->Window = NewWindow(16, 16);
-    }
-  }
-
-  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
 };
 
 // Hazard: what is drawn again in regions is drawn beside them, or left out of them.

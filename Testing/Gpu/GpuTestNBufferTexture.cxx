@@ -6,7 +6,7 @@
 
 #include "DepthTarget.h"
 #include "LevelComparison.h"
-#include "OffscreenFixture.h"
+#include "WindowFixture.h"
 #include "vtkNBufferDepthSource.h"
 
 #include "vtkActor.h"
@@ -32,18 +32,9 @@ std::string Describe(int factor, vtkNBufferExtremum extremum)
     (extremum == vtkNBufferExtremum::Maximum ? ", maximum" : ", minimum");
 }
 
-class LevelsFixture : public OffscreenFixture
+class LevelsFixture : public WindowFixture
 {
 protected:
-  void SetUp() override
-  {
-    OffscreenFixture::SetUp();
-    if (!this->IsSkipped())
-    {
-      this->Window = NewWindow(16, 16);
-    }
-  }
-
   /// Builds from the bound framebuffer, downloads, and compares with what the host makes of
   /// `depth`.
   void Compare(const vtkNBufferDepthSource& source, int x, int y, int width, int height, int factor,
@@ -90,7 +81,6 @@ protected:
     }
   }
 
-  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
   vtkNew<vtkNBufferTexture> Texture;
 };
 

@@ -7,7 +7,7 @@
 #include "DepthTarget.h"
 #include "GLStateSnapshot.h"
 #include "LevelComparison.h"
-#include "OffscreenFixture.h"
+#include "WindowFixture.h"
 #include "vtkNBufferDepthSource.h"
 #include VTKNBUFFER_GL_HEADER
 
@@ -29,18 +29,9 @@ constexpr int AllLevels = 99;
 constexpr auto Maximum = vtkNBufferExtremum::Maximum;
 }
 
-class GpuTestNBufferTextureState : public OffscreenFixture
+class GpuTestNBufferTextureState : public WindowFixture
 {
 protected:
-  void SetUp() override
-  {
-    OffscreenFixture::SetUp();
-    if (!this->IsSkipped())
-    {
-      this->Window = NewWindow(16, 16);
-    }
-  }
-
   vtkNBufferDepthSource Inspect()
   {
     vtkNBufferDepthSource source;
@@ -82,7 +73,6 @@ protected:
     EXPECT_EQ(levelsLeft.GetNumberOfLevels(), 0);
   }
 
-  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
   vtkNew<vtkNBufferTexture> Texture;
 };
 

@@ -7,7 +7,7 @@
 #include "vtkShadowTarget.h"
 
 #include "GLStateSnapshot.h"
-#include "OffscreenFixture.h"
+#include "WindowFixture.h"
 #include "vtkShadowSilhouette.h"
 #include "vtkShadowTopology.h"
 #include "vtkShadowVolume.h"
@@ -78,17 +78,16 @@ int GetColumn(int x)
 }
 }
 
-class GpuTestShadowCounter : public OffscreenFixture
+class GpuTestShadowCounter : public WindowFixture
 {
 protected:
   void SetUp() override
   {
-    OffscreenFixture::SetUp();
-    if (this->IsSkipped())
+    WindowFixture::SetUp();
+    if (!this->Window)
     {
       return;
     }
-    this->Window = NewWindow(16, 16);
     std::string why;
     ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 2, Centre, why)) << why;
     this->Fill();
@@ -198,7 +197,6 @@ protected:
       << why;
   }
 
-  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
   vtkShadowTarget Target;
   vtkShadowCounter Counter;
 };

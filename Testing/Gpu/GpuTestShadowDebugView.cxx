@@ -5,7 +5,7 @@
 #include "vtkShadowDebugView.h"
 
 #include "GLStateSnapshot.h"
-#include "OffscreenFixture.h"
+#include "WindowFixture.h"
 
 #include "vtkNBufferGL.h"
 #include "vtkShadowCounter.h"
@@ -64,15 +64,19 @@ constexpr vtkShadowPicture Pictures[] = { vtkShadowPicture::Litmaps, vtkShadowPi
   vtkShadowPicture::Volumes, vtkShadowPicture::Counts };
 }
 
-class GpuTestShadowDebugView : public OffscreenFixture
+class GpuTestShadowDebugView : public WindowFixture
 {
 protected:
+  GpuTestShadowDebugView()
+    : WindowFixture(40, 30)
+  {
+  }
+
   void SetUp() override
   {
-    OffscreenFixture::SetUp();
-    if (!this->IsSkipped())
+    WindowFixture::SetUp();
+    if (this->Window)
     {
-      this->Window = NewWindow(40, 30);
       const vtkShadowVolume volume = MakeVolume();
       std::string why;
       ASSERT_TRUE(this->Counter.Upload(volume, why)) << why;
@@ -102,7 +106,6 @@ protected:
       << why;
   }
 
-  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
   vtkShadowCounter Counter;
   vtkShadowDebugView View;
   vtkShadowStatistics Statistics;

@@ -5,7 +5,7 @@
 #include "vtkShadowRerenderedLitmap.h"
 
 #include "GLStateSnapshot.h"
-#include "OffscreenFixture.h"
+#include "WindowFixture.h"
 
 #include "vtkNBufferGL.h"
 
@@ -63,18 +63,9 @@ vtkShadowLight MakeLight(vtkShadowLightKind kind)
 }
 }
 
-class GpuTestShadowRerenderedLitmap : public OffscreenFixture
+class GpuTestShadowRerenderedLitmap : public WindowFixture
 {
 protected:
-  void SetUp() override
-  {
-    OffscreenFixture::SetUp();
-    if (!this->IsSkipped())
-    {
-      this->Window = NewWindow(16, 16);
-    }
-  }
-
   void TearDown() override
   {
     if (this->Window)
@@ -119,7 +110,6 @@ protected:
     pq[1] = this->Range[2] + (this->Range[3] - this->Range[2]) * (j + 0.5) / Resolution;
   }
 
-  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
   vtkShadowRerenderedLitmap Litmap;
   double Range[4] = {};
 };

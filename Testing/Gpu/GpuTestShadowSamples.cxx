@@ -9,7 +9,7 @@
 
 #include "DepthTarget.h"
 #include "GLStateSnapshot.h"
-#include "OffscreenFixture.h"
+#include "WindowFixture.h"
 #include "vtkNBufferDepthSource.h"
 #include "vtkShadowSilhouette.h"
 #include "vtkShadowTopology.h"
@@ -36,18 +36,9 @@ const DepthFormat& GetFormat()
 }
 }
 
-class GpuTestShadowSamples : public OffscreenFixture
+class GpuTestShadowSamples : public WindowFixture
 {
 protected:
-  void SetUp() override
-  {
-    OffscreenFixture::SetUp();
-    if (!this->IsSkipped())
-    {
-      this->Window = NewWindow(16, 16);
-    }
-  }
-
   void TearDown() override
   {
     if (this->Window)
@@ -80,7 +71,6 @@ protected:
     EXPECT_GT(last, 1) << "no multisampling at all";
   }
 
-  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
   vtkShadowTarget Target;
   vtkShadowCounter Counter;
   vtkShadowSampleReader Reader;

@@ -1,25 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK's ways of drawing a frame: with each the image is the same, and the culler culls or says
-// why it does not.
+// VTK's ways of drawing a frame: with each the image of the wall is the same, and the culler culls
+// or says why it does not.
 #include "CullerTest.h"
 #include "Scenes.h"
 
-#include "vtkNBufferGL.h"
-
-#include "vtkCamera.h"
 #include "vtkCameraPass.h"
 #include "vtkDefaultPass.h"
 #include "vtkDepthPeelingPass.h"
 #include "vtkDualDepthPeelingPass.h"
-#include "vtkFXAAOptions.h"
 #include "vtkFramebufferPass.h"
 #include "vtkGaussianBlurPass.h"
-#include "vtkLight.h"
 #include "vtkLightsPass.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLFXAAPass.h"
-#include "vtkOpenGLRenderer.h"
 #include "vtkOverlayPass.h"
 #include "vtkProperty.h"
 #include "vtkRenderPassCollection.h"
@@ -32,9 +26,6 @@
 #include "vtkTranslucentPass.h"
 #include "vtkVolumetricPass.h"
 
-#include <vtksys/SystemTools.hxx>
-
-using Verdict = vtkNBufferVerdict;
 using Decision = vtkNBufferDecision;
 using Scenes::Wall;
 
@@ -63,17 +54,6 @@ void PrintTo(const Way& way, std::ostream* os)
   *os << way.Name;
 }
 
-/// Translucent boxes on both sides of the wall.
-void AddTranslucent(Stage& stage)
-{
-  for (int i = 0; i < 8; ++i)
-  {
-    const int index =
-      Scenes::AddBox(stage, -5.0 + 1.4 * i, 0.3 * i - 1.0, i % 2 ? 3.0 : -4.0, 1.8, 1.6, 0.7);
-    stage.GetActor(index)->GetProperty()->SetOpacity(0.4);
-  }
-}
-
 void SetPass(Stage& stage, vtkRenderPass* pass)
 {
   stage.GetRenderer()->SetPass(pass);
@@ -92,18 +72,6 @@ vtkSmartPointer<vtkRenderPass> MakeSequence(const std::vector<vtkRenderPass*>& p
   auto camera = vtkSmartPointer<vtkCameraPass>::New();
   camera->SetDelegatePass(sequence);
   return camera;
-}
-
-void AddSpotLight(Stage& stage)
-{
-  stage.GetRenderer()->RemoveAllLights();
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToSceneLight();
-  light->SetPositional(true);
-  light->SetConeAngle(60.0);
-  light->SetPosition(8.0, 9.0, 14.0);
-  light->SetFocalPoint(0.0, 0.0, 0.0);
-  stage.GetRenderer()->AddLight(light);
 }
 
 class CullerPasses : public testing::TestWithParam<Way>
@@ -126,7 +94,7 @@ TEST_P(CullerPasses, Wall)
       Scenes::BuildWall(stage);
       if (way.Translucent)
       {
-        AddTranslucent(stage);
+        Scenes::AddTranslucentBoxes(stage);
         Scenes::SetWallCamera(stage.GetRenderer());
       }
       way.Set(stage);
@@ -256,14 +224,14 @@ const Way Ways[] = {
   { "Shadows",
     [](Stage& s)
     {
-      AddSpotLight(s);
+      Scenes::SetSpotLight(s);
       s.GetRenderer()->SetUseShadows(true);
     },
     Outcome::Aside, Decision::Shadows },
   { "ShadowPasses",
     [](Stage& s)
     {
-      AddSpotLight(s);
+      Scenes::SetSpotLight(s);
       vtkNew<vtkShadowMapPass> shadows;
       SetPass(s, MakeSequence({ shadows->GetShadowMapBakerPass(), shadows.Get() }));
     },
@@ -371,230 +339,3 @@ const Way Ways[] = {
 
 INSTANTIATE_TEST_SUITE_P(Each, CullerPasses, testing::ValuesIn(Ways),
   [](const testing::TestParamInfo<Way>& info) { return std::string(info.param.Name); });
-
-// Hazard: what is drawn once more for the order of equal depths is drawn under the same pass, with
-// its keys and shader code, as the first time.
-TEST(CullerPassesOnce, TiesUnderPasses)
-{
-  const std::function<void(Stage&)> ways[] = { [](Stage& s) { s.GetRenderer()->SetUseSSAO(true); },
-    [](Stage& s) { s.GetRenderer()->SetUseFXAA(true); },
-    [](Stage& s)
-    {
-      s.GetRenderer()->SetUseDepthPeeling(true);
-      AddTranslucent(s);
-    },
-    [](Stage& s) { AddTranslucent(s); },
-    [](Stage& s)
-    {
-      vtkNew<vtkRenderStepsPass> steps;
-      vtkNew<vtkSSAOPass> ssao;
-      ssao->SetDelegatePass(steps);
-      SetPass(s, ssao);
-    } };
-  int redrawn = 0;
-  for (int n = 0; n < 10; ++n)
-  {
-    const auto& way = ways[n % 5];
-    const auto seed = static_cast<unsigned int>(n);
-    SCOPED_TRACE(n);
-    ComparisonOptions options;
-    options.RoundSize = 5;
-    Comparison comparison(
-      [&way, seed](Stage& stage)
-      {
-        Scenes::BuildTies(stage, seed, true);
-        way(stage);
-      },
-      options);
-    const int door = Scenes::FindDoor(comparison.Reference);
-    for (int i = 0; i < 8; ++i)
-    {
-      comparison.Both([i, door](Stage& stage)
-        { stage.GetActor(door)->SetPosition(2.5 * (i % 4) - 4.0, 0.0, 0.0); });
-      comparison.Frame();
-      redrawn += comparison.GetStatistics().Redrawn;
-    }
-  }
-  EXPECT_GT(redrawn, 0);
-}
-
-// Hazard: ambient occlusion in a part of the window draws into a framebuffer of the part's size.
-// Older VTK draws to the part's place in the window even there, in part or wholly outside.
-TEST(CullerPassesOnce, SSAOInPartsOfTheWindow)
-{
-  using Part = std::array<double, 4>;
-  for (const Part& part : { Part{ 0.0, 0.6, 1.0, 1.0 }, Part{ 0.3, 0.0, 0.9, 0.7 },
-         Part{ 0.0, 0.0, 0.5, 0.5 }, Part{ 0.55, 0.45, 1.0, 1.0 } })
-  {
-    SCOPED_TRACE(testing::PrintToString(part));
-    Comparison comparison(
-      [&part](Stage& stage)
-      {
-        Scenes::BuildWall(stage);
-        stage.GetRenderer()->SetViewport(part.data());
-        stage.GetRenderer()->SetUseSSAO(true);
-        stage.GetRenderer()->SetSSAOKernelSize(16);
-      });
-    comparison.Frame();
-    comparison.Frame();
-    const bool shifted = part[0] + part[1] > 0.0;
-    if (shifted && !VTKNBUFFER_HAS_SSAO_IN_PARTS)
-    {
-      EXPECT_EQ(comparison.GetStatistics().Decision, Decision::OtherView);
-    }
-    else
-    {
-      EXPECT_GT(comparison.GetHidden(), 0);
-    }
-    EXPECT_EQ(comparison.GetStatistics().FailedFrames, 0);
-  }
-}
-
-// Hazard: a city under the passes that inject most, walked through, so that rounds are drawn.
-TEST(CullerPassesOnce, CityWithSSAOAndTranslucentPropsAndFXAA)
-{
-  Comparison comparison(
-    [](Stage& stage)
-    {
-      Scenes::BuildCity(stage, 10);
-      for (int i = 5; i < 100; i += 9)
-      {
-        stage.GetActor(i)->GetProperty()->SetOpacity(0.5);
-      }
-      stage.GetRenderer()->SetUseSSAO(true);
-      stage.GetRenderer()->SetSSAORadius(2.0);
-      stage.GetRenderer()->SetSSAOKernelSize(16);
-      stage.GetRenderer()->SetUseFXAA(true);
-    });
-  for (int i = 0; i < 6; ++i)
-  {
-    comparison.Both([i](Stage& stage) { Scenes::SetCityCamera(stage.GetRenderer(), 0.05 * i); });
-    comparison.Frame();
-    EXPECT_GT(comparison.GetHidden(), 10);
-  }
-}
-
-// Hazard: a sample of a pixel sees past the silhouette that covers the others; what is read back
-// must be the farthest of them, whatever their number.
-TEST(CullerPassesOnce, EveryNumberOfSamples)
-{
-  GLint maximum = 0;
-  {
-    Comparison probe([](Stage& stage) { Scenes::BuildWall(stage); });
-    probe.Frame();
-    probe.Culled.Window->MakeCurrent();
-    glGetIntegerv(GL_MAX_SAMPLES, &maximum);
-  }
-  if (maximum < 2)
-  {
-    GTEST_SKIP() << "the driver offers no multisampling";
-  }
-  for (int samples = 2; samples <= maximum; ++samples)
-  {
-    SCOPED_TRACE(samples);
-    ComparisonOptions options;
-    options.MultiSamples = samples;
-    options.CompareDepth = false;
-    Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
-    for (int i = 0; i < 4; ++i)
-    {
-      comparison.Both(
-        [i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), i < 3 ? 0.2 * i : 12.0); });
-      comparison.Frame("moved");
-      EXPECT_EQ(comparison.Culled.Window->GetMultiSamples(), samples);
-      EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
-      EXPECT_GT(comparison.GetHidden(), Wall::Behind / 3);
-    }
-  }
-}
-
-namespace
-{
-/// VTK asks this variable, when it draws, whether to peel layer by layer.
-class LegacyDepthPeeling
-{
-public:
-  LegacyDepthPeeling() { vtksys::SystemTools::PutEnv("VTK_USE_LEGACY_DEPTH_PEELING=1"); }
-  ~LegacyDepthPeeling() { vtksys::SystemTools::UnPutEnv("VTK_USE_LEGACY_DEPTH_PEELING"); }
-};
-}
-
-// Hazard: where dual peeling is not supported, the renderer's own peeling is the single one.
-TEST(CullerPassesOnce, SingleDepthPeelingOfTheRenderer)
-{
-  const LegacyDepthPeeling legacy;
-  Comparison comparison(
-    [](Stage& stage)
-    {
-      Scenes::BuildWall(stage);
-      AddTranslucent(stage);
-      Scenes::SetWallCamera(stage.GetRenderer());
-      stage.GetRenderer()->SetUseDepthPeeling(true);
-      stage.GetRenderer()->SetMaximumNumberOfPeels(6);
-      stage.GetRenderer()->SetOcclusionRatio(0.0);
-    });
-  for (int i = 0; i < 4; ++i)
-  {
-    comparison.Both(
-      [i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), i < 3 ? 0.2 * i : 12.0); });
-    comparison.Frame("moved");
-    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
-    EXPECT_GT(comparison.GetHidden(), Wall::Behind / 3);
-  }
-}
-
-// Hazard: MSAA in a city: single samples of distant props at the silhouettes of near ones.
-TEST(CullerPassesOnce, CityWithMultiSamples)
-{
-  for (int backend : { vtkNBufferCuller::CPU, vtkNBufferCuller::OpenGL })
-  {
-    ComparisonOptions options;
-    options.MultiSamples = 4;
-    options.CompareDepth = false;
-    options.Configure = [backend](vtkNBufferCuller* culler) { culler->SetBackend(backend); };
-    Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage, 10); }, options);
-    for (int i = 0; i < 6; ++i)
-    {
-      comparison.Both([i](Stage& stage) { Scenes::SetCityCamera(stage.GetRenderer(), 0.05 * i); });
-      comparison.Frame();
-      EXPECT_GT(comparison.GetHidden(), 10);
-    }
-  }
-}
-
-// Hazard: a setting changed between two frames changes the framebuffer under the culler.
-TEST(CullerPassesOnce, SettingsChangeBetweenFrames)
-{
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
-  comparison.Frame("plain");
-  comparison.Both([](Stage& stage) { stage.GetRenderer()->SetUseSSAO(true); });
-  comparison.Frame("SSAO on");
-  comparison.Both([](Stage& stage) { stage.GetRenderer()->SetUseSSAO(false); });
-  comparison.Frame("SSAO off");
-  comparison.Both([](Stage& stage) { stage.GetRenderer()->SetUseFXAA(true); });
-  comparison.Frame("FXAA on");
-  comparison.Both([](Stage& stage) { stage.GetRenderer()->SetUseFXAA(false); });
-  comparison.Frame("FXAA off");
-  comparison.Both([](Stage& stage) { stage.Window->SetMultiSamples(4); });
-  comparison.Frame("MSAA on");
-  comparison.Both([](Stage& stage) { stage.Window->SetMultiSamples(0); });
-  comparison.Frame("MSAA off");
-  EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
-  comparison.Both(
-    [](Stage& stage)
-    {
-      AddSpotLight(stage);
-      stage.GetRenderer()->SetUseShadows(true);
-    });
-  comparison.Frame("shadows on");
-  EXPECT_EQ(comparison.GetDecision(), Decision::Shadows);
-  comparison.Both(
-    [](Stage& stage)
-    {
-      stage.GetRenderer()->SetUseShadows(false);
-      // VTK renews its light uniforms only after the camera has changed.
-      Scenes::SetWallCamera(stage.GetRenderer(), 0.1);
-    });
-  comparison.Frame("shadows off");
-  EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
-}

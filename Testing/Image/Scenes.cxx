@@ -5,6 +5,7 @@
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCubeSource.h"
+#include "vtkLight.h"
 #include "vtkPoints.h"
 #include "vtkProperty.h"
 
@@ -102,6 +103,28 @@ void SetWallCamera(vtkRenderer* renderer, double shift)
   camera->SetFocalPoint(0.5 * shift, 0.0, 0.0);
   camera->SetViewUp(0.0, 1.0, 0.0);
   renderer->ResetCameraClippingRange();
+}
+
+void AddTranslucentBoxes(Stage& stage)
+{
+  for (int i = 0; i < 8; ++i)
+  {
+    const int index =
+      AddBox(stage, -5.0 + 1.4 * i, 0.3 * i - 1.0, i % 2 ? 3.0 : -4.0, 1.8, 1.6, 0.7);
+    stage.GetActor(index)->GetProperty()->SetOpacity(0.4);
+  }
+}
+
+void SetSpotLight(Stage& stage)
+{
+  stage.GetRenderer()->RemoveAllLights();
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPositional(true);
+  light->SetConeAngle(60.0);
+  light->SetPosition(8.0, 9.0, 14.0);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  stage.GetRenderer()->AddLight(light);
 }
 
 void BuildCity(Stage& stage, int count, vtkRenderer* renderer)

@@ -44,6 +44,12 @@ void BuildWall(Stage& stage, vtkRenderer* renderer = nullptr);
 /// The wall scene's camera, moved a little sideways.
 void SetWallCamera(vtkRenderer* renderer, double shift = 0.0);
 
+/// Eight translucent boxes on both sides of that wall.
+void AddTranslucentBoxes(Stage& stage);
+
+/// One light instead of all others: a spot of 60 degrees above and before that wall.
+void SetSpotLight(Stage& stage);
+
 /// Streets of blocks, `count` x `count`, each an actor of its own, on a ground.
 void BuildCity(Stage& stage, int count = 14, vtkRenderer* renderer = nullptr);
 

@@ -2,37 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Outlines of boxes, by brute force.
 #include "BoxOutline.h"
+#include "RandomBoxes.h"
 #include "StudyView.h"
 
 #include <gtest/gtest.h>
 
-#include <random>
-#include <vector>
-
 namespace
 {
-std::vector<vtkNBufferBox> MakeBoxes(int count, unsigned int seed)
-{
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  std::vector<vtkNBufferBox> boxes;
-  for (int i = 0; i < count; ++i)
-  {
-    const double x = 60.0 * uniform(random);
-    const double y = 60.0 + 70.0 * uniform(random);
-    const double z = 10.0 * uniform(random);
-    const double size = 1.0 + uniform(random);
-    const double bounds[6] = { x, x + size, y, y + 2.0 * size, z, z + 0.5 * size };
-    boxes.push_back(vtkNBufferBox::FromBounds(bounds));
-  }
-  return boxes;
-}
-
 TEST(StudyOutline, IsThatOfTheDoubleLoopOverPixelCentres)
 {
   const vtkNBufferProjection projection = StudyTest::MakeProjection(300, 200);
   int boxesSeen = 0;
-  for (const vtkNBufferBox& box : MakeBoxes(400, 5))
+  for (const vtkNBufferBox& box : MakeRandomBoxes(400, 5))
   {
     vtkNBufferScreenBox screen;
     if (projection.Project(box, screen) != vtkNBufferPlacement::Inside || screen.Clipped)

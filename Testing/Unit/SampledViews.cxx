@@ -11,6 +11,14 @@
 #include <limits>
 #include <sstream>
 
+vtkNBufferProjection MakeProjection(const View& view, vtkNBufferDepthConvention convention)
+{
+  vtkNBufferProjection projection;
+  projection.Set(view.WorldToClip.data(), view.Width, view.Height,
+    convention == vtkNBufferDepthConvention::Forward ? 0x1p-24 : 0.0, convention);
+  return projection;
+}
+
 double ViewSampler::Uniform(double a, double b)
 {
   return std::uniform_real_distribution<double>(a, b)(this->Random);

@@ -36,6 +36,10 @@ struct View
   std::string Text; ///< For failures.
 };
 
+/// As of a buffer of floats: depth is relative where small values are far.
+vtkNBufferProjection MakeProjection(
+  const View& view, vtkNBufferDepthConvention convention = vtkNBufferDepthConvention::Forward);
+
 /// A point on the screen: pixels of the viewport and stored depth.
 struct ScreenPoint
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What holds for a node holds for all that is below it, by brute force over points.
+#include "RandomBoxes.h"
 #include "SampledViews.h"
 #include "vtkNBufferHierarchy.h"
 #include "vtkNBufferProjection.h"
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <random>
 #include <vector>
 
 namespace
@@ -20,23 +20,6 @@ using Node = vtkNBufferHierarchy::Node;
 using Answer = vtkNBufferHierarchy::Answer;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
-std::vector<vtkNBufferBox> MakeBoxes(int count, unsigned int seed)
-{
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  std::vector<vtkNBufferBox> boxes;
-  for (int i = 0; i < count; ++i)
-  {
-    const double x = 60.0 * uniform(random);
-    const double y = 60.0 + 70.0 * uniform(random);
-    const double z = 10.0 * uniform(random);
-    const double size = 1.0 + uniform(random);
-    const double bounds[6] = { x, x + size, y, y + 2.0 * size, z, z + 0.5 * size };
-    boxes.push_back(vtkNBufferBox::FromBounds(bounds));
-  }
-  return boxes;
-}
 
 /// Whether what may be drawn of the inner box may be drawn of the outer one, margin and rounding
 /// included.
@@ -61,8 +44,7 @@ void CheckUnknown(const vtkNBufferBox& box)
   for (int i = 0; i < 20; ++i)
   {
     const View view = sampler.MakeView(0.0);
-    vtkNBufferProjection projection;
-    projection.Set(view.WorldToClip.data(), view.Width, view.Height, 0x1p-24);
+    const vtkNBufferProjection projection = MakeProjection(view);
     vtkNBufferScreenBox screen;
     EXPECT_FALSE(projection.IsOutside(box));
     EXPECT_EQ(projection.Project(box, screen), vtkNBufferPlacement::Crossing);
@@ -125,7 +107,7 @@ TEST(NBufferHierarchy, NodesContainWhatIsBelowThem)
   {
     for (int leafSize : { 0, 1, 4, vtkNBufferHierarchy::DefaultLeafSize })
     {
-      std::vector<vtkNBufferBox> boxes = MakeBoxes(count, 3);
+      std::vector<vtkNBufferBox> boxes = MakeRandomBoxes(count, 3);
       for (std::size_t i = 0; i < boxes.size(); i += 7)
       {
         boxes[i].Margin = 0.25 * static_cast<double>(i);
@@ -140,7 +122,7 @@ TEST(NBufferHierarchy, NodesContainWhatIsBelowThem)
 
 TEST(NBufferHierarchy, OfSomeOfTheBoxes)
 {
-  const std::vector<vtkNBufferBox> boxes = MakeBoxes(300, 3);
+  const std::vector<vtkNBufferBox> boxes = MakeRandomBoxes(300, 3);
   std::vector<int> places;
   for (int i = 1; i < 300; i += 3)
   {
@@ -165,8 +147,7 @@ TEST(NBufferHierarchy, WhatIsSaidOfANodeHoldsForThePointsBelow)
   for (int n = 0; n < 150; ++n)
   {
     const View view = sampler.MakeView(n % 3 == 0 ? 0.0 : n % 3 == 1 ? 1e3 : 1e5, n % 2 == 0);
-    vtkNBufferProjection projection;
-    projection.Set(view.WorldToClip.data(), view.Width, view.Height, 0x1p-24);
+    const vtkNBufferProjection projection = MakeProjection(view);
     std::vector<vtkNBufferBox> boxes;
     std::vector<std::array<double, 6>> bounds;
     for (int i = 0; i < 40; ++i)
@@ -227,7 +208,7 @@ TEST(NBufferHierarchy, WhatIsSaidOfANodeHoldsForThePointsBelow)
 // Twice as large everywhere: the same tree, and no rounding that differs.
 TEST(NBufferHierarchy, RefitEqualsAnotherBuild)
 {
-  std::vector<vtkNBufferBox> boxes = MakeBoxes(500, 3);
+  std::vector<vtkNBufferBox> boxes = MakeRandomBoxes(500, 3);
   vtkNBufferHierarchy tree;
   vtkNBufferHierarchy moved;
   tree.Build(boxes);
@@ -259,27 +240,28 @@ TEST(NBufferHierarchy, RefitEqualsAnotherBuild)
 
 TEST(NBufferHierarchy, OnlyWhatIsAboveAMoveIsRefit)
 {
-  std::vector<vtkNBufferBox> boxes = MakeBoxes(64, 3);
+  std::vector<vtkNBufferBox> boxes = MakeRandomBoxes(64, 3);
   vtkNBufferHierarchy tree;
   tree.Build(boxes, 8);
   EXPECT_EQ(tree.GetNumberOfNodes(), 15u);
   EXPECT_EQ(tree.Refit(), 0);
   for (int place : { 0, 17, 63 })
   {
-    boxes[static_cast<std::size_t>(place)] = MakeBoxes(1, 90u + static_cast<unsigned>(place))[0];
+    boxes[static_cast<std::size_t>(place)] =
+      MakeRandomBoxes(1, 90u + static_cast<unsigned>(place))[0];
     tree.Move(place, boxes[static_cast<std::size_t>(place)]);
     EXPECT_EQ(tree.Refit(), 4); // from the root to a leaf
     CheckNodes(tree, boxes, GetAll(boxes));
   }
   vtkNBufferHierarchy all;
-  all.Build(MakeBoxes(64, 3), 8);
+  all.Build(MakeRandomBoxes(64, 3), 8);
   all.Refit(boxes);
   ExpectSameBoxes(tree, all);
 }
 
 TEST(NBufferHierarchy, NothingIsAskedBelowASkippedNode)
 {
-  const std::vector<vtkNBufferBox> boxes = MakeBoxes(100, 3);
+  const std::vector<vtkNBufferBox> boxes = MakeRandomBoxes(100, 3);
   vtkNBufferHierarchy tree;
   tree.Build(boxes, 4);
   int nodes = 0;
@@ -291,7 +273,7 @@ TEST(NBufferHierarchy, NothingIsAskedBelowASkippedNode)
 
 TEST(NBufferHierarchy, EqualCentres)
 {
-  std::vector<vtkNBufferBox> boxes = MakeBoxes(100, 3);
+  std::vector<vtkNBufferBox> boxes = MakeRandomBoxes(100, 3);
   for (vtkNBufferBox& box : boxes)
   {
     std::fill_n(box.Center, 3, 4.0);
@@ -304,7 +286,7 @@ TEST(NBufferHierarchy, EqualCentres)
 
 TEST(NBufferHierarchy, HugeBoxes)
 {
-  std::vector<vtkNBufferBox> boxes = MakeBoxes(100, 3);
+  std::vector<vtkNBufferBox> boxes = MakeRandomBoxes(100, 3);
   for (int i : { 5, 50 })
   {
     const double bounds[6] = { -9e29, 9e29, -1e12, 9e29, 0.0, 1.0 };
@@ -322,7 +304,7 @@ TEST(NBufferHierarchy, BoxesThatAreNotFiniteAreUnknownToTheRoot)
   {
     for (int part = 0; part < 4; ++part)
     {
-      std::vector<vtkNBufferBox> boxes = MakeBoxes(200, 3);
+      std::vector<vtkNBufferBox> boxes = MakeRandomBoxes(200, 3);
       vtkNBufferBox& box = boxes[77];
       (part == 0      ? box.Center
           : part == 1 ? box.HalfSize
@@ -351,7 +333,7 @@ TEST(NBufferHierarchy, BoxesThatAreNotFiniteAreUnknownToTheRoot)
       }
       EXPECT_TRUE(unknown == 6 || std::isfinite(bad)) << unknown; // 200 in leaves of up to 8
       // And back to where something is known.
-      const std::vector<vtkNBufferBox> good = MakeBoxes(200, 3);
+      const std::vector<vtkNBufferBox> good = MakeRandomBoxes(200, 3);
       tree.Move(77, good[77]);
       tree.Refit();
       CheckNodes(tree, good, GetAll(good));
@@ -361,7 +343,7 @@ TEST(NBufferHierarchy, BoxesThatAreNotFiniteAreUnknownToTheRoot)
 
 TEST(NBufferHierarchy, GrowthTellsThatBoxesHaveLeftTheirLeaves)
 {
-  std::vector<vtkNBufferBox> boxes = MakeBoxes(1000, 3);
+  std::vector<vtkNBufferBox> boxes = MakeRandomBoxes(1000, 3);
   vtkNBufferHierarchy tree;
   EXPECT_EQ(tree.GetGrowth(), 1.0);
   tree.Build(boxes);

@@ -24,12 +24,6 @@ const Convention Conventions[] = { Convention::Forward, Convention::Reversed,
   Convention::InverseW };
 const char* const ConventionNames[] = { "Forward", "Reversed", "InverseW" };
 
-/// Of a buffer of floats: relative where small values are far.
-double GetQuantum(Convention convention)
-{
-  return convention == Convention::Forward ? 0x1p-24 : 0.0;
-}
-
 struct Scene
 {
   Convention Depths = Convention::Forward;
@@ -61,8 +55,7 @@ void MakeScene(ViewSampler& sampler, double offset, int factor, Convention conve
     scene.Eye = sampler.MakeView(offset, false);
   } while (scene.Eye.Width > 700 || scene.Eye.Width * scene.Eye.Height < 2 ||
     (scene.Eye.Parallel && convention == Convention::InverseW));
-  scene.Projection.Set(scene.Eye.WorldToClip.data(), scene.Eye.Width, scene.Eye.Height,
-    GetQuantum(convention), convention);
+  scene.Projection = MakeProjection(scene.Eye, convention);
   scene.Depth.assign(static_cast<std::size_t>(scene.Eye.Width) * scene.Eye.Height,
     vtkNBufferMath::GetBackgroundDepth(convention));
   const int walls = sampler.Integer(1, 12);
@@ -395,9 +388,7 @@ TEST_P(NBufferOcclusionOfDepths, TheNearPlaneInViewIsCrossing)
   for (int n = 0; n < 500; ++n)
   {
     const View view = sampler.MakeView(0.0);
-    vtkNBufferProjection projection;
-    projection.Set(view.WorldToClip.data(), view.Width, view.Height, GetQuantum(this->GetParam()),
-      this->GetParam());
+    const vtkNBufferProjection projection = MakeProjection(view, this->GetParam());
     const double length = std::hypot(view.Direction[0], view.Direction[1], view.Direction[2]);
     double bounds[6];
     for (int i = 0; i < 3; ++i)
@@ -429,8 +420,7 @@ TEST_P(NBufferOcclusionOfDepths, FarBoxesAreTestedAsFinelyAsTheyAreStored)
   camera->SetClippingRange(scene.Eye.Near, scene.Eye.Far);
   std::copy_n(camera->GetCompositeProjectionTransformMatrix(64.0 / 48.0, -1.0, 1.0)->GetData(), 16,
     scene.Eye.WorldToClip.begin());
-  scene.Projection.Set(
-    scene.Eye.WorldToClip.data(), 64, 48, GetQuantum(scene.Depths), scene.Depths);
+  scene.Projection = MakeProjection(scene.Eye, scene.Depths);
   scene.Depth.resize(64 * 48);
   // A wall at 50 km before a box at 55 km.
   const auto wall = ProjectExactly(scene.Eye, { 0.0, 0.0, -5e4 }, scene.Depths);

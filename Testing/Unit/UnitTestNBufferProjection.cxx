@@ -17,14 +17,6 @@ const char* const ConventionNames[] = { "Forward", "Reversed", "InverseW" };
 const Convention Conventions[] = { Convention::Forward, Convention::Reversed,
   Convention::InverseW };
 
-vtkNBufferProjection MakeProjection(const View& view, Convention convention = Convention::Forward)
-{
-  vtkNBufferProjection projection;
-  projection.Set(view.WorldToClip.data(), view.Width, view.Height,
-    convention == Convention::Forward ? 0x1p-24 : 0.0, convention);
-  return projection;
-}
-
 /// All that is claimed of a box, for one of its points.
 void CheckPoint(const vtkNBufferProjection& projection, vtkNBufferPlacement placement, bool outside,
   const vtkNBufferBox& box, const vtkNBufferScreenBox& screen, const ScreenPoint& point)
