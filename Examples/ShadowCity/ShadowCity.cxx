@@ -83,7 +83,7 @@ int main(int argc, char* argv[])
 
     double bounds[6];
     city.GetBounds().GetBounds(bounds);
-    const NBufferExamples::CameraPose overTheOldTown{ { -120.0, 3080.0, 230.0 },
+    const NBufferExamples::CameraPose overTheOldTown{ { -120.0, 3720.0, 230.0 },
       { 260.0, 3400.0, 20.0 }, { 0.0, 0.0, 1.0 } };
     NBufferExamples::ApplyPose(overTheOldTown, bounds, renderer);
     for (const NBufferExamples::SunTime& each : times)
