@@ -5,8 +5,8 @@
  * @brief Settings in the name of a mode, such as nbuffer:RoundSize=16:BackOff=0.
  *
  * Of vtkNBufferCuller: RoundSize, MaximumNumberOfRounds, MinimumNumberOfCandidates, BaseFactor,
- * MaximumNumberOfPieces, TestPixels, BackOff, ReuseWhenStill, TakeOverFrustumCulling; of
- * vtkShadowVolumeClampPass: BoxCost, SlabGap.
+ * MaximumNumberOfPieces, TestPixels, TestSlivers, BackOff, ReuseWhenStill, TakeOverFrustumCulling;
+ * of vtkShadowVolumeClampPass: BoxCost, SlabGap.
  */
 #ifndef ModeSettings_h
 #define ModeSettings_h
