@@ -39,6 +39,8 @@ constexpr Setting<Culler> CullerSettings[] = {
     [](Culler* c) { return c->GetHierarchySize(); } },
   { "TestPixels", [](Culler* c, int v) { c->SetTestPixels(v != 0); },
     [](Culler* c) { return int(c->GetTestPixels()); } },
+  { "TestSlivers", [](Culler* c, int v) { c->SetTestSlivers(v); },
+    [](Culler* c) { return c->GetTestSlivers(); } },
   { "BackOff", [](Culler* c, int v) { c->SetBackOff(v != 0); },
     [](Culler* c) { return int(c->GetBackOff()); } },
   { "ReuseWhenStill", [](Culler* c, int v) { c->SetReuseWhenStill(v != 0); },

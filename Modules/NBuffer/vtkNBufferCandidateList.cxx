@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferCandidateList.h"
 
+#include "vtkActor.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -77,6 +78,7 @@ int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
   const bool all = state != this->GlobalState;
   this->GlobalState = state;
   this->Tree.BeginFrame();
+  this->Meshes.BeginFrame();
   const bool overTree = this->UsesTree();
   if (!overTree)
   {
@@ -308,6 +310,11 @@ vtkNBufferDrawnProp vtkNBufferCandidateList::GetDrawn(int i, int round)
   drawn.Box = this->GetBox(i);
   drawn.Screen = screen;
   return drawn;
+}
+
+const std::vector<const vtkNBufferMesh*>& vtkNBufferCandidateList::GetMeshes(int i)
+{
+  return this->Meshes.Get(vtkActor::SafeDownCast(this->GetProp(i)));
 }
 
 int vtkNBufferCandidateList::Find(vtkProp* prop) const

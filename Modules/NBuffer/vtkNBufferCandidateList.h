@@ -16,6 +16,7 @@
 
 #include "vtkNBufferCandidate.h"
 #include "vtkNBufferCandidateTree.h"
+#include "vtkNBufferMeshes.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferTieOrder.h"
@@ -86,6 +87,9 @@ public:
   /// Prop i as drawn in a round, for the order of equal depths.
   vtkNBufferDrawnProp GetDrawn(int i, int round);
 
+  /// The triangles of prop i, see vtkNBufferMeshes.
+  const std::vector<const vtkNBufferMesh*>& GetMeshes(int i);
+
   int GetSize() const { return static_cast<int>(this->Candidates.size()); }
   vtkProp* GetProp(int i) const { return this->Candidates[i].GetProp(); }
   const vtkNBufferCandidate& GetCandidate(int i) const { return this->Candidates[i]; }
@@ -124,6 +128,7 @@ private:
   std::vector<unsigned char> Stale;
   mutable std::unordered_map<vtkProp*, int> Index;
   vtkNBufferCandidateTree Tree;
+  vtkNBufferMeshes Meshes;
   std::vector<int> Reached; ///< Places that the tree leaves to be asked one by one.
   const vtkNBufferProjection* Projection = nullptr;
   int HierarchySize = VTK_INT_MAX;

@@ -261,6 +261,7 @@ double vtkNBufferCuller::Cull(
   settings.HierarchySize = this->HierarchySize;
   settings.Test.MaximumNumberOfPieces = this->MaximumNumberOfPieces;
   settings.Test.TestPixels = this->TestPixels;
+  settings.Test.TestSlivers = static_cast<vtkNBufferSliverPolicy>(this->TestSlivers);
   settings.Test.AllowFloatTextures = this->AllowFloatTextures;
   settings.ReuseWhenStill = this->ReuseWhenStill;
   settings.BackOff = this->BackOff;
@@ -306,6 +307,7 @@ void vtkNBufferCuller::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HierarchySize: " << this->HierarchySize << "\n";
   os << indent << "MaximumNumberOfPieces: " << this->MaximumNumberOfPieces << "\n";
   os << indent << "TestPixels: " << this->TestPixels << "\n";
+  os << indent << "TestSlivers: " << this->TestSlivers << "\n";
   os << indent << "AllowFloatTextures: " << this->AllowFloatTextures << "\n";
   os << indent << "ReuseWhenStill: " << this->ReuseWhenStill << "\n";
   os << indent << "BackOff: " << this->BackOff << "\n";

@@ -154,6 +154,25 @@ public:
   vtkBooleanMacro(TestPixels, bool);
   ///@}
 
+  /// When triangles are looked at one by one.
+  enum SliverTestType
+  {
+    Never,
+    OnSoftware, ///< With software renderers only.
+    Always
+  };
+
+  ///@{
+  /// Look at the triangles of hidden props for slivers that a rasteriser may draw before the box
+  /// that they are in (vtkNBufferSliverTest): stray pixels that the image has without the culler.
+  /// Mesa's llvmpipe is known to draw them, one in 40 frames of a plant of thin pipes. Costs some
+  /// 5 microseconds per hidden prop of a hundred points and triangles in every frame, 24 bytes per
+  /// point and 12 per triangle of their meshes, and the props drawn for it: a few in a hundred of
+  /// those hidden, which in a street of a city are more than those that are seen. Default: Never.
+  vtkSetClampMacro(TestSlivers, int, Never, Always);
+  vtkGetMacro(TestSlivers, int);
+  ///@}
+
   ///@{
   /// Whether the device may draw into float textures, which the OpenGL back-end and multisampling
   /// call for. Off is as on a device that cannot: Auto takes the CPU back-end, and what needs the
@@ -249,6 +268,7 @@ private:
   int HierarchySize = 10000;
   int MaximumNumberOfPieces = 8;
   bool TestPixels = true;
+  int TestSlivers = Never;
   bool AllowFloatTextures = true;
   bool ReuseWhenStill = true;
   bool BackOff = true;

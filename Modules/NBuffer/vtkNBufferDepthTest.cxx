@@ -3,8 +3,12 @@
 #include "vtkNBufferDepthTest.h"
 
 #include "vtkNBufferClock.h"
+#include "vtkNBufferGL.h"
 #include "vtkNBufferOcclusionTest.h"
 #include "vtkNBufferPixelTest.h"
+
+#include "vtkActor.h"
+#include "vtkMatrix4x4.h"
 
 #include <algorithm>
 
@@ -64,8 +68,61 @@ const float* vtkNBufferDepthTest::GetDepth(std::size_t doubtful)
   return this->Backend.GetDepth(this->Window, this->Source, this->Statistics);
 }
 
+bool vtkNBufferDepthTest::HasVisibleSlivers(int i, vtkNBufferSliverTest& test)
+{
+  // Made now if a node has hidden it.
+  const vtkNBufferScreenBox& screen = this->Props.GetScreen(i);
+  if (this->Props.GetState(i).Placement != vtkNBufferPlacement::Inside)
+  {
+    return false;
+  }
+  const std::vector<const vtkNBufferMesh*>& meshes = this->Props.GetMeshes(i);
+  return std::any_of(meshes.begin(), meshes.end(),
+    [&](const vtkNBufferMesh* mesh)
+    {
+      auto* actor = static_cast<vtkActor*>(this->Props.GetProp(i));
+      return test.MayBeSeen(*mesh, actor->GetMatrix()->GetData(), this->Props.GetBox(i), screen);
+    });
+}
+
+bool vtkNBufferDepthTest::TestsSlivers() const
+{
+  const vtkNBufferSliverPolicy policy = this->Settings.TestSlivers;
+  return policy == vtkNBufferSliverPolicy::Always ||
+    (policy == vtkNBufferSliverPolicy::OnSoftware && vtkNBufferGL::GetSoftwareRenderer());
+}
+
+/// `places` is what is left of `asked`, in its order; so it is afterwards.
+void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& asked, std::vector<int>& places)
+{
+  if (asked.size() <= places.size())
+  {
+    return;
+  }
+  const vtkNBufferClock clock;
+  vtkNBufferSliverTest test(this->Projection, this->Levels, this->Source.Samples > 1 ? 0.5 : 0.0);
+  std::vector<int> visible;
+  auto left = places.begin();
+  for (int i : asked)
+  {
+    if (left != places.end() && *left == i)
+    {
+      ++left;
+      visible.push_back(i);
+    }
+    else if (this->HasVisibleSlivers(i, test))
+    {
+      visible.push_back(i);
+    }
+  }
+  this->Statistics.Slivers += static_cast<int>(visible.size() - places.size());
+  places.swap(visible);
+  this->Statistics.SliverTestTime += clock.GetMilliseconds();
+}
+
 int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
 {
+  const std::vector<int> asked = this->TestsSlivers() ? places : std::vector<int>();
   // `test` is asked with the rectangle made; a placement that is not Inside has none.
   const auto isHiddenBy = [this](int i, auto& test)
   {
@@ -91,6 +148,7 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
   const float* depth = this->GetDepth(places.size());
   if (!depth)
   {
+    this->PutBackSlivers(asked, places);
     return doubtful;
   }
   clock.Restart();
@@ -100,6 +158,7 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
     places.end());
   this->Statistics.Lookups += pixelTest.GetLookups();
   this->Statistics.PixelTestTime += clock.GetMilliseconds();
+  this->PutBackSlivers(asked, places);
   return doubtful;
 }
 VTK_ABI_NAMESPACE_END

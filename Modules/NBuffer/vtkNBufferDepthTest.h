@@ -5,7 +5,8 @@
  * @brief Which candidates of a list lie behind what has been drawn in this frame so far.
  *
  * First by the levels (vtkNBufferOcclusionTest), then, for those in doubt and where the depth
- * image is at hand, by the pixels (vtkNBufferPixelTest).
+ * image is at hand, by the pixels (vtkNBufferPixelTest). What they found hidden may have slivers
+ * that are drawn before its box (vtkNBufferSliverTest).
  */
 #ifndef vtkNBufferDepthTest_h
 #define vtkNBufferDepthTest_h
@@ -14,6 +15,7 @@
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferProjection.h"
+#include "vtkNBufferSliverTest.h"
 #include "vtkNBufferStatistics.h"
 
 #include <initializer_list>
@@ -22,6 +24,14 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
+
+/// When the triangles of hidden props are looked at.
+enum class vtkNBufferSliverPolicy
+{
+  Never,
+  OnSoftware,
+  Always
+};
 
 class vtkNBufferDepthTest
 {
@@ -33,6 +43,7 @@ public:
     int BaseFactor = 4;
     int MaximumNumberOfPieces = 8;
     bool TestPixels = true;
+    vtkNBufferSliverPolicy TestSlivers = vtkNBufferSliverPolicy::Never;
     bool AllowFloatTextures = true;
   };
 
@@ -54,6 +65,9 @@ public:
 
 private:
   const float* GetDepth(std::size_t doubtful);
+  bool TestsSlivers() const;
+  void PutBackSlivers(const std::vector<int>& asked, std::vector<int>& places);
+  bool HasVisibleSlivers(int i, vtkNBufferSliverTest& test);
 
   vtkNBufferBackend& Backend;
   vtkNBufferLevels& Levels;

@@ -64,6 +64,7 @@ bool AreBehind(const vtkNBufferProjection& projection, const vtkNBufferBox& box,
         // What is drawn of a piece also lies in the rectangle of the whole box. Without this a
         // piece, being a little too long, might ask for a level that the box does not need.
         part.Pixels = vtkNBufferMath::Intersect(part.Pixels, screen.Pixels);
+        projection.SetPiece(screen, part);
         if (!part.Pixels.IsEmpty() && !isBehind(part))
         {
           return false;

@@ -20,7 +20,10 @@ constexpr double PlaneErrors = 8.0;
 constexpr double SnapInPixels = 1.0 / 16;       // OpenGL's minimum of subpixel bits
 constexpr double OvershootInPixels = 1.0 / 362; // half the diagonal of a step of 2^-8
 constexpr double InverseOfHeight = 16.0;        // of the lowest triangle that is covered
-constexpr double NearPlaneMargin = 1e-6;        // far more than unprojecting in double can err
+// Of single triangles, see vtkNBufferSliverTest.h, in units of UnitRoundoff.
+constexpr double SlopeErrors = 32.0;
+constexpr double LowestHeight = 64.0;
+constexpr double NearPlaneMargin = 1e-6; // far more than unprojecting in double can err
 
 /// E of the header: how far the device's value of row i may be from Evaluate().
 double GetError(const double row[4], const vtkNBufferBox& box)
@@ -58,9 +61,8 @@ void vtkNBufferProjection::Set(const double worldToClip[16], int width, int heig
 {
   this->Width = width;
   this->Height = height;
-  this->DepthRangeSlack = InverseOfHeight *
-    (OvershootInPixels +
-      PlaneErrors * UnitRoundoff * std::max({ width, height, largestCoordinate }));
+  this->PlaneRounding = PlaneErrors * UnitRoundoff * std::max({ width, height, largestCoordinate });
+  this->DepthRangeSlack = InverseOfHeight * (OvershootInPixels + this->PlaneRounding);
   std::copy_n(worldToClip, 16, &this->WorldToClip[0][0]);
   std::copy_n(worldToClip, 16, &this->Rows[0][0]);
   this->SetConvention(convention, depthQuantum);
@@ -341,8 +343,9 @@ vtkNBufferPlacement vtkNBufferProjection::Finish(
   result.Pixels.X1 = end[0];
   result.Pixels.Y1 = end[1];
   const double scale = this->OrderScale;
+  result.DepthRange = scale * (extent.High[2] - extent.Low[2]);
   const double slack = this->DepthSlack + this->RelativeDepthSlack * std::abs(extent.Low[2]) +
-    scale * (extent.High[2] - extent.Low[2]) * this->DepthRangeSlack;
+    result.DepthRange * this->DepthRangeSlack;
   result.Nearest = scale * extent.Low[2] + this->OrderOffset - slack;
   result.Farthest = scale * extent.High[2] + this->OrderOffset + slack;
   result.Slack[2] = extent.Slack[2] + slack / scale;
@@ -350,6 +353,41 @@ vtkNBufferPlacement vtkNBufferProjection::Finish(
   // Beyond the far plane nothing is drawn.
   return result.Nearest > this->FarthestOrder ? vtkNBufferPlacement::Outside
                                               : vtkNBufferPlacement::Inside;
+}
+
+vtkNBufferProjection::TriangleErrors vtkNBufferProjection::GetTriangleErrors(
+  const vtkNBufferBox& box, const vtkNBufferScreenBox& screen) const
+{
+  const double border = box.Margin + SnapInPixels;
+  TriangleErrors errors;
+  errors.Position = std::max({ 0.5 * screen.Slack[0] * this->Width - border,
+    0.5 * screen.Slack[1] * this->Height - border, 0.0 });
+  errors.Overshoot = OvershootInPixels;
+  // What Finish() adds to the extent of the box, but for the part of R, and what vertices may err.
+  errors.Depth = this->OrderScale * screen.Slack[2] - screen.DepthRange * this->DepthRangeSlack;
+  errors.OfSlope = OvershootInPixels + this->PlaneRounding;
+  errors.OfRounding = this->PlaneRounding;
+  errors.OfLength = SlopeErrors * UnitRoundoff;
+  errors.Granted = screen.DepthRange * this->DepthRangeSlack;
+  errors.LargestSlope = errors.Granted / (errors.OfSlope + errors.OfRounding);
+  errors.LowestHeight = LowestHeight * UnitRoundoff;
+  return errors;
+}
+
+void vtkNBufferProjection::GetWindowMatrix(const double toWorld[16], double matrix[4][4]) const
+{
+  double clip[16];
+  vtkMatrix4x4::Multiply4x4(&this->Rows[0][0], toWorld, clip);
+  const double scales[3] = { 0.5 * this->Width, 0.5 * this->Height, this->OrderScale };
+  const double offsets[3] = { scales[0], scales[1], this->OrderOffset };
+  for (int j = 0; j < 4; ++j)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      matrix[i][j] = scales[i] * clip[4 * i + j] + offsets[i] * clip[12 + j];
+    }
+    matrix[3][j] = clip[12 + j];
+  }
 }
 
 bool vtkNBufferProjection::GetContact(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen,

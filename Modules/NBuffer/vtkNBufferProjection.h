@@ -49,9 +49,12 @@
  *
  *     slack = 2 quantum + 4 u + (2^-8.5 + 8 u n) R / t,   t = 1/16 pixel
  *
+ * A piece of a box shows triangles of the whole box: R remains that of the whole (SetPiece).
+ *
  * Triangles lower than 1/16 pixel are not covered: those few that own a sample nevertheless may
- * be given any depth by such a rasteriser. docs/precision.md has the largest errors found for each
- * format and projection, beside this slack, and says how rare such triangles are.
+ * be given any depth by such a rasteriser. They are a matter of vtkNBufferSliverTest, which looks
+ * at the triangles themselves. docs/precision.md has the largest errors found for each format and
+ * projection, beside this slack.
  *
  * ## Other depths than VTK's
  *
@@ -69,6 +72,7 @@
 #include "vtkNBufferMath.h"
 #include "vtkNBufferModule.h" // For export macro
 
+#include <algorithm>
 #include <array>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -118,9 +122,10 @@ struct vtkNBufferScreenBox
   double Nearest = 0.0;
   double Farthest = 1.0;
   ///@}
-  double Slack[3] = {};  ///< How far a drawn point may be from its exact place, NDC.
-  double MaximumW = 0.0; ///< Largest clip w of the corners.
-  bool Clipped = false;  ///< Corners are behind the eye: the part in view was cut out.
+  double DepthRange = 1.0; ///< R above, for which Nearest and Farthest allow; order of distance.
+  double Slack[3] = {};    ///< How far a drawn point may be from its exact place, NDC.
+  double MaximumW = 0.0;   ///< Largest clip w of the corners.
+  bool Clipped = false;    ///< Corners are behind the eye: the part in view was cut out.
 };
 
 /**
@@ -161,6 +166,39 @@ public:
    * about a microsecond. Crossing remains what crosses the near plane in view.
    */
   vtkNBufferPlacement Project(const vtkNBufferBox& box, vtkNBufferScreenBox& result) const;
+
+  /// Let `piece`, what Project gave for a piece of a box, allow for the triangles of the box, which
+  /// may be as steep as `whole` says.
+  void SetPiece(const vtkNBufferScreenBox& whole, vtkNBufferScreenBox& piece) const
+  {
+    const double rest = std::max(whole.DepthRange - piece.DepthRange, 0.0);
+    piece.DepthRange += rest;
+    piece.Nearest -= rest * this->DepthRangeSlack;
+    piece.Farthest += rest * this->DepthRangeSlack;
+  }
+
+  /**
+   * What is known of how a device draws one triangle of a box that is Inside, see above. Pixels and
+   * order of distance.
+   */
+  struct TriangleErrors
+  {
+    double Position;     ///< Of a vertex, in x and in y, before it is snapped.
+    double Overshoot;    ///< A sample from the triangle that it is part of, beyond Position.
+    double Depth;        ///< Of any sample, besides what follows from slopes and their rounding.
+    double OfSlope;      ///< In units of the slope of the plane.
+    double OfRounding;   ///< In units of depth range by height, at most, and
+    double OfLength;     ///< in the same units and those of the longest side.
+    double Granted;      ///< What the slack of the box grants the last three.
+    double LargestSlope; ///< Depth range by height up to which that is enough in any case.
+    double LowestHeight; ///< In units of the longest side; below it the plane is lost in rounding.
+  };
+  TriangleErrors GetTriangleErrors(
+    const vtkNBufferBox& box, const vtkNBufferScreenBox& screen) const;
+
+  /// Rows of a matrix from model coordinates to (x, y, order, 1) times w, in pixels of the viewport
+  /// and order of distance. `toWorld`: row-major.
+  void GetWindowMatrix(const double toWorld[16], double matrix[4][4]) const;
 
   /**
    * Whether nothing of a box that is Inside lies beyond a side of the view, behind the eye or
@@ -243,6 +281,7 @@ private:
   double DepthSlack = 0.0;
   double RelativeDepthSlack = 0.0; ///< In units of the largest depth of the box.
   double DepthRangeSlack = 0.0;    ///< In units of the depth range of the box.
+  double PlaneRounding = 0.0;      ///< 8 u n, pixels.
   int Width = 0;
   int Height = 0;
 };

@@ -122,6 +122,7 @@ std::string vtkNBufferStatistics::GetAsJSON() const
   json["lookups"] = static_cast<Json::Int64>(this->Lookups);
   json["read_backs"] = this->ReadBacks;
   json["bytes_read"] = static_cast<Json::Int64>(this->BytesRead);
+  json["slivers"] = this->Slivers;
   json["nodes"] = static_cast<Json::Int64>(this->Nodes);
   json["refits"] = this->Refits;
   json["builds"] = this->Builds;
@@ -133,6 +134,7 @@ std::string vtkNBufferStatistics::GetAsJSON() const
   times["build"] = this->BuildTime;
   times["test"] = this->TestTime;
   times["pixel_test"] = this->PixelTestTime;
+  times["sliver_test"] = this->SliverTestTime;
   times["draw"] = this->DrawTime;
   times["device_build"] = this->DeviceBuildTime;
   return vtkNBufferJSON::Write(json);

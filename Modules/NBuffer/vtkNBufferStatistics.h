@@ -123,6 +123,10 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   long long BytesRead = 0;
   ///@}
 
+  /// Props whose boxes were found hidden and which were drawn for slivers that may be seen (see
+  /// vtkNBufferCuller::SetTestSlivers); a prop may be counted once in each round.
+  int Slivers = 0;
+
   ///@{
   /// Work of the hierarchy over the props (vtkNBufferCuller::SetHierarchySize): nodes looked at for
   /// the view and for the test, boxes that it was refit to because they had changed, and whether it
@@ -135,7 +139,7 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   ///@{
   /// Milliseconds of the calling thread: Cull() as a whole and of it bringing caches up to date
   /// (with the frustum test where the camera has moved) and deciding (with the frustum test
-  /// elsewhere); then waiting for and reading the depth, building levels, testing boxes and pixels,
+  /// elsewhere); then waiting for and reading the depth, building levels, testing boxes, pixels and slivers,
   /// and drawing what had been held back. On the graphics device: building levels (OpenGL back-end;
   /// of an earlier frame, because a timer query is never waited for).
   double CullTime = 0.0;
@@ -145,6 +149,7 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   double BuildTime = 0.0;
   double TestTime = 0.0;
   double PixelTestTime = 0.0;
+  double SliverTestTime = 0.0;
   double DrawTime = 0.0;
   double DeviceBuildTime = 0.0;
   ///@}

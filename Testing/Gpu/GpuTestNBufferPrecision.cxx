@@ -13,6 +13,7 @@
 #include "OffscreenFixture.h"
 #include "vtkNBufferCandidate.h"
 #include "vtkNBufferDepthSource.h"
+#include "vtkNBufferSliverTest.h"
 #include "vtkNBufferVTKVersion.h"
 #include VTKNBUFFER_GL_HEADER
 
@@ -49,7 +50,7 @@ const CameraCase Cameras[] = {
 };
 
 const Kind Kinds[] = { Kind::Facing, Kind::Slanted, Kind::SubPixel, Kind::Steep, Kind::Behind };
-const char* const KindNames[] = { "facing", "slanted", "sub-pixel", "steep", "behind" };
+const char* const KindNames[] = { "facing", "slanted", "sub-pixel", "steep", "sliver", "behind" };
 
 /// Small triangles seldom cover a sample.
 int GetCount(Kind kind)
@@ -324,6 +325,89 @@ TEST_P(GpuTestNBufferPrecisionFormats, ErrorsStayUnderTheSlack)
 
 INSTANTIATE_TEST_SUITE_P(Each, GpuTestNBufferPrecisionFormats, ::testing::Values(0, 1, 2, 3, 4, 5),
   [](const auto& info) { return std::string(GetDepthFormats()[info.param].Name); });
+
+namespace
+{
+/// Whether the triangle is said to show where a fragment of this depth is all that can be seen.
+bool IsForetold(const vtkNBufferProjection& projection, const Triangle& triangle,
+  const vtkNBufferBox& box, const vtkNBufferScreenBox& screen, int x, int y, float z)
+{
+  std::vector<float> depth(static_cast<std::size_t>(Width) * Height, 0.0f);
+  depth[static_cast<std::size_t>(y) * Width + x] = z;
+  vtkNBufferLevels levels;
+  levels.BuildBase(depth.data(), Width, Height, 1, vtkNBufferExtremum::Maximum);
+  vtkNBufferMesh mesh;
+  mesh.Points = { triangle[0], triangle[1], triangle[2] };
+  mesh.Triangles = { { 0, 1, 2 } };
+  double identity[16];
+  vtkMatrix4x4::Identity(identity);
+  vtkNBufferSliverTest test(projection, levels, 0.0);
+  return test.MayBeSeen(mesh, identity, box, screen);
+}
+}
+
+// Hazard: a fragment of a sliver nearer than its box, of which nothing warns.
+TEST_F(GpuTestNBufferPrecision, SliversAreForetold)
+{
+  constexpr int count = 400;
+  this->Window = NewWindow(16, 16);
+  const DepthTarget target(GetDepthFormats()[1], Width, Height, true);
+  ASSERT_TRUE(target.IsComplete());
+  target.Bind(0, 0, Width, Height);
+  vtkNBufferDepthSource source;
+  std::string why;
+  ASSERT_TRUE(source.Inspect(this->Window, why)) << why;
+  TriangleProgram program;
+  long long fragments = 0;
+  long long strays = 0;
+  double farthest = 0.0; // stray, in depth ranges of its box
+  for (const CameraCase& camera : Cameras)
+  {
+    Sampler sampler(camera, 42);
+    program.SetMatrix(sampler);
+    vtkNBufferProjection projection;
+    projection.Set(sampler.GetWorldToClip(), Width, Height, 0x1p-24);
+    for (int n = 0; n < count; ++n)
+    {
+      const Triangle triangle = sampler.Make(Kind::Sliver);
+      const vtkNBufferBox box = MakeBox(triangle, sampler);
+      vtkNBufferScreenBox screen;
+      if (projection.Project(box, screen) != vtkNBufferPlacement::Inside)
+      {
+        continue;
+      }
+      program.Draw(triangle, sampler, screen, true);
+      const vtkNBufferRectangle& r = screen.Pixels;
+      std::vector<float> depth;
+      ASSERT_TRUE(source.Read(this->Window, r.X0, r.Y0, r.X1 - r.X0, r.Y1 - r.Y0, depth, why))
+        << why;
+      for (std::size_t i = 0; i < depth.size(); ++i)
+      {
+        fragments += depth[i] < 1.0f;
+        if (depth[i] < 1.0f && depth[i] < screen.Nearest)
+        {
+          ++strays;
+          farthest = std::max(farthest, (screen.Nearest - depth[i]) / screen.DepthRange);
+          const int width = r.X1 - r.X0;
+          const int x = r.X0 + static_cast<int>(i) % width;
+          const int y = r.Y0 + static_cast<int>(i) / width;
+          ASSERT_TRUE(IsForetold(projection, triangle, box, screen, x, y, depth[i]))
+            << camera.Name << ", triangle " << n << ", pixel " << x << " " << y;
+        }
+      }
+    }
+  }
+  if (std::getenv("VTKNBUFFER_TEST_VERBOSE"))
+  {
+    std::printf("slivers: %lld fragments, %lld nearer than their box by up to %.3g of its depth\n",
+      fragments, strays, farthest);
+  }
+  EXPECT_GT(fragments, 0);
+  if (strays == 0)
+  {
+    GTEST_SKIP() << "This rasteriser draws no sample before its box.";
+  }
+}
 
 // The same through mappers, with the boxes that the culler takes from them.
 TEST_F(GpuTestNBufferPrecision, ActorsStayUnderTheSlack)

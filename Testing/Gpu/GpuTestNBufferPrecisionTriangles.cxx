@@ -36,6 +36,10 @@ Triangle Sampler::Make(Kind kind)
   {
     return this->MakeSteep();
   }
+  if (kind == Kind::Sliver)
+  {
+    return this->MakeSliver();
+  }
   // A middle depth anywhere between the planes, and crowded at both of them.
   const double fromPlane = this->Logarithmic(1e-6, 1.0);
   const double z = std::copysign(1.0 - fromPlane, this->Uniform(-1.0, 1.0));
@@ -77,6 +81,36 @@ Triangle Sampler::MakeSteep()
     this->ToWorld(x + length * direction[0], y + length * direction[1], z + away),
     this->ToWorld(x + middle * direction[0] - height * direction[1] / norm,
       y + middle * direction[1] + height * direction[0] / norm, z - away) };
+}
+
+Triangle Sampler::MakeSliver()
+{
+  Triangle triangle = this->MakeSteep();
+  double depth[3];
+  double screen[3][2];
+  for (int i = 0; i < 3; ++i)
+  {
+    const ScreenVertex vertex = ToScreen(this->WorldToClip.data(), triangle[i].data());
+    screen[i][0] = vertex.X;
+    screen[i][1] = vertex.Y;
+    depth[i] = 2.0 * vertex.Z - 1.0;
+  }
+  // The third corner towards the side below, and the depths anywhere between the two there were.
+  const double dx = screen[1][0] - screen[0][0];
+  const double dy = screen[1][1] - screen[0][1];
+  const double foot =
+    ((screen[2][0] - screen[0][0]) * dx + (screen[2][1] - screen[0][1]) * dy) / (dx * dx + dy * dy);
+  const double lower = this->Logarithmic(1e-6, 1.0);
+  screen[2][0] += (1.0 - lower) * (screen[0][0] + foot * dx - screen[2][0]);
+  screen[2][1] += (1.0 - lower) * (screen[0][1] + foot * dy - screen[2][1]);
+  depth[1] += this->Uniform(0.0, 1.0) * (depth[2] - depth[1]);
+  depth[2] = depth[0] + foot * (depth[1] - depth[0]) +
+    this->Logarithmic(1e-4, 1.0) * (depth[2] - depth[0]) * 0.5;
+  for (int i = 0; i < 3; ++i)
+  {
+    triangle[i] = this->ToWorld(screen[i][0], screen[i][1], std::clamp(depth[i], -0.999, 0.999));
+  }
+  return triangle;
 }
 
 Triangle Sampler::MakeGround()

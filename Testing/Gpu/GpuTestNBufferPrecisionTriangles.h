@@ -39,6 +39,7 @@ enum class Kind
   Slanted,  ///< Any depth, 2 to 200 pixels.
   SubPixel, ///< Of less than two pixels, around the middle of one.
   Steep,    ///< Seen edge-on: 1/16 pixel high and more, deep across.
+  Sliver,   ///< As steep ones, but lower, down to nothing, and of any depths.
   Behind,   ///< Reaching behind the eye and out of the view.
 };
 
@@ -132,6 +133,7 @@ private:
   /// The worst for the plane: as low as is covered, as deep as can be across, and with a long edge
   /// through the middles of pixels, or beside them by less than snapping can make up for.
   Triangle MakeSteep();
+  Triangle MakeSliver();
 
   /// Of the ground, a wall or the ceiling around the eye, on beyond and behind it.
   Triangle MakeGround();

@@ -336,6 +336,8 @@ const Setting Settings[] = {
   { "OnePiece", [](vtkNBufferCuller* c) { c->SetMaximumNumberOfPieces(1); } },
   { "ThreePieces", [](vtkNBufferCuller* c) { c->SetMaximumNumberOfPieces(3); } },
   { "NoPixels", [](vtkNBufferCuller* c) { c->TestPixelsOff(); } },
+  { "NoSlivers", [](vtkNBufferCuller* c) { c->SetTestSlivers(vtkNBufferCuller::Never); } },
+  { "Slivers", [](vtkNBufferCuller* c) { c->SetTestSlivers(vtkNBufferCuller::Always); } },
   { "NoReuse", [](vtkNBufferCuller* c) { c->ReuseWhenStillOff(); } },
   { "BackOff", [](vtkNBufferCuller* c) { c->BackOffOn(); } },
 };
@@ -423,7 +425,7 @@ TEST(CullerBasics, QuestionsBeforeTheFirstFrame)
   culler->Print(text);
   for (const char* field : { "Enabled", "Backend", "BaseFactor", "MinimumNumberOfCandidates",
          "MaximumNumberOfRounds", "RoundSize", "MaximumNumberOfPieces", "ReuseWhenStill", "BackOff",
-         "TakeOverFrustumCulling", "TestPixels", "Freeze" })
+         "TakeOverFrustumCulling", "TestPixels", "TestSlivers", "Freeze" })
   {
     EXPECT_NE(text.str().find(field), std::string::npos) << field;
   }

@@ -100,6 +100,7 @@ private:
       this->Culler->SetBackend(frame / 25 % 2 ? vtkNBufferCuller::OpenGL : vtkNBufferCuller::CPU);
       this->Culler->SetBaseFactor(1 << frame / 25 % 4);
       this->Culler->SetTestPixels(frame / 25 % 3 > 0);
+      this->Culler->SetTestSlivers(frame / 25 % 3);
       this->Culler->SetEnabled(frame != 175);
     }
     if (frame % 40 == 0)

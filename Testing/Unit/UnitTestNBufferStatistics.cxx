@@ -54,6 +54,7 @@ vtkNBufferStatistics Fill()
   statistics.ReadBacks = 11;
   statistics.BytesRead = 12000000000LL;
   statistics.FailedFrames = 14;
+  statistics.Slivers = 18;
   statistics.Nodes = 15000000000LL;
   statistics.Refits = 16;
   statistics.Builds = 17;
@@ -64,6 +65,7 @@ vtkNBufferStatistics Fill()
   statistics.BuildTime = 0.625;
   statistics.TestTime = 0.75;
   statistics.PixelTestTime = 1.25;
+  statistics.SliverTestTime = 1.375;
   statistics.DrawTime = 0.875;
   statistics.DeviceBuildTime = 1.125;
   return statistics;
@@ -140,6 +142,7 @@ TEST(NBufferStatistics, JSONHoldsEveryField)
   EXPECT_EQ(json["read_backs"].asInt(), 11);
   EXPECT_EQ(json["bytes_read"].asInt64(), 12000000000LL);
   EXPECT_EQ(json["failed_frames"].asInt(), 14);
+  EXPECT_EQ(json["slivers"].asInt(), 18);
   EXPECT_EQ(json["nodes"].asInt64(), 15000000000LL);
   EXPECT_EQ(json["refits"].asInt(), 16);
   EXPECT_EQ(json["builds"].asInt(), 17);
@@ -163,8 +166,9 @@ TEST(NBufferStatistics, JSONHoldsEveryField)
   EXPECT_EQ(times["build"].asDouble(), 0.625);
   EXPECT_EQ(times["test"].asDouble(), 0.75);
   EXPECT_EQ(times["pixel_test"].asDouble(), 1.25);
+  EXPECT_EQ(times["sliver_test"].asDouble(), 1.375);
   EXPECT_EQ(times["draw"].asDouble(), 0.875);
   EXPECT_EQ(times["device_build"].asDouble(), 1.125);
-  EXPECT_EQ(times.size(), 9u);
-  EXPECT_EQ(json.size(), 23u) << "a new field wants its line here";
+  EXPECT_EQ(times.size(), 10u);
+  EXPECT_EQ(json.size(), 24u) << "a new field wants its line here";
 }

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Which triangles of hidden meshes may be drawn before their box, and what pieces of a box allow.
+#include "vtkNBufferPieces.h"
+#include "vtkNBufferSliverTest.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace
+{
+constexpr int Width = 101;
+constexpr int Height = 67;
+
+/// A unit of x and y is a pixel, z is the window depth.
+class Slivers : public testing::Test
+{
+protected:
+  Slivers()
+  {
+    const double worldToClip[16] = { 2.0 / Width, 0, 0, -1, 0, 2.0 / Height, 0, -1, 0, 0, 2, -1, 0,
+      0, 0, 1 };
+    this->Projection.Set(worldToClip, Width, Height, 0x1p-24);
+    this->SetWall(0.0f);
+  }
+
+  void SetWall(float depth)
+  {
+    this->Depth.assign(static_cast<std::size_t>(Width) * Height, depth);
+    this->Levels.BuildBase(this->Depth.data(), Width, Height, 4, vtkNBufferExtremum::Maximum);
+  }
+
+  using Point = std::array<double, 3>;
+  bool MayBeSeen(const std::array<Point, 3>& triangle, double sampleReach = 0.0) const
+  {
+    double bounds[6];
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      bounds[2 * j] = std::min({ triangle[0][j], triangle[1][j], triangle[2][j] });
+      bounds[2 * j + 1] = std::max({ triangle[0][j], triangle[1][j], triangle[2][j] });
+    }
+    const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
+    vtkNBufferScreenBox screen;
+    EXPECT_EQ(this->Projection.Project(box, screen), vtkNBufferPlacement::Inside);
+    vtkNBufferMesh mesh;
+    mesh.Points.assign(triangle.begin(), triangle.end());
+    mesh.Triangles = { { 0, 1, 2 } };
+    const double identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+    vtkNBufferSliverTest test(this->Projection, this->Levels, sampleReach);
+    return test.MayBeSeen(mesh, identity, box, screen);
+  }
+
+  vtkNBufferProjection Projection;
+  vtkNBufferLevels Levels;
+  std::vector<float> Depth;
+};
+
+/// From the left to the right, `height` over the line y, with the depths given.
+std::array<std::array<double, 3>, 3> MakeLow(
+  double y, double height, double z0 = 0.8, double z1 = 0.9, double z2 = 0.85)
+{
+  return { { { 10.2, y, z0 }, { 60.7, y, z1 }, { 35.0, y + height, z2 } } };
+}
+}
+
+// What the slack of a box covers is not looked at, however near the wall is behind it.
+TEST_F(Slivers, BoxCoversWhatIsNotLow)
+{
+  this->SetWall(1.0f);
+  EXPECT_FALSE(this->MayBeSeen(MakeLow(20.5, 1.0)));
+  EXPECT_FALSE(this->MayBeSeen(MakeLow(20.5, 0.08)));
+}
+
+// Below 64 u of their length any depth: only the nearest wall of all is before them.
+TEST_F(Slivers, WithoutAPlaneAnyDepth)
+{
+  this->SetWall(1e-6f);
+  for (const double height : { 0.0, 1e-9, 1e-7, 1e-5 })
+  {
+    EXPECT_TRUE(this->MayBeSeen(MakeLow(20.5, height))) << height;
+  }
+}
+
+// Two corners in one place stay in one place on every device.
+TEST_F(Slivers, DegenerateOnesAreNotDrawn)
+{
+  this->SetWall(1.0f);
+  EXPECT_FALSE(this->MayBeSeen({ { { 10, 20.5, 0.8 }, { 60, 20.5, 0.9 }, { 60, 20.5, 0.9 } } }));
+  EXPECT_FALSE(
+    this->MayBeSeen({ { { 10.5, 20.5, 0.8 }, { 10.5, 20.5, 0.8 }, { 10.5, 20.5, 0.8 } } }));
+  EXPECT_TRUE(this->MayBeSeen({ { { 10, 20.5, 0.8 }, { 60, 20.5, 0.9 }, { 59, 20.5, 0.9 } } }));
+}
+
+// Samples more than 2^-8.5 pixels beside it are none of its own, so that it is not drawn.
+TEST_F(Slivers, BesideAllSamples)
+{
+  this->SetWall(1.0f);
+  for (const double y : { 20.51, 20.6, 21.0, 21.4, 21.49 })
+  {
+    EXPECT_FALSE(this->MayBeSeen(MakeLow(y, 1e-7))) << y;
+  }
+  EXPECT_TRUE(this->MayBeSeen(MakeLow(20.502, 1e-7)));
+  EXPECT_TRUE(this->MayBeSeen(MakeLow(20.498, 1e-7)));
+  // Samples may be anywhere in a pixel.
+  EXPECT_TRUE(this->MayBeSeen(MakeLow(21.0, 1e-7), 0.5));
+  // Beyond its ends, and of another orientation.
+  EXPECT_FALSE(
+    this->MayBeSeen({ { { 10.51, 20.5, 0.8 }, { 11.49, 20.5, 0.9 }, { 11, 20.5, 0.8 } } }));
+  EXPECT_TRUE(this->MayBeSeen({ { { 30.5, 10, 0.8 }, { 30.5, 40, 0.9 }, { 30.5, 20, 0.8 } } }));
+  EXPECT_FALSE(this->MayBeSeen({ { { 30.6, 10, 0.8 }, { 30.6, 40, 0.9 }, { 30.6, 20, 0.8 } } }));
+}
+
+// One that is low and has a plane is as near as its slope allows.
+TEST_F(Slivers, AsNearAsTheSlopeAllows)
+{
+  // Exact depths begin at 0.8. The third corner is 0.05 behind the side below: a slope of 5 per
+  // pixel, 0.014 nearer 2^-8.5 pixels beside it.
+  const auto gentle = MakeLow(20.5, 0.01);
+  const auto steep = MakeLow(20.5, 0.01, 0.8, 0.8, 0.85);
+  this->SetWall(0.78f);
+  EXPECT_FALSE(this->MayBeSeen(steep));
+  this->SetWall(0.79f);
+  EXPECT_TRUE(this->MayBeSeen(steep));
+  // As low, but of a slope for which the slack of its box is enough.
+  this->SetWall(1.0f);
+  EXPECT_FALSE(this->MayBeSeen(gentle));
+}
+
+// A single pixel in which the wall is open.
+TEST_F(Slivers, ThroughAHole)
+{
+  this->SetWall(0.0f);
+  EXPECT_TRUE(this->MayBeSeen(MakeLow(20.5, 1e-7)));
+  this->SetWall(-1.0f);
+  this->Depth[20 * Width + 40] = 1.0f;
+  this->Levels.BuildBase(this->Depth.data(), Width, Height, 4, vtkNBufferExtremum::Maximum);
+  EXPECT_TRUE(this->MayBeSeen(MakeLow(20.5, 0.005, 0.8, 0.8, 0.85)));
+  EXPECT_FALSE(this->MayBeSeen(MakeLow(30.5, 0.005, 0.8, 0.8, 0.85)));
+}
+
+// Hazard: a piece of a box allows for triangles that are as deep as the piece only. One of the
+// whole box may have its whole depth over the smallest height.
+TEST_F(Slivers, PiecesAllowForTheWholeBox)
+{
+  const double bounds[6] = { 10, 90, 20, 21, 0.2, 0.8 };
+  const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
+  // Depth grows along x, so that each piece is an eighth as deep.
+  const double worldToClip[16] = { 2.0 / Width, 0, 0, -1, 0, 2.0 / Height, 0, -1, 2.0 * 0.6 / 80, 0,
+    0, 2.0 * 0.125 - 1.0, 0, 0, 0, 1 };
+  vtkNBufferProjection projection;
+  projection.Set(worldToClip, Width, Height, 0x1p-24);
+  vtkNBufferScreenBox screen;
+  ASSERT_EQ(projection.Project(box, screen), vtkNBufferPlacement::Inside);
+  EXPECT_NEAR(screen.DepthRange, 0.6, 1e-5);
+  int pieces = 0;
+  vtkNBufferPieces::AreBehind(projection, box, screen, 8, 4,
+    [&](const vtkNBufferScreenBox& part)
+    {
+      if (pieces++ == 0)
+      {
+        return false; // the whole box
+      }
+      const double x = 10.0 + 10.0 * (pieces - 2);
+      const double exact = 0.125 + 0.6 / 80 * x;
+      EXPECT_NEAR(part.Nearest, exact - 0.6 * 16 / 362, 1e-3) << pieces;
+      return true;
+    });
+  EXPECT_EQ(pieces, 9);
+}
