@@ -380,6 +380,7 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
       ++last;
     }
     this->Counter.ClearStencil(this->Target, this->Viewport, start);
+    ++statistics.StencilClears;
     if (!this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClip, first, last,
           work.How.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||
       !this->Counter.Resolve(work.Window, this->Target, mask, channel, this->Viewport, this->Error))

@@ -69,9 +69,8 @@ struct Receiver
 {
   double A[3];
   double B[3];
-  double Radius;
-  double TileRadius[3];
-  double Angle; ///< Radians from a spot's axis, at most, if it lies outside of its cone; else 0.
+  double Radius; ///< In p and q.
+  double Angle;  ///< Radians from a spot's axis, at most, if it lies outside of its cone; else 0.
 };
 
 /// From (pixel x, pixel y, depth) to light coordinates.
@@ -299,19 +298,21 @@ bool Projector::Project(int x, double depth, Receiver& receiver) const
   }
   const double rounding = PositionRounding * (distance + length) + this->WorldError;
   const double guard = this->GuardAtW1 * std::max(std::abs(scaleA), std::abs(scaleB));
-  receiver.Radius = rounding;
-  receiver.TileRadius[0] = rounding + guard;
-  receiver.TileRadius[2] = guard;
+  const double around = rounding + guard;
+  receiver.Radius = around;
   receiver.Angle = 0.0;
   if (this->Kind != vtkShadowLightKind::Directional)
   {
     const double radius = 0.5 * length + rounding;
-    if (!this->MayReach(a, b, radius))
+    if (this->Kind == vtkShadowLightKind::Point)
     {
-      if (this->Kind == vtkShadowLightKind::Point)
+      if (!this->MayReach(a, b, radius + guard))
       {
         return false;
       }
+    }
+    else if (!this->MayReach(a, b, radius))
+    {
       const double error = radius + this->GetShaderError(distance + length);
       const double pixels = GrazingPixels / Guard * guard;
       if (!this->MayReach(a, b, error) &&
@@ -322,7 +323,7 @@ bool Projector::Project(int x, double depth, Receiver& receiver) const
       }
       receiver.Angle = this->GetAngle(a, b, radius);
     }
-    const double nearestS = std::min(a[2], b[2]) - rounding;
+    const double nearestS = std::min(a[2], b[2]) - around;
     if (nearestS > 0.0)
     {
       for (double* end : { a, b })
@@ -333,21 +334,17 @@ bool Projector::Project(int x, double depth, Receiver& receiver) const
       }
       const double largest = std::max(
         std::max(std::abs(a[0]), std::abs(a[1])), std::max(std::abs(b[0]), std::abs(b[1])));
-      receiver.Radius = rounding * (1.0 + largest) / nearestS;
-      receiver.TileRadius[0] = nearestS > guard
-        ? (rounding + guard) * (1.0 + largest) / (nearestS - guard)
-        : std::numeric_limits<double>::infinity();
+      receiver.Radius = around * (1.0 + largest) / nearestS;
     }
     else
     {
       a[0] = a[1] = b[0] = b[1] = 0.0;
-      receiver.Radius = receiver.TileRadius[0] = std::numeric_limits<double>::infinity();
+      receiver.Radius = std::numeric_limits<double>::infinity();
     }
   }
-  receiver.TileRadius[1] = receiver.TileRadius[0];
   const double sign = a[2] <= b[2] ? 1.0 : -1.0;
-  a[2] -= sign * rounding;
-  b[2] += sign * rounding;
+  a[2] -= sign * around;
+  b[2] += sign * around;
   return true;
 }
 
@@ -517,7 +514,8 @@ vtkIdType Scatter(const float* depth, const unsigned char* lit, const vtkShadowV
       {
         if (part.Add(receiver.A, receiver.B, receiver.Radius, x, y))
         {
-          part.GetTiles().Add(receiver.A, receiver.B, receiver.TileRadius, x, y, windowDepth);
+          const double radius[3] = { receiver.Radius, receiver.Radius, 0.0 };
+          part.GetTiles().Add(receiver.A, receiver.B, radius, x, y, windowDepth);
           part.AddReach(receiver.Angle);
         }
       });

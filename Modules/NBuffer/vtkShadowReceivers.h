@@ -48,8 +48,9 @@
  * farther from it than 64 widths of a pixel: on surfaces that are seen at less than a degree it
  * might be.
  *
- * Tiles (vtkShadowTiles.h) are to hold all samples for which a volume may be drawn, and devices
- * draw its sides a little beside their place: a quarter of a pixel more in all directions.
+ * Litmaps and tiles (vtkShadowTiles.h) are to hold all samples for which a volume may be drawn, and
+ * devices draw its sides a little beside their place, the receiver's edge as well: a quarter of a
+ * pixel more in all directions. (A lexel may be smaller than that.)
  *
  * A tile's layers are parted halfway, in distances from the eye, between its nearest and its
  * farthest receiver.

@@ -104,6 +104,7 @@ std::string vtkShadowStatistics::GetAsJSON() const
   json["draws"] = this->Draws;
   json["z_pass"] = this->ZPass;
   json["boxes"] = this->Boxes;
+  json["stencil_clears"] = this->StencilClears;
   json["slabs"] = this->Slabs;
   json["triangles"] = static_cast<Json::Int64>(this->Triangles);
   json["receivers"] = static_cast<Json::Int64>(this->Receivers);

@@ -110,6 +110,9 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   int Draws = 0;                                     ///< Of volumes.
   int ZPass = 0; ///< Of these, counted between eye and receiver.
   int Boxes = 0; ///< Of pixels that volumes were drawn into: one or more for each of the Draws.
+  /// Times that counting began anew: once for each light with volumes, more often where a receiver
+  /// might be in more of them than a stencil can count.
+  int StencilClears = 0;
   int Slabs = 0;
   long long Triangles = 0; ///< Of volumes.
   long long Receivers = 0; ///< Samples scattered into litmaps (or lexels drawn), of all lights.

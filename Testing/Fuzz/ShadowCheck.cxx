@@ -368,7 +368,7 @@ void GrantUnlit(const ShadowFrame& expected, ShadowFrame& tested)
 }
 
 std::optional<ShadowStrays> FindStrays(
-  const Stage& stage, const ShadowFrame& expected, const ShadowFrame& tested)
+  const Stage& stage, const ShadowFrame& expected, const ShadowFrame& tested, bool parted)
 {
   const Oracle oracle = MakeOracle(stage);
   ShadowStrays all;
@@ -388,6 +388,13 @@ std::optional<ShadowStrays> FindStrays(
     }
     const int number = static_cast<int>(light);
     const OracleImage rays = oracle.Cast(OracleLight(stage.GetLights().GetLight(0, number)));
+    if (parted)
+    {
+      const auto end = std::remove_if(
+        differing.begin(), differing.end(), [&](std::size_t i) { return rays.Ambiguous[i] != 0; });
+      all.Parted += differing.end() - end;
+      differing.erase(end, differing.end());
+    }
     const bool right = std::all_of(differing.begin(), differing.end(),
       [&](std::size_t i) { return !ContradictsRays(tested.Masks[light][i], rays.Samples[i]); });
     const auto unlit = std::count_if(differing.begin(), differing.end(),
@@ -401,6 +408,21 @@ std::optional<ShadowStrays> FindStrays(
     all.Unlit += unlit;
   }
   return all;
+}
+
+bool HasParted(const Stage& expected, const Stage& tested)
+{
+  bool parted = false;
+  for (const Stage* stage : { &expected, &tested })
+  {
+    for (int i = 0; i < stage->GetNumberOfRenderers(); ++i)
+    {
+      vtkShadowVolumeClampPass* pass = stage->GetLights().GetPass(i);
+      parted =
+        parted || (pass && pass->GetStatistics().StencilClears > pass->GetStatistics().Lights);
+    }
+  }
+  return parted;
 }
 
 std::string CompareWithRays(const Stage& stage, const ShadowFrame& frame, ShadowTally& tally)

@@ -26,6 +26,7 @@ struct ShadowTally
   long long ClampedFlipsElsewhere = 0;
   long long Strays = 0;        ///< Samples of whole volumes that rays say are wrong.
   long long UnlitStrays = 0;   ///< Such where the light is behind the surface, see ShadowStrays.
+  long long PartedStrays = 0;  ///< Ambiguous ones where counts were parted, see there.
   long long Rays = 0;          ///< Samples compared with rays.
   long long RaysAmbiguous = 0; ///< Of these, ambiguous ones that differ.
 };
@@ -82,8 +83,9 @@ void GrantUnlit(const ShadowFrame& expected, ShadowFrame& tested);
 /// Receivers in which Exact differs from Unclamped.
 struct ShadowStrays
 {
-  long long Seen = 0;  ///< The light reaches them, so that the images differ, too.
-  long long Unlit = 0; ///< They look away from the light: no image shows what their masks say.
+  long long Seen = 0;   ///< The light reaches them, so that the images differ, too.
+  long long Unlit = 0;  ///< They look away from the light: no image shows what their masks say.
+  long long Parted = 0; ///< Ambiguous ones, where the two have counted in different portions.
 };
 
 /**
@@ -91,9 +93,17 @@ struct ShadowStrays
  * Exact is right and at most MaximumFlipsElsewhere of a light are seen; else nothing. Rasterisers
  * may draw slivers of whole volumes far off their planes (docs/shadows.md), where Exact leaves them
  * out; an edge along a row of samples flips all of them at once.
+ *
+ * `parted`: counts were too high for one stencil, so that volumes were counted in portions, which
+ * are others where some are left out. At the very edge of a surface rasterisers may miss one of the
+ * two sides of a volume, and what that leaves is taken away or not by others in the same portion:
+ * samples that rays say are ambiguous may differ then.
  */
 std::optional<ShadowStrays> FindStrays(
-  const Stage& stage, const ShadowFrame& expected, const ShadowFrame& tested);
+  const Stage& stage, const ShadowFrame& expected, const ShadowFrame& tested, bool parted);
+
+/// Whether one of the two has counted the volumes of a light in portions.
+bool HasParted(const Stage& expected, const Stage& tested);
 
 /// What is wrong with the masks by rays of the scene as it is: more than MaximumFlipsElsewhere
 /// samples of a light, the rest being strays.

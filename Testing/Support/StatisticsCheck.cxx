@@ -73,7 +73,10 @@ std::string FindInconsistency(const vtkShadowStatistics& statistics)
     demand(statistics.Draws > 0 && statistics.Triangles >= statistics.Draws, "nothing was drawn");
     demand(statistics.Draws <= whole + statistics.Slabs, "more draws than casters and slabs");
     demand(statistics.Litmaps <= 6 * statistics.Lights, "more litmaps than six for a light");
-    demand((statistics.Litmaps > 0) == (statistics.ReadBacks == 1), "read-backs without litmaps");
+    demand(statistics.ReadBacks <= 1 && (statistics.Litmaps == 0 || statistics.ReadBacks == 1),
+      "litmaps without the receivers' depth, or more than one read-back");
+    demand(statistics.StencilClears >= 1 && statistics.StencilClears <= statistics.Draws,
+      "counted into nothing");
     demand((statistics.Litmaps > 0) || statistics.Receivers == 0, "receivers without litmaps");
   }
   else

@@ -527,10 +527,13 @@ TEST(ShadowReceiversOnce, ExtentsAreTight)
     EXPECT_EQ(extent.X1, i % 30 + 1);
     EXPECT_EQ(extent.Y0, i / 30);
     EXPECT_EQ(extent.Y1, i / 30 + 1);
-    // 10 quanta on both sides: 5 * 5 / 0.1 * 2^-24 * 20 or 1000 * 2^-24 * 20, twice that aslant,
-    // and the rounding, 300 * 2^-20 * 4.
-    EXPECT_LE(extent.Far - extent.Near, camera.Parallel ? 4e-3 : 6e-4) << "seed " << seed;
-    EXPECT_TRUE(litmap.Query(pqs[0] + 0.1, pqs[1], pqs[0] + 0.2, pqs[1]).IsEmpty());
+    // A quarter of a pixel on both sides: of 2 * 300 or 2 * 5 tan(30) in 20 pixels. Then 10 quanta,
+    // 5 * 5 / 0.1 * 2^-24 * 20 or 1000 * 2^-24 * 20, twice that aslant, and the rounding, 300 *
+    // 2^-20 * 4.
+    const double half = camera.Parallel ? 0.5 * 30.0 : 0.5 * 0.28868;
+    EXPECT_LE(extent.Far - extent.Near, half + (camera.Parallel ? 4e-3 : 6e-4)) << "seed " << seed;
+    EXPECT_GE(extent.Far - extent.Near, half) << "seed " << seed;
+    EXPECT_TRUE(litmap.Query(pqs[0] + 2.0 * half, pqs[1], pqs[0] + 3.0 * half, pqs[1]).IsEmpty());
   }
 }
 

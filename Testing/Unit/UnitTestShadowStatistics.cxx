@@ -70,9 +70,9 @@ TEST(ShadowStatistics, JSONHoldsEveryField)
   int next = 1;
   for (int* field : { &statistics.Lights, &statistics.Casters, &statistics.Updates,
          &statistics.Silhouettes, &statistics.Draws, &statistics.ZPass, &statistics.Boxes,
-         &statistics.Slabs, &statistics.Litmaps, &statistics.UnclampedLights, &statistics.ReadBacks,
-         &statistics.FailedFrames, &statistics.DebugDraws, &statistics.Samples,
-         &statistics.PixelFrames })
+         &statistics.StencilClears, &statistics.Slabs, &statistics.Litmaps,
+         &statistics.UnclampedLights, &statistics.ReadBacks, &statistics.FailedFrames,
+         &statistics.DebugDraws, &statistics.Samples, &statistics.PixelFrames })
   {
     *field = next++;
   }
@@ -98,9 +98,9 @@ TEST(ShadowStatistics, JSONHoldsEveryField)
   const Json::Value json = Parse(statistics.GetAsJSON());
   EXPECT_EQ(json["decision"].asString(), "Drawn");
   next = 1;
-  for (const char* name :
-    { "lights", "casters", "updates", "silhouettes", "draws", "z_pass", "boxes", "slabs", "litmaps",
-      "unclamped_lights", "read_backs", "failed_frames", "debug_draws", "samples", "pixel_frames" })
+  for (const char* name : { "lights", "casters", "updates", "silhouettes", "draws", "z_pass",
+         "boxes", "stencil_clears", "slabs", "litmaps", "unclamped_lights", "read_backs",
+         "failed_frames", "debug_draws", "samples", "pixel_frames" })
   {
     EXPECT_EQ(json[name].asInt(), next++) << name;
   }
