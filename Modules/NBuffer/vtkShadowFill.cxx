@@ -23,7 +23,8 @@ struct Costs
 constexpr Costs SoftwareCosts = { 5.0, 250.0 };
 constexpr Costs DeviceCosts = { 0.05, 45.0 };
 constexpr double ReadCost = 4.0;
-constexpr double FaceCost = 30.0;
+constexpr double LexelCost = 37.0;
+constexpr double SeenCost = 13.0;
 constexpr double Saving = 2.0 / 3.0;
 
 /// Triangles that the estimate looks at.
@@ -143,13 +144,13 @@ double EstimateFragments(
 }
 
 bool DoLitmapsPay(double fragments, long long triangles, long long samples, long long seen,
-  int faces, bool softwareRenderer)
+  long long lexels, int faces, bool softwareRenderer)
 {
   const Costs& costs = softwareRenderer ? SoftwareCosts : DeviceCosts;
   const double drawing =
     costs.Fragment * fragments + costs.Triangle * static_cast<double>(triangles);
-  return Saving * drawing >
-    ReadCost * static_cast<double>(samples) + FaceCost * faces * static_cast<double>(seen);
+  return Saving * drawing > ReadCost * static_cast<double>(samples) +
+    faces * (LexelCost * static_cast<double>(lexels) + SeenCost * static_cast<double>(seen));
 }
 }
 VTK_ABI_NAMESPACE_END

@@ -6,11 +6,12 @@
  * OpenGL.
  *
  * Litmaps leave out at least about two thirds of what is drawn (nbuffer-bench shadow, scene simple,
- * 20 casters: 67 % of the fragments), more where there are many casters. They cost the read-back of
- * the receivers' depth and the projection of each sample that sees something, six times for a point
- * light. So they pay if
+ * 20 casters: 73 % of the fragments), more where there are many casters. They cost the read-back of
+ * the receivers' depth, the lexels and their levels, and the projection of each sample that sees
+ * something, the last two six times for a point light. So they pay if
  *
- *     2/3 (fragments * cost + triangles * cost)  >  samples * cost + seen * faces * cost
+ *     2/3 (fragments * cost + triangles * cost)
+ *       >  samples * cost + faces * (lexels * cost + seen * cost)
  *
  * How many samples see something only the depth itself says. Where it matters, the number that was
  * found last is taken (vtkShadowMaskMaker::CountSeen).
@@ -21,11 +22,12 @@
  *     | a fragment in the stencil  |         5          |   0.05  |
  *     | a triangle, made and drawn |       250          |    45   |
  *     | a sample, read             |         4          |     4   |
- *     | one seen, for each face    |        30          |    30   |
+ *     | a lexel, for each face     |        37          |    37   |
+ *     | one seen, for each face    |        13          |    13   |
  *
- * The left column was fitted to llvmpipe on two cores, and so was what the host does (samples, and
- * 40 of a triangle); what devices do is assumed, no measurement stands behind it. A wrong guess
- * costs time, never a shadow.
+ * The left column was fitted to llvmpipe on two cores, and so was what the host does (lexels,
+ * samples, and 40 of a triangle); what devices do is assumed, no measurement stands behind it. A
+ * wrong guess costs time, never a shadow.
  */
 #ifndef vtkShadowFill_h
 #define vtkShadowFill_h
@@ -51,9 +53,9 @@ VTKNBUFFER_EXPORT double EstimateFragments(
   const vtkShadowVolume& volume, const double volumeToClip[16], int width, int height);
 
 /// The rule above. `samples`: of the receivers' depth; `seen`: those that are not background.
-/// `faces`: litmaps of the light, 1 or 6.
+/// `lexels`: of a litmap; `faces`: litmaps of the light, 1 or 6.
 VTKNBUFFER_EXPORT bool DoLitmapsPay(double fragments, long long triangles, long long samples,
-  long long seen, int faces, bool softwareRenderer);
+  long long seen, long long lexels, int faces, bool softwareRenderer);
 }
 
 VTK_ABI_NAMESPACE_END

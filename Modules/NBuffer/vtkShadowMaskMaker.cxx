@@ -267,8 +267,9 @@ bool vtkShadowMaskMaker::DoLitmapsPay(const Work& work, double fragments, long l
   const auto samples = static_cast<long long>(this->GetNumberOfSamples());
   const auto pay = [&](long long seen)
   {
-    return vtkShadowFill::DoLitmapsPay(fragments, triangles, samples, seen, work.GetNumberOfFaces(),
-      vtkNBufferGL::GetSoftwareRenderer() != nullptr);
+    const long long lexels = static_cast<long long>(work.How.Resolution) * work.How.Resolution;
+    return vtkShadowFill::DoLitmapsPay(fragments, triangles, samples, seen, lexels,
+      work.GetNumberOfFaces(), vtkNBufferGL::GetSoftwareRenderer() != nullptr);
   };
   return pay(samples) || (pay(0) && pay(this->CountSeen(work)));
 }

@@ -155,9 +155,13 @@ TEST(ShadowFill, NothingAndBesideTheView)
 TEST(ShadowFill, LitmapsPayWhereTheySaveMoreThanTheyCost)
 {
   constexpr long long vga = 640 * 480;
+  constexpr long long lexels = 256 * 256;
   const auto pays =
     [](double fragments, long long triangles, long long samples, int faces, bool software)
-  { return vtkShadowFill::DoLitmapsPay(fragments, triangles, samples, samples, faces, software); };
+  {
+    return vtkShadowFill::DoLitmapsPay(
+      fragments, triangles, samples, samples, lexels, faces, software);
+  };
   EXPECT_FALSE(pays(0.0, 0, vga, 1, true));
   EXPECT_FALSE(pays(0.9e6, 2000, vga, 1, true)) << "a few parts";
   EXPECT_TRUE(pays(13e6, 250000, vga, 1, true)) << "a city";
@@ -168,7 +172,11 @@ TEST(ShadowFill, LitmapsPayWhereTheySaveMoreThanTheyCost)
   EXPECT_FALSE(pays(5e6, 0, vga, 1, false)) << "on a device that fills faster";
   EXPECT_TRUE(pays(5e6, 1000000, vga, 1, false)) << "and yet has much to draw";
   const auto paysIfSeen = [](long long seen)
-  { return vtkShadowFill::DoLitmapsPay(1e6, 30000, 2 * vga, seen, 1, true); };
+  { return vtkShadowFill::DoLitmapsPay(1e6, 30000, 2 * vga, seen, lexels, 1, true); };
   EXPECT_FALSE(paysIfSeen(2 * vga));
   EXPECT_TRUE(paysIfSeen(vga / 4)) << "what is sky costs next to nothing";
+  const auto paysInAnIcon = [](long long resolution)
+  { return vtkShadowFill::DoLitmapsPay(0.0, 5000, 1000, 1000, resolution * resolution, 1, true); };
+  EXPECT_TRUE(paysInAnIcon(64));
+  EXPECT_FALSE(paysInAnIcon(256)) << "lexels cost what they cost, however few samples";
 }
