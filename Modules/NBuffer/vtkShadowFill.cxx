@@ -22,9 +22,9 @@ struct Costs
 };
 constexpr Costs SoftwareCosts = { 5.0, 250.0 };
 constexpr Costs DeviceCosts = { 0.05, 45.0 };
-constexpr double ReadCost = 4.0;
-constexpr double LexelCost = 37.0;
-constexpr double SeenCost = 13.0;
+constexpr double ReadCost = 5.0;
+constexpr double LexelCost = 75.0;
+constexpr double SeenCost = 26.0;
 constexpr double Saving = 2.0 / 3.0;
 
 /// Triangles that the estimate looks at.

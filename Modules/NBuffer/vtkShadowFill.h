@@ -21,9 +21,9 @@
  *     |                            | software renderers | devices |
  *     | a fragment in the stencil  |         5          |   0.05  |
  *     | a triangle, made and drawn |       250          |    45   |
- *     | a sample, read             |         4          |     4   |
- *     | a lexel, for each face     |        37          |    37   |
- *     | one seen, for each face    |        13          |    13   |
+ *     | a sample, read             |         5          |     5   |
+ *     | a lexel, for each face     |        75          |    75   |
+ *     | one seen, for each face    |        26          |    26   |
  *
  * The left column was fitted to llvmpipe on two cores, and so was what the host does (lexels,
  * samples, and 40 of a triangle); what devices do is assumed, no measurement stands behind it. A

@@ -156,7 +156,7 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
     EXPECT_EQ(FindInconsistency(statistics), "");
     return GetImage(stage.Window);
   };
-  pass->SetLitmapResolution(96);
+  pass->SetLitmapResolution(80);
   const int lights = static_cast<int>(stage.Lights.size());
   const int points = static_cast<int>(std::count_if(stage.Lights.begin(), stage.Lights.end(),
     [](vtkLight* light) { return light->GetPositional() && light->GetConeAngle() >= 90.0; }));

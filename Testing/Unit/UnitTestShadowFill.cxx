@@ -172,7 +172,7 @@ TEST(ShadowFill, LitmapsPayWhereTheySaveMoreThanTheyCost)
   EXPECT_FALSE(pays(5e6, 0, vga, 1, false)) << "on a device that fills faster";
   EXPECT_TRUE(pays(5e6, 1000000, vga, 1, false)) << "and yet has much to draw";
   const auto paysIfSeen = [](long long seen)
-  { return vtkShadowFill::DoLitmapsPay(1e6, 30000, 2 * vga, seen, lexels, 1, true); };
+  { return vtkShadowFill::DoLitmapsPay(1e6, 40000, 2 * vga, seen, lexels, 1, true); };
   EXPECT_FALSE(paysIfSeen(2 * vga));
   EXPECT_TRUE(paysIfSeen(vga / 4)) << "what is sky costs next to nothing";
   const auto paysInAnIcon = [](long long resolution)
