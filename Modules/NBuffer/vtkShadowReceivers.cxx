@@ -501,7 +501,7 @@ vtkIdType Scatter(const float* depth, const unsigned char* lit, const vtkShadowV
   GetRange(depth, lit, view, light, frame, range, depths);
   litmap.Begin(resolution, range, depths);
   litmap.GetTiles().Begin(view.Width, view.Height);
-  Split(depth, lit, view, litmap.GetTiles());
+  PartLayers(depth, lit, view, litmap.GetTiles());
   const int bands = GetNumberOfBands(view, litmap.GetResolution());
   litmap.Split(bands);
   const auto addBand = [&](int band)
