@@ -396,7 +396,7 @@ float GetMiddle(const vtkShadowView& view, float nearest, float farthest)
 }
 
 /// Part the layers of all tiles, by the depth of what may be receivers.
-void Split(
+void PartLayers(
   const float* depth, const unsigned char* lit, const vtkShadowView& view, vtkShadowTiles& tiles)
 {
   constexpr int size = vtkShadowTiles::Size;
