@@ -7,6 +7,7 @@
 
 #include "vtkShadowPlan.h"
 #include "vtkShadowReach.h"
+#include "vtkShadowReceivers.h"
 #include "vtkShadowTiles.h"
 
 #include "vtkMath.h"
@@ -175,6 +176,32 @@ TEST(ShadowTiles, HoldTheirReceivers)
   EXPECT_TRUE(tiles.Get(0, 0)[0].IsEmpty());
   tiles.Begin(0, 0);
   EXPECT_FALSE(tiles.IsKnown());
+}
+
+// Of a surface that is all at one depth there is nothing to part, nor where there is no receiver.
+TEST(ShadowTiles, OneDepthIsOneLayer)
+{
+  vtkShadowView view;
+  view.Width = 5;
+  view.Height = 3;
+  std::vector<float> depth(5 * 3, 0.5f);
+  std::fill_n(depth.begin(), 3, 1.0f);
+  std::vector<unsigned char> lit(5 * 3, 1);
+  const vtkShadowLight light;
+  vtkShadowLitmap litmap;
+  vtkShadowReceivers::Scatter(
+    depth.data(), lit.data(), view, light, vtkShadowFrame(light), 4, litmap);
+  EXPECT_FALSE(litmap.GetTiles().Get(0, 0)[0].IsEmpty());
+  EXPECT_TRUE(litmap.GetTiles().Get(0, 0)[1].IsEmpty());
+  depth[7] = 0.75f;
+  lit[7] = 0;
+  vtkShadowReceivers::Scatter(
+    depth.data(), lit.data(), view, light, vtkShadowFrame(light), 4, litmap);
+  EXPECT_TRUE(litmap.GetTiles().Get(0, 0)[1].IsEmpty()) << "the light cannot change it";
+  lit[7] = 1;
+  vtkShadowReceivers::Scatter(
+    depth.data(), lit.data(), view, light, vtkShadowFrame(light), 4, litmap);
+  EXPECT_FALSE(litmap.GetTiles().Get(0, 0)[1].IsEmpty());
 }
 
 // Whatever a volume counts is within its caster's reach, for all meshes, lights and countings.
