@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferMeshes.h"
 
+#include "vtkNBufferTriangles.h"
+
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkMapper.h"
-#include "vtkOpenGLIndexBufferObject.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -29,17 +30,7 @@ vtkNBufferMesh MakeMesh(vtkPolyData* data)
   {
     data->GetPoint(static_cast<vtkIdType>(i), mesh.Points[i].data());
   }
-  // As the mapper makes its index buffer.
-  std::vector<unsigned int> indices;
-  if (data->GetNumberOfPolys() > 0)
-  {
-    vtkOpenGLIndexBufferObject::AppendTriangleIndexBuffer(
-      indices, data->GetPolys(), data->GetPoints(), 0, nullptr, nullptr);
-  }
-  if (data->GetNumberOfStrips() > 0)
-  {
-    vtkOpenGLIndexBufferObject::AppendStripIndexBuffer(indices, data->GetStrips(), 0, false);
-  }
+  const std::vector<unsigned int> indices = vtkNBufferTriangles::Get(data);
   mesh.Triangles.resize(indices.size() / 3);
   for (std::size_t i = 0; i < mesh.Triangles.size(); ++i)
   {

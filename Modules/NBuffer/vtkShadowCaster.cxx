@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowCaster.h"
 
+#include "vtkNBufferTriangles.h"
+
 #include "vtkCellArray.h"
 #include "vtkMatrix4x4.h"
-#include "vtkOpenGLIndexBufferObject.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -15,22 +16,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// As the mapper makes its index buffer.
-std::vector<vtkIdType> GetTriangles(vtkPolyData* mesh)
-{
-  std::vector<unsigned int> indices;
-  if (mesh->GetNumberOfPolys() > 0)
-  {
-    vtkOpenGLIndexBufferObject::AppendTriangleIndexBuffer(
-      indices, mesh->GetPolys(), mesh->GetPoints(), 0, nullptr, nullptr);
-  }
-  if (mesh->GetNumberOfStrips() > 0)
-  {
-    vtkOpenGLIndexBufferObject::AppendStripIndexBuffer(indices, mesh->GetStrips(), 0, false);
-  }
-  return std::vector<vtkIdType>(indices.begin(), indices.end());
-}
-
 std::shared_ptr<const vtkShadowTopology> MakeTopology(vtkPolyData* mesh)
 {
   auto topology = std::make_shared<vtkShadowTopology>();
@@ -40,8 +25,8 @@ std::shared_ptr<const vtkShadowTopology> MakeTopology(vtkPolyData* mesh)
   {
     mesh->GetPoint(i, &points[3 * static_cast<std::size_t>(i)]);
   }
-  const std::vector<vtkIdType> triangles =
-    count > 0 ? GetTriangles(mesh) : std::vector<vtkIdType>();
+  const std::vector<unsigned int> indices = vtkNBufferTriangles::Get(mesh);
+  const std::vector<vtkIdType> triangles(indices.begin(), indices.end());
   topology->Build(
     points.data(), count, triangles.data(), static_cast<vtkIdType>(triangles.size() / 3));
   return topology;

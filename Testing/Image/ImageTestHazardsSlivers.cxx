@@ -3,6 +3,7 @@
 // Triangles of almost no height on the screen, to which a rasteriser may give any depth.
 #include "CullerTest.h"
 #include "Scenes.h"
+#include "vtkNBufferGL.h"
 
 #include "vtkCamera.h"
 #include "vtkCylinderSource.h"
@@ -129,11 +130,9 @@ TEST_P(CullerSlivers, AreDrawnWhereTheyShow)
   EXPECT_EQ(comparison.GetVerdict(1), Verdict::Hidden);
   comparison.GetCuller()->SetTestSlivers(vtkNBufferCuller::Always);
   comparison.Frame("slivers looked at");
-  if (!(stray < wall - 1e-4))
-  {
-    GTEST_SKIP() << "This rasteriser draws no stray pixel here.";
-  }
+  // Whether this rasteriser draws the stray pixel or not: one may.
   EXPECT_EQ(comparison.GetVerdict(1), Verdict::Visible);
+  EXPECT_TRUE(stray < wall - 1e-4 || !vtkNBufferGL::GetSoftwareRenderer()) << "llvmpipe draws it";
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, CullerSlivers, testing::ValuesIn(Pipes),
