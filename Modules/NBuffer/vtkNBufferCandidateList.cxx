@@ -2,35 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferCandidateList.h"
 
+#include "vtkNBufferForEachProp.h"
+
 #include "vtkActor.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <atomic>
 #include <numeric>
 
 VTK_ABI_NAMESPACE_BEGIN
-namespace
-{
-/// Props that one thread looks at before another is worth waking.
-constexpr vtkIdType PropsPerThread = 2048;
-
-/// How far ahead of its use an object must be asked for to be there in time.
-constexpr vtkIdType PropsToFetchAhead = 4;
-
-template <typename Functor>
-void ForEachProp(std::size_t count, Functor&& functor)
-{
-  const auto size = static_cast<vtkIdType>(count);
-  if (size < 2 * PropsPerThread)
-  {
-    functor(0, size);
-    return;
-  }
-  vtkSMPTools::For(0, size, PropsPerThread, functor);
-}
-}
-
 bool vtkNBufferCandidateList::Synchronize(vtkProp** props, int count)
 {
   if (this->Order.size() == static_cast<std::size_t>(count) &&
@@ -88,15 +68,16 @@ int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
   // Asking for times is most of the work and may be shared out; refreshing may run pipelines.
   this->Stale.assign(this->Candidates.size(), 0);
   std::atomic<bool> anyStale(false);
-  ForEachProp(this->Candidates.size(),
+  vtkNBufferForEachProp::Run(this->Candidates.size(),
     [this, all, projection, overTree, &anyStale](vtkIdType begin, vtkIdType end)
     {
+      constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
       bool stale = false;
       for (vtkIdType i = begin; i < end; ++i)
       {
-        if (i + PropsToFetchAhead < end)
+        if (i + ahead < end)
         {
-          this->Candidates[i + PropsToFetchAhead].Prefetch();
+          this->Candidates[i + ahead].Prefetch();
         }
         this->Stale[i] = all || this->Candidates[i].IsStale();
         stale = stale || this->Stale[i];
@@ -198,7 +179,7 @@ void vtkNBufferCandidateList::Project(const vtkNBufferProjection& projection)
     this->ProjectAll(projection);
     return;
   }
-  ForEachProp(this->Candidates.size(),
+  vtkNBufferForEachProp::Run(this->Candidates.size(),
     [this](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
@@ -219,7 +200,7 @@ void vtkNBufferCandidateList::ProjectOverTree(const vtkNBufferProjection& projec
   this->Projection = &projection;
   this->Reached.clear();
   this->Tree.Place(projection, this->Candidates, this->States, this->Reached);
-  ForEachProp(this->Reached.size(),
+  vtkNBufferForEachProp::Run(this->Reached.size(),
     [this, &projection](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
@@ -251,7 +232,7 @@ void vtkNBufferCandidateList::MarkHidden(vtkNBufferOcclusionTest& test)
 
 void vtkNBufferCandidateList::ProjectAll(const vtkNBufferProjection& projection)
 {
-  ForEachProp(this->Candidates.size(),
+  vtkNBufferForEachProp::Run(this->Candidates.size(),
     [this, &projection](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)

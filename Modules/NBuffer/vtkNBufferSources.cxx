@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferSources.h"
 
+#include "vtkNBufferForEachProp.h"
+
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
@@ -57,15 +59,6 @@ bool IsPlain(vtkLinearTransform* transform)
 {
   return !transform || typeid(*transform) == typeid(vtkTransform) ||
     typeid(*transform) == typeid(vtkMatrixToLinearTransform);
-}
-
-void FetchLine(const void* address)
-{
-#if defined(__GNUC__) || defined(__clang__)
-  __builtin_prefetch(address);
-#else
-  (void)address;
-#endif
 }
 }
 
@@ -178,8 +171,8 @@ void vtkNBufferSources::Prefetch() const
 {
   for (int i = 0; i < this->Count; ++i)
   {
-    FetchLine(this->Stamps[i]);
+    vtkNBufferForEachProp::Fetch(this->Stamps[i]);
   }
-  FetchLine(&PropAccess::GetShaders(this->Actor));
+  vtkNBufferForEachProp::Fetch(&PropAccess::GetShaders(this->Actor));
 }
 VTK_ABI_NAMESPACE_END

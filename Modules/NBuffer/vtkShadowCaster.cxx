@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowCaster.h"
 
+#include "vtkNBufferForEachProp.h"
 #include "vtkNBufferTriangles.h"
 
 #include "vtkCellArray.h"
@@ -192,6 +193,21 @@ const std::vector<vtkShadowCaster::Part>& vtkShadowCaster::GetParts(std::size_t 
     ++built;
   }
   return cached.Parts;
+}
+
+void vtkShadowCaster::Prefetch() const
+{
+  vtkNBufferForEachProp::Fetch(this->Bounds);
+  vtkNBufferForEachProp::Fetch(&this->Slots);
+}
+
+void vtkShadowCaster::PrefetchParts(std::size_t slot) const
+{
+  if (slot < this->Slots.size())
+  {
+    vtkNBufferForEachProp::Fetch(&this->Slots[slot].Light);
+    vtkNBufferForEachProp::Fetch(&this->Slots[slot].Parts);
+  }
 }
 
 void vtkShadowCaster::AddPart(

@@ -69,6 +69,12 @@ public:
   const std::vector<Part>& GetParts(std::size_t slot, const vtkShadowLight& light,
     const vtkShadowFrame& frame, const double nearBounds[6], int& built);
 
+  ///@{
+  /// Have the processor fetch what GetParts() will read; first this, then what it refers to.
+  void Prefetch() const;
+  void PrefetchParts(std::size_t slot) const;
+  ///@}
+
   static const double* GetPoints(const vtkShadowCaster& caster, const Part& part)
   {
     return part.Points.empty() ? caster.Points.data() : part.Points.data();

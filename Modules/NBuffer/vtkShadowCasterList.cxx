@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowCasterList.h"
 
+#include "vtkNBufferForEachProp.h"
+
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkAlgorithm.h"
@@ -118,9 +120,6 @@ void Skip(Counts& skipped, vtkShadowSkip reason)
 {
   ++skipped[static_cast<std::size_t>(reason)];
 }
-
-/// How far ahead of its use an object must be asked for to be there in time.
-constexpr std::size_t PropsToFetchAhead = 4;
 }
 
 void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* requiredKeys)
@@ -151,21 +150,17 @@ void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* required
   this->RequiredKeys = requiredKeys;
   this->RequiredTime = requiredTime;
 
+  this->FindChanges(sameRequired);
   this->Updates = 0;
   bool looked = changed;
   for (std::size_t i = 0; i < this->Members.size(); ++i)
   {
-    if (i + PropsToFetchAhead < this->Members.size() &&
-      this->Members[i + PropsToFetchAhead].Watched)
-    {
-      this->Members[i + PropsToFetchAhead].Sources.Prefetch();
-    }
     Member& member = this->Members[i];
-    const bool casts = HasKeys(this->Props[i], requiredKeys, sameRequired, member);
-    if (!member.Watched || casts != member.Casts || member.Sources.HasChanged())
+    const bool casts =
+      member.HasNewKeys ? TakeKeys(this->Props[i], requiredKeys, member) : member.Casts;
+    if (member.HasChanged || casts != member.Casts)
     {
       member.Casts = casts;
-      member.Looked = true;
       changed = this->Look(this->Props[i], member) || changed;
       looked = true;
     }
@@ -190,18 +185,33 @@ void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* required
   }
 }
 
-bool vtkShadowCasterList::HasKeys(
-  vtkProp* prop, vtkInformation* required, bool sameRequired, Member& member)
+void vtkShadowCasterList::FindChanges(bool sameRequired)
 {
-  // vtkProp::HasKeys() makes an iterator each time, which takes longer than all the rest.
+  vtkNBufferForEachProp::Run(this->Members.size(),
+    [this, sameRequired](vtkIdType begin, vtkIdType end)
+    {
+      constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        if (i + ahead < end && this->Members[i + ahead].Watched)
+        {
+          this->Members[i + ahead].Sources.Prefetch();
+        }
+        Member& member = this->Members[i];
+        vtkInformation* keys = this->Props[i]->GetPropertyKeys();
+        member.HasNewKeys = !sameRequired || !member.Looked || keys != member.Keys ||
+          (keys && keys->GetMTime() != member.KeysTime);
+        member.HasChanged = !member.Watched || member.Sources.HasChanged();
+      }
+    });
+}
+
+bool vtkShadowCasterList::TakeKeys(vtkProp* prop, vtkInformation* required, Member& member)
+{
   vtkInformation* keys = prop->GetPropertyKeys();
-  const vtkMTimeType time = keys ? keys->GetMTime() : 0;
-  if (sameRequired && keys == member.Keys && time == member.KeysTime && member.Looked)
-  {
-    return member.Casts;
-  }
+  member.Looked = true;
   member.Keys = keys;
-  member.KeysTime = time;
+  member.KeysTime = keys ? keys->GetMTime() : 0;
   return prop->HasKeys(required);
 }
 

@@ -72,11 +72,12 @@ private:
   struct Member
   {
     vtkNBufferSources Sources;
-    bool Looked = false;
-    bool Watched = false; ///< Sources tell all changes.
-    bool Casts = false;   ///< Has the required keys.
-    const void* Keys =
-      nullptr; ///< Of the prop, to compare only, and their time: when Casts was found.
+    bool Watched = false;    ///< Sources tell all changes.
+    bool HasChanged = false; ///< Or may have, without a trace.
+    bool HasNewKeys = false;
+    bool Looked = false;        ///< The next three are known:
+    bool Casts = false;         ///< has the required keys;
+    const void* Keys = nullptr; ///< of the prop, to compare only, and their time.
     vtkMTimeType KeysTime = 0;
     vtkMTimeType Time = 0; ///< Of the last change, as far as times tell.
     std::vector<Mesh> Meshes;
@@ -85,7 +86,11 @@ private:
   };
 
   void Synchronize(std::vector<vtkProp*>& props);
-  static bool HasKeys(vtkProp* prop, vtkInformation* required, bool sameRequired, Member& member);
+  /// Shared out to threads: reads times alone.
+  void FindChanges(bool sameRequired);
+  /// Whether a prop has the required keys. vtkProp::HasKeys() makes an iterator each time, which
+  /// takes longer than all the rest.
+  static bool TakeKeys(vtkProp* prop, vtkInformation* required, Member& member);
   bool Look(vtkProp* prop, Member& member);
   void AddProp(vtkProp* prop, Member& member);
   void AddActor(vtkActor* actor, int path, vtkMatrix4x4* matrix, Member& member);

@@ -3,6 +3,7 @@
 #include "vtkShadowMaskMaker.h"
 
 #include "vtkNBufferClock.h"
+#include "vtkNBufferForEachProp.h"
 #include "vtkNBufferGL.h"
 #include "vtkShadowCamera.h"
 #include "vtkShadowFill.h"
@@ -12,9 +13,9 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
-#include <optional>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -214,31 +215,78 @@ bool vtkShadowMaskMaker::MakeLitmaps(const Work& work, const std::vector<vtkShad
   return true;
 }
 
-template <typename Functor>
-void vtkShadowMaskMaker::ForEachPart(const Work& work, Functor&& functor)
+void vtkShadowMaskMaker::FindParts(const Work& work)
 {
-  for (vtkShadowCaster* caster : this->Casters.GetCasters())
-  {
-    for (const vtkShadowCaster::Part& part : caster->GetParts(work.Slot, work.GetLight(),
-           work.Frame, work.Camera.NearBounds, work.Statistics.Silhouettes))
+  constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
+  const std::vector<vtkShadowCaster*>& casters = this->Casters.GetCasters();
+  this->Parts.resize(casters.size());
+  std::atomic<int> built(0);
+  vtkNBufferForEachProp::Run(casters.size(),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      functor(*caster, part);
-    }
-  }
+      int builtHere = 0;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        if (i + 2 * ahead < end)
+        {
+          casters[i + 2 * ahead]->Prefetch();
+          casters[i + ahead]->PrefetchParts(work.Slot);
+        }
+        const std::vector<vtkShadowCaster::Part>& parts = casters[i]->GetParts(
+          work.Slot, work.GetLight(), work.Frame, work.Camera.NearBounds, builtHere);
+        this->Parts[i] = { parts.data(), parts.size() };
+      }
+      built += builtHere;
+    });
+  work.Statistics.Silhouettes += built;
+}
+
+void vtkShadowMaskMaker::Dismiss(const vtkShadowPlan& plan)
+{
+  this->Dismissed.assign(this->Parts.size(), {});
+  vtkNBufferForEachProp::Run(this->Parts.size(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        if (i + ahead < end)
+        {
+          const vtkShadowCaster::Part* next = this->Parts[i + ahead].First;
+          vtkNBufferForEachProp::Fetch(&next->Silhouette);
+          vtkNBufferForEachProp::Fetch(&next->Footprint.P);
+          vtkNBufferForEachProp::Fetch(&next->Footprint.Bounds[2]);
+        }
+        if (this->Parts[i].Count == 1)
+        {
+          const vtkShadowCaster::Part& part = *this->Parts[i].First;
+          this->Dismissed[i] = plan.Dismiss(part.Silhouette, part.Footprint);
+        }
+      }
+    });
 }
 
 vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vtkShadowPlan& plan)
 {
   Verdicts verdicts = {};
+  const auto count = [&verdicts](vtkShadowVerdict verdict)
+  { ++verdicts[static_cast<std::size_t>(verdict)]; };
   this->Volume.Begin(work.Camera.Eye);
-  this->ForEachPart(work,
-    [&](const vtkShadowCaster& caster, const vtkShadowCaster::Part& part)
+  this->Dismiss(plan);
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  {
+    if (this->Dismissed[i])
     {
-      const vtkShadowVerdict verdict =
-        plan.Add(part.Silhouette, vtkShadowCaster::GetPoints(caster, part),
-          part.Topology->GetNumberOfPoints(), part.Footprint, this->Volume);
-      ++verdicts[static_cast<std::size_t>(verdict)];
-    });
+      count(*this->Dismissed[i]);
+      continue;
+    }
+    for (const vtkShadowCaster::Part& part : this->Parts[i])
+    {
+      count(
+        plan.Add(part.Silhouette, vtkShadowCaster::GetPoints(*this->Casters.GetCasters()[i], part),
+          part.Topology->GetNumberOfPoints(), part.Footprint, this->Volume));
+    }
+  }
   return verdicts;
 }
 
@@ -278,8 +326,13 @@ bool vtkShadowMaskMaker::DoLitmapsPay(const Work& work)
 {
   const bool positional = work.GetLight().Kind != vtkShadowLightKind::Directional;
   long long triangles = 0;
-  this->ForEachPart(work, [&](const vtkShadowCaster&, const vtkShadowCaster::Part& part)
-    { triangles += vtkShadowFill::CountTriangles(part.Silhouette, positional); });
+  for (const PartRange& parts : this->Parts)
+  {
+    for (const vtkShadowCaster::Part& part : parts)
+    {
+      triangles += vtkShadowFill::CountTriangles(part.Silhouette, positional);
+    }
+  }
   return this->DoLitmapsPay(work, 0.0, triangles);
 }
 
@@ -292,6 +345,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   std::optional<vtkShadowPlan> plan;
   Verdicts verdicts = {};
   const bool automatic = work.How.Mode == vtkShadowMode::Automatic;
+  this->FindParts(work);
   if (work.How.Mode == vtkShadowMode::Unclamped || (automatic && !this->DoLitmapsPay(work)))
   {
     plan.emplace(light, work.Frame, view, vtkShadowMode::Unclamped, nullptr);

@@ -29,6 +29,7 @@
 #include "vtkShadowVolume.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -102,13 +103,22 @@ public:
 
 private:
   struct Work;
+  /// The parts of a caster.
+  struct PartRange
+  {
+    const vtkShadowCaster::Part* begin() const { return this->First; }
+    const vtkShadowCaster::Part* end() const { return this->First + this->Count; }
+
+    const vtkShadowCaster::Part* First;
+    std::size_t Count;
+  };
   using Verdicts = std::array<int, vtkShadowStatistics::NumberOfVerdicts>;
 
   std::size_t GetNumberOfSamples() const; ///< Of the viewport.
   bool ReadReceivers(const Work& work);
   bool MakeLitmaps(const Work& work, const std::vector<vtkShadowFrame>& frames);
-  template <typename Functor>
-  void ForEachPart(const Work& work, Functor&& functor); ///< functor(caster, part)
+  void FindParts(const Work& work);
+  void Dismiss(const vtkShadowPlan& plan);
   Verdicts AddCasters(const Work& work, vtkShadowPlan& plan);
   bool DoLitmapsPay(const Work& work, double fragments, long long triangles);
   bool DoLitmapsPay(const Work& work); ///< For the triangles alone.
@@ -123,6 +133,10 @@ private:
   vtkShadowTargetReader Reader;
   std::vector<vtkShadowLitmap> Litmaps; ///< Of the light at work: one, or one for each face.
   vtkShadowVolume Volume;
+  /// Of the casters in their order, for the light at work.
+  std::vector<PartRange> Parts;
+  /// Likewise; without a verdict: to be looked at part by part.
+  std::vector<std::optional<vtkShadowVerdict>> Dismissed;
   bool SkipUnlit = false;
   double SeenShare = 1.0;      ///< Of the samples, when their depth was last read.
   std::size_t SeenSamples = 0; ///< How many there were then,

@@ -147,14 +147,8 @@ vtkShadowPlan::Aspect vtkShadowPlan::MakeAspect(
   return { face, rays };
 }
 
-std::vector<vtkShadowPlan::Aspect> vtkShadowPlan::GetAspects(
-  const vtkShadowFootprint& footprint) const
+void vtkShadowPlan::AddFaces(const vtkShadowFootprint& footprint, Lookup& lookup) const
 {
-  if (this->Faces.empty())
-  {
-    return { this->MakeAspect(this->Whole, footprint) };
-  }
-  std::vector<Aspect> aspects;
   double corners[24];
   GetCorners(footprint.Bounds, corners);
   for (const Face& face : this->Faces)
@@ -162,18 +156,49 @@ std::vector<vtkShadowPlan::Aspect> vtkShadowPlan::GetAspects(
     const vtkShadowFootprint box = vtkShadowFootprint::Make(corners, 8, *face.Frame);
     if (box.Far > 0.0)
     {
-      aspects.push_back(this->MakeAspect(face, box));
+      lookup.Add(this->MakeAspect(face, box));
     }
   }
-  return aspects;
 }
 
-vtkShadowPlan::Boxes vtkShadowPlan::FindBoxes(const std::vector<Aspect>& aspects,
-  const vtkShadowSilhouette& silhouette, const double* points, const vtkShadowExtent& extent,
-  bool& isOnRays) const
+vtkShadowPlan::Lookup vtkShadowPlan::LookUp(
+  const vtkShadowFootprint& footprint, const double* points, int numberOfPoints) const
 {
+  Lookup lookup;
+  const Face* home = this->FindHome(footprint);
+  lookup.IsAtHome = home != nullptr;
+  if (home)
+  {
+    const vtkShadowFootprint there = this->Faces.empty()
+      ? footprint
+      : vtkShadowFootprint::Make(points, numberOfPoints, *home->Frame);
+    lookup.Near = there.Near;
+    lookup.Far = there.Far;
+    lookup.Add(this->MakeAspect(*home, there));
+  }
+  else if (this->Faces.empty())
+  {
+    lookup.Add(this->MakeAspect(this->Whole, footprint));
+  }
+  else
+  {
+    this->AddFaces(footprint, lookup);
+  }
+  for (const Aspect& aspect : lookup)
+  {
+    const vtkShadowBlock& rays = aspect.Rays;
+    lookup.Extent.Merge(
+      aspect.Map.Litmap->Query(rays.Low[0], rays.Low[1], rays.High[0], rays.High[1]));
+  }
+  return lookup;
+}
+
+vtkShadowPlan::Boxes vtkShadowPlan::FindBoxes(const Lookup& lookup,
+  const vtkShadowSilhouette& silhouette, const double* points, bool& isOnRays) const
+{
+  const vtkShadowExtent& extent = lookup.Extent;
   vtkShadowTileSet set({ extent.X0, extent.Y0, extent.X1, extent.Y1 });
-  for (const Aspect& aspect : aspects)
+  for (const Aspect& aspect : lookup)
   {
     const vtkShadowTiles& tiles = aspect.Map.Litmap->GetTiles();
     const vtkShadowReach reach(silhouette, points, *aspect.Map.Frame, aspect.Rays);
@@ -219,6 +244,11 @@ bool vtkShadowPlan::IsThroughLightPlane(const vtkShadowFootprint& footprint) con
   return this->Frame.IsPositional() && !(footprint.Near > Margin * std::abs(footprint.Far));
 }
 
+bool vtkShadowPlan::HasLitmaps() const
+{
+  return this->Mode != vtkShadowMode::Unclamped && (this->Whole.Litmap || !this->Faces.empty());
+}
+
 double vtkShadowPlan::GetReach() const
 {
   constexpr double margin = 1e-3; // radians; more than vtkShadowLight::Reaches() is wider
@@ -251,18 +281,18 @@ bool vtkShadowPlan::IsOutsideCone(const vtkShadowFootprint& footprint) const
   return angle - std::asin(radius / distance) > this->GetReach();
 }
 
-std::vector<vtkShadowSlab> vtkShadowPlan::GetSlabs(const vtkShadowLitmap& litmap,
-  const vtkShadowExtent& extent, const vtkShadowFootprint& footprint) const
+std::vector<vtkShadowSlab> vtkShadowPlan::GetSlabs(const Lookup& lookup) const
 {
   std::vector<vtkShadowSlab> slabs;
-  for (const auto& [near, far] : litmap.GetSlabs(extent, this->Gap))
+  const vtkShadowLitmap& litmap = *lookup.Aspects[0].Map.Litmap;
+  for (const auto& [near, far] : litmap.GetSlabs(lookup.Extent, this->Gap))
   {
-    if (far < footprint.Near)
+    if (far < lookup.Near)
     {
       continue;
     }
     // Pieces that begin at the caster itself would overlap: one for all of them.
-    if (!slabs.empty() && slabs.back().Near <= footprint.Far && near <= footprint.Far)
+    if (!slabs.empty() && slabs.back().Near <= lookup.Far && near <= lookup.Far)
     {
       slabs.back().Far = far;
     }
@@ -337,54 +367,77 @@ void vtkShadowPlan::AddWhole(const vtkShadowSilhouette& silhouette, const double
   this->AddDraw(volume, boxes, draw);
 }
 
-vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const double* points,
-  int numberOfPoints, const vtkShadowFootprint& footprint, vtkShadowVolume& volume)
+std::optional<vtkShadowVerdict> vtkShadowPlan::DismissByPlace(
+  const vtkShadowSilhouette& silhouette, const vtkShadowFootprint& footprint) const
 {
   if (silhouette.GetTriangles().empty())
   {
     return vtkShadowVerdict::Empty;
   }
-  if (this->Mode == vtkShadowMode::Unclamped || (!this->Whole.Litmap && this->Faces.empty()))
+  if (!this->HasLitmaps())
   {
-    this->AddRectangle(silhouette, footprint);
-    this->AddWhole(silhouette, points, numberOfPoints, {}, volume);
-    return vtkShadowVerdict::Whole;
+    return {};
   }
   if (this->Light.Kind == vtkShadowLightKind::Spot && footprint.Far <= 0.0 &&
     this->GetReach() < 0.5 * vtkMath::Pi())
   {
     return vtkShadowVerdict::BehindLight;
   }
-
-  const bool through = this->Faces.empty() && this->IsThroughLightPlane(footprint);
-  if (through && this->IsOutsideCone(footprint))
+  if (this->IsThroughLightPlane(footprint) && this->IsOutsideCone(footprint))
   {
     return vtkShadowVerdict::OutsideCone;
   }
-  const Face* home = this->FindHome(footprint);
-  const vtkShadowFootprint atHome = home && !this->Faces.empty()
-    ? vtkShadowFootprint::Make(points, numberOfPoints, *home->Frame)
-    : footprint;
-  const std::vector<Aspect> aspects =
-    home ? std::vector<Aspect>{ this->MakeAspect(*home, atHome) } : this->GetAspects(footprint);
-  vtkShadowExtent extent;
-  for (const Aspect& aspect : aspects)
-  {
-    const vtkShadowBlock& rays = aspect.Rays;
-    extent.Merge(aspect.Map.Litmap->Query(rays.Low[0], rays.Low[1], rays.High[0], rays.High[1]));
-  }
-  if (extent.IsEmpty())
+  return {};
+}
+
+std::optional<vtkShadowVerdict> vtkShadowPlan::DismissByReceivers(const Lookup& lookup)
+{
+  if (lookup.Extent.IsEmpty())
   {
     return vtkShadowVerdict::NoReceiver;
   }
-  if (home && extent.Far < atHome.Near)
+  if (lookup.IsAtHome && lookup.Extent.Far < lookup.Near)
   {
     return vtkShadowVerdict::BeforeCaster;
   }
-  if (home && this->Mode == vtkShadowMode::Clamped)
+  return {};
+}
+
+std::optional<vtkShadowVerdict> vtkShadowPlan::Dismiss(
+  const vtkShadowSilhouette& silhouette, const vtkShadowFootprint& footprint) const
+{
+  const auto verdict = this->DismissByPlace(silhouette, footprint);
+  if (verdict || !this->HasLitmaps())
+  {
+    return verdict;
+  }
+  double corners[24];
+  GetCorners(footprint.Bounds, corners);
+  return DismissByReceivers(this->LookUp(footprint, corners, 8));
+}
+
+vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const double* points,
+  int numberOfPoints, const vtkShadowFootprint& footprint, vtkShadowVolume& volume)
+{
+  if (const auto verdict = this->DismissByPlace(silhouette, footprint))
+  {
+    return *verdict;
+  }
+  if (!this->HasLitmaps())
+  {
+    this->AddRectangle(silhouette, footprint);
+    this->AddWhole(silhouette, points, numberOfPoints, {}, volume);
+    return vtkShadowVerdict::Whole;
+  }
+  const Lookup lookup = this->LookUp(footprint, points, numberOfPoints);
+  if (const auto verdict = DismissByReceivers(lookup))
+  {
+    return *verdict;
+  }
+  if (lookup.IsAtHome && this->Mode == vtkShadowMode::Clamped)
   {
     const vtkShadowVerdict verdict =
-      this->AddSlabs(silhouette, points, numberOfPoints, atHome, aspects.front(), extent, volume);
+      this->AddSlabs(silhouette, points, numberOfPoints, lookup, volume);
     if (verdict == vtkShadowVerdict::Clamped)
     {
       this->AddRectangle(silhouette, footprint);
@@ -392,28 +445,29 @@ vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const
     return verdict;
   }
   bool isOnRays = false;
-  const Boxes boxes = this->FindBoxes(aspects, silhouette, points, extent, isOnRays);
+  const Boxes boxes = this->FindBoxes(lookup, silhouette, points, isOnRays);
   if (boxes.empty())
   {
     return isOnRays ? vtkShadowVerdict::BeforeCaster : vtkShadowVerdict::NoReceiver;
   }
   this->AddRectangle(silhouette, footprint);
   this->AddWhole(silhouette, points, numberOfPoints, boxes, volume);
-  return through ? vtkShadowVerdict::ThroughLightPlane : vtkShadowVerdict::Boxed;
+  return this->Faces.empty() && !lookup.IsAtHome ? vtkShadowVerdict::ThroughLightPlane
+                                                 : vtkShadowVerdict::Boxed;
 }
 
 vtkShadowVerdict vtkShadowPlan::AddSlabs(const vtkShadowSilhouette& silhouette,
-  const double* points, int numberOfPoints, const vtkShadowFootprint& footprint,
-  const Aspect& aspect, const vtkShadowExtent& extent, vtkShadowVolume& volume)
+  const double* points, int numberOfPoints, const Lookup& lookup, vtkShadowVolume& volume)
 {
   bool isOnRays = false;
   int drawn = 0;
-  for (const vtkShadowSlab& slab : this->GetSlabs(*aspect.Map.Litmap, extent, footprint))
+  for (const vtkShadowSlab& slab : this->GetSlabs(lookup))
   {
-    Aspect inSlab = aspect;
-    inSlab.Rays.Low[2] = std::max(footprint.Near, slab.Near);
-    inSlab.Rays.High[2] = slab.Far;
-    const Boxes boxes = this->FindBoxes({ inSlab }, silhouette, points, extent, isOnRays);
+    Lookup inSlab = lookup;
+    vtkShadowBlock& rays = inSlab.Aspects[0].Rays;
+    rays.Low[2] = std::max(lookup.Near, slab.Near);
+    rays.High[2] = slab.Far;
+    const Boxes boxes = this->FindBoxes(inSlab, silhouette, points, isOnRays);
     if (boxes.empty())
     {
       continue;
@@ -421,10 +475,10 @@ vtkShadowVerdict vtkShadowPlan::AddSlabs(const vtkShadowSilhouette& silhouette,
     vtkShadowDraw draw;
     draw.FirstIndex = static_cast<int>(volume.GetIndices().size());
     draw.MaximumCount = silhouette.GetMaximumCount();
-    draw.Offset = footprint.Far >= slab.Near && silhouette.GetCounting() == vtkShadowCounting::All;
+    draw.Offset = lookup.Far >= slab.Near && silhouette.GetCounting() == vtkShadowCounting::All;
     const std::size_t firstVertex = volume.GetVertices().size();
-    volume.AddClamped(silhouette, points, numberOfPoints, *aspect.Map.Frame, slab, footprint.Far,
-      vtkShadowCap::Fan);
+    volume.AddClamped(silhouette, points, numberOfPoints, *lookup.Aspects[0].Map.Frame, slab,
+      lookup.Far, vtkShadowCap::Fan);
     draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
     this->AddDraw(volume, boxes, draw);
     ++drawn;

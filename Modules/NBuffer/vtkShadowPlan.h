@@ -70,6 +70,8 @@
 #include "vtkShadowTiles.h"
 #include "vtkShadowVolume.h"
 
+#include <array>
+#include <optional>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -135,6 +137,13 @@ public:
   void AddFace(const vtkShadowFrame& frame, const vtkShadowLitmap& litmap);
 
   /**
+   * Why Add() would not draw a caster, as far as its box and one lookup tell: nothing if that is
+   * not enough. Only reads: safe in parallel.
+   */
+  std::optional<vtkShadowVerdict> Dismiss(
+    const vtkShadowSilhouette& silhouette, const vtkShadowFootprint& footprint) const;
+
+  /**
    * Decide about a caster, and if it is to be drawn add its triangles to `volume` and its draws to
    * GetDraws().
    */
@@ -150,8 +159,8 @@ public:
 private:
   struct Face
   {
-    const vtkShadowFrame* Frame;
-    const vtkShadowLitmap* Litmap;
+    const vtkShadowFrame* Frame = nullptr;
+    const vtkShadowLitmap* Litmap = nullptr;
   };
   /// A caster as it is looked up in a litmap.
   struct Aspect
@@ -159,20 +168,39 @@ private:
     Face Map;
     vtkShadowBlock Rays; ///< Depths from its nearest corner on.
   };
+  /// A caster in all litmaps into which it may cast, and the receivers on its rays there.
+  struct Lookup
+  {
+    const Aspect* begin() const { return this->Aspects.data(); }
+    const Aspect* end() const { return this->Aspects.data() + this->Count; }
+    void Add(const Aspect& aspect) { this->Aspects[this->Count++] = aspect; }
+
+    std::array<Aspect, 6> Aspects; ///< As many as a cube has faces.
+    std::size_t Count = 0;
+    vtkShadowExtent Extent;
+    bool IsAtHome = false; ///< All its rays are in the first one, where the caster
+    double Near = 0.0;     ///< begins
+    double Far = 0.0;      ///< and ends.
+  };
   using Boxes = std::vector<vtkNBufferRectangle>; ///< Of pixels of the viewport.
 
   /// Where all of a caster's rays are; nullptr: in no one face, or through the light's plane.
   const Face* FindHome(const vtkShadowFootprint& footprint) const;
   Aspect MakeAspect(const Face& face, const vtkShadowFootprint& footprint) const;
-  std::vector<Aspect> GetAspects(const vtkShadowFootprint& footprint) const;
-  Boxes FindBoxes(const std::vector<Aspect>& aspects, const vtkShadowSilhouette& silhouette,
-    const double* points, const vtkShadowExtent& extent, bool& isOnRays) const;
-  std::vector<vtkShadowSlab> GetSlabs(const vtkShadowLitmap& litmap, const vtkShadowExtent& extent,
-    const vtkShadowFootprint& footprint) const;
+  void AddFaces(const vtkShadowFootprint& footprint, Lookup& lookup) const;
+  /// `points`: of the caster, or of a hull around it.
+  Lookup LookUp(
+    const vtkShadowFootprint& footprint, const double* points, int numberOfPoints) const;
+  std::optional<vtkShadowVerdict> DismissByPlace(
+    const vtkShadowSilhouette& silhouette, const vtkShadowFootprint& footprint) const;
+  static std::optional<vtkShadowVerdict> DismissByReceivers(const Lookup& lookup);
+  Boxes FindBoxes(const Lookup& lookup, const vtkShadowSilhouette& silhouette, const double* points,
+    bool& isOnRays) const;
+  std::vector<vtkShadowSlab> GetSlabs(const Lookup& lookup) const;
   vtkShadowVerdict AddSlabs(const vtkShadowSilhouette& silhouette, const double* points,
-    int numberOfPoints, const vtkShadowFootprint& footprint, const Aspect& aspect,
-    const vtkShadowExtent& extent, vtkShadowVolume& volume);
+    int numberOfPoints, const Lookup& lookup, vtkShadowVolume& volume);
   bool IsThroughLightPlane(const vtkShadowFootprint& footprint) const;
+  bool HasLitmaps() const;
   double GetReach() const; ///< Of a spot, radians.
   bool IsOutsideCone(const vtkShadowFootprint& footprint) const;
   bool IsBeyondNearPlane(const vtkShadowVolume& volume, std::size_t firstVertex) const;

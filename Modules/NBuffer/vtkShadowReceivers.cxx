@@ -348,28 +348,32 @@ bool Projector::Project(int x, double depth, Receiver& receiver) const
   return true;
 }
 
-/// Rows of pixels from Begin to End - 1, every Stride-th of them and of their columns.
-struct Rows
+/// Which pixels to look at.
+struct Lattice
 {
-  int Begin;
-  int End;
-  int Stride;
+  int Stride = 1; ///< Every so many rows and columns,
+  int Band = 0;   ///< and of the rows of tiles
+  int Bands = 1;  ///< every so many, from this one on.
 };
 
 /// functor(receiver, x, y, depth) for each receiver in these rows.
 template <typename Functor>
 void ForEachReceiver(const float* depth, const unsigned char* lit, const vtkShadowView& view,
-  Projector& projector, const Rows& rows, Functor&& functor)
+  Projector& projector, const Lattice& lattice, Functor&& functor)
 {
   Receiver receiver;
   std::size_t image = 0;
   for (const std::array<double, 2>& sample : view.Samples)
   {
-    for (int y = rows.Begin; y < rows.End; y += rows.Stride)
+    for (int y = 0; y < view.Height; y += lattice.Stride)
     {
+      if (y / vtkShadowTiles::Size % lattice.Bands != lattice.Band)
+      {
+        continue;
+      }
       projector.SetRow(sample, y);
       const std::size_t row = image + static_cast<std::size_t>(y) * view.Width;
-      for (int x = 0; x < view.Width; x += rows.Stride)
+      for (int x = 0; x < view.Width; x += lattice.Stride)
       {
         const std::size_t i = row + x;
         if (depth[i] < 1.0f && (!lit || lit[i]) && projector.Project(x, depth[i], receiver))
@@ -468,7 +472,7 @@ void GetRange(const float* depth, const unsigned char* lit, const vtkShadowView&
   double high[3] = { -infinity, -infinity, -infinity };
   for (int stride : { RangeStride, 1 })
   {
-    ForEachReceiver(depth, lit, view, projector, { 0, view.Height, stride },
+    ForEachReceiver(depth, lit, view, projector, { stride },
       [&](const Receiver& receiver, int, int, float)
       {
         const double radius[3] = { receiver.Radius, receiver.Radius, 0.0 };
@@ -508,8 +512,7 @@ vtkIdType Scatter(const float* depth, const unsigned char* lit, const vtkShadowV
   {
     vtkShadowLitmap& part = litmap.GetPart(band);
     Projector projector(view, light, frame);
-    ForEachReceiver(depth, lit, view, projector,
-      { view.Height * band / bands, view.Height * (band + 1) / bands, 1 },
+    ForEachReceiver(depth, lit, view, projector, { 1, band, bands },
       [&part](const Receiver& receiver, int x, int y, float windowDepth)
       {
         if (part.Add(receiver.A, receiver.B, receiver.Radius, x, y))

@@ -5,6 +5,7 @@
 #include "GLStateSnapshot.h"
 #include "OffscreenFixture.h"
 #include "PassTestTools.h"
+#include "ShadowShapes.h"
 
 #include "../Leaks/GLObjects.h"
 
@@ -219,6 +220,51 @@ TEST_F(PassStatistics, SilhouettesAreMadeOnce)
   mesh->GetPoints()->SetPoint(0, 0.3, -1.2, 1.7);
   mesh->GetPoints()->Modified();
   expect(1, lights, "points moved");
+}
+
+// More casters than one thread is given.
+TEST_F(PassStatistics, ManyCastersAreSharedOut)
+{
+  constexpr int side = 66;
+  const ShadowStage stage({ "ManyCasters",
+    [](vtkRenderer* renderer)
+    {
+      ShadowShapes::AddFloor(renderer, 10.0);
+      for (int i = 0; i < side * side; ++i)
+      {
+        const double x = 0.25 * (i % side - side / 2);
+        const double y = 0.25 * (i / side - side / 2);
+        ShadowShapes::AddBox(renderer, { x, y, 0.2 + 0.1 * (i % 7) }, { 0.1, 0.1, 0.1 });
+      }
+      ShadowShapes::AddDirectional(renderer, { 0.3, 0.2, -1.0 });
+      ShadowShapes::AddSpot(renderer, { 0.0, 0.0, 5.0 }, { 1.0, 1.0, 0.0 }, 30.0);
+      ShadowShapes::AddPoint(renderer, { -1.0, 2.0, 4.0 });
+      ShadowShapes::Look(renderer, { 2.0, 1.0, 3.0 }, { 0.0, 0.0, 0.0 });
+    },
+    120, 90 });
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  const int casters = stage.Renderer->GetActors()->GetNumberOfItems();
+  const int lights = static_cast<int>(stage.Lights.size());
+  std::vector<ShadowImage> images;
+  int silhouettes = casters * lights;
+  for (const int mode : Modes)
+  {
+    pass->SetMode(mode);
+    stage.Window->Render();
+    const vtkShadowStatistics& statistics = pass->GetStatistics();
+    EXPECT_EQ(statistics.Silhouettes, silhouettes);
+    EXPECT_EQ(FindInconsistency(statistics), "");
+    EXPECT_EQ(statistics.Draws < casters * lights, mode != vtkShadowVolumeClampPass::Unclamped);
+    EXPECT_GT(statistics.Draws, 0);
+    silhouettes = 0;
+    for (vtkLight* light : stage.Lights)
+    {
+      const ShadowMask mask = GetMask(pass, light, CountPixels(stage.Renderer));
+      EXPECT_GT(std::count(mask.begin(), mask.end(), 255), 0);
+    }
+    images.push_back(GetImage(stage.Window));
+  }
+  EXPECT_TRUE(IsSameImage(images[0], images[1], stage.Window));
 }
 
 class PassWork

@@ -116,9 +116,13 @@ struct Situation
     }
     const double origin[3] = { 0.0, 0.0, 0.0 };
     this->Volume.Begin(origin);
+    const auto dismissed = plan.Dismiss(this->Silhouette, this->Footprint);
     const Verdict verdict = plan.Add(
       this->Silhouette, points, this->Topology.GetNumberOfPoints(), this->Footprint, this->Volume);
     this->Draws = plan.GetDraws();
+    EXPECT_TRUE(!dismissed || this->Draws.empty());
+    EXPECT_TRUE(!dismissed || *dismissed == verdict || !this->Faces.empty());
+    this->HasDismissed = dismissed.has_value();
     this->Slabs = plan.GetNumberOfSlabs();
     this->CheckDraws();
     return verdict;
@@ -167,6 +171,7 @@ struct Situation
   vtkShadowVolume Volume;
   std::vector<vtkShadowDraw> Draws;
   int Slabs = 0;
+  bool HasDismissed = false; ///< Before the caster was added.
 };
 
 void ExpectBox(const vtkShadowDraw& draw, int x, int y, int width, int height)
@@ -243,10 +248,11 @@ TEST(ShadowPlan, VerdictsFollowTheReceivers)
       const char* Where;
       Point Receiver;
       Verdict Expected;
-    } cases[] = { { "below", { 0.0, 0.0, -3.0 }, drawn },
-      { "above", { 0.0, 0.0, 3.0 }, Verdict::BeforeCaster },
-      { "beside", { 3.5, 3.5, -3.0 }, Verdict::NoReceiver },
-      { "inside", { 0.0, 0.0, 0.0 }, Verdict::BeforeCaster } };
+      bool Dismissed;
+    } cases[] = { { "below", { 0.0, 0.0, -3.0 }, drawn, false },
+      { "above", { 0.0, 0.0, 3.0 }, Verdict::BeforeCaster, true },
+      { "beside", { 3.5, 3.5, -3.0 }, Verdict::NoReceiver, true },
+      { "inside", { 0.0, 0.0, 0.0 }, Verdict::BeforeCaster, true } };
     for (const auto& c : cases)
     {
       SCOPED_TRACE(c.Where);
@@ -254,6 +260,7 @@ TEST(ShadowPlan, VerdictsFollowTheReceivers)
       situation.AddReceiver(c.Receiver, 5, 6);
       EXPECT_EQ(situation.Decide(mode), c.Expected);
       EXPECT_EQ(situation.Draws.empty(), c.Expected != drawn);
+      EXPECT_EQ(situation.HasDismissed, c.Dismissed);
     }
     Situation nothing(MakeDirectional());
     EXPECT_EQ(nothing.Decide(mode), Verdict::NoReceiver);
