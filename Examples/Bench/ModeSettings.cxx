@@ -53,6 +53,10 @@ using Pass = vtkShadowVolumeClampPass;
 constexpr Setting<Pass> PassSettings[] = {
   { "BoxCost", [](Pass* p, int v) { p->SetBoxCost(v); }, [](Pass* p) { return p->GetBoxCost(); } },
   { "SlabGap", [](Pass* p, int v) { p->SetSlabGap(v); }, [](Pass* p) { return p->GetSlabGap(); } },
+  { "Scissor", [](Pass* p, int v) { p->SetScissor(v != 0); },
+    [](Pass* p) { return int(p->GetScissor()); } },
+  { "SkipUnlitReceivers", [](Pass* p, int v) { p->SetSkipUnlitReceivers(v != 0); },
+    [](Pass* p) { return int(p->GetSkipUnlitReceivers()); } },
 };
 
 template <typename Object, std::size_t N>

@@ -46,8 +46,8 @@ struct ShadowCommandOptions
 {
   ViewOptions View;
   ShadowWalkOptions Walk;
-  bool GroundCasts = true;
-  bool Culler = false;
+  bool GroundCasts = false;
+  bool Culler = true;
   /// Empty: that of the scene.
   std::vector<double> Lamp;
   std::string JSON;
@@ -284,10 +284,11 @@ void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
   options->View.AddTo(*command);
   command
     ->add_option("--modes", options->Walk.Modes,
-      "none; of vtkShadowVolumeClampPass unclamped, exact, auto (one of these), clamp (one slab), "
-      "slabs, exactlit and slabslit (with SkipUnlitReceivers), paper (clamp with litmaps drawn "
-      "from "
-      "the light, which lose shadows); vtk: vtkShadowMapPass; exact@64: with a litmap of 64 x 64, "
+      "none; of vtkShadowVolumeClampPass unclamped, cull (whole volumes of casters with "
+      "receivers), exact (in boxes around these), auto (unclamped or exact), clamp (exact, one "
+      "slab), slabs, exactlit and slabslit (with SkipUnlitReceivers), paper (clamp with litmaps "
+      "drawn from the light, which lose shadows); vtk: vtkShadowMapPass; exact@64: with a litmap "
+      "of 64 x 64, "
       "vtk@64 with such maps; those of volumes also with settings of their own, such as "
       "auto:BoxCost=16, slabs@64:SlabGap=2")
     ->delimiter(',')
@@ -307,16 +308,17 @@ void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
   command->add_option("--block", options->Walk.Block, "Timed frames of a mode in a row")
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();
-  command->add_flag("!--no-ground-caster", options->GroundCasts,
-    "In vtkShadowVolumeClampPass ground and streets only receive shadows");
+  command->add_flag("--ground-caster", options->GroundCasts,
+    "In vtkShadowVolumeClampPass all that is opaque casts, as it does by default; without it "
+    "ground "
+    "and streets only receive shadows (those of files are not told apart)");
   command
     ->add_option("--lamp", options->Lamp,
       "x,y,z,cone: where the spot of city-spot hangs, in metres from the place on the street that "
-      "it "
-      "shines on, and the degrees from its axis to its edge; 25,-25,60,40 if not given")
+      "it shines on, and the degrees from its axis to its edge; 25,-25,120,20 if not given")
     ->delimiter(',')
     ->expected(4);
-  command->add_flag("--culler", options->Culler, "All modes with vtkNBufferCuller");
+  command->add_flag("!--no-culler", options->Culler, "All modes without vtkNBufferCuller");
   command->add_option("--json", options->JSON, "File for the figures");
   command->add_option("--images", options->Walk.ImageFolder,
     "Folder for the middle frame of each mode and the chart of frame times");

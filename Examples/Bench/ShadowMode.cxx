@@ -29,18 +29,20 @@ struct VolumeKind
   int Mode;
   int SlabGap;
   int LitmapMethod;
+  bool Scissor;
   bool SkipUnlitReceivers;
 };
 using Pass = vtkShadowVolumeClampPass;
 constexpr VolumeKind VolumeKinds[] = {
-  { "unclamped", Pass::Unclamped, 4, Pass::Scattered, false },
-  { "auto", Pass::Automatic, 4, Pass::Scattered, false },
-  { "exact", Pass::Exact, 4, Pass::Scattered, false },
-  { "clamp", Pass::Clamped, 64, Pass::Scattered, false },
-  { "slabs", Pass::Clamped, 4, Pass::Scattered, false },
-  { "exactlit", Pass::Exact, 4, Pass::Scattered, true },
-  { "slabslit", Pass::Clamped, 4, Pass::Scattered, true },
-  { "paper", Pass::Clamped, 64, Pass::Rerendered, false },
+  { "unclamped", Pass::Unclamped, 4, Pass::Scattered, true, false },
+  { "cull", Pass::Exact, 4, Pass::Scattered, false, false },
+  { "auto", Pass::Automatic, 4, Pass::Scattered, true, false },
+  { "exact", Pass::Exact, 4, Pass::Scattered, true, false },
+  { "clamp", Pass::Clamped, 64, Pass::Scattered, true, false },
+  { "slabs", Pass::Clamped, 4, Pass::Scattered, true, false },
+  { "exactlit", Pass::Exact, 4, Pass::Scattered, true, true },
+  { "slabslit", Pass::Clamped, 4, Pass::Scattered, true, true },
+  { "paper", Pass::Clamped, 64, Pass::Rerendered, true, false },
 };
 
 const VolumeKind* FindVolumeKind(const std::string& name)
@@ -88,9 +90,9 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   if (!isKnown || (isSized && !(hasSize && canHaveSize)))
   {
     throw std::runtime_error("no mode " + name +
-      "; there are none, unclamped, auto, exact, clamp, slabs, exactlit, slabslit, paper and vtk, "
-      "all "
-      "but the first two also with a resolution of 1 to 9999, such as exact@64, and those of "
+      "; there are none, unclamped, cull, auto, exact, clamp, slabs, exactlit, slabslit, paper "
+      "and vtk, all but the first two also with a resolution of 1 to 9999, such as exact@64, and "
+      "those of "
       "volumes with settings, such as slabs@64:SlabGap=2");
   }
   if (this->IsVolumes)
@@ -118,6 +120,7 @@ void ShadowMode::Enter(vtkRenderer* renderer) const
     volumes->SetMode(kind->Mode);
     volumes->SetSlabGap(kind->SlabGap);
     volumes->SetLitmapMethod(kind->LitmapMethod);
+    volumes->SetScissor(kind->Scissor);
     volumes->SetSkipUnlitReceivers(kind->SkipUnlitReceivers);
     volumes->SetLitmapResolution(this->Resolution > 0 ? this->Resolution : this->Litmap);
     volumes->SetBoxCost(this->BoxCost);

@@ -6,6 +6,7 @@
  *
  *     none        without shadows
  *     unclamped   vtkShadowVolumeClampPass, whole volumes
+ *     cull        casters that have receivers, whole volumes
  *     auto        for each light unclamped or exact, whichever is guessed to be faster: the default
  *     exact       casters that have receivers, inside of the receivers' box of pixels
  *     clamp       the same, clamped to one slab (SlabGap 64)
@@ -15,9 +16,9 @@
  *     vtk         vtkShadowMapPass with its baker, as VTK's tests put them together; right in
  *                 square windows only, as it looks maps up with an aspect ratio of 1
  *
- * auto@N, exact@N, clamp@N, slabs@N and paper@N have litmaps of N x N lexels, vtk@N shadow maps of
- * N x N texels instead of VTK's default. Modes of volumes also with settings (ModeSettings.h), such
- * as slabs@64:SlabGap=2.
+ * cull@N, auto@N, exact@N, clamp@N, slabs@N and paper@N have litmaps of N x N lexels, vtk@N shadow
+ * maps of N x N texels instead of VTK's default. Modes of volumes also with settings
+ * (ModeSettings.h), such as slabs@64:SlabGap=2.
  */
 #ifndef ShadowMode_h
 #define ShadowMode_h

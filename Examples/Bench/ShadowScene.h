@@ -5,7 +5,7 @@
  * @brief Scenes whose shadows are measured.
  *
  *     city-sun   the city at 9 in the morning on 21 June, solar time: the sun in the south-east
- *     city-spot  the city under one spotlight, of 40 degrees and 60 m above the street unless a
+ *     city-spot  the city under one spotlight, of 20 degrees and 120 m above the street unless a
  *                SpotLamp says otherwise
  *     birds      400 spheres, synthetic and seeded, floating above ground and 12 towers; the sun
  *     simple     20 large parts that touch and cross each other above a floor, seeded; the sun
@@ -37,9 +37,9 @@ NBufferExamples::Scene LoadShadowScene(ViewOptions view);
 struct SpotLamp
 {
   /// From that place, metres: east, north, up. Usually high above the street and beside the way.
-  std::array<double, 3> Offset = { 25.0, -25.0, 60.0 };
+  std::array<double, 3> Offset = { 25.0, -25.0, 120.0 };
   /// Degrees from the axis to the edge, as vtkLight has it; between 0 and 90.
-  double ConeAngle = 40.0;
+  double ConeAngle = 20.0;
 };
 
 /// x, y, z and cone angle. Throws std::runtime_error if the scene has no spot, the lamp is not

@@ -30,7 +30,9 @@ namespace NBufferBench
 
 struct ShadowWalkOptions
 {
-  std::vector<std::string> Modes = { "none", "unclamped", "exact", "clamp", "slabs", "vtk" };
+  std::vector<std::string> Modes = { "none", "unclamped", "cull", "exact", "exactlit", "auto",
+    "clamp", "slabs", "slabslit", "exact@32", "exact@64", "exact@128", "exact@512", "exact@1024",
+    "vtk" };
   /// Lexels along each side of the litmaps of modes that do not name it.
   int Litmap = 256;
   /// vtkShadowVolumeClampPass::BoxCost of modes that do not name it; less than 0: its default.

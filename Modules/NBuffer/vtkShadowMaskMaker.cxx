@@ -113,7 +113,7 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
   ++this->SeenAge;
   vtkShadowCamera camera(renderer);
   std::copy_n(this->Viewport, 4, camera.Plan.Viewport);
-  camera.Plan.Boxes =
+  camera.Plan.Boxes = settings.Scissor &&
     vtkNBufferGL::KeepsToScissor(static_cast<int>(this->Target.GetSamples().size()));
   camera.Plan.BoxCost = settings.BoxCost;
   this->DebugView.Clear();

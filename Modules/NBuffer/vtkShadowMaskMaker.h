@@ -46,6 +46,7 @@ public:
     int Resolution = 256;
     int SlabGap = 4;
     int BoxCost = 256;
+    bool Scissor = true;
     bool CountFragments = false;
     vtkShadowLitmapMethod LitmapMethod = vtkShadowLitmapMethod::Scattered;
     vtkShadowPicture Picture = vtkShadowPicture::None;

@@ -117,7 +117,8 @@ public:
     double Direction[3] = { 0.0, 0.0, -1.0 }; ///< World: where the camera looks.
     bool Parallel = false;
     int Viewport[4] = { 0, 0, 0, 0 }; ///< Of the framebuffer: x, y, width, height.
-    /// Whether the device keeps to boxes of pixels (vtkNBufferGL::KeepsToScissor).
+    /// Whether to draw in boxes of pixels; not all devices keep to them
+    /// (vtkNBufferGL::KeepsToScissor).
     bool Boxes = true;
     /// What one more box is worth, in pixels left out, and 1/32 of it for each triangle that it has
     /// set up again. The default is a compromise: software renderers fill in a few nanoseconds for

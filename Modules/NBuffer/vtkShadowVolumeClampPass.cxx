@@ -354,6 +354,7 @@ bool vtkShadowVolumeClampPass::MakeMasks(const vtkRenderState* s,
   settings.Resolution = this->LitmapResolution;
   settings.SlabGap = this->SlabGap;
   settings.BoxCost = this->BoxCost;
+  settings.Scissor = this->Scissor;
   settings.CountFragments = this->CountFragments;
   settings.LitmapMethod = static_cast<vtkShadowLitmapMethod>(this->LitmapMethod);
   settings.Picture = static_cast<vtkShadowPicture>(this->DebugView);
@@ -543,6 +544,7 @@ void vtkShadowVolumeClampPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LitmapResolution: " << this->LitmapResolution << "\n";
   os << indent << "SlabGap: " << this->SlabGap << "\n";
   os << indent << "BoxCost: " << this->BoxCost << "\n";
+  os << indent << "Scissor: " << (this->Scissor ? "On" : "Off") << "\n";
   os << indent << "LitmapMethod: " << this->LitmapMethod << "\n";
   os << indent << "SkipUnlitReceivers: " << (this->SkipUnlitReceivers ? "On" : "Off") << "\n";
   os << indent << "DebugView: " << this->DebugView << "\n";

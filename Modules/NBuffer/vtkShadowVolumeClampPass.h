@@ -149,6 +149,17 @@ public:
 
   ///@{
   /**
+   * Draw volumes in boxes of pixels around the receivers of their casters alone. On by default.
+   * Off, casters without a receiver are still left out, and the others' volumes cover all of the
+   * viewport that they reach: for comparison, as in the paper. The picture is the same to the bit.
+   */
+  vtkSetMacro(Scissor, bool);
+  vtkGetMacro(Scissor, bool);
+  vtkBooleanMacro(Scissor, bool);
+  ///@}
+
+  ///@{
+  /**
    * Take for receivers of a light only what is lit by it: not what the normals that it is shaded
    * with turn away. The picture is the same to the bit, masks are 255 there. Less is drawn of
    * volumes; the receivers' depth is drawn with their shading, and one more image read back. Off by
@@ -294,6 +305,7 @@ private:
   int BoxCost = 256;
   int LitmapMethod = Scattered;
   int DebugView = NoDebugView;
+  bool Scissor = true;
   bool SkipUnlitReceivers = false;
   bool CountFragments = false;
   bool MeasureDeviceTime = false;
