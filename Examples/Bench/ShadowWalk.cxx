@@ -25,6 +25,9 @@ using NBufferExamples::CameraPath;
 using Shadows = std::vector<unsigned char>;
 constexpr unsigned char Unknown = 2;
 
+/// Of a pixel as Session::ReadPixels() reads it.
+constexpr vtkIdType Channels = 4;
+
 class ShadowWalker
 {
 public:
@@ -266,33 +269,50 @@ private:
       value = value != 0;
     }
     mask.resize(size, 0); // Without a mask all is lit.
+    if (this->Volumes->GetSkipUnlitReceivers())
+    {
+      // Masks know nothing of what faces away from the light, and no picture shows it.
+      vtkNew<vtkUnsignedCharArray> lit;
+      vtkNew<vtkUnsignedCharArray> dark;
+      this->DrawWithoutShadows(frame, lit, dark);
+      for (std::size_t i = 0; i < size; ++i)
+      {
+        const auto first = static_cast<vtkIdType>(i) * Channels;
+        const unsigned char* pixel = lit->GetPointer(first);
+        mask[i] = std::equal(pixel, pixel + Channels, dark->GetPointer(first)) ? Unknown : mask[i];
+      }
+    }
     return mask;
   }
 
-  /// Passes without masks: a pixel is in shadow if it is nearer to what it is without the light
-  /// than to what it is with the light and without shadows; unknown where these two hardly differ.
-  Shadows FindShadowsInImages(const ShadowMode& mode, std::size_t frame)
+  /// With and without the light.
+  void DrawWithoutShadows(std::size_t frame, vtkUnsignedCharArray* lit, vtkUnsignedCharArray* dark)
   {
     const double intensity = this->Light->GetIntensity();
-    vtkRenderer* renderer = this->Where.GetRenderer();
-    vtkNew<vtkUnsignedCharArray> lit;
-    vtkNew<vtkUnsignedCharArray> dark;
-    vtkNew<vtkUnsignedCharArray> shadowed;
-    renderer->SetPass(nullptr);
+    this->Where.GetRenderer()->SetPass(nullptr);
     this->RenderFrame(frame);
     this->Where.ReadPixels(lit);
     this->Light->SetIntensity(0.0);
     this->RenderFrame(frame);
     this->Where.ReadPixels(dark);
     this->Light->SetIntensity(intensity);
-    mode.Enter(renderer);
+  }
+
+  /// Passes without masks: a pixel is in shadow if it is nearer to what it is without the light
+  /// than to what it is with the light and without shadows; unknown where these two hardly differ.
+  Shadows FindShadowsInImages(const ShadowMode& mode, std::size_t frame)
+  {
+    vtkNew<vtkUnsignedCharArray> lit;
+    vtkNew<vtkUnsignedCharArray> dark;
+    vtkNew<vtkUnsignedCharArray> shadowed;
+    this->DrawWithoutShadows(frame, lit, dark);
+    mode.Enter(this->Where.GetRenderer());
     this->RenderFrame(frame);
     this->Where.ReadPixels(shadowed);
     constexpr int least = 8; // levels of 255
-    constexpr vtkIdType channels = 4;
     constexpr vtkIdType green = 1;
     Shadows result;
-    for (vtkIdType i = green; i < lit->GetNumberOfValues(); i += channels)
+    for (vtkIdType i = green; i < lit->GetNumberOfValues(); i += Channels)
     {
       const int range = lit->GetValue(i) - dark->GetValue(i);
       const int above = shadowed->GetValue(i) - dark->GetValue(i);

@@ -111,6 +111,7 @@ void Lights::SetUp(vtkShadowVolumeClampPass* pass, ShadowMode mode) const
   pass->SetMode(static_cast<int>(mode));
   pass->SetSkipUnlitReceivers(mode != ShadowMode::Unclamped && this->Settings.SkipUnlitReceivers);
   pass->SetBoxCost(this->Settings.BoxCost);
+  pass->SetScissor(this->Settings.Scissor);
   pass->SetLitmapResolution(this->Settings.LitmapResolution);
   pass->SetSlabGap(this->Settings.SlabGap);
   if (this->Settings.CasterKeys != (pass->GetCasterKeys() != nullptr))

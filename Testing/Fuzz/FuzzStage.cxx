@@ -199,6 +199,7 @@ void Stage::AddCullers()
       culler->SetMaximumNumberOfPieces(settings.MaximumNumberOfPieces);
       culler->SetHierarchySize(settings.HierarchySize);
       culler->SetTestPixels(settings.TestPixels);
+      culler->SetTestSlivers(settings.TestSlivers);
       culler->SetReuseWhenStill(settings.ReuseWhenStill);
       culler->SetBackOff(settings.BackOff);
       culler->SetTakeOverFrustumCulling(settings.DefaultCuller != DefaultCuller::NoTakeOver);

@@ -7,6 +7,7 @@
 #include "Undefined.h"
 
 #include "vtkMath.h"
+#include "vtkNBufferCuller.h"
 #include "vtkRenderWindow.h"
 
 #include <algorithm>
@@ -60,6 +61,7 @@ void MakeCuller(Writer& writer)
   // Not drawn, so that the rest of a scenario stays what it was for its seed. The default is larger
   // than any of these scenes.
   culler.HierarchySize = writer.Scene.Seed % 3 == 0 ? culler.HierarchySize : 0;
+  culler.TestSlivers = writer.Scene.Seed % 5 == 0 ? vtkNBufferCuller::Always : culler.TestSlivers;
   culler.TestPixels = writer.Chance(0.6);
   culler.ReuseWhenStill = writer.Chance(0.8);
   culler.BackOff = writer.Chance(0.1);

@@ -405,6 +405,7 @@ struct Culler
   int MaximumNumberOfPieces = 8;
   int HierarchySize = 10000;
   bool TestPixels = true;
+  int TestSlivers = 0;
   bool ReuseWhenStill = true;
   bool BackOff = false;
 
@@ -422,6 +423,7 @@ struct Culler
     visit("maximum_number_of_pieces", self.MaximumNumberOfPieces);
     visit("hierarchy_size", self.HierarchySize);
     visit("test_pixels", self.TestPixels);
+    visit("test_slivers", self.TestSlivers);
     visit("reuse_when_still", self.ReuseWhenStill);
     visit("back_off", self.BackOff);
   }
@@ -486,6 +488,7 @@ struct Shadows
   int LitmapResolution = 256;
   int SlabGap = 4;
   int BoxCost = 256;
+  bool Scissor = true;
   bool SkipUnlitReceivers = false;
   bool CasterKeys = false;  ///< Only props with Prop::Casts cast.
   bool OneForAll = false;   ///< Renderers share one pass object.
@@ -498,6 +501,7 @@ struct Shadows
     visit("litmap_resolution", self.LitmapResolution);
     visit("slab_gap", self.SlabGap);
     visit("box_cost", self.BoxCost);
+    visit("scissor", self.Scissor);
     visit("skip_unlit_receivers", self.SkipUnlitReceivers);
     visit("caster_keys", self.CasterKeys);
     visit("one_for_all", self.OneForAll);

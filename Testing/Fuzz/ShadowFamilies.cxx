@@ -341,5 +341,7 @@ void AddShadows(Writer& writer)
   }
   shadows.BoxCost = writer.Any({ 0, 16, 256, 256, 4096 });
   shadows.SkipUnlitReceivers = writer.Chance(0.3);
+  // Not drawn, so that the rest of a scenario stays what it was for its seed.
+  shadows.Scissor = scene.Seed % 7 != 0;
 }
 }

@@ -371,9 +371,10 @@ TEST(ShadowTopology, ConvexityAgreesWithBruteForce)
   for (int i = 0; i < 3000; ++i)
   {
     // An octahedron with integer coordinates, one of its faces with a corner more.
-    ShadowMesh mesh;
-    mesh.Points = { { 8, 0, 0 }, { 0, 8, 0 }, { -8, 0, 0 }, { 0, -8, 0 }, { 0, 0, 8 }, { 0, 0, -8 },
-      { 3, 3, 3 } };
+    ShadowMesh mesh = { "octahedron",
+      { { 8, 0, 0 }, { 0, 8, 0 }, { -8, 0, 0 }, { 0, -8, 0 }, { 0, 0, 8 }, { 0, 0, -8 },
+        { 3, 3, 3 } },
+      {} };
     for (Point& point : mesh.Points)
     {
       for (double& value : point)
@@ -421,8 +422,8 @@ TEST(ShadowTopology, ConcaveByLessThanRoundingIsNotConvex)
   {
     // A parallelogram over a point, exactly plane, or its last corner raised by a little: then the
     // diagonal is concave.
-    ShadowMesh mesh;
-    mesh.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, {}, { 0.5, 0.5, -3 } };
+    ShadowMesh mesh = { "fold", { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, {}, { 0.5, 0.5, -3 } },
+      {} };
     for (int p = 0; p < 3; ++p)
     {
       for (double& value : mesh.Points[p])
