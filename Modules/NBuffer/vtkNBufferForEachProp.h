@@ -31,15 +31,15 @@ inline void Fetch(const void* address)
 
 /// functor(first, end) for ranges of 0 to count - 1, in parallel when there are enough for it.
 template <typename Functor>
-void Run(std::size_t count, Functor&& functor)
+void Run(std::size_t count, Functor&& functor, vtkIdType perThread = PropsPerThread)
 {
   const auto size = static_cast<vtkIdType>(count);
-  if (size < 2 * PropsPerThread)
+  if (size < 2 * perThread)
   {
     functor(0, size);
     return;
   }
-  vtkSMPTools::For(0, size, PropsPerThread, functor);
+  vtkSMPTools::For(0, size, perThread, functor);
 }
 }
 

@@ -201,6 +201,13 @@ void vtkShadowCaster::Prefetch() const
   vtkNBufferForEachProp::Fetch(&this->Slots);
 }
 
+void vtkShadowCaster::Part::Prefetch() const
+{
+  vtkNBufferForEachProp::Fetch(&this->Silhouette);
+  vtkNBufferForEachProp::Fetch(this->Footprint.P);
+  vtkNBufferForEachProp::Fetch(this->Footprint.Bounds + 2);
+}
+
 void vtkShadowCaster::PrefetchParts(std::size_t slot) const
 {
   if (slot < this->Slots.size())

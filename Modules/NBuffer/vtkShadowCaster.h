@@ -47,6 +47,9 @@ public:
     std::vector<double> Points; ///< World; empty: those of the caster.
     vtkShadowSilhouette Silhouette;
     vtkShadowFootprint Footprint;
+
+    /// Have the processor fetch what vtkShadowPlan::Dismiss() will read.
+    void Prefetch() const;
   };
 
   /// A plane that keeps the side to which its normal points: a x + b y + c z + d >= 0 in the world.

@@ -23,6 +23,9 @@ namespace
 /// For so many frames Automatic believes what it knows of how many samples see something.
 constexpr int SeenFrames = 30;
 
+/// Deciding about one may take longer than about a hundred others.
+constexpr vtkIdType CastersPerThread = 256;
+
 /// The faces of a cube around a point light.
 std::vector<vtkShadowFrame> MakeFaces(const vtkShadowLight& light)
 {
@@ -219,7 +222,7 @@ void vtkShadowMaskMaker::FindParts(const Work& work)
 {
   constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
   const std::vector<vtkShadowCaster*>& casters = this->Casters.GetCasters();
-  this->Parts.resize(casters.size());
+  this->PartLists.resize(casters.size());
   std::atomic<int> built(0);
   vtkNBufferForEachProp::Run(casters.size(),
     [&](vtkIdType begin, vtkIdType end)
@@ -232,59 +235,65 @@ void vtkShadowMaskMaker::FindParts(const Work& work)
           casters[i + 2 * ahead]->Prefetch();
           casters[i + ahead]->PrefetchParts(work.Slot);
         }
-        const std::vector<vtkShadowCaster::Part>& parts = casters[i]->GetParts(
+        this->PartLists[i] = &casters[i]->GetParts(
           work.Slot, work.GetLight(), work.Frame, work.Camera.NearBounds, builtHere);
-        this->Parts[i] = { parts.data(), parts.size() };
       }
       built += builtHere;
     });
   work.Statistics.Silhouettes += built;
+  this->Parts.clear();
+  for (std::size_t i = 0; i < casters.size(); ++i)
+  {
+    for (const vtkShadowCaster::Part& part : *this->PartLists[i])
+    {
+      this->Parts.push_back({ casters[i], &part });
+    }
+  }
 }
 
-void vtkShadowMaskMaker::Dismiss(const vtkShadowPlan& plan)
+void vtkShadowMaskMaker::Choose(const vtkShadowPlan& plan)
 {
-  this->Dismissed.assign(this->Parts.size(), {});
-  vtkNBufferForEachProp::Run(this->Parts.size(),
+  constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
+  this->Choices.assign(this->Parts.size(), {});
+  vtkNBufferForEachProp::Run(
+    this->Parts.size(),
     [&](vtkIdType begin, vtkIdType end)
     {
-      constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
       for (vtkIdType i = begin; i < end; ++i)
       {
         if (i + ahead < end)
         {
-          const vtkShadowCaster::Part* next = this->Parts[i + ahead].First;
-          vtkNBufferForEachProp::Fetch(&next->Silhouette);
-          vtkNBufferForEachProp::Fetch(&next->Footprint.P);
-          vtkNBufferForEachProp::Fetch(&next->Footprint.Bounds[2]);
+          this->Parts[i + ahead].Part->Prefetch();
         }
-        if (this->Parts[i].Count == 1)
+        const CasterPart& part = this->Parts[i];
+        if (const auto verdict = plan.Dismiss(part.Part->Silhouette, part.Part->Footprint))
         {
-          const vtkShadowCaster::Part& part = *this->Parts[i].First;
-          this->Dismissed[i] = plan.Dismiss(part.Silhouette, part.Footprint);
+          this->Choices[i].Verdict = *verdict;
+        }
+        else
+        {
+          this->Choices[i] = plan.Choose(part.Part->Silhouette, part.GetPoints(),
+            part.GetNumberOfPoints(), part.Part->Footprint);
         }
       }
-    });
+    },
+    CastersPerThread);
 }
 
 vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vtkShadowPlan& plan)
 {
   Verdicts verdicts = {};
-  const auto count = [&verdicts](vtkShadowVerdict verdict)
-  { ++verdicts[static_cast<std::size_t>(verdict)]; };
   this->Volume.Begin(work.Camera.Eye);
-  this->Dismiss(plan);
+  this->Choose(plan);
   for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {
-    if (this->Dismissed[i])
+    const vtkShadowPlan::Choice& choice = this->Choices[i];
+    ++verdicts[static_cast<std::size_t>(choice.Verdict)];
+    if (choice.IsDrawn())
     {
-      count(*this->Dismissed[i]);
-      continue;
-    }
-    for (const vtkShadowCaster::Part& part : this->Parts[i])
-    {
-      count(
-        plan.Add(part.Silhouette, vtkShadowCaster::GetPoints(*this->Casters.GetCasters()[i], part),
-          part.Topology->GetNumberOfPoints(), part.Footprint, this->Volume));
+      const CasterPart& part = this->Parts[i];
+      plan.Draw(choice, part.Part->Silhouette, part.GetPoints(), part.GetNumberOfPoints(),
+        part.Part->Footprint, this->Volume);
     }
   }
   return verdicts;
@@ -326,12 +335,9 @@ bool vtkShadowMaskMaker::DoLitmapsPay(const Work& work)
 {
   const bool positional = work.GetLight().Kind != vtkShadowLightKind::Directional;
   long long triangles = 0;
-  for (const PartRange& parts : this->Parts)
+  for (const CasterPart& part : this->Parts)
   {
-    for (const vtkShadowCaster::Part& part : parts)
-    {
-      triangles += vtkShadowFill::CountTriangles(part.Silhouette, positional);
-    }
+    triangles += vtkShadowFill::CountTriangles(part.Part->Silhouette, positional);
   }
   return this->DoLitmapsPay(work, 0.0, triangles);
 }

@@ -20,6 +20,7 @@
 #include "vtkShadowDebugView.h"
 #include "vtkShadowLightList.h"
 #include "vtkShadowLitmap.h"
+#include "vtkShadowPlan.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowRerenderedLitmap.h"
 #include "vtkShadowStatistics.h"
@@ -29,7 +30,6 @@
 #include "vtkShadowVolume.h"
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -104,14 +104,16 @@ public:
 
 private:
   struct Work;
-  /// The parts of a caster.
-  struct PartRange
+  struct CasterPart
   {
-    const vtkShadowCaster::Part* begin() const { return this->First; }
-    const vtkShadowCaster::Part* end() const { return this->First + this->Count; }
+    const double* GetPoints() const
+    {
+      return vtkShadowCaster::GetPoints(*this->Caster, *this->Part);
+    }
+    int GetNumberOfPoints() const { return this->Part->Topology->GetNumberOfPoints(); }
 
-    const vtkShadowCaster::Part* First;
-    std::size_t Count;
+    const vtkShadowCaster* Caster;
+    const vtkShadowCaster::Part* Part;
   };
   using Verdicts = std::array<int, vtkShadowStatistics::NumberOfVerdicts>;
 
@@ -119,7 +121,7 @@ private:
   bool ReadReceivers(const Work& work);
   bool MakeLitmaps(const Work& work, const std::vector<vtkShadowFrame>& frames);
   void FindParts(const Work& work);
-  void Dismiss(const vtkShadowPlan& plan);
+  void Choose(const vtkShadowPlan& plan);
   Verdicts AddCasters(const Work& work, vtkShadowPlan& plan);
   bool DoLitmapsPay(const Work& work, double fragments, long long triangles);
   bool DoLitmapsPay(const Work& work); ///< For the triangles alone.
@@ -134,10 +136,10 @@ private:
   vtkShadowTargetReader Reader;
   std::vector<vtkShadowLitmap> Litmaps; ///< Of the light at work: one, or one for each face.
   vtkShadowVolume Volume;
-  /// Of the casters in their order, for the light at work.
-  std::vector<PartRange> Parts;
-  /// Likewise; without a verdict: to be looked at part by part.
-  std::vector<std::optional<vtkShadowVerdict>> Dismissed;
+  // Of all casters in their order, for the light at work.
+  std::vector<const std::vector<vtkShadowCaster::Part>*> PartLists;
+  std::vector<CasterPart> Parts;
+  std::vector<vtkShadowPlan::Choice> Choices; ///< About the parts.
   bool SkipUnlit = false;
   double SeenShare = 1.0;      ///< Of the samples, when their depth was last read.
   std::size_t SeenSamples = 0; ///< How many there were then,

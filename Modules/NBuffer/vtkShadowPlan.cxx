@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -416,76 +417,109 @@ std::optional<vtkShadowVerdict> vtkShadowPlan::Dismiss(
   return DismissByReceivers(this->LookUp(footprint, corners, 8));
 }
 
-vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const double* points,
-  int numberOfPoints, const vtkShadowFootprint& footprint, vtkShadowVolume& volume)
+vtkShadowPlan::Choice vtkShadowPlan::Choose(const vtkShadowSilhouette& silhouette,
+  const double* points, int numberOfPoints, const vtkShadowFootprint& footprint) const
 {
+  Choice choice;
   if (const auto verdict = this->DismissByPlace(silhouette, footprint))
   {
-    return *verdict;
+    choice.Verdict = *verdict;
+    return choice;
   }
   if (!this->HasLitmaps())
   {
-    this->AddRectangle(silhouette, footprint);
-    this->AddWhole(silhouette, points, numberOfPoints, {}, volume);
-    return vtkShadowVerdict::Whole;
+    choice.Verdict = vtkShadowVerdict::Whole;
+    return choice;
   }
   const Lookup lookup = this->LookUp(footprint, points, numberOfPoints);
   if (const auto verdict = DismissByReceivers(lookup))
   {
-    return *verdict;
+    choice.Verdict = *verdict;
+    return choice;
   }
-  if (lookup.IsAtHome && this->Mode == vtkShadowMode::Clamped)
-  {
-    const vtkShadowVerdict verdict =
-      this->AddSlabs(silhouette, points, numberOfPoints, lookup, volume);
-    if (verdict == vtkShadowVerdict::Clamped)
-    {
-      this->AddRectangle(silhouette, footprint);
-    }
-    return verdict;
-  }
+  const bool clamped = lookup.IsAtHome && this->Mode == vtkShadowMode::Clamped;
   bool isOnRays = false;
-  const Boxes boxes = this->FindBoxes(lookup, silhouette, points, isOnRays);
-  if (boxes.empty())
+  if (clamped)
   {
-    return isOnRays ? vtkShadowVerdict::BeforeCaster : vtkShadowVerdict::NoReceiver;
+    choice.Slabs = this->ChooseSlabs(lookup, silhouette, points, isOnRays);
+    choice.Frame = lookup.Aspects[0].Map.Frame;
+    choice.Far = lookup.Far;
   }
-  this->AddRectangle(silhouette, footprint);
-  this->AddWhole(silhouette, points, numberOfPoints, boxes, volume);
-  return this->Faces.empty() && !lookup.IsAtHome ? vtkShadowVerdict::ThroughLightPlane
-                                                 : vtkShadowVerdict::Boxed;
+  else
+  {
+    choice.Where = this->FindBoxes(lookup, silhouette, points, isOnRays);
+  }
+  if (choice.Slabs.empty() && choice.Where.empty())
+  {
+    choice.Verdict = isOnRays ? vtkShadowVerdict::BeforeCaster : vtkShadowVerdict::NoReceiver;
+    return choice;
+  }
+  const bool through = this->Faces.empty() && !lookup.IsAtHome;
+  choice.Verdict = clamped ? vtkShadowVerdict::Clamped
+    : through              ? vtkShadowVerdict::ThroughLightPlane
+                           : vtkShadowVerdict::Boxed;
+  return choice;
 }
 
-vtkShadowVerdict vtkShadowPlan::AddSlabs(const vtkShadowSilhouette& silhouette,
-  const double* points, int numberOfPoints, const Lookup& lookup, vtkShadowVolume& volume)
+std::vector<vtkShadowPlan::BoxedSlab> vtkShadowPlan::ChooseSlabs(const Lookup& lookup,
+  const vtkShadowSilhouette& silhouette, const double* points, bool& isOnRays) const
 {
-  bool isOnRays = false;
-  int drawn = 0;
+  std::vector<BoxedSlab> slabs;
   for (const vtkShadowSlab& slab : this->GetSlabs(lookup))
   {
     Lookup inSlab = lookup;
     vtkShadowBlock& rays = inSlab.Aspects[0].Rays;
     rays.Low[2] = std::max(lookup.Near, slab.Near);
     rays.High[2] = slab.Far;
-    const Boxes boxes = this->FindBoxes(inSlab, silhouette, points, isOnRays);
-    if (boxes.empty())
+    Boxes boxes = this->FindBoxes(inSlab, silhouette, points, isOnRays);
+    if (!boxes.empty())
     {
-      continue;
+      slabs.push_back({ slab, std::move(boxes) });
     }
-    vtkShadowDraw draw;
-    draw.FirstIndex = static_cast<int>(volume.GetIndices().size());
-    draw.MaximumCount = silhouette.GetMaximumCount();
-    draw.Offset = lookup.Far >= slab.Near && silhouette.GetCounting() == vtkShadowCounting::All;
-    const std::size_t firstVertex = volume.GetVertices().size();
-    volume.AddClamped(silhouette, points, numberOfPoints, *lookup.Aspects[0].Map.Frame, slab,
-      lookup.Far, vtkShadowCap::Fan);
-    draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
-    this->AddDraw(volume, boxes, draw);
-    ++drawn;
   }
-  this->Slabs += drawn;
-  return drawn > 0 ? vtkShadowVerdict::Clamped
-    : isOnRays     ? vtkShadowVerdict::BeforeCaster
-                   : vtkShadowVerdict::NoReceiver;
+  return slabs;
+}
+
+void vtkShadowPlan::Draw(const Choice& choice, const vtkShadowSilhouette& silhouette,
+  const double* points, int numberOfPoints, const vtkShadowFootprint& footprint,
+  vtkShadowVolume& volume)
+{
+  if (!choice.IsDrawn())
+  {
+    return;
+  }
+  this->AddRectangle(silhouette, footprint);
+  if (choice.Slabs.empty())
+  {
+    this->AddWhole(silhouette, points, numberOfPoints, choice.Where, volume);
+  }
+  for (const BoxedSlab& slab : choice.Slabs)
+  {
+    this->AddSlab(choice, slab, silhouette, points, numberOfPoints, volume);
+  }
+}
+
+void vtkShadowPlan::AddSlab(const Choice& choice, const BoxedSlab& slab,
+  const vtkShadowSilhouette& silhouette, const double* points, int numberOfPoints,
+  vtkShadowVolume& volume)
+{
+  vtkShadowDraw draw;
+  draw.FirstIndex = static_cast<int>(volume.GetIndices().size());
+  draw.MaximumCount = silhouette.GetMaximumCount();
+  draw.Offset = choice.Far >= slab.Slab.Near && silhouette.GetCounting() == vtkShadowCounting::All;
+  const std::size_t firstVertex = volume.GetVertices().size();
+  volume.AddClamped(
+    silhouette, points, numberOfPoints, *choice.Frame, slab.Slab, choice.Far, vtkShadowCap::Fan);
+  draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
+  this->AddDraw(volume, slab.Where, draw);
+  ++this->Slabs;
+}
+
+vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const double* points,
+  int numberOfPoints, const vtkShadowFootprint& footprint, vtkShadowVolume& volume)
+{
+  const Choice choice = this->Choose(silhouette, points, numberOfPoints, footprint);
+  this->Draw(choice, silhouette, points, numberOfPoints, footprint, volume);
+  return choice.Verdict;
 }
 VTK_ABI_NAMESPACE_END

@@ -137,17 +137,46 @@ public:
   /// One of the six litmaps of a point light, with its frame; both must outlive the plan.
   void AddFace(const vtkShadowFrame& frame, const vtkShadowLitmap& litmap);
 
+  using Boxes = std::vector<vtkNBufferRectangle>; ///< Of pixels of the viewport.
+
+  struct BoxedSlab
+  {
+    vtkShadowSlab Slab;
+    Boxes Where;
+  };
+
+  /// A decision about a caster, and what follows from it.
+  struct Choice
+  {
+    bool IsDrawn() const
+    {
+      return this->Verdict == vtkShadowVerdict::Whole || !this->Where.empty() ||
+        !this->Slabs.empty();
+    }
+
+    vtkShadowVerdict Verdict = vtkShadowVerdict::Empty;
+    Boxes Where;                           ///< Of its whole volume; empty and Whole: everywhere.
+    std::vector<BoxedSlab> Slabs;          ///< Of a volume that is clamped; along an axis
+    const vtkShadowFrame* Frame = nullptr; ///< of this frame, in which
+    double Far = 0.0;                      ///< the caster ends here.
+  };
+
   /**
-   * Why Add() would not draw a caster, as far as its box and one lookup tell: nothing if that is
-   * not enough. Only reads: safe in parallel.
+   * Why a caster is not drawn, as far as its box and one lookup tell: nothing if that is not
+   * enough. Only reads: safe in parallel.
    */
   std::optional<vtkShadowVerdict> Dismiss(
     const vtkShadowSilhouette& silhouette, const vtkShadowFootprint& footprint) const;
 
-  /**
-   * Decide about a caster, and if it is to be drawn add its triangles to `volume` and its draws to
-   * GetDraws().
-   */
+  /// Decide about a caster. Only reads: safe in parallel.
+  Choice Choose(const vtkShadowSilhouette& silhouette, const double* points, int numberOfPoints,
+    const vtkShadowFootprint& footprint) const;
+
+  /// Add what was chosen for a caster: its triangles to `volume`, its draws to GetDraws().
+  void Draw(const Choice& choice, const vtkShadowSilhouette& silhouette, const double* points,
+    int numberOfPoints, const vtkShadowFootprint& footprint, vtkShadowVolume& volume);
+
+  /// Choose() and Draw(); returns the verdict.
   vtkShadowVerdict Add(const vtkShadowSilhouette& silhouette, const double* points,
     int numberOfPoints, const vtkShadowFootprint& footprint, vtkShadowVolume& volume);
 
@@ -183,7 +212,6 @@ private:
     double Near = 0.0;     ///< begins
     double Far = 0.0;      ///< and ends.
   };
-  using Boxes = std::vector<vtkNBufferRectangle>; ///< Of pixels of the viewport.
 
   /// Where all of a caster's rays are; nullptr: in no one face, or through the light's plane.
   const Face* FindHome(const vtkShadowFootprint& footprint) const;
@@ -198,8 +226,10 @@ private:
   Boxes FindBoxes(const Lookup& lookup, const vtkShadowSilhouette& silhouette, const double* points,
     bool& isOnRays) const;
   std::vector<vtkShadowSlab> GetSlabs(const Lookup& lookup) const;
-  vtkShadowVerdict AddSlabs(const vtkShadowSilhouette& silhouette, const double* points,
-    int numberOfPoints, const Lookup& lookup, vtkShadowVolume& volume);
+  std::vector<BoxedSlab> ChooseSlabs(const Lookup& lookup, const vtkShadowSilhouette& silhouette,
+    const double* points, bool& isOnRays) const;
+  void AddSlab(const Choice& choice, const BoxedSlab& slab, const vtkShadowSilhouette& silhouette,
+    const double* points, int numberOfPoints, vtkShadowVolume& volume);
   bool IsThroughLightPlane(const vtkShadowFootprint& footprint) const;
   bool HasLitmaps() const;
   double GetReach() const; ///< Of a spot, radians.

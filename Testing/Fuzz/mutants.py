@@ -147,7 +147,10 @@ SHADOW_MUTANTS = {
     "slabs that begin at the caster end with the first of them": [
         (PLAN, "slabs.back().Far = far;", "slabs.back().Far = std::min(far, slabs.back().Far);")],
     "receivers beside the caster count as before it": [
-        (PLAN, "home && extent.Far < atHome.Near)", "home && extent.Far < atHome.Far)")],
+        (PLAN, "lookup.IsAtHome && lookup.Extent.Far < lookup.Near)",
+         "lookup.IsAtHome && lookup.Extent.Far < lookup.Far)")],
+    "only one corner of a caster's box asked about": [
+        (PLAN, "this->LookUp(footprint, corners, 8)", "this->LookUp(footprint, corners, 1)")],
     "casters through the light's plane as others": [
         (PLAN,
          "return this->Frame.IsPositional() && !(footprint.Near > Margin * "
@@ -202,7 +205,7 @@ SHADOW_MUTANTS = {
     "frame key without props": [
         (FRAME_KEY, "this->PropsVersion == other.PropsVersion &&", "")],
     "keys of casters not looked at again": [
-        ("vtkShadowCasterList.cxx", "casts != member.Casts ||", "")],
+        ("vtkShadowCasterList.cxx", " || casts != member.Casts", "")],
     "shaders kept when lights change": [
         ("vtkShadowVolumeClampPass.cxx", "this->ShaderTime.Modified();", "")],
 }

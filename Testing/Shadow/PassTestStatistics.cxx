@@ -299,7 +299,7 @@ TEST_P(PassWork, IsLessTheMoreIsKnown)
   const ShadowImage image = GetImage(stage.Window);
   pass->ScissorOn();
   stage.Window->Render();
-  EXPECT_TRUE(IsSameImage(GetImage(stage.Window), image, stage.Window));
+  EXPECT_TRUE(IsSameView(stage, image, GetImage(stage.Window)));
   EXPECT_GT(fragments[0], 0);
   EXPECT_LE(culled, fragments[0]);
   EXPECT_LE(fragments[1], culled);

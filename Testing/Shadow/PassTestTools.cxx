@@ -71,6 +71,25 @@ ShadowImage GetImage(vtkRenderWindow* window)
   return result;
 }
 
+::testing::AssertionResult IsSameView(
+  const ShadowStage& stage, const ShadowImage& expected, const ShadowImage& actual)
+{
+  int size[2];
+  int origin[2];
+  stage.Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  const std::size_t width = static_cast<std::size_t>(stage.Window->GetSize()[0]);
+  for (int y = origin[1]; y < origin[1] + size[1]; ++y)
+  {
+    const std::size_t first = 4 * (y * width + origin[0]);
+    if (!std::equal(expected.begin() + first, expected.begin() + first + 4 * std::size_t(size[0]),
+          actual.begin() + first))
+    {
+      return ::testing::AssertionFailure() << "row " << y << " differs";
+    }
+  }
+  return ::testing::AssertionSuccess();
+}
+
 vtkSmartPointer<vtkShadowVolumeClampPass> AddPass(const ShadowStage& stage)
 {
   auto pass = vtkSmartPointer<vtkShadowVolumeClampPass>::New();

@@ -30,6 +30,11 @@ ShadowImage GetImage(vtkRenderWindow* window);
 ::testing::AssertionResult IsSameImage(
   const ShadowImage& expected, const ShadowImage& actual, vtkRenderWindow* window);
 
+/// The same of a stage's renderer alone: what lies beside it, in a tile of a larger image, nobody
+/// draws.
+::testing::AssertionResult IsSameView(
+  const ShadowStage& stage, const ShadowImage& expected, const ShadowImage& actual);
+
 /// The pass as the pass of the stage's renderer, with Exact: small scenes are not worth a litmap.
 vtkSmartPointer<vtkShadowVolumeClampPass> AddPass(const ShadowStage& stage);
 
