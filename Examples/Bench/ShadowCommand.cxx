@@ -288,8 +288,8 @@ void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
       "receivers), exact (in boxes around these), auto (unclamped or exact), clamp (exact, one "
       "slab), slabs, exactlit and slabslit (with SkipUnlitReceivers), paper (clamp with litmaps "
       "drawn from the light, which lose shadows); vtk: vtkShadowMapPass; exact@64: with a litmap "
-      "of 64 x 64, "
-      "vtk@64 with such maps; those of volumes also with settings of their own, such as "
+      "of 64 x 64, vtk@64 with such maps; those of volumes also with settings of their own, such "
+      "as "
       "auto:BoxCost=16, slabs@64:SlabGap=2")
     ->delimiter(',')
     ->capture_default_str();
@@ -309,9 +309,8 @@ void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();
   command->add_flag("--ground-caster", options->GroundCasts,
-    "In vtkShadowVolumeClampPass all that is opaque casts, as it does by default; without it "
-    "ground "
-    "and streets only receive shadows (those of files are not told apart)");
+    "In vtkShadowVolumeClampPass ground and streets cast, too, which is its default; without this "
+    "they only receive shadows (those of files are not told apart)");
   command
     ->add_option("--lamp", options->Lamp,
       "x,y,z,cone: where the spot of city-spot hangs, in metres from the place on the street that "

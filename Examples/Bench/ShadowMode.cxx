@@ -92,8 +92,7 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
     throw std::runtime_error("no mode " + name +
       "; there are none, unclamped, cull, auto, exact, clamp, slabs, exactlit, slabslit, paper "
       "and vtk, all but the first two also with a resolution of 1 to 9999, such as exact@64, and "
-      "those of "
-      "volumes with settings, such as slabs@64:SlabGap=2");
+      "those of volumes with settings, such as slabs@64:SlabGap=2");
   }
   if (this->IsVolumes)
   {

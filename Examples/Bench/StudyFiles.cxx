@@ -69,9 +69,14 @@ void RewriteStudy(const StudyOptions& options, const std::vector<std::string>& f
     {
       report["shadows"] = other["shadows"];
     }
+    // A study of a part has nothing of the others; what is no list describes the run.
     for (const std::string& part : other["settings"].getMemberNames())
     {
-      report["settings"][part] = other["settings"][part];
+      const Json::Value& value = other["settings"][part];
+      if (value.isArray() || !report["settings"].isMember(part))
+      {
+        report["settings"][part] = value;
+      }
     }
   }
   ChooseWindowSystem(options.View.Window.Window);
