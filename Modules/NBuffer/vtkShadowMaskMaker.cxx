@@ -129,6 +129,10 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
   {
     statistics.Fragments = 0;
   }
+  if (settings.CountUnclampedFragments)
+  {
+    statistics.UnclampedFragments = 0;
+  }
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
     const Work work = { window, camera, settings, statistics, lights[i], i,
@@ -299,6 +303,19 @@ vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vt
   return verdicts;
 }
 
+bool vtkShadowMaskMaker::CountUnclamped(const Work& work)
+{
+  vtkShadowPlan plan(
+    work.GetLight(), work.Frame, work.Camera.Plan, vtkShadowMode::Unclamped, nullptr);
+  this->AddCasters(work, plan);
+  const std::vector<vtkShadowDraw>& draws = plan.GetDraws();
+  // What the stencil holds is cleared before it counts.
+  return draws.empty() ||
+    (this->Counter.Upload(this->Volume, this->Error) &&
+      this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClip, draws.data(),
+        draws.data() + draws.size(), &work.Statistics.UnclampedFragments, this->Error));
+}
+
 void vtkShadowMaskMaker::SetSeen(std::size_t seen, std::size_t samples)
 {
   this->SeenShare = static_cast<double>(seen) / static_cast<double>(samples);
@@ -352,6 +369,15 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   Verdicts verdicts = {};
   const bool automatic = work.How.Mode == vtkShadowMode::Automatic;
   this->FindParts(work);
+  if (work.How.CountUnclampedFragments)
+  {
+    work.Statistics.PlanTime += clock.GetMilliseconds();
+    if (!this->CountUnclamped(work))
+    {
+      return false;
+    }
+    clock.Restart();
+  }
   if (work.How.Mode == vtkShadowMode::Unclamped || (automatic && !this->DoLitmapsPay(work)))
   {
     plan.emplace(light, work.Frame, view, vtkShadowMode::Unclamped, nullptr);

@@ -48,6 +48,7 @@ public:
     int BoxCost = 256;
     bool Scissor = true;
     bool CountFragments = false;
+    bool CountUnclampedFragments = false;
     vtkShadowLitmapMethod LitmapMethod = vtkShadowLitmapMethod::Scattered;
     vtkShadowPicture Picture = vtkShadowPicture::None;
     const vtkLight* PictureLight = nullptr; ///< Whose picture; nullptr: of the first one.
@@ -123,6 +124,7 @@ private:
   void FindParts(const Work& work);
   void Choose(const vtkShadowPlan& plan);
   Verdicts AddCasters(const Work& work, vtkShadowPlan& plan);
+  bool CountUnclamped(const Work& work);
   bool DoLitmapsPay(const Work& work, double fragments, long long triangles);
   bool DoLitmapsPay(const Work& work); ///< For the triangles alone.
   long long CountSeen(const Work& work);

@@ -119,6 +119,8 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   /// Fragments that volumes covered, samples of them with multisampling, whatever the depth test
   /// said; -1 unless they are counted.
   long long Fragments = -1;
+  /// Those that the whole volumes of all casters would cover; -1 unless they are counted.
+  long long UnclampedFragments = -1;
   int Litmaps = 0;         ///< Made in this frame.
   int UnclampedLights = 0; ///< Drawn without litmaps in this frame.
   int ReadBacks = 0;       ///< Of depth.

@@ -252,7 +252,8 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
   self.Masks.Timers.Begin(this->MeasureDeviceTime);
   statistics.DeviceTimes = self.Masks.Timers.GetTimes();
   const vtkShadowFrameKey key(s, lights, self.Masks.Casters, this->GetMTime());
-  const bool still = statistics.Updates == 0 && !this->CountFragments && key == self.Key;
+  const bool counts = this->CountFragments || this->CountUnclampedFragments;
+  const bool still = statistics.Updates == 0 && !counts && key == self.Key;
   const vtkShadowTarget& target = self.Masks.GetTarget();
   bool done = still || self.Masks.Reserve(renderer, lights.size(), this->SkipUnlitReceivers);
   statistics.Samples = static_cast<int>(target.GetSamples().size());
@@ -356,6 +357,7 @@ bool vtkShadowVolumeClampPass::MakeMasks(const vtkRenderState* s,
   settings.BoxCost = this->BoxCost;
   settings.Scissor = this->Scissor;
   settings.CountFragments = this->CountFragments;
+  settings.CountUnclampedFragments = this->CountUnclampedFragments;
   settings.LitmapMethod = static_cast<vtkShadowLitmapMethod>(this->LitmapMethod);
   settings.Picture = static_cast<vtkShadowPicture>(this->DebugView);
   settings.PictureLight = self.DebugLight;
@@ -551,6 +553,8 @@ void vtkShadowVolumeClampPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DebugLight: " << self.DebugLight.Get() << "\n";
   os << indent << "MeasureDeviceTime: " << (this->MeasureDeviceTime ? "On" : "Off") << "\n";
   os << indent << "CountFragments: " << (this->CountFragments ? "On" : "Off") << "\n";
+  os << indent << "CountUnclampedFragments: " << (this->CountUnclampedFragments ? "On" : "Off")
+     << "\n";
   os << indent << "CasterKeys: " << self.CasterKeys.Get() << "\n";
   os << indent << "LightsThatDoNotCast: " << self.Excluded.size() << "\n";
   os << indent << "Steps:\n";

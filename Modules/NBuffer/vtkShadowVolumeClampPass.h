@@ -183,6 +183,17 @@ public:
 
   ///@{
   /**
+   * Count the fragments that Unclamped would have drawn, whatever the mode
+   * (vtkShadowStatistics::UnclampedFragments): makes and draws all whole volumes twice beside what
+   * is drawn, and waits for the device. Off by default.
+   */
+  vtkSetMacro(CountUnclampedFragments, bool);
+  vtkGetMacro(CountUnclampedFragments, bool);
+  vtkBooleanMacro(CountUnclampedFragments, bool);
+  ///@}
+
+  ///@{
+  /**
    * Measure how long the graphics device takes (vtkShadowStatistics::DeviceTimes). Off by default.
    * Costs two timer queries and two flushes for each light and for each draw of the props; they are
    * read when they are known, without waiting.
@@ -308,6 +319,7 @@ private:
   bool Scissor = true;
   bool SkipUnlitReceivers = false;
   bool CountFragments = false;
+  bool CountUnclampedFragments = false;
   bool MeasureDeviceTime = false;
   std::unique_ptr<Internals> Implementation;
 };

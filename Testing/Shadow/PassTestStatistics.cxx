@@ -133,10 +133,12 @@ TEST_F(PassStatistics, FragmentsAreCountedOnlyIfAsked)
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   stage.Window->Render();
   EXPECT_EQ(pass->GetStatistics().Fragments, -1);
+  EXPECT_EQ(pass->GetStatistics().UnclampedFragments, -1);
   const ShadowImage expected = GetImage(stage.Window);
   pass->CountFragmentsOn();
   stage.Window->Render();
   EXPECT_GT(pass->GetStatistics().Fragments, 0);
+  EXPECT_EQ(pass->GetStatistics().UnclampedFragments, -1);
   EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
 }
 
@@ -280,6 +282,7 @@ TEST_P(PassWork, IsLessTheMoreIsKnown)
   const ShadowStage stage(scene);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   pass->CountFragmentsOn();
+  pass->CountUnclampedFragmentsOn();
   long long fragments[3] = {};
   for (const int mode : Modes)
   {
@@ -288,6 +291,7 @@ TEST_P(PassWork, IsLessTheMoreIsKnown)
     const vtkShadowStatistics& statistics = pass->GetStatistics();
     EXPECT_EQ(FindInconsistency(statistics), "");
     fragments[mode] = statistics.Fragments;
+    EXPECT_EQ(statistics.UnclampedFragments, fragments[vtkShadowVolumeClampPass::Unclamped]);
   }
   std::cout << scene.Name << ": " << fragments[0] << " fragments, exact "
             << 100.0 * fragments[1] / fragments[0] << " %, clamped "
