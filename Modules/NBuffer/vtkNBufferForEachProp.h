@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Work that is done for each of many props, shared out to VTK's threads. Internal to the library.
+ * @file vtkNBufferForEachProp.h
+ * @brief Work that is done for each of many props: shared out to VTK's threads, and what it will
+ * read fetched ahead.
  */
 #ifndef vtkNBufferForEachProp_h
 #define vtkNBufferForEachProp_h

@@ -514,12 +514,4 @@ void vtkShadowPlan::AddSlab(const Choice& choice, const BoxedSlab& slab,
   this->AddDraw(volume, slab.Where, draw);
   ++this->Slabs;
 }
-
-vtkShadowVerdict vtkShadowPlan::Add(const vtkShadowSilhouette& silhouette, const double* points,
-  int numberOfPoints, const vtkShadowFootprint& footprint, vtkShadowVolume& volume)
-{
-  const Choice choice = this->Choose(silhouette, points, numberOfPoints, footprint);
-  this->Draw(choice, silhouette, points, numberOfPoints, footprint, volume);
-  return choice.Verdict;
-}
 VTK_ABI_NAMESPACE_END

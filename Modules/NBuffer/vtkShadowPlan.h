@@ -163,7 +163,8 @@ public:
 
   /**
    * Why a caster is not drawn, as far as its box and one lookup tell: nothing if that is not
-   * enough. Only reads: safe in parallel.
+   * enough. Choose() comes to the same, but reads the caster's points, which the processor has to
+   * fetch for each of many casters. Only reads: safe in parallel.
    */
   std::optional<vtkShadowVerdict> Dismiss(
     const vtkShadowSilhouette& silhouette, const vtkShadowFootprint& footprint) const;
@@ -174,10 +175,6 @@ public:
 
   /// Add what was chosen for a caster: its triangles to `volume`, its draws to GetDraws().
   void Draw(const Choice& choice, const vtkShadowSilhouette& silhouette, const double* points,
-    int numberOfPoints, const vtkShadowFootprint& footprint, vtkShadowVolume& volume);
-
-  /// Choose() and Draw(); returns the verdict.
-  vtkShadowVerdict Add(const vtkShadowSilhouette& silhouette, const double* points,
     int numberOfPoints, const vtkShadowFootprint& footprint, vtkShadowVolume& volume);
 
   const std::vector<vtkShadowDraw>& GetDraws() const { return this->Draws; }

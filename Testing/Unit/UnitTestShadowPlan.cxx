@@ -117,9 +117,13 @@ struct Situation
     const double origin[3] = { 0.0, 0.0, 0.0 };
     this->Volume.Begin(origin);
     const auto dismissed = plan.Dismiss(this->Silhouette, this->Footprint);
-    const Verdict verdict = plan.Add(
-      this->Silhouette, points, this->Topology.GetNumberOfPoints(), this->Footprint, this->Volume);
+    const int numberOfPoints = this->Topology.GetNumberOfPoints();
+    const vtkShadowPlan::Choice choice =
+      plan.Choose(this->Silhouette, points, numberOfPoints, this->Footprint);
+    plan.Draw(choice, this->Silhouette, points, numberOfPoints, this->Footprint, this->Volume);
+    const Verdict verdict = choice.Verdict;
     this->Draws = plan.GetDraws();
+    EXPECT_EQ(choice.IsDrawn(), !this->Draws.empty());
     EXPECT_TRUE(!dismissed || this->Draws.empty());
     EXPECT_TRUE(!dismissed || *dismissed == verdict || !this->Faces.empty());
     this->HasDismissed = dismissed.has_value();
