@@ -5,7 +5,7 @@
  * @brief Fragments, times and errors of shadows, by mode.
  *
  *     renderer, window, vtk, scene, path, size, samples, seed, frames, props, block, litmap,
- *     ground_casts; lamp: place and cone angle of the spot of city-spot
+ *     ground_casts, all_receivers; lamp: place and cone angle of the spot of city-spot
  *     modes.NAME              median_ms, p10_ms, p90_ms, frames_ms
  *     shadowed                pixels that shadows change (mean of all frames): no mode can have
  *                             fewer fragments
@@ -34,6 +34,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iomanip>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -47,6 +48,7 @@ struct ShadowCommandOptions
   ViewOptions View;
   ShadowWalkOptions Walk;
   bool GroundCasts = false;
+  bool AllReceivers = false;
   bool Culler = true;
   /// Empty: that of the scene.
   std::vector<double> Lamp;
@@ -114,9 +116,12 @@ void PrintShadowTable(
   const Json::Value& report, const std::vector<std::string>& names, std::ostream& out)
 {
   char line[256];
-  std::snprintf(line, sizeof(line), "%-14s%10s%9s%9s%12s%9s%12s%8s\n", "mode", "median ms", "p10",
-    "p90", "fragments", "%", "unclamped/", "/none");
-  out << line;
+  const auto longest = std::max_element(names.begin(), names.end(),
+    [](const std::string& a, const std::string& b) { return a.size() < b.size(); });
+  const int width = longest == names.end() ? 0 : static_cast<int>(longest->size());
+  std::snprintf(line, sizeof(line), "%12s%9s%9s%12s%9s%12s%8s\n", "median ms", "p10", "p90",
+    "fragments", "%", "unclamped/", "/none");
+  out << std::left << std::setw(width) << "mode" << line;
   const Json::Value& ratios = report["ratios"];
   for (const std::string& name : names)
   {
@@ -130,12 +135,12 @@ void PrintShadowTable(
       }
       return std::string(text);
     };
-    std::snprintf(line, sizeof(line), "%-14s%10.2f%9.2f%9.2f%12s%9s%12s%8s", name.c_str(),
+    std::snprintf(line, sizeof(line), "%12.2f%9.2f%9.2f%12s%9s%12s%8s",
       mode["median_ms"].asDouble(), mode["p10_ms"].asDouble(), mode["p90_ms"].asDouble(),
       format("%.0f", mode["fragments"]).c_str(), format("%.2f", mode["fragments_percent"]).c_str(),
       format("%.2f", ratios["unclamped/" + name]).c_str(),
       format("%.2f", ratios[name + "/none"]).c_str());
-    out << line;
+    out << std::setw(width) << name << line;
     const Json::Value& device = mode["statistics"]["device_milliseconds"];
     if (device["color"].asDouble() >= 0.0 && device.isObject())
     {
@@ -204,6 +209,7 @@ int RunShadowCommand(ShadowCommandOptions& options)
   {
     options.Walk.CasterKeys = MarkCasters(name, scene);
   }
+  options.Walk.SkipUnlitReceivers = !options.AllReceivers;
   options.Walk.Progress = ShowProgress;
   const ShadowWalkResult result = RunShadowWalk(session, light, path, options.Walk);
 
@@ -213,6 +219,7 @@ int RunShadowCommand(ShadowCommandOptions& options)
   report["props"] = static_cast<Json::UInt64>(scene.Actors.size());
   report["culler"] = options.Culler;
   report["ground_casts"] = options.Walk.CasterKeys == nullptr;
+  report["all_receivers"] = options.AllReceivers;
   if (name == "city-spot")
   {
     for (const double number : { lamp.Offset[0], lamp.Offset[1], lamp.Offset[2], lamp.ConeAngle })
@@ -286,11 +293,10 @@ void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
     ->add_option("--modes", options->Walk.Modes,
       "none; of vtkShadowVolumeClampPass unclamped, cull (whole volumes of casters with "
       "receivers), exact (in boxes around these), auto (unclamped or exact), clamp (exact, one "
-      "slab), slabs, exactlit and slabslit (with SkipUnlitReceivers), paper (clamp with litmaps "
+      "slab), slabs, slabslit (slabs, with SkipUnlitReceivers), paper (clamp with litmaps "
       "drawn from the light, which lose shadows); vtk: vtkShadowMapPass; exact@64: with a litmap "
       "of 64 x 64, vtk@64 with such maps; those of volumes also with settings of their own, such "
-      "as "
-      "auto:BoxCost=16, slabs@64:SlabGap=2")
+      "as auto:BoxCost=16, slabs@64:SlabGap=2")
     ->delimiter(',')
     ->capture_default_str();
   command->add_option("--litmap", options->Walk.Litmap, "Lexels along each side of the litmaps")
@@ -311,6 +317,10 @@ void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
   command->add_flag("--ground-caster", options->GroundCasts,
     "In vtkShadowVolumeClampPass ground and streets cast, too, which is its default; without this "
     "they only receive shadows (those of files are not told apart)");
+  command->add_flag("--all-receivers", options->AllReceivers,
+    "In cull, exact, clamp and slabs all that is seen receives shadows, which is the default of "
+    "vtkShadowVolumeClampPass; without this only what faces the light does (SkipUnlitReceivers), "
+    "which changes no picture. auto and unclamped have that default");
   command
     ->add_option("--lamp", options->Lamp,
       "x,y,z,cone: where the spot of city-spot hangs, in metres from the place on the street that "

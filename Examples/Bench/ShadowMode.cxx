@@ -23,6 +23,14 @@ namespace NBufferBench
 {
 namespace
 {
+/// What receives shadows: all that is seen, only what faces the light, or as the pass was set up.
+enum class Receivers
+{
+  All,
+  Lit,
+  AsSetUp
+};
+
 struct VolumeKind
 {
   const char* Name;
@@ -30,19 +38,18 @@ struct VolumeKind
   int SlabGap;
   int LitmapMethod;
   bool Scissor;
-  bool SkipUnlitReceivers;
+  Receivers Whom;
 };
 using Pass = vtkShadowVolumeClampPass;
 constexpr VolumeKind VolumeKinds[] = {
-  { "unclamped", Pass::Unclamped, 4, Pass::Scattered, true, false },
-  { "cull", Pass::Exact, 4, Pass::Scattered, false, false },
-  { "auto", Pass::Automatic, 4, Pass::Scattered, true, false },
-  { "exact", Pass::Exact, 4, Pass::Scattered, true, false },
-  { "clamp", Pass::Clamped, 64, Pass::Scattered, true, false },
-  { "slabs", Pass::Clamped, 4, Pass::Scattered, true, false },
-  { "exactlit", Pass::Exact, 4, Pass::Scattered, true, true },
-  { "slabslit", Pass::Clamped, 4, Pass::Scattered, true, true },
-  { "paper", Pass::Clamped, 64, Pass::Rerendered, true, false },
+  { "unclamped", Pass::Unclamped, 4, Pass::Scattered, true, Receivers::All },
+  { "cull", Pass::Exact, 4, Pass::Scattered, false, Receivers::AsSetUp },
+  { "auto", Pass::Automatic, 4, Pass::Scattered, true, Receivers::All },
+  { "exact", Pass::Exact, 4, Pass::Scattered, true, Receivers::AsSetUp },
+  { "clamp", Pass::Clamped, 64, Pass::Scattered, true, Receivers::AsSetUp },
+  { "slabs", Pass::Clamped, 4, Pass::Scattered, true, Receivers::AsSetUp },
+  { "slabslit", Pass::Clamped, 4, Pass::Scattered, true, Receivers::Lit },
+  { "paper", Pass::Clamped, 64, Pass::Rerendered, true, Receivers::All },
 };
 
 const VolumeKind* FindVolumeKind(const std::string& name)
@@ -76,6 +83,7 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   , Kind(name.substr(0, name.find_first_of("@:")))
   , Litmap(litmap)
   , BoxCost(volumes->GetBoxCost())
+  , SkipUnlitReceivers(volumes->GetSkipUnlitReceivers())
   , IsVolumes(FindVolumeKind(Kind) != nullptr)
 {
   const std::string sized = GetModeKind(name);
@@ -90,7 +98,7 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   if (!isKnown || (isSized && !(hasSize && canHaveSize)))
   {
     throw std::runtime_error("no mode " + name +
-      "; there are none, unclamped, cull, auto, exact, clamp, slabs, exactlit, slabslit, paper "
+      "; there are none, unclamped, cull, auto, exact, clamp, slabs, slabslit, paper "
       "and vtk, all but the first two also with a resolution of 1 to 9999, such as exact@64, and "
       "those of volumes with settings, such as slabs@64:SlabGap=2");
   }
@@ -120,7 +128,8 @@ void ShadowMode::Enter(vtkRenderer* renderer) const
     volumes->SetSlabGap(kind->SlabGap);
     volumes->SetLitmapMethod(kind->LitmapMethod);
     volumes->SetScissor(kind->Scissor);
-    volumes->SetSkipUnlitReceivers(kind->SkipUnlitReceivers);
+    volumes->SetSkipUnlitReceivers(kind->Whom == Receivers::Lit ||
+      (kind->Whom == Receivers::AsSetUp && this->SkipUnlitReceivers));
     volumes->SetLitmapResolution(this->Resolution > 0 ? this->Resolution : this->Litmap);
     volumes->SetBoxCost(this->BoxCost);
     ApplySettings(this->Name, volumes);

@@ -11,14 +11,15 @@
  *     exact       casters that have receivers, inside of the receivers' box of pixels
  *     clamp       the same, clamped to one slab (SlabGap 64)
  *     slabs       the same, clamped to several slabs (SlabGap 4)
- *     exactlit    exact, with SkipUnlitReceivers; slabslit: slabs with it
+ *     slabslit    slabs, with SkipUnlitReceivers
  *     paper       clamp, with the paper's litmap, drawn from the light: shadows may be lost
  *     vtk         vtkShadowMapPass with its baker, as VTK's tests put them together; right in
  *                 square windows only, as it looks maps up with an aspect ratio of 1
  *
- * cull@N, auto@N, exact@N, clamp@N, slabs@N and paper@N have litmaps of N x N lexels, vtk@N shadow
- * maps of N x N texels instead of VTK's default. Modes of volumes also with settings
- * (ModeSettings.h), such as slabs@64:SlabGap=2.
+ * cull, exact, clamp and slabs have the SkipUnlitReceivers that the pass was set up with, the
+ * others have not but for slabslit. cull@N, auto@N, exact@N, clamp@N, slabs@N and paper@N have
+ * litmaps of N x N lexels, vtk@N shadow maps of N x N texels instead of VTK's default. Modes of
+ * volumes also with settings (ModeSettings.h), such as slabs@64:SlabGap=2.
  */
 #ifndef ShadowMode_h
 #define ShadowMode_h
@@ -58,7 +59,8 @@ private:
   std::string Kind;   ///< The name without @N and settings.
   int Resolution = 0; ///< Of the name, or 0.
   int Litmap;
-  int BoxCost; ///< Of the pass, where the name says nothing.
+  int BoxCost;             ///< Of the pass, where the name says nothing,
+  bool SkipUnlitReceivers; ///< likewise.
   bool IsVolumes;
   vtkSmartPointer<vtkRenderPass> Pass;
 };

@@ -40,6 +40,7 @@ public:
   {
     this->Volumes->SetCasterKeys(options.CasterKeys);
     this->Volumes->SetMeasureDeviceTime(options.DeviceTimes);
+    this->Volumes->SetSkipUnlitReceivers(options.SkipUnlitReceivers);
     if (options.BoxCost >= 0)
     {
       this->Volumes->SetBoxCost(options.BoxCost);

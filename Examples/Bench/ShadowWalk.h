@@ -30,13 +30,15 @@ namespace NBufferBench
 
 struct ShadowWalkOptions
 {
-  std::vector<std::string> Modes = { "none", "unclamped", "cull", "exact", "exactlit", "auto",
-    "clamp", "slabs", "slabslit", "exact@32", "exact@64", "exact@128", "exact@512", "exact@1024",
-    "vtk" };
+  std::vector<std::string> Modes = { "none", "unclamped", "cull", "exact",
+    "exact:SkipUnlitReceivers=0", "auto", "clamp", "slabs", "exact@32", "exact@64", "exact@128",
+    "exact@512", "exact@1024", "vtk" };
   /// Lexels along each side of the litmaps of modes that do not name it.
   int Litmap = 256;
   /// vtkShadowVolumeClampPass::BoxCost of modes that do not name it; less than 0: its default.
   int BoxCost = -1;
+  /// Of the modes that ShadowMode names.
+  bool SkipUnlitReceivers = false;
   /// Only props with these keys cast; nullptr: all.
   vtkSmartPointer<vtkInformation> CasterKeys;
   /// Compare the first, middle and last frame with rays.
