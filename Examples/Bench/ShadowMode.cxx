@@ -24,7 +24,7 @@ namespace NBufferBench
 namespace
 {
 /// What receives shadows: all that is seen, only what faces the light, or as the pass was set up.
-enum class Receivers
+enum class ReceiverSet
 {
   All,
   Lit,
@@ -38,18 +38,18 @@ struct VolumeKind
   int SlabGap;
   int LitmapMethod;
   bool Scissor;
-  Receivers Whom;
+  ReceiverSet Receivers;
 };
 using Pass = vtkShadowVolumeClampPass;
 constexpr VolumeKind VolumeKinds[] = {
-  { "unclamped", Pass::Unclamped, 4, Pass::Scattered, true, Receivers::All },
-  { "cull", Pass::Exact, 4, Pass::Scattered, false, Receivers::AsSetUp },
-  { "auto", Pass::Automatic, 4, Pass::Scattered, true, Receivers::All },
-  { "exact", Pass::Exact, 4, Pass::Scattered, true, Receivers::AsSetUp },
-  { "clamp", Pass::Clamped, 64, Pass::Scattered, true, Receivers::AsSetUp },
-  { "slabs", Pass::Clamped, 4, Pass::Scattered, true, Receivers::AsSetUp },
-  { "slabslit", Pass::Clamped, 4, Pass::Scattered, true, Receivers::Lit },
-  { "paper", Pass::Clamped, 64, Pass::Rerendered, true, Receivers::All },
+  { "unclamped", Pass::Unclamped, 4, Pass::Scattered, true, ReceiverSet::All },
+  { "cull", Pass::Exact, 4, Pass::Scattered, false, ReceiverSet::AsSetUp },
+  { "auto", Pass::Automatic, 4, Pass::Scattered, true, ReceiverSet::All },
+  { "exact", Pass::Exact, 4, Pass::Scattered, true, ReceiverSet::AsSetUp },
+  { "clamp", Pass::Clamped, 64, Pass::Scattered, true, ReceiverSet::AsSetUp },
+  { "slabs", Pass::Clamped, 4, Pass::Scattered, true, ReceiverSet::AsSetUp },
+  { "slabslit", Pass::Clamped, 4, Pass::Scattered, true, ReceiverSet::Lit },
+  { "paper", Pass::Clamped, 64, Pass::Rerendered, true, ReceiverSet::All },
 };
 
 const VolumeKind* FindVolumeKind(const std::string& name)
@@ -128,8 +128,8 @@ void ShadowMode::Enter(vtkRenderer* renderer) const
     volumes->SetSlabGap(kind->SlabGap);
     volumes->SetLitmapMethod(kind->LitmapMethod);
     volumes->SetScissor(kind->Scissor);
-    volumes->SetSkipUnlitReceivers(kind->Whom == Receivers::Lit ||
-      (kind->Whom == Receivers::AsSetUp && this->SkipUnlitReceivers));
+    volumes->SetSkipUnlitReceivers(kind->Receivers == ReceiverSet::Lit ||
+      (kind->Receivers == ReceiverSet::AsSetUp && this->SkipUnlitReceivers));
     volumes->SetLitmapResolution(this->Resolution > 0 ? this->Resolution : this->Litmap);
     volumes->SetBoxCost(this->BoxCost);
     ApplySettings(this->Name, volumes);
