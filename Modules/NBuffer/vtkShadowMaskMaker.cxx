@@ -87,15 +87,31 @@ void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER,
-    this->SkipUnlit ? this->Target.GetLitFramebuffer() : this->Target.GetDepthFramebuffer());
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Target.GetDepthFramebuffer());
   state->vtkglDepthMask(GL_TRUE);
   const float farthest = 1.0f;
   glClearBufferfv(GL_DEPTH, 0, &farthest);
-  if (this->SkipUnlit)
+}
+
+void vtkShadowMaskMaker::BeginLit(vtkRenderer* renderer)
+{
+  static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
+    ->GetState()
+    ->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Target.GetLitFramebuffer());
+  const float litByNone[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  glClearBufferfv(GL_COLOR, 0, litByNone);
+  this->MergedColors = glIsEnabled(GL_COLOR_LOGIC_OP) == GL_TRUE;
+  glGetIntegerv(GL_LOGIC_OP_MODE, &this->ColorMerge);
+  glEnable(GL_COLOR_LOGIC_OP);
+  glLogicOp(GL_OR);
+}
+
+void vtkShadowMaskMaker::EndLit()
+{
+  glLogicOp(static_cast<GLenum>(this->ColorMerge));
+  if (!this->MergedColors)
   {
-    const float litByAll[4] = { 1.0f, 1.0f, 1.0f, 1.0f };
-    glClearBufferfv(GL_COLOR, 0, litByAll);
+    glDisable(GL_COLOR_LOGIC_OP);
   }
 }
 

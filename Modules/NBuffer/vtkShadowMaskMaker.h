@@ -74,11 +74,19 @@ public:
   bool Reserve(vtkRenderer* renderer, std::size_t lights, bool skipUnlitReceivers);
 
   /**
-   * After Reserve(): bind a framebuffer for the depth of what is drawn next, and clear it; with
-   * skipUnlitReceivers it has a colour for NBufferShadowReceiver (vtkShadowLightDec.glsl), too. The
+   * After Reserve(): bind a framebuffer for the depth of what is drawn next, and clear it. The
    * caller pops the framebuffer bindings of the window's vtkOpenGLState.
    */
   void BeginDepth(vtkRenderer* renderer);
+
+  /**
+   * With skipUnlitReceivers, after the depth is drawn: bind a framebuffer with the same depth and a
+   * colour for NBufferShadowReceiver (vtkShadowLightDec.glsl), in which the same is drawn once
+   * more. Of all that is as deep as what is seen the colours are merged: which of several surfaces
+   * of equal depth will be seen depends on the depth of another framebuffer, which may be finer.
+   */
+  void BeginLit(vtkRenderer* renderer);
+  void EndLit();
 
   /**
    * Make the masks; `statistics` is added to. Returns false on failure, with the cause in
@@ -143,6 +151,8 @@ private:
   std::vector<CasterPart> Parts;
   std::vector<vtkShadowPlan::Choice> Choices; ///< About the parts.
   bool SkipUnlit = false;
+  bool MergedColors = false; ///< Before BeginLit(), and how.
+  int ColorMerge = 0;
   double SeenShare = 1.0;      ///< Of the samples, when their depth was last read.
   std::size_t SeenSamples = 0; ///< How many there were then,
   int SeenAge = 0;             ///< and how many frames ago that was.

@@ -342,9 +342,15 @@ bool vtkShadowVolumeClampPass::MakeMasks(const vtkRenderState* s,
   self.Masks.BeginDepth(renderer);
   {
     const vtkShadowTimers::Scope timed(self.Masks.Timers, vtkShadowStage::Depth);
-    self.DrawsReceivers = true;
     this->DrawOpaque(s, nullptr);
-    self.DrawsReceivers = false;
+    if (this->SkipUnlitReceivers)
+    {
+      self.Masks.BeginLit(renderer);
+      self.DrawsReceivers = true;
+      this->DrawOpaque(s, nullptr);
+      self.DrawsReceivers = false;
+      self.Masks.EndLit();
+    }
   }
   static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
     ->GetState()

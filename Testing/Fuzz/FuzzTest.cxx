@@ -355,6 +355,30 @@ TEST_F(FuzzRuns, ConesOfMultisampledPixels)
   EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
 }
 
+// Hazard of SkipUnlitReceivers: two surfaces that have one depth where masks are made, and two in
+// the window, whose depth is finer. Which of them is seen, and with that whether the light reaches
+// it, only the window knows. As the fuzzer found it.
+TEST_F(FuzzRuns, LitAndUnlitAtOneDepth)
+{
+  const Scenario scenario = FromJson(Parse(R"(
+    {"changes": [{"kind": "SkipUnlitReceivers", "values": [1.0]}],
+     "frames": 1,
+     "lights": [{}],
+     "props": [
+       {"id": 43, "shape": {"center": [3.307111024270685, -2.2583921121974746, -0.2],
+         "size": [3.740221009372003, 3.740221009372003, 0.0]}},
+       {"id": 46, "lighting": false, "position": [0.6655092624165349, -1.5216222138329814, -0.45],
+         "shape": {"size": [3.256256931971654, 3.256256931971654, 0.5]}},
+       {"id": 48, "shape": {"center": [1.2828950463437865, -1.2481972350833062, 0.3]}},
+       {"id": 50}],
+     "renderers": [{"pass": "ShadowVolumes"}],
+     "seed": 453825617800423,
+     "views": [{"parallel": true, "parallel_scale": 5.0,
+       "position": [18.14558868270935, 6.101229422002766, 18.61404490070871]}],
+     "window": {"width": 95}})"));
+  EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
+}
+
 TEST(FuzzShadows, MasksMayDifferAtEdgesOnly)
 {
   // Left of the middle is in shadow.
