@@ -161,10 +161,11 @@ public:
   ///@{
   /**
    * Take for receivers of a light only what is lit by it: not what the normals that it is shaded
-   * with turn away. The picture is the same to the bit, masks are 255 there. Less is drawn of
-   * volumes; the receivers' depth is drawn with their shading, and one more image read back. Off by
-   * default: docs/benchmarks.md has what it saves and costs. Applies to the first 24 lights that
-   * cast, and to Phong shading; not to Rerendered litmaps, nor to lights that are drawn without.
+   * with turn away. The picture is the same to the bit, masks are 255 there; the framebuffer's
+   * depth must have 24 bits or more. Less is drawn of volumes; the opaque props are drawn once
+   * more, with their shading, and one more image read back. Off by default: docs/benchmarks.md has
+   * what it saves and costs. Applies to the first 24 lights that cast, and to Phong shading; not to
+   * Rerendered litmaps, nor to lights that are drawn without.
    */
   vtkSetMacro(SkipUnlitReceivers, bool);
   vtkGetMacro(SkipUnlitReceivers, bool);
