@@ -51,10 +51,10 @@ const std::vector<std::string>& Mode::GetNames()
   return names;
 }
 
-std::string Mode::GetObstacle(const std::string& name)
+std::string Mode::WhyNot(const std::string& name)
 {
   const QueryMode* mode = FindQueryMode(name);
-  return mode ? NBufferPeers::BoxQueries::GetObstacle(mode->Target) : "";
+  return mode ? NBufferPeers::BoxQueries::WhyNot(mode->Target) : "";
 }
 
 Mode::Mode(const std::string& name, const ModeOptions& options)

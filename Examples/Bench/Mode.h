@@ -49,7 +49,7 @@ public:
 
   const std::string& GetName() const { return this->Name; }
   /// Why the current context cannot run a mode; empty if it can.
-  static std::string GetObstacle(const std::string& name);
+  static std::string WhyNot(const std::string& name);
 
   /// nullptr but for the modes that have one.
   vtkNBufferCuller* GetNBufferCuller() { return this->NBuffer; }

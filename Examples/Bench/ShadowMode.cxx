@@ -43,9 +43,9 @@ struct VolumeKind
 using Pass = vtkShadowVolumeClampPass;
 constexpr VolumeKind VolumeKinds[] = {
   { "unclamped", Pass::Unclamped, 4, Pass::Scattered, true, ReceiverSet::All },
-  { "cull", Pass::Exact, 4, Pass::Scattered, false, ReceiverSet::AsSetUp },
+  { "cull", Pass::Scissored, 4, Pass::Scattered, false, ReceiverSet::AsSetUp },
   { "auto", Pass::Automatic, 4, Pass::Scattered, true, ReceiverSet::All },
-  { "exact", Pass::Exact, 4, Pass::Scattered, true, ReceiverSet::AsSetUp },
+  { "exact", Pass::Scissored, 4, Pass::Scattered, true, ReceiverSet::AsSetUp },
   { "clamp", Pass::Clamped, 64, Pass::Scattered, true, ReceiverSet::AsSetUp },
   { "slabs", Pass::Clamped, 4, Pass::Scattered, true, ReceiverSet::AsSetUp },
   { "slabslit", Pass::Clamped, 4, Pass::Scattered, true, ReceiverSet::Lit },

@@ -139,7 +139,7 @@ Json::Value MeasureSingle(
   const Drawn& drawn, SingleLevel& single, const char* name, ReduceMethod method, int factor)
 {
   Json::Value row = MakeRow(name, factor, 1, drawn.GetWidth(), drawn.GetHeight());
-  const std::string obstacle = SingleLevel::GetObstacle(method);
+  const std::string obstacle = SingleLevel::WhyNot(method);
   if (!obstacle.empty())
   {
     row["skipped"] = obstacle;
@@ -298,8 +298,9 @@ Json::Value MeasureDevice(Session& session, const NBufferExamples::CameraPose& p
     session.GetWindow()->SetSize(size[0], size[1]);
     Json::Value entry;
     RenderAndInspect(session, pose,
-      [&](vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source)
-      { entry = MeasureBuilds({ window, source, repetitions }); });
+      [&](vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source) {
+        entry = MeasureBuilds({ window, source, repetitions });
+      });
     MeasureDrawing(session, pose, repetitions, entry);
     result.append(entry);
   }

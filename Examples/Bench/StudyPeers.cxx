@@ -102,7 +102,7 @@ std::vector<std::string> GetPeersThatRun()
 {
   std::vector<std::string> names;
   std::copy_if(GetPeerNames().begin(), GetPeerNames().end(), std::back_inserter(names),
-    [](const std::string& name) { return Mode::GetObstacle(name).empty(); });
+    [](const std::string& name) { return Mode::WhyNot(name).empty(); });
   return names;
 }
 
@@ -129,7 +129,7 @@ Json::Value MeasureFrames(Session& session, const CameraPath& path,
   frames["skipped"] = Json::Value(Json::objectValue);
   for (const std::string& name : GetPeerNames())
   {
-    const std::string why = Mode::GetObstacle(name);
+    const std::string why = Mode::WhyNot(name);
     if (!why.empty())
     {
       frames["skipped"][name] = why;

@@ -48,7 +48,7 @@ int RunWalkCommand(WalkCommandOptions& options)
   Session& session = Session::New(scene, options.View.Window);
   for (const std::string& mode : modes)
   {
-    const std::string why = Mode::GetObstacle(mode);
+    const std::string why = Mode::WhyNot(mode);
     if (!why.empty())
     {
       throw std::runtime_error("mode " + mode + " cannot run here: " + why);

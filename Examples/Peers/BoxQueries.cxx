@@ -38,7 +38,7 @@ BoxQueries::~BoxQueries()
   this->ResourceCallback->Release();
 }
 
-std::string BoxQueries::GetObstacle(QueryTarget target)
+std::string BoxQueries::WhyNot(QueryTarget target)
 {
   if (target == QueryTarget::AnyConservative && !vtkNBufferGL::HasVersion(4, 3))
   {
@@ -59,7 +59,7 @@ bool BoxQueries::Begin(vtkOpenGLRenderWindow* window, QueryTarget target, std::s
     this->Window = window;
     window->MakeCurrent();
   }
-  why = GetObstacle(target);
+  why = WhyNot(target);
   if (!why.empty())
   {
     return false;

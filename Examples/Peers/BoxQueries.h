@@ -43,7 +43,7 @@ public:
   void operator=(const BoxQueries&) = delete;
 
   /// Why the current context does not have these queries; empty if it does.
-  static std::string GetObstacle(QueryTarget target);
+  static std::string WhyNot(QueryTarget target);
 
   /// The queries of the last frame are used again. The window's context must be current.
   bool Begin(vtkOpenGLRenderWindow* window, QueryTarget target, std::string& why);

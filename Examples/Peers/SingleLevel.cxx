@@ -66,7 +66,7 @@ SingleLevel::~SingleLevel()
   this->ResourceCallback->Release();
 }
 
-std::string SingleLevel::GetObstacle(ReduceMethod method)
+std::string SingleLevel::WhyNot(ReduceMethod method)
 {
   return method == ReduceMethod::Compute && !vtkNBufferGL::HasVersion(4, 3)
     ? "compute shaders need OpenGL 4.3"
@@ -234,7 +234,7 @@ bool SingleLevel::Dispatch(int factor, std::string& why)
 
 bool SingleLevel::Reduce(ReduceMethod method, int factor, std::string& why)
 {
-  why = GetObstacle(method);
+  why = WhyNot(method);
   if (!why.empty())
   {
     return false;

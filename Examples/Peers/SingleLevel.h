@@ -49,7 +49,7 @@ public:
   void operator=(const SingleLevel&) = delete;
 
   /// Why the current context cannot do this; empty if it can.
-  static std::string GetObstacle(ReduceMethod method);
+  static std::string WhyNot(ReduceMethod method);
 
   /// Upload a depth image, row 0 at the bottom, values in [0, 1]. The context must be current here
   /// and below. False, with the cause in `why`, on any error of OpenGL.

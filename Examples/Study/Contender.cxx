@@ -6,8 +6,8 @@
 #include "PositionedLevels.h"
 
 #include "vtkNBufferOcclusionTest.h"
-#include "vtkNBufferPieces.h"
 #include "vtkNBufferPixelTest.h"
+#include "vtkNBufferSplitBox.h"
 
 #include <algorithm>
 
@@ -37,7 +37,7 @@ public:
 
   bool IsHidden(const DepthFrame& frame, const DepthBox& box, ContestCounts& counts) override
   {
-    return vtkNBufferPieces::AreBehind(frame.Projection, box.Box, box.Screen, this->Pieces,
+    return vtkNBufferSplitBox::AreBehind(frame.Projection, box.Box, box.Screen, this->Pieces,
       this->Structure.GetFamily().Factor,
       [&](const vtkNBufferScreenBox& screen)
       {
@@ -77,7 +77,7 @@ public:
 
   bool IsHidden(const DepthFrame& frame, const DepthBox& box, ContestCounts& counts) override
   {
-    return vtkNBufferPieces::AreBehind(frame.Projection, box.Box, box.Screen, this->Pieces,
+    return vtkNBufferSplitBox::AreBehind(frame.Projection, box.Box, box.Screen, this->Pieces,
       this->Factor,
       [&](const vtkNBufferScreenBox& screen)
       {

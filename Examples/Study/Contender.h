@@ -4,7 +4,7 @@
  * @file Contender.h
  * @brief Ways of finding out which boxes of a frame are hidden, all behind one interface.
  *
- *     family    a DepthStructure; long boxes in up to `pieces` pieces (vtkNBufferPieces.h)
+ *     family    a DepthStructure; long boxes in up to `pieces` pieces (vtkNBufferSplitBox.h)
  *     position  PositionedLevels, which also say which pixel keeps a box visible
  *     module    what vtkNBufferCuller does with the same settings, level by level as needed,
  *               with or without the second look at the pixels

@@ -3,8 +3,8 @@
 #include "vtkNBufferCuller.h"
 
 #include "vtkNBufferBackend.h"
+#include "vtkNBufferCompatibility.h"
 #include "vtkNBufferFrameGuard.h"
-#include "vtkNBufferSituation.h"
 #include "vtkNBufferView.h"
 
 #include "vtkCamera.h"
@@ -221,7 +221,7 @@ double vtkNBufferCuller::Cull(
   vtkNBufferDecision obstacle = vtkNBufferDecision::Disabled;
   if (this->Enabled)
   {
-    obstacle = vtkNBufferSituation::GetObstacle(renderer);
+    obstacle = vtkNBufferCompatibility::WhyNot(renderer);
   }
   if (obstacle == vtkNBufferDecision::None && IsOtherCullerBehind(this, renderer->GetCullers()))
   {

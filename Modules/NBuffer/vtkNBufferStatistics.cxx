@@ -105,7 +105,7 @@ std::string vtkNBufferStatistics::GetAsJSON() const
   json["drawn"] = this->GetNumberOfPropsDrawn();
   json["candidates"] = this->Candidates;
   json["tested"] = this->Tested;
-  json["doubtful"] = this->Doubtful;
+  json["passed_coarse_test"] = this->PassedCoarseTest;
   json["held_back"] = this->HeldBack;
   json["redrawn"] = this->Redrawn;
   json["refreshed"] = this->Refreshed;

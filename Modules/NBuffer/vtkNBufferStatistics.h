@@ -89,11 +89,12 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   /// Props that the culler was given, and of these: candidates for the test (translucent ones
   /// too), those whose boxes were tested against depth, those of them that the levels did not find
   /// hidden in the first round, those held back until the test, draws once more for the order
-  /// of equal depths (see vtkNBufferTieOrder.h), and the caches refreshed because something changed.
+  /// of equal depths (see vtkNBufferTieOrder.h), and the caches refreshed because something
+  /// changed.
   int Props = 0;
   int Candidates = 0;
   int Tested = 0;
-  int Doubtful = 0;
+  int PassedCoarseTest = 0;
   int HeldBack = 0;
   int Redrawn = 0;
   int Refreshed = 0;
@@ -139,9 +140,9 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   ///@{
   /// Milliseconds of the calling thread: Cull() as a whole and of it bringing caches up to date
   /// (with the frustum test where the camera has moved) and deciding (with the frustum test
-  /// elsewhere); then waiting for and reading the depth, building levels, testing boxes, pixels and slivers,
-  /// and drawing what had been held back. On the graphics device: building levels (OpenGL back-end;
-  /// of an earlier frame, because a timer query is never waited for).
+  /// elsewhere); then waiting for and reading the depth, building levels, testing boxes, pixels and
+  /// slivers, and drawing what had been held back. On the graphics device: building levels (OpenGL
+  /// back-end; of an earlier frame, because a timer query is never waited for).
   double CullTime = 0.0;
   double RefreshTime = 0.0;
   double FrustumTime = 0.0;

@@ -23,9 +23,10 @@ VTK_ABI_NAMESPACE_BEGIN
 enum class vtkShadowMode : int
 {
   Unclamped, ///< All of every caster's, everywhere: the reference for what others save.
-  Exact,     ///< Of casters with receivers, into the receivers' boxes on the screen.
+  Scissored, ///< Of casters with receivers, into the receivers' boxes on the screen.
   Clamped,   ///< Of these, where the receivers are.
-  Automatic  ///< Exact for lights whose litmaps pay (vtkShadowFill.h), Unclamped for others.
+  Automatic  ///< Scissored for lights whose litmaps pay (vtkShadowCostModel.h), Unclamped for
+             ///< others.
 };
 
 /// How litmaps are made.

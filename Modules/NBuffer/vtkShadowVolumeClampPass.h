@@ -35,7 +35,7 @@
  *
  * Mode says how much of the volumes is drawn. The depth of the receivers is scattered into a litmap
  * for each light (X. Decoret, "N-Buffers for efficient depth map query", Computer Graphics Forum
- * 24(3), 2005, section 3.3; vtkShadowReceivers.h says what differs): from it Exact knows which
+ * 24(3), 2005, section 3.3; vtkShadowReceivers.h says what differs): from it Scissored knows which
  * casters have no receiver, and the box of pixels of those that have; Clamped, also the depths at
  * which they lie. vtkShadowPlan.h has the rules.
  *
@@ -83,18 +83,18 @@ public:
   enum Modes
   {
     Unclamped = int(vtkShadowMode::Unclamped),
-    Exact = int(vtkShadowMode::Exact),
+    Scissored = int(vtkShadowMode::Scissored),
     Clamped = int(vtkShadowMode::Clamped),
     Automatic = int(vtkShadowMode::Automatic)
   };
 
   ///@{
   /**
-   * How much of the shadow volumes is drawn: Unclamped, all; Exact, casters with receivers, into
-   * their receivers' box of pixels, with the stencil of Unclamped to the bit; Clamped, slabs of
-   * them around the receivers, where samples within 1/256 of a pixel of a shadow's edge may differ;
-   * Automatic, the default, Exact for lights where that is likely to take less time, Unclamped for
-   * others (vtkShadowFill.h): the masks of both are the same.
+   * How much of the shadow volumes is drawn: Unclamped, all; Scissored, casters with receivers,
+   * into their receivers' box of pixels, with the stencil of Unclamped to the bit; Clamped, slabs
+   * of them around the receivers, where samples within 1/256 of a pixel of a shadow's edge may
+   * differ; Automatic, the default, Scissored for lights where that is likely to take less time,
+   * Unclamped for others (vtkShadowCostModel.h): the masks of both are the same.
    */
   vtkSetClampMacro(Mode, int, Unclamped, Automatic);
   vtkGetMacro(Mode, int);

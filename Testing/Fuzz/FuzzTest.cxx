@@ -149,7 +149,8 @@ TEST(FuzzShrinker, LeavesWhatTheFailureNeeds)
     const auto odd = std::count_if(candidate.Props.begin(), candidate.Props.end(),
       [](const Prop& prop) { return prop.Opacity == 0.125; });
     return odd == 2 && candidate.Window.MultiSamples == 4 &&
-      std::any_of(candidate.Changes.begin(), candidate.Changes.end(), [&](const Change& c)
+      std::any_of(candidate.Changes.begin(), candidate.Changes.end(),
+        [&](const Change& c)
         { return c.Kind == ChangeKind::Select && c.Frame < candidate.Frames; });
   };
   const ShrinkResult result = Shrink(ToJson(scenario), fails, 5000);
@@ -316,8 +317,8 @@ ShadowFrame MakeFrame(const std::vector<unsigned char>& mask, int width)
 TEST_F(FuzzRuns, CompareShadows)
 {
   std::vector<Scenario> scenarios = { MakeShadowScene(ShadowMode::Unclamped),
-    MakeShadowScene(ShadowMode::Exact), MakeShadowScene(ShadowMode::Clamped),
-    MakeShadowScene(ShadowMode::Automatic), MakeShadowScene(ShadowMode::Exact) };
+    MakeShadowScene(ShadowMode::Scissored), MakeShadowScene(ShadowMode::Clamped),
+    MakeShadowScene(ShadowMode::Automatic), MakeShadowScene(ShadowMode::Scissored) };
   scenarios.back().Shadows.SkipUnlitReceivers = true;
   for (const Scenario& scenario : scenarios)
   {
@@ -414,18 +415,18 @@ TEST(FuzzShadows, MasksMayDifferAtEdgesOnly)
   rays.Ambiguous.assign(mask.size(), 1);
   EXPECT_EQ(compare(middle + 5, ShadowMode::Clamped), "");
   rays.Ambiguous.assign(mask.size(), 0);
-  EXPECT_NE(compare(middle + 3, ShadowMode::Exact), "");
-  EXPECT_NE(compare(middle + 4, ShadowMode::Exact), "");
+  EXPECT_NE(compare(middle + 3, ShadowMode::Scissored), "");
+  EXPECT_NE(compare(middle + 4, ShadowMode::Scissored), "");
 
   ShadowFrame noReceiver = expected;
   noReceiver.Receivers[0][middle + 6] = 0;
   ShadowFrame tested = noReceiver;
   tested.Masks[0][middle + 6] = 255;
   ShadowTally tally;
-  EXPECT_EQ(CompareMasks(noReceiver, tested, ShadowMode::Exact, tally, {}), "");
+  EXPECT_EQ(CompareMasks(noReceiver, tested, ShadowMode::Scissored, tally, {}), "");
 
   noReceiver.Depth[middle + 6] = 1.0f;
-  EXPECT_NE(CompareMasks(noReceiver, tested, ShadowMode::Exact, tally, {}), "");
+  EXPECT_NE(CompareMasks(noReceiver, tested, ShadowMode::Scissored, tally, {}), "");
 
   // Skipped samples are in shadow, unless all are.
   tested = expected;
@@ -434,7 +435,7 @@ TEST(FuzzShadows, MasksMayDifferAtEdgesOnly)
   EXPECT_EQ(tested.Masks, expected.Masks);
   tested.Masks[0][middle + 1] = 0;
   GrantUnlit(expected, tested);
-  EXPECT_NE(CompareMasks(expected, tested, ShadowMode::Exact, tally, {}), "");
+  EXPECT_NE(CompareMasks(expected, tested, ShadowMode::Scissored, tally, {}), "");
   tested.Masks[0].assign(mask.size(), 0);
   GrantUnlit(expected, tested);
   EXPECT_EQ(tested.Masks, expected.Masks);

@@ -475,7 +475,7 @@ struct Light
 enum class ShadowMode
 {
   Unclamped,
-  Exact,
+  Scissored,
   Clamped,
   Automatic
 };
@@ -484,7 +484,7 @@ NBUFFER_FUZZ_NAMES(ShadowMode, "Unclamped", "Exact", "Clamped", "Automatic");
 /// Properties of vtkShadowVolumeClampPass of the same names, and how it is used.
 struct Shadows
 {
-  ShadowMode Mode = ShadowMode::Exact;
+  ShadowMode Mode = ShadowMode::Scissored;
   int LitmapResolution = 256;
   int SlabGap = 4;
   int BoxCost = 256;

@@ -311,7 +311,7 @@ void AddShadows(Writer& writer)
     scene.Lights.push_back(MakeLight(writer, middle));
   }
   Shadows& shadows = scene.Shadows;
-  shadows.Mode = writer.Any({ ShadowMode::Exact, ShadowMode::Exact, ShadowMode::Clamped });
+  shadows.Mode = writer.Any({ ShadowMode::Scissored, ShadowMode::Scissored, ShadowMode::Clamped });
   // Large litmaps take long to make, and small ones err as soon.
   shadows.LitmapResolution =
     writer.Chance(0.05) ? writer.Any({ 256, 512 }) : writer.Any({ 1, 2, 7, 16, 31, 64, 64, 128 });

@@ -16,7 +16,7 @@ FRAME_KEY = "vtkShadowFrameKey.cxx"
 MASK_MAKER = "vtkShadowMaskMaker.cxx"
 TARGET_READER = "vtkShadowTargetReader.cxx"
 PLAN = "vtkShadowPlan.cxx"
-REACH = "vtkShadowReach.cxx"
+REACH = "vtkShadowUmbra.cxx"
 VOLUME = "vtkShadowVolume.cxx"
 
 NO_VERTEX_SLACK = (PROJECTION, "VertexErrors = 8.0;", "VertexErrors = 0.0;")
@@ -73,7 +73,7 @@ MUTANTS = {
         ("vtkNBufferPixelTest.cxx", "column < std::min(x + Side, pixels.X1)",
          "column < std::min(x + Side, pixels.X1 - 1)")],
     "the last piece of a long box not tested": [
-        ("vtkNBufferPieces.h", "for (int i = 0; i < pieces; ++i)",
+        ("vtkNBufferSplitBox.h", "for (int i = 0; i < pieces; ++i)",
          "for (int i = 0; i < pieces - 1; ++i)")],
     "one round too many (>= turned to >)": [
         (VIEW, "this->Statistics.Rounds >= this->Settings.MaximumNumberOfRounds",
@@ -107,7 +107,7 @@ MUTANTS = {
     "verdicts of the last frame reused although props changed": [
         (VIEW, "else if (complete && !changed &&", "else if (complete && !moved &&")],
     "order of equal depths forgotten": [
-        ("vtkNBufferHeldDraws.cxx", "if (this->Drawn.empty())", "if (!this->Drawn.empty())")],
+        ("vtkNBufferLateDraws.cxx", "if (this->Drawn.empty())", "if (!this->Drawn.empty())")],
     "equal depths of overlapping rectangles forgotten": [
         ("vtkNBufferTieOrder.cxx",
          "projection.GetContact(a.Box, a.Screen, b.Box, b.Screen, pixels);",
@@ -147,8 +147,8 @@ SHADOW_MUTANTS = {
     "slabs that begin at the caster end with the first of them": [
         (PLAN, "slabs.back().Far = far;", "slabs.back().Far = std::min(far, slabs.back().Far);")],
     "receivers beside the caster count as before it": [
-        (PLAN, "lookup.IsAtHome && lookup.Extent.Far < lookup.Near)",
-         "lookup.IsAtHome && lookup.Extent.Far < lookup.Far)")],
+        (PLAN, "lookup.IsInOneFace && lookup.Extent.Far < lookup.Near)",
+         "lookup.IsInOneFace && lookup.Extent.Far < lookup.Far)")],
     "only one corner of a caster's box asked about": [
         (PLAN, "this->LookUp(footprint, corners, 8)", "this->LookUp(footprint, corners, 1)")],
     "casters through the light's plane as others": [
@@ -157,7 +157,7 @@ SHADOW_MUTANTS = {
          "std::abs(footprint.Far));",
          "return this->Frame.IsPositional() && footprint.Far < -1e300;")],
     "receivers behind an edge not asked": [
-        ("vtkShadowReach.h", "return this->MayShadow(tile[0]) || this->MayShadow(tile[1]);",
+        ("vtkShadowUmbra.h", "return this->MayShadow(tile[0]) || this->MayShadow(tile[1]);",
          "return this->MayShadow(tile[0]);")],
     "sides of triangles that look the wrong way": [
         (REACH, "(inside > 0.0 ? -1.0 : 1.0) / length;", "1.0 / length;")],

@@ -29,6 +29,11 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 MODULE = pathlib.Path("Modules/NBuffer")
 
 
+def find_in_module(root, name):
+    """Files of the module have unique names, whatever the folder."""
+    return next((root / MODULE).rglob(name))
+
+
 def copy_sources(target):
     """Tracked files and new ones that are not ignored. Only what differs, to build only that."""
     listed = subprocess.run(
@@ -92,7 +97,7 @@ def plant(source, replacements):
     """Returns the original texts of the files changed."""
     originals = {}
     for name, old, new in replacements:
-        path = source / MODULE / name
+        path = find_in_module(source, name)
         text = path.read_text()
         originals.setdefault(path, text)
         if text.count(old) != 1:
@@ -104,7 +109,7 @@ def plant(source, replacements):
 def check_texts(chosen):
     for name, replacements in chosen.items():
         for file, old, _ in replacements:
-            count = (SOURCE / MODULE / file).read_text().count(old)
+            count = find_in_module(SOURCE, file).read_text().count(old)
             if count != 1:
                 yield f"{name}: in {file} found {count} times instead of once:\n{old}"
 

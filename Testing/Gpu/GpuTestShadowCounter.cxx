@@ -57,7 +57,7 @@ vtkShadowVolume MakeVolume(int copies)
   volume.Begin(origin);
   for (int i = 0; i < copies; ++i)
   {
-    volume.AddClamped(silhouette, topology.GetPoints().data(), 8, vtkShadowFrame(light),
+    volume.AddClamped(silhouette, topology.GetPoints().data(), 8, vtkShadowLightSpace(light),
       { -0.5, 0.5 }, -0.7, vtkShadowCap::Fan);
   }
   return volume;

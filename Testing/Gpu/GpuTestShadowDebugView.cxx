@@ -48,7 +48,7 @@ vtkShadowVolume MakeVolume()
   vtkShadowVolume volume;
   const double origin[3] = { 0.0, 0.0, 0.0 };
   volume.Begin(origin);
-  volume.AddClamped(silhouette, topology.GetPoints().data(), 8, vtkShadowFrame(light),
+  volume.AddClamped(silhouette, topology.GetPoints().data(), 8, vtkShadowLightSpace(light),
     { -0.2, 0.2 }, -0.4, vtkShadowCap::Fan);
   return volume;
 }

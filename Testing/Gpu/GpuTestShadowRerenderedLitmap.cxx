@@ -78,7 +78,7 @@ protected:
   /// On the left a rectangle at depth 0.25 before one at 0.75 that covers all; seen or not.
   void Draw(const vtkShadowLight& light, const std::vector<float>& depth, vtkShadowLitmap& result)
   {
-    const vtkShadowFrame frame(light);
+    const vtkShadowLightSpace frame(light);
     this->Litmap.Begin(Eye);
     this->Litmap.AddReceiver(MakeRectangle(-1.0, 0.0, 0.25).data(), 4, Quad);
     this->Litmap.AddReceiver(MakeRectangle(-1.0, 1.0, 0.75).data(), 4, Quad);
@@ -124,7 +124,7 @@ TEST_F(GpuTestShadowRerenderedLitmap, LexelsHoldWhatIsSeenAtTheirCentres)
   {
     SCOPED_TRACE(kind == vtkShadowLightKind::Spot ? "spot" : "directional");
     const vtkShadowLight light = MakeLight(kind);
-    const vtkShadowFrame frame(light);
+    const vtkShadowLightSpace frame(light);
     vtkShadowLitmap litmap;
     ASSERT_NO_FATAL_FAILURE(this->Draw(light, depth, litmap));
     int filled = 0;
@@ -187,7 +187,7 @@ TEST_F(GpuTestShadowRerenderedLitmap, LexelsHoldWhatIsSeenAtTheirCentres)
 TEST_F(GpuTestShadowRerenderedLitmap, MissesWhatScatteringFinds)
 {
   const vtkShadowLight light = MakeLight(vtkShadowLightKind::Directional);
-  const vtkShadowFrame frame(light);
+  const vtkShadowLightSpace frame(light);
   const auto behind = static_cast<float>(2.0 * vtkShadowRerenderedLitmap::DepthBias);
   const std::vector<float> depth = MakeDepth(0.25f, 0.75f - behind);
   vtkShadowLitmap rerendered;

@@ -146,7 +146,7 @@ TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
   vtkShadowVolume volume;
   const double origin[3] = { 0.0, 0.0, 0.0 };
   volume.Begin(origin);
-  volume.AddClamped(silhouette, topology.GetPoints().data(), 4, vtkShadowFrame(light),
+  volume.AddClamped(silhouette, topology.GetPoints().data(), 4, vtkShadowLightSpace(light),
     { -0.51, 0.47 }, -0.9, vtkShadowCap::Fan);
   const double volumeToClip[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1 };
   vtkShadowDraw draw;

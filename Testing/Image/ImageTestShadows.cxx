@@ -43,7 +43,7 @@ vtkShadowVolumeClampPass* AddShadows(Stage& stage)
   stage.GetRenderer()->SetAutomaticLightCreation(false);
   AddLight(stage, -8.0, 9.0, 14.0);
   vtkNew<vtkShadowVolumeClampPass> pass;
-  pass->SetMode(vtkShadowVolumeClampPass::Exact);
+  pass->SetMode(vtkShadowVolumeClampPass::Scissored);
   stage.GetRenderer()->SetPass(pass);
   return pass;
 }
@@ -134,7 +134,7 @@ TEST(CullerShadows, ShadowOfAHiddenPropIsSeen)
       stage.GetRenderer()->SetAutomaticLightCreation(false);
       AddLight(stage, -14.0, 3.0, -3.0);
       vtkNew<vtkShadowVolumeClampPass> pass;
-      pass->SetMode(vtkShadowVolumeClampPass::Exact);
+      pass->SetMode(vtkShadowVolumeClampPass::Scissored);
       stage.GetRenderer()->SetPass(pass);
     });
   comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.01); });
@@ -156,7 +156,7 @@ TEST(CullerShadows, ShadowOfAHiddenPropIsSeen)
 
 TEST(CullerShadows, CityWalkInEveryMode)
 {
-  for (int mode : { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Exact,
+  for (int mode : { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Scissored,
          vtkShadowVolumeClampPass::Clamped })
   {
     SCOPED_TRACE(mode);

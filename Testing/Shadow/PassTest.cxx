@@ -13,7 +13,7 @@
 
 namespace
 {
-constexpr int Modes[] = { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Exact,
+constexpr int Modes[] = { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Scissored,
   vtkShadowVolumeClampPass::Clamped };
 
 class ShadowPass

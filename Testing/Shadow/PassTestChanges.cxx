@@ -192,7 +192,9 @@ void AddPropChanges(const std::string& of, Props ChangingStage::*props, std::vec
       p.Box->SetMapper(mapper);
     });
   add("BlockReplaced",
-    [](Props& p) { p.Blocks->SetBlock(1, MakeBox({ 0.3, 1.6, 1.2 }, { 0.4, 0.4, 0.4 })); });
+    [](Props& p) {
+      p.Blocks->SetBlock(1, MakeBox({ 0.3, 1.6, 1.2 }, { 0.4, 0.4, 0.4 }));
+    });
   add("BlockChanged",
     [](Props& p)
     {
@@ -205,10 +207,13 @@ void AddPropChanges(const std::string& of, Props ChangingStage::*props, std::vec
       }
       block->GetPoints()->Modified();
     });
-  add("BlockHidden", [](Props& p)
+  add("BlockHidden",
+    [](Props& p)
     { static_cast<CompositeMapper*>(p.Composite->GetMapper())->SetBlockVisibility(2, false); });
-  add("PartMoved", [](Props& p) { p.Part->AddPosition(0.3, 0.0, 0.0); }, true);
-  add("AssemblyMoved", [](Props& p) { p.Assembly->AddPosition(0.0, 0.3, 0.0); }, true);
+  add(
+    "PartMoved", [](Props& p) { p.Part->AddPosition(0.3, 0.0, 0.0); }, true);
+  add(
+    "AssemblyMoved", [](Props& p) { p.Assembly->AddPosition(0.0, 0.3, 0.0); }, true);
   add("Translucent", [](Props& p) { p.Box->GetProperty()->SetOpacity(0.5); });
   add("Wireframe", [](Props& p) { p.Sphere->GetProperty()->SetRepresentationToWireframe(); });
   add("FrontFacesCulled", [](Props& p) { p.Sphere->GetProperty()->FrontfaceCullingOn(); });
@@ -243,7 +248,9 @@ std::vector<Change> GetChanges()
     { "LightDark", [](ChangingStage& s) { s.Stage.Lights[1]->SetIntensity(0.0); } },
     { "LightRemoved", [](ChangingStage& s) { s.Stage.Renderer->RemoveLight(s.Stage.Lights[1]); } },
     { "LightAdded",
-      [](ChangingStage& s) { AddDirectional(s.Stage.Renderer, { -1.0, 0.0, -1.0 }); } },
+      [](ChangingStage& s) {
+        AddDirectional(s.Stage.Renderer, { -1.0, 0.0, -1.0 });
+      } },
     { "LightBecomesHeadlight",
       [](ChangingStage& s) { s.Stage.Lights[0]->SetLightTypeToHeadlight(); } },
     { "LightBecomesSpot", [](ChangingStage& s) { s.Stage.Lights[2]->SetConeAngle(40.0); } },
@@ -269,7 +276,9 @@ std::vector<Change> GetChanges()
     { "FloorRemoved", [](ChangingStage& s) { s.Stage.Renderer->RemoveActor(s.Floor); } },
     { "FloorTextured", [](ChangingStage& s) { s.Floor->GetProperty()->SetAmbient(0.3); } },
     { "ActorAdded",
-      [](ChangingStage& s) { AddBox(s.Stage.Renderer, { 1.5, 0.0, 0.5 }, { 0.5, 0.5, 1.0 }); } },
+      [](ChangingStage& s) {
+        AddBox(s.Stage.Renderer, { 1.5, 0.0, 0.5 }, { 0.5, 0.5, 1.0 });
+      } },
     { "AllRemoved", [](ChangingStage& s) { s.Stage.Renderer->RemoveAllViewProps(); } },
     { "PassReleased", [](ChangingStage& s) { s.Pass->ReleaseGraphicsResources(s.Stage.Window); } },
     { "WindowReleased",
@@ -382,8 +391,8 @@ TEST_F(PassHistory, ModesAndResolutions)
 {
   ChangingStage stage;
   std::vector<Frame> exact;
-  for (int mode : { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Exact,
-         vtkShadowVolumeClampPass::Clamped, vtkShadowVolumeClampPass::Exact,
+  for (int mode : { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Scissored,
+         vtkShadowVolumeClampPass::Clamped, vtkShadowVolumeClampPass::Scissored,
          vtkShadowVolumeClampPass::Unclamped })
   {
     stage.Pass->SetMode(mode);

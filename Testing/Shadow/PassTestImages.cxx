@@ -130,9 +130,11 @@ TEST_F(PassImages, WithoutShadowAreThoseWithoutThePass)
 {
   const std::pair<const char*, std::function<void(const ShadowStage&, vtkShadowVolumeClampPass*)>>
     ways[] = {
-      { "no casting light", [](const ShadowStage& stage, vtkShadowVolumeClampPass*)
+      { "no casting light",
+        [](const ShadowStage& stage, vtkShadowVolumeClampPass*)
         { stage.Lights[0]->SetLightTypeToHeadlight(); } },
-      { "a light that may not cast", [](const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
+      { "a light that may not cast",
+        [](const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
         { pass->SetLightCasts(stage.Lights[0], false); } },
       { "no caster",
         [](const ShadowStage&, vtkShadowVolumeClampPass* pass)
@@ -145,9 +147,12 @@ TEST_F(PassImages, WithoutShadowAreThoseWithoutThePass)
         [](const ShadowStage& stage, vtkShadowVolumeClampPass*) {
           ForEachProperty(stage.Renderer, [](vtkProperty* property) { property->SetOpacity(0.5); });
         } },
-      { "no receiver", [](const ShadowStage& stage, vtkShadowVolumeClampPass*)
-        { ShadowShapes::Look(stage.Renderer, { 20.0, 0.0, 1.0 }, { 30.0, 0.0, 1.0 }); } },
-      { "nothing at all", [](const ShadowStage& stage, vtkShadowVolumeClampPass*)
+      { "no receiver",
+        [](const ShadowStage& stage, vtkShadowVolumeClampPass*) {
+          ShadowShapes::Look(stage.Renderer, { 20.0, 0.0, 1.0 }, { 30.0, 0.0, 1.0 });
+        } },
+      { "nothing at all",
+        [](const ShadowStage& stage, vtkShadowVolumeClampPass*)
         { stage.Renderer->RemoveAllViewProps(); } },
     };
   for (const auto& way : ways)
@@ -177,7 +182,7 @@ TEST_F(PassImages, InASequenceAreThoseOfThePassAlone)
       ->GetProperty()
       ->SetOpacity(0.5);
     vtkNew<vtkShadowVolumeClampPass> alone;
-    alone->SetMode(vtkShadowVolumeClampPass::Exact);
+    alone->SetMode(vtkShadowVolumeClampPass::Scissored);
     stage.Renderer->SetPass(alone);
     stage.Window->Render();
     const ShadowImage expected = GetImage(stage.Window);
@@ -185,7 +190,7 @@ TEST_F(PassImages, InASequenceAreThoseOfThePassAlone)
     EXPECT_FALSE(IsSameImage(GetPlainImage(stage.Window, stage.Renderer), expected, stage.Window));
 
     vtkNew<vtkShadowVolumeClampPass> shadows;
-    shadows->SetMode(vtkShadowVolumeClampPass::Exact);
+    shadows->SetMode(vtkShadowVolumeClampPass::Scissored);
     vtkNew<vtkRenderPassCollection> passes;
     passes->AddItem(vtkSmartPointer<vtkLightsPass>::New());
     passes->AddItem(shadows);
@@ -237,7 +242,7 @@ TEST_F(PassImages, ConesOfVerticesFarFromTheOrigin)
     stage.Window->Render();
     const ShadowImage expected = GetImage(stage.Window);
     EXPECT_FALSE(IsSameImage(GetPlainImage(stage.Window, stage.Renderer), expected, stage.Window));
-    pass->SetMode(vtkShadowVolumeClampPass::Exact);
+    pass->SetMode(vtkShadowVolumeClampPass::Scissored);
     stage.Window->Render();
     EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
   }

@@ -25,7 +25,7 @@ class PassSamples : public OffscreenFixture
 
 namespace
 {
-constexpr int Modes[] = { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Exact,
+constexpr int Modes[] = { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Scissored,
   vtkShadowVolumeClampPass::Clamped };
 
 /// Boxes on a floor, all faces flat and diffuse, a white background, one directional light.

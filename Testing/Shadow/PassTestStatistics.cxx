@@ -33,7 +33,7 @@
 
 namespace
 {
-constexpr int Modes[] = { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Exact,
+constexpr int Modes[] = { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Scissored,
   vtkShadowVolumeClampPass::Clamped };
 
 vtkActor* GetLastActor(const ShadowStage& stage)
@@ -165,12 +165,12 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
     [](vtkLight* light) { return light->GetPositional() && light->GetConeAngle() >= 90.0; }));
   ASSERT_GT(points, 0);
   ASSERT_LT(points, lights);
-  ShadowImage expected = expect(vtkShadowVolumeClampPass::Exact, lights + 5 * points, 0);
+  ShadowImage expected = expect(vtkShadowVolumeClampPass::Scissored, lights + 5 * points, 0);
   EXPECT_TRUE(
     IsSameImage(expected, expect(vtkShadowVolumeClampPass::Automatic, 0, lights), stage.Window));
 
   // Six of them, of a point light, cost more than they save longer than one does; triangles are
-  // taken to cost a fifth where the renderer is not software (vtkShadowFill.h).
+  // taken to cost a fifth where the renderer is not software (vtkShadowCostModel.h).
   const std::string name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   const bool software =
     name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos;
@@ -184,7 +184,7 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   stage.Renderer->AddActor(actor);
-  expected = expect(vtkShadowVolumeClampPass::Exact, lights + 5 * points, 0);
+  expected = expect(vtkShadowVolumeClampPass::Scissored, lights + 5 * points, 0);
   EXPECT_TRUE(IsSameImage(
     expected, expect(vtkShadowVolumeClampPass::Automatic, lights - points, points), stage.Window));
 }
@@ -296,7 +296,7 @@ TEST_P(PassWork, IsLessTheMoreIsKnown)
   std::cout << scene.Name << ": " << fragments[0] << " fragments, exact "
             << 100.0 * fragments[1] / fragments[0] << " %, clamped "
             << 100.0 * fragments[2] / fragments[0] << " %\n";
-  pass->SetMode(vtkShadowVolumeClampPass::Exact);
+  pass->SetMode(vtkShadowVolumeClampPass::Scissored);
   pass->ScissorOff();
   stage.Window->Render();
   const long long culled = pass->GetStatistics().Fragments;

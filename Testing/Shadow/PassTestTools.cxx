@@ -93,7 +93,7 @@ ShadowImage GetImage(vtkRenderWindow* window)
 vtkSmartPointer<vtkShadowVolumeClampPass> AddPass(const ShadowStage& stage)
 {
   auto pass = vtkSmartPointer<vtkShadowVolumeClampPass>::New();
-  pass->SetMode(vtkShadowVolumeClampPass::Exact);
+  pass->SetMode(vtkShadowVolumeClampPass::Scissored);
   stage.Renderer->SetPass(pass);
   return pass;
 }

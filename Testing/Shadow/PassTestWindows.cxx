@@ -194,7 +194,7 @@ TEST_F(PassWindows, MultiSamplesBesideReceivers)
   {
     masks.push_back(GetMask(pass, light, CountPixels(stage.Renderer)));
   }
-  pass->SetMode(vtkShadowVolumeClampPass::Exact);
+  pass->SetMode(vtkShadowVolumeClampPass::Scissored);
   stage.Window->Render();
   EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
   for (std::size_t i = 0; i < masks.size(); ++i)
@@ -331,7 +331,7 @@ TEST_F(PassLifetime, WindowBeforePass)
 TEST_F(PassLifetime, NeverRendered)
 {
   vtkNew<vtkShadowVolumeClampPass> pass;
-  pass->SetMode(vtkShadowVolumeClampPass::Exact);
+  pass->SetMode(vtkShadowVolumeClampPass::Scissored);
   EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::None);
   int width = -1;
   int height = -1;

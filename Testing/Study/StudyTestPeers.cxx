@@ -54,7 +54,7 @@ protected:
       return;
     }
     this->Window = NewWindow(301, 173);
-    const std::string why = BoxQueries::GetObstacle(GetParam().Target);
+    const std::string why = BoxQueries::WhyNot(GetParam().Target);
     if (!why.empty())
     {
       GTEST_SKIP() << why;

@@ -31,7 +31,7 @@ protected:
     if (!this->IsSkipped())
     {
       this->Window = NewWindow(32, 32);
-      const std::string why = SingleLevel::GetObstacle(GetParam());
+      const std::string why = SingleLevel::WhyNot(GetParam());
       if (!why.empty())
       {
         GTEST_SKIP() << why;

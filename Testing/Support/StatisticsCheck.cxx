@@ -27,7 +27,8 @@ std::string FindInconsistency(const vtkNBufferStatistics& s, int maximumNumberOf
   demand(s.HeldBack <= s.Candidates, "HeldBack <= Candidates");
   demand(s.Rounds <= maximumNumberOfRounds, "Rounds <= MaximumNumberOfRounds");
   demand(s.Tested <= s.Candidates * std::max(s.Rounds, 1), "Tested <= Candidates * Rounds");
-  demand(s.Doubtful <= s.Tested * std::max(s.Rounds, 1), "Doubtful <= Tested * Rounds");
+  demand(
+    s.PassedCoarseTest <= s.Tested * std::max(s.Rounds, 1), "PassedCoarseTest <= Tested * Rounds");
   if (s.Decision == vtkNBufferDecision::Culled)
   {
     demand(s.Rounds >= 1, "a culled frame has a round");

@@ -28,7 +28,7 @@ inline bool IsSameBlock(const vtkShadowBlock& a, const vtkShadowBlock& b)
 inline void ExpectSameLitmaps(const vtkShadowLitmap& a, const vtkShadowLitmap& b)
 {
   EXPECT_EQ(a.GetNumberOfReceivers(), b.GetNumberOfReceivers());
-  EXPECT_EQ(a.GetReach(), b.GetReach());
+  EXPECT_EQ(a.GetWidestAngle(), b.GetWidestAngle());
   ASSERT_EQ(a.GetResolution(), b.GetResolution());
   ASSERT_EQ(a.GetNumberOfLevels(), b.GetNumberOfLevels());
   const int lexels = a.GetResolution() * a.GetResolution();

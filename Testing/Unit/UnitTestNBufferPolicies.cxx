@@ -250,17 +250,17 @@ TEST(NBufferTieOrder, OnlyPropsThatTouchTie)
 TEST(NBufferBackOff, RestsAndProbes)
 {
   vtkNBufferBackOff backOff;
-  EXPECT_FALSE(backOff.Rests());
+  EXPECT_FALSE(backOff.CountRestFrame());
   for (int i = 0; i < vtkNBufferBackOff::PoorTestsToRest; ++i)
   {
-    EXPECT_FALSE(backOff.Rests()) << i;
+    EXPECT_FALSE(backOff.CountRestFrame()) << i;
     backOff.Learn(1, 100);
   }
   int expected = vtkNBufferBackOff::ShortestRest;
   for (int probe = 0; probe < 6; ++probe)
   {
     int rest = 0;
-    while (backOff.Rests())
+    while (backOff.CountRestFrame())
     {
       ASSERT_LE(++rest, vtkNBufferBackOff::LongestRest);
     }
@@ -268,13 +268,13 @@ TEST(NBufferBackOff, RestsAndProbes)
     expected = std::min(2 * expected, vtkNBufferBackOff::LongestRest);
     backOff.Learn(0, 100);
   }
-  while (backOff.Rests())
+  while (backOff.CountRestFrame())
   {
   }
   backOff.Learn(50, 100);
-  EXPECT_FALSE(backOff.Rests()) << "a probe that hides much ends it";
+  EXPECT_FALSE(backOff.CountRestFrame()) << "a probe that hides much ends it";
   backOff.Learn(0, 100);
-  EXPECT_FALSE(backOff.Rests()) << "and all begins anew";
+  EXPECT_FALSE(backOff.CountRestFrame()) << "and all begins anew";
 }
 
 // Hazard: with nothing held back there is no test, and with no test nothing is held back.
@@ -284,7 +284,7 @@ TEST(NBufferBackOff, ProbesWhereNothingIsHeld)
   int probes = 0;
   for (int frame = 0; frame < 8 * 10; ++frame)
   {
-    probes += backOff.IsProbeDue();
+    probes += backOff.CountIdleFrame();
   }
   EXPECT_EQ(probes, 10);
 }
@@ -297,5 +297,5 @@ TEST(NBufferBackOff, EmptyFrustum)
   {
     backOff.Learn(0, 0);
   }
-  EXPECT_FALSE(backOff.Rests());
+  EXPECT_FALSE(backOff.CountRestFrame());
 }

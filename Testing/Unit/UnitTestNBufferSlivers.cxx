@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Which triangles of hidden meshes may be drawn before their box, and what pieces of a box allow.
-#include "vtkNBufferPieces.h"
 #include "vtkNBufferSliverTest.h"
+#include "vtkNBufferSplitBox.h"
 
 #include <gtest/gtest.h>
 
@@ -156,7 +156,7 @@ TEST_F(Slivers, PiecesAllowForTheWholeBox)
   ASSERT_EQ(projection.Project(box, screen), vtkNBufferPlacement::Inside);
   EXPECT_NEAR(screen.DepthRange, 0.6, 1e-5);
   int pieces = 0;
-  vtkNBufferPieces::AreBehind(projection, box, screen, 8, 4,
+  vtkNBufferSplitBox::AreBehind(projection, box, screen, 8, 4,
     [&](const vtkNBufferScreenBox& part)
     {
       if (pieces++ == 0)

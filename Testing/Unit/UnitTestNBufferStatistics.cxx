@@ -38,7 +38,7 @@ vtkNBufferStatistics Fill()
   }
   statistics.Candidates = 1;
   statistics.Tested = 2;
-  statistics.Doubtful = 13;
+  statistics.PassedCoarseTest = 13;
   statistics.HeldBack = 3;
   statistics.Redrawn = 4;
   statistics.Refreshed = 5;
@@ -130,7 +130,7 @@ TEST(NBufferStatistics, JSONHoldsEveryField)
   EXPECT_EQ(json["drawn"].asInt(), statistics.GetNumberOfPropsDrawn());
   EXPECT_EQ(json["candidates"].asInt(), 1);
   EXPECT_EQ(json["tested"].asInt(), 2);
-  EXPECT_EQ(json["doubtful"].asInt(), 13);
+  EXPECT_EQ(json["passed_coarse_test"].asInt(), 13);
   EXPECT_EQ(json["held_back"].asInt(), 3);
   EXPECT_EQ(json["redrawn"].asInt(), 4);
   EXPECT_EQ(json["refreshed"].asInt(), 5);

@@ -111,8 +111,8 @@ TEST(ShadowLight, FramesGoThereAndBack)
   {
     const vtkShadowLight light = RandomLight(random, Kinds[n % 3]);
     const Point axis = RandomPoint(random, 3.0);
-    const vtkShadowFrame frame =
-      light.IsPositional() ? vtkShadowFrame(light, axis.data()) : vtkShadowFrame(light);
+    const vtkShadowLightSpace frame =
+      light.IsPositional() ? vtkShadowLightSpace(light, axis.data()) : vtkShadowLightSpace(light);
     const double* axes[3] = { frame.GetU(), frame.GetV(), frame.GetAxis() };
     for (int i = 0; i < 3; ++i)
     {
@@ -167,9 +167,9 @@ TEST(ShadowLight, ReachesItsCone)
           (std::cos(vtkMath::RadiansFromDegrees(angle)) * light.Direction[i] +
             std::sin(vtkMath::RadiansFromDegrees(angle)) * across[i]);
     }
-    ASSERT_EQ(light.Reaches(x.data()), angle <= light.ConeAngle + 0.01)
+    ASSERT_EQ(light.IsInCone(x.data()), angle <= light.ConeAngle + 0.01)
       << "case " << n << ", angle " << angle << ", cone " << light.ConeAngle;
     light.Kind = n % 2 ? Kind::Point : Kind::Directional;
-    ASSERT_TRUE(light.Reaches(x.data()));
+    ASSERT_TRUE(light.IsInCone(x.data()));
   }
 }

@@ -418,7 +418,7 @@ TEST(ShadowLitmap, PartsJoin)
         vtkShadowLitmap& part = litmap.GetPart(filled == 0 ? 0 : static_cast<int>(i) % count);
         ASSERT_TRUE(part.Add(r.A, r.B, r.Radius, r.X, r.Y));
         part.GetTiles().Add(r.A, r.B, radius, r.X, r.Y % height, i % 2 ? 0.75f : 0.25f);
-        part.AddReach(0.001 * static_cast<double>(i));
+        part.WidenAngle(0.001 * static_cast<double>(i));
       }
       litmap.Join();
       litmap.Build();

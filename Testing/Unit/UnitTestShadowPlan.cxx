@@ -69,7 +69,7 @@ struct Situation
     {
       double axis[3] = { 0.0, 0.0, 0.0 };
       axis[i / 2] = i % 2 ? -1.0 : 1.0;
-      this->Faces.push_back({ vtkShadowFrame(this->Light, axis), {} });
+      this->Faces.push_back({ vtkShadowLightSpace(this->Light, axis), {} });
       this->Faces.back().second.Begin(64, range, depths);
     }
   }
@@ -116,10 +116,10 @@ struct Situation
     }
     const double origin[3] = { 0.0, 0.0, 0.0 };
     this->Volume.Begin(origin);
-    const auto dismissed = plan.Dismiss(this->Silhouette, this->Footprint);
+    const auto dismissed = plan.EarlyOut(this->Silhouette, this->Footprint);
     const int numberOfPoints = this->Topology.GetNumberOfPoints();
     const vtkShadowPlan::Choice choice =
-      plan.Choose(this->Silhouette, points, numberOfPoints, this->Footprint);
+      plan.Decide(this->Silhouette, points, numberOfPoints, this->Footprint);
     plan.Draw(choice, this->Silhouette, points, numberOfPoints, this->Footprint, this->Volume);
     const Verdict verdict = choice.Verdict;
     this->Draws = plan.GetDraws();
@@ -164,13 +164,13 @@ struct Situation
   }
 
   vtkShadowLight Light;
-  vtkShadowFrame Frame;
+  vtkShadowLightSpace Frame;
   vtkShadowTopology Topology;
   vtkShadowSilhouette Silhouette;
   vtkShadowCounting Counting = vtkShadowCounting::Away;
   vtkShadowFootprint Footprint;
   vtkShadowLitmap Litmap;
-  std::vector<std::pair<vtkShadowFrame, vtkShadowLitmap>> Faces;
+  std::vector<std::pair<vtkShadowLightSpace, vtkShadowLitmap>> Faces;
   vtkShadowPlan::View View;
   vtkShadowVolume Volume;
   std::vector<vtkShadowDraw> Draws;
@@ -201,7 +201,7 @@ TEST(ShadowPlanFootprint, HoldsAllPoints)
         x += 0.5 * MakeUniform(random, -0.5, 0.5);
       }
       vtkMath::Normalize(light.Direction);
-      const vtkShadowFrame frame(light);
+      const vtkShadowLightSpace frame(light);
       std::vector<Point> points;
       for (int i = 0; i < 20; ++i)
       {
@@ -230,7 +230,8 @@ TEST(ShadowPlanFootprint, HoldsAllPoints)
 
 TEST(ShadowPlan, WithoutALitmapAllIsDrawnEverywhere)
 {
-  for (const auto mode : { vtkShadowMode::Unclamped, vtkShadowMode::Exact, vtkShadowMode::Clamped })
+  for (const auto mode :
+    { vtkShadowMode::Unclamped, vtkShadowMode::Scissored, vtkShadowMode::Clamped })
   {
     Situation situation(MakeDirectional());
     EXPECT_EQ(situation.Decide(mode, 4, false), Verdict::Whole);
@@ -244,9 +245,9 @@ TEST(ShadowPlan, WithoutALitmapAllIsDrawnEverywhere)
 
 TEST(ShadowPlan, VerdictsFollowTheReceivers)
 {
-  for (const auto mode : { vtkShadowMode::Exact, vtkShadowMode::Clamped })
+  for (const auto mode : { vtkShadowMode::Scissored, vtkShadowMode::Clamped })
   {
-    const Verdict drawn = mode == vtkShadowMode::Exact ? Verdict::Boxed : Verdict::Clamped;
+    const Verdict drawn = mode == vtkShadowMode::Scissored ? Verdict::Boxed : Verdict::Clamped;
     const struct
     {
       const char* Where;
@@ -281,7 +282,7 @@ TEST(ShadowPlan, BoxesHoldTheReceiversPixels)
   situation.AddReceiver({ 0.1, 0.1, -3.0 }, 5, 6);
   situation.AddReceiver({ -0.1, 0.1, -3.0 }, 12, 4);
   situation.AddReceiver({ 3.5, 3.5, -3.0 }, 200, 150);
-  for (const auto mode : { vtkShadowMode::Exact, vtkShadowMode::Clamped })
+  for (const auto mode : { vtkShadowMode::Scissored, vtkShadowMode::Clamped })
   {
     situation.Decide(mode);
     ASSERT_EQ(situation.Draws.size(), 1u);
@@ -293,7 +294,7 @@ TEST(ShadowPlan, BoxesHoldTheReceiversPixels)
 // between them is more than drawing twice costs.
 TEST(ShadowPlan, BoxesHoldTheTilesInShadow)
 {
-  for (const auto mode : { vtkShadowMode::Exact, vtkShadowMode::Clamped })
+  for (const auto mode : { vtkShadowMode::Scissored, vtkShadowMode::Clamped })
   {
     Situation situation(MakeDirectional());
     situation.Litmap.GetTiles().Begin(300, 200);
@@ -343,7 +344,7 @@ TEST(ShadowPlan, LayersKeepApartWhatATileSees)
     situation.AddReceiver({ 0.0, 0.0, 3.0 }, 20, 20, 0.25f);  // on its rays, before it
     situation.AddReceiver({ 0.6, 0.0, -3.0 }, 20, 20, 0.75f); // beyond, beside its rays
     EXPECT_EQ(
-      situation.Decide(vtkShadowMode::Exact), parted ? Verdict::BeforeCaster : Verdict::Boxed);
+      situation.Decide(vtkShadowMode::Scissored), parted ? Verdict::BeforeCaster : Verdict::Boxed);
     EXPECT_EQ(situation.Draws.empty(), parted);
   }
 }
@@ -353,14 +354,14 @@ TEST(ShadowPlan, CastersAtTheLightsPlane)
   // The cube reaches from -0.5 to 0.5 or so; lights below, in, and above it.
   Situation behind(MakePositional(vtkShadowLightKind::Spot, -5.0));
   behind.AddReceiver({ 0.0, 0.0, -8.0 }, 5, 6);
-  EXPECT_EQ(behind.Decide(vtkShadowMode::Exact), Verdict::BehindLight);
+  EXPECT_EQ(behind.Decide(vtkShadowMode::Scissored), Verdict::BehindLight);
   EXPECT_TRUE(behind.Draws.empty());
   EXPECT_EQ(behind.Decide(vtkShadowMode::Unclamped), Verdict::Whole) << "nothing is left out";
   EXPECT_EQ(behind.Draws.size(), 1u);
-  behind.Litmap.AddReach(vtkMath::Pi());
-  EXPECT_EQ(behind.Decide(vtkShadowMode::Exact), Verdict::ThroughLightPlane);
+  behind.Litmap.WidenAngle(vtkMath::Pi());
+  EXPECT_EQ(behind.Decide(vtkShadowMode::Scissored), Verdict::ThroughLightPlane);
 
-  for (const auto mode : { vtkShadowMode::Exact, vtkShadowMode::Clamped })
+  for (const auto mode : { vtkShadowMode::Scissored, vtkShadowMode::Clamped })
   {
     Situation through(
       MakePositional(vtkShadowLightKind::Spot, 0.1), MakeCube().Translate(0.8, 0.0, 0.0));
@@ -374,13 +375,13 @@ TEST(ShadowPlan, CastersAtTheLightsPlane)
     beside.AddReceiver({ 0.0, 0.0, -8.0 }, 5, 6);
     EXPECT_EQ(beside.Decide(mode), Verdict::OutsideCone);
     EXPECT_TRUE(beside.Draws.empty());
-    beside.Litmap.AddReach(vtkMath::Pi());
+    beside.Litmap.WidenAngle(vtkMath::Pi());
     EXPECT_EQ(beside.Decide(mode), Verdict::ThroughLightPlane);
   }
 
   Situation front(MakePositional(vtkShadowLightKind::Spot, 5.0));
   front.AddReceiver({ 0.0, 0.0, -8.0 }, 5, 6);
-  EXPECT_EQ(front.Decide(vtkShadowMode::Exact), Verdict::Boxed);
+  EXPECT_EQ(front.Decide(vtkShadowMode::Scissored), Verdict::Boxed);
 
   // A point light shines on both sides.
   Situation point(MakePositional(vtkShadowLightKind::Point, -5.0));
@@ -425,7 +426,10 @@ TEST(ShadowPlan, SlabsOfOneFace)
   {
     SCOPED_TRACE("x " + std::to_string(x));
     Situation situation(MakePositional(vtkShadowLightKind::Point, 10.0),
-      MakeCube().Move([x](const Point& p) { return Point{ p[0] + x, p[1], p[2] }; }));
+      MakeCube().Move(
+        [x](const Point& p) {
+          return Point{ p[0] + x, p[1], p[2] };
+        }));
     situation.UseFaces();
     // On rays through the cube, in steps of its distance from the light.
     for (double t : { 1.5, 1.6, 4.0 })
@@ -444,15 +448,17 @@ TEST(ShadowPlan, SlabsOfOneFace)
       EXPECT_EQ(situation.Decide(vtkShadowMode::Clamped), Verdict::Boxed);
       EXPECT_EQ(situation.Slabs, 0);
     }
-    EXPECT_EQ(situation.Decide(vtkShadowMode::Exact), Verdict::Boxed);
+    EXPECT_EQ(situation.Decide(vtkShadowMode::Scissored), Verdict::Boxed);
   }
 }
 
 // Receivers before the caster need no slab; those within its depths are in one with it.
 TEST(ShadowPlan, SlabsThatReachTheCasterAreOne)
 {
-  const ShadowMesh tall =
-    MakeCube().Move([](const Point& x) { return Point{ x[0], x[1], 20.0 * x[2] }; });
+  const ShadowMesh tall = MakeCube().Move(
+    [](const Point& x) {
+      return Point{ x[0], x[1], 20.0 * x[2] };
+    });
   Situation situation(MakeDirectional(), tall);
   const auto bounds = vtkShadowFootprint::Make(
     tall.GetPoints(), static_cast<int>(tall.Points.size()), situation.Frame);
@@ -491,15 +497,15 @@ TEST(ShadowPlan, ZPassNeedsAllOfThePieceBeyondTheNearPlane)
   EXPECT_TRUE(situation.Draws[0].ZPass);
   EXPECT_FALSE(situation.Draws[1].ZPass);
   // The whole volume goes down for ever.
-  situation.Decide(vtkShadowMode::Exact);
+  situation.Decide(vtkShadowMode::Scissored);
   EXPECT_FALSE(situation.Draws.at(0).ZPass);
   // A near plane that looks down has all of it before itself.
   situation.View.NearPlane[2] = -1.0;
-  situation.Decide(vtkShadowMode::Exact);
+  situation.Decide(vtkShadowMode::Scissored);
   EXPECT_TRUE(situation.Draws.at(0).ZPass);
   // One that touches the cap does not.
   situation.View.NearPlane[3] = -situation.Footprint.Far;
-  situation.Decide(vtkShadowMode::Exact);
+  situation.Decide(vtkShadowMode::Scissored);
   EXPECT_FALSE(situation.Draws.at(0).ZPass);
 }
 
@@ -568,12 +574,12 @@ TEST(ShadowPlan, OffsetsAreForCapsInLitSurfaces)
 {
   Situation closed(MakeDirectional());
   closed.AddReceiver({ 0.0, 0.0, -3.0 }, 5, 6);
-  closed.Decide(vtkShadowMode::Exact);
+  closed.Decide(vtkShadowMode::Scissored);
   EXPECT_FALSE(closed.Draws.at(0).Offset);
   EXPECT_EQ(closed.Draws.at(0).MaximumCount, 1);
   Situation open(MakeDirectional(), MakeOpenCube());
   open.AddReceiver({ 0.0, 0.0, -3.0 }, 5, 6);
-  open.Decide(vtkShadowMode::Exact);
+  open.Decide(vtkShadowMode::Scissored);
   EXPECT_TRUE(open.Draws.at(0).Offset);
   open.Decide(vtkShadowMode::Clamped);
   EXPECT_FALSE(open.Draws.at(0).Offset) << "begins below the caster";

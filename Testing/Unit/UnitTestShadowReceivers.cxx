@@ -205,13 +205,13 @@ bool IsInCone(const vtkShadowLight& light, const double x[3])
 }
 
 /// The axes under which a light is looked at: its own, or those of a cube.
-std::vector<vtkShadowFrame> GetFrames(const vtkShadowLight& light)
+std::vector<vtkShadowLightSpace> GetFrames(const vtkShadowLight& light)
 {
   if (light.Kind != Kind::Point)
   {
-    return { vtkShadowFrame(light) };
+    return { vtkShadowLightSpace(light) };
   }
-  std::vector<vtkShadowFrame> frames;
+  std::vector<vtkShadowLightSpace> frames;
   for (int i = 0; i < 6; ++i)
   {
     double axis[3] = { 0.0, 0.0, 0.0 };
@@ -233,7 +233,7 @@ int CheckAll(const Image& image, const vtkShadowLight& light, const unsigned cha
 {
   const vtkShadowView& view = image.View;
   int found = 0;
-  for (const vtkShadowFrame& frame : GetFrames(light))
+  for (const vtkShadowLightSpace& frame : GetFrames(light))
   {
     vtkShadowReceivers::Scatter(image.Depth.data(), lit, view, light, frame, resolution, litmap);
     litmap.Build();
@@ -366,7 +366,7 @@ TEST(ShadowReceiversOnce, ThreadsDoNotMatter)
     maker.Made.View.Samples = { { { 0.25, 0.75 } }, { { 0.75, 0.25 } } };
     maker.AddAll();
     const vtkShadowLight light = maker.MakeLight(Kind::Spot);
-    const vtkShadowFrame frame(light);
+    const vtkShadowLightSpace frame(light);
     const auto scatter = [&](int threads, vtkShadowLitmap& litmap)
     {
       vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false },
@@ -396,7 +396,7 @@ TEST(ShadowReceiversOnce, WhichSamplesAreReceivers)
   Maker maker(Camera(), 40, 30, 8);
   maker.AddAll();
   const vtkShadowLight light = maker.MakeLight(Kind::Directional);
-  const vtkShadowFrame frame(light);
+  const vtkShadowLightSpace frame(light);
   vtkShadowLitmap litmap;
   std::vector<unsigned char> lit(maker.Made.Depth.size());
   int expected = 0;
@@ -441,13 +441,13 @@ TEST(ShadowReceiversOnce, OutsideOfTheConeIsLeftOut)
     {
       if (maker.Made.Depth[i] < 1.0f)
       {
-        reached += light.Reaches(maker.Made.World[i].data());
-        atMost += wider.Reaches(maker.Made.World[i].data());
+        reached += light.IsInCone(maker.Made.World[i].data());
+        atMost += wider.IsInCone(maker.Made.World[i].data());
       }
     }
     vtkShadowLitmap litmap;
-    const vtkIdType count = vtkShadowReceivers::Scatter(
-      maker.Made.Depth.data(), nullptr, maker.Made.View, light, vtkShadowFrame(light), 32, litmap);
+    const vtkIdType count = vtkShadowReceivers::Scatter(maker.Made.Depth.data(), nullptr,
+      maker.Made.View, light, vtkShadowLightSpace(light), 32, litmap);
     EXPECT_GE(count, reached) << "seed " << seed;
     // Far away, where a quantum of depth is longer than the margin, and next to the apex.
     EXPECT_LE(count, atMost + 12) << "seed " << seed;
@@ -467,8 +467,8 @@ TEST(ShadowReceiversOnce, WhatRoundingBringsIntoTheConeIsNotLeftOut)
     maker.AddAll();
     vtkShadowLight light = maker.MakeLight(Kind::Spot);
     vtkShadowLitmap litmap;
-    const vtkIdType near = vtkShadowReceivers::Scatter(
-      maker.Made.Depth.data(), nullptr, maker.Made.View, light, vtkShadowFrame(light), 32, litmap);
+    const vtkIdType near = vtkShadowReceivers::Scatter(maker.Made.Depth.data(), nullptr,
+      maker.Made.View, light, vtkShadowLightSpace(light), 32, litmap);
     int reached = 0;
     for (std::size_t i = 0; i < maker.Made.Depth.size(); ++i)
     {
@@ -478,7 +478,7 @@ TEST(ShadowReceiversOnce, WhatRoundingBringsIntoTheConeIsNotLeftOut)
         std::array<double, 3> x = { maker.Made.World[i][0], maker.Made.World[i][1],
           maker.Made.World[i][2] };
         x[static_cast<std::size_t>(k / 2)] += k % 2 ? rounding : -rounding;
-        any = any || light.Reaches(x.data());
+        any = any || light.IsInCone(x.data());
       }
       reached += maker.Made.Depth[i] < 1.0f && any;
     }
@@ -487,11 +487,11 @@ TEST(ShadowReceiversOnce, WhatRoundingBringsIntoTheConeIsNotLeftOut)
       maker.Made.View.Origin[k] += far;
       light.Position[k] += far;
     }
-    const vtkIdType found = vtkShadowReceivers::Scatter(
-      maker.Made.Depth.data(), nullptr, maker.Made.View, light, vtkShadowFrame(light), 32, litmap);
+    const vtkIdType found = vtkShadowReceivers::Scatter(maker.Made.Depth.data(), nullptr,
+      maker.Made.View, light, vtkShadowLightSpace(light), 32, litmap);
     EXPECT_GE(found, reached) << "seed " << seed;
     EXPECT_GE(found, near) << "seed " << seed;
-    EXPECT_TRUE(found == near || litmap.GetReach() > 0.0) << "seed " << seed;
+    EXPECT_TRUE(found == near || litmap.GetWidestAngle() > 0.0) << "seed " << seed;
     more += found - near;
   }
   EXPECT_GT(more, 20);
@@ -514,7 +514,7 @@ TEST(ShadowReceiversOnce, ExtentsAreTight)
     maker.Add(i % 30 + 0.5, i / 30 + 0.5, z);
     depth[i] = maker.Made.Depth[0];
     const vtkShadowLight light = maker.MakeLight(Kind::Directional);
-    const vtkShadowFrame frame(light);
+    const vtkShadowLightSpace frame(light);
     vtkShadowLitmap litmap;
     ASSERT_EQ(
       vtkShadowReceivers::Scatter(depth.data(), nullptr, maker.Made.View, light, frame, 64, litmap),
@@ -554,7 +554,7 @@ TEST(ShadowReceiversOnce, LayersAreWhatLiesApart)
     }
     const vtkShadowView& view = maker.Made.View;
     const vtkShadowLight light; // straight down
-    const vtkShadowFrame frame(light);
+    const vtkShadowLightSpace frame(light);
     vtkShadowLitmap litmap;
     ASSERT_EQ(
       vtkShadowReceivers::Scatter(maker.Made.Depth.data(), nullptr, view, light, frame, 16, litmap),

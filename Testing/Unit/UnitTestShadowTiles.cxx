@@ -6,9 +6,9 @@
 #include "ShadowMeshes.h"
 
 #include "vtkShadowPlan.h"
-#include "vtkShadowReach.h"
 #include "vtkShadowReceivers.h"
 #include "vtkShadowTiles.h"
+#include "vtkShadowUmbra.h"
 
 #include "vtkMath.h"
 
@@ -44,7 +44,7 @@ int GetArea(const std::vector<vtkNBufferRectangle>& boxes)
   return area;
 }
 
-vtkShadowBlock MakeBlock(const vtkShadowFrame& frame, const Point& x, double radius)
+vtkShadowBlock MakeBlock(const vtkShadowLightSpace& frame, const Point& x, double radius)
 {
   double pqs[3];
   frame.ToLight(x.data(), pqs);
@@ -60,7 +60,7 @@ vtkShadowBlock MakeBlock(const vtkShadowFrame& frame, const Point& x, double rad
 /// A caster before a light, and what its shadow can reach.
 struct Caster
 {
-  Caster(const ShadowMesh& mesh, const vtkShadowLight& light, const vtkShadowFrame& frame,
+  Caster(const ShadowMesh& mesh, const vtkShadowLight& light, const vtkShadowLightSpace& frame,
     vtkShadowCounting counting)
   {
     this->Topology.Build(mesh.GetPoints(), mesh.GetNumberOfPoints(), mesh.Triangles.data(),
@@ -79,7 +79,7 @@ struct Caster
     this->Rays.High[2] = HUGE_VAL;
   }
 
-  vtkShadowReach GetReach(const vtkShadowFrame& frame) const
+  vtkShadowUmbra GetReach(const vtkShadowLightSpace& frame) const
   {
     return { this->Silhouette, this->Topology.GetPoints().data(), frame, this->Rays };
   }
@@ -119,9 +119,9 @@ TEST(ShadowTileSet, BoxesAreApartAndHoldAllMarks)
       {
         for (int x = pixels.X0; x < pixels.X1; ++x)
         {
-          const auto count =
-            std::count_if(boxes.begin(), boxes.end(), [&](const vtkNBufferRectangle& box)
-              { return x >= box.X0 && x < box.X1 && y >= box.Y0 && y < box.Y1; });
+          const auto count = std::count_if(boxes.begin(), boxes.end(),
+            [&](const vtkNBufferRectangle& box)
+            { return x >= box.X0 && x < box.X1 && y >= box.Y0 && y < box.Y1; });
           const bool isMarked = marks.count({ x / Size, y / Size }) > 0;
           marked += isMarked;
           ASSERT_LE(count, 1);
@@ -190,22 +190,22 @@ TEST(ShadowTiles, OneDepthIsOneLayer)
   const vtkShadowLight light;
   vtkShadowLitmap litmap;
   vtkShadowReceivers::Scatter(
-    depth.data(), lit.data(), view, light, vtkShadowFrame(light), 4, litmap);
+    depth.data(), lit.data(), view, light, vtkShadowLightSpace(light), 4, litmap);
   EXPECT_FALSE(litmap.GetTiles().Get(0, 0)[0].IsEmpty());
   EXPECT_TRUE(litmap.GetTiles().Get(0, 0)[1].IsEmpty());
   depth[7] = 0.75f;
   lit[7] = 0;
   vtkShadowReceivers::Scatter(
-    depth.data(), lit.data(), view, light, vtkShadowFrame(light), 4, litmap);
+    depth.data(), lit.data(), view, light, vtkShadowLightSpace(light), 4, litmap);
   EXPECT_TRUE(litmap.GetTiles().Get(0, 0)[1].IsEmpty()) << "the light cannot change it";
   lit[7] = 1;
   vtkShadowReceivers::Scatter(
-    depth.data(), lit.data(), view, light, vtkShadowFrame(light), 4, litmap);
+    depth.data(), lit.data(), view, light, vtkShadowLightSpace(light), 4, litmap);
   EXPECT_FALSE(litmap.GetTiles().Get(0, 0)[1].IsEmpty());
 }
 
 // Whatever a volume counts is within its caster's reach, for all meshes, lights and countings.
-TEST(ShadowReach, HoldsAllThatIsInShadow)
+TEST(ShadowUmbra, HoldsAllThatIsInShadow)
 {
   std::mt19937 random(17);
   const Point origin = { 0.0, 0.0, 0.0 };
@@ -224,14 +224,14 @@ TEST(ShadowReach, HoldsAllThatIsInShadow)
         light.Position[i] = (i == 2 ? 3.0 : 0.0) + MakeUniform(random, -1.0, 1.0);
       }
       vtkMath::Normalize(light.Direction);
-      const vtkShadowFrame frame(light);
+      const vtkShadowLightSpace frame(light);
       const Caster caster(
         mesh, light, frame, n % 3 ? vtkShadowCounting::Away : vtkShadowCounting::All);
       if (caster.Silhouette.GetTriangles().empty())
       {
         continue;
       }
-      const vtkShadowReach reach = caster.GetReach(frame);
+      const vtkShadowUmbra reach = caster.GetReach(frame);
       vtkShadowVolume volume;
       volume.Begin(origin.data());
       volume.AddWhole(caster.Silhouette, caster.Topology.GetPoints().data(),
@@ -253,7 +253,7 @@ TEST(ShadowReach, HoldsAllThatIsInShadow)
         else
         {
           const bool atOnce =
-            caster.Silhouette.GetTriangles().size() > 3 * vtkShadowReach::MaximumFacets ||
+            caster.Silhouette.GetTriangles().size() > 3 * vtkShadowUmbra::MaximumFacets ||
             std::isinf(caster.Rays.Low[0]);
           left[atOnce] += reach.MayShadow(block);
           ++beside[atOnce];
@@ -268,25 +268,30 @@ TEST(ShadowReach, HoldsAllThatIsInShadow)
 }
 
 // All triangles of a flat mesh are in one plane, however many: above it there is nothing to shadow.
-TEST(ShadowReach, SheetsOfManyTrianglesHaveOnePlane)
+TEST(ShadowUmbra, SheetsOfManyTrianglesHaveOnePlane)
 {
   std::mt19937 random(3);
   const vtkShadowLight light; // Straight down: s = -z.
-  const vtkShadowFrame frame(light);
+  const vtkShadowLightSpace frame(light);
   ShadowMesh sheet;
   ShadowMesh bumps;
   for (int i = 0; i < 200; ++i)
   {
     const ShadowMesh quad = MakeQuad()
-                              .Move([](const Point& x) { return Point{ x[0], x[1], 0.0 }; })
+                              .Move(
+                                [](const Point& x) {
+                                  return Point{ x[0], x[1], 0.0 };
+                                })
                               .Translate(2.0 * (i % 20) - 20.0, 2.0 * (i / 20) - 10.0, 0.0);
     sheet.Append(quad);
     bumps.Append(quad.Move(
-      [&](const Point& x) { return Point{ x[0], x[1], MakeUniform(random, -0.1, 0.1) }; }));
+      [&](const Point& x) {
+        return Point{ x[0], x[1], MakeUniform(random, -0.1, 0.1) };
+      }));
   }
   const Caster flat(sheet, light, frame, vtkShadowCounting::All);
   const Caster rough(bumps, light, frame, vtkShadowCounting::All);
-  ASSERT_GT(flat.Silhouette.GetTriangles().size(), 3 * vtkShadowReach::MaximumFacets);
+  ASSERT_GT(flat.Silhouette.GetTriangles().size(), 3 * vtkShadowUmbra::MaximumFacets);
   EXPECT_FALSE(flat.GetReach(frame).MayShadow(MakeBlock(frame, { 0.1, 0.2, 0.5 }, 0.1)));
   EXPECT_TRUE(flat.GetReach(frame).MayShadow(MakeBlock(frame, { 0.1, 0.2, -0.5 }, 0.1)));
   EXPECT_TRUE(rough.GetReach(frame).MayShadow(MakeBlock(frame, { 0.1, 0.2, -0.5 }, 0.1)));
@@ -294,7 +299,7 @@ TEST(ShadowReach, SheetsOfManyTrianglesHaveOnePlane)
   vtkShadowLight slanted;
   slanted.Direction[0] = 0.8;
   slanted.Direction[2] = -0.6;
-  const vtkShadowFrame slant(slanted);
+  const vtkShadowLightSpace slant(slanted);
   const Caster both[2] = { { sheet, slanted, slant, vtkShadowCounting::All },
     { bumps, slanted, slant, vtkShadowCounting::All } };
   const vtkShadowBlock over = MakeBlock(slant, { 5.0, 0.0, 1.0 }, 0.1);
@@ -304,7 +309,7 @@ TEST(ShadowReach, SheetsOfManyTrianglesHaveOnePlane)
 
 // A slab of ground does not reach what stands on it, though that is on its rays and beyond its
 // nearest corner.
-TEST(ShadowReach, GroundDoesNotReachWhatStandsOnIt)
+TEST(ShadowUmbra, GroundDoesNotReachWhatStandsOnIt)
 {
   for (const bool positional : { false, true })
   {
@@ -314,11 +319,13 @@ TEST(ShadowReach, GroundDoesNotReachWhatStandsOnIt)
     light.Position[2] = 20.0;
     light.Direction[0] = 0.8;
     light.Direction[2] = -0.6;
-    const vtkShadowFrame frame(light);
-    const ShadowMesh ground =
-      MakeCube().Move([](const Point& x) { return Point{ 20.0 * x[0], 20.0 * x[1], x[2] - 0.5 }; });
+    const vtkShadowLightSpace frame(light);
+    const ShadowMesh ground = MakeCube().Move(
+      [](const Point& x) {
+        return Point{ 20.0 * x[0], 20.0 * x[1], x[2] - 0.5 };
+      });
     const Caster caster(ground, light, frame, vtkShadowCounting::Away);
-    const vtkShadowReach reach = caster.GetReach(frame);
+    const vtkShadowUmbra reach = caster.GetReach(frame);
     double top = -HUGE_VAL;
     for (const Point& x : ground.Points)
     {

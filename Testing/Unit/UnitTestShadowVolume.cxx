@@ -41,14 +41,14 @@ struct Caster
       this->Silhouette, this->GetPoints(), this->Topology.GetNumberOfPoints(), this->Light);
   }
 
-  void AddClamped(vtkShadowVolume& volume, const vtkShadowFrame& frame, const vtkShadowSlab& slab,
-    vtkShadowCap cap) const
+  void AddClamped(vtkShadowVolume& volume, const vtkShadowLightSpace& frame,
+    const vtkShadowSlab& slab, vtkShadowCap cap) const
   {
     volume.AddClamped(this->Silhouette, this->GetPoints(), this->Topology.GetNumberOfPoints(),
       frame, slab, this->GetDepths(frame).second, cap);
   }
 
-  std::pair<double, double> GetDepths(const vtkShadowFrame& frame) const
+  std::pair<double, double> GetDepths(const vtkShadowLightSpace& frame) const
   {
     double least = std::numeric_limits<double>::infinity();
     double largest = -least;
@@ -145,7 +145,8 @@ struct Range
 
 /// Counts of a volume against brute force, for random points.
 void CheckCounts(const Caster& caster, const vtkShadowVolume& volume, const Point& origin,
-  const vtkShadowFrame& frame, const Range& range, std::mt19937& random, int points, int& shadowed)
+  const vtkShadowLightSpace& frame, const Range& range, std::mt19937& random, int points,
+  int& shadowed)
 {
   ASSERT_TRUE(IsWatertight(volume));
   const bool lit = caster.Silhouette.GetCounting() == vtkShadowCounting::Away;
@@ -177,9 +178,9 @@ void CheckVolumes(const ShadowMesh& mesh, const ShadowMesh& outwards, const vtkS
   Caster caster(mesh, light, counting);
   caster.Mesh = outwards;
   const Point axis = { -light.Position[0], -light.Position[1], -light.Position[2] };
-  const vtkShadowFrame frame = light.Kind == vtkShadowLightKind::Point
-    ? vtkShadowFrame(light, axis.data())
-    : vtkShadowFrame(light);
+  const vtkShadowLightSpace frame = light.Kind == vtkShadowLightKind::Point
+    ? vtkShadowLightSpace(light, axis.data())
+    : vtkShadowLightSpace(light);
   const Point origin = MakePoint(random, 2.0);
   vtkShadowVolume volume;
   volume.Begin(origin.data());
@@ -352,7 +353,9 @@ TEST(ShadowVolume, CountsAreBounded)
   // All but one in the same cell.
   ShadowMesh pile = MakeQuad();
   const ShadowMesh small = MakeQuad().Move(
-    [](const Point& x) { return Point{ 0.5 + 1e-3 * x[0], 0.5 + 1e-3 * x[1], x[2] }; });
+    [](const Point& x) {
+      return Point{ 0.5 + 1e-3 * x[0], 0.5 + 1e-3 * x[1], x[2] };
+    });
   for (int i = 1; i <= 300; ++i)
   {
     pile.Append(small.Translate(0, 0, 0.01 * i));
@@ -483,7 +486,7 @@ TEST(ShadowVolume, VerticesAreRoundedOnceRelativeToTheOrigin)
 TEST(ShadowVolume, SizesOfPieces)
 {
   const vtkShadowLight light = MakeLight(vtkShadowLightKind::Spot, { 3, 2, 1 }, { 0, 0, 0 });
-  const vtkShadowFrame frame(light);
+  const vtkShadowLightSpace frame(light);
   const Caster caster(MakeSphere(8, 10), light, vtkShadowCounting::Away);
   const std::size_t lit = caster.Silhouette.GetTriangles().size() / 3;
   const std::size_t edges = caster.Silhouette.GetEdges().size();

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferBackend
+ * @brief Gets the levels of the framebuffer that is being drawn into host memory, on either path.
+ *
+ * OpenGL: the depth is reduced and the levels are built by fragment passes, then read back once.
+ * CPU: the depth is read back once, reduced and built here. Both give the same levels to the bit.
+ *
+ * Which one is faster depends on the machine. On llvmpipe the passes took 20 to 40 times what the
+ * host needs (docs/benchmarks.md), so that Auto takes the CPU on software renderers without a
+ * trial. Elsewhere it times both on real frames, once per graphics context: the first build warms
+ * the passes up, the second and third are measured, the faster path stays.
+ */
+#ifndef vtkNBufferBackend_h
+#define vtkNBufferBackend_h
+
+#include "vtkNBufferDepthSource.h"
+#include "vtkNBufferLevels.h"
+#include "vtkNBufferStatistics.h"
+#include "vtkNBufferTexture.h"
+
+#include "vtkNew.h"
+#include "vtkType.h"
+
+#include <set>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLRenderWindow;
+
+class vtkNBufferBackend
+{
+public:
+  /// As vtkNBufferCuller::BackendType.
+  enum Kind
+  {
+    Auto,
+    OpenGL,
+    CPU
+  };
+
+  /**
+   * Build `levelsNeeded` levels of maxima over the viewport of `source`, the framebuffer bound for
+   * drawing. Fills the counts and times of `statistics`. Returns None; on failure NoFloatTextures
+   * or NoDepth with cause and remedy in `why`, and the levels hold nothing. Auto goes on with the
+   * CPU where the device cannot build.
+   */
+  vtkNBufferDecision Build(Kind wanted, vtkOpenGLRenderWindow* window,
+    const vtkNBufferDepthSource& source, int factor, int levelsNeeded, vtkNBufferLevels& levels,
+    vtkNBufferStatistics& statistics, std::string& why);
+
+  /**
+   * The whole depth image from which the last levels were built, width * height of the viewport,
+   * or nullptr if there is none (multisampling). On the CPU path it is there already; on the
+   * OpenGL path it is read now, which must be before anything else is drawn.
+   */
+  const float* GetDepth(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
+    vtkNBufferStatistics& statistics);
+
+  /**
+   * Whether props are drawn now the way the test presumes: depth test with less or less-or-equal
+   * into the whole viewport, depth written over the whole range [0, 1]. Asks OpenGL.
+   */
+  static bool DrawsOrdinaryDepth(const vtkNBufferDepthSource& source);
+
+  /// See vtkNBufferTexture.
+  void SetAllowFloatTextures(bool allow) { this->Texture->SetAllowFloatTextures(allow); }
+
+  ///@{
+  /// Count a frame that is drawn whole because of `failure`; true for the first of its kind, which
+  /// is to be told.
+  bool CountFailure(vtkNBufferDecision failure);
+  int GetFailedFrames() const { return this->FailedFrames; }
+  ///@}
+
+  Kind GetInUse() const { return this->InUse; }
+  const std::string& GetReason() const { return this->Reason; }
+
+private:
+  Kind Choose(Kind wanted, vtkOpenGLRenderWindow* window);
+  void Judge(Kind used, double milliseconds);
+  bool BuildOnDevice(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, int factor,
+    int levelsNeeded, vtkNBufferLevels& levels, vtkNBufferStatistics& statistics, std::string& why);
+  bool ReadDepth(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
+    vtkNBufferStatistics& statistics, std::string& why);
+  bool BuildOnHost(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, int factor,
+    int levelsNeeded, vtkNBufferLevels& levels, vtkNBufferStatistics& statistics, std::string& why);
+
+  vtkNew<vtkNBufferTexture> Texture;
+  std::vector<float> Depth; ///< Whole image; empty if the last build did not read it.
+  Kind InUse = Auto;
+  Kind Chosen = Auto;
+  std::string Reason = "nothing built yet";
+  vtkMTimeType ContextTime = 0;
+  int Trial = 0;
+  double TrialTimes[2] = { 0.0, 0.0 };
+  int FailedFrames = 0;
+  std::set<vtkNBufferDecision> Told;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferLateDraws.h"
+
+#include "vtkNBufferCandidateList.h"
+#include "vtkNBufferDeferredProxy.h"
+#include "vtkNBufferGL.h"
+
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+vtkNBufferLateDraws::vtkNBufferLateDraws(vtkNBufferCandidateList& props,
+  const vtkNBufferProjection& projection, vtkNBufferDeferredProxy* proxy)
+  : Props(props)
+  , Projection(projection)
+  , Proxy(proxy)
+{
+}
+
+int vtkNBufferLateDraws::Draw(vtkRenderer* renderer, int place, int round, double time)
+{
+  const int drawn = this->Proxy->Draw(this->Props.GetProp(place), renderer, time);
+  this->Drawn.push_back(this->Props.GetDrawn(place, round));
+  return drawn;
+}
+
+int vtkNBufferLateDraws::Repeat(vtkRenderer* renderer)
+{
+  int drawn = 0;
+  for (const vtkNBufferDrawnProp& prop : this->Drawn)
+  {
+    vtkProp* held = this->Props.GetProp(prop.Index);
+    drawn += this->Proxy->Draw(held, renderer, held->GetAllocatedRenderTime());
+  }
+  return drawn;
+}
+
+std::vector<vtkNBufferDrawnProp> vtkNBufferLateDraws::GetAllDrawn(
+  const std::vector<int>& held, bool screensHold) const
+{
+  std::vector<vtkNBufferDrawnProp> all = this->Drawn;
+  const int firstLate = std::min_element(all.begin(), all.end(),
+    [](const auto& a, const auto& b) {
+      return a.Index < b.Index;
+    })->Index;
+  for (int i = firstLate; i < this->Props.GetSize(); ++i)
+  {
+    const vtkNBufferVerdict verdict = this->Props.GetState(i).Verdict;
+    // Other cullers mark what they take off the list with a multiplier of 0.
+    if (verdict != vtkNBufferVerdict::Outside && verdict != vtkNBufferVerdict::Hidden &&
+      !std::binary_search(held.begin(), held.end(), i) &&
+      this->Props.GetProp(i)->GetRenderTimeMultiplier() > 0.0 &&
+      this->Props.GetCandidate(i).WritesDepth())
+    {
+      all.push_back(this->Props.GetDrawn(i, 0));
+    }
+  }
+  for (vtkNBufferDrawnProp& drawn : all)
+  {
+    drawn.Bounded = drawn.Bounded && screensHold;
+  }
+  return all;
+}
+
+int vtkNBufferLateDraws::RestoreTieOrder(
+  vtkRenderer* renderer, const std::vector<int>& held, bool screensHold, int samples)
+{
+  if (this->Drawn.empty())
+  {
+    return 0;
+  }
+  std::vector<vtkNBufferDrawnProp> all = this->GetAllDrawn(held, screensHold);
+  int draws = 0;
+  for (const vtkNBufferRedraw& redraw :
+    vtkNBufferTieOrder::GetRedraws(this->Projection, all, vtkNBufferGL::KeepsToScissor(samples)))
+  {
+    // Passes have told the kept props what they told the proxy; a held one must hear it again.
+    const int place = all[redraw.Position].Index;
+    vtkProp* prop = this->Props.GetProp(place);
+    const bool isHeld = std::binary_search(held.begin(), held.end(), place);
+    draws += vtkNBufferGL::DrawIn(redraw.Regions,
+      [&]()
+      {
+        if (isHeld)
+        {
+          this->Proxy->Draw(prop, renderer, prop->GetAllocatedRenderTime());
+        }
+        else
+        {
+          prop->RenderOpaqueGeometry(renderer);
+        }
+      });
+  }
+  return draws;
+}
+VTK_ABI_NAMESPACE_END

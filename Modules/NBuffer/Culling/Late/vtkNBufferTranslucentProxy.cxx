@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferTranslucentProxy.h"
+
+#include "vtkNBufferForwardedKeys.h"
+
+#include "vtkObjectFactory.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkNBufferTranslucentProxy);
+
+void vtkNBufferTranslucentProxy::SetProp(vtkProp* prop)
+{
+  this->Prop = prop;
+  this->Open = true;
+  this->Drawn = false;
+}
+
+int vtkNBufferTranslucentProxy::RenderOpaqueGeometry(vtkViewport* viewport)
+{
+  const vtkNBufferForwardedKeys keys(this->GetPropertyKeys(), this->Prop);
+  return this->Prop->RenderOpaqueGeometry(viewport);
+}
+
+int vtkNBufferTranslucentProxy::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
+{
+  if (!this->Open)
+  {
+    return 0;
+  }
+  this->Drawn = true;
+  const vtkNBufferForwardedKeys keys(this->GetPropertyKeys(), this->Prop);
+  return this->Prop->RenderTranslucentPolygonalGeometry(viewport);
+}
+
+void vtkNBufferTranslucentProxy::SetAllocatedRenderTime(double time, vtkViewport* viewport)
+{
+  this->Prop->SetAllocatedRenderTime(time, viewport);
+}
+
+void vtkNBufferTranslucentProxy::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Prop: " << this->Prop << "\n";
+  os << indent << "Open: " << this->Open << "\n";
+}
+VTK_ABI_NAMESPACE_END

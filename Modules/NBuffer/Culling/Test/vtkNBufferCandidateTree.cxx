@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferCandidateTree.h"
+
+#include "vtkNBufferCandidateList.h"
+
+#include <algorithm>
+#include <iterator>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+bool HasPlace(const vtkNBufferCandidate& candidate)
+{
+  return candidate.IsCandidate() || candidate.IsTranslucent();
+}
+}
+
+void vtkNBufferCandidateTree::ListHasChanged()
+{
+  this->ListChanged = true;
+  this->Built = false;
+  this->Tree.Clear();
+  this->Changed.clear();
+  this->Loose.clear();
+  this->Roots.clear();
+}
+
+void vtkNBufferCandidateTree::HasChanged(int place)
+{
+  // Without a tree there is nothing that could be out of date.
+  if (this->Built && !this->IsChanged[static_cast<std::size_t>(place)])
+  {
+    this->IsChanged[static_cast<std::size_t>(place)] = 1;
+    this->Changed.push_back(place);
+  }
+}
+
+bool vtkNBufferCandidateTree::Update(const std::vector<vtkNBufferCandidate>& candidates)
+{
+  this->Roots.clear();
+  ++this->FramesSinceBuild;
+  const std::size_t few = std::max<std::size_t>(FewChanges, candidates.size() / ChangesPerFrame);
+  if (!this->Built)
+  {
+    const bool wait = this->ListChanged && this->EverBuilt;
+    this->ListChanged = false;
+    if (wait)
+    {
+      return false;
+    }
+    this->Build(candidates);
+    return true;
+  }
+  const bool many = this->Changed.size() > few;
+  for (int place : this->Changed)
+  {
+    this->IsChanged[static_cast<std::size_t>(place)] = 0;
+    const vtkNBufferCandidate& candidate = candidates[static_cast<std::size_t>(place)];
+    if (!HasPlace(candidate))
+    {
+      continue;
+    }
+    if (this->Tree.Has(place))
+    {
+      this->Tree.Move(place, candidate.GetBox());
+      ++this->Done.Refits;
+    }
+    else if (!std::binary_search(this->Loose.begin(), this->Loose.end(), place))
+    {
+      this->Loose.insert(std::lower_bound(this->Loose.begin(), this->Loose.end(), place), place);
+    }
+  }
+  this->Changed.clear();
+  if (many)
+  {
+    // The nodes stay marked and are fitted in a quieter frame.
+    return false;
+  }
+  if (this->Done.Refits > 0)
+  {
+    this->Tree.Refit();
+  }
+  if (this->FramesSinceBuild >= FramesBetweenBuilds &&
+    (this->Tree.GetGrowth() > WorstGrowth || this->Loose.size() > few))
+  {
+    this->Build(candidates);
+  }
+  return true;
+}
+
+void vtkNBufferCandidateTree::Build(const std::vector<vtkNBufferCandidate>& candidates)
+{
+  std::vector<vtkNBufferBox> boxes(candidates.size());
+  std::vector<int> places;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    if (HasPlace(candidates[i]))
+    {
+      boxes[i] = candidates[i].GetBox();
+      places.push_back(static_cast<int>(i));
+    }
+  }
+  this->Tree.Build(boxes, std::move(places));
+  this->Loose.clear();
+  this->Changed.clear();
+  this->IsChanged.assign(candidates.size(), 0);
+  this->Built = this->EverBuilt = true;
+  this->FramesSinceBuild = 0;
+  ++this->Done.Builds;
+}
+
+void vtkNBufferCandidateTree::Place(const vtkNBufferProjection& projection,
+  const std::vector<vtkNBufferCandidate>& candidates, std::vector<vtkNBufferState>& states,
+  std::vector<int>& places)
+{
+  this->Roots.clear();
+  const std::vector<vtkNBufferHierarchy::Node>& nodes = this->Tree.GetNodes();
+  const std::vector<int>& order = this->Tree.GetOrder();
+  for (std::size_t i = 0; i < nodes.size();)
+  {
+    const vtkNBufferHierarchy::Node& node = nodes[i];
+    ++this->Done.Nodes;
+    vtkNBufferScreenBox screen;
+    const vtkNBufferPlacement placement = projection.IsOutside(node.Box)
+      ? vtkNBufferPlacement::Outside
+      : projection.Project(node.Box, screen);
+    const bool within =
+      placement == vtkNBufferPlacement::Inside && projection.IsWhollyInside(screen);
+    if (placement != vtkNBufferPlacement::Outside && !within && node.Left >= 0)
+    {
+      ++i;
+      continue;
+    }
+    if (placement != vtkNBufferPlacement::Outside)
+    {
+      bool deferred = false;
+      for (int slot = node.Begin; slot < node.End; ++slot)
+      {
+        const auto place = static_cast<std::size_t>(order[static_cast<std::size_t>(slot)]);
+        vtkNBufferState& state = states[place];
+        // Verdicts begin as those of the candidates: only these may be held back.
+        if (within && state.Verdict == vtkNBufferVerdict::Visible && !state.WasVisible)
+        {
+          state.Placement = vtkNBufferPlacement::Inside;
+          state.RectangleIsStale = deferred = true;
+        }
+        else
+        {
+          places.push_back(static_cast<int>(place));
+        }
+      }
+      if (deferred)
+      {
+        this->Roots.push_back(static_cast<int>(i));
+      }
+    }
+    i = static_cast<std::size_t>(node.Next);
+  }
+  std::copy_if(this->Loose.begin(), this->Loose.end(), std::back_inserter(places),
+    [&](int place) { return HasPlace(candidates[static_cast<std::size_t>(place)]); });
+}
+
+int vtkNBufferCandidateTree::GetLevelsNeeded(
+  const vtkNBufferProjection& projection, int factor) const
+{
+  int levels = 1;
+  for (int root : this->Roots)
+  {
+    vtkNBufferScreenBox screen;
+    if (projection.Project(this->Tree.GetNodes()[static_cast<std::size_t>(root)].Box, screen) ==
+      vtkNBufferPlacement::Inside)
+    {
+      levels = std::max(levels, vtkNBufferOcclusionTest::GetLevelsNeeded(screen.Pixels, factor));
+    }
+  }
+  return levels;
+}
+
+bool vtkNBufferCandidateTree::HasDeferred(
+  const vtkNBufferHierarchy::Node& node, const std::vector<vtkNBufferState>& states) const
+{
+  const auto order = this->Tree.GetOrder().begin();
+  return std::any_of(order + node.Begin, order + node.End,
+    [&states](int place) { return states[static_cast<std::size_t>(place)].RectangleIsStale; });
+}
+
+void vtkNBufferCandidateTree::MarkHidden(const vtkNBufferProjection& projection,
+  vtkNBufferOcclusionTest& test, std::vector<vtkNBufferState>& states)
+{
+  const std::vector<vtkNBufferHierarchy::Node>& nodes = this->Tree.GetNodes();
+  const std::vector<int>& order = this->Tree.GetOrder();
+  for (int root : this->Roots)
+  {
+    if (!this->HasDeferred(nodes[static_cast<std::size_t>(root)], states))
+    {
+      continue;
+    }
+    const auto end = static_cast<std::size_t>(nodes[static_cast<std::size_t>(root)].Next);
+    for (auto i = static_cast<std::size_t>(root); i < end;)
+    {
+      const vtkNBufferHierarchy::Node& node = nodes[i];
+      if (node.Left < 0 && !this->HasDeferred(node, states))
+      {
+        ++i;
+        continue;
+      }
+      ++this->Done.Nodes;
+      vtkNBufferScreenBox screen;
+      if (projection.Project(node.Box, screen) != vtkNBufferPlacement::Inside ||
+        !test.IsHidden(node.Box, screen))
+      {
+        ++i;
+        continue;
+      }
+      for (int slot = node.Begin; slot < node.End; ++slot)
+      {
+        vtkNBufferState& state =
+          states[static_cast<std::size_t>(order[static_cast<std::size_t>(slot)])];
+        state.Behind = state.RectangleIsStale;
+      }
+      i = static_cast<std::size_t>(node.Next);
+    }
+  }
+  this->Roots.clear();
+}
+VTK_ABI_NAMESPACE_END

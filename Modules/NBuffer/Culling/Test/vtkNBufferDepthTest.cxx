@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferDepthTest.h"
+
+#include "vtkNBufferClock.h"
+#include "vtkNBufferGL.h"
+#include "vtkNBufferOcclusionTest.h"
+#include "vtkNBufferPixelTest.h"
+
+#include "vtkActor.h"
+#include "vtkMatrix4x4.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// Props in doubt that make reading the whole depth image worth while where it is not there yet.
+constexpr std::size_t DoubtfulWorthARead = 32;
+}
+
+vtkNBufferDepthTest::vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferLevels& levels,
+  const vtkNBufferProjection& projection, vtkNBufferCandidateList& props,
+  vtkNBufferStatistics& statistics, const Options& options)
+  : Backend(backend)
+  , Levels(levels)
+  , Projection(projection)
+  , Props(props)
+  , Statistics(statistics)
+  , Settings(options)
+{
+}
+
+vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
+  const vtkNBufferDepthSource& source, std::initializer_list<const std::vector<int>*> places,
+  std::string& why)
+{
+  this->Window = window;
+  this->Source = source;
+  int levels = 1;
+  for (const std::vector<int>* list : places)
+  {
+    for (int i : *list)
+    {
+      // RectangleIsStale ones need no more than the nodes that they are in.
+      if (!this->Props.GetState(i).RectangleIsStale)
+      {
+        levels = std::max(levels,
+          vtkNBufferOcclusionTest::GetLevelsNeeded(
+            this->Props.GetScreen(i).Pixels, this->Settings.BaseFactor));
+      }
+    }
+  }
+  levels = std::max(levels, this->Props.GetLevelsNeeded(this->Settings.BaseFactor));
+  this->Backend.SetAllowFloatTextures(this->Settings.AllowFloatTextures);
+  return this->Backend.Build(this->Settings.Backend, window, source, this->Settings.BaseFactor,
+    levels, this->Levels, this->Statistics, why);
+}
+
+const float* vtkNBufferDepthTest::GetDepth(std::size_t doubtful)
+{
+  // A second read-back must have something to save.
+  if (!this->Settings.TestPixels || doubtful == 0 ||
+    (this->Backend.GetInUse() == vtkNBufferBackend::OpenGL && doubtful < DoubtfulWorthARead))
+  {
+    return nullptr;
+  }
+  return this->Backend.GetDepth(this->Window, this->Source, this->Statistics);
+}
+
+bool vtkNBufferDepthTest::HasVisibleSlivers(int i, vtkNBufferSliverTest& test)
+{
+  // Made now if a node has hidden it.
+  const vtkNBufferScreenBox& screen = this->Props.GetScreen(i);
+  if (this->Props.GetState(i).Placement != vtkNBufferPlacement::Inside)
+  {
+    return false;
+  }
+  const std::vector<const vtkNBufferMesh*>& meshes = this->Props.GetMeshes(i);
+  return std::any_of(meshes.begin(), meshes.end(),
+    [&](const vtkNBufferMesh* mesh)
+    {
+      auto* actor = static_cast<vtkActor*>(this->Props.GetProp(i));
+      return test.MayBeSeen(*mesh, actor->GetMatrix()->GetData(), this->Props.GetBox(i), screen);
+    });
+}
+
+bool vtkNBufferDepthTest::TestsSlivers() const
+{
+  const vtkNBufferSliverPolicy policy = this->Settings.TestSlivers;
+  return policy == vtkNBufferSliverPolicy::Always ||
+    (policy == vtkNBufferSliverPolicy::OnSoftware && vtkNBufferGL::GetSoftwareRenderer());
+}
+
+/// `places` is what is left of `asked`, in its order; so it is afterwards.
+void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& asked, std::vector<int>& places)
+{
+  if (asked.size() <= places.size())
+  {
+    return;
+  }
+  const vtkNBufferClock clock;
+  vtkNBufferSliverTest test(this->Projection, this->Levels, this->Source.Samples > 1 ? 0.5 : 0.0);
+  std::vector<int> visible;
+  auto left = places.begin();
+  for (int i : asked)
+  {
+    if (left != places.end() && *left == i)
+    {
+      ++left;
+      visible.push_back(i);
+    }
+    else if (this->HasVisibleSlivers(i, test))
+    {
+      visible.push_back(i);
+    }
+  }
+  this->Statistics.Slivers += static_cast<int>(visible.size() - places.size());
+  places.swap(visible);
+  this->Statistics.SliverTestTime += clock.GetMilliseconds();
+}
+
+int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
+{
+  const std::vector<int> asked = this->TestsSlivers() ? places : std::vector<int>();
+  // `test` is asked with the rectangle made; a placement that is not Inside has none.
+  const auto isHiddenBy = [this](int i, auto& test)
+  {
+    const vtkNBufferScreenBox& screen = this->Props.GetScreen(i);
+    return this->Props.GetState(i).Placement == vtkNBufferPlacement::Inside &&
+      test.IsHidden(this->Props.GetBox(i), screen);
+  };
+
+  vtkNBufferClock clock;
+  // Children are cheaper than pieces of their parent.
+  vtkNBufferOcclusionTest nodeTest(this->Projection, this->Levels, 1);
+  this->Props.MarkHidden(nodeTest);
+  vtkNBufferOcclusionTest test(
+    this->Projection, this->Levels, this->Settings.MaximumNumberOfPieces);
+  places.erase(std::remove_if(places.begin(), places.end(),
+                 [&](int i) { return this->Props.GetState(i).Behind || isHiddenBy(i, test); }),
+    places.end());
+  this->Statistics.Queries += test.GetQueries() + nodeTest.GetQueries();
+  this->Statistics.Lookups += test.GetLookups() + nodeTest.GetLookups();
+  const auto doubtful = static_cast<int>(places.size());
+  this->Statistics.TestTime += clock.Restart();
+
+  const float* depth = this->GetDepth(places.size());
+  if (!depth)
+  {
+    this->PutBackSlivers(asked, places);
+    return doubtful;
+  }
+  clock.Restart();
+  vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth);
+  places.erase(
+    std::remove_if(places.begin(), places.end(), [&](int i) { return isHiddenBy(i, pixelTest); }),
+    places.end());
+  this->Statistics.Lookups += pixelTest.GetLookups();
+  this->Statistics.PixelTestTime += clock.GetMilliseconds();
+  this->PutBackSlivers(asked, places);
+  return doubtful;
+}
+VTK_ABI_NAMESPACE_END

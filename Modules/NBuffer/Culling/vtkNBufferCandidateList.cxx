@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferCandidateList.h"
+
+#include "vtkNBufferForEachProp.h"
+
+#include "vtkActor.h"
+
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+
+VTK_ABI_NAMESPACE_BEGIN
+bool vtkNBufferCandidateList::Synchronize(vtkProp** props, int count)
+{
+  if (this->Order.size() == static_cast<std::size_t>(count) &&
+    std::equal(this->Order.begin(), this->Order.end(), props))
+  {
+    return false;
+  }
+  std::unordered_map<vtkProp*, int> old;
+  old.reserve(this->Order.size());
+  for (int i = 0; i < this->GetSize(); ++i)
+  {
+    old.emplace(this->Order[i], i);
+  }
+  std::vector<vtkNBufferCandidate> candidates;
+  std::vector<vtkNBufferState> states;
+  candidates.reserve(count);
+  states.reserve(count);
+  for (int i = 0; i < count; ++i)
+  {
+    const auto found = old.find(props[i]);
+    if (found == old.end())
+    {
+      candidates.emplace_back(props[i]);
+      states.emplace_back();
+    }
+    else
+    {
+      candidates.push_back(this->Candidates[found->second]);
+      states.push_back(this->States[found->second]);
+    }
+  }
+  this->Order.assign(props, props + count);
+  this->Candidates.swap(candidates);
+  this->States.swap(states);
+  this->Screens.resize(count);
+  this->Index.clear();
+  this->Tree.ListHasChanged();
+  this->ListChanged = true;
+  return true;
+}
+
+int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
+{
+  const vtkNBufferCandidate::GlobalState state = vtkNBufferCandidate::GetGlobalState();
+  const bool all = state != this->GlobalState;
+  this->GlobalState = state;
+  this->Tree.BeginFrame();
+  this->Meshes.BeginFrame();
+  const bool overTree = this->UsesTree();
+  if (!overTree)
+  {
+    this->Tree.ListHasChanged();
+  }
+
+  // Asking for times is most of the work and may be shared out; refreshing may run pipelines.
+  this->Stale.assign(this->Candidates.size(), 0);
+  std::atomic<bool> anyStale(false);
+  vtkNBufferForEachProp::Run(this->Candidates.size(),
+    [this, all, projection, overTree, &anyStale](vtkIdType begin, vtkIdType end)
+    {
+      constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
+      bool stale = false;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        if (i + ahead < end)
+        {
+          this->Candidates[i + ahead].Prefetch();
+        }
+        this->Stale[i] = all || this->Candidates[i].IsStale();
+        stale = stale || this->Stale[i];
+        if (projection && !this->Stale[i])
+        {
+          overTree ? this->Unplace(i) : this->ProjectOne(i, *projection);
+        }
+      }
+      if (stale)
+      {
+        anyStale = true;
+      }
+    });
+  int changed = 0;
+  if (anyStale || this->ListChanged)
+  {
+    changed = this->RefreshStale(projection, all);
+  }
+  if (projection && overTree)
+  {
+    this->ProjectOverTree(*projection);
+  }
+  return changed;
+}
+
+int vtkNBufferCandidateList::RefreshStale(
+  const vtkNBufferProjection* projection, bool globalStateChanged)
+{
+  this->ListChanged = false;
+  int changed = 0;
+  for (std::size_t i = 0; i < this->Candidates.size(); ++i)
+  {
+    if (!this->Stale[i])
+    {
+      continue;
+    }
+    changed += this->RefreshOne(i, globalStateChanged) ? 1 : 0;
+    if (projection)
+    {
+      const auto place = static_cast<vtkIdType>(i);
+      this->UsesTree() ? this->Unplace(place) : this->ProjectOne(place, *projection);
+    }
+  }
+  this->UntrackedDepth = this->Blending = this->Lines = this->LackOfNormals = false;
+  for (const vtkNBufferCandidate& candidate : this->Candidates)
+  {
+    this->UntrackedDepth =
+      this->UntrackedDepth || (candidate.WritesDepth() && !candidate.IsTracked());
+    this->Blending = this->Blending || candidate.IsBlended();
+    this->Lines = this->Lines || candidate.MayDrawLines();
+    this->LackOfNormals = this->LackOfNormals || candidate.MayLackNormals();
+  }
+  return changed;
+}
+
+bool vtkNBufferCandidateList::RefreshOne(std::size_t i, bool globalStateChanged)
+{
+  vtkNBufferCandidate& candidate = this->Candidates[i];
+  const vtkNBufferVerdict verdict = candidate.GetVerdict();
+  const vtkNBufferBox box = candidate.GetBox();
+  const bool changed = candidate.Refresh(globalStateChanged);
+  if (verdict != candidate.GetVerdict() || !(box == candidate.GetBox()))
+  {
+    this->Tree.HasChanged(static_cast<int>(i));
+  }
+  return changed;
+}
+
+void vtkNBufferCandidateList::Unplace(vtkIdType i)
+{
+  const vtkNBufferCandidate& candidate = this->Candidates[i];
+  vtkNBufferState& state = this->States[i];
+  state.Verdict = candidate.GetVerdict();
+  state.RectangleIsStale = state.Behind = false;
+  if (candidate.IsCandidate() || candidate.IsTranslucent())
+  {
+    state.Placement = vtkNBufferPlacement::Outside;
+  }
+}
+
+void vtkNBufferCandidateList::ProjectOne(vtkIdType i, const vtkNBufferProjection& projection)
+{
+  const vtkNBufferCandidate& candidate = this->Candidates[i];
+  vtkNBufferState& state = this->States[i];
+  state.Verdict = candidate.GetVerdict();
+  state.RectangleIsStale = state.Behind = false;
+  if (candidate.IsCandidate() || candidate.IsTranslucent())
+  {
+    const vtkNBufferBox& box = candidate.GetBox();
+    state.Placement = projection.IsOutside(box) ? vtkNBufferPlacement::Outside
+                                                : projection.Project(box, this->Screens[i]);
+  }
+}
+
+void vtkNBufferCandidateList::Project(const vtkNBufferProjection& projection)
+{
+  if (!this->UsesTree())
+  {
+    this->ProjectAll(projection);
+    return;
+  }
+  vtkNBufferForEachProp::Run(this->Candidates.size(),
+    [this](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        this->Unplace(i);
+      }
+    });
+  this->ProjectOverTree(projection);
+}
+
+void vtkNBufferCandidateList::ProjectOverTree(const vtkNBufferProjection& projection)
+{
+  if (!this->Tree.Update(this->Candidates))
+  {
+    this->ProjectAll(projection);
+    return;
+  }
+  this->Projection = &projection;
+  this->Reached.clear();
+  this->Tree.Place(projection, this->Candidates, this->States, this->Reached);
+  vtkNBufferForEachProp::Run(this->Reached.size(),
+    [this, &projection](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        this->ProjectOne(this->Reached[i], projection);
+      }
+    });
+}
+
+void vtkNBufferCandidateList::ProjectDeferred(int i)
+{
+  vtkNBufferState& state = this->States[i];
+  state.RectangleIsStale = false;
+  state.Placement = this->Projection->Project(this->GetBox(i), this->Screens[i]);
+}
+
+int vtkNBufferCandidateList::GetLevelsNeeded(int factor) const
+{
+  return this->Projection ? this->Tree.GetLevelsNeeded(*this->Projection, factor) : 1;
+}
+
+void vtkNBufferCandidateList::MarkHidden(vtkNBufferOcclusionTest& test)
+{
+  if (this->Projection)
+  {
+    this->Tree.MarkHidden(*this->Projection, test, this->States);
+  }
+}
+
+void vtkNBufferCandidateList::ProjectAll(const vtkNBufferProjection& projection)
+{
+  vtkNBufferForEachProp::Run(this->Candidates.size(),
+    [this, &projection](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        this->ProjectOne(i, projection);
+      }
+    });
+}
+
+void vtkNBufferCandidateList::KeepIfNoneIsInside()
+{
+  for (std::size_t i = 0; i < this->States.size(); ++i)
+  {
+    const vtkNBufferCandidate& candidate = this->Candidates[i];
+    if ((candidate.IsCandidate() || candidate.IsTranslucent()) &&
+      this->States[i].Placement != vtkNBufferPlacement::Outside)
+    {
+      return;
+    }
+  }
+  for (vtkNBufferState& state : this->States)
+  {
+    if (state.Verdict == vtkNBufferVerdict::Outside)
+    {
+      state.Verdict = vtkNBufferVerdict::Untested;
+    }
+  }
+}
+
+void vtkNBufferCandidateList::CountVerdicts(vtkNBufferStatistics& statistics) const
+{
+  const vtkNBufferCandidateTree::Work& work = this->Tree.GetWork();
+  statistics.Nodes = work.Nodes;
+  statistics.Refits = work.Refits;
+  statistics.Builds = work.Builds;
+  statistics.Verdicts.fill(0);
+  for (const vtkNBufferState& state : this->States)
+  {
+    ++statistics.Verdicts[static_cast<int>(state.Verdict)];
+  }
+  std::array<int, vtkNBufferStatistics::MaximumNumberOfRounds + 1>& drawn = statistics.DrawnInRound;
+  drawn[0] = statistics.GetCount(vtkNBufferVerdict::Visible) +
+    statistics.GetCount(vtkNBufferVerdict::NearPlane) +
+    statistics.GetCount(vtkNBufferVerdict::Untested) -
+    std::accumulate(drawn.begin() + 1, drawn.end(), 0);
+}
+
+vtkNBufferDrawnProp vtkNBufferCandidateList::GetDrawn(int i, int round)
+{
+  const vtkNBufferScreenBox& screen = this->GetScreen(i);
+  vtkNBufferDrawnProp drawn;
+  drawn.Index = i;
+  drawn.Round = round;
+  drawn.Bounded =
+    this->Candidates[i].IsCandidate() && this->States[i].Placement == vtkNBufferPlacement::Inside;
+  drawn.Box = this->GetBox(i);
+  drawn.Screen = screen;
+  return drawn;
+}
+
+const std::vector<const vtkNBufferMesh*>& vtkNBufferCandidateList::GetMeshes(int i)
+{
+  return this->Meshes.Get(vtkActor::SafeDownCast(this->GetProp(i)));
+}
+
+int vtkNBufferCandidateList::Find(vtkProp* prop) const
+{
+  if (this->Index.empty())
+  {
+    for (int i = 0; i < this->GetSize(); ++i)
+    {
+      this->Index.emplace(this->Order[i], i);
+    }
+  }
+  const auto found = this->Index.find(prop);
+  return found == this->Index.end() ? -1 : found->second;
+}
+VTK_ABI_NAMESPACE_END

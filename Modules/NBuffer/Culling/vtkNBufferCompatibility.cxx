@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferCompatibility.h"
+
+#include "vtkNBufferVTKVersion.h"
+#include "vtkShadowVolumeClampPass.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCameraPass.h"
+#include "vtkImageProcessingPass.h"
+#include "vtkOpenGLGL2PSHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkRenderer.h"
+#include "vtkRendererDelegate.h"
+#include "vtkSequencePass.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// Passes that draw the renderer's own props from its own camera. A pass that draws into another
+/// size or with another camera is caught later, when the proxy is drawn.
+const std::array<const char*, 19> KnownPasses = { "vtkSequencePass", "vtkCameraPass",
+  "vtkRenderStepsPass", "vtkSSAOPass", "vtkSSAAPass", "vtkOpenGLFXAAPass", "vtkToneMappingPass",
+  "vtkLightsPass", "vtkDefaultPass", "vtkOpaquePass", "vtkTranslucentPass", "vtkVolumetricPass",
+  "vtkOverlayPass", "vtkClearZPass", "vtkDepthPeelingPass", "vtkDualDepthPeelingPass",
+  "vtkOrderIndependentTranslucentPass", "vtkShadowVolumeClampPass", "OpaqueStage" };
+
+/// The passes that a pass hands on to.
+std::vector<vtkRenderPass*> GetParts(vtkRenderPass* pass)
+{
+  std::vector<vtkRenderPass*> parts;
+  if (auto* sequence = vtkSequencePass::SafeDownCast(pass))
+  {
+    if (vtkRenderPassCollection* passes = sequence->GetPasses())
+    {
+      for (int i = 0; i < passes->GetNumberOfItems(); ++i)
+      {
+        parts.push_back(vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i)));
+      }
+    }
+  }
+  else if (auto* camera = vtkCameraPass::SafeDownCast(pass))
+  {
+    parts = { camera->GetDelegatePass() };
+  }
+  else if (auto* steps = vtkRenderStepsPass::SafeDownCast(pass))
+  {
+    parts = { steps->GetCameraPass(), steps->GetLightsPass(), steps->GetOpaquePass(),
+      steps->GetTranslucentPass(), steps->GetVolumetricPass(), steps->GetOverlayPass(),
+      steps->GetPostProcessPass() };
+  }
+  else if (auto* shadows = vtkShadowVolumeClampPass::SafeDownCast(pass))
+  {
+    parts = { shadows->GetSteps() };
+  }
+  else if (auto* image = vtkImageProcessingPass::SafeDownCast(pass))
+  {
+    parts = { image->GetDelegatePass() };
+  }
+  return parts;
+}
+
+template <typename Predicate>
+bool AnyPass(vtkRenderPass* pass, Predicate&& predicate)
+{
+  if (!pass)
+  {
+    return false;
+  }
+  const std::vector<vtkRenderPass*> parts = GetParts(pass);
+  return predicate(pass) ||
+    std::any_of(parts.begin(), parts.end(),
+      [&predicate](vtkRenderPass* part) { return AnyPass(part, predicate); });
+}
+
+bool IsUnknownPass(vtkRenderPass* pass)
+{
+  const std::string name = pass->GetClassName();
+  return std::find(KnownPasses.begin(), KnownPasses.end(), name) == KnownPasses.end();
+}
+
+bool HasWireframes(vtkRenderer* renderer)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator cookie;
+  props->InitTraversal(cookie);
+  while (vtkProp* prop = props->GetNextProp(cookie))
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    if (actor && actor->GetVisibility() &&
+      actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+namespace vtkNBufferCompatibility
+{
+bool HasAmbientOcclusion(vtkRenderer* renderer)
+{
+  return renderer->GetUseSSAO() ||
+    AnyPass(renderer->GetPass(), [](vtkRenderPass* pass) { return pass->IsA("vtkSSAOPass"); });
+}
+
+bool ProcessesImage(vtkRenderer* renderer)
+{
+  return renderer->GetUseFXAA() || renderer->GetUseSSAO();
+}
+
+bool DrawsOpaquePropsTwice(vtkRenderer* renderer)
+{
+  return AnyPass(
+    renderer->GetPass(), [](vtkRenderPass* pass) { return pass->IsA("vtkShadowVolumeClampPass"); });
+}
+
+bool SmoothesLines(vtkRenderer* renderer)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  return window->GetLineSmoothing() || window->GetPointSmoothing() || window->GetPolygonSmoothing();
+}
+
+vtkNBufferDecision WhyNot(vtkRenderer* renderer)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window || window->GetContextCreationTime() == 0)
+  {
+    return vtkNBufferDecision::NoContext;
+  }
+#if VTKNBUFFER_HAS_INITIALIZE
+  if (!window->GetInitialized())
+  {
+    return vtkNBufferDecision::NoContext;
+  }
+#endif
+  if (window->IsA("vtkVRRenderWindow"))
+  {
+    return vtkNBufferDecision::UnsupportedWindow;
+  }
+  int size[2] = { 0, 0 };
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  if (size[0] < 1 || size[1] < 1)
+  {
+    return vtkNBufferDecision::UnsupportedWindow;
+  }
+  if (renderer->GetDelegate() && renderer->GetDelegate()->GetUsed())
+  {
+    return vtkNBufferDecision::Delegated;
+  }
+  if (renderer->GetSelector())
+  {
+    return vtkNBufferDecision::Selecting;
+  }
+  if (renderer->GetUseShadows())
+  {
+    return vtkNBufferDecision::Shadows;
+  }
+  if (AnyPass(renderer->GetPass(), IsUnknownPass))
+  {
+    return vtkNBufferDecision::RenderPass;
+  }
+  vtkOpenGLGL2PSHelper* gl2ps = vtkOpenGLGL2PSHelper::GetInstance();
+  if (gl2ps && gl2ps->GetActiveState() != vtkOpenGLGL2PSHelper::Inactive)
+  {
+    return vtkNBufferDecision::Exporting;
+  }
+  if (renderer->GetUseHiddenLineRemoval() && HasWireframes(renderer))
+  {
+    return vtkNBufferDecision::HiddenLines;
+  }
+  vtkCamera* camera = renderer->GetActiveCamera();
+  // With a scissor only a part of the viewport is drawn; depth elsewhere is of another frame. A
+  // camera learns that it is one of two eyes when it is drawn, which is too late for the frustum.
+  if (!camera || camera->GetUseScissor() ||
+    (camera->GetStereo() != 0) != (window->GetStereoRender() != 0))
+  {
+    return vtkNBufferDecision::OtherView;
+  }
+#if !VTKNBUFFER_HAS_SSAO_IN_PARTS
+  // What is outside of its framebuffer, and even whether anything is drawn, shows.
+  if (HasAmbientOcclusion(renderer) && (origin[0] > 0 || origin[1] > 0))
+  {
+    return vtkNBufferDecision::OtherView;
+  }
+#endif
+  return vtkNBufferDecision::None;
+}
+}
+VTK_ABI_NAMESPACE_END

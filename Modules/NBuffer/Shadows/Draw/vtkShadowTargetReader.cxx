@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowTargetReader.h"
+
+#include "vtkNBufferDepthSource.h"
+#include "vtkNBufferGL.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+constexpr std::size_t BytesPerSample = 4;
+}
+
+void vtkShadowTargetReader::Begin(const int viewport[4], std::size_t lights)
+{
+  std::copy_n(viewport, 4, this->Viewport);
+  this->Has = false;
+  this->Filtered.assign(lights, false);
+}
+
+std::size_t vtkShadowTargetReader::GetNumberOfPixels() const
+{
+  return static_cast<std::size_t>(this->Viewport[2]) * this->Viewport[3];
+}
+
+bool vtkShadowTargetReader::ReadReceivers(
+  vtkOpenGLRenderWindow* window, vtkShadowTarget& target, bool lit, std::string& why)
+{
+  this->LitBits.clear();
+  this->Has =
+    this->ReadDepth(window, target, why) && (!lit || this->ReadLights(window, target, why));
+  return this->Has;
+}
+
+bool vtkShadowTargetReader::ReadDepth(
+  vtkOpenGLRenderWindow* window, vtkShadowTarget& target, std::string& why)
+{
+  const int* viewport = this->Viewport;
+  if (target.IsMultisampled())
+  {
+    const std::size_t pixels = this->GetNumberOfPixels();
+    const std::size_t samples = target.GetSamples().size();
+    this->Depth.resize(samples * pixels);
+    bool done = true;
+    for (std::size_t i = 0; i < samples && done; ++i)
+    {
+      done = this->SampleReader.Read(window, target.GetDepth()->GetHandle(), static_cast<int>(i), 0,
+        viewport, this->Depth.data() + i * pixels, why);
+    }
+    return done;
+  }
+  int bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.GetDepthFramebuffer());
+  vtkNBufferDepthSource source;
+  const bool done = source.Inspect(window, why) &&
+    source.Read(window, viewport[0], viewport[1], viewport[2], viewport[3], this->Depth, why);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
+  return done;
+}
+
+bool vtkShadowTargetReader::ReadLights(
+  vtkOpenGLRenderWindow* window, vtkShadowTarget& target, std::string& why)
+{
+  const int* viewport = this->Viewport;
+  const std::size_t pixels = this->GetNumberOfPixels();
+  const std::size_t samples = target.GetSamples().size();
+  this->LitBits.resize(BytesPerSample * samples * pixels);
+  if (!target.IsMultisampled())
+  {
+    vtkNBufferGL::ClearErrors();
+    const vtkNBufferGL::ScopedReadback readback(target.GetLitFramebuffer());
+    glReadPixels(viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE,
+      this->LitBits.data());
+    return vtkNBufferGL::CheckErrors("Reading which lights receivers have", why);
+  }
+  std::vector<float> values(pixels);
+  for (std::size_t i = 0; i < samples; ++i)
+  {
+    for (int channel = 0; channel < static_cast<int>(FilteredLights) / 8; ++channel)
+    {
+      if (!this->SampleReader.Read(window, target.GetLit()->GetHandle(), static_cast<int>(i),
+            channel, viewport, values.data(), why))
+      {
+        return false;
+      }
+      unsigned char* bits = this->LitBits.data() + BytesPerSample * i * pixels + channel;
+      for (std::size_t k = 0; k < pixels; ++k)
+      {
+        bits[BytesPerSample * k] = static_cast<unsigned char>(255.0f * values[k] + 0.5f);
+      }
+    }
+  }
+  return true;
+}
+
+bool vtkShadowTargetReader::IsUnlit(std::size_t slot, std::size_t sample) const
+{
+  return this->Filtered[slot] &&
+    (this->LitBits[BytesPerSample * sample + slot / 8] >> slot % 8 & 1) == 0;
+}
+
+const unsigned char* vtkShadowTargetReader::FindLit(std::size_t slot)
+{
+  if (this->LitBits.empty() || slot >= FilteredLights)
+  {
+    return nullptr;
+  }
+  this->Filtered[slot] = true;
+  this->Lit.resize(this->Depth.size());
+  for (std::size_t i = 0; i < this->Lit.size(); ++i)
+  {
+    this->Lit[i] = !this->IsUnlit(slot, i);
+  }
+  return this->Lit.data();
+}
+
+bool vtkShadowTargetReader::ReadMask(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
+  std::size_t slot, int sample, std::vector<unsigned char>& mask, std::string& why)
+{
+  constexpr std::size_t each = vtkShadowTarget::LightsPerMask;
+  const int number = static_cast<int>(slot / each);
+  const std::size_t channel = slot % each;
+  const int* viewport = this->Viewport;
+  mask.resize(this->GetNumberOfPixels());
+  if (!target.IsMultisampled())
+  {
+    std::vector<unsigned char> pixels(each * mask.size());
+    vtkNBufferGL::ClearErrors();
+    const vtkNBufferGL::ScopedReadback readback(target.GetMaskFramebuffer(number));
+    glReadPixels(
+      viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    for (std::size_t i = 0; i < mask.size(); ++i)
+    {
+      mask[i] = this->IsUnlit(slot, i) ? 255 : pixels[each * i + channel];
+    }
+    return vtkNBufferGL::CheckErrors("Reading a shadow mask", why);
+  }
+  const int samples = static_cast<int>(target.GetSamples().size());
+  const int first = std::max(sample, 0);
+  const int last = sample < 0 ? samples : sample + 1;
+  std::vector<float> values(mask.size());
+  std::vector<float> sums(mask.size(), 0.0f);
+  for (int i = first; i < last; ++i)
+  {
+    if (!this->SampleReader.Read(window, target.GetMask(number)->GetHandle(), i,
+          static_cast<int>(channel), viewport, values.data(), why))
+    {
+      return false;
+    }
+    for (std::size_t k = 0; k < mask.size(); ++k)
+    {
+      sums[k] += this->IsUnlit(slot, i * mask.size() + k) ? 1.0f : values[k];
+    }
+  }
+  std::transform(sums.begin(), sums.end(), mask.begin(),
+    [&](float sum)
+    { return static_cast<unsigned char>(255.0f * sum / static_cast<float>(last - first) + 0.5f); });
+  return true;
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowLitmap.h"
+
+#include "vtkNBufferLevelBuilder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+struct MergeExtents
+{
+  vtkShadowExtent operator()(vtkShadowExtent a, const vtkShadowExtent& b) const
+  {
+    a.Merge(b);
+    return a;
+  }
+};
+}
+
+void vtkShadowLitmap::Scale::Set(double low, double high, int count)
+{
+  this->Low = low;
+  this->High = high;
+  this->Count = count;
+  this->CellsPerUnit = high > low ? count / (high - low) : 0.0;
+}
+
+double vtkShadowLitmap::Scale::GetEdge(int cell) const
+{
+  return this->Low + (this->High - this->Low) * cell / this->Count;
+}
+
+void vtkShadowLitmap::Begin(int resolution, const double range[4], const double depths[2])
+{
+  this->Resolution = std::clamp(resolution, 1, MaximumResolution);
+  this->NumberOfLevels = 0;
+  this->NumberOfParts = 1;
+  this->NumberOfReceivers = 0;
+  this->WidestAngle = 0.0;
+  this->Everywhere = vtkShadowExtent();
+  this->Tiles.Begin(0, 0);
+  this->P.Set(range[0], range[1], this->Resolution);
+  this->Q.Set(range[2], range[3], this->Resolution);
+  this->Depths.Set(depths[0], depths[1], NumberOfBins);
+  std::copy_n(range, 4, this->Bounds);
+  const std::size_t size = static_cast<std::size_t>(this->Resolution) * this->Resolution;
+  if (this->Lexels.size() < size)
+  {
+    this->Lexels.resize(size);
+  }
+  std::fill_n(this->Lexels.begin(), size, vtkShadowExtent());
+}
+
+inline std::uint64_t vtkShadowLitmap::GetBins(double nearest, double farthest) const
+{
+  const int first = this->Depths.GetCell(nearest);
+  const int last = this->Depths.GetCell(farthest);
+  return (~std::uint64_t(0) << first) & (~std::uint64_t(0) >> (63 - last));
+}
+
+inline void vtkShadowLitmap::AddToLexels(
+  int i0, int i1, int j0, int j1, const vtkShadowExtent& receiver)
+{
+  for (int j = j0; j <= j1; ++j)
+  {
+    vtkShadowExtent* row = this->Lexels.data() + static_cast<std::size_t>(j) * this->Resolution;
+    for (int i = i0; i <= i1; ++i)
+    {
+      row[i].Merge(receiver);
+    }
+  }
+}
+
+bool vtkShadowLitmap::Add(const double a[3], const double b[3], double radius, int x, int y)
+{
+  if (!std::isfinite(a[0] + a[1] + a[2] + b[0] + b[1] + b[2]))
+  {
+    return false;
+  }
+  vtkShadowExtent receiver;
+  receiver.Near = std::min(a[2], b[2]);
+  receiver.Far = std::max(a[2], b[2]);
+  receiver.X0 = static_cast<std::uint16_t>(x);
+  receiver.Y0 = static_cast<std::uint16_t>(y);
+  receiver.X1 = static_cast<std::uint16_t>(x + 1);
+  receiver.Y1 = static_cast<std::uint16_t>(y + 1);
+  receiver.Bins = this->GetBins(receiver.Near, receiver.Far);
+  ++this->NumberOfReceivers;
+
+  if (std::isinf(radius))
+  {
+    this->Everywhere.Merge(receiver);
+    return true;
+  }
+  const double p0 = std::min(a[0], b[0]) - radius;
+  const double p1 = std::max(a[0], b[0]) + radius;
+  const double q0 = std::min(a[1], b[1]) - radius;
+  const double q1 = std::max(a[1], b[1]) + radius;
+  this->Bounds[0] = std::min(this->Bounds[0], p0);
+  this->Bounds[1] = std::max(this->Bounds[1], p1);
+  this->Bounds[2] = std::min(this->Bounds[2], q0);
+  this->Bounds[3] = std::max(this->Bounds[3], q1);
+  const int i0 = this->P.GetCell(p0);
+  const int i1 = this->P.GetCell(p1);
+  const int j0 = this->Q.GetCell(q0);
+  const int j1 = this->Q.GetCell(q1);
+  if (i1 - i0 < 2 || j1 - j0 < 2 || a[0] == b[0])
+  {
+    this->AddToLexels(i0, i1, j0, j1, receiver);
+    return true;
+  }
+  // Long segments, column by column: the part of the segment that is in the column, give or take
+  // the radius, and the rows that it passes there.
+  const double slope = (b[1] - a[1]) / (b[0] - a[0]);
+  for (int i = i0; i <= i1; ++i)
+  {
+    const double begin = i == i0 ? p0 : this->P.GetEdge(i) - radius;
+    const double end = i == i1 ? p1 : this->P.GetEdge(i + 1) + radius;
+    const double qBegin = a[1] + (begin - a[0]) * slope;
+    const double qEnd = a[1] + (end - a[0]) * slope;
+    const double low = std::max(std::min(qBegin, qEnd) - radius, q0);
+    const double high = std::min(std::max(qBegin, qEnd) + radius, q1);
+    this->AddToLexels(i, i, this->Q.GetCell(low), this->Q.GetCell(high), receiver);
+  }
+  return true;
+}
+
+bool vtkShadowLitmap::AddLexel(int i, int j, vtkShadowExtent extent)
+{
+  const bool inside = i >= 0 && j >= 0 && i < this->Resolution && j < this->Resolution;
+  if (!inside || extent.IsEmpty() || extent.Y1 <= extent.Y0 || !(extent.Near <= extent.Far) ||
+    !std::isfinite(extent.Far - extent.Near))
+  {
+    return false;
+  }
+  extent.Bins = this->GetBins(extent.Near, extent.Far);
+  ++this->NumberOfReceivers;
+  this->AddToLexels(i, i, j, j, extent);
+  return true;
+}
+
+void vtkShadowLitmap::Split(int count)
+{
+  this->NumberOfParts = std::max(count, 1);
+  const double range[4] = { this->P.Low, this->P.High, this->Q.Low, this->Q.High };
+  const double depths[2] = { this->Depths.Low, this->Depths.High };
+  this->Parts.resize(
+    std::max(this->Parts.size(), static_cast<std::size_t>(this->NumberOfParts - 1)));
+  for (int i = 1; i < this->NumberOfParts; ++i)
+  {
+    vtkShadowLitmap& part = this->GetPart(i);
+    part.Begin(this->Resolution, range, depths);
+    part.Tiles.BeginAs(this->Tiles);
+  }
+}
+
+void vtkShadowLitmap::Join()
+{
+  const std::size_t size = static_cast<std::size_t>(this->Resolution) * this->Resolution;
+  for (int i = 1; i < this->NumberOfParts; ++i)
+  {
+    const vtkShadowLitmap& part = this->GetPart(i);
+    for (std::size_t k = 0; k < size; ++k)
+    {
+      this->Lexels[k].Merge(part.Lexels[k]);
+    }
+    for (int side = 0; side < 4; side += 2)
+    {
+      this->Bounds[side] = std::min(this->Bounds[side], part.Bounds[side]);
+      this->Bounds[side + 1] = std::max(this->Bounds[side + 1], part.Bounds[side + 1]);
+    }
+    this->NumberOfReceivers += part.NumberOfReceivers;
+    this->Everywhere.Merge(part.Everywhere);
+    this->Tiles.Merge(part.Tiles);
+    this->WidenAngle(part.WidestAngle);
+  }
+  this->NumberOfParts = 1;
+}
+
+void vtkShadowLitmap::Build()
+{
+  if (!this->Everywhere.IsEmpty())
+  {
+    this->AddToLexels(0, this->Resolution - 1, 0, this->Resolution - 1, this->Everywhere);
+    this->Bounds[0] = this->Bounds[2] = -std::numeric_limits<double>::infinity();
+    this->Bounds[1] = this->Bounds[3] = std::numeric_limits<double>::infinity();
+  }
+  this->NumberOfLevels =
+    vtkNBufferMath::GetLevelForFourLookups(this->Resolution, this->Resolution) + 1;
+  const std::size_t size = static_cast<std::size_t>(this->Resolution) * this->Resolution;
+  if (this->Lexels.size() < size * this->NumberOfLevels)
+  {
+    this->Lexels.resize(size * this->NumberOfLevels);
+  }
+  vtkNBufferLevelBuilder::BuildLevels<MergeExtents>(
+    this->Lexels.data(), this->Resolution, this->Resolution, 1, this->NumberOfLevels);
+}
+
+const vtkShadowExtent* vtkShadowLitmap::GetLevelData(int level) const
+{
+  const std::size_t size = static_cast<std::size_t>(this->Resolution) * this->Resolution;
+  return level >= 0 && level < this->NumberOfLevels ? this->Lexels.data() + level * size : nullptr;
+}
+
+vtkNBufferRectangle vtkShadowLitmap::GetLexels(double p0, double q0, double p1, double q1) const
+{
+  if (!(p0 <= p1 && q0 <= q1))
+  {
+    return { 0, 0, this->Resolution, this->Resolution };
+  }
+  const double guardP = 1.0 / this->P.CellsPerUnit;
+  const double guardQ = 1.0 / this->Q.CellsPerUnit;
+  if (p1 + guardP < this->Bounds[0] || p0 - guardP > this->Bounds[1] ||
+    q1 + guardQ < this->Bounds[2] || q0 - guardQ > this->Bounds[3])
+  {
+    return {};
+  }
+  return { this->P.GetCell(p0 - guardP), this->Q.GetCell(q0 - guardQ),
+    this->P.GetCell(p1 + guardP) + 1, this->Q.GetCell(q1 + guardQ) + 1 };
+}
+
+vtkShadowExtent vtkShadowLitmap::Query(double p0, double q0, double p1, double q1) const
+{
+  const vtkNBufferRectangle lexels = this->GetLexels(p0, q0, p1, q1);
+  if (this->NumberOfLevels == 0 || lexels.IsEmpty())
+  {
+    return {};
+  }
+  return vtkNBufferMath::MergeCover(this->Lexels.data(), this->Resolution, this->Resolution,
+    vtkNBufferMath::GetCoverOfFour(lexels), MergeExtents());
+}
+
+std::vector<std::pair<double, double>> vtkShadowLitmap::GetSlabs(
+  const vtkShadowExtent& extent, int gap) const
+{
+  const auto isSet = [&extent](int bin) { return (extent.Bins >> bin & 1) != 0; };
+  // Of a depth's bin, and of the edges computed here, times ten.
+  const double rounding = 0x1p-48 * (std::abs(this->Depths.Low) + std::abs(this->Depths.High));
+  std::vector<std::pair<double, double>> slabs;
+  int bin = 0;
+  while (bin < NumberOfBins)
+  {
+    const int first = bin++;
+    if (!isSet(first))
+    {
+      continue;
+    }
+    int last = first;
+    for (; bin < NumberOfBins && bin - last <= std::max(gap, 1); ++bin)
+    {
+      last = isSet(bin) ? bin : last;
+    }
+    slabs.emplace_back(extent.Near, extent.Far);
+    if (first > 0)
+    {
+      slabs.back().first = std::max(extent.Near, this->Depths.GetEdge(first) - rounding);
+    }
+    if (last < NumberOfBins - 1)
+    {
+      slabs.back().second = std::min(extent.Far, this->Depths.GetEdge(last + 1) + rounding);
+    }
+  }
+  return slabs;
+}
+VTK_ABI_NAMESPACE_END

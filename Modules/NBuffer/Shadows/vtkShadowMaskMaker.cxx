@@ -1,0 +1,509 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowMaskMaker.h"
+
+#include "vtkNBufferClock.h"
+#include "vtkNBufferForEachProp.h"
+#include "vtkNBufferGL.h"
+#include "vtkShadowCamera.h"
+#include "vtkShadowCostModel.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <functional>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// For so many frames Automatic believes what it knows of how many samples see something.
+constexpr int SeenFrames = 30;
+
+/// Deciding about one may take longer than about a hundred others.
+constexpr vtkIdType CastersPerThread = 256;
+
+/// The faces of a cube around a point light.
+std::vector<vtkShadowLightSpace> MakeFaces(const vtkShadowLight& light)
+{
+  std::vector<vtkShadowLightSpace> faces;
+  for (int i = 0; i < 6; ++i)
+  {
+    double axis[3] = { 0.0, 0.0, 0.0 };
+    axis[i / 2] = i % 2 ? -1.0 : 1.0;
+    faces.emplace_back(light, axis);
+  }
+  return faces;
+}
+}
+
+/// One light of a frame.
+struct vtkShadowMaskMaker::Work
+{
+  const vtkShadowLight& GetLight() const { return this->Source.Geometry; }
+  int GetNumberOfFaces() const
+  {
+    return this->GetLight().Kind == vtkShadowLightKind::Point ? 6 : 1;
+  }
+
+  vtkOpenGLRenderWindow* Window;
+  const vtkShadowCamera& Camera;
+  const Settings& How;
+  vtkShadowStatistics& Statistics;
+  const vtkShadowLightSource& Source;
+  std::size_t Slot;
+  vtkShadowLightSpace Frame;
+};
+
+bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights, bool skipUnlitReceivers)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  if (!vtkNBufferGL::HasVersion(3, 2))
+  {
+    this->Error = "The OpenGL context is older than 3.2. Update the driver or use Mesa's software "
+                  "renderer.";
+    return false;
+  }
+  glGetIntegerv(GL_VIEWPORT, this->Viewport);
+  const int* viewport = this->Viewport;
+  if (viewport[0] < 0 || viewport[1] < 0 || viewport[2] < 1 || viewport[3] < 1)
+  {
+    this->Error = "The viewport is empty or begins outside of the window. Move it inside.";
+    return false;
+  }
+  this->SkipUnlit = skipUnlitReceivers;
+  constexpr int each = vtkShadowTarget::LightsPerMask;
+  const int masks = static_cast<int>(lights + each - 1) / each;
+  return this->Target.Reserve(window, viewport[0] + viewport[2], viewport[1] + viewport[3], masks,
+           vtkShadowTarget::GetBoundSamples(), this->Error) &&
+    (!skipUnlitReceivers || this->Target.ReserveLit(window, this->Error));
+}
+
+void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Target.GetDepthFramebuffer());
+  state->vtkglDepthMask(GL_TRUE);
+  const float farthest = 1.0f;
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+}
+
+void vtkShadowMaskMaker::BeginLit(vtkRenderer* renderer)
+{
+  static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
+    ->GetState()
+    ->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Target.GetLitFramebuffer());
+  const float litByNone[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  glClearBufferfv(GL_COLOR, 0, litByNone);
+  this->MergedColors = glIsEnabled(GL_COLOR_LOGIC_OP) == GL_TRUE;
+  glGetIntegerv(GL_LOGIC_OP_MODE, &this->ColorMerge);
+  glEnable(GL_COLOR_LOGIC_OP);
+  glLogicOp(GL_OR);
+}
+
+void vtkShadowMaskMaker::EndLit()
+{
+  glLogicOp(static_cast<GLenum>(this->ColorMerge));
+  if (!this->MergedColors)
+  {
+    glDisable(GL_COLOR_LOGIC_OP);
+  }
+}
+
+bool vtkShadowMaskMaker::ReadMask(
+  vtkOpenGLRenderWindow* window, std::size_t slot, int sample, std::vector<unsigned char>& mask)
+{
+  return this->Reader.ReadMask(window, this->Target, slot, sample, mask, this->Error);
+}
+
+bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
+  const std::vector<vtkShadowLightSource>& lights, const Settings& settings,
+  vtkShadowStatistics& statistics)
+{
+  this->Shadows = 0;
+  this->Error.clear();
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  this->Reader.Begin(this->Viewport, lights.size());
+  ++this->CoveredAge;
+  vtkShadowCamera camera(renderer);
+  std::copy_n(this->Viewport, 4, camera.Plan.Viewport);
+  camera.Plan.Boxes = settings.Scissor &&
+    vtkNBufferGL::KeepsToScissor(static_cast<int>(this->Target.GetSamples().size()));
+  camera.Plan.BoxCost = settings.BoxCost;
+  this->DebugView.Clear();
+  const vtkShadowCounter::Scope scope(window, this->Viewport);
+  for (int mask = 0; mask < this->Target.GetNumberOfMasks(); ++mask)
+  {
+    this->Counter.ClearMask(this->Target, mask, this->Viewport);
+  }
+  if (settings.CountFragments)
+  {
+    statistics.Fragments = 0;
+  }
+  if (settings.CountUnclampedFragments)
+  {
+    statistics.UnclampedFragments = 0;
+  }
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    const Work work = { window, camera, settings, statistics, lights[i], i,
+      vtkShadowLightSpace(lights[i].Geometry) };
+    if (!this->Shade(work))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::size_t vtkShadowMaskMaker::GetNumberOfSamples() const
+{
+  return this->Target.GetSamples().size() * static_cast<std::size_t>(this->Viewport[2]) *
+    static_cast<std::size_t>(this->Viewport[3]);
+}
+
+bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
+{
+  if (this->Reader.HasReceivers())
+  {
+    return true;
+  }
+  const vtkNBufferClock clock;
+  ++work.Statistics.ReadBacks;
+  const bool done =
+    this->Reader.ReadReceivers(work.Window, this->Target, this->SkipUnlit, this->Error);
+  if (done)
+  {
+    const std::vector<float>& depth = this->Reader.GetDepth();
+    const auto seen = std::count_if(depth.begin(), depth.end(), [](float z) { return z < 1.0f; });
+    this->SetSeen(static_cast<std::size_t>(seen), depth.size());
+  }
+  work.Statistics.ReadTime += clock.GetMilliseconds();
+  if (done && work.How.LitmapMethod == vtkShadowLitmapMethod::Rerendered)
+  {
+    this->Rerendered.Begin(work.Camera.Eye);
+    for (const vtkShadowCaster* receiver : this->Receivers.GetCasters())
+    {
+      this->Rerendered.AddReceiver(
+        receiver->GetPoints().data(), receiver->GetNumberOfPoints(), receiver->GetTriangles());
+    }
+    return this->Rerendered.Upload(
+      work.Window, this->Reader.GetDepth().data(), work.Camera.GetView(), this->Error);
+  }
+  return done;
+}
+
+bool vtkShadowMaskMaker::MakeLitmaps(
+  const Work& work, const std::vector<vtkShadowLightSpace>& frames)
+{
+  if (!this->ReadReceivers(work))
+  {
+    return false;
+  }
+  const vtkNBufferClock clock;
+  const int resolution = work.How.Resolution;
+  const bool rerendered = work.How.LitmapMethod == vtkShadowLitmapMethod::Rerendered;
+  const float* depth = this->Reader.GetDepth().data();
+  const unsigned char* lit = rerendered ? nullptr : this->Reader.FindLit(work.Slot);
+  vtkShadowView view = work.Camera.GetView();
+  view.Samples = this->Target.GetSamples();
+  this->Litmaps.resize(std::max(this->Litmaps.size(), frames.size()));
+  for (std::size_t i = 0; i < frames.size(); ++i)
+  {
+    vtkShadowLitmap& litmap = this->Litmaps[i];
+    if (rerendered)
+    {
+      double range[4];
+      double depths[2];
+      vtkShadowReceivers::GetRange(depth, lit, view, work.GetLight(), frames[i], range, depths);
+      if (!this->Rerendered.Draw(
+            work.Window, frames[i], range, depths, resolution, litmap, this->Error))
+      {
+        return false;
+      }
+    }
+    else
+    {
+      vtkShadowReceivers::Scatter(depth, lit, view, work.GetLight(), frames[i], resolution, litmap);
+    }
+    work.Statistics.Receivers += litmap.GetNumberOfReceivers();
+    litmap.Build();
+    ++work.Statistics.Litmaps;
+  }
+  work.Statistics.LitmapTime += clock.GetMilliseconds();
+  return true;
+}
+
+void vtkShadowMaskMaker::FindParts(const Work& work)
+{
+  constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
+  const std::vector<vtkShadowCaster*>& casters = this->Casters.GetCasters();
+  this->PartLists.resize(casters.size());
+  std::atomic<int> built(0);
+  vtkNBufferForEachProp::Run(casters.size(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      int builtHere = 0;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        if (i + 2 * ahead < end)
+        {
+          casters[i + 2 * ahead]->Prefetch();
+          casters[i + ahead]->PrefetchParts(work.Slot);
+        }
+        this->PartLists[i] = &casters[i]->GetParts(
+          work.Slot, work.GetLight(), work.Frame, work.Camera.NearBounds, builtHere);
+      }
+      built += builtHere;
+    });
+  work.Statistics.Silhouettes += built;
+  this->Parts.clear();
+  for (std::size_t i = 0; i < casters.size(); ++i)
+  {
+    for (const vtkShadowCaster::Part& part : *this->PartLists[i])
+    {
+      this->Parts.push_back({ casters[i], &part });
+    }
+  }
+}
+
+void vtkShadowMaskMaker::Decide(const vtkShadowPlan& plan)
+{
+  constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
+  this->Choices.assign(this->Parts.size(), {});
+  vtkNBufferForEachProp::Run(
+    this->Parts.size(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        if (i + ahead < end)
+        {
+          this->Parts[i + ahead].Part->Prefetch();
+        }
+        const CasterPart& part = this->Parts[i];
+        if (const auto verdict = plan.EarlyOut(part.Part->Silhouette, part.Part->Footprint))
+        {
+          this->Choices[i].Verdict = *verdict;
+        }
+        else
+        {
+          this->Choices[i] = plan.Decide(part.Part->Silhouette, part.GetPoints(),
+            part.GetNumberOfPoints(), part.Part->Footprint);
+        }
+      }
+    },
+    CastersPerThread);
+}
+
+vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vtkShadowPlan& plan)
+{
+  Verdicts verdicts = {};
+  this->Volume.Begin(work.Camera.Eye);
+  this->Decide(plan);
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  {
+    const vtkShadowPlan::Choice& choice = this->Choices[i];
+    ++verdicts[static_cast<std::size_t>(choice.Verdict)];
+    if (choice.IsDrawn())
+    {
+      const CasterPart& part = this->Parts[i];
+      plan.Draw(choice, part.Part->Silhouette, part.GetPoints(), part.GetNumberOfPoints(),
+        part.Part->Footprint, this->Volume);
+    }
+  }
+  return verdicts;
+}
+
+bool vtkShadowMaskMaker::CountUnclamped(const Work& work)
+{
+  vtkShadowPlan plan(
+    work.GetLight(), work.Frame, work.Camera.Plan, vtkShadowMode::Unclamped, nullptr);
+  this->AddCasters(work, plan);
+  const std::vector<vtkShadowDraw>& draws = plan.GetDraws();
+  // What the stencil holds is cleared before it counts.
+  return draws.empty() ||
+    (this->Counter.Upload(this->Volume, this->Error) &&
+      this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClip, draws.data(),
+        draws.data() + draws.size(), &work.Statistics.UnclampedFragments, this->Error));
+}
+
+void vtkShadowMaskMaker::SetSeen(std::size_t seen, std::size_t samples)
+{
+  this->CoveredFraction = static_cast<double>(seen) / static_cast<double>(samples);
+  this->SeenSamples = samples;
+  this->CoveredAge = 0;
+}
+
+long long vtkShadowMaskMaker::CountSeen(const Work& work)
+{
+  const std::size_t samples = this->GetNumberOfSamples();
+  if (!this->Reader.HasReceivers() &&
+    (this->SeenSamples != samples || this->CoveredAge >= SeenFrames) && !this->ReadReceivers(work))
+  {
+    // Without litmaps there is no need to read anything.
+    this->Error.clear();
+    this->SetSeen(samples, samples);
+  }
+  return std::llround(this->CoveredFraction * static_cast<double>(samples));
+}
+
+bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work, double fragments, long long triangles)
+{
+  const auto samples = static_cast<long long>(this->GetNumberOfSamples());
+  const auto pay = [&](long long seen)
+  {
+    const long long lexels = static_cast<long long>(work.How.Resolution) * work.How.Resolution;
+    return vtkShadowCostModel::IsLitmapWorthIt(fragments, triangles, samples, seen, lexels,
+      work.GetNumberOfFaces(), vtkNBufferGL::GetSoftwareRenderer() != nullptr);
+  };
+  return pay(samples) || (pay(0) && pay(this->CountSeen(work)));
+}
+
+bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work)
+{
+  const bool positional = work.GetLight().Kind != vtkShadowLightKind::Directional;
+  long long triangles = 0;
+  for (const CasterPart& part : this->Parts)
+  {
+    triangles += vtkShadowCostModel::CountTriangles(part.Part->Silhouette, positional);
+  }
+  return this->IsLitmapWorthIt(work, 0.0, triangles);
+}
+
+bool vtkShadowMaskMaker::Shade(const Work& work)
+{
+  vtkNBufferClock clock;
+  const vtkShadowLight& light = work.GetLight();
+  const vtkShadowPlan::View& view = work.Camera.Plan;
+  std::vector<vtkShadowLightSpace> frames; // of litmaps
+  std::optional<vtkShadowPlan> plan;
+  Verdicts verdicts = {};
+  const bool automatic = work.How.Mode == vtkShadowMode::Automatic;
+  this->FindParts(work);
+  if (work.How.CountUnclampedFragments)
+  {
+    work.Statistics.PlanTime += clock.GetMilliseconds();
+    if (!this->CountUnclamped(work))
+    {
+      return false;
+    }
+    clock.Restart();
+  }
+  if (work.How.Mode == vtkShadowMode::Unclamped || (automatic && !this->IsLitmapWorthIt(work)))
+  {
+    plan.emplace(light, work.Frame, view, vtkShadowMode::Unclamped, nullptr);
+    verdicts = this->AddCasters(work, *plan);
+    if (automatic &&
+      this->IsLitmapWorthIt(work,
+        vtkShadowCostModel::EstimateFragments(
+          this->Volume, work.Camera.EyeToClip, this->Viewport[2], this->Viewport[3]),
+        static_cast<long long>(this->Volume.GetIndices().size() / 3)))
+    {
+      plan.reset();
+    }
+  }
+  work.Statistics.PlanTime += clock.Restart();
+  if (plan)
+  {
+    ++work.Statistics.UnclampedLights;
+  }
+  else
+  {
+    frames = light.Kind == vtkShadowLightKind::Point
+      ? MakeFaces(light)
+      : std::vector<vtkShadowLightSpace>{ work.Frame };
+    if (!this->MakeLitmaps(work, frames))
+    {
+      return false;
+    }
+    clock.Restart();
+    const bool isOne = frames.size() == 1;
+    plan.emplace(light, work.Frame, view, automatic ? vtkShadowMode::Scissored : work.How.Mode,
+      isOne ? this->Litmaps.data() : nullptr, work.How.SlabGap);
+    for (std::size_t i = 0; !isOne && i < frames.size(); ++i)
+    {
+      plan->AddFace(frames[i], this->Litmaps[i]);
+    }
+    verdicts = this->AddCasters(work, *plan);
+    work.Statistics.PlanTime += clock.Restart();
+  }
+  std::transform(verdicts.begin(), verdicts.end(), work.Statistics.Verdicts.begin(),
+    work.Statistics.Verdicts.begin(), std::plus<int>());
+  work.Statistics.Slabs += plan->GetNumberOfSlabs();
+  work.Statistics.Triangles += static_cast<long long>(this->Volume.GetIndices().size() / 3);
+  const bool done = plan->GetDraws().empty() || this->Count(work, *plan);
+  work.Statistics.DrawTime += clock.GetMilliseconds();
+  const vtkLight* pictured = work.How.PictureLight;
+  if (done && (pictured ? pictured == work.Source.Source : work.Slot == 0))
+  {
+    const vtkShadowDebugView::Subject subject = { this->Litmaps.data(),
+      static_cast<int>(frames.size()), plan->GetDraws(), work.Camera.EyeToClip, this->Viewport };
+    return this->DebugView.Make(
+      work.Window, work.How.Picture, subject, this->Counter, work.Statistics, this->Error);
+  }
+  return done;
+}
+
+bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
+{
+  const vtkShadowTimers::Scope timed(this->Timers, vtkShadowStage::Draw);
+  const std::vector<vtkShadowDraw>& draws = plan.GetDraws();
+  vtkShadowStatistics& statistics = work.Statistics;
+  ++this->Shadows;
+  statistics.Boxes += static_cast<int>(draws.size());
+  statistics.Draws += static_cast<int>(std::count_if(
+    draws.begin(), draws.end(), [](const vtkShadowDraw& draw) { return !draw.Again; }));
+  statistics.ZPass += static_cast<int>(std::count_if(draws.begin(), draws.end(),
+    [](const vtkShadowDraw& draw) { return draw.ZPass && !draw.Again; }));
+  if (!this->Counter.Upload(this->Volume, this->Error))
+  {
+    return false;
+  }
+  constexpr std::size_t each = vtkShadowTarget::LightsPerMask;
+  const int mask = static_cast<int>(work.Slot / each);
+  const int channel = static_cast<int>(work.Slot % each);
+  // As many volumes at a time as the stencil can count, should a receiver be in all of them.
+  const bool allAtOnce = plan.IsCountBelow(vtkShadowCaster::MaximumCount);
+  const vtkShadowDraw* first = draws.data();
+  const vtkShadowDraw* const end = first + draws.size();
+  while (first != end)
+  {
+    int count = first->MaximumCount;
+    int start = first->Start;
+    const vtkShadowDraw* last = first + 1;
+    while (last != end &&
+      (allAtOnce || last->Again || count + last->MaximumCount <= vtkShadowCaster::MaximumCount))
+    {
+      count += last->Again ? 0 : last->MaximumCount;
+      start += last->Start;
+      ++last;
+    }
+    this->Counter.ClearStencil(this->Target, this->Viewport, start);
+    ++statistics.StencilClears;
+    if (!this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClip, first, last,
+          work.How.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||
+      !this->Counter.Resolve(work.Window, this->Target, mask, channel, this->Viewport, this->Error))
+    {
+      return false;
+    }
+    first = last;
+  }
+  return true;
+}
+
+void vtkShadowMaskMaker::Release()
+{
+  this->Counter.Release();
+  this->Rerendered.Release();
+  this->Timers.Release();
+  this->DebugView.Release();
+  this->Target.Release();
+  this->Reader.Release();
+}
+VTK_ABI_NAMESPACE_END

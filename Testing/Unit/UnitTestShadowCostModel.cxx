@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What drawing whole volumes is guessed to take, and when litmaps are worth it.
+#include "ShadowMeshes.h"
+
+#include "vtkShadowCostModel.h"
+#include "vtkShadowSilhouette.h"
+#include "vtkShadowTopology.h"
+#include "vtkShadowVolume.h"
+
+#include "vtkMath.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+constexpr int Width = 160;
+constexpr int Height = 90;
+
+/// Looks along -z from (0, 0, 3), 90 degrees upwards; near plane 0.1, far plane 100.
+constexpr double Clip[16] = { 9.0 / 16, 0, 0, 0, 0, 1, 0, 0, 0, 0, -100.1 / 99.9,
+  (3 * 100.1 - 20.0) / 99.9, 0, 0, -1, 3 };
+
+vtkShadowLight MakeLight(bool positional)
+{
+  vtkShadowLight light;
+  light.Kind = positional ? vtkShadowLightKind::Point : vtkShadowLightKind::Directional;
+  const double place[3] = { -3.0, 4.0, 2.5 };
+  for (int i = 0; i < 3; ++i)
+  {
+    light.Position[i] = place[i];
+    light.Direction[i] = -place[i] / vtkMath::Norm(place);
+  }
+  return light;
+}
+
+/// Pixel centres in the triangles of a volume, in which no near plane cuts.
+double CountFragments(const vtkShadowVolume& volume)
+{
+  double fragments = 0.0;
+  const auto& indices = volume.GetIndices();
+  for (std::size_t t = 0; t < indices.size(); t += 3)
+  {
+    double corners[3][4];
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const float* v = volume.GetVertices().data() + 4 * std::size_t(indices[t + i]);
+      for (int row = 0; row < 4; ++row)
+      {
+        const double* m = Clip + 4 * row;
+        corners[i][row] = m[0] * v[0] + m[1] * v[1] + m[2] * v[2] + m[3] * v[3];
+      }
+    }
+    const double columns[3][3] = { { corners[0][0], corners[1][0], corners[2][0] },
+      { corners[0][1], corners[1][1], corners[2][1] },
+      { corners[0][3], corners[1][3], corners[2][3] } };
+    if (std::abs(vtkMath::Determinant3x3(columns)) < 1e-12)
+    {
+      continue;
+    }
+    double inverse[3][3];
+    vtkMath::Invert3x3(columns, inverse);
+    for (int y = 0; y < Height; ++y)
+    {
+      for (int x = 0; x < Width; ++x)
+      {
+        // Shares of the corners in the point of the triangle's plane on this line of sight.
+        const double line[3] = { 2.0 * (x + 0.5) / Width - 1.0, 2.0 * (y + 0.5) / Height - 1.0,
+          1.0 };
+        double shares[3];
+        vtkMath::Multiply3x3(inverse, line, shares);
+        double z = 0.0;
+        for (int i = 0; i < 3; ++i)
+        {
+          z += shares[i] * corners[i][2];
+        }
+        fragments += shares[0] >= 0.0 && shares[1] >= 0.0 && shares[2] >= 0.0 && z >= -1.0;
+      }
+    }
+  }
+  return fragments;
+}
+
+struct Volume
+{
+  Volume(const ShadowMesh& mesh, bool positional, int copies = 1)
+  {
+    const vtkShadowLight light = MakeLight(positional);
+    vtkShadowTopology topology;
+    topology.Build(mesh.GetPoints(), mesh.GetNumberOfPoints(), mesh.Triangles.data(),
+      mesh.GetNumberOfTriangles());
+    vtkShadowSilhouette silhouette;
+    silhouette.Compute(topology, topology.GetPoints().data(), light, vtkShadowCounting::Away);
+    const double origin[3] = { 0.0, 0.0, 0.0 };
+    this->Mesh.Begin(origin);
+    for (int i = 0; i < copies; ++i)
+    {
+      this->Mesh.AddWhole(
+        silhouette, topology.GetPoints().data(), topology.GetNumberOfPoints(), light);
+    }
+    this->Expected = copies * vtkShadowCostModel::CountTriangles(silhouette, positional);
+  }
+
+  long long GetNumberOfTriangles() const
+  {
+    return static_cast<long long>(this->Mesh.GetIndices().size() / 3);
+  }
+  double Estimate() const
+  {
+    return vtkShadowCostModel::EstimateFragments(this->Mesh, Clip, Width, Height);
+  }
+
+  vtkShadowVolume Mesh;
+  long long Expected = 0;
+};
+}
+
+// Triangles at infinity, behind the eye and beside the view are cut as the device does.
+TEST(ShadowCostModel, EstimateIsTheNumberOfFragments)
+{
+  for (const ShadowMesh& mesh : { MakeTetrahedron(), MakeCube(), MakeQuad(), MakeEll(),
+         MakeCube().Translate(0.0, 0.0, 2.5), MakeCube().Translate(1.5, 0.7, 1.0) })
+  {
+    for (const bool positional : { false, true })
+    {
+      SCOPED_TRACE(mesh.Name + (positional ? ", point light" : ", sun"));
+      const Volume volume(mesh, positional);
+      EXPECT_EQ(volume.Expected, volume.GetNumberOfTriangles());
+      const double fragments = CountFragments(volume.Mesh);
+      EXPECT_GT(fragments, 100.0);
+      EXPECT_NEAR(volume.Estimate(), fragments, 0.02 * fragments + 20.0);
+    }
+  }
+}
+
+// Of large volumes some triangles stand for all.
+TEST(ShadowCostModel, SomeTrianglesStandForAll)
+{
+  const Volume one(MakeTorus(12, 9), true);
+  const Volume many(MakeTorus(12, 9), true, 101);
+  ASSERT_GT(many.GetNumberOfTriangles(), 3 * 4096);
+  EXPECT_NEAR(many.Estimate(), 101.0 * one.Estimate(), 5.0 * one.Estimate());
+}
+
+TEST(ShadowCostModel, NothingAndBesideTheView)
+{
+  EXPECT_EQ(vtkShadowCostModel::EstimateFragments(vtkShadowVolume(), Clip, Width, Height), 0.0);
+  EXPECT_EQ(Volume(MakeQuad().Translate(0.0, 0.0, 30.0), false).Estimate(), 0.0) << "behind";
+}
+
+// Both sides of the rule: much to draw, many samples, six faces, a fast device.
+TEST(ShadowCostModel, LitmapsPayWhereTheySaveMoreThanTheyCost)
+{
+  constexpr long long vga = 640 * 480;
+  constexpr long long lexels = 256 * 256;
+  const auto pays =
+    [](double fragments, long long triangles, long long samples, int faces, bool software)
+  {
+    return vtkShadowCostModel::IsLitmapWorthIt(
+      fragments, triangles, samples, samples, lexels, faces, software);
+  };
+  EXPECT_FALSE(pays(0.0, 0, vga, 1, true));
+  EXPECT_FALSE(pays(0.9e6, 2000, vga, 1, true)) << "a few parts";
+  EXPECT_TRUE(pays(13e6, 250000, vga, 1, true)) << "a city";
+  EXPECT_TRUE(pays(5e6, 0, vga, 1, true)) << "few triangles that cover much";
+  EXPECT_TRUE(pays(0.0, 100000, vga, 1, true)) << "many triangles that cover nothing";
+  EXPECT_FALSE(pays(5e6, 0, vga, 6, true)) << "of a point light";
+  EXPECT_FALSE(pays(5e6, 0, 4 * vga, 1, true)) << "with four samples for each pixel";
+  EXPECT_FALSE(pays(5e6, 0, vga, 1, false)) << "on a device that fills faster";
+  EXPECT_TRUE(pays(5e6, 1000000, vga, 1, false)) << "and yet has much to draw";
+  const auto paysIfSeen = [](long long seen)
+  { return vtkShadowCostModel::IsLitmapWorthIt(1e6, 40000, 2 * vga, seen, lexels, 1, true); };
+  EXPECT_FALSE(paysIfSeen(2 * vga));
+  EXPECT_TRUE(paysIfSeen(vga / 4)) << "what is sky costs next to nothing";
+  const auto paysInAnIcon = [](long long resolution)
+  {
+    return vtkShadowCostModel::IsLitmapWorthIt(
+      0.0, 5000, 1000, 1000, resolution * resolution, 1, true);
+  };
+  EXPECT_TRUE(paysInAnIcon(64));
+  EXPECT_FALSE(paysInAnIcon(256)) << "lexels cost what they cost, however few samples";
+}
