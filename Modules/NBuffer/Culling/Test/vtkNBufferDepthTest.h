@@ -18,6 +18,7 @@
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferSliverTest.h"
 #include "vtkNBufferStatistics.h"
+#include "vtkNBufferTuning.h"
 
 #include <initializer_list>
 #include <string>
@@ -37,18 +38,16 @@ enum class vtkNBufferSliverPolicy
 class vtkNBufferDepthTest
 {
 public:
-  /// The settings of vtkNBufferCuller with the same names.
+  /// The settings of vtkNBufferCuller with the same names, and its tuning.
   struct Options
   {
-    vtkNBufferBackend::Kind Backend = vtkNBufferBackend::Auto;
-    int BaseFactor = 4;
-    int MaximumNumberOfPieces = 8;
-    bool TestPixels = true;
-    vtkNBufferSliverPolicy TestSlivers = vtkNBufferSliverPolicy::Never;
-    bool AllowFloatTextures = true;
+    vtkNBufferBackend::Kind Backend;
+    vtkNBufferSliverPolicy TestSlivers;
+    const vtkNBufferTuning& Tuning;
   };
 
-  /// All arguments except `options` are kept by reference and must outlive the test.
+  /// All arguments except `options` are kept by reference and must outlive the test, as must the
+  /// tuning in `options`.
   vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferLevels& levels,
     const vtkNBufferProjection& projection, vtkNBufferCandidateList& props,
     vtkNBufferStatistics& statistics, const Options& options);
