@@ -53,8 +53,8 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
   }
   levels = std::max(levels, this->Props.GetLevelsNeeded(this->Settings.BaseFactor));
   this->Backend.SetAllowFloatTextures(this->Settings.AllowFloatTextures);
-  return this->Backend.Build(this->Settings.Backend, window, source, this->Settings.BaseFactor,
-    levels, this->Levels, this->Statistics, why);
+  return this->Backend.Build(this->Settings.Backend,
+    { window, source, this->Settings.BaseFactor, levels, this->Levels, this->Statistics }, why);
 }
 
 const float* vtkNBufferDepthTest::GetDepth(std::size_t doubtful)
