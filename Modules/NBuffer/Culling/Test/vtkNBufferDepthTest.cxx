@@ -7,9 +7,6 @@
 #include "vtkNBufferOcclusionTest.h"
 #include "vtkNBufferPixelTest.h"
 
-#include "vtkActor.h"
-#include "vtkMatrix4x4.h"
-
 #include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -78,12 +75,11 @@ bool vtkNBufferDepthTest::HasVisibleSlivers(int i, vtkNBufferSliverTest& test)
   {
     return false;
   }
-  const std::vector<const vtkNBufferMesh*>& meshes = this->Props.GetMeshes(i);
+  const std::vector<vtkNBufferMeshes::Placed> meshes = this->Props.GetMeshes(i);
   return std::any_of(meshes.begin(), meshes.end(),
-    [&](const vtkNBufferMesh* mesh)
+    [&](const vtkNBufferMeshes::Placed& placed)
     {
-      auto* actor = static_cast<vtkActor*>(this->Props.GetProp(i));
-      return test.MayBeSeen(*mesh, vtkNBufferGLM::ToMatrix(actor->GetMatrix()->GetData()),
+      return test.MayBeSeen(*placed.Mesh, vtkNBufferGLM::ToMatrix(placed.ToWorld.data()),
         this->Props.GetBox(i), screen);
     });
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferSliverTest.h"
 
+#include "vtkNBufferSurface.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
