@@ -82,8 +82,7 @@ bool vtkNBufferDepthTest::HasVisibleSlivers(int i, vtkNBufferSliverTest& test)
     [&](const vtkNBufferMesh* mesh)
     {
       auto* actor = static_cast<vtkActor*>(this->Props.GetProp(i));
-      return test.MayBeSeen(*mesh, vtkNBufferGLM::ToMatrix(actor->GetMatrix()->GetData()),
-        this->Props.GetBox(i), screen);
+      return test.MayBeSeen(*mesh, actor->GetMatrix()->GetData(), this->Props.GetBox(i), screen);
     });
 }
 
