@@ -89,8 +89,8 @@ MUTANTS = {
          "if (!source.Read(window, viewport[0], viewport[1],", "if (!source.Read(window, 0, 0,")],
     "viewport's origin ignored on the device": [
         ("vtkNBufferBackend.cxx",
-         "this->Texture->Build(window, source, viewport[0], viewport[1],",
-         "this->Texture->Build(window, source, 0, 0,")],
+         "this->Texture->Build(job.Window, job.Source, viewport[0], viewport[1], viewport[2],",
+         "this->Texture->Build(job.Window, job.Source, 0, 0, viewport[2],")],
 
     # The near plane.
     "crossing the near plane or the eye counts as inside": [

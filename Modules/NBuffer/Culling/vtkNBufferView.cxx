@@ -356,13 +356,12 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBuffer
     return vtkNBufferDecision::OtherView;
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  if (!vtkNBufferGL::HasVersion(3, 2))
+  std::string why;
+  if (!vtkNBufferGL::CheckVersion(why))
   {
-    this->Fail(renderer, vtkNBufferDecision::OldContext,
-      "The OpenGL context is older than 3.2. Update the driver or use Mesa's software renderer.");
+    this->Fail(renderer, vtkNBufferDecision::OldContext, why);
     return vtkNBufferDecision::OldContext;
   }
-  std::string why;
   if (!source.Inspect(window, why))
   {
     this->Fail(renderer, vtkNBufferDecision::NoDepth, why);

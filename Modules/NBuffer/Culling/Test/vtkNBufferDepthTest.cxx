@@ -54,8 +54,9 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
   }
   levels = std::max(levels, this->Props.GetLevelsNeeded(this->Settings.Tuning.BaseFactor));
   this->Backend.SetAllowFloatTextures(this->Settings.Tuning.AllowFloatTextures);
-  return this->Backend.Build(this->Settings.Backend, window, source,
-    this->Settings.Tuning.BaseFactor, levels, this->Levels, this->Statistics, why);
+  return this->Backend.Build(this->Settings.Backend,
+    { window, source, this->Settings.Tuning.BaseFactor, levels, this->Levels, this->Statistics },
+    why);
 }
 
 const float* vtkNBufferDepthTest::GetDepth(std::size_t candidates)
