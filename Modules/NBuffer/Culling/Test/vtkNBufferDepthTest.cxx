@@ -78,10 +78,7 @@ bool vtkNBufferDepthTest::HasVisibleSlivers(int i, vtkNBufferSliverTest& test)
   const std::vector<vtkNBufferMeshes::Placed> meshes = this->Props.GetMeshes(i);
   return std::any_of(meshes.begin(), meshes.end(),
     [&](const vtkNBufferMeshes::Placed& placed)
-    {
-      return test.MayBeSeen(*placed.Mesh, vtkNBufferGLM::ToMatrix(placed.ToWorld.data()),
-        this->Props.GetBox(i), screen);
-    });
+    { return test.MayBeSeen(*placed.Mesh, placed.ToWorld.data(), this->Props.GetBox(i), screen); });
 }
 
 bool vtkNBufferDepthTest::TestsSlivers() const

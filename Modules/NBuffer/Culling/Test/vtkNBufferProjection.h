@@ -38,9 +38,7 @@ enum class vtkNBufferPlacement
   Inside
 };
 
-/**
- * What a box covers on the screen. It has a meaning only for boxes that are Inside.
- */
+/// What a box covers on the screen. It has a meaning only for boxes that are Inside.
 struct vtkNBufferScreenBox
 {
   /// The pixels of the viewport that the box may cover, (0, 0) the lower left one; never empty.
@@ -61,9 +59,7 @@ struct vtkNBufferScreenBox
   bool Clipped = false;
 };
 
-/**
- * One camera, one viewport, one depth format.
- */
+/// One camera, one viewport, one depth format.
 class VTKNBUFFER_EXPORT vtkNBufferProjection
 {
 public:
@@ -93,8 +89,8 @@ public:
 
   /**
    * Whether a box lies outside one of the six planes of the view. The test looks at signs in clip
-   * space and never divides, so that eye points inside the box are no special case. Returns false
-   * for every box with a Margin, which only Project() can judge. Takes about 15 ns.
+   * space and never divides, so that eye points inside the box are no special case. Always false
+   * for boxes with a Margin: what sticks out of them is for Project(). Takes about 15 ns.
    */
   bool IsOutside(const vtkNBufferBox& box) const;
 

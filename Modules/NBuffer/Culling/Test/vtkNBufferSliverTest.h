@@ -62,9 +62,9 @@ public:
 
   /**
    * False only if nothing of the mesh can be seen, given that its box, which is Inside, was found
-   * hidden. `toWorld` is the matrix from model to world coordinates.
+   * hidden. `toWorld` is the matrix from model to world coordinates, row by row.
    */
-  bool MayBeSeen(const vtkNBufferMesh& mesh, const glm::dmat4& toWorld, const vtkNBufferBox& box,
+  bool MayBeSeen(const vtkNBufferMesh& mesh, const double toWorld[16], const vtkNBufferBox& box,
     const vtkNBufferScreenBox& screen);
 
 private:
@@ -73,7 +73,7 @@ private:
   using Corners = std::array<glm::dvec3, 3>;
 
   /// Set Points to those of a mesh.
-  void Project(const vtkNBufferMesh& mesh, const glm::dmat4& toWorld);
+  void Project(const vtkNBufferMesh& mesh, const double toWorld[16]);
 
   /// Whether a triangle may be seen whose height errs by at most `heightError` pixels.
   bool MayBeSeen(const Corners& corners, double heightError, const Errors& errors) const;
