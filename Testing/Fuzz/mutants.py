@@ -113,7 +113,7 @@ MUTANTS = {
          "projection.GetContact(a.Box, a.Screen, b.Box, b.Screen, pixels) &&\n"
          "      a.Screen.Pixels.X0 < b.Screen.Pixels.X0;")],
     "what is drawn again is drawn beside its regions too": [
-        ("vtkNBufferGL.h", "scissor.Set(region);", "")],
+        ("vtkNBufferScissor.h", "scissor.Set(region);", "")],
     "regions in which props touch one column short": [
         (PROJECTION, "pixels = pixels.GetIntersection(sharedScreen.Pixels);",
          "pixels = pixels.GetIntersection(sharedScreen.Pixels);\n    --pixels.X1;")],
