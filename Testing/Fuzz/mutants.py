@@ -117,7 +117,7 @@ MUTANTS = {
          "    ? projection.GetContact(a.Box, a.Screen, b.Box, b.Screen)\n"
          "    : vtkNBufferRectangle();")],
     "what is drawn again is drawn beside its regions too": [
-        ("vtkNBufferGL.h", "scissor.Set(region);", "")],
+        ("vtkNBufferScissor.h", "scissor.Set(region);", "")],
     "regions in which props touch one column short": [
         (PROJECTION, "return pixels.GetIntersection(sharedScreen.Pixels);",
          "sharedScreen.Pixels = pixels.GetIntersection(sharedScreen.Pixels);\n"
