@@ -13,6 +13,7 @@ VIEW = "vtkNBufferView.cxx"
 CANDIDATE = "vtkNBufferCandidate.cxx"
 CANDIDATE_TREE = "vtkNBufferCandidateTree.cxx"
 CASTER = "vtkShadowCaster.cxx"
+SURFACE = "vtkNBufferSurface.cxx"
 HIERARCHY = "vtkNBufferHierarchy.cxx"
 FRAME_KEY = "vtkShadowFrameKey.cxx"
 MASK_MAKER = "vtkShadowMaskMaker.cxx"
@@ -36,9 +37,9 @@ MUTANTS = {
                         (BOX_ERROR, "SnapInPixels = 1.0 / 16;", "SnapInPixels = 0.0;")],
     "no slack for rounded vertices": [NO_VERTEX_SLACK],
     "vertices believed to be near the buffer's zero": [
-        (CANDIDATE, "IsShifted(plain, ranges);", "(IsShifted(plain, ranges) || true);")],
+        (SURFACE, "IsShifted(plain, low, high);", "(IsShifted(plain, low, high) || true);")],
     "no margin for wide lines and points": [
-        (CANDIDATE, "this->Box.Margin = GetMargin(this->Mapper, actor->GetProperty());",
+        (CANDIDATE, "this->Box.Margin = vtkNBufferSurface::GetMargin(actor);",
          "this->Box.Margin = 0.0;")],
 
     # The hierarchy over the props.
@@ -102,8 +103,8 @@ MUTANTS = {
     # From frame to frame.
     "stale bounds": [
         ("vtkNBufferCandidate.h",
-         "return this->Volatile || (this->Actor && this->Sources.HasChanged());",
-         "return this->BoxIsUsable ? false : this->Volatile;")],
+         "return this->Verdict != vtkNBufferVerdict::NotAPlainActor && this->Watch.MayHaveChanged();",
+         "return !this->BoxIsUsable && this->Watch.MayHaveChanged();")],
     "camera's motion not noticed": [
         ("vtkNBufferViewKey.h", "return this->WorldToClip == other.WorldToClip &&", "return")],
     "verdicts of the last frame reused although props changed": [
@@ -123,8 +124,8 @@ MUTANTS = {
          "sharedScreen.Pixels = pixels.GetIntersection(sharedScreen.Pixels);\n"
          "      --sharedScreen.Pixels.X1;\n      return sharedScreen.Pixels;")],
     "changes upstream of a mapper not noticed": [
-        (CANDIDATE, "!globalStateChanged && !this->Pipeline.HasChanged()",
-         "!globalStateChanged")],
+        ("vtkNBufferPropWatch.h", "Means::Pipeline ? this->PipelineHasChanged()",
+         "Means::Pipeline ? false")],
 
     # Props that are none of the tested kind.
     "translucent props hide": [

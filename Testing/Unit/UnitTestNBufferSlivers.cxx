@@ -3,6 +3,7 @@
 // Which triangles of hidden meshes may be drawn before their box, and what pieces of a box allow.
 #include "vtkNBufferSliverTest.h"
 #include "vtkNBufferSplitBox.h"
+#include "vtkNBufferSurface.h"
 
 #include <gtest/gtest.h>
 

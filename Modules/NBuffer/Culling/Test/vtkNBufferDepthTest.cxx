@@ -7,9 +7,6 @@
 #include "vtkNBufferOcclusionTest.h"
 #include "vtkNBufferPixelTest.h"
 
-#include "vtkActor.h"
-#include "vtkMatrix4x4.h"
-
 #include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -78,13 +75,10 @@ bool vtkNBufferDepthTest::HasVisibleSlivers(int i, vtkNBufferSliverTest& test)
   {
     return false;
   }
-  const std::vector<const vtkNBufferMesh*>& meshes = this->Props.GetMeshes(i);
+  const std::vector<vtkNBufferMeshes::Placed> meshes = this->Props.GetMeshes(i);
   return std::any_of(meshes.begin(), meshes.end(),
-    [&](const vtkNBufferMesh* mesh)
-    {
-      auto* actor = static_cast<vtkActor*>(this->Props.GetProp(i));
-      return test.MayBeSeen(*mesh, actor->GetMatrix()->GetData(), this->Props.GetBox(i), screen);
-    });
+    [&](const vtkNBufferMeshes::Placed& placed)
+    { return test.MayBeSeen(*placed.Mesh, placed.ToWorld.data(), this->Props.GetBox(i), screen); });
 }
 
 bool vtkNBufferDepthTest::TestsSlivers() const

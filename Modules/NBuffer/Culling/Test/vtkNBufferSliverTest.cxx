@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferSliverTest.h"
 
+#include "vtkNBufferSurface.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -39,7 +41,7 @@ void vtkNBufferSliverTest::Project(const vtkNBufferMesh& mesh, const double toWo
   this->Points.resize(mesh.Points.size());
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)
   {
-    const glm::dvec3 point = vtkNBufferGLM::ToVector(mesh.Points[i].data());
+    const glm::dvec3& point = mesh.Points[i];
     const auto evaluate = [&](int row) { return vtkNBufferBoxError::Evaluate(rows[row], point); };
     const double w = evaluate(3);
     const double inverse = w > 0.0 ? 1.0 / w : std::numeric_limits<double>::quiet_NaN();

@@ -47,13 +47,7 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
-
-/// Triangles as a mapper draws them, in model coordinates.
-struct vtkNBufferMesh
-{
-  std::vector<std::array<double, 3>> Points;
-  std::vector<std::array<unsigned int, 3>> Triangles;
-};
+struct vtkNBufferMesh;
 
 class VTKNBUFFER_EXPORT vtkNBufferSliverTest
 {
