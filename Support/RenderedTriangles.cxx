@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderedTriangles.h"
-#include "../Support/CompositeMapper.h"
+#include "CompositeMapper.h"
 
 #include "vtkNBufferVTKVersion.h"
 
