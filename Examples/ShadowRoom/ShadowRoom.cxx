@@ -6,7 +6,7 @@
  *
  * Metres, z up. There is no front wall, so that one can look in.
  */
-#include "ShadowExample.h"
+#include "Example.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -17,9 +17,9 @@
 
 int main(int argc, char* argv[])
 {
-  NBufferExamples::ShadowExample example("A room with furniture and one point light");
-  using Triple = NBufferExamples::ShadowExample::Triple;
-  using Boxes = NBufferExamples::ShadowExample::Boxes;
+  NBufferExamples::Example example("A room with furniture and one point light", "shadows");
+  using Triple = NBufferExamples::Example::Triple;
+  using Boxes = NBufferExamples::Example::Boxes;
   const auto show = [&]()
   {
     const Triple plaster = { 0.90, 0.86, 0.78 }, oak = { 0.68, 0.48, 0.30 };
@@ -84,7 +84,7 @@ int main(int argc, char* argv[])
     example.AddFill(0.2);
 
     vtkNew<vtkShadowVolumeClampPass> shadows;
-    shadows->SetLightCasts(light, example.HasShadows());
+    shadows->SetLightCasts(light, example.IsOn());
     renderer->SetPass(shadows);
 
     vtkCamera* camera = renderer->GetActiveCamera();

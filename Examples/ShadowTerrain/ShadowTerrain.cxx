@@ -7,8 +7,8 @@
  * The hills are data (Terrain.h), towers and birds synthetic. Birds are larger than life, 160 m
  * from wing to wing, so that their shadows can be seen from 5 km.
  */
+#include "Example.h"
 #include "Random.h"
-#include "ShadowExample.h"
 #include "Terrain.h"
 
 #include "vtkActor.h"
@@ -45,7 +45,7 @@ vtkSmartPointer<vtkPolyData> MakeBird()
 
 int main(int argc, char* argv[])
 {
-  NBufferExamples::ShadowExample example("Hills with towers and a flock of birds");
+  NBufferExamples::Example example("Hills with towers and a flock of birds", "shadows");
   const auto show = [&]()
   {
     const vtkSmartPointer<vtkPolyData> terrain = NBufferExamples::MakeTerrain(argv[0]);
@@ -82,7 +82,7 @@ int main(int argc, char* argv[])
     example.AddFill(0.2);
 
     vtkNew<vtkShadowVolumeClampPass> shadows;
-    shadows->SetLightCasts(sun, example.HasShadows());
+    shadows->SetLightCasts(sun, example.IsOn());
     renderer->SetPass(shadows);
 
     vtkCamera* camera = renderer->GetActiveCamera();

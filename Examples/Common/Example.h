@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file ShadowExample.h
- * @brief What the programs that show shadows share: options, a window, pictures.
+ * @file Example.h
+ * @brief What the programs of the examples share: options, a window, pictures.
  */
-#ifndef ShadowExample_h
-#define ShadowExample_h
+#ifndef Example_h
+#define Example_h
 
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
@@ -26,21 +26,22 @@ class vtkShadowVolumeClampPass;
 namespace NBufferExamples
 {
 
-class ShadowExample
+class Example
 {
 public:
-  /// A program with --out, --size and --no-shadows; options of its own can be added to App.
-  explicit ShadowExample(const std::string& description);
+  /// Makes a program with the options --out, --size and --no-FEATURE, such as --no-shadows; more
+  /// can be added to App.
+  Example(const std::string& description, const std::string& feature);
 
-  /// Parses the options, then calls `show`. Returns what main has to: not 0 for options that cannot
-  /// be understood and for exceptions of `show`, whose text is written to stderr.
+  /// Parses the options, calls `show`, and returns the result of main(): not 0 for wrong options
+  /// and for exceptions of `show`, whose text is written to stderr.
   int Run(int argc, char* argv[], const std::function<void()>& show);
 
-  /// Where the scene goes. It has no light but what is added.
+  /// Returns the renderer of the scene. It has only the lights that are added.
   vtkRenderer* GetRenderer() { return this->Renderer; }
 
-  /// False after --no-shadows, which draws what the shadows are to be compared with.
-  bool HasShadows() const { return this->Shadows; }
+  /// Returns false after --no-FEATURE, which draws the scene to compare with.
+  bool IsOn() const { return this->On; }
 
   using Triple = std::array<double, 3>;
   using Boxes = std::vector<std::pair<Triple, Triple>>; ///< Centres and sizes.
@@ -60,18 +61,18 @@ public:
   void AddFill(double intensity);
 
   /**
-   * With --out, write OUT/`picture`.png and print the statistics of the pass. Without it, open a
-   * window, until the user closes it. Throws std::runtime_error if the picture cannot be written or
-   * lacks the shadows that were asked for.
+   * With --out, writes OUT/`picture`.png; without it, opens a window until the user closes it.
+   * Throws std::runtime_error if the picture cannot be written. Given a pass, it also prints the
+   * statistics of the pass and throws if the picture lacks the shadows that it should have.
    */
-  void Show(const std::string& picture, vtkShadowVolumeClampPass* pass);
+  void Show(const std::string& picture, vtkShadowVolumeClampPass* pass = nullptr);
 
   CLI::App App;
 
 private:
   std::string Out;
   int Size[2] = { 960, 720 };
-  bool Shadows = true;
+  bool On = true;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;
 };

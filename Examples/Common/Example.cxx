@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ShadowExample.h"
+#include "Example.h"
 
 #include "vtkActor.h"
 #include "vtkCubeSource.h"
@@ -25,7 +25,7 @@
 namespace NBufferExamples
 {
 
-ShadowExample::ShadowExample(const std::string& description)
+Example::Example(const std::string& description, const std::string& feature)
   : App(description)
 {
   this->App.add_option(
@@ -44,13 +44,13 @@ ShadowExample::ShadowExample(const std::string& description)
     ->type_name("WxH")
     ->default_str("960x720");
   this->App.add_flag_callback(
-    "--no-shadows", [this]() { this->Shadows = false; }, "The same scene without shadows");
+    "--no-" + feature, [this]() { this->On = false; }, "The same scene without " + feature);
   this->Renderer->SetAutomaticLightCreation(0);
   this->Window->SetMultiSamples(0);
   this->Window->AddRenderer(this->Renderer);
 }
 
-int ShadowExample::Run(int argc, char* argv[], const std::function<void()>& show)
+int Example::Run(int argc, char* argv[], const std::function<void()>& show)
 {
   try
   {
@@ -69,7 +69,7 @@ int ShadowExample::Run(int argc, char* argv[], const std::function<void()>& show
   }
 }
 
-vtkActor* ShadowExample::AddMesh(vtkPolyData* mesh, const Triple& color)
+vtkActor* Example::AddMesh(vtkPolyData* mesh, const Triple& color)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(mesh);
@@ -82,7 +82,7 @@ vtkActor* ShadowExample::AddMesh(vtkPolyData* mesh, const Triple& color)
   return actor;
 }
 
-vtkActor* ShadowExample::AddBox(const Triple& centre, const Triple& size, const Triple& color)
+vtkActor* Example::AddBox(const Triple& centre, const Triple& size, const Triple& color)
 {
   vtkNew<vtkCubeSource> box;
   box->SetXLength(size[0]);
@@ -93,7 +93,7 @@ vtkActor* ShadowExample::AddBox(const Triple& centre, const Triple& size, const 
   return this->AddMesh(box->GetOutput(), color);
 }
 
-vtkActor* ShadowExample::AddBall(const Triple& centre, double radius, const Triple& color)
+vtkActor* Example::AddBall(const Triple& centre, double radius, const Triple& color)
 {
   vtkNew<vtkSphereSource> ball;
   ball->SetCenter(centre[0], centre[1], centre[2]);
@@ -104,8 +104,7 @@ vtkActor* ShadowExample::AddBall(const Triple& centre, double radius, const Trip
   return this->AddMesh(ball->GetOutput(), color);
 }
 
-void ShadowExample::AddBoxes(
-  const Triple& color, const Boxes& boxes, double x, double y, double turn)
+void Example::AddBoxes(const Triple& color, const Boxes& boxes, double x, double y, double turn)
 {
   for (const auto& [centre, size] : boxes)
   {
@@ -115,7 +114,7 @@ void ShadowExample::AddBoxes(
   }
 }
 
-void ShadowExample::AddFill(double intensity)
+void Example::AddFill(double intensity)
 {
   vtkNew<vtkLight> fill;
   fill->SetLightTypeToHeadlight();
@@ -123,7 +122,7 @@ void ShadowExample::AddFill(double intensity)
   this->Renderer->AddLight(fill);
 }
 
-void ShadowExample::Show(const std::string& picture, vtkShadowVolumeClampPass* pass)
+void Example::Show(const std::string& picture, vtkShadowVolumeClampPass* pass)
 {
   this->Window->SetSize(this->Size);
   this->Window->SetWindowName(picture.c_str());
@@ -152,9 +151,13 @@ void ShadowExample::Show(const std::string& picture, vtkShadowVolumeClampPass* p
   {
     throw std::runtime_error(std::string("cannot write ") + writer->GetFileName());
   }
+  if (!pass)
+  {
+    return;
+  }
   const vtkShadowStatistics& statistics = pass->GetStatistics();
   std::cout << picture << ": " << statistics.GetAsJSON() << "\n";
-  if (this->Shadows && statistics.Decision != vtkShadowDecision::Drawn)
+  if (this->On && statistics.Decision != vtkShadowDecision::Drawn)
   {
     throw std::runtime_error(picture + " has no shadows");
   }
