@@ -11,10 +11,9 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
-#include <CLI/CLI.hpp>
-
 #include <array>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,15 +22,30 @@ class vtkActor;
 class vtkPolyData;
 class vtkShadowVolumeClampPass;
 
+// CLI11 takes longer to compile than all that an example does: Example.cxx alone includes it.
+namespace CLI
+{
+class App;
+}
+
 namespace NBufferExamples
 {
 
 class Example
 {
 public:
-  /// Makes a program with the options --out, --size and --no-FEATURE, such as --no-shadows; more
-  /// can be added to App.
+  /// Makes a program with the options --out, --size and --no-FEATURE, such as --no-shadows.
   Example(const std::string& description, const std::string& feature);
+  ~Example();
+
+  ///@{
+  /// Add an option of the program's own: a number between `lowest` and `highest` that Run() writes
+  /// to `value`, which must outlive the example. What `value` holds before is the default.
+  void AddOption(
+    const std::string& name, double& value, const std::string& help, double lowest, double highest);
+  void AddOption(
+    const std::string& name, int& value, const std::string& help, int lowest, int highest);
+  ///@}
 
   /// Parses the options, calls `show`, and returns the result of main(): not 0 for wrong options
   /// and for exceptions of `show`, whose text is written to stderr.
@@ -67,9 +81,8 @@ public:
    */
   void Show(const std::string& picture, vtkShadowVolumeClampPass* pass = nullptr);
 
-  CLI::App App;
-
 private:
+  std::unique_ptr<CLI::App> App;
   std::string Out;
   int Size[2] = { 960, 720 };
   bool On = true;
