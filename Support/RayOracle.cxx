@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RayOracle.h"
 
+#include "ThinSides.h"
+
 #include "vtkCamera.h"
-#include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
@@ -27,41 +28,6 @@ constexpr double DepthSteps = 4.0 / (1 << 24);
 constexpr double GridSteps = 2.0 / 256;
 constexpr double TerminatorMargin = 1e-4;
 constexpr double ConeMargin = 1e-6;
-
-/// Unit vector from x to the light.
-void GetDirectionToLight(const double x[3], const OracleLight& light, double direction[3])
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    direction[i] = light.Positional ? light.Position[i] - x[i] : -light.Direction[i];
-  }
-  vtkMath::Normalize(direction);
-}
-}
-
-OracleLight::OracleLight(vtkLight* light)
-  : Positional(light->GetPositional() != 0)
-{
-  double focalPoint[3];
-  light->GetTransformedPosition(this->Position);
-  light->GetTransformedFocalPoint(focalPoint);
-  vtkMath::Subtract(focalPoint, this->Position, this->Direction);
-  vtkMath::Normalize(this->Direction);
-  if (this->Positional && light->GetConeAngle() < 90.0)
-  {
-    this->ConeCosine = std::cos(vtkMath::RadiansFromDegrees(light->GetConeAngle()));
-  }
-}
-
-int OracleImage::Count(OracleSample sample) const
-{
-  return static_cast<int>(std::count(this->Samples.begin(), this->Samples.end(), sample));
-}
-
-int OracleImage::CountAmbiguous() const
-{
-  return static_cast<int>(
-    this->Ambiguous.size() - std::count(this->Ambiguous.begin(), this->Ambiguous.end(), 0));
 }
 
 Oracle::Oracle(vtkRenderer* renderer, const std::function<bool(vtkProp*)>& isCaster)
@@ -191,7 +157,7 @@ Ray Oracle::GetShadowRay(const Receiver& receiver, const OracleLight& light) con
 {
   Ray ray;
   std::copy_n(receiver.Position, 3, ray.Origin);
-  GetDirectionToLight(receiver.Position, light, ray.Direction);
+  light.GetDirectionTo(receiver.Position, ray.Direction);
   ray.Near = this->Tolerance;
   if (light.Positional)
   {
@@ -235,7 +201,7 @@ Oracle::Classification Oracle::Classify(
     return result;
   }
   double toLight[3];
-  GetDirectionToLight(receiver.Position, light, toLight);
+  light.GetDirectionTo(receiver.Position, toLight);
   const double cosine = vtkMath::Dot(receiver.Normal, toLight);
   const double fromAxis = -vtkMath::Dot(toLight, light.Direction);
   result.Marginal =
@@ -360,7 +326,7 @@ bool Oracle::DependsOnRounding(
     vtkMath::Subtract(beside, receiver.Position, offs.back().data());
   }
   double toLight[3];
-  GetDirectionToLight(receiver.Position, light, toLight);
+  light.GetDirectionTo(receiver.Position, toLight);
   const double cosine = vtkMath::Dot(receiver.Normal, toLight);
   for (const std::array<double, 3>& off : offs)
   {

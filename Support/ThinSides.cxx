@@ -3,7 +3,8 @@
 #include "ThinSides.h"
 
 #include "DrawnPolygon.h"
-#include "RayOracle.h"
+#include "OracleImage.h"
+#include "RenderedTriangles.h"
 
 #include "vtkMath.h"
 
@@ -71,7 +72,8 @@ ThinSides::ThinSides(const RenderedTriangles& triangles, const std::vector<unsig
       AddEdges(&triangles.Corners[9 * i], triangles.Owners[i], light, edges);
     }
   }
-  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b)
+  std::sort(edges.begin(), edges.end(),
+    [](const Edge& a, const Edge& b)
     { return a.Owner != b.Owner ? a.Owner < b.Owner : a.Corners < b.Corners; });
   for (auto first = edges.begin(); first != edges.end();)
   {
@@ -139,6 +141,7 @@ bool ThinSides::AreNear(int x, int y, double depth, double slack) const
 {
   const std::vector<Crossing>& crossings =
     this->Pixels[static_cast<std::size_t>(y) * this->Width + x];
-  return std::any_of(crossings.begin(), crossings.end(), [&](const Crossing& crossing)
+  return std::any_of(crossings.begin(), crossings.end(),
+    [&](const Crossing& crossing)
     { return std::abs(crossing.Depth - depth) <= crossing.Bound + slack; });
 }

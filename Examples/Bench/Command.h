@@ -10,7 +10,7 @@
 
 #include "CameraPath.h"
 #include "Mode.h"
-#include "Scene.h"
+#include "LoadScene.h"
 #include "Session.h"
 
 #include "vtk_jsoncpp.h"

@@ -102,7 +102,7 @@ vtkActor* Example::AddMesh(vtkPolyData* mesh, const Triple& color)
   return actor;
 }
 
-vtkActor* Example::AddBox(const Triple& centre, const Triple& size, const Triple& color)
+vtkActor* Example::AddCuboid(const Triple& centre, const Triple& size, const Triple& color)
 {
   vtkNew<vtkCubeSource> box;
   box->SetXLength(size[0]);
@@ -113,7 +113,7 @@ vtkActor* Example::AddBox(const Triple& centre, const Triple& size, const Triple
   return this->AddMesh(box->GetOutput(), color);
 }
 
-vtkActor* Example::AddBall(const Triple& centre, double radius, const Triple& color)
+vtkActor* Example::AddGlobe(const Triple& centre, double radius, const Triple& color)
 {
   vtkNew<vtkSphereSource> ball;
   ball->SetCenter(centre[0], centre[1], centre[2]);
@@ -124,11 +124,11 @@ vtkActor* Example::AddBall(const Triple& centre, double radius, const Triple& co
   return this->AddMesh(ball->GetOutput(), color);
 }
 
-void Example::AddBoxes(const Triple& color, const Boxes& boxes, double x, double y, double turn)
+void Example::AddCuboids(const Triple& color, const Boxes& boxes, double x, double y, double turn)
 {
   for (const auto& [centre, size] : boxes)
   {
-    vtkActor* actor = this->AddBox(centre, size, color);
+    vtkActor* actor = this->AddCuboid(centre, size, color);
     actor->SetPosition(x, y, 0.0);
     actor->RotateZ(turn);
   }

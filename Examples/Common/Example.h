@@ -63,12 +63,12 @@ public:
   ///@{
   /// Add an actor with an ambient part of 0.25; colours from 0 to 1.
   vtkActor* AddMesh(vtkPolyData* mesh, const Triple& color);
-  vtkActor* AddBox(const Triple& centre, const Triple& size, const Triple& color);
-  vtkActor* AddBall(const Triple& centre, double radius, const Triple& color);
+  vtkActor* AddCuboid(const Triple& centre, const Triple& size, const Triple& color);
+  vtkActor* AddGlobe(const Triple& centre, double radius, const Triple& color);
   ///@}
 
   /// Add boxes of one colour, all of them turned about the z axis (degrees), then moved to (x, y).
-  void AddBoxes(
+  void AddCuboids(
     const Triple& color, const Boxes& boxes, double x = 0.0, double y = 0.0, double turn = 0.0);
 
   /// Add a weak light from the eye, which casts no shadow, so that shadows are not black.

@@ -7,7 +7,7 @@
  */
 #include "CameraPath.h"
 #include "Example.h"
-#include "Scene.h"
+#include "LoadScene.h"
 
 #include "vtkNBufferCuller.h"
 

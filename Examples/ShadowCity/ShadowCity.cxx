@@ -11,7 +11,7 @@
  */
 #include "CameraPath.h"
 #include "Example.h"
-#include "Scene.h"
+#include "LoadScene.h"
 #include "Sun.h"
 
 #include "vtkInformation.h"

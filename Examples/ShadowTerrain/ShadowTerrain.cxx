@@ -57,7 +57,7 @@ int main(int argc, char* argv[])
       double foot[3];
       terrain->GetPoint(random.Index(terrain->GetNumberOfPoints()), foot);
       const double height = random.Between(150.0, 350.0);
-      example.AddBox({ foot[0], foot[1], foot[2] + 0.5 * height - 50.0 },
+      example.AddCuboid({ foot[0], foot[1], foot[2] + 0.5 * height - 50.0 },
         { 60.0, 60.0, height + 100.0 }, { 0.88, 0.84, 0.78 });
     }
     const vtkSmartPointer<vtkPolyData> bird = MakeBird();
