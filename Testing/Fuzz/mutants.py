@@ -8,6 +8,7 @@ the old text must be there exactly once.
 
 PROJECTION = "vtkNBufferProjection.cxx"
 BOX_ERROR = "vtkNBufferBoxError.h"
+CLIP_EXTENT = "vtkNBufferClipExtent.h"
 VIEW = "vtkNBufferView.cxx"
 CANDIDATE = "vtkNBufferCandidate.cxx"
 CANDIDATE_TREE = "vtkNBufferCandidateTree.cxx"
@@ -95,7 +96,7 @@ MUTANTS = {
 
     # The near plane.
     "crossing the near plane or the eye counts as inside": [
-        (PROJECTION, NEAR_PLANE_TEST, "if (std::isnan(w))")],
+        (CLIP_EXTENT, NEAR_PLANE_TEST, "if (std::isnan(w))")],
     "the part of a box behind the eye is forgotten": [
         (PROJECTION, "result.Clipped = !before;", "result.Clipped = !before;\n  before = true;")],
 
@@ -117,7 +118,7 @@ MUTANTS = {
          "    ? projection.GetContact(a.Box, a.Screen, b.Box, b.Screen)\n"
          "    : vtkNBufferRectangle();")],
     "what is drawn again is drawn beside its regions too": [
-        ("vtkNBufferGL.h", "scissor.Set(region);", "")],
+        ("vtkNBufferScissor.h", "scissor.Set(region);", "")],
     "regions in which props touch one column short": [
         (PROJECTION, "return pixels.GetIntersection(sharedScreen.Pixels);",
          "sharedScreen.Pixels = pixels.GetIntersection(sharedScreen.Pixels);\n"
@@ -216,8 +217,8 @@ RARE = {
         (CANDIDATE_TREE, "this->Tree.Move(place, candidate.GetBox());", "")],
     "no slack for stored and interpolated depth": NO_DEPTH_SLACK,
     "no slack for rounded vertices in x and y": [
-        (PROJECTION, "ndc - slack);", "ndc - slack * glm::dvec3(0.0, 0.0, 1.0));"),
-        (PROJECTION, "ndc + slack);", "ndc + slack * glm::dvec3(0.0, 0.0, 1.0));")],
+        (CLIP_EXTENT, "ndc - slack);", "ndc - slack * glm::dvec3(0.0, 0.0, 1.0));"),
+        (CLIP_EXTENT, "ndc + slack);", "ndc + slack * glm::dvec3(0.0, 0.0, 1.0));")],
     "a square's level looked up that was not built (< turned to <=)": [
         ("vtkNBufferPixelTest.cxx", "this->SquareLevel < this->Levels.GetNumberOfLevels()",
          "this->SquareLevel <= this->Levels.GetNumberOfLevels()")],
@@ -242,7 +243,7 @@ EQUIVALENT = {
          "return screen.Nearest >= vtkNBufferDepthConvention")],
     # What is before the near plane and in front of the eye has a negative depth, which nothing hides.
     "crossing the near plane counts as inside, crossing the eye does not": [
-        (PROJECTION, NEAR_PLANE_TEST, "if (!(w > this->Error.w))")],
+        (CLIP_EXTENT, NEAR_PLANE_TEST, "if (!(w > this->Error.w))")],
     # The next frame begins with more props than it needs.
     "visible props are not remembered": [
         (VIEW, "    state.WasVisible = true;\n    drawn +=", "    drawn +=")],

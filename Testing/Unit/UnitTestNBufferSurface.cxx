@@ -144,6 +144,26 @@ TEST(NBufferSurface, OtherDataIsExtracted)
   EXPECT_FALSE(vtkNBufferSurface().GetParts(actor, actor->GetMatrix(), parts));
 }
 
+// Hazard: the image changes because the shadow pass runs a pipeline that VTK would not run.
+TEST(NBufferSurface, PipelinesOfStaticMappersAreNotRun)
+{
+  vtkNew<vtkSphereSource> source;
+  vtkNew<vtkOpenGLPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkNBufferSurface::UpdatePipeline(actor);
+  const vtkIdType count = mapper->GetInput()->GetNumberOfPoints();
+  EXPECT_GT(count, 0);
+  mapper->StaticOn();
+  source->SetThetaResolution(20);
+  vtkNBufferSurface::UpdatePipeline(actor);
+  EXPECT_EQ(mapper->GetInput()->GetNumberOfPoints(), count);
+  mapper->StaticOff();
+  vtkNBufferSurface::UpdatePipeline(actor);
+  EXPECT_GT(mapper->GetInput()->GetNumberOfPoints(), count);
+}
+
 TEST(NBufferSurface, PolygonsAndStripsBecomeTriangles)
 {
   vtkNew<vtkPoints> points;

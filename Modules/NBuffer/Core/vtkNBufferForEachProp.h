@@ -47,21 +47,33 @@ void Run(std::size_t count, Functor&& functor, vtkIdType perThread = PropsPerThr
   vtkSMPTools::For(0, size, perThread, functor);
 }
 
-/// Call functor(i) for 0 to count - 1 like Run(), and some props earlier prefetch(i).
-template <typename Prefetch, typename Functor>
-void RunAhead(std::size_t count, Prefetch&& prefetch, Functor&& functor)
+/// Call functor(i) for 0 to count - 1 like Run().
+template <typename Functor>
+void RunEach(std::size_t count, Functor&& functor)
 {
   Run(count,
-    [&prefetch, &functor](vtkIdType begin, vtkIdType end)
+    [&functor](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        if (i + PropsToFetchAhead < end)
-        {
-          prefetch(i + PropsToFetchAhead);
-        }
         functor(i);
       }
+    });
+}
+
+/// RunEach() that calls prefetch(i) for each prop some props before functor(i).
+template <typename Prefetch, typename Functor>
+void RunAhead(std::size_t count, Prefetch&& prefetch, Functor&& functor)
+{
+  const auto size = static_cast<vtkIdType>(count);
+  RunEach(count,
+    [&](vtkIdType i)
+    {
+      if (i + PropsToFetchAhead < size)
+      {
+        prefetch(i + PropsToFetchAhead);
+      }
+      functor(i);
     });
 }
 }

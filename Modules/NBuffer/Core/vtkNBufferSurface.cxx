@@ -48,6 +48,32 @@ using CompositeMapper = vtkCompositePolyDataMapper2;
 using CompositeMapper = vtkCompositePolyDataMapper;
 #endif
 
+/// The kinds of mappers whose drawing is known. A subclass is of kind Other.
+enum class Kind
+{
+  PolyData,
+  DataSet,
+  Composite,
+  Other
+};
+
+Kind GetKind(vtkMapper* mapper)
+{
+  const std::type_info& type = typeid(*mapper);
+  if (type == typeid(vtkOpenGLPolyDataMapper))
+  {
+    return Kind::PolyData;
+  }
+  if (type == typeid(vtkDataSetMapper))
+  {
+    return Kind::DataSet;
+  }
+  // Where VTK has two composite mappers the older one has no attributes of blocks.
+  const bool composite =
+    type == typeid(CompositeMapper) || type == typeid(vtkCompositePolyDataMapper);
+  return composite ? Kind::Composite : Kind::Other;
+}
+
 void UpdateProducer(vtkAlgorithm* algorithm)
 {
   for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
@@ -174,16 +200,12 @@ vtkActor* vtkNBufferSurface::GetPlainActor(vtkProp* prop)
 
 bool vtkNBufferSurface::IsPlain(vtkMapper* mapper)
 {
-  const std::type_info& type = typeid(*mapper);
-  return type == typeid(vtkOpenGLPolyDataMapper) || type == typeid(vtkDataSetMapper) ||
-    IsComposite(mapper);
+  return GetKind(mapper) != Kind::Other;
 }
 
 bool vtkNBufferSurface::IsComposite(vtkMapper* mapper)
 {
-  // Where VTK has two composite mappers the older one has no attributes, but shows such data.
-  const std::type_info& type = typeid(*mapper);
-  return type == typeid(CompositeMapper) || type == typeid(vtkCompositePolyDataMapper);
+  return GetKind(mapper) == Kind::Composite;
 }
 
 bool vtkNBufferSurface::HasReplacedShaders(vtkActor* actor)
@@ -206,7 +228,9 @@ bool vtkNBufferSurface::HasOtherCoordinates(vtkActor* actor)
 
 vtkPolyData* vtkNBufferSurface::GetOnlyPolyData(vtkMapper* mapper)
 {
-  if (!IsPlain(mapper) || IsComposite(mapper) || mapper->GetNumberOfInputConnections(0) != 1)
+  const Kind kind = GetKind(mapper);
+  if ((kind != Kind::PolyData && kind != Kind::DataSet) ||
+    mapper->GetNumberOfInputConnections(0) != 1)
   {
     return nullptr;
   }
@@ -272,9 +296,8 @@ bool vtkNBufferSurface::HasOffsetTowardsEye(vtkMapper* mapper, bool linesOrPoint
 std::optional<vtkNBufferSurface::BufferCoordinates> vtkNBufferSurface::GetBufferCoordinates(
   vtkMapper* mapper)
 {
-  auto* plain = typeid(*mapper) == typeid(vtkOpenGLPolyDataMapper)
-    ? static_cast<vtkOpenGLPolyDataMapper*>(mapper)
-    : nullptr;
+  auto* plain =
+    GetKind(mapper) == Kind::PolyData ? static_cast<vtkOpenGLPolyDataMapper*>(mapper) : nullptr;
   vtkPolyData* input = plain ? plain->GetInput() : nullptr;
   if (!input || !input->GetPoints())
   {

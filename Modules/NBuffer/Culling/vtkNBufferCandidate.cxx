@@ -124,18 +124,18 @@ void vtkNBufferCandidate::ReadBounds(vtkActor* actor)
   {
     return;
   }
-  vtkMatrix4x4* matrix = actor->GetMatrix();
+  const glm::dmat4 toWorld = vtkNBufferGLM::ToMatrix(actor->GetMatrix()->GetData());
+  this->Box.Origin = glm::dvec3(toWorld[3]);
+  this->Box.Magnitude = glm::dvec3(0.0);
+  for (int k = 0; k < 3; ++k)
+  {
+    const glm::dvec3 column(toWorld[k]);
+    this->Box.Origin += column * buffer->Origin[k];
+    this->Box.Magnitude += glm::abs(column) * buffer->HalfRange[k];
+  }
+  // VTK's bounds leave infinite points out; the device does not.
   for (int j = 0; j < 3; ++j)
   {
-    this->Box.Origin[j] = matrix->GetElement(j, 3);
-    this->Box.Magnitude[j] = 0.0;
-    for (int k = 0; k < 3; ++k)
-    {
-      const double element = matrix->GetElement(j, k);
-      this->Box.Origin[j] += element * buffer->Origin[k];
-      this->Box.Magnitude[j] += std::abs(element) * buffer->HalfRange[k];
-    }
-    // VTK's bounds leave infinite points out; the device does not.
     this->BoxIsUsable = this->BoxIsUsable && std::isfinite(this->Box.Origin[j]) &&
       std::isfinite(this->Box.Magnitude[j]);
   }

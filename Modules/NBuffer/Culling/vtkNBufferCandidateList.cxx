@@ -140,14 +140,8 @@ void vtkNBufferCandidateList::Project(const vtkNBufferProjection& projection)
     this->ProjectAll(projection);
     return;
   }
-  vtkNBufferForEachProp::Run(this->Candidates.GetSize(),
-    [this](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        this->Unplace(i);
-      }
-    });
+  vtkNBufferForEachProp::RunEach(
+    this->Candidates.GetSize(), [this](vtkIdType i) { this->Unplace(i); });
   this->ProjectOverTree(projection);
 }
 
@@ -161,14 +155,8 @@ void vtkNBufferCandidateList::ProjectOverTree(const vtkNBufferProjection& projec
   this->Projection = &projection;
   this->Reached.clear();
   this->Tree.Place(projection, this->Candidates.GetItems(), this->States, this->Reached);
-  vtkNBufferForEachProp::Run(this->Reached.size(),
-    [this, &projection](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        this->ProjectOne(this->Reached[i], projection);
-      }
-    });
+  vtkNBufferForEachProp::RunEach(this->Reached.size(),
+    [this, &projection](vtkIdType i) { this->ProjectOne(this->Reached[i], projection); });
 }
 
 void vtkNBufferCandidateList::ProjectDeferred(int i)
@@ -193,14 +181,8 @@ void vtkNBufferCandidateList::MarkHidden(vtkNBufferOcclusionTest& test)
 
 void vtkNBufferCandidateList::ProjectAll(const vtkNBufferProjection& projection)
 {
-  vtkNBufferForEachProp::Run(this->Candidates.GetSize(),
-    [this, &projection](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        this->ProjectOne(i, projection);
-      }
-    });
+  vtkNBufferForEachProp::RunEach(this->Candidates.GetSize(),
+    [this, &projection](vtkIdType i) { this->ProjectOne(i, projection); });
 }
 
 void vtkNBufferCandidateList::KeepIfNoneIsInside()

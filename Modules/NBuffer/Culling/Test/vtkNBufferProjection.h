@@ -29,6 +29,7 @@
 #include <optional>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkNBufferClipExtent;
 
 /// Where a box is with respect to the view, see above.
 enum class vtkNBufferPlacement
@@ -174,19 +175,18 @@ public:
   std::optional<FacePlane> GetFacePlane(
     const vtkNBufferBox& box, const vtkNBufferScreenBox& screen, int face) const;
 
-  /// The eight corners of a box that is Inside, in pixels of the viewport.
+  /// The corners of a box that is Inside, in pixels of the viewport.
   std::array<glm::dvec2, 8> GetCorners(const vtkNBufferBox& box) const;
 
-  /// The length of the box along each of its three axes, through its centre, as seen on the screen,
-  /// in pixels. It says along which axis to cut the box. The box must be Inside.
+  /// The length in pixels, on the screen, of each axis of a box that is Inside, through its centre.
   glm::dvec3 GetAxisLengths(const vtkNBufferBox& box) const;
 
 private:
-  class Extent;
   using Corners = std::array<glm::dvec4, 8>;
-  vtkNBufferPlacement Clip(const vtkNBufferBox& box, const Corners& corners, Extent& extent) const;
-  vtkNBufferPlacement Finish(
-    const vtkNBufferBox& box, const Extent& extent, vtkNBufferScreenBox& result) const;
+  vtkNBufferPlacement Clip(
+    const vtkNBufferBox& box, const Corners& corners, vtkNBufferClipExtent& extent) const;
+  vtkNBufferPlacement Finish(const vtkNBufferBox& box, const vtkNBufferClipExtent& extent,
+    vtkNBufferScreenBox& result) const;
 
   Rows WorldToClip;
   Rows ClipToWorld;
