@@ -177,7 +177,7 @@ class Study:
     def shadows(self):
         modes = ["none", "unclamped", *(
             f"{mode}@{litmap}" for litmap in self.effort.litmaps
-            for mode in ("auto", "exact", "clamp", "slabs")), "vtk@256", "vtk@1024"]
+            for mode in ("auto", "exact", "clamp", "slabs")), "paper@256", "vtk@256", "vtk@1024"]
         default = f"auto@{self.defaults['shadow']['LitmapResolution']}"
         return {"shadows": [
             {**self.shadow(scene, self.effort.shadow_frames, modes, "--oracle", "--oracle-once"),

@@ -9,8 +9,8 @@
 #define Command_h
 
 #include "CameraPath.h"
-#include "Mode.h"
 #include "LoadScene.h"
+#include "Mode.h"
 #include "Session.h"
 
 #include "vtk_jsoncpp.h"

@@ -130,7 +130,8 @@ void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
     ->add_option("--modes", options->Walk.Modes,
       "none; of vtkShadowVolumeClampPass unclamped, cull (whole volumes of casters with "
       "receivers), exact (in boxes around these), auto (unclamped or exact), clamp (exact, one "
-      "slab), slabs; vtk: vtkShadowMapPass; exact@64: with a litmap of 64 x 64, vtk@64 with such "
+      "slab), slabs, paper (clamp with litmaps drawn from the light, which lose shadows); vtk: "
+      "vtkShadowMapPass; exact@64: with a litmap of 64 x 64, vtk@64 with such "
       "maps; those of volumes also with settings of their own, such as auto:BoxCost=16, "
       "slabs@64:SlabGap=2")
     ->delimiter(',')
