@@ -33,7 +33,7 @@ nbuffer_say "60 frames in four modes, every one compared byte for byte: out/walk
   --json "$out/walk.json" --images "$out/walk"
 
 nbuffer_say "4 of 4: pictures of what is culled, and of the levels of the N-buffer"
-"$bench" pictures --size 960x720 --no-chart --out "$out"
+"$bench" pictures --size 960x720 --out "$out"
 
 nbuffer_say "Written to out/"
 (cd "$out" && find . -type f | sort)

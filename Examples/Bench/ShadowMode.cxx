@@ -23,34 +23,18 @@ namespace NBufferBench
 {
 namespace
 {
-/// What receives shadows: all that is seen, only what faces the light, or as the pass was set up.
-enum class ReceiverSet
-{
-  All,
-  Lit,
-  AsSetUp
-};
-
 struct VolumeKind
 {
   const char* Name;
   int Mode;
   int SlabGap;
-  int LitmapMethod;
   bool Scissor;
-  ReceiverSet Receivers;
 };
 using Pass = vtkShadowVolumeClampPass;
-constexpr VolumeKind VolumeKinds[] = {
-  { "unclamped", Pass::Unclamped, 4, Pass::Scattered, true, ReceiverSet::All },
-  { "cull", Pass::Scissored, 4, Pass::Scattered, false, ReceiverSet::AsSetUp },
-  { "auto", Pass::Automatic, 4, Pass::Scattered, true, ReceiverSet::All },
-  { "exact", Pass::Scissored, 4, Pass::Scattered, true, ReceiverSet::AsSetUp },
-  { "clamp", Pass::Clamped, 64, Pass::Scattered, true, ReceiverSet::AsSetUp },
-  { "slabs", Pass::Clamped, 4, Pass::Scattered, true, ReceiverSet::AsSetUp },
-  { "slabslit", Pass::Clamped, 4, Pass::Scattered, true, ReceiverSet::Lit },
-  { "paper", Pass::Clamped, 64, Pass::Rerendered, true, ReceiverSet::All },
-};
+constexpr VolumeKind VolumeKinds[] = { { "unclamped", Pass::Unclamped, 4, true },
+  { "cull", Pass::Scissored, 4, false }, { "auto", Pass::Automatic, 4, true },
+  { "exact", Pass::Scissored, 4, true }, { "clamp", Pass::Clamped, 64, true },
+  { "slabs", Pass::Clamped, 4, true } };
 
 const VolumeKind* FindVolumeKind(const std::string& name)
 {
@@ -83,7 +67,6 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   , Kind(name.substr(0, name.find_first_of("@:")))
   , Litmap(litmap)
   , BoxCost(volumes->GetBoxCost())
-  , SkipUnlitReceivers(volumes->GetSkipUnlitReceivers())
   , IsVolumes(FindVolumeKind(Kind) != nullptr)
 {
   const std::string sized = GetModeKind(name);
@@ -98,13 +81,13 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   if (!isKnown || (isSized && !(hasSize && canHaveSize)))
   {
     throw std::runtime_error("no mode " + name +
-      "; there are none, unclamped, cull, auto, exact, clamp, slabs, slabslit, paper "
-      "and vtk, all but the first two also with a resolution of 1 to 9999, such as exact@64, and "
-      "those of volumes with settings, such as slabs@64:SlabGap=2");
+      "; there are none, unclamped, cull, auto, exact, clamp, slabs and vtk, all but the first two "
+      "also with a resolution of 1 to 9999, such as exact@64, and those of volumes with settings, "
+      "such as slabs@64:SlabGap=2");
   }
   if (this->IsVolumes)
   {
-    ApplySettings(name, vtkNew<vtkShadowVolumeClampPass>()); // Whether they are settings at all.
+    ApplySettings(name, vtkNew<vtkShadowVolumeClampPass>()); // Throws if they are wrong.
     this->Pass = volumes;
   }
   else if (this->Kind == "vtk")
@@ -115,8 +98,7 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
 
 bool ShadowMode::IsExact(const std::string& name)
 {
-  const VolumeKind* kind = FindVolumeKind(name.substr(0, name.find_first_of("@:")));
-  return kind && kind->LitmapMethod == vtkShadowVolumeClampPass::Scattered;
+  return FindVolumeKind(name.substr(0, name.find_first_of("@:"))) != nullptr;
 }
 
 void ShadowMode::Enter(vtkRenderer* renderer) const
@@ -126,10 +108,7 @@ void ShadowMode::Enter(vtkRenderer* renderer) const
     auto* volumes = static_cast<vtkShadowVolumeClampPass*>(this->Pass.GetPointer());
     volumes->SetMode(kind->Mode);
     volumes->SetSlabGap(kind->SlabGap);
-    volumes->SetLitmapMethod(kind->LitmapMethod);
     volumes->SetScissor(kind->Scissor);
-    volumes->SetSkipUnlitReceivers(kind->Receivers == ReceiverSet::Lit ||
-      (kind->Receivers == ReceiverSet::AsSetUp && this->SkipUnlitReceivers));
     volumes->SetLitmapResolution(this->Resolution > 0 ? this->Resolution : this->Litmap);
     volumes->SetBoxCost(this->BoxCost);
     ApplySettings(this->Name, volumes);

@@ -63,10 +63,8 @@ struct vtkShadowMaskMaker::Work
 bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  if (!vtkNBufferGL::HasVersion(3, 2))
+  if (!vtkNBufferGL::CheckVersion(this->Error))
   {
-    this->Error = "The OpenGL context is older than 3.2. Update the driver or use Mesa's software "
-                  "renderer.";
     return false;
   }
   glGetIntegerv(GL_VIEWPORT, this->Viewport);
@@ -76,8 +74,7 @@ bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights)
     this->Error = "The viewport is empty or begins outside of the window. Move it inside.";
     return false;
   }
-  constexpr int each = vtkShadowTarget::LightsPerMask;
-  const int masks = static_cast<int>(lights + each - 1) / each;
+  const int masks = vtkShadowTarget::CountMasks(lights);
   return this->Target.Reserve(window, viewport[0] + viewport[2], viewport[1] + viewport[3], masks,
     vtkShadowTarget::GetBoundSamples(), this->Error);
 }
@@ -411,9 +408,8 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
   {
     return false;
   }
-  constexpr std::size_t each = vtkShadowTarget::LightsPerMask;
-  const int mask = static_cast<int>(work.Slot / each);
-  const int channel = static_cast<int>(work.Slot % each);
+  const int mask = vtkShadowTarget::GetMaskIndex(work.Slot);
+  const int channel = vtkShadowTarget::GetChannel(work.Slot);
   // As many volumes at a time as the stencil can count, should a receiver be in all of them.
   const bool allAtOnce = plan.IsCountBelow(vtkShadowCaster::MaximumCount);
   const vtkShadowDraw* first = draws.data();
