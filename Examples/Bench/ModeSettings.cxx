@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ModeSettings.h"
 
+#include "Tune.h"
+
 #include "vtkNBufferCuller.h"
 #include "vtkNew.h"
 #include "vtkShadowVolumeClampPass.h"
@@ -25,29 +27,34 @@ struct Setting
 };
 
 // These two lists are the only place where settings of modes are named.
-#define NBUFFER_SETTING(Class, Name)                                                               \
+// clang-format off
+#define NBUFFER_TUNING(Class, Tuning, Name)                                                        \
   {                                                                                                \
-#Name, [](Class * object, int value) { object->Set##Name(value); },                            \
-      [](Class * object) { return static_cast<int>(object->Get##Name()); }                         \
+    #Name, [](Class* object, int value) { Tune(object, &Tuning::Name, value); },                  \
+      [](Class* object) { return static_cast<int>(object->GetTuning().Name); }                    \
   }
+#define NBUFFER_CULLER(Name) NBUFFER_TUNING(vtkNBufferCuller, vtkNBufferTuning, Name)
 constexpr Setting<vtkNBufferCuller> CullerSettings[] = {
-  NBUFFER_SETTING(vtkNBufferCuller, RoundSize),
-  NBUFFER_SETTING(vtkNBufferCuller, MaximumNumberOfRounds),
-  NBUFFER_SETTING(vtkNBufferCuller, MinimumNumberOfCandidates),
-  NBUFFER_SETTING(vtkNBufferCuller, BaseFactor),
-  NBUFFER_SETTING(vtkNBufferCuller, MaximumNumberOfPieces),
-  NBUFFER_SETTING(vtkNBufferCuller, HierarchySize),
-  NBUFFER_SETTING(vtkNBufferCuller, TestPixels),
-  NBUFFER_SETTING(vtkNBufferCuller, TestSlivers),
-  NBUFFER_SETTING(vtkNBufferCuller, BackOff),
-  NBUFFER_SETTING(vtkNBufferCuller, ReuseWhenStill),
-  NBUFFER_SETTING(vtkNBufferCuller, TakeOverFrustumCulling),
+  NBUFFER_CULLER(RoundSize),
+  NBUFFER_CULLER(MaximumNumberOfRounds),
+  NBUFFER_CULLER(MinimumNumberOfCandidates),
+  NBUFFER_CULLER(BaseFactor),
+  NBUFFER_CULLER(MaximumNumberOfPieces),
+  NBUFFER_CULLER(HierarchySize),
+  NBUFFER_CULLER(TestPixels),
+  NBUFFER_CULLER(BackOff),
+  NBUFFER_CULLER(ReuseWhenStill),
+  NBUFFER_CULLER(TakeOverFrustumCulling),
+  { "TestSlivers", [](vtkNBufferCuller* culler, int value) { culler->SetTestSlivers(value); },
+    [](vtkNBufferCuller* culler) { return culler->GetTestSlivers(); } },
 };
 constexpr Setting<vtkShadowVolumeClampPass> PassSettings[] = {
-  NBUFFER_SETTING(vtkShadowVolumeClampPass, BoxCost),
-  NBUFFER_SETTING(vtkShadowVolumeClampPass, SlabGap),
+  NBUFFER_TUNING(vtkShadowVolumeClampPass, vtkShadowTuning, BoxCost),
+  NBUFFER_TUNING(vtkShadowVolumeClampPass, vtkShadowTuning, SlabGap),
 };
-#undef NBUFFER_SETTING
+// clang-format on
+#undef NBUFFER_CULLER
+#undef NBUFFER_TUNING
 
 template <typename Object, std::size_t N>
 const Setting<Object>& Find(const Setting<Object> (&settings)[N], const std::string& name)
@@ -132,7 +139,7 @@ Json::Value GetDefaults()
   {
     defaults["shadow"][setting.Name] = setting.Get(pass);
   }
-  defaults["shadow"]["LitmapResolution"] = pass->GetLitmapResolution();
+  defaults["shadow"]["LitmapResolution"] = pass->GetTuning().LitmapResolution;
   return defaults;
 }
 

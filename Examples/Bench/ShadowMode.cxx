@@ -3,6 +3,7 @@
 #include "ShadowMode.h"
 
 #include "ModeSettings.h"
+#include "RerenderedLitmap.h"
 
 #include "vtkCameraPass.h"
 #include "vtkNew.h"
@@ -28,13 +29,11 @@ struct VolumeKind
   const char* Name;
   int Mode;
   int SlabGap;
-  bool Scissor;
 };
 using Pass = vtkShadowVolumeClampPass;
-constexpr VolumeKind VolumeKinds[] = { { "unclamped", Pass::Unclamped, 4, true },
-  { "cull", Pass::Scissored, 4, false }, { "auto", Pass::Automatic, 4, true },
-  { "exact", Pass::Scissored, 4, true }, { "clamp", Pass::Clamped, 64, true },
-  { "slabs", Pass::Clamped, 4, true } };
+constexpr VolumeKind VolumeKinds[] = { { "unclamped", Pass::Unclamped, 4 },
+  { "cull", Pass::Culled, 4 }, { "auto", Pass::Automatic, 4 }, { "exact", Pass::Scissored, 4 },
+  { "clamp", Pass::Clamped, 64 }, { "slabs", Pass::Clamped, 4 }, { "paper", Pass::Clamped, 64 } };
 
 const VolumeKind* FindVolumeKind(const std::string& name)
 {
@@ -66,7 +65,6 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   : Name(name)
   , Kind(name.substr(0, name.find_first_of("@:")))
   , Litmap(litmap)
-  , BoxCost(volumes->GetBoxCost())
   , IsVolumes(FindVolumeKind(Kind) != nullptr)
 {
   const std::string sized = GetModeKind(name);
@@ -81,7 +79,8 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   if (!isKnown || (isSized && !(hasSize && canHaveSize)))
   {
     throw std::runtime_error("no mode " + name +
-      "; there are none, unclamped, cull, auto, exact, clamp, slabs and vtk, all but the first two "
+      "; there are none, unclamped, cull, auto, exact, clamp, slabs, paper and vtk, all but the "
+      "first two "
       "also with a resolution of 1 to 9999, such as exact@64, and those of volumes with settings, "
       "such as slabs@64:SlabGap=2");
   }
@@ -89,6 +88,10 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   {
     ApplySettings(name, vtkNew<vtkShadowVolumeClampPass>()); // Throws if they are wrong.
     this->Pass = volumes;
+    if (this->Kind == "paper")
+    {
+      this->LitmapSource = std::make_shared<NBufferPeers::RerenderedLitmap>();
+    }
   }
   else if (this->Kind == "vtk")
   {
@@ -98,7 +101,8 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
 
 bool ShadowMode::IsExact(const std::string& name)
 {
-  return FindVolumeKind(name.substr(0, name.find_first_of("@:"))) != nullptr;
+  const VolumeKind* kind = FindVolumeKind(name.substr(0, name.find_first_of("@:")));
+  return kind && kind->Name != std::string("paper");
 }
 
 void ShadowMode::Enter(vtkRenderer* renderer) const
@@ -107,10 +111,12 @@ void ShadowMode::Enter(vtkRenderer* renderer) const
   {
     auto* volumes = static_cast<vtkShadowVolumeClampPass*>(this->Pass.GetPointer());
     volumes->SetMode(kind->Mode);
-    volumes->SetSlabGap(kind->SlabGap);
-    volumes->SetScissor(kind->Scissor);
-    volumes->SetLitmapResolution(this->Resolution > 0 ? this->Resolution : this->Litmap);
-    volumes->SetBoxCost(this->BoxCost);
+    vtkShadowTuning tuning = volumes->GetTuning();
+    tuning.SlabGap = kind->SlabGap;
+    tuning.LitmapResolution = this->Resolution > 0 ? this->Resolution : this->Litmap;
+    tuning.BoxCost = vtkShadowTuning().BoxCost;
+    tuning.LitmapSource = this->LitmapSource;
+    volumes->SetTuning(tuning);
     ApplySettings(this->Name, volumes);
   }
   renderer->SetPass(this->Pass);

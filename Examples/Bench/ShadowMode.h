@@ -25,9 +25,11 @@
 #include "vtkRenderPass.h"
 #include "vtkSmartPointer.h"
 
+#include <memory>
 #include <string>
 
 class vtkRenderer;
+class vtkShadowLitmapSource;
 class vtkShadowVolumeClampPass;
 
 namespace NBufferBench
@@ -59,9 +61,9 @@ private:
   std::string Kind;   ///< The name without @N and settings.
   int Resolution = 0; ///< The N of the name, or 0.
   int Litmap;
-  int BoxCost; ///< The default of the pass.
   bool IsVolumes;
   vtkSmartPointer<vtkRenderPass> Pass;
+  std::shared_ptr<vtkShadowLitmapSource> LitmapSource; ///< The paper's, of the mode paper.
 };
 
 } // namespace NBufferBench

@@ -5,6 +5,7 @@
 #include "RayOracle.h"
 #include "Report.h"
 #include "ShadowMode.h"
+#include "Tune.h"
 #include "Walk.h"
 
 #include "vtkLight.h"
@@ -115,7 +116,7 @@ public:
     , Options(options)
   {
     this->Volumes->SetCasterKeys(options.CasterKeys);
-    this->Volumes->SetMeasureDeviceTime(options.DeviceTimes);
+    Tune(this->Volumes, &vtkShadowTuning::MeasureDeviceTime, options.DeviceTimes);
     for (const std::string& name : options.Modes)
     {
       this->Runners.emplace_back(ShadowMode(name, options.Litmap, this->Volumes), path.size());
@@ -205,7 +206,7 @@ private:
 
   void CountFragments()
   {
-    this->Volumes->CountFragmentsOn();
+    Tune(this->Volumes, &vtkShadowTuning::CountFragments, true);
     for (Runner& runner : this->Runners)
     {
       if (!runner.Mode.HasVolumes())
@@ -221,7 +222,7 @@ private:
         runner.Fragments += std::max(this->Volumes->GetStatistics().Fragments, 0LL);
       }
     }
-    this->Volumes->CountFragmentsOff();
+    Tune(this->Volumes, &vtkShadowTuning::CountFragments, false);
   }
 
   /// Counts the pixels that shadows change, with and without whole volumes.
