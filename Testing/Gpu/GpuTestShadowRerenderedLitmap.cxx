@@ -86,7 +86,7 @@ protected:
     ASSERT_TRUE(this->Litmap.Upload(this->Window, depth.data(), MakeView(), why)) << why;
     double range[4];
     double depths[2];
-    vtkShadowReceivers::GetRange(depth.data(), nullptr, MakeView(), light, frame, range, depths);
+    vtkShadowReceivers::GetRange(depth.data(), MakeView(), light, frame, range, depths);
     ASSERT_TRUE(this->Litmap.Draw(this->Window, frame, range, depths, Resolution, result, why))
       << why;
     result.Build();
@@ -193,8 +193,7 @@ TEST_F(GpuTestShadowRerenderedLitmap, MissesWhatScatteringFinds)
   vtkShadowLitmap rerendered;
   ASSERT_NO_FATAL_FAILURE(this->Draw(light, depth, rerendered));
   vtkShadowLitmap scattered;
-  vtkShadowReceivers::Scatter(
-    depth.data(), nullptr, MakeView(), light, frame, Resolution, scattered);
+  vtkShadowReceivers::Scatter(depth.data(), MakeView(), light, frame, Resolution, scattered);
   scattered.Build();
   const vtkShadowExtent seen = rerendered.Query(NAN, 0.0, 0.0, 0.0);
   const vtkShadowExtent all = scattered.Query(NAN, 0.0, 0.0, 0.0);

@@ -209,7 +209,6 @@ bool vtkShadowMaskMaker::MakeLitmaps(
   const int resolution = work.How.Resolution;
   const bool rerendered = work.How.LitmapMethod == vtkShadowLitmapMethod::Rerendered;
   const float* depth = this->Reader.GetDepth().data();
-  const unsigned char* lit = rerendered ? nullptr : this->Reader.FindLit(work.Slot);
   vtkShadowView view = work.Camera.GetView();
   view.Samples = this->Target.GetSamples();
   this->Litmaps.resize(std::max(this->Litmaps.size(), frames.size()));
@@ -220,7 +219,7 @@ bool vtkShadowMaskMaker::MakeLitmaps(
     {
       double range[4];
       double depths[2];
-      vtkShadowReceivers::GetRange(depth, lit, view, work.GetLight(), frames[i], range, depths);
+      vtkShadowReceivers::GetRange(depth, view, work.GetLight(), frames[i], range, depths);
       if (!this->Rerendered.Draw(
             work.Window, frames[i], range, depths, resolution, litmap, this->Error))
       {
@@ -229,7 +228,7 @@ bool vtkShadowMaskMaker::MakeLitmaps(
     }
     else
     {
-      vtkShadowReceivers::Scatter(depth, lit, view, work.GetLight(), frames[i], resolution, litmap);
+      vtkShadowReceivers::Scatter(depth, view, work.GetLight(), frames[i], resolution, litmap);
     }
     work.Statistics.Receivers += litmap.GetNumberOfReceivers();
     litmap.Build();

@@ -23,10 +23,10 @@
  *
  * Two more kinds of receivers need no shadow, but are not told from others here: those whose
  * surface faces away from the light, and those on the caster's own unlit side. Depth alone is not
- * enough to be certain (vtkShadowVolumeClampPass::SkipUnlitReceivers asks the shading). Normals are
- * interpolated, and turned towards the camera, so that a facet that faces away may be lit in part;
- * and a sample as deep as an unlit facet may be of something else just before it, a relief or a
- * poster on a wall, whose light that wall has to take away.
+ * enough to be certain, and shading is not known here. Normals are interpolated, and turned towards
+ * the camera, so that a facet that faces away may be lit in part; and a sample as deep as an unlit
+ * facet may be of something else just before it, a relief or a poster on a wall, whose light that
+ * wall has to take away.
  */
 #ifndef vtkShadowReach_h
 #define vtkShadowReach_h

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowReceivers.h"
 
+#include "vtkNBufferDepthConvention.h"
+
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkSMPTools.h"
@@ -13,6 +15,9 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
+/// What the depth image holds where nothing is drawn; receivers are nearer.
+const float Background = vtkNBufferMath::GetBackgroundDepth(vtkNBufferDepthConvention::Forward);
+
 /// Half the side of a cube's face around a point light, a little widened.
 constexpr double FaceLimit = 1.0 + 0x1p-8;
 
@@ -359,8 +364,8 @@ struct Lattice
 
 /// functor(receiver, x, y, depth) for each receiver in these rows.
 template <typename Functor>
-void ForEachReceiver(const float* depth, const unsigned char* lit, const vtkShadowView& view,
-  Projector& projector, const Lattice& lattice, Functor&& functor)
+void ForEachReceiver(const float* depth, const vtkShadowView& view, Projector& projector,
+  const Lattice& lattice, Functor&& functor)
 {
   Receiver receiver;
   std::size_t image = 0;
@@ -377,7 +382,7 @@ void ForEachReceiver(const float* depth, const unsigned char* lit, const vtkShad
       for (int x = 0; x < view.Width; x += lattice.Stride)
       {
         const std::size_t i = row + x;
-        if (depth[i] < 1.0f && (!lit || lit[i]) && projector.Project(x, depth[i], receiver))
+        if (depth[i] < Background && projector.Project(x, depth[i], receiver))
         {
           functor(receiver, x, y, depth[i]);
         }
@@ -401,8 +406,7 @@ float GetMiddle(const vtkShadowView& view, float nearest, float farthest)
 }
 
 /// Part the layers of all tiles, by the depth of what may be receivers.
-void PartLayers(
-  const float* depth, const unsigned char* lit, const vtkShadowView& view, vtkShadowTiles& tiles)
+void SplitLayers(const float* depth, const vtkShadowView& view, vtkShadowTiles& tiles)
 {
   constexpr int size = vtkShadowTiles::Size;
   const std::size_t image = static_cast<std::size_t>(view.Width) * view.Height;
@@ -418,7 +422,7 @@ void PartLayers(
         for (std::size_t x = 0; x < static_cast<std::size_t>(view.Width); ++x)
         {
           const float z = depth[first + x];
-          if (z < 1.0f && (!lit || lit[first + x]))
+          if (z < Background)
           {
             std::array<float, 2>& range = ranges[x / size];
             range = { std::min(range[0], z), std::max(range[1], z) };
@@ -464,8 +468,8 @@ int GetNumberOfBands(const vtkShadowView& view, int resolution)
 
 namespace vtkShadowReceivers
 {
-void GetRange(const float* depth, const unsigned char* lit, const vtkShadowView& view,
-  const vtkShadowLight& light, const vtkShadowLightSpace& frame, double range[4], double depths[2])
+void GetRange(const float* depth, const vtkShadowView& view, const vtkShadowLight& light,
+  const vtkShadowLightSpace& frame, double range[4], double depths[2])
 {
   Projector projector(view, light, frame);
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -473,7 +477,7 @@ void GetRange(const float* depth, const unsigned char* lit, const vtkShadowView&
   double high[3] = { -infinity, -infinity, -infinity };
   for (int stride : { RangeStride, 1 })
   {
-    ForEachReceiver(depth, lit, view, projector, { stride },
+    ForEachReceiver(depth, view, projector, { stride },
       [&](const Receiver& receiver, int, int, float)
       {
         const double radius[3] = { receiver.Radius, receiver.Radius, 0.0 };
@@ -498,23 +502,22 @@ void GetRange(const float* depth, const unsigned char* lit, const vtkShadowView&
   depths[1] = high[2];
 }
 
-vtkIdType Scatter(const float* depth, const unsigned char* lit, const vtkShadowView& view,
-  const vtkShadowLight& light, const vtkShadowLightSpace& frame, int resolution,
-  vtkShadowLitmap& litmap)
+vtkIdType Scatter(const float* depth, const vtkShadowView& view, const vtkShadowLight& light,
+  const vtkShadowLightSpace& frame, int resolution, vtkShadowLitmap& litmap)
 {
   double range[4];
   double depths[2];
-  GetRange(depth, lit, view, light, frame, range, depths);
+  GetRange(depth, view, light, frame, range, depths);
   litmap.Begin(resolution, range, depths);
   litmap.GetTiles().Begin(view.Width, view.Height);
-  PartLayers(depth, lit, view, litmap.GetTiles());
+  SplitLayers(depth, view, litmap.GetTiles());
   const int bands = GetNumberOfBands(view, litmap.GetResolution());
   litmap.Split(bands);
   const auto addBand = [&](int band)
   {
     vtkShadowLitmap& part = litmap.GetPart(band);
     Projector projector(view, light, frame);
-    ForEachReceiver(depth, lit, view, projector, { 1, band, bands },
+    ForEachReceiver(depth, view, projector, { 1, band, bands },
       [&part](const Receiver& receiver, int x, int y, float windowDepth)
       {
         if (part.Add(receiver.A, receiver.B, receiver.Radius, x, y))

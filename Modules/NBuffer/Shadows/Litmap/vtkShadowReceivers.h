@@ -11,7 +11,6 @@
  *
  *  - its depth is less than 1, which stands for the background (geometry so close to the far plane
  *    that its depth is rounded to 1 cannot be told from it);
- *  - the mask, where there is one, is not 0 for it;
  *  - the light can reach it: a spot in its cone (vtkShadowLight::GetConeCosine), a directional
  *    light everywhere; or VTK's shader may think so, see below;
  *  - a point light's frame takes in one face of a cube around the light, |p| <= 1 and |q| <= 1, a
@@ -95,9 +94,8 @@ namespace vtkShadowReceivers
  * range[3]], s in [depths[0], depths[1]]. It is taken from every fourth row and column, or from all
  * where these have no receiver; without any the minima are infinity and the maxima -infinity.
  */
-VTKNBUFFER_EXPORT void GetRange(const float* depth, const unsigned char* lit,
-  const vtkShadowView& view, const vtkShadowLight& light, const vtkShadowLightSpace& frame,
-  double range[4], double depths[2]);
+VTKNBUFFER_EXPORT void GetRange(const float* depth, const vtkShadowView& view,
+  const vtkShadowLight& light, const vtkShadowLightSpace& frame, double range[4], double depths[2]);
 
 /**
  * Fill `litmap` and its tiles with the receivers of a depth image as `frame` sees them, over about
@@ -105,14 +103,14 @@ VTKNBUFFER_EXPORT void GetRange(const float* depth, const unsigned char* lit,
  * then.
  *
  * `depth`: window depths in [0, 1], one image of Width x Height for each sample of a pixel, row 0
- * at the bottom. `lit`: the same number of bytes, 0 for what the light cannot change; or nullptr.
+ * at the bottom.
  *
  * About 30 ns for each sample, shared by the threads of vtkSMPTools; the litmap is the same with
  * any number of them.
  */
-VTKNBUFFER_EXPORT vtkIdType Scatter(const float* depth, const unsigned char* lit,
-  const vtkShadowView& view, const vtkShadowLight& light, const vtkShadowLightSpace& frame,
-  int resolution, vtkShadowLitmap& litmap);
+VTKNBUFFER_EXPORT vtkIdType Scatter(const float* depth, const vtkShadowView& view,
+  const vtkShadowLight& light, const vtkShadowLightSpace& frame, int resolution,
+  vtkShadowLitmap& litmap);
 }
 
 VTK_ABI_NAMESPACE_END
