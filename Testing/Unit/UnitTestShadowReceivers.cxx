@@ -8,7 +8,6 @@
 
 #include "vtkCamera.h"
 #include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
 
@@ -17,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <random>
 #include <sstream>
 #include <string>
@@ -27,7 +25,7 @@
 namespace
 {
 using Kind = vtkShadowLightKind;
-using Point = std::array<double, 3>;
+using Point = glm::dvec3;
 
 /// An image of known points.
 struct Image
@@ -64,7 +62,7 @@ public:
     this->Made.View.Width = width;
     this->Made.View.Height = height;
     this->Made.View.DepthQuantum = camera.DepthBits == 16 ? 0x1p-16 : 0x1p-24;
-    std::copy_n(camera.Origin.data(), 3, this->Made.View.Origin);
+    this->Made.View.Origin = camera.Origin;
     this->Aspect = static_cast<double>(width) / height;
     // At the origin: the matrix is relative to the eye.
     const Point focus = this->Vector(1.0);
@@ -77,11 +75,9 @@ public:
     this->Eye->SetParallelProjection(camera.Parallel);
     this->Eye->SetParallelScale(0.3 * camera.Far);
     this->Eye->SetClippingRange(camera.Near, camera.Far);
-    this->WorldToClip->DeepCopy(
-      this->Eye->GetCompositeProjectionTransformMatrix(this->Aspect, -1.0, 1.0));
-    vtkNew<vtkMatrix4x4> inverse;
-    vtkMatrix4x4::Invert(this->WorldToClip, inverse);
-    std::copy_n(inverse->GetData(), 16, this->Made.View.ClipToWorld);
+    this->WorldToClip = vtkNBufferGLM::ToMatrix(
+      this->Eye->GetCompositeProjectionTransformMatrix(this->Aspect, -1.0, 1.0)->GetData());
+    this->Made.View.ClipToWorld = vtkNBufferGLM::Invert(this->WorldToClip);
   }
 
   /// Uniform in [-size, size].
@@ -100,31 +96,23 @@ public:
   /// A point for the next sample: at distance z, seen at (x, y) in pixels.
   void Add(double x, double y, double z)
   {
-    const double* forward = this->Eye->GetDirectionOfProjection();
-    const double* up = this->Eye->GetViewUp();
-    double right[3];
-    vtkMath::Cross(forward, up, right);
+    const Point forward = vtkNBufferGLM::ToVector(this->Eye->GetDirectionOfProjection());
+    const Point up = vtkNBufferGLM::ToVector(this->Eye->GetViewUp());
+    const Point right = glm::cross(forward, up);
     const double size = this->Setup.Parallel
       ? this->Eye->GetParallelScale()
       : z * std::tan(vtkMath::RadiansFromDegrees(0.5 * this->Setup.Angle));
     const double across = size * this->Aspect * (2.0 * x / this->Made.View.Width - 1.0);
     const double upwards = size * (2.0 * y / this->Made.View.Height - 1.0);
-    double point[4] = { 0.0, 0.0, 0.0, 1.0 };
-    Point world;
-    for (int i = 0; i < 3; ++i)
-    {
-      point[i] = z * forward[i] + across * right[i] + upwards * up[i];
-      world[i] = this->Setup.Origin[i] + point[i];
-    }
-    this->Made.World.push_back(world);
+    const Point point = z * forward + across * right + upwards * up;
+    this->Made.World.push_back(this->Setup.Origin + point);
     // As a graphics device does it: everything rounded to float, in the clip coordinates too.
+    const glm::vec4 rounded(point, 1.0);
     float clip[2] = { 0.0f, 0.0f };
     for (int i = 0; i < 4; ++i)
     {
-      clip[0] +=
-        static_cast<float>(this->WorldToClip->GetElement(2, i)) * static_cast<float>(point[i]);
-      clip[1] +=
-        static_cast<float>(this->WorldToClip->GetElement(3, i)) * static_cast<float>(point[i]);
+      clip[0] += static_cast<float>(this->WorldToClip[i][2]) * rounded[i];
+      clip[1] += static_cast<float>(this->WorldToClip[i][3]) * rounded[i];
     }
     this->Made.Depth.push_back(this->Round(0.5f * (clip[0] / clip[1]) + 0.5f));
   }
@@ -156,18 +144,10 @@ public:
     vtkShadowLight light;
     light.Kind = kind;
     const Point& near = this->Made.World[this->Random() % this->Made.World.size()];
-    double distance = 0.0;
-    for (int i = 0; i < 3; ++i)
-    {
-      distance += std::abs(near[i] - this->Setup.Origin[i]);
-    }
-    Point direction = this->Vector(1.0);
-    vtkMath::Normalize(direction.data());
-    for (int i = 0; i < 3; ++i)
-    {
-      light.Position[i] = near[i] + this->Number(distance);
-      light.Direction[i] = direction[i];
-    }
+    const Point offset = glm::abs(near - this->Setup.Origin);
+    const double distance = offset[0] + offset[1] + offset[2];
+    light.Direction = vtkNBufferGLM::Normalize(this->Vector(1.0));
+    light.Position = near + this->Vector(distance);
     light.ConeAngle = 45.0 + this->Number(44.0);
     return light;
   }
@@ -192,15 +172,14 @@ private:
   double Aspect;
   std::mt19937 Random;
   vtkNew<vtkCamera> Eye;
-  vtkNew<vtkMatrix4x4> WorldToClip;
+  glm::dmat4 WorldToClip;
 };
 
-bool IsInCone(const vtkShadowLight& light, const double x[3])
+bool IsInCone(const vtkShadowLight& light, const Point& x)
 {
-  double ray[3];
-  vtkMath::Subtract(x, light.Position, ray);
+  const Point ray = x - light.Position;
   return light.Kind != Kind::Spot ||
-    vtkMath::AngleBetweenVectors(ray, light.Direction) <=
+    vtkMath::AngleBetweenVectors(glm::value_ptr(ray), glm::value_ptr(light.Direction)) <=
     vtkMath::RadiansFromDegrees(light.ConeAngle);
 }
 
@@ -214,17 +193,17 @@ std::vector<vtkShadowLightSpace> GetFrames(const vtkShadowLight& light)
   std::vector<vtkShadowLightSpace> frames;
   for (int i = 0; i < 6; ++i)
   {
-    double axis[3] = { 0.0, 0.0, 0.0 };
+    Point axis(0.0);
     axis[i / 2] = i % 2 ? -1.0 : 1.0;
     frames.emplace_back(light, axis);
   }
   return frames;
 }
 
-bool IsInside(const vtkShadowBlock& block, const double pqs[3])
+bool IsInside(const vtkShadowBlock& block, const Point& pqs)
 {
-  return std::equal(block.Low, block.Low + 3, pqs, std::less_equal<double>()) &&
-    std::equal(pqs, pqs + 3, block.High, std::less_equal<double>());
+  return glm::all(glm::lessThanEqual(block.Low, pqs)) &&
+    glm::all(glm::lessThanEqual(pqs, block.High));
 }
 
 /// Scatter the image and look for every point that the light reaches; returns how many there are.
@@ -239,10 +218,9 @@ int CheckAll(
     litmap.Build();
     for (std::size_t i = 0; i < image.Depth.size(); ++i)
     {
-      double pqs[3];
-      frame.ToLight(image.World[i].data(), pqs);
+      const Point pqs = frame.ToLight(image.World[i]);
       const bool inFrame = light.Kind == Kind::Directional ||
-        (pqs[2] > 0.0 && IsInCone(light, image.World[i].data()) &&
+        (pqs[2] > 0.0 && IsInCone(light, image.World[i]) &&
           (light.Kind == Kind::Spot || std::max(std::abs(pqs[0]), std::abs(pqs[1])) <= 1.0));
       if (image.Depth[i] >= 1.0f || !inFrame)
       {
@@ -266,7 +244,7 @@ int CheckAll(
       EXPECT_TRUE(extent.Near <= pqs[2] && pqs[2] <= extent.Far) << where.str();
       const auto slabs = litmap.GetSlabs(extent, 1);
       EXPECT_TRUE(std::any_of(slabs.begin(), slabs.end(),
-        [&](const auto& slab) { return slab.first <= pqs[2] && pqs[2] <= slab.second; }))
+        [&](const auto& slab) { return slab.Near <= pqs[2] && pqs[2] <= slab.Far; }))
         << where.str();
       const vtkShadowTiles::Layers& tile =
         litmap.GetTiles().Get(x / vtkShadowTiles::Size, y / vtkShadowTiles::Size);
@@ -335,10 +313,11 @@ TEST(ShadowReceiversOnce, EdgesOfTheCube)
     light.Kind = Kind::Point;
     const double s = 20.0 + maker.Number(19.0);
     const double edge = s * (1.0 + maker.Number(1.0) * (n % 2 ? 1e-3 : 1e-7));
-    const double offset[3] = { s, edge, maker.Number(s) };
-    for (unsigned int i = 0; i < 3; ++i)
+    const Point offset = { s, edge, maker.Number(s) };
+    for (int i = 0; i < 3; ++i)
     {
-      light.Position[i] = maker.Made.World[0][i] + offset[(i + n) % 3] * (n % 4 < 2 ? 1.0 : -1.0);
+      light.Position[i] =
+        maker.Made.World[0][i] + offset[(i + static_cast<int>(n)) % 3] * (n % 4 < 2 ? 1.0 : -1.0);
     }
     EXPECT_GE(CheckAll(maker.Made, light, 64, litmap), 1) << "case " << n;
   }
@@ -426,8 +405,8 @@ TEST(ShadowReceiversOnce, OutsideOfTheConeIsLeftOut)
     {
       if (maker.Made.Depth[i] < 1.0f)
       {
-        reached += light.IsInCone(maker.Made.World[i].data());
-        atMost += wider.IsInCone(maker.Made.World[i].data());
+        reached += light.IsInCone(maker.Made.World[i]);
+        atMost += wider.IsInCone(maker.Made.World[i]);
       }
     }
     vtkShadowLitmap litmap;
@@ -460,18 +439,14 @@ TEST(ShadowReceiversOnce, WhatRoundingBringsIntoTheConeIsNotLeftOut)
       bool any = false;
       for (int k = 0; k < 6; ++k)
       {
-        std::array<double, 3> x = { maker.Made.World[i][0], maker.Made.World[i][1],
-          maker.Made.World[i][2] };
-        x[static_cast<std::size_t>(k / 2)] += k % 2 ? rounding : -rounding;
-        any = any || light.IsInCone(x.data());
+        Point x = maker.Made.World[i];
+        x[k / 2] += k % 2 ? rounding : -rounding;
+        any = any || light.IsInCone(x);
       }
       reached += maker.Made.Depth[i] < 1.0f && any;
     }
-    for (int k = 0; k < 3; ++k)
-    {
-      maker.Made.View.Origin[k] += far;
-      light.Position[k] += far;
-    }
+    maker.Made.View.Origin += far;
+    light.Position += far;
     const vtkIdType found = vtkShadowReceivers::Scatter(
       maker.Made.Depth.data(), maker.Made.View, light, vtkShadowLightSpace(light), 32, litmap);
     EXPECT_GE(found, reached) << "seed " << seed;
@@ -504,8 +479,7 @@ TEST(ShadowReceiversOnce, ExtentsAreTight)
     ASSERT_EQ(
       vtkShadowReceivers::Scatter(depth.data(), maker.Made.View, light, frame, 64, litmap), 1);
     litmap.Build();
-    double pqs[3];
-    frame.ToLight(maker.Made.World[0].data(), pqs);
+    const Point pqs = frame.ToLight(maker.Made.World[0]);
     const vtkShadowExtent extent = litmap.Query(pqs[0], pqs[1], pqs[0], pqs[1]);
     EXPECT_EQ(extent.X0, i % 30);
     EXPECT_EQ(extent.X1, i % 30 + 1);
@@ -547,8 +521,7 @@ TEST(ShadowReceiversOnce, LayersAreWhatLiesApart)
     ASSERT_EQ(tiles.GetNumberOfRows(), (6 + vtkShadowTiles::Size - 1) / vtkShadowTiles::Size);
     for (int i = 0; i < 9 * 6; ++i)
     {
-      double pqs[3];
-      frame.ToLight(maker.Made.World[static_cast<std::size_t>(i)].data(), pqs);
+      const Point pqs = frame.ToLight(maker.Made.World[static_cast<std::size_t>(i)]);
       const vtkShadowTiles::Layers& tile =
         tiles.Get(i % 9 / vtkShadowTiles::Size, i / 9 / vtkShadowTiles::Size);
       EXPECT_TRUE(IsInside(tile[i % 2], pqs)) << i;

@@ -5,12 +5,11 @@
  * @brief What a half space leaves of a convex polygon (I. Sutherland, G. Hodgman, "Reentrant
  * polygon clipping", Communications of the ACM 17(1), 1974).
  *
- *             \ plane
- *        A-----\-----B          corners A, B, C, D  become  A, X, Y, D
- *        |      X    |
- *        |       \   |          kept: corners with distance >= 0 (left of the plane)
- *        |        Y  |          cut:  one corner for each edge whose ends lie on different sides
- *        D---------\-C
+ *        A-----X-----B         The corners A, B, C, D become A, X, Y, D.
+ *        |      \    |
+ *        |       \   |         Corners with a distance >= 0 (here: left of the line X Y) are kept.
+ *        |        \  |         Each edge whose ends lie on different sides gets one new corner.
+ *        D---------Y-C
  */
 #ifndef vtkNBufferPolygonClip_h
 #define vtkNBufferPolygonClip_h

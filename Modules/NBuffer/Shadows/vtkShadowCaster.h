@@ -44,11 +44,11 @@ public:
   struct Part
   {
     std::shared_ptr<const vtkShadowTopology> Topology;
-    std::vector<double> Points; ///< World; empty: those of the caster.
+    std::vector<glm::dvec3> Points; ///< World; empty: those of the caster.
     vtkShadowSilhouette Silhouette;
     vtkShadowFootprint Footprint;
 
-    /// Have the processor fetch what vtkShadowPlan::Dismiss() will read.
+    /// Have the processor fetch what vtkShadowPlan::EarlyOut() will read.
     void Prefetch() const;
   };
 
@@ -58,9 +58,8 @@ public:
   /// Bring mesh, matrix and planes up to date. Returns whether anything has changed.
   bool Update(vtkPolyData* mesh, vtkMatrix4x4* matrix, const std::vector<Plane>& planes);
 
-  /// World coordinates of the merged points, xyz each.
-  const std::vector<double>& GetPoints() const { return this->Points; }
-  int GetNumberOfPoints() const { return static_cast<int>(this->Points.size() / 3); }
+  /// World coordinates of the merged points.
+  const std::vector<glm::dvec3>& GetPoints() const { return this->Points; }
   const std::vector<int>& GetTriangles() const { return this->Topology->GetTriangles(); }
   int GetNumberOfTriangles() const { return this->Topology->GetNumberOfTriangles(); }
 
@@ -70,7 +69,7 @@ public:
    * raised by the number of silhouettes that were not cached.
    */
   const std::vector<Part>& GetParts(std::size_t slot, const vtkShadowLight& light,
-    const vtkShadowLightSpace& frame, const double nearBounds[6], int& built);
+    const vtkShadowLightSpace& frame, const vtkShadowBlock& nearBounds, int& built);
 
   ///@{
   /// Have the processor fetch what GetParts() will read; first this, then what it refers to.
@@ -78,9 +77,9 @@ public:
   void PrefetchParts(std::size_t slot) const;
   ///@}
 
-  static const double* GetPoints(const vtkShadowCaster& caster, const Part& part)
+  static const std::vector<glm::dvec3>& GetPoints(const vtkShadowCaster& caster, const Part& part)
   {
-    return part.Points.empty() ? caster.Points.data() : part.Points.data();
+    return part.Points.empty() ? caster.Points : part.Points;
   }
 
 private:
@@ -92,7 +91,7 @@ private:
     std::vector<Part> Parts;
   };
 
-  bool Meets(const double bounds[6]) const;
+  bool Meets(const vtkShadowBlock& bounds) const;
   bool IsAround(const vtkShadowLight& light) const;
   void AddPart(
     Slot& slot, Part part, const vtkShadowLightSpace& frame, vtkShadowCounting counting) const;
@@ -103,8 +102,8 @@ private:
   std::vector<Plane> Planes;
   std::shared_ptr<const vtkShadowTopology> MeshTopology;
   std::shared_ptr<const vtkShadowTopology> Topology; ///< Of what the planes leave.
-  std::vector<double> Points;
-  double Bounds[6] = {};
+  std::vector<glm::dvec3> Points;
+  vtkShadowBlock Bounds;
   std::vector<Slot> Slots;
 };
 

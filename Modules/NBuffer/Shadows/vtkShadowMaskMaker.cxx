@@ -32,7 +32,7 @@ std::vector<vtkShadowLightSpace> MakeFaces(const vtkShadowLight& light)
   std::vector<vtkShadowLightSpace> faces;
   for (int i = 0; i < 6; ++i)
   {
-    double axis[3] = { 0.0, 0.0, 0.0 };
+    glm::dvec3 axis(0.0);
     axis[i / 2] = i % 2 ? -1.0 : 1.0;
     faces.emplace_back(light, axis);
   }
@@ -189,8 +189,7 @@ bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
     this->Rerendered.Begin(work.Camera.Eye);
     for (const vtkShadowCaster* receiver : this->Receivers.GetCasters())
     {
-      this->Rerendered.AddReceiver(
-        receiver->GetPoints().data(), receiver->GetNumberOfPoints(), receiver->GetTriangles());
+      this->Rerendered.AddReceiver(receiver->GetPoints(), receiver->GetTriangles());
     }
     return this->Rerendered.Upload(
       work.Window, this->Reader.GetDepth().data(), work.Camera.GetView(), this->Error);
@@ -217,11 +216,9 @@ bool vtkShadowMaskMaker::MakeLitmaps(
     vtkShadowLitmap& litmap = this->Litmaps[i];
     if (rerendered)
     {
-      double range[4];
-      double depths[2];
-      vtkShadowReceivers::GetRange(depth, view, work.GetLight(), frames[i], range, depths);
-      if (!this->Rerendered.Draw(
-            work.Window, frames[i], range, depths, resolution, litmap, this->Error))
+      const vtkShadowBlock range =
+        vtkShadowReceivers::GetRange(depth, view, work.GetLight(), frames[i]);
+      if (!this->Rerendered.Draw(work.Window, frames[i], range, resolution, litmap, this->Error))
       {
         return false;
       }
@@ -292,8 +289,8 @@ void vtkShadowMaskMaker::Decide(const vtkShadowPlan& plan)
         }
         else
         {
-          this->Choices[i] = plan.Decide(part.Part->Silhouette, part.GetPoints(),
-            part.GetNumberOfPoints(), part.Part->Footprint);
+          this->Choices[i] =
+            plan.Decide(part.Part->Silhouette, part.GetPoints(), part.Part->Footprint);
         }
       }
     },
@@ -312,8 +309,8 @@ vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vt
     if (choice.IsDrawn())
     {
       const CasterPart& part = this->Parts[i];
-      plan.Draw(choice, part.Part->Silhouette, part.GetPoints(), part.GetNumberOfPoints(),
-        part.Part->Footprint, this->Volume);
+      plan.Draw(
+        choice, part.Part->Silhouette, part.GetPoints(), part.Part->Footprint, this->Volume);
     }
   }
   return verdicts;
@@ -328,8 +325,9 @@ bool vtkShadowMaskMaker::CountUnclamped(const Work& work)
   // What the stencil holds is cleared before it counts.
   return draws.empty() ||
     (this->Counter.Upload(this->Volume, this->Error) &&
-      this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClip, draws.data(),
-        draws.data() + draws.size(), &work.Statistics.UnclampedFragments, this->Error));
+      this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClipByRows.data(),
+        draws.data(), draws.data() + draws.size(), &work.Statistics.UnclampedFragments,
+        this->Error));
 }
 
 void vtkShadowMaskMaker::SetSeen(std::size_t seen, std::size_t samples)
@@ -442,7 +440,8 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   if (done && (pictured ? pictured == work.Source.Source : work.Slot == 0))
   {
     const vtkShadowDebugView::Subject subject = { this->Litmaps.data(),
-      static_cast<int>(frames.size()), plan->GetDraws(), work.Camera.EyeToClip, this->Viewport };
+      static_cast<int>(frames.size()), plan->GetDraws(), work.Camera.EyeToClipByRows.data(),
+      this->Viewport };
     return this->DebugView.Make(
       work.Window, work.How.Picture, subject, this->Counter, work.Statistics, this->Error);
   }
@@ -485,8 +484,8 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
     }
     this->Counter.ClearStencil(this->Target, this->Viewport, start);
     ++statistics.StencilClears;
-    if (!this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClip, first, last,
-          work.How.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||
+    if (!this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClipByRows.data(), first,
+          last, work.How.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||
       !this->Counter.Resolve(work.Window, this->Target, mask, channel, this->Viewport, this->Error))
     {
       return false;
