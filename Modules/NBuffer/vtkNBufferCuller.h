@@ -52,9 +52,10 @@
  *
  * It steps aside, and all is drawn as usual, where props are needed that the camera does not see
  * or where the framebuffer is not the camera's: hardware selection, UseShadows, GL2PS export,
- * hidden-line removal, unknown render passes, VR windows, other cullers behind this one. vtkNBufferDecision names each case and
- * GetDecision() tells it. A failure (no context or an old one, no float textures, depth that cannot
- * be read) draws everything, is counted, and the first of its kind warns with cause and remedy.
+ * hidden-line removal, unknown render passes, VR windows, other cullers behind this one.
+ * vtkNBufferDecision names each case and GetDecision() tells it. A failure (no context or an old
+ * one, no float textures, depth that cannot be read) draws everything, is counted, and the first of
+ * its kind warns with cause and remedy.
  *
  * Sources: X. Decoret, "N-Buffers for efficient depth map query", 2005, section 3.1; M. Turitzin,
  * "Hierarchical Depth Buffers", 2020, for reductions of images of any size.
@@ -65,8 +66,9 @@
 #define vtkNBufferCuller_h
 
 #include "vtkCuller.h"
-#include "vtkNBufferModule.h"     // For export macro
-#include "vtkNBufferStatistics.h" // For vtkNBufferVerdict and the counters
+#include "vtkNBufferCullerTraits.h" // For the base class
+#include "vtkNBufferModule.h"       // For export macro
+#include "vtkNBufferStatistics.h"   // For vtkNBufferVerdict and the counters
 
 #include <memory> // For the implementation's pointer
 
@@ -74,7 +76,9 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkProp;
 class vtkRenderer;
 
-class VTKNBUFFER_EXPORT vtkNBufferCuller : public vtkCuller
+class VTKNBUFFER_EXPORT vtkNBufferCuller
+  : public vtkCuller
+  , public vtkNBufferCullerTraits
 {
 public:
   static vtkNBufferCuller* New();
@@ -243,6 +247,10 @@ public:
   /// The back-end used last (OpenGL or CPU; Auto before the first test) and why it was chosen.
   int GetBackendInUse() const;
   const char* GetBackendReason() const;
+
+  /// Whether the image is the one without the culler, which is true unless Freeze is on. A subclass
+  /// has to say so itself, because it may remove more props.
+  bool PreservesImage() const override;
 
   /// Called by vtkRenderer before it draws.
   double Cull(
