@@ -72,7 +72,7 @@ public:
   ~Internals() { this->Stage->Owner = nullptr; }
 
   void UseContext(vtkOpenGLRenderWindow* window);
-  void SetShader(const std::vector<vtkShadowLightSource>& lights, int samples, bool filter);
+  void SetShader(const std::vector<vtkShadowLightSource>& lights, int samples);
 
   vtkNew<OpaqueStage> Stage;
   vtkNew<vtkRenderStepsPass> Steps;
@@ -85,7 +85,6 @@ public:
   std::vector<vtkShadowLightSource> Lights; ///< Of the masks.
   vtkShadowShader Shader;                   ///< Of the mappers.
   vtkTimeStamp ShaderTime;
-  bool DrawsReceivers = false;
   std::vector<int> TextureUnits;
   int DepthUnit = 0;
   vtkShadowFrameKey Key; ///< Of the masks.
@@ -111,7 +110,7 @@ void vtkShadowVolumeClampPass::Internals::UseContext(vtkOpenGLRenderWindow* wind
 }
 
 void vtkShadowVolumeClampPass::Internals::SetShader(
-  const std::vector<vtkShadowLightSource>& lights, int samples, bool filter)
+  const std::vector<vtkShadowLightSource>& lights, int samples)
 {
   vtkShadowShader shader;
   for (const vtkShadowLightSource& light : lights)
@@ -119,7 +118,6 @@ void vtkShadowVolumeClampPass::Internals::SetShader(
     shader.Lights.push_back(light.Number);
   }
   shader.Samples = samples;
-  shader.Filter = filter;
   if (!(shader == this->Shader))
   {
     this->Shader = shader;
@@ -174,10 +172,24 @@ vtkInformation* vtkShadowVolumeClampPass::GetCasterKeys()
   return this->Implementation->CasterKeys;
 }
 
-void vtkShadowVolumeClampPass::SetDebugLight(vtkLight* light)
+void vtkShadowVolumeClampPass::SetTuning(const vtkShadowTuning& tuning)
 {
-  if (this->Implementation->DebugLight != light)
+  const std::string fault = tuning.FindFault();
+  if (!fault.empty())
   {
+    vtkErrorMacro(<< fault << "; the tuning stays as it was.");
+    return;
+  }
+  this->Tuning = tuning;
+  this->Modified();
+}
+
+void vtkShadowVolumeClampPass::SetDebugView(int view, vtkLight* light)
+{
+  view = std::clamp(view, static_cast<int>(NoDebugView), static_cast<int>(Counts));
+  if (this->DebugView != view || this->Implementation->DebugLight != light)
+  {
+    this->DebugView = view;
     this->Implementation->DebugLight = light;
     this->Modified();
   }
@@ -259,13 +271,12 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
   }
 
   self.UseContext(window);
-  self.Masks.Timers.Begin(this->MeasureDeviceTime);
+  self.Masks.Timers.Begin(this->Tuning.MeasureDeviceTime);
   statistics.DeviceTimes = self.Masks.Timers.GetTimes();
   const vtkShadowFrameKey key(s, lights, self.Masks.Casters, this->GetMTime());
-  const bool counts = this->CountFragments || this->CountUnclampedFragments;
-  const bool still = statistics.Updates == 0 && !counts && key == self.Key;
+  const bool still = statistics.Updates == 0 && !this->Tuning.CountFragments && key == self.Key;
   const vtkShadowTarget& target = self.Masks.GetTarget();
-  bool done = still || self.Masks.Reserve(renderer, lights.size(), this->SkipUnlitReceivers);
+  bool done = still || self.Masks.Reserve(renderer, lights.size());
   statistics.Samples = static_cast<int>(target.GetSamples().size());
   if (done && target.HasRefusedSamples())
   {
@@ -277,7 +288,7 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
     }
   }
   statistics.PixelFrames = self.PixelFrames;
-  self.SetShader(lights, statistics.Samples, this->SkipUnlitReceivers);
+  self.SetShader(lights, statistics.Samples);
   // The depth is drawn by the shaders that will draw the colour: it is the same to the bit, and no
   // mapper has to rebuild one.
   this->NoteInProps(s);
@@ -344,39 +355,17 @@ bool vtkShadowVolumeClampPass::MakeMasks(const vtkRenderState* s,
   Internals& self = *this->Implementation;
   vtkRenderer* renderer = s->GetRenderer();
   vtkNBufferClock clock;
-  if (this->LitmapMethod == Rerendered && this->Mode != Unclamped)
-  {
-    self.Masks.Receivers.Update(renderer, nullptr);
-    statistics.CasterTime += clock.Restart();
-  }
   self.Masks.BeginDepth(renderer);
   {
     const vtkShadowTimers::Scope timed(self.Masks.Timers, vtkShadowStage::Depth);
     this->DrawOpaque(s, nullptr);
-    if (this->SkipUnlitReceivers)
-    {
-      self.Masks.BeginLit(renderer);
-      self.DrawsReceivers = true;
-      this->DrawOpaque(s, nullptr);
-      self.DrawsReceivers = false;
-      self.Masks.EndLit();
-    }
   }
   static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
     ->GetState()
     ->PopFramebufferBindings();
   statistics.DepthTime = clock.GetMilliseconds();
-  vtkShadowMaskMaker::Settings settings;
-  settings.Mode = static_cast<vtkShadowMode>(this->Mode);
-  settings.Resolution = this->LitmapResolution;
-  settings.SlabGap = this->SlabGap;
-  settings.BoxCost = this->BoxCost;
-  settings.Scissor = this->Scissor;
-  settings.CountFragments = this->CountFragments;
-  settings.CountUnclampedFragments = this->CountUnclampedFragments;
-  settings.LitmapMethod = static_cast<vtkShadowLitmapMethod>(this->LitmapMethod);
-  settings.Picture = static_cast<vtkShadowPicture>(this->DebugView);
-  settings.PictureLight = self.DebugLight;
+  const vtkShadowMaskMaker::Settings settings = { static_cast<vtkShadowMode>(this->Mode),
+    this->Tuning, static_cast<vtkShadowPicture>(this->DebugView), self.DebugLight };
   return self.Masks.Make(renderer, lights, settings, statistics);
 }
 
@@ -460,10 +449,6 @@ bool vtkShadowVolumeClampPass::SetShaderParameters(
   {
     program->SetUniform1iv(
       "shadowMasks", static_cast<int>(self.TextureUnits.size()), self.TextureUnits.data());
-  }
-  if (program->IsUniformUsed("shadowReceivers"))
-  {
-    program->SetUniformi("shadowReceivers", self.DrawsReceivers);
   }
   if (program->IsUniformUsed("shadowDepth"))
   {
@@ -559,18 +544,9 @@ void vtkShadowVolumeClampPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   const Internals& self = *this->Implementation;
   os << indent << "Mode: " << this->Mode << "\n";
-  os << indent << "LitmapResolution: " << this->LitmapResolution << "\n";
-  os << indent << "SlabGap: " << this->SlabGap << "\n";
-  os << indent << "BoxCost: " << this->BoxCost << "\n";
-  os << indent << "Scissor: " << (this->Scissor ? "On" : "Off") << "\n";
-  os << indent << "LitmapMethod: " << this->LitmapMethod << "\n";
-  os << indent << "SkipUnlitReceivers: " << (this->SkipUnlitReceivers ? "On" : "Off") << "\n";
+  this->Tuning.PrintSelf(os, indent);
   os << indent << "DebugView: " << this->DebugView << "\n";
   os << indent << "DebugLight: " << self.DebugLight.Get() << "\n";
-  os << indent << "MeasureDeviceTime: " << (this->MeasureDeviceTime ? "On" : "Off") << "\n";
-  os << indent << "CountFragments: " << (this->CountFragments ? "On" : "Off") << "\n";
-  os << indent << "CountUnclampedFragments: " << (this->CountUnclampedFragments ? "On" : "Off")
-     << "\n";
   os << indent << "CasterKeys: " << self.CasterKeys.Get() << "\n";
   os << indent << "LightsThatDoNotCast: " << self.Excluded.size() << "\n";
   os << indent << "Steps:\n";

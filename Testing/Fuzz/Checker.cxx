@@ -5,6 +5,7 @@
 #include "GLStateSnapshot.h"
 #include "Messages.h"
 #include "StatisticsCheck.h"
+#include "Tune.h"
 
 #include "vtkNBufferVTKVersion.h"
 #include VTKNBUFFER_GL_HEADER
@@ -285,11 +286,7 @@ std::string Checker::CheckShadows(bool& strays)
     CheckShadowStatistics(this->Tested) + CompareShadowStatistics(this->Reference, this->Tested);
   if (this->HasMasks)
   {
-    ShadowFrame tested = CaptureShadows(this->Tested);
-    if (this->Tested.GetLights().GetSkipUnlitReceivers())
-    {
-      GrantUnlit(this->Unclamped, tested);
-    }
+    const ShadowFrame tested = CaptureShadows(this->Tested);
     const ShadowMode mode = this->Tested.GetLights().GetMode();
     const std::string masks =
       CompareMasks(this->Unclamped, tested, mode, this->Shadows, MakeRayJudge(this->Tested));
@@ -378,7 +375,8 @@ std::string Checker::CheckStatistics()
     if (vtkNBufferCuller* culler = this->Tested.GetCuller(i))
     {
       const vtkNBufferStatistics& statistics = culler->GetStatistics(this->Tested.GetRenderer(i));
-      const std::string fault = FindInconsistency(statistics, culler->GetMaximumNumberOfRounds());
+      const std::string fault =
+        FindInconsistency(statistics, culler->GetTuning().MaximumNumberOfRounds);
       if (!fault.empty())
       {
         failure += fault + "\n" + statistics.GetAsJSON() + "\n";

@@ -4,6 +4,7 @@
 
 #include "FuzzPasses.h"
 #include "FuzzProps.h"
+#include "Tune.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
@@ -108,12 +109,13 @@ void Lights::AddLights(Place& place) const
 
 void Lights::SetUp(vtkShadowVolumeClampPass* pass, ShadowMode mode) const
 {
-  pass->SetMode(static_cast<int>(mode));
-  pass->SetSkipUnlitReceivers(mode != ShadowMode::Unclamped && this->Settings.SkipUnlitReceivers);
-  pass->SetBoxCost(this->Settings.BoxCost);
-  pass->SetScissor(this->Settings.Scissor);
-  pass->SetLitmapResolution(this->Settings.LitmapResolution);
-  pass->SetSlabGap(this->Settings.SlabGap);
+  using Pass = vtkShadowVolumeClampPass;
+  constexpr int modes[] = { Pass::Unclamped, Pass::Scissored, Pass::Clamped, Pass::Automatic,
+    Pass::Culled };
+  pass->SetMode(modes[static_cast<int>(mode)]);
+  Tune(pass, &vtkShadowTuning::BoxCost, this->Settings.BoxCost);
+  Tune(pass, &vtkShadowTuning::LitmapResolution, this->Settings.LitmapResolution);
+  Tune(pass, &vtkShadowTuning::SlabGap, this->Settings.SlabGap);
   if (this->Settings.CasterKeys != (pass->GetCasterKeys() != nullptr))
   {
     vtkNew<vtkInformation> keys;
@@ -214,7 +216,7 @@ bool Lights::Apply(const Change& change)
   switch (change.Kind)
   {
     case ChangeKind::ShadowMode:
-      this->Settings.Mode = static_cast<ShadowMode>(std::clamp(static_cast<int>(value), 0, 3));
+      this->Settings.Mode = static_cast<ShadowMode>(std::clamp(static_cast<int>(value), 0, 4));
       return true;
     case ChangeKind::LitmapResolution:
       this->Settings.LitmapResolution = static_cast<int>(value);
@@ -224,9 +226,6 @@ bool Lights::Apply(const Change& change)
       return true;
     case ChangeKind::BoxCost:
       this->Settings.BoxCost = static_cast<int>(value);
-      return true;
-    case ChangeKind::SkipUnlitReceivers:
-      this->Settings.SkipUnlitReceivers = value != 0.0;
       return true;
     case ChangeKind::CasterKeys:
       this->Settings.CasterKeys = value != 0.0;

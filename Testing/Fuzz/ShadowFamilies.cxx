@@ -205,7 +205,7 @@ void ChangeShadows(Writer& writer, int frame)
   };
   const Light& light = lights > 0 ? writer.Scene.Lights[target] : Light();
   const auto props = static_cast<int>(writer.Scene.Props.size());
-  switch (writer.Integer(0, 15))
+  switch (writer.Integer(0, 14))
   {
     case 0:
     case 1:
@@ -243,9 +243,6 @@ void ChangeShadows(Writer& writer, int frame)
       add(ChangeKind::BoxCost, { writer.Any({ 0.0, 16.0, 1024.0 }) });
       break;
     case 13:
-      add(ChangeKind::SkipUnlitReceivers, { writer.Any({ 0.0, 1.0 }) });
-      break;
-    case 14:
       writer.AddChange(
         frame, ChangeKind::Casts, writer.Integer(0, props - 1), { writer.Any({ 0.0, 1.0 }) });
       break;
@@ -340,8 +337,9 @@ void AddShadows(Writer& writer)
     shadows.Mode = ShadowMode::Automatic;
   }
   shadows.BoxCost = writer.Any({ 0, 16, 256, 256, 4096 });
-  shadows.SkipUnlitReceivers = writer.Chance(0.3);
-  // Not drawn, so that the rest of a scenario stays what it was for its seed.
-  shadows.Scissor = scene.Seed % 7 != 0;
+  if (shadows.Mode == ShadowMode::Scissored && writer.Chance(0.15))
+  {
+    shadows.Mode = ShadowMode::Culled;
+  }
 }
 }

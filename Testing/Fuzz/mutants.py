@@ -14,7 +14,6 @@ CASTER = "vtkShadowCaster.cxx"
 HIERARCHY = "vtkNBufferHierarchy.cxx"
 FRAME_KEY = "vtkShadowFrameKey.cxx"
 MASK_MAKER = "vtkShadowMaskMaker.cxx"
-TARGET_READER = "vtkShadowTargetReader.cxx"
 PLAN = "vtkShadowPlan.cxx"
 REACH = "vtkShadowUmbra.cxx"
 VOLUME = "vtkShadowVolume.cxx"
@@ -76,8 +75,8 @@ MUTANTS = {
         ("vtkNBufferSplitBox.h", "for (int i = 0; i < pieces; ++i)",
          "for (int i = 0; i < pieces - 1; ++i)")],
     "one round too many (>= turned to >)": [
-        (VIEW, "this->Statistics.Rounds >= this->Settings.MaximumNumberOfRounds",
-         "this->Statistics.Rounds > this->Settings.MaximumNumberOfRounds")],
+        (VIEW, "this->Statistics.Rounds >= this->Tuning.MaximumNumberOfRounds",
+         "this->Statistics.Rounds > this->Tuning.MaximumNumberOfRounds")],
 
     # Depth.
     "one sample of a multisampled pixel": [
@@ -169,12 +168,6 @@ SHADOW_MUTANTS = {
          "0.5 * vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;")],
     "a face around a point light left out": [
         (MASK_MAKER, "for (int i = 0; i < 6; ++i)", "for (int i = 0; i < 5; ++i)")],
-    "receivers that the next light does not reach skipped": [
-        (TARGET_READER, "slot / 8] >> slot % 8 & 1) == 0;",
-         "slot / 8] >> (slot + 1) % 8 & 1) == 0;")],
-    "steep receivers skipped": [
-        ("Shaders/vtkShadowLightDec.glsl", "factor > 0.0 ? 1 << light : 0;",
-         "factor > 0.2 ? 1 << light : 0;")],
 
     # Volumes and counting.
     "z-pass where the piece crosses the near plane": [

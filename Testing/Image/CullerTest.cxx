@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CullerTest.h"
 
+#include "Tune.h"
 #include "vtkNBufferGL.h"
 
 #include "vtkCallbackCommand.h"
@@ -156,9 +157,9 @@ Comparison::Comparison(const Change& build, const ComparisonOptions& options)
       stage->Culler = vtkSmartPointer<vtkNBufferCuller>::New();
       if (options.RoundSize > 0)
       {
-        stage->Culler->SetRoundSize(options.RoundSize);
+        Tune(stage->Culler, &vtkNBufferTuning::RoundSize, options.RoundSize);
       }
-      stage->Culler->SetBackOff(options.BackOff);
+      Tune(stage->Culler, &vtkNBufferTuning::BackOff, options.BackOff);
       if (options.Configure)
       {
         options.Configure(stage->Culler);
@@ -330,7 +331,7 @@ void Comparison::CheckStatistics()
       EXPECT_GE(count, 0);
     }
     EXPECT_EQ(s.GetCount(vtkNBufferVerdict::Unknown), 0) << "every prop has a verdict";
-    EXPECT_LE(s.Rounds, this->Culled.Culler->GetMaximumNumberOfRounds());
+    EXPECT_LE(s.Rounds, this->Culled.Culler->GetTuning().MaximumNumberOfRounds);
     EXPECT_LE(s.HeldBack, s.Candidates);
     EXPECT_LE(s.Tested, s.Candidates * std::max(s.Rounds, 1));
     EXPECT_LE(s.PassedCoarseTest, s.Tested * std::max(s.Rounds, 1));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scenes.h"
 
+#include "Tune.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCubeSource.h"
@@ -215,9 +216,9 @@ ComparisonOptions MakeExactOptions(int width, int height, int baseFactor)
   options.KeepDefaultCuller = false;
   options.Configure = [baseFactor](vtkNBufferCuller* culler)
   {
-    culler->SetBaseFactor(baseFactor);
-    culler->SetMinimumNumberOfCandidates(1);
-    culler->SetReuseWhenStill(false);
+    Tune(culler, &vtkNBufferTuning::BaseFactor, baseFactor);
+    Tune(culler, &vtkNBufferTuning::MinimumNumberOfCandidates, 1);
+    Tune(culler, &vtkNBufferTuning::ReuseWhenStill, false);
   };
   return options;
 }

@@ -5,6 +5,7 @@
 #include "GLStateSnapshot.h"
 #include "OffscreenFixture.h"
 #include "PassTestTools.h"
+#include "Tune.h"
 
 #include "../Leaks/GLObjects.h"
 
@@ -136,7 +137,7 @@ TEST_F(PassDebugViews, OffCostsNothing)
   EXPECT_EQ(count(), after);
 }
 
-// What views, timers and rerendered litmaps hold goes with the pass. (Programs stay in the window's
+// What views and timers hold goes with the pass. (Programs stay in the window's
 // cache.)
 TEST_F(PassDebugViews, LeaveNoObjectsBehind)
 {
@@ -145,9 +146,7 @@ TEST_F(PassDebugViews, LeaveNoObjectsBehind)
   {
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     pass->SetDebugView(view);
-    pass->SetMeasureDeviceTime(all);
-    pass->SetLitmapMethod(
-      all ? vtkShadowVolumeClampPass::Rerendered : vtkShadowVolumeClampPass::Scattered);
+    Tune(pass, &vtkShadowTuning::MeasureDeviceTime, all);
     stage.Window->Render();
     stage.Renderer->SetPass(nullptr);
     pass = nullptr;
@@ -170,10 +169,9 @@ TEST_F(PassDebugViews, AreOfOneLight)
 {
   const ShadowStage stage(GetScene("ManyLights"));
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-  pass->SetDebugView(vtkShadowVolumeClampPass::Counts);
   const auto getImage = [&](vtkLight* light)
   {
-    pass->SetDebugLight(light);
+    pass->SetDebugView(vtkShadowVolumeClampPass::Counts, light);
     EXPECT_EQ(pass->GetDebugLight(), light);
     stage.Window->Render();
     int width = 0;
@@ -244,7 +242,7 @@ TEST_F(PassDeviceTimes, AreMeasuredIfAsked)
   stage.Window->Render();
   EXPECT_EQ(pass->GetStatistics().DeviceTimes, UnknownShadowStageTimes);
   const ShadowImage plain = GetImage(stage.Window);
-  pass->MeasureDeviceTimeOn();
+  Tune(pass, &vtkShadowTuning::MeasureDeviceTime, true);
   vtkShadowStageTimes times = UnknownShadowStageTimes;
   // Reading the image waits for the device, so that the next frame knows the times of this one.
   for (int frame = 0; frame < 3; ++frame)
@@ -274,7 +272,7 @@ TEST_F(PassDeviceTimes, AreMeasuredIfAsked)
   EXPECT_EQ(pass->GetStatistics().GetDeviceTime(vtkShadowStage::Depth), 0.0);
   EXPECT_EQ(pass->GetStatistics().GetDeviceTime(vtkShadowStage::Draw), 0.0);
   EXPECT_GT(pass->GetStatistics().GetDeviceTime(vtkShadowStage::Color), 0.0);
-  pass->MeasureDeviceTimeOff();
+  Tune(pass, &vtkShadowTuning::MeasureDeviceTime, false);
   stage.Window->Render();
   EXPECT_EQ(pass->GetStatistics().DeviceTimes, UnknownShadowStageTimes);
 }

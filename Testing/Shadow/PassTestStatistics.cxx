@@ -6,6 +6,7 @@
 #include "OffscreenFixture.h"
 #include "PassTestTools.h"
 #include "ShadowShapes.h"
+#include "Tune.h"
 
 #include "../Leaks/GLObjects.h"
 
@@ -133,12 +134,10 @@ TEST_F(PassStatistics, FragmentsAreCountedOnlyIfAsked)
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   stage.Window->Render();
   EXPECT_EQ(pass->GetStatistics().Fragments, -1);
-  EXPECT_EQ(pass->GetStatistics().UnclampedFragments, -1);
   const ShadowImage expected = GetImage(stage.Window);
-  pass->CountFragmentsOn();
+  Tune(pass, &vtkShadowTuning::CountFragments, true);
   stage.Window->Render();
   EXPECT_GT(pass->GetStatistics().Fragments, 0);
-  EXPECT_EQ(pass->GetStatistics().UnclampedFragments, -1);
   EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
 }
 
@@ -159,7 +158,7 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
     EXPECT_EQ(FindInconsistency(statistics), "");
     return GetImage(stage.Window);
   };
-  pass->SetLitmapResolution(80);
+  Tune(pass, &vtkShadowTuning::LitmapResolution, 80);
   const int lights = static_cast<int>(stage.Lights.size());
   const int points = static_cast<int>(std::count_if(stage.Lights.begin(), stage.Lights.end(),
     [](vtkLight* light) { return light->GetPositional() && light->GetConeAngle() >= 90.0; }));
@@ -281,8 +280,7 @@ TEST_P(PassWork, IsLessTheMoreIsKnown)
   const NamedScene& scene = this->GetParam();
   const ShadowStage stage(scene);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-  pass->CountFragmentsOn();
-  pass->CountUnclampedFragmentsOn();
+  Tune(pass, &vtkShadowTuning::CountFragments, true);
   long long fragments[3] = {};
   for (const int mode : Modes)
   {
@@ -291,17 +289,15 @@ TEST_P(PassWork, IsLessTheMoreIsKnown)
     const vtkShadowStatistics& statistics = pass->GetStatistics();
     EXPECT_EQ(FindInconsistency(statistics), "");
     fragments[mode] = statistics.Fragments;
-    EXPECT_EQ(statistics.UnclampedFragments, fragments[vtkShadowVolumeClampPass::Unclamped]);
   }
   std::cout << scene.Name << ": " << fragments[0] << " fragments, exact "
             << 100.0 * fragments[1] / fragments[0] << " %, clamped "
             << 100.0 * fragments[2] / fragments[0] << " %\n";
-  pass->SetMode(vtkShadowVolumeClampPass::Scissored);
-  pass->ScissorOff();
+  pass->SetMode(vtkShadowVolumeClampPass::Culled);
   stage.Window->Render();
   const long long culled = pass->GetStatistics().Fragments;
   const ShadowImage image = GetImage(stage.Window);
-  pass->ScissorOn();
+  pass->SetMode(vtkShadowVolumeClampPass::Scissored);
   stage.Window->Render();
   EXPECT_TRUE(IsSameView(stage, image, GetImage(stage.Window)));
   EXPECT_GT(fragments[0], 0);

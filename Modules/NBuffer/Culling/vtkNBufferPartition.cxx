@@ -6,6 +6,7 @@
 #include "vtkNBufferProjection.h"
 
 #include <algorithm>
+#include <iterator>
 
 VTK_ABI_NAMESPACE_BEGIN
 void vtkNBufferPartition::Clear()
@@ -118,6 +119,14 @@ std::vector<int> vtkNBufferPartition::RemoveNearest(std::vector<int>& places, st
     places.clear();
   }
   return nearest;
+}
+
+std::vector<int> vtkNBufferPartition::GetNotDrawn() const
+{
+  std::vector<int> places;
+  std::copy_if(this->HeldBack.begin(), this->HeldBack.end(), std::back_inserter(places),
+    [this](int i) { return this->Props.GetState(i).Verdict != vtkNBufferVerdict::Visible; });
+  return places;
 }
 
 int vtkNBufferPartition::SetVisibleKept(const std::vector<int>& visible)

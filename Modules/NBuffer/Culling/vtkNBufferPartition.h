@@ -52,6 +52,9 @@ public:
   /// Remove the `limit` nearest props, or all if there are fewer, from `places`, and return them.
   std::vector<int> RemoveNearest(std::vector<int>& places, std::size_t limit);
 
+  /// Get the props held back that have not been found visible and drawn so far.
+  std::vector<int> GetNotDrawn() const;
+
   /// Tell the next frame which of the kept props the test has found visible: those of `visible`.
   /// Returns how many it has found hidden.
   int SetVisibleKept(const std::vector<int>& visible);

@@ -10,12 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 VTK_ABI_NAMESPACE_BEGIN
 
-vtkNBufferView::vtkNBufferView(vtkNBufferBackend& backend)
+vtkNBufferView::vtkNBufferView(vtkNBufferBackend& backend, const vtkNBufferTuning& tuning)
   : Backend(backend)
+  , Tuning(tuning)
   , Partition(this->Props)
   , Draws(this->Props, this->Projection, this->Proxy)
 {
@@ -49,7 +49,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   this->Draws.Clear();
 
   vtkNBufferClock part;
-  this->Props.SetHierarchySize(settings.HierarchySize);
+  this->Props.SetHierarchySize(this->Tuning.HierarchySize);
   const bool listChanged = this->Props.Synchronize(props, count);
   const vtkNBufferViewKey key = vtkNBufferViewKey::Make(renderer);
   const bool frozen = settings.Freeze && complete;
@@ -67,7 +67,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
     this->Statistics.Decision = vtkNBufferDecision::Frozen;
     this->State = Phase::Reused;
   }
-  else if (complete && !changed && settings.ReuseWhenStill && this->CanReuse(renderer))
+  else if (complete && !changed && this->Tuning.ReuseWhenStill && this->CanReuse(renderer))
   {
     this->Statistics.Decision = vtkNBufferDecision::Still;
     this->State = Phase::Reused;
@@ -118,7 +118,7 @@ vtkNBufferDecision vtkNBufferView::Divide(vtkRenderer* renderer)
     vtkNBufferCompatibility::HasAmbientOcclusion(renderer));
   this->Statistics.Candidates = counts.Candidates;
   const vtkNBufferDecision decision = vtkNBufferCullingPolicy::ChooseDecision(counts,
-    this->Settings.MinimumNumberOfCandidates, this->Settings.BackOff ? &this->BackOff : nullptr);
+    this->Tuning.MinimumNumberOfCandidates, this->Tuning.BackOff ? &this->BackOff : nullptr);
   if (decision != vtkNBufferDecision::Culled)
   {
     this->Partition.KeepAll();
@@ -337,11 +337,11 @@ bool vtkNBufferView::DrawRounds(
   // Where nothing is known, the nearest props are the best guess at what hides the others.
   if (this->Partition.GetKept().empty())
   {
-    drawNearest(this->Settings.RoundSize);
+    drawNearest(this->Tuning.RoundSize);
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkNBufferDepthTest test(this->Backend, this->Levels, this->Projection, this->Props,
-    this->Statistics, this->Settings.Test);
+    this->Statistics, { this->Settings.Backend, this->Settings.TestSlivers, this->Tuning });
   for (;;)
   {
     std::string why;
@@ -352,10 +352,7 @@ bool vtkNBufferView::DrawRounds(
       this->Fail(renderer, failure, why);
       this->Statistics.Decision = failure;
       // Draw what earlier rounds found hidden, too.
-      left.clear();
-      const std::vector<int>& heldBack = this->Partition.GetHeldBack();
-      std::copy_if(heldBack.begin(), heldBack.end(), std::back_inserter(left),
-        [this](int i) { return this->Props.GetState(i).Verdict != vtkNBufferVerdict::Visible; });
+      left = this->Partition.GetNotDrawn();
       drawNearest(left.size());
       return false;
     }
@@ -374,10 +371,9 @@ bool vtkNBufferView::DrawRounds(
     this->Statistics.PassedCoarseTest += this->Statistics.Rounds == 0 ? passed : 0;
 
     // Another round must save more props than it draws to be worth its read-back.
-    const std::size_t limit = static_cast<std::size_t>(this->Settings.RoundSize)
-      << this->Statistics.Rounds;
+    const auto limit = std::size_t(this->Tuning.RoundSize) << this->Statistics.Rounds;
     ++this->Statistics.Rounds;
-    if (left.size() <= 2 * limit || this->Statistics.Rounds >= this->Settings.MaximumNumberOfRounds)
+    if (left.size() <= 2 * limit || this->Statistics.Rounds >= this->Tuning.MaximumNumberOfRounds)
     {
       this->TestTranslucent(test);
       drawNearest(left.size());

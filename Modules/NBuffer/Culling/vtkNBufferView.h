@@ -42,8 +42,10 @@
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferPartition.h"
 #include "vtkNBufferProjection.h"
+#include "vtkNBufferSettings.h"
 #include "vtkNBufferStatistics.h"
 #include "vtkNBufferTranslucentProxy.h"
+#include "vtkNBufferTuning.h"
 #include "vtkNBufferViewKey.h"
 
 #include "vtkNew.h"
@@ -53,29 +55,13 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkInformation;
-class vtkOpenGLRenderWindow;
 class vtkRenderer;
-
-/**
- * A culler's settings at the beginning of a frame; vtkNBufferCuller.h says what they mean.
- */
-struct vtkNBufferSettings
-{
-  vtkNBufferDepthTest::Options Test;
-  int MinimumNumberOfCandidates = 32;
-  int MaximumNumberOfRounds = 6;
-  int RoundSize = 64;
-  int HierarchySize = 10000;
-  bool ReuseWhenStill = true;
-  bool BackOff = true;
-  bool Freeze = false;
-};
 
 class vtkNBufferView : private vtkNBufferDeferredProxy::Owner
 {
 public:
-  /// The back-end is kept by reference and must outlive this object.
-  explicit vtkNBufferView(vtkNBufferBackend& backend);
+  /// Both arguments are kept by reference and must outlive this object.
+  vtkNBufferView(vtkNBufferBackend& backend, const vtkNBufferTuning& tuning);
   ~vtkNBufferView();
   vtkNBufferView(const vtkNBufferView&) = delete;
   void operator=(const vtkNBufferView&) = delete;
@@ -138,6 +124,7 @@ private:
   ///@}
 
   vtkNBufferBackend& Backend;
+  const vtkNBufferTuning& Tuning;
   vtkNBufferBackOff BackOff;
   vtkNBufferCandidateList Props;
   vtkNBufferPartition Partition;

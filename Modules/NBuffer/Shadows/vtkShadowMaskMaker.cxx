@@ -7,6 +7,7 @@
 #include "vtkNBufferGL.h"
 #include "vtkShadowCamera.h"
 #include "vtkShadowCostModel.h"
+#include "vtkShadowLitmapSource.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -49,6 +50,7 @@ struct vtkShadowMaskMaker::Work
     return this->GetLight().Kind == vtkShadowLightKind::Point ? 6 : 1;
   }
 
+  vtkRenderer* Renderer;
   vtkOpenGLRenderWindow* Window;
   const vtkShadowCamera& Camera;
   const Settings& How;
@@ -58,7 +60,7 @@ struct vtkShadowMaskMaker::Work
   vtkShadowLightSpace Frame;
 };
 
-bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights, bool skipUnlitReceivers)
+bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   if (!vtkNBufferGL::HasVersion(3, 2))
@@ -74,12 +76,10 @@ bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights, bool
     this->Error = "The viewport is empty or begins outside of the window. Move it inside.";
     return false;
   }
-  this->SkipUnlit = skipUnlitReceivers;
   constexpr int each = vtkShadowTarget::LightsPerMask;
   const int masks = static_cast<int>(lights + each - 1) / each;
   return this->Target.Reserve(window, viewport[0] + viewport[2], viewport[1] + viewport[3], masks,
-           vtkShadowTarget::GetBoundSamples(), this->Error) &&
-    (!skipUnlitReceivers || this->Target.ReserveLit(window, this->Error));
+    vtkShadowTarget::GetBoundSamples(), this->Error);
 }
 
 void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
@@ -91,28 +91,6 @@ void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
   state->vtkglDepthMask(GL_TRUE);
   const float farthest = 1.0f;
   glClearBufferfv(GL_DEPTH, 0, &farthest);
-}
-
-void vtkShadowMaskMaker::BeginLit(vtkRenderer* renderer)
-{
-  static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
-    ->GetState()
-    ->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Target.GetLitFramebuffer());
-  const float litByNone[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
-  glClearBufferfv(GL_COLOR, 0, litByNone);
-  this->MergedColors = glIsEnabled(GL_COLOR_LOGIC_OP) == GL_TRUE;
-  glGetIntegerv(GL_LOGIC_OP_MODE, &this->ColorMerge);
-  glEnable(GL_COLOR_LOGIC_OP);
-  glLogicOp(GL_OR);
-}
-
-void vtkShadowMaskMaker::EndLit()
-{
-  glLogicOp(static_cast<GLenum>(this->ColorMerge));
-  if (!this->MergedColors)
-  {
-    glDisable(GL_COLOR_LOGIC_OP);
-  }
 }
 
 bool vtkShadowMaskMaker::ReadMask(
@@ -128,30 +106,26 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
   this->Shadows = 0;
   this->Error.clear();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  this->Reader.Begin(this->Viewport, lights.size());
+  this->Reader.Begin(this->Viewport);
   ++this->CoveredAge;
   vtkShadowCamera camera(renderer);
   std::copy_n(this->Viewport, 4, camera.Plan.Viewport);
-  camera.Plan.Boxes = settings.Scissor &&
+  camera.Plan.Boxes = settings.Mode != vtkShadowMode::Culled &&
     vtkNBufferGL::KeepsToScissor(static_cast<int>(this->Target.GetSamples().size()));
-  camera.Plan.BoxCost = settings.BoxCost;
+  camera.Plan.BoxCost = settings.Tuning.BoxCost;
   this->DebugView.Clear();
   const vtkShadowCounter::Scope scope(window, this->Viewport);
   for (int mask = 0; mask < this->Target.GetNumberOfMasks(); ++mask)
   {
     this->Counter.ClearMask(this->Target, mask, this->Viewport);
   }
-  if (settings.CountFragments)
+  if (settings.Tuning.CountFragments)
   {
     statistics.Fragments = 0;
   }
-  if (settings.CountUnclampedFragments)
-  {
-    statistics.UnclampedFragments = 0;
-  }
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    const Work work = { window, camera, settings, statistics, lights[i], i,
+    const Work work = { renderer, window, camera, settings, statistics, lights[i], i,
       vtkShadowLightSpace(lights[i].Geometry) };
     if (!this->Shade(work))
     {
@@ -175,8 +149,7 @@ bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
   }
   const vtkNBufferClock clock;
   ++work.Statistics.ReadBacks;
-  const bool done =
-    this->Reader.ReadReceivers(work.Window, this->Target, this->SkipUnlit, this->Error);
+  const bool done = this->Reader.ReadReceivers(work.Window, this->Target, this->Error);
   if (done)
   {
     const std::vector<float>& depth = this->Reader.GetDepth();
@@ -184,18 +157,15 @@ bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
     this->SetSeen(static_cast<std::size_t>(seen), depth.size());
   }
   work.Statistics.ReadTime += clock.GetMilliseconds();
-  if (done && work.How.LitmapMethod == vtkShadowLitmapMethod::Rerendered)
+  if (this->LitmapSource && this->LitmapSource != work.How.Tuning.LitmapSource)
   {
-    this->Rerendered.Begin(work.Camera.Eye);
-    for (const vtkShadowCaster* receiver : this->Receivers.GetCasters())
-    {
-      this->Rerendered.AddReceiver(
-        receiver->GetPoints().data(), receiver->GetNumberOfPoints(), receiver->GetTriangles());
-    }
-    return this->Rerendered.Upload(
-      work.Window, this->Reader.GetDepth().data(), work.Camera.GetView(), this->Error);
+    this->LitmapSource->Release();
   }
-  return done;
+  this->LitmapSource = work.How.Tuning.LitmapSource;
+  return done &&
+    (!this->LitmapSource ||
+      this->LitmapSource->BeginFrame(
+        work.Renderer, this->Reader.GetDepth().data(), work.Camera.GetView(), this->Error));
 }
 
 bool vtkShadowMaskMaker::MakeLitmaps(
@@ -206,30 +176,28 @@ bool vtkShadowMaskMaker::MakeLitmaps(
     return false;
   }
   const vtkNBufferClock clock;
-  const int resolution = work.How.Resolution;
-  const bool rerendered = work.How.LitmapMethod == vtkShadowLitmapMethod::Rerendered;
+  const int resolution = work.How.Tuning.LitmapResolution;
   const float* depth = this->Reader.GetDepth().data();
-  const unsigned char* lit = rerendered ? nullptr : this->Reader.FindLit(work.Slot);
   vtkShadowView view = work.Camera.GetView();
   view.Samples = this->Target.GetSamples();
   this->Litmaps.resize(std::max(this->Litmaps.size(), frames.size()));
   for (std::size_t i = 0; i < frames.size(); ++i)
   {
     vtkShadowLitmap& litmap = this->Litmaps[i];
-    if (rerendered)
+    if (this->LitmapSource)
     {
       double range[4];
       double depths[2];
-      vtkShadowReceivers::GetRange(depth, lit, view, work.GetLight(), frames[i], range, depths);
-      if (!this->Rerendered.Draw(
-            work.Window, frames[i], range, depths, resolution, litmap, this->Error))
+      vtkShadowReceivers::GetRange(depth, nullptr, view, work.GetLight(), frames[i], range, depths);
+      if (!this->LitmapSource->Fill(frames[i], range, depths, resolution, litmap, this->Error))
       {
         return false;
       }
     }
     else
     {
-      vtkShadowReceivers::Scatter(depth, lit, view, work.GetLight(), frames[i], resolution, litmap);
+      vtkShadowReceivers::Scatter(
+        depth, nullptr, view, work.GetLight(), frames[i], resolution, litmap);
     }
     work.Statistics.Receivers += litmap.GetNumberOfReceivers();
     litmap.Build();
@@ -320,19 +288,6 @@ vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vt
   return verdicts;
 }
 
-bool vtkShadowMaskMaker::CountUnclamped(const Work& work)
-{
-  vtkShadowPlan plan(
-    work.GetLight(), work.Frame, work.Camera.Plan, vtkShadowMode::Unclamped, nullptr);
-  this->AddCasters(work, plan);
-  const std::vector<vtkShadowDraw>& draws = plan.GetDraws();
-  // What the stencil holds is cleared before it counts.
-  return draws.empty() ||
-    (this->Counter.Upload(this->Volume, this->Error) &&
-      this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClip, draws.data(),
-        draws.data() + draws.size(), &work.Statistics.UnclampedFragments, this->Error));
-}
-
 void vtkShadowMaskMaker::SetSeen(std::size_t seen, std::size_t samples)
 {
   this->CoveredFraction = static_cast<double>(seen) / static_cast<double>(samples);
@@ -358,7 +313,8 @@ bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work, double fragments, lon
   const auto samples = static_cast<long long>(this->GetNumberOfSamples());
   const auto pay = [&](long long seen)
   {
-    const long long lexels = static_cast<long long>(work.How.Resolution) * work.How.Resolution;
+    const long long lexels =
+      static_cast<long long>(work.How.Tuning.LitmapResolution) * work.How.Tuning.LitmapResolution;
     return vtkShadowCostModel::IsLitmapWorthIt(fragments, triangles, samples, seen, lexels,
       work.GetNumberOfFaces(), vtkNBufferGL::GetSoftwareRenderer() != nullptr);
   };
@@ -386,15 +342,6 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   Verdicts verdicts = {};
   const bool automatic = work.How.Mode == vtkShadowMode::Automatic;
   this->FindParts(work);
-  if (work.How.CountUnclampedFragments)
-  {
-    work.Statistics.PlanTime += clock.GetMilliseconds();
-    if (!this->CountUnclamped(work))
-    {
-      return false;
-    }
-    clock.Restart();
-  }
   if (work.How.Mode == vtkShadowMode::Unclamped || (automatic && !this->IsLitmapWorthIt(work)))
   {
     plan.emplace(light, work.Frame, view, vtkShadowMode::Unclamped, nullptr);
@@ -425,7 +372,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
     clock.Restart();
     const bool isOne = frames.size() == 1;
     plan.emplace(light, work.Frame, view, automatic ? vtkShadowMode::Scissored : work.How.Mode,
-      isOne ? this->Litmaps.data() : nullptr, work.How.SlabGap);
+      isOne ? this->Litmaps.data() : nullptr, work.How.Tuning.SlabGap);
     for (std::size_t i = 0; !isOne && i < frames.size(); ++i)
     {
       plan->AddFace(frames[i], this->Litmaps[i]);
@@ -487,7 +434,7 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
     this->Counter.ClearStencil(this->Target, this->Viewport, start);
     ++statistics.StencilClears;
     if (!this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClip, first, last,
-          work.How.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||
+          work.How.Tuning.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||
       !this->Counter.Resolve(work.Window, this->Target, mask, channel, this->Viewport, this->Error))
     {
       return false;
@@ -500,7 +447,10 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
 void vtkShadowMaskMaker::Release()
 {
   this->Counter.Release();
-  this->Rerendered.Release();
+  if (this->LitmapSource)
+  {
+    this->LitmapSource->Release();
+  }
   this->Timers.Release();
   this->DebugView.Release();
   this->Target.Release();

@@ -47,20 +47,20 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
       {
         levels = std::max(levels,
           vtkNBufferOcclusionTest::GetLevelsNeeded(
-            this->Props.GetScreen(i).Pixels, this->Settings.BaseFactor));
+            this->Props.GetScreen(i).Pixels, this->Settings.Tuning.BaseFactor));
       }
     }
   }
-  levels = std::max(levels, this->Props.GetLevelsNeeded(this->Settings.BaseFactor));
-  this->Backend.SetAllowFloatTextures(this->Settings.AllowFloatTextures);
-  return this->Backend.Build(this->Settings.Backend, window, source, this->Settings.BaseFactor,
-    levels, this->Levels, this->Statistics, why);
+  levels = std::max(levels, this->Props.GetLevelsNeeded(this->Settings.Tuning.BaseFactor));
+  this->Backend.SetAllowFloatTextures(this->Settings.Tuning.AllowFloatTextures);
+  return this->Backend.Build(this->Settings.Backend, window, source,
+    this->Settings.Tuning.BaseFactor, levels, this->Levels, this->Statistics, why);
 }
 
 const float* vtkNBufferDepthTest::GetDepth(std::size_t doubtful)
 {
   // A second read-back must have something to save.
-  if (!this->Settings.TestPixels || doubtful == 0 ||
+  if (!this->Settings.Tuning.TestPixels || doubtful == 0 ||
     (this->Backend.GetInUse() == vtkNBufferBackend::OpenGL && doubtful < DoubtfulWorthARead))
   {
     return nullptr;
@@ -136,7 +136,7 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
   vtkNBufferOcclusionTest nodeTest(this->Projection, this->Levels, 1);
   this->Props.MarkHidden(nodeTest);
   vtkNBufferOcclusionTest test(
-    this->Projection, this->Levels, this->Settings.MaximumNumberOfPieces);
+    this->Projection, this->Levels, this->Settings.Tuning.MaximumNumberOfPieces);
   places.erase(std::remove_if(places.begin(), places.end(),
                  [&](int i) { return this->Props.GetState(i).Behind || isHiddenBy(i, test); }),
     places.end());

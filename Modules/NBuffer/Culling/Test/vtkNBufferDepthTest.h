@@ -17,6 +17,7 @@
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferSliverTest.h"
 #include "vtkNBufferStatistics.h"
+#include "vtkNBufferTuning.h"
 
 #include <initializer_list>
 #include <string>
@@ -36,15 +37,12 @@ enum class vtkNBufferSliverPolicy
 class vtkNBufferDepthTest
 {
 public:
-  /// As the settings of vtkNBufferCuller of the same names.
+  /// The culler's settings of the same names, and its tuning.
   struct Options
   {
-    vtkNBufferBackend::Kind Backend = vtkNBufferBackend::Auto;
-    int BaseFactor = 4;
-    int MaximumNumberOfPieces = 8;
-    bool TestPixels = true;
-    vtkNBufferSliverPolicy TestSlivers = vtkNBufferSliverPolicy::Never;
-    bool AllowFloatTextures = true;
+    vtkNBufferBackend::Kind Backend;
+    vtkNBufferSliverPolicy TestSlivers;
+    const vtkNBufferTuning& Tuning;
   };
 
   /// All but the options are kept by reference and must outlive the test.
