@@ -10,6 +10,7 @@
 #include "vtkNBufferClock.h"
 #include "vtkNBufferDepthSource.h"
 #include "vtkNBufferGL.h"
+#include "vtkNBufferScissor.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
@@ -108,7 +109,7 @@ bool QueryCuller::Internals::SetView(vtkRenderer* renderer)
     renderer->GetActiveCamera()
       ->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)
       ->GetData(),
-    source.Viewport[2], source.Viewport[3], quantum, vtkNBufferDepthConvention::Forward,
+    source.Viewport[2], source.Viewport[3], quantum,
     std::max(source.Viewport[0] + source.Viewport[2], source.Viewport[1] + source.Viewport[3]));
   this->Props.Project(this->Projection);
   this->Samples = source.Samples;

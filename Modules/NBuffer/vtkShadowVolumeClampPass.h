@@ -70,10 +70,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkInformation;
 class vtkLight;
-class vtkOpenGLRenderWindow;
 class vtkRenderStepsPass;
-class vtkTextureObject;
-struct vtkShadowLightSource;
 
 class VTKNBUFFER_EXPORT vtkShadowVolumeClampPass
   : public vtkOpenGLRenderPass
@@ -221,12 +218,6 @@ private:
   class Internals;
   class OpaqueStage;
   void RenderOpaque(const vtkRenderState* s);
-  void NoteInProps(const vtkRenderState* s);
-  bool MakeMasks(const vtkRenderState* s, const std::vector<vtkShadowLightSource>& lights,
-    vtkShadowStatistics& statistics);
-  void DrawOpaque(const vtkRenderState* s, vtkTextureObject* depth);
-  void ShowDebugView(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics);
-  void Warn(const std::string& what);
 
   int Mode = Automatic;
   vtkShadowTuning Tuning;

@@ -224,10 +224,8 @@ vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferViewKey& ke
   {
     return vtkNBufferDecision::OtherView;
   }
-  if (!vtkNBufferGL::HasVersion(3, 2))
+  if (!vtkNBufferGL::CheckVersion(why))
   {
-    why =
-      "The OpenGL context is older than 3.2. Update the driver or use Mesa's software renderer.";
     return vtkNBufferDecision::OldContext;
   }
   if (!source.Inspect(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), why))

@@ -99,7 +99,6 @@ void vtkNBufferView::SetProjection(const vtkNBufferViewKey& key)
   this->LastKey = key;
   const auto& viewport = key.Viewport;
   this->Projection.Set(key.WorldToClip.data(), viewport[2], viewport[3], this->DepthQuantum,
-    vtkNBufferDepthConvention::Forward,
     std::max(viewport[0] + viewport[2], viewport[1] + viewport[3]));
 }
 

@@ -3,11 +3,9 @@
 #include "vtkShadowCaster.h"
 
 #include "vtkNBufferForEachProp.h"
-#include "vtkNBufferTriangles.h"
+#include "vtkNBufferSurface.h"
 
-#include "vtkCellArray.h"
 #include "vtkMatrix4x4.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -17,19 +15,24 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-std::shared_ptr<const vtkShadowTopology> MakeTopology(vtkPolyData* mesh)
+std::shared_ptr<const vtkShadowTopology> MakeTopology(vtkPolyData* data)
 {
   auto topology = std::make_shared<vtkShadowTopology>();
-  const vtkIdType count = mesh->GetNumberOfPoints();
-  std::vector<double> points(3 * static_cast<std::size_t>(count));
-  for (vtkIdType i = 0; i < count; ++i)
+  const vtkNBufferMesh mesh = vtkNBufferSurface::GetMesh(data);
+  std::vector<double> points;
+  points.reserve(3 * mesh.Points.size());
+  for (const glm::dvec3& point : mesh.Points)
   {
-    mesh->GetPoint(i, &points[3 * static_cast<std::size_t>(i)]);
+    points.insert(points.end(), { point.x, point.y, point.z });
   }
-  const std::vector<unsigned int> indices = vtkNBufferTriangles::Get(mesh);
-  const std::vector<vtkIdType> triangles(indices.begin(), indices.end());
-  topology->Build(
-    points.data(), count, triangles.data(), static_cast<vtkIdType>(triangles.size() / 3));
+  std::vector<vtkIdType> triangles;
+  triangles.reserve(3 * mesh.Triangles.size());
+  for (const std::array<unsigned int, 3>& triangle : mesh.Triangles)
+  {
+    triangles.insert(triangles.end(), triangle.begin(), triangle.end());
+  }
+  topology->Build(points.data(), static_cast<vtkIdType>(mesh.Points.size()), triangles.data(),
+    static_cast<vtkIdType>(mesh.Triangles.size()));
   return topology;
 }
 
@@ -99,7 +102,7 @@ void Clip(std::vector<double>& points, std::vector<vtkIdType>& triangles,
 }
 
 bool vtkShadowCaster::Update(
-  vtkPolyData* mesh, vtkMatrix4x4* matrix, const std::vector<Plane>& planes)
+  vtkPolyData* mesh, const std::array<double, 16>& toWorld, const std::vector<Plane>& planes)
 {
   const bool newMesh = this->Mesh != mesh || this->MeshTime != mesh->GetMTime();
   if (newMesh)
@@ -108,19 +111,18 @@ bool vtkShadowCaster::Update(
     this->Mesh = mesh;
     this->MeshTime = mesh->GetMTime();
   }
-  if (!newMesh && planes == this->Planes &&
-    std::equal(this->Matrix.begin(), this->Matrix.end(), matrix->GetData()))
+  if (!newMesh && planes == this->Planes && toWorld == this->ToWorld)
   {
     return false;
   }
-  std::copy_n(matrix->GetData(), 16, this->Matrix.begin());
+  this->ToWorld = toWorld;
   this->Planes = planes;
   this->Topology = this->MeshTopology;
   this->Points = this->Topology->GetPoints();
   for (std::size_t k = 0; k < this->Points.size(); k += 3)
   {
     double x[4] = { this->Points[k], this->Points[k + 1], this->Points[k + 2], 1.0 };
-    matrix->MultiplyPoint(x, x);
+    vtkMatrix4x4::MultiplyPoint(toWorld.data(), x, x);
     for (int i = 0; i < 3; ++i)
     {
       this->Points[k + i] = x[i] / x[3];

@@ -50,23 +50,21 @@ struct vtkShadowMaskMaker::Work
     return this->GetLight().Kind == vtkShadowLightKind::Point ? 6 : 1;
   }
 
-  vtkRenderer* Renderer;
+  const vtkShadowMaskMaker::Frame& Where;
   vtkOpenGLRenderWindow* Window;
   const vtkShadowCamera& Camera;
   const Settings& How;
   vtkShadowStatistics& Statistics;
   const vtkShadowLightSource& Source;
   std::size_t Slot;
-  vtkShadowLightSpace Frame;
+  vtkShadowLightSpace Space;
 };
 
 bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  if (!vtkNBufferGL::HasVersion(3, 2))
+  if (!vtkNBufferGL::CheckVersion(this->Error))
   {
-    this->Error = "The OpenGL context is older than 3.2. Update the driver or use Mesa's software "
-                  "renderer.";
     return false;
   }
   glGetIntegerv(GL_VIEWPORT, this->Viewport);
@@ -76,8 +74,7 @@ bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights)
     this->Error = "The viewport is empty or begins outside of the window. Move it inside.";
     return false;
   }
-  constexpr int each = vtkShadowTarget::LightsPerMask;
-  const int masks = static_cast<int>(lights + each - 1) / each;
+  const int masks = vtkShadowTarget::CountMasks(lights);
   return this->Target.Reserve(window, viewport[0] + viewport[2], viewport[1] + viewport[3], masks,
     vtkShadowTarget::GetBoundSamples(), this->Error);
 }
@@ -99,21 +96,20 @@ bool vtkShadowMaskMaker::ReadMask(
   return this->Reader.ReadMask(window, this->Target, slot, sample, mask, this->Error);
 }
 
-bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
-  const std::vector<vtkShadowLightSource>& lights, const Settings& settings,
-  vtkShadowStatistics& statistics)
+bool vtkShadowMaskMaker::Make(const Frame& frame, const Settings& settings)
 {
+  const std::vector<vtkShadowLightSource>& lights = frame.Lights;
   this->Shadows = 0;
   this->Error.clear();
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(frame.Renderer->GetRenderWindow());
   this->Reader.Begin(this->Viewport);
   ++this->CoveredAge;
-  vtkShadowCamera camera(renderer);
+  vtkShadowCamera camera(frame.Renderer);
   std::copy_n(this->Viewport, 4, camera.Plan.Viewport);
   camera.Plan.Boxes = settings.Mode != vtkShadowMode::Culled &&
     vtkNBufferGL::KeepsToScissor(static_cast<int>(this->Target.GetSamples().size()));
   camera.Plan.BoxCost = settings.Tuning.BoxCost;
-  this->DebugView.Clear();
+  frame.DebugView.Clear();
   const vtkShadowCounter::Scope scope(window, this->Viewport);
   for (int mask = 0; mask < this->Target.GetNumberOfMasks(); ++mask)
   {
@@ -121,11 +117,11 @@ bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
   }
   if (settings.Tuning.CountFragments)
   {
-    statistics.Fragments = 0;
+    frame.Statistics.Fragments = 0;
   }
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    const Work work = { renderer, window, camera, settings, statistics, lights[i], i,
+    const Work work = { frame, window, camera, settings, frame.Statistics, lights[i], i,
       vtkShadowLightSpace(lights[i].Geometry) };
     if (!this->Shade(work))
     {
@@ -165,7 +161,7 @@ bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
   return done &&
     (!this->LitmapSource ||
       this->LitmapSource->BeginFrame(
-        work.Renderer, this->Reader.GetDepth().data(), work.Camera.GetView(), this->Error));
+        work.Where.Renderer, this->Reader.GetDepth().data(), work.Camera.GetView(), this->Error));
 }
 
 bool vtkShadowMaskMaker::MakeLitmaps(
@@ -210,7 +206,7 @@ bool vtkShadowMaskMaker::MakeLitmaps(
 void vtkShadowMaskMaker::FindParts(const Work& work)
 {
   constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
-  const std::vector<vtkShadowCaster*>& casters = this->Casters.GetCasters();
+  const std::vector<vtkShadowCaster*>& casters = work.Where.Casters.GetCasters();
   this->PartLists.resize(casters.size());
   std::atomic<int> built(0);
   vtkNBufferForEachProp::Run(casters.size(),
@@ -225,7 +221,7 @@ void vtkShadowMaskMaker::FindParts(const Work& work)
           casters[i + ahead]->PrefetchParts(work.Slot);
         }
         this->PartLists[i] = &casters[i]->GetParts(
-          work.Slot, work.GetLight(), work.Frame, work.Camera.NearBounds, builtHere);
+          work.Slot, work.GetLight(), work.Space, work.Camera.NearBounds, builtHere);
       }
       built += builtHere;
     });
@@ -344,7 +340,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   this->FindParts(work);
   if (work.How.Mode == vtkShadowMode::Unclamped || (automatic && !this->IsLitmapWorthIt(work)))
   {
-    plan.emplace(light, work.Frame, view, vtkShadowMode::Unclamped, nullptr);
+    plan.emplace(light, work.Space, view, vtkShadowMode::Unclamped, nullptr);
     verdicts = this->AddCasters(work, *plan);
     if (automatic &&
       this->IsLitmapWorthIt(work,
@@ -364,14 +360,14 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   {
     frames = light.Kind == vtkShadowLightKind::Point
       ? MakeFaces(light)
-      : std::vector<vtkShadowLightSpace>{ work.Frame };
+      : std::vector<vtkShadowLightSpace>{ work.Space };
     if (!this->MakeLitmaps(work, frames))
     {
       return false;
     }
     clock.Restart();
     const bool isOne = frames.size() == 1;
-    plan.emplace(light, work.Frame, view, automatic ? vtkShadowMode::Scissored : work.How.Mode,
+    plan.emplace(light, work.Space, view, automatic ? vtkShadowMode::Scissored : work.How.Mode,
       isOne ? this->Litmaps.data() : nullptr, work.How.Tuning.SlabGap);
     for (std::size_t i = 0; !isOne && i < frames.size(); ++i)
     {
@@ -391,7 +387,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   {
     const vtkShadowDebugView::Subject subject = { this->Litmaps.data(),
       static_cast<int>(frames.size()), plan->GetDraws(), work.Camera.EyeToClip, this->Viewport };
-    return this->DebugView.Make(
+    return work.Where.DebugView.Make(
       work.Window, work.How.Picture, subject, this->Counter, work.Statistics, this->Error);
   }
   return done;
@@ -399,7 +395,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
 
 bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
 {
-  const vtkShadowTimers::Scope timed(this->Timers, vtkShadowStage::Draw);
+  const vtkShadowTimers::Scope timed(work.Where.Timers, vtkShadowStage::Draw);
   const std::vector<vtkShadowDraw>& draws = plan.GetDraws();
   vtkShadowStatistics& statistics = work.Statistics;
   ++this->Shadows;
@@ -412,9 +408,8 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
   {
     return false;
   }
-  constexpr std::size_t each = vtkShadowTarget::LightsPerMask;
-  const int mask = static_cast<int>(work.Slot / each);
-  const int channel = static_cast<int>(work.Slot % each);
+  const int mask = vtkShadowTarget::GetMaskIndex(work.Slot);
+  const int channel = vtkShadowTarget::GetChannel(work.Slot);
   // As many volumes at a time as the stencil can count, should a receiver be in all of them.
   const bool allAtOnce = plan.IsCountBelow(vtkShadowCaster::MaximumCount);
   const vtkShadowDraw* first = draws.data();
@@ -451,8 +446,6 @@ void vtkShadowMaskMaker::Release()
   {
     this->LitmapSource->Release();
   }
-  this->Timers.Release();
-  this->DebugView.Release();
   this->Target.Release();
   this->Reader.Release();
 }

@@ -49,14 +49,16 @@ public:
     const vtkLight* PictureLight; ///< The light of the picture; nullptr means the first one.
   };
 
-  /// Casters of the renderer, visible to the camera or not.
-  vtkShadowCasterList Casters;
-
-  /// Of the stages of a frame; the caller begins it, and measures those that it draws itself.
-  vtkShadowTimers Timers;
-
-  /// Made with the masks; the caller shows it.
-  vtkShadowDebugView DebugView;
+  /// What a frame brings along.
+  struct Frame
+  {
+    vtkRenderer* Renderer;
+    const std::vector<vtkShadowLightSource>& Lights;
+    const vtkShadowCasterList& Casters;
+    vtkShadowTimers& Timers;         ///< Measures the stage Draw.
+    vtkShadowDebugView& DebugView;   ///< Its image is made; the caller shows it.
+    vtkShadowStatistics& Statistics; ///< The counts and times of the masks are added to these.
+  };
 
   /**
    * Room for the masks of so many lights in the viewport that is set now, with the samples of the
@@ -72,16 +74,16 @@ public:
   void BeginDepth(vtkRenderer* renderer);
 
   /**
-   * Make the masks; `statistics` is added to. Returns false on failure, with the cause in
-   * GetError(). GetNumberOfShadows() says afterwards for how many lights anything was drawn.
+   * Make the masks. Returns false on failure, with the cause in GetError(). Afterwards
+   * GetNumberOfShadows() is the number of lights for which a volume was drawn.
    */
-  bool Make(vtkRenderer* renderer, const std::vector<vtkShadowLightSource>& lights,
-    const Settings& settings, vtkShadowStatistics& statistics);
+  bool Make(const Frame& frame, const Settings& settings);
 
   /**
-   * Read back the mask of a light, by its number in what Make() was given: one value for each pixel
-   * of the viewport, row by row, the lowest first, 0 lit to 255 in shadow. Of a sample, or, if it
-   * is negative, the mean of all. Returns false, with the cause in GetError(), if OpenGL refuses.
+   * Read back the mask of a light, by its number among the lights of the frame: one value for each
+   * pixel of the viewport, row by row, the lowest first, 0 lit to 255 in shadow. Of a sample, or,
+   * if it is negative, the mean of all. Returns false, with the cause in GetError(), if OpenGL
+   * refuses.
    */
   bool ReadMask(
     vtkOpenGLRenderWindow* window, std::size_t slot, int sample, std::vector<unsigned char>& mask);

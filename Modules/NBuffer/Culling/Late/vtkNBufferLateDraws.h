@@ -12,17 +12,16 @@
  * back:
  *
  *     the renderer's props       A   B   C   D   T   E
- *                                |       |   |   |
  *     list after Cull()              B           t   E   P
- *                                |       |   |   |       |
- *                                +-------+---+---|-------+   P  vtkNBufferDeferredProxy, for A, C,
- * D
- *                                                +           t  vtkNBufferTranslucentProxy, for T
+ *
+ *     P                          a vtkNBufferDeferredProxy, which represents A, C and D
+ *     t                          a vtkNBufferTranslucentProxy, which represents T
  *
  *     opaque stage               The renderer draws B and E, and then P, which is last.
  *       P tests against depth    A and D may be visible, C is hidden.
  *       P draws                  A and D
- *       P repairs ties           E once more, but only where E may have the same depth as A or D
+ *       P repairs ties           B and E once more, but only where they may have the same depth as
+ *                                a prop that precedes them in the renderer and was drawn by P
  *       P closes t               if T is hidden
  *     translucent stage          The renderer draws t, which draws T if it is open.
  *
