@@ -188,7 +188,8 @@ SHADOW_MUTANTS = {
     "the inside of closed casters not seen": [
         (CASTER, "|| this->Meets(nearBounds)", "")],
     "masks of pixels where nothing is seen": [
-        ("vtkShadowCounter.cxx", "glDepthFunc(GL_GREATER);", "glDepthFunc(GL_ALWAYS);")],
+        ("vtkShadowCounter.cxx", "glDepthFunc(vtkNBufferDepthConvention::PassIfFarther);",
+         "glDepthFunc(GL_ALWAYS);")],
 
     # From frame to frame.
     "stale silhouettes after a change of matrix or mesh": [
@@ -204,7 +205,7 @@ SHADOW_MUTANTS = {
     "keys of casters not looked at again": [
         ("vtkShadowCasterList.cxx", " || casts != member.Casts", "")],
     "shaders kept when lights change": [
-        ("vtkShadowVolumeClampPass.cxx", "this->ShaderTime.Modified();", "")],
+        ("vtkShadowShading.cxx", "this->Time.Modified();", "")],
 }
 
 # These leave an error in so few frames that ten times as many are granted: other tolerances cover

@@ -3,6 +3,7 @@
 #include "vtkNBufferBackend.h"
 
 #include "vtkNBufferClock.h"
+#include "vtkNBufferDepthConvention.h"
 #include "vtkNBufferGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -108,19 +109,22 @@ bool vtkNBufferBackend::CountFailure(vtkNBufferDecision failure)
 
 bool vtkNBufferBackend::DrawsOrdinaryDepth(const vtkNBufferDepthSource& source)
 {
-  GLint function = 0;
+  GLint depthFunction = 0;
   GLint scissor[4] = { 0, 0, 0, 0 };
   GLboolean mask = GL_FALSE;
-  glGetIntegerv(GL_DEPTH_FUNC, &function);
+  glGetIntegerv(GL_DEPTH_FUNC, &depthFunction);
   glGetIntegerv(GL_SCISSOR_BOX, scissor);
   glGetBooleanv(GL_DEPTH_WRITEMASK, &mask);
+  const auto function = static_cast<unsigned int>(depthFunction);
   const int* viewport = source.Viewport;
   const bool wholeViewport = !glIsEnabled(GL_SCISSOR_TEST) ||
     (scissor[0] <= viewport[0] && scissor[1] <= viewport[1] &&
       scissor[0] + scissor[2] >= viewport[0] + viewport[2] &&
       scissor[1] + scissor[3] >= viewport[1] + viewport[3]);
-  return glIsEnabled(GL_DEPTH_TEST) && (function == GL_LEQUAL || function == GL_LESS) && mask &&
-    wholeViewport && source.DefaultDepthRange;
+  return glIsEnabled(GL_DEPTH_TEST) &&
+    (function == vtkNBufferDepthConvention::PassIfNearerOrEqual ||
+      function == vtkNBufferDepthConvention::PassIfNearer) &&
+    mask && wholeViewport && source.DefaultDepthRange;
 }
 
 bool vtkNBufferBackend::BuildOnDevice(const Job& job, int levels, std::string& why)
@@ -129,7 +133,7 @@ bool vtkNBufferBackend::BuildOnDevice(const Job& job, int levels, std::string& w
   const int* viewport = job.Source.Viewport;
   vtkNBufferStatistics& statistics = job.Statistics;
   if (!this->Texture->Build(job.Window, job.Source, viewport[0], viewport[1], viewport[2],
-        viewport[3], job.Factor, levels, vtkNBufferExtremum::Maximum))
+        viewport[3], job.Factor, levels, vtkNBufferDepthConvention::Farthest))
   {
     why = this->Texture->GetError();
     return false;
@@ -194,7 +198,7 @@ bool vtkNBufferBackend::BuildOnHost(const Job& job, std::string& why)
     }
     const vtkNBufferClock clock;
     job.Levels.BuildBase(this->Depth.data(), job.Source.Viewport[2], job.Source.Viewport[3],
-      job.Factor, vtkNBufferExtremum::Maximum);
+      job.Factor, vtkNBufferDepthConvention::Farthest);
     job.Statistics.BuildTime += clock.GetMilliseconds();
   }
   const vtkNBufferClock clock;

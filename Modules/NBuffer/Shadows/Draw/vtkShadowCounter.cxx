@@ -5,6 +5,7 @@
 #include "vtkShadowTarget.h"
 #include "vtkShadowVolume.h"
 
+#include "vtkNBufferDepthConvention.h"
 #include "vtkShadowMaskFS.h"
 #include "vtkShadowTintFS.h"
 #include "vtkShadowVolumeFS.h"
@@ -205,7 +206,7 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
   glEnable(GL_DEPTH_CLAMP);
   glPolygonOffset(OffsetFactor, OffsetUnits);
   glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
+  glDepthFunc(vtkNBufferDepthConvention::PassIfNearer);
   const auto drawAll = [&](bool counting)
   {
     for (const vtkShadowDraw* draw = first; draw != last; ++draw)
@@ -279,12 +280,12 @@ bool vtkShadowCounter::Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTar
   glScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
   glStencilFunc(GL_NOTEQUAL, 0, 0xff);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-  // At the far plane, behind everything that was drawn.
+  // The triangle has the background's depth, which is farther than everything that was drawn.
   double range[2];
   glGetDoublev(GL_DEPTH_RANGE, range);
-  glDepthRange(1.0, 1.0);
+  glDepthRange(vtkNBufferDepthConvention::Background, vtkNBufferDepthConvention::Background);
   glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_GREATER);
+  glDepthFunc(vtkNBufferDepthConvention::PassIfFarther);
   glColorMaski(0, channel == 0, channel == 1, channel == 2, channel == 3);
   this->MaskPass.Draw();
   glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
