@@ -18,6 +18,8 @@ HIERARCHY = "vtkNBufferHierarchy.cxx"
 FRAME_KEY = "vtkShadowFrameKey.cxx"
 MASK_MAKER = "vtkShadowMaskMaker.cxx"
 PLAN = "vtkShadowPlan.cxx"
+DRAW_LIST = "vtkShadowDrawList.cxx"
+LITMAP_SET = "vtkShadowLitmapSet.cxx"
 REACH = "vtkShadowUmbra.cxx"
 VOLUME = "vtkShadowVolume.cxx"
 
@@ -135,7 +137,7 @@ MUTANTS = {
     "wireframes and points are tested as surfaces": [
         (CANDIDATE, "property->GetRepresentation() != VTK_SURFACE ||", "")],
     "passes do not reach what is held back": [
-        ("vtkNBufferForwardedKeys.cxx",
+        ("vtkNBufferStandIn.cxx",
          "if (!from || (passes->Length(from) == 0 && !from->Has(depthMask)))", "if (to)")],
 }
 
@@ -147,7 +149,7 @@ SHADOW_MUTANTS = {
          "this->P.GetCell(p1 + guardP) + 1, this->Q.GetCell(q1 + guardQ) + 1 };",
          "this->P.GetCell(p1), this->Q.GetCell(q1) };")],
     "box of pixels one column short": [
-        (PLAN, "draw.Box[2] = box.GetWidth();",
+        (DRAW_LIST, "draw.Box[2] = box.GetWidth();",
          "draw.Box[2] = box.GetWidth() - 1;")],
     "slabs that begin at the caster end with the first of them": [
         (PLAN, "slabs.back().Far = far;", "slabs.back().Far = std::min(far, slabs.back().Far);")],
@@ -155,12 +157,11 @@ SHADOW_MUTANTS = {
         (PLAN, "lookup.IsInOneFace && lookup.Extent.Far < lookup.Near)",
          "lookup.IsInOneFace && lookup.Extent.Far < lookup.Far)")],
     "only one corner of a caster's box asked about": [
-        (PLAN, "this->LookUp(footprint, corners, 8)", "this->LookUp(footprint, corners, 1)")],
+        (PLAN, "this->Litmaps.LookUp(footprint, corners)",
+         "this->Litmaps.LookUp(footprint, { corners.data(), 1 })")],
     "casters through the light's plane as others": [
-        (PLAN,
-         "return this->Frame.IsPositional() && !(footprint.Near > Margin * "
-         "std::abs(footprint.Far));",
-         "return this->Frame.IsPositional() && footprint.Far < -1e300;")],
+        (LITMAP_SET, "return this->Light.IsPositional() && !(footprint.GetNear() > margin);",
+         "return this->Light.IsPositional() && margin < 0.0;")],
     "receivers behind an edge not asked": [
         ("vtkShadowUmbra.h", "return this->MayShadow(tile[0]) || this->MayShadow(tile[1]);",
          "return this->MayShadow(tile[0]);")],
@@ -170,14 +171,15 @@ SHADOW_MUTANTS = {
         (REACH, "return std::any_of(this->Facets.begin(), this->Facets.end(),\n      [&](",
          "return std::all_of(this->Facets.begin(), this->Facets.end(),\n      [&](")],
     "half the cone": [
-        (PLAN, "vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;",
+        (LITMAP_SET, "vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;",
          "0.5 * vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;")],
     "a face around a point light left out": [
         (MASK_MAKER, "for (int i = 0; i < 6; ++i)", "for (int i = 0; i < 5; ++i)")],
 
     # Volumes and counting.
     "z-pass where the piece crosses the near plane": [
-        (PLAN, "if (!(sum > Margin * terms))", "if (!(terms >= sum * sum - sum * sum))")],
+        (DRAW_LIST, "if (!(addUp(terms) > Margin * addUp(glm::abs(terms))))",
+         "if (!(addUp(glm::abs(terms)) >= 0.0))")],
     "far cap of a clamped piece missing": [
         (VOLUME, "this->AddFan(silhouette, farImage, Side::Far);", "")],
     "near cap missing": [

@@ -45,11 +45,11 @@ public:
   struct Part
   {
     std::shared_ptr<const vtkShadowTopology> Topology;
-    std::vector<double> Points; ///< In world coordinates, or empty for those of the caster.
+    std::vector<glm::dvec3> Points; ///< In world coordinates, or empty for those of the caster.
     vtkShadowSilhouette Silhouette;
     vtkShadowFootprint Footprint;
 
-    /// Have the processor fetch what vtkShadowPlan::Dismiss() will read.
+    /// Have the processor fetch what vtkShadowPlan::EarlyOut() will read.
     void Prefetch() const;
   };
 
@@ -59,9 +59,8 @@ public:
   bool Update(
     vtkPolyData* mesh, const std::array<double, 16>& toWorld, const std::vector<Plane>& planes);
 
-  /// The merged points in world coordinates: x0, y0, z0, x1, ...
-  const std::vector<double>& GetPoints() const { return this->Points; }
-  int GetNumberOfPoints() const { return static_cast<int>(this->Points.size() / 3); }
+  /// The merged points in world coordinates.
+  const std::vector<glm::dvec3>& GetPoints() const { return this->Points; }
   const std::vector<int>& GetTriangles() const { return this->Topology->GetTriangles(); }
   int GetNumberOfTriangles() const { return this->Topology->GetNumberOfTriangles(); }
 
@@ -71,7 +70,7 @@ public:
    * `nearBounds`. `built` is increased by the number of silhouettes that were not cached.
    */
   const std::vector<Part>& GetParts(std::size_t slot, const vtkShadowLight& light,
-    const vtkShadowLightSpace& frame, const double nearBounds[6], int& built);
+    const vtkShadowLightSpace& frame, const vtkShadowBlock& nearBounds, int& built);
 
   ///@{
   /// Have the processor fetch what GetParts() will read: first the caster itself, then what it
@@ -80,10 +79,10 @@ public:
   void PrefetchParts(std::size_t slot) const;
   ///@}
 
-  /// The points of a part in world coordinates: x0, y0, z0, x1, ...
-  static const double* GetPoints(const vtkShadowCaster& caster, const Part& part)
+  /// The points of a part in world coordinates.
+  static const std::vector<glm::dvec3>& GetPoints(const vtkShadowCaster& caster, const Part& part)
   {
-    return part.Points.empty() ? caster.Points.data() : part.Points.data();
+    return part.Points.empty() ? caster.Points : part.Points;
   }
 
 private:
@@ -97,7 +96,7 @@ private:
   };
 
   /// Whether the bounds of the caster and another box share a point.
-  bool Meets(const double bounds[6]) const;
+  bool Meets(const vtkShadowBlock& bounds) const;
   /// Whether a positional light lies in the bounds of the caster.
   bool IsAround(const vtkShadowLight& light) const;
   void AddPart(
@@ -109,8 +108,8 @@ private:
   std::vector<Plane> Planes;
   std::shared_ptr<const vtkShadowTopology> MeshTopology;
   std::shared_ptr<const vtkShadowTopology> Topology; ///< The topology of what the planes leave.
-  std::vector<double> Points;
-  double Bounds[6] = {};
+  std::vector<glm::dvec3> Points;
+  vtkShadowBlock Bounds;
   std::vector<Slot> Slots;
 };
 

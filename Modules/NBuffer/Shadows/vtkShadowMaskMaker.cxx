@@ -3,6 +3,7 @@
 #include "vtkShadowMaskMaker.h"
 
 #include "vtkNBufferClock.h"
+#include "vtkNBufferDepthConvention.h"
 #include "vtkNBufferForEachProp.h"
 #include "vtkNBufferGL.h"
 #include "vtkShadowCamera.h"
@@ -33,7 +34,7 @@ std::vector<vtkShadowLightSpace> MakeFaces(const vtkShadowLight& light)
   std::vector<vtkShadowLightSpace> faces;
   for (int i = 0; i < 6; ++i)
   {
-    double axis[3] = { 0.0, 0.0, 0.0 };
+    glm::dvec3 axis(0.0);
     axis[i / 2] = i % 2 ? -1.0 : 1.0;
     faces.emplace_back(light, axis);
   }
@@ -86,8 +87,7 @@ void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Target.GetDepthFramebuffer());
   state->vtkglDepthMask(GL_TRUE);
-  const float farthest = 1.0f;
-  glClearBufferfv(GL_DEPTH, 0, &farthest);
+  glClearBufferfv(GL_DEPTH, 0, &vtkNBufferDepthConvention::Background);
 }
 
 bool vtkShadowMaskMaker::ReadMask(
@@ -149,7 +149,7 @@ bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
   if (done)
   {
     const std::vector<float>& depth = this->Reader.GetDepth();
-    const auto seen = std::count_if(depth.begin(), depth.end(), [](float z) { return z < 1.0f; });
+    const auto seen = std::count_if(depth.begin(), depth.end(), vtkNBufferDepthConvention::IsDrawn);
     this->SetSeen(static_cast<std::size_t>(seen), depth.size());
   }
   work.Statistics.ReadTime += clock.GetMilliseconds();
@@ -182,18 +182,16 @@ bool vtkShadowMaskMaker::MakeLitmaps(
     vtkShadowLitmap& litmap = this->Litmaps[i];
     if (this->LitmapSource)
     {
-      double range[4];
-      double depths[2];
-      vtkShadowReceivers::GetRange(depth, nullptr, view, work.GetLight(), frames[i], range, depths);
-      if (!this->LitmapSource->Fill(frames[i], range, depths, resolution, litmap, this->Error))
+      const vtkShadowBlock range =
+        vtkShadowReceivers::GetRange(depth, view, work.GetLight(), frames[i]);
+      if (!this->LitmapSource->Fill(frames[i], range, resolution, litmap, this->Error))
       {
         return false;
       }
     }
     else
     {
-      vtkShadowReceivers::Scatter(
-        depth, nullptr, view, work.GetLight(), frames[i], resolution, litmap);
+      vtkShadowReceivers::Scatter(depth, view, work.GetLight(), frames[i], resolution, litmap);
     }
     work.Statistics.Receivers += litmap.GetNumberOfReceivers();
     litmap.Build();
@@ -257,8 +255,8 @@ void vtkShadowMaskMaker::Decide(const vtkShadowPlan& plan)
         }
         else
         {
-          this->Choices[i] = plan.Decide(part.Part->Silhouette, part.GetPoints(),
-            part.GetNumberOfPoints(), part.Part->Footprint);
+          this->Choices[i] =
+            plan.Decide(part.Part->Silhouette, part.GetPoints(), part.Part->Footprint);
         }
       }
     },
@@ -277,8 +275,8 @@ vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vt
     if (choice.IsDrawn())
     {
       const CasterPart& part = this->Parts[i];
-      plan.Draw(choice, part.Part->Silhouette, part.GetPoints(), part.GetNumberOfPoints(),
-        part.Part->Footprint, this->Volume);
+      plan.Draw(
+        choice, part.Part->Silhouette, part.GetPoints(), part.Part->Footprint, this->Volume);
     }
   }
   return verdicts;
@@ -386,7 +384,8 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   if (done && (pictured ? pictured == work.Source.Source : work.Slot == 0))
   {
     const vtkShadowDebugView::Subject subject = { this->Litmaps.data(),
-      static_cast<int>(frames.size()), plan->GetDraws(), work.Camera.EyeToClip, this->Viewport };
+      static_cast<int>(frames.size()), plan->GetDraws(), work.Camera.EyeToClipByRows.data(),
+      this->Viewport };
     return work.Where.DebugView.Make(
       work.Window, work.How.Picture, subject, this->Counter, work.Statistics, this->Error);
   }
@@ -428,8 +427,8 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
     }
     this->Counter.ClearStencil(this->Target, this->Viewport, start);
     ++statistics.StencilClears;
-    if (!this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClip, first, last,
-          work.How.Tuning.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||
+    if (!this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClipByRows.data(), first,
+          last, work.How.Tuning.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||
       !this->Counter.Resolve(work.Window, this->Target, mask, channel, this->Viewport, this->Error))
     {
       return false;
