@@ -3,6 +3,7 @@
 #include "vtkShadowMaskMaker.h"
 
 #include "vtkNBufferClock.h"
+#include "vtkNBufferDepthConvention.h"
 #include "vtkNBufferForEachProp.h"
 #include "vtkNBufferGL.h"
 #include "vtkShadowCamera.h"
@@ -86,7 +87,7 @@ void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Target.GetDepthFramebuffer());
   state->vtkglDepthMask(GL_TRUE);
-  const float farthest = 1.0f;
+  const float farthest = vtkNBufferDepthConvention::Background;
   glClearBufferfv(GL_DEPTH, 0, &farthest);
 }
 
@@ -149,7 +150,7 @@ bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
   if (done)
   {
     const std::vector<float>& depth = this->Reader.GetDepth();
-    const auto seen = std::count_if(depth.begin(), depth.end(), [](float z) { return z < 1.0f; });
+    const auto seen = std::count_if(depth.begin(), depth.end(), vtkNBufferDepthConvention::IsDrawn);
     this->SetSeen(static_cast<std::size_t>(seen), depth.size());
   }
   work.Statistics.ReadTime += clock.GetMilliseconds();
