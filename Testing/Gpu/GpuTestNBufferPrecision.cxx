@@ -283,7 +283,7 @@ TEST_P(GpuTestNBufferPrecisionFormats, ErrorsStayUnderTheSlack)
   const double quantum = std::ldexp(1.0, -std::min(source.DepthBits, 24));
 
   TriangleProgram program;
-  Finding all[std::size(Kinds)];
+  Finding all[std::size(KindNames)];
   for (const CameraCase& camera : Cameras)
   {
     Sampler sampler(camera, 40);
