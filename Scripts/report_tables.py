@@ -29,7 +29,7 @@ def number(value):
 
 
 def span(times):
-    return "" if not times else (
+    return "" if times is None else (
         f"{number(times['median'])} ({number(times['p10'])} to {number(times['p90'])})")
 
 
