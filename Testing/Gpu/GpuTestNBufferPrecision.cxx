@@ -15,6 +15,7 @@
 #include "vtkNBufferDepthSource.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferSliverTest.h"
+#include "vtkNBufferSurface.h"
 #include "vtkNBufferVTKVersion.h"
 #include VTKNBUFFER_GL_HEADER
 
