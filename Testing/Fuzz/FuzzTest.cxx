@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-using namespace NBufferFuzz;
+using namespace TestScene;
 
 namespace
 {
@@ -261,22 +261,23 @@ TEST_F(FuzzRuns, StagesActInTheirOwnContext)
   Scenario scenario;
   scenario.Props.resize(1);
   scenario.Views.resize(1);
-  Stage stages[2] = { Stage(Role::Reference), Stage(Role::Culled) };
-  for (Stage& stage : stages)
+  Player stages[2] = { Player(Role::Reference), Player(Role::Culled) };
+  for (Player& stage : stages)
   {
     stage.Begin(scenario);
     stage.Prepare(0);
-    stage.Render();
+    stage.UsePasses();
+    stage.Window->Render();
   }
-  for (Stage& stage : stages)
+  for (Player& stage : stages)
   {
-    Stage& other = &stage == stages ? stages[1] : stages[0];
-    other.GetWindow()->MakeCurrent();
+    Player& other = &stage == stages ? stages[1] : stages[0];
+    other.Window->MakeCurrent();
     stage.Prepare(0);
-    EXPECT_TRUE(stage.GetWindow()->IsCurrent());
-    other.GetWindow()->MakeCurrent();
+    EXPECT_TRUE(stage.Window->IsCurrent());
+    other.Window->MakeCurrent();
     stage.End();
-    EXPECT_TRUE(stage.GetWindow()->IsCurrent());
+    EXPECT_TRUE(stage.Window->IsCurrent());
   }
 }
 

@@ -14,7 +14,7 @@
 
 #include <cstdint>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 enum class ScenarioKind
 {

@@ -14,14 +14,14 @@
 #include <cmath>
 #include <sstream>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 namespace
 {
 /// Where single precision may see a sample on the other side of the cone. In radians.
 constexpr double ConeMargin = 2e-4;
 
-bool Casts(const Stage& stage, int number)
+bool Casts(const Player& stage, int number)
 {
   vtkLight* light = stage.GetLights().GetLight(0, number);
   return light->GetSwitch() && !light->LightTypeIsHeadlight() && light->GetIntensity() > 0.0 &&
@@ -160,20 +160,21 @@ std::string SayWhere(const char* what, int light, long long count, long long fir
 }
 }
 
-bool HasReadableReceivers(const Stage& stage)
+bool HasReadableReceivers(const Player& stage)
 {
-  vtkRenderWindow* window = stage.GetWindow();
-  const bool onlySurfaces = std::none_of(stage.GetMembers().begin(), stage.GetMembers().end(),
-    [](const Stage::Member& member)
+  vtkRenderWindow* window = stage.Window;
+  const std::vector<Prop>& props = stage.GetScenario()->Props;
+  const bool onlySurfaces = std::none_of(props.begin(), props.end(),
+    [](const Prop& prop)
     {
-      const PropKind kind = member.Description->Kind;
-      return kind == PropKind::Text || kind == PropKind::Billboard || kind == PropKind::Volume;
+      return prop.Kind == PropKind::Text || prop.Kind == PropKind::Billboard ||
+        prop.Kind == PropKind::Volume;
     });
   return onlySurfaces && stage.GetNumberOfRenderers() == 1 && stage.GetLights().GetPass(0) &&
     window->GetMultiSamples() <= 1 && !window->GetStereoRender();
 }
 
-ShadowFrame CaptureShadows(const Stage& stage)
+ShadowFrame CaptureShadows(const Player& stage)
 {
   ShadowFrame frame;
   vtkRenderer* renderer = stage.GetRenderer(0);
@@ -181,9 +182,9 @@ ShadowFrame CaptureShadows(const Stage& stage)
   renderer->GetTiledSizeAndOrigin(&frame.Width, &frame.Height, &origin[0], &origin[1]);
   const std::size_t count = static_cast<std::size_t>(frame.Width) * frame.Height;
   vtkNew<vtkFloatArray> depth;
-  stage.GetWindow()->GetZbufferData(
+  stage.Window->GetZbufferData(
     origin[0], origin[1], origin[0] + frame.Width - 1, origin[1] + frame.Height - 1, depth);
-  stage.GetWindow()->MakeCurrent();
+  stage.Window->MakeCurrent();
   const bool readable = depth->GetNumberOfValues() == static_cast<vtkIdType>(count);
   frame.Depth.assign(count, 1.0f);
   std::copy_n(depth->GetPointer(0), readable ? count : 0, frame.Depth.begin());
@@ -237,7 +238,7 @@ long long GetClampedFlips(long long receiversAtEdges)
 
 namespace
 {
-Oracle MakeOracle(const Stage& stage)
+Oracle MakeOracle(const Player& stage)
 {
   vtkInformation* keys = stage.GetLights().GetPass(0)->GetCasterKeys();
   return Oracle(
@@ -266,7 +267,7 @@ long long CountUnexplained(const ShadowFrame& tested, std::size_t light,
 }
 }
 
-RayJudge MakeRayJudge(const Stage& stage)
+RayJudge MakeRayJudge(const Player& stage)
 {
   return [&stage](int light)
   { return MakeOracle(stage).Cast(OracleLight(stage.GetLights().GetLight(0, light))); };
@@ -368,7 +369,7 @@ void GrantUnlit(const ShadowFrame& expected, ShadowFrame& tested)
 }
 
 std::optional<ShadowStrays> FindStrays(
-  const Stage& stage, const ShadowFrame& expected, const ShadowFrame& tested, bool parted)
+  const Player& stage, const ShadowFrame& expected, const ShadowFrame& tested, bool parted)
 {
   const Oracle oracle = MakeOracle(stage);
   ShadowStrays all;
@@ -410,10 +411,10 @@ std::optional<ShadowStrays> FindStrays(
   return all;
 }
 
-bool HasParted(const Stage& expected, const Stage& tested)
+bool HasParted(const Player& expected, const Player& tested)
 {
   bool parted = false;
-  for (const Stage* stage : { &expected, &tested })
+  for (const Player* stage : { &expected, &tested })
   {
     for (int i = 0; i < stage->GetNumberOfRenderers(); ++i)
     {
@@ -425,7 +426,7 @@ bool HasParted(const Stage& expected, const Stage& tested)
   return parted;
 }
 
-std::string CompareWithRays(const Stage& stage, const ShadowFrame& frame, ShadowTally& tally)
+std::string CompareWithRays(const Player& stage, const ShadowFrame& frame, ShadowTally& tally)
 {
   const Oracle oracle = MakeOracle(stage);
   std::string failure;
@@ -467,7 +468,7 @@ std::string CompareWithRays(const Stage& stage, const ShadowFrame& frame, Shadow
   return failure;
 }
 
-std::string CheckShadowStatistics(const Stage& stage)
+std::string CheckShadowStatistics(const Player& stage)
 {
   std::string failure;
   for (int i = 0; i < stage.GetNumberOfRenderers(); ++i)
@@ -491,7 +492,7 @@ std::string CheckShadowStatistics(const Stage& stage)
   return failure;
 }
 
-std::string GetShadowStatistics(const Stage& stage)
+std::string GetShadowStatistics(const Player& stage)
 {
   std::string text;
   for (int i = 0; i < stage.GetNumberOfRenderers(); ++i)
@@ -504,7 +505,7 @@ std::string GetShadowStatistics(const Stage& stage)
   return text;
 }
 
-std::string CompareShadowStatistics(const Stage& expected, const Stage& tested)
+std::string CompareShadowStatistics(const Player& expected, const Player& tested)
 {
   // A pass has the statistics of the renderer that it drew last.
   vtkShadowVolumeClampPass* passes[2] = { expected.GetLights().GetPass(0),

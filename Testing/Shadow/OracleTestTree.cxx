@@ -175,8 +175,8 @@ TEST_F(TreeTest, ScenesByBruteForce)
     { "ManyLights", "CadSpot", "QuadsStripsPolygons", "LightAtVertex", "HugeCoordinates" })
   {
     SCOPED_TRACE(name);
-    ShadowStage stage(GetScene(name));
-    const Oracle oracle(stage.Renderer);
+    Stage stage = SetStage(GetScene(name));
+    const Oracle oracle(stage.GetRenderer());
     const std::vector<double>& corners = oracle.GetTriangles().Corners;
     for (int y = 1; y < oracle.GetHeight(); y += 9)
     {
@@ -214,8 +214,8 @@ TEST_F(TreeTest, ScenesByBruteForce)
 
 TEST_F(TreeTest, AgreesWithLocator)
 {
-  ShadowStage stage(GetScene("CityDirectional"));
-  const Oracle oracle(stage.Renderer);
+  Stage stage = SetStage(GetScene("CityDirectional"));
+  const Oracle oracle(stage.GetRenderer());
   const OracleLight light(stage.Lights[0]);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

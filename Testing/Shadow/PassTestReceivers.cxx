@@ -20,33 +20,33 @@ namespace
 {
 struct Frame
 {
-  ShadowImage Image;
+  Picture Image;
   std::vector<ShadowMask> Masks;
   vtkShadowStatistics Statistics;
 };
 
-Frame Render(const ShadowStage& stage, vtkShadowVolumeClampPass* pass, bool skip)
+Frame Render(const Stage& stage, vtkShadowVolumeClampPass* pass, bool skip)
 {
   pass->SetSkipUnlitReceivers(skip);
   stage.Window->Render();
   Frame frame;
-  frame.Image = GetImage(stage.Window);
+  frame.Image = TakePicture(stage.Window);
   frame.Statistics = pass->GetStatistics();
   EXPECT_EQ(frame.Statistics.FailedFrames, 0);
   EXPECT_EQ(FindInconsistency(frame.Statistics), "");
   for (vtkLight* light : stage.Lights)
   {
-    frame.Masks.push_back(GetMask(pass, light, CountPixels(stage.Renderer)));
+    frame.Masks.push_back(GetMask(pass, light, CountPixels(stage.GetRenderer())));
   }
   return frame;
 }
 
 /// Renders without and with, and returns the frame with.
-Frame ExpectSamePicture(const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
+Frame ExpectSamePicture(const Stage& stage, vtkShadowVolumeClampPass* pass)
 {
   const Frame all = Render(stage, pass, false);
   Frame lit = Render(stage, pass, true);
-  EXPECT_TRUE(IsSameView(stage, all.Image, lit.Image));
+  EXPECT_EQ(FindDifferenceInView(stage, all.Image, lit.Image), "");
   EXPECT_LE(lit.Statistics.Receivers, all.Statistics.Receivers);
   // What was in shadow is, or is left out, which is 255, too.
   for (std::size_t i = 0; i < all.Masks.size(); ++i)
@@ -74,12 +74,12 @@ class PassReceiversOnce : public OffscreenFixture
 
 TEST_P(PassReceivers, PictureStays)
 {
-  const ShadowStage stage(this->GetParam());
+  const Stage stage = SetStage(this->GetParam());
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   ExpectSamePicture(stage, pass);
   if (this->GetParam().Change)
   {
-    this->GetParam().Change(stage.Renderer);
+    this->GetParam().Change(stage.GetRenderer());
     SCOPED_TRACE("after the change");
     ExpectSamePicture(stage, pass);
   }
@@ -95,7 +95,7 @@ TEST_F(PassReceiversOnce, LessIsDrawn)
   int more = 0;
   for (const NamedScene& scene : GetScenes())
   {
-    const ShadowStage stage(scene);
+    const Stage stage = SetStage(scene);
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     pass->CountFragmentsOn();
     const vtkShadowStatistics all = Render(stage, pass, false).Statistics;
@@ -111,12 +111,12 @@ TEST_F(PassReceiversOnce, LessIsDrawn)
 // The mapper of a shadow's receiver has to have room for all lights, or leave none out.
 TEST_F(PassReceiversOnce, MoreLightsThanBits)
 {
-  ShadowStage stage(GetScene("Directional"));
+  Stage stage = SetStage(GetScene("Directional"));
   for (int i = 0; i < 27; ++i)
   {
     const double angle = 0.23 * i;
     vtkLight* light = ShadowShapes::AddDirectional(
-      stage.Renderer, { std::cos(angle), std::sin(angle), -0.2 - 0.1 * (i % 5) });
+      stage.GetRenderer(), { std::cos(angle), std::sin(angle), -0.2 - 0.1 * (i % 5) });
     light->SetIntensity(0.05);
     stage.Lights.emplace_back(light);
   }
@@ -127,8 +127,8 @@ TEST_F(PassReceiversOnce, MoreLightsThanBits)
 // PBR takes something of every light from all sides: nothing may be left out.
 TEST_F(PassReceiversOnce, PhysicallyBasedShading)
 {
-  const ShadowStage stage(GetScene("CadDirectional"));
-  vtkActorCollection* actors = stage.Renderer->GetActors();
+  const Stage stage = SetStage(GetScene("CadDirectional"));
+  vtkActorCollection* actors = stage.GetRenderer()->GetActors();
   vtkCollectionSimpleIterator cookie;
   actors->InitTraversal(cookie);
   while (vtkActor* actor = actors->GetNextActor(cookie))
@@ -143,17 +143,17 @@ TEST_F(PassReceiversOnce, PhysicallyBasedShading)
 // Masks of a still frame are those of the frame that made them; Unclamped leaves nothing out.
 TEST_F(PassReceiversOnce, StillFramesAndOtherModes)
 {
-  const ShadowStage stage(GetScene("ManyLights"));
+  const Stage stage = SetStage(GetScene("ManyLights"));
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   Render(stage, pass, true);
   const Frame made = Render(stage, pass, true);
   const Frame still = Render(stage, pass, true);
   EXPECT_EQ(still.Statistics.Decision, vtkShadowDecision::Still);
   EXPECT_TRUE(still.Masks == made.Masks);
-  EXPECT_TRUE(IsSameImage(made.Image, still.Image, stage.Window));
+  EXPECT_EQ(FindDifference(made.Image, still.Image), "");
   pass->SetMode(vtkShadowVolumeClampPass::Unclamped);
   const Frame unclamped = Render(stage, pass, false);
   const Frame skipped = Render(stage, pass, true);
   EXPECT_TRUE(skipped.Masks == unclamped.Masks);
-  EXPECT_TRUE(IsSameImage(made.Image, skipped.Image, stage.Window));
+  EXPECT_EQ(FindDifference(made.Image, skipped.Image), "");
 }

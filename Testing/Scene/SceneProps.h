@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file FuzzProps.h
+ * @file SceneProps.h
  * @brief VTK's props from their descriptions, and the changes that they suffer.
  */
-#ifndef FuzzProps_h
-#define FuzzProps_h
+#ifndef SceneProps_h
+#define SceneProps_h
 
 #include "Scenario.h"
 
@@ -14,7 +14,7 @@
 
 class vtkCamera;
 
-namespace NBufferFuzz
+namespace TestScene
 {
 /// `camera` is what followers follow.
 vtkSmartPointer<vtkProp> MakeProp(const Prop& prop, vtkCamera* camera);

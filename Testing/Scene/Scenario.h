@@ -11,20 +11,20 @@
 #ifndef Scenario_h
 #define Scenario_h
 
+#include "vtkNBufferGLM.h"
+
 #include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-namespace NBufferFuzz
+namespace TestScene
 {
-using Vector3 = std::array<double, 3>;
-
 /// Names of an enumerator's values in files, ended by a null pointer.
 template <typename Enum>
 struct EnumNames;
 
-#define NBUFFER_FUZZ_NAMES(Enum, ...)                                                              \
+#define NBUFFER_SCENE_NAMES(Enum, ...)                                                             \
   template <>                                                                                      \
   struct EnumNames<Enum>                                                                           \
   {                                                                                                \
@@ -40,30 +40,39 @@ enum class ShapeKind
 {
   Box,
   Sphere,
-  Quad,    ///< Upright, normal z.
-  Grating, ///< `Detail` upright bars; they fill the share `Fill` of the width.
-  Lattice, ///< `Detail` x `Detail` upright cells of which about the share `Fill` is there.
-  Terrain, ///< `Detail` x `Detail` cells with heights anywhere in the box.
-  Soup,    ///< `Detail` triangles anywhere in the box.
-  Lines,   ///< `Detail` segments anywhere in the box.
-  Points,  ///< `Detail` vertices anywhere in the box.
-  Book,    ///< `Detail` leaves round an upright spine that they share, wound by turns.
-  Strip,   ///< A triangle strip of 2 x `Detail` triangles, heights anywhere in the box.
-  Stack,   ///< `Detail` level quads above each other.
-  Empty,   ///< No points at all.
-  NaNPoint ///< A box with a coordinate that is no number, or infinite for an odd `Seed`.
+  Quad,      ///< Upright, normal z.
+  Grating,   ///< `Detail` upright bars; they fill the share `Fill` of the width.
+  Lattice,   ///< `Detail` x `Detail` upright cells of which about the share `Fill` is there.
+  Terrain,   ///< `Detail` x `Detail` cells with heights anywhere in the box.
+  Soup,      ///< `Detail` triangles anywhere in the box.
+  Lines,     ///< `Detail` segments anywhere in the box.
+  Points,    ///< `Detail` vertices anywhere in the box.
+  Book,      ///< `Detail` leaves round an upright spine that they share, wound by turns.
+  Strip,     ///< A triangle strip of 2 x `Detail` triangles, heights anywhere in the box.
+  Stack,     ///< `Detail` level quads above each other.
+  Empty,     ///< No points at all.
+  NaNPoint,  ///< A box with a coordinate that is no number, or infinite for an odd `Seed`.
+  SharedBox, ///< A box whose eight points are shared by its faces.
+  Globe,    ///< VTK's sphere with `Detail` meridians and parallels: one point at each pole, a seam.
+  Cylinder, ///< VTK's cylinder along y with `Detail` sides.
+  Cone,     ///< VTK's cone along x with `Detail` sides.
+  Tiles,    ///< An upright rectangle of `Detail` x `Detail` quads that share their points.
+  Mesh      ///< `Points` and `Polygons` as they are, moved to `Center` and scaled by `Size`.
 };
-NBUFFER_FUZZ_NAMES(ShapeKind, "Box", "Sphere", "Quad", "Grating", "Lattice", "Terrain", "Soup",
-  "Lines", "Points", "Book", "Strip", "Stack", "Empty", "NaNPoint");
+NBUFFER_SCENE_NAMES(ShapeKind, "Box", "Sphere", "Quad", "Grating", "Lattice", "Terrain", "Soup",
+  "Lines", "Points", "Book", "Strip", "Stack", "Empty", "NaNPoint", "SharedBox", "Globe",
+  "Cylinder", "Cone", "Tiles", "Mesh");
 
 struct Shape
 {
   ShapeKind Kind = ShapeKind::Box;
-  Vector3 Center = { 0.0, 0.0, 0.0 };
-  Vector3 Size = { 1.0, 1.0, 1.0 };
+  glm::dvec3 Center = { 0.0, 0.0, 0.0 };
+  glm::dvec3 Size = { 1.0, 1.0, 1.0 };
   int Detail = 1;
   double Fill = 0.5;
-  int Seed = 0;
+  int Seed = 0;                 ///< Points are stored as doubles if it is odd.
+  std::vector<double> Points;   ///< Of a Mesh: three coordinates for each point.
+  std::vector<double> Polygons; ///< Of a Mesh: for each polygon the number of its points and these.
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit)
@@ -74,6 +83,8 @@ struct Shape
     visit("detail", self.Detail);
     visit("fill", self.Fill);
     visit("seed", self.Seed);
+    visit("points", self.Points);
+    visit("polygons", self.Polygons);
   }
 };
 
@@ -93,7 +104,7 @@ enum class PropKind
   Text,
   NoMapper
 };
-NBUFFER_FUZZ_NAMES(PropKind, "Actor", "Piped", "DataSet", "Composite", "Assembly", "Follower",
+NBUFFER_SCENE_NAMES(PropKind, "Actor", "Piped", "DataSet", "Composite", "Assembly", "Follower",
   "Glyphs", "LOD", "Volume", "Billboard", "Text", "NoMapper");
 
 enum class Representation
@@ -102,7 +113,7 @@ enum class Representation
   Wireframe,
   Surface
 };
-NBUFFER_FUZZ_NAMES(Representation, "Points", "Wireframe", "Surface");
+NBUFFER_SCENE_NAMES(Representation, "Points", "Wireframe", "Surface");
 
 enum class Translucency
 {
@@ -110,7 +121,7 @@ enum class Translucency
   Some, ///< Of the texture or the scalars: alpha below 1 in places.
   Opaque
 };
-NBUFFER_FUZZ_NAMES(Translucency, "None", "Some", "Opaque");
+NBUFFER_SCENE_NAMES(Translucency, "None", "Some", "Opaque");
 
 enum class Shader
 {
@@ -118,26 +129,26 @@ enum class Shader
   MovesVertices,
   WritesDepth
 };
-NBUFFER_FUZZ_NAMES(Shader, "Original", "MovesVertices", "WritesDepth");
+NBUFFER_SCENE_NAMES(Shader, "Original", "MovesVertices", "WritesDepth");
 
 struct Prop
 {
   int Id = 0; ///< What changes refer to.
   PropKind Kind = PropKind::Actor;
-  NBufferFuzz::Shape Shape;
+  TestScene::Shape Shape;
   int Renderer = 0;
   int From = 0;   ///< First frame in which it is in the renderer.
   int Until = -1; ///< First frame in which it is not any more; -1: never.
-  Vector3 Position = { 0.0, 0.0, 0.0 };
-  Vector3 Orientation = { 0.0, 0.0, 0.0 };
-  Vector3 Scale = { 1.0, 1.0, 1.0 };
+  glm::dvec3 Position = { 0.0, 0.0, 0.0 };
+  glm::dvec3 Orientation = { 0.0, 0.0, 0.0 };
+  glm::dvec3 Scale = { 1.0, 1.0, 1.0 };
   std::vector<double> UserMatrix; ///< Empty or 16.
-  Vector3 Color = { 1.0, 1.0, 1.0 };
+  glm::dvec3 Color = { 1.0, 1.0, 1.0 };
   double Opacity = 1.0;
   bool Visible = true;
   bool Lighting = true;
   bool Flat = false;
-  NBufferFuzz::Representation Representation = NBufferFuzz::Representation::Surface;
+  TestScene::Representation Representation = TestScene::Representation::Surface;
   bool Edges = false;
   bool Vertices = false;
   bool Spheres = false;
@@ -149,11 +160,12 @@ struct Prop
   bool ForceTranslucent = false;
   Translucency Texture = Translucency::None;
   Translucency Scalars = Translucency::None;
-  NBufferFuzz::Shader Shader = NBufferFuzz::Shader::Original;
+  TestScene::Shader Shader = TestScene::Shader::Original;
   std::vector<double> ClippingPlane; ///< Empty, or origin and normal.
   bool ShiftCoordinates = true;      ///< Large coordinates are moved on their way to the device.
   double OffsetUnits = 0.0;          ///< Relative polygon offset, where such offsets are on.
   bool Casts = true;                 ///< Has the key of Shadows::CasterKeys.
+  int MapperOf = -1; ///< Id of the actor before it whose mapper it shares; -1: none.
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit)
@@ -190,6 +202,7 @@ struct Prop
     visit("shift_coordinates", self.ShiftCoordinates);
     visit("offset_units", self.OffsetUnits);
     visit("casts", self.Casts);
+    visit("mapper_of", self.MapperOf);
   }
 };
 
@@ -199,9 +212,9 @@ struct View
 {
   int Frame = 0;
   int Renderer = 0;
-  Vector3 Position = { 0.0, 0.0, 10.0 };
-  Vector3 FocalPoint = { 0.0, 0.0, 0.0 };
-  Vector3 ViewUp = { 0.0, 1.0, 0.0 };
+  glm::dvec3 Position = { 0.0, 0.0, 10.0 };
+  glm::dvec3 FocalPoint = { 0.0, 0.0, 0.0 };
+  glm::dvec3 ViewUp = { 0.0, 1.0, 0.0 };
   double ViewAngle = 30.0;
   bool Parallel = false;
   double ParallelScale = 1.0;
@@ -275,13 +288,13 @@ enum class ChangeKind
   BoxCost,
   SkipUnlitReceivers
 };
-NBUFFER_FUZZ_NAMES(ChangeKind, "Position", "Orientation", "Scale", "UserMatrix", "Color", "Opacity",
-  "Visible", "Representation", "LineWidth", "Edges", "MovePoints", "ReplaceData", "ClippingPlane",
-  "Rejoin", "WindowSize", "MultiSamples", "Stereo", "NewContext", "Viewport", "Pass", "FXAA",
-  "SSAO", "CullerEnabled", "CullerBackend", "CullerBaseFactor", "CullerRoundSize", "CullerPresent",
-  "PolygonOffset", "Select", "Casts", "BlockVisible", "LightPosition", "LightFocalPoint",
-  "LightCone", "LightOn", "LightCasts", "LightAttenuation", "ShadowMode", "LitmapResolution",
-  "SlabGap", "CasterKeys", "BoxCost", "SkipUnlitReceivers");
+NBUFFER_SCENE_NAMES(ChangeKind, "Position", "Orientation", "Scale", "UserMatrix", "Color",
+  "Opacity", "Visible", "Representation", "LineWidth", "Edges", "MovePoints", "ReplaceData",
+  "ClippingPlane", "Rejoin", "WindowSize", "MultiSamples", "Stereo", "NewContext", "Viewport",
+  "Pass", "FXAA", "SSAO", "CullerEnabled", "CullerBackend", "CullerBaseFactor", "CullerRoundSize",
+  "CullerPresent", "PolygonOffset", "Select", "Casts", "BlockVisible", "LightPosition",
+  "LightFocalPoint", "LightCone", "LightOn", "LightCasts", "LightAttenuation", "ShadowMode",
+  "LitmapResolution", "SlabGap", "CasterKeys", "BoxCost", "SkipUnlitReceivers");
 
 /// Done before the frame is drawn, in the order of the list.
 struct Change
@@ -319,7 +332,7 @@ enum class PassKind
   ShadowVolumes,          ///< vtkShadowVolumeClampPass as the pass of the renderer.
   ShadowVolumesInSequence ///< In the place of the opaque pass of OpaqueTranslucent.
 };
-NBUFFER_FUZZ_NAMES(PassKind, "None", "RenderSteps", "OpaqueTranslucent", "OpaqueTwice",
+NBUFFER_SCENE_NAMES(PassKind, "None", "RenderSteps", "OpaqueTranslucent", "OpaqueTwice",
   "TranslucentFirst", "Default", "DepthPeeling", "DualDepthPeeling", "SSAO", "FXAA", "Framebuffer",
   "Sobel", "ShadowVolumes", "ShadowVolumesInSequence");
 
@@ -389,12 +402,12 @@ enum class DefaultCuller
   Behind,
   NoTakeOver ///< Before, and ours is told to leave it there.
 };
-NBUFFER_FUZZ_NAMES(DefaultCuller, "Removed", "Before", "Behind", "NoTakeOver");
+NBUFFER_SCENE_NAMES(DefaultCuller, "Removed", "Before", "Behind", "NoTakeOver");
 
 /// Properties of vtkNBufferCuller of the same names, and how it is added.
 struct Culler
 {
-  NBufferFuzz::DefaultCuller DefaultCuller = NBufferFuzz::DefaultCuller::Removed;
+  TestScene::DefaultCuller DefaultCuller = TestScene::DefaultCuller::Removed;
   bool OnePerRenderer = false;
   int AddedInFrame = 0;
   int Backend = 0;
@@ -438,18 +451,18 @@ enum class LightKind
   Headlight,
   Camera ///< A directional light that moves with the camera; in its coordinates.
 };
-NBUFFER_FUZZ_NAMES(LightKind, "Directional", "Spot", "Point", "Headlight", "Camera");
+NBUFFER_SCENE_NAMES(LightKind, "Directional", "Spot", "Point", "Headlight", "Camera");
 
 /// Every renderer has one of its own of each.
 struct Light
 {
   LightKind Kind = LightKind::Directional;
-  Vector3 Position = { 3.0, 8.0, 5.0 };
-  Vector3 FocalPoint = { 0.0, 0.0, 0.0 };
+  glm::dvec3 Position = { 3.0, 8.0, 5.0 };
+  glm::dvec3 FocalPoint = { 0.0, 0.0, 0.0 };
   double ConeAngle = 40.0; ///< Of spots.
   double Exponent = 0.0;   ///< Of spots.
-  Vector3 Attenuation = { 1.0, 0.0, 0.0 };
-  Vector3 Color = { 1.0, 1.0, 1.0 };
+  glm::dvec3 Attenuation = { 1.0, 0.0, 0.0 };
+  glm::dvec3 Color = { 1.0, 1.0, 1.0 };
   double Intensity = 0.7;
   bool On = true;
   bool Casts = true; ///< vtkShadowVolumeClampPass::SetLightCasts
@@ -479,7 +492,7 @@ enum class ShadowMode
   Clamped,
   Automatic
 };
-NBUFFER_FUZZ_NAMES(ShadowMode, "Unclamped", "Exact", "Clamped", "Automatic");
+NBUFFER_SCENE_NAMES(ShadowMode, "Unclamped", "Exact", "Clamped", "Automatic");
 
 /// Properties of vtkShadowVolumeClampPass of the same names, and how it is used.
 struct Shadows
@@ -514,14 +527,14 @@ struct Scenario
   std::uint64_t Seed = 0;
   std::string Family; ///< What kind of scene the generator made; only for people.
   int Frames = 1;
-  NBufferFuzz::Window Window;
-  std::vector<NBufferFuzz::Renderer> Renderers = std::vector<NBufferFuzz::Renderer>(1);
-  NBufferFuzz::Culler Culler;
-  NBufferFuzz::Shadows Shadows;
-  std::vector<NBufferFuzz::Light> Lights; ///< None: VTK's own headlight.
-  std::vector<NBufferFuzz::Prop> Props;   ///< In the order in which they join the renderers.
-  std::vector<NBufferFuzz::View> Views;
-  std::vector<NBufferFuzz::Change> Changes;
+  TestScene::Window Window;
+  std::vector<TestScene::Renderer> Renderers = std::vector<TestScene::Renderer>(1);
+  TestScene::Culler Culler;
+  TestScene::Shadows Shadows;
+  std::vector<TestScene::Light> Lights; ///< None: VTK's own headlight.
+  std::vector<TestScene::Prop> Props;   ///< In the order in which they join the renderers.
+  std::vector<TestScene::View> Views;
+  std::vector<TestScene::Change> Changes;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit)
@@ -541,5 +554,5 @@ struct Scenario
 };
 }
 
-#undef NBUFFER_FUZZ_NAMES
+#undef NBUFFER_SCENE_NAMES
 #endif

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 namespace
 {
@@ -39,6 +39,16 @@ Json::Value Encode(double value)
     return value;
   }
   return std::isnan(value) ? "nan" : value > 0.0 ? "inf" : "-inf";
+}
+
+Json::Value Encode(const glm::dvec3& value)
+{
+  Json::Value result(Json::arrayValue);
+  for (int i = 0; i < 3; ++i)
+  {
+    result.append(Encode(value[i]));
+  }
+  return result;
 }
 
 template <typename T>
@@ -150,6 +160,12 @@ public:
     }
     this->Demand(names[i] != nullptr, "one of the names known here");
     value = static_cast<T>(i);
+  }
+  void operator()(const Json::Value& json, glm::dvec3& value) const
+  {
+    std::array<double, 3> values;
+    (*this)(json, values);
+    value = { values[0], values[1], values[2] };
   }
   template <std::size_t N>
   void operator()(const Json::Value& json, std::array<double, N>& values) const
