@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CullerTest.h"
 
+#include "Tune.h"
 #include "vtkCullerCollection.h"
 #include "vtkPNGWriter.h"
 #include "vtkWindowToImageFilter.h"
@@ -66,9 +67,9 @@ Comparison::Comparison(const Change& build, const ComparisonOptions& options)
       stage->Culler = vtkSmartPointer<vtkNBufferCuller>::New();
       if (options.RoundSize > 0)
       {
-        stage->Culler->SetRoundSize(options.RoundSize);
+        Tune(stage->Culler, &vtkNBufferTuning::RoundSize, options.RoundSize);
       }
-      stage->Culler->SetBackOff(options.BackOff);
+      Tune(stage->Culler, &vtkNBufferTuning::BackOff, options.BackOff);
       if (options.Configure)
       {
         options.Configure(stage->Culler);

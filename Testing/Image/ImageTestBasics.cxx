@@ -3,6 +3,7 @@
 // One renderer, one window: the image is the same and culling takes place, with every setting.
 #include "CullerTest.h"
 #include "Scenes.h"
+#include "Tune.h"
 
 #include "vtkCamera.h"
 #include "vtkCullerCollection.h"
@@ -196,7 +197,8 @@ TEST(CullerBasics, BehindTheDefaultCuller)
 {
   ComparisonOptions options;
   options.StockReference = true;
-  options.Configure = [](vtkNBufferCuller* culler) { culler->TakeOverFrustumCullingOff(); };
+  options.Configure = [](vtkNBufferCuller* culler)
+  { Tune(culler, &vtkNBufferTuning::TakeOverFrustumCulling, false); };
   Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage); }, options);
   Walk(comparison, 6);
   EXPECT_GT(comparison.GetHidden(), 60);
@@ -315,31 +317,32 @@ class CullerSettings : public testing::TestWithParam<Setting>
 };
 
 const Setting Settings[] = {
-  { "BaseFactor1", [](vtkNBufferCuller* c) { c->SetBaseFactor(1); } },
-  { "BaseFactor2", [](vtkNBufferCuller* c) { c->SetBaseFactor(2); } },
-  { "BaseFactor8", [](vtkNBufferCuller* c) { c->SetBaseFactor(8); } },
+  { "BaseFactor1", [](vtkNBufferCuller* c) { Tune(c, &vtkNBufferTuning::BaseFactor, 1); } },
+  { "BaseFactor2", [](vtkNBufferCuller* c) { Tune(c, &vtkNBufferTuning::BaseFactor, 2); } },
+  { "BaseFactor8", [](vtkNBufferCuller* c) { Tune(c, &vtkNBufferTuning::BaseFactor, 8); } },
   { "BackendCPU", [](vtkNBufferCuller* c) { c->SetBackend(vtkNBufferCuller::CPU); } },
   { "BackendOpenGL", [](vtkNBufferCuller* c) { c->SetBackend(vtkNBufferCuller::OpenGL); } },
   { "BackendOpenGLFactor1",
     [](vtkNBufferCuller* c)
     {
       c->SetBackend(vtkNBufferCuller::OpenGL);
-      c->SetBaseFactor(1);
+      Tune(c, &vtkNBufferTuning::BaseFactor, 1);
     } },
-  { "OneRound", [](vtkNBufferCuller* c) { c->SetMaximumNumberOfRounds(1); } },
+  { "OneRound", [](vtkNBufferCuller* c) { Tune(c, &vtkNBufferTuning::MaximumNumberOfRounds, 1); } },
   { "EightRoundsOfFour",
     [](vtkNBufferCuller* c)
     {
-      c->SetMaximumNumberOfRounds(8);
-      c->SetRoundSize(4);
+      Tune(c, &vtkNBufferTuning::MaximumNumberOfRounds, 8);
+      Tune(c, &vtkNBufferTuning::RoundSize, 4);
     } },
-  { "OnePiece", [](vtkNBufferCuller* c) { c->SetMaximumNumberOfPieces(1); } },
-  { "ThreePieces", [](vtkNBufferCuller* c) { c->SetMaximumNumberOfPieces(3); } },
-  { "NoPixels", [](vtkNBufferCuller* c) { c->TestPixelsOff(); } },
+  { "OnePiece", [](vtkNBufferCuller* c) { Tune(c, &vtkNBufferTuning::MaximumNumberOfPieces, 1); } },
+  { "ThreePieces",
+    [](vtkNBufferCuller* c) { Tune(c, &vtkNBufferTuning::MaximumNumberOfPieces, 3); } },
+  { "NoPixels", [](vtkNBufferCuller* c) { Tune(c, &vtkNBufferTuning::TestPixels, false); } },
   { "NoSlivers", [](vtkNBufferCuller* c) { c->SetTestSlivers(vtkNBufferCuller::Never); } },
   { "Slivers", [](vtkNBufferCuller* c) { c->SetTestSlivers(vtkNBufferCuller::Always); } },
-  { "NoReuse", [](vtkNBufferCuller* c) { c->ReuseWhenStillOff(); } },
-  { "BackOff", [](vtkNBufferCuller* c) { c->BackOffOn(); } },
+  { "NoReuse", [](vtkNBufferCuller* c) { Tune(c, &vtkNBufferTuning::ReuseWhenStill, false); } },
+  { "BackOff", [](vtkNBufferCuller* c) { Tune(c, &vtkNBufferTuning::BackOff, true); } },
 };
 }
 
@@ -351,7 +354,8 @@ TEST_P(CullerSettings, WalkThroughTheCity)
   Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage); }, options);
   Walk(comparison, 8, 0.2, 0.03);
   EXPECT_GT(comparison.GetHidden(), 50);
-  EXPECT_LE(comparison.GetStatistics().Rounds, comparison.GetCuller()->GetMaximumNumberOfRounds());
+  EXPECT_LE(
+    comparison.GetStatistics().Rounds, comparison.GetCuller()->GetTuning().MaximumNumberOfRounds);
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, CullerSettings, testing::ValuesIn(Settings),
@@ -364,13 +368,13 @@ TEST(CullerBasics, BackendsAgreeOnEveryVerdict)
   cpu.Configure = [](vtkNBufferCuller* c)
   {
     c->SetBackend(vtkNBufferCuller::CPU);
-    c->TestPixelsOff(); // of which the back-ends see more or less
+    Tune(c, &vtkNBufferTuning::TestPixels, false); // of which the back-ends see more or less
   };
   ComparisonOptions gl;
   gl.Configure = [](vtkNBufferCuller* c)
   {
     c->SetBackend(vtkNBufferCuller::OpenGL);
-    c->TestPixelsOff();
+    Tune(c, &vtkNBufferTuning::TestPixels, false);
   };
   Comparison a([](Stage& stage) { Scenes::BuildCity(stage); }, cpu);
   Comparison b([](Stage& stage) { Scenes::BuildCity(stage); }, gl);
@@ -395,14 +399,14 @@ TEST(CullerBasics, BaseFactorsOtherThanPowersUpToEightAreRefused)
   vtkNew<vtkNBufferCuller> culler;
   for (int factor : { 1, 2, 4, 8 })
   {
-    culler->SetBaseFactor(factor);
-    EXPECT_EQ(culler->GetBaseFactor(), factor);
+    Tune(culler, &vtkNBufferTuning::BaseFactor, factor);
+    EXPECT_EQ(culler->GetTuning().BaseFactor, factor);
   }
   EXPECT_EQ(TakeMessages(), "");
   for (int factor : { 0, -4, 3, 5, 6, 7, 9, 16 })
   {
-    culler->SetBaseFactor(factor);
-    EXPECT_EQ(culler->GetBaseFactor(), 8) << factor;
+    Tune(culler, &vtkNBufferTuning::BaseFactor, factor);
+    EXPECT_EQ(culler->GetTuning().BaseFactor, 8) << factor;
     EXPECT_NE(TakeMessages(), "") << factor;
   }
 }

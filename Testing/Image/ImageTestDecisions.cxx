@@ -3,6 +3,7 @@
 // When the culler does nothing, says so, and really does nothing.
 #include "CullerTest.h"
 #include "Scenes.h"
+#include "Tune.h"
 
 #include "vtkCamera.h"
 #include "vtkCullerCollection.h"
@@ -58,7 +59,7 @@ TEST(CullerDecisions, FewCandidates)
     EXPECT_TRUE(DidNoWork(comparison.GetStatistics()));
     EXPECT_EQ(comparison.GetVerdict(1), Verdict::Untested);
   }
-  comparison.GetCuller()->SetMinimumNumberOfCandidates(21);
+  Tune(comparison.GetCuller(), &vtkNBufferTuning::MinimumNumberOfCandidates, 21);
   Move(comparison, 0.5);
   comparison.Frame("21 are enough now");
   EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
@@ -108,7 +109,7 @@ TEST(CullerDecisions, StillCamera)
   EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
   comparison.Frame("still again");
   EXPECT_EQ(comparison.GetDecision(), Decision::Still);
-  comparison.GetCuller()->ReuseWhenStillOff();
+  Tune(comparison.GetCuller(), &vtkNBufferTuning::ReuseWhenStill, false);
   comparison.Frame("reuse off");
   EXPECT_NE(comparison.GetDecision(), Decision::Still);
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);

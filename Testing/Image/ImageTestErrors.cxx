@@ -4,7 +4,7 @@
 // the culler. docs/limits.md lists the messages.
 #include "CullerTest.h"
 #include "Scenes.h"
-
+#include "Tune.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -150,7 +150,7 @@ TEST(CullerErrors, NoContext)
   vtkNew<vtkRenderer> renderer;
   window->AddRenderer(renderer);
   vtkNew<vtkNBufferCuller> culler;
-  culler->SetMinimumNumberOfCandidates(1);
+  Tune(culler, &vtkNBufferTuning::MinimumNumberOfCandidates, 1);
   std::vector<vtkSmartPointer<vtkActor>> actors(50);
   std::vector<vtkProp*> list;
   for (auto& actor : actors)
@@ -184,7 +184,7 @@ TEST(CullerErrors, NoFloatTexturesOnTheDevice)
   options.Configure = [](vtkNBufferCuller* culler)
   {
     culler->SetBackend(vtkNBufferCuller::OpenGL);
-    culler->AllowFloatTexturesOff();
+    Tune(culler, &vtkNBufferTuning::AllowFloatTextures, false);
   };
   ExpectFailure([](Stage& stage) { Scenes::BuildWall(stage); }, options, Decision::NoFloatTextures,
     "Float textures are switched off", "use the CPU back-end");
@@ -199,7 +199,8 @@ TEST(CullerErrors, NoFloatTexturesAndMultiSamples)
   }
   ComparisonOptions options;
   options.MultiSamples = 4;
-  options.Configure = [](vtkNBufferCuller* culler) { culler->AllowFloatTexturesOff(); };
+  options.Configure = [](vtkNBufferCuller* culler)
+  { Tune(culler, &vtkNBufferTuning::AllowFloatTextures, false); };
   ExpectFailure([](Stage& stage) { Scenes::BuildWall(stage); }, options, Decision::NoFloatTextures,
     "Float textures are switched off", "without multisampling");
 }
@@ -208,7 +209,8 @@ TEST(CullerErrors, NoFloatTexturesAndMultiSamples)
 TEST(CullerErrors, AutoDoesWithoutFloatTextures)
 {
   ComparisonOptions options;
-  options.Configure = [](vtkNBufferCuller* culler) { culler->AllowFloatTexturesOff(); };
+  options.Configure = [](vtkNBufferCuller* culler)
+  { Tune(culler, &vtkNBufferTuning::AllowFloatTextures, false); };
   Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
   Scenes::Settle(comparison);
   EXPECT_GE(comparison.GetHidden(), Scenes::Wall::Hidden);
@@ -251,12 +253,12 @@ TEST(CullerErrors, CullsAgainAfterAFailure)
   options.Configure = [](vtkNBufferCuller* culler)
   {
     culler->SetBackend(vtkNBufferCuller::OpenGL);
-    culler->AllowFloatTexturesOff();
+    Tune(culler, &vtkNBufferTuning::AllowFloatTextures, false);
   };
   Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
   comparison.Frame("fails");
   EXPECT_EQ(comparison.GetDecision(), Decision::NoFloatTextures);
-  comparison.GetCuller()->AllowFloatTexturesOn();
+  Tune(comparison.GetCuller(), &vtkNBufferTuning::AllowFloatTextures, true);
   Scenes::Settle(comparison);
   EXPECT_GE(comparison.GetHidden(), Scenes::Wall::Hidden);
   EXPECT_EQ(comparison.GetStatistics().FailedFrames, 1);

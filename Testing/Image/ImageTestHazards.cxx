@@ -3,6 +3,7 @@
 // Geometry on which culling by depth goes wrong first.
 #include "CullerTest.h"
 #include "Scenes.h"
+#include "Tune.h"
 
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
@@ -289,7 +290,8 @@ TEST(CullerHazards, LongPropsAreTestedInPieces)
   for (int pieces : { 1, 8 })
   {
     ComparisonOptions options;
-    options.Configure = [pieces](vtkNBufferCuller* c) { c->SetMaximumNumberOfPieces(pieces); };
+    options.Configure = [pieces](vtkNBufferCuller* c)
+    { Tune(c, &vtkNBufferTuning::MaximumNumberOfPieces, pieces); };
     Comparison comparison(build, options);
     for (int i = 0; i < 3; ++i)
     {

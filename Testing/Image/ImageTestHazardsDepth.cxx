@@ -3,6 +3,7 @@
 // Depth: its formats and steps, near and far planes, surfaces that touch, offsets.
 #include "CullerTest.h"
 #include "Scenes.h"
+#include "Tune.h"
 
 #include "vtkNBufferDepthSource.h"
 
@@ -55,7 +56,7 @@ public:
       exact(culler);
       culler->SetBackend(backend);
       // By the levels alone, which the device then makes of each format.
-      culler->SetTestPixels(backend == vtkNBufferCuller::CPU);
+      Tune(culler, &vtkNBufferTuning::TestPixels, backend == vtkNBufferCuller::CPU);
     };
     options.MultiSamples = this->GetParam().Samples;
     // VTK cannot read multisampled depth whose format is not that of its other framebuffers.

@@ -3,6 +3,7 @@
 // Culling over a hierarchy: the image of every frame, and when the hierarchy is built and refit.
 #include "CullerTest.h"
 #include "Scenes.h"
+#include "Tune.h"
 
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -18,7 +19,7 @@ ComparisonOptions MakeOptions(int hierarchySize)
   ComparisonOptions options;
   options.KeepDefaultCuller = false;
   options.Configure = [hierarchySize](vtkNBufferCuller* culler)
-  { culler->SetHierarchySize(hierarchySize); };
+  { Tune(culler, &vtkNBufferTuning::HierarchySize, hierarchySize); };
   return options;
 }
 
@@ -189,15 +190,15 @@ TEST(CullerHierarchy, SizeMayChangeAtAnyTime)
   Comparison comparison(
     [](Stage& stage) { Scenes::BuildWall(stage); }, MakeOptions(Wall::Count + 1));
   EXPECT_EQ(MoveAndRender(comparison, 0.0, "too few").Nodes, 0);
-  comparison.GetCuller()->SetHierarchySize(Wall::Count);
-  comparison.GetCuller()->SetHierarchySize(-5); // clamped
-  EXPECT_EQ(comparison.GetCuller()->GetHierarchySize(), 0);
+  Tune(comparison.GetCuller(), &vtkNBufferTuning::HierarchySize, Wall::Count);
+  Tune(comparison.GetCuller(), &vtkNBufferTuning::HierarchySize, -5); // clamped
+  EXPECT_EQ(comparison.GetCuller()->GetTuning().HierarchySize, 0);
   EXPECT_GT(MoveAndRender(comparison, 0.1, "built").Nodes, 0);
-  comparison.GetCuller()->SetHierarchySize(VTK_INT_MAX);
+  Tune(comparison.GetCuller(), &vtkNBufferTuning::HierarchySize, VTK_INT_MAX);
   comparison.Both(
     [](Stage& stage) { stage.GetActor(Wall::FirstBehind)->AddPosition(0.0, 0.0, 6.0); });
   EXPECT_EQ(MoveAndRender(comparison, 0.2, "off").Nodes, 0);
-  comparison.GetCuller()->SetHierarchySize(0);
+  Tune(comparison.GetCuller(), &vtkNBufferTuning::HierarchySize, 0);
   MoveAndRender(comparison, 0.3, "on");
   EXPECT_GT(MoveAndRender(comparison, 0.4, "and built").Nodes, 0);
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden - 1);

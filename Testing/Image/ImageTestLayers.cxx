@@ -4,6 +4,7 @@
 // What a renderer leaves to the one behind it, and takes from the one before it.
 #include "CullerTest.h"
 #include "Scenes.h"
+#include "Tune.h"
 
 #include "vtkNBufferGL.h"
 
@@ -52,7 +53,8 @@ TEST(CullerLayers, LayerWithNothingInsideProcessesWhatLiesBelow)
   {
     ComparisonOptions options;
     options.KeepDefaultCuller = options.StockReference = stock;
-    options.Configure = [](vtkNBufferCuller* culler) { culler->SetMinimumNumberOfCandidates(1); };
+    options.Configure = [](vtkNBufferCuller* culler)
+    { Tune(culler, &vtkNBufferTuning::MinimumNumberOfCandidates, 1); };
     Comparison comparison([](Stage& stage) { BuildLayerOverWall(stage); }, options);
     // VTK's own culler removes the prop before ours sees it.
     const int outside = stock ? 0 : 1;
@@ -73,7 +75,8 @@ TEST(CullerLayers, LayerWhoseRestTheDefaultCullerRemovesProcessesWhatLiesBelow)
 {
   ComparisonOptions options;
   options.KeepDefaultCuller = options.StockReference = true;
-  options.Configure = [](vtkNBufferCuller* culler) { culler->SetMinimumNumberOfCandidates(1); };
+  options.Configure = [](vtkNBufferCuller* culler)
+  { Tune(culler, &vtkNBufferTuning::MinimumNumberOfCandidates, 1); };
   Comparison comparison(
     [](Stage& stage)
     {

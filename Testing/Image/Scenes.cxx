@@ -3,6 +3,7 @@
 #include "Scenes.h"
 
 #include "SceneBuilder.h"
+#include "Tune.h"
 
 #include "vtkCamera.h"
 #include "vtkLight.h"
@@ -176,9 +177,9 @@ ComparisonOptions MakeExactOptions(int width, int height, int baseFactor)
   options.KeepDefaultCuller = false;
   options.Configure = [baseFactor](vtkNBufferCuller* culler)
   {
-    culler->SetBaseFactor(baseFactor);
-    culler->SetMinimumNumberOfCandidates(1);
-    culler->SetReuseWhenStill(false);
+    Tune(culler, &vtkNBufferTuning::BaseFactor, baseFactor);
+    Tune(culler, &vtkNBufferTuning::MinimumNumberOfCandidates, 1);
+    Tune(culler, &vtkNBufferTuning::ReuseWhenStill, false);
   };
   return options;
 }

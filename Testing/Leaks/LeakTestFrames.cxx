@@ -9,6 +9,7 @@
 #include "LeakScene.h"
 #include "Memory.h"
 #include "OffscreenFixture.h"
+#include "Tune.h"
 
 #include "vtkNBufferCuller.h"
 
@@ -98,10 +99,10 @@ private:
     if (frame % 25 == 0 && this->Culler)
     {
       this->Culler->SetBackend(frame / 25 % 2 ? vtkNBufferCuller::OpenGL : vtkNBufferCuller::CPU);
-      this->Culler->SetBaseFactor(1 << frame / 25 % 4);
+      Tune(this->Culler, &vtkNBufferTuning::BaseFactor, 1 << frame / 25 % 4);
       // Not TestSlivers: it keeps meshes of replaced props for some 256 frames, and how many at a
       // time depends on which addresses the heap gives out again.
-      this->Culler->SetTestPixels(frame / 25 % 3 > 0);
+      Tune(this->Culler, &vtkNBufferTuning::TestPixels, frame / 25 % 3 > 0);
       this->Culler->SetEnabled(frame != 175);
     }
     if (frame % 40 == 0)
@@ -164,8 +165,8 @@ private:
     if (this->Culled)
     {
       this->Culler = vtkSmartPointer<vtkNBufferCuller>::New();
-      this->Culler->SetBackOff(false);
-      this->Culler->SetRoundSize(12);
+      Tune(this->Culler, &vtkNBufferTuning::BackOff, false);
+      Tune(this->Culler, &vtkNBufferTuning::RoundSize, 12);
       this->Renderer->AddCuller(this->Culler);
     }
   }

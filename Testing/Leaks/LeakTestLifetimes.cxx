@@ -6,6 +6,7 @@
 #include "Memory.h"
 #include "OffscreenFixture.h"
 #include "Stage.h"
+#include "Tune.h"
 
 #include "vtkNBufferCuller.h"
 
@@ -47,7 +48,7 @@ public:
     this->Window->AddRenderer(renderer);
     this->Culler = vtkSmartPointer<vtkNBufferCuller>::New();
     this->Culler->SetBackend(backend);
-    this->Culler->SetBackOff(false);
+    Tune(this->Culler, &vtkNBufferTuning::BackOff, false);
   }
 
   void AddCuller() { this->GetRenderer()->AddCuller(this->Culler); }
@@ -217,7 +218,7 @@ TEST_F(Leaks, GLObjectsGoWithTheCuller)
         EXPECT_EQ(GLObjects::Count(), before);
         stage.Culler = vtkSmartPointer<vtkNBufferCuller>::New();
         stage.Culler->SetBackend(backend);
-        stage.Culler->SetBackOff(false);
+        Tune(stage.Culler, &vtkNBufferTuning::BackOff, false);
         stage.AddCuller();
         stage.Render(4);
       }
@@ -283,7 +284,7 @@ TEST_F(Leaks, OneCullerManyWindows)
 {
   vtkNew<vtkNBufferCuller> culler;
   culler->SetBackend(vtkNBufferCuller::OpenGL);
-  culler->SetBackOff(false);
+  Tune(culler, &vtkNBufferTuning::BackOff, false);
   long long blocks = 0;
   long long bytes = 0;
   for (int time = 0; time < 12; ++time)

@@ -5,6 +5,7 @@
 #include "GLErrors.h"
 #include "Messages.h"
 #include "StatisticsCheck.h"
+#include "Tune.h"
 
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
@@ -124,7 +125,8 @@ std::string FindInconsistency(const Stage& stage)
     if (vtkNBufferCuller* culler = stage.GetCuller(i))
     {
       const vtkNBufferStatistics& statistics = culler->GetStatistics(stage.GetRenderer(i));
-      const std::string fault = ::FindInconsistency(statistics, culler->GetMaximumNumberOfRounds());
+      const std::string fault =
+        ::FindInconsistency(statistics, culler->GetTuning().MaximumNumberOfRounds);
       faults += fault.empty() ? "" : fault + "\n" + statistics.GetAsJSON() + "\n";
     }
   }

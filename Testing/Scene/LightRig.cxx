@@ -4,6 +4,7 @@
 
 #include "ScenePasses.h"
 #include "SceneProps.h"
+#include "Tune.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
@@ -116,10 +117,10 @@ void LightRig::SetUp(vtkShadowVolumeClampPass* pass, ShadowMode mode) const
 {
   pass->SetMode(static_cast<int>(mode));
   pass->SetSkipUnlitReceivers(mode != ShadowMode::Unclamped && this->Settings.SkipUnlitReceivers);
-  pass->SetBoxCost(this->Settings.BoxCost);
+  Tune(pass, &vtkShadowTuning::BoxCost, this->Settings.BoxCost);
   pass->SetScissor(this->Settings.Scissor);
-  pass->SetLitmapResolution(this->Settings.LitmapResolution);
-  pass->SetSlabGap(this->Settings.SlabGap);
+  Tune(pass, &vtkShadowTuning::LitmapResolution, this->Settings.LitmapResolution);
+  Tune(pass, &vtkShadowTuning::SlabGap, this->Settings.SlabGap);
   if (this->Settings.CasterKeys != (pass->GetCasterKeys() != nullptr))
   {
     vtkNew<vtkInformation> keys;

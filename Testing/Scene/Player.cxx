@@ -3,6 +3,7 @@
 #include "Player.h"
 
 #include "SceneProps.h"
+#include "Tune.h"
 
 #include "vtkNBufferVTKVersion.h"
 
@@ -246,17 +247,19 @@ void Player::AddCullers()
     {
       auto culler = vtkSmartPointer<vtkNBufferCuller>::New();
       culler->SetBackend(settings.Backend);
-      culler->SetBaseFactor(settings.BaseFactor);
-      culler->SetMinimumNumberOfCandidates(settings.MinimumNumberOfCandidates);
-      culler->SetMaximumNumberOfRounds(settings.MaximumNumberOfRounds);
-      culler->SetRoundSize(settings.RoundSize);
-      culler->SetMaximumNumberOfPieces(settings.MaximumNumberOfPieces);
-      culler->SetHierarchySize(settings.HierarchySize);
-      culler->SetTestPixels(settings.TestPixels);
+      Tune(culler, &vtkNBufferTuning::BaseFactor, settings.BaseFactor);
+      Tune(
+        culler, &vtkNBufferTuning::MinimumNumberOfCandidates, settings.MinimumNumberOfCandidates);
+      Tune(culler, &vtkNBufferTuning::MaximumNumberOfRounds, settings.MaximumNumberOfRounds);
+      Tune(culler, &vtkNBufferTuning::RoundSize, settings.RoundSize);
+      Tune(culler, &vtkNBufferTuning::MaximumNumberOfPieces, settings.MaximumNumberOfPieces);
+      Tune(culler, &vtkNBufferTuning::HierarchySize, settings.HierarchySize);
+      Tune(culler, &vtkNBufferTuning::TestPixels, settings.TestPixels);
       culler->SetTestSlivers(settings.TestSlivers);
-      culler->SetReuseWhenStill(settings.ReuseWhenStill);
-      culler->SetBackOff(settings.BackOff);
-      culler->SetTakeOverFrustumCulling(settings.DefaultCuller != DefaultCuller::NoTakeOver);
+      Tune(culler, &vtkNBufferTuning::ReuseWhenStill, settings.ReuseWhenStill);
+      Tune(culler, &vtkNBufferTuning::BackOff, settings.BackOff);
+      Tune(culler, &vtkNBufferTuning::TakeOverFrustumCulling,
+        settings.DefaultCuller != DefaultCuller::NoTakeOver);
       this->Cullers.push_back(culler);
     }
     else
@@ -495,10 +498,10 @@ void Player::ApplyToCullers(const Change& change)
         culler->SetBackend(value);
         break;
       case ChangeKind::CullerBaseFactor:
-        culler->SetBaseFactor(value);
+        Tune(culler, &vtkNBufferTuning::BaseFactor, value);
         break;
       case ChangeKind::CullerRoundSize:
-        culler->SetRoundSize(value);
+        Tune(culler, &vtkNBufferTuning::RoundSize, value);
         break;
       default:
         cullers->RemoveItem(culler);

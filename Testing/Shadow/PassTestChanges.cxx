@@ -7,6 +7,7 @@
 #include "OffscreenFixture.h"
 #include "PassTestTools.h"
 #include "ShadowShapes.h"
+#include "Tune.h"
 
 #include "vtkActor.h"
 #include "vtkAssembly.h"
@@ -112,7 +113,7 @@ struct ChangingStage
     vtkNew<vtkInformation> keys;
     keys->Set(GetCastsKey(), 1);
     this->Pass->SetCasterKeys(keys);
-    this->Pass->SetLitmapResolution(64);
+    Tune(this->Pass, &vtkShadowTuning::LitmapResolution, 64);
     if (assemblies)
     {
       this->Stage.GetRenderer()->AddActor(this->Casters.Assembly);
@@ -270,8 +271,9 @@ std::vector<Change> GetChanges()
     { "ModeUnclamped",
       [](ChangingStage& s) { s.Pass->SetMode(vtkShadowVolumeClampPass::Unclamped); } },
     { "ModeClamped", [](ChangingStage& s) { s.Pass->SetMode(vtkShadowVolumeClampPass::Clamped); } },
-    { "Resolution", [](ChangingStage& s) { s.Pass->SetLitmapResolution(16); } },
-    { "SlabGap", [](ChangingStage& s) { s.Pass->SetSlabGap(64); } },
+    { "Resolution",
+      [](ChangingStage& s) { Tune(s.Pass, &vtkShadowTuning::LitmapResolution, 16); } },
+    { "SlabGap", [](ChangingStage& s) { Tune(s.Pass, &vtkShadowTuning::SlabGap, 64); } },
     { "AllCast", [](ChangingStage& s) { s.Pass->SetCasterKeys(nullptr); } },
     { "KeysEmptied", [](ChangingStage& s) { s.Pass->GetCasterKeys()->Clear(); } },
     { "UnseenMoved", [](ChangingStage& s) { s.Unseen->AddPosition(0.5, 0.3, 0.0); } },
@@ -324,8 +326,8 @@ void ExpectNoMemory(const ChangingStage& stage)
   const Frame actual = Render(stage, stage.Pass);
   vtkNew<vtkShadowVolumeClampPass> fresh;
   fresh->SetMode(stage.Pass->GetMode());
-  fresh->SetLitmapResolution(stage.Pass->GetLitmapResolution());
-  fresh->SetSlabGap(stage.Pass->GetSlabGap());
+  Tune(fresh, &vtkShadowTuning::LitmapResolution, stage.Pass->GetTuning().LitmapResolution);
+  Tune(fresh, &vtkShadowTuning::SlabGap, stage.Pass->GetTuning().SlabGap);
   fresh->SetCasterKeys(stage.Pass->GetCasterKeys());
   for (vtkLight* light : stage.Stage.Lights)
   {
@@ -403,7 +405,7 @@ TEST_F(PassHistory, ModesAndResolutions)
     for (int resolution : { 1, 7, 512 })
     {
       SCOPED_TRACE("mode " + std::to_string(mode) + ", " + std::to_string(resolution) + " lexels");
-      stage.Pass->SetLitmapResolution(resolution);
+      Tune(stage.Pass, &vtkShadowTuning::LitmapResolution, resolution);
       const Frame frame = Render(stage, stage.Pass);
       if (mode != vtkShadowVolumeClampPass::Clamped)
       {

@@ -5,6 +5,7 @@
 #include "GLStateSnapshot.h"
 #include "OffscreenFixture.h"
 #include "PassTestTools.h"
+#include "Tune.h"
 
 #include "../Leaks/GLObjects.h"
 
@@ -145,7 +146,7 @@ TEST_F(PassDebugViews, LeaveNoObjectsBehind)
   {
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     pass->SetDebugView(view);
-    pass->SetMeasureDeviceTime(all);
+    Tune(pass, &vtkShadowTuning::MeasureDeviceTime, all);
     pass->SetLitmapMethod(
       all ? vtkShadowVolumeClampPass::Rerendered : vtkShadowVolumeClampPass::Scattered);
     stage.Window->Render();
@@ -245,7 +246,7 @@ TEST_F(PassDeviceTimes, AreMeasuredIfAsked)
   stage.Window->Render();
   EXPECT_EQ(pass->GetStatistics().DeviceTimes, UnknownShadowStageTimes);
   const Picture plain = TakePicture(stage.Window);
-  pass->MeasureDeviceTimeOn();
+  Tune(pass, &vtkShadowTuning::MeasureDeviceTime, true);
   vtkShadowStageTimes times = UnknownShadowStageTimes;
   // Reading the image waits for the device, so that the next frame knows the times of this one.
   for (int frame = 0; frame < 3; ++frame)
@@ -275,7 +276,7 @@ TEST_F(PassDeviceTimes, AreMeasuredIfAsked)
   EXPECT_EQ(pass->GetStatistics().GetDeviceTime(vtkShadowStage::Depth), 0.0);
   EXPECT_EQ(pass->GetStatistics().GetDeviceTime(vtkShadowStage::Draw), 0.0);
   EXPECT_GT(pass->GetStatistics().GetDeviceTime(vtkShadowStage::Color), 0.0);
-  pass->MeasureDeviceTimeOff();
+  Tune(pass, &vtkShadowTuning::MeasureDeviceTime, false);
   stage.Window->Render();
   EXPECT_EQ(pass->GetStatistics().DeviceTimes, UnknownShadowStageTimes);
 }

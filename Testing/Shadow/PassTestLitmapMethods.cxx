@@ -6,6 +6,7 @@
 #include "OffscreenFixture.h"
 #include "PassTestTools.h"
 #include "ShadowShapes.h"
+#include "Tune.h"
 
 #include "vtkActor.h"
 #include "vtkInformation.h"
@@ -85,7 +86,7 @@ TEST_F(PassLitmapMethods, AgreeOnLargeReceivers)
       80, 60 });
     SCOPED_TRACE(&addLight - lights);
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-    pass->SetLitmapResolution(512);
+    Tune(pass, &vtkShadowTuning::LitmapResolution, 512);
     for (const int mode : Modes)
     {
       SCOPED_TRACE("mode " + std::to_string(mode));
@@ -147,7 +148,7 @@ TEST_F(PassLitmapMethods, ReceiversNeedNotCast)
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   pass->SetCasterKeys(keys);
   pass->SetLitmapMethodToRerendered();
-  pass->SetLitmapResolution(512);
+  Tune(pass, &vtkShadowTuning::LitmapResolution, 512);
   stage.Window->Render();
   const ShadowMask rerendered = GetMask(pass, stage.Lights[0], CountPixels(stage.GetRenderer()));
   EXPECT_GT(std::count(rerendered.begin(), rerendered.end(), 255), 50);

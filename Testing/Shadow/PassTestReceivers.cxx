@@ -6,6 +6,7 @@
 #include "OffscreenFixture.h"
 #include "PassTestTools.h"
 #include "ShadowShapes.h"
+#include "Tune.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -97,7 +98,7 @@ TEST_F(PassReceiversOnce, LessIsDrawn)
   {
     const Stage stage = SetStage(scene);
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-    pass->CountFragmentsOn();
+    Tune(pass, &vtkShadowTuning::CountFragments, true);
     const vtkShadowStatistics all = Render(stage, pass, false).Statistics;
     const vtkShadowStatistics lit = Render(stage, pass, true).Statistics;
     EXPECT_EQ(lit.ReadBacks, all.ReadBacks) << "of depth";

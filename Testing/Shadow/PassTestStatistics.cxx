@@ -6,6 +6,7 @@
 #include "OffscreenFixture.h"
 #include "PassTestTools.h"
 #include "ShadowShapes.h"
+#include "Tune.h"
 
 #include "../Leaks/GLObjects.h"
 
@@ -135,7 +136,7 @@ TEST_F(PassStatistics, FragmentsAreCountedOnlyIfAsked)
   EXPECT_EQ(pass->GetStatistics().Fragments, -1);
   EXPECT_EQ(pass->GetStatistics().UnclampedFragments, -1);
   const Picture expected = TakePicture(stage.Window);
-  pass->CountFragmentsOn();
+  Tune(pass, &vtkShadowTuning::CountFragments, true);
   stage.Window->Render();
   EXPECT_GT(pass->GetStatistics().Fragments, 0);
   EXPECT_EQ(pass->GetStatistics().UnclampedFragments, -1);
@@ -159,7 +160,7 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
     EXPECT_EQ(FindInconsistency(statistics), "");
     return TakePicture(stage.Window);
   };
-  pass->SetLitmapResolution(80);
+  Tune(pass, &vtkShadowTuning::LitmapResolution, 80);
   const int lights = static_cast<int>(stage.Lights.size());
   const int points = static_cast<int>(std::count_if(stage.Lights.begin(), stage.Lights.end(),
     [](vtkLight* light) { return light->GetPositional() && light->GetConeAngle() >= 90.0; }));
@@ -282,7 +283,7 @@ TEST_P(PassWork, IsLessTheMoreIsKnown)
   const NamedScene& scene = this->GetParam();
   const Stage stage = SetStage(scene);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-  pass->CountFragmentsOn();
+  Tune(pass, &vtkShadowTuning::CountFragments, true);
   pass->CountUnclampedFragmentsOn();
   long long fragments[3] = {};
   for (const int mode : Modes)
