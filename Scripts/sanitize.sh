@@ -51,7 +51,7 @@ valgrind_run() {
 }
 
 run_valgrind() {
-  nbuffer_setup
+  nbuffer_setup nbuffer-unit-tests nbuffer-gpu-tests nbuffer-image-tests nbuffer-leak-tests
   nbuffer_install_packages requirements-debian-valgrind.txt
   # Random searches repeat the same code for minutes.
   valgrind_run nbuffer-unit-tests \

@@ -2,15 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # shellcheck shell=bash
 #
-# What demo.sh and test.sh share; they source this file and call nbuffer_setup, which
+# What demo.sh, test.sh and sanitize.sh share; they source this file and call nbuffer_setup, which
 #
 #   1. installs the Debian packages of requirements-debian.txt that are missing (root only),
 #   2. puts CMake and Ninja from PyPI into build/setup/tools, pinned by version and hash,
 #   3. puts VTK 9.7.0 from PyPI into build/setup/vtk, pinned likewise; with VTK_DIR, VTK_ROOT or
 #      CMAKE_PREFIX_PATH in the environment it takes that VTK instead,
-#   4. configures and builds in build/, programs in build/bin/;
+#   4. configures and builds in build/, programs in build/bin/: the targets that it is given, or
+#      everything; nbuffer_build builds further ones.
 #
-# nbuffer_setup_debian_vtk does 4 with the distribution's VTK, in build/debian-vtk.
+# nbuffer_setup_debian_vtk does 4 with the distribution's VTK, in build/debian-vtk, everything.
 #
 # Each step leaves a stamp and is skipped when nothing of what it depends on has changed.
 
@@ -21,8 +22,9 @@ nbuffer_build="$nbuffer_source/build"
 nbuffer_debian_build="$nbuffer_build/debian-vtk"
 nbuffer_state="$nbuffer_build/setup"
 
+# What follows, with the minutes and seconds since the script was started.
 nbuffer_say() {
-  printf '\n== %s\n' "$*"
+  printf '\n== %d:%02d  %s\n' "$((SECONDS / 60))" "$((SECONDS % 60))" "$*"
 }
 
 nbuffer_fail() {
@@ -143,8 +145,8 @@ nbuffer_fetch_vtk() {
   nbuffer_vtk=("-DCMAKE_PREFIX_PATH=$vtk/cvista_sdk/cmake")
 }
 
-# nbuffer_build <stamp> <folder> <arguments for CMake...>
-nbuffer_build() {
+# nbuffer_configure <stamp> <folder> <arguments for CMake...>
+nbuffer_configure() {
   local stamp=$1 folder=$2
   shift 2
   # Another VTK or another place of the sources: a fresh cache.
@@ -154,18 +156,27 @@ nbuffer_build() {
     fresh=(--fresh)
   fi
   nbuffer_say "Configure"
-  cmake "${fresh[@]}" -S "$nbuffer_source" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@"
+  cmake "${fresh[@]}" -S "$nbuffer_source" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" ||
+    nbuffer_fail "CMake could not configure $folder"
   nbuffer_mark_done "$stamp" "$choice"
-  nbuffer_say "Build"
-  cmake --build "$folder"
 }
 
+# nbuffer_build <folder> [targets...]: all of them where none is named.
+nbuffer_build() {
+  local folder=$1
+  shift
+  nbuffer_say "Build: ${*:-everything}"
+  cmake --build "$folder" ${1:+--target "$@"} || nbuffer_fail "the build in $folder failed"
+}
+
+# nbuffer_setup [targets...]
 nbuffer_setup() {
   mkdir -p "$nbuffer_state"
   nbuffer_install_packages requirements-debian.txt
   nbuffer_install_tools
   nbuffer_fetch_vtk
-  nbuffer_build configure "$nbuffer_build" "${nbuffer_vtk[@]}"
+  nbuffer_configure configure "$nbuffer_build" "${nbuffer_vtk[@]}"
+  nbuffer_build "$nbuffer_build" "$@"
   # No X server: VTK's window in memory, unless the user wants another one.
   export VTK_DEFAULT_OPENGL_WINDOW="${VTK_DEFAULT_OPENGL_WINDOW:-vtkOSOpenGLRenderWindow}"
 }
@@ -185,5 +196,6 @@ nbuffer_setup_debian_vtk() {
   nbuffer_install_packages $requirements
   local config
   config=$(dpkg-query -L libvtk9-dev | grep '/vtk-config\.cmake$')
-  nbuffer_build configure-debian-vtk "$nbuffer_debian_build" "-DVTK_DIR=${config%/*}"
+  nbuffer_configure configure-debian-vtk "$nbuffer_debian_build" "-DVTK_DIR=${config%/*}"
+  nbuffer_build "$nbuffer_debian_build"
 }

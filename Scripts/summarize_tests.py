@@ -1,69 +1,172 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Summarises ctest's JUnit files; the last line is "N passed, N failed, N skipped".
+"""Summarises the test runs of one or more builds; the last line is "N passed, N failed, N skipped".
 
-The exit status is 0 only if ctest's was, nothing failed and enough tests ran. A test whose
-program is missing or whose fixture failed is "skipped" for ctest; here it has failed.
+That line counts each case once, on however many windows and VTKs it ran; the line before says on
+which ones. In each folder are
+
+    test-list.json      what ctest lists (ctest --show-only=json-v1)
+    test-results.xml    what ctest ran (ctest --output-junit)
+    test-build.json     written by Testing/CMakeLists.txt: the VTK, the windows, and which cases are
+                        not for this build ("skipped": beginnings of their names with the reason)
+
+What is expected follows from the lists. A case fails
+
+* if it fails in one of its runs. A test whose program is missing or whose fixture failed is
+  "skipped" for ctest; here it has failed;
+* if it is listed and did not run, or is skipped without a reason;
+* if another build lists it and this one does not, or if its program lists it on another window of
+  the same build and not on this one. A case that cannot run somewhere is listed there all the same
+  and prints "SKIPPED: reason", or test-build.json has the reason. With --partial (a choice of tests:
+  ctest -R, -L) this is not checked.
+
+The exit status is 0 only if ctest's was, no case failed and one passed.
 """
 
 import argparse
+import collections
+import json
 import pathlib
+import re
 import sys
 import xml.etree.ElementTree
+
+PASSED, FAILED, SKIPPED = "passed", "failed", "skipped"
+# Drawn anew each time ctest is started, for a list too.
+SEED = re.compile(r"\.seed_\d+")
+
+
+class Build:
+    """What one build lists and what came of it; cases are named without window and seed."""
+
+    def __init__(self, folder):
+        self.name = folder.name
+        self.errors = []
+        about = self.read(folder / "test-build.json", json.loads) or {}
+        self.vtk = about.get("vtk", self.name)
+        self.windows = about.get("windows", [])
+        #: beginning of names -> why such cases are not listed
+        self.skipped = about.get("skipped", {})
+        listed = self.read(folder / "test-list.json", json.loads) or {"tests": []}
+        results = self.read(folder / "test-results.xml", xml.etree.ElementTree.fromstring)
+        #: (case, window) -> the program of GoogleTest, or ""
+        self.listed = {}
+        for test in listed["tests"]:
+            command = test.get("command") or [""]
+            google = any(word.startswith("--gtest_filter=") for word in command)
+            self.listed[self.split(test["name"])] = command[0] if google else ""
+        #: (case, window) -> (outcome, reason)
+        self.ran = {}
+        for case in results.iter("testcase") if results is not None else ():
+            self.ran[self.split(case.get("name"))] = classify(case)
+
+    def read(self, path, parse):
+        try:
+            return parse(path.read_text())
+        except (OSError, ValueError, xml.etree.ElementTree.ParseError) as error:
+            self.errors.append(f"{path.name} of {self.name} cannot be read: {error}")
+            return None
+
+    def split(self, name):
+        """A test's case and window ("" for a test without one)."""
+        case, _, window = SEED.sub("", name).rpartition(".")
+        return (case, window) if window in self.windows else (SEED.sub("", name), "")
 
 
 def skip_reason(case):
     """From the line "SKIPPED: reason" that a test prints, or what GoogleTest makes of it."""
     lines = (case.findtext("system-out") or "").splitlines()
     for line in lines:
-        if "SKIPPED: " in line:
-            return line.partition("SKIPPED: ")[2].strip()
+        found = re.search(r"skipped: (.*\S)", line, re.IGNORECASE)
+        if found:
+            return found[1]
     for line, following in zip(lines, lines[1:]):
         if line.endswith(": Skipped"):
             return following.strip()
-    return "no reason given"
+    return ""
 
 
 def classify(case):
+    """The outcome of a test case of JUnit, and the reason of one that was skipped or failed."""
     if case.find("failure") is not None or case.find("error") is not None:
-        return "failed"
+        return FAILED, ""
     skipped = case.find("skipped")
     if skipped is None:
-        return "passed" if case.get("status") == "run" else "failed"
+        return (PASSED, "") if case.get("status") == "run" else (FAILED, "did not run")
     message = skipped.get("message", "")
-    return "skipped" if message.startswith("SKIP_") or case.get("status") == "disabled" else "failed"
+    if not message.startswith("SKIP_"):
+        return FAILED, message or "did not run"
+    reason = skip_reason(case)
+    return (SKIPPED, reason) if reason else (FAILED, "was skipped without a reason")
+
+
+def gaps(builds):
+    """Yields (case, where it is not listed)."""
+    everywhere = {case for build in builds for case, _ in build.listed}
+    for build in builds:
+        for case in sorted(everywhere - {case for case, _ in build.listed}):
+            if not case.startswith(tuple(build.skipped)):
+                yield case, f"VTK {build.vtk} does not list it"
+        windows, cases = collections.defaultdict(set), collections.defaultdict(set)
+        for (case, window), program in build.listed.items():
+            if program:
+                windows[program].add(window)
+                cases[program].add(case)
+        for program, names in cases.items():
+            for case in sorted(names):
+                for window in sorted(windows[program]):
+                    if (case, window) not in build.listed:
+                        yield case, f"VTK {build.vtk}, {window} does not list it"
+
+
+def summarize(builds, partial=False):
+    """The outcome of each case, and the lines to print about those that did not pass."""
+    runs = collections.defaultdict(list)
+    lines = collections.Counter()
+    for build in builds:
+        for key in build.listed.keys() | build.ran.keys():
+            case, window = key
+            outcome, reason = build.ran.get(key, (FAILED, "is listed and did not run"))
+            runs[case].append(outcome)
+            where = f"VTK {build.vtk}" + (f", {window}" if window else "")
+            if outcome != PASSED:
+                lines[f"{outcome}: {case} ({where})" + (f": {reason}" if reason else "")] += 1
+        for beginning, reason in build.skipped.items():
+            lines[f"{SKIPPED}: {beginning}* (VTK {build.vtk}): {reason}"] += 1
+    if not partial:
+        for case, reason in gaps(builds):
+            runs[case].append(FAILED)
+            lines[f"{FAILED}: {case}: {reason}, and gives no reason"] += 1
+    outcomes = {case: next(each for each in (FAILED, PASSED, SKIPPED) if each in of_case)
+                for case, of_case in runs.items()}
+    return outcomes, sorted(lines, reverse=True)
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("results", type=pathlib.Path, nargs="+")
-    parser.add_argument("--minimum", type=int, default=0, help="tests that must have run")
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folders", type=pathlib.Path, nargs="+", help="of builds")
+    parser.add_argument("--partial", action="store_true", help="not all tests were to run")
     parser.add_argument("--status", type=int, default=0, help="exit status of ctest")
     arguments = parser.parse_args()
 
-    groups = {"passed": [], "failed": [], "skipped": []}
-    for results in arguments.results:
-        if not results.exists():
-            print(f"error: {results.name} of {results.parent.name} was not written")
-            arguments.status = arguments.status or 1
-            continue
-        for case in xml.etree.ElementTree.parse(results).iter("testcase"):
-            groups[classify(case)].append(case)
-
+    builds = [Build(folder) for folder in arguments.folders]
+    outcomes, lines = summarize(builds, arguments.partial)
+    count = collections.Counter(outcomes.values())
+    errors = [error for build in builds for error in build.errors]
+    if not count[PASSED]:
+        errors.append("no test passed")
+    if arguments.status != 0 and not count[FAILED]:
+        errors.append(f"ctest ended with status {arguments.status}")
     print()
-    for case in groups["skipped"]:
-        print(f"skipped: {case.get('name')}: {skip_reason(case)}")
-    for case in groups["failed"]:
-        print(f"failed: {case.get('name')}")
-    ran = len(groups["passed"]) + len(groups["failed"])
-    enough = ran >= max(arguments.minimum, 1)
-    if not enough:
-        print(f"error: {ran} tests ran, at least {max(arguments.minimum, 1)} are expected")
-    if arguments.status != 0 and not groups["failed"]:
-        print(f"error: ctest ended with status {arguments.status}")
-    print(", ".join(f"{len(cases)} {name}" for name, cases in groups.items()))
-    return 0 if enough and arguments.status == 0 and not groups["failed"] else 1
+    print("\n".join([*lines, *(f"error: {error}" for error in errors)]))
+    runs = sum(outcome != SKIPPED for build in builds for outcome, _ in build.ran.values())
+    where = "; ".join(f"VTK {build.vtk}" + (f" ({', '.join(build.windows)})" if build.windows else "")
+                      for build in builds)
+    print(f"{len(outcomes)} cases in {runs} runs: {where}")
+    print(f"{count[PASSED]} passed, {count[FAILED]} failed, {count[SKIPPED]} skipped")
+    return 1 if errors or count[FAILED] else 0
 
 
 if __name__ == "__main__":

@@ -15,6 +15,8 @@
 #include "vtkSphereSource.h"
 #include "vtkWindowToImageFilter.h"
 
+#include <CLI/CLI.hpp>
+
 #include <vtksys/SystemTools.hxx>
 
 #include <cstdio>
@@ -26,9 +28,9 @@ namespace NBufferExamples
 {
 
 ShadowExample::ShadowExample(const std::string& description)
-  : App(description)
+  : App(std::make_unique<CLI::App>(description))
 {
-  this->App.add_option(
+  this->App->add_option(
     "--out", this->Out, "Folder for pictures (PNG); without it a window opens, q closes it");
   const auto setSize = [this](const std::string& text)
   {
@@ -40,27 +42,45 @@ ShadowExample::ShadowExample(const std::string& description)
       throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT in pixels, not " + text);
     }
   };
-  this->App.add_option_function<std::string>("--size", setSize, "Of the picture, in pixels")
+  this->App->add_option_function<std::string>("--size", setSize, "Of the picture, in pixels")
     ->type_name("WxH")
     ->default_str("960x720");
-  this->App.add_flag_callback(
+  this->App->add_flag_callback(
     "--no-shadows", [this]() { this->Shadows = false; }, "The same scene without shadows");
   this->Renderer->SetAutomaticLightCreation(0);
   this->Window->SetMultiSamples(0);
   this->Window->AddRenderer(this->Renderer);
 }
 
+ShadowExample::~ShadowExample() = default;
+
+void ShadowExample::AddOption(
+  const std::string& name, double& value, const std::string& help, double lowest, double highest)
+{
+  this->App->add_option(name, value, help)
+    ->check(CLI::Range(lowest, highest))
+    ->capture_default_str();
+}
+
+void ShadowExample::AddOption(
+  const std::string& name, int& value, const std::string& help, int lowest, int highest)
+{
+  this->App->add_option(name, value, help)
+    ->check(CLI::Range(lowest, highest))
+    ->capture_default_str();
+}
+
 int ShadowExample::Run(int argc, char* argv[], const std::function<void()>& show)
 {
   try
   {
-    this->App.parse(argc, argv);
+    this->App->parse(argc, argv);
     show();
     return 0;
   }
   catch (const CLI::ParseError& error)
   {
-    return this->App.exit(error);
+    return this->App->exit(error);
   }
   catch (const std::exception& error)
   {

@@ -11,10 +11,9 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
-#include <CLI/CLI.hpp>
-
 #include <array>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,14 +22,30 @@ class vtkActor;
 class vtkPolyData;
 class vtkShadowVolumeClampPass;
 
+// CLI11 takes longer to compile than all that an example does: ShadowExample.cxx alone includes it.
+namespace CLI
+{
+class App;
+}
+
 namespace NBufferExamples
 {
 
 class ShadowExample
 {
 public:
-  /// A program with --out, --size and --no-shadows; options of its own can be added to App.
+  /// A program with the options --out, --size and --no-shadows.
   explicit ShadowExample(const std::string& description);
+  ~ShadowExample();
+
+  ///@{
+  /// Add an option of the program's own: a number between `lowest` and `highest` that Run() writes
+  /// to `value`, which must outlive the example. What `value` holds before is the default.
+  void AddOption(
+    const std::string& name, double& value, const std::string& help, double lowest, double highest);
+  void AddOption(
+    const std::string& name, int& value, const std::string& help, int lowest, int highest);
+  ///@}
 
   /// Parses the options, then calls `show`. Returns what main has to: not 0 for options that cannot
   /// be understood and for exceptions of `show`, whose text is written to stderr.
@@ -66,9 +81,8 @@ public:
    */
   void Show(const std::string& picture, vtkShadowVolumeClampPass* pass);
 
-  CLI::App App;
-
 private:
+  std::unique_ptr<CLI::App> App;
   std::string Out;
   int Size[2] = { 960, 720 };
   bool Shadows = true;

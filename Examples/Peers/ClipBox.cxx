@@ -10,26 +10,23 @@ namespace NBufferPeers
 {
 namespace
 {
-using Rows = double[4][4];
-
-double Dot(const double* a, const double* b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using Rows = vtkNBufferProjection::Rows;
 
 /// Clip coordinates of corner i of the box grown by `pad` along each axis.
-void GetCorner(const Rows& rows, const vtkNBufferBox& box, double pad, int i, double clip[4])
+glm::dvec4 GetCorner(const Rows& rows, const vtkNBufferBox& box, double pad, int i)
 {
-  double p[3];
+  glm::dvec3 p;
   for (int j = 0; j < 3; ++j)
   {
     const double half = box.HalfSize[j] + pad;
     p[j] = box.Center[j] + ((i >> j & 1) != 0 ? half : -half);
   }
+  glm::dvec4 clip;
   for (int row = 0; row < 4; ++row)
   {
-    clip[row] = Dot(rows[row], p) + rows[row][3];
+    clip[row] = vtkNBufferBoxError::Evaluate(rows[row], p);
   }
+  return clip;
 }
 
 /**
@@ -39,19 +36,14 @@ void GetCorner(const Rows& rows, const vtkNBufferBox& box, double pad, int i, do
  */
 double GetLeastMovement(const Rows& rows)
 {
-  const double* axis = Dot(rows[3], rows[3]) > 0.0 ? rows[3] : rows[2];
-  double across[2][3];
-  for (int row = 0; row < 2; ++row)
-  {
-    const double along = Dot(rows[row], axis) / Dot(axis, axis);
-    for (int j = 0; j < 3; ++j)
-    {
-      across[row][j] = rows[row][j] - along * axis[j];
-    }
-  }
-  const double a = Dot(across[0], across[0]);
-  const double b = Dot(across[0], across[1]);
-  const double c = Dot(across[1], across[1]);
+  const glm::dvec3 last(rows[3]);
+  const glm::dvec3 axis = glm::dot(last, last) > 0.0 ? last : glm::dvec3(rows[2]);
+  const auto getAcross = [&axis](const glm::dvec3& row)
+  { return row - glm::dot(row, axis) / glm::dot(axis, axis) * axis; };
+  const glm::dvec3 across[2] = { getAcross(rows[0]), getAcross(rows[1]) };
+  const double a = glm::dot(across[0], across[0]);
+  const double b = glm::dot(across[0], across[1]);
+  const double c = glm::dot(across[1], across[1]);
   const double square = 0.5 * (a + c) - std::hypot(0.5 * (a - c), b);
   return std::sqrt(std::max(square, 0.0));
 }
@@ -67,7 +59,7 @@ bool MakeClipBox(const vtkNBufferProjection& projection, const vtkNBufferBox& bo
   {
     return false;
   }
-  const auto& rows = *reinterpret_cast<const Rows*>(projection.GetWorldToClip());
+  const Rows& rows = projection.GetWorldToClip();
   const double pixels = 2.0 * (box.Margin + OutlinePixels);
   const double ndc = std::hypot(2.0 * screen.Slack[0] + pixels / projection.GetWidth(),
     2.0 * screen.Slack[1] + pixels / projection.GetHeight());
@@ -82,27 +74,25 @@ bool MakeClipBox(const vtkNBufferProjection& projection, const vtkNBufferBox& bo
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 8; ++i)
   {
-    double clip[4];
-    GetCorner(rows, box, 0.0, i, clip);
-    if (!(clip[3] > 0.0))
+    const glm::dvec4 clip = GetCorner(rows, box, 0.0, i);
+    if (!(clip.w > 0.0))
     {
       return false;
     }
-    nearest = std::min(nearest, 0.5 + 0.5 * clip[2] / clip[3]);
+    nearest = std::min(nearest, 0.5 + 0.5 * clip.z / clip.w);
   }
   // Twice, and a window depth of 1 is 2 in NDC.
   const double nearer = 2.0 * 2.0 * std::max(nearest - screen.Nearest, 0.0);
   for (int i = 0; i < 8; ++i)
   {
-    double clip[4];
-    GetCorner(rows, box, pad, i, clip);
-    clip[2] -= nearer * clip[3];
+    glm::dvec4 clip = GetCorner(rows, box, pad, i);
+    clip.z -= nearer * clip.w;
     // NaN is no "greater" either.
-    if (!(clip[3] > 0.0 && clip[2] > -clip[3]))
+    if (!(clip.w > 0.0 && clip.z > -clip.w))
     {
       return false;
     }
-    std::copy(clip, clip + 4, result.Corners[i]);
+    std::copy_n(glm::value_ptr(clip), 4, result.Corners[i]);
   }
   return true;
 }

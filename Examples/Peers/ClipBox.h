@@ -32,8 +32,7 @@ struct ClipBox
 };
 
 /// False for what may reach the near plane or the eye, padded: it counts as visible. `screen` is
-/// what Project() made of the box, which must be Inside. Only for
-/// vtkNBufferDepthConvention::Forward.
+/// what Project() made of the box, which must be Inside.
 bool MakeClipBox(const vtkNBufferProjection& projection, const vtkNBufferBox& box,
   const vtkNBufferScreenBox& screen, ClipBox& result);
 

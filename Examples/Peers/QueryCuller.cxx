@@ -108,7 +108,7 @@ bool QueryCuller::Internals::SetView(vtkRenderer* renderer)
     renderer->GetActiveCamera()
       ->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)
       ->GetData(),
-    source.Viewport[2], source.Viewport[3], quantum, vtkNBufferDepthConvention::Forward,
+    source.Viewport[2], source.Viewport[3], quantum,
     std::max(source.Viewport[0] + source.Viewport[2], source.Viewport[1] + source.Viewport[3]));
   this->Props.Project(this->Projection);
   this->Samples = source.Samples;

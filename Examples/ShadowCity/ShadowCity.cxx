@@ -29,14 +29,10 @@ int main(int argc, char* argv[])
   NBufferExamples::SunTime time;
   double until = 0.0;
   double step = 1.0;
-  example.App.add_option("--hour", time.Hour, "Of the first picture, solar time")
-    ->check(CLI::Range(0.0, 24.0))
-    ->capture_default_str();
-  example.App.add_option("--until", until, "Hour of the last picture (default: only one)");
-  example.App.add_option("--step", step, "Hours from picture to picture (default: 1)")
-    ->check(CLI::Range(1.0 / 60.0, 24.0));
-  example.App.add_option("--day", time.Day, "Of the year (default: 172, 21 June)")
-    ->check(CLI::Range(1, 366));
+  example.AddOption("--hour", time.Hour, "Of the first picture, solar time", 0.0, 24.0);
+  example.AddOption("--until", until, "Hour of the last picture; 0 for only one", 0.0, 24.0);
+  example.AddOption("--step", step, "Hours from picture to picture", 1.0 / 60.0, 24.0);
+  example.AddOption("--day", time.Day, "Of the year; 172 is 21 June", 1, 366);
   const auto show = [&]()
   {
     std::vector<NBufferExamples::SunTime> times = { time };

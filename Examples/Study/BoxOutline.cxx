@@ -17,8 +17,7 @@ long long CountOutlinePixels(const vtkNBufferProjection& projection, const vtkNB
   {
     return static_cast<long long>(pixels.GetWidth()) * pixels.GetHeight();
   }
-  double corners[16];
-  projection.GetCorners(box, corners);
+  const std::array<glm::dvec2, 8> corners = projection.GetCorners(box);
   long long count = 0;
   for (int y = pixels.Y0; y < pixels.Y1; ++y)
   {
@@ -30,12 +29,12 @@ long long CountOutlinePixels(const vtkNBufferProjection& projection, const vtkNB
     {
       for (int b = a + 1; b < 8; ++b)
       {
-        const double y0 = corners[2 * a + 1];
-        const double y1 = corners[2 * b + 1];
+        const double y0 = corners[a].y;
+        const double y1 = corners[b].y;
         if ((y0 <= center) != (y1 <= center))
         {
           const double t = (center - y0) / (y1 - y0);
-          const double x = corners[2 * a] + t * (corners[2 * b] - corners[2 * a]);
+          const double x = corners[a].x + t * (corners[b].x - corners[a].x);
           low = std::min(low, x);
           high = std::max(high, x);
         }

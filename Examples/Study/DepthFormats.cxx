@@ -23,29 +23,29 @@ struct Planes
   {
   }
 
-  double GetStored(vtkNBufferDepthConvention convention, double distance) const
+  double GetStored(DepthConvention convention, double distance) const
   {
     const double ndc = this->Scale + this->Offset / distance;
-    return convention == vtkNBufferDepthConvention::Forward ? 0.5 * (1.0 + ndc)
-      : convention == vtkNBufferDepthConvention::Reversed   ? 0.5 * (1.0 - ndc)
-                                                            : this->Near / distance;
+    return convention == DepthConvention::Forward ? 0.5 * (1.0 + ndc)
+      : convention == DepthConvention::Reversed   ? 0.5 * (1.0 - ndc)
+                                                  : this->Near / distance;
   }
 
-  double GetDistance(vtkNBufferDepthConvention convention, double stored) const
+  double GetDistance(DepthConvention convention, double stored) const
   {
-    if (convention == vtkNBufferDepthConvention::InverseW)
+    if (convention == DepthConvention::InverseW)
     {
       return this->Near / stored;
     }
     const double ndc =
-      convention == vtkNBufferDepthConvention::Forward ? 2.0 * stored - 1.0 : 1.0 - 2.0 * stored;
+      convention == DepthConvention::Forward ? 2.0 * stored - 1.0 : 1.0 - 2.0 * stored;
     return this->Offset / (ndc - this->Scale);
   }
 };
 
 double GetSign(const DepthFormat& format)
 {
-  return vtkNBufferMath::GetDepthSign(format.Convention);
+  return GetDepthSign(format.Convention);
 }
 }
 
@@ -60,7 +60,7 @@ float DepthFormat::Store(double depth) const
   // What does not fit a float is read rounded away from the eye: vtkNBufferDepthSource::Read.
   if (this->Bits > 24)
   {
-    const bool up = this->Convention == vtkNBufferDepthConvention::Forward;
+    const bool up = this->Convention == DepthConvention::Forward;
     stored = (up ? std::ceil(stored * 0x1p24) : std::floor(stored * 0x1p24)) * 0x1p-24;
   }
   return static_cast<float>(stored);
@@ -70,23 +70,22 @@ double DepthFormat::GetQuantum() const
 {
   if (this->Bits == 0)
   {
-    return this->Convention == vtkNBufferDepthConvention::Forward ? 0x1p-24 : 0.0;
+    return this->Convention == DepthConvention::Forward ? 0x1p-24 : 0.0;
   }
   return 1.0 / (std::ldexp(1.0, std::min(this->Bits, 24)) - 1.0);
 }
 
 const std::vector<DepthFormat>& GetDepthFormats()
 {
-  using Convention = vtkNBufferDepthConvention;
   static const std::vector<DepthFormat> formats = {
-    { "16 bits", Convention::Forward, 16 },
-    { "24 bits", Convention::Forward, 24 },
-    { "32 bits", Convention::Forward, 32 },
-    { "float", Convention::Forward, 0 },
-    { "24 bits reversed", Convention::Reversed, 24 },
-    { "float reversed", Convention::Reversed, 0 },
-    { "1/w 24 bits", Convention::InverseW, 24 },
-    { "1/w float", Convention::InverseW, 0 },
+    { "16 bits", DepthConvention::Forward, 16 },
+    { "24 bits", DepthConvention::Forward, 24 },
+    { "32 bits", DepthConvention::Forward, 32 },
+    { "float", DepthConvention::Forward, 0 },
+    { "24 bits reversed", DepthConvention::Reversed, 24 },
+    { "float reversed", DepthConvention::Reversed, 0 },
+    { "1/w 24 bits", DepthConvention::InverseW, 24 },
+    { "1/w float", DepthConvention::InverseW, 0 },
   };
   return formats;
 }
@@ -97,23 +96,25 @@ DepthFrame Convert(
   DepthFrame result = frame;
   const Planes old(near, far);
   const Planes planes(newNear, far);
+  vtkNBufferProjection::Rows rows = frame.Projection.GetWorldToClip();
+  rows[2] = planes.Scale * rows[3];
+  rows[2].w += planes.Offset;
   double worldToClip[16];
-  std::copy(frame.Projection.GetWorldToClip(), frame.Projection.GetWorldToClip() + 16, worldToClip);
-  for (int j = 0; j < 4; ++j)
+  for (int i = 0; i < 4; ++i)
   {
-    worldToClip[8 + j] = planes.Scale * worldToClip[12 + j] + (j == 3 ? planes.Offset : 0.0);
+    std::copy_n(glm::value_ptr(rows[i]), 4, worldToClip + 4 * i);
   }
-  result.Projection.Set(
-    worldToClip, frame.Width, frame.Height, format.GetQuantum(), format.Convention);
+  SetProjection(result.Projection, worldToClip, frame.Width, frame.Height, format.GetQuantum(),
+    format.Convention);
   const double unknown = 4.0 * 0x1p-24;
   for (float& depth : result.Depth)
   {
     const double distance = depth >= 1.0f
       ? far
-      : std::min(old.GetDistance(vtkNBufferDepthConvention::Forward, depth + unknown), far);
-    depth = static_cast<float>(GetSign(format) *
-      (distance >= far ? vtkNBufferMath::GetBackgroundDepth(format.Convention)
-                       : format.Store(planes.GetStored(format.Convention, distance))));
+      : std::min(old.GetDistance(DepthConvention::Forward, depth + unknown), far);
+    depth = distance >= far ? GetBackgroundOrder(format.Convention)
+                            : static_cast<float>(GetSign(format) *
+                                format.Store(planes.GetStored(format.Convention, distance)));
   }
   result.Boxes.clear();
   for (DepthBox box : frame.Boxes)
@@ -130,7 +131,7 @@ std::vector<double> GetSlacks(
   const DepthFrame& frame, double near, double far, const DepthFormat& format)
 {
   const Planes planes(near, far);
-  const double* row = frame.Projection.GetWorldToClip() + 12;
+  const glm::dvec4& row = frame.Projection.GetWorldToClip()[3];
   std::vector<double> slacks;
   for (const DepthBox& box : frame.Boxes)
   {

@@ -5,16 +5,15 @@
  * @brief The same frame as other formats of depth would hold it, with another near plane.
  *
  * Computed, not drawn: the distance of every pixel is taken from a depth image and stored again by
- * the formula of the convention (vtkNBufferDepthConvention.h), rounded as the format rounds.
+ * the formula of the convention (DepthConvention.h), rounded as the format rounds.
  * What the first image does not know about a distance is added to it, so that nothing that it shows
  * comes nearer.
  */
 #ifndef DepthFormats_h
 #define DepthFormats_h
 
+#include "DepthConvention.h"
 #include "DepthFrame.h"
-
-#include "vtkNBufferDepthConvention.h"
 
 #include <vector>
 
@@ -24,7 +23,7 @@ namespace NBufferStudy
 struct DepthFormat
 {
   const char* Name;
-  vtkNBufferDepthConvention Convention;
+  DepthConvention Convention;
   int Bits; ///< 0: a 32-bit float.
 
   /// A depth in [0, 1] as it is read back, rounded away from the eye where the format does not say.

@@ -45,7 +45,10 @@ public:
     vtkSmartPointer<vtkNBufferFrameGuard> Guard;
   };
 
-  Internals() = default;
+  explicit Internals(const vtkNBufferTuning& tuning)
+    : Tuning(tuning)
+  {
+  }
   Internals(const Internals&) = delete;
   void operator=(const Internals&) = delete;
   ~Internals()
@@ -89,7 +92,7 @@ public:
     vtkNew<vtkNBufferFrameGuard> guard;
     guard->Attach(renderer);
     this->Views.push_back({ renderer, window, eye,
-      std::make_unique<vtkNBufferView>(this->GetBackend(window)), guard.Get() });
+      std::make_unique<vtkNBufferView>(this->GetBackend(window), this->Tuning), guard.Get() });
     return this->Views.back();
   }
 
@@ -132,6 +135,7 @@ private:
     }
   }
 
+  const vtkNBufferTuning& Tuning; ///< The culler's own.
   std::vector<WindowEntry> Windows;
   std::vector<ViewEntry> Views;
   std::size_t Last = 0;
@@ -192,25 +196,22 @@ bool IsOtherCullerBehind(vtkCuller* self, vtkCullerCollection* cullers)
 }
 
 vtkNBufferCuller::vtkNBufferCuller()
-  : Implementation(new Internals)
+  : Implementation(new Internals(this->Tuning))
 {
 }
 
 vtkNBufferCuller::~vtkNBufferCuller() = default;
 
-void vtkNBufferCuller::SetBaseFactor(int factor)
+void vtkNBufferCuller::SetTuning(const vtkNBufferTuning& tuning)
 {
-  if (factor != 1 && factor != 2 && factor != 4 && factor != 8)
+  const std::string fault = tuning.FindFault();
+  if (!fault.empty())
   {
-    vtkErrorMacro("The base factor must be 1, 2, 4 or 8, not " << factor << "; it stays "
-                                                               << this->BaseFactor << ".");
+    vtkErrorMacro(<< fault << "; the tuning stays as it was.");
     return;
   }
-  if (this->BaseFactor != factor)
-  {
-    this->BaseFactor = factor;
-    this->Modified();
-  }
+  this->Tuning = tuning;
+  this->Modified();
 }
 
 double vtkNBufferCuller::Cull(
@@ -227,7 +228,7 @@ double vtkNBufferCuller::Cull(
   {
     obstacle = vtkNBufferDecision::OtherCuller;
   }
-  if (obstacle == vtkNBufferDecision::None && listLength < this->MinimumNumberOfCandidates)
+  if (obstacle == vtkNBufferDecision::None && listLength < this->Tuning.MinimumNumberOfCandidates)
   {
     obstacle = vtkNBufferDecision::FewCandidates;
   }
@@ -248,24 +249,12 @@ double vtkNBufferCuller::Cull(
     return total;
   }
   entry.Guard->BeginFrame(this);
-  if (this->TakeOverFrustumCulling)
+  if (this->Tuning.TakeOverFrustumCulling)
   {
     MoveDefaultFrustumCullersBehind(this, renderer->GetCullers());
   }
-  vtkNBufferSettings settings;
-  settings.Test.Backend = static_cast<vtkNBufferBackend::Kind>(this->Backend);
-  settings.Test.BaseFactor = this->BaseFactor;
-  settings.MinimumNumberOfCandidates = this->MinimumNumberOfCandidates;
-  settings.MaximumNumberOfRounds = this->MaximumNumberOfRounds;
-  settings.RoundSize = this->RoundSize;
-  settings.HierarchySize = this->HierarchySize;
-  settings.Test.MaximumNumberOfPieces = this->MaximumNumberOfPieces;
-  settings.Test.TestPixels = this->TestPixels;
-  settings.Test.TestSlivers = static_cast<vtkNBufferSliverPolicy>(this->TestSlivers);
-  settings.Test.AllowFloatTextures = this->AllowFloatTextures;
-  settings.ReuseWhenStill = this->ReuseWhenStill;
-  settings.BackOff = this->BackOff;
-  settings.Freeze = this->Freeze;
+  const vtkNBufferSettings settings = { static_cast<vtkNBufferBackend::Kind>(this->Backend),
+    static_cast<vtkNBufferSliverPolicy>(this->TestSlivers), this->Freeze };
   return view.Cull(renderer, propList, listLength, initialized, settings);
 }
 
@@ -300,19 +289,9 @@ void vtkNBufferCuller::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Enabled: " << this->Enabled << "\n";
   os << indent << "Backend: " << this->Backend << " (in use: " << this->GetBackendInUse() << ", "
      << this->GetBackendReason() << ")\n";
-  os << indent << "BaseFactor: " << this->BaseFactor << "\n";
-  os << indent << "MinimumNumberOfCandidates: " << this->MinimumNumberOfCandidates << "\n";
-  os << indent << "MaximumNumberOfRounds: " << this->MaximumNumberOfRounds << "\n";
-  os << indent << "RoundSize: " << this->RoundSize << "\n";
-  os << indent << "HierarchySize: " << this->HierarchySize << "\n";
-  os << indent << "MaximumNumberOfPieces: " << this->MaximumNumberOfPieces << "\n";
-  os << indent << "TestPixels: " << this->TestPixels << "\n";
   os << indent << "TestSlivers: " << this->TestSlivers << "\n";
-  os << indent << "AllowFloatTextures: " << this->AllowFloatTextures << "\n";
-  os << indent << "ReuseWhenStill: " << this->ReuseWhenStill << "\n";
-  os << indent << "BackOff: " << this->BackOff << "\n";
-  os << indent << "TakeOverFrustumCulling: " << this->TakeOverFrustumCulling << "\n";
   os << indent << "Freeze: " << this->Freeze << "\n";
+  this->Tuning.PrintSelf(os, indent);
   os << indent << "Statistics: " << this->GetStatisticsAsJSON() << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -28,7 +28,8 @@
  * out, and none of them hides anything.
  *
  * The culler takes over the work of a vtkFrustumCoverageCuller with default settings by moving
- * itself in front of it (see TakeOverFrustumCulling): its own frustum test costs a fraction.
+ * itself in front of it (vtkNBufferTuning::TakeOverFrustumCulling): its own frustum test costs a
+ * fraction.
  *
  * Where two props have exactly the same depth in a pixel, the one drawn last wins. A prop that
  * had been held back is drawn later than its place in the renderer says, so that those that come
@@ -37,11 +38,11 @@
  * ## Cost
  *
  * Per frame: about 0.1 microseconds per prop for cached bounds and the frustum test (of long lists
- * over a hierarchy, see HierarchySize), one microsecond or two for a prop with a pipeline; one
- * read-back of a reduced depth image (software renderers: of the whole one), and the levels that
- * the rectangles of this frame call for. Nothing of that with fewer candidates than
- * MinimumNumberOfCandidates, with a still camera and unchanged props, or, but for a probe now and
- * then, where recent frames hid next to nothing.
+ * over a hierarchy, see vtkNBufferTuning::HierarchySize), one microsecond or two for a prop with a
+ * pipeline; one read-back of a reduced depth image (software renderers: of the whole one), and the
+ * levels that the rectangles of this frame call for. Nothing of that with fewer candidates than
+ * vtkNBufferTuning::MinimumNumberOfCandidates, with a still camera and unchanged props, or, but for
+ * a probe now and then, where recent frames hid next to nothing.
  *
  * ## Lifetime
  *
@@ -52,9 +53,10 @@
  *
  * It steps aside, and all is drawn as usual, where props are needed that the camera does not see
  * or where the framebuffer is not the camera's: hardware selection, UseShadows, GL2PS export,
- * hidden-line removal, unknown render passes, VR windows, other cullers behind this one. vtkNBufferDecision names each case and
- * GetDecision() tells it. A failure (no context or an old one, no float textures, depth that cannot
- * be read) draws everything, is counted, and the first of its kind warns with cause and remedy.
+ * hidden-line removal, unknown render passes, VR windows, other cullers behind this one.
+ * vtkNBufferDecision names each case and GetDecision() tells it. A failure (no context or an old
+ * one, no float textures, depth that cannot be read) draws everything, is counted, and the first of
+ * its kind warns with cause and remedy.
  *
  * Sources: X. Decoret, "N-Buffers for efficient depth map query", 2005, section 3.1; M. Turitzin,
  * "Hierarchical Depth Buffers", 2020, for reductions of images of any size.
@@ -67,6 +69,7 @@
 #include "vtkCuller.h"
 #include "vtkNBufferModule.h"     // For export macro
 #include "vtkNBufferStatistics.h" // For vtkNBufferVerdict and the counters
+#include "vtkNBufferTuning.h"
 
 #include <memory> // For the implementation's pointer
 
@@ -102,58 +105,6 @@ public:
   vtkGetMacro(Backend, int);
   ///@}
 
-  ///@{
-  /// Side in pixels of the squares that a texel of level 0 stands for: 1, 2, 4 or 8. Larger is
-  /// cheaper to build and read back and keeps more small hidden props. Other values are refused
-  /// with an error. Default: 4.
-  void SetBaseFactor(int factor);
-  vtkGetMacro(BaseFactor, int);
-  ///@}
-
-  ///@{
-  /// Fewer candidates in the frustum than this are not worth a read-back. Default: 32.
-  vtkSetClampMacro(MinimumNumberOfCandidates, int, 1, VTK_INT_MAX);
-  vtkGetMacro(MinimumNumberOfCandidates, int);
-  ///@}
-
-  ///@{
-  /// Bound on the rounds of test and draw per frame, 1 to 8. Default: 6.
-  vtkSetClampMacro(MaximumNumberOfRounds, int, 1, vtkNBufferStatistics::MaximumNumberOfRounds);
-  vtkGetMacro(MaximumNumberOfRounds, int);
-  ///@}
-
-  ///@{
-  /// Props drawn at once in the first round; every further round draws twice as many before it
-  /// tests again. Default: 64.
-  vtkSetClampMacro(RoundSize, int, 1, VTK_INT_MAX / 512);
-  vtkGetMacro(RoundSize, int);
-  ///@}
-
-  ///@{
-  /// Props of a renderer from which on they are placed in view and tested over a hierarchy of their
-  /// boxes, 0 (always) to VTK_INT_MAX (never). The image is the same; a few more props may be found
-  /// hidden. Costs 150 bytes per prop, and where the list of props changes about 0.5 microseconds
-  /// per prop to build it; see vtkNBufferCandidateTree. Default: 10000.
-  vtkSetClampMacro(HierarchySize, int, 0, VTK_INT_MAX);
-  vtkGetMacro(HierarchySize, int);
-  ///@}
-
-  ///@{
-  /// Pieces into which a long box is cut when its first query says visible, 1 to 8: each piece has
-  /// its own rectangle and nearest depth. Default: 8.
-  vtkSetClampMacro(MaximumNumberOfPieces, int, 1, 8);
-  vtkGetMacro(MaximumNumberOfPieces, int);
-  ///@}
-
-  ///@{
-  /// Look at the pixels themselves where the levels do not hide a box (vtkNBufferPixelTest). On
-  /// the OpenGL back-end that takes a second read-back, of the whole depth image, and is done only
-  /// where many props are in doubt; with multisampling there is no such image. Default: on.
-  vtkSetMacro(TestPixels, bool);
-  vtkGetMacro(TestPixels, bool);
-  vtkBooleanMacro(TestPixels, bool);
-  ///@}
-
   /// When triangles are looked at one by one.
   enum SliverTestType
   {
@@ -174,44 +125,18 @@ public:
   ///@}
 
   ///@{
-  /// Whether the device may draw into float textures, which the OpenGL back-end and multisampling
-  /// call for. Off is as on a device that cannot: Auto takes the CPU back-end, and what needs the
-  /// device draws everything (NoFloatTextures). Default: on.
-  vtkSetMacro(AllowFloatTextures, bool);
-  vtkGetMacro(AllowFloatTextures, bool);
-  vtkBooleanMacro(AllowFloatTextures, bool);
-  ///@}
-
-  ///@{
-  /// Reuse the verdicts while camera, window and props stay as they are. Default: on.
-  vtkSetMacro(ReuseWhenStill, bool);
-  vtkGetMacro(ReuseWhenStill, bool);
-  vtkBooleanMacro(ReuseWhenStill, bool);
-  ///@}
-
-  ///@{
-  /// Stop testing, but for a probe now and then, where tests hide next to nothing. Default: on.
-  vtkSetMacro(BackOff, bool);
-  vtkGetMacro(BackOff, bool);
-  vtkBooleanMacro(BackOff, bool);
-  ///@}
-
-  ///@{
-  /// Move in front of a vtkFrustumCoverageCuller that has default settings, which then only sees
-  /// the props that are left. One with other settings stays in front; behind this culler it would
-  /// miss the props held back, so that all cullers but those with default settings are to be added
-  /// before this one. Default: on.
-  vtkSetMacro(TakeOverFrustumCulling, bool);
-  vtkGetMacro(TakeOverFrustumCulling, bool);
-  vtkBooleanMacro(TakeOverFrustumCulling, bool);
-  ///@}
-
-  ///@{
   /// Keep the verdicts while the camera moves, to fly around and see what a view draws. The image
   /// is then not the one without the culler. Default: off.
   vtkSetMacro(Freeze, bool);
   vtkGetMacro(Freeze, bool);
   vtkBooleanMacro(Freeze, bool);
+  ///@}
+
+  ///@{
+  /// The constants that measurements and tests vary, in one call; see vtkNBufferTuning. A value
+  /// that is out of its range is an error, and the tuning stays as it was.
+  void SetTuning(const vtkNBufferTuning& tuning);
+  const vtkNBufferTuning& GetTuning() const { return this->Tuning; }
   ///@}
 
   /// Why a prop was drawn or culled in the last frame of `renderer`, or, without one, of the
@@ -261,19 +186,9 @@ private:
 
   bool Enabled = true;
   int Backend = Auto;
-  int BaseFactor = 4;
-  int MinimumNumberOfCandidates = 32;
-  int MaximumNumberOfRounds = 6;
-  int RoundSize = 64;
-  int HierarchySize = 10000;
-  int MaximumNumberOfPieces = 8;
-  bool TestPixels = true;
   int TestSlivers = Never;
-  bool AllowFloatTextures = true;
-  bool ReuseWhenStill = true;
-  bool BackOff = true;
-  bool TakeOverFrustumCulling = true;
   bool Freeze = false;
+  vtkNBufferTuning Tuning;
 };
 
 VTK_ABI_NAMESPACE_END

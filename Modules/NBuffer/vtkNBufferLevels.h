@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferLevels
- * @brief The levels of an N-buffer in host memory: built, filled from elsewhere, and queried.
+ * @brief The levels of an N-buffer in host memory: they are built or filled here, and queried.
  *
- * It is the oracle of the OpenGL levels (vtkNBufferTexture, bit for bit the same) and, on
- * software renderers, what the culler uses instead of them. vtkNBufferMath.h says what a texel
- * covers. Values are window depths in [0, 1], but any floats without NaN do.
+ * The levels that vtkNBufferTexture builds with OpenGL are the same to the bit, and the tests
+ * compare them. On software renderers the culler uses these levels instead. vtkNBufferMath.h
+ * defines which squares a texel covers. Values are window depths in [0, 1]; any floats without NaN
+ * work.
  *
- * Memory is (number of levels) * (base size) floats and is kept from build to build. Building a
- * level reads the level below once; images of four million texels and more are shared out by
- * vtkSMPTools. A query is at most four reads, whatever the size of its rectangle.
+ * The memory is (number of levels) * (base size) floats and is kept from build to build. Building a
+ * level reads the level below once; for images of four million texels and more vtkSMPTools shares
+ * the rows among threads. A query reads at most four texels, whatever the size of its rectangle.
  */
 #ifndef vtkNBufferLevels_h
 #define vtkNBufferLevels_h
@@ -27,44 +28,53 @@ class VTKNBUFFER_EXPORT vtkNBufferLevels
 {
 public:
   /**
-   * Make level 0 from a depth image of width x height pixels (row 0 at the bottom) by taking
-   * the extremum over squares of `factor` pixels (1, 2, 4, 8 or any other positive number), the
-   * cut ones at the right and upper border included. Levels above 0 are dropped.
+   * Make level 0 from a depth image of width x height pixels, whose row 0 is the lowest, by taking
+   * the extremum over squares of `factor` x `factor` pixels. The factor is any positive number. A
+   * square at the right or upper border may contain fewer pixels. Levels above 0 are dropped.
    */
   void BuildBase(
     const float* depth, int width, int height, int factor, vtkNBufferExtremum extremum);
 
   /**
-   * Make level 0 room for a base of width x height texels that somebody else fills (through
-   * GetLevelData(0)), each standing for `factor` x `factor` pixels, and `levels` levels in all
-   * if they are filled as well. pixelWidth and pixelHeight are the size of the depth image.
+   * Make room for `levels` levels over a depth image of pixelWidth x pixelHeight pixels, of which
+   * each texel of level 0 covers `factor` x `factor`. The caller fills them through GetLevelData().
    */
   void Allocate(
     int pixelWidth, int pixelHeight, int factor, int levels, vtkNBufferExtremum extremum);
 
   /**
-   * Build the levels that are missing up to `count` levels in all, at most
-   * vtkNBufferMath::GetNumberOfLevels of the base. Returns how many levels it built.
+   * Build the missing levels, so that there are `count` levels, but at most
+   * vtkNBufferMath::GetNumberOfLevels() of the base. Returns how many levels this call built.
    */
   int BuildLevels(int count);
 
-  /// Forget the image: every query is refused until the next build.
+  /// Drop all levels. The memory is kept.
   void Clear();
 
+  ///@{
+  /// Size of the depth image in pixels, and the side in pixels of the square behind a texel of
+  /// level 0.
   int GetPixelWidth() const { return this->PixelWidth; }
   int GetPixelHeight() const { return this->PixelHeight; }
   int GetFactor() const { return this->Factor; }
+  ///@}
+
+  ///@{
+  /// Size of each level in texels, and the number of levels that are built.
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
   int GetNumberOfLevels() const { return this->NumberOfLevels; }
+  ///@}
+
+  /// Whether texels are maxima or minima.
   vtkNBufferExtremum GetExtremum() const { return this->Extremum; }
 
-  /// Texels of one level, row by row from the bottom; nullptr for a level that is not built.
+  /// The texels of a level, row by row, the lowest first; nullptr for a level that is not built.
   const float* GetLevelData(int level) const;
   float* GetLevelData(int level);
 
   /**
-   * Extremum over a cover whose level is built. The caller asks vtkNBufferMath for the cover.
+   * The extremum over a cover (vtkNBufferMath::GetCoverOfFour), whose level must be built.
    */
   float Query(const vtkNBufferCover& cover) const
   {

@@ -14,8 +14,9 @@ int CountSquares(int n, int level)
   return static_cast<int>((static_cast<std::int64_t>(n) + (std::int64_t(1) << level) - 1) >> level);
 }
 
-/// Starts of `count` squares of side 2^level that cover [begin, end): evenly on, the last one
-/// flush with the end; a single larger square is pushed down to end with `end`, but never below 0.
+/// The start of square `index` of those of side 2^level that cover [begin, end). They follow each
+/// other, and the last one ends at `end`. A single larger square ends at `end` too, but starts at 0
+/// where it would start below.
 int GetStart(int begin, int end, int level, int index)
 {
   const std::int64_t side = std::int64_t(1) << level;
@@ -71,16 +72,6 @@ vtkNBufferRectangle GetBaseRectangle(const vtkNBufferRectangle& pixels, int fact
   texels.X1 = GetBaseSize(pixels.X1, factor);
   texels.Y1 = GetBaseSize(pixels.Y1, factor);
   return texels;
-}
-
-vtkNBufferRectangle Intersect(const vtkNBufferRectangle& a, const vtkNBufferRectangle& b)
-{
-  vtkNBufferRectangle both;
-  both.X0 = std::max(a.X0, b.X0);
-  both.Y0 = std::max(a.Y0, b.Y0);
-  both.X1 = std::min(a.X1, b.X1);
-  both.Y1 = std::min(a.Y1, b.Y1);
-  return both;
 }
 
 int GetNumberOfLevels(int width, int height)

@@ -38,7 +38,7 @@
  *        +--+--+   +-----+                   +--+
  *         2 x 2     1 x 2      4 x 1, 3 x 1   1 x 4, 1 x 3
  *
- * Squares overlap where the side is no multiple of 2^k, which an extremum does not mind. Where a
+ * Squares overlap where the side is no multiple of 2^k, which does not change an extremum. Where a
  * square is larger than the rectangle it is pushed down (towards y = 0): what lies below the
  * screen extent of a prop is mostly the ground or another prop that it stands behind, what lies
  * above it is mostly empty (paper, section 2).
@@ -55,7 +55,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 /**
- * A half-open rectangle of pixels or texels: X0 <= x < X1, Y0 <= y < Y1, y upwards.
+ * A half-open rectangle of pixels or texels: X0 <= x < X1, Y0 <= y < Y1, with y upwards.
  */
 struct vtkNBufferRectangle
 {
@@ -68,7 +68,7 @@ struct vtkNBufferRectangle
   int GetHeight() const { return this->Y1 - this->Y0; }
   bool IsEmpty() const { return this->X1 <= this->X0 || this->Y1 <= this->Y0; }
 
-  /// What two rectangles share; may be empty.
+  /// The pixels that two rectangles share; empty if there are none.
   vtkNBufferRectangle GetIntersection(const vtkNBufferRectangle& other) const
   {
     return { std::max(this->X0, other.X0), std::max(this->Y0, other.Y0),
@@ -77,20 +77,23 @@ struct vtkNBufferRectangle
 };
 
 /**
- * At most four texels of one level whose squares cover a rectangle and overlap its outside only
- * where the rule above says so.
+ * At most four texels of one level whose squares cover a rectangle. They cover texels outside of
+ * the rectangle only where the rule above says so.
  */
 struct vtkNBufferCover
 {
-  int Level = 0;
-  int Count = 0;
+  int Level = 0; ///< The level of all the texels.
+  int Count = 0; ///< The number of texels, 1 to 4 for a rectangle that is not empty.
+  ///@{
+  /// The texels, which are those at (X[i], Y[i]) for i < Count.
   int X[4] = { 0, 0, 0, 0 };
   int Y[4] = { 0, 0, 0, 0 };
+  ///@}
 };
 
 /**
- * Which extremum a level holds: the farthest depth hides (culling), the nearest bounds receivers.
- * Which of them is the farthest, vtkNBufferDepthConvention.h says.
+ * Which extremum the texels of a level hold. With VTK's depth, the maximum is the farthest depth of
+ * a square, which decides whether something is hidden behind it; the minimum is the nearest depth.
  */
 enum class vtkNBufferExtremum
 {
@@ -103,19 +106,16 @@ namespace vtkNBufferMath
 /// The smallest i with 2^i >= n, for n >= 1; 0 for smaller n.
 VTKNBUFFER_EXPORT int CeilLog2(int n);
 
-/// Side of a base image whose texels cover `factor` pixels each: ceil(size / factor).
+/// The side of a base image whose texels cover `factor` pixels along each axis:
+/// ceil(size / factor).
 VTKNBUFFER_EXPORT int GetBaseSize(int size, int factor);
 
 /// The texels of the base that a rectangle of pixels touches (rounded outward).
 VTKNBUFFER_EXPORT vtkNBufferRectangle GetBaseRectangle(
   const vtkNBufferRectangle& pixels, int factor);
 
-/// The pixels that two rectangles share; empty if there are none.
-VTKNBUFFER_EXPORT vtkNBufferRectangle Intersect(
-  const vtkNBufferRectangle& a, const vtkNBufferRectangle& b);
-
-/// Number of levels with which any rectangle of a width x height base is answered by one lookup:
-/// level 0 up to the first whose square covers the whole base. 0 for an empty base.
+/// The number of levels with which one lookup answers any rectangle of a width x height base: from
+/// level 0 to the first whose square covers the whole base. It is 0 for an empty base.
 VTKNBUFFER_EXPORT int GetNumberOfLevels(int width, int height);
 
 /// The finest level whose square covers a width x height rectangle.
@@ -132,10 +132,10 @@ VTKNBUFFER_EXPORT vtkNBufferCover GetCoverOfOne(const vtkNBufferRectangle& recta
 VTKNBUFFER_EXPORT vtkNBufferCover GetCoverOfFour(const vtkNBufferRectangle& rectangle);
 
 /**
- * The merge of the texels of a cover. `texels`: all levels of a width x height base after each
- * other, row by row. Texels may be of any type with a merge of two that is commutative, associative
- * and idempotent (maximum, minimum, union of boxes, bitwise or): squares overlap, and what counts
- * twice must not matter.
+ * The merge of the texels of a cover. `texels` holds all levels of a width x height base one after
+ * the other, each row by row. Texels may be of any type for which merging two is commutative,
+ * associative and idempotent (maximum, minimum, union of boxes, bitwise or). It has to be
+ * idempotent because squares overlap: a texel that two squares contain is merged twice.
  */
 template <typename Texel, typename Merge>
 Texel MergeCover(

@@ -5,70 +5,44 @@
 #include "Shaders/vtkNBufferShared.h"
 #include "vtkNBufferBaseFS.h"
 #include "vtkNBufferDepthSource.h"
-#include "vtkNBufferFullScreenVS.h"
 #include "vtkNBufferGL.h"
+#include "vtkNBufferGLObject.h"
 #include "vtkNBufferLevelFS.h"
 #include "vtkNBufferResourceCallback.h"
-#include "vtkNBufferSharedText.h"
 #include "vtkNBufferTextureStorage.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderTimer.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
-#include <map>
-#include <tuple>
+#include <optional>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkNBufferTexture);
 
 namespace
 {
-/// What the text of a shader depends on.
-struct ShaderKey
+constexpr const char* Failure =
+  "A shader of the N-buffer does not compile on this driver. Use the CPU back-end and report the "
+  "driver's message.";
+
+std::string Define(const char* name, int value)
 {
-  bool Base = false;
-  bool Maximum = true;
-  int Source = NBUFFER_SOURCE_DEPTH;
-  int Factor = 1;
-  int Samples = 1;
-  bool Inexact = false;
-
-  bool operator<(const ShaderKey& other) const { return this->Tie() < other.Tie(); }
-
-  std::string GetDefinitions() const
-  {
-    const auto define = [](const char* name, int value)
-    { return std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
-    std::string text = define("NBUFFER_MAXIMUM", this->Maximum);
-    if (this->Base)
-    {
-      text += define("NBUFFER_SOURCE", this->Source) + define("NBUFFER_FACTOR", this->Factor) +
-        define("NBUFFER_SAMPLES", this->Samples) + define("NBUFFER_INEXACT", this->Inexact);
-    }
-    return text;
-  }
-
-private:
-  std::tuple<bool, bool, int, int, int, bool> Tie() const
-  {
-    return { this->Base, this->Maximum, this->Source, this->Factor, this->Samples, this->Inexact };
-  }
-};
+  return std::string("#define ") + name + " " + std::to_string(value) + "\n";
+}
 
 /// The depth that the base pass samples, and where the rectangle begins in it.
 struct SampledDepth
 {
   int Kind = NBUFFER_SOURCE_DEPTH;
-  bool Foreign = false; ///< Not ours: its sampling parameters are its owner's.
+  bool Foreign = false; ///< The texture belongs to somebody else, whose parameters must stay.
   GLenum Target = GL_TEXTURE_2D;
   int Level = 0;
   int Origin[2] = { 0, 0 };
 };
 
-/// The format to copy depth in without changing a bit.
+/// The format of a copy that changes no bit of the depth.
 GLenum GetCopyFormat(const vtkNBufferDepthSource& source)
 {
   if (source.FloatDepth)
@@ -99,10 +73,12 @@ public:
   void UseContext(vtkOpenGLRenderWindow* window);
   bool PrepareDepth(
     const vtkNBufferDepthSource& source, int x, int y, int width, int height, SampledDepth& depth);
-  bool DrawBase(vtkOpenGLRenderWindow* window, const SampledDepth& depth, const ShaderKey& key);
-  bool DrawLevel(vtkOpenGLRenderWindow* window, int level, const ShaderKey& key);
+  bool DrawBase(
+    vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, const SampledDepth& depth);
+  bool DrawLevel(vtkOpenGLRenderWindow* window, int level);
   bool ReadLevels(vtkNBufferLevels& levels);
-  void Forget();
+  void Delete(); ///< The context must be current.
+  void Forget(); ///< The context is gone.
 
   int PixelWidth = 0;
   int PixelHeight = 0;
@@ -118,16 +94,20 @@ public:
   bool LacksFloatTextures = false;
   std::string Error;
   vtkNBufferTextureStorage Storage;
-  vtkOpenGLRenderWindow* Window = nullptr; ///< Registered with; it says when it goes.
+  vtkOpenGLRenderWindow* Window = nullptr; ///< The window whose context holds the objects.
   std::unique_ptr<Callback> ResourceCallback;
   std::unique_ptr<vtkOpenGLRenderTimer> Timer;
 
 private:
-  vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const ShaderKey& key);
-  void Draw(int level);
+  void Draw(vtkNBufferGL::FullScreenPass& pass, int level);
+  std::string DefineExtremum() const
+  {
+    return Define("NBUFFER_MAXIMUM", this->Extremum == vtkNBufferExtremum::Maximum);
+  }
 
   vtkMTimeType ContextTime = 0;
-  std::map<ShaderKey, vtkSmartPointer<vtkShaderProgram>> Programs;
+  vtkNBufferGL::FullScreenPass BasePass = { vtkNBufferBaseFS, Failure };
+  vtkNBufferGL::FullScreenPass LevelPass = { vtkNBufferLevelFS, Failure };
 };
 
 bool vtkNBufferTexture::Internals::CheckArguments(vtkOpenGLRenderWindow* window,
@@ -143,7 +123,7 @@ bool vtkNBufferTexture::Internals::CheckArguments(vtkOpenGLRenderWindow* window,
   }
   else if (levels < 1)
   {
-    this->Error = "No level was asked for. Ask for at least one.";
+    this->Error = "No level was requested. Request at least one.";
   }
   else if (width <= 0 || height <= 0 || x < 0 || y < 0 || width > source.Width - x ||
     height > source.Height - y)
@@ -168,7 +148,7 @@ void vtkNBufferTexture::Internals::UseContext(vtkOpenGLRenderWindow* window)
 {
   if (this->Window != window)
   {
-    // What another window holds is released by this. Most window classes then leave that window's
+    // This releases the objects of another window. Most window classes then leave that window's
     // context current.
     this->ResourceCallback->RegisterGraphicsResources(window);
     this->Window = window;
@@ -203,21 +183,23 @@ bool vtkNBufferTexture::Internals::PrepareDepth(
   }
   if (!Holds32NormalisedBits(source))
   {
-    if (!this->Storage.ReserveCopy(GetCopyFormat(source), width, height, this->Error))
+    if (!this->Storage.Copy.Reserve(GetCopyFormat(source), width, height, this->Error))
     {
       return false;
     }
+    glBindTexture(GL_TEXTURE_2D, this->Storage.Copy.GetName());
     glBindFramebuffer(GL_READ_FRAMEBUFFER, source.Framebuffer);
     glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, x, y, width, height);
     return vtkNBufferGL::CheckErrors("Copying the depth buffer", this->Error);
   }
-  // Integers can only be had by way of a buffer. Hardware does not offer this format, and software
-  // copies it as it is.
+  // Depth can be copied as integers only through a buffer. Hardware does not offer this format, and
+  // software copies it without a conversion.
   depth.Kind = NBUFFER_SOURCE_INTEGER;
   if (!this->Storage.ReserveIntegers(width, height, this->Error))
   {
     return false;
   }
+  glBindTexture(GL_TEXTURE_2D, this->Storage.Integers.GetName());
   const unsigned int buffer = this->Storage.GetIntegerBuffer();
   {
     const vtkNBufferGL::ScopedReadback readback(source.Framebuffer, buffer);
@@ -231,44 +213,20 @@ bool vtkNBufferTexture::Internals::PrepareDepth(
   return vtkNBufferGL::CheckErrors("Copying the depth buffer as integers", this->Error);
 }
 
-vtkShaderProgram* vtkNBufferTexture::Internals::Ready(
-  vtkOpenGLRenderWindow* window, const ShaderKey& key)
+void vtkNBufferTexture::Internals::Draw(vtkNBufferGL::FullScreenPass& pass, int level)
 {
-  vtkOpenGLShaderCache* cache = window->GetShaderCache();
-  auto& program = this->Programs[key];
-  if (program)
-  {
-    program = cache->ReadyShaderProgram(program);
-  }
-  else
-  {
-    std::string text = key.Base ? vtkNBufferBaseFS : vtkNBufferLevelFS;
-    vtkShaderProgram::Substitute(text, "//VTK::NBuffer::Shared", vtkNBufferSharedText);
-    vtkShaderProgram::Substitute(text, "//VTK::NBuffer::Dec", key.GetDefinitions());
-    program = cache->ReadyShaderProgram(vtkNBufferFullScreenVS, text.c_str(), "");
-  }
-  if (!program)
-  {
-    this->Error = "A shader of the N-buffer does not compile on this driver. Use the CPU back-end "
-                  "and report the driver's message.";
-    return nullptr;
-  }
-  return program;
-}
-
-void vtkNBufferTexture::Internals::Draw(int level)
-{
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Storage.GetFramebuffer(level));
-  glViewport(0, 0, this->Width, this->Height);
-  glBindVertexArray(this->Storage.GetVertexArray());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  pass.Draw(this->Storage.GetFramebuffer(level), 0, 0, this->Width, this->Height);
   ++this->Draws;
 }
 
 bool vtkNBufferTexture::Internals::DrawBase(
-  vtkOpenGLRenderWindow* window, const SampledDepth& depth, const ShaderKey& key)
+  vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, const SampledDepth& depth)
 {
-  vtkShaderProgram* program = this->Ready(window, key);
+  vtkShaderProgram* program = this->BasePass.Begin(window, this->Error,
+    this->DefineExtremum() + Define("NBUFFER_SOURCE", depth.Kind) +
+      Define("NBUFFER_FACTOR", this->Factor) +
+      Define("NBUFFER_SAMPLES", std::max(source.Samples, 1)) +
+      Define("NBUFFER_INEXACT", source.Samples > 1 && Holds32NormalisedBits(source)));
   if (!program)
   {
     return false;
@@ -277,22 +235,18 @@ bool vtkNBufferTexture::Internals::DrawBase(
   program->SetUniformi("depth", 0);
   program->SetUniform2i("origin", depth.Origin);
   program->SetUniform2i("last", last);
+  std::optional<vtkNBufferGL::ScopedDepthSampling> sampling;
   if (depth.Foreign)
   {
-    const vtkNBufferGL::ScopedDepthSampling sampling(depth.Target, depth.Level);
-    this->Draw(0);
+    sampling.emplace(depth.Target, depth.Level);
   }
-  else
-  {
-    this->Draw(0);
-  }
+  this->Draw(this->BasePass, 0);
   return true;
 }
 
-bool vtkNBufferTexture::Internals::DrawLevel(
-  vtkOpenGLRenderWindow* window, int level, const ShaderKey& key)
+bool vtkNBufferTexture::Internals::DrawLevel(vtkOpenGLRenderWindow* window, int level)
 {
-  vtkShaderProgram* program = this->Ready(window, key);
+  vtkShaderProgram* program = this->LevelPass.Begin(window, this->Error, this->DefineExtremum());
   if (!program)
   {
     return false;
@@ -303,7 +257,7 @@ bool vtkNBufferTexture::Internals::DrawLevel(
   program->SetUniformi("side", 1 << (level - 1));
   program->SetUniform2i("last", last);
   glBindTexture(GL_TEXTURE_2D_ARRAY, this->Storage.GetArray(level - 1));
-  this->Draw(level);
+  this->Draw(this->LevelPass, level);
   return true;
 }
 
@@ -324,17 +278,27 @@ bool vtkNBufferTexture::Internals::ReadLevels(vtkNBufferLevels& levels)
   }
   levels.Allocate(
     this->PixelWidth, this->PixelHeight, this->Factor, this->NumberOfLevels, this->Extremum);
-  // The one call that waits. Levels lie one behind the other on both sides.
+  // This is the one call that waits. Levels follow each other on both sides.
   glGetBufferSubData(
     GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(bytes), levels.GetLevelData(0));
   ++this->Downloads;
   return vtkNBufferGL::CheckErrors("Reading the levels back", this->Error);
 }
 
+void vtkNBufferTexture::Internals::Delete()
+{
+  this->Storage.Delete();
+  this->BasePass.Delete();
+  this->LevelPass.Delete();
+  this->Timer.reset();
+  this->Forget();
+}
+
 void vtkNBufferTexture::Internals::Forget()
 {
   this->Storage.Forget();
-  this->Programs.clear();
+  this->BasePass.Forget();
+  this->LevelPass.Forget();
   // Queries of a dead context cannot be deleted: their names are left to it.
   this->Timer.release();
   this->ContextTime = 0;
@@ -378,8 +342,6 @@ bool vtkNBufferTexture::Build(vtkOpenGLRenderWindow* window, const vtkNBufferDep
   self.Height = vtkNBufferMath::GetBaseSize(height, factor);
   const int count = std::min(levels, vtkNBufferMath::GetNumberOfLevels(self.Width, self.Height));
 
-  ShaderKey key;
-  key.Maximum = extremum == vtkNBufferExtremum::Maximum;
   vtkNBufferGL::ClearErrors();
   const vtkNBufferGL::ScopedPass pass(window);
   if (!self.Storage.ReserveLevels(self.Width, self.Height, count, self.Error))
@@ -397,20 +359,11 @@ bool vtkNBufferTexture::Build(vtkOpenGLRenderWindow* window, const vtkNBufferDep
     self.Timer->ReusableStart();
   }
   SampledDepth depth;
-  bool drawn = self.PrepareDepth(source, x, y, width, height, depth);
-  if (drawn)
-  {
-    ShaderKey base = key;
-    base.Base = true;
-    base.Source = depth.Kind;
-    base.Factor = factor;
-    base.Samples = std::max(source.Samples, 1);
-    base.Inexact = source.Samples > 1 && Holds32NormalisedBits(source);
-    drawn = self.DrawBase(window, depth, base);
-  }
+  bool drawn =
+    self.PrepareDepth(source, x, y, width, height, depth) && self.DrawBase(window, source, depth);
   for (int level = 1; drawn && level < count; ++level)
   {
-    drawn = self.DrawLevel(window, level, key);
+    drawn = self.DrawLevel(window, level);
   }
   if (self.HasTimer)
   {
@@ -500,7 +453,7 @@ double vtkNBufferTexture::GetDeviceTime()
   Internals& self = *this->Implementation;
   if (self.Timer)
   {
-    // 0 until a query has finished, then the last that has.
+    // The timer returns 0 until its first query has finished, then the time of the last one.
     const double milliseconds = 1e3 * self.Timer->GetReusableElapsedSeconds();
     self.DeviceTime = milliseconds > 0.0 ? milliseconds : self.DeviceTime;
   }
@@ -512,16 +465,11 @@ void vtkNBufferTexture::ReleaseGraphicsResources(vtkWindow* window)
   Internals& self = *this->Implementation;
   if (!self.ResourceCallback->IsReleasing())
   {
-    // Comes back here with the context current, or does nothing where nothing is held.
+    // This calls back with the context current, or does nothing where there are no objects.
     self.ResourceCallback->Release();
     return;
   }
-  if (window)
-  {
-    self.Storage.Release();
-    self.Timer.reset();
-  }
-  self.Forget();
+  self.Delete();
   self.Window = nullptr;
 }
 

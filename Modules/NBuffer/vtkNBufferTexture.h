@@ -5,28 +5,29 @@
  * @brief An N-buffer on the graphics device: levels in two 2D array textures.
  *
  * Build() reduces a rectangle of the depth buffer that is being drawn to level 0 and makes the
- * levels above it, all by fragment passes of OpenGL 3.2. vtkNBufferMath.h says what a texel
- * covers; vtkNBufferLevels holds the same levels, bit for bit, in host memory.
+ * levels above it, all by fragment passes of OpenGL 3.2. vtkNBufferMath.h defines which squares a
+ * texel covers; vtkNBufferLevels holds the same levels, bit for bit, in host memory.
  *
- * Texels are 32-bit floats (R32F). Even and odd levels live in two arrays, so that a pass never
- * reads the texture that it writes: level i is layer GetLayer(i) of GetHandle(i), in the lower left
- * GetWidth() x GetHeight() texels, which may be a part of the layer: memory grows with the largest
- * image and number of levels seen, 4 * levels * ceil(w / factor) * ceil(h / factor) bytes, and is
- * kept until ReleaseGraphicsResources().
+ * Texels are 32-bit floats (R32F). Even and odd levels live in two array textures, so that a pass
+ * never reads the texture that it writes. Level i is layer GetLayer(i) of GetHandle(i), and fills
+ * the lower left GetWidth() x GetHeight() texels of that layer. The memory grows with the largest
+ * image and the largest number of levels since construction, to
+ * 4 * levels * ceil(w / factor) * ceil(h / factor) bytes, and is kept until
+ * ReleaseGraphicsResources().
  *
- * Where depth comes from: a depth texture is sampled where it is. A renderbuffer and the window's
- * own framebuffer are first copied on the device. Normalised depth of 32 bits, which samplers
- * round, is copied as integers. Multisampled depth must be a texture; all samples are fetched and
- * never resolved.
+ * Where depth comes from: a depth texture is sampled directly. A renderbuffer and the window's own
+ * framebuffer are first copied on the device. Normalised depth of 32 bits, which samplers round, is
+ * copied as integers. Multisampled depth must be a texture; all samples are fetched, and none is
+ * resolved.
  *
- * Rounding is that of vtkNBufferDepthSource::Read, with two exceptions. Depth of 24 bits is what
- * the driver's sampler makes of it, which can be one unit in the last place lower than what Read
+ * Depth is rounded as by vtkNBufferDepthSource::Read, with two exceptions. Depth of 24 bits is what
+ * the driver's sampler returns, which can be one unit in the last place lower than what Read
  * returns. Multisampled depth of 32 normalised bits can only be sampled, and is moved by 2^-23 to
  * the safe side (up for Maximum, down for Minimum).
  *
- * The GL state that Build() and Download() touch is put back. A failure (no float textures, no
- * readable depth, incomplete framebuffer, shader error) returns false, leaves no levels, and
- * GetError() names its cause and a remedy.
+ * Build() and Download() restore the GL state that they change. On a failure (no float textures, no
+ * readable depth, incomplete framebuffer, shader error) they return false and leave no levels, and
+ * GetError() names the cause and a remedy.
  */
 #ifndef vtkNBufferTexture_h
 #define vtkNBufferTexture_h
@@ -55,34 +56,34 @@ public:
    * (x, y, width, height) in framebuffer pixels of `source`, which describes the framebuffer bound
    * for drawing. `factor` is 1, 2, 4 or 8. Under multisampling a texel takes the extremum over all
    * samples of its pixels. The window's context must be current. Cost: one pass over the depth and
-   * one over the base per level, nothing is waited for.
+   * one pass over the base per level; it does not wait for the device.
    */
   bool Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, int x, int y,
     int width, int height, int factor, int levels, vtkNBufferExtremum extremum);
 
   /**
-   * Copy the levels that are built to host memory in one blocking read-back of
-   * 4 * levels * width * height bytes. On failure returns false and clears `levels`.
+   * Copy all levels to host memory in one blocking read-back of 4 * levels * width * height bytes.
+   * On failure returns false and clears `levels`.
    */
   bool Download(vtkOpenGLRenderWindow* window, vtkNBufferLevels& levels);
 
   ///@{
-  /// Size of the base in texels, and levels built (0: none).
+  /// Size of a level in texels, and the number of levels; all are 0 while there are no levels.
   int GetWidth() const;
   int GetHeight() const;
   int GetNumberOfLevels() const;
   ///@}
 
   ///@{
-  /// GL name of the GL_TEXTURE_2D_ARRAY that holds a level, and its layer there. Name 0 and layer
-  /// 0 for a level that is not built.
+  /// The GL name of the GL_TEXTURE_2D_ARRAY that holds a level, and the level's layer there. Both
+  /// are 0 for a level that is not built.
   unsigned int GetHandle(int level) const;
   int GetLayer(int level) const;
   ///@}
 
   ///@{
-  /// Passes drawn by the last Build; times that memory was asked of OpenGL, and read-backs, since
-  /// construction.
+  /// The number of passes that the last Build() drew, and the numbers of allocations and of
+  /// read-backs since construction.
   int GetNumberOfDraws() const;
   int GetNumberOfAllocations() const;
   int GetNumberOfDownloads() const;
@@ -90,8 +91,8 @@ public:
 
   ///@{
   /**
-   * Whether float textures may be used (on by default). Off, Build() fails as it does on devices
-   * that cannot draw into them, so that what follows then can be seen on any device.
+   * Whether float textures may be used (on by default). If off, Build() fails as it does on devices
+   * that cannot draw into them, so that tests on any device can show what happens then.
    */
   vtkSetMacro(AllowFloatTextures, bool);
   vtkGetMacro(AllowFloatTextures, bool);
@@ -100,14 +101,15 @@ public:
   /// Whether the last Build() failed because there are no float textures to draw into.
   bool LacksFloatTextures() const;
 
-  /// Cause and remedy of the last failure; empty after a success.
+  /// The cause of the last failure and a remedy; empty after a success.
   const std::string& GetError() const;
 
-  /// Milliseconds on the device of the last build whose timer query has finished; never waits.
-  /// 0 where timer queries are missing (before OpenGL 3.3). The context must be current.
+  /// How many milliseconds the device took for the last build whose timer query has finished. Never
+  /// waits. 0 where timer queries are missing (before OpenGL 3.3). The context must be current.
   double GetDeviceTime();
 
-  /// Called by VTK when the window lets go of its context; may also be called by hand.
+  /// Delete all OpenGL objects. VTK calls this before it destroys the window's context; the
+  /// application may call it at any time.
   void ReleaseGraphicsResources(vtkWindow* window);
 
 protected:

@@ -109,7 +109,6 @@ std::string vtkShadowStatistics::GetAsJSON() const
   json["triangles"] = static_cast<Json::Int64>(this->Triangles);
   json["receivers"] = static_cast<Json::Int64>(this->Receivers);
   json["fragments"] = static_cast<Json::Int64>(this->Fragments);
-  json["unclamped_fragments"] = static_cast<Json::Int64>(this->UnclampedFragments);
   json["litmaps"] = this->Litmaps;
   json["unclamped_lights"] = this->UnclampedLights;
   json["read_backs"] = this->ReadBacks;

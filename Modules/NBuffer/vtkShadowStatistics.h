@@ -23,17 +23,11 @@ VTK_ABI_NAMESPACE_BEGIN
 enum class vtkShadowMode : int
 {
   Unclamped, ///< All of every caster's, everywhere: the reference for what others save.
+  Culled,    ///< Of casters with receivers, everywhere.
   Scissored, ///< Of casters with receivers, into the receivers' boxes on the screen.
   Clamped,   ///< Of these, where the receivers are.
   Automatic  ///< Scissored for lights whose litmaps pay (vtkShadowCostModel.h), Unclamped for
              ///< others.
-};
-
-/// How litmaps are made.
-enum class vtkShadowLitmapMethod : int
-{
-  Scattered, ///< From the camera's depth, each sample into its lexels: misses no receiver.
-  Rerendered ///< As in the paper, receivers drawn from the light: may miss some, for comparison.
 };
 
 /// What is drawn over the picture to show why shadows take what they take.
@@ -120,8 +114,6 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   /// Fragments that volumes covered, samples of them with multisampling, whatever the depth test
   /// said; -1 unless they are counted.
   long long Fragments = -1;
-  /// Those that the whole volumes of all casters would cover; -1 unless they are counted.
-  long long UnclampedFragments = -1;
   int Litmaps = 0;         ///< Made in this frame.
   int UnclampedLights = 0; ///< Drawn without litmaps in this frame.
   int ReadBacks = 0;       ///< Of depth.

@@ -61,6 +61,7 @@
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkOpenGLRenderPass.h"
 #include "vtkShadowStatistics.h"
+#include "vtkShadowTuning.h"
 
 #include <memory>
 #include <vector>
@@ -68,10 +69,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkInformation;
 class vtkLight;
-class vtkOpenGLRenderWindow;
 class vtkRenderStepsPass;
-class vtkTextureObject;
-struct vtkShadowLightSource;
 
 class VTKNBUFFER_EXPORT vtkShadowVolumeClampPass : public vtkOpenGLRenderPass
 {
@@ -83,6 +81,7 @@ public:
   enum Modes
   {
     Unclamped = int(vtkShadowMode::Unclamped),
+    Culled = int(vtkShadowMode::Culled),
     Scissored = int(vtkShadowMode::Scissored),
     Clamped = int(vtkShadowMode::Clamped),
     Automatic = int(vtkShadowMode::Automatic)
@@ -90,118 +89,28 @@ public:
 
   ///@{
   /**
-   * How much of the shadow volumes is drawn: Unclamped, all; Scissored, casters with receivers,
-   * into their receivers' box of pixels, with the stencil of Unclamped to the bit; Clamped, slabs
-   * of them around the receivers, where samples within 1/256 of a pixel of a shadow's edge may
-   * differ; Automatic, the default, Scissored for lights where that is likely to take less time,
-   * Unclamped for others (vtkShadowCostModel.h): the masks of both are the same.
+   * Mode says how much of the shadow volumes is drawn.
+   *
+   *  - Unclamped: all of every caster's volume.
+   *  - Culled: the volumes of casters that have a visible receiver.
+   *  - Scissored: these, inside boxes of pixels around their receivers. The picture is the one of
+   *    Unclamped to the bit, as with Culled.
+   *  - Clamped: slabs of these volumes around the receivers. Samples within 1/256 of a pixel of a
+   *    shadow's edge may differ.
+   *  - Automatic, the default: Scissored for lights where that is likely to take less time
+   *    (vtkShadowCostModel.h), Unclamped for the others.
    */
   vtkSetClampMacro(Mode, int, Unclamped, Automatic);
   vtkGetMacro(Mode, int);
   ///@}
 
-  enum LitmapMethods
-  {
-    Scattered = int(vtkShadowLitmapMethod::Scattered),
-    Rerendered = int(vtkShadowLitmapMethod::Rerendered)
-  };
-
   ///@{
   /**
-   * How litmaps are made: Scattered, the default, misses no receiver. Rerendered draws them from
-   * the light as section 3.3 of the paper says; it is there to be compared with, may miss
-   * receivers, so that shadows are lost in all modes that use litmaps, and costs more
-   * (vtkShadowRerenderedLitmap.h).
+   * The constants that measurements and tests vary, in one call; see vtkShadowTuning. A value that
+   * is out of its range is an error, and the tuning stays as it was.
    */
-  vtkSetClampMacro(LitmapMethod, int, Scattered, Rerendered);
-  vtkGetMacro(LitmapMethod, int);
-  void SetLitmapMethodToScattered() { this->SetLitmapMethod(Scattered); }
-  void SetLitmapMethodToRerendered() { this->SetLitmapMethod(Rerendered); }
-  ///@}
-
-  ///@{
-  /**
-   * Lexels along each side of a litmap, 1 to 4096, 256 by default. More make tighter boxes and
-   * slabs; none makes a shadow wrong.
-   */
-  vtkSetClampMacro(LitmapResolution, int, 1, 4096);
-  vtkGetMacro(LitmapResolution, int);
-  ///@}
-
-  ///@{
-  /**
-   * Empty bins, of the 64 between the nearest and the farthest receiver, that part two slabs; 1 to
-   * 64, 4 by default. 64 makes one slab of all, as in the paper.
-   */
-  vtkSetClampMacro(SlabGap, int, 1, 64);
-  vtkGetMacro(SlabGap, int);
-  ///@}
-
-  ///@{
-  /**
-   * Pixels that one more box around the receivers of a caster has to leave out to be worth drawing
-   * the caster's volume in it, too (1/32 of it for each triangle besides); 0 to 1e9, 256 by
-   * default. Less makes more and tighter boxes; none makes a shadow wrong.
-   */
-  vtkSetClampMacro(BoxCost, int, 0, 1000000000);
-  vtkGetMacro(BoxCost, int);
-  ///@}
-
-  ///@{
-  /**
-   * Draw volumes in boxes of pixels around the receivers of their casters alone. On by default.
-   * Off, casters without a receiver are still left out, and the others' volumes cover all of the
-   * viewport that they reach: for comparison, as in the paper. The picture is the same to the bit.
-   */
-  vtkSetMacro(Scissor, bool);
-  vtkGetMacro(Scissor, bool);
-  vtkBooleanMacro(Scissor, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Take for receivers of a light only what is lit by it: not what the normals that it is shaded
-   * with turn away. The picture is the same to the bit, masks are 255 there; the framebuffer's
-   * depth must have 24 bits or more. Less is drawn of volumes; the opaque props are drawn once
-   * more, with their shading, and one more image read back. Off by default: docs/benchmarks.md has
-   * what it saves and costs. Applies to the first 24 lights that cast, and to Phong shading; not to
-   * Rerendered litmaps, nor to lights that are drawn without.
-   */
-  vtkSetMacro(SkipUnlitReceivers, bool);
-  vtkGetMacro(SkipUnlitReceivers, bool);
-  vtkBooleanMacro(SkipUnlitReceivers, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Count the fragments of volumes (vtkShadowStatistics::Fragments). Draws them once more and waits
-   * for the device. Off by default.
-   */
-  vtkSetMacro(CountFragments, bool);
-  vtkGetMacro(CountFragments, bool);
-  vtkBooleanMacro(CountFragments, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Count the fragments that Unclamped would have drawn, whatever the mode
-   * (vtkShadowStatistics::UnclampedFragments): makes and draws all whole volumes twice beside what
-   * is drawn, and waits for the device. Off by default.
-   */
-  vtkSetMacro(CountUnclampedFragments, bool);
-  vtkGetMacro(CountUnclampedFragments, bool);
-  vtkBooleanMacro(CountUnclampedFragments, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Measure how long the graphics device takes (vtkShadowStatistics::DeviceTimes). Off by default.
-   * Costs two timer queries and two flushes for each light and for each draw of the props; they are
-   * read when they are known, without waiting.
-   */
-  vtkSetMacro(MeasureDeviceTime, bool);
-  vtkGetMacro(MeasureDeviceTime, bool);
-  vtkBooleanMacro(MeasureDeviceTime, bool);
+  void SetTuning(const vtkShadowTuning& tuning);
+  const vtkShadowTuning& GetTuning() const { return this->Tuning; }
   ///@}
 
   enum DebugViews
@@ -215,8 +124,9 @@ public:
 
   ///@{
   /**
-   * What is laid over the opaque props to show what the shadows of one light take. NoDebugView, the
-   * default, costs nothing.
+   * The debug view is drawn over the opaque props and shows what the shadows of one light cost.
+   * `light` is that light, which is not owned; nullptr means the first one that casts. NoDebugView,
+   * the default, costs nothing.
    *
    *  - Litmaps: squares for nearest and farthest receiver (bright: near to the light) and occupied
    *    bins of each lexel; a row for each of the six litmaps of a point light. Nothing where
@@ -229,13 +139,8 @@ public:
    * Numbers are colours from blue (1) over cyan (4), green (16) and yellow (64) to red (255 and
    * more). Costs a few full-screen images on the host each time that masks are made.
    */
-  vtkSetClampMacro(DebugView, int, NoDebugView, Counts);
+  void SetDebugView(int view, vtkLight* light = nullptr);
   vtkGetMacro(DebugView, int);
-  ///@}
-
-  ///@{
-  /// The light of the debug view; nullptr, the default: the first one that casts. Not owned.
-  void SetDebugLight(vtkLight* light);
   vtkLight* GetDebugLight();
   ///@}
 
@@ -265,7 +170,7 @@ public:
   /**
    * The mask of a light of the last frame: one value for each pixel of the viewport, row by row,
    * the lowest first; 0 lit or nothing opaque seen, 255 in shadow (also what the light does not
-   * reach; with SkipUnlitReceivers, what faces away from it). With multisampling the mean of the
+   * reach). With multisampling the mean of the
    * pixel's samples, or one of them: `sample` from 0 to less than vtkShadowStatistics::Samples.
    * Empty, and `width` and `height` 0, if the light did not cast or there is no such sample. Reads
    * it back; the window's context must be current.
@@ -304,24 +209,10 @@ private:
   class Internals;
   class OpaqueStage;
   void RenderOpaque(const vtkRenderState* s);
-  void NoteInProps(const vtkRenderState* s);
-  bool MakeMasks(const vtkRenderState* s, const std::vector<vtkShadowLightSource>& lights,
-    vtkShadowStatistics& statistics);
-  void DrawOpaque(const vtkRenderState* s, vtkTextureObject* depth);
-  void ShowDebugView(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics);
-  void Warn(const std::string& what);
 
   int Mode = Automatic;
-  int LitmapResolution = 256;
-  int SlabGap = 4;
-  int BoxCost = 256;
-  int LitmapMethod = Scattered;
+  vtkShadowTuning Tuning;
   int DebugView = NoDebugView;
-  bool Scissor = true;
-  bool SkipUnlitReceivers = false;
-  bool CountFragments = false;
-  bool CountUnclampedFragments = false;
-  bool MeasureDeviceTime = false;
   std::unique_ptr<Internals> Implementation;
 };
 

@@ -289,11 +289,7 @@ std::string Checker::CheckShadows(bool& strays)
     CheckShadowStatistics(this->Tested) + CompareShadowStatistics(this->Reference, this->Tested);
   if (this->HasMasks)
   {
-    ShadowFrame tested = CaptureShadows(this->Tested);
-    if (this->Tested.GetLights().GetSkipUnlitReceivers())
-    {
-      GrantUnlit(this->Unclamped, tested);
-    }
+    const ShadowFrame tested = CaptureShadows(this->Tested);
     const ShadowMode mode = this->Tested.GetLights().GetMode();
     const std::string masks =
       CompareMasks(this->Unclamped, tested, mode, this->Shadows, MakeRayJudge(this->Tested));

@@ -5,6 +5,7 @@
 #include "Checker.h"
 #include "Generator.h"
 #include "Messages.h"
+#include "NamedScenarios.h"
 #include "ScenarioJson.h"
 #include "Shrinker.h"
 
@@ -127,6 +128,32 @@ TEST(FuzzScenario, SaysWhereAFileIsWrong)
   EXPECT_EQ(getFault(R"({"views": [{"position": [1, 2]}]})"),
     "scenario.views[0].position must be 3 numbers");
   EXPECT_THROW(ReadJson("no/such/file.json"), std::runtime_error);
+}
+
+TEST(FuzzScenario, OldFilesAreRead)
+{
+  const Scenario scenario = FromJson(Parse(R"({"shadows": {"scissor": false,
+    "skip_unlit_receivers": true}, "changes": [{"kind": "SkipUnlitReceivers", "values": [1.0]},
+    {"kind": "Select"}]})"));
+  EXPECT_EQ(scenario.Shadows.Mode, ShadowMode::Culled);
+  ASSERT_EQ(scenario.Changes.size(), 1u);
+  EXPECT_EQ(scenario.Changes[0].Kind, ChangeKind::Select);
+  EXPECT_EQ(
+    FromJson(Parse(R"({"shadows": {"mode": "Exact"}})")).Shadows.Mode, ShadowMode::Scissored);
+}
+
+// Every named scenario is a plain one: it survives its file, too.
+TEST(FuzzScenario, NamedScenariosSurviveTheirFiles)
+{
+  for (const auto& part : { GetCullingHazards(), GetLightScenarios(), GetViewScenarios(),
+         GetMeshScenarios(), GetLargeScenarios() })
+  {
+    for (const NamedScenario& named : part)
+    {
+      EXPECT_EQ(ToText(ToJson(PassThroughText(named.Scenario))), ToText(ToJson(named.Scenario)))
+        << named.Name;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------------------------
@@ -317,10 +344,9 @@ ShadowFrame MakeFrame(const std::vector<unsigned char>& mask, int width)
 
 TEST_F(FuzzRuns, CompareShadows)
 {
-  std::vector<Scenario> scenarios = { MakeShadowScene(ShadowMode::Unclamped),
+  const std::vector<Scenario> scenarios = { MakeShadowScene(ShadowMode::Unclamped),
     MakeShadowScene(ShadowMode::Scissored), MakeShadowScene(ShadowMode::Clamped),
-    MakeShadowScene(ShadowMode::Automatic), MakeShadowScene(ShadowMode::Scissored) };
-  scenarios.back().Shadows.SkipUnlitReceivers = true;
+    MakeShadowScene(ShadowMode::Automatic), MakeShadowScene(ShadowMode::Culled) };
   for (const Scenario& scenario : scenarios)
   {
     Tally tally;
@@ -354,30 +380,6 @@ TEST_F(FuzzRuns, ConesOfMultisampledPixels)
      "seed": 1732826749382466,
      "views": [{"position": [0.0, 0.0, 20.0]}],
      "window": {"height": 117, "multi_samples": 8, "width": 77}})"));
-  EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
-}
-
-// Hazard of SkipUnlitReceivers: two surfaces that have one depth where masks are made, and two in
-// the window, whose depth is finer. Which of them is seen, and with that whether the light reaches
-// it, only the window knows. As the fuzzer found it.
-TEST_F(FuzzRuns, LitAndUnlitAtOneDepth)
-{
-  const Scenario scenario = FromJson(Parse(R"(
-    {"changes": [{"kind": "SkipUnlitReceivers", "values": [1.0]}],
-     "frames": 1,
-     "lights": [{}],
-     "props": [
-       {"id": 43, "shape": {"center": [3.307111024270685, -2.2583921121974746, -0.2],
-         "size": [3.740221009372003, 3.740221009372003, 0.0]}},
-       {"id": 46, "lighting": false, "position": [0.6655092624165349, -1.5216222138329814, -0.45],
-         "shape": {"size": [3.256256931971654, 3.256256931971654, 0.5]}},
-       {"id": 48, "shape": {"center": [1.2828950463437865, -1.2481972350833062, 0.3]}},
-       {"id": 50}],
-     "renderers": [{"pass": "ShadowVolumes"}],
-     "seed": 453825617800423,
-     "views": [{"parallel": true, "parallel_scale": 5.0,
-       "position": [18.14558868270935, 6.101229422002766, 18.61404490070871]}],
-     "window": {"width": 95}})"));
   EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
 }
 
@@ -428,18 +430,6 @@ TEST(FuzzShadows, MasksMayDifferAtEdgesOnly)
 
   noReceiver.Depth[middle + 6] = 1.0f;
   EXPECT_NE(CompareMasks(noReceiver, tested, ShadowMode::Scissored, tally, {}), "");
-
-  // Skipped samples are in shadow, unless all are.
-  tested = expected;
-  tested.Masks[0][middle + 6] = 255;
-  GrantUnlit(expected, tested);
-  EXPECT_EQ(tested.Masks, expected.Masks);
-  tested.Masks[0][middle + 1] = 0;
-  GrantUnlit(expected, tested);
-  EXPECT_NE(CompareMasks(expected, tested, ShadowMode::Scissored, tally, {}), "");
-  tested.Masks[0].assign(mask.size(), 0);
-  GrantUnlit(expected, tested);
-  EXPECT_EQ(tested.Masks, expected.Masks);
 
   ShadowFrame shifted = expected;
   for (std::size_t row = 0; row < width; ++row)

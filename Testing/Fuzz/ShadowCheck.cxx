@@ -348,26 +348,6 @@ std::string CompareMasks(const ShadowFrame& expected, const ShadowFrame& tested,
   return failure;
 }
 
-void GrantUnlit(const ShadowFrame& expected, ShadowFrame& tested)
-{
-  const auto isLit = [](unsigned char value) { return value == 0; };
-  for (std::size_t light = 0; light < expected.Masks.size(); ++light)
-  {
-    const std::vector<unsigned char>& all = expected.Masks[light];
-    std::vector<unsigned char>& mask = tested.Masks[light];
-    if (mask.size() != all.size())
-    {
-      return;
-    }
-    if (std::all_of(mask.begin(), mask.end(), isLit))
-    {
-      mask = all;
-    }
-    std::transform(mask.begin(), mask.end(), all.begin(), mask.begin(),
-      [](unsigned char value, unsigned char unskipped) { return std::min(value, unskipped); });
-  }
-}
-
 std::optional<ShadowStrays> FindStrays(
   const Player& stage, const ShadowFrame& expected, const ShadowFrame& tested, bool parted)
 {

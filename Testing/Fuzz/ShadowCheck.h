@@ -73,13 +73,6 @@ std::string CompareMasks(const ShadowFrame& expected, const ShadowFrame& tested,
 long long GetClampedFlips(long long receiversAtEdges);
 constexpr long long MaximumFlipsElsewhere = 2;
 
-/**
- * With SkipUnlitReceivers masks say shadow where the shading says that the light changes nothing,
- * and are all 0 if it does so everywhere. Give such samples of `tested` the value of `expected`;
- * that the light changed something there after all is what the comparison of the images finds.
- */
-void GrantUnlit(const ShadowFrame& expected, ShadowFrame& tested);
-
 /// Receivers in which Exact differs from Unclamped.
 struct ShadowStrays
 {

@@ -207,7 +207,7 @@ void ChangeShadows(Writer& writer, int frame)
   };
   const Light& light = lights > 0 ? writer.Scene.Lights[target] : Light();
   const auto props = static_cast<int>(writer.Scene.Props.size());
-  switch (writer.Integer(0, 15))
+  switch (writer.Integer(0, 14))
   {
     case 0:
     case 1:
@@ -245,9 +245,6 @@ void ChangeShadows(Writer& writer, int frame)
       add(ChangeKind::BoxCost, { writer.Any({ 0.0, 16.0, 1024.0 }) });
       break;
     case 13:
-      add(ChangeKind::SkipUnlitReceivers, { writer.Any({ 0.0, 1.0 }) });
-      break;
-    case 14:
       writer.AddChange(
         frame, ChangeKind::Casts, writer.Integer(0, props - 1), { writer.Any({ 0.0, 1.0 }) });
       break;
@@ -269,7 +266,7 @@ bool IsPlain(const Scenario& scene)
       return (prop.Kind == PropKind::Actor || prop.Kind == PropKind::Piped ||
                prop.Kind == PropKind::Composite) &&
         prop.Shape.Kind != ShapeKind::Lines && prop.Shape.Kind != ShapeKind::Points &&
-        prop.Shape.Kind != ShapeKind::NaNPoint &&
+        prop.Shape.Kind != ShapeKind::NaNPoint && prop.Shape.Kind != ShapeKind::Mesh &&
         glm::all(glm::greaterThan(prop.Shape.Size, glm::dvec3(0.0))) &&
         prop.Representation == Representation::Surface && !prop.Edges && !prop.Vertices &&
         prop.Shader == Shader::Original && prop.CulledFaces == 0 && prop.OffsetUnits == 0.0 &&
@@ -308,7 +305,8 @@ void AddShadows(Writer& writer)
   const glm::dvec3 middle =
     scene.Views.empty() ? glm::dvec3{ 0.0, 0.0, 0.0 } : scene.Views.front().FocalPoint;
   const int lights = writer.Chance(0.03) ? 0 : writer.Any({ 1, 1, 1, 1, 2, 2, 3, 6 });
-  for (int i = 0; i < lights; ++i)
+  // Named scenarios have theirs.
+  for (int i = static_cast<int>(scene.Lights.size()); i < lights; ++i)
   {
     scene.Lights.push_back(MakeLight(writer, middle));
   }
@@ -342,8 +340,9 @@ void AddShadows(Writer& writer)
     shadows.Mode = ShadowMode::Automatic;
   }
   shadows.BoxCost = writer.Any({ 0, 16, 256, 256, 4096 });
-  shadows.SkipUnlitReceivers = writer.Chance(0.3);
-  // Not drawn, so that the rest of a scenario stays what it was for its seed.
-  shadows.Scissor = scene.Seed % 7 != 0;
+  if (shadows.Mode == ShadowMode::Scissored && writer.Chance(0.15))
+  {
+    shadows.Mode = ShadowMode::Culled;
+  }
 }
 }

@@ -7,6 +7,7 @@ the old text must be there exactly once.
 """
 
 PROJECTION = "vtkNBufferProjection.cxx"
+BOX_ERROR = "vtkNBufferBoxError.h"
 VIEW = "vtkNBufferView.cxx"
 CANDIDATE = "vtkNBufferCandidate.cxx"
 CANDIDATE_TREE = "vtkNBufferCandidateTree.cxx"
@@ -14,24 +15,24 @@ CASTER = "vtkShadowCaster.cxx"
 HIERARCHY = "vtkNBufferHierarchy.cxx"
 FRAME_KEY = "vtkShadowFrameKey.cxx"
 MASK_MAKER = "vtkShadowMaskMaker.cxx"
-TARGET_READER = "vtkShadowTargetReader.cxx"
 PLAN = "vtkShadowPlan.cxx"
 REACH = "vtkShadowUmbra.cxx"
 VOLUME = "vtkShadowVolume.cxx"
 
-NO_VERTEX_SLACK = (PROJECTION, "VertexErrors = 8.0;", "VertexErrors = 0.0;")
+NO_VERTEX_SLACK = (BOX_ERROR, "VertexErrors = 8.0;", "VertexErrors = 0.0;")
 NO_DEPTH_SLACK = [
-    (PROJECTION, "this->DepthSlack = 2.0 * depthQuantum + DepthErrors * UnitRoundoff;",
-     "this->DepthSlack = 0.0;"),
-    (PROJECTION, "InverseOfHeight = 16.0;", "InverseOfHeight = 0.0;")]
+    ("vtkNBufferBoxError.cxx",
+     "format.Slack = 2.0 * quantum + DepthErrors * vtkNBufferBoxError::UnitRoundoff;",
+     "format.Slack = 0.0 * quantum;"),
+    ("vtkNBufferBoxError.cxx", "InverseOfHeight = 16.0;", "InverseOfHeight = 0.0;")]
 
 NEAR_PLANE_TEST = (
-    "if (!(w > this->Error[3] && clip[2] + clip[3] > this->Error[2] + this->Error[3]))")
+    "if (!(w > this->Error.w && clip.z + clip.w > this->Error.z + this->Error.w))")
 
 MUTANTS = {
     # Tolerances.
     "no slack at all": [NO_VERTEX_SLACK, *NO_DEPTH_SLACK,
-                        (PROJECTION, "SnapInPixels = 1.0 / 16;", "SnapInPixels = 0.0;")],
+                        (BOX_ERROR, "SnapInPixels = 1.0 / 16;", "SnapInPixels = 0.0;")],
     "no slack for rounded vertices": [NO_VERTEX_SLACK],
     "vertices believed to be near the buffer's zero": [
         (CANDIDATE, "IsShifted(plain, ranges);", "(IsShifted(plain, ranges) || true);")],
@@ -41,8 +42,8 @@ MUTANTS = {
 
     # The hierarchy over the props.
     "hierarchy of boxes that lack their upper parts": [
-        (HIERARCHY, "this->High[j] = std::max(this->High[j], high);",
-         "this->High[j] = std::max(this->High[j], low);")],
+        (HIERARCHY, "this->High = glm::max(this->High, high);",
+         "this->High = glm::max(this->High, low);")],
     "deferred props below hierarchy nodes that are seen taken for hidden": [
         (CANDIDATE_TREE, "!test.IsHidden(node.Box, screen))", "false)")],
 
@@ -76,8 +77,8 @@ MUTANTS = {
         ("vtkNBufferSplitBox.h", "for (int i = 0; i < pieces; ++i)",
          "for (int i = 0; i < pieces - 1; ++i)")],
     "one round too many (>= turned to >)": [
-        (VIEW, "this->Statistics.Rounds >= this->Settings.MaximumNumberOfRounds",
-         "this->Statistics.Rounds > this->Settings.MaximumNumberOfRounds")],
+        (VIEW, "this->Statistics.Rounds >= this->Tuning.MaximumNumberOfRounds",
+         "this->Statistics.Rounds > this->Tuning.MaximumNumberOfRounds")],
 
     # Depth.
     "one sample of a multisampled pixel": [
@@ -88,8 +89,8 @@ MUTANTS = {
          "if (!source.Read(window, viewport[0], viewport[1],", "if (!source.Read(window, 0, 0,")],
     "viewport's origin ignored on the device": [
         ("vtkNBufferBackend.cxx",
-         "this->Texture->Build(window, source, viewport[0], viewport[1],",
-         "this->Texture->Build(window, source, 0, 0,")],
+         "this->Texture->Build(job.Window, job.Source, viewport[0], viewport[1], viewport[2],",
+         "this->Texture->Build(job.Window, job.Source, 0, 0, viewport[2],")],
 
     # The near plane.
     "crossing the near plane or the eye counts as inside": [
@@ -110,14 +111,16 @@ MUTANTS = {
         ("vtkNBufferLateDraws.cxx", "if (this->Drawn.empty())", "if (!this->Drawn.empty())")],
     "equal depths of overlapping rectangles forgotten": [
         ("vtkNBufferTieOrder.cxx",
-         "projection.GetContact(a.Box, a.Screen, b.Box, b.Screen, pixels);",
-         "projection.GetContact(a.Box, a.Screen, b.Box, b.Screen, pixels) &&\n"
-         "      a.Screen.Pixels.X0 < b.Screen.Pixels.X0;")],
+         "return projection.GetContact(a.Box, a.Screen, b.Box, b.Screen);",
+         "return a.Screen.Pixels.X0 < b.Screen.Pixels.X0\n"
+         "    ? projection.GetContact(a.Box, a.Screen, b.Box, b.Screen)\n"
+         "    : vtkNBufferRectangle();")],
     "what is drawn again is drawn beside its regions too": [
         ("vtkNBufferGL.h", "scissor.Set(region);", "")],
     "regions in which props touch one column short": [
-        (PROJECTION, "pixels = pixels.GetIntersection(sharedScreen.Pixels);",
-         "pixels = pixels.GetIntersection(sharedScreen.Pixels);\n    --pixels.X1;")],
+        (PROJECTION, "return pixels.GetIntersection(sharedScreen.Pixels);",
+         "sharedScreen.Pixels = pixels.GetIntersection(sharedScreen.Pixels);\n"
+         "      --sharedScreen.Pixels.X1;\n      return sharedScreen.Pixels;")],
     "changes upstream of a mapper not noticed": [
         (CANDIDATE, "!globalStateChanged && !this->Pipeline.HasChanged()",
          "!globalStateChanged")],
@@ -169,12 +172,6 @@ SHADOW_MUTANTS = {
          "0.5 * vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;")],
     "a face around a point light left out": [
         (MASK_MAKER, "for (int i = 0; i < 6; ++i)", "for (int i = 0; i < 5; ++i)")],
-    "receivers that the next light does not reach skipped": [
-        (TARGET_READER, "slot / 8] >> slot % 8 & 1) == 0;",
-         "slot / 8] >> (slot + 1) % 8 & 1) == 0;")],
-    "steep receivers skipped": [
-        ("Shaders/vtkShadowLightDec.glsl", "factor > 0.0 ? 1 << light : 0;",
-         "factor > 0.2 ? 1 << light : 0;")],
 
     # Volumes and counting.
     "z-pass where the piece crosses the near plane": [
@@ -207,7 +204,7 @@ SHADOW_MUTANTS = {
     "keys of casters not looked at again": [
         ("vtkShadowCasterList.cxx", " || casts != member.Casts", "")],
     "shaders kept when lights change": [
-        ("vtkShadowVolumeClampPass.cxx", "this->ShaderTime.Modified();", "")],
+        ("vtkShadowShading.cxx", "this->Time.Modified();", "")],
 }
 
 # These leave an error in so few frames that ten times as many are granted: other tolerances cover
@@ -217,8 +214,8 @@ RARE = {
         (CANDIDATE_TREE, "this->Tree.Move(place, candidate.GetBox());", "")],
     "no slack for stored and interpolated depth": NO_DEPTH_SLACK,
     "no slack for rounded vertices in x and y": [
-        (PROJECTION, "ndc - slack);", "ndc - (i < 2 ? 0.0 : slack));"),
-        (PROJECTION, "ndc + slack);", "ndc + (i < 2 ? 0.0 : slack));")],
+        (PROJECTION, "ndc - slack);", "ndc - slack * glm::dvec3(0.0, 0.0, 1.0));"),
+        (PROJECTION, "ndc + slack);", "ndc + slack * glm::dvec3(0.0, 0.0, 1.0));")],
     "a square's level looked up that was not built (< turned to <=)": [
         ("vtkNBufferPixelTest.cxx", "this->SquareLevel < this->Levels.GetNumberOfLevels()",
          "this->SquareLevel <= this->Levels.GetNumberOfLevels()")],
@@ -239,11 +236,11 @@ EQUIVALENT = {
     # Equal depth has to count as visible. But Nearest is the depth less a slack that is never 0, so
     # that where the two numbers are equal the prop lies at least the slack behind the depth.
     "equal numbers count as hidden (> turned to >=)": [
-        ("vtkNBufferOcclusionTest.cxx", "return screen.Nearest > this->Projection",
-         "return screen.Nearest >= this->Projection")],
+        ("vtkNBufferOcclusionTest.cxx", "return screen.Nearest > vtkNBufferDepthConvention",
+         "return screen.Nearest >= vtkNBufferDepthConvention")],
     # What is before the near plane and in front of the eye has a negative depth, which nothing hides.
     "crossing the near plane counts as inside, crossing the eye does not": [
-        (PROJECTION, NEAR_PLANE_TEST, "if (!(w > this->Error[3]))")],
+        (PROJECTION, NEAR_PLANE_TEST, "if (!(w > this->Error.w))")],
     # The next frame begins with more props than it needs.
     "visible props are not remembered": [
         (VIEW, "    state.WasVisible = true;\n    drawn +=", "    drawn +=")],

@@ -115,10 +115,11 @@ void LightRig::AddLights(Place& place) const
 
 void LightRig::SetUp(vtkShadowVolumeClampPass* pass, ShadowMode mode) const
 {
-  pass->SetMode(static_cast<int>(mode));
-  pass->SetSkipUnlitReceivers(mode != ShadowMode::Unclamped && this->Settings.SkipUnlitReceivers);
+  using Pass = vtkShadowVolumeClampPass;
+  constexpr int modes[] = { Pass::Unclamped, Pass::Scissored, Pass::Clamped, Pass::Automatic,
+    Pass::Culled };
+  pass->SetMode(modes[static_cast<int>(mode)]);
   Tune(pass, &vtkShadowTuning::BoxCost, this->Settings.BoxCost);
-  pass->SetScissor(this->Settings.Scissor);
   Tune(pass, &vtkShadowTuning::LitmapResolution, this->Settings.LitmapResolution);
   Tune(pass, &vtkShadowTuning::SlabGap, this->Settings.SlabGap);
   if (this->Settings.CasterKeys != (pass->GetCasterKeys() != nullptr))
@@ -221,7 +222,7 @@ bool LightRig::Apply(const Change& change)
   switch (change.Kind)
   {
     case ChangeKind::ShadowMode:
-      this->Settings.Mode = static_cast<ShadowMode>(std::clamp(static_cast<int>(value), 0, 3));
+      this->Settings.Mode = static_cast<ShadowMode>(std::clamp(static_cast<int>(value), 0, 4));
       return true;
     case ChangeKind::LitmapResolution:
       this->Settings.LitmapResolution = static_cast<int>(value);
@@ -231,9 +232,6 @@ bool LightRig::Apply(const Change& change)
       return true;
     case ChangeKind::BoxCost:
       this->Settings.BoxCost = static_cast<int>(value);
-      return true;
-    case ChangeKind::SkipUnlitReceivers:
-      this->Settings.SkipUnlitReceivers = value != 0.0;
       return true;
     case ChangeKind::CasterKeys:
       this->Settings.CasterKeys = value != 0.0;

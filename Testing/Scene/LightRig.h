@@ -49,7 +49,6 @@ public:
 
   bool HasShadows() const;
   ShadowMode GetMode() const { return this->Settings.Mode; }
-  bool GetSkipUnlitReceivers() const { return this->Settings.SkipUnlitReceivers; }
   bool HasCasterKeys() const { return this->Settings.CasterKeys; }
   int GetNumberOfLights() const { return static_cast<int>(this->Descriptions.size()); }
   vtkLight* GetLight(int renderer, int light) const { return this->Places[renderer].Lights[light]; }

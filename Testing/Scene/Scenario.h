@@ -285,8 +285,7 @@ enum class ChangeKind
   LitmapResolution,
   SlabGap,
   CasterKeys,
-  BoxCost,
-  SkipUnlitReceivers
+  BoxCost
 };
 NBUFFER_SCENE_NAMES(ChangeKind, "Position", "Orientation", "Scale", "UserMatrix", "Color",
   "Opacity", "Visible", "Representation", "LineWidth", "Edges", "MovePoints", "ReplaceData",
@@ -294,7 +293,7 @@ NBUFFER_SCENE_NAMES(ChangeKind, "Position", "Orientation", "Scale", "UserMatrix"
   "Pass", "FXAA", "SSAO", "CullerEnabled", "CullerBackend", "CullerBaseFactor", "CullerRoundSize",
   "CullerPresent", "PolygonOffset", "Select", "Casts", "BlockVisible", "LightPosition",
   "LightFocalPoint", "LightCone", "LightOn", "LightCasts", "LightAttenuation", "ShadowMode",
-  "LitmapResolution", "SlabGap", "CasterKeys", "BoxCost", "SkipUnlitReceivers");
+  "LitmapResolution", "SlabGap", "CasterKeys", "BoxCost");
 
 /// Done before the frame is drawn, in the order of the list.
 struct Change
@@ -490,9 +489,10 @@ enum class ShadowMode
   Unclamped,
   Scissored,
   Clamped,
-  Automatic
+  Automatic,
+  Culled ///< Last, since recorded changes hold the numbers of the others.
 };
-NBUFFER_SCENE_NAMES(ShadowMode, "Unclamped", "Exact", "Clamped", "Automatic");
+NBUFFER_SCENE_NAMES(ShadowMode, "Unclamped", "Exact", "Clamped", "Automatic", "Culled");
 
 /// Properties of vtkShadowVolumeClampPass of the same names, and how it is used.
 struct Shadows
@@ -501,8 +501,6 @@ struct Shadows
   int LitmapResolution = 256;
   int SlabGap = 4;
   int BoxCost = 256;
-  bool Scissor = true;
-  bool SkipUnlitReceivers = false;
   bool CasterKeys = false;  ///< Only props with Prop::Casts cast.
   bool OneForAll = false;   ///< Renderers share one pass object.
   bool CompareRays = false; ///< One frame is compared with rays in double precision, too.
@@ -514,8 +512,6 @@ struct Shadows
     visit("litmap_resolution", self.LitmapResolution);
     visit("slab_gap", self.SlabGap);
     visit("box_cost", self.BoxCost);
-    visit("scissor", self.Scissor);
-    visit("skip_unlit_receivers", self.SkipUnlitReceivers);
     visit("caster_keys", self.CasterKeys);
     visit("one_for_all", self.OneForAll);
     visit("compare_rays", self.CompareRays);

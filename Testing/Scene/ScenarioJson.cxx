@@ -223,11 +223,52 @@ Json::Value ToJson(const Scenario& scenario)
   return Encode(scenario);
 }
 
+namespace
+{
+/// Files are older than some names. What a setting did that is no more is left out, or said in
+/// another way.
+Json::Value ReplaceRetired(const Json::Value& value)
+{
+  Json::Value result = value;
+  if (result.isObject() && result["shadows"].isObject())
+  {
+    Json::Value& shadows = result["shadows"];
+    if (shadows.get("scissor", true) == false && shadows.get("mode", "Exact") == "Exact")
+    {
+      shadows["mode"] = "Culled";
+    }
+    shadows.removeMember("scissor");
+    shadows.removeMember("skip_unlit_receivers");
+  }
+  if (result.isObject() && result["changes"].isArray())
+  {
+    Json::Value changes(Json::arrayValue);
+    for (const Json::Value& change : result["changes"])
+    {
+      if (!change.isObject() || change.get("kind", "") != "SkipUnlitReceivers")
+      {
+        changes.append(change);
+      }
+    }
+    result["changes"] = changes;
+  }
+  // operator[] has made members that were not there.
+  for (const char* name : { "shadows", "changes" })
+  {
+    if (result.isObject() && result[name].isNull())
+    {
+      result.removeMember(name);
+    }
+  }
+  return result;
+}
+}
+
 Scenario FromJson(const Json::Value& value)
 {
   Scenario scenario;
   Decoder decoder("scenario");
-  decoder(value, scenario);
+  decoder(ReplaceRetired(value), scenario);
   return scenario;
 }
 

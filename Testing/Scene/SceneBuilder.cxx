@@ -77,9 +77,9 @@ void SceneBuilder::AddWall()
   for (int i = 0; i < Wall::InFront; ++i)
   {
     // On both sides of the wall's edge, before it and beside it.
-    const double x = uniform(-9.0, 9.0);
+    const double z = uniform(1.0, 5.0);
     const double y = uniform(-4.0, 4.0);
-    this->Box({ x, y, uniform(1.0, 5.0) }, { 0.5, 0.5, 0.5 });
+    this->Box({ uniform(-9.0, 9.0), y, z }, { 0.5, 0.5, 0.5 });
   }
 }
 

@@ -87,7 +87,7 @@ protected:
     std::vector<DrawnPolygon::Corner> clip;
     for (const Point& corner : corners)
     {
-      clip.push_back(DrawnPolygon::Transform(matrix->Element, corner.data()));
+      clip.push_back(DrawnPolygon::Transform(matrix->Element, glm::value_ptr(corner)));
     }
     const DrawnPolygon polygon(clip, DrawnPolygon::Planes::NearAndFar, Width, Height);
     for (int i = 0; polygon.IsVisible() && i < Width * Height; ++i)
@@ -164,10 +164,7 @@ TEST_F(DrawnPolygonTest, Slivers)
       { x + 20.0 * along[0], y + 20.0 * along[1], between(-20.0, -3.0) } } };
     for (Point& corner : corners)
     {
-      for (double& value : corner)
-      {
-        value = static_cast<float>(value);
-      }
+      corner = glm::dvec3(glm::vec3(corner));
     }
     this->Draw(corners, errors);
   }

@@ -42,11 +42,9 @@ bool MeetsBox(
 
 double GetDistanceToRay(const double origin[3], const double direction[3], const Point& centre)
 {
-  double toCentre[3];
-  double cross[3];
-  vtkMath::Subtract(centre.data(), origin, toCentre);
-  vtkMath::Cross(toCentre, direction, cross);
-  return vtkMath::Norm(cross) / vtkMath::Norm(direction);
+  const glm::dvec3 ray = vtkNBufferGLM::ToVector(direction);
+  const glm::dvec3 toCentre = centre - vtkNBufferGLM::ToVector(origin);
+  return glm::length(glm::cross(toCentre, ray)) / glm::length(ray);
 }
 
 /// A window in which a unit of x and y is a pixel and (0, 0) the lower left corner, seen from

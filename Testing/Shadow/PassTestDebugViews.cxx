@@ -137,7 +137,7 @@ TEST_F(PassDebugViews, OffCostsNothing)
   EXPECT_EQ(count(), after);
 }
 
-// What views, timers and rerendered litmaps hold goes with the pass. (Programs stay in the window's
+// What views and timers hold goes with the pass. (Programs stay in the window's
 // cache.)
 TEST_F(PassDebugViews, LeaveNoObjectsBehind)
 {
@@ -147,8 +147,6 @@ TEST_F(PassDebugViews, LeaveNoObjectsBehind)
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     pass->SetDebugView(view);
     Tune(pass, &vtkShadowTuning::MeasureDeviceTime, all);
-    pass->SetLitmapMethod(
-      all ? vtkShadowVolumeClampPass::Rerendered : vtkShadowVolumeClampPass::Scattered);
     stage.Window->Render();
     stage.GetRenderer()->SetPass(nullptr);
     pass = nullptr;
@@ -171,10 +169,9 @@ TEST_F(PassDebugViews, AreOfOneLight)
 {
   const Stage stage = SetStage(GetScene("ManyLights"));
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-  pass->SetDebugView(vtkShadowVolumeClampPass::Counts);
   const auto getImage = [&](vtkLight* light)
   {
-    pass->SetDebugLight(light);
+    pass->SetDebugView(vtkShadowVolumeClampPass::Counts, light);
     EXPECT_EQ(pass->GetDebugLight(), light);
     stage.Window->Render();
     int width = 0;

@@ -5,6 +5,7 @@
 // not.
 #include "OffscreenFixture.h"
 #include "PassTestTools.h"
+#include "RerenderedLitmap.h"
 #include "ShadowShapes.h"
 #include "Tune.h"
 
@@ -42,6 +43,11 @@ void AddThinReceiver(vtkRenderer* renderer)
   AddFloor(renderer, 5.0, -2.5);
   AddDirectional(renderer, { 0.0, 0.002, -1.0 });
   Look(renderer, { 0.0, -8.0, -0.5 }, { 0.0, 0.0, -0.8 }, 25.0);
+}
+
+std::shared_ptr<vtkShadowLitmapSource> MakePaperLitmap()
+{
+  return std::make_shared<NBufferPeers::RerenderedLitmap>();
 }
 
 MaskComparison CountWrong(const Stage& stage, vtkShadowVolumeClampPass* pass)
@@ -91,13 +97,13 @@ TEST_F(PassLitmapMethods, AgreeOnLargeReceivers)
     {
       SCOPED_TRACE("mode " + std::to_string(mode));
       pass->SetMode(mode);
-      pass->SetLitmapMethodToScattered();
+      Tune(pass, &vtkShadowTuning::LitmapSource, nullptr);
       ExpectMatchesOracle(stage, pass);
       const ShadowMask scattered =
         GetMask(pass, stage.Lights.front(), CountPixels(stage.GetRenderer()));
       EXPECT_GT(std::count(scattered.begin(), scattered.end(), 255), 50);
       const vtkShadowStatistics before = pass->GetStatistics();
-      pass->SetLitmapMethodToRerendered();
+      Tune(pass, &vtkShadowTuning::LitmapSource, MakePaperLitmap());
       ExpectMatchesOracle(stage, pass);
       EXPECT_EQ(GetMask(pass, stage.Lights.front(), CountPixels(stage.GetRenderer())), scattered);
       EXPECT_EQ(pass->GetStatistics().Litmaps, before.Litmaps);
@@ -116,9 +122,9 @@ TEST_F(PassLitmapMethods, RerenderedMissesThinReceivers)
   {
     SCOPED_TRACE("mode " + std::to_string(mode));
     pass->SetMode(mode);
-    pass->SetLitmapMethodToScattered();
+    Tune(pass, &vtkShadowTuning::LitmapSource, nullptr);
     const MaskComparison scattered = CountWrong(stage, pass);
-    pass->SetLitmapMethodToRerendered();
+    Tune(pass, &vtkShadowTuning::LitmapSource, MakePaperLitmap());
     const MaskComparison rerendered = CountWrong(stage, pass);
     std::cout << "scattered: " << scattered << "\nrerendered: " << rerendered << "\n";
     EXPECT_GT(scattered.Shadowed, 500);
@@ -147,12 +153,12 @@ TEST_F(PassLitmapMethods, ReceiversNeedNotCast)
     80, 60 });
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   pass->SetCasterKeys(keys);
-  pass->SetLitmapMethodToRerendered();
+  Tune(pass, &vtkShadowTuning::LitmapSource, MakePaperLitmap());
   Tune(pass, &vtkShadowTuning::LitmapResolution, 512);
   stage.Window->Render();
   const ShadowMask rerendered = GetMask(pass, stage.Lights[0], CountPixels(stage.GetRenderer()));
   EXPECT_GT(std::count(rerendered.begin(), rerendered.end(), 255), 50);
-  pass->SetLitmapMethodToScattered();
+  Tune(pass, &vtkShadowTuning::LitmapSource, nullptr);
   stage.Window->Render();
   EXPECT_EQ(GetMask(pass, stage.Lights[0], CountPixels(stage.GetRenderer())), rerendered);
 }

@@ -107,13 +107,13 @@ void ClippingPlane(vtkRenderer* renderer)
   AddFill(renderer);
 }
 
-struct Picture
+struct LookCase
 {
   const char* Name;
   void (*Build)(vtkRenderer*);
 };
 
-void PrintTo(const Picture& picture, std::ostream* stream)
+void PrintTo(const LookCase& picture, std::ostream* stream)
 {
   *stream << picture.Name;
 }
@@ -131,7 +131,7 @@ vtkSmartPointer<vtkImageData> Grab(vtkRenderWindow* window)
 
 class PassLooks
   : public OffscreenFixture
-  , public ::testing::WithParamInterface<Picture>
+  , public ::testing::WithParamInterface<LookCase>
 {
 };
 
@@ -203,7 +203,7 @@ TEST(ImageComparison, CountsWhatIsBeyondTheTolerance)
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PassLooks,
-  ::testing::Values(Picture{ "SpotCone", SpotCone }, Picture{ "TwoLights", TwoLights },
-    Picture{ "PhysicallyBased", PhysicallyBased }, Picture{ "TranslucentPane", TranslucentPane },
-    Picture{ "ClippingPlane", ClippingPlane }),
+  ::testing::Values(LookCase{ "SpotCone", SpotCone }, LookCase{ "TwoLights", TwoLights },
+    LookCase{ "PhysicallyBased", PhysicallyBased }, LookCase{ "TranslucentPane", TranslucentPane },
+    LookCase{ "ClippingPlane", ClippingPlane }),
   [](const auto& info) { return info.param.Name; });

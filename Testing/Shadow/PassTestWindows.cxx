@@ -99,9 +99,9 @@ TEST_F(PassWindows, EyesOfStereo)
   };
   const Picture left = draw(VTK_STEREO_LEFT, false);
   const Picture right = draw(VTK_STEREO_RIGHT, false);
-  EXPECT_NE(left, right);
-  EXPECT_EQ(left, draw(VTK_STEREO_LEFT, true));
-  EXPECT_EQ(right, draw(VTK_STEREO_RIGHT, true));
+  EXPECT_NE(FindDifference(left, right), "");
+  EXPECT_EQ(FindDifference(left, draw(VTK_STEREO_LEFT, true)), "");
+  EXPECT_EQ(FindDifference(right, draw(VTK_STEREO_RIGHT, true)), "");
 }
 
 // Renderers of one window that share a pass see their own shadows.

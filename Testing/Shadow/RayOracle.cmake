@@ -14,6 +14,7 @@ if (NOT TARGET NBufferRayOracle)
     "${CMAKE_CURRENT_LIST_DIR}/ThinSides.h"
     "${CMAKE_CURRENT_LIST_DIR}/TriangleTree.cxx"
     "${CMAKE_CURRENT_LIST_DIR}/TriangleTree.h")
+  nbuffer_precompile(NBufferRayOracle)
   target_include_directories(NBufferRayOracle PUBLIC "${CMAKE_CURRENT_LIST_DIR}")
   target_link_libraries(NBufferRayOracle PUBLIC VTKNBuffer::NBuffer VTK::RenderingOpenGL2)
 endif ()

@@ -67,7 +67,7 @@ TEST(StudyFormats, SlackGrowsWithTheRatioButForReversedFloats)
       return *std::max_element(slacks.begin(), slacks.end());
     };
     const double growth = slack(1e-3) / slack(1.0);
-    if (format.Bits == 0 && format.Convention != vtkNBufferDepthConvention::Forward)
+    if (format.Bits == 0 && format.Convention != DepthConvention::Forward)
     {
       EXPECT_LT(growth, 2.0) << format.Name;
     }

@@ -21,8 +21,7 @@ TEST(StudyOutline, IsThatOfTheDoubleLoopOverPixelCentres)
       continue;
     }
     ++boxesSeen;
-    double corners[16];
-    projection.GetCorners(box, corners);
+    const std::array<glm::dvec2, 8> corners = projection.GetCorners(box);
     long long count = 0;
     for (int y = screen.Pixels.Y0; y < screen.Pixels.Y1; ++y)
     {

@@ -243,12 +243,9 @@ TEST(StudyQueries, PaddedBoxesReachBeyondWhatIsDrawn)
         highest[j] = std::max(highest[j], static_cast<double>(corner[j]) / corner[3]);
       }
     }
-    double corners[16];
-    projection.GetCorners(box, corners);
-    for (int i = 0; i < 8; ++i)
+    for (const glm::dvec2& corner : projection.GetCorners(box))
     {
-      const double ndc[2] = { 2.0 * corners[2 * i] / Width - 1.0,
-        2.0 * corners[2 * i + 1] / Height - 1.0 };
+      const double ndc[2] = { 2.0 * corner.x / Width - 1.0, 2.0 * corner.y / Height - 1.0 };
       const double pixel[2] = { 2.0 / Width, 2.0 / Height };
       for (int j = 0; j < 2; ++j)
       {

@@ -37,22 +37,19 @@ inline float GetDepth(double y)
 
 /// Whether a point lies in the convex hull of eight corners: no line through two of them has all
 /// of them on one side and the point on the other.
-inline bool IsInHull(const double corners[16], double x, double y)
+inline bool IsInHull(const std::array<glm::dvec2, 8>& corners, double x, double y)
 {
   for (int a = 0; a < 8; ++a)
   {
     for (int b = 0; b < 8; ++b)
     {
-      const double dx = corners[2 * b] - corners[2 * a];
-      const double dy = corners[2 * b + 1] - corners[2 * a + 1];
-      bool edge = dx != 0.0 || dy != 0.0;
+      const glm::dvec2 d = corners[b] - corners[a];
+      bool edge = d.x != 0.0 || d.y != 0.0;
       for (int c = 0; c < 8 && edge; ++c)
       {
-        edge =
-          dx * (corners[2 * c + 1] - corners[2 * a + 1]) - dy * (corners[2 * c] - corners[2 * a]) >=
-          -1e-9;
+        edge = d.x * (corners[c].y - corners[a].y) - d.y * (corners[c].x - corners[a].x) >= -1e-9;
       }
-      if (edge && dx * (y - corners[2 * a + 1]) - dy * (x - corners[2 * a]) < 0.0)
+      if (edge && d.x * (y - corners[a].y) - d.y * (x - corners[a].x) < 0.0)
       {
         return false;
       }

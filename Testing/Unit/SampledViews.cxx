@@ -11,11 +11,11 @@
 #include <limits>
 #include <sstream>
 
-vtkNBufferProjection MakeProjection(const View& view, vtkNBufferDepthConvention convention)
+vtkNBufferProjection MakeProjection(const View& view, DepthConvention convention)
 {
   vtkNBufferProjection projection;
-  projection.Set(view.WorldToClip.data(), view.Width, view.Height,
-    convention == vtkNBufferDepthConvention::Forward ? 0x1p-24 : 0.0, convention);
+  NBufferStudy::SetProjection(projection, view.WorldToClip.data(), view.Width, view.Height,
+    convention == DepthConvention::Forward ? 0x1p-24 : 0.0, convention);
   return projection;
 }
 
@@ -44,9 +44,9 @@ View ViewSampler::MakeView(double offset, bool extremeRange)
     view.Position[i] = offset + this->Uniform(-5.0, 5.0);
     view.Direction[i] = this->Uniform(-1.0, 1.0);
   }
-  camera->SetPosition(view.Position.data());
-  camera->SetFocalPoint(view.Position[0] + view.Direction[0], view.Position[1] + view.Direction[1],
-    view.Position[2] + view.Direction[2]);
+  const glm::dvec3 focalPoint = view.Position + view.Direction;
+  camera->SetPosition(glm::value_ptr(view.Position));
+  camera->SetFocalPoint(glm::value_ptr(focalPoint));
   camera->SetViewUp(this->Uniform(-1.0, 1.0), this->Uniform(-1.0, 1.0), this->Uniform(-1.0, 1.0));
   camera->SetViewAngle(std::pow(10.0, this->Uniform(0.3, 2.15)));
   camera->SetParallelProjection(view.Parallel);
@@ -60,11 +60,8 @@ View ViewSampler::MakeView(double offset, bool extremeRange)
   std::ostringstream text;
   text.precision(17);
   text << view.Width << " x " << view.Height << (view.Parallel ? " parallel" : " perspective")
-       << " near " << view.Near << " far " << view.Far << " at";
-  for (double x : view.Position)
-  {
-    text << " " << x;
-  }
+       << " near " << view.Near << " far " << view.Far << " at " << view.Position.x << " "
+       << view.Position.y << " " << view.Position.z;
   view.Text = text.str();
   return view;
 }
@@ -88,18 +85,17 @@ std::array<double, 6> ViewSampler::MakeBounds(const View& view)
   return bounds;
 }
 
-std::vector<std::array<double, 3>> ViewSampler::MakePoints(
-  const std::array<double, 6>& bounds, int count)
+std::vector<glm::dvec3> ViewSampler::MakePoints(const std::array<double, 6>& bounds, int count)
 {
-  std::vector<std::array<double, 3>> points;
+  std::vector<glm::dvec3> points;
   for (int corner = 0; corner < 8; ++corner)
   {
-    points.push_back(
-      { bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2)] });
+    points.emplace_back(
+      bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2)]);
   }
   for (int n = 0; n < count; ++n)
   {
-    std::array<double, 3> point{};
+    glm::dvec3 point;
     for (int i = 0; i < 3; ++i)
     {
       // A vertex is a float inside the bounds; every other one lies on a face.
@@ -116,108 +112,100 @@ std::vector<std::array<double, 3>> ViewSampler::MakePoints(
   return points;
 }
 
-double View::ToStored(double windowDepth, vtkNBufferDepthConvention convention) const
+double View::ToOrder(double windowDepth, DepthConvention convention) const
 {
   switch (convention)
   {
-    case vtkNBufferDepthConvention::Forward:
+    case DepthConvention::Forward:
       break;
-    case vtkNBufferDepthConvention::Reversed:
-      return 1.0 - windowDepth;
-    case vtkNBufferDepthConvention::InverseW:
+    case DepthConvention::Reversed:
+      return windowDepth - 1.0;
+    case DepthConvention::InverseW:
       // 1 / w is linear in window depth.
-      return 1.0 - windowDepth * (1.0 - this->Near / this->Far);
+      return windowDepth * (1.0 - this->Near / this->Far) - 1.0;
   }
   return windowDepth;
 }
 
 namespace
 {
-using Matrix = std::array<double, 16>;
+using Rows = vtkNBufferProjection::Rows;
+template <typename Real>
+using Vector3 = glm::vec<3, Real>;
+template <typename Real>
+using Vector4 = glm::vec<4, Real>;
 
-/// The matrix that a renderer uploads. The third row gives the depth that it stores times w, but
-/// for Forward NDC z times w.
-Matrix GetMatrix(const View& view, vtkNBufferDepthConvention convention)
+/// The matrix that a renderer uploads. Its row 2 gives the stored depth times w, except that for
+/// Forward it gives NDC z times w.
+Rows GetMatrix(const View& view, DepthConvention convention)
 {
-  Matrix matrix = view.WorldToClip;
-  for (int j = 0; j < 4; ++j)
+  Rows rows;
+  for (int i = 0; i < 4; ++i)
   {
-    if (convention == vtkNBufferDepthConvention::Reversed)
-    {
-      matrix[8 + j] = 0.5 * (matrix[12 + j] - matrix[8 + j]);
-    }
-    else if (convention == vtkNBufferDepthConvention::InverseW)
-    {
-      matrix[8 + j] = j == 3 ? view.Near : 0.0;
-    }
+    rows[i] = glm::make_vec4(view.WorldToClip.data() + 4 * i);
   }
-  return matrix;
+  if (convention == DepthConvention::Reversed)
+  {
+    rows[2] = 0.5 * (rows[3] - rows[2]);
+  }
+  else if (convention == DepthConvention::InverseW)
+  {
+    rows[2] = { 0.0, 0.0, 0.0, view.Near };
+  }
+  return rows;
 }
 
 template <typename Real>
 std::optional<ScreenPoint> ToScreen(
-  const View& view, const Real clip[4], vtkNBufferDepthConvention convention)
+  const View& view, const Vector4<Real>& clip, DepthConvention convention)
 {
-  if (!(clip[3] > 0))
+  if (!(clip.w > 0))
   {
     return {};
   }
-  // Where the third one ends: at the near plane for Forward, at the far plane for the others.
-  const Real end = convention == vtkNBufferDepthConvention::Forward ? -clip[3]
-    : convention == vtkNBufferDepthConvention::Reversed
-    ? 0
-    : clip[3] * static_cast<Real>(view.Near / view.Far);
+  // The least third coordinate in view: on the near plane for Forward, on the far plane for others.
+  const Real end = convention == DepthConvention::Forward ? -clip.w
+    : convention == DepthConvention::Reversed             ? 0
+                                              : clip.w * static_cast<Real>(view.Near / view.Far);
   for (int i = 0; i < 3; ++i)
   {
-    if (clip[i] < (i < 2 ? -clip[3] : end) || clip[i] > clip[3])
+    if (clip[i] < (i < 2 ? -clip.w : end) || clip[i] > clip.w)
     {
       return {};
     }
   }
   const Real half = static_cast<Real>(0.5);
-  const Real depth = clip[2] / clip[3];
-  return ScreenPoint{ static_cast<double>((clip[0] / clip[3] * half + half) * view.Width),
-    static_cast<double>((clip[1] / clip[3] * half + half) * view.Height),
-    static_cast<double>(
-      convention == vtkNBufferDepthConvention::Forward ? depth * half + half : depth) };
+  const Real depth = clip.z / clip.w;
+  return ScreenPoint{ static_cast<double>((clip.x / clip.w * half + half) * view.Width),
+    static_cast<double>((clip.y / clip.w * half + half) * view.Height),
+    static_cast<double>(convention == DepthConvention::Forward ? depth * half + half : -depth) };
 }
 }
 
 std::optional<ScreenPoint> ProjectExactly(
-  const View& view, const std::array<double, 3>& point, vtkNBufferDepthConvention convention)
+  const View& view, const glm::dvec3& point, DepthConvention convention)
 {
-  const Matrix matrix = GetMatrix(view, convention);
-  long double clip[4];
+  const Rows rows = GetMatrix(view, convention);
+  const Vector4<long double> exact(point, 1.0);
+  Vector4<long double> clip;
   for (int i = 0; i < 4; ++i)
   {
-    clip[i] = matrix[4 * i + 3];
-    for (int j = 0; j < 3; ++j)
-    {
-      clip[i] += static_cast<long double>(matrix[4 * i + j]) * point[j];
-    }
+    clip[i] = glm::dot(Vector4<long double>(rows[i]), exact);
   }
   return ToScreen(view, clip, convention);
 }
 
-std::optional<ScreenPoint> ProjectAsDevice(const View& view, const std::array<double, 3>& point,
-  int permutation, vtkNBufferDepthConvention convention)
+std::optional<ScreenPoint> ProjectAsDevice(
+  const View& view, const glm::dvec3& point, int permutation, DepthConvention convention)
 {
-  const Matrix matrix = GetMatrix(view, convention);
-  float clip[4];
+  const Rows rows = GetMatrix(view, convention);
+  glm::vec4 clip;
   for (int i = 0; i < 4; ++i)
   {
-    float terms[4];
-    for (int j = 0; j < 4; ++j)
-    {
-      terms[j] =
-        static_cast<float>(matrix[4 * i + j]) * (j < 3 ? static_cast<float>(point[j]) : 1.0f);
-    }
+    glm::vec4 terms = glm::vec4(rows[i]) * glm::vec4(point, 1.0f);
     std::swap(terms[0], terms[permutation]);
-    clip[i] = terms[0];
-    for (int j = 1; j < 4; ++j)
-    {
-      clip[i] += terms[j];
-    }
+    // From left to right.
+    clip[i] = terms.x + terms.y + terms.z + terms.w;
   }
   return ToScreen(view, clip, convention);
 }
@@ -227,28 +215,19 @@ std::optional<std::array<double, 2>> GetDepthsAlongRay(
 {
   double inverse[16];
   vtkMatrix4x4::Invert(view.WorldToClip.data(), inverse);
-  const auto unproject = [&](double z, long double out[3])
+  const auto unproject = [&](double z)
   {
-    const long double ndc[4] = { 2.0L * x / view.Width - 1.0L, 2.0L * y / view.Height - 1.0L,
-      2.0L * z - 1.0L, 1.0L };
-    long double world[4];
+    const Vector4<long double> ndc(
+      2.0L * x / view.Width - 1.0L, 2.0L * y / view.Height - 1.0L, 2.0L * z - 1.0L, 1.0L);
+    Vector4<long double> world;
     for (int i = 0; i < 4; ++i)
     {
-      world[i] = 0.0L;
-      for (int j = 0; j < 4; ++j)
-      {
-        world[i] += static_cast<long double>(inverse[4 * i + j]) * ndc[j];
-      }
+      world[i] = glm::dot(Vector4<long double>(glm::make_vec4(inverse + 4 * i)), ndc);
     }
-    for (int i = 0; i < 3; ++i)
-    {
-      out[i] = world[i] / world[3];
-    }
+    return Vector3<long double>(world) / world.w;
   };
-  long double from[3];
-  long double to[3];
-  unproject(0.0, from);
-  unproject(1.0, to);
+  const Vector3<long double> from = unproject(0.0);
+  const Vector3<long double> to = unproject(1.0);
   long double enter = 0.0L;
   long double leave = 1.0L;
   for (int i = 0; i < 3; ++i)
@@ -271,23 +250,15 @@ std::optional<std::array<double, 2>> GetDepthsAlongRay(
   {
     return {};
   }
-  std::array<double, 2> depths{};
-  for (int n = 0; n < 2; ++n)
+  const Rows rows = GetMatrix(view, DepthConvention::Forward);
+  const auto getDepth = [&](long double t)
   {
-    const long double t = n == 0 ? enter : leave;
-    const std::array<double, 3> point = { static_cast<double>(from[0] + t * (to[0] - from[0])),
-      static_cast<double>(from[1] + t * (to[1] - from[1])),
-      static_cast<double>(from[2] + t * (to[2] - from[2])) };
-    long double z = view.WorldToClip[11];
-    long double w = view.WorldToClip[15];
-    for (int j = 0; j < 3; ++j)
-    {
-      z += static_cast<long double>(view.WorldToClip[8 + j]) * point[j];
-      w += static_cast<long double>(view.WorldToClip[12 + j]) * point[j];
-    }
-    depths[n] = static_cast<double>(0.5L * z / w + 0.5L);
-  }
-  return depths;
+    const Vector4<long double> point(glm::dvec3(from + t * (to - from)), 1.0);
+    const long double z = glm::dot(Vector4<long double>(rows[2]), point);
+    const long double w = glm::dot(Vector4<long double>(rows[3]), point);
+    return static_cast<double>(0.5L * z / w + 0.5L);
+  };
+  return std::array<double, 2>{ getDepth(enter), getDepth(leave) };
 }
 
 std::string GetText(const std::array<double, 6>& bounds)

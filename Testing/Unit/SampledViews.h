@@ -6,11 +6,13 @@
  *
  * Points are sampled in a box and projected twice: exactly (long double), and as a device may do
  * it, with vertices, matrix and sums rounded to float. Whatever is claimed of a box must hold for
- * every one of these points.
+ * every one of these points. That is tested for other depths than VTK's as well
+ * (DepthConvention.h), so that the mathematics does not rely on how VTK's depth is rounded.
  */
 #ifndef SampledViews_h
 #define SampledViews_h
 
+#include "DepthConvention.h"
 #include "vtkNBufferProjection.h"
 
 #include <array>
@@ -19,6 +21,8 @@
 #include <string>
 #include <vector>
 
+using NBufferStudy::DepthConvention;
+
 struct View
 {
   std::array<double, 16> WorldToClip{};
@@ -26,21 +30,22 @@ struct View
   int Height = 0;
   double Near = 0.0;
   double Far = 0.0;
-  std::array<double, 3> Position{};
-  std::array<double, 3> Direction{};
+  glm::dvec3 Position;
+  glm::dvec3 Direction;
   bool Parallel = false;
 
-  /// What is stored for a window depth of VTK's.
-  double ToStored(double windowDepth, vtkNBufferDepthConvention convention) const;
+  /// The order in another convention of a point with a window depth of VTK's.
+  double ToOrder(double windowDepth, DepthConvention convention) const;
 
   std::string Text; ///< For failures.
 };
 
-/// As of a buffer of floats: depth is relative where small values are far.
+/// The projection of a view with a depth buffer of floats.
 vtkNBufferProjection MakeProjection(
-  const View& view, vtkNBufferDepthConvention convention = vtkNBufferDepthConvention::Forward);
+  const View& view, DepthConvention convention = DepthConvention::Forward);
 
-/// A point on the screen: pixels of the viewport and stored depth.
+/// A point on the screen: X and Y in pixels of the viewport, Z its stored depth as order of
+/// distance.
 struct ScreenPoint
 {
   double X;
@@ -67,19 +72,19 @@ public:
   std::array<double, 6> MakeBounds(const View& view);
 
   /// The corners and `count` points on the surface and inside.
-  std::vector<std::array<double, 3>> MakePoints(const std::array<double, 6>& bounds, int count);
+  std::vector<glm::dvec3> MakePoints(const std::array<double, 6>& bounds, int count);
 
 private:
   std::mt19937 Random;
 };
 
 /// Exact projection, if the point is before the eye and inside all six planes.
-std::optional<ScreenPoint> ProjectExactly(const View& view, const std::array<double, 3>& point,
-  vtkNBufferDepthConvention convention = vtkNBufferDepthConvention::Forward);
+std::optional<ScreenPoint> ProjectExactly(
+  const View& view, const glm::dvec3& point, DepthConvention convention = DepthConvention::Forward);
 
 /// The same in single precision, products added in the order of `permutation` (0 to 3 first).
-std::optional<ScreenPoint> ProjectAsDevice(const View& view, const std::array<double, 3>& point,
-  int permutation, vtkNBufferDepthConvention convention = vtkNBufferDepthConvention::Forward);
+std::optional<ScreenPoint> ProjectAsDevice(const View& view, const glm::dvec3& point,
+  int permutation, DepthConvention convention = DepthConvention::Forward);
 
 /// Where the ray through pixel position (x, y) enters and leaves a box, in window depth.
 std::optional<std::array<double, 2>> GetDepthsAlongRay(

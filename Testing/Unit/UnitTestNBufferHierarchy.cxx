@@ -25,16 +25,12 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 /// included.
 bool Contains(const vtkNBufferBox& outer, const vtkNBufferBox& inner)
 {
-  bool contains = outer.Margin >= inner.Margin;
-  for (int j = 0; j < 3; ++j)
-  {
-    contains = contains &&
-      outer.Center[j] - outer.HalfSize[j] <= inner.Center[j] - inner.HalfSize[j] &&
-      outer.Center[j] + outer.HalfSize[j] >= inner.Center[j] + inner.HalfSize[j] &&
-      outer.Origin[j] == 0.0 &&
-      outer.Magnitude[j] >= std::abs(inner.Origin[j]) + inner.Magnitude[j];
-  }
-  return contains;
+  const auto isLessOrEqual = [](const glm::dvec3& a, const glm::dvec3& b)
+  { return a.x <= b.x && a.y <= b.y && a.z <= b.z; };
+  return outer.Margin >= inner.Margin && outer.Origin == glm::dvec3(0.0) &&
+    isLessOrEqual(outer.Center - outer.HalfSize, inner.Center - inner.HalfSize) &&
+    isLessOrEqual(inner.Center + inner.HalfSize, outer.Center + outer.HalfSize) &&
+    isLessOrEqual(glm::abs(inner.Origin) + inner.Magnitude, outer.Magnitude);
 }
 
 /// Nothing is ever known of it, in any view.
@@ -215,12 +211,9 @@ TEST(NBufferHierarchy, RefitEqualsAnotherBuild)
   moved.Build(boxes);
   for (vtkNBufferBox& box : boxes)
   {
-    for (int j = 0; j < 3; ++j)
-    {
-      box.Center[j] *= 2.0;
-      box.HalfSize[j] *= 2.0;
-      box.Magnitude[j] *= 2.0;
-    }
+    box.Center *= 2.0;
+    box.HalfSize *= 2.0;
+    box.Magnitude *= 2.0;
   }
   vtkNBufferHierarchy built;
   built.Build(boxes);
@@ -276,7 +269,7 @@ TEST(NBufferHierarchy, EqualCentres)
   std::vector<vtkNBufferBox> boxes = MakeRandomBoxes(100, 3);
   for (vtkNBufferBox& box : boxes)
   {
-    std::fill_n(box.Center, 3, 4.0);
+    box.Center = glm::dvec3(4.0);
   }
   vtkNBufferHierarchy tree;
   tree.Build(boxes);

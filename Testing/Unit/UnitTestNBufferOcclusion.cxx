@@ -19,20 +19,18 @@
 
 namespace
 {
-using Convention = vtkNBufferDepthConvention;
-const Convention Conventions[] = { Convention::Forward, Convention::Reversed,
-  Convention::InverseW };
-const char* const ConventionNames[] = { "Forward", "Reversed", "InverseW" };
+using Convention = DepthConvention;
+using NBufferStudy::DepthConventionNames;
+using NBufferStudy::DepthConventions;
 
 struct Scene
 {
   Convention Depths = Convention::Forward;
   View Eye;
   vtkNBufferProjection Projection;
-  std::vector<float> Depth;
+  std::vector<float> Depth; ///< Orders of distance, as the depth of VTK is.
   vtkNBufferLevels Levels;
 
-  double GetSign() const { return vtkNBufferMath::GetDepthSign(this->Depths); }
   std::size_t GetIndex(int x, int y) const
   {
     return static_cast<std::size_t>(y) * this->Eye.Width + x;
@@ -41,7 +39,7 @@ struct Scene
   void Build(int factor, int levels)
   {
     this->Levels.BuildBase(this->Depth.data(), this->Eye.Width, this->Eye.Height, factor,
-      vtkNBufferMath::GetFarthest(this->Depths));
+      vtkNBufferDepthConvention::Farthest);
     this->Levels.BuildLevels(levels);
   }
 };
@@ -57,7 +55,7 @@ void MakeScene(ViewSampler& sampler, double offset, int factor, Convention conve
     (scene.Eye.Parallel && convention == Convention::InverseW));
   scene.Projection = MakeProjection(scene.Eye, convention);
   scene.Depth.assign(static_cast<std::size_t>(scene.Eye.Width) * scene.Eye.Height,
-    vtkNBufferMath::GetBackgroundDepth(convention));
+    NBufferStudy::GetBackgroundOrder(convention));
   const int walls = sampler.Integer(1, 12);
   for (int n = 0; n < walls; ++n)
   {
@@ -65,14 +63,13 @@ void MakeScene(ViewSampler& sampler, double offset, int factor, Convention conve
     const int y0 = sampler.Integer(-50, scene.Eye.Height - 1);
     const int x1 = x0 + sampler.Integer(1, scene.Eye.Width);
     const int y1 = y0 + sampler.Integer(1, scene.Eye.Height);
-    const auto depth =
-      static_cast<float>(scene.Eye.ToStored(sampler.Uniform(0.3, 1.0), convention));
+    const auto depth = static_cast<float>(scene.Eye.ToOrder(sampler.Uniform(0.3, 1.0), convention));
     for (int y = std::max(y0, 0); y < std::min(y1, scene.Eye.Height); ++y)
     {
       for (int x = std::max(x0, 0); x < std::min(x1, scene.Eye.Width); ++x)
       {
         float& pixel = scene.Depth[scene.GetIndex(x, y)];
-        pixel = scene.GetSign() * depth < scene.GetSign() * pixel ? depth : pixel;
+        pixel = std::min(pixel, depth);
       }
     }
   }
@@ -96,8 +93,7 @@ void CheckHidden(ViewSampler& sampler, const Scene& scene, const std::array<doub
       const int x = std::min(static_cast<int>(drawn->X), scene.Eye.Width - 1);
       const int y = std::min(static_cast<int>(drawn->Y), scene.Eye.Height - 1);
       const float depth = scene.Depth[scene.GetIndex(x, y)];
-      ASSERT_GT(scene.GetSign() * drawn->Z, scene.GetSign() * depth)
-        << "pixel (" << x << ", " << y << ")";
+      ASSERT_GT(drawn->Z, depth) << "pixel (" << x << ", " << y << ")";
     }
   }
 }
@@ -110,7 +106,7 @@ double GetFarthestInLoop(const Scene& scene, const vtkNBufferRectangle& pixels)
   {
     for (int x = pixels.X0; x < pixels.X1; ++x)
     {
-      farthest = std::max(farthest, scene.GetSign() * scene.Depth[scene.GetIndex(x, y)]);
+      farthest = std::max<double>(farthest, scene.Depth[scene.GetIndex(x, y)]);
     }
   }
   return farthest;
@@ -188,11 +184,11 @@ TEST_P(NBufferOcclusion, HiddenBoxesAreHidden)
 }
 
 INSTANTIATE_TEST_SUITE_P(BaseFactor, NBufferOcclusion,
-  testing::Combine(testing::Values(1, 2, 4, 8), testing::ValuesIn(Conventions)),
+  testing::Combine(testing::Values(1, 2, 4, 8), testing::ValuesIn(DepthConventions)),
   [](const auto& info)
   {
     return std::to_string(std::get<0>(info.param)) +
-      ConventionNames[static_cast<int>(std::get<1>(info.param))];
+      DepthConventionNames[static_cast<int>(std::get<1>(info.param))];
   });
 
 // Hazard: equal depth is visible: the last one drawn wins in VTK.
@@ -215,7 +211,7 @@ TEST_P(NBufferOcclusionOfDepths, EqualDepthIsVisible)
     for (const auto& corner : sampler.MakePoints(bounds, 0))
     {
       const auto point = ProjectExactly(scene.Eye, corner, scene.Depths);
-      nearest = std::min(nearest, point ? scene.GetSign() * point->Z : 2.0);
+      nearest = std::min(nearest, point ? point->Z : 2.0);
     }
     if (nearest > 1.0)
     {
@@ -223,7 +219,7 @@ TEST_P(NBufferOcclusionOfDepths, EqualDepthIsVisible)
     }
     ++nearlyFlush;
     // The box's own surface in every pixel, at exactly its nearest depth.
-    scene.Fill(static_cast<float>(scene.GetSign() * nearest));
+    scene.Fill(static_cast<float>(nearest));
     scene.Build(4, 20);
     vtkNBufferOcclusionTest test(scene.Projection, scene.Levels, 8);
     EXPECT_FALSE(test.IsHidden(box, screen)) << scene.Eye.Text << ", " << GetText(bounds);
@@ -245,7 +241,8 @@ TEST_P(NBufferOcclusionOfDepths, EqualNumbersAreVisible)
   {
     Scene scene;
     MakeScene(sampler, 0.0, 4, this->GetParam(), scene);
-    scene.Fill(0.5f);
+    const float order = this->GetParam() == Convention::Forward ? 0.5f : -0.5f;
+    scene.Fill(order);
     scene.Build(4, 20);
     const std::array<double, 6> bounds = sampler.MakeBounds(scene.Eye);
     const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds.data());
@@ -256,7 +253,7 @@ TEST_P(NBufferOcclusionOfDepths, EqualNumbersAreVisible)
     }
     ++tested;
     vtkNBufferOcclusionTest test(scene.Projection, scene.Levels, 1);
-    screen.Nearest = scene.GetSign() * 0.5;
+    screen.Nearest = order;
     EXPECT_FALSE(test.IsHidden(box, screen)) << scene.Eye.Text << ", " << GetText(bounds);
     screen.Nearest = std::nextafter(screen.Nearest, 2.0);
     EXPECT_TRUE(test.IsHidden(box, screen)) << scene.Eye.Text << ", " << GetText(bounds);
@@ -273,13 +270,13 @@ TEST_P(NBufferOcclusionOfDepths, ANearWallHidesAllBehindIt)
   {
     Scene scene;
     MakeScene(sampler, 0.0, 4, this->GetParam(), scene);
-    scene.Fill(static_cast<float>(scene.Eye.ToStored(0.001, scene.Depths)));
+    scene.Fill(static_cast<float>(scene.Eye.ToOrder(0.001, scene.Depths)));
     scene.Build(4, 20);
     const std::array<double, 6> bounds = sampler.MakeBounds(scene.Eye);
     const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds.data());
     vtkNBufferScreenBox screen;
     if (scene.Projection.Project(box, screen) == vtkNBufferPlacement::Inside &&
-      screen.Nearest > scene.GetSign() * scene.Eye.ToStored(0.002, scene.Depths))
+      screen.Nearest > scene.Eye.ToOrder(0.002, scene.Depths))
     {
       ++tested;
       vtkNBufferOcclusionTest test(scene.Projection, scene.Levels, 1);
@@ -300,7 +297,7 @@ TEST_P(NBufferOcclusionOfDepths, OneOpenPixelKeepsTheBox)
   {
     Scene scene;
     MakeScene(sampler, 0.0, 4, this->GetParam(), scene);
-    const auto wall = static_cast<float>(scene.Eye.ToStored(0.001, scene.Depths));
+    const auto wall = static_cast<float>(scene.Eye.ToOrder(0.001, scene.Depths));
     scene.Fill(wall);
     const std::array<double, 6> bounds = sampler.MakeBounds(scene.Eye);
     const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds.data());
@@ -321,8 +318,7 @@ TEST_P(NBufferOcclusionOfDepths, OneOpenPixelKeepsTheBox)
       const std::size_t y = std::min(static_cast<int>(drawn->Y), scene.Eye.Height - 1);
       float& pixel = scene.Depth[y * scene.Eye.Width + x];
       // Just open enough for this point.
-      pixel =
-        std::nextafter(static_cast<float>(drawn->Z), static_cast<float>(2.0 * scene.GetSign()));
+      pixel = std::nextafter(static_cast<float>(drawn->Z), 2.0f);
       scene.Build(4, 20);
       vtkNBufferOcclusionTest test(scene.Projection, scene.Levels, 8);
       vtkNBufferPixelTest pixels(scene.Projection, scene.Levels, scene.Depth.data());
@@ -347,7 +343,7 @@ TEST_P(NBufferOcclusionOfDepths, NeedlesAndSheetsHaveAnOutline)
     // Before them is nothing: they are hidden only if no pixel is in their outline.
     Scene scene;
     MakeScene(sampler, s % 2 == 0 ? 1000.0 : 0.0, 1, this->GetParam(), scene);
-    scene.Fill(vtkNBufferMath::GetBackgroundDepth(this->GetParam()));
+    scene.Fill(NBufferStudy::GetBackgroundOrder(this->GetParam()));
     scene.Build(1, 20);
     for (int b = 0; b < 60; ++b)
     {
@@ -389,14 +385,13 @@ TEST_P(NBufferOcclusionOfDepths, TheNearPlaneInViewIsCrossing)
   {
     const View view = sampler.MakeView(0.0);
     const vtkNBufferProjection projection = MakeProjection(view, this->GetParam());
-    const double length = std::hypot(view.Direction[0], view.Direction[1], view.Direction[2]);
+    const glm::dvec3 center = view.Position + view.Near * glm::normalize(view.Direction);
     double bounds[6];
     for (int i = 0; i < 3; ++i)
     {
-      const double center = view.Position[i] + view.Near * view.Direction[i] / length;
       const double half = view.Near * sampler.Uniform(0.01, 2.0);
-      bounds[2 * i] = center - half;
-      bounds[2 * i + 1] = center + half;
+      bounds[2 * i] = center[i] - half;
+      bounds[2 * i + 1] = center[i] + half;
     }
     const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
     vtkNBufferScreenBox screen;
@@ -436,8 +431,8 @@ TEST_P(NBufferOcclusionOfDepths, FarBoxesAreTestedAsFinelyAsTheyAreStored)
   EXPECT_EQ(test.IsHidden(box, screen), scene.Depths != Convention::Forward);
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, NBufferOcclusionOfDepths, testing::ValuesIn(Conventions),
-  [](const auto& info) { return std::string(ConventionNames[static_cast<int>(info.param)]); });
+INSTANTIATE_TEST_SUITE_P(Each, NBufferOcclusionOfDepths, testing::ValuesIn(DepthConventions),
+  [](const auto& info) { return std::string(DepthConventionNames[static_cast<int>(info.param)]); });
 
 // In parallel projection 1 / w is the same everywhere: nothing is known.
 TEST(NBufferOcclusionOnce, InverseWSaysNothingInParallelProjection)
@@ -447,8 +442,9 @@ TEST(NBufferOcclusionOnce, InverseWSaysNothingInParallelProjection)
   camera->ParallelProjectionOn();
   camera->SetClippingRange(1.0, 100.0);
   vtkNBufferProjection projection;
-  projection.Set(camera->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0)->GetData(), 100, 100,
-    0.0, Convention::InverseW);
+  NBufferStudy::SetProjection(projection,
+    camera->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0)->GetData(), 100, 100, 0.0,
+    Convention::InverseW);
   const double bounds[6] = { -0.1, 0.1, -0.1, 0.1, -0.1, 0.1 };
   vtkNBufferScreenBox screen;
   EXPECT_EQ(

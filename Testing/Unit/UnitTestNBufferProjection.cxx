@@ -12,10 +12,9 @@
 
 namespace
 {
-using Convention = vtkNBufferDepthConvention;
-const char* const ConventionNames[] = { "Forward", "Reversed", "InverseW" };
-const Convention Conventions[] = { Convention::Forward, Convention::Reversed,
-  Convention::InverseW };
+using Convention = DepthConvention;
+using NBufferStudy::DepthConventionNames;
+using NBufferStudy::DepthConventions;
 
 /// All that is claimed of a box, for one of its points.
 void CheckPoint(const vtkNBufferProjection& projection, vtkNBufferPlacement placement, bool outside,
@@ -32,15 +31,13 @@ void CheckPoint(const vtkNBufferProjection& projection, vtkNBufferPlacement plac
   ASSERT_LE(point.X, r.X1);
   ASSERT_GE(point.Y, r.Y0);
   ASSERT_LE(point.Y, r.Y1);
-  const double order = projection.GetDepthSign() * point.Z;
-  ASSERT_GE(order, screen.Nearest);
-  ASSERT_LE(order, screen.Farthest);
+  ASSERT_GE(point.Z, screen.Nearest);
+  ASSERT_LE(point.Z, screen.Farthest);
   for (int face = 0; face < 6; ++face)
   {
-    vtkNBufferProjection::FacePlane plane;
-    if (projection.GetFacePlane(box, screen, face, plane))
+    if (const auto plane = projection.GetFacePlane(box, screen, face))
     {
-      ASSERT_GE(order, plane.Depth + plane.SlopeX * point.X + plane.SlopeY * point.Y)
+      ASSERT_GE(point.Z, plane->Depth + plane->SlopeX * point.X + plane->SlopeY * point.Y)
         << "face " << face;
     }
   }
@@ -117,11 +114,11 @@ TEST_P(NBufferProjection, EverySampledPointIsCovered)
 }
 
 INSTANTIATE_TEST_SUITE_P(Offset, NBufferProjection,
-  testing::Combine(testing::Values(0.0, 1e3, 1e5, 5e6), testing::ValuesIn(Conventions)),
+  testing::Combine(testing::Values(0.0, 1e3, 1e5, 5e6), testing::ValuesIn(DepthConventions)),
   [](const auto& info)
   {
     return std::to_string(static_cast<int>(std::get<0>(info.param))) +
-      ConventionNames[static_cast<int>(std::get<1>(info.param))];
+      DepthConventionNames[static_cast<int>(std::get<1>(info.param))];
   });
 
 // Hazard: slack that is safe because it is huge hides nothing.
@@ -143,8 +140,8 @@ TEST(NBufferProjectionOnce, RectangleAndDepthAreTight)
       {
         continue;
       }
-      double low[3] = { 1e300, 1e300, 1e300 };
-      double high[3] = { -1e300, -1e300, -1e300 };
+      glm::dvec3 low(1e300);
+      glm::dvec3 high(-1e300);
       bool all = true;
       for (const auto& corner : sampler.MakePoints(bounds, 0))
       {
@@ -152,12 +149,9 @@ TEST(NBufferProjectionOnce, RectangleAndDepthAreTight)
         all = all && point;
         if (point)
         {
-          low[0] = std::min(low[0], point->X);
-          high[0] = std::max(high[0], point->X);
-          low[1] = std::min(low[1], point->Y);
-          high[1] = std::max(high[1], point->Y);
-          low[2] = std::min(low[2], point->Z);
-          high[2] = std::max(high[2], point->Z);
+          const glm::dvec3 p = { point->X, point->Y, point->Z };
+          low = glm::min(low, p);
+          high = glm::max(high, p);
         }
       }
       if (!all)
@@ -166,14 +160,14 @@ TEST(NBufferProjectionOnce, RectangleAndDepthAreTight)
       }
       ++compared;
       // A sixteenth of a pixel and the float slack, then whole pixels.
-      ASSERT_GE(screen.Pixels.X0, std::floor(low[0] - 0.25));
-      ASSERT_LE(screen.Pixels.X1, std::ceil(high[0] + 0.25));
-      ASSERT_GE(screen.Pixels.Y0, std::floor(low[1] - 0.25));
-      ASSERT_LE(screen.Pixels.Y1, std::ceil(high[1] + 0.25));
+      ASSERT_GE(screen.Pixels.X0, std::floor(low.x - 0.25));
+      ASSERT_LE(screen.Pixels.X1, std::ceil(high.x + 0.25));
+      ASSERT_GE(screen.Pixels.Y0, std::floor(low.y - 0.25));
+      ASSERT_LE(screen.Pixels.Y1, std::ceil(high.y + 0.25));
       // The header's slack for interpolation, (2^-8.5 + 8 u n) R / t, is by far the largest part.
       const double interpolation =
-        16.0 * (1.0 / 362.0 + 0x1p-21 * std::max(view.Width, view.Height)) * (high[2] - low[2]);
-      ASSERT_GE(screen.Nearest, low[2] - 1e-4 - 1.01 * interpolation);
+        16.0 * (1.0 / 362.0 + 0x1p-21 * std::max(view.Width, view.Height)) * (high.z - low.z);
+      ASSERT_GE(screen.Nearest, low.z - 1e-4 - 1.01 * interpolation);
     }
   }
   EXPECT_GT(compared, 200);
@@ -196,12 +190,8 @@ TEST(NBufferProjectionOnce, CrossingOnlyAtTheNearPlane)
       bool clear = true;
       for (const auto& corner : sampler.MakePoints(bounds, 0))
       {
-        double along = 0.0;
-        for (int i = 0; i < 3; ++i)
-        {
-          along += (corner[i] - view.Position[i]) * view.Direction[i];
-        }
-        along /= std::hypot(view.Direction[0], view.Direction[1], view.Direction[2]);
+        const double along =
+          glm::dot(corner - view.Position, view.Direction) / glm::length(view.Direction);
         clear = clear && along > 1.01 * view.Near;
       }
       ASSERT_TRUE(!clear || placement != vtkNBufferPlacement::Crossing)
@@ -327,13 +317,13 @@ TEST_P(NBufferProjectionOfDepths, BoxesMeetInTheirContactAlone)
     {
       continue;
     }
-    vtkNBufferRectangle contact;
-    const bool touch = projection.GetContact(boxA, screenA, boxB, screenB, contact);
+    const vtkNBufferRectangle contact = projection.GetContact(boxA, screenA, boxB, screenB);
+    const bool touch = !contact.IsEmpty();
     const vtkNBufferRectangle both = screenA.Pixels.GetIntersection(screenB.Pixels);
     if (touch)
     {
-      ASSERT_TRUE(!contact.IsEmpty() && contact.X0 >= both.X0 && contact.Y0 >= both.Y0 &&
-        contact.X1 <= both.X1 && contact.Y1 <= both.Y1);
+      ASSERT_TRUE(contact.X0 >= both.X0 && contact.Y0 >= both.Y0 && contact.X1 <= both.X1 &&
+        contact.Y1 <= both.Y1);
       smaller += contact.GetWidth() * contact.GetHeight() < both.GetWidth() * both.GetHeight();
     }
     apart += touch ? 0 : 1;
@@ -363,26 +353,22 @@ TEST_P(NBufferProjectionOfDepths, BoxesMeetInTheirContactAlone)
   EXPECT_GT(met, 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, NBufferProjectionOfDepths, testing::ValuesIn(Conventions),
-  [](const auto& info) { return std::string(ConventionNames[static_cast<int>(info.param)]); });
+INSTANTIATE_TEST_SUITE_P(Each, NBufferProjectionOfDepths, testing::ValuesIn(DepthConventions),
+  [](const auto& info) { return std::string(DepthConventionNames[static_cast<int>(info.param)]); });
 
 // Hazard: a viewport that begins far from the window's corner is rounded with larger coordinates.
 TEST(NBufferProjectionOnce, SlackGrowsWithTheLargestCoordinate)
 {
   ViewSampler sampler(12);
   const View view = sampler.MakeView(0.0, false);
-  const double bounds[6] = { view.Position[0] + 20.0 * view.Direction[0] - 1.0,
-    view.Position[0] + 20.0 * view.Direction[0] + 1.0,
-    view.Position[1] + 20.0 * view.Direction[1] - 1.0,
-    view.Position[1] + 20.0 * view.Direction[1] + 1.0,
-    view.Position[2] + 20.0 * view.Direction[2] - 1.0,
-    view.Position[2] + 20.0 * view.Direction[2] + 1.0 };
+  const glm::dvec3 center = view.Position + 20.0 * view.Direction;
+  const double bounds[6] = { center.x - 1.0, center.x + 1.0, center.y - 1.0, center.y + 1.0,
+    center.z - 1.0, center.z + 1.0 };
   const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
   vtkNBufferProjection projection = MakeProjection(view);
   vtkNBufferScreenBox before;
   ASSERT_EQ(projection.Project(box, before), vtkNBufferPlacement::Inside);
-  projection.Set(
-    view.WorldToClip.data(), view.Width, view.Height, 0x1p-24, Convention::Forward, 20000);
+  projection.Set(view.WorldToClip.data(), view.Width, view.Height, 0x1p-24, 20000);
   vtkNBufferScreenBox after;
   ASSERT_EQ(projection.Project(box, after), vtkNBufferPlacement::Inside);
   EXPECT_LT(after.Nearest, before.Nearest);

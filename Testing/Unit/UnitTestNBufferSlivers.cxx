@@ -33,24 +33,21 @@ protected:
     this->Levels.BuildBase(this->Depth.data(), Width, Height, 4, vtkNBufferExtremum::Maximum);
   }
 
-  using Point = std::array<double, 3>;
-  bool MayBeSeen(const std::array<Point, 3>& triangle, double sampleReach = 0.0) const
+  using Triangle = std::array<glm::dvec3, 3>;
+  bool MayBeSeen(const Triangle& triangle, double sampleReach = 0.0) const
   {
-    double bounds[6];
-    for (std::size_t j = 0; j < 3; ++j)
-    {
-      bounds[2 * j] = std::min({ triangle[0][j], triangle[1][j], triangle[2][j] });
-      bounds[2 * j + 1] = std::max({ triangle[0][j], triangle[1][j], triangle[2][j] });
-    }
+    const auto& [a, b, c] = triangle;
+    const glm::dvec3 low = glm::min(glm::min(a, b), c);
+    const glm::dvec3 high = glm::max(glm::max(a, b), c);
+    const double bounds[6] = { low.x, high.x, low.y, high.y, low.z, high.z };
     const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
     vtkNBufferScreenBox screen;
     EXPECT_EQ(this->Projection.Project(box, screen), vtkNBufferPlacement::Inside);
     vtkNBufferMesh mesh;
     mesh.Points.assign(triangle.begin(), triangle.end());
     mesh.Triangles = { { 0, 1, 2 } };
-    const double identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
     vtkNBufferSliverTest test(this->Projection, this->Levels, sampleReach);
-    return test.MayBeSeen(mesh, identity, box, screen);
+    return test.MayBeSeen(mesh, glm::dmat4(1.0), box, screen);
   }
 
   vtkNBufferProjection Projection;
@@ -59,7 +56,7 @@ protected:
 };
 
 /// From the left to the right, `height` over the line y, with the depths given.
-std::array<std::array<double, 3>, 3> MakeLow(
+std::array<glm::dvec3, 3> MakeLow(
   double y, double height, double z0 = 0.8, double z1 = 0.9, double z2 = 0.85)
 {
   return { { { 10.2, y, z0 }, { 60.7, y, z1 }, { 35.0, y + height, z2 } } };

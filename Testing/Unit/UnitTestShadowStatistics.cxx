@@ -87,7 +87,6 @@ TEST(ShadowStatistics, JSONHoldsEveryField)
   statistics.Triangles = 5000000000LL;
   statistics.Receivers = 6000000000LL;
   statistics.Fragments = 7000000000LL;
-  statistics.UnclampedFragments = 8000000000LL;
   statistics.DeviceTimes = { 0.25, 0.5, 0.75 };
   statistics.CasterTime = 1.25;
   statistics.DepthTime = 1.5;
@@ -120,7 +119,6 @@ TEST(ShadowStatistics, JSONHoldsEveryField)
   EXPECT_EQ(json["triangles"].asInt64(), 5000000000LL);
   EXPECT_EQ(json["receivers"].asInt64(), 6000000000LL);
   EXPECT_EQ(json["fragments"].asInt64(), 7000000000LL);
-  EXPECT_EQ(json["unclamped_fragments"].asInt64(), 8000000000LL);
   const Json::Value& device = json["device_milliseconds"];
   EXPECT_EQ(device["depth"].asDouble(), 0.25);
   EXPECT_EQ(device["draw"].asDouble(), 0.5);

@@ -43,7 +43,7 @@ vtkNBufferBackend::Kind vtkNBufferBackend::Choose(Kind wanted, vtkOpenGLRenderWi
   return this->Trial < 2 ? OpenGL : CPU;
 }
 
-void vtkNBufferBackend::Judge(Kind used, double milliseconds)
+void vtkNBufferBackend::RecordTrial(Kind used, double milliseconds)
 {
   if (this->Chosen != Auto)
   {
@@ -63,20 +63,17 @@ void vtkNBufferBackend::Judge(Kind used, double milliseconds)
   }
 }
 
-vtkNBufferDecision vtkNBufferBackend::Build(Kind wanted, vtkOpenGLRenderWindow* window,
-  const vtkNBufferDepthSource& source, int factor, int levelsNeeded, vtkNBufferLevels& levels,
-  vtkNBufferStatistics& statistics, std::string& why)
+vtkNBufferDecision vtkNBufferBackend::Build(Kind wanted, const Job& job, std::string& why)
 {
-  this->InUse = this->Choose(wanted, window);
+  this->InUse = this->Choose(wanted, job.Window);
   this->Depth.clear();
-  // What is still being drawn is waited for by either path; it must not count in a trial.
+  // Either path waits for what is still being drawn. That time must not count in a trial.
   if (wanted == Auto && this->Chosen == Auto)
   {
     glFinish();
   }
   const vtkNBufferClock clock;
-  bool built = this->InUse == OpenGL &&
-    this->BuildOnDevice(window, source, factor, levelsNeeded, levels, statistics, why);
+  bool built = this->InUse == OpenGL && this->BuildOnDevice(job, job.NumberOfLevels, why);
   if (!built && this->InUse == OpenGL && wanted == Auto)
   {
     this->InUse = this->Chosen = CPU;
@@ -84,20 +81,21 @@ vtkNBufferDecision vtkNBufferBackend::Build(Kind wanted, vtkOpenGLRenderWindow* 
   }
   if (!built && this->InUse == CPU)
   {
-    built = this->BuildOnHost(window, source, factor, levelsNeeded, levels, statistics, why);
+    built = this->BuildOnHost(job, why);
   }
   if (!built)
   {
-    levels.Clear();
+    job.Levels.Clear();
     return this->Texture->LacksFloatTextures() ? vtkNBufferDecision::NoFloatTextures
                                                : vtkNBufferDecision::NoDepth;
   }
   if (wanted == Auto)
   {
-    this->Judge(this->InUse, clock.GetMilliseconds());
+    this->RecordTrial(this->InUse, clock.GetMilliseconds());
   }
-  statistics.Levels += levels.GetNumberOfLevels();
-  statistics.Texels +=
+  const vtkNBufferLevels& levels = job.Levels;
+  job.Statistics.Levels += levels.GetNumberOfLevels();
+  job.Statistics.Texels +=
     static_cast<long long>(levels.GetNumberOfLevels()) * levels.GetWidth() * levels.GetHeight();
   return vtkNBufferDecision::None;
 }
@@ -105,7 +103,7 @@ vtkNBufferDecision vtkNBufferBackend::Build(Kind wanted, vtkOpenGLRenderWindow* 
 bool vtkNBufferBackend::CountFailure(vtkNBufferDecision failure)
 {
   ++this->FailedFrames;
-  return this->Told.insert(failure).second;
+  return this->WarnedOf.insert(failure).second;
 }
 
 bool vtkNBufferBackend::DrawsOrdinaryDepth(const vtkNBufferDepthSource& source)
@@ -125,28 +123,27 @@ bool vtkNBufferBackend::DrawsOrdinaryDepth(const vtkNBufferDepthSource& source)
     wholeViewport && source.DefaultDepthRange;
 }
 
-bool vtkNBufferBackend::BuildOnDevice(vtkOpenGLRenderWindow* window,
-  const vtkNBufferDepthSource& source, int factor, int levelsNeeded, vtkNBufferLevels& levels,
-  vtkNBufferStatistics& statistics, std::string& why)
+bool vtkNBufferBackend::BuildOnDevice(const Job& job, int levels, std::string& why)
 {
   vtkNBufferClock clock;
-  const int* viewport = source.Viewport;
-  if (!this->Texture->Build(window, source, viewport[0], viewport[1], viewport[2], viewport[3],
-        factor, levelsNeeded, vtkNBufferExtremum::Maximum))
+  const int* viewport = job.Source.Viewport;
+  vtkNBufferStatistics& statistics = job.Statistics;
+  if (!this->Texture->Build(job.Window, job.Source, viewport[0], viewport[1], viewport[2],
+        viewport[3], job.Factor, levels, vtkNBufferExtremum::Maximum))
   {
     why = this->Texture->GetError();
     return false;
   }
   statistics.BuildTime += clock.Restart();
-  if (!this->Texture->Download(window, levels))
+  if (!this->Texture->Download(job.Window, job.Levels))
   {
     why = this->Texture->GetError();
     return false;
   }
   statistics.ReadTime += clock.GetMilliseconds();
   ++statistics.ReadBacks;
-  statistics.BytesRead += static_cast<long long>(sizeof(float)) * levels.GetNumberOfLevels() *
-    levels.GetWidth() * levels.GetHeight();
+  statistics.BytesRead += static_cast<long long>(sizeof(float)) * job.Levels.GetNumberOfLevels() *
+    job.Levels.GetWidth() * job.Levels.GetHeight();
   statistics.DeviceBuildTime = this->Texture->GetDeviceTime();
   return true;
 }
@@ -179,32 +176,30 @@ const float* vtkNBufferBackend::GetDepth(vtkOpenGLRenderWindow* window,
   return this->Depth.data();
 }
 
-bool vtkNBufferBackend::BuildOnHost(vtkOpenGLRenderWindow* window,
-  const vtkNBufferDepthSource& source, int factor, int levelsNeeded, vtkNBufferLevels& levels,
-  vtkNBufferStatistics& statistics, std::string& why)
+bool vtkNBufferBackend::BuildOnHost(const Job& job, std::string& why)
 {
-  if (source.Samples > 1)
+  if (job.Source.Samples > 1)
   {
     // Samples cannot be read; the device reduces them to level 0.
-    if (!this->BuildOnDevice(window, source, factor, 1, levels, statistics, why))
+    if (!this->BuildOnDevice(job, 1, why))
     {
       return false;
     }
   }
   else
   {
-    if (!this->ReadDepth(window, source, statistics, why))
+    if (!this->ReadDepth(job.Window, job.Source, job.Statistics, why))
     {
       return false;
     }
     const vtkNBufferClock clock;
-    levels.BuildBase(this->Depth.data(), source.Viewport[2], source.Viewport[3], factor,
-      vtkNBufferExtremum::Maximum);
-    statistics.BuildTime += clock.GetMilliseconds();
+    job.Levels.BuildBase(this->Depth.data(), job.Source.Viewport[2], job.Source.Viewport[3],
+      job.Factor, vtkNBufferExtremum::Maximum);
+    job.Statistics.BuildTime += clock.GetMilliseconds();
   }
   const vtkNBufferClock clock;
-  levels.BuildLevels(levelsNeeded);
-  statistics.BuildTime += clock.GetMilliseconds();
+  job.Levels.BuildLevels(job.NumberOfLevels);
+  job.Statistics.BuildTime += clock.GetMilliseconds();
   return true;
 }
 VTK_ABI_NAMESPACE_END

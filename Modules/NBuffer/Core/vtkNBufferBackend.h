@@ -41,15 +41,23 @@ public:
     CPU
   };
 
+  /// What Build() builds, and where the levels and their costs go.
+  struct Job
+  {
+    vtkOpenGLRenderWindow* Window;
+    const vtkNBufferDepthSource& Source; ///< The framebuffer that is bound for drawing.
+    int Factor;                          ///< Side of the square of pixels in a texel of level 0.
+    int NumberOfLevels;                  ///< How many levels the test needs.
+    vtkNBufferLevels& Levels;
+    vtkNBufferStatistics& Statistics; ///< Counts and times are added.
+  };
+
   /**
-   * Build `levelsNeeded` levels of maxima over the viewport of `source`, the framebuffer bound for
-   * drawing. Fills the counts and times of `statistics`. Returns None; on failure NoFloatTextures
-   * or NoDepth with cause and remedy in `why`, and the levels hold nothing. Auto goes on with the
-   * CPU where the device cannot build.
+   * Build levels of maxima over the viewport of the source. Returns None. On failure returns
+   * NoFloatTextures or NoDepth, with cause and remedy in `why`, and the levels hold nothing. Auto
+   * goes on with the CPU where the device cannot build.
    */
-  vtkNBufferDecision Build(Kind wanted, vtkOpenGLRenderWindow* window,
-    const vtkNBufferDepthSource& source, int factor, int levelsNeeded, vtkNBufferLevels& levels,
-    vtkNBufferStatistics& statistics, std::string& why);
+  vtkNBufferDecision Build(Kind wanted, const Job& job, std::string& why);
 
   /**
    * The whole depth image from which the last levels were built, width * height of the viewport,
@@ -60,8 +68,9 @@ public:
     vtkNBufferStatistics& statistics);
 
   /**
-   * Whether props are drawn now the way the test presumes: depth test with less or less-or-equal
-   * into the whole viewport, depth written over the whole range [0, 1]. Asks OpenGL.
+   * Whether props are drawn now in the way that the test presumes: with a depth test of less or
+   * less-or-equal, into the whole viewport, with depth written over the whole range [0, 1]. The
+   * answer is OpenGL's.
    */
   static bool DrawsOrdinaryDepth(const vtkNBufferDepthSource& source);
 
@@ -69,8 +78,8 @@ public:
   void SetAllowFloatTextures(bool allow) { this->Texture->SetAllowFloatTextures(allow); }
 
   ///@{
-  /// Count a frame that is drawn whole because of `failure`; true for the first of its kind, which
-  /// is to be told.
+  /// Count a frame that is drawn whole because of `failure`. True for the first failure of its
+  /// kind, about which the caller warns.
   bool CountFailure(vtkNBufferDecision failure);
   int GetFailedFrames() const { return this->FailedFrames; }
   ///@}
@@ -80,16 +89,14 @@ public:
 
 private:
   Kind Choose(Kind wanted, vtkOpenGLRenderWindow* window);
-  void Judge(Kind used, double milliseconds);
-  bool BuildOnDevice(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, int factor,
-    int levelsNeeded, vtkNBufferLevels& levels, vtkNBufferStatistics& statistics, std::string& why);
+  void RecordTrial(Kind used, double milliseconds);
+  bool BuildOnDevice(const Job& job, int levels, std::string& why);
+  bool BuildOnHost(const Job& job, std::string& why);
   bool ReadDepth(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
     vtkNBufferStatistics& statistics, std::string& why);
-  bool BuildOnHost(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, int factor,
-    int levelsNeeded, vtkNBufferLevels& levels, vtkNBufferStatistics& statistics, std::string& why);
 
   vtkNew<vtkNBufferTexture> Texture;
-  std::vector<float> Depth; ///< Whole image; empty if the last build did not read it.
+  std::vector<float> Depth; ///< The whole image; empty if the last build did not read it.
   Kind InUse = Auto;
   Kind Chosen = Auto;
   std::string Reason = "nothing built yet";
@@ -97,7 +104,7 @@ private:
   int Trial = 0;
   double TrialTimes[2] = { 0.0, 0.0 };
   int FailedFrames = 0;
-  std::set<vtkNBufferDecision> Told;
+  std::set<vtkNBufferDecision> WarnedOf;
 };
 
 VTK_ABI_NAMESPACE_END

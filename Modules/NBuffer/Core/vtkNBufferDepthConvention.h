@@ -2,26 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferDepthConvention.h
- * @brief What a renderer stores as depth, and what is the farther one of two. No OpenGL.
+ * @brief What VTK stores as depth, and everything that follows from it. No OpenGL.
  *
- * With clip coordinates (x, y, z, w) as vtkCamera gives them, z in [-w, w]:
+ * With clip coordinates (x, y, z, w) as vtkCamera gives them, z in [-w, w], VTK stores
  *
- *     convention  stored depth         near plane  far plane  hides     background
- *     Forward     (z / w + 1) / 2      0           1          maximum   1
- *     Reversed    (1 - z / w) / 2      1           0          minimum   0
- *     InverseW    near / w             1           near / far minimum   0
+ *     depth = (z / w + 1) / 2        0 on the near plane, 1 on the far plane and in the background,
  *
- * VTK draws Forward. A renderer that draws Reversed has its matrix give (w - z) / 2 as z, with
- * glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE): only so do small floats keep their precision.
- * InverseW says nothing in parallel projection, where w is constant: every box is then Crossing.
+ * and draws with GL_LEQUAL: a fragment replaces what is stored if it is nearer or equally near.
  *
- * The mathematics knows one quantity only, which grows with distance in every convention:
+ * Other renderers store other depths. With reversed depth, (1 - z / w) / 2, the near plane is at 1,
+ * the background is 0, and what hides is the minimum of a square, not the maximum. This is the only
+ * file that knows which of them is meant. All other files take from here
  *
- *     order = sign * stored depth,   sign = 1 for Forward, -1 for the others.
+ *  - the *order* of a depth, which grows with the distance from the eye whatever is stored; the
+ *    mathematics of the culler (vtkNBufferProjection) compares orders and nothing else,
+ *  - the extremum that the levels of an N-buffer must hold,
+ *  - the depths that are stored on the near plane and in the background,
+ *  - the comparisons that are set with glDepthFunc.
  *
- * It is linear-fractional in the point, (row . p) / w, so that planes stay planes; in units in
- * which the near plane is at -1 (NDC z for Forward, order itself for the others) the same test
- * finds what lies before it: row . p + w > 0.
+ * VTK's order is linear-fractional in the point, (row . p) / w, so that planes in the world remain
+ * planes of the order on the screen. That has to hold for any other depth too.
  */
 #ifndef vtkNBufferDepthConvention_h
 #define vtkNBufferDepthConvention_h
@@ -29,41 +29,47 @@
 #include "vtkNBufferMath.h"
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace vtkNBufferDepthConvention
+{
+/// The order of a stored depth is Sign times this depth: 1 where far depths are large, else -1.
+constexpr double Sign = 1.0;
 
-enum class vtkNBufferDepthConvention
+/// The order of a stored depth: it grows with the distance from the eye.
+constexpr double GetOrder(double stored)
 {
-  Forward,
-  Reversed,
-  InverseW
-};
-
-namespace vtkNBufferMath
-{
-/// order = sign * stored depth.
-inline double GetDepthSign(vtkNBufferDepthConvention convention)
-{
-  return convention == vtkNBufferDepthConvention::Forward ? 1.0 : -1.0;
+  return Sign * stored;
 }
 
-/// What the levels must hold: the farthest stored depth of their squares.
-inline vtkNBufferExtremum GetFarthest(vtkNBufferDepthConvention convention)
+///@{
+/// The order of a point whose clip coordinates are z and w is Scale * z / w + Offset.
+constexpr double Scale = 0.5;
+constexpr double Offset = 0.5;
+///@}
+
+/// The stored depth where nothing has been drawn. No drawn depth is farther. The depth buffer is
+/// cleared to this value.
+constexpr float Background = 1.0f;
+
+/// The stored depth on the near plane. No drawn depth is nearer.
+constexpr float Nearest = 0.0f;
+
+/// The extremum that finds the farthest of several stored depths.
+constexpr vtkNBufferExtremum Farthest = vtkNBufferExtremum::Maximum;
+
+/// Whether something has been drawn where this depth is stored.
+constexpr bool IsDrawn(float stored)
 {
-  return convention == vtkNBufferDepthConvention::Forward ? vtkNBufferExtremum::Maximum
-                                                          : vtkNBufferExtremum::Minimum;
+  return Sign > 0.0 ? stored < Background : stored > Background;
 }
 
-/// The stored depth where nothing has been drawn: no drawn depth is farther.
-inline float GetBackgroundDepth(vtkNBufferDepthConvention convention)
-{
-  return convention == vtkNBufferDepthConvention::Forward ? 1.0f : 0.0f;
+///@{
+/// Arguments of glDepthFunc(): a fragment passes if it is nearer than what is stored, if it is
+/// nearer or has the same depth, or if it is farther. The numbers are those of GL_LESS, GL_LEQUAL
+/// and GL_GREATER.
+constexpr unsigned int PassIfNearer = 0x0201;
+constexpr unsigned int PassIfNearerOrEqual = 0x0203;
+constexpr unsigned int PassIfFarther = 0x0204;
+///@}
 }
-
-/// The stored depth on the near plane: no drawn depth is nearer.
-inline float GetNearestDepth(vtkNBufferDepthConvention convention)
-{
-  return 1.0f - GetBackgroundDepth(convention);
-}
-}
-
 VTK_ABI_NAMESPACE_END
 #endif

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferDepthSource.h
- * @brief The depth buffer of the framebuffer that is being drawn: what it is, and its pixels.
+ * @brief The depth buffer of the framebuffer that is being drawn: its properties and its pixels.
  *
- * The bound draw framebuffer is often not the render window's (SSAO, FXAA, framebuffer passes),
- * so that everything is asked of OpenGL and nothing assumed. No call changes the GL state.
+ * The framebuffer that is bound for drawing is often not the render window's (SSAO, FXAA,
+ * framebuffer passes), so every property is queried from OpenGL. No function changes the GL state.
  *
- * Usable are the window's own framebuffer and framebuffer objects whose depth is a renderbuffer,
- * a GL_TEXTURE_2D or a GL_TEXTURE_2D_MULTISAMPLE. Layered, cube and array attachments are not.
+ * The window's own framebuffer can be used, and so can framebuffer objects whose depth attachment
+ * is a renderbuffer, a GL_TEXTURE_2D or a GL_TEXTURE_2D_MULTISAMPLE. Layered, cube and array
+ * attachments cannot.
  */
 #ifndef vtkNBufferDepthSource_h
 #define vtkNBufferDepthSource_h
@@ -29,42 +30,43 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
   int Viewport[4] = { 0, 0, 0, 0 }; ///< GL viewport: x, y, width, height in pixels.
   int Width = 0;                    ///< Width of the depth buffer in pixels.
   int Height = 0;                   ///< Height of the depth buffer in pixels.
-  int Samples = 0;                  ///< 0 or 1: one sample per pixel.
-  int DepthBits = 0;                ///< 0: no depth buffer.
-  bool FloatDepth = false;          ///< Floating-point depth instead of unsigned normalised.
+  int Samples = 0;                  ///< Samples of a pixel; 0 and 1 both mean one.
+  int DepthBits = 0;                ///< 0 if there is no depth buffer.
+  bool FloatDepth = false;          ///< Depth is floating-point, not unsigned normalised.
   bool DefaultDepthRange = true;    ///< glDepthRange is [0, 1].
-  bool Texture = false;             ///< The depth attachment is a texture (else a renderbuffer).
+  bool Texture = false;             ///< The depth attachment is a texture, not a renderbuffer.
   unsigned int DepthName = 0;       ///< GL name of the depth attachment.
   int DepthLevel = 0;               ///< Mip level of a texture attachment.
 
   /**
-   * Ask OpenGL about the framebuffer bound for drawing. The window's context must be current.
-   * Returns false, with the cause and a remedy in `why`, if there is no usable depth buffer; all
-   * members then have their defaults. Cost: some twenty glGet calls, no wait for the device.
+   * Query the framebuffer that is bound for drawing and set all members. The window's context must
+   * be current. Returns false, with the cause and a remedy in `why`, if there is no usable depth
+   * buffer; all members then have their defaults. Cost: about twenty glGet calls; it does not wait
+   * for the device.
    */
   bool Inspect(vtkOpenGLRenderWindow* window, std::string& why);
 
   /**
-   * True if every pixel of the viewport has depth. It is not so where a pass draws into a
-   * framebuffer of the viewport's size at the viewport's place in the window (vtkSSAOPass before
-   * VTK 9.7 in a part of a window).
+   * Whether the viewport lies inside the depth buffer. It does not where a pass draws into a
+   * framebuffer of the viewport's size, but at the viewport's place in the window (vtkSSAOPass
+   * before VTK 9.7 in a part of a window).
    */
   bool HoldsViewport() const;
 
   /**
-   * Read a rectangle of single-sample depth, in framebuffer pixels, as floats in [0, 1], row 0 at
-   * the bottom, one blocking glReadPixels. Returns false, with the cause in `why`, on any GL
+   * Read a rectangle of single-sample depth, in framebuffer pixels, as floats in [0, 1] whose row 0
+   * is the lowest, by one blocking glReadPixels. Returns false, with the cause in `why`, on any GL
    * error, for a rectangle that is not inside the depth buffer, and for multisampled framebuffers
-   * (vtkNBufferTexture reduces those first); `depth` is then undefined.
+   * (which vtkNBufferTexture reduces first); `depth` is then undefined.
    *
-   * Rounding: floating-point depth comes as it is. Depth of 16 and 24 bits is at most one
-   * unit in the last place off, 24 bits never nearer than it is.
-   * Normalised depth of 32 bits does not fit a float; it is rounded to a multiple of 2^-24, up for
-   * Maximum (never nearer than the depth, but for a relative 2^-32) and down for Minimum (never
-   * farther). 0 and 1 are exact.
+   * Rounding: floating-point depth is returned unchanged. Depth of 16 and 24 bits differs by at
+   * most one unit in the last place, and depth of 24 bits is never nearer than stored. Normalised
+   * depth of 32 bits does not fit a float; it is rounded to a multiple of 2^-24, up for Maximum
+   * (never nearer than stored, except for a relative 2^-32) and down for Minimum (never farther). 0
+   * and 1 are exact.
    *
-   * Depth of 24 and 32 bits is read as integers, which is a plain copy, and converted here: a read
-   * as floats is converted pixel by pixel in Mesa's software drivers and takes four times as long.
+   * Depth of 24 and 32 bits is read as integers, which is a plain copy, and converted here. Mesa's
+   * software drivers convert a read of floats pixel by pixel, which takes four times as long.
    */
   bool Read(vtkOpenGLRenderWindow* window, int x, int y, int width, int height,
     std::vector<float>& depth, std::string& why,

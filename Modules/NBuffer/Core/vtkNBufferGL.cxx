@@ -75,6 +75,17 @@ bool HasVersion(int major, int minor)
   return foundMajor > major || (foundMajor == major && foundMinor >= minor);
 }
 
+bool CheckVersion(std::string& why)
+{
+  const bool done = HasVersion(3, 2);
+  if (!done)
+  {
+    why =
+      "The OpenGL context is older than 3.2. Update the driver or use Mesa's software renderer.";
+  }
+  return done;
+}
+
 const char* GetSoftwareRenderer()
 {
   static const std::array<const char*, 6> names = { "llvmpipe", "softpipe", "swrast",

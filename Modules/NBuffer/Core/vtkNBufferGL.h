@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferGL.h
- * @brief OpenGL for this module's sources: the loader, error checks and what puts state back.
+ * @brief OpenGL for this module's sources: the loader, error checks and scopes that restore state.
  *
- * Everything here asks OpenGL itself and puts back exactly what it found. vtkOpenGLState, which
- * only remembers, is then as right or as wrong after a scope as it was before.
+ * Every scope reads the state from OpenGL itself when it begins and restores exactly that when it
+ * ends. vtkOpenGLState, VTK's cache of the state, is then as right or as wrong as it was before.
  */
 #ifndef vtkNBufferGL_h
 #define vtkNBufferGL_h
@@ -25,28 +25,36 @@ class vtkShaderProgram;
 
 namespace vtkNBufferGL
 {
-/// Is the context that is current at least this version?
+/// Whether the current context has at least this version of OpenGL.
 VTKNBUFFER_EXPORT bool HasVersion(int major, int minor);
 
-/// The name of the renderer of the current context if it runs on the host, or nullptr.
+/// Whether the current context has OpenGL 3.2, which everything in this module needs. If it has
+/// not, `why` receives the cause and a remedy.
+VTKNBUFFER_EXPORT bool CheckVersion(std::string& why);
+
+/// The name of the software renderer (llvmpipe, ...) behind the current context; nullptr if the
+/// context has a graphics device.
 VTKNBUFFER_EXPORT const char* GetSoftwareRenderer();
 
-/// Whether the renderer of the current context keeps to scissor boxes where pixels have `samples`.
-/// llvmpipe (Mesa 22.3) draws some of the samples of the row below, too, if there are several.
+/// Whether the current context's renderer draws inside a scissor box only, where a pixel has
+/// `samples` samples. With several samples llvmpipe (Mesa 22.3) also draws some samples of the row
+/// below the box.
 VTKNBUFFER_EXPORT bool KeepsToScissor(int samples);
 
-/// Drop errors that others left behind, so that those found later are ours.
+/// Discard the errors that other code left behind, so that CheckErrors() reports only ours.
 VTKNBUFFER_EXPORT void ClearErrors();
 
-/// False, with the error and `where` in `why`, if OpenGL has reported an error since.
+/// Whether OpenGL has reported no error since ClearErrors(). If it has, `why` receives `where` and
+/// the error.
 VTKNBUFFER_EXPORT bool CheckErrors(const char* where, std::string& why);
 
-/// Set a uniform mat4 of the program that is in use from a row-major matrix.
+/// Set a uniform mat4 of the current program from a row-major matrix.
 VTKNBUFFER_EXPORT void SetMatrix(
   vtkShaderProgram* program, const char* name, const double rows[16]);
 
 /**
- * Read-back into host memory (or into `packBuffer`), rows tightly packed, from `readFramebuffer`.
+ * While it lives, glReadPixels() reads `readFramebuffer` into host memory (or into `packBuffer`),
+ * with rows tightly packed.
  */
 class VTKNBUFFER_EXPORT ScopedReadback
 {
@@ -64,7 +72,8 @@ private:
 };
 
 /**
- * Upload into textures from `unpackBuffer` (0: none), rows tightly packed.
+ * While it lives, textures receive texels from host memory (or from `unpackBuffer`, if it is not
+ * 0), with rows tightly packed.
  */
 class VTKNBUFFER_EXPORT ScopedUpload
 {
@@ -81,10 +90,10 @@ private:
 };
 
 /**
- * Full-screen passes into one-channel colour attachments: while it lives, nothing that the
- * renderer left behind keeps a fragment from being written as the shader says. Framebuffer
- * bindings, viewport, program, vertex array and what is bound to texture unit 0, which is active,
- * may be changed freely meanwhile.
+ * The state for full-screen passes: while it lives, no state that the renderer left behind discards
+ * a fragment or changes what the shader writes. Texture unit 0 is active. The user of the scope may
+ * change the framebuffer bindings, the viewport, the program, the vertex array and what is bound to
+ * unit 0; the scope restores them.
  */
 class VTKNBUFFER_EXPORT ScopedPass
 {
@@ -114,8 +123,9 @@ private:
 };
 
 /**
- * What is drawn meanwhile, by VTK or not, is drawn only inside a rectangle. OpenGL guarantees that
- * fragments inside are the same as without it (4.6, appendix A.3, rule 2: scissor parameters).
+ * While it lives, drawing (by VTK or not) changes only the pixels inside a rectangle. OpenGL
+ * guarantees that the fragments inside are the same as without a rectangle (OpenGL 4.6, appendix
+ * A.3, rule 2: scissor parameters).
  */
 class VTKNBUFFER_EXPORT ScopedScissor
 {
@@ -125,18 +135,19 @@ public:
   ScopedScissor(const ScopedScissor&) = delete;
   void operator=(const ScopedScissor&) = delete;
 
-  /// In pixels of the viewport as it is now. What the renderer's own scissor leaves out stays out.
+  /// Set the rectangle, in pixels of the viewport that was set when the scope began. The renderer's
+  /// own scissor box, if there is one, still applies.
   void Set(const vtkNBufferRectangle& pixels) const;
 
 private:
   bool Enabled;
   vtkNBufferRectangle Viewport;
-  vtkNBufferRectangle Outer; ///< Of the framebuffer: where drawing was confined to before.
+  vtkNBufferRectangle Outer; ///< Where drawing was allowed before, in framebuffer pixels.
   int Box[4] = {};
 };
 
-/// Call draw() once for each of the regions, in pixels of the viewport, confined to it; without
-/// regions once and not confined. Returns how many times.
+/// Call draw() once for each region (in pixels of the viewport), so that it draws inside the region
+/// only. Without regions call it once, and let it draw everywhere. Returns the number of calls.
 template <typename Functor>
 int DrawIn(const std::vector<vtkNBufferRectangle>& regions, Functor&& draw)
 {
@@ -155,8 +166,8 @@ int DrawIn(const std::vector<vtkNBufferRectangle>& regions, Functor&& draw)
 }
 
 /**
- * Inside of a ScopedPass: blends into the first colour attachment, with one equation and the same
- * factors for colour and alpha.
+ * Within a ScopedPass: while it lives, fragments are blended into the first colour attachment, with
+ * one equation and the same factors for colour and alpha.
  */
 class VTKNBUFFER_EXPORT ScopedBlend
 {
@@ -172,8 +183,9 @@ private:
 };
 
 /**
- * The single-level GL_TEXTURE_2D or GL_TEXTURE_2D_MULTISAMPLE bound to the active unit is sampled
- * as plain depth, whatever its owner uses it for: no comparison, no filter, this level only.
+ * While it lives, shaders read plain depth from the GL_TEXTURE_2D or GL_TEXTURE_2D_MULTISAMPLE that
+ * is bound to the active unit: no comparison, no filter, and only the level given. The texture's
+ * own parameters, which belong to somebody else, are restored.
  */
 class VTKNBUFFER_EXPORT ScopedDepthSampling
 {

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferLevelBuilder.h
- * @brief Building the levels of an N-buffer in host memory, whatever a texel is.
+ * @brief Builds the levels of an N-buffer in host memory, for any type of texel.
  *
- * vtkNBufferMath.h says what a texel covers and what a merge is. vtkNBufferLevels has floats and
- * an extremum, vtkShadowLitmap has extents of receivers and their union.
+ * vtkNBufferMath.h defines which squares a texel covers and how texels are merged. The texels of
+ * vtkNBufferLevels are floats, and merging takes the extremum; those of vtkShadowLitmap are extents
+ * of receivers, and merging takes the union.
  *
- * The levels of a width x height base follow each other in one array, row by row.
+ * The levels of a width x height base follow each other in one array, each row by row.
  */
 #ifndef vtkNBufferLevelBuilder_h
 #define vtkNBufferLevelBuilder_h
@@ -23,11 +24,11 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace vtkNBufferLevelBuilder
 {
-/// Below this many texels a level is built serially. Waking threads for 691,200 pixels made it
-/// slower on two cores; where it begins to pay has not been measured.
+/// A level with fewer texels is built by one thread. Waking threads for 691,200 pixels made the
+/// build slower on two cores; the size at which threads begin to help has not been measured.
 constexpr vtkIdType TexelsWorthAThread = 1 << 22;
 
-/// functor(first row, end of rows), in parallel when there is work enough for it.
+/// Call functor(first row, end of rows) for all rows, in parallel if there are enough texels.
 template <typename Functor>
 void ForEachRow(int rows, vtkIdType texels, Functor&& functor)
 {
@@ -41,8 +42,8 @@ void ForEachRow(int rows, vtkIdType texels, Functor&& functor)
     { functor(static_cast<int>(begin), static_cast<int>(end)); });
 }
 
-/// One row of a level from the rows y and y + step of the level below. (All compilers that VTK
-/// supports know __restrict; it spares them a test for overlap in every row.)
+/// Build one row of a level from the rows y and y + step of the level below. All compilers that VTK
+/// supports know __restrict, which saves them a test for overlap in every row.
 template <typename Merge, typename Texel>
 void BuildRow(const Texel* a, const Texel* b, int width, int step, Texel* __restrict out)
 {
@@ -59,7 +60,7 @@ void BuildRow(const Texel* a, const Texel* b, int width, int step, Texel* __rest
   }
 }
 
-/// Level i + 1 from level i, whose squares have side `step`.
+/// Build level i + 1 from level i, whose squares have the side `step`.
 template <typename Merge, typename Texel>
 void BuildLevel(const Texel* below, int width, int height, int step, Texel* level)
 {
@@ -75,7 +76,7 @@ void BuildLevel(const Texel* below, int width, int height, int step, Texel* leve
     });
 }
 
-/// Levels first to end - 1, each from the one below; first > 0.
+/// Build the levels first to end - 1, each from the level below it; `first` is at least 1.
 template <typename Merge, typename Texel>
 void BuildLevels(Texel* texels, int width, int height, int first, int end)
 {

@@ -28,7 +28,7 @@ vtkNBufferMesh MakeMesh(vtkPolyData* data)
   mesh.Points.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)
   {
-    data->GetPoint(static_cast<vtkIdType>(i), mesh.Points[i].data());
+    data->GetPoint(static_cast<vtkIdType>(i), glm::value_ptr(mesh.Points[i]));
   }
   const std::vector<unsigned int> indices = vtkNBufferTriangles::Get(data);
   mesh.Triangles.resize(indices.size() / 3);

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferResourceCallback.h
- * @brief vtkOpenGLResourceFreeCallback, also where VTK does not install its header (before 9.5).
+ * @brief vtkOpenGLResourceFreeCallback, also for versions of VTK that do not install its header.
  *
- * A render window calls it before its context goes, so that what lives in the context can be
- * released. The interface is part of VTK's library in every version: what is declared here for
- * the old ones has to keep its names, its members and their order.
+ * A render window calls this object before the window's context is destroyed, so that the owner can
+ * delete its OpenGL objects. The class is part of VTK's library in every version, but the header is
+ * installed since VTK 9.5 only. The declaration for older versions must keep the names, the members
+ * and their order.
  */
 #ifndef vtkNBufferResourceCallback_h
 #define vtkNBufferResourceCallback_h
@@ -45,7 +46,7 @@ public:
   {
   }
 
-  /// Belong to this window from now on; what another one held is released first.
+  /// Register with a window. The owner's objects in the window before are released first.
   void RegisterGraphicsResources(vtkOpenGLRenderWindow* window) override
   {
     if (this->VTKWindow != window)

@@ -7,20 +7,6 @@
 #include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
-namespace
-{
-/// Texels are fetched one by one: without mip levels and filters the texture is complete.
-void SetPlainSampling(GLenum target)
-{
-  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  glTexParameteri(target, GL_TEXTURE_BASE_LEVEL, 0);
-  glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
-}
-}
-
 bool vtkNBufferTextureStorage::ReserveLevels(int width, int height, int levels, std::string& why)
 {
   if (width <= this->Width && height <= this->Height && levels <= this->Levels)
@@ -30,11 +16,11 @@ bool vtkNBufferTextureStorage::ReserveLevels(int width, int height, int levels, 
   const int newWidth = std::max(width, this->Width);
   const int newHeight = std::max(height, this->Height);
   const int newLevels = std::max(levels, this->Levels);
-  this->ReleaseLevels();
+  this->DeleteLevels();
   if (!this->AllocateArrays(newWidth, newHeight, newLevels, why) ||
     !this->AllocateFramebuffers(newLevels, why))
   {
-    this->ReleaseLevels();
+    this->DeleteLevels();
     return false;
   }
   this->Width = newWidth;
@@ -46,12 +32,11 @@ bool vtkNBufferTextureStorage::ReserveLevels(int width, int height, int levels, 
 bool vtkNBufferTextureStorage::AllocateArrays(int width, int height, int levels, std::string& why)
 {
   const vtkNBufferGL::ScopedUpload nothing(0);
-  glGenTextures(ArrayCount, this->Arrays);
   for (int i = 0; i < ArrayCount; ++i)
   {
     const int layers = (levels - i + ArrayCount - 1) / ArrayCount;
-    glBindTexture(GL_TEXTURE_2D_ARRAY, this->Arrays[i]);
-    SetPlainSampling(GL_TEXTURE_2D_ARRAY);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, this->Arrays[i].Create());
+    vtkNBufferGL::SetPlainSampling(GL_TEXTURE_2D_ARRAY);
     if (layers > 0)
     {
       glTexImage3D(
@@ -64,11 +49,10 @@ bool vtkNBufferTextureStorage::AllocateArrays(int width, int height, int levels,
 
 bool vtkNBufferTextureStorage::AllocateFramebuffers(int levels, std::string& why)
 {
-  this->Framebuffers.assign(levels, 0u);
-  glGenFramebuffers(levels, this->Framebuffers.data());
   for (int level = 0; level < levels; ++level)
   {
-    glBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffers[level]);
+    this->Framebuffers.emplace_back();
+    glBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffers.back().Create());
     glFramebufferTextureLayer(
       GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->GetArray(level), 0, GetLayer(level));
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
@@ -82,58 +66,20 @@ bool vtkNBufferTextureStorage::AllocateFramebuffers(int levels, std::string& why
   return vtkNBufferGL::CheckErrors("Attaching the levels", why);
 }
 
-bool vtkNBufferTextureStorage::ReserveCopy(
-  unsigned int format, int width, int height, std::string& why)
-{
-  return this->ReserveImage(this->Copy, format, GL_DEPTH_COMPONENT, GL_FLOAT, width, height, why);
-}
-
 bool vtkNBufferTextureStorage::ReserveIntegers(int width, int height, std::string& why)
 {
   const std::size_t bytes = sizeof(GLuint) * static_cast<std::size_t>(width) * height;
-  return this->ReserveBuffer(
-           this->IntegerBuffer, GL_PIXEL_PACK_BUFFER, GL_STREAM_COPY, bytes, why) &&
-    this->ReserveImage(
-      this->Integers, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, width, height, why);
+  return this->ReserveBuffer(this->IntegerBuffer, GL_STREAM_COPY, bytes, why) &&
+    this->Integers.Reserve(GL_R32UI, width, height, why);
 }
 
 bool vtkNBufferTextureStorage::ReserveReadback(std::size_t bytes, std::string& why)
 {
-  return this->ReserveBuffer(
-    this->ReadbackBuffer, GL_PIXEL_PACK_BUFFER, GL_STREAM_READ, bytes, why);
-}
-
-bool vtkNBufferTextureStorage::ReserveImage(Image& image, unsigned int format,
-  unsigned int components, unsigned int type, int width, int height, std::string& why)
-{
-  if (image.Name == 0)
-  {
-    glGenTextures(1, &image.Name);
-    glBindTexture(GL_TEXTURE_2D, image.Name);
-    SetPlainSampling(GL_TEXTURE_2D);
-  }
-  glBindTexture(GL_TEXTURE_2D, image.Name);
-  if (image.Format == format && width <= image.Width && height <= image.Height)
-  {
-    return true;
-  }
-  const vtkNBufferGL::ScopedUpload nothing(0);
-  image.Format = format;
-  image.Width = std::max(width, image.Width);
-  image.Height = std::max(height, image.Height);
-  glTexImage2D(GL_TEXTURE_2D, 0, format, image.Width, image.Height, 0, components, type, nullptr);
-  ++this->Allocations;
-  if (!vtkNBufferGL::CheckErrors("Allocating a copy of the depth buffer", why))
-  {
-    image.Format = 0;
-    image.Width = image.Height = 0;
-    return false;
-  }
-  return true;
+  return this->ReserveBuffer(this->ReadbackBuffer, GL_STREAM_READ, bytes, why);
 }
 
 bool vtkNBufferTextureStorage::ReserveBuffer(
-  Buffer& buffer, unsigned int target, unsigned int usage, std::size_t bytes, std::string& why)
+  Buffer& buffer, unsigned int usage, std::size_t bytes, std::string& why)
 {
   if (bytes <= buffer.Bytes)
   {
@@ -141,57 +87,54 @@ bool vtkNBufferTextureStorage::ReserveBuffer(
   }
   GLint bound = 0;
   glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &bound);
-  if (buffer.Name == 0)
-  {
-    glGenBuffers(1, &buffer.Name);
-  }
-  glBindBuffer(target, buffer.Name);
-  glBufferData(target, static_cast<GLsizeiptr>(bytes), nullptr, usage);
-  glBindBuffer(target, bound);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer.Object.Create());
+  glBufferData(GL_PIXEL_PACK_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, usage);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, bound);
   ++this->Allocations;
-  buffer.Bytes = bytes;
-  if (!vtkNBufferGL::CheckErrors("Allocating a buffer for depth", why))
-  {
-    buffer.Bytes = 0;
-    return false;
-  }
-  return true;
+  const bool done = vtkNBufferGL::CheckErrors("Allocating a buffer for depth", why);
+  buffer.Bytes = done ? bytes : 0;
+  return done;
 }
 
-unsigned int vtkNBufferTextureStorage::GetVertexArray()
+int vtkNBufferTextureStorage::GetNumberOfAllocations() const
 {
-  if (this->VertexArray == 0)
-  {
-    glGenVertexArrays(1, &this->VertexArray);
-  }
-  return this->VertexArray;
+  return this->Allocations + this->Copy.GetNumberOfAllocations() +
+    this->Integers.GetNumberOfAllocations();
 }
 
-void vtkNBufferTextureStorage::ReleaseLevels()
+void vtkNBufferTextureStorage::DeleteLevels()
 {
-  // Names of 0 are ignored.
-  glDeleteFramebuffers(static_cast<GLsizei>(this->Framebuffers.size()), this->Framebuffers.data());
-  glDeleteTextures(ArrayCount, this->Arrays);
   this->Framebuffers.clear();
-  std::fill(std::begin(this->Arrays), std::end(this->Arrays), 0u);
+  for (vtkNBufferGL::Texture& array : this->Arrays)
+  {
+    array.Delete();
+  }
   this->Width = this->Height = this->Levels = 0;
 }
 
-void vtkNBufferTextureStorage::Release()
+void vtkNBufferTextureStorage::Delete()
 {
-  this->ReleaseLevels();
-  glDeleteTextures(1, &this->Copy.Name);
-  glDeleteTextures(1, &this->Integers.Name);
-  glDeleteBuffers(1, &this->IntegerBuffer.Name);
-  glDeleteBuffers(1, &this->ReadbackBuffer.Name);
-  glDeleteVertexArrays(1, &this->VertexArray);
-  this->Forget();
+  this->DeleteLevels();
+  this->Copy.Delete();
+  this->Integers.Delete();
+  this->IntegerBuffer = Buffer();
+  this->ReadbackBuffer = Buffer();
 }
 
 void vtkNBufferTextureStorage::Forget()
 {
-  const int allocations = this->Allocations;
-  *this = vtkNBufferTextureStorage();
-  this->Allocations = allocations;
+  for (vtkNBufferGL::Framebuffer& framebuffer : this->Framebuffers)
+  {
+    framebuffer.Forget();
+  }
+  for (vtkNBufferGL::Texture& array : this->Arrays)
+  {
+    array.Forget();
+  }
+  this->Copy.Forget();
+  this->Integers.Forget();
+  this->IntegerBuffer.Object.Forget();
+  this->ReadbackBuffer.Object.Forget();
+  this->Delete();
 }
 VTK_ABI_NAMESPACE_END

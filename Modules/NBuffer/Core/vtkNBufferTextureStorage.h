@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferTextureStorage.h
- * @brief The OpenGL objects of a vtkNBufferTexture: they grow and never shrink until released.
+ * @brief The OpenGL objects of a vtkNBufferTexture. They grow and never shrink until deleted.
  *
  * Even and odd levels live in two array textures, level i in layer i / 2 of array i % 2:
  *
@@ -18,7 +18,7 @@
 #ifndef vtkNBufferTextureStorage_h
 #define vtkNBufferTextureStorage_h
 
-#include "vtkNBufferVTKVersion.h"
+#include "vtkNBufferGLObject.h"
 
 #include <string>
 #include <vector>
@@ -31,66 +31,55 @@ public:
   static int GetArrayIndex(int level) { return level % ArrayCount; }
   static int GetLayer(int level) { return level / ArrayCount; }
 
-  /// Room for levels of at least this size; false, with the cause, if OpenGL refuses.
+  /// Make room for levels of at least this size. False, with the cause in `why`, if OpenGL refuses.
   bool ReserveLevels(int width, int height, int levels, std::string& why);
 
-  /// A copy of depth in the sized GL format given, at least this large; left bound.
-  bool ReserveCopy(unsigned int format, int width, int height, std::string& why);
-
-  /// Depth as 32-bit integers, and the buffer through which they come; the texture is left bound.
+  /// Make room for an integer image of depth and for the buffer through which it is copied. False,
+  /// with the cause in `why`, if OpenGL refuses.
   bool ReserveIntegers(int width, int height, std::string& why);
 
-  /// A buffer to read levels back through.
+  /// Make room for levels that are read back. False, with the cause in `why`, if OpenGL refuses.
   bool ReserveReadback(std::size_t bytes, std::string& why);
 
-  /// One of the arrays (by level) and a framebuffer that has this level as its only attachment.
-  unsigned int GetArray(int level) const { return this->Arrays[GetArrayIndex(level)]; }
-  unsigned int GetFramebuffer(int level) const { return this->Framebuffers[level]; }
+  /// The name of the array that holds a level.
+  unsigned int GetArray(int level) const { return this->Arrays[GetArrayIndex(level)].GetName(); }
 
-  unsigned int GetIntegerBuffer() const { return this->IntegerBuffer.Name; }
-  unsigned int GetReadbackBuffer() const { return this->ReadbackBuffer.Name; }
-  unsigned int GetVertexArray();
+  /// The name of the framebuffer that has a level as its only attachment.
+  unsigned int GetFramebuffer(int level) const { return this->Framebuffers[level].GetName(); }
 
-  /// Times that OpenGL was asked for memory since construction.
-  int GetNumberOfAllocations() const { return this->Allocations; }
+  unsigned int GetIntegerBuffer() const { return this->IntegerBuffer.Object.GetName(); }
+  unsigned int GetReadbackBuffer() const { return this->ReadbackBuffer.Object.GetName(); }
 
-  /// Delete everything; the context that made it must be current.
-  void Release();
+  /// How often memory was requested from OpenGL since construction.
+  int GetNumberOfAllocations() const;
 
-  /// The context that made the objects is gone, and they with it.
+  /// Delete the objects. Their context must be current.
+  void Delete();
+
+  /// Give up the objects, whose context is gone.
   void Forget();
 
+  vtkNBufferGL::GrowingTexture Copy;     ///< A copy of the depth that is reduced.
+  vtkNBufferGL::GrowingTexture Integers; ///< The same as 32-bit integers.
+
 private:
-  struct Image
-  {
-    unsigned int Name = 0;
-    unsigned int Format = 0;
-    int Width = 0;
-    int Height = 0;
-  };
   struct Buffer
   {
-    unsigned int Name = 0;
+    vtkNBufferGL::Buffer Object;
     std::size_t Bytes = 0;
   };
 
-  bool ReserveImage(Image& image, unsigned int format, unsigned int components, unsigned int type,
-    int width, int height, std::string& why);
-  bool ReserveBuffer(
-    Buffer& buffer, unsigned int target, unsigned int usage, std::size_t bytes, std::string& why);
+  bool ReserveBuffer(Buffer& buffer, unsigned int usage, std::size_t bytes, std::string& why);
   bool AllocateArrays(int width, int height, int levels, std::string& why);
   bool AllocateFramebuffers(int levels, std::string& why);
-  void ReleaseLevels();
+  void DeleteLevels();
 
   int Width = 0;
   int Height = 0;
   int Levels = 0;
-  int Allocations = 0;
-  unsigned int VertexArray = 0;
-  unsigned int Arrays[ArrayCount] = { 0, 0 };
-  std::vector<unsigned int> Framebuffers;
-  Image Copy;
-  Image Integers;
+  int Allocations = 0; ///< Without those of the textures above.
+  vtkNBufferGL::Texture Arrays[ArrayCount];
+  std::vector<vtkNBufferGL::Framebuffer> Framebuffers;
   Buffer IntegerBuffer;
   Buffer ReadbackBuffer;
 };

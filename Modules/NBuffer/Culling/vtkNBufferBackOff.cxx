@@ -20,7 +20,7 @@ bool vtkNBufferBackOff::CountIdleFrame()
 {
   const bool rested = this->Rested;
   this->Rested = false;
-  return ++this->FramesWithNothingHeld % ShortestRest == 0 || rested;
+  return ++this->IdleFrames % ShortestRest == 0 || rested;
 }
 
 void vtkNBufferBackOff::Learn(int saved, int inside)

@@ -2,13 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferBackOff
- * @brief When testing does not pay: how long to rest, and when to look again. No OpenGL.
+ * @brief Stops testing for some frames where tests save too little. No OpenGL.
  *
- * A test is poor if it saves fewer than 16 draws or less than 5 % of what is in the frustum, draws
- * for the order of equal depths set off against it. Three poor tests in a row begin a rest of 8
- * frames. A single test then looks whether that has changed; if not, the rests double up to 64
- * frames. Where nothing is held back, every eighth frame and the first one after a rest are tested
- * all the same: only a test finds what has become hidden.
+ * Testing costs time even if nothing is found hidden, as where a viewer looks down on a city. This
+ * class counts what tests save and decides in which frames to test.
+ *
+ * A test is poor if it saves fewer than 16 draws or less than 5 % of the candidates in the frustum;
+ * draws that only restore the order of equal depths are subtracted from what it saves. Three poor
+ * tests in a row begin a pause of 8 frames without tests. After the pause a single test shows
+ * whether that has changed. If it is poor again, the next pause is twice as long, up to 64 frames.
+ *
+ * A frame is idle if no prop is held back in it, because all in the frustum were visible already.
+ * Idle frames need no test for the picture. But only a test finds out what has become hidden since,
+ * so every eighth idle frame, and the first idle one after a pause, is tested all the same.
  */
 #ifndef vtkNBufferBackOff_h
 #define vtkNBufferBackOff_h
@@ -21,28 +27,44 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKNBUFFER_EXPORT vtkNBufferBackOff
 {
 public:
+  /// A test that saves fewer draws than this is poor.
   static constexpr int PoorNumber = 16;
+  /// A test that saves less than this share of the candidates in the frustum is poor.
   static constexpr double PoorShare = 0.05;
+  /// The number of poor tests in a row that begin a pause.
   static constexpr int PoorTestsToRest = 3;
+  ///@{
+  /// The lengths of the first and of the longest pause, in frames.
   static constexpr int ShortestRest = 8;
   static constexpr int LongestRest = 64;
+  ///@}
 
-  /// Whether this frame is one of a rest. Call once per frame.
+  /**
+   * Count one frame of a pause. Returns true, and shortens the pause by a frame, if one is going
+   * on: this frame must not be tested. Returns false and changes nothing if there is no pause. Call
+   * it exactly once in each frame.
+   */
   bool CountRestFrame();
 
-  /// Whether a frame in which nothing is held back is due for a test. Call once per such frame.
+  /**
+   * Count one idle frame, and return whether it has to be tested nevertheless. Call it exactly once
+   * in each frame that is idle and not part of a pause.
+   */
   bool CountIdleFrame();
 
-  /// How many draws of the candidates in the frustum a test saves: those found hidden, whether they
-  /// had been drawn already or not, less those drawn once more.
+  /**
+   * Report the result of a test: `saved` is how many draws it saved, the candidates that it found
+   * hidden (drawn already in this frame or not) less those that were drawn once more; `inside` is
+   * how many candidates are in the frustum. A test of an empty frustum says nothing and is ignored.
+   */
   void Learn(int saved, int inside);
 
 private:
-  bool Rested = false;
-  int FramesToRest = 0;
-  int LastRest = 0;
-  int PoorTests = 0;
-  int FramesWithNothingHeld = 0;
+  bool Rested = false;  ///< Whether the last frame that was counted was part of a pause.
+  int FramesToRest = 0; ///< The frames left of the pause.
+  int LastRest = 0;     ///< The length of the last pause; 0 after a test that was not poor.
+  int PoorTests = 0;    ///< The number of poor tests in a row.
+  int IdleFrames = 0;   ///< The number of idle frames so far.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -15,8 +15,9 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-vtkNBufferView::vtkNBufferView(vtkNBufferBackend& backend)
+vtkNBufferView::vtkNBufferView(vtkNBufferBackend& backend, const vtkNBufferTuning& tuning)
   : Backend(backend)
+  , Tuning(tuning)
   , Draws(this->Props, this->Projection, this->Proxy)
 {
   this->Proxy->SetView(this);
@@ -54,7 +55,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   this->Draws.Clear();
 
   vtkNBufferClock part;
-  this->Props.SetHierarchySize(settings.HierarchySize);
+  this->Props.SetHierarchySize(this->Tuning.HierarchySize);
   const bool listChanged = this->Props.Synchronize(props, count);
   const vtkNBufferViewKey key = vtkNBufferViewKey::Make(renderer);
   const bool frozen = settings.Freeze && (wasFrozen || complete);
@@ -71,7 +72,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   {
     this->Statistics.Decision = vtkNBufferDecision::Frozen;
   }
-  else if (complete && !changed && settings.ReuseWhenStill && this->MayReuse(renderer))
+  else if (complete && !changed && this->Tuning.ReuseWhenStill && this->MayReuse(renderer))
   {
     this->Statistics.Decision = vtkNBufferDecision::Still;
   }
@@ -104,7 +105,6 @@ void vtkNBufferView::SetProjection(const vtkNBufferViewKey& key)
   this->LastKey = key;
   const auto& viewport = key.Viewport;
   this->Projection.Set(key.WorldToClip.data(), viewport[2], viewport[3], this->DepthQuantum,
-    vtkNBufferDepthConvention::Forward,
     std::max(viewport[0] + viewport[2], viewport[1] + viewport[3]));
 }
 
@@ -159,11 +159,11 @@ vtkNBufferDecision vtkNBufferView::Decide(bool blending)
   {
     decision = vtkNBufferDecision::Blending;
   }
-  else if (inside < this->Settings.MinimumNumberOfCandidates)
+  else if (inside < this->Tuning.MinimumNumberOfCandidates)
   {
     decision = vtkNBufferDecision::FewCandidates;
   }
-  else if (this->Settings.BackOff && this->BackOff.CountRestFrame())
+  else if (this->Tuning.BackOff && this->BackOff.CountRestFrame())
   {
     decision = vtkNBufferDecision::BackedOff;
   }
@@ -172,8 +172,8 @@ vtkNBufferDecision vtkNBufferView::Decide(bool blending)
     // What became hidden since is only found by a test: now and then one prop is held back so
     // that there is one, the farthest, which hides least.
     const bool manyGated =
-      static_cast<int>(this->Gated.size()) >= this->Settings.MinimumNumberOfCandidates;
-    if (this->Settings.BackOff && !manyGated && !this->BackOff.CountIdleFrame())
+      static_cast<int>(this->Gated.size()) >= this->Tuning.MinimumNumberOfCandidates;
+    if (this->Tuning.BackOff && !manyGated && !this->BackOff.CountIdleFrame())
     {
       decision = vtkNBufferDecision::NothingHeld;
     }
@@ -356,13 +356,12 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBuffer
     return vtkNBufferDecision::OtherView;
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  if (!vtkNBufferGL::HasVersion(3, 2))
+  std::string why;
+  if (!vtkNBufferGL::CheckVersion(why))
   {
-    this->Fail(renderer, vtkNBufferDecision::OldContext,
-      "The OpenGL context is older than 3.2. Update the driver or use Mesa's software renderer.");
+    this->Fail(renderer, vtkNBufferDecision::OldContext, why);
     return vtkNBufferDecision::OldContext;
   }
-  std::string why;
   if (!source.Inspect(window, why))
   {
     this->Fail(renderer, vtkNBufferDecision::NoDepth, why);
@@ -428,11 +427,11 @@ int vtkNBufferView::DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSourc
   // Where nothing is known, the nearest props are the best guess at what hides the others.
   if (this->Kept.empty())
   {
-    drawNearest(this->Settings.RoundSize);
+    drawNearest(this->Tuning.RoundSize);
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkNBufferDepthTest test(this->Backend, this->Levels, this->Projection, this->Props,
-    this->Statistics, this->Settings.Test);
+    this->Statistics, { this->Settings.Backend, this->Settings.TestSlivers, this->Tuning });
   for (;;)
   {
     std::string why;
@@ -465,10 +464,10 @@ int vtkNBufferView::DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSourc
     this->Statistics.PassedCoarseTest += this->Statistics.Rounds == 0 ? doubtful : 0;
 
     // Another round must save more props than it draws to be worth its read-back.
-    const std::size_t limit = static_cast<std::size_t>(this->Settings.RoundSize)
+    const std::size_t limit = static_cast<std::size_t>(this->Tuning.RoundSize)
       << this->Statistics.Rounds;
     ++this->Statistics.Rounds;
-    if (held.size() <= 2 * limit || this->Statistics.Rounds >= this->Settings.MaximumNumberOfRounds)
+    if (held.size() <= 2 * limit || this->Statistics.Rounds >= this->Tuning.MaximumNumberOfRounds)
     {
       this->CloseGates(test);
       drawNearest(held.size());

@@ -31,6 +31,7 @@
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferStatistics.h"
+#include "vtkNBufferTuning.h"
 #include "vtkNBufferViewKey.h"
 
 #include "vtkNew.h"
@@ -44,25 +45,21 @@ class vtkOpenGLRenderWindow;
 class vtkRenderer;
 
 /**
- * A culler's settings as they stand at the beginning of a frame; vtkNBufferCuller.h says what they
- * mean.
+ * The settings of a culler that a user decides, as they stand at the beginning of a frame;
+ * vtkNBufferCuller.h says what they mean.
  */
 struct vtkNBufferSettings
 {
-  vtkNBufferDepthTest::Options Test;
-  int MinimumNumberOfCandidates = 32;
-  int MaximumNumberOfRounds = 6;
-  int RoundSize = 64;
-  int HierarchySize = 10000;
-  bool ReuseWhenStill = true;
-  bool BackOff = true;
+  vtkNBufferBackend::Kind Backend = vtkNBufferBackend::Auto;
+  vtkNBufferSliverPolicy TestSlivers = vtkNBufferSliverPolicy::Never;
   bool Freeze = false;
 };
 
 class vtkNBufferView
 {
 public:
-  explicit vtkNBufferView(vtkNBufferBackend& backend);
+  /// Both are the culler's own and outlive the view.
+  vtkNBufferView(vtkNBufferBackend& backend, const vtkNBufferTuning& tuning);
   ~vtkNBufferView();
   vtkNBufferView(const vtkNBufferView&) = delete;
   void operator=(const vtkNBufferView&) = delete;
@@ -112,6 +109,7 @@ private:
   int DrawAll(vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason);
 
   vtkNBufferBackend& Backend;
+  const vtkNBufferTuning& Tuning;
   vtkNBufferBackOff BackOff;
   vtkNBufferCandidateList Props;
   vtkNBufferProjection Projection;

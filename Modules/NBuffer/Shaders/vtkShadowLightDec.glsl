@@ -45,30 +45,6 @@ float NBufferShadow(sampler2D mask, int channel)
 #endif
 uniform float shadowAttenuations[NBUFFER_SHADOW_LIGHTS];
 
-#if NBUFFER_SHADOW_FILTER
-uniform int shadowReceivers; // not 0: draw for which lights the fragment is a receiver
-int nbufferShadowTaken = 0;  // a bit for each light that its shading takes
-
-// Returns exactly 1. A light whose factor is not positive changes nothing.
-float NBufferShadowTake(int light, float factor)
-{
-  nbufferShadowTaken |= factor > 0.0 ? 1 << light : 0;
-  return 1.0;
-}
-
-// Eight lights in each of red, green and blue, as vtkShadowTargetReader reads them; opaque, in case
-// that colours are blended.
-vec4 NBufferShadowReceiver(vec4 color)
-{
-  ivec3 bits = ivec3(nbufferShadowTaken, nbufferShadowTaken >> 8, nbufferShadowTaken >> 16) & 255;
-  return shadowReceivers != 0 ? vec4(vec3(bits) / 255.0, 1.0) : color;
-}
-#define NBUFFER_SHADOW_END gl_FragData[0] = NBufferShadowReceiver(gl_FragData[0]);
-#else
-#define NBufferShadowTake(light, factor) 1.0
-#endif
-
-// The share of a light that arrives: exactly 1 where it shines. `factor`: what of it is reflected.
-#define NBUFFER_SHADOW_SHARE(light, mask, channel, factor) \
-  (NBufferShadowTake(light, factor) * \
-    (1.0 - shadowAttenuations[light] * NBufferShadow(shadowMasks[mask], channel)))
+// The share of a light that arrives: exactly 1 where it shines.
+#define NBUFFER_SHADOW_SHARE(light, mask, channel) \
+  (1.0 - shadowAttenuations[light] * NBufferShadow(shadowMasks[mask], channel))

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class vtkShadowCasterList
+ * @class VTKNBUFFER_EXPORT vtkShadowCasterList
  * @brief Which props of a renderer cast, whether the camera sees them or not.
  *
  * Of every visible prop of the renderer the actors are looked at, those in assemblies too. An actor
@@ -38,7 +38,7 @@ class vtkPolyData;
 class vtkProp;
 class vtkRenderer;
 
-class vtkShadowCasterList
+class VTKNBUFFER_EXPORT vtkShadowCasterList
 {
 public:
   /// Look at the renderer's props. `requiredKeys`: only props with these keys cast; nullptr: all.

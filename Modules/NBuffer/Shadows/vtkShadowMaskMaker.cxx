@@ -7,6 +7,7 @@
 #include "vtkNBufferGL.h"
 #include "vtkShadowCamera.h"
 #include "vtkShadowCostModel.h"
+#include "vtkShadowLitmapSource.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -49,16 +50,17 @@ struct vtkShadowMaskMaker::Work
     return this->GetLight().Kind == vtkShadowLightKind::Point ? 6 : 1;
   }
 
+  const vtkShadowMaskMaker::Frame& Where;
   vtkOpenGLRenderWindow* Window;
   const vtkShadowCamera& Camera;
   const Settings& How;
   vtkShadowStatistics& Statistics;
   const vtkShadowLightSource& Source;
   std::size_t Slot;
-  vtkShadowLightSpace Frame;
+  vtkShadowLightSpace Space;
 };
 
-bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights, bool skipUnlitReceivers)
+bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   if (!vtkNBufferGL::HasVersion(3, 2))
@@ -74,12 +76,10 @@ bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights, bool
     this->Error = "The viewport is empty or begins outside of the window. Move it inside.";
     return false;
   }
-  this->SkipUnlit = skipUnlitReceivers;
   constexpr int each = vtkShadowTarget::LightsPerMask;
   const int masks = static_cast<int>(lights + each - 1) / each;
   return this->Target.Reserve(window, viewport[0] + viewport[2], viewport[1] + viewport[3], masks,
-           vtkShadowTarget::GetBoundSamples(), this->Error) &&
-    (!skipUnlitReceivers || this->Target.ReserveLit(window, this->Error));
+    vtkShadowTarget::GetBoundSamples(), this->Error);
 }
 
 void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
@@ -93,65 +93,38 @@ void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
   glClearBufferfv(GL_DEPTH, 0, &farthest);
 }
 
-void vtkShadowMaskMaker::BeginLit(vtkRenderer* renderer)
-{
-  static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
-    ->GetState()
-    ->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Target.GetLitFramebuffer());
-  const float litByNone[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
-  glClearBufferfv(GL_COLOR, 0, litByNone);
-  this->MergedColors = glIsEnabled(GL_COLOR_LOGIC_OP) == GL_TRUE;
-  glGetIntegerv(GL_LOGIC_OP_MODE, &this->ColorMerge);
-  glEnable(GL_COLOR_LOGIC_OP);
-  glLogicOp(GL_OR);
-}
-
-void vtkShadowMaskMaker::EndLit()
-{
-  glLogicOp(static_cast<GLenum>(this->ColorMerge));
-  if (!this->MergedColors)
-  {
-    glDisable(GL_COLOR_LOGIC_OP);
-  }
-}
-
 bool vtkShadowMaskMaker::ReadMask(
   vtkOpenGLRenderWindow* window, std::size_t slot, int sample, std::vector<unsigned char>& mask)
 {
   return this->Reader.ReadMask(window, this->Target, slot, sample, mask, this->Error);
 }
 
-bool vtkShadowMaskMaker::Make(vtkRenderer* renderer,
-  const std::vector<vtkShadowLightSource>& lights, const Settings& settings,
-  vtkShadowStatistics& statistics)
+bool vtkShadowMaskMaker::Make(const Frame& frame, const Settings& settings)
 {
+  const std::vector<vtkShadowLightSource>& lights = frame.Lights;
   this->Shadows = 0;
   this->Error.clear();
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  this->Reader.Begin(this->Viewport, lights.size());
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(frame.Renderer->GetRenderWindow());
+  this->Reader.Begin(this->Viewport);
   ++this->CoveredAge;
-  vtkShadowCamera camera(renderer);
+  vtkShadowCamera camera(frame.Renderer);
   std::copy_n(this->Viewport, 4, camera.Plan.Viewport);
-  camera.Plan.Boxes = settings.Scissor &&
+  camera.Plan.Boxes = settings.Mode != vtkShadowMode::Culled &&
     vtkNBufferGL::KeepsToScissor(static_cast<int>(this->Target.GetSamples().size()));
-  camera.Plan.BoxCost = settings.BoxCost;
-  this->DebugView.Clear();
+  camera.Plan.BoxCost = settings.Tuning.BoxCost;
+  frame.DebugView.Clear();
   const vtkShadowCounter::Scope scope(window, this->Viewport);
   for (int mask = 0; mask < this->Target.GetNumberOfMasks(); ++mask)
   {
     this->Counter.ClearMask(this->Target, mask, this->Viewport);
   }
-  if (settings.CountFragments)
+  if (settings.Tuning.CountFragments)
   {
-    statistics.Fragments = 0;
-  }
-  if (settings.CountUnclampedFragments)
-  {
-    statistics.UnclampedFragments = 0;
+    frame.Statistics.Fragments = 0;
   }
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    const Work work = { window, camera, settings, statistics, lights[i], i,
+    const Work work = { frame, window, camera, settings, frame.Statistics, lights[i], i,
       vtkShadowLightSpace(lights[i].Geometry) };
     if (!this->Shade(work))
     {
@@ -175,8 +148,7 @@ bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
   }
   const vtkNBufferClock clock;
   ++work.Statistics.ReadBacks;
-  const bool done =
-    this->Reader.ReadReceivers(work.Window, this->Target, this->SkipUnlit, this->Error);
+  const bool done = this->Reader.ReadReceivers(work.Window, this->Target, this->Error);
   if (done)
   {
     const std::vector<float>& depth = this->Reader.GetDepth();
@@ -184,18 +156,15 @@ bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
     this->SetSeen(static_cast<std::size_t>(seen), depth.size());
   }
   work.Statistics.ReadTime += clock.GetMilliseconds();
-  if (done && work.How.LitmapMethod == vtkShadowLitmapMethod::Rerendered)
+  if (this->LitmapSource && this->LitmapSource != work.How.Tuning.LitmapSource)
   {
-    this->Rerendered.Begin(work.Camera.Eye);
-    for (const vtkShadowCaster* receiver : this->Receivers.GetCasters())
-    {
-      this->Rerendered.AddReceiver(
-        receiver->GetPoints().data(), receiver->GetNumberOfPoints(), receiver->GetTriangles());
-    }
-    return this->Rerendered.Upload(
-      work.Window, this->Reader.GetDepth().data(), work.Camera.GetView(), this->Error);
+    this->LitmapSource->Release();
   }
-  return done;
+  this->LitmapSource = work.How.Tuning.LitmapSource;
+  return done &&
+    (!this->LitmapSource ||
+      this->LitmapSource->BeginFrame(
+        work.Where.Renderer, this->Reader.GetDepth().data(), work.Camera.GetView(), this->Error));
 }
 
 bool vtkShadowMaskMaker::MakeLitmaps(
@@ -206,30 +175,28 @@ bool vtkShadowMaskMaker::MakeLitmaps(
     return false;
   }
   const vtkNBufferClock clock;
-  const int resolution = work.How.Resolution;
-  const bool rerendered = work.How.LitmapMethod == vtkShadowLitmapMethod::Rerendered;
+  const int resolution = work.How.Tuning.LitmapResolution;
   const float* depth = this->Reader.GetDepth().data();
-  const unsigned char* lit = rerendered ? nullptr : this->Reader.FindLit(work.Slot);
   vtkShadowView view = work.Camera.GetView();
   view.Samples = this->Target.GetSamples();
   this->Litmaps.resize(std::max(this->Litmaps.size(), frames.size()));
   for (std::size_t i = 0; i < frames.size(); ++i)
   {
     vtkShadowLitmap& litmap = this->Litmaps[i];
-    if (rerendered)
+    if (this->LitmapSource)
     {
       double range[4];
       double depths[2];
-      vtkShadowReceivers::GetRange(depth, lit, view, work.GetLight(), frames[i], range, depths);
-      if (!this->Rerendered.Draw(
-            work.Window, frames[i], range, depths, resolution, litmap, this->Error))
+      vtkShadowReceivers::GetRange(depth, nullptr, view, work.GetLight(), frames[i], range, depths);
+      if (!this->LitmapSource->Fill(frames[i], range, depths, resolution, litmap, this->Error))
       {
         return false;
       }
     }
     else
     {
-      vtkShadowReceivers::Scatter(depth, lit, view, work.GetLight(), frames[i], resolution, litmap);
+      vtkShadowReceivers::Scatter(
+        depth, nullptr, view, work.GetLight(), frames[i], resolution, litmap);
     }
     work.Statistics.Receivers += litmap.GetNumberOfReceivers();
     litmap.Build();
@@ -242,7 +209,7 @@ bool vtkShadowMaskMaker::MakeLitmaps(
 void vtkShadowMaskMaker::FindParts(const Work& work)
 {
   constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
-  const std::vector<vtkShadowCaster*>& casters = this->Casters.GetCasters();
+  const std::vector<vtkShadowCaster*>& casters = work.Where.Casters.GetCasters();
   this->PartLists.resize(casters.size());
   std::atomic<int> built(0);
   vtkNBufferForEachProp::Run(casters.size(),
@@ -257,7 +224,7 @@ void vtkShadowMaskMaker::FindParts(const Work& work)
           casters[i + ahead]->PrefetchParts(work.Slot);
         }
         this->PartLists[i] = &casters[i]->GetParts(
-          work.Slot, work.GetLight(), work.Frame, work.Camera.NearBounds, builtHere);
+          work.Slot, work.GetLight(), work.Space, work.Camera.NearBounds, builtHere);
       }
       built += builtHere;
     });
@@ -320,19 +287,6 @@ vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vt
   return verdicts;
 }
 
-bool vtkShadowMaskMaker::CountUnclamped(const Work& work)
-{
-  vtkShadowPlan plan(
-    work.GetLight(), work.Frame, work.Camera.Plan, vtkShadowMode::Unclamped, nullptr);
-  this->AddCasters(work, plan);
-  const std::vector<vtkShadowDraw>& draws = plan.GetDraws();
-  // What the stencil holds is cleared before it counts.
-  return draws.empty() ||
-    (this->Counter.Upload(this->Volume, this->Error) &&
-      this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClip, draws.data(),
-        draws.data() + draws.size(), &work.Statistics.UnclampedFragments, this->Error));
-}
-
 void vtkShadowMaskMaker::SetSeen(std::size_t seen, std::size_t samples)
 {
   this->CoveredFraction = static_cast<double>(seen) / static_cast<double>(samples);
@@ -358,7 +312,8 @@ bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work, double fragments, lon
   const auto samples = static_cast<long long>(this->GetNumberOfSamples());
   const auto pay = [&](long long seen)
   {
-    const long long lexels = static_cast<long long>(work.How.Resolution) * work.How.Resolution;
+    const long long lexels =
+      static_cast<long long>(work.How.Tuning.LitmapResolution) * work.How.Tuning.LitmapResolution;
     return vtkShadowCostModel::IsLitmapWorthIt(fragments, triangles, samples, seen, lexels,
       work.GetNumberOfFaces(), vtkNBufferGL::GetSoftwareRenderer() != nullptr);
   };
@@ -386,18 +341,9 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   Verdicts verdicts = {};
   const bool automatic = work.How.Mode == vtkShadowMode::Automatic;
   this->FindParts(work);
-  if (work.How.CountUnclampedFragments)
-  {
-    work.Statistics.PlanTime += clock.GetMilliseconds();
-    if (!this->CountUnclamped(work))
-    {
-      return false;
-    }
-    clock.Restart();
-  }
   if (work.How.Mode == vtkShadowMode::Unclamped || (automatic && !this->IsLitmapWorthIt(work)))
   {
-    plan.emplace(light, work.Frame, view, vtkShadowMode::Unclamped, nullptr);
+    plan.emplace(light, work.Space, view, vtkShadowMode::Unclamped, nullptr);
     verdicts = this->AddCasters(work, *plan);
     if (automatic &&
       this->IsLitmapWorthIt(work,
@@ -417,15 +363,15 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   {
     frames = light.Kind == vtkShadowLightKind::Point
       ? MakeFaces(light)
-      : std::vector<vtkShadowLightSpace>{ work.Frame };
+      : std::vector<vtkShadowLightSpace>{ work.Space };
     if (!this->MakeLitmaps(work, frames))
     {
       return false;
     }
     clock.Restart();
     const bool isOne = frames.size() == 1;
-    plan.emplace(light, work.Frame, view, automatic ? vtkShadowMode::Scissored : work.How.Mode,
-      isOne ? this->Litmaps.data() : nullptr, work.How.SlabGap);
+    plan.emplace(light, work.Space, view, automatic ? vtkShadowMode::Scissored : work.How.Mode,
+      isOne ? this->Litmaps.data() : nullptr, work.How.Tuning.SlabGap);
     for (std::size_t i = 0; !isOne && i < frames.size(); ++i)
     {
       plan->AddFace(frames[i], this->Litmaps[i]);
@@ -444,7 +390,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   {
     const vtkShadowDebugView::Subject subject = { this->Litmaps.data(),
       static_cast<int>(frames.size()), plan->GetDraws(), work.Camera.EyeToClip, this->Viewport };
-    return this->DebugView.Make(
+    return work.Where.DebugView.Make(
       work.Window, work.How.Picture, subject, this->Counter, work.Statistics, this->Error);
   }
   return done;
@@ -452,7 +398,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
 
 bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
 {
-  const vtkShadowTimers::Scope timed(this->Timers, vtkShadowStage::Draw);
+  const vtkShadowTimers::Scope timed(work.Where.Timers, vtkShadowStage::Draw);
   const std::vector<vtkShadowDraw>& draws = plan.GetDraws();
   vtkShadowStatistics& statistics = work.Statistics;
   ++this->Shadows;
@@ -487,7 +433,7 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
     this->Counter.ClearStencil(this->Target, this->Viewport, start);
     ++statistics.StencilClears;
     if (!this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClip, first, last,
-          work.How.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||
+          work.How.Tuning.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||
       !this->Counter.Resolve(work.Window, this->Target, mask, channel, this->Viewport, this->Error))
     {
       return false;
@@ -500,9 +446,10 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
 void vtkShadowMaskMaker::Release()
 {
   this->Counter.Release();
-  this->Rerendered.Release();
-  this->Timers.Release();
-  this->DebugView.Release();
+  if (this->LitmapSource)
+  {
+    this->LitmapSource->Release();
+  }
   this->Target.Release();
   this->Reader.Release();
 }

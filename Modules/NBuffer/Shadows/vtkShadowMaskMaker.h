@@ -22,11 +22,11 @@
 #include "vtkShadowLitmap.h"
 #include "vtkShadowPlan.h"
 #include "vtkShadowReceivers.h"
-#include "vtkShadowRerenderedLitmap.h"
 #include "vtkShadowStatistics.h"
 #include "vtkShadowTarget.h"
 #include "vtkShadowTargetReader.h"
 #include "vtkShadowTimers.h"
+#include "vtkShadowTuning.h"
 #include "vtkShadowVolume.h"
 
 #include <array>
@@ -40,38 +40,32 @@ class vtkRenderer;
 class vtkShadowMaskMaker
 {
 public:
+  /// What a user has chosen. `Tuning` is the pass's own.
   struct Settings
   {
-    vtkShadowMode Mode = vtkShadowMode::Scissored;
-    int Resolution = 256;
-    int SlabGap = 4;
-    int BoxCost = 256;
-    bool Scissor = true;
-    bool CountFragments = false;
-    bool CountUnclampedFragments = false;
-    vtkShadowLitmapMethod LitmapMethod = vtkShadowLitmapMethod::Scattered;
-    vtkShadowPicture Picture = vtkShadowPicture::None;
-    const vtkLight* PictureLight = nullptr; ///< Whose picture; nullptr: of the first one.
+    vtkShadowMode Mode;
+    const vtkShadowTuning& Tuning;
+    vtkShadowPicture Picture;
+    const vtkLight* PictureLight; ///< The light of the picture; nullptr means the first one.
   };
 
-  /// Casters of the renderer, visible to the camera or not.
-  vtkShadowCasterList Casters;
-
-  /// What is drawn as receivers into rerendered litmaps; not used by the other method.
-  vtkShadowCasterList Receivers;
-
-  /// Of the stages of a frame; the caller begins it, and measures those that it draws itself.
-  vtkShadowTimers Timers;
-
-  /// Made with the masks; the caller shows it.
-  vtkShadowDebugView DebugView;
+  /// What a frame brings along.
+  struct Frame
+  {
+    vtkRenderer* Renderer;
+    const std::vector<vtkShadowLightSource>& Lights;
+    const vtkShadowCasterList& Casters;
+    vtkShadowTimers& Timers;         ///< Measures the stage Draw.
+    vtkShadowDebugView& DebugView;   ///< Its image is made; the caller shows it.
+    vtkShadowStatistics& Statistics; ///< The counts and times of the masks are added to these.
+  };
 
   /**
    * Room for the masks of so many lights in the viewport that is set now, with the samples of the
    * framebuffer that is bound for drawing, or with one (vtkShadowTarget::HasRefusedSamples(), the
    * cause in GetError()). Returns false, with the cause in GetError(), if OpenGL refuses.
    */
-  bool Reserve(vtkRenderer* renderer, std::size_t lights, bool skipUnlitReceivers);
+  bool Reserve(vtkRenderer* renderer, std::size_t lights);
 
   /**
    * After Reserve(): bind a framebuffer for the depth of what is drawn next, and clear it. The
@@ -80,25 +74,16 @@ public:
   void BeginDepth(vtkRenderer* renderer);
 
   /**
-   * With skipUnlitReceivers, after the depth is drawn: bind a framebuffer with the same depth and a
-   * colour for NBufferShadowReceiver (vtkShadowLightDec.glsl), in which the same is drawn once
-   * more. Of all that is as deep as what is seen the colours are merged: which of several surfaces
-   * of equal depth will be seen depends on the depth of another framebuffer, which may be finer.
+   * Make the masks. Returns false on failure, with the cause in GetError(). Afterwards
+   * GetNumberOfShadows() is the number of lights for which a volume was drawn.
    */
-  void BeginLit(vtkRenderer* renderer);
-  void EndLit();
+  bool Make(const Frame& frame, const Settings& settings);
 
   /**
-   * Make the masks; `statistics` is added to. Returns false on failure, with the cause in
-   * GetError(). GetNumberOfShadows() says afterwards for how many lights anything was drawn.
-   */
-  bool Make(vtkRenderer* renderer, const std::vector<vtkShadowLightSource>& lights,
-    const Settings& settings, vtkShadowStatistics& statistics);
-
-  /**
-   * Read back the mask of a light, by its number in what Make() was given: one value for each pixel
-   * of the viewport, row by row, the lowest first, 0 lit to 255 in shadow. Of a sample, or, if it
-   * is negative, the mean of all. Returns false, with the cause in GetError(), if OpenGL refuses.
+   * Read back the mask of a light, by its number among the lights of the frame: one value for each
+   * pixel of the viewport, row by row, the lowest first, 0 lit to 255 in shadow. Of a sample, or,
+   * if it is negative, the mean of all. Returns false, with the cause in GetError(), if OpenGL
+   * refuses.
    */
   bool ReadMask(
     vtkOpenGLRenderWindow* window, std::size_t slot, int sample, std::vector<unsigned char>& mask);
@@ -132,7 +117,6 @@ private:
   void FindParts(const Work& work);
   void Decide(const vtkShadowPlan& plan);
   Verdicts AddCasters(const Work& work, vtkShadowPlan& plan);
-  bool CountUnclamped(const Work& work);
   bool IsLitmapWorthIt(const Work& work, double fragments, long long triangles);
   bool IsLitmapWorthIt(const Work& work); ///< For the triangles alone.
   long long CountSeen(const Work& work);
@@ -142,7 +126,7 @@ private:
 
   vtkShadowTarget Target;
   vtkShadowCounter Counter;
-  vtkShadowRerenderedLitmap Rerendered;
+  std::shared_ptr<vtkShadowLitmapSource> LitmapSource; ///< The one whose objects are to release.
   vtkShadowTargetReader Reader;
   std::vector<vtkShadowLitmap> Litmaps; ///< Of the light at work: one, or one for each face.
   vtkShadowVolume Volume;
@@ -150,12 +134,9 @@ private:
   std::vector<const std::vector<vtkShadowCaster::Part>*> PartLists;
   std::vector<CasterPart> Parts;
   std::vector<vtkShadowPlan::Choice> Choices; ///< About the parts.
-  bool SkipUnlit = false;
-  bool MergedColors = false; ///< Before BeginLit(), and how.
-  int ColorMerge = 0;
-  double CoveredFraction = 1.0; ///< Of the samples, when their depth was last read.
-  std::size_t SeenSamples = 0;  ///< How many there were then,
-  int CoveredAge = 0;           ///< and how many frames ago that was.
+  double CoveredFraction = 1.0;               ///< Of the samples, when their depth was last read.
+  std::size_t SeenSamples = 0;                ///< How many there were then,
+  int CoveredAge = 0;                         ///< and how many frames ago that was.
   int Viewport[4] = { 0, 0, 0, 0 };
   int Shadows = 0;
   std::string Error;

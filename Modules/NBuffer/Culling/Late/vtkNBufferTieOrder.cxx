@@ -8,15 +8,15 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// More rectangles leave out more and cost a draw each: beyond four nothing was gained.
+/// More rectangles leave out more pixels, but each costs a draw: beyond four nothing was gained.
 constexpr std::size_t MaximumNumberOfRegions = 4;
 
 /// Tiles along the longer side of the viewport.
 constexpr int TilesPerSide = 32;
 
 /**
- * A prop that was drawn after props that follow it, and where. What is drawn again comes after all
- * rounds.
+ * A prop that was drawn after props that follow it in the renderer's order, and the pixels in which
+ * it was. Round is larger than that of any round if the prop is drawn again.
  */
 struct LateDraw
 {
@@ -26,7 +26,7 @@ struct LateDraw
 };
 
 /**
- * The late draws by tiles of the viewport.
+ * The late draws, sorted into tiles of the viewport.
  */
 class LateDraws
 {
@@ -45,7 +45,7 @@ public:
       draw.Pixels, [&draw](int, int, std::vector<LateDraw>& tile) { tile.push_back(draw); });
   }
 
-  /// Calls functor(draw, shared pixels) once for each draw that meets the rectangle.
+  /// Calls functor(draw, shared pixels) once for each draw whose pixels overlap the rectangle.
   template <typename Functor>
   void ForEachIn(const vtkNBufferRectangle& pixels, Functor&& functor)
   {
@@ -54,7 +54,8 @@ public:
       {
         for (const LateDraw& draw : tile)
         {
-          // Of the tiles that both are in, the one with the lower left corner of what they share.
+          // Of the tiles that both overlap, only that with the lower left corner of what they share
+          // calls, so that each draw is found once.
           const vtkNBufferRectangle shared = draw.Pixels.GetIntersection(pixels);
           if (!shared.IsEmpty() && shared.X0 / this->TileSize == column &&
             shared.Y0 / this->TileSize == row)
@@ -93,7 +94,8 @@ vtkNBufferRectangle GetUnion(const vtkNBufferRectangle& a, const vtkNBufferRecta
   return { std::min(a.X0, b.X0), std::min(a.Y0, b.Y0), std::max(a.X1, b.X1), std::max(a.Y1, b.Y1) };
 }
 
-/// Add a rectangle; pairs become one where that covers no more, and where there are too many.
+/// Add a rectangle. Two rectangles become one where that covers no more pixels, and where there are
+/// too many.
 void AddRegion(std::vector<vtkNBufferRectangle>& regions, const vtkNBufferRectangle& pixels)
 {
   regions.push_back(pixels);
@@ -138,20 +140,22 @@ bool Covers(const std::vector<vtkNBufferRectangle>& regions, const vtkNBufferRec
 
 namespace vtkNBufferTieOrder
 {
-bool GetTie(const vtkNBufferProjection& projection, const vtkNBufferDrawnProp& a,
-  const vtkNBufferDrawnProp& b, vtkNBufferRectangle& pixels)
+vtkNBufferRectangle GetTie(const vtkNBufferProjection& projection, const vtkNBufferDrawnProp& a,
+  const vtkNBufferDrawnProp& b)
 {
-  if (a.Bounded && b.Bounded)
+  if (!a.Bounded && !b.Bounded)
   {
-    return a.Screen.Nearest <= b.Screen.Farthest && b.Screen.Nearest <= a.Screen.Farthest &&
-      projection.GetContact(a.Box, a.Screen, b.Box, b.Screen, pixels);
+    return { 0, 0, projection.GetWidth(), projection.GetHeight() };
   }
-  pixels = { 0, 0, projection.GetWidth(), projection.GetHeight() };
-  for (const vtkNBufferDrawnProp* prop : { &a, &b })
+  if (!a.Bounded || !b.Bounded)
   {
-    pixels = prop->Bounded ? prop->Screen.Pixels : pixels;
+    return a.Bounded ? a.Screen.Pixels : b.Screen.Pixels;
   }
-  return true;
+  if (a.Screen.Nearest > b.Screen.Farthest || b.Screen.Nearest > a.Screen.Farthest)
+  {
+    return {};
+  }
+  return projection.GetContact(a.Box, a.Screen, b.Box, b.Screen);
 }
 
 std::vector<vtkNBufferRedraw> GetRedraws(
@@ -171,13 +175,12 @@ std::vector<vtkNBufferRedraw> GetRedraws(
     late.ForEachIn(all,
       [&](const LateDraw& other, const vtkNBufferRectangle& shared)
       {
-        vtkNBufferRectangle tie;
-        if (other.Round <= prop.Round || Covers(redraw.Regions, shared) ||
-          !GetTie(projection, drawn[other.Position], prop, tie))
+        if (other.Round <= prop.Round || Covers(redraw.Regions, shared))
         {
           return;
         }
-        tie = tie.GetIntersection(shared);
+        const vtkNBufferRectangle tie =
+          GetTie(projection, drawn[other.Position], prop).GetIntersection(shared);
         if (!tie.IsEmpty())
         {
           AddRegion(redraw.Regions, inRegions && prop.Bounded ? tie : all);

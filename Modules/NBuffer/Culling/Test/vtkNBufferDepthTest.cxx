@@ -15,8 +15,9 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// Props in doubt that make reading the whole depth image worth while where it is not there yet.
-constexpr std::size_t DoubtfulWorthARead = 32;
+/// The number of candidates for which reading the whole depth image is worth while where it is not
+/// in host memory yet.
+constexpr std::size_t CandidatesWorthARead = 32;
 }
 
 vtkNBufferDepthTest::vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferLevels& levels,
@@ -42,26 +43,27 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
   {
     for (int i : *list)
     {
-      // RectangleIsStale ones need no more than the nodes that they are in.
+      // A candidate whose rectangle is stale needs no more levels than the nodes above it.
       if (!this->Props.GetState(i).RectangleIsStale)
       {
         levels = std::max(levels,
           vtkNBufferOcclusionTest::GetLevelsNeeded(
-            this->Props.GetScreen(i).Pixels, this->Settings.BaseFactor));
+            this->Props.GetScreen(i).Pixels, this->Settings.Tuning.BaseFactor));
       }
     }
   }
-  levels = std::max(levels, this->Props.GetLevelsNeeded(this->Settings.BaseFactor));
-  this->Backend.SetAllowFloatTextures(this->Settings.AllowFloatTextures);
-  return this->Backend.Build(this->Settings.Backend, window, source, this->Settings.BaseFactor,
-    levels, this->Levels, this->Statistics, why);
+  levels = std::max(levels, this->Props.GetLevelsNeeded(this->Settings.Tuning.BaseFactor));
+  this->Backend.SetAllowFloatTextures(this->Settings.Tuning.AllowFloatTextures);
+  return this->Backend.Build(this->Settings.Backend,
+    { window, source, this->Settings.Tuning.BaseFactor, levels, this->Levels, this->Statistics },
+    why);
 }
 
-const float* vtkNBufferDepthTest::GetDepth(std::size_t doubtful)
+const float* vtkNBufferDepthTest::GetDepth(std::size_t candidates)
 {
-  // A second read-back must have something to save.
-  if (!this->Settings.TestPixels || doubtful == 0 ||
-    (this->Backend.GetInUse() == vtkNBufferBackend::OpenGL && doubtful < DoubtfulWorthARead))
+  // With the OpenGL back-end this is a second read-back, which must have something to save.
+  if (!this->Settings.Tuning.TestPixels || candidates == 0 ||
+    (this->Backend.GetInUse() == vtkNBufferBackend::OpenGL && candidates < CandidatesWorthARead))
   {
     return nullptr;
   }
@@ -70,7 +72,7 @@ const float* vtkNBufferDepthTest::GetDepth(std::size_t doubtful)
 
 bool vtkNBufferDepthTest::HasVisibleSlivers(int i, vtkNBufferSliverTest& test)
 {
-  // Made now if a node has hidden it.
+  // The rectangle is made now if a node of the hierarchy was found hidden instead of the prop.
   const vtkNBufferScreenBox& screen = this->Props.GetScreen(i);
   if (this->Props.GetState(i).Placement != vtkNBufferPlacement::Inside)
   {
@@ -81,7 +83,8 @@ bool vtkNBufferDepthTest::HasVisibleSlivers(int i, vtkNBufferSliverTest& test)
     [&](const vtkNBufferMesh* mesh)
     {
       auto* actor = static_cast<vtkActor*>(this->Props.GetProp(i));
-      return test.MayBeSeen(*mesh, actor->GetMatrix()->GetData(), this->Props.GetBox(i), screen);
+      return test.MayBeSeen(*mesh, vtkNBufferGLM::ToMatrix(actor->GetMatrix()->GetData()),
+        this->Props.GetBox(i), screen);
     });
 }
 
@@ -92,10 +95,9 @@ bool vtkNBufferDepthTest::TestsSlivers() const
     (policy == vtkNBufferSliverPolicy::OnSoftware && vtkNBufferGL::GetSoftwareRenderer());
 }
 
-/// `places` is what is left of `asked`, in its order; so it is afterwards.
-void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& asked, std::vector<int>& places)
+void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::vector<int>& places)
 {
-  if (asked.size() <= places.size())
+  if (tested.size() <= places.size())
   {
     return;
   }
@@ -103,7 +105,7 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& asked, std::vec
   vtkNBufferSliverTest test(this->Projection, this->Levels, this->Source.Samples > 1 ? 0.5 : 0.0);
   std::vector<int> visible;
   auto left = places.begin();
-  for (int i : asked)
+  for (int i : tested)
   {
     if (left != places.end() && *left == i)
     {
@@ -122,8 +124,8 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& asked, std::vec
 
 int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
 {
-  const std::vector<int> asked = this->TestsSlivers() ? places : std::vector<int>();
-  // `test` is asked with the rectangle made; a placement that is not Inside has none.
+  const std::vector<int> tested = this->TestsSlivers() ? places : std::vector<int>();
+  // GetScreen() makes the rectangle, which only a candidate that is Inside has.
   const auto isHiddenBy = [this](int i, auto& test)
   {
     const vtkNBufferScreenBox& screen = this->Props.GetScreen(i);
@@ -132,24 +134,24 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
   };
 
   vtkNBufferClock clock;
-  // Children are cheaper than pieces of their parent.
+  // Testing the children of a node is cheaper than testing pieces of the node.
   vtkNBufferOcclusionTest nodeTest(this->Projection, this->Levels, 1);
   this->Props.MarkHidden(nodeTest);
   vtkNBufferOcclusionTest test(
-    this->Projection, this->Levels, this->Settings.MaximumNumberOfPieces);
+    this->Projection, this->Levels, this->Settings.Tuning.MaximumNumberOfPieces);
   places.erase(std::remove_if(places.begin(), places.end(),
                  [&](int i) { return this->Props.GetState(i).Behind || isHiddenBy(i, test); }),
     places.end());
   this->Statistics.Queries += test.GetQueries() + nodeTest.GetQueries();
   this->Statistics.Lookups += test.GetLookups() + nodeTest.GetLookups();
-  const auto doubtful = static_cast<int>(places.size());
+  const auto passed = static_cast<int>(places.size());
   this->Statistics.TestTime += clock.Restart();
 
   const float* depth = this->GetDepth(places.size());
   if (!depth)
   {
-    this->PutBackSlivers(asked, places);
-    return doubtful;
+    this->PutBackSlivers(tested, places);
+    return passed;
   }
   clock.Restart();
   vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth);
@@ -158,7 +160,7 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
     places.end());
   this->Statistics.Lookups += pixelTest.GetLookups();
   this->Statistics.PixelTestTime += clock.GetMilliseconds();
-  this->PutBackSlivers(asked, places);
-  return doubtful;
+  this->PutBackSlivers(tested, places);
+  return passed;
 }
 VTK_ABI_NAMESPACE_END

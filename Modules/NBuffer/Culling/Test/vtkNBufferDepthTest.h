@@ -4,9 +4,10 @@
  * @class vtkNBufferDepthTest
  * @brief Which candidates of a list lie behind what has been drawn in this frame so far.
  *
- * First by the levels (vtkNBufferOcclusionTest), then, for those in doubt and where the depth
- * image is at hand, by the pixels (vtkNBufferPixelTest). What they found hidden may have slivers
- * that are drawn before its box (vtkNBufferSliverTest).
+ * A candidate is compared with the levels first (vtkNBufferOcclusionTest). Those that the levels do
+ * not find hidden are compared with the pixels (vtkNBufferPixelTest) where the depth image is in
+ * host memory or worth reading. Candidates that were found hidden may have slivers that a device
+ * draws before their box; these candidates are kept (vtkNBufferSliverTest).
  */
 #ifndef vtkNBufferDepthTest_h
 #define vtkNBufferDepthTest_h
@@ -17,6 +18,7 @@
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferSliverTest.h"
 #include "vtkNBufferStatistics.h"
+#include "vtkNBufferTuning.h"
 
 #include <initializer_list>
 #include <string>
@@ -28,45 +30,47 @@ class vtkOpenGLRenderWindow;
 /// When the triangles of hidden props are looked at.
 enum class vtkNBufferSliverPolicy
 {
-  Never,
-  OnSoftware,
-  Always
+  Never,      ///< In no frame.
+  OnSoftware, ///< Where OpenGL runs in software, as with Mesa's llvmpipe.
+  Always      ///< In every frame.
 };
 
 class vtkNBufferDepthTest
 {
 public:
-  /// As the settings of vtkNBufferCuller of the same names.
+  /// The settings of vtkNBufferCuller with the same names, and its tuning.
   struct Options
   {
-    vtkNBufferBackend::Kind Backend = vtkNBufferBackend::Auto;
-    int BaseFactor = 4;
-    int MaximumNumberOfPieces = 8;
-    bool TestPixels = true;
-    vtkNBufferSliverPolicy TestSlivers = vtkNBufferSliverPolicy::Never;
-    bool AllowFloatTextures = true;
+    vtkNBufferBackend::Kind Backend;
+    vtkNBufferSliverPolicy TestSlivers;
+    const vtkNBufferTuning& Tuning;
   };
 
-  /// All but the options are kept by reference and must outlive the test.
+  /// All arguments except `options` are kept by reference and must outlive the test, as must the
+  /// tuning in `options`.
   vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferLevels& levels,
     const vtkNBufferProjection& projection, vtkNBufferCandidateList& props,
     vtkNBufferStatistics& statistics, const Options& options);
 
   /**
-   * Build the levels that the props in all of `places` need, from the depth of the framebuffer
-   * that is being drawn. As vtkNBufferBackend::Build.
+   * Build the levels that the candidates at all of `places` need, from the depth of the framebuffer
+   * that is being drawn. Returns Culled, or a failure with its cause and remedy in `why`, as
+   * vtkNBufferBackend::Build() does.
    */
   vtkNBufferDecision Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
     std::initializer_list<const std::vector<int>*> places, std::string& why);
 
-  /// Take the places of hidden props out of `places`; returns how many of them the levels alone did
-  /// not find hidden. Nothing may be drawn since Build().
+  /// Remove the places of hidden candidates from `places`. Returns how many candidates the levels
+  /// alone did not find hidden. Nothing may have been drawn since Build().
   int RemoveHidden(std::vector<int>& places);
 
 private:
-  const float* GetDepth(std::size_t doubtful);
+  /// The depth image if it is worth having for this many candidates, else null.
+  const float* GetDepth(std::size_t candidates);
   bool TestsSlivers() const;
-  void PutBackSlivers(const std::vector<int>& asked, std::vector<int>& places);
+  /// Put those of `tested` back into `places` that may be seen by a sliver. `places` is what is
+  /// left of `tested`, in the same order, before and after.
+  void PutBackSlivers(const std::vector<int>& tested, std::vector<int>& places);
   bool HasVisibleSlivers(int i, vtkNBufferSliverTest& test);
 
   vtkNBufferBackend& Backend;

@@ -10,68 +10,68 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// The union of boxes, and of what rounding does to them.
+/// The union of boxes, and the rounding that bounds that of all of them.
 class Union
 {
 public:
   void Add(const vtkNBufferBox& box)
   {
-    for (int j = 0; j < 3; ++j)
-    {
-      const double low = box.Center[j] - box.HalfSize[j];
-      const double high = box.Center[j] + box.HalfSize[j];
-      // Around the origin o = 0 instead of the box's own: |M o + M_3| <= |M| |o| + |M_3|.
-      const double magnitude = std::abs(box.Origin[j]) + box.Magnitude[j];
-      this->Low[j] = std::min(this->Low[j], low);
-      this->High[j] = std::max(this->High[j], high);
-      this->Magnitude[j] = std::max(this->Magnitude[j], magnitude);
-      this->Known = this->Known && std::isfinite(low) && std::isfinite(high) &&
-        std::isfinite(magnitude) && low <= high;
-    }
+    const glm::dvec3 low = box.Center - box.HalfSize;
+    const glm::dvec3 high = box.Center + box.HalfSize;
+    // The origin of the union is 0, not the box's own o: |M o + M_3| <= |M| |o| + |M_3|.
+    const glm::dvec3 magnitude = glm::abs(box.Origin) + box.Magnitude;
+    this->Low = glm::min(this->Low, low);
+    this->High = glm::max(this->High, high);
+    this->Magnitude = glm::max(this->Magnitude, magnitude);
     this->Margin = std::max(this->Margin, box.Margin);
-    this->Known = this->Known && std::isfinite(box.Margin);
+    this->Known = this->Known && IsFinite(low) && IsFinite(high) && IsFinite(magnitude) &&
+      low.x <= high.x && low.y <= high.y && low.z <= high.z && std::isfinite(box.Margin);
   }
 
   vtkNBufferBox Get() const
   {
     vtkNBufferBox box;
-    for (int j = 0; j < 3; ++j)
+    if (this->Known)
     {
-      box.Center[j] = 0.5 * (this->Low[j] + this->High[j]);
+      box.Center = 0.5 * (this->Low + this->High);
       // Rounding must not cut anything off.
-      box.HalfSize[j] = 0.5 * (this->High[j] - this->Low[j]) +
-        (std::abs(this->Low[j]) + std::abs(this->High[j])) * 0x1p-51;
-      box.Magnitude[j] = this->Magnitude[j];
-      if (!this->Known)
-      {
-        // Which the projection takes for "unknown" in every comparison.
-        box.Center[j] = box.HalfSize[j] = std::numeric_limits<double>::quiet_NaN();
-      }
+      box.HalfSize =
+        0.5 * (this->High - this->Low) + (glm::abs(this->Low) + glm::abs(this->High)) * 0x1p-51;
     }
+    else
+    {
+      // The projection takes NaN for "unknown" in every comparison.
+      box.Center = box.HalfSize = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+    }
+    box.Magnitude = this->Magnitude;
     box.Margin = this->Margin;
     return box;
   }
 
 private:
-  static constexpr double Infinity = std::numeric_limits<double>::infinity();
-  double Low[3] = { Infinity, Infinity, Infinity };
-  double High[3] = { -Infinity, -Infinity, -Infinity };
-  double Magnitude[3] = { 0.0, 0.0, 0.0 };
+  static bool IsFinite(const glm::dvec3& x)
+  {
+    return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
+  }
+
+  glm::dvec3 Low = glm::dvec3(std::numeric_limits<double>::infinity());
+  glm::dvec3 High = glm::dvec3(-std::numeric_limits<double>::infinity());
+  glm::dvec3 Magnitude;
   double Margin = 0.0;
   bool Known = true;
 };
 
 double GetExtent(const vtkNBufferBox& box)
 {
-  return box.HalfSize[0] + box.HalfSize[1] + box.HalfSize[2];
+  return box.HalfSize.x + box.HalfSize.y + box.HalfSize.z;
 }
 }
 
-/// What the median is looked for in: small, so that it moves little memory.
+/// The search for the median sorts these: they are small, so that it moves little memory.
 struct vtkNBufferHierarchy::Key
 {
-  double Center[3];
-  int Place;
+  glm::dvec3 Center;
+  int Place = 0;
 };
 
 void vtkNBufferHierarchy::Clear()
@@ -204,7 +204,7 @@ void vtkNBufferHierarchy::FitNode(std::size_t place)
   const double before = GetExtent(node.Box);
   node.Box = all.Get();
   const double change = GetExtent(node.Box) - before;
-  // Leaves of which nothing is known are left out of the sum.
+  // Leaves without a finite box do not count in the sum.
   this->Extent += std::isfinite(change) ? change : 0.0;
 }
 

@@ -2,23 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferHierarchy
- * @brief A hierarchy of bounding boxes: parents before children, refit when boxes move. No OpenGL.
+ * @brief A hierarchy of bounding boxes whose nodes follow boxes that move. No OpenGL.
  *
- * A binary tree by the median of the centres along the longest axis. Nodes follow each other depth
- * first, so that passing over what is below a node is adding to an index, and refitting is one walk
+ * The hierarchy is a binary tree. Each node is split at the median of the centres of its boxes,
+ * along the axis on which the centres extend farthest. Nodes follow each other depth first, so that
+ * passing over everything below a node is a jump to an index (Next), and refitting is one walk
  * backwards:
  *
  *              0              nodes      0 1 2 3 4 5 6
  *          1       4          Next       7 4 3 4 7 6 7
  *        2   3   5   6
  *
- * The box of a node is one that vtkNBufferProjection may judge like any other, and what it says of
- * the node holds for all that is below: it contains their boxes, rounded outward, its rounding is
- * at least that of each of them, and its margin the largest. A box that is not finite makes all
- * nodes above it so, of which nothing is ever known.
+ * The box of a node can be tested by vtkNBufferProjection like any other, and the result for the
+ * node holds for everything below it: the box contains all boxes below, rounded outward, its
+ * rounding is at least that of each of them, and its margin is the largest. If a box below is not
+ * finite, the node's box is NaN, and every test of the node says that nothing is known.
  *
- * Cost of n boxes: Build() about n log n, Refit() the nodes above what has moved; memory about 150
- * bytes per box.
+ * With n boxes, Build() takes about n log n steps and Refit() looks at the nodes above the boxes
+ * that have moved. The memory is about 150 bytes for each box.
  */
 #ifndef vtkNBufferHierarchy_h
 #define vtkNBufferHierarchy_h
@@ -33,66 +34,71 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKNBUFFER_EXPORT vtkNBufferHierarchy
 {
 public:
-  /// Boxes of a leaf: asking a node costs as much as asking a box.
+  /// The number of boxes in a leaf. Testing a node costs as much as testing a box.
   static constexpr int DefaultLeafSize = 8;
 
   struct Node
   {
     vtkNBufferBox Box;
-    int Begin = 0; ///< In GetOrder().
+    ///@{
+    /// The boxes below the node are those from Begin to End of GetOrder().
+    int Begin = 0;
     int End = 0;
-    int Left = -1; ///< -1: a leaf. The left child is the next node.
-    int Right = -1;
-    int Next = 0; ///< The first node that is not below this one.
+    ///@}
+    int Left = -1;  ///< The left child, which is the next node; -1 for a leaf.
+    int Right = -1; ///< The right child; -1 for a leaf.
+    int Next = 0;   ///< The first node that is not below this one.
   };
 
-  /// Of those boxes whose places are in `places`, each at most once.
+  /// Build the tree over the boxes at `places`, in which each place appears at most once.
   void Build(const std::vector<vtkNBufferBox>& boxes, std::vector<int> places,
     int leafSize = DefaultLeafSize);
 
-  /// Of all boxes.
+  /// Build the tree over all boxes.
   void Build(const std::vector<vtkNBufferBox>& boxes, int leafSize = DefaultLeafSize);
 
-  /// No boxes.
+  /// Remove all boxes.
   void Clear();
 
-  /// Whether the box of a place is in the tree.
+  /// Whether the tree contains the box of a place.
   bool Has(int place) const
   {
     return place < static_cast<int>(this->Slots.size()) &&
       this->Slots[static_cast<std::size_t>(place)] >= 0;
   }
 
-  /// Another box for a place that is in the tree; nodes follow with the next Refit().
+  /// Replace the box of a place that is in the tree. The nodes follow with the next Refit().
   void Move(int place, const vtkNBufferBox& box);
 
-  /// Fit the nodes to boxes that have moved. Returns how many nodes are above these.
+  /// Fit the nodes to the boxes that were replaced. Returns how many nodes were fitted.
   int Refit();
 
-  /// The same tree over boxes that may all have moved.
+  /// Keep the tree but replace all boxes and fit all nodes.
   void Refit(const std::vector<vtkNBufferBox>& boxes);
 
   /**
-   * How much wider the leaves are than when they were built, 1 for as wide: the sum of their sizes
-   * along all axes by what it was. Boxes that have left their neighbours make it grow, and with it
-   * the number of nodes that are asked in vain.
+   * How much larger the leaves are than when the tree was built, 1 if they are as large: the sum of
+   * their sizes along all axes, divided by that sum at Build(). It grows when boxes move away from
+   * their neighbours, and with it the number of nodes that are visited in vain.
    */
   double GetGrowth() const;
 
+  /// What Visit() does below a node.
   enum class Answer
   {
-    Skip,   ///< Nothing below is asked.
-    Descend ///< The children are asked, or the boxes of a leaf.
+    Skip,   ///< It visits nothing below the node.
+    Descend ///< It visits the children, or the boxes of a leaf.
   };
 
-  /// askNode(const vtkNBufferBox&) gives an Answer; askBox(int) is called for the boxes of leaves.
-  template <typename AskNode, typename AskBox>
-  void Visit(AskNode&& askNode, AskBox&& askBox) const
+  /// Walk over the tree: visitNode(const vtkNBufferBox&) returns an Answer, and visitBox(int place)
+  /// is called for the boxes of the leaves that are reached.
+  template <typename VisitNode, typename VisitBox>
+  void Visit(VisitNode&& visitNode, VisitBox&& visitBox) const
   {
     for (std::size_t i = 0; i < this->Nodes.size();)
     {
       const Node& node = this->Nodes[i];
-      if (askNode(node.Box) == Answer::Skip)
+      if (visitNode(node.Box) == Answer::Skip)
       {
         i = static_cast<std::size_t>(node.Next);
         continue;
@@ -101,7 +107,7 @@ public:
       {
         for (int place = node.Begin; place < node.End; ++place)
         {
-          askBox(this->Order[static_cast<std::size_t>(place)]);
+          visitBox(this->Order[static_cast<std::size_t>(place)]);
         }
       }
       ++i;
@@ -110,11 +116,11 @@ public:
 
   std::size_t GetNumberOfNodes() const { return this->Nodes.size(); }
 
-  ///@{
-  /// For other walks: the root comes first; places of boxes, a node's from Begin to End.
+  /// All nodes, the root first, for walks other than Visit().
   const std::vector<Node>& GetNodes() const { return this->Nodes; }
+
+  /// The places of the boxes, so that those below a node are neighbours.
   const std::vector<int>& GetOrder() const { return this->Order; }
-  ///@}
 
 private:
   struct Key;
@@ -123,12 +129,12 @@ private:
   void FitNode(std::size_t place);
 
   std::vector<Node> Nodes;
-  std::vector<unsigned char> Dirty; ///< By node: something below has moved.
+  std::vector<unsigned char> Dirty; ///< For each node, whether a box below was replaced.
   std::vector<int> Order;
-  std::vector<int> Slots;           ///< By place: where in Order, or -1.
-  std::vector<vtkNBufferBox> Boxes; ///< In the order of Order.
-  double Extent = 0.0;              ///< Of all leaves.
-  double BuiltExtent = 0.0;
+  std::vector<int> Slots;           ///< For each place, where it is in Order, or -1.
+  std::vector<vtkNBufferBox> Boxes; ///< The boxes in the order of Order.
+  double Extent = 0.0;              ///< The sum of the sizes of all leaves.
+  double BuiltExtent = 0.0;         ///< That sum at Build().
 };
 
 VTK_ABI_NAMESPACE_END

@@ -23,14 +23,14 @@ bool vtkNBufferOcclusionTest::IsBehind(const vtkNBufferScreenBox& screen)
 {
   const vtkNBufferCover cover = vtkNBufferMath::GetCoverOfFour(
     vtkNBufferMath::GetBaseRectangle(screen.Pixels, this->Levels.GetFactor()));
-  // Without the level there is no information, which means visible.
+  // Without the level nothing is known, which means visible.
   if (cover.Level >= this->Levels.GetNumberOfLevels())
   {
     return false;
   }
   ++this->Queries;
   this->Lookups += cover.Count;
-  return screen.Nearest > this->Projection.GetDepthSign() * this->Levels.Query(cover);
+  return screen.Nearest > vtkNBufferDepthConvention::GetOrder(this->Levels.Query(cover));
 }
 
 bool vtkNBufferOcclusionTest::IsHidden(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)

@@ -5,10 +5,11 @@
  * @brief Whether a box lies behind what has been drawn. No OpenGL.
  *
  * A box is hidden if its nearest depth is farther than the farthest depth drawn in its rectangle
- * (Decoret 2005, section 3.1), four lookups. When that says visible and the box is long on the
- * screen, it is cut along its longest axis, and each piece is tested with its own rectangle and
- * nearest depth: one nearest depth for the whole length is what keeps most hidden props that an
- * exact test would drop. Cutting halves the props kept in scenes of pipes, halls and streets.
+ * (Decoret 2005, section 3.1), which takes at most four lookups. If that test says visible and the
+ * box is long on the screen, the box is cut along its longest axis, and each piece is tested with
+ * its own rectangle and nearest depth (vtkNBufferSplitBox.h). One nearest depth for the whole
+ * length is the main reason why four lookups keep props that an exact test would find hidden.
+ * Cutting halves the props kept in scenes of pipes, halls and streets.
  */
 #ifndef vtkNBufferOcclusionTest_h
 #define vtkNBufferOcclusionTest_h
@@ -23,26 +24,29 @@ class VTKNBUFFER_EXPORT vtkNBufferOcclusionTest
 {
 public:
   /**
-   * Both arguments are kept by reference and must outlive the test. `levels` holds the farthest
-   * stored depths of the projection's viewport and convention (vtkNBufferMath::GetFarthest), with
-   * all levels that the boxes need (see GetLevelsNeeded).
+   * `projection` and `levels` are kept by reference and must outlive the test. The levels hold the
+   * farthest stored depths of the projection's viewport (vtkNBufferDepthConvention::Farthest). A
+   * box that needs a level that was not built (GetLevelsNeeded) counts as visible. A box is cut
+   * into at most `maximumPieces` pieces.
    */
   vtkNBufferOcclusionTest(
     const vtkNBufferProjection& projection, const vtkNBufferLevels& levels, int maximumPieces);
 
   /**
-   * True only if nothing of the box can be seen. `screen` is what projection.Project gave for it.
+   * True only if nothing of the box can be seen. `screen` is what projection.Project() gave for the
+   * box.
    */
   bool IsHidden(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen);
 
-  /// Number of levels that answers a rectangle of pixels over a base of the given factor.
+  /// The number of levels with which a rectangle of pixels can be tested. `factor` is how many
+  /// pixels a texel of the base stands for, along each axis.
   static int GetLevelsNeeded(const vtkNBufferRectangle& pixels, int factor);
 
-  ///@{
-  /// Rectangles asked and texels looked up so far.
+  /// The number of rectangles compared with the levels so far.
   long long GetQueries() const { return this->Queries; }
+
+  /// The number of texels read for that.
   long long GetLookups() const { return this->Lookups; }
-  ///@}
 
 private:
   bool IsBehind(const vtkNBufferScreenBox& screen);

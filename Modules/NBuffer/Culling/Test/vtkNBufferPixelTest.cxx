@@ -12,24 +12,23 @@ namespace
 {
 constexpr int Side = 8; // of a square, in pixels
 
-struct Point
+/// Twice the area of the triangle o, a, b; positive if it is counter-clockwise.
+double Cross(const glm::dvec2& o, const glm::dvec2& a, const glm::dvec2& b)
 {
-  double X;
-  double Y;
-};
-
-double Cross(const Point& o, const Point& a, const Point& b)
-{
-  return (a.X - o.X) * (b.Y - o.Y) - (a.Y - o.Y) * (b.X - o.X);
+  const glm::dvec2 p = a - o;
+  const glm::dvec2 q = b - o;
+  return p.x * q.y - p.y * q.x;
 }
 
-/// Convex hull, counter-clockwise (A. M. Andrew, 1979). Returns the number of its corners.
-int GetHull(std::array<Point, 8>& points, std::array<Point, 16>& hull)
+/// The convex hull of eight points, which it sorts, counter-clockwise (A. M. Andrew, 1979). Returns
+/// the number of its corners.
+int GetHull(std::array<glm::dvec2, 8>& points, std::array<glm::dvec2, 16>& hull)
 {
   std::sort(points.begin(), points.end(),
-    [](const Point& a, const Point& b) { return a.X < b.X || (a.X == b.X && a.Y < b.Y); });
+    [](const glm::dvec2& a, const glm::dvec2& b)
+    { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   int count = 0;
-  const auto add = [&](const Point& point, int floor)
+  const auto add = [&](const glm::dvec2& point, int floor)
   {
     while (count >= floor + 2 && Cross(hull[count - 2], hull[count - 1], point) <= 0.0)
     {
@@ -37,7 +36,7 @@ int GetHull(std::array<Point, 8>& points, std::array<Point, 16>& hull)
     }
     hull[count++] = point;
   };
-  for (const Point& point : points)
+  for (const glm::dvec2& point : points)
   {
     add(point, 0);
   }
@@ -71,53 +70,46 @@ void vtkNBufferPixelTest::SetOutline(const vtkNBufferBox& box, const vtkNBufferS
   this->NumberOfPlanes = 0;
   for (int face = 0; face < 6 && this->NumberOfPlanes < 3; ++face)
   {
-    if (this->Projection.GetFacePlane(box, screen, face, this->Planes[this->NumberOfPlanes]))
+    if (const auto plane = this->Projection.GetFacePlane(box, screen, face))
     {
-      ++this->NumberOfPlanes;
+      this->Planes[this->NumberOfPlanes++] = *plane;
     }
   }
 }
 
 void vtkNBufferPixelTest::SetEdges(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)
 {
-  double corners[16];
-  this->Projection.GetCorners(box, corners);
-  std::array<Point, 8> points;
-  for (int i = 0; i < 8; ++i)
-  {
-    points[i] = { corners[2 * i], corners[2 * i + 1] };
-  }
-  std::array<Point, 16> hull;
+  std::array<glm::dvec2, 8> points = this->Projection.GetCorners(box);
+  std::array<glm::dvec2, 16> hull;
   const int count = GetHull(points, hull);
-  const double slackX = 0.5 * this->Projection.GetWidth() * screen.Slack[0];
-  const double slackY = 0.5 * this->Projection.GetHeight() * screen.Slack[1];
+  const glm::dvec2 slack = { 0.5 * this->Projection.GetWidth() * screen.Slack.x,
+    0.5 * this->Projection.GetHeight() * screen.Slack.y };
   this->NumberOfEdges = 0;
   for (int i = 0; i < count && count <= 8; ++i)
   {
-    const Point& from = hull[i];
-    const Point& to = hull[(i + 1) % count];
+    const glm::dvec2& from = hull[i];
+    const glm::dvec2& to = hull[(i + 1) % count];
     // The outward normal of an edge that has the hull on its left.
     Edge& edge = this->Edges[this->NumberOfEdges++];
-    edge.X = to.Y - from.Y;
-    edge.Y = from.X - to.X;
+    edge.Normal = { to.y - from.y, from.x - to.x };
     // Beyond the farthest corner, not through `from`: where corners differ by rounding only (boxes
     // without thickness) an edge may point anywhere, and this holds for every direction.
     double reach = -std::numeric_limits<double>::infinity();
-    for (const Point& point : points)
+    for (const glm::dvec2& point : points)
     {
-      reach = std::max(reach, edge.X * point.X + edge.Y * point.Y);
+      reach = std::max(reach, glm::dot(edge.Normal, point));
     }
-    edge.Offset = -reach - std::abs(edge.X) * slackX - std::abs(edge.Y) * slackY;
+    edge.Offset = -reach - std::abs(edge.Normal.x) * slack.x - std::abs(edge.Normal.y) * slack.y;
   }
 }
 
-bool vtkNBufferPixelTest::IsBeside(double x, double y, double halfSide) const
+bool vtkNBufferPixelTest::IsOutsideOutline(double x, double y, double halfSide) const
 {
-  return std::any_of(this->Edges, this->Edges + this->NumberOfEdges,
+  return std::any_of(this->Edges.begin(), this->Edges.begin() + this->NumberOfEdges,
     [=](const Edge& edge)
     {
-      return edge.X * x + edge.Y * y + edge.Offset -
-        halfSide * (std::abs(edge.X) + std::abs(edge.Y)) >
+      return edge.Normal.x * x + edge.Normal.y * y + edge.Offset -
+        halfSide * (std::abs(edge.Normal.x) + std::abs(edge.Normal.y)) >
         0.0;
     });
 }
@@ -138,8 +130,7 @@ double vtkNBufferPixelTest::GetNearest(double x, double y, double halfSide) cons
 bool vtkNBufferPixelTest::IsSquareHidden(int x, int y, const vtkNBufferRectangle& pixels)
 {
   constexpr double half = 0.5 * Side;
-  const double sign = this->Projection.GetDepthSign();
-  if (this->IsBeside(x + half, y + half, half))
+  if (this->IsOutsideOutline(x + half, y + half, half))
   {
     return true;
   }
@@ -151,7 +142,8 @@ bool vtkNBufferPixelTest::IsSquareHidden(int x, int y, const vtkNBufferRectangle
     cover.X[0] = x / this->Levels.GetFactor();
     cover.Y[0] = y / this->Levels.GetFactor();
     ++this->Lookups;
-    if (this->GetNearest(x + half, y + half, half) > sign * this->Levels.Query(cover))
+    if (this->GetNearest(x + half, y + half, half) >
+      vtkNBufferDepthConvention::GetOrder(this->Levels.Query(cover)))
     {
       return true;
     }
@@ -162,8 +154,8 @@ bool vtkNBufferPixelTest::IsSquareHidden(int x, int y, const vtkNBufferRectangle
     for (int column = std::max(x, pixels.X0); column < std::min(x + Side, pixels.X1); ++column)
     {
       ++this->Lookups;
-      const double depth = sign * this->Depth[row * width + column];
-      if (!(this->Nearest > depth) && !this->IsBeside(column + 0.5, row + 0.5, 0.5) &&
+      const double depth = vtkNBufferDepthConvention::GetOrder(this->Depth[row * width + column]);
+      if (!(this->Nearest > depth) && !this->IsOutsideOutline(column + 0.5, row + 0.5, 0.5) &&
         !(this->GetNearest(column + 0.5, row + 0.5, 0.5) > depth))
       {
         return false;
@@ -175,7 +167,7 @@ bool vtkNBufferPixelTest::IsSquareHidden(int x, int y, const vtkNBufferRectangle
 
 bool vtkNBufferPixelTest::IsHidden(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)
 {
-  // What sticks out of its box has no outline.
+  // The outline of a box says nothing of wide lines and points that stick out of the box.
   if (box.Margin > 0.0)
   {
     return false;

@@ -12,108 +12,66 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-constexpr double UnitRoundoff = 1.0 / (1 << 24);
-// Derived in the header, in units of UnitRoundoff.
-constexpr double VertexErrors = 8.0;
-constexpr double DepthErrors = 4.0;
-constexpr double PlaneErrors = 8.0;
-constexpr double SnapInPixels = 1.0 / 16;       // OpenGL's minimum of subpixel bits
-constexpr double OvershootInPixels = 1.0 / 362; // half the diagonal of a step of 2^-8
-constexpr double InverseOfHeight = 16.0;        // of the lowest triangle that is covered
-// Of single triangles, see vtkNBufferSliverTest.h, in units of UnitRoundoff.
-constexpr double SlopeErrors = 32.0;
-constexpr double LowestHeight = 64.0;
-constexpr double NearPlaneMargin = 1e-6; // far more than unprojecting in double can err
+/// Relative, far more than unprojecting in double precision can err.
+constexpr double NearPlaneMargin = 1e-6;
 
-/// E of the header: how far the device's value of row i may be from Evaluate().
-double GetError(const double row[4], const vtkNBufferBox& box)
+double Evaluate(const glm::dvec4& row, const glm::dvec3& point)
 {
-  const double* m = box.Magnitude;
-  const double* o = box.Origin;
-  return VertexErrors * UnitRoundoff *
-    (std::abs(row[0]) * m[0] + std::abs(row[1]) * m[1] + std::abs(row[2]) * m[2] +
-      std::abs(row[0] * o[0] + row[1] * o[1] + row[2] * o[2] + row[3]));
+  return vtkNBufferBoxError::Evaluate(row, point);
 }
 
-double Evaluate(const double row[4], const double point[3])
+bool IsFinite(const glm::dvec4& clip)
 {
-  return row[0] * point[0] + row[1] * point[1] + row[2] * point[2] + row[3];
+  return std::isfinite(clip.x) && std::isfinite(clip.y) && std::isfinite(clip.z) &&
+    std::isfinite(clip.w);
 }
 
-}
-
-vtkNBufferBox vtkNBufferBox::FromBounds(const double bounds[6])
+/// The inverse of a matrix, or NaN if there is none: every comparison takes that for "unknown".
+vtkNBufferProjection::Rows Invert(const vtkNBufferProjection::Rows& rows)
 {
-  vtkNBufferBox box;
-  for (int i = 0; i < 3; ++i)
+  double elements[16];
+  for (int i = 0; i < 4; ++i)
   {
-    box.Center[i] = 0.5 * (bounds[2 * i] + bounds[2 * i + 1]);
-    // Centre and half size are rounded, and so is their sum: a few steps outward.
-    const double half = 0.5 * (bounds[2 * i + 1] - bounds[2 * i]);
-    box.HalfSize[i] = half + (std::abs(box.Center[i]) + half) * 0x1p-50;
-    box.Magnitude[i] = std::abs(box.Center[i]) + box.HalfSize[i];
+    std::copy_n(glm::value_ptr(rows[i]), 4, elements + 4 * i);
   }
-  return box;
+  double inverse[16];
+  std::fill_n(inverse, 16, std::numeric_limits<double>::quiet_NaN());
+  if (vtkMatrix4x4::Determinant(elements) != 0.0)
+  {
+    vtkMatrix4x4::Invert(elements, inverse);
+  }
+  vtkNBufferProjection::Rows result;
+  for (int i = 0; i < 4; ++i)
+  {
+    result[i] = glm::make_vec4(inverse + 4 * i);
+  }
+  return result;
+}
+}
+
+void vtkNBufferProjection::Set(
+  const double worldToClip[16], int width, int height, double depthQuantum, int largestCoordinate)
+{
+  this->Set(worldToClip, width, height, vtkNBufferDepthFormat::FromQuantum(depthQuantum),
+    largestCoordinate);
 }
 
 void vtkNBufferProjection::Set(const double worldToClip[16], int width, int height,
-  double depthQuantum, vtkNBufferDepthConvention convention, int largestCoordinate)
+  const vtkNBufferDepthFormat& format, int largestCoordinate)
 {
   this->Width = width;
   this->Height = height;
-  this->PlaneRounding = PlaneErrors * UnitRoundoff * std::max({ width, height, largestCoordinate });
-  this->DepthRangeSlack = InverseOfHeight * (OvershootInPixels + this->PlaneRounding);
-  std::copy_n(worldToClip, 16, &this->WorldToClip[0][0]);
-  std::copy_n(worldToClip, 16, &this->Rows[0][0]);
-  this->SetConvention(convention, depthQuantum);
-  // A matrix that cannot be inverted leaves NaN, which every comparison below takes for "unknown".
-  const double determinant = vtkMatrix4x4::Determinant(&this->Rows[0][0]);
-  std::fill_n(&this->ClipToWorld[0][0], 16, std::numeric_limits<double>::quiet_NaN());
-  if (determinant != 0.0)
+  this->Error.Set(format, std::max({ width, height, largestCoordinate }));
+  for (int i = 0; i < 4; ++i)
   {
-    vtkMatrix4x4::Invert(&this->Rows[0][0], &this->ClipToWorld[0][0]);
+    this->WorldToClip[i] = glm::make_vec4(worldToClip + 4 * i);
   }
+  this->ClipToWorld = Invert(this->WorldToClip);
   for (int plane = 0; plane < 6; ++plane)
   {
-    const int axis = plane / 2;
     const double sign = plane % 2 == 0 ? 1.0 : -1.0;
-    for (int j = 0; j < 4; ++j)
-    {
-      this->Planes[plane][j] = this->WorldToClip[3][j] + sign * this->WorldToClip[axis][j];
-    }
+    this->Planes[plane] = this->WorldToClip[3] + sign * this->WorldToClip[plane / 2];
   }
-}
-
-void vtkNBufferProjection::SetConvention(vtkNBufferDepthConvention convention, double depthQuantum)
-{
-  this->DepthSign = vtkNBufferMath::GetDepthSign(convention);
-  this->FarthestOrder = this->DepthSign * vtkNBufferMath::GetBackgroundDepth(convention);
-  if (convention == vtkNBufferDepthConvention::Forward)
-  {
-    this->OrderScale = 0.5;
-    this->OrderOffset = 0.5;
-    this->DepthSlack = 2.0 * depthQuantum + DepthErrors * UnitRoundoff;
-    this->RelativeDepthSlack = 0.0;
-    return;
-  }
-  this->OrderScale = 1.0;
-  this->OrderOffset = 0.0;
-  this->DepthSlack = 2.0 * depthQuantum;
-  this->RelativeDepthSlack = (DepthErrors + 2.0) * UnitRoundoff;
-  if (convention == vtkNBufferDepthConvention::Reversed)
-  {
-    for (int j = 0; j < 4; ++j)
-    {
-      this->Rows[2][j] = 0.5 * (this->WorldToClip[2][j] - this->WorldToClip[3][j]);
-    }
-    return;
-  }
-  // w of the near plane, in the middle of the view.
-  double clipToWorld[16];
-  std::fill_n(clipToWorld, 16, std::numeric_limits<double>::quiet_NaN());
-  vtkMatrix4x4::Invert(&this->WorldToClip[0][0], clipToWorld);
-  std::fill_n(this->Rows[2], 3, 0.0);
-  this->Rows[2][3] = -1.0 / (clipToWorld[15] - clipToWorld[14]);
 }
 
 bool vtkNBufferProjection::IsOutside(const vtkNBufferBox& box) const
@@ -124,12 +82,14 @@ bool vtkNBufferProjection::IsOutside(const vtkNBufferBox& box) const
   }
   for (int i = 0; i < 6; ++i)
   {
-    const double* plane = this->Planes[i];
-    // The corner farthest inside, and by how much the device may see it farther inside still.
-    const double reach = Evaluate(plane, box.Center) + std::abs(plane[0]) * box.HalfSize[0] +
-      std::abs(plane[1]) * box.HalfSize[1] + std::abs(plane[2]) * box.HalfSize[2];
+    const glm::dvec4& plane = this->Planes[i];
+    // The value at the corner farthest inside, to which the errors of the device are added.
+    const double reach = Evaluate(plane, box.Center) + std::abs(plane.x) * box.HalfSize.x +
+      std::abs(plane.y) * box.HalfSize.y + std::abs(plane.z) * box.HalfSize.z;
     if (reach < 0.0 &&
-      reach + GetError(this->WorldToClip[3], box) + GetError(this->WorldToClip[i / 2], box) < 0.0)
+      reach + vtkNBufferBoxError::GetVertexError(this->WorldToClip[3], box) +
+          vtkNBufferBoxError::GetVertexError(this->WorldToClip[i / 2], box) <
+        0.0)
     {
       return true;
     }
@@ -138,7 +98,7 @@ bool vtkNBufferProjection::IsOutside(const vtkNBufferBox& box) const
 }
 
 /**
- * What the points of a box, added one by one in clip space, cover in NDC with their slack.
+ * The extent in NDC, slack included, of points of a box that are added one by one in clip space.
  */
 class vtkNBufferProjection::Extent
 {
@@ -147,68 +107,62 @@ public:
   {
     for (int i = 0; i < 4; ++i)
     {
-      this->Error[i] = GetError(projection.Rows[i], box);
+      this->Error[i] = vtkNBufferBoxError::GetVertexError(projection.WorldToClip[i], box);
     }
   }
 
-  const double* GetErrors() const { return this->Error; }
+  const glm::dvec4& GetErrors() const { return this->Error; }
 
   /// False for a point before the near plane, behind the eye, or too near to the eye for its error
   /// to be bounded. Written so that NaN takes this way out.
-  bool Add(const double clip[4])
+  bool Add(const glm::dvec4& clip)
   {
-    const double w = clip[3] - this->Error[3];
-    if (!(w > this->Error[3] && clip[2] + clip[3] > this->Error[2] + this->Error[3]))
+    const double w = clip.w - this->Error.w;
+    if (!(w > this->Error.w && clip.z + clip.w > this->Error.z + this->Error.w))
     {
       return false;
     }
     const double inverse = 1.0 / w;
-    for (int i = 0; i < 3; ++i)
-    {
-      const double ndc = clip[i] / clip[3];
-      const double slack = (this->Error[i] + std::abs(ndc) * this->Error[3]) * inverse;
-      this->Low[i] = std::min(this->Low[i], ndc - slack);
-      this->High[i] = std::max(this->High[i], ndc + slack);
-      this->Slack[i] = std::max(this->Slack[i], slack);
-    }
-    this->MaximumW = std::max(this->MaximumW, clip[3]);
+    const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
+    const glm::dvec3 slack = (glm::dvec3(this->Error) + glm::abs(ndc) * this->Error.w) * inverse;
+    this->Low = glm::min(this->Low, ndc - slack);
+    this->High = glm::max(this->High, ndc + slack);
+    this->Slack = glm::max(this->Slack, slack);
+    this->MaximumW = std::max(this->MaximumW, clip.w);
     return true;
   }
 
-  double Low[3] = { Infinity, Infinity, Infinity };
-  double High[3] = { -Infinity, -Infinity, -Infinity };
-  double Slack[3] = { 0.0, 0.0, 0.0 };
+  glm::dvec3 Low = glm::dvec3(std::numeric_limits<double>::infinity());
+  glm::dvec3 High = glm::dvec3(-std::numeric_limits<double>::infinity());
+  glm::dvec3 Slack;
   double MaximumW = 0.0;
 
 private:
-  static constexpr double Infinity = std::numeric_limits<double>::infinity();
-  double Error[4];
+  glm::dvec4 Error;
 };
 
 vtkNBufferPlacement vtkNBufferProjection::Project(
   const vtkNBufferBox& box, vtkNBufferScreenBox& result) const
 {
-  double center[4];
-  double axes[3][4];
+  glm::dvec4 center;
+  glm::dvec4 axes[3];
   for (int i = 0; i < 4; ++i)
   {
-    center[i] = Evaluate(this->Rows[i], box.Center);
+    const glm::dvec4& row = this->WorldToClip[i];
+    center[i] = Evaluate(row, box.Center);
     for (int j = 0; j < 3; ++j)
     {
-      axes[j][i] = this->Rows[i][j] * box.HalfSize[j];
+      axes[j][i] = row[j] * box.HalfSize[j];
     }
   }
-  ClipPoint corners[8];
+  Corners corners;
   Extent extent(*this, box);
   bool before = true;
   for (int corner = 0; corner < 8; ++corner)
   {
-    for (int i = 0; i < 4; ++i)
-    {
-      corners[corner][i] = center[i] + (corner & 1 ? axes[0][i] : -axes[0][i]) +
-        (corner & 2 ? axes[1][i] : -axes[1][i]) + (corner & 4 ? axes[2][i] : -axes[2][i]);
-    }
-    before = before && extent.Add(corners[corner].data());
+    corners[corner] = center + (corner & 1 ? axes[0] : -axes[0]) +
+      (corner & 2 ? axes[1] : -axes[1]) + (corner & 4 ? axes[2] : -axes[2]);
+    before = before && extent.Add(corners[corner]);
   }
   result.Clipped = !before;
   if (!before)
@@ -224,21 +178,17 @@ vtkNBufferPlacement vtkNBufferProjection::Project(
 }
 
 vtkNBufferPlacement vtkNBufferProjection::Clip(
-  const vtkNBufferBox& box, const ClipPoint corners[8], Extent& extent) const
+  const vtkNBufferBox& box, const Corners& corners, Extent& extent) const
 {
-  for (int corner = 0; corner < 8; ++corner)
+  if (!std::all_of(corners.begin(), corners.end(), IsFinite))
   {
-    if (!std::all_of(corners[corner].begin(), corners[corner].end(),
-          [](double value) { return std::isfinite(value); }))
-    {
-      return vtkNBufferPlacement::Crossing;
-    }
+    return vtkNBufferPlacement::Crossing;
   }
 
   // A corner of the near plane inside the box: nothing bounds what is drawn of it.
   for (int corner = 0; corner < 4; ++corner)
   {
-    const double ndc[4] = { corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, -1.0, 1.0 };
+    const glm::dvec3 ndc = { corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, -1.0 };
     const double w = Evaluate(this->ClipToWorld[3], ndc);
     bool inside = true;
     for (int j = 0; j < 3; ++j)
@@ -260,8 +210,8 @@ vtkNBufferPlacement vtkNBufferProjection::Clip(
     { 0, 1, 3, 2 }, { 4, 5, 7, 6 } };
   const int size[2] = { this->Width, this->Height };
   bool any = false;
-  std::vector<ClipPoint> polygon;
-  std::vector<ClipPoint> rest;
+  std::vector<glm::dvec4> polygon;
+  std::vector<glm::dvec4> rest;
   for (const auto& face : faces)
   {
     polygon.clear();
@@ -273,15 +223,15 @@ vtkNBufferPlacement vtkNBufferProjection::Clip(
     {
       const int axis = side / 2;
       const double sign = side % 2 == 0 ? 1.0 : -1.0;
-      const double widening = 1.0 + 2.0 * (box.Margin + SnapInPixels) / size[axis];
-      const double offset = widening * extent.GetErrors()[3] + extent.GetErrors()[axis];
-      const auto distance = [&](const ClipPoint& point)
-      { return widening * point[3] + sign * point[axis] + offset; };
+      const double widening = 1.0 + 2.0 * vtkNBufferBoxError::GetBorder(box) / size[axis];
+      const double offset = widening * extent.GetErrors().w + extent.GetErrors()[axis];
+      const auto distance = [&](const glm::dvec4& point)
+      { return widening * point.w + sign * point[axis] + offset; };
       rest.clear();
       for (std::size_t i = 0; i < polygon.size(); ++i)
       {
-        const ClipPoint& from = polygon[i];
-        const ClipPoint& to = polygon[(i + 1) % polygon.size()];
+        const glm::dvec4& from = polygon[i];
+        const glm::dvec4& to = polygon[(i + 1) % polygon.size()];
         const double d = distance(from);
         const double e = distance(to);
         if (d >= 0.0)
@@ -290,20 +240,15 @@ vtkNBufferPlacement vtkNBufferProjection::Clip(
         }
         if ((d >= 0.0) != (e >= 0.0))
         {
-          ClipPoint cut;
-          for (int k = 0; k < 4; ++k)
-          {
-            cut[k] = from[k] + (to[k] - from[k]) * (d / (d - e));
-          }
-          rest.push_back(cut);
+          rest.push_back(from + (to - from) * (d / (d - e)));
         }
       }
       polygon.swap(rest);
     }
-    for (const ClipPoint& point : polygon)
+    for (const glm::dvec4& point : polygon)
     {
       any = true;
-      if (!extent.Add(point.data()))
+      if (!extent.Add(point))
       {
         return vtkNBufferPlacement::Crossing;
       }
@@ -323,11 +268,11 @@ vtkNBufferPlacement vtkNBufferProjection::Finish(
     }
   }
   const int size[2] = { this->Width, this->Height };
-  int begin[2];
-  int end[2];
+  const double border = vtkNBufferBoxError::GetBorder(box);
+  glm::ivec2 begin;
+  glm::ivec2 end;
   for (int i = 0; i < 2; ++i)
   {
-    const double border = box.Margin + SnapInPixels;
     const double from = 0.5 * (extent.Low[i] + 1.0) * size[i] - border;
     const double to = 0.5 * (extent.High[i] + 1.0) * size[i] + border;
     if (to <= 0.0 || from >= size[i] || size[i] < 1)
@@ -338,61 +283,51 @@ vtkNBufferPlacement vtkNBufferProjection::Finish(
     end[i] = static_cast<int>(std::ceil(std::min(to, static_cast<double>(size[i]))));
     result.Slack[i] = extent.Slack[i] + 2.0 * border / size[i];
   }
-  result.Pixels.X0 = begin[0];
-  result.Pixels.Y0 = begin[1];
-  result.Pixels.X1 = end[0];
-  result.Pixels.Y1 = end[1];
-  const double scale = this->OrderScale;
-  result.DepthRange = scale * (extent.High[2] - extent.Low[2]);
-  const double slack = this->DepthSlack + this->RelativeDepthSlack * std::abs(extent.Low[2]) +
-    result.DepthRange * this->DepthRangeSlack;
-  result.Nearest = scale * extent.Low[2] + this->OrderOffset - slack;
-  result.Farthest = scale * extent.High[2] + this->OrderOffset + slack;
-  result.Slack[2] = extent.Slack[2] + slack / scale;
+  result.Pixels = { begin.x, begin.y, end.x, end.y };
+  const vtkNBufferDepthFormat& format = this->Error.GetFormat();
+  result.DepthRange = format.Scale * (extent.High.z - extent.Low.z);
+  const double slack = this->Error.GetDepthSlack(extent.Low.z, result.DepthRange);
+  result.Nearest = format.Scale * extent.Low.z + format.Offset - slack;
+  result.Farthest = format.Scale * extent.High.z + format.Offset + slack;
+  result.Slack.z = extent.Slack.z + slack / format.Scale;
   result.MaximumW = extent.MaximumW;
   // Beyond the far plane nothing is drawn.
-  return result.Nearest > this->FarthestOrder ? vtkNBufferPlacement::Outside
-                                              : vtkNBufferPlacement::Inside;
+  return result.Nearest > format.Farthest ? vtkNBufferPlacement::Outside
+                                          : vtkNBufferPlacement::Inside;
 }
 
-vtkNBufferProjection::TriangleErrors vtkNBufferProjection::GetTriangleErrors(
+vtkNBufferBoxError::TriangleErrors vtkNBufferProjection::GetTriangleErrors(
   const vtkNBufferBox& box, const vtkNBufferScreenBox& screen) const
 {
-  const double border = box.Margin + SnapInPixels;
-  TriangleErrors errors;
-  errors.Position = std::max({ 0.5 * screen.Slack[0] * this->Width - border,
-    0.5 * screen.Slack[1] * this->Height - border, 0.0 });
-  errors.Overshoot = OvershootInPixels;
-  // What Finish() adds to the extent of the box, but for the part of R, and what vertices may err.
-  errors.Depth = this->OrderScale * screen.Slack[2] - screen.DepthRange * this->DepthRangeSlack;
-  errors.OfSlope = OvershootInPixels + this->PlaneRounding;
-  errors.OfRounding = this->PlaneRounding;
-  errors.OfLength = SlopeErrors * UnitRoundoff;
-  errors.Granted = screen.DepthRange * this->DepthRangeSlack;
-  errors.LargestSlope = errors.Granted / (errors.OfSlope + errors.OfRounding);
-  errors.LowestHeight = LowestHeight * UnitRoundoff;
-  return errors;
+  const double border = vtkNBufferBoxError::GetBorder(box);
+  const double position = std::max({ 0.5 * screen.Slack.x * this->Width - border,
+    0.5 * screen.Slack.y * this->Height - border, 0.0 });
+  // What Finish() adds to the depths of the box without the part of R, and the vertices' errors.
+  const double depth = this->Error.GetFormat().Scale * screen.Slack.z -
+    this->Error.GetInterpolationSlack(screen.DepthRange);
+  return this->Error.GetTriangleErrors(position, depth, screen.DepthRange);
 }
 
-void vtkNBufferProjection::GetWindowMatrix(const double toWorld[16], double matrix[4][4]) const
+vtkNBufferProjection::Rows vtkNBufferProjection::GetWindowMatrix(const glm::dmat4& toWorld) const
 {
-  double clip[16];
-  vtkMatrix4x4::Multiply4x4(&this->Rows[0][0], toWorld, clip);
-  const double scales[3] = { 0.5 * this->Width, 0.5 * this->Height, this->OrderScale };
-  const double offsets[3] = { scales[0], scales[1], this->OrderOffset };
-  for (int j = 0; j < 4; ++j)
+  Rows clip;
+  for (int i = 0; i < 4; ++i)
   {
-    for (int i = 0; i < 3; ++i)
-    {
-      matrix[i][j] = scales[i] * clip[4 * i + j] + offsets[i] * clip[12 + j];
-    }
-    matrix[3][j] = clip[12 + j];
+    // Row i of the product.
+    const glm::dvec4& row = this->WorldToClip[i];
+    clip[i] = row.x * glm::row(toWorld, 0) + row.y * glm::row(toWorld, 1) +
+      row.z * glm::row(toWorld, 2) + row.w * glm::row(toWorld, 3);
   }
+  const vtkNBufferDepthFormat& format = this->Error.GetFormat();
+  const double halfWidth = 0.5 * this->Width;
+  const double halfHeight = 0.5 * this->Height;
+  return { halfWidth * clip[0] + halfWidth * clip[3], halfHeight * clip[1] + halfHeight * clip[3],
+    format.Scale * clip[2] + format.Offset * clip[3], clip[3] };
 }
 
-bool vtkNBufferProjection::GetContact(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen,
-  const vtkNBufferBox& other, const vtkNBufferScreenBox& otherScreen,
-  vtkNBufferRectangle& pixels) const
+vtkNBufferRectangle vtkNBufferProjection::GetContact(const vtkNBufferBox& box,
+  const vtkNBufferScreenBox& screen, const vtkNBufferBox& other,
+  const vtkNBufferScreenBox& otherScreen) const
 {
   vtkNBufferBox shared = box;
   for (int j = 0; j < 3; ++j)
@@ -402,88 +337,96 @@ bool vtkNBufferProjection::GetContact(const vtkNBufferBox& box, const vtkNBuffer
     {
       const double sign = end == 0 ? -1.0 : 1.0;
       const double face = other.Center[j] + sign * other.HalfSize[j];
-      double reach = 0.0;
-      for (int k = 0; k < 3; ++k)
-      {
-        reach += std::abs(this->ClipToWorld[j][k] - face * this->ClipToWorld[3][k]) *
-          (screen.Slack[k] + otherScreen.Slack[k]);
-      }
+      const glm::dvec4 row = this->ClipToWorld[j] - face * this->ClipToWorld[3];
+      const double reach = glm::dot(glm::abs(glm::dvec3(row)), screen.Slack + otherScreen.Slack);
       range[end] = sign *
         std::min(sign * face + screen.MaximumW * reach, sign * box.Center[j] + box.HalfSize[j]);
     }
     if (range[0] > range[1])
     {
-      return false;
+      return {};
     }
     shared.Center[j] = 0.5 * (range[0] + range[1]);
     shared.HalfSize[j] = 0.5 * (range[1] - range[0]);
   }
-  pixels = screen.Pixels.GetIntersection(otherScreen.Pixels);
+  const vtkNBufferRectangle pixels = screen.Pixels.GetIntersection(otherScreen.Pixels);
   vtkNBufferScreenBox sharedScreen;
-  const vtkNBufferPlacement placement = this->Project(shared, sharedScreen);
-  if (placement == vtkNBufferPlacement::Inside)
+  switch (this->Project(shared, sharedScreen))
   {
-    pixels = pixels.GetIntersection(sharedScreen.Pixels);
+    case vtkNBufferPlacement::Outside:
+      return {};
+    case vtkNBufferPlacement::Crossing:
+      break;
+    case vtkNBufferPlacement::Inside:
+      return pixels.GetIntersection(sharedScreen.Pixels);
   }
-  return placement != vtkNBufferPlacement::Outside && !pixels.IsEmpty();
+  return pixels;
 }
 
-bool vtkNBufferProjection::GetFacePlane(
-  const vtkNBufferBox& box, const vtkNBufferScreenBox& screen, int face, FacePlane& plane) const
+std::optional<vtkNBufferProjection::FacePlane> vtkNBufferProjection::GetFacePlane(
+  const vtkNBufferBox& box, const vtkNBufferScreenBox& screen, int face) const
 {
   const int axis = face / 2;
   const double sign = face % 2 == 0 ? -1.0 : 1.0;
   const double offset = box.Center[axis] + sign * box.HalfSize[axis];
   // Inside of the face L(q) <= 0, see GetContact.
-  double l[4];
-  for (int k = 0; k < 4; ++k)
+  const glm::dvec4 l = sign * (this->ClipToWorld[axis] - offset * this->ClipToWorld[3]);
+  if (!(l.z < 0.0))
   {
-    l[k] = sign * (this->ClipToWorld[axis][k] - offset * this->ClipToWorld[3][k]);
-  }
-  if (!(l[2] < 0.0))
-  {
-    return false;
+    return {};
   }
   // z >= (l_x x + l_y y + l_w) / -l_z in NDC, then to pixels and order.
-  const double x = -l[0] / l[2];
-  const double y = -l[1] / l[2];
-  plane.SlopeX = 2.0 * this->OrderScale * x / this->Width;
-  plane.SlopeY = 2.0 * this->OrderScale * y / this->Height;
-  plane.Depth = this->OrderOffset +
-    this->OrderScale *
-      (-l[3] / l[2] - x - y - std::abs(x) * screen.Slack[0] - std::abs(y) * screen.Slack[1] -
-        screen.Slack[2]);
-  return std::isfinite(plane.Depth) && std::isfinite(plane.SlopeX) && std::isfinite(plane.SlopeY);
+  const double x = -l.x / l.z;
+  const double y = -l.y / l.z;
+  const vtkNBufferDepthFormat& format = this->Error.GetFormat();
+  FacePlane plane;
+  plane.SlopeX = 2.0 * format.Scale * x / this->Width;
+  plane.SlopeY = 2.0 * format.Scale * y / this->Height;
+  plane.Depth = format.Offset +
+    format.Scale *
+      (-l.w / l.z - x - y - std::abs(x) * screen.Slack.x - std::abs(y) * screen.Slack.y -
+        screen.Slack.z);
+  if (!std::isfinite(plane.Depth) || !std::isfinite(plane.SlopeX) || !std::isfinite(plane.SlopeY))
+  {
+    return {};
+  }
+  return plane;
 }
 
-void vtkNBufferProjection::GetCorners(const vtkNBufferBox& box, double corners[16]) const
+std::array<glm::dvec2, 8> vtkNBufferProjection::GetCorners(const vtkNBufferBox& box) const
 {
+  const glm::dvec2 half = { 0.5 * this->Width, 0.5 * this->Height };
+  std::array<glm::dvec2, 8> corners;
   for (int corner = 0; corner < 8; ++corner)
   {
-    double point[3];
+    glm::dvec3 point;
     for (int j = 0; j < 3; ++j)
     {
       point[j] = box.Center[j] + (corner >> j & 1 ? box.HalfSize[j] : -box.HalfSize[j]);
     }
-    const double inverse = 1.0 / Evaluate(this->Rows[3], point);
-    corners[2 * corner] = 0.5 * this->Width * (Evaluate(this->Rows[0], point) * inverse + 1.0);
-    corners[2 * corner + 1] = 0.5 * this->Height * (Evaluate(this->Rows[1], point) * inverse + 1.0);
+    const double inverse = 1.0 / Evaluate(this->WorldToClip[3], point);
+    const glm::dvec2 clip = { Evaluate(this->WorldToClip[0], point),
+      Evaluate(this->WorldToClip[1], point) };
+    corners[corner] = half * (clip * inverse + 1.0);
   }
+  return corners;
 }
 
-void vtkNBufferProjection::GetAxisLengths(const vtkNBufferBox& box, double lengths[3]) const
+glm::dvec3 vtkNBufferProjection::GetAxisLengths(const vtkNBufferBox& box) const
 {
-  const double w = Evaluate(this->Rows[3], box.Center);
-  const double x = Evaluate(this->Rows[0], box.Center);
-  const double y = Evaluate(this->Rows[1], box.Center);
+  const glm::dvec2 half = { 0.5 * this->Width, 0.5 * this->Height };
+  const double w = Evaluate(this->WorldToClip[3], box.Center);
+  const glm::dvec2 center = { Evaluate(this->WorldToClip[0], box.Center),
+    Evaluate(this->WorldToClip[1], box.Center) };
+  glm::dvec3 lengths;
   for (int j = 0; j < 3; ++j)
   {
     const double h = box.HalfSize[j];
-    const double dx = this->Rows[0][j] * h;
-    const double dy = this->Rows[1][j] * h;
-    const double dw = this->Rows[3][j] * h;
-    lengths[j] = std::hypot(0.5 * this->Width * ((x + dx) / (w + dw) - (x - dx) / (w - dw)),
-      0.5 * this->Height * ((y + dy) / (w + dw) - (y - dy) / (w - dw)));
+    const glm::dvec2 d = { this->WorldToClip[0][j] * h, this->WorldToClip[1][j] * h };
+    const double dw = this->WorldToClip[3][j] * h;
+    const glm::dvec2 axis = half * ((center + d) / (w + dw) - (center - d) / (w - dw));
+    lengths[j] = std::hypot(axis.x, axis.y);
   }
+  return lengths;
 }
 VTK_ABI_NAMESPACE_END

@@ -5,33 +5,48 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// The area of the parallelogram that two vectors span in x and y, with its sign.
+double Cross(const glm::dvec3& a, const glm::dvec3& b)
+{
+  return a.x * b.y - a.y * b.x;
+}
+
+/// The least and the greatest of each coordinate.
+std::pair<glm::dvec3, glm::dvec3> GetRange(const std::array<glm::dvec3, 3>& corners)
+{
+  const auto& [a, b, c] = corners;
+  return { glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c) };
+}
+}
+
 vtkNBufferSliverTest::vtkNBufferSliverTest(
-  const vtkNBufferProjection& projection, const vtkNBufferLevels& levels, double sampleReach)
+  const vtkNBufferProjection& projection, const vtkNBufferLevels& levels, double sampleDistance)
   : Projection(projection)
   , Levels(levels)
-  , SampleReach(sampleReach)
+  , SampleDistance(sampleDistance)
 {
 }
 
-void vtkNBufferSliverTest::Project(const vtkNBufferMesh& mesh, const double toWorld[16])
+void vtkNBufferSliverTest::Project(const vtkNBufferMesh& mesh, const glm::dmat4& toWorld)
 {
-  double m[4][4];
-  this->Projection.GetWindowMatrix(toWorld, m);
+  const vtkNBufferProjection::Rows rows = this->Projection.GetWindowMatrix(toWorld);
   this->Points.resize(mesh.Points.size());
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)
   {
-    const std::array<double, 3>& p = mesh.Points[i];
-    const double w = m[3][0] * p[0] + m[3][1] * p[1] + m[3][2] * p[2] + m[3][3];
+    const auto evaluate = [&](int row)
+    { return vtkNBufferBoxError::Evaluate(rows[row], mesh.Points[i]); };
+    const double w = evaluate(3);
     const double inverse = w > 0.0 ? 1.0 / w : std::numeric_limits<double>::quiet_NaN();
-    this->Points[i] = { inverse * (m[0][0] * p[0] + m[0][1] * p[1] + m[0][2] * p[2] + m[0][3]),
-      inverse * (m[1][0] * p[0] + m[1][1] * p[1] + m[1][2] * p[2] + m[1][3]),
-      inverse * (m[2][0] * p[0] + m[2][1] * p[1] + m[2][2] * p[2] + m[2][3]) };
+    this->Points[i] = inverse * glm::dvec3(evaluate(0), evaluate(1), evaluate(2));
   }
 }
 
-bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, const double toWorld[16],
+bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, const glm::dmat4& toWorld,
   const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)
 {
   const Errors errors = this->Projection.GetTriangleErrors(box, screen);
@@ -41,20 +56,18 @@ bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, const double to
   this->Project(mesh, toWorld);
   for (const std::array<unsigned int, 3>& triangle : mesh.Triangles)
   {
-    const WindowPoint& a = this->Points[triangle[0]];
-    const WindowPoint& b = this->Points[triangle[1]];
-    const WindowPoint& c = this->Points[triangle[2]];
+    const Corners corners = { this->Points[triangle[0]], this->Points[triangle[1]],
+      this->Points[triangle[2]] };
+    const auto& [a, b, c] = corners;
+    const auto [low, high] = GetRange(corners);
     // At least as long as the longest side, which makes the height at most too small.
-    const double length = std::max({ a.X, b.X, c.X }) - std::min({ a.X, b.X, c.X }) +
-      std::max({ a.Y, b.Y, c.Y }) - std::min({ a.Y, b.Y, c.Y });
-    const double area = std::abs((b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X));
-    const double range =
-      std::max({ a.Order, b.Order, c.Order }) - std::min({ a.Order, b.Order, c.Order });
+    const double length = high.x - low.x + high.y - low.y;
+    const double area = std::abs(Cross(b - a, c - a));
+    const double range = high.z - low.z;
     if (area >= length * (heightError + errors.LowestHeight * length + range * inverseSlope))
     {
       continue;
     }
-    const WindowPoint* const corners[3] = { &a, &b, &c };
     if (this->MayBeSeen(corners, heightError, errors))
     {
       return true;
@@ -64,89 +77,89 @@ bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, const double to
 }
 
 bool vtkNBufferSliverTest::MayBeSeen(
-  const WindowPoint* const corners[3], double heightError, const Errors& errors) const
+  const Corners& corners, double heightError, const Errors& errors) const
 {
-  const WindowPoint* from = corners[0];
-  const WindowPoint* to = corners[1];
-  const WindowPoint* third = corners[2];
-  const auto getLength = [](const WindowPoint& a, const WindowPoint& b)
-  { return std::sqrt((b.X - a.X) * (b.X - a.X) + (b.Y - a.Y) * (b.Y - a.Y)); };
-  double length = getLength(*from, *to);
+  // The longest side runs from `from` to `to`.
+  const auto getLength = [](const glm::dvec3& a, const glm::dvec3& b)
+  { return glm::distance(glm::dvec2(a), glm::dvec2(b)); };
+  int first = 0;
+  double length = getLength(corners[0], corners[1]);
   for (int i = 1; i < 3; ++i)
   {
-    const double other = getLength(*corners[i], *corners[(i + 1) % 3]);
+    const double other = getLength(corners[i], corners[(i + 1) % 3]);
     if (other > length)
     {
       length = other;
-      from = corners[i];
-      to = corners[(i + 1) % 3];
-      third = corners[(i + 2) % 3];
+      first = i;
     }
   }
-  // Behind the eye: not covered. Two corners in one place: no device draws that.
-  if (!std::isfinite(length + third->X + third->Y) || getLength(*from, *third) == 0.0 ||
-    getLength(*to, *third) == 0.0)
+  const glm::dvec3& from = corners[first];
+  const glm::dvec3& to = corners[(first + 1) % 3];
+  const glm::dvec3& third = corners[(first + 2) % 3];
+  // Triangles that reach behind the eye are not covered. No device draws a triangle with two
+  // corners in one place.
+  if (!std::isfinite(length + third.x + third.y) || getLength(from, third) == 0.0 ||
+    getLength(to, third) == 0.0)
   {
     return false;
   }
-  const double x = to->X - from->X;
-  const double y = to->Y - from->Y;
-  const double thirdX = third->X - from->X;
-  const double thirdY = third->Y - from->Y;
-  const double own = length > 0.0 ? std::abs(x * thirdY - y * thirdX) / length : 0.0;
-  // All of the triangle is that near its longest side. 1.5: diagonals.
-  const double reach = own + errors.Overshoot + 1.5 * (errors.Position + this->SampleReach);
+  const glm::dvec3 side = to - from;
+  const glm::dvec3 toThird = third - from;
+  const double own = length > 0.0 ? std::abs(Cross(side, toThird)) / length : 0.0;
+  // No point of the triangle is farther from its longest side. 1.5 covers diagonals.
+  const double distance = own + errors.Overshoot + 1.5 * (errors.Position + this->SampleDistance);
   const double height = own - heightError;
   double allowance = std::numeric_limits<double>::infinity();
   if (height > 0.0 && height >= errors.LowestHeight * length)
   {
-    const double along = (to->Order - from->Order) / length;
-    const double foot = (x * thirdX + y * thirdY) / length;
-    const double across = third->Order - from->Order - along * foot;
-    const auto [low, high] = std::minmax({ from->Order, to->Order, third->Order });
-    // Of the device's triangle, whose vertices are elsewhere.
+    const double along = side.z / length;
+    const double foot = glm::dot(glm::dvec2(side), glm::dvec2(toThird)) / length;
+    const double across = toThird.z - along * foot;
+    const auto [low, high] = GetRange(corners);
+    // The vertices of the device's triangle are elsewhere, which makes it steeper.
     const double steepness = std::abs(along) * (1.0 + 3.0 * errors.Position / length);
     const double slope = steepness +
       (std::abs(across) + 3.0 * errors.Position * steepness + 2.0 * errors.Depth) / height;
     const double rounding = std::min(errors.OfRounding, errors.OfLength * length) *
-      (high - low + 2.0 * errors.Depth) / height;
+      (high.z - low.z + 2.0 * errors.Depth) / height;
     const double stray = slope * errors.OfSlope + rounding;
     if (stray <= errors.Granted)
     {
       return false;
     }
-    allowance = errors.Depth + std::max(-across, 0.0) + 2.0 * reach * steepness + stray;
+    allowance = errors.Depth + std::max(-across, 0.0) + 2.0 * distance * steepness + stray;
   }
-  return this->MayBeSeen(*from, *to, reach, allowance);
+  return this->MayBeSeen(from, to, distance, allowance);
 }
 
 bool vtkNBufferSliverTest::MayBeSeen(
-  const WindowPoint& from, const WindowPoint& to, double reach, double allowance) const
+  const glm::dvec3& from, const glm::dvec3& to, double distance, double allowance) const
 {
   // Line by line across the axis along which it is longer: u along, v across.
-  const bool alongX = std::abs(to.X - from.X) >= std::abs(to.Y - from.Y);
-  const double u0 = alongX ? from.X : from.Y;
-  const double v0 = alongX ? from.Y : from.X;
-  const double du = alongX ? to.X - from.X : to.Y - from.Y;
-  const double dv = alongX ? to.Y - from.Y : to.X - from.X;
+  const bool alongX = std::abs(to.x - from.x) >= std::abs(to.y - from.y);
+  const int along = alongX ? 0 : 1;
+  const int other = 1 - along;
+  const double u0 = from[along];
+  const double v0 = from[other];
+  const double du = to[along] - from[along];
+  const double dv = to[other] - from[other];
   const double slope = du != 0.0 ? dv / du : 0.0;
-  const double across = reach * std::hypot(1.0, slope);
-  const int pixels[2] = { this->Levels.GetPixelWidth(), this->Levels.GetPixelHeight() };
-  const int sizeU = pixels[alongX ? 0 : 1];
-  const int sizeV = pixels[alongX ? 1 : 0];
-  // Pixels whose middle is in an interval.
+  const double across = distance * std::hypot(1.0, slope);
+  const glm::ivec2 pixels = { this->Levels.GetPixelWidth(), this->Levels.GetPixelHeight() };
+  const int sizeU = pixels[along];
+  const int sizeV = pixels[other];
+  // The first and the last pixel whose middle is in an interval.
   const auto getFirst = [](double x, int size)
   { return static_cast<int>(std::clamp(std::ceil(x - 0.5), 0.0, static_cast<double>(size))); };
   const auto getLast = [](double x, int size)
   { return static_cast<int>(std::clamp(std::floor(x - 0.5), -1.0, size - 1.0)); };
 
-  const double sign = this->Projection.GetDepthSign();
-  const int lastU = getLast(std::max(u0, u0 + du) + reach, sizeU);
-  for (int u = getFirst(std::min(u0, u0 + du) - reach, sizeU); u <= lastU; ++u)
+  const int lastU = getLast(std::max(u0, u0 + du) + distance, sizeU);
+  for (int u = getFirst(std::min(u0, u0 + du) - distance, sizeU); u <= lastU; ++u)
   {
     const double v = v0 + slope * (u + 0.5 - u0);
     const double part = du != 0.0 ? std::clamp((u + 0.5 - u0) / du, 0.0, 1.0) : 0.0;
-    const double nearest = from.Order + part * (to.Order - from.Order) - allowance;
+    const double nearest = from.z + part * (to.z - from.z) - allowance;
     const int lastV = getLast(v + across, sizeV);
     for (int w = getFirst(v - across, sizeV); w <= lastV; ++w)
     {
@@ -155,7 +168,7 @@ bool vtkNBufferSliverTest::MayBeSeen(
       cover.Count = 1;
       cover.X[0] = (alongX ? u : w) / this->Levels.GetFactor();
       cover.Y[0] = (alongX ? w : u) / this->Levels.GetFactor();
-      if (!(nearest > sign * this->Levels.Query(cover)))
+      if (!(nearest > vtkNBufferDepthConvention::GetOrder(this->Levels.Query(cover))))
       {
         return true;
       }

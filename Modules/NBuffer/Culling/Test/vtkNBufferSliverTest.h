@@ -4,36 +4,37 @@
  * @class vtkNBufferSliverTest
  * @brief Whether a hidden mesh has triangles that may be drawn before its box. No OpenGL.
  *
- * vtkNBufferProjection grants a box the depth error of triangles that are at least 1/16 pixel high,
- * as they are drawn. A lower one seldom owns a sample. Where it does, a rasteriser that takes the
- * depth plane of vertices before they are snapped (Mesa's llvmpipe) extrapolates along a slope that
- * grows without bound, and stock VTK shows a stray pixel through the wall before it: every curved
- * surface has such triangles along its outline.
+ * The slack of a box (vtkNBufferBoxError.h) allows for the depth error of triangles that are at
+ * least 1/16 pixel high on the screen. A lower triangle, a sliver, seldom owns a sample. Where it
+ * does, a rasteriser that takes the depth plane of the vertices before they are snapped (Mesa's
+ * llvmpipe) extrapolates along a slope that grows without bound, and VTK without a culler shows a
+ * stray pixel through the wall in front: every curved surface has such triangles along its outline.
+ * To keep these pixels too, this test looks at each triangle of a mesh whose box was found hidden.
  *
- * Here each triangle of a mesh whose box was found hidden is looked at. On the screen, with L its
- * longest side, h its height over that less what its vertices may err, R its depth range and r the
- * depth between its third corner and the side below,
+ * On the screen, let L be the longest side of a triangle, h its height over this side less what its
+ * vertices may err, R its depth range, and r the difference in depth between its third corner and
+ * the longest side. Then
  *
- *     h < 64 u L      its plane is lost in rounding: its samples may have any depth,
- *     h >= 64 u L     they are nearer than it is by at most
+ *     h < 64 u L      rounding leaves no plane: the triangle's samples may have any depth,
+ *     h >= 64 u L     its samples are nearer than the triangle itself by at most
  *
  *                         (2^-8.5 + 8 u n) s + min(8 u n, 32 u L) R / h
  *
- *                     with s <= R / L + r / h the slope of its plane, along and across; most
- *                     often no more than the slack of the box grants, which is enough.
+ *                     with s <= R / L + r / h the slope of its plane, along and across. Most often
+ *                     that is no more than the slack of the box, which is then enough.
  *
- * The last term is what rounding does to the slopes: sums of two products of sides of L and
- * depths of R, divided by an area of L h, each with some 6 u, over a distance of L. It holds as
- * long as the area itself is not lost, 6 u L^2 << L h.
+ * The last term is what rounding does to the slopes. They are sums of two products of sides of L
+ * and depths of R, divided by an area of L h, each with some 6 u, over a distance of L. The term
+ * holds as long as the area itself is not lost, 6 u L^2 << L h.
  *
- * Of those that the slack of the box does not cover, the samples that they may own (no farther than
- * 2^-8.5 pixels beside them) are compared with the depth in their texel of level 0. Only if one of
- * these may be seen the mesh is to be drawn.
+ * For each triangle that the slack of the box does not cover, the test finds the samples that the
+ * triangle may own (no farther than 2^-8.5 pixels outside of it) and compares them with the depth
+ * in their texels of level 0. The mesh has to be drawn only if one of these samples may be seen.
  *
- * Not covered: what a device makes of triangles by cutting them (near plane, sides of the view,
- * clipping planes), which may be lower than they were.
+ * A device also cuts triangles (at the near plane, the sides of the view and clipping planes),
+ * which may make them lower than they were. The test does not cover these.
  *
- * Costs some 50 ns per point and triangle.
+ * Takes some 50 ns for each point and each triangle.
  */
 #ifndef vtkNBufferSliverTest_h
 #define vtkNBufferSliverTest_h
@@ -50,7 +51,7 @@ VTK_ABI_NAMESPACE_BEGIN
 /// Triangles as a mapper draws them, in model coordinates.
 struct vtkNBufferMesh
 {
-  std::vector<std::array<double, 3>> Points;
+  std::vector<glm::dvec3> Points;
   std::vector<std::array<unsigned int, 3>> Triangles;
 };
 
@@ -58,41 +59,41 @@ class VTKNBUFFER_EXPORT vtkNBufferSliverTest
 {
 public:
   /**
-   * Both are kept by reference and must outlive the test. `levels` holds the farthest stored depths
-   * of the projection's viewport and convention. `sampleReach`: how far a sample may be from the
-   * middle of its pixel in x and y, 0 without multisampling, else 0.5 pixels.
+   * `projection` and `levels` are kept by reference and must outlive the test. The levels hold the
+   * farthest stored depths of the projection's viewport. `sampleDistance` is how far a sample may
+   * be from the middle of its pixel in x and in y: 0 without multisampling, else 0.5 pixels.
    */
   vtkNBufferSliverTest(
-    const vtkNBufferProjection& projection, const vtkNBufferLevels& levels, double sampleReach);
+    const vtkNBufferProjection& projection, const vtkNBufferLevels& levels, double sampleDistance);
 
   /**
    * False only if nothing of the mesh can be seen, given that its box, which is Inside, was found
-   * hidden. `toWorld`: row-major, from model to world.
+   * hidden. `toWorld` is the matrix from model to world coordinates.
    */
-  bool MayBeSeen(const vtkNBufferMesh& mesh, const double toWorld[16], const vtkNBufferBox& box,
+  bool MayBeSeen(const vtkNBufferMesh& mesh, const glm::dmat4& toWorld, const vtkNBufferBox& box,
     const vtkNBufferScreenBox& screen);
 
 private:
-  /// Pixels and order of distance; NaN behind the eye.
-  struct WindowPoint
-  {
-    double X;
-    double Y;
-    double Order;
-  };
-  using Errors = vtkNBufferProjection::TriangleErrors;
+  using Errors = vtkNBufferBoxError::TriangleErrors;
+  /// The corners of a triangle on the screen, see Points.
+  using Corners = std::array<glm::dvec3, 3>;
 
-  void Project(const vtkNBufferMesh& mesh, const double toWorld[16]);
+  /// Set Points to those of a mesh.
+  void Project(const vtkNBufferMesh& mesh, const glm::dmat4& toWorld);
+
+  /// Whether a triangle may be seen whose height errs by at most `heightError` pixels.
+  bool MayBeSeen(const Corners& corners, double heightError, const Errors& errors) const;
+
+  /// Whether a sample may be seen that is at most `distance` pixels away from a line on the screen
+  /// and at most `allowance` nearer than the depth of the line.
   bool MayBeSeen(
-    const WindowPoint* const corners[3], double heightError, const Errors& errors) const;
-  /// Samples within `reach` of a line, at depths of `allowance` before it and farther.
-  bool MayBeSeen(
-    const WindowPoint& from, const WindowPoint& to, double reach, double allowance) const;
+    const glm::dvec3& from, const glm::dvec3& to, double distance, double allowance) const;
 
   const vtkNBufferProjection& Projection;
   const vtkNBufferLevels& Levels;
-  double SampleReach;
-  std::vector<WindowPoint> Points;
+  double SampleDistance;
+  /// x and y in pixels and the order of depth in z; NaN behind the eye.
+  std::vector<glm::dvec3> Points;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferSplitBox.h
- * @brief Long boxes in pieces, each with its own rectangle and nearest depth. No OpenGL.
+ * @brief Cuts long boxes into pieces, each with its own rectangle and nearest depth. No OpenGL.
  *
- * What answers a rectangle is left to the caller, so that the rule is the same for all that do.
+ * How a rectangle is compared with the depth image is left to the caller, so that the levels, the
+ * benchmarks and the tests cut boxes in the same way.
  */
-#ifndef vtkNBufferPieces_h
-#define vtkNBufferPieces_h
+#ifndef vtkNBufferSplitBox_h
+#define vtkNBufferSplitBox_h
 
 #include "vtkNBufferProjection.h"
 
@@ -21,9 +22,10 @@ namespace vtkNBufferSplitBox
 constexpr double TexelsPerPiece = 2.0;
 
 /**
- * Whether isBehind(screen) holds for the box or, cut along its longest axis on the screen into at
- * most `maximumPieces` pieces, for each of these. `screen` is what projection.Project gave for the
- * box, `factor` how many pixels a texel of the base stands for.
+ * Whether a box lies behind what is drawn. That is so if isBehind(screen) holds for the whole box,
+ * or if it holds for each of at most `maximumPieces` pieces into which the box is cut along its
+ * longest axis on the screen. `screen` is what projection.Project() gave for the box. `factor` is
+ * how many pixels a texel of the base stands for, along each axis.
  */
 template <typename IsBehind>
 bool AreBehind(const vtkNBufferProjection& projection, const vtkNBufferBox& box,
@@ -33,13 +35,17 @@ bool AreBehind(const vtkNBufferProjection& projection, const vtkNBufferBox& box,
   {
     return true;
   }
-  int axis = static_cast<int>(std::max_element(box.HalfSize, box.HalfSize + 3) - box.HalfSize);
+  const auto getLongest = [](const glm::dvec3& lengths)
+  {
+    const double* x = glm::value_ptr(lengths);
+    return static_cast<int>(std::max_element(x, x + 3) - x);
+  };
+  int axis = getLongest(box.HalfSize);
   int pieces = maximumPieces;
   if (!screen.Clipped)
   {
-    double lengths[3];
-    projection.GetAxisLengths(box, lengths);
-    axis = static_cast<int>(std::max_element(lengths, lengths + 3) - lengths);
+    const glm::dvec3 lengths = projection.GetAxisLengths(box);
+    axis = getLongest(lengths);
     pieces = static_cast<int>(std::min<double>(pieces, lengths[axis] / (TexelsPerPiece * factor)));
   }
   if (pieces < 2)
@@ -61,9 +67,9 @@ bool AreBehind(const vtkNBufferProjection& projection, const vtkNBufferBox& box,
       case vtkNBufferPlacement::Crossing:
         return false;
       case vtkNBufferPlacement::Inside:
-        // What is drawn of a piece also lies in the rectangle of the whole box. Without this a
-        // piece, being a little too long, might ask for a level that the box does not need.
-        part.Pixels = vtkNBufferMath::Intersect(part.Pixels, screen.Pixels);
+        // What is drawn of a piece also lies in the rectangle of the whole box. Without this cut a
+        // piece, being a little too long, might need a level that the box does not need.
+        part.Pixels = part.Pixels.GetIntersection(screen.Pixels);
         projection.SetPiece(screen, part);
         if (!part.Pixels.IsEmpty() && !isBehind(part))
         {

@@ -5,15 +5,12 @@
 #include "vtkShadowTarget.h"
 #include "vtkShadowVolume.h"
 
-#include "vtkNBufferFullScreenVS.h"
 #include "vtkShadowMaskFS.h"
 #include "vtkShadowTintFS.h"
 #include "vtkShadowVolumeFS.h"
 #include "vtkShadowVolumeVS.h"
 
-#include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -21,6 +18,10 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
+constexpr const char* Failure =
+  "A shader for shadow volumes does not compile on this driver. Update the driver, and report its "
+  "message.";
+
 constexpr float OffsetFactor = 1.0f / 128;
 constexpr float OffsetUnits = 2.0f;
 
@@ -30,24 +31,26 @@ constexpr GLenum StencilNames[2][7] = { { GL_STENCIL_FUNC, GL_STENCIL_REF, GL_ST
   { GL_STENCIL_BACK_FUNC, GL_STENCIL_BACK_REF, GL_STENCIL_BACK_VALUE_MASK, GL_STENCIL_BACK_FAIL,
     GL_STENCIL_BACK_PASS_DEPTH_FAIL, GL_STENCIL_BACK_PASS_DEPTH_PASS, GL_STENCIL_BACK_WRITEMASK } };
 
-/// What decides on the samples that are written; only the first is of use here.
+/// The capabilities that decide which samples are written. Counting needs only the first.
 constexpr GLenum SampleNames[] = { GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_COVERAGE,
   GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK };
 
-bool UploadBuffer(
-  GLenum target, unsigned int& name, std::size_t& capacity, const void* data, std::size_t bytes)
+}
+
+vtkShadowCounter::vtkShadowCounter()
+  : MaskPass(vtkShadowMaskFS, Failure)
 {
-  if (name == 0)
-  {
-    glGenBuffers(1, &name);
-  }
-  glBindBuffer(target, name);
-  // Orphaned, so that nobody waits for the last frame's draws.
-  capacity = std::max(capacity, bytes);
-  glBufferData(target, static_cast<GLsizeiptr>(capacity), nullptr, GL_STREAM_DRAW);
+}
+
+bool vtkShadowCounter::GrowingBuffer::Upload(
+  unsigned int target, const void* data, std::size_t bytes)
+{
+  glBindBuffer(target, this->Buffer.Create());
+  // New memory, so that nothing waits for the draws of the last frame.
+  this->Bytes = std::max(this->Bytes, bytes);
+  glBufferData(target, static_cast<GLsizeiptr>(this->Bytes), nullptr, GL_STREAM_DRAW);
   glBufferSubData(target, 0, static_cast<GLsizeiptr>(bytes), data);
   return glGetError() == GL_NO_ERROR;
-}
 }
 
 bool vtkShadowCounter::Upload(const vtkShadowVolume& volume, std::string& why)
@@ -57,17 +60,11 @@ bool vtkShadowCounter::Upload(const vtkShadowVolume& volume, std::string& why)
   int vertexArray = 0;
   glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &arrayBuffer);
   glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &vertexArray);
-  if (this->VertexArray == 0)
-  {
-    glGenVertexArrays(1, &this->VertexArray);
-    glGenVertexArrays(1, &this->EmptyVertexArray);
-  }
-  glBindVertexArray(this->VertexArray);
-  const bool uploaded =
-    UploadBuffer(GL_ARRAY_BUFFER, this->VertexBuffer, this->VertexBytes,
-      volume.GetVertices().data(), volume.GetVertices().size() * sizeof(float)) &&
-    UploadBuffer(GL_ELEMENT_ARRAY_BUFFER, this->IndexBuffer, this->IndexBytes,
-      volume.GetIndices().data(), volume.GetIndices().size() * sizeof(unsigned int));
+  glBindVertexArray(this->VertexArray.Create());
+  const bool uploaded = this->Vertices.Upload(GL_ARRAY_BUFFER, volume.GetVertices().data(),
+                          volume.GetVertices().size() * sizeof(float)) &&
+    this->Indices.Upload(GL_ELEMENT_ARRAY_BUFFER, volume.GetIndices().data(),
+      volume.GetIndices().size() * sizeof(unsigned int));
   glBindVertexArray(vertexArray);
   glBindBuffer(GL_ARRAY_BUFFER, arrayBuffer);
   if (!uploaded)
@@ -150,21 +147,6 @@ void vtkShadowCounter::ClearStencil(const vtkShadowTarget& target, const int vie
   glClearBufferiv(GL_STENCIL, 0, &value);
 }
 
-vtkShaderProgram* vtkShadowCounter::Ready(vtkOpenGLRenderWindow* window,
-  vtkSmartPointer<vtkShaderProgram>& program, const char* vertexShader, const char* fragmentShader,
-  std::string& why)
-{
-  vtkOpenGLShaderCache* cache = window->GetShaderCache();
-  program = program ? cache->ReadyShaderProgram(program)
-                    : cache->ReadyShaderProgram(vertexShader, fragmentShader, "");
-  if (!program)
-  {
-    why = "A shader for shadow volumes does not compile on this driver. Update the driver, and "
-          "report its message.";
-  }
-  return program;
-}
-
 void vtkShadowCounter::SetDirection(bool zPass)
 {
   glStencilFunc(GL_ALWAYS, 0, 0xff);
@@ -181,17 +163,24 @@ void vtkShadowCounter::SetDirection(bool zPass)
   }
 }
 
-void vtkShadowCounter::BindVolume(vtkShaderProgram* program, const double volumeToClip[16])
+vtkShaderProgram* vtkShadowCounter::BeginVolumes(vtkOpenGLRenderWindow* window,
+  vtkSmartPointer<vtkShaderProgram>& program, const char* fragmentShader,
+  const double volumeToClip[16], std::string& why)
 {
+  if (!vtkNBufferGL::UseProgram(window, program, vtkShadowVolumeVS, fragmentShader, Failure, why))
+  {
+    return nullptr;
+  }
   vtkNBufferGL::SetMatrix(program, "volumeToClip", volumeToClip);
-  glBindVertexArray(this->VertexArray);
+  glBindVertexArray(this->VertexArray.GetName());
   const int attribute = glGetAttribLocation(program->GetHandle(), "corner");
   int arrayBuffer = 0;
   glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &arrayBuffer);
-  glBindBuffer(GL_ARRAY_BUFFER, this->VertexBuffer);
+  glBindBuffer(GL_ARRAY_BUFFER, this->Vertices.Buffer.GetName());
   glEnableVertexAttribArray(attribute);
   glVertexAttribPointer(attribute, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
   glBindBuffer(GL_ARRAY_BUFFER, arrayBuffer);
+  return program;
 }
 
 void vtkShadowCounter::DrawVolume(const vtkShadowDraw& draw)
@@ -206,14 +195,11 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
   const double volumeToClip[16], const vtkShadowDraw* first, const vtkShadowDraw* last,
   long long* fragments, std::string& why)
 {
-  vtkShaderProgram* program =
-    this->Ready(window, this->VolumeProgram, vtkShadowVolumeVS, vtkShadowVolumeFS, why);
-  if (!program)
+  vtkNBufferGL::ClearErrors();
+  if (!this->BeginVolumes(window, this->VolumeProgram, vtkShadowVolumeFS, volumeToClip, why))
   {
     return false;
   }
-  vtkNBufferGL::ClearErrors();
-  this->BindVolume(program, volumeToClip);
   glBindFramebuffer(GL_FRAMEBUFFER, target.GetDepthFramebuffer());
 
   glEnable(GL_DEPTH_CLAMP);
@@ -236,16 +222,12 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
   drawAll(true);
   if (fragments)
   {
-    if (this->Query == 0)
-    {
-      glGenQueries(1, &this->Query);
-    }
     glDepthFunc(GL_ALWAYS);
-    glBeginQuery(GL_SAMPLES_PASSED, this->Query);
+    glBeginQuery(GL_SAMPLES_PASSED, this->Query.Create());
     drawAll(false);
     glEndQuery(GL_SAMPLES_PASSED);
     GLuint samples = 0;
-    glGetQueryObjectuiv(this->Query, GL_QUERY_RESULT, &samples);
+    glGetQueryObjectuiv(this->Query.GetName(), GL_QUERY_RESULT, &samples);
     *fragments += samples;
   }
   glDisable(GL_DEPTH_TEST);
@@ -259,12 +241,11 @@ bool vtkShadowCounter::Show(vtkOpenGLRenderWindow* window, const double volumeTo
   const std::vector<vtkShadowDraw>& draws, Look look, std::string& why)
 {
   vtkShaderProgram* program =
-    this->Ready(window, this->TintProgram, vtkShadowVolumeVS, vtkShadowTintFS, why);
+    this->BeginVolumes(window, this->TintProgram, vtkShadowTintFS, volumeToClip, why);
   if (!program)
   {
     return false;
   }
-  this->BindVolume(program, volumeToClip);
   const bool edges = look == Look::Edges;
   constexpr float zPass[4] = { 0.2f, 0.6f, 1.0f, 0.8f };
   constexpr float zFail[4] = { 1.0f, 0.55f, 0.1f, 0.8f };
@@ -289,13 +270,12 @@ bool vtkShadowCounter::Show(vtkOpenGLRenderWindow* window, const double volumeTo
 bool vtkShadowCounter::Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
   int mask, int channel, const int viewport[4], std::string& why)
 {
-  if (!this->Ready(window, this->MaskProgram, vtkNBufferFullScreenVS, vtkShadowMaskFS, why))
+  vtkNBufferGL::ClearErrors();
+  if (!this->MaskPass.Begin(window, why))
   {
     return false;
   }
-  vtkNBufferGL::ClearErrors();
   glBindFramebuffer(GL_FRAMEBUFFER, target.GetMaskFramebuffer(mask));
-  glBindVertexArray(this->EmptyVertexArray);
   glScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
   glStencilFunc(GL_NOTEQUAL, 0, 0xff);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
@@ -306,7 +286,7 @@ bool vtkShadowCounter::Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTar
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);
   glColorMaski(0, channel == 0, channel == 1, channel == 2, channel == 3);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  this->MaskPass.Draw();
   glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDisable(GL_DEPTH_TEST);
   glDepthRange(range[0], range[1]);
@@ -316,11 +296,6 @@ bool vtkShadowCounter::Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTar
 
 void vtkShadowCounter::Release()
 {
-  glDeleteBuffers(1, &this->VertexBuffer);
-  glDeleteBuffers(1, &this->IndexBuffer);
-  glDeleteVertexArrays(1, &this->VertexArray);
-  glDeleteVertexArrays(1, &this->EmptyVertexArray);
-  glDeleteQueries(1, &this->Query);
   *this = vtkShadowCounter();
 }
 VTK_ABI_NAMESPACE_END

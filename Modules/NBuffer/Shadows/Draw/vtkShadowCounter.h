@@ -2,31 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkShadowCounter.h
- * @brief Draws shadow volumes into the stencil buffer and makes masks of what they count.
+ * @brief Draws shadow volumes into the stencil buffer and makes masks from the counts.
  *
- * Faces of a volume are counted along the line from the eye to the receiver, whose depth is in the
- * depth buffer:
+ * A receiver is in shadow if it lies inside a volume. The stencil buffer counts the faces of
+ * volumes along the line of sight, and the receivers' depth is in the depth buffer:
  *
- *     z-pass   between eye and receiver: entered +1, left -1. Right where the eye is outside of the
- *              volume.
- *     z-fail   behind the receiver, in reverse. Right wherever the eye is, for closed volumes.
+ *                     volume A        volume B
+ *                    +--------+      +--------+
+ *     eye ---------->|+1    -1|----->|+1   R..|+1 - - >        R is a receiver in volume B
+ *                    +--------+      +--------+
  *
- * Depth is clamped, so that the far plane cuts nothing off: all volumes are closed by themselves.
- * What lies before the near plane is cut off for z-fail, which has no use for it. Counts are kept
- * modulo 256 and wrap, so that their order does not matter; the caller sees to it that no receiver
- * is in 256 volumes at once.
+ *     z-pass  counts the faces before R: a front face is +1, a back face is -1. Here the count is
+ *             +1 - 1 + 1 = 1. The count is right only if the eye is outside of the volume.
+ *     z-fail  counts the faces behind R: a back face is +1, a front face is -1. Here the count is
+ *             +1. The count is right wherever the eye is, but the volume must be closed.
  *
- * Volumes whose near cap may lie in a lit surface (those of open meshes) are pushed away from the
- * eye. There equal depths (fragments that fail LESS) are right, but another program may compute
- * them two units off, and vertices a step of the subpixel grid, 1/256 of a pixel, beside each other
- * in both.
+ * Depth is clamped, so the far plane does not cut volumes open. For z-fail a clip plane removes
+ * what lies before the near plane, which z-fail never counts. Counts wrap modulo 256, so the order
+ * of the faces does not matter; the caller ensures that no receiver is in 256 volumes at once.
  *
- * Where the target is multisampled, all of this is done for each sample by itself.
+ * The near cap of an open mesh's volume may lie in a lit surface. The face then has the surface's
+ * depth, and a fragment of equal depth fails the depth test, which is right. But another shader
+ * program may compute a depth that is two units off, and its vertices may be rounded to the next
+ * step of the subpixel grid (1/256 of a pixel). A polygon offset pushes such volumes away from the
+ * eye by that much.
+ *
+ * In a multisampled target, each sample has its own depth and count.
  */
 #ifndef vtkShadowCounter_h
 #define vtkShadowCounter_h
 
 #include "vtkNBufferGL.h"
+#include "vtkNBufferGLObject.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkShadowPlan.h"
 
@@ -45,12 +52,14 @@ class vtkShadowTarget;
 class VTKNBUFFER_EXPORT vtkShadowCounter
 {
 public:
-  /// Send a volume to the device. False, with the cause, if OpenGL refuses.
+  vtkShadowCounter();
+
+  /// Send a volume to the device. Returns false, with the cause in `why`, if OpenGL refuses.
   bool Upload(const vtkShadowVolume& volume, std::string& why);
 
   /**
-   * While it lives, the state for counting is set; then all is as before. One for any number of
-   * lights of a frame.
+   * While it lives, the state for counting is set; when it ends, the state is restored. One scope
+   * serves for all lights of a frame.
    */
   class Scope
   {
@@ -73,63 +82,71 @@ public:
     int Stencil[2][7] = {};
   };
 
-  /**
-   * Clear a mask (all four channels lit), and the stencil to a count, within the viewport.
-   */
+  ///@{
+  /// Set all channels of a mask to lit, or the stencil buffer to a count, within the viewport.
   void ClearMask(const vtkShadowTarget& target, int mask, const int viewport[4]);
   void ClearStencil(const vtkShadowTarget& target, const int viewport[4], int start);
+  ///@}
 
   /**
-   * Count draws [first, last). `volumeToClip`: row-major matrix from the uploaded vertices to clip
-   * coordinates. `fragments`: if not null, the fragments that volumes covered, whether or not the
-   * depth test passed, are added to it (as many more draws, and a wait for the device); samples of
-   * them where the target is multisampled.
+   * Count the draws from `first` to the one before `last`. `volumeToClip` is the row-major matrix
+   * from the uploaded vertices to clip coordinates. If `fragments` is not null, the number of
+   * fragments that the volumes cover is added to it, whether or not they pass the depth test; where
+   * the target is multisampled, it is the number of their samples. This doubles the draws and waits
+   * for the device. Returns false, with the cause in `why`, if OpenGL refuses.
    */
   bool Count(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
     const double volumeToClip[16], const vtkShadowDraw* first, const vtkShadowDraw* last,
     long long* fragments, std::string& why);
 
-  /// Darken a channel of a mask where the count is not 0.
+  /// Set a channel of a mask to shadow where the count is not 0. Returns false, with the cause in
+  /// `why`, if OpenGL refuses.
   bool Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target, int mask, int channel,
     const int viewport[4], std::string& why);
 
-  /// How volumes are made visible: their fragments, each of which adds 1/255 to all channels, or
-  /// the edges of their triangles, blue where they are counted by z-pass and orange by z-fail.
+  /// How volumes are made visible.
   enum class Look
   {
-    Fragments,
-    Edges
+    Fragments, ///< Each fragment adds 1/255 to all channels.
+    Edges      ///< The edges of triangles are blue for z-pass and orange for z-fail.
   };
 
   /**
-   * Draw volumes, without a depth test, into the colours of the framebuffer that is bound, in the
-   * viewport that is set, for debug views. To be called within a ScopedPass.
+   * Draw volumes for a debug view, without a depth test, into the colours of the framebuffer that
+   * is bound and the viewport that is set. To be called within a ScopedPass. Returns false, with
+   * the cause in `why`, if OpenGL refuses.
    */
   bool Show(vtkOpenGLRenderWindow* window, const double volumeToClip[16],
     const std::vector<vtkShadowDraw>& draws, Look look, std::string& why);
 
+  /// How often volumes and masks were drawn since the last Release().
   int GetNumberOfDraws() const { return this->Draws; }
 
-  /// Delete everything; the context that made it must be current.
+  /// Delete the OpenGL objects. Their context must be current.
   void Release();
 
 private:
-  vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, vtkSmartPointer<vtkShaderProgram>& program,
-    const char* vertexShader, const char* fragmentShader, std::string& why);
-  void BindVolume(vtkShaderProgram* program, const double volumeToClip[16]);
+  struct GrowingBuffer
+  {
+    bool Upload(unsigned int target, const void* data, std::size_t bytes);
+
+    vtkNBufferGL::Buffer Buffer;
+    std::size_t Bytes = 0;
+  };
+
+  vtkShaderProgram* BeginVolumes(vtkOpenGLRenderWindow* window,
+    vtkSmartPointer<vtkShaderProgram>& program, const char* fragmentShader,
+    const double volumeToClip[16], std::string& why);
   void SetDirection(bool zPass);
   void DrawVolume(const vtkShadowDraw& draw);
 
-  unsigned int VertexBuffer = 0;
-  unsigned int IndexBuffer = 0;
-  unsigned int VertexArray = 0;
-  unsigned int EmptyVertexArray = 0;
-  unsigned int Query = 0;
-  std::size_t VertexBytes = 0;
-  std::size_t IndexBytes = 0;
+  GrowingBuffer Vertices;
+  GrowingBuffer Indices;
+  vtkNBufferGL::VertexArray VertexArray;
+  vtkNBufferGL::Query Query;
+  vtkNBufferGL::FullScreenPass MaskPass;
   int Draws = 0;
   vtkSmartPointer<vtkShaderProgram> VolumeProgram;
-  vtkSmartPointer<vtkShaderProgram> MaskProgram;
   vtkSmartPointer<vtkShaderProgram> TintProgram;
 };
 VTK_ABI_NAMESPACE_END

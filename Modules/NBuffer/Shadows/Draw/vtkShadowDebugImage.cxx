@@ -17,12 +17,12 @@ constexpr unsigned char Opacity = 160;
 constexpr Color Dark = { 20, 20, 30, 200 };
 constexpr Color Edge = { 255, 255, 255, 200 };
 
-/// From 1 to 256 in equal steps of the logarithm.
+/// The colours of 1, 4, 16, 64 and 256; the steps between them are logarithmic.
 constexpr int NumberOfHeats = 5;
 constexpr unsigned char Heats[NumberOfHeats][3] = { { 40, 60, 255 }, { 0, 200, 255 },
   { 40, 220, 40 }, { 255, 230, 0 }, { 255, 20, 0 } };
 
-/// Depths of all lexels that have receivers.
+/// The range of depth of all lexels that have receivers.
 struct DepthRange
 {
   explicit DepthRange(const vtkShadowLitmap& litmap)
@@ -129,7 +129,8 @@ Image PaintExtents(const std::vector<vtkShadowDraw>& draws, const int viewport[4
   const int width = viewport[2];
   const int height = viewport[3];
   Image image(4 * static_cast<std::size_t>(width) * height, 0);
-  // Differences, of which the sums over all pixels below and to the left are the numbers of boxes.
+  // A summed-area table: each box adds +1 and -1 at its corners, and the sum of these over all
+  // pixels below and to the left of a pixel is the number of boxes that contain it.
   const std::size_t stride = static_cast<std::size_t>(width) + 1;
   std::vector<int> sums(stride * (static_cast<std::size_t>(height) + 1), 0);
   struct Box

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkShadowDebugImage.h
- * @brief Paints what is laid over the picture to show why shadows take what they take. No OpenGL.
+ * @brief Paints the images that debug views lay over the picture. No OpenGL.
  *
- * Images have four bytes, red, green, blue and opacity, for each pixel of the viewport, row by row,
- * the lowest first; where nothing is to be shown all four are 0. Numbers are shown as heat, on a
- * logarithmic scale that is the same in all frames: 1 blue, 4 cyan, 16 green, 64 yellow, 255 and
- * more red.
+ * An image has four bytes (red, green, blue, opacity) for each pixel of the viewport, row by row,
+ * the lowest first. All four are 0 where the image shows nothing. Numbers are shown as heat, on a
+ * logarithmic scale that is the same in all frames:
+ *
+ *     1      4      16      64       255 and more
+ *     blue   cyan   green   yellow   red
  */
 #ifndef vtkShadowDebugImage_h
 #define vtkShadowDebugImage_h
@@ -25,23 +27,29 @@ namespace vtkShadowDebugImage
 using Color = std::array<unsigned char, 4>;
 using Image = std::vector<unsigned char>;
 
-/// Of a number of 0 (nothing) or more.
+/// The colour of a number, which is at least 0; 0 is transparent.
 VTKNBUFFER_EXPORT Color GetHeat(int number);
 
 /**
- * Three squares for each litmap (one, or the six of a point light, upwards), from the left: nearest
- * depth and farthest depth of the receivers in a lexel, the nearer to the light the brighter, and
- * the number of occupied bins as heat. Lexels without receivers are dark. p goes to the right, q
- * upwards.
+ * Paint litmaps, one of them or the six of a point light. Each has a row of three squares, the
+ * first row is the lowest. p goes to the right, q upwards, and lexels without receivers are dark:
+ *
+ *     +-----------------+ +-----------------+ +-----------------+
+ *     | nearest depth   | | farthest depth  | | occupied bins,  |
+ *     | of a lexel's    | | of a lexel's    | | as heat         |
+ *     | receivers       | | receivers       | |                 |
+ *     +-----------------+ +-----------------+ +-----------------+
+ *       brighter is nearer to the light
  */
 VTKNBUFFER_EXPORT Image PaintLitmaps(
   const vtkShadowLitmap* litmaps, int count, int width, int height);
 
-/// The edges of all boxes in white, and inside of them, as heat, in how many a pixel is.
+/// Paint the edges of the boxes of all draws in white, and in each pixel, as heat, the number of
+/// boxes that contain it.
 VTKNBUFFER_EXPORT Image PaintExtents(
   const std::vector<vtkShadowDraw>& draws, const int viewport[4]);
 
-/// Heat in the place of the numbers that `image` has in its first channel.
+/// Replace the numbers in the first channel of an image by heat.
 VTKNBUFFER_EXPORT void PaintCounts(Image& image);
 }
 VTK_ABI_NAMESPACE_END

@@ -5,16 +5,21 @@
 #include "vtkNBufferGL.h"
 #include "vtkShadowCounter.h"
 
-#include "vtkNBufferFullScreenVS.h"
 #include "vtkShadowDebugFS.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
+vtkShadowDebugView::vtkShadowDebugView()
+  : Pass(vtkShadowDebugFS,
+      "The shader for debug views does not compile on this driver. Switch them off, and report its "
+      "message.")
+{
+}
+
 bool vtkShadowDebugView::Make(vtkOpenGLRenderWindow* window, vtkShadowPicture picture,
   const Subject& subject, vtkShadowCounter& counter, vtkShadowStatistics& statistics,
   std::string& why)
@@ -50,38 +55,8 @@ bool vtkShadowDebugView::Make(vtkOpenGLRenderWindow* window, vtkShadowPicture pi
 
 bool vtkShadowDebugView::Reserve(std::string& why)
 {
-  const int width = this->Viewport[0] + this->Viewport[2];
-  const int height = this->Viewport[1] + this->Viewport[3];
-  if (width <= this->Width && height <= this->Height)
-  {
-    return true;
-  }
-  this->Release();
-  glGenVertexArrays(1, &this->VertexArray);
-  glGenTextures(1, &this->Texture);
-  glBindTexture(GL_TEXTURE_2D, this->Texture);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  {
-    const vtkNBufferGL::ScopedUpload nothing(0);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-  }
-  if (!vtkNBufferGL::CheckErrors("Allocating a debug view", why))
-  {
-    this->Release();
-    return false;
-  }
-  int drawFramebuffer = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawFramebuffer);
-  glGenFramebuffers(1, &this->Framebuffer);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Framebuffer);
-  glFramebufferTexture2D(
-    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Texture, 0);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, drawFramebuffer);
-  this->Width = width;
-  this->Height = height;
-  return true;
+  return this->Texture.ReserveTarget(
+    GL_RGBA8, this->Viewport[0] + this->Viewport[2], this->Viewport[1] + this->Viewport[3], why);
 }
 
 bool vtkShadowDebugView::DrawVolumes(vtkOpenGLRenderWindow* window, vtkShadowPicture picture,
@@ -100,7 +75,7 @@ bool vtkShadowDebugView::DrawVolumes(vtkOpenGLRenderWindow* window, vtkShadowPic
   {
     return false;
   }
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Framebuffer);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Texture.GetFramebuffer());
   glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   glClearBufferfv(GL_COLOR, 0, nothing);
@@ -112,7 +87,7 @@ bool vtkShadowDebugView::DrawVolumes(vtkOpenGLRenderWindow* window, vtkShadowPic
     return false;
   }
   ++statistics.DebugDraws;
-  const vtkNBufferGL::ScopedReadback readback(this->Framebuffer);
+  const vtkNBufferGL::ScopedReadback readback(this->Texture.GetFramebuffer());
   glReadPixels(viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE,
     this->Image.data());
   return vtkNBufferGL::CheckErrors("Drawing volumes for a debug view", why);
@@ -128,43 +103,29 @@ bool vtkShadowDebugView::Show(
   const int* viewport = this->Viewport;
   vtkNBufferGL::ClearErrors();
   const vtkNBufferGL::ScopedPass pass(window);
-  if (!this->Reserve(why))
+  vtkShaderProgram* program = this->Reserve(why) ? this->Pass.Begin(window, why) : nullptr;
+  if (!program)
   {
     return false;
   }
-  vtkOpenGLShaderCache* cache = window->GetShaderCache();
-  this->Program = this->Program
-    ? cache->ReadyShaderProgram(this->Program)
-    : cache->ReadyShaderProgram(vtkNBufferFullScreenVS, vtkShadowDebugFS, "");
-  if (!this->Program)
-  {
-    why = "The shader for debug views does not compile on this driver. Switch them off, and report "
-          "its message.";
-    return false;
-  }
-  glBindTexture(GL_TEXTURE_2D, this->Texture);
+  glBindTexture(GL_TEXTURE_2D, this->Texture.GetName());
   {
     const vtkNBufferGL::ScopedUpload upload(0);
     glTexSubImage2D(GL_TEXTURE_2D, 0, viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA,
       GL_UNSIGNED_BYTE, this->Image.data());
   }
-  this->Program->SetUniformi("image", 0);
-  glBindVertexArray(this->VertexArray);
+  program->SetUniformi("image", 0);
   glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
   const vtkNBufferGL::ScopedBlend blend(GL_FUNC_ADD, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  this->Pass.Draw();
   ++statistics.DebugDraws;
   return vtkNBufferGL::CheckErrors("Showing a debug view", why);
 }
 
 void vtkShadowDebugView::Release()
 {
-  glDeleteTextures(1, &this->Texture);
-  glDeleteFramebuffers(1, &this->Framebuffer);
-  glDeleteVertexArrays(1, &this->VertexArray);
-  this->Texture = this->Framebuffer = this->VertexArray = 0;
-  this->Width = this->Height = 0;
-  this->Program = nullptr;
+  this->Texture.Delete();
+  this->Pass.Delete();
 }
 VTK_ABI_NAMESPACE_END

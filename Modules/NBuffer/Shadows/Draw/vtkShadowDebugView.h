@@ -2,64 +2,67 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkShadowDebugView
- * @brief An image that shows what the shadows of one light took, and lays it over the picture.
+ * @brief Makes an image of the work behind the shadows of one light, and lays it over the picture.
  *
- * The image is made while plan, volumes and litmaps of the light are at hand, is kept in host
- * memory, and is shown after the opaque props, also in frames that take their masks from an earlier
- * one. vtkShadowDebugImage.h paints it; the volumes themselves are drawn here.
+ * The image is made when the plan, the volumes and the litmaps of the light exist, and is kept in
+ * host memory. It is shown after the opaque props, also in later frames that use the same masks.
+ * vtkShadowDebugImage.h paints litmaps, boxes and counts; the volumes themselves are drawn here.
  */
 #ifndef vtkShadowDebugView_h
 #define vtkShadowDebugView_h
 
+#include "vtkNBufferGLObject.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkShadowDebugImage.h"
 #include "vtkShadowStatistics.h"
-
-#include "vtkSmartPointer.h"
 
 #include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 class vtkShadowCounter;
 
 class VTKNBUFFER_EXPORT vtkShadowDebugView
 {
 public:
-  /// What is shown of a light.
+  vtkShadowDebugView();
+
+  /// The work behind the shadows of a light.
   struct Subject
   {
-    const vtkShadowLitmap* Litmaps = nullptr;
-    int NumberOfLitmaps = 0;
-    const std::vector<vtkShadowDraw>& Draws; ///< Of the volume uploaded last.
-    const double* VolumeToClip;              ///< Row-major 4 x 4.
-    const int* Viewport;                     ///< Of the framebuffer: x, y, width, height.
+    const vtkShadowLitmap* Litmaps = nullptr; ///< One, or the six of a point light.
+    int NumberOfLitmaps = 0;                  ///< 0 if the light needed no litmap.
+    const std::vector<vtkShadowDraw>& Draws;  ///< The draws of the volume that was uploaded last.
+    const double* VolumeToClip;               ///< Row-major 4 x 4 matrix.
+    const int* Viewport; ///< x, y, width and height in pixels of the framebuffer.
   };
 
   /**
-   * Make the image. False, with the cause in `why`, if OpenGL refuses. The state is as before,
-   * within a vtkShadowCounter::Scope.
+   * Make the image. Returns false, with the cause in `why`, if OpenGL refuses. To be called within
+   * a vtkShadowCounter::Scope, whose state is restored.
    */
   bool Make(vtkOpenGLRenderWindow* window, vtkShadowPicture picture, const Subject& subject,
     vtkShadowCounter& counter, vtkShadowStatistics& statistics, std::string& why);
 
   /**
    * Lay the image, if there is one, over the colours of the framebuffer that is bound, where the
-   * image is not transparent; depth and opacity stay. The state is as before.
+   * image is not transparent. Depth and opacity of the framebuffer stay. Returns false, with the
+   * cause in `why`, if OpenGL refuses. Restores the state.
    */
   bool Show(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics, std::string& why);
 
   /// Show nothing until the next image is made.
   void Clear() { this->Image.clear(); }
 
-  /// Empty if nothing is shown.
+  ///@{
+  /// The image, which is empty if nothing is shown, and its size in pixels.
   const vtkShadowDebugImage::Image& GetImage() const { return this->Image; }
   int GetWidth() const { return this->Viewport[2]; }
   int GetHeight() const { return this->Viewport[3]; }
+  ///@}
 
-  /// Delete everything; the context that made it must be current.
+  /// Delete the OpenGL objects. Their context must be current.
   void Release();
 
 private:
@@ -69,12 +72,8 @@ private:
 
   vtkShadowDebugImage::Image Image;
   int Viewport[4] = { 0, 0, 0, 0 };
-  unsigned int Texture = 0;
-  unsigned int Framebuffer = 0;
-  unsigned int VertexArray = 0;
-  int Width = 0; ///< Of the texture.
-  int Height = 0;
-  vtkSmartPointer<vtkShaderProgram> Program;
+  vtkNBufferGL::GrowingTexture Texture; ///< As large as the framebuffer, to be drawn in its pixels.
+  vtkNBufferGL::FullScreenPass Pass;
 };
 VTK_ABI_NAMESPACE_END
 #endif

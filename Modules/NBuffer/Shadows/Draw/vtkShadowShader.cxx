@@ -25,16 +25,9 @@ void vtkShadowShader::Declare(std::string& fragmentShader) const
   const std::string declaration = "#define NBUFFER_SHADOW_LIGHTS " +
     std::to_string(this->Lights.size()) + "\n#define NBUFFER_SHADOW_MASKS " +
     std::to_string(masks) + "\n#define NBUFFER_SHADOW_SAMPLES " + std::to_string(this->Samples) +
-    "\n#define NBUFFER_SHADOW_FILTER " + std::to_string(int(this->Filter)) + "\n" +
-    vtkShadowLightDec;
+    "\n" + vtkShadowLightDec;
   vtkShaderProgram::Substitute(
     fragmentShader, "//VTK::Light::Dec", declaration + "//VTK::Light::Dec", false);
-  if (this->Filter)
-  {
-    // Behind all that may change the colour.
-    vtkShaderProgram::Substitute(fragmentShader, "//VTK::Picking::Impl",
-      "//VTK::Picking::Impl\n  NBUFFER_SHADOW_END\n", false);
-  }
   if (this->Samples > 1)
   {
     vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec",
@@ -49,23 +42,22 @@ bool vtkShadowShader::Insert(std::string& fragmentShader) const
   {
     const std::string color = "lightColor" + std::to_string(this->Lights[i]);
     const std::string share = "NBUFFER_SHADOW_SHARE(" + std::to_string(i) + ", " +
-      std::to_string(i / LightsPerMask) + ", " + std::to_string(i % LightsPerMask) + ", ";
+      std::to_string(i / LightsPerMask) + ", " + std::to_string(i % LightsPerMask) + ")";
     bool replaced = fragmentShader.find(share) != std::string::npos;
     if (replaced)
     {
       continue;
     }
-    const auto replace = [&](
-                           const std::string& before, const char* factor, const std::string& after)
+    const auto replace = [&](const std::string& before, const std::string& after)
     {
       replaced = vtkShaderProgram::Substitute(fragmentShader, before + color + after,
-                   before + share + factor + ") * " + color + after, true) ||
+                   before + share + " * " + color + after, true) ||
         replaced;
     };
-    replace("diffuse += (df * ", "df", ");");
-    replace("specular += (sf * ", "sf", ");");
-    replace("radiance = ", "1.0", ";");
-    replace("radiance = ", "1.0", " * attenuation;"); // positional lights before VTK 9.5
+    replace("diffuse += (df * ", ");");
+    replace("specular += (sf * ", ");");
+    replace("radiance = ", ";");
+    replace("radiance = ", " * attenuation;"); // positional lights before VTK 9.5
     const bool used = fragmentShader.find("* " + color) != std::string::npos ||
       fragmentShader.find("= " + color) != std::string::npos;
     isKnown = isKnown && (replaced || !used);

@@ -22,12 +22,10 @@ struct vtkShadowShader
 {
   std::vector<int> Lights; ///< Numbers of those with masks, as in the names of the uniforms.
   int Samples = 1;         ///< Of the masks.
-  bool Filter = false;     ///< Can tell which lights its fragments take.
 
   bool operator==(const vtkShadowShader& other) const
   {
-    return this->Lights == other.Lights && this->Samples == other.Samples &&
-      this->Filter == other.Filter;
+    return this->Lights == other.Lights && this->Samples == other.Samples;
   }
 
   /// Before the mapper replaces what stands for its own code. A second time does nothing.

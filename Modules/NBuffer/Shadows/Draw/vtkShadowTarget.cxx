@@ -96,22 +96,6 @@ bool vtkShadowTarget::Reserve(vtkOpenGLRenderWindow* window, int width, int heig
   return done;
 }
 
-bool vtkShadowTarget::ReserveLit(vtkOpenGLRenderWindow* window, std::string& why)
-{
-  if (this->Lit.Framebuffer != 0)
-  {
-    return true;
-  }
-  const ScopedFramebuffers bindings;
-  vtkNBufferGL::ClearErrors();
-  const bool done = this->AllocateMask(window, this->Lit, why);
-  if (!done)
-  {
-    FreeMask(this->Lit);
-  }
-  return done;
-}
-
 bool vtkShadowTarget::Allocate(
   vtkOpenGLRenderWindow* window, int width, int height, int count, std::string& why)
 {
@@ -252,7 +236,6 @@ void vtkShadowTarget::Free()
     FreeMask(mask);
   }
   this->Masks.clear();
-  FreeMask(this->Lit);
   glDeleteFramebuffers(1, &this->DepthFramebuffer);
   if (this->Depth)
   {

@@ -9,7 +9,6 @@
  *
  *     depth     depth and stencil alone, without colour: receivers and volumes are drawn into it
  *     mask i    depth and stencil with mask i as colour
- *     lit       depth and stencil with a colour that says which lights receivers have; if asked for
  *
  * A mask is an RGBA8 texture: channel c of mask i belongs to the light 4 i + c, 0 where it shines
  * and 255 where it does not. Objects grow and never shrink until released.
@@ -53,10 +52,6 @@ public:
   bool Reserve(vtkOpenGLRenderWindow* window, int width, int height, int masks,
     const SamplePlaces& samples, std::string& why);
 
-  /// Room for the colour of receivers, after Reserve(). False, with the cause in `why`, if OpenGL
-  /// refuses.
-  bool ReserveLit(vtkOpenGLRenderWindow* window, std::string& why);
-
   const SamplePlaces& GetSamples() const { return this->Samples; }
   bool IsMultisampled() const { return this->Samples.size() > 1; }
   bool HasRefusedSamples() const { return !this->RefusedSamples.empty(); }
@@ -68,9 +63,6 @@ public:
   /// GL names of the framebuffers; 0 before Reserve().
   unsigned int GetDepthFramebuffer() const { return this->DepthFramebuffer; }
   unsigned int GetMaskFramebuffer(int mask) const { return this->Masks[mask].Framebuffer; }
-
-  unsigned int GetLitFramebuffer() const { return this->Lit.Framebuffer; }
-  vtkTextureObject* GetLit() const { return this->Lit.Texture; }
 
   vtkTextureObject* GetMask(int mask) const { return this->Masks[mask].Texture; }
   /// To sample; nullptr without multisampling.
@@ -107,7 +99,6 @@ private:
   vtkSmartPointer<vtkTextureObject> Depth; ///< The same, if it is multisampled.
   unsigned int DepthFramebuffer = 0;
   std::vector<Mask> Masks;
-  Mask Lit;
 };
 VTK_ABI_NAMESPACE_END
 #endif

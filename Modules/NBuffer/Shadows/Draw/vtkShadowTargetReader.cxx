@@ -11,16 +11,10 @@
 #include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
-namespace
-{
-constexpr std::size_t BytesPerSample = 4;
-}
-
-void vtkShadowTargetReader::Begin(const int viewport[4], std::size_t lights)
+void vtkShadowTargetReader::Begin(const int viewport[4])
 {
   std::copy_n(viewport, 4, this->Viewport);
   this->Has = false;
-  this->Filtered.assign(lights, false);
 }
 
 std::size_t vtkShadowTargetReader::GetNumberOfPixels() const
@@ -29,11 +23,9 @@ std::size_t vtkShadowTargetReader::GetNumberOfPixels() const
 }
 
 bool vtkShadowTargetReader::ReadReceivers(
-  vtkOpenGLRenderWindow* window, vtkShadowTarget& target, bool lit, std::string& why)
+  vtkOpenGLRenderWindow* window, vtkShadowTarget& target, std::string& why)
 {
-  this->LitBits.clear();
-  this->Has =
-    this->ReadDepth(window, target, why) && (!lit || this->ReadLights(window, target, why));
+  this->Has = this->ReadDepth(window, target, why);
   return this->Has;
 }
 
@@ -64,62 +56,6 @@ bool vtkShadowTargetReader::ReadDepth(
   return done;
 }
 
-bool vtkShadowTargetReader::ReadLights(
-  vtkOpenGLRenderWindow* window, vtkShadowTarget& target, std::string& why)
-{
-  const int* viewport = this->Viewport;
-  const std::size_t pixels = this->GetNumberOfPixels();
-  const std::size_t samples = target.GetSamples().size();
-  this->LitBits.resize(BytesPerSample * samples * pixels);
-  if (!target.IsMultisampled())
-  {
-    vtkNBufferGL::ClearErrors();
-    const vtkNBufferGL::ScopedReadback readback(target.GetLitFramebuffer());
-    glReadPixels(viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE,
-      this->LitBits.data());
-    return vtkNBufferGL::CheckErrors("Reading which lights receivers have", why);
-  }
-  std::vector<float> values(pixels);
-  for (std::size_t i = 0; i < samples; ++i)
-  {
-    for (int channel = 0; channel < static_cast<int>(FilteredLights) / 8; ++channel)
-    {
-      if (!this->SampleReader.Read(window, target.GetLit()->GetHandle(), static_cast<int>(i),
-            channel, viewport, values.data(), why))
-      {
-        return false;
-      }
-      unsigned char* bits = this->LitBits.data() + BytesPerSample * i * pixels + channel;
-      for (std::size_t k = 0; k < pixels; ++k)
-      {
-        bits[BytesPerSample * k] = static_cast<unsigned char>(255.0f * values[k] + 0.5f);
-      }
-    }
-  }
-  return true;
-}
-
-bool vtkShadowTargetReader::IsUnlit(std::size_t slot, std::size_t sample) const
-{
-  return this->Filtered[slot] &&
-    (this->LitBits[BytesPerSample * sample + slot / 8] >> slot % 8 & 1) == 0;
-}
-
-const unsigned char* vtkShadowTargetReader::FindLit(std::size_t slot)
-{
-  if (this->LitBits.empty() || slot >= FilteredLights)
-  {
-    return nullptr;
-  }
-  this->Filtered[slot] = true;
-  this->Lit.resize(this->Depth.size());
-  for (std::size_t i = 0; i < this->Lit.size(); ++i)
-  {
-    this->Lit[i] = !this->IsUnlit(slot, i);
-  }
-  return this->Lit.data();
-}
-
 bool vtkShadowTargetReader::ReadMask(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
   std::size_t slot, int sample, std::vector<unsigned char>& mask, std::string& why)
 {
@@ -137,7 +73,7 @@ bool vtkShadowTargetReader::ReadMask(vtkOpenGLRenderWindow* window, const vtkSha
       viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     for (std::size_t i = 0; i < mask.size(); ++i)
     {
-      mask[i] = this->IsUnlit(slot, i) ? 255 : pixels[each * i + channel];
+      mask[i] = pixels[each * i + channel];
     }
     return vtkNBufferGL::CheckErrors("Reading a shadow mask", why);
   }
@@ -155,7 +91,7 @@ bool vtkShadowTargetReader::ReadMask(vtkOpenGLRenderWindow* window, const vtkSha
     }
     for (std::size_t k = 0; k < mask.size(); ++k)
     {
-      sums[k] += this->IsUnlit(slot, i * mask.size() + k) ? 1.0f : values[k];
+      sums[k] += values[k];
     }
   }
   std::transform(sums.begin(), sums.end(), mask.begin(),

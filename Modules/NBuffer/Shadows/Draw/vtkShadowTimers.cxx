@@ -4,9 +4,7 @@
 
 #include "vtkNBufferGL.h"
 
-#include "vtkOpenGLRenderTimer.h"
-
-#include <algorithm>
+#include "vtkOpenGLRenderTimerLog.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkShadowTimers::vtkShadowTimers() = default;
@@ -15,59 +13,53 @@ vtkShadowTimers::~vtkShadowTimers() = default;
 
 void vtkShadowTimers::Begin(bool measure)
 {
-  if (!measure)
+  this->Log->SetLoggingEnabled(measure && vtkNBufferGL::HasVersion(3, 3));
+  if (!this->Log->GetLoggingEnabled())
   {
     this->Release();
     return;
   }
-  this->Read();
-  this->Measuring = this->Intervals.empty() && vtkNBufferGL::HasVersion(3, 3) &&
-    vtkOpenGLRenderTimer::IsSupported();
-}
-
-void vtkShadowTimers::Read()
-{
-  if (this->Intervals.empty() ||
-    !std::all_of(this->Intervals.begin(), this->Intervals.end(),
-      [](const Interval& interval) { return interval.Timer->Ready(); }))
+  this->Log->MarkFrame();
+  while (this->Log->FrameReady())
   {
-    return;
+    this->Times.fill(0.0);
+    const vtkRenderTimerLog::Frame frame = this->Log->PopFirstReadyFrame();
+    for (const vtkRenderTimerLog::Event& event : frame.Events)
+    {
+      for (int i = 0; i < NumberOfShadowStages; ++i)
+      {
+        if (event.Name == vtkShadowStatistics::GetName(static_cast<vtkShadowStage>(i)))
+        {
+          this->Times[i] += 1e-6 * static_cast<double>(event.ElapsedTimeNanoseconds());
+        }
+      }
+    }
   }
-  this->Times.fill(0.0);
-  for (const Interval& interval : this->Intervals)
-  {
-    this->Times[static_cast<std::size_t>(interval.Stage)] +=
-      1e-6 * static_cast<double>(interval.Timer->GetElapsedNanoseconds());
-  }
-  this->Intervals.clear();
 }
 
 vtkShadowTimers::Scope::Scope(vtkShadowTimers& timers, vtkShadowStage stage)
 {
-  if (timers.Measuring)
+  if (timers.Log->GetLoggingEnabled())
   {
     ++timers.NumberOfIntervals;
-    timers.Intervals.push_back({ stage, std::make_unique<vtkOpenGLRenderTimer>() });
-    this->Timer = timers.Intervals.back().Timer.get();
-    this->Timer->Start();
-    // Rasterisers that collect draws before they begin would take the time of the last tile alone.
+    this->Log = timers.Log;
+    this->Log->MarkStartEvent(vtkShadowStatistics::GetName(stage));
     glFlush();
   }
 }
 
 vtkShadowTimers::Scope::~Scope()
 {
-  if (this->Timer)
+  if (this->Log)
   {
-    this->Timer->Stop();
+    this->Log->MarkEndEvent();
     glFlush();
   }
 }
 
 void vtkShadowTimers::Release()
 {
-  this->Intervals.clear();
+  this->Log->ReleaseGraphicsResources();
   this->Times = UnknownShadowStageTimes;
-  this->Measuring = false;
 }
 VTK_ABI_NAMESPACE_END

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkShadowTimers
- * @brief How long the graphics device takes for the stages of a frame with shadows.
+ * @brief Measures how long the graphics device takes for the stages of a frame with shadows.
  *
- * Never waits: a frame is measured if the timers of the last one measured have been read, so that
- * what GetTimes() says is of an earlier frame, and not of every frame. Times of a stage that is in
- * several pieces add up; one that a frame does not have takes 0.
+ * The times come from VTK's vtkOpenGLRenderTimerLog, which reads time stamps of the device when
+ * they have arrived and never waits for them. The log is our own, because the one of the render
+ * window belongs to the application. This class adds what the log does not do: it requires
+ * OpenGL 3.3, adds up the pieces of a stage, and flushes around each piece. Renderers that collect
+ * draws before they execute them (llvmpipe, tiled devices) would otherwise report the time of the
+ * last tile only.
  */
 #ifndef vtkShadowTimers_h
 #define vtkShadowTimers_h
@@ -14,11 +17,10 @@
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkShadowStatistics.h"
 
-#include <memory>
-#include <vector>
+#include "vtkNew.h"
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkOpenGLRenderTimer;
+class vtkOpenGLRenderTimerLog;
 
 class VTKNBUFFER_EXPORT vtkShadowTimers
 {
@@ -29,16 +31,21 @@ public:
   void operator=(const vtkShadowTimers&) = delete;
 
   /**
-   * Begin a frame, and measure it if that is asked for and possible. Nothing is asked of OpenGL
-   * unless it was asked for in this frame or the last one. The context must be current.
+   * Begin a frame, which is measured if `measure` is true and the device has timers. Without
+   * `measure` OpenGL is not called, unless queries of an earlier frame remain to be deleted. The
+   * context must be current.
    */
   void Begin(bool measure);
 
-  /// Milliseconds by vtkShadowStage; -1 before the first frame is known, or without timers.
+  /**
+   * Milliseconds, by vtkShadowStage, of the last frame whose time stamps had arrived when Begin()
+   * was called. A stage that this frame did not have takes 0. All are -1 until there is such a
+   * frame, while nothing is measured, and without timers.
+   */
   const vtkShadowStageTimes& GetTimes() const { return this->Times; }
 
-  /// While it lives, what OpenGL is told belongs to a stage. They must not overlap.
-  class Scope
+  /// While it lives, calls of OpenGL count for a stage. Two of them must not overlap.
+  class VTKNBUFFER_EXPORT Scope
   {
   public:
     Scope(vtkShadowTimers& timers, vtkShadowStage stage);
@@ -47,28 +54,19 @@ public:
     void operator=(const Scope&) = delete;
 
   private:
-    vtkOpenGLRenderTimer* Timer = nullptr;
+    vtkOpenGLRenderTimerLog* Log = nullptr; ///< Null if nothing is measured.
   };
 
-  /// Times taken so far, of pieces of stages.
+  /// How many pieces of stages were measured since construction.
   int GetNumberOfIntervals() const { return this->NumberOfIntervals; }
 
-  /// Delete everything; the context that made it must be current.
+  /// Delete all queries. Their context must be current.
   void Release();
 
 private:
-  struct Interval
-  {
-    vtkShadowStage Stage;
-    std::unique_ptr<vtkOpenGLRenderTimer> Timer;
-  };
-
-  void Read();
-
-  bool Measuring = false;
   int NumberOfIntervals = 0;
   vtkShadowStageTimes Times = UnknownShadowStageTimes;
-  std::vector<Interval> Intervals; ///< Of the frame that is measured or waited for.
+  vtkNew<vtkOpenGLRenderTimerLog> Log;
 };
 VTK_ABI_NAMESPACE_END
 #endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file vtkShadowRerenderedLitmap.h
+ * @file RerenderedLitmap.h
  * @brief The litmap of the paper, for comparison: the receivers drawn from the light.
  *
  * X. Decoret, "N-Buffers for efficient depth map query", Computer Graphics Forum 24(3), 2005,
@@ -24,17 +24,17 @@
  * vtkShadowReceivers.h has none of this. What remains of it with finer litmaps is less: a receiver
  * is not missed if it covers the centre of a lexel and of the pixel there.
  *
- * Drawn are the meshes that could cast, whether they do or not: lines, points and glyphs are
- * receivers of the other method only. Spots have no cone here but the square around it, and of a
- * pixel with several samples the first counts.
+ * The meshes that could cast are drawn, whether they do or not: lines, points and glyphs are
+ * receivers of the other method only. A spot has the square around its cone here, and of a pixel
+ * with several samples the first one counts.
+ *
+ * Set it as vtkShadowTuning::LitmapSource.
  */
-#ifndef vtkShadowRerenderedLitmap_h
-#define vtkShadowRerenderedLitmap_h
+#ifndef RerenderedLitmap_h
+#define RerenderedLitmap_h
 
-#include "vtkNBufferModule.h" // For export macro
-#include "vtkShadowLight.h"
-#include "vtkShadowLitmap.h"
-#include "vtkShadowReceivers.h"
+#include "vtkShadowCasterList.h"
+#include "vtkShadowLitmapSource.h"
 
 #include "vtkSmartPointer.h"
 
@@ -42,13 +42,20 @@
 #include <string>
 #include <vector>
 
-VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
+class vtkRenderer;
 class vtkShaderProgram;
 
-class VTKNBUFFER_EXPORT vtkShadowRerenderedLitmap
+namespace NBufferPeers
+{
+class RerenderedLitmap : public vtkShadowLitmapSource
 {
 public:
+  bool BeginFrame(vtkRenderer* renderer, const float* depth, const vtkShadowView& view,
+    std::string& why) override;
+  bool Fill(const vtkShadowLightSpace& space, const double range[4], const double depths[2],
+    int resolution, vtkShadowLitmap& litmap, std::string& why) override;
+
   /// How far behind the camera's depth what it sees may lie: window depth, 0 to 1.
   static constexpr double DepthBias = 1e-4;
 
@@ -77,13 +84,15 @@ public:
   int GetNumberOfDraws() const { return this->Draws; }
 
   /// Delete everything; the context that made it must be current.
-  void Release();
+  void Release() override;
 
 private:
   bool Reserve(int resolution, std::string& why);
   void DrawExtremes(int which, float* pixels, int resolution);
 
-  std::vector<float> Vertices; ///< Relative to the eye, xyz each.
+  vtkShadowCasterList Receivers;
+  vtkOpenGLRenderWindow* Window = nullptr; ///< The window of the frame.
+  std::vector<float> Vertices;             ///< Relative to the eye, xyz each.
   std::vector<unsigned int> Indices;
   double Eye[3] = {};
   double EyeToClip[16] = {};
@@ -96,6 +105,5 @@ private:
   int Draws = 0;
   vtkSmartPointer<vtkShaderProgram> Program;
 };
-VTK_ABI_NAMESPACE_END
+}
 #endif
-// VTK-HeaderTest-Exclude: vtkShadowRerenderedLitmap.h

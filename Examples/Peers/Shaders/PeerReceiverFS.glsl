@@ -4,7 +4,7 @@
 //VTK::Output::Dec
 
 // What the camera sees of a receiver widens the extent of its lexel, by blending with the maximum
-// (vtkShadowRerenderedLitmap.h).
+// (RerenderedLitmap.h).
 in vec3 place; // relative to the eye
 uniform mat4 eyeToClip;
 uniform vec3 axis; // of the light

@@ -1,21 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkShadowRerenderedLitmap.h"
+#include "RerenderedLitmap.h"
 
 #include "vtkNBufferGL.h"
 
-#include "vtkShadowReceiverFS.h"
-#include "vtkShadowReceiverVS.h"
+#include "PeerReceiverFS.h"
+#include "PeerReceiverVS.h"
 
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
+#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
 
-VTK_ABI_NAMESPACE_BEGIN
+namespace NBufferPeers
+{
 namespace
 {
 /// Less than all that is drawn: a lexel that holds it has no receiver.
@@ -70,14 +72,34 @@ void Allocate(unsigned int& texture, GLint internalFormat, int width, int height
 }
 }
 
-void vtkShadowRerenderedLitmap::Begin(const double eye[3])
+bool RerenderedLitmap::BeginFrame(
+  vtkRenderer* renderer, const float* depth, const vtkShadowView& view, std::string& why)
+{
+  this->Window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  this->Receivers.Update(renderer, nullptr);
+  this->Begin(view.Origin);
+  for (const vtkShadowCaster* receiver : this->Receivers.GetCasters())
+  {
+    this->AddReceiver(
+      receiver->GetPoints().data(), receiver->GetNumberOfPoints(), receiver->GetTriangles());
+  }
+  return this->Upload(this->Window, depth, view, why);
+}
+
+bool RerenderedLitmap::Fill(const vtkShadowLightSpace& space, const double range[4],
+  const double depths[2], int resolution, vtkShadowLitmap& litmap, std::string& why)
+{
+  return this->Draw(this->Window, space, range, depths, resolution, litmap, why);
+}
+
+void RerenderedLitmap::Begin(const double eye[3])
 {
   std::copy_n(eye, 3, this->Eye);
   this->Vertices.clear();
   this->Indices.clear();
 }
 
-void vtkShadowRerenderedLitmap::AddReceiver(
+void RerenderedLitmap::AddReceiver(
   const double* points, int numberOfPoints, const std::vector<int>& triangles)
 {
   const auto first = static_cast<unsigned int>(this->Vertices.size() / 3);
@@ -91,7 +113,7 @@ void vtkShadowRerenderedLitmap::AddReceiver(
   }
 }
 
-bool vtkShadowRerenderedLitmap::Upload(
+bool RerenderedLitmap::Upload(
   vtkOpenGLRenderWindow* window, const float* depth, const vtkShadowView& view, std::string& why)
 {
   vtkMatrix4x4::Invert(view.ClipToWorld, this->EyeToClip);
@@ -117,7 +139,7 @@ bool vtkShadowRerenderedLitmap::Upload(
   return vtkNBufferGL::CheckErrors("Sending receivers to the device", why);
 }
 
-bool vtkShadowRerenderedLitmap::Reserve(int resolution, std::string& why)
+bool RerenderedLitmap::Reserve(int resolution, std::string& why)
 {
   if (this->Framebuffer == 0)
   {
@@ -139,7 +161,7 @@ bool vtkShadowRerenderedLitmap::Reserve(int resolution, std::string& why)
   return vtkNBufferGL::CheckErrors("Allocating a litmap", why);
 }
 
-void vtkShadowRerenderedLitmap::DrawExtremes(int which, float* pixels, int resolution)
+void RerenderedLitmap::DrawExtremes(int which, float* pixels, int resolution)
 {
   this->Program->SetUniformi("rows", which);
   const float nothing[4] = { Nothing, Nothing, Nothing, Nothing };
@@ -151,9 +173,9 @@ void vtkShadowRerenderedLitmap::DrawExtremes(int which, float* pixels, int resol
   ++this->Draws;
 }
 
-bool vtkShadowRerenderedLitmap::Draw(vtkOpenGLRenderWindow* window,
-  const vtkShadowLightSpace& frame, const double range[4], const double depths[2], int resolution,
-  vtkShadowLitmap& litmap, std::string& why)
+bool RerenderedLitmap::Draw(vtkOpenGLRenderWindow* window, const vtkShadowLightSpace& frame,
+  const double range[4], const double depths[2], int resolution, vtkShadowLitmap& litmap,
+  std::string& why)
 {
   litmap.Begin(resolution, range, depths);
   resolution = litmap.GetResolution();
@@ -171,9 +193,8 @@ bool vtkShadowRerenderedLitmap::Draw(vtkOpenGLRenderWindow* window,
       return false;
     }
     vtkOpenGLShaderCache* cache = window->GetShaderCache();
-    this->Program = this->Program
-      ? cache->ReadyShaderProgram(this->Program)
-      : cache->ReadyShaderProgram(vtkShadowReceiverVS, vtkShadowReceiverFS, "");
+    this->Program = this->Program ? cache->ReadyShaderProgram(this->Program)
+                                  : cache->ReadyShaderProgram(PeerReceiverVS, PeerReceiverFS, "");
     if (!this->Program)
     {
       why = "The shader for litmaps does not compile on this driver. Use scattered litmaps, and "
@@ -230,13 +251,16 @@ bool vtkShadowRerenderedLitmap::Draw(vtkOpenGLRenderWindow* window,
   return true;
 }
 
-void vtkShadowRerenderedLitmap::Release()
+void RerenderedLitmap::Release()
 {
   glDeleteTextures(1, &this->DepthTexture);
   glDeleteTextures(1, &this->Texture);
   glDeleteFramebuffers(1, &this->Framebuffer);
   glDeleteVertexArrays(1, &this->VertexArray);
   glDeleteBuffers(2, this->Buffers);
-  *this = vtkShadowRerenderedLitmap();
+  this->DepthTexture = this->Texture = this->Framebuffer = this->VertexArray = 0;
+  this->Buffers[0] = this->Buffers[1] = 0;
+  this->Resolution = 0;
+  this->Program = nullptr;
 }
-VTK_ABI_NAMESPACE_END
+}

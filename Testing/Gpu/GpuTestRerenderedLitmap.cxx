@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkShadowRerenderedLitmap: in each lexel what the camera sees there, and what it misses.
-#include "vtkShadowRerenderedLitmap.h"
+// RerenderedLitmap: in each lexel what the camera sees there, and what it misses.
+#include "RerenderedLitmap.h"
 
 #include "GLStateSnapshot.h"
 #include "WindowFixture.h"
@@ -64,7 +64,7 @@ vtkShadowLight MakeLight(vtkShadowLightKind kind)
 }
 }
 
-class GpuTestShadowRerenderedLitmap : public WindowFixture
+class GpuTestRerenderedLitmap : public WindowFixture
 {
 protected:
   void TearDown() override
@@ -111,12 +111,12 @@ protected:
     pq[1] = this->Range[2] + (this->Range[3] - this->Range[2]) * (j + 0.5) / Resolution;
   }
 
-  vtkShadowRerenderedLitmap Litmap;
+  NBufferPeers::RerenderedLitmap Litmap;
   double Range[4] = {};
 };
 
 // The ray through the centre of each lexel, computed here: where it meets what is seen.
-TEST_F(GpuTestShadowRerenderedLitmap, LexelsHoldWhatIsSeenAtTheirCentres)
+TEST_F(GpuTestRerenderedLitmap, LexelsHoldWhatIsSeenAtTheirCentres)
 {
   const std::vector<float> depth = MakeDepth(0.25f, 0.75f);
   for (const vtkShadowLightKind kind :
@@ -184,11 +184,11 @@ TEST_F(GpuTestShadowRerenderedLitmap, LexelsHoldWhatIsSeenAtTheirCentres)
 
 // The paper's defect in its plainest form: what lies a little behind the depth of its pixel is not
 // seen, and what has no lexel's centre is not drawn. Scattering has both.
-TEST_F(GpuTestShadowRerenderedLitmap, MissesWhatScatteringFinds)
+TEST_F(GpuTestRerenderedLitmap, MissesWhatScatteringFinds)
 {
   const vtkShadowLight light = MakeLight(vtkShadowLightKind::Directional);
   const vtkShadowLightSpace frame(light);
-  const auto behind = static_cast<float>(2.0 * vtkShadowRerenderedLitmap::DepthBias);
+  const auto behind = static_cast<float>(2.0 * NBufferPeers::RerenderedLitmap::DepthBias);
   const std::vector<float> depth = MakeDepth(0.25f, 0.75f - behind);
   vtkShadowLitmap rerendered;
   ASSERT_NO_FATAL_FAILURE(this->Draw(light, depth, rerendered));
@@ -221,7 +221,7 @@ TEST_F(GpuTestShadowRerenderedLitmap, MissesWhatScatteringFinds)
   EXPECT_EQ(rerendered.GetNumberOfReceivers(), 0);
 }
 
-TEST_F(GpuTestShadowRerenderedLitmap, StateIsSetAndRestored)
+TEST_F(GpuTestRerenderedLitmap, StateIsSetAndRestored)
 {
   const vtkShadowLight light = MakeLight(vtkShadowLightKind::Spot);
   const std::vector<float> depth = MakeDepth(0.25f, 0.75f);
@@ -240,7 +240,7 @@ TEST_F(GpuTestShadowRerenderedLitmap, StateIsSetAndRestored)
 }
 
 // Hazard: names of a context that is gone, or of another one, are used again.
-TEST_F(GpuTestShadowRerenderedLitmap, WorksAgainAfterRelease)
+TEST_F(GpuTestRerenderedLitmap, WorksAgainAfterRelease)
 {
   for (int round = 0; round < 2; ++round)
   {

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file DepthConvention.h
+ * @brief Depths that VTK does not store, for comparison with the one that it does.
+ *
+ * With clip coordinates (x, y, z, w) as vtkCamera gives them, z in [-w, w]:
+ *
+ *     convention  stored depth         near plane  far plane  hides     background
+ *     Forward     (z / w + 1) / 2      0           1          maximum   1
+ *     Reversed    (1 - z / w) / 2      1           0          minimum   0
+ *     InverseW    near / w             1           near / far minimum   0
+ *
+ * VTK draws Forward, and the module knows nothing else (vtkNBufferDepthConvention.h). A renderer
+ * that draws Reversed has its matrix give (w - z) / 2 as z, with glClipControl(GL_LOWER_LEFT,
+ * GL_ZERO_TO_ONE): only then do small floats keep their precision. InverseW tells nothing in
+ * parallel projection, where w is constant: every box is then Crossing.
+ *
+ * Here depths are kept as orders of distance, sign * stored depth, with a sign of 1 for Forward and
+ * -1 for the others. The order grows with distance in every convention, so that levels of maxima
+ * and all tests of the module can be used as they are.
+ *
+ * ## The slack of the other conventions
+ *
+ * vtkNBufferBoxError.h derives the slack of VTK's depth. Where small depths are far, floats are
+ * precise there: for Reversed and InverseW the slack is 2 quantum + 6 u * (largest depth of the
+ * box)
+ * + the same part of R, with a quantum of 0 for floats, whose storage the 6 u include.
+ */
+#ifndef DepthConvention_h
+#define DepthConvention_h
+
+#include "vtkNBufferProjection.h"
+
+#include "vtkMatrix4x4.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace NBufferStudy
+{
+
+enum class DepthConvention
+{
+  Forward,
+  Reversed,
+  InverseW
+};
+
+constexpr std::array<DepthConvention, 3> DepthConventions = { DepthConvention::Forward,
+  DepthConvention::Reversed, DepthConvention::InverseW };
+constexpr std::array<const char*, 3> DepthConventionNames = { "Forward", "Reversed", "InverseW" };
+
+/// The order of a stored depth is this sign times the depth.
+inline double GetDepthSign(DepthConvention convention)
+{
+  return convention == DepthConvention::Forward ? 1.0 : -1.0;
+}
+
+/// The order where nothing has been drawn.
+inline float GetBackgroundOrder(DepthConvention convention)
+{
+  return convention == DepthConvention::Forward ? 1.0f : 0.0f;
+}
+
+/// As vtkNBufferProjection::Set(), for any convention. `depthQuantum` is 0 for floats unless the
+/// convention is Forward.
+inline void SetProjection(vtkNBufferProjection& projection, const double worldToClip[16], int width,
+  int height, double depthQuantum, DepthConvention convention)
+{
+  if (convention == DepthConvention::Forward)
+  {
+    projection.Set(worldToClip, width, height, depthQuantum);
+    return;
+  }
+  vtkNBufferDepthFormat format;
+  format.Scale = 1.0;
+  format.Offset = 0.0;
+  format.Farthest = 0.0;
+  format.Slack = 2.0 * depthQuantum;
+  format.RelativeSlack = 6.0 * vtkNBufferBoxError::UnitRoundoff;
+  // Row 2 gives the order times w, which is -w on the near plane.
+  double matrix[16];
+  std::copy_n(worldToClip, 16, matrix);
+  if (convention == DepthConvention::Reversed)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      matrix[8 + j] = 0.5 * (worldToClip[8 + j] - worldToClip[12 + j]);
+    }
+  }
+  else
+  {
+    // w of the near plane, in the middle of the view.
+    double clipToWorld[16];
+    std::fill_n(clipToWorld, 16, std::numeric_limits<double>::quiet_NaN());
+    vtkMatrix4x4::Invert(worldToClip, clipToWorld);
+    std::fill_n(matrix + 8, 3, 0.0);
+    matrix[11] = -1.0 / (clipToWorld[15] - clipToWorld[14]);
+  }
+  projection.Set(matrix, width, height, format);
+}
+
+} // namespace NBufferStudy
+
+#endif

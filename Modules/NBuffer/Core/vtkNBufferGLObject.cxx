@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferGLObject.h"
+
+#include "vtkNBufferFullScreenVS.h"
+#include "vtkNBufferGL.h"
+#include "vtkNBufferSharedText.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// The format and type of the data that OpenGL wants to hear of even where there is no data.
+std::pair<GLenum, GLenum> GetTransferFormat(GLenum sizedFormat)
+{
+  switch (sizedFormat)
+  {
+    case GL_R32F:
+      return { GL_RED, GL_FLOAT };
+    case GL_R32UI:
+      return { GL_RED_INTEGER, GL_UNSIGNED_INT };
+    case GL_RGBA8:
+      return { GL_RGBA, GL_UNSIGNED_BYTE };
+    case GL_DEPTH24_STENCIL8:
+      return { GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8 };
+    default:
+      return { GL_DEPTH_COMPONENT, GL_FLOAT };
+  }
+}
+}
+
+namespace vtkNBufferGL
+{
+Object::Object(Object&& other) noexcept
+  : ObjectType(other.ObjectType)
+  , Name(std::exchange(other.Name, 0u))
+{
+}
+
+Object& Object::operator=(Object&& other) noexcept
+{
+  if (this != &other)
+  {
+    this->Delete();
+    this->ObjectType = other.ObjectType;
+    this->Name = std::exchange(other.Name, 0u);
+  }
+  return *this;
+}
+
+unsigned int Object::Create()
+{
+  if (this->Name == 0)
+  {
+    switch (this->ObjectType)
+    {
+      case Type::Buffer:
+        glGenBuffers(1, &this->Name);
+        break;
+      case Type::Framebuffer:
+        glGenFramebuffers(1, &this->Name);
+        break;
+      case Type::Query:
+        glGenQueries(1, &this->Name);
+        break;
+      case Type::Texture:
+        glGenTextures(1, &this->Name);
+        break;
+      case Type::VertexArray:
+        glGenVertexArrays(1, &this->Name);
+        break;
+    }
+  }
+  return this->Name;
+}
+
+void Object::Delete()
+{
+  if (this->Name == 0)
+  {
+    return;
+  }
+  switch (this->ObjectType)
+  {
+    case Type::Buffer:
+      glDeleteBuffers(1, &this->Name);
+      break;
+    case Type::Framebuffer:
+      glDeleteFramebuffers(1, &this->Name);
+      break;
+    case Type::Query:
+      glDeleteQueries(1, &this->Name);
+      break;
+    case Type::Texture:
+      glDeleteTextures(1, &this->Name);
+      break;
+    case Type::VertexArray:
+      glDeleteVertexArrays(1, &this->Name);
+      break;
+  }
+  this->Name = 0;
+}
+
+bool GrowingTexture::Reserve(unsigned int format, int width, int height, std::string& why)
+{
+  if (format == this->Format && width <= this->Width && height <= this->Height)
+  {
+    return true;
+  }
+  GLint bound = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+  glBindTexture(GL_TEXTURE_2D, this->Texture.Create());
+  SetPlainSampling(GL_TEXTURE_2D);
+  this->Format = format;
+  this->Width = std::max(width, this->Width);
+  this->Height = std::max(height, this->Height);
+  const auto [components, type] = GetTransferFormat(format);
+  {
+    const ScopedUpload nothing(0);
+    glTexImage2D(GL_TEXTURE_2D, 0, format, this->Width, this->Height, 0, components, type, nullptr);
+  }
+  glBindTexture(GL_TEXTURE_2D, bound);
+  ++this->Allocations;
+  if (!CheckErrors("Allocating a texture", why))
+  {
+    this->Format = 0;
+    this->Width = this->Height = 0;
+    return false;
+  }
+  return true;
+}
+
+bool GrowingTexture::ReserveTarget(unsigned int format, int width, int height, std::string& why)
+{
+  if (!this->Reserve(format, width, height, why))
+  {
+    return false;
+  }
+  if (this->Framebuffer.GetName() != 0)
+  {
+    return true;
+  }
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Framebuffer.Create());
+  glFramebufferTexture2D(
+    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Texture.GetName(), 0);
+  const GLenum status = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
+  if (status != GL_FRAMEBUFFER_COMPLETE)
+  {
+    this->Delete();
+    ClearErrors();
+    why = "The device cannot draw into a texture of this format. Update the driver or call "
+          "SetMultiSamples(0) on the render window.";
+    return false;
+  }
+  return CheckErrors("Attaching a texture", why);
+}
+
+void GrowingTexture::Delete()
+{
+  this->Framebuffer.Delete();
+  this->Texture.Delete();
+  this->Forget();
+}
+
+void GrowingTexture::Forget()
+{
+  this->Framebuffer.Forget();
+  this->Texture.Forget();
+  this->Format = 0;
+  this->Width = this->Height = 0;
+}
+
+void SetPlainSampling(unsigned int target)
+{
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glTexParameteri(target, GL_TEXTURE_BASE_LEVEL, 0);
+  glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+vtkShaderProgram* UseProgram(vtkOpenGLRenderWindow* window,
+  vtkSmartPointer<vtkShaderProgram>& program, const char* vertexShader,
+  const std::string& fragmentShader, const char* failure, std::string& why)
+{
+  vtkOpenGLShaderCache* cache = window->GetShaderCache();
+  program = program ? cache->ReadyShaderProgram(program)
+                    : cache->ReadyShaderProgram(vertexShader, fragmentShader.c_str(), "");
+  if (!program)
+  {
+    why = failure;
+  }
+  return program;
+}
+
+vtkShaderProgram* FullScreenPass::Begin(
+  vtkOpenGLRenderWindow* window, std::string& why, const std::string& definitions)
+{
+  vtkSmartPointer<vtkShaderProgram>& program = this->Programs[definitions];
+  std::string text;
+  if (!program)
+  {
+    text = this->FragmentShader;
+    vtkShaderProgram::Substitute(text, "//VTK::NBuffer::Shared", vtkNBufferSharedText);
+    vtkShaderProgram::Substitute(text, "//VTK::NBuffer::Dec", definitions);
+  }
+  return UseProgram(window, program, vtkNBufferFullScreenVS, text, this->Failure, why);
+}
+
+void FullScreenPass::Draw()
+{
+  glBindVertexArray(this->Empty.Create());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void FullScreenPass::Draw(unsigned int framebuffer, int x, int y, int width, int height)
+{
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  glViewport(x, y, width, height);
+  this->Draw();
+}
+
+void FullScreenPass::Delete()
+{
+  this->Empty.Delete();
+  this->Forget();
+}
+
+void FullScreenPass::Forget()
+{
+  this->Empty.Forget();
+  this->Programs.clear();
+}
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferGLObject.h
+ * @brief Owners of OpenGL objects, and the full-screen pass that draws with them.
+ *
+ * An owner is moved, never copied, and deletes its object when it is destroyed or assigned to: the
+ * context of the object must be current then. Where that context is already gone, Forget() gives
+ * the name up without a call of OpenGL.
+ *
+ * VTK's own classes serve where their objects are handed on to VTK (the shadow masks are
+ * vtkTextureObjects, because mappers sample them). They do not serve here, from VTK 9.1 to 9.7:
+ *
+ *     vtkTextureObject            prints errors instead of returning them, takes texture units,
+ *                                 and cannot allocate empty array textures before VTK 9.3
+ *     vtkOpenGLFramebufferObject  attaches no layer of an array, and no depth with stencil in 9.1
+ *     vtkOpenGLBufferObject       knows no GL_PIXEL_PACK_BUFFER
+ *     vtkOpenGLQuadHelper         dereferences a null pointer where a shader does not compile
+ */
+#ifndef vtkNBufferGLObject_h
+#define vtkNBufferGLObject_h
+
+#include "vtkNBufferModule.h" // For export macro
+#include "vtkNBufferVTKVersion.h"
+
+#include "vtkSmartPointer.h"
+
+#include <map>
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+
+namespace vtkNBufferGL
+{
+/**
+ * The owner of one OpenGL object, of the type that a class below says.
+ */
+class VTKNBUFFER_EXPORT Object
+{
+public:
+  ~Object() { this->Delete(); }
+  Object(Object&& other) noexcept;
+  Object& operator=(Object&& other) noexcept;
+
+  /// The object's name; the first call generates it.
+  unsigned int Create();
+
+  /// The object's name; 0 before Create().
+  unsigned int GetName() const { return this->Name; }
+
+  /// Delete the object, if there is one. Its context must be current.
+  void Delete();
+
+  /// Give up an object whose context is gone.
+  void Forget() { this->Name = 0; }
+
+protected:
+  enum class Type
+  {
+    Buffer,
+    Framebuffer,
+    Query,
+    Texture,
+    VertexArray
+  };
+
+  explicit Object(Type type)
+    : ObjectType(type)
+  {
+  }
+
+private:
+  Type ObjectType;
+  unsigned int Name = 0;
+};
+
+class Buffer : public Object
+{
+public:
+  Buffer()
+    : Object(Type::Buffer)
+  {
+  }
+};
+
+class Framebuffer : public Object
+{
+public:
+  Framebuffer()
+    : Object(Type::Framebuffer)
+  {
+  }
+};
+
+class Query : public Object
+{
+public:
+  Query()
+    : Object(Type::Query)
+  {
+  }
+};
+
+class Texture : public Object
+{
+public:
+  Texture()
+    : Object(Type::Texture)
+  {
+  }
+};
+
+class VertexArray : public Object
+{
+public:
+  VertexArray()
+    : Object(Type::VertexArray)
+  {
+  }
+};
+
+/**
+ * A GL_TEXTURE_2D with a single level, whose texels shaders fetch one by one. It grows and never
+ * shrinks, and what it holds is undefined after it has grown:
+ *
+ *     +-----------------+
+ *     |                 |  GetHeight()
+ *     +---------+       |
+ *     |  image  |       |  An image may fill the lower left part only.
+ *     +---------+-------+
+ *       GetWidth()
+ */
+class VTKNBUFFER_EXPORT GrowingTexture
+{
+public:
+  /**
+   * Make room for width x height texels of a sized format (GL_R32F, GL_DEPTH_COMPONENT24, ...).
+   * Returns false, with the cause in `why`, if OpenGL refuses; the texture has no texels then. The
+   * texture bound to the active unit stays bound.
+   */
+  bool Reserve(unsigned int format, int width, int height, std::string& why);
+
+  /// As Reserve(), for a format of colours, and with a framebuffer that draws into the texture.
+  bool ReserveTarget(unsigned int format, int width, int height, std::string& why);
+
+  /// The name of the texture; 0 before Reserve().
+  unsigned int GetName() const { return this->Texture.GetName(); }
+
+  /// The name of a framebuffer whose only attachment is the texture; 0 before ReserveTarget().
+  unsigned int GetFramebuffer() const { return this->Framebuffer.GetName(); }
+
+  /// How often memory was requested from OpenGL since construction.
+  int GetNumberOfAllocations() const { return this->Allocations; }
+
+  /// Delete the objects. Their context must be current.
+  void Delete();
+
+  /// Give up the objects, whose context is gone.
+  void Forget();
+
+private:
+  vtkNBufferGL::Texture Texture;
+  vtkNBufferGL::Framebuffer Framebuffer;
+  unsigned int Format = 0;
+  int Width = 0;
+  int Height = 0;
+  int Allocations = 0;
+};
+
+/// Set the parameters of the texture bound to `target` with which texelFetch() reads its level 0.
+VTKNBUFFER_EXPORT void SetPlainSampling(unsigned int target);
+
+/**
+ * Make a program of the window's shader cache the current one. The first call compiles it from the
+ * two texts and sets `program`. Returns nullptr, and sets `why` to `failure`, if it does not
+ * compile on this driver.
+ */
+VTKNBUFFER_EXPORT vtkShaderProgram* UseProgram(vtkOpenGLRenderWindow* window,
+  vtkSmartPointer<vtkShaderProgram>& program, const char* vertexShader,
+  const std::string& fragmentShader, const char* failure, std::string& why);
+
+/**
+ * A fragment shader that is run once for each pixel of a rectangle, by one triangle
+ * (vtkNBufferFullScreenVS.glsl). To be used within a ScopedPass:
+ *
+ *     if (vtkShaderProgram* program = pass.Begin(window, why))
+ *     {
+ *       program->SetUniformi(...);
+ *       pass.Draw(framebuffer, 0, 0, width, height);
+ *     }
+ */
+class VTKNBUFFER_EXPORT FullScreenPass
+{
+public:
+  /// The text of the fragment shader, and what is reported (cause and remedy) if it does not
+  /// compile. Both must outlive the pass.
+  FullScreenPass(const char* fragmentShader, const char* failure)
+    : FragmentShader(fragmentShader)
+    , Failure(failure)
+  {
+  }
+
+  /**
+   * Make the pass's program the current one; the first call compiles it. `definitions` replace
+   * "//VTK::NBuffer::Dec" in the shader's text: there is one program for each set of definitions.
+   * Returns nullptr, with cause and remedy in `why`, if the program does not compile.
+   */
+  vtkShaderProgram* Begin(
+    vtkOpenGLRenderWindow* window, std::string& why, const std::string& definitions = {});
+
+  /// Draw into the framebuffer and the viewport that are set.
+  void Draw();
+
+  /// Draw into a framebuffer; the viewport is a rectangle of its pixels.
+  void Draw(unsigned int framebuffer, int x, int y, int width, int height);
+
+  /// Delete the objects. Their context must be current.
+  void Delete();
+
+  /// Give up the objects, whose context is gone.
+  void Forget();
+
+private:
+  const char* FragmentShader;
+  const char* Failure;
+  std::map<std::string, vtkSmartPointer<vtkShaderProgram>> Programs; ///< By their definitions.
+  VertexArray Empty; ///< A vertex array without attributes, because the shader needs none.
+};
+}
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkNBufferGLObject.h

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferScissor.h
+ * @brief Drawing inside rectangles only.
+ */
+#ifndef vtkNBufferScissor_h
+#define vtkNBufferScissor_h
+
+#include "vtkNBufferMath.h"
+#include "vtkNBufferModule.h" // For export macro
+
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace vtkNBufferGL
+{
+/**
+ * While it lives, drawing (by VTK or not) changes only the pixels inside a rectangle. OpenGL
+ * guarantees that the fragments inside are the same as without a rectangle (OpenGL 4.6, appendix
+ * A.3, rule 2: scissor parameters).
+ */
+class VTKNBUFFER_EXPORT ScopedScissor
+{
+public:
+  ScopedScissor();
+  ~ScopedScissor();
+  ScopedScissor(const ScopedScissor&) = delete;
+  void operator=(const ScopedScissor&) = delete;
+
+  /// Set the rectangle, in pixels of the viewport that was set when the scope began. The renderer's
+  /// own scissor box, if there is one, still applies.
+  void Set(const vtkNBufferRectangle& pixels) const;
+
+private:
+  bool Enabled;
+  vtkNBufferRectangle Viewport;
+  vtkNBufferRectangle Outer; ///< Where drawing was allowed before, in framebuffer pixels.
+  int Box[4] = {};
+};
+
+/// Call draw() once for each region (in pixels of the viewport), so that it draws inside the region
+/// only. Without regions call it once, and let it draw everywhere. Returns the number of calls.
+template <typename Functor>
+int DrawIn(const std::vector<vtkNBufferRectangle>& regions, Functor&& draw)
+{
+  if (regions.empty())
+  {
+    draw();
+    return 1;
+  }
+  const ScopedScissor scissor;
+  for (const vtkNBufferRectangle& region : regions)
+  {
+    scissor.Set(region);
+    draw();
+  }
+  return static_cast<int>(regions.size());
+}
+}
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkNBufferScissor.h

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferBox
+ * @brief An axis-aligned box in world coordinates, and what bounds the rounding of the vertices in
+ * it. No OpenGL.
+ */
+#ifndef vtkNBufferBox_h
+#define vtkNBufferBox_h
+
+#include "vtkNBufferGLM.h"
+#include "vtkNBufferModule.h" // For export macro
+
+VTK_ABI_NAMESPACE_BEGIN
+
+struct vtkNBufferBox
+{
+  glm::dvec3 Center;
+  glm::dvec3 HalfSize;
+  ///@{
+  /// The vectors o and m of vtkNBufferBoxError.h, in world units: the point whose vertex buffer
+  /// coordinates are 0, and how far from it the vertices are at most along each axis.
+  glm::dvec3 Origin;
+  glm::dvec3 Magnitude;
+  ///@}
+  /// Pixels by which what is drawn may stick out of the projected box (wide lines, points).
+  double Margin = 0.0;
+
+  /// Whether all numbers are the same. Infinities equal themselves here, which they do not for
+  /// GLM's operator: it looks at the difference.
+  bool operator==(const vtkNBufferBox& other) const
+  {
+    const auto same = [](const glm::dvec3& a, const glm::dvec3& b)
+    { return a.x == b.x && a.y == b.y && a.z == b.z; };
+    return same(this->Center, other.Center) && same(this->HalfSize, other.HalfSize) &&
+      same(this->Origin, other.Origin) && same(this->Magnitude, other.Magnitude) &&
+      this->Margin == other.Margin;
+  }
+
+  /// A box from VTK bounds (low x, high x, low y, ...) whose vertex buffer holds world coordinates.
+  VTKNBUFFER_EXPORT static vtkNBufferBox FromBounds(const double bounds[6]);
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

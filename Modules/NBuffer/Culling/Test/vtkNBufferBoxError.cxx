@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferBoxError.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+// The factors of the derivation in the header, in units of UnitRoundoff where they count roundings.
+constexpr double DepthErrors = 4.0;
+constexpr double PlaneErrors = 8.0;
+constexpr double OvershootInPixels = 1.0 / 362; // half the diagonal of a step of 2^-8
+constexpr double InverseOfHeight = 16.0;        // of the lowest triangle that is covered
+// Of single triangles, see vtkNBufferSliverTest.h, in units of UnitRoundoff.
+constexpr double SlopeErrors = 32.0;
+constexpr double LowestHeight = 64.0;
+}
+
+vtkNBufferDepthFormat vtkNBufferDepthFormat::FromQuantum(double quantum)
+{
+  vtkNBufferDepthFormat format;
+  format.Slack = 2.0 * quantum + DepthErrors * vtkNBufferBoxError::UnitRoundoff;
+  return format;
+}
+
+void vtkNBufferBoxError::Set(const vtkNBufferDepthFormat& format, int largestCoordinate)
+{
+  this->Format = format;
+  this->PlaneRounding = PlaneErrors * UnitRoundoff * largestCoordinate;
+  this->DepthRangeSlack = InverseOfHeight * (OvershootInPixels + this->PlaneRounding);
+}
+
+vtkNBufferBoxError::TriangleErrors vtkNBufferBoxError::GetTriangleErrors(
+  double position, double depth, double range) const
+{
+  TriangleErrors errors;
+  errors.Position = position;
+  errors.Overshoot = OvershootInPixels;
+  errors.Depth = depth;
+  errors.OfSlope = OvershootInPixels + this->PlaneRounding;
+  errors.OfRounding = this->PlaneRounding;
+  errors.OfLength = SlopeErrors * UnitRoundoff;
+  errors.Granted = this->GetInterpolationSlack(range);
+  errors.LargestSlope = errors.Granted / (errors.OfSlope + errors.OfRounding);
+  errors.LowestHeight = LowestHeight * UnitRoundoff;
+  return errors;
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferBoxError.h
+ * @brief How far from its exact place, and how much nearer, a device may draw what is in a box.
+ *
+ * A graphics device computes with single-precision numbers. What it draws of a box is therefore not
+ * exactly where double precision says, and a culler that must not change a picture has to allow for
+ * the difference. This file derives the difference and holds its numbers; vtkNBufferProjection adds
+ * them to every rectangle and every depth. No OpenGL.
+ *
+ * ## How far a drawn vertex can be from the exact one
+ *
+ * Let u be 2^-24. A vertex is a vector v of floats in the vertex buffer. The device multiplies it
+ * with a matrix that VTK composes in double precision and rounds to float: from the buffer to the
+ * world, p = o + L v, and from the world to clip coordinates, M. A clip coordinate is a sum of four
+ * products. The vertex is rounded (u), the matrix element is rounded (u), and one product and three
+ * additions are rounded (4 u); 2 u more absorb what is of second order:
+ *
+ *     E = 8 u (sum_j |M_j| m_j + |M_j o + M_3|),     m_j = sum_k |L_jk| max |v_k|,
+ *
+ * with `Origin` o and `Magnitude` m of vtkNBufferBox. Usually o is the actor's translation and v
+ * are the model coordinates. Where coordinates are large compared with the size of the data (UTM
+ * coordinates, for example), VTK first subtracts the middle of their range (AUTO_SHIFT_SCALE); o is
+ * then that middle, and large coordinates cost no precision. Divided by w, E gives the slack of x,
+ * y and z in normalised device coordinates (NDC), corner by corner.
+ *
+ * The device snaps screen positions to a subpixel grid of at least 4 bits (OpenGL's minimum): 1/16
+ * of a pixel is added on all sides.
+ *
+ * ## How far an interpolated depth can be from those of its vertices
+ *
+ * A point inside a triangle has a depth between those of its vertices. The depth of a sample in the
+ * triangle may lie outside of that range for two reasons. Both are in proportion to the slope s of
+ * the triangle's plane, in depth per pixel. With R the depth range of the triangle and t its
+ * smallest height in pixels, s is at most R / t, since no triangle is narrower than t in any
+ * direction.
+ *
+ *  - A device decides with the snapped vertices which samples a triangle covers, but its plane of
+ *    depth may be that of the vertices before they were snapped (Mesa's llvmpipe does so). On a
+ *    grid of 2^-8 pixels a sample then lies up to 2^-8.5 pixels outside of the triangle that gives
+ *    the sample its depth: 2^-8.5 s.
+ *  - The plane z = (z0 - (dz/dx) x0 - (dz/dy) y0) + (dz/dx) x + (dz/dy) y is rounded to float where
+ *    its terms are as large as s n, n being the largest window coordinate: 8 u n s, which is four
+ *    times the largest error found.
+ *
+ * R is at most the depth range of the box. The division by w, the viewport transform and the last
+ * addition round a value of at most 1: 4 u. Storing the depth costs a quantum of its format, and
+ * reading it back as float costs at most one more.
+ *
+ *     slack = 2 quantum + 4 u + (2^-8.5 + 8 u n) R / t,   t = 1/16 pixel
+ *
+ * A piece of a box shows triangles of the whole box: R remains that of the whole box
+ * (vtkNBufferProjection::SetPiece).
+ *
+ * Triangles lower than 1/16 pixel are not covered. Few of them own a sample, but such a rasteriser
+ * may give these samples any depth. vtkNBufferSliverTest looks at such triangles one by one.
+ * docs/precision.md compares this slack with the largest errors found for each format and
+ * projection.
+ */
+#ifndef vtkNBufferBoxError_h
+#define vtkNBufferBoxError_h
+
+#include "vtkNBufferBox.h"
+#include "vtkNBufferDepthConvention.h"
+#include "vtkNBufferGLM.h"
+#include "vtkNBufferModule.h" // For export macro
+
+#include <cmath>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/**
+ * The order of depth (vtkNBufferDepthConvention.h) as a function of clip coordinates, and the part
+ * of its error that depends on how depth is stored. The default members are those of VTK's depth.
+ */
+struct vtkNBufferDepthFormat
+{
+  ///@{
+  /// The order of a point is Scale * z / w + Offset, where z / w is -1 on the near plane.
+  double Scale = vtkNBufferDepthConvention::Scale;
+  double Offset = vtkNBufferDepthConvention::Offset;
+  ///@}
+  /// The order on the far plane. Nothing is drawn beyond.
+  double Farthest = vtkNBufferDepthConvention::GetOrder(vtkNBufferDepthConvention::Background);
+  /// The slack above without its last term, which depends on R.
+  double Slack = 0.0;
+  /// More slack, as a share of the largest |z / w| of a box. VTK's depth needs none: it is rounded
+  /// as values near 1 are, wherever it is.
+  double RelativeSlack = 0.0;
+
+  /// The depth that VTK stores in a buffer whose values are multiples of `quantum`: 2^-16, 2^-24,
+  /// ...; for floats 2^-24, their step just below 1.
+  VTKNBUFFER_EXPORT static vtkNBufferDepthFormat FromQuantum(double quantum);
+};
+
+/**
+ * The numbers of the derivation above for one depth format and one window.
+ */
+class VTKNBUFFER_EXPORT vtkNBufferBoxError
+{
+public:
+  static constexpr double UnitRoundoff = 1.0 / (1 << 24);
+
+  /// `largestCoordinate` is n of the derivation above, in pixels.
+  void Set(const vtkNBufferDepthFormat& format, int largestCoordinate);
+
+  /// The value of a row of a matrix at a point, (x, y, z, 1) times the row, added from left to
+  /// right as the derivation counts it.
+  static double Evaluate(const glm::dvec4& row, const glm::dvec3& point)
+  {
+    return glm::dot(glm::dvec3(row), point) + row.w;
+  }
+
+  /// E of the derivation above: how far the value of a device may be from that of Evaluate(), for
+  /// any vertex in the box and a row of the matrix from world to clip coordinates.
+  static double GetVertexError(const glm::dvec4& row, const vtkNBufferBox& box)
+  {
+    return VertexErrors * UnitRoundoff *
+      (glm::dot(glm::abs(glm::dvec3(row)), box.Magnitude) + std::abs(Evaluate(row, box.Origin)));
+  }
+
+  /// Pixels that are added on each side of a projected box: its margin and the subpixel grid.
+  static double GetBorder(const vtkNBufferBox& box) { return box.Margin + SnapInPixels; }
+
+  /// The slack above of a box whose depths have the range R and whose nearest corner has the value
+  /// `lowest` of z / w.
+  double GetDepthSlack(double lowest, double range) const
+  {
+    return this->Format.Slack + this->Format.RelativeSlack * std::abs(lowest) +
+      this->GetInterpolationSlack(range);
+  }
+
+  /// The last term of the slack above: what interpolation costs in a box whose depths have the
+  /// range R.
+  double GetInterpolationSlack(double range) const { return range * this->DepthRangeSlack; }
+
+  const vtkNBufferDepthFormat& GetFormat() const { return this->Format; }
+
+  /**
+   * What is known of how a device draws one triangle of a box. Lengths are in pixels, depths in
+   * order of distance. See vtkNBufferSliverTest.h for how they are used.
+   */
+  struct TriangleErrors
+  {
+    /// How far a vertex may be from its exact place before it is snapped, in x and in y.
+    double Position;
+    /// How far a sample may be outside of the triangle that it belongs to, beyond Position.
+    double Overshoot;
+    /// The error of any sample's depth that does not grow with the slope of the triangle.
+    double Depth;
+    /// The error of a sample's depth for each unit of the slope of the triangle's plane.
+    double OfSlope;
+    ///@{
+    /// What rounding does to the slopes themselves. It costs at most OfRounding for each unit of
+    /// depth range by height, and at most OfLength for each unit of longest side times depth range
+    /// by height.
+    double OfRounding;
+    double OfLength;
+    ///@}
+    /// How much of these three the slack of the box allows for.
+    double Granted;
+    /// The depth range by height up to which Granted is enough for any triangle.
+    double LargestSlope;
+    /// The height, in units of the longest side, below which rounding leaves no plane at all.
+    double LowestHeight;
+  };
+
+  /// `position` is what a vertex may be off its exact place in pixels, `depth` the error of depth
+  /// without the term that depends on R, `range` is R.
+  TriangleErrors GetTriangleErrors(double position, double depth, double range) const;
+
+private:
+  // The factors of the derivation above, in units of UnitRoundoff where they count roundings.
+  static constexpr double VertexErrors = 8.0;
+  static constexpr double SnapInPixels = 1.0 / 16; // OpenGL's minimum of subpixel bits
+
+  vtkNBufferDepthFormat Format;
+  double DepthRangeSlack = 0.0; ///< The last term of the slack for a depth range of 1.
+  double PlaneRounding = 0.0;   ///< 8 u n of the derivation above, in pixels.
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

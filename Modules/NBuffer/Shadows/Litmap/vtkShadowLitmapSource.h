@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkShadowLitmapSource
+ * @brief The seam through which an experiment fills litmaps in its own way.
+ *
+ * The pass scatters the depth of the receivers into litmaps (vtkShadowReceivers.h). With a source
+ * in vtkShadowTuning::LitmapSource it calls the source instead, so that two ways to fill a litmap
+ * can be compared in whole frames. Examples/Study has one, the paper's.
+ */
+#ifndef vtkShadowLitmapSource_h
+#define vtkShadowLitmapSource_h
+
+#include "vtkShadowLight.h"
+#include "vtkShadowLitmap.h"
+#include "vtkShadowReceivers.h"
+
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkRenderer;
+
+class vtkShadowLitmapSource
+{
+public:
+  virtual ~vtkShadowLitmapSource() = default;
+
+  /// The depth of the receivers of a frame has been read: `depth` as vtkShadowReceivers::Scatter()
+  /// describes it. Returns false, with the cause in `why`, if the source cannot work.
+  virtual bool BeginFrame(
+    vtkRenderer* renderer, const float* depth, const vtkShadowView& view, std::string& why) = 0;
+
+  /// Fill `litmap` with what the light sees over a range of p and q and of depths, as
+  /// vtkShadowReceivers::GetRange() gives them. The caller builds the levels of the litmap
+  /// afterwards. Returns false, with the cause in `why`, if the source cannot work.
+  virtual bool Fill(const vtkShadowLightSpace& space, const double range[4], const double depths[2],
+    int resolution, vtkShadowLitmap& litmap, std::string& why) = 0;
+
+  /// Delete the OpenGL objects; the context that made them is current.
+  virtual void Release() = 0;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowOpaqueStage.h"
+
+#include "vtkNBufferClock.h"
+#include "vtkNBufferGL.h"
+#include "vtkShadowLightList.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkProp.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+vtkShadowOpaqueStage::vtkShadowOpaqueStage(vtkOpenGLRenderPass* pass)
+  : Pass(pass)
+  , ResourceCallback(new Callback(this, &vtkShadowOpaqueStage::ReleaseObjects))
+{
+}
+
+vtkShadowOpaqueStage::~vtkShadowOpaqueStage()
+{
+  this->ResourceCallback->Release();
+}
+
+int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& settings)
+{
+  vtkRenderer* renderer = state->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkShadowStatistics& statistics = this->Statistics;
+  statistics = vtkShadowStatistics();
+  statistics.FailedFrames = this->FailedFrames;
+  this->Shading.SetLights({});
+  const std::vector<vtkShadowLightSource> lights =
+    vtkShadowLightSource::Find(renderer, settings.DoesLightCast);
+  statistics.Lights = static_cast<int>(lights.size());
+  if (lights.empty() || !window)
+  {
+    this->DrawPlain(state, vtkShadowDecision::NoLight);
+    return this->Opaque->GetNumberOfRenderedProps();
+  }
+  const vtkNBufferClock clock;
+  this->Casters.Update(renderer, settings.CasterKeys);
+  statistics.Casters = static_cast<int>(this->Casters.GetCasters().size());
+  statistics.Skipped = this->Casters.GetSkipped();
+  statistics.Updates = this->Casters.GetNumberOfUpdates();
+  statistics.CasterTime = clock.GetMilliseconds();
+  if (statistics.Casters == 0)
+  {
+    this->DrawPlain(state, vtkShadowDecision::NoCaster);
+    return this->Opaque->GetNumberOfRenderedProps();
+  }
+
+  this->UseContext(window);
+  this->Timers.Begin(settings.Masks.Tuning.MeasureDeviceTime);
+  statistics.DeviceTimes = this->Timers.GetTimes();
+  const vtkShadowFrameKey key(state, lights, this->Casters, settings.Time);
+  const bool still =
+    statistics.Updates == 0 && !settings.Masks.Tuning.CountFragments && key == this->Key;
+  bool done = still || this->ReserveMasks(renderer, lights.size());
+  statistics.Samples = static_cast<int>(this->GetTarget().GetSamples().size());
+  statistics.PixelFrames = this->PixelFrames;
+  this->Shading.SetUp(lights, statistics.Samples);
+  // The depth is drawn by the shaders that will draw the colour, so that both have the same depth
+  // to the bit, and no mapper has to build its shaders twice.
+  this->JoinProps(state);
+  if (!still)
+  {
+    this->Key = vtkShadowFrameKey();
+    done = done && this->MakeMasks(state, settings, lights);
+  }
+  if (done && this->Masks.GetNumberOfShadows() > 0)
+  {
+    this->Shading.SetLights(lights);
+    const vtkShadowTimers::Scope timed(this->Timers, vtkShadowStage::Color);
+    this->Draw(state, this->GetTarget().GetDepth());
+    this->LeaveProps(state);
+    statistics.Decision = still ? vtkShadowDecision::Still : vtkShadowDecision::Drawn;
+  }
+  else
+  {
+    this->LeaveProps(state);
+    if (!done)
+    {
+      statistics.FailedFrames = ++this->FailedFrames;
+      this->WarnOnce(this->HasWarned, "Drawn without shadows. " + this->Masks.GetError());
+      this->DebugView.Clear();
+    }
+    const vtkShadowTimers::Scope timed(this->Timers, vtkShadowStage::Color);
+    this->DrawPlain(state, done ? vtkShadowDecision::NoReceiver : vtkShadowDecision::Failed);
+  }
+  this->ShowDebugView(window);
+  this->Key = done ? key : vtkShadowFrameKey();
+  return this->Opaque->GetNumberOfRenderedProps();
+}
+
+void vtkShadowOpaqueStage::DrawPlain(const vtkRenderState* state, vtkShadowDecision decision)
+{
+  this->Statistics.Decision = decision;
+  this->Opaque->Render(state);
+}
+
+bool vtkShadowOpaqueStage::ReserveMasks(vtkRenderer* renderer, std::size_t lights)
+{
+  const bool done = this->Masks.Reserve(renderer, lights);
+  if (done && this->GetTarget().HasRefusedSamples())
+  {
+    ++this->PixelFrames;
+    this->WarnOnce(this->HasWarnedOfSamples,
+      "Shadows have one sample for each pixel. " + this->Masks.GetError());
+  }
+  return done;
+}
+
+bool vtkShadowOpaqueStage::MakeMasks(const vtkRenderState* state, const Settings& settings,
+  const std::vector<vtkShadowLightSource>& lights)
+{
+  vtkRenderer* renderer = state->GetRenderer();
+  const vtkNBufferClock clock;
+  this->Masks.BeginDepth(renderer);
+  {
+    const vtkShadowTimers::Scope timed(this->Timers, vtkShadowStage::Depth);
+    this->Draw(state, nullptr);
+  }
+  static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
+    ->GetState()
+    ->PopFramebufferBindings();
+  this->Statistics.DepthTime = clock.GetMilliseconds();
+  return this->Masks.Make(
+    { renderer, lights, this->Casters, this->Timers, this->DebugView, this->Statistics },
+    settings.Masks);
+}
+
+void vtkShadowOpaqueStage::Draw(const vtkRenderState* state, vtkTextureObject* depth)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow());
+  const vtkShadowShading::Scope scope(this->Shading, window, this->GetTarget(), depth);
+  this->Opaque->Render(state);
+}
+
+void vtkShadowOpaqueStage::ShowDebugView(vtkOpenGLRenderWindow* window)
+{
+  std::string why;
+  if (!this->DebugView.Show(window, this->Statistics, why))
+  {
+    this->WarnOnce(this->HasWarned, "Drawn without a debug view. " + why);
+  }
+}
+
+void vtkShadowOpaqueStage::JoinProps(const vtkRenderState* state)
+{
+  // vtkOpenGLRenderPass::PreRender() does the same, but once for each prop: where props share their
+  // property keys, the pass would be among them several times.
+  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
+  for (int i = 0; i < state->GetPropArrayCount(); ++i)
+  {
+    vtkProp* prop = state->GetPropArray()[i];
+    if (!prop->GetPropertyKeys())
+    {
+      prop->SetPropertyKeys(vtkSmartPointer<vtkInformation>::New());
+    }
+    vtkInformation* keys = prop->GetPropertyKeys();
+    bool isThere = false;
+    for (int k = 0; k < keys->Length(passes); ++k)
+    {
+      isThere = isThere || keys->Get(passes, k) == this->Pass;
+    }
+    if (!isThere)
+    {
+      keys->Append(passes, this->Pass);
+    }
+  }
+}
+
+void vtkShadowOpaqueStage::LeaveProps(const vtkRenderState* state)
+{
+  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
+  for (int i = 0; i < state->GetPropArrayCount(); ++i)
+  {
+    if (vtkInformation* keys = state->GetPropArray()[i]->GetPropertyKeys())
+    {
+      keys->Remove(passes, this->Pass);
+      if (keys->Length(passes) == 0)
+      {
+        keys->Remove(passes);
+      }
+    }
+  }
+}
+
+void vtkShadowOpaqueStage::WarnOnce(bool& hasWarned, const std::string& what)
+{
+  if (!hasWarned)
+  {
+    hasWarned = true;
+    vtkWarningWithObjectMacro(this->Pass, << what);
+  }
+}
+
+bool vtkShadowOpaqueStage::ReadMask(
+  vtkLight* light, int sample, std::vector<unsigned char>& mask, int size[2], std::string& why)
+{
+  const std::vector<vtkShadowLightSource>& lights = this->Shading.GetLights();
+  const auto found = std::find_if(lights.begin(), lights.end(),
+    [light](const vtkShadowLightSource& source) { return source.Source == light; });
+  if (found == lights.end() || sample >= this->Statistics.Samples)
+  {
+    return false;
+  }
+  const auto slot = static_cast<std::size_t>(found - lights.begin());
+  if (!this->Masks.ReadMask(this->Window, slot, sample, mask))
+  {
+    why = this->Masks.GetError();
+    return false;
+  }
+  std::copy_n(this->Masks.GetViewport() + 2, 2, size);
+  return true;
+}
+
+const vtkShadowDebugView* vtkShadowOpaqueStage::GetDebugView() const
+{
+  return this->Statistics.DebugDraws > 0 ? &this->DebugView : nullptr;
+}
+
+void vtkShadowOpaqueStage::UseContext(vtkOpenGLRenderWindow* window)
+{
+  if (this->Window == window)
+  {
+    return;
+  }
+  // This releases what another window holds, in that window's context.
+  this->ResourceCallback->RegisterGraphicsResources(window);
+  this->Window = window;
+  window->MakeCurrent();
+}
+
+void vtkShadowOpaqueStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Opaque->ReleaseGraphicsResources(window);
+  // VTK calls this for a window that is about to get its context, too.
+  if (!window || window == this->Window)
+  {
+    this->ResourceCallback->Release();
+  }
+}
+
+void vtkShadowOpaqueStage::ReleaseObjects(vtkWindow* window)
+{
+  this->Masks.Release();
+  this->Timers.Release();
+  this->DebugView.Release();
+  if (auto* other = vtkOpenGLRenderWindow::SafeDownCast(window))
+  {
+    // OSMesa sets these anew where a context is made current, without vtkOpenGLState's knowledge.
+    other->GetState()->ResetGLViewportState();
+    other->GetState()->ResetGLScissorState();
+  }
+  this->Shading.SetLights({});
+  this->Key = vtkShadowFrameKey();
+  this->Window = nullptr;
+}
+
+VTK_ABI_NAMESPACE_END

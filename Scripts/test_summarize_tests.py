@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""summarize_tests.py counts cases once and finds what did not run, in made-up results of two builds."""
+
+import contextlib
+import io
+import json
+import pathlib
+import sys
+import tempfile
+import unittest
+import xml.sax.saxutils
+
+sys.dont_write_bytecode = True
+import summarize_tests  # noqa: E402
+
+SKIP = '<skipped message="SKIP_RETURN_CODE=125"/>'
+NEW = ("9.7.0", ["osmesa", "egl"])
+OLD = ("9.1.0", ["x"])
+
+
+def listed(name):
+    program = f"bin/nbuffer-{name.split('.')[0]}-tests"
+    return {"name": name, "command": [program, "--gtest_filter=x"]}
+
+
+class SummarizeTests(unittest.TestCase):
+    def run_on(self, *builds, options=()):
+        """Builds are (version and windows, names listed, what ran: name -> outcome, skipped).
+        Returns the exit status and the lines printed."""
+        with tempfile.TemporaryDirectory() as temporary:
+            folders = []
+            for index, ((vtk, windows), names, ran, *skipped) in enumerate(builds):
+                folder = pathlib.Path(temporary, f"build{index}")
+                folder.mkdir()
+                folders.append(str(folder))
+                (folder / "test-build.json").write_text(json.dumps(
+                    {"vtk": vtk, "windows": windows, "skipped": skipped[0] if skipped else {}}))
+                (folder / "test-list.json").write_text(json.dumps(
+                    {"tests": [listed(name) for name in names]}))
+                cases = "".join(
+                    f"<testcase name={xml.sax.saxutils.quoteattr(name)} status=\"run\">{inner}</testcase>"
+                    for name, inner in ran.items())
+                (folder / "test-results.xml").write_text(f"<testsuite>{cases}</testsuite>")
+            sys.argv = ["summarize_tests.py", *folders, *options]
+            with contextlib.redirect_stdout(io.StringIO()) as output:
+                status = summarize_tests.main()
+        return status, output.getvalue().splitlines()
+
+    def good(self, *builds, last, options=()):
+        status, lines = self.run_on(*builds, options=options)
+        self.assertEqual((status, lines[-1]), (0, last), lines)
+        return lines
+
+    def bad(self, *builds, last, words, options=()):
+        status, lines = self.run_on(*builds, options=options)
+        self.assertEqual((status, lines[-1]), (1, last), lines)
+        self.assertIn(words, "\n".join(lines))
+
+    def test_cases_count_once(self):
+        names = ["image.A.B.osmesa", "image.A.B.egl", "unit.C.D"]
+        lines = self.good(
+            (NEW, names, dict.fromkeys(names, "")),
+            (OLD, ["image.A.B.x", "unit.C.D"], {"image.A.B.x": "", "unit.C.D": ""}),
+            last="2 passed, 0 failed, 0 skipped")
+        self.assertEqual(lines[-2], "2 cases in 5 runs: VTK 9.7.0 (osmesa, egl); VTK 9.1.0 (x)")
+
+    def test_one_failure_fails_the_case(self):
+        names = ["image.A.B.osmesa", "image.A.B.egl"]
+        self.bad((NEW, names, {names[0]: "", names[1]: "<failure/>"}),
+                 last="0 passed, 1 failed, 0 skipped", words="failed: image.A.B (VTK 9.7.0, egl)")
+
+    def test_skipped_with_a_reason(self):
+        names = ["image.A.B.osmesa", "image.A.B.egl", "unit.C.D"]
+        skip = SKIP + "<system-out>a.cxx:3: Skipped\nno EGL\n</system-out>"
+        lines = self.good((NEW, names, {names[0]: "", names[1]: skip, names[2]: ""}),
+                          last="2 passed, 0 failed, 0 skipped")
+        self.assertIn("skipped: image.A.B (VTK 9.7.0, egl): no EGL", lines)
+        skip = SKIP + "<system-out>SKIPPED: no window\n</system-out>"
+        self.good((NEW, names, {names[0]: skip, names[1]: skip, names[2]: ""}),
+                  last="1 passed, 0 failed, 1 skipped")
+
+    def test_skipped_without_a_reason(self):
+        self.bad((NEW, ["unit.C.D"], {"unit.C.D": SKIP}),
+                 last="0 passed, 1 failed, 0 skipped", words="was skipped without a reason")
+
+    def test_program_missing(self):
+        self.bad((NEW, ["unit.C.D"], {"unit.C.D": '<skipped message="Unable to find executable"/>'}),
+                 last="0 passed, 1 failed, 0 skipped", words="Unable to find executable")
+
+    def test_listed_and_not_run(self):
+        self.bad((NEW, ["unit.C.D", "unit.E.F"], {"unit.C.D": ""}),
+                 last="1 passed, 1 failed, 0 skipped", words="unit.E.F (VTK 9.7.0): is listed and did not")
+
+    def test_missing_on_a_window(self):
+        names = ["image.A.B.osmesa", "image.A.B.egl", "image.A.C.osmesa"]
+        build = (NEW, names, dict.fromkeys(names, ""))
+        self.bad(build, last="1 passed, 1 failed, 0 skipped",
+                 words="image.A.C: VTK 9.7.0, egl does not list it")
+        self.good(build, options=["--partial"], last="2 passed, 0 failed, 0 skipped")
+
+    def test_missing_with_a_vtk(self):
+        new = (NEW, ["unit.C.D", "unit.E.F"], {"unit.C.D": "", "unit.E.F": ""})
+        old = (OLD, ["unit.C.D"], {"unit.C.D": ""})
+        self.bad(new, old, last="1 passed, 1 failed, 0 skipped",
+                 words="unit.E.F: VTK 9.1.0 does not list it")
+        lines = self.good(new, (*old, {"unit.E.": "needs OSMesa"}), last="2 passed, 0 failed, 0 skipped")
+        self.assertIn("skipped: unit.E.* (VTK 9.1.0): needs OSMesa", lines)
+
+    def test_seeds_are_not_part_of_the_case(self):
+        self.good((NEW, ["fuzz.fresh.seed_12"], {"fuzz.fresh.seed_98": ""}),
+                  (OLD, ["fuzz.fresh.seed_34"], {"fuzz.fresh.seed_76": ""}),
+                  last="1 passed, 0 failed, 0 skipped")
+
+    def test_nothing_ran(self):
+        self.bad((NEW, [], {}), last="0 passed, 0 failed, 0 skipped", words="no test passed")
+
+    def test_no_results(self):
+        with tempfile.TemporaryDirectory() as folder:
+            sys.argv = ["summarize_tests.py", folder]
+            with contextlib.redirect_stdout(io.StringIO()) as output:
+                self.assertEqual(summarize_tests.main(), 1)
+        self.assertIn("test-list.json", output.getvalue())
+
+    def test_status_of_ctest(self):
+        self.bad((NEW, ["unit.C.D"], {"unit.C.D": ""}), options=["--status", "8"],
+                 last="1 passed, 0 failed, 0 skipped", words="ctest ended with status 8")
+
+
+if __name__ == "__main__":
+    unittest.main()

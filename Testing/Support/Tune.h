@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Tune.h
+ * @brief Sets one constant of a culler or a shadow pass (vtkNBufferTuning, vtkShadowTuning).
+ */
+#ifndef Tune_h
+#define Tune_h
+
+#include <type_traits>
+
+/// Tune(culler, &vtkNBufferTuning::RoundSize, 16). `object`: a pointer or a smart pointer.
+template <typename Object, typename Tuning, typename Value>
+void Tune(const Object& object, Value Tuning::*member, const std::common_type_t<Value>& value)
+{
+  Tuning tuning = object->GetTuning();
+  tuning.*member = value;
+  object->SetTuning(tuning);
+}
+
+#endif
