@@ -3,9 +3,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Installs what is missing, builds what it shows (no tests) in build/, and writes out/: pictures of
-# shadows, a walk through the city with and without the culler, a chart, and the figures as JSON.
-# Each step is announced with the minutes and seconds so far. The first picture is there as soon as
-# the library and one example are built; on two cores that takes a few minutes, once.
+# shadows, of a walk through the city and of what is culled there, and the figures as JSON (a chart of
+# them: Scripts/report.py walk). Each step is announced with the minutes and seconds so far. The first
+# picture is there as soon as the library and one example are built; on two cores that takes a few
+# minutes, once.
 
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=setup.sh
@@ -14,8 +15,10 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 out="$nbuffer_source/out"
 mkdir -p "$out"
 
-nbuffer_say "1 of 4: the library and a first example"
-nbuffer_setup shadow-room
+nbuffer_say "1 of 4: the library and two small examples"
+nbuffer_setup nbuffer-minimal shadow-room
+nbuffer_say "The example of README.md: a field of 10000 cones, one frame"
+"$nbuffer_build/bin/nbuffer-minimal" once
 nbuffer_say "A room with one lamp, whose shadows are exact: out/shadow-room.png"
 "$nbuffer_build/bin/shadow-room" --size 480x360 --out "$out"
 
@@ -33,7 +36,7 @@ nbuffer_say "60 frames in four modes, every one compared byte for byte: out/walk
   --json "$out/walk.json" --images "$out/walk"
 
 nbuffer_say "4 of 4: pictures of what is culled, and of the levels of the N-buffer"
-"$bench" pictures --size 960x720 --no-chart --out "$out"
+"$bench" pictures --size 960x720 --out "$out"
 
 nbuffer_say "Written to out/"
 (cd "$out" && find . -type f | sort)

@@ -4,7 +4,7 @@
 #
 # Scripts/make-scenes.sh [--packages FOLDER] [--out FOLDER] [arena] [cards] [motorbike]
 #
-# Scenes for nbuffer-bench study that this repository must not hold, taken out of Debian's packages,
+# Scenes for Scripts/study.py that this repository must not hold, taken out of Debian's packages,
 # which stay what they are: nothing is installed. All of them where none is named. Packages that are
 # not in the folder of packages are downloaded by apt-get into it.
 #

@@ -4,6 +4,7 @@
 
 #include "vtkVersion.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -68,6 +69,10 @@ void ViewOptions::AddTo(CLI::App& command)
     ->type_name("WxH")
     ->default_str(std::to_string(this->Window.Width) + "x" + std::to_string(this->Window.Height));
   command.add_option("--frames", this->Frames, "Frames of the path")->check(CLI::Range(1, 1000000));
+  command
+    .add_option("--of", this->PathFrames,
+      "Frames of the whole path, of which the first --frames are rendered; default: these alone")
+    ->check(CLI::Range(1, 1000000));
   command.add_option("--seed", this->Seed, "Where the path starts and turns")
     ->capture_default_str();
   command
@@ -119,22 +124,24 @@ NBufferExamples::CameraPath ViewOptions::MakePath(
 {
   const std::string name = this->GetPathName(scene);
   const bool isFile = std::filesystem::is_regular_file(name);
-  return NBufferExamples::MakePath(
-    scene, name, this->Frames > 0 || isFile ? this->Frames : usualFrames, this->Seed);
+  const int frames = this->Frames > 0 || isFile ? this->Frames : usualFrames;
+  NBufferExamples::CameraPath path =
+    NBufferExamples::MakePath(scene, name, std::max(frames, this->PathFrames), this->Seed);
+  path.resize(frames > 0 ? std::min(path.size(), static_cast<std::size_t>(frames)) : path.size());
+  return path;
 }
 
-Json::Value ViewOptions::Describe(const NBufferExamples::Scene& scene, Session& session) const
+void ViewOptions::Describe(
+  const NBufferExamples::Scene& scene, Session& session, Json::Value& report) const
 {
-  Json::Value value;
-  value["renderer"] = session.GetDevice();
-  value["window"] = session.GetWindowClass();
-  value["vtk"] = vtkVersion::GetVTKVersion();
-  value["scene"] = scene.Name;
-  value["path"] = this->GetPathName(scene);
-  value["size"] = session.GetSize();
-  value["samples"] = session.GetWindow()->GetMultiSamples();
-  value["seed"] = static_cast<Json::UInt64>(this->Seed);
-  return value;
+  report["renderer"] = session.GetDevice();
+  report["window"] = session.GetWindowClass();
+  report["vtk"] = vtkVersion::GetVTKVersion();
+  report["scene"] = scene.Name;
+  report["path"] = this->GetPathName(scene);
+  report["size"] = session.GetSize();
+  report["samples"] = session.GetWindow()->GetMultiSamples();
+  report["seed"] = static_cast<Json::UInt64>(this->Seed);
 }
 
 void ShowProgress(const std::string& text)

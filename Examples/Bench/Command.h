@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Command.h
- * @brief What the subcommands of nbuffer-bench share: the options that say what is rendered.
+ * @brief What the subcommands of nbuffer-bench share, such as the options that say what is
+ * rendered.
  */
 #ifndef Command_h
 #define Command_h
 
 #include "CameraPath.h"
+#include "LoadScene.h"
 #include "Mode.h"
-#include "Scene.h"
 #include "Session.h"
 
 #include "vtk_jsoncpp.h"
@@ -24,7 +25,7 @@
 namespace NBufferBench
 {
 
-/// Exit codes. Options that cannot be understood end with a code of CLI11's, above 100.
+/// Exit codes. Wrong options end with a code of CLI11, above 100.
 enum ExitCode
 {
   Success = 0,
@@ -39,6 +40,7 @@ struct ViewOptions
   std::string Up;
   std::string Path;
   int Frames = 0;
+  int PathFrames = 0; ///< Of the whole path; 0: as many as are rendered.
   std::uint64_t Seed = 1;
   int Props = 0;
   SessionOptions Window;
@@ -51,37 +53,39 @@ struct ViewOptions
                           "one or more .stl or .ply; each also as .gz";
 
   ///@{
-  /// Add options to a subcommand; this object must outlive it.
+  /// Add the options to a subcommand; this object must outlive it.
   void AddTo(CLI::App& command);
   void AddCullerTo(CLI::App& command);
   ///@}
 
   NBufferExamples::Scene LoadScene() const;
 
-  /// The path asked for: where none is named, street in a city and orbit elsewhere; where no
-  /// number of frames is given, `usualFrames` or all of a camera file.
+  /// Makes the path that the options name: by default street in a city and orbit elsewhere, and
+  /// `usualFrames` frames, or all frames of a camera file.
   NBufferExamples::CameraPath MakePath(const NBufferExamples::Scene& scene, int usualFrames) const;
   std::string GetPathName(const NBufferExamples::Scene& scene) const;
 
-  /// What was rendered where, for a report.
-  Json::Value Describe(const NBufferExamples::Scene& scene, Session& session) const;
+  /// Adds to a report what was rendered where.
+  void Describe(const NBufferExamples::Scene& scene, Session& session, Json::Value& report) const;
 };
 
-/// Show what is being done on one line of stderr; an empty text wipes it. Where stderr is no
-/// terminal: a line every few seconds.
+/// Shows what is being done on one line of stderr; an empty text wipes it. Where stderr is not a
+/// terminal, it prints a line every few seconds.
 void ShowProgress(const std::string& text);
 
-/// Throws std::runtime_error now rather than at the end of a long run. An empty name passes.
+/// Throws std::runtime_error, at the beginning of a long run, if the file cannot be written. An
+/// empty name passes.
 void CheckWritable(const std::string& fileName);
 
 ///@{
-/// Subcommands. `run` holds what is to be done once the options are parsed.
+/// Add the subcommands. `run` becomes what is to be done once the options are parsed.
 using Run = std::function<int()>;
 void AddWalkCommand(CLI::App& app, const std::string& program, Run& run);
 void AddFirstCommand(CLI::App& app, const std::string& program, Run& run);
 void AddPicturesCommand(CLI::App& app, const std::string& program, Run& run);
 void AddShadowCommand(CLI::App& app, const std::string& program, Run& run);
 void AddStudyCommand(CLI::App& app, const std::string& program, Run& run);
+void AddDefaultsCommand(CLI::App& app, Run& run);
 ///@}
 
 } // namespace NBufferBench

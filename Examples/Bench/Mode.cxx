@@ -3,6 +3,7 @@
 #include "Mode.h"
 
 #include "ModeSettings.h"
+#include "Tune.h"
 
 #include "vtkCullerCollection.h"
 #include "vtkFrustumCoverageCuller.h"
@@ -87,7 +88,7 @@ Mode::Mode(const std::string& name, const ModeOptions& options)
                                                        : vtkNBufferCuller::Auto);
     if (options.Base > 0)
     {
-      this->NBuffer->SetBaseFactor(options.Base);
+      Tune(this->NBuffer, &vtkNBufferTuning::BaseFactor, options.Base);
     }
     ApplySettings(name, this->NBuffer);
     this->Cullers.push_back(this->NBuffer);

@@ -4,13 +4,13 @@
  * @class Mode
  * @brief A set of cullers that takes its turn in the one renderer that all modes share.
  *
- * Props, buffers and textures are shared, cullers are not: each keeps what it learned in its own
- * frames. The order in which a mode leaves its cullers is the one that it finds again.
+ * Props, buffers and textures are shared. Cullers are not: each remembers only its own frames. A
+ * mode finds its cullers again in the order in which it left them.
  */
 #ifndef Mode_h
 #define Mode_h
 
-#include "OracleCuller.h"
+#include "VisibleProps.h"
 
 #include "QueryCuller.h"
 
@@ -27,34 +27,36 @@ namespace NBufferBench
 
 struct ModeOptions
 {
-  /// auto, opengl or cpu.
+  /// auto, opengl or cpu
   std::string Backend = "auto";
-  /// Pixels per texel of level 0; 0 for the culler's default.
+  /// Pixels per texel of level 0; 0: the culler's default
   int Base = 0;
 };
 
 class Mode
 {
 public:
-  /// stock: VTK's default culler. none: no culler. nbuffer: the default one and vtkNBufferCuller,
-  /// added as a user adds it, or with settings, see ModeSettings.h. oracle: exactly the props that
-  /// own a pixel. queries, queries-conservative, queries-count: an occlusion query for each prop,
-  /// of the exact, the conservative or the counting kind, each waited for. chc: coherent
-  /// hierarchical culling by exact queries. Throws std::runtime_error for a name that means
-  /// nothing.
+  /// stock: VTK's default culler. none: no culler. nbuffer: the default culler and
+  /// vtkNBufferCuller, added as a user adds it, or with settings, see ModeSettings.h. oracle:
+  /// exactly the props that own a pixel. queries, queries-conservative, queries-count: an occlusion
+  /// query for each prop, of the exact, the conservative or the counting kind; the mode waits for
+  /// each answer. chc: coherent hierarchical culling by exact queries. Throws std::runtime_error
+  /// for an unknown name.
   Mode(const std::string& name, const ModeOptions& options);
 
-  /// Without settings.
+  /// Returns all names, without settings.
   static const std::vector<std::string>& GetNames();
 
   const std::string& GetName() const { return this->Name; }
-  /// Why the current context cannot run a mode; empty if it can.
+  /// Returns why the current context cannot run a mode, or an empty text if it can.
   static std::string WhyNot(const std::string& name);
 
-  /// nullptr but for the modes that have one.
+  ///@{
+  /// Return nullptr in modes that have no such culler.
   vtkNBufferCuller* GetNBufferCuller() { return this->NBuffer; }
   OracleCuller* GetOracleCuller() { return this->Oracle; }
   NBufferPeers::QueryCuller* GetQueryCuller() { return this->Queries; }
+  ///@}
 
   void Enter(vtkRenderer* renderer);
   void Leave(vtkRenderer* renderer);

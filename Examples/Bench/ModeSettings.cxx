@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ModeSettings.h"
 
+#include "Tune.h"
+
 #include "vtkNBufferCuller.h"
+#include "vtkNew.h"
 #include "vtkShadowVolumeClampPass.h"
 
 #include <algorithm>
@@ -23,41 +26,35 @@ struct Setting
   int (*Get)(Object*);
 };
 
-using Culler = vtkNBufferCuller;
-constexpr Setting<Culler> CullerSettings[] = {
-  { "RoundSize", [](Culler* c, int v) { c->SetRoundSize(v); },
-    [](Culler* c) { return c->GetRoundSize(); } },
-  { "MaximumNumberOfRounds", [](Culler* c, int v) { c->SetMaximumNumberOfRounds(v); },
-    [](Culler* c) { return c->GetMaximumNumberOfRounds(); } },
-  { "MinimumNumberOfCandidates", [](Culler* c, int v) { c->SetMinimumNumberOfCandidates(v); },
-    [](Culler* c) { return c->GetMinimumNumberOfCandidates(); } },
-  { "BaseFactor", [](Culler* c, int v) { c->SetBaseFactor(v); },
-    [](Culler* c) { return c->GetBaseFactor(); } },
-  { "MaximumNumberOfPieces", [](Culler* c, int v) { c->SetMaximumNumberOfPieces(v); },
-    [](Culler* c) { return c->GetMaximumNumberOfPieces(); } },
-  { "HierarchySize", [](Culler* c, int v) { c->SetHierarchySize(v); },
-    [](Culler* c) { return c->GetHierarchySize(); } },
-  { "TestPixels", [](Culler* c, int v) { c->SetTestPixels(v != 0); },
-    [](Culler* c) { return int(c->GetTestPixels()); } },
-  { "TestSlivers", [](Culler* c, int v) { c->SetTestSlivers(v); },
-    [](Culler* c) { return c->GetTestSlivers(); } },
-  { "BackOff", [](Culler* c, int v) { c->SetBackOff(v != 0); },
-    [](Culler* c) { return int(c->GetBackOff()); } },
-  { "ReuseWhenStill", [](Culler* c, int v) { c->SetReuseWhenStill(v != 0); },
-    [](Culler* c) { return int(c->GetReuseWhenStill()); } },
-  { "TakeOverFrustumCulling", [](Culler* c, int v) { c->SetTakeOverFrustumCulling(v != 0); },
-    [](Culler* c) { return int(c->GetTakeOverFrustumCulling()); } },
+// These two lists are the only place where settings of modes are named.
+// clang-format off
+#define NBUFFER_TUNING(Class, Tuning, Name)                                                        \
+  {                                                                                                \
+    #Name, [](Class* object, int value) { Tune(object, &Tuning::Name, value); },                  \
+      [](Class* object) { return static_cast<int>(object->GetTuning().Name); }                    \
+  }
+#define NBUFFER_CULLER(Name) NBUFFER_TUNING(vtkNBufferCuller, vtkNBufferTuning, Name)
+constexpr Setting<vtkNBufferCuller> CullerSettings[] = {
+  NBUFFER_CULLER(RoundSize),
+  NBUFFER_CULLER(MaximumNumberOfRounds),
+  NBUFFER_CULLER(MinimumNumberOfCandidates),
+  NBUFFER_CULLER(BaseFactor),
+  NBUFFER_CULLER(MaximumNumberOfPieces),
+  NBUFFER_CULLER(HierarchySize),
+  NBUFFER_CULLER(TestPixels),
+  NBUFFER_CULLER(BackOff),
+  NBUFFER_CULLER(ReuseWhenStill),
+  NBUFFER_CULLER(TakeOverFrustumCulling),
+  { "TestSlivers", [](vtkNBufferCuller* culler, int value) { culler->SetTestSlivers(value); },
+    [](vtkNBufferCuller* culler) { return culler->GetTestSlivers(); } },
 };
-
-using Pass = vtkShadowVolumeClampPass;
-constexpr Setting<Pass> PassSettings[] = {
-  { "BoxCost", [](Pass* p, int v) { p->SetBoxCost(v); }, [](Pass* p) { return p->GetBoxCost(); } },
-  { "SlabGap", [](Pass* p, int v) { p->SetSlabGap(v); }, [](Pass* p) { return p->GetSlabGap(); } },
-  { "Scissor", [](Pass* p, int v) { p->SetScissor(v != 0); },
-    [](Pass* p) { return int(p->GetScissor()); } },
-  { "SkipUnlitReceivers", [](Pass* p, int v) { p->SetSkipUnlitReceivers(v != 0); },
-    [](Pass* p) { return int(p->GetSkipUnlitReceivers()); } },
+constexpr Setting<vtkShadowVolumeClampPass> PassSettings[] = {
+  NBUFFER_TUNING(vtkShadowVolumeClampPass, vtkShadowTuning, BoxCost),
+  NBUFFER_TUNING(vtkShadowVolumeClampPass, vtkShadowTuning, SlabGap),
 };
+// clang-format on
+#undef NBUFFER_CULLER
+#undef NBUFFER_TUNING
 
 template <typename Object, std::size_t N>
 const Setting<Object>& Find(const Setting<Object> (&settings)[N], const std::string& name)
@@ -111,6 +108,14 @@ std::string GetModeKind(const std::string& mode)
   return mode.substr(0, mode.find(':'));
 }
 
+void RemoveRepeated(std::vector<std::string>& modes)
+{
+  for (auto mode = modes.begin(); mode != modes.end();)
+  {
+    mode = std::find(modes.begin(), mode, *mode) == mode ? mode + 1 : modes.erase(mode);
+  }
+}
+
 void ApplySettings(const std::string& mode, vtkNBufferCuller* culler)
 {
   Apply(CullerSettings, mode, culler);
@@ -121,14 +126,21 @@ void ApplySettings(const std::string& mode, vtkShadowVolumeClampPass* pass)
   Apply(PassSettings, mode, pass);
 }
 
-int GetSetting(const std::string& name, vtkNBufferCuller* culler)
+Json::Value GetDefaults()
 {
-  return Find(CullerSettings, name).Get(culler);
-}
-
-int GetSetting(const std::string& name, vtkShadowVolumeClampPass* pass)
-{
-  return Find(PassSettings, name).Get(pass);
+  Json::Value defaults;
+  vtkNew<vtkNBufferCuller> culler;
+  for (const Setting<vtkNBufferCuller>& setting : CullerSettings)
+  {
+    defaults["culler"][setting.Name] = setting.Get(culler);
+  }
+  vtkNew<vtkShadowVolumeClampPass> pass;
+  for (const Setting<vtkShadowVolumeClampPass>& setting : PassSettings)
+  {
+    defaults["shadow"][setting.Name] = setting.Get(pass);
+  }
+  defaults["shadow"]["LitmapResolution"] = pass->GetTuning().LitmapResolution;
+  return defaults;
 }
 
 } // namespace NBufferBench

@@ -4,13 +4,16 @@
  * @file ModeSettings.h
  * @brief Settings in the name of a mode, such as nbuffer:RoundSize=16:BackOff=0.
  *
- * They are named as the properties of vtkNBufferCuller and vtkShadowVolumeClampPass are, and are
- * whole numbers; of switches 0 or 1. ModeSettings.cxx has the lists.
+ * They have the names of the properties of vtkNBufferCuller and vtkShadowVolumeClampPass, and their
+ * values are whole numbers; a switch is 0 or 1. ModeSettings.cxx has the lists.
  */
 #ifndef ModeSettings_h
 #define ModeSettings_h
 
+#include "vtk_jsoncpp.h"
+
 #include <string>
+#include <vector>
 
 class vtkNBufferCuller;
 class vtkShadowVolumeClampPass;
@@ -18,21 +21,21 @@ class vtkShadowVolumeClampPass;
 namespace NBufferBench
 {
 
-/// The name without settings.
+/// Returns the name without settings.
 std::string GetModeKind(const std::string& mode);
 
+/// Removes names that stand in the list before.
+void RemoveRepeated(std::vector<std::string>& modes);
+
 ///@{
-/// Make the settings of a mode's name. Throws std::runtime_error for one that is not known, is no
-/// whole number, or is refused.
+/// Apply the settings in a mode's name. Throw std::runtime_error for a setting that is unknown, is
+/// not a whole number, or is refused.
 void ApplySettings(const std::string& mode, vtkNBufferCuller* culler);
 void ApplySettings(const std::string& mode, vtkShadowVolumeClampPass* pass);
 ///@}
 
-///@{
-/// Throws std::runtime_error for one that is not known.
-int GetSetting(const std::string& name, vtkNBufferCuller* culler);
-int GetSetting(const std::string& name, vtkShadowVolumeClampPass* pass);
-///@}
+/// Returns the default of every setting, `culler` and `shadow` apart.
+Json::Value GetDefaults();
 
 } // namespace NBufferBench
 

@@ -2,24 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PicturesCommand.cxx
- * @brief The pictures that show what the culler does; the README shows them.
+ * @brief The subcommand pictures: images that show what the culler does; the README shows them.
  */
-#include "Chart.h"
 #include "Command.h"
-#include "Images.h"
-#include "LevelImages.h"
-#include "Panels.h"
-#include "Report.h"
 #include "VerdictPicture.h"
-#include "Walk.h"
 
 #include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkFloatArray.h"
+#include "vtkImageActor.h"
+#include "vtkImageMapper3D.h"
+#include "vtkImageProperty.h"
 #include "vtkNBufferLevels.h"
+#include "vtkPointData.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
-#include <cstring>
+#include <cmath>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -28,24 +31,76 @@ namespace NBufferBench
 namespace
 {
 using NBufferExamples::CameraPath;
-using NBufferExamples::CameraPose;
 using NBufferExamples::Scene;
+using Image = vtkSmartPointer<vtkImageData>;
 
-struct PicturesOptions
+struct Panel
 {
-  ViewOptions View;
-  std::string Folder;
-  bool Chart = true;
+  Image Picture;
+  std::string Caption;
 };
+
+/// Returns images of one size beside each other, each drawn `scale` times its size with its caption
+/// below.
+Image ComposePanels(const std::vector<Panel>& panels, double scale)
+{
+  constexpr int captionHeight = 36; // pixels
+  constexpr int gap = 6;            // pixels
+  const int* size = panels.front().Picture->GetDimensions();
+  const int width = static_cast<int>(std::lround(scale * size[0]));
+  const int height = static_cast<int>(std::lround(scale * size[1])) + captionHeight;
+  const auto count = static_cast<int>(panels.size());
+  const double total = count * width + (count - 1) * gap;
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(static_cast<int>(total), height);
+  for (int i = 0; i < count; ++i)
+  {
+    const Panel& panel = panels[static_cast<std::size_t>(i)];
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetBackground(1.0, 1.0, 1.0);
+    renderer->SetViewport(i * (width + gap) / total, 0.0, (i * (width + gap) + width) / total, 1.0);
+    window->AddRenderer(renderer);
+    vtkNew<vtkImageActor> actor;
+    actor->GetMapper()->SetInputData(panel.Picture);
+    renderer->AddActor(actor);
+    // The image fills the viewport but for the caption below it.
+    const double x = 0.5 * (size[0] - 1);
+    const double y = 0.5 * (size[1] - 1) - 0.5 * captionHeight / scale;
+    vtkCamera* camera = renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(0.5 * height / scale);
+    camera->SetFocalPoint(x, y, 0.0);
+    camera->SetPosition(x, y, 100.0);
+    camera->SetClippingRange(1.0, 200.0);
+    vtkNew<vtkTextActor> caption;
+    caption->SetInput(panel.Caption.c_str());
+    vtkTextProperty* font = caption->GetTextProperty();
+    font->SetFontFamilyToArial();
+    font->SetFontSize(18);
+    font->SetColor(0.1, 0.1, 0.1);
+    font->SetJustificationToCentered();
+    font->SetVerticalJustificationToCentered();
+    caption->SetPosition(0.5 * width, 0.5 * captionHeight);
+    renderer->AddViewProp(caption);
+  }
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  grab->Update();
+  return grab->GetOutput();
+}
 
 struct Frame
 {
   vtkSmartPointer<vtkUnsignedCharArray> Pixels;
-  vtkSmartPointer<vtkImageData> Image;
+  Image Picture;
   int Drawn = 0;
 };
 
-/// A frame of the path in a mode, with the few frames before it so that the culler is in swing.
+/// Renders a frame of the path in a mode, after the few frames before it, which the culler needs.
 Frame RenderFrame(Session& session, const CameraPath& path, std::size_t frame, Mode& mode)
 {
   mode.Enter(session.GetRenderer());
@@ -55,10 +110,8 @@ Frame RenderFrame(Session& session, const CameraPath& path, std::size_t frame, M
     session.Render();
   }
   Frame result;
-  result.Pixels = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  session.ReadPixels(result.Pixels);
-  const int* size = session.GetWindow()->GetActualSize();
-  result.Image = MakeImage(result.Pixels, size[0], size[1]);
+  result.Pixels = session.ReadPixels();
+  result.Picture = session.MakeImage(result.Pixels);
   result.Drawn = session.GetRenderer()->GetNumberOfPropsRendered();
   return result;
 }
@@ -68,7 +121,48 @@ std::string Describe(const Frame& frame, const std::string& culler)
   return culler + ": " + std::to_string(frame.Drawn) + " props drawn";
 }
 
-/// Level 0 of the depth of the frame rendered last, and two levels above.
+/// Returns a level as an image. Colours (those of viridis) follow the logarithm of the distance
+/// from the eye, from the nearest in level 0 (dark) to the farthest (light); where nothing was
+/// drawn, the image is white. `range` has the distances of the clipping planes.
+Image MakeLevelImage(vtkNBufferLevels& levels, int level, const double range[2])
+{
+  const vtkIdType texels = static_cast<vtkIdType>(levels.GetWidth()) * levels.GetHeight();
+  const auto makeDistances = [&](int which)
+  {
+    vtkNew<vtkFloatArray> distances;
+    distances->SetNumberOfValues(texels);
+    for (vtkIdType i = 0; i < texels; ++i)
+    {
+      const double depth = levels.GetLevelData(which)[i];
+      distances->SetValue(i,
+        depth < 1.0 ? static_cast<float>(
+                        std::log(range[0] * range[1] / (range[1] - depth * (range[1] - range[0]))))
+                    : std::numeric_limits<float>::quiet_NaN());
+    }
+    return vtkSmartPointer<vtkFloatArray>(distances);
+  };
+  double logarithms[2];
+  makeDistances(0)->GetFiniteRange(logarithms);
+  // The ground reaches to the horizon, which would leave one colour for everything else.
+  const double length = std::clamp(logarithms[1] - logarithms[0], std::log(2.0), std::log(300.0));
+  constexpr double viridis[][3] = { { 0.267, 0.005, 0.329 }, { 0.254, 0.265, 0.530 },
+    { 0.164, 0.471, 0.558 }, { 0.135, 0.659, 0.518 }, { 0.478, 0.821, 0.318 },
+    { 0.993, 0.906, 0.144 } };
+  vtkNew<vtkColorTransferFunction> colors;
+  for (int i = 0; i < 6; ++i)
+  {
+    colors->AddRGBPoint(
+      logarithms[0] + length * i / 5.0, viridis[i][0], viridis[i][1], viridis[i][2]);
+  }
+  colors->SetNanColor(1.0, 1.0, 1.0);
+  auto image = Image::New();
+  image->SetDimensions(levels.GetWidth(), levels.GetHeight(), 1);
+  image->GetPointData()->SetScalars(vtkSmartPointer<vtkUnsignedCharArray>::Take(
+    colors->MapScalars(makeDistances(level), VTK_COLOR_MODE_MAP_SCALARS, -1, VTK_RGB)));
+  return image;
+}
+
+/// Writes level 0 of the depth of the frame that was rendered last, and two levels above.
 void WriteLevels(Session& session, const std::string& folder)
 {
   const int* size = session.GetWindow()->GetActualSize();
@@ -84,79 +178,58 @@ void WriteLevels(Session& session, const std::string& folder)
   }
   double range[2];
   session.GetRenderer()->GetActiveCamera()->GetClippingRange(range);
-  const std::vector<vtkSmartPointer<vtkImageData>> images =
-    MakeLevelImages(levels, which, range[0], range[1]);
   std::vector<Panel> panels;
-  for (std::size_t i = 0; i < which.size(); ++i)
+  for (int level : which)
   {
-    const std::string side = std::to_string(1 << which[i]);
-    WritePNG(images[i], folder + "/level-" + std::to_string(which[i]) + ".png");
-    panels.push_back({ images[i],
-      which[i] == 0
-        ? "level 0: the depth"
-        : "level " + std::to_string(which[i]) + ": farthest in " + side + " x " + side });
+    const std::string side = std::to_string(1 << level);
+    const std::string name = "level " + std::to_string(level);
+    panels.push_back({ MakeLevelImage(levels, level, range),
+      level == 0 ? name + ": the depth" : name + ": farthest in " + side + " x " + side });
   }
   WritePNG(ComposePanels(panels, 0.5), folder + "/levels.png");
 }
 
-double GetReach(const Scene& scene)
+int RunPictures(const ViewOptions& view, const std::string& folder)
 {
-  // Far enough to see what the first rows of houses hide.
-  return scene.Plan ? 420.0 : 0.5 * scene.GetBounds().GetDiagonalLength();
-}
-
-int RunPictures(PicturesOptions& options)
-{
-  MakeFolder(options.Folder);
-  const Scene scene = options.View.LoadScene();
-  const CameraPath path = options.View.MakePath(scene, 120);
-  Session& session = Session::New(scene, options.View.Window);
-
-  // Measured first: everything after it recolours the scene.
-  if (options.Chart)
-  {
-    WalkOptions walk;
-    walk.Mode = options.View.Mode;
-    walk.Progress = ShowProgress;
-    const WalkResult result = RunWalk(session, path, walk);
-    WriteChart(result, scene.Name + ", " + options.View.GetPathName(scene) + " walk",
-      options.Folder + "/frame-times");
-    PrintTable(MakeReport(result), std::cout);
-  }
-
+  MakeFolder(folder);
+  const Scene scene = view.LoadScene();
+  const CameraPath path = view.MakePath(scene, 120);
+  Session& session = Session::New(scene, view.Window);
   session.GetRenderer()->SetBackground(0.86, 0.91, 0.96);
   session.GetRenderer()->SetBackground2(0.45, 0.65, 0.88);
   session.GetRenderer()->GradientBackgroundOn();
   const std::size_t middle = path.size() / 2;
-  Mode stock("stock", options.View.Mode);
-  Mode nbuffer("nbuffer", options.View.Mode);
+  Mode stock("stock", view.Mode);
+  Mode nbuffer("nbuffer", view.Mode);
   const Frame without = RenderFrame(session, path, middle, stock);
   const Frame with = RenderFrame(session, path, middle, nbuffer);
   const vtkIdType bytes = without.Pixels->GetNumberOfValues();
   const bool same = bytes == with.Pixels->GetNumberOfValues() &&
-    std::memcmp(without.Pixels->GetPointer(0), with.Pixels->GetPointer(0),
-      static_cast<std::size_t>(bytes)) == 0;
-  WritePNG(without.Image, options.Folder + "/frame-stock.png");
-  WritePNG(with.Image, options.Folder + "/frame-nbuffer.png");
-  WritePNG(ComposePanels({ { without.Image, Describe(without, "VTK's default culler") },
-                           { with.Image, Describe(with, "vtkNBufferCuller") } },
+    std::equal(
+      without.Pixels->GetPointer(0), without.Pixels->GetPointer(bytes), with.Pixels->GetPointer(0));
+  WritePNG(without.Picture, folder + "/frame-stock.png");
+  WritePNG(with.Picture, folder + "/frame-nbuffer.png");
+  WritePNG(ComposePanels({ { without.Picture, Describe(without, "VTK's default culler") },
+                           { with.Picture, Describe(with, "vtkNBufferCuller") } },
              0.6),
-    options.Folder + "/frames.png");
+    folder + "/frames.png");
   std::cout << Describe(without, "stock") << ", " << Describe(with, "nbuffer")
             << ", the images are " << (same ? "the same" : "NOT THE SAME") << "\n";
   const vtkNBufferStatistics statistics = nbuffer.GetNBufferCuller()->GetStatistics();
   const std::string hierarchy = DescribeHierarchy(statistics);
   std::cout << hierarchy << (hierarchy.empty() ? "" : "\n");
 
-  WriteLevels(session, options.Folder);
+  WriteLevels(session, folder);
 
   std::vector<vtkNBufferVerdict> verdicts;
   for (vtkActor* actor : scene.Actors)
   {
     verdicts.push_back(nbuffer.GetNBufferCuller()->GetVerdict(actor));
   }
-  WritePNG(MakeVerdictPicture(session, scene, verdicts, statistics, path[middle], GetReach(scene)),
-    options.Folder + "/culled.png");
+  // Far enough to see what the first rows of houses hide.
+  const double reach = scene.Plan ? 420.0 : 0.5 * scene.GetBounds().GetDiagonalLength();
+  WritePNG(MakeVerdictPicture(session, scene, verdicts, statistics, path[middle], reach),
+    folder + "/culled.png");
   return same ? Success : ImagesDiffer;
 }
 }
@@ -165,15 +238,15 @@ void AddPicturesCommand(CLI::App& app, const std::string& program, Run& run)
 {
   CLI::App* command = app.add_subcommand("pictures",
     "Draw what the culler does: the same frame with and without it, what is drawn and culled from "
-    "above, levels of the N-buffer, a chart of frame times");
-  auto options = std::make_shared<PicturesOptions>();
-  options->View.Program = program;
-  options->View.AddTo(*command);
-  options->View.AddCullerTo(*command);
-  command->add_option("--out", options->Folder, "Folder for the pictures")->required();
-  command->add_flag(
-    "--chart,!--no-chart", options->Chart, "Measure a walk and draw its frame times");
-  command->callback([options, &run]() { run = [options]() { return RunPictures(*options); }; });
+    "above, and levels of the N-buffer");
+  auto view = std::make_shared<ViewOptions>();
+  auto folder = std::make_shared<std::string>();
+  view->Program = program;
+  view->AddTo(*command);
+  view->AddCullerTo(*command);
+  command->add_option("--out", *folder, "Folder for the pictures")->required();
+  command->callback(
+    [view, folder, &run]() { run = [view, folder]() { return RunPictures(*view, *folder); }; });
 }
 
 } // namespace NBufferBench

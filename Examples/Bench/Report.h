@@ -2,26 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Report.h
- * @brief The figures of a walk as JSON and as a table.
- *
- *     renderer, window, vtk   GL_RENDERER, class of the window, version of VTK
- *     scene, path, size, samples, frames, seed, props, block
- *     modes.NAME              median_ms, p10_ms, p90_ms, drawn (median), frames_ms (each),
- *                             differing_bytes and differing_frames when verified
- *     modes.nbuffer           also backend and statistics: the members of vtkNBufferStatistics,
- *                             each the median over all frames; decisions: frames by decision;
- *                             when_tested: medians over the frames with a test alone, per stage
- *     modes.NAME.queries      of modes that ask the hardware, medians (see QueryStatistics):
- *                             in_view, queries, waits, wait_ms, nodes, visits, drawn, hidden,
- *                             redrawn
- *     ratios.A/B              median over the frames of (ms of mode A) / (ms of mode B)
- *     verified_frames         frames compared with mode none byte for byte
- *     differing_bytes         see GetDifferingBytes
+ * @brief Figures as JSON. SCHEMA.md says what each member of a report means.
  */
 #ifndef Report_h
 #define Report_h
-
-#include "Walk.h"
 
 #include "vtk_jsoncpp.h"
 
@@ -32,35 +16,58 @@
 namespace NBufferBench
 {
 
-/// Of sorted or unsorted values, linear between neighbours; share in [0, 1]. 0 for no values.
+/// Returns a quantile of values in any order, linear between neighbours; `share` is in [0, 1].
+/// Returns 0 for no values.
 double GetQuantile(std::vector<double> values, double share);
 
-/// Numbers as they are read, not to seventeen digits.
+/// Rounds to four decimals, because nobody reads seventeen digits.
 Json::Value Round(double value);
 
-/// Throws std::runtime_error if the text is no JSON.
-Json::Value Parse(const std::string& text);
+/// Returns the members `median`, `p10` and `p90`.
+Json::Value Summarize(const std::vector<double>& values);
 
-/// Member by member the median over values of the same shape, at least one; of text the most
-/// frequent.
+/// Adds `median_ms`, `p10_ms`, `p90_ms` and `frames_ms`, the time of each frame, to a mode.
+void AddTimes(Json::Value& mode, const std::vector<double>& milliseconds);
+
+/// Adds `ratios` of the report: for each mode and each of the references the median over the frames
+/// of (time of the mode) / (time of the reference), and the other way round. A mode with settings
+/// also has the mode without them as a reference.
+void AddRatios(Json::Value& report, const std::vector<std::string>& references);
+
+/// Returns the median, member by member, of at least one value of the same shape, and of texts the
+/// most frequent one.
 Json::Value GetMedian(const std::vector<Json::Value>& values);
 
-/// Median over the frames of (ms of mode a) / (ms of mode b).
-double GetMedianRatio(const ModeResult& a, const ModeResult& b);
+/// Throws std::runtime_error if the text is not JSON.
+Json::Value Parse(const std::string& text);
 
-/// median_ms, p10_ms, p90_ms and frames_ms of a mode.
-Json::Value SummarizeTimes(const ModeResult& mode);
-
-/// modes, ratios, verified_frames, differing_bytes, frames and props of a walk.
-Json::Value MakeReport(const WalkResult& result);
-
-void PrintTable(const Json::Value& report, std::ostream& out);
-
-/// Bytes for which the walk fails: of all modes but oracle, which only is a bound.
-long long GetDifferingBytes(const WalkResult& result);
-
-/// Throws std::runtime_error when the file cannot be written.
+/// Does nothing without a file name. Throws std::runtime_error if the file cannot be written.
 void WriteJSON(const Json::Value& value, const std::string& fileName);
+
+/// Prints what was rendered where; one line for each mode, with its times and describe(mode); and
+/// the ratios.
+template <typename Describe>
+void PrintModes(const Json::Value& report, const std::vector<std::string>& names, std::ostream& out,
+  Describe&& describe)
+{
+  for (const char* name : { "scene", "path", "size", "renderer" })
+  {
+    out << report[name].asString() << ", ";
+  }
+  out << report["frames"].asInt() << " frames, " << report["props"].asInt() << " props, VTK "
+      << report["vtk"].asString() << "\n";
+  for (const std::string& name : names)
+  {
+    const Json::Value& mode = report["modes"][name];
+    out << name << ": median " << mode["median_ms"].asDouble() << " ms ("
+        << mode["p10_ms"].asDouble() << " to " << mode["p90_ms"].asDouble() << ")" << describe(mode)
+        << "\n";
+  }
+  for (const std::string& name : report["ratios"].getMemberNames())
+  {
+    out << name << ": " << report["ratios"][name].asDouble() << "\n";
+  }
+}
 
 } // namespace NBufferBench
 

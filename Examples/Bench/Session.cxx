@@ -3,11 +3,18 @@
 #include "Session.h"
 
 #include "vtkCamera.h"
+#include "vtkErrorCode.h"
+#include "vtkImageExtractComponents.h"
 #include "vtkNBufferVTKVersion.h"
+#include "vtkPNGWriter.h"
+#include "vtkPointData.h"
+#include "vtkPropCollection.h"
 
 #include <vtksys/SystemTools.hxx>
 
 #include <chrono>
+#include <filesystem>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 
@@ -15,29 +22,21 @@ namespace NBufferBench
 {
 namespace
 {
-const char* GetClassOf(const std::string& window)
+std::string GetClassOf(const std::string& window)
 {
-  if (window == "osmesa")
-  {
-    return "vtkOSOpenGLRenderWindow";
-  }
-  if (window == "egl")
-  {
-    return "vtkEGLRenderWindow";
-  }
-  if (window == "glx")
-  {
-    return "vtkXOpenGLRenderWindow";
-  }
-  return nullptr;
+  const std::map<std::string, std::string> classes = { { "osmesa", "vtkOSOpenGLRenderWindow" },
+    { "egl", "vtkEGLRenderWindow" }, { "glx", "vtkXOpenGLRenderWindow" } };
+  const auto found = classes.find(window);
+  return found == classes.end() ? std::string() : found->second;
 }
 }
 
 void ChooseWindowSystem(const std::string& system)
 {
-  if (const char* name = GetClassOf(system))
+  const std::string name = GetClassOf(system);
+  if (!name.empty())
   {
-    vtksys::SystemTools::PutEnv(std::string("VTK_DEFAULT_OPENGL_WINDOW=") + name);
+    vtksys::SystemTools::PutEnv("VTK_DEFAULT_OPENGL_WINDOW=" + name);
   }
 }
 
@@ -50,7 +49,7 @@ Session::Session(const NBufferExamples::Scene& scene, const SessionOptions& opti
   scene.AddTo(this->Renderer);
   scene.GetBounds().GetBounds(this->Bounds);
 
-  // The context now, so that the first frame does not pay for it.
+  // The context is made now, so that its time is not part of the first frame.
 #if VTKNBUFFER_HAS_INITIALIZE
   this->Window->Initialize();
 #else
@@ -59,8 +58,8 @@ Session::Session(const NBufferExamples::Scene& scene, const SessionOptions& opti
   this->Renderer->DrawOn();
 #endif
   const std::string device = this->GetDevice();
-  const char* wanted = GetClassOf(options.Window);
-  if (device.empty() || (wanted && !this->Window->IsA(wanted)))
+  const std::string wanted = GetClassOf(options.Window);
+  if (device.empty() || (!wanted.empty() && !this->Window->IsA(wanted.c_str())))
   {
     throw std::runtime_error("no OpenGL by the window system " + options.Window + " (got " +
       this->GetWindowClass() + (device.empty() ? " without a context)" : ")"));
@@ -71,6 +70,19 @@ Session& Session::New(const NBufferExamples::Scene& scene, const SessionOptions&
 {
   ChooseWindowSystem(options.Window);
   return *new Session(scene, options);
+}
+
+std::vector<vtkProp*> Session::GetProps()
+{
+  std::vector<vtkProp*> props;
+  vtkPropCollection* list = this->Renderer->GetViewProps();
+  vtkCollectionSimpleIterator iterator;
+  list->InitTraversal(iterator);
+  while (vtkProp* prop = list->GetNextProp(iterator))
+  {
+    props.push_back(prop);
+  }
+  return props;
 }
 
 void Session::SetPose(const NBufferExamples::CameraPose& pose)
@@ -88,11 +100,26 @@ double Session::Render()
   return std::chrono::duration<double, std::milli>(end - begin).count();
 }
 
-void Session::ReadPixels(vtkUnsignedCharArray* pixels)
+vtkSmartPointer<vtkUnsignedCharArray> Session::ReadPixels()
+{
+  auto pixels = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  const int* size = this->Window->GetActualSize();
+  // The front buffer was shown, so that its samples, if there are any, are resolved.
+  this->Window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels);
+  return pixels;
+}
+
+vtkSmartPointer<vtkImageData> Session::MakeImage(vtkUnsignedCharArray* rgba)
 {
   const int* size = this->Window->GetActualSize();
-  // The front buffer is the one that was shown, resolved if there are samples.
-  this->Window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(size[0], size[1], 1);
+  image->GetPointData()->SetScalars(rgba);
+  vtkNew<vtkImageExtractComponents> colors;
+  colors->SetInputData(image);
+  colors->SetComponents(0, 1, 2);
+  colors->Update();
+  return colors->GetOutput();
 }
 
 std::string Session::GetDevice()
@@ -112,15 +139,32 @@ std::string Session::GetDevice()
   return std::string();
 }
 
-std::string Session::GetWindowClass()
-{
-  return this->Window->GetClassName();
-}
-
 std::string Session::GetSize()
 {
   const int* size = this->Window->GetActualSize();
   return std::to_string(size[0]) + "x" + std::to_string(size[1]);
+}
+
+void WritePNG(vtkImageData* image, const std::string& fileName)
+{
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(fileName.c_str());
+  writer->SetInputData(image);
+  writer->Write();
+  if (writer->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    throw std::runtime_error("cannot write " + fileName);
+  }
+}
+
+void MakeFolder(const std::string& folder)
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder))
+  {
+    throw std::runtime_error("cannot make the folder " + folder + ": " + error.message());
+  }
 }
 
 } // namespace NBufferBench

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Session.h
- * @brief One offscreen window with one renderer that shows a scene, and what it is asked for.
+ * @brief One offscreen window with one renderer that shows a scene, and its images.
  */
 #ifndef Session_h
 #define Session_h
@@ -10,15 +10,24 @@
 #include "CameraPath.h"
 #include "Scene.h"
 
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <functional>
 #include <string>
+#include <vector>
+
+class vtkProp;
 
 namespace NBufferBench
 {
+
+/// A function that is called with a text that says what is being done.
+using Progress = std::function<void(const std::string&)>;
 
 struct SessionOptions
 {
@@ -29,16 +38,18 @@ struct SessionOptions
   std::string Window = "default";
 };
 
-/// Which window system VTK's windows are of from now on; VTK before 9.4 knows one only.
+/// Selects the window system of all windows that VTK makes from now on. VTK before 9.4 has only
+/// one.
 void ChooseWindowSystem(const std::string& system);
 
 class Session
 {
 public:
   /**
-   * A session that lives until the process ends. Taking down a window costs VTK a search through
-   * the buffers of all props for each of them: seconds for a city, which the end of the process
-   * does for free. Throws std::runtime_error if the window system is missing or has no OpenGL.
+   * Makes a session that lives until the process ends. When a window is destroyed, VTK searches the
+   * buffers of all props for each prop, which takes seconds for a city; the end of the process
+   * frees them at no cost. Throws std::runtime_error if the window system is missing or has no
+   * OpenGL.
    */
   static Session& New(const NBufferExamples::Scene& scene, const SessionOptions& options);
 
@@ -48,20 +59,28 @@ public:
   vtkRenderer* GetRenderer() { return this->Renderer; }
   vtkRenderWindow* GetWindow() { return this->Window; }
 
-  /// Move the camera. Everything that follows from it counts as changed, also when the pose is
-  /// the one of the last frame, as if another mode had not rendered it already.
+  /// Returns the props of the renderer, in the order of its list.
+  std::vector<vtkProp*> GetProps();
+
+  /// Moves the camera. The camera counts as changed even when the pose is the one of the last
+  /// frame, because another mode may have rendered that frame.
   void SetPose(const NBufferExamples::CameraPose& pose);
 
-  /// Render, wait until the image is finished, and return the milliseconds that both took.
+  /// Renders, waits until the image is finished, and returns the milliseconds that both took.
   double Render();
 
-  /// RGBA bytes of the frame rendered last, row 0 at the bottom.
-  void ReadPixels(vtkUnsignedCharArray* pixels);
+  /// Returns the RGBA bytes of the frame that was rendered last, row 0 at the bottom.
+  vtkSmartPointer<vtkUnsignedCharArray> ReadPixels();
 
-  /// GL_RENDERER, the class of the window, and its size in pixels as in 960x720.
+  /// Returns the colours of such bytes as an image of the window's size.
+  vtkSmartPointer<vtkImageData> MakeImage(vtkUnsignedCharArray* rgba);
+
+  ///@{
+  /// Return GL_RENDERER, the class of the window, and its size in pixels as in 960x720.
   std::string GetDevice();
-  std::string GetWindowClass();
+  std::string GetWindowClass() { return this->Window->GetClassName(); }
   std::string GetSize();
+  ///@}
 
 private:
   Session(const NBufferExamples::Scene& scene, const SessionOptions& options);
@@ -70,6 +89,12 @@ private:
   vtkNew<vtkRenderer> Renderer;
   double Bounds[6];
 };
+
+///@{
+/// Throw std::runtime_error if that is not possible.
+void WritePNG(vtkImageData* image, const std::string& fileName);
+void MakeFolder(const std::string& folder);
+///@}
 
 } // namespace NBufferBench
 

@@ -3,6 +3,7 @@
 #include "ShadowMode.h"
 
 #include "ModeSettings.h"
+#include "RerenderedLitmap.h"
 
 #include "vtkCameraPass.h"
 #include "vtkNew.h"
@@ -23,34 +24,16 @@ namespace NBufferBench
 {
 namespace
 {
-/// What receives shadows: all that is seen, only what faces the light, or as the pass was set up.
-enum class ReceiverSet
-{
-  All,
-  Lit,
-  AsSetUp
-};
-
 struct VolumeKind
 {
   const char* Name;
   int Mode;
   int SlabGap;
-  int LitmapMethod;
-  bool Scissor;
-  ReceiverSet Receivers;
 };
 using Pass = vtkShadowVolumeClampPass;
-constexpr VolumeKind VolumeKinds[] = {
-  { "unclamped", Pass::Unclamped, 4, Pass::Scattered, true, ReceiverSet::All },
-  { "cull", Pass::Scissored, 4, Pass::Scattered, false, ReceiverSet::AsSetUp },
-  { "auto", Pass::Automatic, 4, Pass::Scattered, true, ReceiverSet::All },
-  { "exact", Pass::Scissored, 4, Pass::Scattered, true, ReceiverSet::AsSetUp },
-  { "clamp", Pass::Clamped, 64, Pass::Scattered, true, ReceiverSet::AsSetUp },
-  { "slabs", Pass::Clamped, 4, Pass::Scattered, true, ReceiverSet::AsSetUp },
-  { "slabslit", Pass::Clamped, 4, Pass::Scattered, true, ReceiverSet::Lit },
-  { "paper", Pass::Clamped, 64, Pass::Rerendered, true, ReceiverSet::All },
-};
+constexpr VolumeKind VolumeKinds[] = { { "unclamped", Pass::Unclamped, 4 },
+  { "cull", Pass::Culled, 4 }, { "auto", Pass::Automatic, 4 }, { "exact", Pass::Scissored, 4 },
+  { "clamp", Pass::Clamped, 64 }, { "slabs", Pass::Clamped, 4 }, { "paper", Pass::Clamped, 64 } };
 
 const VolumeKind* FindVolumeKind(const std::string& name)
 {
@@ -82,8 +65,6 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   : Name(name)
   , Kind(name.substr(0, name.find_first_of("@:")))
   , Litmap(litmap)
-  , BoxCost(volumes->GetBoxCost())
-  , SkipUnlitReceivers(volumes->GetSkipUnlitReceivers())
   , IsVolumes(FindVolumeKind(Kind) != nullptr)
 {
   const std::string sized = GetModeKind(name);
@@ -98,14 +79,19 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   if (!isKnown || (isSized && !(hasSize && canHaveSize)))
   {
     throw std::runtime_error("no mode " + name +
-      "; there are none, unclamped, cull, auto, exact, clamp, slabs, slabslit, paper "
-      "and vtk, all but the first two also with a resolution of 1 to 9999, such as exact@64, and "
-      "those of volumes with settings, such as slabs@64:SlabGap=2");
+      "; there are none, unclamped, cull, auto, exact, clamp, slabs, paper and vtk, all but the "
+      "first two "
+      "also with a resolution of 1 to 9999, such as exact@64, and those of volumes with settings, "
+      "such as slabs@64:SlabGap=2");
   }
   if (this->IsVolumes)
   {
-    ApplySettings(name, vtkNew<vtkShadowVolumeClampPass>()); // Whether they are settings at all.
+    ApplySettings(name, vtkNew<vtkShadowVolumeClampPass>()); // Throws if they are wrong.
     this->Pass = volumes;
+    if (this->Kind == "paper")
+    {
+      this->LitmapSource = std::make_shared<NBufferPeers::RerenderedLitmap>();
+    }
   }
   else if (this->Kind == "vtk")
   {
@@ -116,7 +102,7 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
 bool ShadowMode::IsExact(const std::string& name)
 {
   const VolumeKind* kind = FindVolumeKind(name.substr(0, name.find_first_of("@:")));
-  return kind && kind->LitmapMethod == vtkShadowVolumeClampPass::Scattered;
+  return kind && kind->Name != std::string("paper");
 }
 
 void ShadowMode::Enter(vtkRenderer* renderer) const
@@ -125,13 +111,12 @@ void ShadowMode::Enter(vtkRenderer* renderer) const
   {
     auto* volumes = static_cast<vtkShadowVolumeClampPass*>(this->Pass.GetPointer());
     volumes->SetMode(kind->Mode);
-    volumes->SetSlabGap(kind->SlabGap);
-    volumes->SetLitmapMethod(kind->LitmapMethod);
-    volumes->SetScissor(kind->Scissor);
-    volumes->SetSkipUnlitReceivers(kind->Receivers == ReceiverSet::Lit ||
-      (kind->Receivers == ReceiverSet::AsSetUp && this->SkipUnlitReceivers));
-    volumes->SetLitmapResolution(this->Resolution > 0 ? this->Resolution : this->Litmap);
-    volumes->SetBoxCost(this->BoxCost);
+    vtkShadowTuning tuning = volumes->GetTuning();
+    tuning.SlabGap = kind->SlabGap;
+    tuning.LitmapResolution = this->Resolution > 0 ? this->Resolution : this->Litmap;
+    tuning.BoxCost = vtkShadowTuning().BoxCost;
+    tuning.LitmapSource = this->LitmapSource;
+    volumes->SetTuning(tuning);
     ApplySettings(this->Name, volumes);
   }
   renderer->SetPass(this->Pass);

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShadowWalk.h"
 
-#include "Images.h"
 #include "RayOracle.h"
+#include "Report.h"
 #include "ShadowMode.h"
+#include "Tune.h"
+#include "Walk.h"
 
 #include "vtkLight.h"
 #include "vtkProp.h"
@@ -12,6 +14,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -20,13 +23,87 @@ namespace NBufferBench
 namespace
 {
 using NBufferExamples::CameraPath;
+using Pixels = vtkSmartPointer<vtkUnsignedCharArray>;
 
 /// For each pixel 0 lit, 1 in shadow, 2 unknown.
 using Shadows = std::vector<unsigned char>;
 constexpr unsigned char Unknown = 2;
 
-/// Of a pixel as Session::ReadPixels() reads it.
+/// Channels of a pixel as Session::ReadPixels() returns it.
 constexpr vtkIdType Channels = 4;
+
+/// The samples that the light reaches where nothing shadows them, against rays.
+struct OracleCounts
+{
+  long long Samples = 0;
+  long long Shadowed = 0;  ///< Samples that are in shadow by rays.
+  long long Wrong = 0;     ///< Samples that differ and are not ambiguous.
+  long long Ambiguous = 0; ///< Samples that differ and are ambiguous.
+  /// Frame, x and y (from below) of the first wrong samples.
+  Json::Value Places = Json::Value(Json::arrayValue);
+
+  void Add(const Shadows& shadows, const OracleImage& expected, int frame)
+  {
+    for (std::size_t i = 0; i < shadows.size(); ++i)
+    {
+      const OracleSample sample = expected.Samples[i];
+      if (shadows[i] == Unknown ||
+        (sample != OracleSample::Lit && sample != OracleSample::Shadowed))
+      {
+        continue;
+      }
+      ++this->Samples;
+      this->Shadowed += sample == OracleSample::Shadowed;
+      if ((shadows[i] != 0) == (sample == OracleSample::Shadowed))
+      {
+        continue;
+      }
+      if (expected.Ambiguous[i])
+      {
+        ++this->Ambiguous;
+        continue;
+      }
+      constexpr long long places = 20;
+      if (this->Wrong++ < places)
+      {
+        const int pixel = static_cast<int>(i);
+        Json::Value place;
+        for (int value : { frame, pixel % expected.Width, pixel / expected.Width })
+        {
+          place.append(value);
+        }
+        this->Places.append(place);
+      }
+    }
+  }
+
+  Json::Value GetReport() const
+  {
+    Json::Value report;
+    report["samples"] = static_cast<Json::Int64>(this->Samples);
+    report["shadowed"] = static_cast<Json::Int64>(this->Shadowed);
+    report["wrong"] = static_cast<Json::Int64>(this->Wrong);
+    report["ambiguous"] = static_cast<Json::Int64>(this->Ambiguous);
+    report["wrong_places"] = this->Places;
+    return report;
+  }
+};
+
+/// A mode and what its frames gave.
+struct Runner
+{
+  Runner(const ShadowMode& mode, std::size_t frames)
+    : Mode(mode)
+    , Milliseconds(frames)
+  {
+  }
+
+  ShadowMode Mode;
+  std::vector<double> Milliseconds;    ///< By frame.
+  std::vector<Json::Value> Statistics; ///< In the order of the turns.
+  long long Fragments = 0;             ///< Of all frames.
+  OracleCounts Oracle;
+};
 
 class ShadowWalker
 {
@@ -39,55 +116,46 @@ public:
     , Options(options)
   {
     this->Volumes->SetCasterKeys(options.CasterKeys);
-    this->Volumes->SetMeasureDeviceTime(options.DeviceTimes);
-    this->Volumes->SetSkipUnlitReceivers(options.SkipUnlitReceivers);
-    if (options.BoxCost >= 0)
-    {
-      this->Volumes->SetBoxCost(options.BoxCost);
-    }
-    this->Result.Walk.Frames = path.size();
+    Tune(this->Volumes, &vtkShadowTuning::MeasureDeviceTime, options.DeviceTimes);
     for (const std::string& name : options.Modes)
     {
-      this->Modes.emplace_back(name, options.Litmap, this->Volumes);
-      this->Result.Walk.Names.push_back(name);
-      this->Result.Walk.Modes[name].Milliseconds.resize(path.size());
+      this->Runners.emplace_back(ShadowMode(name, options.Litmap, this->Volumes), path.size());
     }
   }
 
-  ShadowWalkResult Run()
+  Json::Value Run()
   {
-    for (const ShadowMode& mode : this->Modes)
+    for (const Runner& runner : this->Runners)
     {
-      this->Progress("uploading, " + mode.GetName());
-      mode.Enter(this->Where.GetRenderer());
+      this->Progress("uploading, " + runner.Mode.GetName());
+      runner.Mode.Enter(this->Where.GetRenderer());
       this->RenderFrame(0);
     }
-    const auto block = static_cast<std::size_t>(std::max(this->Options.Block, 1));
-    std::size_t turn = 0;
-    for (std::size_t begin = 0; begin < this->Path.size(); begin += block, ++turn)
-    {
-      const std::size_t end = std::min(begin + block, this->Path.size());
-      for (std::size_t i = 0; i < this->Modes.size(); ++i)
+    TakeTurns(
+      this->Runners.size(), this->Path.size(), this->Options.Block,
+      [this](std::size_t mode, std::size_t begin, std::size_t end)
+      { this->TimeBlock(this->Runners[mode], begin, end); },
+      [this](std::size_t, std::size_t end)
       {
-        this->TimeBlock(this->Modes[(i + turn) % this->Modes.size()], begin, end);
-      }
-      this->Progress(
-        "timed frame " + std::to_string(end) + " of " + std::to_string(this->Path.size()));
-    }
+        this->Progress(
+          "timed frame " + std::to_string(end) + " of " + std::to_string(this->Path.size()));
+      });
+    Json::Value report;
     this->CountFragments();
-    this->CountShadowed();
+    this->CountShadowed(report);
     this->WriteImages();
     if (this->Options.Oracle)
     {
       this->CompareWithRays();
     }
-    // Now, as the window may outlive this.
-    for (const ShadowMode& mode : this->Modes)
+    // Resources are released now, because the window may outlive this object.
+    for (const Runner& runner : this->Runners)
     {
-      mode.Release(this->Where.GetRenderer());
+      runner.Mode.Release(this->Where.GetRenderer());
     }
     this->Progress("");
-    return std::move(this->Result);
+    this->AddModes(report);
+    return report;
   }
 
 private:
@@ -99,106 +167,110 @@ private:
     }
   }
 
+  Runner* Find(const std::string& name)
+  {
+    const auto found = std::find_if(this->Runners.begin(), this->Runners.end(),
+      [&name](const Runner& runner) { return runner.Mode.GetName() == name; });
+    return found == this->Runners.end() ? nullptr : &*found;
+  }
+
   double RenderFrame(std::size_t frame)
   {
-    // Masks of a pose that was rendered before are made anew.
+    // Otherwise the pass would keep the masks of a pose that was rendered before.
     this->Volumes->Modified();
     this->Where.SetPose(this->Path[frame]);
     return this->Where.Render();
   }
 
-  void TimeBlock(const ShadowMode& mode, std::size_t begin, std::size_t end)
+  Pixels Draw(const ShadowMode& mode, std::size_t frame)
   {
     mode.Enter(this->Where.GetRenderer());
-    // Untimed: buffers and shaders change with the mode.
+    this->RenderFrame(frame);
+    return this->Where.ReadPixels();
+  }
+
+  void TimeBlock(Runner& runner, std::size_t begin, std::size_t end)
+  {
+    runner.Mode.Enter(this->Where.GetRenderer());
+    // This frame is not timed: buffers and shaders change with the mode.
     this->RenderFrame(begin > 0 ? begin - 1 : std::min<std::size_t>(1, this->Path.size() - 1));
-    ModeResult& result = this->Result.Walk.Modes[mode.GetName()];
     for (std::size_t frame = begin; frame < end; ++frame)
     {
-      result.Milliseconds[frame] = this->RenderFrame(frame);
-      if (mode.HasVolumes())
+      runner.Milliseconds[frame] = this->RenderFrame(frame);
+      if (runner.Mode.HasVolumes())
       {
-        result.Statistics.push_back(this->Volumes->GetStatistics().GetAsJSON());
+        runner.Statistics.push_back(Parse(this->Volumes->GetStatistics().GetAsJSON()));
       }
     }
   }
 
   void CountFragments()
   {
-    this->Volumes->CountFragmentsOn();
-    for (const ShadowMode& mode : this->Modes)
+    Tune(this->Volumes, &vtkShadowTuning::CountFragments, true);
+    for (Runner& runner : this->Runners)
     {
-      if (!mode.HasVolumes())
+      if (!runner.Mode.HasVolumes())
       {
         continue;
       }
-      this->Progress("counting fragments, " + mode.GetName());
-      mode.Enter(this->Where.GetRenderer());
-      long long& fragments = this->Result.Fragments[mode.GetName()];
+      this->Progress("counting fragments, " + runner.Mode.GetName());
+      runner.Mode.Enter(this->Where.GetRenderer());
       for (std::size_t frame = 0; frame < this->Path.size(); ++frame)
       {
         this->RenderFrame(frame);
-        // -1: nothing was due.
-        fragments += std::max(this->Volumes->GetStatistics().Fragments, 0LL);
+        // -1 says that there was nothing to draw.
+        runner.Fragments += std::max(this->Volumes->GetStatistics().Fragments, 0LL);
       }
     }
-    this->Volumes->CountFragmentsOff();
+    Tune(this->Volumes, &vtkShadowTuning::CountFragments, false);
   }
 
-  void CountShadowed()
+  /// Counts the pixels that shadows change, with and without whole volumes.
+  void CountShadowed(Json::Value& report)
   {
-    const auto unclamped = std::find_if(this->Modes.begin(), this->Modes.end(),
-      [](const ShadowMode& mode) { return mode.GetName() == "unclamped"; });
-    if (unclamped == this->Modes.end())
+    const Runner* unclamped = this->Find("unclamped");
+    if (!unclamped)
     {
       return;
     }
     this->Progress("counting pixels in shadow");
-    this->Result.Shadowed = 0;
+    long long shadowed = 0;
     for (std::size_t frame = 0; frame < this->Path.size(); ++frame)
     {
-      vtkNew<vtkUnsignedCharArray> images[2];
-      for (const bool lit : { false, true })
+      Pixels images[2];
+      for (const bool casts : { true, false })
       {
-        this->Volumes->SetLightCasts(this->Light, !lit);
-        unclamped->Enter(this->Where.GetRenderer());
-        this->RenderFrame(frame);
-        const int* size = this->Where.GetWindow()->GetActualSize();
-        this->Where.GetWindow()->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 1, images[lit]);
+        this->Volumes->SetLightCasts(this->Light, casts);
+        images[casts] = this->Draw(unclamped->Mode, frame);
       }
-      const vtkIdType pixels = images[0]->GetNumberOfValues() / 3;
-      for (vtkIdType i = 0; i < pixels; ++i)
+      for (vtkIdType i = 0; i < images[0]->GetNumberOfValues(); i += Channels)
       {
-        const unsigned char* a = images[0]->GetPointer(3 * i);
-        this->Result.Shadowed += !std::equal(a, a + 3, images[1]->GetPointer(3 * i));
+        const unsigned char* a = images[0]->GetPointer(i);
+        shadowed += !std::equal(a, a + 3, images[1]->GetPointer(i));
       }
     }
     this->Volumes->SetLightCasts(this->Light, true);
+    report["shadowed"] =
+      static_cast<Json::Int64>(shadowed / static_cast<long long>(this->Path.size()));
   }
 
   void WriteImages()
   {
-    if (this->Options.ImageFolder.empty())
-    {
-      return;
-    }
     this->Volumes->SetDebugView(this->Options.DebugView);
-    for (const ShadowMode& mode : this->Modes)
+    for (const Runner& runner : this->Runners)
     {
-      mode.Enter(this->Where.GetRenderer());
-      this->RenderFrame(this->Path.size() / 2);
-      vtkNew<vtkUnsignedCharArray> pixels;
-      this->Where.ReadPixels(pixels);
-      const int* size = this->Where.GetWindow()->GetActualSize();
-      WritePNG(MakeImage(pixels, size[0], size[1]),
-        this->Options.ImageFolder + "/shadow-" + mode.GetName() + ".png");
+      if (!this->Options.ImageFolder.empty())
+      {
+        WritePNG(this->Where.MakeImage(this->Draw(runner.Mode, this->Path.size() / 2)),
+          this->Options.ImageFolder + "/shadow-" + runner.Mode.GetName() + ".png");
+      }
     }
     this->Volumes->SetDebugView(vtkShadowVolumeClampPass::NoDebugView);
   }
 
   void CompareWithRays()
   {
-    // Through the centres of pixels, where there are no other samples.
+    // Rays lead through the centres of pixels, so that there must be no other samples.
     this->Where.GetWindow()->SetMultiSamples(0);
     std::set<std::size_t> frames = { this->Path.size() / 2 };
     if (!this->Options.OracleOnce)
@@ -212,104 +284,44 @@ private:
       const Oracle oracle(this->Where.GetRenderer(),
         [this](vtkProp* prop) { return prop->HasKeys(this->Options.CasterKeys); });
       const OracleImage expected = oracle.Cast(OracleLight(this->Light));
-      for (const ShadowMode& mode : this->Modes)
+      for (Runner& runner : this->Runners)
       {
-        if (mode.GetName() != "none")
+        if (runner.Mode.GetName() != "none")
         {
-          Compare(this->FindShadows(mode, frame, expected.Samples.size()), expected,
-            static_cast<int>(frame), this->Result.Oracle[mode.GetName()]);
+          runner.Oracle.Add(runner.Mode.HasVolumes()
+              ? this->FindShadowsInMask(runner.Mode, frame, expected.Samples.size())
+              : this->FindShadowsInImages(runner.Mode, frame),
+            expected, static_cast<int>(frame));
         }
       }
     }
   }
 
-  static void Compare(
-    const Shadows& shadows, const OracleImage& expected, int frame, OracleCounts& counts)
+  Shadows FindShadowsInMask(const ShadowMode& mode, std::size_t frame, std::size_t size)
   {
-    for (std::size_t i = 0; i < shadows.size(); ++i)
-    {
-      const OracleSample sample = expected.Samples[i];
-      if (shadows[i] == Unknown ||
-        (sample != OracleSample::Lit && sample != OracleSample::Shadowed))
-      {
-        continue;
-      }
-      ++counts.Samples;
-      counts.Shadowed += sample == OracleSample::Shadowed;
-      if ((shadows[i] != 0) == (sample == OracleSample::Shadowed))
-      {
-        continue;
-      }
-      if (expected.Ambiguous[i])
-      {
-        ++counts.Ambiguous;
-        continue;
-      }
-      constexpr long long places = 20;
-      if (counts.Wrong++ < places)
-      {
-        const int pixel = static_cast<int>(i);
-        counts.Places.push_back({ frame, pixel % expected.Width, pixel / expected.Width });
-      }
-    }
-  }
-
-  Shadows FindShadows(const ShadowMode& mode, std::size_t frame, std::size_t size)
-  {
-    if (!mode.HasVolumes())
-    {
-      return this->FindShadowsInImages(mode, frame);
-    }
     mode.Enter(this->Where.GetRenderer());
     this->RenderFrame(frame);
     int width = 0;
     int height = 0;
     Shadows mask = this->Volumes->GetMask(this->Light, width, height);
-    for (unsigned char& value : mask)
-    {
-      value = value != 0;
-    }
-    mask.resize(size, 0); // Without a mask all is lit.
-    if (this->Volumes->GetSkipUnlitReceivers())
-    {
-      // Masks know nothing of what faces away from the light, and no picture shows it.
-      vtkNew<vtkUnsignedCharArray> lit;
-      vtkNew<vtkUnsignedCharArray> dark;
-      this->DrawWithoutShadows(frame, lit, dark);
-      for (std::size_t i = 0; i < size; ++i)
-      {
-        const auto first = static_cast<vtkIdType>(i) * Channels;
-        const unsigned char* pixel = lit->GetPointer(first);
-        mask[i] = std::equal(pixel, pixel + Channels, dark->GetPointer(first)) ? Unknown : mask[i];
-      }
-    }
+    std::replace_if(
+      mask.begin(), mask.end(), [](unsigned char value) { return value != 0; }, 1);
+    mask.resize(size, 0); // Without a mask everything is lit.
     return mask;
   }
 
-  /// With and without the light.
-  void DrawWithoutShadows(std::size_t frame, vtkUnsignedCharArray* lit, vtkUnsignedCharArray* dark)
-  {
-    const double intensity = this->Light->GetIntensity();
-    this->Where.GetRenderer()->SetPass(nullptr);
-    this->RenderFrame(frame);
-    this->Where.ReadPixels(lit);
-    this->Light->SetIntensity(0.0);
-    this->RenderFrame(frame);
-    this->Where.ReadPixels(dark);
-    this->Light->SetIntensity(intensity);
-  }
-
-  /// Passes without masks: a pixel is in shadow if it is nearer to what it is without the light
-  /// than to what it is with the light and without shadows; unknown where these two hardly differ.
+  /// For passes without masks: a pixel is in shadow if it is nearer to its colour without the light
+  /// than to its colour with the light and without shadows. It is unknown where these two hardly
+  /// differ.
   Shadows FindShadowsInImages(const ShadowMode& mode, std::size_t frame)
   {
-    vtkNew<vtkUnsignedCharArray> lit;
-    vtkNew<vtkUnsignedCharArray> dark;
-    vtkNew<vtkUnsignedCharArray> shadowed;
-    this->DrawWithoutShadows(frame, lit, dark);
-    mode.Enter(this->Where.GetRenderer());
-    this->RenderFrame(frame);
-    this->Where.ReadPixels(shadowed);
+    const ShadowMode none("none", 1, this->Volumes);
+    const double intensity = this->Light->GetIntensity();
+    const Pixels lit = this->Draw(none, frame);
+    this->Light->SetIntensity(0.0);
+    const Pixels dark = this->Draw(none, frame);
+    this->Light->SetIntensity(intensity);
+    const Pixels shadowed = this->Draw(mode, frame);
     constexpr int least = 8; // levels of 255
     constexpr vtkIdType green = 1;
     Shadows result;
@@ -322,17 +334,52 @@ private:
     return result;
   }
 
+  void AddModes(Json::Value& report)
+  {
+    const Runner* unclamped = this->Find("unclamped");
+    const auto frames = static_cast<double>(this->Path.size());
+    long long wrong = 0;
+    for (const Runner& runner : this->Runners)
+    {
+      const std::string& name = runner.Mode.GetName();
+      Json::Value& mode = report["modes"][name];
+      AddTimes(mode, runner.Milliseconds);
+      if (runner.Mode.HasVolumes())
+      {
+        const auto fragments = static_cast<double>(runner.Fragments);
+        mode["fragments"] = static_cast<Json::Int64>(std::llround(fragments / frames));
+        if (unclamped && unclamped->Fragments > 0)
+        {
+          mode["fragments_percent"] =
+            Round(100.0 * fragments / static_cast<double>(unclamped->Fragments));
+        }
+        mode["statistics"] = GetMedian(runner.Statistics);
+        mode["statistics"].removeMember("fragments");
+      }
+      if (this->Options.Oracle && name != "none")
+      {
+        mode["must_be_exact"] = ShadowMode::IsExact(name);
+        mode["oracle"] = runner.Oracle.GetReport();
+        wrong += ShadowMode::IsExact(name) ? runner.Oracle.Wrong : 0;
+      }
+    }
+    AddRatios(report, { "unclamped", "none" });
+    report["frames"] = static_cast<Json::UInt64>(this->Path.size());
+    report["block"] = this->Options.Block;
+    report["litmap"] = this->Options.Litmap;
+    report["wrong_samples"] = static_cast<Json::Int64>(wrong);
+  }
+
   Session& Where;
   vtkLight* Light;
   const CameraPath& Path;
   const ShadowWalkOptions& Options;
   vtkNew<vtkShadowVolumeClampPass> Volumes;
-  std::vector<ShadowMode> Modes;
-  ShadowWalkResult Result;
+  std::vector<Runner> Runners;
 };
 }
 
-ShadowWalkResult RunShadowWalk(
+Json::Value RunShadowWalk(
   Session& session, vtkLight* light, const CameraPath& path, const ShadowWalkOptions& options)
 {
   return ShadowWalker(session, light, path, options).Run();

@@ -12,14 +12,11 @@
 
 #include "CameraPath.h"
 #include "Session.h"
-#include "Walk.h"
 
 #include "vtkInformation.h"
 #include "vtkSmartPointer.h"
+#include "vtk_jsoncpp.h"
 
-#include <array>
-#include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -30,58 +27,30 @@ namespace NBufferBench
 
 struct ShadowWalkOptions
 {
-  std::vector<std::string> Modes = { "none", "unclamped", "cull", "exact",
-    "exact:SkipUnlitReceivers=0", "auto", "clamp", "slabs", "exact@32", "exact@64", "exact@128",
-    "exact@512", "exact@1024", "vtk" };
-  /// Lexels along each side of the litmaps of modes that do not name it.
+  std::vector<std::string> Modes = { "none", "unclamped", "cull", "exact", "auto", "clamp", "slabs",
+    "exact@32", "exact@64", "exact@128", "exact@512", "exact@1024", "vtk" };
+  /// Lexels along each side of the litmaps of modes whose name does not say.
   int Litmap = 256;
-  /// vtkShadowVolumeClampPass::BoxCost of modes that do not name it; less than 0: its default.
-  int BoxCost = -1;
-  /// Of the modes that ShadowMode names.
-  bool SkipUnlitReceivers = false;
-  /// Only props with these keys cast; nullptr: all.
+  /// Only props with these keys cast shadows; nullptr: all props.
   vtkSmartPointer<vtkInformation> CasterKeys;
-  /// Compare the first, middle and last frame with rays.
+  /// Whether the first, middle and last frame are compared with rays.
   bool Oracle = false;
-  /// The middle one alone.
+  /// Whether the middle frame alone is compared with rays.
   bool OracleOnce = false;
-  /// Measure the times of the graphics device, too.
+  /// Whether the times of the graphics device are measured, too.
   bool DeviceTimes = false;
   /// Timed frames of a mode in a row.
   int Block = 5;
-  /// Where to write the middle frame of each mode.
+  /// Folder for the middle frame of each mode; empty: no images.
   std::string ImageFolder;
-  /// What of vtkShadowVolumeClampPass::DebugViews is laid over these.
+  /// The one of vtkShadowVolumeClampPass::DebugViews that is laid over these images.
   int DebugView = 0;
-  std::function<void(const std::string&)> Progress;
+  NBufferBench::Progress Progress;
 };
 
-/// Samples that the light reaches but for shadows, against rays.
-struct OracleCounts
-{
-  long long Samples = 0;
-  long long Shadowed = 0;  ///< In shadow by rays.
-  long long Wrong = 0;     ///< They differ and are not ambiguous.
-  long long Ambiguous = 0; ///< They differ and are ambiguous.
-  /// Frame, x and y (from below) of the first wrong ones.
-  std::vector<std::array<int, 3>> Places;
-};
-
-struct ShadowWalkResult
-{
-  /// Milliseconds; vtkShadowStatistics as JSON; drawn props are not counted.
-  WalkResult Walk;
-  /// Of all frames, by mode; only of shadow volumes.
-  std::map<std::string, long long> Fragments;
-  /// Pixels of all frames that shadows change: what no mode can have fewer fragments than. -1
-  /// unless unclamped is among the modes.
-  long long Shadowed = -1;
-  /// Empty without the oracle, and not of none.
-  std::map<std::string, OracleCounts> Oracle;
-};
-
-/// The light is the only one of the session's renderer.
-ShadowWalkResult RunShadowWalk(Session& session, vtkLight* light,
+/// Returns the part of the report (SCHEMA.md) that is measured. The light is the only one of the
+/// session's renderer.
+Json::Value RunShadowWalk(Session& session, vtkLight* light,
   const NBufferExamples::CameraPath& path, const ShadowWalkOptions& options);
 
 } // namespace NBufferBench

@@ -2,23 +2,92 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Study.h
- * @brief What accuracy costs in time: all depth structures on the same frames, and the figures of
- * the paper.
+ * @brief The parts of the study of what accuracy costs in time. Each is a function in a file of its
+ * own and returns figures as SCHEMA.md describes them; StudyCommand.cxx runs all of them.
  */
 #ifndef Study_h
 #define Study_h
 
-#include "StudyOptions.h"
+#include "Session.h"
+
+#include "Contender.h"
+#include "DepthFrame.h"
+#include "PotentiallyVisibleSet.h"
+
+#include "vtk_jsoncpp.h"
+
+#include <string>
+#include <vector>
 
 namespace NBufferBench
 {
 
+/// Measures what runs on the graphics device, by size of the image: drawing, reading depth back,
+/// building all levels or one, and reading those back. Leaves the window at another size, and
+/// leaves out images of more than `mostPixels`.
+Json::Value MeasureDevice(Session& session, const NBufferExamples::CameraPose& pose,
+  int repetitions, int mostPixels, const Progress& progress);
+
+/// Measures what the format of depth costs, by the ratio of far to near plane. The planes of
+/// `frame` are at `near` and `far`; their ratio is the first one that is measured.
+Json::Value MeasureFormats(const NBufferStudy::DepthFrame& frame, double near, double far,
+  int repetitions, const Progress& progress);
+
+///@{
 /**
- * Measure, and write study.json, CSV, charts and documents. The scene can also be a part of the
- * study alone: shadows, settings or shadow-settings. Returns ImagesDiffer if anything visible was
- * hidden or lit wrongly. Throws std::runtime_error when a file cannot be read or written.
+ * The fragments that the draws of a frame leave in the framebuffer: the samples that pass the depth
+ * test when their prop is drawn (GL_SAMPLES_PASSED around each draw of a prop, in the order and as
+ * often as the mode draws them, the smallest of three counts; boxes of queries are not counted).
+ *
+ * They are measured in `frames` frames spread over the path, each after the one before it on the
+ * path. GetFragmentsObstacle() returns why that is impossible, or an empty text: draws are told
+ * apart by events of the mappers, which props must not share.
  */
-int RunStudy(const StudyOptions& options);
+std::string GetFragmentsObstacle(vtkRenderer* renderer);
+Json::Value MeasureFragments(Session& session, const NBufferExamples::CameraPath& path,
+  const std::vector<std::string>& modes, int frames, const Progress& progress);
+///@}
+
+/// Measures testing props one by one and over a hierarchy, by their number up to `most`. `boxes`
+/// are all props of the scene; beyond their number, copies of the scene stand side by side. Copies
+/// are tested and not drawn, so that those that the scene does not hide count as visible.
+Json::Value MeasureHierarchy(const NBufferStudy::DepthFrame& frame,
+  const std::vector<vtkNBufferBox>& boxes, const double eye[3], int most, int repetitions,
+  const Progress& progress);
+
+///@{
+/**
+ * A scene's own table of visibility, as a structure of the study and as a witness that no image may
+ * contradict.
+ *
+ * From an eye that the table knows, a prop that it leaves out owns no pixel, unless the straight
+ * line from the eye to that pixel's surface passes through what the table takes for opaque: then
+ * something opaque is not drawn there (solids that the game never draws because no player gets to
+ * see them), and the table says nothing. Props that the table does not know, doors and lifts, are
+ * not checked. The reverse does not hold: what the table leaves in may be hidden.
+ *
+ * The frames are those of the contest, rendered from the poses.
+ */
+const char* GetKnownName();
+NBufferStudy::ContenderPointer MakeKnownContender(
+  const NBufferExamples::PotentiallyVisibleSet& known,
+  const std::vector<NBufferStudy::DepthFrame>& frames, const NBufferExamples::CameraPath& path);
+Json::Value CheckKnown(Session& session, const NBufferExamples::PotentiallyVisibleSet& known,
+  const std::vector<NBufferStudy::DepthFrame>& frames, const NBufferExamples::CameraPath& path);
+///@}
+
+///@{
+/// Measure table 2 and figure 4 of the paper (Decoret 2005); its table 1 follows from
+/// MeasureDevice(). Figure 4 has rectangles up to size x size.
+Json::Value MeasureTable2(const std::vector<NBufferStudy::DepthFrame>& frames);
+Json::Value MeasureFigure4(int size);
+///@}
+
+/// Measures drawing by the verdicts of an earlier frame: picks `pairs` pairs of poses, `step` poses
+/// of the path apart. The worst frame is written to `fileName`, wrong pixels in red; no picture is
+/// written if there are none.
+Json::Value MeasureLatent(Session& session, const NBufferExamples::CameraPath& path, int step,
+  int pairs, const std::string& fileName);
 
 } // namespace NBufferBench
 

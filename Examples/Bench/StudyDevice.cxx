@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "StudyDevice.h"
-
+#include "Report.h"
+#include "Study.h"
 #include "StudyFrames.h"
-#include "StudyReport.h"
 
 #include "SingleLevel.h"
 
@@ -283,7 +282,7 @@ void MeasureDrawing(
 }
 
 Json::Value MeasureDevice(Session& session, const NBufferExamples::CameraPose& pose,
-  int repetitions, int mostPixels, const std::function<void(const std::string&)>& progress)
+  int repetitions, int mostPixels, const Progress& progress)
 {
   constexpr int sizes[][2] = { { 256, 256 }, { 512, 512 }, { 640, 480 }, { 1024, 1024 },
     { 1920, 1080 } };

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "StudyFragments.h"
-
 #include "Mode.h"
 #include "Report.h"
+#include "Study.h"
 #include "VisibleProps.h"
 
 #include "DrawStage.h"
@@ -200,8 +199,7 @@ std::string GetFragmentsObstacle(vtkRenderer* renderer)
 }
 
 Json::Value MeasureFragments(Session& session, const NBufferExamples::CameraPath& path,
-  const std::vector<std::string>& modes, int frames,
-  const std::function<void(const std::string&)>& progress)
+  const std::vector<std::string>& modes, int frames, const Progress& progress)
 {
   // Each frame and the one before it.
   std::vector<std::size_t> places;
@@ -211,8 +209,7 @@ Json::Value MeasureFragments(Session& session, const NBufferExamples::CameraPath
     places.push_back(1 + (path.size() - 2) * static_cast<std::size_t>(i) / std::max(frames - 1, 1));
     poses.push_back(path[places.back()]);
   }
-  const std::vector<std::vector<vtkProp*>> visible =
-    FindVisibleProps(session, poses, std::function<void(std::size_t)>());
+  const std::vector<std::vector<vtkProp*>> visible = FindVisibleProps(session, poses);
   ModeOptions options;
   // Passes of the OpenGL back-end are no draws of props.
   options.Backend = "cpu";

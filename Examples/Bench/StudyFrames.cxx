@@ -5,9 +5,7 @@
 #include "VisibleProps.h"
 
 #include "vtkNBufferCandidate.h"
-#include "vtkNBufferClock.h"
 #include "vtkNBufferDepthSource.h"
-#include "vtkNBufferTexture.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -15,7 +13,6 @@
 #include "vtkFrustumCoverageCuller.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPropCollection.h"
 
 #include <stdexcept>
 #include <unordered_set>
@@ -40,13 +37,10 @@ public:
   std::function<void()> Function;
 };
 
-std::vector<vtkNBufferCandidate> MakeCandidates(vtkRenderer* renderer)
+std::vector<vtkNBufferCandidate> MakeCandidates(Session& session)
 {
   std::vector<vtkNBufferCandidate> candidates;
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator iterator;
-  props->InitTraversal(iterator);
-  while (vtkProp* prop = props->GetNextProp(iterator))
+  for (vtkProp* prop : session.GetProps())
   {
     candidates.emplace_back(prop);
     candidates.back().Refresh(true);
@@ -121,14 +115,14 @@ void RenderAndInspect(Session& session, const CameraPose& pose,
   }
 }
 
-std::vector<DepthFrame> CollectFrames(Session& session, const NBufferExamples::CameraPath& path,
-  const std::function<void(std::size_t)>& progress)
+std::vector<DepthFrame> CollectFrames(
+  Session& session, const NBufferExamples::CameraPath& path, const Progress& progress)
 {
   const std::vector<std::vector<vtkProp*>> visible = FindVisibleProps(session, path, progress);
   session.GetRenderer()->GetCullers()->RemoveAllItems();
   vtkNew<vtkFrustumCoverageCuller> frustum;
   session.GetRenderer()->AddCuller(frustum);
-  const std::vector<vtkNBufferCandidate> candidates = MakeCandidates(session.GetRenderer());
+  const std::vector<vtkNBufferCandidate> candidates = MakeCandidates(session);
   std::vector<DepthFrame> frames(path.size());
   for (std::size_t i = 0; i < path.size(); ++i)
   {
@@ -156,7 +150,7 @@ std::vector<DepthFrame> CollectFrames(Session& session, const NBufferExamples::C
 std::vector<vtkNBufferBox> CollectBoxes(Session& session)
 {
   std::vector<vtkNBufferBox> boxes;
-  for (const vtkNBufferCandidate& candidate : MakeCandidates(session.GetRenderer()))
+  for (const vtkNBufferCandidate& candidate : MakeCandidates(session))
   {
     if (candidate.IsCandidate())
     {
@@ -164,41 +158,6 @@ std::vector<vtkNBufferBox> CollectBoxes(Session& session)
     }
   }
   return boxes;
-}
-
-DeviceBuild MeasureDeviceBuild(
-  Session& session, const CameraPose& pose, int width, int height, int factor, int repetitions)
-{
-  DeviceBuild result;
-  session.GetWindow()->SetSize(width, height);
-  vtkNew<vtkNBufferTexture> texture;
-  RenderAndInspect(session, pose,
-    [&](vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source)
-    {
-      result.Width = source.Viewport[2];
-      result.Height = source.Viewport[3];
-      std::string why;
-      source.Read(window, 0, 0, result.Width, result.Height, result.Depth, why);
-      // The first one compiles and allocates.
-      for (int i = 0; i <= repetitions; ++i)
-      {
-        window->WaitForCompletion();
-        const vtkNBufferClock clock;
-        if (!texture->Build(window, source, 0, 0, result.Width, result.Height, factor, 64,
-              vtkNBufferExtremum::Maximum))
-        {
-          throw std::runtime_error("no levels by OpenGL: " + texture->GetError());
-        }
-        window->WaitForCompletion();
-        if (i > 0)
-        {
-          result.Milliseconds.push_back(clock.GetMilliseconds());
-        }
-      }
-      result.Levels = texture->GetNumberOfLevels();
-      texture->ReleaseGraphicsResources(window);
-    });
-  return result;
 }
 
 } // namespace NBufferBench

@@ -22,32 +22,18 @@ struct vtkNBufferDepthSource;
 namespace NBufferBench
 {
 
-/// Everything in view is drawn. Leaves the renderer without cullers.
-std::vector<NBufferStudy::DepthFrame> CollectFrames(Session& session,
-  const NBufferExamples::CameraPath& path, const std::function<void(std::size_t)>& progress);
+/// Renders each pose with everything in view, and reads its depth. Leaves the renderer without
+/// cullers.
+std::vector<NBufferStudy::DepthFrame> CollectFrames(
+  Session& session, const NBufferExamples::CameraPath& path, const Progress& progress = nullptr);
 
-/// Of all props that may be culled, in view or not.
+/// Returns the boxes of all props that may be culled, in view or not.
 std::vector<vtkNBufferBox> CollectBoxes(Session& session);
 
-/// Renders a frame; `function` gets the window and the source of its depth while its framebuffer is
-/// bound. Throws std::runtime_error where depth cannot be read.
+/// Renders a frame, and calls `function` with the window and the source of its depth while its
+/// framebuffer is bound. Throws std::runtime_error where depth cannot be read.
 void RenderAndInspect(Session& session, const NBufferExamples::CameraPose& pose,
   const std::function<void(vtkOpenGLRenderWindow*, const vtkNBufferDepthSource&)>& function);
-
-struct DeviceBuild
-{
-  int Width = 0;
-  int Height = 0;
-  int Levels = 0;
-  /// Milliseconds of all levels by OpenGL until they are finished, one for each repetition.
-  std::vector<double> Milliseconds;
-  /// The depth that they were built from.
-  std::vector<float> Depth;
-};
-
-/// Levels by OpenGL of the depth of a frame in a window of this size.
-DeviceBuild MeasureDeviceBuild(Session& session, const NBufferExamples::CameraPose& pose, int width,
-  int height, int factor, int repetitions);
 
 } // namespace NBufferBench
 

@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "StudyHierarchy.h"
-
 #include "Report.h"
-#include "StudyChart.h"
-#include "StudyReport.h"
+#include "Study.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkNBufferClock.h"
@@ -183,7 +180,7 @@ private:
 }
 
 Json::Value MeasureHierarchy(const DepthFrame& frame, const std::vector<vtkNBufferBox>& scene,
-  const double eye[3], int most, int repetitions, const std::function<void(int)>& progress)
+  const double eye[3], int most, int repetitions, const Progress& progress)
 {
   vtkNBufferLevels levels;
   levels.BuildBase(frame.Depth.data(), frame.Width, frame.Height, 4, vtkNBufferExtremum::Maximum);
@@ -196,10 +193,7 @@ Json::Value MeasureHierarchy(const DepthFrame& frame, const std::vector<vtkNBuff
     {
       break;
     }
-    if (progress)
-    {
-      progress(count);
-    }
+    progress("hierarchy over " + std::to_string(count));
     const std::vector<vtkNBufferBox> boxes = MakeBoxes(scene, eye, count);
     vtkNBufferHierarchy tree;
     std::vector<double> build;
@@ -226,23 +220,6 @@ Json::Value MeasureHierarchy(const DepthFrame& frame, const std::vector<vtkNBuff
     entries.append(entry);
   }
   return entries;
-}
-
-void WriteHierarchyChart(
-  const Json::Value& entries, const std::string& title, const std::string& fileStem)
-{
-  std::vector<ChartLine> lines = { { "one by one", { 213, 94, 0 }, {} },
-    { "over the hierarchy", { 0, 114, 178 }, {} },
-    { "hierarchy and refit", { 86, 180, 233 }, {} } };
-  for (const Json::Value& entry : entries)
-  {
-    const double props = entry["props"].asDouble();
-    const double tree = entry["tree"]["ms"]["median"].asDouble();
-    lines[0].Points.emplace_back(props, entry["flat"]["ms"]["median"].asDouble());
-    lines[1].Points.emplace_back(props, tree);
-    lines[2].Points.emplace_back(props, tree + entry["refit_ms"]["median"].asDouble());
-  }
-  WriteLineChart(lines, title, "props", "milliseconds to test all of them", fileStem);
 }
 
 } // namespace NBufferBench

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "StudyKnown.h"
-
 #include "Report.h"
+#include "Study.h"
 #include "VisibleProps.h"
 
 #include "vtkCamera.h"

@@ -1,23 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "StudyPaper.h"
-
-#include "Images.h"
-#include "Panels.h"
 #include "Report.h"
-#include "StudyChart.h"
-#include "StudyReport.h"
+#include "Study.h"
 
 #include "BoxOutline.h"
 #include "OverCoverage.h"
 
-#include "vtkNBufferClock.h"
 #include "vtkNBufferHierarchy.h"
 #include "vtkNBufferOcclusionTest.h"
 #include "vtkNBufferPixelTest.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace NBufferBench
 {
@@ -69,62 +62,9 @@ void Add(Json::Value& value, double more)
 {
   value = value.asDouble() + more;
 }
-
-std::string Print(double percent)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), percent < 100.0 ? "%.1f %%" : "%.0f %%", percent);
-  return text;
-}
 }
 
-Json::Value MakeTable1(
-  Session& session, const NBufferExamples::CameraPose& pose, int repetitions, int largest)
-{
-  struct Column
-  {
-    int Width, Height, Levels;
-    double Milliseconds;
-  };
-  // The paper's: a GeForce FX 6800.
-  constexpr Column paper[] = { { 256, 256, 8, 2.0 }, { 512, 512, 9, 8.0 }, { 640, 480, 10, 10.0 },
-    { 1024, 1024, 10, 31.0 } };
-  Json::Value table(Json::arrayValue);
-  for (const Column& column : paper)
-  {
-    if (column.Width > largest)
-    {
-      continue;
-    }
-    const DeviceBuild device =
-      MeasureDeviceBuild(session, pose, column.Width, column.Height, 1, repetitions);
-    std::vector<double> host;
-    vtkNBufferLevels levels;
-    for (int i = 0; i <= repetitions; ++i)
-    {
-      const vtkNBufferClock clock;
-      levels.BuildBase(
-        device.Depth.data(), device.Width, device.Height, 1, vtkNBufferExtremum::Maximum);
-      levels.BuildLevels(64);
-      if (i > 0)
-      {
-        host.push_back(clock.GetMilliseconds());
-      }
-    }
-    Json::Value row;
-    row["width"] = device.Width;
-    row["height"] = device.Height;
-    row["levels"] = device.Levels;
-    row["cpu_ms"] = Summarize(host);
-    row["opengl_ms"] = Summarize(device.Milliseconds);
-    row["paper_levels"] = column.Levels;
-    row["paper_ms"] = column.Milliseconds;
-    table.append(row);
-  }
-  return table;
-}
-
-Json::Value MakeTable2(const std::vector<DepthFrame>& frames)
+Json::Value MeasureTable2(const std::vector<DepthFrame>& frames)
 {
   Json::Value table;
   const double share = 1.0 / static_cast<double>(frames.size());
@@ -171,14 +111,10 @@ Json::Value MakeTable2(const std::vector<DepthFrame>& frames)
     Add(table["nodes"]["oq"], share * oq.Nodes);
     Add(table["nodes"]["nb"], share * nb.Nodes);
   }
-  table["paper"]["oq_hierarchy"] = 1100000;
-  table["paper"]["oq"] = 200000;
-  table["paper"]["nb_hierarchy"] = 350;
-  table["paper"]["nb"] = 500;
   return table;
 }
 
-Json::Value MakeFigure4(int size, const std::string& folder)
+Json::Value MeasureFigure4(int size)
 {
   using namespace NBufferStudy;
   const DepthGrid windows = DepthGrid::Windows;
@@ -196,7 +132,6 @@ Json::Value MakeFigure4(int size, const std::string& folder)
     { "rectangles, band 1", { 1, windows, FullStride, 1, DepthTaps::Four, false }, 1 },
   };
   Json::Value figure(Json::arrayValue);
-  std::vector<Panel> panels;
   for (const auto& kind : kinds)
   {
     const OverCoverage coverage = MeasureOverCoverage(kind.Family, size, kind.Places);
@@ -207,11 +142,20 @@ Json::Value MakeFigure4(int size, const std::string& folder)
     entry["area_percent"] = Round(100.0 * coverage.GetShareOfArea());
     entry["median_percent"] = Round(100.0 * coverage.GetQuantile(0.5));
     entry["most_percent"] = Round(100.0 * coverage.GetQuantile(1.0));
+    entry["step"] = std::max(size / 64, 1);
+    const auto side = static_cast<std::size_t>(size);
+    const std::size_t step = std::max<std::size_t>(side / 64, 1);
+    for (std::size_t height = 0; height < side; height += step)
+    {
+      Json::Value row;
+      for (std::size_t width = 0; width < side; width += step)
+      {
+        row.append(Round(coverage.Shares[height * side + width]));
+      }
+      entry["shares"].append(row);
+    }
     figure.append(entry);
-    panels.push_back({ MakeCoverageImage(coverage, 30.0),
-      std::string(kind.Caption) + ": " + Print(100.0 * coverage.GetMean()) });
   }
-  WritePNG(ComposePanels(panels, size < 256 ? 256.0 / size : 1.0), folder + "/figure-4.png");
   return figure;
 }
 

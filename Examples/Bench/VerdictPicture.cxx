@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VerdictPicture.h"
 
-#include "Images.h"
-
 #include "vtkCellArray.h"
 #include "vtkCullerCollection.h"
 #include "vtkMath.h"
+#include "vtkNBufferGLM.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -45,33 +44,29 @@ Group GetGroup(vtkNBufferVerdict verdict)
                                                : Drawn;
 }
 
+/// The heading of a view, level with the ground.
 struct Axes
 {
-  double Ahead[3];
-  double Side[3];
-  double Up[3];
-};
+  glm::dvec3 Eye;
+  glm::dvec3 Ahead;
+  glm::dvec3 Side;
+  glm::dvec3 Up;
 
-/// The heading of a view, level with the ground.
-Axes GetAxes(const CameraPose& pose, int upAxis)
-{
-  Axes axes = {};
-  axes.Up[upAxis] = 1.0;
-  vtkMath::Subtract(pose.Target, pose.Eye, axes.Ahead);
-  axes.Ahead[upAxis] = 0.0;
-  vtkMath::Normalize(axes.Ahead);
-  vtkMath::Cross(axes.Ahead, axes.Up, axes.Side);
-  return axes;
-}
-
-void Move(
-  const double from[3], const Axes& axes, double ahead, double side, double up, double result[3])
-{
-  for (int i = 0; i < 3; ++i)
+  Axes(const CameraPose& pose, int upAxis)
+    : Eye(vtkNBufferGLM::ToVector(pose.Eye))
   {
-    result[i] = from[i] + ahead * axes.Ahead[i] + side * axes.Side[i] + up * axes.Up[i];
+    this->Up[upAxis] = 1.0;
+    this->Ahead = vtkNBufferGLM::ToVector(pose.Target) - this->Eye;
+    this->Ahead[upAxis] = 0.0;
+    this->Ahead = glm::normalize(this->Ahead);
+    this->Side = glm::cross(this->Ahead, this->Up);
   }
-}
+
+  glm::dvec3 GetPlace(double ahead, double side, double up) const
+  {
+    return this->Eye + ahead * this->Ahead + side * this->Side + up * this->Up;
+  }
+};
 
 /// The sides of the view from the eye, and a ring around it, as tubes above the roofs.
 vtkSmartPointer<vtkActor> MakeMarker(
@@ -83,9 +78,8 @@ vtkSmartPointer<vtkActor> MakeMarker(
   vtkNew<vtkCellArray> lines;
   const auto add = [&](double ahead, double side)
   {
-    double point[3];
-    Move(pose.Eye, axes, ahead, side, height, point);
-    lines->InsertCellPoint(points->InsertNextPoint(point));
+    lines->InsertCellPoint(
+      points->InsertNextPoint(glm::value_ptr(axes.GetPlace(ahead, side, height))));
   };
   lines->InsertNextCell(3);
   add(1.6 * reach, -1.6 * reach * half);
@@ -166,7 +160,7 @@ vtkSmartPointer<vtkImageData> MakeVerdictPicture(Session& session, const Scene& 
 
   vtkRenderer* renderer = session.GetRenderer();
   const int* size = session.GetWindow()->GetActualSize();
-  const Axes axes = GetAxes(pose, scene.UpAxis);
+  const Axes axes(pose, scene.UpAxis);
   const vtkSmartPointer<vtkActor> marker =
     MakeMarker(pose, axes, static_cast<double>(size[0]) / size[1], reach);
   renderer->AddActor(marker);
@@ -187,23 +181,24 @@ vtkSmartPointer<vtkImageData> MakeVerdictPicture(Session& session, const Scene& 
   }
 
   CameraPose above;
-  Move(pose.Eye, axes, -0.62 * reach, 0.0, 0.85 * reach, above.Eye);
-  Move(pose.Eye, axes, 0.42 * reach, 0.0, 0.0, above.Target);
-  std::copy(axes.Up, axes.Up + 3, above.Up);
+  const auto store = [](const glm::dvec3& from, double to[3])
+  { std::copy_n(glm::value_ptr(from), 3, to); };
+  store(axes.GetPlace(-0.62 * reach, 0.0, 0.85 * reach), above.Eye);
+  store(axes.GetPlace(0.42 * reach, 0.0, 0.0), above.Target);
+  store(axes.Up, above.Up);
   above.ViewAngle = 45.0;
   above.Near = 0.02 * reach;
   above.Far = 100.0 * reach;
   renderer->GetCullers()->RemoveAllItems();
   session.SetPose(above);
   session.Render();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  session.ReadPixels(pixels);
+  const vtkSmartPointer<vtkImageData> image = session.MakeImage(session.ReadPixels());
   for (const vtkSmartPointer<vtkTextActor>& text : texts)
   {
     renderer->RemoveViewProp(text);
   }
   renderer->RemoveActor(marker);
-  return MakeImage(pixels, size[0], size[1]);
+  return image;
 }
 
 } // namespace NBufferBench

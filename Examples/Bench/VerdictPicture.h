@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VerdictPicture.h
- * @brief A scene from above: what a view draws, what it culls, and what lies outside of it.
+ * @brief A scene from above: what a view draws, what it culls, and what lies outside the view.
  */
 #ifndef VerdictPicture_h
 #define VerdictPicture_h
@@ -21,14 +21,14 @@
 namespace NBufferBench
 {
 
-/// How many nodes of the hierarchy were looked at in a frame, for how many props; empty where none
-/// was used.
+/// Returns how many nodes of the hierarchy were visited in a frame, for how many props, or an empty
+/// text if no hierarchy was used.
 std::string DescribeHierarchy(const vtkNBufferStatistics& statistics);
 
 /**
- * `verdicts` and `statistics` are those of the scene's actors and of a frame seen from `pose`. The
- * actors are left in the colours of this picture: drawn blue, culled red, outside the view pale.
- * `reach` is the distance from the eye that the picture shows.
+ * Draws the picture from the verdicts of the scene's actors and the statistics of a frame that was
+ * seen from `pose`. The actors keep the colours of this picture: drawn blue, culled red, outside
+ * the view pale. `reach` is the distance from the eye that the picture shows.
  */
 vtkSmartPointer<vtkImageData> MakeVerdictPicture(Session& session,
   const NBufferExamples::Scene& scene, const std::vector<vtkNBufferVerdict>& verdicts,

@@ -6,9 +6,11 @@
 #include "vtkDataObject.h"
 #include "vtkFrustumCoverageCuller.h"
 #include "vtkHardwareSelector.h"
-#include "vtkPropCollection.h"
+#include "vtkObjectFactory.h"
+#include "vtkProp.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -27,12 +29,9 @@ public:
     renderer->GetCullers()->RemoveAllItems();
     vtkNew<vtkFrustumCoverageCuller> frustum;
     renderer->AddCuller(frustum);
-    vtkPropCollection* props = renderer->GetViewProps();
-    vtkCollectionSimpleIterator iterator;
-    props->InitTraversal(iterator);
-    while (vtkProp* prop = props->GetNextProp(iterator))
+    for (vtkProp* prop : session.GetProps())
     {
-      this->Order.emplace(prop, this->Order.size());
+      this->Places.emplace(prop, static_cast<int>(this->Places.size()));
     }
     const int* size = session.GetWindow()->GetActualSize();
     this->Pixels = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
@@ -43,70 +42,61 @@ public:
     this->Selector->SetActorPassOnly(true);
   }
 
-  /// Of every pixel 0 for the background, or a number for GetProp().
-  std::vector<std::size_t> Find(const NBufferExamples::CameraPose& pose)
+  /// Returns, for every pixel, the place of its prop or -1.
+  std::vector<int> Find(const NBufferExamples::CameraPose& pose)
   {
     this->Where.SetPose(pose);
-    const unsigned char* rgb = nullptr;
-    if (this->Selector->CaptureBuffers())
-    {
-      rgb = this->Selector->GetPixelBuffer(vtkHardwareSelector::ACTOR_PASS);
-    }
+    const unsigned char* rgb = this->Selector->CaptureBuffers()
+      ? this->Selector->GetPixelBuffer(vtkHardwareSelector::ACTOR_PASS)
+      : nullptr;
     if (!rgb)
     {
       throw std::runtime_error("the props that own a pixel could not be found: no selection");
     }
-    std::vector<std::size_t> ids(this->Pixels);
+    std::vector<int> owners(this->Pixels);
+    std::unordered_map<int, int> known = { { 0, -1 } }; // The background.
     for (std::size_t i = 0; i < this->Pixels; ++i)
     {
-      // 0 is the background, and a prop is its index plus one.
-      const std::size_t id = rgb[3 * i] | rgb[3 * i + 1] << 8 | rgb[3 * i + 2] << 16;
-      ids[i] = std::min(id, this->Order.size());
+      const int id = rgb[3 * i] | rgb[3 * i + 1] << 8 | rgb[3 * i + 2] << 16;
+      const auto [entry, isNew] = known.emplace(id, -1);
+      if (isNew)
+      {
+        const auto place = this->Places.find(this->Selector->GetPropFromID(id - 1));
+        entry->second = place == this->Places.end() ? -1 : place->second;
+      }
+      owners[i] = entry->second;
     }
-    return ids;
+    return owners;
   }
-
-  vtkProp* GetProp(std::size_t id)
-  {
-    return id > 0 ? this->Selector->GetPropFromID(static_cast<int>(id - 1)) : nullptr;
-  }
-
-  std::size_t GetNumberOfProps() const { return this->Order.size(); }
-  std::size_t GetPlace(vtkProp* prop) const { return this->Order.at(prop); }
 
 private:
   Session& Where;
   vtkNew<vtkHardwareSelector> Selector;
-  std::unordered_map<vtkProp*, std::size_t> Order;
+  std::unordered_map<vtkProp*, int> Places;
   std::size_t Pixels = 0;
 };
 }
 
-std::vector<std::vector<vtkProp*>> FindVisibleProps(Session& session,
-  const NBufferExamples::CameraPath& path, const std::function<void(std::size_t)>& progress)
+std::vector<std::vector<vtkProp*>> FindVisibleProps(
+  Session& session, const NBufferExamples::CameraPath& path, const Progress& progress)
 {
   Finder finder(session);
-  std::vector<std::vector<vtkProp*>> visible(path.size());
-  for (std::size_t frame = 0; frame < path.size(); ++frame)
+  const std::vector<vtkProp*> props = session.GetProps();
+  std::vector<std::vector<vtkProp*>> visible;
+  for (const NBufferExamples::CameraPose& pose : path)
   {
-    std::vector<char> found(finder.GetNumberOfProps() + 1, 0);
-    for (std::size_t id : finder.Find(path[frame]))
+    const std::vector<int> owners = finder.Find(pose);
+    std::set<int> places(owners.begin(), owners.end());
+    places.erase(-1);
+    visible.emplace_back();
+    for (int place : places)
     {
-      found[id] = 1;
+      visible.back().push_back(props[static_cast<std::size_t>(place)]);
     }
-    for (std::size_t id = 1; id < found.size(); ++id)
-    {
-      vtkProp* prop = found[id] ? finder.GetProp(id) : nullptr;
-      if (prop)
-      {
-        visible[frame].push_back(prop);
-      }
-    }
-    std::sort(visible[frame].begin(), visible[frame].end(),
-      [&finder](vtkProp* a, vtkProp* b) { return finder.GetPlace(a) < finder.GetPlace(b); });
     if (progress)
     {
-      progress(frame);
+      progress("which props own a pixel: frame " + std::to_string(visible.size()) + " of " +
+        std::to_string(path.size()));
     }
   }
   return visible;
@@ -114,20 +104,26 @@ std::vector<std::vector<vtkProp*>> FindVisibleProps(Session& session,
 
 std::vector<int> FindPixelOwners(Session& session, const NBufferExamples::CameraPose& pose)
 {
-  Finder finder(session);
-  std::vector<int> places(finder.GetNumberOfProps() + 1, -2);
-  std::vector<int> owners;
-  for (std::size_t id : finder.Find(pose))
+  return Finder(session).Find(pose);
+}
+
+vtkStandardNewMacro(OracleCuller);
+
+double OracleCuller::Cull(
+  vtkRenderer* vtkNotUsed(renderer), vtkProp** propList, int& listLength, int& initialized)
+{
+  if (!this->Props || this->Props->size() > static_cast<std::size_t>(listLength))
   {
-    int& place = places[id];
-    if (place == -2)
-    {
-      vtkProp* prop = finder.GetProp(id);
-      place = prop ? static_cast<int>(finder.GetPlace(prop)) : -1;
-    }
-    owners.push_back(place);
+    return listLength;
   }
-  return owners;
+  std::copy(this->Props->begin(), this->Props->end(), propList);
+  listLength = static_cast<int>(this->Props->size());
+  for (vtkProp* prop : *this->Props)
+  {
+    prop->SetRenderTimeMultiplier(1.0);
+  }
+  initialized = 1;
+  return listLength;
 }
 
 } // namespace NBufferBench

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VisibleProps.h
- * @brief Which props own a pixel, found by drawing every prop in a colour of its own.
+ * @brief The props that own a pixel, found by drawing every prop in a colour of its own, and a
+ * culler that draws only these.
  */
 #ifndef VisibleProps_h
 #define VisibleProps_h
 
 #include "Session.h"
 
-#include <functional>
+#include "vtkCuller.h"
+
 #include <vector>
 
 class vtkProp;
@@ -18,19 +20,41 @@ namespace NBufferBench
 {
 
 /**
- * For every pose the props that own at least one pixel (without multisampling), in the order of
- * the renderer's list. vtkHardwareSelector draws them by the mappers of the props themselves, so
- * that every pixel is covered as in the image.
+ * Returns, for every pose, the props that own at least one pixel (without multisampling), in the
+ * order of the renderer's list. vtkHardwareSelector draws them with their own mappers, so that
+ * every pixel is covered as in the image.
  *
- * It leaves all shaders ready for selection, so that the next frame rebuilds them: to be called
- * before anything is timed, and something rendered in between.
+ * All shaders are left ready for selection, and the next frame rebuilds them: call this before
+ * anything is timed, and render something in between.
  */
-std::vector<std::vector<vtkProp*>> FindVisibleProps(Session& session,
-  const NBufferExamples::CameraPath& path, const std::function<void(std::size_t)>& progress);
+std::vector<std::vector<vtkProp*>> FindVisibleProps(
+  Session& session, const NBufferExamples::CameraPath& path, const Progress& progress = nullptr);
 
-/// Of every pixel, row 0 at the bottom, the prop that owns it: its place in the renderer's list, or
-/// -1. With the same consequences.
+/// Returns, for every pixel, row 0 at the bottom, the place of its prop in the renderer's list, or
+/// -1 for the background. Shaders are left as above.
 std::vector<int> FindPixelOwners(Session& session, const NBufferExamples::CameraPose& pose);
+
+/**
+ * Draws the given props and no others. With the props that own a pixel it is the lower bound that
+ * no culler can beat: it copies the pointers of the frame over the list and looks at nothing else,
+ * so that its own cost is that of the props that it draws.
+ */
+class OracleCuller : public vtkCuller
+{
+public:
+  static OracleCuller* New();
+  vtkTypeMacro(OracleCuller, vtkCuller);
+
+  /// The props must be visible props of the renderer, in the order of its list. They are not
+  /// copied: they must live until the frame is drawn.
+  void SetProps(const std::vector<vtkProp*>* props) { this->Props = props; }
+
+  double Cull(
+    vtkRenderer* renderer, vtkProp** propList, int& listLength, int& initialized) override;
+
+private:
+  const std::vector<vtkProp*>* Props = nullptr;
+};
 
 } // namespace NBufferBench
 

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walk.h"
 
-#include "Images.h"
-#include "VisibleProps.h"
-
-#include "vtkPropCollection.h"
+#include "Report.h"
 
 #include <algorithm>
-#include <cstring>
+#include <cstdio>
+#include <map>
 
 namespace NBufferBench
 {
@@ -16,11 +14,86 @@ namespace
 {
 using NBufferExamples::CameraPath;
 
-const char* GetBackendName(int backend)
+/// A mode and what its frames gave.
+struct Runner
 {
-  return backend == vtkNBufferCuller::CPU ? "CPU"
-    : backend == vtkNBufferCuller::OpenGL ? "OpenGL"
-                                          : "none used";
+  Runner(const std::string& name, const ModeOptions& options, std::size_t frames)
+    : Cullers(name, options)
+    , Milliseconds(frames)
+    , Drawn(frames)
+  {
+  }
+
+  Mode Cullers;
+  ///@{
+  /// By frame.
+  std::vector<double> Milliseconds;
+  std::vector<double> Drawn;
+  std::vector<long long> DifferingBytes;
+  std::map<std::size_t, vtkSmartPointer<vtkUnsignedCharArray>> Images; ///< Of this block.
+  ///@}
+  ///@{
+  /// In the order of the turns.
+  std::vector<Json::Value> Statistics;
+  std::vector<Json::Value> Queries;
+  ///@}
+};
+
+Json::Value SummarizeStatistics(const std::vector<Json::Value>& frames)
+{
+  std::vector<Json::Value> tested;
+  std::vector<double> perProp;
+  Json::Value result = GetMedian(frames);
+  Json::Value& decisions = result["decisions"];
+  for (const Json::Value& frame : frames)
+  {
+    Json::Value& count = decisions[frame["decision"].asString()];
+    count = count.asInt() + 1;
+    if (frame["tested"].asDouble() > 0.0)
+    {
+      tested.push_back(frame["milliseconds"]);
+      perProp.push_back(
+        1000.0 * frame["milliseconds"]["test"].asDouble() / frame["tested"].asDouble());
+    }
+  }
+  if (!tested.empty())
+  {
+    Json::Value& stages = result["when_tested"];
+    stages["frames"] = static_cast<Json::UInt64>(tested.size());
+    stages["milliseconds"] = GetMedian(tested);
+    stages["test_microseconds_per_prop"] = Round(GetQuantile(perProp, 0.5));
+  }
+  return result;
+}
+
+Json::Value MakeQueryReport(const NBufferPeers::QueryStatistics& statistics)
+{
+  Json::Value frame;
+  frame["in_view"] = statistics.InView;
+  frame["queries"] = statistics.Queries;
+  frame["waits"] = statistics.Waits;
+  frame["wait_ms"] = statistics.WaitTime;
+  frame["nodes"] = statistics.Nodes;
+  frame["visits"] = statistics.Visits;
+  frame["drawn"] = statistics.Drawn;
+  frame["hidden"] = statistics.Hidden;
+  frame["redrawn"] = statistics.Redrawn;
+  return frame;
+}
+
+long long CountDifferingBytes(vtkUnsignedCharArray* a, vtkUnsignedCharArray* b)
+{
+  const vtkIdType count = a->GetNumberOfValues();
+  if (b->GetNumberOfValues() != count)
+  {
+    return std::max(count, b->GetNumberOfValues());
+  }
+  long long differing = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    differing += a->GetValue(i) != b->GetValue(i);
+  }
+  return differing;
 }
 
 class Walker
@@ -33,35 +106,24 @@ public:
   {
     for (const std::string& name : options.Modes)
     {
-      this->Modes.emplace_back(name, options.Mode);
-      this->Result.Names.push_back(name);
-      ModeResult& result = this->Result.Modes[name];
-      result.Milliseconds.resize(path.size());
-      result.Drawn.resize(path.size());
+      this->Runners.emplace_back(name, options.Mode, path.size());
     }
-    this->Result.Frames = path.size();
-    this->Result.Props =
-      static_cast<std::size_t>(session.GetRenderer()->GetViewProps()->GetNumberOfItems());
   }
 
-  WalkResult Run()
+  Json::Value Run()
   {
     this->Prepare();
-    const auto block = static_cast<std::size_t>(std::max(this->Options.Block, 1));
-    std::size_t turn = 0;
-    for (std::size_t begin = 0; begin < this->Path.size(); begin += block, ++turn)
-    {
-      const std::size_t end = std::min(begin + block, this->Path.size());
-      this->Images.clear();
-      for (std::size_t i = 0; i < this->Modes.size(); ++i)
+    TakeTurns(
+      this->Runners.size(), this->Path.size(), this->Options.Block,
+      [this](std::size_t mode, std::size_t begin, std::size_t end)
+      { this->RunBlock(this->Runners[mode], begin, end); },
+      [this](std::size_t begin, std::size_t end)
       {
-        this->RunBlock(this->Modes[(i + turn) % this->Modes.size()], begin, end);
-      }
-      this->Compare(begin, end);
-      this->Progress("frame " + std::to_string(end) + " of " + std::to_string(this->Path.size()));
-    }
+        this->Compare(begin, end);
+        this->Progress("frame " + std::to_string(end) + " of " + std::to_string(this->Path.size()));
+      });
     this->Progress("");
-    return std::move(this->Result);
+    return this->MakeReport();
   }
 
 private:
@@ -73,18 +135,14 @@ private:
     }
   }
 
-  /// What the oracle needs, and everything uploaded and compiled.
+  /// Finds what the oracle needs; uploads and compiles everything.
   void Prepare()
   {
-    const auto isOracle = [](Mode& mode) { return mode.GetOracleCuller() != nullptr; };
-    if (std::any_of(this->Modes.begin(), this->Modes.end(), isOracle))
+    if (std::any_of(this->Runners.begin(), this->Runners.end(),
+          [](Runner& runner) { return runner.Cullers.GetOracleCuller() != nullptr; }))
     {
-      this->Visible = FindVisibleProps(this->Where, this->Path,
-        [this](std::size_t frame)
-        {
-          this->Progress("which props own a pixel: frame " + std::to_string(frame + 1) + " of " +
-            std::to_string(this->Path.size()));
-        });
+      this->Visible = FindVisibleProps(
+        this->Where, this->Path, [this](const std::string& text) { this->Progress(text); });
     }
     this->Progress("uploading");
     Mode all("none", this->Options.Mode);
@@ -92,11 +150,11 @@ private:
     this->Where.SetPose(this->Path.front());
     this->Where.Render();
     all.Leave(this->Where.GetRenderer());
-    for (Mode& mode : this->Modes)
+    for (Runner& runner : this->Runners)
     {
-      mode.Enter(this->Where.GetRenderer());
-      this->RenderFrame(mode, 0);
-      mode.Leave(this->Where.GetRenderer());
+      runner.Cullers.Enter(this->Where.GetRenderer());
+      this->RenderFrame(runner.Cullers, 0);
+      runner.Cullers.Leave(this->Where.GetRenderer());
     }
   }
 
@@ -110,31 +168,37 @@ private:
     return this->Where.Render();
   }
 
-  void RunBlock(Mode& mode, std::size_t begin, std::size_t end)
+  void RunBlock(Runner& runner, std::size_t begin, std::size_t end)
   {
+    Mode& mode = runner.Cullers;
     mode.Enter(this->Where.GetRenderer());
-    // The first frame comes after the second one, walked backwards.
+    // Before the first frame comes the second one, as if the path were walked backwards.
     const std::size_t before = this->Options.Still ? begin : begin > 0 ? begin - 1 : 1;
     if (before < this->Path.size())
     {
       this->RenderFrame(mode, before);
     }
-    ModeResult& result = this->Result.Modes[mode.GetName()];
     for (std::size_t frame = begin; frame < end; ++frame)
     {
-      result.Milliseconds[frame] =
+      runner.Milliseconds[frame] =
         this->Options.Still ? this->Where.Render() : this->RenderFrame(mode, frame);
-      result.Drawn[frame] = this->Where.GetRenderer()->GetNumberOfPropsRendered();
+      runner.Drawn[frame] = this->Where.GetRenderer()->GetNumberOfPropsRendered();
       if (vtkNBufferCuller* culler = mode.GetNBufferCuller())
       {
-        result.Statistics.push_back(culler->GetStatisticsAsJSON());
-        result.Backend = GetBackendName(culler->GetBackendInUse());
+        runner.Statistics.push_back(Parse(culler->GetStatisticsAsJSON()));
       }
       if (NBufferPeers::QueryCuller* culler = mode.GetQueryCuller())
       {
-        result.Queries.push_back(culler->GetStatistics());
+        runner.Queries.push_back(MakeQueryReport(culler->GetStatistics()));
       }
-      this->KeepImage(mode.GetName(), frame);
+      if (this->Options.Verify || this->IsPictured(frame))
+      {
+        runner.Images[frame] = this->Where.ReadPixels();
+      }
+      if (this->IsPictured(frame))
+      {
+        this->WriteImage(runner, frame, "");
+      }
     }
     mode.Leave(this->Where.GetRenderer());
   }
@@ -145,88 +209,100 @@ private:
       (frame == 0 || frame == this->Path.size() / 2 || frame + 1 == this->Path.size());
   }
 
-  void KeepImage(const std::string& mode, std::size_t frame)
+  void WriteImage(Runner& runner, std::size_t frame, const char* suffix)
   {
-    if (!this->Options.Verify && !this->IsPictured(frame))
-    {
-      return;
-    }
-    vtkSmartPointer<vtkUnsignedCharArray>& image = this->Images[mode][frame];
-    image = vtkSmartPointer<vtkUnsignedCharArray>::New();
-    this->Where.ReadPixels(image);
-    if (this->IsPictured(frame))
-    {
-      this->WriteImage(image, mode, frame, "");
-    }
-  }
-
-  void WriteImage(vtkUnsignedCharArray* image, const std::string& mode, std::size_t frame,
-    const std::string& suffix)
-  {
-    const int* size = this->Where.GetWindow()->GetActualSize();
-    std::string number = std::to_string(frame);
-    number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
-    WritePNG(MakeImage(image, size[0], size[1]),
-      this->Options.ImageFolder + "/frame-" + number + "-" + mode + suffix + ".png");
+    char number[16];
+    std::snprintf(number, sizeof(number), "%04zu", frame);
+    WritePNG(this->Where.MakeImage(runner.Images[frame]),
+      this->Options.ImageFolder + "/frame-" + number + "-" + runner.Cullers.GetName() + suffix +
+        ".png");
   }
 
   void Compare(std::size_t begin, std::size_t end)
   {
-    if (!this->Options.Verify)
+    const auto none = std::find_if(this->Runners.begin(), this->Runners.end(),
+      [](const Runner& runner) { return runner.Cullers.GetName() == "none"; });
+    for (Runner& runner : this->Runners)
     {
-      return;
-    }
-    for (auto& [name, result] : this->Result.Modes)
-    {
-      for (std::size_t frame = begin; frame < end; ++frame)
+      for (std::size_t frame = begin; this->Options.Verify && frame < end; ++frame)
       {
-        const long long differing = name == "none"
-          ? 0
-          : CountDifferingBytes(this->Images["none"][frame], this->Images[name][frame]);
-        result.DifferingBytes.push_back(differing);
-        if (differing > 0 && !this->Options.ImageFolder.empty())
+        runner.DifferingBytes.push_back(
+          CountDifferingBytes(none->Images[frame], runner.Images[frame]));
+        if (runner.DifferingBytes.back() > 0 && !this->Options.ImageFolder.empty())
         {
-          this->WriteImage(this->Images["none"][frame], "none", frame, "-expected");
-          this->WriteImage(this->Images[name][frame], name, frame, "-differs");
+          this->WriteImage(*none, frame, "-expected");
+          this->WriteImage(runner, frame, "-differs");
         }
       }
     }
-    this->Result.VerifiedFrames += end - begin;
+    for (Runner& runner : this->Runners)
+    {
+      runner.Images.clear();
+    }
   }
 
-  static long long CountDifferingBytes(vtkUnsignedCharArray* a, vtkUnsignedCharArray* b)
+  Json::Value MakeReport()
   {
-    const vtkIdType count = a->GetNumberOfValues();
-    if (b->GetNumberOfValues() != count)
+    Json::Value report;
+    report["frames"] = static_cast<Json::UInt64>(this->Path.size());
+    report["props"] = static_cast<Json::UInt64>(this->Where.GetProps().size());
+    report["block"] = this->Options.Block;
+    long long wrong = 0;
+    for (Runner& runner : this->Runners)
     {
-      return std::max(count, b->GetNumberOfValues());
+      const std::string& name = runner.Cullers.GetName();
+      Json::Value& mode = report["modes"][name];
+      AddTimes(mode, runner.Milliseconds);
+      mode["drawn"] = GetQuantile(runner.Drawn, 0.5);
+      for (double drawn : runner.Drawn)
+      {
+        mode["frames_drawn"].append(static_cast<int>(drawn));
+      }
+      if (vtkNBufferCuller* culler = runner.Cullers.GetNBufferCuller())
+      {
+        const int backend = culler->GetBackendInUse();
+        mode["backend"] = backend == vtkNBufferCuller::CPU ? "CPU"
+          : backend == vtkNBufferCuller::OpenGL            ? "OpenGL"
+                                                           : "none used";
+        mode["statistics"] = SummarizeStatistics(runner.Statistics);
+      }
+      if (!runner.Queries.empty())
+      {
+        mode["queries"] = GetMedian(runner.Queries);
+      }
+      if (this->Options.Verify)
+      {
+        Json::Int64 bytes = 0;
+        mode["differing_frames"] = Json::Value(Json::arrayValue);
+        for (std::size_t frame = 0; frame < runner.DifferingBytes.size(); ++frame)
+        {
+          bytes += runner.DifferingBytes[frame];
+          if (runner.DifferingBytes[frame] > 0)
+          {
+            mode["differing_frames"].append(static_cast<Json::UInt64>(frame));
+          }
+        }
+        mode["differing_bytes"] = bytes;
+        // The oracle is a bound and no culler: two props may own one pixel by turns.
+        wrong += name == "oracle" ? 0 : bytes;
+      }
     }
-    const unsigned char* p = a->GetPointer(0);
-    const unsigned char* q = b->GetPointer(0);
-    if (std::memcmp(p, q, static_cast<std::size_t>(count)) == 0)
-    {
-      return 0;
-    }
-    long long differing = 0;
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      differing += p[i] != q[i];
-    }
-    return differing;
+    AddRatios(report, { "stock", "oracle" });
+    report["verified_frames"] =
+      static_cast<Json::UInt64>(this->Options.Verify ? this->Path.size() : 0);
+    report["differing_bytes"] = static_cast<Json::Int64>(wrong);
+    return report;
   }
 
   Session& Where;
   const CameraPath& Path;
   const WalkOptions& Options;
-  std::vector<Mode> Modes;
+  std::vector<Runner> Runners;
   std::vector<std::vector<vtkProp*>> Visible;
-  /// Of this block, by mode and frame.
-  std::map<std::string, std::map<std::size_t, vtkSmartPointer<vtkUnsignedCharArray>>> Images;
-  WalkResult Result;
 };
 }
 
-WalkResult RunWalk(Session& session, const CameraPath& path, const WalkOptions& options)
+Json::Value RunWalk(Session& session, const CameraPath& path, const WalkOptions& options)
 {
   return Walker(session, path, options).Run();
 }

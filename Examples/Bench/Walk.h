@@ -4,13 +4,13 @@
  * @file Walk.h
  * @brief Renders the frames of a camera path in several modes and times each.
  *
- * All modes take turns in one renderer of one window. A turn is a block of a few frames: the
+ * All modes take turns in one renderer of one window. A turn is a block of a few frames: first the
  * frame before the block, untimed, then the frames of the block, timed, so that every timed frame
- * follows the one that it follows in an application that knows no other mode. The modes of a
- * block run one after the other, beginning with another one in each block, so that what else the
- * machine does meets all of them.
+ * follows the frame that it follows in an application that has only this mode. The modes of a
+ * block run one after the other, and each block begins with another mode, so that disturbances of
+ * the machine meet all modes alike.
  *
- * A time is that of Render() and of waiting until the image is finished.
+ * A time is the time of Render() and of waiting until the image is finished.
  */
 #ifndef Walk_h
 #define Walk_h
@@ -19,54 +19,51 @@
 #include "Mode.h"
 #include "Session.h"
 
-#include <functional>
-#include <map>
+#include "vtk_jsoncpp.h"
+
 #include <string>
 #include <vector>
 
 namespace NBufferBench
 {
 
+/// Calls run(mode, begin, end) for every block of frames and every mode, and end(begin, end) after
+/// each block.
+template <typename RunBlock, typename EndBlock>
+void TakeTurns(
+  std::size_t modes, std::size_t frames, int block, RunBlock&& run, EndBlock&& endBlock)
+{
+  const auto size = static_cast<std::size_t>(block > 1 ? block : 1);
+  for (std::size_t turn = 0, begin = 0; begin < frames; begin += size, ++turn)
+  {
+    const std::size_t end = begin + size < frames ? begin + size : frames;
+    for (std::size_t i = 0; i < modes; ++i)
+    {
+      run((i + turn) % modes, begin, end);
+    }
+    endBlock(begin, end);
+  }
+}
+
 struct WalkOptions
 {
   std::vector<std::string> Modes = { "stock", "none", "nbuffer", "oracle" };
   ModeOptions Mode;
-  /// Compare every frame with the one of mode none.
+  /// Whether every frame is compared with the same frame of mode none.
   bool Verify = false;
   /// Timed frames of a mode in a row.
   int Block = 5;
-  /// The camera stays where it is for a block: at the pose of its first frame.
+  /// Whether the camera stays at the first pose of a block for the whole block.
   bool Still = false;
-  /// Where to write the first, middle and last frame of each mode, and those that differ.
+  /// Folder for the first, middle and last frame of each mode and for frames that differ; empty:
+  /// no images.
   std::string ImageFolder;
-  std::function<void(const std::string&)> Progress;
+  NBufferBench::Progress Progress;
 };
 
-struct ModeResult
-{
-  /// By frame.
-  std::vector<double> Milliseconds;
-  std::vector<int> Drawn;
-  /// Of nbuffer: vtkNBufferStatistics as JSON.
-  std::vector<std::string> Statistics;
-  /// Of the modes that ask the hardware.
-  std::vector<NBufferPeers::QueryStatistics> Queries;
-  /// Bytes that are not those of mode none, when verified.
-  std::vector<long long> DifferingBytes;
-  std::string Backend;
-};
-
-struct WalkResult
-{
-  std::size_t Frames = 0;
-  std::size_t VerifiedFrames = 0;
-  std::size_t Props = 0;
-  /// In the order in which they were asked for.
-  std::vector<std::string> Names;
-  std::map<std::string, ModeResult> Modes;
-};
-
-WalkResult RunWalk(
+/// Returns the part of the report (SCHEMA.md) that is measured: modes, ratios, frames, props, block
+/// and, when verified, verified_frames and differing_bytes.
+Json::Value RunWalk(
   Session& session, const NBufferExamples::CameraPath& path, const WalkOptions& options);
 
 } // namespace NBufferBench

@@ -1,10 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Chart.h"
+/**
+ * @file WalkCommand.cxx
+ * @brief The subcommands walk, which times a camera path in several modes, first, which times the
+ * first image of the process, and defaults, which prints the defaults of settings.
+ */
 #include "Command.h"
-#include "Images.h"
+#include "ModeSettings.h"
 #include "Report.h"
+#include "StudyFrames.h"
 #include "Walk.h"
+
+#include "vtkProp.h"
 
 #include <algorithm>
 #include <iostream>
@@ -21,15 +28,35 @@ struct WalkCommandOptions
   WalkOptions Walk;
   std::string JSON;
   std::string SavePath;
+  int Nearest = 0; ///< 0: all props are visible.
 };
+
+/// Leaves only the nearest props in view of a pose visible.
+void ShowNearest(Session& session, const NBufferExamples::CameraPose& pose, int count)
+{
+  using NBufferStudy::DepthBox;
+  std::vector<DepthBox> boxes = CollectFrames(session, { pose }).front().Boxes;
+  std::stable_sort(boxes.begin(), boxes.end(),
+    [](const DepthBox& a, const DepthBox& b) { return a.Screen.Nearest < b.Screen.Nearest; });
+  if (static_cast<std::size_t>(count) > boxes.size())
+  {
+    throw std::runtime_error("there are only " + std::to_string(boxes.size()) + " props in view");
+  }
+  const std::vector<vtkProp*> props = session.GetProps();
+  for (vtkProp* prop : props)
+  {
+    prop->VisibilityOff();
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    props[static_cast<std::size_t>(boxes[static_cast<std::size_t>(i)].Prop)]->VisibilityOn();
+  }
+}
 
 int RunWalkCommand(WalkCommandOptions& options)
 {
   std::vector<std::string>& modes = options.Walk.Modes;
-  for (auto mode = modes.begin(); mode != modes.end();)
-  {
-    mode = std::find(modes.begin(), mode, *mode) == mode ? mode + 1 : modes.erase(mode);
-  }
+  RemoveRepeated(modes);
   if (options.Walk.Verify && std::find(modes.begin(), modes.end(), "none") == modes.end())
   {
     modes.emplace_back("none");
@@ -54,39 +81,69 @@ int RunWalkCommand(WalkCommandOptions& options)
       throw std::runtime_error("mode " + mode + " cannot run here: " + why);
     }
   }
+  if (options.Nearest > 0)
+  {
+    ShowNearest(session, path.front(), options.Nearest);
+  }
   options.Walk.Mode = options.View.Mode;
   options.Walk.Progress = ShowProgress;
-  const WalkResult result = RunWalk(session, path, options.Walk);
+  Json::Value report = RunWalk(session, path, options.Walk);
+  options.View.Describe(scene, session, report);
+  report["props"] = options.Nearest > 0 ? options.Nearest : report["props"].asInt();
+  PrintModes(report, modes, std::cout,
+    [](const Json::Value& mode)
+    {
+      const std::string bytes = mode["differing_bytes"].asString();
+      return ", " + std::to_string(mode["drawn"].asInt()) + " props drawn" +
+        (bytes.empty() || bytes == "0" ? "" : ", " + bytes + " bytes differ");
+    });
+  WriteJSON(report, options.JSON);
+  if (!options.Walk.Verify)
+  {
+    return Success;
+  }
+  std::cout << report["verified_frames"].asInt() << " frames compared with mode none, "
+            << report["differing_bytes"].asInt64() << " bytes differ\n";
+  return report["differing_bytes"].asInt64() == 0 ? Success : ImagesDiffer;
+}
 
-  Json::Value report = options.View.Describe(scene, session);
-  const Json::Value figures = MakeReport(result);
-  for (const std::string& name : figures.getMemberNames())
+std::string CheckMode(std::string& name)
+{
+  try
   {
-    report[name] = figures[name];
+    const Mode mode(name, ModeOptions());
+    return std::string();
   }
-  report["block"] = options.Walk.Block;
-  std::cout << report["scene"].asString() << ", " << report["path"].asString() << ", "
-            << report["size"].asString() << ", " << result.Frames << " frames, " << result.Props
-            << " props, " << report["renderer"].asString() << ", VTK " << report["vtk"].asString()
-            << "\n";
-  PrintTable(report, std::cout);
-  if (!options.Walk.ImageFolder.empty())
+  catch (const std::runtime_error& error)
   {
-    WriteChart(result,
-      scene.Name + ", " + report["path"].asString() + " walk, " + report["size"].asString(),
-      options.Walk.ImageFolder + "/frame-times");
+    return error.what();
   }
-  if (!options.JSON.empty())
-  {
-    WriteJSON(report, options.JSON);
-  }
-  if (options.Walk.Verify)
-  {
-    const long long bytes = GetDifferingBytes(result);
-    std::cout << result.VerifiedFrames << " frames compared with mode none, " << bytes
-              << " bytes differ\n";
-    return bytes == 0 ? Success : ImagesDiffer;
-  }
+}
+
+struct FirstOptions
+{
+  ViewOptions View;
+  std::string Mode = "nbuffer";
+  std::string JSON;
+};
+
+int RunFirst(const FirstOptions& options)
+{
+  CheckWritable(options.JSON);
+  const NBufferExamples::Scene scene = options.View.LoadScene();
+  const NBufferExamples::CameraPath path = options.View.MakePath(scene, 1);
+  Session& session = Session::New(scene, options.View.Window);
+  Mode mode(options.Mode, options.View.Mode);
+  mode.Enter(session.GetRenderer());
+  session.SetPose(path.front());
+  Json::Value report;
+  report["mode"] = mode.GetName();
+  report["first_image_ms"] = session.Render();
+  report["drawn"] = session.GetRenderer()->GetNumberOfPropsRendered();
+  report["props"] = static_cast<Json::UInt64>(scene.Actors.size());
+  options.View.Describe(scene, session, report);
+  std::cout << options.Mode << ": first image " << report["first_image_ms"].asDouble() << " ms\n";
+  WriteJSON(report, options.JSON);
   return Success;
 }
 }
@@ -106,20 +163,7 @@ void AddWalkCommand(CLI::App& app, const std::string& program, Run& run)
       "query of the hardware for each prop, waited for; chc: coherent hierarchical culling by "
       "them. nbuffer also with settings of its own, such as nbuffer:RoundSize=16:BackOff=0")
     ->delimiter(',')
-    ->check(CLI::Validator(
-      [](std::string& name)
-      {
-        try
-        {
-          const Mode mode(name, ModeOptions());
-        }
-        catch (const std::runtime_error& error)
-        {
-          return std::string(error.what());
-        }
-        return std::string();
-      },
-      "MODE"))
+    ->check(CLI::Validator(CheckMode, "MODE"))
     ->capture_default_str();
   command->add_option("--block", options->Walk.Block, "Timed frames of a mode in a row")
     ->check(CLI::Range(1, 1000))
@@ -128,10 +172,46 @@ void AddWalkCommand(CLI::App& app, const std::string& program, Run& run)
     "--verify", options->Walk.Verify, "Compare every frame byte for byte with mode none");
   command->add_option("--json", options->JSON, "File for the figures");
   command->add_option("--images", options->Walk.ImageFolder,
-    "Folder for the first, middle and last frame of each mode, frames that differ, and the chart "
-    "of frame times");
+    "Folder for the first, middle and last frame of each mode and for frames that differ");
+  command->add_flag(
+    "--still", options->Walk.Still, "The camera stands still for each block of frames");
+  command
+    ->add_option("--nearest", options->Nearest,
+      "Only so many props, the nearest ones in view of the first frame; all others are invisible")
+    ->check(CLI::Range(1, 1000000));
   command->add_option("--save-path", options->SavePath, "Write the path as a camera file");
   command->callback([options, &run]() { run = [options]() { return RunWalkCommand(*options); }; });
+}
+
+void AddDefaultsCommand(CLI::App& app, Run& run)
+{
+  CLI::App* command =
+    app.add_subcommand("defaults", "Print the defaults of the settings of modes as JSON");
+  command->callback(
+    [&run]()
+    {
+      run = []()
+      {
+        std::cout << GetDefaults();
+        return Success;
+      };
+    });
+}
+
+void AddFirstCommand(CLI::App& app, const std::string& program, Run& run)
+{
+  CLI::App* command = app.add_subcommand("first",
+    "Time the first image of this process: uploads and shaders, but not the context. Run it "
+    "several times for a median");
+  auto options = std::make_shared<FirstOptions>();
+  options->View.Program = program;
+  options->View.AddTo(*command);
+  options->View.AddCullerTo(*command);
+  command->add_option("--mode", options->Mode, "stock, none or nbuffer")
+    ->check(CLI::IsMember({ "stock", "none", "nbuffer" }))
+    ->capture_default_str();
+  command->add_option("--json", options->JSON, "File for the figures");
+  command->callback([options, &run]() { run = [options]() { return RunFirst(*options); }; });
 }
 
 } // namespace NBufferBench

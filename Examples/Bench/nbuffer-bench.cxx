@@ -21,6 +21,7 @@ int main(int argc, char* argv[])
   NBufferBench::AddPicturesCommand(app, argv[0], run);
   NBufferBench::AddShadowCommand(app, argv[0], run);
   NBufferBench::AddStudyCommand(app, argv[0], run);
+  NBufferBench::AddDefaultsCommand(app, run);
   CLI11_PARSE(app, argc, argv);
   try
   {

@@ -217,7 +217,6 @@ BspMap::BspMap(const std::string& bytes)
     }
     BspFace face;
     face.Kind = static_cast<BspSurface>(kind);
-    face.Shader = faces.GetInt(i, 0);
     face.FirstVertex = faces.GetRange(i, 12, this->Vertices.size(), face.Vertices);
     face.FirstIndex = faces.GetRange(i, 20, this->MeshIndices.size(), face.Indices);
     face.Width = faces.GetInt(i, 96);
@@ -416,8 +415,8 @@ double BspMap::GetOpaqueLength(const BspPoint& from, const BspPoint& to) const
     {
       if (this->LeafClusters[static_cast<std::size_t>(-(piece.Child + 1))] == Opaque)
       {
-        length += std::sqrt(std::pow(piece.To[0] - piece.From[0], 2) +
-          std::pow(piece.To[1] - piece.From[1], 2) + std::pow(piece.To[2] - piece.From[2], 2));
+        length += std::hypot(
+          piece.To[0] - piece.From[0], piece.To[1] - piece.From[1], piece.To[2] - piece.From[2]);
       }
       continue;
     }

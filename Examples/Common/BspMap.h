@@ -37,16 +37,12 @@ enum class BspSurface
 struct BspFace
 {
   BspSurface Kind = BspSurface::Polygon;
-  int Shader = 0;
   std::size_t FirstVertex = 0;
   std::size_t Vertices = 0;
   std::size_t FirstIndex = 0;
   std::size_t Indices = 0;
-  ///@{
-  /// Points of a patch.
-  int Width = 0;
-  int Height = 0;
-  ///@}
+  int Width = 0;  ///< Points of a patch.
+  int Height = 0; ///< Points of a patch.
 };
 
 struct BspMesh
@@ -68,7 +64,6 @@ public:
   explicit BspMap(const std::string& bytes);
 
   const std::vector<BspFace>& GetFaces() const { return this->Faces; }
-  const std::string& GetEntities() const { return this->Entities; }
   int GetNumberOfClusters() const { return this->Clusters; }
 
   /// Whether a face belongs to the world, not to a door or a lift, which move.

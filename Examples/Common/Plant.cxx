@@ -110,7 +110,7 @@ public:
   Scene Build()
   {
     this->Result.Name = "plant (synthetic)";
-    this->AddBox({ 0.0, 0.0, -0.5 }, { Length + 20.0, 90.0, 1.0 })
+    this->AddBlock({ 0.0, 0.0, -0.5 }, { Length + 20.0, 90.0, 1.0 })
       ->GetProperty()
       ->SetColor(0.6, 0.6, 0.58);
     for (int rack = 0; rack < Racks; ++rack)
@@ -125,7 +125,7 @@ public:
   }
 
 private:
-  vtkActor* AddBox(const Point& center, const Point& size)
+  vtkActor* AddBlock(const Point& center, const Point& size)
   {
     return AddPart(
       this->Result, this->Box, center[0], center[1], center[2], size[0], size[1], size[2]);
@@ -237,17 +237,17 @@ private:
       const double x = (i - 0.5 * bays) * Bay;
       for (double side : { -0.5, 0.5 })
       {
-        this->AddBox({ x, y + side * RackWidth, 0.5 * top }, { 0.3, 0.3, top });
+        this->AddBlock({ x, y + side * RackWidth, 0.5 * top }, { 0.3, 0.3, top });
         for (int level = 0; level < Levels && i < bays; ++level)
         {
-          this->AddBox(
+          this->AddBlock(
             { x + 0.5 * Bay, y + side * RackWidth, FirstLevel + level * LevelStep - 0.15 },
             { Bay - 0.3, 0.15, 0.2 });
         }
       }
       for (int level = 0; level < Levels; ++level)
       {
-        this->AddBox(
+        this->AddBlock(
           { x, y, FirstLevel + level * LevelStep - 0.15 }, { 0.25, RackWidth - 0.3, 0.3 });
       }
     }
@@ -303,7 +303,7 @@ private:
         0.3);
       for (double z = 0.4; z < height; z += 0.4)
       {
-        this->AddBox({ x + 0.5 * diameter + 0.2, y, z }, { 0.04, 0.5, 0.04 });
+        this->AddBlock({ x + 0.5 * diameter + 0.2, y, z }, { 0.04, 0.5, 0.04 });
       }
     }
   }
@@ -323,12 +323,12 @@ private:
         {
           AddPart(
             this->Result, this->Ball, x + end * length, y, z, 0.6 * diameter, diameter, diameter);
-          this->AddBox({ x + 0.6 * end * length, y, 0.4 }, { 0.3, diameter, 0.8 });
+          this->AddBlock({ x + 0.6 * end * length, y, 0.4 }, { 0.3, diameter, 0.8 });
         }
         const double up = GetRackPlace(rack + 1) - 1.0;
         this->AddPipe({ { x, y, z + 0.5 * diameter }, { x, y, 4.0 }, { x, up, 4.0 } }, 0.2);
         // A pump beside it.
-        this->AddBox({ x + 3.5, y - 1.5, 0.3 }, { 1.8, 0.8, 0.6 });
+        this->AddBlock({ x + 3.5, y - 1.5, 0.3 }, { 1.8, 0.8, 0.6 });
         this->AddCylinder(this->Cylinder, { x + 3.2, y - 1.5, 0.95 }, 0, 0.6, 0.9);
         this->AddCylinder(this->Cylinder, { x + 4.0, y - 1.5, 0.95 }, 0, 0.9, 0.3);
       }
@@ -341,7 +341,7 @@ private:
     for (double x : { -40.0, 0.0, 42.0 })
     {
       const double height = this->Numbers.Between(4.0, 9.0);
-      this->AddBox({ x, y, 0.5 * height }, { this->Numbers.Between(12.0, 26.0), 9.0, height });
+      this->AddBlock({ x, y, 0.5 * height }, { this->Numbers.Between(12.0, 26.0), 9.0, height });
     }
   }
 

@@ -7,8 +7,11 @@
 #ifndef StreetPath_h
 #define StreetPath_h
 
-#include "CameraPath.h"
+#include "CameraPose.h"
 #include "City.h"
+
+#include <cstdint>
+#include <string>
 
 namespace NBufferExamples
 {

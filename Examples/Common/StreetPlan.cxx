@@ -188,7 +188,8 @@ std::vector<int> StreetPlan::GetDenseNodes(double share) const
   }
   std::vector<int> nodes(this->Nodes.size());
   std::iota(nodes.begin(), nodes.end(), 0);
-  std::stable_sort(nodes.begin(), nodes.end(), [&density](int a, int b)
+  std::stable_sort(nodes.begin(), nodes.end(),
+    [&density](int a, int b)
     { return density[static_cast<std::size_t>(a)] > density[static_cast<std::size_t>(b)]; });
   nodes.resize(static_cast<std::size_t>(std::ceil(share * static_cast<double>(nodes.size()))));
   return nodes;

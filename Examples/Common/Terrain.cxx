@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Terrain.h"
 
-#include "Scene.h"
+#include "LoadScene.h"
 
 #include "vtkImageData.h"
 #include "vtkImageDataGeometryFilter.h"

@@ -10,6 +10,7 @@
 #include "vtkNBufferClock.h"
 #include "vtkNBufferDepthSource.h"
 #include "vtkNBufferGL.h"
+#include "vtkNBufferScissor.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"

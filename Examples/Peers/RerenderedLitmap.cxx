@@ -7,8 +7,6 @@
 #include "PeerReceiverFS.h"
 #include "PeerReceiverVS.h"
 
-#include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkRenderer.h"
@@ -27,32 +25,31 @@ constexpr float Nothing = -3e38f;
 constexpr double PositionRounding = 0x1p-20;
 
 /// Row-major: from positions relative to the eye to the litmap in [-w, w], depth 0.
-void GetEyeToLight(
-  const vtkShadowLightSpace& frame, const double eye[3], const double range[4], double rows[16])
+void GetEyeToLight(const vtkShadowLightSpace& frame, const glm::dvec3& eye,
+  const vtkShadowBlock& range, double rows[16])
 {
-  double place[3];
-  vtkMath::Subtract(eye, frame.GetApex(), place);
+  const glm::dvec3 place = eye - frame.GetApex();
   std::fill_n(rows, 16, 0.0);
   double* w = rows + 12;
   if (frame.IsPositional())
   {
-    std::copy_n(frame.GetAxis(), 3, w);
-    w[3] = vtkMath::Dot(place, frame.GetAxis());
+    std::copy_n(glm::value_ptr(frame.GetAxis()), 3, w);
+    w[3] = glm::dot(place, frame.GetAxis());
   }
   else
   {
     w[3] = 1.0;
   }
-  const double* axes[2] = { frame.GetU(), frame.GetV() };
+  const glm::dvec3 axes[2] = { frame.GetU(), frame.GetV() };
   for (int i = 0; i < 2; ++i)
   {
-    const double middle = 0.5 * (range[2 * i] + range[2 * i + 1]);
-    const double scale = 2.0 / (range[2 * i + 1] - range[2 * i]);
+    const double middle = 0.5 * (range.Low[i] + range.High[i]);
+    const double scale = 2.0 / (range.High[i] - range.Low[i]);
     for (int j = 0; j < 3; ++j)
     {
       rows[4 * i + j] = scale * (axes[i][j] - middle * w[j]);
     }
-    rows[4 * i + 3] = scale * (vtkMath::Dot(place, axes[i]) - middle * w[3]);
+    rows[4 * i + 3] = scale * (glm::dot(place, axes[i]) - middle * w[3]);
   }
 }
 
@@ -80,32 +77,31 @@ bool RerenderedLitmap::BeginFrame(
   this->Begin(view.Origin);
   for (const vtkShadowCaster* receiver : this->Receivers.GetCasters())
   {
-    this->AddReceiver(
-      receiver->GetPoints().data(), receiver->GetNumberOfPoints(), receiver->GetTriangles());
+    this->AddReceiver(receiver->GetPoints(), receiver->GetTriangles());
   }
   return this->Upload(this->Window, depth, view, why);
 }
 
-bool RerenderedLitmap::Fill(const vtkShadowLightSpace& space, const double range[4],
-  const double depths[2], int resolution, vtkShadowLitmap& litmap, std::string& why)
+bool RerenderedLitmap::Fill(const vtkShadowLightSpace& space, const vtkShadowBlock& range,
+  int resolution, vtkShadowLitmap& litmap, std::string& why)
 {
-  return this->Draw(this->Window, space, range, depths, resolution, litmap, why);
+  return this->Draw(this->Window, space, range, resolution, litmap, why);
 }
 
-void RerenderedLitmap::Begin(const double eye[3])
+void RerenderedLitmap::Begin(const glm::dvec3& eye)
 {
-  std::copy_n(eye, 3, this->Eye);
+  this->Eye = eye;
   this->Vertices.clear();
   this->Indices.clear();
 }
 
-void RerenderedLitmap::AddReceiver(
-  const double* points, int numberOfPoints, const std::vector<int>& triangles)
+void RerenderedLitmap::AddReceiver(vtkShadowPoints points, const std::vector<int>& triangles)
 {
   const auto first = static_cast<unsigned int>(this->Vertices.size() / 3);
-  for (int i = 0; i < 3 * numberOfPoints; ++i)
+  for (const glm::dvec3& point : points)
   {
-    this->Vertices.push_back(static_cast<float>(points[i] - this->Eye[i % 3]));
+    const glm::vec3 vertex(point - this->Eye);
+    this->Vertices.insert(this->Vertices.end(), { vertex[0], vertex[1], vertex[2] });
   }
   for (const int corner : triangles)
   {
@@ -116,7 +112,8 @@ void RerenderedLitmap::AddReceiver(
 bool RerenderedLitmap::Upload(
   vtkOpenGLRenderWindow* window, const float* depth, const vtkShadowView& view, std::string& why)
 {
-  vtkMatrix4x4::Invert(view.ClipToWorld, this->EyeToClip);
+  const auto eyeToClip = vtkNBufferGLM::ToRows(vtkNBufferGLM::Invert(view.ClipToWorld));
+  std::copy(eyeToClip.begin(), eyeToClip.end(), this->EyeToClip);
   vtkNBufferGL::ClearErrors();
   const vtkNBufferGL::ScopedPass pass(window);
   Allocate(this->DepthTexture, GL_R32F, view.Width, view.Height, GL_RED, depth);
@@ -173,13 +170,13 @@ void RerenderedLitmap::DrawExtremes(int which, float* pixels, int resolution)
   ++this->Draws;
 }
 
-bool RerenderedLitmap::Draw(vtkOpenGLRenderWindow* window, const vtkShadowLightSpace& frame,
-  const double range[4], const double depths[2], int resolution, vtkShadowLitmap& litmap,
-  std::string& why)
+bool RerenderedLitmap::Draw(vtkOpenGLRenderWindow* window,
+  const vtkShadowLightSpace& frame, const vtkShadowBlock& range, int resolution,
+  vtkShadowLitmap& litmap, std::string& why)
 {
-  litmap.Begin(resolution, range, depths);
+  litmap.Begin(resolution, range);
   resolution = litmap.GetResolution();
-  if (!(range[0] < range[1] && range[2] < range[3]) || this->Indices.empty())
+  if (!(range.Low[0] < range.High[0] && range.Low[1] < range.High[1]) || this->Indices.empty())
   {
     return true; // Nothing is seen.
   }
@@ -205,7 +202,7 @@ bool RerenderedLitmap::Draw(vtkOpenGLRenderWindow* window, const vtkShadowLightS
     GetEyeToLight(frame, this->Eye, range, eyeToLight);
     vtkNBufferGL::SetMatrix(this->Program, "eyeToLight", eyeToLight);
     vtkNBufferGL::SetMatrix(this->Program, "eyeToClip", this->EyeToClip);
-    const double* axis = frame.GetAxis();
+    const glm::dvec3& axis = frame.GetAxis();
     const float axisInFloats[3] = { static_cast<float>(axis[0]), static_cast<float>(axis[1]),
       static_cast<float>(axis[2]) };
     this->Program->SetUniform3f("axis", axisInFloats);

@@ -35,6 +35,7 @@
 
 #include "vtkShadowCasterList.h"
 #include "vtkShadowLitmapSource.h"
+#include "vtkShadowPoints.h"
 
 #include "vtkSmartPointer.h"
 
@@ -53,17 +54,17 @@ class RerenderedLitmap : public vtkShadowLitmapSource
 public:
   bool BeginFrame(vtkRenderer* renderer, const float* depth, const vtkShadowView& view,
     std::string& why) override;
-  bool Fill(const vtkShadowLightSpace& space, const double range[4], const double depths[2],
-    int resolution, vtkShadowLitmap& litmap, std::string& why) override;
+  bool Fill(const vtkShadowLightSpace& space, const vtkShadowBlock& range, int resolution,
+    vtkShadowLitmap& litmap, std::string& why) override;
 
   /// How far behind the camera's depth what it sees may lie: window depth, 0 to 1.
   static constexpr double DepthBias = 1e-4;
 
   /// Forget the receivers of the last frame; the next ones are relative to this eye.
-  void Begin(const double eye[3]);
+  void Begin(const glm::dvec3& eye);
 
-  /// `points`: world, xyz each; `triangles`: three of them each.
-  void AddReceiver(const double* points, int numberOfPoints, const std::vector<int>& triangles);
+  /// `points`: world; `triangles`: three of them each.
+  void AddReceiver(vtkShadowPoints points, const std::vector<int>& triangles);
 
   /**
    * Send the receivers and the camera's depth (as vtkShadowReceivers::Scatter takes it) to the
@@ -77,8 +78,8 @@ public:
    * caller builds its levels then. False, with the cause in `why`, if OpenGL refuses. The state is
    * as before. Costs two draws of all receivers, and two read-backs of the litmap's size.
    */
-  bool Draw(vtkOpenGLRenderWindow* window, const vtkShadowLightSpace& frame, const double range[4],
-    const double depths[2], int resolution, vtkShadowLitmap& litmap, std::string& why);
+  bool Draw(vtkOpenGLRenderWindow* window, const vtkShadowLightSpace& frame,
+    const vtkShadowBlock& range, int resolution, vtkShadowLitmap& litmap, std::string& why);
 
   /// Draws and read-backs so far.
   int GetNumberOfDraws() const { return this->Draws; }
@@ -94,7 +95,7 @@ private:
   vtkOpenGLRenderWindow* Window = nullptr; ///< The window of the frame.
   std::vector<float> Vertices;             ///< Relative to the eye, xyz each.
   std::vector<unsigned int> Indices;
-  double Eye[3] = {};
+  glm::dvec3 Eye = { 0.0, 0.0, 0.0 };
   double EyeToClip[16] = {};
   unsigned int DepthTexture = 0;
   unsigned int Texture = 0;

@@ -10,8 +10,8 @@
  * which stands in the south at 12; Sun.h has the formula.
  */
 #include "CameraPath.h"
-#include "Scene.h"
-#include "ShadowExample.h"
+#include "Example.h"
+#include "LoadScene.h"
 #include "Sun.h"
 
 #include "vtkInformation.h"
@@ -25,7 +25,7 @@
 
 int main(int argc, char* argv[])
 {
-  NBufferExamples::ShadowExample example("The shadows of a city through a day");
+  NBufferExamples::Example example("The shadows of a city through a day", "shadows");
   NBufferExamples::SunTime time;
   double until = 0.0;
   double step = 1.0;
@@ -74,7 +74,7 @@ int main(int argc, char* argv[])
 
     vtkNew<vtkShadowVolumeClampPass> shadows;
     shadows->SetCasterKeys(required);
-    shadows->SetLightCasts(sun, example.HasShadows());
+    shadows->SetLightCasts(sun, example.IsOn());
     renderer->SetPass(shadows);
 
     double bounds[6];

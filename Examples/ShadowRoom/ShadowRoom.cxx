@@ -6,7 +6,7 @@
  *
  * Metres, z up. There is no front wall, so that one can look in.
  */
-#include "ShadowExample.h"
+#include "Example.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -17,29 +17,29 @@
 
 int main(int argc, char* argv[])
 {
-  NBufferExamples::ShadowExample example("A room with furniture and one point light");
-  using Triple = NBufferExamples::ShadowExample::Triple;
-  using Boxes = NBufferExamples::ShadowExample::Boxes;
+  NBufferExamples::Example example("A room with furniture and one point light", "shadows");
+  using Triple = NBufferExamples::Example::Triple;
+  using Boxes = NBufferExamples::Example::Boxes;
   const auto show = [&]()
   {
     const Triple plaster = { 0.90, 0.86, 0.78 }, oak = { 0.68, 0.48, 0.30 };
-    example.AddBoxes({ 0.72, 0.56, 0.40 }, { { { 0.0, 0.0, -0.05 }, { 5.2, 4.2, 0.1 } } });
-    example.AddBoxes(plaster,
+    example.AddCuboids({ 0.72, 0.56, 0.40 }, { { { 0.0, 0.0, -0.05 }, { 5.2, 4.2, 0.1 } } });
+    example.AddCuboids(plaster,
       { { { 0.0, 0.0, 2.75 }, { 5.2, 4.2, 0.1 } }, { { 0.0, 2.1, 1.35 }, { 5.2, 0.2, 2.9 } },
         { { -2.6, 0.0, 1.35 }, { 0.2, 4.2, 2.9 } }, { { 2.6, 0.0, 1.35 }, { 0.2, 4.2, 2.9 } } });
     const Boxes table = { { { 0.0, 0.0, 0.72 }, { 1.5, 0.9, 0.04 } },
       { { -0.7, -0.4, 0.35 }, { 0.05, 0.05, 0.7 } }, { { 0.7, -0.4, 0.35 }, { 0.05, 0.05, 0.7 } },
       { { -0.7, 0.4, 0.35 }, { 0.05, 0.05, 0.7 } }, { { 0.7, 0.4, 0.35 }, { 0.05, 0.05, 0.7 } } };
-    example.AddBoxes(oak, table);
+    example.AddCuboids(oak, table);
     const Boxes chair = { { { 0.0, 0.0, 0.45 }, { 0.42, 0.42, 0.04 } },
       { { -0.19, -0.19, 0.22 }, { 0.04, 0.04, 0.44 } },
       { { 0.19, -0.19, 0.22 }, { 0.04, 0.04, 0.44 } },
       { { -0.19, 0.19, 0.5 }, { 0.04, 0.04, 1.0 } }, { { 0.19, 0.19, 0.5 }, { 0.04, 0.04, 1.0 } },
       { { 0.0, 0.19, 0.92 }, { 0.34, 0.03, 0.12 } },
       { { 0.0, 0.19, 0.70 }, { 0.34, 0.03, 0.06 } } };
-    example.AddBoxes({ 0.35, 0.53, 0.70 }, chair, -1.2, 0.1, 80.0);
-    example.AddBoxes({ 0.35, 0.53, 0.70 }, chair, 1.2, -0.1, -100.0);
-    example.AddBoxes({ 0.35, 0.53, 0.70 }, chair, 0.3, 0.85, 5.0);
+    example.AddCuboids({ 0.35, 0.53, 0.70 }, chair, -1.2, 0.1, 80.0);
+    example.AddCuboids({ 0.35, 0.53, 0.70 }, chair, 1.2, -0.1, -100.0);
+    example.AddCuboids({ 0.35, 0.53, 0.70 }, chair, 0.3, 0.85, 5.0);
     Boxes shelf = { { { -0.5, 0.0, 1.0 }, { 0.04, 0.3, 2.0 } },
       { { 0.5, 0.0, 1.0 }, { 0.04, 0.3, 2.0 } } };
     Boxes books;
@@ -48,29 +48,29 @@ int main(int argc, char* argv[])
       shelf.push_back({ { 0.0, 0.0, 0.1 + 0.45 * i }, { 1.0, 0.3, 0.03 } });
       books.push_back({ { 0.1 * i - 0.25, 0.0, 0.26 + 0.45 * (i % 4) }, { 0.3, 0.2, 0.28 } });
     }
-    example.AddBoxes(oak, shelf, -1.4, 1.5);
-    example.AddBoxes({ 0.75, 0.36, 0.30 }, books, -1.4, 1.5);
+    example.AddCuboids(oak, shelf, -1.4, 1.5);
+    example.AddCuboids({ 0.75, 0.36, 0.30 }, books, -1.4, 1.5);
     Boxes ladder = { { { 0.0, -0.2, 1.0 }, { 0.05, 0.05, 2.0 } },
       { { 0.0, 0.2, 1.0 }, { 0.05, 0.05, 2.0 } } };
     for (int i = 1; i < 8; ++i)
     {
       ladder.push_back({ { 0.0, 0.0, 0.25 * i }, { 0.04, 0.4, 0.04 } });
     }
-    example.AddBoxes({ 0.80, 0.70, 0.45 }, ladder, -2.1, -0.5, -10.0);
+    example.AddCuboids({ 0.80, 0.70, 0.45 }, ladder, -2.1, -0.5, -10.0);
     // A plant, and balloons under the ceiling.
     const Triple leaf = { 0.42, 0.62, 0.36 };
-    example.AddBoxes({ 0.75, 0.45, 0.32 },
+    example.AddCuboids({ 0.75, 0.45, 0.32 },
       { { { 1.7, 1.2, 0.2 }, { 0.4, 0.4, 0.4 } }, { { 1.7, 1.2, 0.6 }, { 0.04, 0.04, 0.8 } } });
-    example.AddBall({ 1.7, 1.2, 1.0 }, 0.24, leaf);
-    example.AddBall({ 1.5, 1.2, 1.25 }, 0.16, leaf);
-    example.AddBall({ 1.85, 1.1, 1.32 }, 0.18, leaf);
-    example.AddBall({ 0.75, 0.5, 2.35 }, 0.16, { 0.85, 0.35, 0.30 });
-    example.AddBall({ 1.1, 0.2, 2.2 }, 0.16, { 0.95, 0.75, 0.25 });
-    example.AddBall({ -0.9, 0.3, 2.3 }, 0.16, { 0.40, 0.60, 0.80 });
+    example.AddGlobe({ 1.7, 1.2, 1.0 }, 0.24, leaf);
+    example.AddGlobe({ 1.5, 1.2, 1.25 }, 0.16, leaf);
+    example.AddGlobe({ 1.85, 1.1, 1.32 }, 0.18, leaf);
+    example.AddGlobe({ 0.75, 0.5, 2.35 }, 0.16, { 0.85, 0.35, 0.30 });
+    example.AddGlobe({ 1.1, 0.2, 2.2 }, 0.16, { 0.95, 0.75, 0.25 });
+    example.AddGlobe({ -0.9, 0.3, 2.3 }, 0.16, { 0.40, 0.60, 0.80 });
 
     const Triple lamp = { 0.0, 0.0, 1.6 };
     // Translucent, because such props cast no shadow.
-    vtkProperty* bulb = example.AddBall(lamp, 0.07, { 1.0, 1.0, 0.85 })->GetProperty();
+    vtkProperty* bulb = example.AddGlobe(lamp, 0.07, { 1.0, 1.0, 0.85 })->GetProperty();
     bulb->SetOpacity(0.99);
     bulb->LightingOff();
     vtkNew<vtkLight> light;
@@ -84,7 +84,7 @@ int main(int argc, char* argv[])
     example.AddFill(0.2);
 
     vtkNew<vtkShadowVolumeClampPass> shadows;
-    shadows->SetLightCasts(light, example.HasShadows());
+    shadows->SetLightCasts(light, example.IsOn());
     renderer->SetPass(shadows);
 
     vtkCamera* camera = renderer->GetActiveCamera();

@@ -7,8 +7,8 @@
  * The hills are data (Terrain.h), towers and birds synthetic. Birds are larger than life, 160 m
  * from wing to wing, so that their shadows can be seen from 5 km.
  */
+#include "Example.h"
 #include "Random.h"
-#include "ShadowExample.h"
 #include "Terrain.h"
 
 #include "vtkActor.h"
@@ -45,7 +45,7 @@ vtkSmartPointer<vtkPolyData> MakeBird()
 
 int main(int argc, char* argv[])
 {
-  NBufferExamples::ShadowExample example("Hills with towers and a flock of birds");
+  NBufferExamples::Example example("Hills with towers and a flock of birds", "shadows");
   const auto show = [&]()
   {
     const vtkSmartPointer<vtkPolyData> terrain = NBufferExamples::MakeTerrain(argv[0]);
@@ -57,7 +57,7 @@ int main(int argc, char* argv[])
       double foot[3];
       terrain->GetPoint(random.Index(terrain->GetNumberOfPoints()), foot);
       const double height = random.Between(150.0, 350.0);
-      example.AddBox({ foot[0], foot[1], foot[2] + 0.5 * height - 50.0 },
+      example.AddCuboid({ foot[0], foot[1], foot[2] + 0.5 * height - 50.0 },
         { 60.0, 60.0, height + 100.0 }, { 0.88, 0.84, 0.78 });
     }
     const vtkSmartPointer<vtkPolyData> bird = MakeBird();
@@ -82,7 +82,7 @@ int main(int argc, char* argv[])
     example.AddFill(0.2);
 
     vtkNew<vtkShadowVolumeClampPass> shadows;
-    shadows->SetLightCasts(sun, example.HasShadows());
+    shadows->SetLightCasts(sun, example.IsOn());
     renderer->SetPass(shadows);
 
     vtkCamera* camera = renderer->GetActiveCamera();

@@ -4,97 +4,31 @@
 
 #include "vtkNBufferJSON.h"
 
+#include <iterator>
+
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+constexpr const char* VerdictNames[] = { "Unknown", "Outside", "Hidden", "Visible", "NearPlane",
+  "Untested", "NotAPlainActor", "NotAPlainMapper", "Translucent", "NotASurface", "DepthOffset",
+  "ShaderReplaced", "OtherCoordinates", "NoBounds" };
+static_assert(std::size(VerdictNames) == vtkNBufferStatistics::NumberOfVerdicts);
+
+constexpr const char* DecisionNames[] = { "None", "Culled", "Still", "Frozen", "NothingHeld",
+  "FewCandidates", "BackedOff", "Disabled", "Selecting", "Shadows", "RenderPass", "HiddenLines",
+  "Exporting", "Delegated", "UnsupportedWindow", "OtherCuller", "Blending", "OtherView",
+  "NoContext", "OldContext", "NoFloatTextures", "NoDepth" };
+static_assert(std::size(DecisionNames) == int(vtkNBufferDecision::NumberOfDecisions));
+}
+
 const char* vtkNBufferStatistics::GetName(vtkNBufferVerdict verdict)
 {
-  switch (verdict)
-  {
-    case vtkNBufferVerdict::Unknown:
-      return "Unknown";
-    case vtkNBufferVerdict::Outside:
-      return "Outside";
-    case vtkNBufferVerdict::Hidden:
-      return "Hidden";
-    case vtkNBufferVerdict::Visible:
-      return "Visible";
-    case vtkNBufferVerdict::NearPlane:
-      return "NearPlane";
-    case vtkNBufferVerdict::Untested:
-      return "Untested";
-    case vtkNBufferVerdict::NotAPlainActor:
-      return "NotAPlainActor";
-    case vtkNBufferVerdict::NotAPlainMapper:
-      return "NotAPlainMapper";
-    case vtkNBufferVerdict::Translucent:
-      return "Translucent";
-    case vtkNBufferVerdict::NotASurface:
-      return "NotASurface";
-    case vtkNBufferVerdict::DepthOffset:
-      return "DepthOffset";
-    case vtkNBufferVerdict::ShaderReplaced:
-      return "ShaderReplaced";
-    case vtkNBufferVerdict::OtherCoordinates:
-      return "OtherCoordinates";
-    case vtkNBufferVerdict::NoBounds:
-      return "NoBounds";
-    case vtkNBufferVerdict::NumberOfVerdicts:
-      break;
-  }
-  return "Invalid";
+  return vtkNBufferJSON::GetName(VerdictNames, verdict);
 }
 
 const char* vtkNBufferStatistics::GetName(vtkNBufferDecision decision)
 {
-  switch (decision)
-  {
-    case vtkNBufferDecision::None:
-      return "None";
-    case vtkNBufferDecision::Culled:
-      return "Culled";
-    case vtkNBufferDecision::Still:
-      return "Still";
-    case vtkNBufferDecision::Frozen:
-      return "Frozen";
-    case vtkNBufferDecision::NothingHeld:
-      return "NothingHeld";
-    case vtkNBufferDecision::FewCandidates:
-      return "FewCandidates";
-    case vtkNBufferDecision::BackedOff:
-      return "BackedOff";
-    case vtkNBufferDecision::Disabled:
-      return "Disabled";
-    case vtkNBufferDecision::Selecting:
-      return "Selecting";
-    case vtkNBufferDecision::Shadows:
-      return "Shadows";
-    case vtkNBufferDecision::RenderPass:
-      return "RenderPass";
-    case vtkNBufferDecision::HiddenLines:
-      return "HiddenLines";
-    case vtkNBufferDecision::Exporting:
-      return "Exporting";
-    case vtkNBufferDecision::Delegated:
-      return "Delegated";
-    case vtkNBufferDecision::UnsupportedWindow:
-      return "UnsupportedWindow";
-    case vtkNBufferDecision::OtherCuller:
-      return "OtherCuller";
-    case vtkNBufferDecision::Blending:
-      return "Blending";
-    case vtkNBufferDecision::OtherView:
-      return "OtherView";
-    case vtkNBufferDecision::NoContext:
-      return "NoContext";
-    case vtkNBufferDecision::OldContext:
-      return "OldContext";
-    case vtkNBufferDecision::NoFloatTextures:
-      return "NoFloatTextures";
-    case vtkNBufferDecision::NoDepth:
-      return "NoDepth";
-    case vtkNBufferDecision::NumberOfDecisions:
-      break;
-  }
-  return "Invalid";
+  return vtkNBufferJSON::GetName(DecisionNames, decision);
 }
 
 std::string vtkNBufferStatistics::GetAsJSON() const

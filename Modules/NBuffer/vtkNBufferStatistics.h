@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferStatistics.h
- * @brief What happened to every prop of a frame, and what finding it out cost.
+ * @brief What the culler did with every prop of a frame, and what that cost.
  *
- * One struct feeds the getters of vtkNBufferCuller, PrintSelf, JSON, overlays and tests. Every
- * prop that the culler was given has exactly one verdict, so that in every frame
+ * One struct feeds the getters of vtkNBufferCuller, PrintSelf, JSON, overlays and tests. Every prop
+ * that the renderer gave to the culler has exactly one verdict, so that in every frame
  *
  *     Props = sum of Verdicts = drawn + hidden + outside.
  */
@@ -21,56 +21,59 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 /**
- * Why a prop was drawn or not. The first group was culled, the second tested and drawn, the third
- * drawn without a test because the test could not be trusted for it.
+ * Why a prop was drawn or not drawn. Props with the verdicts Outside and Hidden were not drawn.
+ * Visible and NearPlane were tested and drawn. All others were drawn without a test; those from
+ * NotAPlainActor on can never be tested, because what they draw may differ from what their box
+ * says.
  */
 enum class vtkNBufferVerdict : int
 {
-  Unknown,          ///< Not in the last frame: invisible, another renderer, or never culled.
+  Unknown,          ///< The last frame did not contain it: it is invisible or in another renderer.
   Outside,          ///< Not drawn: its box lies outside the view frustum.
   Hidden,           ///< Not drawn: its box lies behind what is drawn (translucent props too).
   Visible,          ///< Drawn: its box may be seen.
   NearPlane,        ///< Drawn: its box reaches the near plane or the eye point.
-  Untested,         ///< Drawn: a candidate in a frame without a test (see vtkNBufferDecision).
-  NotAPlainActor,   ///< Drawn: no vtkOpenGLActor itself (subclass, volume, assembly, 2D, custom).
-  NotAPlainMapper,  ///< Drawn: mapper of another class, whose bounds may be too small, or none.
-  Translucent,      ///< Drawn: may be seen and has translucent geometry; it hides nothing.
-  NotASurface,      ///< Drawn: lines, wireframe, all as points, visible edges or vertices, spheres.
+  Untested,         ///< Drawn: the frame was not tested (vtkNBufferDecision says why).
+  NotAPlainActor,   ///< Drawn: not exactly a vtkOpenGLActor (subclass, volume, assembly, 2D, ...).
+  NotAPlainMapper,  ///< Drawn: it has no mapper, or one of a class whose bounds may be too small.
+  Translucent,      ///< Drawn: it may be seen and has translucent geometry, which hides nothing.
+  NotASurface,      ///< Drawn: it draws lines, points, edges, vertices or spheres.
   DepthOffset,      ///< Drawn: coincident-topology parameters pull its depth towards the eye.
   ShaderReplaced,   ///< Drawn: the application replaces its shader code.
-  OtherCoordinates, ///< Drawn: its coordinate system is not the world.
-  NoBounds,         ///< Drawn: null, uninitialised, infinite or NaN bounds.
+  OtherCoordinates, ///< Drawn: its coordinates are not world coordinates.
+  NoBounds,         ///< Drawn: its bounds are null, uninitialised, infinite or NaN.
   NumberOfVerdicts
 };
 
 /**
- * What the culler did with a frame, or why it did nothing. Values above Culled test nothing. After
- * a failure everything is drawn, and the first one of its kind in a window is a warning with cause
- * and remedy.
+ * What the culler did with a frame, or why it did nothing. It tests props against depth only if the
+ * value is Culled. After a failure everything is drawn, and the first failure of its kind in a
+ * window writes a warning with cause and remedy.
  */
 enum class vtkNBufferDecision : int
 {
-  None,              ///< No frame yet.
-  Culled,            ///< Tested against this frame's depth.
-  Still,             ///< Camera, window and props are as in the last frame: its verdicts stand.
-  Frozen,            ///< Freeze is on: the verdicts of the frozen frame stand.
-  NothingHeld,       ///< No candidate could be held back: all in the frustum were visible already.
-  FewCandidates,     ///< Fewer candidates in the frustum than MinimumNumberOfCandidates.
-  BackedOff,         ///< Recent tests hid next to nothing; the next one is a probe some frames on.
+  None,              ///< There was no frame yet.
+  Culled,            ///< Props were tested against the depth of this frame.
+  Still,             ///< Nothing has changed since the last frame, whose verdicts were used again.
+  Frozen,            ///< Freeze is on: the verdicts of the frozen frame were used again.
+  NothingHeld,       ///< All candidates in the frustum were visible before: none to hold back.
+  FewCandidates,     ///< Fewer candidates than MinimumNumberOfCandidates are in the frustum.
+  BackedOff,         ///< Recent tests hid next to nothing; there is no test for some frames.
   Disabled,          ///< Enabled is off.
-  Selecting,         ///< A hardware selector indexes the props.
+  Selecting,         ///< A hardware selector draws, which numbers the props in their order.
   Shadows,           ///< VTK's shadow maps need the props that the camera does not see.
-  RenderPass,        ///< A render pass that the culler does not know.
-  HiddenLines,       ///< Hidden-line removal draws wireframes by itself.
-  Exporting,         ///< A GL2PS capture draws no depth.
+  RenderPass,        ///< The renderer has a render pass that the culler does not know.
+  HiddenLines,       ///< Hidden-line removal is on, which draws wireframes in its own way.
+  Exporting,         ///< A GL2PS capture goes on, which draws no depth.
   Delegated,         ///< A delegate draws this renderer.
-  UnsupportedWindow, ///< A VR window, or one without a size.
-  OtherCuller,       ///< A culler behind this one, which would not see what is held back.
-  Blending,          ///< A prop blends in the opaque stage, where order then shows.
-  OtherView,         ///< Framebuffer, camera or viewport were not those of Cull(): all drawn.
-  NoContext,         ///< Failure: no OpenGL window, or one without a context.
-  OldContext,        ///< Failure: OpenGL older than 3.2.
-  NoFloatTextures,   ///< Failure: levels cannot be built on the device, nor the depth be read.
+  UnsupportedWindow, ///< The window is a VR window or has no size.
+  OtherCuller,       ///< A culler comes after this one; it would not see what is held back.
+  Blending,          ///< A prop blends among the opaque ones, so that their order can be seen.
+  OtherView,         ///< Camera, viewport or framebuffer were not those of Cull(): all was drawn.
+  NoContext,         ///< Failure: the window has no OpenGL context.
+  OldContext,        ///< Failure: OpenGL is older than 3.2.
+  NoFloatTextures,   ///< Failure: the device cannot draw into float textures, nor is there another
+                     ///< way.
   NoDepth,           ///< Failure: the depth cannot be read.
   NumberOfDecisions
 };
@@ -85,37 +88,35 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
 
   vtkNBufferDecision Decision = vtkNBufferDecision::None;
 
-  ///@{
-  /// Props that the culler was given, and of these: candidates for the test (translucent ones
-  /// too), those whose boxes were tested against depth, those of them that the levels did not find
-  /// hidden in the first round, those held back until the test, draws once more for the order
-  /// of equal depths (see vtkNBufferTieOrder.h), and the caches refreshed because something
-  /// changed.
+  /// The props that the renderer gave to the culler.
   int Props = 0;
+  /// The props of a kind that can be tested, translucent ones included.
   int Candidates = 0;
+  /// The candidates whose boxes were tested against depth.
   int Tested = 0;
+  /// The tested candidates that the levels did not find hidden in the first round.
   int PassedCoarseTest = 0;
+  /// The candidates that were not drawn before the first test.
   int HeldBack = 0;
+  /// The props drawn once more for the order of equal depths (vtkNBufferTieOrder).
   int Redrawn = 0;
+  /// The props whose cached box was computed anew because something had changed.
   int Refreshed = 0;
-  ///@}
 
-  /// Frames of this window so far that were drawn whole because of a failure.
+  /// The frames of this window so far in which everything was drawn because of a failure.
   int FailedFrames = 0;
 
-  /// Props by verdict, indexed by vtkNBufferVerdict.
+  /// The number of props with each verdict, indexed by vtkNBufferVerdict.
   std::array<int, NumberOfVerdicts> Verdicts = {};
 
-  ///@{
-  /// Rounds of test and draw, and the candidates drawn before the first test ([0]) and after each
-  /// ([1], [2], ...).
+  /// The rounds of test and draw.
   int Rounds = 0;
+  /// The candidates drawn before the first test ([0]) and after each test ([1], [2], ...).
   std::array<int, MaximumNumberOfRounds + 1> DrawnInRound = {};
-  ///@}
 
   ///@{
-  /// N-buffer work of all rounds: levels and texels built, rectangles asked, texels looked up,
-  /// read-backs from the graphics context and their bytes.
+  /// The work on N-buffers in all rounds: levels built and their texels, rectangles that were
+  /// compared with them, texels read for that, and read-backs from OpenGL with their bytes.
   int Levels = 0;
   long long Texels = 0;
   long long Queries = 0;
@@ -124,52 +125,67 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   long long BytesRead = 0;
   ///@}
 
-  /// Props whose boxes were found hidden and which were drawn for slivers that may be seen (see
-  /// vtkNBufferCuller::SetTestSlivers); a prop may be counted once in each round.
+  /// The props whose boxes were found hidden and which were drawn because a sliver of theirs may be
+  /// seen (vtkNBufferCuller::SetTestSlivers). A prop may be counted once in each round.
   int Slivers = 0;
 
   ///@{
-  /// Work of the hierarchy over the props (vtkNBufferCuller::SetHierarchySize): nodes looked at for
-  /// the view and for the test, boxes that it was refit to because they had changed, and whether it
-  /// was built.
+  /// The work on the hierarchy over the props (vtkNBufferTuning::HierarchySize): nodes visited for
+  /// the frustum and for the test, boxes replaced because they had changed, and 1 if the hierarchy
+  /// was built in this frame.
   long long Nodes = 0;
   int Refits = 0;
   int Builds = 0;
   ///@}
 
   ///@{
-  /// Milliseconds of the calling thread: Cull() as a whole and of it bringing caches up to date
-  /// (with the frustum test where the camera has moved) and deciding (with the frustum test
-  /// elsewhere); then waiting for and reading the depth, building levels, testing boxes, pixels and
-  /// slivers, and drawing what had been held back. On the graphics device: building levels (OpenGL
-  /// back-end; of an earlier frame, because a timer query is never waited for).
+  /// Milliseconds of the calling thread in Cull(): as a whole, and two parts of it. The first part
+  /// is bringing caches up to date, with the frustum test where the camera has moved; the second is
+  /// deciding what to do, with the frustum test in other frames.
   double CullTime = 0.0;
   double RefreshTime = 0.0;
   double FrustumTime = 0.0;
+  ///@}
+
+  ///@{
+  /// Milliseconds of the calling thread while the frame is drawn: waiting for and reading the
+  /// depth, building levels, testing boxes, pixels and slivers, and drawing what was held back.
   double ReadTime = 0.0;
   double BuildTime = 0.0;
   double TestTime = 0.0;
   double PixelTestTime = 0.0;
   double SliverTestTime = 0.0;
   double DrawTime = 0.0;
-  double DeviceBuildTime = 0.0;
   ///@}
 
+  /// Milliseconds of the graphics device for building levels with the OpenGL back-end. They belong
+  /// to an earlier frame, because the culler never waits for a timer query.
+  double DeviceBuildTime = 0.0;
+
+  /// The number of props with a verdict.
   int GetCount(vtkNBufferVerdict verdict) const
   {
     return this->Verdicts[static_cast<std::size_t>(verdict)];
   }
+
+  /// The number of props that were culled.
   int GetNumberOfPropsNotDrawn() const
   {
     return this->GetCount(vtkNBufferVerdict::Outside) + this->GetCount(vtkNBufferVerdict::Hidden);
   }
+
+  /// The number of props that were drawn.
   int GetNumberOfPropsDrawn() const { return this->Props - this->GetNumberOfPropsNotDrawn(); }
 
-  /// One JSON object with a member per field, verdicts and decision by name.
+  /// A JSON object on one line, with a member for each field above. Verdicts and the decision are
+  /// given by name.
   std::string GetAsJSON() const;
 
+  ///@{
+  /// The name of an enumerator as in this file; "Invalid" for a number that is none.
   static const char* GetName(vtkNBufferVerdict verdict);
   static const char* GetName(vtkNBufferDecision decision);
+  ///@}
 };
 
 VTK_ABI_NAMESPACE_END

@@ -5,8 +5,8 @@
 #include "Shaders/vtkNBufferShared.h"
 #include "vtkNBufferBaseFS.h"
 #include "vtkNBufferDepthSource.h"
+#include "vtkNBufferFullScreenPass.h"
 #include "vtkNBufferGL.h"
-#include "vtkNBufferGLObject.h"
 #include "vtkNBufferLevelFS.h"
 #include "vtkNBufferResourceCallback.h"
 #include "vtkNBufferTextureStorage.h"
@@ -113,9 +113,14 @@ private:
 bool vtkNBufferTexture::Internals::CheckArguments(vtkOpenGLRenderWindow* window,
   const vtkNBufferDepthSource& source, int x, int y, int width, int height, int factor, int levels)
 {
-  if (!window || source.DepthBits == 0)
+  this->Error.clear();
+  if (!source.Holds(x, y, width, height, this->Error))
   {
-    this->Error = "There is no depth buffer to reduce. Call vtkNBufferDepthSource::Inspect first.";
+    return false;
+  }
+  if (!window)
+  {
+    this->Error = "There is no render window. Pass the one that is drawn.";
   }
   else if (factor != 1 && factor != 2 && factor != 4 && factor != 8)
   {
@@ -125,21 +130,11 @@ bool vtkNBufferTexture::Internals::CheckArguments(vtkOpenGLRenderWindow* window,
   {
     this->Error = "No level was requested. Request at least one.";
   }
-  else if (width <= 0 || height <= 0 || x < 0 || y < 0 || width > source.Width - x ||
-    height > source.Height - y)
-  {
-    this->Error = "The rectangle to reduce is empty or reaches outside the depth buffer. Keep the "
-                  "viewport inside the framebuffer.";
-  }
   else if (source.Samples > 1 && !source.Texture)
   {
     this->Error = "Multisampled depth in a renderbuffer or in the window's own framebuffer cannot "
                   "be sampled. Attach a multisampled depth texture or call SetMultiSamples(0) on "
                   "the render window.";
-  }
-  else
-  {
-    this->Error.clear();
   }
   return this->Error.empty();
 }

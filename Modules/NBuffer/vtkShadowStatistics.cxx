@@ -4,91 +4,45 @@
 
 #include "vtkNBufferJSON.h"
 
+#include <iterator>
+
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+constexpr const char* VerdictNames[] = { "Whole", "Boxed", "Clamped", "ThroughLightPlane",
+  "NoReceiver", "BeforeCaster", "BehindLight", "OutsideCone", "Empty" };
+static_assert(std::size(VerdictNames) == vtkShadowStatistics::NumberOfVerdicts);
+
+constexpr const char* SkipNames[] = { "NotAnActor", "NotASurface", "Translucent",
+  "NotAPlainMapper" };
+static_assert(std::size(SkipNames) == NumberOfShadowSkips);
+
+constexpr const char* DecisionNames[] = { "None", "Drawn", "Still", "NoLight", "NoCaster",
+  "NoReceiver", "Failed" };
+static_assert(std::size(DecisionNames) == int(vtkShadowDecision::NumberOfDecisions));
+
+constexpr const char* StageNames[] = { "depth", "draw", "color" };
+static_assert(std::size(StageNames) == NumberOfShadowStages);
+}
+
 const char* vtkShadowStatistics::GetName(vtkShadowVerdict verdict)
 {
-  switch (verdict)
-  {
-    case vtkShadowVerdict::Whole:
-      return "Whole";
-    case vtkShadowVerdict::Boxed:
-      return "Boxed";
-    case vtkShadowVerdict::Clamped:
-      return "Clamped";
-    case vtkShadowVerdict::ThroughLightPlane:
-      return "ThroughLightPlane";
-    case vtkShadowVerdict::NoReceiver:
-      return "NoReceiver";
-    case vtkShadowVerdict::BeforeCaster:
-      return "BeforeCaster";
-    case vtkShadowVerdict::BehindLight:
-      return "BehindLight";
-    case vtkShadowVerdict::OutsideCone:
-      return "OutsideCone";
-    case vtkShadowVerdict::Empty:
-      return "Empty";
-    case vtkShadowVerdict::NumberOfVerdicts:
-      break;
-  }
-  return "Invalid";
+  return vtkNBufferJSON::GetName(VerdictNames, verdict);
 }
 
 const char* vtkShadowStatistics::GetName(vtkShadowSkip reason)
 {
-  switch (reason)
-  {
-    case vtkShadowSkip::NotAnActor:
-      return "NotAnActor";
-    case vtkShadowSkip::NotASurface:
-      return "NotASurface";
-    case vtkShadowSkip::Translucent:
-      return "Translucent";
-    case vtkShadowSkip::NotAPlainMapper:
-      return "NotAPlainMapper";
-    case vtkShadowSkip::NumberOfSkips:
-      break;
-  }
-  return "Invalid";
+  return vtkNBufferJSON::GetName(SkipNames, reason);
 }
 
 const char* vtkShadowStatistics::GetName(vtkShadowDecision decision)
 {
-  switch (decision)
-  {
-    case vtkShadowDecision::None:
-      return "None";
-    case vtkShadowDecision::Drawn:
-      return "Drawn";
-    case vtkShadowDecision::Still:
-      return "Still";
-    case vtkShadowDecision::NoLight:
-      return "NoLight";
-    case vtkShadowDecision::NoCaster:
-      return "NoCaster";
-    case vtkShadowDecision::NoReceiver:
-      return "NoReceiver";
-    case vtkShadowDecision::Failed:
-      return "Failed";
-    case vtkShadowDecision::NumberOfDecisions:
-      break;
-  }
-  return "Invalid";
+  return vtkNBufferJSON::GetName(DecisionNames, decision);
 }
 
 const char* vtkShadowStatistics::GetName(vtkShadowStage stage)
 {
-  switch (stage)
-  {
-    case vtkShadowStage::Depth:
-      return "depth";
-    case vtkShadowStage::Draw:
-      return "draw";
-    case vtkShadowStage::Color:
-      return "color";
-    case vtkShadowStage::NumberOfStages:
-      break;
-  }
-  return "Invalid";
+  return vtkNBufferJSON::GetName(StageNames, stage);
 }
 
 std::string vtkShadowStatistics::GetAsJSON() const

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkShadowStatistics.h
- * @brief What shadows of a frame took: casters by verdict, volumes, fragments, times.
+ * @brief What the shadows of a frame cost: casters by verdict, volumes, fragments, times.
  *
  * One struct feeds the getters of vtkShadowVolumeClampPass, PrintSelf, JSON and tests. Every caster
- * has one verdict for each casting light: for each light they add up to Casters (to more where a
- * caster is drawn in several parts).
+ * has one verdict for each casting light. For each light the verdicts add up to Casters, or to more
+ * if a caster is drawn in several parts.
  */
 #ifndef vtkShadowStatistics_h
 #define vtkShadowStatistics_h
@@ -19,28 +19,28 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-/// Which part of shadow volumes is drawn.
+/// Which part of the shadow volumes is drawn. The image is the same with all of them.
 enum class vtkShadowMode : int
 {
-  Unclamped, ///< All of every caster's, everywhere: the reference for what others save.
-  Culled,    ///< Of casters with receivers, everywhere.
-  Scissored, ///< Of casters with receivers, into the receivers' boxes on the screen.
-  Clamped,   ///< Of these, where the receivers are.
-  Automatic  ///< Scissored for lights whose litmaps pay (vtkShadowCostModel.h), Unclamped for
-             ///< others.
+  Unclamped, ///< All volumes are drawn whole: the reference for what the other modes save.
+  Culled,    ///< The volumes of casters with receivers are drawn whole.
+  Scissored, ///< These volumes are drawn only inside the receivers' boxes on the screen.
+  Clamped,   ///< Of these volumes only the slabs that contain receivers are drawn.
+  Automatic  ///< Scissored for lights for which litmaps save more than they cost
+             ///< (vtkShadowCostModel.h), Unclamped for the others.
 };
 
-/// What is drawn over the picture to show why shadows take what they take.
+/// What is drawn over the picture to show why shadows cost what they cost.
 enum class vtkShadowPicture : int
 {
-  None,
-  Litmaps, ///< Nearest and farthest depth and occupancy of each lexel.
+  None,    ///< Nothing.
+  Litmaps, ///< The nearest and farthest depth and the occupancy of each lexel.
   Extents, ///< The boxes of pixels into which volumes are drawn.
   Volumes, ///< The edges of the volumes' triangles.
   Counts   ///< How many fragments volumes have in each pixel.
 };
 
-/// What the graphics device is timed for.
+/// The parts of a frame whose time on the graphics device is measured.
 enum class vtkShadowStage : int
 {
   Depth, ///< Drawing the receivers' depth.
@@ -52,79 +52,104 @@ constexpr int NumberOfShadowStages = int(vtkShadowStage::NumberOfStages);
 using vtkShadowStageTimes = std::array<double, NumberOfShadowStages>;
 constexpr vtkShadowStageTimes UnknownShadowStageTimes = { -1.0, -1.0, -1.0 };
 
-/// What became of a caster for a light.
+/// How the shadow of a caster was drawn for a light, or why there was none to draw.
 enum class vtkShadowVerdict : int
 {
-  Whole,             ///< Drawn whole: Unclamped, or no litmap was worth it.
-  Boxed,             ///< Drawn whole, into its receivers' boxes of pixels.
-  Clamped,           ///< Drawn in slabs, into such boxes.
-  ThroughLightPlane, ///< Drawn whole: it reaches to the light's plane or behind it.
-  NoReceiver,        ///< Not drawn: the camera sees nothing on its rays.
-  BeforeCaster,      ///< Not drawn: all that the camera sees there is nearer to the light.
-  BehindLight,       ///< Not drawn: the light looks away from it.
-  OutsideCone,       ///< Not drawn: no ray of the spot meets it.
-  Empty,             ///< Not drawn: no triangle counts.
+  Whole,             ///< Drawn whole: the mode is Unclamped, or no litmap was worth its cost.
+  Boxed,             ///< Drawn whole, but only inside its receivers' boxes of pixels.
+  Clamped,           ///< Drawn in slabs, inside such boxes.
+  ThroughLightPlane, ///< Drawn whole: the caster reaches to the light's plane or behind it.
+  NoReceiver,        ///< Not drawn: the camera sees nothing on the light rays through the caster.
+  BeforeCaster,      ///< Not drawn: what the camera sees on these rays is nearer to the light.
+  BehindLight,       ///< Not drawn: the caster is behind the light, which looks away from it.
+  OutsideCone,       ///< Not drawn: the caster is outside of the cone of a spot light.
+  Empty,             ///< Not drawn: the caster has no triangle that can cast a shadow.
   NumberOfVerdicts
 };
 
 /// Why an actor of the renderer does not cast.
 enum class vtkShadowSkip : int
 {
-  NotAnActor,      ///< Volumes, billboards, props of the application's own.
-  NotASurface,     ///< Wireframes and points.
-  Translucent,     ///< It, or the block of it.
-  NotAPlainMapper, ///< No polydata to be had: glyphs, data sets.
+  NotAnActor,      ///< It is a volume, a billboard or a prop of a class of the application.
+  NotASurface,     ///< It is drawn as wireframe or points.
+  Translucent,     ///< It is translucent, or a block of it is.
+  NotAPlainMapper, ///< Its mapper gives no polydata, as those of glyphs and data sets.
   NumberOfSkips
 };
 constexpr int NumberOfShadowSkips = int(vtkShadowSkip::NumberOfSkips);
 
-/// What was done with a frame, or why no shadow was due.
+/// What the pass did with a frame, or why it drew no shadow.
 enum class vtkShadowDecision : int
 {
-  None,       ///< No frame yet.
-  Drawn,      ///< With shadows.
-  Still,      ///< With the shadows of the last frame: nothing has changed.
-  NoLight,    ///< No light that is switched on can cast.
-  NoCaster,   ///< No prop can cast.
-  NoReceiver, ///< No caster has a receiver: drawn as without the pass.
-  Failed,     ///< OpenGL refused something: drawn as without the pass.
+  None,       ///< There was no frame yet.
+  Drawn,      ///< The frame was drawn with shadows.
+  Still,      ///< Nothing has changed: the shadows of the last frame were used again.
+  NoLight,    ///< No light that is switched on can cast shadows.
+  NoCaster,   ///< No prop can cast a shadow.
+  NoReceiver, ///< No caster has a receiver; the frame was drawn as without the pass.
+  Failed,     ///< OpenGL refused something; the frame was drawn as without the pass.
   NumberOfDecisions
 };
 
+/**
+ * Counts and times of one frame of one renderer (and eye).
+ */
 struct VTKNBUFFER_EXPORT vtkShadowStatistics
 {
   static constexpr int NumberOfVerdicts = int(vtkShadowVerdict::NumberOfVerdicts);
 
   vtkShadowDecision Decision = vtkShadowDecision::None;
-  int Lights = 0;                                    ///< That cast.
-  int Casters = 0;                                   ///< Meshes that can cast.
-  std::array<int, NumberOfShadowSkips> Skipped = {}; ///< Actors that cannot, by reason.
-  std::array<int, NumberOfVerdicts> Verdicts = {};   ///< Casters, for each light.
-  int Updates = 0;                                   ///< Casters whose mesh or matrix changed.
-  int Silhouettes = 0;                               ///< Made in this frame.
-  int Draws = 0;                                     ///< Of volumes.
-  int ZPass = 0; ///< Of these, counted between eye and receiver.
-  int Boxes = 0; ///< Of pixels that volumes were drawn into: one or more for each of the Draws.
-  /// Times that counting began anew: once for each light with volumes, more often where a receiver
-  /// might be in more of them than a stencil can count.
+
+  /// The lights that cast shadows.
+  int Lights = 0;
+  /// The meshes that can cast a shadow.
+  int Casters = 0;
+  /// The number of actors that cannot cast, by reason.
+  std::array<int, NumberOfShadowSkips> Skipped = {};
+  /// The number of casters with each verdict, summed over the lights.
+  std::array<int, NumberOfVerdicts> Verdicts = {};
+  /// The casters whose mesh or matrix had changed.
+  int Updates = 0;
+  /// The silhouettes that were computed in this frame.
+  int Silhouettes = 0;
+  /// The draw calls for shadow volumes.
+  int Draws = 0;
+  /// The part of Draws that was counted by z-pass, between the eye and the receiver.
+  int ZPass = 0;
+  /// The boxes of pixels that volumes were drawn into: one or more for each of the Draws.
+  int Boxes = 0;
+  /// How often counting began anew: once for each light with volumes, and more often where a
+  /// receiver might be in more volumes than a stencil can count.
   int StencilClears = 0;
+  /// The slabs that volumes were cut into.
   int Slabs = 0;
-  long long Triangles = 0; ///< Of volumes.
-  long long Receivers = 0; ///< Samples scattered into litmaps (or lexels drawn), of all lights.
-  /// Fragments that volumes covered, samples of them with multisampling, whatever the depth test
-  /// said; -1 unless they are counted.
+  /// The triangles of the volumes that were drawn.
+  long long Triangles = 0;
+  /// The samples that were scattered into litmaps, summed over the lights.
+  long long Receivers = 0;
+  /// The fragments that the volumes covered, whether or not they passed the depth test; samples of
+  /// fragments with multisampling. -1 unless fragments are counted.
   long long Fragments = -1;
-  int Litmaps = 0;         ///< Made in this frame.
-  int UnclampedLights = 0; ///< Drawn without litmaps in this frame.
-  int ReadBacks = 0;       ///< Of depth.
+  /// The litmaps that were made in this frame.
+  int Litmaps = 0;
+  /// The lights that were drawn without litmaps in this frame.
+  int UnclampedLights = 0;
+  /// The read-backs of depth from OpenGL.
+  int ReadBacks = 0;
+  /// The frames so far that were drawn as without the pass because OpenGL refused something.
   int FailedFrames = 0;
-  int DebugDraws = 0;  ///< Of debug views.
-  int Samples = 1;     ///< Of each pixel of the masks.
-  int PixelFrames = 0; ///< With one for each pixel, the device having refused those of the window.
+  /// The draw calls for debug views.
+  int DebugDraws = 0;
+  /// The samples in each pixel of the masks.
+  int Samples = 1;
+  /// The frames so far whose masks have one sample in each pixel although the window has more,
+  /// because the device refused as many.
+  int PixelFrames = 0;
 
   ///@{
-  /// Milliseconds of the calling thread: collecting casters and silhouettes, drawing receivers'
-  /// depth, reading it, making litmaps, deciding and making volumes, and drawing them.
+  /// Milliseconds of the calling thread for collecting casters and silhouettes, drawing the depth
+  /// of receivers, reading this depth, making litmaps, planning and making volumes, and drawing
+  /// them.
   double CasterTime = 0.0;
   double DepthTime = 0.0;
   double ReadTime = 0.0;
@@ -133,28 +158,35 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   double DrawTime = 0.0;
   ///@}
 
-  /// Milliseconds of the graphics device by stage, of the last frame that is known (timers are
-  /// never waited for; see vtkShadowTimers.h); -1 unless they are measured, and where the driver
-  /// has no timers.
+  /// Milliseconds of the graphics device for each stage. They belong to the last frame that is
+  /// known, because the pass never waits for a timer (vtkShadowTimers.h). -1 unless they are
+  /// measured, and if the driver has no timers.
   vtkShadowStageTimes DeviceTimes = UnknownShadowStageTimes;
 
+  /// The milliseconds of the graphics device for one stage.
   double GetDeviceTime(vtkShadowStage stage) const
   {
     return this->DeviceTimes[static_cast<std::size_t>(stage)];
   }
 
+  /// The number of casters with a verdict.
   int GetCount(vtkShadowVerdict verdict) const
   {
     return this->Verdicts[static_cast<std::size_t>(verdict)];
   }
 
-  /// One JSON object with a member per field, verdicts and decision by name.
+  /// A JSON object on one line, with a member for each field above. Verdicts and the decision are
+  /// given by name.
   std::string GetAsJSON() const;
 
+  ///@{
+  /// The name of an enumerator as in this file (in small letters for a stage); "Invalid" for a
+  /// number that is none.
   static const char* GetName(vtkShadowVerdict verdict);
   static const char* GetName(vtkShadowSkip reason);
   static const char* GetName(vtkShadowDecision decision);
   static const char* GetName(vtkShadowStage stage);
+  ///@}
 };
 
 VTK_ABI_NAMESPACE_END

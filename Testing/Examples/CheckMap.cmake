@@ -12,7 +12,7 @@ file(MAKE_DIRECTORY "${OUT}")
 function (run_study map expected)
   execute_process(
     COMMAND "${PROGRAM}" study --tiny --frames 6 --size 161x119 --scene "${OUT}/${map}"
-      --out "${OUT}/study"
+      --out "${OUT}/study" --json "${OUT}/study/study.json"
     OUTPUT_VARIABLE output
     ERROR_VARIABLE output
     RESULT_VARIABLE result)

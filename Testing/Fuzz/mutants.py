@@ -8,14 +8,18 @@ the old text must be there exactly once.
 
 PROJECTION = "vtkNBufferProjection.cxx"
 BOX_ERROR = "vtkNBufferBoxError.h"
+CLIP_EXTENT = "vtkNBufferClipExtent.h"
 VIEW = "vtkNBufferView.cxx"
 CANDIDATE = "vtkNBufferCandidate.cxx"
 CANDIDATE_TREE = "vtkNBufferCandidateTree.cxx"
 CASTER = "vtkShadowCaster.cxx"
+SURFACE = "vtkNBufferSurface.cxx"
 HIERARCHY = "vtkNBufferHierarchy.cxx"
 FRAME_KEY = "vtkShadowFrameKey.cxx"
 MASK_MAKER = "vtkShadowMaskMaker.cxx"
 PLAN = "vtkShadowPlan.cxx"
+DRAW_LIST = "vtkShadowDrawList.cxx"
+LITMAP_SET = "vtkShadowLitmapSet.cxx"
 REACH = "vtkShadowUmbra.cxx"
 VOLUME = "vtkShadowVolume.cxx"
 
@@ -35,9 +39,9 @@ MUTANTS = {
                         (BOX_ERROR, "SnapInPixels = 1.0 / 16;", "SnapInPixels = 0.0;")],
     "no slack for rounded vertices": [NO_VERTEX_SLACK],
     "vertices believed to be near the buffer's zero": [
-        (CANDIDATE, "IsShifted(plain, ranges);", "(IsShifted(plain, ranges) || true);")],
+        (SURFACE, "IsShifted(plain, low, high);", "(IsShifted(plain, low, high) || true);")],
     "no margin for wide lines and points": [
-        (CANDIDATE, "this->Box.Margin = GetMargin(this->Mapper, actor->GetProperty());",
+        (CANDIDATE, "this->Box.Margin = vtkNBufferSurface::GetMargin(actor);",
          "this->Box.Margin = 0.0;")],
 
     # The hierarchy over the props.
@@ -94,15 +98,15 @@ MUTANTS = {
 
     # The near plane.
     "crossing the near plane or the eye counts as inside": [
-        (PROJECTION, NEAR_PLANE_TEST, "if (std::isnan(w))")],
+        (CLIP_EXTENT, NEAR_PLANE_TEST, "if (std::isnan(w))")],
     "the part of a box behind the eye is forgotten": [
         (PROJECTION, "result.Clipped = !before;", "result.Clipped = !before;\n  before = true;")],
 
     # From frame to frame.
     "stale bounds": [
         ("vtkNBufferCandidate.h",
-         "return this->Volatile || (this->Actor && this->Sources.HasChanged());",
-         "return this->BoxIsUsable ? false : this->Volatile;")],
+         "return this->Verdict != vtkNBufferVerdict::NotAPlainActor && this->Watch.MayHaveChanged();",
+         "return !this->BoxIsUsable && this->Watch.MayHaveChanged();")],
     "camera's motion not noticed": [
         ("vtkNBufferViewKey.h", "return this->WorldToClip == other.WorldToClip &&", "return")],
     "verdicts of the last frame reused although props changed": [
@@ -116,14 +120,14 @@ MUTANTS = {
          "    ? projection.GetContact(a.Box, a.Screen, b.Box, b.Screen)\n"
          "    : vtkNBufferRectangle();")],
     "what is drawn again is drawn beside its regions too": [
-        ("vtkNBufferGL.h", "scissor.Set(region);", "")],
+        ("vtkNBufferScissor.h", "scissor.Set(region);", "")],
     "regions in which props touch one column short": [
         (PROJECTION, "return pixels.GetIntersection(sharedScreen.Pixels);",
          "sharedScreen.Pixels = pixels.GetIntersection(sharedScreen.Pixels);\n"
          "      --sharedScreen.Pixels.X1;\n      return sharedScreen.Pixels;")],
     "changes upstream of a mapper not noticed": [
-        (CANDIDATE, "!globalStateChanged && !this->Pipeline.HasChanged()",
-         "!globalStateChanged")],
+        ("vtkNBufferPropWatch.h", "Means::Pipeline ? this->PipelineHasChanged()",
+         "Means::Pipeline ? false")],
 
     # Props that are none of the tested kind.
     "translucent props hide": [
@@ -145,7 +149,7 @@ SHADOW_MUTANTS = {
          "this->P.GetCell(p1 + guardP) + 1, this->Q.GetCell(q1 + guardQ) + 1 };",
          "this->P.GetCell(p1), this->Q.GetCell(q1) };")],
     "box of pixels one column short": [
-        (PLAN, "draw.Box[2] = box.GetWidth();",
+        (DRAW_LIST, "draw.Box[2] = box.GetWidth();",
          "draw.Box[2] = box.GetWidth() - 1;")],
     "slabs that begin at the caster end with the first of them": [
         (PLAN, "slabs.back().Far = far;", "slabs.back().Far = std::min(far, slabs.back().Far);")],
@@ -153,12 +157,11 @@ SHADOW_MUTANTS = {
         (PLAN, "lookup.IsInOneFace && lookup.Extent.Far < lookup.Near)",
          "lookup.IsInOneFace && lookup.Extent.Far < lookup.Far)")],
     "only one corner of a caster's box asked about": [
-        (PLAN, "this->LookUp(footprint, corners, 8)", "this->LookUp(footprint, corners, 1)")],
+        (PLAN, "this->Litmaps.LookUp(footprint, corners)",
+         "this->Litmaps.LookUp(footprint, { corners.data(), 1 })")],
     "casters through the light's plane as others": [
-        (PLAN,
-         "return this->Frame.IsPositional() && !(footprint.Near > Margin * "
-         "std::abs(footprint.Far));",
-         "return this->Frame.IsPositional() && footprint.Far < -1e300;")],
+        (LITMAP_SET, "return this->Light.IsPositional() && !(footprint.GetNear() > margin);",
+         "return this->Light.IsPositional() && margin < 0.0;")],
     "receivers behind an edge not asked": [
         ("vtkShadowUmbra.h", "return this->MayShadow(tile[0]) || this->MayShadow(tile[1]);",
          "return this->MayShadow(tile[0]);")],
@@ -168,14 +171,15 @@ SHADOW_MUTANTS = {
         (REACH, "return std::any_of(this->Facets.begin(), this->Facets.end(),\n      [&](",
          "return std::all_of(this->Facets.begin(), this->Facets.end(),\n      [&](")],
     "half the cone": [
-        (PLAN, "vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;",
+        (LITMAP_SET, "vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;",
          "0.5 * vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;")],
     "a face around a point light left out": [
         (MASK_MAKER, "for (int i = 0; i < 6; ++i)", "for (int i = 0; i < 5; ++i)")],
 
     # Volumes and counting.
     "z-pass where the piece crosses the near plane": [
-        (PLAN, "if (!(sum > Margin * terms))", "if (!(terms >= sum * sum - sum * sum))")],
+        (DRAW_LIST, "if (!(addUp(terms) > Margin * addUp(glm::abs(terms))))",
+         "if (!(addUp(glm::abs(terms)) >= 0.0))")],
     "far cap of a clamped piece missing": [
         (VOLUME, "this->AddFan(silhouette, farImage, Side::Far);", "")],
     "near cap missing": [
@@ -188,7 +192,8 @@ SHADOW_MUTANTS = {
     "the inside of closed casters not seen": [
         (CASTER, "|| this->Meets(nearBounds)", "")],
     "masks of pixels where nothing is seen": [
-        ("vtkShadowCounter.cxx", "glDepthFunc(GL_GREATER);", "glDepthFunc(GL_ALWAYS);")],
+        ("vtkShadowCounter.cxx", "glDepthFunc(vtkNBufferDepthConvention::PassIfFarther);",
+         "glDepthFunc(GL_ALWAYS);")],
 
     # From frame to frame.
     "stale silhouettes after a change of matrix or mesh": [
@@ -214,8 +219,8 @@ RARE = {
         (CANDIDATE_TREE, "this->Tree.Move(place, candidate.GetBox());", "")],
     "no slack for stored and interpolated depth": NO_DEPTH_SLACK,
     "no slack for rounded vertices in x and y": [
-        (PROJECTION, "ndc - slack);", "ndc - slack * glm::dvec3(0.0, 0.0, 1.0));"),
-        (PROJECTION, "ndc + slack);", "ndc + slack * glm::dvec3(0.0, 0.0, 1.0));")],
+        (CLIP_EXTENT, "ndc - slack);", "ndc - slack * glm::dvec3(0.0, 0.0, 1.0));"),
+        (CLIP_EXTENT, "ndc + slack);", "ndc + slack * glm::dvec3(0.0, 0.0, 1.0));")],
     "a square's level looked up that was not built (< turned to <=)": [
         ("vtkNBufferPixelTest.cxx", "this->SquareLevel < this->Levels.GetNumberOfLevels()",
          "this->SquareLevel <= this->Levels.GetNumberOfLevels()")],
@@ -240,7 +245,7 @@ EQUIVALENT = {
          "return screen.Nearest >= vtkNBufferDepthConvention")],
     # What is before the near plane and in front of the eye has a negative depth, which nothing hides.
     "crossing the near plane counts as inside, crossing the eye does not": [
-        (PROJECTION, NEAR_PLANE_TEST, "if (!(w > this->Error.w))")],
+        (CLIP_EXTENT, NEAR_PLANE_TEST, "if (!(w > this->Error.w))")],
     # The next frame begins with more props than it needs.
     "visible props are not remembered": [
         (VIEW, "    state.WasVisible = true;\n    drawn +=", "    drawn +=")],

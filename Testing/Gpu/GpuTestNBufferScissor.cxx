@@ -3,6 +3,7 @@
 //
 // Where vtkNBufferGL::DrawIn() lets others draw.
 #include "vtkNBufferGL.h"
+#include "vtkNBufferScissor.h"
 
 #include "GLStateSnapshot.h"
 #include "WindowFixture.h"

@@ -21,29 +21,29 @@ namespace
 constexpr int Width = 16;
 constexpr int Height = 12;
 constexpr int Resolution = 32;
-constexpr double Eye[3] = { 100.0, 200.0, 300.0 };
+const glm::dvec3 Eye(100.0, 200.0, 300.0);
 
 /// From the eye along -z, x and y in [-1, 1], depths 0 to 1 as window depths 0 to 1.
 vtkShadowView MakeView()
 {
   vtkShadowView view;
   const double clipToWorld[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.5, -0.5, 0, 0, 0, 1 };
-  std::copy_n(clipToWorld, 16, view.ClipToWorld);
-  std::copy_n(Eye, 3, view.Origin);
+  view.ClipToWorld = vtkNBufferGLM::ToMatrix(clipToWorld);
+  view.Origin = Eye;
   view.Width = Width;
   view.Height = Height;
   return view;
 }
 
 /// A rectangle [x0, x1] x [-1, 1] at a depth.
-std::vector<double> MakeRectangle(double x0, double x1, double depth)
+std::vector<glm::dvec3> MakeRectangle(double x0, double x1, double depth)
 {
-  std::vector<double> points;
+  std::vector<glm::dvec3> points;
   for (const double x : { x0, x1 })
   {
     for (const double y : { -1.0, 1.0 })
     {
-      points.insert(points.end(), { Eye[0] + x, Eye[1] + y, Eye[2] - depth });
+      points.push_back(Eye + glm::dvec3(x, y, -depth));
     }
   }
   return points;
@@ -56,10 +56,7 @@ vtkShadowLight MakeLight(vtkShadowLightKind kind)
   vtkShadowLight light;
   light.Kind = kind;
   light.ConeAngle = 45.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    light.Position[i] = Eye[i] + (i == 2 ? 2.0 : 0.0);
-  }
+  light.Position = Eye + glm::dvec3(0.0, 0.0, 2.0);
   return light;
 }
 }
@@ -80,17 +77,14 @@ protected:
   {
     const vtkShadowLightSpace frame(light);
     this->Litmap.Begin(Eye);
-    this->Litmap.AddReceiver(MakeRectangle(-1.0, 0.0, 0.25).data(), 4, Quad);
-    this->Litmap.AddReceiver(MakeRectangle(-1.0, 1.0, 0.75).data(), 4, Quad);
+    this->Litmap.AddReceiver(MakeRectangle(-1.0, 0.0, 0.25), Quad);
+    this->Litmap.AddReceiver(MakeRectangle(-1.0, 1.0, 0.75), Quad);
     std::string why;
     ASSERT_TRUE(this->Litmap.Upload(this->Window, depth.data(), MakeView(), why)) << why;
-    double range[4];
-    double depths[2];
-    vtkShadowReceivers::GetRange(depth.data(), nullptr, MakeView(), light, frame, range, depths);
-    ASSERT_TRUE(this->Litmap.Draw(this->Window, frame, range, depths, Resolution, result, why))
+    this->Range = vtkShadowReceivers::GetRange(depth.data(), MakeView(), light, frame);
+    ASSERT_TRUE(this->Litmap.Draw(this->Window, frame, this->Range, Resolution, result, why))
       << why;
     result.Build();
-    std::copy_n(range, 4, this->Range);
   }
 
   /// What the camera sees: the nearer rectangle on the left, the farther one on the right.
@@ -105,14 +99,15 @@ protected:
   }
 
   /// (p, q) of the centre of a lexel.
-  void GetCentre(int i, int j, double pq[2]) const
+  glm::dvec2 GetCentre(int i, int j) const
   {
-    pq[0] = this->Range[0] + (this->Range[1] - this->Range[0]) * (i + 0.5) / Resolution;
-    pq[1] = this->Range[2] + (this->Range[3] - this->Range[2]) * (j + 0.5) / Resolution;
+    const glm::dvec2 low = this->Range.Low;
+    const glm::dvec2 high = this->Range.High;
+    return low + (high - low) * glm::dvec2(i + 0.5, j + 0.5) / double(Resolution);
   }
 
   NBufferPeers::RerenderedLitmap Litmap;
-  double Range[4] = {};
+  vtkShadowBlock Range;
 };
 
 // The ray through the centre of each lexel, computed here: where it meets what is seen.
@@ -130,16 +125,13 @@ TEST_F(GpuTestRerenderedLitmap, LexelsHoldWhatIsSeenAtTheirCentres)
     int filled = 0;
     for (int lexel = 0; lexel < Resolution * Resolution; ++lexel)
     {
-      double pqs[3];
-      this->GetCentre(lexel % Resolution, lexel / Resolution, pqs);
+      const glm::dvec2 pq = this->GetCentre(lexel % Resolution, lexel / Resolution);
       vtkShadowExtent expected;
       bool close = false;
       for (const double z : { 0.25, 0.75 })
       {
-        const double plane[3] = { Eye[0], Eye[1], Eye[2] - z };
-        pqs[2] = frame.GetDepth(plane);
-        double x[3];
-        frame.ToWorld(pqs, x);
+        const glm::dvec3 pqs(pq, frame.GetDepth(Eye - glm::dvec3(0.0, 0.0, z)));
+        const glm::dvec3 x = frame.ToWorld(pqs);
         const double u = x[0] - Eye[0];
         const double v = x[1] - Eye[1];
         const double column = 0.5 * (u + 1.0) * Width;
@@ -193,8 +185,7 @@ TEST_F(GpuTestRerenderedLitmap, MissesWhatScatteringFinds)
   vtkShadowLitmap rerendered;
   ASSERT_NO_FATAL_FAILURE(this->Draw(light, depth, rerendered));
   vtkShadowLitmap scattered;
-  vtkShadowReceivers::Scatter(
-    depth.data(), nullptr, MakeView(), light, frame, Resolution, scattered);
+  vtkShadowReceivers::Scatter(depth.data(), MakeView(), light, frame, Resolution, scattered);
   scattered.Build();
   const vtkShadowExtent seen = rerendered.Query(NAN, 0.0, 0.0, 0.0);
   const vtkShadowExtent all = scattered.Query(NAN, 0.0, 0.0, 0.0);
@@ -206,18 +197,14 @@ TEST_F(GpuTestRerenderedLitmap, MissesWhatScatteringFinds)
 
   // Seen edge-on by the light it has no fragment.
   this->Litmap.Begin(Eye);
-  std::vector<double> wall = MakeRectangle(-1.0, -1.0, 0.1);
-  for (int corner = 2; corner < 4; ++corner)
-  {
-    wall[3 * corner + 2] -= 0.8;
-  }
-  this->Litmap.AddReceiver(wall.data(), 4, Quad);
+  std::vector<glm::dvec3> wall = MakeRectangle(-1.0, -1.0, 0.1);
+  wall[2].z -= 0.8;
+  wall[3].z -= 0.8;
+  this->Litmap.AddReceiver(wall, Quad);
   std::string why;
   ASSERT_TRUE(this->Litmap.Upload(this->Window, depth.data(), MakeView(), why)) << why;
-  const double range[4] = { -300.0, 300.0, -300.0, 300.0 };
-  const double depths[2] = { 0.0, 1.0 };
-  ASSERT_TRUE(this->Litmap.Draw(this->Window, frame, range, depths, Resolution, rerendered, why))
-    << why;
+  const vtkShadowBlock range = { { -300.0, -300.0, 0.0 }, { 300.0, 300.0, 1.0 } };
+  ASSERT_TRUE(this->Litmap.Draw(this->Window, frame, range, Resolution, rerendered, why)) << why;
   EXPECT_EQ(rerendered.GetNumberOfReceivers(), 0);
 }
 

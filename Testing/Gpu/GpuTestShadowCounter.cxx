@@ -32,33 +32,32 @@ const vtkShadowTarget::SamplePlaces Centre = { { { 0.5, 0.5 } } };
 /// so many times.
 vtkShadowVolume MakeVolume(int copies)
 {
-  std::vector<double> points;
+  std::vector<glm::dvec3> points;
   for (double x : { -0.9, -0.7 })
   {
     for (double y : { -0.3, 0.3 })
     {
       for (double z : { -0.2, 0.2 })
       {
-        points.insert(points.end(), { x, y, z });
+        points.emplace_back(x, y, z);
       }
     }
   }
   const std::vector<vtkIdType> triangles = { 0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
     2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3 };
   vtkShadowTopology topology;
-  topology.Build(points.data(), 8, triangles.data(), 12);
+  topology.Build(points, triangles);
   vtkShadowLight light;
   light.Direction[0] = 1.0;
   light.Direction[2] = 0.0;
   vtkShadowSilhouette silhouette;
-  silhouette.Compute(topology, topology.GetPoints().data(), light, vtkShadowCounting::Away);
+  silhouette.Compute(topology, topology.GetPoints(), light, vtkShadowCounting::Away);
   vtkShadowVolume volume;
-  const double origin[3] = { 0.0, 0.0, 0.0 };
-  volume.Begin(origin);
+  volume.Begin(glm::dvec3(0.0));
   for (int i = 0; i < copies; ++i)
   {
-    volume.AddClamped(silhouette, topology.GetPoints().data(), 8, vtkShadowLightSpace(light),
-      { -0.5, 0.5 }, -0.7, vtkShadowCap::Fan);
+    volume.AddClamped(silhouette, topology.GetPoints(), vtkShadowLightSpace(light), { -0.5, 0.5 },
+      -0.7, vtkShadowCap::Fan);
   }
   return volume;
 }

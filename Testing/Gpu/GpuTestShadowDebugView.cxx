@@ -27,29 +27,28 @@ constexpr double VolumeToClip[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0,
 /// A column with a square section, |x| < 0.5 and |y| < 0.3, of a light that shines along -z.
 vtkShadowVolume MakeVolume()
 {
-  std::vector<double> points;
+  std::vector<glm::dvec3> points;
   for (const double z : { 0.4, 0.5 })
   {
     for (const double x : { -0.5, 0.5 })
     {
       for (const double y : { -0.3, 0.3 })
       {
-        points.insert(points.end(), { x, y, z });
+        points.emplace_back(x, y, z);
       }
     }
   }
   const std::vector<vtkIdType> triangles = { 0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
     2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3 };
   vtkShadowTopology topology;
-  topology.Build(points.data(), 8, triangles.data(), 12);
+  topology.Build(points, triangles);
   const vtkShadowLight light;
   vtkShadowSilhouette silhouette;
-  silhouette.Compute(topology, topology.GetPoints().data(), light, vtkShadowCounting::Away);
+  silhouette.Compute(topology, topology.GetPoints(), light, vtkShadowCounting::Away);
   vtkShadowVolume volume;
-  const double origin[3] = { 0.0, 0.0, 0.0 };
-  volume.Begin(origin);
-  volume.AddClamped(silhouette, topology.GetPoints().data(), 8, vtkShadowLightSpace(light),
-    { -0.2, 0.2 }, -0.4, vtkShadowCap::Fan);
+  volume.Begin(glm::dvec3(0.0));
+  volume.AddClamped(silhouette, topology.GetPoints(), vtkShadowLightSpace(light), { -0.2, 0.2 },
+    -0.4, vtkShadowCap::Fan);
   return volume;
 }
 

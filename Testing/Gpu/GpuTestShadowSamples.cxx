@@ -133,21 +133,20 @@ TEST_F(GpuTestShadowSamples, ReaderKeepsTheState)
 TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
 {
   // Its shadow, along x: x in (-0.51, 0.47), y in (-0.31, 0.29), z in (-0.2, 0.2).
-  const std::vector<double> points = { -0.9, -0.31, -0.2, -0.9, 0.29, -0.2, -0.9, 0.29, 0.2, -0.9,
-    -0.31, 0.2 };
+  const std::vector<glm::dvec3> points = { { -0.9, -0.31, -0.2 }, { -0.9, 0.29, -0.2 },
+    { -0.9, 0.29, 0.2 }, { -0.9, -0.31, 0.2 } };
   const std::vector<vtkIdType> triangles = { 0, 1, 2, 0, 2, 3 };
   vtkShadowTopology topology;
-  topology.Build(points.data(), 4, triangles.data(), 2);
+  topology.Build(points, triangles);
   vtkShadowLight light;
   light.Direction[0] = 1.0;
   light.Direction[2] = 0.0;
   vtkShadowSilhouette silhouette;
-  silhouette.Compute(topology, topology.GetPoints().data(), light, vtkShadowCounting::All);
+  silhouette.Compute(topology, topology.GetPoints(), light, vtkShadowCounting::All);
   vtkShadowVolume volume;
-  const double origin[3] = { 0.0, 0.0, 0.0 };
-  volume.Begin(origin);
-  volume.AddClamped(silhouette, topology.GetPoints().data(), 4, vtkShadowLightSpace(light),
-    { -0.51, 0.47 }, -0.9, vtkShadowCap::Fan);
+  volume.Begin(glm::dvec3(0.0));
+  volume.AddClamped(silhouette, topology.GetPoints(), vtkShadowLightSpace(light), { -0.51, 0.47 },
+    -0.9, vtkShadowCap::Fan);
   const double volumeToClip[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1 };
   vtkShadowDraw draw;
   draw.NumberOfIndices = static_cast<int>(volume.GetIndices().size());

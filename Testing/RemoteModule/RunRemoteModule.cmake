@@ -22,6 +22,8 @@ file(COPY
   "${checkout}/CMakeLists.txt" "${checkout}/vtk.module" "${checkout}/Modules" "${checkout}/Testing"
   DESTINATION "${tree}/Remote/NBuffer")
 
+# A launcher may have arguments; it is to stay one word.
+string(REPLACE ";" "\\;" cxx_compiler_launcher "${cxx_compiler_launcher}")
 # Unoptimised: only that it builds matters, and that it lands where VTK's do.
 file(REMOVE_RECURSE "${work}/build")
 run("Configure" "${CMAKE_COMMAND}" -S "${tree}" -B "${work}/build" -G "${generator}"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Copies of a scene beside it.
-#include "Scene.h"
+#include "LoadScene.h"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,8 @@
 
 * docs/limits.md names every verdict and every decision.
 * Every test that docs/hazards.md names exists, and every hazard has one.
+* A file that a document shows, in a fenced block behind the comment <!-- file: PATH -->, is shown as
+  it is, without its lines of SPDX.
 """
 
 import pathlib
@@ -45,9 +47,23 @@ def check_hazards(root):
                 yield f"docs/hazards.md: there is no test {name}"
 
 
+def check_shown_files(root):
+    for document in [*sorted(root.glob("*.md")), *sorted((root / "docs").glob("*.md"))]:
+        for name, shown in re.findall(
+                r"^<!-- file: (\S+) -->\n+```\w*\n(.*?)^```", document.read_text(),
+                re.DOTALL | re.MULTILINE):
+            if not (root / name).is_file():
+                yield f"{document.name}: there is no file {name}"
+                continue
+            lines = (root / name).read_text().splitlines(keepends=True)
+            text = "".join(line for line in lines if "SPDX-" not in line)
+            if shown.strip() != text.strip():
+                yield f"{document.name}: {name} is shown otherwise than it is"
+
+
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
-    faults = [*check_limits(root), *check_hazards(root)]
+    faults = [*check_limits(root), *check_hazards(root), *check_shown_files(root)]
     print("\n".join(faults) if faults else "no faults")
     return 1 if faults else 0
 

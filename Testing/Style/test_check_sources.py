@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""check_sources.py finds each kind of fault, and only these, in a made-up repository."""
+"""check_sources.py finds each kind of fault, and only these, in a made-up repository; check_docs.py
+finds files that are shown otherwise than they are."""
 
 import pathlib
 import sys
@@ -9,6 +10,7 @@ import tempfile
 import unittest
 
 sys.dont_write_bytecode = True
+import check_docs  # noqa: E402
 import check_sources  # noqa: E402
 
 HEADER = """\
@@ -61,6 +63,27 @@ class CheckSources(unittest.TestCase):
         # Put together here, so that this file is free of them itself.
         for path in ("/ho" "me/me/x", '"/tm' 'p/x"', "C:\\Us" "ers\\x"):
             self.one_fault({"a.md": HEADER + path + "\n"}, "line 3: path")
+
+
+class CheckShownFiles(unittest.TestCase):
+    def faults(self, shown, code="int main()\n{\n}\n", name="a.cxx"):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / "a.cxx").write_text(HEADER + code)
+            (root / "README.md").write_text(
+                f"# A\n\n<!-- file: {name} -->\n```cpp\n{shown}```\n\n```cpp\nint other;\n```\n")
+            return list(check_docs.check_shown_files(root))
+
+    def test_shown_as_it_is(self):
+        self.assertEqual(self.faults("int main()\n{\n}\n"), [])
+
+    def test_shown_otherwise(self):
+        self.assertEqual(
+            self.faults("int main()\n{\n  return 1;\n}\n"),
+            ["README.md: a.cxx is shown otherwise than it is"])
+
+    def test_not_there(self):
+        self.assertEqual(self.faults("", name="b.cxx"), ["README.md: there is no file b.cxx"])
 
 
 if __name__ == "__main__":

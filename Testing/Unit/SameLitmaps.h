@@ -21,10 +21,10 @@ inline bool IsSameExtent(const vtkShadowExtent& a, const vtkShadowExtent& b)
 
 inline bool IsSameBlock(const vtkShadowBlock& a, const vtkShadowBlock& b)
 {
-  return std::equal(a.Low, a.Low + 3, b.Low) && std::equal(a.High, a.High + 3, b.High);
+  return a.Low == b.Low && a.High == b.High;
 }
 
-/// Lexels of all levels, numbers, reach, and tiles.
+/// Expects equal lexels of all levels, numbers, widest angles and tiles.
 inline void ExpectSameLitmaps(const vtkShadowLitmap& a, const vtkShadowLitmap& b)
 {
   EXPECT_EQ(a.GetNumberOfReceivers(), b.GetNumberOfReceivers());

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShadowCounts.h"
 
-#include "vtkMath.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,8 +14,6 @@
 
 namespace
 {
-using Vector4 = std::array<double, 4>;
-
 /// How a ray meets a triangle.
 struct Crossing
 {
@@ -30,7 +26,7 @@ struct Crossing
  * The ray from `start` along `direction` against a triangle with homogeneous corners, w >= 0: seen
  * from the start, (xyz - w start) is the direction of a corner also if it is infinitely far.
  */
-Crossing Cross(const Point& start, const Point& direction, const std::array<Vector4, 3>& corners,
+Crossing Cross(const Point& start, const Point& direction, const std::array<glm::dvec4, 3>& corners,
   double tolerance)
 {
   Point relative[3];
@@ -38,24 +34,19 @@ Crossing Cross(const Point& start, const Point& direction, const std::array<Vect
   double w = 0.0;
   for (int i = 0; i < 3; ++i)
   {
-    for (int j = 0; j < 3; ++j)
-    {
-      relative[i][j] = corners[i][j] - corners[i][3] * start[j];
-    }
-    lengths[i] = vtkMath::Norm(relative[i].data());
+    relative[i] = Point(corners[i]) - corners[i][3] * start;
+    lengths[i] = glm::length(relative[i]);
   }
   // direction = sum of sides[i] / volume * relative[i], and the place is that over its w.
-  const double volume =
-    vtkMath::Determinant3x3(relative[0].data(), relative[1].data(), relative[2].data());
-  const double norm = vtkMath::Norm(direction.data());
+  const double volume = glm::dot(relative[0], glm::cross(relative[1], relative[2]));
+  const double norm = glm::length(direction);
   int positive = volume > tolerance * lengths[0] * lengths[1] * lengths[2];
   int negative = volume < -tolerance * lengths[0] * lengths[1] * lengths[2];
   for (int i = 0; i < 3; ++i)
   {
     const int j = (i + 1) % 3;
     const int k = (i + 2) % 3;
-    const double side =
-      vtkMath::Determinant3x3(direction.data(), relative[j].data(), relative[k].data());
+    const double side = glm::dot(direction, glm::cross(relative[j], relative[k]));
     const double limit = tolerance * norm * lengths[j] * lengths[k];
     positive += side > limit;
     negative += side < -limit;
@@ -74,28 +65,20 @@ Crossing Cross(const Point& start, const Point& direction, const std::array<Vect
   return crossing;
 }
 
-Vector4 ToVector4(const Point& x)
-{
-  return { x[0], x[1], x[2], 1.0 };
-}
 }
 
 std::optional<int> CountByBruteForce(
   const ShadowMesh& mesh, const vtkShadowLight& light, const Point& x, bool awayOnly)
 {
   constexpr double tolerance = 1e-4;
-  Point toLight;
-  for (int i = 0; i < 3; ++i)
-  {
-    toLight[i] = light.IsPositional() ? light.Position[i] - x[i] : -light.Direction[i];
-  }
+  const Point toLight = light.IsPositional() ? light.Position - x : -light.Direction;
   int count = 0;
   for (std::size_t t = 0; t < mesh.Triangles.size(); t += 3)
   {
-    std::array<Vector4, 3> corners;
+    std::array<glm::dvec4, 3> corners;
     for (int i = 0; i < 3; ++i)
     {
-      corners[i] = ToVector4(mesh.Points[mesh.Triangles[t + i]]);
+      corners[i] = glm::dvec4(mesh.Points[mesh.Triangles[t + i]], 1.0);
     }
     const Crossing crossing = Cross(x, toLight, corners, tolerance);
     const bool atLight =
@@ -113,12 +96,11 @@ std::optional<int> CountByBruteForce(
 int CountInVolume(
   const vtkShadowVolume& volume, const Point& origin, const Point& x, std::mt19937& random)
 {
-  std::vector<Vector4> vertices;
+  std::vector<glm::dvec4> vertices;
   for (std::size_t i = 0; i < volume.GetVertices().size(); i += 4)
   {
     const float* v = volume.GetVertices().data() + i;
-    vertices.push_back(
-      { v[0] + v[3] * origin[0], v[1] + v[3] * origin[1], v[2] + v[3] * origin[2], v[3] });
+    vertices.push_back(glm::dvec4(glm::make_vec4(v)) + glm::dvec4(double(v[3]) * origin, 0.0));
   }
   for (int attempt = 0; attempt < 100; ++attempt)
   {

@@ -7,6 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
+void glm::PrintTo(const dvec3& x, std::ostream* os)
+{
+  const std::streamsize digits = os->precision(17);
+  *os << "(" << x[0] << ", " << x[1] << ", " << x[2] << ")";
+  os->precision(digits);
+}
+
 void ShadowMesh::AddQuad(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d)
 {
   this->Triangles.insert(this->Triangles.end(), { a, b, c, a, c, d });
@@ -24,8 +31,7 @@ void ShadowMesh::Append(const ShadowMesh& other)
 
 ShadowMesh ShadowMesh::Translate(double x, double y, double z) const
 {
-  return this->Move(
-    [=](const Point& point) { return Point{ point[0] + x, point[1] + y, point[2] + z }; });
+  return this->Move([=](const Point& point) { return point + Point(x, y, z); });
 }
 
 ShadowMesh ShadowMesh::Reverse() const
@@ -325,21 +331,13 @@ RigidMotion::RigidMotion(std::mt19937& random, double distance)
   }
   double matrix[3][3];
   vtkMath::QuaternionToMatrix3x3(quaternion, matrix); // normalises
-  for (int i = 0; i < 3; ++i)
-  {
-    this->Rows[i] = { matrix[i][0], matrix[i][1], matrix[i][2] };
-  }
+  this->Rotation = glm::transpose(glm::make_mat3(matrix[0]));
   this->Offset = MakePoint(random, distance);
 }
 
 Point RigidMotion::operator()(const Point& x) const
 {
-  Point result;
-  for (int i = 0; i < 3; ++i)
-  {
-    result[i] = vtkMath::Dot(this->Rows[i].data(), x.data()) + this->Offset[i];
-  }
-  return result;
+  return this->Rotation * x + this->Offset;
 }
 
 double MakeUniform(std::mt19937& random, double a, double b)
@@ -350,9 +348,9 @@ double MakeUniform(std::mt19937& random, double a, double b)
 Point MakePoint(std::mt19937& random, double extent)
 {
   Point point;
-  for (double& value : point)
+  for (int i = 0; i < 3; ++i)
   {
-    value = MakeUniform(random, -extent, extent);
+    point[i] = MakeUniform(random, -extent, extent);
   }
   return point;
 }

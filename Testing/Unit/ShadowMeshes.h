@@ -7,14 +7,22 @@
 #ifndef ShadowMeshes_h
 #define ShadowMeshes_h
 
+#include "vtkNBufferGLM.h"
+
 #include "vtkType.h"
 
-#include <array>
+#include <ostream>
 #include <random>
 #include <string>
 #include <vector>
 
-using Point = std::array<double, 3>;
+using Point = glm::dvec3;
+
+namespace glm
+{
+/// How GoogleTest shows a point: with all digits.
+void PrintTo(const dvec3& x, std::ostream* os);
+}
 
 struct ShadowMesh
 {
@@ -22,10 +30,6 @@ struct ShadowMesh
   std::vector<Point> Points;
   std::vector<vtkIdType> Triangles;
 
-  const double* GetPoints() const
-  {
-    return this->Points.empty() ? nullptr : this->Points[0].data();
-  }
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Points.size()); }
   vtkIdType GetNumberOfTriangles() const
   {
@@ -85,7 +89,7 @@ public:
   Point operator()(const Point& x) const;
 
 private:
-  std::array<Point, 3> Rows;
+  glm::dmat3 Rotation;
   Point Offset;
 };
 

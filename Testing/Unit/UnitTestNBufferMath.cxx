@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Which squares answer a rectangle: every claim of vtkNBufferMath.h against brute force.
+#include "vtkNBufferDepthConvention.h"
 #include "vtkNBufferMath.h"
 
 #include <gtest/gtest.h>
@@ -203,8 +204,9 @@ TEST(NBufferMath, LevelsAreThoseOfThePapersFiveCases)
       ASSERT_EQ(vtkNBufferMath::GetLevelForFourLookups(w, h), PaperLevel(w, h)) << w << " x " << h;
     }
   }
-  const auto count = [](int w, int h)
-  { return vtkNBufferMath::GetCoverOfFour({ 0, 0, w, h }).Count; };
+  const auto count = [](int w, int h) {
+    return vtkNBufferMath::GetCoverOfFour({ 0, 0, w, h }).Count;
+  };
   EXPECT_EQ(count(1, 1), 1);
   EXPECT_EQ(count(7, 6), 4); // 2 x 2
   EXPECT_EQ(count(8, 4), 2); // 2 x 1
@@ -362,6 +364,21 @@ TEST(NBufferMath, BaseRectangleIsRoundedOutwardAndTight)
       }
     }
   }
+}
+
+// Hazard: one of the constants of a depth convention is changed and another one is not.
+TEST(NBufferDepthConvention, ConstantsFollowFromTheOrder)
+{
+  namespace Depth = vtkNBufferDepthConvention;
+  EXPECT_LT(Depth::GetOrder(Depth::Nearest), Depth::GetOrder(Depth::Background));
+  // z / w is -1 on the near plane and 1 on the far plane.
+  EXPECT_EQ(-Depth::Scale + Depth::Offset, Depth::GetOrder(Depth::Nearest));
+  EXPECT_EQ(Depth::Scale + Depth::Offset, Depth::GetOrder(Depth::Background));
+  EXPECT_TRUE(Depth::IsDrawn(Depth::Nearest));
+  EXPECT_TRUE(Depth::IsDrawn(std::nextafter(Depth::Background, Depth::Nearest)));
+  EXPECT_FALSE(Depth::IsDrawn(Depth::Background));
+  EXPECT_EQ(Depth::Farthest == vtkNBufferExtremum::Maximum, Depth::Background > Depth::Nearest);
+  EXPECT_NE(Depth::PassIfNearer, Depth::PassIfFarther);
 }
 
 // Hazard: inclusive and exclusive ends mixed up.

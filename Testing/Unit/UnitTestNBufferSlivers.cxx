@@ -3,6 +3,7 @@
 // Which triangles of hidden meshes may be drawn before their box, and what pieces of a box allow.
 #include "vtkNBufferSliverTest.h"
 #include "vtkNBufferSplitBox.h"
+#include "vtkNBufferSurface.h"
 
 #include <gtest/gtest.h>
 
@@ -44,10 +45,14 @@ protected:
     vtkNBufferScreenBox screen;
     EXPECT_EQ(this->Projection.Project(box, screen), vtkNBufferPlacement::Inside);
     vtkNBufferMesh mesh;
-    mesh.Points.assign(triangle.begin(), triangle.end());
+    for (const glm::dvec3& p : triangle)
+    {
+      mesh.Points.push_back({ p.x, p.y, p.z });
+    }
     mesh.Triangles = { { 0, 1, 2 } };
     vtkNBufferSliverTest test(this->Projection, this->Levels, sampleReach);
-    return test.MayBeSeen(mesh, glm::dmat4(1.0), box, screen);
+    const double identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+    return test.MayBeSeen(mesh, identity, box, screen);
   }
 
   vtkNBufferProjection Projection;

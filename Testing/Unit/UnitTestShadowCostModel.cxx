@@ -8,8 +8,6 @@
 #include "vtkShadowTopology.h"
 #include "vtkShadowVolume.h"
 
-#include "vtkMath.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,19 +19,17 @@ constexpr int Width = 160;
 constexpr int Height = 90;
 
 /// Looks along -z from (0, 0, 3), 90 degrees upwards; near plane 0.1, far plane 100.
-constexpr double Clip[16] = { 9.0 / 16, 0, 0, 0, 0, 1, 0, 0, 0, 0, -100.1 / 99.9,
+constexpr double Rows[16] = { 9.0 / 16, 0, 0, 0, 0, 1, 0, 0, 0, 0, -100.1 / 99.9,
   (3 * 100.1 - 20.0) / 99.9, 0, 0, -1, 3 };
+
+const glm::dmat4 Clip = vtkNBufferGLM::ToMatrix(Rows);
 
 vtkShadowLight MakeLight(bool positional)
 {
   vtkShadowLight light;
   light.Kind = positional ? vtkShadowLightKind::Point : vtkShadowLightKind::Directional;
-  const double place[3] = { -3.0, 4.0, 2.5 };
-  for (int i = 0; i < 3; ++i)
-  {
-    light.Position[i] = place[i];
-    light.Direction[i] = -place[i] / vtkMath::Norm(place);
-  }
+  light.Position = { -3.0, 4.0, 2.5 };
+  light.Direction = vtkNBufferGLM::Normalize(-light.Position);
   return light;
 }
 
@@ -44,39 +40,29 @@ double CountFragments(const vtkShadowVolume& volume)
   const auto& indices = volume.GetIndices();
   for (std::size_t t = 0; t < indices.size(); t += 3)
   {
-    double corners[3][4];
+    glm::dvec4 corners[3];
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const float* v = volume.GetVertices().data() + 4 * std::size_t(indices[t + i]);
-      for (int row = 0; row < 4; ++row)
-      {
-        const double* m = Clip + 4 * row;
-        corners[i][row] = m[0] * v[0] + m[1] * v[1] + m[2] * v[2] + m[3] * v[3];
-      }
+      const float* vertex = volume.GetVertices().data() + 4 * std::size_t(indices[t + i]);
+      corners[i] = Clip * glm::dvec4(glm::make_vec4(vertex));
     }
-    const double columns[3][3] = { { corners[0][0], corners[1][0], corners[2][0] },
-      { corners[0][1], corners[1][1], corners[2][1] },
-      { corners[0][3], corners[1][3], corners[2][3] } };
-    if (std::abs(vtkMath::Determinant3x3(columns)) < 1e-12)
+    const auto getColumn = [](const glm::dvec4& corner)
+    { return glm::dvec3(corner[0], corner[1], corner[3]); };
+    const glm::dmat3 columns(getColumn(corners[0]), getColumn(corners[1]), getColumn(corners[2]));
+    if (std::abs(glm::determinant(columns)) < 1e-12)
     {
       continue;
     }
-    double inverse[3][3];
-    vtkMath::Invert3x3(columns, inverse);
+    const glm::dmat3 inverse = glm::inverse(columns);
+    const glm::dvec3 depths(corners[0][2], corners[1][2], corners[2][2]);
     for (int y = 0; y < Height; ++y)
     {
       for (int x = 0; x < Width; ++x)
       {
         // Shares of the corners in the point of the triangle's plane on this line of sight.
-        const double line[3] = { 2.0 * (x + 0.5) / Width - 1.0, 2.0 * (y + 0.5) / Height - 1.0,
-          1.0 };
-        double shares[3];
-        vtkMath::Multiply3x3(inverse, line, shares);
-        double z = 0.0;
-        for (int i = 0; i < 3; ++i)
-        {
-          z += shares[i] * corners[i][2];
-        }
+        const glm::dvec3 line(2.0 * (x + 0.5) / Width - 1.0, 2.0 * (y + 0.5) / Height - 1.0, 1.0);
+        const glm::dvec3 shares = inverse * line;
+        const double z = glm::dot(shares, depths);
         fragments += shares[0] >= 0.0 && shares[1] >= 0.0 && shares[2] >= 0.0 && z >= -1.0;
       }
     }
@@ -90,16 +76,13 @@ struct Volume
   {
     const vtkShadowLight light = MakeLight(positional);
     vtkShadowTopology topology;
-    topology.Build(mesh.GetPoints(), mesh.GetNumberOfPoints(), mesh.Triangles.data(),
-      mesh.GetNumberOfTriangles());
+    topology.Build(mesh.Points, mesh.Triangles);
     vtkShadowSilhouette silhouette;
-    silhouette.Compute(topology, topology.GetPoints().data(), light, vtkShadowCounting::Away);
-    const double origin[3] = { 0.0, 0.0, 0.0 };
-    this->Mesh.Begin(origin);
+    silhouette.Compute(topology, topology.GetPoints(), light, vtkShadowCounting::Away);
+    this->Mesh.Begin(glm::dvec3(0.0));
     for (int i = 0; i < copies; ++i)
     {
-      this->Mesh.AddWhole(
-        silhouette, topology.GetPoints().data(), topology.GetNumberOfPoints(), light);
+      this->Mesh.AddWhole(silhouette, topology.GetPoints(), light);
     }
     this->Expected = copies * vtkShadowCostModel::CountTriangles(silhouette, positional);
   }

@@ -106,14 +106,12 @@ TEST(ShadowDebugImage, CountsBecomeHeat)
 TEST(ShadowDebugImage, LitmapsAreSquares)
 {
   vtkShadowLitmap litmaps[2];
-  const double range[4] = { 0.0, 2.0, 0.0, 2.0 };
-  const double depths[2] = { 0.0, 64.0 };
   for (vtkShadowLitmap& litmap : litmaps)
   {
-    litmap.Begin(2, range, depths);
+    litmap.Begin(2, { { 0.0, 0.0, 0.0 }, { 2.0, 2.0, 64.0 } });
     for (const double s : { 0.5, 63.5 })
     {
-      const double place[3] = { s < 1.0 ? 0.5 : 1.5, 0.5, s };
+      const glm::dvec3 place = { s < 1.0 ? 0.5 : 1.5, 0.5, s };
       ASSERT_TRUE(litmap.Add(place, place, 0.0, 1, 1));
     }
     litmap.Build();

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Facing signs and light coordinates.
 #include "vtkShadowLight.h"
+#include "vtkShadowLightSlot.h"
 
 #include "vtkMath.h"
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -16,7 +16,7 @@
 namespace
 {
 using Kind = vtkShadowLightKind;
-using Point = std::array<double, 3>;
+using Point = glm::dvec3;
 
 constexpr Kind Kinds[] = { Kind::Directional, Kind::Spot, Kind::Point };
 
@@ -40,11 +40,8 @@ vtkShadowLight RandomLight(std::mt19937& random, Kind kind)
 {
   vtkShadowLight light;
   light.Kind = kind;
-  const Point position = RandomPoint(random, 10.0);
-  std::copy_n(position.data(), 3, light.Position);
-  Point direction = RandomPoint(random, 1.0);
-  vtkMath::Normalize(direction.data());
-  std::copy_n(direction.data(), 3, light.Direction);
+  light.Position = RandomPoint(random, 10.0);
+  light.Direction = vtkNBufferGLM::Normalize(RandomPoint(random, 1.0));
   return light;
 }
 }
@@ -59,19 +56,17 @@ TEST(ShadowLight, FacingIsCyclicAntisymmetricAndMirrored)
   {
     vtkShadowLight light;
     light.Kind = Kinds[n % 3];
-    const Point position = RandomGridPoint(random);
-    const Point direction = RandomGridPoint(random);
-    std::copy_n(position.data(), 3, light.Position);
-    std::copy_n(direction.data(), 3, light.Direction);
+    light.Position = RandomGridPoint(random);
+    light.Direction = RandomGridPoint(random);
     const Point a = RandomGridPoint(random);
     const Point b = RandomGridPoint(random);
     const Point c = RandomGridPoint(random);
-    const int facing = light.GetFacing(a.data(), b.data(), c.data());
+    const int facing = light.GetFacing(a, b, c);
     edgeOn += facing == 0;
-    ASSERT_EQ(light.GetFacing(b.data(), c.data(), a.data()), facing) << "case " << n;
-    ASSERT_EQ(light.GetFacing(c.data(), a.data(), b.data()), facing) << "case " << n;
-    ASSERT_EQ(light.GetFacing(a.data(), c.data(), b.data()), -facing) << "case " << n;
-    ASSERT_EQ(light.GetFacing(a.data(), a.data(), b.data()), 0) << "case " << n;
+    ASSERT_EQ(light.GetFacing(b, c, a), facing) << "case " << n;
+    ASSERT_EQ(light.GetFacing(c, a, b), facing) << "case " << n;
+    ASSERT_EQ(light.GetFacing(a, c, b), -facing) << "case " << n;
+    ASSERT_EQ(light.GetFacing(a, a, b), 0) << "case " << n;
     // Everything mirrored in x.
     vtkShadowLight mirrored = light;
     mirrored.Position[0] = -light.Position[0];
@@ -79,7 +74,7 @@ TEST(ShadowLight, FacingIsCyclicAntisymmetricAndMirrored)
     const Point ma = { -a[0], a[1], a[2] };
     const Point mb = { -b[0], b[1], b[2] };
     const Point mc = { -c[0], c[1], c[2] };
-    ASSERT_EQ(mirrored.GetFacing(ma.data(), mb.data(), mc.data()), -facing) << "case " << n;
+    ASSERT_EQ(mirrored.GetFacing(ma, mb, mc), -facing) << "case " << n;
   }
   EXPECT_GT(edgeOn, 500) << "the grid has to give many edge-on triangles";
 }
@@ -87,9 +82,9 @@ TEST(ShadowLight, FacingIsCyclicAntisymmetricAndMirrored)
 // The convention itself: anticlockwise as the light sees it is 1.
 TEST(ShadowLight, FacingOfAFloor)
 {
-  const double a[3] = { 0, 0, 0 };
-  const double b[3] = { 1, 0, 0 };
-  const double c[3] = { 0, 1, 0 };
+  const Point a = { 0, 0, 0 };
+  const Point b = { 1, 0, 0 };
+  const Point c = { 0, 1, 0 };
   vtkShadowLight light;
   EXPECT_EQ(light.GetFacing(a, b, c), 1) << "from above";
   light.Direction[2] = 1.0;
@@ -99,7 +94,7 @@ TEST(ShadowLight, FacingOfAFloor)
   EXPECT_EQ(light.GetFacing(a, b, c), 1);
   light.Position[2] = 0.0;
   EXPECT_EQ(light.GetFacing(a, b, c), 0) << "in its plane";
-  const double nan[3] = { std::numeric_limits<double>::quiet_NaN(), 0, 0 };
+  const Point nan = { std::numeric_limits<double>::quiet_NaN(), 0, 0 };
   EXPECT_EQ(light.GetFacing(a, b, nan), 0);
 }
 
@@ -111,30 +106,26 @@ TEST(ShadowLight, FramesGoThereAndBack)
   {
     const vtkShadowLight light = RandomLight(random, Kinds[n % 3]);
     const Point axis = RandomPoint(random, 3.0);
-    const vtkShadowLightSpace frame =
-      light.IsPositional() ? vtkShadowLightSpace(light, axis.data()) : vtkShadowLightSpace(light);
-    const double* axes[3] = { frame.GetU(), frame.GetV(), frame.GetAxis() };
+    const vtkShadowLightSpace space =
+      light.IsPositional() ? vtkShadowLightSpace(light, axis) : vtkShadowLightSpace(light);
+    const glm::dmat3 axes(space.GetU(), space.GetV(), space.GetAxis());
+    const glm::dmat3 identity = glm::transpose(axes) * axes;
     for (int i = 0; i < 3; ++i)
     {
       for (int j = 0; j < 3; ++j)
       {
-        ASSERT_NEAR(vtkMath::Dot(axes[i], axes[j]), i == j ? 1.0 : 0.0, 1e-14) << "case " << n;
+        ASSERT_NEAR(identity[i][j], i == j ? 1.0 : 0.0, 1e-14) << "case " << n;
       }
     }
     const Point x = RandomPoint(random, 20.0);
-    double pqs[3];
-    frame.ToLight(x.data(), pqs);
-    ASSERT_EQ(pqs[2], frame.GetDepth(x.data())) << "case " << n;
+    const Point pqs = space.ToLight(x);
+    ASSERT_EQ(pqs[2], space.GetDepth(x)) << "case " << n;
     if (light.IsPositional() && pqs[2] < 0.01)
     {
       continue;
     }
-    double back[3];
-    frame.ToWorld(pqs, back);
-    double extruded[3];
-    frame.Extrude(x.data(), 2.5 * std::abs(pqs[2]) + 1.0, extruded);
-    double moved[3];
-    frame.ToLight(extruded, moved);
+    const Point back = space.ToWorld(pqs);
+    const Point moved = space.ToLight(space.Extrude(x, 2.5 * std::abs(pqs[2]) + 1.0));
     for (int i = 0; i < 3; ++i)
     {
       ASSERT_NEAR(back[i], x[i], 1e-12) << "case " << n;
@@ -156,20 +147,28 @@ TEST(ShadowLight, ReachesItsCone)
     // Every other one close to the edge of the cone.
     const double angle = n % 2 ? std::uniform_real_distribution<double>(0.0, 180.0)(random)
                                : light.ConeAngle + 0.01 * (n % 9 - 4) + 0.005;
-    double across[3];
-    vtkMath::Perpendiculars(light.Direction, across, nullptr, 0.01 * n);
+    Point across;
+    vtkMath::Perpendiculars(
+      glm::value_ptr(light.Direction), glm::value_ptr(across), nullptr, 0.01 * n);
     const double distance = std::pow(10.0, n % 7 - 3);
-    Point x;
-    for (int i = 0; i < 3; ++i)
-    {
-      x[i] = light.Position[i] +
-        distance *
-          (std::cos(vtkMath::RadiansFromDegrees(angle)) * light.Direction[i] +
-            std::sin(vtkMath::RadiansFromDegrees(angle)) * across[i]);
-    }
-    ASSERT_EQ(light.IsInCone(x.data()), angle <= light.ConeAngle + 0.01)
+    const double radians = vtkMath::RadiansFromDegrees(angle);
+    const Point x = light.Position +
+      distance * (std::cos(radians) * light.Direction + std::sin(radians) * across);
+    ASSERT_EQ(light.IsInCone(x), angle <= light.ConeAngle + 0.01)
       << "case " << n << ", angle " << angle << ", cone " << light.ConeAngle;
     light.Kind = n % 2 ? Kind::Point : Kind::Directional;
-    ASSERT_TRUE(light.IsInCone(x.data()));
+    ASSERT_TRUE(light.IsInCone(x));
   }
+}
+
+// Four lights share the channels of a mask.
+TEST(ShadowLightSlot, MasksAndChannels)
+{
+  EXPECT_EQ(vtkShadowLightSlot::CountMasks(0), 0);
+  EXPECT_EQ(vtkShadowLightSlot::CountMasks(4), 1);
+  EXPECT_EQ(vtkShadowLightSlot::CountMasks(5), 2);
+  EXPECT_EQ(vtkShadowLightSlot{ 3 }.GetMask(), 0);
+  EXPECT_EQ(vtkShadowLightSlot{ 3 }.GetChannel(), 3);
+  EXPECT_EQ(vtkShadowLightSlot{ 4 }.GetMask(), 1);
+  EXPECT_EQ(vtkShadowLightSlot{ 4 }.GetChannel(), 0);
 }

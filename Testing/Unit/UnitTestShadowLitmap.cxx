@@ -22,8 +22,8 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 struct Receiver
 {
-  double A[3];
-  double B[3];
+  glm::dvec3 A;
+  glm::dvec3 B;
   double Radius;
   int X;
   int Y;
@@ -31,14 +31,13 @@ struct Receiver
 
 struct Map
 {
-  double Range[4] = { -2.0, 3.0, 10.0, 11.0 };
-  double Depths[2] = { 4.0, 36.0 };
+  vtkShadowBlock Range = { { -2.0, 10.0, 4.0 }, { 3.0, 11.0, 36.0 } };
   std::vector<Receiver> Receivers;
   vtkShadowLitmap Litmap;
 
   void Build(int resolution)
   {
-    this->Litmap.Begin(resolution, this->Range, this->Depths);
+    this->Litmap.Begin(resolution, this->Range);
     for (const Receiver& r : this->Receivers)
     {
       ASSERT_TRUE(this->Litmap.Add(r.A, r.B, r.Radius, r.X, r.Y));
@@ -58,12 +57,11 @@ std::vector<Receiver> MakeReceivers(const Map& map, int count, unsigned int seed
     Receiver r;
     r.Radius = n % 3 ? 0.0 : 0.02 * uniform(random) + 0.002;
     const double length = n % 4 ? 0.0 : std::ldexp(1.0, -static_cast<int>(random() % 12));
-    const double* ranges[3] = { map.Range, map.Range + 2, map.Depths };
+    const glm::dvec3 width = map.Range.High - map.Range.Low;
     for (int i = 0; i < 3; ++i)
     {
-      const double width = ranges[i][1] - ranges[i][0];
-      r.A[i] = ranges[i][0] + width * uniform(random);
-      r.B[i] = r.A[i] + width * length * (uniform(random) - 0.5);
+      r.A[i] = map.Range.Low[i] + width[i] * uniform(random);
+      r.B[i] = r.A[i] + width[i] * length * (uniform(random) - 0.5);
     }
     r.X = static_cast<int>(random() % 640);
     r.Y = static_cast<int>(random() % 480);
@@ -85,7 +83,7 @@ vtkShadowExtent Scan(const Map& map, double p0, double q0, double p1, double q1)
   vtkShadowExtent result;
   for (const Receiver& r : map.Receivers)
   {
-    const bool point = std::equal(r.A, r.A + 2, r.B);
+    const bool point = r.A[0] == r.B[0] && r.A[1] == r.B[1];
     bool inside = false;
     for (int i = 0; i <= (point ? 0 : 200) && !inside; ++i)
     {
@@ -133,13 +131,13 @@ void CheckSlabs(const Map& map, const vtkShadowExtent& extent, double p0, double
 {
   const auto slabs = map.Litmap.GetSlabs(extent, gap);
   ASSERT_EQ(slabs.empty(), extent.IsEmpty());
-  const double bin = (map.Depths[1] - map.Depths[0]) / vtkShadowLitmap::NumberOfBins;
+  const double bin = (map.Range.High[2] - map.Range.Low[2]) / vtkShadowLitmap::NumberOfBins;
   for (std::size_t i = 0; i < slabs.size(); ++i)
   {
-    ASSERT_LE(slabs[i].first, slabs[i].second);
-    ASSERT_GE(slabs[i].first, extent.Near);
-    ASSERT_LE(slabs[i].second, extent.Far);
-    ASSERT_TRUE(i == 0 || slabs[i].first - slabs[i - 1].second > gap * bin * (1.0 - 1e-9));
+    ASSERT_LE(slabs[i].Near, slabs[i].Far);
+    ASSERT_GE(slabs[i].Near, extent.Near);
+    ASSERT_LE(slabs[i].Far, extent.Far);
+    ASSERT_TRUE(i == 0 || slabs[i].Near - slabs[i - 1].Far > gap * bin * (1.0 - 1e-9));
   }
   for (const Receiver& r : map.Receivers)
   {
@@ -148,7 +146,7 @@ void CheckSlabs(const Map& map, const vtkShadowExtent& extent, double p0, double
       const double nearS = std::min(r.A[2], r.B[2]);
       const double farS = std::max(r.A[2], r.B[2]);
       ASSERT_TRUE(std::any_of(slabs.begin(), slabs.end(),
-        [=](const auto& slab) { return slab.first <= nearS && farS <= slab.second; }))
+        [=](const auto& slab) { return slab.Near <= nearS && farS <= slab.Far; }))
         << "depths [" << nearS << ", " << farS << "], gap " << gap;
     }
   }
@@ -239,10 +237,8 @@ TEST(ShadowLitmapOnce, NothingIsFoundWhereNothingIs)
 // The guard: one lexel on all sides, cut to the map.
 TEST(ShadowLitmapOnce, QueriesAreWidenedByALexel)
 {
-  const double range[4] = { 0.0, 8.0, -8.0, 8.0 };
-  const double depths[2] = { 0.0, 1.0 };
   vtkShadowLitmap litmap;
-  litmap.Begin(8, range, depths);
+  litmap.Begin(8, { { 0.0, -8.0, 0.0 }, { 8.0, 8.0, 1.0 } });
   const vtkNBufferRectangle inside = litmap.GetLexels(2.5, -2.5, 2.6, 1.5);
   EXPECT_EQ(inside.X0, 1);
   EXPECT_EQ(inside.X1, 4);
@@ -272,13 +268,13 @@ TEST(ShadowLitmapOnce, SegmentsAreThin)
 TEST(ShadowLitmapOnce, RefusesWhatIsNotFinite)
 {
   Map map;
-  map.Litmap.Begin(8, map.Range, map.Depths);
-  const double good[3] = { 0.0, 10.5, 8.0 };
+  map.Litmap.Begin(8, map.Range);
+  const glm::dvec3 good = { 0.0, 10.5, 8.0 };
   for (double value : { NaN, Infinity, -Infinity })
   {
     for (int i = 0; i < 3; ++i)
     {
-      double bad[3] = { 0.0, 10.5, 8.0 };
+      glm::dvec3 bad = good;
       bad[i] = value;
       EXPECT_FALSE(map.Litmap.Add(bad, good, 0.0, 0, 0));
       EXPECT_FALSE(map.Litmap.Add(good, bad, 0.0, 0, 0));
@@ -308,8 +304,8 @@ TEST(ShadowLitmapOnce, AnInfiniteRadiusIsEverywhere)
 TEST(ShadowLitmapOnce, RangesWithoutAWidth)
 {
   Map map;
-  map.Range[1] = map.Range[0];
-  map.Depths[1] = map.Depths[0];
+  map.Range.High[0] = map.Range.Low[0];
+  map.Range.High[2] = map.Range.Low[2];
   map.Receivers = { { { -2.0, 10.5, 4.0 }, { -2.0, 10.5, 4.0 }, 0.0, 1, 2 },
     { { -2.0, 10.9, 4.0 }, { -2.0, 10.9, 4.0 }, 0.0, 3, 4 } };
   ASSERT_NO_FATAL_FAILURE(map.Build(32));
@@ -318,8 +314,8 @@ TEST(ShadowLitmapOnce, RangesWithoutAWidth)
   EXPECT_EQ(extent.X1, 2);
   const auto slabs = map.Litmap.GetSlabs(extent, 4);
   ASSERT_EQ(slabs.size(), 1u);
-  EXPECT_EQ(slabs[0].first, 4.0);
-  EXPECT_EQ(slabs[0].second, 4.0);
+  EXPECT_EQ(slabs[0].Near, 4.0);
+  EXPECT_EQ(slabs[0].Far, 4.0);
 }
 
 // Hazard: memory is kept; what an older, larger map held must not show.
@@ -334,7 +330,7 @@ TEST(ShadowLitmapOnce, BeginForgets)
   EXPECT_EQ(map.Litmap.GetLevelData(map.Litmap.GetNumberOfLevels()), nullptr);
   ASSERT_NO_FATAL_FAILURE(CheckQuery(map, -2.0, 10.0, 3.0, 11.0, 1));
   ASSERT_NO_FATAL_FAILURE(CheckQuery(map, -1.0, 10.2, 1.0, 10.7, 1));
-  map.Litmap.Begin(33, map.Range, map.Depths);
+  map.Litmap.Begin(33, map.Range);
   EXPECT_TRUE(map.Litmap.Query(-2.0, 10.0, 3.0, 11.0).IsEmpty()) << "not built";
 }
 
@@ -356,11 +352,11 @@ TEST(ShadowLitmapOnce, SlabsRespectTheGap)
   EXPECT_EQ(map.Litmap.GetSlabs(extent, 31).size(), 1u);
   EXPECT_EQ(map.Litmap.GetSlabs(vtkShadowExtent(), 4).size(), 0u);
   const auto slabs = map.Litmap.GetSlabs(extent, 4);
-  EXPECT_EQ(slabs.front().first, 4.1);
-  EXPECT_NEAR(slabs.front().second, 5.0, 1e-9);
-  EXPECT_NEAR(slabs[1].first, 7.0, 1e-9);
-  EXPECT_NEAR(slabs[1].second, 7.5, 1e-9);
-  EXPECT_EQ(slabs.back().second, 35.9);
+  EXPECT_EQ(slabs.front().Near, 4.1);
+  EXPECT_NEAR(slabs.front().Far, 5.0, 1e-9);
+  EXPECT_NEAR(slabs[1].Near, 7.0, 1e-9);
+  EXPECT_NEAR(slabs[1].Far, 7.5, 1e-9);
+  EXPECT_EQ(slabs.back().Far, 35.9);
 }
 
 // Hazard: a depth on the edge of a bin, rounded to one side here and to the other there.
@@ -371,25 +367,24 @@ TEST(ShadowLitmapOnce, SlabsHoldDepthsOnTheEdgesOfBins)
   for (int n = 0; n < 100; ++n)
   {
     Map map;
-    map.Depths[0] = (n % 3 - 1) * std::pow(10.0, n % 8) + uniform(random);
-    map.Depths[1] = map.Depths[0] + 10.0 * uniform(random);
+    map.Range.Low[2] = (n % 3 - 1) * std::pow(10.0, n % 8) + uniform(random);
+    map.Range.High[2] = map.Range.Low[2] + 10.0 * uniform(random);
     for (int bin = 0; bin <= 64; ++bin)
     {
-      const double edge = map.Depths[0] + (map.Depths[1] - map.Depths[0]) * bin / 64.0;
+      const double edge = map.Range.Low[2] + (map.Range.High[2] - map.Range.Low[2]) * bin / 64.0;
       for (double s : { std::nextafter(edge, -1e9), edge, std::nextafter(edge, 1e9) })
       {
         map.Receivers = { { { 0.0, 10.5, s }, { 0.0, 10.5, s }, 0.0, 3, 4 } };
         ASSERT_NO_FATAL_FAILURE(map.Build(1));
         const auto slabs = map.Litmap.GetSlabs(map.Litmap.Query(0.0, 10.5, 0.0, 10.5), 1);
         ASSERT_EQ(slabs.size(), 1u);
-        ASSERT_EQ(slabs[0].first, s) << "case " << n << ", bin " << bin;
-        ASSERT_EQ(slabs[0].second, s) << "case " << n << ", bin " << bin;
+        ASSERT_EQ(slabs[0].Near, s) << "case " << n << ", bin " << bin;
+        ASSERT_EQ(slabs[0].Far, s) << "case " << n << ", bin " << bin;
       }
     }
   }
 }
 
-// A litmap filled lexel by lexel is the one of receivers that lie there.
 // Filled in parts, in any order: the same lexels, tiles and reach, to the bit. Parts that were used
 // before begin anew.
 TEST(ShadowLitmap, PartsJoin)
@@ -399,7 +394,7 @@ TEST(ShadowLitmap, PartsJoin)
   whole.Receivers.push_back({ { 0, 0, 5.0 }, { 0, 0, 6.0 }, Infinity, 3, 4 });
   constexpr int width = 65535;
   constexpr int height = 9;
-  const double radius[3] = { 0.1, 0.2, 0.3 };
+  const glm::dvec3 radius = { 0.1, 0.2, 0.3 };
   for (const int count : { 1, 3, 2 })
   {
     SCOPED_TRACE("parts: " + std::to_string(count));
@@ -407,7 +402,7 @@ TEST(ShadowLitmap, PartsJoin)
     for (int filled = 0; filled < 2; ++filled)
     {
       vtkShadowLitmap& litmap = litmaps[filled];
-      litmap.Begin(37, whole.Range, whole.Depths);
+      litmap.Begin(37, whole.Range);
       litmap.GetTiles().Begin(width, height);
       litmap.GetTiles().SetSplit(whole.Receivers[1].X / vtkShadowTiles::Size,
         whole.Receivers[1].Y % height / vtkShadowTiles::Size, 0.5f);
@@ -427,20 +422,20 @@ TEST(ShadowLitmap, PartsJoin)
   }
 }
 
+// A litmap filled lexel by lexel is the one of receivers that lie there.
 TEST(ShadowLitmap, LexelsAreAddedAsReceivers)
 {
-  const double range[4] = { 0.0, 4.0, 0.0, 4.0 };
-  const double depths[2] = { 0.0, 64.0 };
+  const vtkShadowBlock range = { { 0.0, 0.0, 0.0 }, { 4.0, 4.0, 64.0 } };
   vtkShadowLitmap added;
-  added.Begin(4, range, depths);
-  const double a[3] = { 2.5, 1.5, 3.5 };
-  const double b[3] = { 2.5, 1.5, 9.5 };
+  added.Begin(4, range);
+  const glm::dvec3 a = { 2.5, 1.5, 3.5 };
+  const glm::dvec3 b = { 2.5, 1.5, 9.5 };
   ASSERT_TRUE(added.Add(a, b, 0.0, 7, 8));
   ASSERT_TRUE(added.Add(a, b, 0.0, 9, 12));
   added.Build();
 
   vtkShadowLitmap filled;
-  filled.Begin(4, range, depths);
+  filled.Begin(4, range);
   vtkShadowExtent extent;
   EXPECT_FALSE(filled.AddLexel(2, 1, extent)) << "empty";
   extent.Near = 3.5;

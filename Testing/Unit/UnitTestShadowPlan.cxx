@@ -46,8 +46,7 @@ struct Situation
     : Light(light)
     , Frame(light)
   {
-    this->Topology.Build(mesh.GetPoints(), mesh.GetNumberOfPoints(), mesh.Triangles.data(),
-      mesh.GetNumberOfTriangles());
+    this->Topology.Build(mesh.Points, mesh.Triangles);
     this->View.Viewport[0] = 10;
     this->View.Viewport[1] = 20;
     this->View.Viewport[2] = 300;
@@ -55,22 +54,18 @@ struct Situation
     // What lies more than 100 below the origin of the volume is before the near plane.
     this->View.NearPlane[2] = 1.0;
     this->View.NearPlane[3] = 100.0;
-    const double range[4] = { -4.0, 4.0, -4.0, 4.0 };
-    const double depths[2] = { -10.0, 54.0 };
-    this->Litmap.Begin(64, range, depths);
+    this->Litmap.Begin(64, { { -4.0, -4.0, -10.0 }, { 4.0, 4.0, 54.0 } });
   }
 
   /// Six faces around a point light take the place of the litmap.
   void UseFaces()
   {
-    const double range[4] = { -1.0, 1.0, -1.0, 1.0 };
-    const double depths[2] = { 0.0, 64.0 };
     for (int i = 0; i < 6; ++i)
     {
-      double axis[3] = { 0.0, 0.0, 0.0 };
+      Point axis(0.0);
       axis[i / 2] = i % 2 ? -1.0 : 1.0;
       this->Faces.push_back({ vtkShadowLightSpace(this->Light, axis), {} });
-      this->Faces.back().second.Begin(64, range, depths);
+      this->Faces.back().second.Begin(64, { { -1.0, -1.0, 0.0 }, { 1.0, 1.0, 64.0 } });
     }
   }
 
@@ -79,8 +74,7 @@ struct Situation
   {
     for (auto& [frame, litmap] : this->Faces)
     {
-      double pqs[3];
-      frame.ToLight(x.data(), pqs);
+      const Point pqs = frame.ToLight(x);
       if (pqs[2] > 0.0 && std::abs(pqs[0]) < 1.0 && std::abs(pqs[1]) < 1.0)
       {
         EXPECT_TRUE(litmap.Add(pqs, pqs, 0.0, 5, 6));
@@ -91,20 +85,18 @@ struct Situation
   /// A receiver at a place in the world, seen at a pixel of the viewport.
   void AddReceiver(const Point& x, int pixelX, int pixelY, float depth = 0.0f)
   {
-    double pqs[3];
-    this->Frame.ToLight(x.data(), pqs);
+    const Point pqs = this->Frame.ToLight(x);
     ASSERT_TRUE(this->Litmap.Add(pqs, pqs, 0.0, pixelX, pixelY));
     if (this->Litmap.GetTiles().IsKnown())
     {
-      const double radius[3] = { 1e-3, 1e-3, 1e-3 };
-      this->Litmap.GetTiles().Add(pqs, pqs, radius, pixelX, pixelY, depth);
+      this->Litmap.GetTiles().Add(pqs, pqs, Point(1e-3), pixelX, pixelY, depth);
     }
   }
 
   Verdict Decide(vtkShadowMode mode, int gap = 4, bool useLitmap = true)
   {
     this->Litmap.Build();
-    const double* points = this->Topology.GetPoints().data();
+    const std::vector<Point>& points = this->Topology.GetPoints();
     this->Silhouette.Compute(this->Topology, points, this->Light, this->Counting);
     this->Footprint = vtkShadowFootprint::Make(this->Silhouette, points, this->Frame);
     vtkShadowPlan plan(this->Light, this->Frame, this->View, mode,
@@ -114,13 +106,10 @@ struct Situation
       litmap.Build();
       plan.AddFace(frame, litmap);
     }
-    const double origin[3] = { 0.0, 0.0, 0.0 };
-    this->Volume.Begin(origin);
+    this->Volume.Begin(Point(0.0));
     const auto dismissed = plan.EarlyOut(this->Silhouette, this->Footprint);
-    const int numberOfPoints = this->Topology.GetNumberOfPoints();
-    const vtkShadowPlan::Choice choice =
-      plan.Decide(this->Silhouette, points, numberOfPoints, this->Footprint);
-    plan.Draw(choice, this->Silhouette, points, numberOfPoints, this->Footprint, this->Volume);
+    const vtkShadowPlan::Choice choice = plan.Decide(this->Silhouette, points, this->Footprint);
+    plan.Draw(choice, this->Silhouette, points, this->Footprint, this->Volume);
     const Verdict verdict = choice.Verdict;
     this->Draws = plan.GetDraws();
     EXPECT_EQ(choice.IsDrawn(), !this->Draws.empty());
@@ -196,31 +185,24 @@ TEST(ShadowPlanFootprint, HoldsAllPoints)
     {
       vtkShadowLight light = MakePositional(
         positional ? vtkShadowLightKind::Spot : vtkShadowLightKind::Directional, 5.0);
-      for (double& x : light.Direction)
-      {
-        x += 0.5 * MakeUniform(random, -0.5, 0.5);
-      }
-      vtkMath::Normalize(light.Direction);
+      light.Direction = vtkNBufferGLM::Normalize(light.Direction + 0.5 * MakePoint(random, 0.5));
       const vtkShadowLightSpace frame(light);
       std::vector<Point> points;
       for (int i = 0; i < 20; ++i)
       {
         points.push_back(MakePoint(random, 2.0));
       }
-      const auto footprint = vtkShadowFootprint::Make(points[0].data(), 20, frame);
+      const vtkShadowBlock block = vtkShadowFootprint::Make(points, frame).Block;
       int touched[6] = {};
       for (const Point& point : points)
       {
-        double pqs[3];
-        frame.ToLight(point.data(), pqs);
-        const double bounds[3][2] = { { footprint.P[0], footprint.P[1] },
-          { footprint.Q[0], footprint.Q[1] }, { footprint.Near, footprint.Far } };
+        const Point pqs = frame.ToLight(point);
         for (int i = 0; i < 3; ++i)
         {
-          EXPECT_LE(bounds[i][0], pqs[i]);
-          EXPECT_GE(bounds[i][1], pqs[i]);
-          touched[2 * i] += bounds[i][0] == pqs[i];
-          touched[2 * i + 1] += bounds[i][1] == pqs[i];
+          EXPECT_LE(block.Low[i], pqs[i]);
+          EXPECT_GE(block.High[i], pqs[i]);
+          touched[2 * i] += block.Low[i] == pqs[i];
+          touched[2 * i + 1] += block.High[i] == pqs[i];
         }
       }
       EXPECT_EQ(std::count(touched, touched + 6, 0), 0) << "no wider than need be, case " << n;
@@ -425,11 +407,8 @@ TEST(ShadowPlan, SlabsOfOneFace)
   for (const double x : { 0.0, 10.0 })
   {
     SCOPED_TRACE("x " + std::to_string(x));
-    Situation situation(MakePositional(vtkShadowLightKind::Point, 10.0),
-      MakeCube().Move(
-        [x](const Point& p) {
-          return Point{ p[0] + x, p[1], p[2] };
-        }));
+    Situation situation(
+      MakePositional(vtkShadowLightKind::Point, 10.0), MakeCube().Translate(x, 0.0, 0.0));
     situation.UseFaces();
     // On rays through the cube, in steps of its distance from the light.
     for (double t : { 1.5, 1.6, 4.0 })
@@ -455,14 +434,10 @@ TEST(ShadowPlan, SlabsOfOneFace)
 // Receivers before the caster need no slab; those within its depths are in one with it.
 TEST(ShadowPlan, SlabsThatReachTheCasterAreOne)
 {
-  const ShadowMesh tall = MakeCube().Move(
-    [](const Point& x) {
-      return Point{ x[0], x[1], 20.0 * x[2] };
-    });
+  const ShadowMesh tall = MakeCube().Move([](const Point& x) { return x * Point(1.0, 1.0, 20.0); });
   Situation situation(MakeDirectional(), tall);
-  const auto bounds = vtkShadowFootprint::Make(
-    tall.GetPoints(), static_cast<int>(tall.Points.size()), situation.Frame);
-  for (double z : { 9.9, 0.0, -bounds.Far + 0.5, -40.0 })
+  const auto footprint = vtkShadowFootprint::Make(tall.Points, situation.Frame);
+  for (double z : { 9.9, 0.0, -footprint.GetFar() + 0.5, -40.0 })
   {
     situation.AddReceiver({ 0.0, 0.0, z }, 5, 6);
   }
@@ -504,7 +479,7 @@ TEST(ShadowPlan, ZPassNeedsAllOfThePieceBeyondTheNearPlane)
   situation.Decide(vtkShadowMode::Scissored);
   EXPECT_TRUE(situation.Draws.at(0).ZPass);
   // One that touches the cap does not.
-  situation.View.NearPlane[3] = -situation.Footprint.Far;
+  situation.View.NearPlane[3] = -situation.Footprint.GetFar();
   situation.Decide(vtkShadowMode::Scissored);
   EXPECT_FALSE(situation.Draws.at(0).ZPass);
 }
@@ -523,12 +498,9 @@ TEST(ShadowPlan, StartsOfParallelCameras)
       n % 5 == 0 ? MakeTorus(6, 8) : MakeCube());
     situation.Counting = all ? vtkShadowCounting::All : vtkShadowCounting::Away;
     situation.View.Parallel = true;
-    double* direction = situation.View.Direction;
     const Point offset = MakePoint(random, 0.4);
-    direction[0] = offset[0];
-    direction[1] = offset[1];
-    direction[2] = -1.0;
-    vtkMath::Normalize(direction);
+    const Point direction = vtkNBufferGLM::Normalize({ offset[0], offset[1], -1.0 });
+    situation.View.Direction = direction;
     // Nothing is beyond this plane, so that nothing is counted from the eye.
     situation.View.NearPlane[2] = 0.0;
     situation.View.NearPlane[3] = -1.0;
@@ -536,13 +508,8 @@ TEST(ShadowPlan, StartsOfParallelCameras)
     ASSERT_EQ(situation.Draws.size(), 1u);
     EXPECT_FALSE(situation.Draws[0].ZPass);
     // From the light in that direction, far away: the same by the volume itself.
-    Point far;
-    for (int i = 0; i < 3; ++i)
-    {
-      far[i] = situation.Light.Position[i] + 1e4 * direction[i];
-    }
-    const Point origin = { 0.0, 0.0, 0.0 };
-    EXPECT_EQ(situation.Draws[0].Start, CountInVolume(situation.Volume, origin, far, random))
+    const Point far = situation.Light.Position + 1e4 * direction;
+    EXPECT_EQ(situation.Draws[0].Start, CountInVolume(situation.Volume, Point(0.0), far, random))
       << "case " << n;
     inside += situation.Draws[0].Start > 0;
     if (situation.Draws[0].Start > 0)

@@ -10,8 +10,6 @@
 #include "vtkShadowTiles.h"
 #include "vtkShadowUmbra.h"
 
-#include "vtkMath.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,15 +44,8 @@ int GetArea(const std::vector<vtkNBufferRectangle>& boxes)
 
 vtkShadowBlock MakeBlock(const vtkShadowLightSpace& frame, const Point& x, double radius)
 {
-  double pqs[3];
-  frame.ToLight(x.data(), pqs);
-  vtkShadowBlock block;
-  for (int i = 0; i < 3; ++i)
-  {
-    block.Low[i] = pqs[i] - radius;
-    block.High[i] = pqs[i] + radius;
-  }
-  return block;
+  const Point pqs = frame.ToLight(x);
+  return { pqs - radius, pqs + radius };
 }
 
 /// A caster before a light, and what its shadow can reach.
@@ -63,25 +54,25 @@ struct Caster
   Caster(const ShadowMesh& mesh, const vtkShadowLight& light, const vtkShadowLightSpace& frame,
     vtkShadowCounting counting)
   {
-    this->Topology.Build(mesh.GetPoints(), mesh.GetNumberOfPoints(), mesh.Triangles.data(),
-      mesh.GetNumberOfTriangles());
-    const double* points = this->Topology.GetPoints().data();
-    this->Silhouette.Compute(this->Topology, points, light, counting);
-    const auto footprint = vtkShadowFootprint::Make(this->Silhouette, points, frame);
-    const bool anywhere = frame.IsPositional() && !(footprint.Near > 0.0);
-    const double* ranges[2] = { footprint.P, footprint.Q };
-    for (int i = 0; i < 2; ++i)
+    this->Topology.Build(mesh.Points, mesh.Triangles);
+    this->Silhouette.Compute(this->Topology, this->GetPoints(), light, counting);
+    const auto footprint = vtkShadowFootprint::Make(this->Silhouette, this->GetPoints(), frame);
+    if (frame.IsPositional() && !(footprint.GetNear() > 0.0))
     {
-      this->Rays.Low[i] = anywhere ? -HUGE_VAL : ranges[i][0];
-      this->Rays.High[i] = anywhere ? HUGE_VAL : ranges[i][1];
+      this->Rays = { Point(-HUGE_VAL), Point(HUGE_VAL) };
     }
-    this->Rays.Low[2] = anywhere ? -HUGE_VAL : footprint.Near;
+    else
+    {
+      this->Rays = footprint.Block;
+    }
     this->Rays.High[2] = HUGE_VAL;
   }
 
-  vtkShadowUmbra GetReach(const vtkShadowLightSpace& frame) const
+  const std::vector<Point>& GetPoints() const { return this->Topology.GetPoints(); }
+
+  vtkShadowUmbra GetUmbra(const vtkShadowLightSpace& frame) const
   {
-    return { this->Silhouette, this->Topology.GetPoints().data(), frame, this->Rays };
+    return { this->Silhouette, this->GetPoints(), frame, this->Rays };
   }
 
   vtkShadowTopology Topology;
@@ -158,13 +149,11 @@ TEST(ShadowTiles, HoldTheirReceivers)
   EXPECT_EQ(tiles.GetNumberOfColumns(), 3);
   EXPECT_EQ(tiles.GetNumberOfRows(), 1);
   tiles.SetSplit(2, 0, 0.5f);
-  const double a[3] = { 1.0, 5.0, 3.0 };
-  const double b[3] = { 2.0, 4.0, 3.5 };
-  const double radius[3] = { 0.25, 0.5, 0.125 };
-  const double low[3] = { 0.75, 3.5, 2.875 };
-  const double high[3] = { 2.25, 5.5, 3.625 };
-  const auto isBlock = [&](const vtkShadowBlock& block)
-  { return std::equal(low, low + 3, block.Low) && std::equal(high, high + 3, block.High); };
+  const Point a = { 1.0, 5.0, 3.0 };
+  const Point b = { 2.0, 4.0, 3.5 };
+  const Point radius = { 0.25, 0.5, 0.125 };
+  const auto isBlock = [](const vtkShadowBlock& block)
+  { return block.Low == Point(0.75, 3.5, 2.875) && block.High == Point(2.25, 5.5, 3.625); };
   tiles.Add(a, b, radius, 2 * Size, Size - 1, 0.5f); // from the split on
   EXPECT_TRUE(tiles.Get(2, 0)[0].IsEmpty());
   EXPECT_TRUE(isBlock(tiles.Get(2, 0)[1]));
@@ -186,21 +175,13 @@ TEST(ShadowTiles, OneDepthIsOneLayer)
   view.Height = 3;
   std::vector<float> depth(5 * 3, 0.5f);
   std::fill_n(depth.begin(), 3, 1.0f);
-  std::vector<unsigned char> lit(5 * 3, 1);
   const vtkShadowLight light;
   vtkShadowLitmap litmap;
-  vtkShadowReceivers::Scatter(
-    depth.data(), lit.data(), view, light, vtkShadowLightSpace(light), 4, litmap);
+  vtkShadowReceivers::Scatter(depth.data(), view, light, vtkShadowLightSpace(light), 4, litmap);
   EXPECT_FALSE(litmap.GetTiles().Get(0, 0)[0].IsEmpty());
   EXPECT_TRUE(litmap.GetTiles().Get(0, 0)[1].IsEmpty());
   depth[7] = 0.75f;
-  lit[7] = 0;
-  vtkShadowReceivers::Scatter(
-    depth.data(), lit.data(), view, light, vtkShadowLightSpace(light), 4, litmap);
-  EXPECT_TRUE(litmap.GetTiles().Get(0, 0)[1].IsEmpty()) << "the light cannot change it";
-  lit[7] = 1;
-  vtkShadowReceivers::Scatter(
-    depth.data(), lit.data(), view, light, vtkShadowLightSpace(light), 4, litmap);
+  vtkShadowReceivers::Scatter(depth.data(), view, light, vtkShadowLightSpace(light), 4, litmap);
   EXPECT_FALSE(litmap.GetTiles().Get(0, 0)[1].IsEmpty());
 }
 
@@ -208,9 +189,9 @@ TEST(ShadowTiles, OneDepthIsOneLayer)
 TEST(ShadowUmbra, HoldsAllThatIsInShadow)
 {
   std::mt19937 random(17);
-  const Point origin = { 0.0, 0.0, 0.0 };
+  const Point origin(0.0);
   int inShadow = 0;
-  int left[2] = { 0, 0 }; // asked triangle by triangle, or all at once
+  int left[2] = { 0, 0 }; // tested triangle by triangle, or all at once
   int beside[2] = { 0, 0 };
   for (const ShadowMesh& mesh : MakeShadowMeshes(4))
   {
@@ -223,7 +204,7 @@ TEST(ShadowUmbra, HoldsAllThatIsInShadow)
         light.Direction[i] += MakeUniform(random, -0.8, 0.8);
         light.Position[i] = (i == 2 ? 3.0 : 0.0) + MakeUniform(random, -1.0, 1.0);
       }
-      vtkMath::Normalize(light.Direction);
+      light.Direction = vtkNBufferGLM::Normalize(light.Direction);
       const vtkShadowLightSpace frame(light);
       const Caster caster(
         mesh, light, frame, n % 3 ? vtkShadowCounting::Away : vtkShadowCounting::All);
@@ -231,11 +212,10 @@ TEST(ShadowUmbra, HoldsAllThatIsInShadow)
       {
         continue;
       }
-      const vtkShadowUmbra reach = caster.GetReach(frame);
+      const vtkShadowUmbra umbra = caster.GetUmbra(frame);
       vtkShadowVolume volume;
-      volume.Begin(origin.data());
-      volume.AddWhole(caster.Silhouette, caster.Topology.GetPoints().data(),
-        caster.Topology.GetNumberOfPoints(), light);
+      volume.Begin(origin);
+      volume.AddWhole(caster.Silhouette, caster.GetPoints(), light);
       for (int i = 0; i < 40; ++i)
       {
         const Point x = MakePoint(random, 2.0);
@@ -247,15 +227,15 @@ TEST(ShadowUmbra, HoldsAllThatIsInShadow)
         if (CountInVolume(volume, origin, x, random) != 0)
         {
           ++inShadow;
-          EXPECT_TRUE(reach.MayShadow(block)) << mesh.Name << ", case " << n;
-          EXPECT_TRUE(reach.MeetsRays(block)) << mesh.Name << ", case " << n;
+          EXPECT_TRUE(umbra.MayShadow(block)) << mesh.Name << ", case " << n;
+          EXPECT_TRUE(umbra.MeetsRays(block)) << mesh.Name << ", case " << n;
         }
         else
         {
           const bool atOnce =
             caster.Silhouette.GetTriangles().size() > 3 * vtkShadowUmbra::MaximumFacets ||
             std::isinf(caster.Rays.Low[0]);
-          left[atOnce] += reach.MayShadow(block);
+          left[atOnce] += umbra.MayShadow(block);
           ++beside[atOnce];
         }
       }
@@ -277,24 +257,17 @@ TEST(ShadowUmbra, SheetsOfManyTrianglesHaveOnePlane)
   ShadowMesh bumps;
   for (int i = 0; i < 200; ++i)
   {
-    const ShadowMesh quad = MakeQuad()
-                              .Move(
-                                [](const Point& x) {
-                                  return Point{ x[0], x[1], 0.0 };
-                                })
-                              .Translate(2.0 * (i % 20) - 20.0, 2.0 * (i / 20) - 10.0, 0.0);
+    const ShadowMesh quad = MakeQuad().Translate(2.0 * (i % 20) - 20.0, 2.0 * (i / 20) - 10.0, 0.0);
     sheet.Append(quad);
-    bumps.Append(quad.Move(
-      [&](const Point& x) {
-        return Point{ x[0], x[1], MakeUniform(random, -0.1, 0.1) };
-      }));
+    bumps.Append(
+      quad.Move([&](const Point& x) { return Point(x[0], x[1], MakeUniform(random, -0.1, 0.1)); }));
   }
   const Caster flat(sheet, light, frame, vtkShadowCounting::All);
   const Caster rough(bumps, light, frame, vtkShadowCounting::All);
   ASSERT_GT(flat.Silhouette.GetTriangles().size(), 3 * vtkShadowUmbra::MaximumFacets);
-  EXPECT_FALSE(flat.GetReach(frame).MayShadow(MakeBlock(frame, { 0.1, 0.2, 0.5 }, 0.1)));
-  EXPECT_TRUE(flat.GetReach(frame).MayShadow(MakeBlock(frame, { 0.1, 0.2, -0.5 }, 0.1)));
-  EXPECT_TRUE(rough.GetReach(frame).MayShadow(MakeBlock(frame, { 0.1, 0.2, -0.5 }, 0.1)));
+  EXPECT_FALSE(flat.GetUmbra(frame).MayShadow(MakeBlock(frame, { 0.1, 0.2, 0.5 }, 0.1)));
+  EXPECT_TRUE(flat.GetUmbra(frame).MayShadow(MakeBlock(frame, { 0.1, 0.2, -0.5 }, 0.1)));
+  EXPECT_TRUE(rough.GetUmbra(frame).MayShadow(MakeBlock(frame, { 0.1, 0.2, -0.5 }, 0.1)));
   // Slanted light: the sheet's nearest corner is far above most of it.
   vtkShadowLight slanted;
   slanted.Direction[0] = 0.8;
@@ -303,8 +276,8 @@ TEST(ShadowUmbra, SheetsOfManyTrianglesHaveOnePlane)
   const Caster both[2] = { { sheet, slanted, slant, vtkShadowCounting::All },
     { bumps, slanted, slant, vtkShadowCounting::All } };
   const vtkShadowBlock over = MakeBlock(slant, { 5.0, 0.0, 1.0 }, 0.1);
-  EXPECT_FALSE(both[0].GetReach(slant).MayShadow(over));
-  EXPECT_TRUE(both[1].GetReach(slant).MayShadow(over)) << "too many planes to be looked at";
+  EXPECT_FALSE(both[0].GetUmbra(slant).MayShadow(over));
+  EXPECT_TRUE(both[1].GetUmbra(slant).MayShadow(over)) << "too many planes to be looked at";
 }
 
 // A slab of ground does not reach what stands on it, though that is on its rays and beyond its
@@ -320,12 +293,10 @@ TEST(ShadowUmbra, GroundDoesNotReachWhatStandsOnIt)
     light.Direction[0] = 0.8;
     light.Direction[2] = -0.6;
     const vtkShadowLightSpace frame(light);
-    const ShadowMesh ground = MakeCube().Move(
-      [](const Point& x) {
-        return Point{ 20.0 * x[0], 20.0 * x[1], x[2] - 0.5 };
-      });
+    const ShadowMesh ground =
+      MakeCube().Move([](const Point& x) { return Point(20.0 * x[0], 20.0 * x[1], x[2] - 0.5); });
     const Caster caster(ground, light, frame, vtkShadowCounting::Away);
-    const vtkShadowUmbra reach = caster.GetReach(frame);
+    const vtkShadowUmbra umbra = caster.GetUmbra(frame);
     double top = -HUGE_VAL;
     for (const Point& x : ground.Points)
     {
@@ -333,15 +304,15 @@ TEST(ShadowUmbra, GroundDoesNotReachWhatStandsOnIt)
     }
     for (const double height : { 0.0, 0.5, 2.0 })
     {
-      EXPECT_TRUE(reach.MeetsRays(MakeBlock(frame, { 0.0, 0.0, top + height }, 0.01)));
-      EXPECT_FALSE(reach.MayShadow(MakeBlock(frame, { 0.0, 0.0, top + height }, 0.01)));
+      EXPECT_TRUE(umbra.MeetsRays(MakeBlock(frame, { 0.0, 0.0, top + height }, 0.01)));
+      EXPECT_FALSE(umbra.MayShadow(MakeBlock(frame, { 0.0, 0.0, top + height }, 0.01)));
     }
-    EXPECT_TRUE(reach.MayShadow(MakeBlock(frame, { 0.0, 0.0, top - 3.0 }, 0.01)));
+    EXPECT_TRUE(umbra.MayShadow(MakeBlock(frame, { 0.0, 0.0, top - 3.0 }, 0.01)));
     // Where it may be, in the light of what is not known.
     vtkShadowBlock anywhere = MakeBlock(frame, { 0.0, 0.0, top }, 0.01);
     anywhere.Low[0] = anywhere.Low[1] = -HUGE_VAL;
     anywhere.High[0] = anywhere.High[1] = HUGE_VAL;
-    EXPECT_TRUE(reach.MayShadow(anywhere));
-    EXPECT_FALSE(reach.MayShadow(vtkShadowBlock()));
+    EXPECT_TRUE(umbra.MayShadow(anywhere));
+    EXPECT_FALSE(umbra.MayShadow(vtkShadowBlock()));
   }
 }

@@ -18,8 +18,7 @@ namespace
 vtkShadowTopology Build(const ShadowMesh& mesh)
 {
   vtkShadowTopology topology;
-  topology.Build(
-    mesh.GetPoints(), mesh.GetNumberOfPoints(), mesh.Triangles.data(), mesh.GetNumberOfTriangles());
+  topology.Build(mesh.Points, mesh.Triangles);
   return topology;
 }
 
@@ -86,11 +85,7 @@ void CheckByBruteForce(const ShadowMesh& mesh, const vtkShadowTopology& topology
   ASSERT_EQ(topology.GetNumberOfDegenerates(),
     mesh.GetNumberOfTriangles() - topology.GetNumberOfTriangles());
   ASSERT_EQ(topology.GetNumberOfPoints(), static_cast<int>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    ASSERT_TRUE(
-      std::equal(points[i].begin(), points[i].end(), topology.GetPoints().begin() + 3 * i));
-  }
+  ASSERT_EQ(topology.GetPoints(), points);
   ASSERT_EQ(topology.GetEdges().size(), edges.size());
   bool closed = true;
   auto expected = edges.begin();
@@ -154,15 +149,7 @@ bool IsConvexByBruteForce(const ShadowMesh& mesh)
     const Point& c = mesh.Points[mesh.Triangles[t + 2]];
     for (const Point& x : mesh.Points)
     {
-      double determinant = 0.0;
-      for (int i = 0; i < 3; ++i)
-      {
-        const int j = (i + 1) % 3;
-        const int k = (i + 2) % 3;
-        determinant +=
-          (x[i] - a[i]) * ((b[j] - a[j]) * (c[k] - a[k]) - (b[k] - a[k]) * (c[j] - a[j]));
-      }
-      if (determinant > 0.0)
+      if (glm::dot(x - a, glm::cross(b - a, c - a)) > 0.0)
       {
         return false;
       }
@@ -190,10 +177,7 @@ TEST(ShadowTopology, AgreesWithBruteForce)
     const int cells = 1 + static_cast<int>(random() % 2);
     for (Point& point : mesh.Points)
     {
-      for (double& value : point)
-      {
-        value = std::round(value * cells); // -0 as well as 0
-      }
+      point = glm::round(point * double(cells)); // -0 as well as 0
     }
     mesh.Points[random() % 20][random() % 3] = std::numeric_limits<double>::quiet_NaN();
     mesh.Points[random() % 20][random() % 3] = -std::numeric_limits<double>::infinity();
@@ -314,12 +298,7 @@ TEST(ShadowTopology, ConvexBodiesAreRecognised)
   {
     const Point size = MakePoint(random, 10.0);
     const Point place = MakePoint(random, 1000.0);
-    const ShadowMesh box = MakeCube().Move(
-      [&](const Point& x)
-      {
-        return Point{ x[0] * size[0] + place[0], x[1] * size[1] + place[1],
-          x[2] * size[2] + place[2] };
-      });
+    const ShadowMesh box = MakeCube().Move([&](const Point& x) { return x * size + place; });
     EXPECT_TRUE(Build(box).IsConvex())
       << testing::PrintToString(size) << testing::PrintToString(place);
   }
@@ -377,9 +356,9 @@ TEST(ShadowTopology, ConvexityAgreesWithBruteForce)
       {} };
     for (Point& point : mesh.Points)
     {
-      for (double& value : point)
+      for (int i = 0; i < 3; ++i)
       {
-        value += static_cast<double>(random() % 5) - 2.0;
+        point[i] += static_cast<double>(random() % 5) - 2.0;
       }
     }
     mesh.Triangles = { 1, 2, 4, 2, 3, 4, 3, 0, 4, 1, 0, 5, 2, 1, 5, 3, 2, 5, 0, 3, 5, //
@@ -404,11 +383,7 @@ TEST(ShadowTopology, StarsAreNotConvex)
     ShadowMesh mesh = MakePentagram();
     for (Point& point : mesh.Points)
     {
-      const Point shift = MakePoint(random, 0.2);
-      for (int j = 0; j < 3; ++j)
-      {
-        point[j] += shift[j];
-      }
+      point += MakePoint(random, 0.2);
     }
     ASSERT_FALSE(Build(mesh).IsConvex()) << testing::PrintToString(mesh.Points);
   }
@@ -426,15 +401,12 @@ TEST(ShadowTopology, ConcaveByLessThanRoundingIsNotConvex)
       {} };
     for (int p = 0; p < 3; ++p)
     {
-      for (double& value : mesh.Points[p])
+      for (int i = 0; i < 3; ++i)
       {
-        value += std::round(MakeUniform(random, -0.2, 0.2) * 0x1p50) * 0x1p-50;
+        mesh.Points[p][i] += std::round(MakeUniform(random, -0.2, 0.2) * 0x1p50) * 0x1p-50;
       }
     }
-    for (int j = 0; j < 3; ++j)
-    {
-      mesh.Points[3][j] = mesh.Points[1][j] + mesh.Points[2][j] - mesh.Points[0][j];
-    }
+    mesh.Points[3] = mesh.Points[1] + mesh.Points[2] - mesh.Points[0];
     mesh.Triangles = { 0, 1, 2, 1, 3, 2, 1, 0, 4, 3, 1, 4, 2, 3, 4, 0, 2, 4 };
     ShadowMesh raised = mesh;
     raised.Points[3][2] = std::nextafter(raised.Points[3][2], 9.0);

@@ -6,17 +6,14 @@
 #include "ShadowMeshes.h"
 #include "vtkShadowVolume.h"
 
-#include "vtkMath.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
-#include <sstream>
+#include <string>
 #include <utility>
 
 namespace
@@ -28,33 +25,31 @@ struct Caster
     : Mesh(mesh)
     , Light(light)
   {
-    this->Topology.Build(mesh.GetPoints(), mesh.GetNumberOfPoints(), mesh.Triangles.data(),
-      mesh.GetNumberOfTriangles());
+    this->Topology.Build(mesh.Points, mesh.Triangles);
     this->Silhouette.Compute(this->Topology, this->GetPoints(), light, counting);
   }
 
-  const double* GetPoints() const { return this->Topology.GetPoints().data(); }
+  const std::vector<Point>& GetPoints() const { return this->Topology.GetPoints(); }
 
   void AddWhole(vtkShadowVolume& volume) const
   {
-    volume.AddWhole(
-      this->Silhouette, this->GetPoints(), this->Topology.GetNumberOfPoints(), this->Light);
+    volume.AddWhole(this->Silhouette, this->GetPoints(), this->Light);
   }
 
   void AddClamped(vtkShadowVolume& volume, const vtkShadowLightSpace& frame,
     const vtkShadowSlab& slab, vtkShadowCap cap) const
   {
-    volume.AddClamped(this->Silhouette, this->GetPoints(), this->Topology.GetNumberOfPoints(),
-      frame, slab, this->GetDepths(frame).second, cap);
+    volume.AddClamped(
+      this->Silhouette, this->GetPoints(), frame, slab, this->GetDepths(frame).second, cap);
   }
 
   std::pair<double, double> GetDepths(const vtkShadowLightSpace& frame) const
   {
     double least = std::numeric_limits<double>::infinity();
     double largest = -least;
-    for (int i = 0; i < this->Topology.GetNumberOfPoints(); ++i)
+    for (const Point& point : this->GetPoints())
     {
-      const double depth = frame.GetDepth(this->GetPoints() + 3 * std::size_t(i));
+      const double depth = frame.GetDepth(point);
       least = std::min(least, depth);
       largest = std::max(largest, depth);
     }
@@ -72,19 +67,14 @@ struct Caster
         MakeUniform(random, 0, 1) };
       const double sum = weights[0] + weights[1] + weights[2];
       const double distance = MakeUniform(random, 0.0, 2.0);
-      Point hit = { 0, 0, 0 };
-      for (int i = 0; i < 9; ++i)
+      Point hit(0.0);
+      for (std::size_t i = 0; i < 3; ++i)
       {
-        const int corner = this->Topology.GetTriangles()[3 * t + i / 3];
-        hit[i % 3] += weights[i / 3] / sum * this->GetPoints()[3 * std::size_t(corner) + i % 3];
+        hit += weights[i] / sum * this->GetPoints()[this->Topology.GetTriangles()[3 * t + i]];
       }
-      for (int i = 0; i < 3; ++i)
-      {
-        x[i] = hit[i] +
-          distance *
-            (this->Light.IsPositional() ? hit[i] - this->Light.Position[i]
-                                        : this->Light.Direction[i]);
-      }
+      x = hit +
+        distance *
+          (this->Light.IsPositional() ? hit - this->Light.Position : this->Light.Direction);
     }
     return x;
   }
@@ -99,41 +89,26 @@ vtkShadowLight MakeLight(vtkShadowLightKind kind, const Point& position, const P
 {
   vtkShadowLight light;
   light.Kind = kind;
-  std::copy(position.begin(), position.end(), light.Position);
-  vtkMath::Subtract(target.data(), position.data(), light.Direction);
-  vtkMath::Normalize(light.Direction);
+  light.Position = position;
+  light.Direction = vtkNBufferGLM::Normalize(target - position);
   return light;
 }
 
 /// A light of any kind, outside of all meshes, turned towards the origin.
 vtkShadowLight MakeLight(std::mt19937& random)
 {
-  Point position = MakePoint(random, 1.0);
-  const double norm = vtkMath::Norm(position.data());
-  const double distance = MakeUniform(random, 2.5, 5.0);
-  for (double& value : position)
-  {
-    value *= distance / norm;
-  }
+  const Point direction = vtkNBufferGLM::Normalize(MakePoint(random, 1.0));
+  const Point position = MakeUniform(random, 2.5, 5.0) * direction;
   constexpr vtkShadowLightKind kinds[] = { vtkShadowLightKind::Directional,
     vtkShadowLightKind::Spot, vtkShadowLightKind::Point };
-  return MakeLight(kinds[random() % 3], position, { 0, 0, 0 });
+  return MakeLight(kinds[random() % 3], position, Point(0.0));
 }
 
 std::string GetText(const vtkShadowLight& light)
 {
-  std::ostringstream text;
-  text.precision(17);
-  text << "light of kind " << static_cast<int>(light.Kind);
-  for (int i = 0; i < 3; ++i)
-  {
-    text << (i ? " " : ", position ") << light.Position[i];
-  }
-  for (int i = 0; i < 3; ++i)
-  {
-    text << (i ? " " : ", direction ") << light.Direction[i];
-  }
-  return text.str();
+  return "light of kind " + std::to_string(static_cast<int>(light.Kind)) + ", position " +
+    testing::PrintToString(light.Position) + ", direction " +
+    testing::PrintToString(light.Direction);
 }
 
 /// Where a volume is claimed to hold a caster's counts; elsewhere it must hold nothing.
@@ -153,7 +128,7 @@ void CheckCounts(const Caster& caster, const vtkShadowVolume& volume, const Poin
   for (int i = 0; i < points; ++i)
   {
     const Point x = caster.MakeReceiver(random);
-    const double depth = frame.GetDepth(x.data());
+    const double depth = frame.GetDepth(x);
     std::optional<int> expected = CountByBruteForce(caster.Mesh, caster.Light, x, lit);
     if (!expected || std::abs(depth - range.Near) < 1e-4 || std::abs(depth - range.Far) < 1e-4)
     {
@@ -177,13 +152,12 @@ void CheckVolumes(const ShadowMesh& mesh, const ShadowMesh& outwards, const vtkS
   SCOPED_TRACE(mesh.Name + ", " + GetText(light));
   Caster caster(mesh, light, counting);
   caster.Mesh = outwards;
-  const Point axis = { -light.Position[0], -light.Position[1], -light.Position[2] };
   const vtkShadowLightSpace frame = light.Kind == vtkShadowLightKind::Point
-    ? vtkShadowLightSpace(light, axis.data())
+    ? vtkShadowLightSpace(light, -light.Position)
     : vtkShadowLightSpace(light);
   const Point origin = MakePoint(random, 2.0);
   vtkShadowVolume volume;
-  volume.Begin(origin.data());
+  volume.Begin(origin);
   caster.AddWhole(volume);
   ASSERT_NO_FATAL_FAILURE(
     CheckCounts(caster, volume, origin, frame, Range(), random, points, shadowed));
@@ -204,7 +178,7 @@ void CheckVolumes(const ShadowMesh& mesh, const ShadowMesh& outwards, const vtkS
       Range range;
       range.Near = largest < slab.Near ? slab.Near : range.Near;
       range.Far = std::max(slab.Far, largest);
-      volume.Begin(origin.data());
+      volume.Begin(origin);
       caster.AddClamped(volume, frame, slab, cap);
       ASSERT_NO_FATAL_FAILURE(
         CheckCounts(caster, volume, origin, frame, range, random, points, shadowed));
@@ -294,7 +268,7 @@ TEST(ShadowVolume, InsideOutBodiesAreTurnedRound)
 {
   std::mt19937 random(12);
   int shadowed = 0;
-  const auto mirror = [](const Point& x) { return Point{ -x[0], x[1], x[2] }; };
+  const auto mirror = [](const Point& x) { return x * Point(-1, 1, 1); };
   for (int i = 0; i < 20; ++i)
   {
     const RigidMotion motion(random, 0.3);
@@ -353,9 +327,7 @@ TEST(ShadowVolume, CountsAreBounded)
   // All but one in the same cell.
   ShadowMesh pile = MakeQuad();
   const ShadowMesh small = MakeQuad().Move(
-    [](const Point& x) {
-      return Point{ 0.5 + 1e-3 * x[0], 0.5 + 1e-3 * x[1], x[2] };
-    });
+    [](const Point& x) { return Point(0.5, 0.5, 0.0) + Point(1e-3, 1e-3, 1.0) * x; });
   for (int i = 1; i <= 300; ++i)
   {
     pile.Append(small.Translate(0, 0, 0.01 * i));
@@ -420,10 +392,8 @@ TEST(ShadowVolume, ShadowsDoNotDependOnTheMeshsForm)
       const RigidMotion motion(random, 10.0);
       const Point origin = motion({ 0, 0, 0 });
       vtkShadowLight movedLight = light;
-      const Point position = motion({ light.Position[0], light.Position[1], light.Position[2] });
-      const Point end = motion({ light.Direction[0], light.Direction[1], light.Direction[2] });
-      std::copy(position.begin(), position.end(), movedLight.Position);
-      vtkMath::Subtract(end.data(), origin.data(), movedLight.Direction);
+      movedLight.Position = motion(light.Position);
+      movedLight.Direction = motion(light.Direction) - origin;
 
       const vtkShadowCounting counting = vtkShadowCounting::Away;
       const Caster caster(mesh, light, counting);
@@ -431,7 +401,7 @@ TEST(ShadowVolume, ShadowsDoNotDependOnTheMeshsForm)
       const auto makeVolume = [](const Caster& from, const Point& around)
       {
         vtkShadowVolume volume;
-        volume.Begin(around.data());
+        volume.Begin(around);
         from.AddWhole(volume);
         return volume;
       };
@@ -468,15 +438,14 @@ TEST(ShadowVolume, VerticesAreRoundedOnceRelativeToTheOrigin)
   const ShadowMesh mesh = MakeCube();
   const Point place = { 5.0e5, 4.0e6, 304.0 };
   const Point eye = { 0.25, -1.0 / 3.0, 7.0 };
-  const Point movedEye = { place[0] + eye[0], place[1] + eye[1], place[2] + eye[2] };
-  const Point roundedEye = { movedEye[0] - place[0], movedEye[1] - place[1],
-    movedEye[2] - place[2] };
+  const Point movedEye = place + eye;
+  const Point roundedEye = movedEye - place;
   const vtkShadowLight light = MakeLight(vtkShadowLightKind::Directional, { 1, 2, 4 }, { 0, 0, 0 });
   vtkShadowVolume volume;
-  volume.Begin(roundedEye.data());
+  volume.Begin(roundedEye);
   Caster(mesh, light, vtkShadowCounting::Away).AddWhole(volume);
   vtkShadowVolume moved;
-  moved.Begin(movedEye.data());
+  moved.Begin(movedEye);
   Caster(mesh.Translate(place[0], place[1], place[2]), light, vtkShadowCounting::Away)
     .AddWhole(moved);
   EXPECT_EQ(volume.GetVertices(), moved.GetVertices());
@@ -496,7 +465,7 @@ TEST(ShadowVolume, SizesOfPieces)
   const auto clamp = [&](const vtkShadowSlab& slab, vtkShadowCap cap)
   {
     vtkShadowVolume volume;
-    volume.Begin(origin.data());
+    volume.Begin(origin);
     caster.AddClamped(volume, frame, slab, cap);
     return getSize(volume);
   };
@@ -506,13 +475,13 @@ TEST(ShadowVolume, SizesOfPieces)
 
   // Several casters in one volume.
   vtkShadowVolume volume;
-  volume.Begin(origin.data());
+  volume.Begin(origin);
   caster.AddWhole(volume);
   EXPECT_EQ(volume.GetIndices().size() / 3, 2 * lit + 2 * edges);
   caster.AddClamped(volume, frame, { 6, 7 }, vtkShadowCap::Fan);
   EXPECT_EQ(volume.GetIndices().size() / 3, 2 * lit + 6 * edges);
   EXPECT_TRUE(IsWatertight(volume));
-  volume.Begin(origin.data());
+  volume.Begin(origin);
   EXPECT_TRUE(volume.GetVertices().empty());
   EXPECT_TRUE(volume.GetIndices().empty());
 

@@ -3,6 +3,7 @@
 #include "vtkNBufferBackend.h"
 
 #include "vtkNBufferClock.h"
+#include "vtkNBufferDepthConvention.h"
 #include "vtkNBufferGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -12,6 +13,10 @@
 #include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
+static_assert(vtkNBufferDepthConvention::PassIfNearer == GL_LESS &&
+  vtkNBufferDepthConvention::PassIfNearerOrEqual == GL_LEQUAL &&
+  vtkNBufferDepthConvention::PassIfFarther == GL_GREATER);
+
 vtkNBufferBackend::Kind vtkNBufferBackend::Choose(Kind wanted, vtkOpenGLRenderWindow* window)
 {
   if (wanted != Auto)
@@ -119,8 +124,11 @@ bool vtkNBufferBackend::DrawsOrdinaryDepth(const vtkNBufferDepthSource& source)
     (scissor[0] <= viewport[0] && scissor[1] <= viewport[1] &&
       scissor[0] + scissor[2] >= viewport[0] + viewport[2] &&
       scissor[1] + scissor[3] >= viewport[1] + viewport[3]);
-  return glIsEnabled(GL_DEPTH_TEST) && (function == GL_LEQUAL || function == GL_LESS) && mask &&
-    wholeViewport && source.DefaultDepthRange;
+  const auto passes = static_cast<unsigned int>(function);
+  const bool passesIfNearer = passes == vtkNBufferDepthConvention::PassIfNearerOrEqual ||
+    passes == vtkNBufferDepthConvention::PassIfNearer;
+  return glIsEnabled(GL_DEPTH_TEST) && passesIfNearer && mask && wholeViewport &&
+    source.DefaultDepthRange;
 }
 
 bool vtkNBufferBackend::BuildOnDevice(const Job& job, int levels, std::string& why)
@@ -129,7 +137,7 @@ bool vtkNBufferBackend::BuildOnDevice(const Job& job, int levels, std::string& w
   const int* viewport = job.Source.Viewport;
   vtkNBufferStatistics& statistics = job.Statistics;
   if (!this->Texture->Build(job.Window, job.Source, viewport[0], viewport[1], viewport[2],
-        viewport[3], job.Factor, levels, vtkNBufferExtremum::Maximum))
+        viewport[3], job.Factor, levels, vtkNBufferDepthConvention::Farthest))
   {
     why = this->Texture->GetError();
     return false;
@@ -153,7 +161,8 @@ bool vtkNBufferBackend::ReadDepth(vtkOpenGLRenderWindow* window,
 {
   const vtkNBufferClock clock;
   const int* viewport = source.Viewport;
-  if (!source.Read(window, viewport[0], viewport[1], viewport[2], viewport[3], this->Depth, why))
+  if (!source.Read(window, viewport[0], viewport[1], viewport[2], viewport[3], this->Depth, why,
+        vtkNBufferDepthConvention::Farthest))
   {
     this->Depth.clear();
     return false;
@@ -194,7 +203,7 @@ bool vtkNBufferBackend::BuildOnHost(const Job& job, std::string& why)
     }
     const vtkNBufferClock clock;
     job.Levels.BuildBase(this->Depth.data(), job.Source.Viewport[2], job.Source.Viewport[3],
-      job.Factor, vtkNBufferExtremum::Maximum);
+      job.Factor, vtkNBufferDepthConvention::Farthest);
     job.Statistics.BuildTime += clock.GetMilliseconds();
   }
   const vtkNBufferClock clock;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferClock
- * @brief Milliseconds since it was made, for the times in vtkNBufferStatistics.
+ * @brief A stopwatch in milliseconds for the times in vtkNBufferStatistics. It runs from its
+ * construction.
  */
 #ifndef vtkNBufferClock_h
 #define vtkNBufferClock_h
@@ -16,12 +17,13 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkNBufferClock
 {
 public:
+  /// The time since the construction or the last Restart().
   double GetMilliseconds() const
   {
     return std::chrono::duration<double, std::milli>(Clock::now() - this->Start).count();
   }
 
-  /// Milliseconds so far; counting begins anew.
+  /// Return what GetMilliseconds() returns, and start again from zero.
   double Restart()
   {
     const double milliseconds = this->GetMilliseconds();

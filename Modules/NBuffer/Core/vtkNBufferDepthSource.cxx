@@ -209,12 +209,33 @@ bool vtkNBufferDepthSource::HoldsViewport() const
   return x >= 0 && y >= 0 && width <= this->Width - x && height <= this->Height - y;
 }
 
+bool vtkNBufferDepthSource::Holds(int x, int y, int width, int height, std::string& why) const
+{
+  if (this->DepthBits == 0)
+  {
+    why = "There is no depth buffer. Call vtkNBufferDepthSource::Inspect first.";
+    return false;
+  }
+  if (width <= 0 || height <= 0 || x < 0 || y < 0 || width > this->Width - x ||
+    height > this->Height - y)
+  {
+    why = "The rectangle of depth is empty or reaches outside the depth buffer. Keep the viewport "
+          "inside the framebuffer.";
+    return false;
+  }
+  return true;
+}
+
 bool vtkNBufferDepthSource::Read(vtkOpenGLRenderWindow* window, int x, int y, int width, int height,
   std::vector<float>& depth, std::string& why, vtkNBufferExtremum rounding) const
 {
-  if (!window || this->DepthBits == 0)
+  if (!this->Holds(x, y, width, height, why))
   {
-    why = "There is no depth buffer to read. Call Inspect first.";
+    return false;
+  }
+  if (!window)
+  {
+    why = "There is no render window. Pass the one that is drawn.";
     return false;
   }
   if (this->Samples > 1)
@@ -223,14 +244,6 @@ bool vtkNBufferDepthSource::Read(vtkOpenGLRenderWindow* window, int x, int y, in
           "(vtkNBufferTexture) or call SetMultiSamples(0) on the render window.";
     return false;
   }
-  if (width <= 0 || height <= 0 || x < 0 || y < 0 || width > this->Width - x ||
-    height > this->Height - y)
-  {
-    why = "The rectangle to read is empty or reaches outside the depth buffer. Keep the viewport "
-          "inside the framebuffer.";
-    return false;
-  }
-
   const std::size_t count = static_cast<std::size_t>(width) * height;
   depth.resize(count);
   const bool integers = !this->FloatDepth && (this->DepthBits == 24 || this->DepthBits == 32);

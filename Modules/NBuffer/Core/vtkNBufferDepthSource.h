@@ -54,6 +54,12 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
   bool HoldsViewport() const;
 
   /**
+   * Whether there is a depth buffer and a rectangle (in framebuffer pixels) that is not empty lies
+   * inside it. If not, `why` receives the cause and a remedy.
+   */
+  bool Holds(int x, int y, int width, int height, std::string& why) const;
+
+  /**
    * Read a rectangle of single-sample depth, in framebuffer pixels, as floats in [0, 1] whose row 0
    * is the lowest, by one blocking glReadPixels. Returns false, with the cause in `why`, on any GL
    * error, for a rectangle that is not inside the depth buffer, and for multisampled framebuffers

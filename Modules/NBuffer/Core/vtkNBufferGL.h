@@ -10,14 +10,12 @@
 #ifndef vtkNBufferGL_h
 #define vtkNBufferGL_h
 
-#include "vtkNBufferMath.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferVTKVersion.h"
 
 #include VTKNBUFFER_GL_HEADER
 
 #include <string>
-#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
@@ -51,6 +49,22 @@ VTKNBUFFER_EXPORT bool CheckErrors(const char* where, std::string& why);
 /// Set a uniform mat4 of the current program from a row-major matrix.
 VTKNBUFFER_EXPORT void SetMatrix(
   vtkShaderProgram* program, const char* name, const double rows[16]);
+
+/**
+ * While it lives, code may bind other framebuffers; the bindings are restored when it ends.
+ */
+class VTKNBUFFER_EXPORT ScopedFramebuffers
+{
+public:
+  ScopedFramebuffers();
+  ~ScopedFramebuffers();
+  ScopedFramebuffers(const ScopedFramebuffers&) = delete;
+  void operator=(const ScopedFramebuffers&) = delete;
+
+private:
+  int Draw = 0;
+  int Read = 0;
+};
 
 /**
  * While it lives, glReadPixels() reads `readFramebuffer` into host memory (or into `packBuffer`),
@@ -121,49 +135,6 @@ private:
   int Textures[TargetCount] = {};
   int Sampler = 0;
 };
-
-/**
- * While it lives, drawing (by VTK or not) changes only the pixels inside a rectangle. OpenGL
- * guarantees that the fragments inside are the same as without a rectangle (OpenGL 4.6, appendix
- * A.3, rule 2: scissor parameters).
- */
-class VTKNBUFFER_EXPORT ScopedScissor
-{
-public:
-  ScopedScissor();
-  ~ScopedScissor();
-  ScopedScissor(const ScopedScissor&) = delete;
-  void operator=(const ScopedScissor&) = delete;
-
-  /// Set the rectangle, in pixels of the viewport that was set when the scope began. The renderer's
-  /// own scissor box, if there is one, still applies.
-  void Set(const vtkNBufferRectangle& pixels) const;
-
-private:
-  bool Enabled;
-  vtkNBufferRectangle Viewport;
-  vtkNBufferRectangle Outer; ///< Where drawing was allowed before, in framebuffer pixels.
-  int Box[4] = {};
-};
-
-/// Call draw() once for each region (in pixels of the viewport), so that it draws inside the region
-/// only. Without regions call it once, and let it draw everywhere. Returns the number of calls.
-template <typename Functor>
-int DrawIn(const std::vector<vtkNBufferRectangle>& regions, Functor&& draw)
-{
-  if (regions.empty())
-  {
-    draw();
-    return 1;
-  }
-  const ScopedScissor scissor;
-  for (const vtkNBufferRectangle& region : regions)
-  {
-    scissor.Set(region);
-    draw();
-  }
-  return static_cast<int>(regions.size());
-}
 
 /**
  * Within a ScopedPass: while it lives, fragments are blended into the first colour attachment, with

@@ -2,13 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferGLObject.h"
 
-#include "vtkNBufferFullScreenVS.h"
 #include "vtkNBufferGL.h"
-#include "vtkNBufferSharedText.h"
-
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
-#include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <utility>
@@ -146,14 +140,11 @@ bool GrowingTexture::ReserveTarget(unsigned int format, int width, int height, s
   {
     return true;
   }
-  GLint bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  const ScopedFramebuffers bindings;
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Framebuffer.Create());
   glFramebufferTexture2D(
     GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Texture.GetName(), 0);
-  const GLenum status = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
-  if (status != GL_FRAMEBUFFER_COMPLETE)
+  if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
   {
     this->Delete();
     ClearErrors();
@@ -189,57 +180,5 @@ void SetPlainSampling(unsigned int target)
   glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
-vtkShaderProgram* UseProgram(vtkOpenGLRenderWindow* window,
-  vtkSmartPointer<vtkShaderProgram>& program, const char* vertexShader,
-  const std::string& fragmentShader, const char* failure, std::string& why)
-{
-  vtkOpenGLShaderCache* cache = window->GetShaderCache();
-  program = program ? cache->ReadyShaderProgram(program)
-                    : cache->ReadyShaderProgram(vertexShader, fragmentShader.c_str(), "");
-  if (!program)
-  {
-    why = failure;
-  }
-  return program;
-}
-
-vtkShaderProgram* FullScreenPass::Begin(
-  vtkOpenGLRenderWindow* window, std::string& why, const std::string& definitions)
-{
-  vtkSmartPointer<vtkShaderProgram>& program = this->Programs[definitions];
-  std::string text;
-  if (!program)
-  {
-    text = this->FragmentShader;
-    vtkShaderProgram::Substitute(text, "//VTK::NBuffer::Shared", vtkNBufferSharedText);
-    vtkShaderProgram::Substitute(text, "//VTK::NBuffer::Dec", definitions);
-  }
-  return UseProgram(window, program, vtkNBufferFullScreenVS, text, this->Failure, why);
-}
-
-void FullScreenPass::Draw()
-{
-  glBindVertexArray(this->Empty.Create());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-}
-
-void FullScreenPass::Draw(unsigned int framebuffer, int x, int y, int width, int height)
-{
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-  glViewport(x, y, width, height);
-  this->Draw();
-}
-
-void FullScreenPass::Delete()
-{
-  this->Empty.Delete();
-  this->Forget();
-}
-
-void FullScreenPass::Forget()
-{
-  this->Empty.Forget();
-  this->Programs.clear();
-}
 }
 VTK_ABI_NAMESPACE_END

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferGLObject.h
- * @brief Owners of OpenGL objects, and the full-screen pass that draws with them.
+ * @brief Owners of OpenGL objects.
  *
  * An owner is moved, never copied, and deletes its object when it is destroyed or assigned to: the
  * context of the object must be current then. Where that context is already gone, Forget() gives
@@ -15,7 +15,6 @@
  *                                 and cannot allocate empty array textures before VTK 9.3
  *     vtkOpenGLFramebufferObject  attaches no layer of an array, and no depth with stencil in 9.1
  *     vtkOpenGLBufferObject       knows no GL_PIXEL_PACK_BUFFER
- *     vtkOpenGLQuadHelper         dereferences a null pointer where a shader does not compile
  */
 #ifndef vtkNBufferGLObject_h
 #define vtkNBufferGLObject_h
@@ -23,15 +22,9 @@
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferVTKVersion.h"
 
-#include "vtkSmartPointer.h"
-
-#include <map>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
-
 namespace vtkNBufferGL
 {
 /**
@@ -172,62 +165,6 @@ private:
 /// Set the parameters of the texture bound to `target` with which texelFetch() reads its level 0.
 VTKNBUFFER_EXPORT void SetPlainSampling(unsigned int target);
 
-/**
- * Make a program of the window's shader cache the current one. The first call compiles it from the
- * two texts and sets `program`. Returns nullptr, and sets `why` to `failure`, if it does not
- * compile on this driver.
- */
-VTKNBUFFER_EXPORT vtkShaderProgram* UseProgram(vtkOpenGLRenderWindow* window,
-  vtkSmartPointer<vtkShaderProgram>& program, const char* vertexShader,
-  const std::string& fragmentShader, const char* failure, std::string& why);
-
-/**
- * A fragment shader that is run once for each pixel of a rectangle, by one triangle
- * (vtkNBufferFullScreenVS.glsl). To be used within a ScopedPass:
- *
- *     if (vtkShaderProgram* program = pass.Begin(window, why))
- *     {
- *       program->SetUniformi(...);
- *       pass.Draw(framebuffer, 0, 0, width, height);
- *     }
- */
-class VTKNBUFFER_EXPORT FullScreenPass
-{
-public:
-  /// The text of the fragment shader, and what is reported (cause and remedy) if it does not
-  /// compile. Both must outlive the pass.
-  FullScreenPass(const char* fragmentShader, const char* failure)
-    : FragmentShader(fragmentShader)
-    , Failure(failure)
-  {
-  }
-
-  /**
-   * Make the pass's program the current one; the first call compiles it. `definitions` replace
-   * "//VTK::NBuffer::Dec" in the shader's text: there is one program for each set of definitions.
-   * Returns nullptr, with cause and remedy in `why`, if the program does not compile.
-   */
-  vtkShaderProgram* Begin(
-    vtkOpenGLRenderWindow* window, std::string& why, const std::string& definitions = {});
-
-  /// Draw into the framebuffer and the viewport that are set.
-  void Draw();
-
-  /// Draw into a framebuffer; the viewport is a rectangle of its pixels.
-  void Draw(unsigned int framebuffer, int x, int y, int width, int height);
-
-  /// Delete the objects. Their context must be current.
-  void Delete();
-
-  /// Give up the objects, whose context is gone.
-  void Forget();
-
-private:
-  const char* FragmentShader;
-  const char* Failure;
-  std::map<std::string, vtkSmartPointer<vtkShaderProgram>> Programs; ///< By their definitions.
-  VertexArray Empty; ///< A vertex array without attributes, because the shader needs none.
-};
 }
 VTK_ABI_NAMESPACE_END
 #endif

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferJSON.h
- * @brief What the JSON of all statistics has in common.
+ * @brief What the names and the JSON of vtkNBufferStatistics and vtkShadowStatistics have in
+ * common.
  */
 #ifndef vtkNBufferJSON_h
 #define vtkNBufferJSON_h
@@ -18,7 +19,15 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace vtkNBufferJSON
 {
-/// An object with a member for each value: values[i] by the name of enumerator i.
+/// The name of an enumerator, which is names[i] for the value i; "Invalid" beyond the names.
+template <typename Enum, std::size_t Size>
+const char* GetName(const char* const (&names)[Size], Enum value)
+{
+  const auto i = static_cast<std::size_t>(value);
+  return i < Size ? names[i] : "Invalid";
+}
+
+/// A JSON object with a member for each enumerator: values[i] under the name of enumerator i.
 template <typename Enum, typename Value, std::size_t Size>
 Json::Value ByName(const std::array<Value, Size>& values, const char* (*getName)(Enum))
 {
@@ -30,7 +39,7 @@ Json::Value ByName(const std::array<Value, Size>& values, const char* (*getName)
   return json;
 }
 
-/// On one line.
+/// The text of a JSON value, on one line.
 inline std::string Write(const Json::Value& json)
 {
   Json::StreamWriterBuilder writer;

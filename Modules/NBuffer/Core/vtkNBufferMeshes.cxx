@@ -2,42 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferMeshes.h"
 
-#include "vtkNBufferTriangles.h"
-
 #include "vtkActor.h"
-#include "vtkCellArray.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkMapper.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
+
+#include <iterator>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 constexpr int FramesToKeep = 256;
-
-vtkNBufferMesh MakeMesh(vtkPolyData* data)
-{
-  vtkNBufferMesh mesh;
-  if (!data->GetPoints())
-  {
-    return mesh;
-  }
-  mesh.Points.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
-  {
-    data->GetPoint(static_cast<vtkIdType>(i), glm::value_ptr(mesh.Points[i]));
-  }
-  const std::vector<unsigned int> indices = vtkNBufferTriangles::Get(data);
-  mesh.Triangles.resize(indices.size() / 3);
-  for (std::size_t i = 0; i < mesh.Triangles.size(); ++i)
-  {
-    mesh.Triangles[i] = { indices[3 * i], indices[3 * i + 1], indices[3 * i + 2] };
-  }
-  return mesh;
-}
 }
 
 void vtkNBufferMeshes::BeginFrame()
@@ -53,40 +26,27 @@ void vtkNBufferMeshes::BeginFrame()
   }
 }
 
-void vtkNBufferMeshes::Add(vtkPolyData* data)
+std::vector<vtkNBufferMeshes::Placed> vtkNBufferMeshes::Get(vtkActor* actor)
 {
-  // A polydata made at the address of a deleted one has a newer time.
-  const vtkMTimeType time = data->GetMTime();
-  Entry& entry = this->Entries[data];
-  if (entry.Time != time)
+  std::vector<Placed> result;
+  std::vector<vtkNBufferSurface::Part> parts;
+  if (!actor || !vtkNBufferSurface::GetPartsAtHand(actor, actor->GetMatrix(), parts))
   {
-    entry.Time = time;
-    entry.Mesh = MakeMesh(data);
+    return result;
   }
-  entry.Frame = this->Frame;
-  this->Found.push_back(&entry.Mesh);
-}
-
-const std::vector<const vtkNBufferMesh*>& vtkNBufferMeshes::Get(vtkActor* actor)
-{
-  this->Found.clear();
-  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-  vtkDataObject* input = mapper ? mapper->GetInputDataObject(0, 0) : nullptr;
-  if (auto* data = vtkPolyData::SafeDownCast(input))
+  for (const vtkNBufferSurface::Part& part : parts)
   {
-    this->Add(data);
-  }
-  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
-  {
-    const auto blocks = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+    // A polydata made at the address of a deleted one has a newer time.
+    const vtkMTimeType time = part.Mesh->GetMTime();
+    Entry& entry = this->Entries[part.Mesh];
+    if (entry.Time != time)
     {
-      if (auto* block = vtkPolyData::SafeDownCast(blocks->GetCurrentDataObject()))
-      {
-        this->Add(block);
-      }
+      entry.Time = time;
+      entry.Mesh = vtkNBufferSurface::GetMesh(part.Mesh);
     }
+    entry.Frame = this->Frame;
+    result.push_back({ &entry.Mesh, part.ToWorld });
   }
-  return this->Found;
+  return result;
 }
 VTK_ABI_NAMESPACE_END

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferMeshes
- * @brief The triangles that actors draw, made by VTK's own functions and kept from frame to frame.
+ * @brief A cache of the triangles of polydata.
  *
- * One mesh for each polydata, whichever actors share it: 24 bytes per point and 12 per triangle.
- * What was not asked for in 256 frames is dropped.
+ * Actors that show the same polydata share one mesh, which takes 24 bytes per point and 12 per
+ * triangle. A mesh that was not requested in the last 256 frames is released.
  */
 #ifndef vtkNBufferMeshes_h
 #define vtkNBufferMeshes_h
 
 #include "vtkNBufferModule.h" // For export macro
-#include "vtkNBufferSliverTest.h"
+#include "vtkNBufferSurface.h"
 #include "vtkType.h"
 
 #include <unordered_map>
@@ -24,27 +24,31 @@ class vtkPolyData;
 class VTKNBUFFER_EXPORT vtkNBufferMeshes
 {
 public:
+  /// A mesh and its place in the world.
+  struct Placed
+  {
+    const vtkNBufferMesh* Mesh;
+    std::array<double, 16> ToWorld; ///< From the coordinates of the mesh, row by row.
+  };
+
+  /// Count a frame, and release what was not requested for a long time.
   void BeginFrame();
 
   /**
-   * What an actor draws whose mapper is up to date; valid until the next BeginFrame(). Polydata and
-   * composite mappers; of dataset mappers those that show polydata. Empty for others, whose
-   * triangles are not at hand.
+   * The meshes of an actor whose pipeline is up to date. They are valid until the next
+   * BeginFrame(). Empty for nullptr, and for data that vtkDataSetMapper extracts a surface from.
    */
-  const std::vector<const vtkNBufferMesh*>& Get(vtkActor* actor);
+  std::vector<Placed> Get(vtkActor* actor);
 
 private:
   struct Entry
   {
     vtkMTimeType Time = 0;
-    int Frame = 0;
+    int Frame = 0; ///< The last frame that requested the mesh.
     vtkNBufferMesh Mesh;
   };
 
-  void Add(vtkPolyData* data);
-
   std::unordered_map<vtkPolyData*, Entry> Entries;
-  std::vector<const vtkNBufferMesh*> Found;
   int Frame = 0;
 };
 

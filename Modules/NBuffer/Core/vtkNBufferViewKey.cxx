@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferViewKey.h"
 
-#include "vtkCamera.h"
-#include "vtkMatrix4x4.h"
+#include "vtkNBufferCamera.h"
+
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
@@ -13,10 +13,7 @@ vtkNBufferViewKey vtkNBufferViewKey::Make(vtkRenderer* renderer)
   vtkNBufferViewKey key;
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   key.Camera = renderer->GetActiveCamera();
-  // vtkCamera's composite matrix leaves the eyes' shear out.
-  vtkMatrix4x4::Multiply4x4(
-    key.Camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)->GetData(),
-    key.Camera->GetModelViewTransformMatrix()->GetData(), key.WorldToClip.data());
+  key.WorldToClip = vtkNBufferGLM::ToRows(vtkNBufferCamera(renderer).WorldToClip);
   renderer->GetTiledSizeAndOrigin(
     &key.Viewport[2], &key.Viewport[3], &key.Viewport[0], &key.Viewport[1]);
   key.ContextTime = window->GetContextCreationTime();

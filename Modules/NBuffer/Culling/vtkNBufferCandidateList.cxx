@@ -7,46 +7,16 @@
 #include "vtkActor.h"
 
 #include <algorithm>
-#include <atomic>
 #include <numeric>
 
 VTK_ABI_NAMESPACE_BEGIN
 bool vtkNBufferCandidateList::Synchronize(vtkProp** props, int count)
 {
-  if (this->Order.size() == static_cast<std::size_t>(count) &&
-    std::equal(this->Order.begin(), this->Order.end(), props))
+  if (!this->Candidates.Synchronize(props, static_cast<std::size_t>(count), this->States))
   {
     return false;
   }
-  std::unordered_map<vtkProp*, int> old;
-  old.reserve(this->Order.size());
-  for (int i = 0; i < this->GetSize(); ++i)
-  {
-    old.emplace(this->Order[i], i);
-  }
-  std::vector<vtkNBufferCandidate> candidates;
-  std::vector<vtkNBufferState> states;
-  candidates.reserve(count);
-  states.reserve(count);
-  for (int i = 0; i < count; ++i)
-  {
-    const auto found = old.find(props[i]);
-    if (found == old.end())
-    {
-      candidates.emplace_back(props[i]);
-      states.emplace_back();
-    }
-    else
-    {
-      candidates.push_back(this->Candidates[found->second]);
-      states.push_back(this->States[found->second]);
-    }
-  }
-  this->Order.assign(props, props + count);
-  this->Candidates.swap(candidates);
-  this->States.swap(states);
-  this->Screens.resize(count);
-  this->Index.clear();
+  this->Screens.resize(static_cast<std::size_t>(count));
   this->Tree.ListHasChanged();
   this->ListChanged = true;
   return true;
@@ -54,7 +24,7 @@ bool vtkNBufferCandidateList::Synchronize(vtkProp** props, int count)
 
 int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
 {
-  const vtkNBufferCandidate::GlobalState state = vtkNBufferCandidate::GetGlobalState();
+  const vtkNBufferPropWatch::GlobalState state = vtkNBufferPropWatch::GetGlobalState();
   const bool all = state != this->GlobalState;
   this->GlobalState = state;
   this->Tree.BeginFrame();
@@ -65,34 +35,21 @@ int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
     this->Tree.ListHasChanged();
   }
 
-  // Asking for times is most of the work and may be shared out; refreshing may run pipelines.
-  this->Stale.assign(this->Candidates.size(), 0);
-  std::atomic<bool> anyStale(false);
-  vtkNBufferForEachProp::Run(this->Candidates.size(),
-    [this, all, projection, overTree, &anyStale](vtkIdType begin, vtkIdType end)
+  // Comparing times is most of the work and may run in parallel. Refreshing may run pipelines.
+  this->Stale.assign(this->Candidates.GetSize(), 0);
+  vtkNBufferForEachProp::RunAhead(
+    this->Candidates.GetSize(), [this](vtkIdType i) { this->Candidates[i].Prefetch(); },
+    [this, all, projection](vtkIdType i)
     {
-      constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
-      bool stale = false;
-      for (vtkIdType i = begin; i < end; ++i)
+      this->Stale[i] = all || this->Candidates[i].IsStale();
+      if (!this->Stale[i])
       {
-        if (i + ahead < end)
-        {
-          this->Candidates[i + ahead].Prefetch();
-        }
-        this->Stale[i] = all || this->Candidates[i].IsStale();
-        stale = stale || this->Stale[i];
-        if (projection && !this->Stale[i])
-        {
-          overTree ? this->Unplace(i) : this->ProjectOne(i, *projection);
-        }
-      }
-      if (stale)
-      {
-        anyStale = true;
+        this->Place(i, projection);
       }
     });
   int changed = 0;
-  if (anyStale || this->ListChanged)
+  if (this->ListChanged ||
+    std::find(this->Stale.begin(), this->Stale.end(), 1) != this->Stale.end())
   {
     changed = this->RefreshStale(projection, all);
   }
@@ -103,26 +60,30 @@ int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
   return changed;
 }
 
+void vtkNBufferCandidateList::Place(vtkIdType i, const vtkNBufferProjection* projection)
+{
+  if (projection)
+  {
+    this->UsesTree() ? this->Unplace(i) : this->ProjectOne(i, *projection);
+  }
+}
+
 int vtkNBufferCandidateList::RefreshStale(
   const vtkNBufferProjection* projection, bool globalStateChanged)
 {
   this->ListChanged = false;
   int changed = 0;
-  for (std::size_t i = 0; i < this->Candidates.size(); ++i)
+  for (std::size_t i = 0; i < this->Candidates.GetSize(); ++i)
   {
     if (!this->Stale[i])
     {
       continue;
     }
     changed += this->RefreshOne(i, globalStateChanged) ? 1 : 0;
-    if (projection)
-    {
-      const auto place = static_cast<vtkIdType>(i);
-      this->UsesTree() ? this->Unplace(place) : this->ProjectOne(place, *projection);
-    }
+    this->Place(static_cast<vtkIdType>(i), projection);
   }
   this->UntrackedDepth = this->Blending = this->Lines = this->LackOfNormals = false;
-  for (const vtkNBufferCandidate& candidate : this->Candidates)
+  for (const vtkNBufferCandidate& candidate : this->Candidates.GetItems())
   {
     this->UntrackedDepth =
       this->UntrackedDepth || (candidate.WritesDepth() && !candidate.IsTracked());
@@ -152,7 +113,7 @@ void vtkNBufferCandidateList::Unplace(vtkIdType i)
   vtkNBufferState& state = this->States[i];
   state.Verdict = candidate.GetVerdict();
   state.RectangleIsStale = state.Behind = false;
-  if (candidate.IsCandidate() || candidate.IsTranslucent())
+  if (candidate.HasPlace())
   {
     state.Placement = vtkNBufferPlacement::Outside;
   }
@@ -164,7 +125,7 @@ void vtkNBufferCandidateList::ProjectOne(vtkIdType i, const vtkNBufferProjection
   vtkNBufferState& state = this->States[i];
   state.Verdict = candidate.GetVerdict();
   state.RectangleIsStale = state.Behind = false;
-  if (candidate.IsCandidate() || candidate.IsTranslucent())
+  if (candidate.HasPlace())
   {
     const vtkNBufferBox& box = candidate.GetBox();
     state.Placement = projection.IsOutside(box) ? vtkNBufferPlacement::Outside
@@ -179,35 +140,23 @@ void vtkNBufferCandidateList::Project(const vtkNBufferProjection& projection)
     this->ProjectAll(projection);
     return;
   }
-  vtkNBufferForEachProp::Run(this->Candidates.size(),
-    [this](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        this->Unplace(i);
-      }
-    });
+  vtkNBufferForEachProp::RunEach(
+    this->Candidates.GetSize(), [this](vtkIdType i) { this->Unplace(i); });
   this->ProjectOverTree(projection);
 }
 
 void vtkNBufferCandidateList::ProjectOverTree(const vtkNBufferProjection& projection)
 {
-  if (!this->Tree.Update(this->Candidates))
+  if (!this->Tree.Update(this->Candidates.GetItems()))
   {
     this->ProjectAll(projection);
     return;
   }
   this->Projection = &projection;
   this->Reached.clear();
-  this->Tree.Place(projection, this->Candidates, this->States, this->Reached);
-  vtkNBufferForEachProp::Run(this->Reached.size(),
-    [this, &projection](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        this->ProjectOne(this->Reached[i], projection);
-      }
-    });
+  this->Tree.Place(projection, this->Candidates.GetItems(), this->States, this->Reached);
+  vtkNBufferForEachProp::RunEach(this->Reached.size(),
+    [this, &projection](vtkIdType i) { this->ProjectOne(this->Reached[i], projection); });
 }
 
 void vtkNBufferCandidateList::ProjectDeferred(int i)
@@ -232,23 +181,15 @@ void vtkNBufferCandidateList::MarkHidden(vtkNBufferOcclusionTest& test)
 
 void vtkNBufferCandidateList::ProjectAll(const vtkNBufferProjection& projection)
 {
-  vtkNBufferForEachProp::Run(this->Candidates.size(),
-    [this, &projection](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        this->ProjectOne(i, projection);
-      }
-    });
+  vtkNBufferForEachProp::RunEach(this->Candidates.GetSize(),
+    [this, &projection](vtkIdType i) { this->ProjectOne(i, projection); });
 }
 
 void vtkNBufferCandidateList::KeepIfNoneIsInside()
 {
   for (std::size_t i = 0; i < this->States.size(); ++i)
   {
-    const vtkNBufferCandidate& candidate = this->Candidates[i];
-    if ((candidate.IsCandidate() || candidate.IsTranslucent()) &&
-      this->States[i].Placement != vtkNBufferPlacement::Outside)
+    if (this->Candidates[i].HasPlace() && this->States[i].Placement != vtkNBufferPlacement::Outside)
     {
       return;
     }
@@ -293,21 +234,8 @@ vtkNBufferDrawnProp vtkNBufferCandidateList::GetDrawn(int i, int round)
   return drawn;
 }
 
-const std::vector<const vtkNBufferMesh*>& vtkNBufferCandidateList::GetMeshes(int i)
+std::vector<vtkNBufferMeshes::Placed> vtkNBufferCandidateList::GetMeshes(int i)
 {
   return this->Meshes.Get(vtkActor::SafeDownCast(this->GetProp(i)));
-}
-
-int vtkNBufferCandidateList::Find(vtkProp* prop) const
-{
-  if (this->Index.empty())
-  {
-    for (int i = 0; i < this->GetSize(); ++i)
-    {
-      this->Index.emplace(this->Order[i], i);
-    }
-  }
-  const auto found = this->Index.find(prop);
-  return found == this->Index.end() ? -1 : found->second;
 }
 VTK_ABI_NAMESPACE_END

@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::Output::Dec
 
-// Level i + 1 from level i, whose squares have the side `side` = 2^i: four of them make one of
-// twice the side. A neighbour outside the image is replaced by the last texel of its row or
+// Level i + 1 from level i. The squares of level i have the side s = 2^i, and four of them make one
+// with twice the side. A neighbour outside the image is replaced by the last texel of its row or
 // column, which lies inside the square anyway (vtkNBufferMath.h).
 //
 //     +------+------+

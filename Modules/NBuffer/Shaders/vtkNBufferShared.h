@@ -1,27 +1,36 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Constants of both languages: included by C++, substituted into the shaders. Only preprocessor
-// definitions and // comments may stand here.
+// Constants of both languages: C++ includes this file, and its text is substituted into shaders. It
+// may contain only preprocessor definitions and // comments.
 #ifndef vtkNBufferShared_h
 #define vtkNBufferShared_h
 
-// Where the base pass finds depth.
+// How the base pass reads depth: by a sampler, as integers, or from multisampled textures.
 #define NBUFFER_SOURCE_DEPTH 0
 #define NBUFFER_SOURCE_INTEGER 1
 #define NBUFFER_SOURCE_MULTISAMPLE 2
 
-// Normalised depth of 32 bits does not fit a float: its last 8 bits are rounded away, up for the
-// maximum, down for the minimum, to multiples of 1 / 2^24.
+// Normalised depth of 32 bits does not fit a float. Its last 8 bits are dropped, so that it becomes
+// a multiple of 1 / 2^24; it is rounded up for the maximum and down for the minimum.
 #define NBUFFER_DEPTH32_DROPPED_BITS 8
 #define NBUFFER_DEPTH32_DROPPED_MASK 255
 #define NBUFFER_DEPTH32_SCALE 16777216.0
 
-// Normalised depth of 24 bits: the largest integer, which stands for 1.
+// Normalised depth of 24 bits: the largest integer, which means 1.
 #define NBUFFER_DEPTH24_LARGEST 16777215.0
 
-// Samplers round depth of 32 bits as they like; Mesa's software samplers keep 23 bits. Multisampled
-// depth can only be sampled, and a level must not claim more than it knows: 2^-23.
+// Samplers may round depth of 32 bits; Mesa's software samplers keep 23 bits. Multisampled depth can
+// only be sampled, so its error is bounded by 2^-23.
 #define NBUFFER_DEPTH32_SAMPLER_ERROR 1.1920928955078125e-7
+
+// A shadow mask has four channels, one for each light.
+#define NBUFFER_SHADOW_LIGHTS_PER_MASK 4
+
+// A fragment is visible in a sample if the depth there is its own. The two depths may come from
+// different framebuffers. The tolerances are 1/64 of a pixel for the place of the sample, and eight
+// units of 24 bits for the depth.
+#define NBUFFER_SHADOW_PLACE_TOLERANCE 0.015625
+#define NBUFFER_SHADOW_DEPTH_TOLERANCE 4.76837158203125e-7
 
 #endif

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::Output::Dec
 
-// An image that lies over the picture pixel by pixel; nothing where it is transparent.
+// Lays an image over the picture, pixel by pixel. Where the image is transparent nothing is drawn.
 uniform sampler2D image;
 
 void main()

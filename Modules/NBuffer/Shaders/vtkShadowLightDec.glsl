@@ -2,21 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Shadow masks, declared in the fragment shaders of VTK's mappers. A mask has one channel for each
-// of four lights: 0 where it shines, 1 where it does not (vtkShadowTarget.h).
+// of several lights: 0 where the light shines, 1 where it does not (vtkShadowTarget.h).
+
+//VTK::NBuffer::Shared
+//VTK::NBuffer::Dec
+
 #if NBUFFER_SHADOW_SAMPLES > 1
 uniform sampler2DMS shadowMasks[NBUFFER_SHADOW_MASKS];
 uniform sampler2DMS shadowDepth; // of the receivers
 uniform vec2 shadowSamples[NBUFFER_SHADOW_SAMPLES]; // places in a pixel, from its centre
 
-// The mean over the samples that the fragment covers and whose receiver has its depth, so that no
-// nearer surface hides it there: exactly 0 where the light shines on all of them. Where there is
-// none (what is drawn with a depth of its own), over all that it covers.
+// The mean of the mask over the samples that the fragment covers and in which it is visible, which
+// means that the depth of the receiver is the fragment's. It is exactly 0 where the light shines on
+// all of them. If there is no such sample (a shader may write a depth of its own), the mean is over
+// all samples that the fragment covers.
 float NBufferShadow(sampler2DMS mask, int channel)
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
-  // 1/64 of a pixel, and eight units of 24 bits.
-  float tolerance = (abs(slope.x) + abs(slope.y)) / 64.0 + 1.0 / 2097152.0;
+  float tolerance = (abs(slope.x) + abs(slope.y)) * NBUFFER_SHADOW_PLACE_TOLERANCE +
+    NBUFFER_SHADOW_DEPTH_TOLERANCE;
   vec2 seen = vec2(0.0); // sum and number
   vec2 covered = vec2(0.0);
   for (int i = 0; i < NBUFFER_SHADOW_SAMPLES; ++i)
@@ -46,5 +51,7 @@ float NBufferShadow(sampler2D mask, int channel)
 uniform float shadowAttenuations[NBUFFER_SHADOW_LIGHTS];
 
 // The share of a light that arrives: exactly 1 where it shines.
-#define NBUFFER_SHADOW_SHARE(light, mask, channel) \
-  (1.0 - shadowAttenuations[light] * NBufferShadow(shadowMasks[mask], channel))
+#define NBUFFER_SHADOW_SHARE(light) \
+  (1.0 - shadowAttenuations[light] * \
+    NBufferShadow(shadowMasks[light / NBUFFER_SHADOW_LIGHTS_PER_MASK], \
+      light % NBUFFER_SHADOW_LIGHTS_PER_MASK))

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::Output::Dec
 
-// Where the stencil test passes, the light of the channel that may be written does not shine.
+// Writes shadow where the stencil test passes. The colour mask selects the channel of the light.
 void main()
 {
   gl_FragData[0] = vec4(1.0);

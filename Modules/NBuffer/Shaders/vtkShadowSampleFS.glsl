@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::Output::Dec
 
-// One channel of one sample of each texel.
+// Copies one channel of one sample of each texel.
 uniform sampler2DMS samples;
 uniform int index;
 uniform int channel;

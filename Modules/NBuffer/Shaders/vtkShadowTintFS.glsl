@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::Output::Dec
 
-// Volumes made visible.
+// Draws volumes in one colour, for debug views.
 uniform vec4 tint;
 
 void main()

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::Output::Dec
 
-// Only the stencil buffer is written.
+// Writes no colour: shadow volumes change only the stencil buffer.
 void main()
 {
 }

@@ -2,52 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowCamera.h"
 
-#include "vtkCamera.h"
-#include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
-
-#include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkShadowCamera::vtkShadowCamera(vtkRenderer* renderer)
 {
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->GetPosition(this->Eye);
-  camera->GetDirectionOfProjection(this->Plan.Direction);
-  this->Plan.Parallel = camera->GetParallelProjection() != 0;
-  // vtkCamera's composite matrix leaves the eyes' shear out.
-  double worldToClip[16];
-  vtkMatrix4x4::Multiply4x4(
-    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)->GetData(),
-    camera->GetModelViewTransformMatrix()->GetData(), worldToClip);
-  for (int row = 0; row < 4; ++row)
-  {
-    const double* m = worldToClip + 4 * row;
-    std::copy_n(m, 3, this->EyeToClip + 4 * row);
-    this->EyeToClip[4 * row + 3] =
-      m[0] * this->Eye[0] + m[1] * this->Eye[1] + m[2] * this->Eye[2] + m[3];
-  }
-  for (int i = 0; i < 4; ++i)
-  {
-    this->Plan.NearPlane[i] = this->EyeToClip[8 + i] + this->EyeToClip[12 + i];
-  }
+  const vtkNBufferCamera camera(renderer);
+  this->Eye = camera.Eye;
+  this->EyeToClip = camera.GetEyeToClip();
+  this->EyeToClipByRows = vtkNBufferGLM::ToRows(this->EyeToClip);
+  this->Plan.Direction = camera.Direction;
+  this->Plan.Parallel = camera.IsParallel;
+  this->Plan.NearPlane = glm::row(this->EyeToClip, 2) + glm::row(this->EyeToClip, 3);
   this->SetNearBounds();
 }
 
 void vtkShadowCamera::SetNearBounds()
 {
-  double clipToEye[16];
-  vtkMatrix4x4::Invert(this->EyeToClip, clipToEye);
-  for (int corner = 0; corner < 4; ++corner)
+  const glm::dmat4 clipToEye = vtkNBufferGLM::Invert(this->EyeToClip);
+  for (const double x : { -1.0, 1.0 })
   {
-    double x[4] = { corner % 2 ? 1.0 : -1.0, corner / 2 ? 1.0 : -1.0, -1.0, 1.0 };
-    vtkMatrix4x4::MultiplyPoint(clipToEye, x, x);
-    for (int i = 0; i < 3; ++i)
+    for (const double y : { -1.0, 1.0 })
     {
-      const double place = this->Eye[i] + x[i] / x[3];
-      double* bounds = this->NearBounds + 2 * i;
-      bounds[0] = corner == 0 ? place : std::min(bounds[0], place);
-      bounds[1] = corner == 0 ? place : std::max(bounds[1], place);
+      const glm::dvec4 corner = vtkNBufferGLM::Multiply(clipToEye, glm::dvec4(x, y, -1.0, 1.0));
+      this->NearBounds.Add(this->Eye + glm::dvec3(corner) / corner.w);
     }
   }
 }
@@ -55,8 +33,8 @@ void vtkShadowCamera::SetNearBounds()
 vtkShadowView vtkShadowCamera::GetView() const
 {
   vtkShadowView view;
-  vtkMatrix4x4::Invert(this->EyeToClip, view.ClipToWorld);
-  std::copy_n(this->Eye, 3, view.Origin);
+  view.ClipToWorld = vtkNBufferGLM::Invert(this->EyeToClip);
+  view.Origin = this->Eye;
   view.Width = this->Plan.Viewport[2];
   view.Height = this->Plan.Viewport[3];
   return view;

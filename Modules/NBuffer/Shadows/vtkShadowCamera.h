@@ -7,24 +7,30 @@
 #ifndef vtkShadowCamera_h
 #define vtkShadowCamera_h
 
+#include "vtkNBufferCamera.h"
 #include "vtkShadowPlan.h"
 #include "vtkShadowReceivers.h"
+
+#include <array>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
 
 struct vtkShadowCamera
 {
-  /// Of the eye that the renderer draws. Plan lacks the viewport and what else the caller chooses.
+  /// The camera for the eye that the renderer draws. The caller sets the viewport of Plan, and how
+  /// boxes are used.
   explicit vtkShadowCamera(vtkRenderer* renderer);
 
-  /// Of an image of the size of Plan.Viewport, with one sample in the middle of each pixel.
+  /// The view of an image of the size of Plan.Viewport, with one sample in the middle of each
+  /// pixel.
   vtkShadowView GetView() const;
 
-  double Eye[3];
-  double EyeToClip[16]; ///< Row-major, of places relative to the eye; z in [-w, w].
-  double NearBounds[6]; ///< World, of the near plane's rectangle.
-  vtkShadowPlan::View Plan;
+  glm::dvec3 Eye;                         ///< The camera's position in the world.
+  glm::dmat4 EyeToClip;                   ///< From positions relative to Eye to clip coordinates.
+  std::array<double, 16> EyeToClipByRows; ///< The elements of EyeToClip row by row, for uniforms.
+  vtkShadowBlock NearBounds;              ///< The box around the near plane's rectangle, world.
+  vtkShadowPlan::View Plan;               ///< What vtkShadowPlan needs.
 
 private:
   void SetNearBounds();

@@ -2,26 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkShadowCaster
- * @brief One mesh that throws shadows, in the world, and its silhouettes for the lights.
+ * @brief One mesh that casts shadows, in world coordinates, and its silhouettes for the lights.
  *
- * A caster is a polydata (a block of a composite data set is one by itself) under one matrix. Its
- * triangles are those that the mapper draws: VTK's own functions make them.
+ * A caster is one part of what an actor draws (vtkNBufferSurface::Part): a polydata under one
+ * matrix. Its triangles are those that the mapper draws.
  *
- * What is cached lasts as long as what it was made from:
+ * Everything that is cached is valid as long as what it was made from does not change:
  *
- *     topology     the mesh (modification time of the data)
- *     points       topology, matrix and clipping planes, value by value
- *     silhouettes  points, and the light in world coordinates
+ *     topology     the modification time of the mesh
+ *     points       the topology, and the values of the matrix and of the clipping planes
+ *     silhouettes  the points, and the light in world coordinates
  *
- * Clipping planes of the mapper cut the triangles; what is cut stays open, as it is drawn.
+ * The clipping planes of the mapper cut the triangles. The cut is not closed, since it is drawn
+ * open as well.
  *
- * A stencil counts to 255. Where more triangles of a caster than that may lie between a light and a
- * receiver, its triangles are shared out among several parts, which are drawn one by one: counts
- * add up over triangles.
+ * A stencil counts to 255. If more triangles of a caster may lie between a light and a receiver,
+ * the triangles are split into several parts, which are drawn one by one: counts add up over
+ * triangles.
  */
 #ifndef vtkShadowCaster_h
 #define vtkShadowCaster_h
 
+#include "vtkNBufferSurface.h"
 #include "vtkShadowLight.h"
 #include "vtkShadowPlan.h"
 #include "vtkShadowSilhouette.h"
@@ -32,7 +34,6 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkMatrix4x4;
 class vtkPolyData;
 
 class vtkShadowCaster
@@ -40,50 +41,52 @@ class vtkShadowCaster
 public:
   static constexpr int MaximumCount = 255;
 
-  /// For one light: which part of the mesh, its silhouette, and what it takes up.
+  /// A part of the mesh for one light: its topology, silhouette and footprint.
   struct Part
   {
     std::shared_ptr<const vtkShadowTopology> Topology;
-    std::vector<double> Points; ///< World; empty: those of the caster.
+    std::vector<glm::dvec3> Points; ///< In world coordinates, or empty for those of the caster.
     vtkShadowSilhouette Silhouette;
     vtkShadowFootprint Footprint;
 
-    /// Have the processor fetch what vtkShadowPlan::Dismiss() will read.
+    /// Have the processor fetch what vtkShadowPlan::EarlyOut() will read.
     void Prefetch() const;
   };
 
-  /// A plane that keeps the side to which its normal points: a x + b y + c z + d >= 0 in the world.
-  using Plane = std::array<double, 4>;
+  using Plane = vtkNBufferSurface::Plane;
 
-  /// Bring mesh, matrix and planes up to date. Returns whether anything has changed.
-  bool Update(vtkPolyData* mesh, vtkMatrix4x4* matrix, const std::vector<Plane>& planes);
+  /// Bring mesh, matrix (row by row) and planes up to date. Returns whether anything has changed.
+  bool Update(
+    vtkPolyData* mesh, const std::array<double, 16>& toWorld, const std::vector<Plane>& planes);
 
-  /// World coordinates of the merged points, xyz each.
-  const std::vector<double>& GetPoints() const { return this->Points; }
-  int GetNumberOfPoints() const { return static_cast<int>(this->Points.size() / 3); }
+  /// The merged points in world coordinates.
+  const std::vector<glm::dvec3>& GetPoints() const { return this->Points; }
   const std::vector<int>& GetTriangles() const { return this->Topology->GetTriangles(); }
   int GetNumberOfTriangles() const { return this->Topology->GetNumberOfTriangles(); }
 
   /**
-   * The parts for a light, usually one. `slot` names the light: 0, 1, 2, ... `nearBounds` are those
-   * of the near plane's rectangle: the inside of a caster that it meets may be seen. `built` is
-   * raised by the number of silhouettes that were not cached.
+   * The parts for a light, usually one. `slot` is the number of the light: 0, 1, 2, ... The inside
+   * of a caster may be seen if it meets the rectangle of the near plane, whose bounds are
+   * `nearBounds`. `built` is increased by the number of silhouettes that were not cached.
    */
   const std::vector<Part>& GetParts(std::size_t slot, const vtkShadowLight& light,
-    const vtkShadowLightSpace& frame, const double nearBounds[6], int& built);
+    const vtkShadowLightSpace& frame, const vtkShadowBlock& nearBounds, int& built);
 
   ///@{
-  /// Have the processor fetch what GetParts() will read; first this, then what it refers to.
+  /// Have the processor fetch what GetParts() will read: first the caster itself, then what it
+  /// refers to.
   void Prefetch() const;
   void PrefetchParts(std::size_t slot) const;
   ///@}
 
-  static const double* GetPoints(const vtkShadowCaster& caster, const Part& part)
+  /// The points of a part in world coordinates.
+  static const std::vector<glm::dvec3>& GetPoints(const vtkShadowCaster& caster, const Part& part)
   {
-    return part.Points.empty() ? caster.Points.data() : part.Points.data();
+    return part.Points.empty() ? caster.Points : part.Points;
   }
 
 private:
+  /// What is cached for one light.
   struct Slot
   {
     vtkShadowLight Light;
@@ -92,19 +95,21 @@ private:
     std::vector<Part> Parts;
   };
 
-  bool Meets(const double bounds[6]) const;
+  /// Whether the bounds of the caster and another box share a point.
+  bool Meets(const vtkShadowBlock& bounds) const;
+  /// Whether a positional light lies in the bounds of the caster.
   bool IsAround(const vtkShadowLight& light) const;
   void AddPart(
     Slot& slot, Part part, const vtkShadowLightSpace& frame, vtkShadowCounting counting) const;
 
-  const void* Mesh = nullptr; ///< To compare only.
+  const void* Mesh = nullptr; ///< The polydata, only to compare.
   vtkMTimeType MeshTime = 0;
-  std::array<double, 16> Matrix = {};
+  std::array<double, 16> ToWorld = {};
   std::vector<Plane> Planes;
   std::shared_ptr<const vtkShadowTopology> MeshTopology;
-  std::shared_ptr<const vtkShadowTopology> Topology; ///< Of what the planes leave.
-  std::vector<double> Points;
-  double Bounds[6] = {};
+  std::shared_ptr<const vtkShadowTopology> Topology; ///< The topology of what the planes leave.
+  std::vector<glm::dvec3> Points;
+  vtkShadowBlock Bounds;
   std::vector<Slot> Slots;
 };
 

@@ -1,108 +1,102 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class VTKNBUFFER_EXPORT vtkShadowCasterList
- * @brief Which props of a renderer cast, whether the camera sees them or not.
+ * @class vtkShadowCasterList
+ * @brief The props of a renderer that cast shadows, whether the camera sees them or not.
  *
- * Of every visible prop of the renderer the actors are looked at, those in assemblies too. An actor
- * casts if it is drawn opaque, as a surface, by a mapper of polydata, of composite data sets of
- * them, or of other data sets (vtkDataSetMapper), whose surface is extracted as that mapper does.
- * What cannot cast is counted by reason (vtkShadowSkip).
+ * Every actor among the visible props of the renderer may cast, and so may the actors in its
+ * assemblies. An actor casts if it is drawn opaque, as a surface, by a mapper whose triangles are
+ * known (vtkNBufferSurface::GetParts()). The actors that do not cast are counted by reason
+ * (vtkShadowSkip).
  *
- * A prop is looked at again when the modification times of what it came from say so
- * (vtkNBufferSources), and in every frame where they cannot tell. Pipelines are brought up to date
- * then, as VTK does before it draws. 15,000 unchanged actors cost 3 ms.
+ * A prop is read again when vtkNBufferPropWatch says that it has changed, and in every frame if
+ * that cannot be known. Its pipeline is then brought up to date, as VTK does before it draws.
+ * 15,000 unchanged actors cost 3 ms.
  */
 #ifndef vtkShadowCasterList_h
 #define vtkShadowCasterList_h
 
-#include "vtkNBufferCandidate.h"
-#include "vtkNBufferSources.h"
+#include "vtkNBufferPropList.h"
+#include "vtkNBufferPropWatch.h"
+#include "vtkNBufferSurface.h"
 #include "vtkShadowCaster.h"
 #include "vtkShadowStatistics.h"
 
-#include "vtkSmartPointer.h"
-
 #include <array>
-#include <map>
 #include <memory>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
-class vtkDataObject;
-class vtkGeometryFilter;
 class vtkInformation;
 class vtkMatrix4x4;
-class vtkPolyData;
 class vtkProp;
 class vtkRenderer;
 
 class VTKNBUFFER_EXPORT vtkShadowCasterList
 {
 public:
-  /// Look at the renderer's props. `requiredKeys`: only props with these keys cast; nullptr: all.
+  /// Read the renderer's props that have changed. `requiredKeys`: only props with these keys cast;
+  /// nullptr: all props do.
   void Update(vtkRenderer* renderer, vtkInformation* requiredKeys);
 
   const std::vector<vtkShadowCaster*>& GetCasters() const { return this->Casters; }
 
-  /// Actors that do not cast, by reason.
+  /// The number of actors that do not cast, by reason.
   const std::array<int, NumberOfShadowSkips>& GetSkipped() const { return this->Skipped; }
 
-  /// Casters whose mesh or matrix was not that of the last time.
+  /// The number of casters whose mesh, matrix or planes the last Update() found changed.
   int GetNumberOfUpdates() const { return this->Updates; }
 
   /**
-   * Grows with every Update() since which a visible prop, caster or not, may draw something else
-   * than before. Props other than plain actors may change without a trace: with them it always
-   * grows.
+   * A number that every Update() increases if a visible prop, caster or not, may draw something
+   * else than at the last one. Props other than plain actors may change without a trace: if there
+   * are any, it always increases.
    */
   vtkMTimeType GetVersion() const { return this->Version; }
 
-  /// The visible props, in the renderer's order; to compare only.
-  const std::vector<vtkProp*>& GetProps() const { return this->Props; }
+  /// The visible props in the renderer's order. The pointers may only be compared.
+  const std::vector<vtkProp*>& GetProps() const { return this->Members.GetProps(); }
 
 private:
   struct Mesh
   {
-    int Path;
-    const void* Block;
+    int Path;          ///< The number of the actor in its assembly.
+    const void* Block; ///< The polydata, only to compare.
     std::unique_ptr<vtkShadowCaster> Caster;
   };
+
+  /// What is known of a visible prop.
   struct Member
   {
-    vtkNBufferSources Sources;
-    bool Watched = false;    ///< Sources tell all changes.
-    bool HasChanged = false; ///< Or may have, without a trace.
-    bool HasNewKeys = false;
-    bool Looked = false;        ///< The next three are known:
-    bool Casts = false;         ///< has the required keys;
-    const void* Keys = nullptr; ///< of the prop, to compare only, and their time.
+    vtkNBufferPropWatch Watch;
+    bool MayHaveChanged = false; ///< The first answer of Watch, which is found in parallel.
+    bool HasNewKeys = false;     ///< Whether the next four must be read again.
+    bool KeysAreKnown = false;
+    bool Casts = false;         ///< Whether the prop has the required keys.
+    const void* Keys = nullptr; ///< The keys of the prop, only to compare.
     vtkMTimeType KeysTime = 0;
-    vtkMTimeType Time = 0; ///< Of the last change, as far as times tell.
     std::vector<Mesh> Meshes;
     std::array<int, NumberOfShadowSkips> Skipped = {};
-    std::map<int, vtkSmartPointer<vtkGeometryFilter>> Surfaces; ///< Of data sets, by path.
+    std::vector<vtkNBufferSurface> Surfaces; ///< One for each actor, by path.
   };
 
-  void Synchronize(std::vector<vtkProp*>& props);
-  /// Shared out to threads: reads times alone.
+  /// Compare what may be compared in parallel: modification times and pointers.
   void FindChanges(bool sameRequired);
-  /// Whether a prop has the required keys. vtkProp::HasKeys() makes an iterator each time, which
+  /// Whether a prop has the required keys. vtkProp::HasKeys() creates an iterator each time, which
   /// takes longer than all the rest.
-  static bool TakeKeys(vtkProp* prop, vtkInformation* required, Member& member);
-  bool Look(vtkProp* prop, Member& member);
+  static bool ReadKeys(vtkProp* prop, vtkInformation* required, Member& member);
+  /// Read a prop again. Returns whether it may draw something else than before.
+  bool ReadProp(vtkProp* prop, Member& member);
   void AddProp(vtkProp* prop, Member& member);
   void AddActor(vtkActor* actor, int path, vtkMatrix4x4* matrix, Member& member);
-  void AddData(vtkActor* actor, int path, vtkMatrix4x4* matrix, vtkDataObject* data, bool visible,
-    double opacity, Member& member);
-  void AddMesh(vtkActor* actor, int path, vtkMatrix4x4* matrix, vtkPolyData* mesh, Member& member);
+  void AddMesh(vtkActor* actor, int path, const vtkNBufferSurface::Part& part, Member& member);
 
-  std::vector<vtkProp*> Props;
-  std::vector<Member> Members; ///< One for each prop.
-  std::vector<vtkProp*> Found; ///< Kept for its memory.
-  std::vector<Mesh> OldMeshes; ///< Of the member being looked at.
-  vtkNBufferCandidate::GlobalState GlobalState{};
+  vtkNBufferPropList<Member> Members;
+  std::vector<vtkProp*> Visible;              ///< Kept for its memory.
+  std::vector<vtkNBufferSurface::Part> Parts; ///< Kept for its memory.
+  std::vector<Mesh> OldMeshes;                ///< Those of the member that is being read.
+  vtkNBufferPropWatch::GlobalState GlobalState{};
   const void* RequiredKeys = nullptr;
   vtkMTimeType RequiredTime = 0;
   vtkMTimeType Version = 0;

@@ -4,10 +4,7 @@
 
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkMath.h"
 #include "vtkRenderer.h"
-
-#include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
 std::vector<vtkShadowLightSource> vtkShadowLightSource::Find(
@@ -29,11 +26,11 @@ std::vector<vtkShadowLightSource> vtkShadowLightSource::Find(
     source.Number = number++;
     source.Attenuation = light->GetShadowAttenuation();
     vtkShadowLight& geometry = source.Geometry;
-    light->GetTransformedPosition(geometry.Position);
-    double focalPoint[3];
-    light->GetTransformedFocalPoint(focalPoint);
-    vtkMath::Subtract(focalPoint, geometry.Position, geometry.Direction);
-    const bool directed = vtkMath::Normalize(geometry.Direction) > 0.0;
+    light->GetTransformedPosition(glm::value_ptr(geometry.Position));
+    glm::dvec3 focalPoint;
+    light->GetTransformedFocalPoint(glm::value_ptr(focalPoint));
+    const bool directed = glm::length(focalPoint - geometry.Position) > 0.0;
+    geometry.Direction = vtkNBufferGLM::Normalize(focalPoint - geometry.Position);
     const bool spot = light->GetPositional() && light->GetConeAngle() < 90.0;
     if (light->GetPositional())
     {
@@ -42,8 +39,7 @@ std::vector<vtkShadowLightSource> vtkShadowLightSource::Find(
     }
     if (!directed)
     {
-      const double down[3] = { 0.0, 0.0, -1.0 };
-      std::copy_n(down, 3, geometry.Direction);
+      geometry.Direction = { 0.0, 0.0, -1.0 };
     }
     if (!light->LightTypeIsHeadlight() && light->GetIntensity() > 0.0 &&
       (directed || geometry.Kind == vtkShadowLightKind::Point) && casts(light))

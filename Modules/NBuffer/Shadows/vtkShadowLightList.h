@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkShadowLightList.h
- * @brief Which of a renderer's lights cast, as geometry.
+ * @brief Finds the lights of a renderer that cast shadows.
  *
- * A light casts if it is switched on with an intensity above 0, is no headlight (it stands in the
- * eye, where no shadow can be seen) and `casts` says so. Positional lights are spots if their cone
- * angle is below 90 degrees, as in VTK's shaders, else they shine in all directions.
+ * A light casts if it is switched on, its intensity is above 0, and it is no headlight, which
+ * stands in the eye, where no shadow can be seen. A positional light is a spot if its cone angle is
+ * below 90 degrees, as in VTK's shaders. Otherwise it shines in all directions.
  */
 #ifndef vtkShadowLightList_h
 #define vtkShadowLightList_h
@@ -20,10 +20,11 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkLight;
 class vtkRenderer;
 
+/// A light that casts, and what is known of it in a frame.
 struct vtkShadowLightSource
 {
   vtkLight* Source = nullptr;
-  int Number = 0; ///< As in the names of the mappers' uniforms: counts lights that are on.
+  int Number = 0; ///< The place among the lights that are on, as in the names of VTK's uniforms.
   float Attenuation = 1.0f;
   vtkShadowLight Geometry;
 
@@ -33,6 +34,8 @@ struct vtkShadowLightSource
       this->Attenuation == other.Attenuation && this->Geometry == other.Geometry;
   }
 
+  /// The lights of a renderer that cast, in its order. `casts` is the user's choice (see
+  /// vtkShadowVolumeClampPass): a light for which it returns false does not cast.
   static std::vector<vtkShadowLightSource> Find(
     vtkRenderer* renderer, const std::function<bool(vtkLight*)>& casts);
 };

@@ -33,7 +33,7 @@ std::vector<vtkShadowLightSpace> MakeFaces(const vtkShadowLight& light)
   std::vector<vtkShadowLightSpace> faces;
   for (int i = 0; i < 6; ++i)
   {
-    double axis[3] = { 0.0, 0.0, 0.0 };
+    glm::dvec3 axis(0.0);
     axis[i / 2] = i % 2 ? -1.0 : 1.0;
     faces.emplace_back(light, axis);
   }
@@ -63,10 +63,8 @@ struct vtkShadowMaskMaker::Work
 bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  if (!vtkNBufferGL::HasVersion(3, 2))
+  if (!vtkNBufferGL::CheckVersion(this->Error))
   {
-    this->Error = "The OpenGL context is older than 3.2. Update the driver or use Mesa's software "
-                  "renderer.";
     return false;
   }
   glGetIntegerv(GL_VIEWPORT, this->Viewport);
@@ -76,8 +74,7 @@ bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights)
     this->Error = "The viewport is empty or begins outside of the window. Move it inside.";
     return false;
   }
-  constexpr int each = vtkShadowTarget::LightsPerMask;
-  const int masks = static_cast<int>(lights + each - 1) / each;
+  const int masks = vtkShadowTarget::CountMasks(lights);
   return this->Target.Reserve(window, viewport[0] + viewport[2], viewport[1] + viewport[3], masks,
     vtkShadowTarget::GetBoundSamples(), this->Error);
 }
@@ -185,18 +182,16 @@ bool vtkShadowMaskMaker::MakeLitmaps(
     vtkShadowLitmap& litmap = this->Litmaps[i];
     if (this->LitmapSource)
     {
-      double range[4];
-      double depths[2];
-      vtkShadowReceivers::GetRange(depth, nullptr, view, work.GetLight(), frames[i], range, depths);
-      if (!this->LitmapSource->Fill(frames[i], range, depths, resolution, litmap, this->Error))
+      const vtkShadowBlock range =
+        vtkShadowReceivers::GetRange(depth, view, work.GetLight(), frames[i]);
+      if (!this->LitmapSource->Fill(frames[i], range, resolution, litmap, this->Error))
       {
         return false;
       }
     }
     else
     {
-      vtkShadowReceivers::Scatter(
-        depth, nullptr, view, work.GetLight(), frames[i], resolution, litmap);
+      vtkShadowReceivers::Scatter(depth, view, work.GetLight(), frames[i], resolution, litmap);
     }
     work.Statistics.Receivers += litmap.GetNumberOfReceivers();
     litmap.Build();
@@ -260,8 +255,8 @@ void vtkShadowMaskMaker::Decide(const vtkShadowPlan& plan)
         }
         else
         {
-          this->Choices[i] = plan.Decide(part.Part->Silhouette, part.GetPoints(),
-            part.GetNumberOfPoints(), part.Part->Footprint);
+          this->Choices[i] =
+            plan.Decide(part.Part->Silhouette, part.GetPoints(), part.Part->Footprint);
         }
       }
     },
@@ -280,8 +275,8 @@ vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vt
     if (choice.IsDrawn())
     {
       const CasterPart& part = this->Parts[i];
-      plan.Draw(choice, part.Part->Silhouette, part.GetPoints(), part.GetNumberOfPoints(),
-        part.Part->Footprint, this->Volume);
+      plan.Draw(
+        choice, part.Part->Silhouette, part.GetPoints(), part.Part->Footprint, this->Volume);
     }
   }
   return verdicts;
@@ -389,7 +384,8 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   if (done && (pictured ? pictured == work.Source.Source : work.Slot == 0))
   {
     const vtkShadowDebugView::Subject subject = { this->Litmaps.data(),
-      static_cast<int>(frames.size()), plan->GetDraws(), work.Camera.EyeToClip, this->Viewport };
+      static_cast<int>(frames.size()), plan->GetDraws(), work.Camera.EyeToClipByRows.data(),
+      this->Viewport };
     return work.Where.DebugView.Make(
       work.Window, work.How.Picture, subject, this->Counter, work.Statistics, this->Error);
   }
@@ -411,9 +407,8 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
   {
     return false;
   }
-  constexpr std::size_t each = vtkShadowTarget::LightsPerMask;
-  const int mask = static_cast<int>(work.Slot / each);
-  const int channel = static_cast<int>(work.Slot % each);
+  const int mask = vtkShadowTarget::GetMaskIndex(work.Slot);
+  const int channel = vtkShadowTarget::GetChannel(work.Slot);
   // As many volumes at a time as the stencil can count, should a receiver be in all of them.
   const bool allAtOnce = plan.IsCountBelow(vtkShadowCaster::MaximumCount);
   const vtkShadowDraw* first = draws.data();
@@ -432,8 +427,8 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
     }
     this->Counter.ClearStencil(this->Target, this->Viewport, start);
     ++statistics.StencilClears;
-    if (!this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClip, first, last,
-          work.How.Tuning.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||
+    if (!this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClipByRows.data(), first,
+          last, work.How.Tuning.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||
       !this->Counter.Resolve(work.Window, this->Target, mask, channel, this->Viewport, this->Error))
     {
       return false;

@@ -100,11 +100,10 @@ private:
   struct Work;
   struct CasterPart
   {
-    const double* GetPoints() const
+    const std::vector<glm::dvec3>& GetPoints() const
     {
       return vtkShadowCaster::GetPoints(*this->Caster, *this->Part);
     }
-    int GetNumberOfPoints() const { return this->Part->Topology->GetNumberOfPoints(); }
 
     const vtkShadowCaster* Caster;
     const vtkShadowCaster::Part* Part;

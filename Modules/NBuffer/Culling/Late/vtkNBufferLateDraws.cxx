@@ -5,6 +5,7 @@
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDeferredProxy.h"
 #include "vtkNBufferGL.h"
+#include "vtkNBufferScissor.h"
 
 #include "vtkRenderer.h"
 

@@ -72,7 +72,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 /**
  * The order of depth (vtkNBufferDepthConvention.h) as a function of clip coordinates, and the part
- * of its error that depends on how depth is stored. The default members are those of VTK's depth.
+ * of its error that depends on how depth is stored. FromQuantum() gives that of VTK's depth.
  */
 struct vtkNBufferDepthFormat
 {

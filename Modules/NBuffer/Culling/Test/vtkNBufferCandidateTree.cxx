@@ -2,20 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferCandidateTree.h"
 
-#include "vtkNBufferCandidateList.h"
+#include "vtkNBufferCandidate.h"
+#include "vtkNBufferState.h"
 
 #include <algorithm>
 #include <iterator>
 
 VTK_ABI_NAMESPACE_BEGIN
-namespace
-{
-bool HasPlace(const vtkNBufferCandidate& candidate)
-{
-  return candidate.IsCandidate() || candidate.IsTranslucent();
-}
-}
-
 void vtkNBufferCandidateTree::ListHasChanged()
 {
   this->ListChanged = true;
@@ -57,7 +50,7 @@ bool vtkNBufferCandidateTree::Update(const std::vector<vtkNBufferCandidate>& can
   {
     this->IsChanged[static_cast<std::size_t>(place)] = 0;
     const vtkNBufferCandidate& candidate = candidates[static_cast<std::size_t>(place)];
-    if (!HasPlace(candidate))
+    if (!candidate.HasPlace())
     {
       continue;
     }
@@ -95,7 +88,7 @@ void vtkNBufferCandidateTree::Build(const std::vector<vtkNBufferCandidate>& cand
   std::vector<int> places;
   for (std::size_t i = 0; i < candidates.size(); ++i)
   {
-    if (HasPlace(candidates[i]))
+    if (candidates[i].HasPlace())
     {
       boxes[i] = candidates[i].GetBox();
       places.push_back(static_cast<int>(i));
@@ -158,7 +151,7 @@ void vtkNBufferCandidateTree::Place(const vtkNBufferProjection& projection,
     i = static_cast<std::size_t>(node.Next);
   }
   std::copy_if(this->Loose.begin(), this->Loose.end(), std::back_inserter(places),
-    [&](int place) { return HasPlace(candidates[static_cast<std::size_t>(place)]); });
+    [&](int place) { return candidates[static_cast<std::size_t>(place)].HasPlace(); });
 }
 
 int vtkNBufferCandidateTree::GetLevelsNeeded(

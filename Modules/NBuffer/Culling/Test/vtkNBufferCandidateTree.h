@@ -2,31 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferCandidateTree
- * @brief Where the candidates of a long list lie in view, found over a hierarchy. No OpenGL.
+ * @brief Places the candidates of a long list in the view over a hierarchy. No OpenGL.
  *
- *     node outside        all below are Outside, none is looked at
- *     node wholly inside  all below are Inside; those that nothing is known of are deferred
- *     any other           its children are asked, or each prop of a leaf
+ *     node outside        All props below it are Outside. None of them is read.
+ *     node wholly inside  All props below it are Inside. Those that were not visible in the last
+ *                         test are deferred: their rectangles are not computed yet.
+ *     any other node      Its children are tested, or each prop of a leaf is projected.
  *
- * The rectangle of a deferred prop is made when it is asked for, and never below a node that the
- * depth test hides.
+ * The rectangle of a deferred prop is computed when it is needed, and never if the prop lies below
+ * a node that the depth test hides.
  *
- * Placements are those that asking one by one would give (rounding of double precision apart, which
- * the slack of the projection exceeds by far). Of the props in view more may be found hidden: the
- * squares that answer the rectangle of a prop may reach beyond those that answer its node's.
+ * Props get the placements that projecting each of them would give, apart from rounding in double
+ * precision, which the slack of the projection exceeds by far. More of the props in view may be
+ * found hidden: the texels that are read for the rectangle of a prop may reach beyond those that
+ * are read for its node.
  *
- * Which props are in the tree: all that have a place in the view (candidates and translucent ones).
- * Props of other kinds are none of its business, and those that have become candidates since it
- * was built are asked one by one.
+ * The tree holds all props that have a place in the view (candidates and translucent props). A prop
+ * that has become one of them since the tree was built is projected one by one.
  *
- * When it is built and refit:
+ * When the tree is refit and built:
  *
- *  - Refit to the boxes that have changed, in every frame in which some have. Where more than
- *    FewChanges and one in ChangesPerFrame have, the frame is done one by one, which is cheaper.
- *  - Built when the list has changed, but not before it has stayed the same for a frame: building
- *    takes some ten times as long as a frame one by one, which a list that changes in every frame
- *    would never earn. And where refits have made leaves more than twice as wide as they were built
- *    (WorstGrowth), at most every FramesBetweenBuilds frames.
+ *  - It is refit to the boxes that have changed, in every frame in which some have. If more than
+ *    FewChanges and more than one in ChangesPerFrame have changed, all props of this frame are
+ *    projected one by one, which is cheaper.
+ *  - It is built when the list has changed, but not before the list has stayed the same for a
+ *    frame. Building takes some ten times as long as projecting all props one by one, which would
+ *    never pay if the list changed in every frame. It is also built again where refits have made
+ *    leaves more than WorstGrowth times as wide as they were built, at most every
+ *    FramesBetweenBuilds frames.
  */
 #ifndef vtkNBufferCandidateTree_h
 #define vtkNBufferCandidateTree_h
@@ -46,58 +49,61 @@ class VTKNBUFFER_EXPORT vtkNBufferCandidateTree
 {
 public:
   ///@{
-  /// Of the rules above. Up to FewChanges are always refit.
+  /// The constants of the rules above. Up to FewChanges changes are always refit.
   static constexpr int ChangesPerFrame = 16;
   static constexpr int FewChanges = 1024;
   static constexpr double WorstGrowth = 2.0;
   static constexpr int FramesBetweenBuilds = 64;
   ///@}
 
-  /// Work since BeginFrame().
+  /// The work since BeginFrame().
   struct Work
   {
-    long long Nodes = 0; ///< Looked at, for the view and for the depth test.
+    long long Nodes = 0; ///< Nodes that were tested against the view or the depth.
     int Refits = 0;      ///< Boxes that had changed.
-    int Builds = 0;
+    int Builds = 0;      ///< How often the tree was built.
   };
 
   void BeginFrame() { this->Done = Work(); }
   const Work& GetWork() const { return this->Done; }
 
   ///@{
-  /// What has changed since the last Update(): the list, or kind or box of the prop of a place.
+  /// Tell the tree before Update() that the list has changed, or the verdict or box of the prop at
+  /// a place.
   void ListHasChanged();
   void HasChanged(int place);
   ///@}
 
-  /// Bring the tree up to date. False if this frame is to be done one by one.
+  /// Bring the tree up to date. Returns false if this frame must project all props one by one.
   bool Update(const std::vector<vtkNBufferCandidate>& candidates);
 
   /**
-   * Place the candidates. All of them must be Outside in `states`. Which are to be projected one by
-   * one is appended to `places`, each once; others are deferred.
+   * Place the candidates, all of which must be Outside in `states`. The places of props that must
+   * be projected one by one are appended to `places`, each once. The others are deferred.
    */
   void Place(const vtkNBufferProjection& projection,
     const std::vector<vtkNBufferCandidate>& candidates, std::vector<vtkNBufferState>& states,
     std::vector<int>& places);
 
-  /// Levels that the nodes of deferred props need, see vtkNBufferOcclusionTest; 1 without any.
+  /// The number of levels that the depth test of the nodes of deferred props needs, at least 1 (see
+  /// vtkNBufferOcclusionTest).
   int GetLevelsNeeded(const vtkNBufferProjection& projection, int factor) const;
 
-  /// Mark the deferred props below nodes that are hidden, once for all tests of a frame.
+  /// Mark the deferred props below hidden nodes as Behind. This serves all tests of a frame.
   void MarkHidden(const vtkNBufferProjection& projection, vtkNBufferOcclusionTest& test,
     std::vector<vtkNBufferState>& states);
 
 private:
   void Build(const std::vector<vtkNBufferCandidate>& candidates);
+  /// Whether any prop below a node is deferred.
   bool HasDeferred(
     const vtkNBufferHierarchy::Node& node, const std::vector<vtkNBufferState>& states) const;
 
   vtkNBufferHierarchy Tree;
   std::vector<int> Changed;
   std::vector<unsigned char> IsChanged; ///< By place.
-  std::vector<int> Loose;               ///< Places of candidates that are not in the tree.
-  std::vector<int> Roots;               ///< Nodes wholly inside with deferred props below.
+  std::vector<int> Loose;               ///< Places of props that are not in the tree, sorted.
+  std::vector<int> Roots;               ///< Nodes wholly inside that have deferred props below.
   Work Done;
   bool Built = false;
   bool ListChanged = false;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferProjection.h"
 
+#include "vtkNBufferClipExtent.h"
+
 #include "vtkMatrix4x4.h"
 
 #include <algorithm>
@@ -97,50 +99,6 @@ bool vtkNBufferProjection::IsOutside(const vtkNBufferBox& box) const
   return false;
 }
 
-/**
- * The extent in NDC, slack included, of points of a box that are added one by one in clip space.
- */
-class vtkNBufferProjection::Extent
-{
-public:
-  Extent(const vtkNBufferProjection& projection, const vtkNBufferBox& box)
-  {
-    for (int i = 0; i < 4; ++i)
-    {
-      this->Error[i] = vtkNBufferBoxError::GetVertexError(projection.WorldToClip[i], box);
-    }
-  }
-
-  const glm::dvec4& GetErrors() const { return this->Error; }
-
-  /// False for a point before the near plane, behind the eye, or too near to the eye for its error
-  /// to be bounded. Written so that NaN takes this way out.
-  bool Add(const glm::dvec4& clip)
-  {
-    const double w = clip.w - this->Error.w;
-    if (!(w > this->Error.w && clip.z + clip.w > this->Error.z + this->Error.w))
-    {
-      return false;
-    }
-    const double inverse = 1.0 / w;
-    const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
-    const glm::dvec3 slack = (glm::dvec3(this->Error) + glm::abs(ndc) * this->Error.w) * inverse;
-    this->Low = glm::min(this->Low, ndc - slack);
-    this->High = glm::max(this->High, ndc + slack);
-    this->Slack = glm::max(this->Slack, slack);
-    this->MaximumW = std::max(this->MaximumW, clip.w);
-    return true;
-  }
-
-  glm::dvec3 Low = glm::dvec3(std::numeric_limits<double>::infinity());
-  glm::dvec3 High = glm::dvec3(-std::numeric_limits<double>::infinity());
-  glm::dvec3 Slack;
-  double MaximumW = 0.0;
-
-private:
-  glm::dvec4 Error;
-};
-
 vtkNBufferPlacement vtkNBufferProjection::Project(
   const vtkNBufferBox& box, vtkNBufferScreenBox& result) const
 {
@@ -156,7 +114,7 @@ vtkNBufferPlacement vtkNBufferProjection::Project(
     }
   }
   Corners corners;
-  Extent extent(*this, box);
+  vtkNBufferClipExtent extent(this->WorldToClip, box);
   bool before = true;
   for (int corner = 0; corner < 8; ++corner)
   {
@@ -167,7 +125,7 @@ vtkNBufferPlacement vtkNBufferProjection::Project(
   result.Clipped = !before;
   if (!before)
   {
-    extent = Extent(*this, box);
+    extent = vtkNBufferClipExtent(this->WorldToClip, box);
     const vtkNBufferPlacement placement = this->Clip(box, corners, extent);
     if (placement != vtkNBufferPlacement::Inside)
     {
@@ -178,7 +136,7 @@ vtkNBufferPlacement vtkNBufferProjection::Project(
 }
 
 vtkNBufferPlacement vtkNBufferProjection::Clip(
-  const vtkNBufferBox& box, const Corners& corners, Extent& extent) const
+  const vtkNBufferBox& box, const Corners& corners, vtkNBufferClipExtent& extent) const
 {
   if (!std::all_of(corners.begin(), corners.end(), IsFinite))
   {
@@ -258,7 +216,7 @@ vtkNBufferPlacement vtkNBufferProjection::Clip(
 }
 
 vtkNBufferPlacement vtkNBufferProjection::Finish(
-  const vtkNBufferBox& box, const Extent& extent, vtkNBufferScreenBox& result) const
+  const vtkNBufferBox& box, const vtkNBufferClipExtent& extent, vtkNBufferScreenBox& result) const
 {
   for (int i = 0; i < 3; ++i)
   {

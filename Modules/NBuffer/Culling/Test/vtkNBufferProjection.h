@@ -29,6 +29,7 @@
 #include <optional>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkNBufferClipExtent;
 
 /// Where a box is with respect to the view, see above.
 enum class vtkNBufferPlacement
@@ -38,9 +39,7 @@ enum class vtkNBufferPlacement
   Inside
 };
 
-/**
- * What a box covers on the screen. It has a meaning only for boxes that are Inside.
- */
+/// What a box covers on the screen. It has a meaning only for boxes that are Inside.
 struct vtkNBufferScreenBox
 {
   /// The pixels of the viewport that the box may cover, (0, 0) the lower left one; never empty.
@@ -61,9 +60,7 @@ struct vtkNBufferScreenBox
   bool Clipped = false;
 };
 
-/**
- * One camera, one viewport, one depth format.
- */
+/// One camera, one viewport, one depth format.
 class VTKNBUFFER_EXPORT vtkNBufferProjection
 {
 public:
@@ -93,8 +90,8 @@ public:
 
   /**
    * Whether a box lies outside one of the six planes of the view. The test looks at signs in clip
-   * space and never divides, so that eye points inside the box are no special case. Returns false
-   * for every box with a Margin, which only Project() can judge. Takes about 15 ns.
+   * space and never divides, so that eye points inside the box are no special case. Always false
+   * for boxes with a Margin: what sticks out of them is for Project(). Takes about 15 ns.
    */
   bool IsOutside(const vtkNBufferBox& box) const;
 
@@ -178,19 +175,18 @@ public:
   std::optional<FacePlane> GetFacePlane(
     const vtkNBufferBox& box, const vtkNBufferScreenBox& screen, int face) const;
 
-  /// The eight corners of a box that is Inside, in pixels of the viewport.
+  /// The corners of a box that is Inside, in pixels of the viewport.
   std::array<glm::dvec2, 8> GetCorners(const vtkNBufferBox& box) const;
 
-  /// The length of the box along each of its three axes, through its centre, as seen on the screen,
-  /// in pixels. It says along which axis to cut the box. The box must be Inside.
+  /// The length in pixels, on the screen, of each axis of a box that is Inside, through its centre.
   glm::dvec3 GetAxisLengths(const vtkNBufferBox& box) const;
 
 private:
-  class Extent;
   using Corners = std::array<glm::dvec4, 8>;
-  vtkNBufferPlacement Clip(const vtkNBufferBox& box, const Corners& corners, Extent& extent) const;
-  vtkNBufferPlacement Finish(
-    const vtkNBufferBox& box, const Extent& extent, vtkNBufferScreenBox& result) const;
+  vtkNBufferPlacement Clip(
+    const vtkNBufferBox& box, const Corners& corners, vtkNBufferClipExtent& extent) const;
+  vtkNBufferPlacement Finish(const vtkNBufferBox& box, const vtkNBufferClipExtent& extent,
+    vtkNBufferScreenBox& result) const;
 
   Rows WorldToClip;
   Rows ClipToWorld;

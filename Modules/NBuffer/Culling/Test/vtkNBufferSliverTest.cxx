@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferSliverTest.h"
 
+#include "vtkNBufferSurface.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -32,21 +34,22 @@ vtkNBufferSliverTest::vtkNBufferSliverTest(
 {
 }
 
-void vtkNBufferSliverTest::Project(const vtkNBufferMesh& mesh, const glm::dmat4& toWorld)
+void vtkNBufferSliverTest::Project(const vtkNBufferMesh& mesh, const double toWorld[16])
 {
-  const vtkNBufferProjection::Rows rows = this->Projection.GetWindowMatrix(toWorld);
+  const vtkNBufferProjection::Rows rows =
+    this->Projection.GetWindowMatrix(vtkNBufferGLM::ToMatrix(toWorld));
   this->Points.resize(mesh.Points.size());
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)
   {
-    const auto evaluate = [&](int row)
-    { return vtkNBufferBoxError::Evaluate(rows[row], mesh.Points[i]); };
+    const glm::dvec3& point = mesh.Points[i];
+    const auto evaluate = [&](int row) { return vtkNBufferBoxError::Evaluate(rows[row], point); };
     const double w = evaluate(3);
     const double inverse = w > 0.0 ? 1.0 / w : std::numeric_limits<double>::quiet_NaN();
     this->Points[i] = inverse * glm::dvec3(evaluate(0), evaluate(1), evaluate(2));
   }
 }
 
-bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, const glm::dmat4& toWorld,
+bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, const double toWorld[16],
   const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)
 {
   const Errors errors = this->Projection.GetTriangleErrors(box, screen);

@@ -47,13 +47,7 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
-
-/// Triangles as a mapper draws them, in model coordinates.
-struct vtkNBufferMesh
-{
-  std::vector<glm::dvec3> Points;
-  std::vector<std::array<unsigned int, 3>> Triangles;
-};
+struct vtkNBufferMesh;
 
 class VTKNBUFFER_EXPORT vtkNBufferSliverTest
 {
@@ -68,9 +62,9 @@ public:
 
   /**
    * False only if nothing of the mesh can be seen, given that its box, which is Inside, was found
-   * hidden. `toWorld` is the matrix from model to world coordinates.
+   * hidden. `toWorld` is the matrix from model to world coordinates, row by row.
    */
-  bool MayBeSeen(const vtkNBufferMesh& mesh, const glm::dmat4& toWorld, const vtkNBufferBox& box,
+  bool MayBeSeen(const vtkNBufferMesh& mesh, const double toWorld[16], const vtkNBufferBox& box,
     const vtkNBufferScreenBox& screen);
 
 private:
@@ -79,7 +73,7 @@ private:
   using Corners = std::array<glm::dvec3, 3>;
 
   /// Set Points to those of a mesh.
-  void Project(const vtkNBufferMesh& mesh, const glm::dmat4& toWorld);
+  void Project(const vtkNBufferMesh& mesh, const double toWorld[16]);
 
   /// Whether a triangle may be seen whose height errs by at most `heightError` pixels.
   bool MayBeSeen(const Corners& corners, double heightError, const Errors& errors) const;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowCounter.h"
 
+#include "vtkNBufferDepthConvention.h"
 #include "vtkShadowTarget.h"
 #include "vtkShadowVolume.h"
 
@@ -22,8 +23,9 @@ constexpr const char* Failure =
   "A shader for shadow volumes does not compile on this driver. Update the driver, and report its "
   "message.";
 
-constexpr float OffsetFactor = 1.0f / 128;
-constexpr float OffsetUnits = 2.0f;
+// Away from the eye.
+constexpr float OffsetFactor = static_cast<float>(vtkNBufferDepthConvention::Sign) / 128;
+constexpr float OffsetUnits = static_cast<float>(vtkNBufferDepthConvention::Sign) * 2;
 
 constexpr GLenum StencilNames[2][7] = { { GL_STENCIL_FUNC, GL_STENCIL_REF, GL_STENCIL_VALUE_MASK,
                                           GL_STENCIL_FAIL, GL_STENCIL_PASS_DEPTH_FAIL,
@@ -205,7 +207,7 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
   glEnable(GL_DEPTH_CLAMP);
   glPolygonOffset(OffsetFactor, OffsetUnits);
   glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
+  glDepthFunc(vtkNBufferDepthConvention::PassIfNearer);
   const auto drawAll = [&](bool counting)
   {
     for (const vtkShadowDraw* draw = first; draw != last; ++draw)
@@ -279,12 +281,12 @@ bool vtkShadowCounter::Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTar
   glScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
   glStencilFunc(GL_NOTEQUAL, 0, 0xff);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-  // At the far plane, behind everything that was drawn.
+  // At the depth of the background, behind everything that was drawn.
   double range[2];
   glGetDoublev(GL_DEPTH_RANGE, range);
-  glDepthRange(1.0, 1.0);
+  glDepthRange(vtkNBufferDepthConvention::Background, vtkNBufferDepthConvention::Background);
   glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_GREATER);
+  glDepthFunc(vtkNBufferDepthConvention::PassIfFarther);
   glColorMaski(0, channel == 0, channel == 1, channel == 2, channel == 3);
   this->MaskPass.Draw();
   glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

@@ -32,8 +32,8 @@
 #ifndef vtkShadowCounter_h
 #define vtkShadowCounter_h
 
+#include "vtkNBufferFullScreenPass.h"
 #include "vtkNBufferGL.h"
-#include "vtkNBufferGLObject.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkShadowPlan.h"
 

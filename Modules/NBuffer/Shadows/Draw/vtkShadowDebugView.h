@@ -11,7 +11,7 @@
 #ifndef vtkShadowDebugView_h
 #define vtkShadowDebugView_h
 
-#include "vtkNBufferGLObject.h"
+#include "vtkNBufferFullScreenPass.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkShadowDebugImage.h"
 #include "vtkShadowStatistics.h"

@@ -11,7 +11,7 @@
 #ifndef vtkShadowSampleReader_h
 #define vtkShadowSampleReader_h
 
-#include "vtkNBufferGLObject.h"
+#include "vtkNBufferFullScreenPass.h"
 #include "vtkNBufferModule.h" // For export macro
 
 #include <string>

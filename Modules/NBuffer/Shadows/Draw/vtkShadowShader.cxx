@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowShader.h"
 
+#include "vtkNBufferSharedText.h"
 #include "vtkShadowLightDec.h"
 #include "vtkShadowSampleDec.h"
 #include "vtkShadowTarget.h"
@@ -9,23 +10,21 @@
 #include "vtkShaderProgram.h"
 
 VTK_ABI_NAMESPACE_BEGIN
-namespace
-{
-constexpr std::size_t LightsPerMask = vtkShadowTarget::LightsPerMask;
-}
-
 void vtkShadowShader::Declare(std::string& fragmentShader) const
 {
-  // Props that share their property keys hand a pass on once for each.
+  // Where props share their property keys, VTK calls a pass once for each of them.
   if (fragmentShader.find("NBUFFER_SHADOW_LIGHTS") != std::string::npos)
   {
     return;
   }
-  const std::size_t masks = (this->Lights.size() + LightsPerMask - 1) / LightsPerMask;
-  const std::string declaration = "#define NBUFFER_SHADOW_LIGHTS " +
-    std::to_string(this->Lights.size()) + "\n#define NBUFFER_SHADOW_MASKS " +
-    std::to_string(masks) + "\n#define NBUFFER_SHADOW_SAMPLES " + std::to_string(this->Samples) +
-    "\n" + vtkShadowLightDec;
+  const auto define = [](const char* name, std::size_t value)
+  { return std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
+  std::string declaration = vtkShadowLightDec;
+  vtkShaderProgram::Substitute(declaration, "//VTK::NBuffer::Shared", vtkNBufferSharedText);
+  vtkShaderProgram::Substitute(declaration, "//VTK::NBuffer::Dec",
+    define("NBUFFER_SHADOW_LIGHTS", this->Lights.size()) +
+      define("NBUFFER_SHADOW_MASKS", vtkShadowTarget::CountMasks(this->Lights.size())) +
+      define("NBUFFER_SHADOW_SAMPLES", this->Samples));
   vtkShaderProgram::Substitute(
     fragmentShader, "//VTK::Light::Dec", declaration + "//VTK::Light::Dec", false);
   if (this->Samples > 1)
@@ -41,8 +40,7 @@ bool vtkShadowShader::Insert(std::string& fragmentShader) const
   for (std::size_t i = 0; i < this->Lights.size(); ++i)
   {
     const std::string color = "lightColor" + std::to_string(this->Lights[i]);
-    const std::string share = "NBUFFER_SHADOW_SHARE(" + std::to_string(i) + ", " +
-      std::to_string(i / LightsPerMask) + ", " + std::to_string(i % LightsPerMask) + ")";
+    const std::string share = "NBUFFER_SHADOW_SHARE(" + std::to_string(i) + ")";
     bool replaced = fragmentShader.find(share) != std::string::npos;
     if (replaced)
     {

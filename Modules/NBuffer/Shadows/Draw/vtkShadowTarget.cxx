@@ -16,28 +16,6 @@ vtkShadowTarget::SamplePlaces GetCentre()
 {
   return { { { 0.5, 0.5 } } };
 }
-
-/// What is bound for drawing and reading, as it was.
-class ScopedFramebuffers
-{
-public:
-  ScopedFramebuffers()
-  {
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &this->Draw);
-    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &this->Read);
-  }
-  ~ScopedFramebuffers()
-  {
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Draw);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, this->Read);
-  }
-  ScopedFramebuffers(const ScopedFramebuffers&) = delete;
-  void operator=(const ScopedFramebuffers&) = delete;
-
-private:
-  int Draw = 0;
-  int Read = 0;
-};
 }
 
 vtkShadowTarget::SamplePlaces vtkShadowTarget::GetBoundSamples()
@@ -71,7 +49,7 @@ bool vtkShadowTarget::Reserve(vtkOpenGLRenderWindow* window, int width, int heig
   {
     return true;
   }
-  const ScopedFramebuffers bindings;
+  const vtkNBufferGL::ScopedFramebuffers bindings;
   vtkNBufferGL::ClearErrors();
   const int newWidth = std::max(width, this->Width);
   const int newHeight = std::max(height, this->Height);
@@ -122,33 +100,18 @@ bool vtkShadowTarget::Allocate(
 
 bool vtkShadowTarget::AllocateDepth(vtkOpenGLRenderWindow* window, std::string& why)
 {
+  ++this->Allocations;
   if (this->IsMultisampled())
   {
-    this->Depth = this->NewTexture(window);
-    this->Depth->AllocateDepthStencil(this->Width, this->Height);
-    this->DepthStencil = this->Depth->GetHandle();
+    this->SampledDepth = this->NewTexture(window);
+    this->SampledDepth->AllocateDepthStencil(this->Width, this->Height);
   }
-  else
-  {
-    int bound = 0;
-    glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
-    const vtkNBufferGL::ScopedUpload nothing(0);
-    glGenTextures(1, &this->DepthStencil);
-    glBindTexture(GL_TEXTURE_2D, this->DepthStencil);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH24_STENCIL8, this->Width, this->Height, 0,
-      GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, nullptr);
-    glBindTexture(GL_TEXTURE_2D, bound);
-  }
-  ++this->Allocations;
-  if (!vtkNBufferGL::CheckErrors("Allocating depth and stencil", why))
+  else if (!this->PlainDepth.Reserve(GL_DEPTH24_STENCIL8, this->Width, this->Height, why))
   {
     return false;
   }
-  glGenFramebuffers(1, &this->DepthFramebuffer);
-  return this->Attach(this->DepthFramebuffer, 0, why);
+  return vtkNBufferGL::CheckErrors("Allocating depth and stencil", why) &&
+    this->Attach(this->DepthFramebuffer, nullptr, why);
 }
 
 vtkSmartPointer<vtkTextureObject> vtkShadowTarget::NewTexture(vtkOpenGLRenderWindow* window) const
@@ -173,21 +136,22 @@ bool vtkShadowTarget::AllocateMask(vtkOpenGLRenderWindow* window, Mask& mask, st
     return false;
   }
   ++this->Allocations;
-  glGenFramebuffers(1, &mask.Framebuffer);
-  return this->Attach(mask.Framebuffer, mask.Texture->GetHandle(), why);
+  return this->Attach(mask.Framebuffer, mask.Texture, why);
 }
 
-bool vtkShadowTarget::Attach(unsigned int framebuffer, unsigned int color, std::string& why)
+bool vtkShadowTarget::Attach(
+  vtkNBufferGL::Framebuffer& framebuffer, vtkTextureObject* color, std::string& why)
 {
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  const GLenum target = this->GetTextureTarget();
-  glFramebufferTexture2D(
-    GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, target, this->DepthStencil, 0);
-  if (color != 0)
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.Create());
+  const bool multisampled = this->IsMultisampled();
+  const GLenum target = multisampled ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, target,
+    multisampled ? this->SampledDepth->GetHandle() : this->PlainDepth.GetName(), 0);
+  if (color)
   {
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target, color, 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target, color->GetHandle(), 0);
   }
-  const GLenum buffer = color != 0 ? GL_COLOR_ATTACHMENT0 : GL_NONE;
+  const GLenum buffer = color ? GL_COLOR_ATTACHMENT0 : GL_NONE;
   glDrawBuffers(1, &buffer);
   glReadBuffer(buffer);
   int stencilBits = 0;
@@ -208,45 +172,18 @@ bool vtkShadowTarget::Attach(unsigned int framebuffer, unsigned int color, std::
   return vtkNBufferGL::CheckErrors("Attaching depth and stencil", why);
 }
 
-unsigned int vtkShadowTarget::GetTextureTarget() const
-{
-  return this->IsMultisampled() ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
-}
-
 void vtkShadowTarget::Release()
 {
   this->Free();
   this->RefusedSamples.clear();
 }
 
-void vtkShadowTarget::FreeMask(Mask& mask)
-{
-  glDeleteFramebuffers(1, &mask.Framebuffer);
-  if (mask.Texture)
-  {
-    mask.Texture->ReleaseGraphicsResources(mask.Texture->GetContext());
-  }
-  mask = Mask();
-}
-
 void vtkShadowTarget::Free()
 {
-  for (Mask& mask : this->Masks)
-  {
-    FreeMask(mask);
-  }
   this->Masks.clear();
-  glDeleteFramebuffers(1, &this->DepthFramebuffer);
-  if (this->Depth)
-  {
-    this->Depth->ReleaseGraphicsResources(this->Depth->GetContext());
-    this->Depth = nullptr;
-  }
-  else
-  {
-    glDeleteTextures(1, &this->DepthStencil);
-  }
-  this->DepthFramebuffer = this->DepthStencil = 0;
+  this->DepthFramebuffer.Delete();
+  this->PlainDepth.Delete();
+  this->SampledDepth = nullptr;
   this->Width = this->Height = 0;
 }
 VTK_ABI_NAMESPACE_END

@@ -2,25 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkShadowTarget.h
- * @brief The OpenGL objects that shadows are counted in: depth and stencil of the receivers, masks.
+ * @brief The framebuffers in which shadows are counted, and the masks that result.
  *
- * VTK's own framebuffers have no stencil before 9.7, and nothing tells: without one the stencil
- * test passes. So depth and stencil (24 and 8 bits) are a texture of ours, in two framebuffers:
+ * VTK's own framebuffers have no stencil buffer before VTK 9.7, and OpenGL reports no error:
+ * without one the stencil test always passes. So this class has its own depth and stencil (24 and 8
+ * bits), in a texture that several framebuffers share:
  *
- *     depth     depth and stencil alone, without colour: receivers and volumes are drawn into it
- *     mask i    depth and stencil with mask i as colour
+ *     framebuffer   colour     depth and stencil
+ *     depth         none       shared      receivers and shadow volumes are drawn into it
+ *     mask i        mask i     shared      the masks of the lights 4 i to 4 i + 3 are made in it
  *
- * A mask is an RGBA8 texture: channel c of mask i belongs to the light 4 i + c, 0 where it shines
- * and 255 where it does not. Objects grow and never shrink until released.
+ * A mask is an RGBA8 texture with a channel for each light: 0 where the light shines, 255 where it
+ * does not.
  *
- * All have the samples of the framebuffer that shadows are for, at the same places in a pixel. With
- * more than one they are GL_TEXTURE_2D_MULTISAMPLE with fixed sample locations, else GL_TEXTURE_2D.
+ *     light      0   1   2   3   4   5   6  ...
+ *     mask       0   0   0   0   1   1   1  ...
+ *     channel    r   g   b   a   r   g   b  ...
+ *
+ * All textures have the samples of the framebuffer that the shadows are for, at the same places in
+ * a pixel. With several samples they are GL_TEXTURE_2D_MULTISAMPLE with fixed sample locations,
+ * else GL_TEXTURE_2D. The objects grow and never shrink until Release().
  */
 #ifndef vtkShadowTarget_h
 #define vtkShadowTarget_h
 
+#include "Shaders/vtkNBufferShared.h"
+#include "vtkNBufferGLObject.h"
 #include "vtkNBufferModule.h" // For export macro
-#include "vtkNBufferVTKVersion.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
@@ -35,49 +43,70 @@ class vtkOpenGLRenderWindow;
 class VTKNBUFFER_EXPORT vtkShadowTarget
 {
 public:
-  static constexpr int LightsPerMask = 4;
+  static constexpr int LightsPerMask = NBUFFER_SHADOW_LIGHTS_PER_MASK;
 
-  /// Places of the samples in a pixel, in [0, 1] from its lower left corner; one: its centre.
+  ///@{
+  /// The mask of a light and its channel there, and the number of masks for a number of lights.
+  static int GetMaskIndex(std::size_t light) { return static_cast<int>(light) / LightsPerMask; }
+  static int GetChannel(std::size_t light) { return static_cast<int>(light) % LightsPerMask; }
+  static int CountMasks(std::size_t lights) { return GetMaskIndex(lights + LightsPerMask - 1); }
+  ///@}
+
+  /// The places of the samples in a pixel, in [0, 1] from its lower left corner. A single sample is
+  /// at the centre.
   using SamplePlaces = std::vector<std::array<double, 2>>;
 
-  /// Those of the framebuffer that is bound for drawing.
+  /// The samples of the framebuffer that is bound for drawing.
   static SamplePlaces GetBoundSamples();
 
   /**
-   * Room for images of at least this size and this many masks, with these samples. Where the device
-   * has no such samples for textures, there is one for each pixel, and HasRefusedSamples() says so.
-   * Returns false, with the cause and a remedy in `why`, if OpenGL refuses that, too. Leaves the
-   * draw and read framebuffer bound as they were.
+   * Make room for images of at least this size, for this many masks, with these samples. If
+   * textures on this device cannot have these samples, they get one for each pixel,
+   * HasRefusedSamples() is true, and `why` says why. Returns false, with the cause and a remedy in
+   * `why`, if OpenGL refuses that, too. Restores the draw and read framebuffer.
    */
   bool Reserve(vtkOpenGLRenderWindow* window, int width, int height, int masks,
     const SamplePlaces& samples, std::string& why);
 
+  ///@{
+  /// The samples that the textures have, and whether Reserve() was given others.
   const SamplePlaces& GetSamples() const { return this->Samples; }
   bool IsMultisampled() const { return this->Samples.size() > 1; }
   bool HasRefusedSamples() const { return !this->RefusedSamples.empty(); }
+  ///@}
 
+  ///@{
+  /// Size of the textures in pixels, and the number of masks; all are 0 before Reserve().
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
   int GetNumberOfMasks() const { return static_cast<int>(this->Masks.size()); }
+  ///@}
 
+  ///@{
   /// GL names of the framebuffers; 0 before Reserve().
-  unsigned int GetDepthFramebuffer() const { return this->DepthFramebuffer; }
-  unsigned int GetMaskFramebuffer(int mask) const { return this->Masks[mask].Framebuffer; }
+  unsigned int GetDepthFramebuffer() const { return this->DepthFramebuffer.GetName(); }
+  unsigned int GetMaskFramebuffer(int mask) const
+  {
+    return this->Masks[mask].Framebuffer.GetName();
+  }
+  ///@}
 
+  ///@{
+  /// The textures for shaders. Depth is nullptr without multisampling, where no shader needs it.
   vtkTextureObject* GetMask(int mask) const { return this->Masks[mask].Texture; }
-  /// To sample; nullptr without multisampling.
-  vtkTextureObject* GetDepth() const { return this->Depth; }
+  vtkTextureObject* GetDepth() const { return this->SampledDepth; }
+  ///@}
 
-  /// Times that OpenGL was asked for memory since construction.
+  /// How often memory was requested from OpenGL since construction.
   int GetNumberOfAllocations() const { return this->Allocations; }
 
-  /// Delete everything; the context that made it must be current.
+  /// Delete the OpenGL objects. Their context must be current.
   void Release();
 
 private:
   struct Mask
   {
-    unsigned int Framebuffer = 0;
+    vtkNBufferGL::Framebuffer Framebuffer;
     vtkSmartPointer<vtkTextureObject> Texture;
   };
 
@@ -85,19 +114,17 @@ private:
   bool AllocateDepth(vtkOpenGLRenderWindow* window, std::string& why);
   vtkSmartPointer<vtkTextureObject> NewTexture(vtkOpenGLRenderWindow* window) const;
   bool AllocateMask(vtkOpenGLRenderWindow* window, Mask& mask, std::string& why);
-  static void FreeMask(Mask& mask);
-  bool Attach(unsigned int framebuffer, unsigned int color, std::string& why);
-  unsigned int GetTextureTarget() const;
+  bool Attach(vtkNBufferGL::Framebuffer& framebuffer, vtkTextureObject* color, std::string& why);
   void Free();
 
   SamplePlaces Samples = { { { 0.5, 0.5 } } };
-  SamplePlaces RefusedSamples; ///< Empty, or those that Reserve() asked for in vain.
+  SamplePlaces RefusedSamples; ///< What Reserve() was given and could not have; else empty.
   int Width = 0;
   int Height = 0;
   int Allocations = 0;
-  unsigned int DepthStencil = 0;
-  vtkSmartPointer<vtkTextureObject> Depth; ///< The same, if it is multisampled.
-  unsigned int DepthFramebuffer = 0;
+  vtkNBufferGL::GrowingTexture PlainDepth;        ///< Depth and stencil without multisampling.
+  vtkSmartPointer<vtkTextureObject> SampledDepth; ///< Depth and stencil with multisampling.
+  vtkNBufferGL::Framebuffer DepthFramebuffer;
   std::vector<Mask> Masks;
 };
 VTK_ABI_NAMESPACE_END

@@ -46,22 +46,19 @@ bool vtkShadowTargetReader::ReadDepth(
     }
     return done;
   }
-  int bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  const vtkNBufferGL::ScopedFramebuffers bindings;
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.GetDepthFramebuffer());
   vtkNBufferDepthSource source;
-  const bool done = source.Inspect(window, why) &&
+  return source.Inspect(window, why) &&
     source.Read(window, viewport[0], viewport[1], viewport[2], viewport[3], this->Depth, why);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
-  return done;
 }
 
 bool vtkShadowTargetReader::ReadMask(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
-  std::size_t slot, int sample, std::vector<unsigned char>& mask, std::string& why)
+  std::size_t light, int sample, std::vector<unsigned char>& mask, std::string& why)
 {
   constexpr std::size_t each = vtkShadowTarget::LightsPerMask;
-  const int number = static_cast<int>(slot / each);
-  const std::size_t channel = slot % each;
+  const int number = vtkShadowTarget::GetMaskIndex(light);
+  const int channel = vtkShadowTarget::GetChannel(light);
   const int* viewport = this->Viewport;
   mask.resize(this->GetNumberOfPixels());
   if (!target.IsMultisampled())
@@ -84,8 +81,8 @@ bool vtkShadowTargetReader::ReadMask(vtkOpenGLRenderWindow* window, const vtkSha
   std::vector<float> sums(mask.size(), 0.0f);
   for (int i = first; i < last; ++i)
   {
-    if (!this->SampleReader.Read(window, target.GetMask(number)->GetHandle(), i,
-          static_cast<int>(channel), viewport, values.data(), why))
+    if (!this->SampleReader.Read(
+          window, target.GetMask(number)->GetHandle(), i, channel, viewport, values.data(), why))
     {
       return false;
     }

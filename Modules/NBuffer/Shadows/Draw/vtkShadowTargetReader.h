@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkShadowTargetReader.h
- * @brief Reads back what a vtkShadowTarget holds: depth of the receivers, the masks.
+ * @brief Reads the depth of the receivers and the masks of a vtkShadowTarget back.
  *
- * Each is of all samples of a pixel: sample by sample, in each row by row, the lowest first.
+ * Depth has an image for each sample of a pixel, one after the other, and each image is row by row,
+ * the lowest first.
  */
 #ifndef vtkShadowTargetReader_h
 #define vtkShadowTargetReader_h
@@ -33,17 +34,18 @@ public:
   /// Whether ReadReceivers() has succeeded in this frame.
   bool HasReceivers() const { return this->Has; }
 
-  /// Window depth of each sample.
+  /// The window depth of each sample, after ReadReceivers().
   const std::vector<float>& GetDepth() const { return this->Depth; }
 
   /**
-   * Read the mask of light `slot`, 0 lit to 255 in shadow: of a sample, or, if it is negative, the
-   * mean of all. Returns false, with the cause in `why`, if OpenGL refuses.
+   * Read the mask of a light, by its number in the frame: 0 is lit, 255 is in shadow. `sample` is
+   * the number of a sample; a negative number gives the mean of all samples. Returns false, with
+   * the cause in `why`, if OpenGL refuses. Waits for the device.
    */
-  bool ReadMask(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target, std::size_t slot,
+  bool ReadMask(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target, std::size_t light,
     int sample, std::vector<unsigned char>& mask, std::string& why);
 
-  /// Delete the OpenGL objects; the context that made them must be current.
+  /// Delete the OpenGL objects. Their context must be current.
   void Release() { this->SampleReader.Release(); }
 
 private:

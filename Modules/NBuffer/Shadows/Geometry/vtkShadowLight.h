@@ -2,35 +2,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkShadowLight.h
- * @brief A light that casts, as geometry: which side of a triangle it sees, and its coordinates.
+ * @brief A light that casts shadows, as geometry, and the light coordinates (p, q, s) around it.
  * No OpenGL.
  *
- * A light sees the world along rays. Light coordinates (p, q, s) name the ray and the place on it:
+ * A light sees the world along its rays. (p, q) names the ray, s the place on it:
  *
- *     directional   s = X . d,        p = X . u,        q = X . v          (world units)
+ *      directional light                     spot or point light at L
+ *
+ *      d   d   d   d   d  (parallel rays)             L          s = 0
+ *      |   |   |   |   |                             /|\
+ *      |   |   |   |   |                            / | \
+ *     -+---+---+---+---+-  s = 1                 --/--+--\--     s = 1
+ *      |   |   |   |   |                          /   |   \
+ *     -+---+---+---+---+-  s = 2                -/----+----\-    s = 2
+ *     p=-2 -1  0   1   2                    p=-1/2  p=0   p=1/2
+ *
+ * d is the unit axis, away from the light. u and v are the unit directions of p and q: u, v and d
+ * are perpendicular to each other. Then
+ *
+ *     directional   s = X . d,        p = X . u,            q = X . v          (world units)
  *     positional    s = (X - L) . d,  p = (X - L) . u / s,  q = (X - L) . v / s,  for s > 0
  *
- * with the unit axis d away from the light and u, v completing it. p and q are constant along a
- * ray, s increases along it, linearly in space. s is the distance along the axis, not from the
- * light: planes s = const are flat, so that what is extruded onto one stays flat (X. Decoret,
- * "N-Buffers for efficient depth map query", Computer Graphics Forum 24(3), 2005, section 3.3 has
- * projected depths instead).
+ * p and q are constant along a ray, and s increases along it, linearly in space. s is measured
+ * along the axis and is not the distance from the light. So surfaces s = const are planes, and a
+ * flat shape that is extruded onto one of them stays flat. (X. Decoret, "N-Buffers for efficient
+ * depth map query", Computer Graphics Forum 24(3), 2005, section 3.3 has projected depths instead.)
  *
- * Everything is double precision in world coordinates.
+ * All numbers are doubles, all points are in world coordinates.
  */
 #ifndef vtkShadowLight_h
 #define vtkShadowLight_h
 
+#include "vtkNBufferGLM.h"
 #include "vtkNBufferModule.h" // For export macro
-#include "vtkNBufferVTKVersion.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 
 enum class vtkShadowLightKind
 {
-  Directional, ///< Parallel rays along Direction.
-  Spot,        ///< From Position, within ConeAngle of Direction.
-  Point        ///< From Position, everywhere.
+  Directional, ///< The rays are parallel to Direction.
+  Spot,        ///< The rays leave Position within ConeAngle of Direction.
+  Point        ///< The rays leave Position in all directions.
 };
 
 /**
@@ -39,74 +51,88 @@ enum class vtkShadowLightKind
 struct VTKNBUFFER_EXPORT vtkShadowLight
 {
   vtkShadowLightKind Kind = vtkShadowLightKind::Directional;
-  double Position[3] = { 0.0, 0.0, 0.0 }; ///< World; not used for Directional.
-  double Direction[3] = { 0.0, 0.0,
-    -1.0 };                ///< World, unit length, away from the light; not for Point.
-  double ConeAngle = 90.0; ///< Spot: degrees from the axis to the cone's surface.
+
+  /// The world position of a spot or point light. A directional light does not use it.
+  glm::dvec3 Position = { 0.0, 0.0, 0.0 };
+
+  /// The direction of the axis in the world, away from the light, with unit length. A point light
+  /// does not use it.
+  glm::dvec3 Direction = { 0.0, 0.0, -1.0 };
+
+  /// The angle of a spot in degrees, from the axis to the surface of the cone.
+  double ConeAngle = 90.0;
 
   bool operator==(const vtkShadowLight& other) const;
 
   bool IsPositional() const { return this->Kind != vtkShadowLightKind::Directional; }
 
   /**
-   * The side of triangle (a, b, c) that the light sees: 1 if its corners go round anticlockwise as
-   * seen from the light (its normal by the right hand points to it), -1 if clockwise, 0 if it is
-   * seen edge-on, has no area, or a coordinate is NaN. To be computed once per triangle and
-   * stored: the sides of its edges must agree.
+   * The side of triangle (a, b, c) that the light sees. It is 1 if the corners go round
+   * anticlockwise as seen from the light (the normal by the right-hand rule points to the light),
+   * and -1 if they go round clockwise. It is 0 if the light sees the triangle edge-on, if the
+   * triangle has no area, or if a coordinate is NaN. Compute it once for each triangle and store
+   * it: the sides of a triangle's edges must agree.
    */
-  int GetFacing(const double a[3], const double b[3], const double c[3]) const;
+  int GetFacing(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const;
 
-  /// True if the light can reach X: in the cone for a spot (a hundredth of a degree wider), always
-  /// for the others.
-  bool IsInCone(const double x[3]) const;
+  /// Returns true if X is in a spot's cone, which is taken a hundredth of a degree wider. It is
+  /// always true for the other kinds.
+  bool IsInCone(const glm::dvec3& x) const;
 
-  /// X is reached by a spot if the cosine of its angle from the axis is at least this; -1 for the
-  /// others.
+  /// The cosine of the cone's angle as IsInCone() takes it: a point is in the cone if the cosine of
+  /// its angle from the axis is at least this. It is -1 for kinds without a cone.
   double GetConeCosine() const;
 };
 
 /**
- * Light coordinates around one axis: the light's own, or one chosen for a caster of a point light.
+ * The light coordinates around one axis: the light's own axis, or one chosen for a point light.
  */
 class VTKNBUFFER_EXPORT vtkShadowLightSpace
 {
 public:
-  /// The axis of a directional or spot light.
+  /// The coordinates around the axis of a directional or spot light.
   explicit vtkShadowLightSpace(const vtkShadowLight& light);
 
-  /// A positional light's rays around another axis (normalised here; must not be null).
-  vtkShadowLightSpace(const vtkShadowLight& light, const double axis[3]);
+  /// The coordinates of a positional light around another axis, which is normalised here and must
+  /// not be null.
+  vtkShadowLightSpace(const vtkShadowLight& light, const glm::dvec3& axis);
 
   bool IsPositional() const { return this->Positional; }
-  const double* GetApex() const { return this->Apex; }
-  const double* GetAxis() const { return this->Axis; }
-  ///@{
-  /// The directions of p and q.
-  const double* GetU() const { return this->U; }
-  const double* GetV() const { return this->V; }
-  ///@}
 
-  /// s alone; may be 0 or negative for positional lights.
-  double GetDepth(const double x[3]) const;
+  /// The light's position, or the origin of the world for a directional light.
+  const glm::dvec3& GetApex() const { return this->Apex; }
 
-  /// (p, q, s) of X. For a positional light p and q mean nothing unless s > 0.
-  void ToLight(const double x[3], double pqs[3]) const;
+  /// The direction d of s, with unit length.
+  const glm::dvec3& GetAxis() const { return this->Axis; }
 
-  /// The inverse of ToLight.
-  void ToWorld(const double pqs[3], double x[3]) const;
+  /// The direction u of p, with unit length.
+  const glm::dvec3& GetU() const { return this->U; }
 
-  /// The point on the ray through X with depth s. X must have a positive depth itself if the light
-  /// is positional.
-  void Extrude(const double x[3], double s, double result[3]) const;
+  /// The direction v of q, with unit length.
+  const glm::dvec3& GetV() const { return this->V; }
+
+  /// The depth s of X. It may be 0 or negative for a positional light.
+  double GetDepth(const glm::dvec3& x) const;
+
+  /// The light coordinates (p, q, s) of X. For a positional light p and q mean nothing unless s >
+  /// 0.
+  glm::dvec3 ToLight(const glm::dvec3& x) const;
+
+  /// The inverse of ToLight().
+  glm::dvec3 ToWorld(const glm::dvec3& pqs) const;
+
+  /// The point with depth s on the ray through X. For a positional light the depth of X itself must
+  /// be positive.
+  glm::dvec3 Extrude(const glm::dvec3& x, double s) const;
 
 private:
-  void SetAxis(const double axis[3]);
+  void SetAxis(const glm::dvec3& axis);
 
   bool Positional;
-  double Apex[3] = { 0.0, 0.0, 0.0 };
-  double Axis[3];
-  double U[3];
-  double V[3];
+  glm::dvec3 Apex;
+  glm::dvec3 Axis;
+  glm::dvec3 U;
+  glm::dvec3 V;
 };
 
 VTK_ABI_NAMESPACE_END

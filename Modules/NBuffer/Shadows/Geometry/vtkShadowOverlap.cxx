@@ -6,21 +6,22 @@
 #include <cmath>
 
 VTK_ABI_NAMESPACE_BEGIN
-long long vtkShadowOverlap::GetBound(const std::vector<vtkShadowRectangle>& rectangles)
+long long vtkShadowOverlap::GetBound(const std::vector<Item>& items)
 {
-  vtkShadowRectangle all;
-  std::vector<vtkShadowRectangle> finite;
+  vtkShadowBlock all;
+  std::vector<Item> finite;
   long long anywhere = 0;
-  for (const vtkShadowRectangle& rectangle : rectangles)
+  for (const Item& item : items)
   {
-    if (!std::isfinite(rectangle.Low[0] + rectangle.Low[1] + rectangle.High[0] + rectangle.High[1]))
+    const vtkShadowBlock& block = item.Block;
+    if (!std::isfinite(block.Low[0] + block.Low[1] + block.High[0] + block.High[1]))
     {
-      anywhere += rectangle.Weight;
+      anywhere += item.Weight;
       continue;
     }
-    all.Add(rectangle.Low);
-    all.Add(rectangle.High);
-    finite.push_back(rectangle);
+    all.Add(block.Low);
+    all.Add(block.High);
+    finite.push_back(item);
   }
   if (finite.empty())
   {
@@ -36,22 +37,22 @@ long long vtkShadowOverlap::GetBound(const std::vector<vtkShadowRectangle>& rect
       ? static_cast<std::size_t>(std::clamp((value - all.Low[i]) / width, 0.0, size - 1.0))
       : 0;
   };
-  // A rectangle is entered into the differences between cells by its four corners.
+  // Each item is entered into the differences between cells by the four corners of its rectangle.
   std::vector<long long> grid(row * row, 0);
-  for (const vtkShadowRectangle& rectangle : finite)
+  for (const Item& item : finite)
   {
     std::size_t low[2];
     std::size_t end[2];
     for (int i = 0; i < 2; ++i)
     {
       const double margin = 1e-6 * (all.High[i] - all.Low[i]); // far above the rounding of p and q
-      low[i] = getCell(rectangle.Low[i] - margin, i);
-      end[i] = getCell(rectangle.High[i] + margin, i) + 1;
+      low[i] = getCell(item.Block.Low[i] - margin, i);
+      end[i] = getCell(item.Block.High[i] + margin, i) + 1;
     }
-    grid[low[1] * row + low[0]] += rectangle.Weight;
-    grid[low[1] * row + end[0]] -= rectangle.Weight;
-    grid[end[1] * row + low[0]] -= rectangle.Weight;
-    grid[end[1] * row + end[0]] += rectangle.Weight;
+    grid[low[1] * row + low[0]] += item.Weight;
+    grid[low[1] * row + end[0]] -= item.Weight;
+    grid[end[1] * row + low[0]] -= item.Weight;
+    grid[end[1] * row + end[0]] += item.Weight;
   }
   for (std::size_t i = 1; i < grid.size(); ++i)
   {

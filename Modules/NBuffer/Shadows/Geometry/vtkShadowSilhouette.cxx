@@ -7,34 +7,33 @@
 #include "vtkMath.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// For each component of a closed mesh whether it is wound inside out: its signed volume is
-/// negative. Relative to a corner of the component, where most digits are left.
-std::vector<bool> FindInsideOut(const vtkShadowTopology& topology, const double* points)
+/// Says for each component of a closed mesh whether it is wound inside out: then its signed volume
+/// is negative. Volumes are relative to a corner of the component, where most digits are left.
+std::vector<bool> FindInsideOut(const vtkShadowTopology& topology, vtkShadowPoints points)
 {
   const std::size_t count = static_cast<std::size_t>(topology.GetNumberOfComponents());
-  std::vector<const double*> origins(count, nullptr);
+  std::vector<const glm::dvec3*> origins(count, nullptr);
   std::vector<double> volumes(count, 0.0);
   const int* corners = topology.GetTriangles().data();
   for (const int component : topology.GetComponents())
   {
-    const double*& origin = origins[component];
+    const glm::dvec3*& origin = origins[component];
     if (!origin)
     {
-      origin = points + 3 * corners[0];
+      origin = &points[corners[0]];
     }
-    double relative[3][3];
-    for (int i = 0; i < 3; ++i)
-    {
-      vtkMath::Subtract(points + 3 * corners[i], origin, relative[i]);
-    }
-    volumes[component] += vtkMath::Determinant3x3(relative[0], relative[1], relative[2]);
+    const glm::dvec3 a = points[corners[0]] - *origin;
+    const glm::dvec3 b = points[corners[1]] - *origin;
+    const glm::dvec3 c = points[corners[2]] - *origin;
+    volumes[component] +=
+      vtkMath::Determinant3x3(glm::value_ptr(a), glm::value_ptr(b), glm::value_ptr(c));
     corners += 3;
   }
   std::vector<bool> insideOut(count);
@@ -43,37 +42,35 @@ std::vector<bool> FindInsideOut(const vtkShadowTopology& topology, const double*
   return insideOut;
 }
 
-/// Upper bound of how many of the triangles one ray of the light can meet: as many as have bounding
-/// rectangles in light coordinates that overlap, where these exist, or else all.
+/// An upper bound of how many of the triangles one ray of the light can meet. Where all triangles
+/// have light coordinates, it is how many bounding rectangles in p and q overlap; otherwise it is
+/// the number of triangles.
 int BoundOverlap(
-  const std::vector<int>& triangles, const double* points, const vtkShadowLight& light)
+  const std::vector<int>& triangles, vtkShadowPoints points, const vtkShadowLight& light)
 {
   const int count = static_cast<int>(triangles.size() / 3);
-  double axis[3] = { 0.0, 0.0, 0.0 }; // towards the middle, for positional lights
+  glm::dvec3 axis(0.0); // towards the middle, for positional lights
   for (const int corner : triangles)
   {
-    double ray[3];
-    vtkMath::Subtract(points + 3 * std::size_t(corner), light.Position, ray);
-    vtkMath::Add(axis, ray, axis);
+    axis += points[corner] - light.Position;
   }
-  const vtkShadowLightSpace frame =
+  const vtkShadowLightSpace space =
     light.IsPositional() ? vtkShadowLightSpace(light, axis) : vtkShadowLightSpace(light);
-  std::vector<vtkShadowRectangle> rectangles(static_cast<std::size_t>(count));
+  std::vector<vtkShadowOverlap::Item> items(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    double pqs[3];
-    frame.ToLight(points + 3 * std::size_t(triangles[i]), pqs);
+    const glm::dvec3 pqs = space.ToLight(points[triangles[i]]);
     if (light.IsPositional() && !(pqs[2] > 0.0))
     {
-      return count; // the caster is around the light
+      return count; // The caster is around the light.
     }
-    rectangles[i / 3].Add(pqs);
+    items[i / 3].Block.Add(pqs);
   }
-  return static_cast<int>(vtkShadowOverlap::GetBound(rectangles));
+  return static_cast<int>(vtkShadowOverlap::GetBound(items));
 }
 }
 
-void vtkShadowSilhouette::Compute(const vtkShadowTopology& topology, const double* points,
+void vtkShadowSilhouette::Compute(const vtkShadowTopology& topology, vtkShadowPoints points,
   const vtkShadowLight& light, vtkShadowCounting counting)
 {
   this->Counting = topology.IsClosed() ? counting : vtkShadowCounting::All;
@@ -82,13 +79,12 @@ void vtkShadowSilhouette::Compute(const vtkShadowTopology& topology, const doubl
   const bool away = this->Counting == vtkShadowCounting::Away;
   const std::vector<bool> insideOut = away ? FindInsideOut(topology, points) : std::vector<bool>();
 
-  // 1: counts as it is wound, -1: counts the other way round, 0: does not count.
+  // 1: the triangle counts as it is wound, -1: it counts the other way round, 0: it does not count.
   std::vector<signed char> signs(static_cast<std::size_t>(topology.GetNumberOfTriangles()), 0);
   const int* corners = topology.GetTriangles().data();
   for (std::size_t t = 0; t < signs.size(); ++t, corners += 3)
   {
-    const int facing =
-      light.GetFacing(points + 3 * corners[0], points + 3 * corners[1], points + 3 * corners[2]);
+    const int facing = light.GetFacing(points[corners[0]], points[corners[1]], points[corners[2]]);
     if (facing == 0 || (away && (facing > 0) != insideOut[topology.GetComponents()[t]]))
     {
       continue;
@@ -128,43 +124,31 @@ void vtkShadowSilhouette::Compute(const vtkShadowTopology& topology, const doubl
 }
 
 void vtkShadowSilhouette::ComputePushes(
-  const vtkShadowTopology& topology, const double* points, const vtkShadowLight& light)
+  const vtkShadowTopology& topology, vtkShadowPoints points, const vtkShadowLight& light)
 {
-  constexpr double alongNormal = 0x1p-18; // of a triangle's longest side
-  constexpr double leastCosine = 0.125;   // what the light grazes is cut by depth anyway
-  this->Pushes.assign(3 * static_cast<std::size_t>(topology.GetNumberOfPoints()), 0.0);
+  constexpr double alongNormal = 0x1p-18; // in units of a triangle's longest side
+  constexpr double leastCosine = 0.125;   // Depth cuts what the light grazes anyway.
+  this->Pushes.assign(static_cast<std::size_t>(topology.GetNumberOfPoints()), glm::dvec3(0.0));
   for (std::size_t t = 0; t < this->Triangles.size(); t += 3)
   {
-    const double* corners[3];
-    for (int i = 0; i < 3; ++i)
+    const std::array<glm::dvec3, 3> corners = { points[this->Triangles[t]],
+      points[this->Triangles[t + 1]], points[this->Triangles[t + 2]] };
+    const glm::dvec3 sides[3] = { corners[1] - corners[0], corners[2] - corners[1],
+      corners[0] - corners[2] };
+    const double longest =
+      std::max({ glm::length(sides[0]), glm::length(sides[1]), glm::length(sides[2]) });
+    const glm::dvec3 normal = vtkNBufferGLM::Normalize(glm::cross(sides[0], sides[1]));
+    for (std::size_t i = 0; i < 3; ++i)
     {
-      corners[i] = points + 3 * std::size_t(this->Triangles[t + i]);
-    }
-    double sides[3][3];
-    double longest = 0.0;
-    for (int i = 0; i < 3; ++i)
-    {
-      vtkMath::Subtract(corners[(i + 1) % 3], corners[i], sides[i]);
-      longest = std::max(longest, vtkMath::Norm(sides[i]));
-    }
-    double normal[3];
-    vtkMath::Cross(sides[0], sides[1], normal);
-    vtkMath::Normalize(normal);
-    for (int i = 0; i < 3; ++i)
-    {
-      double ray[3] = { light.Direction[0], light.Direction[1], light.Direction[2] };
-      if (light.IsPositional())
-      {
-        vtkMath::Subtract(corners[i], light.Position, ray);
-        vtkMath::Normalize(ray);
-      }
+      const glm::dvec3 ray = light.IsPositional()
+        ? vtkNBufferGLM::Normalize(corners[i] - light.Position)
+        : light.Direction;
       const double length =
-        alongNormal * longest / std::max(std::abs(vtkMath::Dot(normal, ray)), leastCosine);
-      double* push = &this->Pushes[3 * std::size_t(this->Triangles[t + i])];
-      if (length > vtkMath::Norm(push))
+        alongNormal * longest / std::max(std::abs(glm::dot(normal, ray)), leastCosine);
+      glm::dvec3& push = this->Pushes[static_cast<std::size_t>(this->Triangles[t + i])];
+      if (length > glm::length(push))
       {
-        vtkMath::MultiplyScalar(ray, length);
-        std::copy_n(ray, 3, push);
+        push = ray * length;
       }
     }
   }

@@ -4,28 +4,44 @@
  * @class vtkShadowSilhouette
  * @brief A caster as one light sees it: the triangles that count, and their outline. No OpenGL.
  *
- * A point P is in shadow of a caster if m(P) is not 0, m being the number of the caster's triangles
- * that count and that the open segment from the light to P crosses:
+ * A point P is in shadow of a caster if m(P) is not 0. m(P) is the number of the caster's triangles
+ * that count and that the open segment from the light to P crosses. Which triangles count:
  *
- *  - of closed casters the triangles that face away from the light count (1 beyond a convex
- *    caster): a shadow begins where the light would leave the caster. Inside of it nothing is seen,
- *    and on its lit surface, where a cap of the volume would lie in the surface itself, there is no
- *    cap;
- *  - with a light inside the caster, where its inside is seen (the near plane cuts it), or of an
- *    open or badly wound mesh, all triangles count, each turned towards the light (2 beyond a
- * convex caster).
+ *      Away: a closed caster,                     All: an open caster,
+ *      the light outside                          or the light or the eye inside
+ *
+ *            light                                      light
+ *             v v                                        v v
+ *             +-+    lit side: does not count           =====    counts: m = 1 behind it
+ *             | |    inside: m = 0                      :::::
+ *             +=+    unlit side: counts                 =====    counts: m = 2 behind it
+ *             :::    m = 1: in shadow                   :::::
+ *
+ *  - Away: the triangles that face away from the light count (m is 1 beyond a convex caster). The
+ *    shadow begins where the light would leave the caster. Nothing is seen inside of the caster.
+ *    On its lit surface, where a cap would lie in the surface itself, there is no cap.
+ *  - All: every triangle counts, each turned towards the light (m is 2 beyond a convex caster).
+ *    This is for a light inside the caster, for a caster whose inside is seen because the near
+ *    plane cuts it, and for open or badly wound meshes.
  *
  * Both agree on what is in shadow outside of the caster and on its lit surface.
  *
- * The outline is the edges whose signed uses by the triangles counted do not cancel, with the
- * number of uses that are left over: the multiplicity of the sides that a volume has there. Meshes
- * need not be manifold.
+ * The outline (the silhouette) consists of the edges at which the signed uses by triangles that
+ * count do not cancel. Its multiplicity is the number of uses that are left over: a shadow volume
+ * has that many sides there. Meshes need not be manifold.
  *
- * One stored sign for each triangle decides everything (vtkShadowLight::GetFacing); triangles seen
- * edge-on have sign 0 and do not count.
+ *      as the light sees it
+ *      D-----------C
+ *      |         / |     Triangles A B C and A C D count. Edge A C has two uses of opposite
+ *      |     /     |     directions, +1 - 1 = 0: it is not in the outline. Each of the others has
+ *      | /         |     one use: multiplicity 1, From -> To is A -> B, B -> C, C -> D, D -> A.
+ *      A-----------B
  *
- * A silhouette lasts as long as mesh, matrix and light do; cameras and receivers have no part in
- * it.
+ * One stored sign for each triangle decides everything (vtkShadowLight::GetFacing). Triangles that
+ * the light sees edge-on have sign 0 and do not count.
+ *
+ * A silhouette stays valid until the mesh, its matrix or the light changes. It does not depend on
+ * cameras and receivers.
  */
 #ifndef vtkShadowSilhouette_h
 #define vtkShadowSilhouette_h
@@ -37,64 +53,72 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-/// Which triangles m(P) counts, each turned towards the light.
+/// Which triangles m(P) counts. Each is turned towards the light.
 enum class vtkShadowCounting
 {
-  Away, ///< Those that face away from it; closed meshes with the light outside only.
-  All   ///< All.
+  Away, ///< Triangles that face away from the light: for closed meshes with the light outside.
+  All   ///< All triangles.
 };
 
 class VTKNBUFFER_EXPORT vtkShadowSilhouette
 {
 public:
+  /// An edge of the outline. As the light sees it, the triangle that counts lies to the left of the
+  /// way from From to To.
   struct Edge
   {
-    int From = 0;         ///< Merged points: the counted triangle lies to the left of From -> To
-    int To = 0;           ///< as the light sees it.
-    int Multiplicity = 0; ///< Uses left over, > 0.
+    int From = 0;         ///< The merged point where the edge begins.
+    int To = 0;           ///< The merged point where the edge ends.
+    int Multiplicity = 0; ///< The number of uses that are left over, greater than 0.
   };
 
   /**
-   * `points`: world coordinates of the topology's merged points, xyz each, moved by an invertible
-   * affine matrix. `counting` Away is replaced by All unless the topology is closed. Components of
-   * closed meshes that are wound inside out in world coordinates are turned round.
+   * Computes triangles and outline. `points` are the world coordinates of the topology's merged
+   * points, moved by an invertible affine matrix. A `counting` of Away is replaced by All unless
+   * the topology is closed. Components of closed meshes that are wound inside out in world
+   * coordinates are turned round.
    */
-  void Compute(const vtkShadowTopology& topology, const double* points, const vtkShadowLight& light,
-    vtkShadowCounting counting);
+  void Compute(const vtkShadowTopology& topology, vtkShadowPoints points,
+    const vtkShadowLight& light, vtkShadowCounting counting);
 
+  /// The counting that was used.
   vtkShadowCounting GetCounting() const { return this->Counting; }
 
-  /// The triangles counted: three merged points each, anticlockwise as seen from the light.
+  /// The triangles that count: three merged points each, anticlockwise as seen from the light.
   const std::vector<int>& GetTriangles() const { return this->Triangles; }
+
+  /// The edges of the outline.
   const std::vector<Edge>& GetEdges() const { return this->Edges; }
 
   /**
-   * An upper bound of m(P), for the stencil's range: the largest number of triangles counted over a
-   * cell of a grid in the light's view, all of them if the caster is around the light; at most 1
-   * (Away) or 2 (All) for meshes that are proven to be convex.
+   * An upper bound of m(P), for the range of the stencil. It is the largest number of triangles
+   * that count over one cell of a grid in the light's view, or the number of all of them if the
+   * caster is around the light. For meshes that are proven to be convex it is at most 1 (Away) or 2
+   * (All).
    */
   int GetMaximumCount() const { return this->MaximumCount; }
 
   /**
-   * Where lit triangles count (All), by how much beyond each merged point, along its light ray, the
-   * volume begins: xyz each, world; empty otherwise.
+   * How far beyond each merged point, along its light ray, the volume begins where lit triangles
+   * count (All): one world vector for each point. With Away it is empty.
    *
-   * The near cap lies in the lit surface, which is drawn by VTK with other roundings: both are cut
-   * at the borders of the view with errors in proportion to the whole triangle. A quad of 14 km was
-   * seen 3.5 mm off its plane, 2^-22 of its size. Sixteen times that, along the normal, keeps the
-   * surface on the lit side; what is nearer behind it is lit. For triangles of the size of the view
-   * this is far below a step of depth.
+   * The near cap lies in the lit surface, which VTK draws with other roundings: both are cut at the
+   * borders of the view, with errors in proportion to the whole triangle. A quad of 14 km was seen
+   * 3.5 mm off its plane, which is 2^-22 of its size. The push is sixteen times that, along the
+   * normal, and keeps the surface on the lit side. What lies behind the surface but nearer to it
+   * than the push is lit. For triangles of the size of the view the push is far below a step of
+   * depth.
    */
-  const std::vector<double>& GetPushes() const { return this->Pushes; }
+  const std::vector<glm::dvec3>& GetPushes() const { return this->Pushes; }
 
 private:
   void ComputePushes(
-    const vtkShadowTopology& topology, const double* points, const vtkShadowLight& light);
+    const vtkShadowTopology& topology, vtkShadowPoints points, const vtkShadowLight& light);
 
   vtkShadowCounting Counting = vtkShadowCounting::All;
   std::vector<int> Triangles;
   std::vector<Edge> Edges;
-  std::vector<double> Pushes;
+  std::vector<glm::dvec3> Pushes;
   int MaximumCount = 0;
 };
 

@@ -21,36 +21,36 @@ namespace
 class PointMerger
 {
 public:
-  PointMerger(std::vector<double>& points, vtkIdType maximum)
+  PointMerger(std::vector<glm::dvec3>& points, std::size_t maximum)
     : Points(points)
   {
     std::size_t size = 16;
-    while (size < 2 * static_cast<std::size_t>(maximum))
+    while (size < 2 * maximum)
     {
       size *= 2;
     }
     this->Table.assign(size, -1);
   }
 
-  int GetNumber(const double x[3])
+  int GetNumber(const glm::dvec3& x)
   {
     const std::size_t mask = this->Table.size() - 1;
-    std::size_t slot = GetHash(x) & mask;
-    while (this->Table[slot] >= 0)
+    std::size_t entry = GetHash(x) & mask;
+    while (this->Table[entry] >= 0)
     {
-      if (std::equal(x, x + 3, this->Points.data() + 3 * std::size_t(this->Table[slot])))
+      if (x == this->Points[static_cast<std::size_t>(this->Table[entry])])
       {
-        return this->Table[slot];
+        return this->Table[entry];
       }
-      slot = (slot + 1) & mask;
+      entry = (entry + 1) & mask;
     }
-    this->Table[slot] = static_cast<int>(this->Points.size() / 3);
-    this->Points.insert(this->Points.end(), x, x + 3);
-    return this->Table[slot];
+    this->Table[entry] = static_cast<int>(this->Points.size());
+    this->Points.push_back(x);
+    return this->Table[entry];
   }
 
 private:
-  static std::size_t GetHash(const double x[3])
+  static std::size_t GetHash(const glm::dvec3& x)
   {
     std::uint64_t hash = 0;
     for (int i = 0; i < 3; ++i)
@@ -64,37 +64,36 @@ private:
     return static_cast<std::size_t>(hash);
   }
 
-  std::vector<double>& Points;
+  std::vector<glm::dvec3>& Points;
   std::vector<int> Table;
 };
 
-bool IsFinite(const double x[3])
+bool IsFinite(const glm::dvec3& x)
 {
   return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
 }
 
-/// Six times the volume of tetrahedron (a, b, c, d), and a bound of its error. Positive if d lies
-/// behind triangle (a, b, c), from where its corners go round clockwise. An error of 0 means exact.
+/// Six times the volume of tetrahedron (a, b, c, d), and a bound of its error. The volume is
+/// positive if d lies behind triangle (a, b, c), from where its corners go round clockwise. An
+/// error of 0 means that the volume is exact.
 struct TetrahedronVolume
 {
-  TetrahedronVolume(const double* a, const double* b, const double* c, const double* d)
+  TetrahedronVolume(
+    const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d)
   {
-    double u[3];
-    double v[3];
-    double w[3];
-    vtkMath::Subtract(a, d, u);
-    vtkMath::Subtract(b, d, v);
-    vtkMath::Subtract(c, d, w);
+    const glm::dvec3 u = a - d;
+    const glm::dvec3 v = b - d;
+    const glm::dvec3 w = c - d;
+    this->Value = glm::dot(u, glm::cross(v, w));
     double magnitude = 0.0;
     bool exact = true;
     for (int i = 0; i < 3; ++i)
     {
       const int j = (i + 1) % 3;
       const int k = (i + 2) % 3;
-      this->Value += u[i] * (v[j] * w[k] - v[k] * w[j]);
       magnitude += std::abs(u[i]) * (std::abs(v[j] * w[k]) + std::abs(v[k] * w[j]));
-      const bool nought = (v[j] == 0.0 || w[k] == 0.0) && (v[k] == 0.0 || w[j] == 0.0);
-      exact = exact && (u[i] == 0.0 || nought);
+      const bool isZero = (v[j] == 0.0 || w[k] == 0.0) && (v[k] == 0.0 || w[j] == 0.0);
+      exact = exact && (u[i] == 0.0 || isZero);
     }
     // More than orient3d's bound (J. R. Shewchuk, "Adaptive precision floating-point arithmetic and
     // fast robust geometric predicates", 1997), and than what underflow can take away.
@@ -105,39 +104,33 @@ struct TetrahedronVolume
   double Error = 0.0;
 };
 
-/// Solid angle of a triangle whose corners are relative to the eye (A. van Oosterom, J. Strackee,
-/// "The solid angle of a plane triangle", 1983).
-double GetSolidAngle(const double a[3], const double b[3], const double c[3])
+/// The solid angle of a triangle whose corners are relative to the eye (A. van Oosterom, J.
+/// Strackee, "The solid angle of a plane triangle", 1983).
+double GetSolidAngle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 {
-  const double la = vtkMath::Norm(a);
-  const double lb = vtkMath::Norm(b);
-  const double lc = vtkMath::Norm(c);
-  double bc[3];
-  vtkMath::Cross(b, c, bc);
+  const double la = glm::length(a);
+  const double lb = glm::length(b);
+  const double lc = glm::length(c);
   const double divisor =
-    la * lb * lc + vtkMath::Dot(a, b) * lc + vtkMath::Dot(b, c) * la + vtkMath::Dot(c, a) * lb;
-  return 2.0 * std::atan2(std::abs(vtkMath::Dot(a, bc)), divisor);
+    la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb;
+  return 2.0 * std::atan2(std::abs(glm::dot(a, glm::cross(b, c))), divisor);
 }
 }
 
-void vtkShadowTopology::Build(const double* points, vtkIdType numberOfPoints,
-  const vtkIdType* triangles, vtkIdType numberOfTriangles)
+void vtkShadowTopology::Build(vtkShadowPoints points, const std::vector<vtkIdType>& triangles)
 {
   *this = vtkShadowTopology();
-  this->Triangles.reserve(3 * static_cast<std::size_t>(numberOfTriangles));
-  PointMerger merger(this->Points, std::min(numberOfPoints, 3 * numberOfTriangles));
-  std::vector<int> merged(static_cast<std::size_t>(numberOfPoints), -1);
-  for (vtkIdType t = 0; t < numberOfTriangles; ++t)
+  this->Triangles.reserve(triangles.size());
+  PointMerger merger(this->Points, std::min(points.size(), triangles.size()));
+  std::vector<int> merged(points.size(), -1);
+  const auto isUsable = [&points](vtkIdType i)
+  { return i >= 0 && i < static_cast<vtkIdType>(points.size()) && IsFinite(points[i]); };
+  for (std::size_t t = 0; t + 2 < triangles.size(); t += 3)
   {
-    const vtkIdType* corners = triangles + 3 * t;
-    const bool valid = std::all_of(corners, corners + 3,
-      [&](vtkIdType i) { return i >= 0 && i < numberOfPoints && IsFinite(points + 3 * i); });
-    const auto equal = [&](int i, int j)
-    {
-      return std::equal(
-        points + 3 * corners[i], points + 3 * corners[i] + 3, points + 3 * corners[j]);
-    };
-    if (!valid || equal(0, 1) || equal(1, 2) || equal(2, 0))
+    const vtkIdType* corners = triangles.data() + t;
+    const auto isSame = [&](int i, int j) { return points[corners[i]] == points[corners[j]]; };
+    if (!std::all_of(corners, corners + 3, isUsable) || isSame(0, 1) || isSame(1, 2) ||
+      isSame(2, 0))
     {
       ++this->Degenerates;
       continue;
@@ -147,7 +140,7 @@ void vtkShadowTopology::Build(const double* points, vtkIdType numberOfPoints,
       int& number = merged[static_cast<std::size_t>(corners[i])];
       if (number < 0)
       {
-        number = merger.GetNumber(points + 3 * corners[i]);
+        number = merger.GetNumber(points[corners[i]]);
       }
       this->Triangles.push_back(number);
     }
@@ -245,20 +238,23 @@ bool vtkShadowTopology::ProveConvex() const
   {
     return false;
   }
-  double centre[3] = { 0.0, 0.0, 0.0 };
-  for (std::size_t i = 0; i < this->Points.size(); ++i)
+  glm::dvec3 centre(0.0);
+  for (const glm::dvec3& point : this->Points)
   {
-    centre[i % 3] += this->Points[i] / this->GetNumberOfPoints();
+    centre += point / static_cast<double>(this->GetNumberOfPoints());
   }
-  const auto getPoint = [this](int i) { return this->Points.data() + 3 * std::size_t(i); };
+  const auto getPoint = [this](int i) -> const glm::dvec3&
+  { return this->Points[static_cast<std::size_t>(i)]; };
 
   double orientation = 0.0; // 1: wound outwards, -1: inwards
   double solidAngle = 0.0;
   for (int t = 0; t < this->GetNumberOfTriangles(); ++t)
   {
     const int* corners = this->Triangles.data() + 3 * std::size_t(t);
-    const double* x[3] = { getPoint(corners[0]), getPoint(corners[1]), getPoint(corners[2]) };
-    const TetrahedronVolume volume(x[0], x[1], x[2], centre);
+    const glm::dvec3& a = getPoint(corners[0]);
+    const glm::dvec3& b = getPoint(corners[1]);
+    const glm::dvec3& c = getPoint(corners[2]);
+    const TetrahedronVolume volume(a, b, c, centre);
     if (t == 0)
     {
       orientation = volume.Value > 0.0 ? 1.0 : -1.0;
@@ -267,12 +263,7 @@ bool vtkShadowTopology::ProveConvex() const
     {
       return false;
     }
-    double relative[3][3];
-    for (int i = 0; i < 3; ++i)
-    {
-      vtkMath::Subtract(x[i], centre, relative[i]);
-    }
-    solidAngle += GetSolidAngle(relative[0], relative[1], relative[2]);
+    solidAngle += GetSolidAngle(a - centre, b - centre, c - centre);
   }
   // A multiple of 4 pi, up to rounding.
   if (!(solidAngle < 6.0 * vtkMath::Pi()))
@@ -280,7 +271,7 @@ bool vtkShadowTopology::ProveConvex() const
     return false;
   }
 
-  // The third corner of a triangle, beside those of one of its edges.
+  // The corner of a triangle that one of its edges does not use.
   const auto getOpposite = [this](const Edge& edge, const Use& use)
   {
     const int* corners = this->Triangles.data() + 3 * std::size_t(use.Triangle);

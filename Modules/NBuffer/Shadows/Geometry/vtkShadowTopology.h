@@ -4,27 +4,36 @@
  * @class vtkShadowTopology
  * @brief Which triangles of a caster share which edges, whatever the mesh. No OpenGL.
  *
- * Points are one if their coordinates are equal to the bit (-0 equals 0): meshes that repeat points
- * for normals or texture coordinates are closed all the same. Edges are undirected pairs of merged
- * points, each with the list of its uses: the triangle and whether it runs along the edge (+1) or
- * against it (-1). Nothing is demanded of the mesh: open edges have one use, non-manifold ones
- * three and more, badly wound ones two of the same direction (B. Kim, K. Kim, G. Turk, "A shadow-
- * volume algorithm for opaque and transparent nonmanifold casters", Journal of Graphics Tools
- * 13(3), 2008).
+ * Points are merged if their coordinates are equal to the bit (-0 equals 0). So meshes that repeat
+ * points for normals or texture coordinates are closed all the same. Edges are undirected pairs of
+ * merged points. Each edge has a list of its uses: the triangle, and whether the triangle runs
+ * along the edge (+1) or against it (-1). Nothing is demanded of the mesh: open edges have one use,
+ * non-manifold edges have three or more, and edges between badly wound triangles have two of the
+ * same direction (B. Kim, K. Kim, G. Turk, "A shadow-volume algorithm for opaque and transparent
+ * nonmanifold casters", Journal of Graphics Tools 13(3), 2008).
  *
- * Left out are triangles that use a merged point twice (no area, and their edges cancel) and those
- * with a coordinate that is not finite (counted).
+ *        2           edge {1, 2} of triangles T0 = (0, 1, 2) and T1 = (1, 3, 2):
+ *       /|\            T0 runs from 1 to 2, along the edge: +1
+ *      / | \           T1 runs from 2 to 1, against it:     -1
+ *     0  |  3        edge {0, 1} has one use: the mesh is open there.
+ *      \ | /
+ *       \|/
+ *        1
  *
- * It depends on the coordinates before any matrix only, so that it is built once per mesh: an
- * invertible affine matrix moves equal points to equal places, and keeps convex what is convex.
+ * Two kinds of triangles are left out and counted: those that use a merged point twice (they have
+ * no area, and their edges cancel), and those with a coordinate that is not finite.
  *
- * Cost: a hash of the points and a sort of the edges, O(n log n).
+ * The topology depends only on the coordinates before any matrix is applied, so it is built once
+ * for each mesh: an invertible affine matrix moves equal points to equal places, and keeps convex
+ * what is convex.
+ *
+ * The cost is a hash of the points and a sort of the edges, O(n log n).
  */
 #ifndef vtkShadowTopology_h
 #define vtkShadowTopology_h
 
 #include "vtkNBufferModule.h" // For export macro
-#include "vtkNBufferVTKVersion.h"
+#include "vtkShadowPoints.h"
 
 #include "vtkType.h"
 
@@ -35,56 +44,61 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKNBUFFER_EXPORT vtkShadowTopology
 {
 public:
+  /// An undirected edge.
   struct Edge
   {
-    int A = 0;     ///< Merged point, less than B.
-    int B = 0;     ///< Merged point.
-    int First = 0; ///< First of its uses in GetUses().
-    int Count = 0; ///< Number of its uses.
+    int A = 0;     ///< The merged point with the lower number.
+    int B = 0;     ///< The merged point with the higher number.
+    int First = 0; ///< The index of its first use in GetUses().
+    int Count = 0; ///< The number of its uses.
   };
 
+  /// The use of an edge by a triangle.
   struct Use
   {
-    int Triangle = 0;
-    int Direction = 0; ///< 1: the triangle goes from A to B, -1: from B to A.
+    int Triangle = 0;  ///< The number of the triangle.
+    int Direction = 0; ///< 1: the triangle goes from A to B, -1: it goes from B to A.
   };
 
   /**
-   * `points`: xyz of each point. `triangles`: three indices of points each, at most 2^31 / 3
-   * triangles; indices out of range drop the triangle as if a coordinate were not finite.
+   * Builds the topology. `triangles` holds three indices of points for each triangle, at most
+   * 2^31 / 3 triangles. A triangle with an index out of range is left out as if a coordinate were
+   * not finite.
    */
-  void Build(const double* points, vtkIdType numberOfPoints, const vtkIdType* triangles,
-    vtkIdType numberOfTriangles);
+  void Build(vtkShadowPoints points, const std::vector<vtkIdType>& triangles);
 
-  /// Merged points that triangles use, xyz each, in order of first use.
-  const std::vector<double>& GetPoints() const { return this->Points; }
-  int GetNumberOfPoints() const { return static_cast<int>(this->Points.size() / 3); }
+  /// The merged points that triangles use, in the order of their first use.
+  const std::vector<glm::dvec3>& GetPoints() const { return this->Points; }
+  int GetNumberOfPoints() const { return static_cast<int>(this->Points.size()); }
 
   /// Three merged points for each triangle that was kept, wound as given.
   const std::vector<int>& GetTriangles() const { return this->Triangles; }
   int GetNumberOfTriangles() const { return static_cast<int>(this->Triangles.size() / 3); }
 
-  /// Sorted by A, then B. The uses of an edge are in the order of their triangles.
+  /// The edges, sorted by A, then B.
   const std::vector<Edge>& GetEdges() const { return this->Edges; }
+
+  /// The uses of all edges. Those of one edge are in the order of their triangles.
   const std::vector<Use>& GetUses() const { return this->Uses; }
 
-  /// For each triangle the number, from 0, of the part of the mesh that hangs together by edges.
+  /// For each triangle the number, from 0, of its component: the part of the mesh that is connected
+  /// by edges.
   const std::vector<int>& GetComponents() const { return this->Components; }
   int GetNumberOfComponents() const { return this->NumberOfComponents; }
 
-  /// Triangles left out for want of area or of finite coordinates.
+  /// The number of triangles that were left out because they have no area or no finite coordinates.
   vtkIdType GetNumberOfDegenerates() const { return this->Degenerates; }
 
   /**
-   * True if every edge is run along as often as against: the surface is closed, and every line
-   * that enters it leaves it. Only then may a volume be made of the lit triangles alone.
+   * Returns true if every edge is run along as often as against. Then the surface is closed, and
+   * every line that enters it leaves it. Only then may a volume be made of the lit triangles alone.
    */
   bool IsClosed() const { return this->Closed; }
 
   /**
-   * True if the surface is proven to be that of one convex body, wound outwards or inwards.
-   * Rounding errors are bounded: what cannot be decided is not convex. Spheres, whose coordinates
-   * are rounded off the sphere, mostly are not; boxes are.
+   * Returns true if the surface is proven to be that of one convex body, wound outwards or inwards.
+   * Rounding errors are bounded: a surface for which it cannot be decided is not convex. Spheres,
+   * whose coordinates are rounded off the sphere, mostly are not; boxes are.
    */
   bool IsConvex() const { return this->Convex; }
 
@@ -93,7 +107,7 @@ private:
   void BuildComponents();
   bool ProveConvex() const;
 
-  std::vector<double> Points;
+  std::vector<glm::dvec3> Points;
   std::vector<int> Triangles;
   std::vector<Edge> Edges;
   std::vector<Use> Uses;

@@ -2,19 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowUmbra.h"
 
-#include "vtkMath.h"
-
 #include <algorithm>
 #include <cmath>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// Of the terms of a plane's equation: what rounding may do to them, generously.
+/// What rounding may do to the terms of a plane's equation, in units of the terms, generously.
 constexpr double Rounding = 1e-9;
 
-/// Of triangles in one plane, as far as doubles can tell: far below what Rounding is for.
-bool IsSame(const std::array<double, 4>& plane, const std::array<double, 4>& other, double distance)
+/// Returns true for the planes of triangles in one plane, as far as doubles can tell. The tolerance
+/// is far below what Rounding is for.
+bool IsSame(const glm::dvec4& plane, const glm::dvec4& other, double distance)
 {
   constexpr double tolerance = 1e-14;
   return std::abs(plane[0] - other[0]) + std::abs(plane[1] - other[1]) +
@@ -23,44 +22,35 @@ bool IsSame(const std::array<double, 4>& plane, const std::array<double, 4>& oth
     std::abs(plane[3] - other[3]) <= tolerance * distance;
 }
 
-/// Of a triangle that goes round anticlockwise as seen from the light.
-std::array<double, 4> GetPlane(
-  const int* corners, const double* points, const vtkShadowLightSpace& frame)
+/// The plane of a triangle that goes round anticlockwise as seen from the light.
+glm::dvec4 GetPlane(const int* corners, vtkShadowPoints points, const vtkShadowLightSpace& space)
 {
-  const double* a = points + 3 * std::size_t(corners[0]);
-  double sides[2][3];
-  for (int i = 0; i < 2; ++i)
-  {
-    vtkMath::Subtract(points + 3 * std::size_t(corners[1 + i]), a, sides[i]);
-  }
-  double normal[3]; // away from the light
-  vtkMath::Cross(sides[1], sides[0], normal);
-  vtkMath::Normalize(normal);
-  double relative[3];
-  vtkMath::Subtract(a, frame.GetApex(), relative);
-  return { vtkMath::Dot(normal, frame.GetU()), vtkMath::Dot(normal, frame.GetV()),
-    vtkMath::Dot(normal, frame.GetAxis()), vtkMath::Dot(normal, relative) };
+  const glm::dvec3& a = points[corners[0]];
+  // The normal points away from the light.
+  const glm::dvec3 normal =
+    vtkNBufferGLM::Normalize(glm::cross(points[corners[2]] - a, points[corners[1]] - a));
+  return { glm::dot(normal, space.GetU()), glm::dot(normal, space.GetV()),
+    glm::dot(normal, space.GetAxis()), glm::dot(normal, a - space.GetApex()) };
 }
 
-/// The side from a to b of a triangle in p and q, whose third corner is c. Nothing where that is
-/// too close to the side's line to tell on which side of it the triangle lies.
-std::array<double, 3> GetSide(const double a[2], const double b[2], const double c[2])
+/// The side from a to b of a triangle in p and q, whose third corner is c. It is all zero where c
+/// is too close to the side's line to tell on which side of it the triangle lies.
+glm::dvec3 GetSide(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 {
-  double normal[2] = { b[1] - a[1], a[0] - b[0] };
+  const glm::dvec2 normal = { b[1] - a[1], a[0] - b[0] };
   const double size = std::abs(a[0]) + std::abs(a[1]) + std::abs(c[0]) + std::abs(c[1]);
   const double length = std::hypot(normal[0], normal[1]);
-  const double inside = normal[0] * (c[0] - a[0]) + normal[1] * (c[1] - a[1]);
+  const double inside = glm::dot(normal, c - a);
   if (!(std::abs(inside) > Rounding * length * size))
   {
-    return { 0.0, 0.0, 0.0 };
+    return glm::dvec3(0.0);
   }
   const double scale = (inside > 0.0 ? -1.0 : 1.0) / length;
-  normal[0] *= scale;
-  normal[1] *= scale;
-  return { normal[0], normal[1], normal[0] * a[0] + normal[1] * a[1] };
+  const glm::dvec2 outwards = normal * scale;
+  return { outwards[0], outwards[1], glm::dot(outwards, a) };
 }
 
-/// What a block has of these rays.
+/// The part of a block that lies on these rays.
 vtkShadowBlock GetCommon(const vtkShadowBlock& block, const vtkShadowBlock& rays)
 {
   vtkShadowBlock common = block;
@@ -85,37 +75,34 @@ bool Overlap(const vtkShadowBlock& block, const vtkShadowBlock& rays)
 }
 }
 
-vtkShadowUmbra::vtkShadowUmbra(const vtkShadowSilhouette& silhouette, const double* points,
-  const vtkShadowLightSpace& frame, const vtkShadowBlock& rays)
-  : Positional(frame.IsPositional())
+vtkShadowUmbra::vtkShadowUmbra(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
+  const vtkShadowLightSpace& space, const vtkShadowBlock& rays)
+  : Positional(space.IsPositional())
   , Rays(rays)
 {
   const std::vector<int>& corners = silhouette.GetTriangles();
   if (corners.size() <= 3 * MaximumFacets && std::isfinite(rays.Low[0]))
   {
-    this->AddFacets(corners, points, frame);
+    this->AddFacets(corners, points, space);
   }
   else
   {
-    this->AddPlanes(corners, points, frame);
+    this->AddPlanes(corners, points, space);
   }
 }
 
 void vtkShadowUmbra::AddFacets(
-  const std::vector<int>& corners, const double* points, const vtkShadowLightSpace& frame)
+  const std::vector<int>& corners, vtkShadowPoints points, const vtkShadowLightSpace& space)
 {
   this->Facets.reserve(corners.size() / 3);
   for (std::size_t t = 0; t < corners.size(); t += 3)
   {
-    Facet facet = { GetPlane(corners.data() + t, points, frame), {}, {} };
-    double pqs[3][3];
+    Facet facet = { GetPlane(corners.data() + t, points, space), {}, {} };
+    glm::dvec3 pqs[3];
     for (std::size_t i = 0; i < 3; ++i)
     {
-      frame.ToLight(points + 3 * std::size_t(corners[t + i]), pqs[i]);
-      for (int k = 0; k < 3; ++k)
-      {
-        facet.Rays.Add(k, pqs[i][k], pqs[i][k]);
-      }
+      pqs[i] = space.ToLight(points[corners[t + i]]);
+      facet.Rays.Add(pqs[i]);
     }
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -126,14 +113,13 @@ void vtkShadowUmbra::AddFacets(
 }
 
 void vtkShadowUmbra::AddPlanes(
-  const std::vector<int>& corners, const double* points, const vtkShadowLightSpace& frame)
+  const std::vector<int>& corners, vtkShadowPoints points, const vtkShadowLightSpace& space)
 {
   for (std::size_t t = 0; t < corners.size() && this->Planes.size() <= MaximumFacets; t += 3)
   {
-    const Plane plane = GetPlane(corners.data() + t, points, frame);
-    double relative[3];
-    vtkMath::Subtract(points + 3 * std::size_t(corners[t]), frame.GetApex(), relative);
-    if (this->Planes.empty() || !IsSame(plane, this->Planes.back(), vtkMath::Norm(relative)))
+    const Plane plane = GetPlane(corners.data() + t, points, space);
+    const double distance = glm::length(points[corners[t]] - space.GetApex());
+    if (this->Planes.empty() || !IsSame(plane, this->Planes.back(), distance))
     {
       this->Planes.push_back(plane);
     }
@@ -146,8 +132,8 @@ void vtkShadowUmbra::AddPlanes(
 
 bool vtkShadowUmbra::IsBefore(const vtkShadowBlock& block, const Plane& plane) const
 {
-  const double* low = block.Low;
-  const double* high = block.High;
+  const glm::dvec3& low = block.Low;
+  const glm::dvec3& high = block.High;
   const auto getLargest = [](double factor, double x0, double x1)
   { return factor > 0.0 ? factor * x1 : factor * x0; };
   const auto getTerm = [](double factor, double x0, double x1)
@@ -172,13 +158,13 @@ bool vtkShadowUmbra::Meets(const vtkShadowBlock& block, const Facet& facet)
 {
   return Overlap(block, facet.Rays) &&
     std::all_of(facet.Sides.begin(), facet.Sides.end(),
-      [&block](const std::array<double, 3>& side)
+      [&block](const glm::dvec3& side)
       {
         double least = 0.0;
         double terms = std::abs(side[2]);
         for (int i = 0; i < 2; ++i)
         {
-          const double factor = side[static_cast<std::size_t>(i)];
+          const double factor = side[i];
           // Not 0 times infinity.
           least += factor > 0.0 ? factor * block.Low[i]
             : factor < 0.0      ? factor * block.High[i]

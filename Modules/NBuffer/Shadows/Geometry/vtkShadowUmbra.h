@@ -5,36 +5,43 @@
  * @brief Where a caster's shadow can reach, in light coordinates. No OpenGL.
  *
  * A point P is in shadow of a caster if the segment from the light to P crosses a triangle that
- * counts (vtkShadowSilhouette.h). Then of one of these triangles
+ * counts (vtkShadowSilhouette.h). Then all of this holds for one of these triangles:
  *
- *  - the ray of P is one of its rays: in p and q, P lies in the triangle;
- *  - P is no nearer to the light than its nearest corner: s >= near;
- *  - P lies beyond its plane: a segment crosses a plane once, from the light's side to the other.
+ *            light
+ *             /|\
+ *            / | \
+ *     near  +  |  \       1. P lies on one of the triangle's rays: in p and q it is inside.
+ *           : \|   \      2. P is no nearer to the light than the nearest corner: s >= near.
+ *           :  |\   \     3. P lies beyond the triangle's plane: a segment crosses a plane
+ *           :  P  \  \       once, from the light's side to the other.
+ *           :       \ \
+ *           :         +
  *
- * So what is not all of that for the same triangle is not in shadow of the caster, whatever its
- * shape: its lit side, where the triangles that face away count, what the light meets before it,
- * and what lies in the corner of a building with wings. The planes of a ground that has a thickness
- * are those below and beside it: it shadows nothing that stands on it.
+ * A point for which this holds for no triangle is not in shadow of the caster, whatever the shape
+ * of the caster. That leaves out the caster's lit side where triangles that face away count,
+ * everything that the light meets before the caster, and what stands in the corner of a building
+ * with wings. A ground that has a thickness counts only with its lower side and its walls: it
+ * shadows nothing that stands on it.
  *
- * Triangles are asked one by one where there are at most 64 that count. Of more, the ranges of p, q
- * and s are asked, and whether P lies beyond any of the planes if there are at most 64 of these,
- * triangle after triangle in one plane being one; of a sphere planes would say little more than its
- * nearest corner.
+ * If at most 64 triangles count, each of them is tested. Otherwise the test uses the ranges of p, q
+ * and s of all of them, and whether P lies beyond any of their planes if these are at most 64;
+ * consecutive triangles in one plane share it. (The planes of a sphere would say little more than
+ * its nearest corner.)
  *
- * Two more kinds of receivers need no shadow, but are not told from others here: those whose
- * surface faces away from the light, and those on the caster's own unlit side. Depth alone is not
- * enough to be certain (vtkShadowVolumeClampPass::SkipUnlitReceivers asks the shading). Normals are
- * interpolated, and turned towards the camera, so that a facet that faces away may be lit in part;
- * and a sample as deep as an unlit facet may be of something else just before it, a relief or a
- * poster on a wall, whose light that wall has to take away.
+ * Two more kinds of receivers need no shadow but are not recognised here: those whose surface faces
+ * away from the light, and those on the caster's own unlit side. Depth alone is not enough to be
+ * certain, and shading is not known here. Normals are interpolated and turned towards the camera,
+ * so that a facet that faces away may be lit in part. And a sample that is as deep as an unlit
+ * facet may belong to something just before it, a relief or a poster on a wall, which the wall has
+ * to shadow.
  */
-#ifndef vtkShadowReach_h
-#define vtkShadowReach_h
+#ifndef vtkShadowUmbra_h
+#define vtkShadowUmbra_h
 
 #include "vtkNBufferModule.h" // For export macro
+#include "vtkShadowBlock.h"
 #include "vtkShadowLight.h"
 #include "vtkShadowSilhouette.h"
-#include "vtkShadowTiles.h"
 
 #include <array>
 #include <vector>
@@ -44,58 +51,61 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKNBUFFER_EXPORT vtkShadowUmbra
 {
 public:
-  static constexpr std::size_t MaximumFacets = 64; ///< Triangles, or planes.
+  /// The largest number of triangles that are tested one by one, and of planes otherwise.
+  static constexpr std::size_t MaximumFacets = 64;
 
   /**
-   * In the coordinates of `frame`, whose light must be the silhouette's. `points`: those that the
-   * silhouette was computed with. `rays`: p and q of the triangles that count, infinite where they
-   * have none; s in it from their nearest corner on.
+   * The umbra in the coordinates of `space`, whose light must be the silhouette's. `points` must be
+   * those that the silhouette was computed with. `rays` holds p and q of the triangles that count,
+   * infinite where they have none, and depths from their nearest corner on.
    */
-  vtkShadowUmbra(const vtkShadowSilhouette& silhouette, const double* points,
-    const vtkShadowLightSpace& frame, const vtkShadowBlock& rays);
+  vtkShadowUmbra(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
+    const vtkShadowLightSpace& space, const vtkShadowBlock& rays);
 
-  /// False if no point in the block is on one of the rays, at any depth.
+  /// Returns false if no point in the block is on one of the rays, at any depth.
   bool MeetsRays(const vtkShadowBlock& block) const;
 
-  /// False if no point in the block is in shadow.
+  /// Returns false if no point in the block is in shadow.
   bool MayShadow(const vtkShadowBlock& block) const;
 
-  ///@{
-  /// The same of a tile.
-  bool MeetsRays(const vtkShadowTiles::Layers& tile) const
+  /// Returns false if no point in either layer of a tile (vtkShadowTiles.h) is on one of the rays.
+  bool MeetsRays(const std::array<vtkShadowBlock, 2>& tile) const
   {
     return this->MeetsRays(tile[0]) || this->MeetsRays(tile[1]);
   }
-  bool MayShadow(const vtkShadowTiles::Layers& tile) const
+
+  /// Returns false if no point in either layer of a tile is in shadow.
+  bool MayShadow(const std::array<vtkShadowBlock, 2>& tile) const
   {
     return this->MayShadow(tile[0]) || this->MayShadow(tile[1]);
   }
-  ///@}
 
 private:
-  /// a p + b q + c s - d, or s (a p + b q + c) - d for positional lights: > 0 beyond it.
-  using Plane = std::array<double, 4>;
+  /// The plane of a triangle as (a, b, c, d). A point lies beyond it if a p + b q + c s - d > 0, or
+  /// for positional lights s (a p + b q + c) - d > 0.
+  using Plane = glm::dvec4;
 
   /// A triangle that counts.
   struct Facet
   {
-    Plane Beyond;
-    vtkShadowBlock Rays; ///< Around its corners.
-    /// a p + b q <= c inside; a = b = c = 0 of sides that say nothing.
-    std::array<std::array<double, 3>, 3> Sides;
+    Plane Beyond;        ///< Its plane.
+    vtkShadowBlock Rays; ///< The box around its corners.
+    /// Its sides as (a, b, c): a point inside has a p + b q <= c. A side is (0, 0, 0) where
+    /// rounding does not allow to tell.
+    std::array<glm::dvec3, 3> Sides;
   };
 
   void AddFacets(
-    const std::vector<int>& corners, const double* points, const vtkShadowLightSpace& frame);
+    const std::vector<int>& corners, vtkShadowPoints points, const vtkShadowLightSpace& space);
   void AddPlanes(
-    const std::vector<int>& corners, const double* points, const vtkShadowLightSpace& frame);
+    const std::vector<int>& corners, vtkShadowPoints points, const vtkShadowLightSpace& space);
   static bool Meets(const vtkShadowBlock& block, const Facet& facet);
   bool IsBefore(const vtkShadowBlock& block, const Plane& plane) const;
 
   bool Positional;
-  vtkShadowBlock Rays;
-  std::vector<Facet> Facets; ///< None: not asked one by one.
-  std::vector<Plane> Planes; ///< None: not asked.
+  vtkShadowBlock Rays;       ///< The range of rays of all triangles, and their nearest depth.
+  std::vector<Facet> Facets; ///< Empty if triangles are not tested one by one.
+  std::vector<Plane> Planes; ///< Empty if planes are not tested.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowVolume.h"
 
-#include "vtkMath.h"
-
-#include <algorithm>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -13,25 +10,22 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 /// Where the near cap has point i.
-void GetNearPoint(const vtkShadowSilhouette& silhouette, const double* points, int i, double x[3])
+glm::dvec3 GetNearPoint(const vtkShadowSilhouette& silhouette, vtkShadowPoints points, int i)
 {
-  std::copy_n(points + 3 * i, 3, x);
-  if (!silhouette.GetPushes().empty())
-  {
-    vtkMath::Add(x, &silhouette.GetPushes()[3 * std::size_t(i)], x);
-  }
+  const std::vector<glm::dvec3>& pushes = silhouette.GetPushes();
+  return pushes.empty() ? points[i] : points[i] + pushes[static_cast<std::size_t>(i)];
 }
 }
 
-/// The vertices that stand for merged points on one side of the volume, each made when it is first
-/// asked for.
+/// The vertices that stand for merged points on one side of the volume. Each is made when it is
+/// first needed.
 class vtkShadowVolume::Image
 {
 public:
   using Maker = std::function<unsigned int(int point)>;
 
-  Image(int numberOfPoints, Maker make)
-    : Vertices(static_cast<std::size_t>(numberOfPoints), Unknown)
+  Image(vtkShadowPoints points, Maker make)
+    : Vertices(points.size(), Unknown)
     , Make(std::move(make))
   {
   }
@@ -53,69 +47,51 @@ private:
   Maker Make;
 };
 
-void vtkShadowVolume::Begin(const double origin[3])
+void vtkShadowVolume::Begin(const glm::dvec3& origin)
 {
-  std::copy_n(origin, 3, this->Origin);
+  this->Origin = origin;
   this->Vertices.clear();
   this->Indices.clear();
 }
 
-void vtkShadowVolume::AddWhole(const vtkShadowSilhouette& silhouette, const double* points,
-  int numberOfPoints, const vtkShadowLight& light)
+void vtkShadowVolume::AddWhole(
+  const vtkShadowSilhouette& silhouette, vtkShadowPoints points, const vtkShadowLight& light)
 {
-  const auto addPoint = [&](int i)
-  {
-    double x[3];
-    GetNearPoint(silhouette, points, i, x);
-    vtkMath::Subtract(x, this->Origin, x);
-    return this->AddVertex(x, 1.0f);
-  };
-  Image nearImage(numberOfPoints, addPoint);
+  Image nearImage(points,
+    [&](int i)
+    { return this->AddVertex(GetNearPoint(silhouette, points, i) - this->Origin, 1.0f); });
   this->AddTriangles(silhouette, nearImage, Side::Near);
 
   if (light.IsPositional())
   {
-    const auto addDirection = [&](int i)
-    {
-      double ray[3];
-      vtkMath::Subtract(points + 3 * i, light.Position, ray);
-      return this->AddVertex(ray, 0.0f);
-    };
-    Image farImage(numberOfPoints, addDirection);
+    Image farImage(
+      points, [&](int i) { return this->AddVertex(points[i] - light.Position, 0.0f); });
     this->AddTriangles(silhouette, farImage, Side::Far);
     this->AddSides(silhouette, nearImage, farImage);
   }
   else
   {
     const unsigned int end = this->AddVertex(light.Direction, 0.0f);
-    Image farImage(numberOfPoints, [end](int) { return end; });
+    Image farImage(points, [end](int) { return end; });
     this->AddSides(silhouette, nearImage, farImage);
   }
 }
 
-void vtkShadowVolume::AddClamped(const vtkShadowSilhouette& silhouette, const double* points,
-  int numberOfPoints, const vtkShadowLightSpace& frame, const vtkShadowSlab& slab, double casterFar,
-  vtkShadowCap cap)
+void vtkShadowVolume::AddClamped(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
+  const vtkShadowLightSpace& space, const vtkShadowSlab& slab, double casterFar, vtkShadowCap cap)
 {
   const bool nearPlane = casterFar < slab.Near;
   const double farDepth =
     slab.Far > casterFar ? slab.Far : casterFar + 1e-6 * (casterFar - slab.Near);
-  const auto addImage = [&](int i, bool extruded, double depth)
-  {
-    double x[3];
-    if (extruded)
+  const auto addExtruded = [&](int i, double depth)
+  { return this->AddVertex(space.Extrude(points[i], depth) - this->Origin, 1.0f); };
+  Image nearImage(points,
+    [&](int i)
     {
-      frame.Extrude(points + 3 * i, depth, x);
-    }
-    else
-    {
-      GetNearPoint(silhouette, points, i, x);
-    }
-    vtkMath::Subtract(x, this->Origin, x);
-    return this->AddVertex(x, 1.0f);
-  };
-  Image nearImage(numberOfPoints, [&](int i) { return addImage(i, nearPlane, slab.Near); });
-  Image farImage(numberOfPoints, [&](int i) { return addImage(i, true, farDepth); });
+      return nearPlane ? addExtruded(i, slab.Near)
+                       : this->AddVertex(GetNearPoint(silhouette, points, i) - this->Origin, 1.0f);
+    });
+  Image farImage(points, [&](int i) { return addExtruded(i, farDepth); });
 
   if (nearPlane && cap == vtkShadowCap::Fan)
   {
@@ -136,7 +112,7 @@ void vtkShadowVolume::AddClamped(const vtkShadowSilhouette& silhouette, const do
   this->AddSides(silhouette, nearImage, farImage);
 }
 
-unsigned int vtkShadowVolume::AddVertex(const double x[3], float w)
+unsigned int vtkShadowVolume::AddVertex(const glm::dvec3& x, float w)
 {
   const std::size_t vertex = this->Vertices.size() / 4;
   for (int i = 0; i < 3; ++i)
@@ -166,15 +142,11 @@ void vtkShadowVolume::AddTriangles(const vtkShadowSilhouette& silhouette, Image&
 
 void vtkShadowVolume::AddFan(const vtkShadowSilhouette& silhouette, Image& image, Side side)
 {
-  double mean[3] = { 0.0, 0.0, 0.0 };
+  glm::dvec3 mean(0.0);
   for (const vtkShadowSilhouette::Edge& edge : silhouette.GetEdges())
   {
-    const unsigned int vertex = image[edge.From];
-    for (int i = 0; i < 3; ++i)
-    {
-      mean[i] += this->Vertices[4 * std::size_t(vertex) + i] /
-        static_cast<double>(silhouette.GetEdges().size());
-    }
+    const float* vertex = &this->Vertices[4 * std::size_t(image[edge.From])];
+    mean += glm::dvec3(glm::make_vec3(vertex)) / static_cast<double>(silhouette.GetEdges().size());
   }
   const unsigned int centre = this->AddVertex(mean, 1.0f);
   for (const vtkShadowSilhouette::Edge& edge : silhouette.GetEdges())

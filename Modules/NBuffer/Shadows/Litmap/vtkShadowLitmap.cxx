@@ -34,7 +34,7 @@ double vtkShadowLitmap::Scale::GetEdge(int cell) const
   return this->Low + (this->High - this->Low) * cell / this->Count;
 }
 
-void vtkShadowLitmap::Begin(int resolution, const double range[4], const double depths[2])
+void vtkShadowLitmap::Begin(int resolution, const vtkShadowBlock& range)
 {
   this->Resolution = std::clamp(resolution, 1, MaximumResolution);
   this->NumberOfLevels = 0;
@@ -43,10 +43,11 @@ void vtkShadowLitmap::Begin(int resolution, const double range[4], const double 
   this->WidestAngle = 0.0;
   this->Everywhere = vtkShadowExtent();
   this->Tiles.Begin(0, 0);
-  this->P.Set(range[0], range[1], this->Resolution);
-  this->Q.Set(range[2], range[3], this->Resolution);
-  this->Depths.Set(depths[0], depths[1], NumberOfBins);
-  std::copy_n(range, 4, this->Bounds);
+  this->P.Set(range.Low[0], range.High[0], this->Resolution);
+  this->Q.Set(range.Low[1], range.High[1], this->Resolution);
+  this->Depths.Set(range.Low[2], range.High[2], NumberOfBins);
+  this->Low = range.Low;
+  this->High = range.High;
   const std::size_t size = static_cast<std::size_t>(this->Resolution) * this->Resolution;
   if (this->Lexels.size() < size)
   {
@@ -75,7 +76,7 @@ inline void vtkShadowLitmap::AddToLexels(
   }
 }
 
-bool vtkShadowLitmap::Add(const double a[3], const double b[3], double radius, int x, int y)
+bool vtkShadowLitmap::Add(const glm::dvec3& a, const glm::dvec3& b, double radius, int x, int y)
 {
   if (!std::isfinite(a[0] + a[1] + a[2] + b[0] + b[1] + b[2]))
   {
@@ -100,10 +101,8 @@ bool vtkShadowLitmap::Add(const double a[3], const double b[3], double radius, i
   const double p1 = std::max(a[0], b[0]) + radius;
   const double q0 = std::min(a[1], b[1]) - radius;
   const double q1 = std::max(a[1], b[1]) + radius;
-  this->Bounds[0] = std::min(this->Bounds[0], p0);
-  this->Bounds[1] = std::max(this->Bounds[1], p1);
-  this->Bounds[2] = std::min(this->Bounds[2], q0);
-  this->Bounds[3] = std::max(this->Bounds[3], q1);
+  this->Low = glm::min(this->Low, glm::dvec2(p0, q0));
+  this->High = glm::max(this->High, glm::dvec2(p1, q1));
   const int i0 = this->P.GetCell(p0);
   const int i1 = this->P.GetCell(p1);
   const int j0 = this->Q.GetCell(q0);
@@ -113,8 +112,8 @@ bool vtkShadowLitmap::Add(const double a[3], const double b[3], double radius, i
     this->AddToLexels(i0, i1, j0, j1, receiver);
     return true;
   }
-  // Long segments, column by column: the part of the segment that is in the column, give or take
-  // the radius, and the rows that it passes there.
+  // Long segments are entered column by column: the part of the segment that is in the column,
+  // widened by the radius, and the rows that it passes there.
   const double slope = (b[1] - a[1]) / (b[0] - a[0]);
   for (int i = i0; i <= i1; ++i)
   {
@@ -146,14 +145,15 @@ bool vtkShadowLitmap::AddLexel(int i, int j, vtkShadowExtent extent)
 void vtkShadowLitmap::Split(int count)
 {
   this->NumberOfParts = std::max(count, 1);
-  const double range[4] = { this->P.Low, this->P.High, this->Q.Low, this->Q.High };
-  const double depths[2] = { this->Depths.Low, this->Depths.High };
+  vtkShadowBlock range;
+  range.Low = { this->P.Low, this->Q.Low, this->Depths.Low };
+  range.High = { this->P.High, this->Q.High, this->Depths.High };
   this->Parts.resize(
     std::max(this->Parts.size(), static_cast<std::size_t>(this->NumberOfParts - 1)));
   for (int i = 1; i < this->NumberOfParts; ++i)
   {
     vtkShadowLitmap& part = this->GetPart(i);
-    part.Begin(this->Resolution, range, depths);
+    part.Begin(this->Resolution, range);
     part.Tiles.BeginAs(this->Tiles);
   }
 }
@@ -168,11 +168,8 @@ void vtkShadowLitmap::Join()
     {
       this->Lexels[k].Merge(part.Lexels[k]);
     }
-    for (int side = 0; side < 4; side += 2)
-    {
-      this->Bounds[side] = std::min(this->Bounds[side], part.Bounds[side]);
-      this->Bounds[side + 1] = std::max(this->Bounds[side + 1], part.Bounds[side + 1]);
-    }
+    this->Low = glm::min(this->Low, part.Low);
+    this->High = glm::max(this->High, part.High);
     this->NumberOfReceivers += part.NumberOfReceivers;
     this->Everywhere.Merge(part.Everywhere);
     this->Tiles.Merge(part.Tiles);
@@ -186,8 +183,8 @@ void vtkShadowLitmap::Build()
   if (!this->Everywhere.IsEmpty())
   {
     this->AddToLexels(0, this->Resolution - 1, 0, this->Resolution - 1, this->Everywhere);
-    this->Bounds[0] = this->Bounds[2] = -std::numeric_limits<double>::infinity();
-    this->Bounds[1] = this->Bounds[3] = std::numeric_limits<double>::infinity();
+    this->Low = glm::dvec2(-std::numeric_limits<double>::infinity());
+    this->High = glm::dvec2(std::numeric_limits<double>::infinity());
   }
   this->NumberOfLevels =
     vtkNBufferMath::GetLevelForFourLookups(this->Resolution, this->Resolution) + 1;
@@ -214,8 +211,8 @@ vtkNBufferRectangle vtkShadowLitmap::GetLexels(double p0, double q0, double p1, 
   }
   const double guardP = 1.0 / this->P.CellsPerUnit;
   const double guardQ = 1.0 / this->Q.CellsPerUnit;
-  if (p1 + guardP < this->Bounds[0] || p0 - guardP > this->Bounds[1] ||
-    q1 + guardQ < this->Bounds[2] || q0 - guardQ > this->Bounds[3])
+  if (p1 + guardP < this->Low[0] || p0 - guardP > this->High[0] || q1 + guardQ < this->Low[1] ||
+    q0 - guardQ > this->High[1])
   {
     return {};
   }
@@ -234,13 +231,12 @@ vtkShadowExtent vtkShadowLitmap::Query(double p0, double q0, double p1, double q
     vtkNBufferMath::GetCoverOfFour(lexels), MergeExtents());
 }
 
-std::vector<std::pair<double, double>> vtkShadowLitmap::GetSlabs(
-  const vtkShadowExtent& extent, int gap) const
+std::vector<vtkShadowSlab> vtkShadowLitmap::GetSlabs(const vtkShadowExtent& extent, int gap) const
 {
   const auto isSet = [&extent](int bin) { return (extent.Bins >> bin & 1) != 0; };
-  // Of a depth's bin, and of the edges computed here, times ten.
+  // Ten times the rounding of a depth's bin, and of the edges computed here.
   const double rounding = 0x1p-48 * (std::abs(this->Depths.Low) + std::abs(this->Depths.High));
-  std::vector<std::pair<double, double>> slabs;
+  std::vector<vtkShadowSlab> slabs;
   int bin = 0;
   while (bin < NumberOfBins)
   {
@@ -254,14 +250,14 @@ std::vector<std::pair<double, double>> vtkShadowLitmap::GetSlabs(
     {
       last = isSet(bin) ? bin : last;
     }
-    slabs.emplace_back(extent.Near, extent.Far);
+    slabs.push_back({ extent.Near, extent.Far });
     if (first > 0)
     {
-      slabs.back().first = std::max(extent.Near, this->Depths.GetEdge(first) - rounding);
+      slabs.back().Near = std::max(extent.Near, this->Depths.GetEdge(first) - rounding);
     }
     if (last < NumberOfBins - 1)
     {
-      slabs.back().second = std::min(extent.Far, this->Depths.GetEdge(last + 1) + rounding);
+      slabs.back().Far = std::min(extent.Far, this->Depths.GetEdge(last + 1) + rounding);
     }
   }
   return slabs;

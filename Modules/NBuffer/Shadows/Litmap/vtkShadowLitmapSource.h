@@ -11,6 +11,7 @@
 #ifndef vtkShadowLitmapSource_h
 #define vtkShadowLitmapSource_h
 
+#include "vtkShadowBlock.h"
 #include "vtkShadowLight.h"
 #include "vtkShadowLitmap.h"
 #include "vtkShadowReceivers.h"
@@ -30,11 +31,11 @@ public:
   virtual bool BeginFrame(
     vtkRenderer* renderer, const float* depth, const vtkShadowView& view, std::string& why) = 0;
 
-  /// Fill `litmap` with what the light sees over a range of p and q and of depths, as
-  /// vtkShadowReceivers::GetRange() gives them. The caller builds the levels of the litmap
+  /// Fill `litmap` with what the light sees over a range of p, q and depth, as
+  /// vtkShadowReceivers::GetRange() gives it. The caller builds the levels of the litmap
   /// afterwards. Returns false, with the cause in `why`, if the source cannot work.
-  virtual bool Fill(const vtkShadowLightSpace& space, const double range[4], const double depths[2],
-    int resolution, vtkShadowLitmap& litmap, std::string& why) = 0;
+  virtual bool Fill(const vtkShadowLightSpace& space, const vtkShadowBlock& range, int resolution,
+    vtkShadowLitmap& litmap, std::string& why) = 0;
 
   /// Delete the OpenGL objects; the context that made them is current.
   virtual void Release() = 0;

@@ -2,63 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkShadowReceivers.h
- * @brief From a depth image to a litmap: which samples are receivers, and where they may lie. No
- * OpenGL.
+ * @brief From a depth image to a litmap and its tiles. No OpenGL.
  *
- * ## Which samples are receivers
+ * A sample of the depth image is a receiver if both of these hold:
  *
- * A sample of the depth image is a receiver if all of these hold:
+ *  - Its depth is nearer than the background (vtkNBufferDepthConvention.h). Geometry so close to
+ * the far plane that its depth is rounded to that of the background cannot be told from it.
+ *  - The light can reach it, or VTK's shader may take it to be reached. A directional light reaches
+ *    everything, a spot what lies in its cone (vtkShadowLight::GetConeCosine). For a point light,
+ *    the light space takes in one face of a cube around the light, |p| <= 1 and |q| <= 1, a little
+ *    widened: six light spaces make up all directions. Positional lights have receivers at s > 0
+ *    only.
  *
- *  - its depth is less than 1, which stands for the background (geometry so close to the far plane
- *    that its depth is rounded to 1 cannot be told from it);
- *  - the mask, where there is one, is not 0 for it;
- *  - the light can reach it: a spot in its cone (vtkShadowLight::GetConeCosine), a directional
- *    light everywhere; or VTK's shader may think so, see below;
- *  - a point light's frame takes in one face of a cube around the light, |p| <= 1 and |q| <= 1, a
- *    little widened: six frames make up all directions.
+ * vtkShadowReceiverProjector.h derives where a receiver may lie, given the rounding of what was
+ * drawn and stored. A receiver whose rays are not known is put into all lexels.
  *
- * Positional lights have receivers at s > 0 only.
- *
- * ## Where it may lie
- *
- * On the eye ray through the sample, in an interval: a stored depth is off by a quantum, what is
- * drawn against it by another one, and both by the transformation to clip coordinates in float.
- * In four million random points (views of 1 to 120 degrees, far / near 3 to 1e8) that was off by at
- * most 5.4 * 2^-24 in window depth; it grows with the distance of the image's corners from the eye.
- * With r, this distance in units of that of the image's centre, the interval reaches 2 quanta and
- * 4 (1 + r) 2^-24 to both sides. (Where the depth range is short for its distance, the error is
- * larger, but a quantum is so small a length that the next term covers it.)
- *
- * Around that, in all directions, by the rounding of a position, 2^-20 of its distance from the
- * eye, and of world coordinates in double, 2^-48 of theirs.
- *
- * VTK's shader has another place for it when it tells whether it lies in a spot's cone: corners as
- * floats, wherever their origin is, transformed to view coordinates in floats, while depth comes
- * from their transformation to clip coordinates. With u = 2^-24 and S the distances of eye and
- * sample from the origin and of eye and light from each other, summed up, each of these is off by
- * E = 5 u S times the length of its row in the matrix (DrawnPolygon.h in the tests derives that),
- * which the way back from clip coordinates multiplies. Where VTK shifts coordinates to the middle
- * of what they belong to, it is less. Receivers outside of the cone that this alone brings in may
- * have their shadow of casters that shadow nothing in the cone: vtkShadowLitmap::GetReach() says
- * how far off they are.
- *
- * With multisampling a fragment asks once whether it lies in a spot's cone: where its surface,
- * going on, is at the pixel's centre. How deep that is no sample knows. So a sample whose pixel's
- * centre is on a line of sight that meets the cone is such a receiver, too, if the cone is not
- * farther from it than 64 widths of a pixel: on surfaces that are seen at less than a degree it
- * might be.
- *
- * Litmaps and tiles (vtkShadowTiles.h) are to hold all samples for which a volume may be drawn, and
- * devices draw its sides a little beside their place, the receiver's edge as well: a quarter of a
- * pixel more in all directions. (A lexel may be smaller than that.)
- *
- * A tile's layers are parted halfway, in distances from the eye, between its nearest and its
- * farthest receiver.
- *
- * Intervals are projected to light coordinates end by end; where straight lines stay straight, that
- * loses nothing. The tests of the last two rules above are about the ball around the interval: what
- * may be reached is a receiver. Where it cannot be told on which side of the light's plane s = 0 an
- * interval lies, or how far off it is seen, it is put into all lexels.
+ * The layers of a tile (vtkShadowTiles.h) are divided halfway, in distances from the eye, between
+ * the tile's nearest and farthest receiver.
  */
 #ifndef vtkShadowReceivers_h
 #define vtkShadowReceivers_h
@@ -73,46 +33,46 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 /**
- * The camera and the image that a depth image is of.
+ * The camera and the image that a depth image belongs to.
  */
 struct vtkShadowView
 {
-  /// Row-major 4 x 4: the inverse of vtkCamera's world-to-clip matrix for z in [-w, w], with world
-  /// coordinates relative to Origin.
-  double ClipToWorld[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-  double Origin[3] = { 0.0, 0.0, 0.0 }; ///< World: the eye.
-  int Width = 0;                        ///< Pixels, at most 65535.
-  int Height = 0;
-  double DepthQuantum = 0x1p-24; ///< Step of the depth format near 1.
-  /// Places of the samples in a pixel, in [0, 1] from its lower left corner.
+  /// The inverse of vtkCamera's world-to-clip matrix for z in [-w, w]. World coordinates are
+  /// relative to Origin.
+  glm::dmat4 ClipToWorld;
+
+  glm::dvec3 Origin = { 0.0, 0.0, 0.0 }; ///< The world position of the eye.
+  int Width = 0;                         ///< The number of columns, at most 65535.
+  int Height = 0;                        ///< The number of rows, at most 65535.
+  double DepthQuantum = 0x1p-24;         ///< The step of the depth format near 1.
+
+  /// The places of the samples in a pixel, in [0, 1] from its lower left corner.
   std::vector<std::array<double, 2>> Samples = { { { 0.5, 0.5 } } };
 };
 
 namespace vtkShadowReceivers
 {
 /**
- * About what the receivers of a depth image take up: p in [range[0], range[1]], q in [range[2],
- * range[3]], s in [depths[0], depths[1]]. It is taken from every fourth row and column, or from all
- * where these have no receiver; without any the minima are infinity and the maxima -infinity.
+ * Roughly the range of p, q and s that the receivers of a depth image take up. It is taken from
+ * every fourth row and column, or from all of them if these have no receiver. If there is no
+ * receiver at all it is empty.
  */
-VTKNBUFFER_EXPORT void GetRange(const float* depth, const unsigned char* lit,
-  const vtkShadowView& view, const vtkShadowLight& light, const vtkShadowLightSpace& frame,
-  double range[4], double depths[2]);
+VTKNBUFFER_EXPORT vtkShadowBlock GetRange(const float* depth, const vtkShadowView& view,
+  const vtkShadowLight& light, const vtkShadowLightSpace& space);
 
 /**
- * Fill `litmap` and its tiles with the receivers of a depth image as `frame` sees them, over about
- * the range of p, q and s that they take up, and return their number. The caller builds its levels
- * then.
+ * Fills `litmap` and its tiles with the receivers of a depth image as `space` sees them, over
+ * GetRange(), and returns their number. The caller calls vtkShadowLitmap::Build() afterwards.
  *
- * `depth`: window depths in [0, 1], one image of Width x Height for each sample of a pixel, row 0
- * at the bottom. `lit`: the same number of bytes, 0 for what the light cannot change; or nullptr.
+ * `depth` holds window depths in [0, 1], one image of Width x Height for each sample of a pixel,
+ * with row 0 at the bottom.
  *
- * About 30 ns for each sample, shared by the threads of vtkSMPTools; the litmap is the same with
- * any number of them.
+ * The cost is about 30 ns for each sample, shared by the threads of vtkSMPTools. The litmap is the
+ * same with any number of threads.
  */
-VTKNBUFFER_EXPORT vtkIdType Scatter(const float* depth, const unsigned char* lit,
-  const vtkShadowView& view, const vtkShadowLight& light, const vtkShadowLightSpace& frame,
-  int resolution, vtkShadowLitmap& litmap);
+VTKNBUFFER_EXPORT vtkIdType Scatter(const float* depth, const vtkShadowView& view,
+  const vtkShadowLight& light, const vtkShadowLightSpace& space, int resolution,
+  vtkShadowLitmap& litmap);
 }
 
 VTK_ABI_NAMESPACE_END

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// First and last mark of a row along the columns, or of a column along the rows.
+/// The first and the last mark of a row along the columns, or of a column along the rows.
 struct Span
 {
   int First = std::numeric_limits<int>::max();
@@ -21,14 +22,14 @@ struct Span
   }
 };
 
-/// For i = 0, 1, ...: tiles in the box around the marks of the first i lines.
+/// For i = 0, 1, ... the number of tiles in the box around the marks of the first i lines.
 template <typename Iterator>
 std::vector<int> GetAreas(Iterator line, Iterator end)
 {
   std::vector<int> areas = { 0 };
   Span all;
-  int lines = 0; // since the first with a mark
-  int used = 0;  // of these, up to the last with a mark
+  int lines = 0; // lines since the first one with a mark
+  int used = 0;  // lines from the first to the last one with a mark
   for (; line != end; ++line)
   {
     lines += lines > 0 || line->Last >= 0;

@@ -4,72 +4,67 @@
  * @file vtkShadowTiles.h
  * @brief Receivers by tiles of the screen, and boxes of pixels around some of the tiles. No OpenGL.
  *
- * A litmap is asked from the light: what lies on these rays? Its answer is one box of pixels, in
- * which most may lie on other rays, or before the caster. Tiles of 4 x 4 pixels are asked from the
- * camera: where in light coordinates (vtkShadowLight.h) do your receivers lie? The tiles that a
- * caster can shadow (vtkShadowUmbra.h) are marked, and few boxes that share no pixel put around
- * them.
+ * A litmap answers the light's question: what lies on these rays? Its answer is one box of pixels,
+ * and most pixels in the box may lie on other rays, or before the caster. Tiles of 4 x 4 pixels
+ * answer the camera's question: where in light coordinates (vtkShadowLight.h) do the receivers of
+ * these pixels lie? The tiles that a caster can shadow (vtkShadowUmbra.h) are marked, and a few
+ * boxes that share no pixel are put around them.
  *
- * Where the camera sees past an edge, a tile has receivers in two places: of what the edge belongs
- * to, and of what is seen behind it. One block around both would hold all that lies between them,
- * and of small things before a far ground that is most of what they throw shadows on. So a tile has
- * two layers, parted at a window depth of its own (SetSplit()), with a block for each.
+ *      +--+--+--+--+--+--+--+
+ *      |  |##|##|  |  |  |  |     # marked tiles
+ *      +--+--+--+--+--+--+--+
+ *      |  |##|  |  |  |  |  |     one box around all marks has 6 x 3 tiles,
+ *      +--+--+--+--+--+--+--+     two boxes have 2 x 2 and 1 x 1
+ *      |  |  |  |  |  |  |##|
+ *      +--+--+--+--+--+--+--+
+ *
+ * Where the camera sees past an edge, a tile has receivers in two places: on the surface that ends
+ * at the edge, and on the surface behind it. One block around both would hold all that lies between
+ * them. For small things before a far ground, that is most of what they throw shadows on. So a tile
+ * has two layers, divided at a window depth of its own (SetSplit()), with a block for each.
  */
 #ifndef vtkShadowTiles_h
 #define vtkShadowTiles_h
 
 #include "vtkNBufferMath.h"
 #include "vtkNBufferModule.h" // For export macro
+#include "vtkShadowBlock.h"
 
 #include <array>
-#include <limits>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
-/// A range of light coordinates p, q and s; empty as constructed.
-struct vtkShadowBlock
-{
-  double Low[3] = { std::numeric_limits<double>::infinity(),
-    std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity() };
-  double High[3] = { -std::numeric_limits<double>::infinity(),
-    -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
-
-  bool IsEmpty() const { return !(this->Low[2] <= this->High[2]); }
-
-  /// Widen coordinate i to hold [low, high].
-  void Add(int i, double low, double high)
-  {
-    this->Low[i] = low < this->Low[i] ? low : this->Low[i];
-    this->High[i] = high > this->High[i] ? high : this->High[i];
-  }
-};
-
 class VTKNBUFFER_EXPORT vtkShadowTiles
 {
 public:
-  static constexpr int Size = 4; ///< Pixels.
+  /// The width and height of a tile in pixels.
+  static constexpr int Size = 4;
 
-  /// Of a tile: before its split, and from there on.
+  /// The blocks of a tile: of the receivers before its split, and of those from the split on.
   using Layers = std::array<vtkShadowBlock, 2>;
 
-  /// Start anew, for an image of that many pixels, without splits; with 0 nothing is known. Memory
+  /// Starts anew for an image of that many pixels, without splits. With 0 nothing is known. Memory
   /// is kept.
   void Begin(int width, int height);
 
-  /// Window depth from which on receivers belong to the second layer of a tile. Any is right; good
-  /// ones part what lies far apart. To be set before receivers are added.
+  /// Starts anew for an image of the size of another one, with its splits.
+  void BeginAs(const vtkShadowTiles& other);
+
+  /// Sets the window depth from which on receivers belong to the second layer of a tile. Any depth
+  /// is correct; a good one separates what lies far apart. Set it before receivers are added.
   void SetSplit(int column, int row, float depth)
   {
     this->Splits[this->GetIndex(column, row)] = depth;
   }
 
   /**
-   * Add a receiver of a window depth that covers pixel (x, y) of the image and lies somewhere on
-   * the segment from a to b in light coordinates, or at most radius[i] beside it in p, q and s.
-   * Infinite is anywhere.
+   * Adds a receiver of a window depth that covers pixel (x, y) of the image. It lies somewhere on
+   * the segment from a to b in light coordinates, or at most radius[i] from it in p, q and s. An
+   * infinite radius means anywhere.
    */
-  void Add(const double a[3], const double b[3], const double radius[3], int x, int y, float depth)
+  void Add(
+    const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& radius, int x, int y, float depth)
   {
     const std::size_t tile = this->GetIndex(x / Size, y / Size);
     vtkShadowBlock& block = this->Tiles[tile][depth >= this->Splits[tile]];
@@ -80,18 +75,16 @@ public:
     }
   }
 
-  /// Start anew, for an image of the size of another, with its splits.
-  void BeginAs(const vtkShadowTiles& other);
-
-  /// Add the receivers of another image of that size and splits.
+  /// Adds the receivers of another image of the same size and splits.
   void Merge(const vtkShadowTiles& other);
 
-  /// Whether there is an image.
+  /// Returns true if there is an image.
   bool IsKnown() const { return this->Columns > 0; }
 
   int GetNumberOfColumns() const { return this->Columns; }
   int GetNumberOfRows() const { return this->Rows; }
 
+  /// The blocks of one tile.
   const Layers& Get(int column, int row) const { return this->Tiles[this->GetIndex(column, row)]; }
 
 private:
@@ -103,7 +96,7 @@ private:
   int Columns = 0;
   int Rows = 0;
   std::vector<Layers> Tiles; ///< Row by row.
-  std::vector<float> Splits;
+  std::vector<float> Splits; ///< For each tile; infinite for tiles of one layer.
 };
 
 /**
@@ -112,11 +105,11 @@ private:
 class VTKNBUFFER_EXPORT vtkShadowTileSet
 {
 public:
-  /// None yet, of those that touch `pixels`, which must not be empty.
+  /// An empty set of the tiles that touch `pixels`, which must not be empty.
   explicit vtkShadowTileSet(const vtkNBufferRectangle& pixels);
 
-  /// functor(column, row) -> bool for all tiles not in the set; those for which it is true are put
-  /// into it.
+  /// Calls functor(column, row) -> bool for all tiles that are not in the set, and adds those for
+  /// which it returns true.
   template <typename Functor>
   void Mark(Functor&& functor)
   {
@@ -131,9 +124,9 @@ public:
   }
 
   /**
-   * Boxes of pixels that hold all pixels of the rectangle in tiles of the set, and have none in
-   * common. A box is cut in two where that leaves out more than `cost` pixels, at the place where
-   * it leaves out most, and so are the parts.
+   * Boxes that hold all pixels of the rectangle in tiles of the set, and that have no pixel in
+   * common. A box is cut in two, and its parts again, as long as that leaves out more than `cost`
+   * pixels. The cut is at the place where it leaves out most.
    */
   std::vector<vtkNBufferRectangle> GetBoxes(double cost) const;
 
@@ -141,9 +134,9 @@ private:
   void Divide(
     const vtkNBufferRectangle& tiles, double cost, std::vector<vtkNBufferRectangle>& boxes) const;
 
-  vtkNBufferRectangle Pixels;
-  vtkNBufferRectangle Tiles;
-  std::vector<unsigned char> Marks; ///< Of Tiles, row by row.
+  vtkNBufferRectangle Pixels;       ///< The rectangle of pixels.
+  vtkNBufferRectangle Tiles;        ///< The tiles that touch it.
+  std::vector<unsigned char> Marks; ///< For each of Tiles, row by row, whether it is in the set.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Example.h"
+
+#include "vtkActor.h"
+#include "vtkCubeSource.h"
+#include "vtkInteractorStyleTrackballCamera.h"
+#include "vtkLight.h"
+#include "vtkPNGWriter.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkShadowVolumeClampPass.h"
+#include "vtkSphereSource.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <CLI/CLI.hpp>
+
+#include <vtksys/SystemTools.hxx>
+
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+
+namespace NBufferExamples
+{
+
+Example::Example(const std::string& description, const std::string& feature)
+  : App(std::make_unique<CLI::App>(description))
+{
+  this->App->add_option(
+    "--out", this->Out, "Folder for pictures (PNG); without it a window opens, q closes it");
+  const auto setSize = [this](const std::string& text)
+  {
+    int* size = this->Size;
+    char end = 0;
+    if (std::sscanf(text.c_str(), "%5dx%5d%c", &size[0], &size[1], &end) != 2 || size[0] < 1 ||
+      size[1] < 1 || size[0] > 16384 || size[1] > 16384)
+    {
+      throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT in pixels, not " + text);
+    }
+  };
+  this->App->add_option_function<std::string>("--size", setSize, "Of the picture, in pixels")
+    ->type_name("WxH")
+    ->default_str("960x720");
+  this->App->add_flag_callback(
+    "--no-" + feature, [this]() { this->On = false; }, "The same scene without " + feature);
+  this->Renderer->SetAutomaticLightCreation(0);
+  this->Window->SetMultiSamples(0);
+  this->Window->AddRenderer(this->Renderer);
+}
+
+Example::~Example() = default;
+
+void Example::AddOption(
+  const std::string& name, double& value, const std::string& help, double lowest, double highest)
+{
+  this->App->add_option(name, value, help)
+    ->check(CLI::Range(lowest, highest))
+    ->capture_default_str();
+}
+
+void Example::AddOption(
+  const std::string& name, int& value, const std::string& help, int lowest, int highest)
+{
+  this->App->add_option(name, value, help)
+    ->check(CLI::Range(lowest, highest))
+    ->capture_default_str();
+}
+
+int Example::Run(int argc, char* argv[], const std::function<void()>& show)
+{
+  try
+  {
+    this->App->parse(argc, argv);
+    show();
+    return 0;
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return this->App->exit(error);
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << argv[0] << ": " << error.what() << "\n";
+    return 1;
+  }
+}
+
+vtkActor* Example::AddMesh(vtkPolyData* mesh, const Triple& color)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(mesh);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+  actor->GetProperty()->SetAmbient(0.25);
+  this->Renderer->AddActor(actor);
+  return actor;
+}
+
+vtkActor* Example::AddCuboid(const Triple& centre, const Triple& size, const Triple& color)
+{
+  vtkNew<vtkCubeSource> box;
+  box->SetXLength(size[0]);
+  box->SetYLength(size[1]);
+  box->SetZLength(size[2]);
+  box->SetCenter(centre[0], centre[1], centre[2]);
+  box->Update();
+  return this->AddMesh(box->GetOutput(), color);
+}
+
+vtkActor* Example::AddGlobe(const Triple& centre, double radius, const Triple& color)
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(centre[0], centre[1], centre[2]);
+  ball->SetRadius(radius);
+  ball->SetThetaResolution(64);
+  ball->SetPhiResolution(64);
+  ball->Update();
+  return this->AddMesh(ball->GetOutput(), color);
+}
+
+void Example::AddCuboids(const Triple& color, const Boxes& boxes, double x, double y, double turn)
+{
+  for (const auto& [centre, size] : boxes)
+  {
+    vtkActor* actor = this->AddCuboid(centre, size, color);
+    actor->SetPosition(x, y, 0.0);
+    actor->RotateZ(turn);
+  }
+}
+
+void Example::AddFill(double intensity)
+{
+  vtkNew<vtkLight> fill;
+  fill->SetLightTypeToHeadlight();
+  fill->SetIntensity(intensity);
+  this->Renderer->AddLight(fill);
+}
+
+void Example::Show(const std::string& picture, vtkShadowVolumeClampPass* pass)
+{
+  this->Window->SetSize(this->Size);
+  this->Window->SetWindowName(picture.c_str());
+  if (this->Out.empty())
+  {
+    vtkNew<vtkRenderWindowInteractor> interactor;
+    vtkNew<vtkInteractorStyleTrackballCamera> style;
+    interactor->SetRenderWindow(this->Window);
+    interactor->SetInteractorStyle(style);
+    this->Window->Render();
+    interactor->Start();
+    return;
+  }
+  vtksys::SystemTools::MakeDirectory(this->Out);
+  this->Window->SetOffScreenRendering(1);
+  this->Window->Render();
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(this->Window);
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(grab->GetOutputPort());
+  writer->SetFileName((this->Out + "/" + picture + ".png").c_str());
+  writer->Write();
+  if (writer->GetErrorCode() != 0)
+  {
+    throw std::runtime_error(std::string("cannot write ") + writer->GetFileName());
+  }
+  if (!pass)
+  {
+    return;
+  }
+  const vtkShadowStatistics& statistics = pass->GetStatistics();
+  std::cout << picture << ": " << statistics.GetAsJSON() << "\n";
+  if (this->On && statistics.Decision != vtkShadowDecision::Drawn)
+  {
+    throw std::runtime_error(picture + " has no shadows");
+  }
+}
+
+} // namespace NBufferExamples

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LoadScene.h"
+
+#include "BspScene.h"
+#include "CityFile.h"
+#include "CityScene.h"
+#include "KicadScene.h"
+#include "Plant.h"
+#include "SceneFiles.h"
+#ifdef NBUFFER_HAVE_OSM
+#include "OsmImport.h"
+#endif
+
+#include <vtksys/SystemTools.hxx>
+
+#include <filesystem>
+#include <stdexcept>
+
+namespace NBufferExamples
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+void Report(const SceneOptions& options, const std::string& text)
+{
+  if (options.Progress)
+  {
+    options.Progress(text);
+  }
+}
+
+Scene MakeCityScene(City city, const std::string& name, const SceneOptions& options)
+{
+  Report(options, "building " + std::to_string(city.Buildings.size()) + " actors");
+  Scene scene;
+  scene.Name = name;
+  CityActors actors = MakeCityActors(city);
+  scene.Actors = std::move(actors.Buildings);
+  scene.Actors.insert(scene.Actors.end(), actors.Surroundings.begin(), actors.Surroundings.end());
+  scene.Plan = std::make_shared<const City>(std::move(city));
+  return scene;
+}
+
+/// Whether `name` is data for libosmium. A .gz or .bz2 alone says nothing.
+bool LooksLikeOsm(const std::string& name)
+{
+  std::string plain = name;
+  for (std::string ending = fs::path(plain).extension().string();
+       ending == ".gz" || ending == ".bz2"; ending = fs::path(plain).extension().string())
+  {
+    plain.resize(plain.size() - ending.size());
+  }
+  const std::string ending = fs::path(plain).extension().string();
+  return ending == ".osm" || ending == ".pbf" || ending == ".o5m" || ending == ".opl";
+}
+
+Scene LoadOsm(const std::string& name, const SceneOptions& options)
+{
+#ifdef NBUFFER_HAVE_OSM
+  Report(options, "reading " + name);
+  return MakeCityScene(ImportOsm(name), fs::path(name).filename().string(), options);
+#else
+  static_cast<void>(options);
+  throw std::runtime_error(name +
+    " is OSM data, and this program was built without libosmium; make a city file with a "
+    "nbuffer-city of another build");
+#endif
+}
+
+int GetAxis(const std::string& up, int usual)
+{
+  if (up.empty())
+  {
+    return usual;
+  }
+  const std::size_t axis = std::string("xyz").find(up);
+  if (up.size() != 1 || axis == std::string::npos)
+  {
+    throw std::runtime_error("the axis that points up is x, y or z, not " + up);
+  }
+  return static_cast<int>(axis);
+}
+}
+
+std::string FindData(const std::string& program, const std::string& name)
+{
+  std::string found = program;
+  std::string error;
+  vtksys::SystemTools::FindProgramPath(program.c_str(), found, error);
+  const fs::path folder = fs::path(found).parent_path();
+  for (const fs::path& candidate :
+    { folder / NBUFFER_DATA_FROM_BIN / name, fs::path(NBUFFER_DATA_IN_SOURCE) / name })
+  {
+    std::error_code ignored;
+    if (fs::is_regular_file(candidate, ignored))
+    {
+      return candidate.lexically_normal().string();
+    }
+  }
+  return std::string();
+}
+
+std::string FindDefaultCity(const std::string& program)
+{
+  return FindData(program, "neubrandenburg.city");
+}
+
+Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& options)
+{
+  if (names.empty())
+  {
+    throw std::runtime_error("no scene is named");
+  }
+  const std::string& name = names.front();
+  const bool single = names.size() == 1;
+  Scene scene;
+  if (name == "city")
+  {
+    if (options.DefaultCity.empty())
+    {
+      throw std::runtime_error(
+        "neubrandenburg.city is neither installed nor in the source tree; name a city file");
+    }
+    Report(options, "reading the city");
+    scene = MakeCityScene(ReadCity(options.DefaultCity), name, options);
+  }
+  else if (name == "plant")
+  {
+    scene = MakePlant(options.Seed);
+  }
+  else if (IsKicadName(name))
+  {
+    Report(options, "reading " + name);
+    scene = LoadKicad(name, options.Progress);
+  }
+  else if (IsBspName(name))
+  {
+    Report(options, "reading " + name);
+    scene = LoadBsp(name);
+  }
+  else if (!fs::exists(name))
+  {
+    throw std::runtime_error("no scene " + name + ": neither \"city\" nor \"plant\" nor a file");
+  }
+  else if (LooksLikeOsm(name))
+  {
+    scene = LoadOsm(name, options);
+  }
+  else if (IsCityFile(name))
+  {
+    Report(options, "reading " + name);
+    scene = MakeCityScene(ReadCity(name), fs::path(name).filename().string(), options);
+  }
+  else
+  {
+    return ImportFiles(names, GetAxis(options.Up, -1), options.Progress);
+  }
+  if (!single)
+  {
+    throw std::runtime_error(name + " is a scene by itself; only .stl and .ply files go together");
+  }
+  scene.UpAxis = GetAxis(options.Up, scene.UpAxis);
+  return scene;
+}
+
+} // namespace NBufferExamples

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferCamera.h"
+
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkRenderer.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkNBufferCamera::vtkNBufferCamera(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const auto toMatrix = [](vtkMatrix4x4* matrix)
+  { return vtkNBufferGLM::ToMatrix(matrix->GetData()); };
+  this->WorldToClip =
+    toMatrix(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)) *
+    toMatrix(camera->GetModelViewTransformMatrix());
+  camera->GetPosition(glm::value_ptr(this->Eye));
+  camera->GetDirectionOfProjection(glm::value_ptr(this->Direction));
+  this->IsParallel = camera->GetParallelProjection() != 0;
+}
+
+glm::dmat4 vtkNBufferCamera::GetEyeToClip() const
+{
+  glm::dmat4 result = this->WorldToClip;
+  result[3] = vtkNBufferGLM::Multiply(this->WorldToClip, glm::dvec4(this->Eye, 1.0));
+  return result;
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferPropWatch.h"
+
+#include "vtkNBufferForEachProp.h"
+#include "vtkNBufferProtectedMembers.h"
+#include "vtkNBufferSurface.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataPipeline.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeRange.h"
+#include "vtkInformation.h"
+#include "vtkLookupTable.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMatrixToLinearTransform.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkShaderProperty.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTexture.h"
+#include "vtkTimeStamp.h"
+#include "vtkTransform.h"
+#include "vtkTrivialProducer.h"
+
+#include <algorithm>
+#include <typeinfo>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// Whether GetMTime() of a user's transform only reads. vtkProp3D wraps a user's matrix in a
+/// vtkMatrixToLinearTransform.
+bool IsPlain(vtkLinearTransform* transform)
+{
+  return !transform || typeid(*transform) == typeid(vtkTransform) ||
+    typeid(*transform) == typeid(vtkMatrixToLinearTransform);
+}
+
+/// The executive of what feeds the mapper if it is one whose rules are known, or nullptr.
+vtkDemandDrivenPipeline* GetExecutive(vtkMapper* mapper)
+{
+  vtkExecutive* executive = mapper->GetInputExecutive(0, 0);
+  return executive &&
+      (typeid(*executive) == typeid(vtkStreamingDemandDrivenPipeline) ||
+        typeid(*executive) == typeid(vtkCompositeDataPipeline))
+    ? static_cast<vtkDemandDrivenPipeline*>(executive)
+    : nullptr;
+}
+
+/// Whether requests decide about what the filters make, and not their parameters alone.
+bool DependsOnRequests(vtkInformation* request)
+{
+#if VTKNBUFFER_HAS_ABORTED_FILTERS
+  if (request->Get(vtkAlgorithm::ABORTED()) != 0)
+  {
+    return true;
+  }
+#endif
+  return request->Has(vtkStreamingDemandDrivenPipeline::TIME_RANGE()) ||
+    request->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
+}
+
+/// The time of data and, if it is composite, of its blocks.
+vtkMTimeType GetDataTime(vtkDataObject* data)
+{
+  vtkMTimeType time = data ? data->GetMTime() : 0;
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+  {
+    for (vtkDataObject* part : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
+    {
+      time = std::max(time, GetDataTime(part));
+    }
+  }
+  return time;
+}
+
+/// The time of a mapper or texture, and of all data that it shows.
+vtkMTimeType GetTimeWithData(vtkAlgorithm* algorithm)
+{
+  vtkMTimeType time = algorithm->GetMTime();
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
+    {
+      time = std::max(time, GetDataTime(algorithm->GetInputDataObject(port, i)));
+    }
+  }
+  return time;
+}
+
+/// The newest time of an actor whose pipeline is up to date.
+vtkMTimeType GetTimeOfAll(vtkActor* actor, vtkShaderProperty* shaders)
+{
+  vtkMTimeType time = std::max(actor->GetMTime(), shaders ? shaders->GetMTime() : 0);
+  if (vtkTexture* texture = actor->GetTexture())
+  {
+    time = std::max(time, GetTimeWithData(texture));
+  }
+  if (vtkMapper* mapper = actor->GetMapper())
+  {
+    time = std::max(time, GetTimeWithData(mapper));
+    // A plane that moves leaves the time of the mapper that it clips as it is.
+    vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+    for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+    {
+      time = std::max(time, planes->GetItem(i)->GetMTime());
+    }
+  }
+  return time;
+}
+}
+
+vtkNBufferPropWatch::GlobalState vtkNBufferPropWatch::GetGlobalState()
+{
+  GlobalState state{};
+  state[0] = vtkMapper::GetResolveCoincidentTopology();
+  state[1] = vtkMapper::GetResolveCoincidentTopologyZShift();
+  vtkMapper::GetResolveCoincidentTopologyPolygonOffsetParameters(state[2], state[3]);
+  vtkMapper::GetResolveCoincidentTopologyLineOffsetParameters(state[4], state[5]);
+  return state;
+}
+
+void vtkNBufferPropWatch::Track(vtkProp* prop)
+{
+  this->How = Means::None;
+  this->Time = 0;
+  this->Complete = false;
+  this->Actor = vtkNBufferSurface::GetPlainActor(prop);
+  this->Mapper = this->Actor ? this->Actor->GetMapper() : nullptr;
+  if (!this->Actor)
+  {
+    return;
+  }
+  this->Shaders = vtkNBufferProtectedMembers::GetShaderProperty(this->Actor);
+  if (this->Mapper && !vtkNBufferSurface::IsPlain(this->Mapper))
+  {
+    this->Time = GetTimeOfAll(this->Actor, this->Shaders);
+    return;
+  }
+  this->UserTransform = this->Actor->GetUserTransform();
+  this->Complete = !this->Mapper ||
+    (!vtkNBufferSurface::IsComposite(this->Mapper) &&
+      !vtkNBufferSurface::HasReplacedShaders(this->Actor) &&
+      !vtkNBufferSurface::HasOtherCoordinates(this->Actor));
+  // A texture's translucency has a pipeline of its own, and the time of clipping planes is not part
+  // of the mapper's.
+  vtkPolyData* input =
+    this->Mapper && !this->Actor->GetTexture() && !this->Mapper->GetClippingPlanes()
+    ? vtkNBufferSurface::GetOnlyPolyData(this->Mapper)
+    : nullptr;
+  this->Input = input;
+  if (input && this->TrackStamps(this->Mapper, input))
+  {
+    this->How = Means::Stamps;
+    return;
+  }
+  this->Time = GetTimeOfAll(this->Actor, this->Shaders);
+  this->How = input && this->GetPipelineTime(this->PipelineTime) ? Means::Pipeline : Means::Times;
+}
+
+bool vtkNBufferPropWatch::Add(const vtkObject* object)
+{
+  if (!object)
+  {
+    return true;
+  }
+  if (this->Count == static_cast<int>(this->Stamps.size()))
+  {
+    return false;
+  }
+  this->Stamps[this->Count++] = &vtkNBufferProtectedMembers::GetTimeStamp(object);
+  return true;
+}
+
+bool vtkNBufferPropWatch::AddFields(vtkFieldData* fields)
+{
+  bool fits = this->Add(fields);
+  for (int i = 0; fields && i < fields->GetNumberOfArrays(); ++i)
+  {
+    fits = fits && this->Add(fields->GetAbstractArray(i));
+  }
+  return fits;
+}
+
+bool vtkNBufferPropWatch::TrackStamps(vtkMapper* mapper, vtkPolyData* input)
+{
+  vtkAlgorithm* producer = mapper->GetInputAlgorithm(0, 0);
+  if (!producer || typeid(*producer) != typeid(vtkTrivialProducer) || !IsPlain(this->UserTransform))
+  {
+    return false;
+  }
+  // A lookup table that is missing now is made when there are scalars to map, and such a change
+  // shows in the data.
+  vtkScalarsToColors* table = vtkNBufferProtectedMembers::GetLookupTable(mapper);
+  this->Count = 0;
+  bool fits = this->Add(this->Actor) && this->Add(this->Actor->GetProperty()) &&
+    this->Add(this->Actor->GetBackfaceProperty()) && this->Add(this->Actor->GetUserMatrix()) &&
+    this->Add(this->Shaders);
+  this->BeforeMapper = this->Count;
+  vtkPoints* points = input->GetPoints();
+  fits = fits && this->Add(mapper) && this->Add(table) && this->Add(producer) && this->Add(input) &&
+    this->Add(points) && this->Add(points ? points->GetData() : nullptr) &&
+    this->Add(input->GetVerts()) && this->Add(input->GetLines()) && this->Add(input->GetPolys()) &&
+    this->Add(input->GetStrips()) && this->AddFields(input->GetPointData()) &&
+    this->AddFields(input->GetCellData()) && this->AddFields(input->GetFieldData());
+
+  this->Time = this->UserTransform ? this->UserTransform->GetMTime() : 0;
+  for (int i = 0; i < this->Count; ++i)
+  {
+    this->Time = std::max(this->Time, this->Stamps[i]->GetMTime());
+  }
+  const vtkMTimeType shaders = this->Shaders ? this->Shaders->GetMTime() : 0;
+  // Other classes combine the times of still other objects.
+  const bool plain = (!table || typeid(*table) == typeid(vtkLookupTable)) &&
+    (!points || typeid(*points) == typeid(vtkPoints));
+  return fits && plain &&
+    this->Time ==
+    std::max({ this->Actor->GetMTime(), mapper->GetMTime(), producer->GetMTime(), shaders });
+}
+
+bool vtkNBufferPropWatch::HasNewer(int begin, int end) const
+{
+  for (int i = begin; i < end; ++i)
+  {
+    if (this->Stamps[i]->GetMTime() > this->Time)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool vtkNBufferPropWatch::StampsHaveChanged() const
+{
+  // In this order: each object is known to be alive only if the one before it has not changed.
+  return this->HasNewer(0, this->BeforeMapper) ||
+    vtkNBufferProtectedMembers::GetShaderProperty(this->Actor) != this->Shaders ||
+    (this->UserTransform && this->UserTransform->GetMTime() > this->Time) ||
+    this->HasNewer(this->BeforeMapper, this->Count);
+}
+
+void vtkNBufferPropWatch::Prefetch() const
+{
+  if (this->How == Means::Stamps)
+  {
+    for (int i = 0; i < this->Count; ++i)
+    {
+      vtkNBufferForEachProp::Fetch(this->Stamps[i]);
+    }
+    vtkNBufferForEachProp::Fetch(&vtkNBufferProtectedMembers::GetShaderProperty(this->Actor));
+  }
+}
+
+bool vtkNBufferPropWatch::GetPipelineTime(vtkMTimeType& time) const
+{
+  // The actor keeps its mapper alive, the mapper what feeds it, and that its data.
+  vtkDemandDrivenPipeline* executive = GetExecutive(this->Mapper);
+  if (!executive || DependsOnRequests(this->Mapper->GetInputInformation(0, 0)) ||
+    !executive->UpdatePipelineMTime() || this->Mapper->GetInputDataObject(0, 0) != this->Input ||
+    this->Input->GetDataReleased())
+  {
+    return false;
+  }
+  time = std::max({ this->Actor->GetMTime(), this->Mapper->GetMTime(),
+    executive->GetPipelineMTime(), this->Input->GetMTime() });
+  if (this->Shaders)
+  {
+    time = std::max(time, this->Shaders->GetMTime());
+  }
+  return true;
+}
+
+bool vtkNBufferPropWatch::PipelineHasChanged() const
+{
+  vtkMTimeType time = 0;
+  return this->Actor->GetMapper() != this->Mapper ||
+    vtkNBufferProtectedMembers::GetShaderProperty(this->Actor) != this->Shaders ||
+    this->Mapper->GetNumberOfInputConnections(0) != 1 || !this->GetPipelineTime(time) ||
+    time > this->PipelineTime;
+}
+VTK_ABI_NAMESPACE_END

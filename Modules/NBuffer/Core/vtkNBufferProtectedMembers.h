@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferProtectedMembers.h
+ * @brief Every protected member of VTK's classes that this module reads, and nothing else.
+ *
+ * C++ allows a derived class to name a protected member of its base, and the pointer to member that
+ * results works for any object of the base. VTK's public getters do not serve here: they create
+ * what is missing, or they combine the times of other objects.
+ */
+#ifndef vtkNBufferProtectedMembers_h
+#define vtkNBufferProtectedMembers_h
+
+#include "vtkMapper.h"
+#include "vtkObject.h"
+#include "vtkProp.h"
+
+#include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkScalarsToColors;
+class vtkShaderProperty;
+class vtkTimeStamp;
+
+namespace vtkNBufferProtectedMembers
+{
+/// The time stamp of an object itself. vtkObject::GetMTime() is virtual and may combine several.
+inline const vtkTimeStamp& GetTimeStamp(const vtkObject* object)
+{
+  struct Access : vtkObject
+  {
+    static vtkTimeStamp vtkObject::*Get() { return &Access::MTime; }
+  };
+  return object->*Access::Get();
+}
+
+/// The shader property of a prop, or nullptr. vtkProp::GetShaderProperty() would create one.
+inline vtkShaderProperty* const& GetShaderProperty(const vtkProp* prop)
+{
+  struct Access : vtkProp
+  {
+    static vtkShaderProperty* vtkProp::*Get() { return &Access::ShaderProperty; }
+  };
+  return prop->*Access::Get();
+}
+
+/// The lookup table of a mapper, or nullptr. vtkMapper::GetLookupTable() would create one.
+inline vtkScalarsToColors* const& GetLookupTable(const vtkMapper* mapper)
+{
+  struct Access : vtkMapper
+  {
+    static vtkScalarsToColors* vtkMapper::*Get() { return &Access::LookupTable; }
+  };
+  return mapper->*Access::Get();
+}
+}
+
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkNBufferProtectedMembers.h

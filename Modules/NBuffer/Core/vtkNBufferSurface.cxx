@@ -1,0 +1,411 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferSurface.h"
+
+#include "vtkNBufferProtectedMembers.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellTypes.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositePolyDataMapper.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeRange.h"
+#include "vtkDataSetMapper.h"
+#include "vtkFloatArray.h"
+#include "vtkGenericCell.h"
+#include "vtkGeometryFilter.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOpenGLActor.h"
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkShaderProperty.h"
+#include "vtkTexture.h"
+#include "vtkTrivialProducer.h"
+
+#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
+#include "vtkCompositePolyDataMapper2.h"
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <typeinfo>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// The composite mapper that has attributes of blocks.
+#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
+using CompositeMapper = vtkCompositePolyDataMapper2;
+#else
+using CompositeMapper = vtkCompositePolyDataMapper;
+#endif
+
+/// The kinds of mappers whose drawing is known. A subclass is of kind Other.
+enum class Kind
+{
+  PolyData,
+  DataSet,
+  Composite,
+  Other
+};
+
+Kind GetKind(vtkMapper* mapper)
+{
+  const std::type_info& type = typeid(*mapper);
+  if (type == typeid(vtkOpenGLPolyDataMapper))
+  {
+    return Kind::PolyData;
+  }
+  if (type == typeid(vtkDataSetMapper))
+  {
+    return Kind::DataSet;
+  }
+  // Where VTK has two composite mappers the older one has no attributes of blocks.
+  const bool composite =
+    type == typeid(CompositeMapper) || type == typeid(vtkCompositePolyDataMapper);
+  return composite ? Kind::Composite : Kind::Other;
+}
+
+void UpdateProducer(vtkAlgorithm* algorithm)
+{
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkAlgorithm* producer = algorithm->GetInputAlgorithm(port, i);
+      if (producer && typeid(*producer) != typeid(vtkTrivialProducer))
+      {
+        producer->Update();
+      }
+    }
+  }
+}
+
+bool HasLineCells(vtkDataSet* data)
+{
+  vtkNew<vtkCellTypes> types;
+  data->VTKNBUFFER_GET_CELL_TYPES(types);
+  vtkNew<vtkGenericCell> cell;
+  for (int i = 0; i < types->GetNumberOfTypes(); ++i)
+  {
+    cell->SetCellType(types->GetCellType(i));
+    if (cell->GetCellDimension() == 1)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Add data and, if it is composite, its blocks, which inherit the attributes of the `part` that
+/// they are in.
+void AddBlocks(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* data,
+  vtkNBufferSurface::Part part, std::vector<vtkNBufferSurface::Part>& parts)
+{
+  if (data && attributes && attributes->HasBlockVisibility(data))
+  {
+    part.IsVisible = attributes->GetBlockVisibility(data);
+  }
+  if (data && attributes && attributes->HasBlockOpacity(data))
+  {
+    part.IsTranslucent = attributes->GetBlockOpacity(data) < 1.0;
+  }
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+  {
+    for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
+    {
+      AddBlocks(attributes, child, part, parts);
+    }
+  }
+  else if ((part.Mesh = vtkPolyData::SafeDownCast(data)))
+  {
+    parts.push_back(part);
+  }
+}
+
+vtkNBufferSurface::Part MakePart(vtkMatrix4x4* toWorld)
+{
+  vtkNBufferSurface::Part part;
+  std::copy_n(toWorld->GetData(), 16, part.ToWorld.begin());
+  return part;
+}
+
+/// The range of one component as vtkDataArray::GetRange() gives it. That function caches its result
+/// behind some microseconds of dispatch, which for thousands of small meshes is most of a first
+/// frame.
+void GetRange(vtkDataArray* points, int component, double range[2])
+{
+  constexpr vtkIdType few = 1024;
+  auto* floats = vtkFloatArray::FastDownCast(points);
+  if (floats && floats->GetNumberOfComponents() == 3 && floats->GetNumberOfTuples() > 0 &&
+    floats->GetNumberOfTuples() <= few)
+  {
+    const float* values = floats->GetPointer(0);
+    float low = values[component];
+    float high = low;
+    bool finite = true;
+    for (vtkIdType i = 0; i < floats->GetNumberOfTuples(); ++i)
+    {
+      const float value = values[3 * i + component];
+      low = std::min(low, value);
+      high = std::max(high, value);
+      finite = finite && std::isfinite(value);
+    }
+    if (finite)
+    {
+      range[0] = low;
+      range[1] = high;
+      return;
+    }
+  }
+  points->GetRange(range, component);
+}
+
+/// Whether vtkOpenGLVertexBufferObject::UpdateShiftScale() moves points in this box.
+bool IsShifted(vtkOpenGLPolyDataMapper* mapper, const glm::dvec3& low, const glm::dvec3& high)
+{
+  using Method = vtkOpenGLVertexBufferObject;
+  switch (mapper->GetVBOShiftScaleMethod())
+  {
+    case Method::ALWAYS_AUTO_SHIFT_SCALE:
+    case Method::AUTO_SHIFT:
+      return true;
+    case Method::AUTO_SHIFT_SCALE:
+    {
+      const glm::dvec3 size = high - low;
+      const glm::dvec3 middle = 0.5 * (high + low);
+      const double size2 = glm::dot(size, size);
+      const double distance2 = glm::dot(middle, middle);
+      return size2 > 0.0 ? distance2 / size2 > 1.0e6 || std::abs(std::log10(size2)) > 3.0
+                         : distance2 > 1.0e6;
+    }
+    default:
+      return false;
+  }
+}
+}
+
+vtkActor* vtkNBufferSurface::GetPlainActor(vtkProp* prop)
+{
+  return typeid(*prop) == typeid(vtkOpenGLActor) ? static_cast<vtkActor*>(prop) : nullptr;
+}
+
+bool vtkNBufferSurface::IsPlain(vtkMapper* mapper)
+{
+  return GetKind(mapper) != Kind::Other;
+}
+
+bool vtkNBufferSurface::IsComposite(vtkMapper* mapper)
+{
+  return GetKind(mapper) == Kind::Composite;
+}
+
+bool vtkNBufferSurface::HasReplacedShaders(vtkActor* actor)
+{
+  vtkShaderProperty* shaders = vtkNBufferProtectedMembers::GetShaderProperty(actor);
+  return shaders &&
+    (shaders->HasVertexShaderCode() || shaders->HasFragmentShaderCode() ||
+      shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0);
+}
+
+bool vtkNBufferSurface::HasOtherCoordinates(vtkActor* actor)
+{
+#if VTKNBUFFER_HAS_COORDINATE_SYSTEMS
+  return actor->GetCoordinateSystem() != vtkProp3D::WORLD;
+#else
+  (void)actor;
+  return false;
+#endif
+}
+
+vtkPolyData* vtkNBufferSurface::GetOnlyPolyData(vtkMapper* mapper)
+{
+  const Kind kind = GetKind(mapper);
+  if ((kind != Kind::PolyData && kind != Kind::DataSet) ||
+    mapper->GetNumberOfInputConnections(0) != 1)
+  {
+    return nullptr;
+  }
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  return input && typeid(*input) == typeid(vtkPolyData) ? static_cast<vtkPolyData*>(input)
+                                                        : nullptr;
+}
+
+void vtkNBufferSurface::UpdatePipeline(vtkActor* actor)
+{
+  if (vtkMapper* mapper = actor->GetMapper(); mapper && !mapper->GetStatic())
+  {
+    UpdateProducer(mapper);
+  }
+  if (vtkTexture* texture = actor->GetTexture())
+  {
+    UpdateProducer(texture);
+  }
+}
+
+double vtkNBufferSurface::GetMargin(vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  vtkPolyData* input = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  if (input && input->GetNumberOfVerts() == 0 && input->GetNumberOfLines() == 0)
+  {
+    return 0.0;
+  }
+  return 0.5 * std::max(property->GetLineWidth(), property->GetPointSize()) + 1.0;
+}
+
+bool vtkNBufferSurface::DrawsLines(vtkMapper* mapper)
+{
+  std::vector<Part> parts;
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  AddBlocks(nullptr, input, {}, parts);
+  auto* data = vtkDataSet::SafeDownCast(input);
+  return parts.empty() ? data && HasLineCells(data)
+                       : std::any_of(parts.begin(), parts.end(),
+                           [](const Part& part) { return part.Mesh->GetNumberOfLines() > 0; });
+}
+
+bool vtkNBufferSurface::HasOffsetTowardsEye(vtkMapper* mapper, bool linesOrPoints)
+{
+  // Without global resolution only visible edges switch the mapper's parameters on. Parameters that
+  // push the surface away from the eye are harmless.
+  switch (vtkMapper::GetResolveCoincidentTopology())
+  {
+    case VTK_RESOLVE_OFF:
+      return false;
+    case VTK_RESOLVE_POLYGON_OFFSET:
+    {
+      double factor = 0.0;
+      double units = 0.0;
+      mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
+      return linesOrPoints || !(factor >= 0.0 && units >= 0.0);
+    }
+    default:
+      return true;
+  }
+}
+
+std::optional<vtkNBufferSurface::BufferCoordinates> vtkNBufferSurface::GetBufferCoordinates(
+  vtkMapper* mapper)
+{
+  auto* plain =
+    GetKind(mapper) == Kind::PolyData ? static_cast<vtkOpenGLPolyDataMapper*>(mapper) : nullptr;
+  vtkPolyData* input = plain ? plain->GetInput() : nullptr;
+  if (!input || !input->GetPoints())
+  {
+    // The buffers are made from points that are not at hand. Moved or not, their vertices and the
+    // place of their zero are within twice the bounds.
+    const double* bounds = mapper->GetBounds();
+    const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
+    const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
+    return BufferCoordinates{ glm::dvec3(0.0), 2.0 * glm::max(glm::abs(low), glm::abs(high)) };
+  }
+  const int method = plain->GetVBOShiftScaleMethod();
+  if (method == vtkOpenGLVertexBufferObject::NEAR_PLANE_SHIFT_SCALE ||
+    method == vtkOpenGLVertexBufferObject::FOCAL_POINT_SHIFT_SCALE)
+  {
+    return std::nullopt;
+  }
+  // All points, used by cells or not, determine the scale of the buffer.
+  glm::dvec3 low;
+  glm::dvec3 high;
+  for (int k = 0; k < 3; ++k)
+  {
+    double range[2];
+    GetRange(input->GetPoints()->GetData(), k, range);
+    low[k] = range[0];
+    high[k] = range[1];
+  }
+  const bool shifted = vtkOpenGLVertexBufferObject::GetGlobalCoordShiftAndScaleEnabled() &&
+    IsShifted(plain, low, high);
+  return shifted ? BufferCoordinates{ 0.5 * (low + high), 0.5 * (high - low) }
+                 : BufferCoordinates{ glm::dvec3(0.0), glm::max(glm::abs(low), glm::abs(high)) };
+}
+
+std::vector<vtkNBufferSurface::Plane> vtkNBufferSurface::GetClippingPlanes(vtkMapper* mapper)
+{
+  std::vector<Plane> result;
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    vtkPlane* plane = planes->GetItem(i);
+    const double* normal = plane->GetNormal();
+    result.push_back(
+      { normal[0], normal[1], normal[2], -vtkMath::Dot(normal, plane->GetOrigin()) });
+  }
+  return result;
+}
+
+bool vtkNBufferSurface::GetPartsAtHand(
+  vtkActor* actor, vtkMatrix4x4* toWorld, std::vector<Part>& parts)
+{
+  parts.clear();
+  vtkMapper* mapper = actor->GetMapper();
+  auto* composite = CompositeMapper::SafeDownCast(mapper);
+  if (!composite && !vtkPolyDataMapper::SafeDownCast(mapper) &&
+    !vtkDataSetMapper::SafeDownCast(mapper) && !IsComposite(mapper))
+  {
+    return false;
+  }
+  AddBlocks(composite ? composite->GetCompositeDataDisplayAttributes() : nullptr,
+    mapper->GetInputDataObject(0, 0), MakePart(toWorld), parts);
+  return composite || !parts.empty();
+}
+
+bool vtkNBufferSurface::GetParts(vtkActor* actor, vtkMatrix4x4* toWorld, std::vector<Part>& parts)
+{
+  if (GetPartsAtHand(actor, toWorld, parts))
+  {
+    return true;
+  }
+  auto* mapper = vtkDataSetMapper::SafeDownCast(actor->GetMapper());
+  vtkDataObject* input = mapper ? mapper->GetInputDataObject(0, 0) : nullptr;
+  if (!input)
+  {
+    return false;
+  }
+  if (!this->Extractor)
+  {
+    this->Extractor = vtkSmartPointer<vtkGeometryFilter>::New();
+  }
+  this->Extractor->SetInputData(input);
+  this->Extractor->Update();
+  parts.push_back(MakePart(toWorld));
+  parts.back().Mesh = this->Extractor->GetOutput();
+  return true;
+}
+
+vtkNBufferMesh vtkNBufferSurface::GetMesh(vtkPolyData* data)
+{
+  vtkNBufferMesh mesh;
+  mesh.Points.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    data->GetPoint(static_cast<vtkIdType>(i), glm::value_ptr(mesh.Points[i]));
+  }
+  std::vector<unsigned int> indices;
+  if (!mesh.Points.empty() && data->GetNumberOfPolys() > 0)
+  {
+    vtkOpenGLIndexBufferObject::AppendTriangleIndexBuffer(
+      indices, data->GetPolys(), data->GetPoints(), 0, nullptr, nullptr);
+  }
+  if (!mesh.Points.empty() && data->GetNumberOfStrips() > 0)
+  {
+    vtkOpenGLIndexBufferObject::AppendStripIndexBuffer(indices, data->GetStrips(), 0, false);
+  }
+  mesh.Triangles.resize(indices.size() / 3);
+  for (std::size_t i = 0; i < mesh.Triangles.size(); ++i)
+  {
+    mesh.Triangles[i] = { indices[3 * i], indices[3 * i + 1], indices[3 * i + 2] };
+  }
+  return mesh;
+}
+VTK_ABI_NAMESPACE_END

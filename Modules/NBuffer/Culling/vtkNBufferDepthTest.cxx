@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferDepthTest.h"
+
+#include "vtkNBufferClock.h"
+#include "vtkNBufferGL.h"
+#include "vtkNBufferOcclusionTest.h"
+#include "vtkNBufferPixelTest.h"
+
+#include <algorithm>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// The number of candidates for which reading the whole depth image is worth while where it is not
+/// in host memory yet.
+constexpr std::size_t CandidatesWorthARead = 32;
+}
+
+vtkNBufferDepthTest::vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferLevels& levels,
+  const vtkNBufferProjection& projection, vtkNBufferCandidateList& props,
+  vtkNBufferStatistics& statistics, const Options& options)
+  : Backend(backend)
+  , Levels(levels)
+  , Projection(projection)
+  , Props(props)
+  , Statistics(statistics)
+  , Settings(options)
+{
+}
+
+vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
+  const vtkNBufferDepthSource& source, std::initializer_list<const std::vector<int>*> places,
+  std::string& why)
+{
+  this->Window = window;
+  this->Source = source;
+  int levels = 1;
+  for (const std::vector<int>* list : places)
+  {
+    for (int i : *list)
+    {
+      // A candidate whose rectangle is stale needs no more levels than the nodes above it.
+      if (!this->Props.GetState(i).RectangleIsStale)
+      {
+        levels = std::max(levels,
+          vtkNBufferOcclusionTest::GetLevelsNeeded(
+            this->Props.GetScreen(i).Pixels, this->Settings.Tuning.BaseFactor));
+      }
+    }
+  }
+  levels = std::max(levels, this->Props.GetLevelsNeeded(this->Settings.Tuning.BaseFactor));
+  this->Backend.SetAllowFloatTextures(this->Settings.Tuning.AllowFloatTextures);
+  return this->Backend.Build(this->Settings.Backend,
+    { window, source, this->Settings.Tuning.BaseFactor, levels, this->Levels, this->Statistics },
+    why);
+}
+
+const float* vtkNBufferDepthTest::GetDepth(std::size_t candidates)
+{
+  // With the OpenGL back-end this is a second read-back, which must have something to save.
+  if (!this->Settings.Tuning.TestPixels || candidates == 0 ||
+    (this->Backend.GetInUse() == vtkNBufferBackend::OpenGL && candidates < CandidatesWorthARead))
+  {
+    return nullptr;
+  }
+  return this->Backend.GetDepth(this->Window, this->Source, this->Statistics);
+}
+
+bool vtkNBufferDepthTest::HasVisibleSlivers(int i, vtkNBufferSliverTest& test)
+{
+  // The rectangle is made now if a node of the hierarchy was found hidden instead of the prop.
+  const vtkNBufferScreenBox& screen = this->Props.GetScreen(i);
+  if (this->Props.GetState(i).Placement != vtkNBufferPlacement::Inside)
+  {
+    return false;
+  }
+  const std::vector<vtkNBufferMeshes::Placed> meshes = this->Props.GetMeshes(i);
+  return std::any_of(meshes.begin(), meshes.end(),
+    [&](const vtkNBufferMeshes::Placed& placed)
+    { return test.MayBeSeen(*placed.Mesh, placed.ToWorld.data(), this->Props.GetBox(i), screen); });
+}
+
+bool vtkNBufferDepthTest::TestsSlivers() const
+{
+  const vtkNBufferSliverPolicy policy = this->Settings.TestSlivers;
+  return policy == vtkNBufferSliverPolicy::Always ||
+    (policy == vtkNBufferSliverPolicy::OnSoftware && vtkNBufferGL::GetSoftwareRenderer());
+}
+
+void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::vector<int>& places)
+{
+  if (tested.size() <= places.size())
+  {
+    return;
+  }
+  const vtkNBufferClock clock;
+  vtkNBufferSliverTest test(this->Projection, this->Levels, this->Source.Samples > 1 ? 0.5 : 0.0);
+  std::vector<int> visible;
+  auto left = places.begin();
+  for (int i : tested)
+  {
+    if (left != places.end() && *left == i)
+    {
+      ++left;
+      visible.push_back(i);
+    }
+    else if (this->HasVisibleSlivers(i, test))
+    {
+      visible.push_back(i);
+    }
+  }
+  this->Statistics.Slivers += static_cast<int>(visible.size() - places.size());
+  places.swap(visible);
+  this->Statistics.SliverTestTime += clock.GetMilliseconds();
+}
+
+int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
+{
+  const std::vector<int> tested = this->TestsSlivers() ? places : std::vector<int>();
+  // GetScreen() makes the rectangle, which only a candidate that is Inside has.
+  const auto isHiddenBy = [this](int i, auto& test)
+  {
+    const vtkNBufferScreenBox& screen = this->Props.GetScreen(i);
+    return this->Props.GetState(i).Placement == vtkNBufferPlacement::Inside &&
+      test.IsHidden(this->Props.GetBox(i), screen);
+  };
+
+  vtkNBufferClock clock;
+  // Testing the children of a node is cheaper than testing pieces of the node.
+  vtkNBufferOcclusionTest nodeTest(this->Projection, this->Levels, 1);
+  this->Props.MarkHidden(nodeTest);
+  vtkNBufferOcclusionTest test(
+    this->Projection, this->Levels, this->Settings.Tuning.MaximumNumberOfPieces);
+  places.erase(std::remove_if(places.begin(), places.end(),
+                 [&](int i) { return this->Props.GetState(i).Behind || isHiddenBy(i, test); }),
+    places.end());
+  this->Statistics.Queries += test.GetQueries() + nodeTest.GetQueries();
+  this->Statistics.Lookups += test.GetLookups() + nodeTest.GetLookups();
+  const auto passed = static_cast<int>(places.size());
+  this->Statistics.TestTime += clock.Restart();
+
+  const float* depth = this->GetDepth(places.size());
+  if (!depth)
+  {
+    this->PutBackSlivers(tested, places);
+    return passed;
+  }
+  clock.Restart();
+  vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth);
+  places.erase(
+    std::remove_if(places.begin(), places.end(), [&](int i) { return isHiddenBy(i, pixelTest); }),
+    places.end());
+  this->Statistics.Lookups += pixelTest.GetLookups();
+  this->Statistics.PixelTestTime += clock.GetMilliseconds();
+  this->PutBackSlivers(tested, places);
+  return passed;
+}
+VTK_ABI_NAMESPACE_END

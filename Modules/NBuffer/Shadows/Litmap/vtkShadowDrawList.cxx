@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowDrawList.h"
+
+#include <algorithm>
+#include <cmath>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// What rounding may do to a distance from the near plane, in units of its terms, generously.
+constexpr double Margin = 1e-6;
+
+/// How many of the triangles that count the ray from `origin` along `direction` crosses.
+int CountCrossings(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
+  const glm::dvec3& origin, const glm::dvec3& direction)
+{
+  int count = 0;
+  const std::vector<int>& triangles = silhouette.GetTriangles();
+  for (std::size_t t = 0; t < triangles.size(); t += 3)
+  {
+    const glm::dvec3 a = points[triangles[t]] - origin;
+    const glm::dvec3 b = points[triangles[t + 1]] - origin;
+    const glm::dvec3 c = points[triangles[t + 2]] - origin;
+    // Anticlockwise as seen from the origin: the ray passes to the left of all three edges.
+    count += glm::dot(glm::cross(a, b), direction) < 0.0 &&
+      glm::dot(glm::cross(b, c), direction) < 0.0 && glm::dot(glm::cross(c, a), direction) < 0.0;
+  }
+  return count;
+}
+}
+
+vtkShadowDrawList::vtkShadowDrawList(const vtkShadowLight& light, const View& view)
+  : Light(light)
+  , Camera(view)
+{
+}
+
+void vtkShadowDrawList::AddRays(const vtkShadowSilhouette& silhouette, const vtkShadowBlock& rays)
+{
+  this->Items.push_back({ rays, silhouette.GetMaximumCount() });
+}
+
+void vtkShadowDrawList::AddWhole(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
+  const Boxes& boxes, vtkShadowVolume& volume)
+{
+  vtkShadowDraw draw;
+  draw.FirstIndex = static_cast<int>(volume.GetIndices().size());
+  draw.MaximumCount = silhouette.GetMaximumCount();
+  draw.Offset = silhouette.GetCounting() == vtkShadowCounting::All;
+  const std::size_t firstVertex = volume.GetVertices().size();
+  volume.AddWhole(silhouette, points, this->Light);
+  draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
+  if (!draw.ZPass && this->Camera.Parallel && this->Light.IsPositional())
+  {
+    draw.Start = CountCrossings(silhouette, points, this->Light.Position, this->Camera.Direction);
+  }
+  this->AddDraw(volume, boxes, draw);
+}
+
+void vtkShadowDrawList::AddClamped(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
+  const vtkShadowLightSpace& space, const vtkShadowSlab& slab, double casterFar, const Boxes& boxes,
+  vtkShadowVolume& volume)
+{
+  vtkShadowDraw draw;
+  draw.FirstIndex = static_cast<int>(volume.GetIndices().size());
+  draw.MaximumCount = silhouette.GetMaximumCount();
+  draw.Offset = casterFar >= slab.Near && silhouette.GetCounting() == vtkShadowCounting::All;
+  const std::size_t firstVertex = volume.GetVertices().size();
+  volume.AddClamped(silhouette, points, space, slab, casterFar, vtkShadowCap::Fan);
+  draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
+  this->AddDraw(volume, boxes, draw);
+}
+
+void vtkShadowDrawList::AddDraw(
+  const vtkShadowVolume& volume, const Boxes& boxes, vtkShadowDraw draw)
+{
+  draw.NumberOfIndices = static_cast<int>(volume.GetIndices().size()) - draw.FirstIndex;
+  if (draw.NumberOfIndices == 0)
+  {
+    return;
+  }
+  const int* viewport = this->Camera.Viewport;
+  std::copy_n(viewport, 4, draw.Box);
+  // What the stencil begins with has to be taken away again everywhere.
+  if (boxes.empty() || draw.Start != 0 || !this->Camera.Boxes)
+  {
+    this->Draws.push_back(draw);
+    return;
+  }
+  for (const vtkNBufferRectangle& box : boxes)
+  {
+    draw.Box[0] = viewport[0] + box.X0;
+    draw.Box[1] = viewport[1] + box.Y0;
+    draw.Box[2] = box.GetWidth();
+    draw.Box[3] = box.GetHeight();
+    this->Draws.push_back(draw);
+    draw.Again = true;
+  }
+}
+
+bool vtkShadowDrawList::IsBeyondNearPlane(
+  const vtkShadowVolume& volume, std::size_t firstVertex) const
+{
+  const std::vector<float>& vertices = volume.GetVertices();
+  for (std::size_t i = firstVertex; i < vertices.size(); i += 4)
+  {
+    const glm::dvec4 terms =
+      this->Camera.NearPlane * glm::dvec4(glm::make_vec4(vertices.data() + i));
+    const auto addUp = [](const glm::dvec4& x) { return x[0] + x[1] + x[2] + x[3]; };
+    if (!(addUp(terms) > Margin * addUp(glm::abs(terms))))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool vtkShadowDrawList::IsCountBelow(int limit) const
+{
+  return vtkShadowOverlap::GetBound(this->Items) <= limit;
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkShadowDrawList
+ * @brief The draws of shadow volumes for one light and one view: boxes of pixels, z-pass or z-fail,
+ * and what the stencil has to hold. No OpenGL.
+ *
+ * ## z-pass or z-fail
+ *
+ * The stencil counts the faces of volumes on the line of sight: +1 where it enters a volume, -1
+ * where it leaves one. There are two ways to count for receiver R:
+ *
+ *            enters           leaves          z-pass: the sum of the faces before R, here +1
+ *      eye ----(+1)-----R-----(-1)---->       z-fail: minus the sum of those behind R, here -(-1)
+ *                                             Both are 1: R is in shadow.
+ *
+ * z-pass is right if the eye is outside of the piece: an eye inside of it has passed the (+1)
+ * already. z-fail is always right. z-pass is taken if the whole piece lies
+ * beyond the near plane, where the eye never is. That is more than necessary: an eye outside of the
+ * piece would do, with depth clamp in the place of near clipping. But then what reaches behind the
+ * eye is cut at w = 0, where depths have no bound, and rasterisers that interpolate depth on the
+ * screen lose it all over the triangle. With z-fail, what lies before the near plane is of no use
+ * and is cut off there.
+ *
+ * With a parallel camera, lines of sight end at infinity, outside of every clamped piece. But whole
+ * volumes reach to infinity themselves: for a directional light in its direction alone, for a
+ * positional light in all directions in which a triangle counts. If lines of sight end inside of c
+ * volumes, the stencil begins at c instead of 0, everywhere (vtkShadowDraw::Start).
+ *
+ * ## The range of the stencil
+ *
+ * A receiver is inside of at most as many volumes as the casters that its light ray can meet count.
+ * Where the rectangles of rays of all casters bound that by 255, all casters are counted at once.
+ *
+ * ## Boxes
+ *
+ * Drawing only into a box of pixels changes no vertex, and so no fragment: inside of the box the
+ * stencil is bit for bit the same. A piece may be drawn into several boxes that share no pixel.
+ */
+#ifndef vtkShadowDrawList_h
+#define vtkShadowDrawList_h
+
+#include "vtkNBufferMath.h"
+#include "vtkNBufferModule.h" // For export macro
+#include "vtkShadowFootprint.h"
+#include "vtkShadowLight.h"
+#include "vtkShadowOverlap.h"
+#include "vtkShadowSilhouette.h"
+#include "vtkShadowVolume.h"
+
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/// A run of a volume's triangles that are drawn in the same way.
+struct vtkShadowDraw
+{
+  int FirstIndex = 0;          ///< The first of its indices in the volume.
+  int NumberOfIndices = 0;     ///< The number of its indices.
+  bool ZPass = false;          ///< True for z-pass, false for z-fail.
+  int Box[4] = { 0, 0, 0, 0 }; ///< The pixels of the framebuffer to draw into: x, y, width, height.
+  int MaximumCount = 0;        ///< The largest number of times that a receiver is inside.
+  int Start = 0;               ///< What the stencil has to begin with in addition, see above.
+  bool Offset =
+    false;            ///< True for caps in surfaces that may be lit: they are pushed away a little.
+  bool Again = false; ///< True if it repeats the triangles of the draw before in another box. Both
+                      ///< count as one.
+};
+
+class VTKNBUFFER_EXPORT vtkShadowDrawList
+{
+public:
+  using Boxes = std::vector<vtkNBufferRectangle>; ///< Pixels of the viewport.
+
+  /// The camera's part.
+  struct View
+  {
+    /// The row z + w of the clip coordinates of (x, y, z, w) relative to the volume's origin. It is
+    /// positive beyond the near plane.
+    glm::dvec4 NearPlane = { 0.0, 0.0, 0.0, 1.0 };
+
+    glm::dvec3 Direction = { 0.0, 0.0, -1.0 }; ///< Where the camera looks, in the world.
+    bool Parallel = false;                     ///< True for parallel projection.
+    int Viewport[4] = { 0, 0, 0, 0 };          ///< x, y, width, height in the framebuffer.
+
+    /// True to draw in boxes of pixels; not all devices keep to them
+    /// (vtkNBufferGL::KeepsToScissor).
+    bool Boxes = true;
+
+    /// What one more box costs, in pixels, and 1/32 of it for each triangle that it sets up again.
+    /// A volume is drawn into one more box where that leaves out more pixels. The default is a
+    /// compromise: software renderers fill in a few nanoseconds for each pixel and set up a
+    /// triangle in some tenths of a microsecond, devices are limited by what they fill.
+    double BoxCost = 256.0;
+  };
+
+  /// `light` must outlive the list.
+  vtkShadowDrawList(const vtkShadowLight& light, const View& view);
+
+  /// Adds the rays of a caster that will be drawn to what bounds the stencil.
+  void AddRays(const vtkShadowSilhouette& silhouette, const vtkShadowBlock& rays);
+
+  /// Adds the whole volume of a caster to `volume`, and its draws into these boxes, or everywhere
+  /// if there are none.
+  void AddWhole(const vtkShadowSilhouette& silhouette, vtkShadowPoints points, const Boxes& boxes,
+    vtkShadowVolume& volume);
+
+  /// Adds a clamped piece of a caster's volume (vtkShadowVolume::AddClamped) and its draws.
+  void AddClamped(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
+    const vtkShadowLightSpace& space, const vtkShadowSlab& slab, double casterFar,
+    const Boxes& boxes, vtkShadowVolume& volume);
+
+  /// The draws, in the order in which they were added.
+  const std::vector<vtkShadowDraw>& GetDraws() const { return this->Draws; }
+
+  /// Returns true if no receiver is inside of all volumes drawn more often than this.
+  bool IsCountBelow(int limit) const;
+
+private:
+  void AddDraw(const vtkShadowVolume& volume, const Boxes& boxes, vtkShadowDraw draw);
+  bool IsBeyondNearPlane(const vtkShadowVolume& volume, std::size_t firstVertex) const;
+
+  const vtkShadowLight& Light;
+  View Camera;
+  std::vector<vtkShadowDraw> Draws;
+  std::vector<vtkShadowOverlap::Item> Items; ///< The rays of the casters, weighted by their counts.
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

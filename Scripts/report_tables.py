@@ -1,0 +1,457 @@
+# SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The tables of the documents, and the figures that follow from what nbuffer-bench measured.
+
+Each table is a function of the report and of the argument behind its name in the document.
+"""
+
+import math
+
+import pandas as pd
+
+PEERS = ["stock", "nbuffer", "queries", "queries-conservative", "chc", "oracle"]
+
+
+class NotMeasured(Exception):
+    """The figures of a table are not in the files."""
+
+
+# Numbers and Markdown.
+
+
+def number(value):
+    """Three digits, thousands apart; nothing for no value."""
+    if value is None or (isinstance(value, float) and math.isnan(value)):
+        return ""
+    size = abs(value)
+    digits = 0 if size >= 100 or round(value) == value else 1 if size >= 10 else 2
+    return f"{value:,.{digits}f}"
+
+
+def span(times):
+    return "" if not times else (
+        f"{number(times['median'])} ({number(times['p10'])} to {number(times['p90'])})")
+
+
+def times_of(mode):
+    """The summary of a mode's times as `median`, `p10` and `p90`."""
+    return {name: mode[name + "_ms"] for name in ("median", "p10", "p90")}
+
+
+def median_of(times):
+    return times["median"] if times else None
+
+
+def table(head, rows):
+    rows = list(rows)
+    if not rows:
+        raise NotMeasured
+    lines = [head, ["---"] * len(head), *rows]
+    return "".join("| " + " | ".join(
+        cell if isinstance(cell, str) else number(cell) for cell in line) + " |\n" for line in lines)
+
+
+def title(scene):
+    """Paths of the city have no other name."""
+    return scene["path"] if scene["scene"] == "city" else f"{scene['scene']} {scene['path']}"
+
+
+def find(entries, name):
+    for entry in entries or []:
+        if name in (title(entry), entry["scene"]):
+            return entry
+    raise NotMeasured
+
+
+def ratio(report, a, b):
+    """The median over the frames of (time of a) / (time of b)."""
+    frames = pd.DataFrame({name: report["modes"][name]["frames_ms"] for name in {a, b}})
+    return float((frames[a] / frames[b]).median())
+
+
+# Figures that follow from the measured ones.
+
+
+def group_of(name):
+    for group in ("culler", "outline", "table"):
+        if name.startswith(group):
+            return group
+    return ("positions" if "positions" in name else "one level" if name.startswith("one level")
+            else "mips" if "mips" in name else "rectangles" if name.startswith("rect")
+            else "strided" if " s=" in name else "squares in pieces" if " in 8" in name
+            else "one square" if "x1 " in name else "four squares")
+
+
+def mark_pareto(points, time, error):
+    """Marks the points than which no other one is faster and has less error."""
+    order = points.sort_values(time, kind="stable")
+    least = order[error].cummin().shift(fill_value=math.inf)
+    points["pareto"] = (order[error] < least).reindex(points.index)
+    return points
+
+
+def cost_of_a_prop(walk):
+    """Microseconds that drawing one more prop takes."""
+    none, oracle = walk["modes"]["none"], walk["modes"]["oracle"]
+    props = none["drawn"] - oracle["drawn"]
+    return 1e3 * (none["median_ms"] - oracle["median_ms"]) / props if props > 0 else 0.0
+
+
+def structures(scene):
+    """The depth structures of a scene as a table of pandas."""
+    points = pd.json_normalize(scene["structures"])
+    points["group"] = points["name"].map(group_of)
+    points["kept"] = 100.0 * points["false_visible"] / points["hidden"].clip(lower=1)
+    covered = points["covered_area"] > 0
+    points["over"] = (100.0 * (points["covered_area"] / points["area"] - 1.0)).where(covered)
+    kept = 0.01 * points["kept"] * scene["hidden"]
+    points["loss"] = points["total_ms.median"] + 1e-3 * kept * cost_of_a_prop(scene["walk"])
+    return mark_pareto(points, "total_ms.median", "kept")
+
+
+def shadow_points(scene):
+    points = pd.DataFrame([
+        {"name": name, "kind": name.split("@")[0], **times_of(mode),
+         "percent": mode.get("fragments_percent", math.nan), "fragments": mode.get("fragments"),
+         "exact": mode["must_be_exact"], **mode["oracle"]}
+        for name, mode in scene["modes"].items() if name != "none"])
+    points["wrong_percent"] = 100.0 * points["wrong"] / points["samples"].clip(lower=1)
+    points["is_default"] = points["name"] == scene["default"]
+    # Nothing that is right is faster and covers less.
+    points["right"] = points["percent"].where(points["wrong"] == 0).fillna(math.inf)
+    return mark_pareto(points, "median", "right")
+
+
+def shadowed_percent(scene):
+    """Pixels that shadows change, in percent of the fragments of whole volumes."""
+    return 100.0 * scene["shadowed"] / max(scene["modes"]["unclamped"]["fragments"], 1)
+
+
+def setting_points(scene, of_shadows):
+    """What was tried of each setting: its time, its ratio to the default, and its error."""
+    points = []
+    for entry in scene["tried"]:
+        mode = scene["modes"][entry["mode"]]
+        point = {**entry, **times_of(mode), "ratio": ratio(scene, entry["mode"], entry["kind"]),
+                 "is_default": entry["mode"] == entry["kind"], "error": math.nan,
+                 "usual": entry["kind"] in ("nbuffer", "auto")}
+        if of_shadows:
+            point["error"] = mode["fragments_percent"]
+        elif "oracle" in scene["modes"]:
+            seen, drawn, stock = (sum(scene["modes"][name]["frames_drawn"])
+                                  for name in ("oracle", entry["mode"], "stock"))
+            point["error"] = 100.0 * (drawn - seen) / (stock - seen) if stock > seen else 0.0
+        points.append(point)
+    return pd.DataFrame(points)
+
+
+def setting_scenes(report):
+    settings = report.get("settings") or {}
+    for part in ("culler", "still", "shadows"):
+        for scene in settings.get(part) or []:
+            yield part, scene, setting_points(scene, part == "shadows")
+
+
+# Tables. Each has a function of the report and the argument that follows its name.
+
+POINT_HEAD = ["", "structure", "hidden props kept, %", "covered too much, %", "build ms", "query ms",
+              "both: p10 to p90", "lookups", "MB", "loss ms"]
+
+
+def point_row(place, point):
+    return [place, point["name"] + (" (default)" if point["is_default"] else ""), point["kept"],
+            point["over"], point["build_ms.median"], point["query_ms.median"],
+            f"{number(point['total_ms.p10'])} to {number(point['total_ms.p90'])}", point["lookups"],
+            1e-6 * point["bytes"], point["loss"]]
+
+
+def machine(report, _=""):
+    if "renderer" not in report:
+        raise NotMeasured
+    return (f"{report['renderer']}, VTK {report['vtk']}, {report['size']}, {report['effort']} run, "
+            f"{report['seconds']:.0f} s.\n")
+
+
+def settings_machine(report, _):
+    if "renderer" not in (report.get("settings") or {}):
+        raise NotMeasured
+    return machine(report["settings"])
+
+
+def pareto(report, path):
+    scene = find(report.get("scenes"), path)
+    points = structures(scene).sort_values("total_ms.median", kind="stable")
+    rows, place = [], 0
+    for _, point in points.iterrows():
+        if point["pareto"]:
+            place += 1
+            rows.append(point_row(str(place), point))
+        elif point["is_default"]:
+            rows.append(point_row("", point))
+    return (f"{number(scene['in_view'])} props in view, {number(scene['hidden'])} of them hidden "
+            f"(means over {scene['frames']} frames); {len(points)} structures.\n\n"
+            + table(POINT_HEAD, rows))
+
+
+def best(report, path):
+    points = structures(find(report.get("scenes"), path)).sort_values("loss", kind="stable")
+    return table(POINT_HEAD, (
+        point_row(f"{place}.", point) for place, (_, point) in enumerate(points.iterrows(), 1)
+        if place <= 6 or point["is_default"]))
+
+
+def chain(report, path):
+    points = structures(find(report.get("scenes"), path)).set_index("name", drop=False)
+    names = ["one level 1/4", "one level 1/8", "one level 1/16", "mips 2x2 1/4", "fat mips 2x2 1/4",
+             "mips 4x4 1/4", "fat mips 4x4 1/4", "squares x1 1/4", "squares s=2 x4 1/4",
+             "squares x4 1/4", "squares x4 1/8", "squares x4 1/16"]
+    return table(POINT_HEAD, (
+        point_row("", points.loc[name]) for name in names if name in points.index))
+
+
+def frames(report, _):
+    def row(scene):
+        walk = scene["walk"]
+        stock, nbuffer, oracle = (walk["modes"][name] for name in ("stock", "nbuffer", "oracle"))
+        return [title(scene), stock["median_ms"], nbuffer["median_ms"], oracle["median_ms"],
+                " / ".join(number(mode["drawn"]) for mode in (stock, nbuffer, oracle)),
+                ratio(walk, "stock", "nbuffer"), ratio(walk, "nbuffer", "oracle"),
+                cost_of_a_prop(walk)]
+    return table(["path", "stock ms", "nbuffer ms", "oracle ms", "drawn: stock / nbuffer / oracle",
+                  "stock / nbuffer", "nbuffer / oracle", "a prop more, µs"],
+                 map(row, report.get("scenes") or []))
+
+
+def peers(report, _):
+    rows, skipped = [], {}
+    for scene in report.get("scenes") or []:
+        modes = scene["walk"]["modes"]
+        if not {"queries", "chc"} & set(modes):
+            continue  # The table of whole frames has it.
+        seen = modes["oracle"]["drawn"]
+        hidden = modes["stock"]["drawn"] - seen
+        for name in filter(modes.__contains__, PEERS):
+            mode, asked = modes[name], modes[name].get("queries") or {}
+            rows.append([
+                title(scene), name, span(times_of(mode)), mode["drawn"],
+                100.0 * (mode["drawn"] - seen) / hidden if hidden > 0 else 0.0,
+                *(asked.get(key) for key in ("queries", "waits", "wait_ms", "redrawn")),
+                mode["differing_bytes"]])
+        skipped = scene["walk"]["skipped"]
+    return table(["path", "mode", "ms (p10 to p90)", "props drawn", "hidden props kept, %",
+                  "queries", "waited for", "waiting ms", "drawn again", "wrong bytes"], rows) + "".join(
+                      f"\nSkipped: {mode}, {why}.\n" for mode, why in skipped.items())
+
+
+def fragments(report, _):
+    return table(
+        ["path", "mode", "draws", "fragments", "shown", "wasted", "wasted, % of fragments",
+         "by hidden props", "by drawing again"],
+        ([title(scene), name, entry["draws"], entry["passed"], entry["shown"], entry["wasted"],
+          100.0 * entry["wasted"] / max(entry["passed"], 1), entry["of_hidden"], entry["again"]]
+         for scene in report.get("scenes") or []
+         for name, entry in sorted((scene.get("fragments") or {}).items(),
+                                   key=lambda item: PEERS.index(item[0]))))
+
+
+def latent(report, _):
+    return table(
+        ["path", "poses ago", "frames", "frames with wrong pixels", "visible props missing",
+         "wrong pixels", "most in a frame", "hidden props left out, %"],
+        ([title(scene), *(str(entry[name]) for name in (
+            "step", "frames", "popping_frames", "missing_props", "wrong_pixels",
+            "most_wrong_pixels")),
+          100.0 * entry["left_out"] / max(entry["hidden_props"], 1)]
+         for scene in report.get("scenes") or [] for entry in scene.get("latent") or []))
+
+
+def device_row(entry, name, factor):
+    return next((row for row in entry["rows"] if (row["name"], row["factor"]) == (name, factor)), {})
+
+
+def device(report, _):
+    def row(entry):
+        def get(*key):
+            return device_row(entry, *key)
+        everything, one = get("module, all levels", 1), get("module, one level", 4)
+        return [f"{entry['width']} x {entry['height']}", span(entry["draw_ms"]),
+                median_of(entry["read_ms"]), span(everything["build_ms"]),
+                median_of(everything["read_ms"]), span(get("module, all levels", 4)["build_ms"]),
+                span(one["build_ms"]), median_of(one["read_ms"]),
+                *(median_of(get(*key)["build_ms"]) for key in (
+                    ("CPU, all levels", 1), ("CPU, all levels", 4), ("CPU, one level", 4)))]
+    return table(["size", "drawing ms", "reading depth ms", "OpenGL: all levels ms",
+                  "reading them ms", "all on 1/4 ms", "one 1/4 ms", "reading it ms",
+                  "CPU: all levels ms", "all on 1/4 ms", "one 1/4 ms"],
+                 map(row, report.get("device") or []))
+
+
+def single(report, _):
+    rows, skipped = [], {}
+    for entry in report.get("device") or []:
+        for factor in (4, 8, 16):
+            cells = [f"{entry['width']} x {entry['height']}", f"1/{factor}"]
+            for name in ("pass", "passes", "compute"):
+                row = device_row(entry, name, factor)
+                cells += [span(row.get("build_ms")), median_of(row.get("device_ms"))]
+                if "skipped" in row:
+                    skipped[name] = row["skipped"]
+            rows.append([*cells, median_of(device_row(entry, "pass", factor).get("read_ms")),
+                         median_of(device_row(entry, "CPU, one level", factor)["build_ms"])])
+    return table(["size", "1/N", "one pass ms", "device ms", "passes of 2 x 2 ms", "device ms",
+                  "compute ms", "device ms", "reading it ms", "CPU ms"], rows) + "".join(
+                      f"\nSkipped: {name}, {why}.\n" for name, why in skipped.items())
+
+
+def hierarchy(report, path):
+    def row(entry):
+        flat, tree = entry["flat"], entry["tree"]
+        return [entry["props"], flat["kept"], flat["tests"], tree["tests"], tree["nodes"],
+                flat["ms"]["median"], tree["ms"]["median"],
+                flat["ms"]["median"] / tree["ms"]["median"] if tree["ms"]["median"] else 0.0,
+                entry["refit_ms"]["median"], entry["build_ms"]["median"]]
+    return table(["props", "kept", "boxes tested: flat", "tree", "nodes looked at", "flat ms",
+                  "tree ms", "flat / tree", "refit ms", "build ms"],
+                 map(row, find(report.get("hierarchy"), path)["entries"]))
+
+
+def formats(report, _):
+    if not report.get("formats"):
+        raise NotMeasured
+    entries = pd.json_normalize(report["formats"]["entries"])
+    kept = 100.0 * entries["false_visible"] / entries["hidden"].clip(lower=1)
+    entries["cell"] = entries["slack.median"].map("{:.3g} m, ".format) + kept.map("{:.1f} %".format)
+    cells = entries.pivot(index="ratio", columns="format", values="cell")
+    cells = cells[list(dict.fromkeys(entries["format"]))]
+    return table(["far / near", *cells.columns],
+                 ([f"{far:.0e}", *row] for far, row in zip(cells.index, cells.values)))
+
+
+def table1(report, _):
+    """The paper's sizes, levels and milliseconds (GeForce FX 6800) beside those measured here."""
+    paper = {(256, 256): (8, 2.0), (512, 512): (9, 8.0), (640, 480): (10, 10.0),
+             (1024, 1024): (10, 31.0)}
+    rows = []
+    for entry in report.get("device") or []:
+        size = entry["width"], entry["height"]
+        if size in paper:
+            built = device_row(entry, "module, all levels", 1)
+            rows.append([f"{size[0]} x {size[1]}", str(built["levels"]), str(paper[size][0]),
+                         paper[size][1],
+                         median_of(device_row(entry, "CPU, all levels", 1)["build_ms"]),
+                         span(built["build_ms"])])
+    return table(["size", "levels", "the paper's: levels", "the paper's ms", "CPU ms",
+                  "OpenGL ms (p10 to p90)"], rows)
+
+
+def table2(report, _):
+    here = report.get("table2")
+    if not here:
+        raise NotMeasured
+    keys = ("oq_hierarchy", "oq", "nb_hierarchy", "nb")
+    paper = dict(zip(keys, (1100000, 200000, 350, 500)))
+    return (f"{number(here['boxes'])} boxes in view, {number(here['visible'])} visible.\n\n" + table(
+        ["depth tests of a frame", "queries over a hierarchy", "queries",
+         "N-buffer over a hierarchy", "N-buffer"],
+        [["the paper", *(paper[key] for key in keys)],
+         ["here", *(here["tests"][key] for key in keys)]]))
+
+
+def figure4(report, _):
+    return table(["", "all pixels too many / all asked for, %", "mean over sizes, %", "median, %",
+                  "most, %"],
+                 ([entry["caption"], *(entry[name + "_percent"] for name in (
+                     "area", "mean", "median", "most"))] for entry in report.get("figure4") or []))
+
+
+def left_out(report, _):
+    if "left_out" not in report:
+        raise NotMeasured
+    names = ", ".join(f"`{name}`" for name in report["left_out"])
+    return f"Not there in this run and left out: {names}.\n" if names else ""
+
+
+def known(report, _):
+    rows = []
+    for scene in report.get("scenes") or []:
+        if "table" in scene:
+            counts, points = scene["table"], structures(scene)
+            kept = points.loc[points["is_default"], "kept"].iloc[0]
+            rows.append([
+                title(scene), counts["in_view"], counts["table"],
+                counts["visible"] + 0.01 * kept * scene["hidden"], counts["visible"],
+                counts["pixels"], counts["undrawn_pixels"] + counts["contradictions"],
+                counts["undrawn_pixels"]])
+    return table(["scene", "props in view", "left in by the table", "kept by the culler",
+                  "own a pixel", "pixels checked", "outside the table",
+                  "of these through undrawn walls"], rows)
+
+
+def shadows(report, name):
+    scene = find(report.get("shadows"), name)
+    points = shadow_points(scene).sort_values("median", kind="stable")
+    rows, place = [], 0
+    for _, point in points.iterrows():
+        place += bool(point["pareto"])
+        if point["pareto"] or point["is_default"] or point["wrong"] or point["name"] == "unclamped":
+            rows.append([str(place) if point["pareto"] else "",
+                         point["name"] + (" (default)" if point["is_default"] else ""), span(point),
+                         point["percent"],
+                         f"{number(point['wrong'])} of {number(point['samples'])}",
+                         point["ambiguous"]])
+    return (f"Without shadows {number(scene['modes']['none']['median_ms'])} ms; pixels that shadows "
+            f"change: {number(shadowed_percent(scene))} % of the fragments of whole volumes; "
+            f"{len(points)} modes.\n\n" + table(
+                ["", "mode@litmap", "ms (p10 to p90)", "fragments, %", "wrong samples",
+                 "differ and are ambiguous"], rows))
+
+
+def fill(report, _):
+    if not report.get("shadows"):
+        raise NotMeasured
+    rows = [["the paper, city", "", "", 2.5, "", ""], ["the paper, simple scenes", "", "", 20, "", ""]]
+    for scene in report["shadows"]:
+        modes = scene["modes"]
+        rows.append([scene["scene"], modes["unclamped"]["fragments"], *(
+            modes.get(name + "@256", {}).get("fragments_percent")
+            for name in ("exact", "clamp", "slabs", "paper"))])
+    return table(["scene", "fragments of whole volumes, a frame", "litmap 256: exact, %",
+                  "clamped to one slab, %", "to several, %", "the paper's litmap, %"], rows)
+
+
+def setting(report, name):
+    rows, values, of_shadows = [], {}, False
+    for part, scene, points in setting_scenes(report):
+        of_shadows = of_shadows or (part == "shadows" and (points["setting"] == name).any())
+        for kind, group in points[points["setting"] == name].groupby("kind", sort=False):
+            default = group[group["is_default"]].iloc[0]
+            cells = {}
+            for _, point in group.iterrows():
+                values[point["value"]] = point["is_default"]
+                error = "" if math.isnan(point["error"]) else f"; {number(point['error'])} %"
+                cells[point["value"]] = number(
+                    1 if point["is_default"] else point["ratio"]) + error
+            rows.append((
+                f"{scene['scene']}, {kind}" if part == "shadows" else title(scene), span(default),
+                ratio(scene, scene["again"], kind) if default["usual"] else "", cells))
+    head = ["scene, mode" if of_shadows else "path", "default: ms (p10 to p90)", "default again"]
+    tried = sorted(values)
+    head += [f"{value}{' (default)' if values[value] else ''}" for value in tried]
+    return table(head, ([*row, *(cells.get(value, "") for value in tried)] for *row, cells in rows))
+
+
+def few(report, _):
+    modes = ["nbuffer", "nbuffer:MinimumNumberOfCandidates=1",
+             "nbuffer:MinimumNumberOfCandidates=1:BackOff=0"]
+    return table(
+        ["path", "props in view", "drawn by the culler", "stock ms (p10 to p90)", "default / stock",
+         "from 1 on / stock", "from 1 on, never backing off / stock"],
+        ([title(scene), entry["props"], entry["modes"][modes[-1]]["drawn"],
+          span(times_of(entry["modes"]["stock"])), *(ratio(entry, mode, "stock") for mode in modes)]
+         for scene in (report.get("settings") or {}).get("few") or []
+         for entry in scene["entries"]))
+
+
+TABLES = {function.__name__: function for function in (
+    machine, settings_machine, frames, peers, fragments, device, single, pareto, best, chain,
+    hierarchy, formats, latent, table1, table2, figure4, left_out, known, shadows, fill, setting, few)}

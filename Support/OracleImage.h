@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file OracleImage.h
+ * @brief The light that the ray oracle (RayOracle.h) casts rays to, and the image that it makes.
+ */
+#ifndef OracleImage_h
+#define OracleImage_h
+
+#include <vector>
+
+class vtkLight;
+
+/// A light as VTK's shaders have it, in world coordinates.
+struct OracleLight
+{
+  explicit OracleLight(vtkLight* light);
+
+  /// Returns a unit vector from a place to the light.
+  void GetDirectionTo(const double place[3], double direction[3]) const;
+
+  bool Positional;
+  double Position[3];
+  double Direction[3];      ///< Unit length, away from the light.
+  double ConeCosine = -2.0; ///< Nothing is lit below; -2 for lights without a cone.
+};
+
+enum class OracleSample : unsigned char
+{
+  Background, ///< No triangle.
+  Lit,
+  Shadowed, ///< It would be lit.
+  Unlit ///< The light is on the other side of the triangle's plane than the eye, or the sample is
+        ///< outside of the light's cone: VTK's two-sided lighting leaves it dark with or without
+        ///< shadow.
+};
+
+struct OracleImage
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<OracleSample> Samples; ///< Row by row, the lowest first.
+  /// Not 0: the sample is so near to a boundary that rounding may decide, see Oracle::IsAmbiguous
+  /// and ThinSides.h.
+  std::vector<unsigned char> Ambiguous;
+
+  int Count(OracleSample sample) const;
+  int CountAmbiguous() const;
+};
+
+#endif

@@ -1,0 +1,176 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tests Scripts/report.py on small-study.json, which holds few entries of a real study.
+
+Ends with 77, skipped, where pandas or matplotlib is missing.
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+sys.path.insert(0, str(ROOT / "Scripts"))
+
+try:
+    import pandas as pd
+    import matplotlib  # noqa: F401 (only whether it is there)
+except ImportError as error:
+    print(f"Skipped: {error}; Scripts/requirements-report.txt has what is needed")
+    sys.exit(77)
+
+import report  # noqa: E402
+import report_tables as tables  # noqa: E402
+
+STUDY = HERE / "small-study.json"
+
+
+def rows(text):
+    """The cells of the rows of a table, without its head."""
+    lines = [line for line in text.splitlines() if line.startswith("|")]
+    return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines[2:]]
+
+
+class Figures(unittest.TestCase):
+    def setUp(self):
+        self.study = json.loads(STUDY.read_text())
+
+    def test_numbers_have_three_digits(self):
+        for value, text in ((0, "0"), (0.125, "0.12"), (3, "3"), (12.34, "12.3"), (123.4, "123"),
+                            (1234567, "1,234,567"), (-1234.5, "-1,234"), (None, ""),
+                            (float("nan"), "")):
+            self.assertEqual(tables.number(value), text)
+
+    def test_ratio_is_the_median_over_frames(self):
+        walk = {"modes": {"a": {"frames_ms": [2, 9, 8]}, "b": {"frames_ms": [1, 3, 2]}}}
+        self.assertEqual(tables.ratio(walk, "a", "b"), 3)
+
+    def test_pareto_line(self):
+        points = pd.DataFrame({"time": [3, 1, 2, 4], "error": [5, 9, 9, 1]})
+        self.assertEqual(
+            list(tables.mark_pareto(points, "time", "error")["pareto"]), [True, True, False, True])
+
+    def test_structures(self):
+        for scene in self.study["scenes"]:
+            points = tables.structures(scene)
+            self.assertEqual(points["is_default"].sum(), 1)
+            self.assertTrue(points["kept"].between(0, 100).all())
+            self.assertGreaterEqual(points["pareto"].sum(), 1)
+            fastest = points["total_ms.median"].idxmin()
+            self.assertTrue(points.loc[fastest, "pareto"])
+            self.assertTrue((points["loss"] >= points["total_ms.median"] - 1e-9).all())
+        self.assertEqual(
+            [tables.group_of(name) for name in (
+                "culler 1/4 in 8 + pixels", "outline per pixel", "squares x4 1/4",
+                "squares x4 1/4 in 8", "squares s=2 x4 1/4", "squares x1 1/4", "fat mips 2x2 1/4",
+                "one level 1/8", "rectangles band 1 x4 1/4", "squares x4 1/4 with positions")],
+            ["culler", "outline", "four squares", "squares in pieces", "strided", "one square",
+             "mips", "one level", "rectangles", "positions"])
+
+    def test_cost_of_a_prop(self):
+        walk = {"modes": {"none": {"drawn": 110, "median_ms": 3}, "oracle": {"drawn": 10, "median_ms": 1}}}
+        self.assertAlmostEqual(tables.cost_of_a_prop(walk), 20)
+
+    def test_kept_props_of_settings(self):
+        def mode(drawn):
+            return {"median_ms": 1, "p10_ms": 1, "p90_ms": 1, "frames_ms": [1, 1], "frames_drawn": drawn}
+        scene = {"modes": {"oracle": mode([5, 5]), "stock": mode([105, 5]), "nbuffer": mode([25, 5])},
+                 "tried": [{"kind": "nbuffer", "setting": "BackOff", "value": 1, "mode": "nbuffer"}]}
+        self.assertEqual(tables.setting_points(scene, False)["error"][0], 20)
+
+    def test_wrong_shadows_are_not_on_the_line(self):
+        points = tables.shadow_points(self.study["shadows"][0])
+        self.assertFalse((points["pareto"] & (points["wrong"] > 0)).any())
+
+
+class Documents(unittest.TestCase):
+    def setUp(self):
+        self.study = json.loads(STUDY.read_text())
+
+    def test_every_table_can_be_drawn(self):
+        for name, draw in tables.TABLES.items():
+            argument = {"pareto": "street", "best": "street", "chain": "street",
+                        "hierarchy": "street", "shadows": "birds", "setting": "RoundSize"}.get(name, "")
+            try:
+                text = draw(self.study, argument)
+            except tables.NotMeasured:
+                self.assertEqual(name, "known")  # Only maps have a table of their own.
+                continue
+            for row in rows(text):
+                self.assertEqual(len(row), len(text[text.index("|"):].splitlines()[0].split("|")) - 2)
+
+    def test_setting_of_shadows(self):
+        text = tables.setting(self.study, "BoxCost")
+        self.assertIn("256 (default)", text)
+        self.assertTrue(all(row[0].startswith("birds, ") for row in rows(text)))
+
+    def test_only_tables_are_replaced(self):
+        text = "before\n<!-- table: machine -->\nold\n<!-- end -->\nafter\n"
+        filled, missing = report.fill_document(text, self.study)
+        self.assertEqual(missing, [])
+        self.assertTrue(filled.startswith("before\n<!-- table: machine -->\n"))
+        self.assertTrue(filled.endswith(" s.\n<!-- end -->\nafter\n"))
+        self.assertNotIn("old", filled)
+        self.assertEqual(report.fill_document(filled, self.study)[0], filled)
+
+    def test_what_was_not_measured_stays(self):
+        text = "<!-- table: pareto nowhere -->\nold\n<!-- end -->\n"
+        self.assertEqual(report.fill_document(text, self.study), (text, ["pareto nowhere"]))
+
+    def test_an_unknown_table_is_an_error(self):
+        with self.assertRaises(SystemExit):
+            report.fill_document("<!-- table: chair -->\n<!-- end -->\n", self.study)
+
+    def test_the_documents_name_known_tables(self):
+        for name in report.DOCUMENTS:
+            text = (ROOT / "docs" / name).read_text()
+            fields = report.TABLE.findall(text)
+            self.assertEqual(len(fields), text.count("<!-- table: "), name)
+            self.assertEqual(len(fields), text.count("<!-- end -->"), name)
+            for _, field, _ in fields:
+                self.assertIn(field.split(" ")[0], tables.TABLES)
+
+
+class Commands(unittest.TestCase):
+    def run_report(self, *arguments):
+        return subprocess.run([sys.executable, ROOT / "Scripts/report.py", *map(str, arguments)],
+                              check=True, capture_output=True, text=True)
+
+    def test_study(self):
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            (folder / "accuracy.md").write_text("<!-- table: table2 -->\n<!-- end -->\n")
+            self.run_report("study", STUDY, STUDY, "--docs", folder, "--charts", folder / "charts",
+                            "--csv", folder)
+            self.assertIn("| the paper |", (folder / "accuracy.md").read_text())
+            charts = {file.name for file in (folder / "charts").iterdir()}
+            self.assertLessEqual(
+                {"pareto-city-street.png", "hierarchy-city-street.png", "formats.png", "figure-4.png",
+                 "shadows-birds.png", "shadow-errors-birds.png", "settings-birds.png",
+                 "settings-city-street.png"}, charts)
+            structures = pd.read_csv(folder / "structures.csv")
+            self.assertIn("pareto", structures.columns)
+            self.assertTrue((folder / "settings.csv").is_file())
+
+    def test_walk_and_first(self):
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            study = json.loads(STUDY.read_text())
+            walk = {**study["scenes"][0]["walk"], "scene": "city", "path": "street", "size": "1x1"}
+            (folder / "walk.json").write_text(json.dumps(walk))
+            self.run_report("walk", folder / "walk.json", "--chart", folder / "times.svg")
+            self.assertIn("<svg", (folder / "times.svg").read_text())
+            for i, time in enumerate((3, 100, 5)):
+                (folder / f"{i}.json").write_text(
+                    json.dumps({"mode": "nbuffer", "first_image_ms": time}))
+            done = self.run_report("first", *sorted(folder.glob("?.json")))
+            self.assertEqual(done.stdout, "nbuffer: first image 5 ms\n")
+
+
+if __name__ == "__main__":
+    unittest.main()

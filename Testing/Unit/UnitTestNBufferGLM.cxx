@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Between GLM's types and VTK's arrays; GLM rounds as VTK does where that matters.
+#include "vtkNBufferGLM.h"
+
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+namespace
+{
+using Rows = std::array<double, 16>;
+
+Rows MakeRows(std::mt19937& random)
+{
+  std::uniform_real_distribution<double> uniform(-10.0, 10.0);
+  Rows rows;
+  for (double& value : rows)
+  {
+    value = uniform(random);
+  }
+  return rows;
+}
+}
+
+TEST(NBufferGLM, RowsAndColumns)
+{
+  Rows rows;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    rows[i] = static_cast<double>(i);
+  }
+  const glm::dmat4 matrix = vtkNBufferGLM::ToMatrix(rows.data());
+  EXPECT_EQ(matrix[3], glm::dvec4(3.0, 7.0, 11.0, 15.0)) << "the last column";
+  EXPECT_EQ(vtkNBufferGLM::ToRows(matrix), rows);
+}
+
+// Hazard: world-to-clip, and what is compared with it, is not that of the mappers, to the bit.
+TEST(NBufferGLM, RoundsAsVTKDoes)
+{
+  std::mt19937 random(5);
+  for (int n = 0; n < 1000; ++n)
+  {
+    const Rows a = MakeRows(random);
+    const Rows b = MakeRows(random);
+    const glm::dmat4 matrix = vtkNBufferGLM::ToMatrix(a.data());
+
+    Rows product;
+    vtkMatrix4x4::Multiply4x4(a.data(), b.data(), product.data());
+    ASSERT_EQ(vtkNBufferGLM::ToRows(matrix * vtkNBufferGLM::ToMatrix(b.data())), product);
+
+    Rows inverse;
+    vtkMatrix4x4::Invert(a.data(), inverse.data());
+    ASSERT_EQ(vtkNBufferGLM::ToRows(vtkNBufferGLM::Invert(matrix)), inverse);
+
+    glm::dvec4 moved;
+    vtkMatrix4x4::MultiplyPoint(a.data(), b.data(), glm::value_ptr(moved));
+    ASSERT_EQ(vtkNBufferGLM::Multiply(matrix, glm::make_vec4(b.data())), moved);
+
+    glm::dvec3 unit = vtkNBufferGLM::ToVector(b.data());
+    const glm::dvec3 normalized = vtkNBufferGLM::Normalize(unit);
+    vtkMath::Normalize(glm::value_ptr(unit));
+    ASSERT_EQ(normalized, unit);
+  }
+  EXPECT_EQ(vtkNBufferGLM::Normalize(glm::dvec3(0.0)), glm::dvec3(0.0));
+}

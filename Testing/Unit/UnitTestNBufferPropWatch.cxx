@@ -1,0 +1,398 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether a change of what a prop draws is found, by which means, and what may change without a
+// trace.
+#include "CompositeMapper.h"
+
+#include "vtkNBufferCandidate.h"
+#include "vtkNBufferPropWatch.h"
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkDataSetMapper.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkFollower.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkLookupTable.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkShaderProperty.h"
+#include "vtkSphereSource.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTexture.h"
+#include "vtkTransform.h"
+#include "vtkTransformFilter.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+namespace
+{
+using Means = vtkNBufferPropWatch::Means;
+
+/// A sphere, moved by a filter, shown by an actor with a transform of its user's.
+struct PipedActor
+{
+  PipedActor()
+  {
+    this->Filter->SetInputConnection(this->Source->GetOutputPort());
+    this->Filter->SetTransform(this->Transform);
+    this->Mapper->SetInputConnection(this->Filter->GetOutputPort());
+    this->Actor->SetMapper(this->Mapper);
+    this->Actor->SetUserTransform(this->UserTransform);
+    this->UserTransform->Concatenate(this->Outer);
+    this->Actor->GetBounds();
+  }
+
+  vtkInformation* GetRequest() { return this->Mapper->GetInputInformation(0, 0); }
+
+  vtkNew<vtkSphereSource> Source;
+  vtkNew<vtkTransform> Transform;
+  vtkNew<vtkTransformFilter> Filter;
+  vtkNew<vtkOpenGLPolyDataMapper> Mapper;
+  vtkNew<vtkTransform> UserTransform;
+  vtkNew<vtkTransform> Outer;
+  vtkNew<vtkActor> Actor;
+};
+
+/// A sphere without a pipeline.
+struct StampedActor
+{
+  StampedActor()
+  {
+    vtkNew<vtkSphereSource> source;
+    source->Update();
+    this->Data->ShallowCopy(source->GetOutput());
+    this->Mapper->SetInputData(this->Data);
+    this->Actor->SetMapper(this->Mapper);
+    this->Actor->SetUserMatrix(this->Matrix);
+    this->Actor->GetBounds();
+  }
+
+  vtkNew<vtkPolyData> Data;
+  vtkNew<vtkOpenGLPolyDataMapper> Mapper;
+  vtkNew<vtkMatrix4x4> Matrix;
+  vtkNew<vtkActor> Actor;
+};
+
+template <typename Props>
+struct ChangeOf
+{
+  std::string Name;
+  std::function<void(Props&)> Apply;
+};
+
+template <typename Props>
+void PrintTo(const ChangeOf<Props>& change, std::ostream* os)
+{
+  *os << change.Name;
+}
+
+using Change = ChangeOf<PipedActor>;
+using StampChange = ChangeOf<StampedActor>;
+
+class NBufferPipeline : public testing::TestWithParam<Change>
+{
+};
+
+class NBufferStamps : public testing::TestWithParam<StampChange>
+{
+};
+
+vtkNBufferPropWatch Watch(vtkProp* prop)
+{
+  vtkNBufferPropWatch watch;
+  watch.Track(prop);
+  return watch;
+}
+}
+
+// Hazard: a change upstream leaves the times of actor, mapper and data untouched.
+TEST_P(NBufferPipeline, ChangesAreSeenBeforeTheyAreRun)
+{
+  PipedActor piped;
+  const vtkNBufferPropWatch watch = Watch(piped.Actor);
+  ASSERT_EQ(watch.GetMeans(), Means::Pipeline);
+  EXPECT_TRUE(watch.MayHaveChanged()) << "which only the pipeline knows";
+  EXPECT_FALSE(watch.HasChanged());
+  this->GetParam().Apply(piped);
+  EXPECT_TRUE(watch.HasChanged());
+  EXPECT_TRUE(watch.HasChanged()) << "the first call must not forget the change";
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, NBufferPipeline,
+  testing::Values(Change{ "Source", [](PipedActor& piped) { piped.Source->SetRadius(3.0); } },
+    Change{
+      "FiltersTransform", [](PipedActor& piped) { piped.Transform->Translate(1.0, 0.0, 0.0); } },
+    Change{ "SourceRunByAnother",
+      [](PipedActor& piped)
+      {
+        piped.Source->SetRadius(3.0);
+        piped.Filter->Update();
+      } },
+    Change{ "Connection",
+      [](PipedActor& piped) { piped.Mapper->SetInputConnection(piped.Source->GetOutputPort()); } },
+    Change{ "FiltersConnection",
+      [](PipedActor& piped)
+      {
+        vtkNew<vtkSphereSource> other;
+        piped.Filter->SetInputConnection(other->GetOutputPort());
+      } },
+    Change{ "Data",
+      [](PipedActor& piped)
+      { vtkPolyData::SafeDownCast(piped.Mapper->GetInput())->GetPoints()->Modified(); } },
+    Change{ "ReleasedData", [](PipedActor& piped) { piped.Mapper->GetInput()->ReleaseData(); } },
+    Change{ "TimeStep",
+      [](PipedActor& piped)
+      { piped.GetRequest()->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), 2.0); } },
+    Change{
+      "UserTransform", [](PipedActor& piped) { piped.UserTransform->Translate(1.0, 0.0, 0.0); } },
+    Change{
+      "TransformBehindTheUsers", [](PipedActor& piped) { piped.Outer->Translate(1.0, 0.0, 0.0); } },
+    Change{ "Position", [](PipedActor& piped) { piped.Actor->SetPosition(1.0, 0.0, 0.0); } },
+    Change{ "Property", [](PipedActor& piped) { piped.Actor->GetProperty()->SetOpacity(0.5); } },
+    Change{ "Mapper",
+      [](PipedActor& piped)
+      {
+        vtkNew<vtkOpenGLPolyDataMapper> other;
+        other->SetInputConnection(piped.Source->GetOutputPort());
+        piped.Actor->SetMapper(other);
+      } },
+    Change{ "NewShaderProperty", [](PipedActor& piped) { piped.Actor->GetShaderProperty(); } }),
+  [](const auto& info) { return info.param.Name; });
+
+// Hazard: a filter that marks itself as modified while it runs counts as changed for ever.
+TEST(NBufferPipelines, RunningIsNoChange)
+{
+  PipedActor piped;
+  vtkNBufferPropWatch watch;
+  for (int i = 0; i < 3; ++i)
+  {
+    piped.Source->SetRadius(1.0 + i);
+    EXPECT_TRUE(watch.HasChanged());
+    piped.Actor->GetBounds();
+    watch.Track(piped.Actor);
+    ASSERT_EQ(watch.GetMeans(), Means::Pipeline);
+    piped.Actor->GetBounds();
+    EXPECT_FALSE(watch.HasChanged());
+  }
+}
+
+// Hazard: the pipeline is asked although something without a time of its own decides about the
+// image.
+TEST(NBufferPipelines, WhatDoesNotShowInTimesIsNotTracked)
+{
+  const auto tracks = [](const std::function<void(PipedActor&)>& prepare)
+  {
+    PipedActor piped;
+    prepare(piped);
+    return Watch(piped.Actor).GetMeans() == Means::Pipeline;
+  };
+  EXPECT_TRUE(tracks([](PipedActor&) {}));
+  EXPECT_FALSE(tracks([](PipedActor& piped) { piped.Actor->SetMapper(nullptr); }));
+  EXPECT_FALSE(tracks([](PipedActor& piped) { piped.Actor->SetTexture(vtkNew<vtkTexture>()); }));
+  EXPECT_FALSE(
+    tracks([](PipedActor& piped) { piped.Mapper->AddClippingPlane(vtkNew<vtkPlane>()); }));
+  EXPECT_FALSE(tracks(
+    [](PipedActor& piped)
+    {
+      const double range[2] = { 0.0, 1.0 };
+      piped.GetRequest()->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+    }));
+  EXPECT_FALSE(tracks(
+    [](PipedActor& piped)
+    {
+      vtkNew<vtkDataSetMapper> mapper;
+      mapper->SetInputData(vtkNew<vtkImageData>());
+      piped.Actor->SetMapper(mapper);
+    }));
+}
+
+// Hazard: one of the objects that an actor without a pipeline is made of is not compared.
+TEST_P(NBufferStamps, ChangesAreSeen)
+{
+  StampedActor stamped;
+  vtkNBufferPropWatch watch = Watch(stamped.Actor);
+  ASSERT_EQ(watch.GetMeans(), Means::Stamps);
+  EXPECT_TRUE(watch.SeesAllChanges());
+  EXPECT_FALSE(watch.MayHaveChanged());
+  EXPECT_FALSE(watch.HasChanged());
+  const vtkMTimeType time = watch.GetTime();
+  this->GetParam().Apply(stamped);
+  EXPECT_TRUE(watch.MayHaveChanged());
+  EXPECT_TRUE(watch.HasChanged());
+  stamped.Actor->GetBounds();
+  watch.Track(stamped.Actor);
+  EXPECT_GT(watch.GetTime(), time);
+  EXPECT_FALSE(watch.HasChanged());
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, NBufferStamps,
+  testing::Values(
+    StampChange{ "Position", [](StampedActor& s) { s.Actor->SetPosition(1.0, 0.0, 0.0); } },
+    StampChange{ "Property", [](StampedActor& s) { s.Actor->GetProperty()->SetOpacity(0.5); } },
+    StampChange{ "NewBackfaceProperty",
+      [](StampedActor& s) { s.Actor->SetBackfaceProperty(vtkNew<vtkProperty>()); } },
+    StampChange{ "UserMatrix", [](StampedActor& s) { s.Matrix->SetElement(0, 3, 2.0); } },
+    StampChange{ "NewShaderProperty", [](StampedActor& s) { s.Actor->GetShaderProperty(); } },
+    StampChange{ "Mapper", [](StampedActor& s) { s.Mapper->SetScalarVisibility(false); } },
+    StampChange{ "NewLookupTable",
+      [](StampedActor& s) { s.Mapper->SetLookupTable(vtkNew<vtkLookupTable>()); } },
+    StampChange{ "NewMapper",
+      [](StampedActor& s)
+      {
+        vtkNew<vtkOpenGLPolyDataMapper> other;
+        other->SetInputData(s.Data);
+        s.Actor->SetMapper(other);
+      } },
+    StampChange{ "NewData",
+      [](StampedActor& s)
+      {
+        vtkNew<vtkPolyData> other;
+        other->DeepCopy(s.Data);
+        s.Mapper->SetInputData(other);
+      } },
+    StampChange{ "Data", [](StampedActor& s) { s.Data->Modified(); } },
+    StampChange{ "Points", [](StampedActor& s) { s.Data->GetPoints()->Modified(); } },
+    StampChange{
+      "Coordinates", [](StampedActor& s) { s.Data->GetPoints()->GetData()->Modified(); } },
+    StampChange{ "Polygons", [](StampedActor& s) { s.Data->GetPolys()->Modified(); } },
+    StampChange{
+      "Normals", [](StampedActor& s) { s.Data->GetPointData()->GetNormals()->Modified(); } },
+    StampChange{ "NewArray",
+      [](StampedActor& s)
+      {
+        vtkNew<vtkFloatArray> array;
+        array->SetName("new");
+        s.Data->GetPointData()->AddArray(array);
+      } },
+    StampChange{ "FieldData", [](StampedActor& s) { s.Data->GetFieldData()->Modified(); } }),
+  [](const auto& info) { return info.param.Name; });
+
+// Hazard: what is read in every frame anyway is taken for unchanged, because the change is that of
+// something behind the mapper.
+TEST(NBufferPropWatch, TimesFollowWhatHasToBeReadInEveryFrame)
+{
+  const auto follows = [](vtkActor* actor, const std::function<void()>& change)
+  {
+    vtkNBufferPropWatch watch = Watch(actor);
+    EXPECT_EQ(watch.GetMeans(), Means::Times);
+    EXPECT_TRUE(watch.HasChanged());
+    const vtkMTimeType time = watch.GetTime();
+    watch.Track(actor);
+    EXPECT_EQ(watch.GetTime(), time);
+    change();
+    watch.Track(actor);
+    return watch.GetTime() > time;
+  };
+  StampedActor clipped;
+  vtkNew<vtkPlane> plane;
+  clipped.Mapper->AddClippingPlane(plane);
+  EXPECT_TRUE(follows(clipped.Actor, [&]() { plane->SetOrigin(0.0, 0.0, 1.0); }));
+
+  StampedActor textured;
+  vtkNew<vtkImageData> image;
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  textured.Actor->SetTexture(texture);
+  EXPECT_TRUE(follows(textured.Actor, [&]() { image->Modified(); }));
+
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  vtkNew<vtkMultiBlockDataSet> inner;
+  inner->SetBlock(0, textured.Data);
+  blocks->SetBlock(0, inner);
+  vtkNew<CompositeMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  vtkNew<vtkActor> composite;
+  composite->SetMapper(mapper);
+  EXPECT_TRUE(follows(composite, [&]() { textured.Data->GetPoints()->Modified(); }));
+
+  vtkNew<vtkActor> empty;
+  EXPECT_TRUE(follows(empty, [&]() { empty->SetPosition(1.0, 0.0, 0.0); }));
+}
+
+// Hazard: a still image is shown again although something moves without a trace.
+TEST(NBufferPropWatch, WhatMayChangeWithoutATraceIsSaid)
+{
+  vtkNBufferPropWatch fresh;
+  EXPECT_TRUE(fresh.MayHaveChanged() && fresh.HasChanged());
+  EXPECT_FALSE(fresh.SeesAllChanges());
+
+  EXPECT_TRUE(Watch(vtkNew<vtkActor>()).SeesAllChanges()) << "draws nothing without a mapper";
+
+  vtkNew<vtkFollower> subclass;
+  EXPECT_EQ(Watch(subclass).GetMeans(), Means::None);
+  EXPECT_EQ(Watch(subclass).GetTime(), 0u);
+  EXPECT_FALSE(Watch(subclass).SeesAllChanges());
+
+  vtkNew<vtkActor> glyphs;
+  glyphs->SetMapper(vtkNew<vtkGlyph3DMapper>());
+  EXPECT_EQ(Watch(glyphs).GetMeans(), Means::None);
+  EXPECT_TRUE(Watch(glyphs).HasChanged());
+  EXPECT_FALSE(Watch(glyphs).SeesAllChanges());
+
+  vtkNew<CompositeMapper> mapper;
+  mapper->SetInputDataObject(vtkNew<vtkMultiBlockDataSet>());
+  vtkNew<vtkActor> composite;
+  composite->SetMapper(mapper);
+  EXPECT_EQ(Watch(composite).GetMeans(), Means::Times);
+  EXPECT_FALSE(Watch(composite).SeesAllChanges()) << "blocks have attributes without times";
+
+  StampedActor shaded;
+  shaded.Actor->GetShaderProperty()->SetFragmentShaderCode("void main() {}");
+  EXPECT_EQ(Watch(shaded.Actor).GetMeans(), Means::Stamps);
+  EXPECT_FALSE(Watch(shaded.Actor).SeesAllChanges()) << "uniforms have no times";
+#if VTKNBUFFER_HAS_COORDINATE_SYSTEMS
+  StampedActor worn;
+  worn.Actor->SetCoordinateSystemToPhysical();
+  EXPECT_FALSE(Watch(worn.Actor).SeesAllChanges()) << "a device moves it";
+#endif
+}
+
+// Hazard: props with a matrix of their user's, as importers make them, are looked at anew in every
+// frame; or not even when it changes.
+TEST(NBufferPipelines, WithoutOneTransformsOfUsersAreAskedInParallel)
+{
+  vtkNew<vtkSphereSource> source;
+  source->Update();
+  vtkNew<vtkOpenGLPolyDataMapper> mapper;
+  mapper->SetInputData(source->GetOutput());
+  vtkNew<vtkMatrix4x4> matrix;
+  vtkNew<vtkTransform> transform;
+  vtkNew<vtkTransform> outer;
+  transform->Concatenate(outer);
+  for (const bool isMatrix : { true, false })
+  {
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    if (isMatrix)
+    {
+      actor->SetUserMatrix(matrix);
+    }
+    else
+    {
+      actor->SetUserTransform(transform);
+    }
+    vtkNBufferCandidate candidate(actor);
+    candidate.Refresh(false);
+    ASSERT_TRUE(candidate.IsCandidate());
+    EXPECT_FALSE(candidate.IsStale());
+    matrix->SetElement(0, 3, 2.0);
+    outer->Translate(1.0, 0.0, 0.0);
+    EXPECT_TRUE(candidate.IsStale());
+    EXPECT_TRUE(candidate.Refresh(false));
+    EXPECT_FALSE(candidate.IsStale());
+  }
+}
