@@ -70,6 +70,9 @@ struct NamedFamily
 };
 
 const std::vector<NamedFamily>& GetFamilies();
+
+/// Props, views, lights and changes of any named scenario of the tests (NamedScenarios.h).
+void BuildNamed(Writer& writer, bool shadows);
 }
 
 #endif

@@ -3,7 +3,6 @@
 #include "Generator.h"
 
 #include "Families.h"
-#include "NamedScenarios.h"
 #include "ShadowFamilies.h"
 #include "Undefined.h"
 
@@ -515,34 +514,6 @@ namespace
 {
 /// One in so many scenarios begins as a named one.
 constexpr std::uint64_t ScenariosPerNamed = 10;
-
-const std::vector<NamedScenario>& GetNamedScenarios(ScenarioKind kind)
-{
-  static const std::vector<NamedScenario> hazards = GetCullingHazards();
-  static const std::vector<NamedScenario> shadows = []
-  {
-    std::vector<NamedScenario> result = GetLightScenarios();
-    for (const auto& more : { GetViewScenarios(), GetMeshScenarios() })
-    {
-      result.insert(result.end(), more.begin(), more.end());
-    }
-    return result;
-  }();
-  return kind == ScenarioKind::Shadows ? shadows : hazards;
-}
-
-/// Props and views of a scene for a hazard; its first frames.
-void BuildNamed(Writer& writer, ScenarioKind kind)
-{
-  const std::vector<NamedScenario>& all = GetNamedScenarios(kind);
-  const NamedScenario& named = all[writer.Random.Index(all.size())];
-  writer.Scene.Family = "named " + named.Name;
-  writer.Scene.Props = named.Scenario.Props;
-  writer.Scene.Views = named.Scenario.Views;
-  writer.Scene.Changes = named.Scenario.Changes;
-  writer.Scene.Lights = named.Scenario.Lights;
-  writer.Occluders = { named.Scenario.Props.front().Id };
-}
 }
 
 Scenario MakeScenario(std::uint64_t seed, ScenarioKind kind)
@@ -562,7 +533,7 @@ Scenario MakeScenario(std::uint64_t seed, ScenarioKind kind)
   // Not drawn, so that scenarios of other seeds stay what they were.
   if (seed % ScenariosPerNamed == ScenariosPerNamed - 1)
   {
-    BuildNamed(writer, kind);
+    BuildNamed(writer, shadows);
   }
   else
   {

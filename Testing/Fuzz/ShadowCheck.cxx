@@ -6,7 +6,6 @@
 
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
-#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 
@@ -18,6 +17,8 @@ namespace TestScene
 {
 namespace
 {
+using vtkNBufferGLM::ToVector;
+
 /// Where single precision may see a sample on the other side of the cone. In radians.
 constexpr double ConeMargin = 2e-4;
 
@@ -29,16 +30,15 @@ bool Casts(const Player& stage, int number)
 }
 
 /// Surely in the cone, if there is one.
-bool IsReached(const OracleLight& light, const double point[3])
+bool IsReached(const OracleLight& light, const glm::dvec3& point)
 {
   if (light.ConeCosine <= -1.0)
   {
     return true;
   }
-  double ray[3];
-  vtkMath::Subtract(point, light.Position, ray);
-  const double cosine = vtkMath::Dot(ray, light.Direction) / vtkMath::Norm(ray);
-  return std::acos(std::clamp(cosine, -1.0, 1.0)) < std::acos(light.ConeCosine) - ConeMargin;
+  const glm::dvec3 ray = glm::normalize(point - ToVector(light.Position));
+  const double cosine = std::clamp(glm::dot(ray, ToVector(light.Direction)), -1.0, 1.0);
+  return std::acos(cosine) < std::acos(light.ConeCosine) - ConeMargin;
 }
 
 /// From pixels and depth in [0, 1] to the world.
@@ -57,15 +57,12 @@ public:
     vtkMatrix4x4::Invert(matrix, this->ClipToWorld);
   }
 
-  void Apply(int x, int y, double depth, double world[3]) const
+  glm::dvec3 Apply(int x, int y, double depth) const
   {
     double clip[4] = { (2.0 * x + 1.0) / this->Width - 1.0, (2.0 * y + 1.0) / this->Height - 1.0,
       2.0 * depth - 1.0, 1.0 };
     this->ClipToWorld->MultiplyPoint(clip, clip);
-    for (int i = 0; i < 3; ++i)
-    {
-      world[i] = clip[i] / clip[3];
-    }
+    return ToVector(clip) / clip[3];
   }
 
 private:
@@ -117,38 +114,23 @@ bool IsAtSurfaceEdge(const ShadowFrame& frame, int x, int y)
 /// Whether the surface through a pixel and its neighbours turns the same side to eye and light;
 /// true where there are no neighbours.
 bool FacesLight(const ShadowFrame& frame, const Unprojection& unprojection,
-  const OracleLight& light, const double eye[3], int x, int y)
+  const OracleLight& light, const glm::dvec3& eye, int x, int y)
 {
   if (x == 0 || y == 0 || x == frame.Width - 1 || y == frame.Height - 1)
   {
     return true;
   }
-  const auto unproject = [&](int i, int j, double world[3])
-  { unprojection.Apply(i, j, frame.Depth[static_cast<std::size_t>(j) * frame.Width + i], world); };
-  double sides[2][3];
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    double ends[2][3];
-    unproject(x - (axis == 0), y - (axis == 1), ends[0]);
-    unproject(x + (axis == 0), y + (axis == 1), ends[1]);
-    vtkMath::Subtract(ends[1], ends[0], sides[axis]);
-  }
-  double normal[3];
-  vtkMath::Cross(sides[0], sides[1], normal);
-  vtkMath::Normalize(normal);
-  double point[3];
-  unproject(x, y, point);
-  double toEye[3];
-  vtkMath::Subtract(eye, point, toEye);
-  double toLight[3] = { -light.Direction[0], -light.Direction[1], -light.Direction[2] };
-  if (light.Positional)
-  {
-    vtkMath::Subtract(light.Position, point, toLight);
-    vtkMath::Normalize(toLight);
-  }
+  const auto unproject = [&](int i, int j)
+  { return unprojection.Apply(i, j, frame.Depth[static_cast<std::size_t>(j) * frame.Width + i]); };
+  const glm::dvec3 across = unproject(x + 1, y) - unproject(x - 1, y);
+  const glm::dvec3 up = unproject(x, y + 1) - unproject(x, y - 1);
+  const glm::dvec3 normal = glm::normalize(glm::cross(across, up));
+  const glm::dvec3 point = unproject(x, y);
+  const glm::dvec3 toLight = light.Positional ? glm::normalize(ToVector(light.Position) - point)
+                                              : -ToVector(light.Direction);
   constexpr double grazing = 0.01;
-  const double side = vtkMath::Dot(normal, toEye) > 0.0 ? 1.0 : -1.0;
-  return side * vtkMath::Dot(normal, toLight) > grazing;
+  const double side = glm::dot(normal, eye - point) > 0.0 ? 1.0 : -1.0;
+  return side * glm::dot(normal, toLight) > grazing;
 }
 
 std::string SayWhere(const char* what, int light, long long count, long long first, int width)
@@ -191,14 +173,9 @@ ShadowFrame CaptureShadows(const Player& stage)
   const Unprojection unprojection(renderer, frame.Width, frame.Height);
   // Of parallel cameras a point far behind it.
   vtkCamera* camera = renderer->GetActiveCamera();
-  double eye[3];
-  camera->GetPosition(eye);
-  const double* direction = camera->GetDirectionOfProjection();
   const double behind = camera->GetParallelProjection() ? 1e6 * camera->GetParallelScale() : 0.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    eye[i] -= behind * direction[i];
-  }
+  const glm::dvec3 eye =
+    ToVector(camera->GetPosition()) - behind * ToVector(camera->GetDirectionOfProjection());
   for (int light = 0; light < stage.GetLights().GetNumberOfLights(); ++light)
   {
     const OracleLight geometry(stage.GetLights().GetLight(0, light));
@@ -211,10 +188,8 @@ ShadowFrame CaptureShadows(const Player& stage)
       {
         const int x = static_cast<int>(i % frame.Width);
         const int y = static_cast<int>(i / frame.Width);
-        double world[3];
-        unprojection.Apply(x, y, value, world);
         facing[i] = FacesLight(frame, unprojection, geometry, eye, x, y);
-        receivers[i] = IsReached(geometry, world);
+        receivers[i] = IsReached(geometry, unprojection.Apply(x, y, value));
       }
     }
     frame.Receivers.push_back(std::move(receivers));

@@ -3,7 +3,6 @@
 #include "LightRig.h"
 
 #include "ScenePasses.h"
-#include "SceneProps.h"
 #include "Tune.h"
 
 #include "vtkInformation.h"

@@ -24,13 +24,6 @@ enum class Role
   Culled
 };
 
-/// The renderer's camera becomes that of the view.
-void SetView(vtkRenderer* renderer, const View& view);
-
-/// Props, lights, viewport and view of the first frame of a scenario with one renderer. Nothing of
-/// the scenario is needed afterwards.
-void Fill(vtkRenderer* renderer, const Scenario& scenario);
-
 class Player : public Stage
 {
 public:

@@ -368,11 +368,6 @@ void ChangeActor(vtkActor* actor, const Prop& description, const Change& change)
 }
 }
 
-double GetValue(const Change& change, std::size_t n)
-{
-  return n < change.Values.size() ? change.Values[n] : 0.0;
-}
-
 vtkSmartPointer<vtkProp> MakeProp(const Prop& prop, vtkCamera* camera)
 {
   if (prop.Kind == PropKind::Text)

@@ -21,9 +21,6 @@ vtkSmartPointer<vtkProp> MakeProp(const Prop& prop, vtkCamera* camera);
 
 /// Changes that do not fit the kind of prop leave it as it is.
 void ChangeProp(vtkProp* prop, const Prop& description, const Change& change);
-
-/// The n-th value of a change, or 0.
-double GetValue(const Change& change, std::size_t n);
 }
 
 #endif

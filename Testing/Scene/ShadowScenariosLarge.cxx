@@ -38,7 +38,7 @@ private:
 };
 
 /// One light: from above at a slant, a spot or a point light at `position`.
-void AddLight(SceneBuilder& scene, LightKind lighting, const glm::dvec3& position,
+void LightUp(SceneBuilder& scene, LightKind lighting, const glm::dvec3& position,
   const glm::dvec3& focalPoint, double cone)
 {
   switch (lighting)
@@ -71,7 +71,7 @@ void City(SceneBuilder& scene, int side, LightKind lighting)
     }
   }
   // The street between the two halves, x from -10 to 0; the lamp is above the roofs beside it.
-  AddLight(scene, lighting, { -40.0, 5.0, 60.0 }, { -5.0, 5.0, 0.0 }, 40.0);
+  LightUp(scene, lighting, { -40.0, 5.0, 60.0 }, { -5.0, 5.0, 0.0 }, 40.0);
   scene.Look({ -6.0, -30.0, 1.8 }, { -4.0, 20.0, 6.0 }, 60.0);
 }
 
@@ -90,7 +90,7 @@ void Birds(SceneBuilder& scene, int count, LightKind lighting)
     scene.Sphere({ random.Get(-50.0, 50.0), random.Get(-50.0, 50.0), random.Get(10.0, 30.0) },
       random.Get(0.3, 0.9), 10);
   }
-  AddLight(scene, lighting, { -20.0, -10.0, 70.0 }, { 0.0, 0.0, 0.0 }, 40.0);
+  LightUp(scene, lighting, { -20.0, -10.0, 70.0 }, { 0.0, 0.0, 0.0 }, 40.0);
   scene.Look({ 20.0, -90.0, 35.0 }, { 0.0, 0.0, 5.0 });
 }
 
@@ -112,7 +112,7 @@ void Cad(SceneBuilder& scene, int count, LightKind lighting)
     turn->RotateWXYZ(angle, glm::value_ptr(axis));
     turn->GetOrientation(glm::value_ptr(part.Orientation));
   }
-  AddLight(scene, lighting, { -6.0, -8.0, 14.0 }, { 0.0, 0.0, 2.0 }, 30.0);
+  LightUp(scene, lighting, { -6.0, -8.0, 14.0 }, { 0.0, 0.0, 2.0 }, 30.0);
   scene.Look({ 10.0, -18.0, 12.0 }, { 0.0, 0.0, 2.0 });
 }
 
@@ -128,7 +128,7 @@ void Glyphs(SceneBuilder& scene, int count, LightKind lighting)
     glyph.Position = random.GetVector(glm::dvec3(-6.0), glm::dvec3(6.0));
     glyph.Scale = glm::dvec3(random.Get(0.4, 1.4));
   }
-  AddLight(scene, lighting, { -8.0, -10.0, 16.0 }, { 0.0, 0.0, 0.0 }, 30.0);
+  LightUp(scene, lighting, { -8.0, -10.0, 16.0 }, { 0.0, 0.0, 0.0 }, 30.0);
   scene.Look({ 10.0, -24.0, 14.0 }, { 0.0, 0.0, -1.0 });
 }
 

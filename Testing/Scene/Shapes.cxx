@@ -110,7 +110,7 @@ private:
   vtkNew<vtkFloatArray> Normals;
 };
 
-void AddSphere(Builder& builder, int detail)
+void AddRings(Builder& builder, int detail)
 {
   builder.InitializeNormals();
   const int columns = 6 + 2 * detail;
@@ -334,7 +334,7 @@ void AddCells(Builder& builder, const Shape& shape, int detail)
   switch (shape.Kind)
   {
     case ShapeKind::Sphere:
-      AddSphere(builder, std::min(detail, 8));
+      AddRings(builder, std::min(detail, 8));
       break;
     case ShapeKind::Quad:
       builder.UprightQuad(-0.5, -0.5, 0.5, 0.5);

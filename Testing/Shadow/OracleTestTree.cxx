@@ -137,7 +137,7 @@ TEST_F(TreeTest, TrianglesOnAGrid)
 // Rays through edges and corners of a closed mesh from inside, where nothing may pass between.
 TEST_F(TreeTest, ClosedMeshesAreTight)
 {
-  vtkSmartPointer<vtkPolyData> sphere = ShadowShapes::MakeSphere({ 0.1, 0.2, 0.3 }, 1.0, 9);
+  vtkSmartPointer<vtkPolyData> sphere = ShadowShapes::MakeGlobe({ 0.1, 0.2, 0.3 }, 1.0, 9);
   std::vector<double> corners;
   vtkIdType size;
   const vtkIdType* ids;

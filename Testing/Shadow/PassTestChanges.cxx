@@ -189,7 +189,7 @@ void AddPropChanges(const std::string& of, Props ChangingStage::*props, std::vec
     [](Props& p)
     {
       vtkNew<vtkPolyDataMapper> mapper;
-      mapper->SetInputData(MakeSphere({ 0.0, -1.0, 1.0 }, 0.6, 8));
+      mapper->SetInputData(MakeGlobe({ 0.0, -1.0, 1.0 }, 0.6, 8));
       p.Box->SetMapper(mapper);
     });
   add("BlockReplaced",

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShadowScenes.h"
 
+#include "Fill.h"
 #include "NamedScenarios.h"
-#include "Player.h"
 
 #include <ostream>
 #include <stdexcept>

@@ -147,7 +147,7 @@ void Composite(vtkRenderer* renderer)
   inner->SetBlock(0, MakeBox({ 0.6, 0.0, 0.8 }, { 0.5, 0.5, 0.5 }));
   inner->SetBlock(1, MakeBox({ 0.6, 1.0, 0.8 }, { 0.5, 0.5, 0.5 }));
   vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, MakeSphere({ -0.7, 0.0, 0.9 }, 0.5, 12));
+  blocks->SetBlock(0, MakeGlobe({ -0.7, 0.0, 0.9 }, 0.5, 12));
   blocks->SetBlock(1, inner);
   vtkNew<CompositeMapper> mapper;
   mapper->SetInputDataObject(blocks);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShadowShapes.h"
 
+#include "Fill.h"
 #include "LightRig.h"
-#include "Player.h"
 #include "SceneBuilder.h"
 
 #include "vtkActor.h"
@@ -48,7 +48,7 @@ vtkSmartPointer<vtkPolyData> MakeMesh(
 }
 }
 
-vtkSmartPointer<vtkPolyData> MakeSphere(const Point& centre, double radius, int resolution)
+vtkSmartPointer<vtkPolyData> MakeGlobe(const Point& centre, double radius, int resolution)
 {
   return MakeMesh(ShapeKind::Globe, centre, Point(2.0 * radius), resolution);
 }
@@ -74,7 +74,7 @@ vtkActor* AddFloor(vtkRenderer* renderer, double halfSize, double z)
 
 namespace
 {
-vtkLight* AddLight(vtkRenderer* renderer, const TestScene::Light& light)
+vtkLight* AddMade(vtkRenderer* renderer, const TestScene::Light& light)
 {
   vtkSmartPointer<vtkLight> made = TestScene::MakeLight(light);
   renderer->AddLight(made);
@@ -84,18 +84,18 @@ vtkLight* AddLight(vtkRenderer* renderer, const TestScene::Light& light)
 
 vtkLight* AddDirectional(vtkRenderer* renderer, const Point& direction)
 {
-  return AddLight(renderer, TestScene::SceneBuilder().Directional(direction));
+  return AddMade(renderer, TestScene::SceneBuilder().Directional(direction));
 }
 
 vtkLight* AddSpot(
   vtkRenderer* renderer, const Point& position, const Point& focalPoint, double cone)
 {
-  return AddLight(renderer, TestScene::SceneBuilder().Spot(position, focalPoint, cone));
+  return AddMade(renderer, TestScene::SceneBuilder().Spot(position, focalPoint, cone));
 }
 
 vtkLight* AddPoint(vtkRenderer* renderer, const Point& position)
 {
-  return AddLight(renderer, TestScene::SceneBuilder().PointLight(position));
+  return AddMade(renderer, TestScene::SceneBuilder().PointLight(position));
 }
 
 void Look(vtkRenderer* renderer, const Point& eye, const Point& focalPoint, double viewAngle)

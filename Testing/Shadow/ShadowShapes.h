@@ -27,7 +27,7 @@ vtkSmartPointer<vtkPolyData> MakeMesh(
   const std::vector<Point>& points, const std::vector<Polygon>& polygons);
 
 /// VTK's sphere source: one point at each pole, one seam.
-vtkSmartPointer<vtkPolyData> MakeSphere(const Point& centre, double radius, int resolution);
+vtkSmartPointer<vtkPolyData> MakeGlobe(const Point& centre, double radius, int resolution);
 
 /// Actors with surfaces of a colour that follows from their number in the renderer.
 vtkActor* AddMesh(vtkRenderer* renderer, vtkPolyData* mesh);
