@@ -37,8 +37,8 @@ int main(int argc, char*[])
   vtkNew<vtkRenderWindow> window;
   window->AddRenderer(renderer);
   window->Render();
-  std::cout << culler->GetNumberOfPropsDrawn() << " of " << culler->GetNumberOfProps()
-            << " cones drawn, " << culler->GetNumberOfHiddenProps() << " hidden\n";
+  std::cout << culler->GetNumberOfPropsDrawn() << " of 10000 cones drawn, "
+            << culler->GetNumberOfHiddenProps() << " hidden\n";
   if (argc == 1) // With an argument the program ends after the first frame.
   {
     vtkNew<vtkRenderWindowInteractor> interactor;

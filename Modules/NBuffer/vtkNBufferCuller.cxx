@@ -271,6 +271,11 @@ const vtkNBufferStatistics& vtkNBufferCuller::GetStatistics(vtkRenderer* rendere
   return view ? view->GetStatistics() : none;
 }
 
+bool vtkNBufferCuller::PreservesImage() const
+{
+  return !this->Freeze && typeid(*this) == typeid(vtkNBufferCuller);
+}
+
 int vtkNBufferCuller::GetBackendInUse() const
 {
   const vtkNBufferView* view = this->Implementation->FindView(nullptr);

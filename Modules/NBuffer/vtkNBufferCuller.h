@@ -67,9 +67,10 @@
 #define vtkNBufferCuller_h
 
 #include "vtkCuller.h"
-#include "vtkNBufferModule.h"     // For export macro
-#include "vtkNBufferStatistics.h" // For vtkNBufferVerdict and the counters
-#include "vtkNBufferTuning.h"
+#include "vtkNBufferCullerTraits.h" // For the base class
+#include "vtkNBufferModule.h"       // For export macro
+#include "vtkNBufferStatistics.h"   // For vtkNBufferVerdict and the counters
+#include "vtkNBufferTuning.h"       // For the tuning
 
 #include <memory> // For the implementation's pointer
 
@@ -77,7 +78,9 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkProp;
 class vtkRenderer;
 
-class VTKNBUFFER_EXPORT vtkNBufferCuller : public vtkCuller
+class VTKNBUFFER_EXPORT vtkNBufferCuller
+  : public vtkCuller
+  , public vtkNBufferCullerTraits
 {
 public:
   static vtkNBufferCuller* New();
@@ -168,6 +171,10 @@ public:
   /// The back-end used last (OpenGL or CPU; Auto before the first test) and why it was chosen.
   int GetBackendInUse() const;
   const char* GetBackendReason() const;
+
+  /// Whether the image is the one without the culler, which is true unless Freeze is on. A subclass
+  /// has to say so itself, because it may remove more props.
+  bool PreservesImage() const override;
 
   /// Called by vtkRenderer before it draws.
   double Cull(

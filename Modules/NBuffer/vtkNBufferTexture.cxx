@@ -51,11 +51,6 @@ GLenum GetCopyFormat(const vtkNBufferDepthSource& source)
   }
   return source.DepthBits <= 16 ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24;
 }
-
-bool Holds32NormalisedBits(const vtkNBufferDepthSource& source)
-{
-  return source.DepthBits > 24 && !source.FloatDepth;
-}
 }
 
 class vtkNBufferTexture::Internals
@@ -77,6 +72,7 @@ public:
     vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, const SampledDepth& depth);
   bool DrawLevel(vtkOpenGLRenderWindow* window, int level);
   bool ReadLevels(vtkNBufferLevels& levels);
+  bool IsBuilt(int level) const { return level >= 0 && level < this->NumberOfLevels; }
   void Delete(); ///< The context must be current.
   void Forget(); ///< The context is gone.
 
@@ -89,8 +85,6 @@ public:
   vtkNBufferExtremum Extremum = vtkNBufferExtremum::Maximum;
   int Draws = 0;
   int Downloads = 0;
-  double DeviceTime = 0.0;
-  bool HasTimer = false;
   bool LacksFloatTextures = false;
   std::string Error;
   vtkNBufferTextureStorage Storage;
@@ -159,13 +153,16 @@ void vtkNBufferTexture::Internals::UseContext(vtkOpenGLRenderWindow* window)
     this->Forget();
   }
   this->ContextTime = window->GetContextCreationTime();
-  this->HasTimer = vtkNBufferGL::HasVersion(3, 3) && vtkOpenGLRenderTimer::IsSupported();
+  if (vtkNBufferGL::HasVersion(3, 3) && vtkOpenGLRenderTimer::IsSupported())
+  {
+    this->Timer = std::make_unique<vtkOpenGLRenderTimer>();
+  }
 }
 
 bool vtkNBufferTexture::Internals::PrepareDepth(
   const vtkNBufferDepthSource& source, int x, int y, int width, int height, SampledDepth& depth)
 {
-  if (source.Samples > 1 || (source.Texture && !Holds32NormalisedBits(source)))
+  if (source.Samples > 1 || (source.Texture && !source.ExceedsFloats()))
   {
     depth.Foreign = true;
     depth.Kind = source.Samples > 1 ? NBUFFER_SOURCE_MULTISAMPLE : NBUFFER_SOURCE_DEPTH;
@@ -176,7 +173,7 @@ bool vtkNBufferTexture::Internals::PrepareDepth(
     glBindTexture(depth.Target, source.DepthName);
     return vtkNBufferGL::CheckErrors("Binding the depth texture", this->Error);
   }
-  if (!Holds32NormalisedBits(source))
+  if (!source.ExceedsFloats())
   {
     if (!this->Storage.Copy.Reserve(GetCopyFormat(source), width, height, this->Error))
     {
@@ -221,7 +218,7 @@ bool vtkNBufferTexture::Internals::DrawBase(
     this->DefineExtremum() + Define("NBUFFER_SOURCE", depth.Kind) +
       Define("NBUFFER_FACTOR", this->Factor) +
       Define("NBUFFER_SAMPLES", std::max(source.Samples, 1)) +
-      Define("NBUFFER_INEXACT", source.Samples > 1 && Holds32NormalisedBits(source)));
+      Define("NBUFFER_INEXACT", source.Samples > 1 && source.ExceedsFloats()));
   if (!program)
   {
     return false;
@@ -298,7 +295,6 @@ void vtkNBufferTexture::Internals::Forget()
   this->Timer.release();
   this->ContextTime = 0;
   this->NumberOfLevels = 0;
-  this->DeviceTime = 0.0;
 }
 
 vtkNBufferTexture::vtkNBufferTexture()
@@ -345,12 +341,8 @@ bool vtkNBufferTexture::Build(vtkOpenGLRenderWindow* window, const vtkNBufferDep
     return false;
   }
   this->GetDeviceTime();
-  if (self.HasTimer)
+  if (self.Timer)
   {
-    if (!self.Timer)
-    {
-      self.Timer = std::make_unique<vtkOpenGLRenderTimer>();
-    }
     self.Timer->ReusableStart();
   }
   SampledDepth depth;
@@ -360,7 +352,7 @@ bool vtkNBufferTexture::Build(vtkOpenGLRenderWindow* window, const vtkNBufferDep
   {
     drawn = self.DrawLevel(window, level);
   }
-  if (self.HasTimer)
+  if (self.Timer)
   {
     self.Timer->ReusableStop();
   }
@@ -413,14 +405,12 @@ int vtkNBufferTexture::GetNumberOfLevels() const
 
 unsigned int vtkNBufferTexture::GetHandle(int level) const
 {
-  const bool built = level >= 0 && level < this->Implementation->NumberOfLevels;
-  return built ? this->Implementation->Storage.GetArray(level) : 0;
+  return this->Implementation->IsBuilt(level) ? this->Implementation->Storage.GetArray(level) : 0;
 }
 
 int vtkNBufferTexture::GetLayer(int level) const
 {
-  const bool built = level >= 0 && level < this->Implementation->NumberOfLevels;
-  return built ? vtkNBufferTextureStorage::GetLayer(level) : 0;
+  return this->Implementation->IsBuilt(level) ? vtkNBufferTextureStorage::GetLayer(level) : 0;
 }
 
 int vtkNBufferTexture::GetNumberOfDraws() const
@@ -445,14 +435,9 @@ const std::string& vtkNBufferTexture::GetError() const
 
 double vtkNBufferTexture::GetDeviceTime()
 {
-  Internals& self = *this->Implementation;
-  if (self.Timer)
-  {
-    // The timer returns 0 until its first query has finished, then the time of the last one.
-    const double milliseconds = 1e3 * self.Timer->GetReusableElapsedSeconds();
-    self.DeviceTime = milliseconds > 0.0 ? milliseconds : self.DeviceTime;
-  }
-  return self.DeviceTime;
+  // The timer returns 0 until its first query has finished, then the time of the last one.
+  const auto& timer = this->Implementation->Timer;
+  return timer ? 1e3 * timer->GetReusableElapsedSeconds() : 0.0;
 }
 
 void vtkNBufferTexture::ReleaseGraphicsResources(vtkWindow* window)

@@ -20,7 +20,9 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 /// The opaque stage of the steps, which is the pass itself.
-class vtkShadowVolumeClampPass::OpaqueStage : public vtkRenderPass
+class vtkShadowVolumeClampPass::OpaqueStage
+  : public vtkRenderPass
+  , public vtkNBufferRenderPassTraits
 {
 public:
   static OpaqueStage* New();
@@ -35,6 +37,9 @@ public:
       this->NumberOfRenderedProps = this->Owner->NumberOfRenderedProps;
     }
   }
+
+  /// The stage has no parts: its owner draws.
+  std::vector<vtkRenderPass*> GetDelegatePasses() override { return {}; }
 
   vtkShadowVolumeClampPass* Owner = nullptr;
 };
@@ -137,6 +142,11 @@ vtkLight* vtkShadowVolumeClampPass::GetDebugLight()
 vtkRenderStepsPass* vtkShadowVolumeClampPass::GetSteps()
 {
   return this->Implementation->Steps;
+}
+
+std::vector<vtkRenderPass*> vtkShadowVolumeClampPass::GetDelegatePasses()
+{
+  return { this->GetSteps() };
 }
 
 const vtkShadowStatistics& vtkShadowVolumeClampPass::GetStatistics() const

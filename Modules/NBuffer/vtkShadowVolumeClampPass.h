@@ -59,6 +59,7 @@
 #define vtkShadowVolumeClampPass_h
 
 #include "vtkNBufferModule.h" // For export macro
+#include "vtkNBufferRenderPassTraits.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkShadowStatistics.h"
 #include "vtkShadowTuning.h"
@@ -71,7 +72,9 @@ class vtkInformation;
 class vtkLight;
 class vtkRenderStepsPass;
 
-class VTKNBUFFER_EXPORT vtkShadowVolumeClampPass : public vtkOpenGLRenderPass
+class VTKNBUFFER_EXPORT vtkShadowVolumeClampPass
+  : public vtkOpenGLRenderPass
+  , public vtkNBufferRenderPassTraits
 {
 public:
   static vtkShadowVolumeClampPass* New();
@@ -163,6 +166,12 @@ public:
 
   /// The stages of the pass where it is the renderer's own: camera, lights, translucent, ...
   vtkRenderStepsPass* GetSteps();
+
+  ///@{
+  /// See vtkNBufferRenderPassTraits. The opaque props are drawn for their depth and for the image.
+  std::vector<vtkRenderPass*> GetDelegatePasses() override;
+  bool DrawsOpaquePropsTwice() const override { return true; }
+  ///@}
 
   /// Of the last frame.
   const vtkShadowStatistics& GetStatistics() const;

@@ -137,7 +137,7 @@ MUTANTS = {
     "wireframes and points are tested as surfaces": [
         (CANDIDATE, "property->GetRepresentation() != VTK_SURFACE ||", "")],
     "passes do not reach what is held back": [
-        ("vtkNBufferForwardedKeys.cxx",
+        ("vtkNBufferStandIn.cxx",
          "if (!from || (passes->Length(from) == 0 && !from->Has(depthMask)))", "if (to)")],
 }
 

@@ -339,12 +339,13 @@ bool IsForetold(const vtkNBufferProjection& projection, const Triangle& triangle
   vtkNBufferLevels levels;
   levels.BuildBase(depth.data(), Width, Height, 1, vtkNBufferExtremum::Maximum);
   vtkNBufferMesh mesh;
-  mesh.Points = { triangle[0], triangle[1], triangle[2] };
+  for (const Point& point : triangle)
+  {
+    mesh.Points.emplace_back(point[0], point[1], point[2]);
+  }
   mesh.Triangles = { { 0, 1, 2 } };
-  double identity[16];
-  vtkMatrix4x4::Identity(identity);
   vtkNBufferSliverTest test(projection, levels, 0.0);
-  return test.MayBeSeen(mesh, identity, box, screen);
+  return test.MayBeSeen(mesh, glm::dmat4(1.0), box, screen);
 }
 }
 

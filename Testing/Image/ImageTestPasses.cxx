@@ -5,6 +5,8 @@
 #include "CullerTest.h"
 #include "Scenes.h"
 
+#include "vtkNBufferRenderPassTraits.h"
+
 #include "vtkCameraPass.h"
 #include "vtkDefaultPass.h"
 #include "vtkDepthPeelingPass.h"
@@ -12,6 +14,7 @@
 #include "vtkFramebufferPass.h"
 #include "vtkGaussianBlurPass.h"
 #include "vtkLightsPass.h"
+#include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLFXAAPass.h"
 #include "vtkOverlayPass.h"
@@ -73,6 +76,43 @@ vtkSmartPointer<vtkRenderPass> MakeSequence(const std::vector<vtkRenderPass*>& p
   camera->SetDelegatePass(sequence);
   return camera;
 }
+
+/// A pass as an application writes it: it lets another pass draw, and the culler does not know it.
+class UsersPass : public vtkRenderPass
+{
+public:
+  static UsersPass* New();
+  vtkTypeMacro(UsersPass, vtkRenderPass);
+
+  void Render(const vtkRenderState* s) override
+  {
+    this->Delegate->Render(s);
+    this->NumberOfRenderedProps = this->Delegate->GetNumberOfRenderedProps();
+  }
+  void ReleaseGraphicsResources(vtkWindow* window) override
+  {
+    this->Delegate->ReleaseGraphicsResources(window);
+  }
+
+  vtkSmartPointer<vtkRenderPass> Delegate = vtkSmartPointer<vtkRenderStepsPass>::New();
+};
+vtkStandardNewMacro(UsersPass);
+
+/// The same pass, which says what it does.
+class UsersPassWithTraits
+  : public UsersPass
+  , public vtkNBufferRenderPassTraits
+{
+public:
+  static UsersPassWithTraits* New();
+  vtkTypeMacro(UsersPassWithTraits, UsersPass);
+
+  std::vector<vtkRenderPass*> GetDelegatePasses() override { return { this->Delegate, nullptr }; }
+  bool DrawsOpaquePropsTwice() const override { return this->DrawsTwice; }
+
+  bool DrawsTwice = false;
+};
+vtkStandardNewMacro(UsersPassWithTraits);
 
 class CullerPasses : public testing::TestWithParam<Way>
 {
@@ -315,6 +355,51 @@ const Way Ways[] = {
       SetPass(s, camera);
     },
     Outcome::Aside, Decision::RenderPass },
+  // Hazard: a pass of the application may draw anything. The culler culls with it only if the pass
+  // says what it does, and only if all the passes that it calls are known, too.
+  { "UsersPass",
+    [](Stage& s)
+    {
+      vtkNew<UsersPass> pass;
+      SetPass(s, pass);
+    },
+    Outcome::Aside, Decision::RenderPass, true },
+  { "UsersPassWithTraits",
+    [](Stage& s)
+    {
+      vtkNew<UsersPassWithTraits> pass;
+      SetPass(s, pass);
+    },
+    Outcome::Culls, Decision::None, true },
+  { "UsersPassWithTraitsInASequence",
+    [](Stage& s)
+    {
+      vtkNew<vtkLightsPass> lights;
+      vtkNew<UsersPassWithTraits> pass;
+      pass->Delegate = vtkSmartPointer<vtkDefaultPass>::New();
+      SetPass(s, MakeSequence({ lights, pass }));
+    },
+    Outcome::Culls, Decision::None, true },
+  { "UsersPassWithTraitsAroundAnUnknownOne",
+    [](Stage& s)
+    {
+      vtkNew<UsersPassWithTraits> pass;
+      pass->Delegate = vtkSmartPointer<UsersPass>::New();
+      SetPass(s, pass);
+    },
+    Outcome::Aside, Decision::RenderPass, true },
+  { "UsersPassWithTraitsThatDrawsTwice",
+    [](Stage& s)
+    {
+      vtkNew<vtkLightsPass> lights;
+      vtkNew<vtkOpaquePass> opaque;
+      vtkNew<vtkOpaquePass> again;
+      vtkNew<UsersPassWithTraits> pass;
+      pass->Delegate = MakeSequence({ lights, opaque, again });
+      pass->DrawsTwice = true;
+      SetPass(s, pass);
+    },
+    Outcome::Culls },
   // Hazard: multisampled depth under translucent props, and under passes that resolve it.
   { "MultiSamples4TranslucentOIT", [](Stage&) {}, Outcome::Culls, Decision::None, true, 4 },
   { "MultiSamples4SSAO",

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The order of equal depths against a simulated depth buffer, and when the culler rests.
+// The order of equal depths against a simulated depth buffer, when the culler backs off, and which
+// frames it tests.
 #include "vtkNBufferBackOff.h"
+#include "vtkNBufferCullingPolicy.h"
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferTieOrder.h"
 
@@ -301,4 +303,90 @@ TEST(NBufferBackOff, EmptyFrustum)
     backOff.Learn(0, 0);
   }
   EXPECT_FALSE(backOff.CountRestFrame());
+}
+
+namespace
+{
+using Decision = vtkNBufferDecision;
+
+constexpr int Minimum = 32;
+
+/// A frame that is worth a test: some props are kept, some are held back.
+vtkNBufferFrustumCounts MakeCounts()
+{
+  vtkNBufferFrustumCounts counts;
+  counts.Candidates = 200;
+  counts.Inside = 100;
+  counts.Kept = 60;
+  counts.HeldBack = 30;
+  return counts;
+}
+
+Decision Choose(const vtkNBufferFrustumCounts& counts, vtkNBufferBackOff* backOff = nullptr)
+{
+  return vtkNBufferCullingPolicy::ChooseDecision(counts, Minimum, backOff);
+}
+}
+
+// Hazard: each reason not to test a frame has its own name, and the first one that holds is named.
+TEST(NBufferCullingPolicy, NamesTheReasonNotToTest)
+{
+  EXPECT_EQ(Choose(MakeCounts()), Decision::Culled);
+
+  vtkNBufferFrustumCounts counts = MakeCounts();
+  counts.Inside = Minimum;
+  EXPECT_EQ(Choose(counts), Decision::Culled);
+  counts.Inside = Minimum - 1;
+  EXPECT_EQ(Choose(counts), Decision::FewCandidates);
+  counts.Blending = true;
+  EXPECT_EQ(Choose(counts), Decision::Blending);
+
+  counts = MakeCounts();
+  counts.Kept = counts.HeldBack = 0;
+  EXPECT_EQ(Choose(counts), Decision::NothingHeld) << "all of them cross the near plane";
+}
+
+// Hazard: where nothing is held back there is no proxy and no test, so that nothing is ever found
+// hidden again.
+TEST(NBufferCullingPolicy, TestsEveryFewFramesWhereNothingIsHeldBack)
+{
+  vtkNBufferFrustumCounts counts = MakeCounts();
+  counts.HeldBack = 0;
+  EXPECT_EQ(Choose(counts), Decision::Culled) << "every frame without back-off";
+
+  vtkNBufferBackOff backOff;
+  int tested = 0;
+  for (int frame = 0; frame < 8 * 10; ++frame)
+  {
+    const Decision decision = Choose(counts, &backOff);
+    EXPECT_TRUE(decision == Decision::Culled || decision == Decision::NothingHeld);
+    tested += decision == Decision::Culled;
+  }
+  EXPECT_EQ(tested, 10);
+
+  counts.Translucent = Minimum;
+  for (int frame = 0; frame < 16; ++frame)
+  {
+    EXPECT_EQ(Choose(counts, &backOff), Decision::Culled) << "many translucent props";
+  }
+}
+
+// Hazard: frames that are not tested for other reasons use up the rest that poor tests have earned.
+TEST(NBufferCullingPolicy, RestsAreCountedInFramesThatCouldBeTested)
+{
+  vtkNBufferBackOff backOff;
+  for (int i = 0; i < vtkNBufferBackOff::PoorTestsToRest; ++i)
+  {
+    EXPECT_EQ(Choose(MakeCounts(), &backOff), Decision::Culled);
+    backOff.Learn(0, 100);
+  }
+  vtkNBufferFrustumCounts few = MakeCounts();
+  few.Inside = 1;
+  int rest = 0;
+  while (Choose(MakeCounts(), &backOff) == Decision::BackedOff)
+  {
+    EXPECT_EQ(Choose(few, &backOff), Decision::FewCandidates);
+    ASSERT_LE(++rest, vtkNBufferBackOff::LongestRest);
+  }
+  EXPECT_EQ(rest, vtkNBufferBackOff::ShortestRest);
 }

@@ -36,7 +36,7 @@ public:
 };
 vtkStandardNewMacro(Subclass);
 
-vtkSmartPointer<vtkPolyData> MakeSphere()
+vtkSmartPointer<vtkPolyData> RunSphereSource()
 {
   vtkNew<vtkSphereSource> source;
   source->Update();
@@ -63,7 +63,7 @@ TEST(NBufferSurface, SubclassesMayDrawAnythingButCast)
   EXPECT_FALSE(vtkNBufferSurface::IsPlain(vtkNew<vtkGlyph3DMapper>()));
 
   vtkNew<Subclass> mapper;
-  mapper->SetInputData(MakeSphere());
+  mapper->SetInputData(RunSphereSource());
   actor->SetMapper(mapper);
   EXPECT_FALSE(vtkNBufferSurface::IsPlain(mapper));
   EXPECT_EQ(vtkNBufferSurface::GetOnlyPolyData(mapper), nullptr);
@@ -73,7 +73,7 @@ TEST(NBufferSurface, SubclassesMayDrawAnythingButCast)
 TEST(NBufferSurface, PartsArePlacedInTheWorld)
 {
   vtkNew<vtkOpenGLPolyDataMapper> mapper;
-  mapper->SetInputData(MakeSphere());
+  mapper->SetInputData(RunSphereSource());
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->SetPosition(1.0, 2.0, 3.0);
@@ -97,8 +97,8 @@ TEST(NBufferSurface, BlocksInheritAttributes)
   vtkNew<vtkMultiBlockDataSet> inner;
   for (unsigned int i = 0; i < 2; ++i)
   {
-    inner->SetBlock(i, MakeSphere());
-    blocks->SetBlock(i, MakeSphere());
+    inner->SetBlock(i, RunSphereSource());
+    blocks->SetBlock(i, RunSphereSource());
   }
   blocks->SetBlock(2, inner);
   vtkNew<CompositeMapper> mapper;
@@ -200,7 +200,7 @@ TEST(NBufferSurface, PlanesKeepTheSideOfTheirNormal)
 
 TEST(NBufferSurface, WideLinesAndPointsHaveAMargin)
 {
-  const vtkSmartPointer<vtkPolyData> sphere = MakeSphere();
+  const vtkSmartPointer<vtkPolyData> sphere = RunSphereSource();
   vtkNew<vtkOpenGLPolyDataMapper> mapper;
   mapper->SetInputData(sphere);
   vtkNew<vtkActor> actor;

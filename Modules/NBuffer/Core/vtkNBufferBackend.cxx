@@ -113,12 +113,13 @@ bool vtkNBufferBackend::CountFailure(vtkNBufferDecision failure)
 
 bool vtkNBufferBackend::DrawsOrdinaryDepth(const vtkNBufferDepthSource& source)
 {
-  GLint function = 0;
+  GLint depthFunction = 0;
   GLint scissor[4] = { 0, 0, 0, 0 };
   GLboolean mask = GL_FALSE;
-  glGetIntegerv(GL_DEPTH_FUNC, &function);
+  glGetIntegerv(GL_DEPTH_FUNC, &depthFunction);
   glGetIntegerv(GL_SCISSOR_BOX, scissor);
   glGetBooleanv(GL_DEPTH_WRITEMASK, &mask);
+  const auto function = static_cast<unsigned int>(depthFunction);
   const int* viewport = source.Viewport;
   const bool wholeViewport = !glIsEnabled(GL_SCISSOR_TEST) ||
     (scissor[0] <= viewport[0] && scissor[1] <= viewport[1] &&

@@ -53,9 +53,9 @@ public:
   };
 
   /**
-   * Build levels of maxima over the viewport of the source. Returns None. On failure returns
-   * NoFloatTextures or NoDepth, with cause and remedy in `why`, and the levels hold nothing. Auto
-   * goes on with the CPU where the device cannot build.
+   * Build levels of the farthest depths over the viewport of the source. Returns None. On failure
+   * returns NoFloatTextures or NoDepth, with cause and remedy in `why`, and the levels hold
+   * nothing. Auto goes on with the CPU where the device cannot build.
    */
   vtkNBufferDecision Build(Kind wanted, const Job& job, std::string& why);
 
@@ -68,9 +68,9 @@ public:
     vtkNBufferStatistics& statistics);
 
   /**
-   * Whether props are drawn now in the way that the test presumes: with a depth test of less or
-   * less-or-equal, into the whole viewport, with depth written over the whole range [0, 1]. The
-   * answer is OpenGL's.
+   * Whether props are drawn now in the way that the test presumes: with a depth test that
+   * lets nearer fragments pass, into the whole viewport, with depth written over the whole range
+   * [0, 1]. The answer is OpenGL's.
    */
   static bool DrawsOrdinaryDepth(const vtkNBufferDepthSource& source);
 

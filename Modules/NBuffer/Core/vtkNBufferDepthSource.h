@@ -14,7 +14,7 @@
 #ifndef vtkNBufferDepthSource_h
 #define vtkNBufferDepthSource_h
 
-#include "vtkNBufferMath.h"   // For vtkNBufferExtremum
+#include "vtkNBufferDepthConvention.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferVTKVersion.h"
 
@@ -53,6 +53,9 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
    */
   bool HoldsViewport() const;
 
+  /// Whether depth is normalised and has more bits than fit a float.
+  bool ExceedsFloats() const { return this->DepthBits > 24 && !this->FloatDepth; }
+
   /**
    * Whether there is a depth buffer and a rectangle (in framebuffer pixels) that is not empty lies
    * inside it. If not, `why` receives the cause and a remedy.
@@ -76,7 +79,7 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
    */
   bool Read(vtkOpenGLRenderWindow* window, int x, int y, int width, int height,
     std::vector<float>& depth, std::string& why,
-    vtkNBufferExtremum rounding = vtkNBufferExtremum::Maximum) const;
+    vtkNBufferExtremum rounding = vtkNBufferDepthConvention::Farthest) const;
 };
 
 VTK_ABI_NAMESPACE_END

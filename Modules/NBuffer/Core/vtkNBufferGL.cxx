@@ -14,15 +14,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-constexpr GLenum PackNames[] = { GL_PACK_ALIGNMENT, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS,
-  GL_PACK_SKIP_PIXELS, GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST };
-constexpr GLint PackTight[] = { 4, 0, 0, 0, 0, 0 };
-
-constexpr GLenum UnpackNames[] = { GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS,
-  GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST, GL_UNPACK_IMAGE_HEIGHT,
-  GL_UNPACK_SKIP_IMAGES };
-constexpr GLint UnpackTight[] = { 4, 0, 0, 0, 0, 0, 0, 0 };
-
 // What can discard fragments of a full-screen triangle or change what they write. A clip plane is
 // undefined while the vertex shader writes no distance; VTK uses the first six. Blending is apart:
 // it is a property of each draw buffer.
@@ -148,51 +139,56 @@ ScopedFramebuffers::~ScopedFramebuffers()
   glBindFramebuffer(GL_READ_FRAMEBUFFER, this->Read);
 }
 
-ScopedReadback::ScopedReadback(unsigned int readFramebuffer, unsigned int packBuffer)
+struct ScopedTransfer::Direction
 {
-  static_assert(Size(PackNames) == ParameterCount && Size(PackTight) == ParameterCount,
-    "one value for each pack parameter");
-  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &this->ReadFramebuffer);
-  glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &this->PackBuffer);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, readFramebuffer);
-  glBindBuffer(GL_PIXEL_PACK_BUFFER, packBuffer);
-  for (int i = 0; i < ParameterCount; ++i)
+  GLenum Target;
+  GLenum Binding;
+  int Count;
+  GLenum Names[MaximumCount];
+};
+
+const ScopedTransfer::Direction ScopedTransfer::Pack = { GL_PIXEL_PACK_BUFFER,
+  GL_PIXEL_PACK_BUFFER_BINDING, 6,
+  { GL_PACK_ALIGNMENT, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS,
+    GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST } };
+
+const ScopedTransfer::Direction ScopedTransfer::Unpack = { GL_PIXEL_UNPACK_BUFFER,
+  GL_PIXEL_UNPACK_BUFFER_BINDING, 8,
+  { GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS,
+    GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES } };
+
+ScopedTransfer::ScopedTransfer(const Direction& direction, unsigned int buffer)
+  : Parameters(direction)
+{
+  glGetIntegerv(direction.Binding, &this->Buffer);
+  glBindBuffer(direction.Target, buffer);
+  for (int i = 0; i < direction.Count; ++i)
   {
-    glGetIntegerv(PackNames[i], &this->Parameters[i]);
-    glPixelStorei(PackNames[i], PackTight[i]);
+    glGetIntegerv(direction.Names[i], &this->Values[i]);
+    // The first is the alignment, the others are 0 for rows that are tightly packed.
+    glPixelStorei(direction.Names[i], i == 0 ? 4 : 0);
   }
+}
+
+ScopedTransfer::~ScopedTransfer()
+{
+  for (int i = 0; i < this->Parameters.Count; ++i)
+  {
+    glPixelStorei(this->Parameters.Names[i], this->Values[i]);
+  }
+  glBindBuffer(this->Parameters.Target, this->Buffer);
+}
+
+ScopedReadback::ScopedReadback(unsigned int readFramebuffer, unsigned int packBuffer)
+  : ScopedTransfer(Pack, packBuffer)
+{
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &this->ReadFramebuffer);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, readFramebuffer);
 }
 
 ScopedReadback::~ScopedReadback()
 {
-  for (int i = 0; i < ParameterCount; ++i)
-  {
-    glPixelStorei(PackNames[i], this->Parameters[i]);
-  }
-  glBindBuffer(GL_PIXEL_PACK_BUFFER, this->PackBuffer);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, this->ReadFramebuffer);
-}
-
-ScopedUpload::ScopedUpload(unsigned int unpackBuffer)
-{
-  static_assert(Size(UnpackNames) == ParameterCount && Size(UnpackTight) == ParameterCount,
-    "one value for each unpack parameter");
-  glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &this->UnpackBuffer);
-  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, unpackBuffer);
-  for (int i = 0; i < ParameterCount; ++i)
-  {
-    glGetIntegerv(UnpackNames[i], &this->Parameters[i]);
-    glPixelStorei(UnpackNames[i], UnpackTight[i]);
-  }
-}
-
-ScopedUpload::~ScopedUpload()
-{
-  for (int i = 0; i < ParameterCount; ++i)
-  {
-    glPixelStorei(UnpackNames[i], this->Parameters[i]);
-  }
-  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, this->UnpackBuffer);
 }
 
 ScopedPass::ScopedPass(vtkOpenGLRenderWindow* window)

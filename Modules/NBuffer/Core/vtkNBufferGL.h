@@ -67,40 +67,50 @@ private:
 };
 
 /**
- * While it lives, glReadPixels() reads `readFramebuffer` into host memory (or into `packBuffer`),
- * with rows tightly packed.
+ * While it lives, pixels are transferred with rows tightly packed, between textures or framebuffers
+ * and a buffer object, or host memory if the buffer is 0. A direction has its own parameters.
  */
-class VTKNBUFFER_EXPORT ScopedReadback
+class VTKNBUFFER_EXPORT ScopedTransfer
+{
+public:
+  ScopedTransfer(const ScopedTransfer&) = delete;
+  void operator=(const ScopedTransfer&) = delete;
+
+protected:
+  struct Direction;
+
+  ScopedTransfer(const Direction& direction, unsigned int buffer);
+  ~ScopedTransfer();
+
+  static const Direction Pack;
+  static const Direction Unpack;
+
+private:
+  static constexpr int MaximumCount = 8;
+  const Direction& Parameters;
+  int Buffer = 0;
+  int Values[MaximumCount] = {};
+};
+
+/// While it lives, glReadPixels() reads `readFramebuffer` into host memory or into `packBuffer`.
+class VTKNBUFFER_EXPORT ScopedReadback : public ScopedTransfer
 {
 public:
   explicit ScopedReadback(unsigned int readFramebuffer, unsigned int packBuffer = 0);
   ~ScopedReadback();
-  ScopedReadback(const ScopedReadback&) = delete;
-  void operator=(const ScopedReadback&) = delete;
 
 private:
-  static constexpr int ParameterCount = 6;
   int ReadFramebuffer = 0;
-  int PackBuffer = 0;
-  int Parameters[ParameterCount] = {};
 };
 
-/**
- * While it lives, textures receive texels from host memory (or from `unpackBuffer`, if it is not
- * 0), with rows tightly packed.
- */
-class VTKNBUFFER_EXPORT ScopedUpload
+/// While it lives, textures receive texels from host memory or from `unpackBuffer`.
+class VTKNBUFFER_EXPORT ScopedUpload : public ScopedTransfer
 {
 public:
-  explicit ScopedUpload(unsigned int unpackBuffer);
-  ~ScopedUpload();
-  ScopedUpload(const ScopedUpload&) = delete;
-  void operator=(const ScopedUpload&) = delete;
-
-private:
-  static constexpr int ParameterCount = 8;
-  int UnpackBuffer = 0;
-  int Parameters[ParameterCount] = {};
+  explicit ScopedUpload(unsigned int unpackBuffer)
+    : ScopedTransfer(Unpack, unpackBuffer)
+  {
+  }
 };
 
 /**

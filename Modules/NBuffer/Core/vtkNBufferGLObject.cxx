@@ -10,6 +10,24 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
+struct Functions
+{
+  void (*Generate)(GLuint*);
+  void (*Delete)(GLuint*);
+};
+
+/// The functions of OpenGL for each ObjectType. Their addresses are known only when they are
+/// called.
+constexpr Functions FunctionsOf[] = {
+  { [](GLuint* name) { glGenBuffers(1, name); }, [](GLuint* name) { glDeleteBuffers(1, name); } },
+  { [](GLuint* name) { glGenFramebuffers(1, name); },
+    [](GLuint* name) { glDeleteFramebuffers(1, name); } },
+  { [](GLuint* name) { glGenQueries(1, name); }, [](GLuint* name) { glDeleteQueries(1, name); } },
+  { [](GLuint* name) { glGenTextures(1, name); }, [](GLuint* name) { glDeleteTextures(1, name); } },
+  { [](GLuint* name) { glGenVertexArrays(1, name); },
+    [](GLuint* name) { glDeleteVertexArrays(1, name); } },
+};
+
 /// The format and type of the data that OpenGL wants to hear of even where there is no data.
 std::pair<GLenum, GLenum> GetTransferFormat(GLenum sizedFormat)
 {
@@ -32,7 +50,7 @@ std::pair<GLenum, GLenum> GetTransferFormat(GLenum sizedFormat)
 namespace vtkNBufferGL
 {
 Object::Object(Object&& other) noexcept
-  : ObjectType(other.ObjectType)
+  : Type(other.Type)
   , Name(std::exchange(other.Name, 0u))
 {
 }
@@ -42,7 +60,7 @@ Object& Object::operator=(Object&& other) noexcept
   if (this != &other)
   {
     this->Delete();
-    this->ObjectType = other.ObjectType;
+    this->Type = other.Type;
     this->Name = std::exchange(other.Name, 0u);
   }
   return *this;
@@ -52,53 +70,18 @@ unsigned int Object::Create()
 {
   if (this->Name == 0)
   {
-    switch (this->ObjectType)
-    {
-      case Type::Buffer:
-        glGenBuffers(1, &this->Name);
-        break;
-      case Type::Framebuffer:
-        glGenFramebuffers(1, &this->Name);
-        break;
-      case Type::Query:
-        glGenQueries(1, &this->Name);
-        break;
-      case Type::Texture:
-        glGenTextures(1, &this->Name);
-        break;
-      case Type::VertexArray:
-        glGenVertexArrays(1, &this->Name);
-        break;
-    }
+    FunctionsOf[static_cast<int>(this->Type)].Generate(&this->Name);
   }
   return this->Name;
 }
 
 void Object::Delete()
 {
-  if (this->Name == 0)
+  if (this->Name != 0)
   {
-    return;
+    FunctionsOf[static_cast<int>(this->Type)].Delete(&this->Name);
+    this->Name = 0;
   }
-  switch (this->ObjectType)
-  {
-    case Type::Buffer:
-      glDeleteBuffers(1, &this->Name);
-      break;
-    case Type::Framebuffer:
-      glDeleteFramebuffers(1, &this->Name);
-      break;
-    case Type::Query:
-      glDeleteQueries(1, &this->Name);
-      break;
-    case Type::Texture:
-      glDeleteTextures(1, &this->Name);
-      break;
-    case Type::VertexArray:
-      glDeleteVertexArrays(1, &this->Name);
-      break;
-  }
-  this->Name = 0;
 }
 
 bool GrowingTexture::Reserve(unsigned int format, int width, int height, std::string& why)

@@ -27,8 +27,17 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace vtkNBufferGL
 {
+enum class ObjectType
+{
+  Buffer,
+  Framebuffer,
+  Query,
+  Texture,
+  VertexArray
+};
+
 /**
- * The owner of one OpenGL object, of the type that a class below says.
+ * The owner of one OpenGL object.
  */
 class VTKNBUFFER_EXPORT Object
 {
@@ -50,69 +59,30 @@ public:
   void Forget() { this->Name = 0; }
 
 protected:
-  enum class Type
-  {
-    Buffer,
-    Framebuffer,
-    Query,
-    Texture,
-    VertexArray
-  };
-
-  explicit Object(Type type)
-    : ObjectType(type)
+  explicit Object(ObjectType type)
+    : Type(type)
   {
   }
 
 private:
-  Type ObjectType;
+  ObjectType Type;
   unsigned int Name = 0;
 };
 
-class Buffer : public Object
+template <ObjectType type>
+class TypedObject : public Object
 {
 public:
-  Buffer()
-    : Object(Type::Buffer)
+  TypedObject()
+    : Object(type)
   {
   }
 };
-
-class Framebuffer : public Object
-{
-public:
-  Framebuffer()
-    : Object(Type::Framebuffer)
-  {
-  }
-};
-
-class Query : public Object
-{
-public:
-  Query()
-    : Object(Type::Query)
-  {
-  }
-};
-
-class Texture : public Object
-{
-public:
-  Texture()
-    : Object(Type::Texture)
-  {
-  }
-};
-
-class VertexArray : public Object
-{
-public:
-  VertexArray()
-    : Object(Type::VertexArray)
-  {
-  }
-};
+using Buffer = TypedObject<ObjectType::Buffer>;
+using Framebuffer = TypedObject<ObjectType::Framebuffer>;
+using Query = TypedObject<ObjectType::Query>;
+using Texture = TypedObject<ObjectType::Texture>;
+using VertexArray = TypedObject<ObjectType::VertexArray>;
 
 /**
  * A GL_TEXTURE_2D with a single level, whose texels shaders fetch one by one. It grows and never

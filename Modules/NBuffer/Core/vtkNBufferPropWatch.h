@@ -74,7 +74,7 @@ public:
   /**
    * Whether anything may have been modified since Track(); true before the first Track().
    * MayHaveChanged() reads time stamps only, is true for everything that does not show in them, and
-   * may be called in parallel. HasChanged() asks the pipeline as well. It must not be called in
+   * may be called in parallel. HasChanged() queries the pipeline as well. It must not be called in
    * parallel, because pipelines store the times that they find, and may share filters.
    */
   bool MayHaveChanged() const { return this->How != Means::Stamps || this->StampsHaveChanged(); }
@@ -95,7 +95,7 @@ public:
   vtkMTimeType GetTime() const { return this->Time; }
 
   /**
-   * Whether every change shows in GetTime(). Beside the props of means None this is false for
+   * Whether every change shows in GetTime(). This is false for the props of means None, for
    * composite data, whose blocks have attributes without times, for replaced shaders, whose
    * uniforms have none, and for actors that follow a device.
    */

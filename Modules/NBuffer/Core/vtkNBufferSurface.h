@@ -13,8 +13,8 @@
  *     IsPlain()   for the culler: exactly the classes that are known. What a subclass draws may lie
  *                 outside its bounds, and the culler would leave out what can be seen.
  *     GetParts()  for shadows: subclasses as well. No bounds are involved: the shadow is that of
- *                 the triangles in the mapper's input, and a subclass that draws something else
- *                 beside them loses only the shadow of that.
+ *                 the triangles in the mapper's input, and if a subclass draws something else
+ *                 in addition, only the shadow of that is missing.
  */
 #ifndef vtkNBufferSurface_h
 #define vtkNBufferSurface_h

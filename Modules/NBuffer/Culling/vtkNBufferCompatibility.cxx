@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferCompatibility.h"
 
+#include "vtkNBufferBackend.h"
+#include "vtkNBufferDepthSource.h"
+#include "vtkNBufferGL.h"
+#include "vtkNBufferRenderPassTraits.h"
 #include "vtkNBufferVTKVersion.h"
-#include "vtkShadowVolumeClampPass.h"
+#include "vtkNBufferViewKey.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -29,19 +33,28 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// Passes that draw the renderer's own props from its own camera. A pass that draws into another
-/// size or with another camera is caught later, when the proxy is drawn.
-const std::array<const char*, 19> KnownPasses = { "vtkSequencePass", "vtkCameraPass",
+/// VTK's passes that draw the renderer's own props from its own camera. Whether a pass draws in
+/// another size or with another camera is checked later, when the proxy is drawn.
+const std::array<const char*, 17> KnownPasses = { "vtkSequencePass", "vtkCameraPass",
   "vtkRenderStepsPass", "vtkSSAOPass", "vtkSSAAPass", "vtkOpenGLFXAAPass", "vtkToneMappingPass",
   "vtkLightsPass", "vtkDefaultPass", "vtkOpaquePass", "vtkTranslucentPass", "vtkVolumetricPass",
   "vtkOverlayPass", "vtkClearZPass", "vtkDepthPeelingPass", "vtkDualDepthPeelingPass",
-  "vtkOrderIndependentTranslucentPass", "vtkShadowVolumeClampPass", "OpaqueStage" };
+  "vtkOrderIndependentTranslucentPass" };
 
-/// The passes that a pass hands on to.
+const vtkNBufferRenderPassTraits* GetTraits(const vtkRenderPass* pass)
+{
+  return dynamic_cast<const vtkNBufferRenderPassTraits*>(pass);
+}
+
+/// Get the passes that a pass calls.
 std::vector<vtkRenderPass*> GetParts(vtkRenderPass* pass)
 {
   std::vector<vtkRenderPass*> parts;
-  if (auto* sequence = vtkSequencePass::SafeDownCast(pass))
+  if (auto* traits = dynamic_cast<vtkNBufferRenderPassTraits*>(pass))
+  {
+    parts = traits->GetDelegatePasses();
+  }
+  else if (auto* sequence = vtkSequencePass::SafeDownCast(pass))
   {
     if (vtkRenderPassCollection* passes = sequence->GetPasses())
     {
@@ -60,10 +73,6 @@ std::vector<vtkRenderPass*> GetParts(vtkRenderPass* pass)
     parts = { steps->GetCameraPass(), steps->GetLightsPass(), steps->GetOpaquePass(),
       steps->GetTranslucentPass(), steps->GetVolumetricPass(), steps->GetOverlayPass(),
       steps->GetPostProcessPass() };
-  }
-  else if (auto* shadows = vtkShadowVolumeClampPass::SafeDownCast(pass))
-  {
-    parts = { shadows->GetSteps() };
   }
   else if (auto* image = vtkImageProcessingPass::SafeDownCast(pass))
   {
@@ -88,7 +97,8 @@ bool AnyPass(vtkRenderPass* pass, Predicate&& predicate)
 bool IsUnknownPass(vtkRenderPass* pass)
 {
   const std::string name = pass->GetClassName();
-  return std::find(KnownPasses.begin(), KnownPasses.end(), name) == KnownPasses.end();
+  return !GetTraits(pass) &&
+    std::find(KnownPasses.begin(), KnownPasses.end(), name) == KnownPasses.end();
 }
 
 bool HasWireframes(vtkRenderer* renderer)
@@ -124,8 +134,12 @@ bool ProcessesImage(vtkRenderer* renderer)
 
 bool DrawsOpaquePropsTwice(vtkRenderer* renderer)
 {
-  return AnyPass(
-    renderer->GetPass(), [](vtkRenderPass* pass) { return pass->IsA("vtkShadowVolumeClampPass"); });
+  return AnyPass(renderer->GetPass(),
+    [](vtkRenderPass* pass)
+    {
+      const vtkNBufferRenderPassTraits* traits = GetTraits(pass);
+      return traits && traits->DrawsOpaquePropsTwice();
+    });
 }
 
 bool SmoothesLines(vtkRenderer* renderer)
@@ -184,21 +198,44 @@ vtkNBufferDecision WhyNot(vtkRenderer* renderer)
     return vtkNBufferDecision::HiddenLines;
   }
   vtkCamera* camera = renderer->GetActiveCamera();
-  // With a scissor only a part of the viewport is drawn; depth elsewhere is of another frame. A
-  // camera learns that it is one of two eyes when it is drawn, which is too late for the frustum.
+  // With a scissor only a part of the viewport is drawn, and the depth elsewhere is that of another
+  // frame. A camera gets to know that it is one of two eyes only when it is drawn, which is too
+  // late for the frustum.
   if (!camera || camera->GetUseScissor() ||
     (camera->GetStereo() != 0) != (window->GetStereoRender() != 0))
   {
     return vtkNBufferDecision::OtherView;
   }
 #if !VTKNBUFFER_HAS_SSAO_IN_PARTS
-  // What is outside of its framebuffer, and even whether anything is drawn, shows.
+  // In these versions the image depends on props outside of the pass's framebuffer, and even on
+  // whether there are any props to draw.
   if (HasAmbientOcclusion(renderer) && (origin[0] > 0 || origin[1] > 0))
   {
     return vtkNBufferDecision::OtherView;
   }
 #endif
   return vtkNBufferDecision::None;
+}
+
+vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferViewKey& key,
+  vtkNBufferDepthSource& source, std::string& why)
+{
+  if (!(vtkNBufferViewKey::Make(renderer) == key))
+  {
+    return vtkNBufferDecision::OtherView;
+  }
+  if (!vtkNBufferGL::CheckVersion(why))
+  {
+    return vtkNBufferDecision::OldContext;
+  }
+  if (!source.Inspect(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), why))
+  {
+    return vtkNBufferDecision::NoDepth;
+  }
+  const bool isOrdinary = source.Viewport[2] == key.Viewport[2] &&
+    source.Viewport[3] == key.Viewport[3] && source.HoldsViewport() &&
+    vtkNBufferBackend::DrawsOrdinaryDepth(source);
+  return isOrdinary ? vtkNBufferDecision::None : vtkNBufferDecision::OtherView;
 }
 }
 VTK_ABI_NAMESPACE_END

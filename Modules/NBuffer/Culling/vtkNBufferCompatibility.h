@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferCompatibility.h
- * @brief When the culler must step aside: the one place that knows VTK's ways of drawing a frame.
+ * @brief When the culler must draw everything: the one place that knows VTK's ways of drawing a
+ * frame.
  *
- * Holding props back is right only if the renderer draws its opaque props once, from its active
- * camera, into a framebuffer with depth, and nothing needs the props that the camera does not see.
+ * The culler may hold props back only if the renderer draws its opaque props once, from its active
+ * camera, into a framebuffer with depth, and if nothing needs the props that the camera does not
+ * see. Of VTK's own render passes this file knows which of them do that. All other passes can say
+ * so themselves (vtkNBufferRenderPassTraits); the culler draws everything for those that do not.
  */
 #ifndef vtkNBufferCompatibility_h
 #define vtkNBufferCompatibility_h
@@ -13,28 +16,41 @@
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferStatistics.h"
 
+#include <string>
+
 VTK_ABI_NAMESPACE_BEGIN
+struct vtkNBufferDepthSource;
 class vtkRenderer;
+struct vtkNBufferViewKey;
 
 namespace vtkNBufferCompatibility
 {
-/// Why this frame of `renderer` cannot be culled; None if it can.
+/// Get the reason why the culler must not cull the next frame of `renderer`, or None if it may.
 VTKNBUFFER_EXPORT vtkNBufferDecision WhyNot(vtkRenderer* renderer);
 
-/// Whether the renderer changes the picture beyond what its props draw (FXAA, SSAO), also that of
-/// layers below. It does so only if there is a prop left in its list, be it one that draws nothing.
+/**
+ * Get the reason why the depth drawn so far must not be used to test what was held back, or None if
+ * it may be used. To be called when the proxy is drawn: only then is the framebuffer known. `key`
+ * is the view that the culler has placed the props in. Describes the framebuffer in `source`. After
+ * a failure `why` says its cause and remedy; otherwise it stays empty.
+ */
+vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferViewKey& key,
+  vtkNBufferDepthSource& source, std::string& why);
+
+/// Whether the renderer processes the image after drawing its props (FXAA, SSAO), the image of
+/// layers below included. VTK does so only if the renderer's list contains a prop, even if that
+/// prop draws nothing.
 VTKNBUFFER_EXPORT bool ProcessesImage(vtkRenderer* renderer);
 
-/**
- * Whether a pass (vtkShadowVolumeClampPass) may draw the same opaque props twice, first the depth
- * alone, then everything: what is hidden in the first drawing is hidden in the second.
- */
+/// Whether one of the renderer's passes says that it may draw the same opaque props twice in a
+/// frame (vtkNBufferRenderPassTraits::DrawsOpaquePropsTwice).
 VTKNBUFFER_EXPORT bool DrawsOpaquePropsTwice(vtkRenderer* renderer);
 
 ///@{
-/// Blending in the opaque stage, where it shows what has been drawn below and in which order:
-/// screen-space ambient occlusion takes positions and normals of what lies below from props that
-/// have none of their own (unlit ones), smooth lines and points are mixed with it at their edges.
+/// Whether the renderer or its window may blend in the opaque stage. Then the image depends on what
+/// has been drawn below a prop and in which order. With screen-space ambient occlusion, a prop
+/// without normals (an unlit one) leaves the positions and normals of what lies below it. Smooth
+/// lines and points are blended at their edges.
 VTKNBUFFER_EXPORT bool HasAmbientOcclusion(vtkRenderer* renderer);
 VTKNBUFFER_EXPORT bool SmoothesLines(vtkRenderer* renderer);
 ///@}

@@ -4,28 +4,27 @@
 
 #include "vtkNBufferClock.h"
 #include "vtkNBufferCompatibility.h"
-#include "vtkNBufferGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 vtkNBufferView::vtkNBufferView(vtkNBufferBackend& backend, const vtkNBufferTuning& tuning)
   : Backend(backend)
   , Tuning(tuning)
+  , Partition(this->Props)
   , Draws(this->Props, this->Projection, this->Proxy)
 {
-  this->Proxy->SetView(this);
+  this->Proxy->SetOwner(this);
 }
 
 vtkNBufferView::~vtkNBufferView()
 {
-  this->Proxy->SetView(nullptr);
+  this->Proxy->SetOwner(nullptr);
 }
 
 void vtkNBufferView::StepAside(vtkNBufferDecision reason, vtkProp** props, int count)
@@ -35,30 +34,25 @@ void vtkNBufferView::StepAside(vtkNBufferDecision reason, vtkProp** props, int c
   this->Statistics.Decision = reason;
   this->Statistics.Props = count;
   this->Statistics.Verdicts[static_cast<int>(vtkNBufferVerdict::Untested)] = count;
-  this->Pending = this->DrawnOnce = this->Settled = false;
-  this->Aside = true;
+  this->State = Phase::Aside;
 }
 
 double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, int& initialized,
   const vtkNBufferSettings& settings)
 {
   const vtkNBufferClock clock;
-  const bool wasFrozen = this->Statistics.Decision == vtkNBufferDecision::Frozen;
-  const bool complete = this->Settled && !this->Pending;
+  const bool complete = this->State == Phase::Tested || this->State == Phase::Reused;
   this->Settings = settings;
   this->ResetStatistics();
   this->Statistics.Props = count;
-  this->Pending = this->DrawnOnce = this->Aside = false;
-  this->Kept.clear();
-  this->Held.clear();
-  this->Gated.clear();
+  this->Partition.Clear();
   this->Draws.Clear();
 
   vtkNBufferClock part;
   this->Props.SetHierarchySize(this->Tuning.HierarchySize);
   const bool listChanged = this->Props.Synchronize(props, count);
   const vtkNBufferViewKey key = vtkNBufferViewKey::Make(renderer);
-  const bool frozen = settings.Freeze && (wasFrozen || complete);
+  const bool frozen = settings.Freeze && complete;
   const bool moved = !frozen && !(key == this->LastKey);
   if (moved)
   {
@@ -71,10 +65,12 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   if (frozen)
   {
     this->Statistics.Decision = vtkNBufferDecision::Frozen;
+    this->State = Phase::Reused;
   }
-  else if (complete && !changed && this->Tuning.ReuseWhenStill && this->MayReuse(renderer))
+  else if (complete && !changed && this->Tuning.ReuseWhenStill && this->CanReuse(renderer))
   {
     this->Statistics.Decision = vtkNBufferDecision::Still;
+    this->State = Phase::Reused;
   }
   else
   {
@@ -82,11 +78,9 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
     {
       this->Props.Project(this->Projection);
     }
-    const bool blending = this->Props.HasBlending(vtkNBufferCompatibility::SmoothesLines(renderer),
-      vtkNBufferCompatibility::HasAmbientOcclusion(renderer));
-    this->Statistics.Decision = this->Decide(blending);
-    this->Settled = this->Statistics.Decision == vtkNBufferDecision::Culled;
-    this->Pending = this->Settled;
+    this->Statistics.Decision = this->Divide(renderer);
+    this->State = this->Statistics.Decision == vtkNBufferDecision::Culled ? Phase::AwaitingProxy
+                                                                          : Phase::Untested;
   }
   this->Statistics.FrustumTime = part.GetMilliseconds();
 
@@ -94,7 +88,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   {
     this->Props.KeepIfNoneIsInside();
   }
-  const double total = this->Emit(props, count, initialized);
+  const double total = this->MakeList(props, count, initialized);
   this->Props.CountVerdicts(this->Statistics);
   this->Statistics.CullTime = clock.GetMilliseconds();
   return total;
@@ -108,117 +102,46 @@ void vtkNBufferView::SetProjection(const vtkNBufferViewKey& key)
     std::max(viewport[0] + viewport[2], viewport[1] + viewport[3]));
 }
 
-bool vtkNBufferView::MayReuse(vtkRenderer* renderer) const
+bool vtkNBufferView::CanReuse(vtkRenderer* renderer) const
 {
-  // Another test saves what the last one found hidden too late. What was in the buffers before, and
-  // depth that changes without a trace, may differ.
-  return !this->Improves && !this->Props.HasUntrackedDepth() && renderer->GetErase() &&
+  // Where kept props were found hidden, another test saves drawing them again. Without erasing, the
+  // image also depends on what was in the buffers before, and untracked depth may have changed.
+  return this->KeptInVain == 0 && !this->Props.HasUntrackedDepth() && renderer->GetErase() &&
     renderer->GetRenderWindow()->GetErase() && !renderer->GetPreserveDepthBuffer();
 }
 
-vtkNBufferDecision vtkNBufferView::Decide(bool blending)
+vtkNBufferDecision vtkNBufferView::Divide(vtkRenderer* renderer)
 {
-  int candidates = 0;
-  int inside = 0;
-  for (int i = 0; i < this->Props.GetSize(); ++i)
+  vtkNBufferFrustumCounts counts = this->Partition.Classify();
+  counts.Blending = this->Props.HasBlending(vtkNBufferCompatibility::SmoothesLines(renderer),
+    vtkNBufferCompatibility::HasAmbientOcclusion(renderer));
+  this->Statistics.Candidates = counts.Candidates;
+  const vtkNBufferDecision decision = vtkNBufferCullingPolicy::ChooseDecision(counts,
+    this->Tuning.MinimumNumberOfCandidates, this->Tuning.BackOff ? &this->BackOff : nullptr);
+  if (decision != vtkNBufferDecision::Culled)
   {
-    vtkNBufferState& state = this->Props.GetState(i);
-    if (state.Verdict == vtkNBufferVerdict::Translucent &&
-      state.Placement == vtkNBufferPlacement::Inside)
-    {
-      this->Gated.push_back(i);
-    }
-    candidates += state.Verdict == vtkNBufferVerdict::Translucent ? 1 : 0;
-    if (state.Verdict != vtkNBufferVerdict::Visible)
-    {
-      continue; // not a candidate
-    }
-    ++candidates;
-    switch (state.Placement)
-    {
-      case vtkNBufferPlacement::Outside:
-        state.Verdict = vtkNBufferVerdict::Outside;
-        state.WasVisible = false;
-        break;
-      case vtkNBufferPlacement::Crossing:
-        ++inside;
-        state.Verdict = vtkNBufferVerdict::NearPlane;
-        state.WasVisible = true;
-        break;
-      case vtkNBufferPlacement::Inside:
-        ++inside;
-        state.Verdict = vtkNBufferVerdict::Untested;
-        (state.WasVisible ? this->Kept : this->Held).push_back(i);
-        break;
-    }
+    this->Partition.KeepAll();
+    return decision;
   }
-  this->Statistics.Candidates = candidates;
-
-  vtkNBufferDecision decision = vtkNBufferDecision::Culled;
-  if (blending)
-  {
-    decision = vtkNBufferDecision::Blending;
-  }
-  else if (inside < this->Tuning.MinimumNumberOfCandidates)
-  {
-    decision = vtkNBufferDecision::FewCandidates;
-  }
-  else if (this->Tuning.BackOff && this->BackOff.CountRestFrame())
-  {
-    decision = vtkNBufferDecision::BackedOff;
-  }
-  else if (this->Held.empty())
-  {
-    // What became hidden since is only found by a test: now and then one prop is held back so
-    // that there is one, the farthest, which hides least.
-    const bool manyGated =
-      static_cast<int>(this->Gated.size()) >= this->Tuning.MinimumNumberOfCandidates;
-    if (this->Tuning.BackOff && !manyGated && !this->BackOff.CountIdleFrame())
-    {
-      decision = vtkNBufferDecision::NothingHeld;
-    }
-    else if (!this->Kept.empty())
-    {
-      const auto farthest = std::max_element(this->Kept.begin(), this->Kept.end(),
-        [this](int a, int b)
-        { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; });
-      this->Held.push_back(*farthest);
-      this->Kept.erase(farthest);
-    }
-  }
-  if (decision != vtkNBufferDecision::Culled || this->Held.empty())
-  {
-    // All of them are drawn now, so that the next test begins with all of them in the depth.
-    for (int i : this->Held)
-    {
-      this->Props.GetState(i).WasVisible = true;
-    }
-    this->Held.clear();
-    this->Gated.clear();
-    return decision == vtkNBufferDecision::Culled ? vtkNBufferDecision::NothingHeld : decision;
-  }
-  for (int i : this->Kept)
-  {
-    this->Props.GetState(i).Verdict = vtkNBufferVerdict::Visible;
-  }
-  for (int i : this->Held)
-  {
-    this->Props.GetState(i).Verdict = vtkNBufferVerdict::Unknown;
-  }
-  this->Statistics.HeldBack = static_cast<int>(this->Held.size() + this->Gated.size());
+  this->Partition.HoldBack();
+  this->Statistics.HeldBack = static_cast<int>(
+    this->Partition.GetHeldBack().size() + this->Partition.GetTranslucent().size());
   return decision;
 }
 
-double vtkNBufferView::Emit(vtkProp** props, int& count, int& initialized)
+double vtkNBufferView::MakeList(vtkProp** props, int& count, int& initialized)
 {
+  const bool pending = this->State == Phase::AwaitingProxy;
+  const std::vector<int>& translucent = this->Partition.GetTranslucent();
   double total = 0.0;
   int kept = 0;
   double heldTotal = 0.0;
-  this->Gates.Clear();
+  this->TranslucentProxies.Clear();
   for (int i = 0; i < this->Props.GetSize(); ++i)
   {
     const vtkNBufferVerdict verdict = this->Props.GetState(i).Verdict;
-    const bool closed = verdict == vtkNBufferVerdict::Hidden && !this->Pending &&
+    // A translucent prop that an earlier test found hidden keeps its place, behind a closed proxy.
+    const bool closed = verdict == vtkNBufferVerdict::Hidden && !pending &&
       this->Props.GetCandidate(i).IsTranslucent();
     if (verdict == vtkNBufferVerdict::Outside || (verdict == vtkNBufferVerdict::Hidden && !closed))
     {
@@ -226,24 +149,22 @@ double vtkNBufferView::Emit(vtkProp** props, int& count, int& initialized)
     }
     vtkProp* prop = this->Props.GetProp(i);
     const double multiplier = initialized ? prop->GetRenderTimeMultiplier() : 1.0;
-    if (verdict == vtkNBufferVerdict::Unknown && this->Pending)
+    if (verdict == vtkNBufferVerdict::Unknown && pending)
     {
       heldTotal += multiplier;
       continue;
     }
-    const bool gated =
-      this->Pending && std::binary_search(this->Gated.begin(), this->Gated.end(), i);
-    if (gated || closed)
+    if (closed || (pending && std::binary_search(translucent.begin(), translucent.end(), i)))
     {
-      prop = this->Gates.Add(prop, !closed);
+      prop = this->TranslucentProxies.Add(prop, !closed);
     }
     prop->SetRenderTimeMultiplier(multiplier);
     total += multiplier;
     props[kept++] = prop;
   }
-  if (this->Pending)
+  if (pending)
   {
-    // In the place of the held ones, so that the list never grows.
+    // At least one prop is held back, so that the list never grows.
     this->Proxy->SetRenderTimeMultiplier(heldTotal);
     total += heldTotal;
     props[kept++] = this->Proxy;
@@ -253,22 +174,6 @@ double vtkNBufferView::Emit(vtkProp** props, int& count, int& initialized)
   return total;
 }
 
-void vtkNBufferView::CloseGates(vtkNBufferDepthTest& test)
-{
-  // Gate n stands for the n-th of Gated.
-  std::vector<int> visible = this->Gated;
-  test.RemoveHidden(visible);
-  for (std::size_t n = 0; n < this->Gated.size(); ++n)
-  {
-    if (!this->Gates.HasDrawn(n) &&
-      !std::binary_search(visible.begin(), visible.end(), this->Gated[n]))
-    {
-      this->Gates.SetOpen(n, false);
-      this->Props.GetState(this->Gated[n]).Verdict = vtkNBufferVerdict::Hidden;
-    }
-  }
-}
-
 vtkNBufferVerdict vtkNBufferView::GetVerdict(vtkProp* prop) const
 {
   const int i = this->Props.Find(prop);
@@ -276,34 +181,57 @@ vtkNBufferVerdict vtkNBufferView::GetVerdict(vtkProp* prop) const
   {
     return vtkNBufferVerdict::Unknown;
   }
-  // In a frame that is drawn as usual the list is not even looked at.
-  return this->Aside ? vtkNBufferVerdict::Untested : this->Props.GetState(i).Verdict;
+  return this->State == Phase::Aside ? vtkNBufferVerdict::Untested
+                                     : this->Props.GetState(i).Verdict;
 }
 
 bool vtkNBufferView::HasHeldPropWithKeys(vtkInformation* requiredKeys) const
 {
-  return std::any_of(this->Held.begin(), this->Held.end(),
+  const std::vector<int>& heldBack = this->Partition.GetHeldBack();
+  return std::any_of(heldBack.begin(), heldBack.end(),
     [&](int i) { return this->Props.GetProp(i)->HasKeys(requiredKeys); });
+}
+
+void vtkNBufferView::ForEachDrawnHeldProp(const std::function<void(vtkProp*)>& visit) const
+{
+  for (const vtkNBufferDrawnProp& drawn : this->Draws.Get())
+  {
+    visit(this->Props.GetProp(drawn.Index));
+  }
 }
 
 int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* requiredKeys)
 {
-  if (!this->Pending && !this->DrawnOnce)
+  switch (this->State)
   {
-    return 0;
+    case Phase::Aside:
+    case Phase::Untested:
+    case Phase::Reused:
+      return 0; // nothing is held back
+    case Phase::AwaitingProxy:
+      if (!requiredKeys)
+      {
+        return this->TestAndDraw(renderer);
+      }
+      break;
+    case Phase::Tested:
+      if (!requiredKeys && this->CanRepeat(renderer))
+      {
+        return this->Repeat(renderer);
+      }
+      break;
+    case Phase::Incomplete:
+      break;
   }
+  // VTK wants only some of the props, or the same props once more, for reasons that are not known
+  // here.
+  return this->DrawAll(renderer, requiredKeys, vtkNBufferDecision::OtherView);
+}
+
+int vtkNBufferView::TestAndDraw(vtkRenderer* renderer)
+{
+  this->State = Phase::Incomplete;
   vtkNBufferDepthSource source;
-  if (!requiredKeys && this->MayRepeat(renderer, source))
-  {
-    return this->Repeat(renderer);
-  }
-  // Only some of the props, or the same props once more: VTK has its reasons, draw what it says.
-  if (requiredKeys || this->DrawnOnce)
-  {
-    this->DrawnOnce = true;
-    return this->DrawAll(renderer, requiredKeys, vtkNBufferDecision::OtherView);
-  }
-  this->DrawnOnce = true;
   const vtkNBufferDecision obstacle = this->PrepareTest(renderer, source);
   if (obstacle != vtkNBufferDecision::None)
   {
@@ -311,29 +239,30 @@ int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* require
   }
   this->TestedBits = source.DepthBits;
   this->TestedSamples = source.Samples;
-  const int drawn = this->DrawRounds(renderer, source);
+  this->KeptInVain = 0;
+  int drawn = 0;
+  const bool tested = this->DrawRounds(renderer, source, drawn);
   const vtkNBufferClock clock;
   this->Statistics.Redrawn +=
-    this->Draws.RestoreTieOrder(renderer, this->Held, true, this->TestedSamples);
+    this->Draws.RestoreTieOrder(renderer, this->Partition.GetHeldBack(), true, this->TestedSamples);
   this->Statistics.DrawTime += clock.GetMilliseconds();
-  this->Pending = false;
-  // Mappers return early from an aborted frame: its depth and verdicts are worth nothing.
-  this->Settled = this->Settled && !renderer->GetRenderWindow()->GetAbortRender();
+  // When rendering is aborted mappers return early, so that depth and verdicts are not complete.
+  if (tested && !renderer->GetRenderWindow()->GetAbortRender())
+  {
+    this->State = Phase::Tested;
+  }
   this->Props.CountVerdicts(this->Statistics);
-  const auto keptHidden = std::count_if(this->Kept.begin(), this->Kept.end(),
-    [this](int i) { return !this->Props.GetState(i).WasVisible; });
-  this->Improves = keptHidden > 0;
-  this->BackOff.Learn(this->Statistics.GetCount(vtkNBufferVerdict::Hidden) +
-      static_cast<int>(keptHidden) - this->Statistics.Redrawn,
-    static_cast<int>(this->Kept.size() + this->Held.size() + this->Gated.size()));
+  this->BackOff.Learn(this->Statistics.GetCount(vtkNBufferVerdict::Hidden) + this->KeptInVain -
+      this->Statistics.Redrawn,
+    this->Partition.GetSize());
   return drawn;
 }
 
-bool vtkNBufferView::MayRepeat(vtkRenderer* renderer, vtkNBufferDepthSource& source)
+bool vtkNBufferView::CanRepeat(vtkRenderer* renderer)
 {
-  // Depth that is coarser than that of the test holds other ties, other samples see past others.
-  return this->DrawnOnce && !this->Pending && this->Settled &&
-    vtkNBufferCompatibility::DrawsOpaquePropsTwice(renderer) &&
+  // In coarser depth other props have equal depths, and other samples see past other silhouettes.
+  vtkNBufferDepthSource source;
+  return vtkNBufferCompatibility::DrawsOpaquePropsTwice(renderer) &&
     this->PrepareTest(renderer, source) == vtkNBufferDecision::None &&
     std::max(source.Samples, 1) == std::max(this->TestedSamples, 1) &&
     std::min(source.DepthBits, 24) >= std::min(this->TestedBits, 24);
@@ -341,91 +270,71 @@ bool vtkNBufferView::MayRepeat(vtkRenderer* renderer, vtkNBufferDepthSource& sou
 
 int vtkNBufferView::Repeat(vtkRenderer* renderer)
 {
+  // The statistics count the draws of one drawing.
   const vtkNBufferClock clock;
   const int drawn = this->Draws.Repeat(renderer);
-  // Statistics are of one drawing.
-  this->Draws.RestoreTieOrder(renderer, this->Held, true, this->TestedSamples);
+  this->Draws.RestoreTieOrder(renderer, this->Partition.GetHeldBack(), true, this->TestedSamples);
   this->Statistics.DrawTime += clock.GetMilliseconds();
   return drawn;
 }
 
 vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBufferDepthSource& source)
 {
-  if (!(vtkNBufferViewKey::Make(renderer) == this->LastKey))
-  {
-    return vtkNBufferDecision::OtherView;
-  }
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   std::string why;
-  if (!vtkNBufferGL::CheckVersion(why))
+  const vtkNBufferDecision obstacle =
+    vtkNBufferCompatibility::WhyNotHere(renderer, this->LastKey, source, why);
+  if (obstacle != vtkNBufferDecision::None)
   {
-    this->Fail(renderer, vtkNBufferDecision::OldContext, why);
-    return vtkNBufferDecision::OldContext;
-  }
-  if (!source.Inspect(window, why))
-  {
-    this->Fail(renderer, vtkNBufferDecision::NoDepth, why);
-    return vtkNBufferDecision::NoDepth;
-  }
-  if (source.Viewport[2] != this->LastKey.Viewport[2] ||
-    source.Viewport[3] != this->LastKey.Viewport[3] || !source.HoldsViewport() ||
-    !vtkNBufferBackend::DrawsOrdinaryDepth(source))
-  {
-    return vtkNBufferDecision::OtherView;
+    if (!why.empty())
+    {
+      this->Fail(renderer, obstacle, why);
+    }
+    return obstacle;
   }
   const double quantum = std::ldexp(1.0, -std::min(source.DepthBits, 24));
   if (quantum != this->DepthQuantum)
   {
     this->DepthQuantum = quantum;
     this->SetProjection(this->LastKey);
-    for (const std::vector<int>* list : { &this->Kept, &this->Held, &this->Gated })
-    {
-      for (int i : *list)
-      {
-        this->Props.GetState(i).Placement =
-          this->Projection.Project(this->Props.GetBox(i), this->Props.GetScreen(i));
-      }
-    }
+    this->Partition.Project(this->Projection);
   }
   return vtkNBufferDecision::None;
 }
 
 void vtkNBufferView::TestKept(vtkNBufferDepthTest& test)
 {
-  // They are drawn already; which of them are visible decides what the next frame begins with.
-  for (int i : this->Kept)
-  {
-    this->Props.GetState(i).WasVisible = false;
-  }
-  std::vector<int> visible = this->Kept;
+  // They are drawn already; the next frame begins with those of them that are visible.
+  std::vector<int> visible = this->Partition.GetKept();
   this->Statistics.PassedCoarseTest += test.RemoveHidden(visible);
-  for (int i : visible)
+  this->KeptInVain = this->Partition.SetVisibleKept(visible);
+}
+
+void vtkNBufferView::TestTranslucent(vtkNBufferDepthTest& test)
+{
+  const std::vector<int>& all = this->Partition.GetTranslucent();
+  std::vector<int> visible = all;
+  test.RemoveHidden(visible);
+  for (std::size_t n = 0; n < all.size(); ++n)
   {
-    this->Props.GetState(i).WasVisible = true;
+    vtkNBufferTranslucentProxy* proxy = this->TranslucentProxies.Get(n);
+    if (!proxy->HasDrawn() && !std::binary_search(visible.begin(), visible.end(), all[n]))
+    {
+      proxy->SetOpen(false);
+      this->Props.GetState(all[n]).Verdict = vtkNBufferVerdict::Hidden;
+    }
   }
 }
 
-int vtkNBufferView::DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSource& source)
+bool vtkNBufferView::DrawRounds(
+  vtkRenderer* renderer, const vtkNBufferDepthSource& source, int& drawn)
 {
-  int drawn = 0;
   int round = 1;
-  std::vector<int> held = this->Held;
-  const auto nearer = [this](int a, int b)
-  { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; };
+  std::vector<int> left = this->Partition.GetHeldBack();
   const auto drawNearest = [&](std::size_t limit)
-  {
-    std::vector<int> nearest = held;
-    if (limit < held.size())
-    {
-      std::nth_element(held.begin(), held.begin() + limit, held.end(), nearer);
-      nearest.assign(held.begin(), held.begin() + limit);
-    }
-    held.erase(held.begin(), held.begin() + nearest.size());
-    drawn += this->DrawRound(renderer, std::move(nearest), round++);
-  };
+  { drawn += this->DrawRound(renderer, this->Partition.RemoveNearest(left, limit), round++); };
 
   // Where nothing is known, the nearest props are the best guess at what hides the others.
-  if (this->Kept.empty())
+  if (this->Partition.GetKept().empty())
   {
     drawNearest(this->Tuning.RoundSize);
   }
@@ -435,43 +344,39 @@ int vtkNBufferView::DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSourc
   for (;;)
   {
     std::string why;
-    const vtkNBufferDecision failure =
-      test.Build(window, source, { &this->Kept, &held, &this->Gated }, why);
+    const vtkNBufferDecision failure = test.Build(window, source,
+      { &this->Partition.GetKept(), &left, &this->Partition.GetTranslucent() }, why);
     if (failure != vtkNBufferDecision::None)
     {
       this->Fail(renderer, failure, why);
       this->Statistics.Decision = failure;
-      this->Settled = false;
-      // What earlier rounds found hidden as well.
-      held.clear();
-      std::copy_if(this->Held.begin(), this->Held.end(), std::back_inserter(held),
-        [this](int i) { return this->Props.GetState(i).Verdict != vtkNBufferVerdict::Visible; });
-      drawNearest(held.size());
-      return drawn;
+      // Draw what earlier rounds found hidden, too.
+      left = this->Partition.GetNotDrawn();
+      drawNearest(left.size());
+      return false;
     }
     if (this->Statistics.Rounds == 0)
     {
-      this->Statistics.Tested =
-        static_cast<int>(this->Kept.size() + held.size() + this->Gated.size());
+      this->Statistics.Tested = static_cast<int>(
+        this->Partition.GetKept().size() + left.size() + this->Partition.GetTranslucent().size());
       this->TestKept(test);
     }
-    for (int i : held)
+    for (int i : left)
     {
       this->Props.GetState(i).Verdict = vtkNBufferVerdict::Hidden;
       this->Props.GetState(i).WasVisible = false;
     }
-    const int doubtful = test.RemoveHidden(held);
-    this->Statistics.PassedCoarseTest += this->Statistics.Rounds == 0 ? doubtful : 0;
+    const int passed = test.RemoveHidden(left);
+    this->Statistics.PassedCoarseTest += this->Statistics.Rounds == 0 ? passed : 0;
 
     // Another round must save more props than it draws to be worth its read-back.
-    const std::size_t limit = static_cast<std::size_t>(this->Tuning.RoundSize)
-      << this->Statistics.Rounds;
+    const auto limit = std::size_t(this->Tuning.RoundSize) << this->Statistics.Rounds;
     ++this->Statistics.Rounds;
-    if (held.size() <= 2 * limit || this->Statistics.Rounds >= this->Tuning.MaximumNumberOfRounds)
+    if (left.size() <= 2 * limit || this->Statistics.Rounds >= this->Tuning.MaximumNumberOfRounds)
     {
-      this->CloseGates(test);
-      drawNearest(held.size());
-      return drawn;
+      this->TestTranslucent(test);
+      drawNearest(left.size());
+      return true;
     }
     drawNearest(limit);
   }
@@ -480,8 +385,8 @@ int vtkNBufferView::DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSourc
 int vtkNBufferView::DrawRound(vtkRenderer* renderer, std::vector<int> props, int round)
 {
   const vtkNBufferClock clock;
-  const double time =
-    this->Proxy->GetAllocatedRenderTime() / std::max<std::size_t>(this->Held.size(), 1);
+  const double time = this->Proxy->GetAllocatedRenderTime() /
+    std::max<std::size_t>(this->Partition.GetHeldBack().size(), 1);
   int drawn = 0;
   std::sort(props.begin(), props.end());
   for (int i : props)
@@ -501,13 +406,14 @@ int vtkNBufferView::DrawAll(
   vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason)
 {
   int drawn = 0;
-  for (std::size_t n = 0; n < this->Gated.size(); ++n)
+  const std::vector<int>& translucent = this->Partition.GetTranslucent();
+  for (std::size_t n = 0; n < translucent.size(); ++n)
   {
-    this->Gates.SetOpen(n, true);
-    this->Props.GetState(this->Gated[n]).Verdict = vtkNBufferVerdict::Translucent;
+    this->TranslucentProxies.Get(n)->SetOpen(true);
+    this->Props.GetState(translucent[n]).Verdict = vtkNBufferVerdict::Translucent;
   }
   this->Draws.Clear();
-  for (int i : this->Held)
+  for (int i : this->Partition.GetHeldBack())
   {
     this->Props.GetState(i).Verdict = vtkNBufferVerdict::Untested;
     if (this->Props.GetProp(i)->HasKeys(requiredKeys))
@@ -515,11 +421,12 @@ int vtkNBufferView::DrawAll(
       drawn += this->Draws.Draw(renderer, i, 1, this->Proxy->GetAllocatedRenderTime());
     }
   }
-  // In another view boxes are elsewhere; without a depth test the last one wins at any depth.
-  this->Statistics.Redrawn +=
-    this->Draws.RestoreTieOrder(renderer, this->Held, false, this->TestedSamples);
+  // In another view the boxes cover other pixels, and without a depth test the prop that is drawn
+  // last wins at any depth.
+  this->Statistics.Redrawn += this->Draws.RestoreTieOrder(
+    renderer, this->Partition.GetHeldBack(), false, this->TestedSamples);
   this->Statistics.Decision = reason;
-  this->Pending = this->Settled = false;
+  this->State = Phase::Incomplete;
   this->Props.CountVerdicts(this->Statistics);
   return drawn;
 }

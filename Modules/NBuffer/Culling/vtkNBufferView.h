@@ -2,21 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferView
- * @brief One renderer and eye as a culler sees it: the two phases of a frame, and what lasts.
+ * @brief One renderer and one eye as the culler sees them: what happens in a frame, and what is
+ * kept from frame to frame.
  *
- *     Cull()           caches up to date, frustum test, list = kept props + the proxy
- *       |              kept: visible in the last test, crossing the near plane, not candidates
- *     renderer draws the kept props
+ *     Cull()            updates the cached boxes and tests them against the frustum;
+ *       |               decides whether this frame is tested (vtkNBufferCullingPolicy) and which
+ *       |               props are held back (vtkNBufferPartition);
+ *       |               replaces the props that are held back by a proxy, the last in the list
+ *     the renderer draws its list, and the proxy at the end of it
  *       |
- *     DrawHeldProps()  rounds: levels of the depth so far, test, draw what may be visible
- *                      then restore the order of equal depths
- *       |              and close the gates of translucent props that are hidden
- *       |              If a pass draws the same list once more (vtkNBufferCompatibility), the same
- *       |              draws again in the same order, without another test.
- *     renderer draws the translucent props whose gates are open
+ *     DrawHeldProps()   builds the levels of this frame's depth, tests the boxes of all candidates
+ *       |               and draws the props held back that may be visible, in rounds;
+ *       |               repairs what drawing late breaks (vtkNBufferLateDraws.h)
+ *     the renderer draws the translucent props that were not found hidden
  *
- * Lasting from frame to frame: the caches and which candidates the last test found visible. Depth
- * does not last: every test is against depth of its own frame.
+ * The phase of a view says how far its frame has come:
+ *
+ *     StepAside() ---> Aside
+ *     Cull() -+------> Untested        all candidates in the frustum are drawn
+ *             +------> Reused          the verdicts of the last test stand
+ *             +------> AwaitingProxy
+ *                        | DrawHeldProps()
+ *                        +---> Tested       DrawHeldProps() once more -+-> Tested, the same draws
+ *                        |                                             |
+ *                        +---> Incomplete  <---------------------------+
+ *
+ * The cached boxes, and which candidates the last test found visible, are kept from frame to frame.
+ * Depth is not: every test uses the depth of its own frame.
  */
 #ifndef vtkNBufferView_h
 #define vtkNBufferView_h
@@ -26,11 +38,13 @@
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDeferredProxy.h"
 #include "vtkNBufferDepthTest.h"
-#include "vtkNBufferGates.h"
 #include "vtkNBufferLateDraws.h"
 #include "vtkNBufferLevels.h"
+#include "vtkNBufferPartition.h"
 #include "vtkNBufferProjection.h"
+#include "vtkNBufferSettings.h"
 #include "vtkNBufferStatistics.h"
+#include "vtkNBufferTranslucentProxy.h"
 #include "vtkNBufferTuning.h"
 #include "vtkNBufferViewKey.h"
 
@@ -41,98 +55,95 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkInformation;
-class vtkOpenGLRenderWindow;
 class vtkRenderer;
 
-/**
- * The settings of a culler that a user decides, as they stand at the beginning of a frame;
- * vtkNBufferCuller.h says what they mean.
- */
-struct vtkNBufferSettings
-{
-  vtkNBufferBackend::Kind Backend = vtkNBufferBackend::Auto;
-  vtkNBufferSliverPolicy TestSlivers = vtkNBufferSliverPolicy::Never;
-  bool Freeze = false;
-};
-
-class vtkNBufferView
+class vtkNBufferView : private vtkNBufferDeferredProxy::Owner
 {
 public:
-  /// Both are the culler's own and outlive the view.
+  /// Both arguments are kept by reference and must outlive this object.
   vtkNBufferView(vtkNBufferBackend& backend, const vtkNBufferTuning& tuning);
   ~vtkNBufferView();
   vtkNBufferView(const vtkNBufferView&) = delete;
   void operator=(const vtkNBufferView&) = delete;
 
-  /// First phase. Permutes and shortens the list as vtkCuller::Cull may; see there for the rest.
+  /// Begin a frame: permute and shorten the list as vtkCuller::Cull() may, and return what it
+  /// returns.
   double Cull(vtkRenderer* renderer, vtkProp** props, int& count, int& initialized,
     const vtkNBufferSettings& settings);
 
-  /// This frame is drawn as without the culler, for the reason given.
+  /// Begin a frame that is drawn as without the culler, for the reason given.
   void StepAside(vtkNBufferDecision reason, vtkProp** props, int count);
 
-  /// Count a failure, whose frame is drawn whole; the first of its kind in the window is told.
+  /// Count a failure because of which a frame draws everything. Warns with the text `why` if it is
+  /// the first failure of its kind in the window.
   void Fail(vtkRenderer* renderer, vtkNBufferDecision failure, const std::string& why);
 
-  /// Second phase, called by the proxy. Returns the number of props drawn.
-  int DrawHeldProps(vtkRenderer* renderer, vtkInformation* requiredKeys);
-
-  bool HasHeldPropWithKeys(vtkInformation* requiredKeys) const;
-
-  template <typename Functor>
-  void ForEachDrawnHeldProp(Functor&& functor)
-  {
-    for (const vtkNBufferDrawnProp& drawn : this->Draws.Get())
-    {
-      functor(this->Props.GetProp(drawn.Index));
-    }
-  }
-
+  /// Get the verdict of a prop in the last frame, or Unknown if it was not in that frame.
   vtkNBufferVerdict GetVerdict(vtkProp* prop) const;
   const vtkNBufferStatistics& GetStatistics() const { return this->Statistics; }
   const vtkNBufferBackend& GetBackend() const { return this->Backend; }
 
 private:
-  void SetProjection(const vtkNBufferViewKey& key);
-  bool MayReuse(vtkRenderer* renderer) const;
-  vtkNBufferDecision Decide(bool blending);
-  double Emit(vtkProp** props, int& count, int& initialized);
-  void ResetStatistics();
+  enum class Phase
+  {
+    Aside,         ///< The list is as the renderer made it, and the candidates were not looked at.
+    Untested,      ///< Candidates outside of the frustum are removed from the list; no others.
+    Reused,        ///< The verdicts are those of an earlier test, and they are complete.
+    AwaitingProxy, ///< The proxy is in the list and has not been drawn yet.
+    Tested,        ///< The proxy has been drawn; the verdicts are complete.
+    Incomplete     ///< The proxy has been drawn, but the verdicts must not be used again.
+  };
 
+  ///@{
+  /// See vtkNBufferDeferredProxy::Owner.
+  int DrawHeldProps(vtkRenderer* renderer, vtkInformation* requiredKeys) override;
+  bool HasHeldPropWithKeys(vtkInformation* requiredKeys) const override;
+  void ForEachDrawnHeldProp(const std::function<void(vtkProp*)>& visit) const override;
+  ///@}
+
+  ///@{
+  /// The parts of Cull().
+  void SetProjection(const vtkNBufferViewKey& key);
+  bool CanReuse(vtkRenderer* renderer) const;
+  vtkNBufferDecision Divide(vtkRenderer* renderer);
+  double MakeList(vtkProp** props, int& count, int& initialized);
+  void ResetStatistics();
+  ///@}
+
+  ///@{
+  /// The parts of DrawHeldProps().
   vtkNBufferDecision PrepareTest(vtkRenderer* renderer, vtkNBufferDepthSource& source);
-  void CloseGates(vtkNBufferDepthTest& test);
-  void TestKept(vtkNBufferDepthTest& test);
-  int DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSource& source);
+  int TestAndDraw(vtkRenderer* renderer);
+  bool DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSource& source, int& drawn);
   int DrawRound(vtkRenderer* renderer, std::vector<int> props, int round);
-  bool MayRepeat(vtkRenderer* renderer, vtkNBufferDepthSource& source);
+  void TestKept(vtkNBufferDepthTest& test);
+  void TestTranslucent(vtkNBufferDepthTest& test);
+  bool CanRepeat(vtkRenderer* renderer);
   int Repeat(vtkRenderer* renderer);
   int DrawAll(vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason);
+  ///@}
 
   vtkNBufferBackend& Backend;
   const vtkNBufferTuning& Tuning;
   vtkNBufferBackOff BackOff;
   vtkNBufferCandidateList Props;
+  vtkNBufferPartition Partition;
   vtkNBufferProjection Projection;
   vtkNBufferLevels Levels;
   vtkNBufferSettings Settings;
   vtkNBufferStatistics Statistics;
+  Phase State = Phase::Aside;
+
   vtkNew<vtkNBufferDeferredProxy> Proxy;
-  vtkNBufferLateDraws Draws; ///< Of this frame.
-  vtkNBufferGates Gates;     ///< Gate n is that of the n-th of Gated.
+  vtkNBufferLateDraws Draws;
+  /// While the proxy is awaited, number n represents prop n of Partition.GetTranslucent().
+  vtkNBufferTranslucentProxy::Pool TranslucentProxies;
+
   vtkNBufferViewKey LastKey;
-  double DepthQuantum = 0x1p-24; ///< Of the framebuffer drawn last, in window depth.
-  int TestedBits = 0;            ///< Of the depth of this frame's test.
-  int TestedSamples = 0;
-
-  std::vector<int> Kept;  ///< Candidates inside that are let through.
-  std::vector<int> Held;  ///< Candidates inside that are held back.
-  std::vector<int> Gated; ///< Translucent props inside, behind gates.
-
-  bool Pending = false;   ///< The proxy is in the list and has not been drawn yet.
-  bool DrawnOnce = false; ///< The proxy has been drawn in this frame.
-  bool Aside = false;     ///< The frame is drawn as usual.
-  bool Settled = false;   ///< The verdicts of the last frame are complete.
-  bool Improves = false;  ///< The last test found props hidden that had been drawn already.
+  double DepthQuantum = 0x1p-24; ///< One unit of the depth buffer drawn last, in window depth.
+  int TestedBits = 0;            ///< Bits per depth value of the depth that was tested.
+  int TestedSamples = 0;         ///< Samples per pixel of the depth that was tested.
+  int KeptInVain = 0; ///< Kept props that the last test found hidden, after they had been drawn.
 };
 
 VTK_ABI_NAMESPACE_END

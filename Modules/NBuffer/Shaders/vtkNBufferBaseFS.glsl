@@ -4,8 +4,8 @@
 //VTK::Output::Dec
 
 // Level 0: a texel is the extremum of NBUFFER_FACTOR x NBUFFER_FACTOR depth pixels and of all their
-// samples. Where the depth image ends inside a square, its last row and column are read again, which
-// changes no extremum. For factor 4 and width 6:
+// samples. Where the depth image ends inside a square, its last row and column are read again,
+// which changes no extremum. For factor 4 and width 6:
 //
 //     +---+---+---+---+---+---+ . . . +
 //     | 0 | 1 | 2 | 3 | 4 | 5 | 5   5 :

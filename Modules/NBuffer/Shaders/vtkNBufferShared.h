@@ -20,8 +20,8 @@
 // Normalised depth of 24 bits: the largest integer, which means 1.
 #define NBUFFER_DEPTH24_LARGEST 16777215.0
 
-// Samplers may round depth of 32 bits; Mesa's software samplers keep 23 bits. Multisampled depth can
-// only be sampled, so its error is bounded by 2^-23.
+// Samplers may round depth of 32 bits; Mesa's software samplers keep 23 bits. Multisampled depth
+// can only be sampled, so its error is bounded by 2^-23.
 #define NBUFFER_DEPTH32_SAMPLER_ERROR 1.1920928955078125e-7
 
 // A shadow mask has four channels, one for each light.

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowFrameKey.h"
 
-#include "vtkNBufferCuller.h"
-#include "vtkNBufferDeferredProxy.h"
+#include "vtkNBufferCullerTraits.h"
 #include "vtkNBufferGL.h"
-#include "vtkNBufferTranslucentProxy.h"
+#include "vtkNBufferStandIn.h"
 #include "vtkNBufferViewKey.h"
 #include "vtkShadowCasterList.h"
 
@@ -20,20 +19,18 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// What vtkNBufferCuller puts into the list in the place of the renderer's own props.
-bool IsStandIn(vtkProp* prop)
-{
-  return typeid(*prop) == typeid(vtkNBufferDeferredProxy) ||
-    typeid(*prop) == typeid(vtkNBufferTranslucentProxy);
-}
-
-/// Whether `part` is `whole` with some left out, in the same order, but for stand-ins.
+/// Whether `part` has props of `whole` only, in the same order. Stand-ins are ignored.
 bool IsPart(const std::vector<vtkProp*>& part, const std::vector<vtkProp*>& whole)
 {
   auto next = whole.begin();
   for (vtkProp* prop : part)
   {
-    if (IsStandIn(prop))
+    if (next != whole.end() && *next == prop)
+    {
+      ++next;
+      continue;
+    }
+    if (vtkNBufferStandIn::SafeDownCast(prop))
     {
       continue;
     }
@@ -47,26 +44,39 @@ bool IsPart(const std::vector<vtkProp*>& part, const std::vector<vtkProp*>& whol
   return true;
 }
 
-/// Whether what is left out of the list is hidden or outside: then it is all the same how much.
-/// The frustum culler decides by camera, props and its own settings.
-bool CullersPreserveImage(vtkRenderer* renderer, vtkMTimeType& settingsTime)
+/// Whether the renderer's cullers remove only props that show in no pixel.
+bool CullersPreserveImage(vtkRenderer* renderer)
 {
-  bool keep = false;
+  bool preserve = false;
   vtkCullerCollection* cullers = renderer->GetCullers();
   for (int i = 0; i < cullers->GetNumberOfItems(); ++i)
   {
     vtkObject* culler = cullers->GetItemAsObject(i);
-    if (typeid(*culler) == typeid(vtkNBufferCuller))
+    const auto* traits = dynamic_cast<const vtkNBufferCullerTraits*>(culler);
+    if (traits && traits->PreservesImage())
     {
-      keep = true;
+      preserve = true;
     }
+    // The frustum culler decides by the camera, the props and its own settings, all of which are
+    // part of the key.
     else if (typeid(*culler) != typeid(vtkFrustumCoverageCuller))
     {
       return false;
     }
-    settingsTime = std::max(settingsTime, culler->GetMTime());
   }
-  return keep;
+  return preserve;
+}
+
+/// Get the time of the last change of a culler's settings.
+vtkMTimeType GetCullerTime(vtkRenderer* renderer)
+{
+  vtkMTimeType time = 0;
+  vtkCullerCollection* cullers = renderer->GetCullers();
+  for (int i = 0; i < cullers->GetNumberOfItems(); ++i)
+  {
+    time = std::max(time, cullers->GetItemAsObject(i)->GetMTime());
+  }
+  return time;
 }
 }
 
@@ -74,7 +84,7 @@ vtkShadowFrameKey::vtkShadowFrameKey(const vtkRenderState* state,
   const std::vector<vtkShadowLightSource>& lights, const vtkShadowCasterList& props,
   vtkMTimeType settingsTime)
   : Renderer(state->GetRenderer())
-  , SettingsTime(settingsTime)
+  , SettingsTime(std::max(settingsTime, GetCullerTime(state->GetRenderer())))
   , Lights(lights)
   , PropsVersion(props.GetVersion())
   , Drawn(state->GetPropArray(), state->GetPropArray() + state->GetPropArrayCount())
@@ -85,7 +95,7 @@ vtkShadowFrameKey::vtkShadowFrameKey(const vtkRenderState* state,
   glGetIntegerv(GL_VIEWPORT, this->Viewport.data());
   glGetIntegerv(GL_SAMPLES, &this->Samples);
   this->Complete = IsPart(this->Drawn, props.GetProps());
-  if (CullersPreserveImage(state->GetRenderer(), this->SettingsTime))
+  if (CullersPreserveImage(state->GetRenderer()))
   {
     this->Drawn.clear();
   }

@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file vtkShadowFrameKey.h
- * @brief All that the masks of a frame depend on: where two keys are equal, masks are as they were.
+ * @class vtkShadowFrameKey
+ * @brief Everything on which the shadow masks of a frame depend. If the keys of two frames are
+ * equal, their masks are equal, too.
  *
- * Renderer and context, viewport, samples and camera matrix, lights, settings, the renderer's props
- * as vtkShadowCasterList has looked at them, and, unless vtkNBufferCuller chooses them, which of
- * them are drawn. Where others are drawn, too, whose changes nobody looks at, the key equals none,
- * not even itself.
+ * These are the renderer and its context, the viewport, the number of samples, the camera's matrix,
+ * the lights, the settings of the pass and of the cullers, and the renderer's props, whose changes
+ * vtkShadowCasterList finds. Which of the props are drawn belongs to the key as well, unless the
+ * cullers remove only props that show in no pixel (vtkNBufferCullerTraits). If the list contains
+ * props that are not the renderer's, nobody looks for their changes, and the key is equal to no
+ * key, itself included. Stand-ins for the renderer's own props (vtkNBufferStandIn) are no such
+ * props.
  */
 #ifndef vtkShadowFrameKey_h
 #define vtkShadowFrameKey_h
@@ -29,23 +33,23 @@ class vtkShadowFrameKey
 public:
   vtkShadowFrameKey() = default;
 
-  /// `settingsTime`: of the last change of a setting.
+  /// Make the key of a frame. `settingsTime` is the time of the last change of the pass's settings.
   vtkShadowFrameKey(const vtkRenderState* state, const std::vector<vtkShadowLightSource>& lights,
     const vtkShadowCasterList& props, vtkMTimeType settingsTime);
 
   bool operator==(const vtkShadowFrameKey& other) const;
 
 private:
-  bool Complete = false;
+  bool Complete = false; ///< The list has no props but the renderer's own and stand-ins.
   const void* Renderer = nullptr;
   vtkMTimeType ContextTime = 0;
   vtkMTimeType SettingsTime = 0;
   std::array<int, 4> Viewport = {};
-  int Samples = 0; ///< Of the framebuffer that is drawn.
+  int Samples = 0; ///< The samples of a pixel of the framebuffer to draw to.
   std::array<double, 16> WorldToClip = {};
   std::vector<vtkShadowLightSource> Lights;
   vtkMTimeType PropsVersion = 0;
-  std::vector<vtkProp*> Drawn; ///< To compare only.
+  std::vector<vtkProp*> Drawn; ///< These pointers are compared and never used.
 };
 VTK_ABI_NAMESPACE_END
 #endif

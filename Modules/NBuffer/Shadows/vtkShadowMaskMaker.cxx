@@ -3,6 +3,7 @@
 #include "vtkShadowMaskMaker.h"
 
 #include "vtkNBufferClock.h"
+#include "vtkNBufferDepthConvention.h"
 #include "vtkNBufferForEachProp.h"
 #include "vtkNBufferGL.h"
 #include "vtkShadowCamera.h"
@@ -86,8 +87,7 @@ void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Target.GetDepthFramebuffer());
   state->vtkglDepthMask(GL_TRUE);
-  const float farthest = 1.0f;
-  glClearBufferfv(GL_DEPTH, 0, &farthest);
+  glClearBufferfv(GL_DEPTH, 0, &vtkNBufferDepthConvention::Background);
 }
 
 bool vtkShadowMaskMaker::ReadMask(
@@ -149,7 +149,7 @@ bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
   if (done)
   {
     const std::vector<float>& depth = this->Reader.GetDepth();
-    const auto seen = std::count_if(depth.begin(), depth.end(), [](float z) { return z < 1.0f; });
+    const auto seen = std::count_if(depth.begin(), depth.end(), vtkNBufferDepthConvention::IsDrawn);
     this->SetSeen(static_cast<std::size_t>(seen), depth.size());
   }
   work.Statistics.ReadTime += clock.GetMilliseconds();

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferDeferredProxy.h"
 
-#include "vtkNBufferForwardedKeys.h"
-#include "vtkNBufferView.h"
-
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
 
@@ -13,56 +10,40 @@ vtkStandardNewMacro(vtkNBufferDeferredProxy);
 
 int vtkNBufferDeferredProxy::Draw(vtkProp* prop, vtkRenderer* renderer, double time)
 {
-  const vtkNBufferForwardedKeys keys(this->GetPropertyKeys(), prop);
+  const ForwardedKeys keys(this, prop);
   prop->SetAllocatedRenderTime(time, renderer);
   return prop->RenderOpaqueGeometry(renderer);
 }
 
 bool vtkNBufferDeferredProxy::HasKeys(vtkInformation* requiredKeys)
 {
-  return !requiredKeys || (this->View && this->View->HasHeldPropWithKeys(requiredKeys));
+  return !requiredKeys || (this->TheOwner && this->TheOwner->HasHeldPropWithKeys(requiredKeys));
 }
 
 int vtkNBufferDeferredProxy::RenderOpaqueGeometry(vtkViewport* viewport)
 {
   auto* renderer = vtkRenderer::SafeDownCast(viewport);
-  return this->View && renderer ? this->View->DrawHeldProps(renderer, nullptr) : 0;
+  return this->TheOwner && renderer ? this->TheOwner->DrawHeldProps(renderer, nullptr) : 0;
 }
 
 bool vtkNBufferDeferredProxy::RenderFilteredOpaqueGeometry(
   vtkViewport* viewport, vtkInformation* requiredKeys)
 {
   auto* renderer = vtkRenderer::SafeDownCast(viewport);
-  return this->View && renderer && this->View->DrawHeldProps(renderer, requiredKeys) > 0;
+  return this->TheOwner && renderer && this->TheOwner->DrawHeldProps(renderer, requiredKeys) > 0;
 }
 
-void vtkNBufferDeferredProxy::RestoreEstimatedRenderTime()
+void vtkNBufferDeferredProxy::ForEachDrawnProp(const std::function<void(vtkProp*)>& visit)
 {
-  if (this->View)
+  if (this->TheOwner)
   {
-    this->View->ForEachDrawnHeldProp([](vtkProp* prop) { prop->RestoreEstimatedRenderTime(); });
+    this->TheOwner->ForEachDrawnHeldProp(visit);
   }
-}
-
-double vtkNBufferDeferredProxy::GetEstimatedRenderTime()
-{
-  double time = 0.0;
-  if (this->View)
-  {
-    this->View->ForEachDrawnHeldProp(
-      [&time](vtkProp* prop) { time += prop->GetEstimatedRenderTime(); });
-  }
-  return time;
-}
-
-double vtkNBufferDeferredProxy::GetEstimatedRenderTime(vtkViewport*)
-{
-  return this->GetEstimatedRenderTime();
 }
 
 void vtkNBufferDeferredProxy::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "View: " << this->View << "\n";
+  os << indent << "Owner: " << this->TheOwner << "\n";
 }
 VTK_ABI_NAMESPACE_END

@@ -2,37 +2,57 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferDeferredProxy
- * @brief The prop that stands in a renderer's list for all props held back.
+ * @brief The last prop in a renderer's list; it represents all opaque props that are held back.
  *
- * It comes last in the list, so that when the renderer draws it, the depth of everything else is
- * in the framebuffer. It then asks its view which of the held props to draw. Held props are plain
- * opaque actors (vtkNBufferCandidate), hence it has nothing to draw in the other stages.
- *
- * What the renderer and its passes tell a prop reaches the held ones: the render passes among the
- * property keys (they inject shader code into the mappers), required keys, allocated and estimated
- * render times.
+ * When the renderer draws the proxy, the depth of all other opaque props is in the framebuffer. The
+ * proxy then lets its owner test the props that are held back and draw those that may be visible.
+ * They are plain opaque actors (vtkNBufferCandidate), so the proxy draws nothing in the stages for
+ * translucent, volumetric and overlay geometry. vtkNBufferLateDraws.h describes the whole frame.
  */
-#ifndef vtkNBufferHeldProps_h
-#define vtkNBufferHeldProps_h
+#ifndef vtkNBufferDeferredProxy_h
+#define vtkNBufferDeferredProxy_h
 
-#include "vtkNBufferVTKVersion.h"
-#include "vtkProp.h"
+#include "vtkNBufferStandIn.h"
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkNBufferView;
 class vtkRenderer;
 
-class vtkNBufferDeferredProxy : public vtkProp
+class vtkNBufferDeferredProxy : public vtkNBufferStandIn
 {
 public:
   static vtkNBufferDeferredProxy* New();
-  vtkTypeMacro(vtkNBufferDeferredProxy, vtkProp);
+  vtkTypeMacro(vtkNBufferDeferredProxy, vtkNBufferStandIn);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The view that decides; not counted as a reference. nullptr: nothing is drawn.
-  void SetView(vtkNBufferView* view) { this->View = view; }
+  /**
+   * The owner of a proxy knows the props that are held back and decides which of them are drawn.
+   */
+  class Owner
+  {
+  public:
+    /// Draw the props that are held back and that may be visible. With `requiredKeys`, draw only
+    /// props that have these keys (see vtkProp::HasKeys). Returns the number of props drawn.
+    virtual int DrawHeldProps(vtkRenderer* renderer, vtkInformation* requiredKeys) = 0;
 
-  /// None, so that no culler behind ours drops the proxy.
+    /// Whether any prop that is held back has these keys.
+    virtual bool HasHeldPropWithKeys(vtkInformation* requiredKeys) const = 0;
+
+    /// Call `visit` for each prop that DrawHeldProps() has drawn in this frame.
+    virtual void ForEachDrawnHeldProp(const std::function<void(vtkProp*)>& visit) const = 0;
+
+  protected:
+    ~Owner() = default;
+  };
+
+  /// Set the owner. It is not counted as a reference and must reset this to nullptr before it is
+  /// deleted. A proxy without an owner, which is the default, draws nothing.
+  void SetOwner(Owner* owner) { this->TheOwner = owner; }
+
+  /// Draw one prop that is held back, with the property keys of this proxy and with `time` seconds
+  /// allocated to it. Returns the number of props drawn, as vtkProp::RenderOpaqueGeometry() does.
+  int Draw(vtkProp* prop, vtkRenderer* renderer, double time);
+
+  /// Returns nullptr, so that no culler that runs later removes the proxy.
   double* GetBounds() VTK_SIZEHINT(6) override { return nullptr; }
 
   bool HasKeys(vtkInformation* requiredKeys) override;
@@ -40,25 +60,17 @@ public:
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   bool RenderFilteredOpaqueGeometry(vtkViewport* viewport, vtkInformation* requiredKeys) override;
 
-  ///@{
-  /// Each held prop that is drawn is given an equal share.
-  void RestoreEstimatedRenderTime() override;
-  double GetEstimatedRenderTime(vtkViewport* viewport) override;
-  double GetEstimatedRenderTime() override;
-  ///@}
-
-  /// Draw one held prop with this prop's render passes and `time` seconds allocated to it.
-  int Draw(vtkProp* prop, vtkRenderer* renderer, double time);
-
 protected:
   vtkNBufferDeferredProxy() = default;
   ~vtkNBufferDeferredProxy() override = default;
+
+  void ForEachDrawnProp(const std::function<void(vtkProp*)>& visit) override;
 
 private:
   vtkNBufferDeferredProxy(const vtkNBufferDeferredProxy&) = delete;
   void operator=(const vtkNBufferDeferredProxy&) = delete;
 
-  vtkNBufferView* View = nullptr;
+  Owner* TheOwner = nullptr;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -27,17 +27,17 @@ void vtkNBufferFrameGuard::Detach()
   {
     this->Renderer->RemoveObserver(this);
   }
-  this->DropProps();
+  this->ReleaseProps();
 }
 
 void vtkNBufferFrameGuard::BeginFrame(vtkObject* culler)
 {
   this->Culler = culler;
-  if (this->Holding)
+  if (this->IsComplete)
   {
     return;
   }
-  this->Holding = true;
+  this->IsComplete = true;
   vtkCollectionSimpleIterator cookie;
   this->Props->InitTraversal(cookie);
   while (vtkProp* prop = this->Props->GetNextProp(cookie))
@@ -46,29 +46,29 @@ void vtkNBufferFrameGuard::BeginFrame(vtkObject* culler)
   }
 }
 
-void vtkNBufferFrameGuard::DropProps()
+void vtkNBufferFrameGuard::ReleaseProps()
 {
-  // Destructors may run anything.
+  // Destructors of props may run any code, this function included.
   std::vector<vtkSmartPointer<vtkProp>> references;
   references.swap(this->References);
-  this->Holding = false;
+  this->IsComplete = false;
 }
 
 void vtkNBufferFrameGuard::Execute(vtkObject*, unsigned long event, void*)
 {
   if (event != vtkCommand::EndEvent)
   {
-    this->Holding = false;
+    this->IsComplete = false;
   }
-  // A change while a frame is drawn waits for its end.
+  // If the props change while a frame is drawn, the references are released at its end.
   const bool isOver = event != vtkCommand::ModifiedEvent;
-  if (!this->Holding && (isOver || !this->Culler))
+  if (!this->IsComplete && (isOver || !this->Culler))
   {
-    this->DropProps();
+    this->ReleaseProps();
   }
   if (isOver)
   {
-    // Its last reference may be this one; the guard itself is kept by whoever calls.
+    // This may be the last reference to the culler. The guard itself is kept alive by the caller.
     const vtkSmartPointer<vtkObject> culler = this->Culler;
     this->Culler = nullptr;
   }

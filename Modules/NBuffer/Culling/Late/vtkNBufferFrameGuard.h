@@ -2,18 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferFrameGuard
- * @brief Keeps alive what a frame draws, whatever observers remove while it is drawn.
+ * @brief Keeps the props of a renderer, and the culler, alive until the end of a frame.
  *
  * From Cull() to the end of vtkRenderer::Render() the renderer and the culler know the props by
- * plain pointers. An observer (of a mapper, of the window) that removes a prop in between, and
- * drops the last reference to it, would leave both with a dead one. So
+ * plain pointers. An observer of a mapper or of the window may remove a prop in between. If that
+ * removes the last reference to the prop, both would use a deleted prop. Therefore
  *
- *  - every prop of the renderer is referenced from its first Cull() on. The references go when
- *    props are added or removed: at once, or at the end of the frame that is being drawn. A frame
- *    of an unchanged renderer costs nothing;
- *  - the culler, which owns the proxy in the renderer's list, is referenced for the frame.
+ *  - the guard holds a reference to every prop of the renderer from the first Cull() on. It
+ *    releases the references when props are added or removed: immediately, or at the end of the
+ *    frame if a frame is being drawn. For a renderer whose props stay the same, a frame costs
+ *    nothing;
+ *  - the guard holds a reference to the culler for the duration of a frame, because the culler owns
+ *    the proxies in the renderer's list.
  *
- * Nothing is kept between frames that its renderer does not keep as well.
+ * Between two frames the guard keeps nothing alive that the renderer does not keep alive itself.
+ * vtkNBufferLateDraws.h describes the whole frame.
  */
 #ifndef vtkNBufferFrameGuard_h
 #define vtkNBufferFrameGuard_h
@@ -37,14 +40,18 @@ public:
   static vtkNBufferFrameGuard* New() { return new vtkNBufferFrameGuard; }
   vtkTypeMacro(vtkNBufferFrameGuard, vtkCommand);
 
-  /// Watch a renderer until Detach(). Its observers own the guard as well.
+  ///@{
+  /// Observe a renderer until Detach() is called. The renderer's list of observers owns the guard,
+  /// too.
   void Attach(vtkRenderer* renderer);
   void Detach();
+  ///@}
 
-  /// The renderer begins to draw a frame that `culler` has a part in.
+  /// To be called when the renderer begins to draw a frame that `culler` culls.
   void BeginFrame(vtkObject* culler);
 
-  /// The renderer's end of a frame, a change of its props, or its deletion.
+  /// Called by the renderer at the end of a frame and when it is deleted, and by the renderer's
+  /// collection of props when it changes.
   void Execute(vtkObject* caller, unsigned long event, void* data) override;
 
 protected:
@@ -52,13 +59,13 @@ protected:
   ~vtkNBufferFrameGuard() override = default;
 
 private:
-  void DropProps();
+  void ReleaseProps();
 
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkWeakPointer<vtkPropCollection> Props;
   std::vector<vtkSmartPointer<vtkProp>> References;
-  vtkSmartPointer<vtkObject> Culler; ///< Set while a frame is drawn.
-  bool Holding = false;              ///< References are those of the renderer's props as they are.
+  vtkSmartPointer<vtkObject> Culler; ///< This is set while a frame is drawn.
+  bool IsComplete = false;           ///< References has all props that the renderer has now.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -33,14 +33,14 @@ int vtkNBufferLateDraws::Repeat(vtkRenderer* renderer)
   int drawn = 0;
   for (const vtkNBufferDrawnProp& prop : this->Drawn)
   {
-    vtkProp* held = this->Props.GetProp(prop.Index);
-    drawn += this->Proxy->Draw(held, renderer, held->GetAllocatedRenderTime());
+    vtkProp* heldBack = this->Props.GetProp(prop.Index);
+    drawn += this->Proxy->Draw(heldBack, renderer, heldBack->GetAllocatedRenderTime());
   }
   return drawn;
 }
 
 std::vector<vtkNBufferDrawnProp> vtkNBufferLateDraws::GetAllDrawn(
-  const std::vector<int>& held, bool screensHold) const
+  const std::vector<int>& heldBack, bool screensAreValid) const
 {
   std::vector<vtkNBufferDrawnProp> all = this->Drawn;
   const int firstLate = std::min_element(all.begin(), all.end(),
@@ -50,9 +50,9 @@ std::vector<vtkNBufferDrawnProp> vtkNBufferLateDraws::GetAllDrawn(
   for (int i = firstLate; i < this->Props.GetSize(); ++i)
   {
     const vtkNBufferVerdict verdict = this->Props.GetState(i).Verdict;
-    // Other cullers mark what they take off the list with a multiplier of 0.
+    // Other cullers set a multiplier of 0 for the props that they remove from the list.
     if (verdict != vtkNBufferVerdict::Outside && verdict != vtkNBufferVerdict::Hidden &&
-      !std::binary_search(held.begin(), held.end(), i) &&
+      !std::binary_search(heldBack.begin(), heldBack.end(), i) &&
       this->Props.GetProp(i)->GetRenderTimeMultiplier() > 0.0 &&
       this->Props.GetCandidate(i).WritesDepth())
     {
@@ -61,31 +61,32 @@ std::vector<vtkNBufferDrawnProp> vtkNBufferLateDraws::GetAllDrawn(
   }
   for (vtkNBufferDrawnProp& drawn : all)
   {
-    drawn.Bounded = drawn.Bounded && screensHold;
+    drawn.Bounded = drawn.Bounded && screensAreValid;
   }
   return all;
 }
 
 int vtkNBufferLateDraws::RestoreTieOrder(
-  vtkRenderer* renderer, const std::vector<int>& held, bool screensHold, int samples)
+  vtkRenderer* renderer, const std::vector<int>& heldBack, bool screensAreValid, int samples)
 {
   if (this->Drawn.empty())
   {
     return 0;
   }
-  std::vector<vtkNBufferDrawnProp> all = this->GetAllDrawn(held, screensHold);
+  std::vector<vtkNBufferDrawnProp> all = this->GetAllDrawn(heldBack, screensAreValid);
   int draws = 0;
   for (const vtkNBufferRedraw& redraw :
     vtkNBufferTieOrder::GetRedraws(this->Projection, all, vtkNBufferGL::KeepsToScissor(samples)))
   {
-    // Passes have told the kept props what they told the proxy; a held one must hear it again.
+    // Render passes have set their keys on the kept props and on the proxy, so that only props that
+    // were held back need the keys of the proxy again.
     const int place = all[redraw.Position].Index;
     vtkProp* prop = this->Props.GetProp(place);
-    const bool isHeld = std::binary_search(held.begin(), held.end(), place);
+    const bool wasHeldBack = std::binary_search(heldBack.begin(), heldBack.end(), place);
     draws += vtkNBufferGL::DrawIn(redraw.Regions,
       [&]()
       {
-        if (isHeld)
+        if (wasHeldBack)
         {
           this->Proxy->Draw(prop, renderer, prop->GetAllocatedRenderTime());
         }

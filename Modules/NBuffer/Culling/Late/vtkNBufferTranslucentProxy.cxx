@@ -2,12 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferTranslucentProxy.h"
 
-#include "vtkNBufferForwardedKeys.h"
-
 #include "vtkObjectFactory.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkNBufferTranslucentProxy);
+
+vtkNBufferTranslucentProxy* vtkNBufferTranslucentProxy::Pool::Add(vtkProp* prop, bool open)
+{
+  if (this->Count == this->Proxies.size())
+  {
+    this->Proxies.push_back(vtkSmartPointer<vtkNBufferTranslucentProxy>::New());
+  }
+  vtkNBufferTranslucentProxy* proxy = this->Proxies[this->Count++];
+  proxy->SetProp(prop);
+  proxy->SetOpen(open);
+  return proxy;
+}
 
 void vtkNBufferTranslucentProxy::SetProp(vtkProp* prop)
 {
@@ -18,7 +28,7 @@ void vtkNBufferTranslucentProxy::SetProp(vtkProp* prop)
 
 int vtkNBufferTranslucentProxy::RenderOpaqueGeometry(vtkViewport* viewport)
 {
-  const vtkNBufferForwardedKeys keys(this->GetPropertyKeys(), this->Prop);
+  const ForwardedKeys keys(this, this->Prop);
   return this->Prop->RenderOpaqueGeometry(viewport);
 }
 
@@ -29,13 +39,18 @@ int vtkNBufferTranslucentProxy::RenderTranslucentPolygonalGeometry(vtkViewport* 
     return 0;
   }
   this->Drawn = true;
-  const vtkNBufferForwardedKeys keys(this->GetPropertyKeys(), this->Prop);
+  const ForwardedKeys keys(this, this->Prop);
   return this->Prop->RenderTranslucentPolygonalGeometry(viewport);
 }
 
 void vtkNBufferTranslucentProxy::SetAllocatedRenderTime(double time, vtkViewport* viewport)
 {
   this->Prop->SetAllocatedRenderTime(time, viewport);
+}
+
+void vtkNBufferTranslucentProxy::AddEstimatedRenderTime(double time, vtkViewport* viewport)
+{
+  this->Prop->AddEstimatedRenderTime(time, viewport);
 }
 
 void vtkNBufferTranslucentProxy::PrintSelf(ostream& os, vtkIndent indent)

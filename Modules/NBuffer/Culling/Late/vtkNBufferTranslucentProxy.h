@@ -2,36 +2,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferTranslucentProxy
- * @brief Stands for one translucent prop, in its place, and draws it only while the gate is open.
+ * @brief Represents one translucent prop, in the place of that prop in the renderer's list.
  *
- * Translucent props are blended in the renderer's order, so that none may be held back behind
- * another one. They are drawn after all opaque ones, though, when this frame's verdicts are known:
- * each keeps its place and is left out there if it is hidden. It still says that it has
- * translucent geometry, so that the renderer goes the same way through its passes as without it.
+ * The proxy draws its prop only while it is open. It is open when the frame begins, and the culler
+ * closes it when this frame's depth shows that the prop is hidden. A closed proxy still says that
+ * it has translucent geometry, so that the renderer takes the same way through its render passes as
+ * without the culler. vtkNBufferLateDraws.h describes the whole frame.
  */
-#ifndef vtkNBufferGatedProp_h
-#define vtkNBufferGatedProp_h
+#ifndef vtkNBufferTranslucentProxy_h
+#define vtkNBufferTranslucentProxy_h
 
-#include "vtkNBufferVTKVersion.h"
-#include "vtkProp.h"
+#include "vtkNBufferStandIn.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class vtkNBufferTranslucentProxy : public vtkProp
+class vtkNBufferTranslucentProxy : public vtkNBufferStandIn
 {
 public:
   static vtkNBufferTranslucentProxy* New();
-  vtkTypeMacro(vtkNBufferTranslucentProxy, vtkProp);
+  vtkTypeMacro(vtkNBufferTranslucentProxy, vtkNBufferStandIn);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The prop behind the gate, which is open then; not counted as a reference, for one frame.
+  /**
+   * The proxies of one renderer. They are created once and used again in every frame.
+   */
+  class Pool
+  {
+  public:
+    /// Begin a frame without proxies.
+    void Clear() { this->Count = 0; }
+
+    /// Get the next unused proxy and let it represent `prop`.
+    vtkNBufferTranslucentProxy* Add(vtkProp* prop, bool open);
+
+    /// Get the proxy that was added as number n, where the first one is number 0.
+    vtkNBufferTranslucentProxy* Get(std::size_t n) const { return this->Proxies[n]; }
+
+  private:
+    std::vector<vtkSmartPointer<vtkNBufferTranslucentProxy>> Proxies;
+    std::size_t Count = 0;
+  };
+
+  /// Set the prop to represent for one frame. It is not counted as a reference. This opens the
+  /// proxy.
   void SetProp(vtkProp* prop);
   vtkProp* GetProp() const { return this->Prop; }
 
-  /// A closed gate draws nothing in the translucent stage.
+  /// A closed proxy draws nothing in the translucent stage. Default: open.
   void SetOpen(bool open) { this->Open = open; }
 
-  /// Whether the prop has been drawn in the translucent stage, by a pass that draws that one first.
+  /// Whether the prop has been drawn in the translucent stage of this frame. A render pass that
+  /// draws translucent props before opaque ones does so while the proxy is still open.
   bool HasDrawn() const { return this->Drawn; }
 
   double* GetBounds() VTK_SIZEHINT(6) override { return this->Prop->GetBounds(); }
@@ -45,23 +69,16 @@ public:
   int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
 
   ///@{
-  /// As if the renderer spoke to the prop itself.
+  /// Forwarded to the prop.
   void SetAllocatedRenderTime(double time, vtkViewport* viewport) override;
-  void RestoreEstimatedRenderTime() override { this->Prop->RestoreEstimatedRenderTime(); }
-  void AddEstimatedRenderTime(double time, vtkViewport* viewport) override
-  {
-    this->Prop->AddEstimatedRenderTime(time, viewport);
-  }
-  double GetEstimatedRenderTime(vtkViewport* viewport) override
-  {
-    return this->Prop->GetEstimatedRenderTime(viewport);
-  }
-  double GetEstimatedRenderTime() override { return this->Prop->GetEstimatedRenderTime(); }
+  void AddEstimatedRenderTime(double time, vtkViewport* viewport) override;
   ///@}
 
 protected:
   vtkNBufferTranslucentProxy() = default;
   ~vtkNBufferTranslucentProxy() override = default;
+
+  void ForEachDrawnProp(const std::function<void(vtkProp*)>& visit) override { visit(this->Prop); }
 
 private:
   vtkNBufferTranslucentProxy(const vtkNBufferTranslucentProxy&) = delete;

@@ -3,6 +3,7 @@
 #include "vtkNBufferProjection.h"
 
 #include "vtkNBufferClipExtent.h"
+#include "vtkNBufferPolygonClip.h"
 
 #include "vtkMatrix4x4.h"
 
@@ -162,8 +163,8 @@ vtkNBufferPlacement vtkNBufferProjection::Clip(
     }
   }
 
-  // Each face, cut at the four sides of the view (Sutherland and Hodgman, 1974), which are moved
-  // out by what the device may see farther inside. What remains has w >= 0.
+  // Each face, cut at the four sides of the view, which are moved out by what the device may see
+  // farther inside. What remains has w >= 0.
   static const int faces[6][4] = { { 0, 2, 6, 4 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 3, 7, 6 },
     { 0, 1, 3, 2 }, { 4, 5, 7, 6 } };
   const int size[2] = { this->Width, this->Height };
@@ -185,22 +186,7 @@ vtkNBufferPlacement vtkNBufferProjection::Clip(
       const double offset = widening * extent.GetErrors().w + extent.GetErrors()[axis];
       const auto distance = [&](const glm::dvec4& point)
       { return widening * point.w + sign * point[axis] + offset; };
-      rest.clear();
-      for (std::size_t i = 0; i < polygon.size(); ++i)
-      {
-        const glm::dvec4& from = polygon[i];
-        const glm::dvec4& to = polygon[(i + 1) % polygon.size()];
-        const double d = distance(from);
-        const double e = distance(to);
-        if (d >= 0.0)
-        {
-          rest.push_back(from);
-        }
-        if ((d >= 0.0) != (e >= 0.0))
-        {
-          rest.push_back(from + (to - from) * (d / (d - e)));
-        }
-      }
+      vtkNBufferPolygonClip::Clip(polygon, distance, rest);
       polygon.swap(rest);
     }
     for (const glm::dvec4& point : polygon)

@@ -6,6 +6,7 @@
 #include "vtkShadowTarget.h"
 #include "vtkShadowVolume.h"
 
+#include "vtkNBufferDepthConvention.h"
 #include "vtkShadowMaskFS.h"
 #include "vtkShadowTintFS.h"
 #include "vtkShadowVolumeFS.h"
@@ -281,7 +282,7 @@ bool vtkShadowCounter::Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTar
   glScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
   glStencilFunc(GL_NOTEQUAL, 0, 0xff);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-  // At the depth of the background, behind everything that was drawn.
+  // The triangle has the background's depth, which is farther than everything that was drawn.
   double range[2];
   glGetDoublev(GL_DEPTH_RANGE, range);
   glDepthRange(vtkNBufferDepthConvention::Background, vtkNBufferDepthConvention::Background);

@@ -15,12 +15,11 @@
  *                                             Both are 1: R is in shadow.
  *
  * z-pass is right if the eye is outside of the piece: an eye inside of it has passed the (+1)
- * already. z-fail is always right. z-pass is taken if the whole piece lies
- * beyond the near plane, where the eye never is. That is more than necessary: an eye outside of the
- * piece would do, with depth clamp in the place of near clipping. But then what reaches behind the
- * eye is cut at w = 0, where depths have no bound, and rasterisers that interpolate depth on the
- * screen lose it all over the triangle. With z-fail, what lies before the near plane is of no use
- * and is cut off there.
+ * already. z-fail is always right. z-pass is used if the whole piece lies beyond the near plane,
+ * where the eye never is. That is more than necessary: an eye outside of the piece would do, with
+ * depth clamp in the place of near clipping. But then what reaches behind the eye is cut at w = 0,
+ * where depths have no bound, and rasterisers that interpolate depth on the screen lose it all over
+ * the triangle. With z-fail, what lies before the near plane is of no use and is cut off there.
  *
  * With a parallel camera, lines of sight end at infinity, outside of every clamped piece. But whole
  * volumes reach to infinity themselves: for a directional light in its direction alone, for a

@@ -13,9 +13,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// What the depth image holds where nothing is drawn; receivers are nearer.
-const float Background = vtkNBufferMath::GetBackgroundDepth(vtkNBufferDepthConvention::Forward);
-
 /// The range of a litmap is taken from every fourth row and column: what lies outside of it is not
 /// lost (vtkShadowLitmap::Begin), and it need not be exact.
 constexpr int RangeStride = 4;
@@ -48,7 +45,7 @@ void ForEachReceiver(const float* depth, const vtkShadowView& view,
       const float* row = depth + image + static_cast<std::size_t>(y) * view.Width;
       for (int x = 0; x < view.Width; x += lattice.Stride)
       {
-        if (!(row[x] < Background))
+        if (!vtkNBufferDepthConvention::IsDrawn(row[x]))
         {
           continue;
         }
@@ -92,7 +89,7 @@ void SplitLayers(const float* depth, const vtkShadowView& view, vtkShadowTiles& 
         for (std::size_t x = 0; x < static_cast<std::size_t>(view.Width); ++x)
         {
           const float z = depth[first + x];
-          if (z < Background)
+          if (vtkNBufferDepthConvention::IsDrawn(z))
           {
             std::array<float, 2>& range = ranges[x / size];
             range = { std::min(range[0], z), std::max(range[1], z) };

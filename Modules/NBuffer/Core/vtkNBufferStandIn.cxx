@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkNBufferForwardedKeys.h"
+#include "vtkNBufferStandIn.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
@@ -8,11 +8,31 @@
 #include "vtkNew.h"
 #include "vtkOpenGLActor.h"
 #include "vtkOpenGLRenderPass.h"
-#include "vtkProp.h"
 
 VTK_ABI_NAMESPACE_BEGIN
-vtkNBufferForwardedKeys::vtkNBufferForwardedKeys(vtkInformation* from, vtkProp* to)
+void vtkNBufferStandIn::RestoreEstimatedRenderTime()
 {
+  this->ForEachDrawnProp([](vtkProp* prop) { prop->RestoreEstimatedRenderTime(); });
+}
+
+double vtkNBufferStandIn::GetEstimatedRenderTime()
+{
+  double time = 0.0;
+  this->ForEachDrawnProp([&time](vtkProp* prop) { time += prop->GetEstimatedRenderTime(); });
+  return time;
+}
+
+double vtkNBufferStandIn::GetEstimatedRenderTime(vtkViewport* viewport)
+{
+  double time = 0.0;
+  this->ForEachDrawnProp(
+    [&time, viewport](vtkProp* prop) { time += prop->GetEstimatedRenderTime(viewport); });
+  return time;
+}
+
+vtkNBufferStandIn::ForwardedKeys::ForwardedKeys(vtkNBufferStandIn* standIn, vtkProp* to)
+{
+  vtkInformation* from = standIn->GetPropertyKeys();
   vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
   vtkInformationIntegerKey* depthMask = vtkOpenGLActor::GLDepthMaskOverride();
   if (!from || (passes->Length(from) == 0 && !from->Has(depthMask)))
@@ -30,14 +50,14 @@ vtkNBufferForwardedKeys::vtkNBufferForwardedKeys(vtkInformation* from, vtkProp* 
   {
     passes->Append(this->To, passes->Get(from, i));
   }
-  this->DepthMask = from->Has(depthMask) && !this->To->Has(depthMask);
-  if (this->DepthMask)
+  this->SetsDepthMask = from->Has(depthMask) && !this->To->Has(depthMask);
+  if (this->SetsDepthMask)
   {
     this->To->Set(depthMask, from->Get(depthMask));
   }
 }
 
-vtkNBufferForwardedKeys::~vtkNBufferForwardedKeys()
+vtkNBufferStandIn::ForwardedKeys::~ForwardedKeys()
 {
   if (!this->To)
   {
@@ -52,7 +72,7 @@ vtkNBufferForwardedKeys::~vtkNBufferForwardedKeys()
   {
     this->To->Remove(passes);
   }
-  if (this->DepthMask)
+  if (this->SetsDepthMask)
   {
     this->To->Remove(vtkOpenGLActor::GLDepthMaskOverride());
   }

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferStandIn
+ * @brief Base class of the props that vtkNBufferCuller puts into a renderer's list in the place of
+ * the renderer's own props.
+ *
+ * A renderer and its passes treat a stand-in as any other prop. What they set on a stand-in and
+ * query from it concerns the props that it represents, so this class forwards both to them:
+ *
+ *     property keys     Render passes speak to props through vtkProp::GetPropertyKeys().
+ *                       vtkOpenGLRenderPass::RenderPasses() lets a pass change the shaders of the
+ *                       mappers, and vtkOpenGLActor::GLDepthMaskOverride() switches the writing of
+ *                       depth while depth peeling draws. A ForwardedKeys object copies both to a
+ *                       represented prop for the time in which that prop is drawn.
+ *     estimated time    vtkRenderer adds up the render times of the props in its list. The
+ *                       estimated time of a stand-in is the sum over the props that it represents.
+ *
+ * Code outside the culler recognises stand-ins by this class and needs to know nothing else about
+ * the culler.
+ */
+#ifndef vtkNBufferStandIn_h
+#define vtkNBufferStandIn_h
+
+#include "vtkNBufferVTKVersion.h"
+#include "vtkProp.h"
+
+#include <functional>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkInformation;
+
+class vtkNBufferStandIn : public vtkProp
+{
+public:
+  vtkTypeMacro(vtkNBufferStandIn, vtkProp);
+
+  ///@{
+  /// Forwarded to the represented props.
+  void RestoreEstimatedRenderTime() override;
+  double GetEstimatedRenderTime(vtkViewport* viewport) override;
+  double GetEstimatedRenderTime() override;
+  ///@}
+
+protected:
+  vtkNBufferStandIn() = default;
+  ~vtkNBufferStandIn() override = default;
+
+  /// Call `visit` for each represented prop that is drawn in this frame.
+  virtual void ForEachDrawnProp(const std::function<void(vtkProp*)>& visit) = 0;
+
+  /**
+   * Lends the property keys of a stand-in to a prop: the prop has them from the construction of
+   * this object to its destruction. The prop's own vtkInformation is changed where the prop has
+   * one, because vtkProp::SetPropertyKeys() marks a prop as modified.
+   */
+  class ForwardedKeys
+  {
+  public:
+    ForwardedKeys(vtkNBufferStandIn* from, vtkProp* to);
+    ~ForwardedKeys();
+    ForwardedKeys(const ForwardedKeys&) = delete;
+    void operator=(const ForwardedKeys&) = delete;
+
+  private:
+    vtkInformation* From = nullptr;
+    vtkInformation* To = nullptr; ///< This is nullptr if there is nothing to forward.
+    bool SetsDepthMask = false;   ///< The prop did not have this key before.
+  };
+
+private:
+  vtkNBufferStandIn(const vtkNBufferStandIn&) = delete;
+  void operator=(const vtkNBufferStandIn&) = delete;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

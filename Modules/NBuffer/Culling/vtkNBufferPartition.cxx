@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferPartition.h"
+
+#include "vtkNBufferCandidateList.h"
+#include "vtkNBufferProjection.h"
+
+#include <algorithm>
+#include <iterator>
+
+VTK_ABI_NAMESPACE_BEGIN
+void vtkNBufferPartition::Clear()
+{
+  this->Kept.clear();
+  this->HeldBack.clear();
+  this->Translucent.clear();
+}
+
+vtkNBufferFrustumCounts vtkNBufferPartition::Classify()
+{
+  this->Clear();
+  vtkNBufferFrustumCounts counts;
+  for (int i = 0; i < this->Props.GetSize(); ++i)
+  {
+    vtkNBufferState& state = this->Props.GetState(i);
+    if (state.Verdict == vtkNBufferVerdict::Translucent)
+    {
+      ++counts.Candidates;
+      if (state.Placement == vtkNBufferPlacement::Inside)
+      {
+        this->Translucent.push_back(i);
+      }
+    }
+    if (state.Verdict != vtkNBufferVerdict::Visible)
+    {
+      continue; // not an opaque candidate
+    }
+    ++counts.Candidates;
+    switch (state.Placement)
+    {
+      case vtkNBufferPlacement::Outside:
+        state.Verdict = vtkNBufferVerdict::Outside;
+        state.WasVisible = false;
+        break;
+      case vtkNBufferPlacement::Crossing:
+        ++counts.Inside;
+        state.Verdict = vtkNBufferVerdict::NearPlane;
+        state.WasVisible = true;
+        break;
+      case vtkNBufferPlacement::Inside:
+        ++counts.Inside;
+        state.Verdict = vtkNBufferVerdict::Untested;
+        (state.WasVisible ? this->Kept : this->HeldBack).push_back(i);
+        break;
+    }
+  }
+  counts.Kept = static_cast<int>(this->Kept.size());
+  counts.HeldBack = static_cast<int>(this->HeldBack.size());
+  counts.Translucent = static_cast<int>(this->Translucent.size());
+  return counts;
+}
+
+void vtkNBufferPartition::HoldBack()
+{
+  if (this->HeldBack.empty())
+  {
+    const auto farthest = std::max_element(this->Kept.begin(), this->Kept.end(),
+      [this](int a, int b)
+      { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; });
+    this->HeldBack.push_back(*farthest);
+    this->Kept.erase(farthest);
+  }
+  for (int i : this->Kept)
+  {
+    this->Props.GetState(i).Verdict = vtkNBufferVerdict::Visible;
+  }
+  for (int i : this->HeldBack)
+  {
+    this->Props.GetState(i).Verdict = vtkNBufferVerdict::Unknown;
+  }
+}
+
+void vtkNBufferPartition::KeepAll()
+{
+  // All of them are drawn now, so that they are the depth with which the next test begins.
+  for (int i : this->HeldBack)
+  {
+    this->Props.GetState(i).WasVisible = true;
+  }
+  this->Clear();
+}
+
+void vtkNBufferPartition::Project(const vtkNBufferProjection& projection)
+{
+  for (const std::vector<int>* places : { &this->Kept, &this->HeldBack, &this->Translucent })
+  {
+    for (int i : *places)
+    {
+      this->Props.GetState(i).Placement =
+        projection.Project(this->Props.GetBox(i), this->Props.GetScreen(i));
+    }
+  }
+}
+
+std::vector<int> vtkNBufferPartition::RemoveNearest(std::vector<int>& places, std::size_t limit)
+{
+  std::vector<int> nearest = places;
+  if (limit < places.size())
+  {
+    const auto end = places.begin() + static_cast<std::ptrdiff_t>(limit);
+    std::nth_element(places.begin(), end, places.end(),
+      [this](int a, int b)
+      { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; });
+    nearest.assign(places.begin(), end);
+    places.erase(places.begin(), end);
+  }
+  else
+  {
+    places.clear();
+  }
+  return nearest;
+}
+
+std::vector<int> vtkNBufferPartition::GetNotDrawn() const
+{
+  std::vector<int> places;
+  std::copy_if(this->HeldBack.begin(), this->HeldBack.end(), std::back_inserter(places),
+    [this](int i) { return this->Props.GetState(i).Verdict != vtkNBufferVerdict::Visible; });
+  return places;
+}
+
+int vtkNBufferPartition::SetVisibleKept(const std::vector<int>& visible)
+{
+  for (int i : this->Kept)
+  {
+    this->Props.GetState(i).WasVisible = false;
+  }
+  for (int i : visible)
+  {
+    this->Props.GetState(i).WasVisible = true;
+  }
+  return static_cast<int>(this->Kept.size() - visible.size());
+}
+VTK_ABI_NAMESPACE_END
