@@ -2,25 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checker.h"
 
+#include "GLErrors.h"
 #include "GLStateSnapshot.h"
+#include "Judge.h"
 #include "Messages.h"
-#include "StatisticsCheck.h"
-#include "Tune.h"
 
-#include "vtkNBufferVTKVersion.h"
-#include VTKNBUFFER_GL_HEADER
-
-#include "vtkFloatArray.h"
-#include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
-#include <cstring>
-#include <sstream>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 namespace
 {
@@ -88,25 +80,20 @@ std::string CompareStates(const GLStateSnapshot& reference, const GLStateSnapsho
 /// What came with a frame.
 struct Checker::Drawn
 {
-  unsigned int Error = GL_NO_ERROR;
-  std::string Messages;
+  FrameErrors Errors;
   GLStateSnapshot State; ///< If it was asked for.
 };
 
-Checker::Drawn Checker::Draw(Stage& stage, ShadowPasses passes, bool captureState)
+Checker::Drawn Checker::Draw(Player& stage, ShadowPasses passes, bool captureState)
 {
   Drawn drawn;
-  stage.Render(passes);
-  stage.GetWindow()->MakeCurrent();
-  drawn.Error = glGetError();
+  stage.UsePasses(passes);
+  drawn.Errors = RenderFrame(stage);
   if (captureState)
   {
-    drawn.State = GLStateSnapshot::Capture(vtkOpenGLRenderWindow::SafeDownCast(stage.GetWindow()));
-    while (glGetError() != GL_NO_ERROR)
-    {
-    }
+    drawn.State = GLStateSnapshot::Capture(vtkOpenGLRenderWindow::SafeDownCast(stage.Window));
+    TakeGLErrors();
   }
-  drawn.Messages = TakeMessages();
   return drawn;
 }
 
@@ -158,6 +145,10 @@ Outcome Checker::RunFrames(const Scenario& scenario, Tally* tally)
       outcome.Failure = failure;
       break;
     }
+    if (this->AfterFrame)
+    {
+      this->AfterFrame(this->Tested, frame);
+    }
   }
   if (tally)
   {
@@ -179,25 +170,23 @@ std::string Checker::CheckFrame(const Scenario& scenario, int frame)
 
   // What VTK itself does wrong is not ours.
   const bool checkState = frame % FramesPerStateCheck == 1;
-  const Lights& lights = this->Reference.GetLights();
+  const LightRig& lights = this->Reference.GetLights();
   const bool shadows = lights.HasShadows();
   const Drawn alone =
     Draw(this->Reference, shadows ? ShadowPasses::Absent : ShadowPasses::Lasting, checkState);
-  messages += alone.Messages;
-  this->IsUndefined = alone.Error != GL_NO_ERROR;
+  messages += alone.Errors.VTK;
+  this->IsUndefined = !alone.Errors.GL.empty();
   const auto judge = [&](const Drawn& drawn, const std::string& before)
   {
     std::string failure;
-    if (drawn.Error != GL_NO_ERROR && !this->IsUndefined)
+    if (!drawn.Errors.GL.empty() && !this->IsUndefined)
     {
       ++this->GLErrors;
-      std::ostringstream text;
-      text << "OpenGL error 0x" << std::hex << drawn.Error << "\n";
-      failure += text.str();
+      failure += drawn.Errors.GL;
     }
-    if (!(before + drawn.Messages).empty() && messages.empty())
+    if (!(before + drawn.Errors.VTK).empty() && messages.empty())
     {
-      failure += "VTK reports: " + before + drawn.Messages;
+      failure += "VTK reports: " + before + drawn.Errors.VTK;
     }
     return failure;
   };
@@ -210,7 +199,7 @@ std::string Checker::CheckFrame(const Scenario& scenario, int frame)
       lights.GetMode() == ShadowMode::Clamped ? ShadowPasses::Fresh : ShadowPasses::FreshUnclamped;
     failure += this->DrawReferenceShadows(scenario, frame, judge);
   }
-  const bool stereo = this->Reference.GetWindow()->GetStereoRender() != 0;
+  const bool stereo = this->Reference.Window->GetStereoRender() != 0;
   const ShadowPasses passes = this->IsJudging ? ShadowPasses::Lasting : last;
   if (shadows && stereo)
   {
@@ -226,13 +215,27 @@ std::string Checker::CheckFrame(const Scenario& scenario, int frame)
   }
   if (!this->IsUndefined && !strays)
   {
-    failure += this->CompareImages(this->Reference.GetWindow()->GetMultiSamples() <= 1 && !stereo);
+    const bool withDepth = this->Reference.Window->GetMultiSamples() <= 1 && !stereo;
+    const Picture expected = TakePicture(this->Reference.Window, withDepth);
+    const Picture actual = TakePicture(this->Tested.Window, withDepth);
+    failure += FindDifference(expected, actual);
+    for (Player* stage : { &this->Reference, &this->Tested })
+    {
+      // VTK makes errors while it reads.
+      stage->MakeCurrent();
+      TakeGLErrors();
+    }
   }
-  failure += this->CheckStatistics();
+  failure += FindInconsistency(this->Tested);
   // The statistics are those of one eye; shadows draw what and as often as they like.
-  if (!stereo && !shadows && scenario.Renderers.size() == 1)
+  vtkNBufferCuller* culler = this->Tested.GetCuller();
+  // Shadow maps and selections, too, draw what and as often as they like.
+  if (!stereo && !shadows && scenario.Renderers.size() == 1 && culler &&
+    culler->GetStatistics(this->Tested.GetRenderer()).Decision <= vtkNBufferDecision::BackedOff)
   {
-    failure += this->CheckDraws(scenario.Culler.DefaultCuller != DefaultCuller::Removed);
+    const bool onlyOurs = scenario.Culler.DefaultCuller == DefaultCuller::Removed;
+    failure += FindWrongDraws(
+      this->Reference, this->Tested, onlyOurs ? MustBeDrawn::NotCulled : MustBeDrawn::None, false);
   }
   if (checkState)
   {
@@ -250,7 +253,7 @@ std::string Checker::CheckFrame(const Scenario& scenario, int frame)
 std::string Checker::DrawReferenceShadows(const Scenario& scenario, int frame, const Judge& judge)
 {
   std::string failure;
-  if (this->Reference.GetWindow()->GetStereoRender())
+  if (this->Reference.Window->GetStereoRender())
   {
     // VTK's first frame in stereo is not the second one.
     Draw(this->Reference, ShadowPasses::FreshUnclamped, false);
@@ -305,133 +308,9 @@ std::string Checker::CheckShadows(bool& strays)
   return failure;
 }
 
-std::string Checker::CompareImages(bool compareDepth)
-{
-  vtkNew<vtkUnsignedCharArray> pixels[2];
-  vtkNew<vtkFloatArray> depths[2];
-  int sizes[2][2];
-  for (Stage* stage : { &this->Reference, &this->Tested })
-  {
-    const int index = stage == &this->Tested;
-    vtkRenderWindow* window = stage->GetWindow();
-    std::copy_n(window->GetActualSize(), 2, sizes[index]);
-    const int* size = sizes[index];
-    window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels[index]);
-    if (compareDepth)
-    {
-      window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depths[index]);
-    }
-    window->MakeCurrent();
-    while (glGetError() != GL_NO_ERROR)
-    {
-    }
-  }
-  const vtkIdType count = static_cast<vtkIdType>(sizes[0][0]) * sizes[0][1];
-  if (!std::equal(sizes[0], sizes[0] + 2, sizes[1]) ||
-    pixels[0]->GetNumberOfValues() != 4 * count || pixels[1]->GetNumberOfValues() != 4 * count)
-  {
-    return "The windows have different sizes.\n";
-  }
-  std::ostringstream text;
-  const auto say = [&](const char* what, vtkIdType differing, vtkIdType first)
-  {
-    text << what << " differs in " << differing << " of " << count << " pixels, first in ("
-         << first % sizes[0][0] << ", " << first / sizes[0][0] << ")\n";
-  };
-  const auto compare = [&](const char* what, const void* data, const void* other, std::size_t size)
-  {
-    const auto* a = static_cast<const unsigned char*>(data);
-    const auto* b = static_cast<const unsigned char*>(other);
-    if (std::memcmp(a, b, size * count) == 0)
-    {
-      return;
-    }
-    vtkIdType differing = 0;
-    vtkIdType first = -1;
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      if (std::memcmp(a + size * i, b + size * i, size) != 0)
-      {
-        ++differing;
-        first = first < 0 ? i : first;
-      }
-    }
-    say(what, differing, first);
-  };
-  compare("The image", pixels[0]->GetPointer(0), pixels[1]->GetPointer(0), 4);
-  if (compareDepth && depths[0]->GetNumberOfValues() == count &&
-    depths[1]->GetNumberOfValues() == count)
-  {
-    compare("The depth", depths[0]->GetPointer(0), depths[1]->GetPointer(0), sizeof(float));
-  }
-  return text.str();
-}
-
-std::string Checker::CheckStatistics()
-{
-  std::string failure;
-  for (int i = 0; i < this->Tested.GetNumberOfRenderers(); ++i)
-  {
-    if (vtkNBufferCuller* culler = this->Tested.GetCuller(i))
-    {
-      const vtkNBufferStatistics& statistics = culler->GetStatistics(this->Tested.GetRenderer(i));
-      const std::string fault =
-        FindInconsistency(statistics, culler->GetTuning().MaximumNumberOfRounds);
-      if (!fault.empty())
-      {
-        failure += fault + "\n" + statistics.GetAsJSON() + "\n";
-      }
-    }
-  }
-  return failure;
-}
-
-std::string Checker::CheckDraws(bool stockCuller)
-{
-  vtkNBufferCuller* culler = this->Tested.GetCuller(0);
-  if (!culler)
-  {
-    return "";
-  }
-  const vtkNBufferStatistics& statistics = culler->GetStatistics(this->Tested.GetRenderer(0));
-  if (statistics.Decision > vtkNBufferDecision::BackedOff)
-  {
-    return ""; // shadows and selections draw what and as often as they like
-  }
-  int extra = 0;
-  std::ostringstream wrong;
-  for (std::size_t i = 0; i < this->Tested.GetMembers().size(); ++i)
-  {
-    const Stage::Member& member = this->Tested.GetMembers()[i];
-    if (!member.Present || !member.Counted)
-    {
-      continue;
-    }
-    const int expected = this->Reference.GetMembers()[i].Draws;
-    extra += std::max(member.Draws - expected, 0);
-    const vtkNBufferVerdict verdict =
-      culler->GetVerdict(member.Object, this->Tested.GetRenderer(0));
-    const bool culled =
-      verdict == vtkNBufferVerdict::Hidden || verdict == vtkNBufferVerdict::Outside;
-    // vtkFrustumCoverageCuller may still remove some of the others.
-    if ((culled && member.Draws > 0) || (!culled && !stockCuller && member.Draws < expected))
-    {
-      wrong << "Prop " << member.Description->Id << " is " << vtkNBufferStatistics::GetName(verdict)
-            << " and was drawn " << member.Draws << " times (" << expected
-            << " without the culler).\n";
-    }
-  }
-  if (extra > statistics.Redrawn)
-  {
-    wrong << extra << " draws beyond those without the culler, " << statistics.Redrawn
-          << " counted.\n";
-  }
-  return wrong.str();
-}
-
 void Checker::CountShadows(Tally& tally) const
 {
-  const Lights& lights = this->Tested.GetLights();
+  const LightRig& lights = this->Tested.GetLights();
   bool drawn = false;
   for (int i = 0; i < this->Tested.GetNumberOfRenderers(); ++i)
   {
@@ -454,7 +333,7 @@ void Checker::CountShadows(Tally& tally) const
     ++tally.Features[std::string("shadows ") +
       EnumNames<ShadowMode>::Get()[static_cast<int>(lights.GetMode())]];
     tally.Features["shadows with caster keys"] += lights.HasCasterKeys();
-    tally.Features["shadows with multisampling"] += this->Tested.GetWindow()->GetMultiSamples() > 1;
+    tally.Features["shadows with multisampling"] += this->Tested.Window->GetMultiSamples() > 1;
   }
 }
 
@@ -500,7 +379,7 @@ void Checker::Count(const Scenario& scenario, Tally& tally) const
   }
   tally.FramesWithHidden += hidden;
   this->CountShadows(tally);
-  vtkRenderWindow* window = this->Tested.GetWindow();
+  vtkRenderWindow* window = this->Tested.Window;
   tally.Features["multisampled"] += window->GetMultiSamples() > 1;
   tally.Features["stereo"] += window->GetStereoRender() != 0;
   tally.Features["several renderers"] += this->Tested.GetNumberOfRenderers() > 1;

@@ -22,14 +22,14 @@
 #ifndef Checker_h
 #define Checker_h
 
-#include "FuzzStage.h"
+#include "Player.h"
 #include "ShadowCheck.h"
 
 #include <functional>
 #include <map>
 #include <string>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 /// Sums over frames.
 struct Tally
@@ -73,26 +73,26 @@ public:
    */
   Outcome Run(const Scenario& scenario, bool freshWindows, Tally* tally = nullptr);
 
+  /// Called after each frame that is right, if set.
+  std::function<void(const Player& tested, int frame)> AfterFrame;
+
 private:
   struct Drawn;
   /// What is wrong with what came with a frame; the text is what came before it.
   using Judge = std::function<std::string(const Drawn& drawn, const std::string& before)>;
 
-  static Drawn Draw(Stage& stage, ShadowPasses passes, bool captureState);
+  static Drawn Draw(Player& stage, ShadowPasses passes, bool captureState);
   Outcome RunFrames(const Scenario& scenario, Tally* tally);
   std::string CheckFrame(const Scenario& scenario, int frame);
-  std::string CompareImages(bool compareDepth);
-  std::string CheckStatistics();
   std::string DrawReferenceShadows(const Scenario& scenario, int frame, const Judge& judge);
   std::string CheckShadows(bool& strays);
-  std::string CheckDraws(bool stockCuller);
   void Count(const Scenario& scenario, Tally& tally) const;
   void CountShadows(Tally& tally) const;
 
   /// Not where two stages are compared to see whether VTK repeats itself.
   const bool IsJudging;
-  Stage Reference;
-  Stage Tested;
+  Player Reference;
+  Player Tested;
   long long GLErrors = 0;
   bool HasMasks = false;    ///< In the frame, of the reference.
   ShadowFrame Unclamped;    ///< Of the reference, in the frame.

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace NBufferFuzz
+namespace TestScene
 {
-Prop& Writer::Add(ShapeKind kind, const Vector3& center, const Vector3& size)
+Prop& Writer::Add(ShapeKind kind, const glm::dvec3& center, const glm::dvec3& size)
 {
   Prop prop;
   prop.Id = static_cast<int>(this->Scene.Props.size());
@@ -18,9 +18,9 @@ Prop& Writer::Add(ShapeKind kind, const Vector3& center, const Vector3& size)
   prop.Shape.Size = size;
   prop.Shape.Detail = this->Integer(1, 12);
   prop.Shape.Seed = this->Integer(0, 999);
-  for (double& component : prop.Color)
+  for (int i = 0; i < 3; ++i)
   {
-    component = this->Between(0.2, 1.0);
+    prop.Color[i] = this->Between(0.2, 1.0);
   }
   this->Scene.Props.push_back(prop);
   return this->Scene.Props.back();
@@ -67,7 +67,7 @@ void AddViewsFromFront(Writer& writer, double width)
   writer.Scale = width;
   writer.Scene.Views.push_back(first);
   const int style = writer.Integer(0, 4);
-  const Vector3 other = { writer.Between(-0.7, 0.7) * width, writer.Between(-0.5, 0.5) * width,
+  const glm::dvec3 other = { writer.Between(-0.7, 0.7) * width, writer.Between(-0.5, 0.5) * width,
     writer.Chance(0.8) ? distance : -distance };
   for (int frame = 1; frame < writer.Scene.Frames; ++frame)
   {
@@ -119,13 +119,13 @@ void BuildWall(Writer& writer)
   writer.Occluders.push_back(wall.Id);
   if (writer.Chance(0.3))
   {
-    writer.Occluders.push_back(writer.AddBox({ 1.0, 0.0, 2.0 }, { 3.0, 9.0, 0.1 }).Id);
+    writer.Occluders.push_back(writer.Box({ 1.0, 0.0, 2.0 }, { 3.0, 9.0, 0.1 }).Id);
   }
   const int count = GetProps(writer);
   for (int i = 0; i < count; ++i)
   {
     const bool behind = writer.Chance(0.8);
-    const Vector3 center = { writer.Between(-5.0, 5.0), writer.Between(-4.0, 4.0),
+    const glm::dvec3 center = { writer.Between(-5.0, 5.0), writer.Between(-4.0, 4.0),
       behind ? writer.Between(-8.0, -0.8) : writer.Between(0.8, 6.0) };
     const double size = std::pow(10.0, writer.Between(-1.5, behind ? 0.3 : -0.3));
     writer.Add(writer.Chance(0.7) ? ShapeKind::Box
@@ -218,7 +218,7 @@ void BuildCoplanar(Writer& writer)
   for (int i = 0; i < count; ++i)
   {
     const double side = large ? writer.Between(1.0, 4.0) : 1.0;
-    Vector3 center = { writer.Between(-4.0, 4.0), writer.Between(-3.0, 3.0), 0.0 };
+    glm::dvec3 center = { writer.Between(-4.0, 4.0), writer.Between(-3.0, 3.0), 0.0 };
     if (!large)
     {
       center = { std::round(center[0]), std::round(center[1]), 0.0 };
@@ -243,8 +243,8 @@ void BuildCoplanar(Writer& writer)
   }
   for (int i = writer.Integer(0, 2); i > 0; --i)
   {
-    Prop& door = writer.AddBox(
-      { writer.Between(-2.0, 2.0), 0.0, 3.0 }, { writer.Between(2.0, 6.0), 8.0, 0.2 });
+    Prop& door =
+      writer.Box({ writer.Between(-2.0, 2.0), 0.0, 3.0 }, { writer.Between(2.0, 6.0), 8.0, 0.2 });
     writer.Occluders.push_back(door.Id);
   }
   AddViewsFromFront(writer, width);
@@ -273,16 +273,16 @@ void BuildDecals(Writer& writer)
     const double y = writer.Between(-2.0, 2.0);
     const double thickness = writer.Any({ 0.0, 0.0, 0.4 });
     const bool inMatrix = writer.Chance(0.5);
-    Prop& plate = writer.AddBox({ x, y, z - 0.5 * thickness }, { width, height, thickness });
+    Prop& plate = writer.Box({ x, y, z - 0.5 * thickness }, { width, height, thickness });
     plate.Lighting = false;
     const int decals = writer.Integer(6, 20);
     for (int j = 0; j < decals; ++j)
     {
       const double size = writer.Between(0.05, 0.25);
-      const Vector3 center = { x + writer.Between(-0.3, 0.3) * width,
+      const glm::dvec3 center = { x + writer.Between(-0.3, 0.3) * width,
         y + writer.Between(-0.3, 0.3) * height, z };
-      Prop& decal = writer.AddBox(
-        inMatrix ? Vector3{ 0.0, 0.0, 0.0 } : center, { size * width, size * height, 0.0 });
+      Prop& decal = writer.Box(
+        inMatrix ? glm::dvec3{ 0.0, 0.0, 0.0 } : center, { size * width, size * height, 0.0 });
       decal.Lighting = false;
       if (inMatrix)
       {
@@ -296,7 +296,7 @@ void BuildDecals(Writer& writer)
   }
   if (writer.Chance(0.5))
   {
-    writer.Occluders.push_back(writer.AddBox({ 0.0, 0.0, 5.0 }, { 6.0, 8.0, 0.2 }).Id);
+    writer.Occluders.push_back(writer.Box({ 0.0, 0.0, 5.0 }, { 6.0, 8.0, 0.2 }).Id);
   }
   AddViewsFromFront(writer, 10.0);
   for (View& view : writer.Scene.Views)
@@ -347,7 +347,7 @@ void BuildSpecks(Writer& writer)
   const int walls = writer.Integer(1, 4);
   for (int i = 0; i < walls; ++i)
   {
-    Prop& wall = writer.AddBox({ writer.Between(-3.0, 3.0), writer.Between(-3.0, 3.0), 0.1 * i },
+    Prop& wall = writer.Box({ writer.Between(-3.0, 3.0), writer.Between(-3.0, 3.0), 0.1 * i },
       { writer.Between(2.0, 6.0), writer.Between(2.0, 6.0), 0.05 });
     writer.Occluders.push_back(wall.Id);
   }
@@ -374,15 +374,15 @@ void BuildSpecks(Writer& writer)
 void BuildNear(Writer& writer)
 {
   const int count = GetProps(writer);
-  writer.AddBox({ 0.0, 0.0, -1.2 }, { 40.0, 40.0, 0.4 });
+  writer.Box({ 0.0, 0.0, -1.2 }, { 40.0, 40.0, 0.4 });
   if (writer.Chance(0.3))
   {
-    writer.AddBox({ 0.0, 0.0, 0.0 }, { 60.0, 60.0, 60.0 });
+    writer.Box({ 0.0, 0.0, 0.0 }, { 60.0, 60.0, 60.0 });
   }
   for (int i = 0; i < count; ++i)
   {
     const double size = std::pow(10.0, writer.Between(-0.7, 0.8));
-    Prop& prop = writer.AddBox(
+    Prop& prop = writer.Box(
       { writer.Between(-10.0, 10.0), writer.Between(-10.0, 10.0), writer.Between(-1.0, 2.0) },
       { size, size * writer.Between(0.05, 1.0), size * writer.Between(0.1, 1.0) });
     if (size > 2.0)
@@ -422,7 +422,7 @@ void BuildCity(Writer& writer)
 {
   const int side = writer.Integer(5, 9);
   const double extent = 12.0 * side;
-  writer.AddBox({ 0.5 * extent, 0.5 * extent, -0.5 }, { 1.2 * extent, 1.2 * extent, 1.0 });
+  writer.Box({ 0.5 * extent, 0.5 * extent, -0.5 }, { 1.2 * extent, 1.2 * extent, 1.0 });
   for (int i = 0; i < side; ++i)
   {
     for (int j = 0; j < side; ++j)
@@ -430,7 +430,7 @@ void BuildCity(Writer& writer)
       const double height = writer.Between(3.0, 17.0);
       const double width = writer.Chance(0.3) ? 12.0 : 8.0;
       writer.Occluders.push_back(
-        writer.AddBox({ 12.0 * i + 6.0, 12.0 * j + 6.0, 0.5 * height }, { width, 8.0, height }).Id);
+        writer.Box({ 12.0 * i + 6.0, 12.0 * j + 6.0, 0.5 * height }, { width, 8.0, height }).Id);
     }
   }
   writer.Scale = 30.0;
@@ -455,13 +455,13 @@ void BuildCity(Writer& writer)
 /// Long props that recede, and others along them.
 void BuildLong(Writer& writer)
 {
-  writer.Occluders.push_back(writer.AddBox({ -1.0, 0.0, -20.0 }, { 0.1, 6.0, 50.0 }).Id);
+  writer.Occluders.push_back(writer.Box({ -1.0, 0.0, -20.0 }, { 0.1, 6.0, 50.0 }).Id);
   const int count = GetProps(writer);
   for (int i = 0; i < count; ++i)
   {
     const double length = writer.Between(1.0, 44.0);
     const double y = writer.Between(-3.2, 3.2);
-    writer.AddBox({ -1.1 - writer.Between(0.0, 2.0), y, -20.0 + writer.Between(-20.0, 20.0) },
+    writer.Box({ -1.1 - writer.Between(0.0, 2.0), y, -20.0 + writer.Between(-20.0, 20.0) },
       { writer.Between(0.01, 0.3), writer.Between(0.01, 0.3), length });
   }
   writer.Scale = 6.0;

@@ -13,7 +13,7 @@
 
 #include <vector>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 /// Fills a scenario. Its window and number of frames are settled already.
 class Writer
@@ -41,8 +41,8 @@ public:
   ///@}
 
   /// A plain actor of its own colour; the reference is good until the next one.
-  Prop& Add(ShapeKind kind, const Vector3& center, const Vector3& size);
-  Prop& AddBox(const Vector3& center, const Vector3& size)
+  Prop& Add(ShapeKind kind, const glm::dvec3& center, const glm::dvec3& size);
+  Prop& Box(const glm::dvec3& center, const glm::dvec3& size)
   {
     return this->Add(ShapeKind::Box, center, size);
   }
@@ -70,6 +70,9 @@ struct NamedFamily
 };
 
 const std::vector<NamedFamily>& GetFamilies();
+
+/// Props, views, lights and changes of any named scenario of the tests (NamedScenarios.h).
+void BuildNamed(Writer& writer, bool shadows);
 }
 
 #endif

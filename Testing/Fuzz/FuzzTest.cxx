@@ -5,6 +5,7 @@
 #include "Checker.h"
 #include "Generator.h"
 #include "Messages.h"
+#include "NamedScenarios.h"
 #include "ScenarioJson.h"
 #include "Shrinker.h"
 
@@ -19,7 +20,7 @@
 #include <string>
 #include <vector>
 
-using namespace NBufferFuzz;
+using namespace TestScene;
 
 namespace
 {
@@ -127,6 +128,32 @@ TEST(FuzzScenario, SaysWhereAFileIsWrong)
   EXPECT_EQ(getFault(R"({"views": [{"position": [1, 2]}]})"),
     "scenario.views[0].position must be 3 numbers");
   EXPECT_THROW(ReadJson("no/such/file.json"), std::runtime_error);
+}
+
+TEST(FuzzScenario, OldFilesAreRead)
+{
+  const Scenario scenario = FromJson(Parse(R"({"shadows": {"scissor": false,
+    "skip_unlit_receivers": true}, "changes": [{"kind": "SkipUnlitReceivers", "values": [1.0]},
+    {"kind": "Select"}]})"));
+  EXPECT_EQ(scenario.Shadows.Mode, ShadowMode::Culled);
+  ASSERT_EQ(scenario.Changes.size(), 1u);
+  EXPECT_EQ(scenario.Changes[0].Kind, ChangeKind::Select);
+  EXPECT_EQ(
+    FromJson(Parse(R"({"shadows": {"mode": "Exact"}})")).Shadows.Mode, ShadowMode::Scissored);
+}
+
+// Every named scenario is a plain one: it survives its file, too.
+TEST(FuzzScenario, NamedScenariosSurviveTheirFiles)
+{
+  for (const auto& part : { GetCullingHazards(), GetLightScenarios(), GetViewScenarios(),
+         GetMeshScenarios(), GetLargeScenarios() })
+  {
+    for (const NamedScenario& named : part)
+    {
+      EXPECT_EQ(ToText(ToJson(PassThroughText(named.Scenario))), ToText(ToJson(named.Scenario)))
+        << named.Name;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------------------------
@@ -261,22 +288,23 @@ TEST_F(FuzzRuns, StagesActInTheirOwnContext)
   Scenario scenario;
   scenario.Props.resize(1);
   scenario.Views.resize(1);
-  Stage stages[2] = { Stage(Role::Reference), Stage(Role::Culled) };
-  for (Stage& stage : stages)
+  Player stages[2] = { Player(Role::Reference), Player(Role::Culled) };
+  for (Player& stage : stages)
   {
     stage.Begin(scenario);
     stage.Prepare(0);
-    stage.Render();
+    stage.UsePasses();
+    stage.Window->Render();
   }
-  for (Stage& stage : stages)
+  for (Player& stage : stages)
   {
-    Stage& other = &stage == stages ? stages[1] : stages[0];
-    other.GetWindow()->MakeCurrent();
+    Player& other = &stage == stages ? stages[1] : stages[0];
+    other.Window->MakeCurrent();
     stage.Prepare(0);
-    EXPECT_TRUE(stage.GetWindow()->IsCurrent());
-    other.GetWindow()->MakeCurrent();
+    EXPECT_TRUE(stage.Window->IsCurrent());
+    other.Window->MakeCurrent();
     stage.End();
-    EXPECT_TRUE(stage.GetWindow()->IsCurrent());
+    EXPECT_TRUE(stage.Window->IsCurrent());
   }
 }
 

@@ -5,7 +5,8 @@
  * @brief Scenarios from seeds.
  *
  * A family lays out a scene that is built around one hazard; what is random of window, passes,
- * culler, materials and changes comes on top of it, so that hazards meet each other.
+ * culler, materials and changes comes on top of it, so that hazards meet each other. One in ten
+ * scenarios begins as a named one (NamedScenarios.h) instead.
  */
 #ifndef Generator_h
 #define Generator_h
@@ -14,7 +15,7 @@
 
 #include <cstdint>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 enum class ScenarioKind
 {

@@ -6,7 +6,6 @@
 
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
-#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 
@@ -14,14 +13,16 @@
 #include <cmath>
 #include <sstream>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 namespace
 {
+using vtkNBufferGLM::ToVector;
+
 /// Where single precision may see a sample on the other side of the cone. In radians.
 constexpr double ConeMargin = 2e-4;
 
-bool Casts(const Stage& stage, int number)
+bool Casts(const Player& stage, int number)
 {
   vtkLight* light = stage.GetLights().GetLight(0, number);
   return light->GetSwitch() && !light->LightTypeIsHeadlight() && light->GetIntensity() > 0.0 &&
@@ -29,16 +30,15 @@ bool Casts(const Stage& stage, int number)
 }
 
 /// Surely in the cone, if there is one.
-bool IsReached(const OracleLight& light, const double point[3])
+bool IsReached(const OracleLight& light, const glm::dvec3& point)
 {
   if (light.ConeCosine <= -1.0)
   {
     return true;
   }
-  double ray[3];
-  vtkMath::Subtract(point, light.Position, ray);
-  const double cosine = vtkMath::Dot(ray, light.Direction) / vtkMath::Norm(ray);
-  return std::acos(std::clamp(cosine, -1.0, 1.0)) < std::acos(light.ConeCosine) - ConeMargin;
+  const glm::dvec3 ray = glm::normalize(point - ToVector(light.Position));
+  const double cosine = std::clamp(glm::dot(ray, ToVector(light.Direction)), -1.0, 1.0);
+  return std::acos(cosine) < std::acos(light.ConeCosine) - ConeMargin;
 }
 
 /// From pixels and depth in [0, 1] to the world.
@@ -57,15 +57,12 @@ public:
     vtkMatrix4x4::Invert(matrix, this->ClipToWorld);
   }
 
-  void Apply(int x, int y, double depth, double world[3]) const
+  glm::dvec3 Apply(int x, int y, double depth) const
   {
     double clip[4] = { (2.0 * x + 1.0) / this->Width - 1.0, (2.0 * y + 1.0) / this->Height - 1.0,
       2.0 * depth - 1.0, 1.0 };
     this->ClipToWorld->MultiplyPoint(clip, clip);
-    for (int i = 0; i < 3; ++i)
-    {
-      world[i] = clip[i] / clip[3];
-    }
+    return ToVector(clip) / clip[3];
   }
 
 private:
@@ -117,38 +114,23 @@ bool IsAtSurfaceEdge(const ShadowFrame& frame, int x, int y)
 /// Whether the surface through a pixel and its neighbours turns the same side to eye and light;
 /// true where there are no neighbours.
 bool FacesLight(const ShadowFrame& frame, const Unprojection& unprojection,
-  const OracleLight& light, const double eye[3], int x, int y)
+  const OracleLight& light, const glm::dvec3& eye, int x, int y)
 {
   if (x == 0 || y == 0 || x == frame.Width - 1 || y == frame.Height - 1)
   {
     return true;
   }
-  const auto unproject = [&](int i, int j, double world[3])
-  { unprojection.Apply(i, j, frame.Depth[static_cast<std::size_t>(j) * frame.Width + i], world); };
-  double sides[2][3];
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    double ends[2][3];
-    unproject(x - (axis == 0), y - (axis == 1), ends[0]);
-    unproject(x + (axis == 0), y + (axis == 1), ends[1]);
-    vtkMath::Subtract(ends[1], ends[0], sides[axis]);
-  }
-  double normal[3];
-  vtkMath::Cross(sides[0], sides[1], normal);
-  vtkMath::Normalize(normal);
-  double point[3];
-  unproject(x, y, point);
-  double toEye[3];
-  vtkMath::Subtract(eye, point, toEye);
-  double toLight[3] = { -light.Direction[0], -light.Direction[1], -light.Direction[2] };
-  if (light.Positional)
-  {
-    vtkMath::Subtract(light.Position, point, toLight);
-    vtkMath::Normalize(toLight);
-  }
+  const auto unproject = [&](int i, int j)
+  { return unprojection.Apply(i, j, frame.Depth[static_cast<std::size_t>(j) * frame.Width + i]); };
+  const glm::dvec3 across = unproject(x + 1, y) - unproject(x - 1, y);
+  const glm::dvec3 up = unproject(x, y + 1) - unproject(x, y - 1);
+  const glm::dvec3 normal = glm::normalize(glm::cross(across, up));
+  const glm::dvec3 point = unproject(x, y);
+  const glm::dvec3 toLight = light.Positional ? glm::normalize(ToVector(light.Position) - point)
+                                              : -ToVector(light.Direction);
   constexpr double grazing = 0.01;
-  const double side = vtkMath::Dot(normal, toEye) > 0.0 ? 1.0 : -1.0;
-  return side * vtkMath::Dot(normal, toLight) > grazing;
+  const double side = glm::dot(normal, eye - point) > 0.0 ? 1.0 : -1.0;
+  return side * glm::dot(normal, toLight) > grazing;
 }
 
 std::string SayWhere(const char* what, int light, long long count, long long first, int width)
@@ -160,20 +142,21 @@ std::string SayWhere(const char* what, int light, long long count, long long fir
 }
 }
 
-bool HasReadableReceivers(const Stage& stage)
+bool HasReadableReceivers(const Player& stage)
 {
-  vtkRenderWindow* window = stage.GetWindow();
-  const bool onlySurfaces = std::none_of(stage.GetMembers().begin(), stage.GetMembers().end(),
-    [](const Stage::Member& member)
+  vtkRenderWindow* window = stage.Window;
+  const std::vector<Prop>& props = stage.GetScenario()->Props;
+  const bool onlySurfaces = std::none_of(props.begin(), props.end(),
+    [](const Prop& prop)
     {
-      const PropKind kind = member.Description->Kind;
-      return kind == PropKind::Text || kind == PropKind::Billboard || kind == PropKind::Volume;
+      return prop.Kind == PropKind::Text || prop.Kind == PropKind::Billboard ||
+        prop.Kind == PropKind::Volume;
     });
   return onlySurfaces && stage.GetNumberOfRenderers() == 1 && stage.GetLights().GetPass(0) &&
     window->GetMultiSamples() <= 1 && !window->GetStereoRender();
 }
 
-ShadowFrame CaptureShadows(const Stage& stage)
+ShadowFrame CaptureShadows(const Player& stage)
 {
   ShadowFrame frame;
   vtkRenderer* renderer = stage.GetRenderer(0);
@@ -181,23 +164,18 @@ ShadowFrame CaptureShadows(const Stage& stage)
   renderer->GetTiledSizeAndOrigin(&frame.Width, &frame.Height, &origin[0], &origin[1]);
   const std::size_t count = static_cast<std::size_t>(frame.Width) * frame.Height;
   vtkNew<vtkFloatArray> depth;
-  stage.GetWindow()->GetZbufferData(
+  stage.Window->GetZbufferData(
     origin[0], origin[1], origin[0] + frame.Width - 1, origin[1] + frame.Height - 1, depth);
-  stage.GetWindow()->MakeCurrent();
+  stage.Window->MakeCurrent();
   const bool readable = depth->GetNumberOfValues() == static_cast<vtkIdType>(count);
   frame.Depth.assign(count, 1.0f);
   std::copy_n(depth->GetPointer(0), readable ? count : 0, frame.Depth.begin());
   const Unprojection unprojection(renderer, frame.Width, frame.Height);
   // Of parallel cameras a point far behind it.
   vtkCamera* camera = renderer->GetActiveCamera();
-  double eye[3];
-  camera->GetPosition(eye);
-  const double* direction = camera->GetDirectionOfProjection();
   const double behind = camera->GetParallelProjection() ? 1e6 * camera->GetParallelScale() : 0.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    eye[i] -= behind * direction[i];
-  }
+  const glm::dvec3 eye =
+    ToVector(camera->GetPosition()) - behind * ToVector(camera->GetDirectionOfProjection());
   for (int light = 0; light < stage.GetLights().GetNumberOfLights(); ++light)
   {
     const OracleLight geometry(stage.GetLights().GetLight(0, light));
@@ -210,10 +188,8 @@ ShadowFrame CaptureShadows(const Stage& stage)
       {
         const int x = static_cast<int>(i % frame.Width);
         const int y = static_cast<int>(i / frame.Width);
-        double world[3];
-        unprojection.Apply(x, y, value, world);
         facing[i] = FacesLight(frame, unprojection, geometry, eye, x, y);
-        receivers[i] = IsReached(geometry, world);
+        receivers[i] = IsReached(geometry, unprojection.Apply(x, y, value));
       }
     }
     frame.Receivers.push_back(std::move(receivers));
@@ -237,7 +213,7 @@ long long GetClampedFlips(long long receiversAtEdges)
 
 namespace
 {
-Oracle MakeOracle(const Stage& stage)
+Oracle MakeOracle(const Player& stage)
 {
   vtkInformation* keys = stage.GetLights().GetPass(0)->GetCasterKeys();
   return Oracle(
@@ -266,7 +242,7 @@ long long CountUnexplained(const ShadowFrame& tested, std::size_t light,
 }
 }
 
-RayJudge MakeRayJudge(const Stage& stage)
+RayJudge MakeRayJudge(const Player& stage)
 {
   return [&stage](int light)
   { return MakeOracle(stage).Cast(OracleLight(stage.GetLights().GetLight(0, light))); };
@@ -348,7 +324,7 @@ std::string CompareMasks(const ShadowFrame& expected, const ShadowFrame& tested,
 }
 
 std::optional<ShadowStrays> FindStrays(
-  const Stage& stage, const ShadowFrame& expected, const ShadowFrame& tested, bool parted)
+  const Player& stage, const ShadowFrame& expected, const ShadowFrame& tested, bool parted)
 {
   const Oracle oracle = MakeOracle(stage);
   ShadowStrays all;
@@ -390,10 +366,10 @@ std::optional<ShadowStrays> FindStrays(
   return all;
 }
 
-bool HasParted(const Stage& expected, const Stage& tested)
+bool HasParted(const Player& expected, const Player& tested)
 {
   bool parted = false;
-  for (const Stage* stage : { &expected, &tested })
+  for (const Player* stage : { &expected, &tested })
   {
     for (int i = 0; i < stage->GetNumberOfRenderers(); ++i)
     {
@@ -405,7 +381,7 @@ bool HasParted(const Stage& expected, const Stage& tested)
   return parted;
 }
 
-std::string CompareWithRays(const Stage& stage, const ShadowFrame& frame, ShadowTally& tally)
+std::string CompareWithRays(const Player& stage, const ShadowFrame& frame, ShadowTally& tally)
 {
   const Oracle oracle = MakeOracle(stage);
   std::string failure;
@@ -447,7 +423,7 @@ std::string CompareWithRays(const Stage& stage, const ShadowFrame& frame, Shadow
   return failure;
 }
 
-std::string CheckShadowStatistics(const Stage& stage)
+std::string CheckShadowStatistics(const Player& stage)
 {
   std::string failure;
   for (int i = 0; i < stage.GetNumberOfRenderers(); ++i)
@@ -471,7 +447,7 @@ std::string CheckShadowStatistics(const Stage& stage)
   return failure;
 }
 
-std::string GetShadowStatistics(const Stage& stage)
+std::string GetShadowStatistics(const Player& stage)
 {
   std::string text;
   for (int i = 0; i < stage.GetNumberOfRenderers(); ++i)
@@ -484,7 +460,7 @@ std::string GetShadowStatistics(const Stage& stage)
   return text;
 }
 
-std::string CompareShadowStatistics(const Stage& expected, const Stage& tested)
+std::string CompareShadowStatistics(const Player& expected, const Player& tested)
 {
   // A pass has the statistics of the renderer that it drew last.
   vtkShadowVolumeClampPass* passes[2] = { expected.GetLights().GetPass(0),

@@ -7,7 +7,7 @@
 #ifndef ShadowCheck_h
 #define ShadowCheck_h
 
-#include "FuzzStage.h"
+#include "Player.h"
 #include "RayOracle.h"
 
 #include <functional>
@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 /// Sums over frames.
 struct ShadowTally
@@ -47,13 +47,13 @@ struct ShadowFrame
 
 /// What rays say of a light of the scene as it is.
 using RayJudge = std::function<OracleImage(int light)>;
-RayJudge MakeRayJudge(const Stage& stage);
+RayJudge MakeRayJudge(const Player& stage);
 
 /// Whether the depth in the window is that of the one renderer, sample by sample.
-bool HasReadableReceivers(const Stage& stage);
+bool HasReadableReceivers(const Player& stage);
 
 /// After a frame with shadows, of a stage with HasReadableReceivers().
-ShadowFrame CaptureShadows(const Stage& stage);
+ShadowFrame CaptureShadows(const Player& stage);
 
 /**
  * What is wrong with the masks of `tested`; "" if nothing is. Where nothing is seen they are 0.
@@ -93,23 +93,23 @@ struct ShadowStrays
  * samples that rays say are ambiguous may differ then.
  */
 std::optional<ShadowStrays> FindStrays(
-  const Stage& stage, const ShadowFrame& expected, const ShadowFrame& tested, bool parted);
+  const Player& stage, const ShadowFrame& expected, const ShadowFrame& tested, bool parted);
 
 /// Whether one of the two has counted the volumes of a light in portions.
-bool HasParted(const Stage& expected, const Stage& tested);
+bool HasParted(const Player& expected, const Player& tested);
 
 /// What is wrong with the masks by rays of the scene as it is: more than MaximumFlipsElsewhere
 /// samples of a light, the rest being strays.
-std::string CompareWithRays(const Stage& stage, const ShadowFrame& frame, ShadowTally& tally);
+std::string CompareWithRays(const Player& stage, const ShadowFrame& frame, ShadowTally& tally);
 
 /// Contradictions in the statistics of a stage's passes, and failures.
-std::string CheckShadowStatistics(const Stage& stage);
+std::string CheckShadowStatistics(const Player& stage);
 
 /// A line of JSON for each renderer that has such a pass.
-std::string GetShadowStatistics(const Stage& stage);
+std::string GetShadowStatistics(const Player& stage);
 
 /// What statistics of different passes over the same frame have to share.
-std::string CompareShadowStatistics(const Stage& expected, const Stage& tested);
+std::string CompareShadowStatistics(const Player& expected, const Player& tested);
 }
 
 #endif

@@ -7,19 +7,19 @@
 #include <algorithm>
 #include <cmath>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 namespace
 {
 constexpr double Width = 10.0; // of the places where things are
 
-Vector3 GetAnyPlace(Writer& writer, double low, double high)
+glm::dvec3 GetAnyPlace(Writer& writer, double low, double high)
 {
   return { writer.Between(-0.5, 0.5) * Width, writer.Between(low, high),
     writer.Between(-0.5, 0.5) * Width };
 }
 
-Prop& AddCaster(Writer& writer, const Vector3& center)
+Prop& AddCaster(Writer& writer, const glm::dvec3& center)
 {
   const double size = std::pow(10.0, writer.Between(-0.8, 0.5));
   const ShapeKind kind =
@@ -46,8 +46,8 @@ Prop& AddCaster(Writer& writer, const Vector3& center)
   }
   if (writer.Chance(0.1))
   {
-    const Vector3& c = prop.Position;
-    const Vector3& shape = prop.Shape.Center;
+    const glm::dvec3& c = prop.Position;
+    const glm::dvec3& shape = prop.Shape.Center;
     prop.ClippingPlane = { c[0] + shape[0], c[1] + shape[1], c[2] + shape[2], 1.0,
       writer.Between(-1.0, 1.0), 0.5 };
   }
@@ -62,7 +62,7 @@ void AddViewsAround(Writer& writer, double distance)
   first.ViewAngle = writer.Any({ 30.0, 50.0, 80.0 });
   first.Parallel = writer.Chance(0.25);
   first.ParallelScale = writer.Between(0.2, 0.7) * Width;
-  const auto getPlace = [&]() -> Vector3
+  const auto getPlace = [&]() -> glm::dvec3
   {
     const double turn = writer.Between(0.0, 2.0 * vtkMath::Pi());
     const double height = writer.Between(0.02, 1.0);
@@ -91,9 +91,9 @@ void AddViewsAround(Writer& writer, double distance)
       view.FocalPoint = GetAnyPlace(writer, 0.0, 2.0);
       continue;
     }
-    for (double& coordinate : view.Position)
+    for (int i = 0; i < 3; ++i)
     {
-      coordinate += writer.Between(-0.1, 0.1) * Width;
+      view.Position[i] += writer.Between(-0.1, 0.1) * Width;
     }
   }
 }
@@ -124,7 +124,7 @@ void BuildGround(Writer& writer)
 /// The inside of a box, with things in the middle of it.
 void BuildRoom(Writer& writer)
 {
-  writer.AddBox({ 0.0, 1.0, 0.0 }, { 1.2 * Width, 0.6 * Width, 1.2 * Width }).Casts =
+  writer.Box({ 0.0, 1.0, 0.0 }, { 1.2 * Width, 0.6 * Width, 1.2 * Width }).Casts =
     writer.Chance(0.5);
   const int count = writer.Integer(1, 10);
   for (int i = 0; i < count; ++i)
@@ -137,7 +137,7 @@ void BuildRoom(Writer& writer)
 /// Sheets behind each other along the light, as many as the stencil can count and more.
 void BuildSheets(Writer& writer)
 {
-  writer.AddBox({ 0.0, -0.1, 0.0 }, { 1.6 * Width, 0.1, 1.6 * Width }).Casts = writer.Chance(0.5);
+  writer.Box({ 0.0, -0.1, 0.0 }, { 1.6 * Width, 0.1, 1.6 * Width }).Casts = writer.Chance(0.5);
   // Four times 64 are as many as eight bits take for none.
   const bool full = writer.Chance(0.5);
   const int props = full ? 4 : writer.Integer(1, 6);
@@ -154,7 +154,7 @@ void BuildSheets(Writer& writer)
 }
 
 //------------------------------------------------------------------------------------------------
-Light MakeLight(Writer& writer, const Vector3& middle)
+Light MakeLight(Writer& writer, const glm::dvec3& middle)
 {
   Light light;
   const double scale = writer.Scale;
@@ -197,11 +197,13 @@ void ChangeShadows(Writer& writer, int frame)
   const int target = lights > 0 ? writer.Integer(0, lights - 1) : 0;
   const auto add = [&](ChangeKind kind, std::vector<double> values)
   { writer.AddChange(frame, kind, target, std::move(values)); };
-  const auto moved = [&](Vector3 place)
+  const auto moved = [&](glm::dvec3 place)
   {
-    std::for_each(place.begin(), place.end(),
-      [&](double& x) { x += writer.Between(-0.3, 0.3) * writer.Scale; });
-    return std::vector<double>(place.begin(), place.end());
+    for (int i = 0; i < 3; ++i)
+    {
+      place[i] += writer.Between(-0.3, 0.3) * writer.Scale;
+    }
+    return std::vector<double>{ place.x, place.y, place.z };
   };
   const Light& light = lights > 0 ? writer.Scene.Lights[target] : Light();
   const auto props = static_cast<int>(writer.Scene.Props.size());
@@ -264,8 +266,8 @@ bool IsPlain(const Scenario& scene)
       return (prop.Kind == PropKind::Actor || prop.Kind == PropKind::Piped ||
                prop.Kind == PropKind::Composite) &&
         prop.Shape.Kind != ShapeKind::Lines && prop.Shape.Kind != ShapeKind::Points &&
-        prop.Shape.Kind != ShapeKind::NaNPoint &&
-        *std::min_element(prop.Shape.Size.begin(), prop.Shape.Size.end()) > 0.0 &&
+        prop.Shape.Kind != ShapeKind::NaNPoint && prop.Shape.Kind != ShapeKind::Mesh &&
+        glm::all(glm::greaterThan(prop.Shape.Size, glm::dvec3(0.0))) &&
         prop.Representation == Representation::Surface && !prop.Edges && !prop.Vertices &&
         prop.Shader == Shader::Original && prop.CulledFaces == 0 && prop.OffsetUnits == 0.0 &&
         prop.Opacity == 1.0 && !prop.ForceTranslucent && prop.Texture != Translucency::Some &&
@@ -300,10 +302,11 @@ void AddShadows(Writer& writer)
       renderer.Shadows = false;
     }
   }
-  const Vector3 middle =
-    scene.Views.empty() ? Vector3{ 0.0, 0.0, 0.0 } : scene.Views.front().FocalPoint;
+  const glm::dvec3 middle =
+    scene.Views.empty() ? glm::dvec3{ 0.0, 0.0, 0.0 } : scene.Views.front().FocalPoint;
   const int lights = writer.Chance(0.03) ? 0 : writer.Any({ 1, 1, 1, 1, 2, 2, 3, 6 });
-  for (int i = 0; i < lights; ++i)
+  // Named scenarios have theirs.
+  for (int i = static_cast<int>(scene.Lights.size()); i < lights; ++i)
   {
     scene.Lights.push_back(MakeLight(writer, middle));
   }

@@ -9,7 +9,7 @@
 
 #include "Families.h"
 
-namespace NBufferFuzz
+namespace TestScene
 {
 const std::vector<NamedFamily>& GetShadowFamilies();
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 namespace
 {

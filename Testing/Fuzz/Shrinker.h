@@ -15,7 +15,7 @@
 
 #include <functional>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 /// Whether something still fails. It is asked at most `budget` times by Shrink().
 using Oracle = std::function<bool(const Json::Value&)>;

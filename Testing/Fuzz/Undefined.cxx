@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Undefined.h"
 
-#include "FuzzPasses.h"
+#include "ScenePasses.h"
 
 #include "vtkNBufferVTKVersion.h"
 
@@ -10,13 +10,14 @@
 
 #include <algorithm>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 namespace
 {
 bool HasAmbientOcclusion(const Scenario& scene)
 {
-  return std::any_of(scene.Renderers.begin(), scene.Renderers.end(), [](const Renderer& renderer)
+  return std::any_of(scene.Renderers.begin(), scene.Renderers.end(),
+           [](const Renderer& renderer)
            { return renderer.SSAO || renderer.Pass == PassKind::SSAO; }) ||
     std::any_of(scene.Changes.begin(), scene.Changes.end(),
       [](const Change& change)

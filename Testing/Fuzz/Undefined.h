@@ -9,7 +9,7 @@
 
 #include "Scenario.h"
 
-namespace NBufferFuzz
+namespace TestScene
 {
 /// What VTK leaves undefined, so that it does not even repeat itself: with a render pass a selector
 /// draws props without having set their number; an overlay inside of an SSAO pass writes to one of

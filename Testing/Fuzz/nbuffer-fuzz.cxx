@@ -19,7 +19,7 @@
 #include <iostream>
 #include <random>
 
-using namespace NBufferFuzz;
+using namespace TestScene;
 
 namespace
 {
@@ -198,7 +198,7 @@ private:
     const std::string file =
       this->Settings.Output + "/fuzz-" + std::to_string(scenario.Seed) + ".json";
     WriteJson(file,
-      blame == Blame::Culler ? MakeSmall(scenario, this->Settings) : NBufferFuzz::ToJson(scenario));
+      blame == Blame::Culler ? MakeSmall(scenario, this->Settings) : TestScene::ToJson(scenario));
     std::cout << "  replay with --replay " << file << std::endl;
   }
 
@@ -312,7 +312,7 @@ int main(int argc, char* argv[])
     if (!options.ScenarioFile.empty() && options.ReplayFile.empty())
     {
       const ScenarioKind kind = ChooseKind(options.Seed, options.Shadows);
-      WriteJson(options.ScenarioFile, NBufferFuzz::ToJson(MakeScenario(options.Seed, kind)));
+      WriteJson(options.ScenarioFile, TestScene::ToJson(MakeScenario(options.Seed, kind)));
       return Success;
     }
     const std::string fault = FindWindowFault();

@@ -183,7 +183,8 @@ protected:
     {
       const Triangle triangle = sampler.Make(kind);
       vtkNBufferScreenBox screen;
-      if (projection.Project(MakeBox(triangle, sampler), screen) != vtkNBufferPlacement::Inside ||
+      if (projection.Project(BoundTriangle(triangle, sampler), screen) !=
+          vtkNBufferPlacement::Inside ||
         !program.Draw(triangle, sampler, screen, isBehind))
       {
         continue;
@@ -373,7 +374,7 @@ TEST_F(GpuTestNBufferPrecision, SliversAreForetold)
     for (int n = 0; n < count; ++n)
     {
       const Triangle triangle = sampler.Make(Kind::Sliver);
-      const vtkNBufferBox box = MakeBox(triangle, sampler);
+      const vtkNBufferBox box = BoundTriangle(triangle, sampler);
       vtkNBufferScreenBox screen;
       if (projection.Project(box, screen) != vtkNBufferPlacement::Inside)
       {

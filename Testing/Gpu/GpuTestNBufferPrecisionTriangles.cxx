@@ -180,7 +180,7 @@ void Judge::Compare(const vtkNBufferScreenBox& screen, int x0, int y0, int width
   }
 }
 
-vtkNBufferBox MakeBox(const Triangle& triangle, const Sampler& sampler)
+vtkNBufferBox BoundTriangle(const Triangle& triangle, const Sampler& sampler)
 {
   double bounds[6];
   for (int j = 0; j < 3; ++j)

@@ -172,6 +172,6 @@ private:
 };
 
 /// The box that a candidate with this triangle has.
-vtkNBufferBox MakeBox(const Triangle& triangle, const Sampler& sampler);
+vtkNBufferBox BoundTriangle(const Triangle& triangle, const Sampler& sampler);
 
 #endif

@@ -11,29 +11,24 @@
  *  - a byte of the RGBA windows or, where it can be read, a bit of the depth differs,
  *  - the statistics are not consistent in themselves and with the draws that mappers announced,
  *  - VTK or OpenGL reported an error or a warning.
+ *
+ * Judge.h decides all of that.
  */
 #ifndef CullerTest_h
 #define CullerTest_h
 
+#include "Judge.h"
 #include "Messages.h"
 
 #include "vtkNBufferCuller.h"
 #include "vtkNBufferVTKVersion.h"
 
-#include "vtkActor.h"
 #include "vtkNew.h"
-#include "vtkPolyData.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
-#include "vtkSmartPointer.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <memory>
 #include <string>
-#include <utility>
-#include <vector>
 
 /// Order-independent transparency, where this VTK has a switch for it.
 inline void SetUseOIT(vtkRenderer* renderer, bool on)
@@ -46,36 +41,7 @@ inline void SetUseOIT(vtkRenderer* renderer, bool on)
 #endif
 }
 
-/// One window with its renderers, and what the tests want to find again in it.
-class Stage
-{
-public:
-  vtkSmartPointer<vtkRenderWindow> Window;
-  std::vector<vtkSmartPointer<vtkRenderer>> Renderers;
-  /// All props in the order in which they were added.
-  std::vector<vtkSmartPointer<vtkProp>> Props;
-  /// The culler; nullptr in the reference.
-  vtkSmartPointer<vtkNBufferCuller> Culler;
-
-  vtkRenderer* GetRenderer() const { return this->Renderers.front(); }
-  vtkActor* GetActor(int index) const;
-
-  /// Another renderer of this window.
-  vtkRenderer* AddRenderer(double x0, double y0, double x1, double y1, int layer = 0);
-
-  /// Add to the first renderer or to a given one. Draws of actors are counted.
-  void Add(vtkProp* prop, vtkRenderer* renderer = nullptr);
-  vtkActor* AddActor(vtkPolyData* data, const double color[3], vtkRenderer* renderer = nullptr);
-
-  /// Count the draws that the actor's mapper announces; call again after a change of mapper.
-  void CountDraws(vtkActor* actor);
-  int GetDraws(int prop) const { return *this->Draws[prop]; }
-  bool AreDrawsCounted(int prop) const;
-  void ResetDraws();
-
-private:
-  std::vector<std::shared_ptr<int>> Draws;
-};
+using TestScene::Stage;
 
 /// How a comparison is set up, where a test wants it otherwise.
 struct ComparisonOptions
@@ -150,10 +116,8 @@ public:
   std::string Messages; ///< See ComparisonOptions::KeepMessages.
 
 private:
-  void CheckMessages();
-  void ComparePixels(const std::string& what);
-  void CheckStatistics();
-  void CheckDraws();
+  void CheckMessages(const std::string& messages);
+  void CompareImages(const std::string& what);
 
   ComparisonOptions Options;
   int Frames = 0;

@@ -186,28 +186,20 @@ const Change PropChanges[] = {
     },
     Behind, Verdict::Visible },
   { "DataDeepCopied", Nothing,
-    [](Stage& s)
-    {
-      const double center[3] = { 0.0, 6.0, -3.0 };
-      const double size[3] = { 1.0, 1.0, 1.0 };
-      GetData(s, Behind)->DeepCopy(Scenes::MakeBox(center, size));
+    [](Stage& s) {
+      GetData(s, Behind)->DeepCopy(Scenes::MakeBox({ 0.0, 6.0, -3.0 }, { 1.0, 1.0, 1.0 }));
     },
     Behind, Verdict::Visible },
   { "DataReplaced", Nothing,
-    [](Stage& s)
-    {
-      const double center[3] = { 0.0, 6.0, -3.0 };
-      const double size[3] = { 1.0, 1.0, 1.0 };
-      GetMapper(s, Behind)->SetInputData(Scenes::MakeBox(center, size));
+    [](Stage& s) {
+      GetMapper(s, Behind)->SetInputData(Scenes::MakeBox({ 0.0, 6.0, -3.0 }, { 1.0, 1.0, 1.0 }));
     },
     Behind, Verdict::Visible },
   { "MapperReplaced", Nothing,
     [](Stage& s)
     {
-      const double center[3] = { 0.0, 6.0, -3.0 };
-      const double size[3] = { 1.0, 1.0, 1.0 };
       vtkNew<vtkPolyDataMapper> mapper;
-      mapper->SetInputData(Scenes::MakeBox(center, size));
+      mapper->SetInputData(Scenes::MakeBox({ 0.0, 6.0, -3.0 }, { 1.0, 1.0, 1.0 }));
       s.GetActor(Behind)->SetMapper(mapper);
       s.CountDraws(s.GetActor(Behind));
     },
@@ -252,7 +244,8 @@ const Change PropChanges[] = {
       vtkTransform::SafeDownCast(outer->GetInput())->Translate(0.0, 7.0, 0.0);
     },
     Behind, Verdict::Visible },
-  { "SourceRadius", AddPiped, [](Stage& s)
+  { "SourceRadius", AddPiped,
+    [](Stage& s)
     { vtkSphereSource::SafeDownCast(GetMapper(s, Piped)->GetInputAlgorithm())->SetRadius(9.0); },
     Piped, Verdict::Visible },
   { "SourceCenter", AddPiped,
@@ -304,8 +297,9 @@ const Change PropChanges[] = {
       GetMapper(s, Behind)->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, -66000.0);
     },
     Behind, Verdict::DepthOffset },
-  { "Recoloured", Nothing, [](Stage& s)
-    { s.GetActor(Wall::Index)->GetProperty()->SetColor(1.0, 0.0, 0.5); }, Behind, Verdict::Hidden },
+  { "Recoloured", Nothing,
+    [](Stage& s) { s.GetActor(Wall::Index)->GetProperty()->SetColor(1.0, 0.0, 0.5); }, Behind,
+    Verdict::Hidden },
 };
 
 const Change OccluderChanges[] = {
@@ -363,8 +357,9 @@ const Change OccluderChanges[] = {
     [](Stage& s)
     { GetMapper(s, Wall::Index)->GetClippingPlanes()->GetItem(0)->SetOrigin(3.0, 0.0, 0.0); },
     Wall::Index, Verdict::Unknown },
-  { "TextureWithAlpha", Nothing, [](Stage& s)
-    { s.GetActor(Wall::Index)->SetTexture(MakeTexture(40)); }, Wall::Index, Verdict::Translucent },
+  { "TextureWithAlpha", Nothing,
+    [](Stage& s) { s.GetActor(Wall::Index)->SetTexture(MakeTexture(40)); }, Wall::Index,
+    Verdict::Translucent },
   { "ScalarsWithAlpha", Nothing,
     [](Stage& s)
     {
@@ -390,10 +385,12 @@ const Change ViewChanges[] = {
   { "ClippingRange", Nothing,
     [](Stage& s) { s.GetRenderer()->GetActiveCamera()->SetClippingRange(20.5, 60.0); }, Wall::Index,
     Verdict::Unknown },
-  { "ParallelProjection", Nothing, [](Stage& s)
-    { s.GetRenderer()->GetActiveCamera()->ParallelProjectionOn(); }, Behind, Verdict::Unknown },
-  { "WindowCenter", Nothing, [](Stage& s)
-    { s.GetRenderer()->GetActiveCamera()->SetWindowCenter(0.7, 0.3); }, Behind, Verdict::Unknown },
+  { "ParallelProjection", Nothing,
+    [](Stage& s) { s.GetRenderer()->GetActiveCamera()->ParallelProjectionOn(); }, Behind,
+    Verdict::Unknown },
+  { "WindowCenter", Nothing,
+    [](Stage& s) { s.GetRenderer()->GetActiveCamera()->SetWindowCenter(0.7, 0.3); }, Behind,
+    Verdict::Unknown },
   { "CameraReplaced", Nothing,
     [](Stage& s)
     {

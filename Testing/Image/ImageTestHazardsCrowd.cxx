@@ -28,10 +28,8 @@ namespace
 void BuildSpecks(Stage& stage, int count)
 {
   Scenes::AddBox(stage, 0.0, 0.0, 0.0, 5.0, 3.0, 0.2);
-  const double origin[3] = { 0.0, 0.0, 0.0 };
-  const double size[3] = { 0.02, 0.02, 0.02 };
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(Scenes::MakeBox(origin, size));
+  mapper->SetInputData(Scenes::MakeBox({ 0.0, 0.0, 0.0 }, { 0.02, 0.02, 0.02 }));
   vtkNew<vtkProperty> property;
   property->SetColor(1.0, 0.8, 0.2);
   std::mt19937 random(5);

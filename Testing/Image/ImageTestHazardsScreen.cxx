@@ -94,66 +94,6 @@ TEST(CullerHazards, RectanglesAtHalfPixels)
   }
 }
 
-// Hazard: a box smaller than a pixel, between the pixel centres or on one, seen past an edge or
-// through a hole of one pixel.
-TEST(CullerHazards, BoxesSmallerThanAPixel)
-{
-  constexpr int Width = 211;
-  constexpr int Height = 157;
-  constexpr double Left = 40.5;
-  constexpr double Right = 170.25;
-  constexpr int Hole = 100; // lower left corner of a pixel, in x and y
-  struct Speck
-  {
-    double X;
-    double Y;
-    bool Before;
-  };
-  std::vector<Speck> specks;
-  for (int i = 0; i < 130; ++i)
-  {
-    for (int j = 0; j < 4; ++j)
-    {
-      specks.push_back({ 20.0 + 1.37 * i, 60.0 + 7.23 * j + 0.11 * i, (i + j) % 3 == 0 });
-    }
-  }
-  const double inHole = Hole + 0.5;
-  specks.push_back({ inHole, inHole, false });
-  Comparison comparison(
-    [&specks](Stage& stage)
-    {
-      // A wall in four parts around the hole.
-      AddQuad(stage, Left, 20.0, Hole, 140.0, 50.0);
-      AddQuad(stage, Hole + 1.0, 20.0, Right, 140.0, 50.0);
-      AddQuad(stage, Hole, 20.0, Hole + 1.0, Hole, 50.0);
-      AddQuad(stage, Hole, Hole + 1.0, Hole + 1.0, 140.0, 50.0);
-      for (const Speck& speck : specks)
-      {
-        Scenes::AddBox(stage, speck.X, speck.Y, speck.Before ? 80.0 : 20.0, 0.1, 0.1, 0.1);
-      }
-      Scenes::SetPixelCamera(stage.GetRenderer(), Width, Height);
-    },
-    Scenes::MakeExactOptions(Width, Height));
-  Scenes::Settle(comparison);
-  for (std::size_t i = 0; i < specks.size(); ++i)
-  {
-    const Speck& speck = specks[i];
-    const Verdict verdict = comparison.GetVerdict(static_cast<int>(i) + 4);
-    const bool beside = speck.X < Left - 0.6 || speck.X > Right + 0.6;
-    const bool inside = speck.X > Left + 1.25 && speck.X < Right - 1.25 &&
-      std::max(std::abs(speck.X - inHole), std::abs(speck.Y - inHole)) > 2.0;
-    if (speck.Before || beside || i + 1 == specks.size())
-    {
-      EXPECT_EQ(verdict, Verdict::Visible) << i << ": never dropped for being small";
-    }
-    else if (inside)
-    {
-      EXPECT_EQ(verdict, Verdict::Hidden) << i;
-    }
-  }
-  EXPECT_GT(comparison.GetHidden(), 200);
-}
-
 // Hazard: a box that reaches far beyond the window on all sides has a rectangle to be cut, after
 // rounding; one row or column of pixels at the border decides.
 TEST(CullerHazards, BoxesLargerThanTheWindow)
@@ -392,33 +332,4 @@ TEST(CullerHazards, AMovingOccluderUncoversWhatItHid)
     }
   }
   EXPECT_GT(hidden, 500) << "in all frames together";
-}
-
-// Hazard: the camera jumps back and forth between views that have nothing in common; what one
-// learns from a view must not be used in the other.
-TEST(CullerHazards, TheCameraJumpsBackAndForth)
-{
-  Comparison comparison(
-    [](Stage& stage) { Scenes::BuildWall(stage); }, Scenes::MakeExactOptions(301, 173));
-  const double positions[][3] = { { 0.0, 0.0, 20.0 }, { 3.0, 0.5, -20.0 }, { 0.0, 40.0, 0.1 },
-    { 0.0, 0.0, 60.0 }, { 25.0, 0.0, -3.0 } };
-  const int sequence[] = { 0, 0, 1, 0, 0, 1, 0, 2, 0, 0, 2, 3, 0, 0, 4, 0, 4, 1, 4, 0, 0 };
-  int last = -1;
-  for (int view : sequence)
-  {
-    comparison.Both(
-      [&positions, view](Stage& stage)
-      {
-        stage.GetRenderer()->GetActiveCamera()->SetPosition(positions[view]);
-        stage.GetRenderer()->ResetCameraClippingRange();
-      });
-    comparison.Frame("view " + std::to_string(view));
-    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
-    // The first frame after a jump also draws what the other view saw.
-    if (view == 0 && last == 0)
-    {
-      EXPECT_GE(comparison.GetHidden(), Wall::Hidden - 12);
-    }
-    last = view;
-  }
 }

@@ -83,11 +83,9 @@ struct World
     }
   }
 
-  void AddBox(Stage& stage, double x, double y, double z, double sx, double sy, double sz) const
+  void PlaceBox(Stage& stage, double x, double y, double z, double sx, double sy, double sz) const
   {
-    const double center[3] = { x, y, z };
-    const double size[3] = { sx, sy, sz };
-    this->Add(stage, Scenes::MakeBox(center, size));
+    this->Add(stage, Scenes::MakeBox({ x, y, z }, { sx, sy, sz }));
   }
 
   void Look(Stage& stage, const std::array<double, 3>& eye, const std::array<double, 3>& to,
@@ -249,21 +247,23 @@ TEST_P(CullerFarAway, DetailsOfCentimetres)
       Comparison comparison(
         [&](Stage& stage)
         {
-          world.AddBox(stage, 0.0, 3.0, 1.0, 1.6, 0.02, 1.0); // the board
+          world.PlaceBox(stage, 0.0, 3.0, 1.0, 1.6, 0.02, 1.0); // the board
           for (int i = 0; i < Count; ++i)
           {
             const double x = 0.03 * i - 0.72;
-            world.AddBox(stage, x, 3.10, 1.1, 0.02, 0.02, 0.02); // behind
-            world.AddBox(stage, x, 3.03, 1.5, 0.02, 0.02, 0.02); // sticks out by 1 cm
-            world.AddBox(stage, x, 2.96, 1.3, 0.02, 0.02, 0.02); // before
+            world.PlaceBox(stage, x, 3.10, 1.1, 0.02, 0.02, 0.02); // behind
+            world.PlaceBox(stage, x, 3.03, 1.5, 0.02, 0.02, 0.02); // sticks out by 1 cm
+            world.PlaceBox(stage, x, 2.96, 1.3, 0.02, 0.02, 0.02); // before
           }
         },
         Scenes::MakeExactOptions(401, 301));
       int hidden = 0;
       for (int i = 0; i < 5; ++i)
       {
-        comparison.Both([&](Stage& stage)
-          { world.Look(stage, { 0.01 * i, 0.0, 1.5 }, { 0.01 * i, 3.0, 1.2 }, 0.5, 500.0); });
+        comparison.Both(
+          [&](Stage& stage) {
+            world.Look(stage, { 0.01 * i, 0.0, 1.5 }, { 0.01 * i, 3.0, 1.2 }, 0.5, 500.0);
+          });
         comparison.Frame();
         hidden += comparison.GetHidden();
         for (int k = 0; k < Count; ++k)
@@ -304,7 +304,7 @@ TEST_P(CullerFarAway, City)
       Comparison comparison(
         [&](Stage& stage)
         {
-          world.AddBox(stage, 0.0, 0.0, -0.5, 1000.0, 1000.0, 1.0);
+          world.PlaceBox(stage, 0.0, 0.0, -0.5, 1000.0, 1000.0, 1.0);
           for (const auto& building : buildings)
           {
             world.Add(stage, building);

@@ -67,9 +67,8 @@ class CullerOccluders : public testing::TestWithParam<Occluder>
 /// A wall like that of the wall scene, or a box too small to hide anything.
 vtkSmartPointer<vtkPolyData> MakeWallData(bool small = false)
 {
-  const double center[3] = { 0.0, 0.0, 0.0 };
-  const double sizes[2][3] = { { 12.0, 6.0, 0.5 }, { 0.2, 0.2, 0.5 } };
-  return Scenes::MakeBox(center, sizes[small]);
+  const glm::dvec3 sizes[2] = { { 12.0, 6.0, 0.5 }, { 0.2, 0.2, 0.5 } };
+  return Scenes::MakeBox({ 0.0, 0.0, 0.0 }, sizes[small]);
 }
 
 vtkSmartPointer<vtkPolyDataMapper> MakeMapper(vtkPolyData* data)
@@ -322,7 +321,8 @@ const Occluder Occluders[] = {
   // Hazard: matrices of assemblies multiply; a part's own bounds are not where it is drawn.
   { "NestedAssembly", MakeNestedAssembly, Shrink, Verdict::NotAPlainActor },
   // Hazard: an assembly that is no vtkProp3D; one of its parts is switched off.
-  { "PropAssembly", MakePropAssembly, [](vtkProp* p)
+  { "PropAssembly", MakePropAssembly,
+    [](vtkProp* p)
     { vtkPropAssembly::SafeDownCast(p)->GetParts()->GetLastProp()->VisibilityOff(); },
     Verdict::NotAPlainActor },
   // Hazard: the level of detail changes, and with it the depth.
@@ -345,7 +345,8 @@ const Occluder Occluders[] = {
   // Hazard: a follower turns with the camera; its matrix is known when it is drawn.
   { "Follower", MakeFollower, Shrink, Verdict::NotAPlainActor },
   // Hazard: glyphs are drawn where the points of another data set are.
-  { "Glyphs", MakeGlyphs, [](vtkProp* p)
+  { "Glyphs", MakeGlyphs,
+    [](vtkProp* p)
     { LiftPoints(vtkActor::SafeDownCast(p)->GetMapper()->GetInputDataObject(0, 0)); },
     Verdict::NotAPlainMapper },
   { "ImageActor", MakeImageActor, Shrink, Verdict::NotAPlainActor },
@@ -369,8 +370,9 @@ const Occluder Occluders[] = {
   // Hazard: texels become translucent in place, far from actor and mapper.
   { "TextureTurnsTranslucent", MakeTextured, MakeTextureTranslucent, Verdict::Visible },
   // Hazard: a matrix that mirrors turns the faces round, one that shears moves the corners.
-  { "MirroredAndSheared", MakeMirrored, [](vtkProp* p)
-    { vtkActor::SafeDownCast(p)->GetUserMatrix()->SetElement(1, 3, 9.0); }, Verdict::Visible },
+  { "MirroredAndSheared", MakeMirrored,
+    [](vtkProp* p) { vtkActor::SafeDownCast(p)->GetUserMatrix()->SetElement(1, 3, 9.0); },
+    Verdict::Visible },
 };
 }
 

@@ -51,9 +51,7 @@ namespace
 /// A box behind the wall, which the camera cannot see.
 vtkSmartPointer<vtkPolyData> MakeHiddenBox()
 {
-  const double center[3] = { 1.0, 0.5, -3.0 };
-  const double size[3] = { 1.0, 1.0, 1.0 };
-  return Scenes::MakeBox(center, size);
+  return Scenes::MakeBox({ 1.0, 0.5, -3.0 }, { 1.0, 1.0, 1.0 });
 }
 
 vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* data)
@@ -168,9 +166,7 @@ vtkSmartPointer<vtkProp> MakeComposite(bool translucentBlock)
   vtkNew<vtkMultiBlockDataSet> blocks;
   for (int i = 0; i < 3; ++i)
   {
-    const double center[3] = { i - 1.0, 0.0, -3.0 };
-    const double size[3] = { 0.5, 0.5, 0.5 };
-    blocks->SetBlock(i, Scenes::MakeBox(center, size));
+    blocks->SetBlock(i, Scenes::MakeBox({ i - 1.0, 0.0, -3.0 }, { 0.5, 0.5, 0.5 }));
   }
   vtkNew<CompositeMapper> mapper;
   mapper->SetInputDataObject(blocks);

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scenes.h"
 
+#include "SceneBuilder.h"
 #include "Tune.h"
+
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
-#include "vtkCubeSource.h"
 #include "vtkLight.h"
-#include "vtkPoints.h"
 #include "vtkProperty.h"
 
 #include <algorithm>
@@ -17,40 +16,10 @@
 
 namespace Scenes
 {
-vtkSmartPointer<vtkPolyData> MakeBox(const double center[3], const double size[3])
-{
-  vtkNew<vtkCubeSource> source;
-  source->SetCenter(center[0], center[1], center[2]);
-  source->SetXLength(size[0]);
-  source->SetYLength(size[1]);
-  source->SetZLength(size[2]);
-  source->Update();
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->DeepCopy(source->GetOutput());
-  return data;
-}
-
 vtkSmartPointer<vtkPolyData> MakeQuad(
   double x0, double y0, double x1, double y1, double z, int cells)
 {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> quads;
-  for (int j = 0; j <= cells; ++j)
-  {
-    for (int i = 0; i <= cells; ++i)
-    {
-      points->InsertNextPoint(x0 + (x1 - x0) * i / cells, y0 + (y1 - y0) * j / cells, z);
-      if (i < cells && j < cells)
-      {
-        const vtkIdType first = static_cast<vtkIdType>(j) * (cells + 1) + i;
-        quads->InsertNextCell({ first, first + 1, first + cells + 2, first + cells + 1 });
-      }
-    }
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetPolys(quads);
-  return data;
+  return TestScene::MakeShape(TestScene::SceneBuilder().Quad(x0, y0, x1, y1, z, cells).Shape);
 }
 
 void GetColor(int index, double color[3])
@@ -67,11 +36,9 @@ int AddBox(Stage& stage, double x, double y, double z, double sx, double sy, dou
   vtkRenderer* renderer)
 {
   const int index = static_cast<int>(stage.Props.size());
-  const double center[3] = { x, y, z };
-  const double size[3] = { sx, sy, sz };
   double color[3];
   GetColor(index, color);
-  stage.AddActor(MakeBox(center, size), color, renderer);
+  stage.AddActor(MakeBox({ x, y, z }, { sx, sy, sz }), color, renderer);
   return index;
 }
 
@@ -79,30 +46,24 @@ void BuildWall(Stage& stage, vtkRenderer* renderer)
 {
   vtkRenderer* target = renderer ? renderer : stage.GetRenderer();
   target->SetBackground(0.1, 0.2, 0.3);
-  AddBox(stage, 0.0, 0.0, 0.0, 12.0, 6.0, 0.5, target);
-  std::mt19937 random(3);
-  const auto uniform = [&random](double a, double b)
-  { return a + (b - a) * static_cast<double>(random() % 10000) / 10000.0; };
-  for (int i = 0; i < Wall::Behind; ++i)
+  TestScene::SceneBuilder scene;
+  scene.AddWall();
+  for (const TestScene::Prop& box : scene.Scene.Props)
   {
-    const double x = uniform(-4.0, 4.0);
-    const double y = uniform(-2.0, 2.0);
-    AddBox(stage, x, y, uniform(-8.0, -2.0), 0.6, 0.6, 0.6, target);
-  }
-  for (int i = 0; i < Wall::InFront; ++i)
-  {
-    // On both sides of the wall's edge, before it and beside it.
-    AddBox(stage, uniform(-9.0, 9.0), uniform(-4.0, 4.0), uniform(1.0, 5.0), 0.5, 0.5, 0.5, target);
+    const glm::dvec3& center = box.Shape.Center;
+    const glm::dvec3& size = box.Shape.Size;
+    AddBox(stage, center.x, center.y, center.z, size.x, size.y, size.z, target);
   }
   SetWallCamera(target);
 }
 
 void SetWallCamera(vtkRenderer* renderer, double shift)
 {
+  const TestScene::View view = TestScene::SceneBuilder().LookAtWall(shift);
   vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetPosition(shift, 0.25 * shift, 20.0);
-  camera->SetFocalPoint(0.5 * shift, 0.0, 0.0);
-  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->SetPosition(glm::value_ptr(view.Position));
+  camera->SetFocalPoint(glm::value_ptr(view.FocalPoint));
+  camera->SetViewUp(glm::value_ptr(view.ViewUp));
   renderer->ResetCameraClippingRange();
 }
 

@@ -8,11 +8,13 @@
 #define Scenes_h
 
 #include "CullerTest.h"
+#include "SceneBuilder.h"
+#include "Shapes.h"
 
 namespace Scenes
 {
-/// A box as polydata with its own points.
-vtkSmartPointer<vtkPolyData> MakeBox(const double center[3], const double size[3]);
+using TestScene::MakeBox;
+using TestScene::Wall;
 
 /// An upright rectangle (normal z) as one polygon, cut in cells x cells quads of equal size.
 vtkSmartPointer<vtkPolyData> MakeQuad(
@@ -24,19 +26,6 @@ void GetColor(int index, double color[3]);
 /// Add a box of its own colour; returns its index in Stage::Props.
 int AddBox(Stage& stage, double x, double y, double z, double sx, double sy, double sz,
   vtkRenderer* renderer = nullptr);
-
-/// Where the wall scene keeps what.
-struct Wall
-{
-  static constexpr int Index = 0;       ///< The wall itself.
-  static constexpr int FirstBehind = 1; ///< Boxes that the wall hides wholly.
-  static constexpr int Behind = 60;     ///< How many of them.
-  static constexpr int FirstInFront = FirstBehind + Behind;
-  static constexpr int InFront = 12; ///< Boxes between camera and wall, and beside it.
-  static constexpr int Count = FirstInFront + InFront;
-  /// So many are hidden at least, the first frame's guesses at the occluders apart.
-  static constexpr int Hidden = Behind - 4;
-};
 
 /// A wall at z = 0 across most of the view, boxes behind and before it, camera at (0, 0, 20).
 void BuildWall(Stage& stage, vtkRenderer* renderer = nullptr);

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LeakScene.h"
 
+#include "SceneProps.h"
+
 #include "vtkCamera.h"
-#include "vtkCubeSource.h"
-#include "vtkNew.h"
+#include "vtkMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 
@@ -19,41 +19,26 @@ namespace LeakScene
 {
 vtkStandardNewMacro(Renderer);
 
-vtkSmartPointer<vtkActor> MakeBox(double x, double y, double z, double size, int kind)
+vtkSmartPointer<vtkActor> MakeLeakBox(double x, double y, double z, double size, int kind)
 {
-  vtkNew<vtkCubeSource> source;
-  source->SetCenter(x, y, z);
-  source->SetXLength(size);
-  source->SetYLength(size);
-  source->SetZLength(size);
-  vtkNew<vtkPolyDataMapper> mapper;
-  if (kind == 1)
-  {
-    mapper->SetInputConnection(source->GetOutputPort());
-  }
-  else
-  {
-    source->Update();
-    vtkNew<vtkPolyData> data;
-    data->DeepCopy(source->GetOutput());
-    mapper->SetInputData(data);
-  }
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(0.5 + 0.5 * std::sin(x), 0.5 + 0.5 * std::sin(y), 0.5);
-  actor->GetProperty()->SetOpacity(kind == 2 ? 0.5 : 1.0);
-  return actor;
+  TestScene::Prop box;
+  box.Kind = kind == 1 ? TestScene::PropKind::Piped : TestScene::PropKind::Actor;
+  box.Shape.Center = { x, y, z };
+  box.Shape.Size = glm::dvec3(size);
+  box.Color = { 0.5 + 0.5 * std::sin(x), 0.5 + 0.5 * std::sin(y), 0.5 };
+  box.Opacity = kind == 2 ? 0.5 : 1.0;
+  return vtkActor::SafeDownCast(TestScene::MakeProp(box, nullptr));
 }
 
 void Build(vtkRenderer* renderer)
 {
-  vtkSmartPointer<vtkActor> wall = MakeBox(0.0, 0.0, 0.0, 1.0, 0);
+  vtkSmartPointer<vtkActor> wall = MakeLeakBox(0.0, 0.0, 0.0, 1.0, 0);
   wall->SetScale(12.0, 6.0, 0.5);
   renderer->AddActor(wall);
   for (int i = 0; i < BoxesBehind + TranslucentBehind; ++i)
   {
-    renderer->AddActor(MakeBox(-4.0 + 0.8 * (i % 11), -1.5 + 0.6 * (i / 11), -2.0 - 0.1 * i, 0.5,
-      i < BoxesBehind ? i % 2 : 2));
+    renderer->AddActor(MakeLeakBox(-4.0 + 0.8 * (i % 11), -1.5 + 0.6 * (i / 11), -2.0 - 0.1 * i,
+      0.5, i < BoxesBehind ? i % 2 : 2));
   }
   SetCamera(renderer, 0);
 }

@@ -24,7 +24,7 @@ constexpr int TranslucentBehind = 6;
 
 /// A box with a mapper and data of its own: from a pipeline (`kind` 1) or without one (0), or
 /// without one and translucent (2).
-vtkSmartPointer<vtkActor> MakeBox(double x, double y, double z, double size, int kind);
+vtkSmartPointer<vtkActor> MakeLeakBox(double x, double y, double z, double size, int kind);
 
 /// The wall, the boxes and a camera before it. The renderer alone keeps the props.
 void Build(vtkRenderer* renderer);

@@ -152,7 +152,7 @@ private:
       { return a + (b - a) * static_cast<double>(random() % 1000) / 1000.0; };
       const double x = uniform(-4.0, 4.0);
       const double y = uniform(-2.0, 2.0);
-      this->Renderer->AddActor(LeakScene::MakeBox(x, y, uniform(-9.0, -2.0), 0.5, i % 3));
+      this->Renderer->AddActor(LeakScene::MakeLeakBox(x, y, uniform(-9.0, -2.0), 0.5, i % 3));
     }
   }
 

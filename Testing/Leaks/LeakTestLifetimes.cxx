@@ -5,6 +5,7 @@
 #include "LeakScene.h"
 #include "Memory.h"
 #include "OffscreenFixture.h"
+#include "Stage.h"
 #include "Tune.h"
 
 #include "vtkNBufferCuller.h"
@@ -33,33 +34,34 @@ enum class Part
 
 using Order = std::array<Part, 3>;
 
-/// A window with a renderer, the scene and the culler; each part can be dropped by itself.
-class Stage
+/// A stage with the scene and the culler; each part can be dropped by itself.
+class LeakStage : public TestScene::Stage
 {
 public:
-  Stage(int backend, int multiSamples = 0)
-    : Window(OffscreenFixture::NewWindow(96, 64, multiSamples))
+  LeakStage(int backend, int multiSamples = 0)
   {
+    this->Window = OffscreenFixture::NewWindow(96, 64, multiSamples);
     auto renderer = vtkSmartPointer<LeakScene::Renderer>::New();
-    this->Renderer = renderer;
+    this->Renderers.emplace_back(renderer);
     this->Foreign = renderer->GetForeignProps();
-    LeakScene::Build(this->Renderer);
-    this->Window->AddRenderer(this->Renderer);
+    LeakScene::Build(renderer);
+    this->Window->AddRenderer(renderer);
     this->Culler = vtkSmartPointer<vtkNBufferCuller>::New();
     this->Culler->SetBackend(backend);
     Tune(this->Culler, &vtkNBufferTuning::BackOff, false);
   }
 
-  void AddCuller() { this->Renderer->AddCuller(this->Culler); }
+  void AddCuller() { this->GetRenderer()->AddCuller(this->Culler); }
+  bool HasRenderer() const { return !this->Renderers.empty(); }
 
   void Render(int frames)
   {
     for (int i = 0; i < frames; ++i)
     {
-      LeakScene::SetCamera(this->Renderer, ++this->Frame);
+      LeakScene::SetCamera(this->GetRenderer(), ++this->Frame);
       this->Window->Render();
     }
-    this->Window->MakeCurrent();
+    this->MakeCurrent();
   }
 
   void Drop(Part part)
@@ -72,14 +74,14 @@ public:
       case Part::Renderer:
         if (this->Window)
         {
-          this->Window->RemoveRenderer(this->Renderer);
+          this->Window->RemoveRenderer(this->GetRenderer());
         }
-        this->Renderer = nullptr;
+        this->Renderers.clear();
         break;
       case Part::Culler:
-        if (this->Renderer)
+        if (this->HasRenderer())
         {
-          this->Renderer->RemoveCuller(this->Culler);
+          this->GetRenderer()->RemoveCuller(this->Culler);
         }
         this->Culler = nullptr;
         break;
@@ -88,9 +90,6 @@ public:
 
   int GetHidden() const { return this->Culler->GetNumberOfHiddenProps(); }
 
-  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
-  vtkSmartPointer<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkNBufferCuller> Culler;
   std::shared_ptr<LeakScene::ForeignProps> Foreign;
 
 private:
@@ -123,22 +122,22 @@ TEST_P(LeaksByOrder, NothingOutlivesItsOwner)
   for (int time = 0; time < 2; ++time)
   {
     blocks = Memory::GetModuleBlocks();
-    Stage stage(backend);
+    LeakStage stage(backend);
     stage.AddCuller();
     stage.Render(4);
     EXPECT_GE(stage.GetHidden(), LeakScene::BoxesBehind - 10);
-    const LeakScene::Contents contents(stage.Renderer);
+    const LeakScene::Contents contents(stage.GetRenderer());
     EXPECT_EQ(contents.GetNumberOfLivingObjects(), contents.GetNumberOfObjects());
     EXPECT_GE(stage.Foreign->GetNumberOfProps(), 1 + LeakScene::TranslucentBehind);
     const vtkWeakPointer<vtkNBufferCuller> culler = stage.Culler.Get();
     for (Part part : order)
     {
       stage.Drop(part);
-      if (!stage.Renderer)
+      if (!stage.HasRenderer())
       {
         EXPECT_EQ(contents.GetNumberOfLivingObjects(), 0) << "the culler keeps them";
       }
-      if (!stage.Culler && !stage.Renderer)
+      if (!stage.Culler && !stage.HasRenderer())
       {
         EXPECT_EQ(culler, nullptr);
       }
@@ -146,7 +145,7 @@ TEST_P(LeaksByOrder, NothingOutlivesItsOwner)
       {
         EXPECT_EQ(stage.Foreign->GetNumberOfLivingProps(), 0);
       }
-      if (stage.Window && stage.Renderer)
+      if (stage.Window && stage.HasRenderer())
       {
         EXPECT_EQ(culler, nullptr);
         stage.Render(2);
@@ -193,7 +192,7 @@ TEST_F(Leaks, GLObjectsGoWithTheCuller)
     for (int samples : { 0, 4 })
     {
       SCOPED_TRACE("back-end " + std::to_string(backend) + ", samples " + std::to_string(samples));
-      Stage stage(backend, samples);
+      LeakStage stage(backend, samples);
       stage.Render(3);
       GLObjects::Counts before = GLObjects::Count();
       stage.AddCuller();
@@ -233,7 +232,7 @@ TEST_F(Leaks, GLObjectsGoWithTheWindowsResources)
 {
   const auto countReleased = [](bool culled)
   {
-    Stage stage(vtkNBufferCuller::OpenGL, 4);
+    LeakStage stage(vtkNBufferCuller::OpenGL, 4);
     if (culled)
     {
       stage.AddCuller();
@@ -253,7 +252,7 @@ TEST_F(Leaks, ContextsComeAndGo)
 {
   for (int backend : { vtkNBufferCuller::CPU, vtkNBufferCuller::OpenGL })
   {
-    Stage stage(backend);
+    LeakStage stage(backend);
     stage.AddCuller();
     long long blocks = 0;
     long long bytes = 0;
@@ -291,7 +290,7 @@ TEST_F(Leaks, OneCullerManyWindows)
   for (int time = 0; time < 12; ++time)
   {
     {
-      Stage stage(vtkNBufferCuller::OpenGL);
+      LeakStage stage(vtkNBufferCuller::OpenGL);
       stage.Culler = culler.Get();
       stage.AddCuller();
       stage.Render(4);
@@ -311,18 +310,18 @@ TEST_F(Leaks, OneCullerManyWindows)
 // address: nothing that belonged to the dead window may be used for it.
 TEST_F(Leaks, ANewWindowAtTheAddressOfADeadOne)
 {
-  Stage stage(vtkNBufferCuller::OpenGL);
+  LeakStage stage(vtkNBufferCuller::OpenGL);
   stage.AddCuller();
   stage.Render(3);
   int sameAddress = 0;
   for (int time = 0; time < 8; ++time)
   {
-    const vtkOpenGLRenderWindow* const dead = stage.Window;
-    stage.Window->RemoveRenderer(stage.Renderer);
+    const vtkRenderWindow* const dead = stage.Window;
+    stage.Window->RemoveRenderer(stage.GetRenderer());
     stage.Window = nullptr;
     stage.Window = OffscreenFixture::NewWindow(96, 64, 0);
     sameAddress += stage.Window == dead ? 1 : 0;
-    stage.Window->AddRenderer(stage.Renderer);
+    stage.Window->AddRenderer(stage.GetRenderer());
     stage.Render(4);
     EXPECT_GE(stage.GetHidden(), LeakScene::BoxesBehind - 10);
     // A second renderer makes the culler forget what is dead.
@@ -343,7 +342,7 @@ TEST_F(Leaks, ANewWindowAtTheAddressOfADeadOne)
 // culler; a prop that is removed after it is deleted at once.
 TEST_F(Leaks, RemovedPropsAreDeletedAtOnce)
 {
-  Stage stage(vtkNBufferCuller::CPU);
+  LeakStage stage(vtkNBufferCuller::CPU);
   stage.AddCuller();
   const std::function<void()> frames[] = {
     [&] { stage.Render(2); },        // culled
@@ -361,14 +360,14 @@ TEST_F(Leaks, RemovedPropsAreDeletedAtOnce)
       abort->SetClientData(stage.Window);
       abort->SetCallback([](vtkObject*, unsigned long, void* window, void*)
         { static_cast<vtkRenderWindow*>(window)->SetAbortRender(1); });
-      const unsigned long tag = stage.Renderer->AddObserver(vtkCommand::StartEvent, abort);
+      const unsigned long tag = stage.GetRenderer()->AddObserver(vtkCommand::StartEvent, abort);
       stage.Render(1);
-      stage.Renderer->RemoveObserver(tag);
+      stage.GetRenderer()->RemoveObserver(tag);
       stage.Window->SetAbortRender(0);
     },
     [&]
     {
-      stage.Renderer->SetPass(nullptr);
+      stage.GetRenderer()->SetPass(nullptr);
       stage.Culler->FreezeOn();
       stage.Render(2);
       stage.Culler->FreezeOff();
@@ -383,16 +382,16 @@ TEST_F(Leaks, RemovedPropsAreDeletedAtOnce)
   {
     SCOPED_TRACE(&frame - frames);
     frame();
-    vtkPropCollection* props = stage.Renderer->GetViewProps();
+    vtkPropCollection* props = stage.GetRenderer()->GetViewProps();
     // The last is translucent, the first a wall that is drawn, the others are held back.
     for (int index : { props->GetNumberOfItems() - 1, 20 })
     {
       const vtkWeakPointer<vtkObject> prop = props->GetItemAsObject(index);
       ASSERT_NE(prop, nullptr);
-      stage.Renderer->RemoveViewProp(static_cast<vtkProp*>(prop.Get()));
+      stage.GetRenderer()->RemoveViewProp(static_cast<vtkProp*>(prop.Get()));
       EXPECT_EQ(prop, nullptr) << "prop " << index;
     }
-    stage.Renderer->AddActor(LeakScene::MakeBox(0.0, 0.0, -3.0, 0.5, 0));
-    stage.Renderer->AddActor(LeakScene::MakeBox(0.0, 0.0, -4.0, 0.5, 2));
+    stage.GetRenderer()->AddActor(LeakScene::MakeLeakBox(0.0, 0.0, -3.0, 0.5, 0));
+    stage.GetRenderer()->AddActor(LeakScene::MakeLeakBox(0.0, 0.0, -4.0, 0.5, 2));
   }
 }

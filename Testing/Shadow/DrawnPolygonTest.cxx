@@ -70,7 +70,7 @@ protected:
       this->Actor =
         AddMesh(renderer, MakeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } }));
     };
-    this->Stage = std::make_unique<ShadowStage>(scene);
+    this->Stage = std::make_unique<TestScene::Stage>(SetStage(scene));
   }
 
   /// Corners have to be floats, so that nothing is rounded before the device has them.
@@ -82,12 +82,12 @@ protected:
     vtkNew<vtkFloatArray> depths;
     this->Stage->Window->GetZbufferData(0, 0, Width - 1, Height - 1, depths);
     vtkMatrix4x4* matrix =
-      this->Stage->Renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-        this->Stage->Renderer->GetTiledAspectRatio(), -1.0, 1.0);
+      this->Stage->GetRenderer()->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+        this->Stage->GetRenderer()->GetTiledAspectRatio(), -1.0, 1.0);
     std::vector<DrawnPolygon::Corner> clip;
     for (const Point& corner : corners)
     {
-      clip.push_back(DrawnPolygon::Transform(matrix->Element, corner.data()));
+      clip.push_back(DrawnPolygon::Transform(matrix->Element, glm::value_ptr(corner)));
     }
     const DrawnPolygon polygon(clip, DrawnPolygon::Planes::NearAndFar, Width, Height);
     for (int i = 0; polygon.IsVisible() && i < Width * Height; ++i)
@@ -109,7 +109,7 @@ protected:
     }
   }
 
-  std::unique_ptr<ShadowStage> Stage;
+  std::unique_ptr<TestScene::Stage> Stage;
   vtkActor* Actor = nullptr;
 };
 }
@@ -123,9 +123,9 @@ TEST_F(DrawnPolygonTest, LargeGround)
     for (int k = 0; k < 8; ++k)
     {
       const double turn = 0.7 * k;
-      Look(this->Stage->Renderer, { 10.0, 20.0, 1.7 },
+      Look(this->Stage->GetRenderer(), { 10.0, 20.0, 1.7 },
         { 10.0 + 10.0 * std::cos(turn), 20.0 + 10.0 * std::sin(turn), 1.0 });
-      this->Stage->Renderer->GetActiveCamera()->SetClippingRange(0.3, 30000.0);
+      this->Stage->GetRenderer()->GetActiveCamera()->SetClippingRange(0.3, 30000.0);
       this->Draw(
         { { { -size, -size, 0.0 }, { 2.0 * size, -size, 0.0 }, { -size, 2.0 * size, 0.0 } } },
         errors);
@@ -149,8 +149,8 @@ TEST_F(DrawnPolygonTest, Slivers)
   { return low + (high - low) * static_cast<double>(random()) / std::mt19937::max(); };
   Errors errors;
   // A unit in the distance of 10 is 75 pixels / (10 tan 15 degrees).
-  Look(this->Stage->Renderer, { 0.0, 0.0, 10.0 }, { 0.0, 0.0, 0.0 });
-  this->Stage->Renderer->GetActiveCamera()->SetClippingRange(5.0, 50.0);
+  Look(this->Stage->GetRenderer(), { 0.0, 0.0, 10.0 }, { 0.0, 0.0, 0.0 });
+  this->Stage->GetRenderer()->GetActiveCamera()->SetClippingRange(5.0, 50.0);
   for (int i = 0; i < 200; ++i)
   {
     const double width = std::exp(between(std::log(0.02), 0.0)) / 28.0;
@@ -164,10 +164,7 @@ TEST_F(DrawnPolygonTest, Slivers)
       { x + 20.0 * along[0], y + 20.0 * along[1], between(-20.0, -3.0) } } };
     for (Point& corner : corners)
     {
-      for (double& value : corner)
-      {
-        value = static_cast<float>(value);
-      }
+      corner = glm::dvec3(glm::vec3(corner));
     }
     this->Draw(corners, errors);
   }

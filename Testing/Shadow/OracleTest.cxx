@@ -42,11 +42,9 @@ bool MeetsBox(
 
 double GetDistanceToRay(const double origin[3], const double direction[3], const Point& centre)
 {
-  double toCentre[3];
-  double cross[3];
-  vtkMath::Subtract(centre.data(), origin, toCentre);
-  vtkMath::Cross(toCentre, direction, cross);
-  return vtkMath::Norm(cross) / vtkMath::Norm(direction);
+  const glm::dvec3 ray = vtkNBufferGLM::ToVector(direction);
+  const glm::dvec3 toCentre = centre - vtkNBufferGLM::ToVector(origin);
+  return glm::length(glm::cross(toCentre, ray)) / glm::length(ray);
 }
 
 /// A window in which a unit of x and y is a pixel and (0, 0) the lower left corner, seen from
@@ -78,14 +76,14 @@ TEST_F(OracleTest, BoxAboveFloor)
     scene.Build = [&](vtkRenderer* renderer)
     {
       AddFloor(renderer, 5.0);
-      AddBox(renderer, centre, size);
+      AddShape(renderer, ShapeKind::Box, centre, size);
       positional ? AddPoint(renderer, { -1.5, -1.0, 3.0 })
                  : AddDirectional(renderer, { 0.6, 0.35, -0.7 });
       Look(renderer, { 3.0, -6.0, 4.0 }, { 0.4, 0.2, 0.5 });
     };
-    ShadowStage stage(scene);
+    Stage stage = SetStage(scene);
     const OracleLight light(stage.Lights[0]);
-    const Oracle oracle(stage.Renderer);
+    const Oracle oracle(stage.GetRenderer());
     const OracleImage image = oracle.Cast(light);
     int shadowed = 0;
     int wrong = 0;
@@ -127,8 +125,8 @@ TEST_F(OracleTest, SphereAboveFloor)
     AddSpot(renderer, { -1.5, -1.0, 4.0 }, { 0.0, 0.0, 1.0 }, 80.0);
     Look(renderer, { 3.0, -6.0, 4.0 }, { 0.4, 0.2, 0.5 });
   };
-  ShadowStage stage(scene);
-  const Oracle oracle(stage.Renderer);
+  Stage stage = SetStage(scene);
+  const Oracle oracle(stage.GetRenderer());
   // Facets lie between this radius and the sphere's.
   const double inner = 0.8 * std::pow(std::cos(vtkMath::Pi() / 63.0), 2.0);
   for (vtkLight* vtklight : stage.Lights)
@@ -179,7 +177,7 @@ TEST_F(OracleTest, NearAnEdgeIsAmbiguous)
     SCOPED_TRACE(distance);
     // Light from the upper left at 45 degrees: a quad 10 above the floor shifts its shadow by 10.
     const double edge = 20.5 + distance;
-    ShadowStage stage(MakePixelScene(40, 30,
+    Stage stage = SetStage(MakePixelScene(40, 30,
       [&](vtkRenderer* renderer)
       {
         AddFloor(renderer, 100.0);
@@ -189,7 +187,7 @@ TEST_F(OracleTest, NearAnEdgeIsAmbiguous)
             { { 0, 1, 2, 3 } }));
         AddDirectional(renderer, { 1.0, 0.0, -1.0 });
       }));
-    const OracleImage image = Cast(stage.Renderer, stage.Lights[0]);
+    const OracleImage image = Cast(stage.GetRenderer(), stage.Lights[0]);
     for (int x = 0; x < 40; ++x)
     {
       const std::size_t i = 15 * 40 + x;
@@ -210,7 +208,7 @@ TEST_F(OracleTest, StepBetweenSheetsSeenAlmostEdgeOnIsAmbiguous)
   {
     SCOPED_TRACE(distance);
     const double edge = 15.5 + distance;
-    ShadowStage stage(MakePixelScene(40, 30,
+    Stage stage = SetStage(MakePixelScene(40, 30,
       [&](vtkRenderer* renderer)
       {
         const auto addSheet = [&](double low, double high, double z)
@@ -228,7 +226,7 @@ TEST_F(OracleTest, StepBetweenSheetsSeenAlmostEdgeOnIsAmbiguous)
             { { 0, 1, 2, 3 } }));
         AddDirectional(renderer, { 0.0, -1.0, 0.0 });
       }));
-    const OracleImage image = Cast(stage.Renderer, stage.Lights[0]);
+    const OracleImage image = Cast(stage.GetRenderer(), stage.Lights[0]);
     for (int y = 8; y < 23; ++y)
     {
       const std::size_t i = 40 * y + 20;
@@ -243,13 +241,13 @@ TEST_F(OracleTest, GrazingLightIsAmbiguous)
   for (const double slope : { -1e-3, -5e-5, 5e-5, 1e-3 })
   {
     SCOPED_TRACE(slope);
-    ShadowStage stage(MakePixelScene(8, 6,
+    Stage stage = SetStage(MakePixelScene(8, 6,
       [&](vtkRenderer* renderer)
       {
         AddFloor(renderer, 10.0);
         AddDirectional(renderer, { 1.0, 0.0, -slope });
       }));
-    const OracleImage image = Cast(stage.Renderer, stage.Lights[0]);
+    const OracleImage image = Cast(stage.GetRenderer(), stage.Lights[0]);
     EXPECT_EQ(image.Count(slope > 0.0 ? OracleSample::Lit : OracleSample::Unlit), 48);
     EXPECT_EQ(image.CountAmbiguous(), std::abs(slope) < 1e-4 ? 48 : 0);
   }
@@ -258,13 +256,13 @@ TEST_F(OracleTest, GrazingLightIsAmbiguous)
 // A cone of 45 degrees, 10 above the floor: a circle of radius 10.
 TEST_F(OracleTest, ConeEndsTheLight)
 {
-  ShadowStage stage(MakePixelScene(40, 30,
+  Stage stage = SetStage(MakePixelScene(40, 30,
     [](vtkRenderer* renderer)
     {
       AddFloor(renderer, 100.0);
       AddSpot(renderer, { 20.0, 15.0, 10.0 }, { 20.0, 15.0, 0.0 }, 45.0);
     }));
-  const OracleImage image = Cast(stage.Renderer, stage.Lights[0]);
+  const OracleImage image = Cast(stage.GetRenderer(), stage.Lights[0]);
   for (int y = 0; y < 30; ++y)
   {
     for (int x = 0; x < 40; ++x)
@@ -277,9 +275,9 @@ TEST_F(OracleTest, ConeEndsTheLight)
   // A cone of 90 degrees is none, as in VTK's shaders: what is behind the light is lit.
   stage.Lights[0]->SetFocalPoint(30.0, 15.0, 10.0);
   stage.Lights[0]->SetConeAngle(89.9);
-  EXPECT_EQ(Cast(stage.Renderer, stage.Lights[0]).Count(OracleSample::Lit), 20 * 30);
+  EXPECT_EQ(Cast(stage.GetRenderer(), stage.Lights[0]).Count(OracleSample::Lit), 20 * 30);
   stage.Lights[0]->SetConeAngle(90.0);
-  EXPECT_EQ(Cast(stage.Renderer, stage.Lights[0]).Count(OracleSample::Lit), 40 * 30);
+  EXPECT_EQ(Cast(stage.GetRenderer(), stage.Lights[0]).Count(OracleSample::Lit), 40 * 30);
 }
 
 // A sheet is lit on the side of the camera only if the light is there as well.
@@ -287,13 +285,13 @@ TEST_F(OracleTest, SheetsHaveTwoSides)
 {
   for (const double z : { -1.0, 1.0 })
   {
-    ShadowStage stage(MakePixelScene(8, 6,
+    Stage stage = SetStage(MakePixelScene(8, 6,
       [&](vtkRenderer* renderer)
       {
         AddFloor(renderer, 10.0);
         AddDirectional(renderer, { 0.3, 0.2, z });
       }));
-    const OracleImage image = Cast(stage.Renderer, stage.Lights[0]);
+    const OracleImage image = Cast(stage.GetRenderer(), stage.Lights[0]);
     EXPECT_EQ(image.Count(z < 0.0 ? OracleSample::Lit : OracleSample::Unlit), 48);
   }
 }
@@ -304,16 +302,16 @@ TEST_F(OracleTest, CoincidentSurfacesDoNotShadow)
 {
   for (const double z : { 0.0, 1e-4 })
   {
-    ShadowStage stage(MakePixelScene(40, 30,
+    Stage stage = SetStage(MakePixelScene(40, 30,
       [&](vtkRenderer* renderer)
       {
         AddFloor(renderer, 100.0);
         AddFloor(renderer, 10.0, z);
         AddDirectional(renderer, { 0.1, 0.2, -1.0 });
       }));
-    EXPECT_EQ(Cast(stage.Renderer, stage.Lights[0]).Count(OracleSample::Lit), 40 * 30);
-    stage.Renderer->GetActiveCamera()->SetPosition(20.0, 15.0, -100.0);
-    const Oracle oracle(stage.Renderer);
+    EXPECT_EQ(Cast(stage.GetRenderer(), stage.Lights[0]).Count(OracleSample::Lit), 40 * 30);
+    stage.GetRenderer()->GetActiveCamera()->SetPosition(20.0, 15.0, -100.0);
+    const Oracle oracle(stage.GetRenderer());
     int crossed = 0;
     for (int x = 0; x < 40; ++x)
     {
@@ -328,17 +326,17 @@ TEST_F(OracleTest, CoincidentSurfacesDoNotShadow)
 // In shadow is what one or the other half of the casters shadows.
 TEST_F(OracleTest, CastersCanBeChosen)
 {
-  ShadowStage stage(GetScene("CadDirectional"));
+  Stage stage = SetStage(GetScene("CadDirectional"));
   const OracleLight light(stage.Lights[0]);
-  const OracleImage all = Oracle(stage.Renderer).Cast(light);
-  const std::vector<RenderedActor> actors = Oracle(stage.Renderer).GetTriangles().Actors;
+  const OracleImage all = Oracle(stage.GetRenderer()).Cast(light);
+  const std::vector<RenderedActor> actors = Oracle(stage.GetRenderer()).GetTriangles().Actors;
   std::set<vtkProp*> half;
   for (std::size_t i = 0; i < actors.size(); i += 2)
   {
     half.insert(actors[i].Prop);
   }
-  const Oracle one(stage.Renderer, [&](vtkProp* prop) { return half.count(prop) > 0; });
-  const Oracle two(stage.Renderer, [&](vtkProp* prop) { return half.count(prop) == 0; });
+  const Oracle one(stage.GetRenderer(), [&](vtkProp* prop) { return half.count(prop) > 0; });
+  const Oracle two(stage.GetRenderer(), [&](vtkProp* prop) { return half.count(prop) == 0; });
   const OracleImage images[2] = { one.Cast(light), two.Cast(light) };
   for (const OracleImage& image : images)
   {
@@ -360,15 +358,15 @@ TEST_F(OracleTest, OnlyWhatIsDrawnAsSurfacesCounts)
   // Two of four actors, and two of four props.
   for (const char* name : { "NotSurfaces", "HiddenActor" })
   {
-    ShadowStage stage(GetScene(name));
-    EXPECT_EQ(CollectRenderedTriangles(stage.Renderer).Actors.size(), 2u) << name;
+    Stage stage = SetStage(GetScene(name));
+    EXPECT_EQ(CollectRenderedTriangles(stage.GetRenderer()).Actors.size(), 2u) << name;
   }
 }
 
 TEST_F(OracleTest, MasksAreCompared)
 {
-  ShadowStage stage(GetScene("Directional"));
-  const OracleImage image = Cast(stage.Renderer, stage.Lights[0]);
+  Stage stage = SetStage(GetScene("Directional"));
+  const OracleImage image = Cast(stage.GetRenderer(), stage.Lights[0]);
   ShadowMask mask = MakeMask(image);
   MaskComparison comparison = CompareMask(mask, image);
   EXPECT_EQ(comparison.Shadowed, image.Count(OracleSample::Shadowed));

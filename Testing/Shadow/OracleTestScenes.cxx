@@ -39,18 +39,18 @@ double GetDepth(
 }
 
 /// Pixels whose depth is not that of the oracle, nor between those 1/32 of a pixel beside.
-int CountOtherDepths(ShadowStage& stage)
+int CountOtherDepths(Stage& stage)
 {
-  const Oracle oracle(stage.Renderer);
+  const Oracle oracle(stage.GetRenderer());
   int size[2];
   int origin[2];
-  stage.Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  stage.GetRenderer()->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
   vtkNew<vtkFloatArray> depths;
   stage.Window->GetZbufferData(
     origin[0], origin[1], origin[0] + size[0] - 1, origin[1] + size[1] - 1, depths);
   vtkMatrix4x4* worldToClip =
-    stage.Renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-      stage.Renderer->GetTiledAspectRatio(), -1.0, 1.0);
+    stage.GetRenderer()->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+      stage.GetRenderer()->GetTiledAspectRatio(), -1.0, 1.0);
   constexpr double tolerance = 1e-5;
   int result = 0;
   for (int y = 0; y < size[1]; ++y)
@@ -79,9 +79,9 @@ int CountOtherDepths(ShadowStage& stage)
   return result;
 }
 
-std::vector<OracleImage> CastAll(const ShadowStage& stage)
+std::vector<OracleImage> CastAll(const Stage& stage)
 {
-  const Oracle oracle(stage.Renderer);
+  const Oracle oracle(stage.GetRenderer());
   std::vector<OracleImage> result;
   for (vtkLight* light : stage.Lights)
   {
@@ -91,9 +91,9 @@ std::vector<OracleImage> CastAll(const ShadowStage& stage)
 }
 
 /// What is unambiguous in `expected` is the same in the stage.
-void ExpectSame(const ShadowStage& stage, const std::vector<OracleImage>& expected)
+void ExpectSame(const Stage& stage, const std::vector<OracleImage>& expected)
 {
-  const Oracle oracle(stage.Renderer);
+  const Oracle oracle(stage.GetRenderer());
   ASSERT_EQ(stage.Lights.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i)
   {
@@ -117,12 +117,12 @@ TEST_P(OracleSceneTest, SeesWhatIsDrawn)
 {
   NamedScene scene = this->GetParam();
   scene.MultiSamples = 0; // depth of the centres
-  ShadowStage stage(scene);
+  Stage stage = SetStage(scene);
   stage.Window->Render();
   EXPECT_EQ(CountOtherDepths(stage), 0);
   if (scene.Change)
   {
-    scene.Change(stage.Renderer);
+    scene.Change(stage.GetRenderer());
     stage.Window->Render();
     EXPECT_EQ(CountOtherDepths(stage), 0);
   }
@@ -141,7 +141,7 @@ TEST_F(OracleScenesTest, HaveLightAndShadow)
   for (const NamedScene& scene : GetScenes())
   {
     SCOPED_TRACE(scene.Name);
-    const ShadowStage stage(scene);
+    const Stage stage = SetStage(scene);
     EXPECT_FALSE(stage.Lights.empty());
     for (const OracleImage& image : CastAll(stage))
     {
@@ -165,7 +165,8 @@ TEST_F(OracleScenesTest, KeepTheirShadows)
   const std::pair<const char*, Change> changes[] = { { "windings", SceneChanges::FlipWindings },
     { "points", SceneChanges::UnsharePoints }, { "actors", SceneChanges::SplitActors },
     { "order", SceneChanges::ReverseProps },
-    { "place", [](vtkRenderer* renderer)
+    { "place",
+      [](vtkRenderer* renderer)
       {
         const double offset[3] = { 12.0, -7.0, 3.0 };
         SceneChanges::Move(renderer, offset);
@@ -173,12 +174,12 @@ TEST_F(OracleScenesTest, KeepTheirShadows)
   for (const NamedScene& scene : GetScenes())
   {
     SCOPED_TRACE(scene.Name);
-    const std::vector<OracleImage> expected = CastAll(ShadowStage(scene));
+    const std::vector<OracleImage> expected = CastAll(SetStage(scene));
     for (const auto& change : changes)
     {
       SCOPED_TRACE(change.first);
-      const ShadowStage stage(scene);
-      change.second(stage.Renderer);
+      const Stage stage = SetStage(scene);
+      change.second(stage.GetRenderer());
       ExpectSame(stage, expected);
     }
   }

@@ -137,7 +137,7 @@ TEST_F(TreeTest, TrianglesOnAGrid)
 // Rays through edges and corners of a closed mesh from inside, where nothing may pass between.
 TEST_F(TreeTest, ClosedMeshesAreTight)
 {
-  vtkSmartPointer<vtkPolyData> sphere = ShadowShapes::MakeSphere({ 0.1, 0.2, 0.3 }, 1.0, 9);
+  vtkSmartPointer<vtkPolyData> sphere = ShadowShapes::MakeGlobe({ 0.1, 0.2, 0.3 }, 1.0, 9);
   std::vector<double> corners;
   vtkIdType size;
   const vtkIdType* ids;
@@ -175,8 +175,8 @@ TEST_F(TreeTest, ScenesByBruteForce)
     { "ManyLights", "CadSpot", "QuadsStripsPolygons", "LightAtVertex", "HugeCoordinates" })
   {
     SCOPED_TRACE(name);
-    ShadowStage stage(GetScene(name));
-    const Oracle oracle(stage.Renderer);
+    Stage stage = SetStage(GetScene(name));
+    const Oracle oracle(stage.GetRenderer());
     const std::vector<double>& corners = oracle.GetTriangles().Corners;
     for (int y = 1; y < oracle.GetHeight(); y += 9)
     {
@@ -214,8 +214,8 @@ TEST_F(TreeTest, ScenesByBruteForce)
 
 TEST_F(TreeTest, AgreesWithLocator)
 {
-  ShadowStage stage(GetScene("CityDirectional"));
-  const Oracle oracle(stage.Renderer);
+  Stage stage = SetStage(GetScene("CityDirectional"));
+  const Oracle oracle(stage.GetRenderer());
   const OracleLight light(stage.Lights[0]);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

@@ -41,7 +41,7 @@ ShadowMask GetMask(
   return mask;
 }
 
-void Check(const ShadowStage& stage, vtkShadowVolumeClampPass* pass, vtkLight* light,
+void Check(const Stage& stage, vtkShadowVolumeClampPass* pass, vtkLight* light,
   const OracleImage& oracle, int sample)
 {
   std::map<int, ShadowMask> masks;
@@ -66,10 +66,10 @@ void Check(const ShadowStage& stage, vtkShadowVolumeClampPass* pass, vtkLight* l
   EXPECT_EQ(differing, 0) << "Scissored differs from Unclamped";
 }
 
-void Check(const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
+void Check(const Stage& stage, vtkShadowVolumeClampPass* pass)
 {
   stage.Window->Render();
-  Oracle oracle(stage.Renderer);
+  Oracle oracle(stage.GetRenderer());
   const std::vector<std::array<double, 2>> places = GetSamplePlaces(stage.Window);
   for (vtkLight* light : stage.Lights)
   {
@@ -86,13 +86,13 @@ void Check(const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
 TEST_P(ShadowPass, IsExact)
 {
   const NamedScene& scene = this->GetParam();
-  ShadowStage stage(scene);
+  Stage stage = SetStage(scene);
   vtkNew<vtkShadowVolumeClampPass> pass;
-  stage.Renderer->SetPass(pass);
+  stage.GetRenderer()->SetPass(pass);
   Check(stage, pass);
   if (scene.Change)
   {
-    scene.Change(stage.Renderer);
+    scene.Change(stage.GetRenderer());
     SCOPED_TRACE("after the change");
     Check(stage, pass);
   }

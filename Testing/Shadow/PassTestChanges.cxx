@@ -67,7 +67,7 @@ struct Props
 
 void Props::Add(vtkRenderer* renderer, double x, double z)
 {
-  this->Box = AddBox(renderer, { x, -1.0, z }, { 0.5, 0.5, 0.5 });
+  this->Box = AddShape(renderer, ShapeKind::Box, { x, -1.0, z }, { 0.5, 0.5, 0.5 });
   this->Box->SetUserMatrix(this->Matrix);
   this->Sphere = AddMesh(renderer, this->Source->GetOutput());
   this->Source->SetCenter(x, 0.0, z);
@@ -107,7 +107,7 @@ struct ChangingStage
 {
   /// With assemblies no frame is as the last one.
   explicit ChangingStage(bool assemblies = false)
-    : Stage({ "Changing", [this](vtkRenderer* renderer) { this->Build(renderer); } })
+    : Stage(SetStage({ "Changing", [this](vtkRenderer* renderer) { this->Build(renderer); } }))
   {
     this->Pass = AddPass(this->Stage);
     vtkNew<vtkInformation> keys;
@@ -116,8 +116,8 @@ struct ChangingStage
     Tune(this->Pass, &vtkShadowTuning::LitmapResolution, 64);
     if (assemblies)
     {
-      this->Stage.Renderer->AddActor(this->Casters.Assembly);
-      this->Stage.Renderer->AddActor(this->Receivers.Assembly);
+      this->Stage.GetRenderer()->AddActor(this->Casters.Assembly);
+      this->Stage.GetRenderer()->AddActor(this->Receivers.Assembly);
     }
   }
 
@@ -127,7 +127,7 @@ struct ChangingStage
     this->Casters.Add(renderer, 0.0, 1.5);
     this->Casters.SetCast(true);
     this->Receivers.Add(renderer, 0.5, 0.4);
-    this->Unseen = AddBox(renderer, { -8.0, 0.5, 8.5 }, { 1.0, 1.0, 1.0 });
+    this->Unseen = AddShape(renderer, ShapeKind::Box, { -8.0, 0.5, 8.5 }, { 1.0, 1.0, 1.0 });
     SetCasts(this->Unseen, true);
     AddDirectional(renderer, { 1.0, 0.0, -1.0 });
     AddSpot(renderer, { -2.0, -2.0, 5.0 }, { 0.0, 0.0, 0.0 }, 35.0);
@@ -141,7 +141,7 @@ struct ChangingStage
   Props Receivers;
   vtkActor* Unseen;
   vtkNew<vtkSphereSource> Another;
-  ShadowStage Stage;
+  TestScene::Stage Stage;
   vtkSmartPointer<vtkShadowVolumeClampPass> Pass;
 };
 
@@ -189,7 +189,7 @@ void AddPropChanges(const std::string& of, Props ChangingStage::*props, std::vec
     [](Props& p)
     {
       vtkNew<vtkPolyDataMapper> mapper;
-      mapper->SetInputData(MakeSphere({ 0.0, -1.0, 1.0 }, 0.6, 8));
+      mapper->SetInputData(MakeGlobe({ 0.0, -1.0, 1.0 }, 0.6, 8));
       p.Box->SetMapper(mapper);
     });
   add("BlockReplaced",
@@ -225,18 +225,21 @@ void AddPropChanges(const std::string& of, Props ChangingStage::*props, std::vec
 std::vector<Change> GetChanges()
 {
   std::vector<Change> result = {
-    { "CameraMoved", [](ChangingStage& s) { s.Stage.Renderer->GetActiveCamera()->Azimuth(10.0); } },
+    { "CameraMoved",
+      [](ChangingStage& s) { s.Stage.GetRenderer()->GetActiveCamera()->Azimuth(10.0); } },
     { "CameraZoomed",
-      [](ChangingStage& s) { s.Stage.Renderer->GetActiveCamera()->SetViewAngle(30.0); } },
+      [](ChangingStage& s) { s.Stage.GetRenderer()->GetActiveCamera()->SetViewAngle(30.0); } },
     { "CameraParallel",
       [](ChangingStage& s)
       {
-        s.Stage.Renderer->GetActiveCamera()->ParallelProjectionOn();
-        s.Stage.Renderer->GetActiveCamera()->SetParallelScale(2.5);
+        s.Stage.GetRenderer()->GetActiveCamera()->ParallelProjectionOn();
+        s.Stage.GetRenderer()->GetActiveCamera()->SetParallelScale(2.5);
       } },
     { "ClippingRange",
-      [](ChangingStage& s) { s.Stage.Renderer->GetActiveCamera()->SetClippingRange(1.0, 7.0); } },
-    { "Viewport", [](ChangingStage& s) { s.Stage.Renderer->SetViewport(0.3, 0.2, 1.0, 0.9); } },
+      [](ChangingStage& s)
+      { s.Stage.GetRenderer()->GetActiveCamera()->SetClippingRange(1.0, 7.0); } },
+    { "Viewport",
+      [](ChangingStage& s) { s.Stage.GetRenderer()->SetViewport(0.3, 0.2, 1.0, 0.9); } },
     { "Larger", [](ChangingStage& s) { s.Stage.Window->SetSize(311, 201); } },
     { "Smaller", [](ChangingStage& s) { s.Stage.Window->SetSize(111, 91); } },
     { "MultiSamples", [](ChangingStage& s) { s.Stage.Window->SetMultiSamples(4); } },
@@ -247,10 +250,11 @@ std::vector<Change> GetChanges()
     { "LightAttenuation", [](ChangingStage& s) { s.Stage.Lights[2]->SetShadowAttenuation(0.5f); } },
     { "LightOff", [](ChangingStage& s) { s.Stage.Lights[0]->SwitchOff(); } },
     { "LightDark", [](ChangingStage& s) { s.Stage.Lights[1]->SetIntensity(0.0); } },
-    { "LightRemoved", [](ChangingStage& s) { s.Stage.Renderer->RemoveLight(s.Stage.Lights[1]); } },
+    { "LightRemoved",
+      [](ChangingStage& s) { s.Stage.GetRenderer()->RemoveLight(s.Stage.Lights[1]); } },
     { "LightAdded",
       [](ChangingStage& s) {
-        AddDirectional(s.Stage.Renderer, { -1.0, 0.0, -1.0 });
+        AddDirectional(s.Stage.GetRenderer(), { -1.0, 0.0, -1.0 });
       } },
     { "LightBecomesHeadlight",
       [](ChangingStage& s) { s.Stage.Lights[0]->SetLightTypeToHeadlight(); } },
@@ -261,8 +265,8 @@ std::vector<Change> GetChanges()
       [](ChangingStage& s)
       {
         const vtkSmartPointer<vtkLight> first = s.Stage.Lights[0];
-        s.Stage.Renderer->RemoveLight(first);
-        s.Stage.Renderer->AddLight(first);
+        s.Stage.GetRenderer()->RemoveLight(first);
+        s.Stage.GetRenderer()->AddLight(first);
       } },
     { "ModeUnclamped",
       [](ChangingStage& s) { s.Pass->SetMode(vtkShadowVolumeClampPass::Unclamped); } },
@@ -274,17 +278,17 @@ std::vector<Change> GetChanges()
     { "KeysEmptied", [](ChangingStage& s) { s.Pass->GetCasterKeys()->Clear(); } },
     { "UnseenMoved", [](ChangingStage& s) { s.Unseen->AddPosition(0.5, 0.3, 0.0); } },
     { "UnseenHidden", [](ChangingStage& s) { s.Unseen->VisibilityOff(); } },
-    { "UnseenRemoved", [](ChangingStage& s) { s.Stage.Renderer->RemoveActor(s.Unseen); } },
-    { "FloorRemoved", [](ChangingStage& s) { s.Stage.Renderer->RemoveActor(s.Floor); } },
+    { "UnseenRemoved", [](ChangingStage& s) { s.Stage.GetRenderer()->RemoveActor(s.Unseen); } },
+    { "FloorRemoved", [](ChangingStage& s) { s.Stage.GetRenderer()->RemoveActor(s.Floor); } },
     { "FloorTextured", [](ChangingStage& s) { s.Floor->GetProperty()->SetAmbient(0.3); } },
     { "ActorAdded",
       [](ChangingStage& s) {
-        AddBox(s.Stage.Renderer, { 1.5, 0.0, 0.5 }, { 0.5, 0.5, 1.0 });
+        AddShape(s.Stage.GetRenderer(), ShapeKind::Box, { 1.5, 0.0, 0.5 }, { 0.5, 0.5, 1.0 });
       } },
-    { "AllRemoved", [](ChangingStage& s) { s.Stage.Renderer->RemoveAllViewProps(); } },
+    { "AllRemoved", [](ChangingStage& s) { s.Stage.GetRenderer()->RemoveAllViewProps(); } },
     { "PassReleased", [](ChangingStage& s) { s.Pass->ReleaseGraphicsResources(s.Stage.Window); } },
     { "WindowReleased",
-      [](ChangingStage& s) { s.Stage.Renderer->ReleaseGraphicsResources(s.Stage.Window); } },
+      [](ChangingStage& s) { s.Stage.GetRenderer()->ReleaseGraphicsResources(s.Stage.Window); } },
     { "NewContext", [](ChangingStage& s) { s.Stage.Window->Finalize(); } },
   };
   AddPropChanges("Casters", &ChangingStage::Casters, result);
@@ -294,7 +298,7 @@ std::vector<Change> GetChanges()
 
 struct Frame
 {
-  ShadowImage Image;
+  Picture Image;
   std::vector<ShadowMask> Masks;
 };
 
@@ -303,8 +307,8 @@ Frame Render(const ChangingStage& stage, vtkShadowVolumeClampPass* pass)
   stage.Stage.Window->Render();
   EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
   EXPECT_EQ(FindInconsistency(pass->GetStatistics()), "");
-  Frame result = { GetImage(stage.Stage.Window), {} };
-  vtkLightCollection* lights = stage.Stage.Renderer->GetLights();
+  Frame result = { TakePicture(stage.Stage.Window), {} };
+  vtkLightCollection* lights = stage.Stage.GetRenderer()->GetLights();
   vtkCollectionSimpleIterator cookie;
   lights->InitTraversal(cookie);
   while (vtkLight* light = lights->GetNextLight(cookie))
@@ -327,15 +331,15 @@ void ExpectNoMemory(const ChangingStage& stage)
   fresh->SetCasterKeys(stage.Pass->GetCasterKeys());
   for (vtkLight* light : stage.Stage.Lights)
   {
-    if (stage.Stage.Renderer->GetLights()->IsItemPresent(light))
+    if (stage.Stage.GetRenderer()->GetLights()->IsItemPresent(light))
     {
       fresh->SetLightCasts(light, stage.Pass->GetLightCasts(light));
     }
   }
-  stage.Stage.Renderer->SetPass(fresh);
+  stage.Stage.GetRenderer()->SetPass(fresh);
   const Frame expected = Render(stage, fresh);
-  stage.Stage.Renderer->SetPass(stage.Pass);
-  EXPECT_TRUE(IsSameImage(expected.Image, actual.Image, stage.Stage.Window))
+  stage.Stage.GetRenderer()->SetPass(stage.Pass);
+  EXPECT_EQ(FindDifference(expected.Image, actual.Image), "")
     << stage.Pass->GetStatistics().GetAsJSON();
   EXPECT_TRUE(expected.Masks == actual.Masks) << stage.Pass->GetStatistics().GetAsJSON();
 }
@@ -358,7 +362,7 @@ TEST_P(PassChanges, AreSeenInTheNextFrame)
   EXPECT_EQ(stage.Pass->GetStatistics().Decision,
     this->GetParam().Assemblies ? vtkShadowDecision::Drawn : vtkShadowDecision::Still);
   EXPECT_TRUE(first.Masks == still.Masks);
-  EXPECT_TRUE(IsSameImage(first.Image, still.Image, stage.Stage.Window));
+  EXPECT_EQ(FindDifference(first.Image, still.Image), "");
   this->GetParam().Make(stage);
   ExpectNoMemory(stage);
 }
@@ -386,7 +390,7 @@ TEST_F(PassHistory, SwitchingOnAndOff)
   }
   const Frame last = Render(stage, stage.Pass);
   EXPECT_TRUE(first.Masks == last.Masks);
-  EXPECT_TRUE(IsSameImage(first.Image, last.Image, stage.Stage.Window));
+  EXPECT_EQ(FindDifference(first.Image, last.Image), "");
 }
 
 TEST_F(PassHistory, ModesAndResolutions)
@@ -406,7 +410,7 @@ TEST_F(PassHistory, ModesAndResolutions)
       if (mode != vtkShadowVolumeClampPass::Clamped)
       {
         exact.push_back(frame);
-        EXPECT_TRUE(IsSameImage(exact.front().Image, frame.Image, stage.Stage.Window));
+        EXPECT_EQ(FindDifference(exact.front().Image, frame.Image), "");
       }
     }
   }
@@ -433,8 +437,9 @@ TEST_F(PassHistory, ActorsThatAreReplaced)
   for (int frame = 0; frame < 10; ++frame)
   {
     SCOPED_TRACE("frame " + std::to_string(frame));
-    stage.Stage.Renderer->RemoveActor(stage.Unseen);
-    stage.Unseen = AddBox(stage.Stage.Renderer, { -0.1 * frame, 0.5, 2.5 }, { 0.5, 0.5, 0.5 });
+    stage.Stage.GetRenderer()->RemoveActor(stage.Unseen);
+    stage.Unseen = AddShape(
+      stage.Stage.GetRenderer(), ShapeKind::Box, { -0.1 * frame, 0.5, 2.5 }, { 0.5, 0.5, 0.5 });
     SetCasts(stage.Unseen, true);
     ExpectNoMemory(stage);
   }
@@ -450,7 +455,7 @@ TEST_F(PassHistory, PropsThatShareTheirKeys)
   // VTK gives back one reference of several.
   stage.Stage.Window->Render();
   const int references = stage.Pass->GetReferenceCount();
-  stage.Stage.Renderer->GetActiveCamera()->Azimuth(3.0);
+  stage.Stage.GetRenderer()->GetActiveCamera()->Azimuth(3.0);
   stage.Stage.Window->Render();
   EXPECT_EQ(stage.Pass->GetReferenceCount(), references);
 }
@@ -496,7 +501,7 @@ TEST_F(PassHistory, CameraLights)
 {
   ChangingStage stage;
   stage.Pass->SetCasterKeys(nullptr);
-  vtkRenderer* renderer = stage.Stage.Renderer;
+  vtkRenderer* renderer = stage.Stage.GetRenderer();
   vtkNew<vtkLight> light;
   light->SetLightTypeToCameraLight();
   light->SetPosition(0.7, 0.7, 1.0);

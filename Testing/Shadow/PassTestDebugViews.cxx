@@ -27,13 +27,13 @@ constexpr int Views[] = { vtkShadowVolumeClampPass::Litmaps, vtkShadowVolumeClam
   vtkShadowVolumeClampPass::Volumes, vtkShadowVolumeClampPass::Counts };
 
 /// The image is the plain one with the view of the viewport at (x0, y0) laid over it.
-::testing::AssertionResult IsLaidOver(const ShadowImage& plain, const ShadowImage& actual,
+::testing::AssertionResult IsLaidOver(const Picture& plain, const Picture& actual,
   vtkShadowVolumeClampPass* pass, int windowWidth, int x0, int y0)
 {
   int width = 0;
   int height = 0;
   const std::vector<unsigned char> view = pass->GetDebugImage(width, height);
-  std::vector<double> expected(plain.begin(), plain.end());
+  std::vector<double> expected(plain.Colors.begin(), plain.Colors.end());
   int shown = 0;
   for (int y = 0; y < height; ++y)
   {
@@ -45,18 +45,18 @@ constexpr int Views[] = { vtkShadowVolumeClampPass::Litmaps, vtkShadowVolumeClam
       for (int i = 0; i < 3; ++i)
       {
         const double opacity = over[3] / 255.0;
-        expected[pixel + i] = opacity * over[i] + (1.0 - opacity) * plain[pixel + i];
+        expected[pixel + i] = opacity * over[i] + (1.0 - opacity) * plain.Colors[pixel + i];
       }
     }
   }
   for (std::size_t i = 0; i < expected.size(); ++i)
   {
     // Bytes are integers where nothing is laid over.
-    const bool over = expected[i] != plain[i];
-    if (std::abs(actual[i] - expected[i]) > (over ? 1.0 : 0.0))
+    const bool over = expected[i] != plain.Colors[i];
+    if (std::abs(actual.Colors[i] - expected[i]) > (over ? 1.0 : 0.0))
     {
       return ::testing::AssertionFailure()
-        << "byte " << i << " is " << static_cast<int>(actual[i]) << ", not " << expected[i];
+        << "byte " << i << " is " << static_cast<int>(actual.Colors[i]) << ", not " << expected[i];
     }
   }
   return (shown > 20 ? ::testing::AssertionSuccess() : ::testing::AssertionFailure())
@@ -73,15 +73,15 @@ TEST_F(PassDebugViews, AreLaidOverThePicture)
   for (const char* name : { "Directional", "Point", "Inset" })
   {
     SCOPED_TRACE(name);
-    const ShadowStage stage(GetScene(name));
+    const Stage stage = SetStage(GetScene(name));
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     stage.Window->Render();
-    const ShadowImage plain = GetImage(stage.Window);
-    const std::size_t pixels = CountPixels(stage.Renderer);
+    const Picture plain = TakePicture(stage.Window);
+    const std::size_t pixels = CountPixels(stage.GetRenderer());
     const ShadowMask mask = GetMask(pass, stage.Lights[0], pixels);
     int size[2];
     int origin[2];
-    stage.Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+    stage.GetRenderer()->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
     for (const int view : Views)
     {
       SCOPED_TRACE("view " + std::to_string(view));
@@ -95,21 +95,21 @@ TEST_F(PassDebugViews, AreLaidOverThePicture)
           statistics.Decision, frame == 0 ? vtkShadowDecision::Drawn : vtkShadowDecision::Still);
         const bool draws = frame == 0 && view >= vtkShadowVolumeClampPass::Volumes;
         EXPECT_EQ(statistics.DebugDraws, draws ? 2 : 1);
-        EXPECT_TRUE(IsLaidOver(
-          plain, GetImage(stage.Window), pass, stage.Window->GetSize()[0], origin[0], origin[1]));
+        EXPECT_TRUE(IsLaidOver(plain, TakePicture(stage.Window), pass, stage.Window->GetSize()[0],
+          origin[0], origin[1]));
         EXPECT_EQ(GetMask(pass, stage.Lights[0], pixels), mask);
       }
     }
     pass->SetDebugView(vtkShadowVolumeClampPass::NoDebugView);
     stage.Window->Render();
-    EXPECT_TRUE(IsSameImage(plain, GetImage(stage.Window), stage.Window));
+    EXPECT_EQ(FindDifference(plain, TakePicture(stage.Window)), "");
   }
 }
 
 // Off it draws nothing, makes no objects and keeps no image.
 TEST_F(PassDebugViews, OffCostsNothing)
 {
-  const ShadowStage stage(GetScene("ManyLights"));
+  const Stage stage = SetStage(GetScene("ManyLights"));
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   const auto count = [&stage]
   {
@@ -128,12 +128,12 @@ TEST_F(PassDebugViews, OffCostsNothing)
   pass->SetDebugView(vtkShadowVolumeClampPass::Counts);
   EXPECT_NE(count(), before);
   EXPECT_EQ(pass->GetStatistics().DebugDraws, 2);
-  EXPECT_EQ(pass->GetDebugImage(width, height).size(), 4 * CountPixels(stage.Renderer));
+  EXPECT_EQ(pass->GetDebugImage(width, height).size(), 4 * CountPixels(stage.GetRenderer()));
   pass->SetDebugView(vtkShadowVolumeClampPass::NoDebugView);
   const GLObjects::Counts after = count();
   EXPECT_EQ(pass->GetStatistics().DebugDraws, 0);
   EXPECT_TRUE(pass->GetDebugImage(width, height).empty());
-  stage.Renderer->GetActiveCamera()->Azimuth(5.0);
+  stage.GetRenderer()->GetActiveCamera()->Azimuth(5.0);
   EXPECT_EQ(count(), after);
 }
 
@@ -141,14 +141,14 @@ TEST_F(PassDebugViews, OffCostsNothing)
 // cache.)
 TEST_F(PassDebugViews, LeaveNoObjectsBehind)
 {
-  const ShadowStage stage(GetScene("ManyLights"));
+  const Stage stage = SetStage(GetScene("ManyLights"));
   const auto countAfter = [&stage](int view, bool all)
   {
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     pass->SetDebugView(view);
     Tune(pass, &vtkShadowTuning::MeasureDeviceTime, all);
     stage.Window->Render();
-    stage.Renderer->SetPass(nullptr);
+    stage.GetRenderer()->SetPass(nullptr);
     pass = nullptr;
     stage.Window->Render();
     vtkOpenGLRenderWindow::SafeDownCast(stage.Window)->MakeCurrent();
@@ -167,7 +167,7 @@ TEST_F(PassDebugViews, LeaveNoObjectsBehind)
 // Each light has its own view; one that does not cast has none.
 TEST_F(PassDebugViews, AreOfOneLight)
 {
-  const ShadowStage stage(GetScene("ManyLights"));
+  const Stage stage = SetStage(GetScene("ManyLights"));
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   const auto getImage = [&](vtkLight* light)
   {
@@ -189,16 +189,16 @@ TEST_F(PassDebugViews, AreOfOneLight)
 // Litmaps tell why no caster has a receiver.
 TEST_F(PassDebugViews, AreShownWithoutShadows)
 {
-  const ShadowStage stage(GetScene("Directional"));
+  const Stage stage = SetStage(GetScene("Directional"));
   // Nothing but a box is left, which shadows nothing that is seen from the light's side.
-  vtkActorCollection* actors = stage.Renderer->GetActors();
+  vtkActorCollection* actors = stage.GetRenderer()->GetActors();
   actors->InitTraversal();
   while (vtkActor* actor = actors->GetNextActor())
   {
     actor->GetProperty()->SetRepresentationToWireframe();
   }
   actors->GetLastActor()->GetProperty()->SetRepresentationToSurface();
-  stage.Renderer->GetActiveCamera()->SetFocalPoint(100.0, 100.0, 0.0);
+  stage.GetRenderer()->GetActiveCamera()->SetFocalPoint(100.0, 100.0, 0.0);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   pass->SetDebugView(vtkShadowVolumeClampPass::Litmaps);
   stage.Window->Render();
@@ -209,13 +209,14 @@ TEST_F(PassDebugViews, AreShownWithoutShadows)
 // What OpenGL is left as does not depend on the view.
 TEST_F(PassDebugViews, LeaveTheStateAsItIs)
 {
-  const ShadowStage stage(GetScene("Inset"));
+  const Stage stage = SetStage(GetScene("Inset"));
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(stage.Window);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   const auto capture = [&]
   {
     GLStateSnapshot result;
-    WhileDrawing(stage.Window, stage.Renderer, [&] { result = GLStateSnapshot::Capture(window); });
+    WhileDrawing(
+      stage.Window, stage.GetRenderer(), [&] { result = GLStateSnapshot::Capture(window); });
     return result;
   };
   capture();
@@ -237,11 +238,11 @@ class PassDeviceTimes : public OffscreenFixture
 
 TEST_F(PassDeviceTimes, AreMeasuredIfAsked)
 {
-  const ShadowStage stage(GetScene("ManyLights"));
+  const Stage stage = SetStage(GetScene("ManyLights"));
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   stage.Window->Render();
   EXPECT_EQ(pass->GetStatistics().DeviceTimes, UnknownShadowStageTimes);
-  const ShadowImage plain = GetImage(stage.Window);
+  const Picture plain = TakePicture(stage.Window);
   Tune(pass, &vtkShadowTuning::MeasureDeviceTime, true);
   vtkShadowStageTimes times = UnknownShadowStageTimes;
   // Reading the image waits for the device, so that the next frame knows the times of this one.
@@ -249,7 +250,7 @@ TEST_F(PassDeviceTimes, AreMeasuredIfAsked)
   {
     pass->Modified();
     stage.Window->Render();
-    EXPECT_TRUE(IsSameImage(plain, GetImage(stage.Window), stage.Window));
+    EXPECT_EQ(FindDifference(plain, TakePicture(stage.Window)), "");
     times = pass->GetStatistics().DeviceTimes;
   }
   if (times == UnknownShadowStageTimes)
@@ -267,7 +268,7 @@ TEST_F(PassDeviceTimes, AreMeasuredIfAsked)
   for (int frame = 0; frame < 3; ++frame)
   {
     stage.Window->Render();
-    GetImage(stage.Window);
+    TakePicture(stage.Window);
   }
   EXPECT_EQ(pass->GetStatistics().GetDeviceTime(vtkShadowStage::Depth), 0.0);
   EXPECT_EQ(pass->GetStatistics().GetDeviceTime(vtkShadowStage::Draw), 0.0);

@@ -90,12 +90,12 @@ class PassColours
 // that of the image without shadows, whatever the lights, the shading and the attenuation.
 TEST_P(PassColours, AreThoseOfDimmedLights)
 {
-  ShadowStage stage(GetColourScene(this->GetParam()));
+  Stage stage = SetStage(GetColourScene(this->GetParam()));
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   for (const bool physicallyBased : { false, true })
   {
     SCOPED_TRACE(physicallyBased ? "PBR" : "Phong");
-    ForEachProperty(stage.Renderer,
+    ForEachProperty(stage.GetRenderer(),
       [physicallyBased](vtkProperty* property)
       {
         property->SetInterpolation(physicallyBased ? VTK_PBR : VTK_PHONG);
@@ -128,44 +128,46 @@ class PassImages : public OffscreenFixture
 // Hazard: a pass that shades by itself changes what it has no business with.
 TEST_F(PassImages, WithoutShadowAreThoseWithoutThePass)
 {
-  const std::pair<const char*, std::function<void(const ShadowStage&, vtkShadowVolumeClampPass*)>>
+  const std::pair<const char*, std::function<void(const Stage&, vtkShadowVolumeClampPass*)>>
     ways[] = {
       { "no casting light",
-        [](const ShadowStage& stage, vtkShadowVolumeClampPass*)
+        [](const Stage& stage, vtkShadowVolumeClampPass*)
         { stage.Lights[0]->SetLightTypeToHeadlight(); } },
       { "a light that may not cast",
-        [](const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
+        [](const Stage& stage, vtkShadowVolumeClampPass* pass)
         { pass->SetLightCasts(stage.Lights[0], false); } },
       { "no caster",
-        [](const ShadowStage&, vtkShadowVolumeClampPass* pass)
+        [](const Stage&, vtkShadowVolumeClampPass* pass)
         {
           vtkNew<vtkInformation> keys;
           keys->Set(GetCastsKey(), 1);
           pass->SetCasterKeys(keys);
         } },
       { "casters that are translucent",
-        [](const ShadowStage& stage, vtkShadowVolumeClampPass*) {
-          ForEachProperty(stage.Renderer, [](vtkProperty* property) { property->SetOpacity(0.5); });
+        [](const Stage& stage, vtkShadowVolumeClampPass*)
+        {
+          ForEachProperty(
+            stage.GetRenderer(), [](vtkProperty* property) { property->SetOpacity(0.5); });
         } },
       { "no receiver",
-        [](const ShadowStage& stage, vtkShadowVolumeClampPass*) {
-          ShadowShapes::Look(stage.Renderer, { 20.0, 0.0, 1.0 }, { 30.0, 0.0, 1.0 });
+        [](const Stage& stage, vtkShadowVolumeClampPass*) {
+          ShadowShapes::Look(stage.GetRenderer(), { 20.0, 0.0, 1.0 }, { 30.0, 0.0, 1.0 });
         } },
       { "nothing at all",
-        [](const ShadowStage& stage, vtkShadowVolumeClampPass*)
-        { stage.Renderer->RemoveAllViewProps(); } },
+        [](const Stage& stage, vtkShadowVolumeClampPass*)
+        { stage.GetRenderer()->RemoveAllViewProps(); } },
     };
   for (const auto& way : ways)
   {
     SCOPED_TRACE(way.first);
-    const ShadowStage stage(GetScene("Directional"));
+    const Stage stage = SetStage(GetScene("Directional"));
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     way.second(stage, pass);
     for (int frame = 0; frame < 2; ++frame)
     {
       stage.Window->Render();
-      const ShadowImage actual = GetImage(stage.Window);
-      EXPECT_TRUE(IsSameImage(GetPlainImage(stage.Window, stage.Renderer), actual, stage.Window));
+      const Picture actual = TakePicture(stage.Window);
+      EXPECT_EQ(FindDifference(GetPlainImage(stage.Window, stage.GetRenderer()), actual), "");
       EXPECT_EQ(FindInconsistency(pass->GetStatistics()), "");
     }
   }
@@ -177,17 +179,18 @@ TEST_F(PassImages, InASequenceAreThoseOfThePassAlone)
   for (const char* name : { "ManyLights", "Inset", "MultiSamples" })
   {
     SCOPED_TRACE(name);
-    const ShadowStage stage(GetScene(name));
-    ShadowShapes::AddBox(stage.Renderer, { 0.0, -2.5, 1.0 }, { 1.0, 0.2, 1.0 })
+    const Stage stage = SetStage(GetScene(name));
+    ShadowShapes::AddShape(
+      stage.GetRenderer(), ShadowShapes::ShapeKind::Box, { 0.0, -2.5, 1.0 }, { 1.0, 0.2, 1.0 })
       ->GetProperty()
       ->SetOpacity(0.5);
     vtkNew<vtkShadowVolumeClampPass> alone;
     alone->SetMode(vtkShadowVolumeClampPass::Scissored);
-    stage.Renderer->SetPass(alone);
+    stage.GetRenderer()->SetPass(alone);
     stage.Window->Render();
-    const ShadowImage expected = GetImage(stage.Window);
+    const Picture expected = TakePicture(stage.Window);
     EXPECT_EQ(alone->GetStatistics().Decision, vtkShadowDecision::Drawn);
-    EXPECT_FALSE(IsSameImage(GetPlainImage(stage.Window, stage.Renderer), expected, stage.Window));
+    EXPECT_NE(FindDifference(GetPlainImage(stage.Window, stage.GetRenderer()), expected), "");
 
     vtkNew<vtkShadowVolumeClampPass> shadows;
     shadows->SetMode(vtkShadowVolumeClampPass::Scissored);
@@ -199,11 +202,11 @@ TEST_F(PassImages, InASequenceAreThoseOfThePassAlone)
     sequence->SetPasses(passes);
     vtkNew<vtkCameraPass> camera;
     camera->SetDelegatePass(sequence);
-    stage.Renderer->SetPass(camera);
+    stage.GetRenderer()->SetPass(camera);
     for (int frame = 0; frame < 2; ++frame)
     {
       stage.Window->Render();
-      EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
+      EXPECT_EQ(FindDifference(expected, TakePicture(stage.Window)), "");
       EXPECT_GT(shadows->GetNumberOfRenderedProps(), 0);
     }
   }
@@ -220,8 +223,10 @@ TEST_F(PassImages, ConesOfVerticesFarFromTheOrigin)
   scene.Height = 300;
   scene.Build = [=](vtkRenderer* renderer)
   {
-    ShadowShapes::AddBox(renderer, { x, y, -0.5 }, { 60.0, 60.0, 1.0 });
-    ShadowShapes::AddBox(renderer, { x + 5.0, y, 7.0 }, { 10.0, 20.0, 2.0 });
+    ShadowShapes::AddShape(
+      renderer, ShadowShapes::ShapeKind::Box, { x, y, -0.5 }, { 60.0, 60.0, 1.0 });
+    ShadowShapes::AddShape(
+      renderer, ShadowShapes::ShapeKind::Box, { x + 5.0, y, 7.0 }, { 10.0, 20.0, 2.0 });
     ShadowShapes::AddSpot(renderer, { x, y, 20.0 }, { x, y, 0.0 }, 15.0);
     ShadowShapes::Look(renderer, { x + 3.0, y - 60.0, 40.0 }, { x, y, 0.0 });
     vtkActorCollection* actors = renderer->GetActors();
@@ -232,7 +237,7 @@ TEST_F(PassImages, ConesOfVerticesFarFromTheOrigin)
         ->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
     }
   };
-  const ShadowStage stage(scene);
+  const Stage stage = SetStage(scene);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   for (const double cone : { 10.0, 15.0, 20.0, 25.0, 30.0 })
   {
@@ -240,10 +245,10 @@ TEST_F(PassImages, ConesOfVerticesFarFromTheOrigin)
     stage.Lights[0]->SetConeAngle(cone);
     pass->SetMode(vtkShadowVolumeClampPass::Unclamped);
     stage.Window->Render();
-    const ShadowImage expected = GetImage(stage.Window);
-    EXPECT_FALSE(IsSameImage(GetPlainImage(stage.Window, stage.Renderer), expected, stage.Window));
+    const Picture expected = TakePicture(stage.Window);
+    EXPECT_NE(FindDifference(GetPlainImage(stage.Window, stage.GetRenderer()), expected), "");
     pass->SetMode(vtkShadowVolumeClampPass::Scissored);
     stage.Window->Render();
-    EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
+    EXPECT_EQ(FindDifference(expected, TakePicture(stage.Window)), "");
   }
 }

@@ -27,8 +27,8 @@ namespace
 void AddLargeReceivers(vtkRenderer* renderer)
 {
   AddFloor(renderer, 5.0);
-  AddBox(renderer, { 1.0, 0.0, 0.2 }, { 2.0, 2.0, 0.4 });
-  AddBox(renderer, { 0.0, 0.0, 1.5 }, { 0.8, 0.8, 0.8 });
+  AddShape(renderer, ShapeKind::Box, { 1.0, 0.0, 0.2 }, { 2.0, 2.0, 0.4 });
+  AddShape(renderer, ShapeKind::Box, { 0.0, 0.0, 1.5 }, { 0.8, 0.8, 0.8 });
   Look(renderer, { 0.5, -3.0, 7.0 }, { 0.3, 0.0, 0.0 }, 30.0);
 }
 
@@ -39,7 +39,7 @@ void AddThinReceiver(vtkRenderer* renderer)
   AddMesh(renderer,
     MakeMesh({ { -2.0, 0.0, -2.0 }, { 2.0, 0.0, -2.0 }, { 2.0, 0.0, 1.0 }, { -2.0, 0.0, 1.0 } },
       { { 0, 1, 2, 3 } }));
-  AddBox(renderer, { 0.2, 0.0, 2.0 }, { 1.0, 1.0, 0.5 });
+  AddShape(renderer, ShapeKind::Box, { 0.2, 0.0, 2.0 }, { 1.0, 1.0, 0.5 });
   AddFloor(renderer, 5.0, -2.5);
   AddDirectional(renderer, { 0.0, 0.002, -1.0 });
   Look(renderer, { 0.0, -8.0, -0.5 }, { 0.0, 0.0, -0.8 }, 25.0);
@@ -50,14 +50,14 @@ std::shared_ptr<vtkShadowLitmapSource> MakePaperLitmap()
   return std::make_shared<NBufferPeers::RerenderedLitmap>();
 }
 
-MaskComparison CountWrong(const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
+MaskComparison CountWrong(const Stage& stage, vtkShadowVolumeClampPass* pass)
 {
   stage.Window->Render();
   EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
-  const Oracle oracle(stage.Renderer);
+  const Oracle oracle(stage.GetRenderer());
   vtkLight* light = stage.Lights.front();
   return CompareMask(
-    GetMask(pass, light, CountPixels(stage.Renderer)), oracle.Cast(OracleLight(light)));
+    GetMask(pass, light, CountPixels(stage.GetRenderer())), oracle.Cast(OracleLight(light)));
 }
 
 constexpr int Modes[] = { vtkShadowVolumeClampPass::Scissored, vtkShadowVolumeClampPass::Clamped };
@@ -83,7 +83,7 @@ TEST_F(PassLitmapMethods, AgreeOnLargeReceivers)
   };
   for (const auto& addLight : lights)
   {
-    const ShadowStage stage({ "Large",
+    const Stage stage = SetStage({ "Large",
       [&addLight](vtkRenderer* renderer)
       {
         AddLargeReceivers(renderer);
@@ -99,12 +99,13 @@ TEST_F(PassLitmapMethods, AgreeOnLargeReceivers)
       pass->SetMode(mode);
       Tune(pass, &vtkShadowTuning::LitmapSource, nullptr);
       ExpectMatchesOracle(stage, pass);
-      const ShadowMask scattered = GetMask(pass, stage.Lights.front(), CountPixels(stage.Renderer));
+      const ShadowMask scattered =
+        GetMask(pass, stage.Lights.front(), CountPixels(stage.GetRenderer()));
       EXPECT_GT(std::count(scattered.begin(), scattered.end(), 255), 50);
       const vtkShadowStatistics before = pass->GetStatistics();
       Tune(pass, &vtkShadowTuning::LitmapSource, MakePaperLitmap());
       ExpectMatchesOracle(stage, pass);
-      EXPECT_EQ(GetMask(pass, stage.Lights.front(), CountPixels(stage.Renderer)), scattered);
+      EXPECT_EQ(GetMask(pass, stage.Lights.front(), CountPixels(stage.GetRenderer())), scattered);
       EXPECT_EQ(pass->GetStatistics().Litmaps, before.Litmaps);
       EXPECT_EQ(pass->GetStatistics().Verdicts, before.Verdicts);
       EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
@@ -115,7 +116,7 @@ TEST_F(PassLitmapMethods, AgreeOnLargeReceivers)
 // The defect for which litmaps are scattered: the shadow on a wall along the light.
 TEST_F(PassLitmapMethods, RerenderedMissesThinReceivers)
 {
-  const ShadowStage stage({ "Thin", AddThinReceiver });
+  const Stage stage = SetStage({ "Thin", AddThinReceiver });
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   for (const int mode : Modes)
   {
@@ -138,13 +139,14 @@ TEST_F(PassLitmapMethods, ReceiversNeedNotCast)
   auto* key = vtkInformationIntegerKey::MakeKey("Casts", "PassLitmapMethods");
   vtkNew<vtkInformation> keys;
   keys->Set(key, 1);
-  const ShadowStage stage({ "Keys",
+  const Stage stage = SetStage({ "Keys",
     [key](vtkRenderer* renderer)
     {
       AddFloor(renderer, 5.0);
       vtkNew<vtkInformation> own;
       own->Set(key, 1);
-      AddBox(renderer, { 0.0, 0.0, 1.5 }, { 0.8, 0.8, 0.8 })->SetPropertyKeys(own);
+      AddShape(renderer, ShapeKind::Box, { 0.0, 0.0, 1.5 }, { 0.8, 0.8, 0.8 })
+        ->SetPropertyKeys(own);
       AddDirectional(renderer, { 0.3, 0.2, -1.0 });
       Look(renderer, { 0.5, -3.0, 7.0 }, { 0.3, 0.0, 0.0 }, 30.0);
     },
@@ -154,9 +156,9 @@ TEST_F(PassLitmapMethods, ReceiversNeedNotCast)
   Tune(pass, &vtkShadowTuning::LitmapSource, MakePaperLitmap());
   Tune(pass, &vtkShadowTuning::LitmapResolution, 512);
   stage.Window->Render();
-  const ShadowMask rerendered = GetMask(pass, stage.Lights[0], CountPixels(stage.Renderer));
+  const ShadowMask rerendered = GetMask(pass, stage.Lights[0], CountPixels(stage.GetRenderer()));
   EXPECT_GT(std::count(rerendered.begin(), rerendered.end(), 255), 50);
   Tune(pass, &vtkShadowTuning::LitmapSource, nullptr);
   stage.Window->Render();
-  EXPECT_EQ(GetMask(pass, stage.Lights[0], CountPixels(stage.Renderer)), rerendered);
+  EXPECT_EQ(GetMask(pass, stage.Lights[0], CountPixels(stage.GetRenderer())), rerendered);
 }

@@ -29,8 +29,12 @@ namespace
 void AddProps(vtkRenderer* renderer)
 {
   AddFloor(renderer, 5.0)->GetProperty()->SetColor(0.75, 0.75, 0.7);
-  AddBox(renderer, { 0.0, 3.1, 1.5 }, { 10.0, 0.2, 3.2 })->GetProperty()->SetColor(0.8, 0.7, 0.6);
-  AddBox(renderer, { -1.2, 0.6, 0.7 }, { 0.9, 0.9, 1.4 })->GetProperty()->SetColor(0.4, 0.6, 0.8);
+  AddShape(renderer, ShapeKind::Box, { 0.0, 3.1, 1.5 }, { 10.0, 0.2, 3.2 })
+    ->GetProperty()
+    ->SetColor(0.8, 0.7, 0.6);
+  AddShape(renderer, ShapeKind::Box, { -1.2, 0.6, 0.7 }, { 0.9, 0.9, 1.4 })
+    ->GetProperty()
+    ->SetColor(0.4, 0.6, 0.8);
   vtkActor* ball = AddSphere(renderer, { 0.9, -0.2, 0.8 }, 0.7, 64);
   ball->GetProperty()->SetColor(0.85, 0.4, 0.3);
   ball->GetProperty()->SetInterpolationToPhong();
@@ -82,7 +86,7 @@ void PhysicallyBased(vtkRenderer* renderer)
 void TranslucentPane(vtkRenderer* renderer)
 {
   AddProps(renderer);
-  vtkActor* pane = AddBox(renderer, { 0.2, -1.6, 1.0 }, { 2.4, 0.05, 2.0 });
+  vtkActor* pane = AddShape(renderer, ShapeKind::Box, { 0.2, -1.6, 1.0 }, { 2.4, 0.05, 2.0 });
   pane->GetProperty()->SetColor(0.3, 0.9, 0.5);
   pane->GetProperty()->SetOpacity(0.4);
   AddDirectional(renderer, { 0.7, 0.4, -0.6 });
@@ -103,13 +107,13 @@ void ClippingPlane(vtkRenderer* renderer)
   AddFill(renderer);
 }
 
-struct Picture
+struct LookCase
 {
   const char* Name;
   void (*Build)(vtkRenderer*);
 };
 
-void PrintTo(const Picture& picture, std::ostream* stream)
+void PrintTo(const LookCase& picture, std::ostream* stream)
 {
   *stream << picture.Name;
 }
@@ -127,7 +131,7 @@ vtkSmartPointer<vtkImageData> Grab(vtkRenderWindow* window)
 
 class PassLooks
   : public OffscreenFixture
-  , public ::testing::WithParamInterface<Picture>
+  , public ::testing::WithParamInterface<LookCase>
 {
 };
 
@@ -135,7 +139,7 @@ class PassLooks
 TEST_P(PassLooks, LikeTheBaseline)
 {
   const std::string name = this->GetParam().Name;
-  const ShadowStage stage({ name, this->GetParam().Build, 320, 240 });
+  const Stage stage = SetStage({ name, this->GetParam().Build, 320, 240 });
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   const vtkSmartPointer<vtkImageData> actual = Grab(stage.Window);
   EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
@@ -152,7 +156,7 @@ TEST_P(PassLooks, LikeTheBaseline)
   const double error = GetImageError(baseline, actual);
   EXPECT_LE(error, LargestImageError) << "The picture is " << written;
 
-  stage.Renderer->SetPass(nullptr);
+  stage.GetRenderer()->SetPass(nullptr);
   const double errorWithout = GetImageError(baseline, Grab(stage.Window));
   EXPECT_GT(errorWithout, LargestImageError);
   this->RecordProperty("error", std::to_string(error));
@@ -199,7 +203,7 @@ TEST(ImageComparison, CountsWhatIsBeyondTheTolerance)
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PassLooks,
-  ::testing::Values(Picture{ "SpotCone", SpotCone }, Picture{ "TwoLights", TwoLights },
-    Picture{ "PhysicallyBased", PhysicallyBased }, Picture{ "TranslucentPane", TranslucentPane },
-    Picture{ "ClippingPlane", ClippingPlane }),
+  ::testing::Values(LookCase{ "SpotCone", SpotCone }, LookCase{ "TwoLights", TwoLights },
+    LookCase{ "PhysicallyBased", PhysicallyBased }, LookCase{ "TranslucentPane", TranslucentPane },
+    LookCase{ "ClippingPlane", ClippingPlane }),
   [](const auto& info) { return info.param.Name; });

@@ -30,19 +30,20 @@ struct Change
 const Change Changes[] = { { "windings", SceneChanges::FlipWindings },
   { "points", SceneChanges::UnsharePoints }, { "actors", SceneChanges::SplitActors },
   { "order", SceneChanges::ReverseProps },
-  { "place", [](vtkRenderer* renderer)
+  { "place",
+    [](vtkRenderer* renderer)
     {
       const double offset[3] = { 12.0, -7.0, 3.0 };
       SceneChanges::Move(renderer, offset);
     } } };
 
-std::vector<ShadowMask> GetMasks(const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
+std::vector<ShadowMask> GetMasks(const Stage& stage, vtkShadowVolumeClampPass* pass)
 {
   stage.Window->Render();
   std::vector<ShadowMask> result;
   for (vtkLight* light : stage.Lights)
   {
-    result.push_back(GetMask(pass, light, CountPixels(stage.Renderer)));
+    result.push_back(GetMask(pass, light, CountPixels(stage.GetRenderer())));
   }
   return result;
 }
@@ -65,19 +66,19 @@ class PassMetamorphic
 TEST_P(PassMetamorphic, MasksAreKept)
 {
   const NamedScene& scene = this->GetParam();
-  const ShadowStage original(scene);
+  const Stage original = SetStage(scene);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(original);
   const std::vector<ShadowMask> expected = GetMasks(original, pass);
   std::vector<OracleImage> oracles;
   for (vtkLight* light : original.Lights)
   {
-    oracles.push_back(Cast(original.Renderer, light));
+    oracles.push_back(Cast(original.GetRenderer(), light));
   }
   for (const Change& change : Changes)
   {
     SCOPED_TRACE(change.Name);
-    const ShadowStage stage(scene);
-    change.Make(stage.Renderer);
+    const Stage stage = SetStage(scene);
+    change.Make(stage.GetRenderer());
     vtkSmartPointer<vtkShadowVolumeClampPass> changedPass = AddPass(stage);
     const std::vector<ShadowMask> masks = GetMasks(stage, changedPass);
     for (std::size_t i = 0; i < expected.size(); ++i)
@@ -94,7 +95,7 @@ TEST_P(PassMetamorphic, MasksAreKept)
       if (!differing.empty())
       {
         // Parts have outlines, and with that ambiguous samples, of their own.
-        const OracleImage oracle = Cast(stage.Renderer, stage.Lights[i]);
+        const OracleImage oracle = Cast(stage.GetRenderer(), stage.Lights[i]);
         different = std::count_if(differing.begin(), differing.end(),
           [&oracle](std::size_t k) { return IsCompared(oracle, k); });
       }
@@ -122,13 +123,13 @@ TEST_F(PassComparison, WithShadowMaps)
   for (const char* name : { "Directional", "Spot", "Point", "OddSize", "Inset", "CityDirectional",
          "BirdsSpot", "CadDirectional" })
   {
-    const ShadowStage stage(GetScene(name));
+    const Stage stage = SetStage(GetScene(name));
     vtkLight* light = stage.Lights[0];
-    const OracleImage oracle = Cast(stage.Renderer, light);
+    const OracleImage oracle = Cast(stage.GetRenderer(), light);
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     stage.Window->Render();
-    const ShadowMask mask = GetMask(pass, light, CountPixels(stage.Renderer));
-    const ShadowImage lit = GetPlainImage(stage.Window, stage.Renderer);
+    const ShadowMask mask = GetMask(pass, light, CountPixels(stage.GetRenderer()));
+    const Picture lit = GetPlainImage(stage.Window, stage.GetRenderer());
 
     vtkNew<vtkShadowMapBakerPass> baker;
     vtkNew<vtkShadowMapPass> maps;
@@ -150,13 +151,13 @@ TEST_F(PassComparison, WithShadowMaps)
     sequence->SetPasses(passes);
     vtkNew<vtkCameraPass> camera;
     camera->SetDelegatePass(sequence);
-    stage.Renderer->SetPass(camera);
+    stage.GetRenderer()->SetPass(camera);
     stage.Window->Render();
-    const ShadowImage mapped = GetImage(stage.Window);
+    const Picture mapped = TakePicture(stage.Window);
 
     int size[2];
     int origin[2];
-    stage.Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+    stage.GetRenderer()->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
     int compared = 0;
     int wrongMaps = 0;
     int wrongVolumes = 0;
@@ -167,14 +168,14 @@ TEST_F(PassComparison, WithShadowMaps)
         const std::size_t sample = static_cast<std::size_t>(y) * size[0] + x;
         const std::size_t pixel = 4 *
           (static_cast<std::size_t>(y + origin[1]) * stage.Window->GetSize()[0] + x + origin[0]);
-        const int brightness = lit[pixel] + lit[pixel + 1] + lit[pixel + 2];
+        const int brightness = lit.Colors[pixel] + lit.Colors[pixel + 1] + lit.Colors[pixel + 2];
         if (!IsCompared(oracle, sample) || brightness < 30)
         {
           continue;
         }
         ++compared;
         const bool shadowed = oracle.Samples[sample] == OracleSample::Shadowed;
-        const int left = mapped[pixel] + mapped[pixel + 1] + mapped[pixel + 2];
+        const int left = mapped.Colors[pixel] + mapped.Colors[pixel + 1] + mapped.Colors[pixel + 2];
         wrongMaps += (2 * left < brightness) != shadowed;
         wrongVolumes += (mask[sample] != 0) != shadowed;
       }

@@ -33,9 +33,12 @@ constexpr int Modes[] = { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeCl
 void Boxes(vtkRenderer* renderer)
 {
   ShadowShapes::AddFloor(renderer, 5.0);
-  ShadowShapes::AddBox(renderer, { -1.0, 0.0, 0.75 }, { 1.0, 1.0, 1.5 });
-  ShadowShapes::AddBox(renderer, { 1.0, 0.5, 0.3 }, { 0.5, 1.5, 0.6 });
-  ShadowShapes::AddBox(renderer, { 0.3, -1.2, 1.1 }, { 0.7, 0.1, 0.4 });
+  ShadowShapes::AddShape(
+    renderer, ShadowShapes::ShapeKind::Box, { -1.0, 0.0, 0.75 }, { 1.0, 1.0, 1.5 });
+  ShadowShapes::AddShape(
+    renderer, ShadowShapes::ShapeKind::Box, { 1.0, 0.5, 0.3 }, { 0.5, 1.5, 0.6 });
+  ShadowShapes::AddShape(
+    renderer, ShadowShapes::ShapeKind::Box, { 0.3, -1.2, 1.1 }, { 0.7, 0.1, 0.4 });
   ShadowShapes::AddDirectional(renderer, { 0.6, 0.35, -0.7 });
   ShadowShapes::Look(renderer, { 3.0, -7.0, 5.0 }, { 0.3, 0.0, 0.3 });
   renderer->SetBackground(1.0, 1.0, 1.0);
@@ -70,14 +73,14 @@ using Colors = std::vector<std::array<double, 3>>;
 
 /// Of the pixels of a renderer, the means of the samples of the window's framebuffer. (What VTK
 /// shows is another mean, of colours to the power of 2.2.)
-Colors GetMeans(const ShadowStage& stage)
+Colors GetMeans(const Stage& stage)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(stage.Window);
   vtkTextureObject* texture = window->GetRenderFramebuffer()->GetColorAttachmentAsTextureObject(0);
   const int samples = static_cast<int>(GetSamplePlaces(stage.Window).size());
   int box[4];
-  stage.Renderer->GetTiledSizeAndOrigin(&box[2], &box[3], &box[0], &box[1]);
-  Colors means(CountPixels(stage.Renderer), { 0.0, 0.0, 0.0 });
+  stage.GetRenderer()->GetTiledSizeAndOrigin(&box[2], &box[3], &box[0], &box[1]);
+  Colors means(CountPixels(stage.GetRenderer()), { 0.0, 0.0, 0.0 });
   std::vector<float> values(means.size());
   vtkShadowSampleReader reader;
   std::string why;
@@ -114,10 +117,10 @@ std::ostream& operator<<(std::ostream& stream, const PictureComparison& comparis
 }
 
 /// The picture of the last frame with the means of samples that are shaded one by one.
-PictureComparison ComparePicture(const ShadowStage& stage, vtkLight* light)
+PictureComparison ComparePicture(const Stage& stage, vtkLight* light)
 {
   const Colors actual = GetMeans(stage);
-  Oracle oracle(stage.Renderer);
+  Oracle oracle(stage.GetRenderer());
   const int width = oracle.GetWidth();
   const std::size_t pixels = actual.size();
   Colors means(pixels, { 0.0, 0.0, 0.0 });
@@ -132,7 +135,7 @@ PictureComparison ComparePicture(const ShadowStage& stage, vtkLight* light)
     {
       const OracleSample sample = expected.Samples[i];
       const std::array<double, 3> color = Shade(oracle, static_cast<int>(i) % width,
-        static_cast<int>(i) / width, stage.Renderer, light, sample);
+        static_cast<int>(i) / width, stage.GetRenderer(), light, sample);
       std::transform(color.begin(), color.end(), means[i].begin(), means[i].begin(),
         [&](double add, double sum) { return sum + add / static_cast<double>(places.size()); });
       ambiguous[i] |= expected.Ambiguous[i];
@@ -168,11 +171,11 @@ TEST_F(PassSamples, MasksMatchRays)
   for (const char* name : { "Directional", "Spot", "Point", "Inset" })
   {
     SCOPED_TRACE(name);
-    ShadowStage stage(GetScene(name));
+    Stage stage = SetStage(GetScene(name));
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     vtkLight* light = stage.Lights[0];
     stage.Window->SetSize(161, 123);
-    stage.Renderer->SetViewport(0.11, 0.23, 0.9, 0.97);
+    stage.GetRenderer()->SetViewport(0.11, 0.23, 0.9, 0.97);
     std::vector<std::array<double, 2>> places;
     for (const int samples : { 2, 4, 8 })
     {
@@ -195,10 +198,10 @@ TEST_F(PassSamples, MasksMatchRays)
         for (std::size_t i = 0; i < places.size(); ++i)
         {
           masks[mode].push_back(
-            GetMask(pass, light, CountPixels(stage.Renderer), static_cast<int>(i)));
+            GetMask(pass, light, CountPixels(stage.GetRenderer()), static_cast<int>(i)));
         }
       }
-      Oracle oracle(stage.Renderer);
+      Oracle oracle(stage.GetRenderer());
       for (std::size_t i = 0; i < places.size(); ++i)
       {
         SCOPED_TRACE("sample " + std::to_string(i));
@@ -226,27 +229,27 @@ TEST_F(PassSamples, MasksMatchRays)
 // What the oracle says at the samples it does not say at the centre.
 TEST_F(PassSamples, MasksAreNotThoseOfCentres)
 {
-  ShadowStage stage(GetScene("Directional"));
+  Stage stage = SetStage(GetScene("Directional"));
   stage.Window->SetMultiSamples(4);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   stage.Window->Render();
-  const OracleImage centres = Cast(stage.Renderer, stage.Lights[0]);
+  const OracleImage centres = Cast(stage.GetRenderer(), stage.Lights[0]);
   for (int i = 0; i < pass->GetStatistics().Samples; ++i)
   {
     EXPECT_FALSE(
-      MatchesOracle(GetMask(pass, stage.Lights[0], CountPixels(stage.Renderer), i), centres));
+      MatchesOracle(GetMask(pass, stage.Lights[0], CountPixels(stage.GetRenderer()), i), centres));
   }
 }
 
 TEST_F(PassSamples, TheMeanIsOfAllSamples)
 {
-  ShadowStage stage(GetScene("ManyLights"));
+  Stage stage = SetStage(GetScene("ManyLights"));
   stage.Window->SetMultiSamples(4);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   stage.Window->Render();
   const int samples = pass->GetStatistics().Samples;
   ASSERT_GT(samples, 1);
-  const std::size_t pixels = CountPixels(stage.Renderer);
+  const std::size_t pixels = CountPixels(stage.GetRenderer());
   for (vtkLight* light : stage.Lights)
   {
     std::vector<int> sums(pixels, 0);
@@ -273,9 +276,9 @@ TEST_F(PassSamples, PictureIsTheMeanOfItsSamples)
 {
   NamedScene scene{ "Boxes", Boxes };
   scene.MultiSamples = 4;
-  ShadowStage stage(scene);
+  Stage stage = SetStage(scene);
   stage.Window->SetSize(203, 151);
-  stage.Renderer->SetViewport(0.04, 0.06, 0.93, 0.97);
+  stage.GetRenderer()->SetViewport(0.04, 0.06, 0.93, 0.97);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   for (const int mode : Modes)
   {
@@ -291,7 +294,7 @@ TEST_F(PassSamples, PictureIsTheMeanOfItsSamples)
 // A plate so thin that one sample of each pixel sees it, and none of the centres.
 TEST_F(PassSamples, SliverThatNoCentreSees)
 {
-  ShadowStage first(GetScene("Directional"));
+  Stage first = SetStage(GetScene("Directional"));
   first.Window->SetMultiSamples(4);
   first.Window->Render();
   const std::vector<std::array<double, 2>> places = GetSamplePlaces(first.Window);
@@ -309,12 +312,13 @@ TEST_F(PassSamples, SliverThatNoCentreSees)
         ShadowShapes::MakeMesh({ { x - 0.005, 0.0, -0.75 }, { x + 0.005, 0.0, -0.75 },
                                  { x + 0.005, 0.0, 0.75 }, { x - 0.005, 0.0, 0.75 } },
           { { 0, 1, 2, 3 } }));
-      ShadowShapes::AddBox(renderer, { x, -3.0, 3.55 }, { 1.0, 0.2, 1.0 });
+      ShadowShapes::AddShape(
+        renderer, ShadowShapes::ShapeKind::Box, { x, -3.0, 3.55 }, { 1.0, 0.2, 1.0 });
       ShadowShapes::AddDirectional(renderer, { 0.0, 1.0, -1.0 });
       ShadowShapes::LookParallel(renderer, { 0.0, -10.0, 0.0 }, { 0.0, 0.0, 0.0 }, 1.0);
       renderer->SetBackground(1.0, 1.0, 1.0);
     };
-    const ShadowStage stage(scene);
+    const Stage stage = SetStage(scene);
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     for (const int mode : Modes)
     {

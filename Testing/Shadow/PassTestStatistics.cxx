@@ -38,9 +38,9 @@ namespace
 constexpr int Modes[] = { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Scissored,
   vtkShadowVolumeClampPass::Clamped };
 
-vtkActor* GetLastActor(const ShadowStage& stage)
+vtkActor* GetLastActor(const Stage& stage)
 {
-  return stage.Renderer->GetActors()->GetLastActor();
+  return stage.GetRenderer()->GetActors()->GetLastActor();
 }
 
 /// No volume, litmap or read-back, and nothing cached anew.
@@ -55,7 +55,7 @@ vtkActor* GetLastActor(const ShadowStage& stage)
     << statistics.GetAsJSON();
 }
 
-GLObjects::Counts CountObjects(const ShadowStage& stage)
+GLObjects::Counts CountObjects(const Stage& stage)
 {
   vtkOpenGLRenderWindow::SafeDownCast(stage.Window)->MakeCurrent();
   return GLObjects::Count();
@@ -72,9 +72,9 @@ TEST_F(PassStatistics, NothingDueCostsNothing)
   for (const bool withLight : { false, true })
   {
     SCOPED_TRACE(withLight ? "no caster" : "no light");
-    const ShadowStage stage(GetScene("ManyLights"));
+    const Stage stage = SetStage(GetScene("ManyLights"));
     vtkNew<vtkRenderStepsPass> steps;
-    stage.Renderer->SetPass(steps);
+    stage.GetRenderer()->SetPass(steps);
     stage.Window->Render();
     stage.Window->Render();
     const GLObjects::Counts before = CountObjects(stage);
@@ -86,10 +86,10 @@ TEST_F(PassStatistics, NothingDueCostsNothing)
     {
       pass->SetLightCasts(light, withLight);
     }
-    stage.Renderer->SetPass(pass);
+    stage.GetRenderer()->SetPass(pass);
     for (int frame = 0; frame < 3; ++frame)
     {
-      stage.Renderer->GetActiveCamera()->Azimuth(5.0);
+      stage.GetRenderer()->GetActiveCamera()->Azimuth(5.0);
       stage.Window->Render();
       EXPECT_TRUE(DidNothing(pass->GetStatistics()));
       EXPECT_EQ(pass->GetStatistics().Decision,
@@ -105,7 +105,7 @@ TEST_F(PassStatistics, FramesMakeNoNewObjects)
   for (const int mode : Modes)
   {
     SCOPED_TRACE("mode " + std::to_string(mode));
-    const ShadowStage stage(GetScene("ManyLights"));
+    const Stage stage = SetStage(GetScene("ManyLights"));
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     pass->SetMode(mode);
     for (int frame = 0; frame < 3; ++frame)
@@ -121,7 +121,7 @@ TEST_F(PassStatistics, FramesMakeNoNewObjects)
     }
     for (int frame = 0; frame < 3; ++frame)
     {
-      stage.Renderer->GetActiveCamera()->Azimuth(5.0);
+      stage.GetRenderer()->GetActiveCamera()->Azimuth(5.0);
       stage.Window->Render();
       EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
     }
@@ -131,21 +131,21 @@ TEST_F(PassStatistics, FramesMakeNoNewObjects)
 
 TEST_F(PassStatistics, FragmentsAreCountedOnlyIfAsked)
 {
-  const ShadowStage stage(GetScene("Directional"));
+  const Stage stage = SetStage(GetScene("Directional"));
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   stage.Window->Render();
   EXPECT_EQ(pass->GetStatistics().Fragments, -1);
-  const ShadowImage expected = GetImage(stage.Window);
+  const Picture expected = TakePicture(stage.Window);
   Tune(pass, &vtkShadowTuning::CountFragments, true);
   stage.Window->Render();
   EXPECT_GT(pass->GetStatistics().Fragments, 0);
-  EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
+  EXPECT_EQ(FindDifference(expected, TakePicture(stage.Window)), "");
 }
 
 // With few casters litmaps cost more than they save: no read-back, none made, and the same picture.
 TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
 {
-  const ShadowStage stage(GetScene("ManyLights"));
+  const Stage stage = SetStage(GetScene("ManyLights"));
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   const auto expect = [&](int mode, int litmaps, int unclamped)
   {
@@ -157,7 +157,7 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
     EXPECT_EQ(statistics.UnclampedLights, unclamped);
     EXPECT_EQ(statistics.ReadBacks, litmaps > 0 ? 1 : 0);
     EXPECT_EQ(FindInconsistency(statistics), "");
-    return GetImage(stage.Window);
+    return TakePicture(stage.Window);
   };
   Tune(pass, &vtkShadowTuning::LitmapResolution, 80);
   const int lights = static_cast<int>(stage.Lights.size());
@@ -165,9 +165,8 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
     [](vtkLight* light) { return light->GetPositional() && light->GetConeAngle() >= 90.0; }));
   ASSERT_GT(points, 0);
   ASSERT_LT(points, lights);
-  ShadowImage expected = expect(vtkShadowVolumeClampPass::Scissored, lights + 5 * points, 0);
-  EXPECT_TRUE(
-    IsSameImage(expected, expect(vtkShadowVolumeClampPass::Automatic, 0, lights), stage.Window));
+  Picture expected = expect(vtkShadowVolumeClampPass::Scissored, lights + 5 * points, 0);
+  EXPECT_EQ(FindDifference(expected, expect(vtkShadowVolumeClampPass::Automatic, 0, lights)), "");
 
   // Six of them, of a point light, cost more than they save longer than one does; triangles are
   // taken to cost a fifth where the renderer is not software (vtkShadowCostModel.h).
@@ -183,16 +182,17 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
   mapper->SetInputConnection(sphere->GetOutputPort());
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  stage.Renderer->AddActor(actor);
+  stage.GetRenderer()->AddActor(actor);
   expected = expect(vtkShadowVolumeClampPass::Scissored, lights + 5 * points, 0);
-  EXPECT_TRUE(IsSameImage(
-    expected, expect(vtkShadowVolumeClampPass::Automatic, lights - points, points), stage.Window));
+  EXPECT_EQ(
+    FindDifference(expected, expect(vtkShadowVolumeClampPass::Automatic, lights - points, points)),
+    "");
 }
 
 // Silhouettes last until mesh, matrix or light change, and then only those of what changed.
 TEST_F(PassStatistics, SilhouettesAreMadeOnce)
 {
-  const ShadowStage stage(GetScene("ManyLights"));
+  const Stage stage = SetStage(GetScene("ManyLights"));
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   const auto expect = [&](int updates, int silhouettes, const char* what)
   {
@@ -203,18 +203,18 @@ TEST_F(PassStatistics, SilhouettesAreMadeOnce)
     EXPECT_EQ(statistics.Silhouettes, silhouettes) << what;
   };
   const int lights = static_cast<int>(stage.Lights.size());
-  const int casters = stage.Renderer->GetActors()->GetNumberOfItems();
+  const int casters = stage.GetRenderer()->GetActors()->GetNumberOfItems();
   expect(casters, casters * lights, "the first frame");
-  stage.Renderer->GetActiveCamera()->Azimuth(5.0);
+  stage.GetRenderer()->GetActiveCamera()->Azimuth(5.0);
   expect(0, 0, "the camera moved");
-  stage.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  stage.GetRenderer()->GetActiveCamera()->ParallelProjectionOn();
   expect(0, 0, "the camera became parallel");
   pass->SetMode(vtkShadowVolumeClampPass::Clamped);
   expect(0, 0, "another mode");
   stage.Lights[1]->SetPosition(-4.5, -2.0, 5.0);
   expect(0, casters, "a light moved");
   stage.Lights[1]->SetColor(1.0, 0.5, 0.5);
-  stage.Renderer->GetActiveCamera()->Azimuth(5.0);
+  stage.GetRenderer()->GetActiveCamera()->Azimuth(5.0);
   expect(0, 0, "a light's colour");
   GetLastActor(stage)->AddPosition(0.1, 0.0, 0.0);
   expect(1, lights, "an actor moved");
@@ -228,7 +228,7 @@ TEST_F(PassStatistics, SilhouettesAreMadeOnce)
 TEST_F(PassStatistics, ManyCastersAreSharedOut)
 {
   constexpr int side = 66;
-  const ShadowStage stage({ "ManyCasters",
+  const Stage stage = SetStage({ "ManyCasters",
     [](vtkRenderer* renderer)
     {
       ShadowShapes::AddFloor(renderer, 10.0);
@@ -236,7 +236,8 @@ TEST_F(PassStatistics, ManyCastersAreSharedOut)
       {
         const double x = 0.25 * (i % side - side / 2);
         const double y = 0.25 * (i / side - side / 2);
-        ShadowShapes::AddBox(renderer, { x, y, 0.2 + 0.1 * (i % 7) }, { 0.1, 0.1, 0.1 });
+        ShadowShapes::AddShape(
+          renderer, ShadowShapes::ShapeKind::Box, { x, y, 0.2 + 0.1 * (i % 7) }, { 0.1, 0.1, 0.1 });
       }
       ShadowShapes::AddDirectional(renderer, { 0.3, 0.2, -1.0 });
       ShadowShapes::AddSpot(renderer, { 0.0, 0.0, 5.0 }, { 1.0, 1.0, 0.0 }, 30.0);
@@ -245,9 +246,9 @@ TEST_F(PassStatistics, ManyCastersAreSharedOut)
     },
     120, 90 });
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-  const int casters = stage.Renderer->GetActors()->GetNumberOfItems();
+  const int casters = stage.GetRenderer()->GetActors()->GetNumberOfItems();
   const int lights = static_cast<int>(stage.Lights.size());
-  std::vector<ShadowImage> images;
+  std::vector<Picture> images;
   int silhouettes = casters * lights;
   for (const int mode : Modes)
   {
@@ -261,12 +262,12 @@ TEST_F(PassStatistics, ManyCastersAreSharedOut)
     silhouettes = 0;
     for (vtkLight* light : stage.Lights)
     {
-      const ShadowMask mask = GetMask(pass, light, CountPixels(stage.Renderer));
+      const ShadowMask mask = GetMask(pass, light, CountPixels(stage.GetRenderer()));
       EXPECT_GT(std::count(mask.begin(), mask.end(), 255), 0);
     }
-    images.push_back(GetImage(stage.Window));
+    images.push_back(TakePicture(stage.Window));
   }
-  EXPECT_TRUE(IsSameImage(images[0], images[1], stage.Window));
+  EXPECT_EQ(FindDifference(images[0], images[1]), "");
 }
 
 class PassWork
@@ -279,7 +280,7 @@ class PassWork
 TEST_P(PassWork, IsLessTheMoreIsKnown)
 {
   const NamedScene& scene = this->GetParam();
-  const ShadowStage stage(scene);
+  const Stage stage = SetStage(scene);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   Tune(pass, &vtkShadowTuning::CountFragments, true);
   std::map<int, long long> fragments;
@@ -300,10 +301,10 @@ TEST_P(PassWork, IsLessTheMoreIsKnown)
   pass->SetMode(vtkShadowVolumeClampPass::Culled);
   stage.Window->Render();
   const long long culled = pass->GetStatistics().Fragments;
-  const ShadowImage image = GetImage(stage.Window);
+  const Picture image = TakePicture(stage.Window);
   pass->SetMode(vtkShadowVolumeClampPass::Scissored);
   stage.Window->Render();
-  EXPECT_TRUE(IsSameView(stage, image, GetImage(stage.Window)));
+  EXPECT_EQ(FindDifferenceInView(stage, image, TakePicture(stage.Window)), "");
   EXPECT_GT(unclamped, 0);
   EXPECT_LE(culled, unclamped);
   EXPECT_LE(scissored, culled);
@@ -330,13 +331,13 @@ TEST_F(PassState, IsThatOfAFrameWithoutShadows)
   for (const char* name : { "ManyLights", "Inset", "MultiSamples" })
   {
     SCOPED_TRACE(name);
-    const ShadowStage stage(GetScene(name));
+    const Stage stage = SetStage(GetScene(name));
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(stage.Window);
     const auto capture = [&]
     {
       GLStateSnapshot result;
       WhileDrawing(
-        stage.Window, stage.Renderer, [&] { result = GLStateSnapshot::Capture(window); });
+        stage.Window, stage.GetRenderer(), [&] { result = GLStateSnapshot::Capture(window); });
       return result;
     };
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);

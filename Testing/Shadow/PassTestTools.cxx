@@ -10,7 +10,6 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderStepsPass.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 
@@ -25,76 +24,18 @@ struct CastingLight
 };
 }
 
-ShadowImage GetImage(vtkRenderWindow* window)
+std::string FindDifferenceInView(const Stage& stage, const Picture& expected, const Picture& actual)
 {
-  const int* size = window->GetSize();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels);
-  const unsigned char* data = pixels->GetPointer(0);
-  return ShadowImage(data, data + 4 * static_cast<std::size_t>(pixels->GetNumberOfTuples()));
+  int region[4];
+  stage.GetRenderer()->GetTiledSizeAndOrigin(&region[2], &region[3], &region[0], &region[1]);
+  return FindDifference(expected, actual, region);
 }
 
-::testing::AssertionResult IsSameImage(
-  const ShadowImage& expected, const ShadowImage& actual, vtkRenderWindow* window)
-{
-  if (expected.size() != actual.size())
-  {
-    return ::testing::AssertionFailure()
-      << "The images have " << expected.size() / 4 << " and " << actual.size() / 4 << " pixels";
-  }
-  std::size_t different = 0;
-  std::size_t first = 0;
-  for (std::size_t i = expected.size(); i > 0; i -= 4)
-  {
-    if (!std::equal(&expected[i - 4], &expected[i - 4] + 4, &actual[i - 4]))
-    {
-      ++different;
-      first = i / 4 - 1;
-    }
-  }
-  if (different == 0)
-  {
-    return ::testing::AssertionSuccess();
-  }
-  const std::size_t width = static_cast<std::size_t>(window->GetSize()[0]);
-  auto result = ::testing::AssertionFailure();
-  result << different << " pixels differ, the first is (" << first % width << ", " << first / width
-         << "):";
-  for (const ShadowImage* image : { &expected, &actual })
-  {
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      result << ' ' << static_cast<int>((*image)[4 * first + i]);
-    }
-    result << (image == &expected ? " expected," : " drawn");
-  }
-  return result;
-}
-
-::testing::AssertionResult IsSameView(
-  const ShadowStage& stage, const ShadowImage& expected, const ShadowImage& actual)
-{
-  int size[2];
-  int origin[2];
-  stage.Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
-  const std::size_t width = static_cast<std::size_t>(stage.Window->GetSize()[0]);
-  for (int y = origin[1]; y < origin[1] + size[1]; ++y)
-  {
-    const std::size_t first = 4 * (y * width + origin[0]);
-    if (!std::equal(expected.begin() + first, expected.begin() + first + 4 * std::size_t(size[0]),
-          actual.begin() + first))
-    {
-      return ::testing::AssertionFailure() << "row " << y << " differs";
-    }
-  }
-  return ::testing::AssertionSuccess();
-}
-
-vtkSmartPointer<vtkShadowVolumeClampPass> AddPass(const ShadowStage& stage)
+vtkSmartPointer<vtkShadowVolumeClampPass> AddPass(const Stage& stage)
 {
   auto pass = vtkSmartPointer<vtkShadowVolumeClampPass>::New();
   pass->SetMode(vtkShadowVolumeClampPass::Scissored);
-  stage.Renderer->SetPass(pass);
+  stage.GetRenderer()->SetPass(pass);
   return pass;
 }
 
@@ -144,17 +85,17 @@ ShadowMask GetMask(vtkShadowVolumeClampPass* pass, vtkLight* light, std::size_t 
   return mask;
 }
 
-void ExpectMatchesOracle(const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
+void ExpectMatchesOracle(const Stage& stage, vtkShadowVolumeClampPass* pass)
 {
   stage.Window->Render();
-  Oracle oracle(stage.Renderer);
+  Oracle oracle(stage.GetRenderer());
   int sample = 0;
   for (const std::array<double, 2>& place : GetSamplePlaces(stage.Window))
   {
     oracle.SetSample(place[0], place[1]);
     for (vtkLight* light : stage.Lights)
     {
-      const ShadowMask mask = GetMask(pass, light, CountPixels(stage.Renderer), sample);
+      const ShadowMask mask = GetMask(pass, light, CountPixels(stage.GetRenderer()), sample);
       EXPECT_TRUE(MatchesOracle(mask, oracle.Cast(OracleLight(light))))
         << "sample " << sample << ", " << pass->GetStatistics().GetAsJSON();
     }
@@ -162,14 +103,14 @@ void ExpectMatchesOracle(const ShadowStage& stage, vtkShadowVolumeClampPass* pas
   }
 }
 
-int ExpectComposedOfDimmed(const ShadowStage& stage, vtkShadowVolumeClampPass* pass)
+int ExpectComposedOfDimmed(const Stage& stage, vtkShadowVolumeClampPass* pass)
 {
-  vtkRenderer* renderer = stage.Renderer;
+  vtkRenderer* renderer = stage.GetRenderer();
   int size[2];
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
   stage.Window->Render();
-  const ShadowImage actual = GetImage(stage.Window);
+  const Picture actual = TakePicture(stage.Window);
   std::vector<CastingLight> casting;
   int shadowed = 0;
   for (vtkLight* light : stage.Lights)
@@ -192,7 +133,7 @@ int ExpectComposedOfDimmed(const ShadowStage& stage, vtkShadowVolumeClampPass* p
     casting.push_back({ light, light->GetIntensity(), std::move(mask) });
   }
 
-  std::vector<ShadowImage> dimmed;
+  std::vector<Picture> dimmed;
   for (unsigned int dim = 0; dim < 1u << casting.size(); ++dim)
   {
     for (std::size_t i = 0; i < casting.size(); ++i)
@@ -206,8 +147,8 @@ int ExpectComposedOfDimmed(const ShadowStage& stage, vtkShadowVolumeClampPass* p
   {
     light.Light->SetIntensity(light.Intensity);
   }
-  ShadowImage expected = dimmed.front();
-  const std::size_t windowWidth = static_cast<std::size_t>(stage.Window->GetSize()[0]);
+  Picture expected = dimmed.front();
+  const std::size_t windowWidth = static_cast<std::size_t>(actual.Size[0]);
   for (int y = 0; y < size[1]; ++y)
   {
     for (int x = 0; x < size[0]; ++x)
@@ -221,21 +162,21 @@ int ExpectComposedOfDimmed(const ShadowStage& stage, vtkShadowVolumeClampPass* p
         dim |= static_cast<std::size_t>(value != 0) << i;
         partly = partly || (value > 0 && value < 255);
       }
-      const std::size_t pixel = 4 * ((y + origin[1]) * windowWidth + x + origin[0]);
-      std::copy_n(partly ? &actual[pixel] : &dimmed[dim][pixel], 4, &expected[pixel]);
+      const std::size_t pixel = (y + origin[1]) * windowWidth + x + origin[0];
+      std::copy_n((partly ? actual : dimmed[dim]).GetColor(pixel), 4, &expected.Colors[4 * pixel]);
     }
   }
-  EXPECT_TRUE(IsSameImage(expected, actual, stage.Window)) << pass->GetStatistics().GetAsJSON();
+  EXPECT_EQ(FindDifference(expected, actual), "") << pass->GetStatistics().GetAsJSON();
   return shadowed;
 }
 
-ShadowImage GetPlainImage(vtkRenderWindow* window, vtkRenderer* renderer)
+Picture GetPlainImage(vtkRenderWindow* window, vtkRenderer* renderer)
 {
   const vtkSmartPointer<vtkRenderPass> pass = renderer->GetPass();
   vtkNew<vtkRenderStepsPass> steps;
   renderer->SetPass(steps);
   window->Render();
-  ShadowImage result = GetImage(window);
+  Picture result = TakePicture(window);
   steps->ReleaseGraphicsResources(window);
   renderer->SetPass(pass);
   return result;

@@ -20,23 +20,13 @@
 #include <string>
 #include <vector>
 
-/// RGBA of each pixel of a window, row by row, the lowest first.
-using ShadowImage = std::vector<unsigned char>;
-
-/// Of the last frame; a window is as large as its size says.
-ShadowImage GetImage(vtkRenderWindow* window);
-
-/// For EXPECT_TRUE: all bytes are equal. Says how many pixels differ and which is the first.
-::testing::AssertionResult IsSameImage(
-  const ShadowImage& expected, const ShadowImage& actual, vtkRenderWindow* window);
-
-/// The same of a stage's renderer alone: what lies beside it, in a tile of a larger image, nobody
-/// draws.
-::testing::AssertionResult IsSameView(
-  const ShadowStage& stage, const ShadowImage& expected, const ShadowImage& actual);
+/// What differs in the stage's renderer alone: what lies beside it, in a tile of a larger image, is
+/// not drawn at all.
+std::string FindDifferenceInView(
+  const Stage& stage, const Picture& expected, const Picture& actual);
 
 /// The pass as the pass of the stage's renderer, with Exact: small scenes are not worth a litmap.
-vtkSmartPointer<vtkShadowVolumeClampPass> AddPass(const ShadowStage& stage);
+vtkSmartPointer<vtkShadowVolumeClampPass> AddPass(const Stage& stage);
 
 /// The places of the samples in a pixel of a window that has rendered, in [0, 1] from the lower
 /// left corner; one, the centre, without multisampling.
@@ -51,7 +41,7 @@ ShadowMask GetMask(
 std::size_t CountPixels(vtkRenderer* renderer);
 
 /// Renders and compares the masks of all lights of the scene with rays, sample by sample.
-void ExpectMatchesOracle(const ShadowStage& stage, vtkShadowVolumeClampPass* pass);
+void ExpectMatchesOracle(const Stage& stage, vtkShadowVolumeClampPass* pass);
 
 /**
  * Render, and compare each pixel of the image with one of the images without the pass in which
@@ -61,9 +51,9 @@ void ExpectMatchesOracle(const ShadowStage& stage, vtkShadowVolumeClampPass* pas
  * cast; colours are exact for attenuations of 0, 0.5 and 1. Returns the number of shadowed pixels
  * of all lights. The renderer has the pass again afterwards.
  */
-int ExpectComposedOfDimmed(const ShadowStage& stage, vtkShadowVolumeClampPass* pass);
+int ExpectComposedOfDimmed(const Stage& stage, vtkShadowVolumeClampPass* pass);
 
 /// The image of the renderer with vtkRenderStepsPass; its pass is as before afterwards.
-ShadowImage GetPlainImage(vtkRenderWindow* window, vtkRenderer* renderer);
+Picture GetPlainImage(vtkRenderWindow* window, vtkRenderer* renderer);
 
 #endif

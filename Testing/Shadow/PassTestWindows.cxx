@@ -31,33 +31,31 @@ class PassWindows : public OffscreenFixture
 namespace
 {
 /// Another renderer of the window with a scene of the list.
-ShadowStage AddRenderer(
-  const ShadowStage& stage, const std::string& scene, const double viewport[4])
+Stage AddRenderer(const Stage& stage, const std::string& scene, const double viewport[4])
 {
-  ShadowStage result = stage;
-  result.Renderer = vtkSmartPointer<vtkRenderer>::New();
-  result.Renderer->SetViewport(viewport);
-  result.Window->AddRenderer(result.Renderer);
-  result.Renderer->SetAutomaticLightCreation(0);
-  GetScene(scene).Build(result.Renderer);
-  result.Lights = { vtkLight::SafeDownCast(result.Renderer->GetLights()->GetItemAsObject(0)) };
+  Stage result = stage;
+  result.Renderers.clear();
+  result.AddRenderer(viewport[0], viewport[1], viewport[2], viewport[3])
+    ->SetAutomaticLightCreation(0);
+  GetScene(scene).Build(result.GetRenderer());
+  result.Lights = { vtkLight::SafeDownCast(result.GetRenderer()->GetLights()->GetItemAsObject(0)) };
   return result;
 }
 
-ShadowStage MakeStage(const std::string& scene = "ManyLights")
+Stage MakeStage(const std::string& scene = "ManyLights")
 {
-  return ShadowStage(GetScene(scene));
+  return SetStage(GetScene(scene));
 }
 }
 
 // Odd corners and sizes; one pass for each renderer.
 TEST_F(PassWindows, TwoRenderers)
 {
-  ShadowStage left = MakeStage("Directional");
+  Stage left = MakeStage("Directional");
   left.Window->SetSize(307, 211);
-  left.Renderer->SetViewport(0.05, 0.3, 0.45, 0.95);
+  left.GetRenderer()->SetViewport(0.05, 0.3, 0.45, 0.95);
   const double viewport[4] = { 0.5, 0.1, 0.97, 0.7 };
-  const ShadowStage right = AddRenderer(left, "Spot", viewport);
+  const Stage right = AddRenderer(left, "Spot", viewport);
   for (int mode = vtkShadowVolumeClampPass::Unclamped; mode <= vtkShadowVolumeClampPass::Clamped;
        ++mode)
   {
@@ -78,9 +76,9 @@ TEST_F(PassWindows, EyesOfStereo)
 {
   const auto draw = [](int type, bool plainFrameBefore)
   {
-    ShadowStage stage = MakeStage();
+    Stage stage = MakeStage();
     stage.Window->SetSize(301, 211);
-    stage.Renderer->SetViewport(0.1, 0.0, 0.9, 0.8);
+    stage.GetRenderer()->SetViewport(0.1, 0.0, 0.9, 0.8);
     stage.Window->SetStereoType(type);
     stage.Window->SetStereoRender(1);
     if (plainFrameBefore)
@@ -89,70 +87,70 @@ TEST_F(PassWindows, EyesOfStereo)
     }
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     stage.Window->Render();
-    const ShadowImage image = GetImage(stage.Window);
+    const Picture image = TakePicture(stage.Window);
     EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
     for (vtkLight* light : stage.Lights)
     {
-      const ShadowMask mask = GetMask(pass, light, CountPixels(stage.Renderer));
-      EXPECT_TRUE(MatchesOracle(mask, Oracle(stage.Renderer).Cast(OracleLight(light))));
+      const ShadowMask mask = GetMask(pass, light, CountPixels(stage.GetRenderer()));
+      EXPECT_TRUE(MatchesOracle(mask, Oracle(stage.GetRenderer()).Cast(OracleLight(light))));
     }
-    EXPECT_TRUE(IsSameImage(image, (stage.Window->Render(), GetImage(stage.Window)), stage.Window));
+    EXPECT_EQ(FindDifference(image, (stage.Window->Render(), TakePicture(stage.Window))), "");
     return image;
   };
-  const ShadowImage left = draw(VTK_STEREO_LEFT, false);
-  const ShadowImage right = draw(VTK_STEREO_RIGHT, false);
-  EXPECT_NE(left, right);
-  EXPECT_EQ(left, draw(VTK_STEREO_LEFT, true));
-  EXPECT_EQ(right, draw(VTK_STEREO_RIGHT, true));
+  const Picture left = draw(VTK_STEREO_LEFT, false);
+  const Picture right = draw(VTK_STEREO_RIGHT, false);
+  EXPECT_NE(FindDifference(left, right), "");
+  EXPECT_EQ(FindDifference(left, draw(VTK_STEREO_LEFT, true)), "");
+  EXPECT_EQ(FindDifference(right, draw(VTK_STEREO_RIGHT, true)), "");
 }
 
 // Renderers of one window that share a pass see their own shadows.
 TEST_F(PassWindows, OnePassForTwoRenderers)
 {
-  ShadowStage left = MakeStage("Directional");
+  Stage left = MakeStage("Directional");
   left.Window->SetSize(307, 211);
-  left.Renderer->SetViewport(0.05, 0.3, 0.45, 0.95);
+  left.GetRenderer()->SetViewport(0.05, 0.3, 0.45, 0.95);
   const double viewport[4] = { 0.5, 0.1, 0.97, 0.7 };
-  const ShadowStage right = AddRenderer(left, "ManyLights", viewport);
+  const Stage right = AddRenderer(left, "ManyLights", viewport);
   vtkSmartPointer<vtkShadowVolumeClampPass> leftPass = AddPass(left);
   vtkSmartPointer<vtkShadowVolumeClampPass> rightPass = AddPass(right);
   left.Window->Render();
-  const ShadowImage expected = GetImage(left.Window);
+  const Picture expected = TakePicture(left.Window);
   vtkSmartPointer<vtkShadowVolumeClampPass> shared = AddPass(left);
-  right.Renderer->SetPass(shared);
+  right.GetRenderer()->SetPass(shared);
   for (int frame = 0; frame < 3; ++frame)
   {
     left.Window->Render();
-    EXPECT_TRUE(IsSameImage(expected, GetImage(left.Window), left.Window)) << "frame " << frame;
+    EXPECT_EQ(FindDifference(expected, TakePicture(left.Window)), "") << "frame " << frame;
   }
 }
 
 // A pass and actors that wander between windows.
 TEST_F(PassWindows, OnePassForTwoWindows)
 {
-  std::array<ShadowStage, 2> stages = { MakeStage("Directional"), MakeStage("Spot") };
+  std::array<Stage, 2> stages = { MakeStage("Directional"), MakeStage("Spot") };
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stages[0]);
-  stages[1].Renderer->SetPass(pass);
+  stages[1].GetRenderer()->SetPass(pass);
   for (int frame = 0; frame < 2; ++frame)
   {
-    for (const ShadowStage& stage : stages)
+    for (const Stage& stage : stages)
     {
       ExpectMatchesOracle(stage, pass);
       EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
     }
   }
-  for (ShadowStage& stage : stages)
+  for (Stage& stage : stages)
   {
     EXPECT_GT(ExpectComposedOfDimmed(stage, pass), 100);
   }
-  stages[0].Renderer = nullptr;
+  stages[0].Renderers.clear();
   stages[0].Window = nullptr;
   ExpectMatchesOracle(stages[1], pass);
 }
 
 TEST_F(PassWindows, Resizing)
 {
-  ShadowStage stage = MakeStage("Directional");
+  Stage stage = MakeStage("Directional");
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   for (const auto& [width, height] : std::initializer_list<std::pair<int, int>>{
          { 200, 150 }, { 97, 203 }, { 333, 55 }, { 1, 1 }, { 201, 151 }, { 2, 120 }, { 64, 64 } })
@@ -167,7 +165,7 @@ TEST_F(PassWindows, Resizing)
 
 TEST_F(PassWindows, MultiSamplesOnAndOff)
 {
-  ShadowStage stage = MakeStage("Spot");
+  Stage stage = MakeStage("Spot");
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   for (int samples : { 4, 0, 2, 4 })
   {
@@ -182,21 +180,21 @@ TEST_F(PassWindows, MultiSamplesOnAndOff)
 // there, where Exact leaves out casters, is in no mask.
 TEST_F(PassWindows, MultiSamplesBesideReceivers)
 {
-  const ShadowStage stage = MakeStage("ManyLights");
-  stage.Renderer->GetActiveCamera()->Zoom(0.3);
+  const Stage stage = MakeStage("ManyLights");
+  stage.GetRenderer()->GetActiveCamera()->Zoom(0.3);
   stage.Window->SetMultiSamples(4);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   pass->SetMode(vtkShadowVolumeClampPass::Unclamped);
   stage.Window->Render();
-  const ShadowImage expected = GetImage(stage.Window);
+  const Picture expected = TakePicture(stage.Window);
   std::vector<ShadowMask> masks;
   for (vtkLight* light : stage.Lights)
   {
-    masks.push_back(GetMask(pass, light, CountPixels(stage.Renderer)));
+    masks.push_back(GetMask(pass, light, CountPixels(stage.GetRenderer())));
   }
   pass->SetMode(vtkShadowVolumeClampPass::Scissored);
   stage.Window->Render();
-  EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
+  EXPECT_EQ(FindDifference(expected, TakePicture(stage.Window)), "");
   for (std::size_t i = 0; i < masks.size(); ++i)
   {
     EXPECT_EQ(
@@ -215,10 +213,10 @@ TEST_F(PassWindows, CameraInsideAClosedCaster)
   mapper->SetInputConnection(sphere->GetOutputPort());
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  const ShadowStage stage = MakeStage("Directional");
-  stage.Renderer->AddActor(actor);
+  const Stage stage = MakeStage("Directional");
+  stage.GetRenderer()->AddActor(actor);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-  vtkCamera* camera = stage.Renderer->GetActiveCamera();
+  vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   for (const auto& [distance, nearest] :
     std::initializer_list<std::pair<double, double>>{ { 1.0, 0.1 }, { 5.0, 3.0 }, { 5.0, 0.1 } })
@@ -254,13 +252,13 @@ TEST_F(PassWindows, BufferTextures)
   mapper->SetInputData(data);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  const ShadowStage stage = MakeStage("Directional");
-  stage.Renderer->AddActor(actor);
+  const Stage stage = MakeStage("Directional");
+  stage.GetRenderer()->AddActor(actor);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   for (int frame = 0; frame < 3; ++frame)
   {
     SCOPED_TRACE("frame " + std::to_string(frame));
-    stage.Renderer->GetActiveCamera()->Azimuth(5.0);
+    stage.GetRenderer()->GetActiveCamera()->Azimuth(5.0);
     actor->GetProperty()->EdgeVisibilityOff();
     ExpectMatchesOracle(stage, pass);
     const long long receivers = pass->GetStatistics().Receivers;
@@ -278,19 +276,19 @@ TEST_F(PassWindows, WithTheCuller)
   for (const char* name : { "CityDirectional", "ManyLights" })
   {
     SCOPED_TRACE(name);
-    const ShadowStage stage = MakeStage(name);
+    const Stage stage = MakeStage(name);
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     stage.Window->Render();
     stage.Window->Render();
-    const ShadowImage expected = GetImage(stage.Window);
+    const Picture expected = TakePicture(stage.Window);
     vtkNew<vtkNBufferCuller> culler;
-    stage.Renderer->AddCuller(culler);
+    stage.GetRenderer()->AddCuller(culler);
     for (int frame = 0; frame < 3; ++frame)
     {
       SCOPED_TRACE("frame " + std::to_string(frame));
-      stage.Renderer->GetActiveCamera()->Modified();
+      stage.GetRenderer()->GetActiveCamera()->Modified();
       stage.Window->Render();
-      EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
+      EXPECT_EQ(FindDifference(expected, TakePicture(stage.Window)), "");
       ExpectMatchesOracle(stage, pass);
     }
   }
@@ -303,11 +301,11 @@ class PassLifetime : public OffscreenFixture
 
 TEST_F(PassLifetime, PassBeforeWindow)
 {
-  const ShadowStage stage = MakeStage();
+  const Stage stage = MakeStage();
   {
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     stage.Window->Render();
-    stage.Renderer->SetPass(nullptr);
+    stage.GetRenderer()->SetPass(nullptr);
   }
   stage.Window->Render();
 }
@@ -318,11 +316,11 @@ TEST_F(PassLifetime, WindowBeforePass)
   std::array<ShadowMask, 2> masks;
   for (ShadowMask& mask : masks)
   {
-    const ShadowStage stage = MakeStage();
+    const Stage stage = MakeStage();
     pass = pass ? pass : AddPass(stage);
-    stage.Renderer->SetPass(pass);
+    stage.GetRenderer()->SetPass(pass);
     stage.Window->Render();
-    mask = GetMask(pass, stage.Lights[0], CountPixels(stage.Renderer));
+    mask = GetMask(pass, stage.Lights[0], CountPixels(stage.GetRenderer()));
   }
   EXPECT_TRUE(masks[0] == masks[1]);
   EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
@@ -344,12 +342,12 @@ TEST_F(PassLifetime, NeverRendered)
 // Hazard: objects of a context that is gone.
 TEST_F(PassLifetime, ReleasedAndDrawnAgain)
 {
-  const ShadowStage stage = MakeStage();
+  const Stage stage = MakeStage();
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   stage.Window->Render();
-  const ShadowImage expected = GetImage(stage.Window);
+  const Picture expected = TakePicture(stage.Window);
   const std::function<void()> releases[] = { [&] { pass->ReleaseGraphicsResources(stage.Window); },
-    [&] { stage.Renderer->ReleaseGraphicsResources(stage.Window); },
+    [&] { stage.GetRenderer()->ReleaseGraphicsResources(stage.Window); },
     [&] { stage.Window->Finalize(); },
     [&]
     {
@@ -361,7 +359,7 @@ TEST_F(PassLifetime, ReleasedAndDrawnAgain)
   {
     release();
     stage.Window->Render();
-    EXPECT_TRUE(IsSameImage(expected, GetImage(stage.Window), stage.Window));
+    EXPECT_EQ(FindDifference(expected, TakePicture(stage.Window)), "");
     EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
     EXPECT_GT(ExpectComposedOfDimmed(stage, pass), 100);
   }

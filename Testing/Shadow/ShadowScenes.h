@@ -4,8 +4,9 @@
  * @file ShadowScenes.h
  * @brief Scenes in which shadows have gone wrong somewhere, one for each hazard, and larger ones.
  *
- * A scene fills a renderer that is in a window already: props, scene lights, camera and clipping
- * range. Random ones are seeded.
+ * Most are named scenarios (NamedScenarios.h), which the fuzzer mutates as well. A scene fills a
+ * renderer that is in a window already: props, scene lights, camera and clipping range. Random ones
+ * are seeded.
  *
  *     class ShadowSceneTest : public OffscreenFixture,
  *                             public ::testing::WithParamInterface<NamedScene> {};
@@ -47,32 +48,11 @@ namespace ShadowScenes
 /// @name Parts of GetScenes()
 ///@{
 std::vector<NamedScene> GetLightScenes(); ///< Where the light is.
-std::vector<NamedScene> GetViewScenes();  ///< Where the camera is, and what window it has.
 std::vector<NamedScene> GetMeshScenes();  ///< What the casters are made of.
 std::vector<NamedScene> GetLargeScenes();
+/// Those of the mesh scenes that the language of scenarios has no words for.
+std::vector<NamedScene> GetHandmadeScenes();
 ///@}
-
-/// Camera of the scene "Orbit" on its way round and through the shadows, t from 0 to 1.
-void SetOrbitCamera(vtkRenderer* renderer, double t);
-
-enum class Lighting
-{
-  Directional,
-  Spot,
-  Point
-};
-
-/// side x side buildings in blocks of four, seen from a street.
-void City(vtkRenderer* renderer, int side, Lighting lighting);
-
-/// So many spheres floating above ground and towers.
-void Birds(vtkRenderer* renderer, int count, Lighting lighting);
-
-/// So many large parts that touch and cross each other: boxes, cylinders, cones, spheres.
-void Cad(vtkRenderer* renderer, int count, Lighting lighting);
-
-/// A cloud of so many small spheres of one mapper, an actor each.
-void Glyphs(vtkRenderer* renderer, int count, Lighting lighting);
 }
 
 #endif

@@ -12,11 +12,8 @@
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCubeSource.h"
 #include "vtkCylinderSource.h"
-#include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
-#include "vtkPlane.h"
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
@@ -44,89 +41,6 @@ void Prepare(vtkRenderer* renderer)
 void LookAtCasters(vtkRenderer* renderer)
 {
   Look(renderer, { 3.0, -6.0, 4.0 }, { 0.4, 0.2, 0.5 });
-}
-
-/// A rectangle in the plane of two directions.
-vtkSmartPointer<vtkPolyData> MakeSheet(const Point& corner, const Point& u, const Point& v)
-{
-  Point a = corner;
-  Point b = corner;
-  Point c = corner;
-  for (int i = 0; i < 3; ++i)
-  {
-    a[i] += u[i];
-    b[i] += u[i] + v[i];
-    c[i] += v[i];
-  }
-  return MakeMesh({ corner, a, b, c }, { { 0, 1, 2, 3 } });
-}
-
-void ThinWall(vtkRenderer* renderer)
-{
-  Prepare(renderer);
-  AddBox(renderer, { 0.0, 0.0, 0.75 }, { 2.0, 1e-4, 1.5 });
-  AddBox(renderer, { 0.5, -1.2, 0.5 }, { 1e-4, 1.0, 1.0 });
-  LookAtCasters(renderer);
-}
-
-void PaperSheets(vtkRenderer* renderer)
-{
-  Prepare(renderer);
-  AddMesh(renderer, MakeSheet({ -1.0, 0.0, 0.0 }, { 2.0, 0.5, 0.0 }, { 0.0, 0.0, 1.5 }));
-  AddMesh(renderer, MakeSheet({ -1.0, -1.5, 1.0 }, { 1.0, 0.0, 0.2 }, { 0.0, 1.0, 0.1 }));
-  LookAtCasters(renderer);
-}
-
-/// One long edge beside two short ones whose common point is not on it exactly.
-void TJunctions(vtkRenderer* renderer)
-{
-  Prepare(renderer);
-  const auto at = [](double x, double y) { return Point{ x, y, 1.0 + 0.1 * x + 0.07 * y }; };
-  AddMesh(renderer,
-    MakeMesh({ at(-1.1, -0.9), at(0.0, -0.9), at(0.0, 0.7), at(-1.1, 0.7), at(0.0, 0.1),
-               at(1.3, -0.9), at(1.3, 0.1), at(1.3, 0.7) },
-      { { 0, 1, 2, 3 }, { 1, 5, 6, 4 }, { 4, 6, 7, 2 } }));
-  LookAtCasters(renderer);
-}
-
-/// A picture on the floor and boxes that share faces: what coincides does not shadow.
-void Coplanar(vtkRenderer* renderer)
-{
-  Prepare(renderer);
-  AddMesh(renderer, MakeSheet({ -0.5, -1.5, 0.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 2.5, 0.0 }));
-  AddBox(renderer, { -0.5, 0.0, 0.25 }, { 0.5, 0.5, 0.5 });
-  AddBox(renderer, { -0.5, 0.0, 0.75 }, { 0.5, 0.5, 0.5 });
-  AddBox(renderer, { 0.0, 0.0, 0.25 }, { 0.5, 0.5, 0.5 });
-  LookAtCasters(renderer);
-}
-
-/// So many sheets above each other: a count that a stencil of eight bits cannot hold.
-void Sheets(vtkRenderer* renderer, int count)
-{
-  Prepare(renderer);
-  std::vector<Point> points;
-  std::vector<Polygon> quads;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const double z = 1.0 + static_cast<double>(i) / count;
-    points.insert(
-      points.end(), { { -0.5, -0.5, z }, { 0.5, -0.5, z }, { 0.5, 0.5, z }, { -0.5, 0.5, z } });
-    quads.push_back({ 4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3 });
-  }
-  AddMesh(renderer, MakeMesh(points, quads));
-  LookAtCasters(renderer);
-}
-
-/// Triangles without area, and every face twice.
-void Degenerates(vtkRenderer* renderer)
-{
-  Prepare(renderer);
-  AddMesh(renderer,
-    MakeMesh({ { 0.0, 0.0, 1.5 }, { 1.0, 0.0, 0.5 }, { -0.5, 0.75, 0.5 }, { -0.5, -0.75, 0.5 },
-               { 0.5, 0.0, 1.0 }, { 1.0, 0.0, 0.5 } },
-      { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 }, { 0, 0, 1 }, { 0, 4, 1 }, { 1, 5, 2 },
-        { 3, 3, 3 }, { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } }));
-  LookAtCasters(renderer);
 }
 
 /// One triangle of a sphere has a point that is no number.
@@ -201,67 +115,10 @@ void HalfSphere(vtkRenderer* renderer)
   LookAtCasters(renderer);
 }
 
-void MoebiusStrip(vtkRenderer* renderer)
-{
-  Prepare(renderer);
-  constexpr vtkIdType count = 40;
-  std::vector<Point> points;
-  std::vector<Polygon> quads;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const double angle = 2.0 * vtkMath::Pi() * i / count;
-    for (const double side : { -0.3, 0.3 })
-    {
-      const double radius = 1.0 + side * std::cos(0.5 * angle);
-      points.push_back(
-        { radius * std::cos(angle), radius * std::sin(angle), 1.0 + side * std::sin(0.5 * angle) });
-    }
-    const bool last = i == count - 1;
-    const vtkIdType next = last ? 0 : 2 * i + 2;
-    quads.push_back({ 2 * i, 2 * i + 1, next + (last ? 0 : 1), next + (last ? 1 : 0) });
-  }
-  AddMesh(renderer, MakeMesh(points, quads));
-  LookAtCasters(renderer);
-}
-
-/// Three faces at one edge, and four at another.
-void SharedEdges(vtkRenderer* renderer)
-{
-  Prepare(renderer);
-  AddMesh(renderer,
-    MakeMesh({ { -1.0, 0.0, 1.2 }, { 1.0, 0.0, 1.2 }, { -1.0, -0.8, 1.3 }, { 1.0, -0.8, 1.3 },
-               { -1.0, 0.7, 1.0 }, { 1.0, 0.7, 1.0 }, { -1.0, 0.1, 0.4 }, { 1.0, 0.1, 0.4 },
-               { -1.0, 1.2, 0.5 }, { 1.0, 1.2, 0.5 }, { -1.0, 0.7, 0.3 }, { 1.0, 0.7, 0.3 },
-               { -1.0, 1.0, 1.5 }, { 1.0, 1.0, 1.5 } },
-      { { 0, 1, 3, 2 }, { 0, 1, 5, 4 }, { 0, 1, 7, 6 }, { 4, 5, 9, 8 }, { 5, 4, 10, 11 },
-        { 4, 5, 13, 12 } }));
-  LookAtCasters(renderer);
-}
-
-/// Actors whose matrices turn meshes inside out, shear and squeeze them.
-void Matrices(vtkRenderer* renderer)
-{
-  Prepare(renderer);
-  vtkSmartPointer<vtkPolyData> box = MakeSharedBox({ 0.0, 0.0, 0.0 }, { 0.8, 0.8, 0.8 });
-  vtkActor* mirrored = AddMesh(renderer, box);
-  mirrored->SetPosition(-0.8, 0.0, 0.9);
-  mirrored->SetScale(-1.0, 1.2, 0.7);
-  mirrored->RotateWXYZ(35.0, 1.0, 2.0, 3.0);
-  vtkActor* sheared = AddMesh(renderer, box);
-  vtkNew<vtkMatrix4x4> matrix;
-  matrix->SetElement(0, 2, 0.7);
-  matrix->SetElement(1, 0, -0.3);
-  matrix->SetElement(2, 2, -1.5);
-  matrix->SetElement(0, 3, 0.8);
-  matrix->SetElement(2, 3, 0.9);
-  sheared->SetUserMatrix(matrix);
-  LookAtCasters(renderer);
-}
-
 void Assembly(vtkRenderer* renderer)
 {
   Prepare(renderer);
-  vtkActor* box = AddBox(renderer, { 0.0, 0.0, 0.0 }, { 0.8, 0.8, 0.8 });
+  vtkActor* box = AddShape(renderer, ShapeKind::Box, { 0.0, 0.0, 0.0 }, { 0.8, 0.8, 0.8 });
   vtkActor* sphere = AddSphere(renderer, { 0.0, 0.0, 0.9 }, 0.4);
   vtkActor* hidden = AddSphere(renderer, { 1.5, 0.0, 0.9 }, 0.4);
   hidden->VisibilityOff();
@@ -290,7 +147,7 @@ void Composite(vtkRenderer* renderer)
   inner->SetBlock(0, MakeBox({ 0.6, 0.0, 0.8 }, { 0.5, 0.5, 0.5 }));
   inner->SetBlock(1, MakeBox({ 0.6, 1.0, 0.8 }, { 0.5, 0.5, 0.5 }));
   vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, MakeSphere({ -0.7, 0.0, 0.9 }, 0.5, 12));
+  blocks->SetBlock(0, MakeGlobe({ -0.7, 0.0, 0.9 }, 0.5, 12));
   blocks->SetBlock(1, inner);
   vtkNew<CompositeMapper> mapper;
   mapper->SetInputDataObject(blocks);
@@ -307,7 +164,7 @@ void Composite(vtkRenderer* renderer)
 void ChangingData(vtkRenderer* renderer)
 {
   Prepare(renderer);
-  AddMesh(renderer, MakeSharedBox({ -0.5, 0.0, 0.8 }, { 0.8, 0.8, 0.8 }));
+  AddShape(renderer, ShapeKind::SharedBox, { -0.5, 0.0, 0.8 }, { 0.8, 0.8, 0.8 });
   AddSphere(renderer, { 1.0, 0.5, 0.6 }, 0.5);
   LookAtCasters(renderer);
 }
@@ -326,33 +183,11 @@ void ChangeData(vtkRenderer* renderer)
   mesh->Modified();
 }
 
-/// The cut is open: light falls in.
-void ClippingPlanes(vtkRenderer* renderer)
-{
-  Prepare(renderer);
-  vtkActor* actor = AddSphere(renderer, { 0.0, 0.0, 1.0 }, 0.8);
-  vtkNew<vtkPlane> plane;
-  plane->SetOrigin(0.1, 0.0, 1.1);
-  plane->SetNormal(0.6, -0.3, -0.8);
-  actor->GetMapper()->AddClippingPlane(plane);
-  LookAtCasters(renderer);
-}
-
-/// What is not drawn as surfaces casts nothing. It is out of view, because it would be seen.
-void NotSurfaces(vtkRenderer* renderer)
-{
-  Prepare(renderer);
-  AddBox(renderer, { 0.5, 0.5, 0.3 }, { 0.6, 0.6, 0.6 });
-  AddSphere(renderer, { -2.4, -1.4, 3.0 }, 0.6)->GetProperty()->SetRepresentationToWireframe();
-  AddSphere(renderer, { -3.0, -1.0, 3.0 }, 0.6)->GetProperty()->SetRepresentationToPoints();
-  Look(renderer, { 2.0, -4.0, 2.5 }, { 0.4, 0.2, 0.2 });
-}
-
 /// Not to be seen, hence no casters: an actor, and an assembly whose part is switched on.
 void HiddenActor(vtkRenderer* renderer)
 {
   Prepare(renderer);
-  AddBox(renderer, { 0.5, 0.5, 0.3 }, { 0.6, 0.6, 0.6 });
+  AddShape(renderer, ShapeKind::Box, { 0.5, 0.5, 0.3 }, { 0.6, 0.6, 0.6 });
   AddSphere(renderer, { -0.5, 0.0, 1.0 }, 0.6)->VisibilityOff();
   vtkActor* part = AddSphere(renderer, { 0.8, -0.8, 1.0 }, 0.4);
   vtkNew<vtkAssembly> assembly;
@@ -366,30 +201,18 @@ void HiddenActor(vtkRenderer* renderer)
 
 namespace ShadowScenes
 {
-std::vector<NamedScene> GetMeshScenes()
+std::vector<NamedScene> GetHandmadeScenes()
 {
   NamedScene changing = { "ChangingData", ChangingData };
   changing.Change = ChangeData;
   return {
-    { "ThinWall", ThinWall },
-    { "PaperSheets", PaperSheets },
-    { "TJunctions", TJunctions },
-    { "Coplanar", Coplanar },
-    { "Sheets256", [](vtkRenderer* renderer) { Sheets(renderer, 256); } },
-    { "Sheets512", [](vtkRenderer* renderer) { Sheets(renderer, 512); } },
-    { "Degenerates", Degenerates },
     { "NotANumber", NotANumber },
     { "RepeatedPoints", RepeatedPoints },
     { "QuadsStripsPolygons", QuadsStripsPolygons },
     { "HalfSphere", HalfSphere },
-    { "MoebiusStrip", MoebiusStrip },
-    { "SharedEdges", SharedEdges },
-    { "Matrices", Matrices },
     { "Assembly", Assembly },
     { "Composite", Composite },
     changing,
-    { "ClippingPlanes", ClippingPlanes },
-    { "NotSurfaces", NotSurfaces },
     { "HiddenActor", HiddenActor },
   };
 }

@@ -7,10 +7,8 @@
 #ifndef ShadowShapes_h
 #define ShadowShapes_h
 
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
+#include "Shapes.h"
 
-#include <array>
 #include <vector>
 
 class vtkActor;
@@ -19,28 +17,22 @@ class vtkRenderer;
 
 namespace ShadowShapes
 {
-using Point = std::array<double, 3>;
-using Polygon = std::vector<vtkIdType>;
+using Point = glm::dvec3;
+using TestScene::MakeBox;
+using TestScene::ShapeKind;
+using Polygon = std::vector<int>;
 
 /// Points are stored in double precision.
 vtkSmartPointer<vtkPolyData> MakeMesh(
   const std::vector<Point>& points, const std::vector<Polygon>& polygons);
 
-/// Six quads, each with its own points.
-vtkSmartPointer<vtkPolyData> MakeBox(const Point& centre, const Point& size);
-
-/// The eight points of a box shared by its six quads, normals outwards.
-vtkSmartPointer<vtkPolyData> MakeSharedBox(const Point& centre, const Point& size);
-
 /// VTK's sphere source: one point at each pole, one seam.
-vtkSmartPointer<vtkPolyData> MakeSphere(const Point& centre, double radius, int resolution);
-
-/// A tetrahedron of the given corners.
-vtkSmartPointer<vtkPolyData> MakeTetrahedron(const std::array<Point, 4>& corners);
+vtkSmartPointer<vtkPolyData> MakeGlobe(const Point& centre, double radius, int resolution);
 
 /// Actors with surfaces of a colour that follows from their number in the renderer.
 vtkActor* AddMesh(vtkRenderer* renderer, vtkPolyData* mesh);
-vtkActor* AddBox(vtkRenderer* renderer, const Point& centre, const Point& size);
+vtkActor* AddShape(vtkRenderer* renderer, TestScene::ShapeKind kind, const Point& centre,
+  const Point& size, int detail = 1);
 vtkActor* AddSphere(vtkRenderer* renderer, const Point& centre, double radius, int resolution = 16);
 
 /// The square [-halfSize, halfSize]^2 at height z, one quad.

@@ -5,22 +5,18 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 
-ShadowStage::ShadowStage(const NamedScene& scene)
-  : Window(vtkSmartPointer<vtkRenderWindow>::New())
-  , Renderer(vtkSmartPointer<vtkRenderer>::New())
+Stage SetStage(const NamedScene& scene)
 {
-  this->Window->SetOffScreenRendering(1);
-  this->Window->SetMultiSamples(scene.MultiSamples);
-  this->Window->SetSize(scene.Width, scene.Height);
-  this->Window->AddRenderer(this->Renderer);
-  this->Renderer->SetAutomaticLightCreation(0);
-  scene.Build(this->Renderer);
+  Stage stage(scene.Width, scene.Height, scene.MultiSamples);
+  stage.GetRenderer()->SetAutomaticLightCreation(0);
+  scene.Build(stage.GetRenderer());
   vtkCollectionSimpleIterator cookie;
-  this->Renderer->GetLights()->InitTraversal(cookie);
-  while (vtkLight* light = this->Renderer->GetLights()->GetNextLight(cookie))
+  stage.GetRenderer()->GetLights()->InitTraversal(cookie);
+  while (vtkLight* light = stage.GetRenderer()->GetLights()->GetNextLight(cookie))
   {
-    this->Lights.push_back(light);
+    stage.Lights.push_back(light);
   }
+  return stage;
 }
 
 std::ostream& operator<<(std::ostream& stream, const MaskComparison& comparison)

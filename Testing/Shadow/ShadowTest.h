@@ -7,27 +7,22 @@
 #ifndef ShadowTest_h
 #define ShadowTest_h
 
+#include "Judge.h"
 #include "RayOracle.h"
 #include "ShadowScenes.h"
-
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
-#include "vtkSmartPointer.h"
 
 #include <gtest/gtest.h>
 
 #include <ostream>
 #include <vector>
 
-/// A scene in an off-screen window of its size that has not rendered yet.
-struct ShadowStage
-{
-  explicit ShadowStage(const NamedScene& scene);
+using TestScene::FindDifference;
+using TestScene::Picture;
+using TestScene::Stage;
+using TestScene::TakePicture;
 
-  vtkSmartPointer<vtkRenderWindow> Window;
-  vtkSmartPointer<vtkRenderer> Renderer;
-  std::vector<vtkLight*> Lights; ///< Those of the scene, in order.
-};
+/// A scene in a window of its size that has not rendered yet, with the scene's lights.
+Stage SetStage(const NamedScene& scene);
 
 /// A mask: one value for each pixel of the viewport, row by row, the lowest first; not 0: shadowed.
 using ShadowMask = std::vector<unsigned char>;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OffscreenFixture.h"
 
+#include "GLErrors.h"
+
 #include "vtkNBufferVTKVersion.h"
 #include VTKNBUFFER_GL_HEADER
 
@@ -65,32 +67,6 @@ TestOutput* GetOutput()
     return created;
   }();
   return output;
-}
-
-#ifdef GL_DEBUG_OUTPUT
-void OnDebugMessage(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* text, const void*)
-{
-  if (type == GL_DEBUG_TYPE_ERROR)
-  {
-    ADD_FAILURE() << "OpenGL error: " << text;
-  }
-}
-#endif
-
-void EnableDebugOutput()
-{
-#ifdef GL_DEBUG_OUTPUT
-  GLint major = 0;
-  GLint minor = 0;
-  glGetIntegerv(GL_MAJOR_VERSION, &major);
-  glGetIntegerv(GL_MINOR_VERSION, &minor);
-  if (major > 4 || (major == 4 && minor >= 3))
-  {
-    glEnable(GL_DEBUG_OUTPUT);
-    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-    glDebugMessageCallback(reinterpret_cast<GLDEBUGPROC>(&OnDebugMessage), nullptr);
-  }
-#endif
 }
 
 vtkSmartPointer<vtkOpenGLRenderWindow> CreateWindow(int width, int height, int multiSamples)
@@ -159,7 +135,7 @@ vtkSmartPointer<vtkOpenGLRenderWindow> OffscreenFixture::NewWindow(
   int width, int height, int multiSamples)
 {
   auto window = CreateWindow(width, height, multiSamples);
-  EnableDebugOutput();
+  ReportGLErrors([](const char* text) { ADD_FAILURE() << "OpenGL error: " << text; });
   return window;
 }
 

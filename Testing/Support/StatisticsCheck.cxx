@@ -36,12 +36,12 @@ std::string FindInconsistency(const vtkNBufferStatistics& s, int maximumNumberOf
     demand(s.Lookups >= s.Queries, "Lookups >= Queries");
     // Pixels looked at for props in doubt count as lookups, too.
     demand(
-      s.Lookups <= 4 * s.Queries || s.PixelTestTime > 0.0, "at most four lookups for a rectangle");
+      s.Lookups <= 4 * s.Queries || s.PassedCoarseTest > 0, "at most four lookups for a rectangle");
     demand(hidden <= s.HeldBack, "only what is held back can be hidden");
   }
-  else if (s.Decision != vtkNBufferDecision::NoDepth && s.Decision != vtkNBufferDecision::OtherView)
+  else if (s.Decision < vtkNBufferDecision::OtherView)
   {
-    // These two are found out while the held props are drawn.
+    // The decisions from OtherView on are found out while the held props are drawn.
     demand(s.Levels == 0 && s.Texels == 0 && s.Queries == 0 && s.Lookups == 0 && s.ReadBacks == 0 &&
         s.BytesRead == 0 && s.Tested == 0,
       "a frame without a test does no work");

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file FuzzProps.h
+ * @file SceneProps.h
  * @brief VTK's props from their descriptions, and the changes that they suffer.
  */
-#ifndef FuzzProps_h
-#define FuzzProps_h
+#ifndef SceneProps_h
+#define SceneProps_h
 
 #include "Scenario.h"
 
@@ -14,16 +14,13 @@
 
 class vtkCamera;
 
-namespace NBufferFuzz
+namespace TestScene
 {
 /// `camera` is what followers follow.
 vtkSmartPointer<vtkProp> MakeProp(const Prop& prop, vtkCamera* camera);
 
 /// Changes that do not fit the kind of prop leave it as it is.
 void ChangeProp(vtkProp* prop, const Prop& description, const Change& change);
-
-/// The n-th value of a change, or 0.
-double GetValue(const Change& change, std::size_t n);
 }
 
 #endif

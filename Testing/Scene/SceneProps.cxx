@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FuzzProps.h"
+#include "SceneProps.h"
 #include "CompositeMapper.h"
 
-#include "FuzzLights.h"
+#include "LightRig.h"
 #include "Shapes.h"
 
 #include "vtkNBufferVTKVersion.h"
@@ -41,7 +41,7 @@
 
 #include <algorithm>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 namespace
 {
@@ -99,7 +99,7 @@ vtkSmartPointer<vtkMapper> MakeMapper(const Prop& prop)
   {
     Shape small = prop.Shape;
     small.Center = { 0.0, 0.0, 0.0 };
-    std::for_each(small.Size.begin(), small.Size.end(), [](double& size) { size *= 0.2; });
+    small.Size *= 0.2;
     vtkNew<vtkGlyph3DMapper> mapper;
     mapper->SetInputData(MakeShape(prop.Shape));
     mapper->SetSourceData(MakeShape(small));
@@ -201,7 +201,7 @@ vtkSmartPointer<vtkProp3D> MakeVolume(const Prop& prop)
   constexpr int side = 6;
   vtkNew<vtkImageData> image;
   image->SetDimensions(side, side, side);
-  const Vector3& size = prop.Shape.Size;
+  const glm::dvec3& size = prop.Shape.Size;
   const auto spacing = [&size](int i) { return std::max(size[i], 1e-3) / (side - 1); };
   image->SetSpacing(spacing(0), spacing(1), spacing(2));
   image->SetOrigin(prop.Shape.Center[0] - 0.5 * size[0], prop.Shape.Center[1] - 0.5 * size[1],
@@ -368,11 +368,6 @@ void ChangeActor(vtkActor* actor, const Prop& description, const Change& change)
 }
 }
 
-double GetValue(const Change& change, std::size_t n)
-{
-  return n < change.Values.size() ? change.Values[n] : 0.0;
-}
-
 vtkSmartPointer<vtkProp> MakeProp(const Prop& prop, vtkCamera* camera)
 {
   if (prop.Kind == PropKind::Text)
@@ -401,7 +396,7 @@ void ChangeProp(vtkProp* prop, const Prop& description, const Change& change)
   }
   else if (change.Kind == ChangeKind::Casts)
   {
-    Lights::SetCasts(prop, values[0] != 0.0);
+    LightRig::SetCasts(prop, values[0] != 0.0);
   }
   else if (auto* prop3D = vtkProp3D::SafeDownCast(prop))
   {

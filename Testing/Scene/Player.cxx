@@ -1,16 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FuzzStage.h"
+#include "Player.h"
 
-#include "FuzzProps.h"
+#include "Fill.h"
+#include "SceneProps.h"
 #include "Tune.h"
 
 #include "vtkNBufferVTKVersion.h"
 
 #include "vtkActor.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
-#include "vtkCommand.h"
 #include "vtkCullerCollection.h"
 #include "vtkDataObject.h"
 #include "vtkHardwareSelector.h"
@@ -25,15 +24,10 @@
 #include <algorithm>
 #include <sstream>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 namespace
 {
-void CountDraw(vtkObject*, unsigned long, void* counter, void*)
-{
-  ++*static_cast<int*>(counter);
-}
-
 void SetStereo(vtkRenderWindow* window, int type)
 {
   window->SetStereoRender(type >= 0);
@@ -90,21 +84,21 @@ void SetUp(vtkRenderer* renderer, const Renderer& description, int index)
 }
 }
 
-Stage::~Stage()
+Player::~Player()
 {
   this->End();
 }
 
-void Stage::DropWindow()
+void Player::DropWindow()
 {
   this->End();
   this->Window = nullptr;
 }
 
-void Stage::Begin(const Scenario& scenario)
+void Player::Begin(const Scenario& scenario)
 {
   this->End();
-  const NBufferFuzz::Window& window = scenario.Window;
+  const TestScene::Window& window = scenario.Window;
   if (this->Window && this->StencilCapable != window.StencilCapable)
   {
     this->DropWindow();
@@ -128,36 +122,42 @@ void Stage::Begin(const Scenario& scenario)
   this->AddRenderers();
   this->Lighting.Begin(scenario, this->Renderers);
   this->AddCullers();
-  this->Members.resize(scenario.Props.size());
+  this->Props.resize(scenario.Props.size());
+  this->Present.resize(scenario.Props.size(), false);
   for (std::size_t i = 0; i < scenario.Props.size(); ++i)
   {
-    this->Members[i].Description = &scenario.Props[i];
-    this->Places[scenario.Props[i].Id] = i;
+    this->Draws.push_back(std::make_shared<int>(0));
+    this->Places[scenario.Props[i].Id] = static_cast<int>(i);
   }
 }
 
-void Stage::End()
+void Player::End()
 {
+  // Props, passes and renderers that go delete their objects in the context that is current, some
+  // of VTK's without asking which it is: those of the other stage's window have the same names.
   this->MakeCurrent();
   for (const auto& renderer : this->Renderers)
   {
     renderer->RemoveAllViewProps();
     this->Window->RemoveRenderer(renderer);
   }
-  this->Members.clear();
+  this->Props.clear();
+  this->Present.clear();
   this->Places.clear();
   this->Lighting.End();
   this->Renderers.clear();
   this->Cullers.clear();
+  this->Culler = nullptr;
+  this->Draws.clear();
   this->Scene = nullptr;
 }
 
-void Stage::AddRenderers()
+void Player::AddRenderers()
 {
   int layers = 1;
   for (std::size_t i = 0; i < this->Scene->Renderers.size(); ++i)
   {
-    const NBufferFuzz::Renderer& description = this->Scene->Renderers[i];
+    const TestScene::Renderer& description = this->Scene->Renderers[i];
     auto renderer = vtkSmartPointer<vtkRenderer>::New();
     SetUp(renderer, description, static_cast<int>(i));
     if (description.SharesCamera && i > 0)
@@ -176,9 +176,9 @@ void Stage::AddRenderers()
   }
 }
 
-void Stage::AddCullers()
+void Player::AddCullers()
 {
-  const NBufferFuzz::Culler& settings = this->Scene->Culler;
+  const TestScene::Culler& settings = this->Scene->Culler;
   for (const auto& renderer : this->Renderers)
   {
     if (this->Part == Role::Reference || settings.DefaultCuller == DefaultCuller::Removed)
@@ -212,29 +212,12 @@ void Stage::AddCullers()
     {
       this->Cullers.push_back(this->Cullers.front());
     }
+    this->Culler = this->Cullers.front();
   }
-}
-
-vtkNBufferCuller* Stage::GetCuller(int renderer) const
-{
-  if (this->Part != Role::Culled ||
-    !this->Renderers[renderer]->GetCullers()->IsItemPresent(this->Cullers[renderer]))
-  {
-    return nullptr;
-  }
-  return this->Cullers[renderer];
 }
 
 //------------------------------------------------------------------------------------------------
-void Stage::MakeCurrent()
-{
-  if (this->Window)
-  {
-    this->Window->MakeCurrent();
-  }
-}
-
-std::string Stage::Prepare(int frame)
+std::string Player::Prepare(int frame)
 {
   this->MakeCurrent();
   this->Frame = frame;
@@ -272,60 +255,50 @@ std::string Stage::Prepare(int frame)
   return found;
 }
 
-void Stage::Render(ShadowPasses passes)
+void Player::UsePasses(ShadowPasses passes)
 {
   this->MakeCurrent();
   this->Lighting.UsePasses(passes);
-  for (Member& member : this->Members)
-  {
-    member.Draws = 0;
-  }
-  this->Window->Render();
 }
 
-void Stage::JoinAndLeave(int frame)
+void Player::JoinAndLeave(int frame)
 {
-  for (Member& member : this->Members)
+  for (int i = 0; i < static_cast<int>(this->Props.size()); ++i)
   {
-    const Prop& description = *member.Description;
+    const Prop& description = this->Scene->Props[i];
     const bool present =
       description.From <= frame && (description.Until < 0 || frame < description.Until);
-    if (present != member.Present)
+    if (present != this->Present[i])
     {
-      this->Join(member, present);
+      this->Join(i, present);
     }
   }
 }
 
-void Stage::Join(Member& member, bool present)
+void Player::Join(int prop, bool present)
 {
-  const Prop& description = *member.Description;
+  const Prop& description = this->Scene->Props[prop];
   const int index = description.Renderer;
   if (index < 0 || index >= this->GetNumberOfRenderers())
   {
     return;
   }
-  if (!member.Object)
+  vtkSmartPointer<vtkProp>& object = this->Props[prop];
+  if (!object)
   {
-    member.Object = MakeProp(description, this->Renderers[index]->GetActiveCamera());
+    object = MakeProp(description, this->Renderers[index]->GetActiveCamera());
+    const auto owner = this->Places.find(description.MapperOf);
+    ShareMapper(object, owner == this->Places.end() ? nullptr : this->Props[owner->second].Get());
     if (this->Lighting.HasShadows())
     {
-      Lights::SetCasts(member.Object, description.Casts);
+      LightRig::SetCasts(object, description.Casts);
     }
-    auto* actor = vtkActor::SafeDownCast(member.Object);
-    // Polydata mappers announce every piece they draw by a StartEvent; others announce updates as
-    // well, or draw by mappers of their own.
-    if (actor && actor->GetMapper() &&
-      (description.Kind == PropKind::Actor || description.Kind == PropKind::Piped))
+    if (auto* actor = vtkActor::SafeDownCast(object))
     {
-      vtkNew<vtkCallbackCommand> observer;
-      observer->SetCallback(CountDraw);
-      observer->SetClientData(&member.Draws);
-      actor->GetMapper()->AddObserver(vtkCommand::StartEvent, observer);
-      member.Counted = true;
+      this->CountDraws(actor);
     }
   }
-  member.Present = present;
+  this->Present[prop] = present;
   for (int i = 0; i < this->GetNumberOfRenderers(); ++i)
   {
     if (i != index && (index != 0 || !this->Scene->Renderers[i].SharesProps))
@@ -334,43 +307,25 @@ void Stage::Join(Member& member, bool present)
     }
     if (present)
     {
-      this->Renderers[i]->AddViewProp(member.Object);
+      this->Renderers[i]->AddViewProp(object);
     }
     else
     {
-      this->Renderers[i]->RemoveViewProp(member.Object);
+      this->Renderers[i]->RemoveViewProp(object);
     }
   }
 }
 
-void Stage::Look(const View& view)
+void Player::Look(const View& view)
 {
-  if (view.Renderer < 0 || view.Renderer >= this->GetNumberOfRenderers())
+  if (view.Renderer >= 0 && view.Renderer < this->GetNumberOfRenderers())
   {
-    return;
-  }
-  vtkRenderer* renderer = this->Renderers[view.Renderer];
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetPosition(view.Position.data());
-  camera->SetFocalPoint(view.FocalPoint.data());
-  camera->SetViewUp(view.ViewUp.data());
-  camera->SetViewAngle(view.ViewAngle);
-  camera->SetParallelProjection(view.Parallel);
-  camera->SetParallelScale(view.ParallelScale);
-  camera->SetWindowCenter(view.WindowCenter[0], view.WindowCenter[1]);
-  camera->SetEyeAngle(view.EyeAngle);
-  if (view.Near == 0.0 && view.Far == 0.0)
-  {
-    renderer->ResetCameraClippingRange();
-  }
-  else
-  {
-    camera->SetClippingRange(view.Near, view.Far);
+    SetView(this->Renderers[view.Renderer], view);
   }
 }
 
 //------------------------------------------------------------------------------------------------
-void Stage::Apply(const Change& change)
+void Player::Apply(const Change& change)
 {
   if (this->Lighting.Apply(change))
   {
@@ -428,23 +383,23 @@ void Stage::Apply(const Change& change)
       break;
   }
   const auto found = this->Places.find(change.Target);
-  if (found == this->Places.end() || !this->Members[found->second].Object)
+  if (found == this->Places.end() || !this->Props[found->second])
   {
     return;
   }
-  Member& member = this->Members[found->second];
+  const int prop = found->second;
   if (change.Kind != ChangeKind::Rejoin)
   {
-    ChangeProp(member.Object, *member.Description, change);
+    ChangeProp(this->Props[prop], this->Scene->Props[prop], change);
   }
-  else if (member.Present)
+  else if (this->Present[prop])
   {
-    this->Join(member, false);
-    this->Join(member, true);
+    this->Join(prop, false);
+    this->Join(prop, true);
   }
 }
 
-void Stage::ApplyToWindow(const Change& change)
+void Player::ApplyToWindow(const Change& change)
 {
   const double value = GetValue(change, 0);
   switch (change.Kind)
@@ -473,7 +428,7 @@ void Stage::ApplyToWindow(const Change& change)
   }
 }
 
-void Stage::ApplyToCullers(const Change& change)
+void Player::ApplyToCullers(const Change& change)
 {
   const auto value = static_cast<int>(GetValue(change, 0));
   for (std::size_t i = 0; i < this->Cullers.size(); ++i)
@@ -513,7 +468,7 @@ void Stage::ApplyToCullers(const Change& change)
   }
 }
 
-std::string Stage::Select()
+std::string Player::Select()
 {
   // Before the first frame there is nothing to select from.
   if (this->Frame == 0)
@@ -531,9 +486,9 @@ std::string Stage::Select()
   {
     vtkInformation* properties = selection->GetNode(i)->GetProperties();
     vtkObjectBase* prop = properties->Get(vtkSelectionNode::PROP());
-    const auto member = std::find_if(this->Members.begin(), this->Members.end(),
-      [prop](const Member& candidate) { return candidate.Object == prop; });
-    const int id = member == this->Members.end() ? -1 : member->Description->Id;
+    const auto place = std::find(this->Props.begin(), this->Props.end(), prop);
+    const int id =
+      place == this->Props.end() ? -1 : this->Scene->Props[place - this->Props.begin()].Id;
     found[id] += properties->Get(vtkSelectionNode::PIXEL_COUNT());
   }
   std::ostringstream text;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FuzzPasses.h"
+#include "ScenePasses.h"
 
 #include "vtkCameraPass.h"
 #include "vtkDefaultPass.h"
@@ -22,7 +22,7 @@
 
 #include <initializer_list>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 namespace
 {

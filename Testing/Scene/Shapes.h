@@ -12,12 +12,16 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-namespace NBufferFuzz
+namespace TestScene
 {
 /// The same to the bit for equal shapes. `scalars`: one RGBA colour for each point, translucent in
 /// places or opaque, or none.
 vtkSmartPointer<vtkPolyData> MakeShape(
   const Shape& shape, Translucency scalars = Translucency::None);
+
+/// A box whose faces have points and normals of their own. `precision`: VTK_FLOAT or VTK_DOUBLE.
+vtkSmartPointer<vtkPolyData> MakeBox(
+  const glm::dvec3& center, const glm::dvec3& size, int precision = VTK_FLOAT);
 }
 
 #endif

@@ -16,7 +16,7 @@
 
 #include <string>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 /// Without the members that have their defaults.
 Json::Value ToJson(const Scenario& scenario);

@@ -5,18 +5,22 @@
 #include "Random.h"
 
 #include "vtkCellArray.h"
+#include "vtkConeSource.h"
+#include "vtkCubeSource.h"
+#include "vtkCylinderSource.h"
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 namespace
 {
@@ -33,12 +37,12 @@ public:
 
   vtkIdType Point(double x, double y, double z)
   {
-    const Vector3& c = this->Box.Center;
-    const Vector3& s = this->Box.Size;
+    const glm::dvec3& c = this->Box.Center;
+    const glm::dvec3& s = this->Box.Size;
     return this->Points->InsertNextPoint(c[0] + x * s[0], c[1] + y * s[1], c[2] + z * s[2]);
   }
   /// A point of a corner of its own for each face, with the face's normal.
-  vtkIdType Point(double x, double y, double z, const Vector3& normal)
+  vtkIdType Point(double x, double y, double z, const glm::dvec3& normal)
   {
     this->Normals->InsertNextTuple3(normal[0], normal[1], normal[2]);
     return this->Point(x, y, z);
@@ -106,31 +110,7 @@ private:
   vtkNew<vtkFloatArray> Normals;
 };
 
-void AddBox(Builder& builder)
-{
-  builder.InitializeNormals();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (double side : { -0.5, 0.5 })
-    {
-      Vector3 normal = { 0.0, 0.0, 0.0 };
-      normal[axis] = 2.0 * side;
-      vtkIdType first = 0;
-      for (int corner = 0; corner < 4; ++corner)
-      {
-        Vector3 p;
-        p[axis] = side;
-        p[(axis + 1) % 3] = (corner == 0 || corner == 3 ? -0.5 : 0.5) * (2.0 * side);
-        p[(axis + 2) % 3] = corner < 2 ? -0.5 : 0.5;
-        const vtkIdType id = builder.Point(p[0], p[1], p[2], normal);
-        first = corner == 0 ? id : first;
-      }
-      builder.Polygon({ first, first + 1, first + 2, first + 3 });
-    }
-  }
-}
-
-void AddSphere(Builder& builder, int detail)
+void AddRings(Builder& builder, int detail)
 {
   builder.InitializeNormals();
   const int columns = 6 + 2 * detail;
@@ -141,7 +121,7 @@ void AddSphere(Builder& builder, int detail)
     for (int column = 0; column < columns; ++column)
     {
       const double longitude = 2.0 * vtkMath::Pi() * column / columns;
-      const Vector3 n = { std::cos(latitude) * std::cos(longitude),
+      const glm::dvec3 n = { std::cos(latitude) * std::cos(longitude),
         std::cos(latitude) * std::sin(longitude), std::sin(latitude) };
       builder.Point(0.5 * n[0], 0.5 * n[1], 0.5 * n[2], n);
       if (row > 0)
@@ -236,13 +216,125 @@ void AddStrip(Builder& builder, int detail, NBufferExamples::Random& random)
   }
 }
 
+void AddSharedBox(Builder& builder)
+{
+  for (int i = 0; i < 8; ++i)
+  {
+    builder.Point(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, i & 4 ? 0.5 : -0.5);
+  }
+  for (const auto& face : { std::initializer_list<vtkIdType>{ 0, 2, 3, 1 }, { 4, 5, 7, 6 },
+         { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } })
+  {
+    builder.Polygon(face);
+  }
+}
+
+void AddTiles(Builder& builder, int detail)
+{
+  for (int j = 0; j <= detail; ++j)
+  {
+    for (int i = 0; i <= detail; ++i)
+    {
+      const vtkIdType id = builder.Point(
+        static_cast<double>(i) / detail - 0.5, static_cast<double>(j) / detail - 0.5, 0.0);
+      if (i > 0 && j > 0)
+      {
+        builder.Polygon({ id - detail - 2, id - detail - 1, id, id - 1 });
+      }
+    }
+  }
+}
+
+/// What refers to a point that is not there is left out.
+void AddMesh(Builder& builder, const Shape& shape)
+{
+  const std::vector<double>& points = shape.Points;
+  for (std::size_t i = 0; i + 2 < points.size(); i += 3)
+  {
+    builder.Point(points[i], points[i + 1], points[i + 2]);
+  }
+  const auto count = static_cast<double>(builder.Points->GetNumberOfPoints());
+  std::vector<vtkIdType> polygon;
+  for (std::size_t i = 0; i < shape.Polygons.size();)
+  {
+    const double corners = shape.Polygons[i++];
+    polygon.clear();
+    for (; i < shape.Polygons.size() && polygon.size() < corners; ++i)
+    {
+      if (shape.Polygons[i] >= 0.0 && shape.Polygons[i] < count)
+      {
+        polygon.push_back(static_cast<vtkIdType>(shape.Polygons[i]));
+      }
+    }
+    if (polygon.size() > 2)
+    {
+      builder.Polygons->InsertNextCell(static_cast<vtkIdType>(polygon.size()), polygon.data());
+    }
+  }
+}
+
+/// A shape that VTK has a source for.
+template <typename Source>
+vtkSmartPointer<vtkPolyData> Finish(Source* source, int precision)
+{
+  source->SetOutputPointsPrecision(
+    precision == VTK_DOUBLE ? vtkAlgorithm::DOUBLE_PRECISION : vtkAlgorithm::SINGLE_PRECISION);
+  source->Update();
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->DeepCopy(source->GetOutput());
+  return data;
+}
+
+/// nullptr if VTK has no source for it.
+vtkSmartPointer<vtkPolyData> MakeFromSource(const Shape& shape, int precision)
+{
+  const auto setRound = [&shape](auto* source)
+  {
+    source->SetCenter(shape.Center[0], shape.Center[1], shape.Center[2]);
+    source->SetRadius(0.5 * shape.Size[0]);
+  };
+  const int detail = std::clamp(shape.Detail, 3, LargestDetail);
+  switch (shape.Kind)
+  {
+    case ShapeKind::Box:
+    case ShapeKind::NaNPoint:
+      return MakeBox(shape.Center, shape.Size, precision);
+    case ShapeKind::Globe:
+    {
+      vtkNew<vtkSphereSource> source;
+      setRound(source.Get());
+      source->SetThetaResolution(detail);
+      source->SetPhiResolution(detail);
+      return Finish(source.Get(), precision);
+    }
+    case ShapeKind::Cylinder:
+    {
+      vtkNew<vtkCylinderSource> source;
+      setRound(source.Get());
+      source->SetHeight(shape.Size[1]);
+      source->SetResolution(detail);
+      return Finish(source.Get(), precision);
+    }
+    case ShapeKind::Cone:
+    {
+      vtkNew<vtkConeSource> source;
+      setRound(source.Get());
+      source->SetHeight(shape.Size[1]);
+      source->SetResolution(detail);
+      return Finish(source.Get(), precision);
+    }
+    default:
+      return nullptr;
+  }
+}
+
 void AddCells(Builder& builder, const Shape& shape, int detail)
 {
   NBufferExamples::Random random(static_cast<std::uint64_t>(shape.Seed) + 1);
   switch (shape.Kind)
   {
     case ShapeKind::Sphere:
-      AddSphere(builder, std::min(detail, 8));
+      AddRings(builder, std::min(detail, 8));
       break;
     case ShapeKind::Quad:
       builder.UprightQuad(-0.5, -0.5, 0.5, 0.5);
@@ -290,11 +382,16 @@ void AddCells(Builder& builder, const Shape& shape, int detail)
     case ShapeKind::Stack:
       AddStack(builder, detail);
       break;
-    case ShapeKind::Empty:
+    case ShapeKind::SharedBox:
+      AddSharedBox(builder);
       break;
-    case ShapeKind::Box:
-    case ShapeKind::NaNPoint:
-      AddBox(builder);
+    case ShapeKind::Tiles:
+      AddTiles(builder, detail);
+      break;
+    case ShapeKind::Mesh:
+      AddMesh(builder, shape);
+      break;
+    default:
       break;
   }
 }
@@ -313,15 +410,30 @@ void AddScalars(vtkPolyData* data, Translucency translucency)
 }
 }
 
+vtkSmartPointer<vtkPolyData> MakeBox(
+  const glm::dvec3& center, const glm::dvec3& size, int precision)
+{
+  vtkNew<vtkCubeSource> source;
+  source->SetCenter(center[0], center[1], center[2]);
+  source->SetXLength(size[0]);
+  source->SetYLength(size[1]);
+  source->SetZLength(size[2]);
+  return Finish(source.Get(), precision);
+}
+
 vtkSmartPointer<vtkPolyData> MakeShape(const Shape& shape, Translucency scalars)
 {
-  Builder builder(shape);
   // Large coordinates would lose their shape as floats before VTK moves them.
-  const bool large = std::any_of(
-    shape.Center.begin(), shape.Center.end(), [](double value) { return std::abs(value) > 1e3; });
-  builder.Points->SetDataType(large || shape.Seed % 2 ? VTK_DOUBLE : VTK_FLOAT);
-  AddCells(builder, shape, std::min(std::max(shape.Detail, 1), LargestDetail));
-  vtkSmartPointer<vtkPolyData> data = builder.Finish();
+  const bool large = glm::any(glm::greaterThan(glm::abs(shape.Center), glm::dvec3(1e3)));
+  const int precision = large || shape.Seed % 2 ? VTK_DOUBLE : VTK_FLOAT;
+  vtkSmartPointer<vtkPolyData> data = MakeFromSource(shape, precision);
+  if (!data)
+  {
+    Builder builder(shape);
+    builder.Points->SetDataType(precision);
+    AddCells(builder, shape, std::min(std::max(shape.Detail, 1), LargestDetail));
+    data = builder.Finish();
+  }
   if (shape.Kind == ShapeKind::NaNPoint)
   {
     const double value = shape.Seed % 2 ? std::numeric_limits<double>::infinity()

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FuzzLights.h"
+#include "LightRig.h"
 
-#include "FuzzPasses.h"
-#include "FuzzProps.h"
+#include "ScenePasses.h"
 #include "Tune.h"
 
 #include "vtkInformation.h"
@@ -13,18 +12,18 @@
 
 #include <algorithm>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 namespace
 {
 vtkInformationIntegerKey* GetCasterKey()
 {
   static vtkInformationIntegerKey* key =
-    vtkInformationIntegerKey::MakeKey("CASTS", "NBufferFuzz::Lights");
+    vtkInformationIntegerKey::MakeKey("CASTS", "TestScene::Lights");
   return key;
 }
 
-Vector3 GetVector(const Change& change)
+glm::dvec3 GetVector(const Change& change)
 {
   return { GetValue(change, 0), GetValue(change, 1), GetValue(change, 2) };
 }
@@ -47,17 +46,24 @@ void SetUp(vtkLight* light, const Light& description)
   light->SetPositional(spot || description.Kind == LightKind::Point);
   light->SetConeAngle(spot ? description.ConeAngle : 180.0);
   light->SetExponent(description.Exponent);
-  light->SetPosition(description.Position.data());
-  light->SetFocalPoint(description.FocalPoint.data());
-  light->SetAttenuationValues(description.Attenuation.data());
-  light->SetColor(description.Color.data());
+  light->SetPosition(glm::value_ptr(description.Position));
+  light->SetFocalPoint(glm::value_ptr(description.FocalPoint));
+  light->SetAttenuationValues(glm::value_ptr(description.Attenuation));
+  light->SetColor(glm::value_ptr(description.Color));
   light->SetIntensity(description.Intensity);
   light->SetSwitch(description.On);
   light->SetShadowAttenuation(static_cast<float>(description.ShadowAttenuation));
 }
 }
 
-void Lights::SetCasts(vtkProp* prop, bool casts)
+vtkSmartPointer<vtkLight> MakeLight(const Light& light)
+{
+  auto result = vtkSmartPointer<vtkLight>::New();
+  SetUp(result, light);
+  return result;
+}
+
+void LightRig::SetCasts(vtkProp* prop, bool casts)
 {
   vtkSmartPointer<vtkInformation> keys = prop->GetPropertyKeys();
   if (!keys)
@@ -75,7 +81,7 @@ void Lights::SetCasts(vtkProp* prop, bool casts)
   }
 }
 
-void Lights::Begin(
+void LightRig::Begin(
   const Scenario& scenario, const std::vector<vtkSmartPointer<vtkRenderer>>& renderers)
 {
   this->Settings = scenario.Shadows;
@@ -90,24 +96,23 @@ void Lights::Begin(
   }
 }
 
-void Lights::End()
+void LightRig::End()
 {
   this->Places.clear();
 }
 
-void Lights::AddLights(Place& place) const
+void LightRig::AddLights(Place& place) const
 {
   place.Renderer->SetAutomaticLightCreation(this->Descriptions.empty());
   for (const Light& description : this->Descriptions)
   {
-    auto light = vtkSmartPointer<vtkLight>::New();
-    NBufferFuzz::SetUp(light, description);
+    vtkSmartPointer<vtkLight> light = MakeLight(description);
     place.Renderer->AddLight(light);
     place.Lights.push_back(light);
   }
 }
 
-void Lights::SetUp(vtkShadowVolumeClampPass* pass, ShadowMode mode) const
+void LightRig::SetUp(vtkShadowVolumeClampPass* pass, ShadowMode mode) const
 {
   using Pass = vtkShadowVolumeClampPass;
   constexpr int modes[] = { Pass::Unclamped, Pass::Scissored, Pass::Clamped, Pass::Automatic,
@@ -131,7 +136,7 @@ void Lights::SetUp(vtkShadowVolumeClampPass* pass, ShadowMode mode) const
   }
 }
 
-void Lights::SetPassKind(int renderer, PassKind kind)
+void LightRig::SetPassKind(int renderer, PassKind kind)
 {
   Place& place = this->Places[renderer];
   place.Kind = kind;
@@ -144,13 +149,13 @@ void Lights::SetPassKind(int renderer, PassKind kind)
   }
 }
 
-bool Lights::HasShadows() const
+bool LightRig::HasShadows() const
 {
   return std::any_of(this->Places.begin(), this->Places.end(),
     [](const Place& place) { return HasShadowVolumes(place.Kind); });
 }
 
-void Lights::UsePasses(ShadowPasses which)
+void LightRig::UsePasses(ShadowPasses which)
 {
   const auto getLasting = [this](Place& place)
   {
@@ -210,7 +215,7 @@ void Lights::UsePasses(ShadowPasses which)
   }
 }
 
-bool Lights::Apply(const Change& change)
+bool LightRig::Apply(const Change& change)
 {
   const double value = GetValue(change, 0);
   switch (change.Kind)
@@ -268,7 +273,7 @@ bool Lights::Apply(const Change& change)
   }
   for (Place& place : this->Places)
   {
-    NBufferFuzz::SetUp(place.Lights[change.Target], description);
+    TestScene::SetUp(place.Lights[change.Target], description);
   }
   return true;
 }

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 namespace
 {
@@ -39,6 +39,16 @@ Json::Value Encode(double value)
     return value;
   }
   return std::isnan(value) ? "nan" : value > 0.0 ? "inf" : "-inf";
+}
+
+Json::Value Encode(const glm::dvec3& value)
+{
+  Json::Value result(Json::arrayValue);
+  for (int i = 0; i < 3; ++i)
+  {
+    result.append(Encode(value[i]));
+  }
+  return result;
 }
 
 template <typename T>
@@ -151,6 +161,12 @@ public:
     this->Demand(names[i] != nullptr, "one of the names known here");
     value = static_cast<T>(i);
   }
+  void operator()(const Json::Value& json, glm::dvec3& value) const
+  {
+    std::array<double, 3> values;
+    (*this)(json, values);
+    value = { values[0], values[1], values[2] };
+  }
   template <std::size_t N>
   void operator()(const Json::Value& json, std::array<double, N>& values) const
   {
@@ -207,11 +223,52 @@ Json::Value ToJson(const Scenario& scenario)
   return Encode(scenario);
 }
 
+namespace
+{
+/// Files are older than some names. What a setting did that is no more is left out, or said in
+/// another way.
+Json::Value ReplaceRetired(const Json::Value& value)
+{
+  Json::Value result = value;
+  if (result.isObject() && result["shadows"].isObject())
+  {
+    Json::Value& shadows = result["shadows"];
+    if (shadows.get("scissor", true) == false && shadows.get("mode", "Exact") == "Exact")
+    {
+      shadows["mode"] = "Culled";
+    }
+    shadows.removeMember("scissor");
+    shadows.removeMember("skip_unlit_receivers");
+  }
+  if (result.isObject() && result["changes"].isArray())
+  {
+    Json::Value changes(Json::arrayValue);
+    for (const Json::Value& change : result["changes"])
+    {
+      if (!change.isObject() || change.get("kind", "") != "SkipUnlitReceivers")
+      {
+        changes.append(change);
+      }
+    }
+    result["changes"] = changes;
+  }
+  // operator[] has made members that were not there.
+  for (const char* name : { "shadows", "changes" })
+  {
+    if (result.isObject() && result[name].isNull())
+    {
+      result.removeMember(name);
+    }
+  }
+  return result;
+}
+}
+
 Scenario FromJson(const Json::Value& value)
 {
   Scenario scenario;
   Decoder decoder("scenario");
-  decoder(value, scenario);
+  decoder(ReplaceRetired(value), scenario);
   return scenario;
 }
 

@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file FuzzPasses.h
+ * @file ScenePasses.h
  * @brief The render passes that scenarios name.
  */
-#ifndef FuzzPasses_h
-#define FuzzPasses_h
+#ifndef ScenePasses_h
+#define ScenePasses_h
 
 #include "Scenario.h"
 
 #include "vtkRenderPass.h"
 #include "vtkSmartPointer.h"
 
-namespace NBufferFuzz
+namespace TestScene
 {
 /// nullptr for PassKind::None. `shadows` is used by the kinds with shadow volumes; these are as the
 /// others, without shadows, where it is nullptr.

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file FuzzLights.h
+ * @file LightRig.h
  * @brief The lights of a stage's renderers, and their passes with shadow volumes.
  */
-#ifndef FuzzLights_h
-#define FuzzLights_h
+#ifndef LightRig_h
+#define LightRig_h
 
 #include "Scenario.h"
 
@@ -18,7 +18,7 @@
 
 #include <vector>
 
-namespace NBufferFuzz
+namespace TestScene
 {
 /// Which passes draw the next frame of renderers with shadow volumes.
 enum class ShadowPasses
@@ -29,7 +29,9 @@ enum class ShadowPasses
   Lasting
 };
 
-class Lights
+vtkSmartPointer<vtkLight> MakeLight(const Light& light);
+
+class LightRig
 {
 public:
   /// `renderers` and `scenario` must live until End().

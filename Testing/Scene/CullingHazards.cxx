@@ -1,0 +1,511 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Geometry on which culling by depth goes wrong first.
+#include "NamedScenarios.h"
+
+#include "SceneBuilder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace TestScene
+{
+namespace
+{
+using Verdict = vtkNBufferVerdict;
+
+/// A scene and what is expected of its frames. The culler tests in every frame, however few props
+/// there are.
+class HazardBuilder : public SceneBuilder
+{
+public:
+  explicit HazardBuilder(const char* name, int width = 301, int height = 173)
+  {
+    this->Result.Name = name;
+    this->Scene.Family = name;
+    this->Scene.Window.Width = width;
+    this->Scene.Window.Height = height;
+    this->Scene.Culler.DefaultCuller = DefaultCuller::Before;
+    this->Scene.Culler.RoundSize = 12;
+  }
+
+  /// The culler alone, with texels of level 0 of `baseFactor` pixels, so that every verdict is
+  /// known.
+  void BeExact(int baseFactor = 1)
+  {
+    this->Scene.Culler.DefaultCuller = DefaultCuller::Removed;
+    this->Scene.Culler.BaseFactor = baseFactor;
+    this->Scene.Culler.ReuseWhenStill = false;
+  }
+
+  /// In this frame. What the first frame has drawn as a guess is tested in the second and held back
+  /// in the third.
+  void ExpectHidden(int minimum, int maximum = Expectation().MaximumHidden)
+  {
+    Expectation& expectation = this->Expect();
+    expectation.MinimumHidden = minimum;
+    expectation.MaximumHidden = maximum;
+  }
+  void ExpectVerdict(const std::vector<int>& props, Verdict verdict, bool hasVerdict = true)
+  {
+    Expectation& expectation = this->Expect();
+    expectation.Props = props;
+    expectation.Verdict = verdict;
+    expectation.HasVerdict = hasVerdict;
+  }
+  /// The frame is drawn again, `times` times.
+  void Settle(int times = 3) { this->Scene.Frames += times; }
+
+  NamedScenario Finish()
+  {
+    this->Result.Scenario = this->Scene;
+    return this->Result;
+  }
+
+private:
+  Expectation& Expect()
+  {
+    this->Result.Expectations.emplace_back();
+    this->Result.Expectations.back().FirstFrame = this->GetFrame();
+    this->Result.Expectations.back().LastFrame = this->GetFrame();
+    return this->Result.Expectations.back();
+  }
+
+  NamedScenario Result;
+};
+
+std::vector<int> MakeRange(int first, int last, int step = 1)
+{
+  std::vector<int> range;
+  for (int i = first; i < last; i += step)
+  {
+    range.push_back(i);
+  }
+  return range;
+}
+
+//------------------------------------------------------------------------------------------------
+/// Exactly the same geometry many times over: only the last in the list shows.
+NamedScenario TheSameQuadFiftyTimes()
+{
+  HazardBuilder scene("TheSameQuadFiftyTimes");
+  for (int i = 0; i < 50; ++i)
+  {
+    scene.Quad(-2.0, -2.0, 2.0, 2.0, 0.0);
+  }
+  const int door = scene.Box({ 0.0, 0.0, 2.0 }, { 4.0, 4.0, 0.1 }).Id;
+  scene.LookFrom({ 0.0, 0.0, 12.0 });
+  for (int i = 0; i < 8; ++i)
+  {
+    scene.Move(door, { i % 4 == 3 ? 9.0 : i % 4, 0.0, 0.0 });
+    // None is hidden by another one's equal depth.
+    scene.ExpectHidden(0, i % 4 == 0 ? 50 : 0);
+    scene.NextFrame();
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    scene.Move(door, { 0.0, 0.0, 0.0 });
+    scene.LookFrom({ 0.01 * i, 0.0, 12.0 });
+    if (i == 3)
+    {
+      scene.ExpectVerdict(MakeRange(0, 50), Verdict::Hidden);
+    }
+    else
+    {
+      scene.NextFrame();
+    }
+  }
+  return scene.Finish();
+}
+
+/// A decal lies on the face of a box: its nearest depth is the farthest depth there.
+NamedScenario DecalsOnFaces()
+{
+  HazardBuilder scene("DecalsOnFaces");
+  for (int i = 0; i < 8; ++i)
+  {
+    for (int j = 0; j < 5; ++j)
+    {
+      const double x = 1.5 * i - 5.0;
+      const double y = 1.3 * j - 2.5;
+      scene.Box({ x, y, -0.5 }, { 1.0, 1.0, 1.0 });
+      scene.Quad(x - 0.3, y - 0.3, x + 0.3, y + 0.3, 0.0);
+      scene.Quad(x - 0.2, y - 0.2, x + 0.2, y + 0.2, 0.0, 3);
+    }
+  }
+  scene.Box({ 0.0, 0.0, 3.0 }, { 4.0, 3.0, 0.2 });
+  for (int i = 0; i < 10; ++i)
+  {
+    scene.LookFrom({ 6.0 * std::sin(0.8 * i), 0.3 * i, 14.0 });
+    scene.ExpectHidden(6);
+    scene.NextFrame();
+  }
+  return scene.Finish();
+}
+
+/// Tiles that abut share edges and faces; boxes are flush with their neighbours' faces.
+NamedScenario AbuttingTilesAndBoxes()
+{
+  HazardBuilder scene("AbuttingTilesAndBoxes");
+  for (int i = 0; i < 12; ++i)
+  {
+    for (int j = 0; j < 8; ++j)
+    {
+      scene.Quad(i - 6.0, j - 4.0, i - 5.0, j - 3.0, 0.0);
+      scene.Box({ i - 5.5, j - 3.5, -0.5 - (i + j) % 2 }, { 1.0, 1.0, 1.0 });
+    }
+  }
+  for (int i = 0; i < 8; ++i)
+  {
+    scene.LookFrom({ 0.8 * i - 3.0, 0.2 * i, 13.0 });
+    scene.ExpectHidden(11);
+    scene.NextFrame();
+  }
+  return scene.Finish();
+}
+
+/// The eye flies through the props, inside and out again.
+NamedScenario FlyingThroughBoxes()
+{
+  HazardBuilder scene("FlyingThroughBoxes");
+  scene.AddWall();
+  for (int i = 0; i < 24; ++i)
+  {
+    scene.LookFrom({ 0.2, 0.1, 4.0 - 0.5 * i }, { 0.1, 0.0, -20.0 });
+    scene.ExpectHidden(i > 7 ? 0 : 16);
+    scene.NextFrame();
+  }
+  return scene.Finish();
+}
+
+/// A near plane set by hand cuts the wall open and shows what is behind it. The wall ends at 20.25.
+NamedScenario NearPlaneCutsTheOccluder()
+{
+  HazardBuilder scene("NearPlaneCutsTheOccluder");
+  scene.AddWall();
+  for (const double near : { 19.0, 19.9, 20.0, 20.2, 20.3, 22.0, 25.0, 1.0 })
+  {
+    View& view = scene.LookAtWall();
+    view.Near = near;
+    view.Far = 40.0;
+    // Behind an open wall they hide each other at most.
+    scene.ExpectHidden(near >= 2.0 && near <= 20.25 ? 41 : 0, near < 20.25 ? 1000 : 9);
+    scene.NextFrame();
+  }
+  return scene.Finish();
+}
+
+/// Thousands of specks smaller than a pixel, of which none may vanish.
+NamedScenario Specks()
+{
+  HazardBuilder scene("Specks");
+  scene.Box({ 0.0, 0.0, 0.0 }, { 5.0, 3.0, 0.2 });
+  std::mt19937 random(5);
+  const auto draw = [&random](double step, double low)
+  { return step * static_cast<double>(random() % 1000) + low; };
+  for (int i = 0; i < 600; ++i)
+  {
+    const double x = draw(0.012, -6.0);
+    const double y = draw(0.008, -4.0);
+    scene.Box({ x, y, draw(0.004, -3.0) }, { 0.02, 0.02, 0.02 });
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    scene.LookFrom({ 0.4 * i, 0.0, 16.0 });
+    scene.ExpectHidden(51);
+    scene.NextFrame();
+  }
+  return scene.Finish();
+}
+
+/// Gaps of about a pixel between slats: a reduced depth must take the farthest.
+NamedScenario FenceWithNarrowGaps(int baseFactor)
+{
+  HazardBuilder scene("FenceWithNarrowGaps");
+  scene.Scene.Culler.BaseFactor = baseFactor;
+  for (int i = 0; i < 60; ++i)
+  {
+    scene.Box({ 0.2 * i - 6.0, 0.0, 2.0 }, { 0.165, 8.0, 0.05 });
+  }
+  for (int i = 0; i < 60; ++i)
+  {
+    scene.Box({ 0.19 * i - 5.8, 0.1 * (i % 30) - 1.5, -2.0 }, { 0.15, 0.15, 0.15 });
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    scene.LookFrom({ 0.33 * i, 0.0, 16.0 });
+    scene.ExpectHidden(6);
+    scene.NextFrame();
+  }
+  return scene.Finish();
+}
+
+/// Coordinates of millions with details of centimetres: vertices are rounded to float. VTK moves
+/// the points near to zero before, so that far away as many are hidden as near the origin.
+NamedScenario FarFromTheOrigin(double offset)
+{
+  HazardBuilder scene("FarFromTheOrigin");
+  const glm::dvec3 origin(offset, offset, 0.0);
+  scene.Box(origin, { 12.0, 6.0, 0.5 });
+  for (int i = 0; i < 60; ++i)
+  {
+    scene.Box(origin + glm::dvec3(0.13 * i - 4.0, 0.05 * (i % 50) - 1.0, -3.0), glm::dvec3(0.6));
+    scene.Box(origin + glm::dvec3(0.13 * i - 4.0, 3.0, 0.26), glm::dvec3(0.01));
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    scene.LookFrom(origin + glm::dvec3(0.7 * i, 0.0, 20.0), origin);
+    // The first frame draws the specks before the wall, and the second one finds out.
+    scene.ExpectHidden(i < 2 ? 0 : 51);
+    scene.NextFrame();
+  }
+  return scene.Finish();
+}
+
+/// A large model matrix undone by small coordinates, and the other way round.
+NamedScenario LargeMatricesAndScales()
+{
+  HazardBuilder scene("LargeMatricesAndScales");
+  scene.AddWall();
+  for (int i = 0; i < 30; ++i)
+  {
+    const double scale = std::pow(10.0, i % 7 - 3);
+    Prop& box = scene.Box({ 1e3 / scale, 0.0, 0.0 }, glm::dvec3(0.5 / scale));
+    box.Scale = glm::dvec3(scale);
+    box.Position = { 0.25 * i - 4.0 - 1e3, 0.3, i % 2 ? -3.0 : 2.0 };
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    scene.LookAtWall(0.5 * i);
+    scene.ExpectHidden(Wall::Hidden - 10);
+    scene.NextFrame();
+  }
+  return scene.Finish();
+}
+
+/// Depth is squeezed towards 1 with a near plane of a millimetre.
+NamedScenario ExtremeClippingRanges()
+{
+  HazardBuilder scene("ExtremeClippingRanges");
+  scene.AddWall();
+  const double ranges[][2] = { { 1e-3, 1e4 }, { 1e-3, 1e7 }, { 0.1, 1e7 }, { 10.0, 30.0 } };
+  for (const auto& range : ranges)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      View& view = scene.LookAtWall(0.2 * i);
+      view.Near = range[0];
+      view.Far = range[1];
+      scene.ExpectHidden(Wall::Hidden);
+      scene.NextFrame();
+    }
+  }
+  return scene.Finish();
+}
+
+/// Of a box that the near plane cuts, what is behind the plane is not drawn and has a depth that
+/// means nothing; the rest begins at depth 0, whatever the corners say.
+NamedScenario NearPlaneThroughABox()
+{
+  constexpr int count = 24;
+  constexpr double step = 0.25;
+  HazardBuilder scene("NearPlaneThroughABox");
+  scene.BeExact();
+  scene.AddWall();
+  for (int i = 0; i < count; ++i)
+  {
+    // From z = 0.5 on, each 0.5 long, beside each other before the wall and some small enough to
+    // lie behind it wholly if their depth were taken for that of the far side.
+    scene.Box({ 0.24 * i - 2.8, 0.0, 0.75 + step * i }, { 0.2, 1.0, 0.5 });
+  }
+  scene.LookAtWall();
+  scene.Settle();
+  scene.ExpectHidden(Wall::Hidden);
+  // At faces, just beside faces, and between them; the wall stays in view.
+  for (double z : { 2.0, 2.0 + 1e-9, 2.0 - 1e-9, 2.0 + 1e-5, 2.0 - 1e-5, 2.1, 3.25, 5.9, 0.6 })
+  {
+    scene.NextFrame();
+    View& view = scene.LookAtWall();
+    view.Near = 20.0 - z;
+    view.Far = 40.0;
+    scene.NextFrame();
+    for (int i = 0; i < count; ++i)
+    {
+      const double begin = 0.5 + step * i;
+      const bool beyond = begin > z + 1e-4;
+      const bool cut = begin < z - 1e-4 && begin + 0.5 > z + 1e-4;
+      scene.ExpectVerdict({ Wall::Count + i },
+        beyond  ? Verdict::Outside
+          : cut ? Verdict::NearPlane
+                : Verdict::Hidden,
+        beyond || cut);
+    }
+    scene.ExpectHidden(Wall::Hidden);
+  }
+  return scene.Finish();
+}
+
+/// An eye inside a box sees its inner faces in all directions, and no corner says where.
+NamedScenario EyeInsideABox(bool parallel)
+{
+  constexpr int rooms = 3;
+  constexpr int each = 120;
+  HazardBuilder scene("EyeInsideABox");
+  scene.BeExact();
+  // Rooms in each other; the walls of the smallest hide all that is outside of it.
+  for (double side : { 10.0, 11.0, 30.0 })
+  {
+    scene.Box({ 0.0, 0.0, 0.0 }, glm::dvec3(side));
+  }
+  for (int i = 0; i < each; ++i)
+  {
+    const double r = 7.0 + 0.03 * i;
+    const glm::dvec3 outside(r * std::sin(0.7 * i), 0.02 * i - 1.0, r * std::cos(0.7 * i));
+    scene.Box(outside, { 0.4, 0.4, 0.4 });
+    scene.Box(outside * glm::dvec3(0.4, 1.0, 0.4), { 0.1, 0.1, 0.1 });
+  }
+  for (int i = 0; i < 8; ++i)
+  {
+    const double angle = i < 3 ? 0.0 : 0.8 * i;
+    View& view =
+      scene.LookFrom({ 0.1, 0.0, 0.2 }, { 0.1 + std::sin(angle), 0.1, 0.2 + std::cos(angle) });
+    view.ViewAngle = 60.0;
+    view.Near = 0.05;
+    view.Far = 60.0;
+    view.Parallel = parallel;
+    view.ParallelScale = 2.0;
+    scene.NextFrame();
+    scene.ExpectVerdict(MakeRange(0, rooms), Verdict::NearPlane);
+    const std::vector<int> outside = MakeRange(rooms, rooms + 2 * each, 2);
+    for (const Verdict drawn : { Verdict::Visible, Verdict::NearPlane, Verdict::Unknown })
+    {
+      scene.ExpectVerdict(outside, drawn, false);
+    }
+    scene.ExpectHidden(each / 20 + 1);
+    scene.NextFrame();
+  }
+  return scene.Finish();
+}
+
+/// What is behind the eye has w < 0 and would land, divided by it, upside down on the screen; a box
+/// that reaches from before the eye to behind it is in view with a part of it.
+NamedScenario BoxesBehindTheEyeAndBesideIt()
+{
+  constexpr int each = 40;
+  HazardBuilder scene("BoxesBehindTheEyeAndBesideIt");
+  scene.BeExact();
+  // A wall on the left that begins beside the eye.
+  scene.Box({ -1.0, 0.0, -20.0 }, { 0.1, 60.0, 60.0 });
+  for (int i = 0; i < each; ++i)
+  {
+    const double y = 0.05 * i - 1.0;
+    scene.Box({ 0.1 * i - 2.0, y, 3.0 + 0.1 * i }, { 0.3, 0.3, 0.3 });     // behind the eye
+    scene.Box({ -3.0 - 0.02 * i, y, -10.0 }, { 0.02, 0.02, 40.0 });        // behind the wall
+    scene.Box({ 0.5 + 0.02 * i, 0.2 * y, -10.0 }, { 0.005, 0.005, 40.0 }); // in view
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    View& view = scene.LookFrom({ 0.02 * i, 0.0, 0.0 }, { 0.02 * i, 0.0, -1.0 });
+    view.ViewAngle = 50.0;
+    view.Near = 0.1;
+    view.Far = 100.0;
+    scene.ExpectVerdict(MakeRange(1, 3 * each, 3), Verdict::Outside);
+    scene.ExpectVerdict(MakeRange(3, 3 * each + 1, 3), Verdict::Hidden, false);
+    if (i > 2)
+    {
+      scene.ExpectVerdict(MakeRange(2, 3 * each, 3), Verdict::Hidden);
+    }
+    scene.NextFrame();
+  }
+  return scene.Finish();
+}
+
+/// A box smaller than a pixel, between the pixel centres or on one, seen past an edge or through a
+/// hole of one pixel.
+NamedScenario BoxesSmallerThanAPixel()
+{
+  constexpr int width = 211;
+  constexpr int height = 157;
+  constexpr double left = 40.5;
+  constexpr double right = 170.25;
+  constexpr double hole = 100.0; // lower left corner of a pixel, in x and y
+  constexpr double inHole = hole + 0.5;
+  HazardBuilder scene("BoxesSmallerThanAPixel", width, height);
+  scene.BeExact();
+  // A wall in four parts around the hole.
+  scene.Quad(left, 20.0, hole, 140.0, 50.0);
+  scene.Quad(hole + 1.0, 20.0, right, 140.0, 50.0);
+  scene.Quad(hole, 20.0, hole + 1.0, hole, 50.0);
+  scene.Quad(hole, hole + 1.0, hole + 1.0, 140.0, 50.0);
+  std::vector<int> visible;
+  std::vector<int> hidden;
+  const auto add = [&](double x, double y, bool before)
+  {
+    const int prop = scene.Box({ x, y, before ? 80.0 : 20.0 }, { 0.1, 0.1, 0.1 }).Id;
+    if (before || x < left - 0.6 || x > right + 0.6 || (x == inHole && y == inHole))
+    {
+      visible.push_back(prop); // never dropped for being small
+    }
+    else if (x > left + 1.25 && x < right - 1.25 &&
+      std::max(std::abs(x - inHole), std::abs(y - inHole)) > 2.0)
+    {
+      hidden.push_back(prop);
+    }
+  };
+  for (int i = 0; i < 130; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      add(20.0 + 1.37 * i, 60.0 + 7.23 * j + 0.11 * i, (i + j) % 3 == 0);
+    }
+  }
+  add(inHole, inHole, false);
+  scene.LookAtPixels();
+  scene.Settle();
+  scene.ExpectVerdict(visible, Verdict::Visible);
+  scene.ExpectVerdict(hidden, Verdict::Hidden);
+  scene.ExpectHidden(201);
+  return scene.Finish();
+}
+
+/// The camera jumps back and forth between views that have nothing in common; what one learns from
+/// a view must not be used in the other.
+NamedScenario TheCameraJumpsBackAndForth()
+{
+  HazardBuilder scene("TheCameraJumpsBackAndForth");
+  scene.BeExact();
+  scene.AddWall();
+  const glm::dvec3 eyes[] = { { 0.0, 0.0, 20.0 }, { 3.0, 0.5, -20.0 }, { 0.0, 40.0, 0.1 },
+    { 0.0, 0.0, 60.0 }, { 25.0, 0.0, -3.0 } };
+  int last = -1;
+  for (int view : { 0, 0, 1, 0, 0, 1, 0, 2, 0, 0, 2, 3, 0, 0, 4, 0, 4, 1, 4, 0, 0 })
+  {
+    scene.LookFrom(eyes[view]);
+    // The first frame after a jump also draws what the other view saw.
+    scene.ExpectHidden(view == 0 && last == 0 ? Wall::Hidden - 12 : 0);
+    scene.NextFrame();
+    last = view;
+  }
+  return scene.Finish();
+}
+}
+
+std::vector<NamedScenario> GetCullingHazards()
+{
+  std::vector<NamedScenario> hazards = { TheSameQuadFiftyTimes(), DecalsOnFaces(),
+    AbuttingTilesAndBoxes(), FlyingThroughBoxes(), NearPlaneCutsTheOccluder(), Specks(),
+    LargeMatricesAndScales(), ExtremeClippingRanges(), NearPlaneThroughABox(), EyeInsideABox(false),
+    EyeInsideABox(true), BoxesBehindTheEyeAndBesideIt(), BoxesSmallerThanAPixel(),
+    TheCameraJumpsBackAndForth() };
+  for (const int baseFactor : { 1, 2, 4, 8 })
+  {
+    hazards.push_back(FenceWithNarrowGaps(baseFactor));
+  }
+  for (const double offset : { 1e4, 1e6, 5e6 })
+  {
+    hazards.push_back(FarFromTheOrigin(offset));
+  }
+  return hazards;
+}
+}

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Judge.h"
+
+#include "GLErrors.h"
+#include "Messages.h"
+#include "StatisticsCheck.h"
+#include "Tune.h"
+
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cstring>
+#include <sstream>
+
+namespace TestScene
+{
+Picture TakePicture(vtkRenderWindow* window, bool withDepth, PictureSource source)
+{
+  Picture picture;
+  std::copy_n(window->GetActualSize(), 2, picture.Size);
+  const int right = picture.Size[0] - 1;
+  const int top = picture.Size[1] - 1;
+  vtkNew<vtkUnsignedCharArray> colors;
+  window->GetRGBACharPixelData(0, 0, right, top, source == PictureSource::Shown, colors);
+  picture.Colors.assign(colors->GetPointer(0), colors->GetPointer(0) + colors->GetNumberOfValues());
+  if (withDepth)
+  {
+    vtkNew<vtkFloatArray> depths;
+    window->GetZbufferData(0, 0, right, top, depths);
+    picture.Depths.assign(
+      depths->GetPointer(0), depths->GetPointer(0) + depths->GetNumberOfValues());
+  }
+  return picture;
+}
+
+namespace
+{
+/// Compare `size` bytes of each pixel.
+template <typename T>
+void Compare(const char* what, const Picture& shape, const int region[4],
+  const std::vector<T>& expected, const std::vector<T>& actual, std::size_t values,
+  std::ostream& faults)
+{
+  const std::size_t width = static_cast<std::size_t>(shape.Size[0]);
+  std::size_t differing = 0;
+  std::size_t first = 0;
+  for (int y = region[1]; y < region[1] + region[3]; ++y)
+  {
+    const std::size_t begin = y * width + region[0];
+    const T* a = &expected[values * begin];
+    const T* b = &actual[values * begin];
+    if (std::memcmp(a, b, sizeof(T) * values * region[2]) == 0)
+    {
+      continue;
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(region[2]); ++i)
+    {
+      if (std::memcmp(a + values * i, b + values * i, sizeof(T) * values) != 0 && differing++ == 0)
+      {
+        first = begin + i;
+      }
+    }
+  }
+  if (differing == 0)
+  {
+    return;
+  }
+  faults << what << " differs in " << differing << " of " << region[2] * region[3]
+         << " pixels, first in (" << first % width << ", " << first / width << "):";
+  for (const std::vector<T>* image : { &expected, &actual })
+  {
+    for (std::size_t i = 0; i < values; ++i)
+    {
+      faults << ' ' << +(*image)[values * first + i];
+    }
+    faults << (image == &expected ? " expected," : " drawn\n");
+  }
+}
+}
+
+std::string FindDifference(const Picture& expected, const Picture& actual, const int region[4])
+{
+  const std::size_t count = static_cast<std::size_t>(expected.Size[0]) * expected.Size[1];
+  if (!std::equal(expected.Size, expected.Size + 2, actual.Size) ||
+    expected.Colors.size() != 4 * count || actual.Colors.size() != 4 * count)
+  {
+    return "The windows have different sizes.\n";
+  }
+  const int all[4] = { 0, 0, expected.Size[0], expected.Size[1] };
+  const int* part = region ? region : all;
+  std::ostringstream faults;
+  Compare("The image", expected, part, expected.Colors, actual.Colors, 4, faults);
+  if (expected.Depths.size() == count && actual.Depths.size() == count)
+  {
+    Compare("The depth", expected, part, expected.Depths, actual.Depths, 1, faults);
+  }
+  return faults.str();
+}
+
+FrameErrors RenderFrame(Stage& stage)
+{
+  stage.ResetDraws();
+  // Before the first frame there may be no context.
+  if (!stage.Window->GetNeverRendered())
+  {
+    stage.MakeCurrent();
+    CollectGLErrors();
+  }
+  stage.Window->Render();
+  stage.MakeCurrent();
+  FrameErrors errors;
+  errors.GL = TakeGLErrors();
+  errors.VTK = TakeMessages();
+  return errors;
+}
+
+std::string FindInconsistency(const Stage& stage)
+{
+  std::string faults;
+  for (int i = 0; i < stage.GetNumberOfRenderers(); ++i)
+  {
+    if (vtkNBufferCuller* culler = stage.GetCuller(i))
+    {
+      const vtkNBufferStatistics& statistics = culler->GetStatistics(stage.GetRenderer(i));
+      const std::string fault =
+        ::FindInconsistency(statistics, culler->GetTuning().MaximumNumberOfRounds);
+      faults += fault.empty() ? "" : fault + "\n" + statistics.GetAsJSON() + "\n";
+    }
+  }
+  return faults;
+}
+
+std::string FindWrongDraws(
+  const Stage& reference, const Stage& tested, MustBeDrawn which, bool exactly)
+{
+  int redrawn = 0;
+  for (int i = 0; i < tested.GetNumberOfRenderers(); ++i)
+  {
+    if (vtkNBufferCuller* culler = tested.GetCuller(i))
+    {
+      const vtkNBufferStatistics& statistics = culler->GetStatistics(tested.GetRenderer(i));
+      redrawn += statistics.Redrawn;
+      // In a view that draws twice what was hidden the first time makes up for some of the extra
+      // draws of the second.
+      exactly = exactly && (i > 0 || statistics.Decision != vtkNBufferDecision::OtherView);
+    }
+  }
+  vtkNBufferCuller* culler = tested.GetCuller();
+  int extra = 0;
+  std::ostringstream wrong;
+  for (int i = 0; i < static_cast<int>(tested.Props.size()); ++i)
+  {
+    if (!tested.AreDrawsCounted(i))
+    {
+      exactly = false;
+      continue;
+    }
+    const int expected = reference.GetDraws(i);
+    const int drawn = tested.GetDraws(i);
+    extra += std::max(drawn - expected, 0);
+    if (tested.GetNumberOfRenderers() > 1 || !culler)
+    {
+      continue; // a prop may be in several renderers
+    }
+    const vtkNBufferVerdict verdict = culler->GetVerdict(tested.Props[i], tested.GetRenderer());
+    const bool culled =
+      verdict == vtkNBufferVerdict::Hidden || verdict == vtkNBufferVerdict::Outside;
+    const bool wanted = which == MustBeDrawn::Tested
+      ? verdict == vtkNBufferVerdict::Visible || verdict == vtkNBufferVerdict::NearPlane
+      : which == MustBeDrawn::NotCulled && !culled;
+    if ((culled && drawn > 0) || (wanted && drawn < expected))
+    {
+      wrong << "Prop " << i << " is " << vtkNBufferStatistics::GetName(verdict) << " and was drawn "
+            << drawn << " times, " << expected << " in the reference.\n";
+    }
+  }
+  if (extra > redrawn || (exactly && extra != redrawn))
+  {
+    wrong << extra << " draws beyond those of the reference, " << redrawn << " counted.\n";
+  }
+  return wrong.str();
+}
+}

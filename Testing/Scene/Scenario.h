@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Scenario.h
+ * @brief Some frames of a scene as plain data: made from a seed, written as JSON, run twice.
+ *
+ * A member that has its default is left out of the file, so that the defaults, like the names, are
+ * part of the format. Every combination of values can be run: what refers to something that is not
+ * there is passed over. The shrinker relies on both.
+ */
+#ifndef Scenario_h
+#define Scenario_h
+
+#include "ScenarioChanges.h"
+#include "ScenarioProps.h"
+#include "ScenarioWindow.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace TestScene
+{
+enum class LightKind
+{
+  Directional,
+  Spot,
+  Point,
+  Headlight,
+  Camera ///< A directional light that moves with the camera; in its coordinates.
+};
+NBUFFER_SCENE_NAMES(LightKind, "Directional", "Spot", "Point", "Headlight", "Camera");
+
+/// Every renderer has one of its own of each.
+struct Light
+{
+  LightKind Kind = LightKind::Directional;
+  glm::dvec3 Position = { 3.0, 8.0, 5.0 };
+  glm::dvec3 FocalPoint = { 0.0, 0.0, 0.0 };
+  double ConeAngle = 40.0; ///< Of spots.
+  double Exponent = 0.0;   ///< Of spots.
+  glm::dvec3 Attenuation = { 1.0, 0.0, 0.0 };
+  glm::dvec3 Color = { 1.0, 1.0, 1.0 };
+  double Intensity = 0.7;
+  bool On = true;
+  bool Casts = true; ///< vtkShadowVolumeClampPass::SetLightCasts
+  double ShadowAttenuation = 1.0;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& visit)
+  {
+    visit("kind", self.Kind);
+    visit("position", self.Position);
+    visit("focal_point", self.FocalPoint);
+    visit("cone_angle", self.ConeAngle);
+    visit("exponent", self.Exponent);
+    visit("attenuation", self.Attenuation);
+    visit("color", self.Color);
+    visit("intensity", self.Intensity);
+    visit("on", self.On);
+    visit("casts", self.Casts);
+    visit("shadow_attenuation", self.ShadowAttenuation);
+  }
+};
+
+enum class ShadowMode
+{
+  Unclamped,
+  Scissored,
+  Clamped,
+  Automatic,
+  Culled ///< Last, since recorded changes hold the numbers of the others.
+};
+NBUFFER_SCENE_NAMES(ShadowMode, "Unclamped", "Exact", "Clamped", "Automatic", "Culled");
+
+/// Properties of vtkShadowVolumeClampPass of the same names, and how it is used.
+struct Shadows
+{
+  ShadowMode Mode = ShadowMode::Scissored;
+  int LitmapResolution = 256;
+  int SlabGap = 4;
+  int BoxCost = 256;
+  bool CasterKeys = false;  ///< Only props with Prop::Casts cast.
+  bool OneForAll = false;   ///< Renderers share one pass object.
+  bool CompareRays = false; ///< One frame is compared with rays in double precision, too.
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& visit)
+  {
+    visit("mode", self.Mode);
+    visit("litmap_resolution", self.LitmapResolution);
+    visit("slab_gap", self.SlabGap);
+    visit("box_cost", self.BoxCost);
+    visit("caster_keys", self.CasterKeys);
+    visit("one_for_all", self.OneForAll);
+    visit("compare_rays", self.CompareRays);
+  }
+};
+
+struct Scenario
+{
+  std::uint64_t Seed = 0;
+  std::string Family; ///< What kind of scene the generator made; only for people.
+  int Frames = 1;
+  TestScene::Window Window;
+  std::vector<TestScene::Renderer> Renderers = std::vector<TestScene::Renderer>(1);
+  TestScene::Culler Culler;
+  TestScene::Shadows Shadows;
+  std::vector<TestScene::Light> Lights; ///< None: VTK's own headlight.
+  std::vector<TestScene::Prop> Props;   ///< In the order in which they join the renderers.
+  std::vector<TestScene::View> Views;
+  std::vector<TestScene::Change> Changes;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& visit)
+  {
+    visit("seed", self.Seed);
+    visit("family", self.Family);
+    visit("frames", self.Frames);
+    visit("window", self.Window);
+    visit("renderers", self.Renderers);
+    visit("culler", self.Culler);
+    visit("shadows", self.Shadows);
+    visit("lights", self.Lights);
+    visit("props", self.Props);
+    visit("views", self.Views);
+    visit("changes", self.Changes);
+  }
+};
+}
+
+#endif

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ScenarioProps.h
+ * @brief What a scenario says of a prop.
+ */
+#ifndef ScenarioProps_h
+#define ScenarioProps_h
+
+#include "ScenarioNames.h"
+
+#include "vtkNBufferGLM.h"
+
+#include <vector>
+
+namespace TestScene
+{
+enum class ShapeKind
+{
+  Box,
+  Sphere,
+  Quad,      ///< Upright, normal z.
+  Grating,   ///< `Detail` upright bars; they fill the share `Fill` of the width.
+  Lattice,   ///< `Detail` x `Detail` upright cells of which about the share `Fill` is there.
+  Terrain,   ///< `Detail` x `Detail` cells with heights anywhere in the box.
+  Soup,      ///< `Detail` triangles anywhere in the box.
+  Lines,     ///< `Detail` segments anywhere in the box.
+  Points,    ///< `Detail` vertices anywhere in the box.
+  Book,      ///< `Detail` leaves round an upright spine that they share, wound by turns.
+  Strip,     ///< A triangle strip of 2 x `Detail` triangles, heights anywhere in the box.
+  Stack,     ///< `Detail` level quads above each other.
+  Empty,     ///< No points at all.
+  NaNPoint,  ///< A box with a coordinate that is no number, or infinite for an odd `Seed`.
+  SharedBox, ///< A box whose eight points are shared by its faces.
+  Globe,    ///< VTK's sphere with `Detail` meridians and parallels: one point at each pole, a seam.
+  Cylinder, ///< VTK's cylinder along y with `Detail` sides.
+  Cone,     ///< VTK's cone along x with `Detail` sides.
+  Tiles,    ///< An upright rectangle of `Detail` x `Detail` quads that share their points.
+  Mesh      ///< `Points` and `Polygons` as they are, moved to `Center` and scaled by `Size`.
+};
+NBUFFER_SCENE_NAMES(ShapeKind, "Box", "Sphere", "Quad", "Grating", "Lattice", "Terrain", "Soup",
+  "Lines", "Points", "Book", "Strip", "Stack", "Empty", "NaNPoint", "SharedBox", "Globe",
+  "Cylinder", "Cone", "Tiles", "Mesh");
+
+struct Shape
+{
+  ShapeKind Kind = ShapeKind::Box;
+  glm::dvec3 Center = { 0.0, 0.0, 0.0 };
+  glm::dvec3 Size = { 1.0, 1.0, 1.0 };
+  int Detail = 1;
+  double Fill = 0.5;
+  int Seed = 0;                 ///< Points are stored as doubles if it is odd.
+  std::vector<double> Points;   ///< Of a Mesh: three coordinates for each point.
+  std::vector<double> Polygons; ///< Of a Mesh: for each polygon the number of its points and these.
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& visit)
+  {
+    visit("kind", self.Kind);
+    visit("center", self.Center);
+    visit("size", self.Size);
+    visit("detail", self.Detail);
+    visit("fill", self.Fill);
+    visit("seed", self.Seed);
+    visit("points", self.Points);
+    visit("polygons", self.Polygons);
+  }
+};
+
+//------------------------------------------------------------------------------------------------
+enum class PropKind
+{
+  Actor,
+  Piped,     ///< An actor whose data come out of a filter.
+  DataSet,   ///< An actor with vtkDataSetMapper.
+  Composite, ///< Two blocks side by side, the second one of another colour.
+  Assembly,  ///< Two actors side by side.
+  Follower,
+  Glyphs, ///< The shape, small, at its own points.
+  LOD,
+  Volume,
+  Billboard,
+  Text,
+  NoMapper
+};
+NBUFFER_SCENE_NAMES(PropKind, "Actor", "Piped", "DataSet", "Composite", "Assembly", "Follower",
+  "Glyphs", "LOD", "Volume", "Billboard", "Text", "NoMapper");
+
+enum class Representation
+{
+  Points,
+  Wireframe,
+  Surface
+};
+NBUFFER_SCENE_NAMES(Representation, "Points", "Wireframe", "Surface");
+
+enum class Translucency
+{
+  None,
+  Some, ///< Of the texture or the scalars: alpha below 1 in places.
+  Opaque
+};
+NBUFFER_SCENE_NAMES(Translucency, "None", "Some", "Opaque");
+
+enum class Shader
+{
+  Original,
+  MovesVertices,
+  WritesDepth
+};
+NBUFFER_SCENE_NAMES(Shader, "Original", "MovesVertices", "WritesDepth");
+
+struct Prop
+{
+  int Id = 0; ///< What changes refer to.
+  PropKind Kind = PropKind::Actor;
+  TestScene::Shape Shape;
+  int Renderer = 0;
+  int From = 0;   ///< First frame in which it is in the renderer.
+  int Until = -1; ///< First frame in which it is not any more; -1: never.
+  glm::dvec3 Position = { 0.0, 0.0, 0.0 };
+  glm::dvec3 Orientation = { 0.0, 0.0, 0.0 };
+  glm::dvec3 Scale = { 1.0, 1.0, 1.0 };
+  std::vector<double> UserMatrix; ///< Empty or 16.
+  glm::dvec3 Color = { 1.0, 1.0, 1.0 };
+  double Opacity = 1.0;
+  bool Visible = true;
+  bool Lighting = true;
+  bool Flat = false;
+  TestScene::Representation Representation = TestScene::Representation::Surface;
+  bool Edges = false;
+  bool Vertices = false;
+  bool Spheres = false;
+  bool Tubes = false;
+  double LineWidth = 1.0;
+  double PointSize = 1.0;
+  int CulledFaces = 0; ///< 1 front, 2 back.
+  bool ForceOpaque = false;
+  bool ForceTranslucent = false;
+  Translucency Texture = Translucency::None;
+  Translucency Scalars = Translucency::None;
+  TestScene::Shader Shader = TestScene::Shader::Original;
+  std::vector<double> ClippingPlane; ///< Empty, or origin and normal.
+  bool ShiftCoordinates = true;      ///< Large coordinates are moved on their way to the device.
+  double OffsetUnits = 0.0;          ///< Relative polygon offset, where such offsets are on.
+  bool Casts = true;                 ///< Has the key of Shadows::CasterKeys.
+  int MapperOf = -1; ///< Id of the actor before it whose mapper it shares; -1: none.
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& visit)
+  {
+    visit("id", self.Id);
+    visit("kind", self.Kind);
+    visit("shape", self.Shape);
+    visit("renderer", self.Renderer);
+    visit("from", self.From);
+    visit("until", self.Until);
+    visit("position", self.Position);
+    visit("orientation", self.Orientation);
+    visit("scale", self.Scale);
+    visit("user_matrix", self.UserMatrix);
+    visit("color", self.Color);
+    visit("opacity", self.Opacity);
+    visit("visible", self.Visible);
+    visit("lighting", self.Lighting);
+    visit("flat", self.Flat);
+    visit("representation", self.Representation);
+    visit("edges", self.Edges);
+    visit("vertices", self.Vertices);
+    visit("spheres", self.Spheres);
+    visit("tubes", self.Tubes);
+    visit("line_width", self.LineWidth);
+    visit("point_size", self.PointSize);
+    visit("culled_faces", self.CulledFaces);
+    visit("force_opaque", self.ForceOpaque);
+    visit("force_translucent", self.ForceTranslucent);
+    visit("texture", self.Texture);
+    visit("scalars", self.Scalars);
+    visit("shader", self.Shader);
+    visit("clipping_plane", self.ClippingPlane);
+    visit("shift_coordinates", self.ShiftCoordinates);
+    visit("offset_units", self.OffsetUnits);
+    visit("casts", self.Casts);
+    visit("mapper_of", self.MapperOf);
+  }
+};
+}
+
+#endif
