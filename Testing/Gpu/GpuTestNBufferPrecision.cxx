@@ -346,7 +346,8 @@ bool IsForetold(const vtkNBufferProjection& projection, const Triangle& triangle
   }
   mesh.Triangles = { { 0, 1, 2 } };
   vtkNBufferSliverTest test(projection, levels, 0.0);
-  return test.MayBeSeen(mesh, glm::dmat4(1.0), box, screen);
+  const double toWorld[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  return test.MayBeSeen(mesh, toWorld, box, screen);
 }
 }
 

@@ -22,18 +22,6 @@ using Verdict = vtkNBufferVerdict;
 using Decision = vtkNBufferDecision;
 using Scenes::Wall;
 
-namespace
-{
-void LookFromTheOrigin(Stage& stage, double x, double near = 0.1, double far = 100.0)
-{
-  vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
-  camera->SetPosition(x, 0.0, 0.0);
-  camera->SetFocalPoint(x, 0.0, -1.0);
-  camera->SetViewAngle(50.0);
-  camera->SetClippingRange(near, far);
-}
-}
-
 //------------------------------------------------------------------------------------------------
 namespace
 {

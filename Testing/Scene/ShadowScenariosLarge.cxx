@@ -52,6 +52,8 @@ void LightUp(SceneBuilder& scene, LightKind lighting, const glm::dvec3& position
     case LightKind::Point:
       scene.PointLight(position);
       break;
+    default: // The other kinds do not cast.
+      break;
   }
 }
 
