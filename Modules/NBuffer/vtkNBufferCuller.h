@@ -37,12 +37,13 @@
  *
  * ## Cost
  *
- * Per frame: about 0.1 microseconds per prop for cached bounds and the frustum test (of long lists
- * over a hierarchy, see vtkNBufferTuning::HierarchySize), one microsecond or two for a prop with a
- * pipeline; one read-back of a reduced depth image (software renderers: of the whole one), and the
- * levels that the rectangles of this frame call for. Nothing of that with fewer candidates than
- * vtkNBufferTuning::MinimumNumberOfCandidates, with a still camera and unchanged props, or, but for
- * a probe now and then, where recent frames hid next to nothing.
+ * A frame costs about 0.1 microseconds per prop for cached bounds and the frustum test (for long
+ * lists over a hierarchy, see vtkNBufferTuning::HierarchySize), and one microsecond or two for a
+ * prop with a pipeline. A test costs one read-back of a reduced depth image (with software
+ * renderers, of the whole one) and the levels that the rectangles of this frame need. There is no
+ * test in a frame with fewer candidates than vtkNBufferTuning::MinimumNumberOfCandidates, and none
+ * with a still camera and unchanged props. Where recent frames hid next to nothing, only a probe
+ * now and then is tested.
  *
  * ## Lifetime
  *

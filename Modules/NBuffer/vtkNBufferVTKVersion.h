@@ -4,7 +4,7 @@
  * @file vtkNBufferVTKVersion.h
  * @brief Every difference between the supported versions of VTK (9.1 to 9.7), and nothing else.
  *
- * Code elsewhere asks for a feature by the names defined here and never for a version number.
+ * Code elsewhere tests for a feature by the names defined here and never for a version number.
  */
 #ifndef vtkNBufferVTKVersion_h
 #define vtkNBufferVTKVersion_h

@@ -42,7 +42,7 @@
  * With multisampling masks have the samples of the framebuffer that is drawn, and so has the depth
  * of the receivers. A fragment gets the mean of the mask over the samples in which it is seen,
  * as if each of them had been shaded by itself. (OpenGL before 4.0 without ARB_gpu_shader5 does not
- * say which it covers: then those of its depth are taken.)
+ * say which it covers: then those of its depth are used.)
  *
  * ## Limits
  *

@@ -52,7 +52,7 @@ std::vector<float> MakeDepth(int width, int height)
   return depth;
 }
 
-vtkNBufferProjection MakeProjection(int width, int height)
+vtkNBufferProjection LookAlongStreet(int width, int height)
 {
   vtkNew<vtkCamera> camera;
   camera->SetPosition(0.0, 0.0, 1.7);
@@ -181,7 +181,7 @@ void QueryFour(benchmark::State& state)
 
 void FrustumTest(benchmark::State& state)
 {
-  const vtkNBufferProjection projection = MakeProjection(Width, Height);
+  const vtkNBufferProjection projection = LookAlongStreet(Width, Height);
   const Boxes boxes = MakeBoxes(projection);
   std::size_t n = 0;
   for (auto _ : state)
@@ -192,7 +192,7 @@ void FrustumTest(benchmark::State& state)
 
 void Project(benchmark::State& state)
 {
-  const vtkNBufferProjection projection = MakeProjection(Width, Height);
+  const vtkNBufferProjection projection = LookAlongStreet(Width, Height);
   const Boxes boxes = MakeBoxes(projection);
   vtkNBufferScreenBox screen;
   std::size_t n = 0;
@@ -207,7 +207,7 @@ void Project(benchmark::State& state)
 void TestProp(benchmark::State& state)
 {
   const auto pieces = static_cast<int>(state.range(0));
-  const vtkNBufferProjection projection = MakeProjection(Width, Height);
+  const vtkNBufferProjection projection = LookAlongStreet(Width, Height);
   const Boxes boxes = MakeBoxes(projection);
   const std::vector<float> depth = MakeDepth(Width, Height);
   vtkNBufferLevels levels;
@@ -227,7 +227,7 @@ void TestProp(benchmark::State& state)
 /// The second opinion, asked only of those that the levels do not hide.
 void TestPixels(benchmark::State& state)
 {
-  const vtkNBufferProjection projection = MakeProjection(Width, Height);
+  const vtkNBufferProjection projection = LookAlongStreet(Width, Height);
   const Boxes boxes = MakeBoxes(projection);
   const std::vector<float> depth = MakeDepth(Width, Height);
   vtkNBufferLevels levels;

@@ -22,7 +22,7 @@ DepthFrame MakeFrame()
   DepthFrame frame;
   frame.Width = Width;
   frame.Height = Height;
-  frame.Projection = StudyTest::MakeProjection(Width, Height);
+  frame.Projection = StudyTest::LookAlongY(Width, Height);
   frame.Depth.assign(static_cast<std::size_t>(Width) * Height, 1.0f);
   for (int y = 0; y < Height; ++y)
   {

@@ -19,7 +19,7 @@ DepthFrame MakeFrame()
   DepthFrame frame;
   frame.Width = 120;
   frame.Height = 90;
-  frame.Projection = StudyTest::MakeProjection(120, 90);
+  frame.Projection = StudyTest::LookAlongY(120, 90);
   frame.Depth.assign(120 * 90, StudyTest::GetDepth(100.0));
   for (double y : { 60.0, 99.0, 101.0, 200.0 })
   {

@@ -11,7 +11,7 @@ namespace
 {
 TEST(StudyOutline, IsThatOfTheDoubleLoopOverPixelCentres)
 {
-  const vtkNBufferProjection projection = StudyTest::MakeProjection(300, 200);
+  const vtkNBufferProjection projection = StudyTest::LookAlongY(300, 200);
   int boxesSeen = 0;
   for (const vtkNBufferBox& box : MakeRandomBoxes(400, 5))
   {

@@ -4,11 +4,11 @@
 // is hidden is not drawn.
 #include "OffscreenFixture.h"
 #include "QueryCuller.h"
+#include "Shapes.h"
 #include "vtkNBufferVTKVersion.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkCubeSource.h"
 #include "vtkCullerCollection.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -65,13 +65,11 @@ protected:
     this->Culler->SetTarget(GetParam().Target);
   }
 
-  void AddBox(double x, double y, double z, double sx, double sy, double sz)
+  void AddPart(double x, double y, double z, double sx, double sy, double sz)
   {
-    vtkNew<vtkCubeSource> cube;
-    cube->SetBounds(x, x + sx, y, y + sy, z, z + sz);
+    const glm::dvec3 size = { sx, sy, sz };
     vtkNew<vtkPolyDataMapper> mapper;
-    cube->Update();
-    mapper->SetInputData(cube->GetOutput());
+    mapper->SetInputData(TestScene::MakeBox(glm::dvec3(x, y, z) + 0.5 * size, size));
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     actor->GetProperty()->SetColor(
@@ -83,13 +81,13 @@ protected:
   /// A wall before a block of 64 boxes, and a box before it.
   void AddWall()
   {
-    this->AddBox(-20.0, -20.0, 0.0, 40.0, 40.0, 0.0);
+    this->AddPart(-20.0, -20.0, 0.0, 40.0, 40.0, 0.0);
     for (int i = 0; i < 64; ++i)
     {
-      this->AddBox(
+      this->AddPart(
         -6.0 + 3.0 * (i % 4), -6.0 + 3.0 * (i / 4 % 4), -5.0 - 3.0 * (i / 16), 2.0, 2.0, 2.0);
     }
-    this->AddBox(-1.0, -1.0, 4.0, 2.0, 2.0, 2.0);
+    this->AddPart(-1.0, -1.0, 4.0, 2.0, 2.0, 2.0);
     this->SetCamera(0.0, 0.0, 20.0);
   }
 
@@ -181,7 +179,7 @@ TEST_P(StudyPeers, FacesInOnePlaneEndInTheRenderersOrder)
     const double x = static_cast<double>(random() % 8) - 4.0;
     const double y = static_cast<double>(random() % 8) - 4.0;
     const double z = static_cast<double>(random() % 3) - 3.0;
-    this->AddBox(x, y, z, 1.0 + random() % 3, 1.0 + random() % 3, random() % 3);
+    this->AddPart(x, y, z, 1.0 + random() % 3, 1.0 + random() % 3, random() % 3);
   }
   for (int frame = 0; frame < 6; ++frame)
   {
@@ -194,7 +192,7 @@ TEST_P(StudyPeers, FlatPropsDoNotHideThemselves)
 {
   for (int i = 0; i < 30; ++i)
   {
-    this->AddBox(-8.0 + 0.5 * i, -4.0 + 0.2 * i, -0.1 * i, 3.0, 2.0, 0.0);
+    this->AddPart(-8.0 + 0.5 * i, -4.0 + 0.2 * i, -0.1 * i, 3.0, 2.0, 0.0);
   }
   for (double x : { -30.0, 0.0, 14.0 })
   {
@@ -206,7 +204,7 @@ TEST_P(StudyPeers, FlatPropsDoNotHideThemselves)
 TEST_P(StudyPeers, InsideOfAProp)
 {
   this->AddWall();
-  this->AddBox(-1.0, -1.0, 18.0, 2.0, 2.0, 4.0);
+  this->AddPart(-1.0, -1.0, 18.0, 2.0, 2.0, 4.0);
   this->Compare("the eye in a box");
   this->SetCamera(0.0, 0.0, 17.95);
   this->Compare("the near plane at a face");
@@ -219,7 +217,7 @@ TEST_P(StudyPeers, PropsComeAndGo)
 {
   this->AddWall();
   this->Compare("before");
-  this->AddBox(-4.0, 2.0, 2.0, 1.0, 1.0, 1.0);
+  this->AddPart(-4.0, 2.0, 2.0, 1.0, 1.0, 1.0);
   EXPECT_EQ(this->Compare("one more").InView, 67);
   vtkActor* wall = vtkActor::SafeDownCast(this->Renderer->GetViewProps()->GetItemAsObject(0));
   wall->SetPosition(0.0, 0.0, -30.0);

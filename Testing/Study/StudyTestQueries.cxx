@@ -20,7 +20,7 @@ using namespace NBufferPeers;
 constexpr int Width = 320;
 constexpr int Height = 200;
 
-vtkNBufferBox MakeBox(double x, double y, double size = 0.5)
+vtkNBufferBox MakeCubeAt(double x, double y, double size = 0.5)
 {
   const double bounds[6] = { x, x + size, y, y + size, -size, size };
   return vtkNBufferBox::FromBounds(bounds);
@@ -32,7 +32,7 @@ class KnowingHost : public QueryHost
 public:
   KnowingHost(std::vector<vtkNBufferBox> boxes, int delay)
     : Boxes(std::move(boxes))
-    , Projection(StudyTest::MakeProjection(Width, Height))
+    , Projection(StudyTest::LookAlongY(Width, Height))
     , Delay(delay)
   {
   }
@@ -91,7 +91,7 @@ std::vector<vtkNBufferBox> MakeGrid(int count)
   std::vector<vtkNBufferBox> boxes;
   for (int i = 0; i < count; ++i)
   {
-    boxes.push_back(MakeBox(-6.0 + i % 13, 30.0 + 3.0 * (i / 13)));
+    boxes.push_back(MakeCubeAt(-6.0 + i % 13, 30.0 + 3.0 * (i / 13)));
   }
   return boxes;
 }
@@ -117,7 +117,7 @@ TEST(StudyQueries, FlatAsksEveryPropOnceNearestFirst)
 
 TEST(StudyQueries, WhatReachesTheEyeIsDrawnUnasked)
 {
-  KnowingHost host({ MakeBox(-1.0, -1.0, 20.0) }, 0);
+  KnowingHost host({ MakeCubeAt(-1.0, -1.0, 20.0) }, 0);
   std::vector<FlatItem> items = { { host.Place(host.Boxes[0]), 0 } };
   DrawByFlatQueries(host, items);
   EXPECT_EQ(host.Drawn.size(), 1u);
@@ -208,7 +208,7 @@ TEST(StudyQueries, PaddedBoxesReachBeyondWhatIsDrawn)
 {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> place(-40.0, 40.0);
-  const vtkNBufferProjection projection = StudyTest::MakeProjection(Width, Height);
+  const vtkNBufferProjection projection = StudyTest::LookAlongY(Width, Height);
   int asked = 0;
   for (int n = 0; n < 2000; ++n)
   {
@@ -261,11 +261,11 @@ TEST(StudyQueries, PaddedBoxesReachBeyondWhatIsDrawn)
 
 TEST(StudyQueries, WhatTouchesTheNearPlaneIsNotAsked)
 {
-  const vtkNBufferProjection projection = StudyTest::MakeProjection(Width, Height);
+  const vtkNBufferProjection projection = StudyTest::LookAlongY(Width, Height);
   int inside = 0;
   for (double y = 0.0; y < 4.0; y += 0.001)
   {
-    const vtkNBufferBox box = MakeBox(-0.05, y, 0.1);
+    const vtkNBufferBox box = MakeCubeAt(-0.05, y, 0.1);
     vtkNBufferScreenBox screen;
     ClipBox clip;
     if (projection.Project(box, screen) == vtkNBufferPlacement::Inside &&

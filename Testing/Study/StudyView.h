@@ -15,7 +15,7 @@ namespace StudyTest
 {
 
 /// From the origin along y, z up, 90 degrees high, near 1, far 1000.
-inline vtkNBufferProjection MakeProjection(int width, int height)
+inline vtkNBufferProjection LookAlongY(int width, int height)
 {
   const double n = 1.0;
   const double f = 1000.0;

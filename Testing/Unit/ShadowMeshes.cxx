@@ -14,7 +14,7 @@ void glm::PrintTo(const dvec3& x, std::ostream* os)
   os->precision(digits);
 }
 
-void ShadowMesh::AddQuad(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d)
+void ShadowMesh::AddFace(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d)
 {
   this->Triangles.insert(this->Triangles.end(), { a, b, c, a, c, d });
 }
@@ -70,12 +70,12 @@ ShadowMesh MakeCube()
   {
     mesh.Points.push_back({ (i & 1) - 0.5, (i >> 1 & 1) - 0.5, (i >> 2) - 0.5 });
   }
-  mesh.AddQuad(0, 2, 3, 1); // below
-  mesh.AddQuad(0, 1, 5, 4);
-  mesh.AddQuad(1, 3, 7, 5);
-  mesh.AddQuad(3, 2, 6, 7);
-  mesh.AddQuad(2, 0, 4, 6);
-  mesh.AddQuad(4, 5, 7, 6); // above
+  mesh.AddFace(0, 2, 3, 1); // below
+  mesh.AddFace(0, 1, 5, 4);
+  mesh.AddFace(1, 3, 7, 5);
+  mesh.AddFace(3, 2, 6, 7);
+  mesh.AddFace(2, 0, 4, 6);
+  mesh.AddFace(4, 5, 7, 6); // above
   return mesh;
 }
 
@@ -91,7 +91,7 @@ ShadowMesh MakeCubeOf24()
     {
       mesh.Points.push_back(cube.Points[cube.Triangles[face + corner]]);
     }
-    mesh.AddQuad(first, first + 1, first + 2, first + 3);
+    mesh.AddFace(first, first + 1, first + 2, first + 3);
   }
   return mesh;
 }
@@ -146,12 +146,12 @@ ShadowMesh MakeEll()
   for (int i = 0; i < 6; ++i)
   {
     const int j = (i + 1) % 6;
-    mesh.AddQuad(i, j, j + 6, i + 6);
+    mesh.AddFace(i, j, j + 6, i + 6);
   }
-  mesh.AddQuad(6, 7, 8, 9);
-  mesh.AddQuad(6, 9, 10, 11);
-  mesh.AddQuad(0, 3, 2, 1);
-  mesh.AddQuad(0, 5, 4, 3);
+  mesh.AddFace(6, 7, 8, 9);
+  mesh.AddFace(6, 9, 10, 11);
+  mesh.AddFace(0, 3, 2, 1);
+  mesh.AddFace(0, 5, 4, 3);
   return mesh;
 }
 
@@ -176,7 +176,7 @@ ShadowMesh MakeTorus(int rows, int columns)
     {
       const int i1 = (i + 1) % rows;
       const int j1 = (j + 1) % columns;
-      mesh.AddQuad(i * columns + j, i * columns + j1, i1 * columns + j1, i1 * columns + j);
+      mesh.AddFace(i * columns + j, i * columns + j1, i1 * columns + j1, i1 * columns + j);
     }
   }
   return mesh;
@@ -201,12 +201,12 @@ ShadowMesh MakePentagram()
   return mesh;
 }
 
-ShadowMesh MakeQuad()
+ShadowMesh MakeOpenRectangle()
 {
   ShadowMesh mesh;
   mesh.Name = "quad";
   mesh.Points = { { -1, -1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 } };
-  mesh.AddQuad(0, 1, 2, 3);
+  mesh.AddFace(0, 1, 2, 3);
   return mesh;
 }
 
@@ -236,7 +236,7 @@ ShadowMesh MakeMoebius(int segments)
   {
     const int a = 2 * i;
     const bool last = i == segments - 1;
-    mesh.AddQuad(a, a + 1, last ? 0 : a + 3, last ? 1 : a + 2);
+    mesh.AddFace(a, a + 1, last ? 0 : a + 3, last ? 1 : a + 2);
   }
   return mesh;
 }
@@ -249,15 +249,15 @@ ShadowMesh MakeThreePages()
     { -0.5, 0.75, 1 }, { -0.5, -0.75, -1 }, { -0.5, -0.75, 1 } };
   for (int page = 2; page < 8; page += 2)
   {
-    mesh.AddQuad(0, page, page + 1, 1);
+    mesh.AddFace(0, page, page + 1, 1);
   }
   return mesh;
 }
 
 ShadowMesh MakeTwoSided()
 {
-  ShadowMesh mesh = MakeQuad();
-  mesh.Append(MakeQuad().Reverse());
+  ShadowMesh mesh = MakeOpenRectangle();
+  mesh.Append(MakeOpenRectangle().Reverse());
   mesh.Name = "two-sided quad";
   return mesh;
 }
@@ -284,8 +284,8 @@ std::vector<ShadowMesh> MakeShadowMeshes(unsigned int seed)
 {
   std::mt19937 random(seed);
   std::vector<ShadowMesh> meshes = { MakeTetrahedron(), MakeCube(), MakeCubeOf24(),
-    MakeSphere(5, 7), MakeEll(), MakeTorus(4, 6), MakePentagram(), MakeQuad(), MakeOpenCube(),
-    MakeMoebius(9), MakeThreePages(), MakeTwoSided(), MakeSoup(random, 8, 25),
+    MakeSphere(5, 7), MakeEll(), MakeTorus(4, 6), MakePentagram(), MakeOpenRectangle(),
+    MakeOpenCube(), MakeMoebius(9), MakeThreePages(), MakeTwoSided(), MakeSoup(random, 8, 25),
     MakeSoup(random, 30, 20) };
 
   ShadowMesh duplicates = MakeCube();

@@ -36,7 +36,7 @@ struct ShadowMesh
     return static_cast<vtkIdType>(this->Triangles.size() / 3);
   }
 
-  void AddQuad(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d);
+  void AddFace(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d);
   void Append(const ShadowMesh& other);
 
   /// Points moved by the function, for all points.
@@ -70,7 +70,7 @@ ShadowMesh MakeTorus(int rows, int columns);
 ShadowMesh MakePentagram();
 
 // Others.
-ShadowMesh MakeQuad();
+ShadowMesh MakeOpenRectangle();
 ShadowMesh MakeOpenCube(); ///< Without its upper face.
 ShadowMesh MakeMoebius(int segments);
 ShadowMesh MakeThreePages(); ///< Three squares on one edge.

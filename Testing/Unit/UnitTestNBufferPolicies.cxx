@@ -19,7 +19,7 @@ namespace
 constexpr int Side = 12; // of the simulated window
 
 /// A parallel view in which world x and y are pixels and z is the depth.
-vtkNBufferProjection MakeProjection()
+vtkNBufferProjection MapWorldToPixels()
 {
   const double worldToClip[16] = { 2.0 / Side, 0.0, 0.0, -1.0, 0.0, 2.0 / Side, 0.0, -1.0, 0.0, 0.0,
     2.0, -1.0, 0.0, 0.0, 0.0, 1.0 };
@@ -75,7 +75,7 @@ std::vector<int> GetOwners(const std::vector<Pixel>& window)
 // once more where said, it must be that of the renderer's order, for any rounds.
 TEST(NBufferTieOrder, RedrawsRestoreTheOrder)
 {
-  const vtkNBufferProjection projection = MakeProjection();
+  const vtkNBufferProjection projection = MapWorldToPixels();
   std::mt19937 random(41);
   int redrawn = 0;
   int regions = 0;
@@ -157,7 +157,7 @@ TEST(NBufferTieOrder, RedrawsRestoreTheOrder)
 // Hazard: a chain of props that touch is drawn again from end to end for the first of them.
 TEST(NBufferTieOrder, ChainsEndWhereRegionsDoNotMeet)
 {
-  const vtkNBufferProjection projection = MakeProjection();
+  const vtkNBufferProjection projection = MapWorldToPixels();
   std::vector<vtkNBufferDrawnProp> drawn(5);
   for (int i = 0; i < 5; ++i)
   {
@@ -184,7 +184,7 @@ TEST(NBufferTieOrder, ChainsEndWhereRegionsDoNotMeet)
 // Hazard: a large prop that touches many small ones is drawn again all over.
 TEST(NBufferTieOrder, RegionsAreNoMoreThanFour)
 {
-  const vtkNBufferProjection projection = MakeProjection();
+  const vtkNBufferProjection projection = MapWorldToPixels();
   std::vector<vtkNBufferDrawnProp> drawn(7);
   for (int i = 0; i < 7; ++i)
   {
@@ -214,7 +214,7 @@ TEST(NBufferTieOrder, RegionsAreNoMoreThanFour)
 // Hazard: props that cannot touch are drawn twice for nothing.
 TEST(NBufferTieOrder, OnlyPropsThatTouchTie)
 {
-  const vtkNBufferProjection projection = MakeProjection();
+  const vtkNBufferProjection projection = MapWorldToPixels();
   const auto make = [&projection](double x, double y, double z)
   {
     vtkNBufferDrawnProp prop;

@@ -104,7 +104,7 @@ struct Volume
 // Triangles at infinity, behind the eye and beside the view are cut as the device does.
 TEST(ShadowCostModel, EstimateIsTheNumberOfFragments)
 {
-  for (const ShadowMesh& mesh : { MakeTetrahedron(), MakeCube(), MakeQuad(), MakeEll(),
+  for (const ShadowMesh& mesh : { MakeTetrahedron(), MakeCube(), MakeOpenRectangle(), MakeEll(),
          MakeCube().Translate(0.0, 0.0, 2.5), MakeCube().Translate(1.5, 0.7, 1.0) })
   {
     for (const bool positional : { false, true })
@@ -131,7 +131,8 @@ TEST(ShadowCostModel, SomeTrianglesStandForAll)
 TEST(ShadowCostModel, NothingAndBesideTheView)
 {
   EXPECT_EQ(vtkShadowCostModel::EstimateFragments(vtkShadowVolume(), Clip, Width, Height), 0.0);
-  EXPECT_EQ(Volume(MakeQuad().Translate(0.0, 0.0, 30.0), false).Estimate(), 0.0) << "behind";
+  EXPECT_EQ(Volume(MakeOpenRectangle().Translate(0.0, 0.0, 30.0), false).Estimate(), 0.0)
+    << "behind";
 }
 
 // Both sides of the rule: much to draw, many samples, six faces, a fast device.

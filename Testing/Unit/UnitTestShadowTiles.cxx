@@ -257,7 +257,8 @@ TEST(ShadowUmbra, SheetsOfManyTrianglesHaveOnePlane)
   ShadowMesh bumps;
   for (int i = 0; i < 200; ++i)
   {
-    const ShadowMesh quad = MakeQuad().Translate(2.0 * (i % 20) - 20.0, 2.0 * (i / 20) - 10.0, 0.0);
+    const ShadowMesh quad =
+      MakeOpenRectangle().Translate(2.0 * (i % 20) - 20.0, 2.0 * (i / 20) - 10.0, 0.0);
     sheet.Append(quad);
     bumps.Append(
       quad.Move([&](const Point& x) { return Point(x[0], x[1], MakeUniform(random, -0.1, 0.1)); }));

@@ -206,7 +206,7 @@ TEST(ShadowTopology, RepeatedPointsAreMerged)
 
 TEST(ShadowTopology, NegativeZeroIsZero)
 {
-  ShadowMesh mesh = MakeQuad().Unshare();
+  ShadowMesh mesh = MakeOpenRectangle().Unshare();
   mesh.Points[0][2] = -0.0;
   EXPECT_EQ(Build(mesh).GetNumberOfPoints(), 4);
   mesh.Points[0][2] = -std::numeric_limits<double>::denorm_min();
@@ -215,10 +215,10 @@ TEST(ShadowTopology, NegativeZeroIsZero)
 
 TEST(ShadowTopology, OpenAndNonManifoldEdges)
 {
-  EXPECT_EQ(CountUses(Build(MakeQuad())), (Uses{ { 1, 4 }, { 2, 1 } }));
+  EXPECT_EQ(CountUses(Build(MakeOpenRectangle())), (Uses{ { 1, 4 }, { 2, 1 } }));
   EXPECT_EQ(CountUses(Build(MakeThreePages())), (Uses{ { 1, 9 }, { 2, 3 }, { 3, 1 } }));
   EXPECT_EQ(CountUses(Build(MakeOpenCube())), (Uses{ { 1, 4 }, { 2, 13 } }));
-  EXPECT_FALSE(Build(MakeQuad()).IsClosed());
+  EXPECT_FALSE(Build(MakeOpenRectangle()).IsClosed());
   EXPECT_FALSE(Build(MakeThreePages()).IsClosed());
   EXPECT_FALSE(Build(MakeOpenCube()).IsClosed());
   EXPECT_TRUE(Build(MakeTwoSided()).IsClosed());

@@ -223,7 +223,7 @@ TEST(ShadowVolume, SilhouettesOfKnownMeshes)
   EXPECT_EQ(CountMultiplicities(cube), (Multiplicities{ { 2, 6 } }));
   EXPECT_EQ(cube.GetMaximumCount(), 2);
 
-  const vtkShadowSilhouette quad = get(MakeQuad(), sun);
+  const vtkShadowSilhouette quad = get(MakeOpenRectangle(), sun);
   EXPECT_EQ(quad.GetCounting(), vtkShadowCounting::All);
   EXPECT_EQ(CountMultiplicities(quad), (Multiplicities{ { 1, 4 } }));
   EXPECT_EQ(quad.GetMaximumCount(), 2);
@@ -318,15 +318,15 @@ TEST(ShadowVolume, CountsAreBounded)
   ShadowMesh sheets;
   for (int i = 0; i < 300; ++i)
   {
-    sheets.Append(MakeQuad().Translate(0, 0, 0.01 * i));
+    sheets.Append(MakeOpenRectangle().Translate(0, 0, 0.01 * i));
   }
   const Caster caster(sheets, MakeLight(vtkShadowLightKind::Directional, { 0, 0, 1 }, { 0, 0, 0 }),
     vtkShadowCounting::Away);
   EXPECT_GE(caster.Silhouette.GetMaximumCount(), 300);
   EXPECT_LE(caster.Silhouette.GetMaximumCount(), 600);
   // All but one in the same cell.
-  ShadowMesh pile = MakeQuad();
-  const ShadowMesh small = MakeQuad().Move(
+  ShadowMesh pile = MakeOpenRectangle();
+  const ShadowMesh small = MakeOpenRectangle().Move(
     [](const Point& x) { return Point(0.5, 0.5, 0.0) + Point(1e-3, 1e-3, 1.0) * x; });
   for (int i = 1; i <= 300; ++i)
   {

@@ -13,7 +13,7 @@
  *       |
  *     DrawHeldProps()   builds the levels of this frame's depth, tests the boxes of all candidates
  *       |               and draws the props held back that may be visible, in rounds;
- *       |               repairs what drawing late breaks (vtkNBufferLateDraws.h)
+ *       |               repairs what drawing late breaks (Late/README.md)
  *     the renderer draws the translucent props that were not found hidden
  *
  * The phase of a view says how far its frame has come:

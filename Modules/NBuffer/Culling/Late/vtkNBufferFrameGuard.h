@@ -16,7 +16,7 @@
  *    the proxies in the renderer's list.
  *
  * Between two frames the guard keeps nothing alive that the renderer does not keep alive itself.
- * vtkNBufferLateDraws.h describes the whole frame.
+ * README.md of this folder describes the whole frame.
  */
 #ifndef vtkNBufferFrameGuard_h
 #define vtkNBufferFrameGuard_h

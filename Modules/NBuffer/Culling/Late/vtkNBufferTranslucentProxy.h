@@ -7,7 +7,7 @@
  * The proxy draws its prop only while it is open. It is open when the frame begins, and the culler
  * closes it when this frame's depth shows that the prop is hidden. A closed proxy still says that
  * it has translucent geometry, so that the renderer takes the same way through its render passes as
- * without the culler. vtkNBufferLateDraws.h describes the whole frame.
+ * without the culler. README.md of this folder describes the whole frame.
  */
 #ifndef vtkNBufferTranslucentProxy_h
 #define vtkNBufferTranslucentProxy_h

@@ -75,11 +75,11 @@ struct VTKNBUFFER_EXPORT vtkShadowLight
    */
   int GetFacing(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const;
 
-  /// Returns true if X is in a spot's cone, which is taken a hundredth of a degree wider. It is
+  /// Returns true if X is in a spot's cone, which counts as a hundredth of a degree wider. It is
   /// always true for the other kinds.
   bool IsInCone(const glm::dvec3& x) const;
 
-  /// The cosine of the cone's angle as IsInCone() takes it: a point is in the cone if the cosine of
+  /// The cosine of the cone's angle as IsInCone() uses it: a point is in the cone if the cosine of
   /// its angle from the axis is at least this. It is -1 for kinds without a cone.
   double GetConeCosine() const;
 };

@@ -14,7 +14,7 @@
  *       >  samples * cost + faces * (lexels * cost + seen * cost)
  *
  * How many samples are not background is known only after the depth was read. Where it matters, the
- * number that was found last is taken (vtkShadowMaskMaker::CountSeen).
+ * number that was found last is used (vtkShadowMaskMaker::CountSeen).
  *
  * Costs in nanoseconds:
  *

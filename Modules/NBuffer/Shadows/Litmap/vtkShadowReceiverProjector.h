@@ -29,7 +29,7 @@
  * In all directions the interval is widened by the rounding of a position, 2^-20 of its distance
  * from the eye, and of world coordinates in double, 2^-48 of their size.
  *
- * Devices draw the sides of a volume a little beside their place, and the receiver's edge as well.
+ * Devices draw the sides of a volume a little off their place, and the receiver's edge as well.
  * Litmaps and tiles must hold all samples for which a volume may be drawn. So the radius grows by a
  * quarter of a pixel. (A lexel may be smaller than that.)
  *
@@ -62,7 +62,7 @@
 #define vtkShadowReceiverProjector_h
 
 #include "vtkShadowLight.h"
-#include "vtkShadowReceivers.h"
+#include "vtkShadowView.h"
 
 #include <array>
 #include <limits>

@@ -7,7 +7,7 @@
  * A sample of the depth image is a receiver if both of these hold:
  *
  *  - Its depth is nearer than the background (vtkNBufferDepthConvention.h). Geometry so close to
- * the far plane that its depth is rounded to that of the background cannot be told from it.
+ * the far plane that its depth is rounded to that of the background counts as background.
  *  - The light can reach it, or VTK's shader may take it to be reached. A directional light reaches
  *    everything, a spot what lies in its cone (vtkShadowLight::GetConeCosine). For a point light,
  *    the light space takes in one face of a cube around the light, |p| <= 1 and |q| <= 1, a little
@@ -26,34 +26,14 @@
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkShadowLight.h"
 #include "vtkShadowLitmap.h"
-
-#include <array>
-#include <vector>
+#include "vtkShadowView.h"
 
 VTK_ABI_NAMESPACE_BEGIN
-
-/**
- * The camera and the image that a depth image belongs to.
- */
-struct vtkShadowView
-{
-  /// The inverse of vtkCamera's world-to-clip matrix for z in [-w, w]. World coordinates are
-  /// relative to Origin.
-  glm::dmat4 ClipToWorld;
-
-  glm::dvec3 Origin = { 0.0, 0.0, 0.0 }; ///< The world position of the eye.
-  int Width = 0;                         ///< The number of columns, at most 65535.
-  int Height = 0;                        ///< The number of rows, at most 65535.
-  double DepthQuantum = 0x1p-24;         ///< The step of the depth format near 1.
-
-  /// The places of the samples in a pixel, in [0, 1] from its lower left corner.
-  std::vector<std::array<double, 2>> Samples = { { { 0.5, 0.5 } } };
-};
 
 namespace vtkShadowReceivers
 {
 /**
- * Roughly the range of p, q and s that the receivers of a depth image take up. It is taken from
+ * Roughly the range of p, q and s that the receivers of a depth image take up. It is measured at
  * every fourth row and column, or from all of them if these have no receiver. If there is no
  * receiver at all it is empty.
  */

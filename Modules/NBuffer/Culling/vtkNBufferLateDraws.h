@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferLateDraws
+ * @brief The props that were held back and have been drawn in this frame, in the order of drawing.
+ *
+ * It keeps the order in which the view has drawn them, draws them again for a pass that draws its
+ * list twice, and draws once more what has to come last where depths are equal. Late/README.md says
+ * what drawing late breaks, and which class repairs it.
+ */
+#ifndef vtkNBufferLateDraws_h
+#define vtkNBufferLateDraws_h
+
+#include "vtkNBufferTieOrder.h"
+
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkNBufferCandidateList;
+class vtkNBufferDeferredProxy;
+class vtkNBufferProjection;
+class vtkRenderer;
+
+class vtkNBufferLateDraws
+{
+public:
+  /// The three arguments are kept by reference and must outlive this object.
+  vtkNBufferLateDraws(vtkNBufferCandidateList& props, const vtkNBufferProjection& projection,
+    vtkNBufferDeferredProxy* proxy);
+
+  /// Begin a frame without draws.
+  void Clear() { this->Drawn.clear(); }
+
+  /// Draw the prop at index `place` of the list of candidates, with `time` seconds allocated to it.
+  /// The first round is number 1. The props of one round must come in ascending order of their
+  /// places. Returns the number of props drawn.
+  int Draw(vtkRenderer* renderer, int place, int round, double time);
+
+  /// Draw all props of this frame again, in the same order. Returns the number of props drawn.
+  int Repeat(vtkRenderer* renderer);
+
+  /**
+   * Draw props once more, so that equal depths end as in the renderer's order.
+   *
+   * `heldBack` are the places of the props that were held back, in ascending order. `samples` is
+   * the number of samples of a pixel, as in vtkNBufferDepthSource. With `screensAreValid` set to
+   * false the frame is drawn from another view than the boxes were projected with, so that any two
+   * props may have equal depths. Returns the number of draws.
+   */
+  int RestoreTieOrder(
+    vtkRenderer* renderer, const std::vector<int>& heldBack, bool screensAreValid, int samples);
+
+  /// Get the draws of this frame, in the order of drawing.
+  const std::vector<vtkNBufferDrawnProp>& Get() const { return this->Drawn; }
+
+private:
+  std::vector<vtkNBufferDrawnProp> GetAllDrawn(
+    const std::vector<int>& heldBack, bool screensAreValid) const;
+
+  vtkNBufferCandidateList& Props;
+  const vtkNBufferProjection& Projection;
+  vtkNBufferDeferredProxy* Proxy;
+  std::vector<vtkNBufferDrawnProp> Drawn;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
