@@ -36,7 +36,7 @@ std::string FindInconsistency(const vtkNBufferStatistics& s, int maximumNumberOf
     demand(s.Lookups >= s.Queries, "Lookups >= Queries");
     // Pixels looked at for props in doubt count as lookups, too.
     demand(
-      s.Lookups <= 4 * s.Queries || s.PassedCoarseTest > 0, "at most four lookups for a rectangle");
+      s.Lookups <= 4 * s.Queries || s.PixelTestTime > 0.0, "at most four lookups for a rectangle");
     demand(hidden <= s.HeldBack, "only what is held back can be hidden");
   }
   else if (s.Decision < vtkNBufferDecision::OtherView)
