@@ -37,6 +37,10 @@ vtkActor* Stage::GetActor(int index) const
 
 vtkNBufferCuller* Stage::GetCuller(int renderer) const
 {
+  if (renderer >= static_cast<int>(this->Renderers.size()))
+  {
+    return nullptr; // Shrinking may leave a window without renderers.
+  }
   vtkCullerCollection* cullers = this->Renderers[renderer]->GetCullers();
   for (int i = 0; i < cullers->GetNumberOfItems(); ++i)
   {
