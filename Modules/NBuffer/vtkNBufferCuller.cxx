@@ -210,8 +210,11 @@ void vtkNBufferCuller::SetTuning(const vtkNBufferTuning& tuning)
     vtkErrorMacro(<< fault << "; the tuning stays as it was.");
     return;
   }
-  this->Tuning = tuning;
-  this->Modified();
+  if (!(tuning == this->Tuning))
+  {
+    this->Tuning = tuning;
+    this->Modified();
+  }
 }
 
 double vtkNBufferCuller::Cull(

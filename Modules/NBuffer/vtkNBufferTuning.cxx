@@ -4,7 +4,20 @@
 
 #include "vtkNBufferStatistics.h"
 
+#include <tuple>
+
 VTK_ABI_NAMESPACE_BEGIN
+
+bool vtkNBufferTuning::operator==(const vtkNBufferTuning& other) const
+{
+  const auto tie = [](const vtkNBufferTuning& t)
+  {
+    return std::tie(t.BaseFactor, t.MinimumNumberOfCandidates, t.MaximumNumberOfRounds, t.RoundSize,
+      t.HierarchySize, t.MaximumNumberOfPieces, t.TestPixels, t.AllowFloatTextures,
+      t.ReuseWhenStill, t.BackOff, t.TakeOverFrustumCulling);
+  };
+  return tie(*this) == tie(other);
+}
 
 std::string vtkNBufferTuning::FindFault() const
 {

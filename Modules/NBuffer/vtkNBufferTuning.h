@@ -71,6 +71,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   /// the frustum itself. A vtkFrustumCoverageCuller with other settings stays in front.
   bool TakeOverFrustumCulling = true;
 
+  bool operator==(const vtkNBufferTuning& other) const;
+
   /// Says what is wrong with a value that is out of its range; empty if all are valid.
   std::string FindFault() const;
 

@@ -2,7 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowTuning.h"
 
+#include <tuple>
+
 VTK_ABI_NAMESPACE_BEGIN
+
+bool vtkShadowTuning::operator==(const vtkShadowTuning& other) const
+{
+  const auto tie = [](const vtkShadowTuning& t)
+  {
+    return std::tie(t.LitmapResolution, t.SlabGap, t.BoxCost, t.CountFragments, t.MeasureDeviceTime,
+      t.LitmapSource);
+  };
+  return tie(*this) == tie(other);
+}
 
 std::string vtkShadowTuning::FindFault() const
 {

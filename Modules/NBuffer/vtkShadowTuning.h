@@ -56,6 +56,8 @@ struct VTKNBUFFER_EXPORT vtkShadowTuning
   /// scatters the depth of the receivers.
   std::shared_ptr<vtkShadowLitmapSource> LitmapSource;
 
+  bool operator==(const vtkShadowTuning& other) const;
+
   /// Says what is wrong with a value that is out of its range; empty if all are valid.
   std::string FindFault() const;
 

@@ -119,8 +119,11 @@ void vtkShadowVolumeClampPass::SetTuning(const vtkShadowTuning& tuning)
     vtkErrorMacro(<< fault << "; the tuning stays as it was.");
     return;
   }
-  this->Tuning = tuning;
-  this->Modified();
+  if (!(tuning == this->Tuning))
+  {
+    this->Tuning = tuning;
+    this->Modified();
+  }
 }
 
 void vtkShadowVolumeClampPass::SetDebugView(int view, vtkLight* light)
