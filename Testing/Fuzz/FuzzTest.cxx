@@ -8,6 +8,7 @@
 #include "NamedScenarios.h"
 #include "ScenarioJson.h"
 #include "Shrinker.h"
+#include "Undefined.h"
 
 #include <gtest/gtest.h>
 
@@ -157,6 +158,23 @@ TEST(FuzzScenario, NamedScenariosSurviveTheirFiles)
 }
 
 //------------------------------------------------------------------------------------------------
+// With a render pass a selector of VTK 9.1 reads the number of a prop that it has never set.
+TEST(FuzzScenario, NothingIsSelectedWithAPassThatComesLater)
+{
+  Scenario scenario;
+  scenario.Renderers.resize(1);
+  scenario.Changes.resize(2);
+  scenario.Changes[0].Kind = ChangeKind::Select;
+  scenario.Changes[1].Kind = ChangeKind::Pass;
+  scenario.Changes[1].Values = { static_cast<double>(PassKind::None) };
+  RemoveUndefined(scenario);
+  EXPECT_EQ(scenario.Changes.size(), 2u) << "without a pass a selection is defined";
+  scenario.Changes[1].Values = { static_cast<double>(PassKind::SSAO) };
+  RemoveUndefined(scenario);
+  ASSERT_EQ(scenario.Changes.size(), 1u);
+  EXPECT_EQ(scenario.Changes[0].Kind, ChangeKind::Pass);
+}
+
 // A planted fault: two props of a colour, under MSAA, from frame 3 on.
 TEST(FuzzShrinker, LeavesWhatTheFailureNeeds)
 {

@@ -14,18 +14,33 @@ namespace TestScene
 {
 namespace
 {
-bool HasAmbientOcclusion(const Scenario& scene)
+/// Whether a renderer of the scenario has such a pass from the beginning or is given one by a
+/// change.
+template <typename Predicate>
+bool HasPass(const Scenario& scene, const Predicate& predicate)
 {
   return std::any_of(scene.Renderers.begin(), scene.Renderers.end(),
-           [](const Renderer& renderer)
-           { return renderer.SSAO || renderer.Pass == PassKind::SSAO; }) ||
+           [&predicate](const Renderer& renderer) { return predicate(renderer.Pass); }) ||
     std::any_of(scene.Changes.begin(), scene.Changes.end(),
-      [](const Change& change)
+      [&predicate](const Change& change)
       {
-        return change.Kind == ChangeKind::SSAO ||
-          (change.Kind == ChangeKind::Pass && !change.Values.empty() &&
-            change.Values.front() == static_cast<double>(PassKind::SSAO));
+        return change.Kind == ChangeKind::Pass && !change.Values.empty() &&
+          predicate(static_cast<PassKind>(static_cast<int>(change.Values.front())));
       });
+}
+
+bool IsSSAO(PassKind pass)
+{
+  return pass == PassKind::SSAO;
+}
+
+bool HasAmbientOcclusion(const Scenario& scene)
+{
+  return HasPass(scene, IsSSAO) ||
+    std::any_of(scene.Renderers.begin(), scene.Renderers.end(),
+      [](const Renderer& renderer) { return renderer.SSAO; }) ||
+    std::any_of(scene.Changes.begin(), scene.Changes.end(),
+      [](const Change& change) { return change.Kind == ChangeKind::SSAO; });
 }
 }
 
@@ -46,22 +61,18 @@ void RemoveUndefined(Scenario& scene)
       scene.Changes.end());
 #endif
   }
-  const auto hasPass = [&scene](auto&& predicate)
-  {
-    return std::any_of(scene.Renderers.begin(), scene.Renderers.end(),
-      [&predicate](const Renderer& renderer) { return predicate(renderer.Pass); });
-  };
-  if (hasPass(HasShadowVolumes) && scene.Window.Stereo == VTK_STEREO_SPLITVIEWPORT_HORIZONTAL)
+  if (HasPass(scene, HasShadowVolumes) &&
+    scene.Window.Stereo == VTK_STEREO_SPLITVIEWPORT_HORIZONTAL)
   {
     scene.Window.Stereo = VTK_STEREO_CHECKERBOARD;
   }
-  if (hasPass([](PassKind pass) { return pass != PassKind::None; }))
+  if (HasPass(scene, [](PassKind pass) { return pass != PassKind::None; }))
   {
     scene.Changes.erase(std::remove_if(scene.Changes.begin(), scene.Changes.end(),
                           [](const Change& change) { return change.Kind == ChangeKind::Select; }),
       scene.Changes.end());
   }
-  if (hasPass([](PassKind pass) { return pass == PassKind::SSAO; }))
+  if (HasPass(scene, IsSSAO))
   {
     for (Prop& prop : scene.Props)
     {

@@ -478,7 +478,8 @@ std::string Player::Select()
   vtkNew<vtkHardwareSelector> selector;
   selector->SetRenderer(this->Renderers[0]);
   selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
-  const int* size = this->Window->GetSize();
+  // A tile is all that is drawn of a tiled window, whose GetSize() is that of all tiles.
+  const int* size = this->Window->GetActualSize();
   selector->SetArea(0, 0, size[0] - 1, size[1] - 1);
   auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
   std::map<int, int> found;
