@@ -22,7 +22,7 @@ class vtkRenderer;
 
 namespace TestScene
 {
-/// What a test demands beside equal images: that culling takes place where it should.
+/// What a test demands in addition to equal images: that culling takes place where it should.
 struct Expectation
 {
   int FirstFrame = 0;
