@@ -19,7 +19,8 @@ class vtkOpenGLRenderWindow;
 class GLStateSnapshot
 {
 public:
-  /// Read the state of OpenGL, and what vtkOpenGLState has stored of it. The window's context must be current.
+  /// Read the state of OpenGL, and what vtkOpenGLState has stored of it. The window's context must
+  /// be current.
   static GLStateSnapshot Capture(vtkOpenGLRenderWindow* window);
 
   /// Lines of "name: this value, then the other's"; empty if all are equal.
