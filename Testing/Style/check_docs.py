@@ -4,14 +4,24 @@
 """Checks that the documents keep up with the sources; prints each fault, exits 1 on any.
 
 * docs/limits.md names every verdict and every decision.
-* Every test that docs/hazards.md names exists, and every hazard has one.
+* Every test that docs/hazards.md names exists, and every hazard has one. The errors in its section
+  "Planted errors" are those of Testing/Fuzz/mutants.py.
+* Every file in the table of rules of docs/architecture.md exists.
+* Every link to a file of the repository, or to a heading in one, leads there.
 * A file that a document shows, in a fenced block behind the comment <!-- file: PATH -->, is shown as
   it is, without its lines of SPDX.
 """
 
 import pathlib
 import re
+import runpy
 import sys
+
+sys.dont_write_bytecode = True
+from check_sources import files_of  # noqa: E402
+
+LINK = re.compile(r"\]\(([^)\s#]*)(?:#([^)\s]+))?\)")
+CODE = re.compile(r"^```.*?^```|`[^`\n]*`", re.MULTILINE | re.DOTALL)
 
 
 def enumerators(header, name):
@@ -33,18 +43,66 @@ def check_hazards(root):
     sources = "\n".join(path.read_text() for path in sorted((root / "Testing").rglob("*.cxx")))
     tests = {f"{suite}.{case}" for suite, case in re.findall(
         r"TEST(?:_F|_P)?\(\s*(\w+)\s*,\s*(\w+)\s*\)", sources)}
+    text = (root / "docs/hazards.md").read_text()
+    for name in re.findall(r"`([A-Z]\w+\.[A-Z]\w+)[^`\n]*`", text):
+        if name not in tests:
+            yield f"docs/hazards.md: there is no test {name}"
     in_table = False
-    for line in (root / "docs/hazards.md").read_text().splitlines():
+    for line in text.splitlines():
         cells = [cell.strip() for cell in line.split("|")[1:-1]]
         in_table = cells[:1] == ["hazard"] or (in_table and bool(cells))
         if not in_table or len(cells) < 2 or set(cells[0]) <= set("- ") or cells[0] == "hazard":
             continue
-        names = re.findall(r"`([\w]+\.[\w]+)[^`]*`", cells[1])
-        if not names:
+        if not re.search(r"`\w+\.\w+[^`]*`", cells[1]):
             yield f"docs/hazards.md: no test for '{cells[0]}'"
-        for name in names:
-            if name not in tests:
-                yield f"docs/hazards.md: there is no test {name}"
+
+
+def section(text, heading):
+    """The text below a heading of the second level."""
+    found = re.search(rf"^## {heading}\n(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)
+    return found[1] if found else ""
+
+
+def check_planted_errors(root):
+    lists = runpy.run_path(str(root / "Testing/Fuzz/mutants.py"))
+    planted = {name for which in ("MUTANTS", "SHADOW_MUTANTS", "RARE", "RARE_SHADOWS")
+               for name in lists[which]}
+    text = section((root / "docs/hazards.md").read_text(), "Planted errors")
+    named = set(re.findall(r"^- (.*)$", text, re.MULTILINE))
+    for name in sorted(planted - named):
+        yield f"docs/hazards.md: the planted error '{name}' is not named"
+    for name in sorted(named - planted):
+        yield f"docs/hazards.md: '{name}' is not planted by Testing/Fuzz/mutants.py"
+
+
+def check_rules(root):
+    files = {path.name for path in (root / "Modules").rglob("*.h")}
+    text = section((root / "docs/architecture.md").read_text(), "Which file owns which rule")
+    for name in re.findall(r"`(\w+\.h)`", text):
+        if name not in files:
+            yield f"docs/architecture.md: there is no file {name}"
+
+
+def anchors(text):
+    """The names that GitHub gives to the headings of a document."""
+    text = re.sub(r"^```.*?^```", "", text, flags=re.MULTILINE | re.DOTALL)
+    for heading in re.findall(r"^#+ +(.*)$", text, re.MULTILINE):
+        yield re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
+
+
+def check_links(root):
+    for name in files_of(root):
+        if name.suffix != ".md":
+            continue
+        text = CODE.sub("", (root / name).read_text())
+        for target, anchor in LINK.findall(text):
+            if re.match(r"\w+:", target):
+                continue
+            file = (root / name).parent / target if target else root / name
+            if not file.exists():
+                yield f"{name}: there is no {target}"
+            elif anchor and anchor not in anchors(file.read_text()):
+                yield f"{name}: {target or 'it'} has no heading #{anchor}"
 
 
 def check_shown_files(root):
@@ -63,7 +121,8 @@ def check_shown_files(root):
 
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
-    faults = [*check_limits(root), *check_hazards(root), *check_shown_files(root)]
+    faults = [*check_limits(root), *check_hazards(root), *check_planted_errors(root),
+              *check_rules(root), *check_links(root), *check_shown_files(root)]
     print("\n".join(faults) if faults else "no faults")
     return 1 if faults else 0
 
