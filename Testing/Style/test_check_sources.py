@@ -86,10 +86,11 @@ class CheckDocs(unittest.TestCase):
 
     def test_hazards(self):
         files = {"Testing/a.cxx": "TEST(Aa, Bb)\nTEST_P(Cc, Dd)\n", "docs/hazards.md":
-                 "`Ee.Ff`\n\n| hazard | tests |\n|---|---|\n| x | `Aa.Bb`, `Cc.Dd/g` |\n| y | `Aa.Cc` |\n| z | - |\n"}
+                 "`Ee.Ff` `Aa.Bb`\n\n| hazard | tests |\n|---|---|\n| x | `Aa.Bb`, `Cc.Dd/g` |\n| y | `Aa.Cc` |\n| z | - |\n"}
         self.assertEqual(self.faults(check_docs.check_hazards, files),
-                         ["docs/hazards.md: there is no test Ee.Ff", "docs/hazards.md: there is no test Aa.Cc",
-                          "docs/hazards.md: no test for 'z'"])
+                         ["docs/hazards.md: there is no test Aa.Cc", "docs/hazards.md: no test for 'z'"])
+        self.assertEqual(self.faults(check_docs.check_tests_in_text, files),
+                         ["docs/hazards.md: there is no test Ee.Ff"])
 
     def test_planted_errors(self):
         code = "MUTANTS = {'a': 1}\nSHADOW_MUTANTS = RARE = {}\nRARE_SHADOWS = {'b c': 1}\n"
