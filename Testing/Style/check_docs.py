@@ -131,7 +131,8 @@ def check_shown_files(root):
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
     faults = [*check_limits(root), *check_hazards(root), *check_tests_in_text(root),
-              *check_planted_errors(root), *check_rules(root), *check_links(root), *check_shown_files(root)]
+              *check_planted_errors(root), *check_rules(root), *check_links(root),
+              *check_shown_files(root)]
     print("\n".join(faults) if faults else "no faults")
     return 1 if faults else 0
 
