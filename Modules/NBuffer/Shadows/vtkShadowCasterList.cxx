@@ -52,7 +52,7 @@ void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* required
   this->RequiredKeys = requiredKeys;
   this->RequiredTime = requiredTime;
 
-  this->FindChanges(sameRequired);
+  this->FindChanges(requiredKeys != nullptr, sameRequired);
   this->Updates = 0;
   bool anyRead = changed;
   for (std::size_t i = 0; i < this->Members.GetSize(); ++i)
@@ -87,16 +87,19 @@ void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* required
   }
 }
 
-void vtkShadowCasterList::FindChanges(bool sameRequired)
+void vtkShadowCasterList::FindChanges(bool anyRequired, bool sameRequired)
 {
   vtkNBufferForEachProp::RunAhead(
     this->Members.GetSize(), [this](vtkIdType i) { this->Members[i].Watch.Prefetch(); },
-    [this, sameRequired](vtkIdType i)
+    [this, anyRequired, sameRequired](vtkIdType i)
     {
       Member& member = this->Members[i];
-      vtkInformation* keys = this->Members.GetProp(i)->GetPropertyKeys();
-      member.HasNewKeys = !sameRequired || !member.KeysAreKnown || keys != member.Keys ||
-        (keys && keys->GetMTime() != member.KeysTime);
+      member.HasNewKeys = !sameRequired || !member.KeysAreKnown;
+      if (anyRequired && !member.HasNewKeys)
+      {
+        vtkInformation* keys = this->Members.GetProp(i)->GetPropertyKeys();
+        member.HasNewKeys = keys != member.Keys || (keys && keys->GetMTime() != member.KeysTime);
+      }
       member.MayHaveChanged = member.Watch.MayHaveChanged();
     });
 }
