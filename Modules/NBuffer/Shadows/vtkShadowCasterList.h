@@ -28,6 +28,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkInformation;
+class vtkInformationKey;
 class vtkMatrix4x4;
 class vtkProp;
 class vtkRenderer;
@@ -80,12 +81,14 @@ private:
     std::vector<vtkNBufferSurface> Surfaces; ///< One for each actor, by path.
   };
 
-  /// Compares what may be compared in parallel: modification times and pointers. `anyRequired` is
-  /// true if keys are required, `sameRequired` if these are the keys of the last Update().
-  void FindChanges(bool anyRequired, bool sameRequired);
-  /// Returns true if a prop has the required keys. It is called only where these may have changed:
-  /// vtkProp::HasKeys() creates an iterator each time, which takes longer than all the rest.
-  static bool ReadKeys(vtkProp* prop, vtkInformation* required, Member& member);
+  /// Compares what may be compared in parallel: modification times and pointers. `sameRequired` is
+  /// true if the required keys are those of the last Update().
+  void FindChanges(bool sameRequired);
+
+  /// Returns true if a prop has the required keys, as vtkProp::HasKeys() does. (That creates an
+  /// iterator for each prop, which takes longer than all the rest.)
+  bool ReadKeys(vtkProp* prop, Member& member) const;
+
   /// Reads a prop again. Returns whether it may draw something else than before.
   bool ReadProp(vtkProp* prop, Member& member);
   void AddProp(vtkProp* prop, Member& member);
@@ -97,8 +100,7 @@ private:
   std::vector<vtkNBufferSurface::Part> Parts; ///< Kept for its memory.
   std::vector<Mesh> OldMeshes;                ///< Those of the member that is being read.
   vtkNBufferPropWatch::GlobalState GlobalState{};
-  const void* RequiredKeys = nullptr;
-  vtkMTimeType RequiredTime = 0;
+  std::vector<vtkInformationKey*> RequiredKeys; ///< Only props with all of these keys cast.
   vtkMTimeType Version = 0;
   std::vector<vtkShadowCaster*> Casters;
   std::array<int, NumberOfShadowSkips> Skipped = {};

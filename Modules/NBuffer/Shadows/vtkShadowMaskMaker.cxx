@@ -271,7 +271,10 @@ vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vt
   {
     const vtkShadowPlan::Choice& choice = this->Choices[i];
     ++verdicts[static_cast<std::size_t>(choice.Verdict)];
-    plan.Draw(choice, *this->Parts[i], this->Volume);
+    if (choice.IsDrawn())
+    {
+      plan.Draw(choice, *this->Parts[i], this->Volume);
+    }
   }
   return verdicts;
 }
