@@ -193,7 +193,7 @@ void vtkShadowVolumeClampPass::RenderOpaque(const vtkRenderState* s)
 bool vtkShadowVolumeClampPass::PreReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  this->Implementation->Shadows.GetShading().GetShader().Declare(fragmentShader);
+  this->Implementation->Shadows.GetShading().Declare(fragmentShader);
   return true;
 }
 
@@ -201,7 +201,7 @@ bool vtkShadowVolumeClampPass::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
   Internals& self = *this->Implementation;
-  if (!self.Shadows.GetShading().GetShader().Insert(fragmentShader) && !self.HasWarnedOfShader)
+  if (!self.Shadows.GetShading().Insert(fragmentShader) && !self.HasWarnedOfShader)
   {
     self.HasWarnedOfShader = true;
     vtkErrorMacro(<< "A mapper's shader has lighting that this pass does not know, so that its "
@@ -214,8 +214,7 @@ bool vtkShadowVolumeClampPass::PostReplaceShaderValues(
 bool vtkShadowVolumeClampPass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
 {
-  const vtkShadowOpaqueStage& shadows = this->Implementation->Shadows;
-  shadows.GetShading().SetParameters(program, shadows.GetTarget());
+  this->Implementation->Shadows.GetShading().SetParameters(program);
   return true;
 }
 

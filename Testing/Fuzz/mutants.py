@@ -157,11 +157,12 @@ SHADOW_MUTANTS = {
         (PLAN, "lookup.IsInOneFace && lookup.Extent.Far < lookup.Near)",
          "lookup.IsInOneFace && lookup.Extent.Far < lookup.Far)")],
     "only one corner of a caster's box is tested": [
-        (PLAN, "this->Litmaps.LookUp(footprint, corners)",
-         "this->Litmaps.LookUp(footprint, { corners.data(), 1 })")],
+        (LITMAP_SET, "vtkShadowFootprint::Make(points, *face.Space).Block : box);",
+         "vtkShadowFootprint::Make(points, *face.Space).Block\n"
+         "                    : vtkShadowFootprint::Make({ corners.data(), 1 }, *face.Space).Block);")],
     "casters through the light's plane as others": [
-        (LITMAP_SET, "return this->Light.IsPositional() && !(footprint.GetNear() > margin);",
-         "return this->Light.IsPositional() && margin < 0.0;")],
+        ("vtkShadowLitmapSet.h", "&& !(block.Low[2] > Margin * std::abs(block.High[2]));",
+         "&& Margin < 0.0;")],
     "receivers behind an edge are not tested": [
         ("vtkShadowUmbra.h", "return this->MayShadow(tile[0]) || this->MayShadow(tile[1]);",
          "return this->MayShadow(tile[0]);")],
@@ -190,7 +191,7 @@ SHADOW_MUTANTS = {
         ("vtkShadowSilhouette.cxx", "this->Edges.push_back({ edge.A, edge.B, left });",
          "this->Edges.push_back({ edge.A, edge.B, 1 });")],
     "the inside of closed casters not seen": [
-        (CASTER, "|| this->Meets(nearBounds)", "")],
+        (CASTER, "|| this->Bounds.Meets(nearBounds)", "")],
     "masks of pixels where nothing is seen": [
         ("vtkShadowCounter.cxx", "glDepthFunc(vtkNBufferDepthConvention::PassIfFarther);",
          "glDepthFunc(GL_ALWAYS);")],

@@ -56,8 +56,8 @@ vtkShadowVolume MakeVolume(int copies)
   volume.Begin(glm::dvec3(0.0));
   for (int i = 0; i < copies; ++i)
   {
-    volume.AddClamped(silhouette, topology.GetPoints(), vtkShadowLightSpace(light), { -0.5, 0.5 },
-      -0.7, vtkShadowCap::Fan);
+    volume.AddClamped(
+      silhouette, topology.GetPoints(), vtkShadowLightSpace(light), { -0.5, 0.5 }, -0.7);
   }
   return volume;
 }

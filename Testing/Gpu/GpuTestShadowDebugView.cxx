@@ -47,8 +47,8 @@ vtkShadowVolume MakeVolume()
   silhouette.Compute(topology, topology.GetPoints(), light, vtkShadowCounting::Away);
   vtkShadowVolume volume;
   volume.Begin(glm::dvec3(0.0));
-  volume.AddClamped(silhouette, topology.GetPoints(), vtkShadowLightSpace(light), { -0.2, 0.2 },
-    -0.4, vtkShadowCap::Fan);
+  volume.AddClamped(
+    silhouette, topology.GetPoints(), vtkShadowLightSpace(light), { -0.2, 0.2 }, -0.4);
   return volume;
 }
 

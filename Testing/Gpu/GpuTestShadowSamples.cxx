@@ -4,7 +4,6 @@
 // vtkShadowTarget and vtkShadowSampleReader with multisampling: every sample has its own depth,
 // count and mask.
 #include "vtkShadowCounter.h"
-#include "vtkShadowSampleReader.h"
 #include "vtkShadowTarget.h"
 
 #include "DepthTarget.h"
@@ -145,8 +144,8 @@ TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
   silhouette.Compute(topology, topology.GetPoints(), light, vtkShadowCounting::All);
   vtkShadowVolume volume;
   volume.Begin(glm::dvec3(0.0));
-  volume.AddClamped(silhouette, topology.GetPoints(), vtkShadowLightSpace(light), { -0.51, 0.47 },
-    -0.9, vtkShadowCap::Fan);
+  volume.AddClamped(
+    silhouette, topology.GetPoints(), vtkShadowLightSpace(light), { -0.51, 0.47 }, -0.9);
   const double volumeToClip[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1 };
   vtkShadowDraw draw;
   draw.NumberOfIndices = static_cast<int>(volume.GetIndices().size());

@@ -6,7 +6,7 @@
 #include "PassTestTools.h"
 #include "ShadowShapes.h"
 
-#include "vtkShadowSampleReader.h"
+#include "vtkShadowTarget.h"
 
 #include "vtkActor.h"
 #include "vtkLight.h"

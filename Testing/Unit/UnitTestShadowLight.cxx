@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Facing signs and light coordinates.
 #include "vtkShadowLight.h"
-#include "vtkShadowLightSlot.h"
+#include "vtkShadowTarget.h"
 
 #include "vtkMath.h"
 
@@ -164,11 +164,11 @@ TEST(ShadowLight, ReachesItsCone)
 // Four lights share the channels of a mask.
 TEST(ShadowLightSlot, MasksAndChannels)
 {
-  EXPECT_EQ(vtkShadowLightSlot::CountMasks(0), 0);
-  EXPECT_EQ(vtkShadowLightSlot::CountMasks(4), 1);
-  EXPECT_EQ(vtkShadowLightSlot::CountMasks(5), 2);
-  EXPECT_EQ(vtkShadowLightSlot{ 3 }.GetMask(), 0);
-  EXPECT_EQ(vtkShadowLightSlot{ 3 }.GetChannel(), 3);
-  EXPECT_EQ(vtkShadowLightSlot{ 4 }.GetMask(), 1);
-  EXPECT_EQ(vtkShadowLightSlot{ 4 }.GetChannel(), 0);
+  EXPECT_EQ(vtkShadowTarget::CountMasks(0), 0);
+  EXPECT_EQ(vtkShadowTarget::CountMasks(4), 1);
+  EXPECT_EQ(vtkShadowTarget::CountMasks(5), 2);
+  EXPECT_EQ(vtkShadowTarget::GetMaskIndex(3), 0);
+  EXPECT_EQ(vtkShadowTarget::GetChannel(3), 3);
+  EXPECT_EQ(vtkShadowTarget::GetMaskIndex(4), 1);
+  EXPECT_EQ(vtkShadowTarget::GetChannel(4), 0);
 }

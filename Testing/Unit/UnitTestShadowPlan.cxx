@@ -99,17 +99,22 @@ struct Situation
     const std::vector<Point>& points = this->Topology.GetPoints();
     this->Silhouette.Compute(this->Topology, points, this->Light, this->Counting);
     this->Footprint = vtkShadowFootprint::Make(this->Silhouette, points, this->Frame);
-    vtkShadowPlan plan(this->Light, this->Frame, this->View, mode,
-      useLitmap && this->Faces.empty() ? &this->Litmap : nullptr, gap);
+    std::vector<vtkShadowPlan::Face> litmaps;
     for (auto& [frame, litmap] : this->Faces)
     {
       litmap.Build();
-      plan.AddFace(frame, litmap);
+      litmaps.push_back({ &frame, &litmap });
     }
+    if (useLitmap && this->Faces.empty())
+    {
+      litmaps = { { &this->Frame, &this->Litmap } };
+    }
+    vtkShadowPlan plan(this->Light, this->View, mode, litmaps, gap);
     this->Volume.Begin(Point(0.0));
-    const auto dismissed = plan.EarlyOut(this->Silhouette, this->Footprint);
-    const vtkShadowPlan::Choice choice = plan.Decide(this->Silhouette, points, this->Footprint);
-    plan.Draw(choice, this->Silhouette, points, this->Footprint, this->Volume);
+    const vtkShadowPart caster = { this->Footprint, this->Silhouette, points };
+    const auto dismissed = plan.EarlyOut(caster);
+    const vtkShadowPlan::Choice choice = plan.Decide(caster);
+    plan.Draw(choice, caster, this->Volume);
     const Verdict verdict = choice.Verdict;
     this->Draws = plan.GetDraws();
     EXPECT_EQ(choice.IsDrawn(), !this->Draws.empty());
@@ -437,7 +442,7 @@ TEST(ShadowPlan, SlabsThatReachTheCasterAreOne)
   const ShadowMesh tall = MakeCube().Move([](const Point& x) { return x * Point(1.0, 1.0, 20.0); });
   Situation situation(MakeDirectional(), tall);
   const auto footprint = vtkShadowFootprint::Make(tall.Points, situation.Frame);
-  for (double z : { 9.9, 0.0, -footprint.GetFar() + 0.5, -40.0 })
+  for (double z : { 9.9, 0.0, -footprint.Block.High[2] + 0.5, -40.0 })
   {
     situation.AddReceiver({ 0.0, 0.0, z }, 5, 6);
   }
@@ -479,7 +484,7 @@ TEST(ShadowPlan, ZPassNeedsAllOfThePieceBeyondTheNearPlane)
   situation.Decide(vtkShadowMode::Scissored);
   EXPECT_TRUE(situation.Draws.at(0).ZPass);
   // One that touches the cap does not.
-  situation.View.NearPlane[3] = -situation.Footprint.GetFar();
+  situation.View.NearPlane[3] = -situation.Footprint.Block.High[2];
   situation.Decide(vtkShadowMode::Scissored);
   EXPECT_FALSE(situation.Draws.at(0).ZPass);
 }

@@ -57,7 +57,7 @@ struct Caster
     this->Topology.Build(mesh.Points, mesh.Triangles);
     this->Silhouette.Compute(this->Topology, this->GetPoints(), light, counting);
     const auto footprint = vtkShadowFootprint::Make(this->Silhouette, this->GetPoints(), frame);
-    if (frame.IsPositional() && !(footprint.GetNear() > 0.0))
+    if (frame.IsPositional() && !(footprint.Block.Low[2] > 0.0))
     {
       this->Rays = { Point(-HUGE_VAL), Point(HUGE_VAL) };
     }

@@ -36,11 +36,11 @@ struct Caster
     volume.AddWhole(this->Silhouette, this->GetPoints(), this->Light);
   }
 
-  void AddClamped(vtkShadowVolume& volume, const vtkShadowLightSpace& frame,
-    const vtkShadowSlab& slab, vtkShadowCap cap) const
+  void AddClamped(
+    vtkShadowVolume& volume, const vtkShadowLightSpace& frame, const vtkShadowSlab& slab) const
   {
     volume.AddClamped(
-      this->Silhouette, this->GetPoints(), frame, slab, this->GetDepths(frame).second, cap);
+      this->Silhouette, this->GetPoints(), frame, slab, this->GetDepths(frame).second);
   }
 
   std::pair<double, double> GetDepths(const vtkShadowLightSpace& frame) const
@@ -171,18 +171,14 @@ void CheckVolumes(const ShadowMesh& mesh, const ShadowMesh& outwards, const vtkS
     { (least + largest) / 2.0, largest + 0.6 }, { least - 0.05, (least + largest) / 2.0 } };
   for (const vtkShadowSlab& slab : slabs)
   {
-    for (const vtkShadowCap cap : { vtkShadowCap::Triangles, vtkShadowCap::Fan })
-    {
-      SCOPED_TRACE("slab " + std::to_string(slab.Near) + " " + std::to_string(slab.Far) +
-        (cap == vtkShadowCap::Fan ? ", fan" : ", triangles"));
-      Range range;
-      range.Near = largest < slab.Near ? slab.Near : range.Near;
-      range.Far = std::max(slab.Far, largest);
-      volume.Begin(origin);
-      caster.AddClamped(volume, frame, slab, cap);
-      ASSERT_NO_FATAL_FAILURE(
-        CheckCounts(caster, volume, origin, frame, range, random, points, shadowed));
-    }
+    SCOPED_TRACE("slab " + std::to_string(slab.Near) + " " + std::to_string(slab.Far));
+    Range range;
+    range.Near = largest < slab.Near ? slab.Near : range.Near;
+    range.Far = std::max(slab.Far, largest);
+    volume.Begin(origin);
+    caster.AddClamped(volume, frame, slab);
+    ASSERT_NO_FATAL_FAILURE(
+      CheckCounts(caster, volume, origin, frame, range, random, points, shadowed));
   }
 }
 
@@ -462,23 +458,22 @@ TEST(ShadowVolume, SizesOfPieces)
   const Point origin = { 0, 0, 0 };
   const auto getSize = [&](const vtkShadowVolume& volume)
   { return std::make_pair(volume.GetIndices().size() / 3, volume.GetVertices().size() / 4); };
-  const auto clamp = [&](const vtkShadowSlab& slab, vtkShadowCap cap)
+  const auto clamp = [&](const vtkShadowSlab& slab)
   {
     vtkShadowVolume volume;
     volume.Begin(origin);
-    caster.AddClamped(volume, frame, slab, cap);
+    caster.AddClamped(volume, frame, slab);
     return getSize(volume);
   };
-  EXPECT_EQ(clamp({ 6, 7 }, vtkShadowCap::Triangles).first, 2 * lit + 2 * edges);
-  EXPECT_EQ(clamp({ 6, 7 }, vtkShadowCap::Fan), std::make_pair(4 * edges, 2 * edges + 2));
-  EXPECT_EQ(clamp({ 1, 7 }, vtkShadowCap::Fan).first, lit + 3 * edges);
+  EXPECT_EQ(clamp({ 6, 7 }), std::make_pair(4 * edges, 2 * edges + 2));
+  EXPECT_EQ(clamp({ 1, 7 }).first, lit + 3 * edges);
 
   // Several casters in one volume.
   vtkShadowVolume volume;
   volume.Begin(origin);
   caster.AddWhole(volume);
   EXPECT_EQ(volume.GetIndices().size() / 3, 2 * lit + 2 * edges);
-  caster.AddClamped(volume, frame, { 6, 7 }, vtkShadowCap::Fan);
+  caster.AddClamped(volume, frame, { 6, 7 });
   EXPECT_EQ(volume.GetIndices().size() / 3, 2 * lit + 6 * edges);
   EXPECT_TRUE(IsWatertight(volume));
   volume.Begin(origin);

@@ -14,11 +14,6 @@ vtkShadowCamera::vtkShadowCamera(vtkRenderer* renderer)
   this->Plan.Direction = camera.Direction;
   this->Plan.Parallel = camera.IsParallel;
   this->Plan.NearPlane = glm::row(this->EyeToClip, 2) + glm::row(this->EyeToClip, 3);
-  this->SetNearBounds();
-}
-
-void vtkShadowCamera::SetNearBounds()
-{
   const glm::dmat4 clipToEye = vtkNBufferGLM::Invert(this->EyeToClip);
   for (const double x : { -1.0, 1.0 })
   {

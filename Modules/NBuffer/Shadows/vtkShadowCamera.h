@@ -31,9 +31,6 @@ struct vtkShadowCamera
   std::array<double, 16> EyeToClipByRows; ///< The elements of EyeToClip row by row, for uniforms.
   vtkShadowBlock NearBounds;              ///< The box around the near plane's rectangle, world.
   vtkShadowPlan::View Plan;               ///< What vtkShadowPlan needs.
-
-private:
-  void SetNearBounds();
 };
 
 VTK_ABI_NAMESPACE_END

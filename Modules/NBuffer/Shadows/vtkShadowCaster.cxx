@@ -63,10 +63,11 @@ void Clip(std::vector<glm::dvec3>& points, std::vector<vtkIdType>& triangles,
     return cut->second;
   };
   std::vector<vtkIdType> left;
+  std::vector<vtkIdType> triangle(3);
   std::vector<vtkIdType> polygon;
   for (std::size_t t = 0; t < triangles.size(); t += 3)
   {
-    const std::vector<vtkIdType> triangle = { triangles[t], triangles[t + 1], triangles[t + 2] };
+    std::copy_n(triangles.begin() + static_cast<std::ptrdiff_t>(t), 3, triangle.begin());
     vtkNBufferPolygonClip::Clip(
       triangle, [&sides](vtkIdType i) { return sides[i]; },
       [&getCut](vtkIdType a, vtkIdType b, double) { return getCut(a, b); }, polygon);
@@ -125,20 +126,8 @@ bool vtkShadowCaster::Update(
   return true;
 }
 
-bool vtkShadowCaster::Meets(const vtkShadowBlock& bounds) const
-{
-  const vtkShadowBlock& b = this->Bounds;
-  return glm::all(glm::greaterThanEqual(bounds.High, b.Low)) &&
-    glm::all(glm::lessThanEqual(bounds.Low, b.High));
-}
-
-bool vtkShadowCaster::IsAround(const vtkShadowLight& light) const
-{
-  return light.IsPositional() && this->Meets({ light.Position, light.Position });
-}
-
 const std::vector<vtkShadowCaster::Part>& vtkShadowCaster::GetParts(std::size_t slot,
-  const vtkShadowLight& light, const vtkShadowLightSpace& frame, const vtkShadowBlock& nearBounds,
+  const vtkShadowLight& light, const vtkShadowLightSpace& space, const vtkShadowBlock& nearBounds,
   int& built)
 {
   if (slot >= this->Slots.size())
@@ -148,9 +137,10 @@ const std::vector<vtkShadowCaster::Part>& vtkShadowCaster::GetParts(std::size_t 
   Slot& cached = this->Slots[slot];
   // A light in the bounds may be inside the caster, where no triangle faces it; and where the
   // inside is seen, it is in shadow.
-  const vtkShadowCounting counting = this->IsAround(light) || this->Meets(nearBounds)
-    ? vtkShadowCounting::All
-    : vtkShadowCounting::Away;
+  const bool isAround =
+    light.IsPositional() && this->Bounds.Meets({ light.Position, light.Position });
+  const vtkShadowCounting counting =
+    isAround || this->Bounds.Meets(nearBounds) ? vtkShadowCounting::All : vtkShadowCounting::Away;
   if (!cached.Valid || !(cached.Light == light) || cached.Counting != counting)
   {
     cached.Parts.clear();
@@ -159,7 +149,8 @@ const std::vector<vtkShadowCaster::Part>& vtkShadowCaster::GetParts(std::size_t 
     cached.Valid = true;
     Part whole;
     whole.Topology = this->Topology;
-    this->AddPart(cached, std::move(whole), frame, counting);
+    whole.Points = this->Points;
+    this->AddPart(cached, std::move(whole), space, counting);
     ++built;
   }
   return cached.Parts;
@@ -173,9 +164,8 @@ void vtkShadowCaster::Prefetch() const
 
 void vtkShadowCaster::Part::Prefetch() const
 {
-  vtkNBufferForEachProp::Fetch(&this->Silhouette);
   vtkNBufferForEachProp::Fetch(&this->Footprint.Block);
-  vtkNBufferForEachProp::Fetch(&this->Footprint.Bounds.High);
+  vtkNBufferForEachProp::Fetch(&this->Silhouette);
 }
 
 void vtkShadowCaster::PrefetchParts(std::size_t slot) const
@@ -188,10 +178,9 @@ void vtkShadowCaster::PrefetchParts(std::size_t slot) const
 }
 
 void vtkShadowCaster::AddPart(
-  Slot& slot, Part part, const vtkShadowLightSpace& frame, vtkShadowCounting counting) const
+  Slot& slot, Part part, const vtkShadowLightSpace& space, vtkShadowCounting counting) const
 {
-  const vtkShadowPoints points = GetPoints(*this, part);
-  part.Silhouette.Compute(*part.Topology, points, slot.Light, counting);
+  part.Silhouette.Compute(*part.Topology, part.Points, slot.Light, counting);
   const int triangles = part.Topology->GetNumberOfTriangles();
   if (part.Silhouette.GetMaximumCount() > MaximumCount && triangles > 1)
   {
@@ -199,13 +188,13 @@ void vtkShadowCaster::AddPart(
     for (const auto& [begin, end] : { std::pair(0, middle), std::pair(middle, triangles) })
     {
       Part half;
-      half.Topology = MakeTopology(*part.Topology, points, begin, end);
+      half.Topology = MakeTopology(*part.Topology, part.Points, begin, end);
       half.Points = half.Topology->GetPoints();
-      this->AddPart(slot, std::move(half), frame, counting);
+      this->AddPart(slot, std::move(half), space, counting);
     }
     return;
   }
-  part.Footprint = vtkShadowFootprint::Make(part.Silhouette, points, frame);
+  part.Footprint = vtkShadowFootprint::Make(part.Silhouette, part.Points, space);
   slot.Parts.push_back(std::move(part));
 }
 VTK_ABI_NAMESPACE_END

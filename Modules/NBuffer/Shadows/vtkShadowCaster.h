@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkShadowCaster
- * @brief One mesh that casts shadows, in world coordinates, and its silhouettes for the lights.
+ * @brief A mesh that casts shadows, in world coordinates, with its silhouette for each light.
  *
  * A caster is one part of what an actor draws (vtkNBufferSurface::Part): a polydata under one
  * matrix. Its triangles are those that the mapper draws.
  *
- * Everything that is cached is valid as long as what it was made from does not change:
+ * What is cached here is valid until what it was made from changes:
  *
  *     topology     the modification time of the mesh
  *     points       the topology, and the values of the matrix and of the clipping planes
@@ -41,21 +41,18 @@ class vtkShadowCaster
 public:
   static constexpr int MaximumCount = 255;
 
-  /// A part of the mesh for one light: its topology, silhouette and footprint.
-  struct Part
+  /// A part of the mesh for one light. Its points are those of the caster, or of its topology.
+  struct Part : vtkShadowPart
   {
-    std::shared_ptr<const vtkShadowTopology> Topology;
-    std::vector<glm::dvec3> Points; ///< In world coordinates, or empty for those of the caster.
-    vtkShadowSilhouette Silhouette;
-    vtkShadowFootprint Footprint;
-
-    /// Have the processor fetch what vtkShadowPlan::EarlyOut() will read.
+    /// Makes the processor fetch what vtkShadowPlan::EarlyOut() will read.
     void Prefetch() const;
+
+    std::shared_ptr<const vtkShadowTopology> Topology;
   };
 
   using Plane = vtkNBufferSurface::Plane;
 
-  /// Bring mesh, matrix (row by row) and planes up to date. Returns whether anything has changed.
+  /// Brings mesh, matrix (row by row) and planes up to date. Returns whether anything has changed.
   bool Update(
     vtkPolyData* mesh, const std::array<double, 16>& toWorld, const std::vector<Plane>& planes);
 
@@ -70,20 +67,14 @@ public:
    * `nearBounds`. `built` is increased by the number of silhouettes that were not cached.
    */
   const std::vector<Part>& GetParts(std::size_t slot, const vtkShadowLight& light,
-    const vtkShadowLightSpace& frame, const vtkShadowBlock& nearBounds, int& built);
+    const vtkShadowLightSpace& space, const vtkShadowBlock& nearBounds, int& built);
 
   ///@{
-  /// Have the processor fetch what GetParts() will read: first the caster itself, then what it
+  /// Makes the processor fetch what GetParts() will read: first the caster itself, then what it
   /// refers to.
   void Prefetch() const;
   void PrefetchParts(std::size_t slot) const;
   ///@}
-
-  /// The points of a part in world coordinates.
-  static const std::vector<glm::dvec3>& GetPoints(const vtkShadowCaster& caster, const Part& part)
-  {
-    return part.Points.empty() ? caster.Points : part.Points;
-  }
 
 private:
   /// What is cached for one light.
@@ -95,22 +86,19 @@ private:
     std::vector<Part> Parts;
   };
 
-  /// Whether the bounds of the caster and another box share a point.
-  bool Meets(const vtkShadowBlock& bounds) const;
-  /// Whether a positional light lies in the bounds of the caster.
-  bool IsAround(const vtkShadowLight& light) const;
   void AddPart(
-    Slot& slot, Part part, const vtkShadowLightSpace& frame, vtkShadowCounting counting) const;
+    Slot& slot, Part part, const vtkShadowLightSpace& space, vtkShadowCounting counting) const;
 
-  const void* Mesh = nullptr; ///< The polydata, only to compare.
+  // GetParts() reads these two of each caster in each frame. They come first to share cache lines.
+  vtkShadowBlock Bounds;
+  std::vector<Slot> Slots;
+  const void* Mesh = nullptr; ///< The polydata. The pointer is only compared.
   vtkMTimeType MeshTime = 0;
   std::array<double, 16> ToWorld = {};
   std::vector<Plane> Planes;
   std::shared_ptr<const vtkShadowTopology> MeshTopology;
   std::shared_ptr<const vtkShadowTopology> Topology; ///< The topology of what the planes leave.
   std::vector<glm::dvec3> Points;
-  vtkShadowBlock Bounds;
-  std::vector<Slot> Slots;
 };
 
 VTK_ABI_NAMESPACE_END

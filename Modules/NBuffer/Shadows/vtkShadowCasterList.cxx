@@ -9,14 +9,17 @@
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 #include "vtkInformation.h"
+#include "vtkInformationIterator.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -25,6 +28,21 @@ template <typename Counts>
 void Skip(Counts& skipped, vtkShadowSkip reason)
 {
   ++skipped[static_cast<std::size_t>(reason)];
+}
+
+std::vector<vtkInformationKey*> GetKeys(vtkInformation* information)
+{
+  std::vector<vtkInformationKey*> keys;
+  if (information)
+  {
+    vtkNew<vtkInformationIterator> key;
+    key->SetInformation(information);
+    for (key->GoToFirstItem(); !key->IsDoneWithTraversal(); key->GoToNextItem())
+    {
+      keys.push_back(key->GetCurrentKey());
+    }
+  }
+  return keys;
 }
 }
 
@@ -46,11 +64,10 @@ void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* required
   changed = changed || state != this->GlobalState;
   this->GlobalState = state;
 
-  const vtkMTimeType requiredTime = requiredKeys ? requiredKeys->GetMTime() : 0;
-  const bool sameRequired =
-    requiredKeys == this->RequiredKeys && requiredTime == this->RequiredTime;
-  this->RequiredKeys = requiredKeys;
-  this->RequiredTime = requiredTime;
+  // The keys themselves are compared: vtkInformation::Clear() leaves the time as it is.
+  std::vector<vtkInformationKey*> required = GetKeys(requiredKeys);
+  const bool sameRequired = required == this->RequiredKeys;
+  this->RequiredKeys = std::move(required);
 
   this->FindChanges(sameRequired);
   this->Updates = 0;
@@ -59,7 +76,7 @@ void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* required
   {
     Member& member = this->Members[i];
     vtkProp* prop = this->Members.GetProp(i);
-    const bool casts = member.HasNewKeys ? ReadKeys(prop, requiredKeys, member) : member.Casts;
+    const bool casts = member.HasNewKeys ? this->ReadKeys(prop, member) : member.Casts;
     if ((member.MayHaveChanged && member.Watch.HasChanged()) || casts != member.Casts)
     {
       member.Casts = casts;
@@ -94,20 +111,24 @@ void vtkShadowCasterList::FindChanges(bool sameRequired)
     [this, sameRequired](vtkIdType i)
     {
       Member& member = this->Members[i];
-      vtkInformation* keys = this->Members.GetProp(i)->GetPropertyKeys();
-      member.HasNewKeys = !sameRequired || !member.KeysAreKnown || keys != member.Keys ||
-        (keys && keys->GetMTime() != member.KeysTime);
+      member.HasNewKeys = !sameRequired || !member.KeysAreKnown;
+      if (!this->RequiredKeys.empty() && !member.HasNewKeys)
+      {
+        vtkInformation* keys = this->Members.GetProp(i)->GetPropertyKeys();
+        member.HasNewKeys = keys != member.Keys || (keys && keys->GetMTime() != member.KeysTime);
+      }
       member.MayHaveChanged = member.Watch.MayHaveChanged();
     });
 }
 
-bool vtkShadowCasterList::ReadKeys(vtkProp* prop, vtkInformation* required, Member& member)
+bool vtkShadowCasterList::ReadKeys(vtkProp* prop, Member& member) const
 {
   vtkInformation* keys = prop->GetPropertyKeys();
   member.KeysAreKnown = true;
   member.Keys = keys;
   member.KeysTime = keys ? keys->GetMTime() : 0;
-  return prop->HasKeys(required);
+  return std::all_of(this->RequiredKeys.begin(), this->RequiredKeys.end(),
+    [keys](vtkInformationKey* key) { return keys && keys->Has(key) != 0; });
 }
 
 bool vtkShadowCasterList::ReadProp(vtkProp* prop, Member& member)

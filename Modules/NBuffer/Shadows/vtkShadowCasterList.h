@@ -11,7 +11,6 @@
  *
  * A prop is read again when vtkNBufferPropWatch says that it has changed, and in every frame if
  * that cannot be known. Its pipeline is then brought up to date, as VTK does before it draws.
- * 15,000 unchanged actors cost 3 ms.
  */
 #ifndef vtkShadowCasterList_h
 #define vtkShadowCasterList_h
@@ -29,6 +28,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkInformation;
+class vtkInformationKey;
 class vtkMatrix4x4;
 class vtkProp;
 class vtkRenderer;
@@ -36,8 +36,8 @@ class vtkRenderer;
 class VTKNBUFFER_EXPORT vtkShadowCasterList
 {
 public:
-  /// Read the renderer's props that have changed. `requiredKeys`: only props with these keys cast;
-  /// nullptr: all props do.
+  /// Reads the renderer's props that have changed. Only props with `requiredKeys` cast; if it is
+  /// nullptr, all props do.
   void Update(vtkRenderer* renderer, vtkInformation* requiredKeys);
 
   const std::vector<vtkShadowCaster*>& GetCasters() const { return this->Casters; }
@@ -62,31 +62,34 @@ private:
   struct Mesh
   {
     int Path;          ///< The number of the actor in its assembly.
-    const void* Block; ///< The polydata, only to compare.
+    const void* Block; ///< The polydata. The pointer is only compared.
     std::unique_ptr<vtkShadowCaster> Caster;
   };
 
   /// What is known of a visible prop.
   struct Member
   {
-    vtkNBufferPropWatch Watch;
     bool MayHaveChanged = false; ///< The first answer of Watch, which is found in parallel.
-    bool HasNewKeys = false;     ///< Whether the next four must be read again.
-    bool KeysAreKnown = false;
-    bool Casts = false;         ///< Whether the prop has the required keys.
-    const void* Keys = nullptr; ///< The keys of the prop, only to compare.
+    bool HasNewKeys = false;     ///< True if the keys of the prop must be read again.
+    bool KeysAreKnown = false;   ///< True if they have been read before.
+    bool Casts = false;          ///< True if the prop has the required keys.
+    vtkNBufferPropWatch Watch;
+    const void* Keys = nullptr; ///< The keys of the prop. The pointer is only compared.
     vtkMTimeType KeysTime = 0;
     std::vector<Mesh> Meshes;
     std::array<int, NumberOfShadowSkips> Skipped = {};
     std::vector<vtkNBufferSurface> Surfaces; ///< One for each actor, by path.
   };
 
-  /// Compare what may be compared in parallel: modification times and pointers.
+  /// Compares what may be compared in parallel: modification times and pointers. `sameRequired` is
+  /// true if the required keys are those of the last Update().
   void FindChanges(bool sameRequired);
-  /// Whether a prop has the required keys. vtkProp::HasKeys() creates an iterator each time, which
-  /// takes longer than all the rest.
-  static bool ReadKeys(vtkProp* prop, vtkInformation* required, Member& member);
-  /// Read a prop again. Returns whether it may draw something else than before.
+
+  /// Returns true if a prop has the required keys, as vtkProp::HasKeys() does. (That creates an
+  /// iterator for each prop, which takes longer than all the rest.)
+  bool ReadKeys(vtkProp* prop, Member& member) const;
+
+  /// Reads a prop again. Returns whether it may draw something else than before.
   bool ReadProp(vtkProp* prop, Member& member);
   void AddProp(vtkProp* prop, Member& member);
   void AddActor(vtkActor* actor, int path, vtkMatrix4x4* matrix, Member& member);
@@ -97,8 +100,7 @@ private:
   std::vector<vtkNBufferSurface::Part> Parts; ///< Kept for its memory.
   std::vector<Mesh> OldMeshes;                ///< Those of the member that is being read.
   vtkNBufferPropWatch::GlobalState GlobalState{};
-  const void* RequiredKeys = nullptr;
-  vtkMTimeType RequiredTime = 0;
+  std::vector<vtkInformationKey*> RequiredKeys; ///< Only props with all of these keys cast.
   vtkMTimeType Version = 0;
   std::vector<vtkShadowCaster*> Casters;
   std::array<int, NumberOfShadowSkips> Skipped = {};

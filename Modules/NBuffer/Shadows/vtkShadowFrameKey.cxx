@@ -22,30 +22,36 @@ namespace
 /// Whether `part` has props of `whole` only, in the same order. Stand-ins are ignored.
 bool IsPart(const std::vector<vtkProp*>& part, const std::vector<vtkProp*>& whole)
 {
+  const std::type_info* type = nullptr; // the class of the last prop that did not follow in `whole`
+  bool isStandIn = false;               // whether its objects are stand-ins
   auto next = whole.begin();
   for (vtkProp* prop : part)
   {
-    if (next != whole.end() && *next == prop)
+    if (next == whole.end() || *next != prop)
     {
-      ++next;
-      continue;
-    }
-    if (vtkNBufferStandIn::SafeDownCast(prop))
-    {
-      continue;
-    }
-    next = std::find(next, whole.end(), prop);
-    if (next == whole.end())
-    {
-      return false;
+      if (!type || *type != typeid(*prop))
+      {
+        type = &typeid(*prop);
+        isStandIn = vtkNBufferStandIn::SafeDownCast(prop) != nullptr;
+      }
+      if (isStandIn)
+      {
+        continue;
+      }
+      next = std::find(next, whole.end(), prop);
+      if (next == whole.end())
+      {
+        return false;
+      }
     }
     ++next;
   }
   return true;
 }
 
-/// Whether the renderer's cullers remove only props that show in no pixel.
-bool CullersPreserveImage(vtkRenderer* renderer)
+/// Whether the renderer's cullers remove only props that show in no pixel. `settingsTime` is raised
+/// to the last change of the settings of the cullers, up to the first one that does remove others.
+bool CullersPreserveImage(vtkRenderer* renderer, vtkMTimeType& settingsTime)
 {
   bool preserve = false;
   vtkCullerCollection* cullers = renderer->GetCullers();
@@ -63,20 +69,9 @@ bool CullersPreserveImage(vtkRenderer* renderer)
     {
       return false;
     }
+    settingsTime = std::max(settingsTime, culler->GetMTime());
   }
   return preserve;
-}
-
-/// Get the time of the last change of a culler's settings.
-vtkMTimeType GetCullerTime(vtkRenderer* renderer)
-{
-  vtkMTimeType time = 0;
-  vtkCullerCollection* cullers = renderer->GetCullers();
-  for (int i = 0; i < cullers->GetNumberOfItems(); ++i)
-  {
-    time = std::max(time, cullers->GetItemAsObject(i)->GetMTime());
-  }
-  return time;
 }
 }
 
@@ -84,7 +79,7 @@ vtkShadowFrameKey::vtkShadowFrameKey(const vtkRenderState* state,
   const std::vector<vtkShadowLightSource>& lights, const vtkShadowCasterList& props,
   vtkMTimeType settingsTime)
   : Renderer(state->GetRenderer())
-  , SettingsTime(std::max(settingsTime, GetCullerTime(state->GetRenderer())))
+  , SettingsTime(settingsTime)
   , Lights(lights)
   , PropsVersion(props.GetVersion())
   , Drawn(state->GetPropArray(), state->GetPropArray() + state->GetPropArrayCount())
@@ -95,7 +90,7 @@ vtkShadowFrameKey::vtkShadowFrameKey(const vtkRenderState* state,
   glGetIntegerv(GL_VIEWPORT, this->Viewport.data());
   glGetIntegerv(GL_SAMPLES, &this->Samples);
   this->Complete = IsPart(this->Drawn, props.GetProps());
-  if (CullersPreserveImage(state->GetRenderer()))
+  if (CullersPreserveImage(state->GetRenderer(), this->SettingsTime))
   {
     this->Drawn.clear();
   }

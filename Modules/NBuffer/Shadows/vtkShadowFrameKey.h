@@ -5,13 +5,14 @@
  * @brief Everything on which the shadow masks of a frame depend. If the keys of two frames are
  * equal, their masks are equal, too.
  *
- * These are the renderer and its context, the viewport, the number of samples, the camera's matrix,
- * the lights, the settings of the pass and of the cullers, and the renderer's props, whose changes
- * vtkShadowCasterList finds. Which of the props are drawn belongs to the key as well, unless the
- * cullers remove only props that show in no pixel (vtkNBufferCullerTraits). If the list contains
- * props that are not the renderer's, nobody looks for their changes, and the key is equal to no
- * key, itself included. Stand-ins for the renderer's own props (vtkNBufferStandIn) are no such
- * props.
+ * A key holds the renderer and its context, the viewport, the number of samples, the camera's
+ * matrix, the lights, the settings of the pass and of the cullers, and the renderer's props, whose
+ * changes vtkShadowCasterList finds. Which of the props are drawn belongs to the key as well,
+ * unless the cullers remove only props that show in no pixel (vtkNBufferCullerTraits).
+ *
+ * The list of drawn props may contain props that are not the renderer's. Nothing finds the changes
+ * of these, so the key of such a frame is equal to no key, not even to itself. Stand-ins for the
+ * renderer's own props (vtkNBufferStandIn) are allowed.
  */
 #ifndef vtkShadowFrameKey_h
 #define vtkShadowFrameKey_h
@@ -33,7 +34,8 @@ class vtkShadowFrameKey
 public:
   vtkShadowFrameKey() = default;
 
-  /// Make the key of a frame. `settingsTime` is the time of the last change of the pass's settings.
+  /// Makes the key of a frame. `settingsTime` is the time of the last change of the pass's
+  /// settings.
   vtkShadowFrameKey(const vtkRenderState* state, const std::vector<vtkShadowLightSource>& lights,
     const vtkShadowCasterList& props, vtkMTimeType settingsTime);
 

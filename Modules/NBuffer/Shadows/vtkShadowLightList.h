@@ -20,7 +20,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkLight;
 class vtkRenderer;
 
-/// A light that casts, and what is known of it in a frame.
+/// A light that casts shadows in a frame.
 struct vtkShadowLightSource
 {
   vtkLight* Source = nullptr;

@@ -22,8 +22,8 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// For so many frames Automatic believes what it knows of how many samples see something.
-constexpr int SeenFrames = 30;
+/// For so many spaces Automatic believes what it knows of how many samples see something.
+constexpr int CoverageFrames = 30;
 
 /// Deciding about one may take longer than about a hundred others.
 constexpr vtkIdType CastersPerThread = 256;
@@ -51,10 +51,10 @@ struct vtkShadowMaskMaker::Work
     return this->GetLight().Kind == vtkShadowLightKind::Point ? 6 : 1;
   }
 
-  const vtkShadowMaskMaker::Frame& Where;
+  const vtkShadowMaskMaker::Frame& Frame;
   vtkOpenGLRenderWindow* Window;
   const vtkShadowCamera& Camera;
-  const Settings& How;
+  const vtkShadowMaskMaker::Settings& Settings;
   vtkShadowStatistics& Statistics;
   const vtkShadowLightSource& Source;
   std::size_t Slot;
@@ -93,7 +93,7 @@ void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
 bool vtkShadowMaskMaker::ReadMask(
   vtkOpenGLRenderWindow* window, std::size_t slot, int sample, std::vector<unsigned char>& mask)
 {
-  return this->Reader.ReadMask(window, this->Target, slot, sample, mask, this->Error);
+  return this->Target.ReadMask(window, this->Viewport, slot, sample, mask, this->Error);
 }
 
 bool vtkShadowMaskMaker::Make(const Frame& frame, const Settings& settings)
@@ -102,8 +102,8 @@ bool vtkShadowMaskMaker::Make(const Frame& frame, const Settings& settings)
   this->Shadows = 0;
   this->Error.clear();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(frame.Renderer->GetRenderWindow());
-  this->Reader.Begin(this->Viewport);
-  ++this->CoveredAge;
+  this->IsDepthRead = false;
+  ++this->CoverageAge;
   vtkShadowCamera camera(frame.Renderer);
   std::copy_n(this->Viewport, 4, camera.Plan.Viewport);
   camera.Plan.Boxes = settings.Mode != vtkShadowMode::Culled &&
@@ -139,59 +139,59 @@ std::size_t vtkShadowMaskMaker::GetNumberOfSamples() const
 
 bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
 {
-  if (this->Reader.HasReceivers())
+  if (this->IsDepthRead)
   {
     return true;
   }
   const vtkNBufferClock clock;
   ++work.Statistics.ReadBacks;
-  const bool done = this->Reader.ReadReceivers(work.Window, this->Target, this->Error);
-  if (done)
+  this->IsDepthRead = this->Target.ReadDepth(work.Window, this->Viewport, this->Depth, this->Error);
+  if (this->IsDepthRead)
   {
-    const std::vector<float>& depth = this->Reader.GetDepth();
-    const auto seen = std::count_if(depth.begin(), depth.end(), vtkNBufferDepthConvention::IsDrawn);
-    this->SetSeen(static_cast<std::size_t>(seen), depth.size());
+    const auto covered =
+      std::count_if(this->Depth.begin(), this->Depth.end(), vtkNBufferDepthConvention::IsDrawn);
+    this->SetCoverage(static_cast<std::size_t>(covered), this->Depth.size());
   }
   work.Statistics.ReadTime += clock.GetMilliseconds();
-  if (this->LitmapSource && this->LitmapSource != work.How.Tuning.LitmapSource)
+  if (this->LitmapSource && this->LitmapSource != work.Settings.Tuning.LitmapSource)
   {
     this->LitmapSource->Release();
   }
-  this->LitmapSource = work.How.Tuning.LitmapSource;
-  return done &&
+  this->LitmapSource = work.Settings.Tuning.LitmapSource;
+  return this->IsDepthRead &&
     (!this->LitmapSource ||
       this->LitmapSource->BeginFrame(
-        work.Where.Renderer, this->Reader.GetDepth().data(), work.Camera.GetView(), this->Error));
+        work.Frame.Renderer, this->Depth.data(), work.Camera.GetView(), this->Error));
 }
 
 bool vtkShadowMaskMaker::MakeLitmaps(
-  const Work& work, const std::vector<vtkShadowLightSpace>& frames)
+  const Work& work, const std::vector<vtkShadowLightSpace>& spaces)
 {
   if (!this->ReadReceivers(work))
   {
     return false;
   }
   const vtkNBufferClock clock;
-  const int resolution = work.How.Tuning.LitmapResolution;
-  const float* depth = this->Reader.GetDepth().data();
+  const int resolution = work.Settings.Tuning.LitmapResolution;
+  const float* depth = this->Depth.data();
   vtkShadowView view = work.Camera.GetView();
   view.Samples = this->Target.GetSamples();
-  this->Litmaps.resize(std::max(this->Litmaps.size(), frames.size()));
-  for (std::size_t i = 0; i < frames.size(); ++i)
+  this->Litmaps.resize(std::max(this->Litmaps.size(), spaces.size()));
+  for (std::size_t i = 0; i < spaces.size(); ++i)
   {
     vtkShadowLitmap& litmap = this->Litmaps[i];
     if (this->LitmapSource)
     {
       const vtkShadowBlock range =
-        vtkShadowReceivers::GetRange(depth, view, work.GetLight(), frames[i]);
-      if (!this->LitmapSource->Fill(frames[i], range, resolution, litmap, this->Error))
+        vtkShadowReceivers::GetRange(depth, view, work.GetLight(), spaces[i]);
+      if (!this->LitmapSource->Fill(spaces[i], range, resolution, litmap, this->Error))
       {
         return false;
       }
     }
     else
     {
-      vtkShadowReceivers::Scatter(depth, view, work.GetLight(), frames[i], resolution, litmap);
+      vtkShadowReceivers::Scatter(depth, view, work.GetLight(), spaces[i], resolution, litmap);
     }
     work.Statistics.Receivers += litmap.GetNumberOfReceivers();
     litmap.Build();
@@ -204,7 +204,7 @@ bool vtkShadowMaskMaker::MakeLitmaps(
 void vtkShadowMaskMaker::FindParts(const Work& work)
 {
   constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
-  const std::vector<vtkShadowCaster*>& casters = work.Where.Casters.GetCasters();
+  const std::vector<vtkShadowCaster*>& casters = work.Frame.Casters.GetCasters();
   this->PartLists.resize(casters.size());
   std::atomic<int> built(0);
   vtkNBufferForEachProp::Run(casters.size(),
@@ -225,11 +225,11 @@ void vtkShadowMaskMaker::FindParts(const Work& work)
     });
   work.Statistics.Silhouettes += built;
   this->Parts.clear();
-  for (std::size_t i = 0; i < casters.size(); ++i)
+  for (const std::vector<vtkShadowCaster::Part>* parts : this->PartLists)
   {
-    for (const vtkShadowCaster::Part& part : *this->PartLists[i])
+    for (const vtkShadowCaster::Part& part : *parts)
     {
-      this->Parts.push_back({ casters[i], &part });
+      this->Parts.push_back(&part);
     }
   }
 }
@@ -246,17 +246,16 @@ void vtkShadowMaskMaker::Decide(const vtkShadowPlan& plan)
       {
         if (i + ahead < end)
         {
-          this->Parts[i + ahead].Part->Prefetch();
+          this->Parts[i + ahead]->Prefetch();
         }
-        const CasterPart& part = this->Parts[i];
-        if (const auto verdict = plan.EarlyOut(part.Part->Silhouette, part.Part->Footprint))
+        const vtkShadowPart& part = *this->Parts[i];
+        if (const auto verdict = plan.EarlyOut(part))
         {
           this->Choices[i].Verdict = *verdict;
         }
         else
         {
-          this->Choices[i] =
-            plan.Decide(part.Part->Silhouette, part.GetPoints(), part.Part->Footprint);
+          this->Choices[i] = plan.Decide(part);
         }
       }
     },
@@ -274,54 +273,53 @@ vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vt
     ++verdicts[static_cast<std::size_t>(choice.Verdict)];
     if (choice.IsDrawn())
     {
-      const CasterPart& part = this->Parts[i];
-      plan.Draw(
-        choice, part.Part->Silhouette, part.GetPoints(), part.Part->Footprint, this->Volume);
+      plan.Draw(choice, *this->Parts[i], this->Volume);
     }
   }
   return verdicts;
 }
 
-void vtkShadowMaskMaker::SetSeen(std::size_t seen, std::size_t samples)
+void vtkShadowMaskMaker::SetCoverage(std::size_t covered, std::size_t samples)
 {
-  this->CoveredFraction = static_cast<double>(seen) / static_cast<double>(samples);
-  this->SeenSamples = samples;
-  this->CoveredAge = 0;
+  this->Coverage = static_cast<double>(covered) / static_cast<double>(samples);
+  this->CoverageSamples = samples;
+  this->CoverageAge = 0;
 }
 
-long long vtkShadowMaskMaker::CountSeen(const Work& work)
+long long vtkShadowMaskMaker::EstimateCovered(const Work& work)
 {
   const std::size_t samples = this->GetNumberOfSamples();
-  if (!this->Reader.HasReceivers() &&
-    (this->SeenSamples != samples || this->CoveredAge >= SeenFrames) && !this->ReadReceivers(work))
+  if (!this->IsDepthRead &&
+    (this->CoverageSamples != samples || this->CoverageAge >= CoverageFrames) &&
+    !this->ReadReceivers(work))
   {
     // Without litmaps there is no need to read anything.
     this->Error.clear();
-    this->SetSeen(samples, samples);
+    this->SetCoverage(samples, samples);
   }
-  return std::llround(this->CoveredFraction * static_cast<double>(samples));
+  return std::llround(this->Coverage * static_cast<double>(samples));
 }
 
 bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work, double fragments, long long triangles)
 {
   const auto samples = static_cast<long long>(this->GetNumberOfSamples());
-  const auto pay = [&](long long seen)
+  const auto pay = [&](long long covered)
   {
-    const long long lexels =
-      static_cast<long long>(work.How.Tuning.LitmapResolution) * work.How.Tuning.LitmapResolution;
-    return vtkShadowCostModel::IsLitmapWorthIt(fragments, triangles, samples, seen, lexels,
+    const long long lexels = static_cast<long long>(work.Settings.Tuning.LitmapResolution) *
+      work.Settings.Tuning.LitmapResolution;
+    return vtkShadowCostModel::IsLitmapWorthIt(fragments, triangles, samples, covered, lexels,
       work.GetNumberOfFaces(), vtkNBufferGL::GetSoftwareRenderer() != nullptr);
   };
-  return pay(samples) || (pay(0) && pay(this->CountSeen(work)));
+  return pay(samples) || (pay(0) && pay(this->EstimateCovered(work)));
 }
 
 bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work)
 {
   const bool positional = work.GetLight().Kind != vtkShadowLightKind::Directional;
   long long triangles = 0;
-  for (const CasterPart& part : this->Parts)
+  for (const vtkShadowCaster::Part* part : this->Parts)
   {
-    triangles += vtkShadowCostModel::CountTriangles(part.Part->Silhouette, positional);
+    triangles += vtkShadowCostModel::CountTriangles(part->Silhouette, positional);
   }
   return this->IsLitmapWorthIt(work, 0.0, triangles);
 }
@@ -331,14 +329,14 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   vtkNBufferClock clock;
   const vtkShadowLight& light = work.GetLight();
   const vtkShadowPlan::View& view = work.Camera.Plan;
-  std::vector<vtkShadowLightSpace> frames; // of litmaps
+  std::vector<vtkShadowLightSpace> spaces; // of litmaps
   std::optional<vtkShadowPlan> plan;
   Verdicts verdicts = {};
-  const bool automatic = work.How.Mode == vtkShadowMode::Automatic;
+  const bool automatic = work.Settings.Mode == vtkShadowMode::Automatic;
   this->FindParts(work);
-  if (work.How.Mode == vtkShadowMode::Unclamped || (automatic && !this->IsLitmapWorthIt(work)))
+  if (work.Settings.Mode == vtkShadowMode::Unclamped || (automatic && !this->IsLitmapWorthIt(work)))
   {
-    plan.emplace(light, work.Space, view, vtkShadowMode::Unclamped, nullptr);
+    plan.emplace(light, view, vtkShadowMode::Unclamped, std::vector<vtkShadowPlan::Face>());
     verdicts = this->AddCasters(work, *plan);
     if (automatic &&
       this->IsLitmapWorthIt(work,
@@ -356,21 +354,21 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   }
   else
   {
-    frames = light.Kind == vtkShadowLightKind::Point
+    spaces = light.Kind == vtkShadowLightKind::Point
       ? MakeFaces(light)
       : std::vector<vtkShadowLightSpace>{ work.Space };
-    if (!this->MakeLitmaps(work, frames))
+    if (!this->MakeLitmaps(work, spaces))
     {
       return false;
     }
     clock.Restart();
-    const bool isOne = frames.size() == 1;
-    plan.emplace(light, work.Space, view, automatic ? vtkShadowMode::Scissored : work.How.Mode,
-      isOne ? this->Litmaps.data() : nullptr, work.How.Tuning.SlabGap);
-    for (std::size_t i = 0; !isOne && i < frames.size(); ++i)
+    std::vector<vtkShadowPlan::Face> litmaps;
+    for (std::size_t i = 0; i < spaces.size(); ++i)
     {
-      plan->AddFace(frames[i], this->Litmaps[i]);
+      litmaps.push_back({ &spaces[i], &this->Litmaps[i] });
     }
+    plan.emplace(light, view, automatic ? vtkShadowMode::Scissored : work.Settings.Mode,
+      std::move(litmaps), work.Settings.Tuning.SlabGap);
     verdicts = this->AddCasters(work, *plan);
     work.Statistics.PlanTime += clock.Restart();
   }
@@ -380,21 +378,21 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   work.Statistics.Triangles += static_cast<long long>(this->Volume.GetIndices().size() / 3);
   const bool done = plan->GetDraws().empty() || this->Count(work, *plan);
   work.Statistics.DrawTime += clock.GetMilliseconds();
-  const vtkLight* pictured = work.How.PictureLight;
+  const vtkLight* pictured = work.Settings.PictureLight;
   if (done && (pictured ? pictured == work.Source.Source : work.Slot == 0))
   {
     const vtkShadowDebugView::Subject subject = { this->Litmaps.data(),
-      static_cast<int>(frames.size()), plan->GetDraws(), work.Camera.EyeToClipByRows.data(),
+      static_cast<int>(spaces.size()), plan->GetDraws(), work.Camera.EyeToClipByRows.data(),
       this->Viewport };
-    return work.Where.DebugView.Make(
-      work.Window, work.How.Picture, subject, this->Counter, work.Statistics, this->Error);
+    return work.Frame.DebugView.Make(
+      work.Window, work.Settings.Picture, subject, this->Counter, work.Statistics, this->Error);
   }
   return done;
 }
 
 bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
 {
-  const vtkShadowTimers::Scope timed(work.Where.Timers, vtkShadowStage::Draw);
+  const vtkShadowTimers::Scope timed(work.Frame.Timers, vtkShadowStage::Draw);
   const std::vector<vtkShadowDraw>& draws = plan.GetDraws();
   vtkShadowStatistics& statistics = work.Statistics;
   ++this->Shadows;
@@ -428,7 +426,8 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
     this->Counter.ClearStencil(this->Target, this->Viewport, start);
     ++statistics.StencilClears;
     if (!this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClipByRows.data(), first,
-          last, work.How.Tuning.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||
+          last, work.Settings.Tuning.CountFragments ? &statistics.Fragments : nullptr,
+          this->Error) ||
       !this->Counter.Resolve(work.Window, this->Target, mask, channel, this->Viewport, this->Error))
     {
       return false;
@@ -446,6 +445,5 @@ void vtkShadowMaskMaker::Release()
     this->LitmapSource->Release();
   }
   this->Target.Release();
-  this->Reader.Release();
 }
 VTK_ABI_NAMESPACE_END

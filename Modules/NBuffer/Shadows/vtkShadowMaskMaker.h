@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkShadowMaskMaker
- * @brief From casters, lights and the depth of the receivers to one mask for each light.
+ * @brief Makes the shadow mask of each light from the casters and the depth of the receivers.
  *
  *     receivers' depth (drawn by the caller after BeginDepth())
  *        |                 for each light:
@@ -24,7 +24,6 @@
 #include "vtkShadowReceivers.h"
 #include "vtkShadowStatistics.h"
 #include "vtkShadowTarget.h"
-#include "vtkShadowTargetReader.h"
 #include "vtkShadowTimers.h"
 #include "vtkShadowTuning.h"
 #include "vtkShadowVolume.h"
@@ -40,7 +39,7 @@ class vtkRenderer;
 class vtkShadowMaskMaker
 {
 public:
-  /// What a user has chosen. `Tuning` is the pass's own.
+  /// The settings of the pass.
   struct Settings
   {
     vtkShadowMode Mode;
@@ -49,7 +48,7 @@ public:
     const vtkLight* PictureLight; ///< The light of the picture; nullptr means the first one.
   };
 
-  /// What a frame brings along.
+  /// A frame whose masks are made.
   struct Frame
   {
     vtkRenderer* Renderer;
@@ -61,29 +60,30 @@ public:
   };
 
   /**
-   * Room for the masks of so many lights in the viewport that is set now, with the samples of the
-   * framebuffer that is bound for drawing, or with one (vtkShadowTarget::HasRefusedSamples(), the
-   * cause in GetError()). Returns false, with the cause in GetError(), if OpenGL refuses.
+   * Allocates the masks of this many lights for the viewport that is set now. They get the samples
+   * of the framebuffer that is bound for drawing, or one for each pixel if the device refuses that
+   * (vtkShadowTarget::HasRefusedSamples(), with the cause in GetError()). Returns false, with the
+   * cause in GetError(), if OpenGL refuses altogether.
    */
   bool Reserve(vtkRenderer* renderer, std::size_t lights);
 
   /**
-   * After Reserve(): bind a framebuffer for the depth of what is drawn next, and clear it. The
-   * caller pops the framebuffer bindings of the window's vtkOpenGLState.
+   * Binds a framebuffer for the depth of what is drawn next, and clears it. Call Reserve() before.
+   * The caller pops the framebuffer bindings of the window's vtkOpenGLState.
    */
   void BeginDepth(vtkRenderer* renderer);
 
   /**
-   * Make the masks. Returns false on failure, with the cause in GetError(). Afterwards
+   * Makes the masks. Returns false on failure, with the cause in GetError(). Afterwards
    * GetNumberOfShadows() is the number of lights for which a volume was drawn.
    */
   bool Make(const Frame& frame, const Settings& settings);
 
   /**
-   * Read back the mask of a light, by its number among the lights of the frame: one value for each
-   * pixel of the viewport, row by row, the lowest first, 0 lit to 255 in shadow. Of a sample, or,
-   * if it is negative, the mean of all. Returns false, with the cause in GetError(), if OpenGL
-   * refuses.
+   * Reads back the mask of a light, by its number among the lights of the frame: one value for each
+   * pixel of the viewport, row by row, the lowest first, from 0 (lit) to 255 (in shadow). `sample`
+   * is the number of a sample; a negative number gives the mean of all samples. Returns false, with
+   * the cause in GetError(), if OpenGL refuses.
    */
   bool ReadMask(
     vtkOpenGLRenderWindow* window, std::size_t slot, int sample, std::vector<unsigned char>& mask);
@@ -93,49 +93,41 @@ public:
   const int* GetViewport() const { return this->Viewport; }
   const std::string& GetError() const { return this->Error; }
 
-  /// Delete the OpenGL objects; the context that made them must be current.
+  /// Deletes the OpenGL objects; the context that made them must be current.
   void Release();
 
 private:
   struct Work;
-  struct CasterPart
-  {
-    const std::vector<glm::dvec3>& GetPoints() const
-    {
-      return vtkShadowCaster::GetPoints(*this->Caster, *this->Part);
-    }
-
-    const vtkShadowCaster* Caster;
-    const vtkShadowCaster::Part* Part;
-  };
   using Verdicts = std::array<int, vtkShadowStatistics::NumberOfVerdicts>;
 
-  std::size_t GetNumberOfSamples() const; ///< Of the viewport.
+  std::size_t GetNumberOfSamples() const; ///< The number of all samples of the viewport.
   bool ReadReceivers(const Work& work);
-  bool MakeLitmaps(const Work& work, const std::vector<vtkShadowLightSpace>& frames);
+  bool MakeLitmaps(const Work& work, const std::vector<vtkShadowLightSpace>& spaces);
   void FindParts(const Work& work);
   void Decide(const vtkShadowPlan& plan);
   Verdicts AddCasters(const Work& work, vtkShadowPlan& plan);
   bool IsLitmapWorthIt(const Work& work, double fragments, long long triangles);
-  bool IsLitmapWorthIt(const Work& work); ///< For the triangles alone.
-  long long CountSeen(const Work& work);
-  void SetSeen(std::size_t seen, std::size_t samples);
+  bool IsLitmapWorthIt(const Work& work); ///< The same by the number of triangles alone.
+  long long EstimateCovered(const Work& work);
+  void SetCoverage(std::size_t covered, std::size_t samples);
   bool Shade(const Work& work);
   bool Count(const Work& work, const vtkShadowPlan& plan);
 
   vtkShadowTarget Target;
   vtkShadowCounter Counter;
-  std::shared_ptr<vtkShadowLitmapSource> LitmapSource; ///< The one whose objects are to release.
-  vtkShadowTargetReader Reader;
-  std::vector<vtkShadowLitmap> Litmaps; ///< Of the light at work: one, or one for each face.
+  std::shared_ptr<vtkShadowLitmapSource> LitmapSource; ///< The last source that was used, if any.
+  std::vector<float> Depth; ///< The window depths of all samples (vtkShadowTarget::ReadDepth()).
+  bool IsDepthRead = false; ///< True if Depth belongs to the current frame.
+  std::vector<vtkShadowLitmap> Litmaps; ///< One, or six for a point light, of the current light.
   vtkShadowVolume Volume;
-  // Of all casters in their order, for the light at work.
+  // The parts of all casters, in their order, for the current light.
   std::vector<const std::vector<vtkShadowCaster::Part>*> PartLists;
-  std::vector<CasterPart> Parts;
-  std::vector<vtkShadowPlan::Choice> Choices; ///< About the parts.
-  double CoveredFraction = 1.0;               ///< Of the samples, when their depth was last read.
-  std::size_t SeenSamples = 0;                ///< How many there were then,
-  int CoveredAge = 0;                         ///< and how many frames ago that was.
+  std::vector<const vtkShadowCaster::Part*> Parts;
+  std::vector<vtkShadowPlan::Choice> Choices; ///< The decision about each of Parts.
+  /// The share of samples that were not background when depth was last read.
+  double Coverage = 1.0;
+  std::size_t CoverageSamples = 0; ///< The number of samples then.
+  int CoverageAge = 0;             ///< The number of frames since then.
   int Viewport[4] = { 0, 0, 0, 0 };
   int Shadows = 0;
   std::string Error;

@@ -44,8 +44,7 @@ int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& se
   statistics.Lights = static_cast<int>(lights.size());
   if (lights.empty() || !window)
   {
-    this->DrawPlain(state, vtkShadowDecision::NoLight);
-    return this->Opaque->GetNumberOfRenderedProps();
+    return this->DrawPlain(state, vtkShadowDecision::NoLight);
   }
   const vtkNBufferClock clock;
   this->Casters.Update(renderer, settings.CasterKeys);
@@ -55,8 +54,7 @@ int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& se
   statistics.CasterTime = clock.GetMilliseconds();
   if (statistics.Casters == 0)
   {
-    this->DrawPlain(state, vtkShadowDecision::NoCaster);
-    return this->Opaque->GetNumberOfRenderedProps();
+    return this->DrawPlain(state, vtkShadowDecision::NoCaster);
   }
 
   this->UseContext(window);
@@ -102,10 +100,11 @@ int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& se
   return this->Opaque->GetNumberOfRenderedProps();
 }
 
-void vtkShadowOpaqueStage::DrawPlain(const vtkRenderState* state, vtkShadowDecision decision)
+int vtkShadowOpaqueStage::DrawPlain(const vtkRenderState* state, vtkShadowDecision decision)
 {
   this->Statistics.Decision = decision;
   this->Opaque->Render(state);
+  return this->Opaque->GetNumberOfRenderedProps();
 }
 
 bool vtkShadowOpaqueStage::ReserveMasks(vtkRenderer* renderer, std::size_t lights)

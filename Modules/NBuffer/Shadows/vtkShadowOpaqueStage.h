@@ -6,7 +6,7 @@
  *
  *     lights and casters of the renderer
  *        |   none: the props are drawn as without the pass, and OpenGL is not called
- *     depth of the receivers: the opaque props, into a target of our own
+ *     depth of the receivers: the opaque props, drawn into a vtkShadowTarget
  *        |
  *     masks (vtkShadowMaskMaker), or those of the last frame if nothing has changed
  *        |   no shadow is due, or OpenGL refuses: the props are drawn as without the pass
@@ -60,24 +60,24 @@ public:
   vtkShadowOpaqueStage(const vtkShadowOpaqueStage&) = delete;
   void operator=(const vtkShadowOpaqueStage&) = delete;
 
-  /// Draw the opaque props of the state. Returns how many props were drawn.
+  /// Draws the opaque props of the state. Returns how many props were drawn.
   int Render(const vtkRenderState* state, const Settings& settings);
 
   /// The statistics of the last frame.
   const vtkShadowStatistics& GetStatistics() const { return this->Statistics; }
-  const vtkShadowShading& GetShading() const { return this->Shading; }
+  vtkShadowShading& GetShading() { return this->Shading; }
   const vtkShadowTarget& GetTarget() const { return this->Masks.GetTarget(); }
 
-  /// The mask of a light of the last frame; see vtkShadowVolumeClampPass::GetMask(). Returns false
-  /// if the light did not cast, there is no such sample or, with the cause in `why`, OpenGL
-  /// refuses.
+  /// Reads the mask of a light of the last frame, as vtkShadowVolumeClampPass::GetMask() describes.
+  /// Returns false if the light did not cast, if there is no such sample or, with the cause in
+  /// `why`, if OpenGL refuses.
   bool ReadMask(
     vtkLight* light, int sample, std::vector<unsigned char>& mask, int size[2], std::string& why);
 
   /// The debug view of the last frame, or nullptr if there was none.
   const vtkShadowDebugView* GetDebugView() const;
 
-  /// Delete the OpenGL objects that belong to a window; nullptr means any window.
+  /// Deletes the OpenGL objects that belong to a window; nullptr means any window.
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
@@ -89,7 +89,7 @@ private:
     const std::vector<vtkShadowLightSource>& lights);
   bool ReserveMasks(vtkRenderer* renderer, std::size_t lights);
   void Draw(const vtkRenderState* state, vtkTextureObject* depth);
-  void DrawPlain(const vtkRenderState* state, vtkShadowDecision decision);
+  int DrawPlain(const vtkRenderState* state, vtkShadowDecision decision);
   void ShowDebugView(vtkOpenGLRenderWindow* window);
   void JoinProps(const vtkRenderState* state);
   void LeaveProps(const vtkRenderState* state);

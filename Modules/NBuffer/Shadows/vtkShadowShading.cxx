@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowShading.h"
 
+#include "vtkNBufferSharedText.h"
+#include "vtkShadowLightDec.h"
+#include "vtkShadowSampleDec.h"
 #include "vtkShadowTarget.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -9,25 +12,84 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-VTK_ABI_NAMESPACE_BEGIN
+#include <algorithm>
 
+VTK_ABI_NAMESPACE_BEGIN
+void vtkShadowShading::Declare(std::string& fragmentShader) const
+{
+  // Where props share their property keys, VTK calls a pass once for each of them.
+  if (fragmentShader.find("NBUFFER_SHADOW_LIGHTS") != std::string::npos)
+  {
+    return;
+  }
+  const auto define = [](const char* name, std::size_t value)
+  { return std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
+  std::string declaration = vtkShadowLightDec;
+  vtkShaderProgram::Substitute(declaration, "//VTK::NBuffer::Shared", vtkNBufferSharedText);
+  vtkShaderProgram::Substitute(declaration, "//VTK::NBuffer::Dec",
+    define("NBUFFER_SHADOW_LIGHTS", this->ShaderLights.size()) +
+      define("NBUFFER_SHADOW_MASKS", vtkShadowTarget::CountMasks(this->ShaderLights.size())) +
+      define("NBUFFER_SHADOW_SAMPLES", this->Samples));
+  vtkShaderProgram::Substitute(
+    fragmentShader, "//VTK::Light::Dec", declaration + "//VTK::Light::Dec", false);
+  if (this->Samples > 1)
+  {
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::System::Dec",
+      std::string("//VTK::System::Dec\n") + vtkShadowSampleDec, false);
+  }
+}
+
+bool vtkShadowShading::Insert(std::string& fragmentShader) const
+{
+  bool isKnown = true;
+  for (std::size_t i = 0; i < this->ShaderLights.size(); ++i)
+  {
+    const std::string color = "lightColor" + std::to_string(this->ShaderLights[i]);
+    const std::string share = "NBUFFER_SHADOW_SHARE(" + std::to_string(i) + ")";
+    bool replaced = fragmentShader.find(share) != std::string::npos;
+    if (replaced)
+    {
+      continue;
+    }
+    const auto replace = [&](const std::string& before, const std::string& after)
+    {
+      replaced = vtkShaderProgram::Substitute(fragmentShader, before + color + after,
+                   before + share + " * " + color + after, true) ||
+        replaced;
+    };
+    replace("diffuse += (df * ", ");");
+    replace("specular += (sf * ", ");");
+    replace("radiance = ", ";");
+    replace("radiance = ", " * attenuation;"); // positional lights before VTK 9.5
+    const bool used = fragmentShader.find("* " + color) != std::string::npos ||
+      fragmentShader.find("= " + color) != std::string::npos;
+    isKnown = isKnown && (replaced || !used);
+  }
+  return isKnown;
+}
 void vtkShadowShading::SetUp(const std::vector<vtkShadowLightSource>& lights, int samples)
 {
-  vtkShadowShader shader;
+  std::vector<int> numbers;
   for (const vtkShadowLightSource& light : lights)
   {
-    shader.Lights.push_back(light.Number);
+    numbers.push_back(light.Number);
   }
-  shader.Samples = samples;
-  if (!(shader == this->Shader))
+  if (numbers != this->ShaderLights || samples != this->Samples)
   {
-    this->Shader = shader;
+    this->ShaderLights = numbers;
+    this->Samples = samples;
     this->Time.Modified();
   }
 }
 
-void vtkShadowShading::SetParameters(vtkShaderProgram* program, const vtkShadowTarget& target) const
+void vtkShadowShading::SetParameters(vtkShaderProgram* program)
 {
+  const std::pair<const void*, int> current = { program, program->GetHandle() };
+  if (current == this->LastProgram)
+  {
+    return;
+  }
+  this->LastProgram = current;
   if (program->IsUniformUsed("shadowMasks"))
   {
     program->SetUniform1iv(
@@ -35,24 +97,14 @@ void vtkShadowShading::SetParameters(vtkShaderProgram* program, const vtkShadowT
   }
   if (program->IsUniformUsed("shadowDepth"))
   {
-    std::vector<float> offsets;
-    for (const auto& place : target.GetSamples())
-    {
-      offsets.push_back(static_cast<float>(place[0] - 0.5));
-      offsets.push_back(static_cast<float>(place[1] - 0.5));
-    }
     program->SetUniformi("shadowDepth", this->DepthUnit);
-    program->SetUniform2fv("shadowSamples", static_cast<int>(offsets.size() / 2), offsets.data());
+    program->SetUniform2fv("shadowSamples", static_cast<int>(this->SampleOffsets.size() / 2),
+      this->SampleOffsets.data());
   }
   if (program->IsUniformUsed("shadowAttenuations"))
   {
-    std::vector<float> attenuations(this->Shader.Lights.size(), 0.0f);
-    for (std::size_t i = 0; i < this->Lights.size(); ++i)
-    {
-      attenuations[i] = this->Lights[i].Attenuation;
-    }
     program->SetUniform1fv(
-      "shadowAttenuations", static_cast<int>(attenuations.size()), attenuations.data());
+      "shadowAttenuations", static_cast<int>(this->Attenuations.size()), this->Attenuations.data());
   }
 }
 
@@ -76,6 +128,16 @@ vtkShadowShading::Scope::Scope(vtkShadowShading& shading, vtkOpenGLRenderWindow*
     depth->Activate();
     shading.DepthUnit = depth->GetTextureUnit();
   }
+  shading.LastProgram = {};
+  shading.SampleOffsets.clear();
+  for (const auto& place : target.GetSamples())
+  {
+    shading.SampleOffsets.push_back(static_cast<float>(place[0] - 0.5));
+    shading.SampleOffsets.push_back(static_cast<float>(place[1] - 0.5));
+  }
+  shading.Attenuations.assign(shading.ShaderLights.size(), 0.0f);
+  std::transform(shading.Lights.begin(), shading.Lights.end(), shading.Attenuations.begin(),
+    [](const vtkShadowLightSource& light) { return light.Attenuation; });
 }
 
 vtkShadowShading::Scope::~Scope()
@@ -89,5 +151,4 @@ vtkShadowShading::Scope::~Scope()
     this->Depth->Deactivate();
   }
 }
-
 VTK_ABI_NAMESPACE_END

@@ -5,17 +5,12 @@
  * @brief Draws shadow volumes into the stencil buffer and makes masks from the counts.
  *
  * A receiver is in shadow if it lies inside a volume. The stencil buffer counts the faces of
- * volumes along the line of sight, and the receivers' depth is in the depth buffer:
+ * volumes along the line of sight, and the receivers' depth is in the depth buffer.
+ * vtkShadowDrawList.h derives the two ways to count and chooses one of them for each volume:
  *
- *                     volume A        volume B
- *                    +--------+      +--------+
- *     eye ---------->|+1    -1|----->|+1   R..|+1 - - >        R is a receiver in volume B
- *                    +--------+      +--------+
- *
- *     z-pass  counts the faces before R: a front face is +1, a back face is -1. Here the count is
- *             +1 - 1 + 1 = 1. The count is right only if the eye is outside of the volume.
- *     z-fail  counts the faces behind R: a back face is +1, a front face is -1. Here the count is
- *             +1. The count is right wherever the eye is, but the volume must be closed.
+ *     z-pass  counts the faces before the receiver: a front face is +1, a back face is -1.
+ *     z-fail  counts the faces behind the receiver: a back face is +1, a front face is -1. The
+ *             volume must be closed.
  *
  * Depth is clamped, so the far plane does not cut volumes open. For z-fail a clip plane removes
  * what lies before the near plane, which z-fail never counts. Counts wrap modulo 256, so the order
@@ -54,7 +49,7 @@ class VTKNBUFFER_EXPORT vtkShadowCounter
 public:
   vtkShadowCounter();
 
-  /// Send a volume to the device. Returns false, with the cause in `why`, if OpenGL refuses.
+  /// Sends a volume to the device. Returns false, with the cause in `why`, if OpenGL refuses.
   bool Upload(const vtkShadowVolume& volume, std::string& why);
 
   /**
@@ -83,13 +78,13 @@ public:
   };
 
   ///@{
-  /// Set all channels of a mask to lit, or the stencil buffer to a count, within the viewport.
+  /// Sets all channels of a mask to lit, or the stencil buffer to a count, within the viewport.
   void ClearMask(const vtkShadowTarget& target, int mask, const int viewport[4]);
   void ClearStencil(const vtkShadowTarget& target, const int viewport[4], int start);
   ///@}
 
   /**
-   * Count the draws from `first` to the one before `last`. `volumeToClip` is the row-major matrix
+   * Counts the draws from `first` to the one before `last`. `volumeToClip` is the row-major matrix
    * from the uploaded vertices to clip coordinates. If `fragments` is not null, the number of
    * fragments that the volumes cover is added to it, whether or not they pass the depth test; where
    * the target is multisampled, it is the number of their samples. This doubles the draws and waits
@@ -99,7 +94,7 @@ public:
     const double volumeToClip[16], const vtkShadowDraw* first, const vtkShadowDraw* last,
     long long* fragments, std::string& why);
 
-  /// Set a channel of a mask to shadow where the count is not 0. Returns false, with the cause in
+  /// Sets a channel of a mask to shadow where the count is not 0. Returns false, with the cause in
   /// `why`, if OpenGL refuses.
   bool Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target, int mask, int channel,
     const int viewport[4], std::string& why);
@@ -112,7 +107,7 @@ public:
   };
 
   /**
-   * Draw volumes for a debug view, without a depth test, into the colours of the framebuffer that
+   * Draws volumes for a debug view, without a depth test, into the colours of the framebuffer that
    * is bound and the viewport that is set. To be called within a ScopedPass. Returns false, with
    * the cause in `why`, if OpenGL refuses.
    */
@@ -122,7 +117,7 @@ public:
   /// How often volumes and masks were drawn since the last Release().
   int GetNumberOfDraws() const { return this->Draws; }
 
-  /// Delete the OpenGL objects. Their context must be current.
+  /// Deletes the OpenGL objects. Their context must be current.
   void Release();
 
 private:

@@ -133,18 +133,14 @@ Image PaintExtents(const std::vector<vtkShadowDraw>& draws, const int viewport[4
   // pixels below and to the left of a pixel is the number of boxes that contain it.
   const std::size_t stride = static_cast<std::size_t>(width) + 1;
   std::vector<int> sums(stride * (static_cast<std::size_t>(height) + 1), 0);
-  struct Box
-  {
-    int X0, Y0, X1, Y1;
-  };
-  std::vector<Box> boxes;
+  std::vector<vtkNBufferRectangle> boxes;
   for (const vtkShadowDraw& draw : draws)
   {
     const int x = draw.Box[0] - viewport[0];
     const int y = draw.Box[1] - viewport[1];
-    const Box box = { std::clamp(x, 0, width), std::clamp(y, 0, height),
+    const vtkNBufferRectangle box = { std::clamp(x, 0, width), std::clamp(y, 0, height),
       std::clamp(x + draw.Box[2], 0, width), std::clamp(y + draw.Box[3], 0, height) };
-    if (box.X0 < box.X1 && box.Y0 < box.Y1)
+    if (!box.IsEmpty())
     {
       boxes.push_back(box);
       ++sums[box.Y0 * stride + box.X0];
@@ -165,7 +161,7 @@ Image PaintExtents(const std::vector<vtkShadowDraw>& draws, const int viewport[4
   }
   const auto paintEdge = [&](int x, int y)
   { SetPixel(image, static_cast<std::size_t>(y) * width + x, Edge); };
-  for (const Box& box : boxes)
+  for (const vtkNBufferRectangle& box : boxes)
   {
     for (int x = box.X0; x < box.X1; ++x)
     {

@@ -31,7 +31,7 @@ using Image = std::vector<unsigned char>;
 VTKNBUFFER_EXPORT Color GetHeat(int number);
 
 /**
- * Paint litmaps, one of them or the six of a point light. Each has a row of three squares, the
+ * Paints litmaps, one of them or the six of a point light. Each has a row of three squares, the
  * first row is the lowest. p goes to the right, q upwards, and lexels without receivers are dark:
  *
  *     +-----------------+ +-----------------+ +-----------------+
@@ -44,12 +44,12 @@ VTKNBUFFER_EXPORT Color GetHeat(int number);
 VTKNBUFFER_EXPORT Image PaintLitmaps(
   const vtkShadowLitmap* litmaps, int count, int width, int height);
 
-/// Paint the edges of the boxes of all draws in white, and in each pixel, as heat, the number of
+/// Paints the edges of the boxes of all draws in white, and in each pixel, as heat, the number of
 /// boxes that contain it.
 VTKNBUFFER_EXPORT Image PaintExtents(
   const std::vector<vtkShadowDraw>& draws, const int viewport[4]);
 
-/// Replace the numbers in the first channel of an image by heat.
+/// Replaces the numbers in the first channel of an image by heat.
 VTKNBUFFER_EXPORT void PaintCounts(Image& image);
 }
 VTK_ABI_NAMESPACE_END

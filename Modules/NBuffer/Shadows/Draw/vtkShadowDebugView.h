@@ -39,20 +39,20 @@ public:
   };
 
   /**
-   * Make the image. Returns false, with the cause in `why`, if OpenGL refuses. To be called within
+   * Makes the image. Returns false, with the cause in `why`, if OpenGL refuses. To be called within
    * a vtkShadowCounter::Scope, whose state is restored.
    */
   bool Make(vtkOpenGLRenderWindow* window, vtkShadowPicture picture, const Subject& subject,
     vtkShadowCounter& counter, vtkShadowStatistics& statistics, std::string& why);
 
   /**
-   * Lay the image, if there is one, over the colours of the framebuffer that is bound, where the
+   * Lays the image, if there is one, over the colours of the framebuffer that is bound, where the
    * image is not transparent. Depth and opacity of the framebuffer stay. Returns false, with the
    * cause in `why`, if OpenGL refuses. Restores the state.
    */
   bool Show(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics, std::string& why);
 
-  /// Show nothing until the next image is made.
+  /// Shows nothing until the next image is made.
   void Clear() { this->Image.clear(); }
 
   ///@{
@@ -62,7 +62,7 @@ public:
   int GetHeight() const { return this->Viewport[3]; }
   ///@}
 
-  /// Delete the OpenGL objects. Their context must be current.
+  /// Deletes the OpenGL objects. Their context must be current.
   void Release();
 
 private:

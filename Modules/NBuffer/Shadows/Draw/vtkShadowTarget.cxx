@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowTarget.h"
 
+#include "vtkNBufferDepthSource.h"
 #include "vtkNBufferGL.h"
+#include "vtkShadowSampleFS.h"
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -18,6 +21,41 @@ vtkShadowTarget::SamplePlaces GetCentre()
 }
 }
 
+vtkShadowSampleReader::vtkShadowSampleReader()
+  : Pass(vtkShadowSampleFS,
+      "The shader that reads samples does not compile on this driver. Update the driver, and "
+      "report its message.")
+{
+}
+
+bool vtkShadowSampleReader::Read(vtkOpenGLRenderWindow* window, unsigned int texture, int sample,
+  int channel, const int rectangle[4], float* values, std::string& why)
+{
+  vtkNBufferGL::ClearErrors();
+  const vtkNBufferGL::ScopedPass scope(window);
+  vtkShaderProgram* program = this->Image.ReserveTarget(GL_R32F, rectangle[2], rectangle[3], why)
+    ? this->Pass.Begin(window, why)
+    : nullptr;
+  if (!program)
+  {
+    return false;
+  }
+  program->SetUniformi("samples", 0);
+  program->SetUniformi("index", sample);
+  program->SetUniformi("channel", channel);
+  program->SetUniform2i("origin", rectangle);
+  glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture);
+  this->Pass.Draw(this->Image.GetFramebuffer(), 0, 0, rectangle[2], rectangle[3]);
+  const vtkNBufferGL::ScopedReadback readback(this->Image.GetFramebuffer());
+  glReadPixels(0, 0, rectangle[2], rectangle[3], GL_RED, GL_FLOAT, values);
+  return vtkNBufferGL::CheckErrors("Reading samples", why);
+}
+
+void vtkShadowSampleReader::Release()
+{
+  this->Image.Delete();
+  this->Pass.Delete();
+}
 vtkShadowTarget::SamplePlaces vtkShadowTarget::GetBoundSamples()
 {
   int count = 0;
@@ -172,9 +210,73 @@ bool vtkShadowTarget::Attach(
   return vtkNBufferGL::CheckErrors("Attaching depth and stencil", why);
 }
 
+bool vtkShadowTarget::ReadDepth(
+  vtkOpenGLRenderWindow* window, const int viewport[4], std::vector<float>& depth, std::string& why)
+{
+  if (!this->IsMultisampled())
+  {
+    const vtkNBufferGL::ScopedFramebuffers bindings;
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->GetDepthFramebuffer());
+    vtkNBufferDepthSource source;
+    return source.Inspect(window, why) &&
+      source.Read(window, viewport[0], viewport[1], viewport[2], viewport[3], depth, why);
+  }
+  const std::size_t pixels = static_cast<std::size_t>(viewport[2]) * viewport[3];
+  depth.resize(this->Samples.size() * pixels);
+  bool done = true;
+  for (std::size_t i = 0; i < this->Samples.size() && done; ++i)
+  {
+    done = this->SampleReader.Read(window, this->SampledDepth->GetHandle(), static_cast<int>(i), 0,
+      viewport, depth.data() + i * pixels, why);
+  }
+  return done;
+}
+
+bool vtkShadowTarget::ReadMask(vtkOpenGLRenderWindow* window, const int viewport[4],
+  std::size_t light, int sample, std::vector<unsigned char>& mask, std::string& why)
+{
+  const Mask& source = this->Masks[GetMaskIndex(light)];
+  const int channel = GetChannel(light);
+  mask.resize(static_cast<std::size_t>(viewport[2]) * viewport[3]);
+  if (!this->IsMultisampled())
+  {
+    std::vector<unsigned char> pixels(LightsPerMask * mask.size());
+    vtkNBufferGL::ClearErrors();
+    const vtkNBufferGL::ScopedReadback readback(source.Framebuffer.GetName());
+    glReadPixels(
+      viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    for (std::size_t i = 0; i < mask.size(); ++i)
+    {
+      mask[i] = pixels[LightsPerMask * i + channel];
+    }
+    return vtkNBufferGL::CheckErrors("Reading a shadow mask", why);
+  }
+  const int first = std::max(sample, 0);
+  const int last = sample < 0 ? static_cast<int>(this->Samples.size()) : sample + 1;
+  std::vector<float> values(mask.size());
+  std::vector<float> sums(mask.size(), 0.0f);
+  for (int i = first; i < last; ++i)
+  {
+    if (!this->SampleReader.Read(
+          window, source.Texture->GetHandle(), i, channel, viewport, values.data(), why))
+    {
+      return false;
+    }
+    for (std::size_t k = 0; k < mask.size(); ++k)
+    {
+      sums[k] += values[k];
+    }
+  }
+  std::transform(sums.begin(), sums.end(), mask.begin(),
+    [&](float sum)
+    { return static_cast<unsigned char>(255.0f * sum / static_cast<float>(last - first) + 0.5f); });
+  return true;
+}
+
 void vtkShadowTarget::Release()
 {
   this->Free();
+  this->SampleReader.Release();
   this->RefusedSamples.clear();
 }
 

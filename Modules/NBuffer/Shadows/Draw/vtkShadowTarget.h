@@ -27,6 +27,7 @@
 #define vtkShadowTarget_h
 
 #include "Shaders/vtkNBufferShared.h"
+#include "vtkNBufferFullScreenPass.h"
 #include "vtkNBufferGLObject.h"
 #include "vtkNBufferModule.h" // For export macro
 
@@ -40,6 +41,36 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 
+/**
+ * Reads multisampled textures back, sample by sample. glReadPixels() does not return samples:
+ * OpenGL first reduces the samples of a pixel to one value, which is any one of them for depth and
+ * their mean for colours. A shader here copies one sample of each pixel into a float texture of
+ * this class, which is then read.
+ */
+class VTKNBUFFER_EXPORT vtkShadowSampleReader
+{
+public:
+  vtkShadowSampleReader();
+
+  /**
+   * Reads one channel of one sample of a GL_TEXTURE_2D_MULTISAMPLE that holds depth (in channel 0)
+   * or normalised colours. `rectangle` is x, y, width and height in texels. `values` receives one
+   * float in [0, 1] for each of its texels, row by row, the lowest first. Depth of 24 bits differs
+   * by at most one unit in the last place of a float; 0 and 1 are exact. Returns false, with the
+   * cause in `why`, if OpenGL refuses. Restores the state of OpenGL. Waits for the device.
+   */
+  bool Read(vtkOpenGLRenderWindow* window, unsigned int texture, int sample, int channel,
+    const int rectangle[4], float* values, std::string& why);
+
+  /// Deletes the OpenGL objects. Their context must be current.
+  void Release();
+
+private:
+  vtkNBufferGL::GrowingTexture Image;
+  vtkNBufferGL::FullScreenPass Pass;
+};
+
+/// The framebuffers in which shadows are counted, and their masks.
 class VTKNBUFFER_EXPORT vtkShadowTarget
 {
 public:
@@ -60,7 +91,7 @@ public:
   static SamplePlaces GetBoundSamples();
 
   /**
-   * Make room for images of at least this size, for this many masks, with these samples. If
+   * Makes room for images of at least this size, for this many masks, with these samples. If
    * textures on this device cannot have these samples, they get one for each pixel,
    * HasRefusedSamples() is true, and `why` says why. Returns false, with the cause and a remedy in
    * `why`, if OpenGL refuses that, too. Restores the draw and read framebuffer.
@@ -97,10 +128,23 @@ public:
   vtkTextureObject* GetDepth() const { return this->SampledDepth; }
   ///@}
 
+  /**
+   * Reads the depth of the receivers in a viewport (x, y, width and height in pixels): an image for
+   * each sample, one after the other. Images are row by row, the lowest first. Returns false, with
+   * the cause in `why`, if OpenGL refuses. Waits for the device.
+   */
+  bool ReadDepth(vtkOpenGLRenderWindow* window, const int viewport[4], std::vector<float>& depth,
+    std::string& why);
+
+  /// Reads the shadow of a light likewise: 0 is lit, 255 is in shadow. `sample` is the number of a
+  /// sample; a negative number gives the mean of all samples.
+  bool ReadMask(vtkOpenGLRenderWindow* window, const int viewport[4], std::size_t light, int sample,
+    std::vector<unsigned char>& mask, std::string& why);
+
   /// How often memory was requested from OpenGL since construction.
   int GetNumberOfAllocations() const { return this->Allocations; }
 
-  /// Delete the OpenGL objects. Their context must be current.
+  /// Deletes the OpenGL objects. Their context must be current.
   void Release();
 
 private:
@@ -126,6 +170,7 @@ private:
   vtkSmartPointer<vtkTextureObject> SampledDepth; ///< Depth and stencil with multisampling.
   vtkNBufferGL::Framebuffer DepthFramebuffer;
   std::vector<Mask> Masks;
+  vtkShadowSampleReader SampleReader;
 };
 VTK_ABI_NAMESPACE_END
 #endif

@@ -5,8 +5,8 @@
  * @brief Measures how long the graphics device takes for the stages of a frame with shadows.
  *
  * The times come from VTK's vtkOpenGLRenderTimerLog, which reads time stamps of the device when
- * they have arrived and never waits for them. The log is our own, because the one of the render
- * window belongs to the application. This class adds what the log does not do: it requires
+ * they have arrived and never waits for them. The log is this class's own, because the one of the
+ * render window belongs to the application. This class adds what the log does not do: it requires
  * OpenGL 3.3, adds up the pieces of a stage, and flushes around each piece. Renderers that collect
  * draws before they execute them (llvmpipe, tiled devices) would otherwise report the time of the
  * last tile only.
@@ -31,7 +31,7 @@ public:
   void operator=(const vtkShadowTimers&) = delete;
 
   /**
-   * Begin a frame, which is measured if `measure` is true and the device has timers. Without
+   * Begins a frame, which is measured if `measure` is true and the device has timers. Without
    * `measure` OpenGL is not called, unless queries of an earlier frame remain to be deleted. The
    * context must be current.
    */
@@ -60,7 +60,7 @@ public:
   /// How many pieces of stages were measured since construction.
   int GetNumberOfIntervals() const { return this->NumberOfIntervals; }
 
-  /// Delete all queries. Their context must be current.
+  /// Deletes all queries. Their context must be current.
   void Release();
 
 private:

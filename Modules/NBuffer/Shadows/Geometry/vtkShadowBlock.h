@@ -24,6 +24,14 @@ struct vtkShadowBlock
 
   bool IsEmpty() const { return !(this->Low[2] <= this->High[2]); }
 
+  /// Returns true if the two boxes have a point in common, be it on their sides.
+  bool Meets(const vtkShadowBlock& other) const
+  {
+    return other.High.x >= this->Low.x && other.Low.x <= this->High.x &&
+      other.High.y >= this->Low.y && other.Low.y <= this->High.y && other.High.z >= this->Low.z &&
+      other.Low.z <= this->High.z;
+  }
+
   /// Widens coordinate i to hold [low, high].
   void Add(int i, double low, double high)
   {
@@ -37,6 +45,17 @@ struct vtkShadowBlock
     for (int i = 0; i < 3; ++i)
     {
       this->Add(i, x[i], x[i]);
+    }
+  }
+
+  /// Widens the box to hold the segment from a to b, and what is at most radius[i] from it in
+  /// coordinate i.
+  void AddSegment(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& radius)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Add(
+        i, (b[i] < a[i] ? b[i] : a[i]) - radius[i], (a[i] < b[i] ? b[i] : a[i]) + radius[i]);
     }
   }
 };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class vtkShadowFootprint
- * @brief What a caster takes up in light coordinates and in the world. No OpenGL.
+ * @file vtkShadowFootprint.h
+ * @brief The space that a caster takes up in light coordinates and in the world. No OpenGL.
  *
  *            light                    The rays p0 <= p <= p1, q0 <= q <= q1 hold whatever
  *           /  :  \                   the caster shadows, at depths beyond near.
@@ -16,35 +16,58 @@
 #ifndef vtkShadowFootprint_h
 #define vtkShadowFootprint_h
 
-#include "vtkNBufferModule.h" // For export macro
 #include "vtkShadowBlock.h"
 #include "vtkShadowLight.h"
 #include "vtkShadowPoints.h"
 #include "vtkShadowSilhouette.h"
 
-#include <array>
-
 VTK_ABI_NAMESPACE_BEGIN
 
-struct VTKNBUFFER_EXPORT vtkShadowFootprint
+struct vtkShadowFootprint
 {
   /// The footprint of all points.
-  static vtkShadowFootprint Make(vtkShadowPoints points, const vtkShadowLightSpace& space);
+  static vtkShadowFootprint Make(vtkShadowPoints points, const vtkShadowLightSpace& space)
+  {
+    vtkShadowFootprint result;
+    for (const glm::dvec3& point : points)
+    {
+      result.Add(point, space);
+    }
+    return result;
+  }
 
   /// The footprint of the triangles that count alone. `points` must be those that the silhouette
   /// was computed with.
-  static vtkShadowFootprint Make(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
-    const vtkShadowLightSpace& space);
+  static vtkShadowFootprint Make(
+    const vtkShadowSilhouette& silhouette, vtkShadowPoints points, const vtkShadowLightSpace& space)
+  {
+    vtkShadowFootprint result;
+    for (const int corner : silhouette.GetTriangles())
+    {
+      result.Add(points[corner], space);
+    }
+    return result;
+  }
 
-  /// The eight corners of Bounds.
-  std::array<glm::dvec3, 8> GetCorners() const;
+  /// Widens the footprint to hold a point.
+  void Add(const glm::dvec3& point, const vtkShadowLightSpace& space)
+  {
+    this->Block.Add(space.ToLight(point));
+    this->Bounds.Add(point);
+  }
 
-  double GetNear() const { return this->Block.Low[2]; }
-  double GetFar() const { return this->Block.High[2]; }
-
-  vtkShadowBlock Block;  ///< p, q and s. For a positional light p and q mean nothing if near <= 0.
   vtkShadowBlock Bounds; ///< The box around the points in the world.
+  vtkShadowBlock Block;  ///< p, q and s. For a positional light p and q mean nothing if near <= 0.
+};
+
+/// A caster, or some of its triangles, as one light sees it.
+struct vtkShadowPart
+{
+  vtkShadowFootprint Footprint;   ///< The footprint of the triangles that count.
+  vtkShadowSilhouette Silhouette; ///< The triangles that count, and their outline.
+  vtkShadowPoints Points;         ///< The world coordinates that the silhouette was computed with.
 };
 
 VTK_ABI_NAMESPACE_END
 #endif
+// VTK-HeaderTest-Exclude: vtkShadowFootprint.h

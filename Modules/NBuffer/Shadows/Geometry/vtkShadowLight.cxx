@@ -9,12 +9,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-bool vtkShadowLight::operator==(const vtkShadowLight& other) const
-{
-  return this->Kind == other.Kind && this->ConeAngle == other.ConeAngle &&
-    this->Position == other.Position && this->Direction == other.Direction;
-}
-
 int vtkShadowLight::GetFacing(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const
 {
   const glm::dvec3 normal = glm::cross(b - a, c - a);
@@ -60,19 +54,6 @@ void vtkShadowLightSpace::SetAxis(const glm::dvec3& axis)
   this->Axis = vtkNBufferGLM::Normalize(axis);
   vtkMath::Perpendiculars(
     glm::value_ptr(this->Axis), glm::value_ptr(this->U), glm::value_ptr(this->V), 0.0);
-}
-
-double vtkShadowLightSpace::GetDepth(const glm::dvec3& x) const
-{
-  return glm::dot(x - this->Apex, this->Axis);
-}
-
-glm::dvec3 vtkShadowLightSpace::ToLight(const glm::dvec3& x) const
-{
-  const glm::dvec3 ray = x - this->Apex;
-  const double s = glm::dot(ray, this->Axis);
-  const double divisor = this->Positional ? s : 1.0;
-  return { glm::dot(ray, this->U) / divisor, glm::dot(ray, this->V) / divisor, s };
 }
 
 glm::dvec3 vtkShadowLightSpace::ToWorld(const glm::dvec3& pqs) const

@@ -62,7 +62,15 @@ struct VTKNBUFFER_EXPORT vtkShadowLight
   /// The angle of a spot in degrees, from the axis to the surface of the cone.
   double ConeAngle = 90.0;
 
-  bool operator==(const vtkShadowLight& other) const;
+  /// Returns true if all members are equal. (GLM's operator subtracts, so that an infinite
+  /// coordinate would not be equal to itself.)
+  bool operator==(const vtkShadowLight& other) const
+  {
+    const auto isSame = [](const glm::dvec3& a, const glm::dvec3& b)
+    { return a.x == b.x && a.y == b.y && a.z == b.z; };
+    return this->Kind == other.Kind && this->ConeAngle == other.ConeAngle &&
+      isSame(this->Position, other.Position) && isSame(this->Direction, other.Direction);
+  }
 
   bool IsPositional() const { return this->Kind != vtkShadowLightKind::Directional; }
 
@@ -112,11 +120,17 @@ public:
   const glm::dvec3& GetV() const { return this->V; }
 
   /// The depth s of X. It may be 0 or negative for a positional light.
-  double GetDepth(const glm::dvec3& x) const;
+  double GetDepth(const glm::dvec3& x) const { return glm::dot(x - this->Apex, this->Axis); }
 
-  /// The light coordinates (p, q, s) of X. For a positional light p and q mean nothing unless s >
-  /// 0.
-  glm::dvec3 ToLight(const glm::dvec3& x) const;
+  /// The light coordinates (p, q, s) of X. For a positional light p and q mean something only if
+  /// s > 0.
+  glm::dvec3 ToLight(const glm::dvec3& x) const
+  {
+    const glm::dvec3 ray = x - this->Apex;
+    const double s = glm::dot(ray, this->Axis);
+    const double divisor = this->Positional ? s : 1.0;
+    return { glm::dot(ray, this->U) / divisor, glm::dot(ray, this->V) / divisor, s };
+  }
 
   /// The inverse of ToLight().
   glm::dvec3 ToWorld(const glm::dvec3& pqs) const;

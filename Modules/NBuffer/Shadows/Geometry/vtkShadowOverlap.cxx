@@ -6,29 +6,38 @@
 #include <cmath>
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+bool IsFinite(const vtkShadowOverlap::Item& item)
+{
+  return std::isfinite(item.Low[0] + item.Low[1] + item.High[0] + item.High[1]);
+}
+}
+
 long long vtkShadowOverlap::GetBound(const std::vector<Item>& items)
 {
-  vtkShadowBlock all;
-  std::vector<Item> finite;
+  Item all;
+  std::size_t finite = 0;
   long long anywhere = 0;
   for (const Item& item : items)
   {
-    const vtkShadowBlock& block = item.Block;
-    if (!std::isfinite(block.Low[0] + block.Low[1] + block.High[0] + block.High[1]))
+    if (IsFinite(item))
+    {
+      all.Low = glm::min(all.Low, item.Low);
+      all.High = glm::max(all.High, item.High);
+      ++finite;
+    }
+    else
     {
       anywhere += item.Weight;
-      continue;
     }
-    all.Add(block.Low);
-    all.Add(block.High);
-    finite.push_back(item);
   }
-  if (finite.empty())
+  if (finite == 0)
   {
     return anywhere;
   }
   const int size =
-    std::clamp(static_cast<int>(2.0 * std::sqrt(static_cast<double>(finite.size()))), 1, 1024);
+    std::clamp(static_cast<int>(2.0 * std::sqrt(static_cast<double>(finite))), 1, 1024);
   const std::size_t row = static_cast<std::size_t>(size) + 1;
   const auto getCell = [&](double value, int i)
   {
@@ -39,15 +48,19 @@ long long vtkShadowOverlap::GetBound(const std::vector<Item>& items)
   };
   // Each item is entered into the differences between cells by the four corners of its rectangle.
   std::vector<long long> grid(row * row, 0);
-  for (const Item& item : finite)
+  for (const Item& item : items)
   {
+    if (!IsFinite(item))
+    {
+      continue;
+    }
     std::size_t low[2];
     std::size_t end[2];
     for (int i = 0; i < 2; ++i)
     {
       const double margin = 1e-6 * (all.High[i] - all.Low[i]); // far above the rounding of p and q
-      low[i] = getCell(item.Block.Low[i] - margin, i);
-      end[i] = getCell(item.Block.High[i] + margin, i) + 1;
+      low[i] = getCell(item.Low[i] - margin, i);
+      end[i] = getCell(item.High[i] + margin, i) + 1;
     }
     grid[low[1] * row + low[0]] += item.Weight;
     grid[low[1] * row + end[0]] -= item.Weight;

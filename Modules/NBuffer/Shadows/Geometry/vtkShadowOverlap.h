@@ -7,20 +7,22 @@
 #ifndef vtkShadowOverlap_h
 #define vtkShadowOverlap_h
 
+#include "vtkNBufferGLM.h"
 #include "vtkNBufferModule.h" // For export macro
-#include "vtkShadowBlock.h"
 
+#include <limits>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace vtkShadowOverlap
 {
-/// Several things on the same rays.
+/// Several things on the same rays: those from Low to High in p and q.
 struct Item
 {
-  vtkShadowBlock Block; ///< Their rays; depths are not used.
-  int Weight = 1;       ///< How many things these are.
+  glm::dvec2 Low = glm::dvec2(std::numeric_limits<double>::infinity());
+  glm::dvec2 High = glm::dvec2(-std::numeric_limits<double>::infinity());
+  int Weight = 1; ///< How many things these are.
 };
 
 /**

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkShadowPoints
- * @brief Points in world coordinates that somebody else holds. No OpenGL.
+ * @brief A view of points in world coordinates that are stored elsewhere. No OpenGL.
  *
- * It is a pointer and a number, made from a vector or an array, and valid as long as that is not
- * changed.
+ * It consists of a pointer and a number, like std::span of C++20. It is made from a vector or an
+ * array, and is valid until that is changed or destroyed.
  */
 #ifndef vtkShadowPoints_h
 #define vtkShadowPoints_h

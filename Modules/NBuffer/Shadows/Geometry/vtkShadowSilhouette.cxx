@@ -64,7 +64,9 @@ int BoundOverlap(
     {
       return count; // The caster is around the light.
     }
-    items[i / 3].Block.Add(pqs);
+    vtkShadowOverlap::Item& item = items[i / 3];
+    item.Low = glm::min(item.Low, glm::dvec2(pqs));
+    item.High = glm::max(item.High, glm::dvec2(pqs));
   }
   return static_cast<int>(vtkShadowOverlap::GetBound(items));
 }

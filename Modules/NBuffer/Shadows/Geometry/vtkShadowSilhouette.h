@@ -104,10 +104,10 @@ public:
    *
    * The near cap lies in the lit surface, which VTK draws with other roundings: both are cut at the
    * borders of the view, with errors in proportion to the whole triangle. A quad of 14 km was seen
-   * 3.5 mm off its plane, which is 2^-22 of its size. The push is sixteen times that, along the
-   * normal, and keeps the surface on the lit side. What lies behind the surface but nearer to it
-   * than the push is lit. For triangles of the size of the view the push is far below a step of
-   * depth.
+   * 3.5 mm off its plane, which is 2^-22 of its size (commit 075d83b). The push is sixteen times
+   * that, along the normal, and keeps the surface on the lit side. What lies behind the surface but
+   * nearer to it than the push is lit. For triangles of the size of the view the push is far below
+   * a step of depth.
    */
   const std::vector<glm::dvec3>& GetPushes() const { return this->Pushes; }
 

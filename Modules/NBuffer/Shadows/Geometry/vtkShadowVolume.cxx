@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowVolume.h"
 
-#include <functional>
 #include <limits>
 #include <utility>
 
@@ -19,11 +18,10 @@ glm::dvec3 GetNearPoint(const vtkShadowSilhouette& silhouette, vtkShadowPoints p
 
 /// The vertices that stand for merged points on one side of the volume. Each is made when it is
 /// first needed.
+template <typename Maker>
 class vtkShadowVolume::Image
 {
 public:
-  using Maker = std::function<unsigned int(int point)>;
-
   Image(vtkShadowPoints points, Maker make)
     : Vertices(points.size(), Unknown)
     , Make(std::move(make))
@@ -54,6 +52,77 @@ void vtkShadowVolume::Begin(const glm::dvec3& origin)
   this->Indices.clear();
 }
 
+unsigned int vtkShadowVolume::AddVertex(const glm::dvec3& x, float w)
+{
+  const std::size_t vertex = this->Vertices.size() / 4;
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Vertices.push_back(static_cast<float>(x[i]));
+  }
+  this->Vertices.push_back(w);
+  return static_cast<unsigned int>(vertex);
+}
+
+void vtkShadowVolume::AddTriangle(unsigned int a, unsigned int b, unsigned int c)
+{
+  this->Indices.insert(this->Indices.end(), { a, b, c });
+}
+
+template <typename ImageType>
+void vtkShadowVolume::AddTriangles(
+  const vtkShadowSilhouette& silhouette, ImageType& image, Side side)
+{
+  const std::vector<int>& corners = silhouette.GetTriangles();
+  for (std::size_t i = 0; i < corners.size(); i += 3)
+  {
+    const unsigned int a = image[corners[i]];
+    const unsigned int b = image[corners[i + 1]];
+    const unsigned int c = image[corners[i + 2]];
+    this->AddTriangle(a, side == Side::Near ? b : c, side == Side::Near ? c : b);
+  }
+}
+
+template <typename ImageType>
+void vtkShadowVolume::AddFan(const vtkShadowSilhouette& silhouette, ImageType& image, Side side)
+{
+  glm::dvec3 mean(0.0);
+  for (const vtkShadowSilhouette::Edge& edge : silhouette.GetEdges())
+  {
+    const float* vertex = &this->Vertices[4 * std::size_t(image[edge.From])];
+    mean += glm::dvec3(glm::make_vec3(vertex)) / static_cast<double>(silhouette.GetEdges().size());
+  }
+  const unsigned int centre = this->AddVertex(mean, 1.0f);
+  for (const vtkShadowSilhouette::Edge& edge : silhouette.GetEdges())
+  {
+    const unsigned int from = image[edge.From];
+    const unsigned int to = image[edge.To];
+    for (int i = 0; i < edge.Multiplicity; ++i)
+    {
+      this->AddTriangle(centre, side == Side::Near ? from : to, side == Side::Near ? to : from);
+    }
+  }
+}
+
+template <typename NearImage, typename FarImage>
+void vtkShadowVolume::AddSides(
+  const vtkShadowSilhouette& silhouette, NearImage& nearImage, FarImage& farImage)
+{
+  for (const vtkShadowSilhouette::Edge& edge : silhouette.GetEdges())
+  {
+    const unsigned int a = nearImage[edge.From];
+    const unsigned int b = nearImage[edge.To];
+    const unsigned int farA = farImage[edge.From];
+    const unsigned int farB = farImage[edge.To];
+    for (int i = 0; i < edge.Multiplicity; ++i)
+    {
+      this->AddTriangle(b, a, farA);
+      if (farA != farB)
+      {
+        this->AddTriangle(b, farA, farB);
+      }
+    }
+  }
+}
 void vtkShadowVolume::AddWhole(
   const vtkShadowSilhouette& silhouette, vtkShadowPoints points, const vtkShadowLight& light)
 {
@@ -78,7 +147,7 @@ void vtkShadowVolume::AddWhole(
 }
 
 void vtkShadowVolume::AddClamped(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
-  const vtkShadowLightSpace& space, const vtkShadowSlab& slab, double casterFar, vtkShadowCap cap)
+  const vtkShadowLightSpace& space, const vtkShadowSlab& slab, double casterFar)
 {
   const bool nearPlane = casterFar < slab.Near;
   const double farDepth =
@@ -93,7 +162,7 @@ void vtkShadowVolume::AddClamped(const vtkShadowSilhouette& silhouette, vtkShado
     });
   Image farImage(points, [&](int i) { return addExtruded(i, farDepth); });
 
-  if (nearPlane && cap == vtkShadowCap::Fan)
+  if (nearPlane)
   {
     this->AddFan(silhouette, nearImage, Side::Near);
   }
@@ -101,82 +170,8 @@ void vtkShadowVolume::AddClamped(const vtkShadowSilhouette& silhouette, vtkShado
   {
     this->AddTriangles(silhouette, nearImage, Side::Near);
   }
-  if (cap == vtkShadowCap::Fan)
-  {
-    this->AddFan(silhouette, farImage, Side::Far);
-  }
-  else
-  {
-    this->AddTriangles(silhouette, farImage, Side::Far);
-  }
+  this->AddFan(silhouette, farImage, Side::Far);
   this->AddSides(silhouette, nearImage, farImage);
 }
 
-unsigned int vtkShadowVolume::AddVertex(const glm::dvec3& x, float w)
-{
-  const std::size_t vertex = this->Vertices.size() / 4;
-  for (int i = 0; i < 3; ++i)
-  {
-    this->Vertices.push_back(static_cast<float>(x[i]));
-  }
-  this->Vertices.push_back(w);
-  return static_cast<unsigned int>(vertex);
-}
-
-void vtkShadowVolume::AddTriangle(unsigned int a, unsigned int b, unsigned int c)
-{
-  this->Indices.insert(this->Indices.end(), { a, b, c });
-}
-
-void vtkShadowVolume::AddTriangles(const vtkShadowSilhouette& silhouette, Image& image, Side side)
-{
-  const std::vector<int>& corners = silhouette.GetTriangles();
-  for (std::size_t i = 0; i < corners.size(); i += 3)
-  {
-    const unsigned int a = image[corners[i]];
-    const unsigned int b = image[corners[i + 1]];
-    const unsigned int c = image[corners[i + 2]];
-    this->AddTriangle(a, side == Side::Near ? b : c, side == Side::Near ? c : b);
-  }
-}
-
-void vtkShadowVolume::AddFan(const vtkShadowSilhouette& silhouette, Image& image, Side side)
-{
-  glm::dvec3 mean(0.0);
-  for (const vtkShadowSilhouette::Edge& edge : silhouette.GetEdges())
-  {
-    const float* vertex = &this->Vertices[4 * std::size_t(image[edge.From])];
-    mean += glm::dvec3(glm::make_vec3(vertex)) / static_cast<double>(silhouette.GetEdges().size());
-  }
-  const unsigned int centre = this->AddVertex(mean, 1.0f);
-  for (const vtkShadowSilhouette::Edge& edge : silhouette.GetEdges())
-  {
-    const unsigned int from = image[edge.From];
-    const unsigned int to = image[edge.To];
-    for (int i = 0; i < edge.Multiplicity; ++i)
-    {
-      this->AddTriangle(centre, side == Side::Near ? from : to, side == Side::Near ? to : from);
-    }
-  }
-}
-
-void vtkShadowVolume::AddSides(
-  const vtkShadowSilhouette& silhouette, Image& nearImage, Image& farImage)
-{
-  for (const vtkShadowSilhouette::Edge& edge : silhouette.GetEdges())
-  {
-    const unsigned int a = nearImage[edge.From];
-    const unsigned int b = nearImage[edge.To];
-    const unsigned int farA = farImage[edge.From];
-    const unsigned int farB = farImage[edge.To];
-    for (int i = 0; i < edge.Multiplicity; ++i)
-    {
-      this->AddTriangle(b, a, farA);
-      if (farA != farB)
-      {
-        this->AddTriangle(b, farA, farB);
-      }
-    }
-  }
-}
 VTK_ABI_NAMESPACE_END

@@ -49,9 +49,10 @@
  *    surface, and what lies right behind that would lose its shadow.
  *
  * The far plane lies beyond the caster (far > s_far), since extruding would go backwards otherwise.
- * Both caps are always there. Caps in a plane may be fans: the images of the triangles, and a fan
- * from any point of the plane over the silhouette edges, have the same winding number everywhere,
- * because they have the same boundary and a plane holds no closed surface.
+ * Both caps are always there. A cap in a plane is a fan with one triangle for each silhouette edge,
+ * from a common point. (In Decoret 2005 it is the images of the triangles that count.) Both have
+ * the same winding number everywhere, because they have the same boundary and a plane holds no
+ * closed surface.
  */
 #ifndef vtkShadowVolume_h
 #define vtkShadowVolume_h
@@ -63,13 +64,6 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
-
-/// How a plane of a clamped piece is closed.
-enum class vtkShadowCap
-{
-  Triangles, ///< The images of the triangles that count, as in Decoret 2005.
-  Fan        ///< One triangle for each silhouette edge, from a common point.
-};
 
 class VTKNBUFFER_EXPORT vtkShadowVolume
 {
@@ -91,8 +85,7 @@ public:
    * be positive. A slab that ends before the caster does is extended to a little beyond it.
    */
   void AddClamped(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
-    const vtkShadowLightSpace& space, const vtkShadowSlab& slab, double casterFar,
-    vtkShadowCap cap);
+    const vtkShadowLightSpace& space, const vtkShadowSlab& slab, double casterFar);
 
   /// The coordinates x, y, z, w of each vertex. w = 1 is a point relative to the origin, w = 0 is a
   /// direction.
@@ -102,6 +95,7 @@ public:
   const std::vector<unsigned int>& GetIndices() const { return this->Indices; }
 
 private:
+  template <typename Maker>
   class Image;
   enum class Side
   {
@@ -111,9 +105,12 @@ private:
 
   unsigned int AddVertex(const glm::dvec3& x, float w);
   void AddTriangle(unsigned int a, unsigned int b, unsigned int c);
-  void AddTriangles(const vtkShadowSilhouette& silhouette, Image& image, Side side);
-  void AddFan(const vtkShadowSilhouette& silhouette, Image& image, Side side);
-  void AddSides(const vtkShadowSilhouette& silhouette, Image& nearImage, Image& farImage);
+  template <typename ImageType>
+  void AddTriangles(const vtkShadowSilhouette& silhouette, ImageType& image, Side side);
+  template <typename ImageType>
+  void AddFan(const vtkShadowSilhouette& silhouette, ImageType& image, Side side);
+  template <typename NearImage, typename FarImage>
+  void AddSides(const vtkShadowSilhouette& silhouette, NearImage& nearImage, FarImage& farImage);
 
   glm::dvec3 Origin = { 0.0, 0.0, 0.0 };
   std::vector<float> Vertices;

@@ -24,7 +24,7 @@ constexpr Costs SoftwareCosts = { 5.0, 250.0 };
 constexpr Costs DeviceCosts = { 0.05, 45.0 };
 constexpr double ReadCost = 5.0;
 constexpr double LexelCost = 75.0;
-constexpr double SeenCost = 26.0;
+constexpr double CoveredCost = 26.0;
 constexpr double Saving = 2.0 / 3.0;
 
 /// The number of triangles that the estimate looks at.
@@ -68,16 +68,16 @@ double EstimateFragments(
   const float* vertices = volume.GetVertices().data();
   const std::vector<unsigned int>& indices = volume.GetIndices();
   const std::size_t triangles = indices.size() / 3;
-  const std::size_t seen = std::min(triangles, Budget);
+  const std::size_t sampled = std::min(triangles, Budget);
   double area = 0.0;
   Polygon polygon;
   Polygon rest;
-  for (std::size_t k = 0; k < seen; ++k)
+  for (std::size_t k = 0; k < sampled; ++k)
   {
     // The triangles are not taken at equal distances: volumes of similar casters have similar
     // triangles at equal distances.
     const double place = static_cast<double>(k) * GoldenRatio;
-    const std::size_t t = seen < triangles
+    const std::size_t t = sampled < triangles
       ? static_cast<std::size_t>((place - std::floor(place)) * static_cast<double>(triangles))
       : k;
     polygon.clear();
@@ -95,19 +95,19 @@ double EstimateFragments(
     }
     area += GetAreaInNdc(polygon);
   }
-  return seen > 0
-    ? area * 0.25 * width * height * static_cast<double>(triangles) / static_cast<double>(seen)
+  return sampled > 0
+    ? area * 0.25 * width * height * static_cast<double>(triangles) / static_cast<double>(sampled)
     : 0.0;
 }
 
-bool IsLitmapWorthIt(double fragments, long long triangles, long long samples, long long seen,
+bool IsLitmapWorthIt(double fragments, long long triangles, long long samples, long long covered,
   long long lexels, int faces, bool softwareRenderer)
 {
   const Costs& costs = softwareRenderer ? SoftwareCosts : DeviceCosts;
   const double drawing =
     costs.Fragment * fragments + costs.Triangle * static_cast<double>(triangles);
   return Saving * drawing > ReadCost * static_cast<double>(samples) +
-    faces * (LexelCost * static_cast<double>(lexels) + SeenCost * static_cast<double>(seen));
+    faces * (LexelCost * static_cast<double>(lexels) + CoveredCost * static_cast<double>(covered));
 }
 }
 VTK_ABI_NAMESPACE_END

@@ -3,7 +3,6 @@
 #include "vtkShadowDrawList.h"
 
 #include <algorithm>
-#include <cmath>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -28,6 +27,16 @@ int CountCrossings(const vtkShadowSilhouette& silhouette, vtkShadowPoints points
   }
   return count;
 }
+
+/// A draw of what will be added to a volume next.
+vtkShadowDraw MakeDraw(const vtkShadowPart& caster, const vtkShadowVolume& volume)
+{
+  vtkShadowDraw draw;
+  draw.FirstIndex = static_cast<int>(volume.GetIndices().size());
+  draw.MaximumCount = caster.Silhouette.GetMaximumCount();
+  draw.Offset = caster.Silhouette.GetCounting() == vtkShadowCounting::All;
+  return draw;
+}
 }
 
 vtkShadowDrawList::vtkShadowDrawList(const vtkShadowLight& light, const View& view)
@@ -38,36 +47,31 @@ vtkShadowDrawList::vtkShadowDrawList(const vtkShadowLight& light, const View& vi
 
 void vtkShadowDrawList::AddRays(const vtkShadowSilhouette& silhouette, const vtkShadowBlock& rays)
 {
-  this->Items.push_back({ rays, silhouette.GetMaximumCount() });
+  this->Items.push_back({ rays.Low, rays.High, silhouette.GetMaximumCount() });
 }
 
-void vtkShadowDrawList::AddWhole(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
-  const Boxes& boxes, vtkShadowVolume& volume)
+void vtkShadowDrawList::AddWhole(
+  const vtkShadowPart& caster, const Boxes& boxes, vtkShadowVolume& volume)
 {
-  vtkShadowDraw draw;
-  draw.FirstIndex = static_cast<int>(volume.GetIndices().size());
-  draw.MaximumCount = silhouette.GetMaximumCount();
-  draw.Offset = silhouette.GetCounting() == vtkShadowCounting::All;
+  vtkShadowDraw draw = MakeDraw(caster, volume);
   const std::size_t firstVertex = volume.GetVertices().size();
-  volume.AddWhole(silhouette, points, this->Light);
+  volume.AddWhole(caster.Silhouette, caster.Points, this->Light);
   draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
   if (!draw.ZPass && this->Camera.Parallel && this->Light.IsPositional())
   {
-    draw.Start = CountCrossings(silhouette, points, this->Light.Position, this->Camera.Direction);
+    draw.Start = CountCrossings(
+      caster.Silhouette, caster.Points, this->Light.Position, this->Camera.Direction);
   }
   this->AddDraw(volume, boxes, draw);
 }
 
-void vtkShadowDrawList::AddClamped(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
-  const vtkShadowLightSpace& space, const vtkShadowSlab& slab, double casterFar, const Boxes& boxes,
-  vtkShadowVolume& volume)
+void vtkShadowDrawList::AddClamped(const vtkShadowPart& caster, const vtkShadowLightSpace& space,
+  const vtkShadowSlab& slab, double casterFar, const Boxes& boxes, vtkShadowVolume& volume)
 {
-  vtkShadowDraw draw;
-  draw.FirstIndex = static_cast<int>(volume.GetIndices().size());
-  draw.MaximumCount = silhouette.GetMaximumCount();
-  draw.Offset = casterFar >= slab.Near && silhouette.GetCounting() == vtkShadowCounting::All;
+  vtkShadowDraw draw = MakeDraw(caster, volume);
+  draw.Offset = draw.Offset && casterFar >= slab.Near;
   const std::size_t firstVertex = volume.GetVertices().size();
-  volume.AddClamped(silhouette, points, space, slab, casterFar, vtkShadowCap::Fan);
+  volume.AddClamped(caster.Silhouette, caster.Points, space, slab, casterFar);
   draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
   this->AddDraw(volume, boxes, draw);
 }

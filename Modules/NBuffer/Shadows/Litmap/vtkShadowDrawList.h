@@ -60,10 +60,10 @@ struct vtkShadowDraw
   int Box[4] = { 0, 0, 0, 0 }; ///< The pixels of the framebuffer to draw into: x, y, width, height.
   int MaximumCount = 0;        ///< The largest number of times that a receiver is inside.
   int Start = 0;               ///< What the stencil has to begin with in addition, see above.
-  bool Offset =
-    false;            ///< True for caps in surfaces that may be lit: they are pushed away a little.
-  bool Again = false; ///< True if it repeats the triangles of the draw before in another box. Both
-                      ///< count as one.
+  /// True for caps in surfaces that may be lit: they are pushed away a little.
+  bool Offset = false;
+  /// True if it repeats the triangles of the draw before in another box. Both count as one.
+  bool Again = false;
 };
 
 class VTKNBUFFER_EXPORT vtkShadowDrawList
@@ -101,13 +101,11 @@ public:
 
   /// Adds the whole volume of a caster to `volume`, and its draws into these boxes, or everywhere
   /// if there are none.
-  void AddWhole(const vtkShadowSilhouette& silhouette, vtkShadowPoints points, const Boxes& boxes,
-    vtkShadowVolume& volume);
+  void AddWhole(const vtkShadowPart& caster, const Boxes& boxes, vtkShadowVolume& volume);
 
   /// Adds a clamped piece of a caster's volume (vtkShadowVolume::AddClamped) and its draws.
-  void AddClamped(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
-    const vtkShadowLightSpace& space, const vtkShadowSlab& slab, double casterFar,
-    const Boxes& boxes, vtkShadowVolume& volume);
+  void AddClamped(const vtkShadowPart& caster, const vtkShadowLightSpace& space,
+    const vtkShadowSlab& slab, double casterFar, const Boxes& boxes, vtkShadowVolume& volume);
 
   /// The draws, in the order in which they were added.
   const std::vector<vtkShadowDraw>& GetDraws() const { return this->Draws; }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkShadowExtent
- * @brief What a litmap knows of some receivers: depths, box of pixels, occupied bins. No OpenGL.
+ * @brief The extent of some receivers: depths, box of pixels, occupied bins. No OpenGL.
  */
 #ifndef vtkShadowExtent_h
 #define vtkShadowExtent_h
@@ -15,8 +15,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 /**
- * What is known of the receivers in a part of the litmap, in 32 bytes. As constructed there are no
- * receivers.
+ * The extent of the receivers in a part of a litmap, in 32 bytes. It is empty as constructed.
  */
 struct vtkShadowExtent
 {

@@ -5,124 +5,95 @@
 #include "vtkMath.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// What rounding may do to a footprint, in units of the caster's own size, generously.
-constexpr double Margin = 1e-6;
-
 constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+std::array<glm::dvec3, 8> GetCorners(const vtkShadowBlock& box)
+{
+  std::array<glm::dvec3, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    corners[i] = { (i & 1 ? box.High : box.Low)[0], (i & 2 ? box.High : box.Low)[1],
+      (i & 4 ? box.High : box.Low)[2] };
+  }
+  return corners;
+}
 }
 
-vtkShadowLitmapSet::vtkShadowLitmapSet(
-  const vtkShadowLight& light, const vtkShadowLightSpace& space, const vtkShadowLitmap* litmap)
+vtkShadowLitmapSet::vtkShadowLitmapSet(const vtkShadowLight& light, std::vector<Face> faces)
   : Light(light)
-  , Whole{ &space, litmap }
+  , Faces(std::move(faces))
 {
-}
-
-void vtkShadowLitmapSet::AddFace(const vtkShadowLightSpace& space, const vtkShadowLitmap& litmap)
-{
-  this->Faces.push_back({ &space, &litmap });
-}
-
-/// The face where all of a caster's rays are. It is null if they are in no one face, or if the
-/// caster reaches through the light's plane.
-const vtkShadowLitmapSet::Face* vtkShadowLitmapSet::FindContainingFace(
-  const vtkShadowFootprint& footprint) const
-{
-  if (this->Faces.empty())
-  {
-    return this->IsThroughLightPlane(footprint) ? nullptr : &this->Whole;
-  }
-  const std::array<glm::dvec3, 8> corners = footprint.GetCorners();
-  const auto found = std::find_if(this->Faces.begin(), this->Faces.end(),
-    [&corners](const Face& face)
-    {
-      const vtkShadowBlock box = vtkShadowFootprint::Make(corners, *face.Space).Block;
-      return box.Low[2] > Margin * box.High[2] && std::min(box.Low[0], box.Low[1]) > -1.0 &&
-        std::max(box.High[0], box.High[1]) < 1.0;
-    });
-  return found == this->Faces.end() ? nullptr : &*found;
-}
-
-vtkShadowLitmapSet::FaceQuery vtkShadowLitmapSet::MakeFaceQuery(
-  const Face& face, const vtkShadowFootprint& footprint) const
-{
-  vtkShadowBlock rays = footprint.Block;
-  if (this->IsThroughLightPlane(footprint))
-  {
-    rays.Low = glm::dvec3(-Infinity);
-    rays.High = glm::dvec3(Infinity);
-  }
-  rays.High[2] = Infinity;
-  return { face, rays };
-}
-
-void vtkShadowLitmapSet::AddFaces(const vtkShadowFootprint& footprint, Lookup& lookup) const
-{
-  const std::array<glm::dvec3, 8> corners = footprint.GetCorners();
-  for (const Face& face : this->Faces)
-  {
-    const vtkShadowFootprint box = vtkShadowFootprint::Make(corners, *face.Space);
-    if (box.GetFar() > 0.0)
-    {
-      lookup.Add(this->MakeFaceQuery(face, box));
-    }
-  }
 }
 
 vtkShadowLitmapSet::Lookup vtkShadowLitmapSet::LookUp(
   const vtkShadowFootprint& footprint, vtkShadowPoints points) const
 {
   Lookup lookup;
-  const Face* face = this->FindContainingFace(footprint);
-  lookup.IsInOneFace = face != nullptr;
-  if (face)
+  const bool keepQueries = points.size() > 0;
+  const auto query = [&](const Face& face, vtkShadowBlock rays)
   {
-    const vtkShadowFootprint inFace =
-      this->Faces.empty() ? footprint : vtkShadowFootprint::Make(points, *face->Space);
-    lookup.Near = inFace.GetNear();
-    lookup.Far = inFace.GetFar();
-    lookup.Add(this->MakeFaceQuery(*face, inFace));
+    if (this->IsThroughLightPlane(rays))
+    {
+      rays.Low = glm::dvec3(-Infinity);
+      rays.High = glm::dvec3(Infinity);
+    }
+    rays.High[2] = Infinity;
+    lookup.Extent.Merge(face.Litmap->Query(rays.Low[0], rays.Low[1], rays.High[0], rays.High[1]));
+    if (keepQueries)
+    {
+      lookup.Queries.push_back({ face, rays });
+    }
+  };
+  const auto queryAlone = [&](const Face& face, const vtkShadowBlock& block)
+  {
+    lookup.IsInOneFace = true;
+    lookup.Near = block.Low[2];
+    lookup.Far = block.High[2];
+    query(face, block);
+  };
+  if (!this->HasFaces())
+  {
+    queryAlone(this->Faces[0], footprint.Block);
+    lookup.IsInOneFace = !this->IsThroughLightPlane(footprint.Block);
+    return lookup;
   }
-  else if (this->Faces.empty())
+  const std::array<glm::dvec3, 8> corners = GetCorners(footprint.Bounds);
+  std::vector<vtkShadowBlock> boxes;
+  boxes.reserve(this->Faces.size());
+  for (const Face& face : this->Faces)
   {
-    lookup.Add(this->MakeFaceQuery(this->Whole, footprint));
+    const vtkShadowBlock box = vtkShadowFootprint::Make(corners, *face.Space).Block;
+    if (box.Low[2] > Margin * box.High[2] && std::min(box.Low[0], box.Low[1]) > -1.0 &&
+      std::max(box.High[0], box.High[1]) < 1.0)
+    {
+      queryAlone(face, keepQueries ? vtkShadowFootprint::Make(points, *face.Space).Block : box);
+      return lookup;
+    }
+    boxes.push_back(box);
   }
-  else
+  for (std::size_t i = 0; i < boxes.size(); ++i)
   {
-    this->AddFaces(footprint, lookup);
-  }
-  for (const FaceQuery& query : lookup)
-  {
-    const vtkShadowBlock& rays = query.Rays;
-    lookup.Extent.Merge(
-      query.Map.Litmap->Query(rays.Low[0], rays.Low[1], rays.High[0], rays.High[1]));
+    if (boxes[i].High[2] > 0.0)
+    {
+      query(this->Faces[i], boxes[i]);
+    }
   }
   return lookup;
-}
-
-bool vtkShadowLitmapSet::IsThroughLightPlane(const vtkShadowFootprint& footprint) const
-{
-  const double margin = Margin * std::abs(footprint.GetFar());
-  return this->Light.IsPositional() && !(footprint.GetNear() > margin);
 }
 
 double vtkShadowLitmapSet::GetWidestAngle() const
 {
   constexpr double margin = 1e-3; // radians; more than vtkShadowLight::IsInCone() is wider
   const double cone = vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;
-  return this->Whole.Litmap ? std::max(cone, this->Whole.Litmap->GetWidestAngle()) : cone;
-}
-
-bool vtkShadowLitmapSet::IsBehindSpot(const vtkShadowFootprint& footprint) const
-{
-  return this->Light.Kind == vtkShadowLightKind::Spot && footprint.GetFar() <= 0.0 &&
-    this->GetWidestAngle() < 0.5 * vtkMath::Pi();
+  return this->IsKnown() ? std::max(cone, this->Faces[0].Litmap->GetWidestAngle()) : cone;
 }
 
 bool vtkShadowLitmapSet::IsOutsideCone(const vtkShadowFootprint& footprint) const

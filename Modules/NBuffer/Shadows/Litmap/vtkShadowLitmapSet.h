@@ -28,7 +28,9 @@
 #include "vtkShadowLight.h"
 #include "vtkShadowLitmap.h"
 
-#include <array>
+#include "vtkMath.h"
+
+#include <cmath>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -39,8 +41,8 @@ public:
   /// A litmap with the light space that it was made in.
   struct Face
   {
-    const vtkShadowLightSpace* Space = nullptr;
-    const vtkShadowLitmap* Litmap = nullptr; ///< Null if nothing is known of the receivers.
+    const vtkShadowLightSpace* Space;
+    const vtkShadowLitmap* Litmap;
   };
 
   /// A caster as it is looked up in one litmap.
@@ -53,58 +55,55 @@ public:
   /// A caster in all litmaps into which it may cast, and the receivers on its rays there.
   struct Lookup
   {
-    const FaceQuery* begin() const { return this->Queries.data(); }
-    const FaceQuery* end() const { return this->Queries.data() + this->Count; }
-    void Add(const FaceQuery& query) { this->Queries[this->Count++] = query; }
-
-    std::array<FaceQuery, 6> Queries; ///< At most one for each face of a cube.
-    std::size_t Count = 0;            ///< The number of queries.
-    vtkShadowExtent Extent;           ///< All receivers on the caster's rays.
-    bool IsInOneFace = false;         ///< True if all its rays are in the first query's litmap.
-    double Near = 0.0; ///< If so, the depth of the caster's nearest point in that face.
-    double Far = 0.0;  ///< If so, the depth of the caster's farthest point in that face.
+    std::vector<FaceQuery> Queries; ///< Empty if the caster's points were not given.
+    vtkShadowExtent Extent;         ///< All receivers on the caster's rays.
+    bool IsInOneFace = false;       ///< True if all its rays are in one litmap.
+    double Near = 0.0;              ///< If so, the depth of the caster's nearest point there.
+    double Far = 0.0;               ///< If so, the depth of the caster's farthest point there.
   };
 
-  /// `litmap` may be null. The arguments must outlive the set.
-  vtkShadowLitmapSet(
-    const vtkShadowLight& light, const vtkShadowLightSpace& space, const vtkShadowLitmap* litmap);
-
-  /// Adds one of the six litmaps of a point light, with its light space. Both must outlive the set.
-  void AddFace(const vtkShadowLightSpace& space, const vtkShadowLitmap& litmap);
+  /// `faces` has one litmap, six for a point light, or none if nothing is known of the receivers.
+  /// Light, spaces and litmaps must outlive the set.
+  vtkShadowLitmapSet(const vtkShadowLight& light, std::vector<Face> faces);
 
   /// Returns true if there is any litmap.
-  bool IsKnown() const { return this->Whole.Litmap || !this->Faces.empty(); }
+  bool IsKnown() const { return !this->Faces.empty(); }
 
-  /// Returns true for a point light with six litmaps.
-  bool HasFaces() const { return !this->Faces.empty(); }
+  /// Returns true if there are the six litmaps of a point light.
+  bool HasFaces() const { return this->Faces.size() > 1; }
 
   /// Looks a caster up in the litmaps, of which there must be one at least. `points` are the
-  /// caster's points, or those of a hull around it.
-  Lookup LookUp(const vtkShadowFootprint& footprint, vtkShadowPoints points) const;
+  /// caster's points. Without them the corners of its bounds stand for them.
+  Lookup LookUp(const vtkShadowFootprint& footprint, vtkShadowPoints points = {}) const;
 
-  /// Returns true if the caster reaches through a positional light's plane s = 0, or lies behind
-  /// it.
-  bool IsThroughLightPlane(const vtkShadowFootprint& footprint) const;
+  /// Returns true if a caster with these light coordinates reaches through a positional light's
+  /// plane s = 0, or lies behind it.
+  bool IsThroughLightPlane(const vtkShadowBlock& block) const
+  {
+    return this->Light.IsPositional() && !(block.Low[2] > Margin * std::abs(block.High[2]));
+  }
 
   /// Returns true if the caster lies wholly behind a spot and shadows nothing that the spot
   /// reaches, receivers outside of the cone included.
-  bool IsBehindSpot(const vtkShadowFootprint& footprint) const;
+  bool IsBehindSpot(const vtkShadowFootprint& footprint) const
+  {
+    return this->Light.Kind == vtkShadowLightKind::Spot && footprint.Block.High[2] <= 0.0 &&
+      this->GetWidestAngle() < 0.5 * vtkMath::Pi();
+  }
 
   /// Returns true if the sphere around the caster's bounds lies outside of a spot's cone, which is
   /// widened by receivers outside of it.
   bool IsOutsideCone(const vtkShadowFootprint& footprint) const;
 
 private:
-  const Face* FindContainingFace(const vtkShadowFootprint& footprint) const;
-  FaceQuery MakeFaceQuery(const Face& face, const vtkShadowFootprint& footprint) const;
-  void AddFaces(const vtkShadowFootprint& footprint, Lookup& lookup) const;
+  /// What rounding may do to a footprint, in units of the caster's own size, generously.
+  static constexpr double Margin = 1e-6;
 
   /// The angle in radians from a spot's axis beyond which there is no receiver.
   double GetWidestAngle() const;
 
   const vtkShadowLight& Light;
-  Face Whole;              ///< The only litmap of a light that is not a point light.
-  std::vector<Face> Faces; ///< The litmaps of a point light.
+  std::vector<Face> Faces;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -31,13 +31,13 @@ public:
   virtual bool BeginFrame(
     vtkRenderer* renderer, const float* depth, const vtkShadowView& view, std::string& why) = 0;
 
-  /// Fill `litmap` with what the light sees over a range of p, q and depth, as
+  /// Fills `litmap` with what the light sees over a range of p, q and depth, as
   /// vtkShadowReceivers::GetRange() gives it. The caller builds the levels of the litmap
   /// afterwards. Returns false, with the cause in `why`, if the source cannot work.
   virtual bool Fill(const vtkShadowLightSpace& space, const vtkShadowBlock& range, int resolution,
     vtkShadowLitmap& litmap, std::string& why) = 0;
 
-  /// Delete the OpenGL objects; the context that made them is current.
+  /// Deletes the OpenGL objects; the context that made them is current.
   virtual void Release() = 0;
 };
 

@@ -6,6 +6,7 @@
 #include "vtkShadowUmbra.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -15,19 +16,14 @@ namespace
 constexpr double TriangleShare = 1.0 / 32;
 }
 
-vtkShadowPlan::vtkShadowPlan(const vtkShadowLight& light, const vtkShadowLightSpace& space,
-  const View& view, vtkShadowMode mode, const vtkShadowLitmap* litmap, int gap)
-  : Litmaps(light, space, litmap)
+vtkShadowPlan::vtkShadowPlan(const vtkShadowLight& light, const View& view, vtkShadowMode mode,
+  std::vector<Face> litmaps, int gap)
+  : Litmaps(light, std::move(litmaps))
   , Draws(light, view)
-  , BoxCost(view.BoxCost)
+  , BoxCost(view.Boxes ? view.BoxCost : std::numeric_limits<double>::infinity())
   , Mode(mode)
   , Gap(gap)
 {
-}
-
-void vtkShadowPlan::AddFace(const vtkShadowLightSpace& space, const vtkShadowLitmap& litmap)
-{
-  this->Litmaps.AddFace(space, litmap);
 }
 
 bool vtkShadowPlan::HasLitmaps() const
@@ -35,10 +31,9 @@ bool vtkShadowPlan::HasLitmaps() const
   return this->Mode != vtkShadowMode::Unclamped && this->Litmaps.IsKnown();
 }
 
-std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOutByPlace(
-  const vtkShadowSilhouette& silhouette, const vtkShadowFootprint& footprint) const
+std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOutByPlace(const vtkShadowPart& caster) const
 {
-  if (silhouette.GetTriangles().empty())
+  if (caster.Silhouette.GetTriangles().empty())
   {
     return vtkShadowVerdict::Empty;
   }
@@ -46,11 +41,12 @@ std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOutByPlace(
   {
     return {};
   }
-  if (this->Litmaps.IsBehindSpot(footprint))
+  if (this->Litmaps.IsBehindSpot(caster.Footprint))
   {
     return vtkShadowVerdict::BehindLight;
   }
-  if (this->Litmaps.IsThroughLightPlane(footprint) && this->Litmaps.IsOutsideCone(footprint))
+  if (this->Litmaps.IsThroughLightPlane(caster.Footprint.Block) &&
+    this->Litmaps.IsOutsideCone(caster.Footprint))
   {
     return vtkShadowVerdict::OutsideCone;
   }
@@ -70,23 +66,20 @@ std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOutByReceivers(const Lookup&
   return {};
 }
 
-std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOut(
-  const vtkShadowSilhouette& silhouette, const vtkShadowFootprint& footprint) const
+std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOut(const vtkShadowPart& caster) const
 {
-  const auto verdict = this->EarlyOutByPlace(silhouette, footprint);
+  const auto verdict = this->EarlyOutByPlace(caster);
   if (verdict || !this->HasLitmaps())
   {
     return verdict;
   }
-  const std::array<glm::dvec3, 8> corners = footprint.GetCorners();
-  return EarlyOutByReceivers(this->Litmaps.LookUp(footprint, corners));
+  return EarlyOutByReceivers(this->Litmaps.LookUp(caster.Footprint));
 }
 
-vtkShadowPlan::Choice vtkShadowPlan::Decide(const vtkShadowSilhouette& silhouette,
-  vtkShadowPoints points, const vtkShadowFootprint& footprint) const
+vtkShadowPlan::Choice vtkShadowPlan::Decide(const vtkShadowPart& caster) const
 {
   Choice choice;
-  if (const auto verdict = this->EarlyOutByPlace(silhouette, footprint))
+  if (const auto verdict = this->EarlyOutByPlace(caster))
   {
     choice.Verdict = *verdict;
     return choice;
@@ -96,7 +89,7 @@ vtkShadowPlan::Choice vtkShadowPlan::Decide(const vtkShadowSilhouette& silhouett
     choice.Verdict = vtkShadowVerdict::Whole;
     return choice;
   }
-  const Lookup lookup = this->Litmaps.LookUp(footprint, points);
+  Lookup lookup = this->Litmaps.LookUp(caster.Footprint, caster.Points);
   if (const auto verdict = EarlyOutByReceivers(lookup))
   {
     choice.Verdict = *verdict;
@@ -108,24 +101,21 @@ vtkShadowPlan::Choice vtkShadowPlan::Decide(const vtkShadowSilhouette& silhouett
   {
     choice.Space = lookup.Queries[0].Map.Space;
     choice.Far = lookup.Far;
+    vtkShadowBlock& rays = lookup.Queries[0].Rays;
     for (const vtkShadowSlab& slab : this->GetSlabs(lookup))
     {
-      Lookup inSlab = lookup;
-      inSlab.Queries[0].Rays.Low[2] = std::max(lookup.Near, slab.Near);
-      inSlab.Queries[0].Rays.High[2] = slab.Far;
-      FoundBoxes boxes = this->FindBoxes(inSlab, silhouette, points);
-      isOnRays = isOnRays || boxes.IsOnRays;
-      if (!boxes.Where.empty())
+      rays.Low[2] = std::max(lookup.Near, slab.Near);
+      rays.High[2] = slab.Far;
+      Boxes boxes = this->FindBoxes(lookup, caster, isOnRays);
+      if (!boxes.empty())
       {
-        choice.Slabs.push_back({ slab, std::move(boxes.Where) });
+        choice.Slabs.push_back({ slab, std::move(boxes) });
       }
     }
   }
   else
   {
-    FoundBoxes boxes = this->FindBoxes(lookup, silhouette, points);
-    isOnRays = boxes.IsOnRays;
-    choice.Where = std::move(boxes.Where);
+    choice.Pixels = this->FindBoxes(lookup, caster, isOnRays);
   }
   if (!choice.IsDrawn())
   {
@@ -139,16 +129,15 @@ vtkShadowPlan::Choice vtkShadowPlan::Decide(const vtkShadowSilhouette& silhouett
   return choice;
 }
 
-vtkShadowPlan::FoundBoxes vtkShadowPlan::FindBoxes(
-  const Lookup& lookup, const vtkShadowSilhouette& silhouette, vtkShadowPoints points) const
+vtkShadowPlan::Boxes vtkShadowPlan::FindBoxes(
+  const Lookup& lookup, const vtkShadowPart& caster, bool& isOnRays) const
 {
   const vtkShadowExtent& extent = lookup.Extent;
   vtkShadowTileSet set({ extent.X0, extent.Y0, extent.X1, extent.Y1 });
-  bool isOnRays = false;
-  for (const vtkShadowLitmapSet::FaceQuery& query : lookup)
+  for (const vtkShadowLitmapSet::FaceQuery& query : lookup.Queries)
   {
     const vtkShadowTiles& tiles = query.Map.Litmap->GetTiles();
-    const vtkShadowUmbra umbra(silhouette, points, *query.Map.Space, query.Rays);
+    const vtkShadowUmbra umbra(caster.Silhouette, caster.Points, *query.Map.Space, query.Rays);
     set.Mark(
       [&](int column, int row)
       {
@@ -160,9 +149,9 @@ vtkShadowPlan::FoundBoxes vtkShadowPlan::FindBoxes(
   // For all kinds of pieces the cost is that of as many triangles as a directional light's whole
   // volume has.
   const std::size_t triangles =
-    silhouette.GetTriangles().size() / 3 + 2 * silhouette.GetEdges().size();
+    caster.Silhouette.GetTriangles().size() / 3 + 2 * caster.Silhouette.GetEdges().size();
   const double cost = this->BoxCost * (1.0 + TriangleShare * static_cast<double>(triangles));
-  return { set.GetBoxes(cost), isOnRays };
+  return set.GetBoxes(cost);
 }
 
 std::vector<vtkShadowSlab> vtkShadowPlan::GetSlabs(const Lookup& lookup) const
@@ -188,24 +177,23 @@ std::vector<vtkShadowSlab> vtkShadowPlan::GetSlabs(const Lookup& lookup) const
   return slabs;
 }
 
-void vtkShadowPlan::Draw(const Choice& choice, const vtkShadowSilhouette& silhouette,
-  vtkShadowPoints points, const vtkShadowFootprint& footprint, vtkShadowVolume& volume)
+void vtkShadowPlan::Draw(const Choice& choice, const vtkShadowPart& caster, vtkShadowVolume& volume)
 {
   if (!choice.IsDrawn())
   {
     return;
   }
   // A block that is empty, and so infinite, stands for a caster that may be on any ray.
-  this->Draws.AddRays(
-    silhouette, this->Litmaps.IsThroughLightPlane(footprint) ? vtkShadowBlock() : footprint.Block);
+  this->Draws.AddRays(caster.Silhouette,
+    this->Litmaps.IsThroughLightPlane(caster.Footprint.Block) ? vtkShadowBlock()
+                                                              : caster.Footprint.Block);
   if (choice.Slabs.empty())
   {
-    this->Draws.AddWhole(silhouette, points, choice.Where, volume);
+    this->Draws.AddWhole(caster, choice.Pixels, volume);
   }
   for (const BoxedSlab& slab : choice.Slabs)
   {
-    this->Draws.AddClamped(
-      silhouette, points, *choice.Space, slab.Slab, choice.Far, slab.Where, volume);
+    this->Draws.AddClamped(caster, *choice.Space, slab.Slab, choice.Far, slab.Pixels, volume);
     ++this->Slabs;
   }
 }

@@ -69,6 +69,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKNBUFFER_EXPORT vtkShadowPlan
 {
 public:
+  using Face = vtkShadowLitmapSet::Face;
   using View = vtkShadowDrawList::View;
   using Boxes = vtkShadowDrawList::Boxes;
 
@@ -76,7 +77,7 @@ public:
   struct BoxedSlab
   {
     vtkShadowSlab Slab;
-    Boxes Where;
+    Boxes Pixels;
   };
 
   /// The decision about a caster, and what follows from it.
@@ -84,7 +85,7 @@ public:
   {
     bool IsDrawn() const
     {
-      return this->Verdict == vtkShadowVerdict::Whole || !this->Where.empty() ||
+      return this->Verdict == vtkShadowVerdict::Whole || !this->Pixels.empty() ||
         !this->Slabs.empty();
     }
 
@@ -92,7 +93,7 @@ public:
 
     /// The boxes into which the whole volume is drawn. With verdict Whole it is empty and the
     /// volume is drawn everywhere.
-    Boxes Where;
+    Boxes Pixels;
 
     std::vector<BoxedSlab> Slabs;               ///< The slabs of a volume that is clamped.
     const vtkShadowLightSpace* Space = nullptr; ///< The light space of the slabs.
@@ -100,16 +101,13 @@ public:
   };
 
   /**
-   * A plan without casters. `litmap` has its levels built. If it is null, as with mode Unclamped,
-   * nothing is known of the receivers. `gap` is the number of empty bins, of 64, that separate two
-   * slabs. The light, its space and the litmap must outlive the plan.
+   * A plan without casters. `litmaps` has the litmap of the light, or the six of a point light,
+   * with their levels built. Without any, as with mode Unclamped, nothing is known of the
+   * receivers. `gap` is the number of empty bins, of 64, that separate two slabs. The light, the
+   * litmaps and their light spaces must outlive the plan.
    */
-  vtkShadowPlan(const vtkShadowLight& light, const vtkShadowLightSpace& space, const View& view,
-    vtkShadowMode mode, const vtkShadowLitmap* litmap, int gap = 4);
-
-  /// Adds one of the six litmaps of a point light, with its light space. Both must outlive the
-  /// plan.
-  void AddFace(const vtkShadowLightSpace& space, const vtkShadowLitmap& litmap);
+  vtkShadowPlan(const vtkShadowLight& light, const View& view, vtkShadowMode mode,
+    std::vector<Face> litmaps, int gap = 4);
 
   /**
    * The reason why a caster is not drawn, as far as its box and one lookup say; nothing if that is
@@ -117,16 +115,13 @@ public:
    * processor has to fetch from memory for each of many casters. It changes nothing and may be
    * called in parallel.
    */
-  std::optional<vtkShadowVerdict> EarlyOut(
-    const vtkShadowSilhouette& silhouette, const vtkShadowFootprint& footprint) const;
+  std::optional<vtkShadowVerdict> EarlyOut(const vtkShadowPart& caster) const;
 
   /// Decides about a caster. It changes nothing and may be called in parallel.
-  Choice Decide(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
-    const vtkShadowFootprint& footprint) const;
+  Choice Decide(const vtkShadowPart& caster) const;
 
   /// Adds what was chosen for a caster: its triangles to `volume`, its draws to GetDraws().
-  void Draw(const Choice& choice, const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
-    const vtkShadowFootprint& footprint, vtkShadowVolume& volume);
+  void Draw(const Choice& choice, const vtkShadowPart& caster, vtkShadowVolume& volume);
 
   /// The draws of all casters.
   const std::vector<vtkShadowDraw>& GetDraws() const { return this->Draws.GetDraws(); }
@@ -140,19 +135,12 @@ public:
 private:
   using Lookup = vtkShadowLitmapSet::Lookup;
 
-  /// Boxes of pixels, and whether any receiver at all is on the caster's rays.
-  struct FoundBoxes
-  {
-    Boxes Where;
-    bool IsOnRays = false;
-  };
-
   bool HasLitmaps() const;
-  std::optional<vtkShadowVerdict> EarlyOutByPlace(
-    const vtkShadowSilhouette& silhouette, const vtkShadowFootprint& footprint) const;
+  std::optional<vtkShadowVerdict> EarlyOutByPlace(const vtkShadowPart& caster) const;
   static std::optional<vtkShadowVerdict> EarlyOutByReceivers(const Lookup& lookup);
-  FoundBoxes FindBoxes(
-    const Lookup& lookup, const vtkShadowSilhouette& silhouette, vtkShadowPoints points) const;
+  /// The boxes of pixels to draw into. `isOnRays` becomes true if any receiver at all is on the
+  /// caster's rays.
+  Boxes FindBoxes(const Lookup& lookup, const vtkShadowPart& caster, bool& isOnRays) const;
   std::vector<vtkShadowSlab> GetSlabs(const Lookup& lookup) const;
 
   vtkShadowLitmapSet Litmaps;

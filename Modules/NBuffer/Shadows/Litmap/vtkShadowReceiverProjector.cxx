@@ -172,7 +172,6 @@ bool vtkShadowReceiverProjector::MayReach(const glm::dvec3& middle, double radiu
 std::optional<vtkShadowReceiverProjector::Receiver> vtkShadowReceiverProjector::Project(
   int x, double depth) const
 {
-  std::optional<Receiver> result;
   const glm::dvec4 start = this->Row + this->Matrix[0] * static_cast<double>(x);
   const glm::dvec4& along = this->Matrix[2];
   const double nearest = std::max(depth - this->DepthError, 0.0);
@@ -196,7 +195,7 @@ std::optional<vtkShadowReceiverProjector::Receiver> vtkShadowReceiverProjector::
     {
       if (!this->MayReach(middle, radius + guard))
       {
-        return result;
+        return std::nullopt;
       }
     }
     else if (!this->MayReach(middle, radius))
@@ -207,7 +206,7 @@ std::optional<vtkShadowReceiverProjector::Receiver> vtkShadowReceiverProjector::
         !(this->ByCentre && this->MayReach(middle, error + pixels) &&
           this->MayCentreReach(x, LineRounding + error / glm::length(b))))
       {
-        return result;
+        return std::nullopt;
       }
       angle = this->GetAngle(middle, radius);
     }
@@ -233,7 +232,6 @@ std::optional<vtkShadowReceiverProjector::Receiver> vtkShadowReceiverProjector::
   const double sign = a[2] <= b[2] ? 1.0 : -1.0;
   a[2] -= sign * around;
   b[2] += sign * around;
-  result = Receiver{ a, b, radiusInPq, angle };
-  return result;
+  return Receiver{ a, b, radiusInPq, angle };
 }
 VTK_ABI_NAMESPACE_END

@@ -18,11 +18,11 @@
  * The sample lies on the eye's ray through it, in an interval. A stored depth is off by a quantum,
  * what is drawn against it is off by another one, and both are off by the transformation to clip
  * coordinates in float. In four million random points (views of 1 to 120 degrees, far / near 3 to
- * 1e8) that was off by at most 5.4 * 2^-24 in window depth. It grows with the distance of the
- * image's corners from the eye. With r, this distance in units of that of the image's centre, the
- * interval reaches 2 quanta and 4 (1 + r) 2^-24 to both sides. (Where the depth range is short for
- * its distance the error is larger, but then a quantum is so small a length that the next term
- * covers it.)
+ * 1e8; commit 7323db1) that was off by at most 5.4 * 2^-24 in window depth. It grows with the
+ * distance of the image's corners from the eye. With r, this distance in units of that of the
+ * image's centre, the interval reaches 2 quanta and 4 (1 + r) 2^-24 to both sides. (Where the depth
+ * range is short for its distance the error is larger, but then a quantum is so small a length that
+ * the next term covers it.)
  *
  * ## The radius around it
  *
@@ -62,13 +62,29 @@
 #define vtkShadowReceiverProjector_h
 
 #include "vtkShadowLight.h"
-#include "vtkShadowView.h"
 
 #include <array>
 #include <limits>
 #include <optional>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+
+/// The camera and the image that a depth image of receivers belongs to.
+struct vtkShadowView
+{
+  /// The inverse of vtkCamera's world-to-clip matrix for z in [-w, w]. World coordinates are
+  /// relative to Origin.
+  glm::dmat4 ClipToWorld = glm::dmat4(1.0);
+
+  glm::dvec3 Origin = { 0.0, 0.0, 0.0 }; ///< The world position of the eye.
+  int Width = 0;                         ///< The number of columns, at most 65535.
+  int Height = 0;                        ///< The number of rows, at most 65535.
+  double DepthQuantum = 0x1p-24;         ///< The step of the depth format near 1.
+
+  /// The places of the samples in a pixel, in [0, 1] from its lower left corner.
+  std::vector<std::array<double, 2>> Samples = { { { 0.5, 0.5 } } };
+};
 
 class vtkShadowReceiverProjector
 {
@@ -130,8 +146,8 @@ private:
   /// From (pixel x, pixel y, window depth, 1) to homogeneous coordinates along u, v and the axis,
   /// relative to the apex.
   glm::dmat4 Matrix;
-  glm::dvec4 Row;        ///< Matrix * (sample, y, 0, 1).
-  glm::dvec4 CentreRow;  ///< The same for the centre of the pixel.
+  glm::dvec4 Row = glm::dvec4(0.0);       ///< Matrix * (sample, y, 0, 1).
+  glm::dvec4 CentreRow = glm::dvec4(0.0); ///< The same for the centre of the pixel.
   bool ByCentre = false; ///< True if fragments decide about the cone at the centre of a pixel.
 };
 

@@ -3,7 +3,6 @@
 #include "vtkShadowReceivers.h"
 
 #include "vtkNBufferDepthConvention.h"
-#include "vtkShadowReceiverProjector.h"
 
 #include "vtkSMPTools.h"
 
@@ -144,10 +143,7 @@ vtkShadowBlock GetRange(const float* depth, const vtkShadowView& view, const vtk
   {
     ForEachReceiver(depth, view, projector, { stride },
       [&range](const Receiver& receiver, int, int, float)
-      {
-        range.Add(glm::min(receiver.A, receiver.B) - receiver.GetRadii());
-        range.Add(glm::max(receiver.A, receiver.B) + receiver.GetRadii());
-      });
+      { range.AddSegment(receiver.A, receiver.B, receiver.GetRadii()); });
     if (!range.IsEmpty())
     {
       break;

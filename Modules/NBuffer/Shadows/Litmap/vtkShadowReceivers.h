@@ -7,7 +7,7 @@
  * A sample of the depth image is a receiver if both of these hold:
  *
  *  - Its depth is nearer than the background (vtkNBufferDepthConvention.h). Geometry so close to
- * the far plane that its depth is rounded to that of the background counts as background.
+ *    the far plane that its depth is rounded to that of the background counts as background.
  *  - The light can reach it, or VTK's shader may take it to be reached. A directional light reaches
  *    everything, a spot what lies in its cone (vtkShadowLight::GetConeCosine). For a point light,
  *    the light space takes in one face of a cube around the light, |p| <= 1 and |q| <= 1, a little
@@ -26,7 +26,7 @@
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkShadowLight.h"
 #include "vtkShadowLitmap.h"
-#include "vtkShadowView.h"
+#include "vtkShadowReceiverProjector.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -47,8 +47,8 @@ VTKNBUFFER_EXPORT vtkShadowBlock GetRange(const float* depth, const vtkShadowVie
  * `depth` holds window depths in [0, 1], one image of Width x Height for each sample of a pixel,
  * with row 0 at the bottom.
  *
- * The cost is about 30 ns for each sample, shared by the threads of vtkSMPTools. The litmap is the
- * same with any number of threads.
+ * The cost is linear in the number of samples and is shared by the threads of vtkSMPTools. The
+ * litmap is the same with any number of threads.
  */
 VTKNBUFFER_EXPORT vtkIdType Scatter(const float* depth, const vtkShadowView& view,
   const vtkShadowLight& light, const vtkShadowLightSpace& space, int resolution,

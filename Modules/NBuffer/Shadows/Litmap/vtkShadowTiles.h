@@ -67,12 +67,7 @@ public:
     const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& radius, int x, int y, float depth)
   {
     const std::size_t tile = this->GetIndex(x / Size, y / Size);
-    vtkShadowBlock& block = this->Tiles[tile][depth >= this->Splits[tile]];
-    for (int i = 0; i < 3; ++i)
-    {
-      block.Add(
-        i, (a[i] < b[i] ? a[i] : b[i]) - radius[i], (a[i] < b[i] ? b[i] : a[i]) + radius[i]);
-    }
+    this->Tiles[tile][depth >= this->Splits[tile]].AddSegment(a, b, radius);
   }
 
   /// Adds the receivers of another image of the same size and splits.
