@@ -93,14 +93,10 @@ vtkShadowExtent Scan(const Map& map, double p0, double q0, double p1, double q1)
     }
     if (inside)
     {
-      vtkShadowExtent one;
-      one.Near = std::min(r.A[2], r.B[2]);
-      one.Far = std::max(r.A[2], r.B[2]);
-      one.X0 = static_cast<std::uint16_t>(r.X);
-      one.Y0 = static_cast<std::uint16_t>(r.Y);
-      one.X1 = static_cast<std::uint16_t>(r.X + 1);
-      one.Y1 = static_cast<std::uint16_t>(r.Y + 1);
-      result.Merge(one);
+      const auto x = static_cast<std::uint16_t>(r.X);
+      const auto y = static_cast<std::uint16_t>(r.Y);
+      result.Merge({ std::min(r.A[2], r.B[2]), std::max(r.A[2], r.B[2]), x, y,
+        static_cast<std::uint16_t>(x + 1), static_cast<std::uint16_t>(y + 1) });
     }
   }
   return result;
@@ -114,12 +110,11 @@ vtkShadowExtent ScanCover(const vtkShadowLitmap& map, const vtkNBufferRectangle&
   vtkShadowExtent result;
   for (int i = 0; i < cover.Count; ++i)
   {
-    for (int y = cover.Y[i]; y < std::min(cover.Y[i] + side, map.GetResolution()); ++y)
+    for (const auto& [x, y] :
+      Pixels({ cover.X[i], cover.Y[i], std::min(cover.X[i] + side, map.GetResolution()),
+        std::min(cover.Y[i] + side, map.GetResolution()) }))
     {
-      for (int x = cover.X[i]; x < std::min(cover.X[i] + side, map.GetResolution()); ++x)
-      {
-        result.Merge(map.GetLevelData(0)[y * map.GetResolution() + x]);
-      }
+      result.Merge(map.GetLevelData(0)[y * map.GetResolution() + x]);
     }
   }
   return result;
@@ -168,9 +163,7 @@ void CheckQuery(const Map& map, double p0, double q0, double p1, double q1, int 
   ASSERT_NO_FATAL_FAILURE(CheckSlabs(map, extent, p0, q0, p1, q1, gap));
 }
 
-class ShadowLitmap : public testing::TestWithParam<int>
-{
-};
+using ShadowLitmap = testing::TestWithParam<int>;
 }
 
 // Hazard: a receiver that is missed loses its shadow. Rectangles inside, partly and wholly outside.
@@ -214,11 +207,13 @@ TEST(ShadowLitmapOnce, NaNAsksForTheWholeMap)
   ASSERT_NO_FATAL_FAILURE(map.Build(16));
   const vtkShadowExtent all = map.Litmap.Query(-Infinity, -Infinity, Infinity, Infinity);
   EXPECT_TRUE(Contains(all, Scan(map, -Infinity, -Infinity, Infinity, Infinity)));
-  EXPECT_TRUE(IsSameExtent(map.Litmap.Query(NaN, 10.0, 0.0, 10.1), all));
-  EXPECT_TRUE(IsSameExtent(map.Litmap.Query(0.0, NaN, 0.0, 10.1), all));
-  EXPECT_TRUE(IsSameExtent(map.Litmap.Query(0.0, 10.0, NaN, 10.1), all));
-  EXPECT_TRUE(IsSameExtent(map.Litmap.Query(0.0, 10.0, 0.1, NaN), all));
-  EXPECT_TRUE(IsSameExtent(map.Litmap.Query(0.1, 10.0, 0.0, 10.1), all)) << "wrong way round";
+  const double queries[][4] = { { NaN, 10.0, 0.0, 10.1 }, { 0.0, NaN, 0.0, 10.1 },
+    { 0.0, 10.0, NaN, 10.1 }, { 0.0, 10.0, 0.1, NaN }, { 0.1, 10.0, 0.0, 10.1 } };
+  for (const auto& [p0, q0, p1, q1] : queries)
+  {
+    EXPECT_TRUE(IsSameExtent(map.Litmap.Query(p0, q0, p1, q1), all))
+      << "of no number, or the wrong way round: " << p0 << " " << q0 << " " << p1 << " " << q1;
+  }
 }
 
 // Rectangles without a receiver near them are empty: casters there are culled.
@@ -239,16 +234,8 @@ TEST(ShadowLitmapOnce, QueriesAreWidenedByALexel)
 {
   vtkShadowLitmap litmap;
   litmap.Begin(8, { { 0.0, -8.0, 0.0 }, { 8.0, 8.0, 1.0 } });
-  const vtkNBufferRectangle inside = litmap.GetLexels(2.5, -2.5, 2.6, 1.5);
-  EXPECT_EQ(inside.X0, 1);
-  EXPECT_EQ(inside.X1, 4);
-  EXPECT_EQ(inside.Y0, 1);
-  EXPECT_EQ(inside.Y1, 6);
-  const vtkNBufferRectangle cut = litmap.GetLexels(-0.5, 7.0, 0.5, 9.5);
-  EXPECT_EQ(cut.X0, 0);
-  EXPECT_EQ(cut.X1, 2);
-  EXPECT_EQ(cut.Y0, 6);
-  EXPECT_EQ(cut.Y1, 8);
+  EXPECT_EQ(litmap.GetLexels(2.5, -2.5, 2.6, 1.5), (vtkNBufferRectangle{ 1, 1, 4, 6 }));
+  EXPECT_EQ(litmap.GetLexels(-0.5, 7.0, 0.5, 9.5), (vtkNBufferRectangle{ 0, 6, 2, 8 }));
 }
 
 // A long segment is put where it passes and not into its whole box.
@@ -345,11 +332,11 @@ TEST(ShadowLitmapOnce, SlabsRespectTheGap)
   ASSERT_NO_FATAL_FAILURE(map.Build(4));
   const vtkShadowExtent extent = map.Litmap.Query(0.0, 10.5, 0.0, 10.5);
   // Bins 0 and 1, 6, 32, 63: 4, 25 and 30 empty ones between.
-  EXPECT_EQ(map.Litmap.GetSlabs(extent, 1).size(), 4u);
-  EXPECT_EQ(map.Litmap.GetSlabs(extent, 4).size(), 4u);
-  EXPECT_EQ(map.Litmap.GetSlabs(extent, 5).size(), 3u);
-  EXPECT_EQ(map.Litmap.GetSlabs(extent, 26).size(), 2u);
-  EXPECT_EQ(map.Litmap.GetSlabs(extent, 31).size(), 1u);
+  const std::pair<int, std::size_t> gaps[] = { { 1, 4 }, { 4, 4 }, { 5, 3 }, { 26, 2 }, { 31, 1 } };
+  for (const auto& [gap, count] : gaps)
+  {
+    EXPECT_EQ(map.Litmap.GetSlabs(extent, gap).size(), count) << gap;
+  }
   EXPECT_EQ(map.Litmap.GetSlabs(vtkShadowExtent(), 4).size(), 0u);
   const auto slabs = map.Litmap.GetSlabs(extent, 4);
   EXPECT_EQ(slabs.front().Near, 4.1);
@@ -436,14 +423,8 @@ TEST(ShadowLitmap, LexelsAreAddedAsReceivers)
 
   vtkShadowLitmap filled;
   filled.Begin(4, range);
-  vtkShadowExtent extent;
-  EXPECT_FALSE(filled.AddLexel(2, 1, extent)) << "empty";
-  extent.Near = 3.5;
-  extent.Far = 9.5;
-  extent.X0 = 7;
-  extent.X1 = 10;
-  extent.Y0 = 8;
-  extent.Y1 = 13;
+  EXPECT_FALSE(filled.AddLexel(2, 1, vtkShadowExtent())) << "empty";
+  const vtkShadowExtent extent = { 3.5, 9.5, 7, 8, 10, 13 };
   ASSERT_TRUE(filled.AddLexel(2, 1, extent));
   for (const int outside : { -1, 4 })
   {
