@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All contenders on a frame whose answers are known: a wall with a hole in it.
 #include "Contest.h"
+#include "Pixels.h"
 #include "StudyView.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
+#include <tuple>
 
 namespace
 {
@@ -24,27 +26,22 @@ DepthFrame MakeFrame()
   frame.Height = Height;
   frame.Projection = StudyTest::LookAlongY(Width, Height);
   frame.Depth.assign(static_cast<std::size_t>(Width) * Height, 1.0f);
-  for (int y = 0; y < Height; ++y)
+  for (const auto& [x, y] : Pixels(Width / 2, Height))
   {
-    for (int x = 0; x < Width / 2; ++x)
-    {
-      frame.Depth[static_cast<std::size_t>(y) * Width + x] = StudyTest::GetDepth(Wall);
-    }
+    frame.Depth[static_cast<std::size_t>(y) * Width + x] = StudyTest::GetDepth(Wall);
   }
-  const auto add = [&frame](double x, double y, bool visible)
+  const std::tuple<double, double, bool> boxes[] = { { -60.0, 70.0, false }, { -50.0, 90.0, false },
+    { -30.0, 40.0, true }, { 20.0, 70.0, true }, { -2.0, 70.0, true } };
+  for (const auto& [x, y, visible] : boxes)
   {
-    const double bounds[6] = { x, x + 4.0, y, y + 1.0, -2.0, 2.0 };
+    const ProjectedBox placed(frame.Projection, { x, x + 4.0, y, y + 1.0, -2.0, 2.0 });
+    EXPECT_TRUE(placed.IsInside());
     DepthBox box;
-    box.Box = vtkNBufferBox::FromBounds(bounds);
+    box.Box = placed.Box;
+    box.Screen = placed.Screen;
     box.Visible = visible;
-    ASSERT_EQ(frame.Projection.Project(box.Box, box.Screen), vtkNBufferPlacement::Inside);
     frame.Boxes.push_back(box);
-  };
-  add(-60.0, 70.0, false);
-  add(-50.0, 90.0, false);
-  add(-30.0, 40.0, true);
-  add(20.0, 70.0, true);
-  add(-2.0, 70.0, true);
+  }
   return frame;
 }
 

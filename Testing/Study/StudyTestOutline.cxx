@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Outlines of boxes, by brute force.
 #include "BoxOutline.h"
+#include "Pixels.h"
 #include "RandomBoxes.h"
 #include "StudyView.h"
 
@@ -23,12 +24,9 @@ TEST(StudyOutline, IsThatOfTheDoubleLoopOverPixelCentres)
     ++boxesSeen;
     const std::array<glm::dvec2, 8> corners = projection.GetCorners(box);
     long long count = 0;
-    for (int y = screen.Pixels.Y0; y < screen.Pixels.Y1; ++y)
+    for (const auto& [x, y] : Pixels(screen.Pixels))
     {
-      for (int x = screen.Pixels.X0; x < screen.Pixels.X1; ++x)
-      {
-        count += StudyTest::IsInHull(corners, x + 0.5, y + 0.5) ? 1 : 0;
-      }
+      count += StudyTest::IsInHull(corners, x + 0.5, y + 0.5);
     }
     EXPECT_EQ(NBufferStudy::CountOutlinePixels(projection, box, screen), count);
   }
