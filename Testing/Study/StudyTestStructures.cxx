@@ -4,6 +4,7 @@
 // it answers is the farthest depth of what it covers, and where it is said to be exact it is.
 #include "DepthStructure.h"
 #include "OverCoverage.h"
+#include "PositionedLevels.h"
 #include "StudyImage.h"
 
 #include <gtest/gtest.h>
@@ -21,6 +22,8 @@ using NBufferStudy::DepthGrid;
 using NBufferStudy::DepthStructure;
 using NBufferStudy::DepthTaps;
 using NBufferStudy::FullStride;
+using NBufferStudy::PositionedDepth;
+using NBufferStudy::PositionedLevels;
 using StudyTest::Image;
 
 constexpr std::pair<int, int> Sizes[] = { { 1, 1 }, { 1, 37 }, { 41, 1 }, { 7, 3 }, { 64, 64 },
@@ -82,41 +85,27 @@ TEST(StudyStructures, AnswersAreThoseOfTheDoubleLoopOverWhatIsCovered)
   }
 }
 
-TEST(StudyStructures, RectanglesOfAllShapesAreExact)
+// A band is exact for rectangles no longer than it reaches; all shapes, for all.
+TEST(StudyStructures, BandsAreExactForWhatTheyReach)
 {
-  const Image image(61, 45, 2);
+  const Image image(64, 45, 2);
   std::mt19937 random(4);
-  for (DepthTaps taps : { DepthTaps::Four, DepthTaps::TwoByTwo })
+  const std::pair<int, DepthTaps> cases[] = { { 0, DepthTaps::Four }, { 1, DepthTaps::Four },
+    { 2, DepthTaps::Four }, { 3, DepthTaps::Four }, { NBufferStudy::AllShapes, DepthTaps::Four },
+    { NBufferStudy::AllShapes, DepthTaps::TwoByTwo } };
+  for (const auto& [band, taps] : cases)
   {
-    DepthStructure structure(
-      { 1, DepthGrid::Windows, FullStride, NBufferStudy::AllShapes, taps, false });
+    DepthStructure structure({ 1, DepthGrid::Windows, FullStride, band, taps, false });
     structure.Build(image.Depth.data(), image.Width, image.Height);
     for (int i = 0; i < 2000; ++i)
     {
       const vtkNBufferRectangle r = StudyTest::MakeRectangle(image, random);
-      long long lookups = 0;
-      ASSERT_EQ(structure.Query(r, lookups), image.Scan(r)) << r;
-    }
-  }
-}
-
-TEST(StudyStructures, ABandIsExactForRectanglesNoLongerThanItReaches)
-{
-  const Image image(64, 64, 2);
-  std::mt19937 random(4);
-  for (int band : { 0, 1, 2, 3 })
-  {
-    DepthStructure structure({ 1, DepthGrid::Windows, FullStride, band, DepthTaps::Four, false });
-    structure.Build(image.Depth.data(), image.Width, image.Height);
-    for (int i = 0; i < 500; ++i)
-    {
-      const vtkNBufferRectangle r = StudyTest::MakeRectangle(image, random);
-      if (std::abs(std::ilogb(r.GetWidth()) - std::ilogb(r.GetHeight())) > band)
+      const int ratio = std::abs(std::ilogb(r.GetWidth()) - std::ilogb(r.GetHeight()));
+      if (band == NBufferStudy::AllShapes || ratio <= band)
       {
-        continue;
+        long long lookups = 0;
+        ASSERT_EQ(structure.Query(r, lookups), image.Scan(r)) << "band " << band << ", " << r;
       }
-      long long lookups = 0;
-      ASSERT_EQ(structure.Query(r, lookups), image.Scan(r)) << "band " << band << ", " << r;
     }
   }
 }
@@ -291,5 +280,35 @@ TEST(StudyStructures, NamesAreUnique)
   }
   std::sort(names.begin(), names.end());
   EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+}
+
+TEST(StudyPositions, TheFarthestPixelAndItsPlace)
+{
+  std::mt19937 random(3);
+  for (int factor : { 1, 3, 4 })
+  {
+    const Image image(53, 31, 5);
+    PositionedLevels levels;
+    levels.Build(image.Depth.data(), image.Width, image.Height, factor);
+    for (int i = 0; i < 500; ++i)
+    {
+      const vtkNBufferRectangle r = StudyTest::MakeRectangle(image, random);
+      long long lookups = 0;
+      const PositionedDepth found = levels.Query(r, lookups);
+      EXPECT_GE(found.Depth, image.Scan(r));
+      EXPECT_EQ(found.Depth, image.Depth[found.Pixel]);
+      EXPECT_LE(lookups, 4);
+    }
+  }
+}
+
+TEST(StudyPositions, TheFirstOfEqualDepths)
+{
+  Image image(9, 7, 1);
+  std::fill(image.Depth.begin(), image.Depth.end(), 0.5f);
+  PositionedLevels levels;
+  levels.Build(image.Depth.data(), image.Width, image.Height, 1);
+  long long lookups = 0;
+  EXPECT_EQ(levels.Query({ 2, 3, 6, 7 }, lookups).Pixel, 3 * 9 + 2);
 }
 }

@@ -17,8 +17,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <random>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -139,6 +139,13 @@ public:
     return light;
   }
 
+  /// The image's receivers in a litmap; their number.
+  vtkIdType Scatter(const vtkShadowLight& light, int resolution, vtkShadowLitmap& litmap) const
+  {
+    return vtkShadowReceivers::Scatter(this->Made.Depth.data(), this->Made.View, light,
+      vtkShadowLightSpace(light), resolution, litmap);
+  }
+
   Image Made;
 
 private:
@@ -204,21 +211,18 @@ int CheckAll(
       const vtkShadowExtent extent = whole
         ? litmap.GetLevelData(0)[(lexels.Y0 + 1) * resolution + lexels.X0 + 1]
         : litmap.Query(pqs[0], pqs[1], pqs[0], pqs[1]);
-      std::ostringstream where;
-      where.precision(17);
-      where << "sample " << i << ", depth " << image.Depth[i] << ", p, q, s " << pqs[0] << " "
-            << pqs[1] << " " << pqs[2] << ", extent " << extent.Near << " to " << extent.Far
-            << ", kind " << static_cast<int>(light.Kind);
-      EXPECT_TRUE(extent.X0 <= x && x < extent.X1 && extent.Y0 <= y && y < extent.Y1)
-        << where.str();
-      EXPECT_TRUE(extent.Near <= pqs[2] && pqs[2] <= extent.Far) << where.str();
+      SCOPED_TRACE(testing::Message()
+        << std::setprecision(17) << "sample " << i << ", depth " << image.Depth[i] << ", p, q, s "
+        << testing::PrintToString(pqs) << ", extent " << extent.Near << " to " << extent.Far
+        << ", kind " << static_cast<int>(light.Kind));
+      EXPECT_TRUE(extent.X0 <= x && x < extent.X1 && extent.Y0 <= y && y < extent.Y1);
+      EXPECT_TRUE(extent.Near <= pqs[2] && pqs[2] <= extent.Far);
       const auto slabs = litmap.GetSlabs(extent, 1);
       EXPECT_TRUE(std::any_of(slabs.begin(), slabs.end(),
-        [&](const auto& slab) { return slab.Near <= pqs[2] && pqs[2] <= slab.Far; }))
-        << where.str();
+        [&](const auto& slab) { return slab.Near <= pqs[2] && pqs[2] <= slab.Far; }));
       const vtkShadowTiles::Layers& tile =
         litmap.GetTiles().Get(x / vtkShadowTiles::Size, y / vtkShadowTiles::Size);
-      EXPECT_TRUE(IsInside(tile[0], pqs) || IsInside(tile[1], pqs)) << where.str();
+      EXPECT_TRUE(IsInside(tile[0], pqs) || IsInside(tile[1], pqs));
       ++found;
       if (testing::Test::HasFailure())
       {
@@ -315,11 +319,7 @@ TEST(ShadowReceiversOnce, ThreadsDoNotMatter)
     const auto scatter = [&](int threads, vtkShadowLitmap& litmap)
     {
       vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false },
-        [&]()
-        {
-          vtkShadowReceivers::Scatter(
-            maker.Made.Depth.data(), maker.Made.View, light, frame, 16, litmap);
-        });
+        [&]() { maker.Scatter(light, 16, litmap); });
       litmap.Build();
     };
     vtkShadowLitmap one;
@@ -376,8 +376,7 @@ TEST(ShadowReceiversOnce, OutsideOfTheConeIsLeftOut)
       }
     }
     vtkShadowLitmap litmap;
-    const vtkIdType count = vtkShadowReceivers::Scatter(
-      maker.Made.Depth.data(), maker.Made.View, light, vtkShadowLightSpace(light), 32, litmap);
+    const vtkIdType count = maker.Scatter(light, 32, litmap);
     EXPECT_GE(count, reached) << "seed " << seed;
     // Far away, where a quantum of depth is longer than the margin, and next to the apex.
     EXPECT_LE(count, atMost + 12) << "seed " << seed;
@@ -397,8 +396,7 @@ TEST(ShadowReceiversOnce, WhatRoundingBringsIntoTheConeIsNotLeftOut)
     maker.AddAll();
     vtkShadowLight light = maker.MakeLight(Kind::Spot);
     vtkShadowLitmap litmap;
-    const vtkIdType near = vtkShadowReceivers::Scatter(
-      maker.Made.Depth.data(), maker.Made.View, light, vtkShadowLightSpace(light), 32, litmap);
+    const vtkIdType near = maker.Scatter(light, 32, litmap);
     int reached = 0;
     for (std::size_t i = 0; i < maker.Made.Depth.size(); ++i)
     {
@@ -413,8 +411,7 @@ TEST(ShadowReceiversOnce, WhatRoundingBringsIntoTheConeIsNotLeftOut)
     }
     maker.Made.View.Origin += far;
     light.Position += far;
-    const vtkIdType found = vtkShadowReceivers::Scatter(
-      maker.Made.Depth.data(), maker.Made.View, light, vtkShadowLightSpace(light), 32, litmap);
+    const vtkIdType found = maker.Scatter(light, 32, litmap);
     EXPECT_GE(found, reached) << "seed " << seed;
     EXPECT_GE(found, near) << "seed " << seed;
     EXPECT_TRUE(found == near || litmap.GetWidestAngle() > 0.0) << "seed " << seed;
