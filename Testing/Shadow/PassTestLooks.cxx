@@ -4,12 +4,10 @@
 // What frames of vtkShadowVolumeClampPass look like, against pictures that somebody looked at
 // (Testing/Baselines). Exact colours and edges are tested elsewhere as numbers.
 #include "ImageComparison.h"
-#include "OffscreenFixture.h"
 #include "PassTestTools.h"
 #include "ShadowShapes.h"
 
 #include "vtkActor.h"
-#include "vtkActorCollection.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
@@ -19,7 +17,7 @@
 #include "vtkProperty.h"
 #include "vtkWindowToImageFilter.h"
 
-#include <functional>
+#include <algorithm>
 
 using namespace ShadowShapes;
 
@@ -69,10 +67,7 @@ void TwoLights(vtkRenderer* renderer)
 void PhysicallyBased(vtkRenderer* renderer)
 {
   AddProps(renderer);
-  vtkActorCollection* actors = renderer->GetActors();
-  vtkCollectionSimpleIterator cookie;
-  actors->InitTraversal(cookie);
-  while (vtkActor* actor = actors->GetNextActor(cookie))
+  for (vtkActor* actor : GetActors(renderer))
   {
     actor->GetProperty()->SetInterpolationToPBR();
     actor->GetProperty()->SetRoughness(0.4);
@@ -102,7 +97,7 @@ void ClippingPlane(vtkRenderer* renderer)
   plane->SetNormal(0.8, 1.0, 0.0);
   vtkNew<vtkPlaneCollection> planes;
   planes->AddItem(plane);
-  renderer->GetActors()->GetLastActor()->GetMapper()->SetClippingPlanes(planes);
+  GetActors(renderer).back()->GetMapper()->SetClippingPlanes(planes);
   AddDirectional(renderer, { -0.5, 0.4, -0.8 });
   AddFill(renderer);
 }
@@ -129,11 +124,7 @@ vtkSmartPointer<vtkImageData> Grab(vtkRenderWindow* window)
 }
 }
 
-class PassLooks
-  : public OffscreenFixture
-  , public ::testing::WithParamInterface<LookCase>
-{
-};
+using PassLooks = OffscreenFixtureWithParam<LookCase>;
 
 // Without shadows they do not, so that the baselines are of shadows.
 TEST_P(PassLooks, LikeTheBaseline)
@@ -172,15 +163,9 @@ vtkSmartPointer<vtkImageData> MakePicture(int width, int x, int y, int other)
   auto picture = vtkSmartPointer<vtkImageData>::New();
   picture->SetDimensions(width, 8, 1);
   picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  for (int i = 0; i < 3 * width * 8; ++i)
-  {
-    static_cast<unsigned char*>(picture->GetScalarPointer())[i] = 100;
-  }
-  for (int channel = 0; channel < 3; ++channel)
-  {
-    *(static_cast<unsigned char*>(picture->GetScalarPointer(x, y, 0)) + channel) =
-      static_cast<unsigned char>(other);
-  }
+  auto* values = static_cast<unsigned char*>(picture->GetScalarPointer());
+  std::fill_n(values, 3 * width * 8, static_cast<unsigned char>(100));
+  std::fill_n(values + 3 * (y * width + x), 3, static_cast<unsigned char>(other));
   return picture;
 }
 }

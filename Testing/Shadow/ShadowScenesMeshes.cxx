@@ -24,7 +24,6 @@
 #include "vtkStripper.h"
 #include "vtkTriangleFilter.h"
 
-#include <cmath>
 #include <limits>
 
 using namespace ShadowShapes;
@@ -175,8 +174,7 @@ void ChangeData(vtkRenderer* renderer)
   auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
-    double x[3];
-    mesh->GetPoint(i, x);
+    const Point x = vtkNBufferGLM::ToVector(mesh->GetPoint(i));
     mesh->GetPoints()->SetPoint(i, x[0] + 0.7 * x[2], x[1] - 0.5, x[2] + 0.2);
   }
   mesh->GetPoints()->Modified();

@@ -64,12 +64,16 @@ vtkActor* AddSphere(vtkRenderer* renderer, const Point& centre, double radius, i
   return AddShape(renderer, ShapeKind::Globe, centre, Point(2.0 * radius), resolution);
 }
 
+vtkActor* AddSheet(vtkRenderer* renderer, const Point& corner, const Point& u, const Point& v)
+{
+  return AddMesh(
+    renderer, MakeMesh({ corner, corner + u, corner + u + v, corner + v }, { { 0, 1, 2, 3 } }));
+}
+
 vtkActor* AddFloor(vtkRenderer* renderer, double halfSize, double z)
 {
-  return AddMesh(renderer,
-    MakeMesh({ { -halfSize, -halfSize, z }, { halfSize, -halfSize, z }, { halfSize, halfSize, z },
-               { -halfSize, halfSize, z } },
-      { { 0, 1, 2, 3 } }));
+  return AddSheet(renderer, { -halfSize, -halfSize, z }, { 2.0 * halfSize, 0.0, 0.0 },
+    { 0.0, 2.0 * halfSize, 0.0 });
 }
 
 namespace

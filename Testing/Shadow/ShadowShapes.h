@@ -35,6 +35,9 @@ vtkActor* AddShape(vtkRenderer* renderer, TestScene::ShapeKind kind, const Point
   const Point& size, int detail = 1);
 vtkActor* AddSphere(vtkRenderer* renderer, const Point& centre, double radius, int resolution = 16);
 
+/// The parallelogram at a corner with these two sides, one quad.
+vtkActor* AddSheet(vtkRenderer* renderer, const Point& corner, const Point& u, const Point& v);
+
 /// The square [-halfSize, halfSize]^2 at height z, one quad.
 vtkActor* AddFloor(vtkRenderer* renderer, double halfSize, double z = 0.0);
 
