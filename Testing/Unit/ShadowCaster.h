@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShadowCaster.h
- * @brief Lights and casters of meshes.
+ * @brief Lights and casters of meshes; what a shadow volume counts at a point, and what it should.
  */
 #ifndef ShadowCaster_h
 #define ShadowCaster_h
@@ -11,6 +11,7 @@
 #include "vtkShadowVolume.h"
 
 #include <limits>
+#include <optional>
 #include <utility>
 
 inline vtkShadowLight MakeLight(
@@ -84,5 +85,17 @@ struct ShadowCaster
   vtkShadowTopology Topology;
   vtkShadowSilhouette Silhouette;
 };
+
+/// Triangles that the open segment from the light to x crosses: all, or the ones that face the
+/// light as they are wound. None if that is not certain.
+std::optional<int> CountByBruteForce(
+  const ShadowMesh& mesh, const vtkShadowLight& light, const Point& x, bool awayOnly);
+
+/// Signed crossings of the triangles of a volume on the way from x to infinity.
+int CountInVolume(
+  const vtkShadowVolume& volume, const Point& origin, const Point& x, std::mt19937& random);
+
+/// Every directed edge is met by as many of the opposite direction.
+bool IsWatertight(const vtkShadowVolume& volume);
 
 #endif

@@ -148,11 +148,12 @@ void ForEachBase(const Image& image, const std::vector<int>& factors, Function f
 }
 
 // Hazard: border texels, non-square images and single rows are where a range query goes wrong;
-// here every rectangle of small images is asked.
+// here every rectangle of small images is asked. A factor larger than the image reduces it to one
+// texel and must not read beyond it.
 TEST(NBufferLevels, EveryRectangleOfSmallImages)
 {
   const std::pair<Image, std::vector<int>> cases[] = { { Image(1, 1, 7), { 1, 2, 4 } },
-    { Image(1, 6, 7), { 1, 2, 4 } }, { Image(6, 1, 7), { 1, 2, 4 } },
+    { Image(1, 6, 7), { 1, 2, 4 } }, { Image(6, 1, 7), { 1, 2, 4 } }, { Image(5, 3, 3), { 8 } },
     { Image(12, 19, 7), { 1, 2, 3, 4, 8 } } };
   for (const auto& [image, factors] : cases)
   {
@@ -160,7 +161,13 @@ TEST(NBufferLevels, EveryRectangleOfSmallImages)
       [](const vtkNBufferLevels& levels, const Image& base, Extremum extremum)
       {
         ForEachRectangle(base.Width, base.Height,
-          [&](const vtkNBufferRectangle& r) { CheckQuery(levels, base, r, extremum); });
+          [&](const vtkNBufferRectangle& r)
+          {
+            if (!testing::Test::HasFatalFailure())
+            {
+              CheckQuery(levels, base, r, extremum);
+            }
+          });
       });
   }
 }
@@ -209,18 +216,6 @@ INSTANTIATE_TEST_SUITE_P(Sizes, NBufferLevelsOfLargeImages,
   {
     return std::to_string(std::get<0>(info.param)) + "x" + std::to_string(std::get<1>(info.param));
   });
-
-// Hazard: a factor larger than the image reduces it to one texel and must not read beyond it.
-TEST(NBufferLevelsOnce, FactorLargerThanTheImage)
-{
-  const Image image(5, 3, 3);
-  vtkNBufferLevels levels;
-  BuildBase(levels, image, 8, Extremum::Maximum);
-  ASSERT_EQ(levels.GetWidth(), 1);
-  ASSERT_EQ(levels.GetHeight(), 1);
-  EXPECT_EQ(levels.GetLevelData(0)[0], image.Scan(0, 0, 5, 3, Extremum::Maximum));
-  EXPECT_EQ(levels.BuildLevels(5), 0) << "one texel has one level";
-}
 
 // Hazard: levels added on demand in a later round must equal those built at once.
 TEST(NBufferLevelsOnce, LevelsAreBuiltOneByOneAsIfAtOnce)

@@ -3,7 +3,6 @@
 
 // What is drawn of a caster, where and how: decisions of vtkShadowPlan, without OpenGL.
 #include "ShadowCaster.h"
-#include "ShadowCounts.h"
 
 #include "vtkShadowPlan.h"
 
@@ -223,8 +222,6 @@ TEST(ShadowPlan, WithoutALitmapAllIsDrawnEverywhere)
     ExpectBox(situation.Draws[0], 10, 20, 300, 200);
   }
   Situation situation(MakeLightAbove(), MakeCube(), { { 0.0, 0.0, -3.0 } });
-  EXPECT_EQ(situation.Decide(vtkShadowMode::Unclamped), Verdict::Whole) << "not asked";
-  situation.AddReceiver({ 0.0, 0.0, -3.0 }, 5, 6);
   EXPECT_EQ(situation.Decide(vtkShadowMode::Unclamped), Verdict::Whole) << "not asked";
 }
 

@@ -4,7 +4,6 @@
 // Which tiles of the screen a caster can shadow, and the boxes around them.
 #include "Pixels.h"
 #include "ShadowCaster.h"
-#include "ShadowCounts.h"
 
 #include "vtkShadowPlan.h"
 #include "vtkShadowReceivers.h"

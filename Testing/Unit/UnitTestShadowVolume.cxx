@@ -3,7 +3,6 @@
 // Shadow volumes are watertight, and their signed crossings are the number of triangles that a
 // point's shadow ray meets: for all meshes, lights and kinds of pieces.
 #include "ShadowCaster.h"
-#include "ShadowCounts.h"
 
 #include <gtest/gtest.h>
 
