@@ -44,19 +44,19 @@ double GetDistanceToRay(const double origin[3], const double direction[3], const
   return glm::length(glm::cross(toCentre, ray)) / glm::length(ray);
 }
 
-using Build = std::function<void(vtkRenderer*)>;
+using Build = std::function<void(SceneBuilder&)>;
 
 /// A stage in which a unit of x and y is a pixel and (0, 0) the lower left corner, seen from above.
 Stage SetPixelStage(int width, int height, const Build& build)
 {
-  return SetStage({ "Pixels",
-    [&](vtkRenderer* renderer)
+  return SetStage(
+    [&](SceneBuilder& scene)
     {
-      build(renderer);
+      build(scene);
       const Point middle = { 0.5 * width, 0.5 * height, 0.0 };
-      LookParallel(renderer, middle + Point(0.0, 0.0, 100.0), middle, 0.5 * height);
+      LookParallel(scene, middle + Point(0.0, 0.0, 100.0), middle, 0.5 * height);
     },
-    width, height });
+    width, height);
 }
 
 OracleImage Cast(const Stage& stage)
@@ -84,10 +84,10 @@ void ForEachOnFloor(const Oracle& oracle, const OracleLight& light, Function fun
 /// A floor of so many units around the origin, in a light from a direction.
 Build MakeFloor(double halfSize, const Point& direction)
 {
-  return [=](vtkRenderer* renderer)
+  return [=](SceneBuilder& scene)
   {
-    AddFloor(renderer, halfSize);
-    AddDirectional(renderer, direction);
+    scene.Floor(halfSize);
+    scene.Directional(direction);
   };
 }
 }
@@ -99,15 +99,14 @@ TEST_F(OracleTest, BoxAboveFloor)
   for (const bool positional : { false, true })
   {
     SCOPED_TRACE(positional);
-    const Stage stage = SetStage({ "Box",
-      [&](vtkRenderer* renderer)
+    const Stage stage = SetStage(
+      [&](SceneBuilder& scene)
       {
-        AddFloor(renderer, 5.0);
-        AddShape(renderer, ShapeKind::Box, centre, size);
-        positional ? AddPoint(renderer, { -1.5, -1.0, 3.0 })
-                   : AddDirectional(renderer, { 0.6, 0.35, -0.7 });
-        Look(renderer, { 3.0, -6.0, 4.0 }, { 0.4, 0.2, 0.5 });
-      } });
+        scene.Floor(5.0);
+        scene.Box(centre, size);
+        positional ? scene.PointLight({ -1.5, -1.0, 3.0 }) : scene.Directional({ 0.6, 0.35, -0.7 });
+        scene.Look({ 3.0, -6.0, 4.0 }, { 0.4, 0.2, 0.5 });
+      });
     const OracleLight light(stage.Lights[0]);
     const Oracle oracle(stage.GetRenderer());
     const OracleImage image = oracle.Cast(light);
@@ -129,15 +128,15 @@ TEST_F(OracleTest, BoxAboveFloor)
 TEST_F(OracleTest, SphereAboveFloor)
 {
   const Point centre = { 0.1, -0.2, 1.3 };
-  const Stage stage = SetStage({ "Sphere",
-    [&](vtkRenderer* renderer)
+  const Stage stage = SetStage(
+    [&](SceneBuilder& scene)
     {
-      AddFloor(renderer, 5.0);
-      AddSphere(renderer, centre, 0.8, 64);
-      AddDirectional(renderer, { 0.6, 0.35, -0.7 });
-      AddSpot(renderer, { -1.5, -1.0, 4.0 }, { 0.0, 0.0, 1.0 }, 80.0);
-      Look(renderer, { 3.0, -6.0, 4.0 }, { 0.4, 0.2, 0.5 });
-    } });
+      scene.Floor(5.0);
+      scene.Sphere(centre, 0.8, 64);
+      scene.Directional({ 0.6, 0.35, -0.7 });
+      scene.Spot({ -1.5, -1.0, 4.0 }, { 0.0, 0.0, 1.0 }, 80.0);
+      scene.Look({ 3.0, -6.0, 4.0 }, { 0.4, 0.2, 0.5 });
+    });
   const Oracle oracle(stage.GetRenderer());
   // Facets lie between this radius and the sphere's.
   const double inner = 0.8 * std::pow(std::cos(vtkMath::Pi() / 63.0), 2.0);
@@ -177,11 +176,11 @@ TEST_F(OracleTest, NearAnEdgeIsAmbiguous)
     // Light from the upper left at 45 degrees: a quad 10 above the floor shifts its shadow by 10.
     const double edge = 20.5 + distance;
     Stage stage = SetPixelStage(40, 30,
-      [&](vtkRenderer* renderer)
+      [&](SceneBuilder& scene)
       {
-        AddFloor(renderer, 100.0);
-        AddSheet(renderer, { -50.0, -50.0, 10.0 }, { edge + 40.0, 0.0, 0.0 }, { 0.0, 100.0, 0.0 });
-        AddDirectional(renderer, { 1.0, 0.0, -1.0 });
+        scene.Floor(100.0);
+        AddSheet(scene, { -50.0, -50.0, 10.0 }, { edge + 40.0, 0.0, 0.0 }, { 0.0, 100.0, 0.0 });
+        scene.Directional({ 1.0, 0.0, -1.0 });
       });
     const OracleImage image = Cast(stage);
     for (int x = 0; x < 40; ++x)
@@ -205,13 +204,13 @@ TEST_F(OracleTest, StepBetweenSheetsSeenAlmostEdgeOnIsAmbiguous)
     SCOPED_TRACE(distance);
     const double edge = 15.5 + distance;
     Stage stage = SetPixelStage(40, 30,
-      [&](vtkRenderer* renderer)
+      [&](SceneBuilder& scene)
       {
         const Point across = { 140.0, 0.0, 0.0 };
-        AddSheet(renderer, { -50.0, edge, -1000.0 }, across, { 0.0, 10.0, -400.0 });
-        AddSheet(renderer, { -50.0, edge - 10.0, -620.0 }, across, { 0.0, 20.0, -800.0 });
-        AddSheet(renderer, { -50.0, 500.0, 0.0 }, across, { 0.0, 0.0, -2000.0 });
-        AddDirectional(renderer, { 0.0, -1.0, 0.0 });
+        AddSheet(scene, { -50.0, edge, -1000.0 }, across, { 0.0, 10.0, -400.0 });
+        AddSheet(scene, { -50.0, edge - 10.0, -620.0 }, across, { 0.0, 20.0, -800.0 });
+        AddSheet(scene, { -50.0, 500.0, 0.0 }, across, { 0.0, 0.0, -2000.0 });
+        scene.Directional({ 0.0, -1.0, 0.0 });
       });
     const OracleImage image = Cast(stage);
     for (int y = 8; y < 23; ++y)
@@ -238,10 +237,10 @@ TEST_F(OracleTest, GrazingLightIsAmbiguous)
 TEST_F(OracleTest, ConeEndsTheLight)
 {
   Stage stage = SetPixelStage(40, 30,
-    [](vtkRenderer* renderer)
+    [](SceneBuilder& scene)
     {
-      AddFloor(renderer, 100.0);
-      AddSpot(renderer, { 20.0, 15.0, 10.0 }, { 20.0, 15.0, 0.0 }, 45.0);
+      scene.Floor(100.0);
+      scene.Spot({ 20.0, 15.0, 10.0 }, { 20.0, 15.0, 0.0 }, 45.0);
     });
   const OracleImage image = Cast(stage);
   for (const auto& [x, y] : Pixels(40, 30))
@@ -275,11 +274,11 @@ TEST_F(OracleTest, CoincidentSurfacesDoNotShadow)
   for (const double z : { 0.0, 1e-4 })
   {
     Stage stage = SetPixelStage(40, 30,
-      [&](vtkRenderer* renderer)
+      [&](SceneBuilder& scene)
       {
-        AddFloor(renderer, 100.0);
-        AddFloor(renderer, 10.0, z);
-        AddDirectional(renderer, { 0.1, 0.2, -1.0 });
+        scene.Floor(100.0);
+        scene.Floor(10.0, z);
+        scene.Directional({ 0.1, 0.2, -1.0 });
       });
     EXPECT_EQ(Cast(stage).Count(OracleSample::Lit), 40 * 30);
     stage.GetRenderer()->GetActiveCamera()->SetPosition(20.0, 15.0, -100.0);

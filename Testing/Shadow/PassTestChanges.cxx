@@ -66,13 +66,13 @@ struct Props
 
 void Props::Add(vtkRenderer* renderer, double x, double z)
 {
-  this->Box = AddShape(renderer, ShapeKind::Box, { x, -1.0, z }, { 0.5, 0.5, 0.5 });
+  this->Box = AddMesh(renderer, MakeBox({ x, -1.0, z }, { 0.5, 0.5, 0.5 }, VTK_DOUBLE));
   this->Box->SetUserMatrix(this->Matrix);
   this->Sphere = AddMesh(renderer, this->Source->GetOutput());
   this->Source->SetCenter(x, 0.0, z);
   this->Source->SetRadius(0.3);
   this->Sphere->GetMapper()->SetInputConnection(this->Source->GetOutputPort());
-  this->Clipped = AddSphere(renderer, { x, 1.0, z }, 0.4);
+  this->Clipped = AddMesh(renderer, MakeGlobe({ x, 1.0, z }, 0.4, 16));
   vtkNew<vtkPlaneCollection> planes;
   planes->AddItem(this->Plane);
   this->Plane->SetOrigin(x - 0.1, 1.0, z);
@@ -122,16 +122,21 @@ struct ChangingStage
 
   void Build(vtkRenderer* renderer)
   {
-    this->Floor = AddFloor(renderer, 5.0);
+    Fill(renderer,
+      [](SceneBuilder& scene)
+      {
+        scene.Floor(5.0);
+        scene.Directional({ 1.0, 0.0, -1.0 });
+        scene.Spot({ -2.0, -2.0, 5.0 }, { 0.0, 0.0, 0.0 }, 35.0);
+        scene.PointLight({ -0.5, 0.5, 3.0 });
+        scene.Look({ 3.0, -7.0, 5.0 }, { 0.3, 0.0, 0.3 });
+      });
+    this->Floor = GetActors(renderer).back();
     this->Casters.Add(renderer, 0.0, 1.5);
     this->Casters.SetCast(true);
     this->Receivers.Add(renderer, 0.5, 0.4);
-    this->Unseen = AddShape(renderer, ShapeKind::Box, { -8.0, 0.5, 8.5 }, { 1.0, 1.0, 1.0 });
+    this->Unseen = AddMesh(renderer, MakeBox({ -8.0, 0.5, 8.5 }, { 1.0, 1.0, 1.0 }, VTK_DOUBLE));
     SetCasts(this->Unseen, true);
-    AddDirectional(renderer, { 1.0, 0.0, -1.0 });
-    AddSpot(renderer, { -2.0, -2.0, 5.0 }, { 0.0, 0.0, 0.0 }, 35.0);
-    AddPoint(renderer, { -0.5, 0.5, 3.0 });
-    Look(renderer, { 3.0, -7.0, 5.0 }, { 0.3, 0.0, 0.3 });
     renderer->GetActiveCamera()->SetClippingRange(2.0, 30.0);
   }
 
@@ -241,7 +246,7 @@ std::vector<Change> GetChanges()
     { "LightRemoved", [](ChangingStage& s) { s.GetRenderer()->RemoveLight(s.Stage.Lights[1]); } },
     { "LightAdded",
       [](ChangingStage& s) {
-        AddDirectional(s.GetRenderer(), { -1.0, 0.0, -1.0 });
+        Fill(s.GetRenderer(), [](SceneBuilder& scene) { scene.Directional({ -1.0, 0.0, -1.0 }); });
       } },
     { "LightBecomesHeadlight",
       [](ChangingStage& s) { s.Stage.Lights[0]->SetLightTypeToHeadlight(); } },
@@ -270,7 +275,7 @@ std::vector<Change> GetChanges()
     { "FloorTextured", [](ChangingStage& s) { s.Floor->GetProperty()->SetAmbient(0.3); } },
     { "ActorAdded",
       [](ChangingStage& s) {
-        AddShape(s.GetRenderer(), ShapeKind::Box, { 1.5, 0.0, 0.5 }, { 0.5, 0.5, 1.0 });
+        AddMesh(s.GetRenderer(), MakeBox({ 1.5, 0.0, 0.5 }, { 0.5, 0.5, 1.0 }, VTK_DOUBLE));
       } },
     { "AllRemoved", [](ChangingStage& s) { s.GetRenderer()->RemoveAllViewProps(); } },
     { "PassReleased", [](ChangingStage& s) { s.Pass->ReleaseGraphicsResources(s.Stage.Window); } },
@@ -417,8 +422,8 @@ TEST_F(PassHistory, ActorsThatAreReplaced)
   {
     SCOPED_TRACE("frame " + std::to_string(frame));
     stage.GetRenderer()->RemoveActor(stage.Unseen);
-    stage.Unseen =
-      AddShape(stage.GetRenderer(), ShapeKind::Box, { -0.1 * frame, 0.5, 2.5 }, { 0.5, 0.5, 0.5 });
+    stage.Unseen = AddMesh(
+      stage.GetRenderer(), MakeBox({ -0.1 * frame, 0.5, 2.5 }, { 0.5, 0.5, 0.5 }, VTK_DOUBLE));
     SetCasts(stage.Unseen, true);
     ExpectNoMemory(stage);
   }

@@ -43,20 +43,19 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(int cells)
   return grid;
 }
 
-void Build(vtkRenderer* renderer)
+void Prepare(SceneBuilder& scene)
 {
-  AddFloor(renderer, 6.0);
-  AddDirectional(renderer, { 0.4, 0.3, -1.0 });
-  Look(renderer, { 4.0, -7.0, 6.0 }, { 1.0, 0.5, 0.5 });
+  scene.Floor(6.0);
+  scene.Directional({ 0.4, 0.3, -1.0 });
+  scene.Look({ 4.0, -7.0, 6.0 }, { 1.0, 0.5, 0.5 });
 }
 }
 
 // Hazard: a viewer that maps everything by vtkDataSetMapper has no casters.
 TEST_F(ShadowDataSets, CastAsTheirSurfaces)
 {
-  const NamedScene scene{ "DataSets", Build };
-  Stage asGrid = SetStage(scene);
-  Stage asMesh = SetStage(scene);
+  Stage asGrid = SetStage(Prepare);
+  Stage asMesh = SetStage(Prepare);
   const vtkSmartPointer<vtkUnstructuredGrid> grid = MakeGrid(4);
   vtkActor* actor = AddMesh(asGrid.GetRenderer(), nullptr);
   vtkNew<vtkDataSetMapper> mapper;

@@ -12,8 +12,6 @@
 #include "vtkLight.h"
 #include "vtkLightsPass.h"
 #include "vtkNew.h"
-#include "vtkOpenGLPolyDataMapper.h"
-#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkProperty.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkSequencePass.h"
@@ -30,24 +28,23 @@ vtkInformationIntegerKey* GetCastsKey()
 }
 
 /// A headlight, a light that is off, a camera light, and one more than fit into a mask.
-void AddLights(vtkRenderer* renderer)
+void AddLights(SceneBuilder& scene)
 {
-  vtkNew<vtkLight> headlight;
-  headlight->SetLightTypeToHeadlight();
-  headlight->SetIntensity(0.25);
-  renderer->AddLight(headlight);
-  AddDirectional(renderer, { 0.0, 0.0, -1.0 })->SwitchOff();
-  vtkNew<vtkLight> cameraLight;
-  cameraLight->SetLightTypeToCameraLight();
-  cameraLight->SetPosition(1.0, 1.0, 1.0);
-  cameraLight->SetFocalPoint(0.0, 0.0, 0.0);
-  cameraLight->SetIntensity(0.5);
-  renderer->AddLight(cameraLight);
-  AddDirectional(renderer, { 0.6, 0.35, -0.7 })->SetIntensity(0.25);
-  AddSpot(renderer, { -4.0, -2.0, 5.0 }, { 0.0, 0.0, 0.0 }, 25.0)->SetIntensity(0.5);
-  AddDirectional(renderer, { -0.6, 0.35, -0.7 })->SwitchOff();
-  AddPoint(renderer, { -0.1, 0.2, 2.2 })->SetIntensity(0.25);
-  AddDirectional(renderer, { -0.6, 0.35, -0.7 })->SetIntensity(0.25);
+  const auto add = [&scene](TestScene::LightKind kind, double intensity)
+  {
+    TestScene::Light& light = scene.Directional({ 0.0, 0.0, -1.0 });
+    light.Kind = kind;
+    light.Position = { 1.0, 1.0, 1.0 };
+    light.Intensity = intensity;
+  };
+  add(TestScene::LightKind::Headlight, 0.25);
+  scene.Directional({ 0.0, 0.0, -1.0 }).On = false;
+  add(TestScene::LightKind::Camera, 0.5);
+  scene.Directional({ 0.6, 0.35, -0.7 }).Intensity = 0.25;
+  scene.Spot({ -4.0, -2.0, 5.0 }, { 0.0, 0.0, 0.0 }, 25.0).Intensity = 0.5;
+  scene.Directional({ -0.6, 0.35, -0.7 }).On = false;
+  scene.PointLight({ -0.1, 0.2, 2.2 }).Intensity = 0.25;
+  scene.Directional({ -0.6, 0.35, -0.7 }).Intensity = 0.25;
 }
 
 NamedScene GetColourScene(const std::string& name)
@@ -62,7 +59,7 @@ NamedScene GetColourScene(const std::string& name)
   scene.Build = [build](vtkRenderer* renderer)
   {
     build(renderer);
-    AddLights(renderer);
+    Fill(renderer, AddLights);
   };
   return scene;
 }
@@ -162,9 +159,10 @@ TEST_F(PassImages, InASequenceAreThoseOfThePassAlone)
   {
     SCOPED_TRACE(name);
     const Stage stage = SetNamedStage(name);
-    AddShape(stage.GetRenderer(), ShapeKind::Box, { 0.0, -2.5, 1.0 }, { 1.0, 0.2, 1.0 })
-      ->GetProperty()
-      ->SetOpacity(0.5);
+    Fill(stage.GetRenderer(),
+      [](SceneBuilder& scene) {
+        scene.Box({ 0.0, -2.5, 1.0 }, { 1.0, 0.2, 1.0 }).Opacity = 0.5;
+      });
     vtkNew<vtkShadowVolumeClampPass> alone;
     alone->SetMode(vtkShadowVolumeClampPass::Scissored);
     stage.GetRenderer()->SetPass(alone);
@@ -197,22 +195,15 @@ TEST_F(PassImages, ConesOfVerticesFarFromTheOrigin)
 {
   constexpr double x = 5e6;
   constexpr double y = 4.5e6;
-  NamedScene scene;
-  scene.Width = 400;
-  scene.Height = 300;
-  scene.Build = [=](vtkRenderer* renderer)
-  {
-    AddShape(renderer, ShapeKind::Box, { x, y, -0.5 }, { 60.0, 60.0, 1.0 });
-    AddShape(renderer, ShapeKind::Box, { x + 5.0, y, 7.0 }, { 10.0, 20.0, 2.0 });
-    AddSpot(renderer, { x, y, 20.0 }, { x, y, 0.0 }, 15.0);
-    Look(renderer, { x + 3.0, y - 60.0, 40.0 }, { x, y, 0.0 });
-    for (vtkActor* actor : GetActors(renderer))
+  const Stage stage = SetStage(
+    [=](SceneBuilder& scene)
     {
-      vtkOpenGLPolyDataMapper::SafeDownCast(actor->GetMapper())
-        ->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
-    }
-  };
-  const Stage stage = SetStage(scene);
+      scene.Box({ x, y, -0.5 }, { 60.0, 60.0, 1.0 }).ShiftCoordinates = false;
+      scene.Box({ x + 5.0, y, 7.0 }, { 10.0, 20.0, 2.0 }).ShiftCoordinates = false;
+      scene.Spot({ x, y, 20.0 }, { x, y, 0.0 }, 15.0);
+      scene.Look({ x + 3.0, y - 60.0, 40.0 }, { x, y, 0.0 });
+    },
+    400, 300);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   for (const double cone : { 10.0, 15.0, 20.0, 25.0, 30.0 })
   {

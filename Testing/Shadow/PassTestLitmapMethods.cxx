@@ -22,23 +22,23 @@ using namespace ShadowShapes;
 namespace
 {
 /// A floor and a low box that receive, a box in the air; the receivers face light and camera.
-void AddLargeReceivers(vtkRenderer* renderer)
+void AddLargeReceivers(SceneBuilder& scene)
 {
-  AddFloor(renderer, 5.0);
-  AddShape(renderer, ShapeKind::Box, { 1.0, 0.0, 0.2 }, { 2.0, 2.0, 0.4 });
-  AddShape(renderer, ShapeKind::Box, { 0.0, 0.0, 1.5 }, { 0.8, 0.8, 0.8 });
-  Look(renderer, { 0.5, -3.0, 7.0 }, { 0.3, 0.0, 0.0 }, 30.0);
+  scene.Floor(5.0);
+  scene.Box({ 1.0, 0.0, 0.2 }, { 2.0, 2.0, 0.4 });
+  scene.Box({ 0.0, 0.0, 1.5 }, { 0.8, 0.8, 0.8 });
+  scene.Look({ 0.5, -3.0, 7.0 }, { 0.3, 0.0, 0.0 }, 30.0);
 }
 
 /// A wall above a floor, of which the light sees next to nothing. The box above them is out of
 /// sight.
-void AddThinReceiver(vtkRenderer* renderer)
+void AddThinReceiver(SceneBuilder& scene)
 {
-  AddSheet(renderer, { -2.0, 0.0, -2.0 }, { 4.0, 0.0, 0.0 }, { 0.0, 0.0, 3.0 });
-  AddShape(renderer, ShapeKind::Box, { 0.2, 0.0, 2.0 }, { 1.0, 1.0, 0.5 });
-  AddFloor(renderer, 5.0, -2.5);
-  AddDirectional(renderer, { 0.0, 0.002, -1.0 });
-  Look(renderer, { 0.0, -8.0, -0.5 }, { 0.0, 0.0, -0.8 }, 25.0);
+  AddSheet(scene, { -2.0, 0.0, -2.0 }, { 4.0, 0.0, 0.0 }, { 0.0, 0.0, 3.0 });
+  scene.Box({ 0.2, 0.0, 2.0 }, { 1.0, 1.0, 0.5 });
+  scene.Floor(5.0, -2.5);
+  scene.Directional({ 0.0, 0.002, -1.0 });
+  scene.Look({ 0.0, -8.0, -0.5 }, { 0.0, 0.0, -0.8 }, 25.0);
 }
 
 std::shared_ptr<vtkShadowLitmapSource> MakePaperLitmap()
@@ -61,26 +61,26 @@ using PassLitmapMethods = OffscreenFixture;
 // Every receiver covers many lexels, and every pixel several.
 TEST_F(PassLitmapMethods, AgreeOnLargeReceivers)
 {
-  const std::function<void(vtkRenderer*)> lights[] = {
-    [](vtkRenderer* renderer) {
-      AddDirectional(renderer, { 0.3, 0.2, -1.0 });
+  const std::function<void(SceneBuilder&)> lights[] = {
+    [](SceneBuilder& scene) {
+      scene.Directional({ 0.3, 0.2, -1.0 });
     },
-    [](vtkRenderer* renderer) {
-      AddSpot(renderer, { -1.0, -1.0, 6.0 }, { 0.3, 0.0, 0.0 }, 30.0);
+    [](SceneBuilder& scene) {
+      scene.Spot({ -1.0, -1.0, 6.0 }, { 0.3, 0.0, 0.0 }, 30.0);
     },
-    [](vtkRenderer* renderer) {
-      AddPoint(renderer, { -1.0, -1.0, 6.0 });
+    [](SceneBuilder& scene) {
+      scene.PointLight({ -1.0, -1.0, 6.0 });
     },
   };
   for (const auto& addLight : lights)
   {
-    const Stage stage = SetStage({ "Large",
-      [&addLight](vtkRenderer* renderer)
+    const Stage stage = SetStage(
+      [&addLight](SceneBuilder& scene)
       {
-        AddLargeReceivers(renderer);
-        addLight(renderer);
+        AddLargeReceivers(scene);
+        addLight(scene);
       },
-      80, 60 });
+      80, 60);
     SCOPED_TRACE(&addLight - lights);
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     Tune(pass, &vtkShadowTuning::LitmapResolution, 512);
@@ -106,7 +106,7 @@ TEST_F(PassLitmapMethods, AgreeOnLargeReceivers)
 // The defect for which litmaps are scattered: the shadow on a wall along the light.
 TEST_F(PassLitmapMethods, RerenderedMissesThinReceivers)
 {
-  const Stage stage = SetStage({ "Thin", AddThinReceiver });
+  const Stage stage = SetStage(AddThinReceiver);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   for (const int mode : Modes)
   {
@@ -129,18 +129,18 @@ TEST_F(PassLitmapMethods, ReceiversNeedNotCast)
   auto* key = vtkInformationIntegerKey::MakeKey("Casts", "PassLitmapMethods");
   vtkNew<vtkInformation> keys;
   keys->Set(key, 1);
-  const Stage stage = SetStage({ "Keys",
-    [key](vtkRenderer* renderer)
+  const Stage stage = SetStage(
+    [](SceneBuilder& scene)
     {
-      AddFloor(renderer, 5.0);
-      vtkNew<vtkInformation> own;
-      own->Set(key, 1);
-      AddShape(renderer, ShapeKind::Box, { 0.0, 0.0, 1.5 }, { 0.8, 0.8, 0.8 })
-        ->SetPropertyKeys(own);
-      AddDirectional(renderer, { 0.3, 0.2, -1.0 });
-      Look(renderer, { 0.5, -3.0, 7.0 }, { 0.3, 0.0, 0.0 }, 30.0);
+      scene.Floor(5.0);
+      scene.Box({ 0.0, 0.0, 1.5 }, { 0.8, 0.8, 0.8 });
+      scene.Directional({ 0.3, 0.2, -1.0 });
+      scene.Look({ 0.5, -3.0, 7.0 }, { 0.3, 0.0, 0.0 }, 30.0);
     },
-    80, 60 });
+    80, 60);
+  vtkNew<vtkInformation> own;
+  own->Set(key, 1);
+  GetActors(stage.GetRenderer()).back()->SetPropertyKeys(own);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   pass->SetCasterKeys(keys);
   Tune(pass, &vtkShadowTuning::LitmapSource, MakePaperLitmap());

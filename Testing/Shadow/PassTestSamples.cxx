@@ -24,16 +24,15 @@ namespace
 {
 using PassSamples = OffscreenFixture;
 
-/// Boxes on a floor, all faces flat and diffuse, a white background, one directional light.
-void Boxes(vtkRenderer* renderer)
+/// Boxes on a floor, all faces flat and diffuse, one directional light.
+void AddBoxes(SceneBuilder& scene)
 {
-  AddFloor(renderer, 5.0);
-  AddShape(renderer, ShapeKind::Box, { -1.0, 0.0, 0.75 }, { 1.0, 1.0, 1.5 });
-  AddShape(renderer, ShapeKind::Box, { 1.0, 0.5, 0.3 }, { 0.5, 1.5, 0.6 });
-  AddShape(renderer, ShapeKind::Box, { 0.3, -1.2, 1.1 }, { 0.7, 0.1, 0.4 });
-  AddDirectional(renderer, { 0.6, 0.35, -0.7 });
-  Look(renderer, { 3.0, -7.0, 5.0 }, { 0.3, 0.0, 0.3 });
-  renderer->SetBackground(1.0, 1.0, 1.0);
+  scene.Floor(5.0);
+  scene.Box({ -1.0, 0.0, 0.75 }, { 1.0, 1.0, 1.5 });
+  scene.Box({ 1.0, 0.5, 0.3 }, { 0.5, 1.5, 0.6 });
+  scene.Box({ 0.3, -1.2, 1.1 }, { 0.7, 0.1, 0.4 });
+  scene.Directional({ 0.6, 0.35, -0.7 });
+  scene.Look({ 3.0, -7.0, 5.0 }, { 0.3, 0.0, 0.3 });
 }
 
 /// RGB, 0 to 1, of what the oracle sees at a sample, shaded by itself.
@@ -227,9 +226,8 @@ TEST_F(PassSamples, TheMeanIsOfAllSamples)
 // The picture is the mean of samples that are shaded one by one.
 TEST_F(PassSamples, PictureIsTheMeanOfItsSamples)
 {
-  NamedScene scene{ "Boxes", Boxes };
-  scene.MultiSamples = 4;
-  Stage stage = SetStage(scene);
+  const Stage stage = SetStage(AddBoxes, 200, 150, 4);
+  stage.GetRenderer()->SetBackground(1.0, 1.0, 1.0);
   stage.Window->SetSize(203, 151);
   stage.GetRenderer()->SetViewport(0.04, 0.06, 0.93, 0.97);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
@@ -253,21 +251,17 @@ TEST_F(PassSamples, SliverThatNoCentreSees)
   const std::vector<std::array<double, 2>> places = GetSamplePlaces(first.Window);
   for (const std::array<double, 2>& place : places)
   {
-    NamedScene scene;
-    scene.Width = 33;
-    scene.Height = 20;
-    scene.MultiSamples = 4;
     // A pixel is 0.1 wide; the upper half of the plate is in the shadow of a box above the view.
-    scene.Build = [&place](vtkRenderer* renderer)
-    {
-      const double x = 0.1 * (20 + place[0]) - 1.65;
-      AddSheet(renderer, { x - 0.005, 0.0, -0.75 }, { 0.01, 0.0, 0.0 }, { 0.0, 0.0, 1.5 });
-      AddShape(renderer, ShapeKind::Box, { x, -3.0, 3.55 }, { 1.0, 0.2, 1.0 });
-      AddDirectional(renderer, { 0.0, 1.0, -1.0 });
-      LookParallel(renderer, { 0.0, -10.0, 0.0 }, { 0.0, 0.0, 0.0 }, 1.0);
-      renderer->SetBackground(1.0, 1.0, 1.0);
-    };
-    const Stage stage = SetStage(scene);
+    const Stage stage = SetStage(
+      [x = 0.1 * (20 + place[0]) - 1.65](SceneBuilder& scene)
+      {
+        AddSheet(scene, { x - 0.005, 0.0, -0.75 }, { 0.01, 0.0, 0.0 }, { 0.0, 0.0, 1.5 });
+        scene.Box({ x, -3.0, 3.55 }, { 1.0, 0.2, 1.0 });
+        scene.Directional({ 0.0, 1.0, -1.0 });
+        LookParallel(scene, { 0.0, -10.0, 0.0 }, { 0.0, 0.0, 0.0 }, 1.0);
+      },
+      33, 20, 4);
+    stage.GetRenderer()->SetBackground(1.0, 1.0, 1.0);
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     for (const int mode : ShadowModes)
     {

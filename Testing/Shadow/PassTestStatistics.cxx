@@ -224,23 +224,22 @@ TEST_F(PassStatistics, SilhouettesAreMadeOnce)
 TEST_F(PassStatistics, ManyCastersAreSharedOut)
 {
   constexpr int side = 66;
-  const Stage stage = SetStage({ "ManyCasters",
-    [](vtkRenderer* renderer)
+  const Stage stage = SetStage(
+    [](TestScene::SceneBuilder& scene)
     {
-      ShadowShapes::AddFloor(renderer, 10.0);
+      scene.Floor(10.0);
       for (int i = 0; i < side * side; ++i)
       {
         const double x = 0.25 * (i % side - side / 2);
         const double y = 0.25 * (i / side - side / 2);
-        ShadowShapes::AddShape(
-          renderer, ShadowShapes::ShapeKind::Box, { x, y, 0.2 + 0.1 * (i % 7) }, { 0.1, 0.1, 0.1 });
+        scene.Box({ x, y, 0.2 + 0.1 * (i % 7) }, { 0.1, 0.1, 0.1 });
       }
-      ShadowShapes::AddDirectional(renderer, { 0.3, 0.2, -1.0 });
-      ShadowShapes::AddSpot(renderer, { 0.0, 0.0, 5.0 }, { 1.0, 1.0, 0.0 }, 30.0);
-      ShadowShapes::AddPoint(renderer, { -1.0, 2.0, 4.0 });
-      ShadowShapes::Look(renderer, { 2.0, 1.0, 3.0 }, { 0.0, 0.0, 0.0 });
+      scene.Directional({ 0.3, 0.2, -1.0 });
+      scene.Spot({ 0.0, 0.0, 5.0 }, { 1.0, 1.0, 0.0 }, 30.0);
+      scene.PointLight({ -1.0, 2.0, 4.0 });
+      scene.Look({ 2.0, 1.0, 3.0 }, { 0.0, 0.0, 0.0 });
     },
-    120, 90 });
+    120, 90);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   const int casters = stage.GetRenderer()->GetActors()->GetNumberOfItems();
   const int lights = static_cast<int>(stage.Lights.size());

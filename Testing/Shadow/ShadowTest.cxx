@@ -22,6 +22,12 @@ Stage SetStage(const NamedScene& scene)
   return stage;
 }
 
+Stage SetStage(const std::function<void(TestScene::SceneBuilder&)>& build, int width, int height,
+  int multiSamples)
+{
+  return SetStage(MakeScene(TestScene::MakeShadowScenario("", build, width, height, multiSamples)));
+}
+
 Stage SetNamedStage(const std::string& name)
 {
   return SetStage(GetScene(name));

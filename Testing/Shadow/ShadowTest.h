@@ -26,6 +26,9 @@ using TestScene::TakePicture;
 
 /// A scene in a window of its size that has not rendered yet, with the scene's lights.
 Stage SetStage(const NamedScene& scene);
+/// A scene as scenarios describe it; points are stored in double precision.
+Stage SetStage(const std::function<void(TestScene::SceneBuilder&)>& build, int width = 200,
+  int height = 150, int multiSamples = 0);
 /// A scene of GetScenes().
 Stage SetNamedStage(const std::string& name);
 
