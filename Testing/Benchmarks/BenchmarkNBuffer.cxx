@@ -9,11 +9,12 @@
 // the results are kept from being optimised away. Compare medians of several repetitions:
 //
 //     nbuffer-benchmark-micro --benchmark_repetitions=5 --benchmark_report_aggregates_only=true
+#include "../Support/Pixels.h"
+#include "../Support/ProjectedBox.h"
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferMath.h"
 #include "vtkNBufferOcclusionTest.h"
 #include "vtkNBufferPixelTest.h"
-#include "vtkNBufferProjection.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
@@ -22,6 +23,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <iterator>
 #include <random>
 #include <vector>
 
@@ -40,63 +42,69 @@ std::vector<float> MakeDepth(int width, int height)
     const int y1 = static_cast<int>(height / 4 + random() % (height / 2));
     const int x1 = std::min<int>(width, x0 + 20 + static_cast<int>(random() % 200));
     const auto value = static_cast<float>(0.95 + 0.0004 * static_cast<double>(random() % 100));
-    for (int y = 0; y < y1; ++y)
+    for (const auto& [x, y] : Pixels({ x0, 0, x1, y1 }))
     {
-      for (int x = x0; x < x1; ++x)
-      {
-        float& pixel = depth[static_cast<std::size_t>(y) * width + x];
-        pixel = std::min(pixel, value);
-      }
+      float& pixel = depth[static_cast<std::size_t>(y) * width + x];
+      pixel = std::min(pixel, value);
     }
   }
   return depth;
 }
 
-vtkNBufferProjection LookAlongStreet(int width, int height)
+/// A view, buildings at all distances that lie wholly in it, and a depth image with levels.
+struct Street
 {
-  vtkNew<vtkCamera> camera;
-  camera->SetPosition(0.0, 0.0, 1.7);
-  camera->SetFocalPoint(0.0, 1.0, 1.7);
-  camera->SetViewUp(0.0, 0.0, 1.0);
-  camera->SetViewAngle(60.0);
-  camera->SetClippingRange(0.1, 1000.0);
-  vtkNBufferProjection projection;
-  projection.Set(
-    camera->GetCompositeProjectionTransformMatrix(static_cast<double>(width) / height, -1.0, 1.0)
-      ->GetData(),
-    width, height, 0x1p-24);
-  return projection;
-}
-
-struct Boxes
-{
-  std::vector<vtkNBufferBox> All;
-  std::vector<vtkNBufferScreenBox> Screens;
-};
-
-/// Buildings at all distances, all wholly in the view.
-Boxes MakeBoxes(const vtkNBufferProjection& projection)
-{
-  Boxes boxes;
-  std::mt19937 random(2);
-  const auto uniform = [&random](double a, double b)
-  { return a + (b - a) * static_cast<double>(random() % 100000) / 100000.0; };
-  while (boxes.All.size() < 4096)
+  Street()
   {
-    const double y = uniform(10.0, 900.0);
-    const double x = uniform(-0.6, 0.6) * y;
-    const double side = uniform(4.0, 25.0);
-    const double bounds[6] = { x, x + side, y, y + side, 0.0, uniform(3.0, 20.0) };
-    const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
-    vtkNBufferScreenBox screen;
-    if (projection.Project(box, screen) == vtkNBufferPlacement::Inside)
+    vtkNew<vtkCamera> camera;
+    camera->SetPosition(0.0, 0.0, 1.7);
+    camera->SetFocalPoint(0.0, 1.0, 1.7);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    camera->SetViewAngle(60.0);
+    camera->SetClippingRange(0.1, 1000.0);
+    const double aspect = static_cast<double>(Width) / Height;
+    this->Projection.Set(
+      camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0)->GetData(), Width, Height,
+      0x1p-24);
+    std::mt19937 random(2);
+    const auto uniform = [&random](double a, double b)
+    { return a + (b - a) * static_cast<double>(random() % 100000) / 100000.0; };
+    while (this->Boxes.size() < 4096)
     {
-      boxes.All.push_back(box);
-      boxes.Screens.push_back(screen);
+      const double y = uniform(10.0, 900.0);
+      const double x = uniform(-0.6, 0.6) * y;
+      const double side = uniform(4.0, 25.0);
+      const ProjectedBox box(
+        this->Projection, { x, x + side, y, y + side, 0.0, uniform(3.0, 20.0) });
+      if (box.IsInside())
+      {
+        this->Boxes.push_back(box);
+      }
     }
+    this->Levels.BuildBase(this->Depth.data(), Width, Height, 4, vtkNBufferExtremum::Maximum);
+    this->Levels.BuildLevels(20);
   }
-  return boxes;
-}
+
+  /// Calls function(box) for one box after the other; the sum of what it returns, for each call,
+  /// becomes the counter `hidden`.
+  template <typename Function>
+  void Run(benchmark::State& state, const std::vector<ProjectedBox>& boxes, Function function) const
+  {
+    std::size_t n = 0;
+    std::int64_t hidden = 0;
+    for (auto _ : state)
+    {
+      hidden += function(boxes[n++ % boxes.size()]);
+    }
+    state.counters["hidden"] =
+      static_cast<double>(hidden) / static_cast<double>(state.iterations());
+  }
+
+  vtkNBufferProjection Projection;
+  std::vector<ProjectedBox> Boxes;
+  std::vector<float> Depth = MakeDepth(Width, Height);
+  vtkNBufferLevels Levels;
+};
 
 void BuildBase(benchmark::State& state)
 {
@@ -169,95 +177,53 @@ void Query(benchmark::State& state, bool four)
   }
 }
 
-void QueryOne(benchmark::State& state)
-{
-  Query(state, false);
-}
-
-void QueryFour(benchmark::State& state)
-{
-  Query(state, true);
-}
-
 void FrustumTest(benchmark::State& state)
 {
-  const vtkNBufferProjection projection = LookAlongStreet(Width, Height);
-  const Boxes boxes = MakeBoxes(projection);
-  std::size_t n = 0;
-  for (auto _ : state)
-  {
-    benchmark::DoNotOptimize(projection.IsOutside(boxes.All[n++ % boxes.All.size()]));
-  }
+  const Street street;
+  street.Run(state, street.Boxes,
+    [&](const ProjectedBox& box) { return street.Projection.IsOutside(box.Box); });
 }
 
 void Project(benchmark::State& state)
 {
-  const vtkNBufferProjection projection = LookAlongStreet(Width, Height);
-  const Boxes boxes = MakeBoxes(projection);
+  const Street street;
   vtkNBufferScreenBox screen;
-  std::size_t n = 0;
-  for (auto _ : state)
-  {
-    benchmark::DoNotOptimize(projection.Project(boxes.All[n++ % boxes.All.size()], screen));
-    benchmark::DoNotOptimize(screen.Nearest);
-  }
+  street.Run(state, street.Boxes,
+    [&](const ProjectedBox& box)
+    {
+      const vtkNBufferPlacement placement = street.Projection.Project(box.Box, screen);
+      benchmark::DoNotOptimize(screen.Nearest);
+      return placement == vtkNBufferPlacement::Outside;
+    });
 }
 
 /// One prop tested against the levels: rectangle, cover, lookups, and pieces where needed.
 void TestProp(benchmark::State& state)
 {
-  const auto pieces = static_cast<int>(state.range(0));
-  const vtkNBufferProjection projection = LookAlongStreet(Width, Height);
-  const Boxes boxes = MakeBoxes(projection);
-  const std::vector<float> depth = MakeDepth(Width, Height);
-  vtkNBufferLevels levels;
-  levels.BuildBase(depth.data(), Width, Height, 4, vtkNBufferExtremum::Maximum);
-  levels.BuildLevels(20);
-  vtkNBufferOcclusionTest test(projection, levels, pieces);
-  std::size_t n = 0;
-  std::int64_t hidden = 0;
-  for (auto _ : state)
-  {
-    const std::size_t i = n++ % boxes.All.size();
-    hidden += test.IsHidden(boxes.All[i], boxes.Screens[i]);
-  }
-  state.counters["hidden"] = static_cast<double>(hidden) / static_cast<double>(state.iterations());
+  const Street street;
+  vtkNBufferOcclusionTest test(street.Projection, street.Levels, static_cast<int>(state.range(0)));
+  street.Run(state, street.Boxes,
+    [&](const ProjectedBox& box) { return test.IsHidden(box.Box, box.Screen); });
 }
 
 /// The second opinion, asked only of those that the levels do not hide.
 void TestPixels(benchmark::State& state)
 {
-  const vtkNBufferProjection projection = LookAlongStreet(Width, Height);
-  const Boxes boxes = MakeBoxes(projection);
-  const std::vector<float> depth = MakeDepth(Width, Height);
-  vtkNBufferLevels levels;
-  levels.BuildBase(depth.data(), Width, Height, 4, vtkNBufferExtremum::Maximum);
-  levels.BuildLevels(20);
-  vtkNBufferOcclusionTest test(projection, levels, 8);
-  std::vector<std::size_t> doubtful;
-  for (std::size_t i = 0; i < boxes.All.size(); ++i)
-  {
-    if (!test.IsHidden(boxes.All[i], boxes.Screens[i]))
-    {
-      doubtful.push_back(i);
-    }
-  }
-  vtkNBufferPixelTest pixels(projection, levels, depth.data());
-  std::size_t n = 0;
-  std::int64_t hidden = 0;
-  for (auto _ : state)
-  {
-    const std::size_t i = doubtful[n++ % doubtful.size()];
-    hidden += pixels.IsHidden(boxes.All[i], boxes.Screens[i]);
-  }
-  state.counters["hidden"] = static_cast<double>(hidden) / static_cast<double>(state.iterations());
+  const Street street;
+  vtkNBufferOcclusionTest test(street.Projection, street.Levels, 8);
+  std::vector<ProjectedBox> doubtful;
+  std::copy_if(street.Boxes.begin(), street.Boxes.end(), std::back_inserter(doubtful),
+    [&](const ProjectedBox& box) { return !test.IsHidden(box.Box, box.Screen); });
+  vtkNBufferPixelTest pixels(street.Projection, street.Levels, street.Depth.data());
+  street.Run(
+    state, doubtful, [&](const ProjectedBox& box) { return pixels.IsHidden(box.Box, box.Screen); });
 }
 }
 
 BENCHMARK(BuildBase)->Apply(SizesAndFactors);
 BENCHMARK(BuildLevels)->Apply(SizesAndFactors);
-BENCHMARK(QueryOne)->Arg(1)->Arg(16)->Arg(64)->Arg(256)->Arg(700);
-BENCHMARK(QueryFour)->Arg(1)->Arg(16)->Arg(64)->Arg(256)->Arg(700);
+BENCHMARK_CAPTURE(Query, One, false)->Arg(1)->Arg(16)->Arg(64)->Arg(256)->Arg(700);
+BENCHMARK_CAPTURE(Query, Four, true)->Arg(1)->Arg(16)->Arg(64)->Arg(256)->Arg(700);
 BENCHMARK(FrustumTest);
 BENCHMARK(Project);
 BENCHMARK(TestProp)->Arg(1)->Arg(8);

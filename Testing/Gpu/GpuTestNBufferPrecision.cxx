@@ -10,9 +10,8 @@
 #include "DepthTarget.h"
 #include "GpuTestNBufferPrecisionFS.h"
 #include "GpuTestNBufferPrecisionVS.h"
-#include "OffscreenFixture.h"
+#include "WindowFixture.h"
 #include "vtkNBufferCandidate.h"
-#include "vtkNBufferDepthSource.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferSliverTest.h"
 #include "vtkNBufferSurface.h"
@@ -20,11 +19,7 @@
 #include VTKNBUFFER_GL_HEADER
 
 #include "vtkActor.h"
-#include "vtkCellArray.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderer.h"
@@ -113,31 +108,23 @@ public:
 
   void SetMatrix(const Sampler& sampler)
   {
-    double shift[16];
-    vtkMatrix4x4::Identity(shift);
-    for (int j = 0; j < 3; ++j)
-    {
-      shift[4 * j + 3] = sampler.GetShift(j);
-    }
-    double matrix[16];
-    vtkMatrix4x4::Multiply4x4(sampler.GetWorldToClip(), shift, matrix);
-    std::copy_n(matrix, 16, this->Matrix);
-    glUniformMatrix4fv(glGetUniformLocation(this->Name, "MCDCMatrix"), 1, GL_TRUE, this->Matrix);
+    glm::dmat4 shift(1.0);
+    shift[3] = glm::dvec4(sampler.GetShift(), 1.0);
+    this->Matrix = sampler.GetWorldToClip() * shift;
+    glUniformMatrix4fv(
+      glGetUniformLocation(this->Name, "MCDCMatrix"), 1, GL_FALSE, glm::value_ptr(this->Matrix));
   }
 
   /// False if the triangle, as the device may place its vertices, is too low to be covered.
   bool Draw(const Triangle& triangle, const Sampler& sampler, const vtkNBufferScreenBox& screen,
     bool isBehind)
   {
-    float vertices[9];
-    ScreenVertex drawn[3];
-    for (int i = 0; i < 3; ++i)
+    glm::vec3 vertices[3];
+    Triangle drawn;
+    for (std::size_t i = 0; i < 3; ++i)
     {
-      for (int j = 0; j < 3; ++j)
-      {
-        vertices[3 * i + j] = static_cast<float>(triangle[i][j] - sampler.GetShift(j));
-      }
-      drawn[i] = ToScreen(this->Matrix, vertices + 3 * i);
+      vertices[i] = triangle[i] - sampler.GetShift();
+      drawn[i] = ToScreen(glm::dmat4(this->Matrix), vertices[i]);
     }
     // The slack on the screen is 1/16 pixel for snapping and what vertices may err.
     const double error =
@@ -165,11 +152,11 @@ private:
   GLuint Name = glCreateProgram();
   GLuint Array = 0;
   GLuint Buffer = 0;
-  float Matrix[16] = {};
+  glm::mat4 Matrix;
 };
 }
 
-class GpuTestNBufferPrecision : public OffscreenFixture
+class GpuTestNBufferPrecision : public WindowFixture
 {
 protected:
   /// `count` triangles of one kind.
@@ -177,8 +164,6 @@ protected:
     const vtkNBufferProjection& projection, Kind kind, int count, Finding& finding)
   {
     const bool isBehind = kind == Kind::Behind;
-    std::vector<float> depth;
-    std::string why;
     for (int n = 0; n < count; ++n)
     {
       const Triangle triangle = sampler.Make(kind);
@@ -191,19 +176,11 @@ protected:
       }
       // Two pixels more on all sides, where nothing may be drawn.
       const vtkNBufferRectangle& r = screen.Pixels;
-      const int x0 = std::max(r.X0 - 2, 0);
-      const int y0 = std::max(r.Y0 - 2, 0);
-      const int width = std::min(r.X1 + 2, Width) - x0;
-      ASSERT_TRUE(
-        source.Read(this->Window, x0, y0, width, std::min(r.Y1 + 2, Height) - y0, depth, why))
-        << why;
+      const vtkNBufferRectangle around = vtkNBufferRectangle{ 0, 0, Width, Height }.GetIntersection(
+        { r.X0 - 2, r.Y0 - 2, r.X1 + 2, r.Y1 + 2 });
       SCOPED_TRACE("triangle " + std::to_string(n));
-      Judge(sampler.GetWorldToClip(), triangle, isBehind)
-        .Compare(screen, x0, y0, width, depth, finding);
-      if (this->HasFatalFailure())
-      {
-        return;
-      }
+      ASSERT_NO_FATAL_FAILURE(Judge(sampler.GetWorldToClip(), triangle, isBehind)
+                                .Compare(screen, around, this->Read(source, around), finding));
     }
   }
 
@@ -212,22 +189,17 @@ protected:
     Kind kind, Finding& finding)
   {
     Triangle triangle;
-    ScreenVertex exact[3];
     do
     {
       triangle = sampler.Make(kind);
-      for (int i = 0; i < 3; ++i)
-      {
-        exact[i] = ToScreen(sampler.GetWorldToClip(), triangle[i].data());
-      }
-    } while (GetHeight(exact) < 2.0 * LowestHeight);
+    } while (GetHeight(ToScreen(sampler.GetWorldToClip(), triangle)) < 2.0 * LowestHeight);
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     vtkNew<vtkCellArray> cells;
     cells->InsertNextCell({ 0, 1, 2 });
-    for (const Point& point : triangle)
+    for (const glm::dvec3& point : triangle)
     {
-      points->InsertNextPoint(point.data());
+      points->InsertNextPoint(glm::value_ptr(point));
     }
     vtkNew<vtkPolyData> data;
     data->SetPoints(points);
@@ -246,20 +218,14 @@ protected:
     }
     renderer->AddActor(actor);
     std::vector<float> depth;
-    std::string why;
     WhileDrawing(this->Window, renderer,
-      [&]()
-      {
-        vtkNBufferDepthSource source;
-        EXPECT_TRUE(source.Inspect(this->Window, why) &&
-          source.Read(this->Window, 0, 0, Width, Height, depth, why))
-          << why;
+      [&]() {
+        depth = this->Read(this->Inspect(), { 0, 0, Width, Height });
       });
     renderer->RemoveActor(actor);
-    Judge(sampler.GetWorldToClip(), triangle, false).Compare(screen, 0, 0, Width, depth, finding);
+    Judge(sampler.GetWorldToClip(), triangle, false)
+      .Compare(screen, { 0, 0, Width, Height }, depth, finding);
   }
-
-  vtkSmartPointer<vtkOpenGLRenderWindow> Window;
 };
 
 class GpuTestNBufferPrecisionFormats
@@ -272,16 +238,13 @@ class GpuTestNBufferPrecisionFormats
 TEST_P(GpuTestNBufferPrecisionFormats, ErrorsStayUnderTheSlack)
 {
   const DepthFormat& format = GetDepthFormats()[GetParam()];
-  this->Window = NewWindow(16, 16);
   const DepthTarget target(format, Width, Height, true);
   if (!target.IsComplete())
   {
     GTEST_SKIP() << "The driver refuses " << format.Name << ".";
   }
   target.Bind(0, 0, Width, Height);
-  vtkNBufferDepthSource source;
-  std::string why;
-  ASSERT_TRUE(source.Inspect(this->Window, why)) << why;
+  const vtkNBufferDepthSource source = this->Inspect();
   const double quantum = std::ldexp(1.0, -std::min(source.DepthBits, 24));
 
   TriangleProgram program;
@@ -290,8 +253,7 @@ TEST_P(GpuTestNBufferPrecisionFormats, ErrorsStayUnderTheSlack)
   {
     Sampler sampler(camera, 40);
     program.SetMatrix(sampler);
-    vtkNBufferProjection projection;
-    projection.Set(sampler.GetWorldToClip(), Width, Height, quantum);
+    const vtkNBufferProjection projection = sampler.GetProjection(quantum);
     for (const Kind kind : Kinds)
     {
       if (kind == Kind::Behind && camera.Parallel)
@@ -300,11 +262,8 @@ TEST_P(GpuTestNBufferPrecisionFormats, ErrorsStayUnderTheSlack)
       }
       SCOPED_TRACE(std::string(camera.Name) + ", " + KindNames[static_cast<int>(kind)]);
       Finding finding;
-      this->Check(source, program, sampler, projection, kind, GetCount(kind), finding);
-      if (this->HasFatalFailure())
-      {
-        return;
-      }
+      ASSERT_NO_FATAL_FAILURE(
+        this->Check(source, program, sampler, projection, kind, GetCount(kind), finding));
       Print(std::string(format.Name) + " | " + camera.Name, kind, finding);
       Finding& sum = all[static_cast<int>(kind)];
       sum.Fragments += finding.Fragments;
@@ -340,10 +299,7 @@ bool IsForetold(const vtkNBufferProjection& projection, const Triangle& triangle
   vtkNBufferLevels levels;
   levels.BuildBase(depth.data(), Width, Height, 1, vtkNBufferExtremum::Maximum);
   vtkNBufferMesh mesh;
-  for (const Point& point : triangle)
-  {
-    mesh.Points.emplace_back(point[0], point[1], point[2]);
-  }
+  mesh.Points.assign(triangle.begin(), triangle.end());
   mesh.Triangles = { { 0, 1, 2 } };
   vtkNBufferSliverTest test(projection, levels, 0.0);
   const double toWorld[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
@@ -355,13 +311,10 @@ bool IsForetold(const vtkNBufferProjection& projection, const Triangle& triangle
 TEST_F(GpuTestNBufferPrecision, SliversAreForetold)
 {
   constexpr int count = 400;
-  this->Window = NewWindow(16, 16);
   const DepthTarget target(GetDepthFormats()[1], Width, Height, true);
   ASSERT_TRUE(target.IsComplete());
   target.Bind(0, 0, Width, Height);
-  vtkNBufferDepthSource source;
-  std::string why;
-  ASSERT_TRUE(source.Inspect(this->Window, why)) << why;
+  const vtkNBufferDepthSource source = this->Inspect();
   TriangleProgram program;
   long long fragments = 0;
   long long strays = 0;
@@ -370,8 +323,7 @@ TEST_F(GpuTestNBufferPrecision, SliversAreForetold)
   {
     Sampler sampler(camera, 42);
     program.SetMatrix(sampler);
-    vtkNBufferProjection projection;
-    projection.Set(sampler.GetWorldToClip(), Width, Height, 0x1p-24);
+    const vtkNBufferProjection projection = sampler.GetProjection();
     for (int n = 0; n < count; ++n)
     {
       const Triangle triangle = sampler.Make(Kind::Sliver);
@@ -382,21 +334,17 @@ TEST_F(GpuTestNBufferPrecision, SliversAreForetold)
         continue;
       }
       program.Draw(triangle, sampler, screen, true);
-      const vtkNBufferRectangle& r = screen.Pixels;
-      std::vector<float> depth;
-      ASSERT_TRUE(source.Read(this->Window, r.X0, r.Y0, r.X1 - r.X0, r.Y1 - r.Y0, depth, why))
-        << why;
-      for (std::size_t i = 0; i < depth.size(); ++i)
+      const std::vector<float> depth = this->Read(source, screen.Pixels);
+      const float* next = depth.data();
+      for (const auto& [x, y] : Pixels(screen.Pixels))
       {
-        fragments += depth[i] < 1.0f;
-        if (depth[i] < 1.0f && depth[i] < screen.Nearest)
+        const float z = *next++;
+        fragments += z < 1.0f;
+        if (z < 1.0f && z < screen.Nearest)
         {
           ++strays;
-          farthest = std::max(farthest, (screen.Nearest - depth[i]) / screen.DepthRange);
-          const int width = r.X1 - r.X0;
-          const int x = r.X0 + static_cast<int>(i) % width;
-          const int y = r.Y0 + static_cast<int>(i) / width;
-          ASSERT_TRUE(IsForetold(projection, triangle, box, screen, x, y, depth[i]))
+          farthest = std::max(farthest, (screen.Nearest - z) / screen.DepthRange);
+          ASSERT_TRUE(IsForetold(projection, triangle, box, screen, x, y, z))
             << camera.Name << ", triangle " << n << ", pixel " << x << " " << y;
         }
       }
@@ -422,19 +370,14 @@ TEST_F(GpuTestNBufferPrecision, ActorsStayUnderTheSlack)
   {
     Sampler sampler(camera, 41);
     renderer->SetActiveCamera(sampler.GetCamera());
-    vtkNBufferProjection projection;
-    projection.Set(sampler.GetWorldToClip(), Width, Height, 0x1p-24);
+    const vtkNBufferProjection projection = sampler.GetProjection();
     for (const Kind kind : { Kind::Facing, Kind::Slanted, Kind::Steep })
     {
       SCOPED_TRACE(std::string(camera.Name) + ", " + KindNames[static_cast<int>(kind)]);
       Finding finding;
       for (int n = 0; n < 12; ++n)
       {
-        this->CheckActor(renderer, sampler, projection, kind, finding);
-        if (this->HasFatalFailure())
-        {
-          return;
-        }
+        ASSERT_NO_FATAL_FAILURE(this->CheckActor(renderer, sampler, projection, kind, finding));
       }
       Print(std::string("actors | ") + camera.Name, kind, finding);
       EXPECT_GT(finding.Fragments, kind == Kind::Steep ? 0 : 1000);

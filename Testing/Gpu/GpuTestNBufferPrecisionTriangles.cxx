@@ -2,43 +2,83 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GpuTestNBufferPrecisionTriangles.h"
 
+#include "Pixels.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
 /// Twice the signed area, in pixels.
-double GetArea(const ScreenVertex v[3])
+double GetArea(const Triangle& v)
 {
-  return (v[1].X - v[0].X) * (v[2].Y - v[0].Y) - (v[2].X - v[0].X) * (v[1].Y - v[0].Y);
+  return glm::cross(v[1] - v[0], v[2] - v[0]).z;
 }
 }
 
-double GetHeight(const ScreenVertex v[3])
+glm::dvec3 ToScreen(const glm::dmat4& worldToClip, const glm::dvec3& point)
+{
+  const glm::dvec4 clip = vtkNBufferGLM::Multiply(worldToClip, glm::dvec4(point, 1.0));
+  return (0.5 * glm::dvec3(clip) / clip.w + 0.5) * glm::dvec3(Width, Height, 1.0);
+}
+
+Triangle ToScreen(const glm::dmat4& worldToClip, const Triangle& triangle)
+{
+  return { ToScreen(worldToClip, triangle[0]), ToScreen(worldToClip, triangle[1]),
+    ToScreen(worldToClip, triangle[2]) };
+}
+
+double GetHeight(const Triangle& onScreen)
 {
   double longest = 0.0;
-  for (int i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < 3; ++i)
   {
-    const ScreenVertex& next = v[(i + 1) % 3];
-    longest = std::max(longest, std::hypot(next.X - v[i].X, next.Y - v[i].Y));
+    const glm::dvec2 side = onScreen[(i + 1) % 3] - onScreen[i];
+    longest = std::max(longest, glm::length(side));
   }
-  return std::abs(GetArea(v)) / longest;
+  return std::abs(GetArea(onScreen)) / longest;
+}
+
+Sampler::Sampler(const CameraCase& camera, unsigned int seed)
+  : Case(camera)
+  , Random(seed)
+{
+  // Along an axis, so that a triangle has the depth range of its bounds.
+  this->Camera->SetPosition(camera.Offset, camera.Offset, 0.0);
+  this->Camera->SetFocalPoint(camera.Offset, camera.Offset, -1.0);
+  this->Camera->SetParallelProjection(camera.Parallel);
+  this->Camera->SetParallelScale(0.01 * camera.Far);
+  this->Camera->SetClippingRange(camera.Near, camera.Far);
+  this->WorldToClip = vtkNBufferGLM::ToMatrix(
+    this->Camera
+      ->GetCompositeProjectionTransformMatrix(static_cast<double>(Width) / Height, -1.0, 1.0)
+      ->GetData());
+  this->ClipToWorld = vtkNBufferGLM::Invert(this->WorldToClip);
+}
+
+vtkNBufferProjection Sampler::GetProjection(double quantum) const
+{
+  vtkNBufferProjection projection;
+  projection.Set(vtkNBufferGLM::ToRows(this->WorldToClip).data(), Width, Height, quantum);
+  return projection;
+}
+
+glm::dvec3 Sampler::ToWorld(double x, double y, double z) const
+{
+  const glm::dvec4 world = vtkNBufferGLM::Multiply(
+    this->ClipToWorld, { 2.0 * x / Width - 1.0, 2.0 * y / Height - 1.0, z, 1.0 });
+  return glm::dvec3(world) / world.w;
 }
 
 Triangle Sampler::Make(Kind kind)
 {
-  if (kind == Kind::Behind)
+  if (kind == Kind::Behind || kind == Kind::Steep || kind == Kind::Sliver)
   {
-    return this->MakeGround();
-  }
-  if (kind == Kind::Steep)
-  {
-    return this->MakeSteep();
-  }
-  if (kind == Kind::Sliver)
-  {
-    return this->MakeSliver();
+    return kind == Kind::Behind ? this->MakeGround()
+      : kind == Kind::Steep     ? this->MakeSteep()
+                                : this->MakeSliver();
   }
   // A middle depth anywhere between the planes, and crowded at both of them.
   const double fromPlane = this->Logarithmic(1e-6, 1.0);
@@ -54,7 +94,7 @@ Triangle Sampler::Make(Kind kind)
     size = this->Uniform(0.3, 1.0);
   }
   Triangle triangle;
-  for (Point& point : triangle)
+  for (glm::dvec3& point : triangle)
   {
     point = this->ToWorld(x + this->Uniform(-size, size), y + this->Uniform(-size, size),
       z + this->Uniform(-reach, reach));
@@ -70,47 +110,38 @@ Triangle Sampler::MakeSteep()
   constexpr double step = 1.0 / 512;
   const double x = std::floor(this->Uniform(0.0, Width)) + 0.5 + this->Uniform(-step, step);
   const double y = std::floor(this->Uniform(0.0, Height)) + 0.5 + this->Uniform(-step, step);
-  static const double directions[4][2] = { { 1, 0 }, { 0, 1 }, { 1, 1 }, { 1, -1 } };
-  const double* direction = directions[std::uniform_int_distribution<int>(0, 3)(this->Random)];
+  static const glm::dvec2 directions[4] = { { 1, 0 }, { 0, 1 }, { 1, 1 }, { 1, -1 } };
+  const glm::dvec2& direction = directions[std::uniform_int_distribution<int>(0, 3)(this->Random)];
   const double length = std::floor(this->Logarithmic(2.0, 200.0));
   const double height = (this->Uniform(-1.0, 1.0) < 0.0 ? 1.0 : -1.0) *
     this->Logarithmic(LowestHeight, 4.0 * LowestHeight);
   const double middle = length * this->Uniform(0.0, 1.0);
-  const double norm = std::hypot(direction[0], direction[1]);
-  return { this->ToWorld(x, y, z + away),
-    this->ToWorld(x + length * direction[0], y + length * direction[1], z + away),
-    this->ToWorld(x + middle * direction[0] - height * direction[1] / norm,
-      y + middle * direction[1] + height * direction[0] / norm, z - away) };
+  const glm::dvec2 start(x, y);
+  const glm::dvec2 end = start + length * direction;
+  const glm::dvec2 third = start + middle * direction +
+    height * glm::dvec2(-direction.y, direction.x) / glm::length(direction);
+  return { this->ToWorld(x, y, z + away), this->ToWorld(end.x, end.y, z + away),
+    this->ToWorld(third.x, third.y, z - away) };
 }
 
 Triangle Sampler::MakeSliver()
 {
-  Triangle triangle = this->MakeSteep();
-  double depth[3];
-  double screen[3][2];
-  for (int i = 0; i < 3; ++i)
-  {
-    const ScreenVertex vertex = ToScreen(this->WorldToClip.data(), triangle[i].data());
-    screen[i][0] = vertex.X;
-    screen[i][1] = vertex.Y;
-    depth[i] = 2.0 * vertex.Z - 1.0;
-  }
+  Triangle screen = ToScreen(this->WorldToClip, this->MakeSteep());
   // The third corner towards the side below, and the depths anywhere between the two there were.
-  const double dx = screen[1][0] - screen[0][0];
-  const double dy = screen[1][1] - screen[0][1];
-  const double foot =
-    ((screen[2][0] - screen[0][0]) * dx + (screen[2][1] - screen[0][1]) * dy) / (dx * dx + dy * dy);
+  const glm::dvec2 side = screen[1] - screen[0];
+  const double foot = glm::dot(glm::dvec2(screen[2] - screen[0]), side) / glm::dot(side, side);
   const double lower = this->Logarithmic(1e-6, 1.0);
-  screen[2][0] += (1.0 - lower) * (screen[0][0] + foot * dx - screen[2][0]);
-  screen[2][1] += (1.0 - lower) * (screen[0][1] + foot * dy - screen[2][1]);
-  depth[1] += this->Uniform(0.0, 1.0) * (depth[2] - depth[1]);
-  depth[2] = depth[0] + foot * (depth[1] - depth[0]) +
-    this->Logarithmic(1e-4, 1.0) * (depth[2] - depth[0]) * 0.5;
-  for (int i = 0; i < 3; ++i)
+  const glm::dvec2 third =
+    glm::mix(glm::dvec2(screen[0]) + foot * side, glm::dvec2(screen[2]), lower);
+  screen[1].z += this->Uniform(0.0, 1.0) * (screen[2].z - screen[1].z);
+  screen[2] = glm::dvec3(third,
+    glm::mix(screen[0].z, screen[1].z, foot) +
+      this->Logarithmic(1e-4, 1.0) * (screen[2].z - screen[0].z) * 0.5);
+  for (glm::dvec3& point : screen)
   {
-    triangle[i] = this->ToWorld(screen[i][0], screen[i][1], std::clamp(depth[i], -0.999, 0.999));
+    point = this->ToWorld(point.x, point.y, std::clamp(2.0 * point.z - 1.0, -0.999, 0.999));
   }
-  return triangle;
+  return screen;
 }
 
 Triangle Sampler::MakeGround()
@@ -121,7 +152,7 @@ Triangle Sampler::MakeGround()
   Triangle triangle;
   for (int i = 0; i < 3; ++i)
   {
-    Point& point = triangle[i];
+    glm::dvec3& point = triangle[i];
     point[axis] = this->Case.Offset + sign * aside * this->Uniform(1.0, 2.0);
     point[1 - axis] = this->Case.Offset + aside * this->Uniform(-5.0, 5.0);
     point[2] = aside * (i == 0 ? this->Uniform(0.0, 5.0) : -this->Uniform(2.0, 20.0));
@@ -129,44 +160,38 @@ Triangle Sampler::MakeGround()
   return triangle;
 }
 
-Judge::Judge(const double* worldToClip, const Triangle& triangle, bool isBehind)
-  : IsBehind(isBehind)
+Judge::Judge(const glm::dmat4& worldToClip, const Triangle& triangle, bool isBehind)
+  : Vertices(ToScreen(worldToClip, triangle))
+  , IsBehind(isBehind)
 {
-  for (int i = 0; i < 3; ++i)
-  {
-    this->Vertices[i] = ToScreen(worldToClip, triangle[i].data());
-    this->Nearest = std::min(this->Nearest, this->Vertices[i].Z);
-    this->Farthest = std::max(this->Farthest, this->Vertices[i].Z);
-  }
-  const ScreenVertex* v = this->Vertices;
-  const double area = GetArea(v);
-  const double dz[2] = { v[1].Z - v[0].Z, v[2].Z - v[0].Z };
-  this->SlopeX = (dz[0] * (v[2].Y - v[0].Y) - dz[1] * (v[1].Y - v[0].Y)) / area;
-  this->SlopeY = (dz[1] * (v[1].X - v[0].X) - dz[0] * (v[2].X - v[0].X)) / area;
+  const Triangle& v = this->Vertices;
+  this->Nearest = std::min({ v[0].z, v[1].z, v[2].z });
+  this->Farthest = std::max({ v[0].z, v[1].z, v[2].z });
+  const glm::dvec3 normal = glm::cross(v[1] - v[0], v[2] - v[0]);
+  this->Slope = -glm::dvec2(normal) / normal.z;
 }
 
-void Judge::Compare(const vtkNBufferScreenBox& screen, int x0, int y0, int width,
+void Judge::Compare(const vtkNBufferScreenBox& screen, const vtkNBufferRectangle& rectangle,
   const std::vector<float>& depth, Finding& finding) const
 {
-  const vtkNBufferRectangle& r = screen.Pixels;
   const double slack = 0.5 * screen.Slack[2];
-  const double planeSlack = slack + std::abs(this->SlopeX) * 0.5 * Width * screen.Slack[0] +
-    std::abs(this->SlopeY) * 0.5 * Height * screen.Slack[1];
-  for (std::size_t i = 0; i < depth.size(); ++i)
+  const glm::dvec2 pixelSlack = 0.5 * glm::dvec2(Width, Height) * glm::dvec2(screen.Slack);
+  const double planeSlack = slack + glm::dot(glm::abs(this->Slope), pixelSlack);
+  const float* next = depth.data();
+  for (const auto& [x, y] : Pixels(rectangle))
   {
-    const int x = x0 + static_cast<int>(i) % width;
-    const int y = y0 + static_cast<int>(i) / width;
-    const double z = depth[i];
+    const double z = *next++;
     if (z == 1.0)
     {
       continue;
     }
     ++finding.Fragments;
-    ASSERT_TRUE(x >= r.X0 && x < r.X1 && y >= r.Y0 && y < r.Y1) << x << " " << y;
+    ASSERT_TRUE(IsIn(x, y, screen.Pixels)) << x << " " << y;
     ASSERT_GE(z, screen.Nearest);
     ASSERT_LE(z, screen.Farthest);
-    const double plane = this->Vertices[0].Z + this->SlopeX * (x + 0.5 - this->Vertices[0].X) +
-      this->SlopeY * (y + 0.5 - this->Vertices[0].Y);
+    const glm::dvec2 place(x + 0.5, y + 0.5);
+    const double plane =
+      this->Vertices[0].z + glm::dot(this->Slope, place - glm::dvec2(this->Vertices[0]));
     ASSERT_LE(std::abs(z - plane), planeSlack);
     finding.OfPlane = std::max(finding.OfPlane, std::abs(z - plane) / planeSlack);
     // Vertices behind the eye have no depth that bounds what is drawn.
@@ -182,17 +207,11 @@ void Judge::Compare(const vtkNBufferScreenBox& screen, int x0, int y0, int width
 
 vtkNBufferBox BoundTriangle(const Triangle& triangle, const Sampler& sampler)
 {
-  double bounds[6];
-  for (int j = 0; j < 3; ++j)
-  {
-    bounds[2 * j] = std::min({ triangle[0][j], triangle[1][j], triangle[2][j] });
-    bounds[2 * j + 1] = std::max({ triangle[0][j], triangle[1][j], triangle[2][j] });
-  }
+  const glm::dvec3 low = glm::min(glm::min(triangle[0], triangle[1]), triangle[2]);
+  const glm::dvec3 high = glm::max(glm::max(triangle[0], triangle[1]), triangle[2]);
+  const double bounds[6] = { low.x, high.x, low.y, high.y, low.z, high.z };
   vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
-  for (int j = 0; j < 3; ++j)
-  {
-    box.Origin[j] = sampler.GetShift(j);
-    box.Magnitude[j] = std::abs(box.Center[j] - box.Origin[j]) + box.HalfSize[j];
-  }
+  box.Origin = sampler.GetShift();
+  box.Magnitude = glm::abs(box.Center - box.Origin) + box.HalfSize;
   return box;
 }

@@ -10,10 +10,8 @@
 #include "vtkNBufferProjection.h"
 
 #include "vtkCamera.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -43,35 +41,14 @@ enum class Kind
   Behind,   ///< Reaching behind the eye and out of the view.
 };
 
-using Point = std::array<double, 3>;
-using Triangle = std::array<Point, 3>;
+using Triangle = std::array<glm::dvec3, 3>;
 
 /// Pixels and window depth of a vertex.
-struct ScreenVertex
-{
-  double X;
-  double Y;
-  double Z;
-};
-
-template <typename Real>
-ScreenVertex ToScreen(const Real matrix[16], const Real point[3])
-{
-  double clip[4];
-  for (int i = 0; i < 4; ++i)
-  {
-    clip[i] = matrix[4 * i + 3];
-    for (int j = 0; j < 3; ++j)
-    {
-      clip[i] += static_cast<double>(matrix[4 * i + j]) * point[j];
-    }
-  }
-  return { (0.5 * clip[0] / clip[3] + 0.5) * Width, (0.5 * clip[1] / clip[3] + 0.5) * Height,
-    0.5 * clip[2] / clip[3] + 0.5 };
-}
+glm::dvec3 ToScreen(const glm::dmat4& worldToClip, const glm::dvec3& point);
+Triangle ToScreen(const glm::dmat4& worldToClip, const Triangle& triangle);
 
 /// The smallest height, in pixels.
-double GetHeight(const ScreenVertex v[3]);
+double GetHeight(const Triangle& onScreen);
 
 /// What was found of one kind under one camera.
 struct Finding
@@ -97,21 +74,7 @@ struct Finding
 class Sampler
 {
 public:
-  Sampler(const CameraCase& camera, unsigned int seed)
-    : Case(camera)
-    , Random(seed)
-  {
-    // Along an axis, so that a triangle has the depth range of its bounds.
-    this->Camera->SetPosition(camera.Offset, camera.Offset, 0.0);
-    this->Camera->SetFocalPoint(camera.Offset, camera.Offset, -1.0);
-    this->Camera->SetParallelProjection(camera.Parallel);
-    this->Camera->SetParallelScale(0.01 * camera.Far);
-    this->Camera->SetClippingRange(camera.Near, camera.Far);
-    const vtkMatrix4x4* matrix = this->Camera->GetCompositeProjectionTransformMatrix(
-      static_cast<double>(Width) / Height, -1.0, 1.0);
-    std::copy_n(matrix->GetData(), 16, this->WorldToClip.begin());
-    vtkMatrix4x4::Invert(this->WorldToClip.data(), this->ClipToWorld.data());
-  }
+  Sampler(const CameraCase& camera, unsigned int seed);
 
   double Uniform(double a, double b)
   {
@@ -120,10 +83,13 @@ public:
   double Logarithmic(double a, double b) { return std::exp(Uniform(std::log(a), std::log(b))); }
 
   vtkCamera* GetCamera() const { return this->Camera; }
-  const double* GetWorldToClip() const { return this->WorldToClip.data(); }
-  double GetShift(int axis) const
+  const glm::dmat4& GetWorldToClip() const { return this->WorldToClip; }
+  vtkNBufferProjection GetProjection(double quantum = 0x1p-24) const;
+  /// Where the vertex buffer has its zero.
+  glm::dvec3 GetShift() const
   {
-    return this->Case.IsShifted && axis < 2 ? this->Case.Offset : 0.0;
+    return this->Case.IsShifted ? glm::dvec3(this->Case.Offset, this->Case.Offset, 0.0)
+                                : glm::dvec3(0.0);
   }
 
   /// In world coordinates.
@@ -138,37 +104,32 @@ private:
   /// Of the ground, a wall or the ceiling around the eye, on beyond and behind it.
   Triangle MakeGround();
 
-  Point ToWorld(double x, double y, double z) const
-  {
-    const double ndc[4] = { 2.0 * x / Width - 1.0, 2.0 * y / Height - 1.0, z, 1.0 };
-    double world[4];
-    vtkMatrix4x4::MultiplyPoint(this->ClipToWorld.data(), ndc, world);
-    return { world[0] / world[3], world[1] / world[3], world[2] / world[3] };
-  }
+  /// Of a place on the screen in pixels, z in NDC.
+  glm::dvec3 ToWorld(double x, double y, double z) const;
 
   const CameraCase& Case;
   std::mt19937 Random;
   vtkNew<vtkCamera> Camera;
-  std::array<double, 16> WorldToClip{};
-  std::array<double, 16> ClipToWorld{};
+  glm::dmat4 WorldToClip;
+  glm::dmat4 ClipToWorld;
 };
 
 /// Compares the depth of a rectangle with a triangle of which it is the only trace.
 class Judge
 {
 public:
-  Judge(const double* worldToClip, const Triangle& triangle, bool isBehind);
+  Judge(const glm::dmat4& worldToClip, const Triangle& triangle, bool isBehind);
 
-  void Compare(const vtkNBufferScreenBox& screen, int x0, int y0, int width,
+  /// `depth` is that of the rectangle.
+  void Compare(const vtkNBufferScreenBox& screen, const vtkNBufferRectangle& rectangle,
     const std::vector<float>& depth, Finding& finding) const;
 
 private:
-  ScreenVertex Vertices[3];
+  Triangle Vertices;
   bool IsBehind;
-  double Nearest = 2.0;
-  double Farthest = -1.0;
-  double SlopeX;
-  double SlopeY;
+  double Nearest;
+  double Farthest;
+  glm::dvec2 Slope;
 };
 
 /// The box that a candidate with this triangle has.

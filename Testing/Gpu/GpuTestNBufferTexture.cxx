@@ -7,17 +7,11 @@
 #include "DepthTarget.h"
 #include "LevelComparison.h"
 #include "WindowFixture.h"
-#include "vtkNBufferDepthSource.h"
-
-#include "vtkActor.h"
-#include "vtkConeSource.h"
-#include "vtkNew.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkRenderer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace
 {
@@ -60,13 +54,10 @@ protected:
    */
   void CompareWithRead(int x, int y, int width, int height, const std::vector<float>& sampled = {})
   {
-    vtkNBufferDepthSource source;
-    std::string why;
-    ASSERT_TRUE(source.Inspect(this->Window, why)) << why;
+    const vtkNBufferDepthSource source = this->Inspect();
     for (const vtkNBufferExtremum extremum : Extrema)
     {
-      std::vector<float> depth;
-      ASSERT_TRUE(source.Read(this->Window, x, y, width, height, depth, why, extremum)) << why;
+      std::vector<float> depth = this->Read(source, { x, y, x + width, y + height }, extremum);
       for (std::size_t i = 0; !sampled.empty() && i < depth.size(); ++i)
       {
         const float value = sampled[(y + i / width) * source.Width + x + i % width];
@@ -84,26 +75,19 @@ protected:
   vtkNew<vtkNBufferTexture> Texture;
 };
 
-struct Size
+template <typename Parameter>
+class LevelsWithParam
+  : public LevelsFixture
+  , public ::testing::WithParamInterface<Parameter>
 {
-  int Width;
-  int Height;
 };
-void PrintTo(const Size& size, std::ostream* os)
-{
-  *os << size.Width << "x" << size.Height;
-}
 }
 
-class GpuTestNBufferTextureSizes
-  : public LevelsFixture
-  , public ::testing::WithParamInterface<Size>
-{
-};
+using GpuTestNBufferTextureSizes = LevelsWithParam<std::pair<int, int>>;
 
 TEST_P(GpuTestNBufferTextureSizes, EqualHost)
 {
-  const auto [width, height] = GetParam();
+  const auto [width, height] = this->GetParam();
   // As VTK's windows have it, and what is sampled where it lies.
   for (const std::size_t format : { 2u, 3u })
   {
@@ -116,31 +100,18 @@ TEST_P(GpuTestNBufferTextureSizes, EqualHost)
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, GpuTestNBufferTextureSizes,
-  ::testing::Values(Size{ 1, 1 }, Size{ 1, 6 }, Size{ 6, 1 }, Size{ 12, 19 }, Size{ 49, 2 },
-    Size{ 100, 300 }, Size{ 511, 1023 }, Size{ 960, 720 }),
+  ::testing::Values(std::pair(1, 1), std::pair(1, 6), std::pair(6, 1), std::pair(12, 19),
+    std::pair(49, 2), std::pair(100, 300), std::pair(511, 1023), std::pair(960, 720)),
   [](const auto& info)
-  { return std::to_string(info.param.Width) + "x" + std::to_string(info.param.Height); });
+  { return std::to_string(info.param.first) + "x" + std::to_string(info.param.second); });
 
-struct Attachment
-{
-  std::size_t Format;
-  bool Texture;
-};
-void PrintTo(const Attachment& attachment, std::ostream* os)
-{
-  *os << GetDepthFormats()[attachment.Format].Name
-      << (attachment.Texture ? "Texture" : "Renderbuffer");
-}
-
-class GpuTestNBufferTextureFormats
-  : public LevelsFixture
-  , public ::testing::WithParamInterface<Attachment>
-{
-};
+// Format and kind of attachment.
+using GpuTestNBufferTextureFormats = LevelsWithParam<std::tuple<int, bool>>;
 
 TEST_P(GpuTestNBufferTextureFormats, EqualHost)
 {
-  const DepthFormat& format = GetDepthFormats()[GetParam().Format];
+  const auto [number, isTexture] = this->GetParam();
+  const DepthFormat& format = GetDepthFormats()[number];
   std::vector<float> sampled;
   if (std::string(format.Name).find("24") != std::string::npos)
   {
@@ -149,7 +120,7 @@ TEST_P(GpuTestNBufferTextureFormats, EqualHost)
     twin.Fill(3);
     sampled = twin.Fetch();
   }
-  const DepthTarget target(format, 90, 70, GetParam().Texture);
+  const DepthTarget target(format, 90, 70, isTexture);
   ASSERT_TRUE(target.IsComplete());
   target.Fill(3);
   this->CompareWithRead(0, 0, 90, 70, sampled);
@@ -159,40 +130,26 @@ TEST_P(GpuTestNBufferTextureFormats, EqualHost)
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, GpuTestNBufferTextureFormats,
-  ::testing::Values(Attachment{ 0, true }, Attachment{ 0, false }, Attachment{ 1, true },
-    Attachment{ 1, false }, Attachment{ 2, true }, Attachment{ 2, false }, Attachment{ 3, true },
-    Attachment{ 3, false }, Attachment{ 4, true }, Attachment{ 4, false }, Attachment{ 5, true },
-    Attachment{ 5, false }),
-  ::testing::PrintToStringParamName());
-
-class GpuTestNBufferTexture : public LevelsFixture
-{
-protected:
-  void AddCone(vtkRenderer* renderer)
+  ::testing::Combine(::testing::Range(0, 6), ::testing::Bool()),
+  [](const auto& info)
   {
-    vtkNew<vtkConeSource> cone;
-    cone->SetResolution(30);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(cone->GetOutputPort());
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    renderer->AddActor(actor);
-  }
-};
+    return std::string(GetDepthFormats()[std::get<0>(info.param)].Name) +
+      (std::get<1>(info.param) ? "Texture" : "Renderbuffer");
+  });
+
+using GpuTestNBufferTexture = LevelsFixture;
 
 TEST_F(GpuTestNBufferTexture, WindowInAViewportEqualsHost)
 {
   this->Window->SetSize(150, 110);
   vtkNew<vtkRenderer> renderer;
   renderer->SetViewport(0.2, 0.3, 0.9, 0.95);
-  this->AddCone(renderer);
+  AddCone(renderer);
   this->Window->AddRenderer(renderer);
   WhileDrawing(this->Window, renderer,
     [&]()
     {
-      vtkNBufferDepthSource source;
-      std::string why;
-      ASSERT_TRUE(source.Inspect(this->Window, why)) << why;
+      const vtkNBufferDepthSource source = this->Inspect();
       const int* viewport = source.Viewport;
       EXPECT_GT(viewport[0], 0);
       EXPECT_GT(viewport[1], 0);
@@ -204,11 +161,8 @@ TEST_F(GpuTestNBufferTexture, FewerLevelsAreAPrefix)
 {
   const DepthTarget target(GetDepthFormats()[3], 64, 40, true);
   target.Fill(5);
-  vtkNBufferDepthSource source;
-  std::string why;
-  ASSERT_TRUE(source.Inspect(this->Window, why)) << why;
-  std::vector<float> depth;
-  ASSERT_TRUE(source.Read(this->Window, 0, 0, 64, 40, depth, why)) << why;
+  const vtkNBufferDepthSource source = this->Inspect();
+  const std::vector<float> depth = this->Read(source, { 0, 0, 64, 40 });
   for (const int count : { 1, 3 })
   {
     ASSERT_TRUE(this->Texture->Build(
@@ -223,11 +177,7 @@ TEST_F(GpuTestNBufferTexture, FewerLevelsAreAPrefix)
   }
 }
 
-class GpuTestNBufferTextureSamples
-  : public GpuTestNBufferTexture
-  , public ::testing::WithParamInterface<int>
-{
-};
+using GpuTestNBufferTextureSamples = LevelsWithParam<int>;
 
 TEST_P(GpuTestNBufferTextureSamples, EveryFormatTakesTheExtremumOfAllSamples)
 {
@@ -237,10 +187,10 @@ TEST_P(GpuTestNBufferTextureSamples, EveryFormatTakesTheExtremumOfAllSamples)
   for (const DepthFormat& format : GetDepthFormats())
   {
     SCOPED_TRACE(format.Name);
-    const DepthTarget target(format, width, height, true, GetParam());
+    const DepthTarget target(format, width, height, true, this->GetParam());
     // A driver may give more than was asked for.
     const int count = target.GetSamples();
-    if (!target.IsComplete() || count < GetParam())
+    if (!target.IsComplete() || count < this->GetParam())
     {
       continue;
     }
@@ -254,9 +204,7 @@ TEST_P(GpuTestNBufferTextureSamples, EveryFormatTakesTheExtremumOfAllSamples)
     EXPECT_NE(samples[0], samples[1]) << "the noise does not differ between samples";
 
     target.Bind(0, 0, width, height);
-    vtkNBufferDepthSource source;
-    std::string why;
-    ASSERT_TRUE(source.Inspect(this->Window, why)) << why;
+    const vtkNBufferDepthSource source = this->Inspect();
     for (const vtkNBufferExtremum extremum : Extrema)
     {
       const bool maximum = extremum == vtkNBufferExtremum::Maximum;
@@ -285,7 +233,7 @@ TEST_P(GpuTestNBufferTextureSamples, EveryFormatTakesTheExtremumOfAllSamples)
   }
   if (compared == 0)
   {
-    GTEST_SKIP() << "the driver offers no depth textures of " << GetParam() << " samples";
+    GTEST_SKIP() << "the driver offers no depth textures of " << this->GetParam() << " samples";
   }
 }
 
@@ -294,30 +242,27 @@ INSTANTIATE_TEST_SUITE_P(Samples, GpuTestNBufferTextureSamples, ::testing::Value
 
 TEST_F(GpuTestNBufferTexture, MultisampledWindowIsNeverNearerThanItsSamples)
 {
-  auto window = NewWindow(80, 60, 4);
+  this->Window = NewWindow(80, 60, 4);
   vtkNew<vtkRenderer> renderer;
-  this->AddCone(renderer);
-  window->AddRenderer(renderer);
+  AddCone(renderer);
+  this->Window->AddRenderer(renderer);
   vtkNBufferLevels farthest;
   vtkNBufferLevels nearest;
-  WhileDrawing(window, renderer,
+  WhileDrawing(this->Window, renderer,
     [&]()
     {
-      vtkNBufferDepthSource source;
-      std::string why;
-      ASSERT_TRUE(source.Inspect(window, why)) << why;
+      const vtkNBufferDepthSource source = this->Inspect();
       if (source.Samples < 2)
       {
         return;
       }
-      ASSERT_TRUE(
-        this->Texture->Build(window, source, 0, 0, 80, 60, 1, 1, vtkNBufferExtremum::Maximum))
-        << this->Texture->GetError();
-      ASSERT_TRUE(this->Texture->Download(window, farthest));
-      ASSERT_TRUE(
-        this->Texture->Build(window, source, 0, 0, 80, 60, 1, 1, vtkNBufferExtremum::Minimum))
-        << this->Texture->GetError();
-      ASSERT_TRUE(this->Texture->Download(window, nearest));
+      for (const vtkNBufferExtremum extremum : Extrema)
+      {
+        const bool maximum = extremum == vtkNBufferExtremum::Maximum;
+        ASSERT_TRUE(this->Texture->Build(this->Window, source, 0, 0, 80, 60, 1, 1, extremum))
+          << this->Texture->GetError();
+        ASSERT_TRUE(this->Texture->Download(this->Window, maximum ? farthest : nearest));
+      }
     });
   if (farthest.GetNumberOfLevels() == 0)
   {
@@ -325,7 +270,7 @@ TEST_F(GpuTestNBufferTexture, MultisampledWindowIsNeverNearerThanItsSamples)
   }
   // One sample of each pixel, as the window resolves it.
   std::vector<float> resolved(80 * 60);
-  window->GetZbufferData(0, 0, 79, 59, resolved.data());
+  this->Window->GetZbufferData(0, 0, 79, 59, resolved.data());
   int edges = 0;
   int inside = 0;
   int background = 0;
@@ -348,9 +293,7 @@ TEST_F(GpuTestNBufferTexture, DeviceTimeArrives)
 {
   const DepthTarget target(GetDepthFormats()[3], 256, 256, true);
   target.Fill(5);
-  vtkNBufferDepthSource source;
-  std::string why;
-  ASSERT_TRUE(source.Inspect(this->Window, why)) << why;
+  const vtkNBufferDepthSource source = this->Inspect();
   EXPECT_EQ(this->Texture->GetDeviceTime(), 0.0);
   vtkNBufferLevels levels;
   for (int i = 0; i < 5; ++i)

@@ -8,18 +8,11 @@
 #include "GLStateSnapshot.h"
 #include "LevelComparison.h"
 #include "WindowFixture.h"
-#include "vtkNBufferDepthSource.h"
-#include VTKNBUFFER_GL_HEADER
 
-#include "vtkActor.h"
-#include "vtkConeSource.h"
-#include "vtkNew.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkRenderer.h"
 
 #include <sstream>
+#include <utility>
 
 namespace
 {
@@ -32,26 +25,16 @@ constexpr auto Maximum = vtkNBufferExtremum::Maximum;
 class GpuTestNBufferTextureState : public WindowFixture
 {
 protected:
-  vtkNBufferDepthSource Inspect()
-  {
-    vtkNBufferDepthSource source;
-    std::string why;
-    EXPECT_TRUE(source.Inspect(this->Window, why)) << why;
-    return source;
-  }
-
   /// Build and download from the bound framebuffer and compare with the host.
-  void ExpectWorks(vtkOpenGLRenderWindow* window, int width = Width, int height = Height)
+  void ExpectWorks(int width = Width, int height = Height)
   {
-    vtkNBufferDepthSource source;
-    std::string why;
-    ASSERT_TRUE(source.Inspect(window, why)) << why;
-    std::vector<float> depth;
-    ASSERT_TRUE(source.Read(window, 0, 0, width, height, depth, why)) << why;
-    ASSERT_TRUE(this->Texture->Build(window, source, 0, 0, width, height, 2, AllLevels, Maximum))
+    const vtkNBufferDepthSource source = this->Inspect();
+    const std::vector<float> depth = this->Read(source, { 0, 0, width, height });
+    ASSERT_TRUE(
+      this->Texture->Build(this->Window, source, 0, 0, width, height, 2, AllLevels, Maximum))
       << this->Texture->GetError();
     vtkNBufferLevels levels;
-    ASSERT_TRUE(this->Texture->Download(window, levels)) << this->Texture->GetError();
+    ASSERT_TRUE(this->Texture->Download(this->Window, levels)) << this->Texture->GetError();
     EXPECT_EQ(FindDifference(BuildOnHost(depth, width, height, 2, Maximum), levels), "");
     EXPECT_EQ(this->Texture->GetError(), "");
   }
@@ -105,8 +88,7 @@ TEST_F(GpuTestNBufferTextureState, IsPutBack)
       }
       else if (kind != 2 && source.DepthBits != 24)
       {
-        std::string why;
-        ASSERT_TRUE(source.Read(this->Window, 0, 0, Width, Height, expected, why)) << why;
+        expected = this->Read(source, { 0, 0, Width, Height });
       }
       target.Bind(0, 0, Width, Height);
       glActiveTexture(GL_TEXTURE0);
@@ -145,12 +127,7 @@ TEST_F(GpuTestNBufferTextureState, IsPutBackAmidARendering)
 {
   // A mapper's program is bound then, which the shader cache remembers.
   vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkConeSource> cone;
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(cone->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  renderer->AddActor(actor);
+  AddCone(renderer);
   this->Window->AddRenderer(renderer);
   for (const bool foreignProgram : { false, true })
   {
@@ -165,7 +142,7 @@ TEST_F(GpuTestNBufferTextureState, IsPutBackAmidARendering)
           glUseProgram(0);
         }
         const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
-        this->ExpectWorks(this->Window, 16, 16);
+        this->ExpectWorks(16, 16);
         EXPECT_EQ(before.GetDifference(GLStateSnapshot::Capture(this->Window)), "");
         glUseProgram(program);
       });
@@ -223,18 +200,11 @@ TEST_F(GpuTestNBufferTextureState, TexelsOutsideAreUntouched)
     std::vector<float> texels(static_cast<std::size_t>(Width) * Height * layers);
     glBindTexture(GL_TEXTURE_2D_ARRAY, arrays[i]);
     glGetTexImage(GL_TEXTURE_2D_ARRAY, 0, GL_RED, GL_FLOAT, texels.data());
-    for (int layer = 0; layer < layers; ++layer)
+    // The layers one above the other.
+    for (const auto& [x, y] : Pixels(Width, Height * layers))
     {
-      for (int y = 0; y < Height; ++y)
-      {
-        for (int x = 0; x < Width; ++x)
-        {
-          const bool drawn = layer == 0 && x < 20 && y < 15;
-          const float value = texels[(static_cast<std::size_t>(layer) * Height + y) * Width + x];
-          ASSERT_EQ(value == sentinel, !drawn)
-            << "array " << i << " layer " << layer << " texel (" << x << ", " << y << ")";
-        }
-      }
+      ASSERT_EQ(texels[static_cast<std::size_t>(y) * Width + x] != sentinel, x < 20 && y < 15)
+        << "array " << i << " layer " << y / Height << " texel (" << x << ", " << y % Height << ")";
     }
   }
 }
@@ -247,14 +217,14 @@ TEST_F(GpuTestNBufferTextureState, NothingIsAllocatedTwice)
     {
       const DepthTarget target(GetDepthFormats()[format], Width, Height, texture);
       target.Fill(2);
-      this->ExpectWorks(this->Window);
+      this->ExpectWorks();
       const int allocations = this->Texture->GetNumberOfAllocations();
       EXPECT_GE(allocations, 2);
       const int downloads = this->Texture->GetNumberOfDownloads();
-      this->ExpectWorks(this->Window);
+      this->ExpectWorks();
       EXPECT_EQ(this->Texture->GetNumberOfDownloads(), downloads + 1);
-      this->ExpectWorks(this->Window, Width - 7, Height - 10);
-      this->ExpectWorks(this->Window);
+      this->ExpectWorks(Width - 7, Height - 10);
+      this->ExpectWorks();
       EXPECT_EQ(this->Texture->GetNumberOfAllocations(), allocations);
     }
   }
@@ -264,7 +234,7 @@ TEST_F(GpuTestNBufferTextureState, FailuresSayWhyAndLeaveNothing)
 {
   const DepthTarget target(GetDepthFormats()[3], Width, Height, true);
   target.Fill(2);
-  this->ExpectWorks(this->Window);
+  this->ExpectWorks();
   const vtkNBufferDepthSource source = this->Inspect();
   this->ExpectFails(vtkNBufferDepthSource(), 0, Width, 2, 3, "no depth buffer");
   this->ExpectFails(source, 0, Width, 3, 3, "factor is 3");
@@ -275,7 +245,7 @@ TEST_F(GpuTestNBufferTextureState, FailuresSayWhyAndLeaveNothing)
   this->Texture->SetAllowFloatTextures(false);
   this->ExpectFails(source, 0, Width, 2, 3, "Float textures");
   this->Texture->SetAllowFloatTextures(true);
-  this->ExpectWorks(this->Window);
+  this->ExpectWorks();
 
   vtkNBufferDepthSource renderbuffer = source;
   renderbuffer.Samples = 4;
@@ -299,7 +269,7 @@ TEST_F(GpuTestNBufferTextureState, SurvivesALostContext)
   {
     const DepthTarget target(GetDepthFormats()[2], Width, Height, true);
     target.Fill(2);
-    this->ExpectWorks(this->Window);
+    this->ExpectWorks();
   }
   this->Window->Finalize();
   EXPECT_EQ(this->Texture->GetNumberOfLevels(), 0);
@@ -308,7 +278,7 @@ TEST_F(GpuTestNBufferTextureState, SurvivesALostContext)
   this->Window->MakeCurrent();
   const DepthTarget target(GetDepthFormats()[2], Width, Height, true);
   target.Fill(2);
-  this->ExpectWorks(this->Window);
+  this->ExpectWorks();
 }
 
 TEST_F(GpuTestNBufferTextureState, IsReleasedByHand)
@@ -316,33 +286,30 @@ TEST_F(GpuTestNBufferTextureState, IsReleasedByHand)
   const DepthTarget target(GetDepthFormats()[2], Width, Height, true);
   target.Fill(2);
   this->Texture->ReleaseGraphicsResources(this->Window);
-  this->ExpectWorks(this->Window);
+  this->ExpectWorks();
   const unsigned int handle = this->Texture->GetHandle(0);
   EXPECT_TRUE(glIsTexture(handle));
   this->Texture->ReleaseGraphicsResources(this->Window);
   EXPECT_FALSE(glIsTexture(handle));
   EXPECT_EQ(this->Texture->GetNumberOfLevels(), 0);
-  this->ExpectWorks(this->Window);
+  this->ExpectWorks();
   this->Texture->ReleaseGraphicsResources(nullptr);
   EXPECT_EQ(this->Texture->GetNumberOfLevels(), 0);
 }
 
 TEST_F(GpuTestNBufferTextureState, MovesBetweenWindows)
 {
-  auto second = NewWindow(16, 16);
-  for (int round = 0; round < 2; ++round)
+  auto other = NewWindow(16, 16);
+  for (int turn = 0; turn < 4; ++turn)
   {
-    for (vtkOpenGLRenderWindow* window : { this->Window.GetPointer(), second.GetPointer() })
-    {
-      window->MakeCurrent();
-      const DepthTarget target(GetDepthFormats()[3], Width, Height, true);
-      target.Fill(2);
-      this->ExpectWorks(window);
-      vtkNBufferLevels levels;
-      EXPECT_FALSE(this->Texture->Download(
-        window == second ? this->Window.GetPointer() : second.GetPointer(), levels));
-      this->ExpectWorks(window);
-    }
+    this->Window->MakeCurrent();
+    const DepthTarget target(GetDepthFormats()[3], Width, Height, true);
+    target.Fill(2);
+    this->ExpectWorks();
+    vtkNBufferLevels levels;
+    EXPECT_FALSE(this->Texture->Download(other, levels));
+    this->ExpectWorks();
+    std::swap(this->Window, other);
   }
 }
 
@@ -351,7 +318,7 @@ TEST_F(GpuTestNBufferTextureState, OutlivesItsWindow)
   {
     const DepthTarget target(GetDepthFormats()[3], Width, Height, true);
     target.Fill(2);
-    this->ExpectWorks(this->Window);
+    this->ExpectWorks();
   }
   this->Window = nullptr;
   EXPECT_EQ(this->Texture->GetNumberOfLevels(), 0);

@@ -3,18 +3,10 @@
 //
 // vtkShadowTarget and vtkShadowCounter: exact counts and masks, within the viewport and nowhere
 // else, whatever the state before.
-#include "vtkShadowCounter.h"
+#include "GLStateSnapshot.h"
+#include "ShadowFixture.h"
 #include "vtkShadowTarget.h"
 
-#include "GLStateSnapshot.h"
-#include "WindowFixture.h"
-#include "vtkShadowSilhouette.h"
-#include "vtkShadowTopology.h"
-#include "vtkShadowVolume.h"
-
-#include "vtkOpenGLRenderWindow.h"
-
-#include <algorithm>
 #include <functional>
 #include <sstream>
 #include <string>
@@ -28,48 +20,7 @@ constexpr int Viewport[4] = { 7, 5, 21, 15 };
 constexpr unsigned char Sentinel = 0x55;
 const vtkShadowTarget::SamplePlaces Centre = { { { 0.5, 0.5 } } };
 
-/// A volume over x in (-0.5, 0.5), y in (-0.3, 0.3), z in (-0.2, 0.2) that goes from left to right,
-/// so many times.
-vtkShadowVolume MakeVolume(int copies)
-{
-  std::vector<glm::dvec3> points;
-  for (double x : { -0.9, -0.7 })
-  {
-    for (double y : { -0.3, 0.3 })
-    {
-      for (double z : { -0.2, 0.2 })
-      {
-        points.emplace_back(x, y, z);
-      }
-    }
-  }
-  const std::vector<vtkIdType> triangles = { 0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
-    2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3 };
-  vtkShadowTopology topology;
-  topology.Build(points, triangles);
-  vtkShadowLight light;
-  light.Direction[0] = 1.0;
-  light.Direction[2] = 0.0;
-  vtkShadowSilhouette silhouette;
-  silhouette.Compute(topology, topology.GetPoints(), light, vtkShadowCounting::Away);
-  vtkShadowVolume volume;
-  volume.Begin(glm::dvec3(0.0));
-  for (int i = 0; i < copies; ++i)
-  {
-    volume.AddClamped(
-      silhouette, topology.GetPoints(), vtkShadowLightSpace(light), { -0.5, 0.5 }, -0.7);
-  }
-  return volume;
-}
-
-/// Pixels of the viewport whose centres are in the volume's rectangle, and its three columns: the
-/// receivers lie before it, in it and behind it.
-bool IsInVolume(int x, int y)
-{
-  const double u = 2.0 * (x + 0.5) / Viewport[2] - 1.0;
-  const double v = 2.0 * (y + 0.5) / Viewport[3] - 1.0;
-  return u > -0.5 && u < 0.5 && v > -0.3 && v < 0.3;
-}
+/// The receivers lie in three columns of the viewport: before the volume, in it and behind it.
 constexpr float Depths[] = { 0.2f, 0.5f, 0.8f };
 int GetColumn(int x)
 {
@@ -77,29 +28,44 @@ int GetColumn(int x)
 }
 }
 
-class GpuTestShadowCounter : public WindowFixture
+class GpuTestShadowCounter : public ShadowFixture
 {
 protected:
   void SetUp() override
   {
-    WindowFixture::SetUp();
-    if (!this->Window)
+    ShadowFixture::SetUp();
+    if (this->Window)
     {
-      return;
+      this->Reserve();
     }
-    std::string why;
-    ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 2, Centre, why)) << why;
+  }
+
+  void Reserve()
+  {
+    ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 2, Centre, this->Why))
+      << this->Why;
     this->Fill();
   }
 
   void TearDown() override
   {
+    ShadowFixture::TearDown();
     if (this->Window)
     {
-      this->Counter.Release();
       this->Target.Release();
     }
   }
+
+  /// A volume over x in (-0.5, 0.5), y in (-0.3, 0.3), z in (-0.2, 0.2) that goes from left to
+  /// right, so many times.
+  static vtkShadowVolume MakeVolume(int copies)
+  {
+    return ShadowFixture::MakeVolume(MakeBlock({ -0.9, -0.3, -0.2 }, { -0.7, 0.3, 0.2 }),
+      { 1.0, 0.0, 0.0 }, { -0.5, 0.5 }, copies);
+  }
+
+  /// Whether the receiver of a pixel of the viewport is in the volume.
+  static bool IsShadowed(int x, int y) { return IsInVolume(x, y, Viewport) && GetColumn(x) == 1; }
 
   /// Sentinels everywhere, and the receivers' depths in the viewport.
   void Fill() const
@@ -145,73 +111,69 @@ protected:
   {
     const auto stencil = Read<unsigned char>(
       this->Target.GetDepthFramebuffer(), GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, 1);
-    this->ExpectPixels(stencil, 1, 0, expected, "stencil");
+    SCOPED_TRACE("stencil");
+    ExpectPixels(stencil, 1, 0, expected);
   }
   void ExpectMask(int mask, int channel, const std::function<int(int, int)>& expected) const
   {
     const auto pixels =
       Read<unsigned char>(this->Target.GetMaskFramebuffer(mask), GL_RGBA, GL_UNSIGNED_BYTE, 4);
-    this->ExpectPixels(pixels, 4, channel, expected,
-      "mask " + std::to_string(mask) + ", channel " + std::to_string(channel));
+    SCOPED_TRACE("mask " + std::to_string(mask) + ", channel " + std::to_string(channel));
+    ExpectPixels(pixels, 4, channel, expected);
   }
 
   static void ExpectPixels(const std::vector<unsigned char>& pixels, int channels, int channel,
-    const std::function<int(int, int)>& expected, const std::string& what)
+    const std::function<int(int, int)>& expected)
   {
-    for (int y = 0; y < Height; ++y)
+    for (const auto& [x, y] : Pixels(Width, Height))
     {
-      for (int x = 0; x < Width; ++x)
-      {
-        const int inX = x - Viewport[0];
-        const int inY = y - Viewport[1];
-        const bool inside = inX >= 0 && inX < Viewport[2] && inY >= 0 && inY < Viewport[3];
-        ASSERT_EQ(static_cast<int>(pixels[channels * (y * Width + x) + channel]),
-          inside ? expected(inX, inY) : Sentinel)
-          << what << " at (" << x << ", " << y << ")";
-      }
+      const int inX = x - Viewport[0];
+      const int inY = y - Viewport[1];
+      const bool inside = IsIn(inX, inY, { 0, 0, Viewport[2], Viewport[3] });
+      ASSERT_EQ(static_cast<int>(pixels[channels * (y * Width + x) + channel]),
+        inside ? expected(inX, inY) : Sentinel)
+        << "at (" << x << ", " << y << ")";
     }
   }
 
-  /// All of a volume as one draw.
   static vtkShadowDraw MakeDraw(const vtkShadowVolume& volume, bool zPass)
   {
-    vtkShadowDraw draw;
-    draw.NumberOfIndices = static_cast<int>(volume.GetIndices().size());
-    draw.ZPass = zPass;
-    std::copy_n(Viewport, 4, draw.Box);
-    return draw;
+    return ShadowFixture::MakeDraw(volume, Viewport, zPass);
   }
 
   void Count(const vtkShadowVolume& volume, const std::vector<vtkShadowDraw>& draws, int start = 0,
     long long* fragments = nullptr)
   {
-    // The eye looks along -z.
-    const double volumeToClip[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1 };
-    std::string why;
-    ASSERT_TRUE(this->Counter.Upload(volume, why)) << why;
+    ASSERT_TRUE(this->Counter.Upload(volume, this->Why)) << this->Why;
     const vtkShadowCounter::Scope scope(this->Window, Viewport);
     this->Counter.ClearStencil(this->Target, Viewport, start);
-    ASSERT_TRUE(this->Counter.Count(this->Window, this->Target, volumeToClip, draws.data(),
-      draws.data() + draws.size(), fragments, why))
-      << why;
+    ASSERT_TRUE(this->Counter.Count(this->Window, this->Target, VolumeToClip, draws.data(),
+      draws.data() + draws.size(), fragments, this->Why))
+      << this->Why;
+  }
+
+  void Resolve(int mask, int channel)
+  {
+    const vtkShadowCounter::Scope scope(this->Window, Viewport);
+    ASSERT_TRUE(
+      this->Counter.Resolve(this->Window, this->Target, mask, channel, Viewport, this->Why))
+      << this->Why;
   }
 
   vtkShadowTarget Target;
-  vtkShadowCounter Counter;
 };
 
 TEST_F(GpuTestShadowCounter, TargetsGrowAndKeepBindings)
 {
   const int allocations = this->Target.GetNumberOfAllocations();
-  std::string why;
-  ASSERT_TRUE(this->Target.Reserve(this->Window, Width, 1, 1, Centre, why));
+  ASSERT_TRUE(this->Target.Reserve(this->Window, Width, 1, 1, Centre, this->Why));
   EXPECT_EQ(this->Target.GetNumberOfAllocations(), allocations);
   EXPECT_EQ(this->Target.GetHeight(), Height);
   EXPECT_EQ(this->Target.GetNumberOfMasks(), 2);
   const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
-  ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 3, Centre, why));
+  ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 3, Centre, this->Why));
   EXPECT_EQ(this->Target.GetNumberOfAllocations(), allocations + 1);
-  ASSERT_TRUE(this->Target.Reserve(this->Window, 1, Height + 5, 1, Centre, why));
+  ASSERT_TRUE(this->Target.Reserve(this->Window, 1, Height + 5, 1, Centre, this->Why));
   EXPECT_EQ(this->Target.GetWidth(), Width);
   EXPECT_EQ(this->Target.GetHeight(), Height + 5);
   EXPECT_EQ(this->Target.GetNumberOfMasks(), 3);
@@ -233,14 +195,13 @@ TEST_F(GpuTestShadowCounter, TooLargeTargetsAreRefused)
 {
   int maximum = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &maximum);
-  std::string why;
 #ifdef GL_DEBUG_OUTPUT
   glDisable(GL_DEBUG_OUTPUT);
 #endif
-  EXPECT_FALSE(this->Target.Reserve(this->Window, 2 * maximum, 1, 1, Centre, why));
-  EXPECT_NE(why, "");
+  EXPECT_FALSE(this->Target.Reserve(this->Window, 2 * maximum, 1, 1, Centre, this->Why));
+  EXPECT_NE(this->Why, "");
   EXPECT_EQ(this->Target.GetDepthFramebuffer(), 0u);
-  ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 1, Centre, why)) << why;
+  ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 1, Centre, this->Why)) << this->Why;
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
@@ -259,30 +220,19 @@ TEST_F(GpuTestShadowCounter, ClearsTheViewportOnly)
   }
 }
 
-// Only receivers in the volume are counted, on the way to them as well as behind them.
-TEST_F(GpuTestShadowCounter, CountsReceiversInTheVolume)
+// Only receivers in the volume are counted, on the way to them as well as behind them; modulo 256
+// in both directions, on top of what they begin with.
+TEST_F(GpuTestShadowCounter, CountsReceiversInTheVolumeAndWraps)
 {
-  const vtkShadowVolume volume = MakeVolume(1);
-  for (const bool zPass : { false, true })
-  {
-    SCOPED_TRACE(zPass ? "z-pass" : "z-fail");
-    ASSERT_NO_FATAL_FAILURE(this->Count(volume, { MakeDraw(volume, zPass) }));
-    this->ExpectStencil([](int x, int y) { return IsInVolume(x, y) && GetColumn(x) == 1 ? 1 : 0; });
-  }
-}
-
-// Counts are modulo 256 in both directions, on top of what they begin with.
-TEST_F(GpuTestShadowCounter, CountsWrap)
-{
-  for (const int copies : { 255, 256, 300 })
+  for (const int copies : { 1, 255, 256, 300 })
   {
     const vtkShadowVolume volume = MakeVolume(copies);
     for (const bool zPass : { false, true })
     {
       SCOPED_TRACE(std::to_string(copies) + (zPass ? " z-pass" : " z-fail"));
       ASSERT_NO_FATAL_FAILURE(this->Count(volume, { MakeDraw(volume, zPass) }, 7));
-      this->ExpectStencil([&](int x, int y)
-        { return (7 + (IsInVolume(x, y) && GetColumn(x) == 1 ? copies : 0)) % 256; });
+      this->ExpectStencil(
+        [&](int x, int y) { return (7 + (IsShadowed(x, y) ? copies : 0)) % 256; });
     }
   }
 }
@@ -304,7 +254,7 @@ TEST_F(GpuTestShadowCounter, DrawsKeepToTheirBoxes)
     [](int x, int y)
     {
       const bool inBox = x >= 10 && x < 12 && y >= 6 && y < 8;
-      return IsInVolume(x, y) && GetColumn(x) == 1 ? 1 + inBox : 0;
+      return IsShadowed(x, y) ? 1 + inBox : 0;
     });
 }
 
@@ -314,16 +264,13 @@ TEST_F(GpuTestShadowCounter, FragmentsAreThoseOfAllFaces)
   long long fragments = 5;
   ASSERT_NO_FATAL_FAILURE(this->Count(volume, { MakeDraw(volume, false) }, 0, &fragments));
   int covered = 0;
-  for (int y = 0; y < Viewport[3]; ++y)
+  for (const auto& [x, y] : Pixels(Viewport[2], Viewport[3]))
   {
-    for (int x = 0; x < Viewport[2]; ++x)
-    {
-      covered += IsInVolume(x, y);
-    }
+    covered += IsInVolume(x, y, Viewport);
   }
   // The front and the back; all others are seen edge-on.
   EXPECT_EQ(fragments, 5 + 2 * covered);
-  this->ExpectStencil([](int x, int y) { return IsInVolume(x, y) && GetColumn(x) == 1 ? 1 : 0; });
+  this->ExpectStencil([](int x, int y) { return IsShadowed(x, y) ? 1 : 0; });
 }
 
 // A channel is darkened where the count is not 0; the others, other masks and the stencil stay.
@@ -335,21 +282,14 @@ TEST_F(GpuTestShadowCounter, ResolvesOneChannel)
     SCOPED_TRACE(channel);
     this->Fill();
     ASSERT_NO_FATAL_FAILURE(this->Count(volume, { MakeDraw(volume, true) }));
-    std::string why;
-    {
-      const vtkShadowCounter::Scope scope(this->Window, Viewport);
-      ASSERT_TRUE(this->Counter.Resolve(this->Window, this->Target, 1, channel, Viewport, why))
-        << why;
-    }
+    ASSERT_NO_FATAL_FAILURE(this->Resolve(1, channel));
     for (int other = 0; other < 4; ++other)
     {
       this->ExpectMask(0, other, [](int, int) { return Sentinel; });
       this->ExpectMask(1, other,
-        [&](int x, int y) {
-          return other == channel && IsInVolume(x, y) && GetColumn(x) == 1 ? 255 : int(Sentinel);
-        });
+        [&](int x, int y) { return other == channel && IsShadowed(x, y) ? 255 : int(Sentinel); });
     }
-    this->ExpectStencil([](int x, int y) { return IsInVolume(x, y) && GetColumn(x) == 1 ? 3 : 0; });
+    this->ExpectStencil([](int x, int y) { return IsShadowed(x, y) ? 3 : 0; });
   }
 }
 
@@ -359,11 +299,7 @@ TEST_F(GpuTestShadowCounter, StateIsSetAndRestored)
   const vtkShadowVolume volume = MakeVolume(1);
   // Objects are made in the first use.
   ASSERT_NO_FATAL_FAILURE(this->Count(volume, { MakeDraw(volume, false) }));
-  std::string why;
-  {
-    const vtkShadowCounter::Scope scope(this->Window, Viewport);
-    ASSERT_TRUE(this->Counter.Resolve(this->Window, this->Target, 0, 0, Viewport, why)) << why;
-  }
+  ASSERT_NO_FATAL_FAILURE(this->Resolve(0, 0));
   for (const bool spoiled : { false, true })
   {
     SCOPED_TRACE(spoiled ? "spoiled" : "plain");
@@ -384,18 +320,14 @@ TEST_F(GpuTestShadowCounter, StateIsSetAndRestored)
       this->Counter.ClearMask(this->Target, 0, Viewport);
     }
     ASSERT_NO_FATAL_FAILURE(this->Count(volume, { MakeDraw(volume, false) }));
-    {
-      const vtkShadowCounter::Scope scope(this->Window, Viewport);
-      ASSERT_TRUE(this->Counter.Resolve(this->Window, this->Target, 0, 2, Viewport, why)) << why;
-    }
+    ASSERT_NO_FATAL_FAILURE(this->Resolve(0, 2));
     EXPECT_EQ(before.GetDifference(GLStateSnapshot::Capture(this->Window)), "");
     glDisable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(0.0f, 0.0f);
     glStencilMask(0xff);
     glClearStencil(0);
-    this->ExpectStencil([](int x, int y) { return IsInVolume(x, y) && GetColumn(x) == 1 ? 1 : 0; });
-    this->ExpectMask(
-      0, 2, [](int x, int y) { return IsInVolume(x, y) && GetColumn(x) == 1 ? 255 : 0; });
+    this->ExpectStencil([](int x, int y) { return IsShadowed(x, y) ? 1 : 0; });
+    this->ExpectMask(0, 2, [](int x, int y) { return IsShadowed(x, y) ? 255 : 0; });
   }
 }
 
@@ -406,15 +338,13 @@ TEST_F(GpuTestShadowCounter, WorksAgainAfterRelease)
   for (int round = 0; round < 2; ++round)
   {
     ASSERT_NO_FATAL_FAILURE(this->Count(volume, { MakeDraw(volume, true) }));
-    this->ExpectStencil([](int x, int y) { return IsInVolume(x, y) && GetColumn(x) == 1 ? 1 : 0; });
+    this->ExpectStencil([](int x, int y) { return IsShadowed(x, y) ? 1 : 0; });
     this->Counter.Release();
     this->Target.Release();
     this->Counter.Release();
     this->Target.Release();
     this->Window = nullptr;
     this->Window = NewWindow(16, 16);
-    std::string why;
-    ASSERT_TRUE(this->Target.Reserve(this->Window, Width, Height, 2, Centre, why)) << why;
-    this->Fill();
+    ASSERT_NO_FATAL_FAILURE(this->Reserve());
   }
 }

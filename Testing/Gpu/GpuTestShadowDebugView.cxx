@@ -2,17 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // vtkShadowDebugView: each fragment of a volume is shown, in its place; the state is as before.
-#include "vtkShadowDebugView.h"
-
+#include "ColorTarget.h"
 #include "GLStateSnapshot.h"
-#include "WindowFixture.h"
-
-#include "vtkNBufferGL.h"
-#include "vtkShadowCounter.h"
+#include "ShadowFixture.h"
+#include "vtkShadowDebugView.h"
 #include "vtkShadowTimers.h"
-#include "vtkShadowVolume.h"
-
-#include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
 #include <string>
@@ -21,76 +15,36 @@
 namespace
 {
 constexpr int Viewport[4] = { 7, 5, 21, 15 };
-/// The eye looks along -z; x and y in [-1, 1].
-constexpr double VolumeToClip[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1 };
-
-/// A column with a square section, |x| < 0.5 and |y| < 0.3, of a light that shines along -z.
-vtkShadowVolume MakeVolume()
-{
-  std::vector<glm::dvec3> points;
-  for (const double z : { 0.4, 0.5 })
-  {
-    for (const double x : { -0.5, 0.5 })
-    {
-      for (const double y : { -0.3, 0.3 })
-      {
-        points.emplace_back(x, y, z);
-      }
-    }
-  }
-  const std::vector<vtkIdType> triangles = { 0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
-    2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3 };
-  vtkShadowTopology topology;
-  topology.Build(points, triangles);
-  const vtkShadowLight light;
-  vtkShadowSilhouette silhouette;
-  silhouette.Compute(topology, topology.GetPoints(), light, vtkShadowCounting::Away);
-  vtkShadowVolume volume;
-  volume.Begin(glm::dvec3(0.0));
-  volume.AddClamped(
-    silhouette, topology.GetPoints(), vtkShadowLightSpace(light), { -0.2, 0.2 }, -0.4);
-  return volume;
-}
-
-bool IsInVolume(int x, int y)
-{
-  const double u = 2.0 * (x + 0.5) / Viewport[2] - 1.0;
-  const double v = 2.0 * (y + 0.5) / Viewport[3] - 1.0;
-  return u > -0.5 && u < 0.5 && v > -0.3 && v < 0.3;
-}
-
 constexpr vtkShadowPicture Pictures[] = { vtkShadowPicture::Litmaps, vtkShadowPicture::Extents,
   vtkShadowPicture::Volumes, vtkShadowPicture::Counts };
 }
 
-class GpuTestShadowDebugView : public WindowFixture
+class GpuTestShadowDebugView : public ShadowFixture
 {
 protected:
   GpuTestShadowDebugView()
-    : WindowFixture(40, 30)
+    : ShadowFixture(40, 30)
   {
   }
 
+  /// A column with a square section, |x| < 0.5 and |y| < 0.3, of a light that shines along -z.
   void SetUp() override
   {
-    WindowFixture::SetUp();
+    ShadowFixture::SetUp();
     if (this->Window)
     {
-      const vtkShadowVolume volume = MakeVolume();
-      std::string why;
-      ASSERT_TRUE(this->Counter.Upload(volume, why)) << why;
-      vtkShadowDraw draw;
-      draw.NumberOfIndices = static_cast<int>(volume.GetIndices().size());
-      std::copy_n(Viewport, 4, draw.Box);
-      this->Draws = { draw };
+      const vtkShadowVolume volume = MakeVolume(
+        MakeBlock({ -0.5, -0.3, 0.4 }, { 0.5, 0.3, 0.5 }), { 0.0, 0.0, -1.0 }, { -0.2, 0.2 });
+      ASSERT_TRUE(this->Counter.Upload(volume, this->Why)) << this->Why;
+      this->Draws = { MakeDraw(volume, Viewport) };
     }
   }
 
   void TearDown() override
   {
+    ShadowFixture::TearDown();
     if (this->Window)
     {
-      this->Counter.Release();
       this->View.Release();
     }
   }
@@ -98,14 +52,12 @@ protected:
   void Make(vtkShadowPicture picture)
   {
     const vtkShadowDebugView::Subject subject = { nullptr, 0, this->Draws, VolumeToClip, Viewport };
-    std::string why;
     const vtkShadowCounter::Scope scope(this->Window, Viewport);
     ASSERT_TRUE(
-      this->View.Make(this->Window, picture, subject, this->Counter, this->Statistics, why))
-      << why;
+      this->View.Make(this->Window, picture, subject, this->Counter, this->Statistics, this->Why))
+      << this->Why;
   }
 
-  vtkShadowCounter Counter;
   vtkShadowDebugView View;
   vtkShadowStatistics Statistics;
   std::vector<vtkShadowDraw> Draws;
@@ -119,15 +71,12 @@ TEST_F(GpuTestShadowDebugView, CountsAreThoseOfFragments)
   ASSERT_NO_FATAL_FAILURE(this->Make(vtkShadowPicture::Counts));
   ASSERT_EQ(this->View.GetWidth(), Viewport[2]);
   ASSERT_EQ(this->View.GetHeight(), Viewport[3]);
-  for (int y = 0; y < Viewport[3]; ++y)
+  for (const auto& [x, y] : Pixels(Viewport[2], Viewport[3]))
   {
-    for (int x = 0; x < Viewport[2]; ++x)
-    {
-      vtkShadowDebugImage::Color color;
-      std::copy_n(this->View.GetImage().begin() + 4 * (y * Viewport[2] + x), 4, color.begin());
-      EXPECT_EQ(color, vtkShadowDebugImage::GetHeat(IsInVolume(x, y) && x >= 8 ? 2 : 0))
-        << x << ", " << y;
-    }
+    vtkShadowDebugImage::Color color;
+    std::copy_n(this->View.GetImage().begin() + 4 * (y * Viewport[2] + x), 4, color.begin());
+    const bool counted = IsInVolume(x, y, Viewport) && x >= 8;
+    EXPECT_EQ(color, vtkShadowDebugImage::GetHeat(counted ? 2 : 0)) << x << ", " << y;
   }
 }
 
@@ -155,51 +104,36 @@ TEST_F(GpuTestShadowDebugView, IsShownWhereItIsNotTransparent)
 {
   ASSERT_NO_FATAL_FAILURE(this->Make(vtkShadowPicture::Counts));
   const float grey[4] = { 0.2f, 0.2f, 0.2f, 0.2f };
-  unsigned int texture = 0;
-  unsigned int framebuffer = 0;
-  glGenTextures(1, &texture);
-  glBindTexture(GL_TEXTURE_2D, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 40, 30, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-  glGenFramebuffers(1, &framebuffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  const ColorTarget target(40, 30);
   glDisable(GL_SCISSOR_TEST);
   glClearBufferfv(GL_COLOR, 0, grey);
   SpoilGLState();
   glDisable(GL_RASTERIZER_DISCARD);
   const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
-  std::string why;
-  ASSERT_TRUE(this->View.Show(this->Window, this->Statistics, why)) << why;
+  ASSERT_TRUE(this->View.Show(this->Window, this->Statistics, this->Why)) << this->Why;
   EXPECT_EQ(before.GetDifference(GLStateSnapshot::Capture(this->Window)), "");
   UnspoilGLState();
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  std::vector<unsigned char> pixels(4 * 40 * 30);
-  glReadPixels(0, 0, 40, 30, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  const std::vector<unsigned char> pixels = target.Read();
   const vtkShadowDebugImage::Color heat = vtkShadowDebugImage::GetHeat(2);
-  for (int y = 0; y < 30; ++y)
+  for (const auto& [x, y] : Pixels(40, 30))
   {
-    for (int x = 0; x < 40; ++x)
+    const unsigned char* pixel = pixels.data() + 4 * (40 * y + x);
+    const int inX = x - Viewport[0];
+    const int inY = y - Viewport[1];
+    const bool shown =
+      IsIn(inX, inY, { 0, 0, Viewport[2], Viewport[3] }) && IsInVolume(inX, inY, Viewport);
+    for (int i = 0; i < 3; ++i)
     {
-      const unsigned char* pixel = pixels.data() + 4 * (40 * y + x);
-      const int inX = x - Viewport[0];
-      const int inY = y - Viewport[1];
-      const bool shown =
-        inX >= 0 && inX < Viewport[2] && inY >= 0 && inY < Viewport[3] && IsInVolume(inX, inY);
-      for (int i = 0; i < 3; ++i)
-      {
-        const double opacity = heat[3] / 255.0;
-        const double expected = shown ? opacity * heat[i] + (1.0 - opacity) * 51.0 : 51.0;
-        EXPECT_NEAR(pixel[i], expected, shown ? 1.0 : 0.0) << x << ", " << y;
-      }
-      EXPECT_EQ(pixel[3], 51) << x << ", " << y;
+      const double opacity = heat[3] / 255.0;
+      const double expected = shown ? opacity * heat[i] + (1.0 - opacity) * 51.0 : 51.0;
+      EXPECT_NEAR(pixel[i], expected, shown ? 1.0 : 0.0) << x << ", " << y;
     }
+    EXPECT_EQ(pixel[3], 51) << x << ", " << y;
   }
   EXPECT_EQ(this->Statistics.DebugDraws, 2);
   this->View.Clear();
-  ASSERT_TRUE(this->View.Show(this->Window, this->Statistics, why));
+  ASSERT_TRUE(this->View.Show(this->Window, this->Statistics, this->Why));
   EXPECT_EQ(this->Statistics.DebugDraws, 2) << "nothing to show";
-  glDeleteFramebuffers(1, &framebuffer);
-  glDeleteTextures(1, &texture);
 }
 
 TEST_F(GpuTestShadowDebugView, StateIsSetAndRestored)

@@ -3,18 +3,10 @@
 //
 // vtkShadowTarget and vtkShadowSampleReader with multisampling: every sample has its own depth,
 // count and mask.
-#include "vtkShadowCounter.h"
-#include "vtkShadowTarget.h"
-
 #include "DepthTarget.h"
 #include "GLStateSnapshot.h"
-#include "WindowFixture.h"
-#include "vtkNBufferDepthSource.h"
-#include "vtkShadowSilhouette.h"
-#include "vtkShadowTopology.h"
-#include "vtkShadowVolume.h"
-
-#include "vtkOpenGLRenderWindow.h"
+#include "ShadowFixture.h"
+#include "vtkShadowTarget.h"
 
 #include <algorithm>
 #include <functional>
@@ -35,15 +27,15 @@ const DepthFormat& GetFormat()
 }
 }
 
-class GpuTestShadowSamples : public WindowFixture
+class GpuTestShadowSamples : public ShadowFixture
 {
 protected:
   void TearDown() override
   {
+    ShadowFixture::TearDown();
     if (this->Window)
     {
       this->Reader.Release();
-      this->Counter.Release();
       this->Target.Release();
     }
   }
@@ -70,10 +62,18 @@ protected:
     EXPECT_GT(last, 1) << "no multisampling at all";
   }
 
+  /// A channel of one sample of a multisampled texture.
+  std::vector<float> ReadSample(unsigned int texture, int sample, int channel, const int box[4])
+  {
+    std::vector<float> values(static_cast<std::size_t>(box[2]) * box[3]);
+    EXPECT_TRUE(
+      this->Reader.Read(this->Window, texture, sample, channel, box, values.data(), this->Why))
+      << this->Why;
+    return values;
+  }
+
   vtkShadowTarget Target;
-  vtkShadowCounter Counter;
   vtkShadowSampleReader Reader;
-  std::string Why;
 };
 
 TEST_F(GpuTestShadowSamples, ReaderReadsWhatSamplersReturn)
@@ -83,23 +83,16 @@ TEST_F(GpuTestShadowSamples, ReaderReadsWhatSamplersReturn)
     {
       depth.Fill(7);
       depth.Bind(Viewport[0], Viewport[1], Viewport[2], Viewport[3]);
-      vtkNBufferDepthSource source;
-      ASSERT_TRUE(source.Inspect(this->Window, this->Why)) << this->Why;
-      std::vector<float> read(static_cast<std::size_t>(Viewport[2]) * Viewport[3]);
+      const vtkNBufferDepthSource source = this->Inspect();
       for (int sample = 0; sample < static_cast<int>(places.size()); ++sample)
       {
-        ASSERT_TRUE(this->Reader.Read(
-          this->Window, source.DepthName, sample, 0, Viewport, read.data(), this->Why))
-          << this->Why;
+        const std::vector<float> read = this->ReadSample(source.DepthName, sample, 0, Viewport);
         const std::vector<float> expected = depth.Fetch(sample);
-        for (int y = 0; y < Viewport[3]; ++y)
+        for (const auto& [x, y] : Pixels(Viewport[2], Viewport[3]))
         {
-          for (int x = 0; x < Viewport[2]; ++x)
-          {
-            ASSERT_EQ(
-              read[y * Viewport[2] + x], expected[(y + Viewport[1]) * Width + x + Viewport[0]])
-              << "sample " << sample << " at (" << x << ", " << y << ")";
-          }
+          ASSERT_EQ(
+            read[y * Viewport[2] + x], expected[(y + Viewport[1]) * Width + x + Viewport[0]])
+            << "sample " << sample << " at (" << x << ", " << y << ")";
         }
       }
     });
@@ -112,16 +105,11 @@ TEST_F(GpuTestShadowSamples, ReaderKeepsTheState)
     {
       depth.Fill(3);
       depth.Bind(0, 0, Width, Height);
-      vtkNBufferDepthSource source;
-      ASSERT_TRUE(source.Inspect(this->Window, this->Why)) << this->Why;
-      std::vector<float> plain(static_cast<std::size_t>(Viewport[2]) * Viewport[3]);
-      std::vector<float> spoiled(plain.size());
-      ASSERT_TRUE(
-        this->Reader.Read(this->Window, source.DepthName, 1, 0, Viewport, plain.data(), this->Why));
+      const vtkNBufferDepthSource source = this->Inspect();
+      const std::vector<float> plain = this->ReadSample(source.DepthName, 1, 0, Viewport);
       SpoilGLState();
       const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
-      EXPECT_TRUE(this->Reader.Read(
-        this->Window, source.DepthName, 1, 0, Viewport, spoiled.data(), this->Why));
+      const std::vector<float> spoiled = this->ReadSample(source.DepthName, 1, 0, Viewport);
       EXPECT_EQ(before.GetDifference(GLStateSnapshot::Capture(this->Window)), "");
       UnspoilGLState();
       EXPECT_EQ(plain, spoiled);
@@ -132,24 +120,10 @@ TEST_F(GpuTestShadowSamples, ReaderKeepsTheState)
 TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
 {
   // Its shadow, along x: x in (-0.51, 0.47), y in (-0.31, 0.29), z in (-0.2, 0.2).
-  const std::vector<glm::dvec3> points = { { -0.9, -0.31, -0.2 }, { -0.9, 0.29, -0.2 },
-    { -0.9, 0.29, 0.2 }, { -0.9, -0.31, 0.2 } };
-  const std::vector<vtkIdType> triangles = { 0, 1, 2, 0, 2, 3 };
-  vtkShadowTopology topology;
-  topology.Build(points, triangles);
-  vtkShadowLight light;
-  light.Direction[0] = 1.0;
-  light.Direction[2] = 0.0;
-  vtkShadowSilhouette silhouette;
-  silhouette.Compute(topology, topology.GetPoints(), light, vtkShadowCounting::All);
-  vtkShadowVolume volume;
-  volume.Begin(glm::dvec3(0.0));
-  volume.AddClamped(
-    silhouette, topology.GetPoints(), vtkShadowLightSpace(light), { -0.51, 0.47 }, -0.9);
-  const double volumeToClip[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1 };
-  vtkShadowDraw draw;
-  draw.NumberOfIndices = static_cast<int>(volume.GetIndices().size());
-  std::copy_n(Viewport, 4, draw.Box);
+  const ShadowMesh caster = MakeOpenRectangle().Move(
+    [](const glm::dvec3& x) { return glm::dvec3(-0.9, 0.3 * x.x - 0.01, 0.2 * x.y); });
+  const vtkShadowVolume volume = MakeVolume(caster, { 1.0, 0.0, 0.0 }, { -0.51, 0.47 });
+  vtkShadowDraw draw = MakeDraw(volume, Viewport);
 
   this->ForEachCount(
     [&](const DepthTarget&, const vtkShadowTarget::SamplePlaces& places)
@@ -181,7 +155,7 @@ TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
           this->Counter.ClearMask(this->Target, 1, Viewport);
           this->Counter.ClearStencil(this->Target, Viewport, 0);
           ASSERT_TRUE(this->Counter.Count(
-            this->Window, this->Target, volumeToClip, &draw, &draw + 1, nullptr, this->Why))
+            this->Window, this->Target, VolumeToClip, &draw, &draw + 1, nullptr, this->Why))
             << this->Why;
           ASSERT_TRUE(this->Counter.Resolve(this->Window, this->Target, 1, 2, Viewport, this->Why))
             << this->Why;
@@ -192,34 +166,26 @@ TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
         glEnable(GL_MULTISAMPLE);
 
         const int all[4] = { 0, 0, Width, Height };
-        std::vector<float> mask(static_cast<std::size_t>(Width) * Height);
         int mixed = 0;
-        std::vector<int> shadowed(mask.size(), 0);
+        std::vector<int> shadowed(static_cast<std::size_t>(Width) * Height, 0);
         for (std::size_t sample = 0; sample < places.size(); ++sample)
         {
-          ASSERT_TRUE(this->Reader.Read(this->Window, this->Target.GetMask(1)->GetHandle(),
-            static_cast<int>(sample), 2, all, mask.data(), this->Why))
-            << this->Why;
-          for (int y = 0; y < Height; ++y)
+          const std::vector<float> mask = this->ReadSample(
+            this->Target.GetMask(1)->GetHandle(), static_cast<int>(sample), 2, all);
+          for (const auto& [x, y] : Pixels(Width, Height))
           {
-            for (int x = 0; x < Width; ++x)
+            const double u = 2.0 * (x - Viewport[0] + places[sample][0]) / Viewport[2] - 1.0;
+            const double v = 2.0 * (y - Viewport[1] + places[sample][1]) / Viewport[3] - 1.0;
+            const float value = mask[y * Width + x];
+            if (std::max(std::abs(u), std::abs(v)) >= 1.0)
             {
-              const double inX = x - Viewport[0] + places[sample][0];
-              const double inY = y - Viewport[1] + places[sample][1];
-              const double u = 2.0 * inX / Viewport[2] - 1.0;
-              const double v = 2.0 * inY / Viewport[3] - 1.0;
-              const bool inside = std::max(std::abs(u), std::abs(v)) < 1.0;
-              const bool inVolume = u > -0.51 && u < 0.47 && v > -0.31 && v < 0.29;
-              const float value = mask[y * Width + x];
-              if (!inside)
-              {
-                ASSERT_NEAR(value, 0.5f, 0.01f) << "at (" << x << ", " << y << ")";
-                continue;
-              }
-              ASSERT_EQ(value, inVolume ? 1.0f : 0.0f)
-                << "sample " << sample << " at (" << x << ", " << y << ")";
-              shadowed[y * Width + x] += inVolume;
+              ASSERT_NEAR(value, 0.5f, 0.01f) << "at (" << x << ", " << y << ")";
+              continue;
             }
+            const bool inVolume = u > -0.51 && u < 0.47 && v > -0.31 && v < 0.29;
+            ASSERT_EQ(value, inVolume ? 1.0f : 0.0f)
+              << "sample " << sample << " at (" << x << ", " << y << ")";
+            shadowed[y * Width + x] += inVolume;
           }
         }
         for (const int count : shadowed)

@@ -8,8 +8,19 @@
 #define WindowFixture_h
 
 #include "OffscreenFixture.h"
+#include "Pixels.h"
+#include "vtkNBufferDepthSource.h"
+#include VTKNBUFFER_GL_HEADER
 
+#include "vtkActor.h"
+#include "vtkConeSource.h"
+#include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
+
+#include <string>
+#include <vector>
 
 /// Most of these tests draw into framebuffers of their own: any size of window will do.
 class WindowFixture : public OffscreenFixture
@@ -29,6 +40,37 @@ protected:
     {
       this->Window = NewWindow(this->WindowWidth, this->WindowHeight);
     }
+  }
+
+  /// The depth of the framebuffer that is bound.
+  vtkNBufferDepthSource Inspect() const
+  {
+    vtkNBufferDepthSource source;
+    std::string why;
+    EXPECT_TRUE(source.Inspect(this->Window, why)) << why;
+    return source;
+  }
+
+  std::vector<float> Read(const vtkNBufferDepthSource& source, const vtkNBufferRectangle& r,
+    vtkNBufferExtremum extremum = vtkNBufferExtremum::Maximum) const
+  {
+    std::vector<float> depth;
+    std::string why;
+    EXPECT_TRUE(
+      source.Read(this->Window, r.X0, r.Y0, r.GetWidth(), r.GetHeight(), depth, why, extremum))
+      << why;
+    return depth;
+  }
+
+  static void AddCone(vtkRenderer* renderer)
+  {
+    vtkNew<vtkConeSource> cone;
+    cone->SetResolution(30);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(cone->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    renderer->AddActor(actor);
   }
 
   vtkSmartPointer<vtkOpenGLRenderWindow> Window;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The oracle where the answer is known without it.
-#include "OffscreenFixture.h"
 #include "ShadowShapes.h"
 #include "ShadowTest.h"
 
@@ -20,9 +19,7 @@ using namespace ShadowShapes;
 
 namespace
 {
-class OracleTest : public OffscreenFixture
-{
-};
+using OracleTest = OffscreenFixture;
 
 /// Whether the ray from `origin` along `direction` meets a box.
 bool MeetsBox(
@@ -47,21 +44,51 @@ double GetDistanceToRay(const double origin[3], const double direction[3], const
   return glm::length(glm::cross(toCentre, ray)) / glm::length(ray);
 }
 
-/// A window in which a unit of x and y is a pixel and (0, 0) the lower left corner, seen from
-/// above.
-NamedScene MakePixelScene(int width, int height, const std::function<void(vtkRenderer*)>& build)
+using Build = std::function<void(SceneBuilder&)>;
+
+/// A stage in which a unit of x and y is a pixel and (0, 0) the lower left corner, seen from above.
+Stage SetPixelStage(int width, int height, const Build& build)
 {
-  NamedScene scene;
-  scene.Name = "Pixels";
-  scene.Width = width;
-  scene.Height = height;
-  scene.Build = [=](vtkRenderer* renderer)
+  return SetStage(
+    [&](SceneBuilder& scene)
+    {
+      build(scene);
+      const Point middle = { 0.5 * width, 0.5 * height, 0.0 };
+      LookParallel(scene, middle + Point(0.0, 0.0, 100.0), middle, 0.5 * height);
+    },
+    width, height);
+}
+
+OracleImage Cast(const Stage& stage)
+{
+  return Cast(stage.GetRenderer(), stage.Lights[0]);
+}
+
+/// Calls function(x, y, receiver, direction to the light) for what is seen of the floor.
+template <typename Function>
+void ForEachOnFloor(const Oracle& oracle, const OracleLight& light, Function function)
+{
+  for (const auto& [x, y] : Pixels(oracle.GetWidth(), oracle.GetHeight()))
   {
-    build(renderer);
-    LookParallel(renderer, { 0.5 * width, 0.5 * height, 100.0 }, { 0.5 * width, 0.5 * height, 0.0 },
-      0.5 * height);
+    Oracle::Receiver receiver;
+    if (oracle.GetReceiver(x, y, 0.0, 0.0, receiver) && receiver.Normal[2] > 0.99 &&
+      std::abs(receiver.Position[2]) < 0.1)
+    {
+      double direction[3];
+      light.GetDirectionTo(receiver.Position, direction);
+      function(x, y, receiver, direction);
+    }
+  }
+}
+
+/// A floor of so many units around the origin, in a light from a direction.
+Build MakeFloor(double halfSize, const Point& direction)
+{
+  return [=](SceneBuilder& scene)
+  {
+    scene.Floor(halfSize);
+    scene.Directional(direction);
   };
-  return scene;
 }
 }
 
@@ -72,42 +99,27 @@ TEST_F(OracleTest, BoxAboveFloor)
   for (const bool positional : { false, true })
   {
     SCOPED_TRACE(positional);
-    NamedScene scene;
-    scene.Build = [&](vtkRenderer* renderer)
-    {
-      AddFloor(renderer, 5.0);
-      AddShape(renderer, ShapeKind::Box, centre, size);
-      positional ? AddPoint(renderer, { -1.5, -1.0, 3.0 })
-                 : AddDirectional(renderer, { 0.6, 0.35, -0.7 });
-      Look(renderer, { 3.0, -6.0, 4.0 }, { 0.4, 0.2, 0.5 });
-    };
-    Stage stage = SetStage(scene);
+    const Stage stage = SetStage(
+      [&](SceneBuilder& scene)
+      {
+        scene.Floor(5.0);
+        scene.Box(centre, size);
+        positional ? scene.PointLight({ -1.5, -1.0, 3.0 }) : scene.Directional({ 0.6, 0.35, -0.7 });
+        scene.Look({ 3.0, -6.0, 4.0 }, { 0.4, 0.2, 0.5 });
+      });
     const OracleLight light(stage.Lights[0]);
     const Oracle oracle(stage.GetRenderer());
     const OracleImage image = oracle.Cast(light);
     int shadowed = 0;
     int wrong = 0;
-    for (int y = 0; y < image.Height; ++y)
-    {
-      for (int x = 0; x < image.Width; ++x)
+    ForEachOnFloor(oracle, light,
+      [&](int x, int y, const Oracle::Receiver& receiver, const double direction[3])
       {
         const std::size_t i = static_cast<std::size_t>(y) * image.Width + x;
-        Oracle::Receiver receiver;
-        if (!oracle.GetReceiver(x, y, 0.0, 0.0, receiver) || receiver.Normal[2] < 0.99 ||
-          std::abs(receiver.Position[2]) > 0.1)
-        {
-          continue;
-        }
-        double ray[3] = { -light.Direction[0], -light.Direction[1], -light.Direction[2] };
-        if (positional)
-        {
-          vtkMath::Subtract(light.Position, receiver.Position, ray);
-        }
-        const bool expected = MeetsBox(receiver.Position, ray, centre, size);
+        const bool expected = MeetsBox(receiver.Position, direction, centre, size);
         shadowed += expected;
         wrong += expected != (image.Samples[i] == OracleSample::Shadowed) && !image.Ambiguous[i];
-      }
-    }
+      });
     EXPECT_GT(shadowed, 500);
     EXPECT_EQ(wrong, 0);
   }
@@ -116,16 +128,15 @@ TEST_F(OracleTest, BoxAboveFloor)
 TEST_F(OracleTest, SphereAboveFloor)
 {
   const Point centre = { 0.1, -0.2, 1.3 };
-  NamedScene scene;
-  scene.Build = [&](vtkRenderer* renderer)
-  {
-    AddFloor(renderer, 5.0);
-    AddSphere(renderer, centre, 0.8, 64);
-    AddDirectional(renderer, { 0.6, 0.35, -0.7 });
-    AddSpot(renderer, { -1.5, -1.0, 4.0 }, { 0.0, 0.0, 1.0 }, 80.0);
-    Look(renderer, { 3.0, -6.0, 4.0 }, { 0.4, 0.2, 0.5 });
-  };
-  Stage stage = SetStage(scene);
+  const Stage stage = SetStage(
+    [&](SceneBuilder& scene)
+    {
+      scene.Floor(5.0);
+      scene.Sphere(centre, 0.8, 64);
+      scene.Directional({ 0.6, 0.35, -0.7 });
+      scene.Spot({ -1.5, -1.0, 4.0 }, { 0.0, 0.0, 1.0 }, 80.0);
+      scene.Look({ 3.0, -6.0, 4.0 }, { 0.4, 0.2, 0.5 });
+    });
   const Oracle oracle(stage.GetRenderer());
   // Facets lie between this radius and the sphere's.
   const double inner = 0.8 * std::pow(std::cos(vtkMath::Pi() / 63.0), 2.0);
@@ -134,36 +145,23 @@ TEST_F(OracleTest, SphereAboveFloor)
     const OracleLight light(vtklight);
     int inside = 0;
     int outside = 0;
-    for (int y = 0; y < oracle.GetHeight(); ++y)
-    {
-      for (int x = 0; x < oracle.GetWidth(); ++x)
+    ForEachOnFloor(oracle, light,
+      [&](int x, int y, const Oracle::Receiver& receiver, const double direction[3])
       {
-        Oracle::Receiver receiver;
         const OracleSample sample = oracle.Classify(x, y, 0.0, 0.0, light).Sample;
-        if (!oracle.GetReceiver(x, y, 0.0, 0.0, receiver) || std::abs(receiver.Position[2]) > 0.1 ||
-          sample == OracleSample::Unlit)
-        {
-          continue;
-        }
-        double ray[3] = { -light.Direction[0], -light.Direction[1], -light.Direction[2] };
-        if (light.Positional)
-        {
-          vtkMath::Subtract(light.Position, receiver.Position, ray);
-        }
-        const double distance = GetDistanceToRay(receiver.Position, ray, centre);
-        if (distance < inner)
+        const double distance = GetDistanceToRay(receiver.Position, direction, centre);
+        if (sample != OracleSample::Unlit && distance < inner)
         {
           ++inside;
           EXPECT_EQ(sample, OracleSample::Shadowed) << x << " " << y;
           EXPECT_EQ(oracle.CountCrossings(receiver, light) % 2, 0) << x << " " << y;
         }
-        else if (distance > 0.8)
+        else if (sample != OracleSample::Unlit && distance > 0.8)
         {
           ++outside;
           EXPECT_EQ(sample, OracleSample::Lit) << x << " " << y;
         }
-      }
-    }
+      });
     EXPECT_GT(inside, 500);
     EXPECT_GT(outside, 5000);
   }
@@ -177,17 +175,14 @@ TEST_F(OracleTest, NearAnEdgeIsAmbiguous)
     SCOPED_TRACE(distance);
     // Light from the upper left at 45 degrees: a quad 10 above the floor shifts its shadow by 10.
     const double edge = 20.5 + distance;
-    Stage stage = SetStage(MakePixelScene(40, 30,
-      [&](vtkRenderer* renderer)
+    Stage stage = SetPixelStage(40, 30,
+      [&](SceneBuilder& scene)
       {
-        AddFloor(renderer, 100.0);
-        AddMesh(renderer,
-          MakeMesh({ { -50.0, -50.0, 10.0 }, { edge - 10.0, -50.0, 10.0 },
-                     { edge - 10.0, 50.0, 10.0 }, { -50.0, 50.0, 10.0 } },
-            { { 0, 1, 2, 3 } }));
-        AddDirectional(renderer, { 1.0, 0.0, -1.0 });
-      }));
-    const OracleImage image = Cast(stage.GetRenderer(), stage.Lights[0]);
+        scene.Floor(100.0);
+        AddSheet(scene, { -50.0, -50.0, 10.0 }, { edge + 40.0, 0.0, 0.0 }, { 0.0, 100.0, 0.0 });
+        scene.Directional({ 1.0, 0.0, -1.0 });
+      });
+    const OracleImage image = Cast(stage);
     for (int x = 0; x < 40; ++x)
     {
       const std::size_t i = 15 * 40 + x;
@@ -208,25 +203,16 @@ TEST_F(OracleTest, StepBetweenSheetsSeenAlmostEdgeOnIsAmbiguous)
   {
     SCOPED_TRACE(distance);
     const double edge = 15.5 + distance;
-    Stage stage = SetStage(MakePixelScene(40, 30,
-      [&](vtkRenderer* renderer)
+    Stage stage = SetPixelStage(40, 30,
+      [&](SceneBuilder& scene)
       {
-        const auto addSheet = [&](double low, double high, double z)
-        {
-          AddMesh(renderer,
-            MakeMesh({ { -50.0, low, z }, { 90.0, low, z }, { 90.0, high, z - 40.0 * (high - low) },
-                       { -50.0, high, z - 40.0 * (high - low) } },
-              { { 0, 1, 2, 3 } }));
-        };
-        addSheet(edge, edge + 10.0, -1000.0);
-        addSheet(edge - 10.0, edge + 10.0, -1020.0 + 400.0);
-        AddMesh(renderer,
-          MakeMesh({ { -50.0, 500.0, 0.0 }, { 90.0, 500.0, 0.0 }, { 90.0, 500.0, -2000.0 },
-                     { -50.0, 500.0, -2000.0 } },
-            { { 0, 1, 2, 3 } }));
-        AddDirectional(renderer, { 0.0, -1.0, 0.0 });
-      }));
-    const OracleImage image = Cast(stage.GetRenderer(), stage.Lights[0]);
+        const Point across = { 140.0, 0.0, 0.0 };
+        AddSheet(scene, { -50.0, edge, -1000.0 }, across, { 0.0, 10.0, -400.0 });
+        AddSheet(scene, { -50.0, edge - 10.0, -620.0 }, across, { 0.0, 20.0, -800.0 });
+        AddSheet(scene, { -50.0, 500.0, 0.0 }, across, { 0.0, 0.0, -2000.0 });
+        scene.Directional({ 0.0, -1.0, 0.0 });
+      });
+    const OracleImage image = Cast(stage);
     for (int y = 8; y < 23; ++y)
     {
       const std::size_t i = 40 * y + 20;
@@ -241,13 +227,7 @@ TEST_F(OracleTest, GrazingLightIsAmbiguous)
   for (const double slope : { -1e-3, -5e-5, 5e-5, 1e-3 })
   {
     SCOPED_TRACE(slope);
-    Stage stage = SetStage(MakePixelScene(8, 6,
-      [&](vtkRenderer* renderer)
-      {
-        AddFloor(renderer, 10.0);
-        AddDirectional(renderer, { 1.0, 0.0, -slope });
-      }));
-    const OracleImage image = Cast(stage.GetRenderer(), stage.Lights[0]);
+    const OracleImage image = Cast(SetPixelStage(8, 6, MakeFloor(10.0, { 1.0, 0.0, -slope })));
     EXPECT_EQ(image.Count(slope > 0.0 ? OracleSample::Lit : OracleSample::Unlit), 48);
     EXPECT_EQ(image.CountAmbiguous(), std::abs(slope) < 1e-4 ? 48 : 0);
   }
@@ -256,28 +236,25 @@ TEST_F(OracleTest, GrazingLightIsAmbiguous)
 // A cone of 45 degrees, 10 above the floor: a circle of radius 10.
 TEST_F(OracleTest, ConeEndsTheLight)
 {
-  Stage stage = SetStage(MakePixelScene(40, 30,
-    [](vtkRenderer* renderer)
+  Stage stage = SetPixelStage(40, 30,
+    [](SceneBuilder& scene)
     {
-      AddFloor(renderer, 100.0);
-      AddSpot(renderer, { 20.0, 15.0, 10.0 }, { 20.0, 15.0, 0.0 }, 45.0);
-    }));
-  const OracleImage image = Cast(stage.GetRenderer(), stage.Lights[0]);
-  for (int y = 0; y < 30; ++y)
+      scene.Floor(100.0);
+      scene.Spot({ 20.0, 15.0, 10.0 }, { 20.0, 15.0, 0.0 }, 45.0);
+    });
+  const OracleImage image = Cast(stage);
+  for (const auto& [x, y] : Pixels(40, 30))
   {
-    for (int x = 0; x < 40; ++x)
-    {
-      const bool lit = std::hypot(x + 0.5 - 20.0, y + 0.5 - 15.0) < 10.0;
-      EXPECT_EQ(image.Samples[y * 40 + x], lit ? OracleSample::Lit : OracleSample::Unlit)
-        << x << " " << y;
-    }
+    const bool lit = std::hypot(x + 0.5 - 20.0, y + 0.5 - 15.0) < 10.0;
+    EXPECT_EQ(image.Samples[y * 40 + x], lit ? OracleSample::Lit : OracleSample::Unlit)
+      << x << " " << y;
   }
   // A cone of 90 degrees is none, as in VTK's shaders: what is behind the light is lit.
   stage.Lights[0]->SetFocalPoint(30.0, 15.0, 10.0);
   stage.Lights[0]->SetConeAngle(89.9);
-  EXPECT_EQ(Cast(stage.GetRenderer(), stage.Lights[0]).Count(OracleSample::Lit), 20 * 30);
+  EXPECT_EQ(Cast(stage).Count(OracleSample::Lit), 20 * 30);
   stage.Lights[0]->SetConeAngle(90.0);
-  EXPECT_EQ(Cast(stage.GetRenderer(), stage.Lights[0]).Count(OracleSample::Lit), 40 * 30);
+  EXPECT_EQ(Cast(stage).Count(OracleSample::Lit), 40 * 30);
 }
 
 // A sheet is lit on the side of the camera only if the light is there as well.
@@ -285,13 +262,7 @@ TEST_F(OracleTest, SheetsHaveTwoSides)
 {
   for (const double z : { -1.0, 1.0 })
   {
-    Stage stage = SetStage(MakePixelScene(8, 6,
-      [&](vtkRenderer* renderer)
-      {
-        AddFloor(renderer, 10.0);
-        AddDirectional(renderer, { 0.3, 0.2, z });
-      }));
-    const OracleImage image = Cast(stage.GetRenderer(), stage.Lights[0]);
+    const OracleImage image = Cast(SetPixelStage(8, 6, MakeFloor(10.0, { 0.3, 0.2, z })));
     EXPECT_EQ(image.Count(z < 0.0 ? OracleSample::Lit : OracleSample::Unlit), 48);
   }
 }
@@ -302,14 +273,14 @@ TEST_F(OracleTest, CoincidentSurfacesDoNotShadow)
 {
   for (const double z : { 0.0, 1e-4 })
   {
-    Stage stage = SetStage(MakePixelScene(40, 30,
-      [&](vtkRenderer* renderer)
+    Stage stage = SetPixelStage(40, 30,
+      [&](SceneBuilder& scene)
       {
-        AddFloor(renderer, 100.0);
-        AddFloor(renderer, 10.0, z);
-        AddDirectional(renderer, { 0.1, 0.2, -1.0 });
-      }));
-    EXPECT_EQ(Cast(stage.GetRenderer(), stage.Lights[0]).Count(OracleSample::Lit), 40 * 30);
+        scene.Floor(100.0);
+        scene.Floor(10.0, z);
+        scene.Directional({ 0.1, 0.2, -1.0 });
+      });
+    EXPECT_EQ(Cast(stage).Count(OracleSample::Lit), 40 * 30);
     stage.GetRenderer()->GetActiveCamera()->SetPosition(20.0, 15.0, -100.0);
     const Oracle oracle(stage.GetRenderer());
     int crossed = 0;
@@ -326,7 +297,7 @@ TEST_F(OracleTest, CoincidentSurfacesDoNotShadow)
 // In shadow is what one or the other half of the casters shadows.
 TEST_F(OracleTest, CastersCanBeChosen)
 {
-  Stage stage = SetStage(GetScene("CadDirectional"));
+  Stage stage = SetNamedStage("CadDirectional");
   const OracleLight light(stage.Lights[0]);
   const OracleImage all = Oracle(stage.GetRenderer()).Cast(light);
   const std::vector<RenderedActor> actors = Oracle(stage.GetRenderer()).GetTriangles().Actors;
@@ -358,15 +329,15 @@ TEST_F(OracleTest, OnlyWhatIsDrawnAsSurfacesCounts)
   // Two of four actors, and two of four props.
   for (const char* name : { "NotSurfaces", "HiddenActor" })
   {
-    Stage stage = SetStage(GetScene(name));
+    Stage stage = SetNamedStage(name);
     EXPECT_EQ(CollectRenderedTriangles(stage.GetRenderer()).Actors.size(), 2u) << name;
   }
 }
 
 TEST_F(OracleTest, MasksAreCompared)
 {
-  Stage stage = SetStage(GetScene("Directional"));
-  const OracleImage image = Cast(stage.GetRenderer(), stage.Lights[0]);
+  Stage stage = SetNamedStage("Directional");
+  const OracleImage image = Cast(stage);
   ShadowMask mask = MakeMask(image);
   MaskComparison comparison = CompareMask(mask, image);
   EXPECT_EQ(comparison.Shadowed, image.Count(OracleSample::Shadowed));
@@ -377,9 +348,7 @@ TEST_F(OracleTest, MasksAreCompared)
   for (std::size_t i = 0; i < mask.size(); ++i)
   {
     mask[i] = !mask[i];
-    const bool counts =
-      image.Samples[i] == OracleSample::Lit || image.Samples[i] == OracleSample::Shadowed;
-    compared[image.Ambiguous[i] ? 1 : 0] += counts;
+    compared[image.Ambiguous[i] ? 1 : 0] += IsLitOrShadowed(image, i);
   }
   comparison = CompareMask(mask, image);
   EXPECT_EQ(comparison.Wrong, compared[0]);

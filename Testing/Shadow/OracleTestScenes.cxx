@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The scenes: what is drawn is what the oracle sees, and what must not change its answer does not.
-#include "OffscreenFixture.h"
 #include "SceneChanges.h"
 #include "ShadowTest.h"
 
@@ -14,15 +13,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <utility>
 
 namespace
 {
-class OracleSceneTest
-  : public OffscreenFixture
-  , public ::testing::WithParamInterface<NamedScene>
-{
-};
+using OracleSceneTest = OffscreenFixtureWithParam<NamedScene>;
 
 /// Window depth of what the oracle sees there.
 double GetDepth(
@@ -42,39 +36,34 @@ double GetDepth(
 int CountOtherDepths(Stage& stage)
 {
   const Oracle oracle(stage.GetRenderer());
-  int size[2];
-  int origin[2];
-  stage.GetRenderer()->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  const vtkNBufferRectangle view = GetPixels(stage.GetRenderer());
   vtkNew<vtkFloatArray> depths;
-  stage.Window->GetZbufferData(
-    origin[0], origin[1], origin[0] + size[0] - 1, origin[1] + size[1] - 1, depths);
+  stage.Window->GetZbufferData(view.X0, view.Y0, view.X1 - 1, view.Y1 - 1, depths);
   vtkMatrix4x4* worldToClip =
     stage.GetRenderer()->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
       stage.GetRenderer()->GetTiledAspectRatio(), -1.0, 1.0);
   constexpr double tolerance = 1e-5;
   int result = 0;
-  for (int y = 0; y < size[1]; ++y)
+  vtkIdType next = 0;
+  for (const auto& [x, y] : Pixels(view.GetWidth(), view.GetHeight()))
   {
-    for (int x = 0; x < size[0]; ++x)
+    const double drawn = depths->GetValue(next++);
+    double low = GetDepth(oracle, worldToClip, x, y, 0.0, 0.0);
+    double high = low;
+    if (std::abs(drawn - low) <= tolerance)
     {
-      const double drawn = depths->GetValue(static_cast<vtkIdType>(y) * size[0] + x);
-      double low = GetDepth(oracle, worldToClip, x, y, 0.0, 0.0);
-      double high = low;
-      if (std::abs(drawn - low) <= tolerance)
-      {
-        continue;
-      }
-      for (const double jitterX : { -1.0 / 32.0, 1.0 / 32.0 })
-      {
-        for (const double jitterY : { -1.0 / 32.0, 1.0 / 32.0 })
-        {
-          const double depth = GetDepth(oracle, worldToClip, x, y, jitterX, jitterY);
-          low = std::min(low, depth);
-          high = std::max(high, depth);
-        }
-      }
-      result += drawn < low - tolerance || drawn > high + tolerance;
+      continue;
     }
+    for (const double jitterX : { -1.0 / 32.0, 1.0 / 32.0 })
+    {
+      for (const double jitterY : { -1.0 / 32.0, 1.0 / 32.0 })
+      {
+        const double depth = GetDepth(oracle, worldToClip, x, y, jitterX, jitterY);
+        low = std::min(low, depth);
+        high = std::max(high, depth);
+      }
+    }
+    result += drawn < low - tolerance || drawn > high + tolerance;
   }
   return result;
 }
@@ -99,14 +88,12 @@ void ExpectSame(const Stage& stage, const std::vector<OracleImage>& expected)
   {
     const OracleLight light(stage.Lights[i]);
     int wrong = 0;
-    for (int y = 0; y < expected[i].Height; ++y)
+    std::size_t pixel = 0;
+    for (const auto& [x, y] : Pixels(expected[i].Width, expected[i].Height))
     {
-      for (int x = 0; x < expected[i].Width; ++x)
-      {
-        const std::size_t pixel = static_cast<std::size_t>(y) * expected[i].Width + x;
-        wrong += !expected[i].Ambiguous[pixel] &&
-          oracle.Classify(x, y, 0.0, 0.0, light).Sample != expected[i].Samples[pixel];
-      }
+      wrong += !expected[i].Ambiguous[pixel] &&
+        oracle.Classify(x, y, 0.0, 0.0, light).Sample != expected[i].Samples[pixel];
+      ++pixel;
     }
     EXPECT_EQ(wrong, 0) << "light " << i;
   }
@@ -131,9 +118,7 @@ TEST_P(OracleSceneTest, SeesWhatIsDrawn)
 INSTANTIATE_TEST_SUITE_P(Scenes, OracleSceneTest, ::testing::ValuesIn(GetScenes()),
   [](const auto& info) { return info.param.Name; });
 
-class OracleScenesTest : public OffscreenFixture
-{
-};
+using OracleScenesTest = OffscreenFixture;
 
 // Each light of each scene lights something and casts a shadow, but for one that is shut in.
 TEST_F(OracleScenesTest, HaveLightAndShadow)
@@ -161,25 +146,15 @@ TEST_F(OracleScenesTest, HaveLightAndShadow)
 // is where the world is.
 TEST_F(OracleScenesTest, KeepTheirShadows)
 {
-  using Change = void (*)(vtkRenderer*);
-  const std::pair<const char*, Change> changes[] = { { "windings", SceneChanges::FlipWindings },
-    { "points", SceneChanges::UnsharePoints }, { "actors", SceneChanges::SplitActors },
-    { "order", SceneChanges::ReverseProps },
-    { "place",
-      [](vtkRenderer* renderer)
-      {
-        const double offset[3] = { 12.0, -7.0, 3.0 };
-        SceneChanges::Move(renderer, offset);
-      } } };
   for (const NamedScene& scene : GetScenes())
   {
     SCOPED_TRACE(scene.Name);
     const std::vector<OracleImage> expected = CastAll(SetStage(scene));
-    for (const auto& change : changes)
+    for (const SceneChanges::Change& change : SceneChanges::GetChanges())
     {
-      SCOPED_TRACE(change.first);
+      SCOPED_TRACE(change.Name);
       const Stage stage = SetStage(scene);
-      change.second(stage.GetRenderer());
+      change.Make(stage.GetRenderer());
       ExpectSame(stage, expected);
     }
   }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The tree against all triangles, and against VTK's locator.
-#include "OffscreenFixture.h"
 #include "ShadowShapes.h"
 #include "ShadowTest.h"
 
@@ -10,7 +9,6 @@
 #include "vtkGenericCell.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStaticCellLocator.h"
 
@@ -21,9 +19,7 @@
 
 namespace
 {
-class TreeTest : public OffscreenFixture
-{
-};
+using TreeTest = OffscreenFixture;
 
 double GetRandom(std::mt19937& random)
 {
@@ -82,11 +78,8 @@ TEST_F(TreeTest, RandomTriangles)
   std::mt19937 random(5);
   for (const int count : { 0, 1, 4, 5, 9, 300 })
   {
-    std::vector<double> corners;
-    for (int i = 0; i < 9 * count; ++i)
-    {
-      corners.push_back(GetRandom(random));
-    }
+    std::vector<double> corners(9 * count);
+    std::generate(corners.begin(), corners.end(), [&random]() { return GetRandom(random); });
     TriangleTree tree;
     tree.Build(corners);
     EXPECT_EQ(tree.GetNumberOfTriangles(), count);
@@ -101,11 +94,7 @@ TEST_F(TreeTest, RandomTriangles)
         ray.Direction[k] = i % 4 == 0 ? (i / 4 % 3 == k) : GetRandom(random);
       }
       ray.Far = i % 2 ? 1.0 : ray.Far;
-      ExpectSame(tree, corners, ray);
-      if (HasFatalFailure())
-      {
-        return;
-      }
+      ASSERT_NO_FATAL_FAILURE(ExpectSame(tree, corners, ray));
     }
   }
 }
@@ -125,11 +114,7 @@ TEST_F(TreeTest, TrianglesOnAGrid)
     Ray ray = { { grid(), grid(), grid() }, { grid() - 1.0, grid() - 1.0, grid() - 1.0 } };
     if (vtkMath::Norm(ray.Direction) > 0.0)
     {
-      ExpectSame(tree, corners, ray);
-    }
-    if (HasFatalFailure())
-    {
-      return;
+      ASSERT_NO_FATAL_FAILURE(ExpectSame(tree, corners, ray));
     }
   }
 }
@@ -175,7 +160,7 @@ TEST_F(TreeTest, ScenesByBruteForce)
     { "ManyLights", "CadSpot", "QuadsStripsPolygons", "LightAtVertex", "HugeCoordinates" })
   {
     SCOPED_TRACE(name);
-    Stage stage = SetStage(GetScene(name));
+    Stage stage = SetNamedStage(name);
     const Oracle oracle(stage.GetRenderer());
     const std::vector<double>& corners = oracle.GetTriangles().Corners;
     for (int y = 1; y < oracle.GetHeight(); y += 9)
@@ -214,27 +199,23 @@ TEST_F(TreeTest, ScenesByBruteForce)
 
 TEST_F(TreeTest, AgreesWithLocator)
 {
-  Stage stage = SetStage(GetScene("CityDirectional"));
+  Stage stage = SetNamedStage("CityDirectional");
   const Oracle oracle(stage.GetRenderer());
   const OracleLight light(stage.Lights[0]);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
   const std::vector<double>& corners = oracle.GetTriangles().Corners;
+  std::vector<ShadowShapes::Point> points;
+  std::vector<ShadowShapes::Polygon> triangles;
   for (std::size_t i = 0; i < corners.size(); i += 9)
   {
-    const vtkIdType first = points->GetNumberOfPoints();
+    const int first = static_cast<int>(points.size());
     for (std::size_t k = 0; k < 9; k += 3)
     {
-      points->InsertNextPoint(&corners[i + k]);
+      points.push_back(vtkNBufferGLM::ToVector(&corners[i + k]));
     }
-    cells->InsertNextCell({ first, first + 1, first + 2 });
+    triangles.push_back({ first, first + 1, first + 2 });
   }
-  vtkNew<vtkPolyData> mesh;
-  mesh->SetPoints(points);
-  mesh->SetPolys(cells);
   vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet(mesh);
+  locator->SetDataSet(ShadowShapes::MakeMesh(points, triangles));
   locator->BuildLocator();
   int receivers = 0;
   int shadowed = 0;

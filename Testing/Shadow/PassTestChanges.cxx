@@ -4,7 +4,6 @@
 // What changes between frames is seen in the next one: masks and image are those of a pass that has
 // seen no frame before.
 #include "CompositeMapper.h"
-#include "OffscreenFixture.h"
 #include "PassTestTools.h"
 #include "ShadowShapes.h"
 #include "Tune.h"
@@ -67,13 +66,13 @@ struct Props
 
 void Props::Add(vtkRenderer* renderer, double x, double z)
 {
-  this->Box = AddShape(renderer, ShapeKind::Box, { x, -1.0, z }, { 0.5, 0.5, 0.5 });
+  this->Box = AddMesh(renderer, MakeBox({ x, -1.0, z }, { 0.5, 0.5, 0.5 }, VTK_DOUBLE));
   this->Box->SetUserMatrix(this->Matrix);
   this->Sphere = AddMesh(renderer, this->Source->GetOutput());
   this->Source->SetCenter(x, 0.0, z);
   this->Source->SetRadius(0.3);
   this->Sphere->GetMapper()->SetInputConnection(this->Source->GetOutputPort());
-  this->Clipped = AddSphere(renderer, { x, 1.0, z }, 0.4);
+  this->Clipped = AddMesh(renderer, MakeGlobe({ x, 1.0, z }, 0.4, 16));
   vtkNew<vtkPlaneCollection> planes;
   planes->AddItem(this->Plane);
   this->Plane->SetOrigin(x - 0.1, 1.0, z);
@@ -123,18 +122,26 @@ struct ChangingStage
 
   void Build(vtkRenderer* renderer)
   {
-    this->Floor = AddFloor(renderer, 5.0);
+    Fill(renderer,
+      [](SceneBuilder& scene)
+      {
+        scene.Floor(5.0);
+        scene.Directional({ 1.0, 0.0, -1.0 });
+        scene.Spot({ -2.0, -2.0, 5.0 }, { 0.0, 0.0, 0.0 }, 35.0);
+        scene.PointLight({ -0.5, 0.5, 3.0 });
+        scene.Look({ 3.0, -7.0, 5.0 }, { 0.3, 0.0, 0.3 });
+      });
+    this->Floor = GetActors(renderer).back();
     this->Casters.Add(renderer, 0.0, 1.5);
     this->Casters.SetCast(true);
     this->Receivers.Add(renderer, 0.5, 0.4);
-    this->Unseen = AddShape(renderer, ShapeKind::Box, { -8.0, 0.5, 8.5 }, { 1.0, 1.0, 1.0 });
+    this->Unseen = AddMesh(renderer, MakeBox({ -8.0, 0.5, 8.5 }, { 1.0, 1.0, 1.0 }, VTK_DOUBLE));
     SetCasts(this->Unseen, true);
-    AddDirectional(renderer, { 1.0, 0.0, -1.0 });
-    AddSpot(renderer, { -2.0, -2.0, 5.0 }, { 0.0, 0.0, 0.0 }, 35.0);
-    AddPoint(renderer, { -0.5, 0.5, 3.0 });
-    Look(renderer, { 3.0, -7.0, 5.0 }, { 0.3, 0.0, 0.3 });
     renderer->GetActiveCamera()->SetClippingRange(2.0, 30.0);
   }
+
+  vtkRenderer* GetRenderer() const { return this->Stage.GetRenderer(); }
+  vtkCamera* GetCamera() const { return this->GetRenderer()->GetActiveCamera(); }
 
   vtkActor* Floor;
   Props Casters;
@@ -157,16 +164,15 @@ void PrintTo(const Change& change, std::ostream* stream)
   *stream << change.Name;
 }
 
-void MovePoints(vtkActor* actor, double up)
+void MovePoints(vtkDataObject* data, const Point& way)
 {
-  vtkPolyData* mesh = static_cast<vtkPolyDataMapper*>(actor->GetMapper())->GetInput();
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  vtkPoints* points = vtkPolyData::SafeDownCast(data)->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
-    double x[3];
-    mesh->GetPoint(i, x);
-    mesh->GetPoints()->SetPoint(i, x[0], x[1], x[2] + up);
+    const Point x = vtkNBufferGLM::ToVector(points->GetPoint(i)) + way;
+    points->SetPoint(i, glm::value_ptr(x));
   }
-  mesh->GetPoints()->Modified();
+  points->Modified();
 }
 
 /// Of props that cast or that are only seen.
@@ -181,7 +187,10 @@ void AddPropChanges(const std::string& of, Props ChangingStage::*props, std::vec
   add("Moved", [](Props& p) { p.Sphere->AddPosition(0.2, 0.0, 0.1); });
   add("MatrixChanged", [](Props& p) { p.Matrix->SetElement(0, 3, 0.2); });
   add("Hidden", [](Props& p) { p.Box->VisibilityOff(); });
-  add("PointsMoved", [](Props& p) { MovePoints(p.Box, 0.2); });
+  add("PointsMoved",
+    [](Props& p) {
+      MovePoints(p.Box->GetMapper()->GetInputDataObject(0, 0), { 0.0, 0.0, 0.2 });
+    });
   add("SourceChanged", [](Props& p) { p.Source->SetRadius(0.45); });
   add("PlaneMoved", [](Props& p) { p.Plane->SetOrigin(p.Plane->GetOrigin()[0] + 0.2, 1.0, 0.0); });
   add("PlaneRemoved", [](Props& p) { p.Clipped->GetMapper()->RemoveAllClippingPlanes(); });
@@ -196,18 +205,7 @@ void AddPropChanges(const std::string& of, Props ChangingStage::*props, std::vec
     [](Props& p) {
       p.Blocks->SetBlock(1, MakeBox({ 0.3, 1.6, 1.2 }, { 0.4, 0.4, 0.4 }));
     });
-  add("BlockChanged",
-    [](Props& p)
-    {
-      auto* block = static_cast<vtkPolyData*>(p.Blocks->GetBlock(0));
-      for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
-      {
-        double x[3];
-        block->GetPoint(i, x);
-        block->GetPoints()->SetPoint(i, x[0] + 0.3, x[1], x[2]);
-      }
-      block->GetPoints()->Modified();
-    });
+  add("BlockChanged", [](Props& p) { MovePoints(p.Blocks->GetBlock(0), { 0.3, 0.0, 0.0 }); });
   add("BlockHidden",
     [](Props& p)
     { static_cast<CompositeMapper*>(p.Composite->GetMapper())->SetBlockVisibility(2, false); });
@@ -225,21 +223,16 @@ void AddPropChanges(const std::string& of, Props ChangingStage::*props, std::vec
 std::vector<Change> GetChanges()
 {
   std::vector<Change> result = {
-    { "CameraMoved",
-      [](ChangingStage& s) { s.Stage.GetRenderer()->GetActiveCamera()->Azimuth(10.0); } },
-    { "CameraZoomed",
-      [](ChangingStage& s) { s.Stage.GetRenderer()->GetActiveCamera()->SetViewAngle(30.0); } },
+    { "CameraMoved", [](ChangingStage& s) { s.GetCamera()->Azimuth(10.0); } },
+    { "CameraZoomed", [](ChangingStage& s) { s.GetCamera()->SetViewAngle(30.0); } },
     { "CameraParallel",
       [](ChangingStage& s)
       {
-        s.Stage.GetRenderer()->GetActiveCamera()->ParallelProjectionOn();
-        s.Stage.GetRenderer()->GetActiveCamera()->SetParallelScale(2.5);
+        s.GetCamera()->ParallelProjectionOn();
+        s.GetCamera()->SetParallelScale(2.5);
       } },
-    { "ClippingRange",
-      [](ChangingStage& s)
-      { s.Stage.GetRenderer()->GetActiveCamera()->SetClippingRange(1.0, 7.0); } },
-    { "Viewport",
-      [](ChangingStage& s) { s.Stage.GetRenderer()->SetViewport(0.3, 0.2, 1.0, 0.9); } },
+    { "ClippingRange", [](ChangingStage& s) { s.GetCamera()->SetClippingRange(1.0, 7.0); } },
+    { "Viewport", [](ChangingStage& s) { s.GetRenderer()->SetViewport(0.3, 0.2, 1.0, 0.9); } },
     { "Larger", [](ChangingStage& s) { s.Stage.Window->SetSize(311, 201); } },
     { "Smaller", [](ChangingStage& s) { s.Stage.Window->SetSize(111, 91); } },
     { "MultiSamples", [](ChangingStage& s) { s.Stage.Window->SetMultiSamples(4); } },
@@ -250,11 +243,10 @@ std::vector<Change> GetChanges()
     { "LightAttenuation", [](ChangingStage& s) { s.Stage.Lights[2]->SetShadowAttenuation(0.5f); } },
     { "LightOff", [](ChangingStage& s) { s.Stage.Lights[0]->SwitchOff(); } },
     { "LightDark", [](ChangingStage& s) { s.Stage.Lights[1]->SetIntensity(0.0); } },
-    { "LightRemoved",
-      [](ChangingStage& s) { s.Stage.GetRenderer()->RemoveLight(s.Stage.Lights[1]); } },
+    { "LightRemoved", [](ChangingStage& s) { s.GetRenderer()->RemoveLight(s.Stage.Lights[1]); } },
     { "LightAdded",
       [](ChangingStage& s) {
-        AddDirectional(s.Stage.GetRenderer(), { -1.0, 0.0, -1.0 });
+        Fill(s.GetRenderer(), [](SceneBuilder& scene) { scene.Directional({ -1.0, 0.0, -1.0 }); });
       } },
     { "LightBecomesHeadlight",
       [](ChangingStage& s) { s.Stage.Lights[0]->SetLightTypeToHeadlight(); } },
@@ -265,8 +257,8 @@ std::vector<Change> GetChanges()
       [](ChangingStage& s)
       {
         const vtkSmartPointer<vtkLight> first = s.Stage.Lights[0];
-        s.Stage.GetRenderer()->RemoveLight(first);
-        s.Stage.GetRenderer()->AddLight(first);
+        s.GetRenderer()->RemoveLight(first);
+        s.GetRenderer()->AddLight(first);
       } },
     { "ModeUnclamped",
       [](ChangingStage& s) { s.Pass->SetMode(vtkShadowVolumeClampPass::Unclamped); } },
@@ -278,17 +270,17 @@ std::vector<Change> GetChanges()
     { "KeysEmptied", [](ChangingStage& s) { s.Pass->GetCasterKeys()->Clear(); } },
     { "UnseenMoved", [](ChangingStage& s) { s.Unseen->AddPosition(0.5, 0.3, 0.0); } },
     { "UnseenHidden", [](ChangingStage& s) { s.Unseen->VisibilityOff(); } },
-    { "UnseenRemoved", [](ChangingStage& s) { s.Stage.GetRenderer()->RemoveActor(s.Unseen); } },
-    { "FloorRemoved", [](ChangingStage& s) { s.Stage.GetRenderer()->RemoveActor(s.Floor); } },
+    { "UnseenRemoved", [](ChangingStage& s) { s.GetRenderer()->RemoveActor(s.Unseen); } },
+    { "FloorRemoved", [](ChangingStage& s) { s.GetRenderer()->RemoveActor(s.Floor); } },
     { "FloorTextured", [](ChangingStage& s) { s.Floor->GetProperty()->SetAmbient(0.3); } },
     { "ActorAdded",
       [](ChangingStage& s) {
-        AddShape(s.Stage.GetRenderer(), ShapeKind::Box, { 1.5, 0.0, 0.5 }, { 0.5, 0.5, 1.0 });
+        AddMesh(s.GetRenderer(), MakeBox({ 1.5, 0.0, 0.5 }, { 0.5, 0.5, 1.0 }, VTK_DOUBLE));
       } },
-    { "AllRemoved", [](ChangingStage& s) { s.Stage.GetRenderer()->RemoveAllViewProps(); } },
+    { "AllRemoved", [](ChangingStage& s) { s.GetRenderer()->RemoveAllViewProps(); } },
     { "PassReleased", [](ChangingStage& s) { s.Pass->ReleaseGraphicsResources(s.Stage.Window); } },
     { "WindowReleased",
-      [](ChangingStage& s) { s.Stage.GetRenderer()->ReleaseGraphicsResources(s.Stage.Window); } },
+      [](ChangingStage& s) { s.GetRenderer()->ReleaseGraphicsResources(s.Stage.Window); } },
     { "NewContext", [](ChangingStage& s) { s.Stage.Window->Finalize(); } },
   };
   AddPropChanges("Casters", &ChangingStage::Casters, result);
@@ -304,14 +296,12 @@ struct Frame
 
 Frame Render(const ChangingStage& stage, vtkShadowVolumeClampPass* pass)
 {
-  stage.Stage.Window->Render();
+  Frame result = { RenderPicture(stage.Stage), {} };
   EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
   EXPECT_EQ(FindInconsistency(pass->GetStatistics()), "");
-  Frame result = { TakePicture(stage.Stage.Window), {} };
-  vtkLightCollection* lights = stage.Stage.GetRenderer()->GetLights();
   vtkCollectionSimpleIterator cookie;
-  lights->InitTraversal(cookie);
-  while (vtkLight* light = lights->GetNextLight(cookie))
+  stage.GetRenderer()->GetLights()->InitTraversal(cookie);
+  while (vtkLight* light = stage.GetRenderer()->GetLights()->GetNextLight(cookie))
   {
     int width = 0;
     int height = 0;
@@ -331,25 +321,21 @@ void ExpectNoMemory(const ChangingStage& stage)
   fresh->SetCasterKeys(stage.Pass->GetCasterKeys());
   for (vtkLight* light : stage.Stage.Lights)
   {
-    if (stage.Stage.GetRenderer()->GetLights()->IsItemPresent(light))
+    if (stage.GetRenderer()->GetLights()->IsItemPresent(light))
     {
       fresh->SetLightCasts(light, stage.Pass->GetLightCasts(light));
     }
   }
-  stage.Stage.GetRenderer()->SetPass(fresh);
+  stage.GetRenderer()->SetPass(fresh);
   const Frame expected = Render(stage, fresh);
-  stage.Stage.GetRenderer()->SetPass(stage.Pass);
+  stage.GetRenderer()->SetPass(stage.Pass);
   EXPECT_EQ(FindDifference(expected.Image, actual.Image), "")
     << stage.Pass->GetStatistics().GetAsJSON();
   EXPECT_TRUE(expected.Masks == actual.Masks) << stage.Pass->GetStatistics().GetAsJSON();
 }
 }
 
-class PassChanges
-  : public OffscreenFixture
-  , public ::testing::WithParamInterface<Change>
-{
-};
+using PassChanges = OffscreenFixtureWithParam<Change>;
 
 TEST_P(PassChanges, AreSeenInTheNextFrame)
 {
@@ -370,9 +356,7 @@ TEST_P(PassChanges, AreSeenInTheNextFrame)
 INSTANTIATE_TEST_SUITE_P(Changes, PassChanges, ::testing::ValuesIn(GetChanges()),
   [](const auto& info) { return info.param.Name; });
 
-class PassHistory : public OffscreenFixture
-{
-};
+using PassHistory = OffscreenFixture;
 
 // Lights that come and go, and with them the code of all shaders, leave nothing behind.
 TEST_F(PassHistory, SwitchingOnAndOff)
@@ -397,9 +381,9 @@ TEST_F(PassHistory, ModesAndResolutions)
 {
   ChangingStage stage;
   std::vector<Frame> exact;
-  for (int mode : { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Scissored,
-         vtkShadowVolumeClampPass::Clamped, vtkShadowVolumeClampPass::Scissored,
-         vtkShadowVolumeClampPass::Unclamped })
+  using Pass = vtkShadowVolumeClampPass;
+  for (int mode :
+    { Pass::Unclamped, Pass::Scissored, Pass::Clamped, Pass::Scissored, Pass::Unclamped })
   {
     stage.Pass->SetMode(mode);
     for (int resolution : { 1, 7, 512 })
@@ -437,9 +421,9 @@ TEST_F(PassHistory, ActorsThatAreReplaced)
   for (int frame = 0; frame < 10; ++frame)
   {
     SCOPED_TRACE("frame " + std::to_string(frame));
-    stage.Stage.GetRenderer()->RemoveActor(stage.Unseen);
-    stage.Unseen = AddShape(
-      stage.Stage.GetRenderer(), ShapeKind::Box, { -0.1 * frame, 0.5, 2.5 }, { 0.5, 0.5, 0.5 });
+    stage.GetRenderer()->RemoveActor(stage.Unseen);
+    stage.Unseen = AddMesh(
+      stage.GetRenderer(), MakeBox({ -0.1 * frame, 0.5, 2.5 }, { 0.5, 0.5, 0.5 }, VTK_DOUBLE));
     SetCasts(stage.Unseen, true);
     ExpectNoMemory(stage);
   }
@@ -455,7 +439,7 @@ TEST_F(PassHistory, PropsThatShareTheirKeys)
   // VTK gives back one reference of several.
   stage.Stage.Window->Render();
   const int references = stage.Pass->GetReferenceCount();
-  stage.Stage.GetRenderer()->GetActiveCamera()->Azimuth(3.0);
+  stage.GetCamera()->Azimuth(3.0);
   stage.Stage.Window->Render();
   EXPECT_EQ(stage.Pass->GetReferenceCount(), references);
 }
@@ -501,7 +485,7 @@ TEST_F(PassHistory, CameraLights)
 {
   ChangingStage stage;
   stage.Pass->SetCasterKeys(nullptr);
-  vtkRenderer* renderer = stage.Stage.GetRenderer();
+  vtkRenderer* renderer = stage.GetRenderer();
   vtkNew<vtkLight> light;
   light->SetLightTypeToCameraLight();
   light->SetPosition(0.7, 0.7, 1.0);

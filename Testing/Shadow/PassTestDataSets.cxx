@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Data sets that are not polydata cast as their surfaces do.
-#include "OffscreenFixture.h"
 #include "PassTestTools.h"
 #include "ShadowShapes.h"
 
@@ -13,16 +12,14 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <algorithm>
+#include <numeric>
 #include <utility>
 
 using namespace ShadowShapes;
 
 namespace
 {
-class ShadowDataSets : public OffscreenFixture
-{
-};
+using ShadowDataSets = OffscreenFixture;
 
 /// Hexahedra in a row, of which the inner faces are nobody's surface.
 vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(int cells)
@@ -30,8 +27,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(int cells)
   vtkNew<vtkPoints> points;
   for (int i = 0; i <= cells; ++i)
   {
-    for (const auto& [y, z] :
-      { std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1) })
+    for (const auto& [y, z] : { std::pair(0, 0), { 1, 0 }, { 1, 1 }, { 0, 1 } })
     {
       points->InsertNextPoint(0.5 * i, y, 1.0 + z);
     }
@@ -40,27 +36,26 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(int cells)
   grid->SetPoints(points);
   for (vtkIdType i = 0; i < cells; ++i)
   {
-    const vtkIdType corners[8] = { 4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3, 4 * i + 4, 4 * i + 5,
-      4 * i + 6, 4 * i + 7 };
+    vtkIdType corners[8];
+    std::iota(corners, corners + 8, 4 * i);
     grid->InsertNextCell(VTK_HEXAHEDRON, 8, corners);
   }
   return grid;
 }
 
-void Build(vtkRenderer* renderer)
+void Prepare(SceneBuilder& scene)
 {
-  AddFloor(renderer, 6.0);
-  AddDirectional(renderer, { 0.4, 0.3, -1.0 });
-  Look(renderer, { 4.0, -7.0, 6.0 }, { 1.0, 0.5, 0.5 });
+  scene.Floor(6.0);
+  scene.Directional({ 0.4, 0.3, -1.0 });
+  scene.Look({ 4.0, -7.0, 6.0 }, { 1.0, 0.5, 0.5 });
 }
 }
 
 // Hazard: a viewer that maps everything by vtkDataSetMapper has no casters.
 TEST_F(ShadowDataSets, CastAsTheirSurfaces)
 {
-  const NamedScene scene{ "DataSets", Build };
-  Stage asGrid = SetStage(scene);
-  Stage asMesh = SetStage(scene);
+  Stage asGrid = SetStage(Prepare);
+  Stage asMesh = SetStage(Prepare);
   const vtkSmartPointer<vtkUnstructuredGrid> grid = MakeGrid(4);
   vtkActor* actor = AddMesh(asGrid.GetRenderer(), nullptr);
   vtkNew<vtkDataSetMapper> mapper;
@@ -73,7 +68,6 @@ TEST_F(ShadowDataSets, CastAsTheirSurfaces)
 
   const auto pass = AddPass(asGrid);
   const auto other = AddPass(asMesh);
-  const std::size_t pixels = CountPixels(asGrid.GetRenderer());
   for (const double height : { 0.0, 0.0, 1.5 })
   {
     if (height > 0.0)
@@ -83,12 +77,10 @@ TEST_F(ShadowDataSets, CastAsTheirSurfaces)
       grid->Modified();
       surface->Update();
     }
-    asGrid.Window->Render();
-    asMesh.Window->Render();
-    const ShadowMask mask = GetMask(pass, asGrid.Lights[0], pixels);
-    EXPECT_GT(std::count(mask.begin(), mask.end(), 255), 200);
-    EXPECT_TRUE(mask == GetMask(other, asMesh.Lights[0], pixels));
-    EXPECT_EQ(FindDifference(TakePicture(asMesh.Window), TakePicture(asGrid.Window)), "");
+    EXPECT_EQ(FindDifference(RenderPicture(asMesh), RenderPicture(asGrid)), "");
+    const ShadowMask mask = GetMask(asGrid, pass);
+    EXPECT_GT(CountShadowed(mask), 200);
+    EXPECT_TRUE(mask == GetMask(asMesh, other));
     EXPECT_EQ(pass->GetStatistics().Casters, 2);
     EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
   }

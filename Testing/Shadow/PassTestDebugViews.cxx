@@ -3,14 +3,12 @@
 
 // Debug views change what they show and nothing else; times of the device.
 #include "GLStateSnapshot.h"
-#include "OffscreenFixture.h"
 #include "PassTestTools.h"
 #include "Tune.h"
 
 #include "../Leaks/GLObjects.h"
 
 #include "vtkActor.h"
-#include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -27,27 +25,25 @@ constexpr int Views[] = { vtkShadowVolumeClampPass::Litmaps, vtkShadowVolumeClam
   vtkShadowVolumeClampPass::Volumes, vtkShadowVolumeClampPass::Counts };
 
 /// The image is the plain one with the view of the viewport at (x0, y0) laid over it.
-::testing::AssertionResult IsLaidOver(const Picture& plain, const Picture& actual,
-  vtkShadowVolumeClampPass* pass, int windowWidth, int x0, int y0)
+::testing::AssertionResult IsLaidOver(
+  const Picture& plain, const Picture& actual, vtkShadowVolumeClampPass* pass, int x0, int y0)
 {
   int width = 0;
   int height = 0;
   const std::vector<unsigned char> view = pass->GetDebugImage(width, height);
   std::vector<double> expected(plain.Colors.begin(), plain.Colors.end());
   int shown = 0;
-  for (int y = 0; y < height; ++y)
+  const unsigned char* over = view.data();
+  for (const auto& [x, y] : Pixels({ x0, y0, x0 + width, y0 + height }))
   {
-    for (int x = 0; x < width; ++x)
+    const std::size_t pixel = 4 * static_cast<std::size_t>(y * plain.Size[0] + x);
+    const double opacity = over[3] / 255.0;
+    shown += over[3] != 0;
+    for (int i = 0; i < 3; ++i)
     {
-      const unsigned char* over = view.data() + 4 * (y * width + x);
-      const std::size_t pixel = 4 * static_cast<std::size_t>((y + y0) * windowWidth + x + x0);
-      shown += over[3] != 0;
-      for (int i = 0; i < 3; ++i)
-      {
-        const double opacity = over[3] / 255.0;
-        expected[pixel + i] = opacity * over[i] + (1.0 - opacity) * plain.Colors[pixel + i];
-      }
+      expected[pixel + i] = opacity * over[i] + (1.0 - opacity) * plain.Colors[pixel + i];
     }
+    over += 4;
   }
   for (std::size_t i = 0; i < expected.size(); ++i)
   {
@@ -64,24 +60,18 @@ constexpr int Views[] = { vtkShadowVolumeClampPass::Litmaps, vtkShadowVolumeClam
 }
 }
 
-class PassDebugViews : public OffscreenFixture
-{
-};
+using PassDebugViews = OffscreenFixture;
 
 TEST_F(PassDebugViews, AreLaidOverThePicture)
 {
   for (const char* name : { "Directional", "Point", "Inset" })
   {
     SCOPED_TRACE(name);
-    const Stage stage = SetStage(GetScene(name));
+    const Stage stage = SetNamedStage(name);
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-    stage.Window->Render();
-    const Picture plain = TakePicture(stage.Window);
-    const std::size_t pixels = CountPixels(stage.GetRenderer());
-    const ShadowMask mask = GetMask(pass, stage.Lights[0], pixels);
-    int size[2];
-    int origin[2];
-    stage.GetRenderer()->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+    const Picture plain = RenderPicture(stage);
+    const ShadowMask mask = GetMask(stage, pass);
+    const vtkNBufferRectangle viewport = GetPixels(stage.GetRenderer());
     for (const int view : Views)
     {
       SCOPED_TRACE("view " + std::to_string(view));
@@ -95,21 +85,19 @@ TEST_F(PassDebugViews, AreLaidOverThePicture)
           statistics.Decision, frame == 0 ? vtkShadowDecision::Drawn : vtkShadowDecision::Still);
         const bool draws = frame == 0 && view >= vtkShadowVolumeClampPass::Volumes;
         EXPECT_EQ(statistics.DebugDraws, draws ? 2 : 1);
-        EXPECT_TRUE(IsLaidOver(plain, TakePicture(stage.Window), pass, stage.Window->GetSize()[0],
-          origin[0], origin[1]));
-        EXPECT_EQ(GetMask(pass, stage.Lights[0], pixels), mask);
+        EXPECT_TRUE(IsLaidOver(plain, TakePicture(stage.Window), pass, viewport.X0, viewport.Y0));
+        EXPECT_EQ(GetMask(stage, pass), mask);
       }
     }
     pass->SetDebugView(vtkShadowVolumeClampPass::NoDebugView);
-    stage.Window->Render();
-    EXPECT_EQ(FindDifference(plain, TakePicture(stage.Window)), "");
+    EXPECT_EQ(FindDifference(plain, RenderPicture(stage)), "");
   }
 }
 
 // Off it draws nothing, makes no objects and keeps no image.
 TEST_F(PassDebugViews, OffCostsNothing)
 {
-  const Stage stage = SetStage(GetScene("ManyLights"));
+  const Stage stage = SetNamedStage("ManyLights");
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   const auto count = [&stage]
   {
@@ -141,7 +129,7 @@ TEST_F(PassDebugViews, OffCostsNothing)
 // cache.)
 TEST_F(PassDebugViews, LeaveNoObjectsBehind)
 {
-  const Stage stage = SetStage(GetScene("ManyLights"));
+  const Stage stage = SetNamedStage("ManyLights");
   const auto countAfter = [&stage](int view, bool all)
   {
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
@@ -167,7 +155,7 @@ TEST_F(PassDebugViews, LeaveNoObjectsBehind)
 // Each light has its own view; one that does not cast has none.
 TEST_F(PassDebugViews, AreOfOneLight)
 {
-  const Stage stage = SetStage(GetScene("ManyLights"));
+  const Stage stage = SetNamedStage("ManyLights");
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   const auto getImage = [&](vtkLight* light)
   {
@@ -189,15 +177,14 @@ TEST_F(PassDebugViews, AreOfOneLight)
 // Litmaps tell why no caster has a receiver.
 TEST_F(PassDebugViews, AreShownWithoutShadows)
 {
-  const Stage stage = SetStage(GetScene("Directional"));
+  const Stage stage = SetNamedStage("Directional");
   // Nothing but a box is left, which shadows nothing that is seen from the light's side.
-  vtkActorCollection* actors = stage.GetRenderer()->GetActors();
-  actors->InitTraversal();
-  while (vtkActor* actor = actors->GetNextActor())
+  const std::vector<vtkActor*> actors = GetActors(stage.GetRenderer());
+  for (vtkActor* actor : actors)
   {
     actor->GetProperty()->SetRepresentationToWireframe();
   }
-  actors->GetLastActor()->GetProperty()->SetRepresentationToSurface();
+  actors.back()->GetProperty()->SetRepresentationToSurface();
   stage.GetRenderer()->GetActiveCamera()->SetFocalPoint(100.0, 100.0, 0.0);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   pass->SetDebugView(vtkShadowVolumeClampPass::Litmaps);
@@ -209,7 +196,7 @@ TEST_F(PassDebugViews, AreShownWithoutShadows)
 // What OpenGL is left as does not depend on the view.
 TEST_F(PassDebugViews, LeaveTheStateAsItIs)
 {
-  const Stage stage = SetStage(GetScene("Inset"));
+  const Stage stage = SetNamedStage("Inset");
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(stage.Window);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   const auto capture = [&]
@@ -232,13 +219,11 @@ TEST_F(PassDebugViews, LeaveTheStateAsItIs)
 }
 
 //------------------------------------------------------------------------------------------------
-class PassDeviceTimes : public OffscreenFixture
-{
-};
+using PassDeviceTimes = OffscreenFixture;
 
 TEST_F(PassDeviceTimes, AreMeasuredIfAsked)
 {
-  const Stage stage = SetStage(GetScene("ManyLights"));
+  const Stage stage = SetNamedStage("ManyLights");
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   stage.Window->Render();
   EXPECT_EQ(pass->GetStatistics().DeviceTimes, UnknownShadowStageTimes);
@@ -249,8 +234,7 @@ TEST_F(PassDeviceTimes, AreMeasuredIfAsked)
   for (int frame = 0; frame < 3; ++frame)
   {
     pass->Modified();
-    stage.Window->Render();
-    EXPECT_EQ(FindDifference(plain, TakePicture(stage.Window)), "");
+    EXPECT_EQ(FindDifference(plain, RenderPicture(stage)), "");
     times = pass->GetStatistics().DeviceTimes;
   }
   if (times == UnknownShadowStageTimes)

@@ -2,39 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Colours with vtkShadowVolumeClampPass, to the byte those of images without it.
-#include "OffscreenFixture.h"
 #include "PassTestTools.h"
 #include "ShadowShapes.h"
 
 #include "vtkActor.h"
-#include "vtkActorCollection.h"
 #include "vtkCameraPass.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkLightsPass.h"
 #include "vtkNew.h"
-#include "vtkOpenGLPolyDataMapper.h"
-#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkProperty.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkSequencePass.h"
 #include "vtkTranslucentPass.h"
 
+using namespace ShadowShapes;
+
 namespace
 {
-void ForEachProperty(vtkRenderer* renderer, const std::function<void(vtkProperty*)>& function)
-{
-  // Every call of GetActors() fills the collection anew.
-  vtkActorCollection* actors = renderer->GetActors();
-  vtkCollectionSimpleIterator cookie;
-  actors->InitTraversal(cookie);
-  while (vtkActor* actor = actors->GetNextActor(cookie))
-  {
-    function(actor->GetProperty());
-  }
-}
-
 vtkInformationIntegerKey* GetCastsKey()
 {
   static vtkInformationIntegerKey* const key = new vtkInformationIntegerKey("Casts", "PassImages");
@@ -42,24 +28,23 @@ vtkInformationIntegerKey* GetCastsKey()
 }
 
 /// A headlight, a light that is off, a camera light, and one more than fit into a mask.
-void AddLights(vtkRenderer* renderer)
+void AddLights(SceneBuilder& scene)
 {
-  vtkNew<vtkLight> headlight;
-  headlight->SetLightTypeToHeadlight();
-  headlight->SetIntensity(0.25);
-  renderer->AddLight(headlight);
-  ShadowShapes::AddDirectional(renderer, { 0.0, 0.0, -1.0 })->SwitchOff();
-  vtkNew<vtkLight> cameraLight;
-  cameraLight->SetLightTypeToCameraLight();
-  cameraLight->SetPosition(1.0, 1.0, 1.0);
-  cameraLight->SetFocalPoint(0.0, 0.0, 0.0);
-  cameraLight->SetIntensity(0.5);
-  renderer->AddLight(cameraLight);
-  ShadowShapes::AddDirectional(renderer, { 0.6, 0.35, -0.7 })->SetIntensity(0.25);
-  ShadowShapes::AddSpot(renderer, { -4.0, -2.0, 5.0 }, { 0.0, 0.0, 0.0 }, 25.0)->SetIntensity(0.5);
-  ShadowShapes::AddDirectional(renderer, { -0.6, 0.35, -0.7 })->SwitchOff();
-  ShadowShapes::AddPoint(renderer, { -0.1, 0.2, 2.2 })->SetIntensity(0.25);
-  ShadowShapes::AddDirectional(renderer, { -0.6, 0.35, -0.7 })->SetIntensity(0.25);
+  const auto add = [&scene](TestScene::LightKind kind, double intensity)
+  {
+    TestScene::Light& light = scene.Directional({ 0.0, 0.0, -1.0 });
+    light.Kind = kind;
+    light.Position = { 1.0, 1.0, 1.0 };
+    light.Intensity = intensity;
+  };
+  add(TestScene::LightKind::Headlight, 0.25);
+  scene.Directional({ 0.0, 0.0, -1.0 }).On = false;
+  add(TestScene::LightKind::Camera, 0.5);
+  scene.Directional({ 0.6, 0.35, -0.7 }).Intensity = 0.25;
+  scene.Spot({ -4.0, -2.0, 5.0 }, { 0.0, 0.0, 0.0 }, 25.0).Intensity = 0.5;
+  scene.Directional({ -0.6, 0.35, -0.7 }).On = false;
+  scene.PointLight({ -0.1, 0.2, 2.2 }).Intensity = 0.25;
+  scene.Directional({ -0.6, 0.35, -0.7 }).Intensity = 0.25;
 }
 
 NamedScene GetColourScene(const std::string& name)
@@ -74,17 +59,13 @@ NamedScene GetColourScene(const std::string& name)
   scene.Build = [build](vtkRenderer* renderer)
   {
     build(renderer);
-    AddLights(renderer);
+    Fill(renderer, AddLights);
   };
   return scene;
 }
 }
 
-class PassColours
-  : public OffscreenFixture
-  , public ::testing::WithParamInterface<const char*>
-{
-};
+using PassColours = OffscreenFixtureWithParam<const char*>;
 
 // What a light does not reach has the colour of the image in which it is switched off, all else
 // that of the image without shadows, whatever the lights, the shading and the attenuation.
@@ -95,13 +76,12 @@ TEST_P(PassColours, AreThoseOfDimmedLights)
   for (const bool physicallyBased : { false, true })
   {
     SCOPED_TRACE(physicallyBased ? "PBR" : "Phong");
-    ForEachProperty(stage.GetRenderer(),
-      [physicallyBased](vtkProperty* property)
-      {
-        property->SetInterpolation(physicallyBased ? VTK_PBR : VTK_PHONG);
-        property->SetSpecular(0.5);
-        property->SetRoughness(0.4);
-      });
+    for (vtkActor* actor : GetActors(stage.GetRenderer()))
+    {
+      actor->GetProperty()->SetInterpolation(physicallyBased ? VTK_PBR : VTK_PHONG);
+      actor->GetProperty()->SetSpecular(0.5);
+      actor->GetProperty()->SetRoughness(0.4);
+    }
     for (const double attenuation : { 1.0, 0.5, 0.0 })
     {
       SCOPED_TRACE("attenuation " + std::to_string(attenuation));
@@ -121,9 +101,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PassColours,
     "MultiSamples", "Inset", "OddSize", "ParallelCamera", "LightInRoom", "Composite"),
   [](const auto& info) { return info.param; });
 
-class PassImages : public OffscreenFixture
-{
-};
+using PassImages = OffscreenFixture;
 
 // Hazard: a pass that shades by itself changes what it has no business with.
 TEST_F(PassImages, WithoutShadowAreThoseWithoutThePass)
@@ -146,12 +124,14 @@ TEST_F(PassImages, WithoutShadowAreThoseWithoutThePass)
       { "casters that are translucent",
         [](const Stage& stage, vtkShadowVolumeClampPass*)
         {
-          ForEachProperty(
-            stage.GetRenderer(), [](vtkProperty* property) { property->SetOpacity(0.5); });
+          for (vtkActor* actor : GetActors(stage.GetRenderer()))
+          {
+            actor->GetProperty()->SetOpacity(0.5);
+          }
         } },
       { "no receiver",
         [](const Stage& stage, vtkShadowVolumeClampPass*) {
-          ShadowShapes::Look(stage.GetRenderer(), { 20.0, 0.0, 1.0 }, { 30.0, 0.0, 1.0 });
+          Look(stage.GetRenderer(), { 20.0, 0.0, 1.0 }, { 30.0, 0.0, 1.0 });
         } },
       { "nothing at all",
         [](const Stage& stage, vtkShadowVolumeClampPass*)
@@ -160,13 +140,12 @@ TEST_F(PassImages, WithoutShadowAreThoseWithoutThePass)
   for (const auto& way : ways)
   {
     SCOPED_TRACE(way.first);
-    const Stage stage = SetStage(GetScene("Directional"));
+    const Stage stage = SetNamedStage("Directional");
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     way.second(stage, pass);
     for (int frame = 0; frame < 2; ++frame)
     {
-      stage.Window->Render();
-      const Picture actual = TakePicture(stage.Window);
+      const Picture actual = RenderPicture(stage);
       EXPECT_EQ(FindDifference(GetPlainImage(stage.Window, stage.GetRenderer()), actual), "");
       EXPECT_EQ(FindInconsistency(pass->GetStatistics()), "");
     }
@@ -179,16 +158,15 @@ TEST_F(PassImages, InASequenceAreThoseOfThePassAlone)
   for (const char* name : { "ManyLights", "Inset", "MultiSamples" })
   {
     SCOPED_TRACE(name);
-    const Stage stage = SetStage(GetScene(name));
-    ShadowShapes::AddShape(
-      stage.GetRenderer(), ShadowShapes::ShapeKind::Box, { 0.0, -2.5, 1.0 }, { 1.0, 0.2, 1.0 })
-      ->GetProperty()
-      ->SetOpacity(0.5);
+    const Stage stage = SetNamedStage(name);
+    Fill(stage.GetRenderer(),
+      [](SceneBuilder& scene) {
+        scene.Box({ 0.0, -2.5, 1.0 }, { 1.0, 0.2, 1.0 }).Opacity = 0.5;
+      });
     vtkNew<vtkShadowVolumeClampPass> alone;
     alone->SetMode(vtkShadowVolumeClampPass::Scissored);
     stage.GetRenderer()->SetPass(alone);
-    stage.Window->Render();
-    const Picture expected = TakePicture(stage.Window);
+    const Picture expected = RenderPicture(stage);
     EXPECT_EQ(alone->GetStatistics().Decision, vtkShadowDecision::Drawn);
     EXPECT_NE(FindDifference(GetPlainImage(stage.Window, stage.GetRenderer()), expected), "");
 
@@ -205,8 +183,7 @@ TEST_F(PassImages, InASequenceAreThoseOfThePassAlone)
     stage.GetRenderer()->SetPass(camera);
     for (int frame = 0; frame < 2; ++frame)
     {
-      stage.Window->Render();
-      EXPECT_EQ(FindDifference(expected, TakePicture(stage.Window)), "");
+      EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");
       EXPECT_GT(shadows->GetNumberOfRenderedProps(), 0);
     }
   }
@@ -218,37 +195,24 @@ TEST_F(PassImages, ConesOfVerticesFarFromTheOrigin)
 {
   constexpr double x = 5e6;
   constexpr double y = 4.5e6;
-  NamedScene scene;
-  scene.Width = 400;
-  scene.Height = 300;
-  scene.Build = [=](vtkRenderer* renderer)
-  {
-    ShadowShapes::AddShape(
-      renderer, ShadowShapes::ShapeKind::Box, { x, y, -0.5 }, { 60.0, 60.0, 1.0 });
-    ShadowShapes::AddShape(
-      renderer, ShadowShapes::ShapeKind::Box, { x + 5.0, y, 7.0 }, { 10.0, 20.0, 2.0 });
-    ShadowShapes::AddSpot(renderer, { x, y, 20.0 }, { x, y, 0.0 }, 15.0);
-    ShadowShapes::Look(renderer, { x + 3.0, y - 60.0, 40.0 }, { x, y, 0.0 });
-    vtkActorCollection* actors = renderer->GetActors();
-    for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+  const Stage stage = SetStage(
+    [=](SceneBuilder& scene)
     {
-      vtkOpenGLPolyDataMapper::SafeDownCast(
-        vtkActor::SafeDownCast(actors->GetItemAsObject(i))->GetMapper())
-        ->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
-    }
-  };
-  const Stage stage = SetStage(scene);
+      scene.Box({ x, y, -0.5 }, { 60.0, 60.0, 1.0 }).ShiftCoordinates = false;
+      scene.Box({ x + 5.0, y, 7.0 }, { 10.0, 20.0, 2.0 }).ShiftCoordinates = false;
+      scene.Spot({ x, y, 20.0 }, { x, y, 0.0 }, 15.0);
+      scene.Look({ x + 3.0, y - 60.0, 40.0 }, { x, y, 0.0 });
+    },
+    400, 300);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   for (const double cone : { 10.0, 15.0, 20.0, 25.0, 30.0 })
   {
     SCOPED_TRACE(cone);
     stage.Lights[0]->SetConeAngle(cone);
     pass->SetMode(vtkShadowVolumeClampPass::Unclamped);
-    stage.Window->Render();
-    const Picture expected = TakePicture(stage.Window);
+    const Picture expected = RenderPicture(stage);
     EXPECT_NE(FindDifference(GetPlainImage(stage.Window, stage.GetRenderer()), expected), "");
     pass->SetMode(vtkShadowVolumeClampPass::Scissored);
-    stage.Window->Render();
-    EXPECT_EQ(FindDifference(expected, TakePicture(stage.Window)), "");
+    EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");
   }
 }

@@ -3,7 +3,6 @@
 
 // The paper's litmap beside the scattered one: where both find all receivers, and where it does
 // not.
-#include "OffscreenFixture.h"
 #include "PassTestTools.h"
 #include "RerenderedLitmap.h"
 #include "ShadowShapes.h"
@@ -14,7 +13,6 @@
 #include "vtkInformationIntegerKey.h"
 #include "vtkNew.h"
 
-#include <algorithm>
 #include <functional>
 #include <iostream>
 #include <string>
@@ -24,25 +22,23 @@ using namespace ShadowShapes;
 namespace
 {
 /// A floor and a low box that receive, a box in the air; the receivers face light and camera.
-void AddLargeReceivers(vtkRenderer* renderer)
+void AddLargeReceivers(SceneBuilder& scene)
 {
-  AddFloor(renderer, 5.0);
-  AddShape(renderer, ShapeKind::Box, { 1.0, 0.0, 0.2 }, { 2.0, 2.0, 0.4 });
-  AddShape(renderer, ShapeKind::Box, { 0.0, 0.0, 1.5 }, { 0.8, 0.8, 0.8 });
-  Look(renderer, { 0.5, -3.0, 7.0 }, { 0.3, 0.0, 0.0 }, 30.0);
+  scene.Floor(5.0);
+  scene.Box({ 1.0, 0.0, 0.2 }, { 2.0, 2.0, 0.4 });
+  scene.Box({ 0.0, 0.0, 1.5 }, { 0.8, 0.8, 0.8 });
+  scene.Look({ 0.5, -3.0, 7.0 }, { 0.3, 0.0, 0.0 }, 30.0);
 }
 
 /// A wall above a floor, of which the light sees next to nothing. The box above them is out of
 /// sight.
-void AddThinReceiver(vtkRenderer* renderer)
+void AddThinReceiver(SceneBuilder& scene)
 {
-  AddMesh(renderer,
-    MakeMesh({ { -2.0, 0.0, -2.0 }, { 2.0, 0.0, -2.0 }, { 2.0, 0.0, 1.0 }, { -2.0, 0.0, 1.0 } },
-      { { 0, 1, 2, 3 } }));
-  AddShape(renderer, ShapeKind::Box, { 0.2, 0.0, 2.0 }, { 1.0, 1.0, 0.5 });
-  AddFloor(renderer, 5.0, -2.5);
-  AddDirectional(renderer, { 0.0, 0.002, -1.0 });
-  Look(renderer, { 0.0, -8.0, -0.5 }, { 0.0, 0.0, -0.8 }, 25.0);
+  AddSheet(scene, { -2.0, 0.0, -2.0 }, { 4.0, 0.0, 0.0 }, { 0.0, 0.0, 3.0 });
+  scene.Box({ 0.2, 0.0, 2.0 }, { 1.0, 1.0, 0.5 });
+  scene.Floor(5.0, -2.5);
+  scene.Directional({ 0.0, 0.002, -1.0 });
+  scene.Look({ 0.0, -8.0, -0.5 }, { 0.0, 0.0, -0.8 }, 25.0);
 }
 
 std::shared_ptr<vtkShadowLitmapSource> MakePaperLitmap()
@@ -54,42 +50,37 @@ MaskComparison CountWrong(const Stage& stage, vtkShadowVolumeClampPass* pass)
 {
   stage.Window->Render();
   EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
-  const Oracle oracle(stage.GetRenderer());
-  vtkLight* light = stage.Lights.front();
-  return CompareMask(
-    GetMask(pass, light, CountPixels(stage.GetRenderer())), oracle.Cast(OracleLight(light)));
+  return CompareMask(GetMask(stage, pass), Cast(stage.GetRenderer(), stage.Lights[0]));
 }
 
 constexpr int Modes[] = { vtkShadowVolumeClampPass::Scissored, vtkShadowVolumeClampPass::Clamped };
 }
 
-class PassLitmapMethods : public OffscreenFixture
-{
-};
+using PassLitmapMethods = OffscreenFixture;
 
 // Every receiver covers many lexels, and every pixel several.
 TEST_F(PassLitmapMethods, AgreeOnLargeReceivers)
 {
-  const std::function<void(vtkRenderer*)> lights[] = {
-    [](vtkRenderer* renderer) {
-      AddDirectional(renderer, { 0.3, 0.2, -1.0 });
+  const std::function<void(SceneBuilder&)> lights[] = {
+    [](SceneBuilder& scene) {
+      scene.Directional({ 0.3, 0.2, -1.0 });
     },
-    [](vtkRenderer* renderer) {
-      AddSpot(renderer, { -1.0, -1.0, 6.0 }, { 0.3, 0.0, 0.0 }, 30.0);
+    [](SceneBuilder& scene) {
+      scene.Spot({ -1.0, -1.0, 6.0 }, { 0.3, 0.0, 0.0 }, 30.0);
     },
-    [](vtkRenderer* renderer) {
-      AddPoint(renderer, { -1.0, -1.0, 6.0 });
+    [](SceneBuilder& scene) {
+      scene.PointLight({ -1.0, -1.0, 6.0 });
     },
   };
   for (const auto& addLight : lights)
   {
-    const Stage stage = SetStage({ "Large",
-      [&addLight](vtkRenderer* renderer)
+    const Stage stage = SetStage(
+      [&addLight](SceneBuilder& scene)
       {
-        AddLargeReceivers(renderer);
-        addLight(renderer);
+        AddLargeReceivers(scene);
+        addLight(scene);
       },
-      80, 60 });
+      80, 60);
     SCOPED_TRACE(&addLight - lights);
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     Tune(pass, &vtkShadowTuning::LitmapResolution, 512);
@@ -99,13 +90,12 @@ TEST_F(PassLitmapMethods, AgreeOnLargeReceivers)
       pass->SetMode(mode);
       Tune(pass, &vtkShadowTuning::LitmapSource, nullptr);
       ExpectMatchesOracle(stage, pass);
-      const ShadowMask scattered =
-        GetMask(pass, stage.Lights.front(), CountPixels(stage.GetRenderer()));
-      EXPECT_GT(std::count(scattered.begin(), scattered.end(), 255), 50);
+      const ShadowMask scattered = GetMask(stage, pass);
+      EXPECT_GT(CountShadowed(scattered), 50);
       const vtkShadowStatistics before = pass->GetStatistics();
       Tune(pass, &vtkShadowTuning::LitmapSource, MakePaperLitmap());
       ExpectMatchesOracle(stage, pass);
-      EXPECT_EQ(GetMask(pass, stage.Lights.front(), CountPixels(stage.GetRenderer())), scattered);
+      EXPECT_EQ(GetMask(stage, pass), scattered);
       EXPECT_EQ(pass->GetStatistics().Litmaps, before.Litmaps);
       EXPECT_EQ(pass->GetStatistics().Verdicts, before.Verdicts);
       EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
@@ -116,7 +106,7 @@ TEST_F(PassLitmapMethods, AgreeOnLargeReceivers)
 // The defect for which litmaps are scattered: the shadow on a wall along the light.
 TEST_F(PassLitmapMethods, RerenderedMissesThinReceivers)
 {
-  const Stage stage = SetStage({ "Thin", AddThinReceiver });
+  const Stage stage = SetStage(AddThinReceiver);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   for (const int mode : Modes)
   {
@@ -139,26 +129,26 @@ TEST_F(PassLitmapMethods, ReceiversNeedNotCast)
   auto* key = vtkInformationIntegerKey::MakeKey("Casts", "PassLitmapMethods");
   vtkNew<vtkInformation> keys;
   keys->Set(key, 1);
-  const Stage stage = SetStage({ "Keys",
-    [key](vtkRenderer* renderer)
+  const Stage stage = SetStage(
+    [](SceneBuilder& scene)
     {
-      AddFloor(renderer, 5.0);
-      vtkNew<vtkInformation> own;
-      own->Set(key, 1);
-      AddShape(renderer, ShapeKind::Box, { 0.0, 0.0, 1.5 }, { 0.8, 0.8, 0.8 })
-        ->SetPropertyKeys(own);
-      AddDirectional(renderer, { 0.3, 0.2, -1.0 });
-      Look(renderer, { 0.5, -3.0, 7.0 }, { 0.3, 0.0, 0.0 }, 30.0);
+      scene.Floor(5.0);
+      scene.Box({ 0.0, 0.0, 1.5 }, { 0.8, 0.8, 0.8 });
+      scene.Directional({ 0.3, 0.2, -1.0 });
+      scene.Look({ 0.5, -3.0, 7.0 }, { 0.3, 0.0, 0.0 }, 30.0);
     },
-    80, 60 });
+    80, 60);
+  vtkNew<vtkInformation> own;
+  own->Set(key, 1);
+  GetActors(stage.GetRenderer()).back()->SetPropertyKeys(own);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   pass->SetCasterKeys(keys);
   Tune(pass, &vtkShadowTuning::LitmapSource, MakePaperLitmap());
   Tune(pass, &vtkShadowTuning::LitmapResolution, 512);
   stage.Window->Render();
-  const ShadowMask rerendered = GetMask(pass, stage.Lights[0], CountPixels(stage.GetRenderer()));
-  EXPECT_GT(std::count(rerendered.begin(), rerendered.end(), 255), 50);
+  const ShadowMask rerendered = GetMask(stage, pass);
+  EXPECT_GT(CountShadowed(rerendered), 50);
   Tune(pass, &vtkShadowTuning::LitmapSource, nullptr);
   stage.Window->Render();
-  EXPECT_EQ(GetMask(pass, stage.Lights[0], CountPixels(stage.GetRenderer())), rerendered);
+  EXPECT_EQ(GetMask(stage, pass), rerendered);
 }

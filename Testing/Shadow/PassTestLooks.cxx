@@ -4,113 +4,81 @@
 // What frames of vtkShadowVolumeClampPass look like, against pictures that somebody looked at
 // (Testing/Baselines). Exact colours and edges are tested elsewhere as numbers.
 #include "ImageComparison.h"
-#include "OffscreenFixture.h"
 #include "PassTestTools.h"
 #include "ShadowShapes.h"
 
 #include "vtkActor.h"
-#include "vtkActorCollection.h"
-#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
-#include "vtkPlane.h"
-#include "vtkPlaneCollection.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkWindowToImageFilter.h"
 
-#include <functional>
+#include <algorithm>
 
 using namespace ShadowShapes;
 
 namespace
 {
-/// A floor, a wall behind it, and on it a box and a ball; the camera sees all of them.
-void AddProps(vtkRenderer* renderer)
+/// A floor, a wall behind it, and on it a box and a ball, the last prop; the camera sees all of
+/// them.
+void AddProps(SceneBuilder& scene)
 {
-  AddFloor(renderer, 5.0)->GetProperty()->SetColor(0.75, 0.75, 0.7);
-  AddShape(renderer, ShapeKind::Box, { 0.0, 3.1, 1.5 }, { 10.0, 0.2, 3.2 })
-    ->GetProperty()
-    ->SetColor(0.8, 0.7, 0.6);
-  AddShape(renderer, ShapeKind::Box, { -1.2, 0.6, 0.7 }, { 0.9, 0.9, 1.4 })
-    ->GetProperty()
-    ->SetColor(0.4, 0.6, 0.8);
-  vtkActor* ball = AddSphere(renderer, { 0.9, -0.2, 0.8 }, 0.7, 64);
-  ball->GetProperty()->SetColor(0.85, 0.4, 0.3);
-  ball->GetProperty()->SetInterpolationToPhong();
-  renderer->SetBackground(0.3, 0.35, 0.4);
-  Look(renderer, { 1.5, -8.0, 4.5 }, { 0.0, 0.5, 0.8 }, 30.0);
+  scene.Floor(5.0).Color = { 0.75, 0.75, 0.7 };
+  scene.Box({ 0.0, 3.1, 1.5 }, { 10.0, 0.2, 3.2 }).Color = { 0.8, 0.7, 0.6 };
+  scene.Box({ -1.2, 0.6, 0.7 }, { 0.9, 0.9, 1.4 }).Color = { 0.4, 0.6, 0.8 };
+  scene.Sphere({ 0.9, -0.2, 0.8 }, 0.7, 64).Color = { 0.85, 0.4, 0.3 };
+  scene.Look({ 1.5, -8.0, 4.5 }, { 0.0, 0.5, 0.8 }, 30.0);
 }
 
-void AddFill(vtkRenderer* renderer)
+void AddFill(SceneBuilder& scene)
 {
-  vtkNew<vtkLight> fill;
-  fill->SetLightTypeToHeadlight();
-  fill->SetIntensity(0.25);
-  renderer->AddLight(fill);
+  TestScene::Light& fill = scene.Directional({ 0.0, 0.0, -1.0 });
+  fill.Kind = TestScene::LightKind::Headlight;
+  fill.Intensity = 0.25;
 }
 
 /// The cone's edge crosses floor, wall and both casters; the light falls off from the axis.
-void SpotCone(vtkRenderer* renderer)
+void SpotCone(SceneBuilder& scene)
 {
-  AddProps(renderer);
-  AddSpot(renderer, { -3.5, -3.5, 5.0 }, { 0.0, 0.5, 0.0 }, 20.0)->SetExponent(8.0);
-  AddFill(renderer);
+  scene.Spot({ -3.5, -3.5, 5.0 }, { 0.0, 0.5, 0.0 }, 20.0).Exponent = 8.0;
+  AddFill(scene);
 }
 
 /// Shadows of each are filled by the colour of the other; dark only where both end.
-void TwoLights(vtkRenderer* renderer)
+void TwoLights(SceneBuilder& scene)
 {
-  AddProps(renderer);
-  AddDirectional(renderer, { 0.7, 0.5, -0.8 })->SetDiffuseColor(0.9, 0.5, 0.1);
-  AddPoint(renderer, { 2.8, -1.5, 2.6 })->SetDiffuseColor(0.1, 0.4, 0.8);
+  scene.Directional({ 0.7, 0.5, -0.8 }).Color = { 0.9, 0.5, 0.1 };
+  scene.PointLight({ 2.8, -1.5, 2.6 }).Color = { 0.1, 0.4, 0.8 };
 }
 
-void PhysicallyBased(vtkRenderer* renderer)
+void PhysicallyBased(SceneBuilder& scene)
 {
-  AddProps(renderer);
-  vtkActorCollection* actors = renderer->GetActors();
-  vtkCollectionSimpleIterator cookie;
-  actors->InitTraversal(cookie);
-  while (vtkActor* actor = actors->GetNextActor(cookie))
-  {
-    actor->GetProperty()->SetInterpolationToPBR();
-    actor->GetProperty()->SetRoughness(0.4);
-    actor->GetProperty()->SetMetallic(0.2);
-  }
-  AddDirectional(renderer, { -0.6, 0.6, -0.7 })->SetIntensity(2.0);
-  AddFill(renderer);
+  scene.Directional({ -0.6, 0.6, -0.7 }).Intensity = 2.0;
+  AddFill(scene);
 }
 
 /// A pane in front of shadows, which are seen through it; the pane itself casts none.
-void TranslucentPane(vtkRenderer* renderer)
+void TranslucentPane(SceneBuilder& scene)
 {
-  AddProps(renderer);
-  vtkActor* pane = AddShape(renderer, ShapeKind::Box, { 0.2, -1.6, 1.0 }, { 2.4, 0.05, 2.0 });
-  pane->GetProperty()->SetColor(0.3, 0.9, 0.5);
-  pane->GetProperty()->SetOpacity(0.4);
-  AddDirectional(renderer, { 0.7, 0.4, -0.6 });
-  AddFill(renderer);
+  TestScene::Prop& pane = scene.Box({ 0.2, -1.6, 1.0 }, { 2.4, 0.05, 2.0 });
+  pane.Color = { 0.3, 0.9, 0.5 };
+  pane.Opacity = 0.4;
+  scene.Directional({ 0.7, 0.4, -0.6 });
+  AddFill(scene);
 }
 
 /// A ball cut in half along the light: its shadow is half as well.
-void ClippingPlane(vtkRenderer* renderer)
+void ClippingPlane(SceneBuilder& scene)
 {
-  AddProps(renderer);
-  vtkNew<vtkPlane> plane;
-  plane->SetOrigin(0.9, -0.2, 0.8);
-  plane->SetNormal(0.8, 1.0, 0.0);
-  vtkNew<vtkPlaneCollection> planes;
-  planes->AddItem(plane);
-  renderer->GetActors()->GetLastActor()->GetMapper()->SetClippingPlanes(planes);
-  AddDirectional(renderer, { -0.5, 0.4, -0.8 });
-  AddFill(renderer);
+  scene.Scene.Props.back().ClippingPlane = { 0.9, -0.2, 0.8, 0.8, 1.0, 0.0 };
+  scene.Directional({ -0.5, 0.4, -0.8 });
+  AddFill(scene);
 }
 
 struct LookCase
 {
   const char* Name;
-  void (*Build)(vtkRenderer*);
+  void (*Build)(SceneBuilder&);
 };
 
 void PrintTo(const LookCase& picture, std::ostream* stream)
@@ -129,17 +97,28 @@ vtkSmartPointer<vtkImageData> Grab(vtkRenderWindow* window)
 }
 }
 
-class PassLooks
-  : public OffscreenFixture
-  , public ::testing::WithParamInterface<LookCase>
-{
-};
+using PassLooks = OffscreenFixtureWithParam<LookCase>;
 
 // Without shadows they do not, so that the baselines are of shadows.
 TEST_P(PassLooks, LikeTheBaseline)
 {
   const std::string name = this->GetParam().Name;
-  const Stage stage = SetStage({ name, this->GetParam().Build, 320, 240 });
+  const Stage stage = SetStage(
+    [this](SceneBuilder& scene)
+    {
+      AddProps(scene);
+      this->GetParam().Build(scene);
+    },
+    320, 240);
+  stage.GetRenderer()->SetBackground(0.3, 0.35, 0.4);
+  const std::vector<vtkActor*> actors = GetActors(stage.GetRenderer());
+  actors[3]->GetProperty()->SetInterpolationToPhong();
+  for (std::size_t i = 0; i < actors.size() && this->GetParam().Build == PhysicallyBased; ++i)
+  {
+    actors[i]->GetProperty()->SetInterpolationToPBR();
+    actors[i]->GetProperty()->SetRoughness(0.4);
+    actors[i]->GetProperty()->SetMetallic(0.2);
+  }
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   const vtkSmartPointer<vtkImageData> actual = Grab(stage.Window);
   EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
@@ -172,15 +151,9 @@ vtkSmartPointer<vtkImageData> MakePicture(int width, int x, int y, int other)
   auto picture = vtkSmartPointer<vtkImageData>::New();
   picture->SetDimensions(width, 8, 1);
   picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  for (int i = 0; i < 3 * width * 8; ++i)
-  {
-    static_cast<unsigned char*>(picture->GetScalarPointer())[i] = 100;
-  }
-  for (int channel = 0; channel < 3; ++channel)
-  {
-    *(static_cast<unsigned char*>(picture->GetScalarPointer(x, y, 0)) + channel) =
-      static_cast<unsigned char>(other);
-  }
+  auto* values = static_cast<unsigned char*>(picture->GetScalarPointer());
+  std::fill_n(values, 3 * width * 8, static_cast<unsigned char>(100));
+  std::fill_n(values + 3 * (y * width + x), 3, static_cast<unsigned char>(other));
   return picture;
 }
 }

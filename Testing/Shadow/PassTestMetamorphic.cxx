@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // What leaves shadows as they are leaves the masks as they are; and VTK's own shadows, counted.
-#include "OffscreenFixture.h"
 #include "PassTestTools.h"
 #include "SceneChanges.h"
 
@@ -18,48 +17,17 @@
 
 #include <algorithm>
 #include <iostream>
+#include <numeric>
 
 namespace
 {
-struct Change
-{
-  const char* Name;
-  void (*Make)(vtkRenderer*);
-};
-
-const Change Changes[] = { { "windings", SceneChanges::FlipWindings },
-  { "points", SceneChanges::UnsharePoints }, { "actors", SceneChanges::SplitActors },
-  { "order", SceneChanges::ReverseProps },
-  { "place",
-    [](vtkRenderer* renderer)
-    {
-      const double offset[3] = { 12.0, -7.0, 3.0 };
-      SceneChanges::Move(renderer, offset);
-    } } };
-
-std::vector<ShadowMask> GetMasks(const Stage& stage, vtkShadowVolumeClampPass* pass)
-{
-  stage.Window->Render();
-  std::vector<ShadowMask> result;
-  for (vtkLight* light : stage.Lights)
-  {
-    result.push_back(GetMask(pass, light, CountPixels(stage.GetRenderer())));
-  }
-  return result;
-}
-
 bool IsCompared(const OracleImage& oracle, std::size_t pixel)
 {
-  return !oracle.Ambiguous[pixel] &&
-    (oracle.Samples[pixel] == OracleSample::Lit || oracle.Samples[pixel] == OracleSample::Shadowed);
+  return !oracle.Ambiguous[pixel] && IsLitOrShadowed(oracle, pixel);
 }
 }
 
-class PassMetamorphic
-  : public OffscreenFixture
-  , public ::testing::WithParamInterface<NamedScene>
-{
-};
+using PassMetamorphic = OffscreenFixtureWithParam<NamedScene>;
 
 // Windings, sharing, grouping and order of triangles, and where the world is, are no part of the
 // question.
@@ -68,18 +36,20 @@ TEST_P(PassMetamorphic, MasksAreKept)
   const NamedScene& scene = this->GetParam();
   const Stage original = SetStage(scene);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(original);
+  original.Window->Render();
   const std::vector<ShadowMask> expected = GetMasks(original, pass);
   std::vector<OracleImage> oracles;
   for (vtkLight* light : original.Lights)
   {
     oracles.push_back(Cast(original.GetRenderer(), light));
   }
-  for (const Change& change : Changes)
+  for (const SceneChanges::Change& change : SceneChanges::GetChanges())
   {
     SCOPED_TRACE(change.Name);
     const Stage stage = SetStage(scene);
     change.Make(stage.GetRenderer());
     vtkSmartPointer<vtkShadowVolumeClampPass> changedPass = AddPass(stage);
+    stage.Window->Render();
     const std::vector<ShadowMask> masks = GetMasks(stage, changedPass);
     for (std::size_t i = 0; i < expected.size(); ++i)
     {
@@ -111,9 +81,7 @@ INSTANTIATE_TEST_SUITE_P(Meshes, PassMetamorphic,
   ::testing::ValuesIn(ShadowScenes::GetMeshScenes()),
   [](const auto& info) { return info.param.Name; });
 
-class PassComparison : public OffscreenFixture
-{
-};
+using PassComparison = OffscreenFixture;
 
 // VTK's own shadow maps for the same scenes. Wrong is a pixel that has less than half of its
 // brightness without shadows where a ray reaches the light, or half and more where none does.
@@ -123,12 +91,12 @@ TEST_F(PassComparison, WithShadowMaps)
   for (const char* name : { "Directional", "Spot", "Point", "OddSize", "Inset", "CityDirectional",
          "BirdsSpot", "CadDirectional" })
   {
-    const Stage stage = SetStage(GetScene(name));
+    const Stage stage = SetNamedStage(name);
     vtkLight* light = stage.Lights[0];
     const OracleImage oracle = Cast(stage.GetRenderer(), light);
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     stage.Window->Render();
-    const ShadowMask mask = GetMask(pass, light, CountPixels(stage.GetRenderer()));
+    const ShadowMask mask = GetMask(stage, pass);
     const Picture lit = GetPlainImage(stage.Window, stage.GetRenderer());
 
     vtkNew<vtkShadowMapBakerPass> baker;
@@ -152,33 +120,26 @@ TEST_F(PassComparison, WithShadowMaps)
     vtkNew<vtkCameraPass> camera;
     camera->SetDelegatePass(sequence);
     stage.GetRenderer()->SetPass(camera);
-    stage.Window->Render();
-    const Picture mapped = TakePicture(stage.Window);
+    const Picture mapped = RenderPicture(stage);
 
-    int size[2];
-    int origin[2];
-    stage.GetRenderer()->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
     int compared = 0;
     int wrongMaps = 0;
     int wrongVolumes = 0;
-    for (int y = 0; y < size[1]; ++y)
+    std::size_t sample = 0;
+    for (const auto& [x, y] : Pixels(GetPixels(stage.GetRenderer())))
     {
-      for (int x = 0; x < size[0]; ++x)
+      const std::size_t pixel = static_cast<std::size_t>(y) * stage.Window->GetSize()[0] + x;
+      const auto getBrightness = [pixel](const Picture& picture)
+      { return std::accumulate(picture.GetColor(pixel), picture.GetColor(pixel) + 3, 0); };
+      const int brightness = getBrightness(lit);
+      if (IsCompared(oracle, sample) && brightness >= 30)
       {
-        const std::size_t sample = static_cast<std::size_t>(y) * size[0] + x;
-        const std::size_t pixel = 4 *
-          (static_cast<std::size_t>(y + origin[1]) * stage.Window->GetSize()[0] + x + origin[0]);
-        const int brightness = lit.Colors[pixel] + lit.Colors[pixel + 1] + lit.Colors[pixel + 2];
-        if (!IsCompared(oracle, sample) || brightness < 30)
-        {
-          continue;
-        }
         ++compared;
         const bool shadowed = oracle.Samples[sample] == OracleSample::Shadowed;
-        const int left = mapped.Colors[pixel] + mapped.Colors[pixel + 1] + mapped.Colors[pixel + 2];
-        wrongMaps += (2 * left < brightness) != shadowed;
+        wrongMaps += (2 * getBrightness(mapped) < brightness) != shadowed;
         wrongVolumes += (mask[sample] != 0) != shadowed;
       }
+      ++sample;
     }
     std::cout << name << ": " << compared << ", " << wrongMaps << ", " << wrongVolumes << "\n";
     EXPECT_GT(compared, 1000);

@@ -3,7 +3,6 @@
 
 // What a frame takes: nothing where nothing is due, and what OpenGL is left as.
 #include "GLStateSnapshot.h"
-#include "OffscreenFixture.h"
 #include "PassTestTools.h"
 #include "ShadowShapes.h"
 #include "Tune.h"
@@ -35,12 +34,13 @@
 
 namespace
 {
-constexpr int Modes[] = { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Scissored,
-  vtkShadowVolumeClampPass::Clamped };
-
-vtkActor* GetLastActor(const Stage& stage)
+/// What differs in the stage's renderer alone: what lies beside it, in a tile of a larger image, is
+/// not drawn at all.
+std::string FindDifferenceInView(const Stage& stage, const Picture& expected, const Picture& actual)
 {
-  return stage.GetRenderer()->GetActors()->GetLastActor();
+  const vtkNBufferRectangle view = GetPixels(stage.GetRenderer());
+  const int region[4] = { view.X0, view.Y0, view.GetWidth(), view.GetHeight() };
+  return FindDifference(expected, actual, region);
 }
 
 /// No volume, litmap or read-back, and nothing cached anew.
@@ -62,9 +62,7 @@ GLObjects::Counts CountObjects(const Stage& stage)
 }
 }
 
-class PassStatistics : public OffscreenFixture
-{
-};
+using PassStatistics = OffscreenFixture;
 
 // Where there is no light or nothing that casts, OpenGL is not asked for anything.
 TEST_F(PassStatistics, NothingDueCostsNothing)
@@ -72,7 +70,7 @@ TEST_F(PassStatistics, NothingDueCostsNothing)
   for (const bool withLight : { false, true })
   {
     SCOPED_TRACE(withLight ? "no caster" : "no light");
-    const Stage stage = SetStage(GetScene("ManyLights"));
+    const Stage stage = SetNamedStage("ManyLights");
     vtkNew<vtkRenderStepsPass> steps;
     stage.GetRenderer()->SetPass(steps);
     stage.Window->Render();
@@ -102,10 +100,10 @@ TEST_F(PassStatistics, NothingDueCostsNothing)
 // A still frame takes its masks from the last one; a moving camera makes no new objects.
 TEST_F(PassStatistics, FramesMakeNoNewObjects)
 {
-  for (const int mode : Modes)
+  for (const int mode : ShadowModes)
   {
     SCOPED_TRACE("mode " + std::to_string(mode));
-    const Stage stage = SetStage(GetScene("ManyLights"));
+    const Stage stage = SetNamedStage("ManyLights");
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     pass->SetMode(mode);
     for (int frame = 0; frame < 3; ++frame)
@@ -131,7 +129,7 @@ TEST_F(PassStatistics, FramesMakeNoNewObjects)
 
 TEST_F(PassStatistics, FragmentsAreCountedOnlyIfAsked)
 {
-  const Stage stage = SetStage(GetScene("Directional"));
+  const Stage stage = SetNamedStage("Directional");
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   stage.Window->Render();
   EXPECT_EQ(pass->GetStatistics().Fragments, -1);
@@ -145,7 +143,7 @@ TEST_F(PassStatistics, FragmentsAreCountedOnlyIfAsked)
 // With few casters litmaps cost more than they save: no read-back, none made, and the same picture.
 TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
 {
-  const Stage stage = SetStage(GetScene("ManyLights"));
+  const Stage stage = SetNamedStage("ManyLights");
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   const auto expect = [&](int mode, int litmaps, int unclamped)
   {
@@ -178,11 +176,8 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
   sphere->SetPhiResolution(software ? 60 : 180);
   sphere->SetRadius(0.2);
   sphere->SetCenter(0.0, 0.0, 2.0);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(sphere->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  stage.GetRenderer()->AddActor(actor);
+  sphere->Update();
+  ShadowShapes::AddMesh(stage.GetRenderer(), sphere->GetOutput());
   expected = expect(vtkShadowVolumeClampPass::Scissored, lights + 5 * points, 0);
   EXPECT_EQ(
     FindDifference(expected, expect(vtkShadowVolumeClampPass::Automatic, lights - points, points)),
@@ -192,7 +187,7 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
 // Silhouettes last until mesh, matrix or light change, and then only those of what changed.
 TEST_F(PassStatistics, SilhouettesAreMadeOnce)
 {
-  const Stage stage = SetStage(GetScene("ManyLights"));
+  const Stage stage = SetNamedStage("ManyLights");
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   const auto expect = [&](int updates, int silhouettes, const char* what)
   {
@@ -216,9 +211,10 @@ TEST_F(PassStatistics, SilhouettesAreMadeOnce)
   stage.Lights[1]->SetColor(1.0, 0.5, 0.5);
   stage.GetRenderer()->GetActiveCamera()->Azimuth(5.0);
   expect(0, 0, "a light's colour");
-  GetLastActor(stage)->AddPosition(0.1, 0.0, 0.0);
+  vtkActor* actor = GetActors(stage.GetRenderer()).back();
+  actor->AddPosition(0.1, 0.0, 0.0);
   expect(1, lights, "an actor moved");
-  auto* mesh = vtkPolyData::SafeDownCast(GetLastActor(stage)->GetMapper()->GetInput());
+  auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput());
   mesh->GetPoints()->SetPoint(0, 0.3, -1.2, 1.7);
   mesh->GetPoints()->Modified();
   expect(1, lights, "points moved");
@@ -228,29 +224,28 @@ TEST_F(PassStatistics, SilhouettesAreMadeOnce)
 TEST_F(PassStatistics, ManyCastersAreSharedOut)
 {
   constexpr int side = 66;
-  const Stage stage = SetStage({ "ManyCasters",
-    [](vtkRenderer* renderer)
+  const Stage stage = SetStage(
+    [](TestScene::SceneBuilder& scene)
     {
-      ShadowShapes::AddFloor(renderer, 10.0);
+      scene.Floor(10.0);
       for (int i = 0; i < side * side; ++i)
       {
         const double x = 0.25 * (i % side - side / 2);
         const double y = 0.25 * (i / side - side / 2);
-        ShadowShapes::AddShape(
-          renderer, ShadowShapes::ShapeKind::Box, { x, y, 0.2 + 0.1 * (i % 7) }, { 0.1, 0.1, 0.1 });
+        scene.Box({ x, y, 0.2 + 0.1 * (i % 7) }, { 0.1, 0.1, 0.1 });
       }
-      ShadowShapes::AddDirectional(renderer, { 0.3, 0.2, -1.0 });
-      ShadowShapes::AddSpot(renderer, { 0.0, 0.0, 5.0 }, { 1.0, 1.0, 0.0 }, 30.0);
-      ShadowShapes::AddPoint(renderer, { -1.0, 2.0, 4.0 });
-      ShadowShapes::Look(renderer, { 2.0, 1.0, 3.0 }, { 0.0, 0.0, 0.0 });
+      scene.Directional({ 0.3, 0.2, -1.0 });
+      scene.Spot({ 0.0, 0.0, 5.0 }, { 1.0, 1.0, 0.0 }, 30.0);
+      scene.PointLight({ -1.0, 2.0, 4.0 });
+      scene.Look({ 2.0, 1.0, 3.0 }, { 0.0, 0.0, 0.0 });
     },
-    120, 90 });
+    120, 90);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   const int casters = stage.GetRenderer()->GetActors()->GetNumberOfItems();
   const int lights = static_cast<int>(stage.Lights.size());
   std::vector<Picture> images;
   int silhouettes = casters * lights;
-  for (const int mode : Modes)
+  for (const int mode : ShadowModes)
   {
     pass->SetMode(mode);
     stage.Window->Render();
@@ -260,21 +255,16 @@ TEST_F(PassStatistics, ManyCastersAreSharedOut)
     EXPECT_EQ(statistics.Draws < casters * lights, mode != vtkShadowVolumeClampPass::Unclamped);
     EXPECT_GT(statistics.Draws, 0);
     silhouettes = 0;
-    for (vtkLight* light : stage.Lights)
+    for (const ShadowMask& mask : GetMasks(stage, pass))
     {
-      const ShadowMask mask = GetMask(pass, light, CountPixels(stage.GetRenderer()));
-      EXPECT_GT(std::count(mask.begin(), mask.end(), 255), 0);
+      EXPECT_GT(CountShadowed(mask), 0);
     }
     images.push_back(TakePicture(stage.Window));
   }
   EXPECT_EQ(FindDifference(images[0], images[1]), "");
 }
 
-class PassWork
-  : public OffscreenFixture
-  , public ::testing::WithParamInterface<NamedScene>
-{
-};
+using PassWork = OffscreenFixtureWithParam<NamedScene>;
 
 // Every caster has a verdict for each light, and no mode draws more than one that knows less.
 TEST_P(PassWork, IsLessTheMoreIsKnown)
@@ -284,7 +274,7 @@ TEST_P(PassWork, IsLessTheMoreIsKnown)
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   Tune(pass, &vtkShadowTuning::CountFragments, true);
   std::map<int, long long> fragments;
-  for (const int mode : Modes)
+  for (const int mode : ShadowModes)
   {
     pass->SetMode(mode);
     stage.Window->Render();
@@ -303,8 +293,7 @@ TEST_P(PassWork, IsLessTheMoreIsKnown)
   const long long culled = pass->GetStatistics().Fragments;
   const Picture image = TakePicture(stage.Window);
   pass->SetMode(vtkShadowVolumeClampPass::Scissored);
-  stage.Window->Render();
-  EXPECT_EQ(FindDifferenceInView(stage, image, TakePicture(stage.Window)), "");
+  EXPECT_EQ(FindDifferenceInView(stage, image, RenderPicture(stage)), "");
   EXPECT_GT(unclamped, 0);
   EXPECT_LE(culled, unclamped);
   EXPECT_LE(scissored, culled);
@@ -320,9 +309,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PassWork, ::testing::ValuesIn(GetScenes()),
   [](const auto& info) { return info.param.Name; });
 
 //------------------------------------------------------------------------------------------------
-class PassState : public OffscreenFixture
-{
-};
+using PassState = OffscreenFixture;
 
 // What OpenGL and VTK's record of it are left as is what they are left as without shadows, but for
 // the program of the mapper that drew last, and textures in units that nothing holds.
@@ -331,7 +318,7 @@ TEST_F(PassState, IsThatOfAFrameWithoutShadows)
   for (const char* name : { "ManyLights", "Inset", "MultiSamples" })
   {
     SCOPED_TRACE(name);
-    const Stage stage = SetStage(GetScene(name));
+    const Stage stage = SetNamedStage(name);
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(stage.Window);
     const auto capture = [&]
     {
@@ -351,7 +338,7 @@ TEST_F(PassState, IsThatOfAFrameWithoutShadows)
     {
       pass->SetLightCasts(light, true);
     }
-    for (const int mode : Modes)
+    for (const int mode : ShadowModes)
     {
       SCOPED_TRACE("mode " + std::to_string(mode));
       pass->SetMode(mode);

@@ -12,6 +12,7 @@
 #include "vtkRenderStepsPass.h"
 
 #include <algorithm>
+#include <map>
 
 namespace
 {
@@ -24,13 +25,6 @@ struct CastingLight
 };
 }
 
-std::string FindDifferenceInView(const Stage& stage, const Picture& expected, const Picture& actual)
-{
-  int region[4];
-  stage.GetRenderer()->GetTiledSizeAndOrigin(&region[2], &region[3], &region[0], &region[1]);
-  return FindDifference(expected, actual, region);
-}
-
 vtkSmartPointer<vtkShadowVolumeClampPass> AddPass(const Stage& stage)
 {
   auto pass = vtkSmartPointer<vtkShadowVolumeClampPass>::New();
@@ -41,10 +35,8 @@ vtkSmartPointer<vtkShadowVolumeClampPass> AddPass(const Stage& stage)
 
 std::size_t CountPixels(vtkRenderer* renderer)
 {
-  int size[2];
-  int origin[2];
-  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
-  return static_cast<std::size_t>(size[0]) * size[1];
+  const vtkNBufferRectangle pixels = GetPixels(renderer);
+  return static_cast<std::size_t>(pixels.GetWidth()) * pixels.GetHeight();
 }
 
 std::vector<std::array<double, 2>> GetSamplePlaces(vtkRenderWindow* window)
@@ -85,6 +77,33 @@ ShadowMask GetMask(vtkShadowVolumeClampPass* pass, vtkLight* light, std::size_t 
   return mask;
 }
 
+ShadowMask GetMask(
+  const Stage& stage, vtkShadowVolumeClampPass* pass, std::size_t light, int sample)
+{
+  return GetMask(pass, stage.Lights[light], CountPixels(stage.GetRenderer()), sample);
+}
+
+std::vector<ShadowMask> GetMasks(const Stage& stage, vtkShadowVolumeClampPass* pass)
+{
+  std::vector<ShadowMask> masks;
+  for (std::size_t i = 0; i < stage.Lights.size(); ++i)
+  {
+    masks.push_back(GetMask(stage, pass, i));
+  }
+  return masks;
+}
+
+int CountShadowed(const ShadowMask& mask)
+{
+  return static_cast<int>(std::count(mask.begin(), mask.end(), 255));
+}
+
+Picture RenderPicture(const Stage& stage)
+{
+  stage.Window->Render();
+  return TakePicture(stage.Window);
+}
+
 void ExpectMatchesOracle(const Stage& stage, vtkShadowVolumeClampPass* pass)
 {
   stage.Window->Render();
@@ -93,24 +112,63 @@ void ExpectMatchesOracle(const Stage& stage, vtkShadowVolumeClampPass* pass)
   for (const std::array<double, 2>& place : GetSamplePlaces(stage.Window))
   {
     oracle.SetSample(place[0], place[1]);
-    for (vtkLight* light : stage.Lights)
+    for (std::size_t i = 0; i < stage.Lights.size(); ++i)
     {
-      const ShadowMask mask = GetMask(pass, light, CountPixels(stage.GetRenderer()), sample);
-      EXPECT_TRUE(MatchesOracle(mask, oracle.Cast(OracleLight(light))))
+      const OracleImage rays = oracle.Cast(OracleLight(stage.Lights[i]));
+      EXPECT_TRUE(MatchesOracle(GetMask(stage, pass, i, sample), rays))
         << "sample " << sample << ", " << pass->GetStatistics().GetAsJSON();
     }
     ++sample;
   }
 }
 
+void ExpectAllModesMatchOracle(const Stage& stage, vtkShadowVolumeClampPass* pass)
+{
+  stage.Window->Render();
+  const std::vector<std::array<double, 2>> places = GetSamplePlaces(stage.Window);
+  using Masks = std::map<int, ShadowMask>; // by mode
+  std::vector<Masks> all(places.size() * stage.Lights.size());
+  for (const int mode : ShadowModes)
+  {
+    pass->SetMode(mode);
+    stage.Window->Render();
+    EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
+    EXPECT_EQ(pass->GetStatistics().PixelFrames, 0);
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      const int sample = static_cast<int>(i % places.size());
+      all[i][mode] = GetMask(stage, pass, i / places.size(), sample);
+    }
+  }
+  Oracle oracle(stage.GetRenderer());
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    const std::size_t light = i / places.size();
+    const std::array<double, 2>& place = places[i % places.size()];
+    SCOPED_TRACE(
+      "light " + std::to_string(light) + ", sample " + std::to_string(i % places.size()));
+    oracle.SetSample(place[0], place[1]);
+    const OracleImage rays = oracle.Cast(OracleLight(stage.Lights[light]));
+    for (const auto& [mode, mask] : all[i])
+    {
+      EXPECT_TRUE(MatchesOracle(mask, rays)) << "mode " << mode;
+    }
+    const ShadowMask& unclamped = all[i][vtkShadowVolumeClampPass::Unclamped];
+    const ShadowMask& scissored = all[i][vtkShadowVolumeClampPass::Scissored];
+    int differing = 0;
+    for (std::size_t k = 0; k < rays.Samples.size(); ++k)
+    {
+      differing += IsLitOrShadowed(rays, k) && unclamped[k] != scissored[k];
+    }
+    EXPECT_EQ(differing, 0) << "Scissored differs from Unclamped";
+  }
+}
+
 int ExpectComposedOfDimmed(const Stage& stage, vtkShadowVolumeClampPass* pass)
 {
   vtkRenderer* renderer = stage.GetRenderer();
-  int size[2];
-  int origin[2];
-  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
-  stage.Window->Render();
-  const Picture actual = TakePicture(stage.Window);
+  const vtkNBufferRectangle view = GetPixels(renderer);
+  const Picture actual = RenderPicture(stage);
   std::vector<CastingLight> casting;
   int shadowed = 0;
   for (vtkLight* light : stage.Lights)
@@ -122,14 +180,14 @@ int ExpectComposedOfDimmed(const Stage& stage, vtkShadowVolumeClampPass* pass)
     {
       continue;
     }
-    EXPECT_EQ(width, size[0]);
-    EXPECT_EQ(height, size[1]);
-    const auto full = std::count(mask.begin(), mask.end(), 255);
+    EXPECT_EQ(width, view.GetWidth());
+    EXPECT_EQ(height, view.GetHeight());
+    const int full = CountShadowed(mask);
     if (pass->GetStatistics().Samples == 1)
     {
       EXPECT_EQ(full + std::count(mask.begin(), mask.end(), 0), static_cast<long>(mask.size()));
     }
-    shadowed += static_cast<int>(full);
+    shadowed += full;
     casting.push_back({ light, light->GetIntensity(), std::move(mask) });
   }
 
@@ -149,22 +207,20 @@ int ExpectComposedOfDimmed(const Stage& stage, vtkShadowVolumeClampPass* pass)
   }
   Picture expected = dimmed.front();
   const std::size_t windowWidth = static_cast<std::size_t>(actual.Size[0]);
-  for (int y = 0; y < size[1]; ++y)
+  std::size_t inMask = 0;
+  for (const auto& [x, y] : Pixels(view))
   {
-    for (int x = 0; x < size[0]; ++x)
+    std::size_t dim = 0;
+    bool partly = false;
+    for (std::size_t i = 0; i < casting.size(); ++i)
     {
-      const std::size_t inMask = static_cast<std::size_t>(y) * size[0] + x;
-      std::size_t dim = 0;
-      bool partly = false;
-      for (std::size_t i = 0; i < casting.size(); ++i)
-      {
-        const unsigned char value = casting[i].Mask[inMask];
-        dim |= static_cast<std::size_t>(value != 0) << i;
-        partly = partly || (value > 0 && value < 255);
-      }
-      const std::size_t pixel = (y + origin[1]) * windowWidth + x + origin[0];
-      std::copy_n((partly ? actual : dimmed[dim]).GetColor(pixel), 4, &expected.Colors[4 * pixel]);
+      const unsigned char value = casting[i].Mask[inMask];
+      dim |= static_cast<std::size_t>(value != 0) << i;
+      partly = partly || (value > 0 && value < 255);
     }
+    ++inMask;
+    const std::size_t pixel = y * windowWidth + x;
+    std::copy_n((partly ? actual : dimmed[dim]).GetColor(pixel), 4, &expected.Colors[4 * pixel]);
   }
   EXPECT_EQ(FindDifference(expected, actual), "") << pass->GetStatistics().GetAsJSON();
   return shadowed;

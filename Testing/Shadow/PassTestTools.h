@@ -20,10 +20,9 @@
 #include <string>
 #include <vector>
 
-/// What differs in the stage's renderer alone. What lies outside of it, in a tile of a larger
-/// image, is not drawn at all.
-std::string FindDifferenceInView(
-  const Stage& stage, const Picture& expected, const Picture& actual);
+/// The modes that draw volumes, each in its own way.
+constexpr int ShadowModes[] = { vtkShadowVolumeClampPass::Unclamped,
+  vtkShadowVolumeClampPass::Scissored, vtkShadowVolumeClampPass::Clamped };
 
 /// The pass as the pass of the stage's renderer, with Exact: small scenes are not worth a litmap.
 vtkSmartPointer<vtkShadowVolumeClampPass> AddPass(const Stage& stage);
@@ -36,12 +35,24 @@ std::vector<std::array<double, 2>> GetSamplePlaces(vtkRenderWindow* window);
 /// shadow.
 ShadowMask GetMask(
   vtkShadowVolumeClampPass* pass, vtkLight* light, std::size_t pixels, int sample = -1);
+/// Of a light of the stage.
+ShadowMask GetMask(
+  const Stage& stage, vtkShadowVolumeClampPass* pass, std::size_t light = 0, int sample = -1);
+/// Of all lights.
+std::vector<ShadowMask> GetMasks(const Stage& stage, vtkShadowVolumeClampPass* pass);
+int CountShadowed(const ShadowMask& mask); ///< Wholly: 255.
 
 /// Number of pixels of a renderer.
 std::size_t CountPixels(vtkRenderer* renderer);
 
+/// The image of the next frame.
+Picture RenderPicture(const Stage& stage);
+
 /// Renders and compares the masks of all lights of the scene with rays, sample by sample.
 void ExpectMatchesOracle(const Stage& stage, vtkShadowVolumeClampPass* pass);
+
+/// The same in all modes, and that Scissored has the masks of Unclamped wherever the light reaches.
+void ExpectAllModesMatchOracle(const Stage& stage, vtkShadowVolumeClampPass* pass);
 
 /**
  * Render, and compare each pixel of the image with one of the images without the pass in which

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Windows, renderers and lifetimes.
-#include "OffscreenFixture.h"
 #include "PassTestTools.h"
+#include "ShadowShapes.h"
 
 #include "vtkNBufferCuller.h"
 
@@ -14,7 +14,6 @@
 #include "vtkLightCollection.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
@@ -24,9 +23,7 @@
 #include <functional>
 #include <utility>
 
-class PassWindows : public OffscreenFixture
-{
-};
+using PassWindows = OffscreenFixture;
 
 namespace
 {
@@ -42,32 +39,35 @@ Stage AddRenderer(const Stage& stage, const std::string& scene, const double vie
   return result;
 }
 
-Stage MakeStage(const std::string& scene = "ManyLights")
+/// Two renderers at odd corners and of odd sizes.
+std::array<Stage, 2> SetTwoStages(const std::string& rightScene)
 {
-  return SetStage(GetScene(scene));
-}
-}
-
-// Odd corners and sizes; one pass for each renderer.
-TEST_F(PassWindows, TwoRenderers)
-{
-  Stage left = MakeStage("Directional");
+  Stage left = SetNamedStage("Directional");
   left.Window->SetSize(307, 211);
   left.GetRenderer()->SetViewport(0.05, 0.3, 0.45, 0.95);
   const double viewport[4] = { 0.5, 0.1, 0.97, 0.7 };
-  const Stage right = AddRenderer(left, "Spot", viewport);
-  for (int mode = vtkShadowVolumeClampPass::Unclamped; mode <= vtkShadowVolumeClampPass::Clamped;
-       ++mode)
+  return { left, AddRenderer(left, rightScene, viewport) };
+}
+}
+
+// One pass for each renderer.
+TEST_F(PassWindows, TwoRenderers)
+{
+  const std::array<Stage, 2> stages = SetTwoStages("Spot");
+  for (const int mode : ShadowModes)
   {
     SCOPED_TRACE("mode " + std::to_string(mode));
-    vtkSmartPointer<vtkShadowVolumeClampPass> leftPass = AddPass(left);
-    vtkSmartPointer<vtkShadowVolumeClampPass> rightPass = AddPass(right);
-    leftPass->SetMode(mode);
-    rightPass->SetMode(mode);
-    ExpectMatchesOracle(left, leftPass);
-    ExpectMatchesOracle(right, rightPass);
-    EXPECT_GT(ExpectComposedOfDimmed(left, leftPass), 100);
-    EXPECT_GT(ExpectComposedOfDimmed(right, rightPass), 100);
+    const vtkSmartPointer<vtkShadowVolumeClampPass> passes[2] = { AddPass(stages[0]),
+      AddPass(stages[1]) };
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      passes[i]->SetMode(mode);
+    }
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      ExpectMatchesOracle(stages[i], passes[i]);
+      EXPECT_GT(ExpectComposedOfDimmed(stages[i], passes[i]), 100);
+    }
   }
 }
 
@@ -76,7 +76,7 @@ TEST_F(PassWindows, EyesOfStereo)
 {
   const auto draw = [](int type, bool plainFrameBefore)
   {
-    Stage stage = MakeStage();
+    Stage stage = SetNamedStage("ManyLights");
     stage.Window->SetSize(301, 211);
     stage.GetRenderer()->SetViewport(0.1, 0.0, 0.9, 0.8);
     stage.Window->SetStereoType(type);
@@ -86,15 +86,14 @@ TEST_F(PassWindows, EyesOfStereo)
       stage.Window->Render();
     }
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-    stage.Window->Render();
-    const Picture image = TakePicture(stage.Window);
+    const Picture image = RenderPicture(stage);
     EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
-    for (vtkLight* light : stage.Lights)
+    for (std::size_t i = 0; i < stage.Lights.size(); ++i)
     {
-      const ShadowMask mask = GetMask(pass, light, CountPixels(stage.GetRenderer()));
-      EXPECT_TRUE(MatchesOracle(mask, Oracle(stage.GetRenderer()).Cast(OracleLight(light))));
+      EXPECT_TRUE(
+        MatchesOracle(GetMask(stage, pass, i), Cast(stage.GetRenderer(), stage.Lights[i])));
     }
-    EXPECT_EQ(FindDifference(image, (stage.Window->Render(), TakePicture(stage.Window))), "");
+    EXPECT_EQ(FindDifference(image, RenderPicture(stage)), "");
     return image;
   };
   const Picture left = draw(VTK_STEREO_LEFT, false);
@@ -107,28 +106,22 @@ TEST_F(PassWindows, EyesOfStereo)
 // Renderers of one window that share a pass see their own shadows.
 TEST_F(PassWindows, OnePassForTwoRenderers)
 {
-  Stage left = MakeStage("Directional");
-  left.Window->SetSize(307, 211);
-  left.GetRenderer()->SetViewport(0.05, 0.3, 0.45, 0.95);
-  const double viewport[4] = { 0.5, 0.1, 0.97, 0.7 };
-  const Stage right = AddRenderer(left, "ManyLights", viewport);
-  vtkSmartPointer<vtkShadowVolumeClampPass> leftPass = AddPass(left);
-  vtkSmartPointer<vtkShadowVolumeClampPass> rightPass = AddPass(right);
-  left.Window->Render();
-  const Picture expected = TakePicture(left.Window);
-  vtkSmartPointer<vtkShadowVolumeClampPass> shared = AddPass(left);
+  const auto [left, right] = SetTwoStages("ManyLights");
+  const vtkSmartPointer<vtkShadowVolumeClampPass> leftPass = AddPass(left);
+  const vtkSmartPointer<vtkShadowVolumeClampPass> rightPass = AddPass(right);
+  const Picture expected = RenderPicture(left);
+  const vtkSmartPointer<vtkShadowVolumeClampPass> shared = AddPass(left);
   right.GetRenderer()->SetPass(shared);
   for (int frame = 0; frame < 3; ++frame)
   {
-    left.Window->Render();
-    EXPECT_EQ(FindDifference(expected, TakePicture(left.Window)), "") << "frame " << frame;
+    EXPECT_EQ(FindDifference(expected, RenderPicture(left)), "") << "frame " << frame;
   }
 }
 
 // A pass and actors that wander between windows.
 TEST_F(PassWindows, OnePassForTwoWindows)
 {
-  std::array<Stage, 2> stages = { MakeStage("Directional"), MakeStage("Spot") };
+  std::array<Stage, 2> stages = { SetNamedStage("Directional"), SetNamedStage("Spot") };
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stages[0]);
   stages[1].GetRenderer()->SetPass(pass);
   for (int frame = 0; frame < 2; ++frame)
@@ -150,7 +143,7 @@ TEST_F(PassWindows, OnePassForTwoWindows)
 
 TEST_F(PassWindows, Resizing)
 {
-  Stage stage = MakeStage("Directional");
+  Stage stage = SetNamedStage("Directional");
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   for (const auto& [width, height] : std::initializer_list<std::pair<int, int>>{
          { 200, 150 }, { 97, 203 }, { 333, 55 }, { 1, 1 }, { 201, 151 }, { 2, 120 }, { 64, 64 } })
@@ -165,7 +158,7 @@ TEST_F(PassWindows, Resizing)
 
 TEST_F(PassWindows, MultiSamplesOnAndOff)
 {
-  Stage stage = MakeStage("Spot");
+  Stage stage = SetNamedStage("Spot");
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   for (int samples : { 4, 0, 2, 4 })
   {
@@ -180,26 +173,19 @@ TEST_F(PassWindows, MultiSamplesOnAndOff)
 // there, where Exact leaves out casters, is in no mask.
 TEST_F(PassWindows, MultiSamplesBesideReceivers)
 {
-  const Stage stage = MakeStage("ManyLights");
+  const Stage stage = SetNamedStage("ManyLights");
   stage.GetRenderer()->GetActiveCamera()->Zoom(0.3);
   stage.Window->SetMultiSamples(4);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   pass->SetMode(vtkShadowVolumeClampPass::Unclamped);
-  stage.Window->Render();
-  const Picture expected = TakePicture(stage.Window);
-  std::vector<ShadowMask> masks;
-  for (vtkLight* light : stage.Lights)
-  {
-    masks.push_back(GetMask(pass, light, CountPixels(stage.GetRenderer())));
-  }
+  const Picture expected = RenderPicture(stage);
+  const std::vector<ShadowMask> masks = GetMasks(stage, pass);
   pass->SetMode(vtkShadowVolumeClampPass::Scissored);
-  stage.Window->Render();
-  EXPECT_EQ(FindDifference(expected, TakePicture(stage.Window)), "");
+  EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");
   for (std::size_t i = 0; i < masks.size(); ++i)
   {
-    EXPECT_EQ(
-      std::count(masks[i].begin(), masks[i].end(), 255) > 0, pass->GetLightCasts(stage.Lights[i]));
-    EXPECT_TRUE(GetMask(pass, stage.Lights[i], masks[i].size()) == masks[i]) << "light " << i;
+    EXPECT_EQ(CountShadowed(masks[i]) > 0, pass->GetLightCasts(stage.Lights[i]));
+    EXPECT_TRUE(GetMask(stage, pass, i) == masks[i]) << "light " << i;
   }
 }
 
@@ -209,12 +195,9 @@ TEST_F(PassWindows, CameraInsideAClosedCaster)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(3.0);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(sphere->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  const Stage stage = MakeStage("Directional");
-  stage.GetRenderer()->AddActor(actor);
+  sphere->Update();
+  const Stage stage = SetNamedStage("Directional");
+  ShadowShapes::AddMesh(stage.GetRenderer(), sphere->GetOutput());
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
   camera->SetFocalPoint(0.0, 0.0, 0.0);
@@ -223,13 +206,8 @@ TEST_F(PassWindows, CameraInsideAClosedCaster)
   {
     camera->SetPosition(distance, 0.1 * distance, 0.2 * distance);
     camera->SetClippingRange(nearest, 100.0);
-    for (int mode = vtkShadowVolumeClampPass::Unclamped; mode <= vtkShadowVolumeClampPass::Clamped;
-         ++mode)
-    {
-      SCOPED_TRACE("mode " + std::to_string(mode) + ", distance " + std::to_string(distance));
-      pass->SetMode(mode);
-      ExpectMatchesOracle(stage, pass);
-    }
+    SCOPED_TRACE("distance " + std::to_string(distance));
+    ExpectAllModesMatchOracle(stage, pass);
   }
 }
 
@@ -248,12 +226,8 @@ TEST_F(PassWindows, BufferTextures)
     colors->InsertNextTuple3(255.0, static_cast<double>(i % 256), 0.0);
   }
   data->GetCellData()->SetScalars(colors);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(data);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  const Stage stage = MakeStage("Directional");
-  stage.GetRenderer()->AddActor(actor);
+  const Stage stage = SetNamedStage("Directional");
+  vtkActor* actor = ShadowShapes::AddMesh(stage.GetRenderer(), data);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   for (int frame = 0; frame < 3; ++frame)
   {
@@ -276,32 +250,28 @@ TEST_F(PassWindows, WithTheCuller)
   for (const char* name : { "CityDirectional", "ManyLights" })
   {
     SCOPED_TRACE(name);
-    const Stage stage = MakeStage(name);
+    const Stage stage = SetNamedStage(name);
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     stage.Window->Render();
-    stage.Window->Render();
-    const Picture expected = TakePicture(stage.Window);
+    const Picture expected = RenderPicture(stage);
     vtkNew<vtkNBufferCuller> culler;
     stage.GetRenderer()->AddCuller(culler);
     for (int frame = 0; frame < 3; ++frame)
     {
       SCOPED_TRACE("frame " + std::to_string(frame));
       stage.GetRenderer()->GetActiveCamera()->Modified();
-      stage.Window->Render();
-      EXPECT_EQ(FindDifference(expected, TakePicture(stage.Window)), "");
+      EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");
       ExpectMatchesOracle(stage, pass);
     }
   }
 }
 
 //------------------------------------------------------------------------------------------------
-class PassLifetime : public OffscreenFixture
-{
-};
+using PassLifetime = OffscreenFixture;
 
 TEST_F(PassLifetime, PassBeforeWindow)
 {
-  const Stage stage = MakeStage();
+  const Stage stage = SetNamedStage("ManyLights");
   {
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     stage.Window->Render();
@@ -316,11 +286,11 @@ TEST_F(PassLifetime, WindowBeforePass)
   std::array<ShadowMask, 2> masks;
   for (ShadowMask& mask : masks)
   {
-    const Stage stage = MakeStage();
+    const Stage stage = SetNamedStage("ManyLights");
     pass = pass ? pass : AddPass(stage);
     stage.GetRenderer()->SetPass(pass);
     stage.Window->Render();
-    mask = GetMask(pass, stage.Lights[0], CountPixels(stage.GetRenderer()));
+    mask = GetMask(stage, pass);
   }
   EXPECT_TRUE(masks[0] == masks[1]);
   EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
@@ -342,10 +312,9 @@ TEST_F(PassLifetime, NeverRendered)
 // Hazard: objects of a context that is gone.
 TEST_F(PassLifetime, ReleasedAndDrawnAgain)
 {
-  const Stage stage = MakeStage();
+  const Stage stage = SetNamedStage("ManyLights");
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-  stage.Window->Render();
-  const Picture expected = TakePicture(stage.Window);
+  const Picture expected = RenderPicture(stage);
   const std::function<void()> releases[] = { [&] { pass->ReleaseGraphicsResources(stage.Window); },
     [&] { stage.GetRenderer()->ReleaseGraphicsResources(stage.Window); },
     [&] { stage.Window->Finalize(); },
@@ -358,8 +327,7 @@ TEST_F(PassLifetime, ReleasedAndDrawnAgain)
   for (const std::function<void()>& release : releases)
   {
     release();
-    stage.Window->Render();
-    EXPECT_EQ(FindDifference(expected, TakePicture(stage.Window)), "");
+    EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");
     EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
     EXPECT_GT(ExpectComposedOfDimmed(stage, pass), 100);
   }

@@ -9,7 +9,6 @@
 #include "vtkIdList.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
@@ -166,7 +165,7 @@ void ReverseProps(vtkRenderer* renderer)
   }
 }
 
-void Move(vtkRenderer* renderer, const double offset[3])
+void Move(vtkRenderer* renderer, const glm::dvec3& offset)
 {
   for (vtkProp3D* prop : GetProps(renderer))
   {
@@ -185,25 +184,32 @@ void Move(vtkRenderer* renderer, const double offset[3])
     vtkPlaneCollection* planes = actor ? actor->GetMapper()->GetClippingPlanes() : nullptr;
     for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
     {
-      double origin[3];
-      vtkMath::Add(planes->GetItem(i)->GetOrigin(), offset, origin);
-      planes->GetItem(i)->SetOrigin(origin);
+      vtkPlane* plane = planes->GetItem(i);
+      const glm::dvec3 origin = vtkNBufferGLM::ToVector(plane->GetOrigin()) + offset;
+      plane->SetOrigin(origin.x, origin.y, origin.z);
     }
   }
-  double place[3];
+  const auto moveView = [&offset](auto* view)
+  {
+    const glm::dvec3 position = vtkNBufferGLM::ToVector(view->GetPosition()) + offset;
+    view->SetPosition(position.x, position.y, position.z);
+    const glm::dvec3 focalPoint = vtkNBufferGLM::ToVector(view->GetFocalPoint()) + offset;
+    view->SetFocalPoint(focalPoint.x, focalPoint.y, focalPoint.z);
+  };
   vtkCollectionSimpleIterator cookie;
   renderer->GetLights()->InitTraversal(cookie);
   while (vtkLight* light = renderer->GetLights()->GetNextLight(cookie))
   {
-    vtkMath::Add(light->GetPosition(), offset, place);
-    light->SetPosition(place);
-    vtkMath::Add(light->GetFocalPoint(), offset, place);
-    light->SetFocalPoint(place);
+    moveView(light);
   }
-  vtkCamera* camera = renderer->GetActiveCamera();
-  vtkMath::Add(camera->GetPosition(), offset, place);
-  camera->SetPosition(place);
-  vtkMath::Add(camera->GetFocalPoint(), offset, place);
-  camera->SetFocalPoint(place);
+  moveView(renderer->GetActiveCamera());
+}
+
+std::vector<Change> GetChanges()
+{
+  return { { "windings", FlipWindings }, { "points", UnsharePoints }, { "actors", SplitActors },
+    { "order", ReverseProps }, { "place", [](vtkRenderer* renderer) {
+                                  Move(renderer, { 12.0, -7.0, 3.0 });
+                                } } };
 }
 }

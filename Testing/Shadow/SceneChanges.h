@@ -8,6 +8,11 @@
 #ifndef SceneChanges_h
 #define SceneChanges_h
 
+#include "vtkNBufferGLM.h"
+
+#include <functional>
+#include <vector>
+
 class vtkRenderer;
 
 namespace SceneChanges
@@ -26,7 +31,16 @@ void SplitActors(vtkRenderer* renderer);
 void ReverseProps(vtkRenderer* renderer);
 
 /// Move props, lights, camera and clipping planes of actors.
-void Move(vtkRenderer* renderer, const double offset[3]);
+void Move(vtkRenderer* renderer, const glm::dvec3& offset);
+
+struct Change
+{
+  const char* Name;
+  std::function<void(vtkRenderer*)> Make;
+};
+
+/// All of them; the last one moves by a few units.
+std::vector<Change> GetChanges();
 }
 
 #endif

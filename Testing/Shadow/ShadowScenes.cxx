@@ -3,8 +3,9 @@
 #include "ShadowScenes.h"
 
 #include "Fill.h"
-#include "NamedScenarios.h"
 
+#include <algorithm>
+#include <iterator>
 #include <ostream>
 #include <stdexcept>
 
@@ -13,22 +14,23 @@ namespace
 std::vector<NamedScene> MakeScenes(const std::vector<TestScene::NamedScenario>& scenarios)
 {
   std::vector<NamedScene> scenes;
-  for (const TestScene::NamedScenario& named : scenarios)
-  {
-    const TestScene::Window& window = named.Scenario.Window;
-    scenes.push_back({ named.Name,
-      [named](vtkRenderer* renderer)
-      {
-        TestScene::Fill(renderer, named.Scenario);
-        if (named.Finish)
-        {
-          named.Finish(renderer);
-        }
-      },
-      window.Width, window.Height, window.MultiSamples });
-  }
+  std::transform(scenarios.begin(), scenarios.end(), std::back_inserter(scenes), MakeScene);
   return scenes;
 }
+}
+
+NamedScene MakeScene(const TestScene::NamedScenario& named)
+{
+  const TestScene::Window& window = named.Scenario.Window;
+  const auto build = [named](vtkRenderer* renderer)
+  {
+    TestScene::Fill(renderer, named.Scenario);
+    if (named.Finish)
+    {
+      named.Finish(renderer);
+    }
+  };
+  return { named.Name, build, window.Width, window.Height, window.MultiSamples };
 }
 
 void PrintTo(const NamedScene& scene, std::ostream* stream)

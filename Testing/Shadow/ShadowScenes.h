@@ -16,6 +16,8 @@
 #ifndef ShadowScenes_h
 #define ShadowScenes_h
 
+#include "NamedScenarios.h"
+
 #include <functional>
 #include <iosfwd>
 #include <string>
@@ -39,6 +41,9 @@ void PrintTo(const NamedScene& scene, std::ostream* stream);
 
 /// All of them.
 std::vector<NamedScene> GetScenes();
+
+/// Of a scenario with one renderer.
+NamedScene MakeScene(const TestScene::NamedScenario& named);
 
 /// By name; throws std::out_of_range.
 NamedScene GetScene(const std::string& name);

@@ -24,43 +24,27 @@
 #include "vtkStripper.h"
 #include "vtkTriangleFilter.h"
 
-#include <cmath>
 #include <limits>
 
 using namespace ShadowShapes;
 
 namespace
 {
-/// What the casters of this file stand on or float above, with a light from above.
-void Prepare(vtkRenderer* renderer)
-{
-  AddFloor(renderer, 5.0);
-  AddDirectional(renderer, { 0.6, 0.35, -0.7 });
-}
-
-void LookAtCasters(vtkRenderer* renderer)
-{
-  Look(renderer, { 3.0, -6.0, 4.0 }, { 0.4, 0.2, 0.5 });
-}
-
 /// One triangle of a sphere has a point that is no number.
 void NotANumber(vtkRenderer* renderer)
 {
-  Prepare(renderer);
-  AddSphere(renderer, { 0.0, 0.0, 1.0 }, 0.7);
+  AddMesh(renderer, MakeGlobe({ 0.0, 0.0, 1.0 }, 0.7, 16));
   vtkSmartPointer<vtkPolyData> mesh = MakeBox({ 0.8, -0.8, 0.5 }, { 0.5, 0.5, 0.5 });
   const double nan = std::numeric_limits<double>::quiet_NaN();
   mesh->GetPoints()->SetPoint(5, nan, nan, nan);
   // Bounds as they are without that point.
   vtkActor* actor = AddMesh(renderer, mesh);
   actor->UseBoundsOff();
-  LookAtCasters(renderer);
 }
 
 /// Points repeated at the seams, and for every face where normals differ.
 void RepeatedPoints(vtkRenderer* renderer)
 {
-  Prepare(renderer);
   vtkNew<vtkCylinderSource> cylinder;
   cylinder->SetCenter(-0.8, 0.0, 1.0);
   cylinder->SetResolution(9);
@@ -70,14 +54,12 @@ void RepeatedPoints(vtkRenderer* renderer)
   normals->SplittingOn();
   normals->Update();
   AddMesh(renderer, normals->GetOutput());
-  AddSphere(renderer, { 0.8, 0.3, 0.8 }, 0.6);
-  LookAtCasters(renderer);
+  AddMesh(renderer, MakeGlobe({ 0.8, 0.3, 0.8 }, 0.6, 16));
 }
 
 /// Quads whose corners are in no plane, strips, and polygons of many corners.
 void QuadsStripsPolygons(vtkRenderer* renderer)
 {
-  Prepare(renderer);
   AddMesh(renderer,
     MakeMesh({ { -1.5, -1.0, 1.4 }, { -0.5, -1.0, 0.6 }, { 0.5, -1.0, 1.4 }, { -1.5, 0.2, 0.6 },
                { -0.5, 0.2, 1.4 }, { 0.5, 0.2, 0.6 } },
@@ -94,12 +76,10 @@ void QuadsStripsPolygons(vtkRenderer* renderer)
   cylinder->SetResolution(7);
   cylinder->Update();
   AddMesh(renderer, cylinder->GetOutput());
-  LookAtCasters(renderer);
 }
 
 void HalfSphere(vtkRenderer* renderer)
 {
-  Prepare(renderer);
   for (const double x : { -0.8, 0.8 })
   {
     vtkNew<vtkSphereSource> source;
@@ -112,15 +92,13 @@ void HalfSphere(vtkRenderer* renderer)
     actor->SetPosition(x, 0.0, 1.0);
     actor->RotateX(x < 0.0 ? 200.0 : -30.0);
   }
-  LookAtCasters(renderer);
 }
 
 void Assembly(vtkRenderer* renderer)
 {
-  Prepare(renderer);
-  vtkActor* box = AddShape(renderer, ShapeKind::Box, { 0.0, 0.0, 0.0 }, { 0.8, 0.8, 0.8 });
-  vtkActor* sphere = AddSphere(renderer, { 0.0, 0.0, 0.9 }, 0.4);
-  vtkActor* hidden = AddSphere(renderer, { 1.5, 0.0, 0.9 }, 0.4);
+  vtkActor* box = AddMesh(renderer, MakeBox({ 0.0, 0.0, 0.0 }, { 0.8, 0.8, 0.8 }, VTK_DOUBLE));
+  vtkActor* sphere = AddMesh(renderer, MakeGlobe({ 0.0, 0.0, 0.9 }, 0.4, 16));
+  vtkActor* hidden = AddMesh(renderer, MakeGlobe({ 1.5, 0.0, 0.9 }, 0.4, 16));
   hidden->VisibilityOff();
   vtkNew<vtkAssembly> inner;
   vtkNew<vtkAssembly> outer;
@@ -136,13 +114,11 @@ void Assembly(vtkRenderer* renderer)
     renderer->RemoveActor(actor);
   }
   renderer->AddActor(outer);
-  LookAtCasters(renderer);
 }
 
 /// Blocks within blocks, one of them hidden.
 void Composite(vtkRenderer* renderer)
 {
-  Prepare(renderer);
   vtkNew<vtkMultiBlockDataSet> inner;
   inner->SetBlock(0, MakeBox({ 0.6, 0.0, 0.8 }, { 0.5, 0.5, 0.5 }));
   inner->SetBlock(1, MakeBox({ 0.6, 1.0, 0.8 }, { 0.5, 0.5, 0.5 }));
@@ -157,16 +133,17 @@ void Composite(vtkRenderer* renderer)
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   renderer->AddActor(actor);
-  LookAtCasters(renderer);
 }
 
 /// The second prop is the box whose points move under the actor.
 void ChangingData(vtkRenderer* renderer)
 {
-  Prepare(renderer);
-  AddShape(renderer, ShapeKind::SharedBox, { -0.5, 0.0, 0.8 }, { 0.8, 0.8, 0.8 });
-  AddSphere(renderer, { 1.0, 0.5, 0.6 }, 0.5);
-  LookAtCasters(renderer);
+  SceneBuilder scene;
+  scene.UsesDoubles = true;
+  AddMesh(renderer,
+    TestScene::MakeShape(
+      scene.Add(TestScene::ShapeKind::SharedBox, { -0.5, 0.0, 0.8 }, { 0.8, 0.8, 0.8 }).Shape));
+  AddMesh(renderer, MakeGlobe({ 1.0, 0.5, 0.6 }, 0.5, 16));
 }
 
 void ChangeData(vtkRenderer* renderer)
@@ -175,8 +152,7 @@ void ChangeData(vtkRenderer* renderer)
   auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
-    double x[3];
-    mesh->GetPoint(i, x);
+    const Point x = vtkNBufferGLM::ToVector(mesh->GetPoint(i));
     mesh->GetPoints()->SetPoint(i, x[0] + 0.7 * x[2], x[1] - 0.5, x[2] + 0.2);
   }
   mesh->GetPoints()->Modified();
@@ -186,16 +162,14 @@ void ChangeData(vtkRenderer* renderer)
 /// Not to be seen, hence no casters: an actor, and an assembly whose part is switched on.
 void HiddenActor(vtkRenderer* renderer)
 {
-  Prepare(renderer);
-  AddShape(renderer, ShapeKind::Box, { 0.5, 0.5, 0.3 }, { 0.6, 0.6, 0.6 });
-  AddSphere(renderer, { -0.5, 0.0, 1.0 }, 0.6)->VisibilityOff();
-  vtkActor* part = AddSphere(renderer, { 0.8, -0.8, 1.0 }, 0.4);
+  AddMesh(renderer, MakeBox({ 0.5, 0.5, 0.3 }, { 0.6, 0.6, 0.6 }, VTK_DOUBLE));
+  AddMesh(renderer, MakeGlobe({ -0.5, 0.0, 1.0 }, 0.6, 16))->VisibilityOff();
+  vtkActor* part = AddMesh(renderer, MakeGlobe({ 0.8, -0.8, 1.0 }, 0.4, 16));
   vtkNew<vtkAssembly> assembly;
   assembly->AddPart(part);
   assembly->VisibilityOff();
   renderer->RemoveActor(part);
   renderer->AddActor(assembly);
-  LookAtCasters(renderer);
 }
 }
 
@@ -203,17 +177,32 @@ namespace ShadowScenes
 {
 std::vector<NamedScene> GetHandmadeScenes()
 {
-  NamedScene changing = { "ChangingData", ChangingData };
-  changing.Change = ChangeData;
+  using Add = std::function<void(vtkRenderer*)>;
+  // What the casters stand on or float above, with a light from above.
+  const auto make = [](const char* name, const Add& add, const Add& change = {})
+  {
+    const auto build = [add](vtkRenderer* renderer)
+    {
+      Fill(renderer,
+        [](SceneBuilder& scene)
+        {
+          scene.Floor(5.0);
+          scene.Directional({ 0.6, 0.35, -0.7 });
+        });
+      add(renderer);
+      Look(renderer, { 3.0, -6.0, 4.0 }, { 0.4, 0.2, 0.5 });
+    };
+    return NamedScene{ name, build, 200, 150, 0, change };
+  };
   return {
-    { "NotANumber", NotANumber },
-    { "RepeatedPoints", RepeatedPoints },
-    { "QuadsStripsPolygons", QuadsStripsPolygons },
-    { "HalfSphere", HalfSphere },
-    { "Assembly", Assembly },
-    { "Composite", Composite },
-    changing,
-    { "HiddenActor", HiddenActor },
+    make("NotANumber", NotANumber),
+    make("RepeatedPoints", RepeatedPoints),
+    make("QuadsStripsPolygons", QuadsStripsPolygons),
+    make("HalfSphere", HalfSphere),
+    make("Assembly", Assembly),
+    make("Composite", Composite),
+    make("ChangingData", ChangingData, ChangeData),
+    make("HiddenActor", HiddenActor),
   };
 }
 }

@@ -3,25 +3,32 @@
 #include "ShadowShapes.h"
 
 #include "Fill.h"
-#include "LightRig.h"
-#include "SceneBuilder.h"
+#include "NamedScenarios.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
-#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+
+#include <algorithm>
 
 namespace ShadowShapes
 {
 vtkSmartPointer<vtkPolyData> MakeMesh(
   const std::vector<Point>& points, const std::vector<Polygon>& polygons)
 {
-  TestScene::SceneBuilder scene;
+  SceneBuilder scene;
   scene.UsesDoubles = true;
   return TestScene::MakeShape(scene.Mesh(points, polygons).Shape);
+}
+
+vtkSmartPointer<vtkPolyData> MakeGlobe(const Point& centre, double radius, int resolution)
+{
+  SceneBuilder scene;
+  scene.UsesDoubles = true;
+  return TestScene::MakeShape(scene.Sphere(centre, radius, resolution).Shape);
 }
 
 vtkActor* AddMesh(vtkRenderer* renderer, vtkPolyData* mesh)
@@ -37,78 +44,27 @@ vtkActor* AddMesh(vtkRenderer* renderer, vtkPolyData* mesh)
   return actor;
 }
 
-namespace
+void Fill(vtkRenderer* renderer, const std::function<void(SceneBuilder&)>& build)
 {
-vtkSmartPointer<vtkPolyData> MakeMesh(
-  ShapeKind kind, const Point& centre, const Point& size, int detail)
-{
-  TestScene::SceneBuilder scene;
-  scene.UsesDoubles = true;
-  return TestScene::MakeShape(scene.Add(kind, centre, size, detail).Shape);
-}
+  TestScene::Scenario scenario = TestScene::MakeShadowScenario("", build).Scenario;
+  std::copy_n(renderer->GetViewport(), 4, scenario.Renderers[0].Viewport.begin());
+  TestScene::Fill(renderer, scenario);
 }
 
-vtkSmartPointer<vtkPolyData> MakeGlobe(const Point& centre, double radius, int resolution)
+void Look(vtkRenderer* renderer, const Point& eye, const Point& focalPoint)
 {
-  return MakeMesh(ShapeKind::Globe, centre, Point(2.0 * radius), resolution);
+  TestScene::SetView(renderer, SceneBuilder().Look(eye, focalPoint));
 }
 
-vtkActor* AddShape(vtkRenderer* renderer, TestScene::ShapeKind kind, const Point& centre,
-  const Point& size, int detail)
+TestScene::Prop& AddSheet(SceneBuilder& scene, const Point& corner, const Point& u, const Point& v)
 {
-  return AddMesh(renderer, MakeMesh(kind, centre, size, detail));
+  return scene.Mesh({ corner, corner + u, corner + u + v, corner + v }, { { 0, 1, 2, 3 } });
 }
 
-vtkActor* AddSphere(vtkRenderer* renderer, const Point& centre, double radius, int resolution)
+void LookParallel(SceneBuilder& scene, const Point& eye, const Point& focalPoint, double scale)
 {
-  return AddShape(renderer, ShapeKind::Globe, centre, Point(2.0 * radius), resolution);
-}
-
-vtkActor* AddFloor(vtkRenderer* renderer, double halfSize, double z)
-{
-  return AddMesh(renderer,
-    MakeMesh({ { -halfSize, -halfSize, z }, { halfSize, -halfSize, z }, { halfSize, halfSize, z },
-               { -halfSize, halfSize, z } },
-      { { 0, 1, 2, 3 } }));
-}
-
-namespace
-{
-vtkLight* AddMade(vtkRenderer* renderer, const TestScene::Light& light)
-{
-  vtkSmartPointer<vtkLight> made = TestScene::MakeLight(light);
-  renderer->AddLight(made);
-  return made;
-}
-}
-
-vtkLight* AddDirectional(vtkRenderer* renderer, const Point& direction)
-{
-  return AddMade(renderer, TestScene::SceneBuilder().Directional(direction));
-}
-
-vtkLight* AddSpot(
-  vtkRenderer* renderer, const Point& position, const Point& focalPoint, double cone)
-{
-  return AddMade(renderer, TestScene::SceneBuilder().Spot(position, focalPoint, cone));
-}
-
-vtkLight* AddPoint(vtkRenderer* renderer, const Point& position)
-{
-  return AddMade(renderer, TestScene::SceneBuilder().PointLight(position));
-}
-
-void Look(vtkRenderer* renderer, const Point& eye, const Point& focalPoint, double viewAngle)
-{
-  TestScene::SetView(renderer, TestScene::SceneBuilder().Look(eye, focalPoint, viewAngle));
-}
-
-void LookParallel(vtkRenderer* renderer, const Point& eye, const Point& focalPoint, double scale)
-{
-  TestScene::SceneBuilder scene;
   TestScene::View& view = scene.Look(eye, focalPoint);
   view.Parallel = true;
   view.ParallelScale = scale;
-  TestScene::SetView(renderer, view);
 }
 }

@@ -2,24 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShadowShapes.h
- * @brief Meshes, lights and cameras of the shadow scenes. The world's z axis points up.
+ * @brief Meshes of VTK's in scenes that are described by scenarios otherwise.
  */
 #ifndef ShadowShapes_h
 #define ShadowShapes_h
 
+#include "SceneBuilder.h"
 #include "Shapes.h"
 
+#include <functional>
 #include <vector>
 
 class vtkActor;
-class vtkLight;
 class vtkRenderer;
 
 namespace ShadowShapes
 {
 using Point = glm::dvec3;
 using TestScene::MakeBox;
-using TestScene::ShapeKind;
+using TestScene::SceneBuilder;
 using Polygon = std::vector<int>;
 
 /// Points are stored in double precision.
@@ -29,27 +30,21 @@ vtkSmartPointer<vtkPolyData> MakeMesh(
 /// VTK's sphere source: one point at each pole, one seam.
 vtkSmartPointer<vtkPolyData> MakeGlobe(const Point& centre, double radius, int resolution);
 
-/// Actors with surfaces of a colour that follows from their number in the renderer.
+/// An actor with surfaces of a colour that follows from its number in the renderer, as those of
+/// scenarios.
 vtkActor* AddMesh(vtkRenderer* renderer, vtkPolyData* mesh);
-vtkActor* AddShape(vtkRenderer* renderer, TestScene::ShapeKind kind, const Point& centre,
-  const Point& size, int detail = 1);
-vtkActor* AddSphere(vtkRenderer* renderer, const Point& centre, double radius, int resolution = 16);
 
-/// The square [-halfSize, halfSize]^2 at height z, one quad.
-vtkActor* AddFloor(vtkRenderer* renderer, double halfSize, double z = 0.0);
+/// Add to a renderer what is described; its viewport stays.
+void Fill(vtkRenderer* renderer, const std::function<void(SceneBuilder&)>& build);
 
-vtkLight* AddDirectional(vtkRenderer* renderer, const Point& direction);
-/// `cone` is VTK's cone angle: from the axis to the cone's surface, degrees.
-vtkLight* AddSpot(
-  vtkRenderer* renderer, const Point& position, const Point& focalPoint, double cone);
-vtkLight* AddPoint(vtkRenderer* renderer, const Point& position);
+/// The renderer's camera as SceneBuilder::Look() has it.
+void Look(vtkRenderer* renderer, const Point& eye, const Point& focalPoint);
 
-/// Camera with z up (y up if it looks straight down), clipping range from the scene.
-void Look(
-  vtkRenderer* renderer, const Point& eye, const Point& focalPoint, double viewAngle = 40.0);
+/// The parallelogram at a corner with these two sides, one quad.
+TestScene::Prop& AddSheet(SceneBuilder& scene, const Point& corner, const Point& u, const Point& v);
 
-/// The same with parallel projection; `scale` is half the height of the view.
-void LookParallel(vtkRenderer* renderer, const Point& eye, const Point& focalPoint, double scale);
+/// Parallel projection; `scale` is half the height of the view.
+void LookParallel(SceneBuilder& scene, const Point& eye, const Point& focalPoint, double scale);
 }
 
 #endif

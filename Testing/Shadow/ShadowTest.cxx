@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShadowTest.h"
 
+#include "vtkActorCollection.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+
+#include <algorithm>
 
 Stage SetStage(const NamedScene& scene)
 {
@@ -17,6 +20,42 @@ Stage SetStage(const NamedScene& scene)
     stage.Lights.push_back(light);
   }
   return stage;
+}
+
+Stage SetStage(const std::function<void(TestScene::SceneBuilder&)>& build, int width, int height,
+  int multiSamples)
+{
+  return SetStage(MakeScene(TestScene::MakeShadowScenario("", build, width, height, multiSamples)));
+}
+
+Stage SetNamedStage(const std::string& name)
+{
+  return SetStage(GetScene(name));
+}
+
+vtkNBufferRectangle GetPixels(vtkRenderer* renderer)
+{
+  int width;
+  int height;
+  vtkNBufferRectangle pixels;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &pixels.X0, &pixels.Y0);
+  pixels.X1 = pixels.X0 + width;
+  pixels.Y1 = pixels.Y0 + height;
+  return pixels;
+}
+
+std::vector<vtkActor*> GetActors(vtkRenderer* renderer)
+{
+  // Every call of vtkRenderer::GetActors() fills the collection anew.
+  std::vector<vtkActor*> result;
+  vtkActorCollection* actors = renderer->GetActors();
+  vtkCollectionSimpleIterator cookie;
+  actors->InitTraversal(cookie);
+  while (vtkActor* actor = actors->GetNextActor(cookie))
+  {
+    result.push_back(actor);
+  }
+  return result;
 }
 
 std::ostream& operator<<(std::ostream& stream, const MaskComparison& comparison)
@@ -37,12 +76,11 @@ MaskComparison CompareMask(const ShadowMask& mask, const OracleImage& oracle)
   MaskComparison result;
   for (std::size_t i = 0; i < oracle.Samples.size(); ++i)
   {
-    const OracleSample sample = oracle.Samples[i];
-    if (sample != OracleSample::Lit && sample != OracleSample::Shadowed)
+    if (!IsLitOrShadowed(oracle, i))
     {
       continue;
     }
-    const bool shadowed = sample == OracleSample::Shadowed;
+    const bool shadowed = oracle.Samples[i] == OracleSample::Shadowed;
     ++result.Samples;
     result.Shadowed += shadowed;
     if ((mask.at(i) != 0) == shadowed)
@@ -65,13 +103,16 @@ MaskComparison CompareMask(const ShadowMask& mask, const OracleImage& oracle)
 
 ShadowMask MakeMask(const OracleImage& oracle)
 {
-  ShadowMask mask;
-  mask.reserve(oracle.Samples.size());
-  for (const OracleSample sample : oracle.Samples)
-  {
-    mask.push_back(sample == OracleSample::Shadowed);
-  }
+  ShadowMask mask(oracle.Samples.size());
+  std::transform(oracle.Samples.begin(), oracle.Samples.end(), mask.begin(),
+    [](OracleSample sample) { return sample == OracleSample::Shadowed; });
   return mask;
+}
+
+bool IsLitOrShadowed(const OracleImage& oracle, std::size_t pixel)
+{
+  return oracle.Samples[pixel] == OracleSample::Lit ||
+    oracle.Samples[pixel] == OracleSample::Shadowed;
 }
 
 ::testing::AssertionResult MatchesOracle(const ShadowMask& mask, const OracleImage& oracle)

@@ -8,12 +8,15 @@
 #define ShadowTest_h
 
 #include "Judge.h"
+#include "OffscreenFixture.h"
+#include "Pixels.h"
 #include "RayOracle.h"
 #include "ShadowScenes.h"
 
 #include <gtest/gtest.h>
 
 #include <ostream>
+#include <string>
 #include <vector>
 
 using TestScene::FindDifference;
@@ -23,6 +26,17 @@ using TestScene::TakePicture;
 
 /// A scene in a window of its size that has not rendered yet, with the scene's lights.
 Stage SetStage(const NamedScene& scene);
+/// A scene as scenarios describe it; points are stored in double precision.
+Stage SetStage(const std::function<void(TestScene::SceneBuilder&)>& build, int width = 200,
+  int height = 150, int multiSamples = 0);
+/// A scene of GetScenes().
+Stage SetNamedStage(const std::string& name);
+
+/// The pixels of the window that the renderer fills.
+vtkNBufferRectangle GetPixels(vtkRenderer* renderer);
+
+/// The actors of a renderer and those of its assemblies, in the order in which they were added.
+std::vector<vtkActor*> GetActors(vtkRenderer* renderer);
 
 /// A mask: one value for each pixel of the viewport, row by row, the lowest first; not 0: shadowed.
 using ShadowMask = std::vector<unsigned char>;
@@ -46,5 +60,8 @@ ShadowMask MakeMask(const OracleImage& oracle);
 
 /// For EXPECT_TRUE: no sample is wrong. Says how many are and where, else the counts.
 ::testing::AssertionResult MatchesOracle(const ShadowMask& mask, const OracleImage& oracle);
+
+/// Lit or in shadow: what masks are compared for.
+bool IsLitOrShadowed(const OracleImage& oracle, std::size_t pixel);
 
 #endif

@@ -8,8 +8,7 @@
 #define StudyImage_h
 
 #include "../Support/DepthImage.h"
-
-#include "vtkNBufferMath.h"
+#include "../Support/Pixels.h"
 
 #include <algorithm>
 #include <random>

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All contenders on a frame whose answers are known: a wall with a hole in it.
 #include "Contest.h"
+#include "DepthFormats.h"
+#include "Pixels.h"
 #include "StudyView.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+#include <tuple>
 
 namespace
 {
@@ -16,6 +20,13 @@ constexpr int Width = 301;
 constexpr int Height = 203;
 constexpr double Wall = 50.0;
 
+void PutBox(DepthFrame& frame, const std::array<double, 6>& bounds, bool visible)
+{
+  const ProjectedBox placed(frame.Projection, bounds);
+  EXPECT_TRUE(placed.IsInside());
+  frame.Boxes.push_back({ placed.Box, placed.Screen, visible });
+}
+
 /// A wall at a distance of 50, open to the right of the middle, and props behind and before it.
 DepthFrame MakeFrame()
 {
@@ -24,27 +35,16 @@ DepthFrame MakeFrame()
   frame.Height = Height;
   frame.Projection = StudyTest::LookAlongY(Width, Height);
   frame.Depth.assign(static_cast<std::size_t>(Width) * Height, 1.0f);
-  for (int y = 0; y < Height; ++y)
+  for (const auto& [x, y] : Pixels(Width / 2, Height))
   {
-    for (int x = 0; x < Width / 2; ++x)
-    {
-      frame.Depth[static_cast<std::size_t>(y) * Width + x] = StudyTest::GetDepth(Wall);
-    }
+    frame.Depth[static_cast<std::size_t>(y) * Width + x] = StudyTest::GetDepth(Wall);
   }
-  const auto add = [&frame](double x, double y, bool visible)
+  const std::tuple<double, double, bool> boxes[] = { { -60.0, 70.0, false }, { -50.0, 90.0, false },
+    { -30.0, 40.0, true }, { 20.0, 70.0, true }, { -2.0, 70.0, true } };
+  for (const auto& [x, y, visible] : boxes)
   {
-    const double bounds[6] = { x, x + 4.0, y, y + 1.0, -2.0, 2.0 };
-    DepthBox box;
-    box.Box = vtkNBufferBox::FromBounds(bounds);
-    box.Visible = visible;
-    ASSERT_EQ(frame.Projection.Project(box.Box, box.Screen), vtkNBufferPlacement::Inside);
-    frame.Boxes.push_back(box);
-  };
-  add(-60.0, 70.0, false);
-  add(-50.0, 90.0, false);
-  add(-30.0, 40.0, true);
-  add(20.0, 70.0, true);
-  add(-2.0, 70.0, true);
+    PutBox(frame, { x, x + 4.0, y, y + 1.0, -2.0, 2.0 }, visible);
+  }
   return frame;
 }
 
@@ -84,5 +84,59 @@ TEST(StudyContest, WhatIsHiddenForAllAndForNone)
 TEST(StudyContest, WhatIsTooLargeIsLeftOut)
 {
   EXPECT_LT(MakeContenders(1024, 1024, 20.0).size(), MakeContenders(1024, 1024, 1000.0).size());
+}
+
+//------------------------------------------------------------------------------------------------
+// Formats of depth: what is visible stays so in all of them, and distances survive.
+
+/// Everything at one distance, and boxes well before and well behind it.
+DepthFrame MakeEvenFrame()
+{
+  DepthFrame frame;
+  frame.Width = 120;
+  frame.Height = 90;
+  frame.Projection = StudyTest::LookAlongY(120, 90);
+  frame.Depth.assign(120 * 90, StudyTest::GetDepth(100.0));
+  for (double y : { 60.0, 99.0, 101.0, 200.0 })
+  {
+    PutBox(frame, { 0.0, 5.0, y, y + 0.5, 0.0, 5.0 }, y < 100.0);
+  }
+  return frame;
+}
+
+TEST(StudyFormats, NothingVisibleIsHiddenByRounding)
+{
+  const DepthFrame frame = MakeEvenFrame();
+  for (double near : { 1.0, 0.1, 1e-3, 1e-5 })
+  {
+    for (const DepthFormat& format : GetDepthFormats())
+    {
+      std::vector<DepthFrame> frames = { Convert(frame, 1.0, 1000.0, near, format) };
+      EXPECT_EQ(frames.front().Boxes.size(), frame.Boxes.size());
+      std::vector<ContenderPointer> contenders;
+      contenders.push_back(MakeFamilyContender(DepthFamily(), 1));
+      const ContestResult result = RunContest(frames, contenders, 1, nullptr).front();
+      EXPECT_EQ(result.FalseHidden, 0) << format.Name << ", near " << near;
+      EXPECT_TRUE(result.FalseVisible == 0 || near != 1.0 || format.Bits == 16) << format.Name;
+    }
+  }
+}
+
+TEST(StudyFormats, SlackGrowsWithTheRatioButForReversedFloats)
+{
+  const DepthFrame frame = MakeEvenFrame();
+  for (const DepthFormat& format : GetDepthFormats())
+  {
+    const auto slack = [&](double near)
+    {
+      const std::vector<double> slacks =
+        GetSlacks(Convert(frame, 1.0, 1000.0, near, format), near, 1000.0, format);
+      EXPECT_GE(*std::min_element(slacks.begin(), slacks.end()), 0.0) << format.Name;
+      return *std::max_element(slacks.begin(), slacks.end());
+    };
+    const double growth = slack(1e-3) / slack(1.0);
+    const bool isReversedFloat = format.Bits == 0 && format.Convention != DepthConvention::Forward;
+    EXPECT_EQ(growth < 2.0, isReversedFloat) << format.Name << ": " << growth;
+  }
 }
 }

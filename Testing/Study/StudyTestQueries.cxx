@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The algorithms of occlusion queries without OpenGL: a host that knows which props are visible.
+#include "BoxOutline.h"
 #include "ClipBox.h"
 #include "CoherentQueries.h"
 #include "FlatQueries.h"
+#include "Pixels.h"
+#include "RandomBoxes.h"
 #include "StudyView.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
+#include <numeric>
 #include <random>
 #include <set>
 
@@ -67,15 +70,8 @@ public:
 
   static bool Contains(const vtkNBufferBox& outer, const vtkNBufferBox& inner)
   {
-    for (int j = 0; j < 3; ++j)
-    {
-      if (std::abs(inner.Center[j] - outer.Center[j]) + inner.HalfSize[j] >
-        outer.HalfSize[j] + 1e-9)
-      {
-        return false;
-      }
-    }
-    return true;
+    return glm::all(glm::lessThanEqual(
+      glm::abs(inner.Center - outer.Center) + inner.HalfSize, outer.HalfSize + 1e-9));
   }
 
   std::vector<vtkNBufferBox> Boxes;
@@ -132,10 +128,7 @@ TEST(StudyQueries, CoherentDrawsAllThatIsVisibleAndNoMoreThanWasOrIs)
   {
     KnowingHost host(MakeGrid(100), delay);
     std::vector<int> props(100);
-    for (int i = 0; i < 100; ++i)
-    {
-      props[i] = i;
-    }
+    std::iota(props.begin(), props.end(), 0);
     CoherentQueries queries;
     queries.Build(host.Boxes, props);
     EXPECT_EQ(queries.GetNumberOfNodes(), 199u);
@@ -170,26 +163,22 @@ TEST(StudyQueries, CoherentOpensWhatWasVisibleUnasked)
 {
   KnowingHost host(MakeGrid(64), 0);
   std::vector<int> props(64);
-  for (int i = 0; i < 64; ++i)
-  {
-    props[i] = i;
-    host.Visible.insert(i);
-  }
+  std::iota(props.begin(), props.end(), 0);
+  host.Visible.insert(props.begin(), props.end());
   CoherentQueries queries;
   queries.Build(host.Boxes, props);
-  queries.Draw(host);
-  EXPECT_EQ(host.Answers.size(), 127u);
-  host.Answers.clear();
-  host.Drawn.clear();
-  queries.Draw(host);
-  EXPECT_EQ(host.Answers.size(), 64u) << "leaves alone";
+  const auto countAnswers = [&]()
+  {
+    host.Answers.clear();
+    host.Drawn.clear();
+    queries.Draw(host);
+    return host.Answers.size();
+  };
+  EXPECT_EQ(countAnswers(), 127u);
+  EXPECT_EQ(countAnswers(), 64u) << "leaves alone";
   host.Visible.clear();
-  host.Drawn.clear();
-  queries.Draw(host);
-  host.Answers.clear();
-  host.Drawn.clear();
-  queries.Draw(host);
-  EXPECT_EQ(host.Answers.size(), 1u) << "the root alone";
+  countAnswers();
+  EXPECT_EQ(countAnswers(), 1u) << "the root alone";
   EXPECT_TRUE(host.Drawn.empty());
 }
 
@@ -213,48 +202,38 @@ TEST(StudyQueries, PaddedBoxesReachBeyondWhatIsDrawn)
   for (int n = 0; n < 2000; ++n)
   {
     const double low[3] = { place(random), place(random) + 60.0, place(random) };
-    double bounds[6];
+    std::array<double, 6> bounds;
     for (int j = 0; j < 3; ++j)
     {
       bounds[2 * j] = low[j];
       bounds[2 * j + 1] = low[j] + (random() % 3 == 0 ? 0.0 : std::abs(place(random)) * 0.2);
     }
-    const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
-    vtkNBufferScreenBox screen;
+    const ProjectedBox box(projection, bounds);
     ClipBox clip;
-    if (projection.Project(box, screen) != vtkNBufferPlacement::Inside ||
-      !MakeClipBox(projection, box, screen, clip))
+    if (!box.IsInside() || !MakeClipBox(projection, box.Box, box.Screen, clip))
     {
       continue;
     }
     ++asked;
-    double lowest[3] = { 1e9, 1e9, 1e9 };
-    double highest[2] = { -1e9, -1e9 };
+    glm::dvec3 lowest(1e9);
+    glm::dvec3 highest(-1e9);
     for (const auto& corner : clip.Corners)
     {
       ASSERT_GT(corner[3], 0.0f);
       ASSERT_GT(corner[2], -corner[3]);
-      for (int j = 0; j < 3; ++j)
-      {
-        lowest[j] = std::min(lowest[j], static_cast<double>(corner[j]) / corner[3]);
-      }
-      for (int j = 0; j < 2; ++j)
-      {
-        highest[j] = std::max(highest[j], static_cast<double>(corner[j]) / corner[3]);
-      }
+      const glm::dvec3 ndc = glm::dvec3(corner[0], corner[1], corner[2]) / double(corner[3]);
+      lowest = glm::min(lowest, ndc);
+      highest = glm::max(highest, ndc);
     }
-    for (const glm::dvec2& corner : projection.GetCorners(box))
+    const glm::dvec2 size(Width, Height);
+    const glm::dvec2 least = glm::dvec2(box.Screen.Slack) + 0.25 / size;
+    for (const glm::dvec2& corner : projection.GetCorners(box.Box))
     {
-      const double ndc[2] = { 2.0 * corner.x / Width - 1.0, 2.0 * corner.y / Height - 1.0 };
-      const double pixel[2] = { 2.0 / Width, 2.0 / Height };
-      for (int j = 0; j < 2; ++j)
-      {
-        const double least = screen.Slack[j] + 0.125 * pixel[j];
-        EXPECT_LE(lowest[j], ndc[j] - least);
-        EXPECT_GE(highest[j], ndc[j] + least);
-      }
+      const glm::dvec2 ndc = 2.0 * corner / size - 1.0;
+      EXPECT_TRUE(glm::all(glm::lessThanEqual(glm::dvec2(lowest), ndc - least)));
+      EXPECT_TRUE(glm::all(glm::greaterThanEqual(glm::dvec2(highest), ndc + least)));
     }
-    EXPECT_LE(0.5 + 0.5 * lowest[2], screen.Nearest);
+    EXPECT_LE(0.5 + 0.5 * lowest[2], box.Screen.Nearest);
   }
   EXPECT_GT(asked, 500);
 }
@@ -279,5 +258,29 @@ TEST(StudyQueries, WhatTouchesTheNearPlaneIsNotAsked)
     }
   }
   EXPECT_GT(inside, 100);
+}
+
+// Outlines of boxes, by brute force.
+TEST(StudyOutline, IsThatOfTheDoubleLoopOverPixelCentres)
+{
+  const vtkNBufferProjection projection = StudyTest::LookAlongY(300, 200);
+  int boxesSeen = 0;
+  for (const vtkNBufferBox& box : MakeRandomBoxes(400, 5))
+  {
+    vtkNBufferScreenBox screen;
+    if (projection.Project(box, screen) != vtkNBufferPlacement::Inside || screen.Clipped)
+    {
+      continue;
+    }
+    ++boxesSeen;
+    const std::array<glm::dvec2, 8> corners = projection.GetCorners(box);
+    long long count = 0;
+    for (const auto& [x, y] : Pixels(screen.Pixels))
+    {
+      count += StudyTest::IsInHull(corners, x + 0.5, y + 0.5);
+    }
+    EXPECT_EQ(NBufferStudy::CountOutlinePixels(projection, box, screen), count);
+  }
+  EXPECT_GT(boxesSeen, 100);
 }
 }

@@ -20,9 +20,7 @@ using StudyTest::Image;
 constexpr std::pair<int, int> Sizes[] = { { 1, 1 }, { 1, 37 }, { 41, 1 }, { 7, 3 }, { 16, 16 },
   { 17, 33 }, { 61, 45 }, { 64, 64 }, { 301, 173 }, { 511, 129 } };
 
-class StudySingleLevel
-  : public OffscreenFixture
-  , public testing::WithParamInterface<ReduceMethod>
+class StudySingleLevel : public OffscreenFixtureWithParam<ReduceMethod>
 {
 protected:
   void SetUp() override
@@ -54,17 +52,14 @@ protected:
       ASSERT_EQ(this->Level.GetWidth(), width);
       ASSERT_EQ(this->Level.GetHeight(), height);
       ASSERT_EQ(level.size(), static_cast<std::size_t>(width) * height);
-      for (int y = 0; y < height; ++y)
+      for (const auto& [x, y] : Pixels(width, height))
       {
-        for (int x = 0; x < width; ++x)
-        {
-          const float expected = image.Scan({ factor * x, factor * y,
-            std::min(factor * (x + 1), image.Width), std::min(factor * (y + 1), image.Height) });
-          const float found = level[static_cast<std::size_t>(y) * width + x];
-          ASSERT_EQ(std::memcmp(&expected, &found, sizeof(float)), 0)
-            << "factor " << factor << ", texel (" << x << ", " << y << ") of " << image.Width
-            << " x " << image.Height << ": expected " << expected << ", found " << found;
-        }
+        const float expected = image.Scan({ factor * x, factor * y,
+          std::min(factor * (x + 1), image.Width), std::min(factor * (y + 1), image.Height) });
+        const float found = level[static_cast<std::size_t>(y) * width + x];
+        ASSERT_EQ(std::memcmp(&expected, &found, sizeof(float)), 0)
+          << "factor " << factor << ", texel (" << x << ", " << y << ") of " << image.Width << " x "
+          << image.Height << ": expected " << expected << ", found " << found;
       }
     }
   }

@@ -4,6 +4,7 @@
 // it answers is the farthest depth of what it covers, and where it is said to be exact it is.
 #include "DepthStructure.h"
 #include "OverCoverage.h"
+#include "PositionedLevels.h"
 #include "StudyImage.h"
 
 #include <gtest/gtest.h>
@@ -21,6 +22,8 @@ using NBufferStudy::DepthGrid;
 using NBufferStudy::DepthStructure;
 using NBufferStudy::DepthTaps;
 using NBufferStudy::FullStride;
+using NBufferStudy::PositionedDepth;
+using NBufferStudy::PositionedLevels;
 using StudyTest::Image;
 
 constexpr std::pair<int, int> Sizes[] = { { 1, 1 }, { 1, 37 }, { 41, 1 }, { 7, 3 }, { 64, 64 },
@@ -31,31 +34,27 @@ std::vector<DepthFamily> MakeFamily()
   std::vector<DepthFamily> family;
   for (int factor : { 1, 2, 4, 16 })
   {
+    const auto add = [&](DepthTaps taps, bool separable, int band)
+    {
+      for (int stride : { 0, 1, 2, 3, FullStride })
+      {
+        family.push_back({ factor, DepthGrid::Windows, stride, band, taps, separable });
+      }
+      family.push_back({ factor, DepthGrid::Mips, FullStride, band, taps, separable });
+      family.push_back({ factor, DepthGrid::FatMips, FullStride, band, taps, separable });
+    };
     for (DepthTaps taps :
       { DepthTaps::One, DepthTaps::Four, DepthTaps::TwoByTwo, DepthTaps::FourByFour })
     {
-      for (bool separable : { false, true })
+      for (int band : { 0, 1, 2, NBufferStudy::AllShapes })
       {
-        for (int band : { 0, 1, 2, NBufferStudy::AllShapes })
-        {
-          for (int stride : { 0, 1, 2, 3, FullStride })
-          {
-            family.push_back({ factor, DepthGrid::Windows, stride, band, taps, separable });
-          }
-          family.push_back({ factor, DepthGrid::Mips, FullStride, band, taps, separable });
-          family.push_back({ factor, DepthGrid::FatMips, FullStride, band, taps, separable });
-        }
+        add(taps, false, band);
+        add(taps, true, band);
       }
     }
     family.push_back({ factor, DepthGrid::Windows, FullStride, 0, DepthTaps::All, false });
   }
   return family;
-}
-
-std::string Print(const vtkNBufferRectangle& r)
-{
-  return "[" + std::to_string(r.X0) + ", " + std::to_string(r.X1) + ") x [" + std::to_string(r.Y0) +
-    ", " + std::to_string(r.Y1) + ")";
 }
 
 TEST(StudyStructures, AnswersAreThoseOfTheDoubleLoopOverWhatIsCovered)
@@ -74,58 +73,39 @@ TEST(StudyStructures, AnswersAreThoseOfTheDoubleLoopOverWhatIsCovered)
         const vtkNBufferRectangle covered = structure.GetCovered(r);
         long long lookups = 0;
         const float answer = structure.Query(r, lookups);
-        const std::string where = family.GetName() + ": " + Print(r) + " by " + Print(covered) +
-          " of " + std::to_string(width) + " x " + std::to_string(height);
-        ASSERT_LE(covered.X0, r.X0) << where;
-        ASSERT_LE(covered.Y0, r.Y0) << where;
-        ASSERT_GE(covered.X1, r.X1) << where;
-        ASSERT_GE(covered.Y1, r.Y1) << where;
-        ASSERT_EQ(answer, image.Scan(covered)) << where;
-        if (family.Taps != DepthTaps::All)
-        {
-          const int limits[] = { 1, 4, 4, 16 };
-          ASSERT_LE(lookups, limits[static_cast<int>(family.Taps)]) << where;
-        }
+        SCOPED_TRACE(testing::Message() << family.GetName() << ": " << r << " by " << covered
+                                        << " of " << width << " x " << height);
+        ASSERT_TRUE(IsIn(r, covered));
+        ASSERT_EQ(answer, image.Scan(covered));
+        const int limits[] = { 1, 4, 4, 16 };
+        ASSERT_TRUE(
+          family.Taps == DepthTaps::All || lookups <= limits[static_cast<int>(family.Taps)]);
       }
     }
   }
 }
 
-TEST(StudyStructures, RectanglesOfAllShapesAreExact)
+// A band is exact for rectangles no longer than it reaches; all shapes, for all.
+TEST(StudyStructures, BandsAreExactForWhatTheyReach)
 {
-  const Image image(61, 45, 2);
+  const Image image(64, 45, 2);
   std::mt19937 random(4);
-  for (DepthTaps taps : { DepthTaps::Four, DepthTaps::TwoByTwo })
+  const std::pair<int, DepthTaps> cases[] = { { 0, DepthTaps::Four }, { 1, DepthTaps::Four },
+    { 2, DepthTaps::Four }, { 3, DepthTaps::Four }, { NBufferStudy::AllShapes, DepthTaps::Four },
+    { NBufferStudy::AllShapes, DepthTaps::TwoByTwo } };
+  for (const auto& [band, taps] : cases)
   {
-    DepthStructure structure(
-      { 1, DepthGrid::Windows, FullStride, NBufferStudy::AllShapes, taps, false });
+    DepthStructure structure({ 1, DepthGrid::Windows, FullStride, band, taps, false });
     structure.Build(image.Depth.data(), image.Width, image.Height);
     for (int i = 0; i < 2000; ++i)
     {
       const vtkNBufferRectangle r = StudyTest::MakeRectangle(image, random);
-      long long lookups = 0;
-      ASSERT_EQ(structure.Query(r, lookups), image.Scan(r)) << Print(r);
-    }
-  }
-}
-
-TEST(StudyStructures, ABandIsExactForRectanglesNoLongerThanItReaches)
-{
-  const Image image(64, 64, 2);
-  std::mt19937 random(4);
-  for (int band : { 0, 1, 2, 3 })
-  {
-    DepthStructure structure({ 1, DepthGrid::Windows, FullStride, band, DepthTaps::Four, false });
-    structure.Build(image.Depth.data(), image.Width, image.Height);
-    for (int i = 0; i < 500; ++i)
-    {
-      const vtkNBufferRectangle r = StudyTest::MakeRectangle(image, random);
-      if (std::abs(std::ilogb(r.GetWidth()) - std::ilogb(r.GetHeight())) > band)
+      const int ratio = std::abs(std::ilogb(r.GetWidth()) - std::ilogb(r.GetHeight()));
+      if (band == NBufferStudy::AllShapes || ratio <= band)
       {
-        continue;
+        long long lookups = 0;
+        ASSERT_EQ(structure.Query(r, lookups), image.Scan(r)) << "band " << band << ", " << r;
       }
-      long long lookups = 0;
-      ASSERT_EQ(structure.Query(r, lookups), image.Scan(r)) << "band " << band << ", " << Print(r);
     }
   }
 }
@@ -143,12 +123,12 @@ TEST(StudyStructures, PlainSquaresAreTheModules)
     const vtkNBufferRectangle r = StudyTest::MakeRectangle(image, random);
     const DepthCover cover = structure.GetCover(r);
     const vtkNBufferCover modules = vtkNBufferMath::GetCoverOfFour(r);
-    ASSERT_EQ(cover.Level, modules.Level) << Print(r);
-    ASSERT_EQ(cover.Columns * cover.Rows, modules.Count) << Print(r);
+    ASSERT_EQ(cover.Level, modules.Level) << r;
+    ASSERT_EQ(cover.Columns * cover.Rows, modules.Count) << r;
     for (int place = 0; place < modules.Count; ++place)
     {
-      ASSERT_EQ(cover.X[place % cover.Columns], modules.X[place]) << Print(r);
-      ASSERT_EQ(cover.Y[place / cover.Columns], modules.Y[place]) << Print(r);
+      ASSERT_EQ(cover.X[place % cover.Columns], modules.X[place]) << r;
+      ASSERT_EQ(cover.Y[place / cover.Columns], modules.Y[place]) << r;
     }
   }
 }
@@ -164,8 +144,9 @@ struct Looseness
 
 TEST(StudyStructures, SquareRectanglesAreNoLooserThanStated)
 {
-  const auto windows = [](int stride, DepthTaps taps)
-  { return DepthFamily{ 1, DepthGrid::Windows, stride, 0, taps, false }; };
+  const auto windows = [](int stride, DepthTaps taps) {
+    return DepthFamily{ 1, DepthGrid::Windows, stride, 0, taps, false };
+  };
   const Looseness stated[] = {
     { windows(FullStride, DepthTaps::One), 2.0, 0.0 },
     { windows(FullStride, DepthTaps::Four), 1.0, 0.0 },
@@ -191,28 +172,8 @@ TEST(StudyStructures, SquareRectanglesAreNoLooserThanStated)
       r.Y1 = r.Y0 + side;
       const vtkNBufferRectangle covered = structure.GetCovered(r);
       const double longest = looseness.Times * side + looseness.Texels;
-      ASSERT_LE(covered.GetWidth(), longest) << looseness.Family.GetName() << ", " << Print(r);
-      ASSERT_LE(covered.GetHeight(), longest) << looseness.Family.GetName() << ", " << Print(r);
-    }
-  }
-}
-
-TEST(StudyStructures, SeparableConstructionGivesTheSame)
-{
-  const Image image(97, 50, 9);
-  std::mt19937 random(8);
-  for (int stride : { 0, 2, FullStride })
-  {
-    DepthStructure both({ 1, DepthGrid::Windows, stride, 0, DepthTaps::Four, false });
-    DepthStructure separable({ 1, DepthGrid::Windows, stride, 0, DepthTaps::Four, true });
-    both.Build(image.Depth.data(), image.Width, image.Height);
-    separable.Build(image.Depth.data(), image.Width, image.Height);
-    EXPECT_EQ(both.GetNumberOfTexels(), separable.GetNumberOfTexels());
-    for (int i = 0; i < 500; ++i)
-    {
-      const vtkNBufferRectangle r = StudyTest::MakeRectangle(image, random);
-      long long lookups = 0;
-      ASSERT_EQ(both.Query(r, lookups), separable.Query(r, lookups)) << Print(r);
+      ASSERT_LE(std::max(covered.GetWidth(), covered.GetHeight()), longest)
+        << looseness.Family.GetName() << ", " << r;
     }
   }
 }
@@ -241,10 +202,16 @@ TEST(StudyStructures, TexelsAndMemoryAreThoseOfTheArticle)
     DepthStructure structure(family);
     structure.Build(image.Depth.data(), width, height);
     EXPECT_GE(structure.GetMemory(), structure.GetNumberOfTexels() * sizeof(float));
+    DepthFamily separable = family;
+    separable.Separable = true;
+    DepthStructure other(separable);
+    other.Build(image.Depth.data(), width, height);
+    EXPECT_EQ(other.GetNumberOfTexels(), structure.GetNumberOfTexels());
     return static_cast<double>(structure.GetNumberOfTexels()) / (width * height);
   };
-  const auto windows = [](int stride, int band, int factor)
-  { return DepthFamily{ factor, DepthGrid::Windows, stride, band, DepthTaps::Four, false }; };
+  const auto windows = [](int stride, int band, int factor) {
+    return DepthFamily{ factor, DepthGrid::Windows, stride, band, DepthTaps::Four, false };
+  };
   // Levels 0 to 8 of 256 x 256.
   EXPECT_EQ(count(windows(FullStride, 0, 1), 256, 256), 9.0);
   EXPECT_EQ(count(windows(FullStride, NBufferStudy::AllShapes, 1), 256, 256), 81.0);
@@ -268,20 +235,17 @@ TEST(StudyStructures, OverCoverageIsThatOfTheSquares)
   const NBufferStudy::OverCoverage four = measure(DepthTaps::Four);
   double extra = 0.0;
   double area = 0.0;
-  for (int height = 1; height <= 40; ++height)
+  for (const auto& [width, height] : Pixels({ 1, 1, 41, 41 }))
   {
-    for (int width = 1; width <= 40; ++width)
-    {
-      const double pixels = width * height;
-      const double side = 1 << vtkNBufferMath::GetLevelForOneLookup(width, height);
-      const double small = 1 << vtkNBufferMath::GetLevelForFourLookups(width, height);
-      const auto place = static_cast<std::size_t>((height - 1) * 40 + width - 1);
-      EXPECT_NEAR(one.Shares[place], side * side / pixels - 1.0, 1e-9);
-      EXPECT_NEAR(four.Shares[place],
-        std::max<double>(width, small) * std::max<double>(height, small) / pixels - 1.0, 1e-9);
-      extra += pixels * four.Shares[place];
-      area += pixels;
-    }
+    const double pixels = width * height;
+    const double side = 1 << vtkNBufferMath::GetLevelForOneLookup(width, height);
+    const double small = 1 << vtkNBufferMath::GetLevelForFourLookups(width, height);
+    const auto place = static_cast<std::size_t>((height - 1) * 40 + width - 1);
+    EXPECT_NEAR(one.Shares[place], side * side / pixels - 1.0, 1e-9);
+    EXPECT_NEAR(four.Shares[place],
+      std::max<double>(width, small) * std::max<double>(height, small) / pixels - 1.0, 1e-9);
+    extra += pixels * four.Shares[place];
+    area += pixels;
   }
   EXPECT_NEAR(four.GetShareOfArea(), extra / area, 1e-12);
   EXPECT_LT(four.GetMean(), one.GetMean());
@@ -301,5 +265,35 @@ TEST(StudyStructures, NamesAreUnique)
   }
   std::sort(names.begin(), names.end());
   EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+}
+
+TEST(StudyPositions, TheFarthestPixelAndItsPlace)
+{
+  std::mt19937 random(3);
+  for (int factor : { 1, 3, 4 })
+  {
+    const Image image(53, 31, 5);
+    PositionedLevels levels;
+    levels.Build(image.Depth.data(), image.Width, image.Height, factor);
+    for (int i = 0; i < 500; ++i)
+    {
+      const vtkNBufferRectangle r = StudyTest::MakeRectangle(image, random);
+      long long lookups = 0;
+      const PositionedDepth found = levels.Query(r, lookups);
+      EXPECT_GE(found.Depth, image.Scan(r));
+      EXPECT_EQ(found.Depth, image.Depth[found.Pixel]);
+      EXPECT_LE(lookups, 4);
+    }
+  }
+}
+
+TEST(StudyPositions, TheFirstOfEqualDepths)
+{
+  Image image(9, 7, 1);
+  std::fill(image.Depth.begin(), image.Depth.end(), 0.5f);
+  PositionedLevels levels;
+  levels.Build(image.Depth.data(), image.Width, image.Height, 1);
+  long long lookups = 0;
+  EXPECT_EQ(levels.Query({ 2, 3, 6, 7 }, lookups).Pixel, 3 * 9 + 2);
 }
 }

@@ -7,9 +7,9 @@
 #ifndef StudyView_h
 #define StudyView_h
 
-#include "vtkNBufferProjection.h"
+#include "../Support/ProjectedBox.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace StudyTest
 {
@@ -17,12 +17,10 @@ namespace StudyTest
 /// From the origin along y, z up, 90 degrees high, near 1, far 1000.
 inline vtkNBufferProjection LookAlongY(int width, int height)
 {
-  const double n = 1.0;
-  const double f = 1000.0;
   const double aspect = static_cast<double>(width) / height;
   const double worldToClip[16] = { 1.0 / aspect, 0.0, 0.0, 0.0, //
     0.0, 0.0, 1.0, 0.0,                                         //
-    0.0, (f + n) / (f - n), 0.0, -2.0 * f * n / (f - n),        //
+    0.0, 1001.0 / 999.0, 0.0, -2000.0 / 999.0,                  //
     0.0, 1.0, 0.0, 0.0 };
   vtkNBufferProjection projection;
   projection.Set(worldToClip, width, height, 0x1p-24);
@@ -39,17 +37,15 @@ inline float GetDepth(double y)
 /// of them on one side and the point on the other.
 inline bool IsInHull(const std::array<glm::dvec2, 8>& corners, double x, double y)
 {
-  for (int a = 0; a < 8; ++a)
+  const auto cross = [](const glm::dvec2& u, const glm::dvec2& v) { return u.x * v.y - u.y * v.x; };
+  for (const glm::dvec2& a : corners)
   {
-    for (int b = 0; b < 8; ++b)
+    for (const glm::dvec2& b : corners)
     {
-      const glm::dvec2 d = corners[b] - corners[a];
-      bool edge = d.x != 0.0 || d.y != 0.0;
-      for (int c = 0; c < 8 && edge; ++c)
-      {
-        edge = d.x * (corners[c].y - corners[a].y) - d.y * (corners[c].x - corners[a].x) >= -1e-9;
-      }
-      if (edge && d.x * (y - corners[a].y) - d.y * (x - corners[a].x) < 0.0)
+      const glm::dvec2 d = b - a;
+      if (d != glm::dvec2(0.0) && cross(d, glm::dvec2(x, y) - a) < 0.0 &&
+        std::all_of(corners.begin(), corners.end(),
+          [&](const glm::dvec2& c) { return cross(d, c - a) >= -1e-9; }))
       {
         return false;
       }

@@ -60,4 +60,12 @@ protected:
   void TearDown() override;
 };
 
+/// The same for TEST_P.
+template <typename Parameter>
+class OffscreenFixtureWithParam
+  : public OffscreenFixture
+  , public ::testing::WithParamInterface<Parameter>
+{
+};
+
 #endif

@@ -7,16 +7,19 @@
 #ifndef SameLitmaps_h
 #define SameLitmaps_h
 
+#include "Pixels.h"
 #include "vtkShadowLitmap.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 inline bool IsSameExtent(const vtkShadowExtent& a, const vtkShadowExtent& b)
 {
-  return a.Near == b.Near && a.Far == b.Far && a.X0 == b.X0 && a.Y0 == b.Y0 && a.X1 == b.X1 &&
-    a.Y1 == b.Y1 && a.Bins == b.Bins;
+  const auto tie = [](const vtkShadowExtent& e)
+  { return std::tie(e.Near, e.Far, e.X0, e.Y0, e.X1, e.Y1, e.Bins); };
+  return tie(a) == tie(b);
 }
 
 inline bool IsSameBlock(const vtkShadowBlock& a, const vtkShadowBlock& b)
@@ -39,14 +42,12 @@ inline void ExpectSameLitmaps(const vtkShadowLitmap& a, const vtkShadowLitmap& b
   }
   ASSERT_EQ(a.GetTiles().GetNumberOfColumns(), b.GetTiles().GetNumberOfColumns());
   ASSERT_EQ(a.GetTiles().GetNumberOfRows(), b.GetTiles().GetNumberOfRows());
-  for (int row = 0; row < a.GetTiles().GetNumberOfRows(); ++row)
+  for (const auto& [column, row] :
+    Pixels(a.GetTiles().GetNumberOfColumns(), a.GetTiles().GetNumberOfRows()))
   {
-    for (int column = 0; column < a.GetTiles().GetNumberOfColumns(); ++column)
-    {
-      EXPECT_TRUE(std::equal(a.GetTiles().Get(column, row).begin(),
-        a.GetTiles().Get(column, row).end(), b.GetTiles().Get(column, row).begin(), IsSameBlock))
-        << "tile " << column << ", " << row;
-    }
+    EXPECT_TRUE(std::equal(a.GetTiles().Get(column, row).begin(),
+      a.GetTiles().Get(column, row).end(), b.GetTiles().Get(column, row).begin(), IsSameBlock))
+      << "tile " << column << ", " << row;
   }
 }
 

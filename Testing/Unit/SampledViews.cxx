@@ -114,17 +114,10 @@ std::vector<glm::dvec3> ViewSampler::MakePoints(const std::array<double, 6>& bou
 
 double View::ToOrder(double windowDepth, DepthConvention convention) const
 {
-  switch (convention)
-  {
-    case DepthConvention::Forward:
-      break;
-    case DepthConvention::Reversed:
-      return windowDepth - 1.0;
-    case DepthConvention::InverseW:
-      // 1 / w is linear in window depth.
-      return windowDepth * (1.0 - this->Near / this->Far) - 1.0;
-  }
-  return windowDepth;
+  // 1 / w is linear in window depth.
+  return convention == DepthConvention::Forward ? windowDepth
+    : convention == DepthConvention::Reversed   ? windowDepth - 1.0
+                                              : windowDepth * (1.0 - this->Near / this->Far) - 1.0;
 }
 
 namespace
@@ -156,7 +149,7 @@ Rows GetMatrix(const View& view, DepthConvention convention)
 }
 
 template <typename Real>
-std::optional<ScreenPoint> ToScreen(
+std::optional<glm::dvec3> ToScreen(
   const View& view, const Vector4<Real>& clip, DepthConvention convention)
 {
   if (!(clip.w > 0))
@@ -176,13 +169,13 @@ std::optional<ScreenPoint> ToScreen(
   }
   const Real half = static_cast<Real>(0.5);
   const Real depth = clip.z / clip.w;
-  return ScreenPoint{ static_cast<double>((clip.x / clip.w * half + half) * view.Width),
+  return glm::dvec3{ static_cast<double>((clip.x / clip.w * half + half) * view.Width),
     static_cast<double>((clip.y / clip.w * half + half) * view.Height),
     static_cast<double>(convention == DepthConvention::Forward ? depth * half + half : -depth) };
 }
 }
 
-std::optional<ScreenPoint> ProjectExactly(
+std::optional<glm::dvec3> ProjectExactly(
   const View& view, const glm::dvec3& point, DepthConvention convention)
 {
   const Rows rows = GetMatrix(view, convention);
@@ -195,7 +188,7 @@ std::optional<ScreenPoint> ProjectExactly(
   return ToScreen(view, clip, convention);
 }
 
-std::optional<ScreenPoint> ProjectAsDevice(
+std::optional<glm::dvec3> ProjectAsDevice(
   const View& view, const glm::dvec3& point, int permutation, DepthConvention convention)
 {
   const Rows rows = GetMatrix(view, convention);
@@ -261,11 +254,18 @@ std::optional<std::array<double, 2>> GetDepthsAlongRay(
   return std::array<double, 2>{ getDepth(enter), getDepth(leave) };
 }
 
-std::string GetText(const std::array<double, 6>& bounds)
+bool IsWithin(const glm::dvec3& point, const vtkNBufferScreenBox& screen)
+{
+  const vtkNBufferRectangle& r = screen.Pixels;
+  return glm::all(glm::lessThanEqual(glm::dvec3(r.X0, r.Y0, screen.Nearest), point)) &&
+    glm::all(glm::lessThanEqual(point, glm::dvec3(r.X1, r.Y1, screen.Farthest)));
+}
+
+std::string GetText(const View& view, const std::array<double, 6>& bounds)
 {
   std::ostringstream text;
   text.precision(17);
-  text << "box";
+  text << view.Text << ", box";
   for (double bound : bounds)
   {
     text << " " << bound;

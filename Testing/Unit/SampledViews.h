@@ -13,7 +13,7 @@
 #define SampledViews_h
 
 #include "DepthConvention.h"
-#include "vtkNBufferProjection.h"
+#include "ProjectedBox.h"
 
 #include <array>
 #include <optional>
@@ -44,15 +44,6 @@ struct View
 vtkNBufferProjection MakeProjection(
   const View& view, DepthConvention convention = DepthConvention::Forward);
 
-/// A point on the screen: X and Y in pixels of the viewport, Z its stored depth as order of
-/// distance.
-struct ScreenPoint
-{
-  double X;
-  double Y;
-  double Z;
-};
-
 class ViewSampler
 {
 public:
@@ -78,18 +69,23 @@ private:
   std::mt19937 Random;
 };
 
-/// Exact projection, if the point is before the eye and inside all six planes.
-std::optional<ScreenPoint> ProjectExactly(
+/// Exact projection, if the point is before the eye and inside all six planes: x and y in pixels of
+/// the viewport, z the stored depth as order of distance.
+std::optional<glm::dvec3> ProjectExactly(
   const View& view, const glm::dvec3& point, DepthConvention convention = DepthConvention::Forward);
 
 /// The same in single precision, products added in the order of `permutation` (0 to 3 first).
-std::optional<ScreenPoint> ProjectAsDevice(const View& view, const glm::dvec3& point,
+std::optional<glm::dvec3> ProjectAsDevice(const View& view, const glm::dvec3& point,
   int permutation, DepthConvention convention = DepthConvention::Forward);
 
 /// Where the ray through pixel position (x, y) enters and leaves a box, in window depth.
 std::optional<std::array<double, 2>> GetDepthsAlongRay(
   const View& view, const std::array<double, 6>& bounds, double x, double y);
 
-std::string GetText(const std::array<double, 6>& bounds);
+/// Whether a point of a box, drawn there, is where the projection says that the box is.
+bool IsWithin(const glm::dvec3& point, const vtkNBufferScreenBox& screen);
+
+/// For failures: the view, and the bounds with all digits.
+std::string GetText(const View& view, const std::array<double, 6>& bounds);
 
 #endif

@@ -4,15 +4,9 @@
 
 #include "vtkMath.h"
 
-#include <algorithm>
-#include <cmath>
+#include <glm/gtc/quaternion.hpp>
 
-void glm::PrintTo(const dvec3& x, std::ostream* os)
-{
-  const std::streamsize digits = os->precision(17);
-  *os << "(" << x[0] << ", " << x[1] << ", " << x[2] << ")";
-  os->precision(digits);
-}
+#include <cmath>
 
 void ShadowMesh::AddFace(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d)
 {
@@ -44,14 +38,36 @@ ShadowMesh ShadowMesh::Reverse() const
   return result;
 }
 
+ShadowMesh ShadowMesh::Flip(std::mt19937& random) const
+{
+  ShadowMesh result = *this;
+  for (std::size_t i = 0; i < this->Triangles.size(); i += 3)
+  {
+    if (random() % 2)
+    {
+      std::swap(result.Triangles[i + 1], result.Triangles[i + 2]);
+    }
+  }
+  return result;
+}
+
 ShadowMesh ShadowMesh::Unshare() const
 {
-  ShadowMesh result;
-  result.Name = this->Name + ", unshared";
+  ShadowMesh result = { this->Name + ", unshared" };
   for (const vtkIdType index : this->Triangles)
   {
     result.Triangles.push_back(result.GetNumberOfPoints());
     result.Points.push_back(this->Points[index]);
+  }
+  return result;
+}
+
+ShadowMesh Join(const std::string& name, const std::vector<ShadowMesh>& parts)
+{
+  ShadowMesh result = { name };
+  for (const ShadowMesh& part : parts)
+  {
+    result.Append(part);
   }
   return result;
 }
@@ -64,8 +80,7 @@ ShadowMesh MakeTetrahedron()
 
 ShadowMesh MakeCube()
 {
-  ShadowMesh mesh;
-  mesh.Name = "cube";
+  ShadowMesh mesh = { "cube" };
   for (int i = 0; i < 8; ++i)
   {
     mesh.Points.push_back({ (i & 1) - 0.5, (i >> 1 & 1) - 0.5, (i >> 2) - 0.5 });
@@ -82,8 +97,7 @@ ShadowMesh MakeCube()
 ShadowMesh MakeCubeOf24()
 {
   const ShadowMesh cube = MakeCube();
-  ShadowMesh mesh;
-  mesh.Name = "cube with 24 points";
+  ShadowMesh mesh = { "cube with 24 points" };
   for (std::size_t face = 0; face < cube.Triangles.size(); face += 6)
   {
     const vtkIdType first = mesh.GetNumberOfPoints();
@@ -98,8 +112,7 @@ ShadowMesh MakeCubeOf24()
 
 ShadowMesh MakeSphere(int rows, int columns)
 {
-  ShadowMesh mesh;
-  mesh.Name = "sphere";
+  ShadowMesh mesh = { "sphere" };
   for (int i = 0; i <= rows; ++i)
   {
     for (int j = 0; j <= columns; ++j)
@@ -133,8 +146,7 @@ ShadowMesh MakeSphere(int rows, int columns)
 
 ShadowMesh MakeEll()
 {
-  ShadowMesh mesh;
-  mesh.Name = "L";
+  ShadowMesh mesh = { "L" };
   const double outline[6][2] = { { -1, -1 }, { 1, -1 }, { 1, 0 }, { 0, 0 }, { 0, 1 }, { -1, 1 } };
   for (const double z : { -0.5, 0.5 })
   {
@@ -157,8 +169,7 @@ ShadowMesh MakeEll()
 
 ShadowMesh MakeTorus(int rows, int columns)
 {
-  ShadowMesh mesh;
-  mesh.Name = "torus";
+  ShadowMesh mesh = { "torus" };
   for (int i = 0; i < rows; ++i)
   {
     for (int j = 0; j < columns; ++j)
@@ -184,8 +195,7 @@ ShadowMesh MakeTorus(int rows, int columns)
 
 ShadowMesh MakePentagram()
 {
-  ShadowMesh mesh;
-  mesh.Name = "bipyramid over a pentagram";
+  ShadowMesh mesh = { "bipyramid over a pentagram" };
   for (int i = 0; i < 5; ++i)
   {
     const double phi = 4.0 * vtkMath::Pi() * i / 5.0;
@@ -203,8 +213,7 @@ ShadowMesh MakePentagram()
 
 ShadowMesh MakeOpenRectangle()
 {
-  ShadowMesh mesh;
-  mesh.Name = "quad";
+  ShadowMesh mesh = { "quad" };
   mesh.Points = { { -1, -1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 } };
   mesh.AddFace(0, 1, 2, 3);
   return mesh;
@@ -220,8 +229,7 @@ ShadowMesh MakeOpenCube()
 
 ShadowMesh MakeMoebius(int segments)
 {
-  ShadowMesh mesh;
-  mesh.Name = "Moebius strip";
+  ShadowMesh mesh = { "Moebius strip" };
   for (int i = 0; i < segments; ++i)
   {
     const double phi = 2.0 * vtkMath::Pi() * i / segments;
@@ -243,8 +251,7 @@ ShadowMesh MakeMoebius(int segments)
 
 ShadowMesh MakeThreePages()
 {
-  ShadowMesh mesh;
-  mesh.Name = "three pages";
+  ShadowMesh mesh = { "three pages" };
   mesh.Points = { { 0, 0, -1 }, { 0, 0, 1 }, { 1, 0, -1 }, { 1, 0, 1 }, { -0.5, 0.75, -1 },
     { -0.5, 0.75, 1 }, { -0.5, -0.75, -1 }, { -0.5, -0.75, 1 } };
   for (int page = 2; page < 8; page += 2)
@@ -256,16 +263,12 @@ ShadowMesh MakeThreePages()
 
 ShadowMesh MakeTwoSided()
 {
-  ShadowMesh mesh = MakeOpenRectangle();
-  mesh.Append(MakeOpenRectangle().Reverse());
-  mesh.Name = "two-sided quad";
-  return mesh;
+  return Join("two-sided quad", { MakeOpenRectangle(), MakeOpenRectangle().Reverse() });
 }
 
 ShadowMesh MakeSoup(std::mt19937& random, int points, int triangles)
 {
-  ShadowMesh mesh;
-  mesh.Name = "soup";
+  ShadowMesh mesh = { "soup" };
   for (int i = 0; i < points; ++i)
   {
     mesh.Points.push_back(MakePoint(random, 1.0));
@@ -283,61 +286,27 @@ ShadowMesh MakeSoup(std::mt19937& random, int points, int triangles)
 std::vector<ShadowMesh> MakeShadowMeshes(unsigned int seed)
 {
   std::mt19937 random(seed);
+  ShadowMesh duplicates = Join("cube with duplicate triangles", { MakeCube(), MakeTetrahedron() });
+  duplicates.Triangles.insert(duplicates.Triangles.end(), { 4, 5, 7, 4, 5, 7, 0, 2, 3 });
   std::vector<ShadowMesh> meshes = { MakeTetrahedron(), MakeCube(), MakeCubeOf24(),
     MakeSphere(5, 7), MakeEll(), MakeTorus(4, 6), MakePentagram(), MakeOpenRectangle(),
     MakeOpenCube(), MakeMoebius(9), MakeThreePages(), MakeTwoSided(), MakeSoup(random, 8, 25),
-    MakeSoup(random, 30, 20) };
-
-  ShadowMesh duplicates = MakeCube();
-  duplicates.Name = "cube with duplicate triangles";
-  duplicates.Append(MakeTetrahedron());
-  duplicates.Triangles.insert(duplicates.Triangles.end(), { 4, 5, 7, 4, 5, 7, 0, 2, 3 });
-  meshes.push_back(duplicates);
-
-  ShadowMesh twice = MakeCube();
-  twice.Append(MakeCube());
-  twice.Name = "cube twice";
-  meshes.push_back(twice);
-
-  ShadowMesh beside = MakeCube();
-  beside.Append(MakeCube().Translate(1, 1, 0));
-  beside.Name = "cubes that share an edge";
-  meshes.push_back(beside);
-
-  ShadowMesh mixed = MakeCube().Translate(-0.7, 0, 0);
-  mixed.Append(MakeTetrahedron().Reverse().Translate(0.4, 0, 0));
-  mixed.Name = "two bodies, one of them inside out";
-  meshes.push_back(mixed);
-
-  ShadowMesh flipped = MakeSphere(4, 5);
-  flipped.Name = "badly wound sphere";
-  for (std::size_t i = 0; i < flipped.Triangles.size(); i += 3)
-  {
-    if (random() % 2)
-    {
-      std::swap(flipped.Triangles[i + 1], flipped.Triangles[i + 2]);
-    }
-  }
-  meshes.push_back(flipped);
+    MakeSoup(random, 30, 20), duplicates, Join("cube twice", { MakeCube(), MakeCube() }),
+    Join("cubes that share an edge", { MakeCube(), MakeCube().Translate(1, 1, 0) }),
+    Join("two bodies, one of them inside out",
+      { MakeCube().Translate(-0.7, 0, 0), MakeTetrahedron().Reverse().Translate(0.4, 0, 0) }) };
+  meshes.push_back(MakeSphere(4, 5).Flip(random));
+  meshes.back().Name = "badly wound sphere";
   return meshes;
 }
 
-RigidMotion::RigidMotion(std::mt19937& random, double distance)
+std::function<Point(const Point&)> MakeRigidMotion(std::mt19937& random, double distance)
 {
-  double quaternion[4];
-  for (double& value : quaternion)
-  {
-    value = MakeUniform(random, -1.0, 1.0);
-  }
-  double matrix[3][3];
-  vtkMath::QuaternionToMatrix3x3(quaternion, matrix); // normalises
-  this->Rotation = glm::transpose(glm::make_mat3(matrix[0]));
-  this->Offset = MakePoint(random, distance);
-}
-
-Point RigidMotion::operator()(const Point& x) const
-{
-  return this->Rotation * x + this->Offset;
+  const double real = MakeUniform(random, -1.0, 1.0);
+  const glm::dquat quaternion(real, MakePoint(random, 1.0));
+  const glm::dmat3 rotation = glm::mat3_cast(glm::normalize(quaternion));
+  const Point offset = MakePoint(random, distance);
+  return [=](const Point& x) { return rotation * x + offset; };
 }
 
 double MakeUniform(std::mt19937& random, double a, double b)

@@ -7,28 +7,22 @@
 #ifndef ShadowMeshes_h
 #define ShadowMeshes_h
 
-#include "vtkNBufferGLM.h"
+#include "PrintVectors.h"
 
 #include "vtkType.h"
 
-#include <ostream>
+#include <functional>
 #include <random>
 #include <string>
 #include <vector>
 
 using Point = glm::dvec3;
 
-namespace glm
-{
-/// How GoogleTest shows a point: with all digits.
-void PrintTo(const dvec3& x, std::ostream* os);
-}
-
 struct ShadowMesh
 {
   std::string Name; ///< For failures.
-  std::vector<Point> Points;
-  std::vector<vtkIdType> Triangles;
+  std::vector<Point> Points = {};
+  std::vector<vtkIdType> Triangles = {};
 
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Points.size()); }
   vtkIdType GetNumberOfTriangles() const
@@ -54,9 +48,14 @@ struct ShadowMesh
   ShadowMesh Translate(double x, double y, double z) const;
   /// Every triangle wound the other way round.
   ShadowMesh Reverse() const;
+  /// Every other triangle or so wound the other way round.
+  ShadowMesh Flip(std::mt19937& random) const;
   /// Every triangle with three points of its own.
   ShadowMesh Unshare() const;
 };
+
+/// Several meshes as one.
+ShadowMesh Join(const std::string& name, const std::vector<ShadowMesh>& parts);
 
 // Closed, wound outwards, one component.
 ShadowMesh MakeTetrahedron();
@@ -82,16 +81,7 @@ ShadowMesh MakeSoup(std::mt19937& random, int points, int triangles);
 std::vector<ShadowMesh> MakeShadowMeshes(unsigned int seed);
 
 /// A rotation and a translation by up to `distance`.
-class RigidMotion
-{
-public:
-  RigidMotion(std::mt19937& random, double distance);
-  Point operator()(const Point& x) const;
-
-private:
-  glm::dmat3 Rotation;
-  Point Offset;
-};
+std::function<Point(const Point&)> MakeRigidMotion(std::mt19937& random, double distance);
 
 double MakeUniform(std::mt19937& random, double a, double b);
 Point MakePoint(std::mt19937& random, double extent); ///< In a cube of +-extent.

@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Between GLM's types and VTK's arrays; GLM rounds as VTK does where that matters.
-#include "vtkNBufferGLM.h"
+#include "PrintVectors.h"
 
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <numeric>
 #include <random>
 
 namespace
@@ -19,10 +21,7 @@ Rows MakeRows(std::mt19937& random)
 {
   std::uniform_real_distribution<double> uniform(-10.0, 10.0);
   Rows rows;
-  for (double& value : rows)
-  {
-    value = uniform(random);
-  }
+  std::generate(rows.begin(), rows.end(), [&]() { return uniform(random); });
   return rows;
 }
 }
@@ -30,10 +29,7 @@ Rows MakeRows(std::mt19937& random)
 TEST(NBufferGLM, RowsAndColumns)
 {
   Rows rows;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-  {
-    rows[i] = static_cast<double>(i);
-  }
+  std::iota(rows.begin(), rows.end(), 0.0);
   const glm::dmat4 matrix = vtkNBufferGLM::ToMatrix(rows.data());
   EXPECT_EQ(matrix[3], glm::dvec4(3.0, 7.0, 11.0, 15.0)) << "the last column";
   EXPECT_EQ(vtkNBufferGLM::ToRows(matrix), rows);

@@ -25,12 +25,10 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 /// included.
 bool Contains(const vtkNBufferBox& outer, const vtkNBufferBox& inner)
 {
-  const auto isLessOrEqual = [](const glm::dvec3& a, const glm::dvec3& b)
-  { return a.x <= b.x && a.y <= b.y && a.z <= b.z; };
   return outer.Margin >= inner.Margin && outer.Origin == glm::dvec3(0.0) &&
-    isLessOrEqual(outer.Center - outer.HalfSize, inner.Center - inner.HalfSize) &&
-    isLessOrEqual(inner.Center + inner.HalfSize, outer.Center + outer.HalfSize) &&
-    isLessOrEqual(glm::abs(inner.Origin) + inner.Magnitude, outer.Magnitude);
+    glm::all(glm::lessThanEqual(outer.Center - outer.HalfSize, inner.Center - inner.HalfSize)) &&
+    glm::all(glm::lessThanEqual(inner.Center + inner.HalfSize, outer.Center + outer.HalfSize)) &&
+    glm::all(glm::lessThanEqual(glm::abs(inner.Origin) + inner.Magnitude, outer.Magnitude));
 }
 
 /// Nothing is ever known of it, in any view.
@@ -176,20 +174,12 @@ TEST(NBufferHierarchy, WhatIsSaidOfANodeHoldsForThePointsBelow)
           {
             const auto point = permutation < 0 ? ProjectExactly(view, corner)
                                                : ProjectAsDevice(view, corner, permutation);
-            if (!point)
+            if (point)
             {
-              continue;
-            }
-            ++drawn;
-            ASSERT_NE(placement, vtkNBufferPlacement::Outside) << view.Text;
-            if (placement == vtkNBufferPlacement::Inside)
-            {
-              ASSERT_GE(point->X, screen.Pixels.X0) << view.Text;
-              ASSERT_LE(point->X, screen.Pixels.X1) << view.Text;
-              ASSERT_GE(point->Y, screen.Pixels.Y0) << view.Text;
-              ASSERT_LE(point->Y, screen.Pixels.Y1) << view.Text;
-              ASSERT_GE(point->Z, screen.Nearest) << view.Text;
-              ASSERT_LE(point->Z, screen.Farthest) << view.Text;
+              ++drawn;
+              ASSERT_NE(placement, vtkNBufferPlacement::Outside) << view.Text;
+              ASSERT_TRUE(placement != vtkNBufferPlacement::Inside || IsWithin(*point, screen))
+                << view.Text;
             }
           }
         }
@@ -264,7 +254,7 @@ TEST(NBufferHierarchy, NothingIsAskedBelowASkippedNode)
   EXPECT_EQ(asked, 50); // The left half.
 }
 
-TEST(NBufferHierarchy, EqualCentres)
+TEST(NBufferHierarchy, EqualCentresAndHugeBoxes)
 {
   std::vector<vtkNBufferBox> boxes = MakeRandomBoxes(100, 3);
   for (vtkNBufferBox& box : boxes)
@@ -275,17 +265,10 @@ TEST(NBufferHierarchy, EqualCentres)
   tree.Build(boxes);
   EXPECT_LT(tree.GetNumberOfNodes(), 40u);
   CheckNodes(tree, boxes, GetAll(boxes));
-}
 
-TEST(NBufferHierarchy, HugeBoxes)
-{
-  std::vector<vtkNBufferBox> boxes = MakeRandomBoxes(100, 3);
-  for (int i : { 5, 50 })
-  {
-    const double bounds[6] = { -9e29, 9e29, -1e12, 9e29, 0.0, 1.0 };
-    boxes[static_cast<std::size_t>(i)] = vtkNBufferBox::FromBounds(bounds);
-  }
-  vtkNBufferHierarchy tree;
+  boxes = MakeRandomBoxes(100, 3);
+  const double bounds[6] = { -9e29, 9e29, -1e12, 9e29, 0.0, 1.0 };
+  boxes[5] = boxes[50] = vtkNBufferBox::FromBounds(bounds);
   tree.Build(boxes);
   CheckNodes(tree, boxes, GetAll(boxes));
 }

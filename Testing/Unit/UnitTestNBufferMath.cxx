@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Which squares answer a rectangle: every claim of vtkNBufferMath.h against brute force.
+#include "Pixels.h"
 #include "vtkNBufferDepthConvention.h"
 #include "vtkNBufferMath.h"
 
@@ -12,30 +13,10 @@
 #include <cstdint>
 #include <random>
 #include <set>
-#include <sstream>
-#include <string>
 #include <utility>
 
 namespace
 {
-std::string Text(const vtkNBufferRectangle& r)
-{
-  std::ostringstream os;
-  os << "[" << r.X0 << ", " << r.X1 << ") x [" << r.Y0 << ", " << r.Y1 << ")";
-  return os.str();
-}
-
-std::string Text(const vtkNBufferCover& cover)
-{
-  std::ostringstream os;
-  os << "level " << cover.Level << ", " << cover.Count << " texels:";
-  for (int i = 0; i < cover.Count && i < 4; ++i)
-  {
-    os << " (" << cover.X[i] << ", " << cover.Y[i] << ")";
-  }
-  return os.str();
-}
-
 std::int64_t CeilDivide(std::int64_t n, std::int64_t d)
 {
   return (n + d - 1) / d;
@@ -75,80 +56,74 @@ int PaperLevel(int width, int height)
   return n - 2; // right of figure 3: four in a row or column
 }
 
-/// What must hold for every cover: squares inside the image start, the rectangle covered wholly.
-testing::AssertionResult IsCover(const vtkNBufferRectangle& r, const vtkNBufferCover& cover)
+vtkNBufferRectangle GetSquare(const vtkNBufferCover& cover, int i)
 {
-  if (cover.Count < 1 || cover.Count > 4 || cover.Level < 0)
-  {
-    return testing::AssertionFailure() << "count or level out of range";
-  }
   const int side = 1 << cover.Level;
+  return { cover.X[i], cover.Y[i], cover.X[i] + side, cover.Y[i] + side };
+}
+
+/// What must hold for every cover: squares inside the image start, the rectangle covered wholly.
+void CheckCover(const vtkNBufferRectangle& r, const vtkNBufferCover& cover)
+{
+  ASSERT_GE(cover.Level, 0);
+  ASSERT_GE(cover.Count, 1);
+  ASSERT_LE(cover.Count, 4);
+  std::set<std::pair<int, int>> starts;
   for (int i = 0; i < cover.Count; ++i)
   {
-    if (cover.X[i] < 0 || cover.Y[i] < 0 || cover.X[i] >= r.X1 || cover.Y[i] >= r.Y1)
-    {
-      return testing::AssertionFailure() << "texel " << i << " starts outside the image";
-    }
+    const vtkNBufferRectangle square = GetSquare(cover, i);
+    ASSERT_TRUE(IsIn(square.X0, square.Y0, { 0, 0, r.X1, r.Y1 })) << square << " starts outside";
     // No part to the right or above: a larger square is pushed left and down only, unless the
     // image ends there.
-    if ((cover.X[i] + side > r.X1 && cover.X[i] > 0) ||
-      (cover.Y[i] + side > r.Y1 && cover.Y[i] > 0))
-    {
-      return testing::AssertionFailure() << "texel " << i << " reaches beyond the far sides";
-    }
-    if (cover.X[i] + side < r.X0 + 1 || cover.Y[i] + side < r.Y0 + 1)
-    {
-      return testing::AssertionFailure() << "texel " << i << " does not touch the rectangle";
-    }
+    ASSERT_TRUE(square.X1 <= r.X1 || square.X0 == 0) << square << " reaches beyond the far sides";
+    ASSERT_TRUE(square.Y1 <= r.Y1 || square.Y0 == 0) << square << " reaches beyond the far sides";
+    ASSERT_FALSE(square.GetIntersection(r).IsEmpty()) << square << " does not touch the rectangle";
+    ASSERT_TRUE(starts.emplace(square.X0, square.Y0).second) << square << " is looked up twice";
   }
-  for (int y = r.Y0; y < r.Y1; ++y)
+  for (const auto& [x, y] : Pixels(r))
   {
-    for (int x = r.X0; x < r.X1; ++x)
+    bool inside = false;
+    for (int i = 0; i < cover.Count; ++i)
     {
-      bool inside = false;
-      for (int i = 0; i < cover.Count; ++i)
-      {
-        inside = inside ||
-          (x >= cover.X[i] && x < cover.X[i] + side && y >= cover.Y[i] && y < cover.Y[i] + side);
-      }
-      if (!inside)
-      {
-        return testing::AssertionFailure() << "(" << x << ", " << y << ") is not covered";
-      }
+      inside = inside || IsIn(x, y, GetSquare(cover, i));
     }
+    ASSERT_TRUE(inside) << "(" << x << ", " << y << ") is not covered";
   }
-  return testing::AssertionSuccess();
 }
 
 void CheckCovers(const vtkNBufferRectangle& r)
 {
+  if (testing::Test::HasFatalFailure())
+  {
+    return; // One is enough.
+  }
+  SCOPED_TRACE(r);
   const int w = r.GetWidth();
   const int h = r.GetHeight();
   const vtkNBufferCover one = vtkNBufferMath::GetCoverOfOne(r);
-  ASSERT_TRUE(IsCover(r, one)) << Text(r) << " by " << Text(one);
-  ASSERT_EQ(one.Count, 1) << Text(r);
-  ASSERT_EQ(one.Level, SearchLevel(w, h, 1)) << Text(r);
+  ASSERT_NO_FATAL_FAILURE(CheckCover(r, one));
+  ASSERT_EQ(one.Count, 1);
+  ASSERT_EQ(one.Level, SearchLevel(w, h, 1));
   const vtkNBufferCover four = vtkNBufferMath::GetCoverOfFour(r);
-  ASSERT_TRUE(IsCover(r, four)) << Text(r) << " by " << Text(four);
-  ASSERT_EQ(four.Level, SearchLevel(w, h, 4)) << Text(r);
-  ASSERT_EQ(four.Count, CeilDivide(w, 1 << four.Level) * CeilDivide(h, 1 << four.Level)) << Text(r);
-  std::set<std::pair<int, int>> starts;
-  for (int i = 0; i < four.Count; ++i)
-  {
-    starts.insert({ four.X[i], four.Y[i] });
-  }
-  ASSERT_EQ(static_cast<int>(starts.size()), four.Count)
-    << "a texel is looked up twice: " << Text(four);
+  ASSERT_NO_FATAL_FAILURE(CheckCover(r, four));
+  ASSERT_EQ(four.Level, SearchLevel(w, h, 4));
+  ASSERT_EQ(four.Count, CeilDivide(w, 1 << four.Level) * CeilDivide(h, 1 << four.Level));
+}
+
+/// Width and height from 1 to `largest`.
+Pixels Sizes(int largest)
+{
+  return Pixels({ 1, 1, largest + 1, largest + 1 });
 }
 }
 
 // Hazard: a logarithm in floating point is off by one at powers of two.
 TEST(NBufferMath, CeilLog2)
 {
-  EXPECT_EQ(vtkNBufferMath::CeilLog2(INT_MIN), 0);
-  EXPECT_EQ(vtkNBufferMath::CeilLog2(-1), 0);
-  EXPECT_EQ(vtkNBufferMath::CeilLog2(0), 0);
-  EXPECT_EQ(vtkNBufferMath::CeilLog2(1), 0);
+  for (const int none : { INT_MIN, -1, 0, 1 })
+  {
+    EXPECT_EQ(vtkNBufferMath::CeilLog2(none), 0);
+  }
   for (int i = 1; i < 31; ++i)
   {
     const int power = 1 << i;
@@ -166,55 +141,41 @@ TEST(NBufferMath, NumberOfLevels)
   EXPECT_EQ(vtkNBufferMath::GetNumberOfLevels(5, 0), 0);
   EXPECT_EQ(vtkNBufferMath::GetNumberOfLevels(-3, 5), 0);
   EXPECT_EQ(vtkNBufferMath::GetNumberOfLevels(1, 1), 1);
-  for (int w = 1; w <= 130; ++w)
+  for (const auto& [w, h] : Sizes(130))
   {
-    for (int h = 1; h <= 130; ++h)
-    {
-      const int levels = vtkNBufferMath::GetNumberOfLevels(w, h);
-      ASSERT_GE(1 << (levels - 1), std::max(w, h)) << w << " x " << h;
-      ASSERT_TRUE(levels == 1 || (1 << (levels - 2)) < std::max(w, h)) << w << " x " << h;
-      ASSERT_LT(vtkNBufferMath::GetLevelForOneLookup(w, h), levels) << w << " x " << h;
-      ASSERT_LT(vtkNBufferMath::GetLevelForFourLookups(w, h), levels) << w << " x " << h;
-    }
+    const int levels = vtkNBufferMath::GetNumberOfLevels(w, h);
+    ASSERT_GE(1 << (levels - 1), std::max(w, h)) << w << " x " << h;
+    ASSERT_TRUE(levels == 1 || (1 << (levels - 2)) < std::max(w, h)) << w << " x " << h;
+    ASSERT_LT(vtkNBufferMath::GetLevelForOneLookup(w, h), levels) << w << " x " << h;
+    ASSERT_LT(vtkNBufferMath::GetLevelForFourLookups(w, h), levels) << w << " x " << h;
   }
 }
 
 // Hazard: a level coarser than needed keeps hidden props, a finer one misses pixels.
 TEST(NBufferMath, LevelsAreTheFinestForEverySizeUpTo600)
 {
-  for (int w = 1; w <= 600; ++w)
+  for (const auto& [w, h] : Sizes(600))
   {
-    for (int h = 1; h <= 600; ++h)
-    {
-      ASSERT_EQ(vtkNBufferMath::GetLevelForOneLookup(w, h), SearchLevel(w, h, 1))
-        << w << " x " << h;
-      ASSERT_EQ(vtkNBufferMath::GetLevelForFourLookups(w, h), SearchLevel(w, h, 4))
-        << w << " x " << h;
-    }
+    ASSERT_EQ(vtkNBufferMath::GetLevelForOneLookup(w, h), SearchLevel(w, h, 1)) << w << " x " << h;
+    ASSERT_EQ(vtkNBufferMath::GetLevelForFourLookups(w, h), SearchLevel(w, h, 4))
+      << w << " x " << h;
   }
 }
 
 // Hazard: our rule is said to be the paper's five cases; if it were not, its bounds would not hold.
 TEST(NBufferMath, LevelsAreThoseOfThePapersFiveCases)
 {
-  for (int w = 1; w <= 600; ++w)
+  for (const auto& [w, h] : Sizes(600))
   {
-    for (int h = 1; h <= 600; ++h)
-    {
-      ASSERT_EQ(vtkNBufferMath::GetLevelForFourLookups(w, h), PaperLevel(w, h)) << w << " x " << h;
-    }
+    ASSERT_EQ(vtkNBufferMath::GetLevelForFourLookups(w, h), PaperLevel(w, h)) << w << " x " << h;
   }
-  const auto count = [](int w, int h) {
-    return vtkNBufferMath::GetCoverOfFour({ 0, 0, w, h }).Count;
-  };
-  EXPECT_EQ(count(1, 1), 1);
-  EXPECT_EQ(count(7, 6), 4); // 2 x 2
-  EXPECT_EQ(count(8, 4), 2); // 2 x 1
-  EXPECT_EQ(count(4, 8), 2); // 1 x 2
-  EXPECT_EQ(count(8, 2), 4); // 4 x 1
-  EXPECT_EQ(count(2, 8), 4); // 1 x 4
-  EXPECT_EQ(count(6, 2), 3); // 3 x 1
-  EXPECT_EQ(count(2, 6), 3); // 1 x 3
+  // 1 x 1, 2 x 2, 2 x 1, 1 x 2, 4 x 1, 1 x 4, 3 x 1 and 1 x 3 squares.
+  const int counts[][3] = { { 1, 1, 1 }, { 7, 6, 4 }, { 8, 4, 2 }, { 4, 8, 2 }, { 8, 2, 4 },
+    { 2, 8, 4 }, { 6, 2, 3 }, { 2, 6, 3 } };
+  for (const auto& [w, h, count] : counts)
+  {
+    EXPECT_EQ(vtkNBufferMath::GetCoverOfFour({ 0, 0, w, h }).Count, count) << w << " x " << h;
+  }
 }
 
 // Hazard: sums overflow int for the largest sizes.
@@ -230,25 +191,9 @@ TEST(NBufferMath, LevelsOfHugeRectangles)
 TEST(NBufferMath, EveryRectangleOfSmallImagesIsCovered)
 {
   const int sizes[][2] = { { 1, 1 }, { 1, 6 }, { 6, 1 }, { 12, 19 }, { 23, 9 } };
-  for (const auto& size : sizes)
+  for (const auto& [width, height] : sizes)
   {
-    for (int x0 = 0; x0 < size[0]; ++x0)
-    {
-      for (int x1 = x0 + 1; x1 <= size[0]; ++x1)
-      {
-        for (int y0 = 0; y0 < size[1]; ++y0)
-        {
-          for (int y1 = y0 + 1; y1 <= size[1]; ++y1)
-          {
-            CheckCovers({ x0, y0, x1, y1 });
-            if (HasFatalFailure())
-            {
-              return;
-            }
-          }
-        }
-      }
-    }
+    ASSERT_NO_FATAL_FAILURE(ForEachRectangle(width, height, CheckCovers));
   }
 }
 
@@ -262,12 +207,8 @@ TEST(NBufferMath, RandomRectanglesAreCovered)
       1 + static_cast<int>(random() % 400) };
     int x[2] = { static_cast<int>(random() % size[0]), static_cast<int>(random() % size[0]) };
     int y[2] = { static_cast<int>(random() % size[1]), static_cast<int>(random() % size[1]) };
-    CheckCovers({ std::min(x[0], x[1]), std::min(y[0], y[1]), std::max(x[0], x[1]) + 1,
-      std::max(y[0], y[1]) + 1 });
-    if (HasFatalFailure())
-    {
-      return;
-    }
+    ASSERT_NO_FATAL_FAILURE(CheckCovers({ std::min(x[0], x[1]), std::min(y[0], y[1]),
+      std::max(x[0], x[1]) + 1, std::max(y[0], y[1]) + 1 }));
   }
 }
 
@@ -276,35 +217,26 @@ TEST(NBufferMath, RandomRectanglesAreCovered)
 // than (aspect / 2 - 1) times the rectangle beyond.
 TEST(NBufferMath, OverCoverageIsBounded)
 {
-  for (int w = 1; w <= 512; ++w)
+  for (const auto& [w, h] : Sizes(512))
   {
-    for (int h = 1; h <= 512; ++h)
+    // Far from the image border nothing is cut off, which is the worst case.
+    const vtkNBufferCover cover =
+      vtkNBufferMath::GetCoverOfFour({ 2048, 2048, 2048 + w, 2048 + h });
+    vtkNBufferRectangle box = GetSquare(cover, 0);
+    for (int i = 1; i < cover.Count; ++i)
     {
-      // Far from the image border nothing is cut off, which is the worst case.
-      const vtkNBufferCover cover =
-        vtkNBufferMath::GetCoverOfFour({ 2048, 2048, 2048 + w, 2048 + h });
-      const int side = 1 << cover.Level;
-      int box[4] = { INT_MAX, INT_MIN, INT_MAX, INT_MIN };
-      for (int i = 0; i < cover.Count; ++i)
-      {
-        box[0] = std::min(box[0], cover.X[i]);
-        box[1] = std::max(box[1], cover.X[i] + side);
-        box[2] = std::min(box[2], cover.Y[i]);
-        box[3] = std::max(box[3], cover.Y[i] + side);
-      }
-      const double area = static_cast<double>(w) * h;
-      const double covered = static_cast<double>(box[1] - box[0]) * (box[3] - box[2]);
-      const double extra = (covered - area) / area;
-      const double aspect = static_cast<double>(std::max(w, h)) / std::min(w, h);
-      if (std::ilogb(w) == std::ilogb(h))
-      {
-        ASSERT_EQ(extra, 0.0) << w << " x " << h;
-      }
-      ASSERT_TRUE(extra == 0.0 || extra < (aspect < 4.0 ? 1.0 : aspect / 2.0 - 1.0))
-        << w << " x " << h << ": " << extra;
-      const double oneSide = 1 << vtkNBufferMath::GetLevelForOneLookup(w, h);
-      ASSERT_LE(oneSide * oneSide / area - 1.0, 4.0 * aspect - 1.0) << w << " x " << h;
+      const vtkNBufferRectangle square = GetSquare(cover, i);
+      box = { std::min(box.X0, square.X0), std::min(box.Y0, square.Y0), std::max(box.X1, square.X1),
+        std::max(box.Y1, square.Y1) };
     }
+    const double area = static_cast<double>(w) * h;
+    const double extra = static_cast<double>(box.GetWidth()) * box.GetHeight() / area - 1.0;
+    const double aspect = static_cast<double>(std::max(w, h)) / std::min(w, h);
+    ASSERT_TRUE(extra == 0.0 || std::ilogb(w) != std::ilogb(h)) << w << " x " << h;
+    ASSERT_TRUE(extra == 0.0 || extra < (aspect < 4.0 ? 1.0 : aspect / 2.0 - 1.0))
+      << w << " x " << h << ": " << extra;
+    const double oneSide = 1 << vtkNBufferMath::GetLevelForOneLookup(w, h);
+    ASSERT_LE(oneSide * oneSide / area - 1.0, 4.0 * aspect - 1.0) << w << " x " << h;
   }
 }
 
@@ -328,17 +260,14 @@ TEST(NBufferMath, LargerSquaresArePushedDown)
 // Hazard: the base of an odd size drops its last row or column.
 TEST(NBufferMath, BaseSizeIsRoundedUp)
 {
-  for (int factor = 1; factor <= 9; ++factor)
+  for (const auto& [factor, size] : Pixels({ 1, 0, 10, 71 }))
   {
-    for (int size = 0; size <= 70; ++size)
+    int texels = 0;
+    while (texels * factor < size)
     {
-      int texels = 0;
-      while (texels * factor < size)
-      {
-        ++texels;
-      }
-      ASSERT_EQ(vtkNBufferMath::GetBaseSize(size, factor), texels) << size << " / " << factor;
+      ++texels;
     }
+    ASSERT_EQ(vtkNBufferMath::GetBaseSize(size, factor), texels) << size << " / " << factor;
   }
 }
 
@@ -351,16 +280,13 @@ TEST(NBufferMath, BaseRectangleIsRoundedOutwardAndTight)
     {
       for (int end = begin + 1; end <= 31; ++end)
       {
-        const vtkNBufferRectangle across =
-          vtkNBufferMath::GetBaseRectangle({ begin, 3, end, 4 }, factor);
-        const vtkNBufferRectangle upright =
-          vtkNBufferMath::GetBaseRectangle({ 3, begin, 4, end }, factor);
-        ASSERT_EQ(across.X0, begin / factor) << begin << " " << end << " / " << factor;
-        ASSERT_EQ(across.X1, (end - 1) / factor + 1) << begin << " " << end << " / " << factor;
-        ASSERT_EQ(upright.Y0, across.X0);
-        ASSERT_EQ(upright.Y1, across.X1);
-        ASSERT_EQ(across.Y0, 3 / factor);
-        ASSERT_EQ(across.Y1, 3 / factor + 1);
+        const int first = begin / factor;
+        const int last = (end - 1) / factor;
+        ASSERT_EQ(vtkNBufferMath::GetBaseRectangle({ begin, 3, end, 4 }, factor),
+          (vtkNBufferRectangle{ first, 3 / factor, last + 1, 3 / factor + 1 }))
+          << begin << " " << end << " / " << factor;
+        ASSERT_EQ(vtkNBufferMath::GetBaseRectangle({ 3, begin, 4, end }, factor),
+          (vtkNBufferRectangle{ 3 / factor, first, 3 / factor + 1, last + 1 }));
       }
     }
   }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // From boxes to rectangles and depths: conservative for every sampled point, and not too much so.
+#include "Pixels.h"
 #include "SampledViews.h"
-#include "vtkNBufferProjection.h"
 
 #include <gtest/gtest.h>
 
@@ -17,35 +17,46 @@ using NBufferStudy::DepthConventionNames;
 using NBufferStudy::DepthConventions;
 
 /// All that is claimed of a box, for one of its points.
-void CheckPoint(const vtkNBufferProjection& projection, vtkNBufferPlacement placement, bool outside,
-  const vtkNBufferBox& box, const vtkNBufferScreenBox& screen, const ScreenPoint& point)
+void CheckPoint(const vtkNBufferProjection& projection, const ProjectedBox& box, bool outside,
+  const glm::dvec3& point)
 {
   ASSERT_FALSE(outside) << "rejected, but a point of it is drawn";
-  ASSERT_NE(placement, vtkNBufferPlacement::Outside) << "rejected, but a point of it is drawn";
-  if (placement != vtkNBufferPlacement::Inside)
+  ASSERT_NE(box.Placement, vtkNBufferPlacement::Outside) << "rejected, but a point of it is drawn";
+  if (!box.IsInside())
   {
     return;
   }
-  const vtkNBufferRectangle& r = screen.Pixels;
-  ASSERT_GE(point.X, r.X0);
-  ASSERT_LE(point.X, r.X1);
-  ASSERT_GE(point.Y, r.Y0);
-  ASSERT_LE(point.Y, r.Y1);
-  ASSERT_GE(point.Z, screen.Nearest);
-  ASSERT_LE(point.Z, screen.Farthest);
+  ASSERT_TRUE(IsWithin(point, box.Screen)) << testing::PrintToString(point);
   for (int face = 0; face < 6; ++face)
   {
-    if (const auto plane = projection.GetFacePlane(box, screen, face))
+    if (const auto plane = projection.GetFacePlane(box.Box, box.Screen, face))
     {
-      ASSERT_GE(point.Z, plane->Depth + plane->SlopeX * point.X + plane->SlopeY * point.Y)
+      ASSERT_GE(point.z, plane->Depth + plane->SlopeX * point.x + plane->SlopeY * point.y)
         << "face " << face;
     }
   }
 }
 
-class NBufferProjection : public testing::TestWithParam<std::tuple<double, Convention>>
+using NBufferProjection = testing::TestWithParam<std::tuple<double, Convention>>;
+using NBufferProjectionOfDepths = testing::TestWithParam<Convention>;
+
+/// Calls function(projection, view, box) for boxes that lie in one of `count` views of a moderate
+/// range.
+template <typename Function>
+void ForEachBox(ViewSampler& sampler, int count, Function function)
 {
-};
+  for (int v = 0; v < count; ++v)
+  {
+    const View view = sampler.MakeView(0.0, false);
+    const vtkNBufferProjection projection = MakeProjection(view);
+    for (int b = 0; b < 40; ++b)
+    {
+      const ProjectedBox box(projection, sampler.MakeBounds(view));
+      SCOPED_TRACE(GetText(view, box.Bounds));
+      function(projection, view, box);
+    }
+  }
+}
 }
 
 // Hazard: a point outside of its box's rectangle, or nearer than its nearest depth, is culled
@@ -68,41 +79,30 @@ TEST_P(NBufferProjection, EverySampledPointIsCovered)
     const vtkNBufferProjection projection = MakeProjection(view, convention);
     for (int b = 0; b < 40; ++b)
     {
-      const std::array<double, 6> bounds = sampler.MakeBounds(view);
-      SCOPED_TRACE(view.Text + ", " + GetText(bounds));
-      const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds.data());
-      vtkNBufferScreenBox screen;
-      const bool outside = projection.IsOutside(box);
-      const vtkNBufferPlacement placement = projection.Project(box, screen);
-      rejected += outside || placement == vtkNBufferPlacement::Outside;
-      crossing += placement == vtkNBufferPlacement::Crossing;
-      if (placement == vtkNBufferPlacement::Inside)
+      const ProjectedBox box(projection, sampler.MakeBounds(view));
+      SCOPED_TRACE(GetText(view, box.Bounds));
+      const bool outside = projection.IsOutside(box.Box);
+      rejected += outside || box.Placement == vtkNBufferPlacement::Outside;
+      crossing += box.Placement == vtkNBufferPlacement::Crossing;
+      if (box.IsInside())
       {
         ++inside;
-        ASSERT_FALSE(screen.Pixels.IsEmpty());
-        ASSERT_GE(screen.Pixels.X0, 0);
-        ASSERT_GE(screen.Pixels.Y0, 0);
-        ASSERT_LE(screen.Pixels.X1, view.Width);
-        ASSERT_LE(screen.Pixels.Y1, view.Height);
-        ASSERT_LE(screen.Nearest, screen.Farthest);
+        ASSERT_FALSE(box.Screen.Pixels.IsEmpty());
+        ASSERT_TRUE(IsIn(box.Screen.Pixels, { 0, 0, view.Width, view.Height }));
+        ASSERT_LE(box.Screen.Nearest, box.Screen.Farthest);
       }
-      for (const auto& point : sampler.MakePoints(bounds, 60))
+      for (const auto& point : sampler.MakePoints(box.Bounds, 60))
       {
-        if (const auto exact = ProjectExactly(view, point, convention))
+        const auto exact = ProjectExactly(view, point, convention);
+        visiblePoints += exact.has_value();
+        for (int permutation = -1; permutation < 4; ++permutation)
         {
-          ++visiblePoints;
-          CheckPoint(projection, placement, outside, box, screen, *exact);
-        }
-        for (int permutation = 0; permutation < 4; ++permutation)
-        {
-          if (const auto drawn = ProjectAsDevice(view, point, permutation, convention))
+          const auto drawn =
+            permutation < 0 ? exact : ProjectAsDevice(view, point, permutation, convention);
+          if (drawn)
           {
-            CheckPoint(projection, placement, outside, box, screen, *drawn);
+            ASSERT_NO_FATAL_FAILURE(CheckPoint(projection, box, outside, *drawn));
           }
-        }
-        if (this->HasFatalFailure())
-        {
-          return;
         }
       }
     }
@@ -126,50 +126,35 @@ TEST(NBufferProjectionOnce, RectangleAndDepthAreTight)
 {
   ViewSampler sampler(6);
   int compared = 0;
-  for (int v = 0; v < 100; ++v)
-  {
-    const View view = sampler.MakeView(0.0, false);
-    const vtkNBufferProjection projection = MakeProjection(view);
-    for (int b = 0; b < 40; ++b)
+  ForEachBox(sampler, 100,
+    [&](const vtkNBufferProjection&, const View& view, const ProjectedBox& box)
     {
-      const std::array<double, 6> bounds = sampler.MakeBounds(view);
-      SCOPED_TRACE(view.Text + ", " + GetText(bounds));
-      vtkNBufferScreenBox screen;
-      if (projection.Project(vtkNBufferBox::FromBounds(bounds.data()), screen) !=
-        vtkNBufferPlacement::Inside)
-      {
-        continue;
-      }
       glm::dvec3 low(1e300);
       glm::dvec3 high(-1e300);
-      bool all = true;
-      for (const auto& corner : sampler.MakePoints(bounds, 0))
+      bool all = box.IsInside();
+      for (const auto& corner : sampler.MakePoints(box.Bounds, 0))
       {
         const auto point = ProjectExactly(view, corner);
         all = all && point;
-        if (point)
-        {
-          const glm::dvec3 p = { point->X, point->Y, point->Z };
-          low = glm::min(low, p);
-          high = glm::max(high, p);
-        }
+        low = glm::min(low, point.value_or(low));
+        high = glm::max(high, point.value_or(high));
       }
       if (!all)
       {
-        continue;
+        return;
       }
       ++compared;
       // A sixteenth of a pixel and the float slack, then whole pixels.
-      ASSERT_GE(screen.Pixels.X0, std::floor(low.x - 0.25));
-      ASSERT_LE(screen.Pixels.X1, std::ceil(high.x + 0.25));
-      ASSERT_GE(screen.Pixels.Y0, std::floor(low.y - 0.25));
-      ASSERT_LE(screen.Pixels.Y1, std::ceil(high.y + 0.25));
+      const vtkNBufferRectangle& r = box.Screen.Pixels;
+      ASSERT_GE(r.X0, std::floor(low.x - 0.25));
+      ASSERT_LE(r.X1, std::ceil(high.x + 0.25));
+      ASSERT_GE(r.Y0, std::floor(low.y - 0.25));
+      ASSERT_LE(r.Y1, std::ceil(high.y + 0.25));
       // The header's slack for interpolation, (2^-8.5 + 8 u n) R / t, is by far the largest part.
       const double interpolation =
         16.0 * (1.0 / 362.0 + 0x1p-21 * std::max(view.Width, view.Height)) * (high.z - low.z);
-      ASSERT_GE(screen.Nearest, low.z - 1e-4 - 1.01 * interpolation);
-    }
-  }
+      ASSERT_GE(box.Screen.Nearest, low.z - 1e-4 - 1.01 * interpolation);
+    });
   EXPECT_GT(compared, 200);
 }
 
@@ -177,27 +162,17 @@ TEST(NBufferProjectionOnce, RectangleAndDepthAreTight)
 TEST(NBufferProjectionOnce, CrossingOnlyAtTheNearPlane)
 {
   ViewSampler sampler(7);
-  for (int v = 0; v < 100; ++v)
-  {
-    const View view = sampler.MakeView(0.0, false);
-    const vtkNBufferProjection projection = MakeProjection(view);
-    for (int b = 0; b < 40; ++b)
+  ForEachBox(sampler, 100,
+    [&](const vtkNBufferProjection&, const View& view, const ProjectedBox& box)
     {
-      const std::array<double, 6> bounds = sampler.MakeBounds(view);
-      vtkNBufferScreenBox screen;
-      const vtkNBufferPlacement placement =
-        projection.Project(vtkNBufferBox::FromBounds(bounds.data()), screen);
-      bool clear = true;
-      for (const auto& corner : sampler.MakePoints(bounds, 0))
-      {
-        const double along =
-          glm::dot(corner - view.Position, view.Direction) / glm::length(view.Direction);
-        clear = clear && along > 1.01 * view.Near;
-      }
-      ASSERT_TRUE(!clear || placement != vtkNBufferPlacement::Crossing)
-        << view.Text << ", " << GetText(bounds);
-    }
-  }
+      const std::vector<glm::dvec3> corners = sampler.MakePoints(box.Bounds, 0);
+      const bool clear = std::all_of(corners.begin(), corners.end(),
+        [&view](const glm::dvec3& corner) {
+          return glm::dot(corner - view.Position, glm::normalize(view.Direction)) >
+            1.01 * view.Near;
+        });
+      ASSERT_TRUE(!clear || box.Placement != vtkNBufferPlacement::Crossing);
+    });
 }
 
 // Hazard: bounds without meaning must never lead to a cull.
@@ -212,13 +187,11 @@ TEST(NBufferProjectionOnce, NaNAndInfinityAreCrossing)
   {
     for (int i = 0; i < 6; ++i)
     {
-      double bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
+      std::array<double, 6> bounds = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
       bounds[i] = value;
-      const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
-      vtkNBufferScreenBox screen;
-      EXPECT_FALSE(projection.IsOutside(box)) << value << " " << i;
-      EXPECT_EQ(projection.Project(box, screen), vtkNBufferPlacement::Crossing)
-        << value << " " << i;
+      const ProjectedBox box(projection, bounds);
+      EXPECT_FALSE(projection.IsOutside(box.Box)) << value << " " << i;
+      EXPECT_EQ(box.Placement, vtkNBufferPlacement::Crossing) << value << " " << i;
     }
   }
 }
@@ -252,37 +225,25 @@ TEST(NBufferProjectionOnce, BoxContainsItsBounds)
 TEST(NBufferProjectionOnce, MarginWidensTheRectangle)
 {
   ViewSampler sampler(10);
-  for (int n = 0; n < 2000; ++n)
-  {
-    const View view = sampler.MakeView(0.0, false);
-    const vtkNBufferProjection projection = MakeProjection(view);
-    const std::array<double, 6> bounds = sampler.MakeBounds(view);
-    vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds.data());
-    vtkNBufferScreenBox plain;
-    vtkNBufferScreenBox wide;
-    const vtkNBufferPlacement before = projection.Project(box, plain);
-    box.Margin = 4.0;
-    EXPECT_FALSE(projection.IsOutside(box)) << "left to Project()";
-    if (before == vtkNBufferPlacement::Inside)
+  ForEachBox(sampler, 50,
+    [](const vtkNBufferProjection& projection, const View& view, const ProjectedBox& plain)
     {
+      vtkNBufferBox box = plain.Box;
+      box.Margin = 4.0;
+      EXPECT_FALSE(projection.IsOutside(box)) << "left to Project()";
+      vtkNBufferScreenBox wide;
       // What sticks out may reach the near plane in view where the box itself does not.
       const vtkNBufferPlacement after = projection.Project(box, wide);
-      ASSERT_NE(after, vtkNBufferPlacement::Outside);
-      if (after == vtkNBufferPlacement::Crossing)
+      if (plain.IsInside() && after != vtkNBufferPlacement::Crossing)
       {
-        continue;
+        ASSERT_NE(after, vtkNBufferPlacement::Outside);
+        const vtkNBufferRectangle& r = plain.Screen.Pixels;
+        const vtkNBufferRectangle all = { 0, 0, view.Width, view.Height };
+        ASSERT_TRUE(
+          IsIn(all.GetIntersection({ r.X0 - 3, r.Y0 - 3, r.X1 + 3, r.Y1 + 3 }), wide.Pixels));
       }
-      ASSERT_LE(wide.Pixels.X0, std::max(plain.Pixels.X0 - 3, 0));
-      ASSERT_GE(wide.Pixels.X1, std::min(plain.Pixels.X1 + 3, view.Width));
-      ASSERT_LE(wide.Pixels.Y0, std::max(plain.Pixels.Y0 - 3, 0));
-      ASSERT_GE(wide.Pixels.Y1, std::min(plain.Pixels.Y1 + 3, view.Height));
-    }
-  }
+    });
 }
-
-class NBufferProjectionOfDepths : public testing::TestWithParam<Convention>
-{
-};
 
 // Hazard: two props tie in a pixel in which they are said not to touch.
 TEST_P(NBufferProjectionOfDepths, BoxesMeetInTheirContactAlone)
@@ -308,43 +269,34 @@ TEST_P(NBufferProjectionOfDepths, BoxesMeetInTheirContactAlone)
       b[2 * j] += shift;
       b[2 * j + 1] += shift;
     }
-    const vtkNBufferBox boxA = vtkNBufferBox::FromBounds(a.data());
-    const vtkNBufferBox boxB = vtkNBufferBox::FromBounds(b.data());
-    vtkNBufferScreenBox screenA;
-    vtkNBufferScreenBox screenB;
-    if (projection.Project(boxA, screenA) != vtkNBufferPlacement::Inside ||
-      projection.Project(boxB, screenB) != vtkNBufferPlacement::Inside)
+    const ProjectedBox boxA(projection, a);
+    const ProjectedBox boxB(projection, b);
+    if (!boxA.IsInside() || !boxB.IsInside())
     {
       continue;
     }
-    const vtkNBufferRectangle contact = projection.GetContact(boxA, screenA, boxB, screenB);
+    const vtkNBufferRectangle contact =
+      projection.GetContact(boxA.Box, boxA.Screen, boxB.Box, boxB.Screen);
     const bool touch = !contact.IsEmpty();
-    const vtkNBufferRectangle both = screenA.Pixels.GetIntersection(screenB.Pixels);
-    if (touch)
-    {
-      ASSERT_TRUE(contact.X0 >= both.X0 && contact.Y0 >= both.Y0 && contact.X1 <= both.X1 &&
-        contact.Y1 <= both.Y1);
-      smaller += contact.GetWidth() * contact.GetHeight() < both.GetWidth() * both.GetHeight();
-    }
-    apart += touch ? 0 : 1;
-    SCOPED_TRACE(view.Text + ", " + GetText(a) + ", " + GetText(b));
-    const vtkNBufferRectangle& r = screenA.Pixels;
+    const vtkNBufferRectangle both = boxA.Screen.Pixels.GetIntersection(boxB.Screen.Pixels);
+    ASSERT_TRUE(!touch || IsIn(contact, both));
+    smaller +=
+      touch && contact.GetWidth() * contact.GetHeight() < both.GetWidth() * both.GetHeight();
+    apart += !touch;
+    SCOPED_TRACE(GetText(view, a) + " and " + GetText(view, b));
+    const vtkNBufferRectangle& r = boxA.Screen.Pixels;
     for (int i = 0; i < 50; ++i)
     {
       const double x = sampler.Uniform(r.X0, r.X1);
       const double y = sampler.Uniform(r.Y0, r.Y1);
-      if (touch && x >= contact.X0 && x < contact.X1 && y >= contact.Y0 && y < contact.Y1)
-      {
-        continue;
-      }
       const auto depthsA = GetDepthsAlongRay(view, a, x, y);
       const auto depthsB = GetDepthsAlongRay(view, b, x, y);
-      if (depthsA && depthsB)
+      const bool inContact = touch && IsIn(static_cast<int>(x), static_cast<int>(y), contact);
+      if (!inContact && depthsA && depthsB)
       {
         ++met;
         ASSERT_TRUE((*depthsA)[1] < (*depthsB)[0] || (*depthsB)[1] < (*depthsA)[0])
-          << (*depthsA)[0] << " " << (*depthsA)[1] << " and " << (*depthsB)[0] << " "
-          << (*depthsB)[1];
+          << testing::PrintToString(*depthsA) << " and " << testing::PrintToString(*depthsB);
       }
     }
   }
@@ -362,15 +314,14 @@ TEST(NBufferProjectionOnce, SlackGrowsWithTheLargestCoordinate)
   ViewSampler sampler(12);
   const View view = sampler.MakeView(0.0, false);
   const glm::dvec3 center = view.Position + 20.0 * view.Direction;
-  const double bounds[6] = { center.x - 1.0, center.x + 1.0, center.y - 1.0, center.y + 1.0,
-    center.z - 1.0, center.z + 1.0 };
-  const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
+  const std::array<double, 6> bounds = { center.x - 1.0, center.x + 1.0, center.y - 1.0,
+    center.y + 1.0, center.z - 1.0, center.z + 1.0 };
   vtkNBufferProjection projection = MakeProjection(view);
-  vtkNBufferScreenBox before;
-  ASSERT_EQ(projection.Project(box, before), vtkNBufferPlacement::Inside);
+  const ProjectedBox before(projection, bounds);
+  ASSERT_TRUE(before.IsInside());
   projection.Set(view.WorldToClip.data(), view.Width, view.Height, 0x1p-24, 20000);
-  vtkNBufferScreenBox after;
-  ASSERT_EQ(projection.Project(box, after), vtkNBufferPlacement::Inside);
-  EXPECT_LT(after.Nearest, before.Nearest);
-  EXPECT_GT(after.Farthest, before.Farthest);
+  const ProjectedBox after(projection, bounds);
+  ASSERT_TRUE(after.IsInside());
+  EXPECT_LT(after.Screen.Nearest, before.Screen.Nearest);
+  EXPECT_GT(after.Screen.Farthest, before.Screen.Farthest);
 }

@@ -36,7 +36,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <string>
+#include <utility>
 
 namespace
 {
@@ -87,29 +87,9 @@ struct StampedActor
   vtkNew<vtkActor> Actor;
 };
 
+/// What is done to an actor, by name.
 template <typename Props>
-struct ChangeOf
-{
-  std::string Name;
-  std::function<void(Props&)> Apply;
-};
-
-template <typename Props>
-void PrintTo(const ChangeOf<Props>& change, std::ostream* os)
-{
-  *os << change.Name;
-}
-
-using Change = ChangeOf<PipedActor>;
-using StampChange = ChangeOf<StampedActor>;
-
-class NBufferPipeline : public testing::TestWithParam<Change>
-{
-};
-
-class NBufferStamps : public testing::TestWithParam<StampChange>
-{
-};
+using ChangeOf = std::pair<const char*, std::function<void(Props&)>>;
 
 vtkNBufferPropWatch Watch(vtkProp* prop)
 {
@@ -120,58 +100,55 @@ vtkNBufferPropWatch Watch(vtkProp* prop)
 }
 
 // Hazard: a change upstream leaves the times of actor, mapper and data untouched.
-TEST_P(NBufferPipeline, ChangesAreSeenBeforeTheyAreRun)
+TEST(NBufferPipeline, ChangesAreSeenBeforeTheyAreRun)
 {
-  PipedActor piped;
-  const vtkNBufferPropWatch watch = Watch(piped.Actor);
-  ASSERT_EQ(watch.GetMeans(), Means::Pipeline);
-  EXPECT_TRUE(watch.MayHaveChanged()) << "which only the pipeline knows";
-  EXPECT_FALSE(watch.HasChanged());
-  this->GetParam().Apply(piped);
-  EXPECT_TRUE(watch.HasChanged());
-  EXPECT_TRUE(watch.HasChanged()) << "the first call must not forget the change";
-}
-
-INSTANTIATE_TEST_SUITE_P(Each, NBufferPipeline,
-  testing::Values(Change{ "Source", [](PipedActor& piped) { piped.Source->SetRadius(3.0); } },
-    Change{
-      "FiltersTransform", [](PipedActor& piped) { piped.Transform->Translate(1.0, 0.0, 0.0); } },
-    Change{ "SourceRunByAnother",
-      [](PipedActor& piped)
+  const ChangeOf<PipedActor> changes[] = {
+    { "Source", [](PipedActor& p) { p.Source->SetRadius(3.0); } },
+    { "FiltersTransform", [](PipedActor& p) { p.Transform->Translate(1.0, 0.0, 0.0); } },
+    { "SourceRunByAnother",
+      [](PipedActor& p)
       {
-        piped.Source->SetRadius(3.0);
-        piped.Filter->Update();
+        p.Source->SetRadius(3.0);
+        p.Filter->Update();
       } },
-    Change{ "Connection",
-      [](PipedActor& piped) { piped.Mapper->SetInputConnection(piped.Source->GetOutputPort()); } },
-    Change{ "FiltersConnection",
-      [](PipedActor& piped)
-      {
-        vtkNew<vtkSphereSource> other;
-        piped.Filter->SetInputConnection(other->GetOutputPort());
-      } },
-    Change{ "Data",
-      [](PipedActor& piped)
-      { vtkPolyData::SafeDownCast(piped.Mapper->GetInput())->GetPoints()->Modified(); } },
-    Change{ "ReleasedData", [](PipedActor& piped) { piped.Mapper->GetInput()->ReleaseData(); } },
-    Change{ "TimeStep",
-      [](PipedActor& piped)
-      { piped.GetRequest()->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), 2.0); } },
-    Change{
-      "UserTransform", [](PipedActor& piped) { piped.UserTransform->Translate(1.0, 0.0, 0.0); } },
-    Change{
-      "TransformBehindTheUsers", [](PipedActor& piped) { piped.Outer->Translate(1.0, 0.0, 0.0); } },
-    Change{ "Position", [](PipedActor& piped) { piped.Actor->SetPosition(1.0, 0.0, 0.0); } },
-    Change{ "Property", [](PipedActor& piped) { piped.Actor->GetProperty()->SetOpacity(0.5); } },
-    Change{ "Mapper",
-      [](PipedActor& piped)
+    { "Connection",
+      [](PipedActor& p) { p.Mapper->SetInputConnection(p.Source->GetOutputPort()); } },
+    { "FiltersConnection",
+      [](PipedActor& p)
+      { p.Filter->SetInputConnection(vtkNew<vtkSphereSource>()->GetOutputPort()); } },
+    { "Data",
+      [](PipedActor& p)
+      { vtkPolyData::SafeDownCast(p.Mapper->GetInput())->GetPoints()->Modified(); } },
+    { "ReleasedData", [](PipedActor& p) { p.Mapper->GetInput()->ReleaseData(); } },
+    { "TimeStep",
+      [](PipedActor& p)
+      { p.GetRequest()->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), 2.0); } },
+    { "UserTransform", [](PipedActor& p) { p.UserTransform->Translate(1.0, 0.0, 0.0); } },
+    { "TransformBehindTheUsers", [](PipedActor& p) { p.Outer->Translate(1.0, 0.0, 0.0); } },
+    { "Position", [](PipedActor& p) { p.Actor->SetPosition(1.0, 0.0, 0.0); } },
+    { "Property", [](PipedActor& p) { p.Actor->GetProperty()->SetOpacity(0.5); } },
+    { "Mapper",
+      [](PipedActor& p)
       {
         vtkNew<vtkOpenGLPolyDataMapper> other;
-        other->SetInputConnection(piped.Source->GetOutputPort());
-        piped.Actor->SetMapper(other);
+        other->SetInputConnection(p.Source->GetOutputPort());
+        p.Actor->SetMapper(other);
       } },
-    Change{ "NewShaderProperty", [](PipedActor& piped) { piped.Actor->GetShaderProperty(); } }),
-  [](const auto& info) { return info.param.Name; });
+    { "NewShaderProperty", [](PipedActor& p) { p.Actor->GetShaderProperty(); } },
+  };
+  for (const auto& [name, apply] : changes)
+  {
+    SCOPED_TRACE(name);
+    PipedActor piped;
+    const vtkNBufferPropWatch watch = Watch(piped.Actor);
+    ASSERT_EQ(watch.GetMeans(), Means::Pipeline);
+    EXPECT_TRUE(watch.MayHaveChanged()) << "which only the pipeline knows";
+    EXPECT_FALSE(watch.HasChanged());
+    apply(piped);
+    EXPECT_TRUE(watch.HasChanged());
+    EXPECT_TRUE(watch.HasChanged()) << "the first call must not forget the change";
+  }
+}
 
 // Hazard: a filter that marks itself as modified while it runs counts as changed for ever.
 TEST(NBufferPipelines, RunningIsNoChange)
@@ -221,65 +198,65 @@ TEST(NBufferPipelines, WhatDoesNotShowInTimesIsNotTracked)
 }
 
 // Hazard: one of the objects that an actor without a pipeline is made of is not compared.
-TEST_P(NBufferStamps, ChangesAreSeen)
+TEST(NBufferStamps, ChangesAreSeen)
 {
-  StampedActor stamped;
-  vtkNBufferPropWatch watch = Watch(stamped.Actor);
-  ASSERT_EQ(watch.GetMeans(), Means::Stamps);
-  EXPECT_TRUE(watch.SeesAllChanges());
-  EXPECT_FALSE(watch.MayHaveChanged());
-  EXPECT_FALSE(watch.HasChanged());
-  const vtkMTimeType time = watch.GetTime();
-  this->GetParam().Apply(stamped);
-  EXPECT_TRUE(watch.MayHaveChanged());
-  EXPECT_TRUE(watch.HasChanged());
-  stamped.Actor->GetBounds();
-  watch.Track(stamped.Actor);
-  EXPECT_GT(watch.GetTime(), time);
-  EXPECT_FALSE(watch.HasChanged());
-}
-
-INSTANTIATE_TEST_SUITE_P(Each, NBufferStamps,
-  testing::Values(
-    StampChange{ "Position", [](StampedActor& s) { s.Actor->SetPosition(1.0, 0.0, 0.0); } },
-    StampChange{ "Property", [](StampedActor& s) { s.Actor->GetProperty()->SetOpacity(0.5); } },
-    StampChange{ "NewBackfaceProperty",
+  const ChangeOf<StampedActor> changes[] = {
+    { "Position", [](StampedActor& s) { s.Actor->SetPosition(1.0, 0.0, 0.0); } },
+    { "Property", [](StampedActor& s) { s.Actor->GetProperty()->SetOpacity(0.5); } },
+    { "NewBackfaceProperty",
       [](StampedActor& s) { s.Actor->SetBackfaceProperty(vtkNew<vtkProperty>()); } },
-    StampChange{ "UserMatrix", [](StampedActor& s) { s.Matrix->SetElement(0, 3, 2.0); } },
-    StampChange{ "NewShaderProperty", [](StampedActor& s) { s.Actor->GetShaderProperty(); } },
-    StampChange{ "Mapper", [](StampedActor& s) { s.Mapper->SetScalarVisibility(false); } },
-    StampChange{ "NewLookupTable",
+    { "UserMatrix", [](StampedActor& s) { s.Matrix->SetElement(0, 3, 2.0); } },
+    { "NewShaderProperty", [](StampedActor& s) { s.Actor->GetShaderProperty(); } },
+    { "Mapper", [](StampedActor& s) { s.Mapper->SetScalarVisibility(false); } },
+    { "NewLookupTable",
       [](StampedActor& s) { s.Mapper->SetLookupTable(vtkNew<vtkLookupTable>()); } },
-    StampChange{ "NewMapper",
+    { "NewMapper",
       [](StampedActor& s)
       {
         vtkNew<vtkOpenGLPolyDataMapper> other;
         other->SetInputData(s.Data);
         s.Actor->SetMapper(other);
       } },
-    StampChange{ "NewData",
+    { "NewData",
       [](StampedActor& s)
       {
         vtkNew<vtkPolyData> other;
         other->DeepCopy(s.Data);
         s.Mapper->SetInputData(other);
       } },
-    StampChange{ "Data", [](StampedActor& s) { s.Data->Modified(); } },
-    StampChange{ "Points", [](StampedActor& s) { s.Data->GetPoints()->Modified(); } },
-    StampChange{
-      "Coordinates", [](StampedActor& s) { s.Data->GetPoints()->GetData()->Modified(); } },
-    StampChange{ "Polygons", [](StampedActor& s) { s.Data->GetPolys()->Modified(); } },
-    StampChange{
-      "Normals", [](StampedActor& s) { s.Data->GetPointData()->GetNormals()->Modified(); } },
-    StampChange{ "NewArray",
+    { "Data", [](StampedActor& s) { s.Data->Modified(); } },
+    { "Points", [](StampedActor& s) { s.Data->GetPoints()->Modified(); } },
+    { "Coordinates", [](StampedActor& s) { s.Data->GetPoints()->GetData()->Modified(); } },
+    { "Polygons", [](StampedActor& s) { s.Data->GetPolys()->Modified(); } },
+    { "Normals", [](StampedActor& s) { s.Data->GetPointData()->GetNormals()->Modified(); } },
+    { "NewArray",
       [](StampedActor& s)
       {
         vtkNew<vtkFloatArray> array;
         array->SetName("new");
         s.Data->GetPointData()->AddArray(array);
       } },
-    StampChange{ "FieldData", [](StampedActor& s) { s.Data->GetFieldData()->Modified(); } }),
-  [](const auto& info) { return info.param.Name; });
+    { "FieldData", [](StampedActor& s) { s.Data->GetFieldData()->Modified(); } },
+  };
+  for (const auto& [name, apply] : changes)
+  {
+    SCOPED_TRACE(name);
+    StampedActor stamped;
+    vtkNBufferPropWatch watch = Watch(stamped.Actor);
+    ASSERT_EQ(watch.GetMeans(), Means::Stamps);
+    EXPECT_TRUE(watch.SeesAllChanges());
+    EXPECT_FALSE(watch.MayHaveChanged());
+    EXPECT_FALSE(watch.HasChanged());
+    const vtkMTimeType time = watch.GetTime();
+    apply(stamped);
+    EXPECT_TRUE(watch.MayHaveChanged());
+    EXPECT_TRUE(watch.HasChanged());
+    stamped.Actor->GetBounds();
+    watch.Track(stamped.Actor);
+    EXPECT_GT(watch.GetTime(), time);
+    EXPECT_FALSE(watch.HasChanged());
+  }
+}
 
 // Hazard: what is read in every frame anyway is taken for unchanged, because the change is that of
 // something behind the mapper.

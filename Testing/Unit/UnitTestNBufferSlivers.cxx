@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Which triangles of hidden meshes may be drawn before their box, and what pieces of a box allow.
+#include "ProjectedBox.h"
 #include "vtkNBufferSliverTest.h"
 #include "vtkNBufferSplitBox.h"
 #include "vtkNBufferSurface.h"
@@ -40,19 +41,14 @@ protected:
     const auto& [a, b, c] = triangle;
     const glm::dvec3 low = glm::min(glm::min(a, b), c);
     const glm::dvec3 high = glm::max(glm::max(a, b), c);
-    const double bounds[6] = { low.x, high.x, low.y, high.y, low.z, high.z };
-    const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
-    vtkNBufferScreenBox screen;
-    EXPECT_EQ(this->Projection.Project(box, screen), vtkNBufferPlacement::Inside);
+    const ProjectedBox box(this->Projection, { low.x, high.x, low.y, high.y, low.z, high.z });
+    EXPECT_TRUE(box.IsInside());
     vtkNBufferMesh mesh;
-    for (const glm::dvec3& p : triangle)
-    {
-      mesh.Points.push_back({ p.x, p.y, p.z });
-    }
+    mesh.Points.assign(triangle.begin(), triangle.end());
     mesh.Triangles = { { 0, 1, 2 } };
     vtkNBufferSliverTest test(this->Projection, this->Levels, sampleReach);
     const double identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-    return test.MayBeSeen(mesh, identity, box, screen);
+    return test.MayBeSeen(mesh, identity, box.Box, box.Screen);
   }
 
   vtkNBufferProjection Projection;
@@ -147,18 +143,16 @@ TEST_F(Slivers, ThroughAHole)
 // whole box may have its whole depth over the smallest height.
 TEST_F(Slivers, PiecesAllowForTheWholeBox)
 {
-  const double bounds[6] = { 10, 90, 20, 21, 0.2, 0.8 };
-  const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
   // Depth grows along x, so that each piece is an eighth as deep.
   const double worldToClip[16] = { 2.0 / Width, 0, 0, -1, 0, 2.0 / Height, 0, -1, 2.0 * 0.6 / 80, 0,
     0, 2.0 * 0.125 - 1.0, 0, 0, 0, 1 };
   vtkNBufferProjection projection;
   projection.Set(worldToClip, Width, Height, 0x1p-24);
-  vtkNBufferScreenBox screen;
-  ASSERT_EQ(projection.Project(box, screen), vtkNBufferPlacement::Inside);
-  EXPECT_NEAR(screen.DepthRange, 0.6, 1e-5);
+  const ProjectedBox box(projection, { 10, 90, 20, 21, 0.2, 0.8 });
+  ASSERT_TRUE(box.IsInside());
+  EXPECT_NEAR(box.Screen.DepthRange, 0.6, 1e-5);
   int pieces = 0;
-  vtkNBufferSplitBox::AreBehind(projection, box, screen, 8, 4,
+  vtkNBufferSplitBox::AreBehind(projection, box.Box, box.Screen, 8, 4,
     [&](const vtkNBufferScreenBox& part)
     {
       if (pieces++ == 0)

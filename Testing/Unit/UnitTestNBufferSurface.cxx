@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What an actor draws, by kind of mapper.
 #include "CompositeMapper.h"
+#include "PrintVectors.h"
 
 #include "vtkNBufferMeshes.h"
 #include "vtkNBufferSurface.h"
@@ -43,18 +44,27 @@ vtkSmartPointer<vtkPolyData> RunSphereSource()
   return source->GetOutput();
 }
 
-std::vector<vtkNBufferSurface::Part> GetParts(vtkActor* actor)
+/// An actor with VTK's plain mapper.
+class NBufferSurface : public testing::Test
 {
-  std::vector<vtkNBufferSurface::Part> parts;
-  EXPECT_TRUE(vtkNBufferSurface().GetParts(actor, actor->GetMatrix(), parts));
-  return parts;
-}
+protected:
+  NBufferSurface() { this->Actor->SetMapper(this->Mapper); }
+
+  std::vector<vtkNBufferSurface::Part> GetParts() const
+  {
+    std::vector<vtkNBufferSurface::Part> parts;
+    EXPECT_TRUE(vtkNBufferSurface().GetParts(this->Actor, this->Actor->GetMatrix(), parts));
+    return parts;
+  }
+
+  vtkNew<vtkOpenGLPolyDataMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+};
 }
 
-TEST(NBufferSurface, SubclassesMayDrawAnythingButCast)
+TEST_F(NBufferSurface, SubclassesMayDrawAnythingButCast)
 {
-  vtkNew<vtkActor> actor;
-  EXPECT_EQ(vtkNBufferSurface::GetPlainActor(actor), actor);
+  EXPECT_EQ(vtkNBufferSurface::GetPlainActor(this->Actor), this->Actor);
   EXPECT_EQ(vtkNBufferSurface::GetPlainActor(vtkNew<vtkFollower>()), nullptr);
 
   EXPECT_TRUE(vtkNBufferSurface::IsPlain(vtkNew<vtkOpenGLPolyDataMapper>()));
@@ -64,34 +74,31 @@ TEST(NBufferSurface, SubclassesMayDrawAnythingButCast)
 
   vtkNew<Subclass> mapper;
   mapper->SetInputData(RunSphereSource());
-  actor->SetMapper(mapper);
+  this->Actor->SetMapper(mapper);
   EXPECT_FALSE(vtkNBufferSurface::IsPlain(mapper));
   EXPECT_EQ(vtkNBufferSurface::GetOnlyPolyData(mapper), nullptr);
-  EXPECT_EQ(GetParts(actor).size(), 1u);
+  EXPECT_EQ(this->GetParts().size(), 1u);
 }
 
-TEST(NBufferSurface, PartsArePlacedInTheWorld)
+TEST_F(NBufferSurface, PartsArePlacedInTheWorld)
 {
-  vtkNew<vtkOpenGLPolyDataMapper> mapper;
-  mapper->SetInputData(RunSphereSource());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->SetPosition(1.0, 2.0, 3.0);
-  const std::vector<vtkNBufferSurface::Part> parts = GetParts(actor);
+  this->Mapper->SetInputData(RunSphereSource());
+  this->Actor->SetPosition(1.0, 2.0, 3.0);
+  const std::vector<vtkNBufferSurface::Part> parts = this->GetParts();
   ASSERT_EQ(parts.size(), 1u);
-  EXPECT_EQ(parts[0].Mesh, mapper->GetInput());
+  EXPECT_EQ(parts[0].Mesh, this->Mapper->GetInput());
   EXPECT_EQ(
     parts[0].ToWorld, (std::array<double, 16>{ 1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3, 0, 0, 0, 1 }));
   EXPECT_TRUE(parts[0].IsVisible);
   EXPECT_FALSE(parts[0].IsTranslucent);
 
   // Without points nothing is drawn, but it is known what.
-  mapper->SetInputData(vtkNew<vtkPolyData>());
-  ASSERT_EQ(GetParts(actor).size(), 1u);
-  EXPECT_TRUE(vtkNBufferSurface::GetMesh(mapper->GetInput()).Triangles.empty());
+  this->Mapper->SetInputData(vtkNew<vtkPolyData>());
+  ASSERT_EQ(this->GetParts().size(), 1u);
+  EXPECT_TRUE(vtkNBufferSurface::GetMesh(this->Mapper->GetInput()).Triangles.empty());
 }
 
-TEST(NBufferSurface, BlocksInheritAttributes)
+TEST_F(NBufferSurface, BlocksInheritAttributes)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
   vtkNew<vtkMultiBlockDataSet> inner;
@@ -105,12 +112,11 @@ TEST(NBufferSurface, BlocksInheritAttributes)
   mapper->SetInputDataObject(blocks);
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   mapper->SetCompositeDataDisplayAttributes(attributes);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
+  this->Actor->SetMapper(mapper);
   attributes->SetBlockVisibility(inner, false);
   attributes->SetBlockVisibility(inner->GetBlock(1), true);
   attributes->SetBlockOpacity(blocks->GetBlock(1), 0.5);
-  const std::vector<vtkNBufferSurface::Part> parts = GetParts(actor);
+  const std::vector<vtkNBufferSurface::Part> parts = this->GetParts();
   ASSERT_EQ(parts.size(), 4u);
   EXPECT_TRUE(parts[0].IsVisible && !parts[0].IsTranslucent);
   EXPECT_TRUE(parts[1].IsVisible && parts[1].IsTranslucent);
@@ -118,53 +124,45 @@ TEST(NBufferSurface, BlocksInheritAttributes)
   EXPECT_TRUE(parts[3].IsVisible);
 }
 
-TEST(NBufferSurface, OtherDataIsExtracted)
+TEST_F(NBufferSurface, OtherDataIsExtracted)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(3, 3, 3);
   vtkNew<vtkDataSetMapper> mapper;
   mapper->SetInputData(image);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  const vtkNBufferMesh mesh = [&]()
-  {
-    vtkNBufferSurface surface;
-    std::vector<vtkNBufferSurface::Part> parts;
-    EXPECT_FALSE(vtkNBufferSurface::GetPartsAtHand(actor, actor->GetMatrix(), parts));
-    EXPECT_TRUE(surface.GetParts(actor, actor->GetMatrix(), parts));
-    return vtkNBufferSurface::GetMesh(parts.at(0).Mesh);
-  }();
-  EXPECT_EQ(mesh.Triangles.size(), 6u * 4u * 2u);
-  EXPECT_TRUE(vtkNBufferMeshes().Get(actor).empty());
-
+  this->Actor->SetMapper(mapper);
+  vtkNBufferSurface surface;
   std::vector<vtkNBufferSurface::Part> parts;
-  actor->SetMapper(vtkNew<vtkOpenGLPolyDataMapper>());
-  EXPECT_FALSE(vtkNBufferSurface().GetParts(actor, actor->GetMatrix(), parts)) << "has no input";
-  actor->SetMapper(vtkNew<vtkGlyph3DMapper>());
-  EXPECT_FALSE(vtkNBufferSurface().GetParts(actor, actor->GetMatrix(), parts));
+  EXPECT_FALSE(vtkNBufferSurface::GetPartsAtHand(this->Actor, this->Actor->GetMatrix(), parts));
+  EXPECT_TRUE(surface.GetParts(this->Actor, this->Actor->GetMatrix(), parts));
+  EXPECT_EQ(vtkNBufferSurface::GetMesh(parts.at(0).Mesh).Triangles.size(), 6u * 4u * 2u);
+  EXPECT_TRUE(vtkNBufferMeshes().Get(this->Actor).empty());
+
+  this->Actor->SetMapper(vtkNew<vtkOpenGLPolyDataMapper>());
+  EXPECT_FALSE(vtkNBufferSurface().GetParts(this->Actor, this->Actor->GetMatrix(), parts))
+    << "has no input";
+  this->Actor->SetMapper(vtkNew<vtkGlyph3DMapper>());
+  EXPECT_FALSE(vtkNBufferSurface().GetParts(this->Actor, this->Actor->GetMatrix(), parts));
 }
 
 // Hazard: the image changes because the shadow pass runs a pipeline that VTK would not run.
-TEST(NBufferSurface, PipelinesOfStaticMappersAreNotRun)
+TEST_F(NBufferSurface, PipelinesOfStaticMappersAreNotRun)
 {
   vtkNew<vtkSphereSource> source;
-  vtkNew<vtkOpenGLPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  vtkNBufferSurface::UpdatePipeline(actor);
-  const vtkIdType count = mapper->GetInput()->GetNumberOfPoints();
+  this->Mapper->SetInputConnection(source->GetOutputPort());
+  vtkNBufferSurface::UpdatePipeline(this->Actor);
+  const vtkIdType count = this->Mapper->GetInput()->GetNumberOfPoints();
   EXPECT_GT(count, 0);
-  mapper->StaticOn();
+  this->Mapper->StaticOn();
   source->SetThetaResolution(20);
-  vtkNBufferSurface::UpdatePipeline(actor);
-  EXPECT_EQ(mapper->GetInput()->GetNumberOfPoints(), count);
-  mapper->StaticOff();
-  vtkNBufferSurface::UpdatePipeline(actor);
-  EXPECT_GT(mapper->GetInput()->GetNumberOfPoints(), count);
+  vtkNBufferSurface::UpdatePipeline(this->Actor);
+  EXPECT_EQ(this->Mapper->GetInput()->GetNumberOfPoints(), count);
+  this->Mapper->StaticOff();
+  vtkNBufferSurface::UpdatePipeline(this->Actor);
+  EXPECT_GT(this->Mapper->GetInput()->GetNumberOfPoints(), count);
 }
 
-TEST(NBufferSurface, PolygonsAndStripsBecomeTriangles)
+TEST_F(NBufferSurface, PolygonsAndStripsBecomeTriangles)
 {
   vtkNew<vtkPoints> points;
   for (int i = 0; i < 4; ++i)
@@ -185,32 +183,28 @@ TEST(NBufferSurface, PolygonsAndStripsBecomeTriangles)
   EXPECT_EQ(mesh.Triangles.size(), 4u);
 }
 
-TEST(NBufferSurface, PlanesKeepTheSideOfTheirNormal)
+TEST_F(NBufferSurface, PlanesKeepTheSideOfTheirNormal)
 {
   vtkNew<vtkPlane> plane;
   plane->SetNormal(0.0, 1.0, 0.0);
   plane->SetOrigin(5.0, 2.0, 0.0);
-  vtkNew<vtkOpenGLPolyDataMapper> mapper;
-  EXPECT_TRUE(vtkNBufferSurface::GetClippingPlanes(mapper).empty());
-  mapper->AddClippingPlane(plane);
-  const auto planes = vtkNBufferSurface::GetClippingPlanes(mapper);
+  EXPECT_TRUE(vtkNBufferSurface::GetClippingPlanes(this->Mapper).empty());
+  this->Mapper->AddClippingPlane(plane);
+  const auto planes = vtkNBufferSurface::GetClippingPlanes(this->Mapper);
   ASSERT_EQ(planes.size(), 1u);
   EXPECT_EQ(planes[0], (vtkNBufferSurface::Plane{ 0.0, 1.0, 0.0, -2.0 }));
 }
 
-TEST(NBufferSurface, WideLinesAndPointsHaveAMargin)
+TEST_F(NBufferSurface, WideLinesAndPointsHaveAMargin)
 {
   const vtkSmartPointer<vtkPolyData> sphere = RunSphereSource();
-  vtkNew<vtkOpenGLPolyDataMapper> mapper;
-  mapper->SetInputData(sphere);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetLineWidth(6.0);
-  EXPECT_EQ(vtkNBufferSurface::GetMargin(actor), 0.0);
-  EXPECT_FALSE(vtkNBufferSurface::DrawsLines(mapper));
+  this->Mapper->SetInputData(sphere);
+  this->Actor->GetProperty()->SetLineWidth(6.0);
+  EXPECT_EQ(vtkNBufferSurface::GetMargin(this->Actor), 0.0);
+  EXPECT_FALSE(vtkNBufferSurface::DrawsLines(this->Mapper));
   vtkNew<vtkCellArray> lines;
   lines->InsertNextCell({ 0, 1 });
   sphere->SetLines(lines);
-  EXPECT_EQ(vtkNBufferSurface::GetMargin(actor), 4.0);
-  EXPECT_TRUE(vtkNBufferSurface::DrawsLines(mapper));
+  EXPECT_EQ(vtkNBufferSurface::GetMargin(this->Actor), 4.0);
+  EXPECT_TRUE(vtkNBufferSurface::DrawsLines(this->Mapper));
 }

@@ -1,12 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What drawing whole volumes is guessed to take, and when litmaps are worth it.
-#include "ShadowMeshes.h"
+#include "Pixels.h"
+#include "ShadowCaster.h"
 
 #include "vtkShadowCostModel.h"
-#include "vtkShadowSilhouette.h"
-#include "vtkShadowTopology.h"
-#include "vtkShadowVolume.h"
 
 #include <gtest/gtest.h>
 
@@ -23,15 +21,6 @@ constexpr double Rows[16] = { 9.0 / 16, 0, 0, 0, 0, 1, 0, 0, 0, 0, -100.1 / 99.9
   (3 * 100.1 - 20.0) / 99.9, 0, 0, -1, 3 };
 
 const glm::dmat4 Clip = vtkNBufferGLM::ToMatrix(Rows);
-
-vtkShadowLight MakeLight(bool positional)
-{
-  vtkShadowLight light;
-  light.Kind = positional ? vtkShadowLightKind::Point : vtkShadowLightKind::Directional;
-  light.Position = { -3.0, 4.0, 2.5 };
-  light.Direction = vtkNBufferGLM::Normalize(-light.Position);
-  return light;
-}
 
 /// Pixel centres in the triangles of a volume, in which no near plane cuts.
 double CountFragments(const vtkShadowVolume& volume)
@@ -55,16 +44,13 @@ double CountFragments(const vtkShadowVolume& volume)
     }
     const glm::dmat3 inverse = glm::inverse(columns);
     const glm::dvec3 depths(corners[0][2], corners[1][2], corners[2][2]);
-    for (int y = 0; y < Height; ++y)
+    for (const auto& [x, y] : Pixels(Width, Height))
     {
-      for (int x = 0; x < Width; ++x)
-      {
-        // Shares of the corners in the point of the triangle's plane on this line of sight.
-        const glm::dvec3 line(2.0 * (x + 0.5) / Width - 1.0, 2.0 * (y + 0.5) / Height - 1.0, 1.0);
-        const glm::dvec3 shares = inverse * line;
-        const double z = glm::dot(shares, depths);
-        fragments += shares[0] >= 0.0 && shares[1] >= 0.0 && shares[2] >= 0.0 && z >= -1.0;
-      }
+      // Shares of the corners in the point of the triangle's plane on this line of sight.
+      const glm::dvec3 line(2.0 * (x + 0.5) / Width - 1.0, 2.0 * (y + 0.5) / Height - 1.0, 1.0);
+      const glm::dvec3 shares = inverse * line;
+      fragments += glm::all(glm::greaterThanEqual(shares, glm::dvec3(0.0))) &&
+        glm::dot(shares, depths) >= -1.0;
     }
   }
   return fragments;
@@ -74,17 +60,15 @@ struct Volume
 {
   Volume(const ShadowMesh& mesh, bool positional, int copies = 1)
   {
-    const vtkShadowLight light = MakeLight(positional);
-    vtkShadowTopology topology;
-    topology.Build(mesh.Points, mesh.Triangles);
-    vtkShadowSilhouette silhouette;
-    silhouette.Compute(topology, topology.GetPoints(), light, vtkShadowCounting::Away);
+    const ShadowCaster caster(mesh,
+      MakeLight(positional ? vtkShadowLightKind::Point : vtkShadowLightKind::Directional,
+        { -3.0, 4.0, 2.5 }));
     this->Mesh.Begin(glm::dvec3(0.0));
     for (int i = 0; i < copies; ++i)
     {
-      this->Mesh.AddWhole(silhouette, topology.GetPoints(), light);
+      caster.AddWhole(this->Mesh);
     }
-    this->Expected = copies * vtkShadowCostModel::CountTriangles(silhouette, positional);
+    this->Expected = copies * vtkShadowCostModel::CountTriangles(caster.Silhouette, positional);
   }
 
   long long GetNumberOfTriangles() const

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What debug views show, pixel by pixel.
+#include "Pixels.h"
 #include "vtkShadowDebugImage.h"
 
 #include <gtest/gtest.h>
@@ -62,33 +63,23 @@ TEST(ShadowDebugImage, ExtentsAreThoseOfTheBoxes)
   const Image image = vtkShadowDebugImage::PaintExtents(draws, viewport);
   ASSERT_EQ(image.size(), 4u * 40 * 30);
   int edges = 0;
-  for (int y = 0; y < 30; ++y)
+  for (const auto& [x, y] : Pixels(40, 30))
   {
-    for (int x = 0; x < 40; ++x)
+    int number = 0;
+    bool edge = false;
+    for (const vtkShadowDraw& box : draws)
     {
-      int number = 0;
-      bool edge = false;
-      for (const vtkShadowDraw& box : draws)
-      {
-        const int x0 = std::max(box.Box[0] - 7, 0);
-        const int y0 = std::max(box.Box[1] - 5, 0);
-        const int x1 = std::min(box.Box[0] - 7 + box.Box[2], 40);
-        const int y1 = std::min(box.Box[1] - 5 + box.Box[3], 30);
-        const bool inside = x >= x0 && x < x1 && y >= y0 && y < y1;
-        number += inside;
-        edge = edge || (inside && (x == x0 || x == x1 - 1 || y == y0 || y == y1 - 1));
-      }
-      edges += edge;
-      const Color color = GetPixel(image, 40, x, y);
-      if (edge)
-      {
-        EXPECT_EQ(color, (Color{ 255, 255, 255, 200 })) << x << ", " << y;
-      }
-      else
-      {
-        EXPECT_EQ(color, GetHeat(number)) << x << ", " << y;
-      }
+      const int x0 = box.Box[0] - 7;
+      const int y0 = box.Box[1] - 5;
+      const vtkNBufferRectangle r = vtkNBufferRectangle{ 0, 0, 40, 30 }.GetIntersection(
+        { x0, y0, x0 + box.Box[2], y0 + box.Box[3] });
+      const bool inside = IsIn(x, y, r);
+      number += inside;
+      edge = edge || (inside && !IsIn(x, y, { r.X0 + 1, r.Y0 + 1, r.X1 - 1, r.Y1 - 1 }));
     }
+    edges += edge;
+    EXPECT_EQ(GetPixel(image, 40, x, y), (edge ? Color{ 255, 255, 255, 200 } : GetHeat(number)))
+      << x << ", " << y;
   }
   EXPECT_GT(edges, 100);
 }

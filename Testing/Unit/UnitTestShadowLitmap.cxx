@@ -9,10 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <random>
-#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -31,6 +32,13 @@ struct Receiver
 
 struct Map
 {
+  Map() = default;
+  Map(std::vector<Receiver> receivers, int resolution)
+    : Receivers(std::move(receivers))
+  {
+    this->Build(resolution);
+  }
+
   vtkShadowBlock Range = { { -2.0, 10.0, 4.0 }, { 3.0, 11.0, 36.0 } };
   std::vector<Receiver> Receivers;
   vtkShadowLitmap Litmap;
@@ -40,7 +48,7 @@ struct Map
     this->Litmap.Begin(resolution, this->Range);
     for (const Receiver& r : this->Receivers)
     {
-      ASSERT_TRUE(this->Litmap.Add(r.A, r.B, r.Radius, r.X, r.Y));
+      EXPECT_TRUE(this->Litmap.Add(r.A, r.B, r.Radius, r.X, r.Y));
     }
     this->Litmap.Build();
   }
@@ -93,14 +101,10 @@ vtkShadowExtent Scan(const Map& map, double p0, double q0, double p1, double q1)
     }
     if (inside)
     {
-      vtkShadowExtent one;
-      one.Near = std::min(r.A[2], r.B[2]);
-      one.Far = std::max(r.A[2], r.B[2]);
-      one.X0 = static_cast<std::uint16_t>(r.X);
-      one.Y0 = static_cast<std::uint16_t>(r.Y);
-      one.X1 = static_cast<std::uint16_t>(r.X + 1);
-      one.Y1 = static_cast<std::uint16_t>(r.Y + 1);
-      result.Merge(one);
+      const auto x = static_cast<std::uint16_t>(r.X);
+      const auto y = static_cast<std::uint16_t>(r.Y);
+      result.Merge({ std::min(r.A[2], r.B[2]), std::max(r.A[2], r.B[2]), x, y,
+        static_cast<std::uint16_t>(x + 1), static_cast<std::uint16_t>(y + 1) });
     }
   }
   return result;
@@ -114,12 +118,11 @@ vtkShadowExtent ScanCover(const vtkShadowLitmap& map, const vtkNBufferRectangle&
   vtkShadowExtent result;
   for (int i = 0; i < cover.Count; ++i)
   {
-    for (int y = cover.Y[i]; y < std::min(cover.Y[i] + side, map.GetResolution()); ++y)
+    for (const auto& [x, y] :
+      Pixels({ cover.X[i], cover.Y[i], std::min(cover.X[i] + side, map.GetResolution()),
+        std::min(cover.Y[i] + side, map.GetResolution()) }))
     {
-      for (int x = cover.X[i]; x < std::min(cover.X[i] + side, map.GetResolution()); ++x)
-      {
-        result.Merge(map.GetLevelData(0)[y * map.GetResolution() + x]);
-      }
+      result.Merge(map.GetLevelData(0)[y * map.GetResolution() + x]);
     }
   }
   return result;
@@ -155,11 +158,9 @@ void CheckSlabs(const Map& map, const vtkShadowExtent& extent, double p0, double
 /// One query in all respects.
 void CheckQuery(const Map& map, double p0, double q0, double p1, double q1, int gap)
 {
-  std::ostringstream where;
-  where.precision(17);
-  where << "[" << p0 << ", " << p1 << "] x [" << q0 << ", " << q1 << "], resolution "
-        << map.Litmap.GetResolution();
-  SCOPED_TRACE(where.str());
+  SCOPED_TRACE(testing::Message() << std::setprecision(17) << "[" << p0 << ", " << p1 << "] x ["
+                                  << q0 << ", " << q1 << "], resolution "
+                                  << map.Litmap.GetResolution());
   const vtkShadowExtent extent = map.Litmap.Query(p0, q0, p1, q1);
   ASSERT_TRUE(Contains(extent, Scan(map, p0, q0, p1, q1))) << "a receiver was missed";
   const vtkNBufferRectangle lexels = map.Litmap.GetLexels(p0, q0, p1, q1);
@@ -168,9 +169,7 @@ void CheckQuery(const Map& map, double p0, double q0, double p1, double q1, int 
   ASSERT_NO_FATAL_FAILURE(CheckSlabs(map, extent, p0, q0, p1, q1, gap));
 }
 
-class ShadowLitmap : public testing::TestWithParam<int>
-{
-};
+using ShadowLitmap = testing::TestWithParam<int>;
 }
 
 // Hazard: a receiver that is missed loses its shadow. Rectangles inside, partly and wholly outside.
@@ -180,7 +179,7 @@ TEST_P(ShadowLitmap, RandomRectangles)
   {
     Map map;
     map.Receivers = MakeReceivers(map, count, 5 + count);
-    ASSERT_NO_FATAL_FAILURE(map.Build(this->GetParam()));
+    map.Build(this->GetParam());
     EXPECT_EQ(map.Litmap.GetNumberOfReceivers(), count);
     std::mt19937 random(6);
     std::uniform_real_distribution<double> uniform(-0.5, 1.5);
@@ -211,22 +210,22 @@ TEST(ShadowLitmapOnce, NaNAsksForTheWholeMap)
 {
   Map map;
   map.Receivers = MakeReceivers(map, 30, 9);
-  ASSERT_NO_FATAL_FAILURE(map.Build(16));
+  map.Build(16);
   const vtkShadowExtent all = map.Litmap.Query(-Infinity, -Infinity, Infinity, Infinity);
   EXPECT_TRUE(Contains(all, Scan(map, -Infinity, -Infinity, Infinity, Infinity)));
-  EXPECT_TRUE(IsSameExtent(map.Litmap.Query(NaN, 10.0, 0.0, 10.1), all));
-  EXPECT_TRUE(IsSameExtent(map.Litmap.Query(0.0, NaN, 0.0, 10.1), all));
-  EXPECT_TRUE(IsSameExtent(map.Litmap.Query(0.0, 10.0, NaN, 10.1), all));
-  EXPECT_TRUE(IsSameExtent(map.Litmap.Query(0.0, 10.0, 0.1, NaN), all));
-  EXPECT_TRUE(IsSameExtent(map.Litmap.Query(0.1, 10.0, 0.0, 10.1), all)) << "wrong way round";
+  const double queries[][4] = { { NaN, 10.0, 0.0, 10.1 }, { 0.0, NaN, 0.0, 10.1 },
+    { 0.0, 10.0, NaN, 10.1 }, { 0.0, 10.0, 0.1, NaN }, { 0.1, 10.0, 0.0, 10.1 } };
+  for (const auto& [p0, q0, p1, q1] : queries)
+  {
+    EXPECT_TRUE(IsSameExtent(map.Litmap.Query(p0, q0, p1, q1), all))
+      << "of no number, or the wrong way round: " << p0 << " " << q0 << " " << p1 << " " << q1;
+  }
 }
 
 // Rectangles without a receiver near them are empty: casters there are culled.
 TEST(ShadowLitmapOnce, NothingIsFoundWhereNothingIs)
 {
-  Map map;
-  map.Receivers = { { { 0.0, 10.5, 8.0 }, { 0.0, 10.5, 8.0 }, 0.0, 3, 4 } };
-  ASSERT_NO_FATAL_FAILURE(map.Build(100));
+  const Map map({ { { 0.0, 10.5, 8.0 }, { 0.0, 10.5, 8.0 }, 0.0, 3, 4 } }, 100);
   EXPECT_FALSE(map.Litmap.Query(0.0, 10.5, 0.0, 10.5).IsEmpty());
   EXPECT_TRUE(map.Litmap.Query(-1.0, 10.5, -0.5, 10.5).IsEmpty());
   EXPECT_TRUE(map.Litmap.Query(0.0, 10.6, 0.0, 10.7).IsEmpty());
@@ -239,24 +238,14 @@ TEST(ShadowLitmapOnce, QueriesAreWidenedByALexel)
 {
   vtkShadowLitmap litmap;
   litmap.Begin(8, { { 0.0, -8.0, 0.0 }, { 8.0, 8.0, 1.0 } });
-  const vtkNBufferRectangle inside = litmap.GetLexels(2.5, -2.5, 2.6, 1.5);
-  EXPECT_EQ(inside.X0, 1);
-  EXPECT_EQ(inside.X1, 4);
-  EXPECT_EQ(inside.Y0, 1);
-  EXPECT_EQ(inside.Y1, 6);
-  const vtkNBufferRectangle cut = litmap.GetLexels(-0.5, 7.0, 0.5, 9.5);
-  EXPECT_EQ(cut.X0, 0);
-  EXPECT_EQ(cut.X1, 2);
-  EXPECT_EQ(cut.Y0, 6);
-  EXPECT_EQ(cut.Y1, 8);
+  EXPECT_EQ(litmap.GetLexels(2.5, -2.5, 2.6, 1.5), (vtkNBufferRectangle{ 1, 1, 4, 6 }));
+  EXPECT_EQ(litmap.GetLexels(-0.5, 7.0, 0.5, 9.5), (vtkNBufferRectangle{ 0, 6, 2, 8 }));
 }
 
 // A long segment is put where it passes and not into its whole box.
 TEST(ShadowLitmapOnce, SegmentsAreThin)
 {
-  Map map;
-  map.Receivers = { { { -2.0, 10.0, 8.0 }, { 3.0, 11.0, 9.0 }, 1e-6, 3, 4 } };
-  ASSERT_NO_FATAL_FAILURE(map.Build(64));
+  const Map map({ { { -2.0, 10.0, 8.0 }, { 3.0, 11.0, 9.0 }, 1e-6, 3, 4 } }, 64);
   const vtkShadowExtent* lexels = map.Litmap.GetLevelData(0);
   const auto filled = std::count_if(
     lexels, lexels + 64 * 64, [](const vtkShadowExtent& extent) { return !extent.IsEmpty(); });
@@ -288,9 +277,7 @@ TEST(ShadowLitmapOnce, RefusesWhatIsNotFinite)
 // A receiver whose place is not known is found everywhere.
 TEST(ShadowLitmapOnce, AnInfiniteRadiusIsEverywhere)
 {
-  Map map;
-  map.Receivers = { { { 0.0, 0.0, 8.0 }, { 0.0, 0.0, 9.0 }, Infinity, 3, 4 } };
-  ASSERT_NO_FATAL_FAILURE(map.Build(64));
+  const Map map({ { { 0.0, 0.0, 8.0 }, { 0.0, 0.0, 9.0 }, Infinity, 3, 4 } }, 64);
   for (double p : { -100.0, -2.0, 0.5, 3.0, 1e9 })
   {
     for (double q : { -100.0, 10.0, 10.5, 11.0, 1e9 })
@@ -308,7 +295,7 @@ TEST(ShadowLitmapOnce, RangesWithoutAWidth)
   map.Range.High[2] = map.Range.Low[2];
   map.Receivers = { { { -2.0, 10.5, 4.0 }, { -2.0, 10.5, 4.0 }, 0.0, 1, 2 },
     { { -2.0, 10.9, 4.0 }, { -2.0, 10.9, 4.0 }, 0.0, 3, 4 } };
-  ASSERT_NO_FATAL_FAILURE(map.Build(32));
+  map.Build(32);
   const vtkShadowExtent extent = map.Litmap.Query(-2.0, 10.5, -2.0, 10.5);
   EXPECT_EQ(extent.X0, 1);
   EXPECT_EQ(extent.X1, 2);
@@ -323,9 +310,9 @@ TEST(ShadowLitmapOnce, BeginForgets)
 {
   Map map;
   map.Receivers = MakeReceivers(map, 200, 3);
-  ASSERT_NO_FATAL_FAILURE(map.Build(100));
+  map.Build(100);
   map.Receivers = MakeReceivers(map, 3, 4);
-  ASSERT_NO_FATAL_FAILURE(map.Build(33));
+  map.Build(33);
   EXPECT_EQ(map.Litmap.GetNumberOfReceivers(), 3);
   EXPECT_EQ(map.Litmap.GetLevelData(map.Litmap.GetNumberOfLevels()), nullptr);
   ASSERT_NO_FATAL_FAILURE(CheckQuery(map, -2.0, 10.0, 3.0, 11.0, 1));
@@ -342,14 +329,14 @@ TEST(ShadowLitmapOnce, SlabsRespectTheGap)
   {
     map.Receivers.push_back({ { 0.0, 10.5, s }, { 0.0, 10.5, s }, 0.0, 3, 4 });
   }
-  ASSERT_NO_FATAL_FAILURE(map.Build(4));
+  map.Build(4);
   const vtkShadowExtent extent = map.Litmap.Query(0.0, 10.5, 0.0, 10.5);
   // Bins 0 and 1, 6, 32, 63: 4, 25 and 30 empty ones between.
-  EXPECT_EQ(map.Litmap.GetSlabs(extent, 1).size(), 4u);
-  EXPECT_EQ(map.Litmap.GetSlabs(extent, 4).size(), 4u);
-  EXPECT_EQ(map.Litmap.GetSlabs(extent, 5).size(), 3u);
-  EXPECT_EQ(map.Litmap.GetSlabs(extent, 26).size(), 2u);
-  EXPECT_EQ(map.Litmap.GetSlabs(extent, 31).size(), 1u);
+  const std::pair<int, std::size_t> gaps[] = { { 1, 4 }, { 4, 4 }, { 5, 3 }, { 26, 2 }, { 31, 1 } };
+  for (const auto& [gap, count] : gaps)
+  {
+    EXPECT_EQ(map.Litmap.GetSlabs(extent, gap).size(), count) << gap;
+  }
   EXPECT_EQ(map.Litmap.GetSlabs(vtkShadowExtent(), 4).size(), 0u);
   const auto slabs = map.Litmap.GetSlabs(extent, 4);
   EXPECT_EQ(slabs.front().Near, 4.1);
@@ -375,7 +362,7 @@ TEST(ShadowLitmapOnce, SlabsHoldDepthsOnTheEdgesOfBins)
       for (double s : { std::nextafter(edge, -1e9), edge, std::nextafter(edge, 1e9) })
       {
         map.Receivers = { { { 0.0, 10.5, s }, { 0.0, 10.5, s }, 0.0, 3, 4 } };
-        ASSERT_NO_FATAL_FAILURE(map.Build(1));
+        map.Build(1);
         const auto slabs = map.Litmap.GetSlabs(map.Litmap.Query(0.0, 10.5, 0.0, 10.5), 1);
         ASSERT_EQ(slabs.size(), 1u);
         ASSERT_EQ(slabs[0].Near, s) << "case " << n << ", bin " << bin;
@@ -436,14 +423,8 @@ TEST(ShadowLitmap, LexelsAreAddedAsReceivers)
 
   vtkShadowLitmap filled;
   filled.Begin(4, range);
-  vtkShadowExtent extent;
-  EXPECT_FALSE(filled.AddLexel(2, 1, extent)) << "empty";
-  extent.Near = 3.5;
-  extent.Far = 9.5;
-  extent.X0 = 7;
-  extent.X1 = 10;
-  extent.Y0 = 8;
-  extent.Y1 = 13;
+  EXPECT_FALSE(filled.AddLexel(2, 1, vtkShadowExtent())) << "empty";
+  const vtkShadowExtent extent = { 3.5, 9.5, 7, 8, 10, 13 };
   ASSERT_TRUE(filled.AddLexel(2, 1, extent));
   for (const int outside : { -1, 4 })
   {

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // What is drawn of a caster, where and how: decisions of vtkShadowPlan, without OpenGL.
-#include "ShadowCounts.h"
-#include "ShadowMeshes.h"
+#include "ShadowCaster.h"
 
 #include "vtkShadowPlan.h"
 
@@ -22,20 +21,15 @@ namespace
 {
 using Verdict = vtkShadowVerdict;
 
-vtkShadowLight MakeDirectional()
-{
-  vtkShadowLight light;
-  light.Kind = vtkShadowLightKind::Directional;
-  return light; // Straight down: s = -z.
-}
+using Kind = vtkShadowLightKind;
 
-/// At `height` above the origin, straight down.
-vtkShadowLight MakePositional(vtkShadowLightKind kind, double height, double cone = 60.0)
+/// At `height` above the origin, straight down: s = height - z.
+vtkShadowLight MakeLightAbove(Kind kind = Kind::Directional, double height = 0.0)
 {
   vtkShadowLight light;
   light.Kind = kind;
   light.Position[2] = height;
-  light.ConeAngle = cone;
+  light.ConeAngle = 60.0;
   return light;
 }
 
@@ -47,24 +41,35 @@ struct Situation
     , Frame(light)
   {
     this->Topology.Build(mesh.Points, mesh.Triangles);
-    this->View.Viewport[0] = 10;
-    this->View.Viewport[1] = 20;
-    this->View.Viewport[2] = 300;
-    this->View.Viewport[3] = 200;
+    const int viewport[4] = { 10, 20, 300, 200 };
+    std::copy_n(viewport, 4, this->View.Viewport);
     // What lies more than 100 below the origin of the volume is before the near plane.
     this->View.NearPlane[2] = 1.0;
     this->View.NearPlane[3] = 100.0;
     this->Litmap.Begin(64, { { -4.0, -4.0, -10.0 }, { 4.0, 4.0, 54.0 } });
   }
 
+  /// With receivers that are all seen at pixel (5, 6).
+  Situation(const vtkShadowLight& light, const ShadowMesh& mesh,
+    const std::vector<Point>& receivers, bool withTiles = false)
+    : Situation(light, mesh)
+  {
+    if (withTiles)
+    {
+      this->Litmap.GetTiles().Begin(300, 200);
+    }
+    for (const Point& receiver : receivers)
+    {
+      this->AddReceiver(receiver);
+    }
+  }
+
   /// Six faces around a point light take the place of the litmap.
   void UseFaces()
   {
-    for (int i = 0; i < 6; ++i)
+    for (const vtkShadowLightSpace& frame : MakeFrames(this->Light))
     {
-      Point axis(0.0);
-      axis[i / 2] = i % 2 ? -1.0 : 1.0;
-      this->Faces.push_back({ vtkShadowLightSpace(this->Light, axis), {} });
+      this->Faces.push_back({ frame, {} });
       this->Faces.back().second.Begin(64, { { -1.0, -1.0, 0.0 }, { 1.0, 1.0, 64.0 } });
     }
   }
@@ -83,7 +88,7 @@ struct Situation
   }
 
   /// A receiver at a place in the world, seen at a pixel of the viewport.
-  void AddReceiver(const Point& x, int pixelX, int pixelY, float depth = 0.0f)
+  void AddReceiver(const Point& x, int pixelX = 5, int pixelY = 6, float depth = 0.0f)
   {
     const Point pqs = this->Frame.ToLight(x);
     ASSERT_TRUE(this->Litmap.Add(pqs, pqs, 0.0, pixelX, pixelY));
@@ -174,10 +179,7 @@ struct Situation
 
 void ExpectBox(const vtkShadowDraw& draw, int x, int y, int width, int height)
 {
-  EXPECT_EQ(draw.Box[0], x);
-  EXPECT_EQ(draw.Box[1], y);
-  EXPECT_EQ(draw.Box[2], width);
-  EXPECT_EQ(draw.Box[3], height);
+  EXPECT_EQ(std::vector<int>(draw.Box, draw.Box + 4), (std::vector<int>{ x, y, width, height }));
 }
 }
 
@@ -188,8 +190,7 @@ TEST(ShadowPlanFootprint, HoldsAllPoints)
   {
     for (int n = 0; n < 50; ++n)
     {
-      vtkShadowLight light = MakePositional(
-        positional ? vtkShadowLightKind::Spot : vtkShadowLightKind::Directional, 5.0);
+      vtkShadowLight light = MakeLightAbove(positional ? Kind::Spot : Kind::Directional, 5.0);
       light.Direction = vtkNBufferGLM::Normalize(light.Direction + 0.5 * MakePoint(random, 0.5));
       const vtkShadowLightSpace frame(light);
       std::vector<Point> points;
@@ -220,13 +221,12 @@ TEST(ShadowPlan, WithoutALitmapAllIsDrawnEverywhere)
   for (const auto mode :
     { vtkShadowMode::Unclamped, vtkShadowMode::Scissored, vtkShadowMode::Clamped })
   {
-    Situation situation(MakeDirectional());
+    Situation situation(MakeLightAbove());
     EXPECT_EQ(situation.Decide(mode, 4, false), Verdict::Whole);
     ASSERT_EQ(situation.Draws.size(), 1u);
     ExpectBox(situation.Draws[0], 10, 20, 300, 200);
   }
-  Situation situation(MakeDirectional());
-  situation.AddReceiver({ 0.0, 0.0, -3.0 }, 5, 6);
+  Situation situation(MakeLightAbove(), MakeCube(), { { 0.0, 0.0, -3.0 } });
   EXPECT_EQ(situation.Decide(vtkShadowMode::Unclamped), Verdict::Whole) << "not asked";
 }
 
@@ -248,16 +248,14 @@ TEST(ShadowPlan, VerdictsFollowTheReceivers)
     for (const auto& c : cases)
     {
       SCOPED_TRACE(c.Where);
-      Situation situation(MakeDirectional());
-      situation.AddReceiver(c.Receiver, 5, 6);
+      Situation situation(MakeLightAbove(), MakeCube(), { c.Receiver });
       EXPECT_EQ(situation.Decide(mode), c.Expected);
       EXPECT_EQ(situation.Draws.empty(), c.Expected != drawn);
       EXPECT_EQ(situation.HasDismissed, c.Dismissed);
     }
-    Situation nothing(MakeDirectional());
+    Situation nothing(MakeLightAbove());
     EXPECT_EQ(nothing.Decide(mode), Verdict::NoReceiver);
-    Situation empty(MakeDirectional(), ShadowMesh());
-    empty.AddReceiver({ 0.0, 0.0, -3.0 }, 5, 6);
+    Situation empty(MakeLightAbove(), ShadowMesh(), { { 0.0, 0.0, -3.0 } });
     EXPECT_EQ(empty.Decide(mode), Verdict::Empty);
   }
 }
@@ -265,7 +263,7 @@ TEST(ShadowPlan, VerdictsFollowTheReceivers)
 // Pixels of the receivers, in the framebuffer's coordinates.
 TEST(ShadowPlan, BoxesHoldTheReceiversPixels)
 {
-  Situation situation(MakeDirectional());
+  Situation situation(MakeLightAbove());
   situation.AddReceiver({ 0.1, 0.1, -3.0 }, 5, 6);
   situation.AddReceiver({ -0.1, 0.1, -3.0 }, 12, 4);
   situation.AddReceiver({ 3.5, 3.5, -3.0 }, 200, 150);
@@ -283,9 +281,7 @@ TEST(ShadowPlan, BoxesHoldTheTilesInShadow)
 {
   for (const auto mode : { vtkShadowMode::Scissored, vtkShadowMode::Clamped })
   {
-    Situation situation(MakeDirectional());
-    situation.Litmap.GetTiles().Begin(300, 200);
-    situation.AddReceiver({ 0.0, 0.0, -3.0 }, 5, 6);
+    Situation situation(MakeLightAbove(), MakeCube(), { { 0.0, 0.0, -3.0 } }, true);
     situation.AddReceiver({ 0.1, 0.0, -3.0 }, 150, 100);
     situation.AddReceiver({ 0.0, 0.0, 3.0 }, 290, 190);  // before the caster
     situation.AddReceiver({ 0.9, 0.0, -3.0 }, 250, 190); // in the lexels around it
@@ -298,17 +294,13 @@ TEST(ShadowPlan, BoxesHoldTheTilesInShadow)
     EXPECT_FALSE(situation.Draws[0].Again);
     EXPECT_TRUE(situation.Draws[1].Again);
 
-    Situation near(MakeDirectional());
-    near.Litmap.GetTiles().Begin(300, 200);
-    near.AddReceiver({ 0.0, 0.0, -3.0 }, 5, 6);
+    Situation near(MakeLightAbove(), MakeCube(), { { 0.0, 0.0, -3.0 } }, true);
     near.AddReceiver({ 0.1, 0.0, -3.0 }, 20, 6);
     near.Decide(mode);
     EXPECT_EQ(near.Draws.size(), 1u);
 
     // The litmap knows no better: nearer and farther receivers on its rays, all of them elsewhere.
-    Situation none(MakeDirectional());
-    none.Litmap.GetTiles().Begin(300, 200);
-    none.AddReceiver({ 0.0, 0.0, 3.0 }, 5, 6);
+    Situation none(MakeLightAbove(), MakeCube(), { { 0.0, 0.0, 3.0 } }, true);
     none.AddReceiver({ 0.9, 0.0, -3.0 }, 150, 100);
     EXPECT_EQ(none.Decide(mode), Verdict::BeforeCaster);
     EXPECT_TRUE(none.Draws.empty());
@@ -321,7 +313,7 @@ TEST(ShadowPlan, LayersKeepApartWhatATileSees)
 {
   for (const bool parted : { false, true })
   {
-    Situation situation(MakeDirectional());
+    Situation situation(MakeLightAbove());
     vtkShadowTiles& tiles = situation.Litmap.GetTiles();
     tiles.Begin(300, 200);
     if (parted)
@@ -336,53 +328,56 @@ TEST(ShadowPlan, LayersKeepApartWhatATileSees)
   }
 }
 
+// The cube reaches from -0.5 to 0.5 or so; spots below, in, and above it.
 TEST(ShadowPlan, CastersAtTheLightsPlane)
 {
-  // The cube reaches from -0.5 to 0.5 or so; lights below, in, and above it.
-  Situation behind(MakePositional(vtkShadowLightKind::Spot, -5.0));
-  behind.AddReceiver({ 0.0, 0.0, -8.0 }, 5, 6);
-  EXPECT_EQ(behind.Decide(vtkShadowMode::Scissored), Verdict::BehindLight);
-  EXPECT_TRUE(behind.Draws.empty());
-  EXPECT_EQ(behind.Decide(vtkShadowMode::Unclamped), Verdict::Whole) << "nothing is left out";
-  EXPECT_EQ(behind.Draws.size(), 1u);
-  behind.Litmap.WidenAngle(vtkMath::Pi());
-  EXPECT_EQ(behind.Decide(vtkShadowMode::Scissored), Verdict::ThroughLightPlane);
-
-  for (const auto mode : { vtkShadowMode::Scissored, vtkShadowMode::Clamped })
+  using Mode = vtkShadowMode;
+  const struct
   {
-    Situation through(
-      MakePositional(vtkShadowLightKind::Spot, 0.1), MakeCube().Translate(0.8, 0.0, 0.0));
-    through.AddReceiver({ 0.0, 0.0, -8.0 }, 5, 6);
-    EXPECT_EQ(through.Decide(mode), Verdict::ThroughLightPlane);
-    ASSERT_EQ(through.Draws.size(), 1u);
-    ExpectBox(through.Draws[0], 15, 26, 1, 1);
-
-    Situation beside(
-      MakePositional(vtkShadowLightKind::Spot, 0.1), MakeCube().Translate(5.0, 0.0, 0.0));
-    beside.AddReceiver({ 0.0, 0.0, -8.0 }, 5, 6);
-    EXPECT_EQ(beside.Decide(mode), Verdict::OutsideCone);
-    EXPECT_TRUE(beside.Draws.empty());
-    beside.Litmap.WidenAngle(vtkMath::Pi());
-    EXPECT_EQ(beside.Decide(mode), Verdict::ThroughLightPlane);
+    double Height;
+    double X; ///< Of the cube.
+    vtkShadowMode Mode;
+    bool Widened; ///< Whether rounding may bring any receiver into the cone.
+    Verdict Expected;
+    int Draws;
+  } cases[] = {
+    { -5.0, 0.0, Mode::Scissored, false, Verdict::BehindLight, 0 },
+    { -5.0, 0.0, Mode::Unclamped, false, Verdict::Whole, 1 }, // Nothing is left out.
+    { -5.0, 0.0, Mode::Scissored, true, Verdict::ThroughLightPlane, 1 },
+    { 0.1, 0.8, Mode::Scissored, false, Verdict::ThroughLightPlane, 1 },
+    { 0.1, 0.8, Mode::Clamped, false, Verdict::ThroughLightPlane, 1 },
+    { 0.1, 5.0, Mode::Scissored, false, Verdict::OutsideCone, 0 },
+    { 0.1, 5.0, Mode::Clamped, false, Verdict::OutsideCone, 0 },
+    { 0.1, 5.0, Mode::Scissored, true, Verdict::ThroughLightPlane, 1 },
+    { 0.1, 5.0, Mode::Clamped, true, Verdict::ThroughLightPlane, 1 },
+    { 5.0, 0.0, Mode::Scissored, false, Verdict::Boxed, 1 },
+  };
+  for (const auto& c : cases)
+  {
+    SCOPED_TRACE(&c - cases);
+    Situation situation(MakeLightAbove(Kind::Spot, c.Height), MakeCube().Translate(c.X, 0.0, 0.0),
+      { { 0.0, 0.0, -8.0 } });
+    situation.Litmap.WidenAngle(c.Widened ? vtkMath::Pi() : 0.0);
+    EXPECT_EQ(situation.Decide(c.Mode), c.Expected);
+    ASSERT_EQ(static_cast<int>(situation.Draws.size()), c.Draws);
+    if (c.X == 0.8)
+    {
+      ExpectBox(situation.Draws[0], 15, 26, 1, 1);
+    }
   }
-
-  Situation front(MakePositional(vtkShadowLightKind::Spot, 5.0));
-  front.AddReceiver({ 0.0, 0.0, -8.0 }, 5, 6);
-  EXPECT_EQ(front.Decide(vtkShadowMode::Scissored), Verdict::Boxed);
-
   // A point light shines on both sides.
-  Situation point(MakePositional(vtkShadowLightKind::Point, -5.0));
+  Situation point(MakeLightAbove(Kind::Point, -5.0));
   EXPECT_EQ(point.Decide(vtkShadowMode::Unclamped, 4, false), Verdict::Whole);
 }
 
 // Groups of receivers make slabs of their own where they are far enough from each other.
 TEST(ShadowPlan, SlabsHoldTheReceivers)
 {
-  Situation situation(MakeDirectional());
+  Situation situation(MakeLightAbove());
   const double heights[] = { -4.0, -5.0, -20.0, -45.0 };
   for (double z : heights)
   {
-    situation.AddReceiver({ 0.0, 0.0, z }, 5, 6);
+    situation.AddReceiver({ 0.0, 0.0, z });
   }
   const std::pair<int, std::size_t> gaps[] = { { 4, 3u }, { 20, 2u }, { 64, 1u } };
   for (const auto& [gap, slabs] : gaps)
@@ -412,8 +407,7 @@ TEST(ShadowPlan, SlabsOfOneFace)
   for (const double x : { 0.0, 10.0 })
   {
     SCOPED_TRACE("x " + std::to_string(x));
-    Situation situation(
-      MakePositional(vtkShadowLightKind::Point, 10.0), MakeCube().Translate(x, 0.0, 0.0));
+    Situation situation(MakeLightAbove(Kind::Point, 10.0), MakeCube().Translate(x, 0.0, 0.0));
     situation.UseFaces();
     // On rays through the cube, in steps of its distance from the light.
     for (double t : { 1.5, 1.6, 4.0 })
@@ -440,11 +434,11 @@ TEST(ShadowPlan, SlabsOfOneFace)
 TEST(ShadowPlan, SlabsThatReachTheCasterAreOne)
 {
   const ShadowMesh tall = MakeCube().Move([](const Point& x) { return x * Point(1.0, 1.0, 20.0); });
-  Situation situation(MakeDirectional(), tall);
+  Situation situation(MakeLightAbove(), tall);
   const auto footprint = vtkShadowFootprint::Make(tall.Points, situation.Frame);
   for (double z : { 9.9, 0.0, -footprint.Block.High[2] + 0.5, -40.0 })
   {
-    situation.AddReceiver({ 0.0, 0.0, z }, 5, 6);
+    situation.AddReceiver({ 0.0, 0.0, z });
   }
   EXPECT_EQ(situation.Decide(vtkShadowMode::Clamped, 1), Verdict::Clamped);
   EXPECT_EQ(situation.Draws.size(), 2u);
@@ -453,9 +447,7 @@ TEST(ShadowPlan, SlabsThatReachTheCasterAreOne)
   const auto lower = situation.GetHeights(situation.Draws[1]);
   EXPECT_GT(upper.first, lower.second);
 
-  Situation before(MakeDirectional());
-  before.AddReceiver({ 0.0, 0.0, 8.0 }, 5, 6);
-  before.AddReceiver({ 0.0, 0.0, -8.0 }, 5, 6);
+  Situation before(MakeLightAbove(), MakeCube(), { { 0.0, 0.0, 8.0 }, { 0.0, 0.0, -8.0 } });
   EXPECT_EQ(before.Decide(vtkShadowMode::Clamped), Verdict::Clamped);
   EXPECT_EQ(before.Draws.size(), 1u);
   EXPECT_LT(before.GetHeights(before.Draws[0]).second, 0.0);
@@ -464,9 +456,7 @@ TEST(ShadowPlan, SlabsThatReachTheCasterAreOne)
 // z-pass only where all of the piece lies beyond the near plane.
 TEST(ShadowPlan, ZPassNeedsAllOfThePieceBeyondTheNearPlane)
 {
-  Situation situation(MakeDirectional());
-  situation.AddReceiver({ 0.0, 0.0, -4.0 }, 5, 6);
-  situation.AddReceiver({ 0.0, 0.0, -50.0 }, 5, 6);
+  Situation situation(MakeLightAbove(), MakeCube(), { { 0.0, 0.0, -4.0 }, { 0.0, 0.0, -50.0 } });
   situation.Decide(vtkShadowMode::Clamped);
   ASSERT_EQ(situation.Draws.size(), 2u);
   EXPECT_TRUE(situation.Draws[0].ZPass);
@@ -498,8 +488,7 @@ TEST(ShadowPlan, StartsOfParallelCameras)
   for (int n = 0; n < 200; ++n)
   {
     const bool all = n % 2 == 0;
-    Situation situation(
-      MakePositional(n % 3 == 0 ? vtkShadowLightKind::Spot : vtkShadowLightKind::Point, 3.0),
+    Situation situation(MakeLightAbove(n % 3 == 0 ? Kind::Spot : Kind::Point, 3.0),
       n % 5 == 0 ? MakeTorus(6, 8) : MakeCube());
     situation.Counting = all ? vtkShadowCounting::All : vtkShadowCounting::Away;
     situation.View.Parallel = true;
@@ -533,7 +522,7 @@ TEST(ShadowPlan, StartsOfParallelCameras)
 // A directional light's volumes end in one direction, which no line of sight but one has.
 TEST(ShadowPlan, DirectionalLightsNeedNoStart)
 {
-  Situation situation(MakeDirectional());
+  Situation situation(MakeLightAbove());
   situation.View.Parallel = true;
   situation.View.NearPlane[2] = 0.0;
   situation.View.NearPlane[3] = -1.0;
@@ -544,13 +533,11 @@ TEST(ShadowPlan, DirectionalLightsNeedNoStart)
 // Caps in surfaces that may be lit are those of open meshes, where the piece has one.
 TEST(ShadowPlan, OffsetsAreForCapsInLitSurfaces)
 {
-  Situation closed(MakeDirectional());
-  closed.AddReceiver({ 0.0, 0.0, -3.0 }, 5, 6);
+  Situation closed(MakeLightAbove(), MakeCube(), { { 0.0, 0.0, -3.0 } });
   closed.Decide(vtkShadowMode::Scissored);
   EXPECT_FALSE(closed.Draws.at(0).Offset);
   EXPECT_EQ(closed.Draws.at(0).MaximumCount, 1);
-  Situation open(MakeDirectional(), MakeOpenCube());
-  open.AddReceiver({ 0.0, 0.0, -3.0 }, 5, 6);
+  Situation open(MakeLightAbove(), MakeOpenCube(), { { 0.0, 0.0, -3.0 } });
   open.Decide(vtkShadowMode::Scissored);
   EXPECT_TRUE(open.Draws.at(0).Offset);
   open.Decide(vtkShadowMode::Clamped);

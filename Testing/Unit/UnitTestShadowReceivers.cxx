@@ -3,6 +3,7 @@
 // From depth images to litmaps: points whose places are known are projected, their depths rounded,
 // and every one must be found where it is.
 #include "SameLitmaps.h"
+#include "ShadowCaster.h"
 
 #include "vtkShadowReceivers.h"
 
@@ -16,8 +17,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <random>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,7 +26,6 @@
 namespace
 {
 using Kind = vtkShadowLightKind;
-using Point = glm::dvec3;
 
 /// An image of known points.
 struct Image
@@ -65,11 +65,11 @@ public:
     this->Made.View.Origin = camera.Origin;
     this->Aspect = static_cast<double>(width) / height;
     // At the origin: the matrix is relative to the eye.
-    const Point focus = this->Vector(1.0);
-    const Point up = this->Vector(1.0);
+    const Point focus = MakePoint(this->Random, 1.0);
+    const Point up = MakePoint(this->Random, 1.0);
     this->Eye->SetPosition(0.0, 0.0, 0.0);
-    this->Eye->SetFocalPoint(focus[0], focus[1], focus[2]);
-    this->Eye->SetViewUp(up[0], up[1], up[2]);
+    this->Eye->SetFocalPoint(glm::value_ptr(focus));
+    this->Eye->SetViewUp(glm::value_ptr(up));
     this->Eye->OrthogonalizeViewUp();
     this->Eye->SetViewAngle(camera.Angle);
     this->Eye->SetParallelProjection(camera.Parallel);
@@ -81,17 +81,7 @@ public:
   }
 
   /// Uniform in [-size, size].
-  double Number(double size)
-  {
-    return std::uniform_real_distribution<double>(-size, size)(this->Random);
-  }
-
-  Point Vector(double size)
-  {
-    const double x = this->Number(size);
-    const double y = this->Number(size);
-    return { x, y, this->Number(size) };
-  }
+  double Number(double size) { return MakeUniform(this->Random, -size, size); }
 
   /// A point for the next sample: at distance z, seen at (x, y) in pixels.
   void Add(double x, double y, double z)
@@ -122,17 +112,14 @@ public:
   {
     for (const std::array<double, 2>& sample : this->Made.View.Samples)
     {
-      for (int y = 0; y < this->Made.View.Height; ++y)
+      for (const auto& [x, y] : Pixels(this->Made.View.Width, this->Made.View.Height))
       {
-        for (int x = 0; x < this->Made.View.Width; ++x)
+        const double t = 0.5 + this->Number(0.4999);
+        this->Add(x + sample[0], y + sample[1],
+          this->Setup.Near * std::pow(this->Setup.Far / this->Setup.Near, t));
+        if (this->Random() % 8 == 0)
         {
-          const double t = 0.5 + this->Number(0.4999);
-          this->Add(x + sample[0], y + sample[1],
-            this->Setup.Near * std::pow(this->Setup.Far / this->Setup.Near, t));
-          if (this->Random() % 8 == 0)
-          {
-            this->Made.Depth.back() = 1.0f;
-          }
+          this->Made.Depth.back() = 1.0f;
         }
       }
     }
@@ -146,10 +133,17 @@ public:
     const Point& near = this->Made.World[this->Random() % this->Made.World.size()];
     const Point offset = glm::abs(near - this->Setup.Origin);
     const double distance = offset[0] + offset[1] + offset[2];
-    light.Direction = vtkNBufferGLM::Normalize(this->Vector(1.0));
-    light.Position = near + this->Vector(distance);
+    light.Direction = vtkNBufferGLM::Normalize(MakePoint(this->Random, 1.0));
+    light.Position = near + MakePoint(this->Random, distance);
     light.ConeAngle = 45.0 + this->Number(44.0);
     return light;
+  }
+
+  /// The image's receivers in a litmap; their number.
+  vtkIdType Scatter(const vtkShadowLight& light, int resolution, vtkShadowLitmap& litmap) const
+  {
+    return vtkShadowReceivers::Scatter(this->Made.Depth.data(), this->Made.View, light,
+      vtkShadowLightSpace(light), resolution, litmap);
   }
 
   Image Made;
@@ -183,23 +177,6 @@ bool IsInCone(const vtkShadowLight& light, const Point& x)
     vtkMath::RadiansFromDegrees(light.ConeAngle);
 }
 
-/// The axes under which a light is looked at: its own, or those of a cube.
-std::vector<vtkShadowLightSpace> GetFrames(const vtkShadowLight& light)
-{
-  if (light.Kind != Kind::Point)
-  {
-    return { vtkShadowLightSpace(light) };
-  }
-  std::vector<vtkShadowLightSpace> frames;
-  for (int i = 0; i < 6; ++i)
-  {
-    Point axis(0.0);
-    axis[i / 2] = i % 2 ? -1.0 : 1.0;
-    frames.emplace_back(light, axis);
-  }
-  return frames;
-}
-
 bool IsInside(const vtkShadowBlock& block, const Point& pqs)
 {
   return glm::all(glm::lessThanEqual(block.Low, pqs)) &&
@@ -212,7 +189,7 @@ int CheckAll(
 {
   const vtkShadowView& view = image.View;
   int found = 0;
-  for (const vtkShadowLightSpace& frame : GetFrames(light))
+  for (const vtkShadowLightSpace& frame : MakeFrames(light))
   {
     vtkShadowReceivers::Scatter(image.Depth.data(), view, light, frame, resolution, litmap);
     litmap.Build();
@@ -234,21 +211,18 @@ int CheckAll(
       const vtkShadowExtent extent = whole
         ? litmap.GetLevelData(0)[(lexels.Y0 + 1) * resolution + lexels.X0 + 1]
         : litmap.Query(pqs[0], pqs[1], pqs[0], pqs[1]);
-      std::ostringstream where;
-      where.precision(17);
-      where << "sample " << i << ", depth " << image.Depth[i] << ", p, q, s " << pqs[0] << " "
-            << pqs[1] << " " << pqs[2] << ", extent " << extent.Near << " to " << extent.Far
-            << ", kind " << static_cast<int>(light.Kind);
-      EXPECT_TRUE(extent.X0 <= x && x < extent.X1 && extent.Y0 <= y && y < extent.Y1)
-        << where.str();
-      EXPECT_TRUE(extent.Near <= pqs[2] && pqs[2] <= extent.Far) << where.str();
+      SCOPED_TRACE(testing::Message()
+        << std::setprecision(17) << "sample " << i << ", depth " << image.Depth[i] << ", p, q, s "
+        << testing::PrintToString(pqs) << ", extent " << extent.Near << " to " << extent.Far
+        << ", kind " << static_cast<int>(light.Kind));
+      EXPECT_TRUE(extent.X0 <= x && x < extent.X1 && extent.Y0 <= y && y < extent.Y1);
+      EXPECT_TRUE(extent.Near <= pqs[2] && pqs[2] <= extent.Far);
       const auto slabs = litmap.GetSlabs(extent, 1);
       EXPECT_TRUE(std::any_of(slabs.begin(), slabs.end(),
-        [&](const auto& slab) { return slab.Near <= pqs[2] && pqs[2] <= slab.Far; }))
-        << where.str();
+        [&](const auto& slab) { return slab.Near <= pqs[2] && pqs[2] <= slab.Far; }));
       const vtkShadowTiles::Layers& tile =
         litmap.GetTiles().Get(x / vtkShadowTiles::Size, y / vtkShadowTiles::Size);
-      EXPECT_TRUE(IsInside(tile[0], pqs) || IsInside(tile[1], pqs)) << where.str();
+      EXPECT_TRUE(IsInside(tile[0], pqs) || IsInside(tile[1], pqs));
       ++found;
       if (testing::Test::HasFailure())
       {
@@ -259,9 +233,7 @@ int CheckAll(
   return found;
 }
 
-class ShadowReceivers : public testing::TestWithParam<Camera>
-{
-};
+using ShadowReceivers = testing::TestWithParam<Camera>;
 }
 
 // Hazard: a receiver in a lexel where no query looks, or outside of its extent, loses its shadow.
@@ -274,9 +246,7 @@ TEST_P(ShadowReceivers, NoneIsMissed)
   for (unsigned int n = 0; n < 24; ++n)
   {
     const Kind kind = static_cast<Kind>(n % 3);
-    std::ostringstream where;
-    where << "case " << n;
-    SCOPED_TRACE(where.str());
+    SCOPED_TRACE("case " + std::to_string(n));
     Maker maker(this->GetParam(), sizes[n % 6][0], sizes[n % 6][1], 100 + n);
     maker.AddAll();
     found += CheckAll(maker.Made, maker.MakeLight(kind), resolutions[n / 3 % 4], litmap);
@@ -349,11 +319,7 @@ TEST(ShadowReceiversOnce, ThreadsDoNotMatter)
     const auto scatter = [&](int threads, vtkShadowLitmap& litmap)
     {
       vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false },
-        [&]()
-        {
-          vtkShadowReceivers::Scatter(
-            maker.Made.Depth.data(), maker.Made.View, light, frame, 16, litmap);
-        });
+        [&]() { maker.Scatter(light, 16, litmap); });
       litmap.Build();
     };
     vtkShadowLitmap one;
@@ -410,8 +376,7 @@ TEST(ShadowReceiversOnce, OutsideOfTheConeIsLeftOut)
       }
     }
     vtkShadowLitmap litmap;
-    const vtkIdType count = vtkShadowReceivers::Scatter(
-      maker.Made.Depth.data(), maker.Made.View, light, vtkShadowLightSpace(light), 32, litmap);
+    const vtkIdType count = maker.Scatter(light, 32, litmap);
     EXPECT_GE(count, reached) << "seed " << seed;
     // Far away, where a quantum of depth is longer than the margin, and next to the apex.
     EXPECT_LE(count, atMost + 12) << "seed " << seed;
@@ -431,8 +396,7 @@ TEST(ShadowReceiversOnce, WhatRoundingBringsIntoTheConeIsNotLeftOut)
     maker.AddAll();
     vtkShadowLight light = maker.MakeLight(Kind::Spot);
     vtkShadowLitmap litmap;
-    const vtkIdType near = vtkShadowReceivers::Scatter(
-      maker.Made.Depth.data(), maker.Made.View, light, vtkShadowLightSpace(light), 32, litmap);
+    const vtkIdType near = maker.Scatter(light, 32, litmap);
     int reached = 0;
     for (std::size_t i = 0; i < maker.Made.Depth.size(); ++i)
     {
@@ -447,8 +411,7 @@ TEST(ShadowReceiversOnce, WhatRoundingBringsIntoTheConeIsNotLeftOut)
     }
     maker.Made.View.Origin += far;
     light.Position += far;
-    const vtkIdType found = vtkShadowReceivers::Scatter(
-      maker.Made.Depth.data(), maker.Made.View, light, vtkShadowLightSpace(light), 32, litmap);
+    const vtkIdType found = maker.Scatter(light, 32, litmap);
     EXPECT_GE(found, reached) << "seed " << seed;
     EXPECT_GE(found, near) << "seed " << seed;
     EXPECT_TRUE(found == near || litmap.GetWidestAngle() > 0.0) << "seed " << seed;
@@ -481,10 +444,10 @@ TEST(ShadowReceiversOnce, ExtentsAreTight)
     litmap.Build();
     const Point pqs = frame.ToLight(maker.Made.World[0]);
     const vtkShadowExtent extent = litmap.Query(pqs[0], pqs[1], pqs[0], pqs[1]);
-    EXPECT_EQ(extent.X0, i % 30);
-    EXPECT_EQ(extent.X1, i % 30 + 1);
-    EXPECT_EQ(extent.Y0, i / 30);
-    EXPECT_EQ(extent.Y1, i / 30 + 1);
+    const int x = static_cast<int>(i) % 30;
+    const int y = static_cast<int>(i) / 30;
+    EXPECT_EQ((vtkNBufferRectangle{ extent.X0, extent.Y0, extent.X1, extent.Y1 }),
+      (vtkNBufferRectangle{ x, y, x + 1, y + 1 }));
     // A quarter of a pixel on both sides: of 2 * 300 or 2 * 5 tan(30) in 20 pixels. Then 10 quanta,
     // 5 * 5 / 0.1 * 2^-24 * 20 or 1000 * 2^-24 * 20, twice that aslant, and the rounding, 300 *
     // 2^-20 * 4.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Which tiles of the screen a caster can shadow, and the boxes around them.
-#include "ShadowCounts.h"
-#include "ShadowMeshes.h"
+#include "Pixels.h"
+#include "ShadowCaster.h"
 
 #include "vtkShadowPlan.h"
 #include "vtkShadowReceivers.h"
@@ -49,13 +49,12 @@ vtkShadowBlock MakeBlock(const vtkShadowLightSpace& frame, const Point& x, doubl
 }
 
 /// A caster before a light, and what its shadow can reach.
-struct Caster
+struct Caster : ShadowCaster
 {
   Caster(const ShadowMesh& mesh, const vtkShadowLight& light, const vtkShadowLightSpace& frame,
     vtkShadowCounting counting)
+    : ShadowCaster(mesh, light, counting)
   {
-    this->Topology.Build(mesh.Points, mesh.Triangles);
-    this->Silhouette.Compute(this->Topology, this->GetPoints(), light, counting);
     const auto footprint = vtkShadowFootprint::Make(this->Silhouette, this->GetPoints(), frame);
     if (frame.IsPositional() && !(footprint.Block.Low[2] > 0.0))
     {
@@ -68,15 +67,11 @@ struct Caster
     this->Rays.High[2] = HUGE_VAL;
   }
 
-  const std::vector<Point>& GetPoints() const { return this->Topology.GetPoints(); }
-
   vtkShadowUmbra GetUmbra(const vtkShadowLightSpace& frame) const
   {
     return { this->Silhouette, this->GetPoints(), frame, this->Rays };
   }
 
-  vtkShadowTopology Topology;
-  vtkShadowSilhouette Silhouette;
   vtkShadowBlock Rays;
 };
 }
@@ -106,18 +101,15 @@ TEST(ShadowTileSet, BoxesAreApartAndHoldAllMarks)
       EXPECT_LE(boxes.size(), marks.size());
       EXPECT_LE(boxes.size(), cost < 1e9 ? 18u * 18u : 1u);
       int marked = 0;
-      for (int y = pixels.Y0; y < pixels.Y1; ++y)
+      for (const auto& [x, y] : Pixels(pixels))
       {
-        for (int x = pixels.X0; x < pixels.X1; ++x)
-        {
-          const auto count = std::count_if(boxes.begin(), boxes.end(),
-            [&](const vtkNBufferRectangle& box)
-            { return x >= box.X0 && x < box.X1 && y >= box.Y0 && y < box.Y1; });
-          const bool isMarked = marks.count({ x / Size, y / Size }) > 0;
-          marked += isMarked;
-          ASSERT_LE(count, 1);
-          ASSERT_TRUE(count == 1 || !isMarked);
-        }
+        const vtkNBufferRectangle pixel = { x, y, x + 1, y + 1 };
+        const auto count = std::count_if(boxes.begin(), boxes.end(),
+          [&pixel](const vtkNBufferRectangle& box) { return IsIn(pixel, box); });
+        const bool isMarked = marks.count({ x / Size, y / Size }) > 0;
+        marked += isMarked;
+        ASSERT_LE(count, 1);
+        ASSERT_TRUE(count == 1 || !isMarked);
       }
       EXPECT_GE(GetArea(boxes), marked) << "nothing outside of the rectangle";
     }
@@ -215,7 +207,7 @@ TEST(ShadowUmbra, HoldsAllThatIsInShadow)
       const vtkShadowUmbra umbra = caster.GetUmbra(frame);
       vtkShadowVolume volume;
       volume.Begin(origin);
-      volume.AddWhole(caster.Silhouette, caster.GetPoints(), light);
+      caster.AddWhole(volume);
       for (int i = 0; i < 40; ++i)
       {
         const Point x = MakePoint(random, 2.0);
@@ -270,9 +262,7 @@ TEST(ShadowUmbra, SheetsOfManyTrianglesHaveOnePlane)
   EXPECT_TRUE(flat.GetUmbra(frame).MayShadow(MakeBlock(frame, { 0.1, 0.2, -0.5 }, 0.1)));
   EXPECT_TRUE(rough.GetUmbra(frame).MayShadow(MakeBlock(frame, { 0.1, 0.2, -0.5 }, 0.1)));
   // Slanted light: the sheet's nearest corner is far above most of it.
-  vtkShadowLight slanted;
-  slanted.Direction[0] = 0.8;
-  slanted.Direction[2] = -0.6;
+  const vtkShadowLight slanted = MakeLight(vtkShadowLightKind::Directional, { -0.8, 0.0, 0.6 });
   const vtkShadowLightSpace slant(slanted);
   const Caster both[2] = { { sheet, slanted, slant, vtkShadowCounting::All },
     { bumps, slanted, slant, vtkShadowCounting::All } };
@@ -287,22 +277,18 @@ TEST(ShadowUmbra, GroundDoesNotReachWhatStandsOnIt)
 {
   for (const bool positional : { false, true })
   {
-    vtkShadowLight light;
-    light.Kind = positional ? vtkShadowLightKind::Spot : vtkShadowLightKind::Directional;
-    light.Position[0] = -20.0;
-    light.Position[2] = 20.0;
-    light.Direction[0] = 0.8;
-    light.Direction[2] = -0.6;
+    const vtkShadowLight light =
+      MakeLight(positional ? vtkShadowLightKind::Spot : vtkShadowLightKind::Directional,
+        { -20.0, 0.0, 20.0 }, { -12.0, 0.0, 14.0 });
     const vtkShadowLightSpace frame(light);
     const ShadowMesh ground =
       MakeCube().Move([](const Point& x) { return Point(20.0 * x[0], 20.0 * x[1], x[2] - 0.5); });
     const Caster caster(ground, light, frame, vtkShadowCounting::Away);
     const vtkShadowUmbra umbra = caster.GetUmbra(frame);
-    double top = -HUGE_VAL;
-    for (const Point& x : ground.Points)
-    {
-      top = std::max(top, x[2]);
-    }
+    const double top = std::max_element(ground.Points.begin(), ground.Points.end(),
+      [](const Point& a, const Point& b) {
+        return a[2] < b[2];
+      })->z;
     for (const double height : { 0.0, 0.5, 2.0 })
     {
       EXPECT_TRUE(umbra.MeetsRays(MakeBlock(frame, { 0.0, 0.0, top + height }, 0.01)));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ShadowCounts.h"
+#include "ShadowCaster.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ShadowFixture.h
+ * @brief What tests of the drawing of shadow volumes share: a box as caster, an eye that looks
+ * along -z, and x and y of the viewport in [-1, 1].
+ */
+#ifndef ShadowFixture_h
+#define ShadowFixture_h
+
+#include "ShadowCaster.h"
+#include "WindowFixture.h"
+#include "vtkShadowCounter.h"
+
+#include <algorithm>
+#include <string>
+
+class ShadowFixture : public WindowFixture
+{
+protected:
+  using WindowFixture::WindowFixture;
+
+  /// Releases what is of OpenGL, where tests are not skipped.
+  void TearDown() override
+  {
+    if (this->Window)
+    {
+      this->Counter.Release();
+    }
+  }
+
+  static constexpr double VolumeToClip[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1 };
+
+  /// The box between two corners.
+  static ShadowMesh MakeBlock(const glm::dvec3& low, const glm::dvec3& high)
+  {
+    return MakeCube().Move(
+      [&](const glm::dvec3& x) { return glm::mix(low, high, x + glm::dvec3(0.5)); });
+  }
+
+  /// What the mesh shadows between two depths in a light along a direction, so many times.
+  static vtkShadowVolume MakeVolume(
+    const ShadowMesh& mesh, const glm::dvec3& direction, const vtkShadowSlab& slab, int copies = 1)
+  {
+    vtkShadowLight light;
+    light.Direction = direction;
+    const ShadowCaster caster(mesh, light);
+    vtkShadowVolume volume;
+    volume.Begin(glm::dvec3(0.0));
+    for (int i = 0; i < copies; ++i)
+    {
+      caster.AddClamped(volume, vtkShadowLightSpace(light), slab);
+    }
+    return volume;
+  }
+
+  /// All of a volume as one draw.
+  static vtkShadowDraw MakeDraw(
+    const vtkShadowVolume& volume, const int viewport[4], bool zPass = false)
+  {
+    vtkShadowDraw draw;
+    draw.NumberOfIndices = static_cast<int>(volume.GetIndices().size());
+    draw.ZPass = zPass;
+    std::copy_n(viewport, 4, draw.Box);
+    return draw;
+  }
+
+  /// Whether the centre of a pixel of the viewport has |x| < 0.5 and |y| < 0.3.
+  static bool IsInVolume(int x, int y, const int viewport[4])
+  {
+    const double u = 2.0 * (x + 0.5) / viewport[2] - 1.0;
+    const double v = 2.0 * (y + 0.5) / viewport[3] - 1.0;
+    return u > -0.5 && u < 0.5 && v > -0.3 && v < 0.3;
+  }
+
+  vtkShadowCounter Counter;
+  std::string Why;
+};
+
+#endif

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Pixels.h
+ * @brief Rectangles of pixels in tests: compared, printed, and looped over.
+ */
+#ifndef Pixels_h
+#define Pixels_h
+
+#include "vtkNBufferMath.h"
+
+#include <ostream>
+#include <tuple>
+#include <utility>
+
+inline bool operator==(const vtkNBufferRectangle& a, const vtkNBufferRectangle& b)
+{
+  return std::tie(a.X0, a.Y0, a.X1, a.Y1) == std::tie(b.X0, b.Y0, b.X1, b.Y1);
+}
+
+inline std::ostream& operator<<(std::ostream& os, const vtkNBufferRectangle& r)
+{
+  return os << "[" << r.X0 << ", " << r.X1 << ") x [" << r.Y0 << ", " << r.Y1 << ")";
+}
+
+/// Whether a pixel lies in the rectangle, or all of another rectangle does.
+inline bool IsIn(int x, int y, const vtkNBufferRectangle& r)
+{
+  return x >= r.X0 && x < r.X1 && y >= r.Y0 && y < r.Y1;
+}
+inline bool IsIn(const vtkNBufferRectangle& inner, const vtkNBufferRectangle& outer)
+{
+  return inner.X0 >= outer.X0 && inner.Y0 >= outer.Y0 && inner.X1 <= outer.X1 &&
+    inner.Y1 <= outer.Y1;
+}
+
+/**
+ * The pixels of a rectangle, row by row:
+ *
+ *     for (const auto& [x, y] : Pixels(width, height))
+ */
+class Pixels
+{
+public:
+  Pixels(int width, int height)
+    : Pixels(vtkNBufferRectangle{ 0, 0, width, height })
+  {
+  }
+  explicit Pixels(const vtkNBufferRectangle& r)
+    : All(r)
+  {
+  }
+
+  struct Iterator
+  {
+    int X;
+    int Y;
+    const vtkNBufferRectangle& All;
+
+    std::pair<int, int> operator*() const { return { this->X, this->Y }; }
+    bool operator!=(const Iterator& other) const { return this->Y != other.Y; }
+    void operator++()
+    {
+      if (++this->X == this->All.X1)
+      {
+        this->X = this->All.X0;
+        ++this->Y;
+      }
+    }
+  };
+  Iterator begin() const { return { this->All.X0, this->All.Y0, this->All }; }
+  Iterator end() const
+  {
+    return { 0, this->All.IsEmpty() ? this->All.Y0 : this->All.Y1, this->All };
+  }
+
+private:
+  vtkNBufferRectangle All;
+};
+
+/// Calls function(rectangle) for every rectangle that is not empty within width x height pixels.
+template <typename Function>
+void ForEachRectangle(int width, int height, Function function)
+{
+  for (const auto& [x0, y0] : Pixels(width, height))
+  {
+    for (const auto& [x1, y1] : Pixels({ x0 + 1, y0 + 1, width + 1, height + 1 }))
+    {
+      function(vtkNBufferRectangle{ x0, y0, x1, y1 });
+    }
+  }
+}
+
+#endif

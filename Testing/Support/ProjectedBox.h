@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ProjectedBox.h
+ * @brief A box and where a projection puts it.
+ */
+#ifndef ProjectedBox_h
+#define ProjectedBox_h
+
+#include "PrintVectors.h"
+#include "vtkNBufferProjection.h"
+
+#include <array>
+
+struct ProjectedBox
+{
+  ProjectedBox(const vtkNBufferProjection& projection, const std::array<double, 6>& bounds)
+    : Bounds(bounds)
+    , Box(vtkNBufferBox::FromBounds(bounds.data()))
+    , Placement(projection.Project(this->Box, this->Screen))
+  {
+  }
+
+  bool IsInside() const { return this->Placement == vtkNBufferPlacement::Inside; }
+
+  std::array<double, 6> Bounds; ///< As VTK has them: least x, largest x, least y and so on.
+  vtkNBufferBox Box;
+  vtkNBufferScreenBox Screen; ///< Meaningless unless the box is Inside.
+  vtkNBufferPlacement Placement;
+};
+
+#endif
