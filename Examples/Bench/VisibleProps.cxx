@@ -10,7 +10,6 @@
 #include "vtkProp.h"
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -58,7 +57,7 @@ public:
     for (std::size_t i = 0; i < this->Pixels; ++i)
     {
       const int id = rgb[3 * i] | rgb[3 * i + 1] << 8 | rgb[3 * i + 2] << 16;
-      const auto [entry, isNew] = known.emplace(id, -1);
+      const auto [entry, isNew] = known.try_emplace(id, -1);
       if (isNew)
       {
         const auto place = this->Places.find(this->Selector->GetPropFromID(id - 1));
@@ -86,12 +85,21 @@ std::vector<std::vector<vtkProp*>> FindVisibleProps(
   for (const NBufferExamples::CameraPose& pose : path)
   {
     const std::vector<int> owners = finder.Find(pose);
-    std::set<int> places(owners.begin(), owners.end());
-    places.erase(-1);
-    visible.emplace_back();
-    for (int place : places)
+    std::vector<char> ownsPixel(props.size());
+    for (int place : owners)
     {
-      visible.back().push_back(props[static_cast<std::size_t>(place)]);
+      if (place >= 0)
+      {
+        ownsPixel[static_cast<std::size_t>(place)] = 1;
+      }
+    }
+    visible.emplace_back();
+    for (std::size_t place = 0; place < props.size(); ++place)
+    {
+      if (ownsPixel[place])
+      {
+        visible.back().push_back(props[place]);
+      }
     }
     if (progress)
     {

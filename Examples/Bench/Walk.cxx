@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <map>
 
 namespace NBufferBench
@@ -33,9 +34,10 @@ struct Runner
   std::map<std::size_t, vtkSmartPointer<vtkUnsignedCharArray>> Images; ///< Of this block.
   ///@}
   ///@{
-  /// In the order of the turns.
-  std::vector<Json::Value> Statistics;
-  std::vector<Json::Value> Queries;
+  /// In the order of the turns. They become JSON after the last frame, because many small
+  /// allocations between the frames would slow down those that follow.
+  std::vector<std::string> Statistics; ///< As the culler writes them.
+  std::vector<NBufferPeers::QueryStatistics> Queries;
   ///@}
 };
 
@@ -185,11 +187,11 @@ private:
       runner.Drawn[frame] = this->Where.GetRenderer()->GetNumberOfPropsRendered();
       if (vtkNBufferCuller* culler = mode.GetNBufferCuller())
       {
-        runner.Statistics.push_back(Parse(culler->GetStatisticsAsJSON()));
+        runner.Statistics.push_back(culler->GetStatisticsAsJSON());
       }
       if (NBufferPeers::QueryCuller* culler = mode.GetQueryCuller())
       {
-        runner.Queries.push_back(MakeQueryReport(culler->GetStatistics()));
+        runner.Queries.push_back(culler->GetStatistics());
       }
       if (this->Options.Verify || this->IsPictured(frame))
       {
@@ -264,11 +266,14 @@ private:
         mode["backend"] = backend == vtkNBufferCuller::CPU ? "CPU"
           : backend == vtkNBufferCuller::OpenGL            ? "OpenGL"
                                                            : "none used";
-        mode["statistics"] = SummarizeStatistics(runner.Statistics);
+        mode["statistics"] = SummarizeStatistics(ParseAll(runner.Statistics));
       }
       if (!runner.Queries.empty())
       {
-        mode["queries"] = GetMedian(runner.Queries);
+        std::vector<Json::Value> queries;
+        std::transform(runner.Queries.begin(), runner.Queries.end(), std::back_inserter(queries),
+          MakeQueryReport);
+        mode["queries"] = GetMedian(queries);
       }
       if (this->Options.Verify)
       {
