@@ -17,8 +17,8 @@ mkdir -p "$out"
 
 nbuffer_say "1 of 4: the library and two small examples"
 nbuffer_setup nbuffer-minimal shadow-room
-nbuffer_say "The example of README.md: a field of 10000 cones, one frame"
-"$nbuffer_build/bin/nbuffer-minimal" once
+nbuffer_say "The example of README.md: 10000 cones, one frame"
+"$nbuffer_build/bin/nbuffer-minimal"
 nbuffer_say "A room with one lamp, whose shadows are exact: out/shadow-room.png"
 "$nbuffer_build/bin/shadow-room" --size 480x360 --out "$out"
 

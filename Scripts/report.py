@@ -17,7 +17,12 @@ and everything outside of them is written by hand and stays. A table whose figur
 files stays, too. Of several files, a later one replaces the shadows and the settings of an earlier
 one. Examples/Bench/SCHEMA.md describes the figures.
 
-Needs pandas and matplotlib: Scripts/requirements-report.txt.
+It needs pandas and matplotlib, from PyPI,
+
+    python3 -m venv out/venv && out/venv/bin/pip install -r Scripts/requirements-report.txt
+    out/venv/bin/python Scripts/report.py ...
+
+or from Debian: apt-get install python3-pandas python3-matplotlib.
 """
 
 import argparse
@@ -27,8 +32,12 @@ import pathlib
 import re
 import sys
 
-import pandas as pd
-import matplotlib
+try:
+    import matplotlib
+    import numpy as np
+    import pandas as pd
+except ImportError as error:
+    raise SystemExit(f"{__doc__}\nreport.py: {error}") from error
 
 from report_tables import (
     TABLES, NotMeasured, mark_pareto, number, setting_scenes, shadow_points, shadowed_percent,
@@ -201,7 +210,7 @@ def other_charts(report, folder):
     if report.get("figure4"):
         figure, axes = pyplot.subplots(1, len(report["figure4"]), figsize=(16, 3.2))
         for axis, entry in zip(axes, report["figure4"]):
-            shares = pd.DataFrame(entry["shares"]).clip(lower=0).map(math.log1p)
+            shares = np.log1p(pd.DataFrame(entry["shares"]).clip(lower=0))
             axis.imshow(shares, origin="lower", cmap="viridis", vmin=0, vmax=math.log1p(30.0),
                         extent=(1, len(shares) * entry["step"], 1, len(shares) * entry["step"]))
             axis.set_xlabel(f"{entry['caption']}: {entry['mean_percent']:.3g} %")

@@ -2,31 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DrawnPolygon.h
- * @brief How far the depth that a rasteriser gives a polygon that it has clipped may be from the
- * exact one. No OpenGL.
+ * @brief A bound on the error of the depth that a rasteriser gives to a polygon that it clips. No
+ * OpenGL.
  *
- * With u = 2^-24, a rasteriser computes with floats:
+ * A rasteriser computes with floats. With u = 2^-24:
  *
- *  - A clip coordinate of a corner is a sum of four products. The vertex is rounded (u), each
- *    product and three sums are (4 u): E = 5 u times the sum of the terms' magnitudes. The matrix
- *    is rounded, too, but that moves the whole polygon, as if the camera were another one, by u
- *    where the sample is and not by u where the corners are.
- *  - What reaches out of the view is cut at its planes. A new corner r = a + t (b - a), 0 <= t <=
- * 1, of an edge inherits at most the larger error of a and b and adds that of the difference, the
- *    product and the sum: u (2 |b - a| + |r|). That is in proportion to the whole edge, not to what
- *    is seen of it: near the eye, where w is small, corners of an edge of kilometres come out
- *    centimetres off. An error of t moves the corner along the edge, which changes no plane.
- *  - What is left is drawn as triangles of its corners; which ones is not defined. Divided by w and
- *    measured across the polygon's plane, a corner's error is e_i, in window depth. Inside of one
- *    triangle depth is off by at most sum_i l_i e_i with the sample's barycentric coordinates l.
+ *  - A clip coordinate of a corner is a sum of four products. The vertex is rounded (u), and so are
+ *    each product and three sums (4 u): E = 5 u times the sum of the terms' magnitudes. The matrix
+ *    is rounded, too, but that moves the whole polygon, as if the camera were another one, by u at
+ *    the sample and not by u at the corners.
+ *  - A polygon that reaches out of the view is cut at the planes of the view. A new corner
+ *    r = a + t (b - a) of an edge, with t in [0, 1], inherits at most the larger error of a and b
+ *    and adds that of the difference, the product and the sum: u (2 |b - a| + |r|). That is in
+ *    proportion to the whole edge, not to the visible part of it: near the eye, where w is small,
+ *    the new corners of an edge of kilometres are centimetres off. An error of t moves the corner
+ *    along the edge, which changes no plane.
+ *  - The rest of the polygon is drawn as triangles of its corners; which triangles is not defined.
+ *    Divided by w and measured across the polygon's plane, a corner's error is e_i, in window
+ * depth. Inside one triangle the depth is off by at most sum_i l_i e_i with the sample's
+ * barycentric coordinates l.
  *  - The plane's coefficients are rounded: 8 u n R / t, with n the largest window coordinate, R the
- *    triangle's depth range and t its smallest height (vtkNBufferProjection.h). Clipping makes thin
- *    triangles out of what is not.
- *  - Samples are chosen with corners snapped to a grid of 1/256 pixel, the plane may be that of the
- *    corners as they were: 2^-8.5 times the slope.
+ *    triangle's depth range and t its smallest height (vtkNBufferProjection.h). Clipping can make
+ *    thin triangles out of thick ones.
+ *  - Samples are chosen with corners that are snapped to a grid of 1/256 pixel, while the plane may
+ *    be that of the corners before they were snapped: 2^-8.5 times the slope.
  *
- * The bound is the largest sum of these over all triangles of corners that contain the sample.
- * Storing a depth is not part of it.
+ * The bound is the largest sum of these errors over all triangles of corners that contain the
+ * sample. The rounding of a depth that is stored is not part of it.
  */
 #ifndef DrawnPolygon_h
 #define DrawnPolygon_h
@@ -39,45 +41,47 @@ class DrawnPolygon
 public:
   struct Corner
   {
-    std::array<double, 4> Clip;   ///< x, y, z, w; w = 0: at infinity.
-    std::array<double, 4> Errors; ///< E of each.
+    std::array<double, 4> Clip;   ///< x, y, z, w; w is 0 for a corner at infinity.
+    std::array<double, 4> Errors; ///< The error E of each coordinate.
   };
 
-  /// A point (w = 1) or direction (w = 0) that the device has as floats, under the matrix, row by
-  /// row, that it has as floats.
+  /// Returns the corner of a point (w = 1) or direction (w = 0) under a matrix, given row by row.
+  /// The device has both as floats.
   static Corner Transform(const double matrix[4][4], const double x[3], double w = 1.0);
 
-  /// Which planes cut besides the four sides of the view.
+  /// The planes that cut the polygon besides the four sides of the view.
   enum class Planes
   {
     NearAndFar,
     Near ///< Depth is clamped at the far plane.
   };
 
-  /// Corners of a planar convex polygon, in order; the size of the viewport in pixels.
+  /// `corners` are those of a planar convex polygon, in order; `width` and `height` are the size of
+  /// the viewport in pixels.
   DrawnPolygon(std::vector<Corner> corners, Planes planes, int width, int height);
 
-  /// False if nothing of it is in view, or if it is seen edge-on.
+  /// Returns false if no part of the polygon is in view, or if it is seen edge-on.
   bool IsVisible() const { return this->Visible; }
 
-  /// Something of it is in view and has no area on the screen: it has no plane there, only its
-  /// place (GetBoundsY, GetRow) is known.
+  /// Returns whether a part of the polygon is in view and has no area on the screen. It has no
+  /// plane there; only its place (GetBoundsY, GetRow) is known.
   bool IsEdgeOn() const { return this->EdgeOn; }
 
-  /// Least and largest y of what is in view, in pixels.
+  /// Returns the least and the largest y of the part in view, in pixels.
   const std::array<double, 2>& GetBoundsY() const { return this->BoundsY; }
 
-  /// Pixels across, of what is in view: twice its area by its longest diagonal.
+  /// Returns how many pixels thick the part in view is: twice its area divided by its longest
+  /// diagonal.
   double GetThickness() const;
 
-  /// The range of x on the line y that it covers, widened by `margin` pixels in x and y. False if
-  /// it covers none of it.
+  /// Sets the interval of x on the line `y` in which the polygon is, or is less than `margin`
+  /// pixels away in x and y. Returns false if there is none.
   bool GetRow(double y, double margin, double& x0, double& x1) const;
 
-  /// Exact window depth of its plane.
+  /// Returns the exact window depth of the polygon's plane.
   double GetDepth(double x, double y) const;
 
-  /// Window depth. For a place that is not inside, the largest of all.
+  /// Returns the bound in window depth; for a place that is not inside, the largest of all bounds.
   double GetBound(double x, double y) const;
 
 private:
@@ -91,13 +95,13 @@ private:
 
   static void Clip(std::vector<Corner>& corners, int axis, double sign);
   bool SetPlane();
-  /// Twice the area, negative if clockwise.
+  /// Returns twice the area, negative if the corners are clockwise.
   static double GetArea(const WindowCorner& a, const WindowCorner& b, double x, double y);
   double GetRounding(const WindowCorner& a, const WindowCorner& b, const WindowCorner& c) const;
 
   std::vector<WindowCorner> Corners;
   std::array<double, 2> BoundsY = {};
-  double Largest; ///< Window coordinate.
+  double Largest; ///< The largest window coordinate.
   double Slope[2] = {};
   double LargestBound = 0.0;
   bool Visible = false;

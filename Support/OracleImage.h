@@ -11,7 +11,7 @@
 
 class vtkLight;
 
-/// A light as VTK's shaders have it, in world coordinates.
+/// A light as VTK's shaders use it, in world coordinates.
 struct OracleLight
 {
   explicit OracleLight(vtkLight* light);
@@ -21,15 +21,15 @@ struct OracleLight
 
   bool Positional;
   double Position[3];
-  double Direction[3];      ///< Unit length, away from the light.
-  double ConeCosine = -2.0; ///< Nothing is lit below; -2 for lights without a cone.
+  double Direction[3];      ///< The unit vector away from the light.
+  double ConeCosine = -2.0; ///< The cosine at the cone's edge; -2 for lights without a cone.
 };
 
 enum class OracleSample : unsigned char
 {
-  Background, ///< No triangle.
+  Background, ///< There is no triangle.
   Lit,
-  Shadowed, ///< It would be lit.
+  Shadowed, ///< The sample would be lit without shadows.
   Unlit ///< The light is on the other side of the triangle's plane than the eye, or the sample is
         ///< outside of the light's cone: VTK's two-sided lighting leaves it dark with or without
         ///< shadow.
@@ -40,8 +40,8 @@ struct OracleImage
   int Width = 0;
   int Height = 0;
   std::vector<OracleSample> Samples; ///< Row by row, the lowest first.
-  /// Not 0: the sample is so near to a boundary that rounding may decide, see Oracle::IsAmbiguous
-  /// and ThinSides.h.
+  /// Not 0 if the sample is so near to a boundary that rounding may decide: see
+  /// Oracle::IsAmbiguous() and ThinSides.h.
   std::vector<unsigned char> Ambiguous;
 
   int Count(OracleSample sample) const;

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RayOracle.h
- * @brief What is lit and what is in shadow, by rays in double precision. Shares no code with the
- * pass, and needs no OpenGL: a renderer in a window of the right size, which may never have
- * rendered.
+ * @brief Finds which pixels are lit and which are in shadow, by rays in double precision. The
+ * oracle shares no code with the pass. It needs no OpenGL, only a renderer in a window of the right
+ * size, which need not have rendered.
  *
- * A sample is the centre of a pixel, or a place beside it. The ray of the camera's matrices through
- * it finds the nearest triangle and the point on it, the receiver; it is in shadow if the open
- * segment from it to the light crosses any triangle other than its own. Surfaces that coincide with
- * the receiver's do not shadow it: crossings nearer to it than 1e-9 of the scene's size do not
- * count.
+ * A sample is the centre of a pixel, or another place in the pixel. The ray of the camera's
+ * matrices through the sample finds the nearest triangle and a point on it, the receiver. The
+ * receiver is in shadow if the open segment from it to the light crosses any triangle other than
+ * its own. Surfaces that coincide with the receiver's do not shadow it: crossings nearer to it than
+ * 1e-9 of the scene's size are ignored.
  *
  *     OracleImage expected = Cast(renderer, light);
  *     EXPECT_TRUE(MatchesOracle(mask, expected)); // ShadowTest.h
@@ -35,26 +35,28 @@ class vtkRenderer;
 class Oracle
 {
 public:
-  /// What the camera sees at a sample.
+  /// The point that the camera sees at a sample.
   struct Receiver
   {
     double Position[3];
-    double Normal[3]; ///< Unit length, towards the eye.
+    double Normal[3]; ///< The unit normal towards the eye.
     int Triangle = -1;
   };
 
   struct Classification
   {
     OracleSample Sample = OracleSample::Background;
-    /// The light grazes the triangle's plane (|N.L| < 1e-4) or its ray the cone (1e-6 in the
-    /// cosine): single precision may see it on the other side.
+    /// True if the light grazes the triangle's plane (|N.L| < 1e-4), or the ray of the light grazes
+    /// the cone (1e-6 in the cosine). Single precision may then find it on the other side.
     bool Marginal = false;
   };
 
-  /// Keeps nothing of the renderer but pointers to props. All props cast unless `isCaster` says no.
+  /// The oracle keeps only pointers to props of the renderer. All props cast shadows except those
+  /// for which `isCaster` returns false.
   explicit Oracle(vtkRenderer* renderer, const std::function<bool(vtkProp*)>& isCaster = {});
 
-  /// Where the sample of a pixel is, in [0, 1] from its lower left corner: at first its centre.
+  /// Sets the place of the sample in its pixel, in [0, 1] from the lower left corner. The default
+  /// is the centre.
   void SetSample(double x, double y);
 
   int GetWidth() const { return this->Width; }
@@ -62,34 +64,37 @@ public:
   const RenderedTriangles& GetTriangles() const { return this->Triangles; }
   const TriangleTree& GetTree() const { return this->Tree; }
 
-  /// The ray through pixel (x, y) of the viewport, `jitter` pixels off its sample, from the near
-  /// to the far plane. Its direction has unit length.
+  /// Returns the ray from the near to the far plane through pixel (x, y) of the viewport, `jitter`
+  /// pixels away from its sample. The direction has unit length.
   Ray GetEyeRay(int x, int y, double jitterX = 0.0, double jitterY = 0.0) const;
 
-  /// False where there is nothing.
+  /// Finds the receiver of a sample. Returns false where the ray meets no triangle.
   bool GetReceiver(int x, int y, double jitterX, double jitterY, Receiver& receiver) const;
 
   bool IsShadowed(const Receiver& receiver, const OracleLight& light) const;
 
-  /// m(P): how many triangles the open segment crosses, and those that coincide at the same place
-  /// one by one.
+  /// Returns how many triangles the open segment to the light crosses. Triangles that coincide are
+  /// counted one by one.
   int CountCrossings(const Receiver& receiver, const OracleLight& light) const;
 
   Classification Classify(
     int x, int y, double jitterX, double jitterY, const OracleLight& light) const;
 
   /**
-   * True if the sample is marginal; if one of the samples 1/64 of a pixel beside it in the four
-   * diagonal directions is of another kind, or beyond an edge or a step of the surface, so that a
-   * rasteriser may see another one; or if it is of another kind where rounding may put it: 4 or 8
-   * units of depth of 24 bits along the eye ray, or 2 steps of a subpixel grid of 1/256 pixel
-   * beside it, and from there back to its surface along the light's ray, which grazing light makes
-   * a long way. Where its triangle reaches out of the view, the bound of DrawnPolygon.h, which is
-   * the larger the farther it does, is added to the units of depth.
+   * Returns whether rounding may decide about a sample. That is so in three cases:
+   *
+   *  - The sample is marginal (Classification).
+   *  - One of the samples 1/64 of a pixel away in the four diagonal directions is of another kind,
+   *    or beyond an edge or a step of the surface, so that a rasteriser may find another surface.
+   *  - The sample is of another kind where rounding may put it: 4 or 8 units of depth of 24 bits
+   *    along the eye ray, or 2 steps of a subpixel grid of 1/256 pixel away, and from there back to
+   *    its surface along the light's ray, which is a long way under grazing light. If the triangle
+   *    reaches out of the view, the bound of DrawnPolygon.h, which grows with the part outside, is
+   *    added to the units of depth.
    */
   bool IsAmbiguous(int x, int y, const OracleLight& light) const;
 
-  /// All pixels of the viewport, by several threads.
+  /// Classifies all pixels of the viewport, by several threads.
   OracleImage Cast(const OracleLight& light) const;
 
 private:
@@ -97,34 +102,36 @@ private:
   void FindClipped();
   Ray GetShadowRay(const Receiver& receiver, const OracleLight& light) const;
   /**
-   * Whether the surface that is seen at a is not, or only over a sharp edge, that at b next to it.
-   * If their planes meet between them, neither is farther off the other's plane than the sine of
-   * the planes' angle times the distance. Sheets behind each other are, at however small an angle
-   * they are seen.
+   * Returns whether the surface at b, next to a, is another one than that at a, or is connected to
+   * it over a sharp edge only. If the planes of the two meet between them, neither point is farther
+   * from the other's plane than the sine of the planes' angle times the distance of the points.
+   * Points on sheets behind each other are farther, however small the angle from which they are
+   * seen.
    */
   bool IsStep(const Receiver& a, const Receiver& b) const;
   bool IsAmbiguous(int x, int y, const OracleLight& light, const Classification& centre) const;
-  /// The actors that are crossed between it and the light.
+  /// Returns the actors that the segment from the receiver to the light crosses.
   std::set<int> GetCrossed(const Receiver& receiver, const OracleLight& light) const;
   bool DependsOnRounding(int x, int y, const Receiver& receiver, const OracleLight& light) const;
   double GetWindowDepth(const double world[3]) const;
-  /// How far the window depth of its surface may be drawn from the exact one, beyond DepthSteps.
+  /// Returns how far the window depth of a surface may be drawn from the exact one, in addition to
+  /// DepthSteps.
   double GetDepthBound(int x, int y, int triangle) const;
 
   int Width = 0;
   int Height = 0;
   double Sample[2] = { 0.5, 0.5 };
-  double Projection[4][4]; ///< View to clip coordinates.
+  double Projection[4][4]; ///< From view to clip coordinates.
   double ViewToWorld[4][4];
   double WorldToClip[4][4];
-  double Tolerance = 0.0; ///< World length in which surfaces coincide.
+  double Tolerance = 0.0; ///< The length in the world within which surfaces coincide.
   RenderedTriangles Triangles;
-  std::vector<unsigned char> Casts;    ///< For each actor.
+  std::vector<unsigned char> Casts;    ///< Whether each actor casts shadows.
   std::map<int, DrawnPolygon> Clipped; ///< Triangles that reach out of the view.
   TriangleTree Tree;
 };
 
-/// For one light of one scene.
+/// Casts rays to one light of one scene.
 OracleImage Cast(vtkRenderer* renderer, vtkLight* light);
 
 #endif

@@ -13,7 +13,8 @@ class vtkActor;
 class vtkProp;
 class vtkRenderer;
 
-/// A prop of the renderer and the actor of one of its paths (the same, assemblies apart).
+/// A prop of the renderer and the actor of one of its paths. They are the same object unless the
+/// prop is an assembly.
 struct RenderedActor
 {
   vtkProp* Prop = nullptr;
@@ -23,14 +24,15 @@ struct RenderedActor
 struct RenderedTriangles
 {
   std::vector<double> Corners; ///< Nine coordinates for each triangle.
-  std::vector<int> Owners;     ///< For each triangle its actor's place in Actors.
+  std::vector<int> Owners;     ///< For each triangle, the place of its actor in Actors.
   std::vector<RenderedActor> Actors;
 };
 
 /**
- * All actors that are visible, opaque and drawn as surfaces; assemblies by their paths, the visible
- * blocks of composite data, polygons cut into triangles by the mapper's own function, clipping
- * planes applied. Triangles with a coordinate that is not finite are left out.
+ * Collects the triangles of all actors that are visible, opaque and drawn as surfaces: those of
+ * assemblies by their paths, and those of the visible blocks of composite data. Polygons are cut
+ * into triangles by the mapper's own function, and clipping planes are applied. Triangles with a
+ * coordinate that is not finite are left out.
  *
  * Throws std::invalid_argument for a mapper whose triangles are not known here.
  */

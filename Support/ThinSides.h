@@ -2,20 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ThinSides.h
- * @brief Sides of shadow volumes that are so thin on the screen that a rasteriser may draw them far
- * from where they are. No OpenGL.
+ * @brief Sides of shadow volumes that are so thin on the screen that a rasteriser may draw them
+ * with a depth far from the exact one. No OpenGL.
  *
- * From every edge of a caster at which the light sees the outline of some of its triangles a side
- * reaches away from the light to infinity. Seen almost edge-on it covers a sliver of the screen,
- * cut off at the borders of the view. The depth that a sample in it is given may be off by the
- * bound of DrawnPolygon.h, and the side counts as before or behind a receiver that close to it.
+ * From every edge of a caster at which the light sees the outline of some of the caster's
+ * triangles, a side of the volume reaches away from the light to infinity. If it is seen almost
+ * edge-on, it covers a sliver of the screen, which ends at the borders of the view. The depth of a
+ * sample in the sliver may be off by the bound of DrawnPolygon.h, so that the side may be drawn
+ * before or behind a receiver that is closer to it than the bound.
  *
- * Only slivers of less than a pixel across count: the bound of wider sides is far above what is
- * seen of them. What is thinner than two steps of the subpixel grid, and what is seen edge-on, has
- * no plane on the screen after its corners were snapped, if it is not gone: its samples may be
- * given any depth, also one before or behind all of it. (A bound may be worth no more than a small
- * part of a pixel by which the side is moved. But moved samples do not stand for it: they do not
- * see its plane where the side has ended.)
+ * Only slivers that are less than a pixel thick count: the bound of thicker sides
+ * is far larger than the errors that occur. A sliver that is thinner than two steps of the subpixel
+ * grid, or that is seen edge-on, has no plane on the screen after its corners were snapped, if it
+ * is drawn at all: its samples may get any depth, also one before or behind the whole side. (A
+ * bound may correspond to no more than a small part of a pixel by which the side is moved. But
+ * moved samples cannot replace the bound: where the side has ended, they do not meet its plane.)
  */
 #ifndef ThinSides_h
 #define ThinSides_h
@@ -28,7 +29,8 @@ struct RenderedTriangles;
 class ThinSides
 {
 public:
-  /// From the world, relative to the eye, as volumes' vertices are, to the window.
+  /// The view in which the sides are drawn. Positions are relative to the eye, as the vertices of
+  /// volumes are.
   struct View
   {
     double Eye[3];
@@ -37,18 +39,18 @@ public:
     int Height;
   };
 
-  /// `casts`: for each actor of the triangles.
+  /// `casts` says for each actor of the triangles whether it casts shadows.
   ThinSides(const RenderedTriangles& triangles, const std::vector<unsigned char>& casts,
     const OracleLight& light, const View& view);
 
   ///@{
-  /// Pixels, see above.
+  /// Return the thicknesses, in pixels, between which a side is a sliver that has a plane (above).
   static double GetLeastThickness() { return 2.0 / 256; }
   static double GetLargestThickness() { return 1.0; }
   ///@}
 
-  /// Whether a side that covers the middle of pixel (x, y) may be drawn on the other side of a
-  /// receiver with this window depth, which is uncertain by `slack` itself.
+  /// Returns whether a side that covers the middle of pixel (x, y) may be drawn on the wrong side
+  /// of a receiver. The window depth of the receiver is uncertain by `slack`.
   bool AreNear(int x, int y, double depth, double slack) const;
 
 private:

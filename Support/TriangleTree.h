@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TriangleTree.h
- * @brief Which triangles a ray crosses, in double precision: a tree of boxes, split at medians.
+ * @brief Finds the triangles that a ray crosses, in double precision, by a tree of boxes that are
+ * split at medians.
  *
  * The test of ray and triangle is watertight: a ray through a shared edge crosses at least one of
- * the triangles that share it (S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle
- * Intersection", Journal of Computer Graphics Techniques 2(1), 2013). Touching an edge counts as
- * crossing; triangles seen edge-on and those without area are never crossed.
+ * the triangles that share the edge (S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle
+ * Intersection", Journal of Computer Graphics Techniques 2(1), 2013). A ray that touches an edge
+ * crosses the triangle; a ray never crosses triangles that it meets edge-on or that have no area.
  */
 #ifndef TriangleTree_h
 #define TriangleTree_h
@@ -17,7 +18,7 @@
 #include <limits>
 #include <vector>
 
-/// Origin + t * Direction for Near < t < Far. The direction need not have unit length.
+/// The points Origin + t * Direction for Near < t < Far. The direction need not have unit length.
 struct Ray
 {
   double Origin[3];
@@ -26,45 +27,47 @@ struct Ray
   double Far = std::numeric_limits<double>::infinity();
 };
 
-/// A ray with what every intersection with it needs.
+/// A ray with the values that every intersection with it needs.
 class PreparedRay
 {
 public:
   explicit PreparedRay(const Ray& ray);
 
-  /// Where the line of the ray crosses the triangle (nine coordinates), whatever Near and Far are.
+  /// Finds the t at which the line of the ray crosses a triangle (nine coordinates), whatever Near
+  /// and Far are. Returns false if it does not cross.
   bool Intersect(const double corners[9], double& t) const;
 
-  /// Least t at which the part of the ray up to `far` is in the box; +infinity if it misses it.
+  /// Returns the least t at which the part of the ray up to `far` is in a box, or infinity if it
+  /// misses the box.
   double Enter(const double low[3], const double high[3], double far) const;
 
 private:
   Ray Line;
   double Inverse[3];
-  int Axes[3]; ///< The last is the direction's largest component.
+  int Axes[3]; ///< The last one is the axis of the direction's largest component.
   double Shear[3];
 };
 
 class TriangleTree
 {
 public:
-  /// Nine coordinates for each triangle, all finite.
+  /// Builds the tree. `corners` has nine coordinates for each triangle, all of them finite.
   void Build(const std::vector<double>& corners);
 
   int GetNumberOfTriangles() const { return static_cast<int>(this->Ids.size()); }
 
   struct Hit
   {
-    int Triangle = -1; ///< Its place in what Build() was given; -1: none.
+    int Triangle = -1; ///< The place in the list that Build() got, or -1 for no triangle.
     double T = std::numeric_limits<double>::infinity();
   };
 
-  /// The first triangle on the ray.
+  /// Returns the first triangle on the ray.
   Hit FindNearest(const Ray& ray) const;
 
   /**
-   * Call visit(triangle, t) for each triangle that the ray crosses, nearer parts of the tree first,
-   * until it returns false.
+   * Calls visit(triangle, t) for each triangle that the ray crosses, nearer parts of the tree
+   * first, until it returns false.
    */
   template <typename Visitor>
   void VisitCrossings(const Ray& ray, Visitor&& visit) const;
@@ -78,7 +81,7 @@ private:
     int Count = 0; ///< Leaf: number of triangles. Else: 0.
   };
 
-  /// Calls visit(triangle, t, far), which may lower far.
+  /// Calls visit(triangle, t, far) for each triangle that the ray crosses; visit() may lower `far`.
   template <typename Visitor>
   void Traverse(const Ray& ray, Visitor&& visit) const;
 

@@ -9,8 +9,8 @@
 
 #include <type_traits>
 
-/// Tune(culler, &vtkNBufferTuning::RoundSize, 16). `object`: a pointer or a smart pointer. An object
-/// that has the value already is not modified.
+/// Sets one constant, as in Tune(culler, &vtkNBufferTuning::RoundSize, 16). `object` is a pointer
+/// or a smart pointer. An object that has the value already is not modified.
 template <typename Object, typename Tuning, typename Value>
 void Tune(const Object& object, Value Tuning::*member, const std::common_type_t<Value>& value)
 {

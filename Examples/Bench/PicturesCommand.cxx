@@ -40,51 +40,51 @@ struct Panel
   std::string Caption;
 };
 
-/// Returns images of one size beside each other, each drawn `scale` times its size with its caption
-/// below.
+/// Returns images of one size beside each other on white, each drawn `scale` times its size with
+/// its caption below.
 Image ComposePanels(const std::vector<Panel>& panels, double scale)
 {
   constexpr int captionHeight = 36; // pixels
   constexpr int gap = 6;            // pixels
   const int* size = panels.front().Picture->GetDimensions();
-  const int width = static_cast<int>(std::lround(scale * size[0]));
+  const auto width = static_cast<int>(std::lround(scale * size[0]));
   const int height = static_cast<int>(std::lround(scale * size[1])) + captionHeight;
-  const auto count = static_cast<int>(panels.size());
-  const double total = count * width + (count - 1) * gap;
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(0);
-  window->SetSize(static_cast<int>(total), height);
-  for (int i = 0; i < count; ++i)
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(1.0, 1.0, 1.0);
+  int left = 0; // pixels
+  for (const Panel& panel : panels)
   {
-    const Panel& panel = panels[static_cast<std::size_t>(i)];
-    vtkNew<vtkRenderer> renderer;
-    renderer->SetBackground(1.0, 1.0, 1.0);
-    renderer->SetViewport(i * (width + gap) / total, 0.0, (i * (width + gap) + width) / total, 1.0);
-    window->AddRenderer(renderer);
     vtkNew<vtkImageActor> actor;
     actor->GetMapper()->SetInputData(panel.Picture);
+    actor->SetPosition(left / scale, 0.0, 0.0);
     renderer->AddActor(actor);
-    // The image fills the viewport but for the caption below it.
-    const double x = 0.5 * (size[0] - 1);
-    const double y = 0.5 * (size[1] - 1) - 0.5 * captionHeight / scale;
-    vtkCamera* camera = renderer->GetActiveCamera();
-    camera->ParallelProjectionOn();
-    camera->SetParallelScale(0.5 * height / scale);
-    camera->SetFocalPoint(x, y, 0.0);
-    camera->SetPosition(x, y, 100.0);
-    camera->SetClippingRange(1.0, 200.0);
     vtkNew<vtkTextActor> caption;
     caption->SetInput(panel.Caption.c_str());
+    caption->SetPosition(left + 0.5 * width, 0.5 * captionHeight);
     vtkTextProperty* font = caption->GetTextProperty();
     font->SetFontFamilyToArial();
     font->SetFontSize(18);
     font->SetColor(0.1, 0.1, 0.1);
     font->SetJustificationToCentered();
     font->SetVerticalJustificationToCentered();
-    caption->SetPosition(0.5 * width, 0.5 * captionHeight);
     renderer->AddViewProp(caption);
+    left += width + gap;
   }
+  const int total = left - gap;
+  // The unit of the world is a pixel of the images, whose pixels have their centres at 0, 1, 2, ...
+  const double center[2] = { 0.5 * (total / scale - 1.0),
+    0.5 * (size[1] - 1 - captionHeight / scale) };
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(0.5 * height / scale);
+  camera->SetFocalPoint(center[0], center[1], 0.0);
+  camera->SetPosition(center[0], center[1], 100.0);
+  camera->SetClippingRange(1.0, 200.0);
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(total, height);
+  window->AddRenderer(renderer);
   window->Render();
   vtkNew<vtkWindowToImageFilter> grab;
   grab->SetInput(window);

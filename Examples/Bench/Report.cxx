@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -144,6 +145,13 @@ Json::Value Parse(const std::string& text)
     throw std::runtime_error("the statistics are not JSON: " + errors);
   }
   return value;
+}
+
+std::vector<Json::Value> ParseAll(const std::vector<std::string>& texts)
+{
+  std::vector<Json::Value> values;
+  std::transform(texts.begin(), texts.end(), std::back_inserter(values), Parse);
+  return values;
 }
 
 void WriteJSON(const Json::Value& value, const std::string& fileName)

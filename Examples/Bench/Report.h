@@ -38,8 +38,11 @@ void AddRatios(Json::Value& report, const std::vector<std::string>& references);
 /// most frequent one.
 Json::Value GetMedian(const std::vector<Json::Value>& values);
 
-/// Throws std::runtime_error if the text is not JSON.
+///@{
+/// Throws std::runtime_error if a text is not JSON.
 Json::Value Parse(const std::string& text);
+std::vector<Json::Value> ParseAll(const std::vector<std::string>& texts);
+///@}
 
 /// Does nothing without a file name. Throws std::runtime_error if the file cannot be written.
 void WriteJSON(const Json::Value& value, const std::string& fileName);

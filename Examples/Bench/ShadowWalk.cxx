@@ -99,9 +99,11 @@ struct Runner
   }
 
   ShadowMode Mode;
-  std::vector<double> Milliseconds;    ///< By frame.
-  std::vector<Json::Value> Statistics; ///< In the order of the turns.
-  long long Fragments = 0;             ///< Of all frames.
+  std::vector<double> Milliseconds; ///< By frame.
+  /// As JSON, in the order of the turns. The texts are parsed after the last frame, because many
+  /// small allocations between the frames would slow down those that follow.
+  std::vector<std::string> Statistics;
+  long long Fragments = 0; ///< Of all frames.
   OracleCounts Oracle;
 };
 
@@ -127,7 +129,7 @@ public:
   {
     for (const Runner& runner : this->Runners)
     {
-      this->Progress("uploading, " + runner.Mode.GetName());
+      ShowProgress("uploading, " + runner.Mode.GetName());
       runner.Mode.Enter(this->Where.GetRenderer());
       this->RenderFrame(0);
     }
@@ -137,7 +139,7 @@ public:
       { this->TimeBlock(this->Runners[mode], begin, end); },
       [this](std::size_t, std::size_t end)
       {
-        this->Progress(
+        ShowProgress(
           "timed frame " + std::to_string(end) + " of " + std::to_string(this->Path.size()));
       });
     Json::Value report;
@@ -153,20 +155,11 @@ public:
     {
       runner.Mode.Release(this->Where.GetRenderer());
     }
-    this->Progress("");
     this->AddModes(report);
     return report;
   }
 
 private:
-  void Progress(const std::string& text) const
-  {
-    if (this->Options.Progress)
-    {
-      this->Options.Progress(text);
-    }
-  }
-
   Runner* Find(const std::string& name)
   {
     const auto found = std::find_if(this->Runners.begin(), this->Runners.end(),
@@ -199,7 +192,7 @@ private:
       runner.Milliseconds[frame] = this->RenderFrame(frame);
       if (runner.Mode.HasVolumes())
       {
-        runner.Statistics.push_back(Parse(this->Volumes->GetStatistics().GetAsJSON()));
+        runner.Statistics.push_back(this->Volumes->GetStatistics().GetAsJSON());
       }
     }
   }
@@ -213,7 +206,7 @@ private:
       {
         continue;
       }
-      this->Progress("counting fragments, " + runner.Mode.GetName());
+      ShowProgress("counting fragments, " + runner.Mode.GetName());
       runner.Mode.Enter(this->Where.GetRenderer());
       for (std::size_t frame = 0; frame < this->Path.size(); ++frame)
       {
@@ -233,7 +226,7 @@ private:
     {
       return;
     }
-    this->Progress("counting pixels in shadow");
+    ShowProgress("counting pixels in shadow");
     long long shadowed = 0;
     for (std::size_t frame = 0; frame < this->Path.size(); ++frame)
     {
@@ -279,7 +272,7 @@ private:
     }
     for (const std::size_t frame : frames)
     {
-      this->Progress("casting rays, frame " + std::to_string(frame));
+      ShowProgress("casting rays, frame " + std::to_string(frame));
       this->Where.SetPose(this->Path[frame]);
       const Oracle oracle(this->Where.GetRenderer(),
         [this](vtkProp* prop) { return prop->HasKeys(this->Options.CasterKeys); });
@@ -353,7 +346,7 @@ private:
           mode["fragments_percent"] =
             Round(100.0 * fragments / static_cast<double>(unclamped->Fragments));
         }
-        mode["statistics"] = GetMedian(runner.Statistics);
+        mode["statistics"] = GetMedian(ParseAll(runner.Statistics));
         mode["statistics"].removeMember("fragments");
       }
       if (this->Options.Oracle && name != "none")

@@ -10,7 +10,6 @@
 #include "vtkProp.h"
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -58,7 +57,7 @@ public:
     for (std::size_t i = 0; i < this->Pixels; ++i)
     {
       const int id = rgb[3 * i] | rgb[3 * i + 1] << 8 | rgb[3 * i + 2] << 16;
-      const auto [entry, isNew] = known.emplace(id, -1);
+      const auto [entry, isNew] = known.try_emplace(id, -1);
       if (isNew)
       {
         const auto place = this->Places.find(this->Selector->GetPropFromID(id - 1));
@@ -78,7 +77,7 @@ private:
 }
 
 std::vector<std::vector<vtkProp*>> FindVisibleProps(
-  Session& session, const NBufferExamples::CameraPath& path, const Progress& progress)
+  Session& session, const NBufferExamples::CameraPath& path)
 {
   Finder finder(session);
   const std::vector<vtkProp*> props = session.GetProps();
@@ -86,18 +85,24 @@ std::vector<std::vector<vtkProp*>> FindVisibleProps(
   for (const NBufferExamples::CameraPose& pose : path)
   {
     const std::vector<int> owners = finder.Find(pose);
-    std::set<int> places(owners.begin(), owners.end());
-    places.erase(-1);
+    std::vector<char> ownsPixel(props.size());
+    for (int place : owners)
+    {
+      if (place >= 0)
+      {
+        ownsPixel[static_cast<std::size_t>(place)] = 1;
+      }
+    }
     visible.emplace_back();
-    for (int place : places)
+    for (std::size_t place = 0; place < props.size(); ++place)
     {
-      visible.back().push_back(props[static_cast<std::size_t>(place)]);
+      if (ownsPixel[place])
+      {
+        visible.back().push_back(props[place]);
+      }
     }
-    if (progress)
-    {
-      progress("which props own a pixel: frame " + std::to_string(visible.size()) + " of " +
-        std::to_string(path.size()));
-    }
+    ShowProgress("finding which props own a pixel: frame " + std::to_string(visible.size()) +
+      " of " + std::to_string(path.size()));
   }
   return visible;
 }

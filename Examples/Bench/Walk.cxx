@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <map>
 
 namespace NBufferBench
@@ -33,9 +34,10 @@ struct Runner
   std::map<std::size_t, vtkSmartPointer<vtkUnsignedCharArray>> Images; ///< Of this block.
   ///@}
   ///@{
-  /// In the order of the turns.
-  std::vector<Json::Value> Statistics;
-  std::vector<Json::Value> Queries;
+  /// In the order of the turns. They become JSON after the last frame, because many small
+  /// allocations between the frames would slow down those that follow.
+  std::vector<std::string> Statistics; ///< As the culler writes them.
+  std::vector<NBufferPeers::QueryStatistics> Queries;
   ///@}
 };
 
@@ -120,31 +122,21 @@ public:
       [this](std::size_t begin, std::size_t end)
       {
         this->Compare(begin, end);
-        this->Progress("frame " + std::to_string(end) + " of " + std::to_string(this->Path.size()));
+        ShowProgress("frame " + std::to_string(end) + " of " + std::to_string(this->Path.size()));
       });
-    this->Progress("");
     return this->MakeReport();
   }
 
 private:
-  void Progress(const std::string& text) const
-  {
-    if (this->Options.Progress)
-    {
-      this->Options.Progress(text);
-    }
-  }
-
   /// Finds what the oracle needs; uploads and compiles everything.
   void Prepare()
   {
     if (std::any_of(this->Runners.begin(), this->Runners.end(),
           [](Runner& runner) { return runner.Cullers.GetOracleCuller() != nullptr; }))
     {
-      this->Visible = FindVisibleProps(
-        this->Where, this->Path, [this](const std::string& text) { this->Progress(text); });
+      this->Visible = FindVisibleProps(this->Where, this->Path);
     }
-    this->Progress("uploading");
+    ShowProgress("uploading");
     Mode all("none", this->Options.Mode);
     all.Enter(this->Where.GetRenderer());
     this->Where.SetPose(this->Path.front());
@@ -185,11 +177,11 @@ private:
       runner.Drawn[frame] = this->Where.GetRenderer()->GetNumberOfPropsRendered();
       if (vtkNBufferCuller* culler = mode.GetNBufferCuller())
       {
-        runner.Statistics.push_back(Parse(culler->GetStatisticsAsJSON()));
+        runner.Statistics.push_back(culler->GetStatisticsAsJSON());
       }
       if (NBufferPeers::QueryCuller* culler = mode.GetQueryCuller())
       {
-        runner.Queries.push_back(MakeQueryReport(culler->GetStatistics()));
+        runner.Queries.push_back(culler->GetStatistics());
       }
       if (this->Options.Verify || this->IsPictured(frame))
       {
@@ -264,11 +256,14 @@ private:
         mode["backend"] = backend == vtkNBufferCuller::CPU ? "CPU"
           : backend == vtkNBufferCuller::OpenGL            ? "OpenGL"
                                                            : "none used";
-        mode["statistics"] = SummarizeStatistics(runner.Statistics);
+        mode["statistics"] = SummarizeStatistics(ParseAll(runner.Statistics));
       }
       if (!runner.Queries.empty())
       {
-        mode["queries"] = GetMedian(runner.Queries);
+        std::vector<Json::Value> queries;
+        std::transform(runner.Queries.begin(), runner.Queries.end(), std::back_inserter(queries),
+          MakeQueryReport);
+        mode["queries"] = GetMedian(queries);
       }
       if (this->Options.Verify)
       {

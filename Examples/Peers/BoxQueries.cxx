@@ -5,6 +5,7 @@
 #include "PeerBoxFS.h"
 #include "PeerBoxVS.h"
 
+#include "vtkNBufferFullScreenPass.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferResourceCallback.h"
 
@@ -64,32 +65,18 @@ bool BoxQueries::Begin(vtkOpenGLRenderWindow* window, QueryTarget target, std::s
   {
     return false;
   }
-  vtkOpenGLShaderCache* cache = window->GetShaderCache();
-  this->Program = this->Program ? cache->ReadyShaderProgram(this->Program)
-                                : cache->ReadyShaderProgram(PeerBoxVS, PeerBoxFS, "");
-  if (!this->Program)
-  {
-    why = "the shader of the boxes does not compile on this driver";
-    return false;
-  }
-  if (this->VertexArray == 0)
-  {
-    glGenVertexArrays(1, &this->VertexArray);
-  }
   this->Target = GetGLTarget(target);
   this->Count = 0;
-  return true;
+  return vtkNBufferGL::UseProgram(window, this->Program, PeerBoxVS, PeerBoxFS,
+           "the shader of the boxes does not compile on this driver", why) != nullptr;
 }
 
 int BoxQueries::Ask(const ClipBox& box)
 {
   const int query = this->Count++;
-  if (query == static_cast<int>(this->Names.size()))
+  if (query == static_cast<int>(this->Queries.size()))
   {
-    // As many again: names are cheap, calls are not.
-    const std::size_t more = this->Names.size() + 64;
-    this->Names.resize(this->Names.size() + more);
-    glGenQueries(static_cast<int>(more), &this->Names[this->Names.size() - more]);
+    this->Queries.emplace_back();
   }
   vtkOpenGLState* state = this->Window->GetState();
   const vtkOpenGLState::ScopedglColorMask colorMask(state);
@@ -104,8 +91,8 @@ int BoxQueries::Ask(const ClipBox& box)
   state->vtkglDisable(GL_CULL_FACE);
   this->Window->GetShaderCache()->ReadyShaderProgram(this->Program);
   this->Program->SetUniform4fv("corners", 8, box.Corners);
-  glBindVertexArray(this->VertexArray);
-  glBeginQuery(this->Target, this->Names[query]);
+  glBindVertexArray(this->Empty.Create());
+  glBeginQuery(this->Target, this->Queries[query].Create());
   glDrawArrays(GL_TRIANGLE_STRIP, 0, StripVertices);
   glEndQuery(this->Target);
   glBindVertexArray(0);
@@ -115,31 +102,26 @@ int BoxQueries::Ask(const ClipBox& box)
 bool BoxQueries::HasAnswer(int query) const
 {
   GLuint available = 0;
-  glGetQueryObjectuiv(this->Names[query], GL_QUERY_RESULT_AVAILABLE, &available);
+  glGetQueryObjectuiv(this->Queries[query].GetName(), GL_QUERY_RESULT_AVAILABLE, &available);
   return available != 0;
 }
 
 bool BoxQueries::IsVisible(int query) const
 {
   GLuint samples = 0;
-  glGetQueryObjectuiv(this->Names[query], GL_QUERY_RESULT, &samples);
+  glGetQueryObjectuiv(this->Queries[query].GetName(), GL_QUERY_RESULT, &samples);
   return samples != 0;
 }
 
-void BoxQueries::ReleaseGraphicsResources(vtkWindow* window)
+void BoxQueries::ReleaseGraphicsResources(vtkWindow*)
 {
   if (!this->ResourceCallback->IsReleasing())
   {
     this->ResourceCallback->Release();
     return;
   }
-  if (window)
-  {
-    glDeleteQueries(static_cast<int>(this->Names.size()), this->Names.data());
-    glDeleteVertexArrays(1, &this->VertexArray);
-  }
-  this->Names.clear();
-  this->VertexArray = 0;
+  this->Queries.clear();
+  this->Empty.Delete();
   this->Program = nullptr;
   this->Window = nullptr;
 }

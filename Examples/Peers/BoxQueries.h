@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class BoxQueries
- * @brief Occlusion queries of OpenGL around boxes drawn without writing colour or depth.
+ * @brief Occlusion queries of OpenGL around boxes that are drawn without writing colour or depth.
  *
- * Boxes are compared with the bound framebuffer's depth by GL_LEQUAL. State goes through
- * vtkOpenGLState, so that draws of VTK in between find the state that they expect; nothing is read
- * back from OpenGL except the results of queries.
+ * The boxes are compared with the depth of the bound framebuffer by GL_LEQUAL. All changes of state
+ * go through vtkOpenGLState, so that VTK's own draws between the queries work as usual. Of OpenGL
+ * only the answers of the queries are read.
  */
 #ifndef BoxQueries_h
 #define BoxQueries_h
 
 #include "ClipBox.h"
+
+#include "vtkNBufferGLObject.h"
 
 #include "vtkSmartPointer.h"
 
@@ -30,9 +32,9 @@ namespace NBufferPeers
 
 enum class QueryTarget
 {
-  Any,             ///< GL_ANY_SAMPLES_PASSED, OpenGL 3.3.
-  AnyConservative, ///< GL_ANY_SAMPLES_PASSED_CONSERVATIVE, OpenGL 4.3: may say yes too often.
-  Samples          ///< GL_SAMPLES_PASSED, counts them.
+  Any,             ///< GL_ANY_SAMPLES_PASSED; needs OpenGL 3.3.
+  AnyConservative, ///< GL_ANY_SAMPLES_PASSED_CONSERVATIVE: may say yes too often; needs OpenGL 4.3.
+  Samples          ///< GL_SAMPLES_PASSED: counts the samples.
 };
 
 class BoxQueries
@@ -43,29 +45,31 @@ public:
   BoxQueries(const BoxQueries&) = delete;
   void operator=(const BoxQueries&) = delete;
 
-  /// Why the current context does not have these queries; empty if it does.
+  /// Returns why the current context does not have these queries, or an empty text if it has.
   static std::string WhyNot(QueryTarget target);
 
-  /// The queries of the last frame are used again. The window's context must be current.
+  /// Begins a frame, which reuses the queries of the frame before. The window's context must be
+  /// current. Returns false, with the cause in `why`, if the context cannot do this.
   bool Begin(vtkOpenGLRenderWindow* window, QueryTarget target, std::string& why);
 
-  /// Draw a box within a query; its number, counted from 0.
+  /// Draws a box within a query. Returns the number of the query in this frame, from 0 on.
   int Ask(const ClipBox& box);
 
+  /// Returns whether the answer of a query has arrived.
   bool HasAnswer(int query) const;
 
-  /// Waits.
+  /// Waits for the answer of a query, and returns whether a sample passed the depth test.
   bool IsVisible(int query) const;
 
-  /// Queries since Begin().
+  /// Returns the number of queries since Begin().
   int GetCount() const { return this->Count; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  std::vector<unsigned int> Names;
+  std::vector<vtkNBufferGL::Query> Queries;
+  vtkNBufferGL::VertexArray Empty; ///< A vertex array without attributes: the shader needs none.
   unsigned int Target = 0;
-  unsigned int VertexArray = 0;
   int Count = 0;
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkSmartPointer<vtkShaderProgram> Program;

@@ -4,18 +4,19 @@
  * @file ClipBox.h
  * @brief A bounding box as an occlusion query draws it: never smaller or farther than the prop.
  *
- * A query answers for the samples of the box that it draws, a prop is drawn by other triangles with
- * other rounding: a flat prop fills its box, and the depths of both differ in the last bits. The
- * box is therefore
+ * A query answers for the samples of the box that it draws. The prop is drawn by other triangles
+ * with other rounding: a flat prop fills its box, and the depths of both differ in the last bits.
+ * The box is therefore
  *
  *  - wider by a pad in the world that moves its outline on the screen by twice the prop's slack
- *    (vtkNBufferProjection.h) and an eighth of a pixel in every direction: along the image plane,
- * so that what is behind a point of the padded outline is behind the point that it comes from;
+ *    (vtkNBufferProjection.h) and an eighth of a pixel in every direction. The pad is parallel to
+ * the image plane, so that whatever is behind a point of the padded outline is also behind the
+ * point from which it was moved;
  *  - nearer in window depth by twice the difference between the nearest corner and
- *    vtkNBufferScreenBox::Nearest: once for the prop, once for the box, which is drawn too.
+ *    vtkNBufferScreenBox::Nearest: once for the prop, and once for the box, which is drawn too.
  *
- * With GL_LEQUAL a sample of the prop that passes the depth test then has a sample of the box that
- * does. What reaches the near plane or the eye cannot be queried: the device would cut it open.
+ * With GL_LEQUAL, whenever a sample of the prop passes the depth test, a sample of the box passes,
+ * too. A box that reaches the near plane or the eye gets no query: the device would cut it open.
  */
 #ifndef ClipBox_h
 #define ClipBox_h
@@ -27,12 +28,14 @@ namespace NBufferPeers
 
 struct ClipBox
 {
-  /// Corner i: low or high x, y, z by bits 0, 1, 2 of i.
+  /// The corners in clip coordinates. Bits 0, 1 and 2 of a corner's number say whether its x, y and
+  /// z are the high ones.
   float Corners[8][4];
 };
 
-/// False for what may reach the near plane or the eye, padded: it counts as visible. `screen` is
-/// what Project() made of the box, which must be Inside.
+/// Makes the box of a query. Returns false if the padded box may reach the near plane or the eye;
+/// it counts as visible then. `screen` is the result of Project() for the box, which must be
+/// Inside.
 bool MakeClipBox(const vtkNBufferProjection& projection, const vtkNBufferBox& box,
   const vtkNBufferScreenBox& screen, ClipBox& result);
 

@@ -9,12 +9,12 @@
  * distances as in its successor for hierarchies of boxes (O. Mattausch, J. Bittner, M. Wimmer:
  * CHC++. Computer Graphics Forum 27 (2), 2008), since boxes of a hierarchy overlap:
  *
- *  - inner nodes that were visible in the last frame are opened without a query,
- *  - leaves that were visible are queried for the next frame, and drawn at once without waiting,
- *  - nodes that were hidden are queried, and left alone until the answer is there,
- *  - a visible answer is pulled up to the ancestors; hidden ones need none, since a node is reset
- *    when it is visited and stays hidden unless something below is found visible,
- *  - it is waited only when there is nothing else to do.
+ *  - Inner nodes that were visible in the last frame are opened without a query.
+ *  - Leaves that were visible get a query, for the next frame, and are drawn at once.
+ *  - Nodes that were hidden get a query, and nothing is done with them until the answer arrives.
+ *  - If an answer is "visible", all ancestors become visible. A hidden answer changes nothing,
+ * because a node is reset when it is visited and stays hidden unless something below it is visible.
+ *  - The algorithm waits only when there is nothing else to do.
  *
  * A leaf is one prop. Nothing visible is left out: a hidden verdict is always one of this frame.
  */
@@ -35,14 +35,15 @@ namespace NBufferPeers
 class CoherentQueries
 {
 public:
-  /// The tree over boxes; box i is that of prop props[i]. Forgets what was visible.
+  /// Builds the tree over boxes; box i is that of prop props[i]. All nodes become hidden.
   void Build(const std::vector<vtkNBufferBox>& boxes, const std::vector<int>& props);
 
+  /// Draws a frame.
   void Draw(QueryHost& host);
 
   std::size_t GetNumberOfNodes() const { return this->Tree.GetNodes().size(); }
 
-  /// Nodes looked at in the last frame.
+  /// Returns the number of nodes that were visited in the last frame.
   int GetNumberOfVisits() const { return this->Visits; }
 
 private:
@@ -51,14 +52,14 @@ private:
     int Parent = -1;
     long long LastVisited = -1;
     bool Visible = false;
-    bool Drawn = false; ///< In this frame; of leaves.
+    bool Drawn = false; ///< Whether a leaf has been drawn in this frame.
   };
   struct Entry
   {
     int Node;
     PlacedBox Box;
   };
-  /// The nearest on top.
+  /// Orders entries so that the nearest one is on top.
   struct Later
   {
     bool operator()(const Entry& a, const Entry& b) const

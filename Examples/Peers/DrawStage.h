@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class DrawStage
- * @brief A prop that stands in a renderer's list for others and calls a function to draw them.
+ * @brief A prop that takes the place of others in a renderer's list and calls a function to draw
+ * them.
  */
 #ifndef DrawStage_h
 #define DrawStage_h
@@ -22,10 +23,10 @@ public:
   static DrawStage* New();
   vtkTypeMacro(DrawStage, vtkProp);
 
-  /// Draws, and says how many props that were.
+  /// The function that draws. It returns how many props it drew.
   std::function<int(vtkRenderer*)> Function;
 
-  /// None, so that no culler behind drops it.
+  /// Returns no bounds, so that no other culler removes this prop.
   double* GetBounds() VTK_SIZEHINT(6) override { return nullptr; }
   vtkTypeBool HasOpaqueGeometry() override { return 1; }
   int RenderOpaqueGeometry(vtkViewport* viewport) override;

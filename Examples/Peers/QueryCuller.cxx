@@ -5,15 +5,13 @@
 #include "CoherentQueries.h"
 #include "DrawStage.h"
 #include "FlatQueries.h"
+#include "FrameProjection.h"
 
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferClock.h"
-#include "vtkNBufferDepthSource.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferScissor.h"
 
-#include "vtkCamera.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -103,14 +101,7 @@ bool QueryCuller::Internals::SetView(vtkRenderer* renderer)
     this->Error = window ? this->Error : "no OpenGL window";
     return false;
   }
-  const double quantum =
-    source.FloatDepth ? 0x1p-24 : 1.0 / static_cast<double>((1ULL << source.DepthBits) - 1);
-  this->Projection.Set(
-    renderer->GetActiveCamera()
-      ->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)
-      ->GetData(),
-    source.Viewport[2], source.Viewport[3], quantum,
-    std::max(source.Viewport[0] + source.Viewport[2], source.Viewport[1] + source.Viewport[3]));
+  SetFrameProjection(renderer, source, this->Projection);
   this->Props.Project(this->Projection);
   this->Samples = source.Samples;
   return this->Queries.Begin(window, this->Target, this->Error);

@@ -5,14 +5,14 @@
  * @brief Occlusion culling by queries of the hardware, each a draw: a peer to compare with.
  *
  * Every plain opaque prop (vtkNBufferCandidate) is drawn by one prop at the end of the renderer's
- * list, which queries and draws by turns (FlatQueries.h, CoherentQueries.h). Caches, frustum test
- * and the order of equal depths are those of vtkNBufferCuller: props that may tie with one drawn
- * after them are drawn once more (vtkNBufferTieOrder.h), so that the image is that of VTK alone,
- * byte for byte.
+ * list, which alternates between queries and draws (FlatQueries.h, CoherentQueries.h). Caches,
+ * frustum test and the order of equal depths are those of vtkNBufferCuller: props that may have the
+ * same depth as one drawn after them are drawn once more (vtkNBufferTieOrder.h), so that the image
+ * is that of VTK alone, byte for byte.
  *
- * For one renderer without render passes, depth peeling of held props or selection while it is
- * attached: a peer of a study, not a culler to ship. Where queries are missing it draws everything
- * and GetError() says why.
+ * This class serves one renderer without render passes, depth peeling and selection. It is made for
+ * comparisons, not for applications. Where queries are missing it draws everything, and GetError()
+ * returns the cause.
  */
 #ifndef QueryCuller_h
 #define QueryCuller_h
@@ -29,22 +29,22 @@ namespace NBufferPeers
 
 enum class QueryMethod
 {
-  Flat,    ///< One query for each prop, each waited for.
-  Coherent ///< Coherent hierarchical culling.
+  Flat,    ///< One query for each prop; each answer is awaited (FlatQueries.h).
+  Coherent ///< Coherent hierarchical culling (CoherentQueries.h).
 };
 
-/// Of the last frame.
+/// The numbers of the last frame.
 struct QueryStatistics
 {
   int InView = 0;        ///< Props that could be culled and are in view.
-  int Queries = 0;       ///< Boxes drawn.
-  int Waits = 0;         ///< Answers that were not there when they were needed.
+  int Queries = 0;       ///< Boxes that were drawn.
+  int Waits = 0;         ///< Answers that had not arrived when they were needed.
   double WaitTime = 0.0; ///< Milliseconds spent in getting answers.
-  int Nodes = 0;         ///< Of the tree; 0 without one.
-  int Visits = 0;        ///< Of these, those looked at and in view.
-  int Drawn = 0;         ///< Of the props in view.
-  int Hidden = 0;        ///< Of the props in view; Drawn + Hidden is InView.
-  int Redrawn = 0;       ///< Draws for the order of equal depths.
+  int Nodes = 0;         ///< Nodes of the tree; 0 without a tree.
+  int Visits = 0;        ///< Nodes that were visited and are in view.
+  int Drawn = 0;         ///< Props in view that were drawn.
+  int Hidden = 0;        ///< Props in view that were not drawn; Drawn + Hidden is InView.
+  int Redrawn = 0;       ///< Draws that were repeated for the order of equal depths.
 };
 
 class QueryCuller : public vtkCuller
@@ -53,13 +53,16 @@ public:
   static QueryCuller* New();
   vtkTypeMacro(QueryCuller, vtkCuller);
 
-  /// Flat and Any before they are set.
+  ///@{
+  /// Set the method and the kind of queries. The defaults are Flat and Any.
   void SetMethod(QueryMethod method);
   void SetTarget(QueryTarget target);
+  ///@}
 
+  /// Returns the numbers of the last frame.
   const QueryStatistics& GetStatistics() const;
 
-  /// Why the last frame drew everything; empty if it did not.
+  /// Returns why the last frame drew everything, or an empty text if it did not.
   const std::string& GetError() const;
 
   double Cull(

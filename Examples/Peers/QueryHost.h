@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class QueryHost
- * @brief What an algorithm of occlusion queries needs of a frame; no OpenGL.
+ * @brief The interface of a frame for algorithms of occlusion queries. No OpenGL.
  */
 #ifndef QueryHost_h
 #define QueryHost_h
@@ -16,10 +16,10 @@ namespace NBufferPeers
 struct PlacedBox
 {
   vtkNBufferBox Box;
-  vtkNBufferScreenBox Screen; ///< If Inside.
+  vtkNBufferScreenBox Screen; ///< Valid if the placement is Inside.
   vtkNBufferPlacement Placement = vtkNBufferPlacement::Outside;
 
-  /// For front to back: what reaches the eye comes first.
+  /// Returns the key of the order from front to back. Boxes that reach the eye come first.
   double GetNearest() const
   {
     return this->Placement == vtkNBufferPlacement::Inside ? this->Screen.Nearest : -1e300;
@@ -31,20 +31,20 @@ class QueryHost
 public:
   virtual ~QueryHost() = default;
 
-  /// Where a box is in this frame's view.
+  /// Returns the place of a box in the view of this frame.
   virtual PlacedBox Place(const vtkNBufferBox& box) = 0;
 
-  /// Start a query whether a sample of a box would pass the depth test now. The query's number, or
-  /// -1 if the box cannot be queried: then it counts as visible.
+  /// Begins a query: would a sample of the box pass the depth test now? Returns the number of the
+  /// query, or -1 if the box cannot have a query; it counts as visible then.
   virtual int Ask(const PlacedBox& box) = 0;
 
-  /// Whether the answer is there; never waits.
+  /// Returns whether the answer has arrived. Never waits.
   virtual bool HasAnswer(int query) = 0;
 
-  /// The answer; waits for it.
+  /// Waits for the answer, and returns it.
   virtual bool IsVisible(int query) = 0;
 
-  /// Draw a prop now. Called once for a prop at most.
+  /// Draws a prop now. Is called at most once for each prop.
   virtual void Draw(int prop) = 0;
 };
 

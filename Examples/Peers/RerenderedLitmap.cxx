@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RerenderedLitmap.h"
 
+#include "vtkNBufferFullScreenPass.h"
 #include "vtkNBufferGL.h"
 
 #include "PeerReceiverFS.h"
 #include "PeerReceiverVS.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkRenderer.h"
-#include "vtkShaderProgram.h"
 
 #include <algorithm>
 
@@ -24,48 +23,42 @@ constexpr float Nothing = -3e38f;
 /// Of a position in single precision, in units of its distance from the eye.
 constexpr double PositionRounding = 0x1p-20;
 
-/// Row-major: from positions relative to the eye to the litmap in [-w, w], depth 0.
-void GetEyeToLight(const vtkShadowLightSpace& frame, const glm::dvec3& eye,
-  const vtkShadowBlock& range, double rows[16])
+using Rows = std::array<glm::dvec4, 4>;
+
+/// Returns the matrix from positions relative to the eye to the litmap in [-w, w], depth 0.
+Rows GetEyeToLight(
+  const vtkShadowLightSpace& frame, const glm::dvec3& eye, const vtkShadowBlock& range)
 {
   const glm::dvec3 place = eye - frame.GetApex();
-  std::fill_n(rows, 16, 0.0);
-  double* w = rows + 12;
-  if (frame.IsPositional())
-  {
-    std::copy_n(glm::value_ptr(frame.GetAxis()), 3, w);
-    w[3] = glm::dot(place, frame.GetAxis());
-  }
-  else
-  {
-    w[3] = 1.0;
-  }
+  const auto getRow = [&place](const glm::dvec3& axis)
+  { return glm::dvec4(axis, glm::dot(place, axis)); };
+  Rows rows;
+  rows[3] = frame.IsPositional() ? getRow(frame.GetAxis()) : glm::dvec4(0.0, 0.0, 0.0, 1.0);
   const glm::dvec3 axes[2] = { frame.GetU(), frame.GetV() };
   for (int i = 0; i < 2; ++i)
   {
     const double middle = 0.5 * (range.Low[i] + range.High[i]);
     const double scale = 2.0 / (range.High[i] - range.Low[i]);
-    for (int j = 0; j < 3; ++j)
-    {
-      rows[4 * i + j] = scale * (axes[i][j] - middle * w[j]);
-    }
-    rows[4 * i + 3] = scale * (glm::dot(place, axes[i]) - middle * w[3]);
+    rows[i] = scale * (getRow(axes[i]) - middle * rows[3]);
   }
+  return rows;
 }
 
-void Allocate(unsigned int& texture, GLint internalFormat, int width, int height, GLenum format,
-  const float* pixels)
+void Allocate(vtkNBufferGL::Texture& texture, GLint internalFormat, int width, int height,
+  GLenum format, const float* pixels)
 {
-  if (texture == 0)
-  {
-    glGenTextures(1, &texture);
-  }
   const vtkNBufferGL::ScopedUpload upload(0);
-  glBindTexture(GL_TEXTURE_2D, texture);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  glBindTexture(GL_TEXTURE_2D, texture.Create());
+  vtkNBufferGL::SetPlainSampling(GL_TEXTURE_2D);
   glTexImage2D(GL_TEXTURE_2D, 0, internalFormat, width, height, 0, format, GL_FLOAT, pixels);
+}
+
+template <typename T>
+void SetData(GLenum target, vtkNBufferGL::Buffer& buffer, const std::vector<T>& values)
+{
+  glBindBuffer(target, buffer.Create());
+  glBufferData(
+    target, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_STREAM_DRAW);
 }
 }
 
@@ -112,42 +105,28 @@ void RerenderedLitmap::AddReceiver(vtkShadowPoints points, const std::vector<int
 bool RerenderedLitmap::Upload(
   vtkOpenGLRenderWindow* window, const float* depth, const vtkShadowView& view, std::string& why)
 {
-  const auto eyeToClip = vtkNBufferGLM::ToRows(vtkNBufferGLM::Invert(view.ClipToWorld));
-  std::copy(eyeToClip.begin(), eyeToClip.end(), this->EyeToClip);
+  this->EyeToClip = vtkNBufferGLM::ToRows(vtkNBufferGLM::Invert(view.ClipToWorld));
   vtkNBufferGL::ClearErrors();
   const vtkNBufferGL::ScopedPass pass(window);
-  Allocate(this->DepthTexture, GL_R32F, view.Width, view.Height, GL_RED, depth);
-  if (this->VertexArray == 0)
-  {
-    glGenVertexArrays(1, &this->VertexArray);
-    glGenBuffers(2, this->Buffers);
-  }
+  Allocate(this->Device.Depth, GL_R32F, view.Width, view.Height, GL_RED, depth);
   int bound = 0;
   glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bound);
-  glBindVertexArray(this->VertexArray);
-  glBindBuffer(GL_ARRAY_BUFFER, this->Buffers[0]);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(this->Vertices.size() * sizeof(float)),
-    this->Vertices.data(), GL_STREAM_DRAW);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, this->Buffers[1]);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-    static_cast<GLsizeiptr>(this->Indices.size() * sizeof(unsigned int)), this->Indices.data(),
-    GL_STREAM_DRAW);
+  glBindVertexArray(this->Device.VertexArray.Create());
+  SetData(GL_ARRAY_BUFFER, this->Device.Vertices, this->Vertices);
+  SetData(GL_ELEMENT_ARRAY_BUFFER, this->Device.Indices, this->Indices);
   glBindBuffer(GL_ARRAY_BUFFER, bound);
   return vtkNBufferGL::CheckErrors("Sending receivers to the device", why);
 }
 
 bool RerenderedLitmap::Reserve(int resolution, std::string& why)
 {
-  if (this->Framebuffer == 0)
+  glBindFramebuffer(GL_FRAMEBUFFER, this->Device.Framebuffer.Create());
+  if (resolution > this->Device.Resolution)
   {
-    glGenFramebuffers(1, &this->Framebuffer);
-  }
-  glBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
-  if (resolution > this->Resolution)
-  {
-    Allocate(this->Texture, GL_RGBA32F, resolution, resolution, GL_RGBA, nullptr);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Texture, 0);
-    this->Resolution = resolution;
+    Allocate(this->Device.Litmap, GL_RGBA32F, resolution, resolution, GL_RGBA, nullptr);
+    glFramebufferTexture2D(
+      GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Device.Litmap.GetName(), 0);
+    this->Device.Resolution = resolution;
   }
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
   {
@@ -160,19 +139,18 @@ bool RerenderedLitmap::Reserve(int resolution, std::string& why)
 
 void RerenderedLitmap::DrawExtremes(int which, float* pixels, int resolution)
 {
-  this->Program->SetUniformi("rows", which);
+  this->Device.Program->SetUniformi("rows", which);
   const float nothing[4] = { Nothing, Nothing, Nothing, Nothing };
   glClearBufferfv(GL_COLOR, 0, nothing);
   glDrawElements(
     GL_TRIANGLES, static_cast<GLsizei>(this->Indices.size()), GL_UNSIGNED_INT, nullptr);
-  const vtkNBufferGL::ScopedReadback readback(this->Framebuffer);
+  const vtkNBufferGL::ScopedReadback readback(this->Device.Framebuffer.GetName());
   glReadPixels(0, 0, resolution, resolution, GL_RGBA, GL_FLOAT, pixels);
   ++this->Draws;
 }
 
-bool RerenderedLitmap::Draw(vtkOpenGLRenderWindow* window,
-  const vtkShadowLightSpace& frame, const vtkShadowBlock& range, int resolution,
-  vtkShadowLitmap& litmap, std::string& why)
+bool RerenderedLitmap::Draw(vtkOpenGLRenderWindow* window, const vtkShadowLightSpace& frame,
+  const vtkShadowBlock& range, int resolution, vtkShadowLitmap& litmap, std::string& why)
 {
   litmap.Begin(resolution, range);
   resolution = litmap.GetResolution();
@@ -189,31 +167,28 @@ bool RerenderedLitmap::Draw(vtkOpenGLRenderWindow* window,
     {
       return false;
     }
-    vtkOpenGLShaderCache* cache = window->GetShaderCache();
-    this->Program = this->Program ? cache->ReadyShaderProgram(this->Program)
-                                  : cache->ReadyShaderProgram(PeerReceiverVS, PeerReceiverFS, "");
-    if (!this->Program)
+    vtkShaderProgram* program =
+      vtkNBufferGL::UseProgram(window, this->Device.Program, PeerReceiverVS, PeerReceiverFS,
+        "The shader for litmaps does not compile on this driver. Use scattered litmaps, and report "
+        "its message.",
+        why);
+    if (!program)
     {
-      why = "The shader for litmaps does not compile on this driver. Use scattered litmaps, and "
-            "report its message.";
       return false;
     }
-    double eyeToLight[16];
-    GetEyeToLight(frame, this->Eye, range, eyeToLight);
-    vtkNBufferGL::SetMatrix(this->Program, "eyeToLight", eyeToLight);
-    vtkNBufferGL::SetMatrix(this->Program, "eyeToClip", this->EyeToClip);
+    const Rows eyeToLight = GetEyeToLight(frame, this->Eye, range);
+    vtkNBufferGL::SetMatrix(program, "eyeToLight", glm::value_ptr(eyeToLight[0]));
+    vtkNBufferGL::SetMatrix(program, "eyeToClip", this->EyeToClip.data());
     const glm::dvec3& axis = frame.GetAxis();
-    const float axisInFloats[3] = { static_cast<float>(axis[0]), static_cast<float>(axis[1]),
-      static_cast<float>(axis[2]) };
-    this->Program->SetUniform3f("axis", axisInFloats);
-    this->Program->SetUniformf("depthBias", static_cast<float>(DepthBias));
-    this->Program->SetUniformi("cameraDepth", 0);
-    glBindTexture(GL_TEXTURE_2D, this->DepthTexture);
-    glBindVertexArray(this->VertexArray);
+    program->SetUniform3f("axis", glm::value_ptr(glm::vec3(axis)));
+    program->SetUniformf("depthBias", static_cast<float>(DepthBias));
+    program->SetUniformi("cameraDepth", 0);
+    glBindTexture(GL_TEXTURE_2D, this->Device.Depth.GetName());
+    glBindVertexArray(this->Device.VertexArray.GetName());
     int bound = 0;
     glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bound);
-    glBindBuffer(GL_ARRAY_BUFFER, this->Buffers[0]);
-    const int attribute = glGetAttribLocation(this->Program->GetHandle(), "corner");
+    glBindBuffer(GL_ARRAY_BUFFER, this->Device.Vertices.GetName());
+    const int attribute = glGetAttribLocation(program->GetHandle(), "corner");
     glEnableVertexAttribArray(attribute);
     glVertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
     glBindBuffer(GL_ARRAY_BUFFER, bound);
@@ -246,18 +221,5 @@ bool RerenderedLitmap::Draw(vtkOpenGLRenderWindow* window,
     litmap.AddLexel(static_cast<int>(i % resolution), static_cast<int>(i / resolution), extent);
   }
   return true;
-}
-
-void RerenderedLitmap::Release()
-{
-  glDeleteTextures(1, &this->DepthTexture);
-  glDeleteTextures(1, &this->Texture);
-  glDeleteFramebuffers(1, &this->Framebuffer);
-  glDeleteVertexArrays(1, &this->VertexArray);
-  glDeleteBuffers(2, this->Buffers);
-  this->DepthTexture = this->Texture = this->Framebuffer = this->VertexArray = 0;
-  this->Buffers[0] = this->Buffers[1] = 0;
-  this->Resolution = 0;
-  this->Program = nullptr;
 }
 }

@@ -2,50 +2,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RerenderedLitmap.h
- * @brief The litmap of the paper, for comparison: the receivers drawn from the light.
+ * @brief The litmap of the paper, for comparison: the receivers are drawn from the light.
  *
  * X. Decoret, "N-Buffers for efficient depth map query", Computer Graphics Forum 24(3), 2005,
  * section 3.3: the receivers are drawn from the light into a framebuffer of the litmap's size, and
  * each fragment is tested against the camera's depth. Fragments that the camera sees widen the
- * depths and the box of pixels of their lexel (the paper keeps the depths alone; the box is added
- * so that both methods serve the same modes). Bins between the nearest and the farthest of a lexel
- * all are set.
+ * range of depths and the box of pixels of their lexel. (The paper has the depths alone; the box is
+ * added so that both methods serve the same modes.) All bins between the nearest and the farthest
+ * depth of a lexel are set.
  *
- * It may miss receivers, so that shadows are lost:
+ * This method may miss receivers, so that shadows are lost:
  *
- *  - A lexel stands for the one point of a receiver at its centre. What is smaller than a lexel
- *    as seen from the light, or seen edge-on, may have no lexel at all.
- *  - Of a lexel that takes up several pixels only the one at its centre is in the box, and only the
- *    depth there in the range.
- *  - The point is tested against the depth of the pixel in which it lies, which the camera took at
- *    the pixel's centre: on slopes what is seen can lie behind it. DepthBias, which the paper does
- *    not have, takes in most of that, not all, and some of what the camera does not see.
+ *  - A lexel represents only the point of a receiver at the lexel's centre. A receiver that is
+ * smaller than a lexel as seen from the light, or is seen edge-on, may have no lexel at all.
+ *  - If a lexel covers several pixels, only the pixel at its centre is in the box, and only the
+ * depth there is in the range.
+ *  - The point is tested against the depth of the pixel in which it lies, and that depth is the one
+ *    at the pixel's centre: on slopes, a visible point can lie behind it. DepthBias, which the
+ * paper does not have, includes most of these points, and some that the camera does not see.
  *
- * vtkShadowReceivers.h has none of this. What remains of it with finer litmaps is less: a receiver
- * is not missed if it covers the centre of a lexel and of the pixel there.
+ * vtkShadowReceivers.h has none of these errors. Finer litmaps make them smaller: a receiver is not
+ * missed if it covers the centre of a lexel and of the pixel there.
  *
- * The meshes that could cast are drawn, whether they do or not: lines, points and glyphs are
- * receivers of the other method only. A spot has the square around its cone here, and of a pixel
- * with several samples the first one counts.
+ * The meshes that could cast shadows are drawn, whether they cast or not; lines, points and glyphs
+ * are receivers of the other method only. For a spot the litmap is the square around its cone, and
+ * of a pixel with several samples only the first one is used.
  *
  * Set it as vtkShadowTuning::LitmapSource.
  */
 #ifndef RerenderedLitmap_h
 #define RerenderedLitmap_h
 
+#include "vtkNBufferGLObject.h"
 #include "vtkShadowCasterList.h"
 #include "vtkShadowLitmapSource.h"
 #include "vtkShadowPoints.h"
 
+#include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
-class vtkShaderProgram;
 
 namespace NBufferPeers
 {
@@ -57,54 +59,62 @@ public:
   bool Fill(const vtkShadowLightSpace& space, const vtkShadowBlock& range, int resolution,
     vtkShadowLitmap& litmap, std::string& why) override;
 
-  /// How far behind the camera's depth what it sees may lie: window depth, 0 to 1.
+  /// How far behind the camera's depth a point may lie and still count as visible, in window depth.
   static constexpr double DepthBias = 1e-4;
 
-  /// Forget the receivers of the last frame; the next ones are relative to this eye.
+  /// Begins a frame without receivers. The next ones are stored relative to this eye.
   void Begin(const glm::dvec3& eye);
 
-  /// `points`: world; `triangles`: three of them each.
+  /// Adds a receiver. `points` are world coordinates; `triangles` has three indices for each
+  /// triangle.
   void AddReceiver(vtkShadowPoints points, const std::vector<int>& triangles);
 
   /**
-   * Send the receivers and the camera's depth (as vtkShadowReceivers::Scatter takes it) to the
-   * device. False, with the cause in `why`, if OpenGL refuses. The state is as before.
+   * Sends the receivers and the camera's depth (see vtkShadowReceivers::Scatter()) to the device.
+   * Returns false, with the cause in `why`, on an error of OpenGL. The OpenGL state is restored.
    */
   bool Upload(
     vtkOpenGLRenderWindow* window, const float* depth, const vtkShadowView& view, std::string& why);
 
   /**
-   * Fill `litmap` with what `frame` sees over a range as vtkShadowReceivers::GetRange gives it. The
-   * caller builds its levels then. False, with the cause in `why`, if OpenGL refuses. The state is
-   * as before. Costs two draws of all receivers, and two read-backs of the litmap's size.
+   * Fills `litmap` with the receivers that the light `frame` sees over a range as
+   * vtkShadowReceivers::GetRange() gives it. The caller builds the levels of the litmap afterwards.
+   * Returns false, with the cause in `why`, on an error of OpenGL. The OpenGL state is restored.
+   * The cost is two draws of all receivers, and two read-backs of the litmap's size.
    */
   bool Draw(vtkOpenGLRenderWindow* window, const vtkShadowLightSpace& frame,
     const vtkShadowBlock& range, int resolution, vtkShadowLitmap& litmap, std::string& why);
 
-  /// Draws and read-backs so far.
+  /// Returns the number of draws, each with a read-back, so far.
   int GetNumberOfDraws() const { return this->Draws; }
 
-  /// Delete everything; the context that made it must be current.
-  void Release() override;
+  void Release() override { this->Device = DeviceObjects(); }
 
 private:
+  /// What the litmaps have on the graphics device.
+  struct DeviceObjects
+  {
+    vtkNBufferGL::Texture Depth; ///< The camera's.
+    vtkNBufferGL::Texture Litmap;
+    vtkNBufferGL::Framebuffer Framebuffer; ///< Draws into Litmap.
+    vtkNBufferGL::VertexArray VertexArray;
+    vtkNBufferGL::Buffer Vertices;
+    vtkNBufferGL::Buffer Indices;
+    int Resolution = 0; ///< Texels along each side of Litmap.
+    vtkSmartPointer<vtkShaderProgram> Program;
+  };
+
   bool Reserve(int resolution, std::string& why);
   void DrawExtremes(int which, float* pixels, int resolution);
 
   vtkShadowCasterList Receivers;
   vtkOpenGLRenderWindow* Window = nullptr; ///< The window of the frame.
-  std::vector<float> Vertices;             ///< Relative to the eye, xyz each.
+  std::vector<float> Vertices;             ///< x, y and z of each vertex, relative to the eye.
   std::vector<unsigned int> Indices;
   glm::dvec3 Eye = { 0.0, 0.0, 0.0 };
-  double EyeToClip[16] = {};
-  unsigned int DepthTexture = 0;
-  unsigned int Texture = 0;
-  unsigned int Framebuffer = 0;
-  unsigned int VertexArray = 0;
-  unsigned int Buffers[2] = {}; ///< Vertices, indices.
-  int Resolution = 0;           ///< Of the framebuffer.
+  std::array<double, 16> EyeToClip{}; ///< Row by row.
+  DeviceObjects Device;
   int Draws = 0;
-  vtkSmartPointer<vtkShaderProgram> Program;
 };
 }
 #endif

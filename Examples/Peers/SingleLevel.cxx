@@ -3,9 +3,7 @@
 #include "SingleLevel.h"
 
 #include "PeerBaseFS.h"
-#include "PeerFullScreenVS.h"
 #include "PeerReduceCS.h"
-#include "PeerSharedText.h"
 
 #include "Shaders/vtkNBufferShared.h"
 #include "vtkNBufferGL.h"
@@ -14,49 +12,20 @@
 
 #include "vtkOpenGLRenderTimer.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
 
 namespace NBufferPeers
 {
 namespace
 {
-/// Of the compute shader, along each axis.
+/// The invocations of a work group of the compute shader along each axis.
 constexpr int GroupSide = 16;
 
-void MakeTexture(
-  unsigned int& name, GLenum format, GLenum components, int width, int height, const float* values)
-{
-  if (name == 0)
-  {
-    glGenTextures(1, &name);
-  }
-  glBindTexture(GL_TEXTURE_2D, name);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 0);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  glTexImage2D(
-    GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, components, GL_FLOAT, values);
-}
-
-std::string GetLog(unsigned int name, bool program)
-{
-  char text[1024] = "";
-  if (program)
-  {
-    glGetProgramInfoLog(name, sizeof(text), nullptr, text);
-  }
-  else
-  {
-    glGetShaderInfoLog(name, sizeof(text), nullptr, text);
-  }
-  return text;
-}
 }
 
 SingleLevel::SingleLevel()
-  : ResourceCallback(std::make_unique<vtkOpenGLResourceFreeCallback<SingleLevel>>(
+  : Pass(PeerBaseFS, "the shader of a pass does not compile on this driver")
+  , ResourceCallback(std::make_unique<vtkOpenGLResourceFreeCallback<SingleLevel>>(
       this, &SingleLevel::ReleaseGraphicsResources))
 {
 }
@@ -87,63 +56,34 @@ bool SingleLevel::SetDepth(vtkOpenGLRenderWindow* window, const std::vector<floa
   const vtkNBufferGL::ScopedUpload upload(0);
   this->PixelWidth = width;
   this->PixelHeight = height;
-  MakeTexture(this->Depth, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, width, height, depth.data());
-  if (this->VertexArray == 0)
+  if (!this->Depth.Reserve(GL_DEPTH_COMPONENT32F, width, height, why))
   {
-    glGenVertexArrays(1, &this->VertexArray);
+    return false;
   }
-  // Room for the largest of what passes of 2 x 2 leave on their way.
-  for (Image& image : this->Targets)
+  glBindTexture(GL_TEXTURE_2D, this->Depth.GetName());
+  glTexSubImage2D(
+    GL_TEXTURE_2D, 0, 0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
+  // There is room for the largest level that passes of 2 x 2 leave on their way.
+  for (vtkNBufferGL::GrowingTexture& target : this->Targets)
   {
-    MakeTexture(image.Texture, GL_R32F, GL_RED, vtkNBufferMath::GetBaseSize(width, 2),
-      vtkNBufferMath::GetBaseSize(height, 2), nullptr);
-    if (image.Framebuffer == 0)
+    if (!target.ReserveTarget(GL_R32F, vtkNBufferMath::GetBaseSize(width, 2),
+          vtkNBufferMath::GetBaseSize(height, 2), why))
     {
-      glGenFramebuffers(1, &image.Framebuffer);
-    }
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, image.Framebuffer);
-    glFramebufferTexture2D(
-      GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, image.Texture, 0);
-    if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    {
-      why = "the device cannot draw into float textures (R32F)";
       return false;
     }
   }
   return vtkNBufferGL::CheckErrors("Uploading depth", why);
 }
 
-vtkShaderProgram* SingleLevel::ReadyPass(int factor, std::string& why)
-{
-  vtkOpenGLShaderCache* cache = this->Window->GetShaderCache();
-  auto& program = this->Programs[factor];
-  if (program)
-  {
-    program = cache->ReadyShaderProgram(program);
-  }
-  else
-  {
-    const auto define = [](const char* name, int value)
-    { return std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
-    std::string text = PeerBaseFS;
-    vtkShaderProgram::Substitute(text, "//VTK::NBuffer::Shared", PeerSharedText);
-    vtkShaderProgram::Substitute(text, "//VTK::NBuffer::Dec",
-      define("NBUFFER_MAXIMUM", 1) + define("NBUFFER_SOURCE", NBUFFER_SOURCE_DEPTH) +
-        define("NBUFFER_FACTOR", factor) + define("NBUFFER_SAMPLES", 1) +
-        define("NBUFFER_INEXACT", 0));
-    program = cache->ReadyShaderProgram(PeerFullScreenVS, text.c_str(), "");
-  }
-  if (!program)
-  {
-    why = "the shader of a pass does not compile on this driver";
-  }
-  return program;
-}
-
 bool SingleLevel::DrawPass(
-  unsigned int source, int width, int height, int factor, const Image& target, std::string& why)
+  unsigned int source, int width, int height, int factor, int target, std::string& why)
 {
-  vtkShaderProgram* program = this->ReadyPass(factor, why);
+  const auto define = [](const char* name, int value)
+  { return std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
+  vtkShaderProgram* program = this->Pass.Begin(this->Window, why,
+    define("NBUFFER_MAXIMUM", 1) + define("NBUFFER_SOURCE", NBUFFER_SOURCE_DEPTH) +
+      define("NBUFFER_FACTOR", factor) + define("NBUFFER_SAMPLES", 1) +
+      define("NBUFFER_INEXACT", 0));
   if (!program)
   {
     return false;
@@ -154,29 +94,25 @@ bool SingleLevel::DrawPass(
   program->SetUniform2i("origin", origin);
   program->SetUniform2i("last", last);
   glBindTexture(GL_TEXTURE_2D, source);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.Framebuffer);
-  glViewport(
-    0, 0, vtkNBufferMath::GetBaseSize(width, factor), vtkNBufferMath::GetBaseSize(height, factor));
-  glBindVertexArray(this->VertexArray);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  this->Pass.Draw(this->Targets[target].GetFramebuffer(), 0, 0,
+    vtkNBufferMath::GetBaseSize(width, factor), vtkNBufferMath::GetBaseSize(height, factor));
   return true;
 }
 
 bool SingleLevel::ReduceByPasses(int factor, std::string& why)
 {
-  unsigned int source = this->Depth;
+  unsigned int source = this->Depth.GetName();
   int width = this->PixelWidth;
   int height = this->PixelHeight;
   for (int side = factor; side > 1; side /= 2)
   {
-    // The last one ends in the first target.
-    const bool even = side == 2 || side == 8;
-    const Image& target = this->Targets[even ? 0 : 1];
+    // The last pass draws into the first target.
+    const int target = side == 2 || side == 8 ? 0 : 1;
     if (!this->DrawPass(source, width, height, 2, target, why))
     {
       return false;
     }
-    source = target.Texture;
+    source = this->Targets[target].GetName();
     width = vtkNBufferMath::GetBaseSize(width, 2);
     height = vtkNBufferMath::GetBaseSize(height, 2);
   }
@@ -189,25 +125,25 @@ bool SingleLevel::CompileCompute(std::string& why)
   const char* text = PeerReduceCS;
   glShaderSource(shader, 1, &text, nullptr);
   glCompileShader(shader);
-  GLint compiled = 0;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-  const unsigned int program = glCreateProgram();
-  glAttachShader(program, shader);
-  glLinkProgram(program);
+  this->ComputeProgram = glCreateProgram();
+  glAttachShader(this->ComputeProgram, shader);
+  glLinkProgram(this->ComputeProgram);
   GLint linked = 0;
-  glGetProgramiv(program, GL_LINK_STATUS, &linked);
-  if (!compiled || !linked)
+  glGetProgramiv(this->ComputeProgram, GL_LINK_STATUS, &linked);
+  if (!linked)
   {
-    why = "the compute shader does not compile on this driver: " + GetLog(shader, false) +
-      GetLog(program, true);
-    glDeleteProgram(program);
-    glDeleteShader(shader);
+    // Where the shader did not compile, the program does not link either.
+    char log[1024] = "";
+    glGetShaderInfoLog(shader, sizeof(log), nullptr, log);
+    why = std::string("the compute shader does not compile on this driver: ") + log;
+    glGetProgramInfoLog(this->ComputeProgram, sizeof(log), nullptr, log);
+    why += log;
+    glDeleteProgram(this->ComputeProgram);
+    this->ComputeProgram = 0;
     vtkNBufferGL::ClearErrors();
-    return false;
   }
   glDeleteShader(shader);
-  this->ComputeProgram = program;
-  return true;
+  return linked != 0;
 }
 
 bool SingleLevel::Dispatch(int factor, std::string& why)
@@ -221,8 +157,8 @@ bool SingleLevel::Dispatch(int factor, std::string& why)
   glUniform2i(
     glGetUniformLocation(this->ComputeProgram, "size"), this->PixelWidth, this->PixelHeight);
   glUniform1i(glGetUniformLocation(this->ComputeProgram, "factor"), factor);
-  glBindTexture(GL_TEXTURE_2D, this->Depth);
-  glBindImageTexture(0, this->Targets[0].Texture, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
+  glBindTexture(GL_TEXTURE_2D, this->Depth.GetName());
+  glBindImageTexture(0, this->Targets[0].GetName(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
   glDispatchCompute(static_cast<GLuint>(vtkNBufferMath::GetBaseSize(this->PixelWidth, GroupSide)),
     static_cast<GLuint>(vtkNBufferMath::GetBaseSize(this->PixelHeight, GroupSide)), 1);
   // Sampled, drawn into again or read back.
@@ -260,9 +196,9 @@ bool SingleLevel::Reduce(ReduceMethod method, int factor, std::string& why)
     glFlush();
   }
   const bool done = method == ReduceMethod::Compute ? this->Dispatch(factor, why)
-    : method == ReduceMethod::Passes                ? this->ReduceByPasses(factor, why)
-                                                    : this->DrawPass(this->Depth, this->PixelWidth,
-                                                        this->PixelHeight, factor, this->Targets[0], why);
+    : method == ReduceMethod::Passes
+    ? this->ReduceByPasses(factor, why)
+    : this->DrawPass(this->Depth.GetName(), this->PixelWidth, this->PixelHeight, factor, 0, why);
   if (this->Timer)
   {
     this->Timer->Stop();
@@ -288,36 +224,25 @@ bool SingleLevel::Download(std::vector<float>& level, std::string& why)
 {
   vtkNBufferGL::ClearErrors();
   level.resize(static_cast<std::size_t>(this->Width) * this->Height);
-  const vtkNBufferGL::ScopedReadback readback(this->Targets[0].Framebuffer);
+  const vtkNBufferGL::ScopedReadback readback(this->Targets[0].GetFramebuffer());
   glReadPixels(0, 0, this->Width, this->Height, GL_RED, GL_FLOAT, level.data());
   return vtkNBufferGL::CheckErrors("Reading the level back", why);
 }
 
-void SingleLevel::ReleaseGraphicsResources(vtkWindow* window)
+void SingleLevel::ReleaseGraphicsResources(vtkWindow*)
 {
   if (!this->ResourceCallback->IsReleasing())
   {
     this->ResourceCallback->Release();
     return;
   }
-  if (window)
-  {
-    for (const Image& image : this->Targets)
-    {
-      glDeleteTextures(1, &image.Texture);
-      glDeleteFramebuffers(1, &image.Framebuffer);
-    }
-    glDeleteTextures(1, &this->Depth);
-    glDeleteVertexArrays(1, &this->VertexArray);
-    if (this->ComputeProgram != 0)
-    {
-      glDeleteProgram(this->ComputeProgram);
-    }
-    this->Timer.reset();
-  }
-  this->Programs.clear();
-  this->Targets[0] = this->Targets[1] = Image();
-  this->Depth = this->VertexArray = this->ComputeProgram = 0;
+  this->Depth.Delete();
+  this->Targets[0].Delete();
+  this->Targets[1].Delete();
+  this->Pass.Delete();
+  glDeleteProgram(this->ComputeProgram);
+  this->ComputeProgram = 0;
+  this->Timer.reset();
   this->PixelWidth = this->PixelHeight = this->Width = this->Height = 0;
   this->Window = nullptr;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BoxOutline.h
- * @brief How many depth tests the hardware does for a box: the pixels of its outline.
+ * @brief The number of depth tests that the hardware does for a box: the pixels of its outline.
  */
 #ifndef BoxOutline_h
 #define BoxOutline_h
@@ -12,8 +12,8 @@
 namespace NBufferStudy
 {
 
-/// Pixels whose centres lie in the outline of a box that is Inside, so many as its front faces
-/// have; of a box that was clipped, those of its rectangle.
+/// Returns the number of pixels whose centres lie in the outline of a box that is Inside, which is
+/// the number of pixels of its front faces. For a box that was clipped it is that of its rectangle.
 long long CountOutlinePixels(const vtkNBufferProjection& projection, const vtkNBufferBox& box,
   const vtkNBufferScreenBox& screen);
 

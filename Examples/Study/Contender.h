@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Contender.h
- * @brief Ways of finding out which boxes of a frame are hidden, all behind one interface.
+ * @brief Ways to find which boxes of a frame are hidden, all behind one interface.
  *
- *     family    a DepthStructure; long boxes in up to `pieces` pieces (vtkNBufferSplitBox.h)
- *     position  PositionedLevels, which also say which pixel keeps a box visible
- *     module    what vtkNBufferCuller does with the same settings, level by level as needed,
- *               with or without the second look at the pixels
- *     pixels    every box by its outline, pixel by pixel: what a query of the hardware finds
+ *     family    a DepthStructure; long boxes are cut into up to `pieces` pieces
+ *               (vtkNBufferSplitBox.h)
+ *     position  PositionedLevels, which also find the pixel that keeps a box visible
+ *     module    the test of vtkNBufferCuller with the same settings; it builds only the levels that
+ *               it needs, with or without the second test of the pixels
+ *     pixels    every box by its outline, pixel by pixel, as a query of the hardware does it
  */
 #ifndef Contender_h
 #define Contender_h
@@ -26,8 +27,8 @@ namespace NBufferStudy
 
 struct ContestCounts
 {
-  long long Queries = 0; ///< Rectangles queried.
-  long long Lookups = 0; ///< Texels and pixels read.
+  long long Queries = 0; ///< Rectangles that were tested.
+  long long Lookups = 0; ///< Texels and pixels that were read.
 };
 
 class Contender
@@ -41,16 +42,19 @@ public:
 
   const std::string& GetName() const { return this->Name; }
 
+  /// Builds the structure from the depth of a frame.
   virtual void Build(const DepthFrame& frame) = 0;
+  /// Returns whether a box of the frame is found hidden, and adds the work to `counts`.
   virtual bool IsHidden(const DepthFrame& frame, const DepthBox& box, ContestCounts& counts) = 0;
 
   ///@{
-  /// After Build().
+  /// Return the size of the structure that was built, in texels and in bytes.
   virtual std::size_t GetNumberOfTexels() const = 0;
   virtual std::size_t GetMemory() const = 0;
   ///@}
 
-  /// Pixels that the rectangle of a box is answered by; 0 where that has no meaning.
+  /// Returns the number of pixels that are tested for the rectangle of a box, or 0 where that has
+  /// no meaning.
   virtual long long GetCoveredArea(const DepthBox& /*box*/) const { return 0; }
 
 private:
@@ -59,15 +63,19 @@ private:
 
 using ContenderPointer = std::unique_ptr<Contender>;
 
+///@{
+/// Make a contender of each kind.
 ContenderPointer MakeFamilyContender(const DepthFamily& family, int pieces);
 ContenderPointer MakePositionContender(int factor, int pieces);
 ContenderPointer MakeModuleContender(int factor, int pieces, bool testPixels);
 ContenderPointer MakePixelContender();
+///@}
 
-/// The name of the contender that has vtkNBufferCuller's default settings.
+/// Returns the name of the contender that has vtkNBufferCuller's default settings.
 std::string GetDefaultName();
 
-/// All that the study compares; none that needs more than `megabytes` for a frame of this size.
+/// Makes all contenders of the study except those that need more than `megabytes` for a frame of
+/// this size.
 std::vector<ContenderPointer> MakeContenders(int width, int height, double megabytes);
 
 } // namespace NBufferStudy

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Contest.h
- * @brief Every contender on the same frames, taking turns, with what each keeps and what it costs.
+ * @brief Runs all contenders by turns on the same frames, and measures what each keeps and costs.
  */
 #ifndef Contest_h
 #define Contest_h
@@ -20,19 +20,19 @@ struct ContestResult
 {
   std::string Name;
   ///@{
-  /// Milliseconds of a frame, one for each frame and repetition, repetition by repetition.
+  /// The milliseconds of each frame, repetition by repetition.
   std::vector<double> BuildTimes;
   std::vector<double> QueryTimes;
   ///@}
   ///@{
-  /// Over all frames.
+  /// The sums over all frames.
   long long Boxes = 0;
-  long long Hidden = 0;       ///< Boxes of props that own no pixel.
-  long long FalseVisible = 0; ///< Those of them that are kept.
-  long long FalseHidden = 0;  ///< Visible ones that are not: has to be 0.
+  long long Hidden = 0;       ///< Boxes whose props own no pixel.
+  long long FalseVisible = 0; ///< Hidden boxes that are kept.
+  long long FalseHidden = 0;  ///< Visible boxes that are not kept: this must be 0.
   ContestCounts Counts;
-  double Area = 0.0;        ///< Of all rectangles, pixels.
-  double CoveredArea = 0.0; ///< What they are answered by; 0: has no meaning.
+  double Area = 0.0;        ///< The area of all rectangles in pixels.
+  double CoveredArea = 0.0; ///< The pixels that were tested for them; 0 if that has no meaning.
   ///@}
   std::size_t Texels = 0;
   std::size_t Memory = 0;
@@ -45,11 +45,11 @@ struct ContestResult
   {
     return this->CoveredArea > 0.0 ? this->CoveredArea / this->Area - 1.0 : 0.0;
   }
-  /// Build and query of a frame.
+  /// Returns the milliseconds of build and queries together.
   std::vector<double> GetTimes() const;
 };
 
-/// `progress` is called with the number of the turn and of all turns.
+/// Runs the contest. `progress`, if given, is called with the number of the turn and of all turns.
 std::vector<ContestResult> RunContest(const std::vector<DepthFrame>& frames,
   const std::vector<ContenderPointer>& contenders, int repetitions,
   const std::function<void(int, int)>& progress);

@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class DepthAxis
- * @brief What the texels of a level cover along one axis, and which of them cover an interval.
+ * @brief The texels of a level along one axis: what each covers, and which of them cover an
+ * interval.
  *
- * All structures of the study are products of two axes. Level i of an axis of n texels:
+ * All structures of the study are products of two axes. The levels of an axis of n texels are:
  *
- *     Windows   windows of 2^i, one at every multiple of the stride 2^max(0, i - s). s = 0 is a
- *               mip chain whose sizes are rounded up, s = FullStride the N-buffer, which has a
- *               window at every texel.
- *     Mips      sizes are halved and rounded down; where a size is odd, every texel takes three of
+ *     Windows   level i has windows of 2^i texels, one at every multiple of the stride
+ *               2^max(0, i - s). s = 0 is a mip chain whose sizes are rounded up; s = FullStride is
+ *               the N-buffer, which has a window at every texel.
+ *     Mips      sizes are halved and rounded down; where a size is odd, every texel covers three of
  *               the level below instead of two, so that texel t of m covers at least
  *               [t n / m, (t + 1) n / m) (M. Turitzin, "Hierarchical Depth Buffers", 2020).
- *     FatMips   sizes as Mips; where a size is odd the last texel alone takes three.
+ *     FatMips   sizes as in Mips; where a size is odd, only the last texel covers three.
  */
 #ifndef DepthAxis_h
 #define DepthAxis_h
@@ -31,8 +32,9 @@ enum class DepthGrid
 
 constexpr int FullStride = 30;
 
-/// How texel t of a level is made of the level below: texels Ratio * t and Ratio * t + Offset, and
-/// Ratio * t + 2 where it has a third one. What lies beyond the last texel is the last texel.
+/// How texel t of a level is computed from the level below: from the texels Ratio * t and
+/// Ratio * t + Offset, and Ratio * t + 2 if it has a third one. The last texel takes the place of
+/// texels beyond it.
 struct DepthStep
 {
   enum class Third
@@ -45,7 +47,7 @@ struct DepthStep
   int Offset = 0;
   Third ThirdTap = Third::None;
 
-  /// Whether texel t of `count` has a third one below it.
+  /// Returns whether texel t of `count` covers a third texel of the level below.
   bool HasThird(int t, int count) const
   {
     return this->ThirdTap == Third::All || (this->ThirdTap == Third::Last && t == count - 1);
@@ -57,31 +59,35 @@ class DepthAxis
 public:
   DepthAxis() = default;
 
-  /// size >= 1; stride is s above, of Windows alone.
+  /// `size` is at least 1; `stride` is the s above and is used by Windows only.
   DepthAxis(DepthGrid grid, int size, int stride);
 
   int GetSize() const { return this->Size; }
 
-  /// Level 0 up to the first in which one texel covers everything. Levels above may be queried:
-  /// their texels cover what those of the last one cover, or more.
+  /// Returns the number of levels from level 0 up to the first in which one texel covers
+  /// everything. The functions below accept higher levels, whose texels cover the same or more.
   int GetNumberOfLevels() const { return this->NumberOfLevels; }
 
+  /// Returns the number of texels of a level.
   int GetCount(int level) const;
-  DepthStep GetStep(int level) const; ///< From level - 1 to `level`, level >= 1.
+
+  /// Returns the step from level - 1 to `level`, which is at least 1.
+  DepthStep GetStep(int level) const;
 
   ///@{
-  /// The texels of the base that a texel covers: [begin, end).
+  /// Return the interval [begin, end) of the texels of the base that a texel covers.
   int GetBegin(int level, int texel) const;
   int GetEnd(int level, int texel) const;
   ///@}
 
   /**
-   * The texels of `level` that cover [begin, end), which must not be empty and lie inside the axis.
-   * Returns how many they are, and writes them, in rising order, if they are at most `limit`.
+   * Finds the texels of `level` that cover [begin, end), which must not be empty and must lie
+   * inside the axis. Returns their number, and writes them to `texels`, in rising order, if there
+   * are at most `limit`.
    */
   int Cover(int level, int begin, int end, int* texels, int limit) const;
 
-  /// The finest level that covers [begin, end) with at most `limit` texels.
+  /// Returns the finest level that covers [begin, end) with at most `limit` texels.
   int GetFinestLevel(int begin, int end, int limit) const;
 
 private:
@@ -91,10 +97,10 @@ private:
   int Size = 1;
   int Stride = FullStride;
   int NumberOfLevels = 1;
-  /// Of Mips and FatMips, by level.
+  /// The number of texels of each level of Mips and FatMips.
   std::vector<int> Counts;
   ///@{
-  /// Of Mips, by level and texel.
+  /// The intervals of Mips, by level and texel.
   std::vector<std::vector<int>> Begins;
   std::vector<std::vector<int>> Ends;
   ///@}

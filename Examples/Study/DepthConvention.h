@@ -2,30 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DepthConvention.h
- * @brief Depths that VTK does not store, for comparison with the one that it does.
+ * @brief Other conventions of depth, for comparison with the one that VTK uses.
  *
- * With clip coordinates (x, y, z, w) as vtkCamera gives them, z in [-w, w]:
+ * With the clip coordinates (x, y, z, w) of vtkCamera, where z is in [-w, w]:
  *
  *     convention  stored depth         near plane  far plane  hides     background
  *     Forward     (z / w + 1) / 2      0           1          maximum   1
  *     Reversed    (1 - z / w) / 2      1           0          minimum   0
  *     InverseW    near / w             1           near / far minimum   0
  *
- * VTK draws Forward, and the module knows nothing else (vtkNBufferDepthConvention.h). A renderer
- * that draws Reversed has its matrix give (w - z) / 2 as z, with glClipControl(GL_LOWER_LEFT,
- * GL_ZERO_TO_ONE): only then do small floats keep their precision. InverseW tells nothing in
- * parallel projection, where w is constant: every box is then Crossing.
+ * VTK draws Forward, and the module supports nothing else (vtkNBufferDepthConvention.h). In a
+ * renderer that draws Reversed, the matrix computes (w - z) / 2 as z, with
+ * glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE): only then do small floats keep their precision.
+ * InverseW is useless in parallel projection, where w is constant: every box is then Crossing.
  *
- * Here depths are kept as orders of distance, sign * stored depth, with a sign of 1 for Forward and
- * -1 for the others. The order grows with distance in every convention, so that levels of maxima
+ * The study uses the order of a depth, sign * stored depth, with a sign of 1 for Forward and -1 for
+ * the others. The order grows with distance in every convention, so that levels of maxima
  * and all tests of the module can be used as they are.
  *
  * ## The slack of the other conventions
  *
- * vtkNBufferBoxError.h derives the slack of VTK's depth. Where small depths are far, floats are
- * precise there: for Reversed and InverseW the slack is 2 quantum + 6 u * (largest depth of the
- * box)
- * + the same part of R, with a quantum of 0 for floats, whose storage the 6 u include.
+ * vtkNBufferBoxError.h derives the slack of VTK's depth. In conventions in which far depths are
+ * small, floats are precise there. For Reversed and InverseW the slack is
+ *
+ *     2 quantum + 6 u * (largest depth of the box) + the same part of R,
+ *
+ * with a quantum of 0 for floats, because the 6 u include the rounding of their storage.
  */
 #ifndef DepthConvention_h
 #define DepthConvention_h
@@ -52,20 +54,20 @@ constexpr std::array<DepthConvention, 3> DepthConventions = { DepthConvention::F
   DepthConvention::Reversed, DepthConvention::InverseW };
 constexpr std::array<const char*, 3> DepthConventionNames = { "Forward", "Reversed", "InverseW" };
 
-/// The order of a stored depth is this sign times the depth.
+/// Returns the sign of a convention: the order of a stored depth is this sign times the depth.
 inline double GetDepthSign(DepthConvention convention)
 {
   return convention == DepthConvention::Forward ? 1.0 : -1.0;
 }
 
-/// The order where nothing has been drawn.
+/// Returns the order where nothing has been drawn.
 inline float GetBackgroundOrder(DepthConvention convention)
 {
   return convention == DepthConvention::Forward ? 1.0f : 0.0f;
 }
 
-/// As vtkNBufferProjection::Set(), for any convention. `depthQuantum` is 0 for floats unless the
-/// convention is Forward.
+/// Does the same as vtkNBufferProjection::Set(), for any convention. `depthQuantum` is 0 for floats
+/// unless the convention is Forward.
 inline void SetProjection(vtkNBufferProjection& projection, const double worldToClip[16], int width,
   int height, double depthQuantum, DepthConvention convention)
 {

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DepthFamily.h
- * @brief The knobs that make one structure out of the family, and their names.
+ * @brief The parameters that select one structure of the family, and their names.
  *
- *     knob        values
+ *     parameter   meaning
  *     Factor      pixels per texel of the base, which holds their farthest depth
- *     Grid        what lies along an axis, see DepthAxis.h
- *     Stride      s of Windows
+ *     Grid        the texels along an axis, see DepthAxis.h
+ *     Stride      the s of Windows
  *     Band        levels (i, j) of windows 2^i wide and 2^j high with |i - j| <= Band; 0: squares
- *     Taps        how many texels answer a rectangle, and in which shapes
- *     Separable   rows first, then columns, through memory; or both at once
+ *     Taps        how many texels are read for a rectangle, and in which shapes
+ *     Separable   whether rows and then columns are merged, through memory, or both at once
  */
 #ifndef DepthFamily_h
 #define DepthFamily_h
@@ -25,10 +25,10 @@ namespace NBufferStudy
 enum class DepthTaps
 {
   One,
-  Four,     ///< Two by two, four in a row or four in a column, what covers least.
-  TwoByTwo, ///< What graphics hardware fetches at once.
+  Four,     ///< Two by two, four in a row or four in a column: the shape that covers least.
+  TwoByTwo, ///< The texels that graphics hardware fetches at once.
   FourByFour,
-  All ///< No levels: every texel of the base that the rectangle touches.
+  All ///< Every texel of the base that the rectangle touches; there are no levels.
 };
 
 constexpr int AllShapes = 30;
@@ -42,7 +42,8 @@ struct DepthFamily
   DepthTaps Taps = DepthTaps::Four;
   bool Separable = false;
 
-  /// "squares x4 1/4", "rectangles band 1 s=2 x4 1/1", "mips 2x2 1/1": unique within the family.
+  /// Returns a name that is unique within the family, such as "squares x4 1/4", "rectangles band 1
+  /// s=2 x4 1/1" or "mips 2x2 1/1".
   std::string GetName() const;
 };
 

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class DepthStructure
- * @brief Any member of the family (DepthFamily.h): built from a depth image, queried by rectangles.
+ * @brief Any member of the family (DepthFamily.h), built from a depth image; it returns the
+ * farthest depth of rectangles.
  *
- * An answer is never nearer than the farthest depth in the rectangle. It is the farthest depth of
- * GetCovered(), which says how much more than the rectangle was looked at. The base, and the levels
- * of plain squares, are those of vtkNBufferLevels, the module's own.
+ * The result of Query() is never nearer than the farthest depth in the rectangle. It is the
+ * farthest depth in GetCovered(), which is the rectangle or larger. The base, and the levels of
+ * plain squares, are those of the module's own vtkNBufferLevels.
  */
 #ifndef DepthStructure_h
 #define DepthStructure_h
@@ -22,10 +23,10 @@
 namespace NBufferStudy
 {
 
-/// The texels of one level that answer a rectangle: all of Columns x Rows.
+/// The texels of one level that cover a rectangle: all of Columns x Rows.
 struct DepthCover
 {
-  int Level = 0; ///< Place in the list of levels.
+  int Level = 0; ///< The place of the level in the list of levels.
   int LevelX = 0;
   int LevelY = 0;
   int Columns = 0;
@@ -41,40 +42,42 @@ public:
 
   const DepthFamily& GetFamily() const { return this->Family; }
 
-  /// Lay out the levels for images of this size, which Build() does where it has changed. Enough
-  /// for GetCovered(), GetCover() and GetNumberOfTexels(): memory comes with the first build.
+  /// Lays out the levels for images of this size; Build() does the same if the size has changed.
+  /// This suffices for GetCovered(), GetCover() and GetNumberOfTexels(). Only Build() allocates
+  /// memory.
   void SetSize(int width, int height);
 
-  /// `depth`: order of distance, larger is farther; row 0 at the bottom.
+  /// Builds all levels. Larger values of `depth` are farther; row 0 is at the bottom.
   void Build(const float* depth, int width, int height);
 
-  /// `pixels` must not be empty and lie inside the image. Adds what was read to `lookups`.
+  /// Returns a bound of the depth in `pixels`, which must not be empty and must lie inside the
+  /// image. Adds the number of texels that were read to `lookups`.
   float Query(const vtkNBufferRectangle& pixels, long long& lookups) const;
 
-  /// The pixels that Query() looks at.
+  /// Returns the pixels that Query() covers.
   vtkNBufferRectangle GetCovered(const vtkNBufferRectangle& pixels) const;
 
-  /// The cover of a rectangle of texels of the base; not for DepthTaps::All.
+  /// Returns the cover of a rectangle of texels of the base. Not for DepthTaps::All.
   DepthCover GetCover(const vtkNBufferRectangle& texels) const;
 
   int GetNumberOfLevels() const { return static_cast<int>(this->Levels.size()); }
 
-  /// Of all levels, from their sizes alone.
+  /// Returns the number of texels of all levels.
   std::size_t GetNumberOfTexels() const;
 
-  /// Bytes that are held for the levels, scratch included.
+  /// Returns the bytes that are allocated for the levels, including scratch memory.
   std::size_t GetMemory() const;
 
 private:
   struct Level
   {
-    int X = 0; ///< Level of the horizontal axis.
-    int Y = 0;
+    int X = 0; ///< The level of the horizontal axis.
+    int Y = 0; ///< The level of the vertical axis.
     int Width = 0;
     int Height = 0;
-    int From = 0; ///< Place of the level that it is made of.
+    int From = 0; ///< The place of the level from which this one is built.
     ///@{
-    /// Axes along which it is one step above that.
+    /// Whether this level is one step above that one along each axis.
     bool StepX = false;
     bool StepY = false;
     ///@}
@@ -93,8 +96,8 @@ private:
   DepthAxis Rows;
   vtkNBufferLevels Base;
   std::vector<Level> Levels;
-  std::vector<int> Places; ///< Of level (x, y) in Levels, or -1.
-  int Side = 0;            ///< Of Places.
+  std::vector<int> Places; ///< The place of level (x, y) in Levels, or -1.
+  int Side = 0;            ///< The side of the square Places.
   int Width = 0;
   int Height = 0;
   std::vector<float> Scratch;

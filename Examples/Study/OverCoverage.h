@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OverCoverage.h
- * @brief How much more than a rectangle a structure looks at, for rectangles of all sizes.
+ * @brief How much more than a rectangle a structure covers, for rectangles of all sizes.
  */
 #ifndef OverCoverage_h
 #define OverCoverage_h
@@ -17,17 +17,19 @@ namespace NBufferStudy
 struct OverCoverage
 {
   int Size = 0;
-  /// (covered - area) / area of rectangles of width x + 1 and height y + 1, at y * Size + x: the
-  /// mean over places by chance.
+  /// At y * Size + x: the mean of (covered - area) / area over random places of rectangles of width
+  /// x + 1 and height y + 1.
   std::vector<double> Shares;
 
+  /// Returns the mean of the shares.
   double GetMean() const;
-  /// The pixels covered too much, divided by the pixels of the rectangles, over all sizes.
+  /// Returns the pixels that are covered in excess, over all sizes, divided by all pixels.
   double GetShareOfArea() const;
+  /// Returns a quantile of the shares.
   double GetQuantile(double share) const;
 };
 
-/// Rectangles up to size x size, far from the border of the image.
+/// Measures rectangles up to size x size, far from the border of the image.
 OverCoverage MeasureOverCoverage(const DepthFamily& family, int size, int places);
 
 } // namespace NBufferStudy

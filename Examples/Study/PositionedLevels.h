@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class PositionedLevels
- * @brief Squares that know where their farthest depth lies: which pixel keeps a box visible.
+ * @brief An N-buffer that also has the place of each farthest depth: the pixel that keeps a box
+ * visible.
  *
- * The rules of vtkNBufferMath and vtkNBufferLevelBuilder with another texel. Of equal depths the
- * pixel that comes first, row by row, counts.
+ * The rules are those of vtkNBufferMath and vtkNBufferLevelBuilder, with another texel. Of pixels
+ * with equal depths the first one, row by row, counts.
  */
 #ifndef PositionedLevels_h
 #define PositionedLevels_h
@@ -22,17 +23,17 @@ namespace NBufferStudy
 struct PositionedDepth
 {
   float Depth = 0.0f;
-  std::int32_t Pixel = 0; ///< y * width + x.
+  std::int32_t Pixel = 0; ///< The place of the pixel, y * width + x.
 };
 
 class PositionedLevels
 {
 public:
-  /// All levels over a base of `factor` x `factor` pixels per texel.
+  /// Builds all levels over a base of `factor` x `factor` pixels per texel.
   void Build(const float* depth, int width, int height, int factor);
 
-  /// The farthest pixel of the squares that cover a rectangle of pixels, four at most. Adds what
-  /// was read to `lookups`.
+  /// Returns the farthest pixel of the squares, at most four, that cover a rectangle of pixels.
+  /// Adds the number of texels that were read to `lookups`.
   PositionedDepth Query(const vtkNBufferRectangle& pixels, long long& lookups) const;
 
   std::size_t GetNumberOfTexels() const { return this->Texels.size(); }

@@ -3,7 +3,7 @@
 
 # cmake -DPROGRAM=... -DSYSTEM=... -P this
 #
-# Runs the first example for one frame: some cones are drawn and some are hidden.
+# Runs the first example: some cones are drawn, and most are hidden.
 
 if (SYSTEM STREQUAL "x" AND NOT DEFINED ENV{DISPLAY})
   message("Skipped: this VTK opens X windows only, and DISPLAY is not set")
@@ -11,7 +11,7 @@ if (SYSTEM STREQUAL "x" AND NOT DEFINED ENV{DISPLAY})
 endif ()
 
 execute_process(
-  COMMAND "${PROGRAM}" once
+  COMMAND "${PROGRAM}"
   OUTPUT_VARIABLE output
   ERROR_VARIABLE errors
   RESULT_VARIABLE result)

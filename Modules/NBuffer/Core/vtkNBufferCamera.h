@@ -11,11 +11,12 @@
 #define vtkNBufferCamera_h
 
 #include "vtkNBufferGLM.h"
+#include "vtkNBufferModule.h" // For export macro
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
 
-struct vtkNBufferCamera
+struct VTKNBUFFER_EXPORT vtkNBufferCamera
 {
   /// The active camera of a renderer that has one, for the eye that the renderer draws.
   explicit vtkNBufferCamera(vtkRenderer* renderer);

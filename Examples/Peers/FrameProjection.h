@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FrameProjection.h
+ * @brief The projection of a renderer's frame into the depth buffer that is being drawn.
+ */
+#ifndef FrameProjection_h
+#define FrameProjection_h
+
+#include "vtkNBufferCamera.h"
+#include "vtkNBufferDepthSource.h"
+#include "vtkNBufferProjection.h"
+
+#include <algorithm>
+
+namespace NBufferPeers
+{
+
+inline void SetFrameProjection(
+  vtkRenderer* renderer, const vtkNBufferDepthSource& source, vtkNBufferProjection& projection)
+{
+  const int* viewport = source.Viewport;
+  const double quantum =
+    source.FloatDepth ? 0x1p-24 : 1.0 / static_cast<double>((1ULL << source.DepthBits) - 1);
+  projection.Set(vtkNBufferGLM::ToRows(vtkNBufferCamera(renderer).WorldToClip).data(), viewport[2],
+    viewport[3], quantum, std::max(viewport[0] + viewport[2], viewport[1] + viewport[3]));
+}
+
+} // namespace NBufferPeers
+
+#endif
