@@ -121,10 +121,6 @@ protected:
 TEST_P(CullerKinds, BehindTheWall)
 {
   const Kind& kind = this->GetParam();
-  if (!kind.Make)
-  {
-    GTEST_SKIP() << "SKIPPED: this VTK's actors have no coordinate systems";
-  }
   ComparisonOptions options;
   options.StockReference = kind.StockReference;
   Comparison comparison(
@@ -432,8 +428,6 @@ const Kind Kinds[] = {
 #if VTKNBUFFER_HAS_COORDINATE_SYSTEMS
   { "DeviceCoordinates", With([](vtkActor* a) { a->SetCoordinateSystemToDevice(); }),
     Verdict::OtherCoordinates },
-#else
-  { "DeviceCoordinates", nullptr, Verdict::OtherCoordinates },
 #endif
   // Hazard: the bounds of a glyph mapper need not hold its glyphs.
   { "GlyphMapper",

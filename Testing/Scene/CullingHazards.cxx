@@ -47,13 +47,32 @@ public:
     expectation.MinimumHidden = minimum;
     expectation.MaximumHidden = maximum;
   }
-  void ExpectVerdict(const std::vector<int>& props, Verdict verdict, bool hasVerdict = true)
+  /// Each of the props has one of these verdicts, and so many are hidden at least.
+  void ExpectVerdicts(
+    const std::vector<int>& props, const std::vector<Verdict>& allowed, int minimumHidden = 0)
   {
     Expectation& expectation = this->Expect();
     expectation.Props = props;
-    expectation.Verdict = verdict;
-    expectation.HasVerdict = hasVerdict;
+    expectation.Allowed = allowed;
+    expectation.MinimumHiddenOfProps = minimumHidden;
   }
+  void ExpectVerdict(const std::vector<int>& props, Verdict verdict)
+  {
+    this->ExpectVerdicts(props, { verdict });
+  }
+  void ExpectNotHidden(const std::vector<int>& props)
+  {
+    std::vector<Verdict> allowed;
+    for (int verdict = 0; verdict < vtkNBufferStatistics::NumberOfVerdicts; ++verdict)
+    {
+      if (static_cast<Verdict>(verdict) != Verdict::Hidden)
+      {
+        allowed.push_back(static_cast<Verdict>(verdict));
+      }
+    }
+    this->ExpectVerdicts(props, allowed);
+  }
+  void ExpectDecision(vtkNBufferDecision decision) { this->Expect().Decision = decision; }
   /// The frame is drawn again, `times` times.
   void Settle(int times = 3) { this->Scene.Frames += times; }
 
@@ -67,8 +86,7 @@ private:
   Expectation& Expect()
   {
     this->Result.Expectations.emplace_back();
-    this->Result.Expectations.back().FirstFrame = this->GetFrame();
-    this->Result.Expectations.back().LastFrame = this->GetFrame();
+    this->Result.Expectations.back().Frame = this->GetFrame();
     return this->Result.Expectations.back();
   }
 
@@ -335,11 +353,15 @@ NamedScenario NearPlaneThroughABox()
       const double begin = 0.5 + step * i;
       const bool beyond = begin > z + 1e-4;
       const bool cut = begin < z - 1e-4 && begin + 0.5 > z + 1e-4;
-      scene.ExpectVerdict({ Wall::Count + i },
-        beyond  ? Verdict::Outside
-          : cut ? Verdict::NearPlane
-                : Verdict::Hidden,
-        beyond || cut);
+      const std::vector<int> box = { Wall::Count + i };
+      if (beyond || cut)
+      {
+        scene.ExpectVerdict(box, beyond ? Verdict::Outside : Verdict::NearPlane);
+      }
+      else
+      {
+        scene.ExpectNotHidden(box);
+      }
     }
     scene.ExpectHidden(Wall::Hidden);
   }
@@ -377,12 +399,8 @@ NamedScenario EyeInsideABox(bool parallel)
     view.ParallelScale = 2.0;
     scene.NextFrame();
     scene.ExpectVerdict(MakeRange(0, rooms), Verdict::NearPlane);
-    const std::vector<int> outside = MakeRange(rooms, rooms + 2 * each, 2);
-    for (const Verdict drawn : { Verdict::Visible, Verdict::NearPlane, Verdict::Unknown })
-    {
-      scene.ExpectVerdict(outside, drawn, false);
-    }
-    scene.ExpectHidden(each / 20 + 1);
+    scene.ExpectVerdicts(
+      MakeRange(rooms, rooms + 2 * each, 2), { Verdict::Hidden, Verdict::Outside }, each / 20 + 1);
     scene.NextFrame();
   }
   return scene.Finish();
@@ -411,7 +429,7 @@ NamedScenario BoxesBehindTheEyeAndBesideIt()
     view.Near = 0.1;
     view.Far = 100.0;
     scene.ExpectVerdict(MakeRange(1, 3 * each, 3), Verdict::Outside);
-    scene.ExpectVerdict(MakeRange(3, 3 * each + 1, 3), Verdict::Hidden, false);
+    scene.ExpectNotHidden(MakeRange(3, 3 * each + 1, 3));
     if (i > 2)
     {
       scene.ExpectVerdict(MakeRange(2, 3 * each, 3), Verdict::Hidden);
@@ -484,6 +502,7 @@ NamedScenario TheCameraJumpsBackAndForth()
     scene.LookFrom(eyes[view]);
     // The first frame after a jump also draws what the other view saw.
     scene.ExpectHidden(view == 0 && last == 0 ? Wall::Hidden - 12 : 0);
+    scene.ExpectDecision(vtkNBufferDecision::Culled);
     scene.NextFrame();
     last = view;
   }

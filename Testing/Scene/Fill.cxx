@@ -13,7 +13,7 @@
 
 namespace TestScene
 {
-void ShareMapper(vtkProp* prop, vtkProp* other)
+bool ShareMapper(vtkProp* prop, vtkProp* other)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   auto* owner = vtkActor::SafeDownCast(other);
@@ -21,6 +21,7 @@ void ShareMapper(vtkProp* prop, vtkProp* other)
   {
     actor->SetMapper(owner->GetMapper());
   }
+  return actor && owner;
 }
 
 void SetView(vtkRenderer* renderer, const View& view)

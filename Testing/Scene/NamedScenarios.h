@@ -15,6 +15,7 @@
 #include "vtkNBufferStatistics.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,17 +23,20 @@ class vtkRenderer;
 
 namespace TestScene
 {
-/// What a test demands beside equal images: that culling takes place where it should.
+/// What a test demands of a frame, apart from equal images: that culling takes place where it
+/// should.
 struct Expectation
 {
-  int FirstFrame = 0;
-  int LastFrame = 0;
+  int Frame = 0;
   int MinimumHidden = 0;
   int MaximumHidden = 1000000;
-  /// If not empty: these props have this verdict, or do not have it.
+  /// If set: what the culler decided to do with the frame.
+  std::optional<vtkNBufferDecision> Decision;
+  /// The indices of some props, each of which has one of the verdicts `Allowed`.
   std::vector<int> Props;
-  vtkNBufferVerdict Verdict = vtkNBufferVerdict::Hidden;
-  bool HasVerdict = true;
+  std::vector<vtkNBufferVerdict> Allowed;
+  /// So many of `Props` are hidden at least.
+  int MinimumHiddenOfProps = 0;
 };
 
 struct NamedScenario

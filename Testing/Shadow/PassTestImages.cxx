@@ -21,6 +21,9 @@
 #include "vtkSequencePass.h"
 #include "vtkTranslucentPass.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace
 {
 void ForEachProperty(vtkRenderer* renderer, const std::function<void(vtkProperty*)>& function)
@@ -250,5 +253,60 @@ TEST_F(PassImages, ConesOfVerticesFarFromTheOrigin)
     pass->SetMode(vtkShadowVolumeClampPass::Scissored);
     stage.Window->Render();
     EXPECT_EQ(FindDifference(expected, TakePicture(stage.Window)), "");
+  }
+}
+
+// More lights than one texture has masks for.
+TEST_F(PassImages, ManyMasks)
+{
+  Stage stage = SetStage(GetScene("Directional"));
+  for (int i = 0; i < 27; ++i)
+  {
+    const double angle = 0.23 * i;
+    vtkLight* light = ShadowShapes::AddDirectional(
+      stage.GetRenderer(), { std::cos(angle), std::sin(angle), -0.2 - 0.1 * (i % 5) });
+    light->SetIntensity(0.05);
+    stage.Lights.push_back(light);
+  }
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  std::vector<ShadowMask> masks;
+  Picture expected;
+  for (const int mode :
+    { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Scissored })
+  {
+    pass->SetMode(mode);
+    stage.Window->Render();
+    std::vector<ShadowMask> found;
+    for (vtkLight* light : stage.Lights)
+    {
+      found.push_back(GetMask(pass, light, CountPixels(stage.GetRenderer())));
+    }
+    const Picture picture = TakePicture(stage.Window);
+    if (!masks.empty())
+    {
+      EXPECT_EQ(found, masks);
+      EXPECT_EQ(FindDifference(expected, picture), "");
+    }
+    masks = found;
+    expected = picture;
+  }
+  for (std::size_t i = 0; i < masks.size(); ++i)
+  {
+    SCOPED_TRACE("light " + std::to_string(i));
+    EXPECT_GT(std::count(masks[i].begin(), masks[i].end(), 255), 50);
+    // It shines where its own mask is 0, and nowhere else.
+    const double intensity = stage.Lights[i]->GetIntensity();
+    stage.Lights[i]->SetIntensity(2.0 * intensity);
+    stage.Window->Render();
+    const Picture brighter = TakePicture(stage.Window);
+    for (std::size_t pixel = 0; pixel < masks[i].size(); ++pixel)
+    {
+      ASSERT_TRUE(masks[i][pixel] == 0 ||
+        std::equal(
+          brighter.GetColor(pixel), brighter.GetColor(pixel) + 4, expected.GetColor(pixel)))
+        << "pixel " << pixel;
+    }
+    EXPECT_NE(FindDifference(expected, brighter), "");
+    stage.Lights[i]->SetIntensity(intensity);
   }
 }
