@@ -17,19 +17,36 @@ using TestScene::Role;
 
 namespace
 {
+/// How many pixels of the window have exactly this colour.
+int CountPixels(const Player& stage, const glm::dvec3& color)
+{
+  const TestScene::Picture picture = TestScene::TakePicture(stage.Window);
+  int count = 0;
+  for (std::size_t i = 0; i < picture.Colors.size() / 4; ++i)
+  {
+    const unsigned char* p = picture.GetColor(i);
+    count += glm::dvec3(p[0], p[1], p[2]) == 255.0 * color;
+  }
+  return count;
+}
+
 void CheckExpectation(const Expectation& expectation, const Player& tested)
 {
-  vtkNBufferCuller* culler = tested.GetCuller();
-  const vtkNBufferStatistics& statistics = culler->GetStatistics(tested.GetRenderer());
+  vtkNBufferCuller* culler = tested.GetCuller(expectation.Renderer);
+  vtkRenderer* renderer = tested.GetRenderer(expectation.Renderer);
+  SCOPED_TRACE("renderer " + std::to_string(expectation.Renderer));
+  const vtkNBufferStatistics& statistics = culler->GetStatistics(renderer);
   const int hidden = statistics.GetCount(vtkNBufferVerdict::Hidden);
   EXPECT_GE(hidden, expectation.MinimumHidden);
   EXPECT_LE(hidden, expectation.MaximumHidden);
+  EXPECT_GE(hidden + statistics.GetCount(vtkNBufferVerdict::Outside), expectation.MinimumCulled);
+  EXPECT_TRUE(expectation.MinimumPixels == 0 ||
+    CountPixels(tested, expectation.Color) >= expectation.MinimumPixels);
   EXPECT_EQ(statistics.Decision, expectation.Decision.value_or(statistics.Decision));
   int hiddenProps = 0;
   for (const int prop : expectation.Props)
   {
-    const vtkNBufferVerdict verdict =
-      culler->GetVerdict(tested.Props.at(prop), tested.GetRenderer());
+    const vtkNBufferVerdict verdict = culler->GetVerdict(tested.Props.at(prop), renderer);
     const std::vector<vtkNBufferVerdict>& allowed = expectation.Allowed;
     EXPECT_TRUE(std::count(allowed.begin(), allowed.end(), verdict))
       << "prop " << prop << " is " << vtkNBufferStatistics::GetName(verdict) << ", and not "
@@ -65,6 +82,12 @@ void CheckFrame(const NamedScenario& hazard, const Player& reference, const Play
   }
 }
 
+const std::vector<NamedScenario>& GetHazards()
+{
+  static const std::vector<NamedScenario> hazards = TestScene::GetCullingHazards();
+  return hazards;
+}
+
 /// Plays all variants of a hazard.
 class HazardTest : public testing::Test
 {
@@ -77,7 +100,7 @@ public:
   void TestBody() override
   {
     int variants = 0;
-    for (const NamedScenario& hazard : TestScene::GetCullingHazards())
+    for (const NamedScenario& hazard : GetHazards())
     {
       if (hazard.Name != this->Name)
       {
@@ -105,12 +128,16 @@ private:
 [[maybe_unused]] const bool AreRegistered = []
 {
   std::set<std::string> names;
-  for (const NamedScenario& hazard : TestScene::GetCullingHazards())
+  for (const NamedScenario& hazard : GetHazards())
   {
     if (names.insert(hazard.Name).second)
     {
-      testing::RegisterTest("CullerHazards", hazard.Name.c_str(), nullptr, nullptr, __FILE__,
-        __LINE__, [name = hazard.Name]() -> testing::Test* { return new HazardTest(name); });
+      const std::size_t dot = hazard.Name.find('.');
+      const bool hasSuite = dot != std::string::npos;
+      const std::string suite = hasSuite ? hazard.Name.substr(0, dot) : "CullerHazards";
+      const std::string test = hasSuite ? hazard.Name.substr(dot + 1) : hazard.Name;
+      testing::RegisterTest(suite.c_str(), test.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+        [name = hazard.Name]() -> testing::Test* { return new HazardTest(name); });
     }
   }
   return true;

@@ -49,11 +49,8 @@ void SetCityCamera(vtkRenderer* renderer, double t);
 int AddQuad(Stage& stage, double x0, double y0, double x1, double y1, double z, int cells = 1);
 
 /// Props that cover each other at exactly the same depths, and a door before them, anywhere in the
-/// list.
-void BuildTies(Stage& stage, unsigned int seed, bool large);
-
-/// Index of that door.
-int FindDoor(const Stage& stage);
+/// list. Returns its index.
+int BuildTies(Stage& stage, unsigned int seed, bool large);
 
 /// For tests that know every verdict: the culler alone, testing in every frame, however few props
 /// there are, with texels of level 0 of `baseFactor` pixels.

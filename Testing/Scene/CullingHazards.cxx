@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Geometry on which culling by depth goes wrong first.
-#include "NamedScenarios.h"
-
-#include "SceneBuilder.h"
+#include "HazardBuilder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,94 +12,6 @@ namespace TestScene
 namespace
 {
 using Verdict = vtkNBufferVerdict;
-
-/// A scene and what is expected of its frames. The culler tests in every frame, however few props
-/// there are.
-class HazardBuilder : public SceneBuilder
-{
-public:
-  explicit HazardBuilder(const char* name, int width = 301, int height = 173)
-  {
-    this->Result.Name = name;
-    this->Scene.Family = name;
-    this->Scene.Window.Width = width;
-    this->Scene.Window.Height = height;
-    this->Scene.Culler.DefaultCuller = DefaultCuller::Before;
-    this->Scene.Culler.RoundSize = 12;
-  }
-
-  /// The culler alone, with texels of level 0 of `baseFactor` pixels, so that every verdict is
-  /// known.
-  void BeExact(int baseFactor = 1)
-  {
-    this->Scene.Culler.DefaultCuller = DefaultCuller::Removed;
-    this->Scene.Culler.BaseFactor = baseFactor;
-    this->Scene.Culler.ReuseWhenStill = false;
-  }
-
-  /// In this frame. What the first frame has drawn as a guess is tested in the second and held back
-  /// in the third.
-  void ExpectHidden(int minimum, int maximum = Expectation().MaximumHidden)
-  {
-    Expectation& expectation = this->Expect();
-    expectation.MinimumHidden = minimum;
-    expectation.MaximumHidden = maximum;
-  }
-  /// Each of the props has one of these verdicts, and so many are hidden at least.
-  void ExpectVerdicts(
-    const std::vector<int>& props, const std::vector<Verdict>& allowed, int minimumHidden = 0)
-  {
-    Expectation& expectation = this->Expect();
-    expectation.Props = props;
-    expectation.Allowed = allowed;
-    expectation.MinimumHiddenOfProps = minimumHidden;
-  }
-  void ExpectVerdict(const std::vector<int>& props, Verdict verdict)
-  {
-    this->ExpectVerdicts(props, { verdict });
-  }
-  void ExpectNotHidden(const std::vector<int>& props)
-  {
-    std::vector<Verdict> allowed;
-    for (int verdict = 0; verdict < vtkNBufferStatistics::NumberOfVerdicts; ++verdict)
-    {
-      if (static_cast<Verdict>(verdict) != Verdict::Hidden)
-      {
-        allowed.push_back(static_cast<Verdict>(verdict));
-      }
-    }
-    this->ExpectVerdicts(props, allowed);
-  }
-  void ExpectDecision(vtkNBufferDecision decision) { this->Expect().Decision = decision; }
-  /// The frame is drawn again, `times` times.
-  void Settle(int times = 3) { this->Scene.Frames += times; }
-
-  NamedScenario Finish()
-  {
-    this->Result.Scenario = this->Scene;
-    return this->Result;
-  }
-
-private:
-  Expectation& Expect()
-  {
-    this->Result.Expectations.emplace_back();
-    this->Result.Expectations.back().Frame = this->GetFrame();
-    return this->Result.Expectations.back();
-  }
-
-  NamedScenario Result;
-};
-
-std::vector<int> MakeRange(int first, int last, int step = 1)
-{
-  std::vector<int> range;
-  for (int i = first; i < last; i += step)
-  {
-    range.push_back(i);
-  }
-  return range;
-}
 
 //------------------------------------------------------------------------------------------------
 /// Exactly the same geometry many times over: only the last in the list shows.
@@ -524,6 +434,10 @@ std::vector<NamedScenario> GetCullingHazards()
   for (const double offset : { 1e4, 1e6, 5e6 })
   {
     hazards.push_back(FarFromTheOrigin(offset));
+  }
+  for (const auto& part : { GetScreenHazards(), GetShapeHazards() })
+  {
+    hazards.insert(hazards.end(), part.begin(), part.end());
   }
   return hazards;
 }

@@ -7,7 +7,9 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkNew.h"
 #include "vtkRenderer.h"
+#include "vtkTransform.h"
 
 #include <map>
 
@@ -35,6 +37,12 @@ void SetView(vtkRenderer* renderer, const View& view)
   camera->SetParallelScale(view.ParallelScale);
   camera->SetWindowCenter(view.WindowCenter[0], view.WindowCenter[1]);
   camera->SetEyeAngle(view.EyeAngle);
+  if (view.Stretch != View().Stretch || camera->GetUserTransform())
+  {
+    vtkNew<vtkTransform> stretch;
+    stretch->Scale(view.Stretch[0], view.Stretch[1], 1.0);
+    camera->SetUserTransform(stretch);
+  }
   if (view.Near == 0.0 && view.Far == 0.0)
   {
     renderer->ResetCameraClippingRange();

@@ -32,6 +32,7 @@ struct View
   double Far = 0.0;
   std::array<double, 2> WindowCenter = { 0.0, 0.0 };
   double EyeAngle = 2.0;
+  std::array<double, 2> Stretch = { 1.0, 1.0 }; ///< Of the image; a negative one mirrors it.
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit)
@@ -48,6 +49,7 @@ struct View
     visit("far", self.Far);
     visit("window_center", self.WindowCenter);
     visit("eye_angle", self.EyeAngle);
+    visit("stretch", self.Stretch);
   }
 };
 

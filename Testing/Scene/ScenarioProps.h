@@ -49,9 +49,10 @@ struct Shape
   glm::dvec3 Size = { 1.0, 1.0, 1.0 };
   int Detail = 1;
   double Fill = 0.5;
-  int Seed = 0;                 ///< Points are stored as doubles if it is odd.
-  std::vector<double> Points;   ///< Of a Mesh: three coordinates for each point.
-  std::vector<double> Polygons; ///< Of a Mesh: for each polygon the number of its points and these.
+  int Seed = 0;               ///< Points are stored as doubles if it is odd.
+  std::vector<double> Points; ///< Of a Mesh: three coordinates for each point.
+  /// Of a Mesh: for each polygon the number of its points and these; two are a line, one a vertex.
+  std::vector<double> Polygons;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit)

@@ -52,7 +52,10 @@ public:
   /// The square [-halfSize, halfSize]^2 at height z, one polygon.
   Prop& Floor(double halfSize, double z = 0.0);
   /// A wall at z = 0 across most of the view, boxes behind and before it; see Wall.
-  void AddWall();
+  void AddWall(int renderer = 0);
+  /// Quads that cover each other at exactly the same depths, and a door before them, anywhere in
+  /// the list. Returns the door's Id.
+  int AddTies(unsigned int seed, bool large);
   ///@}
 
   /// @name Lights

@@ -34,8 +34,8 @@ def check_hazards(root):
     sources = "\n".join(path.read_text() for path in sorted((root / "Testing").rglob("*.cxx")))
     tests = {f"{suite}.{case}" for suite, case in re.findall(
         r"TEST(?:_F|_P)?\(\s*(\w+)\s*,\s*(\w+)\s*\)", sources)}
-    tests |= {f"CullerHazards.{name}"
-              for name in re.findall(r'HazardBuilder scene\(\s*"(\w+)"', sources)}
+    for name in re.findall(r'HazardBuilder scene\(\s*"([\w./]+)"', sources):
+        tests.add(re.search(r"\w+\.\w+", name)[0] if "." in name else f"CullerHazards.{name}")
     named = set()
     in_table = False
     for line in (root / "docs/hazards.md").read_text().splitlines():
