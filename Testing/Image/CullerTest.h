@@ -42,6 +42,19 @@ inline void SetUseOIT(vtkRenderer* renderer, bool on)
 }
 
 using TestScene::Stage;
+using Verdict = vtkNBufferVerdict;
+using Decision = vtkNBufferDecision;
+
+/// The first part of the parameter of a suite whose cases have names.
+struct NamedCase
+{
+  const char* Name;
+};
+inline std::ostream& operator<<(std::ostream& os, const NamedCase& named)
+{
+  return os << named.Name;
+}
+inline constexpr auto GetCaseName = [](const auto& info) { return std::string(info.param.Name); };
 
 /// How a comparison is set up, where a test wants it otherwise.
 struct ComparisonOptions

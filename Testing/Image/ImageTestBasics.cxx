@@ -12,8 +12,6 @@
 
 #include <sstream>
 
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
 using Scenes::Wall;
 
 namespace
@@ -31,9 +29,7 @@ void Walk(Comparison& comparison, int frames, double from = 0.0, double step = 0
 {
   for (int i = 0; i < frames; ++i)
   {
-    comparison.Both(
-      [&](Stage& stage) { Scenes::SetCityCamera(stage.GetRenderer(), from + step * i); });
-    comparison.Frame("walk");
+    Scenes::FrameOfCity(comparison, from + step * i, "walk");
   }
 }
 
@@ -57,10 +53,8 @@ TEST(CullerBasics, WallHidesWhatIsBehindIt)
   EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
   EXPECT_EQ(comparison.GetVerdict(Wall::Index), Verdict::Visible);
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
-  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.1); });
-  comparison.Frame("next");
-  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.2); });
-  comparison.Frame("and the one after that");
+  Scenes::FrameOfWall(comparison, 0.1, "next");
+  Scenes::FrameOfWall(comparison, 0.2, "and the one after that");
   for (int i = 0; i < Wall::Behind; ++i)
   {
     EXPECT_EQ(comparison.GetVerdict(Wall::FirstBehind + i), Verdict::Hidden) << i;
@@ -170,7 +164,7 @@ TEST(CullerBasics, AddedAfterTheFirstRenderAndRemovedAgain)
   comparison.Frame("added");
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
   comparison.Culled.GetRenderer()->GetCullers()->RemoveItem(comparison.GetCuller());
-  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 1.0); });
+  Scenes::MoveWallCamera(comparison, 1.0);
   comparison.Culled.ResetDraws();
   comparison.Culled.Window->Render();
   for (int i = 0; i < Wall::Count; ++i)
@@ -226,10 +220,8 @@ TEST(CullerBasics, PropsComeAndGo)
   EXPECT_LT(comparison.GetHidden(), Wall::Behind / 2);
   comparison.Both([](Stage& stage) { stage.GetRenderer()->AddViewProp(stage.Props[Wall::Index]); });
   comparison.Frame("the wall back, now last in the list");
-  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.1); });
-  comparison.Frame("the wall known to hide");
-  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.2); });
-  comparison.Frame("what it hides held back");
+  Scenes::FrameOfWall(comparison, 0.1, "the wall known to hide");
+  Scenes::FrameOfWall(comparison, 0.2, "what it hides held back");
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
   comparison.Both(
     [](Stage& stage)
@@ -294,7 +286,7 @@ TEST(CullerBasics, EnabledOffDrawsAll)
   comparison.Frame("off");
   EXPECT_EQ(comparison.GetDecision(), Decision::Disabled);
   EXPECT_EQ(comparison.GetHidden(), 0);
-  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 8.0); });
+  Scenes::MoveWallCamera(comparison, 8.0);
   comparison.GetCuller()->EnabledOn();
   comparison.Frame("on again");
   EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
@@ -303,16 +295,10 @@ TEST(CullerBasics, EnabledOffDrawsAll)
 //------------------------------------------------------------------------------------------------
 namespace
 {
-struct Setting
+struct Setting : NamedCase
 {
-  const char* Name;
   std::function<void(vtkNBufferCuller*)> Configure;
 };
-
-void PrintTo(const Setting& setting, std::ostream* os)
-{
-  *os << setting.Name;
-}
 
 class CullerSettings : public testing::TestWithParam<Setting>
 {
@@ -360,8 +346,7 @@ TEST_P(CullerSettings, WalkThroughTheCity)
     comparison.GetStatistics().Rounds, comparison.GetCuller()->GetTuning().MaximumNumberOfRounds);
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, CullerSettings, testing::ValuesIn(Settings),
-  [](const testing::TestParamInfo<Setting>& info) { return std::string(info.param.Name); });
+INSTANTIATE_TEST_SUITE_P(Each, CullerSettings, testing::ValuesIn(Settings), GetCaseName);
 
 // Hazard: the two back-ends must agree on every verdict, or one of them is wrong.
 TEST(CullerBasics, BackendsAgreeOnEveryVerdict)

@@ -14,7 +14,6 @@
 #include <random>
 #include <vector>
 
-using Verdict = vtkNBufferVerdict;
 using Scenes::AddQuad;
 
 namespace

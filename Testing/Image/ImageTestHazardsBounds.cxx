@@ -18,8 +18,6 @@
 #include <limits>
 #include <vector>
 
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
 using Scenes::Wall;
 
 //------------------------------------------------------------------------------------------------
@@ -35,16 +33,11 @@ public:
 };
 vtkStandardNewMacro(PropWithoutBounds);
 
-struct OddBounds
+struct OddBounds : NamedCase
 {
-  const char* Name;
   /// Adds one prop.
   std::function<void(Stage&)> Add;
 };
-void PrintTo(const OddBounds& odd, std::ostream* os)
-{
-  *os << odd.Name;
-}
 class CullerOddBounds : public testing::TestWithParam<OddBounds>
 {
 };
@@ -159,4 +152,4 @@ INSTANTIATE_TEST_SUITE_P(Each, CullerOddBounds,
     OddBounds{ "InfiniteTranslation", Actor(MatrixElement(2, 3, -Infinity)) },
     OddBounds{ "InfiniteScale", Actor(MatrixElement(0, 0, Infinity)) },
     OddBounds{ "HugeScale", Actor(MatrixElement(0, 0, 1e300)) }),
-  [](const testing::TestParamInfo<OddBounds>& info) { return std::string(info.param.Name); });
+  GetCaseName);

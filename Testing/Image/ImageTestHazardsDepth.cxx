@@ -20,28 +20,20 @@
 #include <functional>
 #include <vector>
 
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
 using Scenes::AddQuad;
 using Scenes::Wall;
 
 //------------------------------------------------------------------------------------------------
 namespace
 {
-struct Format
+struct Format : NamedCase
 {
-  const char* Name;
   int Texture;        ///< A format of vtkTextureObject; -1: as the window comes.
   bool Stencil;       ///< vtkRenderWindow::SetStencilCapable
   int Samples;        ///< Of the window.
   int Bits;           ///< That the driver has to give at least; 0: whatever it gives.
   bool Float = false; ///< Floating-point depth.
 };
-void PrintTo(const Format& format, std::ostream* os)
-{
-  *os << format.Name;
-}
-
 class CullerDepthFormats : public testing::TestWithParam<Format>
 {
 public:
@@ -200,8 +192,7 @@ TEST_P(CullerDepthFormats, WallAndDecals)
       this->GetOptions(backend));
     for (int i = 0; i < 6; ++i)
     {
-      comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.4 * i); });
-      comparison.Frame();
+      Scenes::FrameOfWall(comparison, 0.4 * i);
       EXPECT_TRUE(i < 2 || comparison.GetHidden() >= Wall::Hidden) << comparison.GetHidden();
     }
     this->CheckFormat(comparison);
@@ -222,7 +213,7 @@ INSTANTIATE_TEST_SUITE_P(Each, CullerDepthFormats,
     Format{ "Stencil24Samples4", -1, true, 4, 24 },
     Format{ "Fixed16Samples4", vtkTextureObject::Fixed16, false, 4, 16 },
     Format{ "Float32Samples4", vtkTextureObject::Float32, false, 4, 32, true }),
-  [](const testing::TestParamInfo<Format>& info) { return std::string(info.param.Name); });
+  GetCaseName);
 
 //------------------------------------------------------------------------------------------------
 // Hazard: the nearest depth of a box that is flush with its own surface is the depth that the prop
@@ -359,8 +350,7 @@ TEST_P(CullerOffsets, BehindTheWall)
     Scenes::MakeExactOptions(301, 173, 4));
   for (int i = 0; i < 5; ++i)
   {
-    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.1 * i); });
-    comparison.Frame();
+    Scenes::FrameOfWall(comparison, 0.1 * i);
   }
   const bool off = this->GetParam() == VTK_RESOLVE_OFF;
   const bool shifted = this->GetParam() == VTK_RESOLVE_SHIFT_ZBUFFER;

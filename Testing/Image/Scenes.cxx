@@ -7,6 +7,7 @@
 
 #include "vtkCamera.h"
 #include "vtkLight.h"
+#include "vtkPoints.h"
 #include "vtkProperty.h"
 
 #include <algorithm>
@@ -178,6 +179,39 @@ void SetPixelCamera(vtkRenderer* renderer, int width, int height, double shiftX,
   camera->SetFocalPoint(x, y, 0.0);
   camera->SetViewUp(0.0, 1.0, 0.0);
   camera->SetClippingRange(1.0, 201.0);
+}
+
+void MoveWallCamera(Comparison& comparison, double shift)
+{
+  comparison.Both([shift](Stage& stage) { SetWallCamera(stage.GetRenderer(), shift); });
+}
+
+void FrameOfWall(Comparison& comparison, double shift, const std::string& what)
+{
+  MoveWallCamera(comparison, shift);
+  comparison.Frame(what);
+}
+
+void MoveCityCamera(Comparison& comparison, double t)
+{
+  comparison.Both([t](Stage& stage) { SetCityCamera(stage.GetRenderer(), t); });
+}
+
+void FrameOfCity(Comparison& comparison, double t, const std::string& what)
+{
+  MoveCityCamera(comparison, t);
+  comparison.Frame(what);
+}
+
+void LiftPoints(vtkPoints* points, double height)
+{
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    points->SetPoint(i, p[0], p[1] + height, p[2]);
+  }
+  points->Modified();
 }
 
 void Settle(Comparison& comparison)

@@ -43,8 +43,6 @@
 
 namespace TestScene
 {
-namespace
-{
 vtkSmartPointer<vtkTexture> MakeTexture(Translucency translucency)
 {
   constexpr int side = 4;
@@ -63,6 +61,8 @@ vtkSmartPointer<vtkTexture> MakeTexture(Translucency translucency)
   return texture;
 }
 
+namespace
+{
 /// The shape beside itself, for props with two parts.
 Shape GetSecondPart(const Shape& shape)
 {
