@@ -9,17 +9,14 @@
 
 #include <type_traits>
 
-/// Tune(culler, &vtkNBufferTuning::RoundSize, 16). `object`: a pointer or a smart pointer. An object
-/// that has the value already is not modified.
+/// Tune(culler, &vtkNBufferTuning::RoundSize, 16). `object`: a pointer or a smart pointer. An
+/// object that has the value already is not modified.
 template <typename Object, typename Tuning, typename Value>
 void Tune(const Object& object, Value Tuning::*member, const std::common_type_t<Value>& value)
 {
   Tuning tuning = object->GetTuning();
-  if (!(tuning.*member == value))
-  {
-    tuning.*member = value;
-    object->SetTuning(tuning);
-  }
+  tuning.*member = value;
+  object->SetTuning(tuning);
 }
 
 #endif

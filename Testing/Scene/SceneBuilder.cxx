@@ -169,6 +169,14 @@ View& SceneBuilder::Look(const glm::dvec3& eye, const glm::dvec3& focalPoint, do
   return view;
 }
 
+View& SceneBuilder::LookParallel(const glm::dvec3& eye, const glm::dvec3& focalPoint, double scale)
+{
+  View& view = this->Look(eye, focalPoint);
+  view.Parallel = true;
+  view.ParallelScale = scale;
+  return view;
+}
+
 View& SceneBuilder::LookAtWall(double shift)
 {
   return this->LookFrom({ shift, 0.25 * shift, 20.0 }, { 0.5 * shift, 0.0, 0.0 });

@@ -182,14 +182,6 @@ void EyeOnSidePlane(SceneBuilder& scene)
   scene.Look({ 1.0, 1.0, 0.5 }, { -4.0, 1.0, 0.3 }, 70.0);
 }
 
-void LookParallel(
-  SceneBuilder& scene, const glm::dvec3& eye, const glm::dvec3& focalPoint, double scale)
-{
-  View& view = scene.Look(eye, focalPoint);
-  view.Parallel = true;
-  view.ParallelScale = scale;
-}
-
 void Orbit(SceneBuilder& scene)
 {
   AddBasics(scene);
@@ -204,7 +196,7 @@ void ParallelCamera(SceneBuilder& scene)
   AddBasics(scene);
   scene.Directional(Slanted);
   scene.PointLight({ -0.1, 0.2, 2.2 });
-  LookParallel(scene, { 3.0, -7.0, 5.0 }, { 0.3, 0.0, 0.3 }, 2.5);
+  scene.LookParallel({ 3.0, -7.0, 5.0 }, { 0.3, 0.0, 0.3 }, 2.5);
 }
 
 /// The camera's plane is amid the casters; what is behind it casts into view.
@@ -214,7 +206,7 @@ void ParallelCameraAmid(SceneBuilder& scene)
   scene.Box({ -1.0, -3.0, 1.5 }, { 0.5, 0.5, 3.0 });
   scene.Sphere({ -3.5, -3.5, 4.0 }, 0.6);
   scene.Directional({ 0.6, 0.8, -0.7 });
-  LookParallel(scene, { 0.3, -2.0, 1.0 }, { 0.3, 0.0, 0.2 }, 2.0);
+  scene.LookParallel({ 0.3, -2.0, 1.0 }, { 0.3, 0.0, 0.2 }, 2.0);
 }
 
 void Inset(SceneBuilder& scene)

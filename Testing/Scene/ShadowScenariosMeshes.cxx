@@ -134,6 +134,26 @@ void NotSurfaces(SceneBuilder& scene)
   scene.Sphere({ -3.0, -1.0, 3.0 }, 0.6).Representation = Representation::Points;
   scene.Look({ 2.0, -4.0, 2.5 }, { 0.4, 0.2, 0.2 });
 }
+
+/// Quads whose corners are in no plane, strips, and polygons of many corners.
+void QuadsStripsPolygons(SceneBuilder& scene)
+{
+  scene.Mesh({ { -1.5, -1.0, 1.4 }, { -0.5, -1.0, 0.6 }, { 0.5, -1.0, 1.4 }, { -1.5, 0.2, 0.6 },
+               { -0.5, 0.2, 1.4 }, { 0.5, 0.2, 0.6 } },
+    { { 0, 1, 4, 3 }, { 2, 5, 4, 1 } });
+  scene.Add(ShapeKind::Strip, { 0.9, 0.8, 0.8 }, { 1.0, 1.0, 0.6 }, 8);
+  scene.Add(ShapeKind::Cylinder, { 0.9, -0.8, 0.6 }, { 0.8, 1.0, 0.8 }, 7);
+}
+
+/// Not to be seen, hence no casters: an actor, and an assembly whose parts are switched on.
+void HiddenActor(SceneBuilder& scene)
+{
+  scene.Box({ 0.5, 0.5, 0.3 }, { 0.6, 0.6, 0.6 });
+  scene.Sphere({ -0.5, 0.0, 1.0 }, 0.6).Visible = false;
+  Prop& assembly = scene.Sphere({ 0.8, -0.8, 1.0 }, 0.4);
+  assembly.Kind = PropKind::Assembly;
+  assembly.Visible = false;
+}
 }
 
 std::vector<NamedScenario> GetMeshScenarios()
@@ -165,6 +185,8 @@ std::vector<NamedScenario> GetMeshScenarios()
     make("Matrices", Matrices),
     make("ClippingPlanes", ClippingPlanes),
     make("NotSurfaces", NotSurfaces),
+    make("QuadsStripsPolygons", QuadsStripsPolygons),
+    make("HiddenActor", HiddenActor),
   };
 }
 }

@@ -25,7 +25,8 @@
 std::string FindDifferenceInView(
   const Stage& stage, const Picture& expected, const Picture& actual);
 
-/// The pass as the pass of the stage's renderer, with Exact: small scenes are not worth a litmap.
+/// The pass as the pass of the stage's renderer, with Scissored: small scenes are not worth a
+/// litmap.
 vtkSmartPointer<vtkShadowVolumeClampPass> AddPass(const Stage& stage);
 
 /// The places of the samples in a pixel of a window that has rendered, in [0, 1] from the lower

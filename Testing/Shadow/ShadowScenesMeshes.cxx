@@ -10,7 +10,6 @@
 #include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCubeSource.h"
 #include "vtkCylinderSource.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -21,8 +20,6 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
-#include "vtkStripper.h"
-#include "vtkTriangleFilter.h"
 
 #include <cmath>
 #include <limits>
@@ -71,29 +68,6 @@ void RepeatedPoints(vtkRenderer* renderer)
   normals->Update();
   AddMesh(renderer, normals->GetOutput());
   AddSphere(renderer, { 0.8, 0.3, 0.8 }, 0.6);
-  LookAtCasters(renderer);
-}
-
-/// Quads whose corners are in no plane, strips, and polygons of many corners.
-void QuadsStripsPolygons(vtkRenderer* renderer)
-{
-  Prepare(renderer);
-  AddMesh(renderer,
-    MakeMesh({ { -1.5, -1.0, 1.4 }, { -0.5, -1.0, 0.6 }, { 0.5, -1.0, 1.4 }, { -1.5, 0.2, 0.6 },
-               { -0.5, 0.2, 1.4 }, { 0.5, 0.2, 0.6 } },
-      { { 0, 1, 4, 3 }, { 2, 5, 4, 1 } }));
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetCenter(0.9, 0.8, 0.8);
-  vtkNew<vtkStripper> stripper;
-  stripper->SetInputConnection(sphere->GetOutputPort());
-  stripper->Update();
-  AddMesh(renderer, stripper->GetOutput());
-  vtkNew<vtkCylinderSource> cylinder;
-  cylinder->SetCenter(0.9, -0.8, 0.6);
-  cylinder->SetRadius(0.4);
-  cylinder->SetResolution(7);
-  cylinder->Update();
-  AddMesh(renderer, cylinder->GetOutput());
   LookAtCasters(renderer);
 }
 
@@ -182,21 +156,6 @@ void ChangeData(vtkRenderer* renderer)
   mesh->GetPoints()->Modified();
   mesh->Modified();
 }
-
-/// Not to be seen, hence no casters: an actor, and an assembly whose part is switched on.
-void HiddenActor(vtkRenderer* renderer)
-{
-  Prepare(renderer);
-  AddShape(renderer, ShapeKind::Box, { 0.5, 0.5, 0.3 }, { 0.6, 0.6, 0.6 });
-  AddSphere(renderer, { -0.5, 0.0, 1.0 }, 0.6)->VisibilityOff();
-  vtkActor* part = AddSphere(renderer, { 0.8, -0.8, 1.0 }, 0.4);
-  vtkNew<vtkAssembly> assembly;
-  assembly->AddPart(part);
-  assembly->VisibilityOff();
-  renderer->RemoveActor(part);
-  renderer->AddActor(assembly);
-  LookAtCasters(renderer);
-}
 }
 
 namespace ShadowScenes
@@ -208,12 +167,10 @@ std::vector<NamedScene> GetHandmadeScenes()
   return {
     { "NotANumber", NotANumber },
     { "RepeatedPoints", RepeatedPoints },
-    { "QuadsStripsPolygons", QuadsStripsPolygons },
     { "HalfSphere", HalfSphere },
     { "Assembly", Assembly },
     { "Composite", Composite },
     changing,
-    { "HiddenActor", HiddenActor },
   };
 }
 }

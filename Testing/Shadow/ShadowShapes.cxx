@@ -66,10 +66,9 @@ vtkActor* AddSphere(vtkRenderer* renderer, const Point& centre, double radius, i
 
 vtkActor* AddFloor(vtkRenderer* renderer, double halfSize, double z)
 {
-  return AddMesh(renderer,
-    MakeMesh({ { -halfSize, -halfSize, z }, { halfSize, -halfSize, z }, { halfSize, halfSize, z },
-               { -halfSize, halfSize, z } },
-      { { 0, 1, 2, 3 } }));
+  TestScene::SceneBuilder scene;
+  scene.UsesDoubles = true;
+  return AddMesh(renderer, TestScene::MakeShape(scene.Floor(halfSize, z).Shape));
 }
 
 namespace
@@ -105,10 +104,6 @@ void Look(vtkRenderer* renderer, const Point& eye, const Point& focalPoint, doub
 
 void LookParallel(vtkRenderer* renderer, const Point& eye, const Point& focalPoint, double scale)
 {
-  TestScene::SceneBuilder scene;
-  TestScene::View& view = scene.Look(eye, focalPoint);
-  view.Parallel = true;
-  view.ParallelScale = scale;
-  TestScene::SetView(renderer, view);
+  TestScene::SetView(renderer, TestScene::SceneBuilder().LookParallel(eye, focalPoint, scale));
 }
 }
