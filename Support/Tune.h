@@ -15,11 +15,8 @@ template <typename Object, typename Tuning, typename Value>
 void Tune(const Object& object, Value Tuning::*member, const std::common_type_t<Value>& value)
 {
   Tuning tuning = object->GetTuning();
-  if (!(tuning.*member == value))
-  {
-    tuning.*member = value;
-    object->SetTuning(tuning);
-  }
+  tuning.*member = value;
+  object->SetTuning(tuning);
 }
 
 #endif

@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# cmake -DPROGRAM=nbuffer-bench -DPYTHON=... -DSCRIPT=study.py -DOUT=... -P this
+# cmake -DPROGRAM=nbuffer-bench -DPYTHON=... -DSOURCE=... -DOUT=... -P this
 #
-# Runs a study of one frame of each path and checks whether its figures can be true.
+# Runs a study of one frame of each path and checks whether its figures can be true; where pandas and
+# matplotlib are installed, also that the tables and charts of the documents can be made of them.
 
 file(REMOVE_RECURSE "${OUT}")
 execute_process(
-  COMMAND "${PYTHON}" "${SCRIPT}" --tiny --size 161x119 --out "${OUT}" --bench "${PROGRAM}"
+  COMMAND "${PYTHON}" "${SOURCE}/Scripts/study.py" --tiny --size 161x119 --out "${OUT}" --bench "${PROGRAM}"
   OUTPUT_VARIABLE output
   ERROR_VARIABLE errors
   RESULT_VARIABLE result)
@@ -131,3 +132,39 @@ string(JSON few_wrong GET "${entry}" differing_bytes)
 if (NOT wrong EQUAL 0 OR NOT few_wrong EQUAL 0 OR drawn LESS 1 OR drawn GREATER 8)
   message(FATAL_ERROR "settings: ${wrong} and ${few_wrong} wrong bytes, ${drawn} drawn of 8 props")
 endif ()
+
+execute_process(COMMAND "${PYTHON}" -c "import pandas, matplotlib" RESULT_VARIABLE missing ERROR_QUIET)
+if (missing)
+  message("pandas or matplotlib is missing: tables and charts are not made")
+  return()
+endif ()
+file(MAKE_DIRECTORY "${OUT}/docs")
+set(documents accuracy accuracy-scenes accuracy-settings)
+foreach (name IN LISTS documents)
+  file(COPY "${SOURCE}/docs/${name}.md" DESTINATION "${OUT}/docs")
+endforeach ()
+execute_process(COMMAND "${PYTHON}" "${SOURCE}/Scripts/report.py" study "${OUT}/study.json"
+  --docs "${OUT}/docs" --charts "${OUT}/charts" --csv "${OUT}/csv" COMMAND_ERROR_IS_FATAL ANY)
+foreach (name IN LISTS documents)
+  file(READ "${OUT}/docs/${name}.md" made)
+  file(READ "${SOURCE}/docs/${name}.md" committed)
+  if (made STREQUAL committed OR made MATCHES "\n@|[|] nan [|]")
+    message(FATAL_ERROR "${name}.md lacks the figures of this study")
+  endif ()
+endforeach ()
+file(STRINGS "${OUT}/csv/structures.csv" lines)
+list(LENGTH lines lines)
+if (lines LESS 150)
+  message(FATAL_ERROR "structures.csv has ${lines} lines")
+endif ()
+file(GLOB charts RELATIVE "${OUT}/charts" "${OUT}/charts/*.png")
+foreach (beginning IN ITEMS pareto- shadows- shadow-errors- settings-city-street settings-birds)
+  if (NOT ";${charts}" MATCHES ";${beginning}")
+    message(FATAL_ERROR "no chart ${beginning}* among ${charts}")
+  endif ()
+endforeach ()
+foreach (name IN ITEMS shadows settings)
+  if (NOT EXISTS "${OUT}/csv/${name}.csv")
+    message(FATAL_ERROR "${name}.csv is missing")
+  endif ()
+endforeach ()

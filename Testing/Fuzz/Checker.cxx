@@ -139,15 +139,15 @@ Outcome Checker::RunFrames(const Scenario& scenario, Tally* tally)
       this->Count(scenario, *tally);
       tally->Shadows = this->Shadows;
     }
+    if (this->AfterFrame)
+    {
+      this->AfterFrame(this->Reference, this->Tested, frame, failure);
+    }
     if (!failure.empty())
     {
       outcome.Frame = frame;
       outcome.Failure = failure;
       break;
-    }
-    if (this->AfterFrame)
-    {
-      this->AfterFrame(this->Tested, frame);
     }
   }
   if (tally)
@@ -175,11 +175,12 @@ std::string Checker::CheckFrame(const Scenario& scenario, int frame)
   const Drawn alone =
     Draw(this->Reference, shadows ? ShadowPasses::Absent : ShadowPasses::Lasting, checkState);
   messages += alone.Errors.VTK;
-  this->IsUndefined = !alone.Errors.GL.empty();
+  this->IsUndefined = alone.Errors.IsPending;
+  this->HasReferenceFault = !alone.Errors.GL.empty() || !messages.empty();
   const auto judge = [&](const Drawn& drawn, const std::string& before)
   {
     std::string failure;
-    if (!drawn.Errors.GL.empty() && !this->IsUndefined)
+    if (!drawn.Errors.GL.empty() && alone.Errors.GL.empty())
     {
       ++this->GLErrors;
       failure += drawn.Errors.GL;
@@ -227,9 +228,9 @@ std::string Checker::CheckFrame(const Scenario& scenario, int frame)
     }
   }
   failure += FindInconsistency(this->Tested);
-  // The statistics are those of one eye; shadows draw what and as often as they like.
   vtkNBufferCuller* culler = this->Tested.GetCuller();
-  // Shadow maps and selections, too, draw what and as often as they like.
+  // The statistics are those of one eye; shadows, shadow maps and selections draw what and as often
+  // as they like.
   if (!stereo && !shadows && scenario.Renderers.size() == 1 && culler &&
     culler->GetStatistics(this->Tested.GetRenderer()).Decision <= vtkNBufferDecision::BackedOff)
   {
@@ -342,6 +343,7 @@ void Checker::Count(const Scenario& scenario, Tally& tally) const
   ++tally.Frames;
   tally.GLErrors += this->GLErrors;
   tally.Undefined += this->IsUndefined;
+  tally.ReferenceFaults += this->HasReferenceFault;
   ++tally.Features["family " + scenario.Family];
   bool hidden = false;
   for (int i = 0; i < this->Tested.GetNumberOfRenderers(); ++i)

@@ -42,8 +42,12 @@ struct Tally
   long long Hidden = 0;
   long long Redrawn = 0;
   long long GLErrors = 0;
-  long long Undefined =
-    0; ///< Frames in which VTK alone makes an OpenGL error: no image to compare.
+  /// Frames after which VTK alone leaves an error for glGetError(): it drew something other than it
+  /// meant to, and what the image shows depends on nothing known. It is not compared.
+  long long Undefined = 0;
+  /// Frames in which VTK alone, without culler and shadows, makes an OpenGL error, of which it may
+  /// know, or reports an error or warning.
+  long long ReferenceFaults = 0;
   long long FramesWithHidden = 0;
   std::map<std::string, long long> Decisions;       ///< Renderer frames by decision.
   std::map<std::string, long long> Verdicts;        ///< Props by verdict.
@@ -73,8 +77,10 @@ public:
    */
   Outcome Run(const Scenario& scenario, bool freshWindows, Tally* tally = nullptr);
 
-  /// Called after each frame that is right, if set.
-  std::function<void(const Player& tested, int frame)> AfterFrame;
+  /// Called after each frame, if set, with what is wrong in it: empty, or the last frame.
+  std::function<void(
+    const Player& reference, const Player& tested, int frame, const std::string& failure)>
+    AfterFrame;
 
 private:
   struct Drawn;
@@ -94,10 +100,11 @@ private:
   Player Reference;
   Player Tested;
   long long GLErrors = 0;
-  bool HasMasks = false;    ///< In the frame, of the reference.
-  ShadowFrame Unclamped;    ///< Of the reference, in the frame.
-  ShadowTally Shadows;      ///< Since the beginning.
-  bool IsUndefined = false; ///< The frame: what VTK's error leaves behind depends on nothing known.
+  bool HasReferenceFault = false; ///< In the frame; see Tally.
+  bool HasMasks = false;          ///< In the frame, of the reference.
+  ShadowFrame Unclamped;          ///< Of the reference, in the frame.
+  ShadowTally Shadows;            ///< Since the beginning.
+  bool IsUndefined = false;       ///< The frame; see Tally.
 };
 }
 

@@ -29,6 +29,20 @@ bool Casts(const Player& stage, int number)
     stage.GetLights().GetPass(0)->GetLightCasts(light);
 }
 
+/// The passes with shadows of all renderers.
+std::vector<vtkShadowVolumeClampPass*> GetPasses(const Player& stage)
+{
+  std::vector<vtkShadowVolumeClampPass*> passes;
+  for (int i = 0; i < stage.GetNumberOfRenderers(); ++i)
+  {
+    if (vtkShadowVolumeClampPass* pass = stage.GetLights().GetPass(i))
+    {
+      passes.push_back(pass);
+    }
+  }
+  return passes;
+}
+
 /// Surely in the cone, if there is one.
 bool IsReached(const OracleLight& light, const glm::dvec3& point)
 {
@@ -368,17 +382,12 @@ std::optional<ShadowStrays> FindStrays(
 
 bool HasParted(const Player& expected, const Player& tested)
 {
-  bool parted = false;
-  for (const Player* stage : { &expected, &tested })
-  {
-    for (int i = 0; i < stage->GetNumberOfRenderers(); ++i)
-    {
-      vtkShadowVolumeClampPass* pass = stage->GetLights().GetPass(i);
-      parted =
-        parted || (pass && pass->GetStatistics().StencilClears > pass->GetStatistics().Lights);
-    }
-  }
-  return parted;
+  std::vector<vtkShadowVolumeClampPass*> passes = GetPasses(expected);
+  const std::vector<vtkShadowVolumeClampPass*> others = GetPasses(tested);
+  passes.insert(passes.end(), others.begin(), others.end());
+  return std::any_of(passes.begin(), passes.end(),
+    [](vtkShadowVolumeClampPass* pass)
+    { return pass->GetStatistics().StencilClears > pass->GetStatistics().Lights; });
 }
 
 std::string CompareWithRays(const Player& stage, const ShadowFrame& frame, ShadowTally& tally)
@@ -426,23 +435,15 @@ std::string CompareWithRays(const Player& stage, const ShadowFrame& frame, Shado
 std::string CheckShadowStatistics(const Player& stage)
 {
   std::string failure;
-  for (int i = 0; i < stage.GetNumberOfRenderers(); ++i)
+  for (vtkShadowVolumeClampPass* pass : GetPasses(stage))
   {
-    vtkShadowVolumeClampPass* pass = stage.GetLights().GetPass(i);
-    if (!pass)
-    {
-      continue;
-    }
     const vtkShadowStatistics& statistics = pass->GetStatistics();
     std::string fault = FindInconsistency(statistics);
     if (statistics.Decision == vtkShadowDecision::Failed)
     {
       fault += "The pass failed\n";
     }
-    if (!fault.empty())
-    {
-      failure += fault + statistics.GetAsJSON() + "\n";
-    }
+    failure += fault.empty() ? "" : fault + statistics.GetAsJSON() + "\n";
   }
   return failure;
 }
@@ -450,12 +451,9 @@ std::string CheckShadowStatistics(const Player& stage)
 std::string GetShadowStatistics(const Player& stage)
 {
   std::string text;
-  for (int i = 0; i < stage.GetNumberOfRenderers(); ++i)
+  for (vtkShadowVolumeClampPass* pass : GetPasses(stage))
   {
-    if (vtkShadowVolumeClampPass* pass = stage.GetLights().GetPass(i))
-    {
-      text += pass->GetStatistics().GetAsJSON() + "\n";
-    }
+    text += pass->GetStatistics().GetAsJSON() + "\n";
   }
   return text;
 }

@@ -57,7 +57,7 @@ ShadowFrame CaptureShadows(const Player& stage);
 
 /**
  * What is wrong with the masks of `tested`; "" if nothing is. Where nothing is seen they are 0.
- * Exact: receivers have the same mask.
+ * Scissored: receivers have the same mask.
  * In what follows surfaces that turn away from the light do not count, which are dark anyway.
  * Clamped: they may differ where the 3 x 3 pixels around a sample do not lie in a plane (the edge
  * of a surface, from behind which an edge of a shadow may come), and where they have both values in
@@ -73,7 +73,7 @@ std::string CompareMasks(const ShadowFrame& expected, const ShadowFrame& tested,
 long long GetClampedFlips(long long receiversAtEdges);
 constexpr long long MaximumFlipsElsewhere = 2;
 
-/// Receivers in which Exact differs from Unclamped.
+/// Receivers in which Scissored differs from Unclamped.
 struct ShadowStrays
 {
   long long Seen = 0;   ///< The light reaches them, so that the images differ, too.
@@ -82,10 +82,10 @@ struct ShadowStrays
 };
 
 /**
- * Where Exact (`tested`) differs from Unclamped (`expected`), if rays say for each sample that
- * Exact is right and at most MaximumFlipsElsewhere of a light are seen; else nothing. Rasterisers
- * may draw slivers of whole volumes far off their planes (docs/shadows.md), where Exact leaves them
- * out; an edge along a row of samples flips all of them at once.
+ * Where Scissored (`tested`) differs from Unclamped (`expected`), if rays say for each sample that
+ * Scissored is right and at most MaximumFlipsElsewhere of a light are seen; else nothing.
+ * Rasterisers may draw slivers of whole volumes far off their planes (docs/shadows.md), where
+ * Scissored leaves them out; an edge along a row of samples flips all of them at once.
  *
  * `parted`: counts were too high for one stencil, so that volumes were counted in portions, which
  * are others where some are left out. At the very edge of a surface rasterisers may miss one of the

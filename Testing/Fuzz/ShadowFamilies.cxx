@@ -230,7 +230,7 @@ void ChangeShadows(Writer& writer, int frame)
       add(ChangeKind::LightAttenuation, { writer.Any({ 0.0, 0.5, 1.0 }) });
       break;
     case 8:
-      add(ChangeKind::ShadowMode, { static_cast<double>(writer.Integer(0, 3)) });
+      add(ChangeKind::ShadowMode, { static_cast<double>(writer.Integer(0, 4)) });
       break;
     case 9:
       add(ChangeKind::LitmapResolution, { writer.Any({ 1.0, 16.0, 100.0 }) });

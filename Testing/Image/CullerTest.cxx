@@ -46,14 +46,39 @@ testing::AssertionResult DidNoWork(const vtkNBufferStatistics& statistics)
   return testing::AssertionSuccess();
 }
 
+const char* GetControl()
+{
+  return std::getenv("VTKNBUFFER_TEST_CONTROL");
+}
+
+void PrintStatistics(const Stage& culled, const std::string& frame)
+{
+  if (std::getenv("VTKNBUFFER_TEST_VERBOSE") && culled.Culler)
+  {
+    std::cout << frame << ": " << culled.Culler->GetStatistics(culled.GetRenderer()).GetAsJSON()
+              << std::endl;
+  }
+}
+
+void WritePictures(const Stage& reference, const Stage& culled, const std::string& frame)
+{
+  if (const char* folder = std::getenv("VTKNBUFFER_TEST_OUTPUT"))
+  {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    std::string file = std::string(info->test_suite_name()) + "." + info->name() + "." + frame;
+    std::replace_if(
+      file.begin(), file.end(), [](char c) { return c == '/' || c == ' '; }, '_');
+    WriteImage(reference.Window, std::string(folder) + "/" + file + ".expected.png");
+    WriteImage(culled.Window, std::string(folder) + "/" + file + ".culled.png");
+  }
+}
+
 //------------------------------------------------------------------------------------------------
 Comparison::Comparison(const Change& build, const ComparisonOptions& options)
   : Options(options)
 {
   TakeMessages();
-  // The control experiment: what differs without the culler on either side is a fault of the test
-  // ("stock": stock VTK on both sides; anything else: no culler against stock VTK).
-  if (const char* control = std::getenv("VTKNBUFFER_TEST_CONTROL"))
+  if (const char* control = GetControl())
   {
     this->Options.StockReference =
       options.StockReference || (options.KeepDefaultCuller && std::strcmp(control, "stock") == 0);
@@ -131,10 +156,7 @@ void Comparison::Frame(const std::string& what)
   {
     EXPECT_EQ(found.GL, "");
   }
-  if (std::getenv("VTKNBUFFER_TEST_VERBOSE") && this->Culled.Culler)
-  {
-    std::cout << name << ": " << this->GetStatistics().GetAsJSON() << std::endl;
-  }
+  PrintStatistics(this->Culled, name);
   this->CompareImages(name);
   EXPECT_EQ(TestScene::FindInconsistency(this->Culled), "");
   if (this->Options.CompareDraws)
@@ -156,7 +178,7 @@ void Comparison::CheckMessages(const std::string& messages)
   EXPECT_EQ(messages, "") << "errors or warnings of VTK";
 }
 
-void Comparison::CompareImages(const std::string& what)
+void Comparison::CompareImages(const std::string& frame)
 {
   using TestScene::PictureSource;
   const PictureSource source =
@@ -170,15 +192,6 @@ void Comparison::CompareImages(const std::string& what)
   {
     ADD_FAILURE() << difference
                   << (this->Culled.Culler ? this->Culled.Culler->GetStatisticsAsJSON() : "");
-    // Pictures for the eye, where somebody asks for them.
-    if (const char* folder = std::getenv("VTKNBUFFER_TEST_OUTPUT"))
-    {
-      const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-      std::string file = std::string(info->test_suite_name()) + "." + info->name() + "." + what;
-      std::replace_if(
-        file.begin(), file.end(), [](char c) { return c == '/' || c == ' '; }, '_');
-      WriteImage(this->Reference.Window, std::string(folder) + "/" + file + ".expected.png");
-      WriteImage(this->Culled.Window, std::string(folder) + "/" + file + ".culled.png");
-    }
+    WritePictures(this->Reference, this->Culled, frame);
   }
 }

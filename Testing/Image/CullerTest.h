@@ -42,6 +42,19 @@ inline void SetUseOIT(vtkRenderer* renderer, bool on)
 }
 
 using TestScene::Stage;
+using Verdict = vtkNBufferVerdict;
+using Decision = vtkNBufferDecision;
+
+/// The first part of the parameter of a suite whose cases have names.
+struct NamedCase
+{
+  const char* Name;
+};
+inline std::ostream& operator<<(std::ostream& os, const NamedCase& named)
+{
+  return os << named.Name;
+}
+inline constexpr auto GetCaseName = [](const auto& info) { return std::string(info.param.Name); };
 
 /// How a comparison is set up, where a test wants it otherwise.
 struct ComparisonOptions
@@ -71,7 +84,7 @@ struct ComparisonOptions
   bool BackOff = false;
   /// What VTK reports is kept in Comparison::Messages instead of failing the test.
   bool KeepMessages = false;
-  /// The culler is not added at all (environment variable VTKNBUFFER_TEST_CONTROL).
+  /// The culler is not added at all; see GetControl().
   bool Control = false;
   /// Called for the culler before the first frame.
   std::function<void(vtkNBufferCuller*)> Configure;
@@ -117,7 +130,7 @@ public:
 
 private:
   void CheckMessages(const std::string& messages);
-  void CompareImages(const std::string& what);
+  void CompareImages(const std::string& frame);
 
   ComparisonOptions Options;
   int Frames = 0;
@@ -126,6 +139,19 @@ private:
 /// Names in failures instead of bytes.
 void PrintTo(vtkNBufferVerdict verdict, std::ostream* os);
 void PrintTo(vtkNBufferDecision decision, std::ostream* os);
+
+/// @name Environment variables
+/// For who looks for the cause of a failure.
+///@{
+/// VTKNBUFFER_TEST_CONTROL: the control experiment. What differs without the culler on either side
+/// is a fault of the test. "stock": stock VTK on both sides; anything else: VTK without any culler
+/// against stock VTK. nullptr if it is not set.
+const char* GetControl();
+/// VTKNBUFFER_TEST_VERBOSE: print the statistics of each frame.
+void PrintStatistics(const Stage& culled, const std::string& frame);
+/// VTKNBUFFER_TEST_OUTPUT names a folder for the pictures of frames that differ.
+void WritePictures(const Stage& reference, const Stage& culled, const std::string& frame);
+///@}
 
 /// No N-buffer work at all in this frame.
 testing::AssertionResult DidNoWork(const vtkNBufferStatistics& statistics);

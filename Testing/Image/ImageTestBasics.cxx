@@ -5,13 +5,13 @@
 #include "Scenes.h"
 #include "Tune.h"
 
+#include "vtkShadowVolumeClampPass.h"
+
 #include "vtkCamera.h"
 #include "vtkCullerCollection.h"
 
 #include <sstream>
 
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
 using Scenes::Wall;
 
 namespace
@@ -29,9 +29,7 @@ void Walk(Comparison& comparison, int frames, double from = 0.0, double step = 0
 {
   for (int i = 0; i < frames; ++i)
   {
-    comparison.Both(
-      [&](Stage& stage) { Scenes::SetCityCamera(stage.GetRenderer(), from + step * i); });
-    comparison.Frame("walk");
+    Scenes::FrameOfCity(comparison, from + step * i, "walk");
   }
 }
 
@@ -55,10 +53,8 @@ TEST(CullerBasics, WallHidesWhatIsBehindIt)
   EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
   EXPECT_EQ(comparison.GetVerdict(Wall::Index), Verdict::Visible);
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
-  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.1); });
-  comparison.Frame("next");
-  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.2); });
-  comparison.Frame("and the one after that");
+  Scenes::FrameOfWall(comparison, 0.1, "next");
+  Scenes::FrameOfWall(comparison, 0.2, "and the one after that");
   for (int i = 0; i < Wall::Behind; ++i)
   {
     EXPECT_EQ(comparison.GetVerdict(Wall::FirstBehind + i), Verdict::Hidden) << i;
@@ -168,7 +164,7 @@ TEST(CullerBasics, AddedAfterTheFirstRenderAndRemovedAgain)
   comparison.Frame("added");
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
   comparison.Culled.GetRenderer()->GetCullers()->RemoveItem(comparison.GetCuller());
-  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 1.0); });
+  Scenes::MoveWallCamera(comparison, 1.0);
   comparison.Culled.ResetDraws();
   comparison.Culled.Window->Render();
   for (int i = 0; i < Wall::Count; ++i)
@@ -224,10 +220,8 @@ TEST(CullerBasics, PropsComeAndGo)
   EXPECT_LT(comparison.GetHidden(), Wall::Behind / 2);
   comparison.Both([](Stage& stage) { stage.GetRenderer()->AddViewProp(stage.Props[Wall::Index]); });
   comparison.Frame("the wall back, now last in the list");
-  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.1); });
-  comparison.Frame("the wall known to hide");
-  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.2); });
-  comparison.Frame("what it hides held back");
+  Scenes::FrameOfWall(comparison, 0.1, "the wall known to hide");
+  Scenes::FrameOfWall(comparison, 0.2, "what it hides held back");
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
   comparison.Both(
     [](Stage& stage)
@@ -292,7 +286,7 @@ TEST(CullerBasics, EnabledOffDrawsAll)
   comparison.Frame("off");
   EXPECT_EQ(comparison.GetDecision(), Decision::Disabled);
   EXPECT_EQ(comparison.GetHidden(), 0);
-  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 8.0); });
+  Scenes::MoveWallCamera(comparison, 8.0);
   comparison.GetCuller()->EnabledOn();
   comparison.Frame("on again");
   EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
@@ -301,16 +295,10 @@ TEST(CullerBasics, EnabledOffDrawsAll)
 //------------------------------------------------------------------------------------------------
 namespace
 {
-struct Setting
+struct Setting : NamedCase
 {
-  const char* Name;
   std::function<void(vtkNBufferCuller*)> Configure;
 };
-
-void PrintTo(const Setting& setting, std::ostream* os)
-{
-  *os << setting.Name;
-}
 
 class CullerSettings : public testing::TestWithParam<Setting>
 {
@@ -358,8 +346,7 @@ TEST_P(CullerSettings, WalkThroughTheCity)
     comparison.GetStatistics().Rounds, comparison.GetCuller()->GetTuning().MaximumNumberOfRounds);
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, CullerSettings, testing::ValuesIn(Settings),
-  [](const testing::TestParamInfo<Setting>& info) { return std::string(info.param.Name); });
+INSTANTIATE_TEST_SUITE_P(Each, CullerSettings, testing::ValuesIn(Settings), GetCaseName);
 
 // Hazard: the two back-ends must agree on every verdict, or one of them is wrong.
 TEST(CullerBasics, BackendsAgreeOnEveryVerdict)
@@ -392,23 +379,76 @@ TEST(CullerBasics, BackendsAgreeOnEveryVerdict)
   }
 }
 
+namespace
+{
+/// Each valid value becomes the setting, in silence. Each other one changes nothing, whatever comes
+/// with it, and an error says which member it is and which values it may have.
+template <typename Object, typename Tuning>
+void CheckRange(Object* object, bool Tuning::*validToo, int Tuning::*member, const char* name,
+  const char* range, const std::vector<int>& valid, const std::vector<int>& refused)
+{
+  SCOPED_TRACE(name);
+  TakeMessages();
+  for (const int value : valid)
+  {
+    Tune(object, member, value);
+    EXPECT_EQ(object->GetTuning().*member, value);
+  }
+  EXPECT_EQ(TakeMessages(), "");
+  const Tuning before = object->GetTuning();
+  const vtkMTimeType time = object->GetMTime();
+  for (const int value : refused)
+  {
+    Tuning tuning = before;
+    tuning.*validToo = !(tuning.*validToo);
+    tuning.*member = value;
+    object->SetTuning(tuning);
+    EXPECT_TRUE(object->GetTuning() == before) << value;
+    EXPECT_EQ(object->GetMTime(), time) << value;
+    const std::string error = TakeMessages();
+    for (const std::string& part :
+      { name + std::string(" must be ") + range + ", not " + std::to_string(value),
+        std::string("stays as it was") })
+    {
+      EXPECT_NE(error.find(part), std::string::npos) << error << " lacks " << part;
+    }
+  }
+}
+}
+
 // Hazard: a refused value must leave the setting as it was, and say so.
 TEST(CullerBasics, BaseFactorsOtherThanPowersUpToEightAreRefused)
 {
-  TakeMessages();
   vtkNew<vtkNBufferCuller> culler;
-  for (int factor : { 1, 2, 4, 8 })
-  {
-    Tune(culler, &vtkNBufferTuning::BaseFactor, factor);
-    EXPECT_EQ(culler->GetTuning().BaseFactor, factor);
-  }
-  EXPECT_EQ(TakeMessages(), "");
-  for (int factor : { 0, -4, 3, 5, 6, 7, 9, 16 })
-  {
-    Tune(culler, &vtkNBufferTuning::BaseFactor, factor);
-    EXPECT_EQ(culler->GetTuning().BaseFactor, 8) << factor;
-    EXPECT_NE(TakeMessages(), "") << factor;
-  }
+  CheckRange(culler.Get(), &vtkNBufferTuning::TestPixels, &vtkNBufferTuning::BaseFactor,
+    "BaseFactor", "1, 2, 4 or 8", { 1, 2, 4, 8 }, { 0, -4, 3, 5, 6, 7, 9, 16 });
+}
+
+// The same of all other constants that have a range.
+TEST(CullerBasics, TuningsOutOfRangeAreRefused)
+{
+  constexpr int most = VTK_INT_MAX;
+  constexpr int least = VTK_INT_MIN;
+  vtkNew<vtkNBufferCuller> culler;
+  CheckRange(culler.Get(), &vtkNBufferTuning::TestPixels,
+    &vtkNBufferTuning::MinimumNumberOfCandidates, "MinimumNumberOfCandidates", "1 to 2147483647",
+    { 1, 32, most }, { 0, -1, least });
+  CheckRange(culler.Get(), &vtkNBufferTuning::TestPixels, &vtkNBufferTuning::MaximumNumberOfRounds,
+    "MaximumNumberOfRounds", "1 to 8", { 1, 8 }, { 0, -1, 9, most, least });
+  CheckRange(culler.Get(), &vtkNBufferTuning::TestPixels, &vtkNBufferTuning::RoundSize, "RoundSize",
+    "1 to 4194303", { 1, 64, most / 512 }, { 0, -1, most / 512 + 1, most, least });
+  CheckRange(culler.Get(), &vtkNBufferTuning::TestPixels, &vtkNBufferTuning::HierarchySize,
+    "HierarchySize", "0 to 2147483647", { 0, 10000, most }, { -1, least });
+  CheckRange(culler.Get(), &vtkNBufferTuning::TestPixels, &vtkNBufferTuning::MaximumNumberOfPieces,
+    "MaximumNumberOfPieces", "1 to 8", { 1, 8 }, { 0, -1, 9, most, least });
+
+  vtkNew<vtkShadowVolumeClampPass> pass;
+  CheckRange(pass.Get(), &vtkShadowTuning::CountFragments, &vtkShadowTuning::LitmapResolution,
+    "LitmapResolution", "1 to 4096", { 1, 256, 4096 }, { 0, -1, 4097, most, least });
+  CheckRange(pass.Get(), &vtkShadowTuning::CountFragments, &vtkShadowTuning::SlabGap, "SlabGap",
+    "1 to 64", { 1, 4, 64 }, { 0, -1, 65, most, least });
+  CheckRange(pass.Get(), &vtkShadowTuning::CountFragments, &vtkShadowTuning::BoxCost, "BoxCost",
+    "0 to 1e9", { 0, 256, 1000000000 }, { -1, 1000000001, most, least });
 }
 
 // Hazard: a culler asked before its first frame, or about a renderer that it never saw.

@@ -6,8 +6,6 @@
 
 #include "vtkProperty.h"
 
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
 using Scenes::Wall;
 
 // Hazard: a translucent wall that writes depth somewhere hides what shines through it.
@@ -26,8 +24,7 @@ TEST(CullerProps, TranslucentPropsNeverHide)
       });
     for (int i = 0; i < 4; ++i)
     {
-      comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.1 * i); });
-      comparison.Frame();
+      Scenes::FrameOfWall(comparison, 0.1 * i);
       // Boxes behind the wall hide each other, here and there.
       EXPECT_LT(comparison.GetHidden(), Wall::Behind / 4);
       EXPECT_EQ(comparison.GetVerdict(Wall::Index), Verdict::Translucent);
@@ -53,8 +50,7 @@ TEST(CullerProps, TranslucentPropsBetweenHeldBackOnesKeepTheirOrder)
     });
   for (int i = 0; i < 4; ++i)
   {
-    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 3.0 * i); });
-    comparison.Frame();
+    Scenes::FrameOfWall(comparison, 3.0 * i);
     EXPECT_GT(comparison.GetHidden(), 20);
   }
 }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whatever an application changes between two frames is seen in the very next one.
 #include "CullerTest.h"
+#include "SceneProps.h"
 #include "Scenes.h"
 
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
-#include "vtkImageData.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
@@ -22,8 +22,6 @@
 #include "vtkTransformFilter.h"
 #include "vtkUnsignedCharArray.h"
 
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
 using Scenes::Wall;
 
 namespace
@@ -33,20 +31,14 @@ constexpr int Behind = Wall::FirstBehind;
 /// A prop behind the wall that comes with a pipeline, and what a change needs to find again.
 constexpr int Piped = Wall::Count;
 
-struct Change
+struct Change : NamedCase
 {
-  const char* Name;
   std::function<void(Stage&)> Prepare;
   std::function<void(Stage&)> Apply;
   /// The verdict of prop `Prop` after it; Unknown for none.
   int Prop;
   Verdict After;
 };
-
-void PrintTo(const Change& change, std::ostream* os)
-{
-  *os << change.Name;
-}
 
 vtkPolyData* GetData(Stage& stage, int prop)
 {
@@ -61,30 +53,7 @@ vtkPolyDataMapper* GetMapper(Stage& stage, int prop)
 /// Above the wall, where the camera sees it.
 void LiftPoints(vtkPoints* points)
 {
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    points->GetPoint(i, p);
-    points->SetPoint(i, p[0], p[1] + 7.0, p[2]);
-  }
-  points->Modified();
-}
-
-vtkSmartPointer<vtkTexture> MakeTexture(unsigned char alpha)
-{
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(4, 4, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-  auto* pixels = static_cast<unsigned char*>(image->GetScalarPointer());
-  for (int i = 0; i < 16; ++i)
-  {
-    pixels[4 * i] = static_cast<unsigned char>(16 * i);
-    pixels[4 * i + 1] = pixels[4 * i + 2] = 128;
-    pixels[4 * i + 3] = i % 2 ? alpha : 255;
-  }
-  auto texture = vtkSmartPointer<vtkTexture>::New();
-  texture->SetInputData(image);
-  return texture;
+  Scenes::LiftPoints(points, 7.0);
 }
 
 void Nothing(Stage&) {}
@@ -112,9 +81,7 @@ TEST_P(CullerChanges, SeenInThatFrame)
       });
     for (int i = 0; i < 3; ++i)
     {
-      comparison.Both(
-        [=](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), still ? 0.0 : 0.05 * i); });
-      comparison.Frame("before");
+      Scenes::FrameOfWall(comparison, still ? 0.0 : 0.05 * i, "before");
     }
     EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
     comparison.Both(change.Apply);
@@ -134,19 +101,7 @@ TEST_P(CullerChanges, SeenInThatFrame)
 
 namespace
 {
-void AddPiped(Stage& stage)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetCenter(0.0, 0.0, -3.0);
-  sphere->SetRadius(0.5);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(sphere->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  stage.Add(actor);
-}
-
-void AddPipedTransform(Stage& stage)
+void AddPipeline(Stage& stage, bool transformed)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetCenter(0.0, 0.0, -3.0);
@@ -155,10 +110,20 @@ void AddPipedTransform(Stage& stage)
   filter->SetInputConnection(sphere->GetOutputPort());
   filter->SetTransform(transform);
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(filter->GetOutputPort());
+  mapper->SetInputConnection(transformed ? filter->GetOutputPort() : sphere->GetOutputPort());
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   stage.Add(actor);
+}
+
+void AddPiped(Stage& stage)
+{
+  AddPipeline(stage, false);
+}
+
+void AddPipedTransform(Stage& stage)
+{
+  AddPipeline(stage, true);
 }
 
 const Change PropChanges[] = {
@@ -358,8 +323,9 @@ const Change OccluderChanges[] = {
     { GetMapper(s, Wall::Index)->GetClippingPlanes()->GetItem(0)->SetOrigin(3.0, 0.0, 0.0); },
     Wall::Index, Verdict::Unknown },
   { "TextureWithAlpha", Nothing,
-    [](Stage& s) { s.GetActor(Wall::Index)->SetTexture(MakeTexture(40)); }, Wall::Index,
-    Verdict::Translucent },
+    [](Stage& s)
+    { s.GetActor(Wall::Index)->SetTexture(TestScene::MakeTexture(TestScene::Translucency::Some)); },
+    Wall::Index, Verdict::Translucent },
   { "ScalarsWithAlpha", Nothing,
     [](Stage& s)
     {
@@ -409,17 +375,11 @@ const Change ViewChanges[] = {
     },
     Wall::Index, Verdict::Visible },
 };
-
-std::string GetChangeName(const testing::TestParamInfo<Change>& info)
-{
-  return info.param.Name;
-}
 }
 
-INSTANTIATE_TEST_SUITE_P(Prop, CullerChanges, testing::ValuesIn(PropChanges), GetChangeName);
-INSTANTIATE_TEST_SUITE_P(
-  Occluder, CullerChanges, testing::ValuesIn(OccluderChanges), GetChangeName);
-INSTANTIATE_TEST_SUITE_P(View, CullerChanges, testing::ValuesIn(ViewChanges), GetChangeName);
+INSTANTIATE_TEST_SUITE_P(Prop, CullerChanges, testing::ValuesIn(PropChanges), GetCaseName);
+INSTANTIATE_TEST_SUITE_P(Occluder, CullerChanges, testing::ValuesIn(OccluderChanges), GetCaseName);
+INSTANTIATE_TEST_SUITE_P(View, CullerChanges, testing::ValuesIn(ViewChanges), GetCaseName);
 
 // Hazard: a moving occluder uncovers in every frame something that was hidden in the one before.
 TEST(CullerChangesOnce, ADoorThatOpens)

@@ -13,17 +13,10 @@
 
 #include <cstdio>
 
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
 using Scenes::Wall;
 
 namespace
 {
-void Move(Comparison& comparison, double shift)
-{
-  comparison.Both([shift](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), shift); });
-}
-
 /// Boxes side by side: all visible.
 void BuildNothingHidden(Stage& stage)
 {
@@ -53,15 +46,13 @@ TEST(CullerDecisions, FewCandidates)
     });
   for (int i = 0; i < 4; ++i)
   {
-    Move(comparison, 0.1 * i);
-    comparison.Frame();
+    Scenes::FrameOfWall(comparison, 0.1 * i);
     EXPECT_EQ(comparison.GetDecision(), Decision::FewCandidates);
     EXPECT_TRUE(DidNoWork(comparison.GetStatistics()));
     EXPECT_EQ(comparison.GetVerdict(1), Verdict::Untested);
   }
   Tune(comparison.GetCuller(), &vtkNBufferTuning::MinimumNumberOfCandidates, 21);
-  Move(comparison, 0.5);
-  comparison.Frame("21 are enough now");
+  Scenes::FrameOfWall(comparison, 0.5, "21 are enough now");
   EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
   EXPECT_GT(comparison.GetHidden(), 5);
 }
@@ -104,8 +95,7 @@ TEST(CullerDecisions, StillCamera)
     EXPECT_EQ(comparison.GetVerdict(Wall::FirstBehind), Verdict::Hidden);
     EXPECT_EQ(comparison.GetStatistics().Refreshed, 0);
   }
-  Move(comparison, 0.1);
-  comparison.Frame("moved");
+  Scenes::FrameOfWall(comparison, 0.1, "moved");
   EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
   comparison.Frame("still again");
   EXPECT_EQ(comparison.GetDecision(), Decision::Still);
@@ -137,8 +127,7 @@ TEST(CullerDecisions, BacksOffWhereNothingIsHiddenAndProbes)
   int backedOff = 0;
   for (int i = 0; i < 60; ++i)
   {
-    Move(comparison, 0.01 * i);
-    comparison.Frame();
+    Scenes::FrameOfWall(comparison, 0.01 * i);
     tested += comparison.GetDecision() == Decision::Culled;
     if (comparison.GetDecision() == Decision::BackedOff)
     {
@@ -153,8 +142,7 @@ TEST(CullerDecisions, BacksOffWhereNothingIsHiddenAndProbes)
   int frames = 0;
   for (; frames < 100 && comparison.GetHidden() < 40; ++frames)
   {
-    Move(comparison, 0.01 * frames);
-    comparison.Frame("wall put up");
+    Scenes::FrameOfWall(comparison, 0.01 * frames, "wall put up");
   }
   EXPECT_LT(frames, 100) << "a probe must find the new wall";
 }
@@ -167,8 +155,7 @@ TEST(CullerDecisions, NothingHeldWhereEverythingWasVisible)
   Comparison comparison(BuildNothingHidden, options);
   for (int i = 0; i < 6; ++i)
   {
-    Move(comparison, 0.01 * i);
-    comparison.Frame();
+    Scenes::FrameOfWall(comparison, 0.01 * i);
     EXPECT_EQ(comparison.GetHidden(), 0);
     if (comparison.GetDecision() == Decision::NothingHeld)
     {
@@ -200,8 +187,8 @@ TEST(CullerDecisions, SmallPropsNeedFewLevels)
   Comparison large(build(4.0));
   for (int i = 0; i < 3; ++i)
   {
-    Move(small, 0.1 * i);
-    Move(large, 0.1 * i);
+    Scenes::MoveWallCamera(small, 0.1 * i);
+    Scenes::MoveWallCamera(large, 0.1 * i);
     small.Frame("small");
     large.Frame("large");
   }
@@ -218,14 +205,11 @@ TEST(CullerDecisions, OnlyChangedPropsAreRefreshed)
   Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
   comparison.Frame();
   EXPECT_EQ(comparison.GetStatistics().Refreshed, comparison.GetStatistics().Props);
-  Move(comparison, 0.05);
-  comparison.Frame();
-  Move(comparison, 0.1);
-  comparison.Frame();
+  Scenes::FrameOfWall(comparison, 0.05);
+  Scenes::FrameOfWall(comparison, 0.1);
   EXPECT_EQ(comparison.GetStatistics().Refreshed, 0);
   comparison.Both([](Stage& stage) { stage.GetActor(5)->SetPosition(0.1, 0.0, 0.0); });
-  Move(comparison, 0.2);
-  comparison.Frame();
+  Scenes::FrameOfWall(comparison, 0.2);
   EXPECT_EQ(comparison.GetStatistics().Refreshed, 1);
 }
 
@@ -242,7 +226,7 @@ TEST(CullerDecisions, FreezeKeepsTheVerdicts)
   comparison.GetCuller()->FreezeOn();
   for (double shift : { 3.0, 9.0, -15.0 })
   {
-    Move(comparison, shift);
+    Scenes::MoveWallCamera(comparison, shift);
     comparison.Culled.ResetDraws();
     comparison.Culled.Window->Render();
     EXPECT_EQ(comparison.GetDecision(), Decision::Frozen);
@@ -327,8 +311,7 @@ TEST(CullerDecisions, TheRendererKeepsItsProps)
   Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
   for (int i = 0; i < 3; ++i)
   {
-    Move(comparison, 0.2 * i);
-    comparison.Frame();
+    Scenes::FrameOfWall(comparison, 0.2 * i);
     vtkPropCollection* props = comparison.Culled.GetRenderer()->GetViewProps();
     ASSERT_EQ(props->GetNumberOfItems(), Wall::Count);
     for (int prop = 0; prop < Wall::Count; ++prop)

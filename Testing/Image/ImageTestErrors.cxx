@@ -15,7 +15,6 @@
 
 namespace
 {
-using Decision = vtkNBufferDecision;
 
 constexpr int Frames = 4;
 
@@ -40,8 +39,7 @@ void ExpectFailure(const Comparison::Change& build, ComparisonOptions options, D
   Comparison comparison(build, options);
   for (int i = 0; i < Frames; ++i)
   {
-    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.01 * i); });
-    comparison.Frame();
+    Scenes::FrameOfWall(comparison, 0.01 * i);
     EXPECT_EQ(comparison.GetDecision(), failure);
     EXPECT_EQ(comparison.GetHidden(), 0);
     // The first frame's list has been through VTK's own culler.

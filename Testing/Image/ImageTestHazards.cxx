@@ -1,24 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Geometry on which culling by depth goes wrong first.
+// Hazards that the named scenarios (ImageTestScenarios.cxx) have no words for.
 #include "CullerTest.h"
 #include "Scenes.h"
 #include "Tune.h"
 
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
+#include "vtkShaderProperty.h"
 
-#include <algorithm>
-#include <cmath>
 #include <random>
-
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
-using Scenes::Wall;
+#include <vector>
 
 using Scenes::AddQuad;
 
@@ -33,243 +27,71 @@ void LookAt(
   stage.GetRenderer()->ResetCameraClippingRange();
 }
 
-}
-
-//------------------------------------------------------------------------------------------------
-namespace
+/// Actors that share one mapper and one property, some of them behind a wall of 5 by 3.
+void BuildSpecks(Stage& stage, int count)
 {
-class CullerTies : public testing::TestWithParam<int>
-{
-};
-}
-
-// Hazard: of equal depths the one drawn last stays, and a culler draws in another order; here
-// stacks of coplanar quads of different colours appear from behind a door that slides.
-TEST_P(CullerTies, QuadsFacingTheCamera)
-{
-  for (bool parallel : { true, false })
+  Scenes::AddBox(stage, 0.0, 0.0, 0.0, 5.0, 3.0, 0.2);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(Scenes::MakeBox({ 0.0, 0.0, 0.0 }, { 0.02, 0.02, 0.02 }));
+  vtkNew<vtkProperty> property;
+  property->SetColor(1.0, 0.8, 0.2);
+  std::mt19937 random(5);
+  const auto uniform = [&random](double a, double b)
+  { return a + (b - a) * static_cast<double>(random() % 100000) / 100000.0; };
+  for (int i = 0; i < count; ++i)
   {
-    SCOPED_TRACE(parallel ? "parallel" : "perspective");
-    ComparisonOptions options;
-    options.RoundSize = 5; // many rounds, many orders
-    Comparison comparison(
-      [this, parallel](Stage& stage)
-      {
-        Scenes::BuildTies(
-          stage, static_cast<unsigned int>(this->GetParam()), this->GetParam() % 2 == 0);
-        stage.GetRenderer()->GetActiveCamera()->SetParallelProjection(parallel);
-        stage.GetRenderer()->GetActiveCamera()->SetParallelScale(4.0);
-      },
-      options);
-    const int door = Scenes::FindDoor(comparison.Reference);
-    ASSERT_GE(door, 0);
-    for (int i = 0; i < 10; ++i)
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->SetProperty(property);
+    // Made at the first draw it would modify the actor, and have the shared buffers made anew.
+    actor->GetShaderProperty();
+    // Nine of ten behind the wall, some before it, the others beside it.
+    if (i % 10)
     {
-      comparison.Both(
-        [i, door](Stage& stage)
-        {
-          stage.GetActor(door)->SetPosition(2.5 * std::sin(1.3 * i), 1.5 * std::cos(0.9 * i), 0.0);
-          LookAt(stage, 0.02 * i, 0.0, 15.0, 0.02 * i);
-        });
-      comparison.Frame();
-      EXPECT_GT(comparison.GetHidden(), 0);
+      actor->SetPosition(uniform(-2.0, 2.0), uniform(-1.0, 1.0), uniform(-2.0, -0.5));
     }
-    // Jumps: what is visible changes wholly.
-    for (int i = 0; i < 6; ++i)
+    else
     {
-      comparison.Both([i](Stage& stage) { LookAt(stage, i % 2 ? 3.0 : -3.0, 0.0, 15.0); });
-      comparison.Frame("jump");
-      EXPECT_GT(comparison.GetHidden(), 5);
+      actor->SetPosition(
+        uniform(-6.0, 6.0), uniform(-4.0, 4.0), i % 2000 ? uniform(-3.0, -0.5) : 0.5);
     }
+    // AddViewProp() would look for it in the whole list first.
+    stage.GetRenderer()->GetViewProps()->AddItem(actor);
+    actor->AddConsumer(stage.GetRenderer());
   }
 }
 
-// Hazard: seen at an angle, coplanar quads fight, pixel by pixel, in an order-dependent way.
-TEST_P(CullerTies, QuadsAtAnAngle)
+void LookAtSpecks(Comparison& comparison, double shift)
 {
+  comparison.Both(
+    [shift](Stage& stage)
+    {
+      vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+      camera->SetPosition(shift, 0.0, 16.0);
+      camera->SetFocalPoint(0.0, 0.0, 0.0);
+      camera->SetClippingRange(5.0, 30.0);
+    });
+}
+
+}
+
+// Hazard: a hundred thousand specks smaller than a pixel: none in view may vanish, and indices,
+// counts and the list of props must hold that many.
+TEST(CullerHazards, OneHundredThousandSpecks)
+{
+  constexpr int Count = 100000;
   ComparisonOptions options;
-  options.RoundSize = 7;
-  Comparison comparison([this](Stage& stage)
-    { Scenes::BuildTies(stage, static_cast<unsigned int>(100 + this->GetParam()), true); },
-    options);
-  const int door = Scenes::FindDoor(comparison.Reference);
-  for (int i = 0; i < 12; ++i)
+  options.KeepDefaultCuller = false;
+  options.CompareDraws = false; // a shared mapper does not tell for whom it draws
+  options.RoundSize = 0;        // the culler's own
+  Comparison comparison([](Stage& stage) { BuildSpecks(stage, Count); }, options);
+  for (int i = 0; i < 2; ++i)
   {
-    comparison.Both(
-      [i, door](Stage& stage)
-      {
-        stage.GetActor(door)->SetPosition(2.5 * std::sin(1.3 * i), 0.0, 0.0);
-        LookAt(stage, 9.0 * std::sin(0.7 * i), 3.0 * std::cos(0.5 * i), 12.0);
-      });
+    LookAtSpecks(comparison, 0.1 * i);
     comparison.Frame();
-    EXPECT_GT(comparison.GetHidden(), 0);
+    EXPECT_EQ(comparison.GetStatistics().Props, Count + 1);
+    EXPECT_GE(comparison.GetHidden(), Count * 8 / 10);
   }
-}
-
-INSTANTIATE_TEST_SUITE_P(Seed, CullerTies, testing::Range(1, 7));
-
-// Hazard: corners behind the eye have no place on the screen; their box must count as visible.
-TEST(CullerHazards, BoxesThroughTheNearPlaneAndAroundTheEye)
-{
-  Comparison comparison(
-    [](Stage& stage)
-    {
-      Scenes::BuildWall(stage);
-      Scenes::AddBox(stage, 3.0, 2.0, 15.0, 1.0, 1.0, 40.0);                   // past the eye
-      Scenes::AddBox(stage, 0.0, -5.0, 10.0, 40.0, 1.0, 60.0);                 // a floor under it
-      const int room = Scenes::AddBox(stage, 0.0, 0.0, 0.0, 90.0, 90.0, 90.0); // around it
-      stage.GetActor(room)->GetProperty()->FrontfaceCullingOn();
-      Scenes::AddBox(stage, 0.0, 0.0, 40.0, 1.0, 1.0, 1.0); // behind it
-    });
-  for (int i = 0; i < 6; ++i)
-  {
-    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.1 * i); });
-    comparison.Frame();
-    // The first two reach behind the eye, but not through the near plane in view.
-    EXPECT_EQ(comparison.GetVerdict(Wall::Count), Verdict::Visible);
-    EXPECT_EQ(comparison.GetVerdict(Wall::Count + 1), Verdict::Visible);
-    EXPECT_EQ(comparison.GetVerdict(Wall::Count + 2), Verdict::NearPlane);
-    // In the first frame the default culler still stood before ours.
-    EXPECT_EQ(comparison.GetVerdict(Wall::Count + 3), i ? Verdict::Outside : Verdict::Unknown);
-    // In the first frame the nearest props are drawn untested, in the second as visible before.
-    EXPECT_GE(comparison.GetHidden(), i > 1 ? Wall::Hidden : 40);
-  }
-}
-
-// Hazard: boxes of no thickness, lines and points as bounds. Lines are drawn, hidden or not.
-TEST(CullerHazards, FlatThinAndSinglePointBounds)
-{
-  constexpr int Each = 12; // before and behind the wall
-  constexpr int Lines = 6; // of them
-  Comparison comparison(
-    [](Stage& stage)
-    {
-      Scenes::BuildWall(stage);
-      for (double z : { 3.0, -3.0 })
-      {
-        for (int i = 0; i < 10; ++i)
-        {
-          const double x = 0.7 * i - 3.3;
-          vtkNew<vtkPolyData> data;
-          vtkNew<vtkPoints> points;
-          points->InsertNextPoint(x, 0.5, z);
-          vtkNew<vtkCellArray> cells;
-          if (i % 3 == 0)
-          {
-            cells->InsertNextCell({ 0 });
-            data->SetVerts(cells);
-          }
-          else
-          {
-            points->InsertNextPoint(x + 0.4, i % 3 == 1 ? 0.5 : 0.9, z);
-            cells->InsertNextCell({ 0, 1 });
-            data->SetLines(cells);
-          }
-          data->SetPoints(points);
-          const double yellow[3] = { 1.0, 1.0, 0.0 };
-          vtkActor* actor = stage.AddActor(data, yellow);
-          actor->GetProperty()->SetLineWidth(static_cast<float>(1 + i));
-          actor->GetProperty()->SetPointSize(static_cast<float>(1 + 2 * i));
-        }
-        AddQuad(stage, -2.0, -1.0, 2.0, -1.0, z); // an edge
-        AddQuad(stage, 2.0, 1.0, 2.0, 1.0, z);    // a point
-      }
-      Scenes::SetWallCamera(stage.GetRenderer());
-    });
-  for (int i = 0; i < 6; ++i)
-  {
-    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 1.7 * i); });
-    comparison.Frame();
-    EXPECT_TRUE(i < 2 || comparison.GetHidden() >= Wall::Hidden + Each - Lines)
-      << comparison.GetHidden();
-    for (int k = 0; k < Each; ++k)
-    {
-      EXPECT_NE(comparison.GetVerdict(Wall::Count + k), Verdict::Hidden) << "before the wall";
-      const bool line = k < 10 && k % 3 != 0;
-      EXPECT_EQ(comparison.GetVerdict(Wall::Count + Each + k),
-        line ? Verdict::NotASurface : Verdict::Hidden)
-        << "behind it";
-    }
-  }
-}
-
-// Hazard: wide lines and large points stick out of the projection of their bounds, past the edge
-// of what hides the bounds.
-TEST(CullerHazards, WideLinesStickOutOfTheirBounds)
-{
-  Comparison comparison(
-    [](Stage& stage)
-    {
-      Scenes::BuildWall(stage);
-      for (int i = 0; i < 24; ++i)
-      {
-        // Just behind the upper edge of the wall.
-        vtkNew<vtkPolyData> data;
-        vtkNew<vtkPoints> points;
-        const double y = 3.0 - 0.01 * i;
-        points->InsertNextPoint(0.4 * i - 5.0, y, -0.4);
-        points->InsertNextPoint(0.4 * i - 4.7, y, -0.4);
-        data->SetPoints(points);
-        vtkNew<vtkCellArray> cells;
-        cells->InsertNextCell({ 0, 1 });
-        (i % 2 ? data->SetLines(cells) : data->SetVerts(cells));
-        const double yellow[3] = { 1.0, 1.0, 0.0 };
-        vtkActor* actor = stage.AddActor(data, yellow);
-        actor->GetProperty()->SetLineWidth(8.0);
-        actor->GetProperty()->SetPointSize(9.0);
-      }
-    });
-  for (int i = 0; i < 6; ++i)
-  {
-    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.3 * i); });
-    comparison.Frame();
-    EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
-  }
-}
-
-// Hazard: the depth of a line goes on beyond its ends, for half a pixel and, where it is seen
-// end-on, through the wall before it.
-TEST(CullerHazards, LinesSeenEndOn)
-{
-  constexpr int Actors = 100;
-  constexpr int LinesEach = 40;
-  Comparison comparison(
-    [](Stage& stage)
-    {
-      Scenes::BuildWall(stage);
-      std::minstd_rand random(1);
-      const auto between = [&random](double a, double b)
-      { return a + (b - a) * static_cast<double>(random() % 100000) / 100000.0; };
-      for (int i = 0; i < Actors; ++i)
-      {
-        vtkNew<vtkPolyData> data;
-        vtkNew<vtkPoints> points;
-        vtkNew<vtkCellArray> cells;
-        for (int k = 0; k < LinesEach; ++k)
-        {
-          const double x = between(-4.0, 4.0);
-          const double y = between(-2.0, 2.0);
-          // The eye is at z = 20: towards it, but for a pixel or so.
-          const double near = 1.0 - (-0.4) / 20.0;
-          const double far = 1.0 - (-2.0) / 20.0;
-          const auto aside = [&between]() { return between(-0.03, 0.03); };
-          points->InsertNextPoint(x * near, y * near, -0.4);
-          points->InsertNextPoint(x * far + aside(), y * far + aside(), -2.0);
-          cells->InsertNextCell({ 2 * k, 2 * k + 1 });
-        }
-        data->SetPoints(points);
-        data->SetLines(cells);
-        const double yellow[3] = { 1.0, 1.0, 0.0 };
-        stage.AddActor(data, yellow);
-      }
-      Scenes::SetWallCamera(stage.GetRenderer());
-    });
-  for (int i = 0; i < 4; ++i)
-  {
-    comparison.Frame();
-    EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
-  }
-  EXPECT_EQ(comparison.GetVerdict(Wall::Count), Verdict::NotASurface);
 }
 
 // Hazard: long props, the whole of whose nearest depth is that of one end.
@@ -303,4 +125,80 @@ TEST(CullerHazards, LongPropsAreTestedInPieces)
   }
   EXPECT_GE(hidden[1], hidden[0]);
   EXPECT_GT(hidden[1], 20) << "cut in pieces nearly all of them are behind the wall";
+}
+
+// Hazard: in a row of parts that touch, drawing one of them late has all others drawn again.
+TEST(CullerHazards, PartsThatTouchAreDrawnAgainWhereTheyTouch)
+{
+  constexpr int Parts = 50;
+  constexpr int Door = Parts;
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      // From the far end to the near one, and a door before the first.
+      for (int i = 0; i < Parts; ++i)
+      {
+        Scenes::AddBox(stage, 0.2 * i - 5.0, 0.0, 0.0, 0.2, 0.6, 0.2);
+      }
+      Scenes::AddBox(stage, -5.0, 0.0, 1.0, 0.3, 1.2, 0.05);
+      stage.GetRenderer()->GetActiveCamera()->SetPosition(-5.0, 0.0, 25.0);
+      stage.GetRenderer()->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
+      stage.GetRenderer()->ResetCameraClippingRange();
+    });
+  for (int i = 0; i < 3; ++i)
+  {
+    comparison.Frame("door shut");
+  }
+  EXPECT_EQ(comparison.GetHidden(), 1);
+  comparison.Both([](Stage& stage) { stage.GetActor(Door)->SetPosition(0.0, 2.0, 0.0); });
+  comparison.Frame("door open");
+  const vtkNBufferStatistics& statistics = comparison.GetStatistics();
+  EXPECT_EQ(statistics.GetCount(Verdict::Hidden), 0);
+  EXPECT_EQ(statistics.DrawnInRound[1], 1);
+  // The second part, where it touches the first; not the 48 that follow.
+  EXPECT_EQ(statistics.Redrawn, 1);
+}
+
+// Hazard: an occluder moves on and uncovers what it hid; that has to show in the same frame.
+TEST(CullerHazards, AMovingOccluderUncoversWhatItHid)
+{
+  constexpr int Width = 301;
+  constexpr int Height = 199;
+  constexpr int Columns = 20;
+  constexpr int Rows = 12;
+  constexpr double Panel = 110.0; // its width
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      AddQuad(stage, 0.0, 0.0, Panel, Height, 60.0);
+      for (int i = 0; i < Columns * Rows; ++i)
+      {
+        Scenes::AddBox(
+          stage, 14.0 * (i % Columns) + 10.0, 16.0 * (i / Columns) + 10.0, 20.0, 9.0, 9.0, 9.0);
+      }
+      Scenes::SetPixelCamera(stage.GetRenderer(), Width, Height);
+    },
+    Scenes::MakeExactOptions(Width, Height));
+  std::vector<bool> wasCovered(Columns * Rows, false);
+  int hidden = 0;
+  const double places[] = { 0.0, 0.0, 0.0, 17.3, 40.0, 40.5, 90.0, 190.0, 190.0, 3.0, 3.0, 150.0,
+    20.25, 150.0, 20.25, 400.0, 20.25, 20.25 };
+  for (double place : places)
+  {
+    comparison.Both([place](Stage& stage) { stage.GetActor(0)->SetPosition(place, 0.0, 0.0); });
+    comparison.Frame("panel at " + std::to_string(place));
+    for (int i = 0; i < Columns * Rows; ++i)
+    {
+      const double left = 14.0 * (i % Columns) + 5.5;
+      const bool covered = left > place + 1.25 && left + 9.0 < place + Panel - 1.25;
+      const bool uncovered = left < place - 1.0 || left + 9.0 > place + Panel + 1.0;
+      const Verdict verdict = comparison.GetVerdict(i + 1);
+      EXPECT_TRUE(!uncovered || verdict == Verdict::Visible) << i;
+      // What was visible in the last frame is drawn before the test.
+      EXPECT_TRUE(!covered || !wasCovered[i] || verdict == Verdict::Hidden) << i;
+      wasCovered[i] = covered && verdict == Verdict::Hidden;
+      hidden += verdict == Verdict::Hidden;
+    }
+  }
+  EXPECT_GT(hidden, 500) << "in all frames together";
 }

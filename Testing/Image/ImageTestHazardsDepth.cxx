@@ -20,28 +20,20 @@
 #include <functional>
 #include <vector>
 
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
 using Scenes::AddQuad;
 using Scenes::Wall;
 
 //------------------------------------------------------------------------------------------------
 namespace
 {
-struct Format
+struct Format : NamedCase
 {
-  const char* Name;
   int Texture;        ///< A format of vtkTextureObject; -1: as the window comes.
   bool Stencil;       ///< vtkRenderWindow::SetStencilCapable
   int Samples;        ///< Of the window.
   int Bits;           ///< That the driver has to give at least; 0: whatever it gives.
   bool Float = false; ///< Floating-point depth.
 };
-void PrintTo(const Format& format, std::ostream* os)
-{
-  *os << format.Name;
-}
-
 class CullerDepthFormats : public testing::TestWithParam<Format>
 {
 public:
@@ -200,8 +192,7 @@ TEST_P(CullerDepthFormats, WallAndDecals)
       this->GetOptions(backend));
     for (int i = 0; i < 6; ++i)
     {
-      comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.4 * i); });
-      comparison.Frame();
+      Scenes::FrameOfWall(comparison, 0.4 * i);
       EXPECT_TRUE(i < 2 || comparison.GetHidden() >= Wall::Hidden) << comparison.GetHidden();
     }
     this->CheckFormat(comparison);
@@ -222,73 +213,7 @@ INSTANTIATE_TEST_SUITE_P(Each, CullerDepthFormats,
     Format{ "Stencil24Samples4", -1, true, 4, 24 },
     Format{ "Fixed16Samples4", vtkTextureObject::Fixed16, false, 4, 16 },
     Format{ "Float32Samples4", vtkTextureObject::Float32, false, 4, 32, true }),
-  [](const testing::TestParamInfo<Format>& info) { return std::string(info.param.Name); });
-
-//------------------------------------------------------------------------------------------------
-// Hazard: nearly all depths crowd at 1 between a near plane of a millimetre and a far plane of
-// 10,000 km; from some distance on they cannot be told apart, and culling by them would be chance.
-TEST(CullerHazards, NearOfAMillimetreAndFarOfTenThousandKilometres)
-{
-  constexpr int Columns = 9;
-  constexpr int Behind = 4;
-  for (bool parallel : { false, true })
-  {
-    SCOPED_TRACE(parallel ? "parallel" : "perspective");
-    const auto look = [parallel](Stage& stage, double shift)
-    {
-      vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
-      camera->SetPosition(shift, 0.0, 0.0);
-      camera->SetFocalPoint(shift, 0.0, -1.0);
-      camera->SetViewAngle(60.0);
-      camera->SetParallelProjection(parallel);
-      camera->SetParallelScale(0.58);
-      camera->SetClippingRange(1e-3, 1e7);
-    };
-    Comparison comparison(
-      [&look, parallel](Stage& stage)
-      {
-        // Column by column ten times as far; the same size on the screen everywhere.
-        for (int i = 0; i < Columns; ++i)
-        {
-          const double distance = std::pow(10.0, i - 2);
-          const auto add = [&](double factor, double size)
-          {
-            const double d = factor * distance;
-            const double s = parallel ? 1.0 : d;
-            return Scenes::AddBox(
-              stage, s * (0.2 * i - 0.8), 0.0, -d, s * size, 3.0 * s * size, 0.02 * d);
-          };
-          add(1.0, 0.17);
-          for (int k = 0; k < Behind; ++k)
-          {
-            add(1.6 + k, 0.08);
-          }
-        }
-        look(stage, 0.0);
-      },
-      Scenes::MakeExactOptions(321, 151));
-    Scenes::Settle(comparison);
-    for (int frame = 0; frame < 3; ++frame)
-    {
-      comparison.Both([&](Stage& stage) { look(stage, 1e-4 * frame); });
-      comparison.Frame();
-    }
-    for (int i = 0; i < Columns; ++i)
-    {
-      EXPECT_NE(comparison.GetVerdict(i * (Behind + 1)), Verdict::Hidden) << i;
-      for (int k = 1; k <= Behind; ++k)
-      {
-        SCOPED_TRACE("10^" + std::to_string(i - 2) + ", " + std::to_string(k));
-        const Verdict verdict = comparison.GetVerdict(i * (Behind + 1) + k);
-        // Window depth is 1 - near / distance in perspective, and distance / far in parallel.
-        const double distance = std::pow(10.0, i - 2);
-        const double step = parallel ? 0.6 * distance * 1e-7 : 1e-3 / distance * (1.0 - 1.0 / 1.6);
-        EXPECT_TRUE(step > std::ldexp(1.0, -25) || verdict != Verdict::Hidden);
-        EXPECT_TRUE(step < std::ldexp(1.0, -13) || verdict == Verdict::Hidden);
-      }
-    }
-  }
-}
+  GetCaseName);
 
 //------------------------------------------------------------------------------------------------
 // Hazard: the nearest depth of a box that is flush with its own surface is the depth that the prop
@@ -425,8 +350,7 @@ TEST_P(CullerOffsets, BehindTheWall)
     Scenes::MakeExactOptions(301, 173, 4));
   for (int i = 0; i < 5; ++i)
   {
-    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.1 * i); });
-    comparison.Frame();
+    Scenes::FrameOfWall(comparison, 0.1 * i);
   }
   const bool off = this->GetParam() == VTK_RESOLVE_OFF;
   const bool shifted = this->GetParam() == VTK_RESOLVE_SHIFT_ZBUFFER;

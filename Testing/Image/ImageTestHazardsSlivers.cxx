@@ -15,8 +15,6 @@
 #include <cstdio>
 #include <string>
 
-using Verdict = vtkNBufferVerdict;
-
 namespace
 {
 constexpr int Width = 960;
@@ -24,9 +22,8 @@ constexpr int Height = 720;
 
 /// A pipe along x with triangles in its outline that pass the middle of a pixel. llvmpipe draws it
 /// at the depth of its box but for that pixel.
-struct Pipe
+struct Pipe : NamedCase
 {
-  const char* Name;
   double Eye[3];
   double Center[3];
   double Diameter;
@@ -46,11 +43,6 @@ const Pipe Pipes[] = {
     { 19.780298412222521, -18.841985499340527, 6.8870726774517221 }, 0.37414535490344419,
     5.9024238729778018, { 440, 420 }, 0.8 },
 };
-void PrintTo(const Pipe& pipe, std::ostream* os)
-{
-  *os << pipe.Name;
-}
-
 void Build(Stage& stage, const Pipe& pipe)
 {
   vtkRenderer* renderer = stage.GetRenderer();
@@ -135,5 +127,4 @@ TEST_P(CullerSlivers, AreDrawnWhereTheyShow)
   EXPECT_TRUE(stray < wall - 1e-4 || !vtkNBufferGL::GetSoftwareRenderer()) << "llvmpipe draws it";
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, CullerSlivers, testing::ValuesIn(Pipes),
-  [](const auto& info) { return std::string(info.param.Name); });
+INSTANTIATE_TEST_SUITE_P(Each, CullerSlivers, testing::ValuesIn(Pipes), GetCaseName);

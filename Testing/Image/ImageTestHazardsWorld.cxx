@@ -25,9 +25,6 @@
 #include <sstream>
 #include <vector>
 
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
-
 namespace
 {
 /// How coordinates of millions come to be.

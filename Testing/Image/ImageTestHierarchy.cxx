@@ -8,8 +8,6 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
 using Scenes::Wall;
 
 namespace
@@ -25,7 +23,7 @@ ComparisonOptions MakeOptions(int hierarchySize)
 
 void MoveWall(Comparison& comparison, double shift)
 {
-  comparison.Both([shift](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), shift); });
+  Scenes::MoveWallCamera(comparison, shift);
 }
 
 /// A frame with the camera elsewhere.

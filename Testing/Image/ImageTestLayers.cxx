@@ -22,8 +22,6 @@
 #include <string>
 #include <utility>
 
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
 using Scenes::Wall;
 
 namespace

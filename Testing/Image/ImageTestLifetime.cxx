@@ -13,8 +13,6 @@
 #include <chrono>
 #include <thread>
 
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
 using Scenes::Wall;
 
 namespace
@@ -43,11 +41,6 @@ void Observe(vtkObject* object, unsigned long event, std::function<void()> actio
   object->AddObserver(event, once);
 }
 
-void Move(Comparison& comparison, double shift)
-{
-  comparison.Both([shift](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), shift); });
-}
-
 /// A translucent box, seen between camera and wall.
 constexpr int Glass = Wall::Count;
 
@@ -65,17 +58,11 @@ void BuildWallAndGlass(Stage& stage)
 const int Removed[] = { Wall::Index, Wall::FirstBehind, Wall::FirstInFront, Glass, Glass + 1 };
 
 /// Where the observer sits.
-struct Moment
+struct Moment : NamedCase
 {
-  const char* Name;
   std::function<vtkObject*(Stage&)> Where;
   unsigned long Event;
 };
-
-void PrintTo(const Moment& moment, std::ostream* os)
-{
-  *os << moment.Name;
-}
 
 class CullerLifetime : public testing::TestWithParam<Moment>
 {
@@ -94,8 +81,7 @@ TEST_P(CullerLifetime, PropsDeletedByAnObserver)
     Comparison comparison(BuildWallAndGlass);
     for (int i = 0; i < 3; ++i)
     {
-      Move(comparison, moving ? 0.05 * i : 0.0);
-      comparison.Frame("before");
+      Scenes::FrameOfWall(comparison, moving ? 0.05 * i : 0.0, "before");
     }
     EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
     EXPECT_EQ(comparison.GetVerdict(Wall::FirstBehind), Verdict::Hidden);
@@ -123,7 +109,7 @@ TEST_P(CullerLifetime, PropsDeletedByAnObserver)
       });
     if (moving)
     {
-      Move(comparison, 4.0);
+      Scenes::MoveWallCamera(comparison, 4.0);
     }
     comparison.Frame("removed");
     for (const vtkWeakPointer<vtkProp>& prop : removed)
@@ -135,14 +121,14 @@ TEST_P(CullerLifetime, PropsDeletedByAnObserver)
     EXPECT_EQ(comparison.GetStatistics().Props, Wall::Count + 2 - 5);
     EXPECT_LT(comparison.GetHidden(), Wall::Behind / 4) << "without the wall";
     comparison.Frame("still");
-    Move(comparison, 0.3);
-    comparison.Frame("moved");
+    Scenes::FrameOfWall(comparison, 0.3, "moved");
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(At, CullerLifetime,
-  testing::Values(Moment{ "MapperStart", [](Stage& s) -> vtkObject*
-                    { return s.GetActor(0)->GetMapper(); }, vtkCommand::StartEvent },
+  testing::Values(
+    Moment{ "MapperStart", [](Stage& s) -> vtkObject* { return s.GetActor(0)->GetMapper(); },
+      vtkCommand::StartEvent },
     Moment{ "RendererStart", [](Stage& s) -> vtkObject* { return s.GetRenderer(); },
       vtkCommand::StartEvent },
     Moment{
@@ -150,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(At, CullerLifetime,
     Moment{
       "WindowStart", [](Stage& s) -> vtkObject* { return s.Window; }, vtkCommand::StartEvent },
     Moment{ "WindowEnd", [](Stage& s) -> vtkObject* { return s.Window; }, vtkCommand::EndEvent }),
-  [](const testing::TestParamInfo<Moment>& info) { return std::string(info.param.Name); });
+  GetCaseName);
 
 // Hazard: the culler owns the proxy that stands in the renderer's list while the frame is drawn.
 TEST(CullerLifetimeOnce, CullerDeletedByAnObserver)
@@ -160,8 +146,7 @@ TEST(CullerLifetimeOnce, CullerDeletedByAnObserver)
   Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
   for (int i = 0; i < 3; ++i)
   {
-    Move(comparison, 0.1 * i);
-    comparison.Frame("before");
+    Scenes::FrameOfWall(comparison, 0.1 * i, "before");
     EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
   }
   Stage& culled = comparison.Culled;
@@ -172,11 +157,9 @@ TEST(CullerLifetimeOnce, CullerDeletedByAnObserver)
       culled.GetRenderer()->GetCullers()->RemoveItem(culled.Culler);
       culled.Culler = nullptr;
     });
-  Move(comparison, 5.0);
-  comparison.Frame("culler deleted");
+  Scenes::FrameOfWall(comparison, 5.0, "culler deleted");
   EXPECT_EQ(culler, nullptr) << "kept beyond the frame";
-  Move(comparison, 0.0);
-  comparison.Frame("without a culler");
+  Scenes::FrameOfWall(comparison, 0.0, "without a culler");
   culled.Culler = vtkSmartPointer<vtkNBufferCuller>::New();
   culled.GetRenderer()->AddCuller(culled.Culler);
   comparison.Frame("with another one");
@@ -210,8 +193,7 @@ TEST(CullerLifetimeOnce, PropsDieWithTheirRenderer)
 TEST(CullerLifetimeOnce, PropsAddedByAnObserver)
 {
   Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
-  Move(comparison, 0.1);
-  comparison.Frame("before");
+  Scenes::FrameOfWall(comparison, 0.1, "before");
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
   comparison.Both(
     [](Stage& stage)
@@ -225,13 +207,11 @@ TEST(CullerLifetimeOnce, PropsAddedByAnObserver)
           }
         });
     });
-  Move(comparison, 0.2);
-  comparison.Frame("added meanwhile");
+  Scenes::FrameOfWall(comparison, 0.2, "added meanwhile");
   EXPECT_EQ(comparison.GetStatistics().Props, Wall::Count);
   for (int i = 0; i < 3; ++i)
   {
-    Move(comparison, 0.2 + 0.1 * i);
-    comparison.Frame("after that");
+    Scenes::FrameOfWall(comparison, 0.2 + 0.1 * i, "after that");
     EXPECT_EQ(comparison.GetStatistics().Props, Wall::Count + 40);
   }
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden + 15);
@@ -273,8 +253,7 @@ void AbortNextFrame(Comparison& comparison, int prop, bool byCheck)
 TEST(CullerLifetimeOnce, AbortedFramesAreNotLearntFrom)
 {
   Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
-  Move(comparison, 0.0);
-  comparison.Frame("before");
+  Scenes::FrameOfWall(comparison, 0.0, "before");
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
   for (bool byCheck : { false, true })
   {
@@ -282,20 +261,18 @@ TEST(CullerLifetimeOnce, AbortedFramesAreNotLearntFrom)
     for (int prop : { static_cast<int>(Wall::Index), static_cast<int>(Wall::FirstInFront) })
     {
       SCOPED_TRACE(std::to_string(prop) + (byCheck ? " by AbortCheckEvent" : " by SetAbortRender"));
-      Move(comparison, 9.0);
+      Scenes::MoveWallCamera(comparison, 9.0);
       AbortNextFrame(comparison, prop, byCheck);
       EXPECT_LT(comparison.Culled.GetDraws(Wall::Index), 3);
       comparison.Frame("the next one, of the same view");
       EXPECT_EQ(comparison.GetDecision(), Decision::Culled) << "not taken for still";
       EXPECT_GT(comparison.GetHidden(), 0);
       comparison.Frame("still");
-      Move(comparison, 0.0);
+      Scenes::MoveWallCamera(comparison, 0.0);
       AbortNextFrame(comparison, prop, byCheck);
-      Move(comparison, 0.1);
-      comparison.Frame("the next one, of another view");
+      Scenes::FrameOfWall(comparison, 0.1, "the next one, of another view");
       EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
-      Move(comparison, 0.0);
-      comparison.Frame("and the one after that");
+      Scenes::FrameOfWall(comparison, 0.0, "and the one after that");
       EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
     }
   }

@@ -4,12 +4,11 @@
 // hidden, and once it is gone they are seen in that very frame.
 #include "CompositeMapper.h"
 #include "CullerTest.h"
+#include "SceneProps.h"
 #include "Scenes.h"
 
 #include "vtkAssembly.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkFollower.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageActor.h"
 #include "vtkImageData.h"
@@ -17,7 +16,6 @@
 #include "vtkLODProp3D.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProp3DCollection.h"
@@ -25,11 +23,8 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindowInteractor.h"
-#include "vtkSmartVolumeMapper.h"
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 #if VTKNBUFFER_TEST_HAS_RENDERINGLOD
 #include "vtkLODActor.h"
@@ -38,15 +33,12 @@
 
 #include <algorithm>
 
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
 using Scenes::Wall;
 
 namespace
 {
-struct Occluder
+struct Occluder : NamedCase
 {
-  const char* Name;
   std::function<vtkSmartPointer<vtkProp>(Stage&)> Make;
   std::function<void(vtkProp*)> Uncover;
   Verdict Expected;
@@ -54,11 +46,6 @@ struct Occluder
   /// Some versions of VTK warn of what they do themselves.
   bool KeepMessages = false;
 };
-
-void PrintTo(const Occluder& occluder, std::ostream* os)
-{
-  *os << occluder.Name;
-}
 
 class CullerOccluders : public testing::TestWithParam<Occluder>
 {
@@ -89,16 +76,8 @@ vtkSmartPointer<ActorType> MakeWall()
 
 void LiftPoints(vtkDataObject* data)
 {
-  auto* polydata = vtkPolyData::SafeDownCast(data);
-  vtkPoints* points = polydata->GetPoints();
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    points->GetPoint(i, p);
-    points->SetPoint(i, p[0], p[1] + 9.0, p[2]);
-  }
-  points->Modified();
-  polydata->Modified();
+  Scenes::LiftPoints(vtkPolyData::SafeDownCast(data)->GetPoints(), 9.0);
+  data->Modified();
 }
 
 vtkSmartPointer<vtkProp> MakeNestedAssembly(Stage&)
@@ -126,11 +105,17 @@ vtkSmartPointer<vtkProp> MakeLODProp(Stage&)
   return lod;
 }
 
-vtkSmartPointer<vtkProp> MakeFollower(Stage& stage)
+/// A wall as a scenario describes it, changed.
+std::function<vtkSmartPointer<vtkProp>(Stage&)> As(
+  const std::function<void(TestScene::Prop&)>& change)
 {
-  auto follower = MakeWall<vtkFollower>();
-  follower->SetCamera(stage.GetRenderer()->GetActiveCamera());
-  return follower;
+  return [change](Stage& stage)
+  {
+    TestScene::SceneBuilder scene;
+    TestScene::Prop& prop = scene.Box({ 0.0, 0.0, 0.0 }, { 12.0, 6.0, 0.5 });
+    change(prop);
+    return TestScene::MakeProp(prop, stage.GetRenderer()->GetActiveCamera());
+  };
 }
 
 vtkSmartPointer<vtkProp> MakeGlyphs(Stage&)
@@ -163,21 +148,6 @@ vtkSmartPointer<vtkProp> MakeImageActor(Stage&)
   auto actor = vtkSmartPointer<vtkImageActor>::New();
   actor->SetInputData(MakeImage(13, 7, 1, 3));
   return actor;
-}
-
-vtkSmartPointer<vtkProp> MakeVolume(Stage&)
-{
-  vtkNew<vtkSmartVolumeMapper> mapper;
-  mapper->SetInputData(MakeImage(13, 7, 2, 1));
-  vtkNew<vtkColorTransferFunction> colors;
-  colors->AddRGBPoint(255.0, 1.0, 0.5, 0.0);
-  vtkNew<vtkPiecewiseFunction> opacity;
-  opacity->AddPoint(255.0, 0.5);
-  auto volume = vtkSmartPointer<vtkVolume>::New();
-  volume->SetMapper(mapper);
-  volume->GetProperty()->SetColor(colors);
-  volume->GetProperty()->SetScalarOpacity(opacity);
-  return volume;
 }
 
 /// The wall is block 1 by flat index, another box in the middle of it block 2.
@@ -219,17 +189,6 @@ void MakeTextureTranslucent(vtkProp* prop)
   }
   image->GetPointData()->GetScalars()->Modified();
   image->Modified();
-}
-
-/// Mirrored in x and sheared in y.
-vtkSmartPointer<vtkProp> MakeMirrored(Stage&)
-{
-  vtkNew<vtkMatrix4x4> matrix;
-  matrix->SetElement(0, 0, -1.0);
-  matrix->SetElement(1, 0, 0.02);
-  auto actor = MakeWall<vtkActor>();
-  actor->SetUserMatrix(matrix);
-  return actor;
 }
 
 void Shrink(vtkProp* prop)
@@ -287,8 +246,7 @@ TEST_P(CullerOccluders, WallStandsAndGoes)
   };
   for (int i = 0; i < 3; ++i)
   {
-    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.1 * i); });
-    comparison.Frame("moved");
+    Scenes::FrameOfWall(comparison, 0.1 * i, "moved");
     EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
   }
   expectHidden("moved");
@@ -343,7 +301,8 @@ const Occluder Occluders[] = {
   { "QuadricLODActor", nullptr, nullptr, Verdict::NotAPlainActor },
 #endif
   // Hazard: a follower turns with the camera; its matrix is known when it is drawn.
-  { "Follower", MakeFollower, Shrink, Verdict::NotAPlainActor },
+  { "Follower", As([](TestScene::Prop& p) { p.Kind = TestScene::PropKind::Follower; }), Shrink,
+    Verdict::NotAPlainActor },
   // Hazard: glyphs are drawn where the points of another data set are.
   { "Glyphs", MakeGlyphs,
     [](vtkProp* p)
@@ -351,7 +310,8 @@ const Occluder Occluders[] = {
     Verdict::NotAPlainMapper },
   { "ImageActor", MakeImageActor, Shrink, Verdict::NotAPlainActor },
   // Hazard: a volume covers and hides nothing; what shines through it must be drawn.
-  { "Volume", MakeVolume, Shrink, Verdict::NotAPlainActor, false },
+  { "Volume", As([](TestScene::Prop& p) { p.Kind = TestScene::PropKind::Volume; }), Shrink,
+    Verdict::NotAPlainActor, false },
   // Hazard: a block is switched off in the mapper's attributes: same data, same actor.
   { "CompositeBlockInvisible", MakeComposite,
     [](vtkProp* p) { GetComposite(p)->SetBlockVisibility(1, false); }, Verdict::Visible },
@@ -370,14 +330,17 @@ const Occluder Occluders[] = {
   // Hazard: texels become translucent in place, far from actor and mapper.
   { "TextureTurnsTranslucent", MakeTextured, MakeTextureTranslucent, Verdict::Visible },
   // Hazard: a matrix that mirrors turns the faces round, one that shears moves the corners.
-  { "MirroredAndSheared", MakeMirrored,
+  { "MirroredAndSheared",
+    As(
+      [](TestScene::Prop& p) {
+        p.UserMatrix = { -1, 0, 0, 0, 0.02, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+      }),
     [](vtkProp* p) { vtkActor::SafeDownCast(p)->GetUserMatrix()->SetElement(1, 3, 9.0); },
     Verdict::Visible },
 };
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, CullerOccluders, testing::ValuesIn(Occluders),
-  [](const testing::TestParamInfo<Occluder>& info) { return std::string(info.param.Name); });
+INSTANTIATE_TEST_SUITE_P(Each, CullerOccluders, testing::ValuesIn(Occluders), GetCaseName);
 
 // Hazard: an actor drawn twice, once by itself and once as a part of an assembly that pokes another
 // matrix into it while it draws.

@@ -25,8 +25,7 @@ TEST(CullerErrors, OldContext)
   Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
   for (int i = 0; i < 4; ++i)
   {
-    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.01 * i); });
-    comparison.Frame();
+    Scenes::FrameOfWall(comparison, 0.01 * i);
     int version[2] = { 0, 0 };
     vtkOpenGLRenderWindow::SafeDownCast(comparison.Culled.Window)
       ->GetOpenGLVersion(version[0], version[1]);

@@ -19,8 +19,6 @@
 #include "vtkRenderWindowInteractor.h"
 #endif
 
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
 using Scenes::Wall;
 
 // Hazard: 2-D actors cover pixels without having depth: what lies below them is hidden by nothing,
@@ -51,8 +49,7 @@ TEST(CullerOverlay, TextScalarBarAxesAndCornerAnnotation)
     });
   for (int i = 0; i < 4; ++i)
   {
-    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.1 * i); });
-    comparison.Frame("moved");
+    Scenes::FrameOfWall(comparison, 0.1 * i, "moved");
     EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
     EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
     // Not a box in front is hidden by what covers it in the image.
@@ -124,8 +121,7 @@ TEST(CullerOverlay, OrientationMarkerWidget)
       });
     for (int i = 0; i < 4; ++i)
     {
-      comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.2 * i); });
-      comparison.Frame("moved");
+      Scenes::FrameOfWall(comparison, 0.2 * i, "moved");
       EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
     }
     for (const auto& widget : widgets)

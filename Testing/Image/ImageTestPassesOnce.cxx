@@ -13,7 +13,6 @@
 
 #include <vtksys/SystemTools.hxx>
 
-using Decision = vtkNBufferDecision;
 using Scenes::Wall;
 
 // Hazard: what is drawn once more for the order of equal depths is drawn under the same pass, with
@@ -43,14 +42,14 @@ TEST(CullerPassesOnce, TiesUnderPasses)
     SCOPED_TRACE(n);
     ComparisonOptions options;
     options.RoundSize = 5;
+    int door = 0;
     Comparison comparison(
-      [&way, seed](Stage& stage)
+      [&way, seed, &door](Stage& stage)
       {
-        Scenes::BuildTies(stage, seed, true);
+        door = Scenes::BuildTies(stage, seed, true);
         way(stage);
       },
       options);
-    const int door = Scenes::FindDoor(comparison.Reference);
     for (int i = 0; i < 8; ++i)
     {
       comparison.Both([i, door](Stage& stage)
@@ -112,8 +111,7 @@ TEST(CullerPassesOnce, CityWithSSAOAndTranslucentPropsAndFXAA)
     });
   for (int i = 0; i < 6; ++i)
   {
-    comparison.Both([i](Stage& stage) { Scenes::SetCityCamera(stage.GetRenderer(), 0.05 * i); });
-    comparison.Frame();
+    Scenes::FrameOfCity(comparison, 0.05 * i);
     EXPECT_GT(comparison.GetHidden(), 10);
   }
 }
@@ -142,9 +140,7 @@ TEST(CullerPassesOnce, EveryNumberOfSamples)
     Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
     for (int i = 0; i < 4; ++i)
     {
-      comparison.Both(
-        [i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), i < 3 ? 0.2 * i : 12.0); });
-      comparison.Frame("moved");
+      Scenes::FrameOfWall(comparison, i < 3 ? 0.2 * i : 12.0, "moved");
       EXPECT_EQ(comparison.Culled.Window->GetMultiSamples(), samples);
       EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
       EXPECT_GT(comparison.GetHidden(), Wall::Behind / 3);
@@ -179,9 +175,7 @@ TEST(CullerPassesOnce, SingleDepthPeelingOfTheRenderer)
     });
   for (int i = 0; i < 4; ++i)
   {
-    comparison.Both(
-      [i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), i < 3 ? 0.2 * i : 12.0); });
-    comparison.Frame("moved");
+    Scenes::FrameOfWall(comparison, i < 3 ? 0.2 * i : 12.0, "moved");
     EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
     EXPECT_GT(comparison.GetHidden(), Wall::Behind / 3);
   }
@@ -199,8 +193,7 @@ TEST(CullerPassesOnce, CityWithMultiSamples)
     Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage, 10); }, options);
     for (int i = 0; i < 6; ++i)
     {
-      comparison.Both([i](Stage& stage) { Scenes::SetCityCamera(stage.GetRenderer(), 0.05 * i); });
-      comparison.Frame();
+      Scenes::FrameOfCity(comparison, 0.05 * i);
       EXPECT_GT(comparison.GetHidden(), 10);
     }
   }

@@ -24,17 +24,10 @@
 #include <map>
 #include <vector>
 
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
 using Scenes::Wall;
 
 namespace
 {
-void Move(Comparison& comparison, double shift)
-{
-  comparison.Both([shift](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), shift); });
-}
-
 /// Index of a prop in the stage, or -1.
 int FindIndex(const Stage& stage, const vtkObjectBase* prop)
 {
@@ -128,8 +121,7 @@ TEST(CullerPicking, HardwareSelectionFindsTheSame)
   {
     EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
     EXPECT_GT(ExpectSameSelection(comparison), 5);
-    Move(comparison, 0.2 * round);
-    comparison.Frame("after selecting");
+    Scenes::FrameOfWall(comparison, 0.2 * round, "after selecting");
   }
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
   // The wall not pickable: what it hides can be selected through it.
@@ -158,8 +150,7 @@ TEST(CullerPicking, HardwareSelectionOfPartsOfTheWindow)
   {
     for (const Area& area : areas)
     {
-      Move(comparison, 0.1 * found);
-      comparison.Frame("before selecting");
+      Scenes::FrameOfWall(comparison, 0.1 * found, "before selecting");
       EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
       EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
       found += ExpectSameSelection(comparison, area, field);
@@ -174,7 +165,7 @@ TEST(CullerPicking, HardwareSelectionWhileFrozen)
   Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
   comparison.Frame();
   comparison.GetCuller()->FreezeOn();
-  Move(comparison, 9.0);
+  Scenes::MoveWallCamera(comparison, 9.0);
   comparison.Culled.Window->Render();
   EXPECT_EQ(comparison.GetDecision(), Decision::Frozen);
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
@@ -214,8 +205,7 @@ TEST(CullerPicking, WorldPointPickerPicksTheSame)
   Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
   for (int round = 0; round < 3; ++round)
   {
-    Move(comparison, 0.3 * round);
-    comparison.Frame();
+    Scenes::FrameOfWall(comparison, 0.3 * round);
     EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
     for (int x = 5; x < 301; x += 40)
     {
@@ -243,8 +233,7 @@ TEST(CullerPicking, CellAndPointPickersPickTheSame)
   {
     comparison.Both(
       [wallPickable](Stage& stage) { stage.GetActor(Wall::Index)->SetPickable(wallPickable); });
-    Move(comparison, 0.2);
-    comparison.Frame();
+    Scenes::FrameOfWall(comparison, 0.2);
     EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
     for (int x = 5; x < 301; x += 20)
     {
@@ -291,8 +280,7 @@ TEST(CullerPicking, AreaPickersFindWhatIsHidden)
   {
     for (const Area& area : areas)
     {
-      Move(comparison, 0.2);
-      comparison.Frame();
+      Scenes::FrameOfWall(comparison, 0.2);
       EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
       comparison.GetCuller()->SetFreeze(frozen);
       comparison.Culled.Window->Render();

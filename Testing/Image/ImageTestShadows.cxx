@@ -19,8 +19,6 @@
 
 #include <algorithm>
 
-using Decision = vtkNBufferDecision;
-using Verdict = vtkNBufferVerdict;
 using Scenes::Wall;
 
 namespace
@@ -82,9 +80,7 @@ TEST(CullerShadows, HiddenPropsCastAndAreNotDrawn)
     });
   for (int i = 0; i < 6; ++i)
   {
-    comparison.Both(
-      [i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), i < 3 ? 0.2 * i : 4.0 * i); });
-    comparison.Frame("moved");
+    Scenes::FrameOfWall(comparison, i < 3 ? 0.2 * i : 4.0 * i, "moved");
     EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
     EXPECT_GT(comparison.GetHidden(), Wall::Behind / 3);
     const vtkShadowStatistics& shadows = GetPass(comparison.Culled)->GetStatistics();
@@ -137,8 +133,7 @@ TEST(CullerShadows, ShadowOfAHiddenPropIsSeen)
       pass->SetMode(vtkShadowVolumeClampPass::Scissored);
       stage.GetRenderer()->SetPass(pass);
     });
-  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.01); });
-  comparison.Frame();
+  Scenes::FrameOfWall(comparison, 0.01);
   EXPECT_GE(comparison.GetHidden(), 28);
   const int shadowed = CompareMasks(comparison);
   // Without the hidden ones the ground beside the wall is lit.
@@ -173,8 +168,7 @@ TEST(CullerShadows, CityWalkInEveryMode)
       });
     for (int i = 0; i < 5; ++i)
     {
-      comparison.Both([i](Stage& stage) { Scenes::SetCityCamera(stage.GetRenderer(), 0.05 * i); });
-      comparison.Frame();
+      Scenes::FrameOfCity(comparison, 0.05 * i);
       EXPECT_GT(comparison.GetHidden(), 10);
       CompareMasks(comparison);
     }
@@ -191,14 +185,14 @@ TEST(CullerShadows, Ties)
     ComparisonOptions options;
     options.RoundSize = 5;
     options.CompareDraws = false;
+    int door = 0;
     Comparison comparison(
-      [seed](Stage& stage)
+      [seed, &door](Stage& stage)
       {
-        Scenes::BuildTies(stage, seed, true);
+        door = Scenes::BuildTies(stage, seed, true);
         AddShadows(stage);
       },
       options);
-    const int door = Scenes::FindDoor(comparison.Reference);
     for (int i = 0; i < 6; ++i)
     {
       comparison.Both([i, door](Stage& stage)
@@ -226,8 +220,7 @@ TEST(CullerShadows, MultiSamples)
     options);
   for (int i = 0; i < 5; ++i)
   {
-    comparison.Both([i](Stage& stage) { Scenes::SetCityCamera(stage.GetRenderer(), 0.05 * i); });
-    comparison.Frame();
+    Scenes::FrameOfCity(comparison, 0.05 * i);
     EXPECT_EQ(comparison.GetStatistics().FailedFrames, 0);
   }
 }
@@ -254,8 +247,7 @@ TEST(CullerShadows, PassInASequenceAndInAPartOfTheWindow)
     });
   for (int i = 0; i < 4; ++i)
   {
-    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.2 * i); });
-    comparison.Frame();
+    Scenes::FrameOfWall(comparison, 0.2 * i);
     EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
     EXPECT_GT(comparison.GetHidden(), Wall::Behind / 3);
   }

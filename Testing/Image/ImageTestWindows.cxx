@@ -11,8 +11,6 @@
 
 #include <algorithm>
 
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
 using Scenes::Wall;
 
 namespace
@@ -25,10 +23,6 @@ ComparisonOptions Size(int width, int height)
   return options;
 }
 
-void MoveWallCamera(Comparison& comparison, double shift)
-{
-  comparison.Both([shift](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), shift); });
-}
 }
 
 //------------------------------------------------------------------------------------------------
@@ -47,10 +41,8 @@ TEST_P(CullerWindowSizes, WallAndCity)
   Comparison city([](Stage& stage) { Scenes::BuildCity(stage, 10); }, Size(width, height));
   for (int i = 0; i < 4; ++i)
   {
-    MoveWallCamera(wall, 0.3 * i);
-    wall.Frame("wall");
-    city.Both([i](Stage& stage) { Scenes::SetCityCamera(stage.GetRenderer(), 0.1 * i); });
-    city.Frame("city");
+    Scenes::FrameOfWall(wall, 0.3 * i, "wall");
+    Scenes::FrameOfCity(city, 0.1 * i, "city");
   }
   if (std::min(width, height) > 60)
   {
@@ -134,8 +126,7 @@ TEST(CullerWindows, ContextReleasedAndMadeAnew)
     Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
     for (int i = 0; i < 3; ++i)
     {
-      MoveWallCamera(comparison, 0.2 * i);
-      comparison.Frame("before");
+      Scenes::FrameOfWall(comparison, 0.2 * i, "before");
       EXPECT_GE(comparison.GetHidden(), Wall::Hidden) << i;
       comparison.Both([](Stage& stage) { stage.Window->Finalize(); });
     }
@@ -237,8 +228,7 @@ TEST(CullerWindows, OnePropSetInTwoRenderers)
     });
   for (int i = 0; i < 4; ++i)
   {
-    MoveWallCamera(comparison, 0.1 * i);
-    comparison.Frame();
+    Scenes::FrameOfWall(comparison, 0.1 * i);
     EXPECT_GT(comparison.GetHidden(0), Wall::Behind / 2) << "from the front";
     EXPECT_LT(comparison.GetHidden(1), Wall::Behind / 2) << "from behind";
   }
@@ -268,8 +258,7 @@ TEST(CullerWindows, Layers)
       });
     for (int i = 0; i < 4; ++i)
     {
-      MoveWallCamera(comparison, 0.2 * i);
-      comparison.Frame();
+      Scenes::FrameOfWall(comparison, 0.2 * i);
       EXPECT_GE(comparison.GetHidden(0), Wall::Hidden);
       EXPECT_GT(comparison.GetHidden(1), 20);
     }
@@ -289,8 +278,7 @@ TEST(CullerWindows, RendererWithoutErase)
     });
   for (int i = 0; i < 3; ++i)
   {
-    MoveWallCamera(comparison, 0.2 * i);
-    comparison.Frame();
+    Scenes::FrameOfWall(comparison, 0.2 * i);
     EXPECT_GE(comparison.GetHidden(0), Wall::Hidden);
     EXPECT_EQ(comparison.GetDecision(1), Decision::Culled) << "what it keeps hides as well";
     EXPECT_GT(comparison.GetHidden(1), 5);
@@ -307,10 +295,8 @@ TEST(CullerWindows, OneCullerInTwoWindows)
   second.AddCuller();
   for (int i = 0; i < 4; ++i)
   {
-    MoveWallCamera(first, 0.2 * i);
-    first.Frame("first");
-    second.Both([i](Stage& stage) { Scenes::SetCityCamera(stage.GetRenderer(), 0.1 * i); });
-    second.Frame("second");
+    Scenes::FrameOfWall(first, 0.2 * i, "first");
+    Scenes::FrameOfCity(second, 0.1 * i, "second");
     EXPECT_GE(first.GetHidden(), Wall::Hidden) << "statistics are kept per renderer";
     EXPECT_GT(second.GetHidden(), 10);
   }
@@ -320,15 +306,10 @@ TEST(CullerWindows, OneCullerInTwoWindows)
 //------------------------------------------------------------------------------------------------
 namespace
 {
-struct Stereo
+struct Stereo : NamedCase
 {
-  const char* Name;
   int Type;
 };
-void PrintTo(const Stereo& stereo, std::ostream* os)
-{
-  *os << stereo.Name;
-}
 class CullerStereo : public testing::TestWithParam<Stereo>
 {
 };
@@ -366,14 +347,12 @@ TEST_P(CullerStereo, WallAndCity)
     options);
   for (int i = 0; i < 5; ++i)
   {
-    MoveWallCamera(wall, 0.4 * i);
-    wall.Frame("wall");
+    Scenes::FrameOfWall(wall, 0.4 * i, "wall");
     // The second eye of Fake sees what the first one has seen.
     EXPECT_TRUE(i == 0 || wall.GetDecision() == Decision::Culled ||
       (this->GetParam().Type == VTK_STEREO_FAKE && wall.GetDecision() == Decision::Still));
     EXPECT_TRUE(i == 0 || wall.GetHidden() > Wall::Behind / 2) << wall.GetHidden();
-    city.Both([i](Stage& stage) { Scenes::SetCityCamera(stage.GetRenderer(), 0.1 * i); });
-    city.Frame("city");
+    Scenes::FrameOfCity(city, 0.1 * i, "city");
     // A camera learns that it is one of two eyes when it draws for the first time.
     EXPECT_TRUE(i == 0 || city.GetHidden() > 10) << city.GetHidden();
   }
@@ -389,21 +368,16 @@ INSTANTIATE_TEST_SUITE_P(Each, CullerStereo,
     Stereo{ "Split", VTK_STEREO_SPLITVIEWPORT_HORIZONTAL }, Stereo{ "Left", VTK_STEREO_LEFT },
     Stereo{ "Right", VTK_STEREO_RIGHT }, Stereo{ "Fake", VTK_STEREO_FAKE },
     Stereo{ "Emulate", VTK_STEREO_EMULATE }),
-  [](const testing::TestParamInfo<Stereo>& info) { return std::string(info.param.Name); });
+  GetCaseName);
 
 //------------------------------------------------------------------------------------------------
 namespace
 {
-struct Projection
+struct Projection : NamedCase
 {
-  const char* Name;
   std::function<void(vtkCamera*)> Set;
   bool WallHidesAll;
 };
-void PrintTo(const Projection& projection, std::ostream* os)
-{
-  *os << projection.Name;
-}
 class CullerProjections : public testing::TestWithParam<Projection>
 {
 };
@@ -413,11 +387,10 @@ class CullerProjections : public testing::TestWithParam<Projection>
 TEST_P(CullerProjections, Wall)
 {
   Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
-  MoveWallCamera(comparison, 0.0);
-  comparison.Frame("before");
+  Scenes::FrameOfWall(comparison, 0.0, "before");
   for (int i = 0; i < 4; ++i)
   {
-    MoveWallCamera(comparison, 0.15 * i);
+    Scenes::MoveWallCamera(comparison, 0.15 * i);
     comparison.Both(
       [this](Stage& stage)
       {
@@ -512,8 +485,7 @@ const Projection Projections[] = {
     },
     true },
 };
-INSTANTIATE_TEST_SUITE_P(Each, CullerProjections, testing::ValuesIn(Projections),
-  [](const testing::TestParamInfo<Projection>& info) { return std::string(info.param.Name); });
+INSTANTIATE_TEST_SUITE_P(Each, CullerProjections, testing::ValuesIn(Projections), GetCaseName);
 
 // Hazard: tiled rendering changes the projection of an unchanged camera, tile by tile.
 TEST(CullerWindows, TiledWindow)
@@ -548,8 +520,7 @@ TEST(CullerWindows, OneCameraTwoAspects)
     });
   for (int i = 0; i < 4; ++i)
   {
-    MoveWallCamera(comparison, 0.3 * i);
-    comparison.Frame();
+    Scenes::FrameOfWall(comparison, 0.3 * i);
     EXPECT_GE(comparison.GetHidden(1), Wall::Hidden);
   }
 }

@@ -7,6 +7,7 @@
 
 #include "vtkCamera.h"
 #include "vtkLight.h"
+#include "vtkPoints.h"
 #include "vtkProperty.h"
 
 #include <algorithm>
@@ -42,18 +43,29 @@ int AddBox(Stage& stage, double x, double y, double z, double sx, double sy, dou
   return index;
 }
 
+namespace
+{
+/// The props of a scenario, in colours of their own here.
+void AddProps(Stage& stage, const TestScene::SceneBuilder& scene, vtkRenderer* renderer)
+{
+  for (const TestScene::Prop& prop : scene.Scene.Props)
+  {
+    double color[3];
+    GetColor(static_cast<int>(stage.Props.size()), color);
+    stage.AddActor(TestScene::MakeShape(prop.Shape), color, renderer)
+      ->GetProperty()
+      ->SetLighting(prop.Lighting);
+  }
+}
+}
+
 void BuildWall(Stage& stage, vtkRenderer* renderer)
 {
   vtkRenderer* target = renderer ? renderer : stage.GetRenderer();
   target->SetBackground(0.1, 0.2, 0.3);
   TestScene::SceneBuilder scene;
   scene.AddWall();
-  for (const TestScene::Prop& box : scene.Scene.Props)
-  {
-    const glm::dvec3& center = box.Shape.Center;
-    const glm::dvec3& size = box.Shape.Size;
-    AddBox(stage, center.x, center.y, center.z, size.x, size.y, size.z, target);
-  }
+  AddProps(stage, scene, target);
   SetWallCamera(target);
 }
 
@@ -131,42 +143,14 @@ int AddQuad(Stage& stage, double x0, double y0, double x1, double y1, double z, 
   return index;
 }
 
-void BuildTies(Stage& stage, unsigned int seed, bool large)
+int BuildTies(Stage& stage, unsigned int seed, bool large)
 {
-  std::mt19937 random(seed);
-  const auto uniform = [&random](double a, double b)
-  { return a + (b - a) * static_cast<double>(random() % 1000) / 1000.0; };
-  std::vector<std::function<void()>> makers;
-  for (int i = 0; i < 60; ++i)
-  {
-    const double x = uniform(-5.0, 4.0);
-    const double y = uniform(-3.0, 2.0);
-    const double side = large ? 3.0 : 1.0;
-    const double z = -0.5 * (i % 3);
-    makers.emplace_back([&stage, x, y, side, z] { AddQuad(stage, x, y, x + side, y + side, z); });
-  }
-  makers.emplace_back([&stage] { Scenes::AddBox(stage, 0.0, 0.0, 3.0, 5.0, 4.5, 0.2); });
-  std::shuffle(makers.begin(), makers.end(), random);
-  for (const auto& make : makers)
-  {
-    make();
-  }
-  vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
-  camera->SetPosition(0.0, 0.0, 15.0);
-  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  TestScene::SceneBuilder scene;
+  const int door = scene.AddTies(seed, large);
+  AddProps(stage, scene, stage.GetRenderer());
+  stage.GetRenderer()->GetActiveCamera()->SetPosition(0.0, 0.0, 15.0);
   stage.GetRenderer()->ResetCameraClippingRange();
-}
-
-int FindDoor(const Stage& stage)
-{
-  for (std::size_t i = 0; i < stage.Props.size(); ++i)
-  {
-    if (stage.GetActor(static_cast<int>(i))->GetBounds()[5] > 2.0)
-    {
-      return static_cast<int>(i);
-    }
-  }
-  return -1;
+  return door;
 }
 
 ComparisonOptions MakeExactOptions(int width, int height, int baseFactor)
@@ -195,6 +179,39 @@ void SetPixelCamera(vtkRenderer* renderer, int width, int height, double shiftX,
   camera->SetFocalPoint(x, y, 0.0);
   camera->SetViewUp(0.0, 1.0, 0.0);
   camera->SetClippingRange(1.0, 201.0);
+}
+
+void MoveWallCamera(Comparison& comparison, double shift)
+{
+  comparison.Both([shift](Stage& stage) { SetWallCamera(stage.GetRenderer(), shift); });
+}
+
+void FrameOfWall(Comparison& comparison, double shift, const std::string& what)
+{
+  MoveWallCamera(comparison, shift);
+  comparison.Frame(what);
+}
+
+void MoveCityCamera(Comparison& comparison, double t)
+{
+  comparison.Both([t](Stage& stage) { SetCityCamera(stage.GetRenderer(), t); });
+}
+
+void FrameOfCity(Comparison& comparison, double t, const std::string& what)
+{
+  MoveCityCamera(comparison, t);
+  comparison.Frame(what);
+}
+
+void LiftPoints(vtkPoints* points, double height)
+{
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    points->SetPoint(i, p[0], p[1] + height, p[2]);
+  }
+  points->Modified();
 }
 
 void Settle(Comparison& comparison)

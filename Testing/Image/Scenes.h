@@ -33,6 +33,10 @@ void BuildWall(Stage& stage, vtkRenderer* renderer = nullptr);
 /// The wall scene's camera, moved a little sideways.
 void SetWallCamera(vtkRenderer* renderer, double shift = 0.0);
 
+/// The same in both stages; FrameOfWall() renders and compares them, too.
+void MoveWallCamera(Comparison& comparison, double shift);
+void FrameOfWall(Comparison& comparison, double shift, const std::string& what = "");
+
 /// Eight translucent boxes on both sides of that wall.
 void AddTranslucentBoxes(Stage& stage);
 
@@ -44,16 +48,15 @@ void BuildCity(Stage& stage, int count = 14, vtkRenderer* renderer = nullptr);
 
 /// A walk at eye height along a street of that city, looking around; t in [0, 1].
 void SetCityCamera(vtkRenderer* renderer, double t);
+void MoveCityCamera(Comparison& comparison, double t);
+void FrameOfCity(Comparison& comparison, double t, const std::string& what = "");
 
 /// Add an unlit quad of its own colour, so that only the colour tells quads apart.
 int AddQuad(Stage& stage, double x0, double y0, double x1, double y1, double z, int cells = 1);
 
 /// Props that cover each other at exactly the same depths, and a door before them, anywhere in the
-/// list.
-void BuildTies(Stage& stage, unsigned int seed, bool large);
-
-/// Index of that door.
-int FindDoor(const Stage& stage);
+/// list. Returns its index.
+int BuildTies(Stage& stage, unsigned int seed, bool large);
 
 /// For tests that know every verdict: the culler alone, testing in every frame, however few props
 /// there are, with texels of level 0 of `baseFactor` pixels.
@@ -63,6 +66,9 @@ ComparisonOptions MakeExactOptions(int width, int height, int baseFactor = 1);
 /// its lower left corner, and z from 99 to -101 becomes a window depth from 0 to 1.
 void SetPixelCamera(
   vtkRenderer* renderer, int width, int height, double shiftX = 0.0, double shiftY = 0.0);
+
+/// Move all points up, in place.
+void LiftPoints(vtkPoints* points, double height);
 
 /// Render until what the first frame drew as a guess has been tested.
 void Settle(Comparison& comparison);

@@ -7,13 +7,15 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkNew.h"
 #include "vtkRenderer.h"
+#include "vtkTransform.h"
 
 #include <map>
 
 namespace TestScene
 {
-void ShareMapper(vtkProp* prop, vtkProp* other)
+bool ShareMapper(vtkProp* prop, vtkProp* other)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   auto* owner = vtkActor::SafeDownCast(other);
@@ -21,6 +23,7 @@ void ShareMapper(vtkProp* prop, vtkProp* other)
   {
     actor->SetMapper(owner->GetMapper());
   }
+  return actor && owner;
 }
 
 void SetView(vtkRenderer* renderer, const View& view)
@@ -34,6 +37,12 @@ void SetView(vtkRenderer* renderer, const View& view)
   camera->SetParallelScale(view.ParallelScale);
   camera->SetWindowCenter(view.WindowCenter[0], view.WindowCenter[1]);
   camera->SetEyeAngle(view.EyeAngle);
+  if (view.Stretch != View().Stretch || camera->GetUserTransform())
+  {
+    vtkNew<vtkTransform> stretch;
+    stretch->Scale(view.Stretch[0], view.Stretch[1], 1.0);
+    camera->SetUserTransform(stretch);
+  }
   if (view.Near == 0.0 && view.Far == 0.0)
   {
     renderer->ResetCameraClippingRange();

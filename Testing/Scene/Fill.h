@@ -14,8 +14,9 @@ class vtkRenderer;
 
 namespace TestScene
 {
-/// If both are actors, the first one draws with the mapper of the other from now on.
-void ShareMapper(vtkProp* prop, vtkProp* other);
+/// If both are actors, the first one draws with the mapper of the other from now on. Returns
+/// whether they are.
+bool ShareMapper(vtkProp* prop, vtkProp* other);
 
 /// The renderer's camera becomes that of the view.
 void SetView(vtkRenderer* renderer, const View& view);

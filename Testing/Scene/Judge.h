@@ -45,8 +45,9 @@ std::string FindDifference(
 /// What came with a frame in addition to its image.
 struct FrameErrors
 {
-  std::string GL;  ///< Errors of OpenGL, by glGetError() and by debug output.
-  std::string VTK; ///< Errors and warnings of VTK.
+  std::string GL;         ///< Errors of OpenGL, by glGetError() and by debug output.
+  bool IsPending = false; ///< VTK left one of them for glGetError() after the frame.
+  std::string VTK;        ///< Errors and warnings of VTK.
 };
 
 /// Render a frame of the stage, with its draws counted anew.

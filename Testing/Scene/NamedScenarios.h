@@ -15,6 +15,7 @@
 #include "vtkNBufferStatistics.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,19 +27,28 @@ namespace TestScene
 /// should.
 struct Expectation
 {
-  int FirstFrame = 0;
-  int LastFrame = 0;
+  int Frame = 0;
+  int Renderer = 0;
   int MinimumHidden = 0;
   int MaximumHidden = 1000000;
-  /// If not empty: these props have this verdict, or do not have it.
+  int MinimumCulled = 0; ///< Hidden or outside.
+  /// If set: what the culler decided to do with the frame.
+  std::optional<vtkNBufferDecision> Decision;
+  /// The indices of some props, each of which has one of the verdicts `Allowed`.
   std::vector<int> Props;
-  vtkNBufferVerdict Verdict = vtkNBufferVerdict::Hidden;
-  bool HasVerdict = true;
+  std::vector<vtkNBufferVerdict> Allowed;
+  /// So many of `Props` are hidden at least.
+  int MinimumHiddenOfProps = 0;
+  /// The image shows at least so many pixels of exactly this colour.
+  glm::dvec3 Color = { 0.0, 0.0, 0.0 };
+  int MinimumPixels = 0;
 };
 
 struct NamedScenario
 {
-  std::string Name; ///< Letters and digits.
+  /// Letters and digits. A hazard that is a case of another suite than CullerHazards has the names
+  /// of both with a dot between them.
+  std::string Name;
   TestScene::Scenario Scenario;
   std::vector<Expectation> Expectations = {};
   /// What the language of scenarios has no words for; null for most.

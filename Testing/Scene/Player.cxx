@@ -149,6 +149,7 @@ void Player::End()
   this->Cullers.clear();
   this->Culler = nullptr;
   this->Draws.clear();
+  this->SharesMapper.clear();
   this->Scene = nullptr;
 }
 
@@ -288,7 +289,10 @@ void Player::Join(int prop, bool present)
   {
     object = MakeProp(description, this->Renderers[index]->GetActiveCamera());
     const auto owner = this->Places.find(description.MapperOf);
-    ShareMapper(object, owner == this->Places.end() ? nullptr : this->Props[owner->second].Get());
+    if (owner != this->Places.end() && ShareMapper(object, this->Props[owner->second]))
+    {
+      this->SharesMapper.insert({ prop, owner->second });
+    }
     if (this->Lighting.HasShadows())
     {
       LightRig::SetCasts(object, description.Casts);

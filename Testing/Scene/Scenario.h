@@ -46,21 +46,8 @@ struct Light
   bool Casts = true; ///< vtkShadowVolumeClampPass::SetLightCasts
   double ShadowAttenuation = 1.0;
 
-  template <typename Self, typename Visitor>
-  static void Visit(Self& self, Visitor&& visit)
-  {
-    visit("kind", self.Kind);
-    visit("position", self.Position);
-    visit("focal_point", self.FocalPoint);
-    visit("cone_angle", self.ConeAngle);
-    visit("exponent", self.Exponent);
-    visit("attenuation", self.Attenuation);
-    visit("color", self.Color);
-    visit("intensity", self.Intensity);
-    visit("on", self.On);
-    visit("casts", self.Casts);
-    visit("shadow_attenuation", self.ShadowAttenuation);
-  }
+  NBUFFER_SCENE_MEMBERS(Kind, Position, FocalPoint, ConeAngle, Exponent, Attenuation, Color,
+    Intensity, On, Casts, ShadowAttenuation);
 };
 
 enum class ShadowMode
@@ -84,17 +71,8 @@ struct Shadows
   bool OneForAll = false;   ///< Renderers share one pass object.
   bool CompareRays = false; ///< One frame is compared with rays in double precision, too.
 
-  template <typename Self, typename Visitor>
-  static void Visit(Self& self, Visitor&& visit)
-  {
-    visit("mode", self.Mode);
-    visit("litmap_resolution", self.LitmapResolution);
-    visit("slab_gap", self.SlabGap);
-    visit("box_cost", self.BoxCost);
-    visit("caster_keys", self.CasterKeys);
-    visit("one_for_all", self.OneForAll);
-    visit("compare_rays", self.CompareRays);
-  }
+  NBUFFER_SCENE_MEMBERS(
+    Mode, LitmapResolution, SlabGap, BoxCost, CasterKeys, OneForAll, CompareRays);
 };
 
 struct Scenario
@@ -111,21 +89,8 @@ struct Scenario
   std::vector<TestScene::View> Views;
   std::vector<TestScene::Change> Changes;
 
-  template <typename Self, typename Visitor>
-  static void Visit(Self& self, Visitor&& visit)
-  {
-    visit("seed", self.Seed);
-    visit("family", self.Family);
-    visit("frames", self.Frames);
-    visit("window", self.Window);
-    visit("renderers", self.Renderers);
-    visit("culler", self.Culler);
-    visit("shadows", self.Shadows);
-    visit("lights", self.Lights);
-    visit("props", self.Props);
-    visit("views", self.Views);
-    visit("changes", self.Changes);
-  }
+  NBUFFER_SCENE_MEMBERS(
+    Seed, Family, Frames, Window, Renderers, Culler, Shadows, Lights, Props, Views, Changes);
 };
 }
 

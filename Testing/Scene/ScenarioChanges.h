@@ -32,23 +32,10 @@ struct View
   double Far = 0.0;
   std::array<double, 2> WindowCenter = { 0.0, 0.0 };
   double EyeAngle = 2.0;
+  std::array<double, 2> Stretch = { 1.0, 1.0 }; ///< Of the image; a negative one mirrors it.
 
-  template <typename Self, typename Visitor>
-  static void Visit(Self& self, Visitor&& visit)
-  {
-    visit("frame", self.Frame);
-    visit("renderer", self.Renderer);
-    visit("position", self.Position);
-    visit("focal_point", self.FocalPoint);
-    visit("view_up", self.ViewUp);
-    visit("view_angle", self.ViewAngle);
-    visit("parallel", self.Parallel);
-    visit("parallel_scale", self.ParallelScale);
-    visit("near", self.Near);
-    visit("far", self.Far);
-    visit("window_center", self.WindowCenter);
-    visit("eye_angle", self.EyeAngle);
-  }
+  NBUFFER_SCENE_MEMBERS(Frame, Renderer, Position, FocalPoint, ViewUp, ViewAngle, Parallel,
+    ParallelScale, Near, Far, WindowCenter, EyeAngle, Stretch);
 };
 
 //------------------------------------------------------------------------------------------------
@@ -113,14 +100,7 @@ struct Change
   int Target = 0;
   std::vector<double> Values; ///< Those that are missing are 0.
 
-  template <typename Self, typename Visitor>
-  static void Visit(Self& self, Visitor&& visit)
-  {
-    visit("frame", self.Frame);
-    visit("kind", self.Kind);
-    visit("target", self.Target);
-    visit("values", self.Values);
-  }
+  NBUFFER_SCENE_MEMBERS(Frame, Kind, Target, Values);
 };
 
 /// The n-th value of a change, or 0.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ScenarioJson.h"
 
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -9,12 +10,21 @@
 #include <memory>
 #include <sstream>
 #include <stdexcept>
+#include <tuple>
 #include <type_traits>
 
 namespace TestScene
 {
 namespace
 {
+/// Calls visit(name, member) for each.
+template <typename T, typename Visitor>
+void VisitMembers(T& object, Visitor&& visit)
+{
+  auto name = T::GetMemberNames().begin();
+  std::apply([&](auto&... members) { (visit(*name++, members), ...); }, object.GetMembers());
+}
+
 //------------------------------------------------------------------------------------------------
 Json::Value Encode(bool value)
 {
@@ -87,8 +97,8 @@ std::enable_if_t<std::is_class<T>::value, Json::Value> Encode(const T& value)
   const auto encodeAll = [](const T& object)
   {
     Json::Value result(Json::objectValue);
-    T::Visit(
-      object, [&result](const char* name, const auto& member) { result[name] = Encode(member); });
+    VisitMembers(object,
+      [&result](const std::string& name, const auto& member) { result[name] = Encode(member); });
     return result;
   };
   static const Json::Value defaults = encodeAll(T());
@@ -192,8 +202,8 @@ public:
   {
     this->Demand(json.isObject(), "an object");
     unsigned int known = 0;
-    T::Visit(value,
-      [&](const char* name, auto& member)
+    VisitMembers(value,
+      [&](const std::string& name, auto& member)
       {
         if (json.isMember(name))
         {
@@ -218,6 +228,28 @@ private:
 };
 }
 
+std::vector<std::string> MakeMemberNames(const std::string& members)
+{
+  std::vector<std::string> names(1);
+  for (std::size_t i = 0; i < members.size(); ++i)
+  {
+    const char c = members[i];
+    if (c == ',')
+    {
+      names.emplace_back();
+    }
+    else if (std::isupper(c) && i > 0 && std::islower(members[i - 1]))
+    {
+      names.back() += '_';
+    }
+    if (std::isalpha(c))
+    {
+      names.back() += static_cast<char>(std::tolower(c));
+    }
+  }
+  return names;
+}
+
 Json::Value ToJson(const Scenario& scenario)
 {
   return Encode(scenario);
@@ -230,7 +262,11 @@ namespace
 Json::Value ReplaceRetired(const Json::Value& value)
 {
   Json::Value result = value;
-  if (result.isObject() && result["shadows"].isObject())
+  if (!result.isObject())
+  {
+    return result;
+  }
+  if (result.isMember("shadows") && result["shadows"].isObject())
   {
     Json::Value& shadows = result["shadows"];
     if (shadows.get("scissor", true) == false && shadows.get("mode", "Exact") == "Exact")
@@ -240,7 +276,7 @@ Json::Value ReplaceRetired(const Json::Value& value)
     shadows.removeMember("scissor");
     shadows.removeMember("skip_unlit_receivers");
   }
-  if (result.isObject() && result["changes"].isArray())
+  if (result.isMember("changes") && result["changes"].isArray())
   {
     Json::Value changes(Json::arrayValue);
     for (const Json::Value& change : result["changes"])
@@ -251,14 +287,6 @@ Json::Value ReplaceRetired(const Json::Value& value)
       }
     }
     result["changes"] = changes;
-  }
-  // operator[] has made members that were not there.
-  for (const char* name : { "shadows", "changes" })
-  {
-    if (result.isObject() && result[name].isNull())
-    {
-      result.removeMember(name);
-    }
   }
   return result;
 }

@@ -49,22 +49,12 @@ struct Shape
   glm::dvec3 Size = { 1.0, 1.0, 1.0 };
   int Detail = 1;
   double Fill = 0.5;
-  int Seed = 0;                 ///< Points are stored as doubles if it is odd.
-  std::vector<double> Points;   ///< Of a Mesh: three coordinates for each point.
-  std::vector<double> Polygons; ///< Of a Mesh: for each polygon the number of its points and these.
+  int Seed = 0;               ///< Points are stored as doubles if it is odd.
+  std::vector<double> Points; ///< Of a Mesh: three coordinates for each point.
+  /// Of a Mesh: for each polygon the number of its points and these; two are a line, one a vertex.
+  std::vector<double> Polygons;
 
-  template <typename Self, typename Visitor>
-  static void Visit(Self& self, Visitor&& visit)
-  {
-    visit("kind", self.Kind);
-    visit("center", self.Center);
-    visit("size", self.Size);
-    visit("detail", self.Detail);
-    visit("fill", self.Fill);
-    visit("seed", self.Seed);
-    visit("points", self.Points);
-    visit("polygons", self.Polygons);
-  }
+  NBUFFER_SCENE_MEMBERS(Kind, Center, Size, Detail, Fill, Seed, Points, Polygons);
 };
 
 //------------------------------------------------------------------------------------------------
@@ -146,43 +136,10 @@ struct Prop
   bool Casts = true;                 ///< Has the key of Shadows::CasterKeys.
   int MapperOf = -1; ///< Id of the actor before it whose mapper it shares; -1: none.
 
-  template <typename Self, typename Visitor>
-  static void Visit(Self& self, Visitor&& visit)
-  {
-    visit("id", self.Id);
-    visit("kind", self.Kind);
-    visit("shape", self.Shape);
-    visit("renderer", self.Renderer);
-    visit("from", self.From);
-    visit("until", self.Until);
-    visit("position", self.Position);
-    visit("orientation", self.Orientation);
-    visit("scale", self.Scale);
-    visit("user_matrix", self.UserMatrix);
-    visit("color", self.Color);
-    visit("opacity", self.Opacity);
-    visit("visible", self.Visible);
-    visit("lighting", self.Lighting);
-    visit("flat", self.Flat);
-    visit("representation", self.Representation);
-    visit("edges", self.Edges);
-    visit("vertices", self.Vertices);
-    visit("spheres", self.Spheres);
-    visit("tubes", self.Tubes);
-    visit("line_width", self.LineWidth);
-    visit("point_size", self.PointSize);
-    visit("culled_faces", self.CulledFaces);
-    visit("force_opaque", self.ForceOpaque);
-    visit("force_translucent", self.ForceTranslucent);
-    visit("texture", self.Texture);
-    visit("scalars", self.Scalars);
-    visit("shader", self.Shader);
-    visit("clipping_plane", self.ClippingPlane);
-    visit("shift_coordinates", self.ShiftCoordinates);
-    visit("offset_units", self.OffsetUnits);
-    visit("casts", self.Casts);
-    visit("mapper_of", self.MapperOf);
-  }
+  NBUFFER_SCENE_MEMBERS(Id, Kind, Shape, Renderer, From, Until, Position, Orientation, Scale,
+    UserMatrix, Color, Opacity, Visible, Lighting, Flat, Representation, Edges, Vertices, Spheres,
+    Tubes, LineWidth, PointSize, CulledFaces, ForceOpaque, ForceTranslucent, Texture, Scalars,
+    Shader, ClippingPlane, ShiftCoordinates, OffsetUnits, Casts, MapperOf);
 };
 }
 

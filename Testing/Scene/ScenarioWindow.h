@@ -50,23 +50,8 @@ struct Renderer
   bool HiddenLines = false;
   bool Shadows = false;
 
-  template <typename Self, typename Visitor>
-  static void Visit(Self& self, Visitor&& visit)
-  {
-    visit("viewport", self.Viewport);
-    visit("layer", self.Layer);
-    visit("erase", self.Erase);
-    visit("preserve_depth", self.PreserveDepth);
-    visit("shares_camera", self.SharesCamera);
-    visit("shares_props", self.SharesProps);
-    visit("pass", self.Pass);
-    visit("ssao", self.SSAO);
-    visit("fxaa", self.FXAA);
-    visit("depth_peeling", self.DepthPeeling);
-    visit("oit", self.OIT);
-    visit("hidden_lines", self.HiddenLines);
-    visit("shadows", self.Shadows);
-  }
+  NBUFFER_SCENE_MEMBERS(Viewport, Layer, Erase, PreserveDepth, SharesCamera, SharesProps, Pass,
+    SSAO, FXAA, DepthPeeling, OIT, HiddenLines, Shadows);
 };
 
 struct Window
@@ -79,17 +64,8 @@ struct Window
   int Stereo = -1; ///< A stereo type of VTK.
   int TileScale = 1;
 
-  template <typename Self, typename Visitor>
-  static void Visit(Self& self, Visitor&& visit)
-  {
-    visit("width", self.Width);
-    visit("height", self.Height);
-    visit("multi_samples", self.MultiSamples);
-    visit("stencil_capable", self.StencilCapable);
-    visit("line_smoothing", self.LineSmoothing);
-    visit("stereo", self.Stereo);
-    visit("tile_scale", self.TileScale);
-  }
+  NBUFFER_SCENE_MEMBERS(
+    Width, Height, MultiSamples, StencilCapable, LineSmoothing, Stereo, TileScale);
 };
 
 //------------------------------------------------------------------------------------------------
@@ -120,24 +96,9 @@ struct Culler
   bool ReuseWhenStill = true;
   bool BackOff = false;
 
-  template <typename Self, typename Visitor>
-  static void Visit(Self& self, Visitor&& visit)
-  {
-    visit("default_culler", self.DefaultCuller);
-    visit("one_per_renderer", self.OnePerRenderer);
-    visit("added_in_frame", self.AddedInFrame);
-    visit("backend", self.Backend);
-    visit("base_factor", self.BaseFactor);
-    visit("minimum_number_of_candidates", self.MinimumNumberOfCandidates);
-    visit("maximum_number_of_rounds", self.MaximumNumberOfRounds);
-    visit("round_size", self.RoundSize);
-    visit("maximum_number_of_pieces", self.MaximumNumberOfPieces);
-    visit("hierarchy_size", self.HierarchySize);
-    visit("test_pixels", self.TestPixels);
-    visit("test_slivers", self.TestSlivers);
-    visit("reuse_when_still", self.ReuseWhenStill);
-    visit("back_off", self.BackOff);
-  }
+  NBUFFER_SCENE_MEMBERS(DefaultCuller, OnePerRenderer, AddedInFrame, Backend, BaseFactor,
+    MinimumNumberOfCandidates, MaximumNumberOfRounds, RoundSize, MaximumNumberOfPieces,
+    HierarchySize, TestPixels, TestSlivers, ReuseWhenStill, BackOff);
 };
 }
 

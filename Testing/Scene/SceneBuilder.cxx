@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneBuilder.h"
 
+#include <algorithm>
 #include <random>
 #include <utility>
 
@@ -62,8 +63,9 @@ Prop& SceneBuilder::Floor(double halfSize, double z)
   return this->Mesh({ { -h, -h, z }, { h, -h, z }, { h, h, z }, { -h, h, z } }, { { 0, 1, 2, 3 } });
 }
 
-void SceneBuilder::AddWall()
+void SceneBuilder::AddWall(int renderer)
 {
+  const int first = this->GetNumberOfProps();
   this->Box({ 0.0, 0.0, 0.0 }, { 12.0, 6.0, 0.5 });
   std::mt19937 random(3);
   const auto uniform = [&random](double a, double b)
@@ -81,6 +83,42 @@ void SceneBuilder::AddWall()
     const double y = uniform(-4.0, 4.0);
     this->Box({ uniform(-9.0, 9.0), y, z }, { 0.5, 0.5, 0.5 });
   }
+  for (int i = first; i < this->GetNumberOfProps(); ++i)
+  {
+    this->Scene.Props[i].Renderer = renderer;
+  }
+}
+
+int SceneBuilder::AddTies(unsigned int seed, bool large)
+{
+  std::mt19937 random(seed);
+  const auto uniform = [&random](double a, double b)
+  { return a + (b - a) * static_cast<double>(random() % 1000) / 1000.0; };
+  constexpr int quads = 60;
+  std::vector<glm::dvec3> corners;
+  std::vector<int> order;
+  for (int i = 0; i <= quads; ++i)
+  {
+    const double x = uniform(-5.0, 4.0);
+    corners.emplace_back(x, uniform(-3.0, 2.0), -0.5 * (i % 3));
+    order.push_back(i);
+  }
+  std::shuffle(order.begin(), order.end(), random);
+  const double side = large ? 3.0 : 1.0;
+  int door = 0;
+  for (const int i : order)
+  {
+    const glm::dvec3& c = corners[i];
+    if (i == quads)
+    {
+      door = this->Box({ 0.0, 0.0, 3.0 }, { 5.0, 4.5, 0.2 }).Id;
+    }
+    else
+    {
+      this->Quad(c.x, c.y, c.x + side, c.y + side, c.z);
+    }
+  }
+  return door;
 }
 
 Light& SceneBuilder::Directional(const glm::dvec3& direction)
@@ -128,6 +166,14 @@ View& SceneBuilder::Look(const glm::dvec3& eye, const glm::dvec3& focalPoint, do
   const bool alongZ = eye.x == focalPoint.x && eye.y == focalPoint.y;
   view.ViewUp = { 0.0, alongZ ? 1.0 : 0.0, alongZ ? 0.0 : 1.0 };
   view.ViewAngle = viewAngle;
+  return view;
+}
+
+View& SceneBuilder::LookParallel(const glm::dvec3& eye, const glm::dvec3& focalPoint, double scale)
+{
+  View& view = this->Look(eye, focalPoint);
+  view.Parallel = true;
+  view.ParallelScale = scale;
   return view;
 }
 

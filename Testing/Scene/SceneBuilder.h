@@ -52,7 +52,10 @@ public:
   /// The square [-halfSize, halfSize]^2 at height z, one polygon.
   Prop& Floor(double halfSize, double z = 0.0);
   /// A wall at z = 0 across most of the view, boxes behind and before it; see Wall.
-  void AddWall();
+  void AddWall(int renderer = 0);
+  /// Quads that cover each other at exactly the same depths, and a door before them, anywhere in
+  /// the list. Returns the door's Id.
+  int AddTies(unsigned int seed, bool large);
   ///@}
 
   /// @name Lights
@@ -69,6 +72,8 @@ public:
   View& LookFrom(const glm::dvec3& eye, const glm::dvec3& focalPoint = { 0.0, 0.0, 0.0 });
   /// The same with z up, or y if it looks straight down.
   View& Look(const glm::dvec3& eye, const glm::dvec3& focalPoint, double viewAngle = 40.0);
+  /// The same with parallel projection; `scale` is half the height of the view.
+  View& LookParallel(const glm::dvec3& eye, const glm::dvec3& focalPoint, double scale);
   /// The wall scene's camera at (0, 0, 20), moved a little sideways.
   View& LookAtWall(double shift = 0.0);
   /// A parallel camera in which a unit of x and y is a pixel of the window, (0, 0) is its lower

@@ -20,8 +20,6 @@
 #include "vtkTranslucentPass.h"
 #include "vtkVolumetricPass.h"
 
-#include <initializer_list>
-
 namespace TestScene
 {
 namespace
@@ -47,6 +45,15 @@ vtkSmartPointer<vtkRenderPass> WithCamera(vtkRenderPass* inner)
   return camera;
 }
 
+}
+
+vtkSmartPointer<vtkRenderPass> MakeSequence(std::initializer_list<vtkRenderPass*> passes)
+{
+  return WithCamera(InSequence(passes));
+}
+
+namespace
+{
 template <typename PassType>
 vtkSmartPointer<vtkRenderPass> AroundSteps()
 {
@@ -66,7 +73,7 @@ vtkSmartPointer<vtkRenderPass> WithPeeling()
   peeling->SetTranslucentPass(translucent);
   peeling->SetMaximumNumberOfPeels(Peels);
   peeling->SetOcclusionRatio(0.0);
-  return WithCamera(InSequence({ lights, opaque, peeling }));
+  return MakeSequence({ lights, opaque, peeling });
 }
 }
 
@@ -93,20 +100,20 @@ vtkSmartPointer<vtkRenderPass> MakePass(PassKind kind, vtkRenderPass* shadows)
       vtkNew<vtkVolumetricPass> volumetric;
       vtkNew<vtkOverlayPass> overlay;
       const bool cast = shadows && kind == PassKind::ShadowVolumesInSequence;
-      return WithCamera(
-        InSequence({ lights, cast ? shadows : opaque.Get(), translucent, volumetric, overlay }));
+      return MakeSequence(
+        { lights, cast ? shadows : opaque.Get(), translucent, volumetric, overlay });
     }
     case PassKind::OpaqueTwice:
     {
       vtkNew<vtkOpaquePass> again;
-      return WithCamera(InSequence({ lights, opaque, again }));
+      return MakeSequence({ lights, opaque, again });
     }
     case PassKind::TranslucentFirst:
-      return WithCamera(InSequence({ lights, translucent, opaque }));
+      return MakeSequence({ lights, translucent, opaque });
     case PassKind::Default:
     {
       vtkNew<vtkDefaultPass> steps;
-      return WithCamera(InSequence({ lights, steps }));
+      return MakeSequence({ lights, steps });
     }
     case PassKind::DepthPeeling:
       return WithPeeling<vtkDepthPeelingPass>();

@@ -12,6 +12,8 @@
 #include "vtkRenderPass.h"
 #include "vtkSmartPointer.h"
 
+#include <initializer_list>
+
 namespace TestScene
 {
 /// nullptr for PassKind::None. `shadows` is used by the kinds with shadow volumes; these are as the
@@ -22,6 +24,9 @@ inline bool HasShadowVolumes(PassKind kind)
 {
   return kind == PassKind::ShadowVolumes || kind == PassKind::ShadowVolumesInSequence;
 }
+
+/// A camera pass around the passes, as applications build their own pipelines.
+vtkSmartPointer<vtkRenderPass> MakeSequence(std::initializer_list<vtkRenderPass*> passes);
 }
 
 #endif

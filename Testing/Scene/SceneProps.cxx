@@ -43,8 +43,6 @@
 
 namespace TestScene
 {
-namespace
-{
 vtkSmartPointer<vtkTexture> MakeTexture(Translucency translucency)
 {
   constexpr int side = 4;
@@ -63,6 +61,8 @@ vtkSmartPointer<vtkTexture> MakeTexture(Translucency translucency)
   return texture;
 }
 
+namespace
+{
 /// The shape beside itself, for props with two parts.
 Shape GetSecondPart(const Shape& shape)
 {
@@ -412,7 +412,15 @@ void ChangeProp(vtkProp* prop, const Prop& description, const Change& change)
         prop3D->SetScale(values);
         break;
       case ChangeKind::UserMatrix:
-        SetMatrix(prop3D, change.Values);
+        // In place, if there is one: the actor is not modified then.
+        if (prop3D->GetUserMatrix() && change.Values.size() == 16)
+        {
+          prop3D->GetUserMatrix()->DeepCopy(change.Values.data());
+        }
+        else
+        {
+          SetMatrix(prop3D, change.Values);
+        }
         break;
       default:
         if (auto* actor = vtkActor::SafeDownCast(prop))

@@ -14,8 +14,13 @@
 
 class vtkCamera;
 
+class vtkTexture;
+
 namespace TestScene
 {
+/// Some: every second texel lets through what is behind it.
+vtkSmartPointer<vtkTexture> MakeTexture(Translucency translucency);
+
 /// `camera` is what followers follow.
 vtkSmartPointer<vtkProp> MakeProp(const Prop& prop, vtkCamera* camera);
 

@@ -44,38 +44,6 @@ void Directional(SceneBuilder& scene)
   LookAtBasics(scene);
 }
 
-void Spot(SceneBuilder& scene)
-{
-  AddBasics(scene);
-  scene.Spot({ -4.0, -2.0, 5.0 }, { 0.0, 0.0, 0.0 }, 25.0);
-  LookAtBasics(scene);
-}
-
-void PointLight(SceneBuilder& scene)
-{
-  AddBasics(scene);
-  scene.PointLight({ -0.1, 0.2, 2.2 });
-  LookAtBasics(scene);
-}
-
-void ManyLights(SceneBuilder& scene)
-{
-  AddBasics(scene);
-  scene.Directional(Slanted);
-  scene.Spot({ -4.0, -2.0, 5.0 }, { 0.0, 0.0, 0.0 }, 25.0);
-  scene.PointLight({ -0.1, 0.2, 2.2 });
-  LookAtBasics(scene);
-}
-
-/// Half a degree above the floor.
-void GrazingLight(SceneBuilder& scene)
-{
-  AddBasics(scene);
-  const double angle = vtkMath::RadiansFromDegrees(0.5);
-  scene.Directional({ std::cos(angle), 0.1, -std::sin(angle) });
-  LookAtBasics(scene);
-}
-
 /// The light runs along a facade, which it just reaches.
 void WallAlongLight(SceneBuilder& scene)
 {
@@ -214,14 +182,6 @@ void EyeOnSidePlane(SceneBuilder& scene)
   scene.Look({ 1.0, 1.0, 0.5 }, { -4.0, 1.0, 0.3 }, 70.0);
 }
 
-void LookParallel(
-  SceneBuilder& scene, const glm::dvec3& eye, const glm::dvec3& focalPoint, double scale)
-{
-  View& view = scene.Look(eye, focalPoint);
-  view.Parallel = true;
-  view.ParallelScale = scale;
-}
-
 void Orbit(SceneBuilder& scene)
 {
   AddBasics(scene);
@@ -236,7 +196,7 @@ void ParallelCamera(SceneBuilder& scene)
   AddBasics(scene);
   scene.Directional(Slanted);
   scene.PointLight({ -0.1, 0.2, 2.2 });
-  LookParallel(scene, { 3.0, -7.0, 5.0 }, { 0.3, 0.0, 0.3 }, 2.5);
+  scene.LookParallel({ 3.0, -7.0, 5.0 }, { 0.3, 0.0, 0.3 }, 2.5);
 }
 
 /// The camera's plane is amid the casters; what is behind it casts into view.
@@ -246,7 +206,7 @@ void ParallelCameraAmid(SceneBuilder& scene)
   scene.Box({ -1.0, -3.0, 1.5 }, { 0.5, 0.5, 3.0 });
   scene.Sphere({ -3.5, -3.5, 4.0 }, 0.6);
   scene.Directional({ 0.6, 0.8, -0.7 });
-  LookParallel(scene, { 0.3, -2.0, 1.0 }, { 0.3, 0.0, 0.2 }, 2.0);
+  scene.LookParallel({ 0.3, -2.0, 1.0 }, { 0.3, 0.0, 0.2 }, 2.0);
 }
 
 void Inset(SceneBuilder& scene)
@@ -283,16 +243,47 @@ NamedScenario MakeShadowScenario(const std::string& name,
 
 std::vector<NamedScenario> GetLightScenarios()
 {
+  const auto ofBasics = [](const std::function<void(SceneBuilder&)>& light)
+  {
+    return [light](SceneBuilder& scene)
+    {
+      AddBasics(scene);
+      light(scene);
+      LookAtBasics(scene);
+    };
+  };
   const auto atTetrahedron = [](double a, double b, double c)
   { return [=](SceneBuilder& scene) { LightAtTetrahedron(scene, a, b, c); }; };
   const auto cone = [](double height, double angle, double exponent)
   { return [=](SceneBuilder& scene) { SpotCone(scene, height, angle, exponent); }; };
   return {
     MakeShadowScenario("Directional", Directional),
-    MakeShadowScenario("Spot", Spot),
-    MakeShadowScenario("Point", PointLight),
-    MakeShadowScenario("ManyLights", ManyLights),
-    MakeShadowScenario("GrazingLight", GrazingLight),
+    MakeShadowScenario("Spot",
+      ofBasics(
+        [](SceneBuilder& scene) {
+          scene.Spot({ -4.0, -2.0, 5.0 }, { 0.0, 0.0, 0.0 }, 25.0);
+        })),
+    MakeShadowScenario("Point",
+      ofBasics(
+        [](SceneBuilder& scene) {
+          scene.PointLight({ -0.1, 0.2, 2.2 });
+        })),
+    MakeShadowScenario("ManyLights",
+      ofBasics(
+        [](SceneBuilder& scene)
+        {
+          scene.Directional(Slanted);
+          scene.Spot({ -4.0, -2.0, 5.0 }, { 0.0, 0.0, 0.0 }, 25.0);
+          scene.PointLight({ -0.1, 0.2, 2.2 });
+        })),
+    // Half a degree above the floor.
+    MakeShadowScenario("GrazingLight",
+      ofBasics(
+        [](SceneBuilder& scene)
+        {
+          const double angle = vtkMath::RadiansFromDegrees(0.5);
+          scene.Directional({ std::cos(angle), 0.1, -std::sin(angle) });
+        })),
     MakeShadowScenario("WallAlongLight", WallAlongLight),
     MakeShadowScenario("LightStraightDown", LightStraightDown),
     MakeShadowScenario("LightAtVertex", atTetrahedron(1.0, 0.0, 0.0)),

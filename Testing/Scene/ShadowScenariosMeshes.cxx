@@ -14,18 +14,6 @@ namespace TestScene
 {
 namespace
 {
-/// What the casters of this file stand on or float above, with a light from above.
-void Prepare(SceneBuilder& scene)
-{
-  scene.Floor(5.0);
-  scene.Directional({ 0.6, 0.35, -0.7 });
-}
-
-void LookAtCasters(SceneBuilder& scene)
-{
-  scene.Look({ 3.0, -6.0, 4.0 }, { 0.4, 0.2, 0.5 });
-}
-
 void AddSheet(
   SceneBuilder& scene, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v)
 {
@@ -34,46 +22,37 @@ void AddSheet(
 
 void ThinWall(SceneBuilder& scene)
 {
-  Prepare(scene);
   scene.Box({ 0.0, 0.0, 0.75 }, { 2.0, 1e-4, 1.5 });
   scene.Box({ 0.5, -1.2, 0.5 }, { 1e-4, 1.0, 1.0 });
-  LookAtCasters(scene);
 }
 
 void PaperSheets(SceneBuilder& scene)
 {
-  Prepare(scene);
   AddSheet(scene, { -1.0, 0.0, 0.0 }, { 2.0, 0.5, 0.0 }, { 0.0, 0.0, 1.5 });
   AddSheet(scene, { -1.0, -1.5, 1.0 }, { 1.0, 0.0, 0.2 }, { 0.0, 1.0, 0.1 });
-  LookAtCasters(scene);
 }
 
 /// One long edge beside two short ones whose common point is not on it exactly.
 void TJunctions(SceneBuilder& scene)
 {
-  Prepare(scene);
   const auto at = [](double x, double y) { return glm::dvec3{ x, y, 1.0 + 0.1 * x + 0.07 * y }; };
   scene.Mesh({ at(-1.1, -0.9), at(0.0, -0.9), at(0.0, 0.7), at(-1.1, 0.7), at(0.0, 0.1),
                at(1.3, -0.9), at(1.3, 0.1), at(1.3, 0.7) },
     { { 0, 1, 2, 3 }, { 1, 5, 6, 4 }, { 4, 6, 7, 2 } });
-  LookAtCasters(scene);
 }
 
 /// A picture on the floor and boxes that share faces: what coincides does not shadow.
 void Coplanar(SceneBuilder& scene)
 {
-  Prepare(scene);
   AddSheet(scene, { -0.5, -1.5, 0.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 2.5, 0.0 });
   scene.Box({ -0.5, 0.0, 0.25 }, { 0.5, 0.5, 0.5 });
   scene.Box({ -0.5, 0.0, 0.75 }, { 0.5, 0.5, 0.5 });
   scene.Box({ 0.0, 0.0, 0.25 }, { 0.5, 0.5, 0.5 });
-  LookAtCasters(scene);
 }
 
 /// So many sheets above each other: a count that a stencil of eight bits cannot hold.
 void Sheets(SceneBuilder& scene, int count)
 {
-  Prepare(scene);
   std::vector<glm::dvec3> points;
   std::vector<std::vector<int>> quads;
   for (int i = 0; i < count; ++i)
@@ -84,23 +63,19 @@ void Sheets(SceneBuilder& scene, int count)
     quads.push_back({ 4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3 });
   }
   scene.Mesh(points, quads);
-  LookAtCasters(scene);
 }
 
 /// Triangles without area, and every face twice.
 void Degenerates(SceneBuilder& scene)
 {
-  Prepare(scene);
   scene.Mesh({ { 0.0, 0.0, 1.5 }, { 1.0, 0.0, 0.5 }, { -0.5, 0.75, 0.5 }, { -0.5, -0.75, 0.5 },
                { 0.5, 0.0, 1.0 }, { 1.0, 0.0, 0.5 } },
     { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 }, { 0, 0, 1 }, { 0, 4, 1 }, { 1, 5, 2 },
       { 3, 3, 3 }, { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } });
-  LookAtCasters(scene);
 }
 
 void MoebiusStrip(SceneBuilder& scene)
 {
-  Prepare(scene);
   constexpr int count = 40;
   std::vector<glm::dvec3> points;
   std::vector<std::vector<int>> quads;
@@ -118,26 +93,22 @@ void MoebiusStrip(SceneBuilder& scene)
     quads.push_back({ 2 * i, 2 * i + 1, next + (last ? 0 : 1), next + (last ? 1 : 0) });
   }
   scene.Mesh(points, quads);
-  LookAtCasters(scene);
 }
 
 /// Three faces at one edge, and four at another.
 void SharedEdges(SceneBuilder& scene)
 {
-  Prepare(scene);
   scene.Mesh({ { -1.0, 0.0, 1.2 }, { 1.0, 0.0, 1.2 }, { -1.0, -0.8, 1.3 }, { 1.0, -0.8, 1.3 },
                { -1.0, 0.7, 1.0 }, { 1.0, 0.7, 1.0 }, { -1.0, 0.1, 0.4 }, { 1.0, 0.1, 0.4 },
                { -1.0, 1.2, 0.5 }, { 1.0, 1.2, 0.5 }, { -1.0, 0.7, 0.3 }, { 1.0, 0.7, 0.3 },
                { -1.0, 1.0, 1.5 }, { 1.0, 1.0, 1.5 } },
     { { 0, 1, 3, 2 }, { 0, 1, 5, 4 }, { 0, 1, 7, 6 }, { 4, 5, 9, 8 }, { 5, 4, 10, 11 },
       { 4, 5, 13, 12 } });
-  LookAtCasters(scene);
 }
 
 /// Actors whose matrices turn meshes inside out, shear and squeeze them.
 void Matrices(SceneBuilder& scene)
 {
-  Prepare(scene);
   const glm::dvec3 size(0.8);
   Prop& mirrored = scene.Add(ShapeKind::SharedBox, { 0.0, 0.0, 0.0 }, size);
   mirrored.Position = { -0.8, 0.0, 0.9 };
@@ -147,45 +118,75 @@ void Matrices(SceneBuilder& scene)
   turn->GetOrientation(glm::value_ptr(mirrored.Orientation));
   scene.Add(ShapeKind::SharedBox, { 0.0, 0.0, 0.0 }, size).UserMatrix = { 1.0, 0.0, 0.7, 0.8, //
     -0.3, 1.0, 0.0, 0.0, 0.0, 0.0, -1.5, 0.9, 0.0, 0.0, 0.0, 1.0 };
-  LookAtCasters(scene);
 }
 
 /// The cut is open: light falls in.
 void ClippingPlanes(SceneBuilder& scene)
 {
-  Prepare(scene);
   scene.Sphere({ 0.0, 0.0, 1.0 }, 0.8).ClippingPlane = { 0.1, 0.0, 1.1, 0.6, -0.3, -0.8 };
-  LookAtCasters(scene);
 }
 
 /// What is not drawn as surfaces casts nothing. It is out of view, because it would be seen.
 void NotSurfaces(SceneBuilder& scene)
 {
-  Prepare(scene);
   scene.Box({ 0.5, 0.5, 0.3 }, { 0.6, 0.6, 0.6 });
   scene.Sphere({ -2.4, -1.4, 3.0 }, 0.6).Representation = Representation::Wireframe;
   scene.Sphere({ -3.0, -1.0, 3.0 }, 0.6).Representation = Representation::Points;
   scene.Look({ 2.0, -4.0, 2.5 }, { 0.4, 0.2, 0.2 });
 }
+
+/// Quads whose corners are in no plane, strips, and polygons of many corners.
+void QuadsStripsPolygons(SceneBuilder& scene)
+{
+  scene.Mesh({ { -1.5, -1.0, 1.4 }, { -0.5, -1.0, 0.6 }, { 0.5, -1.0, 1.4 }, { -1.5, 0.2, 0.6 },
+               { -0.5, 0.2, 1.4 }, { 0.5, 0.2, 0.6 } },
+    { { 0, 1, 4, 3 }, { 2, 5, 4, 1 } });
+  scene.Add(ShapeKind::Strip, { 0.9, 0.8, 0.8 }, { 1.0, 1.0, 0.6 }, 8);
+  scene.Add(ShapeKind::Cylinder, { 0.9, -0.8, 0.6 }, { 0.8, 1.0, 0.8 }, 7);
+}
+
+/// Not to be seen, hence no casters: an actor, and an assembly whose parts are switched on.
+void HiddenActor(SceneBuilder& scene)
+{
+  scene.Box({ 0.5, 0.5, 0.3 }, { 0.6, 0.6, 0.6 });
+  scene.Sphere({ -0.5, 0.0, 1.0 }, 0.6).Visible = false;
+  Prop& assembly = scene.Sphere({ 0.8, -0.8, 1.0 }, 0.4);
+  assembly.Kind = PropKind::Assembly;
+  assembly.Visible = false;
+}
 }
 
 std::vector<NamedScenario> GetMeshScenarios()
 {
+  // What the casters stand on or float above, with a light from above.
+  const auto make = [](const char* name, const std::function<void(SceneBuilder&)>& build)
+  {
+    return MakeShadowScenario(name,
+      [&build](SceneBuilder& scene)
+      {
+        scene.Floor(5.0);
+        scene.Directional({ 0.6, 0.35, -0.7 });
+        scene.Look({ 3.0, -6.0, 4.0 }, { 0.4, 0.2, 0.5 });
+        build(scene);
+      });
+  };
   const auto sheets = [](int count)
   { return [count](SceneBuilder& scene) { Sheets(scene, count); }; };
   return {
-    MakeShadowScenario("ThinWall", ThinWall),
-    MakeShadowScenario("PaperSheets", PaperSheets),
-    MakeShadowScenario("TJunctions", TJunctions),
-    MakeShadowScenario("Coplanar", Coplanar),
-    MakeShadowScenario("Sheets256", sheets(256)),
-    MakeShadowScenario("Sheets512", sheets(512)),
-    MakeShadowScenario("Degenerates", Degenerates),
-    MakeShadowScenario("MoebiusStrip", MoebiusStrip),
-    MakeShadowScenario("SharedEdges", SharedEdges),
-    MakeShadowScenario("Matrices", Matrices),
-    MakeShadowScenario("ClippingPlanes", ClippingPlanes),
-    MakeShadowScenario("NotSurfaces", NotSurfaces),
+    make("ThinWall", ThinWall),
+    make("PaperSheets", PaperSheets),
+    make("TJunctions", TJunctions),
+    make("Coplanar", Coplanar),
+    make("Sheets256", sheets(256)),
+    make("Sheets512", sheets(512)),
+    make("Degenerates", Degenerates),
+    make("MoebiusStrip", MoebiusStrip),
+    make("SharedEdges", SharedEdges),
+    make("Matrices", Matrices),
+    make("ClippingPlanes", ClippingPlanes),
+    make("NotSurfaces", NotSurfaces),
+    make("QuadsStripsPolygons", QuadsStripsPolygons),
+    make("HiddenActor", HiddenActor),
   };
 }
 }

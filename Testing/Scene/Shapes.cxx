@@ -266,9 +266,12 @@ void AddMesh(Builder& builder, const Shape& shape)
         polygon.push_back(static_cast<vtkIdType>(shape.Polygons[i]));
       }
     }
-    if (polygon.size() > 2)
+    vtkCellArray* cells = polygon.size() > 2 ? builder.Polygons
+      : polygon.size() == 2                  ? builder.Lines
+                                             : builder.Verts;
+    if (!polygon.empty())
     {
-      builder.Polygons->InsertNextCell(static_cast<vtkIdType>(polygon.size()), polygon.data());
+      cells->InsertNextCell(static_cast<vtkIdType>(polygon.size()), polygon.data());
     }
   }
 }

@@ -87,11 +87,12 @@ vtkActor* Stage::AddActor(vtkPolyData* data, const double color[3], vtkRenderer*
 bool Stage::AreDrawsCounted(int prop) const
 {
   // Others draw by mappers of their own, or announce updates of their pipeline by the same event
-  // (composite mappers when they are asked for translucent geometry, drawn or not).
+  // (composite mappers when they are asked for translucent geometry, drawn or not). The draws of a
+  // shared mapper are those of all of its props.
   vtkActor* actor = this->GetActor(prop);
   return actor && actor->GetMapper() && actor->GetMapper()->IsA("vtkOpenGLPolyDataMapper") &&
     !actor->GetMapper()->IsA("vtkCompositePolyDataMapper") &&
-    !actor->GetMapper()->IsA("vtkCompositePolyDataMapper2");
+    !actor->GetMapper()->IsA("vtkCompositePolyDataMapper2") && this->SharesMapper.count(prop) == 0;
 }
 
 void Stage::CountDraws(vtkActor* actor)

@@ -20,6 +20,7 @@
 #include "vtkSmartPointer.h"
 
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace TestScene
@@ -66,6 +67,7 @@ public:
 
 protected:
   std::vector<std::shared_ptr<int>> Draws;
+  std::set<int> SharesMapper; ///< The indices of props with the mapper of another one.
 };
 }
 

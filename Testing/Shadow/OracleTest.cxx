@@ -54,7 +54,7 @@ Stage SetPixelStage(int width, int height, const Build& build)
     {
       build(scene);
       const Point middle = { 0.5 * width, 0.5 * height, 0.0 };
-      LookParallel(scene, middle + Point(0.0, 0.0, 100.0), middle, 0.5 * height);
+      scene.LookParallel(middle + Point(0.0, 0.0, 100.0), middle, 0.5 * height);
     },
     width, height);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Colours with vtkShadowVolumeClampPass, to the byte those of images without it.
+#include "LightRig.h"
 #include "PassTestTools.h"
 #include "ShadowShapes.h"
 
@@ -16,6 +17,9 @@
 #include "vtkRenderPassCollection.h"
 #include "vtkSequencePass.h"
 #include "vtkTranslucentPass.h"
+
+#include <algorithm>
+#include <cmath>
 
 using namespace ShadowShapes;
 
@@ -214,5 +218,55 @@ TEST_F(PassImages, ConesOfVerticesFarFromTheOrigin)
     EXPECT_NE(FindDifference(GetPlainImage(stage.Window, stage.GetRenderer()), expected), "");
     pass->SetMode(vtkShadowVolumeClampPass::Scissored);
     EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");
+  }
+}
+
+// More lights than one texture has masks for.
+TEST_F(PassImages, ManyMasks)
+{
+  Stage stage = SetNamedStage("Directional");
+  for (int i = 0; i < 27; ++i)
+  {
+    const double angle = 0.23 * i;
+    vtkSmartPointer<vtkLight> light = TestScene::MakeLight(
+      SceneBuilder().Directional({ std::cos(angle), std::sin(angle), -0.2 - 0.1 * (i % 5) }));
+    light->SetIntensity(0.05);
+    stage.GetRenderer()->AddLight(light);
+    stage.Lights.push_back(light);
+  }
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  std::vector<ShadowMask> masks;
+  Picture expected;
+  for (const int mode :
+    { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Scissored })
+  {
+    pass->SetMode(mode);
+    const Picture picture = RenderPicture(stage);
+    const std::vector<ShadowMask> found = GetMasks(stage, pass);
+    if (!masks.empty())
+    {
+      EXPECT_EQ(found, masks);
+      EXPECT_EQ(FindDifference(expected, picture), "");
+    }
+    masks = found;
+    expected = picture;
+  }
+  for (std::size_t i = 0; i < masks.size(); ++i)
+  {
+    SCOPED_TRACE("light " + std::to_string(i));
+    EXPECT_GT(CountShadowed(masks[i]), 50);
+    // It shines where its own mask is 0, and nowhere else.
+    const double intensity = stage.Lights[i]->GetIntensity();
+    stage.Lights[i]->SetIntensity(2.0 * intensity);
+    const Picture brighter = RenderPicture(stage);
+    for (std::size_t pixel = 0; pixel < masks[i].size(); ++pixel)
+    {
+      ASSERT_TRUE(masks[i][pixel] == 0 ||
+        std::equal(
+          brighter.GetColor(pixel), brighter.GetColor(pixel) + 4, expected.GetColor(pixel)))
+        << "pixel " << pixel;
+    }
+    EXPECT_NE(FindDifference(expected, brighter), "");
+    stage.Lights[i]->SetIntensity(intensity);
   }
 }

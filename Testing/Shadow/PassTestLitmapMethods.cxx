@@ -3,6 +3,8 @@
 
 // The paper's litmap beside the scattered one: where both find all receivers, and where it does
 // not.
+#include "../Leaks/GLObjects.h"
+#include "OffscreenFixture.h"
 #include "PassTestTools.h"
 #include "RerenderedLitmap.h"
 #include "ShadowShapes.h"
@@ -16,6 +18,7 @@
 #include <functional>
 #include <iostream>
 #include <string>
+#include <utility>
 
 using namespace ShadowShapes;
 
@@ -151,4 +154,32 @@ TEST_F(PassLitmapMethods, ReceiversNeedNotCast)
   Tune(pass, &vtkShadowTuning::LitmapSource, nullptr);
   stage.Window->Render();
   EXPECT_EQ(GetMask(stage, pass), rerendered);
+}
+
+// What it draws receivers with goes with it. (Programs stay in the window's cache.)
+TEST_F(PassLitmapMethods, RerenderedLeavesNoObjectsBehind)
+{
+  const Stage stage = SetNamedStage("ManyLights");
+  const auto count = [&stage](vtkShadowVolumeClampPass* pass)
+  {
+    stage.GetRenderer()->SetPass(pass);
+    stage.Window->Render();
+    stage.MakeCurrent();
+    GLObjects::Counts counts = GLObjects::Count();
+    counts.erase("programs");
+    counts.erase("shaders");
+    return counts;
+  };
+  const auto countAfter = [&](const std::shared_ptr<vtkShadowLitmapSource>& source)
+  {
+    vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+    Tune(pass, &vtkShadowTuning::LitmapSource, source);
+    const GLObjects::Counts during = count(pass);
+    pass = nullptr;
+    return std::make_pair(during, count(nullptr));
+  };
+  const auto scattered = countAfter(nullptr);
+  const auto rerendered = countAfter(MakePaperLitmap());
+  EXPECT_NE(rerendered.first, scattered.first) << "it has objects of its own";
+  EXPECT_EQ(rerendered.second, scattered.second);
 }

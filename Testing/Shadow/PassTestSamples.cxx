@@ -258,7 +258,7 @@ TEST_F(PassSamples, SliverThatNoCentreSees)
         AddSheet(scene, { x - 0.005, 0.0, -0.75 }, { 0.01, 0.0, 0.0 }, { 0.0, 0.0, 1.5 });
         scene.Box({ x, -3.0, 3.55 }, { 1.0, 0.2, 1.0 });
         scene.Directional({ 0.0, 1.0, -1.0 });
-        LookParallel(scene, { 0.0, -10.0, 0.0 }, { 0.0, 0.0, 0.0 }, 1.0);
+        scene.LookParallel({ 0.0, -10.0, 0.0 }, { 0.0, 0.0, 0.0 }, 1.0);
       },
       33, 20, 4);
     stage.GetRenderer()->SetBackground(1.0, 1.0, 1.0);

@@ -24,7 +24,8 @@
 constexpr int ShadowModes[] = { vtkShadowVolumeClampPass::Unclamped,
   vtkShadowVolumeClampPass::Scissored, vtkShadowVolumeClampPass::Clamped };
 
-/// The pass as the pass of the stage's renderer, with Exact: small scenes are not worth a litmap.
+/// The pass as the pass of the stage's renderer, with Scissored: small scenes are not worth a
+/// litmap.
 vtkSmartPointer<vtkShadowVolumeClampPass> AddPass(const Stage& stage);
 
 /// The places of the samples in a pixel of a window that has rendered, in [0, 1] from the lower

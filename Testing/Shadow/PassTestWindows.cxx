@@ -170,7 +170,7 @@ TEST_F(PassWindows, MultiSamplesOnAndOff)
 }
 
 // At the edges of surfaces a pixel may have samples in which nothing is seen: what volumes count
-// there, where Exact leaves out casters, is in no mask.
+// there, where Scissored leaves out casters, is in no mask.
 TEST_F(PassWindows, MultiSamplesBesideReceivers)
 {
   const Stage stage = SetNamedStage("ManyLights");

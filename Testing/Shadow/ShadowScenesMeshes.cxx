@@ -10,7 +10,6 @@
 #include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCubeSource.h"
 #include "vtkCylinderSource.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -21,8 +20,6 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
-#include "vtkStripper.h"
-#include "vtkTriangleFilter.h"
 
 #include <limits>
 
@@ -55,27 +52,6 @@ void RepeatedPoints(vtkRenderer* renderer)
   normals->Update();
   AddMesh(renderer, normals->GetOutput());
   AddMesh(renderer, MakeGlobe({ 0.8, 0.3, 0.8 }, 0.6, 16));
-}
-
-/// Quads whose corners are in no plane, strips, and polygons of many corners.
-void QuadsStripsPolygons(vtkRenderer* renderer)
-{
-  AddMesh(renderer,
-    MakeMesh({ { -1.5, -1.0, 1.4 }, { -0.5, -1.0, 0.6 }, { 0.5, -1.0, 1.4 }, { -1.5, 0.2, 0.6 },
-               { -0.5, 0.2, 1.4 }, { 0.5, 0.2, 0.6 } },
-      { { 0, 1, 4, 3 }, { 2, 5, 4, 1 } }));
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetCenter(0.9, 0.8, 0.8);
-  vtkNew<vtkStripper> stripper;
-  stripper->SetInputConnection(sphere->GetOutputPort());
-  stripper->Update();
-  AddMesh(renderer, stripper->GetOutput());
-  vtkNew<vtkCylinderSource> cylinder;
-  cylinder->SetCenter(0.9, -0.8, 0.6);
-  cylinder->SetRadius(0.4);
-  cylinder->SetResolution(7);
-  cylinder->Update();
-  AddMesh(renderer, cylinder->GetOutput());
 }
 
 void HalfSphere(vtkRenderer* renderer)
@@ -158,19 +134,6 @@ void ChangeData(vtkRenderer* renderer)
   mesh->GetPoints()->Modified();
   mesh->Modified();
 }
-
-/// Not to be seen, hence no casters: an actor, and an assembly whose part is switched on.
-void HiddenActor(vtkRenderer* renderer)
-{
-  AddMesh(renderer, MakeBox({ 0.5, 0.5, 0.3 }, { 0.6, 0.6, 0.6 }, VTK_DOUBLE));
-  AddMesh(renderer, MakeGlobe({ -0.5, 0.0, 1.0 }, 0.6, 16))->VisibilityOff();
-  vtkActor* part = AddMesh(renderer, MakeGlobe({ 0.8, -0.8, 1.0 }, 0.4, 16));
-  vtkNew<vtkAssembly> assembly;
-  assembly->AddPart(part);
-  assembly->VisibilityOff();
-  renderer->RemoveActor(part);
-  renderer->AddActor(assembly);
-}
 }
 
 namespace ShadowScenes
@@ -197,12 +160,10 @@ std::vector<NamedScene> GetHandmadeScenes()
   return {
     make("NotANumber", NotANumber),
     make("RepeatedPoints", RepeatedPoints),
-    make("QuadsStripsPolygons", QuadsStripsPolygons),
     make("HalfSphere", HalfSphere),
     make("Assembly", Assembly),
     make("Composite", Composite),
     make("ChangingData", ChangingData, ChangeData),
-    make("HiddenActor", HiddenActor),
   };
 }
 }

@@ -60,11 +60,4 @@ TestScene::Prop& AddSheet(SceneBuilder& scene, const Point& corner, const Point&
 {
   return scene.Mesh({ corner, corner + u, corner + u + v, corner + v }, { { 0, 1, 2, 3 } });
 }
-
-void LookParallel(SceneBuilder& scene, const Point& eye, const Point& focalPoint, double scale)
-{
-  TestScene::View& view = scene.Look(eye, focalPoint);
-  view.Parallel = true;
-  view.ParallelScale = scale;
-}
 }

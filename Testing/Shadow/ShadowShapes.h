@@ -42,9 +42,6 @@ void Look(vtkRenderer* renderer, const Point& eye, const Point& focalPoint);
 
 /// The parallelogram at a corner with these two sides, one quad.
 TestScene::Prop& AddSheet(SceneBuilder& scene, const Point& corner, const Point& u, const Point& v);
-
-/// Parallel projection; `scale` is half the height of the view.
-void LookParallel(SceneBuilder& scene, const Point& eye, const Point& focalPoint, double scale);
 }
 
 #endif

@@ -4,7 +4,8 @@
 """Checks that the documents keep up with the sources; prints each fault, exits 1 on any.
 
 * docs/limits.md names every verdict and every decision.
-* Every test that docs/hazards.md names exists, and every hazard has one.
+* Every test that docs/hazards.md names exists, every hazard has one, and every test of a hazard is
+  named there. The named scenarios of culling are tests (ImageTestScenarios.cxx).
 * A file that a document shows, in a fenced block behind the comment <!-- file: PATH -->, is shown as
   it is, without its lines of SPDX.
 * The section "Planted errors" of docs/hazards.md names the errors of Testing/Fuzz/mutants.py.
@@ -43,6 +44,9 @@ def check_hazards(root):
     sources = "\n".join(path.read_text() for path in sorted((root / "Testing").rglob("*.cxx")))
     tests = {f"{suite}.{case}" for suite, case in re.findall(
         r"TEST(?:_F|_P)?\(\s*(\w+)\s*,\s*(\w+)\s*\)", sources)}
+    for name in re.findall(r'HazardBuilder scene\(\s*"([\w./]+)"', sources):
+        tests.add(re.search(r"\w+\.\w+", name)[0] if "." in name else f"CullerHazards.{name}")
+    named = set()
     in_table = False
     for line in (root / "docs/hazards.md").read_text().splitlines():
         cells = [cell.strip() for cell in line.split("|")[1:-1]]
@@ -52,9 +56,13 @@ def check_hazards(root):
         names = re.findall(r"`([\w]+\.[\w]+)[^`]*`", cells[1])
         if not names:
             yield f"docs/hazards.md: no test for '{cells[0]}'"
+        named.update(names)
         for name in names:
             if name not in tests:
                 yield f"docs/hazards.md: there is no test {name}"
+    for name in sorted(tests - named):
+        if name.startswith("CullerHazard"):
+            yield f"docs/hazards.md: {name} is not named"
 
 
 def check_tests_in_text(root):

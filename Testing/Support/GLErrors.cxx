@@ -54,13 +54,17 @@ void CollectGLErrors()
   ReportGLErrors([](const char* text) { GetCollected() += std::string(text) + "\n"; });
 }
 
-std::string TakeGLErrors()
+std::string TakeGLErrors(bool* isPending)
 {
   std::string errors;
   std::swap(errors, GetCollected());
   // Without a context there is no end of errors.
   constexpr int most = 16;
   GLenum error = glGetError();
+  if (isPending)
+  {
+    *isPending = error != GL_NO_ERROR;
+  }
   for (int i = 0; i < most && error != GL_NO_ERROR; ++i, error = glGetError())
   {
     std::ostringstream text;

@@ -17,6 +17,7 @@ void ReportGLErrors(void (*report)(const char* text));
 void CollectGLErrors();
 
 /// What was collected, and what glGetError() says, which is cleared; "" if there was no error.
-std::string TakeGLErrors();
+/// `isPending`: whether glGetError() said anything.
+std::string TakeGLErrors(bool* isPending = nullptr);
 
 #endif

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
-std::string FindInconsistency(const vtkNBufferStatistics& s, int maximumNumberOfRounds)
+std::string FindInconsistency(
+  const vtkNBufferStatistics& s, int maximumNumberOfRounds, bool mayReadPixels)
 {
   std::string faults;
   const auto demand = [&faults](bool fulfilled, const char* what)
@@ -34,9 +35,7 @@ std::string FindInconsistency(const vtkNBufferStatistics& s, int maximumNumberOf
     demand(s.Rounds >= 1, "a culled frame has a round");
     demand(s.ReadBacks >= 1 && s.BytesRead > 0, "a culled frame reads depth");
     demand(s.Lookups >= s.Queries, "Lookups >= Queries");
-    // Pixels looked at for props in doubt count as lookups, too.
-    demand(
-      s.Lookups <= 4 * s.Queries || s.PixelTestTime > 0.0, "at most four lookups for a rectangle");
+    demand(s.Lookups <= 4 * s.Queries || mayReadPixels, "at most four lookups for a rectangle");
     demand(hidden <= s.HeldBack, "only what is held back can be hidden");
   }
   else if (s.Decision < vtkNBufferDecision::OtherView)

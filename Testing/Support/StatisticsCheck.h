@@ -12,8 +12,10 @@
 
 #include <string>
 
-/// Empty, or what contradicts what. `maximumNumberOfRounds` is that of the culler.
-std::string FindInconsistency(const vtkNBufferStatistics& statistics, int maximumNumberOfRounds);
+/// Empty, or what contradicts what. `maximumNumberOfRounds` is that of the culler;
+/// `mayReadPixels`: the culler may have compared single pixels, whose lookups count, too.
+std::string FindInconsistency(
+  const vtkNBufferStatistics& statistics, int maximumNumberOfRounds, bool mayReadPixels);
 
 /// Empty, or what is wrong: verdicts add up, and nothing is counted twice.
 std::string FindInconsistency(const vtkShadowStatistics& statistics);

@@ -175,6 +175,11 @@ TEST(ShadowTiles, OneDepthIsOneLayer)
   depth[7] = 0.75f;
   vtkShadowReceivers::Scatter(depth.data(), view, light, vtkShadowLightSpace(light), 4, litmap);
   EXPECT_FALSE(litmap.GetTiles().Get(0, 0)[1].IsEmpty());
+  // What another frame has found is not kept.
+  depth[7] = 1.0f;
+  vtkShadowReceivers::Scatter(depth.data(), view, light, vtkShadowLightSpace(light), 4, litmap);
+  EXPECT_FALSE(litmap.GetTiles().Get(0, 0)[0].IsEmpty());
+  EXPECT_TRUE(litmap.GetTiles().Get(0, 0)[1].IsEmpty()) << "nothing is seen there";
 }
 
 // Whatever a volume counts is within its caster's reach, for all meshes, lights and countings.

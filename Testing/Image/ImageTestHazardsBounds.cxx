@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The eye and the near plane among the boxes, and boxes that are none.
+// Boxes that are none.
 #include "CullerTest.h"
 #include "Scenes.h"
 
@@ -18,8 +18,6 @@
 #include <limits>
 #include <vector>
 
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
 using Scenes::Wall;
 
 //------------------------------------------------------------------------------------------------
@@ -35,16 +33,11 @@ public:
 };
 vtkStandardNewMacro(PropWithoutBounds);
 
-struct OddBounds
+struct OddBounds : NamedCase
 {
-  const char* Name;
   /// Adds one prop.
   std::function<void(Stage&)> Add;
 };
-void PrintTo(const OddBounds& odd, std::ostream* os)
-{
-  *os << odd.Name;
-}
 class CullerOddBounds : public testing::TestWithParam<OddBounds>
 {
 };
@@ -159,75 +152,4 @@ INSTANTIATE_TEST_SUITE_P(Each, CullerOddBounds,
     OddBounds{ "InfiniteTranslation", Actor(MatrixElement(2, 3, -Infinity)) },
     OddBounds{ "InfiniteScale", Actor(MatrixElement(0, 0, Infinity)) },
     OddBounds{ "HugeScale", Actor(MatrixElement(0, 0, 1e300)) }),
-  [](const testing::TestParamInfo<OddBounds>& info) { return std::string(info.param.Name); });
-
-//------------------------------------------------------------------------------------------------
-// Hazard: matrices that mirror, shear, flatten and turn actors; faces are turned round, and bounds
-// are those of eight corners that have been moved.
-TEST(CullerHazards, UserMatricesWithMirrorAndShear)
-{
-  constexpr int Each = 48;
-  Comparison comparison(
-    [](Stage& stage)
-    {
-      Scenes::BuildWall(stage);
-      for (int i = 0; i < 3 * Each; ++i)
-      {
-        const int prop = Scenes::AddBox(stage, 0.0, 0.0, 0.0, 0.4, 0.3, 0.2);
-        vtkActor* actor = stage.GetActor(prop);
-        const int kind = i % Each;
-        vtkNew<vtkMatrix4x4> matrix;
-        matrix->SetElement(0, 0, kind & 1 ? -1.0 : 1.0);
-        matrix->SetElement(1, 1, kind & 2 ? -1.3 : 0.7);
-        matrix->SetElement(2, 2, kind & 4 ? -1.0 : 1.0);
-        matrix->SetElement(0, 1, kind & 8 ? 0.8 : 0.0);
-        matrix->SetElement(1, 2, kind & 16 ? -0.6 : 0.0);
-        matrix->SetElement(2, 0, kind & 32 ? 0.5 : 0.0);
-        if (kind % 7 == 6)
-        {
-          matrix->SetElement(2, 2, 0.0); // flat
-        }
-        // Behind the wall, before it, and across its upper edge.
-        const double x = 0.15 * kind - 3.5;
-        const double place[3][2] = { { 0.3, -3.0 }, { 1.1 * (kind % 4) - 1.6, 3.0 },
-          { 3.2, -2.0 } };
-        matrix->SetElement(0, 3, x);
-        matrix->SetElement(1, 3, place[i / Each][0]);
-        matrix->SetElement(2, 3, place[i / Each][1]);
-        actor->SetUserMatrix(matrix);
-        actor->RotateX(13.0 * kind);
-        actor->SetOrientation(0.0, 0.0, kind % 5 == 4 ? 20.0 : 0.0);
-        if (kind % 3 == 2)
-        {
-          actor->GetProperty()->BackfaceCullingOn();
-        }
-      }
-      Scenes::SetWallCamera(stage.GetRenderer());
-    },
-    Scenes::MakeExactOptions(401, 233));
-  for (int i = 0; i < 6; ++i)
-  {
-    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.05 * i); });
-    comparison.Frame();
-  }
-  for (int i = 0; i < Each; ++i)
-  {
-    EXPECT_EQ(comparison.GetVerdict(Wall::Count + i), Verdict::Hidden) << i;
-    EXPECT_EQ(comparison.GetVerdict(Wall::Count + Each + i), Verdict::Visible) << i;
-  }
-  // A matrix changed behind an unmodified actor: sheared out past the edge of the wall.
-  comparison.Both(
-    [](Stage& stage)
-    {
-      for (int i = 0; i < Each; ++i)
-      {
-        vtkMatrix4x4* matrix = stage.GetActor(Wall::Count + i)->GetUserMatrix();
-        matrix->SetElement(0, 1, 80.0);
-      }
-    });
-  comparison.Frame("sheared");
-  for (int i = 0; i < Each; ++i)
-  {
-    EXPECT_NE(comparison.GetVerdict(Wall::Count + i), Verdict::Hidden) << i;
-  }
-}
+  GetCaseName);

@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Lines and points, equal depths, depths that cannot be told apart, matrices.
+#include "HazardBuilder.h"
+
+#include <cmath>
+#include <random>
+
+namespace TestScene
+{
+namespace
+{
+using Verdict = vtkNBufferVerdict;
+
+/// Of equal depths the one drawn last stays, and a culler draws in another order; here stacks of
+/// coplanar quads of different colours appear from behind a door that slides.
+NamedScenario QuadsFacingTheCamera(int seed, bool parallel)
+{
+  HazardBuilder scene("Seed/CullerTies.QuadsFacingTheCamera/" + std::to_string(seed - 1));
+  scene.Scene.Culler.RoundSize = 5; // many rounds, many orders
+  const int door = scene.AddTies(seed, seed % 2 == 0);
+  for (int i = 0; i < 10; ++i)
+  {
+    scene.Move(door, { 2.5 * std::sin(1.3 * i), 1.5 * std::cos(0.9 * i), 0.0 });
+    View& view = scene.LookFrom({ 0.02 * i, 0.0, 15.0 }, { 0.02 * i, 0.0, 0.0 });
+    view.Parallel = parallel;
+    view.ParallelScale = 4.0;
+    scene.ExpectHidden(1);
+    scene.NextFrame();
+  }
+  // Jumps: what is visible changes wholly.
+  for (int i = 0; i < 6; ++i)
+  {
+    scene.LookFrom({ i % 2 ? 3.0 : -3.0, 0.0, 15.0 });
+    scene.ExpectHidden(6);
+    scene.NextFrame();
+  }
+  return scene.Finish();
+}
+
+/// Seen at an angle, coplanar quads fight, pixel by pixel, in an order-dependent way.
+NamedScenario QuadsAtAnAngle(int seed)
+{
+  HazardBuilder scene("Seed/CullerTies.QuadsAtAnAngle/" + std::to_string(seed - 1));
+  scene.Scene.Culler.RoundSize = 7;
+  const int door = scene.AddTies(100 + seed, true);
+  for (int i = 0; i < 12; ++i)
+  {
+    scene.Move(door, { 2.5 * std::sin(1.3 * i), 0.0, 0.0 });
+    scene.LookFrom({ 9.0 * std::sin(0.7 * i), 3.0 * std::cos(0.5 * i), 12.0 });
+    scene.ExpectHidden(1);
+    scene.NextFrame();
+  }
+  return scene.Finish();
+}
+
+/// Corners behind the eye have no place on the screen; their box must count as visible.
+NamedScenario BoxesThroughTheNearPlaneAndAroundTheEye()
+{
+  HazardBuilder scene("BoxesThroughTheNearPlaneAndAroundTheEye");
+  scene.AddWall();
+  const int past = scene.Box({ 3.0, 2.0, 15.0 }, { 1.0, 1.0, 40.0 }).Id;
+  const int floor = scene.Box({ 0.0, -5.0, 10.0 }, { 40.0, 1.0, 60.0 }).Id;
+  Prop& room = scene.Box({ 0.0, 0.0, 0.0 }, { 90.0, 90.0, 90.0 });
+  room.CulledFaces = 1;
+  const int around = room.Id;
+  const int behind = scene.Box({ 0.0, 0.0, 40.0 }, { 1.0, 1.0, 1.0 }).Id;
+  for (int i = 0; i < 6; ++i)
+  {
+    scene.LookAtWall(0.1 * i);
+    // These reach behind the eye, but not through the near plane in view.
+    scene.ExpectVerdict({ past, floor }, Verdict::Visible);
+    scene.ExpectVerdict({ around }, Verdict::NearPlane);
+    // In the first frame the default culler still stood before ours.
+    scene.ExpectVerdict({ behind }, i ? Verdict::Outside : Verdict::Unknown);
+    // In the first frame the nearest props are drawn untested, in the second as visible before.
+    scene.ExpectHidden(i > 1 ? Wall::Hidden : 40);
+    scene.NextFrame();
+  }
+  return scene.Finish();
+}
+
+/// Boxes of no thickness, lines and points as bounds. Lines are drawn, hidden or not.
+NamedScenario FlatThinAndSinglePointBounds()
+{
+  constexpr int each = 12; // before and behind the wall
+  HazardBuilder scene("FlatThinAndSinglePointBounds");
+  scene.AddWall();
+  std::vector<int> lines;
+  std::vector<int> others;
+  for (double z : { 3.0, -3.0 })
+  {
+    for (int i = 0; i < 10; ++i)
+    {
+      const double x = 0.7 * i - 3.3;
+      const bool isLine = i % 3 != 0;
+      Prop& prop = scene.Mesh({ { x, 0.5, z }, { x + 0.4, i % 3 == 1 ? 0.5 : 0.9, z } },
+        { isLine ? std::vector<int>{ 0, 1 } : std::vector<int>{ 0 } });
+      if (!isLine)
+      {
+        prop.Shape.Points.resize(3);
+      }
+      prop.LineWidth = 1.0 + i;
+      prop.PointSize = 1.0 + 2.0 * i;
+    }
+    scene.Quad(-2.0, -1.0, 2.0, -1.0, z); // an edge
+    scene.Quad(2.0, 1.0, 2.0, 1.0, z);    // a point
+  }
+  for (int i = 0; i < each; ++i)
+  {
+    (i < 10 && i % 3 != 0 ? lines : others).push_back(Wall::Count + each + i);
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    scene.LookAtWall(1.7 * i);
+    scene.ExpectHidden(i < 2 ? 0 : Wall::Hidden + static_cast<int>(others.size()));
+    scene.ExpectNotHidden(MakeRange(Wall::Count, Wall::Count + each));
+    scene.ExpectVerdict(lines, Verdict::NotASurface);
+    scene.ExpectVerdict(others, Verdict::Hidden);
+    scene.NextFrame();
+  }
+  return scene.Finish();
+}
+
+/// Wide lines and large points stick out of the projection of their bounds, past the edge of what
+/// hides the bounds.
+NamedScenario WideLinesStickOutOfTheirBounds()
+{
+  HazardBuilder scene("WideLinesStickOutOfTheirBounds");
+  scene.AddWall();
+  for (int i = 0; i < 24; ++i)
+  {
+    // Just behind the upper edge of the wall.
+    const double x = 0.4 * i - 5.0;
+    const double y = 3.0 - 0.01 * i;
+    Prop& prop = scene.Mesh({ { x, y, -0.4 }, { x + 0.3, y, -0.4 } },
+      i % 2 ? std::vector<std::vector<int>>{ { 0, 1 } }
+            : std::vector<std::vector<int>>{ { 0 }, { 1 } });
+    prop.LineWidth = 8.0;
+    prop.PointSize = 9.0;
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    scene.LookAtWall(0.3 * i);
+    scene.ExpectHidden(Wall::Hidden);
+    scene.NextFrame();
+  }
+  return scene.Finish();
+}
+
+/// The depth of a line goes on beyond its ends, for half a pixel and, where it is seen end-on,
+/// through the wall before it.
+NamedScenario LinesSeenEndOn()
+{
+  HazardBuilder scene("LinesSeenEndOn");
+  scene.AddWall();
+  std::minstd_rand random(1);
+  const auto between = [&random](double a, double b)
+  { return a + (b - a) * static_cast<double>(random() % 100000) / 100000.0; };
+  for (int i = 0; i < 100; ++i)
+  {
+    std::vector<glm::dvec3> points;
+    std::vector<std::vector<int>> lines;
+    for (int k = 0; k < 40; ++k)
+    {
+      const double x = between(-4.0, 4.0);
+      const double y = between(-2.0, 2.0);
+      // The eye is at z = 20: towards it, but for a pixel or so.
+      const double near = 1.0 - (-0.4) / 20.0;
+      const double far = 1.0 - (-2.0) / 20.0;
+      const double asideX = between(-0.03, 0.03);
+      points.emplace_back(x * near, y * near, -0.4);
+      points.emplace_back(x * far + asideX, y * far + between(-0.03, 0.03), -2.0);
+      lines.push_back({ 2 * k, 2 * k + 1 });
+    }
+    scene.Mesh(points, lines);
+  }
+  scene.LookAtWall();
+  for (int i = 0; i < 4; ++i)
+  {
+    scene.ExpectHidden(Wall::Hidden);
+    scene.NextFrame();
+  }
+  scene.ExpectVerdict({ Wall::Count }, Verdict::NotASurface);
+  return scene.Finish();
+}
+
+/// Nearly all depths crowd at 1 between a near plane of a millimetre and a far plane of 10,000 km;
+/// from some distance on they cannot be told apart, and culling by them would be chance.
+NamedScenario NearOfAMillimetreAndFarOfTenThousandKilometres(bool parallel)
+{
+  constexpr int columns = 9;
+  constexpr int behind = 4;
+  HazardBuilder scene("NearOfAMillimetreAndFarOfTenThousandKilometres", 321, 151);
+  scene.BeExact();
+  // Column by column ten times as far; the same size on the screen everywhere.
+  for (int i = 0; i < columns; ++i)
+  {
+    const double distance = std::pow(10.0, i - 2);
+    const auto add = [&](double factor, double size)
+    {
+      const double d = factor * distance;
+      const double s = parallel ? 1.0 : d;
+      scene.Box({ s * (0.2 * i - 0.8), 0.0, -d }, { s * size, 3.0 * s * size, 0.02 * d });
+    };
+    add(1.0, 0.17);
+    for (int k = 0; k < behind; ++k)
+    {
+      add(1.6 + k, 0.08);
+    }
+  }
+  const auto look = [&](double shift)
+  {
+    View& view = scene.LookFrom({ shift, 0.0, 0.0 }, { shift, 0.0, -1.0 });
+    view.ViewAngle = 60.0;
+    view.Parallel = parallel;
+    view.ParallelScale = 0.58;
+    view.Near = 1e-3;
+    view.Far = 1e7;
+  };
+  look(0.0);
+  scene.Settle(4);
+  for (int frame = 1; frame < 3; ++frame)
+  {
+    scene.NextFrame();
+    look(1e-4 * frame);
+  }
+  for (int i = 0; i < columns; ++i)
+  {
+    const int first = i * (behind + 1);
+    scene.ExpectNotHidden({ first });
+    // Window depth is 1 - near / distance in perspective, and distance / far in parallel.
+    const double distance = std::pow(10.0, i - 2);
+    const double step = parallel ? 0.6 * distance * 1e-7 : 1e-3 / distance * (1.0 - 1.0 / 1.6);
+    const std::vector<int> others = MakeRange(first + 1, first + 1 + behind);
+    if (step <= std::ldexp(1.0, -25))
+    {
+      scene.ExpectNotHidden(others);
+    }
+    else if (step >= std::ldexp(1.0, -13))
+    {
+      scene.ExpectVerdict(others, Verdict::Hidden);
+    }
+  }
+  return scene.Finish();
+}
+
+/// Matrices that mirror, shear, flatten and turn actors; faces are turned round, and bounds are
+/// those of eight corners that have been moved.
+NamedScenario UserMatricesWithMirrorAndShear()
+{
+  constexpr int each = 48;
+  HazardBuilder scene("UserMatricesWithMirrorAndShear", 401, 233);
+  scene.BeExact();
+  scene.AddWall();
+  for (int i = 0; i < 3 * each; ++i)
+  {
+    const int kind = i % each;
+    // Behind the wall, before it, and across its upper edge.
+    const double place[3][2] = { { 0.3, -3.0 }, { 1.1 * (kind % 4) - 1.6, 3.0 }, { 3.2, -2.0 } };
+    Prop& prop = scene.Box({ 0.0, 0.0, 0.0 }, { 0.4, 0.3, 0.2 });
+    const double flattened = kind % 7 == 6 ? 0.0 : 1.0;
+    prop.UserMatrix = { kind & 1 ? -1.0 : 1.0, kind & 8 ? 0.8 : 0.0, 0.0, 0.15 * kind - 3.5, //
+      0.0, kind & 2 ? -1.3 : 0.7, kind & 16 ? -0.6 : 0.0, place[i / each][0],                //
+      kind & 32 ? 0.5 : 0.0, 0.0, kind & 4 ? -flattened : flattened, place[i / each][1],     //
+      0.0, 0.0, 0.0, 1.0 };
+    prop.Orientation = { 0.0, 0.0, kind % 5 == 4 ? 20.0 : 0.0 };
+    prop.CulledFaces = kind % 3 == 2 ? 2 : 0;
+  }
+  scene.LookAtWall();
+  for (int i = 1; i < 6; ++i)
+  {
+    scene.NextFrame();
+    scene.LookAtWall(0.05 * i);
+  }
+  const std::vector<int> behind = MakeRange(Wall::Count, Wall::Count + each);
+  scene.ExpectVerdict(behind, Verdict::Hidden);
+  scene.ExpectVerdict(MakeRange(Wall::Count + each, Wall::Count + 2 * each), Verdict::Visible);
+  // A matrix changed behind an unmodified actor: sheared out past the edge of the wall.
+  scene.NextFrame();
+  for (const int prop : behind)
+  {
+    std::vector<double> matrix = scene.Scene.Props[prop].UserMatrix;
+    matrix[1] = 80.0;
+    scene.Change(ChangeKind::UserMatrix, prop, matrix);
+  }
+  scene.ExpectNotHidden(behind);
+  return scene.Finish();
+}
+}
+
+std::vector<NamedScenario> GetShapeHazards()
+{
+  std::vector<NamedScenario> hazards = { BoxesThroughTheNearPlaneAndAroundTheEye(),
+    FlatThinAndSinglePointBounds(), WideLinesStickOutOfTheirBounds(), LinesSeenEndOn(),
+    NearOfAMillimetreAndFarOfTenThousandKilometres(false),
+    NearOfAMillimetreAndFarOfTenThousandKilometres(true), UserMatricesWithMirrorAndShear() };
+  for (int seed = 1; seed < 7; ++seed)
+  {
+    hazards.push_back(QuadsFacingTheCamera(seed, true));
+    hazards.push_back(QuadsFacingTheCamera(seed, false));
+    hazards.push_back(QuadsAtAnAngle(seed));
+  }
+  return hazards;
+}
+}
