@@ -89,8 +89,8 @@ public:
   Point operator()(const Point& x) const;
 
 private:
-  glm::dmat3 Rotation;
-  Point Offset;
+  glm::dmat3 Rotation = glm::dmat3(1.0);
+  Point Offset = Point(0.0);
 };
 
 double MakeUniform(std::mt19937& random, double a, double b);

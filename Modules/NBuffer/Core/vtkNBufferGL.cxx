@@ -108,8 +108,9 @@ bool CheckErrors(const char* where, std::string& why)
     return true;
   }
   why = std::string(where) + ": OpenGL reports " + GetErrorName(error) +
-    (error == GL_OUT_OF_MEMORY ? ". A larger base factor needs less memory."
-                               : ". Nothing is known about the depth; a driver update may help.");
+    (error == GL_OUT_OF_MEMORY
+        ? ". Make the render window smaller or call SetMultiSamples(0) on it."
+        : ". A driver update may help.");
   ClearErrors();
   return false;
 }

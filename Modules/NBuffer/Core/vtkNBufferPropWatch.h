@@ -13,9 +13,9 @@
  *   walk some thirty cache lines one after the other, which for 15,000 props takes most of a culled
  *   frame.
  * - Pipeline: filters or sources make the polydata. vtkActor::GetBounds() sends three requests up
- *   the pipeline, which takes as long as drawing a small prop. VTK begins each by asking all
- * filters for their modification times, and ends it if none is newer than the data. HasChanged()
- * does only this first step, in about a microsecond.
+ *   the pipeline, which takes as long as drawing a small prop. VTK begins each request by querying
+ *   the modification times of all filters, and ends it if none is newer than the data. HasChanged()
+ *   does only this first step, in about a microsecond.
  * - Times: any other mapper of vtkNBufferSurface::IsPlain(), and an actor without a mapper. The
  *   times are known only after the pipeline was updated, as VTK does before it draws. HasChanged()
  *   is always true, and GetTime() says after the next Track() whether there was a change.
@@ -65,10 +65,18 @@ public:
     Stamps
   };
 
-  /// Find changes from now on. The prop's pipeline must be up to date.
-  void Track(vtkProp* prop);
+  /// Find changes from now on. The prop's pipeline must be up to date. With `withBlocks` GetTime()
+  /// includes the blocks of composite data, which have to be visited one by one.
+  void Track(vtkProp* prop, bool withBlocks = true);
 
   Means GetMeans() const { return this->How; }
+
+  /**
+   * Whether the prop itself has been modified since Track(), or another prop has been made at its
+   * address, whose time stamp is newer; true before the first Track(). Reads this time stamp only
+   * and calls no function of the prop, which may be of another class now.
+   */
+  bool PropHasChanged() const;
 
   ///@{
   /**
@@ -90,7 +98,8 @@ public:
   /**
    * The newest time of everything that the prop draws, as Track() found it: the actor, its
    * property, texture, user's transform and shader property, the mapper, its clipping planes and
-   * data, and the blocks of composite data. It is 0 for a prop that is no plain actor.
+   * data, and the blocks of composite data if Track() had to visit them. It is 0 for a prop that is
+   * no plain actor.
    */
   vtkMTimeType GetTime() const { return this->Time; }
 
@@ -120,6 +129,8 @@ private:
   int BeforeMapper = 0; ///< How many of them belong to the actor. The mapper's follow.
   vtkMTimeType Time = 0;
   vtkMTimeType PipelineTime = 0;
+  vtkMTimeType PropTime = 0; ///< Of the prop's own time stamp.
+  vtkProp* Prop = nullptr;
   vtkActor* Actor = nullptr;
   vtkMapper* Mapper = nullptr;
   vtkDataObject* Input = nullptr;

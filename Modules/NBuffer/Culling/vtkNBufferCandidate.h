@@ -79,8 +79,9 @@ public:
   /// Whether Refresh() must be called. Only reads times; may run in parallel for different props.
   bool IsStale() const
   {
-    // Nothing else can become known of a prop that is no plain actor.
-    return this->Verdict != vtkNBufferVerdict::NotAPlainActor && this->Watch.MayHaveChanged();
+    // Only another object at the same address may be a plain actor.
+    return this->Verdict == vtkNBufferVerdict::NotAPlainActor ? this->Watch.PropHasChanged()
+                                                              : this->Watch.MayHaveChanged();
   }
 
   /// Have the processor fetch what IsStale() will read.

@@ -15,13 +15,13 @@ VTK_ABI_NAMESPACE_BEGIN
 
 struct vtkNBufferBox
 {
-  glm::dvec3 Center;
-  glm::dvec3 HalfSize;
+  glm::dvec3 Center = glm::dvec3(0.0);
+  glm::dvec3 HalfSize = glm::dvec3(0.0);
   ///@{
   /// The vectors o and m of vtkNBufferBoxError.h, in world units: the point whose vertex buffer
   /// coordinates are 0, and how far from it the vertices are at most along each axis.
-  glm::dvec3 Origin;
-  glm::dvec3 Magnitude;
+  glm::dvec3 Origin = glm::dvec3(0.0);
+  glm::dvec3 Magnitude = glm::dvec3(0.0);
   ///@}
   /// Pixels by which what is drawn may stick out of the projected box (wide lines, points).
   double Margin = 0.0;

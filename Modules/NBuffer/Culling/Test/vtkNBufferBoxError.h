@@ -117,7 +117,8 @@ public:
   static double GetVertexError(const glm::dvec4& row, const vtkNBufferBox& box)
   {
     return VertexErrors * UnitRoundoff *
-      (glm::dot(glm::abs(glm::dvec3(row)), box.Magnitude) + std::abs(Evaluate(row, box.Origin)));
+      (glm::dot(vtkNBufferGLM::Abs(glm::dvec3(row)), box.Magnitude) +
+        std::abs(Evaluate(row, box.Origin)));
   }
 
   /// Pixels that are added on each side of a projected box: its margin and the subpixel grid.

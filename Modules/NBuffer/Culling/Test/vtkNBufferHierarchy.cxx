@@ -19,7 +19,7 @@ public:
     const glm::dvec3 low = box.Center - box.HalfSize;
     const glm::dvec3 high = box.Center + box.HalfSize;
     // The origin of the union is 0, not the box's own o: |M o + M_3| <= |M| |o| + |M_3|.
-    const glm::dvec3 magnitude = glm::abs(box.Origin) + box.Magnitude;
+    const glm::dvec3 magnitude = vtkNBufferGLM::Abs(box.Origin) + box.Magnitude;
     this->Low = glm::min(this->Low, low);
     this->High = glm::max(this->High, high);
     this->Magnitude = glm::max(this->Magnitude, magnitude);
@@ -35,8 +35,8 @@ public:
     {
       box.Center = 0.5 * (this->Low + this->High);
       // Rounding must not cut anything off.
-      box.HalfSize =
-        0.5 * (this->High - this->Low) + (glm::abs(this->Low) + glm::abs(this->High)) * 0x1p-51;
+      box.HalfSize = 0.5 * (this->High - this->Low) +
+        (vtkNBufferGLM::Abs(this->Low) + vtkNBufferGLM::Abs(this->High)) * 0x1p-51;
     }
     else
     {
@@ -56,7 +56,7 @@ private:
 
   glm::dvec3 Low = glm::dvec3(std::numeric_limits<double>::infinity());
   glm::dvec3 High = glm::dvec3(-std::numeric_limits<double>::infinity());
-  glm::dvec3 Magnitude;
+  glm::dvec3 Magnitude = glm::dvec3(0.0);
   double Margin = 0.0;
   bool Known = true;
 };
@@ -70,7 +70,7 @@ double GetExtent(const vtkNBufferBox& box)
 /// The search for the median sorts these: they are small, so that it moves little memory.
 struct vtkNBufferHierarchy::Key
 {
-  glm::dvec3 Center;
+  glm::dvec3 Center = glm::dvec3(0.0);
   int Place = 0;
 };
 

@@ -169,8 +169,11 @@ private:
   Scale P;
   Scale Q;
   Scale Depths;
-  glm::dvec2 Low;  ///< The least p and q of the map and of receivers outside of it.
-  glm::dvec2 High; ///< The largest p and q of these.
+  ///@{
+  /// The least and the largest p and q of the map and of receivers outside of it.
+  glm::dvec2 Low = glm::dvec2(0.0);
+  glm::dvec2 High = glm::dvec2(0.0);
+  ///@}
   vtkIdType NumberOfReceivers = 0;
   double WidestAngle = 0.0;
   vtkShadowExtent Everywhere;          ///< What receivers that may be on any ray add to all lexels.

@@ -130,8 +130,8 @@ private:
   /// From (pixel x, pixel y, window depth, 1) to homogeneous coordinates along u, v and the axis,
   /// relative to the apex.
   glm::dmat4 Matrix;
-  glm::dvec4 Row;        ///< Matrix * (sample, y, 0, 1).
-  glm::dvec4 CentreRow;  ///< The same for the centre of the pixel.
+  glm::dvec4 Row = glm::dvec4(0.0);       ///< Matrix * (sample, y, 0, 1).
+  glm::dvec4 CentreRow = glm::dvec4(0.0); ///< The same for the centre of the pixel.
   bool ByCentre = false; ///< True if fragments decide about the cone at the centre of a pixel.
 };
 

@@ -18,7 +18,7 @@ struct vtkShadowView
 {
   /// The inverse of vtkCamera's world-to-clip matrix for z in [-w, w]. World coordinates are
   /// relative to Origin.
-  glm::dmat4 ClipToWorld;
+  glm::dmat4 ClipToWorld = glm::dmat4(1.0);
 
   glm::dvec3 Origin = { 0.0, 0.0, 0.0 }; ///< The world position of the eye.
   int Width = 0;                         ///< The number of columns, at most 65535.
