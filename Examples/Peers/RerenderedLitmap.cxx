@@ -112,8 +112,7 @@ void RerenderedLitmap::AddReceiver(vtkShadowPoints points, const std::vector<int
 bool RerenderedLitmap::Upload(
   vtkOpenGLRenderWindow* window, const float* depth, const vtkShadowView& view, std::string& why)
 {
-  const auto eyeToClip = vtkNBufferGLM::ToRows(vtkNBufferGLM::Invert(view.ClipToWorld));
-  std::copy(eyeToClip.begin(), eyeToClip.end(), this->EyeToClip);
+  this->EyeToClip = vtkNBufferGLM::Invert(view.ClipToWorld);
   vtkNBufferGL::ClearErrors();
   const vtkNBufferGL::ScopedPass pass(window);
   Allocate(this->DepthTexture, GL_R32F, view.Width, view.Height, GL_RED, depth);
@@ -170,9 +169,8 @@ void RerenderedLitmap::DrawExtremes(int which, float* pixels, int resolution)
   ++this->Draws;
 }
 
-bool RerenderedLitmap::Draw(vtkOpenGLRenderWindow* window,
-  const vtkShadowLightSpace& frame, const vtkShadowBlock& range, int resolution,
-  vtkShadowLitmap& litmap, std::string& why)
+bool RerenderedLitmap::Draw(vtkOpenGLRenderWindow* window, const vtkShadowLightSpace& frame,
+  const vtkShadowBlock& range, int resolution, vtkShadowLitmap& litmap, std::string& why)
 {
   litmap.Begin(resolution, range);
   resolution = litmap.GetResolution();
@@ -200,7 +198,7 @@ bool RerenderedLitmap::Draw(vtkOpenGLRenderWindow* window,
     }
     double eyeToLight[16];
     GetEyeToLight(frame, this->Eye, range, eyeToLight);
-    vtkNBufferGL::SetMatrix(this->Program, "eyeToLight", eyeToLight);
+    vtkNBufferGL::SetMatrix(this->Program, "eyeToLight", vtkNBufferGLM::ToMatrix(eyeToLight));
     vtkNBufferGL::SetMatrix(this->Program, "eyeToClip", this->EyeToClip);
     const glm::dvec3& axis = frame.GetAxis();
     const float axisInFloats[3] = { static_cast<float>(axis[0]), static_cast<float>(axis[1]),

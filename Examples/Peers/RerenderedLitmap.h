@@ -96,7 +96,7 @@ private:
   std::vector<float> Vertices;             ///< Relative to the eye, xyz each.
   std::vector<unsigned int> Indices;
   glm::dvec3 Eye = { 0.0, 0.0, 0.0 };
-  double EyeToClip[16] = {};
+  glm::dmat4 EyeToClip = glm::dmat4(1.0);
   unsigned int DepthTexture = 0;
   unsigned int Texture = 0;
   unsigned int Framebuffer = 0;

@@ -23,6 +23,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -64,6 +65,14 @@ inline std::array<double, 16> ToRows(const glm::dmat4& matrix)
 inline glm::dvec3 Abs(const glm::dvec3& x)
 {
   return { std::abs(x.x), std::abs(x.y), std::abs(x.z) };
+}
+
+/// Whether no component is infinite or NaN.
+template <glm::length_t n>
+bool IsFinite(const glm::vec<n, double>& x)
+{
+  return std::all_of(
+    glm::value_ptr(x), glm::value_ptr(x) + n, [](double value) { return std::isfinite(value); });
 }
 
 /// Unit length, as vtkMath::Normalize() rounds it; a null vector stays null. (glm::normalize()

@@ -132,8 +132,6 @@ vtkNBufferPropWatch::GlobalState vtkNBufferPropWatch::GetGlobalState()
 void vtkNBufferPropWatch::Track(vtkProp* prop, bool withBlocks)
 {
   this->How = Means::None;
-  this->Prop = prop;
-  this->PropTime = vtkNBufferProtectedMembers::GetTimeStamp(prop).GetMTime();
   this->Time = 0;
   this->Complete = false;
   this->Actor = vtkNBufferSurface::GetPlainActor(prop);
@@ -229,12 +227,6 @@ bool vtkNBufferPropWatch::TrackStamps(vtkMapper* mapper, vtkPolyData* input)
     std::max({ this->Actor->GetMTime(), mapper->GetMTime(), producer->GetMTime(), shaders });
 }
 
-bool vtkNBufferPropWatch::PropHasChanged() const
-{
-  return !this->Prop ||
-    vtkNBufferProtectedMembers::GetTimeStamp(this->Prop).GetMTime() != this->PropTime;
-}
-
 bool vtkNBufferPropWatch::HasNewer(int begin, int end) const
 {
   for (int i = begin; i < end; ++i)
@@ -290,7 +282,10 @@ bool vtkNBufferPropWatch::GetPipelineTime(vtkMTimeType& time) const
 bool vtkNBufferPropWatch::PipelineHasChanged() const
 {
   vtkMTimeType time = 0;
-  return this->PropHasChanged() || this->Actor->GetMapper() != this->Mapper ||
+  // Another prop may have been made at the address of the actor. Its stamp is newer, and no
+  // function of an actor may be called for it.
+  return vtkNBufferProtectedMembers::GetTimeStamp(this->Actor).GetMTime() > this->Time ||
+    this->Actor->GetMapper() != this->Mapper ||
     vtkNBufferProtectedMembers::GetShaderProperty(this->Actor) != this->Shaders ||
     this->Mapper->GetNumberOfInputConnections(0) != 1 || !this->GetPipelineTime(time) ||
     time > this->PipelineTime;

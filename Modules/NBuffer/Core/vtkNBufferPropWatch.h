@@ -71,16 +71,10 @@ public:
 
   Means GetMeans() const { return this->How; }
 
-  /**
-   * Whether the prop itself has been modified since Track(), or another prop has been made at its
-   * address, whose time stamp is newer; true before the first Track(). Reads this time stamp only
-   * and calls no function of the prop, which may be of another class now.
-   */
-  bool PropHasChanged() const;
-
   ///@{
   /**
-   * Whether anything may have been modified since Track(); true before the first Track().
+   * Whether anything may have been modified since Track(), or whether another prop has been made at
+   * the address of a deleted actor; true before the first Track().
    * MayHaveChanged() reads time stamps only, is true for everything that does not show in them, and
    * may be called in parallel. HasChanged() queries the pipeline as well. It must not be called in
    * parallel, because pipelines store the times that they find, and may share filters.
@@ -129,8 +123,6 @@ private:
   int BeforeMapper = 0; ///< How many of them belong to the actor. The mapper's follow.
   vtkMTimeType Time = 0;
   vtkMTimeType PipelineTime = 0;
-  vtkMTimeType PropTime = 0; ///< Of the prop's own time stamp.
-  vtkProp* Prop = nullptr;
   vtkActor* Actor = nullptr;
   vtkMapper* Mapper = nullptr;
   vtkDataObject* Input = nullptr;

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <typeinfo>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -52,7 +53,7 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
     this->DepthWriter =
       !vtkActor2D::SafeDownCast(this->Prop) && !vtkVolume::SafeDownCast(this->Prop);
     this->Tracked = !this->DepthWriter;
-    this->Watch.Track(this->Prop);
+    this->Class = &typeid(*this->Prop);
     return this->Verdict != verdictBefore;
   }
   const vtkMTimeType timeBefore = this->Watch.GetTime();
@@ -137,10 +138,7 @@ void vtkNBufferCandidate::ReadBounds(vtkActor* actor)
     this->Box.Magnitude += vtkNBufferGLM::Abs(column) * buffer->HalfRange[k];
   }
   // VTK's bounds leave infinite points out; the device does not.
-  for (int j = 0; j < 3; ++j)
-  {
-    this->BoxIsUsable = this->BoxIsUsable && std::isfinite(this->Box.Origin[j]) &&
-      std::isfinite(this->Box.Magnitude[j]);
-  }
+  this->BoxIsUsable =
+    vtkNBufferGLM::IsFinite(this->Box.Origin) && vtkNBufferGLM::IsFinite(this->Box.Magnitude);
 }
 VTK_ABI_NAMESPACE_END

@@ -20,11 +20,6 @@ double Evaluate(const glm::dvec4& row, const glm::dvec3& point)
   return vtkNBufferBoxError::Evaluate(row, point);
 }
 
-bool IsFinite(const glm::dvec4& clip)
-{
-  return std::isfinite(clip.x) && std::isfinite(clip.y) && std::isfinite(clip.z) &&
-    std::isfinite(clip.w);
-}
 }
 
 void vtkNBufferProjection::Set(
@@ -124,7 +119,7 @@ vtkNBufferPlacement vtkNBufferProjection::Project(
 vtkNBufferPlacement vtkNBufferProjection::Clip(
   const vtkNBufferBox& box, const Corners& corners, vtkNBufferClipExtent& extent) const
 {
-  if (!std::all_of(corners.begin(), corners.end(), IsFinite))
+  if (!std::all_of(corners.begin(), corners.end(), vtkNBufferGLM::IsFinite<4>))
   {
     return vtkNBufferPlacement::Crossing;
   }
@@ -189,12 +184,9 @@ vtkNBufferPlacement vtkNBufferProjection::Clip(
 vtkNBufferPlacement vtkNBufferProjection::Finish(
   const vtkNBufferBox& box, const vtkNBufferClipExtent& extent, vtkNBufferScreenBox& result) const
 {
-  for (int i = 0; i < 3; ++i)
+  if (!vtkNBufferGLM::IsFinite(extent.Low) || !vtkNBufferGLM::IsFinite(extent.High))
   {
-    if (!std::isfinite(extent.Low[i]) || !std::isfinite(extent.High[i]))
-    {
-      return vtkNBufferPlacement::Crossing;
-    }
+    return vtkNBufferPlacement::Crossing;
   }
   const int size[2] = { this->Width, this->Height };
   const double border = vtkNBufferBoxError::GetBorder(box);
