@@ -111,37 +111,48 @@ public:
   {
     const vtkNBufferClock clock;
     vtkNBufferOcclusionTest test = this->Begin(boxes.size(), way);
-    tree.Visit(
-      [&](const vtkNBufferBox& box)
+    tree.Visit(0,
+      [&](const vtkNBufferHierarchy::Node& node)
       {
-        ++way.Nodes;
-        if (this->Frame.Projection.IsOutside(box))
+        if (!this->MayBeSeen(node.Box, test, way))
         {
-          return vtkNBufferHierarchy::Answer::Skip;
+          return false;
         }
-        ++way.Tests;
-        vtkNBufferScreenBox screen;
-        switch (this->Frame.Projection.Project(box, screen))
+        if (node.Left < 0)
         {
-          case vtkNBufferPlacement::Outside:
-            return vtkNBufferHierarchy::Answer::Skip;
-          case vtkNBufferPlacement::Inside:
-            return test.IsHidden(box, screen) ? vtkNBufferHierarchy::Answer::Skip
-                                              : vtkNBufferHierarchy::Answer::Descend;
-          case vtkNBufferPlacement::Crossing:
-            break;
+          for (int slot = node.Begin; slot < node.End; ++slot)
+          {
+            const auto place = static_cast<std::size_t>(tree.GetOrder()[slot]);
+            this->AskBox(boxes[place], place, test, way);
+          }
         }
-        return vtkNBufferHierarchy::Answer::Descend;
-      },
-      [&](int i)
-      {
-        const auto place = static_cast<std::size_t>(i);
-        this->AskBox(boxes[place], place, test, way);
+        return true;
       });
     this->End(clock, test, way);
   }
 
 private:
+  bool MayBeSeen(const vtkNBufferBox& box, vtkNBufferOcclusionTest& test, Way& way) const
+  {
+    ++way.Nodes;
+    if (this->Frame.Projection.IsOutside(box))
+    {
+      return false;
+    }
+    ++way.Tests;
+    vtkNBufferScreenBox screen;
+    switch (this->Frame.Projection.Project(box, screen))
+    {
+      case vtkNBufferPlacement::Outside:
+        return false;
+      case vtkNBufferPlacement::Inside:
+        return !test.IsHidden(box, screen);
+      case vtkNBufferPlacement::Crossing:
+        break;
+    }
+    return true;
+  }
+
   vtkNBufferOcclusionTest Begin(std::size_t count, Way& way) const
   {
     way.Tests = way.Nodes = 0;
@@ -201,7 +212,11 @@ Json::Value MeasureHierarchy(const DepthFrame& frame, const std::vector<vtkNBuff
       vtkNBufferClock clock;
       tree.Build(boxes);
       build.push_back(clock.Restart());
-      tree.Refit(boxes);
+      for (int place : tree.GetOrder())
+      {
+        tree.Move(place, boxes[static_cast<std::size_t>(place)]);
+      }
+      tree.Refit();
       refit.push_back(clock.GetMilliseconds());
       tester.RunFlat(boxes, flat);
       tester.RunTree(boxes, tree, hierarchy);
@@ -210,7 +225,7 @@ Json::Value MeasureHierarchy(const DepthFrame& frame, const std::vector<vtkNBuff
     entry["props"] = count;
     entry["flat"] = flat.Report();
     entry["tree"] = hierarchy.Report();
-    entry["tree_nodes"] = static_cast<Json::UInt64>(tree.GetNumberOfNodes());
+    entry["tree_nodes"] = static_cast<Json::UInt64>(tree.GetNodes().size());
     entry["build_ms"] = Summarize(build);
     entry["refit_ms"] = Summarize(refit);
     entries.append(entry);

@@ -39,21 +39,23 @@ Tests CountTests(const DepthFrame& frame, const vtkNBufferHierarchy& tree, IsHid
     isHidden(box.Box, box.Screen, tests.Flat);
     tests.FalseHidden += box.Visible ? 1 : 0;
   }
-  tree.Visit(
-    [&](const vtkNBufferBox& box)
+  tree.Visit(0,
+    [&](const vtkNBufferHierarchy::Node& node)
     {
       vtkNBufferScreenBox screen;
       ++tests.Nodes;
-      return frame.Projection.Project(box, screen) == vtkNBufferPlacement::Inside &&
-          isHidden(box, screen, tests.Hierarchy)
-        ? vtkNBufferHierarchy::Answer::Skip
-        : vtkNBufferHierarchy::Answer::Descend;
-    },
-    [&](int i)
-    {
-      const DepthBox& box = frame.Boxes[static_cast<std::size_t>(i)];
-      const bool hidden = isHidden(box.Box, box.Screen, tests.Hierarchy);
-      tests.FalseHidden -= box.Visible && !hidden ? 1 : 0;
+      if (frame.Projection.Project(node.Box, screen) == vtkNBufferPlacement::Inside &&
+        isHidden(node.Box, screen, tests.Hierarchy))
+      {
+        return false;
+      }
+      for (int slot = node.Begin; node.Left < 0 && slot < node.End; ++slot)
+      {
+        const DepthBox& box = frame.Boxes[static_cast<std::size_t>(tree.GetOrder()[slot])];
+        const bool hidden = isHidden(box.Box, box.Screen, tests.Hierarchy);
+        tests.FalseHidden -= box.Visible && !hidden ? 1 : 0;
+      }
+      return true;
     });
   return tests;
 }

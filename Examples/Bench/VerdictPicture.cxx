@@ -50,7 +50,7 @@ struct Axes
   glm::dvec3 Eye;
   glm::dvec3 Ahead;
   glm::dvec3 Side;
-  glm::dvec3 Up;
+  glm::dvec3 Up = glm::dvec3(0.0);
 
   Axes(const CameraPose& pose, int upAxis)
     : Eye(pose.Eye)

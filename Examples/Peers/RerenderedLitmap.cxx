@@ -105,7 +105,7 @@ void RerenderedLitmap::AddReceiver(vtkShadowPoints points, const std::vector<int
 bool RerenderedLitmap::Upload(
   vtkOpenGLRenderWindow* window, const float* depth, const vtkShadowView& view, std::string& why)
 {
-  this->EyeToClip = vtkNBufferGLM::ToRows(vtkNBufferGLM::Invert(view.ClipToWorld));
+  this->EyeToClip = vtkNBufferGLM::Invert(view.ClipToWorld);
   vtkNBufferGL::ClearErrors();
   const vtkNBufferGL::ScopedPass pass(window);
   Allocate(this->Device.Depth, GL_R32F, view.Width, view.Height, GL_RED, depth);
@@ -177,8 +177,9 @@ bool RerenderedLitmap::Draw(vtkOpenGLRenderWindow* window, const vtkShadowLightS
       return false;
     }
     const Rows eyeToLight = GetEyeToLight(frame, this->Eye, range);
-    vtkNBufferGL::SetMatrix(program, "eyeToLight", glm::value_ptr(eyeToLight[0]));
-    vtkNBufferGL::SetMatrix(program, "eyeToClip", this->EyeToClip.data());
+    vtkNBufferGL::SetMatrix(
+      program, "eyeToLight", vtkNBufferGLM::ToMatrix(glm::value_ptr(eyeToLight[0])));
+    vtkNBufferGL::SetMatrix(program, "eyeToClip", this->EyeToClip);
     const glm::dvec3& axis = frame.GetAxis();
     program->SetUniform3f("axis", glm::value_ptr(glm::vec3(axis)));
     program->SetUniformf("depthBias", static_cast<float>(DepthBias));

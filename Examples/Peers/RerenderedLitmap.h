@@ -112,7 +112,7 @@ private:
   std::vector<float> Vertices;             ///< x, y and z of each vertex, relative to the eye.
   std::vector<unsigned int> Indices;
   glm::dvec3 Eye = { 0.0, 0.0, 0.0 };
-  std::array<double, 16> EyeToClip{}; ///< Row by row.
+  glm::dmat4 EyeToClip = glm::dmat4(1.0);
   DeviceObjects Device;
   int Draws = 0;
 };

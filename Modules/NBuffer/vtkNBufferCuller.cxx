@@ -25,7 +25,8 @@ VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkNBufferCuller);
 
 /**
- * Views by renderer and eye, back-ends by window; those of deleted ones go when others come.
+ * The views of a culler, one for each eye of each renderer, and its back-ends, one for each window.
+ * When a new view is made, those of deleted renderers and windows are deleted.
  */
 class vtkNBufferCuller::Internals
 {
@@ -41,7 +42,8 @@ public:
     vtkWeakPointer<vtkRenderWindow> Window;
     int Eye = 0;
     std::unique_ptr<vtkNBufferView> View;
-    /// Not by a vtkWeakPointer: VTK 9.1 does not clear those to a deleted vtkCommand.
+    /// This is no vtkWeakPointer, because VTK 9.1 does not reset weak pointers to a vtkCommand when
+    /// the command is deleted.
     vtkSmartPointer<vtkNBufferFrameGuard> Guard;
   };
 
@@ -143,6 +145,19 @@ private:
 
 namespace
 {
+template <typename A, typename B>
+constexpr bool AreEqual(A a, B b)
+{
+  return static_cast<int>(a) == static_cast<int>(b);
+}
+static_assert(AreEqual(vtkNBufferCuller::Auto, vtkNBufferBackend::Auto) &&
+    AreEqual(vtkNBufferCuller::OpenGL, vtkNBufferBackend::OpenGL) &&
+    AreEqual(vtkNBufferCuller::CPU, vtkNBufferBackend::CPU) &&
+    AreEqual(vtkNBufferCuller::Never, vtkNBufferSliverPolicy::Never) &&
+    AreEqual(vtkNBufferCuller::OnSoftware, vtkNBufferSliverPolicy::OnSoftware) &&
+    AreEqual(vtkNBufferCuller::Always, vtkNBufferSliverPolicy::Always),
+  "the settings are cast to the enumerations of the private classes");
+
 /// Whether the frustum test of vtkNBufferView does all that this culler would do.
 bool IsDefaultFrustumCuller(vtkCuller* culler)
 {

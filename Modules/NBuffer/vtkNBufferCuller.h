@@ -189,14 +189,14 @@ private:
   vtkNBufferCuller(const vtkNBufferCuller&) = delete;
   void operator=(const vtkNBufferCuller&) = delete;
 
-  class Internals;
-  std::unique_ptr<Internals> Implementation;
-
   bool Enabled = true;
   int Backend = Auto;
   int TestSlivers = Never;
   bool Freeze = false;
   vtkNBufferTuning Tuning;
+
+  class Internals;
+  std::unique_ptr<Internals> Implementation; ///< It refers to Tuning and is destroyed before it.
 };
 
 VTK_ABI_NAMESPACE_END

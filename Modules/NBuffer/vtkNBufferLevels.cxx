@@ -19,7 +19,8 @@ struct Minimum
   float operator()(float a, float b) const { return a < b ? a : b; }
 };
 
-/// One row of the base: first the `rows` depth rows into one, then `factor` columns into one.
+/// Make one row of the base: merge the first `rows` rows of `depth` into one, and then each
+/// `factor` neighbours in that row into one texel. `scratch` has room for a row of depth.
 template <typename Op>
 void ReduceRows(const float* depth, int width, int rows, int factor, float* scratch, float* out)
 {

@@ -73,6 +73,13 @@ public:
   const float* GetLevelData(int level) const;
   float* GetLevelData(int level);
 
+  /// A texel of a level that is built.
+  float GetTexel(int level, int x, int y) const
+  {
+    return this
+      ->Texels[this->GetLevelOffset(level) + static_cast<std::size_t>(y) * this->Width + x];
+  }
+
   /**
    * The extremum over a cover (vtkNBufferMath::GetCoverOfFour), whose level must be built.
    */

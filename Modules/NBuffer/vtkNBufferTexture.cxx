@@ -340,6 +340,7 @@ bool vtkNBufferTexture::Build(vtkOpenGLRenderWindow* window, const vtkNBufferDep
     self.LacksFloatTextures = true;
     return false;
   }
+  // The timer starts again only if the last time that it measured has been read.
   this->GetDeviceTime();
   if (self.Timer)
   {

@@ -64,7 +64,7 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   bool ReuseWhenStill = true;
 
   /// Where tests hide next to nothing, the culler stops testing, except for a probe now and then
-  /// (vtkNBufferBackOff).
+  /// (vtkNBufferBackOff in vtkNBufferCullingPolicy.h).
   bool BackOff = true;
 
   /// The culler moves in front of a vtkFrustumCoverageCuller that has default settings, and tests

@@ -105,10 +105,10 @@ MUTANTS = {
     # From frame to frame.
     "stale bounds": [
         ("vtkNBufferCandidate.h",
-         "return this->Verdict != vtkNBufferVerdict::NotAPlainActor && this->Watch.MayHaveChanged();",
-         "return !this->BoxIsUsable && this->Watch.MayHaveChanged();")],
+         ": this->Watch.MayHaveChanged();",
+         ": !this->BoxIsUsable && this->Watch.MayHaveChanged();")],
     "camera's motion not noticed": [
-        ("vtkNBufferViewKey.h", "return this->WorldToClip == other.WorldToClip &&", "return")],
+        ("vtkNBufferCamera.h", "return this->WorldToClip == other.WorldToClip &&", "return")],
     "verdicts of the last frame reused although props changed": [
         (VIEW, "else if (complete && !changed &&", "else if (complete && !moved &&")],
     "order of equal depths forgotten": [

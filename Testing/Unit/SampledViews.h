@@ -30,8 +30,8 @@ struct View
   int Height = 0;
   double Near = 0.0;
   double Far = 0.0;
-  glm::dvec3 Position;
-  glm::dvec3 Direction;
+  glm::dvec3 Position = glm::dvec3(0.0);
+  glm::dvec3 Direction = glm::dvec3(0.0);
   bool Parallel = false;
 
   /// The order in another convention of a point with a window depth of VTK's.

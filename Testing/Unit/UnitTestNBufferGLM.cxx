@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <random>
 
@@ -63,4 +64,22 @@ TEST(NBufferGLM, RoundsAsVTKDoes)
     ASSERT_EQ(normalized, unit);
   }
   EXPECT_EQ(vtkNBufferGLM::Normalize(glm::dvec3(0.0)), glm::dvec3(0.0));
+}
+
+// Hazard: what VTK leaves uninitialised is taken for the inverse of a degenerate camera.
+TEST(NBufferGLM, TheInverseOfASingularMatrixIsNaN)
+{
+  glm::dmat4 singular(1.0);
+  singular[2] = singular[1];
+  for (const double element : vtkNBufferGLM::ToRows(vtkNBufferGLM::Invert(singular)))
+  {
+    EXPECT_TRUE(std::isnan(element));
+  }
+}
+
+TEST(NBufferGLM, AbsoluteValues)
+{
+  const glm::dvec3 x = vtkNBufferGLM::Abs({ -1.5, 0.0, 2.5 });
+  EXPECT_EQ(x, glm::dvec3(1.5, 0.0, 2.5));
+  EXPECT_TRUE(std::isnan(vtkNBufferGLM::Abs(glm::dvec3(std::nan(""), 0.0, 0.0)).x));
 }

@@ -17,7 +17,6 @@
 namespace
 {
 using Node = vtkNBufferHierarchy::Node;
-using Answer = vtkNBufferHierarchy::Answer;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -56,6 +55,14 @@ void CheckNodes(
     {
       EXPECT_TRUE(Contains(node.Box, boxes[order[slot]]));
     }
+    int below = 0;
+    tree.Visit(tree.GetIndex(node),
+      [&below](const Node& other)
+      {
+        below += other.Left < 0 ? other.End - other.Begin : 0;
+        return true;
+      });
+    EXPECT_EQ(below, node.End - node.Begin);
     if (node.Left >= 0)
     {
       EXPECT_EQ(tree.GetNodes()[node.Left].Begin, node.Begin);
@@ -66,8 +73,17 @@ void CheckNodes(
     }
   }
   std::vector<int> asked;
-  tree.Visit(
-    [](const vtkNBufferBox&) { return Answer::Descend; }, [&](int i) { asked.push_back(i); });
+  tree.Visit(0,
+    [&](const Node& node)
+    {
+      EXPECT_EQ(&node, &tree.GetNodes()[tree.GetIndex(node)]);
+      if (node.Left < 0)
+      {
+        asked.insert(
+          asked.end(), tree.GetOrder().begin() + node.Begin, tree.GetOrder().begin() + node.End);
+      }
+      return true;
+    });
   EXPECT_EQ(asked, order);
   std::sort(order.begin(), order.end());
   EXPECT_EQ(order, places);
@@ -85,10 +101,20 @@ std::vector<int> GetAll(const std::vector<vtkNBufferBox>& boxes)
   return all;
 }
 
+/// Replace all boxes. Returns how many nodes were fitted.
+int MoveAll(vtkNBufferHierarchy& tree, const std::vector<vtkNBufferBox>& boxes)
+{
+  for (int i : GetAll(boxes))
+  {
+    tree.Move(i, boxes[static_cast<std::size_t>(i)]);
+  }
+  return tree.Refit();
+}
+
 void ExpectSameBoxes(const vtkNBufferHierarchy& a, const vtkNBufferHierarchy& b)
 {
-  ASSERT_EQ(a.GetNumberOfNodes(), b.GetNumberOfNodes());
-  for (std::size_t i = 0; i < a.GetNumberOfNodes(); ++i)
+  ASSERT_EQ(a.GetNodes().size(), b.GetNodes().size());
+  for (std::size_t i = 0; i < a.GetNodes().size(); ++i)
   {
     EXPECT_TRUE(a.GetNodes()[i].Box == b.GetNodes()[i].Box) << "node " << i;
   }
@@ -207,12 +233,8 @@ TEST(NBufferHierarchy, RefitEqualsAnotherBuild)
   }
   vtkNBufferHierarchy built;
   built.Build(boxes);
-  tree.Refit(boxes);
-  for (int i : GetAll(boxes))
-  {
-    moved.Move(i, boxes[static_cast<std::size_t>(i)]);
-  }
-  EXPECT_EQ(moved.Refit(), static_cast<int>(moved.GetNumberOfNodes()));
+  MoveAll(tree, boxes);
+  EXPECT_EQ(MoveAll(moved, boxes), static_cast<int>(moved.GetNodes().size()));
   EXPECT_EQ(built.GetOrder(), tree.GetOrder());
   ExpectSameBoxes(tree, built);
   ExpectSameBoxes(moved, built);
@@ -226,7 +248,7 @@ TEST(NBufferHierarchy, OnlyWhatIsAboveAMoveIsRefit)
   std::vector<vtkNBufferBox> boxes = MakeRandomBoxes(64, 3);
   vtkNBufferHierarchy tree;
   tree.Build(boxes, 8);
-  EXPECT_EQ(tree.GetNumberOfNodes(), 15u);
+  EXPECT_EQ(tree.GetNodes().size(), 15u);
   EXPECT_EQ(tree.Refit(), 0);
   for (int place : { 0, 17, 63 })
   {
@@ -238,7 +260,7 @@ TEST(NBufferHierarchy, OnlyWhatIsAboveAMoveIsRefit)
   }
   vtkNBufferHierarchy all;
   all.Build(MakeRandomBoxes(64, 3), 8);
-  all.Refit(boxes);
+  MoveAll(all, boxes);
   ExpectSameBoxes(tree, all);
 }
 
@@ -249,8 +271,12 @@ TEST(NBufferHierarchy, NothingIsAskedBelowASkippedNode)
   tree.Build(boxes, 4);
   int nodes = 0;
   int asked = 0;
-  tree.Visit([&](const vtkNBufferBox&) { return ++nodes == 2 ? Answer::Skip : Answer::Descend; },
-    [&](int) { ++asked; });
+  tree.Visit(0,
+    [&](const Node& node)
+    {
+      asked += node.Left < 0 ? node.End - node.Begin : 0;
+      return ++nodes != 2;
+    });
   EXPECT_EQ(asked, 50); // The left half.
 }
 
@@ -263,7 +289,7 @@ TEST(NBufferHierarchy, EqualCentresAndHugeBoxes)
   }
   vtkNBufferHierarchy tree;
   tree.Build(boxes);
-  EXPECT_LT(tree.GetNumberOfNodes(), 40u);
+  EXPECT_LT(tree.GetNodes().size(), 40u);
   CheckNodes(tree, boxes, GetAll(boxes));
 
   boxes = MakeRandomBoxes(100, 3);
@@ -325,6 +351,6 @@ TEST(NBufferHierarchy, GrowthTellsThatBoxesHaveLeftTheirLeaves)
   tree.Build(boxes);
   EXPECT_EQ(tree.GetGrowth(), 1.0);
   std::shuffle(boxes.begin(), boxes.end(), std::mt19937(4));
-  tree.Refit(boxes);
+  MoveAll(tree, boxes);
   EXPECT_GT(tree.GetGrowth(), 2.0);
 }

@@ -4,7 +4,6 @@
 // frames it tests.
 #include "Pixels.h"
 #include "ProjectedBox.h"
-#include "vtkNBufferBackOff.h"
 #include "vtkNBufferCullingPolicy.h"
 #include "vtkNBufferTieOrder.h"
 
@@ -236,31 +235,31 @@ TEST(NBufferTieOrder, OnlyPropsThatTouchTie)
 TEST(NBufferBackOff, RestsAndProbes)
 {
   vtkNBufferBackOff backOff;
-  EXPECT_FALSE(backOff.CountRestFrame());
-  for (int i = 0; i < vtkNBufferBackOff::PoorTestsToRest; ++i)
+  EXPECT_FALSE(backOff.CountPausedFrame());
+  for (int i = 0; i < vtkNBufferBackOff::PoorTestsBeforePause; ++i)
   {
-    EXPECT_FALSE(backOff.CountRestFrame()) << i;
+    EXPECT_FALSE(backOff.CountPausedFrame()) << i;
     backOff.Learn(1, 100);
   }
-  int expected = vtkNBufferBackOff::ShortestRest;
+  int expected = vtkNBufferBackOff::ShortestPause;
   for (int probe = 0; probe < 6; ++probe)
   {
     int rest = 0;
-    while (backOff.CountRestFrame())
+    while (backOff.CountPausedFrame())
     {
-      ASSERT_LE(++rest, vtkNBufferBackOff::LongestRest);
+      ASSERT_LE(++rest, vtkNBufferBackOff::LongestPause);
     }
     EXPECT_EQ(rest, expected) << probe;
-    expected = std::min(2 * expected, vtkNBufferBackOff::LongestRest);
+    expected = std::min(2 * expected, vtkNBufferBackOff::LongestPause);
     backOff.Learn(0, 100);
   }
-  while (backOff.CountRestFrame())
+  while (backOff.CountPausedFrame())
   {
   }
   backOff.Learn(50, 100);
-  EXPECT_FALSE(backOff.CountRestFrame()) << "a probe that hides much ends it";
+  EXPECT_FALSE(backOff.CountPausedFrame()) << "a probe that hides much ends it";
   backOff.Learn(0, 100);
-  EXPECT_FALSE(backOff.CountRestFrame()) << "and all begins anew";
+  EXPECT_FALSE(backOff.CountPausedFrame()) << "and all begins anew";
 }
 
 // Hazard: with nothing held back there is no test, and with no test nothing is held back.
@@ -283,7 +282,7 @@ TEST(NBufferBackOff, EmptyFrustum)
   {
     backOff.Learn(0, 0);
   }
-  EXPECT_FALSE(backOff.CountRestFrame());
+  EXPECT_FALSE(backOff.CountPausedFrame());
 }
 
 namespace
@@ -356,7 +355,7 @@ TEST(NBufferCullingPolicy, TestsEveryFewFramesWhereNothingIsHeldBack)
 TEST(NBufferCullingPolicy, RestsAreCountedInFramesThatCouldBeTested)
 {
   vtkNBufferBackOff backOff;
-  for (int i = 0; i < vtkNBufferBackOff::PoorTestsToRest; ++i)
+  for (int i = 0; i < vtkNBufferBackOff::PoorTestsBeforePause; ++i)
   {
     EXPECT_EQ(Choose(MakeCounts(), &backOff), Decision::Culled);
     backOff.Learn(0, 100);
@@ -367,7 +366,7 @@ TEST(NBufferCullingPolicy, RestsAreCountedInFramesThatCouldBeTested)
   while (Choose(MakeCounts(), &backOff) == Decision::BackedOff)
   {
     EXPECT_EQ(Choose(few, &backOff), Decision::FewCandidates);
-    ASSERT_LE(++rest, vtkNBufferBackOff::LongestRest);
+    ASSERT_LE(++rest, vtkNBufferBackOff::LongestPause);
   }
-  EXPECT_EQ(rest, vtkNBufferBackOff::ShortestRest);
+  EXPECT_EQ(rest, vtkNBufferBackOff::ShortestPause);
 }

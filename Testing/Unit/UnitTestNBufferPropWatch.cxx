@@ -20,6 +20,8 @@
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLActor.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
@@ -27,6 +29,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
+#include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTexture.h"
@@ -36,7 +39,9 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -90,6 +95,40 @@ struct StampedActor
 /// What is done to an actor, by name.
 template <typename Props>
 using ChangeOf = std::pair<const char*, std::function<void(Props&)>>;
+
+/// A prop of another class that begins at the address of a plain actor, and may be of any class.
+class OtherProp : public vtkOpenGLActor
+{
+public:
+  static OtherProp* New();
+  vtkTypeMacro(OtherProp, vtkOpenGLActor);
+  vtkMapper* GetMapper() override
+  {
+    ADD_FAILURE() << "called for a prop that is no actor any more";
+    return this->Superclass::GetMapper();
+  }
+
+protected:
+  OtherProp() = default;
+};
+vtkStandardNewMacro(OtherProp);
+
+/// A new object of class T at an address at which there was another one, or nullptr if the
+/// allocator does not give it back.
+template <typename T>
+vtkSmartPointer<T> MakeAt(const vtkProp* address)
+{
+  std::vector<vtkSmartPointer<T>> elsewhere;
+  for (int i = 0; i < 100; ++i)
+  {
+    elsewhere.push_back(vtkSmartPointer<T>::New());
+    if (elsewhere.back() == address)
+    {
+      return elsewhere.back();
+    }
+  }
+  return nullptr;
+}
 
 vtkNBufferPropWatch Watch(vtkProp* prop)
 {
@@ -262,16 +301,18 @@ TEST(NBufferStamps, ChangesAreSeen)
 // something behind the mapper.
 TEST(NBufferPropWatch, TimesFollowWhatHasToBeReadInEveryFrame)
 {
-  const auto follows = [](vtkActor* actor, const std::function<void()>& change)
+  const auto follows =
+    [](vtkActor* actor, const std::function<void()>& change, bool withBlocks = true)
   {
-    vtkNBufferPropWatch watch = Watch(actor);
+    vtkNBufferPropWatch watch;
+    watch.Track(actor, withBlocks);
     EXPECT_EQ(watch.GetMeans(), Means::Times);
     EXPECT_TRUE(watch.HasChanged());
     const vtkMTimeType time = watch.GetTime();
-    watch.Track(actor);
+    watch.Track(actor, withBlocks);
     EXPECT_EQ(watch.GetTime(), time);
     change();
-    watch.Track(actor);
+    watch.Track(actor, withBlocks);
     return watch.GetTime() > time;
   };
   StampedActor clipped;
@@ -294,7 +335,11 @@ TEST(NBufferPropWatch, TimesFollowWhatHasToBeReadInEveryFrame)
   mapper->SetInputDataObject(blocks);
   vtkNew<vtkActor> composite;
   composite->SetMapper(mapper);
-  EXPECT_TRUE(follows(composite, [&]() { textured.Data->GetPoints()->Modified(); }));
+  const auto changeBlock = [&]() { textured.Data->GetPoints()->Modified(); };
+  EXPECT_TRUE(follows(composite, changeBlock));
+  EXPECT_FALSE(follows(composite, changeBlock, false)) << "without the blocks";
+  EXPECT_TRUE(follows(
+    composite, [&]() { blocks->Modified(); }, false));
 
   vtkNew<vtkActor> empty;
   EXPECT_TRUE(follows(empty, [&]() { empty->SetPosition(1.0, 0.0, 0.0); }));
@@ -372,4 +417,49 @@ TEST(NBufferPipelines, WithoutOneTransformsOfUsersAreAskedInParallel)
     EXPECT_TRUE(candidate.Refresh(false));
     EXPECT_FALSE(candidate.IsStale());
   }
+}
+
+// Hazard: the functions of a plain actor are called for what has been made at its address since.
+TEST(NBufferPropWatch, AnotherPropAtTheSameAddressIsAChange)
+{
+  PipedActor piped;
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(piped.Mapper);
+  actor->GetBounds();
+  vtkNBufferPropWatch watch = Watch(actor);
+  ASSERT_EQ(watch.GetMeans(), Means::Pipeline);
+  EXPECT_FALSE(watch.HasChanged());
+  const vtkProp* const address = actor;
+  actor = nullptr;
+  const auto other = MakeAt<OtherProp>(address);
+  if (!other)
+  {
+    GTEST_SKIP() << "The allocator does not use the address again.";
+  }
+  EXPECT_TRUE(watch.HasChanged());
+  watch.Track(other);
+  EXPECT_EQ(watch.GetMeans(), Means::None);
+}
+
+// Hazard: what is no plain actor is never read again, although its address is that of one now.
+TEST(NBufferPropWatch, APlainActorAtTheAddressOfAnotherPropBecomesACandidate)
+{
+  StampedActor stamped;
+  auto other = vtkSmartPointer<OtherProp>::New();
+  vtkNBufferCandidate candidate(other);
+  EXPECT_TRUE(candidate.IsStale());
+  candidate.Refresh(false);
+  EXPECT_EQ(candidate.GetVerdict(), vtkNBufferVerdict::NotAPlainActor);
+  EXPECT_FALSE(candidate.IsStale());
+  const vtkProp* const address = other;
+  other = nullptr;
+  const auto actor = MakeAt<vtkOpenGLActor>(address);
+  if (!actor)
+  {
+    GTEST_SKIP() << "The allocator does not use the address again.";
+  }
+  actor->SetMapper(stamped.Mapper);
+  EXPECT_TRUE(candidate.IsStale());
+  EXPECT_TRUE(candidate.Refresh(false));
+  EXPECT_TRUE(candidate.IsCandidate());
 }

@@ -10,8 +10,6 @@
 
 #include VTKNBUFFER_GL_HEADER
 
-#include <algorithm>
-
 VTK_ABI_NAMESPACE_BEGIN
 static_assert(vtkNBufferDepthConvention::PassIfNearer == GL_LESS &&
   vtkNBufferDepthConvention::PassIfNearerOrEqual == GL_LEQUAL &&
@@ -119,13 +117,12 @@ bool vtkNBufferBackend::DrawsOrdinaryDepth(const vtkNBufferDepthSource& source)
   glGetIntegerv(GL_DEPTH_FUNC, &depthFunction);
   glGetIntegerv(GL_SCISSOR_BOX, scissor);
   glGetBooleanv(GL_DEPTH_WRITEMASK, &mask);
-  const auto function = static_cast<unsigned int>(depthFunction);
   const int* viewport = source.Viewport;
   const bool wholeViewport = !glIsEnabled(GL_SCISSOR_TEST) ||
     (scissor[0] <= viewport[0] && scissor[1] <= viewport[1] &&
       scissor[0] + scissor[2] >= viewport[0] + viewport[2] &&
       scissor[1] + scissor[3] >= viewport[1] + viewport[3]);
-  const auto passes = static_cast<unsigned int>(function);
+  const auto passes = static_cast<unsigned int>(depthFunction);
   const bool passesIfNearer = passes == vtkNBufferDepthConvention::PassIfNearerOrEqual ||
     passes == vtkNBufferDepthConvention::PassIfNearer;
   return glIsEnabled(GL_DEPTH_TEST) && passesIfNearer && mask && wholeViewport &&

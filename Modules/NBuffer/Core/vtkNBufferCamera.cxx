@@ -4,6 +4,7 @@
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -25,5 +26,18 @@ glm::dmat4 vtkNBufferCamera::GetEyeToClip() const
   glm::dmat4 result = this->WorldToClip;
   result[3] = vtkNBufferGLM::Multiply(this->WorldToClip, glm::dvec4(this->Eye, 1.0));
   return result;
+}
+
+vtkNBufferViewKey vtkNBufferViewKey::Make(vtkRenderer* renderer)
+{
+  vtkNBufferViewKey key;
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  key.Camera = renderer->GetActiveCamera();
+  key.WorldToClip = vtkNBufferGLM::ToRows(vtkNBufferCamera(renderer).WorldToClip);
+  renderer->GetTiledSizeAndOrigin(
+    &key.Viewport[2], &key.Viewport[3], &key.Viewport[0], &key.Viewport[1]);
+  key.ContextTime = window->GetContextCreationTime();
+  key.MultiSamples = window->GetMultiSamples();
+  return key;
 }
 VTK_ABI_NAMESPACE_END

@@ -12,8 +12,12 @@
 
 #include "vtkNBufferGLM.h"
 #include "vtkNBufferModule.h" // For export macro
+#include "vtkType.h"
+
+#include <array>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkCamera;
 class vtkRenderer;
 
 struct VTKNBUFFER_EXPORT vtkNBufferCamera
@@ -29,6 +33,29 @@ struct VTKNBUFFER_EXPORT vtkNBufferCamera
   glm::dvec3 Eye;          ///< The camera's position in the world.
   glm::dvec3 Direction;    ///< The direction of projection in the world, with unit length.
   bool IsParallel = false; ///< True for parallel projection.
+};
+
+/**
+ * Everything but the props on which the verdicts of a frame depend. Two frames with equal keys
+ * project boxes alike and draw into the same buffers.
+ */
+struct vtkNBufferViewKey
+{
+  std::array<double, 16> WorldToClip{}; ///< Row-major, as the mappers get it.
+  std::array<int, 4> Viewport{};        ///< x, y, width, height in pixels of the window.
+  vtkCamera* Camera = nullptr;          ///< Compared, never used.
+  vtkMTimeType ContextTime = 0;
+  int MultiSamples = 0;
+
+  /// The key of a renderer that has a camera and an OpenGL window.
+  static vtkNBufferViewKey Make(vtkRenderer* renderer);
+
+  bool operator==(const vtkNBufferViewKey& other) const
+  {
+    return this->WorldToClip == other.WorldToClip && this->Viewport == other.Viewport &&
+      this->Camera == other.Camera && this->ContextTime == other.ContextTime &&
+      this->MultiSamples == other.MultiSamples;
+  }
 };
 
 VTK_ABI_NAMESPACE_END

@@ -19,14 +19,15 @@ GLint GetAttachmentParameter(GLenum attachment, GLenum name)
   return value;
 }
 
-/// Size of a level of a texture if its target is `target`, else false.
+/// Get the size of the attached level of the texture. Returns false if the texture has another
+/// target.
 bool GetTextureSize(
   GLenum target, GLenum bindingName, const vtkNBufferDepthSource& source, int& width, int& height)
 {
   GLint bound = 0;
   glGetIntegerv(bindingName, &bound);
-  // Binding to another target than the texture's own is the only question about its target that
-  // OpenGL 3.2 answers.
+  // OpenGL 3.2 cannot be queried for the target of a texture, but binding the texture to another
+  // target is an error.
   glBindTexture(target, source.DepthName);
   const bool isTarget = glGetError() == GL_NO_ERROR;
   if (isTarget)
@@ -38,7 +39,7 @@ bool GetTextureSize(
   return isTarget;
 }
 
-/// Fill in the attachment of a framebuffer object.
+/// Set the members of `source` that describe a texture.
 bool InspectTexture(vtkNBufferDepthSource& source, std::string& why)
 {
   source.Texture = true;
@@ -195,7 +196,7 @@ bool vtkNBufferDepthSource::Inspect(vtkOpenGLRenderWindow* window, std::string& 
     vtkNBufferGL::ClearErrors();
     return false;
   }
-  if (!vtkNBufferGL::CheckErrors("Asking about the depth buffer", why))
+  if (!vtkNBufferGL::CheckErrors("Inspecting the depth buffer", why))
   {
     return false;
   }

@@ -18,6 +18,7 @@
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferVTKVersion.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,9 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
    * before VTK 9.7 in a part of a window).
    */
   bool HoldsViewport() const;
+
+  /// The bits of a depth that both the buffer and a float in [0, 1] hold.
+  int GetPrecision() const { return std::min(this->DepthBits, 24); }
 
   /// Whether depth is normalised and has more bits than fit a float.
   bool ExceedsFloats() const { return this->DepthBits > 24 && !this->FloatDepth; }

@@ -4,12 +4,13 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
-#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <iterator>
+#include <map>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -29,29 +30,14 @@ constexpr GLenum TargetBindings[] = { GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_
 // OpenGL 4.3; VTK's oldest loaders may not name it.
 constexpr GLenum DepthStencilTextureMode = 0x90EA;
 
-template <typename T, int N>
-constexpr int Size(const T (&)[N])
-{
-  return N;
-}
-
 const char* GetErrorName(GLenum error)
 {
-  switch (error)
-  {
-    case GL_INVALID_ENUM:
-      return "GL_INVALID_ENUM";
-    case GL_INVALID_VALUE:
-      return "GL_INVALID_VALUE";
-    case GL_INVALID_OPERATION:
-      return "GL_INVALID_OPERATION";
-    case GL_INVALID_FRAMEBUFFER_OPERATION:
-      return "GL_INVALID_FRAMEBUFFER_OPERATION";
-    case GL_OUT_OF_MEMORY:
-      return "GL_OUT_OF_MEMORY";
-    default:
-      return "an OpenGL error";
-  }
+  static const std::map<GLenum, const char*> names = { { GL_INVALID_ENUM, "GL_INVALID_ENUM" },
+    { GL_INVALID_VALUE, "GL_INVALID_VALUE" }, { GL_INVALID_OPERATION, "GL_INVALID_OPERATION" },
+    { GL_INVALID_FRAMEBUFFER_OPERATION, "GL_INVALID_FRAMEBUFFER_OPERATION" },
+    { GL_OUT_OF_MEMORY, "GL_OUT_OF_MEMORY" } };
+  const auto found = names.find(error);
+  return found != names.end() ? found->second : "an OpenGL error";
 }
 }
 
@@ -68,13 +54,12 @@ bool HasVersion(int major, int minor)
 
 bool CheckVersion(std::string& why)
 {
-  const bool done = HasVersion(3, 2);
-  if (!done)
+  if (HasVersion(3, 2))
   {
-    why =
-      "The OpenGL context is older than 3.2. Update the driver or use Mesa's software renderer.";
+    return true;
   }
-  return done;
+  why = "The OpenGL context is older than 3.2. Update the driver or use Mesa's software renderer.";
+  return false;
 }
 
 const char* GetSoftwareRenderer()
@@ -108,23 +93,17 @@ bool CheckErrors(const char* where, std::string& why)
     return true;
   }
   why = std::string(where) + ": OpenGL reports " + GetErrorName(error) +
-    (error == GL_OUT_OF_MEMORY ? ". A larger base factor needs less memory."
-                               : ". Nothing is known about the depth; a driver update may help.");
+    (error == GL_OUT_OF_MEMORY
+        ? ". Make the render window smaller or call SetMultiSamples(0) on it."
+        : ". A driver update may help.");
   ClearErrors();
   return false;
 }
 
-void SetMatrix(vtkShaderProgram* program, const char* name, const double rows[16])
+void SetMatrix(vtkShaderProgram* program, const char* name, const glm::dmat4& matrix)
 {
-  float columns[16];
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      columns[4 * column + row] = static_cast<float>(rows[4 * row + column]);
-    }
-  }
-  program->SetUniformMatrix4x4(name, columns);
+  glm::mat4 rounded(matrix);
+  program->SetUniformMatrix4x4(name, glm::value_ptr(rounded));
 }
 
 ScopedFramebuffers::ScopedFramebuffers()
@@ -195,9 +174,9 @@ ScopedPass::ScopedPass(vtkOpenGLRenderWindow* window)
   : Window(window)
   , Shader(window->GetShaderCache()->GetLastShaderBound())
 {
-  static_assert(Size(CapabilityNames) == CapabilityCount && Size(Targets) == TargetCount &&
-      Size(TargetBindings) == TargetCount,
-    "one place for each value to put back");
+  static_assert(std::size(CapabilityNames) == CapabilityCount &&
+      std::size(Targets) == TargetCount && std::size(TargetBindings) == TargetCount,
+    "one element for each value to restore");
   for (int i = 0; i < CapabilityCount; ++i)
   {
     this->Capabilities[i] = glIsEnabled(CapabilityNames[i]) == GL_TRUE;
@@ -214,8 +193,6 @@ ScopedPass::ScopedPass(vtkOpenGLRenderWindow* window)
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 
   glGetIntegerv(GL_VIEWPORT, this->Viewport);
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &this->DrawFramebuffer);
-  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &this->ReadFramebuffer);
   glGetIntegerv(GL_CURRENT_PROGRAM, &this->Program);
   glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &this->VertexArray);
 
@@ -259,8 +236,6 @@ ScopedPass::~ScopedPass()
   }
   glUseProgram(this->Program);
   glBindVertexArray(this->VertexArray);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->DrawFramebuffer);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, this->ReadFramebuffer);
   glViewport(this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
 
   // A core profile has one polygon mode for both faces.
@@ -283,12 +258,10 @@ ScopedBlend::ScopedBlend(unsigned int equation, unsigned int source, unsigned in
 {
   glGetIntegerv(GL_BLEND_EQUATION_RGB, &this->Equations[0]);
   glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &this->Equations[1]);
-  constexpr GLenum names[] = { GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
-    GL_BLEND_DST_ALPHA };
-  for (int i = 0; i < Size(names); ++i)
-  {
-    glGetIntegerv(names[i], &this->Factors[i]);
-  }
+  glGetIntegerv(GL_BLEND_SRC_RGB, &this->Factors[0]);
+  glGetIntegerv(GL_BLEND_DST_RGB, &this->Factors[1]);
+  glGetIntegerv(GL_BLEND_SRC_ALPHA, &this->Factors[2]);
+  glGetIntegerv(GL_BLEND_DST_ALPHA, &this->Factors[3]);
   glBlendEquation(equation);
   glBlendFunc(source, destination);
   glEnablei(GL_BLEND, 0);

@@ -10,6 +10,7 @@
 #ifndef vtkNBufferGL_h
 #define vtkNBufferGL_h
 
+#include "vtkNBufferGLM.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferVTKVersion.h"
 
@@ -46,9 +47,9 @@ VTKNBUFFER_EXPORT void ClearErrors();
 /// the error.
 VTKNBUFFER_EXPORT bool CheckErrors(const char* where, std::string& why);
 
-/// Set a uniform mat4 of the current program from a row-major matrix.
+/// Set a uniform mat4 of the current program.
 VTKNBUFFER_EXPORT void SetMatrix(
-  vtkShaderProgram* program, const char* name, const double rows[16]);
+  vtkShaderProgram* program, const char* name, const glm::dmat4& matrix);
 
 /**
  * While it lives, code may bind other framebuffers; the bindings are restored when it ends.
@@ -137,8 +138,7 @@ private:
   unsigned char ColorMask[4] = {};
   int PolygonMode[2] = {};
   int Viewport[4] = {};
-  int DrawFramebuffer = 0;
-  int ReadFramebuffer = 0;
+  ScopedFramebuffers Framebuffers;
   int Program = 0;
   int VertexArray = 0;
   int ActiveTexture = 0;

@@ -69,45 +69,45 @@ bool DependsOnRequests(vtkInformation* request)
     request->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
 }
 
-/// The time of data and, if it is composite, of its blocks.
-vtkMTimeType GetDataTime(vtkDataObject* data)
+/// The time of data and, with blocks, of those of composite data.
+vtkMTimeType GetDataTime(vtkDataObject* data, bool withBlocks)
 {
   vtkMTimeType time = data ? data->GetMTime() : 0;
-  if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+  if (auto* tree = withBlocks ? vtkDataObjectTree::SafeDownCast(data) : nullptr)
   {
     for (vtkDataObject* part : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
     {
-      time = std::max(time, GetDataTime(part));
+      time = std::max(time, GetDataTime(part, withBlocks));
     }
   }
   return time;
 }
 
 /// The time of a mapper or texture, and of all data that it shows.
-vtkMTimeType GetTimeWithData(vtkAlgorithm* algorithm)
+vtkMTimeType GetTimeWithData(vtkAlgorithm* algorithm, bool withBlocks)
 {
   vtkMTimeType time = algorithm->GetMTime();
   for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
     {
-      time = std::max(time, GetDataTime(algorithm->GetInputDataObject(port, i)));
+      time = std::max(time, GetDataTime(algorithm->GetInputDataObject(port, i), withBlocks));
     }
   }
   return time;
 }
 
 /// The newest time of an actor whose pipeline is up to date.
-vtkMTimeType GetTimeOfAll(vtkActor* actor, vtkShaderProperty* shaders)
+vtkMTimeType GetTimeOfAll(vtkActor* actor, vtkShaderProperty* shaders, bool withBlocks)
 {
   vtkMTimeType time = std::max(actor->GetMTime(), shaders ? shaders->GetMTime() : 0);
   if (vtkTexture* texture = actor->GetTexture())
   {
-    time = std::max(time, GetTimeWithData(texture));
+    time = std::max(time, GetTimeWithData(texture, withBlocks));
   }
   if (vtkMapper* mapper = actor->GetMapper())
   {
-    time = std::max(time, GetTimeWithData(mapper));
+    time = std::max(time, GetTimeWithData(mapper, withBlocks));
     // A plane that moves leaves the time of the mapper that it clips as it is.
     vtkPlaneCollection* planes = mapper->GetClippingPlanes();
     for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
@@ -129,7 +129,7 @@ vtkNBufferPropWatch::GlobalState vtkNBufferPropWatch::GetGlobalState()
   return state;
 }
 
-void vtkNBufferPropWatch::Track(vtkProp* prop)
+void vtkNBufferPropWatch::Track(vtkProp* prop, bool withBlocks)
 {
   this->How = Means::None;
   this->Time = 0;
@@ -143,7 +143,7 @@ void vtkNBufferPropWatch::Track(vtkProp* prop)
   this->Shaders = vtkNBufferProtectedMembers::GetShaderProperty(this->Actor);
   if (this->Mapper && !vtkNBufferSurface::IsPlain(this->Mapper))
   {
-    this->Time = GetTimeOfAll(this->Actor, this->Shaders);
+    this->Time = GetTimeOfAll(this->Actor, this->Shaders, withBlocks);
     return;
   }
   this->UserTransform = this->Actor->GetUserTransform();
@@ -163,7 +163,7 @@ void vtkNBufferPropWatch::Track(vtkProp* prop)
     this->How = Means::Stamps;
     return;
   }
-  this->Time = GetTimeOfAll(this->Actor, this->Shaders);
+  this->Time = GetTimeOfAll(this->Actor, this->Shaders, withBlocks);
   this->How = input && this->GetPipelineTime(this->PipelineTime) ? Means::Pipeline : Means::Times;
 }
 
@@ -282,7 +282,10 @@ bool vtkNBufferPropWatch::GetPipelineTime(vtkMTimeType& time) const
 bool vtkNBufferPropWatch::PipelineHasChanged() const
 {
   vtkMTimeType time = 0;
-  return this->Actor->GetMapper() != this->Mapper ||
+  // Another prop may have been made at the address of the actor. Its stamp is newer, and no
+  // function of an actor may be called for it.
+  return vtkNBufferProtectedMembers::GetTimeStamp(this->Actor).GetMTime() > this->Time ||
+    this->Actor->GetMapper() != this->Mapper ||
     vtkNBufferProtectedMembers::GetShaderProperty(this->Actor) != this->Shaders ||
     this->Mapper->GetNumberOfInputConnections(0) != 1 || !this->GetPipelineTime(time) ||
     time > this->PipelineTime;

@@ -65,14 +65,16 @@ public:
     Stamps
   };
 
-  /// Find changes from now on. The prop's pipeline must be up to date.
-  void Track(vtkProp* prop);
+  /// Find changes from now on. The prop's pipeline must be up to date. With `withBlocks` GetTime()
+  /// includes the blocks of composite data, which have to be visited one by one.
+  void Track(vtkProp* prop, bool withBlocks = true);
 
   Means GetMeans() const { return this->How; }
 
   ///@{
   /**
-   * Whether anything may have been modified since Track(); true before the first Track().
+   * Whether anything may have been modified since Track(), or whether another prop has been made at
+   * the address of a deleted actor; true before the first Track().
    * MayHaveChanged() reads time stamps only, is true for everything that does not show in them, and
    * may be called in parallel. HasChanged() queries the pipeline as well. It must not be called in
    * parallel, because pipelines store the times that they find, and may share filters.
@@ -90,7 +92,8 @@ public:
   /**
    * The newest time of everything that the prop draws, as Track() found it: the actor, its
    * property, texture, user's transform and shader property, the mapper, its clipping planes and
-   * data, and the blocks of composite data. It is 0 for a prop that is no plain actor.
+   * data, and the blocks of composite data if Track() had to visit them. It is 0 for a prop that is
+   * no plain actor.
    */
   vtkMTimeType GetTime() const { return this->Time; }
 

@@ -105,6 +105,18 @@ bool HasLineCells(vtkDataSet* data)
   return false;
 }
 
+/// Whether a polydata, or a block of composite data that is one, has lines.
+bool HasLines(vtkDataObject* data)
+{
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+  {
+    const auto blocks = vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes);
+    return std::any_of(blocks.begin(), blocks.end(), HasLines);
+  }
+  auto* mesh = vtkPolyData::SafeDownCast(data);
+  return mesh && mesh->GetNumberOfLines() > 0;
+}
+
 /// Add data and, if it is composite, its blocks, which inherit the attributes of the `part` that
 /// they are in.
 void AddBlocks(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* data,
@@ -264,13 +276,9 @@ double vtkNBufferSurface::GetMargin(vtkActor* actor)
 
 bool vtkNBufferSurface::DrawsLines(vtkMapper* mapper)
 {
-  std::vector<Part> parts;
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
-  AddBlocks(nullptr, input, {}, parts);
-  auto* data = vtkDataSet::SafeDownCast(input);
-  return parts.empty() ? data && HasLineCells(data)
-                       : std::any_of(parts.begin(), parts.end(),
-                           [](const Part& part) { return part.Mesh->GetNumberOfLines() > 0; });
+  auto* data = vtkPolyData::SafeDownCast(input) ? nullptr : vtkDataSet::SafeDownCast(input);
+  return data ? HasLineCells(data) : HasLines(input);
 }
 
 bool vtkNBufferSurface::HasOffsetTowardsEye(vtkMapper* mapper, bool linesOrPoints)
@@ -306,7 +314,8 @@ std::optional<vtkNBufferSurface::BufferCoordinates> vtkNBufferSurface::GetBuffer
     const double* bounds = mapper->GetBounds();
     const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
     const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
-    return BufferCoordinates{ glm::dvec3(0.0), 2.0 * glm::max(glm::abs(low), glm::abs(high)) };
+    return BufferCoordinates{ glm::dvec3(0.0),
+      2.0 * glm::max(vtkNBufferGLM::Abs(low), vtkNBufferGLM::Abs(high)) };
   }
   const int method = plain->GetVBOShiftScaleMethod();
   if (method == vtkOpenGLVertexBufferObject::NEAR_PLANE_SHIFT_SCALE ||
@@ -315,8 +324,8 @@ std::optional<vtkNBufferSurface::BufferCoordinates> vtkNBufferSurface::GetBuffer
     return std::nullopt;
   }
   // All points, used by cells or not, determine the scale of the buffer.
-  glm::dvec3 low;
-  glm::dvec3 high;
+  glm::dvec3 low(0.0);
+  glm::dvec3 high(0.0);
   for (int k = 0; k < 3; ++k)
   {
     double range[2];
@@ -327,7 +336,8 @@ std::optional<vtkNBufferSurface::BufferCoordinates> vtkNBufferSurface::GetBuffer
   const bool shifted = vtkOpenGLVertexBufferObject::GetGlobalCoordShiftAndScaleEnabled() &&
     IsShifted(plain, low, high);
   return shifted ? BufferCoordinates{ 0.5 * (low + high), 0.5 * (high - low) }
-                 : BufferCoordinates{ glm::dvec3(0.0), glm::max(glm::abs(low), glm::abs(high)) };
+                 : BufferCoordinates{ glm::dvec3(0.0),
+                     glm::max(vtkNBufferGLM::Abs(low), vtkNBufferGLM::Abs(high)) };
 }
 
 std::vector<vtkNBufferSurface::Plane> vtkNBufferSurface::GetClippingPlanes(vtkMapper* mapper)

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <typeinfo>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -52,6 +53,7 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
     this->DepthWriter =
       !vtkActor2D::SafeDownCast(this->Prop) && !vtkVolume::SafeDownCast(this->Prop);
     this->Tracked = !this->DepthWriter;
+    this->Class = &typeid(*this->Prop);
     return this->Verdict != verdictBefore;
   }
   const vtkMTimeType timeBefore = this->Watch.GetTime();
@@ -61,7 +63,9 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
   this->DepthWriter = this->Mapper && actor->HasOpaqueGeometry();
   this->Blended = actor->GetForceOpaque() && IsTranslucentByItself(actor);
   this->Unlit = !actor->GetProperty()->GetLighting();
-  this->Watch.Track(actor);
+  // Composite data never counts as unchanged (IsTracked()), so that the times of its blocks, which
+  // would have to be read in every frame, are not needed.
+  this->Watch.Track(actor, false);
   this->Tracked = this->Watch.SeesAllChanges();
   return this->Watch.GetTime() != timeBefore || this->Verdict != verdictBefore;
 }
@@ -131,13 +135,10 @@ void vtkNBufferCandidate::ReadBounds(vtkActor* actor)
   {
     const glm::dvec3 column(toWorld[k]);
     this->Box.Origin += column * buffer->Origin[k];
-    this->Box.Magnitude += glm::abs(column) * buffer->HalfRange[k];
+    this->Box.Magnitude += vtkNBufferGLM::Abs(column) * buffer->HalfRange[k];
   }
   // VTK's bounds leave infinite points out; the device does not.
-  for (int j = 0; j < 3; ++j)
-  {
-    this->BoxIsUsable = this->BoxIsUsable && std::isfinite(this->Box.Origin[j]) &&
-      std::isfinite(this->Box.Magnitude[j]);
-  }
+  this->BoxIsUsable =
+    vtkNBufferGLM::IsFinite(this->Box.Origin) && vtkNBufferGLM::IsFinite(this->Box.Magnitude);
 }
 VTK_ABI_NAMESPACE_END

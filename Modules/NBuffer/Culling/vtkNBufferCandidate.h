@@ -22,11 +22,13 @@
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferPropWatch.h"
 #include "vtkNBufferStatistics.h"
+#include "vtkProp.h"
+
+#include <typeinfo>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkMapper;
-class vtkProp;
 
 class VTKNBUFFER_EXPORT vtkNBufferCandidate
 {
@@ -43,13 +45,13 @@ public:
   /// held back, but it is not drawn where it is hidden.
   bool IsTranslucent() const { return this->Verdict == vtkNBufferVerdict::Translucent; }
 
-  /// Whether the prop is placed in the view, as candidates and translucent props are.
-  bool HasPlace() const { return this->IsCandidate() || this->IsTranslucent(); }
+  /// Whether the prop has a placement in the view, as candidates and translucent props have.
+  bool HasPlacement() const { return this->IsCandidate() || this->IsTranslucent(); }
 
   /// Visible for a candidate, otherwise the reason why the prop is no candidate.
   vtkNBufferVerdict GetVerdict() const { return this->Verdict; }
 
-  /// The box of a prop with a place, in world coordinates.
+  /// The box of a prop with a placement, in world coordinates.
   const vtkNBufferBox& GetBox() const { return this->Box; }
 
   /// Whether the prop may write to the depth buffer in the opaque stage.
@@ -79,8 +81,10 @@ public:
   /// Whether Refresh() must be called. Only reads times; may run in parallel for different props.
   bool IsStale() const
   {
-    // Nothing else can become known of a prop that is no plain actor.
-    return this->Verdict != vtkNBufferVerdict::NotAPlainActor && this->Watch.MayHaveChanged();
+    // Of a prop that is no plain actor only the class is known. The class is another one if another
+    // prop has been made at the address of a deleted one.
+    return this->Verdict == vtkNBufferVerdict::NotAPlainActor ? this->Class != &typeid(*this->Prop)
+                                                              : this->Watch.MayHaveChanged();
   }
 
   /// Have the processor fetch what IsStale() will read.
@@ -100,6 +104,7 @@ private:
 
   vtkProp* Prop = nullptr;
   vtkMapper* Mapper = nullptr;
+  const std::type_info* Class = nullptr; ///< The class of a prop that is no plain actor.
   vtkNBufferPropWatch Watch;
   vtkNBufferBox Box;
   vtkNBufferVerdict Verdict = vtkNBufferVerdict::Unknown;
@@ -110,6 +115,24 @@ private:
   bool Blended = false;
   bool Unlit = false;
   bool Tracked = false;
+};
+
+/// What a view knows of a prop in one frame. It is kept apart from the caches and small, because
+/// every frame walks the states of all props several times.
+struct vtkNBufferState
+{
+  vtkNBufferVerdict Verdict = vtkNBufferVerdict::Unknown;
+  vtkNBufferPlacement Placement = vtkNBufferPlacement::Crossing;
+
+  /// Whether the last depth test that included the prop found it visible.
+  bool WasVisible = false;
+
+  /// Whether the prop is Inside, but its rectangle has not been computed in this frame yet.
+  bool RectangleIsStale = false;
+
+  /// Whether the rectangle is stale and the prop lies below a node of the hierarchy that this
+  /// frame's depth test has hidden.
+  bool Behind = false;
 };
 
 VTK_ABI_NAMESPACE_END

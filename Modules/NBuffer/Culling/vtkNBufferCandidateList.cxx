@@ -44,7 +44,7 @@ int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
       this->Stale[i] = all || this->Candidates[i].IsStale();
       if (!this->Stale[i])
       {
-        this->Place(i, projection);
+        this->FindPlacement(i, projection);
       }
     });
   int changed = 0;
@@ -60,11 +60,11 @@ int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
   return changed;
 }
 
-void vtkNBufferCandidateList::Place(vtkIdType i, const vtkNBufferProjection* projection)
+void vtkNBufferCandidateList::FindPlacement(vtkIdType i, const vtkNBufferProjection* projection)
 {
   if (projection)
   {
-    this->UsesTree() ? this->Unplace(i) : this->ProjectOne(i, *projection);
+    this->UsesTree() ? this->ResetPlacement(i) : this->ProjectOne(i, *projection);
   }
 }
 
@@ -80,7 +80,7 @@ int vtkNBufferCandidateList::RefreshStale(
       continue;
     }
     changed += this->RefreshOne(i, globalStateChanged) ? 1 : 0;
-    this->Place(static_cast<vtkIdType>(i), projection);
+    this->FindPlacement(static_cast<vtkIdType>(i), projection);
   }
   this->UntrackedDepth = this->Blending = this->Lines = this->LackOfNormals = false;
   for (const vtkNBufferCandidate& candidate : this->Candidates.GetItems())
@@ -107,13 +107,13 @@ bool vtkNBufferCandidateList::RefreshOne(std::size_t i, bool globalStateChanged)
   return changed;
 }
 
-void vtkNBufferCandidateList::Unplace(vtkIdType i)
+void vtkNBufferCandidateList::ResetPlacement(vtkIdType i)
 {
   const vtkNBufferCandidate& candidate = this->Candidates[i];
   vtkNBufferState& state = this->States[i];
   state.Verdict = candidate.GetVerdict();
   state.RectangleIsStale = state.Behind = false;
-  if (candidate.HasPlace())
+  if (candidate.HasPlacement())
   {
     state.Placement = vtkNBufferPlacement::Outside;
   }
@@ -121,15 +121,11 @@ void vtkNBufferCandidateList::Unplace(vtkIdType i)
 
 void vtkNBufferCandidateList::ProjectOne(vtkIdType i, const vtkNBufferProjection& projection)
 {
+  this->ResetPlacement(i);
   const vtkNBufferCandidate& candidate = this->Candidates[i];
-  vtkNBufferState& state = this->States[i];
-  state.Verdict = candidate.GetVerdict();
-  state.RectangleIsStale = state.Behind = false;
-  if (candidate.HasPlace())
+  if (candidate.HasPlacement() && !projection.IsOutside(candidate.GetBox()))
   {
-    const vtkNBufferBox& box = candidate.GetBox();
-    state.Placement = projection.IsOutside(box) ? vtkNBufferPlacement::Outside
-                                                : projection.Project(box, this->Screens[i]);
+    this->States[i].Placement = projection.Project(candidate.GetBox(), this->Screens[i]);
   }
 }
 
@@ -141,7 +137,7 @@ void vtkNBufferCandidateList::Project(const vtkNBufferProjection& projection)
     return;
   }
   vtkNBufferForEachProp::RunEach(
-    this->Candidates.GetSize(), [this](vtkIdType i) { this->Unplace(i); });
+    this->Candidates.GetSize(), [this](vtkIdType i) { this->ResetPlacement(i); });
   this->ProjectOverTree(projection);
 }
 
@@ -152,9 +148,8 @@ void vtkNBufferCandidateList::ProjectOverTree(const vtkNBufferProjection& projec
     this->ProjectAll(projection);
     return;
   }
-  this->Projection = &projection;
   this->Reached.clear();
-  this->Tree.Place(projection, this->Candidates.GetItems(), this->States, this->Reached);
+  this->Tree.FindPlacements(projection, this->Candidates.GetItems(), this->States, this->Reached);
   vtkNBufferForEachProp::RunEach(this->Reached.size(),
     [this, &projection](vtkIdType i) { this->ProjectOne(this->Reached[i], projection); });
 }
@@ -163,20 +158,7 @@ void vtkNBufferCandidateList::ProjectDeferred(int i)
 {
   vtkNBufferState& state = this->States[i];
   state.RectangleIsStale = false;
-  state.Placement = this->Projection->Project(this->GetBox(i), this->Screens[i]);
-}
-
-int vtkNBufferCandidateList::GetLevelsNeeded(int factor) const
-{
-  return this->Projection ? this->Tree.GetLevelsNeeded(*this->Projection, factor) : 1;
-}
-
-void vtkNBufferCandidateList::MarkHidden(vtkNBufferOcclusionTest& test)
-{
-  if (this->Projection)
-  {
-    this->Tree.MarkHidden(*this->Projection, test, this->States);
-  }
+  state.Placement = this->Tree.GetProjection().Project(this->GetBox(i), this->Screens[i]);
 }
 
 void vtkNBufferCandidateList::ProjectAll(const vtkNBufferProjection& projection)
@@ -189,7 +171,8 @@ void vtkNBufferCandidateList::KeepIfNoneIsInside()
 {
   for (std::size_t i = 0; i < this->States.size(); ++i)
   {
-    if (this->Candidates[i].HasPlace() && this->States[i].Placement != vtkNBufferPlacement::Outside)
+    if (this->Candidates[i].HasPlacement() &&
+      this->States[i].Placement != vtkNBufferPlacement::Outside)
     {
       return;
     }

@@ -4,7 +4,7 @@
  * @class vtkNBufferCandidateList
  * @brief The props of one view in the renderer's order, cached from frame to frame.
  *
- * In a long list the props are placed in the view over a hierarchy (vtkNBufferCandidateTree). The
+ * In a long list a hierarchy finds where the props are in the view (vtkNBufferCandidateTree). The
  * rectangle of a prop may then be deferred until GetScreen() needs it.
  */
 #ifndef vtkNBufferCandidateList_h
@@ -16,7 +16,6 @@
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferPropList.h"
-#include "vtkNBufferState.h"
 #include "vtkNBufferTieOrder.h"
 
 #include <vector>
@@ -25,8 +24,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKNBUFFER_EXPORT vtkNBufferCandidateList
 {
 public:
-  /// The number of props from which on a hierarchy is used, see
-  /// vtkNBufferCuller::SetHierarchySize().
+  /// Use a hierarchy for lists of at least this many props, see vtkNBufferTuning::HierarchySize.
   void SetHierarchySize(int size) { this->HierarchySize = size; }
 
   /// Follow the renderer's list of props. Returns whether it differs from the last one.
@@ -40,18 +38,18 @@ public:
   int Refresh(const vtkNBufferProjection* projection);
 
   /**
-   * Place every candidate and translucent prop in the view: outside, crossing, or inside with its
-   * rectangle and depth interval. The projection is kept by reference until the next call, for
-   * rectangles that are deferred.
+   * Find the placement of every candidate and translucent prop in the view: outside, crossing, or
+   * inside with its rectangle and depth interval. The projection is kept by reference until the
+   * next call, for rectangles that are deferred.
    */
   void Project(const vtkNBufferProjection& projection);
 
   /// The number of levels that nodes of deferred props need over a base of the given factor.
-  int GetLevelsNeeded(int factor) const;
+  int GetLevelsNeeded(int factor) const { return this->Tree.GetLevelsNeeded(factor); }
 
   /// Mark the deferred props below hidden nodes as Behind. This must be called once in a frame,
   /// before its first test.
-  void MarkHidden(vtkNBufferOcclusionTest& test);
+  void MarkHidden(vtkNBufferOcclusionTest& test) { this->Tree.MarkHidden(test, this->States); }
 
   /**
    * If no prop is known to reach into the view, draw the props that are outside all the same. VTK
@@ -97,7 +95,6 @@ public:
   }
   vtkNBufferState& GetState(int i) { return this->States[i]; }
   const vtkNBufferState& GetState(int i) const { return this->States[i]; }
-  const std::vector<vtkNBufferState>& GetStates() const { return this->States; }
 
   /// The place of a prop in the list, or -1. Costs one hash look-up; the first one after a change
   /// of the list fills the table.
@@ -108,9 +105,10 @@ private:
   void ProjectAll(const vtkNBufferProjection& projection);
   void ProjectOverTree(const vtkNBufferProjection& projection);
   void ProjectDeferred(int i);
-  void Unplace(vtkIdType i);
-  /// ProjectOne(), or Unplace() if the tree places the prop later; nothing without a projection.
-  void Place(vtkIdType i, const vtkNBufferProjection* projection);
+  void ResetPlacement(vtkIdType i);
+  /// ProjectOne(), or ResetPlacement() if the tree finds the placement later; nothing without a
+  /// projection.
+  void FindPlacement(vtkIdType i, const vtkNBufferProjection* projection);
   int RefreshStale(const vtkNBufferProjection* projection, bool globalStateChanged);
   bool RefreshOne(std::size_t i, bool globalStateChanged);
   bool UsesTree() const { return this->GetSize() >= this->HierarchySize; }
@@ -122,7 +120,6 @@ private:
   vtkNBufferCandidateTree Tree;
   vtkNBufferMeshes Meshes;
   std::vector<int> Reached; ///< The places that the tree leaves to be projected one by one.
-  const vtkNBufferProjection* Projection = nullptr;
   int HierarchySize = VTK_INT_MAX;
   vtkNBufferPropWatch::GlobalState GlobalState{};
   bool ListChanged = false;

@@ -3,7 +3,6 @@
 #include "vtkNBufferCandidateTree.h"
 
 #include "vtkNBufferCandidate.h"
-#include "vtkNBufferState.h"
 
 #include <algorithm>
 #include <iterator>
@@ -22,9 +21,9 @@ void vtkNBufferCandidateTree::ListHasChanged()
 void vtkNBufferCandidateTree::HasChanged(int place)
 {
   // Without a tree there is nothing that could be out of date.
-  if (this->Built && !this->IsChanged[static_cast<std::size_t>(place)])
+  if (this->Built && !this->IsChanged[place])
   {
-    this->IsChanged[static_cast<std::size_t>(place)] = 1;
+    this->IsChanged[place] = 1;
     this->Changed.push_back(place);
   }
 }
@@ -48,9 +47,9 @@ bool vtkNBufferCandidateTree::Update(const std::vector<vtkNBufferCandidate>& can
   const bool many = this->Changed.size() > few;
   for (int place : this->Changed)
   {
-    this->IsChanged[static_cast<std::size_t>(place)] = 0;
-    const vtkNBufferCandidate& candidate = candidates[static_cast<std::size_t>(place)];
-    if (!candidate.HasPlace())
+    this->IsChanged[place] = 0;
+    const vtkNBufferCandidate& candidate = candidates[place];
+    if (!candidate.HasPlacement())
     {
       continue;
     }
@@ -88,7 +87,7 @@ void vtkNBufferCandidateTree::Build(const std::vector<vtkNBufferCandidate>& cand
   std::vector<int> places;
   for (std::size_t i = 0; i < candidates.size(); ++i)
   {
-    if (candidates[i].HasPlace())
+    if (candidates[i].HasPlacement())
     {
       boxes[i] = candidates[i].GetBox();
       places.push_back(static_cast<int>(i));
@@ -103,65 +102,63 @@ void vtkNBufferCandidateTree::Build(const std::vector<vtkNBufferCandidate>& cand
   ++this->Done.Builds;
 }
 
-void vtkNBufferCandidateTree::Place(const vtkNBufferProjection& projection,
+void vtkNBufferCandidateTree::FindPlacements(const vtkNBufferProjection& projection,
   const std::vector<vtkNBufferCandidate>& candidates, std::vector<vtkNBufferState>& states,
   std::vector<int>& places)
 {
   this->Roots.clear();
-  const std::vector<vtkNBufferHierarchy::Node>& nodes = this->Tree.GetNodes();
-  const std::vector<int>& order = this->Tree.GetOrder();
-  for (std::size_t i = 0; i < nodes.size();)
+  this->Projection = &projection;
+  const auto visit = [&](const vtkNBufferHierarchy::Node& node)
   {
-    const vtkNBufferHierarchy::Node& node = nodes[i];
     ++this->Done.Nodes;
     vtkNBufferScreenBox screen;
     const vtkNBufferPlacement placement = projection.IsOutside(node.Box)
       ? vtkNBufferPlacement::Outside
       : projection.Project(node.Box, screen);
+    if (placement == vtkNBufferPlacement::Outside)
+    {
+      return false;
+    }
     const bool within =
       placement == vtkNBufferPlacement::Inside && projection.IsWhollyInside(screen);
-    if (placement != vtkNBufferPlacement::Outside && !within && node.Left >= 0)
+    if (!within && node.Left >= 0)
     {
-      ++i;
-      continue;
+      return true;
     }
-    if (placement != vtkNBufferPlacement::Outside)
+    bool deferred = false;
+    for (int slot = node.Begin; slot < node.End; ++slot)
     {
-      bool deferred = false;
-      for (int slot = node.Begin; slot < node.End; ++slot)
+      const int place = this->Tree.GetOrder()[slot];
+      vtkNBufferState& state = states[place];
+      // Verdicts begin as those of the candidates: only these may be held back.
+      if (within && state.Verdict == vtkNBufferVerdict::Visible && !state.WasVisible)
       {
-        const auto place = static_cast<std::size_t>(order[static_cast<std::size_t>(slot)]);
-        vtkNBufferState& state = states[place];
-        // Verdicts begin as those of the candidates: only these may be held back.
-        if (within && state.Verdict == vtkNBufferVerdict::Visible && !state.WasVisible)
-        {
-          state.Placement = vtkNBufferPlacement::Inside;
-          state.RectangleIsStale = deferred = true;
-        }
-        else
-        {
-          places.push_back(static_cast<int>(place));
-        }
+        state.Placement = vtkNBufferPlacement::Inside;
+        state.RectangleIsStale = deferred = true;
       }
-      if (deferred)
+      else
       {
-        this->Roots.push_back(static_cast<int>(i));
+        places.push_back(place);
       }
     }
-    i = static_cast<std::size_t>(node.Next);
-  }
+    if (deferred)
+    {
+      this->Roots.push_back(this->Tree.GetIndex(node));
+    }
+    return false;
+  };
+  this->Tree.Visit(0, visit);
   std::copy_if(this->Loose.begin(), this->Loose.end(), std::back_inserter(places),
-    [&](int place) { return candidates[static_cast<std::size_t>(place)].HasPlace(); });
+    [&](int place) { return candidates[place].HasPlacement(); });
 }
 
-int vtkNBufferCandidateTree::GetLevelsNeeded(
-  const vtkNBufferProjection& projection, int factor) const
+int vtkNBufferCandidateTree::GetLevelsNeeded(int factor) const
 {
   int levels = 1;
   for (int root : this->Roots)
   {
     vtkNBufferScreenBox screen;
-    if (projection.Project(this->Tree.GetNodes()[static_cast<std::size_t>(root)].Box, screen) ==
+    if (this->Projection->Project(this->Tree.GetNodes()[root].Box, screen) ==
       vtkNBufferPlacement::Inside)
     {
       levels = std::max(levels, vtkNBufferOcclusionTest::GetLevelsNeeded(screen.Pixels, factor));
@@ -175,44 +172,37 @@ bool vtkNBufferCandidateTree::HasDeferred(
 {
   const auto order = this->Tree.GetOrder().begin();
   return std::any_of(order + node.Begin, order + node.End,
-    [&states](int place) { return states[static_cast<std::size_t>(place)].RectangleIsStale; });
+    [&states](int place) { return states[place].RectangleIsStale; });
 }
 
-void vtkNBufferCandidateTree::MarkHidden(const vtkNBufferProjection& projection,
+void vtkNBufferCandidateTree::MarkHidden(
   vtkNBufferOcclusionTest& test, std::vector<vtkNBufferState>& states)
 {
-  const std::vector<vtkNBufferHierarchy::Node>& nodes = this->Tree.GetNodes();
-  const std::vector<int>& order = this->Tree.GetOrder();
+  const auto visit = [&](const vtkNBufferHierarchy::Node& node)
+  {
+    if (node.Left < 0 && !this->HasDeferred(node, states))
+    {
+      return false;
+    }
+    ++this->Done.Nodes;
+    vtkNBufferScreenBox screen;
+    if (this->Projection->Project(node.Box, screen) != vtkNBufferPlacement::Inside ||
+      !test.IsHidden(node.Box, screen))
+    {
+      return true;
+    }
+    for (int slot = node.Begin; slot < node.End; ++slot)
+    {
+      vtkNBufferState& state = states[this->Tree.GetOrder()[slot]];
+      state.Behind = state.RectangleIsStale;
+    }
+    return false;
+  };
   for (int root : this->Roots)
   {
-    if (!this->HasDeferred(nodes[static_cast<std::size_t>(root)], states))
+    if (this->HasDeferred(this->Tree.GetNodes()[root], states))
     {
-      continue;
-    }
-    const auto end = static_cast<std::size_t>(nodes[static_cast<std::size_t>(root)].Next);
-    for (auto i = static_cast<std::size_t>(root); i < end;)
-    {
-      const vtkNBufferHierarchy::Node& node = nodes[i];
-      if (node.Left < 0 && !this->HasDeferred(node, states))
-      {
-        ++i;
-        continue;
-      }
-      ++this->Done.Nodes;
-      vtkNBufferScreenBox screen;
-      if (projection.Project(node.Box, screen) != vtkNBufferPlacement::Inside ||
-        !test.IsHidden(node.Box, screen))
-      {
-        ++i;
-        continue;
-      }
-      for (int slot = node.Begin; slot < node.End; ++slot)
-      {
-        vtkNBufferState& state =
-          states[static_cast<std::size_t>(order[static_cast<std::size_t>(slot)])];
-        state.Behind = state.RectangleIsStale;
-      }
-      i = static_cast<std::size_t>(node.Next);
+      this->Tree.Visit(root, visit);
     }
   }
   this->Roots.clear();

@@ -17,8 +17,8 @@
  * found hidden: the texels that are read for the rectangle of a prop may reach beyond those that
  * are read for its node.
  *
- * The tree holds all props that have a place in the view (candidates and translucent props). A prop
- * that has become one of them since the tree was built is projected one by one.
+ * The tree holds all props that have a placement in the view (candidates and translucent props). A
+ * prop that has become one of them since the tree was built is projected one by one.
  *
  * When the tree is refit and built:
  *
@@ -78,20 +78,23 @@ public:
   bool Update(const std::vector<vtkNBufferCandidate>& candidates);
 
   /**
-   * Place the candidates, all of which must be Outside in `states`. The places of props that must
-   * be projected one by one are appended to `places`, each once. The others are deferred.
+   * Set the placements of the candidates in the view, all of which must be Outside in `states`. The
+   * places in the list of props that must be projected one by one are appended to `places`, each
+   * once. The others are deferred. The projection is kept by reference until the next call.
    */
-  void Place(const vtkNBufferProjection& projection,
+  void FindPlacements(const vtkNBufferProjection& projection,
     const std::vector<vtkNBufferCandidate>& candidates, std::vector<vtkNBufferState>& states,
     std::vector<int>& places);
 
   /// The number of levels that the depth test of the nodes of deferred props needs, at least 1 (see
   /// vtkNBufferOcclusionTest).
-  int GetLevelsNeeded(const vtkNBufferProjection& projection, int factor) const;
+  int GetLevelsNeeded(int factor) const;
 
   /// Mark the deferred props below hidden nodes as Behind. This serves all tests of a frame.
-  void MarkHidden(const vtkNBufferProjection& projection, vtkNBufferOcclusionTest& test,
-    std::vector<vtkNBufferState>& states);
+  void MarkHidden(vtkNBufferOcclusionTest& test, std::vector<vtkNBufferState>& states);
+
+  /// The projection of the last FindPlacements(), for props that it has deferred.
+  const vtkNBufferProjection& GetProjection() const { return *this->Projection; }
 
 private:
   void Build(const std::vector<vtkNBufferCandidate>& candidates);
@@ -104,6 +107,7 @@ private:
   std::vector<unsigned char> IsChanged; ///< By place.
   std::vector<int> Loose;               ///< Places of props that are not in the tree, sorted.
   std::vector<int> Roots;               ///< Nodes wholly inside that have deferred props below.
+  const vtkNBufferProjection* Projection = nullptr;
   Work Done;
   bool Built = false;
   bool ListChanged = false;

@@ -3,11 +3,11 @@
 #include "vtkNBufferCompatibility.h"
 
 #include "vtkNBufferBackend.h"
+#include "vtkNBufferCamera.h"
 #include "vtkNBufferDepthSource.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferRenderPassTraits.h"
 #include "vtkNBufferVTKVersion.h"
-#include "vtkNBufferViewKey.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"

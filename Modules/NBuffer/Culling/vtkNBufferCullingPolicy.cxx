@@ -2,9 +2,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferCullingPolicy.h"
 
-#include "vtkNBufferBackOff.h"
+#include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
+bool vtkNBufferBackOff::CountPausedFrame()
+{
+  if (this->FramesLeft == 0)
+  {
+    return false;
+  }
+  --this->FramesLeft;
+  this->WasPaused = true;
+  return true;
+}
+
+bool vtkNBufferBackOff::CountIdleFrame()
+{
+  const bool wasPaused = this->WasPaused;
+  this->WasPaused = false;
+  return ++this->IdleFrames % ShortestPause == 0 || wasPaused;
+}
+
+void vtkNBufferBackOff::Learn(int saved, int inside)
+{
+  this->WasPaused = false;
+  if (inside == 0)
+  {
+    return;
+  }
+  if (saved >= PoorNumber && saved >= PoorShare * inside)
+  {
+    this->PoorTests = 0;
+    this->LastPause = 0;
+    return;
+  }
+  if (++this->PoorTests >= PoorTestsBeforePause)
+  {
+    this->LastPause = std::min(std::max(2 * this->LastPause, +ShortestPause), +LongestPause);
+    this->FramesLeft = this->LastPause;
+  }
+}
+
 namespace vtkNBufferCullingPolicy
 {
 vtkNBufferDecision ChooseDecision(
@@ -18,7 +56,7 @@ vtkNBufferDecision ChooseDecision(
   {
     return vtkNBufferDecision::FewCandidates;
   }
-  if (backOff && backOff->CountRestFrame())
+  if (backOff && backOff->CountPausedFrame())
   {
     return vtkNBufferDecision::BackedOff;
   }

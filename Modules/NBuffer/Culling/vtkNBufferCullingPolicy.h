@@ -12,7 +12,64 @@
 #include "vtkNBufferStatistics.h"
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkNBufferBackOff;
+
+/**
+ * Stops testing for some frames where tests save too little.
+ *
+ * Testing costs time even if nothing is found hidden, as where a viewer looks down on a city. This
+ * class counts what tests save and decides in which frames to test.
+ *
+ * A test is poor if it saves fewer than 16 draws or less than 5 % of the candidates in the frustum;
+ * draws that only restore the order of equal depths are subtracted from what it saves. Three poor
+ * tests in a row begin a pause of 8 frames without tests. After the pause a single test shows
+ * whether that has changed. If it is poor again, the next pause is twice as long, up to 64 frames.
+ *
+ * A frame is idle if no prop is held back in it, because all in the frustum were visible already.
+ * Idle frames need no test for the picture. But only a test finds out what has become hidden since,
+ * so every eighth idle frame, and the first idle one after a pause, is tested all the same.
+ */
+class VTKNBUFFER_EXPORT vtkNBufferBackOff
+{
+public:
+  /// A test that saves fewer draws than this is poor.
+  static constexpr int PoorNumber = 16;
+  /// A test that saves less than this share of the candidates in the frustum is poor.
+  static constexpr double PoorShare = 0.05;
+  /// The number of poor tests in a row that begin a pause.
+  static constexpr int PoorTestsBeforePause = 3;
+  ///@{
+  /// The lengths of the first and of the longest pause, in frames.
+  static constexpr int ShortestPause = 8;
+  static constexpr int LongestPause = 64;
+  ///@}
+
+  /**
+   * Count one frame of a pause. Returns true, and shortens the pause by a frame, if one is going
+   * on: this frame must not be tested. Returns false and changes nothing if there is no pause. Call
+   * it exactly once in each frame.
+   */
+  bool CountPausedFrame();
+
+  /**
+   * Count one idle frame, and return whether it has to be tested nevertheless. Call it exactly once
+   * in each frame that is idle and not part of a pause.
+   */
+  bool CountIdleFrame();
+
+  /**
+   * Report the result of a test: `saved` is how many draws it saved, the candidates that it found
+   * hidden (drawn already in this frame or not) less those that were drawn once more; `inside` is
+   * how many candidates are in the frustum. A test of an empty frustum says nothing and is ignored.
+   */
+  void Learn(int saved, int inside);
+
+private:
+  bool WasPaused = false; ///< Whether the last frame that was counted was part of a pause.
+  int FramesLeft = 0;     ///< The frames left of the pause.
+  int LastPause = 0;      ///< The length of the last pause; 0 after a test that was not poor.
+  int PoorTests = 0;      ///< The number of poor tests in a row.
+  int IdleFrames = 0;     ///< The number of idle frames so far.
+};
 
 /**
  * How many props of a frame are of which kind, before any of them is drawn.

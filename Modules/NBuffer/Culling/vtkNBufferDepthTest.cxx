@@ -19,13 +19,15 @@ constexpr std::size_t CandidatesWorthARead = 32;
 
 vtkNBufferDepthTest::vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferLevels& levels,
   const vtkNBufferProjection& projection, vtkNBufferCandidateList& props,
-  vtkNBufferStatistics& statistics, const Options& options)
+  vtkNBufferStatistics& statistics, const vtkNBufferSettings& settings,
+  const vtkNBufferTuning& tuning)
   : Backend(backend)
   , Levels(levels)
   , Projection(projection)
   , Props(props)
   , Statistics(statistics)
-  , Settings(options)
+  , Settings(settings)
+  , Tuning(tuning)
 {
 }
 
@@ -45,21 +47,20 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
       {
         levels = std::max(levels,
           vtkNBufferOcclusionTest::GetLevelsNeeded(
-            this->Props.GetScreen(i).Pixels, this->Settings.Tuning.BaseFactor));
+            this->Props.GetScreen(i).Pixels, this->Tuning.BaseFactor));
       }
     }
   }
-  levels = std::max(levels, this->Props.GetLevelsNeeded(this->Settings.Tuning.BaseFactor));
-  this->Backend.SetAllowFloatTextures(this->Settings.Tuning.AllowFloatTextures);
+  levels = std::max(levels, this->Props.GetLevelsNeeded(this->Tuning.BaseFactor));
+  this->Backend.SetAllowFloatTextures(this->Tuning.AllowFloatTextures);
   return this->Backend.Build(this->Settings.Backend,
-    { window, source, this->Settings.Tuning.BaseFactor, levels, this->Levels, this->Statistics },
-    why);
+    { window, source, this->Tuning.BaseFactor, levels, this->Levels, this->Statistics }, why);
 }
 
 const float* vtkNBufferDepthTest::GetDepth(std::size_t candidates)
 {
   // With the OpenGL back-end this is a second read-back, which must have something to save.
-  if (!this->Settings.Tuning.TestPixels || candidates == 0 ||
+  if (!this->Tuning.TestPixels || candidates == 0 ||
     (this->Backend.GetInUse() == vtkNBufferBackend::OpenGL && candidates < CandidatesWorthARead))
   {
     return nullptr;
@@ -130,8 +131,7 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
   // Testing the children of a node is cheaper than testing pieces of the node.
   vtkNBufferOcclusionTest nodeTest(this->Projection, this->Levels, 1);
   this->Props.MarkHidden(nodeTest);
-  vtkNBufferOcclusionTest test(
-    this->Projection, this->Levels, this->Settings.Tuning.MaximumNumberOfPieces);
+  vtkNBufferOcclusionTest test(this->Projection, this->Levels, this->Tuning.MaximumNumberOfPieces);
   places.erase(std::remove_if(places.begin(), places.end(),
                  [&](int i) { return this->Props.GetState(i).Behind || isHiddenBy(i, test); }),
     places.end());
@@ -140,19 +140,16 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
   const auto passed = static_cast<int>(places.size());
   this->Statistics.TestTime += clock.Restart();
 
-  const float* depth = this->GetDepth(places.size());
-  if (!depth)
+  if (const float* depth = this->GetDepth(places.size()))
   {
-    this->PutBackSlivers(tested, places);
-    return passed;
+    clock.Restart();
+    vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth);
+    places.erase(
+      std::remove_if(places.begin(), places.end(), [&](int i) { return isHiddenBy(i, pixelTest); }),
+      places.end());
+    this->Statistics.Lookups += pixelTest.GetLookups();
+    this->Statistics.PixelTestTime += clock.GetMilliseconds();
   }
-  clock.Restart();
-  vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth);
-  places.erase(
-    std::remove_if(places.begin(), places.end(), [&](int i) { return isHiddenBy(i, pixelTest); }),
-    places.end());
-  this->Statistics.Lookups += pixelTest.GetLookups();
-  this->Statistics.PixelTestTime += clock.GetMilliseconds();
   this->PutBackSlivers(tested, places);
   return passed;
 }

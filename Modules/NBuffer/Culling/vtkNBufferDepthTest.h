@@ -35,26 +35,26 @@ enum class vtkNBufferSliverPolicy
   Always      ///< In every frame.
 };
 
+/// The settings of vtkNBufferCuller with the same names, as they are when a frame begins.
+struct vtkNBufferSettings
+{
+  vtkNBufferBackend::Kind Backend = vtkNBufferBackend::Auto;
+  vtkNBufferSliverPolicy TestSlivers = vtkNBufferSliverPolicy::Never;
+  bool Freeze = false;
+};
+
 class vtkNBufferDepthTest
 {
 public:
-  /// The settings of vtkNBufferCuller with the same names, and its tuning.
-  struct Options
-  {
-    vtkNBufferBackend::Kind Backend;
-    vtkNBufferSliverPolicy TestSlivers;
-    const vtkNBufferTuning& Tuning;
-  };
-
-  /// All arguments except `options` are kept by reference and must outlive the test, as must the
-  /// tuning in `options`.
+  /// All arguments are kept by reference and must outlive the test.
   vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferLevels& levels,
     const vtkNBufferProjection& projection, vtkNBufferCandidateList& props,
-    vtkNBufferStatistics& statistics, const Options& options);
+    vtkNBufferStatistics& statistics, const vtkNBufferSettings& settings,
+    const vtkNBufferTuning& tuning);
 
   /**
    * Build the levels that the candidates at all of `places` need, from the depth of the framebuffer
-   * that is being drawn. Returns Culled, or a failure with its cause and remedy in `why`, as
+   * that is being drawn. Returns None, or a failure with its cause and remedy in `why`, as
    * vtkNBufferBackend::Build() does.
    */
   vtkNBufferDecision Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
@@ -78,7 +78,8 @@ private:
   const vtkNBufferProjection& Projection;
   vtkNBufferCandidateList& Props;
   vtkNBufferStatistics& Statistics;
-  Options Settings;
+  const vtkNBufferSettings& Settings;
+  const vtkNBufferTuning& Tuning;
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkNBufferDepthSource Source;
 };

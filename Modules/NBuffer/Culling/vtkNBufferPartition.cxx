@@ -64,9 +64,9 @@ void vtkNBufferPartition::HoldBack()
 {
   if (this->HeldBack.empty())
   {
-    const auto farthest = std::max_element(this->Kept.begin(), this->Kept.end(),
-      [this](int a, int b)
-      { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; });
+    const auto isNearer = [this](int a, int b)
+    { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; };
+    const auto farthest = std::max_element(this->Kept.begin(), this->Kept.end(), isNearer);
     this->HeldBack.push_back(*farthest);
     this->Kept.erase(farthest);
   }
@@ -104,20 +104,12 @@ void vtkNBufferPartition::Project(const vtkNBufferProjection& projection)
 
 std::vector<int> vtkNBufferPartition::RemoveNearest(std::vector<int>& places, std::size_t limit)
 {
-  std::vector<int> nearest = places;
-  if (limit < places.size())
-  {
-    const auto end = places.begin() + static_cast<std::ptrdiff_t>(limit);
-    std::nth_element(places.begin(), end, places.end(),
-      [this](int a, int b)
-      { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; });
-    nearest.assign(places.begin(), end);
-    places.erase(places.begin(), end);
-  }
-  else
-  {
-    places.clear();
-  }
+  const auto isNearer = [this](int a, int b)
+  { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; };
+  const auto end = places.begin() + static_cast<std::ptrdiff_t>(std::min(limit, places.size()));
+  std::nth_element(places.begin(), end, places.end(), isNearer);
+  std::vector<int> nearest(places.begin(), end);
+  places.erase(places.begin(), end);
   return nearest;
 }
 

@@ -5,12 +5,13 @@
  * @brief Divides the candidates in the frustum of one frame into those to draw first and those to
  * hold back.
  *
- *     kept          The last test found them visible. The renderer draws them, and their depth
- * hides others. held back     The last test found them hidden, or there was none. They are drawn
- * after this frame's test if they may be visible. translucent   They keep their places and are left
- * out if this frame's test finds them hidden.
+ * - kept: The last test found them visible. The renderer draws them, and their depth hides others.
+ * - held back: The last test found them hidden, or there was none. They are drawn after the test of
+ *   this frame if they may be visible.
+ * - translucent: They keep their places in the renderer's list, and are left out if this frame's
+ *   test finds them hidden.
  *
- * Each list has places in the list of candidates, in ascending order. Classify() fills the lists.
+ * Each list contains indices of the list of candidates, in ascending order. Classify() fills them.
  * After that either HoldBack() or KeepAll() has to be called, as vtkNBufferCullingPolicy decides.
  */
 #ifndef vtkNBufferPartition_h

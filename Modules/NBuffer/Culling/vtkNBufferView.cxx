@@ -202,30 +202,19 @@ void vtkNBufferView::ForEachDrawnHeldProp(const std::function<void(vtkProp*)>& v
 
 int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* requiredKeys)
 {
-  switch (this->State)
+  if (this->State == Phase::AwaitingProxy && !requiredKeys)
   {
-    case Phase::Aside:
-    case Phase::Untested:
-    case Phase::Reused:
-      return 0; // nothing is held back
-    case Phase::AwaitingProxy:
-      if (!requiredKeys)
-      {
-        return this->TestAndDraw(renderer);
-      }
-      break;
-    case Phase::Tested:
-      if (!requiredKeys && this->CanRepeat(renderer))
-      {
-        return this->Repeat(renderer);
-      }
-      break;
-    case Phase::Incomplete:
-      break;
+    return this->TestAndDraw(renderer);
   }
-  // VTK wants only some of the props, or the same props once more, for reasons that are not known
-  // here.
-  return this->DrawAll(renderer, requiredKeys, vtkNBufferDecision::OtherView);
+  if (this->State == Phase::Tested && !requiredKeys && this->PrepareRepeat(renderer))
+  {
+    return this->Repeat(renderer);
+  }
+  // Otherwise VTK wants only some of the props, or the same props once more, for reasons that are
+  // not known here.
+  const bool isAnyHeldBack = this->State == Phase::AwaitingProxy || this->State == Phase::Tested ||
+    this->State == Phase::Incomplete;
+  return isAnyHeldBack ? this->DrawAll(renderer, requiredKeys, vtkNBufferDecision::OtherView) : 0;
 }
 
 int vtkNBufferView::TestAndDraw(vtkRenderer* renderer)
@@ -237,7 +226,7 @@ int vtkNBufferView::TestAndDraw(vtkRenderer* renderer)
   {
     return this->DrawAll(renderer, nullptr, obstacle);
   }
-  this->TestedBits = source.DepthBits;
+  this->TestedPrecision = source.GetPrecision();
   this->TestedSamples = source.Samples;
   this->KeptInVain = 0;
   int drawn = 0;
@@ -258,14 +247,14 @@ int vtkNBufferView::TestAndDraw(vtkRenderer* renderer)
   return drawn;
 }
 
-bool vtkNBufferView::CanRepeat(vtkRenderer* renderer)
+bool vtkNBufferView::PrepareRepeat(vtkRenderer* renderer)
 {
   // In coarser depth other props have equal depths, and other samples see past other silhouettes.
   vtkNBufferDepthSource source;
   return vtkNBufferCompatibility::DrawsOpaquePropsTwice(renderer) &&
     this->PrepareTest(renderer, source) == vtkNBufferDecision::None &&
     std::max(source.Samples, 1) == std::max(this->TestedSamples, 1) &&
-    std::min(source.DepthBits, 24) >= std::min(this->TestedBits, 24);
+    source.GetPrecision() >= this->TestedPrecision;
 }
 
 int vtkNBufferView::Repeat(vtkRenderer* renderer)
@@ -291,7 +280,7 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBuffer
     }
     return obstacle;
   }
-  const double quantum = std::ldexp(1.0, -std::min(source.DepthBits, 24));
+  const double quantum = std::ldexp(1.0, -source.GetPrecision());
   if (quantum != this->DepthQuantum)
   {
     this->DepthQuantum = quantum;
@@ -340,7 +329,7 @@ bool vtkNBufferView::DrawRounds(
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkNBufferDepthTest test(this->Backend, this->Levels, this->Projection, this->Props,
-    this->Statistics, { this->Settings.Backend, this->Settings.TestSlivers, this->Tuning });
+    this->Statistics, this->Settings, this->Tuning);
   for (;;)
   {
     std::string why;

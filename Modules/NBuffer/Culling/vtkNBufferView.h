@@ -33,8 +33,8 @@
 #ifndef vtkNBufferView_h
 #define vtkNBufferView_h
 
-#include "vtkNBufferBackOff.h"
 #include "vtkNBufferBackend.h"
+#include "vtkNBufferCamera.h"
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDeferredProxy.h"
 #include "vtkNBufferDepthTest.h"
@@ -42,11 +42,9 @@
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferPartition.h"
 #include "vtkNBufferProjection.h"
-#include "vtkNBufferSettings.h"
 #include "vtkNBufferStatistics.h"
 #include "vtkNBufferTranslucentProxy.h"
 #include "vtkNBufferTuning.h"
-#include "vtkNBufferViewKey.h"
 
 #include "vtkNew.h"
 
@@ -118,7 +116,9 @@ private:
   int DrawRound(vtkRenderer* renderer, std::vector<int> props, int round);
   void TestKept(vtkNBufferDepthTest& test);
   void TestTranslucent(vtkNBufferDepthTest& test);
-  bool CanRepeat(vtkRenderer* renderer);
+  /// PrepareTest() for drawing once more in a frame. Returns whether the same draws can be
+  /// repeated.
+  bool PrepareRepeat(vtkRenderer* renderer);
   int Repeat(vtkRenderer* renderer);
   int DrawAll(vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason);
   ///@}
@@ -141,7 +141,7 @@ private:
 
   vtkNBufferViewKey LastKey;
   double DepthQuantum = 0x1p-24; ///< One unit of the depth buffer drawn last, in window depth.
-  int TestedBits = 0;            ///< Bits per depth value of the depth that was tested.
+  int TestedPrecision = 0;       ///< GetPrecision() of the depth that was tested.
   int TestedSamples = 0;         ///< Samples per pixel of the depth that was tested.
   int KeptInVain = 0; ///< Kept props that the last test found hidden, after they had been drawn.
 };

@@ -11,8 +11,12 @@
 
 #include <algorithm>
 #include <map>
+#include <type_traits>
 
 VTK_ABI_NAMESPACE_BEGIN
+// A vector that grows moves its parts only if that cannot throw; otherwise it copies them.
+static_assert(std::is_nothrow_move_constructible_v<vtkShadowCaster::Part>);
+
 namespace
 {
 std::shared_ptr<const vtkShadowTopology> MakeTopology(vtkPolyData* data)

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowFrameKey.h"
 
+#include "vtkNBufferCamera.h"
 #include "vtkNBufferCullerTraits.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferStandIn.h"
-#include "vtkNBufferViewKey.h"
 #include "vtkShadowCasterList.h"
 
 #include "vtkCullerCollection.h"

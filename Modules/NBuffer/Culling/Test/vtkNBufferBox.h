@@ -9,19 +9,20 @@
 #define vtkNBufferBox_h
 
 #include "vtkNBufferGLM.h"
-#include "vtkNBufferModule.h" // For export macro
+
+#include <cmath>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 struct vtkNBufferBox
 {
-  glm::dvec3 Center;
-  glm::dvec3 HalfSize;
+  glm::dvec3 Center = glm::dvec3(0.0);
+  glm::dvec3 HalfSize = glm::dvec3(0.0);
   ///@{
   /// The vectors o and m of vtkNBufferBoxError.h, in world units: the point whose vertex buffer
   /// coordinates are 0, and how far from it the vertices are at most along each axis.
-  glm::dvec3 Origin;
-  glm::dvec3 Magnitude;
+  glm::dvec3 Origin = glm::dvec3(0.0);
+  glm::dvec3 Magnitude = glm::dvec3(0.0);
   ///@}
   /// Pixels by which what is drawn may stick out of the projected box (wide lines, points).
   double Margin = 0.0;
@@ -38,7 +39,19 @@ struct vtkNBufferBox
   }
 
   /// A box from VTK bounds (low x, high x, low y, ...) whose vertex buffer holds world coordinates.
-  VTKNBUFFER_EXPORT static vtkNBufferBox FromBounds(const double bounds[6]);
+  static vtkNBufferBox FromBounds(const double bounds[6])
+  {
+    vtkNBufferBox box;
+    for (int i = 0; i < 3; ++i)
+    {
+      box.Center[i] = 0.5 * (bounds[2 * i] + bounds[2 * i + 1]);
+      // Centre and half size are rounded, and so is their sum: a few steps outward.
+      const double half = 0.5 * (bounds[2 * i + 1] - bounds[2 * i]);
+      box.HalfSize[i] = half + (std::abs(box.Center[i]) + half) * 0x1p-50;
+      box.Magnitude[i] = std::abs(box.Center[i]) + box.HalfSize[i];
+    }
+    return box;
+  }
 };
 
 VTK_ABI_NAMESPACE_END

@@ -33,15 +33,15 @@ vtkNBufferBoxError::TriangleErrors vtkNBufferBoxError::GetTriangleErrors(
   double position, double depth, double range) const
 {
   TriangleErrors errors;
-  errors.Position = position;
+  errors.PositionError = position;
   errors.Overshoot = OvershootInPixels;
-  errors.Depth = depth;
-  errors.OfSlope = OvershootInPixels + this->PlaneRounding;
-  errors.OfRounding = this->PlaneRounding;
-  errors.OfLength = SlopeErrors * UnitRoundoff;
-  errors.Granted = this->GetInterpolationSlack(range);
-  errors.LargestSlope = errors.Granted / (errors.OfSlope + errors.OfRounding);
-  errors.LowestHeight = LowestHeight * UnitRoundoff;
+  errors.DepthError = depth;
+  errors.DepthErrorPerSlope = OvershootInPixels + this->PlaneRounding;
+  errors.SlopeRounding = this->PlaneRounding;
+  errors.SlopeRoundingPerLength = SlopeErrors * UnitRoundoff;
+  errors.BoxSlack = this->GetInterpolationSlack(range);
+  errors.CoveredSlope = errors.BoxSlack / (errors.DepthErrorPerSlope + errors.SlopeRounding);
+  errors.LowestRelativeHeight = LowestHeight * UnitRoundoff;
   return errors;
 }
 VTK_ABI_NAMESPACE_END

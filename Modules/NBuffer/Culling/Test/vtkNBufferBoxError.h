@@ -117,7 +117,8 @@ public:
   static double GetVertexError(const glm::dvec4& row, const vtkNBufferBox& box)
   {
     return VertexErrors * UnitRoundoff *
-      (glm::dot(glm::abs(glm::dvec3(row)), box.Magnitude) + std::abs(Evaluate(row, box.Origin)));
+      (glm::dot(vtkNBufferGLM::Abs(glm::dvec3(row)), box.Magnitude) +
+        std::abs(Evaluate(row, box.Origin)));
   }
 
   /// Pixels that are added on each side of a projected box: its margin and the subpixel grid.
@@ -144,26 +145,26 @@ public:
   struct TriangleErrors
   {
     /// How far a vertex may be from its exact place before it is snapped, in x and in y.
-    double Position;
-    /// How far a sample may be outside of the triangle that it belongs to, beyond Position.
+    double PositionError;
+    /// How far a sample may be outside of the triangle that it belongs to, beyond PositionError.
     double Overshoot;
     /// The error of any sample's depth that does not grow with the slope of the triangle.
-    double Depth;
+    double DepthError;
     /// The error of a sample's depth for each unit of the slope of the triangle's plane.
-    double OfSlope;
+    double DepthErrorPerSlope;
     ///@{
-    /// What rounding does to the slopes themselves. It costs at most OfRounding for each unit of
-    /// depth range by height, and at most OfLength for each unit of longest side times depth range
-    /// by height.
-    double OfRounding;
-    double OfLength;
+    /// What rounding does to the slopes themselves. It costs at most SlopeRounding for each unit
+    /// of depth range by height, and at most SlopeRoundingPerLength for each unit of longest side
+    /// times depth range by height.
+    double SlopeRounding;
+    double SlopeRoundingPerLength;
     ///@}
     /// How much of these three the slack of the box allows for.
-    double Granted;
-    /// The depth range by height up to which Granted is enough for any triangle.
-    double LargestSlope;
+    double BoxSlack;
+    /// The depth range by height up to which BoxSlack is enough for any triangle.
+    double CoveredSlope;
     /// The height, in units of the longest side, below which rounding leaves no plane at all.
-    double LowestHeight;
+    double LowestRelativeHeight;
   };
 
   /// `position` is what a vertex may be off its exact place in pixels, `depth` the error of depth

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -47,7 +46,8 @@ public:
     }
     const double inverse = 1.0 / w;
     const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
-    const glm::dvec3 slack = (glm::dvec3(this->Error) + glm::abs(ndc) * this->Error.w) * inverse;
+    const glm::dvec3 slack =
+      (glm::dvec3(this->Error) + vtkNBufferGLM::Abs(ndc) * this->Error.w) * inverse;
     this->Low = glm::min(this->Low, ndc - slack);
     this->High = glm::max(this->High, ndc + slack);
     this->Slack = glm::max(this->Slack, slack);
@@ -61,7 +61,7 @@ public:
   glm::dvec3 High = glm::dvec3(-std::numeric_limits<double>::infinity());
   ///@}
   /// The largest slack of any point along x, y and z.
-  glm::dvec3 Slack;
+  glm::dvec3 Slack = glm::dvec3(0.0);
   /// The largest clip coordinate w of any point.
   double MaximumW = 0.0;
 

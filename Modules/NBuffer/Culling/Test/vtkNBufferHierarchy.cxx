@@ -19,13 +19,14 @@ public:
     const glm::dvec3 low = box.Center - box.HalfSize;
     const glm::dvec3 high = box.Center + box.HalfSize;
     // The origin of the union is 0, not the box's own o: |M o + M_3| <= |M| |o| + |M_3|.
-    const glm::dvec3 magnitude = glm::abs(box.Origin) + box.Magnitude;
+    const glm::dvec3 magnitude = vtkNBufferGLM::Abs(box.Origin) + box.Magnitude;
     this->Low = glm::min(this->Low, low);
     this->High = glm::max(this->High, high);
     this->Magnitude = glm::max(this->Magnitude, magnitude);
     this->Margin = std::max(this->Margin, box.Margin);
-    this->Known = this->Known && IsFinite(low) && IsFinite(high) && IsFinite(magnitude) &&
-      low.x <= high.x && low.y <= high.y && low.z <= high.z && std::isfinite(box.Margin);
+    this->Known = this->Known && vtkNBufferGLM::IsFinite(low) && vtkNBufferGLM::IsFinite(high) &&
+      vtkNBufferGLM::IsFinite(magnitude) && low.x <= high.x && low.y <= high.y && low.z <= high.z &&
+      std::isfinite(box.Margin);
   }
 
   vtkNBufferBox Get() const
@@ -35,8 +36,8 @@ public:
     {
       box.Center = 0.5 * (this->Low + this->High);
       // Rounding must not cut anything off.
-      box.HalfSize =
-        0.5 * (this->High - this->Low) + (glm::abs(this->Low) + glm::abs(this->High)) * 0x1p-51;
+      box.HalfSize = 0.5 * (this->High - this->Low) +
+        (vtkNBufferGLM::Abs(this->Low) + vtkNBufferGLM::Abs(this->High)) * 0x1p-51;
     }
     else
     {
@@ -49,14 +50,9 @@ public:
   }
 
 private:
-  static bool IsFinite(const glm::dvec3& x)
-  {
-    return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
-  }
-
   glm::dvec3 Low = glm::dvec3(std::numeric_limits<double>::infinity());
   glm::dvec3 High = glm::dvec3(-std::numeric_limits<double>::infinity());
-  glm::dvec3 Magnitude;
+  glm::dvec3 Magnitude = glm::dvec3(0.0);
   double Margin = 0.0;
   bool Known = true;
 };
@@ -70,7 +66,7 @@ double GetExtent(const vtkNBufferBox& box)
 /// The search for the median sorts these: they are small, so that it moves little memory.
 struct vtkNBufferHierarchy::Key
 {
-  glm::dvec3 Center;
+  glm::dvec3 Center = glm::dvec3(0.0);
   int Place = 0;
 };
 
@@ -102,7 +98,7 @@ void vtkNBufferHierarchy::Build(
   std::vector<Key> keys(places.size());
   for (std::size_t i = 0; i < places.size(); ++i)
   {
-    const vtkNBufferBox& box = boxes[static_cast<std::size_t>(places[i])];
+    const vtkNBufferBox& box = boxes[places[i]];
     for (int j = 0; j < 3; ++j)
     {
       // NaN has no place in an order.
@@ -117,8 +113,8 @@ void vtkNBufferHierarchy::Build(
   for (std::size_t i = 0; i < keys.size(); ++i)
   {
     this->Order[i] = keys[i].Place;
-    this->Slots[static_cast<std::size_t>(keys[i].Place)] = static_cast<int>(i);
-    this->Boxes[i] = boxes[static_cast<std::size_t>(keys[i].Place)];
+    this->Slots[keys[i].Place] = static_cast<int>(i);
+    this->Boxes[i] = boxes[keys[i].Place];
   }
   this->Dirty.assign(this->Nodes.size(), 1);
   this->Refit();
@@ -127,47 +123,43 @@ void vtkNBufferHierarchy::Build(
 
 int vtkNBufferHierarchy::Split(std::vector<Key>& keys, int begin, int end, int leafSize)
 {
-  const int place = static_cast<int>(this->Nodes.size());
+  const auto index = static_cast<int>(this->Nodes.size());
   this->Nodes.emplace_back();
-  int left = -1;
-  int right = -1;
+  Node node;
+  node.Begin = begin;
+  node.End = end;
   if (end - begin > leafSize)
   {
-    int axis = 0;
-    double length = -1.0;
-    for (int j = 0; j < 3; ++j)
+    glm::dvec3 low = keys[begin].Center;
+    glm::dvec3 high = low;
+    for (int i = begin; i < end; ++i)
     {
-      const auto [least, greatest] = std::minmax_element(keys.begin() + begin, keys.begin() + end,
-        [j](const Key& a, const Key& b) { return a.Center[j] < b.Center[j]; });
-      const double size = greatest->Center[j] - least->Center[j];
-      axis = size > length ? j : axis;
-      length = std::max(length, size);
+      low = glm::min(low, keys[i].Center);
+      high = glm::max(high, keys[i].Center);
     }
+    const glm::dvec3 size = high - low;
+    const double* sizes = glm::value_ptr(size);
+    const auto axis = static_cast<int>(std::max_element(sizes, sizes + 3) - sizes);
     const int middle = begin + (end - begin) / 2;
     std::nth_element(keys.begin() + begin, keys.begin() + middle, keys.begin() + end,
       [axis](const Key& a, const Key& b) { return a.Center[axis] < b.Center[axis]; });
-    left = this->Split(keys, begin, middle, leafSize);
-    right = this->Split(keys, middle, end, leafSize);
+    node.Left = this->Split(keys, begin, middle, leafSize);
+    node.Right = this->Split(keys, middle, end, leafSize);
   }
-  Node& node = this->Nodes[static_cast<std::size_t>(place)];
-  node.Begin = begin;
-  node.End = end;
-  node.Left = left;
-  node.Right = right;
   node.Next = static_cast<int>(this->Nodes.size());
-  return place;
+  this->Nodes[index] = node;
+  return index;
 }
 
 void vtkNBufferHierarchy::Move(int place, const vtkNBufferBox& box)
 {
-  const int slot = this->Slots[static_cast<std::size_t>(place)];
-  this->Boxes[static_cast<std::size_t>(slot)] = box;
+  const int slot = this->Slots[place];
+  this->Boxes[slot] = box;
   for (int i = 0; i >= 0;)
   {
-    const Node& node = this->Nodes[static_cast<std::size_t>(i)];
-    this->Dirty[static_cast<std::size_t>(i)] = 1;
-    i = node.Left < 0 || slot < this->Nodes[static_cast<std::size_t>(node.Left)].End ? node.Left
-                                                                                     : node.Right;
+    const Node& node = this->Nodes[i];
+    this->Dirty[i] = 1;
+    i = node.Left < 0 || slot < this->Nodes[node.Left].End ? node.Left : node.Right;
   }
 }
 
@@ -192,30 +184,20 @@ void vtkNBufferHierarchy::FitNode(std::size_t place)
   Union all;
   if (node.Left >= 0)
   {
-    all.Add(this->Nodes[static_cast<std::size_t>(node.Left)].Box);
-    all.Add(this->Nodes[static_cast<std::size_t>(node.Right)].Box);
+    all.Add(this->Nodes[node.Left].Box);
+    all.Add(this->Nodes[node.Right].Box);
     node.Box = all.Get();
     return;
   }
   for (int slot = node.Begin; slot < node.End; ++slot)
   {
-    all.Add(this->Boxes[static_cast<std::size_t>(slot)]);
+    all.Add(this->Boxes[slot]);
   }
   const double before = GetExtent(node.Box);
   node.Box = all.Get();
   const double change = GetExtent(node.Box) - before;
   // Leaves without a finite box do not count in the sum.
   this->Extent += std::isfinite(change) ? change : 0.0;
-}
-
-void vtkNBufferHierarchy::Refit(const std::vector<vtkNBufferBox>& boxes)
-{
-  for (std::size_t i = 0; i < this->Order.size(); ++i)
-  {
-    this->Boxes[i] = boxes[static_cast<std::size_t>(this->Order[i])];
-  }
-  std::fill(this->Dirty.begin(), this->Dirty.end(), static_cast<unsigned char>(1));
-  this->Refit();
 }
 
 double vtkNBufferHierarchy::GetGrowth() const

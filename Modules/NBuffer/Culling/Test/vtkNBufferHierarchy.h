@@ -63,8 +63,7 @@ public:
   /// Whether the tree contains the box of a place.
   bool Has(int place) const
   {
-    return place < static_cast<int>(this->Slots.size()) &&
-      this->Slots[static_cast<std::size_t>(place)] >= 0;
+    return place < static_cast<int>(this->Slots.size()) && this->Slots[place] >= 0;
   }
 
   /// Replace the box of a place that is in the tree. The nodes follow with the next Refit().
@@ -73,9 +72,6 @@ public:
   /// Fit the nodes to the boxes that were replaced. Returns how many nodes were fitted.
   int Refit();
 
-  /// Keep the tree but replace all boxes and fit all nodes.
-  void Refit(const std::vector<vtkNBufferBox>& boxes);
-
   /**
    * How much larger the leaves are than when the tree was built, 1 if they are as large: the sum of
    * their sizes along all axes, divided by that sum at Build(). It grows when boxes move away from
@@ -83,43 +79,25 @@ public:
    */
   double GetGrowth() const;
 
-  /// What Visit() does below a node.
-  enum class Answer
+  /// Visit node `root` and the nodes below it, each before its children: descend(const Node&)
+  /// returns whether to visit what is below the node.
+  template <typename Descend>
+  void Visit(int root, Descend&& descend) const
   {
-    Skip,   ///< It visits nothing below the node.
-    Descend ///< It visits the children, or the boxes of a leaf.
-  };
-
-  /// Walk over the tree: visitNode(const vtkNBufferBox&) returns an Answer, and visitBox(int place)
-  /// is called for the boxes of the leaves that are reached.
-  template <typename VisitNode, typename VisitBox>
-  void Visit(VisitNode&& visitNode, VisitBox&& visitBox) const
-  {
-    for (std::size_t i = 0; i < this->Nodes.size();)
+    const int end = this->Nodes.empty() ? root : this->Nodes[root].Next;
+    for (int i = root; i < end;)
     {
-      const Node& node = this->Nodes[i];
-      if (visitNode(node.Box) == Answer::Skip)
-      {
-        i = static_cast<std::size_t>(node.Next);
-        continue;
-      }
-      if (node.Left < 0)
-      {
-        for (int place = node.Begin; place < node.End; ++place)
-        {
-          visitBox(this->Order[static_cast<std::size_t>(place)]);
-        }
-      }
-      ++i;
+      i = descend(this->Nodes[i]) ? i + 1 : this->Nodes[i].Next;
     }
   }
 
-  std::size_t GetNumberOfNodes() const { return this->Nodes.size(); }
-
-  /// All nodes, the root first, for walks other than Visit().
+  /// All nodes, the root first.
   const std::vector<Node>& GetNodes() const { return this->Nodes; }
 
-  /// The places of the boxes, so that those below a node are neighbours.
+  /// The index of a node in GetNodes().
+  int GetIndex(const Node& node) const { return static_cast<int>(&node - this->Nodes.data()); }
+
+  /// The places of the boxes, in an order in which those below a node are neighbours.
   const std::vector<int>& GetOrder() const { return this->Order; }
 
 private:

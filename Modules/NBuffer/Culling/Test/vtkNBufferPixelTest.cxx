@@ -136,14 +136,10 @@ bool vtkNBufferPixelTest::IsSquareHidden(int x, int y, const vtkNBufferRectangle
   }
   if (this->SquareLevel < this->Levels.GetNumberOfLevels())
   {
-    vtkNBufferCover cover;
-    cover.Level = this->SquareLevel;
-    cover.Count = 1;
-    cover.X[0] = x / this->Levels.GetFactor();
-    cover.Y[0] = y / this->Levels.GetFactor();
+    const int factor = this->Levels.GetFactor();
+    const float farthest = this->Levels.GetTexel(this->SquareLevel, x / factor, y / factor);
     ++this->Lookups;
-    if (this->GetNearest(x + half, y + half, half) >
-      vtkNBufferDepthConvention::GetOrder(this->Levels.Query(cover)))
+    if (this->GetNearest(x + half, y + half, half) > vtkNBufferDepthConvention::GetOrder(farthest))
     {
       return true;
     }

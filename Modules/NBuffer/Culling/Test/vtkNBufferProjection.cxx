@@ -5,11 +5,8 @@
 #include "vtkNBufferClipExtent.h"
 #include "vtkNBufferPolygonClip.h"
 
-#include "vtkMatrix4x4.h"
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -23,33 +20,6 @@ double Evaluate(const glm::dvec4& row, const glm::dvec3& point)
   return vtkNBufferBoxError::Evaluate(row, point);
 }
 
-bool IsFinite(const glm::dvec4& clip)
-{
-  return std::isfinite(clip.x) && std::isfinite(clip.y) && std::isfinite(clip.z) &&
-    std::isfinite(clip.w);
-}
-
-/// The inverse of a matrix, or NaN if there is none: every comparison takes that for "unknown".
-vtkNBufferProjection::Rows Invert(const vtkNBufferProjection::Rows& rows)
-{
-  double elements[16];
-  for (int i = 0; i < 4; ++i)
-  {
-    std::copy_n(glm::value_ptr(rows[i]), 4, elements + 4 * i);
-  }
-  double inverse[16];
-  std::fill_n(inverse, 16, std::numeric_limits<double>::quiet_NaN());
-  if (vtkMatrix4x4::Determinant(elements) != 0.0)
-  {
-    vtkMatrix4x4::Invert(elements, inverse);
-  }
-  vtkNBufferProjection::Rows result;
-  for (int i = 0; i < 4; ++i)
-  {
-    result[i] = glm::make_vec4(inverse + 4 * i);
-  }
-  return result;
-}
 }
 
 void vtkNBufferProjection::Set(
@@ -65,11 +35,14 @@ void vtkNBufferProjection::Set(const double worldToClip[16], int width, int heig
   this->Width = width;
   this->Height = height;
   this->Error.Set(format, std::max({ width, height, largestCoordinate }));
+  // If there is no inverse all its elements are NaN, which every comparison below takes for
+  // "unknown".
+  const glm::dmat4 clipToWorld = vtkNBufferGLM::Invert(vtkNBufferGLM::ToMatrix(worldToClip));
   for (int i = 0; i < 4; ++i)
   {
     this->WorldToClip[i] = glm::make_vec4(worldToClip + 4 * i);
+    this->ClipToWorld[i] = glm::row(clipToWorld, i);
   }
-  this->ClipToWorld = Invert(this->WorldToClip);
   for (int plane = 0; plane < 6; ++plane)
   {
     const double sign = plane % 2 == 0 ? 1.0 : -1.0;
@@ -114,18 +87,25 @@ vtkNBufferPlacement vtkNBufferProjection::Project(
       axes[j][i] = row[j] * box.HalfSize[j];
     }
   }
-  Corners corners;
+  const auto getCorner = [&](int corner)
+  {
+    return center + (corner & 1 ? axes[0] : -axes[0]) + (corner & 2 ? axes[1] : -axes[1]) +
+      (corner & 4 ? axes[2] : -axes[2]);
+  };
   vtkNBufferClipExtent extent(this->WorldToClip, box);
   bool before = true;
-  for (int corner = 0; corner < 8; ++corner)
+  for (int corner = 0; corner < 8 && before; ++corner)
   {
-    corners[corner] = center + (corner & 1 ? axes[0] : -axes[0]) +
-      (corner & 2 ? axes[1] : -axes[1]) + (corner & 4 ? axes[2] : -axes[2]);
-    before = before && extent.Add(corners[corner]);
+    before = extent.Add(getCorner(corner));
   }
   result.Clipped = !before;
   if (!before)
   {
+    Corners corners;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      corners[corner] = getCorner(corner);
+    }
     extent = vtkNBufferClipExtent(this->WorldToClip, box);
     const vtkNBufferPlacement placement = this->Clip(box, corners, extent);
     if (placement != vtkNBufferPlacement::Inside)
@@ -139,7 +119,7 @@ vtkNBufferPlacement vtkNBufferProjection::Project(
 vtkNBufferPlacement vtkNBufferProjection::Clip(
   const vtkNBufferBox& box, const Corners& corners, vtkNBufferClipExtent& extent) const
 {
-  if (!std::all_of(corners.begin(), corners.end(), IsFinite))
+  if (!std::all_of(corners.begin(), corners.end(), vtkNBufferGLM::IsFinite<4>))
   {
     return vtkNBufferPlacement::Crossing;
   }
@@ -204,12 +184,9 @@ vtkNBufferPlacement vtkNBufferProjection::Clip(
 vtkNBufferPlacement vtkNBufferProjection::Finish(
   const vtkNBufferBox& box, const vtkNBufferClipExtent& extent, vtkNBufferScreenBox& result) const
 {
-  for (int i = 0; i < 3; ++i)
+  if (!vtkNBufferGLM::IsFinite(extent.Low) || !vtkNBufferGLM::IsFinite(extent.High))
   {
-    if (!std::isfinite(extent.Low[i]) || !std::isfinite(extent.High[i]))
-    {
-      return vtkNBufferPlacement::Crossing;
-    }
+    return vtkNBufferPlacement::Crossing;
   }
   const int size[2] = { this->Width, this->Height };
   const double border = vtkNBufferBoxError::GetBorder(box);
@@ -282,7 +259,8 @@ vtkNBufferRectangle vtkNBufferProjection::GetContact(const vtkNBufferBox& box,
       const double sign = end == 0 ? -1.0 : 1.0;
       const double face = other.Center[j] + sign * other.HalfSize[j];
       const glm::dvec4 row = this->ClipToWorld[j] - face * this->ClipToWorld[3];
-      const double reach = glm::dot(glm::abs(glm::dvec3(row)), screen.Slack + otherScreen.Slack);
+      const double reach =
+        glm::dot(vtkNBufferGLM::Abs(glm::dvec3(row)), screen.Slack + otherScreen.Slack);
       range[end] = sign *
         std::min(sign * face + screen.MaximumW * reach, sign * box.Center[j] + box.HalfSize[j]);
     }

@@ -53,7 +53,7 @@ struct vtkNBufferScreenBox
   /// The depth range R for which the slack of Nearest and Farthest allows (vtkNBufferBoxError.h).
   double DepthRange = 1.0;
   /// How far a drawn point may be from its exact place along x, y and z, in NDC.
-  glm::dvec3 Slack;
+  glm::dvec3 Slack = glm::dvec3(0.0);
   /// The largest clip coordinate w of the corners.
   double MaximumW = 0.0;
   /// Whether corners are behind the eye. In this case the part in view was cut out.
@@ -188,9 +188,9 @@ private:
   vtkNBufferPlacement Finish(const vtkNBufferBox& box, const vtkNBufferClipExtent& extent,
     vtkNBufferScreenBox& result) const;
 
-  Rows WorldToClip;
-  Rows ClipToWorld;
-  std::array<glm::dvec4, 6> Planes; ///< Not negative for points inside, by sides of the view.
+  Rows WorldToClip{};
+  Rows ClipToWorld{};
+  std::array<glm::dvec4, 6> Planes{}; ///< Not negative for points inside, by sides of the view.
   vtkNBufferBoxError Error;
   int Width = 0;
   int Height = 0;

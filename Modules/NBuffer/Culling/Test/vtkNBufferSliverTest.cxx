@@ -53,9 +53,9 @@ bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, const double to
   const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)
 {
   const Errors errors = this->Projection.GetTriangleErrors(box, screen);
-  const double inverseSlope = 1.0 / errors.LargestSlope;
+  const double inverseSlope = 1.0 / errors.CoveredSlope;
   // Every vertex may be elsewhere by the diagonal of its error.
-  const double heightError = 3.0 * errors.Position;
+  const double heightError = 3.0 * errors.PositionError;
   this->Project(mesh, toWorld);
   for (const std::array<unsigned int, 3>& triangle : mesh.Triangles)
   {
@@ -67,7 +67,8 @@ bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, const double to
     const double length = high.x - low.x + high.y - low.y;
     const double area = std::abs(Cross(b - a, c - a));
     const double range = high.z - low.z;
-    if (area >= length * (heightError + errors.LowestHeight * length + range * inverseSlope))
+    if (area >=
+      length * (heightError + errors.LowestRelativeHeight * length + range * inverseSlope))
     {
       continue;
     }
@@ -110,27 +111,29 @@ bool vtkNBufferSliverTest::MayBeSeen(
   const glm::dvec3 toThird = third - from;
   const double own = length > 0.0 ? std::abs(Cross(side, toThird)) / length : 0.0;
   // No point of the triangle is farther from its longest side. 1.5 covers diagonals.
-  const double distance = own + errors.Overshoot + 1.5 * (errors.Position + this->SampleDistance);
+  const double distance =
+    own + errors.Overshoot + 1.5 * (errors.PositionError + this->SampleDistance);
   const double height = own - heightError;
   double allowance = std::numeric_limits<double>::infinity();
-  if (height > 0.0 && height >= errors.LowestHeight * length)
+  if (height > 0.0 && height >= errors.LowestRelativeHeight * length)
   {
     const double along = side.z / length;
     const double foot = glm::dot(glm::dvec2(side), glm::dvec2(toThird)) / length;
     const double across = toThird.z - along * foot;
     const auto [low, high] = GetRange(corners);
     // The vertices of the device's triangle are elsewhere, which makes it steeper.
-    const double steepness = std::abs(along) * (1.0 + 3.0 * errors.Position / length);
+    const double steepness = std::abs(along) * (1.0 + 3.0 * errors.PositionError / length);
     const double slope = steepness +
-      (std::abs(across) + 3.0 * errors.Position * steepness + 2.0 * errors.Depth) / height;
-    const double rounding = std::min(errors.OfRounding, errors.OfLength * length) *
-      (high.z - low.z + 2.0 * errors.Depth) / height;
-    const double stray = slope * errors.OfSlope + rounding;
-    if (stray <= errors.Granted)
+      (std::abs(across) + 3.0 * errors.PositionError * steepness + 2.0 * errors.DepthError) /
+        height;
+    const double rounding = std::min(errors.SlopeRounding, errors.SlopeRoundingPerLength * length) *
+      (high.z - low.z + 2.0 * errors.DepthError) / height;
+    const double stray = slope * errors.DepthErrorPerSlope + rounding;
+    if (stray <= errors.BoxSlack)
     {
       return false;
     }
-    allowance = errors.Depth + std::max(-across, 0.0) + 2.0 * distance * steepness + stray;
+    allowance = errors.DepthError + std::max(-across, 0.0) + 2.0 * distance * steepness + stray;
   }
   return this->MayBeSeen(from, to, distance, allowance);
 }
@@ -151,6 +154,7 @@ bool vtkNBufferSliverTest::MayBeSeen(
   const glm::ivec2 pixels = { this->Levels.GetPixelWidth(), this->Levels.GetPixelHeight() };
   const int sizeU = pixels[along];
   const int sizeV = pixels[other];
+  const int factor = this->Levels.GetFactor();
   // The first and the last pixel whose middle is in an interval.
   const auto getFirst = [](double x, int size)
   { return static_cast<int>(std::clamp(std::ceil(x - 0.5), 0.0, static_cast<double>(size))); };
@@ -166,12 +170,9 @@ bool vtkNBufferSliverTest::MayBeSeen(
     const int lastV = getLast(v + across, sizeV);
     for (int w = getFirst(v - across, sizeV); w <= lastV; ++w)
     {
-      vtkNBufferCover cover;
-      cover.Level = 0;
-      cover.Count = 1;
-      cover.X[0] = (alongX ? u : w) / this->Levels.GetFactor();
-      cover.Y[0] = (alongX ? w : u) / this->Levels.GetFactor();
-      if (!(nearest > vtkNBufferDepthConvention::GetOrder(this->Levels.Query(cover))))
+      const float farthest =
+        this->Levels.GetTexel(0, (alongX ? u : w) / factor, (alongX ? w : u) / factor);
+      if (!(nearest > vtkNBufferDepthConvention::GetOrder(farthest)))
       {
         return true;
       }

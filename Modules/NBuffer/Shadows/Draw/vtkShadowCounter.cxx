@@ -174,7 +174,7 @@ vtkShaderProgram* vtkShadowCounter::BeginVolumes(vtkOpenGLRenderWindow* window,
   {
     return nullptr;
   }
-  vtkNBufferGL::SetMatrix(program, "volumeToClip", volumeToClip);
+  vtkNBufferGL::SetMatrix(program, "volumeToClip", vtkNBufferGLM::ToMatrix(volumeToClip));
   glBindVertexArray(this->VertexArray.GetName());
   const int attribute = glGetAttribLocation(program->GetHandle(), "corner");
   int arrayBuffer = 0;
