@@ -5,12 +5,9 @@
 
 #include "ShadowShapes.h"
 
-#include "vtkNBufferVTKVersion.h"
-
 #include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCubeSource.h"
 #include "vtkCylinderSource.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -22,7 +19,6 @@
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
 #include "vtkStripper.h"
-#include "vtkTriangleFilter.h"
 
 #include <limits>
 
