@@ -15,7 +15,6 @@
 #include "vtkNBufferGL.h"
 #include "vtkNBufferSliverTest.h"
 #include "vtkNBufferSurface.h"
-#include "vtkNBufferVTKVersion.h"
 #include VTKNBUFFER_GL_HEADER
 
 #include "vtkActor.h"

@@ -9,7 +9,6 @@
 #include "vtkShadowTimers.h"
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 namespace

@@ -14,7 +14,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProperty.h"
 
-#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <string>

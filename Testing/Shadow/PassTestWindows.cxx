@@ -18,7 +18,6 @@
 #include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
 #include <array>
 #include <functional>
 #include <utility>

@@ -5,8 +5,6 @@
 
 #include "ShadowShapes.h"
 
-#include "vtkNBufferVTKVersion.h"
-
 #include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkCompositeDataDisplayAttributes.h"

@@ -5,7 +5,6 @@
 #include "OffscreenFixture.h"
 #include "QueryCuller.h"
 #include "Shapes.h"
-#include "vtkNBufferVTKVersion.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -18,7 +17,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
-#include <cstring>
 #include <random>
 #include <vector>
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 vtkNBufferProjection MakeProjection(const View& view, DepthConvention convention)
