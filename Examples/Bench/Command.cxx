@@ -5,18 +5,9 @@
 #include "vtkVersion.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <stdexcept>
-
-#ifdef _WIN32
-#include <io.h>
-#else
-#include <unistd.h>
-#endif
 
 namespace NBufferBench
 {
@@ -36,24 +27,15 @@ std::string ParseSize(const std::string& text, int& width, int& height)
   return std::string();
 }
 
-bool IsTerminal()
-{
-#ifdef _WIN32
-  return _isatty(_fileno(stderr)) != 0;
-#else
-  return isatty(STDERR_FILENO) != 0;
-#endif
-}
 }
 
 void ViewOptions::AddTo(CLI::App& command)
 {
   command.add_option("--scene", this->SceneNames, this->SceneHelp)->capture_default_str();
-  command.add_option("--up", this->Up, "Axis that points up (x, y or z); default: by file format")
-    ->check(CLI::IsMember({ "x", "y", "z" }));
   command.add_option("--path", this->Path,
-    "street, rooftop, drone, orbit, cuts, or a camera file (per line: eye, target, up, "
-    "[view angle, [near, far]]); default: street in a city, orbit elsewhere");
+    "street, rooftop, drone, cuts or orbit, or a path that the scene has of its own; default: "
+    "street "
+    "in a city, orbit elsewhere");
   command
     .add_option_function<std::string>(
       "--size",
@@ -82,9 +64,6 @@ void ViewOptions::AddTo(CLI::App& command)
   command.add_option("--samples", this->Window.Samples, "Samples per pixel; 0: no multisampling")
     ->check(CLI::Range(0, 64))
     ->capture_default_str();
-  command.add_option("--window", this->Window.Window, "Window system")
-    ->check(CLI::IsMember({ "default", "osmesa", "egl", "glx" }))
-    ->capture_default_str();
 }
 
 void ViewOptions::AddCullerTo(CLI::App& command)
@@ -92,22 +71,16 @@ void ViewOptions::AddCullerTo(CLI::App& command)
   command.add_option("--backend", this->Mode.Backend, "Where vtkNBufferCuller builds its levels")
     ->check(CLI::IsMember({ "auto", "opengl", "cpu" }))
     ->capture_default_str();
-  command.add_option("--base", this->Mode.Base, "Pixels per texel of level 0, default: 4")
-    ->check(CLI::IsMember({ 1, 2, 4, 8 }));
 }
 
 NBufferExamples::Scene ViewOptions::LoadScene() const
 {
-  // Importers make windows, too.
-  ChooseWindowSystem(this->Window.Window);
   NBufferExamples::SceneOptions options;
   options.DefaultCity = NBufferExamples::FindDefaultCity(this->Program);
-  options.Up = this->Up;
   options.Seed = this->Seed;
   options.Progress = ShowProgress;
   NBufferExamples::Scene scene = NBufferExamples::LoadScene(this->SceneNames, options);
   scene.Tile(this->Props);
-  ShowProgress("");
   return scene;
 }
 
@@ -122,12 +95,10 @@ std::string ViewOptions::GetPathName(const NBufferExamples::Scene& scene) const
 NBufferExamples::CameraPath ViewOptions::MakePath(
   const NBufferExamples::Scene& scene, int usualFrames) const
 {
-  const std::string name = this->GetPathName(scene);
-  const bool isFile = std::filesystem::is_regular_file(name);
-  const int frames = this->Frames > 0 || isFile ? this->Frames : usualFrames;
-  NBufferExamples::CameraPath path =
-    NBufferExamples::MakePath(scene, name, std::max(frames, this->PathFrames), this->Seed);
-  path.resize(frames > 0 ? std::min(path.size(), static_cast<std::size_t>(frames)) : path.size());
+  const int frames = this->Frames > 0 ? this->Frames : usualFrames;
+  NBufferExamples::CameraPath path = NBufferExamples::MakePath(
+    scene, this->GetPathName(scene), std::max(frames, this->PathFrames), this->Seed);
+  path.resize(static_cast<std::size_t>(frames));
   return path;
 }
 
@@ -142,26 +113,6 @@ void ViewOptions::Describe(
   report["size"] = session.GetSize();
   report["samples"] = session.GetWindow()->GetMultiSamples();
   report["seed"] = static_cast<Json::UInt64>(this->Seed);
-}
-
-void ShowProgress(const std::string& text)
-{
-  static std::size_t shown = 0;
-  static std::chrono::steady_clock::time_point last;
-  if (!IsTerminal())
-  {
-    // A log gets a line every few seconds instead of one that is overwritten.
-    const auto now = std::chrono::steady_clock::now();
-    if (!text.empty() && now - last > std::chrono::seconds(5))
-    {
-      std::cerr << text << std::endl;
-      last = now;
-    }
-    return;
-  }
-  const std::size_t blanks = shown > text.size() ? shown - text.size() : 0;
-  std::cerr << "\r" << text << std::string(blanks, ' ') << (text.empty() ? "\r" : "") << std::flush;
-  shown = text.size();
 }
 
 void CheckWritable(const std::string& fileName)

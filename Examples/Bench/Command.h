@@ -37,7 +37,6 @@ struct ViewOptions
 {
   std::string Program;
   std::vector<std::string> SceneNames = { "city" };
-  std::string Up;
   std::string Path;
   int Frames = 0;
   int PathFrames = 0; ///< Of the whole path; 0: as many as are rendered.
@@ -47,8 +46,8 @@ struct ViewOptions
   ModeOptions Mode;
 
   /// What --scene can be, for the help.
-  std::string SceneHelp = "city, plant (synthetic), a city file, an OSM extract (.osm, .osm.bz2, "
-                          ".pbf), .bsp, .kicad_pcb or a folder of them (with :actors behind: "
+  std::string SceneHelp = "city, plant (synthetic), a city file, .bsp, .kicad_pcb or a folder of "
+                          "them (with :actors behind: "
                           "all actors of VTK's importer), .glb, .gltf, .obj, .wrl, .vtm, .vtpc, or "
                           "one or more .stl or .ply; each also as .gz";
 
@@ -61,17 +60,13 @@ struct ViewOptions
   NBufferExamples::Scene LoadScene() const;
 
   /// Makes the path that the options name: by default street in a city and orbit elsewhere, and
-  /// `usualFrames` frames, or all frames of a camera file.
+  /// `usualFrames` frames.
   NBufferExamples::CameraPath MakePath(const NBufferExamples::Scene& scene, int usualFrames) const;
   std::string GetPathName(const NBufferExamples::Scene& scene) const;
 
   /// Adds to a report what was rendered where.
   void Describe(const NBufferExamples::Scene& scene, Session& session, Json::Value& report) const;
 };
-
-/// Shows what is being done on one line of stderr; an empty text wipes it. Where stderr is not a
-/// terminal, it prints a line every few seconds.
-void ShowProgress(const std::string& text);
 
 /// Throws std::runtime_error, at the beginning of a long run, if the file cannot be written. An
 /// empty name passes.

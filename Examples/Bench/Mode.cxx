@@ -3,7 +3,6 @@
 #include "Mode.h"
 
 #include "ModeSettings.h"
-#include "Tune.h"
 
 #include "vtkCullerCollection.h"
 #include "vtkFrustumCoverageCuller.h"
@@ -86,10 +85,6 @@ Mode::Mode(const std::string& name, const ModeOptions& options)
     this->NBuffer->SetBackend(options.Backend == "cpu" ? vtkNBufferCuller::CPU
         : options.Backend == "opengl"                  ? vtkNBufferCuller::OpenGL
                                                        : vtkNBufferCuller::Auto);
-    if (options.Base > 0)
-    {
-      Tune(this->NBuffer, &vtkNBufferTuning::BaseFactor, options.Base);
-    }
     ApplySettings(name, this->NBuffer);
     this->Cullers.push_back(this->NBuffer);
   }

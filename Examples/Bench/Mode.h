@@ -29,8 +29,6 @@ struct ModeOptions
 {
   /// auto, opengl or cpu
   std::string Backend = "auto";
-  /// Pixels per texel of level 0; 0: the culler's default
-  int Base = 0;
 };
 
 class Mode

@@ -10,33 +10,23 @@
 #include "vtkPointData.h"
 #include "vtkPropCollection.h"
 
-#include <vtksys/SystemTools.hxx>
-
 #include <chrono>
 #include <filesystem>
-#include <map>
+#include <iostream>
 #include <sstream>
 #include <stdexcept>
 
 namespace NBufferBench
 {
-namespace
-{
-std::string GetClassOf(const std::string& window)
-{
-  const std::map<std::string, std::string> classes = { { "osmesa", "vtkOSOpenGLRenderWindow" },
-    { "egl", "vtkEGLRenderWindow" }, { "glx", "vtkXOpenGLRenderWindow" } };
-  const auto found = classes.find(window);
-  return found == classes.end() ? std::string() : found->second;
-}
-}
 
-void ChooseWindowSystem(const std::string& system)
+void ShowProgress(const std::string& text)
 {
-  const std::string name = GetClassOf(system);
-  if (!name.empty())
+  static std::chrono::steady_clock::time_point last;
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last > std::chrono::seconds(5))
   {
-    vtksys::SystemTools::PutEnv("VTK_DEFAULT_OPENGL_WINDOW=" + name);
+    std::cerr << text << std::endl;
+    last = now;
   }
 }
 
@@ -57,18 +47,15 @@ Session::Session(const NBufferExamples::Scene& scene, const SessionOptions& opti
   this->Window->Render();
   this->Renderer->DrawOn();
 #endif
-  const std::string device = this->GetDevice();
-  const std::string wanted = GetClassOf(options.Window);
-  if (device.empty() || (!wanted.empty() && !this->Window->IsA(wanted.c_str())))
+  if (this->GetDevice().empty())
   {
-    throw std::runtime_error("no OpenGL by the window system " + options.Window + " (got " +
-      this->GetWindowClass() + (device.empty() ? " without a context)" : ")"));
+    throw std::runtime_error("no OpenGL in a " + this->GetWindowClass() +
+      "; VTK_DEFAULT_OPENGL_WINDOW may name another class of windows");
   }
 }
 
 Session& Session::New(const NBufferExamples::Scene& scene, const SessionOptions& options)
 {
-  ChooseWindowSystem(options.Window);
   return *new Session(scene, options);
 }
 

@@ -26,21 +26,15 @@ class vtkProp;
 namespace NBufferBench
 {
 
-/// A function that is called with a text that says what is being done.
-using Progress = std::function<void(const std::string&)>;
+/// Writes what is being done to stderr, at most one line every few seconds.
+void ShowProgress(const std::string& text);
 
 struct SessionOptions
 {
   int Width = 960;
   int Height = 720;
   int Samples = 0;
-  /// osmesa, egl, glx, or default for VTK's choice.
-  std::string Window = "default";
 };
-
-/// Selects the window system of all windows that VTK makes from now on. VTK before 9.4 has only
-/// one.
-void ChooseWindowSystem(const std::string& system);
 
 class Session
 {
@@ -48,8 +42,7 @@ public:
   /**
    * Makes a session that lives until the process ends. When a window is destroyed, VTK searches the
    * buffers of all props for each prop, which takes seconds for a city; the end of the process
-   * frees them at no cost. Throws std::runtime_error if the window system is missing or has no
-   * OpenGL.
+   * frees them at no cost. Throws std::runtime_error if there is no OpenGL.
    */
   static Session& New(const NBufferExamples::Scene& scene, const SessionOptions& options);
 

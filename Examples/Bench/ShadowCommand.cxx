@@ -89,7 +89,6 @@ int RunShadowCommand(ShadowCommandOptions& options)
   {
     options.Walk.CasterKeys = MarkCasters(name, scene);
   }
-  options.Walk.Progress = ShowProgress;
   Json::Value report = RunShadowWalk(session, light, path, options.Walk);
   options.View.Describe(scene, session, report);
   report["scene"] = name == "city-sun" || name == "city-spot" ? name : scene.Name;
@@ -135,9 +134,6 @@ void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
       "maps; those of volumes also with settings of their own, such as auto:BoxCost=16, "
       "slabs@64:SlabGap=2")
     ->delimiter(',')
-    ->capture_default_str();
-  command->add_option("--litmap", options->Walk.Litmap, "Lexels along each side of the litmaps")
-    ->check(CLI::Range(1, 4096))
     ->capture_default_str();
   command->add_flag("--oracle", options->Walk.Oracle,
     "Compare the first, middle and last frame with rays in double precision");

@@ -27,15 +27,9 @@ namespace NBufferBench
 namespace
 {
 using NBufferExamples::AddPart;
+using NBufferExamples::MakePartMapper;
 using NBufferExamples::Random;
 using NBufferExamples::Scene;
-
-template <class Source>
-vtkSmartPointer<vtkPolyDataMapper> MakeMapper(Source* source)
-{
-  source->Update();
-  return NBufferExamples::MakePartMapper(source->GetOutput());
-}
 
 /// A square slab, its top at height 0.
 void AddGround(Scene& scene, vtkPolyDataMapper* box, double side)
@@ -52,8 +46,8 @@ Scene MakeBirds(std::uint64_t seed)
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(10);
   sphere->SetPhiResolution(10);
-  const auto box = MakeMapper(cube.Get());
-  const auto bird = MakeMapper(sphere.Get());
+  const auto box = MakePartMapper(cube);
+  const auto bird = MakePartMapper(sphere);
   AddGround(scene, box, 120.0);
   for (int i = 0; i < 12; ++i)
   {
@@ -87,8 +81,8 @@ Scene MakeParts(std::uint64_t seed)
   sphere->SetPhiResolution(48);
   vtkNew<vtkConeSource> cone;
   cone->SetResolution(48);
-  const vtkSmartPointer<vtkPolyDataMapper> parts[] = { MakeMapper(cube.Get()),
-    MakeMapper(cylinder.Get()), MakeMapper(sphere.Get()), MakeMapper(cone.Get()) };
+  const vtkSmartPointer<vtkPolyDataMapper> parts[] = { MakePartMapper(cube),
+    MakePartMapper(cylinder), MakePartMapper(sphere), MakePartMapper(cone) };
   AddGround(scene, parts[0], 14.0);
   for (std::size_t i = 0; i < 20; ++i)
   {
@@ -112,25 +106,21 @@ vtkSmartPointer<vtkLight> MakeSpot(const NBufferExamples::CameraPath& path, cons
 {
   constexpr double ahead = 20.0; // metres
   const NBufferExamples::CameraPose& pose = path[path.size() / 2];
-  double direction[3];
-  vtkMath::Subtract(pose.Target, pose.Eye, direction);
-  direction[2] = 0.0;
-  vtkMath::Normalize(direction);
-  double place[3] = { pose.Eye[0] + ahead * direction[0], pose.Eye[1] + ahead * direction[1], 0.0 };
+  glm::dvec3 direction = pose.Target - pose.Eye;
+  direction.z = 0.0;
+  direction = vtkNBufferGLM::Normalize(direction);
+  glm::dvec3 place = pose.Eye + ahead * direction;
+  place.z = 0.0;
   auto light = vtkSmartPointer<vtkLight>::New();
   light->SetLightTypeToSceneLight();
   light->PositionalOn();
   light->SetConeAngle(lamp.ConeAngle);
   light->SetExponent(0.0);
-  light->SetFocalPoint(place);
-  vtkMath::Add(place, lamp.Offset.data(), place);
-  light->SetPosition(place);
+  light->SetFocalPoint(glm::value_ptr(place));
+  light->SetPosition(glm::value_ptr(place + lamp.Offset));
   return light;
 }
-}
 
-namespace
-{
 /// The name under which LoadScene knows the actors of a scene.
 std::vector<std::string> GetActorNames(std::vector<std::string> names)
 {
@@ -225,7 +215,6 @@ NBufferExamples::Scene LoadShadowScene(ViewOptions view)
 {
   if (view.SceneNames.size() == 1 && IsMadeScene(view.SceneNames[0]))
   {
-    ChooseWindowSystem(view.Window.Window);
     return MakeScene(view.SceneNames[0], view.Seed);
   }
   view.SceneNames = GetActorNames(view.SceneNames);

@@ -10,7 +10,7 @@
  *     birds      400 spheres, synthetic and seeded, floating above ground and 12 towers; the sun
  *     simple     20 large parts that touch and cross each other above a floor, seeded; the sun
  *
- * and whatever LoadScene knows, under the sun.
+ * and every scene of LoadScene(), under the sun.
  */
 #ifndef ShadowScene_h
 #define ShadowScene_h
@@ -30,28 +30,30 @@
 namespace NBufferBench
 {
 
+/// Loads the scene that the options name.
 NBufferExamples::Scene LoadShadowScene(ViewOptions view);
 
 /// The spot of city-spot. It shines on the place on the street 20 m ahead of the path's middle
 /// pose.
 struct SpotLamp
 {
-  /// From that place, metres: east, north, up. Usually high above the street and beside the way.
-  std::array<double, 3> Offset = { 25.0, -25.0, 120.0 };
-  /// Degrees from the axis to the edge, as vtkLight has it; between 0 and 90.
+  /// The position of the lamp relative to that place, in metres: east, north, up.
+  glm::dvec3 Offset = { 25.0, -25.0, 120.0 };
+  /// The angle from the axis to the edge in degrees, as in vtkLight; between 0 and 90.
   double ConeAngle = 20.0;
 };
 
-/// x, y, z and cone angle. Throws std::runtime_error if the scene has no spot, the lamp is not
-/// above the street, or the angle out of range.
+/// Makes a lamp of x, y, z and the cone angle. Throws std::runtime_error if the scene has no spot,
+/// the lamp is not above the street, or the angle out of range.
 SpotLamp ReadLamp(const std::string& name, const std::vector<double>& numbers);
 
-/// Replace the lights of the renderer by the one of the scene.
+/// Replaces the lights of the renderer by the light of the scene.
 vtkLight* LightScene(const std::string& name, const NBufferExamples::Scene& scene,
   const NBufferExamples::CameraPath& path, vtkRenderer* renderer, const SpotLamp& lamp = {});
 
-/// Give all actors a property key but the ground and what lies on it; returns it, so that these
-/// only receive shadows. nullptr for scenes of files, whose parts are not told apart.
+/// Gives a property key to all actors except the ground and the streets, and returns the key: as
+/// caster keys of the pass it makes the ground only receive shadows. Returns nullptr for scenes of
+/// files, whose parts cannot be distinguished.
 vtkSmartPointer<vtkInformation> MarkCasters(
   const std::string& name, const NBufferExamples::Scene& scene);
 

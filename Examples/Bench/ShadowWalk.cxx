@@ -129,7 +129,7 @@ public:
   {
     for (const Runner& runner : this->Runners)
     {
-      this->Progress("uploading, " + runner.Mode.GetName());
+      ShowProgress("uploading, " + runner.Mode.GetName());
       runner.Mode.Enter(this->Where.GetRenderer());
       this->RenderFrame(0);
     }
@@ -139,7 +139,7 @@ public:
       { this->TimeBlock(this->Runners[mode], begin, end); },
       [this](std::size_t, std::size_t end)
       {
-        this->Progress(
+        ShowProgress(
           "timed frame " + std::to_string(end) + " of " + std::to_string(this->Path.size()));
       });
     Json::Value report;
@@ -155,20 +155,11 @@ public:
     {
       runner.Mode.Release(this->Where.GetRenderer());
     }
-    this->Progress("");
     this->AddModes(report);
     return report;
   }
 
 private:
-  void Progress(const std::string& text) const
-  {
-    if (this->Options.Progress)
-    {
-      this->Options.Progress(text);
-    }
-  }
-
   Runner* Find(const std::string& name)
   {
     const auto found = std::find_if(this->Runners.begin(), this->Runners.end(),
@@ -215,7 +206,7 @@ private:
       {
         continue;
       }
-      this->Progress("counting fragments, " + runner.Mode.GetName());
+      ShowProgress("counting fragments, " + runner.Mode.GetName());
       runner.Mode.Enter(this->Where.GetRenderer());
       for (std::size_t frame = 0; frame < this->Path.size(); ++frame)
       {
@@ -235,7 +226,7 @@ private:
     {
       return;
     }
-    this->Progress("counting pixels in shadow");
+    ShowProgress("counting pixels in shadow");
     long long shadowed = 0;
     for (std::size_t frame = 0; frame < this->Path.size(); ++frame)
     {
@@ -281,7 +272,7 @@ private:
     }
     for (const std::size_t frame : frames)
     {
-      this->Progress("casting rays, frame " + std::to_string(frame));
+      ShowProgress("casting rays, frame " + std::to_string(frame));
       this->Where.SetPose(this->Path[frame]);
       const Oracle oracle(this->Where.GetRenderer(),
         [this](vtkProp* prop) { return prop->HasKeys(this->Options.CasterKeys); });

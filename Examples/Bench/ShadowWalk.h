@@ -45,7 +45,6 @@ struct ShadowWalkOptions
   std::string ImageFolder;
   /// The one of vtkShadowVolumeClampPass::DebugViews that is laid over these images.
   int DebugView = 0;
-  NBufferBench::Progress Progress;
 };
 
 /// Returns the part of the report (SCHEMA.md) that is measured. The light is the only one of the

@@ -25,13 +25,13 @@ namespace NBufferBench
 /// Measures what runs on the graphics device, by size of the image: drawing, reading depth back,
 /// building all levels or one, and reading those back. Leaves the window at another size, and
 /// leaves out images of more than `mostPixels`.
-Json::Value MeasureDevice(Session& session, const NBufferExamples::CameraPose& pose,
-  int repetitions, int mostPixels, const Progress& progress);
+Json::Value MeasureDevice(
+  Session& session, const NBufferExamples::CameraPose& pose, int repetitions, int mostPixels);
 
 /// Measures what the format of depth costs, by the ratio of far to near plane. The planes of
 /// `frame` are at `near` and `far`; their ratio is the first one that is measured.
-Json::Value MeasureFormats(const NBufferStudy::DepthFrame& frame, double near, double far,
-  int repetitions, const Progress& progress);
+Json::Value MeasureFormats(
+  const NBufferStudy::DepthFrame& frame, double near, double far, int repetitions);
 
 ///@{
 /**
@@ -45,15 +45,14 @@ Json::Value MeasureFormats(const NBufferStudy::DepthFrame& frame, double near, d
  */
 std::string GetFragmentsObstacle(vtkRenderer* renderer);
 Json::Value MeasureFragments(Session& session, const NBufferExamples::CameraPath& path,
-  const std::vector<std::string>& modes, int frames, const Progress& progress);
+  const std::vector<std::string>& modes, int frames);
 ///@}
 
 /// Measures testing props one by one and over a hierarchy, by their number up to `most`. `boxes`
 /// are all props of the scene; beyond their number, copies of the scene stand side by side. Copies
 /// are tested and not drawn, so that those that the scene does not hide count as visible.
 Json::Value MeasureHierarchy(const NBufferStudy::DepthFrame& frame,
-  const std::vector<vtkNBufferBox>& boxes, const double eye[3], int most, int repetitions,
-  const Progress& progress);
+  const std::vector<vtkNBufferBox>& boxes, const glm::dvec3& eye, int most, int repetitions);
 
 ///@{
 /**

@@ -42,8 +42,10 @@ struct StudyOptions
   int WalkFrames = 0;
   int LatentPairs = 0;
   ///@}
-  double Megabytes = 120.0; ///< Larger structures are left out.
 };
+
+/// Structures that need more for a frame are left out.
+constexpr double MostMegabytes = 120.0;
 
 /// How much of everything is measured.
 struct Effort
@@ -201,10 +203,8 @@ public:
       this->RunPaper(scene, session, paths.front());
       this->Report["device"] =
         MeasureDevice(session, this->MakePath(scene, paths.front(), 1).front(),
-          this->Spent.DeviceRepetitions, this->Spent.MostDevicePixels,
-          [](const std::string& size) { ShowProgress("the device: " + size); });
+          this->Spent.DeviceRepetitions, this->Spent.MostDevicePixels);
     }
-    ShowProgress("");
     WriteJSON(this->Report, this->Options.JSON);
     return this->Wrong == 0 ? Success : ImagesDiffer;
   }
@@ -230,10 +230,9 @@ private:
   void RunPath(const Scene& scene, Session& session, const std::string& name)
   {
     const CameraPath poses = this->MakePath(scene, name, this->Spent.Frames);
-    const std::vector<DepthFrame> work = CollectFrames(
-      session, poses, [&](const std::string& text) { ShowProgress(name + ": " + text); });
-    std::vector<NBufferStudy::ContenderPointer> contenders = NBufferStudy::MakeContenders(
-      work.front().Width, work.front().Height, this->Options.Megabytes);
+    const std::vector<DepthFrame> work = CollectFrames(session, poses);
+    std::vector<NBufferStudy::ContenderPointer> contenders =
+      NBufferStudy::MakeContenders(work.front().Width, work.front().Height, MostMegabytes);
     if (scene.Known)
     {
       contenders.push_back(MakeKnownContender(*scene.Known, work, poses));
@@ -271,8 +270,6 @@ private:
   void RunPeers(const Scene& scene, Session& session, const std::string& name, Json::Value& report)
   {
     WalkOptions options;
-    options.Progress = [&name](const std::string& text)
-    { ShowProgress(name + ": whole frames, " + text); };
     options.Verify = true;
     options.Modes.clear();
     Json::Value skipped(Json::objectValue);
@@ -301,12 +298,11 @@ private:
     this->CountWrong("bytes of whole frames of " + name, report["walk"]["differing_bytes"]);
     if (!this->Options.PathsOnly && GetFragmentsObstacle(session.GetRenderer()).empty())
     {
-      report["fragments"] =
-        MeasureFragments(session, path, modes, this->Spent.FragmentFrames, options.Progress);
+      report["fragments"] = MeasureFragments(session, path, modes, this->Spent.FragmentFrames);
     }
     for (int step : { 1, 10 })
     {
-      options.Progress("by verdicts of " + std::to_string(step) + " poses ago");
+      ShowProgress("by verdicts of " + std::to_string(step) + " poses ago");
       report["latent"].append(MeasureLatent(session, path, step, this->Spent.LatentPairs,
         this->Options.Folder + "/latent-" + report["file_name"].asString() + "-" +
           std::to_string(step) + ".png"));
@@ -327,9 +323,8 @@ private:
     hierarchy["scene"] = scene.Name;
     hierarchy["path"] = name;
     hierarchy["file_name"] = GetFileName(scene.Name) + "-" + GetFileName(name);
-    hierarchy["entries"] = MeasureHierarchy(frame, CollectBoxes(session), pose.Eye,
-      this->Spent.MostProps, this->Spent.Repetitions,
-      [&](const std::string& text) { ShowProgress(name + ": " + text); });
+    hierarchy["entries"] = MeasureHierarchy(
+      frame, CollectBoxes(session), pose.Eye, this->Spent.MostProps, this->Spent.Repetitions);
     this->Report["hierarchy"].append(hierarchy);
   }
 
@@ -343,8 +338,7 @@ private:
     Json::Value& formats = this->Report["formats"];
     formats["scene"] = scene.Name;
     formats["path"] = name;
-    formats["entries"] = MeasureFormats(frame, pose.Near, pose.Far, this->Spent.Repetitions,
-      [](const std::string& format) { ShowProgress("depth formats: " + format); });
+    formats["entries"] = MeasureFormats(frame, pose.Near, pose.Far, this->Spent.Repetitions);
     for (const Json::Value& entry : formats["entries"])
     {
       this->CountWrong("hidden with depth of " + entry["format"].asString(), entry["false_hidden"]);
@@ -389,11 +383,6 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
   add("--repeat", options->Repetitions, "Timed repetitions of each frame; default: 7");
   add("--walk-frames", options->WalkFrames, "Whole frames of a path; default: 30");
   add("--latent-pairs", options->LatentPairs, "Pairs of poses for latent culling; default: 12");
-  command
-    ->add_option(
-      "--megabytes", options->Megabytes, "Leave out structures that need more for a frame")
-    ->check(CLI::PositiveNumber)
-    ->capture_default_str();
   command->callback([options, &run]() { run = [options]() { return Study(*options).Run(); }; });
 }
 

@@ -8,13 +8,10 @@
 
 #include "vtkNBufferClock.h"
 #include "vtkNBufferDepthSource.h"
-#include "vtkNBufferGL.h"
 #include "vtkNBufferTexture.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCullerCollection.h"
 #include "vtkFrustumCoverageCuller.h"
-#include "vtkOpenGLRenderTimer.h"
 #include "vtkOpenGLRenderWindow.h"
 
 #include <stdexcept>
@@ -29,30 +26,46 @@ using NBufferPeers::SingleLevel;
 constexpr int AllLevels = 64;
 constexpr int LevelFactors[] = { 4, 8, 16 };
 
-/// Times of something that is done several times, the first of which does not count.
-struct Times
+/// Milliseconds of building levels once, on the device alone, and of reading the levels back; below
+/// 0 where that is not measured.
+struct Sample
 {
-  std::vector<double> Build;
-  std::vector<double> Device;
-  std::vector<double> Read;
-
-  void WriteTo(Json::Value& row) const
-  {
-    row["build_ms"] = Summarize(this->Build);
-    if (!this->Device.empty())
-    {
-      row["device_ms"] = Summarize(this->Device);
-    }
-    if (!this->Read.empty())
-    {
-      row["read_ms"] = Summarize(this->Read);
-    }
-  }
+  double Build = -1.0;
+  double Device = -1.0;
+  double Read = -1.0;
 };
 
-Json::Value MakeRow(const char* name, int factor, int levels, int width, int height)
+/// Calls measure() once for nothing and then `repetitions` times; the samples go to `row`.
+template <typename Measure>
+void Repeat(int repetitions, Json::Value& row, Measure&& measure)
 {
-  Json::Value row;
+  std::vector<double> times[3];
+  for (int i = 0; i <= repetitions; ++i)
+  {
+    const Sample sample = measure();
+    const double values[3] = { sample.Build, sample.Device, sample.Read };
+    for (int j = 0; j < 3; ++j)
+    {
+      if (i > 0 && values[j] >= 0.0)
+      {
+        times[j].push_back(values[j]);
+      }
+    }
+  }
+  const char* const names[3] = { "build_ms", "device_ms", "read_ms" };
+  for (int j = 0; j < 3; ++j)
+  {
+    if (!times[j].empty())
+    {
+      row[names[j]] = Summarize(times[j]);
+    }
+  }
+}
+
+/// Returns the row of a table; `row` has its times.
+Json::Value MakeRow(
+  const char* name, int factor, int levels, int width, int height, Json::Value row)
+{
   row["name"] = name;
   row["factor"] = factor;
   row["levels"] = levels;
@@ -76,38 +89,32 @@ Json::Value MeasureModule(const Drawn& drawn, const char* name, int factor, int 
 {
   vtkNew<vtkNBufferTexture> texture;
   vtkNBufferLevels host;
-  Times times;
-  for (int i = 0; i <= drawn.Repetitions; ++i)
-  {
-    drawn.Window->WaitForCompletion();
-    vtkNBufferClock clock;
-    if (!texture->Build(drawn.Window, drawn.Source, drawn.Source.Viewport[0],
-          drawn.Source.Viewport[1], drawn.GetWidth(), drawn.GetHeight(), factor, levels,
-          vtkNBufferExtremum::Maximum))
+  Json::Value times;
+  Repeat(drawn.Repetitions, times,
+    [&]()
     {
-      throw std::runtime_error("no levels by OpenGL: " + texture->GetError());
-    }
-    drawn.Window->WaitForCompletion();
-    const double build = clock.Restart();
-    if (!texture->Download(drawn.Window, host))
-    {
-      throw std::runtime_error("levels cannot be read back: " + texture->GetError());
-    }
-    const double read = clock.GetMilliseconds();
-    const double device = texture->GetDeviceTime();
-    if (i > 0)
-    {
-      times.Build.push_back(build);
-      times.Read.push_back(read);
-      if (device > 0.0)
+      Sample sample;
+      drawn.Window->WaitForCompletion();
+      vtkNBufferClock clock;
+      if (!texture->Build(drawn.Window, drawn.Source, drawn.Source.Viewport[0],
+            drawn.Source.Viewport[1], drawn.GetWidth(), drawn.GetHeight(), factor, levels,
+            vtkNBufferExtremum::Maximum))
       {
-        times.Device.push_back(device);
+        throw std::runtime_error("no levels by OpenGL: " + texture->GetError());
       }
-    }
-  }
+      drawn.Window->WaitForCompletion();
+      sample.Build = clock.Restart();
+      if (!texture->Download(drawn.Window, host))
+      {
+        throw std::runtime_error("levels cannot be read back: " + texture->GetError());
+      }
+      sample.Read = clock.GetMilliseconds();
+      const double device = texture->GetDeviceTime();
+      sample.Device = device > 0.0 ? device : -1.0;
+      return sample;
+    });
   Json::Value row =
-    MakeRow(name, factor, texture->GetNumberOfLevels(), drawn.GetWidth(), drawn.GetHeight());
-  times.WriteTo(row);
+    MakeRow(name, factor, texture->GetNumberOfLevels(), drawn.GetWidth(), drawn.GetHeight(), times);
   texture->ReleaseGraphicsResources(drawn.Window);
   return row;
 }
@@ -116,87 +123,71 @@ Json::Value MeasureHost(
   const Drawn& drawn, const std::vector<float>& depth, const char* name, int factor, int levels)
 {
   vtkNBufferLevels host;
-  Times times;
-  for (int i = 0; i <= drawn.Repetitions; ++i)
-  {
-    const vtkNBufferClock clock;
-    host.BuildBase(
-      depth.data(), drawn.GetWidth(), drawn.GetHeight(), factor, vtkNBufferExtremum::Maximum);
-    host.BuildLevels(levels);
-    if (i > 0)
+  Json::Value times;
+  Repeat(drawn.Repetitions, times,
+    [&]()
     {
-      times.Build.push_back(clock.GetMilliseconds());
-    }
-  }
-  Json::Value row =
-    MakeRow(name, factor, host.GetNumberOfLevels(), drawn.GetWidth(), drawn.GetHeight());
-  times.WriteTo(row);
-  return row;
+      const vtkNBufferClock clock;
+      host.BuildBase(
+        depth.data(), drawn.GetWidth(), drawn.GetHeight(), factor, vtkNBufferExtremum::Maximum);
+      host.BuildLevels(levels);
+      return Sample{ clock.GetMilliseconds() };
+    });
+  return MakeRow(
+    name, factor, host.GetNumberOfLevels(), drawn.GetWidth(), drawn.GetHeight(), times);
 }
 
 Json::Value MeasureSingle(
   const Drawn& drawn, SingleLevel& single, const char* name, ReduceMethod method, int factor)
 {
-  Json::Value row = MakeRow(name, factor, 1, drawn.GetWidth(), drawn.GetHeight());
+  Json::Value times;
   const std::string obstacle = SingleLevel::WhyNot(method);
   if (!obstacle.empty())
   {
-    row["skipped"] = obstacle;
-    return row;
+    times["skipped"] = obstacle;
+    return MakeRow(name, factor, 1, drawn.GetWidth(), drawn.GetHeight(), times);
   }
-  Times times;
   std::vector<float> level;
   std::string why;
-  for (int i = 0; i <= drawn.Repetitions; ++i)
-  {
-    drawn.Window->WaitForCompletion();
-    vtkNBufferClock clock;
-    const bool done = single.Reduce(method, factor, why);
-    drawn.Window->WaitForCompletion();
-    const double build = clock.Restart();
-    if (!done || !single.Download(level, why))
+  Repeat(drawn.Repetitions, times,
+    [&]()
     {
-      throw std::runtime_error("no level by OpenGL: " + why);
-    }
-    const double read = clock.GetMilliseconds();
-    const double device = single.GetDeviceTime();
-    if (i > 0)
-    {
-      times.Build.push_back(build);
-      times.Read.push_back(read);
-      if (device >= 0.0)
+      Sample sample;
+      drawn.Window->WaitForCompletion();
+      vtkNBufferClock clock;
+      const bool done = single.Reduce(method, factor, why);
+      drawn.Window->WaitForCompletion();
+      sample.Build = clock.Restart();
+      if (!done || !single.Download(level, why))
       {
-        times.Device.push_back(device);
+        throw std::runtime_error("no level by OpenGL: " + why);
       }
-    }
-  }
-  times.WriteTo(row);
-  return row;
+      sample.Read = clock.GetMilliseconds();
+      sample.Device = single.GetDeviceTime();
+      return sample;
+    });
+  return MakeRow(name, factor, 1, drawn.GetWidth(), drawn.GetHeight(), times);
 }
 
 Json::Value MeasureBuilds(const Drawn& drawn)
 {
-  std::vector<double> reads;
   std::vector<float> depth;
-  for (int i = 0; i <= drawn.Repetitions; ++i)
-  {
-    std::string why;
-    drawn.Window->WaitForCompletion();
-    const vtkNBufferClock clock;
-    if (!drawn.Source.Read(drawn.Window, drawn.Source.Viewport[0], drawn.Source.Viewport[1],
-          drawn.GetWidth(), drawn.GetHeight(), depth, why))
-    {
-      throw std::runtime_error("the depth cannot be read: " + why);
-    }
-    if (i > 0)
-    {
-      reads.push_back(clock.GetMilliseconds());
-    }
-  }
   Json::Value result;
+  Repeat(drawn.Repetitions, result,
+    [&]()
+    {
+      std::string why;
+      drawn.Window->WaitForCompletion();
+      const vtkNBufferClock clock;
+      if (!drawn.Source.Read(drawn.Window, drawn.Source.Viewport[0], drawn.Source.Viewport[1],
+            drawn.GetWidth(), drawn.GetHeight(), depth, why))
+      {
+        throw std::runtime_error("the depth cannot be read: " + why);
+      }
+      return Sample{ -1.0, -1.0, clock.GetMilliseconds() };
+    });
   result["width"] = drawn.GetWidth();
   result["height"] = drawn.GetHeight();
-  result["read_ms"] = Summarize(reads);
   Json::Value& rows = result["rows"] = Json::Value(Json::arrayValue);
   for (int factor : { 1, 4 })
   {
@@ -227,62 +218,26 @@ Json::Value MeasureBuilds(const Drawn& drawn)
   return result;
 }
 
-/// The frame by VTK alone, with its default culler.
-void MeasureDrawing(
-  Session& session, const NBufferExamples::CameraPose& pose, int repetitions, Json::Value& result)
+/// Draws the frame by VTK alone, with its default culler.
+Json::Value MeasureDrawing(
+  Session& session, const NBufferExamples::CameraPose& pose, int repetitions)
 {
-  vtkNew<vtkFrustumCoverageCuller> frustum;
   session.GetRenderer()->GetCullers()->RemoveAllItems();
-  session.GetRenderer()->AddCuller(frustum);
-  vtkOpenGLRenderTimer timer;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&timer);
-  observer->SetCallback(
-    [](vtkObject*, unsigned long event, void* data, void*)
-    {
-      auto* drawing = static_cast<vtkOpenGLRenderTimer*>(data);
-      event == vtkCommand::StartEvent ? drawing->Start() : drawing->Stop();
-      glFlush();
-    });
-  const bool timed = vtkNBufferGL::HasVersion(3, 3) && vtkOpenGLRenderTimer::IsSupported();
-  std::vector<double> wall;
-  std::vector<double> device;
+  session.GetRenderer()->AddCuller(vtkNew<vtkFrustumCoverageCuller>());
+  std::vector<double> milliseconds;
   for (int i = 0; i <= repetitions; ++i)
   {
     session.SetPose(pose);
-    unsigned long tags[2] = { 0, 0 };
-    if (timed)
-    {
-      tags[0] = session.GetRenderer()->AddObserver(vtkCommand::StartEvent, observer);
-      tags[1] = session.GetRenderer()->AddObserver(vtkCommand::EndEvent, observer);
-    }
-    const double milliseconds = session.Render();
-    if (timed)
-    {
-      session.GetRenderer()->RemoveObserver(tags[0]);
-      session.GetRenderer()->RemoveObserver(tags[1]);
-    }
-    if (i > 0)
-    {
-      wall.push_back(milliseconds);
-    }
-    if (i > 0 && timed && timer.Ready())
-    {
-      device.push_back(1e-6 * static_cast<double>(timer.GetElapsedNanoseconds()));
-    }
+    milliseconds.push_back(session.Render());
   }
-  timer.ReleaseGraphicsResources();
   session.GetRenderer()->GetCullers()->RemoveAllItems();
-  result["draw_ms"] = Summarize(wall);
-  if (!device.empty())
-  {
-    result["draw_device_ms"] = Summarize(device);
-  }
+  milliseconds.erase(milliseconds.begin()); // The first time does not count.
+  return Summarize(milliseconds);
 }
 }
 
-Json::Value MeasureDevice(Session& session, const NBufferExamples::CameraPose& pose,
-  int repetitions, int mostPixels, const Progress& progress)
+Json::Value MeasureDevice(
+  Session& session, const NBufferExamples::CameraPose& pose, int repetitions, int mostPixels)
 {
   constexpr int sizes[][2] = { { 256, 256 }, { 512, 512 }, { 640, 480 }, { 1024, 1024 },
     { 1920, 1080 } };
@@ -293,14 +248,14 @@ Json::Value MeasureDevice(Session& session, const NBufferExamples::CameraPose& p
     {
       continue;
     }
-    progress(std::to_string(size[0]) + " x " + std::to_string(size[1]));
+    ShowProgress("the device: " + std::to_string(size[0]) + " x " + std::to_string(size[1]));
     session.GetWindow()->SetSize(size[0], size[1]);
     Json::Value entry;
     RenderAndInspect(session, pose,
       [&](vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source) {
         entry = MeasureBuilds({ window, source, repetitions });
       });
-    MeasureDrawing(session, pose, repetitions, entry);
+    entry["draw_ms"] = MeasureDrawing(session, pose, repetitions);
     result.append(entry);
   }
   return result;

@@ -9,8 +9,8 @@
 namespace NBufferBench
 {
 
-Json::Value MeasureFormats(const NBufferStudy::DepthFrame& frame, double near, double far,
-  int repetitions, const Progress& progress)
+Json::Value MeasureFormats(
+  const NBufferStudy::DepthFrame& frame, double near, double far, int repetitions)
 {
   using namespace NBufferStudy;
   Json::Value entries(Json::arrayValue);
@@ -18,7 +18,7 @@ Json::Value MeasureFormats(const NBufferStudy::DepthFrame& frame, double near, d
   {
     for (const DepthFormat& format : GetDepthFormats())
     {
-      progress(format.Name);
+      ShowProgress(std::string("depth formats: ") + format.Name);
       std::vector<DepthFrame> frames = { Convert(frame, near, far, far / ratio, format) };
       std::vector<ContenderPointer> contenders;
       contenders.push_back(MakeFamilyContender(DepthFamily(), 8));

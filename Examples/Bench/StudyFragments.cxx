@@ -14,7 +14,6 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCullerCollection.h"
 #include "vtkMapper.h"
-#include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPropCollection.h"
 
@@ -43,7 +42,7 @@ void ForEachMapper(vtkRenderer* renderer, Functor&& functor)
   }
 }
 
-/// Which props are drawn, in order, for as long as it lives.
+/// Records which props are drawn, in order, for as long as it lives.
 class Recorder
 {
 public:
@@ -87,28 +86,6 @@ private:
   std::vector<std::pair<vtkMapper*, unsigned long>> Tags;
 };
 
-/// Leaves one prop in the list.
-class StageCuller : public vtkCuller
-{
-public:
-  static StageCuller* New();
-  vtkTypeMacro(StageCuller, vtkCuller);
-
-  double Cull(vtkRenderer*, vtkProp** props, int& count, int& initialized) override
-  {
-    if (count > 0)
-    {
-      this->Stage->SetRenderTimeMultiplier(1.0);
-      props[0] = this->Stage;
-      count = initialized = 1;
-    }
-    return count;
-  }
-
-  vtkNew<NBufferPeers::DrawStage> Stage;
-};
-vtkStandardNewMacro(StageCuller);
-
 struct Fragments
 {
   long long Passed = 0;
@@ -133,12 +110,13 @@ long long CountShown(vtkRenderer* renderer)
   return std::count_if(depth.begin(), depth.end(), [](float value) { return value < 1.0f; });
 }
 
-/// Draws them again, each within a query; samples of each, and pixels that show a prop.
+/// Repeats the draws, each within a query. Returns the samples of each draw, and sets `shown` to
+/// the number of pixels that show a prop.
 std::vector<GLuint> Replay(Session& session, const std::vector<vtkProp*>& draws, long long& shown)
 {
   std::vector<GLuint> samples(draws.size());
-  vtkNew<StageCuller> culler;
-  culler->Stage->Function = [&](vtkRenderer* renderer)
+  vtkNew<NBufferPeers::DrawStage> stage;
+  stage->Function = [&](vtkRenderer* renderer)
   {
     std::vector<GLuint> queries(draws.size());
     glGenQueries(static_cast<GLsizei>(queries.size()), queries.data());
@@ -156,6 +134,9 @@ std::vector<GLuint> Replay(Session& session, const std::vector<vtkProp*>& draws,
     shown = CountShown(renderer);
     return static_cast<int>(draws.size());
   };
+  const std::vector<vtkProp*> list = { stage };
+  vtkNew<OracleCuller> culler;
+  culler->SetProps(&list);
   session.GetRenderer()->GetCullers()->RemoveAllItems();
   session.GetRenderer()->AddCuller(culler);
   session.Render();
@@ -163,7 +144,8 @@ std::vector<GLuint> Replay(Session& session, const std::vector<vtkProp*>& draws,
   return samples;
 }
 
-/// Of each draw the least of three counts: llvmpipe now and then counts samples more than once.
+/// Takes the least of three counts of each draw, because llvmpipe now and then counts samples more
+/// than once.
 Fragments Count(
   Session& session, const std::vector<vtkProp*>& draws, const std::vector<vtkProp*>& visible)
 {
@@ -199,7 +181,7 @@ std::string GetFragmentsObstacle(vtkRenderer* renderer)
 }
 
 Json::Value MeasureFragments(Session& session, const NBufferExamples::CameraPath& path,
-  const std::vector<std::string>& modes, int frames, const Progress& progress)
+  const std::vector<std::string>& modes, int frames)
 {
   // Each frame and the one before it.
   std::vector<std::size_t> places;
@@ -216,7 +198,7 @@ Json::Value MeasureFragments(Session& session, const NBufferExamples::CameraPath
   Json::Value result(Json::objectValue);
   for (const std::string& name : modes)
   {
-    progress("fragments of " + name);
+    ShowProgress("fragments of " + name);
     Fragments sum;
     Mode mode(name, options);
     for (std::size_t i = 0; i < places.size(); ++i)

@@ -4,14 +4,13 @@
 
 #include "VisibleProps.h"
 
-#include "vtkNBufferCandidate.h"
-#include "vtkNBufferDepthSource.h"
+#include "FrameProjection.h"
 
-#include "vtkCamera.h"
+#include "vtkNBufferCandidate.h"
+
 #include "vtkCommand.h"
 #include "vtkCullerCollection.h"
 #include "vtkFrustumCoverageCuller.h"
-#include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
 
 #include <stdexcept>
@@ -46,17 +45,6 @@ std::vector<vtkNBufferCandidate> MakeCandidates(Session& session)
     candidates.back().Refresh(true);
   }
   return candidates;
-}
-
-void SetProjection(
-  vtkRenderer* renderer, const vtkNBufferDepthSource& source, vtkNBufferProjection& projection)
-{
-  const double quantum = source.FloatDepth ? 0x1p-24 : 1.0 / ((1ULL << source.DepthBits) - 1);
-  projection.Set(
-    renderer->GetActiveCamera()
-      ->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)
-      ->GetData(),
-    source.Viewport[2], source.Viewport[3], quantum);
 }
 
 void TakeBoxes(const std::vector<vtkNBufferCandidate>& candidates,
@@ -115,10 +103,9 @@ void RenderAndInspect(Session& session, const CameraPose& pose,
   }
 }
 
-std::vector<DepthFrame> CollectFrames(
-  Session& session, const NBufferExamples::CameraPath& path, const Progress& progress)
+std::vector<DepthFrame> CollectFrames(Session& session, const NBufferExamples::CameraPath& path)
 {
-  const std::vector<std::vector<vtkProp*>> visible = FindVisibleProps(session, path, progress);
+  const std::vector<std::vector<vtkProp*>> visible = FindVisibleProps(session, path);
   session.GetRenderer()->GetCullers()->RemoveAllItems();
   vtkNew<vtkFrustumCoverageCuller> frustum;
   session.GetRenderer()->AddCuller(frustum);
@@ -132,7 +119,7 @@ std::vector<DepthFrame> CollectFrames(
       {
         frame.Width = source.Viewport[2];
         frame.Height = source.Viewport[3];
-        SetProjection(session.GetRenderer(), source, frame.Projection);
+        NBufferPeers::SetFrameProjection(session.GetRenderer(), source, frame.Projection);
         std::string why;
         if (!source.Read(window, source.Viewport[0], source.Viewport[1], frame.Width, frame.Height,
               frame.Depth, why))

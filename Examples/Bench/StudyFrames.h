@@ -25,7 +25,7 @@ namespace NBufferBench
 /// Renders each pose with everything in view, and reads its depth. Leaves the renderer without
 /// cullers.
 std::vector<NBufferStudy::DepthFrame> CollectFrames(
-  Session& session, const NBufferExamples::CameraPath& path, const Progress& progress = nullptr);
+  Session& session, const NBufferExamples::CameraPath& path);
 
 /// Returns the boxes of all props that may be culled, in view or not.
 std::vector<vtkNBufferBox> CollectBoxes(Session& session);

@@ -17,19 +17,15 @@ namespace
 {
 using NBufferStudy::DepthFrame;
 
-double GetDistance2(const vtkNBufferBox& box, const double eye[3])
+double GetDistance2(const vtkNBufferBox& box, const glm::dvec3& eye)
 {
-  double sum = 0.0;
-  for (int j = 0; j < 3; ++j)
-  {
-    sum += (box.Center[j] - eye[j]) * (box.Center[j] - eye[j]);
-  }
-  return sum;
+  const glm::dvec3 step = box.Center - eye;
+  return glm::dot(step, step);
 }
 
 /// Copies of the scene around it, ring by ring, until there are `count` boxes; then the nearest.
 std::vector<vtkNBufferBox> MakeBoxes(
-  const std::vector<vtkNBufferBox>& scene, const double eye[3], int count)
+  const std::vector<vtkNBufferBox>& scene, const glm::dvec3& eye, int count)
 {
   vtkBoundingBox bounds;
   for (const vtkNBufferBox& box : scene)
@@ -62,7 +58,7 @@ std::vector<vtkNBufferBox> MakeBoxes(
     }
   }
   std::nth_element(boxes.begin(), boxes.begin() + (count - 1), boxes.end(),
-    [eye](const vtkNBufferBox& a, const vtkNBufferBox& b)
+    [&eye](const vtkNBufferBox& a, const vtkNBufferBox& b)
     { return GetDistance2(a, eye) < GetDistance2(b, eye); });
   boxes.resize(wanted);
   return boxes;
@@ -180,7 +176,7 @@ private:
 }
 
 Json::Value MeasureHierarchy(const DepthFrame& frame, const std::vector<vtkNBufferBox>& scene,
-  const double eye[3], int most, int repetitions, const Progress& progress)
+  const glm::dvec3& eye, int most, int repetitions)
 {
   vtkNBufferLevels levels;
   levels.BuildBase(frame.Depth.data(), frame.Width, frame.Height, 4, vtkNBufferExtremum::Maximum);
@@ -193,7 +189,7 @@ Json::Value MeasureHierarchy(const DepthFrame& frame, const std::vector<vtkNBuff
     {
       break;
     }
-    progress("hierarchy over " + std::to_string(count));
+    ShowProgress("hierarchy over " + std::to_string(count));
     const std::vector<vtkNBufferBox> boxes = MakeBoxes(scene, eye, count);
     vtkNBufferHierarchy tree;
     std::vector<double> build;

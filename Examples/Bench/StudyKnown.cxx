@@ -4,9 +4,7 @@
 #include "Study.h"
 #include "VisibleProps.h"
 
-#include "vtkCamera.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNew.h"
+#include "vtkNBufferCamera.h"
 
 #include <stdexcept>
 
@@ -64,29 +62,22 @@ public:
     : Frame(frame)
   {
     session.SetPose(pose);
-    vtkRenderer* renderer = session.GetRenderer();
-    this->ClipToWorld->DeepCopy(renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-      renderer->GetTiledAspectRatio(), -1.0, 1.0));
-    this->ClipToWorld->Invert();
+    this->ClipToWorld = vtkNBufferGLM::Invert(vtkNBufferCamera(session.GetRenderer()).WorldToClip);
   }
 
-  void GetPlace(int x, int y, double place[3]) const
+  glm::dvec3 GetPlace(int x, int y) const
   {
     const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(this->Frame.Width) +
       static_cast<std::size_t>(x);
-    const double clip[4] = { 2.0 * (x + 0.5) / this->Frame.Width - 1.0,
-      2.0 * (y + 0.5) / this->Frame.Height - 1.0, 2.0 * this->Frame.Depth[pixel] - 1.0, 1.0 };
-    double world[4];
-    this->ClipToWorld->MultiplyPoint(clip, world);
-    for (int i = 0; i < 3; ++i)
-    {
-      place[i] = world[i] / world[3];
-    }
+    const glm::dvec4 world = vtkNBufferGLM::Multiply(this->ClipToWorld,
+      { 2.0 * (x + 0.5) / this->Frame.Width - 1.0, 2.0 * (y + 0.5) / this->Frame.Height - 1.0,
+        2.0 * this->Frame.Depth[pixel] - 1.0, 1.0 });
+    return glm::dvec3(world) / world.w;
   }
 
 private:
   const DepthFrame& Frame;
-  vtkNew<vtkMatrix4x4> ClipToWorld;
+  glm::dmat4 ClipToWorld;
 };
 }
 
@@ -141,9 +132,7 @@ Json::Value CheckKnown(Session& session, const PotentiallyVisibleSet& known,
       }
       const int x = static_cast<int>(pixel) % frame.Width;
       const int y = static_cast<int>(pixel) / frame.Width;
-      double place[3];
-      unprojector.GetPlace(x, y, place);
-      if (known.IsBlocked(path[i].Eye, place))
+      if (known.IsBlocked(path[i].Eye, unprojector.GetPlace(x, y)))
       {
         ++undrawn;
         continue;

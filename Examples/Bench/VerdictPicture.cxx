@@ -53,10 +53,10 @@ struct Axes
   glm::dvec3 Up;
 
   Axes(const CameraPose& pose, int upAxis)
-    : Eye(vtkNBufferGLM::ToVector(pose.Eye))
+    : Eye(pose.Eye)
   {
     this->Up[upAxis] = 1.0;
-    this->Ahead = vtkNBufferGLM::ToVector(pose.Target) - this->Eye;
+    this->Ahead = pose.Target - this->Eye;
     this->Ahead[upAxis] = 0.0;
     this->Ahead = glm::normalize(this->Ahead);
     this->Side = glm::cross(this->Ahead, this->Up);
@@ -180,17 +180,9 @@ vtkSmartPointer<vtkImageData> MakeVerdictPicture(Session& session, const Scene& 
     renderer->AddViewProp(text);
   }
 
-  CameraPose above;
-  const auto store = [](const glm::dvec3& from, double to[3])
-  { std::copy_n(glm::value_ptr(from), 3, to); };
-  store(axes.GetPlace(-0.62 * reach, 0.0, 0.85 * reach), above.Eye);
-  store(axes.GetPlace(0.42 * reach, 0.0, 0.0), above.Target);
-  store(axes.Up, above.Up);
-  above.ViewAngle = 45.0;
-  above.Near = 0.02 * reach;
-  above.Far = 100.0 * reach;
   renderer->GetCullers()->RemoveAllItems();
-  session.SetPose(above);
+  session.SetPose({ axes.GetPlace(-0.62 * reach, 0.0, 0.85 * reach),
+    axes.GetPlace(0.42 * reach, 0.0, 0.0), axes.Up, 45.0, 0.02 * reach, 100.0 * reach });
   session.Render();
   const vtkSmartPointer<vtkImageData> image = session.MakeImage(session.ReadPixels());
   for (const vtkSmartPointer<vtkTextActor>& text : texts)

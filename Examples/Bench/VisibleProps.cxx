@@ -77,7 +77,7 @@ private:
 }
 
 std::vector<std::vector<vtkProp*>> FindVisibleProps(
-  Session& session, const NBufferExamples::CameraPath& path, const Progress& progress)
+  Session& session, const NBufferExamples::CameraPath& path)
 {
   Finder finder(session);
   const std::vector<vtkProp*> props = session.GetProps();
@@ -101,11 +101,8 @@ std::vector<std::vector<vtkProp*>> FindVisibleProps(
         visible.back().push_back(props[place]);
       }
     }
-    if (progress)
-    {
-      progress("which props own a pixel: frame " + std::to_string(visible.size()) + " of " +
-        std::to_string(path.size()));
-    }
+    ShowProgress("finding which props own a pixel: frame " + std::to_string(visible.size()) +
+      " of " + std::to_string(path.size()));
   }
   return visible;
 }

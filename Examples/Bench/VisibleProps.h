@@ -28,7 +28,7 @@ namespace NBufferBench
  * anything is timed, and render something in between.
  */
 std::vector<std::vector<vtkProp*>> FindVisibleProps(
-  Session& session, const NBufferExamples::CameraPath& path, const Progress& progress = nullptr);
+  Session& session, const NBufferExamples::CameraPath& path);
 
 /// Returns, for every pixel, row 0 at the bottom, the place of its prop in the renderer's list, or
 /// -1 for the background. Shaders are left as above.

@@ -122,31 +122,21 @@ public:
       [this](std::size_t begin, std::size_t end)
       {
         this->Compare(begin, end);
-        this->Progress("frame " + std::to_string(end) + " of " + std::to_string(this->Path.size()));
+        ShowProgress("frame " + std::to_string(end) + " of " + std::to_string(this->Path.size()));
       });
-    this->Progress("");
     return this->MakeReport();
   }
 
 private:
-  void Progress(const std::string& text) const
-  {
-    if (this->Options.Progress)
-    {
-      this->Options.Progress(text);
-    }
-  }
-
   /// Finds what the oracle needs; uploads and compiles everything.
   void Prepare()
   {
     if (std::any_of(this->Runners.begin(), this->Runners.end(),
           [](Runner& runner) { return runner.Cullers.GetOracleCuller() != nullptr; }))
     {
-      this->Visible = FindVisibleProps(
-        this->Where, this->Path, [this](const std::string& text) { this->Progress(text); });
+      this->Visible = FindVisibleProps(this->Where, this->Path);
     }
-    this->Progress("uploading");
+    ShowProgress("uploading");
     Mode all("none", this->Options.Mode);
     all.Enter(this->Where.GetRenderer());
     this->Where.SetPose(this->Path.front());

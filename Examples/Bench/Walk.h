@@ -58,7 +58,6 @@ struct WalkOptions
   /// Folder for the first, middle and last frame of each mode and for frames that differ; empty:
   /// no images.
   std::string ImageFolder;
-  NBufferBench::Progress Progress;
 };
 
 /// Returns the part of the report (SCHEMA.md) that is measured: modes, ratios, frames, props, block

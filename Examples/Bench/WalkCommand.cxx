@@ -27,7 +27,6 @@ struct WalkCommandOptions
   ViewOptions View;
   WalkOptions Walk;
   std::string JSON;
-  std::string SavePath;
   int Nearest = 0; ///< 0: all props are visible.
 };
 
@@ -68,10 +67,6 @@ int RunWalkCommand(WalkCommandOptions& options)
   CheckWritable(options.JSON);
   const NBufferExamples::Scene scene = options.View.LoadScene();
   const NBufferExamples::CameraPath path = options.View.MakePath(scene, 120);
-  if (!options.SavePath.empty())
-  {
-    NBufferExamples::WriteCameraFile(path, options.SavePath);
-  }
   Session& session = Session::New(scene, options.View.Window);
   for (const std::string& mode : modes)
   {
@@ -86,7 +81,6 @@ int RunWalkCommand(WalkCommandOptions& options)
     ShowNearest(session, path.front(), options.Nearest);
   }
   options.Walk.Mode = options.View.Mode;
-  options.Walk.Progress = ShowProgress;
   Json::Value report = RunWalk(session, path, options.Walk);
   options.View.Describe(scene, session, report);
   report["props"] = options.Nearest > 0 ? options.Nearest : report["props"].asInt();
@@ -179,7 +173,6 @@ void AddWalkCommand(CLI::App& app, const std::string& program, Run& run)
     ->add_option("--nearest", options->Nearest,
       "Only so many props, the nearest ones in view of the first frame; all others are invisible")
     ->check(CLI::Range(1, 1000000));
-  command->add_option("--save-path", options->SavePath, "Write the path as a camera file");
   command->callback([options, &run]() { run = [options]() { return RunWalkCommand(*options); }; });
 }
 

@@ -29,7 +29,6 @@ int main(int argc, char* argv[])
   }
   catch (const std::exception& error)
   {
-    NBufferBench::ShowProgress("");
     std::cerr << "nbuffer-bench: " << error.what() << "\n";
     return NBufferBench::Failure;
   }

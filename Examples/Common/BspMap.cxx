@@ -31,13 +31,16 @@ enum Lump : std::size_t
   VisibilityLump = 16
 };
 
-[[noreturn]] void Fail(const std::string& what)
+template <typename... Words>
+[[noreturn]] void Fail(const Words&... words)
 {
-  throw std::runtime_error("damaged map: " + what);
+  std::ostringstream text;
+  (text << "damaged map: " << ... << words);
+  throw std::runtime_error(text.str());
 }
 
-/// Bernstein polynomials of the second degree.
-std::array<double, 3> GetWeights(double t)
+/// The Bernstein polynomials of the second degree.
+glm::dvec3 GetWeights(double t)
 {
   return { (1.0 - t) * (1.0 - t), 2.0 * t * (1.0 - t), t * t };
 }
@@ -56,11 +59,11 @@ public:
     const std::uint64_t length = Get(bytes, header + 8 * lump + 4);
     if (offset + length > bytes.size())
     {
-      Fail("its " + name + " end after the file does");
+      Fail("its ", name, " end after the file does");
     }
     if (length % entrySize != 0)
     {
-      Fail("its " + name + " are no whole number of entries");
+      Fail("its ", name, " are no whole number of entries");
     }
     this->Bytes = bytes.substr(offset, length);
   }
@@ -80,7 +83,7 @@ public:
     std::memcpy(&value, &bits, sizeof(value));
     if (!std::isfinite(value))
     {
-      Fail("a number of its " + this->Name + " is not finite");
+      Fail("a number of its ", this->Name, " is not finite");
     }
     return value;
   }
@@ -97,8 +100,7 @@ public:
     const int index = this->GetInt(entry, offset);
     if (index < 0 || static_cast<std::size_t>(index) >= count)
     {
-      Fail("entry " + std::to_string(entry) + " of its " + this->Name + " refers to " +
-        std::to_string(index) + " of " + std::to_string(count));
+      Fail("entry ", entry, " of its ", this->Name, " refers to ", index, " of ", count);
     }
     return static_cast<std::size_t>(index);
   }
@@ -112,9 +114,8 @@ public:
     if (first < 0 || size < 0 ||
       static_cast<std::uint64_t>(first) + static_cast<std::uint64_t>(size) > count)
     {
-      Fail("entry " + std::to_string(entry) + " of its " + this->Name + " refers to " +
-        std::to_string(size) + " entries from " + std::to_string(first) + " on, of " +
-        std::to_string(count));
+      Fail("entry ", entry, " of its ", this->Name, " refers to ", size, " entries from ", first,
+        " on, of ", count);
     }
     length = static_cast<std::size_t>(size);
     return static_cast<std::size_t>(first);
@@ -157,8 +158,7 @@ BspMap::BspMap(const std::string& bytes)
   const Reader planes(bytes, PlanesLump, 16, "planes");
   for (std::size_t i = 0; i < planes.GetCount(); ++i)
   {
-    const BspPoint normal = planes.GetPoint(i, 0);
-    this->Planes.push_back({ { normal[0], normal[1], normal[2] }, planes.GetFloat(i, 12) });
+    this->Planes.push_back({ planes.GetPoint(i, 0), planes.GetFloat(i, 12) });
   }
 
   const Reader table(bytes, VisibilityLump, 1, "table of visibility");
@@ -188,7 +188,7 @@ BspMap::BspMap(const std::string& bytes)
         static_cast<std::size_t>(child >= 0 ? child : -(static_cast<long long>(child) + 1));
       if (place >= (child >= 0 ? nodes.GetCount() : leaves.GetCount()))
       {
-        Fail("node " + std::to_string(i) + " has no child " + std::to_string(child));
+        Fail("node ", i, " has no child ", child);
       }
       node.Children[side] = child;
     }
@@ -213,7 +213,7 @@ BspMap::BspMap(const std::string& bytes)
     const int kind = faces.GetInt(i, 8);
     if (kind < 1 || kind > 4)
     {
-      Fail("face " + std::to_string(i) + " is of the unknown kind " + std::to_string(kind));
+      Fail("face ", i, " is of the unknown kind ", kind);
     }
     BspFace face;
     face.Kind = static_cast<BspSurface>(kind);
@@ -229,8 +229,7 @@ BspMap::BspMap(const std::string& bytes)
           face.Vertices;
       if (!isGrid)
       {
-        Fail("patch " + std::to_string(i) + " of " + std::to_string(face.Width) + " x " +
-          std::to_string(face.Height) + " points has " + std::to_string(face.Vertices));
+        Fail("patch ", i, " of ", face.Width, " x ", face.Height, " points has ", face.Vertices);
       }
     }
     else if (face.Kind != BspSurface::Flare)
@@ -240,8 +239,7 @@ BspMap::BspMap(const std::string& bytes)
         const int index = this->MeshIndices[face.FirstIndex + k];
         if (index < 0 || static_cast<std::size_t>(index) >= face.Vertices)
         {
-          Fail("face " + std::to_string(i) + " of " + std::to_string(face.Vertices) +
-            " vertices has the index " + std::to_string(index));
+          Fail("face ", i, " of ", face.Vertices, " vertices has the index ", index);
         }
       }
     }
@@ -265,8 +263,7 @@ BspMap::BspMap(const std::string& bytes)
     const int cluster = leaves.GetInt(i, 0);
     if (cluster >= this->Clusters)
     {
-      Fail("leaf " + std::to_string(i) + " is in cluster " + std::to_string(cluster) + " of " +
-        std::to_string(this->Clusters));
+      Fail("leaf ", i, " is in cluster ", cluster, " of ", this->Clusters);
     }
     this->LeafClusters.push_back(cluster < 0 ? Opaque : cluster);
     std::size_t count = 0;
@@ -301,7 +298,7 @@ void BspMap::CheckTree() const
     open.pop_back();
     if (seen[node])
     {
-      Fail("node " + std::to_string(node) + " has two parents");
+      Fail("node ", node, " has two parents");
     }
     seen[node] = 1;
     for (int child : this->Nodes[node].Children)
@@ -339,22 +336,17 @@ BspMesh BspMap::GetMesh(std::size_t face, int steps) const
   for (int row = 0; row < rows; ++row)
   {
     const int pieceY = std::min(row / steps, (surface.Height - 3) / 2);
-    const auto v = GetWeights(static_cast<double>(row - pieceY * steps) / steps);
+    const glm::dvec3 v = GetWeights(static_cast<double>(row - pieceY * steps) / steps);
     for (int column = 0; column < columns; ++column)
     {
       const int pieceX = std::min(column / steps, (surface.Width - 3) / 2);
-      const auto u = GetWeights(static_cast<double>(column - pieceX * steps) / steps);
-      BspPoint sum{};
+      const glm::dvec3 u = GetWeights(static_cast<double>(column - pieceX * steps) / steps);
+      BspPoint sum;
       for (int y = 0; y < 3; ++y)
       {
         for (int x = 0; x < 3; ++x)
         {
-          const BspPoint& point = points[(2 * pieceY + y) * surface.Width + 2 * pieceX + x];
-          const double weight = u[static_cast<std::size_t>(x)] * v[static_cast<std::size_t>(y)];
-          for (std::size_t j = 0; j < 3; ++j)
-          {
-            sum[j] += weight * point[j];
-          }
+          sum += u[x] * v[y] * points[(2 * pieceY + y) * surface.Width + 2 * pieceX + x];
         }
       }
       mesh.Points.push_back(sum);
@@ -372,8 +364,7 @@ BspMesh BspMap::GetMesh(std::size_t face, int steps) const
 double BspMap::GetDistance(std::size_t node, const BspPoint& point) const
 {
   const Plane& plane = this->Planes[this->Nodes[node].Plane];
-  return plane.Normal[0] * point[0] + plane.Normal[1] * point[1] + plane.Normal[2] * point[2] -
-    plane.Distance;
+  return glm::dot(plane.Normal, point) - plane.Distance;
 }
 
 int BspMap::FindCluster(const BspPoint& point) const
@@ -429,11 +420,7 @@ double BspMap::GetOpaqueLength(const BspPoint& from, const BspPoint& to) const
       open.push_back({ children[a >= 0.0 ? 0 : 1], piece.From, piece.To });
       continue;
     }
-    BspPoint middle{};
-    for (std::size_t j = 0; j < 3; ++j)
-    {
-      middle[j] = piece.From[j] + a / (a - b) * (piece.To[j] - piece.From[j]);
-    }
+    const BspPoint middle = piece.From + a / (a - b) * (piece.To - piece.From);
     open.push_back({ children[a >= 0.0 ? 0 : 1], piece.From, middle });
     open.push_back({ children[b >= 0.0 ? 0 : 1], middle, piece.To });
   }
@@ -461,7 +448,7 @@ std::vector<BspPoint> BspMap::FindOrigins(const std::string& prefix) const
     take("origin", origin);
     if (line.find('}') == 0)
     {
-      BspPoint point{};
+      BspPoint point;
       std::istringstream numbers(origin);
       if (name.rfind(prefix, 0) == 0 && numbers >> point[0] >> point[1] >> point[2])
       {

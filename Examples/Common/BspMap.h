@@ -3,16 +3,20 @@
 /**
  * @file BspMap.h
  * @brief A map of Quake III Arena or OpenArena (IBSP, version 46): surfaces, tree, and the table of
- * what can be seen from where that its compiler worked out.
+ * visibility that the map's compiler computed.
  *
- * The tree cuts space into convex leaves. Leaves of walls are opaque, all others belong to a
- * cluster. A cluster's row of the table has the clusters that any point of any of its leaves may
- * see past the opaque leaves: conservative, so that what it leaves out is hidden from all of them.
+ * The tree cuts space into convex leaves. The leaves of walls are opaque; all others belong to a
+ * cluster. A cluster's row of the table lists the clusters that some point in one of its leaves may
+ * see past the opaque leaves. The table is conservative: a cluster that is not in the row is hidden
+ * from every point.
  *
- * Source: the format as the public sources of the game read it (qfiles.h, GPL-2; nothing copied).
+ * The format is that which the public sources of the game read (qfiles.h, GPL-2; nothing is
+ * copied).
  */
 #ifndef BspMap_h
 #define BspMap_h
+
+#include "vtkNBufferGLM.h"
 
 #include <array>
 #include <cstddef>
@@ -23,15 +27,16 @@
 namespace NBufferExamples
 {
 
-using BspPoint = std::array<double, 3>;
+/// A point in units of the map.
+using BspPoint = glm::dvec3;
 
-/// Kinds of surfaces, by the numbers of the file.
+/// The kinds of surfaces, with their numbers in the file.
 enum class BspSurface
 {
   Polygon = 1,
-  Patch = 2, ///< Bezier pieces of 3 x 3 points.
+  Patch = 2, ///< Bezier patches of 3 x 3 points each.
   Mesh = 3,
-  Flare = 4 ///< A light's glow: a point, nothing to draw.
+  Flare = 4 ///< The glow of a light: a point that is not drawn.
 };
 
 struct BspFace
@@ -41,8 +46,8 @@ struct BspFace
   std::size_t Vertices = 0;
   std::size_t FirstIndex = 0;
   std::size_t Indices = 0;
-  int Width = 0;  ///< Points of a patch.
-  int Height = 0; ///< Points of a patch.
+  int Width = 0;  ///< The columns of points of a patch.
+  int Height = 0; ///< The rows of points of a patch.
 };
 
 struct BspMesh
@@ -54,43 +59,47 @@ struct BspMesh
 class BspMap
 {
 public:
-  /// Cluster of opaque leaves, and of places outside of the map.
+  /// The cluster of opaque leaves, and of places outside the map.
   static constexpr int Opaque = -1;
 
   /**
-   * From the bytes of a file. Throws std::runtime_error that says what is wrong with it: every
-   * number that refers to something is checked, so that no other function can fail.
+   * Reads the bytes of a file. Throws std::runtime_error with the cause if they are no map or a
+   * damaged one: every number that refers to something is checked here, so that no other function
+   * can fail.
    */
   explicit BspMap(const std::string& bytes);
 
   const std::vector<BspFace>& GetFaces() const { return this->Faces; }
   int GetNumberOfClusters() const { return this->Clusters; }
 
-  /// Whether a face belongs to the world, not to a door or a lift, which move.
+  /// Returns whether a face belongs to the world, and not to a door or a lift, which move.
   bool IsWorld(std::size_t face) const { return face < this->WorldFaces; }
 
-  /// The clusters that a face lies in, each once, in ascending order; empty for what is in none.
+  /// Returns the clusters in which a face lies, each once, in ascending order.
   const std::vector<int>& GetClusters(std::size_t face) const { return this->FaceClusters[face]; }
 
-  /// Triangles of a face; patches in `steps` x `steps` quads for each piece. None for a flare.
+  /// Returns the triangles of a face. Each piece of a patch becomes `steps` x `steps` quads; a
+  /// flare has no triangles.
   BspMesh GetMesh(std::size_t face, int steps) const;
 
+  /// Returns the cluster of a point.
   int FindCluster(const BspPoint& point) const;
 
-  /// Whether the table says that something in `to` may be seen from `from`. From and to opaque
-  /// leaves: no.
+  /// Returns whether, by the table, something in the cluster `to` may be seen from the cluster
+  /// `from`. Returns false if one of them is Opaque.
   bool MaySee(int from, int to) const;
 
-  /// How much of the straight way lies in opaque leaves, in units of the map.
+  /// Returns how much of the straight line between two points lies in opaque leaves, in units of
+  /// the map.
   double GetOpaqueLength(const BspPoint& from, const BspPoint& to) const;
 
-  /// "x y z" of all entities whose class name begins with `prefix`.
+  /// Returns the origins of all entities whose class name begins with `prefix`.
   std::vector<BspPoint> FindOrigins(const std::string& prefix) const;
 
 private:
   struct Plane
   {
-    double Normal[3];
+    glm::dvec3 Normal;
     double Distance;
   };
   struct Node

@@ -35,10 +35,10 @@ constexpr double LookAhead = 48.0;
 constexpr double NearPlane = 4.0;
 constexpr int PatchSteps = 4;
 
-/// Faces by actor.
+/// The faces of each actor.
 using Parts = std::vector<std::vector<std::size_t>>;
 
-Parts MakeParts(const BspMap& map, BspParts kind)
+Parts MakeParts(const BspMap& map, bool byClusters)
 {
   std::map<int, std::vector<std::size_t>> byCluster;
   Parts parts;
@@ -49,7 +49,7 @@ Parts MakeParts(const BspMap& map, BspParts kind)
       continue;
     }
     const std::vector<int>& clusters = map.GetClusters(face);
-    if (kind == BspParts::Clusters && map.IsWorld(face) && !clusters.empty())
+    if (byClusters && map.IsWorld(face) && !clusters.empty())
     {
       byCluster[clusters.front()].push_back(face);
     }
@@ -75,7 +75,7 @@ vtkSmartPointer<vtkPolyData> MakeMesh(const BspMap& map, const std::vector<std::
     const vtkIdType first = points->GetNumberOfPoints();
     for (const BspPoint& point : mesh.Points)
     {
-      points->InsertNextPoint(point.data());
+      points->InsertNextPoint(glm::value_ptr(point));
     }
     for (const auto& triangle : mesh.Triangles)
     {
@@ -110,9 +110,9 @@ public:
     }
   }
 
-  std::vector<char> Find(const double eye[3]) const override
+  std::vector<char> Find(const glm::dvec3& eye) const override
   {
-    const int from = this->Map->FindCluster({ eye[0], eye[1], eye[2] });
+    const int from = this->Map->FindCluster(eye);
     if (from == BspMap::Opaque)
     {
       return {};
@@ -133,35 +133,28 @@ public:
     return !this->Clusters[static_cast<std::size_t>(actor)].empty();
   }
 
-  bool IsBlocked(const double from[3], const double to[3]) const override
+  bool IsBlocked(const glm::dvec3& from, const glm::dvec3& to) const override
   {
     // A unit is what the place of a pixel may be behind the surface, which bounds opaque leaves.
     constexpr double tolerance = 1.0;
-    return this->Map->GetOpaqueLength({ from[0], from[1], from[2] }, { to[0], to[1], to[2] }) >
-      tolerance;
+    return this->Map->GetOpaqueLength(from, to) > tolerance;
   }
 
 private:
   MapPointer Map;
-  /// By actor; empty: unknown.
+  /// The clusters of each actor; none if they are unknown.
   std::vector<std::vector<int>> Clusters;
 };
 
-/// Whether no opaque wall is within the clearance.
+/// Returns whether no opaque wall is within the clearance.
 bool IsFree(const BspMap& map, const BspPoint& eye)
 {
-  for (int x = -1; x <= 1; ++x)
+  for (int i = 0; i < 27; ++i)
   {
-    for (int y = -1; y <= 1; ++y)
+    const BspPoint step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    if (map.FindCluster(eye + Clearance * step) == BspMap::Opaque)
     {
-      for (int z = -1; z <= 1; ++z)
-      {
-        if (map.FindCluster({ eye[0] + Clearance * x, eye[1] + Clearance * y,
-              eye[2] + Clearance * z }) == BspMap::Opaque)
-        {
-          return false;
-        }
-      }
+      return false;
     }
   }
   return true;
@@ -189,22 +182,20 @@ CameraPath MakeWalk(const BspMap& map, int frames, std::uint64_t seed)
   const std::vector<BspPoint> starts = FindStarts(map);
   if (starts.empty())
   {
-    throw std::runtime_error("the map has no start of a player that is free of walls; take orbit, "
-                             "cuts or a camera file");
+    throw std::runtime_error(
+      "the map has no start of a player that is free of walls; take orbit or "
+      "cuts");
   }
   // Another start after each sixth, to see more of the map.
   const int stretch = std::max(10, (frames + 5) / 6);
   Random random(seed);
   CameraPath path;
-  BspPoint eye{};
+  BspPoint eye;
   double yaw = 0.0;
   for (int i = 0; i < frames; ++i)
   {
     const auto ahead = [&](double distance)
-    {
-      return BspPoint{ eye[0] + distance * std::cos(yaw), eye[1] + distance * std::sin(yaw),
-        eye[2] };
-    };
+    { return eye + distance * BspPoint(std::cos(yaw), std::sin(yaw), 0.0); };
     if (i % stretch == 0)
     {
       eye = starts[random.Index(starts.size())];
@@ -221,23 +212,13 @@ CameraPath MakeWalk(const BspMap& map, int frames, std::uint64_t seed)
       }
       eye = isFree() ? ahead(Step) : eye;
     }
-    CameraPose pose;
-    const BspPoint target = ahead(1.0);
-    for (std::size_t j = 0; j < 3; ++j)
-    {
-      pose.Eye[j] = eye[j];
-      pose.Target[j] = target[j];
-      pose.Up[j] = j == 2 ? 1.0 : 0.0;
-    }
-    pose.ViewAngle = 73.74; // 90 degrees wide at 4 to 3, the game's default.
-    pose.Near = NearPlane;
-    pose.Far = 8192.0;
-    path.push_back(pose);
+    // 90 degrees wide at 4 to 3, the game's default.
+    path.push_back({ eye, ahead(1.0), { 0.0, 0.0, 1.0 }, 73.74, NearPlane, 8192.0 });
   }
   return path;
 }
 
-/// The file, and what follows its last colon.
+/// Returns the file of a name, and the kind of its actors.
 std::pair<std::string, std::string> Split(const std::string& name)
 {
   for (const char* parts : { "faces", "clusters" })
@@ -276,7 +257,7 @@ Scene LoadBsp(const std::string& name)
     const std::string what = error.what();
     throw std::runtime_error(what.find(file) == std::string::npos ? file + ": " + what : what);
   }
-  const Parts faces = MakeParts(*map, parts == "faces" ? BspParts::Faces : BspParts::Clusters);
+  const Parts faces = MakeParts(*map, parts == "clusters");
   if (faces.empty())
   {
     throw std::runtime_error(file + ": the map has nothing to draw");

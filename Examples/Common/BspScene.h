@@ -14,23 +14,20 @@
 namespace NBufferExamples
 {
 
-/// How a map is cut into actors.
-enum class BspParts
-{
-  Faces,
-  /// All faces that lie in a cluster; those that lie in several go with the first.
-  Clusters
-};
-
-/// ".bsp", ".bsp.gz", or one of these and ":faces" or ":clusters".
+/// Returns whether a name ends with .bsp or .bsp.gz, or with one of these and ":faces" or
+/// ":clusters".
 bool IsBspName(const std::string& name);
 
 /**
- * Everything is drawn opaque and from both sides, the sky as well; flares are left out, and patches
- * are quads of 4 x 4 for each piece. z is up, a unit about 2.5 cm.
+ * Loads a map. With ":faces" (the default) each face is an actor. With ":clusters" all faces of a
+ * cluster are one actor; a face that lies in several clusters belongs to the first one.
  *
- * Its path "walk": at the eyes of a player who walks from the players' starts, 12 units a frame,
- * and turns at opaque walls; always 16 units from them, so that the near plane at 4 cuts none.
+ * Everything is drawn opaque and from both sides, including the sky. Flares are left out, and each
+ * piece of a patch is drawn as 4 x 4 quads. z points up; a unit is about 2.5 cm.
+ *
+ * The scene has the path "walk": the camera is at the eyes of a player who walks from the players'
+ * starts, 12 units a frame, and turns at opaque walls. It stays 16 units away from them, so that
+ * the near plane at 4 units cuts none.
  */
 Scene LoadBsp(const std::string& name);
 

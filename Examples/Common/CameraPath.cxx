@@ -4,17 +4,13 @@
 
 #include "Random.h"
 #include "Scene.h"
-#include "StreetPath.h"
+#include "StreetPlan.h"
 
 #include "vtkCamera.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iomanip>
-#include <limits>
-#include <sstream>
 #include <stdexcept>
 
 namespace NBufferExamples
@@ -23,83 +19,185 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 
-struct Frame
-{
-  double Centre[3];
-  double Radius;
-  int Up, Ahead, Side;
-};
+// The paths of a city.
+constexpr double EyeHeight = 1.7;      // metres
+constexpr double StreetStep = 0.5;     // metres per frame
+constexpr double RooftopHeight = 25.0; // metres
+constexpr double RooftopStep = 1.0;    // metres per frame
+constexpr double RooftopPitch = -8.0;  // degrees
+constexpr double DroneHeight = 120.0;  // metres
+constexpr double DroneStep = 2.0;      // metres per frame
+constexpr double DronePitch = -35.0;   // degrees
+constexpr double LookAhead = 8.0;      // metres of the way over which the heading is averaged
+constexpr double LookBack = 3.0;       // metres
+constexpr double ViewAngle = 60.0;     // degrees
+constexpr double Near = 0.3;           // metres
+constexpr double Far = 30000.0;        // metres
 
-Frame GetFrame(const Scene& scene)
+/// A pose that looks at the centre of a scene from a direction given by azimuth and elevation
+/// (radians); the distance is in radii of the sphere around the scene.
+CameraPose LookFrom(const Scene& scene, double azimuth, double elevation, double radii)
 {
-  Frame frame;
   const vtkBoundingBox box = scene.GetBounds();
-  box.GetCenter(frame.Centre);
-  frame.Radius = 0.5 * box.GetDiagonalLength();
-  frame.Up = scene.UpAxis;
-  frame.Ahead = (frame.Up + 1) % 3;
-  frame.Side = (frame.Up + 2) % 3;
-  return frame;
-}
-
-/// Looking at the centre (or past it) from a direction given by azimuth and elevation.
-CameraPose LookFrom(const Frame& frame, double azimuth, double elevation, double distance)
-{
+  const int up = scene.UpAxis;
+  glm::dvec3 direction;
+  direction[up] = std::sin(elevation);
+  direction[(up + 1) % 3] = std::cos(elevation) * std::cos(azimuth);
+  direction[(up + 2) % 3] = std::cos(elevation) * std::sin(azimuth);
   CameraPose pose;
-  double direction[3];
-  direction[frame.Up] = std::sin(elevation);
-  direction[frame.Ahead] = std::cos(elevation) * std::cos(azimuth);
-  direction[frame.Side] = std::cos(elevation) * std::sin(azimuth);
-  for (int i = 0; i < 3; ++i)
-  {
-    pose.Eye[i] = frame.Centre[i] + distance * direction[i];
-    pose.Target[i] = frame.Centre[i];
-    pose.Up[i] = i == frame.Up ? 1.0 : 0.0;
-  }
+  box.GetCenter(glm::value_ptr(pose.Target));
+  pose.Eye = pose.Target + radii * (0.5 * box.GetDiagonalLength()) * direction;
+  pose.Up = glm::dvec3();
+  pose.Up[up] = 1.0;
   return pose;
 }
 
-/// Radii of the sphere around the scene from which most scenes fill a view of 30 degrees.
+/// The distance, in radii, from which most scenes fill a view of 30 degrees.
 constexpr double FittingDistance = 2.9;
 
 CameraPath MakeOrbit(const Scene& scene, int frames)
 {
-  const Frame frame = GetFrame(scene);
   CameraPath path;
   for (int i = 0; i < frames; ++i)
   {
-    path.push_back(LookFrom(frame, 2.0 * Pi * i / frames, 0.35, FittingDistance * frame.Radius));
+    path.push_back(LookFrom(scene, 2.0 * Pi * i / frames, 0.35, FittingDistance));
   }
   return path;
 }
 
 CameraPath MakeRandomViews(const Scene& scene, int frames, Random& random)
 {
-  const Frame frame = GetFrame(scene);
   CameraPath path;
   for (int i = 0; i < frames; ++i)
   {
     const double azimuth = random.Between(0.0, 2.0 * Pi);
     const double elevation = random.Between(-0.2, 1.0);
-    path.push_back(
-      LookFrom(frame, azimuth, elevation, random.Between(1.2, FittingDistance) * frame.Radius));
+    path.push_back(LookFrom(scene, azimuth, elevation, random.Between(1.2, FittingDistance)));
   }
   return path;
 }
 
-bool IsPathName(const std::string& name)
+/// A pose above a point of the plan; `pitch` in degrees.
+CameraPose MakePose(const PlanPoint& eye, double height, const PlanPoint& heading, double pitch)
 {
-  return name == "street" || name == "rooftop" || name == "drone" || name == "cuts" ||
-    name == "orbit";
+  const PlanPoint target = eye + heading / std::hypot(heading.x, heading.y);
+  return { { eye, height }, { target, height + std::tan(pitch * Pi / 180.0) }, { 0.0, 0.0, 1.0 },
+    ViewAngle, Near, Far };
+}
+
+/// The direction of an angle in radians.
+PlanPoint GetHeading(double angle)
+{
+  return { std::cos(angle), std::sin(angle) };
+}
+
+/// A line through points, which gives the point at any length along it.
+class Way
+{
+public:
+  explicit Way(std::vector<PlanPoint> points)
+    : Points(std::move(points))
+  {
+    this->Lengths.push_back(0.0);
+    for (std::size_t i = 1; i < this->Points.size(); ++i)
+    {
+      this->Lengths.push_back(
+        this->Lengths.back() + GetDistance(this->Points[i - 1], this->Points[i]));
+    }
+  }
+
+  PlanPoint operator()(double length) const
+  {
+    const double s = std::clamp(length, 0.0, this->Lengths.back());
+    const auto upper = std::upper_bound(this->Lengths.begin() + 1, this->Lengths.end() - 1, s);
+    const auto i = static_cast<std::size_t>(upper - this->Lengths.begin());
+    const double span = this->Lengths[i] - this->Lengths[i - 1];
+    const double t = span > 0.0 ? (s - this->Lengths[i - 1]) / span : 0.0;
+    return this->Points[i - 1] + t * (this->Points[i] - this->Points[i - 1]);
+  }
+
+private:
+  std::vector<PlanPoint> Points;
+  std::vector<double> Lengths;
+};
+
+CameraPath MakeWalk(
+  const StreetPlan& plan, int frames, double step, double height, double pitch, Random& random)
+{
+  const Way way(plan.Walk(frames * step + LookAhead, random));
+  CameraPath path;
+  for (int i = 0; i < frames; ++i)
+  {
+    const double s = i * step;
+    path.push_back(MakePose(way(s), height, way(s + LookAhead) - way(s - LookBack), pitch));
+  }
+  return path;
+}
+
+CameraPath MakeFlight(const StreetPlan& plan, int frames, Random& random)
+{
+  const std::vector<PlanPoint> points = plan.GetDensePoints(0.1);
+  if (points.empty())
+  {
+    throw std::runtime_error("the city has no streets, and the drone flies over their corners");
+  }
+  const PlanPoint middle = points[random.Index(points.size())];
+  const PlanPoint heading = GetHeading(random.Between(0.0, 2.0 * Pi));
+  CameraPath path;
+  for (int i = 0; i < frames; ++i)
+  {
+    const double s = DroneStep * (i - 0.5 * frames);
+    path.push_back(MakePose(middle + s * heading, DroneHeight, heading, DronePitch));
+  }
+  return path;
+}
+
+CameraPath MakeCityCuts(const StreetPlan& plan, int frames, Random& random)
+{
+  std::vector<PlanPoint> points = plan.GetDensePoints(0.25);
+  points.erase(std::remove_if(points.begin(), points.end(),
+                 [&plan](const PlanPoint& point) { return plan.IsBuiltOver(point, 0.45); }),
+    points.end());
+  if (points.empty())
+  {
+    throw std::runtime_error("the city has no street corner outside of its buildings");
+  }
+  CameraPath path;
+  for (int i = 0; i < frames; ++i)
+  {
+    const PlanPoint& eye = points[random.Index(points.size())];
+    path.push_back(MakePose(eye, EyeHeight, GetHeading(random.Between(0.0, 2.0 * Pi)), 0.0));
+  }
+  return path;
+}
+
+/// `name` is street, rooftop, drone or cuts.
+CameraPath MakeCityPath(const City& city, const std::string& name, int frames, std::uint64_t seed)
+{
+  const StreetPlan plan(city);
+  Random random(seed);
+  if (name == "street")
+  {
+    return MakeWalk(plan, frames, StreetStep, EyeHeight, 0.0, random);
+  }
+  if (name == "rooftop")
+  {
+    return MakeWalk(plan, frames, RooftopStep, RooftopHeight, RooftopPitch, random);
+  }
+  if (name == "drone")
+  {
+    return MakeFlight(plan, frames, random);
+  }
+  return MakeCityCuts(plan, frames, random);
 }
 }
 
 void ApplyPose(const CameraPose& pose, const double bounds[6], vtkRenderer* renderer)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetPosition(pose.Eye);
-  camera->SetFocalPoint(pose.Target);
-  camera->SetViewUp(pose.Up);
+  camera->SetPosition(glm::value_ptr(pose.Eye));
+  camera->SetFocalPoint(glm::value_ptr(pose.Target));
+  camera->SetViewUp(glm::value_ptr(pose.Up));
   camera->SetViewAngle(pose.ViewAngle);
   if (pose.Far > pose.Near)
   {
@@ -113,43 +211,21 @@ void ApplyPose(const CameraPose& pose, const double bounds[6], vtkRenderer* rend
 
 CameraPath MakePath(const Scene& scene, const std::string& name, int frames, std::uint64_t seed)
 {
-  if (frames > 0)
+  std::string known = "orbit, cuts";
+  for (const auto& [own, make] : scene.Paths)
   {
-    for (const auto& [own, make] : scene.Paths)
+    if (own == name)
     {
-      if (own == name)
-      {
-        return make(frames, seed);
-      }
+      return make(frames, seed);
     }
-  }
-  if (!IsPathName(name))
-  {
-    if (!std::filesystem::is_regular_file(name))
-    {
-      std::string known = "street, rooftop, drone, orbit, cuts";
-      for (const auto& own : scene.Paths)
-      {
-        known += ", " + own.first;
-      }
-      throw std::runtime_error("no path " + name + ": neither " + known + " nor a camera file");
-    }
-    CameraPath path = ReadCameraFile(name);
-    if (frames > 0 && static_cast<std::size_t>(frames) < path.size())
-    {
-      path.resize(static_cast<std::size_t>(frames));
-    }
-    return path;
-  }
-  if (frames <= 0)
-  {
-    throw std::runtime_error("a path needs at least one frame");
+    known += ", " + own;
   }
   if (name == "orbit")
   {
     return MakeOrbit(scene, frames);
   }
-  if (scene.Plan)
+  const bool isOfCity = name == "street" || name == "rooftop" || name == "drone" || name == "cuts";
+  if (isOfCity && scene.Plan)
   {
     return MakeCityPath(*scene.Plan, name, frames, seed);
   }
@@ -158,73 +234,8 @@ CameraPath MakePath(const Scene& scene, const std::string& name, int frames, std
     Random random(seed);
     return MakeRandomViews(scene, frames, random);
   }
-  throw std::runtime_error("the path " + name + " needs the streets of a city, and " + scene.Name +
-    " has none; take orbit, cuts or a camera file");
-}
-
-CameraPath ReadCameraFile(const std::string& fileName)
-{
-  std::ifstream file(fileName);
-  if (!file)
-  {
-    throw std::runtime_error("cannot open " + fileName);
-  }
-  CameraPath path;
-  std::string line;
-  for (int number = 1; std::getline(file, line); ++number)
-  {
-    std::istringstream text(line.substr(0, line.find('#')));
-    std::vector<double> v;
-    for (double value = 0.0; text >> value;)
-    {
-      v.push_back(value);
-    }
-    if (v.empty() && text.eof())
-    {
-      continue;
-    }
-    const bool counted = v.size() == 9 || v.size() == 10 || v.size() == 12;
-    if (!counted || !text.eof())
-    {
-      throw std::runtime_error(fileName + ", line " + std::to_string(number) +
-        ": expected 9, 10 or 12 numbers (eye, target, up, view angle, near and far)");
-    }
-    CameraPose pose;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      pose.Eye[i] = v[i];
-      pose.Target[i] = v[3 + i];
-      pose.Up[i] = v[6 + i];
-    }
-    pose.ViewAngle = v.size() > 9 ? v[9] : pose.ViewAngle;
-    pose.Near = v.size() > 10 ? v[10] : 0.0;
-    pose.Far = v.size() > 10 ? v[11] : 0.0;
-    path.push_back(pose);
-  }
-  if (path.empty())
-  {
-    throw std::runtime_error(fileName + " holds no frame");
-  }
-  return path;
-}
-
-void WriteCameraFile(const CameraPath& path, const std::string& fileName)
-{
-  std::ofstream file(fileName);
-  file << std::setprecision(std::numeric_limits<double>::max_digits10)
-       << "# eye x y z, target x y z, up x y z, view angle, near, far\n";
-  for (const CameraPose& pose : path)
-  {
-    for (const double* vector : { pose.Eye, pose.Target, pose.Up })
-    {
-      file << vector[0] << ' ' << vector[1] << ' ' << vector[2] << ' ';
-    }
-    file << pose.ViewAngle << ' ' << pose.Near << ' ' << pose.Far << '\n';
-  }
-  if (!file.flush())
-  {
-    throw std::runtime_error("cannot write " + fileName);
-  }
+  throw std::runtime_error("no path " + name + " through " + scene.Name + "; there are " + known +
+    (scene.Plan ? ", street, rooftop, drone" : ""));
 }
 
 } // namespace NBufferExamples

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CameraPose.h
- * @brief Where the camera is in a frame, and in all frames of a walk.
+ * @brief The camera of a frame, and the cameras of all frames of a walk.
  */
 #ifndef CameraPose_h
 #define CameraPose_h
+
+#include "vtkNBufferGLM.h"
 
 #include <vector>
 
@@ -14,13 +16,15 @@ namespace NBufferExamples
 
 struct CameraPose
 {
-  double Eye[3] = { 0.0, 0.0, 1.0 };
-  double Target[3] = { 0.0, 0.0, 0.0 };
-  double Up[3] = { 0.0, 1.0, 0.0 };
-  double ViewAngle = 30.0;
-  /// Distances of the near and far plane; both 0: fitted to the scene.
+  glm::dvec3 Eye = { 0.0, 0.0, 1.0 };
+  glm::dvec3 Target = { 0.0, 0.0, 0.0 };
+  glm::dvec3 Up = { 0.0, 1.0, 0.0 };
+  double ViewAngle = 30.0; ///< The vertical view angle in degrees.
+  ///@{
+  /// The distances of the near and the far plane. If both are 0, they are fitted to the scene.
   double Near = 0.0;
   double Far = 0.0;
+  ///@}
 };
 
 using CameraPath = std::vector<CameraPose>;

@@ -4,8 +4,6 @@
 
 #include "Compressed.h"
 
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace NBufferExamples
@@ -15,45 +13,6 @@ namespace
 constexpr char Magic[] = "NBufferCity\n";
 constexpr std::size_t MagicSize = sizeof(Magic) - 1;
 constexpr std::uint64_t Version = 1;
-constexpr double DegreesPerUnit = 1e-7;
-
-class Writer
-{
-public:
-  std::string Bytes = Magic;
-
-  void Unsigned(std::uint64_t value)
-  {
-    for (; value >= 0x80; value >>= 7)
-    {
-      this->Bytes.push_back(static_cast<char>(value | 0x80));
-    }
-    this->Bytes.push_back(static_cast<char>(value));
-  }
-  void Signed(std::int64_t value)
-  {
-    this->Unsigned(value < 0 ? ~(static_cast<std::uint64_t>(value) << 1)
-                             : static_cast<std::uint64_t>(value) << 1);
-  }
-  void String(const std::string& text)
-  {
-    this->Unsigned(text.size());
-    this->Bytes += text;
-  }
-  void Points(const std::vector<CityPoint>& points)
-  {
-    this->Unsigned(points.size());
-    for (const CityPoint& point : points)
-    {
-      this->Signed(static_cast<std::int64_t>(point.X) - this->Last.X);
-      this->Signed(static_cast<std::int64_t>(point.Y) - this->Last.Y);
-      this->Last = point;
-    }
-  }
-
-private:
-  CityPoint Last;
-};
 
 class Reader
 {
@@ -159,7 +118,8 @@ City ReadCity(const std::string& fileName)
   const std::string bytes = ReadMaybeCompressed(fileName);
   if (bytes.compare(0, MagicSize, Magic) != 0)
   {
-    throw std::runtime_error(fileName + " is no city file; nbuffer-city makes one from OSM data");
+    throw std::runtime_error(
+      fileName + " is no city file; Scripts/make-city.py makes one from OpenStreetMap data");
   }
   Reader reader(bytes, fileName);
   const std::uint64_t version = reader.Unsigned();
@@ -167,12 +127,12 @@ City ReadCity(const std::string& fileName)
   {
     throw std::runtime_error(fileName + " has version " + std::to_string(version) +
       " of the city format, this program reads version " + std::to_string(Version) +
-      "; make it anew with nbuffer-city");
+      "; make it anew with Scripts/make-city.py");
   }
   City city;
-  city.Attribution = reader.String();
-  city.Latitude0 = static_cast<double>(reader.Signed()) * DegreesPerUnit;
-  city.Longitude0 = static_cast<double>(reader.Signed()) * DegreesPerUnit;
+  reader.String(); // The attribution.
+  reader.Signed(); // The latitude of the centre.
+  reader.Signed(); // The longitude of the centre.
   city.StreetKinds.resize(reader.Count(0, 1));
   for (std::string& kind : city.StreetKinds)
   {
@@ -181,13 +141,12 @@ City ReadCity(const std::string& fileName)
   city.Buildings.resize(reader.Count(0, 10));
   for (CityBuilding& building : city.Buildings)
   {
-    const std::uint64_t source = reader.Unsigned();
+    reader.Unsigned(); // Where the height comes from.
     const std::uint64_t height = reader.Unsigned();
-    if (source > static_cast<std::uint64_t>(CityHeightSource::Levels) || height > 1000000)
+    if (height > 1000000)
     {
       reader.Fail("a height is out of range");
     }
-    building.Source = static_cast<CityHeightSource>(source);
     building.Height = static_cast<std::int32_t>(height);
     building.Rings.resize(reader.Count(1, 7));
     for (CityRing& ring : building.Rings)
@@ -211,38 +170,6 @@ City ReadCity(const std::string& fileName)
     reader.Fail("bytes are left over");
   }
   return city;
-}
-
-void WriteCity(const City& city, const std::string& fileName)
-{
-  Writer writer;
-  writer.Unsigned(Version);
-  writer.String(city.Attribution);
-  writer.Signed(std::llround(city.Latitude0 / DegreesPerUnit));
-  writer.Signed(std::llround(city.Longitude0 / DegreesPerUnit));
-  writer.Unsigned(city.StreetKinds.size());
-  for (const std::string& kind : city.StreetKinds)
-  {
-    writer.String(kind);
-  }
-  writer.Unsigned(city.Buildings.size());
-  for (const CityBuilding& building : city.Buildings)
-  {
-    writer.Unsigned(static_cast<std::uint64_t>(building.Source));
-    writer.Unsigned(static_cast<std::uint64_t>(building.Height));
-    writer.Unsigned(building.Rings.size());
-    for (const CityRing& ring : building.Rings)
-    {
-      writer.Points(ring);
-    }
-  }
-  writer.Unsigned(city.Streets.size());
-  for (const CityStreet& street : city.Streets)
-  {
-    writer.Unsigned(static_cast<std::uint64_t>(street.Kind));
-    writer.Points(street.Points);
-  }
-  WriteCompressed(fileName, writer.Bytes);
 }
 
 } // namespace NBufferExamples

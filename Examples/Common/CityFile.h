@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CityFile.h
- * @brief The compact file of a city: a gzip stream of the following.
+ * @brief The compact file of a city that Scripts/make-city.py writes: a gzip stream of the
+ * following.
  *
  *     "NBufferCity\n"         12 bytes
  *     version                 u, 1
- *     attribution             string
- *     Latitude0, Longitude0   s, s in 1e-7 degrees
+ *     attribution             string: whose data it is, and under which licence
+ *     latitude, longitude     s, s in 1e-7 degrees: of the centre
  *     number of street kinds  u, then that many strings
  *     number of buildings     u, then for each
- *       height source         u, CityHeightSource
+ *       height source         u: 0 synthetic, 1 tag "height", 2 tag "building:levels"
  *       height                u, centimetres
  *       number of rings       u, at least 1, then for each
  *         number of points    u, at least 3, then that many points
@@ -31,12 +32,12 @@
 namespace NBufferExamples
 {
 
-/// Whether a file begins like a city file. False when it cannot be read.
+/// Returns whether a file begins like a city file; false if it cannot be read.
 bool IsCityFile(const std::string& fileName);
 
-/// Throws std::runtime_error that names the file and the cause.
+/// Reads a city file. Throws std::runtime_error, with the name of the file and the cause, if it
+/// cannot be read or is damaged.
 City ReadCity(const std::string& fileName);
-void WriteCity(const City& city, const std::string& fileName);
 
 } // namespace NBufferExamples
 

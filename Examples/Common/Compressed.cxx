@@ -57,21 +57,4 @@ std::string ReadMaybeCompressed(const std::string& fileName, std::size_t limit)
   return contents;
 }
 
-void WriteCompressed(const std::string& fileName, const std::string& contents)
-{
-  errno = 0;
-  GzFile file(gzopen(fileName.c_str(), "wb9"));
-  if (!file)
-  {
-    throw std::runtime_error("cannot write " + fileName + ": " + std::strerror(errno));
-  }
-  const bool written = contents.empty() ||
-    gzwrite(file.get(), contents.data(), static_cast<unsigned int>(contents.size())) ==
-      static_cast<int>(contents.size());
-  if (gzclose(file.release()) != Z_OK || !written)
-  {
-    throw std::runtime_error("cannot write " + fileName + ": disk full?");
-  }
-}
-
 } // namespace NBufferExamples

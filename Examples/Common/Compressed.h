@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Compressed.h
- * @brief Whole files through gzip. Reading takes plain files as they are.
+ * @brief Reads whole files, plain or compressed by gzip.
  */
 #ifndef Compressed_h
 #define Compressed_h
@@ -12,12 +12,10 @@
 namespace NBufferExamples
 {
 
-/// The contents of a file, or its first `limit` bytes, decompressed if it is gzipped. Throws
-/// std::runtime_error with the name and the cause: missing, unreadable, damaged.
+/// Returns the contents of a file, or their first `limit` bytes, decompressed if the file is a gzip
+/// file. Throws std::runtime_error, with the name of the file and the cause, if it is missing,
+/// unreadable or damaged.
 std::string ReadMaybeCompressed(const std::string& fileName, std::size_t limit = std::string::npos);
-
-/// Write a gzip file that depends on `contents` alone (no time stamp, no name).
-void WriteCompressed(const std::string& fileName, const std::string& contents);
 
 } // namespace NBufferExamples
 

@@ -3,7 +3,6 @@
 #include "KicadBoard.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -14,13 +13,13 @@ namespace NBufferExamples
 {
 namespace
 {
-/// A word, or a list in parentheses.
+/// A word, or a list of expressions in parentheses.
 struct Expression
 {
   std::string Word;
   std::vector<Expression> List;
 
-  /// The list whose first word is this; nullptr if there is none.
+  /// Returns the list whose first word is `name`, or nullptr if there is none.
   const Expression* Find(const std::string& name) const
   {
     const auto found = std::find_if(this->List.begin(), this->List.end(),
@@ -67,8 +66,7 @@ public:
 
   Expression Parse()
   {
-    this->SkipSpace();
-    if (this->At >= this->Text.size() || this->Text[this->At] != '(')
+    if (this->SkipSpace() != '(')
     {
       this->Fail("no parenthesis opens");
     }
@@ -81,13 +79,14 @@ private:
     throw std::runtime_error("no board: " + what + " at byte " + std::to_string(this->At));
   }
 
-  void SkipSpace()
+  /// Moves to a place that find() returned: the end if nothing was found.
+  void MoveTo(std::size_t place) { this->At = std::min(place, this->Text.size()); }
+
+  /// Moves to the next character that is no space, and returns it; 0 at the end.
+  char SkipSpace()
   {
-    while (this->At < this->Text.size() &&
-      std::isspace(static_cast<unsigned char>(this->Text[this->At])))
-    {
-      ++this->At;
-    }
+    this->MoveTo(this->Text.find_first_not_of(Space, this->At));
+    return this->At < this->Text.size() ? this->Text[this->At] : '\0';
   }
 
   Expression ParseList(int depth)
@@ -99,29 +98,18 @@ private:
     }
     Expression list;
     ++this->At;
-    while (true)
+    for (char c = this->SkipSpace(); c != ')'; c = this->SkipSpace())
     {
-      this->SkipSpace();
-      if (this->At >= this->Text.size())
+      if (this->At == this->Text.size())
       {
         this->Fail("a parenthesis is not closed");
       }
-      const char c = this->Text[this->At];
-      if (c == ')')
-      {
-        ++this->At;
-        return list;
-      }
-      if (c == '(')
-      {
-        list.List.push_back(this->ParseList(depth + 1));
-      }
-      else
-      {
-        list.List.emplace_back();
-        list.List.back().Word = c == '"' ? this->ParseQuoted() : this->ParseWord();
-      }
+      list.List.push_back(c == '('
+          ? this->ParseList(depth + 1)
+          : Expression{ c == '"' ? this->ParseQuoted() : this->ParseWord(), {} });
     }
+    ++this->At;
+    return list;
   }
 
   std::string ParseQuoted()
@@ -146,20 +134,16 @@ private:
   std::string ParseWord()
   {
     const std::size_t begin = this->At;
-    while (this->At < this->Text.size() &&
-      !std::isspace(static_cast<unsigned char>(this->Text[this->At])) &&
-      this->Text[this->At] != '(' && this->Text[this->At] != ')')
-    {
-      ++this->At;
-    }
+    this->MoveTo(this->Text.find_first_of(std::string(Space) + "()", begin));
     return this->Text.substr(begin, this->At - begin);
   }
 
+  static constexpr const char* Space = " \t\n\v\f\r";
   const std::string& Text;
   std::size_t At = 0;
 };
 
-/// (name (xyz 1 2 3)); as it was where it is not there.
+/// Reads (name (xyz 1 2 3)) into `vector`, which stays as it is if there is no such list.
 void TakeVector(const Expression& model, const std::string& name, double factor, double vector[3])
 {
   const Expression* list = model.Find(name);

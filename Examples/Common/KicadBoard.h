@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file KicadBoard.h
- * @brief Where the parts of a printed board are: what a scene needs of KiCad's board files.
+ * @brief The outline and the places of the parts of a printed board, from KiCad's board files.
  *
- * Millimetres and degrees, as in the file: y points down there.
+ * Lengths are millimetres, angles are degrees, and y points down, as in the file.
  */
 #ifndef KicadBoard_h
 #define KicadBoard_h
@@ -17,13 +17,13 @@ namespace NBufferExamples
 
 struct KicadPart
 {
-  std::string Model; ///< As in the file, with variables such as ${KICAD6_3DMODEL_DIR}.
+  std::string Model; ///< The name in the file, with variables such as ${KICAD6_3DMODEL_DIR}.
   double X = 0.0;
   double Y = 0.0;
   double Angle = 0.0; ///< Counter-clockwise.
   bool IsBelow = false;
   ///@{
-  /// Of the model in its part.
+  /// The placement of the model in its part.
   double Offset[3] = { 0.0, 0.0, 0.0 };
   double Scale[3] = { 1.0, 1.0, 1.0 };
   double Rotation[3] = { 0.0, 0.0, 0.0 };
@@ -36,11 +36,12 @@ struct KicadBoard
   double High[2] = { 0.0, 0.0 };
   double Thickness = 1.6;
   std::vector<KicadPart> Parts;
-  /// Parts that name no model.
+  /// The number of parts that name no model.
   int Bare = 0;
 };
 
-/// Throws std::runtime_error that says where the text is no board with an outline.
+/// Reads a board. Throws std::runtime_error with the place and the cause if the text is no board
+/// with an outline.
 KicadBoard ReadKicadBoard(const std::string& text);
 
 } // namespace NBufferExamples

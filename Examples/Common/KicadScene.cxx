@@ -3,9 +3,9 @@
 #include "KicadScene.h"
 
 #include "Compressed.h"
-#include "Imported.h"
 #include "KicadBoard.h"
 #include "Parts.h"
+#include "SceneFiles.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellData.h"
@@ -37,7 +37,8 @@ namespace fs = std::filesystem;
 using Actors = std::vector<vtkSmartPointer<vtkActor>>;
 
 constexpr int Slots = 80;
-constexpr double Pitch = 22.0;        // millimetres
+constexpr double Pitch = 22.0; // millimetres
+const glm::dvec3 Middle = { 0.0, 0.0, 0.0 };
 constexpr double UnitOfModels = 2.54; // millimetres: KiCad's VRML is in tenths of an inch
 
 std::vector<fs::path> FindBoards(const fs::path& folder)
@@ -69,51 +70,50 @@ public:
       named ? fs::path(named) : fs::path(), "/usr/share/kicad/3dmodels" };
   }
 
-  /// What the importer makes of a model; nothing if it is missing or cannot be read.
-  const Actors& GetActors(const std::string& model)
+  struct Model
   {
-    const auto found = this->Read.find(model);
-    if (found != this->Read.end())
-    {
-      return found->second;
-    }
-    Actors& actors = this->Read[model];
-    const std::string file = this->FindFile(model);
+    Actors Pieces; ///< What the importer makes of the model; none if it cannot be read.
+    vtkSmartPointer<vtkPolyDataMapper> Whole; ///< All pieces as one mesh with colours.
+  };
+
+  /// Returns a model, which is read by the first call.
+  Model& Get(const std::string& name)
+  {
+    const auto [entry, isNew] = this->Models.try_emplace(name);
+    const std::string file = isNew ? this->FindFile(name) : std::string();
     if (!file.empty())
     {
       vtkNew<vtkVRMLImporter> importer;
       importer->SetFileName(file.c_str());
-      actors = ImportActors(importer);
-      // Some nodes of VRML become actors without anything to draw.
-      actors.erase(std::remove_if(
-                     actors.begin(), actors.end(), [](vtkActor* actor) { return !GetMesh(actor); }),
-        actors.end());
+      for (vtkActor* actor : ImportActors(importer))
+      {
+        // Some nodes of VRML become actors without anything to draw.
+        if (GetMesh(actor))
+        {
+          entry->second.Pieces.emplace_back(actor);
+        }
+      }
     }
-    return actors;
+    return entry->second;
   }
 
-  /// All of a model as one mesh with colours; nullptr if there is none.
-  vtkPolyDataMapper* GetMapper(const std::string& model)
+  /// Returns all of a model as one mesh with colours; nullptr if it cannot be read.
+  vtkPolyDataMapper* GetWhole(const std::string& name)
   {
-    const auto found = this->Mappers.find(model);
-    if (found != this->Mappers.end())
+    Model& model = this->Get(name);
+    if (!model.Whole && !model.Pieces.empty())
     {
-      return found->second;
-    }
-    vtkSmartPointer<vtkPolyDataMapper>& mapper = this->Mappers[model];
-    vtkNew<vtkAppendPolyData> all;
-    for (vtkActor* actor : this->GetActors(model))
-    {
-      all->AddInputData(MakeColored(actor));
-    }
-    if (!this->GetActors(model).empty())
-    {
+      vtkNew<vtkAppendPolyData> all;
+      for (vtkActor* piece : model.Pieces)
+      {
+        all->AddInputData(MakeColored(piece));
+      }
       all->Update();
-      mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-      mapper->SetInputData(all->GetOutput());
-      mapper->SetScalarModeToUseCellData();
+      model.Whole = vtkSmartPointer<vtkPolyDataMapper>::New();
+      model.Whole->SetInputData(all->GetOutput());
+      model.Whole->SetScalarModeToUseCellData();
     }
-    return mapper;
+    return model.Whole;
   }
 
 private:
@@ -169,15 +169,15 @@ private:
   }
 
   std::vector<fs::path> Folders;
-  std::map<std::string, Actors> Read;
-  std::map<std::string, vtkSmartPointer<vtkPolyDataMapper>> Mappers;
+  std::map<std::string, Model> Models;
 };
 
-/// From a model to its board: x and y from the middle of the outline, y up, z from its middle
-/// layer.
-vtkSmartPointer<vtkTransform> MakePlacement(const KicadBoard& board, const KicadPart& part)
+/// Returns the matrix from a model to the scene. The middle of the board's outline and layers is at
+/// (0, 0, z), y points up.
+vtkSmartPointer<vtkMatrix4x4> MakePlacement(
+  const KicadBoard& board, const KicadPart& part, double z)
 {
-  auto place = vtkSmartPointer<vtkTransform>::New();
+  vtkNew<vtkTransform> place;
   place->Translate(part.X - 0.5 * (board.Low[0] + board.High[0]),
     0.5 * (board.Low[1] + board.High[1]) - part.Y, (part.IsBelow ? -0.5 : 0.5) * board.Thickness);
   place->RotateZ(part.Angle);
@@ -192,7 +192,10 @@ vtkSmartPointer<vtkTransform> MakePlacement(const KicadBoard& board, const Kicad
   place->RotateX(-part.Rotation[0]);
   place->Scale(
     UnitOfModels * part.Scale[0], UnitOfModels * part.Scale[1], UnitOfModels * part.Scale[2]);
-  return place;
+  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  matrix->DeepCopy(place->GetMatrix());
+  matrix->SetElement(2, 3, matrix->GetElement(2, 3) + z);
+  return matrix;
 }
 
 KicadBoard ReadBoard(const fs::path& file)
@@ -217,8 +220,7 @@ public:
     , Progress(progress)
   {
     vtkNew<vtkCubeSource> cube;
-    cube->Update();
-    this->Box = MakePartMapper(cube->GetOutput());
+    this->Box = MakePartMapper(cube);
   }
 
   void AddBoard(const KicadBoard& board, double z)
@@ -232,26 +234,21 @@ public:
   /// One actor.
   void AddWhole(const KicadBoard& board, const KicadPart& part, double z)
   {
-    vtkPolyDataMapper* mapper = this->Models.GetMapper(part.Model);
+    vtkPolyDataMapper* mapper = this->Models.GetWhole(part.Model);
     if (!mapper)
     {
       ++this->Missing;
       return;
     }
-    vtkNew<vtkMatrix4x4> matrix;
-    matrix->DeepCopy(MakePlacement(board, part)->GetMatrix());
-    matrix->SetElement(2, 3, matrix->GetElement(2, 3) + z);
-    AddPart(this->Result, mapper)->SetUserMatrix(matrix);
+    AddPart(this->Result, mapper)->SetUserMatrix(MakePlacement(board, part, z));
     ++this->Found;
   }
 
   /// All that the importer makes of it.
   void AddPieces(const KicadBoard& board, const KicadPart& part, double z)
   {
-    const Actors& pieces = this->Models.GetActors(part.Model);
-    vtkNew<vtkMatrix4x4> place;
-    place->DeepCopy(MakePlacement(board, part)->GetMatrix());
-    place->SetElement(2, 3, place->GetElement(2, 3) + z);
+    const Actors& pieces = this->Models.Get(part.Model).Pieces;
+    const vtkSmartPointer<vtkMatrix4x4> place = MakePlacement(board, part, z);
     for (vtkActor* piece : pieces)
     {
       vtkNew<vtkMatrix4x4> matrix;
@@ -291,33 +288,16 @@ private:
   int Missing = 0;
 };
 
-CameraPose Look(const double eye[3], const double target[3], int up, double angle, double nearest,
-  double farthest)
-{
-  CameraPose pose;
-  for (int i = 0; i < 3; ++i)
-  {
-    pose.Eye[i] = eye[i];
-    pose.Target[i] = target[i];
-    pose.Up[i] = i == up ? 1.0 : 0.0;
-  }
-  pose.ViewAngle = angle;
-  pose.Near = nearest;
-  pose.Far = farthest;
-  return pose;
-}
-
 /// Around the cage, 0.9 m from its middle line.
 CameraPath MakeOutside(int frames)
 {
-  const double middle[3] = { 0.0, 0.0, 0.0 };
   CameraPath path;
   for (int i = 0; i < frames; ++i)
   {
     const double angle = 2.0 * vtkMath::Pi() * (i + 0.25) / frames;
-    const double eye[3] = { 900.0 * std::cos(angle), 300.0,
-      (0.5 * Slots * Pitch + 500.0) * std::sin(angle) };
-    path.push_back(Look(eye, middle, 1, 60.0, 50.0, 4000.0));
+    const double length = 0.5 * Slots * Pitch + 500.0;
+    path.push_back({ { 900.0 * std::cos(angle), 300.0, length * std::sin(angle) }, Middle,
+      { 0.0, 1.0, 0.0 }, 60.0, 50.0, 4000.0 });
   }
   return path;
 }
@@ -335,9 +315,9 @@ CameraPath MakeBetween(int frames)
     // Nearer to the boards that one looks at from behind: their parts are on the other side.
     const double z = (slot + 0.75 - 0.5 * (Slots - 1)) * Pitch;
     const double yaw = 2.0 * vtkMath::Pi() * share;
-    const double eye[3] = { 40.0 * (share - 0.5), 10.0, z };
-    const double target[3] = { eye[0] + std::cos(yaw), eye[1] + std::sin(yaw), z - 0.15 };
-    path.push_back(Look(eye, target, 2, 60.0, 0.5, 2500.0));
+    const glm::dvec3 eye = { 40.0 * (share - 0.5), 10.0, z };
+    path.push_back({ eye, { eye.x + std::cos(yaw), eye.y + std::sin(yaw), z - 0.15 },
+      { 0.0, 0.0, 1.0 }, 60.0, 0.5, 2500.0 });
   }
   return path;
 }
@@ -347,13 +327,12 @@ CameraPath MakeOver(const KicadBoard& board, int frames)
 {
   const double radius =
     0.5 * std::max(board.High[0] - board.Low[0], board.High[1] - board.Low[1]) + 10.0;
-  const double middle[3] = { 0.0, 0.0, 0.0 };
   CameraPath path;
   for (int i = 0; i < frames; ++i)
   {
     const double angle = 2.0 * vtkMath::Pi() * i / frames;
-    const double eye[3] = { radius * std::cos(angle), radius * std::sin(angle), 25.0 };
-    path.push_back(Look(eye, middle, 2, 50.0, 2.0, 500.0));
+    path.push_back({ { radius * std::cos(angle), radius * std::sin(angle), 25.0 }, Middle,
+      { 0.0, 0.0, 1.0 }, 50.0, 2.0, 500.0 });
   }
   return path;
 }

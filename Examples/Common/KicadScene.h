@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file KicadScene.h
- * @brief Printed boards with their parts as actors: one of them, or a cage full.
+ * @brief Printed boards with their parts as actors: one board, or a cage full of them.
  *
- * Models are those that KiCad names, in VRML, read by vtkVRMLImporter. They are looked for in
- * kicad-3dmodels beside the board or its folder, in the folder that the environment's
- * KICAD6_3DMODEL_DIR names, and where Debian's kicad-packages3d puts them. Millimetres.
+ * vtkVRMLImporter reads the models that the boards name, in VRML. The models are searched in the
+ * folder kicad-3dmodels next to the board or its folder, in the folder that the environment
+ * variable KICAD6_3DMODEL_DIR names, and in the folder of Debian's kicad-packages3d. Lengths are
+ * millimetres.
  */
 #ifndef KicadScene_h
 #define KicadScene_h
@@ -18,17 +19,23 @@
 namespace NBufferExamples
 {
 
-/// A .kicad_pcb, or a folder with some in it or in its folder "boards", perhaps with :actors
-/// behind.
+/// Returns whether a name is that of a .kicad_pcb file, or of a folder that has such files in it or
+/// in its folder "boards", perhaps followed by ":actors".
 bool IsKicadName(const std::string& name);
 
 /**
- * A file: the board lying, and each of the many actors that VTK's importer makes of a part, z up;
- * path "over". A folder: a cage of 80 boards 22 mm apart, the folder's boards by turns, one actor
- * for each part, y up; paths "outside" and "between". With :actors behind the folder's name all
- * that the importer makes of each part, some hundred thousand actors. Parts whose model is missing
- * or cannot be read are left out and their number told. Throws std::runtime_error if there is no
- * part at all.
+ * Loads a board or a cage.
+ *
+ *     name              scene                                               up  paths
+ *     a file            one board with all actors that VTK's importer       z   over
+ *                       makes of its parts
+ *     a folder          a cage of 80 boards, 22 mm apart, the boards of     y   outside, between
+ *                       the folder by turns; one actor for each part
+ *     a folder:actors   the same cage with all actors that the importer     y   outside, between
+ *                       makes, some hundred thousand
+ *
+ * Parts whose model is missing or cannot be read are left out, and `progress` gets their number.
+ * Throws std::runtime_error if no part is left.
  */
 Scene LoadKicad(const std::string& name, const std::function<void(const std::string&)>& progress);
 

@@ -8,9 +8,6 @@
 #include "KicadScene.h"
 #include "Plant.h"
 #include "SceneFiles.h"
-#ifdef NBUFFER_HAVE_OSM
-#include "OsmImport.h"
-#endif
 
 #include <vtksys/SystemTools.hxx>
 
@@ -43,45 +40,6 @@ Scene MakeCityScene(City city, const std::string& name, const SceneOptions& opti
   return scene;
 }
 
-/// Whether `name` is data for libosmium. A .gz or .bz2 alone says nothing.
-bool LooksLikeOsm(const std::string& name)
-{
-  std::string plain = name;
-  for (std::string ending = fs::path(plain).extension().string();
-       ending == ".gz" || ending == ".bz2"; ending = fs::path(plain).extension().string())
-  {
-    plain.resize(plain.size() - ending.size());
-  }
-  const std::string ending = fs::path(plain).extension().string();
-  return ending == ".osm" || ending == ".pbf" || ending == ".o5m" || ending == ".opl";
-}
-
-Scene LoadOsm(const std::string& name, const SceneOptions& options)
-{
-#ifdef NBUFFER_HAVE_OSM
-  Report(options, "reading " + name);
-  return MakeCityScene(ImportOsm(name), fs::path(name).filename().string(), options);
-#else
-  static_cast<void>(options);
-  throw std::runtime_error(name +
-    " is OSM data, and this program was built without libosmium; make a city file with a "
-    "nbuffer-city of another build");
-#endif
-}
-
-int GetAxis(const std::string& up, int usual)
-{
-  if (up.empty())
-  {
-    return usual;
-  }
-  const std::size_t axis = std::string("xyz").find(up);
-  if (up.size() != 1 || axis == std::string::npos)
-  {
-    throw std::runtime_error("the axis that points up is x, y or z, not " + up);
-  }
-  return static_cast<int>(axis);
-}
 }
 
 std::string FindData(const std::string& program, const std::string& name)
@@ -144,10 +102,6 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   {
     throw std::runtime_error("no scene " + name + ": neither \"city\" nor \"plant\" nor a file");
   }
-  else if (LooksLikeOsm(name))
-  {
-    scene = LoadOsm(name, options);
-  }
   else if (IsCityFile(name))
   {
     Report(options, "reading " + name);
@@ -155,13 +109,12 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   }
   else
   {
-    return ImportFiles(names, GetAxis(options.Up, -1), options.Progress);
+    return ImportFiles(names, options.Progress);
   }
   if (!single)
   {
     throw std::runtime_error(name + " is a scene by itself; only .stl and .ply files go together");
   }
-  scene.UpAxis = GetAxis(options.Up, scene.UpAxis);
   return scene;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LoadScene.h
- * @brief Scenes by name: the city, an OSM extract, the plant, files that VTK imports.
+ * @brief Scenes by name: the city, the plant, maps, boards, and files that VTK reads.
  */
 #ifndef LoadScene_h
 #define LoadScene_h
@@ -14,30 +14,26 @@ namespace NBufferExamples
 
 struct SceneOptions
 {
-  /// The city file that the name "city" stands for; see FindDefaultCity.
+  /// The city file that the name "city" stands for; see FindDefaultCity().
   std::string DefaultCity;
-  /// "x", "y", "z", or empty for what is usual with the file format.
-  std::string Up;
-  /// Of the plant.
+  /// The seed of the plant.
   std::uint64_t Seed = 1;
-  /// Called with what is being done.
+  /// A function that is called with a text that says what is being done.
   std::function<void(const std::string&)> Progress;
 };
 
-/**
- * A file that comes with the examples: beside an installed program (`program` is argv[0]) or in
- * the source tree. Empty when it is nowhere.
- */
+/// Returns the path of a file that comes with the examples: beside an installed program (`program`
+/// is argv[0]) or in the source tree. Returns an empty text if the file is in neither place.
 std::string FindData(const std::string& program, const std::string& name);
 
-/// The city that comes with them.
+/// Returns the path of the city file that comes with the examples.
 std::string FindDefaultCity(const std::string& program);
 
 /**
- * One name: "city", "plant" (Plant.h), a city file, an OSM extract, a map (BspScene.h), a board or
- * a folder of boards (KicadScene.h), .glb, .gltf, .obj, .wrl, .vtm or .vtpc. One or more: .stl or
- * .ply. Each but an OSM extract also as .gz. Throws std::runtime_error that names the file, the
- * cause, and where there is one a remedy.
+ * Loads a scene by one name: "city", "plant" (Plant.h), a city file, a map (BspScene.h), a board or
+ * a folder of boards (KicadScene.h), .glb, .gltf, .obj, .wrl, .vtm or .vtpc; or by one or more
+ * names of .stl or .ply files. A file may also be compressed (.gz). Throws std::runtime_error with
+ * the name of the file, the cause, and a remedy where there is one.
  */
 Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& options);
 

@@ -4,6 +4,7 @@
 
 #include "vtkMath.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataAlgorithm.h"
 #include "vtkProperty.h"
 
 namespace NBufferExamples
@@ -15,6 +16,12 @@ vtkSmartPointer<vtkPolyDataMapper> MakePartMapper(vtkPolyData* data)
   mapper->SetInputData(data);
   mapper->ScalarVisibilityOff();
   return mapper;
+}
+
+vtkSmartPointer<vtkPolyDataMapper> MakePartMapper(vtkPolyDataAlgorithm* source)
+{
+  source->Update();
+  return MakePartMapper(source->GetOutput());
 }
 
 void PaintPart(vtkActor* actor, std::size_t number, double value)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Parts.h
- * @brief Scenes put together from few shapes, each the mapper of many actors.
+ * @brief Parts of scenes that consist of a few shapes, each of them the mapper of many actors.
  */
 #ifndef Parts_h
 #define Parts_h
@@ -15,20 +15,25 @@
 #include <cstddef>
 
 class vtkPolyData;
+class vtkPolyDataAlgorithm;
 
 namespace NBufferExamples
 {
 
-/// A mapper that draws in the colour of the actor.
+///@{
+/// Returns a mapper that draws a mesh, or what a source makes, in the colour of the actor.
 vtkSmartPointer<vtkPolyDataMapper> MakePartMapper(vtkPolyData* data);
+vtkSmartPointer<vtkPolyDataMapper> MakePartMapper(vtkPolyDataAlgorithm* source);
+///@}
 
-/// A colour for the part of a number: hues by the golden ratio, little saturated.
+/// Paints a part by its number: the hues follow the golden ratio, with little saturation.
 void PaintPart(vtkActor* actor, std::size_t number, double value = 0.9);
 
-/// A part of unit size at the origin, coloured by its number, and seen where no light falls, too.
+/// Adds a part of unit size at the origin, painted by its number. It is also seen where no light
+/// falls.
 vtkActor* AddPart(Scene& scene, vtkPolyDataMapper* mapper);
 
-/// The same at a place in a size.
+/// Adds such a part at a place and in a size.
 vtkActor* AddPart(Scene& scene, vtkPolyDataMapper* mapper, double x, double y, double z,
   double sizeX, double sizeY, double sizeZ);
 

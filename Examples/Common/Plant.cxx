@@ -19,14 +19,13 @@
 #include "vtkTransform.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace NBufferExamples
 {
 namespace
 {
-using Point = std::array<double, 3>;
+using Point = glm::dvec3;
 
 // Metres.
 constexpr double Length = 120.0;
@@ -79,13 +78,6 @@ vtkSmartPointer<vtkPolyData> MakeElbow()
   return normals->GetOutput();
 }
 
-template <class Source>
-vtkSmartPointer<vtkPolyDataMapper> MakeMapper(Source* source)
-{
-  source->Update();
-  return MakePartMapper(source->GetOutput());
-}
-
 class Builder
 {
 public:
@@ -93,17 +85,17 @@ public:
     : Numbers(seed)
   {
     vtkNew<vtkCubeSource> cube;
-    this->Box = MakeMapper(cube.Get());
+    this->Box = MakePartMapper(cube);
     vtkNew<vtkCylinderSource> cylinder;
     cylinder->SetResolution(16);
-    this->Cylinder = MakeMapper(cylinder.Get());
+    this->Cylinder = MakePartMapper(cylinder);
     vtkNew<vtkCylinderSource> drum;
     drum->SetResolution(48);
-    this->Drum = MakeMapper(drum.Get());
+    this->Drum = MakePartMapper(drum);
     vtkNew<vtkSphereSource> sphere;
     sphere->SetThetaResolution(24);
     sphere->SetPhiResolution(16);
-    this->Ball = MakeMapper(sphere.Get());
+    this->Ball = MakePartMapper(sphere);
     this->Elbow = MakePartMapper(MakeElbow());
   }
 
@@ -144,17 +136,11 @@ private:
 
   void AddElbow(const Point& corner, const Point& from, const Point& to, double diameter)
   {
-    double across[3];
-    vtkMath::Cross(from.data(), to.data(), across);
+    const glm::dmat4 place(glm::dvec4(diameter * from, 0.0), glm::dvec4(diameter * to, 0.0),
+      glm::dvec4(diameter * glm::cross(from, to), 0.0),
+      glm::dvec4(corner - BendRadius * diameter * from, 1.0));
     vtkNew<vtkMatrix4x4> matrix;
-    for (int i = 0; i < 3; ++i)
-    {
-      const auto j = static_cast<std::size_t>(i);
-      matrix->SetElement(i, 0, diameter * from[j]);
-      matrix->SetElement(i, 1, diameter * to[j]);
-      matrix->SetElement(i, 2, diameter * across[j]);
-      matrix->SetElement(i, 3, corner[j] - BendRadius * diameter * from[j]);
-    }
+    matrix->DeepCopy(vtkNBufferGLM::ToRows(place).data());
     AddPart(this->Result, this->Elbow)->SetUserMatrix(matrix);
   }
 
@@ -162,23 +148,14 @@ private:
   /// at most a bay with flanges between them, elbows, and a valve here and there.
   void AddPipe(const std::vector<Point>& corners, double diameter)
   {
-    Point last{};
+    Point last;
     for (std::size_t i = 0; i + 1 < corners.size(); ++i)
     {
-      Point begin = corners[i];
-      Point end = corners[i + 1];
-      Point way{};
-      int axis = 0;
-      double length = 0.0;
-      for (std::size_t j = 0; j < 3; ++j)
-      {
-        if (end[j] != begin[j])
-        {
-          axis = static_cast<int>(j);
-          length = std::abs(end[j] - begin[j]);
-          way[j] = end[j] > begin[j] ? 1.0 : -1.0;
-        }
-      }
+      const Point begin = corners[i];
+      const Point step = corners[i + 1] - begin;
+      const int axis = step.x != 0.0 ? 0 : step.y != 0.0 ? 1 : 2;
+      const double length = std::abs(step[axis]);
+      const Point way = glm::sign(step);
       if (i > 0)
       {
         this->AddElbow(begin, last, way, diameter);
@@ -188,11 +165,7 @@ private:
       const double rest = length - first - (i + 2 < corners.size() ? bend : 0.0);
       if (rest > 0.0)
       {
-        for (std::size_t j = 0; j < 3; ++j)
-        {
-          begin[j] += first * way[j];
-        }
-        this->AddLeg(begin, way, axis, rest, diameter);
+        this->AddLeg(begin + first * way, way, axis, rest, diameter);
       }
       last = way;
     }
@@ -201,15 +174,7 @@ private:
   void AddLeg(const Point& begin, const Point& way, int axis, double length, double diameter)
   {
     const int pieces = std::max(1, static_cast<int>(std::ceil(length / Bay - 1e-9)));
-    const auto at = [&](double distance)
-    {
-      Point point = begin;
-      for (std::size_t j = 0; j < 3; ++j)
-      {
-        point[j] += distance * way[j];
-      }
-      return point;
-    };
+    const auto at = [&](double distance) { return begin + distance * way; };
     const double piece = length / pieces;
     for (int i = 0; i < pieces; ++i)
     {
@@ -350,18 +315,6 @@ private:
   vtkSmartPointer<vtkPolyDataMapper> Box, Cylinder, Drum, Ball, Elbow;
 };
 
-/// z is up.
-CameraPose MakeUprightPose(double viewAngle, double nearest, double farthest)
-{
-  CameraPose pose;
-  pose.Up[1] = 0.0;
-  pose.Up[2] = 1.0;
-  pose.ViewAngle = viewAngle;
-  pose.Near = nearest;
-  pose.Far = farthest;
-  return pose;
-}
-
 CameraPath MakeInside(int frames)
 {
   // Between the first two racks, where the vessels are not.
@@ -370,16 +323,11 @@ CameraPath MakeInside(int frames)
   for (int i = 0; i < frames; ++i)
   {
     const double share = static_cast<double>(i) / frames;
-    CameraPose pose = MakeUprightPose(60.0, 0.1, 250.0);
-    pose.Eye[0] = (share - 0.5) * (Length - 20.0);
-    pose.Eye[1] = y;
-    pose.Eye[2] = 1.7;
-    // Looking ahead and, four times on the way, to the left and right.
+    const Point eye = { (share - 0.5) * (Length - 20.0), y, 1.7 };
+    // The camera looks ahead and, four times on the way, to the left and right.
     const double yaw = 1.2 * std::sin(8.0 * vtkMath::Pi() * share);
-    pose.Target[0] = pose.Eye[0] + std::cos(yaw);
-    pose.Target[1] = pose.Eye[1] + std::sin(yaw);
-    pose.Target[2] = pose.Eye[2] + 0.1;
-    path.push_back(pose);
+    path.push_back(
+      { eye, eye + Point(std::cos(yaw), std::sin(yaw), 0.1), { 0.0, 0.0, 1.0 }, 60.0, 0.1, 250.0 });
   }
   return path;
 }
@@ -390,12 +338,8 @@ CameraPath MakeAround(int frames)
   for (int i = 0; i < frames; ++i)
   {
     const double angle = 2.0 * vtkMath::Pi() * i / frames;
-    CameraPose pose = MakeUprightPose(45.0, 5.0, 300.0);
-    pose.Eye[0] = 110.0 * std::cos(angle);
-    pose.Eye[1] = 80.0 * std::sin(angle);
-    pose.Eye[2] = 25.0;
-    pose.Target[2] = 5.0;
-    path.push_back(pose);
+    path.push_back({ { 110.0 * std::cos(angle), 80.0 * std::sin(angle), 25.0 }, { 0.0, 0.0, 5.0 },
+      { 0.0, 0.0, 1.0 }, 45.0, 5.0, 300.0 });
   }
   return path;
 }

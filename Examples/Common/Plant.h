@@ -4,8 +4,8 @@
  * @file Plant.h
  * @brief A synthetic plant: racks of pipes, tanks, vessels and steel, every part an actor.
  *
- * Made up, not measured: a stress test of many thin parts that hide each other by sheer number,
- * where no single part hides much. Nothing in it is a plant that was built.
+ * The plant is invented: a stress test of many thin parts that hide each other by their number,
+ * where no single part hides much.
  */
 #ifndef Plant_h
 #define Plant_h
@@ -18,8 +18,9 @@ namespace NBufferExamples
 {
 
 /**
- * 120 m by 70 m, z up, in metres. The same seed gives the same plant. Its paths: "inside", along
- * the aisle under the pipes at 1.7 m, and "around", once around it at 25 m.
+ * Makes a plant of 120 m by 70 m, z up, in metres. The same seed gives the same plant. The scene
+ * has the paths "inside", along the aisle under the pipes at 1.7 m, and "around", once around the
+ * plant at 25 m.
  */
 Scene MakePlant(std::uint64_t seed);
 

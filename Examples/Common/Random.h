@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Random.h
- * @brief Random numbers that are the same with every compiler, which std::*_distribution are not.
+ * @brief Random numbers that are the same with every compiler; those of std::*_distribution are
+ * not.
  */
 #ifndef Random_h
 #define Random_h
@@ -22,12 +23,12 @@ public:
   {
   }
 
-  /// In [low, high).
+  /// Returns a number in [low, high).
   double Between(double low, double high)
   {
     return low + (high - low) * (static_cast<double>(this->Engine() >> 11) / 9007199254740992.0);
   }
-  /// In [0, count).
+  /// Returns a number in [0, count).
   std::size_t Index(std::size_t count)
   {
     return static_cast<std::size_t>(this->Between(0.0, static_cast<double>(count)));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Scene.h
- * @brief Many actors, wherever they come from.
+ * @brief A scene of many actors, from any source.
  */
 #ifndef Scene_h
 #define Scene_h
@@ -30,31 +30,32 @@ class PotentiallyVisibleSet;
 
 struct Scene
 {
-  /// Makes a path of a number of frames; the same seed, the same path.
+  /// Makes a path of a number of frames. The same seed gives the same path.
   using PathMaker = std::function<CameraPath(int frames, std::uint64_t seed)>;
 
   std::string Name;
-  /// In a city the buildings come first, in the order of Plan->Buildings, then the ground, then
-  /// the streets.
+  /// The actors of the scene. In a city the buildings come first, in the order of Plan->Buildings,
+  /// then the ground, then the streets.
   std::vector<vtkSmartPointer<vtkActor>> Actors;
-  /// Only of a city.
+  /// The plan of a city; nullptr in other scenes.
   std::shared_ptr<const City> Plan;
-  /// 0, 1 or 2: x, y or z points up.
+  /// The axis that points up: 0, 1 or 2 for x, y or z.
   int UpAxis = 2;
-  /// What is known of visibility beforehand; only of a map.
+  /// The visibility that is known beforehand; nullptr unless the scene is a map.
   std::shared_ptr<const PotentiallyVisibleSet> Known;
-  /// Camera paths that only this scene has, by name; the first one is the usual one.
+  /// The camera paths that only this scene has, by name. The first one is the default.
   std::vector<std::pair<std::string, PathMaker>> Paths;
 
+  /// Returns the bounds of all actors.
   vtkBoundingBox GetBounds() const;
 
-  /// Add all actors, and light and background that suit them.
+  /// Adds all actors to a renderer, and a light and a background that suit them.
   void AddTo(vtkRenderer* renderer) const;
 
   /**
-   * Copies of the actors around them, ring by ring in the plane that is not up, until there are
-   * `count`. A copy shares mapper and property with its original. Plan, Known and Paths stay those
-   * of the original.
+   * Adds copies of the actors around the originals, ring by ring in the level plane, until there
+   * are `count` actors. A copy shares mapper and property with its original. Plan, Known and Paths
+   * stay those of the original.
    */
   void Tile(int count);
 };

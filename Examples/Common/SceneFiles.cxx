@@ -3,23 +3,23 @@
 #include "SceneFiles.h"
 
 #include "Compressed.h"
-#include "Imported.h"
 #include "Parts.h"
 
-#include "vtkCellArray.h"
+#include "vtkActorCollection.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkExtractCells.h"
 #include "vtkGLTFImporter.h"
 #include "vtkGeometryFilter.h"
 #include "vtkNew.h"
 #include "vtkOBJImporter.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
 #include "vtkSTLReader.h"
 #include "vtkVRMLImporter.h"
 #include "vtkXMLMultiBlockDataReader.h"
@@ -46,7 +46,7 @@ using Actors = std::vector<vtkSmartPointer<vtkActor>>;
     name + ": nothing to draw was read; messages of VTK above, if any, say why");
 }
 
-/// The ending in lower case, and of the file inside a .gz.
+/// Returns the ending of a name in lower case; of a .gz, that of the file inside.
 std::string GetEnding(const std::string& name)
 {
   std::string ending = fs::path(name).extension().string();
@@ -55,7 +55,7 @@ std::string GetEnding(const std::string& name)
   return ending == ".gz" ? GetEnding(fs::path(name).stem().string()) : ending;
 }
 
-/// The file itself or, of a .gz, a decompressed copy that lives as long as this object.
+/// A file or, if it is a .gz, a decompressed copy that lives as long as this object.
 class PlainFile
 {
 public:
@@ -110,46 +110,19 @@ vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* data, std::size_t index)
   return actor;
 }
 
-/// The cells of `data` whose group is `group`, with the points that they use.
-vtkSmartPointer<vtkPolyData> TakeGroup(
-  vtkPolyData* data, const std::vector<vtkIdType>& cells, std::vector<vtkIdType>& newIds)
+/// Returns some cells of a mesh with the points that they use.
+vtkSmartPointer<vtkPolyData> ExtractCells(vtkPolyData* data, const std::vector<vtkIdType>& cells)
 {
-  auto part = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> polys;
-  points->SetDataType(data->GetPoints()->GetDataType());
-  part->GetPointData()->CopyAllocate(data->GetPointData());
-  std::vector<vtkIdType> used;
-  std::vector<vtkIdType> polygon;
-  for (vtkIdType cell : cells)
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    data->GetPolys()->GetCellAtId(cell, count, ids);
-    polygon.clear();
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      vtkIdType& newId = newIds[static_cast<std::size_t>(ids[i])];
-      if (newId < 0)
-      {
-        newId = points->InsertNextPoint(data->GetPoint(ids[i]));
-        part->GetPointData()->CopyData(data->GetPointData(), ids[i], newId);
-        used.push_back(ids[i]);
-      }
-      polygon.push_back(newId);
-    }
-    polys->InsertNextCell(static_cast<vtkIdType>(polygon.size()), polygon.data());
-  }
-  for (vtkIdType id : used)
-  {
-    newIds[static_cast<std::size_t>(id)] = -1;
-  }
-  part->SetPoints(points);
-  part->SetPolys(polys);
-  return part;
+  vtkNew<vtkExtractCells> extract;
+  extract->SetInputData(data);
+  extract->SetCellIds(cells.data(), static_cast<vtkIdType>(cells.size()));
+  vtkNew<vtkGeometryFilter> surface;
+  surface->SetInputConnection(extract->GetOutputPort());
+  surface->Update();
+  return surface->GetOutput();
 }
 
-Actors ReadObj(const std::string& path)
+Actors ReadObj(const std::string& path, std::size_t)
 {
   vtkNew<vtkOBJReader> reader;
   reader->SetFileName(path.c_str());
@@ -176,10 +149,9 @@ Actors ReadObj(const std::string& path)
     return ImportActors(importer);
   }
   Actors actors;
-  std::vector<vtkIdType> newIds(static_cast<std::size_t>(data->GetNumberOfPoints()), -1);
   for (const auto& [group, cells] : cellsByGroup)
   {
-    actors.push_back(MakeActor(TakeGroup(data, cells, newIds), actors.size()));
+    actors.push_back(MakeActor(ExtractCells(data, cells), actors.size()));
   }
   return actors;
 }
@@ -199,7 +171,7 @@ Actors ReadSingle(const std::string& path, std::size_t index)
 }
 
 template <class Reader>
-Actors ReadComposite(const std::string& path)
+Actors ReadComposite(const std::string& path, std::size_t)
 {
   vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
@@ -230,49 +202,64 @@ Actors ReadComposite(const std::string& path)
   return actors;
 }
 
-Actors ReadOne(const std::string& name, const std::string& ending, std::size_t index)
+template <class Importer>
+Actors Import(const std::string& path, std::size_t)
+{
+  vtkNew<Importer> importer;
+  importer->SetFileName(path.c_str());
+  return ImportActors(importer);
+}
+
+/// Reads a file whose first part has a number in the scene.
+using Reader = Actors (*)(const std::string& path, std::size_t number);
+const std::map<std::string, Reader> Readers = { { ".obj", ReadObj },
+  { ".stl", ReadSingle<vtkSTLReader> }, { ".ply", ReadSingle<vtkPLYReader> },
+  { ".vtm", ReadComposite<vtkXMLMultiBlockDataReader> },
+  { ".vtpc", ReadComposite<vtkXMLPartitionedDataSetCollectionReader> },
+  { ".wrl", Import<vtkVRMLImporter> }, { ".glb", Import<vtkGLTFImporter> },
+  { ".gltf", Import<vtkGLTFImporter> } };
+
+Actors ReadOne(const std::string& name, const std::string& ending, std::size_t number)
 {
   const PlainFile file(name);
-  const std::string path = file.GetPath();
-  if (ending == ".obj")
+  const auto reader = Readers.find(ending);
+  if (reader == Readers.end())
   {
-    return ReadObj(path);
+    std::string message = "cannot tell how to read " + name + ": known are .city";
+    for (const auto& known : Readers)
+    {
+      message += " " + known.first;
+    }
+    throw std::runtime_error(message);
   }
-  if (ending == ".stl")
-  {
-    return ReadSingle<vtkSTLReader>(path, index);
-  }
-  if (ending == ".ply")
-  {
-    return ReadSingle<vtkPLYReader>(path, index);
-  }
-  if (ending == ".vtm")
-  {
-    return ReadComposite<vtkXMLMultiBlockDataReader>(path);
-  }
-  if (ending == ".vtpc")
-  {
-    return ReadComposite<vtkXMLPartitionedDataSetCollectionReader>(path);
-  }
-  if (ending == ".wrl")
-  {
-    vtkNew<vtkVRMLImporter> importer;
-    importer->SetFileName(path.c_str());
-    return ImportActors(importer);
-  }
-  if (ending == ".glb" || ending == ".gltf")
-  {
-    vtkNew<vtkGLTFImporter> importer;
-    importer->SetFileName(path.c_str());
-    return ImportActors(importer);
-  }
-  throw std::runtime_error("cannot tell how to read " + name +
-    ": known are .city, .osm, .pbf, .glb, .gltf, .obj, .wrl, .vtm, .vtpc, .stl and .ply");
+  return reader->second(file.GetPath(), number);
 }
 }
 
-Scene ImportFiles(const std::vector<std::string>& names, int upAxis,
-  const std::function<void(const std::string&)>& progress)
+Actors ImportActors(vtkImporter* importer)
+{
+  // The window is only a place for the importer to put its actors; it never gets a context.
+  vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkRenderer> renderer;
+  window->AddRenderer(renderer);
+  importer->SetRenderWindow(window);
+  importer->Update();
+  Actors actors;
+  if (vtkRenderer* filled = importer->GetRenderer())
+  {
+    vtkActorCollection* collection = filled->GetActors();
+    collection->InitTraversal();
+    while (vtkActor* actor = collection->GetNextActor())
+    {
+      actors.emplace_back(actor);
+    }
+    filled->RemoveAllViewProps();
+  }
+  return actors;
+}
+
+Scene ImportFiles(
+  const std::vector<std::string>& names, const std::function<void(const std::string&)>& progress)
 {
   Scene scene;
   for (const std::string& name : names)
@@ -293,7 +280,7 @@ Scene ImportFiles(const std::vector<std::string>& names, int upAxis,
     }
     scene.Actors.insert(scene.Actors.end(), actors.begin(), actors.end());
     const bool yUp = ending == ".glb" || ending == ".gltf" || ending == ".wrl";
-    scene.UpAxis = upAxis >= 0 ? upAxis : (yUp ? 1 : 2);
+    scene.UpAxis = yUp ? 1 : 2;
     scene.Name += (scene.Name.empty() ? "" : " ") + fs::path(name).filename().string();
   }
   if (!scene.GetBounds().IsValid())

@@ -2,23 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SceneFiles.h
- * @brief Many actors from the files that VTK reads or imports.
+ * @brief Scenes of files that VTK's readers and importers read.
  */
 #ifndef SceneFiles_h
 #define SceneFiles_h
 
 #include "Scene.h"
 
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkImporter;
+
 namespace NBufferExamples
 {
 
+/// Returns the actors that an importer, which has the name of its file, makes of the file.
+std::vector<vtkSmartPointer<vtkActor>> ImportActors(vtkImporter* importer);
+
 /**
- * As LoadScene, for files other than cities. `upAxis` is -1 for what is usual: y for .glb, .gltf
- * and .wrl, z for the others. An .obj file becomes an actor per group if it has several groups,
- * else one per material.
+ * Reads one file, or several .stl or .ply files. An .obj file becomes an actor per group if it has
+ * several groups, else an actor per material. The axis y points up in .glb, .gltf and .wrl, z in
+ * all others. `progress`, if given, is called with what is being done. Throws std::runtime_error
+ * with the name of the file and the cause.
  */
-Scene ImportFiles(const std::vector<std::string>& names, int upAxis,
-  const std::function<void(const std::string&)>& progress);
+Scene ImportFiles(
+  const std::vector<std::string>& names, const std::function<void(const std::string&)>& progress);
 
 } // namespace NBufferExamples
 

@@ -46,13 +46,13 @@ StreetPlan::StreetPlan(const City& city)
     for (const CityPoint& point : ring)
     {
       const PlanPoint p = ToMetres(point);
-      low = { std::min(low.X, p.X), std::min(low.Y, p.Y) };
-      high = { std::max(high.X, p.X), std::max(high.Y, p.Y) };
+      low = glm::min(low, p);
+      high = glm::max(high, p);
     }
     // Wide enough for every clearance that is asked for.
-    for (double x = std::floor((low.X - 1.0) / CellSize); x * CellSize <= high.X + 1.0; ++x)
+    for (double x = std::floor((low.x - 1.0) / CellSize); x * CellSize <= high.x + 1.0; ++x)
     {
-      for (double y = std::floor((low.Y - 1.0) / CellSize); y * CellSize <= high.Y + 1.0; ++y)
+      for (double y = std::floor((low.y - 1.0) / CellSize); y * CellSize <= high.y + 1.0; ++y)
       {
         this->Cells[this->GetCellKey((x + 0.5) * CellSize, (y + 0.5) * CellSize)]
           .Buildings.push_back(static_cast<int>(i));
@@ -60,7 +60,7 @@ StreetPlan::StreetPlan(const City& city)
     }
     // The halls of a trading estate do not make a town centre.
     const double area = 0.5 * GetSignedDoubleArea(ring) * CityMetresPerUnit * CityMetresPerUnit;
-    this->Cells[this->GetCellKey(0.5 * (low.X + high.X), 0.5 * (low.Y + high.Y))].BuiltArea +=
+    this->Cells[this->GetCellKey(0.5 * (low.x + high.x), 0.5 * (low.y + high.y))].BuiltArea +=
       std::min(area, LargestHouse);
   }
 
@@ -115,8 +115,8 @@ bool StreetPlan::Contains(int building, const PlanPoint& point) const
     {
       const PlanPoint a = ToMetres(ring[i]);
       const PlanPoint b = ToMetres(ring[j]);
-      if ((a.Y > point.Y) != (b.Y > point.Y) &&
-        point.X < a.X + (b.X - a.X) * (point.Y - a.Y) / (b.Y - a.Y))
+      if ((a.y > point.y) != (b.y > point.y) &&
+        point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y))
       {
         inside = !inside;
       }
@@ -127,14 +127,14 @@ bool StreetPlan::Contains(int building, const PlanPoint& point) const
 
 bool StreetPlan::IsBuiltOver(const PlanPoint& point, double clearance) const
 {
-  const auto cell = this->Cells.find(this->GetCellKey(point.X, point.Y));
+  const auto cell = this->Cells.find(this->GetCellKey(point.x, point.y));
   if (cell == this->Cells.end())
   {
     return false;
   }
-  const PlanPoint around[] = { point, { point.X - clearance, point.Y },
-    { point.X + clearance, point.Y }, { point.X, point.Y - clearance },
-    { point.X, point.Y + clearance } };
+  const PlanPoint x(clearance, 0.0);
+  const PlanPoint y(0.0, clearance);
+  const PlanPoint around[] = { point, point - x, point + x, point - y, point + y };
   for (int building : cell->second.Buildings)
   {
     for (const PlanPoint& p : around)
@@ -152,11 +152,11 @@ bool StreetPlan::IsEdgeFree(int from, const Edge& edge) const
 {
   const PlanPoint& a = this->Nodes[static_cast<std::size_t>(from)];
   const PlanPoint& b = this->Nodes[static_cast<std::size_t>(edge.To)];
-  const int count = 1 + static_cast<int>(std::hypot(b.X - a.X, b.Y - a.Y) / Step);
+  const int count = 1 + static_cast<int>(GetDistance(a, b) / Step);
   for (int i = 0; i <= count; ++i)
   {
     const double t = static_cast<double>(i) / count;
-    if (this->IsBuiltOver({ a.X + t * (b.X - a.X), a.Y + t * (b.Y - a.Y) }, Clearance))
+    if (this->IsBuiltOver(a + t * (b - a), Clearance))
     {
       return false;
     }
@@ -171,7 +171,7 @@ double StreetPlan::GetDensity(const PlanPoint& point) const
   {
     for (int y = -3; y <= 3; ++y)
     {
-      const auto cell = this->Cells.find(this->GetCellKey(point.X, point.Y, x, y));
+      const auto cell = this->Cells.find(this->GetCellKey(point.x, point.y, x, y));
       area += cell == this->Cells.end() ? 0.0 : cell->second.BuiltArea;
     }
   }
@@ -210,7 +210,7 @@ std::vector<PlanPoint> StreetPlan::WalkFrom(int start, double length) const
   std::vector<char> used(static_cast<std::size_t>(this->NumberOfEdges), 0);
   std::vector<PlanPoint> walk;
   double done = 0.0;
-  double headingX = 0.0, headingY = 0.0;
+  PlanPoint heading;
   for (int node = start; done < length;)
   {
     const PlanPoint from = this->Nodes[static_cast<std::size_t>(node)];
@@ -220,9 +220,8 @@ std::vector<PlanPoint> StreetPlan::WalkFrom(int start, double length) const
     for (const Edge& edge : this->Edges[static_cast<std::size_t>(node)])
     {
       const PlanPoint& to = this->Nodes[static_cast<std::size_t>(edge.To)];
-      const double distance = std::hypot(to.X - from.X, to.Y - from.Y);
-      const double cosine =
-        walk.empty() ? 0.0 : ((to.X - from.X) * headingX + (to.Y - from.Y) * headingY) / distance;
+      const double distance = GetDistance(from, to);
+      const double cosine = walk.empty() ? 0.0 : glm::dot(to - from, heading) / distance;
       if (!used[static_cast<std::size_t>(edge.Id)] && distance > 0.0 && cosine > bestCosine &&
         this->IsEdgeFree(node, edge))
       {
@@ -235,12 +234,11 @@ std::vector<PlanPoint> StreetPlan::WalkFrom(int start, double length) const
       break;
     }
     const PlanPoint to = this->Nodes[static_cast<std::size_t>(best->To)];
-    const double distance = std::hypot(to.X - from.X, to.Y - from.Y);
-    headingX = (to.X - from.X) / distance;
-    headingY = (to.Y - from.Y) / distance;
+    const double distance = GetDistance(from, to);
+    heading = (to - from) / distance;
     for (double along = walk.empty() ? 0.0 : Step; along < distance; along += Step)
     {
-      walk.push_back({ from.X + along * headingX, from.Y + along * headingY });
+      walk.push_back(from + along * heading);
     }
     walk.push_back(to);
     used[static_cast<std::size_t>(best->Id)] = 1;

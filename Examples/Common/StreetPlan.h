@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file StreetPlan.h
- * @brief The streets of a city as a graph, and where its buildings stand.
+ * @brief The streets of a city as a graph, and the places of its buildings.
  */
 #ifndef StreetPlan_h
 #define StreetPlan_h
@@ -10,6 +10,9 @@
 #include "City.h"
 #include "Random.h"
 
+#include "vtkNBufferGLM.h"
+
+#include <cmath>
 #include <unordered_map>
 #include <vector>
 
@@ -17,30 +20,33 @@ namespace NBufferExamples
 {
 
 /// A point of the plan in metres.
-struct PlanPoint
+using PlanPoint = glm::dvec2;
+
+/// Returns the distance of two points in metres.
+inline double GetDistance(const PlanPoint& a, const PlanPoint& b)
 {
-  double X = 0.0;
-  double Y = 0.0;
-};
+  return std::hypot(b.x - a.x, b.y - a.y);
+}
 
 class StreetPlan
 {
 public:
   explicit StreetPlan(const City& city);
 
-  /// Whether a building stands within about `clearance` metres of a point.
+  /// Returns whether a building stands within about `clearance` metres of a point.
   bool IsBuiltOver(const PlanPoint& point, double clearance) const;
 
   /**
-   * Corners of the streets where the most of the ground is built over, the densest first;
-   * `share` in (0, 1] of all. Streets end where buildings begin, and motorways are left out.
+   * Returns the corners of streets around which most of the ground is built over, the densest ones
+   * first. `share`, in (0, 1], is their share of all corners. Motorways are left out.
    */
   std::vector<PlanPoint> GetDensePoints(double share) const;
 
   /**
-   * A walk of at least `length` metres that starts near the dense points, goes straight on where
-   * it can, takes no street twice and enters no building. Points are 0.5 m apart or where a
-   * street bends. Throws std::runtime_error if the city has none.
+   * Returns the points of a walk of at least `length` metres that starts near the dense points,
+   * goes straight on where it can, takes no street twice and enters no building. There is a point
+   * every 0.5 m and at every bend of a street. Throws std::runtime_error if the city has no such
+   * walk.
    */
   std::vector<PlanPoint> Walk(double length, Random& random) const;
 

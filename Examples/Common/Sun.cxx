@@ -12,24 +12,22 @@
 namespace NBufferExamples
 {
 
-void GetDirectionToSun(const SunTime& time, double direction[3])
+glm::dvec3 GetDirectionToSun(const SunTime& time)
 {
   const double latitude = vtkMath::RadiansFromDegrees(time.Latitude);
   const double declination = vtkMath::RadiansFromDegrees(
     23.45 * std::sin(vtkMath::RadiansFromDegrees(360.0 * (284 + time.Day) / 365.0)));
   const double hour = vtkMath::RadiansFromDegrees(15.0 * (time.Hour - 12.0));
-  direction[0] = -std::cos(declination) * std::sin(hour);
-  direction[1] = std::cos(latitude) * std::sin(declination) -
-    std::sin(latitude) * std::cos(declination) * std::cos(hour);
-  direction[2] = std::sin(latitude) * std::sin(declination) +
-    std::cos(latitude) * std::cos(declination) * std::cos(hour);
+  return { -std::cos(declination) * std::sin(hour),
+    std::cos(latitude) * std::sin(declination) -
+      std::sin(latitude) * std::cos(declination) * std::cos(hour),
+    std::sin(latitude) * std::sin(declination) +
+      std::cos(latitude) * std::cos(declination) * std::cos(hour) };
 }
 
 double GetElevation(const SunTime& time)
 {
-  double direction[3];
-  GetDirectionToSun(time, direction);
-  return vtkMath::DegreesFromRadians(std::asin(direction[2]));
+  return vtkMath::DegreesFromRadians(std::asin(GetDirectionToSun(time).z));
 }
 
 vtkSmartPointer<vtkLight> MakeSun(const SunTime& time)
@@ -45,9 +43,7 @@ vtkSmartPointer<vtkLight> MakeSun(const SunTime& time)
 
 void SetSun(const SunTime& time, vtkLight* light)
 {
-  double direction[3];
-  GetDirectionToSun(time, direction);
-  light->SetPosition(direction);
+  light->SetPosition(glm::value_ptr(GetDirectionToSun(time)));
 }
 
 void LightGround(const Scene& city)

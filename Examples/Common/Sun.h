@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Sun.h
- * @brief Where the sun stands, and a city in its light.
+ * @brief The place of the sun in the sky, and a city in its light.
  *
  * With the latitude phi, day n of the year (1 January: 1) and solar time t in hours (12: the sun in
  * the south):
@@ -17,6 +17,8 @@
 #ifndef Sun_h
 #define Sun_h
 
+#include "vtkNBufferGLM.h"
+
 #include "vtkLight.h"
 #include "vtkSmartPointer.h"
 
@@ -26,23 +28,23 @@ struct Scene;
 
 struct SunTime
 {
-  double Latitude = 53.56; ///< Degrees north; of Neubrandenburg.
-  int Day = 172;           ///< Of the year: 21 June.
+  double Latitude = 53.56; ///< Degrees north; the default is that of Neubrandenburg.
+  int Day = 172;           ///< Day of the year; the default is 21 June.
   double Hour = 9.0;       ///< Solar time.
 };
 
-/// Unit vector to the sun, x east, y north, z up.
-void GetDirectionToSun(const SunTime& time, double direction[3]);
+/// Returns the unit vector to the sun: x east, y north, z up.
+glm::dvec3 GetDirectionToSun(const SunTime& time);
 
-/// Of the sun above the horizon, degrees.
+/// Returns the elevation of the sun above the horizon in degrees.
 double GetElevation(const SunTime& time);
 
-/// A directional light from the sun; move it with SetSun.
+/// Makes a directional light from the sun. SetSun() moves it.
 vtkSmartPointer<vtkLight> MakeSun(const SunTime& time);
 void SetSun(const SunTime& time, vtkLight* light);
 
-/// Light the ground and the streets as well, which otherwise have one colour that no shadow
-/// changes.
+/// Lights the ground and the streets of a city as well, which otherwise have one colour that no
+/// shadow changes.
 void LightGround(const Scene& city);
 
 } // namespace NBufferExamples

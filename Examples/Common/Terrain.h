@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Terrain.h
- * @brief Hills that come with the examples: elevations around the Jacksboro Fault in Tennessee.
- *
- * Examples/Data/README.md says where they come from.
+ * @brief The hills that come with the examples: elevations around the Jacksboro Fault in Tennessee.
+ * Examples/Data/README.md names their source.
  */
 #ifndef Terrain_h
 #define Terrain_h
@@ -18,10 +17,10 @@ namespace NBufferExamples
 {
 
 /**
- * A surface of triangles with normals, 7.1 by 8.9 km: metres, x east, y north, z up, the origin in
- * the south-west. Between the points of the data, 97 x 97 at 3 arc seconds, twice as many are
- * interpolated by cubics in each direction. `program` is argv[0]. Throws std::runtime_error if the
- * data cannot be read.
+ * Makes a surface of triangles with normals, 7.1 by 8.9 km, in metres. x points to the east, y to
+ * the north, z up; the origin is in the south-west. The data have 97 x 97 points, 3 arc seconds
+ * apart; two more points are interpolated by cubics between neighbours in each direction. `program`
+ * is argv[0]. Throws std::runtime_error if the data cannot be read.
  */
 vtkSmartPointer<vtkPolyData> MakeTerrain(const std::string& program);
 
