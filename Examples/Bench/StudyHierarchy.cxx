@@ -101,7 +101,7 @@ public:
     vtkNBufferOcclusionTest test = this->Begin(boxes.size(), way);
     for (std::size_t i = 0; i < boxes.size(); ++i)
     {
-      this->AskBox(boxes[i], i, test, way);
+      way.Visible[i] = !this->IsHidden(boxes[i], test, way);
     }
     this->End(clock, test, way);
   }
@@ -115,28 +115,13 @@ public:
       [&](const vtkNBufferBox& box)
       {
         ++way.Nodes;
-        if (this->Frame.Projection.IsOutside(box))
-        {
-          return vtkNBufferHierarchy::Answer::Skip;
-        }
-        ++way.Tests;
-        vtkNBufferScreenBox screen;
-        switch (this->Frame.Projection.Project(box, screen))
-        {
-          case vtkNBufferPlacement::Outside:
-            return vtkNBufferHierarchy::Answer::Skip;
-          case vtkNBufferPlacement::Inside:
-            return test.IsHidden(box, screen) ? vtkNBufferHierarchy::Answer::Skip
+        return this->IsHidden(box, test, way) ? vtkNBufferHierarchy::Answer::Skip
                                               : vtkNBufferHierarchy::Answer::Descend;
-          case vtkNBufferPlacement::Crossing:
-            break;
-        }
-        return vtkNBufferHierarchy::Answer::Descend;
       },
       [&](int i)
       {
         const auto place = static_cast<std::size_t>(i);
-        this->AskBox(boxes[place], place, test, way);
+        way.Visible[place] = !this->IsHidden(boxes[place], test, way);
       });
     this->End(clock, test, way);
   }
@@ -149,18 +134,18 @@ private:
     return vtkNBufferOcclusionTest(this->Frame.Projection, this->Levels, 8);
   }
 
-  void AskBox(
-    const vtkNBufferBox& box, std::size_t place, vtkNBufferOcclusionTest& test, Way& way) const
+  /// Returns whether a box is outside the view or hidden.
+  bool IsHidden(const vtkNBufferBox& box, vtkNBufferOcclusionTest& test, Way& way) const
   {
     if (this->Frame.Projection.IsOutside(box))
     {
-      return;
+      return true;
     }
     ++way.Tests;
     vtkNBufferScreenBox screen;
     const vtkNBufferPlacement placement = this->Frame.Projection.Project(box, screen);
-    way.Visible[place] = placement == vtkNBufferPlacement::Crossing ||
-      (placement == vtkNBufferPlacement::Inside && !test.IsHidden(box, screen));
+    return placement == vtkNBufferPlacement::Outside ||
+      (placement == vtkNBufferPlacement::Inside && test.IsHidden(box, screen));
   }
 
   static void End(const vtkNBufferClock& clock, const vtkNBufferOcclusionTest& test, Way& way)
