@@ -101,7 +101,7 @@ public:
     vtkNBufferOcclusionTest test = this->Begin(boxes.size(), way);
     for (std::size_t i = 0; i < boxes.size(); ++i)
     {
-      this->AskBox(boxes[i], i, test, way);
+      way.Visible[i] = !this->IsHidden(boxes[i], test, way);
     }
     this->End(clock, test, way);
   }
@@ -114,7 +114,8 @@ public:
     tree.Visit(0,
       [&](const vtkNBufferHierarchy::Node& node)
       {
-        if (!this->MayBeSeen(node.Box, test, way))
+        ++way.Nodes;
+        if (this->IsHidden(node.Box, test, way))
         {
           return false;
         }
@@ -123,7 +124,7 @@ public:
           for (int slot = node.Begin; slot < node.End; ++slot)
           {
             const auto place = static_cast<std::size_t>(tree.GetOrder()[slot]);
-            this->AskBox(boxes[place], place, test, way);
+            way.Visible[place] = !this->IsHidden(boxes[place], test, way);
           }
         }
         return true;
@@ -160,18 +161,18 @@ private:
     return vtkNBufferOcclusionTest(this->Frame.Projection, this->Levels, 8);
   }
 
-  void AskBox(
-    const vtkNBufferBox& box, std::size_t place, vtkNBufferOcclusionTest& test, Way& way) const
+  /// Returns whether a box is outside the view or hidden.
+  bool IsHidden(const vtkNBufferBox& box, vtkNBufferOcclusionTest& test, Way& way) const
   {
     if (this->Frame.Projection.IsOutside(box))
     {
-      return;
+      return true;
     }
     ++way.Tests;
     vtkNBufferScreenBox screen;
     const vtkNBufferPlacement placement = this->Frame.Projection.Project(box, screen);
-    way.Visible[place] = placement == vtkNBufferPlacement::Crossing ||
-      (placement == vtkNBufferPlacement::Inside && !test.IsHidden(box, screen));
+    return placement == vtkNBufferPlacement::Outside ||
+      (placement == vtkNBufferPlacement::Inside && test.IsHidden(box, screen));
   }
 
   static void End(const vtkNBufferClock& clock, const vtkNBufferOcclusionTest& test, Way& way)

@@ -39,7 +39,6 @@ Scene MakeCityScene(City city, const std::string& name, const SceneOptions& opti
   scene.Plan = std::make_shared<const City>(std::move(city));
   return scene;
 }
-
 }
 
 std::string FindData(const std::string& program, const std::string& name)
@@ -72,7 +71,7 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
     throw std::runtime_error("no scene is named");
   }
   const std::string& name = names.front();
-  const bool single = names.size() == 1;
+  Report(options, "reading " + name);
   Scene scene;
   if (name == "city")
   {
@@ -81,7 +80,6 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
       throw std::runtime_error(
         "neubrandenburg.city is neither installed nor in the source tree; name a city file");
     }
-    Report(options, "reading the city");
     scene = MakeCityScene(ReadCity(options.DefaultCity), name, options);
   }
   else if (name == "plant")
@@ -90,12 +88,10 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   }
   else if (IsKicadName(name))
   {
-    Report(options, "reading " + name);
     scene = LoadKicad(name, options.Progress);
   }
   else if (IsBspName(name))
   {
-    Report(options, "reading " + name);
     scene = LoadBsp(name);
   }
   else if (!fs::exists(name))
@@ -104,14 +100,13 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   }
   else if (IsCityFile(name))
   {
-    Report(options, "reading " + name);
     scene = MakeCityScene(ReadCity(name), fs::path(name).filename().string(), options);
   }
   else
   {
     return ImportFiles(names, options.Progress);
   }
-  if (!single)
+  if (names.size() > 1)
   {
     throw std::runtime_error(name + " is a scene by itself; only .stl and .ply files go together");
   }
