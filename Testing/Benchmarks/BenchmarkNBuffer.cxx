@@ -242,7 +242,7 @@ void TestPixels(benchmark::State& state)
       doubtful.push_back(i);
     }
   }
-  vtkNBufferPixelTest pixels(projection, levels, depth.data());
+  vtkNBufferPixelTest pixels(projection, levels, depth.data(), 0.5);
   std::size_t n = 0;
   std::int64_t hidden = 0;
   for (auto _ : state)

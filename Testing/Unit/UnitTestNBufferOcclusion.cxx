@@ -148,7 +148,7 @@ TEST_P(NBufferOcclusion, HiddenBoxesAreHidden)
       scene.Levels.BuildLevels(vtkNBufferOcclusionTest::GetLevelsNeeded(screen.Pixels, factor));
       vtkNBufferOcclusionTest one(scene.Projection, scene.Levels, 1);
       vtkNBufferOcclusionTest eight(scene.Projection, scene.Levels, 8);
-      vtkNBufferPixelTest pixels(scene.Projection, scene.Levels, scene.Depth.data());
+      vtkNBufferPixelTest pixels(scene.Projection, scene.Levels, scene.Depth.data(), 0.5);
       const bool verdicts[3] = { one.IsHidden(box, screen), eight.IsHidden(box, screen),
         pixels.IsHidden(box, screen) };
       ASSERT_TRUE(verdicts[1] || !verdicts[0]) << "cutting must not lose what one query found";
@@ -223,7 +223,7 @@ TEST_P(NBufferOcclusionOfDepths, EqualDepthIsVisible)
     scene.Build(4, 20);
     vtkNBufferOcclusionTest test(scene.Projection, scene.Levels, 8);
     EXPECT_FALSE(test.IsHidden(box, screen)) << scene.Eye.Text << ", " << GetText(bounds);
-    vtkNBufferPixelTest pixels(scene.Projection, scene.Levels, scene.Depth.data());
+    vtkNBufferPixelTest pixels(scene.Projection, scene.Levels, scene.Depth.data(), 0.5);
     // The pixels of the nearest corner alone decide; they may lie beside the window.
     const auto inWindow = screen.Pixels.GetWidth() > 0;
     EXPECT_TRUE(inWindow);
@@ -281,7 +281,7 @@ TEST_P(NBufferOcclusionOfDepths, ANearWallHidesAllBehindIt)
       ++tested;
       vtkNBufferOcclusionTest test(scene.Projection, scene.Levels, 1);
       EXPECT_TRUE(test.IsHidden(box, screen)) << scene.Eye.Text << ", " << GetText(bounds);
-      vtkNBufferPixelTest pixels(scene.Projection, scene.Levels, scene.Depth.data());
+      vtkNBufferPixelTest pixels(scene.Projection, scene.Levels, scene.Depth.data(), 0.5);
       EXPECT_TRUE(pixels.IsHidden(box, screen)) << scene.Eye.Text << ", " << GetText(bounds);
     }
   }
@@ -321,7 +321,7 @@ TEST_P(NBufferOcclusionOfDepths, OneOpenPixelKeepsTheBox)
       pixel = std::nextafter(static_cast<float>(drawn->Z), 2.0f);
       scene.Build(4, 20);
       vtkNBufferOcclusionTest test(scene.Projection, scene.Levels, 8);
-      vtkNBufferPixelTest pixels(scene.Projection, scene.Levels, scene.Depth.data());
+      vtkNBufferPixelTest pixels(scene.Projection, scene.Levels, scene.Depth.data(), 0.5);
       ASSERT_FALSE(test.IsHidden(box, screen)) << scene.Eye.Text << ", " << GetText(bounds);
       ASSERT_FALSE(pixels.IsHidden(box, screen)) << scene.Eye.Text << ", " << GetText(bounds);
       pixel = wall;
@@ -330,6 +330,55 @@ TEST_P(NBufferOcclusionOfDepths, OneOpenPixelKeepsTheBox)
     }
   }
   EXPECT_GT(opened, 50);
+}
+
+// Hazard: without multisampling a box is kept for pixels in whose middles it cannot be; or it is
+// left out although it is in the middle of a pixel.
+TEST_P(NBufferOcclusionOfDepths, OnlyMiddlesCountWithoutMultisampling)
+{
+  ViewSampler sampler(36);
+  int opened = 0;
+  int keptForTouching = 0;
+  for (int s = 0; s < 600; ++s)
+  {
+    Scene scene;
+    MakeScene(sampler, 0.0, 1, this->GetParam(), scene);
+    const auto wall = static_cast<float>(scene.Eye.ToOrder(0.001, scene.Depths));
+    scene.Fill(wall);
+    const std::array<double, 6> bounds = sampler.MakeBounds(scene.Eye);
+    const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds.data());
+    vtkNBufferScreenBox screen;
+    if (scene.Projection.Project(box, screen) != vtkNBufferPlacement::Inside)
+    {
+      continue;
+    }
+    for (const auto& point : sampler.MakePoints(bounds, 60))
+    {
+      const auto drawn = ProjectExactly(scene.Eye, point, scene.Depths);
+      if (!drawn)
+      {
+        continue;
+      }
+      const int x = std::min(static_cast<int>(drawn->X), scene.Eye.Width - 1);
+      const int y = std::min(static_cast<int>(drawn->Y), scene.Eye.Height - 1);
+      // Points so near to the middle of a pixel that a device may snap them to it.
+      const bool isMiddle =
+        std::max(std::abs(drawn->X - x - 0.5), std::abs(drawn->Y - y - 0.5)) < 1.0 / 16.0;
+      float& pixel = scene.Depth[scene.GetIndex(x, y)];
+      pixel = std::nextafter(static_cast<float>(drawn->Z), 2.0f);
+      scene.Build(1, 20);
+      vtkNBufferPixelTest pixels(scene.Projection, scene.Levels, scene.Depth.data(), 0.5);
+      vtkNBufferPixelTest middles(scene.Projection, scene.Levels, scene.Depth.data(), 0.0);
+      ASSERT_FALSE(pixels.IsHidden(box, screen)) << scene.Eye.Text << ", " << GetText(bounds);
+      const bool hidden = middles.IsHidden(box, screen);
+      ASSERT_FALSE(isMiddle && hidden) << scene.Eye.Text << ", " << GetText(bounds);
+      opened += isMiddle;
+      keptForTouching += hidden;
+      pixel = wall;
+    }
+  }
+  EXPECT_GT(opened, 50);
+  EXPECT_GT(keptForTouching, 50) << "whole pixels keep more";
 }
 
 // Hazard: the corners of boxes without thickness differ by rounding only, and so does the direction
@@ -363,7 +412,7 @@ TEST_P(NBufferOcclusionOfDepths, NeedlesAndSheetsHaveAnOutline)
       }
       ++tested;
       SCOPED_TRACE(scene.Eye.Text + ", " + GetText(bounds));
-      vtkNBufferPixelTest pixels(scene.Projection, scene.Levels, scene.Depth.data());
+      vtkNBufferPixelTest pixels(scene.Projection, scene.Levels, scene.Depth.data(), 0.5);
       if (pixels.IsHidden(box, screen))
       {
         CheckHidden(sampler, scene, bounds);

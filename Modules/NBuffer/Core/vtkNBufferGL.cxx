@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <iterator>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -53,6 +55,21 @@ const char* GetErrorName(GLenum error)
       return "an OpenGL error";
   }
 }
+
+bool HasExtension(const char* name)
+{
+  GLint count = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i)
+  {
+    const auto* extension = reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i));
+    if (extension && std::strcmp(extension, name) == 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
 }
 
 namespace vtkNBufferGL
@@ -85,6 +102,18 @@ const char* GetSoftwareRenderer()
   const auto found = std::find_if(names.begin(), names.end(),
     [renderer](const char* name) { return renderer && std::strstr(renderer, name); });
   return found == names.end() ? nullptr : *found;
+}
+
+bool CoversTouchedPixels()
+{
+  // The enumerator of each extension, which is an error where the extension is missing.
+  constexpr std::pair<const char*, GLenum> conservative[] = {
+    { "GL_NV_conservative_raster", 0x9346 }, { "GL_INTEL_conservative_rasterization", 0x83FE }
+  };
+  return glIsEnabled(GL_POLYGON_SMOOTH) == GL_TRUE ||
+    std::any_of(std::begin(conservative), std::end(conservative),
+      [](const auto& extension)
+      { return HasExtension(extension.first) && glIsEnabled(extension.second) == GL_TRUE; });
 }
 
 bool KeepsToScissor(int samples)

@@ -22,6 +22,9 @@ struct vtkNBufferState
   /// Whether the last depth test that included the prop found it visible.
   bool WasVisible = false;
 
+  /// Whether a depth test has included the prop since it was outside the frustum the last time.
+  bool WasTested = false;
+
   /// Whether the prop is Inside, but its rectangle has not been computed in this frame yet.
   bool RectangleIsStale = false;
 
