@@ -358,7 +358,7 @@ def table2(report, _):
 
 
 def figure4(report, _):
-    return table(["", "all pixels too many / all asked for, %", "mean over sizes, %", "median, %",
+    return table(["", "all pixels too many / all in rectangles, %", "mean over sizes, %", "median, %",
                   "most, %"],
                  ([entry["caption"], *(entry[name + "_percent"] for name in (
                      "area", "mean", "median", "most"))] for entry in report.get("figure4") or []))

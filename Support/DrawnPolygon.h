@@ -70,7 +70,8 @@ public:
   /// Pixels across, of what is in view: twice its area by its longest diagonal.
   double GetThickness() const;
 
-  /// Where it is, or less than `margin` pixels in x and y beside, on the line y: false if nowhere.
+  /// The range of x on the line y that it covers, widened by `margin` pixels in x and y. False if
+  /// it covers none of it.
   bool GetRow(double y, double margin, double& x0, double& x1) const;
 
   /// Exact window depth of its plane.

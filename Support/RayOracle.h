@@ -62,7 +62,7 @@ public:
   const RenderedTriangles& GetTriangles() const { return this->Triangles; }
   const TriangleTree& GetTree() const { return this->Tree; }
 
-  /// The ray through pixel (x, y) of the viewport, `jitter` pixels beside its sample, from the near
+  /// The ray through pixel (x, y) of the viewport, `jitter` pixels off its sample, from the near
   /// to the far plane. Its direction has unit length.
   Ray GetEyeRay(int x, int y, double jitterX = 0.0, double jitterY = 0.0) const;
 
@@ -97,7 +97,7 @@ private:
   void FindClipped();
   Ray GetShadowRay(const Receiver& receiver, const OracleLight& light) const;
   /**
-   * Whether the surface that is seen at a is not, or only over a sharp edge, that at b beside it.
+   * Whether the surface that is seen at a is not, or only over a sharp edge, that at b next to it.
    * If their planes meet between them, neither is farther off the other's plane than the sine of
    * the planes' angle times the distance. Sheets behind each other are, at however small an angle
    * they are seen.

@@ -5,9 +5,9 @@
  * @brief Which triangles a ray crosses, in double precision: a tree of boxes, split at medians.
  *
  * The test of ray and triangle is watertight: a ray through a shared edge crosses at least one of
- * the triangles beside it (S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection",
- * Journal of Computer Graphics Techniques 2(1), 2013). Touching an edge counts as crossing;
- * triangles seen edge-on and those without area are never crossed.
+ * the triangles that share it (S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle
+ * Intersection", Journal of Computer Graphics Techniques 2(1), 2013). Touching an edge counts as
+ * crossing; triangles seen edge-on and those without area are never crossed.
  */
 #ifndef TriangleTree_h
 #define TriangleTree_h

@@ -36,7 +36,7 @@ NBufferExamples::Scene LoadShadowScene(ViewOptions view);
 /// pose.
 struct SpotLamp
 {
-  /// From that place, metres: east, north, up. Usually high above the street and beside the way.
+  /// From that place, metres: east, north, up. Usually high above the street and next to the way.
   std::array<double, 3> Offset = { 25.0, -25.0, 120.0 };
   /// Degrees from the axis to the edge, as vtkLight has it; between 0 and 90.
   double ConeAngle = 20.0;
@@ -51,7 +51,7 @@ vtkLight* LightScene(const std::string& name, const NBufferExamples::Scene& scen
   const NBufferExamples::CameraPath& path, vtkRenderer* renderer, const SpotLamp& lamp = {});
 
 /// Give all actors a property key but the ground and what lies on it; returns it, so that these
-/// only receive shadows. nullptr for scenes of files, whose parts are not told apart.
+/// only receive shadows. nullptr for scenes of files, which do not say what their ground is.
 vtkSmartPointer<vtkInformation> MarkCasters(
   const std::string& name, const NBufferExamples::Scene& scene);
 

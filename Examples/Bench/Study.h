@@ -40,8 +40,8 @@ Json::Value MeasureFormats(const NBufferStudy::DepthFrame& frame, double near, d
  * often as the mode draws them, the smallest of three counts; boxes of queries are not counted).
  *
  * They are measured in `frames` frames spread over the path, each after the one before it on the
- * path. GetFragmentsObstacle() returns why that is impossible, or an empty text: draws are told
- * apart by events of the mappers, which props must not share.
+ * path. GetFragmentsObstacle() returns why that is impossible, or an empty text: draws are
+ * distinguished by events of the mappers, which props must not share.
  */
 std::string GetFragmentsObstacle(vtkRenderer* renderer);
 Json::Value MeasureFragments(Session& session, const NBufferExamples::CameraPath& path,

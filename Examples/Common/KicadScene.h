@@ -5,7 +5,7 @@
  * @brief Printed boards with their parts as actors: one of them, or a cage full.
  *
  * Models are those that KiCad names, in VRML, read by vtkVRMLImporter. They are looked for in
- * kicad-3dmodels beside the board or its folder, in the folder that the environment's
+ * kicad-3dmodels next to the board or its folder, in the folder that the environment's
  * KICAD6_3DMODEL_DIR names, and where Debian's kicad-packages3d puts them. Millimetres.
  */
 #ifndef KicadScene_h
@@ -27,8 +27,8 @@ bool IsKicadName(const std::string& name);
  * path "over". A folder: a cage of 80 boards 22 mm apart, the folder's boards by turns, one actor
  * for each part, y up; paths "outside" and "between". With :actors behind the folder's name all
  * that the importer makes of each part, some hundred thousand actors. Parts whose model is missing
- * or cannot be read are left out and their number told. Throws std::runtime_error if there is no
- * part at all.
+ * or cannot be read are left out, and a line says how many. Throws std::runtime_error if there is
+ * no part at all.
  */
 Scene LoadKicad(const std::string& name, const std::function<void(const std::string&)>& progress);
 

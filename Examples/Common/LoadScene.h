@@ -25,7 +25,7 @@ struct SceneOptions
 };
 
 /**
- * A file that comes with the examples: beside an installed program (`program` is argv[0]) or in
+ * A file that comes with the examples: next to an installed program (`program` is argv[0]) or in
  * the source tree. Empty when it is nowhere.
  */
 std::string FindData(const std::string& program, const std::string& name);

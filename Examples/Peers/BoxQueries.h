@@ -4,8 +4,9 @@
  * @class BoxQueries
  * @brief Occlusion queries of OpenGL around boxes drawn without writing colour or depth.
  *
- * The bound framebuffer's depth is asked with GL_LEQUAL. State goes through vtkOpenGLState, so that
- * draws of VTK in between find what they know; nothing is asked of OpenGL but answers.
+ * Boxes are compared with the bound framebuffer's depth by GL_LEQUAL. State goes through
+ * vtkOpenGLState, so that draws of VTK in between find the state that they expect; nothing is read
+ * back from OpenGL except the results of queries.
  */
 #ifndef BoxQueries_h
 #define BoxQueries_h

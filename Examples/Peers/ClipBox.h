@@ -15,7 +15,7 @@
  *    vtkNBufferScreenBox::Nearest: once for the prop, once for the box, which is drawn too.
  *
  * With GL_LEQUAL a sample of the prop that passes the depth test then has a sample of the box that
- * does. What reaches the near plane or the eye cannot be asked for: the device would cut it open.
+ * does. What reaches the near plane or the eye cannot be queried: the device would cut it open.
  */
 #ifndef ClipBox_h
 #define ClipBox_h

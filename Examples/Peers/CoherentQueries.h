@@ -9,9 +9,9 @@
  * distances as in its successor for hierarchies of boxes (O. Mattausch, J. Bittner, M. Wimmer:
  * CHC++. Computer Graphics Forum 27 (2), 2008), since boxes of a hierarchy overlap:
  *
- *  - inner nodes that were visible in the last frame are opened without asking,
- *  - leaves that were are asked for, for the next frame, and drawn at once without waiting,
- *  - nodes that were hidden are asked for, and left alone until the answer is there,
+ *  - inner nodes that were visible in the last frame are opened without a query,
+ *  - leaves that were visible are queried for the next frame, and drawn at once without waiting,
+ *  - nodes that were hidden are queried, and left alone until the answer is there,
  *  - a visible answer is pulled up to the ancestors; hidden ones need none, since a node is reset
  *    when it is visited and stays hidden unless something below is found visible,
  *  - it is waited only when there is nothing else to do.

@@ -4,7 +4,7 @@
  * @file FlatQueries.h
  * @brief One query for each prop in view, front to back, each waited for before the next.
  *
- * The plainest way that is right in the same frame: when a box is asked for, everything nearer that
+ * The plainest way that is right in the same frame: when a box is queried, everything nearer that
  * is visible has been drawn.
  */
 #ifndef FlatQueries_h
@@ -23,7 +23,7 @@ struct FlatItem
   int Prop = 0;
 };
 
-/// Sorts `items` front to back. Props outside are neither asked for nor drawn.
+/// Sorts `items` front to back. Props outside are neither queried nor drawn.
 void DrawByFlatQueries(QueryHost& host, std::vector<FlatItem>& items);
 
 } // namespace NBufferPeers

@@ -5,10 +5,10 @@
  * @brief Occlusion culling by queries of the hardware, each a draw: a peer to compare with.
  *
  * Every plain opaque prop (vtkNBufferCandidate) is drawn by one prop at the end of the renderer's
- * list, which asks and draws by turns (FlatQueries.h, CoherentQueries.h). Caches, frustum test and
- * the order of equal depths are those of vtkNBufferCuller: props that may tie with one drawn after
- * them are drawn once more (vtkNBufferTieOrder.h), so that the image is that of VTK alone, byte for
- * byte.
+ * list, which queries and draws by turns (FlatQueries.h, CoherentQueries.h). Caches, frustum test
+ * and the order of equal depths are those of vtkNBufferCuller: props that may tie with one drawn
+ * after them are drawn once more (vtkNBufferTieOrder.h), so that the image is that of VTK alone,
+ * byte for byte.
  *
  * For one renderer without render passes, depth peeling of held props or selection while it is
  * attached: a peer of a study, not a culler to ship. Where queries are missing it draws everything

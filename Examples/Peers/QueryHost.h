@@ -34,8 +34,8 @@ public:
   /// Where a box is in this frame's view.
   virtual PlacedBox Place(const vtkNBufferBox& box) = 0;
 
-  /// Ask whether a sample of a box would pass the depth test now. The query's number, or -1 if that
-  /// cannot be asked: then it is visible.
+  /// Start a query whether a sample of a box would pass the depth test now. The query's number, or
+  /// -1 if the box cannot be queried: then it counts as visible.
   virtual int Ask(const PlacedBox& box) = 0;
 
   /// Whether the answer is there; never waits.

@@ -26,7 +26,7 @@ namespace NBufferStudy
 
 struct ContestCounts
 {
-  long long Queries = 0; ///< Rectangles asked.
+  long long Queries = 0; ///< Rectangles queried.
   long long Lookups = 0; ///< Texels and pixels read.
 };
 

@@ -49,7 +49,7 @@ struct ContestResult
   std::vector<double> GetTimes() const;
 };
 
-/// `progress` is told which turn of how many.
+/// `progress` is called with the number of the turn and of all turns.
 std::vector<ContestResult> RunContest(const std::vector<DepthFrame>& frames,
   const std::vector<ContenderPointer>& contenders, int repetitions,
   const std::function<void(int, int)>& progress);

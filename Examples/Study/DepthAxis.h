@@ -62,7 +62,7 @@ public:
 
   int GetSize() const { return this->Size; }
 
-  /// Level 0 up to the first in which one texel covers everything. Levels above may be asked for:
+  /// Level 0 up to the first in which one texel covers everything. Levels above may be queried:
   /// their texels cover what those of the last one cover, or more.
   int GetNumberOfLevels() const { return this->NumberOfLevels; }
 

@@ -4,7 +4,7 @@
  * @file DepthFormats.h
  * @brief The same frame as other formats of depth would hold it, with another near plane.
  *
- * Computed, not drawn: the distance of every pixel is taken from a depth image and stored again by
+ * Computed, not drawn: the distance of every pixel comes from a depth image and is stored again by
  * the formula of the convention (DepthConvention.h), rounded as the format rounds.
  * What the first image does not know about a distance is added to it, so that nothing that it shows
  * comes nearer.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class DepthStructure
- * @brief Any member of the family (DepthFamily.h): built from a depth image, asked for rectangles.
+ * @brief Any member of the family (DepthFamily.h): built from a depth image, queried by rectangles.
  *
  * An answer is never nearer than the farthest depth in the rectangle. It is the farthest depth of
  * GetCovered(), which says how much more than the rectangle was looked at. The base, and the levels

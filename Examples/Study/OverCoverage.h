@@ -22,7 +22,7 @@ struct OverCoverage
   std::vector<double> Shares;
 
   double GetMean() const;
-  /// The pixels covered too much by the pixels asked for, over all sizes together.
+  /// The pixels covered too much, divided by the pixels of the rectangles, over all sizes.
   double GetShareOfArea() const;
   double GetQuantile(double share) const;
 };

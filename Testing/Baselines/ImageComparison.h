@@ -4,7 +4,7 @@
  * @file ImageComparison.h
  * @brief Pictures against baselines, by vtkImageDifference.
  *
- * README.md beside this file says how pixels are compared, and why with these numbers.
+ * README.md in this folder says how pixels are compared, and why with these numbers.
  */
 #ifndef ImageComparison_h
 #define ImageComparison_h

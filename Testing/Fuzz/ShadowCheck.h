@@ -26,7 +26,7 @@ struct ShadowTally
   long long ClampedFlipsElsewhere = 0;
   long long Strays = 0;        ///< Samples of whole volumes that rays say are wrong.
   long long UnlitStrays = 0;   ///< Such where the light is behind the surface, see ShadowStrays.
-  long long PartedStrays = 0;  ///< Ambiguous ones where counts were parted, see there.
+  long long PartedStrays = 0;  ///< Ambiguous ones where volumes were counted in portions.
   long long Rays = 0;          ///< Samples compared with rays.
   long long RaysAmbiguous = 0; ///< Of these, ambiguous ones that differ.
 };

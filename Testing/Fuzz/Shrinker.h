@@ -17,7 +17,7 @@
 
 namespace TestScene
 {
-/// Whether something still fails. It is asked at most `budget` times by Shrink().
+/// Whether something still fails. Shrink() calls it at most `budget` times.
 using Oracle = std::function<bool(const Json::Value&)>;
 
 struct ShrinkResult

@@ -15,7 +15,7 @@ namespace TestScene
 /// draws props without having set their number; an overlay inside of an SSAO pass writes to one of
 /// its three attachments only; ambient occlusion does not clear its own framebuffer where the
 /// renderer does not erase, and before 9.7 shows what it has not drawn of it in a part of a window;
-/// split stereo squeezes the whole window, and the next frame what of that is left beside the
+/// split stereo squeezes the whole window, and the next frame what of that is left outside of the
 /// viewports, so that pictures depend on how many frames there were: with shadows not the same.
 void RemoveUndefined(Scenario& scene);
 }

@@ -48,7 +48,7 @@ MUTANTS = {
     "hierarchy of boxes that lack their upper parts": [
         (HIERARCHY, "this->High = glm::max(this->High, high);",
          "this->High = glm::max(this->High, low);")],
-    "deferred props below hierarchy nodes that are seen taken for hidden": [
+    "held-back props below visible nodes of the hierarchy count as hidden": [
         (CANDIDATE_TREE, "!test.IsHidden(node.Box, screen))", "false)")],
 
     # Rectangles and lookups.
@@ -119,7 +119,7 @@ MUTANTS = {
          "return a.Screen.Pixels.X0 < b.Screen.Pixels.X0\n"
          "    ? projection.GetContact(a.Box, a.Screen, b.Box, b.Screen)\n"
          "    : vtkNBufferRectangle();")],
-    "what is drawn again is drawn beside its regions too": [
+    "what is drawn again is drawn outside of its regions, too": [
         ("vtkNBufferScissor.h", "scissor.Set(region);", "")],
     "regions in which props touch one column short": [
         (PROJECTION, "return pixels.GetIntersection(sharedScreen.Pixels);",
@@ -153,16 +153,16 @@ SHADOW_MUTANTS = {
          "draw.Box[2] = box.GetWidth() - 1;")],
     "slabs that begin at the caster end with the first of them": [
         (PLAN, "slabs.back().Far = far;", "slabs.back().Far = std::min(far, slabs.back().Far);")],
-    "receivers beside the caster count as before it": [
+    "receivers next to the caster count as before it": [
         (PLAN, "lookup.IsInOneFace && lookup.Extent.Far < lookup.Near)",
          "lookup.IsInOneFace && lookup.Extent.Far < lookup.Far)")],
-    "only one corner of a caster's box asked about": [
+    "only one corner of a caster's box is tested": [
         (PLAN, "this->Litmaps.LookUp(footprint, corners)",
          "this->Litmaps.LookUp(footprint, { corners.data(), 1 })")],
     "casters through the light's plane as others": [
         (LITMAP_SET, "return this->Light.IsPositional() && !(footprint.GetNear() > margin);",
          "return this->Light.IsPositional() && margin < 0.0;")],
-    "receivers behind an edge not asked": [
+    "receivers behind an edge are not tested": [
         ("vtkShadowUmbra.h", "return this->MayShadow(tile[0]) || this->MayShadow(tile[1]);",
          "return this->MayShadow(tile[0]);")],
     "sides of triangles that look the wrong way": [
@@ -227,7 +227,7 @@ RARE = {
 }
 
 RARE_SHADOWS = {
-    "stencil overflow not parted": [
+    "volumes beyond the range of the stencil are not counted in portions": [
         (MASK_MAKER,
          "const bool allAtOnce = plan.IsCountBelow(vtkShadowCaster::MaximumCount);",
          "const bool allAtOnce = true;")],

@@ -4,7 +4,7 @@
  * @file GLObjects.h
  * @brief How many OpenGL objects of each kind live in the context that is current.
  *
- * Every name up to a little beyond the newest one is asked about (glIsTexture and the like). Names
+ * Every name up to a little beyond the newest one is tested (glIsTexture and the like). Names
  * that were generated and never bound are no objects yet. Sync objects have no names; the module
  * makes none.
  */

@@ -17,7 +17,7 @@
 
 namespace LeakScene
 {
-/// The wall hides them all but for what the first frame guesses.
+/// The wall hides them all, except for those that the first frame draws untested.
 constexpr int BoxesBehind = 60;
 /// Translucent ones behind the wall; they get gates instead of being held back.
 constexpr int TranslucentBehind = 6;
@@ -45,7 +45,7 @@ private:
   std::vector<vtkWeakPointer<vtkProp>> Props;
 };
 
-/// A renderer that notes them in every frame.
+/// A renderer that records them in every frame.
 class Renderer : public vtkOpenGLRenderer
 {
 public:
@@ -62,7 +62,7 @@ protected:
 
 private:
   ///@{
-  /// PropArray is a vector, or (before VTK 9.7) a pointer beside a member that has its length.
+  /// PropArray is a vector, or (before VTK 9.7) a pointer with a second member for its length.
   template <typename Self>
   static int CountProps(Self*, const std::vector<vtkProp*>& props)
   {

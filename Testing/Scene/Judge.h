@@ -42,7 +42,7 @@ Picture TakePicture(
 std::string FindDifference(
   const Picture& expected, const Picture& actual, const int region[4] = nullptr);
 
-/// What came with a frame beside its image.
+/// What came with a frame in addition to its image.
 struct FrameErrors
 {
   std::string GL;  ///< Errors of OpenGL, by glGetError() and by debug output.

@@ -22,7 +22,8 @@ class vtkRenderer;
 
 namespace TestScene
 {
-/// What a test demands beside equal images: that culling takes place where it should.
+/// What a test demands of a frame, apart from equal images: that culling takes place where it
+/// should.
 struct Expectation
 {
   int FirstFrame = 0;

@@ -67,7 +67,7 @@ enum class ChangeKind
   MovePoints,     ///< Add 3 values to the points of the data, in place.
   ReplaceData,    ///< Another data set, whose shape has the 3 values as size.
   ClippingPlane,  ///< The origin of the plane in place; 3 values.
-  Rejoin,         ///< Taken out of the renderer and added again, at the end.
+  Rejoin,         ///< Removed from the renderer and added again, at the end.
   WindowSize,     ///< 2 values.
   MultiSamples,   //
   Stereo,         ///< A stereo type of VTK, or -1.

@@ -98,7 +98,7 @@ enum class DefaultCuller
   Removed,
   Before, ///< vtkFrustumCoverageCuller where VTK puts it.
   Behind,
-  NoTakeOver ///< Before, and ours is told to leave it there.
+  NoTakeOver ///< Before, with TakeOverFrustumCulling off.
 };
 NBUFFER_SCENE_NAMES(DefaultCuller, "Removed", "Before", "Behind", "NoTakeOver");
 

@@ -20,8 +20,8 @@
 #include <string>
 #include <vector>
 
-/// What differs in the stage's renderer alone: what lies beside it, in a tile of a larger image, is
-/// not drawn at all.
+/// What differs in the stage's renderer alone. What lies outside of it, in a tile of a larger
+/// image, is not drawn at all.
 std::string FindDifferenceInView(
   const Stage& stage, const Picture& expected, const Picture& actual);
 

@@ -9,7 +9,8 @@
   Modules <- Support <- Examples <- Testing. CMake's files keep to the latter too.
 * No two classes include each other, not by way of others either.
 * What tests and examples share is defined once: no second function of a name in HELPERS.
-* Comments of the module's headers keep away from the words that CONTRIBUTING.md lists under "Words".
+* Comments of headers and the text of documents keep away from the words that CONTRIBUTING.md lists
+  under "Words". What is code (between backticks) does not count.
 """
 
 import bisect
@@ -66,7 +67,10 @@ HELPERS = ("AddBox", "MakeBox", "AddBall", "MakeBall", "AddSphere", "MakeSphere"
            "ReadPixels", "CountDifferentBytes")
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
-WORD_ROW = re.compile(r"^\|\s*((?:`[^`|]+`(?:,\s*)?)+)\s*\|", re.MULTILINE)
+# A row of the table of words: the words, what to write instead, phrases in which they are right.
+WORD_ROW = re.compile(r"^\|\s*((?:`[^`|]+`(?:,\s*)?)+)\s*\|[^|\n]*\|([^|\n]*)", re.MULTILINE)
+# What is not text in Markdown: blocks of code, code in a line, and comments of HTML.
+MARKDOWN_CODE = re.compile(r"^```.*?^```|<!--.*?-->|(`+)[^`].*?\1", re.MULTILINE | re.DOTALL)
 
 
 def without_comments(text, strings=False):
@@ -96,13 +100,16 @@ def comments(text):
 
 
 class Tree:
-    """The sources of a repository, and who includes whom."""
+    """The sources of a repository, and who includes whom; its documents."""
 
     def __init__(self, root):
         self.texts = {}
         self.cmake = {}
+        self.documents = {}
         for name in files_of(root):
             name = pathlib.PurePath(name)
+            if name.suffix == ".md":
+                self.documents[name] = (root / name).read_text(errors="replace")
             if name.parts[0] not in FOLDERS:
                 continue
             if name.suffix in CODE:
@@ -262,27 +269,40 @@ def check_helpers(tree):
 
 
 def avoided_words(contributing):
-    """The words in the first column of the table under "## Words"."""
+    """The words in the first column of the table under "## Words", and the phrases in its third
+    column in which they are right."""
     section = re.search(r"^## Words\n(.*?)(?=^## |\Z)", contributing, re.MULTILINE | re.DOTALL)
     rows = WORD_ROW.findall(section[1]) if section else []
-    return [word for row in rows for word in re.findall(r"`([^`]+)`", row)]
+    return tuple([word for row in rows for word in re.findall(r"`([^`]+)`", row[column])]
+                 for column in (0, 1))
 
 
-def check_words(tree, words):
-    pattern = re.compile(
-        r"\b(" + "|".join(re.escape(word).replace(r"\ ", r"\s+") for word in words) + r")\b",
-        re.IGNORECASE)
-    for name, text in tree.texts.items():
-        if name.suffix != ".h" or not name.is_relative_to(MODULE):
-            continue
-        for block in comments(text):
-            starts, joined = [], ""
-            for _, line in block:
-                starts.append(len(joined))
-                joined += line + " "
-            for found in pattern.finditer(joined):
-                line = block[bisect.bisect_right(starts, found.start()) - 1][0]
-                yield name, f"line {line}: '{found[1].lower()}' (CONTRIBUTING.md, Words)"
+def any_of(words):
+    """A pattern of words and phrases; these may be broken into lines."""
+    return "|".join(re.escape(word).replace(r"\ ", r"\s+") for word in words)
+
+
+def paragraphs(text):
+    """Yields (line, text) of each line of a document without its code, as one block."""
+    text = MARKDOWN_CODE.sub(lambda code: re.sub(r"[^\n]", "#", code[0]), text)
+    yield list(enumerate(text.splitlines(), 1))
+
+
+def check_words(tree, words, allowed=()):
+    pattern = re.compile(rf"\b({any_of(words)})\b", re.IGNORECASE)
+    right = re.compile(rf"`[^`]*`|\b(?:{any_of(allowed)})\b" if allowed else "`[^`]*`", re.IGNORECASE)
+    blocks = [(name, block) for name, text in tree.texts.items() if name.suffix == ".h"
+              for block in comments(text)]
+    blocks += [(name, block) for name, text in tree.documents.items() for block in paragraphs(text)]
+    for name, block in blocks:
+        starts, joined = [], ""
+        for _, line in block:
+            starts.append(len(joined))
+            joined += line + " "
+        joined = right.sub(lambda phrase: "#" * len(phrase[0]), joined)
+        for found in pattern.finditer(joined):
+            line = block[bisect.bisect_right(starts, found.start()) - 1][0]
+            yield name, f"line {line}: '{found[1].lower()}' (CONTRIBUTING.md, Words)"
 
 
 def check(root):
@@ -293,9 +313,9 @@ def check(root):
     yield from check_cycles(tree)
     yield from check_helpers(tree)
     contributing = root / "CONTRIBUTING.md"
-    words = avoided_words(contributing.read_text()) if contributing.is_file() else []
+    words, allowed = avoided_words(contributing.read_text()) if contributing.is_file() else ([], [])
     if words:
-        yield from check_words(tree, words)
+        yield from check_words(tree, words, allowed)
     else:
         yield "CONTRIBUTING.md", "no table of words under ## Words"
 

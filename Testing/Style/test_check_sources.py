@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""check_sources.py finds each kind of fault, and only these, in a made-up repository; check_docs.py
-finds files that are shown otherwise than they are."""
+"""check_sources.py finds each kind of fault, and only these, in a made-up repository; so does
+check_docs.py."""
 
 import pathlib
 import sys
@@ -63,6 +63,50 @@ class CheckSources(unittest.TestCase):
         # Put together here, so that this file is free of them itself.
         for path in ("/ho" "me/me/x", '"/tm' 'p/x"', "C:\\Us" "ers\\x"):
             self.one_fault({"a.md": HEADER + path + "\n"}, "line 3: path")
+
+
+class CheckDocs(unittest.TestCase):
+    def faults(self, check, files):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for name, text in files.items():
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).write_text(text)
+            return list(check(root))
+
+    def test_links(self):
+        files = {"docs/b.md": "# It's `b`, or not\n```\n# c\n```\n", "docs/c/d.png": ""}
+        self.assertEqual(self.faults(check_docs.check_links, {**files, "README.md":
+            "# A 1\n[x](docs/b.md#its-b-or-not) ![y](docs/c/d.png) [z](#a-1) [w](https://a.b/c) `[v](u)`\n"}),
+            [])
+        self.assertEqual(self.faults(check_docs.check_links, {**files, "docs/a.md":
+            "[x](docs/b.md) [y](b.md#c) [z](#a)\n"}),
+            ["docs/a.md: there is no docs/b.md", "docs/a.md: b.md has no heading #c",
+             "docs/a.md: it has no heading #a"])
+
+    def test_hazards(self):
+        files = {"Testing/a.cxx": "TEST(Aa, Bb)\nTEST_P(Cc, Dd)\n", "docs/hazards.md":
+                 "`Ee.Ff` `Aa.Bb`\n\n| hazard | tests |\n|---|---|\n| x | `Aa.Bb`, `Cc.Dd/g` |\n| y | `Aa.Cc` |\n| z | - |\n"}
+        self.assertEqual(self.faults(check_docs.check_hazards, files),
+                         ["docs/hazards.md: there is no test Aa.Cc", "docs/hazards.md: no test for 'z'"])
+        self.assertEqual(self.faults(check_docs.check_tests_in_text, files),
+                         ["docs/hazards.md: there is no test Ee.Ff"])
+
+    def test_planted_errors(self):
+        code = "MUTANTS = {'a': 1}\nSHADOW_MUTANTS = RARE = {}\nRARE_SHADOWS = {'b c': 1}\n"
+        text = "# x\n- d\n## Planted errors\n\n- a\n\nRare:\n\n- {}\n\n## y\n- e\n"
+        files = {"Testing/Fuzz/mutants.py": code, "docs/hazards.md": text.format("b c")}
+        self.assertEqual(self.faults(check_docs.check_planted_errors, files), [])
+        files["docs/hazards.md"] = text.format("b")
+        self.assertEqual(self.faults(check_docs.check_planted_errors, files),
+                         ["docs/hazards.md: the planted error 'b c' is not named",
+                          "docs/hazards.md: 'b' is not planted by Testing/Fuzz/mutants.py"])
+
+    def test_rules(self):
+        files = {"Modules/X/a.h": "", "docs/architecture.md":
+                 "`c.h`\n## Which file owns which rule\n| x | `a.h`, `b.h` |\n## y\n`d.h`\n"}
+        self.assertEqual(self.faults(check_docs.check_rules, files),
+                         ["docs/architecture.md: there is no file b.h"])
 
 
 class CheckShownFiles(unittest.TestCase):

@@ -11,8 +11,9 @@ import unittest
 sys.dont_write_bytecode = True
 import check_structure  # noqa: E402
 
-WORDS = {"CONTRIBUTING.md": "# x\n## Words\n\n| not | but |\n|---|---|\n| `asked`, `asks` | reads |\n"
-                            "| `but for` | except for |\n\n## More\n| `told` | x |\n"}
+WORDS = {"CONTRIBUTING.md": "# x\n## Words\n\n| not | but | right in |\n|---|---|---|\n"
+                            "| `asked`, `asks` | reads | |\n| `taken` | used | `taken out`, `taken from` |\n"
+                            "| `but for` | except for | |\n\n## More\n| `told` | x | |\n"}
 MODULE = "Modules/NBuffer/"
 
 
@@ -133,10 +134,22 @@ class CheckStructure(unittest.TestCase):
 
     def test_words(self):
         self.none({MODULE + "Core/A.h": 'int asked; // He masked it; all but three for me.\nauto s = "asked";\n',
-                   MODULE + "Core/A.cxx": "// asked\n", "Testing/A.h": "// asked\n"})
+                   MODULE + "Core/A.cxx": "// asked\n", "Testing/A.h": "// `asked` x `taken`\n"})
         self.one({MODULE + "Core/A.h": "int a;\n/**\n * It is Asked.\n */\n"}, "A.h: line 3: 'asked'")
         self.one({MODULE + "Core/A.h": "int a; ///< All but\n       ///< for one.\n"}, "line 1: 'but for'")
         self.none({MODULE + "Core/A.h": "int a; // all but\nint b; // for one\n"})
+        for folder in ("Support", "Examples/X", "Testing/Unit"):
+            self.one({folder + "/A.h": "// It is asked.\n"}, "A.h: line 1: 'asked'")
+
+    def test_words_that_are_right_in_a_phrase(self):
+        self.none({"Testing/A.h": "// It is taken out of that, and taken\n// from this.\n"})
+        self.one({"Testing/A.h": "// It is taken out and taken.\n"}, "line 1: 'taken'")
+
+    def test_words_in_documents(self):
+        self.none({"README.md": "# A\n`asked` ``x `asked` `` told\n\n```\nasked\n```\n<!-- asked -->\n"})
+        self.one({"README.md": "# A\n\nAll `x` and `xy` is asked by `x`.\n"}, "README.md: line 3: 'asked'")
+        self.one({"docs/images/README.md": "All but\nfor one.\n"}, "line 1: 'but for'")
+        self.one({"Testing/X/README.md": "```\n```\n| a | asks |\n"}, "line 3: 'asks'")
 
     def test_words_are_missing(self):
         self.one({"CONTRIBUTING.md": "# x\n"}, "no table of words")

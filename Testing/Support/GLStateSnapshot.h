@@ -19,7 +19,8 @@ class vtkOpenGLRenderWindow;
 class GLStateSnapshot
 {
 public:
-  /// Ask OpenGL, and vtkOpenGLState what it remembers. The window's context must be current.
+  /// Read the state of OpenGL, and what vtkOpenGLState has stored of it. The window's context must
+  /// be current.
   static GLStateSnapshot Capture(vtkOpenGLRenderWindow* window);
 
   /// Lines of "name: this value, then the other's"; empty if all are equal.
@@ -35,11 +36,12 @@ private:
 /**
  * Give all state that a full-screen pass has to care about values that would spoil one: a tiny
  * viewport and scissor, blending, culling of both faces, masks off, odd pack parameters, depth and
- * stencil tests that never pass. Only GL is told, not vtkOpenGLState.
+ * stencil tests that never pass. Only OpenGL gets these values, not
+ * vtkOpenGLState.
  */
 void SpoilGLState();
 
-/// OpenGL's initial values for what SpoilGLState changes, but for viewport and scissor box.
+/// OpenGL's initial values for what SpoilGLState changes, except for viewport and scissor box.
 void UnspoilGLState();
 
 #endif

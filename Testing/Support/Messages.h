@@ -13,7 +13,7 @@
 /// the first call on.
 std::string TakeMessages();
 
-/// Empty, or why a window of the class that the environment asks for does not work in this VTK.
+/// Empty, or why a window of the class that the environment selects does not work in this VTK.
 std::string FindWindowFault();
 
 #endif

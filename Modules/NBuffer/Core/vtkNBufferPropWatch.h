@@ -13,9 +13,9 @@
  *   walk some thirty cache lines one after the other, which for 15,000 props takes most of a culled
  *   frame.
  * - Pipeline: filters or sources make the polydata. vtkActor::GetBounds() sends three requests up
- *   the pipeline, which takes as long as drawing a small prop. VTK begins each by asking all
- * filters for their modification times, and ends it if none is newer than the data. HasChanged()
- * does only this first step, in about a microsecond.
+ *   the pipeline, which takes as long as drawing a small prop. VTK begins each request by querying
+ *   the modification times of all filters, and ends it if none is newer than the data. HasChanged()
+ *   does only this first step, in about a microsecond.
  * - Times: any other mapper of vtkNBufferSurface::IsPlain(), and an actor without a mapper. The
  *   times are known only after the pipeline was updated, as VTK does before it draws. HasChanged()
  *   is always true, and GetTime() says after the next Track() whether there was a change.

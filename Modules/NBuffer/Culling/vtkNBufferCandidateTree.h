@@ -27,8 +27,8 @@
  *    projected one by one, which is cheaper.
  *  - It is built when the list has changed, but not before the list has stayed the same for a
  *    frame. Building takes some ten times as long as projecting all props one by one, which would
- *    never pay if the list changed in every frame. It is also built again where refits have made
- *    leaves more than WorstGrowth times as wide as they were built, at most every
+ *    never be worth its cost if the list changed in every frame. It is also built again where
+ * refits have made leaves more than WorstGrowth times as wide as they were built, at most every
  *    FramesBetweenBuilds frames.
  */
 #ifndef vtkNBufferCandidateTree_h
