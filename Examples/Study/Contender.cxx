@@ -132,7 +132,7 @@ public:
     this->Occlusion =
       std::make_unique<vtkNBufferOcclusionTest>(frame.Projection, this->Levels, this->Pieces);
     this->Pixels =
-      std::make_unique<vtkNBufferPixelTest>(frame.Projection, this->Levels, frame.Depth.data());
+      std::make_unique<vtkNBufferPixelTest>(frame.Projection, this->Levels, frame.Depth.data(), 0.0);
   }
 
   bool IsHidden(const DepthFrame&, const DepthBox& box, ContestCounts& counts) override

@@ -246,6 +246,12 @@ double vtkNBufferCuller::Cull(
   {
     obstacle = vtkNBufferDecision::OtherCuller;
   }
+  // Before the props are counted: a default frustum culler in front of this one may have left few
+  // of many, and stays as slow as it is for as long as it stays there.
+  if (obstacle == vtkNBufferDecision::None && this->Tuning.TakeOverFrustumCulling)
+  {
+    MoveDefaultFrustumCullersBehind(this, renderer->GetCullers());
+  }
   if (obstacle == vtkNBufferDecision::None && listLength < this->Tuning.MinimumNumberOfCandidates)
   {
     obstacle = vtkNBufferDecision::FewCandidates;
@@ -267,10 +273,6 @@ double vtkNBufferCuller::Cull(
     return total;
   }
   entry.Guard->BeginFrame(this);
-  if (this->Tuning.TakeOverFrustumCulling)
-  {
-    MoveDefaultFrustumCullersBehind(this, renderer->GetCullers());
-  }
   const vtkNBufferSettings settings = { static_cast<vtkNBufferBackend::Kind>(this->Backend),
     static_cast<vtkNBufferSliverPolicy>(this->TestSlivers), this->Freeze };
   return view.Cull(renderer, propList, listLength, initialized, settings);

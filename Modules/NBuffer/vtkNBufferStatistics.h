@@ -42,6 +42,8 @@ enum class vtkNBufferVerdict : int
   ShaderReplaced,   ///< Drawn: the application replaces its shader code.
   OtherCoordinates, ///< Drawn: its coordinates are not world coordinates.
   NoBounds,         ///< Drawn: its bounds are null, uninitialised, infinite or NaN.
+  SharedMapper,     ///< Drawn: its mapper belongs to another prop as well, which draws in another
+                    ///< way, and VTK draws both as it draws whichever is first.
   NumberOfVerdicts
 };
 
@@ -68,7 +70,8 @@ enum class vtkNBufferDecision : int
   Delegated,         ///< A delegate draws this renderer.
   UnsupportedWindow, ///< The window is a VR window or has no size.
   OtherCuller,       ///< A culler comes after this one; it would not see what is held back.
-  Blending,          ///< A prop blends among the opaque ones, so that their order can be seen.
+  Blending,          ///< The order of drawing can be seen: a prop blends among the opaque ones, or
+                     ///< has the verdict SharedMapper.
   OtherView,         ///< Camera, viewport or framebuffer were not those of Cull(): all was drawn.
   NoContext,         ///< Failure: the window has no OpenGL context.
   OldContext,        ///< Failure: OpenGL is older than 3.2.

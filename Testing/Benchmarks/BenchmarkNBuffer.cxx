@@ -214,7 +214,7 @@ void TestPixels(benchmark::State& state)
   std::vector<ProjectedBox> doubtful;
   std::copy_if(street.Boxes.begin(), street.Boxes.end(), std::back_inserter(doubtful),
     [&](const ProjectedBox& box) { return !test.IsHidden(box.Box, box.Screen); });
-  vtkNBufferPixelTest pixels(street.Projection, street.Levels, street.Depth.data());
+  vtkNBufferPixelTest pixels(street.Projection, street.Levels, street.Depth.data(), 0.5);
   street.Run(
     state, doubtful, [&](const ProjectedBox& box) { return pixels.IsHidden(box.Box, box.Screen); });
 }

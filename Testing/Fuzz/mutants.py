@@ -77,6 +77,9 @@ MUTANTS = {
     "pixel test one column short": [
         ("vtkNBufferPixelTest.cxx", "column < std::min(x + Side, pixels.X1)",
          "column < std::min(x + Side, pixels.X1 - 1)")],
+    "only the middles of multisampled pixels tested": [
+        ("vtkNBufferDepthTest.cxx", "source.Samples > 1 || vtkNBufferGL::CoversTouchedPixels()",
+         "vtkNBufferGL::CoversTouchedPixels()")],
     "the last piece of a long box not tested": [
         ("vtkNBufferSplitBox.h", "for (int i = 0; i < pieces; ++i)",
          "for (int i = 0; i < pieces - 1; ++i)")],
@@ -125,6 +128,9 @@ MUTANTS = {
         (PROJECTION, "return pixels.GetIntersection(sharedScreen.Pixels);",
          "sharedScreen.Pixels = pixels.GetIntersection(sharedScreen.Pixels);\n"
          "      --sharedScreen.Pixels.X1;\n      return sharedScreen.Pixels;")],
+    "representations of a shared mapper not compared": [
+        ("vtkNBufferSurface.cxx",
+         "  add(static_cast<std::size_t>(property->GetRepresentation()));\n", "")],
     "changes upstream of a mapper not noticed": [
         ("vtkNBufferPropWatch.h", "Means::Pipeline ? this->PipelineHasChanged()",
          "Means::Pipeline ? false")],

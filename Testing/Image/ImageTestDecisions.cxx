@@ -5,9 +5,11 @@
 #include "Scenes.h"
 #include "Tune.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCullerCollection.h"
 #include "vtkGL2PSExporter.h"
+#include "vtkMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 
@@ -77,6 +79,71 @@ TEST(CullerDecisions, FewCandidatesInTheFrustum)
   EXPECT_EQ(comparison.GetDecision(), Decision::FewCandidates);
   EXPECT_EQ(comparison.GetStatistics().GetCount(Verdict::Outside), 100);
   EXPECT_TRUE(DidNoWork(comparison.GetStatistics()));
+}
+
+// Hazard: the default culler, before ours in the list, leaves few of many props and stays there.
+TEST(CullerDecisions, FewOfManyAreInView)
+{
+  constexpr int inView = 5;
+  constexpr int outside = 10000;
+  ComparisonOptions options;
+  options.StockReference = true;
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      for (int i = 0; i < inView; ++i)
+      {
+        Scenes::AddBox(stage, 2.0 * i - 4.0, 0.0, 0.0, 1.0, 1.0, 1.0);
+      }
+      for (int i = 0; i < outside; ++i)
+      {
+        vtkNew<vtkActor> actor;
+        actor->SetMapper(stage.GetActor(0)->GetMapper());
+        actor->SetProperty(stage.GetActor(0)->GetProperty());
+        actor->SetPosition(40.0 + i % 100, i / 100, 0.0);
+        stage.Add(actor);
+      }
+      Scenes::SetWallCamera(stage.GetRenderer());
+    },
+    options);
+  for (int i = 0; i < 3; ++i)
+  {
+    Move(comparison, 0.1 * i);
+    comparison.Frame();
+    EXPECT_EQ(comparison.GetDecision(), Decision::FewCandidates);
+    EXPECT_TRUE(DidNoWork(comparison.GetStatistics()));
+    EXPECT_EQ(comparison.GetStatistics().Props, i == 0 ? inView : inView + outside)
+      << "after one frame the default culler comes behind ours";
+    EXPECT_EQ(comparison.GetStatistics().GetCount(Verdict::Outside), i == 0 ? 0 : outside);
+  }
+}
+
+// Hazard: where all candidates are hidden by other props, the nearest are drawn in every frame.
+TEST(CullerDecisions, AllAreHiddenByOtherProps)
+{
+  ComparisonOptions options;
+  options.KeepDefaultCuller = false;
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      const int wall = Scenes::AddBox(stage, 0.0, 0.0, 0.0, 60.0, 60.0, 0.5);
+      stage.GetActor(wall)->GetProperty()->EdgeVisibilityOn(); // no candidate
+      for (int i = 0; i < 60; ++i)
+      {
+        Scenes::AddBox(stage, i % 10 - 5.0, i / 10 - 3.0, -4.0, 0.5, 0.5, 0.5);
+      }
+      Scenes::SetWallCamera(stage.GetRenderer());
+    },
+    options);
+  for (int i = 0; i < 4; ++i)
+  {
+    Move(comparison, 0.1 * i);
+    comparison.Frame();
+    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+    EXPECT_EQ(comparison.GetStatistics().DrawnInRound[1], i == 0 ? options.RoundSize : 0) << i;
+    // Those that were drawn as a guess are drawn once more, and tested then.
+    EXPECT_EQ(comparison.GetHidden(), i < 2 ? 60 - options.RoundSize : 60) << i;
+  }
 }
 
 // Hazard: VTK redraws on every expose event; a still picture must not be tested again.

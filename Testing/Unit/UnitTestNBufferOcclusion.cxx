@@ -60,9 +60,9 @@ struct Scene
     return vtkNBufferOcclusionTest(this->Projection, this->Levels, pieces)
       .IsHidden(box.Box, box.Screen);
   }
-  bool IsHiddenByPixels(const ProjectedBox& box) const
+  bool IsHiddenByPixels(const ProjectedBox& box, double sampleDistance = 0.5) const
   {
-    return vtkNBufferPixelTest(this->Projection, this->Levels, this->Depth.data())
+    return vtkNBufferPixelTest(this->Projection, this->Levels, this->Depth.data(), sampleDistance)
       .IsHidden(box.Box, box.Screen);
   }
 };
@@ -299,6 +299,38 @@ TEST_P(NBufferOcclusionOfDepths, OneOpenPixelKeepsTheBox)
       }
     });
   EXPECT_GT(opened, 50);
+}
+
+// Hazard: without multisampling a box is kept for pixels in whose middles it cannot be; or it is
+// left out although it is in the middle of a pixel.
+TEST_P(NBufferOcclusionOfDepths, OnlyMiddlesCountWithoutMultisampling)
+{
+  int opened = 0;
+  int keptForTouching = 0;
+  ForEachBox(36, 600, this->GetParam(),
+    [&](ViewSampler& sampler, Scene& scene, const ProjectedBox& box)
+    {
+      const double wall = scene.Eye.ToOrder(0.001, scene.Depths);
+      for (const auto& point : sampler.MakePoints(box.Bounds, 60))
+      {
+        if (const auto drawn = ProjectExactly(scene.Eye, point, scene.Depths))
+        {
+          scene.Fill(wall);
+          scene.GetPixel(*drawn) = std::nextafter(static_cast<float>(drawn->z), 2.0f);
+          scene.Build(4);
+          // So near to the middle of its pixel that a device may snap the point to it.
+          const glm::dvec2 off = glm::abs(glm::fract(glm::dvec2(*drawn)) - 0.5);
+          const bool isMiddle = std::max(off.x, off.y) < 1.0 / 16.0;
+          EXPECT_FALSE(scene.IsHiddenByPixels(box));
+          const bool hidden = scene.IsHiddenByPixels(box, 0.0);
+          EXPECT_FALSE(isMiddle && hidden);
+          opened += isMiddle;
+          keptForTouching += hidden;
+        }
+      }
+    });
+  EXPECT_GT(opened, 50);
+  EXPECT_GT(keptForTouching, 50) << "whole pixels keep more";
 }
 
 // Hazard: the corners of boxes without thickness differ by rounding only, and so does the direction

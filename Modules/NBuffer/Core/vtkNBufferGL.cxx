@@ -11,6 +11,7 @@
 #include <cstring>
 #include <iterator>
 #include <map>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -38,6 +39,21 @@ const char* GetErrorName(GLenum error)
     { GL_OUT_OF_MEMORY, "GL_OUT_OF_MEMORY" } };
   const auto found = names.find(error);
   return found != names.end() ? found->second : "an OpenGL error";
+}
+
+bool HasExtension(const char* name)
+{
+  GLint count = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i)
+  {
+    const auto* extension = reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i));
+    if (extension && std::strcmp(extension, name) == 0)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 }
 
@@ -70,6 +86,18 @@ const char* GetSoftwareRenderer()
   const auto found = std::find_if(names.begin(), names.end(),
     [renderer](const char* name) { return renderer && std::strstr(renderer, name); });
   return found == names.end() ? nullptr : *found;
+}
+
+bool CoversTouchedPixels()
+{
+  // The enumerator of each extension, which is an error where the extension is missing.
+  constexpr std::pair<const char*, GLenum> conservative[] = {
+    { "GL_NV_conservative_raster", 0x9346 }, { "GL_INTEL_conservative_rasterization", 0x83FE }
+  };
+  return glIsEnabled(GL_POLYGON_SMOOTH) == GL_TRUE ||
+    std::any_of(std::begin(conservative), std::end(conservative),
+      [](const auto& extension)
+      { return HasExtension(extension.first) && glIsEnabled(extension.second) == GL_TRUE; });
 }
 
 bool KeepsToScissor(int samples)

@@ -35,6 +35,10 @@ VTKNBUFFER_EXPORT bool CheckVersion(std::string& why);
 /// context has a graphics device.
 VTKNBUFFER_EXPORT const char* GetSoftwareRenderer();
 
+/// Whether the current context draws a fragment in each pixel that a triangle touches, and not only
+/// where a sample lies in the triangle: with smoothed polygons and conservative rasterisation.
+VTKNBUFFER_EXPORT bool CoversTouchedPixels();
+
 /// Whether the current context's renderer draws inside a scissor box only, where a pixel has
 /// `samples` samples. With several samples llvmpipe (Mesa 22.3) also draws some samples of the row
 /// below the box.

@@ -54,10 +54,16 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
       !vtkActor2D::SafeDownCast(this->Prop) && !vtkVolume::SafeDownCast(this->Prop);
     this->Tracked = !this->DepthWriter;
     this->Class = &typeid(*this->Prop);
+    if (auto* other = vtkActor::SafeDownCast(this->Prop))
+    {
+      this->Mapper = other->GetMapper();
+      this->WayOfDrawing = vtkNBufferSurface::GetWayOfDrawing(other);
+    }
     return this->Verdict != verdictBefore;
   }
   const vtkMTimeType timeBefore = this->Watch.GetTime();
   this->Mapper = actor->GetMapper();
+  this->WayOfDrawing = vtkNBufferSurface::GetWayOfDrawing(actor);
   this->ReadBounds(actor);
   this->Verdict = this->Classify(actor);
   this->DepthWriter = this->Mapper && actor->HasOpaqueGeometry();

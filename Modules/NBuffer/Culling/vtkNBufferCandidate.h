@@ -26,6 +26,8 @@
 
 #include <typeinfo>
 
+#include <cstddef>
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkMapper;
@@ -39,17 +41,32 @@ public:
   }
 
   vtkProp* GetProp() const { return this->Prop; }
-  bool IsCandidate() const { return this->Verdict == vtkNBufferVerdict::Visible; }
+  bool IsCandidate() const { return this->GetVerdict() == vtkNBufferVerdict::Visible; }
 
   /// Whether translucency is the only reason why the prop is no candidate. Such a prop is never
   /// held back, but it is not drawn where it is hidden.
-  bool IsTranslucent() const { return this->Verdict == vtkNBufferVerdict::Translucent; }
+  bool IsTranslucent() const { return this->GetVerdict() == vtkNBufferVerdict::Translucent; }
 
   /// Whether the prop has a placement in the view, as candidates and translucent props have.
   bool HasPlacement() const { return this->IsCandidate() || this->IsTranslucent(); }
 
   /// Visible for a candidate, otherwise the reason why the prop is no candidate.
-  vtkNBufferVerdict GetVerdict() const { return this->Verdict; }
+  vtkNBufferVerdict GetVerdict() const
+  {
+    const bool mayBeLeftOut = this->Verdict == vtkNBufferVerdict::Visible ||
+      this->Verdict == vtkNBufferVerdict::Translucent;
+    return this->MapperIsShared && mayBeLeftOut ? vtkNBufferVerdict::SharedMapper : this->Verdict;
+  }
+
+  /// The mapper of an actor, or nullptr. It is only compared, and may be deleted already.
+  vtkMapper* GetMapper() const { return this->Mapper; }
+
+  /// See vtkNBufferSurface::GetWayOfDrawing().
+  std::size_t GetWayOfDrawing() const { return this->WayOfDrawing; }
+
+  /// Say whether the mapper is shared with a prop that draws it in another way. Only the list of
+  /// all props can know.
+  void SetMapperIsShared(bool shared) { this->MapperIsShared = shared; }
 
   /// The box of a prop with a placement, in world coordinates.
   const vtkNBufferBox& GetBox() const { return this->Box; }
@@ -62,8 +79,10 @@ public:
    * Whether the prop may blend in the opaque stage, where the order of drawing then shows. It does
    * if it is opaque by force but translucent by itself; if it draws lines, and the window smoothes
    * them; or if it lacks normals, and ambient occlusion needs them (see vtkNBufferCompatibility.h).
+   * A prop that shares its mapper counts as well: drawing it once more changes the shaders of the
+   * others.
    */
-  bool IsBlended() const { return this->Blended; }
+  bool IsBlended() const { return this->Blended || this->MapperIsShared; }
   bool MayDrawLines() const
   {
     return this->DepthWriter && (!this->IsCandidate() || this->Box.Margin > 0.0);
@@ -115,6 +134,8 @@ private:
   bool Blended = false;
   bool Unlit = false;
   bool Tracked = false;
+  bool MapperIsShared = false;
+  std::size_t WayOfDrawing = 0;
 };
 
 /// What a view knows of a prop in one frame. It is kept apart from the caches and small, because
@@ -126,6 +147,9 @@ struct vtkNBufferState
 
   /// Whether the last depth test that included the prop found it visible.
   bool WasVisible = false;
+
+  /// Whether a depth test has included the prop since it was outside the frustum the last time.
+  bool WasTested = false;
 
   /// Whether the prop is Inside, but its rectangle has not been computed in this frame yet.
   bool RectangleIsStale = false;

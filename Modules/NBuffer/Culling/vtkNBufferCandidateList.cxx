@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 
 VTK_ABI_NAMESPACE_BEGIN
 bool vtkNBufferCandidateList::Synchronize(vtkProp** props, int count)
@@ -71,6 +72,7 @@ void vtkNBufferCandidateList::FindPlacement(vtkIdType i, const vtkNBufferProject
 int vtkNBufferCandidateList::RefreshStale(
   const vtkNBufferProjection* projection, bool globalStateChanged)
 {
+  bool findShared = this->ListChanged;
   this->ListChanged = false;
   int changed = 0;
   for (std::size_t i = 0; i < this->Candidates.GetSize(); ++i)
@@ -79,8 +81,16 @@ int vtkNBufferCandidateList::RefreshStale(
     {
       continue;
     }
+    const vtkMapper* mapper = this->Candidates[i].GetMapper();
+    const std::size_t way = this->Candidates[i].GetWayOfDrawing();
     changed += this->RefreshOne(i, globalStateChanged) ? 1 : 0;
+    findShared = findShared || mapper != this->Candidates[i].GetMapper() ||
+      way != this->Candidates[i].GetWayOfDrawing();
     this->FindPlacement(static_cast<vtkIdType>(i), projection);
+  }
+  if (findShared)
+  {
+    this->FindSharedMappers(projection);
   }
   this->UntrackedDepth = this->Blending = this->Lines = this->LackOfNormals = false;
   for (const vtkNBufferCandidate& candidate : this->Candidates.GetItems())
@@ -92,6 +102,35 @@ int vtkNBufferCandidateList::RefreshStale(
     this->LackOfNormals = this->LackOfNormals || candidate.MayLackNormals();
   }
   return changed;
+}
+
+void vtkNBufferCandidateList::FindSharedMappers(const vtkNBufferProjection* projection)
+{
+  struct Use
+  {
+    std::size_t Way = 0;
+    bool IsMixed = false;
+  };
+  std::unordered_map<vtkMapper*, Use> uses;
+  uses.reserve(this->Candidates.GetSize());
+  for (const vtkNBufferCandidate& candidate : this->Candidates.GetItems())
+  {
+    const std::size_t way = candidate.GetWayOfDrawing();
+    Use& use = uses.try_emplace(candidate.GetMapper(), Use{ way }).first->second;
+    use.IsMixed = use.IsMixed || use.Way != way;
+  }
+  uses[nullptr].IsMixed = false;
+  for (std::size_t i = 0; i < this->Candidates.GetSize(); ++i)
+  {
+    vtkNBufferCandidate& candidate = this->Candidates[i];
+    const vtkNBufferVerdict before = candidate.GetVerdict();
+    candidate.SetMapperIsShared(uses[candidate.GetMapper()].IsMixed);
+    if (candidate.GetVerdict() != before)
+    {
+      this->Tree.HasChanged(static_cast<int>(i));
+      this->FindPlacement(static_cast<vtkIdType>(i), projection);
+    }
+  }
 }
 
 bool vtkNBufferCandidateList::RefreshOne(std::size_t i, bool globalStateChanged)

@@ -110,6 +110,8 @@ private:
   /// projection.
   void FindPlacement(vtkIdType i, const vtkNBufferProjection* projection);
   int RefreshStale(const vtkNBufferProjection* projection, bool globalStateChanged);
+  /// Tell all candidates whether a prop of the list draws their mappers in another way.
+  void FindSharedMappers(const vtkNBufferProjection* projection);
   bool RefreshOne(std::size_t i, bool globalStateChanged);
   bool UsesTree() const { return this->GetSize() >= this->HierarchySize; }
 

@@ -37,6 +37,7 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
 {
   this->Window = window;
   this->Source = source;
+  this->SampleDistance = source.Samples > 1 || vtkNBufferGL::CoversTouchedPixels() ? 0.5 : 0.0;
   int levels = 1;
   for (const std::vector<int>* list : places)
   {
@@ -96,7 +97,7 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::ve
     return;
   }
   const vtkNBufferClock clock;
-  vtkNBufferSliverTest test(this->Projection, this->Levels, this->Source.Samples > 1 ? 0.5 : 0.0);
+  vtkNBufferSliverTest test(this->Projection, this->Levels, this->SampleDistance);
   std::vector<int> visible;
   auto left = places.begin();
   for (int i : tested)
@@ -143,7 +144,7 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
   if (const float* depth = this->GetDepth(places.size()))
   {
     clock.Restart();
-    vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth);
+    vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth, this->SampleDistance);
     places.erase(
       std::remove_if(places.begin(), places.end(), [&](int i) { return isHiddenBy(i, pixelTest); }),
       places.end());

@@ -82,6 +82,7 @@ private:
   const vtkNBufferTuning& Tuning;
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkNBufferDepthSource Source;
+  double SampleDistance = 0.5; ///< From the middle of its pixel, in x and in y, in pixels.
 };
 
 VTK_ABI_NAMESPACE_END

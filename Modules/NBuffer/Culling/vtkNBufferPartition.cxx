@@ -40,7 +40,7 @@ vtkNBufferFrustumCounts vtkNBufferPartition::Classify()
     {
       case vtkNBufferPlacement::Outside:
         state.Verdict = vtkNBufferVerdict::Outside;
-        state.WasVisible = false;
+        state.WasVisible = state.WasTested = false;
         break;
       case vtkNBufferPlacement::Crossing:
         ++counts.Inside;
@@ -113,6 +113,13 @@ std::vector<int> vtkNBufferPartition::RemoveNearest(std::vector<int>& places, st
   return nearest;
 }
 
+bool vtkNBufferPartition::IsNew() const
+{
+  const auto tested = std::count_if(this->HeldBack.begin(), this->HeldBack.end(),
+    [this](int i) { return this->Props.GetState(i).WasTested; });
+  return this->Kept.empty() && 2 * static_cast<std::size_t>(tested) < this->HeldBack.size();
+}
+
 std::vector<int> vtkNBufferPartition::GetNotDrawn() const
 {
   std::vector<int> places;
@@ -126,6 +133,7 @@ int vtkNBufferPartition::SetVisibleKept(const std::vector<int>& visible)
   for (int i : this->Kept)
   {
     this->Props.GetState(i).WasVisible = false;
+    this->Props.GetState(i).WasTested = true;
   }
   for (int i : visible)
   {

@@ -53,6 +53,11 @@ public:
   /// Remove the `limit` nearest props, or all if there are fewer, from `places`, and return them.
   std::vector<int> RemoveNearest(std::vector<int>& places, std::size_t limit);
 
+  /// Whether the view is new: no prop is kept, and most of those held back have not been tested
+  /// since they came into the frustum. Without kept props a view is not new if all candidates are
+  /// hidden by other props.
+  bool IsNew() const;
+
   /// Get the props held back that have not been found visible and drawn so far.
   std::vector<int> GetNotDrawn() const;
 

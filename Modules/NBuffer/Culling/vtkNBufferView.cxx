@@ -323,7 +323,7 @@ bool vtkNBufferView::DrawRounds(
   { drawn += this->DrawRound(renderer, this->Partition.RemoveNearest(left, limit), round++); };
 
   // Where nothing is known, the nearest props are the best guess at what hides the others.
-  if (this->Partition.GetKept().empty())
+  if (this->Partition.IsNew())
   {
     drawNearest(this->Tuning.RoundSize);
   }
@@ -354,6 +354,7 @@ bool vtkNBufferView::DrawRounds(
     {
       this->Props.GetState(i).Verdict = vtkNBufferVerdict::Hidden;
       this->Props.GetState(i).WasVisible = false;
+      this->Props.GetState(i).WasTested = true;
     }
     const int passed = test.RemoveHidden(left);
     this->Statistics.PassedCoarseTest += this->Statistics.Rounds == 0 ? passed : 0;

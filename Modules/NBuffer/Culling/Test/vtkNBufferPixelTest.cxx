@@ -49,11 +49,12 @@ int GetHull(std::array<glm::dvec2, 8>& points, std::array<glm::dvec2, 16>& hull)
 }
 }
 
-vtkNBufferPixelTest::vtkNBufferPixelTest(
-  const vtkNBufferProjection& projection, const vtkNBufferLevels& levels, const float* depth)
+vtkNBufferPixelTest::vtkNBufferPixelTest(const vtkNBufferProjection& projection,
+  const vtkNBufferLevels& levels, const float* depth, double sampleDistance)
   : Projection(projection)
   , Levels(levels)
   , Depth(depth)
+  , SampleDistance(sampleDistance)
   , SquareLevel(vtkNBufferMath::CeilLog2(Side / levels.GetFactor()))
 {
 }
@@ -151,8 +152,10 @@ bool vtkNBufferPixelTest::IsSquareHidden(int x, int y, const vtkNBufferRectangle
     {
       ++this->Lookups;
       const double depth = vtkNBufferDepthConvention::GetOrder(this->Depth[row * width + column]);
-      if (!(this->Nearest > depth) && !this->IsOutsideOutline(column + 0.5, row + 0.5, 0.5) &&
-        !(this->GetNearest(column + 0.5, row + 0.5, 0.5) > depth))
+      const double x = column + 0.5;
+      const double y = row + 0.5;
+      if (!(this->Nearest > depth) && !this->IsOutsideOutline(x, y, this->SampleDistance) &&
+        !(this->GetNearest(x, y, this->SampleDistance) > depth))
       {
         return false;
       }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferPixelTest
- * @brief Whether a box lies behind every pixel that its outline covers. No OpenGL.
+ * @brief Whether a box lies behind every sample that its outline covers. No OpenGL.
  *
  * This is the second opinion on boxes that four lookups did not find hidden. Where the whole depth
  * image is in host memory anyway, looking at the pixels costs far less than drawing a prop for
@@ -13,6 +13,14 @@
  *     |   .'          `.    |      of one corner. Here only squares that touch the outline count,
  *     |  '--------------'   |      and each is compared with the depth of the box's front faces
  *     +---------------------+      in this square.
+ *
+ * What counts in a pixel is where the device takes samples. Without multisampling that is its
+ * middle alone: a rasteriser draws a fragment only if the middle of the pixel lies in the triangle
+ * (OpenGL 4.6, section 14.6.1), and its depth is that in the middle. The outline is wider than the
+ * box by what a device may move the corners of triangles, which covers snapping, and a middle
+ * exactly on the outline counts as inside, which covers every rule for shared edges. With
+ * multisampling a sample may lie anywhere in its pixel, and smoothed polygons cover each pixel that
+ * they touch: then the whole pixel counts.
  *
  * One lookup in the levels answers a square of 8 x 8 pixels. Only the squares that do not hide
  * their part of the box are looked at pixel by pixel, beginning at the top, where houses, masts and
@@ -35,10 +43,11 @@ public:
   /**
    * All arguments are kept by reference and must outlive the test. `levels` holds the farthest
    * stored depths of the projection's viewport. `depth` is the depth image that they were made
-   * from, row 0 at the bottom.
+   * from, row 0 at the bottom. `sampleDistance` is how far from the middle of its pixel a sample
+   * may be in x and in y: 0, or 0.5 pixels with multisampling or smoothed polygons.
    */
-  vtkNBufferPixelTest(
-    const vtkNBufferProjection& projection, const vtkNBufferLevels& levels, const float* depth);
+  vtkNBufferPixelTest(const vtkNBufferProjection& projection, const vtkNBufferLevels& levels,
+    const float* depth, double sampleDistance);
 
   /// True only if nothing of the box can be seen. `screen` is what projection.Project() gave for
   /// the box.
@@ -66,6 +75,7 @@ private:
   const vtkNBufferProjection& Projection;
   const vtkNBufferLevels& Levels;
   const float* Depth;
+  double SampleDistance;
   int SquareLevel; ///< The level whose texels cover a square of 8 pixels.
   ///@{
   /// What is known of the box under test: the edges of its outline, the planes of its front faces,

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Actors that share a mapper: VTK makes the shaders of a mapper for the actor that it draws first.
+#include "CompositeMapper.h"
+#include "CullerTest.h"
+#include "Scenes.h"
+#include "Tune.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSetMapper.h"
+#include "vtkFloatArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkSphereSource.h"
+
+#include <functional>
+#include <string>
+#include <tuple>
+
+using Verdict = vtkNBufferVerdict;
+using Decision = vtkNBufferDecision;
+
+namespace
+{
+/// A sphere with all that shaders read: normals and texture coordinates of points, colours of
+/// cells.
+vtkSmartPointer<vtkPolyData> MakeColoredSphere()
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(12);
+  source->SetPhiResolution(9);
+  source->Update();
+  vtkSmartPointer<vtkPolyData> data = source->GetOutput();
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(2);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    coordinates->InsertNextTuple2(0.37 * static_cast<double>(i), 0.11 * static_cast<double>(i));
+  }
+  data->GetPointData()->SetTCoords(coordinates);
+  vtkNew<vtkFloatArray> scalars;
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    scalars->InsertNextValue(static_cast<float>(i % 7) / 7.0F);
+  }
+  data->GetCellData()->SetScalars(scalars);
+  return data;
+}
+
+vtkSmartPointer<vtkMapper> MakePolyDataMapper()
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(MakeColoredSphere());
+  return mapper.Get();
+}
+
+vtkSmartPointer<vtkMapper> MakeDataSetMapper()
+{
+  vtkNew<vtkDataSetMapper> mapper;
+  mapper->SetInputData(MakeColoredSphere());
+  return mapper.Get();
+}
+
+vtkSmartPointer<vtkMapper> MakeCompositeMapper()
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakeColoredSphere());
+  vtkNew<CompositeMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  return mapper.Get();
+}
+
+struct Way
+{
+  const char* Name;
+  std::function<void(vtkActor*)> Change;
+  bool Matters = true; ///< False for what VTK sets anew for each actor.
+};
+
+void PrintTo(const Way& way, std::ostream* os)
+{
+  *os << way.Name;
+}
+
+struct MapperKind
+{
+  const char* Name;
+  vtkSmartPointer<vtkMapper> (*Make)();
+};
+
+void PrintTo(const MapperKind& kind, std::ostream* os)
+{
+  *os << kind.Name;
+}
+
+/// A far and a near actor with one mapper, in this order, side by side among other props. The
+/// nearest prop is drawn first, so that what the culler holds back is drawn in the other order.
+void BuildPair(Stage& stage, const MapperKind& kind, const std::function<void(vtkActor*)>& change)
+{
+  Scenes::BuildWall(stage);
+  const vtkSmartPointer<vtkMapper> mapper = kind.Make();
+  for (const bool isNear : { false, true })
+  {
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->SetScale(2.5);
+    actor->SetPosition(isNear ? 1.5 : -1.5, 0.3, isNear ? 9.0 : 4.0);
+    if (isNear)
+    {
+      change(actor);
+    }
+    stage.Add(actor);
+  }
+  Scenes::SetWallCamera(stage.GetRenderer());
+}
+
+class CullerSharedMappers : public testing::TestWithParam<std::tuple<Way, MapperKind>>
+{
+};
+}
+
+// Hazard: the culler draws actors in another order than the renderer. Where actors with one mapper
+// need different shaders, whole faces change.
+TEST_P(CullerSharedMappers, KeepTheirOrder)
+{
+  const auto& [way, kind] = this->GetParam();
+  ComparisonOptions options;
+  options.RoundSize = 1;
+  Comparison comparison(
+    [&way = way, &kind = kind](Stage& stage) { BuildPair(stage, kind, way.Change); }, options);
+  const int first = static_cast<int>(comparison.Culled.Props.size()) - 2;
+  for (int i = 0; i < 3; ++i)
+  {
+    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.2 * i); });
+    comparison.Frame("frame " + std::to_string(i));
+    EXPECT_EQ(comparison.GetVerdict(first), way.Matters ? Verdict::SharedMapper : Verdict::Visible);
+    EXPECT_EQ(comparison.GetDecision(), way.Matters ? Decision::Blending : Decision::Culled);
+  }
+  comparison.Both(
+    [](Stage& stage)
+    {
+      auto* actor = stage.GetActor(static_cast<int>(stage.Props.size()) - 1);
+      vtkNew<vtkProperty> plain;
+      actor->SetProperty(plain);
+      actor->SetBackfaceProperty(nullptr);
+    });
+  comparison.Frame("alike again");
+  EXPECT_EQ(comparison.GetVerdict(first), Verdict::Visible);
+  EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+}
+
+namespace
+{
+// Textures are missing: where only one of two actors with a mapper has one, VTK itself makes OpenGL
+// errors. So it does where only one of them has edges and the mapper is composite.
+const Way Ways[] = {
+  { "Wireframe", [](vtkActor* a) { a->GetProperty()->SetRepresentationToWireframe(); } },
+  { "Points", [](vtkActor* a) { a->GetProperty()->SetRepresentationToPoints(); } },
+  { "Vertices", [](vtkActor* a) { a->GetProperty()->VertexVisibilityOn(); } },
+  { "Flat", [](vtkActor* a) { a->GetProperty()->SetInterpolationToFlat(); } },
+  { "Physical", [](vtkActor* a) { a->GetProperty()->SetInterpolationToPBR(); } },
+  { "Unlit", [](vtkActor* a) { a->GetProperty()->LightingOff(); } },
+  { "Backface",
+    [](vtkActor* a)
+    {
+      vtkNew<vtkProperty> property;
+      property->SetColor(1.0, 0.0, 0.0);
+      a->SetBackfaceProperty(property);
+      a->GetProperty()->FrontfaceCullingOn();
+    } },
+  { "Color", [](vtkActor* a) { a->GetProperty()->SetColor(0.9, 0.2, 0.1); }, false },
+  { "Specular", [](vtkActor* a) { a->GetProperty()->SetSpecular(0.7); }, false },
+  { "Place", [](vtkActor* a) { a->SetOrientation(10.0, 20.0, 30.0); }, false },
+};
+
+const Way Edges[] = { { "Edges", [](vtkActor* a) { a->GetProperty()->EdgeVisibilityOn(); } } };
+
+const MapperKind MapperKinds[] = { { "PolyData", MakePolyDataMapper },
+  { "DataSet", MakeDataSetMapper }, { "Composite", MakeCompositeMapper } };
+const auto NameOf = [](const testing::TestParamInfo<CullerSharedMappers::ParamType>& info)
+{ return std::string(std::get<0>(info.param).Name) + std::get<1>(info.param).Name; };
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, CullerSharedMappers,
+  testing::Combine(testing::ValuesIn(Ways), testing::ValuesIn(MapperKinds)), NameOf);
+INSTANTIATE_TEST_SUITE_P(Of, CullerSharedMappers,
+  testing::Combine(testing::ValuesIn(Edges), testing::Values(MapperKinds[0], MapperKinds[1])),
+  NameOf);
