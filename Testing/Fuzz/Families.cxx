@@ -477,6 +477,25 @@ void BuildLong(Writer& writer)
 }
 }
 
+void ShareMappers(Writer& writer)
+{
+  std::vector<Prop>& props = writer.Scene.Props;
+  if (!writer.Chance(0.06))
+  {
+    return;
+  }
+  for (std::size_t i = 1; i < props.size(); ++i)
+  {
+    const Prop& owner = props[writer.Random.Index(i)];
+    if (writer.Chance(0.3) && owner.Renderer == props[i].Renderer && owner.MapperOf < 0)
+    {
+      props[i].MapperOf = owner.Id;
+      props[i].Representation =
+        writer.Any({ Representation::Surface, Representation::Surface, Representation::Wireframe });
+    }
+  }
+}
+
 const std::vector<NamedFamily>& GetFamilies()
 {
   static const std::vector<NamedFamily> families = { { "wall", 3.0, BuildWall },

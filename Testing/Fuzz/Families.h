@@ -71,6 +71,9 @@ struct NamedFamily
 
 const std::vector<NamedFamily>& GetFamilies();
 
+/// Let some props draw what an earlier prop of their renderer draws, each in its own way.
+void ShareMappers(Writer& writer);
+
 /// Props, views, lights and changes of any named scenario of the tests (NamedScenarios.h).
 void BuildNamed(Writer& writer, bool shadows);
 }

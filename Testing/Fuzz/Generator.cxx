@@ -224,26 +224,6 @@ void MakeOdd(Writer& writer, Prop& prop)
   }
 }
 
-/// Some props draw what an earlier prop of their renderer draws, each in its own way.
-void ShareMappers(Writer& writer)
-{
-  std::vector<Prop>& props = writer.Scene.Props;
-  if (!writer.Chance(0.06))
-  {
-    return;
-  }
-  for (std::size_t i = 1; i < props.size(); ++i)
-  {
-    const Prop& owner = props[writer.Random.Index(i)];
-    if (writer.Chance(0.3) && owner.Renderer == props[i].Renderer && owner.MapperOf < 0)
-    {
-      props[i].MapperOf = owner.Id;
-      props[i].Representation =
-        writer.Any({ Representation::Surface, Representation::Surface, Representation::Wireframe });
-    }
-  }
-}
-
 void MakeMaterials(Writer& writer)
 {
   const double share = writer.Any({ 0.0, 0.0, 0.05, 0.2 });

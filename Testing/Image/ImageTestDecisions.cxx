@@ -108,7 +108,7 @@ TEST(CullerDecisions, FewOfManyAreInView)
     options);
   for (int i = 0; i < 3; ++i)
   {
-    Move(comparison, 0.1 * i);
+    Scenes::MoveWallCamera(comparison, 0.1 * i);
     comparison.Frame();
     EXPECT_EQ(comparison.GetDecision(), Decision::FewCandidates);
     EXPECT_TRUE(DidNoWork(comparison.GetStatistics()));
@@ -137,7 +137,7 @@ TEST(CullerDecisions, AllAreHiddenByOtherProps)
     options);
   for (int i = 0; i < 4; ++i)
   {
-    Move(comparison, 0.1 * i);
+    Scenes::MoveWallCamera(comparison, 0.1 * i);
     comparison.Frame();
     EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
     EXPECT_EQ(comparison.GetStatistics().DrawnInRound[1], i == 0 ? options.RoundSize : 0) << i;
