@@ -341,7 +341,7 @@ BspMesh BspMap::GetMesh(std::size_t face, int steps) const
     {
       const int pieceX = std::min(column / steps, (surface.Width - 3) / 2);
       const glm::dvec3 u = GetWeights(static_cast<double>(column - pieceX * steps) / steps);
-      BspPoint sum;
+      BspPoint sum(0.0);
       for (int y = 0; y < 3; ++y)
       {
         for (int x = 0; x < 3; ++x)
@@ -448,7 +448,7 @@ std::vector<BspPoint> BspMap::FindOrigins(const std::string& prefix) const
     take("origin", origin);
     if (line.find('}') == 0)
     {
-      BspPoint point;
+      BspPoint point(0.0);
       std::istringstream numbers(origin);
       if (name.rfind(prefix, 0) == 0 && numbers >> point[0] >> point[1] >> point[2])
       {

@@ -190,7 +190,7 @@ CameraPath MakeWalk(const BspMap& map, int frames, std::uint64_t seed)
   const int stretch = std::max(10, (frames + 5) / 6);
   Random random(seed);
   CameraPath path;
-  BspPoint eye;
+  BspPoint eye(0.0);
   double yaw = 0.0;
   for (int i = 0; i < frames; ++i)
   {

@@ -148,7 +148,7 @@ private:
   /// at most a bay with flanges between them, elbows, and a valve here and there.
   void AddPipe(const std::vector<Point>& corners, double diameter)
   {
-    Point last;
+    Point last(0.0);
     for (std::size_t i = 0; i + 1 < corners.size(); ++i)
     {
       const Point begin = corners[i];
