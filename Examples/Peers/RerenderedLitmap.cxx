@@ -32,7 +32,7 @@ Rows GetEyeToLight(
   const glm::dvec3 place = eye - frame.GetApex();
   const auto getRow = [&place](const glm::dvec3& axis)
   { return glm::dvec4(axis, glm::dot(place, axis)); };
-  Rows rows;
+  Rows rows{};
   rows[3] = frame.IsPositional() ? getRow(frame.GetAxis()) : glm::dvec4(0.0, 0.0, 0.0, 1.0);
   const glm::dvec3 axes[2] = { frame.GetU(), frame.GetV() };
   for (int i = 0; i < 2; ++i)

@@ -9,7 +9,7 @@
 #include "vtkCamera.h"
 #include "vtkCullerCollection.h"
 #include "vtkGL2PSExporter.h"
-#include "vtkMapper.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 
@@ -95,11 +95,12 @@ TEST(CullerDecisions, FewOfManyAreInView)
       {
         Scenes::AddBox(stage, 2.0 * i - 4.0, 0.0, 0.0, 1.0, 1.0, 1.0);
       }
+      vtkNew<vtkPolyDataMapper> mapper;
+      mapper->SetInputData(Scenes::MakeBox({ 0.0, 0.0, 0.0 }, { 0.5, 0.5, 0.5 }));
       for (int i = 0; i < outside; ++i)
       {
         vtkNew<vtkActor> actor;
-        actor->SetMapper(stage.GetActor(0)->GetMapper());
-        actor->SetProperty(stage.GetActor(0)->GetProperty());
+        actor->SetMapper(mapper);
         actor->SetPosition(40.0 + i % 100, i / 100, 0.0);
         stage.Add(actor);
       }

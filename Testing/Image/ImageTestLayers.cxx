@@ -54,15 +54,14 @@ TEST(CullerLayers, LayerWithNothingInsideProcessesWhatLiesBelow)
     options.Configure = [](vtkNBufferCuller* culler)
     { Tune(culler, &vtkNBufferTuning::MinimumNumberOfCandidates, 1); };
     Comparison comparison([](Stage& stage) { BuildLayerOverWall(stage); }, options);
-    // VTK's own culler removes the prop before ours sees it.
-    const int outside = stock ? 0 : 1;
     comparison.Frame("plain");
-    EXPECT_EQ(comparison.GetStatistics(1).GetCount(Verdict::Outside), outside);
+    // In the first frame VTK's own culler removes the prop before ours sees it.
+    EXPECT_EQ(comparison.GetStatistics(1).GetCount(Verdict::Outside), stock ? 0 : 1);
     comparison.Both([](Stage& stage) { stage.Renderers[1]->SetUseFXAA(true); });
     comparison.Frame("FXAA");
     comparison.Both([](Stage& stage) { stage.Renderers[1]->SetUseSSAO(true); });
     comparison.Frame("FXAA and SSAO");
-    EXPECT_EQ(comparison.GetStatistics(1).GetCount(Verdict::Untested), outside);
+    EXPECT_EQ(comparison.GetStatistics(1).GetCount(Verdict::Untested), 1);
     EXPECT_GE(comparison.GetHidden(0), Wall::Hidden);
   }
 }

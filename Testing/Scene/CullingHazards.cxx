@@ -371,9 +371,15 @@ NamedScenario BoxesSmallerThanAPixel()
   const auto add = [&](double x, double y, bool before)
   {
     const int prop = scene.Box({ x, y, before ? 80.0 : 20.0 }, { 0.1, 0.1, 0.1 }).Id;
+    const auto isInMiddle = [](double value)
+    { return std::abs(value - std::floor(value) - 0.5) <= 0.05; };
     if (before || x < left - 0.6 || x > right + 0.6 || (x == inHole && y == inHole))
     {
-      visible.push_back(prop); // never dropped for being small
+      // Never dropped for being small, unless no middle of a pixel is in it.
+      if (isInMiddle(x) && isInMiddle(y))
+      {
+        visible.push_back(prop);
+      }
     }
     else if (x > left + 1.25 && x < right - 1.25 &&
       std::max(std::abs(x - inHole), std::abs(y - inHole)) > 2.0)

@@ -114,7 +114,8 @@ NamedScenario FlatThinAndSinglePointBounds()
   {
     scene.LookAtWall(1.7 * i);
     scene.ExpectHidden(i < 2 ? 0 : Wall::Hidden + static_cast<int>(others.size()));
-    scene.ExpectNotHidden(MakeRange(Wall::Count, Wall::Count + each));
+    // The edge and the point have no fragments.
+    scene.ExpectNotHidden(MakeRange(Wall::Count, Wall::Count + each - 2));
     scene.ExpectVerdict(lines, Verdict::NotASurface);
     scene.ExpectVerdict(others, Verdict::Hidden);
     scene.NextFrame();
