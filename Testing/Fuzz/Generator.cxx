@@ -558,7 +558,11 @@ Scenario MakeScenario(std::uint64_t seed, ScenarioKind kind)
   {
     MoveFarAway(writer);
   }
-  ShareMappers(writer);
+  if (!shadows)
+  {
+    // The lines of a wireframe on a caster's surface have depths that rays cannot judge.
+    ShareMappers(writer);
+  }
   RemoveUndefined(scenario);
   return scenario;
 }
