@@ -77,9 +77,6 @@ MUTANTS = {
     "pixel test one column short": [
         ("vtkNBufferPixelTest.cxx", "column < std::min(x + Side, pixels.X1)",
          "column < std::min(x + Side, pixels.X1 - 1)")],
-    "only the middles of multisampled pixels tested": [
-        ("vtkNBufferDepthTest.cxx", "source.Samples > 1 || vtkNBufferGL::CoversTouchedPixels()",
-         "vtkNBufferGL::CoversTouchedPixels()")],
     "the last piece of a long box not tested": [
         ("vtkNBufferSplitBox.h", "for (int i = 0; i < pieces; ++i)",
          "for (int i = 0; i < pieces - 1; ++i)")],

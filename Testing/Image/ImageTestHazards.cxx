@@ -202,3 +202,33 @@ TEST(CullerHazards, AMovingOccluderUncoversWhatItHid)
   }
   EXPECT_GT(hidden, 500) << "in all frames together";
 }
+
+// Hazard: with multisampling a prop that covers no middle of a pixel may own samples.
+TEST(CullerHazards, SamplesThatAreNoMiddles)
+{
+  constexpr int count = 40;
+  for (const int samples : { 0, 4 })
+  {
+    SCOPED_TRACE(samples);
+    ComparisonOptions options = Scenes::MakeExactOptions(64, 48);
+    options.MultiSamples = samples;
+    options.CompareDepth = samples == 0;
+    Comparison comparison(
+      [](Stage& stage)
+      {
+        for (int i = 0; i < count; ++i)
+        {
+          // Over the corner that four pixels share.
+          const double x = 4.0 + 5.0 * (i % 10);
+          const double y = 4.0 + 5.0 * (i / 10);
+          Scenes::AddQuad(stage, x - 0.4, y - 0.4, x + 0.4, y + 0.4, 50.0);
+        }
+        Scenes::SetPixelCamera(stage.GetRenderer(), 64, 48);
+      },
+      options);
+    Scenes::Settle(comparison);
+    comparison.Frame();
+    const bool hasSamples = comparison.Culled.Window->GetMultiSamples() > 0;
+    EXPECT_EQ(comparison.GetHidden(), hasSamples ? 0 : count);
+  }
+}
