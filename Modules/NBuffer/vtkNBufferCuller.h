@@ -38,12 +38,13 @@
  * ## Cost
  *
  * A frame costs about 0.1 microseconds per prop for cached bounds and the frustum test (for long
- * lists over a hierarchy, see vtkNBufferTuning::HierarchySize), and one microsecond or two for a
- * prop with a pipeline. A test costs one read-back of a reduced depth image (with software
- * renderers, of the whole one) and the levels that the rectangles of this frame need. There is no
- * test in a frame with fewer candidates than vtkNBufferTuning::MinimumNumberOfCandidates, and none
- * with a still camera and unchanged props. Where recent frames hid next to nothing, only a probe
- * now and then is tested.
+ * lists over a hierarchy, see vtkNBufferTuning::HierarchySize); what a prop without a pipeline is
+ * made of gets observers for that, once the prop has not changed for a while (300 bytes for each
+ * object, see vtkNBufferTuning::ObserveAfter). A prop with a pipeline costs one microsecond or two.
+ * A test costs one read-back of a reduced depth image (with software renderers, of the whole one)
+ * and the levels that the rectangles of this frame need. There is no test in a frame with fewer
+ * candidates than vtkNBufferTuning::MinimumNumberOfCandidates, and none with a still camera and
+ * unchanged props. Where recent frames hid next to nothing, only a probe now and then is tested.
  *
  * ## Lifetime
  *

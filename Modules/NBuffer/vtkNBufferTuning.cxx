@@ -13,7 +13,7 @@ bool vtkNBufferTuning::operator==(const vtkNBufferTuning& other) const
   const auto tie = [](const vtkNBufferTuning& t)
   {
     return std::tie(t.BaseFactor, t.MinimumNumberOfCandidates, t.MaximumNumberOfRounds, t.RoundSize,
-      t.HierarchySize, t.MaximumNumberOfPieces, t.TestPixels, t.AllowFloatTextures,
+      t.HierarchySize, t.ObserveAfter, t.MaximumNumberOfPieces, t.TestPixels, t.AllowFloatTextures,
       t.ReuseWhenStill, t.BackOff, t.TakeOverFrustumCulling);
   };
   return tie(*this) == tie(other);
@@ -40,6 +40,7 @@ std::string vtkNBufferTuning::FindFault() const
     // The last round draws 2^7 times as many.
     { "RoundSize", this->RoundSize, 1, VTK_INT_MAX / 512 },
     { "HierarchySize", this->HierarchySize, 0, VTK_INT_MAX },
+    { "ObserveAfter", this->ObserveAfter, 0, VTK_INT_MAX },
     { "MaximumNumberOfPieces", this->MaximumNumberOfPieces, 1, 8 },
   };
   for (const Range& range : ranges)
@@ -60,6 +61,7 @@ void vtkNBufferTuning::PrintSelf(ostream& os, vtkIndent indent) const
   os << indent << "MaximumNumberOfRounds: " << this->MaximumNumberOfRounds << "\n";
   os << indent << "RoundSize: " << this->RoundSize << "\n";
   os << indent << "HierarchySize: " << this->HierarchySize << "\n";
+  os << indent << "ObserveAfter: " << this->ObserveAfter << "\n";
   os << indent << "MaximumNumberOfPieces: " << this->MaximumNumberOfPieces << "\n";
   os << indent << "TestPixels: " << this->TestPixels << "\n";
   os << indent << "AllowFloatTextures: " << this->AllowFloatTextures << "\n";

@@ -47,6 +47,11 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   /// where the list of props changes (vtkNBufferCandidateTree).
   int HierarchySize = 10000;
 
+  /// Props that have not changed for this many frames are observed (vtkNBufferObservedObjects): of
+  /// each, a frame then reads the times of the actor alone, and not those of some fifteen objects;
+  /// 0 means never.
+  int ObserveAfter = 60;
+
   /// A long box that is not hidden as a whole is cut into at most this many pieces, each of which
   /// has its own rectangle and nearest depth; 1 to 8.
   int MaximumNumberOfPieces = 8;

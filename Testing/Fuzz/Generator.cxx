@@ -62,6 +62,7 @@ void MakeCuller(Writer& writer)
   // than any of these scenes.
   culler.HierarchySize = writer.Scene.Seed % 3 == 0 ? culler.HierarchySize : 0;
   culler.TestSlivers = writer.Scene.Seed % 5 == 0 ? vtkNBufferCuller::Always : culler.TestSlivers;
+  culler.ObserveAfter = writer.Scene.Seed % 4 == 0 ? 0 : 1;
   culler.TestPixels = writer.Chance(0.6);
   culler.ReuseWhenStill = writer.Chance(0.8);
   culler.BackOff = writer.Chance(0.1);
@@ -270,7 +271,7 @@ void ChangeAnyProp(Writer& writer, int frame)
       break;
     case 4:
     case 5:
-      add(ChangeKind::MovePoints, { move[0], move[1], move[2] });
+      add(ChangeKind::MovePoints, { move[0], move[1], move[2], writer.Scene.Seed % 2 ? 1.0 : 0.0 });
       break;
     case 6:
       add(ChangeKind::ReplaceData,

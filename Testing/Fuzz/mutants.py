@@ -105,8 +105,8 @@ MUTANTS = {
     # From frame to frame.
     "stale bounds": [
         ("vtkNBufferCandidate.h",
-         ": this->Watch.MayHaveChanged();",
-         ": !this->BoxIsUsable && this->Watch.MayHaveChanged();")],
+         ": this->Watch.MayHaveChanged(observedAreUnchanged);",
+         ": !this->BoxIsUsable && this->Watch.MayHaveChanged(observedAreUnchanged);")],
     "camera's motion not noticed": [
         ("vtkNBufferCamera.h", "return this->WorldToClip == other.WorldToClip &&", "return")],
     "verdicts of the last frame reused although props changed": [
@@ -131,6 +131,11 @@ MUTANTS = {
     "changes upstream of a mapper not noticed": [
         ("vtkNBufferPropWatch.h", "Means::Pipeline ? this->PipelineHasChanged()",
          "Means::Pipeline ? false")],
+    "changes of observed objects not noticed": [
+        ("vtkNBufferCandidateList.cxx", "!this->Observed.TakeChange() && !lost;", "true;")],
+    "removed observers not noticed": [
+        ("vtkNBufferObservedObjects.cxx",
+         "this->Shared->Lost = this->Shared->Lost || isLost;", "(void)isLost;")],
 
     # Props that are none of the tested kind.
     "translucent props hide": [

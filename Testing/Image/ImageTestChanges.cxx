@@ -4,6 +4,7 @@
 #include "CullerTest.h"
 #include "SceneProps.h"
 #include "Scenes.h"
+#include "Tune.h"
 
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
@@ -70,15 +71,17 @@ protected:
 TEST_P(CullerChanges, SeenInThatFrame)
 {
   const Change& change = this->GetParam();
-  for (bool still : { true, false })
+  for (const auto& [still, observed] : { std::pair(true, true), { false, false }, { false, true } })
   {
-    SCOPED_TRACE(still ? "after still frames" : "while the camera moves");
+    SCOPED_TRACE(std::string(still ? "after still frames" : "while the camera moves") +
+      (observed ? ", observed" : ""));
     Comparison comparison(
       [&change](Stage& stage)
       {
         Scenes::BuildWall(stage);
         change.Prepare(stage);
       });
+    Tune(comparison.GetCuller(), &vtkNBufferTuning::ObserveAfter, observed ? 1 : 0);
     for (int i = 0; i < 3; ++i)
     {
       Scenes::FrameOfWall(comparison, still ? 0.0 : 0.05 * i, "before");

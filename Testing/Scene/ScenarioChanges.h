@@ -51,20 +51,21 @@ enum class ChangeKind
   Representation, //
   LineWidth,      ///< And the size of points.
   Edges,          //
-  MovePoints,     ///< Add 3 values to the points of the data, in place.
-  ReplaceData,    ///< Another data set, whose shape has the 3 values as size.
-  ClippingPlane,  ///< The origin of the plane in place; 3 values.
-  Rejoin,         ///< Removed from the renderer and added again, at the end.
-  WindowSize,     ///< 2 values.
-  MultiSamples,   //
-  Stereo,         ///< A stereo type of VTK, or -1.
-  NewContext,     ///< The window's context is released.
-  Viewport,       ///< Of renderer `Target`; 4 values.
-  Pass,           ///< Of renderer `Target`, a value of PassKind.
-  FXAA,           ///< Of renderer `Target`.
-  SSAO,           ///< Of renderer `Target`.
-  CullerEnabled,  //
-  CullerBackend,  //
+  MovePoints,    ///< Add 3 values to the points of the data, in place. Where there is a fourth that
+                 ///< is not 0, all observers of the points are removed before.
+  ReplaceData,   ///< Another data set, whose shape has the 3 values as size.
+  ClippingPlane, ///< The origin of the plane in place; 3 values.
+  Rejoin,        ///< Removed from the renderer and added again, at the end.
+  WindowSize,    ///< 2 values.
+  MultiSamples,  //
+  Stereo,        ///< A stereo type of VTK, or -1.
+  NewContext,    ///< The window's context is released.
+  Viewport,      ///< Of renderer `Target`; 4 values.
+  Pass,          ///< Of renderer `Target`, a value of PassKind.
+  FXAA,          ///< Of renderer `Target`.
+  SSAO,          ///< Of renderer `Target`.
+  CullerEnabled, //
+  CullerBackend, //
   CullerBaseFactor,
   CullerRoundSize,
   CullerPresent, ///< In the renderers' lists of cullers or not.

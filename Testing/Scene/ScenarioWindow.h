@@ -91,6 +91,7 @@ struct Culler
   int RoundSize = 8;
   int MaximumNumberOfPieces = 8;
   int HierarchySize = 10000;
+  int ObserveAfter = 60;
   bool TestPixels = true;
   int TestSlivers = 0;
   bool ReuseWhenStill = true;
@@ -98,7 +99,7 @@ struct Culler
 
   NBUFFER_SCENE_MEMBERS(DefaultCuller, OnePerRenderer, AddedInFrame, Backend, BaseFactor,
     MinimumNumberOfCandidates, MaximumNumberOfRounds, RoundSize, MaximumNumberOfPieces,
-    HierarchySize, TestPixels, TestSlivers, ReuseWhenStill, BackOff);
+    HierarchySize, ObserveAfter, TestPixels, TestSlivers, ReuseWhenStill, BackOff);
 };
 }
 

@@ -292,6 +292,10 @@ void MovePoints(vtkMapper* mapper, const Change& change)
 {
   auto* data = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
   vtkPoints* points = data ? data->GetPoints() : nullptr;
+  if (points && GetValue(change, 3) != 0.0)
+  {
+    points->RemoveAllObservers();
+  }
   for (vtkIdType i = 0; points && i < points->GetNumberOfPoints(); ++i)
   {
     double p[3];

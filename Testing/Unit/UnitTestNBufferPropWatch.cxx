@@ -5,10 +5,12 @@
 #include "CompositeMapper.h"
 
 #include "vtkNBufferCandidate.h"
+#include "vtkNBufferObservedObjects.h"
 #include "vtkNBufferPropWatch.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
+#include "vtkCommand.h"
 #include "vtkDataSetMapper.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -281,21 +283,51 @@ TEST(NBufferStamps, ChangesAreSeen)
   for (const auto& [name, apply] : changes)
   {
     SCOPED_TRACE(name);
+    vtkNBufferObservedObjects objects;
+    const auto mayHaveChanged = [&objects](const vtkNBufferPropWatch& watch)
+    { return watch.MayHaveChanged(!objects.TakeChange()); };
     StampedActor stamped;
     vtkNBufferPropWatch watch = Watch(stamped.Actor);
     ASSERT_EQ(watch.GetMeans(), Means::Stamps);
     EXPECT_TRUE(watch.SeesAllChanges());
     EXPECT_FALSE(watch.MayHaveChanged());
     EXPECT_FALSE(watch.HasChanged());
+    watch.Observe(objects);
+    EXPECT_FALSE(watch.IsObserved()) << "it may change in the next frame again";
+    watch.Observe(objects);
+    EXPECT_TRUE(watch.IsObserved());
+    EXPECT_FALSE(mayHaveChanged(watch));
     const vtkMTimeType time = watch.GetTime();
     apply(stamped);
+    EXPECT_TRUE(mayHaveChanged(watch)) << "observed";
     EXPECT_TRUE(watch.MayHaveChanged());
     EXPECT_TRUE(watch.HasChanged());
     stamped.Actor->GetBounds();
     watch.Track(stamped.Actor);
     EXPECT_GT(watch.GetTime(), time);
     EXPECT_FALSE(watch.HasChanged());
+    EXPECT_FALSE(watch.IsObserved());
   }
+}
+
+// Hazard: one of the objects that are not compared any more is not observed.
+TEST(NBufferStamps, AllObjectsButTheActorAreObserved)
+{
+  vtkNBufferObservedObjects objects;
+  StampedActor stamped;
+  vtkNBufferPropWatch watch = Watch(stamped.Actor);
+  watch.Observe(objects);
+  watch.Observe(objects);
+  for (vtkObject* object : { static_cast<vtkObject*>(stamped.Actor->GetProperty()),
+         static_cast<vtkObject*>(stamped.Matrix), static_cast<vtkObject*>(stamped.Mapper),
+         static_cast<vtkObject*>(stamped.Mapper->GetInputAlgorithm()),
+         static_cast<vtkObject*>(stamped.Data), static_cast<vtkObject*>(stamped.Data->GetPoints()),
+         static_cast<vtkObject*>(stamped.Data->GetPolys()),
+         static_cast<vtkObject*>(stamped.Data->GetPointData()->GetNormals()) })
+  {
+    EXPECT_TRUE(object->HasObserver(vtkCommand::ModifiedEvent)) << object->GetClassName();
+  }
+  EXPECT_FALSE(stamped.Actor->HasObserver(vtkCommand::ModifiedEvent));
 }
 
 // Hazard: what is read in every frame anyway is taken for unchanged, because the change is that of

@@ -21,7 +21,7 @@ namespace vtkNBufferForEachProp
 constexpr vtkIdType PropsPerThread = 2048;
 
 /// How many props before its use an object must be requested to arrive in time.
-constexpr vtkIdType PropsToFetchAhead = 4;
+constexpr vtkIdType PropsToFetchAhead = 16;
 
 /// Request the cache line at an address from memory, without waiting for it.
 inline void Fetch(const void* address)

@@ -3,6 +3,7 @@
 #include "vtkNBufferPropWatch.h"
 
 #include "vtkNBufferForEachProp.h"
+#include "vtkNBufferObservedObjects.h"
 #include "vtkNBufferProtectedMembers.h"
 #include "vtkNBufferSurface.h"
 
@@ -27,12 +28,12 @@
 #include "vtkShaderProperty.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTexture.h"
-#include "vtkTimeStamp.h"
 #include "vtkTransform.h"
 #include "vtkTrivialProducer.h"
 
 #include <algorithm>
 #include <typeinfo>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -54,6 +55,12 @@ vtkDemandDrivenPipeline* GetExecutive(vtkMapper* mapper)
         typeid(*executive) == typeid(vtkCompositeDataPipeline))
     ? static_cast<vtkDemandDrivenPipeline*>(executive)
     : nullptr;
+}
+
+/// The time stamp of an object itself, without those of the objects that it refers to.
+vtkMTimeType GetOwnTime(const vtkObject* object)
+{
+  return vtkNBufferProtectedMembers::GetTimeStamp(object).GetMTime();
 }
 
 /// Whether requests decide about what the filters make, and not their parameters alone.
@@ -133,7 +140,7 @@ void vtkNBufferPropWatch::Track(vtkProp* prop, bool withBlocks)
 {
   this->How = Means::None;
   this->Time = 0;
-  this->Complete = false;
+  this->Complete = this->Observed = this->IsSettled = false;
   this->Actor = vtkNBufferSurface::GetPlainActor(prop);
   this->Mapper = this->Actor ? this->Actor->GetMapper() : nullptr;
   if (!this->Actor)
@@ -167,17 +174,17 @@ void vtkNBufferPropWatch::Track(vtkProp* prop, bool withBlocks)
   this->How = input && this->GetPipelineTime(this->PipelineTime) ? Means::Pipeline : Means::Times;
 }
 
-bool vtkNBufferPropWatch::Add(const vtkObject* object)
+bool vtkNBufferPropWatch::Add(vtkObject* object)
 {
   if (!object)
   {
     return true;
   }
-  if (this->Count == static_cast<int>(this->Stamps.size()))
+  if (this->Count == static_cast<int>(this->Objects.size()))
   {
     return false;
   }
-  this->Stamps[this->Count++] = &vtkNBufferProtectedMembers::GetTimeStamp(object);
+  this->Objects[this->Count++] = object;
   return true;
 }
 
@@ -202,21 +209,20 @@ bool vtkNBufferPropWatch::TrackStamps(vtkMapper* mapper, vtkPolyData* input)
   // shows in the data.
   vtkScalarsToColors* table = vtkNBufferProtectedMembers::GetLookupTable(mapper);
   this->Count = 0;
-  bool fits = this->Add(this->Actor) && this->Add(this->Actor->GetProperty()) &&
-    this->Add(this->Actor->GetBackfaceProperty()) && this->Add(this->Actor->GetUserMatrix()) &&
-    this->Add(this->Shaders);
-  this->BeforeMapper = this->Count;
   vtkPoints* points = input->GetPoints();
-  fits = fits && this->Add(mapper) && this->Add(table) && this->Add(producer) && this->Add(input) &&
-    this->Add(points) && this->Add(points ? points->GetData() : nullptr) &&
+  const bool fits = this->Add(this->Actor->GetProperty()) &&
+    this->Add(this->Actor->GetBackfaceProperty()) && this->Add(this->Actor->GetUserMatrix()) &&
+    this->Add(this->Shaders) && this->Add(mapper) && this->Add(table) && this->Add(producer) &&
+    this->Add(input) && this->Add(points) && this->Add(points ? points->GetData() : nullptr) &&
     this->Add(input->GetVerts()) && this->Add(input->GetLines()) && this->Add(input->GetPolys()) &&
     this->Add(input->GetStrips()) && this->AddFields(input->GetPointData()) &&
     this->AddFields(input->GetCellData()) && this->AddFields(input->GetFieldData());
 
-  this->Time = this->UserTransform ? this->UserTransform->GetMTime() : 0;
+  this->Time =
+    std::max(GetOwnTime(this->Actor), this->UserTransform ? this->UserTransform->GetMTime() : 0);
   for (int i = 0; i < this->Count; ++i)
   {
-    this->Time = std::max(this->Time, this->Stamps[i]->GetMTime());
+    this->Time = std::max(this->Time, GetOwnTime(this->Objects[i]));
   }
   const vtkMTimeType shaders = this->Shaders ? this->Shaders->GetMTime() : 0;
   // Other classes combine the times of still other objects.
@@ -227,11 +233,19 @@ bool vtkNBufferPropWatch::TrackStamps(vtkMapper* mapper, vtkPolyData* input)
     std::max({ this->Actor->GetMTime(), mapper->GetMTime(), producer->GetMTime(), shaders });
 }
 
-bool vtkNBufferPropWatch::HasNewer(int begin, int end) const
+bool vtkNBufferPropWatch::ActorHasChanged() const
 {
-  for (int i = begin; i < end; ++i)
+  return GetOwnTime(this->Actor) > this->Time ||
+    vtkNBufferProtectedMembers::GetShaderProperty(this->Actor) != this->Shaders ||
+    (this->UserTransform && this->UserTransform->GetMTime() > this->Time);
+}
+
+bool vtkNBufferPropWatch::ObjectsHaveChanged() const
+{
+  // In this order: each object is known to be alive only if the one before it has not changed.
+  for (int i = 0; i < this->Count; ++i)
   {
-    if (this->Stamps[i]->GetMTime() > this->Time)
+    if (GetOwnTime(this->Objects[i]) > this->Time)
     {
       return true;
     }
@@ -239,25 +253,30 @@ bool vtkNBufferPropWatch::HasNewer(int begin, int end) const
   return false;
 }
 
-bool vtkNBufferPropWatch::StampsHaveChanged() const
+void vtkNBufferPropWatch::Prefetch(bool observedAreUnchanged) const
 {
-  // In this order: each object is known to be alive only if the one before it has not changed.
-  return this->HasNewer(0, this->BeforeMapper) ||
-    vtkNBufferProtectedMembers::GetShaderProperty(this->Actor) != this->Shaders ||
-    (this->UserTransform && this->UserTransform->GetMTime() > this->Time) ||
-    this->HasNewer(this->BeforeMapper, this->Count);
+  if (this->How != Means::Stamps)
+  {
+    return;
+  }
+  vtkNBufferForEachProp::Fetch(&vtkNBufferProtectedMembers::GetTimeStamp(this->Actor));
+  vtkNBufferForEachProp::Fetch(&vtkNBufferProtectedMembers::GetShaderProperty(this->Actor));
+  for (int i = 0; !(observedAreUnchanged && this->Observed) && i < this->Count; ++i)
+  {
+    vtkNBufferForEachProp::Fetch(&vtkNBufferProtectedMembers::GetTimeStamp(this->Objects[i]));
+  }
 }
 
-void vtkNBufferPropWatch::Prefetch() const
+void vtkNBufferPropWatch::Observe(vtkNBufferObservedObjects& objects)
 {
-  if (this->How == Means::Stamps)
+  if (this->How != Means::Stamps || this->Observed || !std::exchange(this->IsSettled, true))
   {
-    for (int i = 0; i < this->Count; ++i)
-    {
-      vtkNBufferForEachProp::Fetch(this->Stamps[i]);
-    }
-    vtkNBufferForEachProp::Fetch(&vtkNBufferProtectedMembers::GetShaderProperty(this->Actor));
+    return;
   }
+  // Another thread may have modified an object since it was compared in this frame.
+  this->Observed = std::all_of(this->Objects.begin(), this->Objects.begin() + this->Count,
+                     [&objects](vtkObject* object) { return objects.Add(object); }) &&
+    !this->MayHaveChanged();
 }
 
 bool vtkNBufferPropWatch::GetPipelineTime(vtkMTimeType& time) const
@@ -284,8 +303,7 @@ bool vtkNBufferPropWatch::PipelineHasChanged() const
   vtkMTimeType time = 0;
   // Another prop may have been made at the address of the actor. Its stamp is newer, and no
   // function of an actor may be called for it.
-  return vtkNBufferProtectedMembers::GetTimeStamp(this->Actor).GetMTime() > this->Time ||
-    this->Actor->GetMapper() != this->Mapper ||
+  return GetOwnTime(this->Actor) > this->Time || this->Actor->GetMapper() != this->Mapper ||
     vtkNBufferProtectedMembers::GetShaderProperty(this->Actor) != this->Shaders ||
     this->Mapper->GetNumberOfInputConnections(0) != 1 || !this->GetPipelineTime(time) ||
     time > this->PipelineTime;

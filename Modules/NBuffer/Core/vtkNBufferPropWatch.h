@@ -8,10 +8,11 @@
  * takes all modification times from one global counter, so any change makes the newest time of
  * everything that an actor is made of grow. Track() chooses the cheapest means to see that:
  *
- * - Stamps: the mapper shows polydata without a pipeline. The time stamps of all objects are listed
- *   once and then compared, each in one cache line. vtkActor::GetMTime() and vtkMapper::GetMTime()
- *   walk some thirty cache lines one after the other, which for 15,000 props takes most of a culled
- *   frame.
+ * - Stamps: the mapper shows polydata without a pipeline. All objects are listed once, and then
+ *   their time stamps are compared, each in one cache line. vtkActor::GetMTime() and
+ *   vtkMapper::GetMTime() walk some thirty cache lines one after the other, which for 15,000 props
+ *   takes most of a culled frame. After Observe() only the actor is compared, and
+ *   vtkNBufferObservedObjects says whether any other object has been modified.
  * - Pipeline: filters or sources make the polydata. vtkActor::GetBounds() sends three requests up
  *   the pipeline, which takes as long as drawing a small prop. VTK begins each request by querying
  *   the modification times of all filters, and ends it if none is newer than the data. HasChanged()
@@ -47,11 +48,11 @@ class vtkDataObject;
 class vtkFieldData;
 class vtkLinearTransform;
 class vtkMapper;
+class vtkNBufferObservedObjects;
 class vtkObject;
 class vtkPolyData;
 class vtkProp;
 class vtkShaderProperty;
-class vtkTimeStamp;
 
 class VTKNBUFFER_EXPORT vtkNBufferPropWatch
 {
@@ -76,10 +77,15 @@ public:
    * Whether anything may have been modified since Track(), or whether another prop has been made at
    * the address of a deleted actor; true before the first Track().
    * MayHaveChanged() reads time stamps only, is true for everything that does not show in them, and
-   * may be called in parallel. HasChanged() queries the pipeline as well. It must not be called in
-   * parallel, because pipelines store the times that they find, and may share filters.
+   * may be called in parallel; `observedAreUnchanged` says that no observed object has been
+   * modified since the last call. HasChanged() queries the pipeline as well. It must not be called
+   * in parallel, because pipelines store the times that they find, and may share filters.
    */
-  bool MayHaveChanged() const { return this->How != Means::Stamps || this->StampsHaveChanged(); }
+  bool MayHaveChanged(bool observedAreUnchanged = false) const
+  {
+    return this->How != Means::Stamps || this->ActorHasChanged() ||
+      (!(observedAreUnchanged && this->Observed) && this->ObjectsHaveChanged());
+  }
   bool HasChanged() const
   {
     return this->How == Means::Pipeline ? this->PipelineHasChanged() : this->MayHaveChanged();
@@ -87,7 +93,18 @@ public:
   ///@}
 
   /// Have the processor fetch what MayHaveChanged() will read.
-  void Prefetch() const;
+  void Prefetch(bool observedAreUnchanged = false) const;
+
+  ///@{
+  /**
+   * Have all objects observed but the actor, until the next Track() or Forget(). This does nothing
+   * for means other than Stamps, if there are too many objects, and in the first call after
+   * Track(): what has not changed from one call to the next will not soon.
+   */
+  void Observe(vtkNBufferObservedObjects& objects);
+  void Forget() { this->Observed = false; }
+  bool IsObserved() const { return this->Observed; }
+  ///@}
 
   /**
    * The newest time of everything that the prop draws, as Track() found it: the actor, its
@@ -110,25 +127,28 @@ public:
 
 private:
   bool TrackStamps(vtkMapper* mapper, vtkPolyData* input);
-  bool Add(const vtkObject* object);
+  bool Add(vtkObject* object);
   bool AddFields(vtkFieldData* fields);
-  bool HasNewer(int begin, int end) const;
-  bool StampsHaveChanged() const;
+  bool ActorHasChanged() const;
+  bool ObjectsHaveChanged() const;
   bool GetPipelineTime(vtkMTimeType& time) const;
   bool PipelineHasChanged() const;
 
+  // What MayHaveChanged() reads of each prop in each frame comes first, to share a cache line.
   Means How = Means::None;
+  bool Observed = false;
+  bool IsSettled = false; ///< Whether Observe() has been called since Track().
   bool Complete = false;
-  int Count = 0;        ///< The number of time stamps.
-  int BeforeMapper = 0; ///< How many of them belong to the actor. The mapper's follow.
   vtkMTimeType Time = 0;
-  vtkMTimeType PipelineTime = 0;
   vtkActor* Actor = nullptr;
-  vtkMapper* Mapper = nullptr;
-  vtkDataObject* Input = nullptr;
   vtkShaderProperty* Shaders = nullptr;
   vtkLinearTransform* UserTransform = nullptr;
-  std::array<const vtkTimeStamp*, 18> Stamps{};
+
+  vtkMapper* Mapper = nullptr;
+  vtkDataObject* Input = nullptr;
+  vtkMTimeType PipelineTime = 0;
+  int Count = 0; ///< The number of objects whose time stamps are compared besides the actor's.
+  std::array<vtkObject*, 18> Objects{};
 };
 
 VTK_ABI_NAMESPACE_END

@@ -98,16 +98,20 @@ public:
   bool IsTracked() const { return this->Tracked; }
 
   /// Whether Refresh() must be called. Only reads times; may run in parallel for different props.
-  bool IsStale() const
+  /// See vtkNBufferPropWatch::MayHaveChanged().
+  bool IsStale(bool observedAreUnchanged = false) const
   {
     // Of a prop that is no plain actor only the class is known. The class is another one if another
     // prop has been made at the address of a deleted one.
-    return this->Verdict == vtkNBufferVerdict::NotAPlainActor ? this->Class != &typeid(*this->Prop)
-                                                              : this->Watch.MayHaveChanged();
+    return this->Verdict == vtkNBufferVerdict::NotAPlainActor
+      ? this->Class != &typeid(*this->Prop)
+      : this->Watch.MayHaveChanged(observedAreUnchanged);
   }
 
   /// Have the processor fetch what IsStale() will read.
-  void Prefetch() const { this->Watch.Prefetch(); }
+  void Prefetch(bool observedAreUnchanged) const { this->Watch.Prefetch(observedAreUnchanged); }
+
+  vtkNBufferPropWatch& GetWatch() { return this->Watch; }
 
   /**
    * Read the prop again, unless neither it nor the global state has changed (see
@@ -121,21 +125,22 @@ private:
   vtkNBufferVerdict Classify(vtkActor* actor) const;
   void ReadBounds(vtkActor* actor);
 
-  vtkProp* Prop = nullptr;
-  vtkMapper* Mapper = nullptr;
-  const std::type_info* Class = nullptr; ///< The class of a prop that is no plain actor.
-  vtkNBufferPropWatch Watch;
-  vtkNBufferBox Box;
-  vtkNBufferVerdict Verdict = vtkNBufferVerdict::Unknown;
+  // What is read of each prop in each frame comes first, to share a cache line.
+  alignas(64) vtkNBufferVerdict Verdict = vtkNBufferVerdict::Unknown;
+  bool MapperIsShared = false;
   bool BoxIsUsable = false;
   bool BufferIsKnown = true;
   bool HasLines = false;
+  vtkNBufferPropWatch Watch;
+  vtkProp* Prop = nullptr;
+  vtkMapper* Mapper = nullptr;
+  const std::type_info* Class = nullptr; ///< The class of a prop that is no plain actor.
+  vtkNBufferBox Box;
+  std::size_t WayOfDrawing = 0;
   bool DepthWriter = true;
   bool Blended = false;
   bool Unlit = false;
   bool Tracked = false;
-  bool MapperIsShared = false;
-  std::size_t WayOfDrawing = 0;
 };
 
 /// What a view knows of a prop in one frame. It is kept apart from the caches and small, because

@@ -11,6 +11,14 @@
 #include <unordered_map>
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// At most so many props are visited in one frame, and so many objects observed, which takes a
+/// millisecond.
+constexpr std::size_t PropsToObserve = 1024;
+constexpr std::size_t ObjectsToObserve = 2048;
+}
+
 bool vtkNBufferCandidateList::Synchronize(vtkProp** props, int count)
 {
   if (!this->Candidates.Synchronize(props, static_cast<std::size_t>(count), this->States))
@@ -36,13 +44,23 @@ int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
     this->Tree.ListHasChanged();
   }
 
+  const bool lost = this->Observed.TakeLoss();
+  const bool unchanged = !this->Observed.TakeChange() && !lost;
+  if (lost)
+  {
+    for (vtkNBufferCandidate& candidate : this->Candidates.GetItems())
+    {
+      candidate.GetWatch().Forget();
+    }
+  }
   // Comparing times is most of the work and may run in parallel. Refreshing may run pipelines.
   this->Stale.assign(this->Candidates.GetSize(), 0);
   vtkNBufferForEachProp::RunAhead(
-    this->Candidates.GetSize(), [this](vtkIdType i) { this->Candidates[i].Prefetch(); },
-    [this, all, projection](vtkIdType i)
+    this->Candidates.GetSize(),
+    [this, unchanged](vtkIdType i) { this->Candidates[i].Prefetch(unchanged); },
+    [this, all, unchanged, projection](vtkIdType i)
     {
-      this->Stale[i] = all || this->Candidates[i].IsStale();
+      this->Stale[i] = all || this->Candidates[i].IsStale(unchanged);
       if (!this->Stale[i])
       {
         this->FindPlacement(i, projection);
@@ -54,11 +72,32 @@ int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
   {
     changed = this->RefreshStale(projection, all);
   }
+  this->ObserveSome();
   if (projection && overTree)
   {
     this->ProjectOverTree(*projection);
   }
   return changed;
+}
+
+void vtkNBufferCandidateList::ObserveSome()
+{
+  if (this->ObserveAfter == 0)
+  {
+    return;
+  }
+  const std::size_t size = this->Candidates.GetSize();
+  if (++this->FramesOfTurn > this->ObserveAfter && this->NextOfTurn >= size)
+  {
+    this->FramesOfTurn = 0;
+    this->NextOfTurn = 0;
+  }
+  const std::size_t end = std::min(this->NextOfTurn + PropsToObserve, size);
+  const std::size_t most = this->Observed.GetSize() + ObjectsToObserve;
+  for (; this->NextOfTurn < end && this->Observed.GetSize() < most; ++this->NextOfTurn)
+  {
+    this->Candidates[this->NextOfTurn].GetWatch().Observe(this->Observed);
+  }
 }
 
 void vtkNBufferCandidateList::FindPlacement(vtkIdType i, const vtkNBufferProjection* projection)

@@ -14,6 +14,7 @@
 #include "vtkNBufferCandidateTree.h"
 #include "vtkNBufferMeshes.h"
 #include "vtkNBufferModule.h" // For export macro
+#include "vtkNBufferObservedObjects.h"
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferPropList.h"
 #include "vtkNBufferTieOrder.h"
@@ -26,6 +27,9 @@ class VTKNBUFFER_EXPORT vtkNBufferCandidateList
 public:
   /// Use a hierarchy for lists of at least this many props, see vtkNBufferTuning::HierarchySize.
   void SetHierarchySize(int size) { this->HierarchySize = size; }
+
+  /// Observe props that have not changed for so many frames, see vtkNBufferTuning::ObserveAfter.
+  void SetObserveAfter(int frames) { this->ObserveAfter = frames; }
 
   /// Follow the renderer's list of props. Returns whether it differs from the last one.
   bool Synchronize(vtkProp** props, int count);
@@ -113,6 +117,8 @@ private:
   /// Tell all candidates whether a prop of the list draws their mappers in another way.
   void FindSharedMappers(const vtkNBufferProjection* projection);
   bool RefreshOne(std::size_t i, bool globalStateChanged);
+  /// Have some of the props observed that have not changed for a while, in turn.
+  void ObserveSome();
   bool UsesTree() const { return this->GetSize() >= this->HierarchySize; }
 
   vtkNBufferPropList<vtkNBufferCandidate> Candidates;
@@ -122,7 +128,11 @@ private:
   vtkNBufferCandidateTree Tree;
   vtkNBufferMeshes Meshes;
   std::vector<int> Reached; ///< The places that the tree leaves to be projected one by one.
+  vtkNBufferObservedObjects Observed;
   int HierarchySize = VTK_INT_MAX;
+  int ObserveAfter = 0;
+  int FramesOfTurn = 0;       ///< Frames since the current turn of ObserveSome() began.
+  std::size_t NextOfTurn = 0; ///< The place of the prop that it comes to next.
   vtkNBufferPropWatch::GlobalState GlobalState{};
   bool ListChanged = false;
   bool UntrackedDepth = false;

@@ -50,6 +50,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
 
   vtkNBufferClock part;
   this->Props.SetHierarchySize(this->Tuning.HierarchySize);
+  this->Props.SetObserveAfter(this->Tuning.ObserveAfter);
   const bool listChanged = this->Props.Synchronize(props, count);
   const vtkNBufferViewKey key = vtkNBufferViewKey::Make(renderer);
   const bool frozen = settings.Freeze && complete;

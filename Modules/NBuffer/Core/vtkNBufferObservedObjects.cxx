@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferObservedObjects.h"
+
+#include "vtkCommand.h"
+#include "vtkObject.h"
+
+#include <atomic>
+#include <limits>
+#include <mutex>
+#include <unordered_map>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+struct vtkNBufferObservedObjects::Record
+{
+  std::atomic<bool> Changed{ false };
+  std::atomic<bool> Lost{ false };
+  std::mutex Mutex; ///< Guards Commands.
+  std::unordered_map<vtkObject*, vtkCommand*> Commands;
+};
+
+/// Observes one object, which alone refers to it: the command is destroyed with its observer.
+class vtkNBufferObservedObjects::Command : public vtkCommand
+{
+public:
+  Command(vtkObject* object, std::shared_ptr<Record> record)
+    : Object(object)
+    , Shared(std::move(record))
+  {
+  }
+
+  void Execute(vtkObject* object, unsigned long, void*) override
+  {
+    this->Shared->Changed = true;
+    this->IsDone = true;
+    object->RemoveObserver(this);
+  }
+
+  /// Remove the observer because nobody needs it any more.
+  void Withdraw()
+  {
+    this->IsDone = true;
+    this->Object->RemoveObserver(this);
+  }
+
+protected:
+  ~Command() override
+  {
+    // VTK destroys the observers of an object when nothing refers to the object any more.
+    const bool isLost = !this->IsDone && this->Object->GetReferenceCount() > 0;
+    const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
+    this->Shared->Commands.erase(this->Object);
+    this->Shared->Lost = this->Shared->Lost || isLost;
+  }
+
+private:
+  vtkObject* Object;
+  std::shared_ptr<Record> Shared;
+  bool IsDone = false;
+};
+
+vtkNBufferObservedObjects::vtkNBufferObservedObjects()
+  : Shared(std::make_shared<Record>())
+{
+}
+
+vtkNBufferObservedObjects::~vtkNBufferObservedObjects()
+{
+  std::unordered_map<vtkObject*, vtkCommand*> commands;
+  {
+    const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
+    commands.swap(this->Shared->Commands);
+  }
+  for (const auto& [object, command] : commands)
+  {
+    static_cast<Command*>(command)->Withdraw();
+  }
+}
+
+bool vtkNBufferObservedObjects::Add(vtkObject* object)
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
+    if (this->Shared->Commands.count(object) > 0)
+    {
+      return true;
+    }
+    if (this->Shared->Commands.size() >= MaximumSize)
+    {
+      return false;
+    }
+  }
+  auto* command = new Command(object, this->Shared);
+  {
+    const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
+    this->Shared->Commands.emplace(object, command);
+  }
+  // No other observer may end the event before this one.
+  object->AddObserver(vtkCommand::ModifiedEvent, command, std::numeric_limits<float>::infinity());
+  command->Delete();
+  return true;
+}
+
+bool vtkNBufferObservedObjects::TakeChange()
+{
+  return this->Shared->Changed.exchange(false);
+}
+
+bool vtkNBufferObservedObjects::TakeLoss()
+{
+  return this->Shared->Lost.exchange(false);
+}
+
+std::size_t vtkNBufferObservedObjects::GetSize() const
+{
+  const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
+  return this->Shared->Commands.size();
+}
+VTK_ABI_NAMESPACE_END

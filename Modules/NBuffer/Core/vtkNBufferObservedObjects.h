@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferObservedObjects
+ * @brief Whether any of many objects has been modified, without looking at each of them.
+ *
+ * Every change of a modification time in VTK also invokes vtkCommand::ModifiedEvent. Each object
+ * gets one observer of this event. The first event of an object sets a flag and removes the
+ * observer again, so that an object that keeps changing costs nothing more.
+ *
+ * An application may remove the observer with RemoveAllObservers(). The command notices that it is
+ * destroyed while its object lives, and HasLostObservers() says so.
+ *
+ * An observer takes about 300 bytes and half a microsecond to add, and makes a call of Modified()
+ * take 34 ns instead of 6. Add(), TakeChange() and the destructor belong to one thread; Modified()
+ * may be called in any. As always in VTK, no other thread may modify an object while an observer is
+ * added to it.
+ */
+#ifndef vtkNBufferObservedObjects_h
+#define vtkNBufferObservedObjects_h
+
+#include "vtkNBufferModule.h"     // For export macro
+#include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
+
+#include <cstddef>
+#include <memory>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkObject;
+
+class VTKNBUFFER_EXPORT vtkNBufferObservedObjects
+{
+public:
+  /// The memory for more observers than this is not worth the time that they save.
+  static constexpr std::size_t MaximumSize = 1 << 18;
+
+  vtkNBufferObservedObjects();
+  ~vtkNBufferObservedObjects();
+  vtkNBufferObservedObjects(const vtkNBufferObservedObjects&) = delete;
+  void operator=(const vtkNBufferObservedObjects&) = delete;
+
+  /// Observe an object from now on. Returns false if there are too many.
+  bool Add(vtkObject* object);
+
+  /// Whether any object was modified since the last call.
+  bool TakeChange();
+
+  /// Whether any living object has lost its observer to somebody else since the last call. Which
+  /// one is not known: all must be added again.
+  bool TakeLoss();
+
+  /// The number of objects that are observed. An object that has been modified or deleted is not.
+  std::size_t GetSize() const;
+
+private:
+  class Command;
+  struct Record;
+  /// Commands may outlive this object, in the hands of an event that is being invoked.
+  std::shared_ptr<Record> Shared;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
