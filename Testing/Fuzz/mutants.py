@@ -36,7 +36,7 @@ NEAR_PLANE_TEST = (
 MUTANTS = {
     # Tolerances.
     "no slack at all": [NO_VERTEX_SLACK, *NO_DEPTH_SLACK,
-                        (BOX_ERROR, "SnapInPixels = 1.0 / 16;", "SnapInPixels = 0.0;")],
+                        (BOX_ERROR, "LargestSnap = 1.0 / 16;", "LargestSnap = 0.0;")],
     "no slack for rounded vertices": [NO_VERTEX_SLACK],
     "vertices believed to be near the buffer's zero": [
         (SURFACE, "IsShifted(plain, low, high);", "(IsShifted(plain, low, high) || true);")],

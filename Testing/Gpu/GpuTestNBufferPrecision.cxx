@@ -125,9 +125,9 @@ public:
       vertices[i] = triangle[i] - sampler.GetShift();
       drawn[i] = ToScreen(glm::dmat4(this->Matrix), vertices[i]);
     }
-    // The slack on the screen is 1/16 pixel for snapping and what vertices may err.
+    // The slack on the screen is the border for snapping and what vertices may err.
     const double error =
-      std::max(0.5 * Width * screen.Slack[0], 0.5 * Height * screen.Slack[1]) - 1.0 / 16;
+      std::max(0.5 * Width * screen.Slack[0], 0.5 * Height * screen.Slack[1]) - screen.Border;
     if (!isBehind && !(GetHeight(drawn) >= LowestHeight + 2.0 * error))
     {
       return false;
@@ -291,7 +291,7 @@ namespace
 {
 /// Whether the triangle is said to show where a fragment of this depth is all that can be seen.
 bool IsForetold(const vtkNBufferProjection& projection, const Triangle& triangle,
-  const vtkNBufferBox& box, const vtkNBufferScreenBox& screen, int x, int y, float z)
+  const vtkNBufferScreenBox& screen, int x, int y, float z)
 {
   std::vector<float> depth(static_cast<std::size_t>(Width) * Height, 0.0f);
   depth[static_cast<std::size_t>(y) * Width + x] = z;
@@ -302,7 +302,7 @@ bool IsForetold(const vtkNBufferProjection& projection, const Triangle& triangle
   mesh.Triangles = { { 0, 1, 2 } };
   vtkNBufferSliverTest test(projection, levels, 0.0);
   const double toWorld[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-  return test.MayBeSeen(mesh, toWorld, box, screen);
+  return test.MayBeSeen(mesh, toWorld, screen);
 }
 }
 
@@ -343,7 +343,7 @@ TEST_F(GpuTestNBufferPrecision, SliversAreForetold)
         {
           ++strays;
           farthest = std::max(farthest, (screen.Nearest - z) / screen.DepthRange);
-          ASSERT_TRUE(IsForetold(projection, triangle, box, screen, x, y, z))
+          ASSERT_TRUE(IsForetold(projection, triangle, screen, x, y, z))
             << camera.Name << ", triangle " << n << ", pixel " << x << " " << y;
         }
       }

@@ -3,6 +3,7 @@
 #include "GpuTestNBufferPrecisionTriangles.h"
 
 #include "Pixels.h"
+#include "vtkNBufferGL.h"
 
 #include <gtest/gtest.h>
 
@@ -61,7 +62,8 @@ Sampler::Sampler(const CameraCase& camera, unsigned int seed)
 vtkNBufferProjection Sampler::GetProjection(double quantum) const
 {
   vtkNBufferProjection projection;
-  projection.Set(vtkNBufferGLM::ToRows(this->WorldToClip).data(), Width, Height, quantum);
+  projection.Set(vtkNBufferGLM::ToRows(this->WorldToClip).data(), Width, Height, quantum, 0,
+    vtkNBufferGL::GetSubpixelBits());
   return projection;
 }
 
@@ -186,7 +188,7 @@ void Judge::Compare(const vtkNBufferScreenBox& screen, const vtkNBufferRectangle
       continue;
     }
     ++finding.Fragments;
-    ASSERT_TRUE(IsIn(x, y, screen.Pixels)) << x << " " << y;
+    ASSERT_TRUE(IsIn(x, y, screen.Middles)) << x << " " << y;
     ASSERT_GE(z, screen.Nearest);
     ASSERT_LE(z, screen.Farthest);
     const glm::dvec2 place(x + 0.5, y + 0.5);

@@ -325,3 +325,69 @@ TEST(NBufferProjectionOnce, SlackGrowsWithTheLargestCoordinate)
   EXPECT_LT(after.Screen.Nearest, before.Screen.Nearest);
   EXPECT_GT(after.Screen.Farthest, before.Screen.Farthest);
 }
+
+namespace
+{
+/// A parallel view of 100 pixels in which world x and y are pixels and z is the depth.
+vtkNBufferProjection MapWorldToPixels(int subpixelBits)
+{
+  constexpr int side = 100;
+  const double worldToClip[16] = { 2.0 / side, 0.0, 0.0, -1.0, 0.0, 2.0 / side, 0.0, -1.0, 0.0, 0.0,
+    2.0, -1.0, 0.0, 0.0, 0.0, 1.0 };
+  vtkNBufferProjection projection;
+  projection.Set(worldToClip, side, side, 0x1p-24, 0, subpixelBits);
+  return projection;
+}
+}
+
+// Hazard: a box gets the border of a fine grid although the device makes vertices elsewhere; or the
+// grid is fine and the border is not.
+TEST(NBufferProjectionOnce, BorderIsThatOfTheSubpixelGridInView)
+{
+  const auto getBorder = [](int subpixelBits, double left, double right, double far = 0.6)
+  {
+    const ProjectedBox box(
+      MapWorldToPixels(subpixelBits), std::array<double, 6>{ left, right, 10, 20, 0.5, far });
+    EXPECT_TRUE(box.IsInside());
+    return box.Screen.Border;
+  };
+  constexpr double rounding = 16.0 * 0x1p-24 * 100.0;
+  EXPECT_DOUBLE_EQ(getBorder(8, 10.0, 20.0), 0x1p-8 + rounding);
+  EXPECT_DOUBLE_EQ(getBorder(6, 10.0, 20.0), 0x1p-6 + rounding);
+  EXPECT_DOUBLE_EQ(getBorder(4, 10.0, 20.0), 0x1p-4);
+  EXPECT_DOUBLE_EQ(getBorder(8, -1e-3, 20.0), 0x1p-4) << "reaches beyond the left side";
+  EXPECT_DOUBLE_EQ(getBorder(8, 10.0, 100.001), 0x1p-4) << "reaches beyond the right side";
+  EXPECT_DOUBLE_EQ(getBorder(8, 10.0, 20.0, 1.001), 0x1p-4) << "reaches beyond the far plane";
+
+  vtkNBufferBox line = ProjectedBox(MapWorldToPixels(8), { 10, 20, 10, 20, 0.5, 0.6 }).Box;
+  line.Margin = 1.0;
+  vtkNBufferScreenBox screen;
+  ASSERT_EQ(MapWorldToPixels(8).Project(line, screen), vtkNBufferPlacement::Inside);
+  EXPECT_DOUBLE_EQ(screen.Border, 1.0 + 0x1p-4);
+}
+
+// Hazard: a box that a device may snap to the middle of a pixel is said to lie between the middles;
+// or a box between the middles of pixels is said to be drawn.
+TEST(NBufferProjectionOnce, MiddlesAreThoseThatAVertexMaySnapTo)
+{
+  const auto getMiddles = [](double left, double right)
+  {
+    const ProjectedBox box(
+      MapWorldToPixels(8), std::array<double, 6>{ left, right, 10, 20, 0.5, 0.6 });
+    EXPECT_TRUE(box.IsInside());
+    EXPECT_FALSE(box.Screen.Pixels.IsEmpty());
+    return box.Screen.Middles;
+  };
+  constexpr double less = 0.9 / 256; // of a pixel
+  constexpr double more = 1.1 / 256;
+  EXPECT_EQ(getMiddles(30.5 - 5.0, 30.5 + 5.0).GetWidth(), 11);
+  EXPECT_EQ(getMiddles(30.5 - 5.0 + less, 30.5 + 5.0 - less).GetWidth(), 11);
+  EXPECT_EQ(getMiddles(30.5 - 5.0 + more, 30.5 + 5.0 - more).GetWidth(), 9);
+  EXPECT_EQ(getMiddles(30.5 + more, 31.5 - more).GetWidth(), 0);
+  EXPECT_TRUE(getMiddles(30.5 + more, 31.5 - more).IsEmpty());
+  const vtkNBufferRectangle one = getMiddles(30.5 + less, 31.5 - more);
+  EXPECT_EQ(one.X0, 30);
+  EXPECT_EQ(one.X1, 31);
+  EXPECT_EQ(one.Y0, 10);
+  EXPECT_EQ(one.Y1, 20);
+}

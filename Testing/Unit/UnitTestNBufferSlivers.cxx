@@ -47,7 +47,7 @@ protected:
     mesh.Triangles = { { 0, 1, 2 } };
     vtkNBufferSliverTest test(this->Projection, this->Levels, sampleReach);
     const double identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-    return test.MayBeSeen(mesh, identity, box.Box, box.Screen);
+    return test.MayBeSeen(mesh, identity, box.Screen);
   }
 
   vtkNBufferProjection Projection;

@@ -100,6 +100,13 @@ bool CoversTouchedPixels()
       { return HasExtension(extension.first) && glIsEnabled(extension.second) == GL_TRUE; });
 }
 
+int GetSubpixelBits()
+{
+  GLint bits = 0;
+  glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
+  return std::clamp(static_cast<int>(bits), 4, 8);
+}
+
 bool KeepsToScissor(int samples)
 {
   return samples <= 1 || !GetSoftwareRenderer();

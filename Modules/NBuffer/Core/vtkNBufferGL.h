@@ -39,6 +39,10 @@ VTKNBUFFER_EXPORT const char* GetSoftwareRenderer();
 /// where a sample lies in the triangle: with smoothed polygons and conservative rasterisation.
 VTKNBUFFER_EXPORT bool CoversTouchedPixels();
 
+/// The number of bits of the grid to which the current context snaps vertices: 4, which OpenGL
+/// promises, to 8. A finer grid gains nothing.
+VTKNBUFFER_EXPORT int GetSubpixelBits();
+
 /// Whether the current context's renderer draws inside a scissor box only, where a pixel has
 /// `samples` samples. With several samples llvmpipe (Mesa 22.3) also draws some samples of the row
 /// below the box.

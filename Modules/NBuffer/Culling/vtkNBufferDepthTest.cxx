@@ -80,7 +80,7 @@ bool vtkNBufferDepthTest::HasVisibleSlivers(int i, vtkNBufferSliverTest& test)
   const std::vector<vtkNBufferMeshes::Placed> meshes = this->Props.GetMeshes(i);
   return std::any_of(meshes.begin(), meshes.end(),
     [&](const vtkNBufferMeshes::Placed& placed)
-    { return test.MayBeSeen(*placed.Mesh, placed.ToWorld.data(), this->Props.GetBox(i), screen); });
+    { return test.MayBeSeen(*placed.Mesh, placed.ToWorld.data(), screen); });
 }
 
 bool vtkNBufferDepthTest::TestsSlivers() const
@@ -130,9 +130,10 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
 
   vtkNBufferClock clock;
   // Testing the children of a node is cheaper than testing pieces of the node.
-  vtkNBufferOcclusionTest nodeTest(this->Projection, this->Levels, 1);
+  vtkNBufferOcclusionTest nodeTest(this->Projection, this->Levels, 1, this->SampleDistance);
   this->Props.MarkHidden(nodeTest);
-  vtkNBufferOcclusionTest test(this->Projection, this->Levels, this->Tuning.MaximumNumberOfPieces);
+  vtkNBufferOcclusionTest test(
+    this->Projection, this->Levels, this->Tuning.MaximumNumberOfPieces, this->SampleDistance);
   places.erase(std::remove_if(places.begin(), places.end(),
                  [&](int i) { return this->Props.GetState(i).Behind || isHiddenBy(i, test); }),
     places.end());

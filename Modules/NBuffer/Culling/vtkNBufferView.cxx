@@ -4,6 +4,7 @@
 
 #include "vtkNBufferClock.h"
 #include "vtkNBufferCompatibility.h"
+#include "vtkNBufferGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
@@ -100,7 +101,7 @@ void vtkNBufferView::SetProjection(const vtkNBufferViewKey& key)
   this->LastKey = key;
   const auto& viewport = key.Viewport;
   this->Projection.Set(key.WorldToClip.data(), viewport[2], viewport[3], this->DepthQuantum,
-    std::max(viewport[0] + viewport[2], viewport[1] + viewport[3]));
+    std::max(viewport[0] + viewport[2], viewport[1] + viewport[3]), this->SubpixelBits);
 }
 
 bool vtkNBufferView::CanReuse(vtkRenderer* renderer) const
@@ -282,9 +283,11 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBuffer
     return obstacle;
   }
   const double quantum = std::ldexp(1.0, -source.GetPrecision());
-  if (quantum != this->DepthQuantum)
+  const int subpixelBits = vtkNBufferGL::GetSubpixelBits();
+  if (quantum != this->DepthQuantum || subpixelBits != this->SubpixelBits)
   {
     this->DepthQuantum = quantum;
+    this->SubpixelBits = subpixelBits;
     this->SetProjection(this->LastKey);
     this->Partition.Project(this->Projection);
   }

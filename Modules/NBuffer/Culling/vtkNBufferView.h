@@ -141,6 +141,7 @@ private:
 
   vtkNBufferViewKey LastKey;
   double DepthQuantum = 0x1p-24; ///< One unit of the depth buffer drawn last, in window depth.
+  int SubpixelBits = 4;          ///< vtkNBufferGL::GetSubpixelBits() of the context drawn in last.
   int TestedPrecision = 0;       ///< GetPrecision() of the depth that was tested.
   int TestedSamples = 0;         ///< Samples per pixel of the depth that was tested.
   int KeptInVain = 0; ///< Kept props that the last test found hidden, after they had been drawn.

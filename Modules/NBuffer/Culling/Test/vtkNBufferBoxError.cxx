@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferBoxError.h"
 
+#include <algorithm>
+
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 // The factors of the derivation in the header, in units of UnitRoundoff where they count roundings.
 constexpr double DepthErrors = 4.0;
 constexpr double PlaneErrors = 8.0;
+constexpr double PositionErrors = 16.0;
 constexpr double OvershootInPixels = 1.0 / 362; // half the diagonal of a step of 2^-8
 constexpr double InverseOfHeight = 16.0;        // of the lowest triangle that is covered
 // Of single triangles, see vtkNBufferSliverTest.h, in units of UnitRoundoff.
@@ -22,9 +25,13 @@ vtkNBufferDepthFormat vtkNBufferDepthFormat::FromQuantum(double quantum)
   return format;
 }
 
-void vtkNBufferBoxError::Set(const vtkNBufferDepthFormat& format, int largestCoordinate)
+void vtkNBufferBoxError::Set(
+  const vtkNBufferDepthFormat& format, int largestCoordinate, int subpixelBits)
 {
   this->Format = format;
+  this->PositionRounding = PositionErrors * UnitRoundoff * largestCoordinate;
+  this->WholeBorder =
+    std::min(LargestSnap, std::ldexp(1.0, -subpixelBits) + this->PositionRounding);
   this->PlaneRounding = PlaneErrors * UnitRoundoff * largestCoordinate;
   this->DepthRangeSlack = InverseOfHeight * (OvershootInPixels + this->PlaneRounding);
 }
@@ -33,7 +40,7 @@ vtkNBufferBoxError::TriangleErrors vtkNBufferBoxError::GetTriangleErrors(
   double position, double depth, double range) const
 {
   TriangleErrors errors;
-  errors.PositionError = position;
+  errors.PositionError = position + this->PositionRounding;
   errors.Overshoot = OvershootInPixels;
   errors.DepthError = depth;
   errors.DepthErrorPerSlope = OvershootInPixels + this->PlaneRounding;

@@ -25,8 +25,16 @@
  * then that middle, and large coordinates cost no precision. Divided by w, E gives the slack of x,
  * y and z in normalised device coordinates (NDC), corner by corner.
  *
- * The device snaps screen positions to a subpixel grid of at least 4 bits (OpenGL's minimum): 1/16
- * of a pixel is added on all sides.
+ * The device snaps screen positions to a subpixel grid, which moves a vertex by less than a step of
+ * the grid along each axis. A border is added to a box on all sides for this:
+ *
+ *  - 2^-b + 16 u n pixels where the device says that its grid has b bits (GL_SUBPIXEL_BITS) and the
+ *    box is wholly in view; n is the largest window coordinate. The second term is for rounding:
+ *    the division by w, the viewport transform, and a cut at a clipping plane, which makes a vertex
+ *    between two others, are some ten operations on numbers of at most n.
+ *  - 1/16 pixel, OpenGL's minimum of 4 bits, for any other box, for lines and for points. Where the
+ *    device cuts a triangle at a side of the view, or at the guard band beyond it, the new vertex
+ *    lies on an edge that may begin far outside, with errors in proportion to that.
  *
  * ## How far an interpolated depth can be from those of its vertices
  *
@@ -102,8 +110,8 @@ class VTKNBUFFER_EXPORT vtkNBufferBoxError
 public:
   static constexpr double UnitRoundoff = 1.0 / (1 << 24);
 
-  /// `largestCoordinate` is n of the derivation above, in pixels.
-  void Set(const vtkNBufferDepthFormat& format, int largestCoordinate);
+  /// `largestCoordinate` is n of the derivation above, in pixels, and `subpixelBits` is b.
+  void Set(const vtkNBufferDepthFormat& format, int largestCoordinate, int subpixelBits);
 
   /// The value of a row of a matrix at a point, (x, y, z, 1) times the row, added from left to
   /// right as the derivation counts it.
@@ -121,8 +129,12 @@ public:
         std::abs(Evaluate(row, box.Origin)));
   }
 
-  /// Pixels that are added on each side of a projected box: its margin and the subpixel grid.
-  static double GetBorder(const vtkNBufferBox& box) { return box.Margin + SnapInPixels; }
+  /// Pixels that are added on each side of a projected box: its margin and the border of the
+  /// derivation above, that of a box wholly in view if `isWhole`.
+  double GetBorder(const vtkNBufferBox& box, bool isWhole) const
+  {
+    return isWhole && !(box.Margin > 0.0) ? this->WholeBorder : box.Margin + LargestSnap;
+  }
 
   /// The slack above of a box whose depths have the range R and whose nearest corner has the value
   /// `lowest` of z / w.
@@ -167,18 +179,20 @@ public:
     double LowestRelativeHeight;
   };
 
-  /// `position` is what a vertex may be off its exact place in pixels, `depth` the error of depth
-  /// without the term that depends on R, `range` is R.
+  /// `position` is what the vertex errors make of a vertex's place in pixels, `depth` the error of
+  /// depth without the term that depends on R, `range` is R.
   TriangleErrors GetTriangleErrors(double position, double depth, double range) const;
 
 private:
   // The factors of the derivation above, in units of UnitRoundoff where they count roundings.
   static constexpr double VertexErrors = 8.0;
-  static constexpr double SnapInPixels = 1.0 / 16; // OpenGL's minimum of subpixel bits
+  static constexpr double LargestSnap = 1.0 / 16; // pixels, OpenGL's minimum of subpixel bits
 
   vtkNBufferDepthFormat Format;
-  double DepthRangeSlack = 0.0; ///< The last term of the slack for a depth range of 1.
-  double PlaneRounding = 0.0;   ///< 8 u n of the derivation above, in pixels.
+  double WholeBorder = LargestSnap; ///< The border of a box that is wholly in view, in pixels.
+  double DepthRangeSlack = 0.0;     ///< The last term of the slack for a depth range of 1.
+  double PlaneRounding = 0.0;       ///< 8 u n of the derivation above, in pixels.
+  double PositionRounding = 0.0;    ///< 16 u n of the derivation above, in pixels.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -5,11 +5,12 @@
 #include "vtkNBufferSplitBox.h"
 
 VTK_ABI_NAMESPACE_BEGIN
-vtkNBufferOcclusionTest::vtkNBufferOcclusionTest(
-  const vtkNBufferProjection& projection, const vtkNBufferLevels& levels, int maximumPieces)
+vtkNBufferOcclusionTest::vtkNBufferOcclusionTest(const vtkNBufferProjection& projection,
+  const vtkNBufferLevels& levels, int maximumPieces, double sampleDistance)
   : Projection(projection)
   , Levels(levels)
   , MaximumPieces(maximumPieces)
+  , SampleDistance(sampleDistance)
 {
 }
 
@@ -21,8 +22,13 @@ int vtkNBufferOcclusionTest::GetLevelsNeeded(const vtkNBufferRectangle& pixels, 
 
 bool vtkNBufferOcclusionTest::IsBehind(const vtkNBufferScreenBox& screen)
 {
+  const vtkNBufferRectangle& pixels = screen.GetSampled(this->SampleDistance);
+  if (pixels.IsEmpty())
+  {
+    return true;
+  }
   const vtkNBufferCover cover = vtkNBufferMath::GetCoverOfFour(
-    vtkNBufferMath::GetBaseRectangle(screen.Pixels, this->Levels.GetFactor()));
+    vtkNBufferMath::GetBaseRectangle(pixels, this->Levels.GetFactor()));
   // Without the level nothing is known, which means visible.
   if (cover.Level >= this->Levels.GetNumberOfLevels())
   {

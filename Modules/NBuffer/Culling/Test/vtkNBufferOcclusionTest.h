@@ -27,10 +27,11 @@ public:
    * `projection` and `levels` are kept by reference and must outlive the test. The levels hold the
    * farthest stored depths of the projection's viewport (vtkNBufferDepthConvention::Farthest). A
    * box that needs a level that was not built (GetLevelsNeeded) counts as visible. A box is cut
-   * into at most `maximumPieces` pieces.
+   * into at most `maximumPieces` pieces. `sampleDistance` is how far from the middle of its pixel a
+   * sample may be in x and in y: 0, or 0.5 pixels with multisampling or smoothed polygons.
    */
-  vtkNBufferOcclusionTest(
-    const vtkNBufferProjection& projection, const vtkNBufferLevels& levels, int maximumPieces);
+  vtkNBufferOcclusionTest(const vtkNBufferProjection& projection, const vtkNBufferLevels& levels,
+    int maximumPieces, double sampleDistance = 0.5);
 
   /**
    * True only if nothing of the box can be seen. `screen` is what projection.Project() gave for the
@@ -54,6 +55,7 @@ private:
   const vtkNBufferProjection& Projection;
   const vtkNBufferLevels& Levels;
   int MaximumPieces;
+  double SampleDistance;
   long long Queries = 0;
   long long Lookups = 0;
 };

@@ -171,8 +171,12 @@ bool vtkNBufferPixelTest::IsHidden(const vtkNBufferBox& box, const vtkNBufferScr
   {
     return false;
   }
+  const vtkNBufferRectangle& pixels = screen.GetSampled(this->SampleDistance);
+  if (pixels.IsEmpty())
+  {
+    return true;
+  }
   this->SetOutline(box, screen);
-  const vtkNBufferRectangle& pixels = screen.Pixels;
   for (int y = (pixels.Y1 - 1) / Side * Side; y > pixels.Y0 - Side; y -= Side)
   {
     for (int x = pixels.X0 / Side * Side; x < pixels.X1; x += Side)

@@ -22,19 +22,19 @@ double Evaluate(const glm::dvec4& row, const glm::dvec3& point)
 
 }
 
-void vtkNBufferProjection::Set(
-  const double worldToClip[16], int width, int height, double depthQuantum, int largestCoordinate)
+void vtkNBufferProjection::Set(const double worldToClip[16], int width, int height,
+  double depthQuantum, int largestCoordinate, int subpixelBits)
 {
   this->Set(worldToClip, width, height, vtkNBufferDepthFormat::FromQuantum(depthQuantum),
-    largestCoordinate);
+    largestCoordinate, subpixelBits);
 }
 
 void vtkNBufferProjection::Set(const double worldToClip[16], int width, int height,
-  const vtkNBufferDepthFormat& format, int largestCoordinate)
+  const vtkNBufferDepthFormat& format, int largestCoordinate, int subpixelBits)
 {
   this->Width = width;
   this->Height = height;
-  this->Error.Set(format, std::max({ width, height, largestCoordinate }));
+  this->Error.Set(format, std::max({ width, height, largestCoordinate }), subpixelBits);
   // If there is no inverse all its elements are NaN, which every comparison below takes for
   // "unknown".
   const glm::dmat4 clipToWorld = vtkNBufferGLM::Invert(vtkNBufferGLM::ToMatrix(worldToClip));
@@ -162,7 +162,7 @@ vtkNBufferPlacement vtkNBufferProjection::Clip(
     {
       const int axis = side / 2;
       const double sign = side % 2 == 0 ? 1.0 : -1.0;
-      const double widening = 1.0 + 2.0 * vtkNBufferBoxError::GetBorder(box) / size[axis];
+      const double widening = 1.0 + 2.0 * this->Error.GetBorder(box, false) / size[axis];
       const double offset = widening * extent.GetErrors().w + extent.GetErrors()[axis];
       const auto distance = [&](const glm::dvec4& point)
       { return widening * point.w + sign * point[axis] + offset; };
@@ -189,22 +189,34 @@ vtkNBufferPlacement vtkNBufferProjection::Finish(
     return vtkNBufferPlacement::Crossing;
   }
   const int size[2] = { this->Width, this->Height };
-  const double border = vtkNBufferBoxError::GetBorder(box);
+  // Whether the device cuts nothing of the box at a side of the view.
+  const bool isWhole = !result.Clipped &&
+    glm::all(glm::greaterThanEqual(extent.Low, glm::dvec3(-1.0))) &&
+    glm::all(glm::lessThanEqual(extent.High, glm::dvec3(1.0)));
+  const double border = this->Error.GetBorder(box, isWhole);
   glm::ivec2 begin;
   glm::ivec2 end;
+  glm::ivec2 firstMiddle;
+  glm::ivec2 lastMiddle;
   for (int i = 0; i < 2; ++i)
   {
-    const double from = 0.5 * (extent.Low[i] + 1.0) * size[i] - border;
-    const double to = 0.5 * (extent.High[i] + 1.0) * size[i] + border;
-    if (to <= 0.0 || from >= size[i] || size[i] < 1)
+    const double low = 0.5 * (extent.Low[i] + 1.0) * size[i] - border;
+    const double high = 0.5 * (extent.High[i] + 1.0) * size[i] + border;
+    if (high <= 0.0 || low >= size[i] || size[i] < 1)
     {
       return vtkNBufferPlacement::Outside;
     }
-    begin[i] = static_cast<int>(std::floor(std::max(from, 0.0)));
-    end[i] = static_cast<int>(std::ceil(std::min(to, static_cast<double>(size[i]))));
+    const double from = std::max(low, 0.0);
+    const double to = std::min(high, static_cast<double>(size[i]));
+    begin[i] = static_cast<int>(std::floor(from));
+    end[i] = static_cast<int>(std::ceil(to));
+    firstMiddle[i] = static_cast<int>(std::ceil(from - 0.5));
+    lastMiddle[i] = static_cast<int>(std::floor(to - 0.5));
     result.Slack[i] = extent.Slack[i] + 2.0 * border / size[i];
   }
   result.Pixels = { begin.x, begin.y, end.x, end.y };
+  result.Middles = { firstMiddle.x, firstMiddle.y, lastMiddle.x + 1, lastMiddle.y + 1 };
+  result.Border = border;
   const vtkNBufferDepthFormat& format = this->Error.GetFormat();
   result.DepthRange = format.Scale * (extent.High.z - extent.Low.z);
   const double slack = this->Error.GetDepthSlack(extent.Low.z, result.DepthRange);
@@ -218,11 +230,10 @@ vtkNBufferPlacement vtkNBufferProjection::Finish(
 }
 
 vtkNBufferBoxError::TriangleErrors vtkNBufferProjection::GetTriangleErrors(
-  const vtkNBufferBox& box, const vtkNBufferScreenBox& screen) const
+  const vtkNBufferScreenBox& screen) const
 {
-  const double border = vtkNBufferBoxError::GetBorder(box);
-  const double position = std::max({ 0.5 * screen.Slack.x * this->Width - border,
-    0.5 * screen.Slack.y * this->Height - border, 0.0 });
+  const double position = std::max({ 0.5 * screen.Slack.x * this->Width - screen.Border,
+    0.5 * screen.Slack.y * this->Height - screen.Border, 0.0 });
   // What Finish() adds to the depths of the box without the part of R, and the vertices' errors.
   const double depth = this->Error.GetFormat().Scale * screen.Slack.z -
     this->Error.GetInterpolationSlack(screen.DepthRange);

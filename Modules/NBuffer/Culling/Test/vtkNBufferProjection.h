@@ -11,7 +11,8 @@
  *     outside    no fragment of the box can land in the viewport,
  *     crossing   the box reaches the near plane in view, or the eye: nothing is known about its
  *                pixels, and it counts as visible,
- *     inside     all fragments of the box land in `Pixels`, none of them nearer than `Nearest`.
+ *     inside     all fragments of the box land in `Pixels`, none of them nearer than `Nearest`;
+ *                those in the middles of pixels land in `Middles`.
  *
  * All depths are orders of distance (vtkNBufferDepthConvention.h), for VTK the window depth itself.
  *
@@ -23,6 +24,7 @@
 #include "vtkNBufferBoxError.h"
 #include "vtkNBufferMath.h"
 #include "vtkNBufferModule.h" // For export macro
+#include "vtkNBufferScreenBox.h"
 
 #include <algorithm>
 #include <array>
@@ -30,35 +32,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkNBufferClipExtent;
-
-/// Where a box is with respect to the view, see above.
-enum class vtkNBufferPlacement
-{
-  Outside,
-  Crossing,
-  Inside
-};
-
-/// What a box covers on the screen. It has a meaning only for boxes that are Inside.
-struct vtkNBufferScreenBox
-{
-  /// The pixels of the viewport that the box may cover, (0, 0) the lower left one; never empty.
-  vtkNBufferRectangle Pixels;
-  ///@{
-  /// Bounds of the depths of the box, as orders of distance: larger is farther. The slack has been
-  /// subtracted from the first and added to the second.
-  double Nearest = 0.0;
-  double Farthest = 1.0;
-  ///@}
-  /// The depth range R for which the slack of Nearest and Farthest allows (vtkNBufferBoxError.h).
-  double DepthRange = 1.0;
-  /// How far a drawn point may be from its exact place along x, y and z, in NDC.
-  glm::dvec3 Slack = glm::dvec3(0.0);
-  /// The largest clip coordinate w of the corners.
-  double MaximumW = 0.0;
-  /// Whether corners are behind the eye. In this case the part in view was cut out.
-  bool Clipped = false;
-};
 
 /// One camera, one viewport, one depth format.
 class VTKNBUFFER_EXPORT vtkNBufferProjection
@@ -73,15 +46,16 @@ public:
    * [-w, w]: vtkCamera's projection matrix for (aspect, -1, 1) times its model-view matrix. The
    * viewport is `width` x `height` pixels. `depthQuantum` is the step of the depth buffer's format,
    * see vtkNBufferDepthFormat::FromQuantum(). `largestCoordinate` says where the viewport ends in
-   * the window, in pixels, if it does not begin at 0.
+   * the window, in pixels, if it does not begin at 0. `subpixelBits` is that of the device
+   * (vtkNBufferGL::GetSubpixelBits()), of which OpenGL promises 4.
    *
    * The second form is for depths other than VTK's. Its matrix gives the z for which `format` is
    * made.
    */
   void Set(const double worldToClip[16], int width, int height, double depthQuantum,
-    int largestCoordinate = 0);
+    int largestCoordinate = 0, int subpixelBits = 4);
   void Set(const double worldToClip[16], int width, int height, const vtkNBufferDepthFormat& format,
-    int largestCoordinate = 0);
+    int largestCoordinate = 0, int subpixelBits = 4);
   ///@}
 
   int GetWidth() const { return this->Width; }
@@ -117,8 +91,7 @@ public:
   }
 
   /// How a device may draw one triangle of a box that is Inside.
-  vtkNBufferBoxError::TriangleErrors GetTriangleErrors(
-    const vtkNBufferBox& box, const vtkNBufferScreenBox& screen) const;
+  vtkNBufferBoxError::TriangleErrors GetTriangleErrors(const vtkNBufferScreenBox& screen) const;
 
   /// The rows of the matrix from model coordinates to (x, y, order, 1) times w, with x and y in
   /// pixels of the viewport. `toWorld` is the matrix from model to world coordinates.

@@ -49,10 +49,10 @@ void vtkNBufferSliverTest::Project(const vtkNBufferMesh& mesh, const double toWo
   }
 }
 
-bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, const double toWorld[16],
-  const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)
+bool vtkNBufferSliverTest::MayBeSeen(
+  const vtkNBufferMesh& mesh, const double toWorld[16], const vtkNBufferScreenBox& screen)
 {
-  const Errors errors = this->Projection.GetTriangleErrors(box, screen);
+  const Errors errors = this->Projection.GetTriangleErrors(screen);
   const double inverseSlope = 1.0 / errors.CoveredSlope;
   // Every vertex may be elsewhere by the diagonal of its error.
   const double heightError = 3.0 * errors.PositionError;

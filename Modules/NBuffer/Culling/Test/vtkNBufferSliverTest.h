@@ -62,10 +62,11 @@ public:
 
   /**
    * False only if nothing of the mesh can be seen, given that its box, which is Inside, was found
-   * hidden. `toWorld` is the matrix from model to world coordinates, row by row.
+   * hidden. `toWorld` is the matrix from model to world coordinates, row by row. `screen` is what
+   * projection.Project() gave for the box.
    */
-  bool MayBeSeen(const vtkNBufferMesh& mesh, const double toWorld[16], const vtkNBufferBox& box,
-    const vtkNBufferScreenBox& screen);
+  bool MayBeSeen(
+    const vtkNBufferMesh& mesh, const double toWorld[16], const vtkNBufferScreenBox& screen);
 
 private:
   using Errors = vtkNBufferBoxError::TriangleErrors;

@@ -70,6 +70,7 @@ bool AreBehind(const vtkNBufferProjection& projection, const vtkNBufferBox& box,
         // What is drawn of a piece also lies in the rectangle of the whole box. Without this cut a
         // piece, being a little too long, might need a level that the box does not need.
         part.Pixels = part.Pixels.GetIntersection(screen.Pixels);
+        part.Middles = part.Middles.GetIntersection(screen.Middles);
         projection.SetPiece(screen, part);
         if (!part.Pixels.IsEmpty() && !isBehind(part))
         {

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferScreenBox.h
+ * @brief Where a box lies on the screen. vtkNBufferProjection computes it. No OpenGL.
+ */
+#ifndef vtkNBufferScreenBox_h
+#define vtkNBufferScreenBox_h
+
+#include "vtkNBufferGLM.h"
+#include "vtkNBufferMath.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/// Where a box is with respect to the view, see vtkNBufferProjection.h.
+enum class vtkNBufferPlacement
+{
+  Outside,
+  Crossing,
+  Inside
+};
+
+/// What a box covers on the screen. It has a meaning only for boxes that are Inside.
+struct vtkNBufferScreenBox
+{
+  /// The pixels of the viewport that the box may cover, (0, 0) the lower left one; never empty.
+  vtkNBufferRectangle Pixels;
+  /// The pixels whose middles the box may cover. It is empty for a box that lies between middles.
+  vtkNBufferRectangle Middles;
+  ///@{
+  /// Bounds of the depths of the box, as orders of distance: larger is farther. The slack has been
+  /// subtracted from the first and added to the second.
+  double Nearest = 0.0;
+  double Farthest = 1.0;
+  ///@}
+  /// The depth range R for which the slack of Nearest and Farthest allows (vtkNBufferBoxError.h).
+  double DepthRange = 1.0;
+  /// How far a drawn point may be from its exact place along x, y and z, in NDC.
+  glm::dvec3 Slack = glm::dvec3(0.0);
+  /// The border in pixels that Slack contains in x and y (vtkNBufferBoxError.h).
+  double Border = 0.0;
+  /// The largest clip coordinate w of the corners.
+  double MaximumW = 0.0;
+  /// Whether corners are behind the eye. In this case the part in view was cut out.
+  bool Clipped = false;
+
+  /// The pixels in which the box may own a sample, given how far a sample may be from the middle of
+  /// its pixel in x and in y.
+  const vtkNBufferRectangle& GetSampled(double sampleDistance) const
+  {
+    return sampleDistance > 0.0 ? this->Pixels : this->Middles;
+  }
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
