@@ -33,9 +33,8 @@ void ViewOptions::AddTo(CLI::App& command)
 {
   command.add_option("--scene", this->SceneNames, this->SceneHelp)->capture_default_str();
   command.add_option("--path", this->Path,
-    "street, rooftop, drone, cuts or orbit, or a path that the scene has of its own; default: "
-    "street "
-    "in a city, orbit elsewhere");
+    "street, rooftop, drone, cuts, aside (few of the props in view) or orbit, or a path that the "
+    "scene has of its own; default: street in a city, orbit elsewhere");
   command
     .add_option_function<std::string>(
       "--size",

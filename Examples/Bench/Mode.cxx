@@ -41,7 +41,7 @@ const std::vector<std::string>& Mode::GetNames()
 {
   static const std::vector<std::string> names = []
   {
-    std::vector<std::string> all = { "stock", "none", "nbuffer", "oracle" };
+    std::vector<std::string> all = { "stock", "none", "nbuffer", "oracle", "in-view" };
     for (const QueryMode& mode : QueryModes)
     {
       all.emplace_back(mode.Name);
@@ -88,7 +88,7 @@ Mode::Mode(const std::string& name, const ModeOptions& options)
     ApplySettings(name, this->NBuffer);
     this->Cullers.push_back(this->NBuffer);
   }
-  if (name == "oracle")
+  if (name == "oracle" || name == "in-view")
   {
     this->Oracle = vtkSmartPointer<OracleCuller>::New();
     this->Cullers.push_back(this->Oracle);

@@ -287,7 +287,7 @@ private:
       }
     }
     const std::vector<std::string> modes = options.Modes;
-    options.Modes.emplace_back("none");
+    options.Modes.insert(options.Modes.end(), { "none", "in-view" });
     const std::uint64_t seed = this->Options.View.Seed;
     const CameraPath path = NBufferExamples::MakePath(scene, name, 480, seed);
     report["walk"] = RunWalk(session,

@@ -107,6 +107,26 @@ std::vector<std::vector<vtkProp*>> FindVisibleProps(
   return visible;
 }
 
+std::vector<std::vector<vtkProp*>> FindPropsInView(
+  Session& session, const NBufferExamples::CameraPath& path)
+{
+  std::vector<vtkProp*> props = session.GetProps();
+  props.erase(std::remove_if(props.begin(), props.end(),
+                [](vtkProp* prop) { return prop->GetVisibility() == 0; }),
+    props.end());
+  vtkNew<vtkFrustumCoverageCuller> frustum;
+  std::vector<std::vector<vtkProp*>> inView(path.size(), props);
+  for (std::size_t i = 0; i < path.size(); ++i)
+  {
+    session.SetPose(path[i]);
+    int count = static_cast<int>(props.size());
+    int initialized = 0;
+    frustum->Cull(session.GetRenderer(), inView[i].data(), count, initialized);
+    inView[i].resize(static_cast<std::size_t>(count));
+  }
+  return inView;
+}
+
 std::vector<int> FindPixelOwners(Session& session, const NBufferExamples::CameraPose& pose)
 {
   return Finder(session).Find(pose);

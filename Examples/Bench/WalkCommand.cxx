@@ -153,7 +153,8 @@ void AddWalkCommand(CLI::App& app, const std::string& program, Run& run)
   command
     ->add_option("--modes", options->Walk.Modes,
       "stock: VTK's default culler; none: no culler; nbuffer: vtkNBufferCuller; oracle: exactly "
-      "the props that own a pixel; queries, queries-conservative, queries-count: an occlusion "
+      "the props that own a pixel; in-view: exactly those in the view frustum; queries, "
+      "queries-conservative, queries-count: an occlusion "
       "query of the hardware for each prop, waited for; chc: coherent hierarchical culling by "
       "them. nbuffer also with settings of its own, such as nbuffer:RoundSize=16:BackOff=0")
     ->delimiter(',')
@@ -161,6 +162,11 @@ void AddWalkCommand(CLI::App& app, const std::string& program, Run& run)
     ->capture_default_str();
   command->add_option("--block", options->Walk.Block, "Timed frames of a mode in a row")
     ->check(CLI::Range(1, 1000))
+    ->capture_default_str();
+  command
+    ->add_option("--warm-up", options->Walk.WarmUp,
+      "Frames of each mode, forth and back along the path, before any is timed")
+    ->check(CLI::Range(1, 1000000))
     ->capture_default_str();
   command->add_flag(
     "--verify", options->Walk.Verify, "Compare every frame byte for byte with mode none");

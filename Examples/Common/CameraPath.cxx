@@ -77,6 +77,42 @@ CameraPath MakeRandomViews(const Scene& scene, int frames, Random& random)
   return path;
 }
 
+CameraPath MakeAside(const Scene& scene, int frames)
+{
+  constexpr std::size_t inView = 5;
+  const double diagonal = scene.GetBounds().GetDiagonalLength();
+  CameraPath path;
+  for (int i = 0; i < frames; ++i)
+  {
+    // The offset keeps the camera from looking along a row of copies, which all reach equally far.
+    CameraPose pose = LookFrom(scene, 2.0 * Pi * (i + 0.35) / frames, 0.0, 1.0);
+    const glm::dvec3 outward = glm::normalize(pose.Eye - pose.Target);
+    std::vector<glm::dvec3> corners; // The outermost one of each prop.
+    for (vtkActor* actor : scene.Actors)
+    {
+      const double* bounds = actor->GetBounds();
+      if (bounds && bounds[0] <= bounds[1])
+      {
+        corners.emplace_back(bounds[outward.x >= 0.0 ? 1 : 0], bounds[outward.y >= 0.0 ? 3 : 2],
+          bounds[outward.z >= 0.0 ? 5 : 4]);
+      }
+    }
+    const std::size_t last = std::min(inView, corners.size() - 1);
+    std::partial_sort(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(last + 1),
+      corners.end(),
+      [&outward](const glm::dvec3& a, const glm::dvec3& b)
+      { return glm::dot(a, outward) > glm::dot(b, outward); });
+    // Behind a prop that is in view, and no farther in than the first one that is not.
+    const glm::dvec3& ahead = corners[last / 2];
+    pose.Eye = ahead - glm::dot(ahead - corners[last], outward) * outward;
+    pose.Target = pose.Eye + outward;
+    pose.Near = 1e-5 * diagonal;
+    pose.Far = diagonal;
+    path.push_back(pose);
+  }
+  return path;
+}
+
 /// A pose above a point of the plan; `pitch` in degrees.
 CameraPose MakePose(const PlanPoint& eye, double height, const PlanPoint& heading, double pitch)
 {
@@ -211,7 +247,7 @@ void ApplyPose(const CameraPose& pose, const double bounds[6], vtkRenderer* rend
 
 CameraPath MakePath(const Scene& scene, const std::string& name, int frames, std::uint64_t seed)
 {
-  std::string known = "orbit, cuts";
+  std::string known = "orbit, cuts, aside";
   for (const auto& [own, make] : scene.Paths)
   {
     if (own == name)
@@ -223,6 +259,10 @@ CameraPath MakePath(const Scene& scene, const std::string& name, int frames, std
   if (name == "orbit")
   {
     return MakeOrbit(scene, frames);
+  }
+  if (name == "aside")
+  {
+    return MakeAside(scene, frames);
   }
   const bool isOfCity = name == "street" || name == "rooftop" || name == "drone" || name == "cuts";
   if (isOfCity && scene.Plan)

@@ -31,6 +31,8 @@ void ApplyPose(const CameraPose& pose, const double bounds[6], vtkRenderer* rend
  *     drone     straight over a city at 120 m, 2 m per frame, looking down obliquely
  *     cuts      in every frame another eye point, in a city at 1.7 m in a street, elsewhere around
  *               the scene, and another direction
+ *     aside     at the edge of the scene, all around it, looking away from it: at most five props
+ *               are in view
  *     orbit     once around the scene, looking at its centre
  *     inside, around, walk, between ...   the paths that the scene has of its own (Scene::Paths)
  *
