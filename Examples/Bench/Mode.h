@@ -25,12 +25,6 @@ class vtkRenderer;
 namespace NBufferBench
 {
 
-struct ModeOptions
-{
-  /// auto, opengl or cpu
-  std::string Backend = "auto";
-};
-
 class Mode
 {
 public:
@@ -39,11 +33,9 @@ public:
   /// exactly the props that own a pixel. in-view: exactly the props in the view frustum. queries,
   /// queries-conservative, queries-count: an occlusion query for each prop, of the exact, the
   /// conservative or the counting kind; the mode waits for each answer. chc: coherent hierarchical
-  /// culling by exact queries. Throws std::runtime_error for an unknown name.
-  Mode(const std::string& name, const ModeOptions& options);
-
-  /// Returns all names, without settings.
-  static const std::vector<std::string>& GetNames();
+  /// culling by exact queries. The back-end of nbuffer is auto, opengl or cpu. Throws
+  /// std::runtime_error for an unknown name.
+  explicit Mode(const std::string& name, const std::string& backend = "auto");
 
   const std::string& GetName() const { return this->Name; }
   /// Returns why the current context cannot run a mode, or an empty text if it can.

@@ -60,6 +60,10 @@ private:
   const std::vector<vtkProp*>* Props = nullptr;
 };
 
+/// Renders the given props, and no others, as OracleCuller does. Leaves the renderer without
+/// cullers.
+void RenderOnly(Session& session, const std::vector<vtkProp*>& props);
+
 } // namespace NBufferBench
 
 #endif

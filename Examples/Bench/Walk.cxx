@@ -18,8 +18,8 @@ using NBufferExamples::CameraPath;
 /// A mode and what its frames gave.
 struct Runner
 {
-  Runner(const std::string& name, const ModeOptions& options, std::size_t frames)
-    : Cullers(name, options)
+  Runner(const std::string& name, const std::string& backend, std::size_t frames)
+    : Cullers(name, backend)
     , Milliseconds(frames)
     , Drawn(frames)
   {
@@ -110,7 +110,7 @@ public:
   {
     for (const std::string& name : options.Modes)
     {
-      this->Runners.emplace_back(name, options.Mode, path.size());
+      this->Runners.emplace_back(name, options.Backend, path.size());
     }
   }
 
@@ -143,7 +143,7 @@ private:
       }
     }
     ShowProgress("uploading");
-    Mode all("none", this->Options.Mode);
+    Mode all("none");
     all.Enter(this->Where.GetRenderer());
     this->Where.SetPose(this->Path.front());
     this->Where.Render();

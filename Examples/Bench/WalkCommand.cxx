@@ -80,7 +80,7 @@ int RunWalkCommand(WalkCommandOptions& options)
   {
     ShowNearest(session, path.front(), options.Nearest);
   }
-  options.Walk.Mode = options.View.Mode;
+  options.Walk.Backend = options.View.Backend;
   Json::Value report = RunWalk(session, path, options.Walk);
   options.View.Describe(scene, session, report);
   report["props"] = options.Nearest > 0 ? options.Nearest : report["props"].asInt();
@@ -105,7 +105,7 @@ std::string CheckMode(std::string& name)
 {
   try
   {
-    const Mode mode(name, ModeOptions());
+    const Mode mode(name);
     return std::string();
   }
   catch (const std::runtime_error& error)
@@ -127,7 +127,7 @@ int RunFirst(const FirstOptions& options)
   const NBufferExamples::Scene scene = options.View.LoadScene();
   const NBufferExamples::CameraPath path = options.View.MakePath(scene, 1);
   Session& session = Session::New(scene, options.View.Window);
-  Mode mode(options.Mode, options.View.Mode);
+  Mode mode(options.Mode, options.View.Backend);
   mode.Enter(session.GetRenderer());
   session.SetPose(path.front());
   Json::Value report;
@@ -147,8 +147,7 @@ void AddWalkCommand(CLI::App& app, const std::string& program, Run& run)
   CLI::App* command = app.add_subcommand(
     "walk", "Time the frames of a camera path in several modes, interleaved in one run");
   auto options = std::make_shared<WalkCommandOptions>();
-  options->View.Program = program;
-  options->View.AddTo(*command);
+  options->View.AddTo(*command, program);
   options->View.AddCullerTo(*command);
   command
     ->add_option("--modes", options->Walk.Modes,
@@ -203,8 +202,7 @@ void AddFirstCommand(CLI::App& app, const std::string& program, Run& run)
     "Time the first image of this process: uploads and shaders, but not the context. Run it "
     "several times for a median");
   auto options = std::make_shared<FirstOptions>();
-  options->View.Program = program;
-  options->View.AddTo(*command);
+  options->View.AddTo(*command, program);
   options->View.AddCullerTo(*command);
   command->add_option("--mode", options->Mode, "stock, none or nbuffer")
     ->check(CLI::IsMember({ "stock", "none", "nbuffer" }))

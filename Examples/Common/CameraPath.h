@@ -7,7 +7,7 @@
 #ifndef CameraPath_h
 #define CameraPath_h
 
-#include "CameraPose.h"
+#include "Scene.h"
 
 #include <cstdint>
 #include <string>
@@ -16,7 +16,6 @@ class vtkRenderer;
 
 namespace NBufferExamples
 {
-struct Scene;
 
 /// Sets up the active camera of a renderer. `bounds` are those of the scene; they serve for near
 /// and far planes that the pose does not have.
