@@ -91,10 +91,12 @@ def mark_pareto(points, time, error):
 
 
 def cost_of_a_prop(walk):
-    """Microseconds that drawing one more prop takes."""
-    none, oracle = walk["modes"]["none"], walk["modes"]["oracle"]
-    props = none["drawn"] - oracle["drawn"]
-    return 1e3 * (none["median_ms"] - oracle["median_ms"]) / props if props > 0 else 0.0
+    """Microseconds that drawing one more of the props in view takes; nan without a mode in-view."""
+    if "in-view" not in walk["modes"]:
+        return math.nan
+    in_view, oracle = walk["modes"]["in-view"], walk["modes"]["oracle"]
+    props = in_view["drawn"] - oracle["drawn"]
+    return 1e3 * (in_view["median_ms"] - oracle["median_ms"]) / props if props > 0 else 0.0
 
 
 def structures(scene):

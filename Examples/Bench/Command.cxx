@@ -5,51 +5,24 @@
 #include "vtkVersion.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 #include <stdexcept>
 
 namespace NBufferBench
 {
-namespace
+void ViewOptions::AddTo(CLI::App& command, const std::string& program)
 {
-/// "960x720" to width and height; returns the complaint, empty if there is none.
-std::string ParseSize(const std::string& text, int& width, int& height)
-{
-  int used = 0;
-  const bool parsed = std::sscanf(text.c_str(), "%5dx%5d%n", &width, &height, &used) == 2 &&
-    static_cast<std::size_t>(used) == text.size();
-  const int largest = 16384;
-  if (!parsed || width < 1 || height < 1 || width > largest || height > largest)
-  {
-    return "expected WIDTHxHEIGHT in pixels, such as 960x720, not " + text;
-  }
-  return std::string();
-}
-
-}
-
-void ViewOptions::AddTo(CLI::App& command)
-{
+  this->Program = program;
   command.add_option("--scene", this->SceneNames, this->SceneHelp)->capture_default_str();
   command.add_option("--path", this->Path,
-    "street, rooftop, drone, cuts or orbit, or a path that the scene has of its own; default: "
-    "street "
-    "in a city, orbit elsewhere");
-  command
-    .add_option_function<std::string>(
-      "--size",
-      [this](const std::string& text)
-      {
-        const std::string complaint = ParseSize(text, this->Window.Width, this->Window.Height);
-        if (!complaint.empty())
-        {
-          throw CLI::ValidationError("--size", complaint);
-        }
-      },
-      "Size of the image in pixels")
+    "street, rooftop, drone, cuts, aside (few of the props in view) or orbit, or a path that the "
+    "scene has of its own; default: street in a city, orbit elsewhere");
+  command.add_option("--size", this->Window.Size, "Width and height of the image in pixels")
+    ->delimiter('x')
+    ->check(CLI::Range(1, 16384))
     ->type_name("WxH")
-    ->default_str(std::to_string(this->Window.Width) + "x" + std::to_string(this->Window.Height));
+    ->default_str(
+      std::to_string(this->Window.Size[0]) + "x" + std::to_string(this->Window.Size[1]));
   command.add_option("--frames", this->Frames, "Frames of the path")->check(CLI::Range(1, 1000000));
   command
     .add_option("--of", this->PathFrames,
@@ -68,7 +41,7 @@ void ViewOptions::AddTo(CLI::App& command)
 
 void ViewOptions::AddCullerTo(CLI::App& command)
 {
-  command.add_option("--backend", this->Mode.Backend, "Where vtkNBufferCuller builds its levels")
+  command.add_option("--backend", this->Backend, "Where vtkNBufferCuller builds its levels")
     ->check(CLI::IsMember({ "auto", "opengl", "cpu" }))
     ->capture_default_str();
 }
@@ -76,7 +49,7 @@ void ViewOptions::AddCullerTo(CLI::App& command)
 NBufferExamples::Scene ViewOptions::LoadScene() const
 {
   NBufferExamples::SceneOptions options;
-  options.DefaultCity = NBufferExamples::FindDefaultCity(this->Program);
+  options.Program = this->Program;
   options.Seed = this->Seed;
   options.Progress = ShowProgress;
   NBufferExamples::Scene scene = NBufferExamples::LoadScene(this->SceneNames, options);

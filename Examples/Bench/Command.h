@@ -43,17 +43,16 @@ struct ViewOptions
   std::uint64_t Seed = 1;
   int Props = 0;
   SessionOptions Window;
-  ModeOptions Mode;
+  std::string Backend = "auto"; ///< Or opengl or cpu: of vtkNBufferCuller.
 
   /// What --scene can be, for the help.
   std::string SceneHelp = "city, plant (synthetic), a city file, .bsp, .kicad_pcb or a folder of "
-                          "them (with :actors behind: "
-                          "all actors of VTK's importer), .glb, .gltf, .obj, .wrl, .vtm, .vtpc, or "
-                          "one or more .stl or .ply; each also as .gz";
+                          "them (with :actors behind: all actors of VTK's importer), .glb, .gltf, "
+                          ".obj, .wrl, .vtm, .vtpc, or one or more .stl or .ply; each also as .gz";
 
   ///@{
   /// Add the options to a subcommand; this object must outlive it.
-  void AddTo(CLI::App& command);
+  void AddTo(CLI::App& command, const std::string& program);
   void AddCullerTo(CLI::App& command);
   ///@}
 

@@ -29,42 +29,33 @@ constexpr QueryMode QueryModes[] = { { "queries", QueryMethod::Flat, QueryTarget
   { "queries-count", QueryMethod::Flat, QueryTarget::Samples },
   { "chc", QueryMethod::Coherent, QueryTarget::Any } };
 
-const QueryMode* FindQueryMode(const std::string& name)
+/// Returns the names of all modes, without settings.
+std::vector<std::string> GetNames()
 {
-  const auto found = std::find_if(std::begin(QueryModes), std::end(QueryModes),
-    [&name](const QueryMode& mode) { return name == mode.Name; });
-  return found == std::end(QueryModes) ? nullptr : found;
-}
-}
-
-const std::vector<std::string>& Mode::GetNames()
-{
-  static const std::vector<std::string> names = []
+  std::vector<std::string> names = { "stock", "none", "nbuffer", "oracle", "in-view" };
+  for (const QueryMode& mode : QueryModes)
   {
-    std::vector<std::string> all = { "stock", "none", "nbuffer", "oracle" };
-    for (const QueryMode& mode : QueryModes)
-    {
-      all.emplace_back(mode.Name);
-    }
-    return all;
-  }();
+    names.emplace_back(mode.Name);
+  }
   return names;
+}
 }
 
 std::string Mode::WhyNot(const std::string& name)
 {
-  const QueryMode* mode = FindQueryMode(name);
+  const QueryMode* mode = FindNamed(QueryModes, name);
   return mode ? NBufferPeers::BoxQueries::WhyNot(mode->Target) : "";
 }
 
-Mode::Mode(const std::string& name, const ModeOptions& options)
+Mode::Mode(const std::string& name, const std::string& backend)
   : Name(name)
 {
   const std::string kind = GetModeKind(name);
-  if (std::find(GetNames().begin(), GetNames().end(), kind) == GetNames().end())
+  const std::vector<std::string> names = GetNames();
+  if (std::find(names.begin(), names.end(), kind) == names.end())
   {
     std::string message = "no mode " + name + "; there are";
-    for (const std::string& other : GetNames())
+    for (const std::string& other : names)
     {
       message += " " + other;
     }
@@ -82,18 +73,18 @@ Mode::Mode(const std::string& name, const ModeOptions& options)
   if (isNBuffer)
   {
     this->NBuffer = vtkSmartPointer<vtkNBufferCuller>::New();
-    this->NBuffer->SetBackend(options.Backend == "cpu" ? vtkNBufferCuller::CPU
-        : options.Backend == "opengl"                  ? vtkNBufferCuller::OpenGL
-                                                       : vtkNBufferCuller::Auto);
+    this->NBuffer->SetBackend(backend == "cpu" ? vtkNBufferCuller::CPU
+        : backend == "opengl"                  ? vtkNBufferCuller::OpenGL
+                                               : vtkNBufferCuller::Auto);
     ApplySettings(name, this->NBuffer);
     this->Cullers.push_back(this->NBuffer);
   }
-  if (name == "oracle")
+  if (name == "oracle" || name == "in-view")
   {
     this->Oracle = vtkSmartPointer<OracleCuller>::New();
     this->Cullers.push_back(this->Oracle);
   }
-  if (const QueryMode* mode = FindQueryMode(name))
+  if (const QueryMode* mode = FindNamed(QueryModes, name))
   {
     this->Queries = vtkSmartPointer<NBufferPeers::QueryCuller>::New();
     this->Queries->SetMethod(mode->Method);

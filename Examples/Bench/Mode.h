@@ -25,25 +25,17 @@ class vtkRenderer;
 namespace NBufferBench
 {
 
-struct ModeOptions
-{
-  /// auto, opengl or cpu
-  std::string Backend = "auto";
-};
-
 class Mode
 {
 public:
   /// stock: VTK's default culler. none: no culler. nbuffer: the default culler and
   /// vtkNBufferCuller, added as a user adds it, or with settings, see ModeSettings.h. oracle:
-  /// exactly the props that own a pixel. queries, queries-conservative, queries-count: an occlusion
-  /// query for each prop, of the exact, the conservative or the counting kind; the mode waits for
-  /// each answer. chc: coherent hierarchical culling by exact queries. Throws std::runtime_error
-  /// for an unknown name.
-  Mode(const std::string& name, const ModeOptions& options);
-
-  /// Returns all names, without settings.
-  static const std::vector<std::string>& GetNames();
+  /// exactly the props that own a pixel. in-view: exactly the props in the view frustum. queries,
+  /// queries-conservative, queries-count: an occlusion query for each prop, of the exact, the
+  /// conservative or the counting kind; the mode waits for each answer. chc: coherent hierarchical
+  /// culling by exact queries. The back-end of nbuffer is auto, opengl or cpu. Throws
+  /// std::runtime_error for an unknown name.
+  explicit Mode(const std::string& name, const std::string& backend = "auto");
 
   const std::string& GetName() const { return this->Name; }
   /// Returns why the current context cannot run a mode, or an empty text if it can.
@@ -52,6 +44,7 @@ public:
   ///@{
   /// Return nullptr in modes that have no such culler.
   vtkNBufferCuller* GetNBufferCuller() { return this->NBuffer; }
+  /// The culler of oracle and in-view, which must be given the props of each frame.
   OracleCuller* GetOracleCuller() { return this->Oracle; }
   NBufferPeers::QueryCuller* GetQueryCuller() { return this->Queries; }
   ///@}

@@ -8,9 +8,7 @@
 #include "vtkNew.h"
 #include "vtkShadowVolumeClampPass.h"
 
-#include <algorithm>
 #include <charconv>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -60,9 +58,8 @@ constexpr Setting<vtkShadowVolumeClampPass> PassSettings[] = {
 template <typename Object, std::size_t N>
 const Setting<Object>& Find(const Setting<Object> (&settings)[N], const std::string& name)
 {
-  const auto* found = std::find_if(std::begin(settings), std::end(settings),
-    [&name](const Setting<Object>& setting) { return name == setting.Name; });
-  if (found == std::end(settings))
+  const Setting<Object>* found = FindNamed(settings, name);
+  if (!found)
   {
     std::string message = "no setting " + name + "; there are";
     for (const Setting<Object>& setting : settings)

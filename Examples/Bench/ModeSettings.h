@@ -12,6 +12,8 @@
 
 #include "vtk_jsoncpp.h"
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,15 @@ class vtkShadowVolumeClampPass;
 
 namespace NBufferBench
 {
+
+/// Returns the entry of an array that has a Name, or nullptr if there is none.
+template <typename Entry, std::size_t N>
+const Entry* FindNamed(const Entry (&entries)[N], const std::string& name)
+{
+  const Entry* found = std::find_if(std::begin(entries), std::end(entries),
+    [&name](const Entry& entry) { return name == entry.Name; });
+  return found == std::end(entries) ? nullptr : found;
+}
 
 /// Returns the name without settings.
 std::string GetModeKind(const std::string& mode);

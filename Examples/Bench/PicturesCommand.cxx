@@ -199,8 +199,8 @@ int RunPictures(const ViewOptions& view, const std::string& folder)
   session.GetRenderer()->SetBackground2(0.45, 0.65, 0.88);
   session.GetRenderer()->GradientBackgroundOn();
   const std::size_t middle = path.size() / 2;
-  Mode stock("stock", view.Mode);
-  Mode nbuffer("nbuffer", view.Mode);
+  Mode stock("stock");
+  Mode nbuffer("nbuffer", view.Backend);
   const Frame without = RenderFrame(session, path, middle, stock);
   const Frame with = RenderFrame(session, path, middle, nbuffer);
   const vtkIdType bytes = without.Pixels->GetNumberOfValues();
@@ -241,8 +241,7 @@ void AddPicturesCommand(CLI::App& app, const std::string& program, Run& run)
     "above, and levels of the N-buffer");
   auto view = std::make_shared<ViewOptions>();
   auto folder = std::make_shared<std::string>();
-  view->Program = program;
-  view->AddTo(*command);
+  view->AddTo(*command, program);
   view->AddCullerTo(*command);
   command->add_option("--out", *folder, "Folder for the pictures")->required();
   command->callback(

@@ -26,6 +26,21 @@ Json::Value Round(double value);
 /// Returns the members `median`, `p10` and `p90`.
 Json::Value Summarize(const std::vector<double>& values);
 
+/// Returns the first twenty of such places as lists of numbers.
+template <typename Places>
+Json::Value MakePlaces(const Places& places)
+{
+  Json::Value result(Json::arrayValue);
+  for (std::size_t i = 0; i < places.size() && i < 20; ++i)
+  {
+    for (int number : places[i])
+    {
+      result[static_cast<Json::ArrayIndex>(i)].append(number);
+    }
+  }
+  return result;
+}
+
 /// Adds `median_ms`, `p10_ms`, `p90_ms` and `frames_ms`, the time of each frame, to a mode.
 void AddTimes(Json::Value& mode, const std::vector<double>& milliseconds);
 
@@ -38,11 +53,8 @@ void AddRatios(Json::Value& report, const std::vector<std::string>& references);
 /// most frequent one.
 Json::Value GetMedian(const std::vector<Json::Value>& values);
 
-///@{
-/// Throws std::runtime_error if a text is not JSON.
-Json::Value Parse(const std::string& text);
+/// Throws std::exception if a text is not JSON.
 std::vector<Json::Value> ParseAll(const std::vector<std::string>& texts);
-///@}
 
 /// Does nothing without a file name. Throws std::runtime_error if the file cannot be written.
 void WriteJSON(const Json::Value& value, const std::string& fileName);

@@ -3,6 +3,7 @@
 #include "Session.h"
 
 #include "vtkCamera.h"
+#include "vtkCullerCollection.h"
 #include "vtkErrorCode.h"
 #include "vtkImageExtractComponents.h"
 #include "vtkNBufferVTKVersion.h"
@@ -13,7 +14,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
-#include <sstream>
+#include <regex>
 #include <stdexcept>
 
 namespace NBufferBench
@@ -34,7 +35,7 @@ Session::Session(const NBufferExamples::Scene& scene, const SessionOptions& opti
 {
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(options.Samples);
-  this->Window->SetSize(options.Width, options.Height);
+  this->Window->SetSize(options.Size[0], options.Size[1]);
   this->Window->AddRenderer(this->Renderer);
   scene.AddTo(this->Renderer);
   scene.GetBounds().GetBounds(this->Bounds);
@@ -70,6 +71,15 @@ std::vector<vtkProp*> Session::GetProps()
     props.push_back(prop);
   }
   return props;
+}
+
+void Session::SetCuller(vtkCuller* culler)
+{
+  this->Renderer->GetCullers()->RemoveAllItems();
+  if (culler)
+  {
+    this->Renderer->AddCuller(culler);
+  }
 }
 
 void Session::SetPose(const NBufferExamples::CameraPose& pose)
@@ -112,18 +122,10 @@ vtkSmartPointer<vtkImageData> Session::MakeImage(vtkUnsignedCharArray* rgba)
 std::string Session::GetDevice()
 {
   const char* text = this->Window->ReportCapabilities();
-  std::istringstream lines(text ? text : "");
-  const std::string key = "OpenGL renderer string:";
-  for (std::string line; std::getline(lines, line);)
-  {
-    const std::size_t at = line.find(key);
-    if (at != std::string::npos)
-    {
-      const std::size_t begin = line.find_first_not_of(' ', at + key.size());
-      return begin == std::string::npos ? std::string() : line.substr(begin);
-    }
-  }
-  return std::string();
+  std::cmatch found;
+  const bool isNamed =
+    text && std::regex_search(text, found, std::regex("OpenGL renderer string: *(.*)"));
+  return isNamed ? found[1].str() : std::string();
 }
 
 std::string Session::GetSize()
@@ -146,12 +148,7 @@ void WritePNG(vtkImageData* image, const std::string& fileName)
 
 void MakeFolder(const std::string& folder)
 {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder))
-  {
-    throw std::runtime_error("cannot make the folder " + folder + ": " + error.message());
-  }
+  std::filesystem::create_directories(folder);
 }
 
 } // namespace NBufferBench

@@ -17,10 +17,11 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <functional>
+#include <array>
 #include <string>
 #include <vector>
 
+class vtkCuller;
 class vtkProp;
 
 namespace NBufferBench
@@ -31,8 +32,7 @@ void ShowProgress(const std::string& text);
 
 struct SessionOptions
 {
-  int Width = 960;
-  int Height = 720;
+  std::array<int, 2> Size = { 960, 720 };
   int Samples = 0;
 };
 
@@ -54,6 +54,9 @@ public:
 
   /// Returns the props of the renderer, in the order of its list.
   std::vector<vtkProp*> GetProps();
+
+  /// Makes a culler the only one of the renderer; nullptr leaves the renderer without cullers.
+  void SetCuller(vtkCuller* culler = nullptr);
 
   /// Moves the camera. The camera counts as changed even when the pose is the one of the last
   /// frame, because another mode may have rendered that frame.
@@ -84,7 +87,7 @@ private:
 };
 
 ///@{
-/// Throw std::runtime_error if that is not possible.
+/// Throw std::exception if that is not possible.
 void WritePNG(vtkImageData* image, const std::string& fileName);
 void MakeFolder(const std::string& folder);
 ///@}

@@ -87,7 +87,7 @@ int RunShadowCommand(ShadowCommandOptions& options)
   }
   if (!options.GroundCasts)
   {
-    options.Walk.CasterKeys = MarkCasters(name, scene);
+    options.Walk.CasterKeys = MarkCasters(scene);
   }
   Json::Value report = RunShadowWalk(session, light, path, options.Walk);
   options.View.Describe(scene, session, report);
@@ -118,13 +118,11 @@ void AddShadowCommand(CLI::App& app, const std::string& program, Run& run)
   CLI::App* command = app.add_subcommand("shadow",
     "Time shadows in several modes, interleaved in one run, and count what the volumes cover");
   auto options = std::make_shared<ShadowCommandOptions>();
-  options->View.Program = program;
   options->View.SceneNames = { "city-sun" };
   options->View.SceneHelp = "city-sun, city-spot, birds (synthetic), simple, or a file that walk "
                             "knows";
-  options->View.Window.Width = 640;
-  options->View.Window.Height = 480;
-  options->View.AddTo(*command);
+  options->View.Window.Size = { 640, 480 };
+  options->View.AddTo(*command, program);
   command
     ->add_option("--modes", options->Walk.Modes,
       "none; of vtkShadowVolumeClampPass unclamped, cull (whole volumes of casters with "

@@ -15,9 +15,7 @@
 #include "vtkShadowMapPass.h"
 #include "vtkShadowVolumeClampPass.h"
 
-#include <algorithm>
 #include <cstdio>
-#include <iterator>
 #include <stdexcept>
 
 namespace NBufferBench
@@ -34,14 +32,6 @@ using Pass = vtkShadowVolumeClampPass;
 constexpr VolumeKind VolumeKinds[] = { { "unclamped", Pass::Unclamped, 4 },
   { "cull", Pass::Culled, 4 }, { "auto", Pass::Automatic, 4 }, { "exact", Pass::Scissored, 4 },
   { "clamp", Pass::Clamped, 64 }, { "slabs", Pass::Clamped, 4 }, { "paper", Pass::Clamped, 64 } };
-
-const VolumeKind* FindVolumeKind(const std::string& name)
-{
-  const auto* end = std::end(VolumeKinds);
-  const auto* found = std::find_if(
-    std::begin(VolumeKinds), end, [&name](const VolumeKind& kind) { return name == kind.Name; });
-  return found == end ? nullptr : found;
-}
 
 vtkSmartPointer<vtkRenderPass> MakeShadowMaps(int resolution)
 {
@@ -65,7 +55,7 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   : Name(name)
   , Kind(name.substr(0, name.find_first_of("@:")))
   , Litmap(litmap)
-  , IsVolumes(FindVolumeKind(Kind) != nullptr)
+  , IsVolumes(FindNamed(VolumeKinds, Kind) != nullptr)
 {
   const std::string sized = GetModeKind(name);
   const bool isSized = this->Kind != sized;
@@ -80,9 +70,8 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
   {
     throw std::runtime_error("no mode " + name +
       "; there are none, unclamped, cull, auto, exact, clamp, slabs, paper and vtk, all but the "
-      "first two "
-      "also with a resolution of 1 to 9999, such as exact@64, and those of volumes with settings, "
-      "such as slabs@64:SlabGap=2");
+      "first two also with a resolution of 1 to 9999, such as exact@64, and those of volumes with "
+      "settings, such as slabs@64:SlabGap=2");
   }
   if (this->IsVolumes)
   {
@@ -101,13 +90,13 @@ ShadowMode::ShadowMode(const std::string& name, int litmap, vtkShadowVolumeClamp
 
 bool ShadowMode::IsExact(const std::string& name)
 {
-  const VolumeKind* kind = FindVolumeKind(name.substr(0, name.find_first_of("@:")));
+  const VolumeKind* kind = FindNamed(VolumeKinds, name.substr(0, name.find_first_of("@:")));
   return kind && kind->Name != std::string("paper");
 }
 
 void ShadowMode::Enter(vtkRenderer* renderer) const
 {
-  if (const VolumeKind* kind = FindVolumeKind(this->Kind))
+  if (const VolumeKind* kind = FindNamed(VolumeKinds, this->Kind))
   {
     auto* volumes = static_cast<vtkShadowVolumeClampPass*>(this->Pass.GetPointer());
     volumes->SetMode(kind->Mode);

@@ -34,7 +34,9 @@ using NBufferExamples::Scene;
 /// A square slab, its top at height 0.
 void AddGround(Scene& scene, vtkPolyDataMapper* box, double side)
 {
-  AddPart(scene, box, 0.0, 0.0, -0.5, side, side, 1.0)->GetProperty()->SetColor(0.62, 0.66, 0.58);
+  AddPart(scene, box, { 0.0, 0.0, -0.5 }, { side, side, 1.0 })
+    ->GetProperty()
+    ->SetColor(0.62, 0.66, 0.58);
 }
 
 Scene MakeBirds(std::uint64_t seed)
@@ -55,7 +57,7 @@ Scene MakeBirds(std::uint64_t seed)
     const double x = random.Between(-45.0, 45.0);
     const double y = random.Between(-45.0, 45.0);
     const double width = random.Between(3.0, 6.0);
-    AddPart(scene, box, x, y, 0.5 * height, width, random.Between(3.0, 6.0), height);
+    AddPart(scene, box, { x, y, 0.5 * height }, { width, random.Between(3.0, 6.0), height });
   }
   for (int i = 0; i < 400; ++i)
   {
@@ -63,7 +65,7 @@ Scene MakeBirds(std::uint64_t seed)
     const double y = random.Between(-50.0, 50.0);
     const double z = random.Between(10.0, 30.0);
     const double size = random.Between(0.6, 1.8);
-    AddPart(scene, bird, x, y, z, size, size, size);
+    AddPart(scene, bird, { x, y, z }, glm::dvec3(size));
   }
   return scene;
 }
@@ -95,8 +97,8 @@ Scene MakeParts(std::uint64_t seed)
         : j < 6         ? random.Between(1.0, 3.0)
                         : random.Between(-1.0, 1.0);
     }
-    vtkActor* actor = AddPart(scene, parts[i % std::size(parts)], values[0], values[1], values[2],
-      values[3], values[4], values[5]);
+    vtkActor* actor = AddPart(scene, parts[i % std::size(parts)],
+      { values[0], values[1], values[2] }, { values[3], values[4], values[5] });
     actor->RotateWXYZ(random.Between(0.0, 360.0), values[6], values[7], values[8]);
   }
   return scene;
@@ -121,25 +123,10 @@ vtkSmartPointer<vtkLight> MakeSpot(const NBufferExamples::CameraPath& path, cons
   return light;
 }
 
-/// The name under which LoadScene knows the actors of a scene.
-std::vector<std::string> GetActorNames(std::vector<std::string> names)
+/// Returns whether a scene was made here, and not loaded.
+bool IsMadeHere(const Scene& scene)
 {
-  if (names.size() == 1 && (names[0] == "city-sun" || names[0] == "city-spot"))
-  {
-    names[0] = "city";
-  }
-  return names;
-}
-
-/// Whether the scene is made here.
-bool IsMadeScene(const std::string& name)
-{
-  return name == "birds" || name == "simple";
-}
-
-Scene MakeScene(const std::string& name, std::uint64_t seed)
-{
-  return name == "birds" ? MakeBirds(seed) : MakeParts(seed);
+  return scene.Name == "birds" || scene.Name == "simple";
 }
 }
 
@@ -187,9 +174,9 @@ vtkLight* LightScene(const std::string& name, const Scene& scene,
   return light;
 }
 
-vtkSmartPointer<vtkInformation> MarkCasters(const std::string& name, const Scene& scene)
+vtkSmartPointer<vtkInformation> MarkCasters(const Scene& scene)
 {
-  if (!scene.Plan && !IsMadeScene(name))
+  if (!scene.Plan && !IsMadeHere(scene))
   {
     return nullptr;
   }
@@ -213,11 +200,15 @@ vtkSmartPointer<vtkInformation> MarkCasters(const std::string& name, const Scene
 
 NBufferExamples::Scene LoadShadowScene(ViewOptions view)
 {
-  if (view.SceneNames.size() == 1 && IsMadeScene(view.SceneNames[0]))
+  const std::string name = view.SceneNames.size() == 1 ? view.SceneNames[0] : "";
+  if (name == "birds" || name == "simple")
   {
-    return MakeScene(view.SceneNames[0], view.Seed);
+    return name == "birds" ? MakeBirds(view.Seed) : MakeParts(view.Seed);
   }
-  view.SceneNames = GetActorNames(view.SceneNames);
+  if (name == "city-sun" || name == "city-spot")
+  {
+    view.SceneNames = { "city" };
+  }
   return view.LoadScene();
 }
 

@@ -54,8 +54,7 @@ vtkLight* LightScene(const std::string& name, const NBufferExamples::Scene& scen
 /// Gives a property key to all actors except the ground and the streets, and returns the key: as
 /// caster keys of the pass it makes the ground only receive shadows. Returns nullptr for scenes of
 /// files, whose parts cannot be distinguished.
-vtkSmartPointer<vtkInformation> MarkCasters(
-  const std::string& name, const NBufferExamples::Scene& scene);
+vtkSmartPointer<vtkInformation> MarkCasters(const NBufferExamples::Scene& scene);
 
 } // namespace NBufferBench
 

@@ -14,6 +14,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -37,10 +38,9 @@ struct OracleCounts
 {
   long long Samples = 0;
   long long Shadowed = 0;  ///< Samples that are in shadow by rays.
-  long long Wrong = 0;     ///< Samples that differ and are not ambiguous.
   long long Ambiguous = 0; ///< Samples that differ and are ambiguous.
-  /// Frame, x and y (from below) of the first wrong samples.
-  Json::Value Places = Json::Value(Json::arrayValue);
+  /// Frame, x and y (from below) of the samples that differ and are not ambiguous.
+  std::vector<std::array<int, 3>> Wrong;
 
   void Add(const Shadows& shadows, const OracleImage& expected, int frame)
   {
@@ -63,17 +63,8 @@ struct OracleCounts
         ++this->Ambiguous;
         continue;
       }
-      constexpr long long places = 20;
-      if (this->Wrong++ < places)
-      {
-        const int pixel = static_cast<int>(i);
-        Json::Value place;
-        for (int value : { frame, pixel % expected.Width, pixel / expected.Width })
-        {
-          place.append(value);
-        }
-        this->Places.append(place);
-      }
+      const int pixel = static_cast<int>(i);
+      this->Wrong.push_back({ frame, pixel % expected.Width, pixel / expected.Width });
     }
   }
 
@@ -82,9 +73,9 @@ struct OracleCounts
     Json::Value report;
     report["samples"] = static_cast<Json::Int64>(this->Samples);
     report["shadowed"] = static_cast<Json::Int64>(this->Shadowed);
-    report["wrong"] = static_cast<Json::Int64>(this->Wrong);
+    report["wrong"] = static_cast<Json::UInt64>(this->Wrong.size());
     report["ambiguous"] = static_cast<Json::Int64>(this->Ambiguous);
-    report["wrong_places"] = this->Places;
+    report["wrong_places"] = MakePlaces(this->Wrong);
     return report;
   }
 };
@@ -331,7 +322,7 @@ private:
   {
     const Runner* unclamped = this->Find("unclamped");
     const auto frames = static_cast<double>(this->Path.size());
-    long long wrong = 0;
+    std::size_t wrong = 0;
     for (const Runner& runner : this->Runners)
     {
       const std::string& name = runner.Mode.GetName();
@@ -353,14 +344,14 @@ private:
       {
         mode["must_be_exact"] = ShadowMode::IsExact(name);
         mode["oracle"] = runner.Oracle.GetReport();
-        wrong += ShadowMode::IsExact(name) ? runner.Oracle.Wrong : 0;
+        wrong += ShadowMode::IsExact(name) ? runner.Oracle.Wrong.size() : 0;
       }
     }
     AddRatios(report, { "unclamped", "none" });
     report["frames"] = static_cast<Json::UInt64>(this->Path.size());
     report["block"] = this->Options.Block;
     report["litmap"] = this->Options.Litmap;
-    report["wrong_samples"] = static_cast<Json::Int64>(wrong);
+    report["wrong_samples"] = static_cast<Json::UInt64>(wrong);
   }
 
   Session& Where;

@@ -12,7 +12,6 @@
 
 #include "Contender.h"
 #include "DepthFrame.h"
-#include "PotentiallyVisibleSet.h"
 
 #include "vtk_jsoncpp.h"
 
@@ -43,7 +42,7 @@ Json::Value MeasureFormats(
  * path. GetFragmentsObstacle() returns why that is impossible, or an empty text: draws are
  * distinguished by events of the mappers, which props must not share.
  */
-std::string GetFragmentsObstacle(vtkRenderer* renderer);
+std::string GetFragmentsObstacle(Session& session);
 Json::Value MeasureFragments(Session& session, const NBufferExamples::CameraPath& path,
   const std::vector<std::string>& modes, int frames);
 ///@}

@@ -14,9 +14,9 @@
 #include "Contest.h"
 
 #include <algorithm>
-#include <cctype>
 #include <iostream>
 #include <memory>
+#include <regex>
 
 namespace NBufferBench
 {
@@ -71,20 +71,8 @@ const std::vector<std::string> Peers = { "stock", "nbuffer", "queries", "queries
 
 std::string GetFileName(const std::string& text)
 {
-  std::string name;
-  for (char c : text)
-  {
-    if (std::isalnum(static_cast<unsigned char>(c)))
-    {
-      name += c;
-    }
-    else if (!name.empty() && name.back() != '-')
-    {
-      name += '-';
-    }
-  }
-  name.erase(name.find_last_not_of('-') + 1);
-  return name;
+  const std::string name = std::regex_replace(text, std::regex("[^[:alnum:]]+"), "-");
+  return std::regex_replace(name, std::regex("^-|-$"), "");
 }
 
 /// Returns poses that are far enough apart to be different work.
@@ -287,7 +275,7 @@ private:
       }
     }
     const std::vector<std::string> modes = options.Modes;
-    options.Modes.emplace_back("none");
+    options.Modes.insert(options.Modes.end(), { "none", "in-view" });
     const std::uint64_t seed = this->Options.View.Seed;
     const CameraPath path = NBufferExamples::MakePath(scene, name, 480, seed);
     report["walk"] = RunWalk(session,
@@ -296,7 +284,7 @@ private:
       options);
     report["walk"]["skipped"] = skipped;
     this->CountWrong("bytes of whole frames of " + name, report["walk"]["differing_bytes"]);
-    if (!this->Options.PathsOnly && GetFragmentsObstacle(session.GetRenderer()).empty())
+    if (!this->Options.PathsOnly && GetFragmentsObstacle(session).empty())
     {
       report["fragments"] = MeasureFragments(session, path, modes, this->Spent.FragmentFrames);
     }
@@ -369,8 +357,7 @@ void AddStudyCommand(CLI::App& app, const std::string& program, Run& run)
     "What accuracy costs in time: every depth structure on the same frames, and the paper's "
     "figures. Scripts/study.py adds other scenes, settings and shadows");
   auto options = std::make_shared<StudyOptions>();
-  options->View.Program = program;
-  options->View.AddTo(*command);
+  options->View.AddTo(*command, program);
   command->add_option("--json", options->JSON, "File for the figures");
   command->add_option("--out", options->Folder, "Folder for pictures of wrong frames")
     ->capture_default_str();

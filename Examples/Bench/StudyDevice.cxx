@@ -10,10 +10,10 @@
 #include "vtkNBufferDepthSource.h"
 #include "vtkNBufferTexture.h"
 
-#include "vtkCullerCollection.h"
 #include "vtkFrustumCoverageCuller.h"
 #include "vtkOpenGLRenderWindow.h"
 
+#include <map>
 #include <stdexcept>
 
 namespace NBufferBench
@@ -26,51 +26,25 @@ using NBufferPeers::SingleLevel;
 constexpr int AllLevels = 64;
 constexpr int LevelFactors[] = { 4, 8, 16 };
 
-/// Milliseconds of building levels once, on the device alone, and of reading the levels back; below
-/// 0 where that is not measured.
-struct Sample
-{
-  double Build = -1.0;
-  double Device = -1.0;
-  double Read = -1.0;
-};
+/// Milliseconds by their names in the report.
+using Times = std::map<std::string, std::vector<double>>;
 
-/// Calls measure() once for nothing and then `repetitions` times; the samples go to `row`.
+/// Calls measure(times) once for nothing and then `repetitions` times; returns what it measured.
 template <typename Measure>
-void Repeat(int repetitions, Json::Value& row, Measure&& measure)
+Json::Value Repeat(int repetitions, Measure&& measure)
 {
-  std::vector<double> times[3];
-  for (int i = 0; i <= repetitions; ++i)
+  Times times;
+  measure(times);
+  times.clear();
+  for (int i = 0; i < repetitions; ++i)
   {
-    const Sample sample = measure();
-    const double values[3] = { sample.Build, sample.Device, sample.Read };
-    for (int j = 0; j < 3; ++j)
-    {
-      if (i > 0 && values[j] >= 0.0)
-      {
-        times[j].push_back(values[j]);
-      }
-    }
+    measure(times);
   }
-  const char* const names[3] = { "build_ms", "device_ms", "read_ms" };
-  for (int j = 0; j < 3; ++j)
+  Json::Value row;
+  for (const auto& [name, milliseconds] : times)
   {
-    if (!times[j].empty())
-    {
-      row[names[j]] = Summarize(times[j]);
-    }
+    row[name] = Summarize(milliseconds);
   }
-}
-
-/// Returns the row of a table; `row` has its times.
-Json::Value MakeRow(
-  const char* name, int factor, int levels, int width, int height, Json::Value row)
-{
-  row["name"] = name;
-  row["factor"] = factor;
-  row["levels"] = levels;
-  row["texels"] = static_cast<Json::Int64>(levels) * vtkNBufferMath::GetBaseSize(width, factor) *
-    vtkNBufferMath::GetBaseSize(height, factor);
   return row;
 }
 
@@ -85,36 +59,72 @@ struct Drawn
   int GetHeight() const { return this->Source.Viewport[3]; }
 };
 
+/// Returns the row of a table; `row` has its times.
+Json::Value MakeRow(const Drawn& drawn, const char* name, int factor, int levels, Json::Value row)
+{
+  row["name"] = name;
+  row["factor"] = factor;
+  row["levels"] = levels;
+  row["texels"] = static_cast<Json::Int64>(levels) *
+    vtkNBufferMath::GetBaseSize(drawn.GetWidth(), factor) *
+    vtkNBufferMath::GetBaseSize(drawn.GetHeight(), factor);
+  return row;
+}
+
+void Check(bool done, const char* what, const std::string& why)
+{
+  if (!done)
+  {
+    throw std::runtime_error(what + why);
+  }
+}
+
+/// Measures building levels by build(), on the device alone by getDeviceTime() (not above 0 where
+/// that is not possible), and reading them back by read().
+template <typename Build, typename Read, typename GetDeviceTime>
+Json::Value RepeatOnDevice(
+  const Drawn& drawn, Build&& build, Read&& read, GetDeviceTime&& getDeviceTime)
+{
+  return Repeat(drawn.Repetitions,
+    [&](Times& times)
+    {
+      drawn.Window->WaitForCompletion();
+      vtkNBufferClock clock;
+      build();
+      drawn.Window->WaitForCompletion();
+      const double built = clock.Restart();
+      read();
+      const double read = clock.GetMilliseconds();
+      times["build_ms"].push_back(built);
+      times["read_ms"].push_back(read);
+      const double device = getDeviceTime();
+      if (device > 0.0)
+      {
+        times["device_ms"].push_back(device);
+      }
+    });
+}
+
 Json::Value MeasureModule(const Drawn& drawn, const char* name, int factor, int levels)
 {
   vtkNew<vtkNBufferTexture> texture;
   vtkNBufferLevels host;
-  Json::Value times;
-  Repeat(drawn.Repetitions, times,
+  const int* corner = drawn.Source.Viewport;
+  const Json::Value times = RepeatOnDevice(
+    drawn,
     [&]()
     {
-      Sample sample;
-      drawn.Window->WaitForCompletion();
-      vtkNBufferClock clock;
-      if (!texture->Build(drawn.Window, drawn.Source, drawn.Source.Viewport[0],
-            drawn.Source.Viewport[1], drawn.GetWidth(), drawn.GetHeight(), factor, levels,
-            vtkNBufferExtremum::Maximum))
-      {
-        throw std::runtime_error("no levels by OpenGL: " + texture->GetError());
-      }
-      drawn.Window->WaitForCompletion();
-      sample.Build = clock.Restart();
-      if (!texture->Download(drawn.Window, host))
-      {
-        throw std::runtime_error("levels cannot be read back: " + texture->GetError());
-      }
-      sample.Read = clock.GetMilliseconds();
-      const double device = texture->GetDeviceTime();
-      sample.Device = device > 0.0 ? device : -1.0;
-      return sample;
-    });
-  Json::Value row =
-    MakeRow(name, factor, texture->GetNumberOfLevels(), drawn.GetWidth(), drawn.GetHeight(), times);
+      Check(texture->Build(drawn.Window, drawn.Source, corner[0], corner[1], drawn.GetWidth(),
+              drawn.GetHeight(), factor, levels, vtkNBufferExtremum::Maximum),
+        "no levels by OpenGL: ", texture->GetError());
+    },
+    [&]()
+    {
+      Check(
+        texture->Download(drawn.Window, host), "levels cannot be read back: ", texture->GetError());
+    },
+    [&]() { return texture->GetDeviceTime(); });
+  Json::Value row = MakeRow(drawn, name, factor, texture->GetNumberOfLevels(), times);
   texture->ReleaseGraphicsResources(drawn.Window);
   return row;
 }
@@ -123,18 +133,17 @@ Json::Value MeasureHost(
   const Drawn& drawn, const std::vector<float>& depth, const char* name, int factor, int levels)
 {
   vtkNBufferLevels host;
-  Json::Value times;
-  Repeat(drawn.Repetitions, times,
-    [&]()
+  const Json::Value times = Repeat(drawn.Repetitions,
+    [&](Times& result)
     {
       const vtkNBufferClock clock;
       host.BuildBase(
         depth.data(), drawn.GetWidth(), drawn.GetHeight(), factor, vtkNBufferExtremum::Maximum);
       host.BuildLevels(levels);
-      return Sample{ clock.GetMilliseconds() };
+      const double built = clock.GetMilliseconds();
+      result["build_ms"].push_back(built);
     });
-  return MakeRow(
-    name, factor, host.GetNumberOfLevels(), drawn.GetWidth(), drawn.GetHeight(), times);
+  return MakeRow(drawn, name, factor, host.GetNumberOfLevels(), times);
 }
 
 Json::Value MeasureSingle(
@@ -145,46 +154,28 @@ Json::Value MeasureSingle(
   if (!obstacle.empty())
   {
     times["skipped"] = obstacle;
-    return MakeRow(name, factor, 1, drawn.GetWidth(), drawn.GetHeight(), times);
+    return MakeRow(drawn, name, factor, 1, times);
   }
   std::vector<float> level;
   std::string why;
-  Repeat(drawn.Repetitions, times,
-    [&]()
-    {
-      Sample sample;
-      drawn.Window->WaitForCompletion();
-      vtkNBufferClock clock;
-      const bool done = single.Reduce(method, factor, why);
-      drawn.Window->WaitForCompletion();
-      sample.Build = clock.Restart();
-      if (!done || !single.Download(level, why))
-      {
-        throw std::runtime_error("no level by OpenGL: " + why);
-      }
-      sample.Read = clock.GetMilliseconds();
-      sample.Device = single.GetDeviceTime();
-      return sample;
-    });
-  return MakeRow(name, factor, 1, drawn.GetWidth(), drawn.GetHeight(), times);
+  times = RepeatOnDevice(
+    drawn, [&]() { Check(single.Reduce(method, factor, why), "no level by OpenGL: ", why); },
+    [&]() { Check(single.Download(level, why), "no level by OpenGL: ", why); },
+    [&]() { return single.GetDeviceTime(); });
+  return MakeRow(drawn, name, factor, 1, times);
 }
 
 Json::Value MeasureBuilds(const Drawn& drawn)
 {
   std::vector<float> depth;
-  Json::Value result;
-  Repeat(drawn.Repetitions, result,
-    [&]()
+  Json::Value result = Repeat(drawn.Repetitions,
+    [&](Times& times)
     {
-      std::string why;
       drawn.Window->WaitForCompletion();
       const vtkNBufferClock clock;
-      if (!drawn.Source.Read(drawn.Window, drawn.Source.Viewport[0], drawn.Source.Viewport[1],
-            drawn.GetWidth(), drawn.GetHeight(), depth, why))
-      {
-        throw std::runtime_error("the depth cannot be read: " + why);
-      }
-      return Sample{ -1.0, -1.0, clock.GetMilliseconds() };
+      ReadDepth(drawn.Window, drawn.Source, depth);
+      const double read = clock.GetMilliseconds();
+      times["read_ms"].push_back(read);
     });
   result["width"] = drawn.GetWidth();
   result["height"] = drawn.GetHeight();
@@ -204,10 +195,8 @@ Json::Value MeasureBuilds(const Drawn& drawn)
   }
   SingleLevel single;
   std::string why;
-  if (!single.SetDepth(drawn.Window, depth, drawn.GetWidth(), drawn.GetHeight(), why))
-  {
-    throw std::runtime_error("no texture of depth: " + why);
-  }
+  Check(single.SetDepth(drawn.Window, depth, drawn.GetWidth(), drawn.GetHeight(), why),
+    "no texture of depth: ", why);
   for (int factor : LevelFactors)
   {
     rows.append(MeasureSingle(drawn, single, "pass", ReduceMethod::OnePass, factor));
@@ -222,15 +211,14 @@ Json::Value MeasureBuilds(const Drawn& drawn)
 Json::Value MeasureDrawing(
   Session& session, const NBufferExamples::CameraPose& pose, int repetitions)
 {
-  session.GetRenderer()->GetCullers()->RemoveAllItems();
-  session.GetRenderer()->AddCuller(vtkNew<vtkFrustumCoverageCuller>());
+  session.SetCuller(vtkNew<vtkFrustumCoverageCuller>());
   std::vector<double> milliseconds;
   for (int i = 0; i <= repetitions; ++i)
   {
     session.SetPose(pose);
     milliseconds.push_back(session.Render());
   }
-  session.GetRenderer()->GetCullers()->RemoveAllItems();
+  session.SetCuller();
   milliseconds.erase(milliseconds.begin()); // The first time does not count.
   return Summarize(milliseconds);
 }

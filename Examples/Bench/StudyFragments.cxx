@@ -3,6 +3,7 @@
 #include "Mode.h"
 #include "Report.h"
 #include "Study.h"
+#include "StudyFrames.h"
 #include "VisibleProps.h"
 
 #include "DrawStage.h"
@@ -12,10 +13,8 @@
 
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
-#include "vtkCullerCollection.h"
 #include "vtkMapper.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPropCollection.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -27,12 +26,9 @@ namespace NBufferBench
 namespace
 {
 template <typename Functor>
-void ForEachMapper(vtkRenderer* renderer, Functor&& functor)
+void ForEachMapper(Session& session, Functor&& functor)
 {
-  vtkPropCollection* props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator iterator;
-  props->InitTraversal(iterator);
-  while (vtkProp* prop = props->GetNextProp(iterator))
+  for (vtkProp* prop : session.GetProps())
   {
     auto* actor = vtkActor::SafeDownCast(prop);
     if (actor && actor->GetMapper())
@@ -46,7 +42,7 @@ void ForEachMapper(vtkRenderer* renderer, Functor&& functor)
 class Recorder
 {
 public:
-  explicit Recorder(vtkRenderer* renderer)
+  explicit Recorder(Session& session)
   {
     this->Observer->SetClientData(this);
     this->Observer->SetCallback(
@@ -55,12 +51,12 @@ public:
         auto* recorder = static_cast<Recorder*>(self);
         recorder->Draws.push_back(recorder->Props.at(mapper));
       });
-    const std::string why = GetFragmentsObstacle(renderer);
+    const std::string why = GetFragmentsObstacle(session);
     if (!why.empty())
     {
       throw std::runtime_error(why);
     }
-    ForEachMapper(renderer,
+    ForEachMapper(session,
       [this](vtkMapper* mapper, vtkProp* prop)
       {
         this->Props.emplace(mapper, prop);
@@ -100,13 +96,12 @@ long long CountShown(vtkRenderer* renderer)
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkNBufferDepthSource source;
   std::string why;
-  std::vector<float> depth;
-  if (!window || !source.Inspect(window, why) ||
-    !source.Read(window, source.Viewport[0], source.Viewport[1], source.Viewport[2],
-      source.Viewport[3], depth, why))
+  if (!window || !source.Inspect(window, why))
   {
     throw std::runtime_error("the depth cannot be read: " + why);
   }
+  std::vector<float> depth;
+  ReadDepth(window, source, depth);
   return std::count_if(depth.begin(), depth.end(), [](float value) { return value < 1.0f; });
 }
 
@@ -134,13 +129,7 @@ std::vector<GLuint> Replay(Session& session, const std::vector<vtkProp*>& draws,
     shown = CountShown(renderer);
     return static_cast<int>(draws.size());
   };
-  const std::vector<vtkProp*> list = { stage };
-  vtkNew<OracleCuller> culler;
-  culler->SetProps(&list);
-  session.GetRenderer()->GetCullers()->RemoveAllItems();
-  session.GetRenderer()->AddCuller(culler);
-  session.Render();
-  session.GetRenderer()->GetCullers()->RemoveAllItems();
+  RenderOnly(session, { stage });
   return samples;
 }
 
@@ -171,11 +160,11 @@ Fragments Count(
 }
 }
 
-std::string GetFragmentsObstacle(vtkRenderer* renderer)
+std::string GetFragmentsObstacle(Session& session)
 {
   std::unordered_set<vtkMapper*> mappers;
   bool shared = false;
-  ForEachMapper(renderer,
+  ForEachMapper(session,
     [&](vtkMapper* mapper, vtkProp*) { shared = !mappers.insert(mapper).second || shared; });
   return shared ? "props share a mapper, their draws cannot be told apart" : "";
 }
@@ -192,15 +181,13 @@ Json::Value MeasureFragments(Session& session, const NBufferExamples::CameraPath
     poses.push_back(path[places.back()]);
   }
   const std::vector<std::vector<vtkProp*>> visible = FindVisibleProps(session, poses);
-  ModeOptions options;
-  // Passes of the OpenGL back-end are no draws of props.
-  options.Backend = "cpu";
   Json::Value result(Json::objectValue);
   for (const std::string& name : modes)
   {
     ShowProgress("fragments of " + name);
     Fragments sum;
-    Mode mode(name, options);
+    // Passes of the OpenGL back-end are no draws of props.
+    Mode mode(name, "cpu");
     for (std::size_t i = 0; i < places.size(); ++i)
     {
       std::vector<vtkProp*> draws;
@@ -216,7 +203,7 @@ Json::Value MeasureFragments(Session& session, const NBufferExamples::CameraPath
         session.Render();
       }
       {
-        Recorder recorder(session.GetRenderer());
+        Recorder recorder(session);
         session.SetPose(path[places[i]]);
         session.Render();
         draws = recorder.Draws;

@@ -8,8 +8,7 @@
 
 #include "vtkNBufferCandidate.h"
 
-#include "vtkCommand.h"
-#include "vtkCullerCollection.h"
+#include "vtkCallbackCommand.h"
 #include "vtkFrustumCoverageCuller.h"
 #include "vtkOpenGLRenderWindow.h"
 
@@ -23,18 +22,6 @@ namespace
 using NBufferExamples::CameraPose;
 using NBufferStudy::DepthBox;
 using NBufferStudy::DepthFrame;
-
-/// Calls a function while the renderer's framebuffer is bound and its frame finished.
-class AtEnd : public vtkCommand
-{
-public:
-  static AtEnd* New() { return new AtEnd; }
-  vtkTypeMacro(AtEnd, vtkCommand);
-
-  void Execute(vtkObject*, unsigned long, void*) override { this->Function(); }
-
-  std::function<void()> Function;
-};
 
 std::vector<vtkNBufferCandidate> MakeCandidates(Session& session)
 {
@@ -60,19 +47,14 @@ void TakeBoxes(const std::vector<vtkNBufferCandidate>& candidates,
     }
     DepthBox box;
     box.Box = candidate.GetBox();
-    switch (frame.Projection.Project(box.Box, box.Screen))
+    const vtkNBufferPlacement placement = frame.Projection.Project(box.Box, box.Screen);
+    frame.Outside += placement == vtkNBufferPlacement::Outside ? 1 : 0;
+    frame.Crossing += placement == vtkNBufferPlacement::Crossing ? 1 : 0;
+    if (placement == vtkNBufferPlacement::Inside)
     {
-      case vtkNBufferPlacement::Outside:
-        ++frame.Outside;
-        break;
-      case vtkNBufferPlacement::Crossing:
-        ++frame.Crossing;
-        break;
-      case vtkNBufferPlacement::Inside:
-        box.Visible = visible.count(candidate.GetProp()) > 0;
-        box.Prop = static_cast<int>(i);
-        frame.Boxes.push_back(box);
-        break;
+      box.Visible = visible.count(candidate.GetProp()) > 0;
+      box.Prop = static_cast<int>(i);
+      frame.Boxes.push_back(box);
     }
   }
 }
@@ -83,8 +65,7 @@ void RenderAndInspect(Session& session, const CameraPose& pose,
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(session.GetWindow());
   std::string why = "no OpenGL window";
-  vtkNew<AtEnd> atEnd;
-  atEnd->Function = [&]()
+  std::function<void()> inspect = [&]()
   {
     vtkNBufferDepthSource source;
     if (window && source.Inspect(window, why))
@@ -93,6 +74,10 @@ void RenderAndInspect(Session& session, const CameraPose& pose,
       function(window, source);
     }
   };
+  vtkNew<vtkCallbackCommand> atEnd;
+  atEnd->SetClientData(&inspect);
+  atEnd->SetCallback([](vtkObject*, unsigned long, void* run, void*)
+    { (*static_cast<std::function<void()>*>(run))(); });
   session.SetPose(pose);
   const unsigned long tag = session.GetRenderer()->AddObserver(vtkCommand::EndEvent, atEnd);
   session.Render();
@@ -103,12 +88,21 @@ void RenderAndInspect(Session& session, const CameraPose& pose,
   }
 }
 
+void ReadDepth(
+  vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, std::vector<float>& depth)
+{
+  const int* viewport = source.Viewport;
+  std::string why;
+  if (!source.Read(window, viewport[0], viewport[1], viewport[2], viewport[3], depth, why))
+  {
+    throw std::runtime_error("the depth cannot be read: " + why);
+  }
+}
+
 std::vector<DepthFrame> CollectFrames(Session& session, const NBufferExamples::CameraPath& path)
 {
   const std::vector<std::vector<vtkProp*>> visible = FindVisibleProps(session, path);
-  session.GetRenderer()->GetCullers()->RemoveAllItems();
-  vtkNew<vtkFrustumCoverageCuller> frustum;
-  session.GetRenderer()->AddCuller(frustum);
+  session.SetCuller(vtkNew<vtkFrustumCoverageCuller>());
   const std::vector<vtkNBufferCandidate> candidates = MakeCandidates(session);
   std::vector<DepthFrame> frames(path.size());
   for (std::size_t i = 0; i < path.size(); ++i)
@@ -120,17 +114,12 @@ std::vector<DepthFrame> CollectFrames(Session& session, const NBufferExamples::C
         frame.Width = source.Viewport[2];
         frame.Height = source.Viewport[3];
         NBufferPeers::SetFrameProjection(session.GetRenderer(), source, frame.Projection);
-        std::string why;
-        if (!source.Read(window, source.Viewport[0], source.Viewport[1], frame.Width, frame.Height,
-              frame.Depth, why))
-        {
-          throw std::runtime_error("the depth cannot be read: " + why);
-        }
+        ReadDepth(window, source, frame.Depth);
       });
     TakeBoxes(
       candidates, std::unordered_set<vtkProp*>(visible[i].begin(), visible[i].end()), frame);
   }
-  session.GetRenderer()->GetCullers()->RemoveAllItems();
+  session.SetCuller();
   return frames;
 }
 

@@ -35,6 +35,10 @@ std::vector<vtkNBufferBox> CollectBoxes(Session& session);
 void RenderAndInspect(Session& session, const NBufferExamples::CameraPose& pose,
   const std::function<void(vtkOpenGLRenderWindow*, const vtkNBufferDepthSource&)>& function);
 
+/// Reads the depth of the whole viewport. Throws std::runtime_error if that is not possible.
+void ReadDepth(
+  vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, std::vector<float>& depth);
+
 } // namespace NBufferBench
 
 #endif

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace NBufferBench
 {
@@ -44,14 +45,11 @@ std::vector<vtkNBufferBox> MakeBoxes(
         {
           continue;
         }
-        const double shift[2] = { x * bounds.GetLength(0), y * bounds.GetLength(1) };
+        const glm::dvec3 shift(x * bounds.GetLength(0), y * bounds.GetLength(1), 0.0);
         for (vtkNBufferBox box : scene)
         {
-          for (int j = 0; j < 2; ++j)
-          {
-            box.Center[j] += shift[j];
-            box.Origin[j] += shift[j];
-          }
+          box.Center += shift;
+          box.Origin += shift;
           boxes.push_back(box);
         }
       }
@@ -64,7 +62,7 @@ std::vector<vtkNBufferBox> MakeBoxes(
   return boxes;
 }
 
-/// One way of finding out which of the boxes may be seen.
+/// One way of finding out which of the boxes may be seen; the counts are those of the last run.
 struct Way
 {
   std::vector<double> Milliseconds;
@@ -72,7 +70,30 @@ struct Way
   long long Lookups = 0;
   long long Kept = 0;
   long long Nodes = 0;
-  std::vector<char> Visible;
+
+  /// Times visit(isHidden). isHidden(box) returns whether a box is outside the view or hidden.
+  template <typename Visit>
+  void Run(const DepthFrame& frame, const vtkNBufferLevels& levels, Visit&& visit)
+  {
+    const vtkNBufferClock clock;
+    vtkNBufferOcclusionTest test(frame.Projection, levels, 8);
+    this->Tests = this->Kept = this->Nodes = 0;
+    visit(
+      [&](const vtkNBufferBox& box)
+      {
+        if (frame.Projection.IsOutside(box))
+        {
+          return true;
+        }
+        ++this->Tests;
+        vtkNBufferScreenBox screen;
+        const vtkNBufferPlacement placement = frame.Projection.Project(box, screen);
+        return placement == vtkNBufferPlacement::Outside ||
+          (placement == vtkNBufferPlacement::Inside && test.IsHidden(box, screen));
+      });
+    this->Milliseconds.push_back(clock.GetMilliseconds());
+    this->Lookups = test.GetLookups();
+  }
 
   Json::Value Report() const
   {
@@ -85,106 +106,6 @@ struct Way
     return value;
   }
 };
-
-class Tester
-{
-public:
-  Tester(const DepthFrame& frame, const vtkNBufferLevels& levels)
-    : Frame(frame)
-    , Levels(levels)
-  {
-  }
-
-  void RunFlat(const std::vector<vtkNBufferBox>& boxes, Way& way) const
-  {
-    const vtkNBufferClock clock;
-    vtkNBufferOcclusionTest test = this->Begin(boxes.size(), way);
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-    {
-      way.Visible[i] = !this->IsHidden(boxes[i], test, way);
-    }
-    this->End(clock, test, way);
-  }
-
-  void RunTree(
-    const std::vector<vtkNBufferBox>& boxes, const vtkNBufferHierarchy& tree, Way& way) const
-  {
-    const vtkNBufferClock clock;
-    vtkNBufferOcclusionTest test = this->Begin(boxes.size(), way);
-    tree.Visit(0,
-      [&](const vtkNBufferHierarchy::Node& node)
-      {
-        ++way.Nodes;
-        if (this->IsHidden(node.Box, test, way))
-        {
-          return false;
-        }
-        if (node.Left < 0)
-        {
-          for (int slot = node.Begin; slot < node.End; ++slot)
-          {
-            const auto place = static_cast<std::size_t>(tree.GetOrder()[slot]);
-            way.Visible[place] = !this->IsHidden(boxes[place], test, way);
-          }
-        }
-        return true;
-      });
-    this->End(clock, test, way);
-  }
-
-private:
-  bool MayBeSeen(const vtkNBufferBox& box, vtkNBufferOcclusionTest& test, Way& way) const
-  {
-    ++way.Nodes;
-    if (this->Frame.Projection.IsOutside(box))
-    {
-      return false;
-    }
-    ++way.Tests;
-    vtkNBufferScreenBox screen;
-    switch (this->Frame.Projection.Project(box, screen))
-    {
-      case vtkNBufferPlacement::Outside:
-        return false;
-      case vtkNBufferPlacement::Inside:
-        return !test.IsHidden(box, screen);
-      case vtkNBufferPlacement::Crossing:
-        break;
-    }
-    return true;
-  }
-
-  vtkNBufferOcclusionTest Begin(std::size_t count, Way& way) const
-  {
-    way.Tests = way.Nodes = 0;
-    way.Visible.assign(count, 0);
-    return vtkNBufferOcclusionTest(this->Frame.Projection, this->Levels, 8);
-  }
-
-  /// Returns whether a box is outside the view or hidden.
-  bool IsHidden(const vtkNBufferBox& box, vtkNBufferOcclusionTest& test, Way& way) const
-  {
-    if (this->Frame.Projection.IsOutside(box))
-    {
-      return true;
-    }
-    ++way.Tests;
-    vtkNBufferScreenBox screen;
-    const vtkNBufferPlacement placement = this->Frame.Projection.Project(box, screen);
-    return placement == vtkNBufferPlacement::Outside ||
-      (placement == vtkNBufferPlacement::Inside && test.IsHidden(box, screen));
-  }
-
-  static void End(const vtkNBufferClock& clock, const vtkNBufferOcclusionTest& test, Way& way)
-  {
-    way.Milliseconds.push_back(clock.GetMilliseconds());
-    way.Lookups = test.GetLookups();
-    way.Kept = std::count(way.Visible.begin(), way.Visible.end(), 1);
-  }
-
-  const DepthFrame& Frame;
-  const vtkNBufferLevels& Levels;
-};
 }
 
 Json::Value MeasureHierarchy(const DepthFrame& frame, const std::vector<vtkNBufferBox>& scene,
@@ -193,7 +114,6 @@ Json::Value MeasureHierarchy(const DepthFrame& frame, const std::vector<vtkNBuff
   vtkNBufferLevels levels;
   levels.BuildBase(frame.Depth.data(), frame.Width, frame.Height, 4, vtkNBufferExtremum::Maximum);
   levels.BuildLevels(64);
-  const Tester tester(frame, levels);
   Json::Value entries(Json::arrayValue);
   for (int count : { 1000, 3000, 10000, 30000, 100000, 300000, 1000000 })
   {
@@ -219,8 +139,25 @@ Json::Value MeasureHierarchy(const DepthFrame& frame, const std::vector<vtkNBuff
       }
       tree.Refit();
       refit.push_back(clock.GetMilliseconds());
-      tester.RunFlat(boxes, flat);
-      tester.RunTree(boxes, tree, hierarchy);
+      flat.Run(frame, levels,
+        [&](const auto& isHidden)
+        { flat.Kept = std::count_if(boxes.begin(), boxes.end(), std::not_fn(isHidden)); });
+      hierarchy.Run(frame, levels,
+        [&](const auto& isHidden)
+        {
+          tree.Visit(0,
+            [&](const vtkNBufferHierarchy::Node& node)
+            {
+              ++hierarchy.Nodes;
+              const bool hidden = isHidden(node.Box);
+              for (int slot = node.Begin; !hidden && node.Left < 0 && slot < node.End; ++slot)
+              {
+                const auto place = static_cast<std::size_t>(tree.GetOrder()[slot]);
+                hierarchy.Kept += isHidden(boxes[place]) ? 0 : 1;
+              }
+              return !hidden;
+            });
+        });
     }
     Json::Value entry;
     entry["props"] = count;

@@ -6,6 +6,7 @@
 
 #include "vtkNBufferCamera.h"
 
+#include <array>
 #include <stdexcept>
 
 namespace NBufferBench
@@ -100,8 +101,7 @@ Json::Value CheckKnown(Session& session, const PotentiallyVisibleSet& known,
   double visible = 0.0;
   Json::Int64 pixels = 0;
   Json::Int64 undrawn = 0;
-  Json::Int64 contradictions = 0;
-  Json::Value places(Json::arrayValue);
+  std::vector<std::array<int, 4>> contradictions; // Frame, x, y and prop.
   for (std::size_t i = 0; i < frames.size(); ++i)
   {
     const DepthFrame& frame = frames[i];
@@ -137,16 +137,7 @@ Json::Value CheckKnown(Session& session, const PotentiallyVisibleSet& known,
         ++undrawn;
         continue;
       }
-      ++contradictions;
-      if (places.size() < 20)
-      {
-        Json::Value where(Json::arrayValue);
-        for (int value : { static_cast<int>(i), x, y, owner })
-        {
-          where.append(value);
-        }
-        places.append(where);
-      }
+      contradictions.push_back({ static_cast<int>(i), x, y, owner });
     }
   }
   const auto count = static_cast<double>(frames.size());
@@ -156,8 +147,8 @@ Json::Value CheckKnown(Session& session, const PotentiallyVisibleSet& known,
   report["visible"] = Round(visible / count);
   report["pixels"] = pixels;
   report["undrawn_pixels"] = undrawn;
-  report["contradictions"] = contradictions;
-  report["places"] = places;
+  report["contradictions"] = static_cast<Json::UInt64>(contradictions.size());
+  report["places"] = MakePlaces(contradictions);
   return report;
 }
 

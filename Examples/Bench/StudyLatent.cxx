@@ -4,8 +4,6 @@
 #include "StudyFrames.h"
 #include "VisibleProps.h"
 
-#include "vtkCullerCollection.h"
-
 #include <algorithm>
 #include <unordered_set>
 
@@ -38,13 +36,8 @@ std::unordered_set<int> FindHidden(const DepthFrame& frame)
 vtkSmartPointer<vtkUnsignedCharArray> Draw(
   Session& session, const NBufferExamples::CameraPose& pose, const std::vector<vtkProp*>& props)
 {
-  vtkNew<OracleCuller> culler;
-  culler->SetProps(&props);
-  session.GetRenderer()->GetCullers()->RemoveAllItems();
-  session.GetRenderer()->AddCuller(culler);
   session.SetPose(pose);
-  session.Render();
-  session.GetRenderer()->GetCullers()->RemoveAllItems();
+  RenderOnly(session, props);
   return session.ReadPixels();
 }
 

@@ -3,8 +3,7 @@
 #include "Report.h"
 #include "Study.h"
 
-#include "BoxOutline.h"
-#include "OverCoverage.h"
+#include "PaperMeasures.h"
 
 #include "vtkNBufferHierarchy.h"
 #include "vtkNBufferOcclusionTest.h"

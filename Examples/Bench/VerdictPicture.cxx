@@ -3,7 +3,6 @@
 #include "VerdictPicture.h"
 
 #include "vtkCellArray.h"
-#include "vtkCullerCollection.h"
 #include "vtkMath.h"
 #include "vtkNBufferGLM.h"
 #include "vtkNew.h"
@@ -180,7 +179,7 @@ vtkSmartPointer<vtkImageData> MakeVerdictPicture(Session& session, const Scene& 
     renderer->AddViewProp(text);
   }
 
-  renderer->GetCullers()->RemoveAllItems();
+  session.SetCuller();
   session.SetPose({ axes.GetPlace(-0.62 * reach, 0.0, 0.85 * reach),
     axes.GetPlace(0.42 * reach, 0.0, 0.0), axes.Up, 45.0, 0.02 * reach, 100.0 * reach });
   session.Render();

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VisibleProps.h"
 
-#include "vtkCullerCollection.h"
 #include "vtkDataObject.h"
 #include "vtkFrustumCoverageCuller.h"
 #include "vtkHardwareSelector.h"
@@ -10,6 +9,7 @@
 #include "vtkProp.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -24,17 +24,14 @@ public:
   explicit Finder(Session& session)
     : Where(session)
   {
-    vtkRenderer* renderer = session.GetRenderer();
-    renderer->GetCullers()->RemoveAllItems();
-    vtkNew<vtkFrustumCoverageCuller> frustum;
-    renderer->AddCuller(frustum);
+    session.SetCuller(vtkNew<vtkFrustumCoverageCuller>());
     for (vtkProp* prop : session.GetProps())
     {
       this->Places.emplace(prop, static_cast<int>(this->Places.size()));
     }
     const int* size = session.GetWindow()->GetActualSize();
     this->Pixels = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
-    this->Selector->SetRenderer(renderer);
+    this->Selector->SetRenderer(session.GetRenderer());
     this->Selector->SetArea(
       0, 0, static_cast<unsigned int>(size[0] - 1), static_cast<unsigned int>(size[1] - 1));
     this->Selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
@@ -85,26 +82,37 @@ std::vector<std::vector<vtkProp*>> FindVisibleProps(
   for (const NBufferExamples::CameraPose& pose : path)
   {
     const std::vector<int> owners = finder.Find(pose);
-    std::vector<char> ownsPixel(props.size());
-    for (int place : owners)
-    {
-      if (place >= 0)
-      {
-        ownsPixel[static_cast<std::size_t>(place)] = 1;
-      }
-    }
+    std::set<int> places(owners.begin(), owners.end());
+    places.erase(-1); // The background.
     visible.emplace_back();
-    for (std::size_t place = 0; place < props.size(); ++place)
+    for (int place : places)
     {
-      if (ownsPixel[place])
-      {
-        visible.back().push_back(props[place]);
-      }
+      visible.back().push_back(props[static_cast<std::size_t>(place)]);
     }
     ShowProgress("finding which props own a pixel: frame " + std::to_string(visible.size()) +
       " of " + std::to_string(path.size()));
   }
   return visible;
+}
+
+std::vector<std::vector<vtkProp*>> FindPropsInView(
+  Session& session, const NBufferExamples::CameraPath& path)
+{
+  std::vector<vtkProp*> props = session.GetProps();
+  props.erase(std::remove_if(props.begin(), props.end(),
+                [](vtkProp* prop) { return prop->GetVisibility() == 0; }),
+    props.end());
+  vtkNew<vtkFrustumCoverageCuller> frustum;
+  std::vector<std::vector<vtkProp*>> inView(path.size(), props);
+  for (std::size_t i = 0; i < path.size(); ++i)
+  {
+    session.SetPose(path[i]);
+    int count = static_cast<int>(props.size());
+    int initialized = 0;
+    frustum->Cull(session.GetRenderer(), inView[i].data(), count, initialized);
+    inView[i].resize(static_cast<std::size_t>(count));
+  }
+  return inView;
 }
 
 std::vector<int> FindPixelOwners(Session& session, const NBufferExamples::CameraPose& pose)
@@ -129,6 +137,15 @@ double OracleCuller::Cull(
   }
   initialized = 1;
   return listLength;
+}
+
+void RenderOnly(Session& session, const std::vector<vtkProp*>& props)
+{
+  vtkNew<OracleCuller> culler;
+  culler->SetProps(&props);
+  session.SetCuller(culler);
+  session.Render();
+  session.SetCuller();
 }
 
 } // namespace NBufferBench

@@ -30,6 +30,10 @@ namespace NBufferBench
 std::vector<std::vector<vtkProp*>> FindVisibleProps(
   Session& session, const NBufferExamples::CameraPath& path);
 
+/// Returns, for every pose, the visible props that VTK's default culler draws, in the same order.
+std::vector<std::vector<vtkProp*>> FindPropsInView(
+  Session& session, const NBufferExamples::CameraPath& path);
+
 /// Returns, for every pixel, row 0 at the bottom, the place of its prop in the renderer's list, or
 /// -1 for the background. Shaders are left as above.
 std::vector<int> FindPixelOwners(Session& session, const NBufferExamples::CameraPose& pose);
@@ -55,6 +59,10 @@ public:
 private:
   const std::vector<vtkProp*>* Props = nullptr;
 };
+
+/// Renders the given props, and no others, as OracleCuller does. Leaves the renderer without
+/// cullers.
+void RenderOnly(Session& session, const std::vector<vtkProp*>& props);
 
 } // namespace NBufferBench
 

@@ -18,16 +18,18 @@ using NBufferExamples::CameraPath;
 /// A mode and what its frames gave.
 struct Runner
 {
-  Runner(const std::string& name, const ModeOptions& options, std::size_t frames)
-    : Cullers(name, options)
+  Runner(const std::string& name, const std::string& backend, std::size_t frames)
+    : Cullers(name, backend)
     , Milliseconds(frames)
     , Drawn(frames)
   {
   }
 
   Mode Cullers;
+  int Untimed = 0; ///< Frames that were drawn and not timed.
   ///@{
   /// By frame.
+  std::vector<std::vector<vtkProp*>> Given; ///< The props that OracleCuller draws.
   std::vector<double> Milliseconds;
   std::vector<double> Drawn;
   std::vector<long long> DifferingBytes;
@@ -108,7 +110,7 @@ public:
   {
     for (const std::string& name : options.Modes)
     {
-      this->Runners.emplace_back(name, options.Mode, path.size());
+      this->Runners.emplace_back(name, options.Backend, path.size());
     }
   }
 
@@ -128,16 +130,20 @@ public:
   }
 
 private:
-  /// Finds what the oracle needs; uploads and compiles everything.
+  /// Finds what oracle and in-view draw; uploads and compiles everything; lets each mode warm up.
   void Prepare()
   {
-    if (std::any_of(this->Runners.begin(), this->Runners.end(),
-          [](Runner& runner) { return runner.Cullers.GetOracleCuller() != nullptr; }))
+    for (Runner& runner : this->Runners)
     {
-      this->Visible = FindVisibleProps(this->Where, this->Path);
+      if (runner.Cullers.GetOracleCuller())
+      {
+        runner.Given = runner.Cullers.GetName() == "oracle"
+          ? FindVisibleProps(this->Where, this->Path)
+          : FindPropsInView(this->Where, this->Path);
+      }
     }
     ShowProgress("uploading");
-    Mode all("none", this->Options.Mode);
+    Mode all("none");
     all.Enter(this->Where.GetRenderer());
     this->Where.SetPose(this->Path.front());
     this->Where.Render();
@@ -145,16 +151,23 @@ private:
     for (Runner& runner : this->Runners)
     {
       runner.Cullers.Enter(this->Where.GetRenderer());
-      this->RenderFrame(runner.Cullers, 0);
+      const int frames = static_cast<int>(this->Path.size());
+      for (; runner.Untimed < this->Options.WarmUp; ++runner.Untimed)
+      {
+        const int place = runner.Untimed % (2 * frames);
+        this->RenderFrame(
+          runner, static_cast<std::size_t>(std::min(place, 2 * frames - 1 - place)));
+        ShowProgress("warming up " + runner.Cullers.GetName());
+      }
       runner.Cullers.Leave(this->Where.GetRenderer());
     }
   }
 
-  double RenderFrame(Mode& mode, std::size_t frame)
+  double RenderFrame(Runner& runner, std::size_t frame)
   {
-    if (OracleCuller* oracle = mode.GetOracleCuller())
+    if (OracleCuller* oracle = runner.Cullers.GetOracleCuller())
     {
-      oracle->SetProps(&this->Visible[frame]);
+      oracle->SetProps(&runner.Given[frame]);
     }
     this->Where.SetPose(this->Path[frame]);
     return this->Where.Render();
@@ -168,12 +181,13 @@ private:
     const std::size_t before = this->Options.Still ? begin : begin > 0 ? begin - 1 : 1;
     if (before < this->Path.size())
     {
-      this->RenderFrame(mode, before);
+      this->RenderFrame(runner, before);
+      ++runner.Untimed;
     }
     for (std::size_t frame = begin; frame < end; ++frame)
     {
       runner.Milliseconds[frame] =
-        this->Options.Still ? this->Where.Render() : this->RenderFrame(mode, frame);
+        this->Options.Still ? this->Where.Render() : this->RenderFrame(runner, frame);
       runner.Drawn[frame] = this->Where.GetRenderer()->GetNumberOfPropsRendered();
       if (vtkNBufferCuller* culler = mode.GetNBufferCuller())
       {
@@ -245,6 +259,7 @@ private:
       const std::string& name = runner.Cullers.GetName();
       Json::Value& mode = report["modes"][name];
       AddTimes(mode, runner.Milliseconds);
+      mode["untimed_frames"] = runner.Untimed;
       mode["drawn"] = GetQuantile(runner.Drawn, 0.5);
       for (double drawn : runner.Drawn)
       {
@@ -293,7 +308,6 @@ private:
   const CameraPath& Path;
   const WalkOptions& Options;
   std::vector<Runner> Runners;
-  std::vector<std::vector<vtkProp*>> Visible;
 };
 }
 

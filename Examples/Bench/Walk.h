@@ -48,7 +48,10 @@ void TakeTurns(
 struct WalkOptions
 {
   std::vector<std::string> Modes = { "stock", "none", "nbuffer", "oracle" };
-  ModeOptions Mode;
+  std::string Backend = "auto"; ///< Of Mode.
+  /// Frames of each mode that are drawn before any frame is timed: forth along the path, back, and
+  /// so on. The culler goes on learning about a scene for some hundred frames.
+  int WarmUp = 1;
   /// Whether every frame is compared with the same frame of mode none.
   bool Verify = false;
   /// Timed frames of a mode in a row.

@@ -80,7 +80,7 @@ int RunWalkCommand(WalkCommandOptions& options)
   {
     ShowNearest(session, path.front(), options.Nearest);
   }
-  options.Walk.Mode = options.View.Mode;
+  options.Walk.Backend = options.View.Backend;
   Json::Value report = RunWalk(session, path, options.Walk);
   options.View.Describe(scene, session, report);
   report["props"] = options.Nearest > 0 ? options.Nearest : report["props"].asInt();
@@ -105,7 +105,7 @@ std::string CheckMode(std::string& name)
 {
   try
   {
-    const Mode mode(name, ModeOptions());
+    const Mode mode(name);
     return std::string();
   }
   catch (const std::runtime_error& error)
@@ -127,7 +127,7 @@ int RunFirst(const FirstOptions& options)
   const NBufferExamples::Scene scene = options.View.LoadScene();
   const NBufferExamples::CameraPath path = options.View.MakePath(scene, 1);
   Session& session = Session::New(scene, options.View.Window);
-  Mode mode(options.Mode, options.View.Mode);
+  Mode mode(options.Mode, options.View.Backend);
   mode.Enter(session.GetRenderer());
   session.SetPose(path.front());
   Json::Value report;
@@ -147,13 +147,13 @@ void AddWalkCommand(CLI::App& app, const std::string& program, Run& run)
   CLI::App* command = app.add_subcommand(
     "walk", "Time the frames of a camera path in several modes, interleaved in one run");
   auto options = std::make_shared<WalkCommandOptions>();
-  options->View.Program = program;
-  options->View.AddTo(*command);
+  options->View.AddTo(*command, program);
   options->View.AddCullerTo(*command);
   command
     ->add_option("--modes", options->Walk.Modes,
       "stock: VTK's default culler; none: no culler; nbuffer: vtkNBufferCuller; oracle: exactly "
-      "the props that own a pixel; queries, queries-conservative, queries-count: an occlusion "
+      "the props that own a pixel; in-view: exactly those in the view frustum; queries, "
+      "queries-conservative, queries-count: an occlusion "
       "query of the hardware for each prop, waited for; chc: coherent hierarchical culling by "
       "them. nbuffer also with settings of its own, such as nbuffer:RoundSize=16:BackOff=0")
     ->delimiter(',')
@@ -161,6 +161,11 @@ void AddWalkCommand(CLI::App& app, const std::string& program, Run& run)
     ->capture_default_str();
   command->add_option("--block", options->Walk.Block, "Timed frames of a mode in a row")
     ->check(CLI::Range(1, 1000))
+    ->capture_default_str();
+  command
+    ->add_option("--warm-up", options->Walk.WarmUp,
+      "Frames of each mode, forth and back along the path, before any is timed")
+    ->check(CLI::Range(1, 1000000))
     ->capture_default_str();
   command->add_flag(
     "--verify", options->Walk.Verify, "Compare every frame byte for byte with mode none");
@@ -197,8 +202,7 @@ void AddFirstCommand(CLI::App& app, const std::string& program, Run& run)
     "Time the first image of this process: uploads and shaders, but not the context. Run it "
     "several times for a median");
   auto options = std::make_shared<FirstOptions>();
-  options->View.Program = program;
-  options->View.AddTo(*command);
+  options->View.AddTo(*command, program);
   options->View.AddCullerTo(*command);
   command->add_option("--mode", options->Mode, "stock, none or nbuffer")
     ->check(CLI::IsMember({ "stock", "none", "nbuffer" }))

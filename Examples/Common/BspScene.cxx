@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BspScene.h"
+#include "SceneKinds.h"
 
 #include "BspMap.h"
 #include "Compressed.h"
 #include "Parts.h"
-#include "PotentiallyVisibleSet.h"
 #include "Random.h"
 
 #include "vtkCellArray.h"
@@ -18,6 +17,8 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <regex>
+#include <set>
 #include <stdexcept>
 
 namespace NBufferExamples
@@ -96,17 +97,15 @@ public:
   {
     for (const std::vector<std::size_t>& part : parts)
     {
-      std::vector<int> clusters;
+      std::set<int> clusters;
       bool known = true;
       for (std::size_t face : part)
       {
         const std::vector<int>& more = this->Map->GetClusters(face);
         known = known && this->Map->IsWorld(face) && !more.empty();
-        clusters.insert(clusters.end(), more.begin(), more.end());
+        clusters.insert(more.begin(), more.end());
       }
-      std::sort(clusters.begin(), clusters.end());
-      clusters.erase(std::unique(clusters.begin(), clusters.end()), clusters.end());
-      this->Clusters.push_back(known ? clusters : std::vector<int>());
+      this->Clusters.push_back(known ? clusters : std::set<int>());
     }
   }
 
@@ -119,7 +118,7 @@ public:
     }
     std::vector<char> visible;
     visible.reserve(this->Clusters.size());
-    for (const std::vector<int>& clusters : this->Clusters)
+    for (const std::set<int>& clusters : this->Clusters)
     {
       visible.push_back(clusters.empty() ||
         std::any_of(
@@ -143,21 +142,19 @@ public:
 private:
   MapPointer Map;
   /// The clusters of each actor; none if they are unknown.
-  std::vector<std::vector<int>> Clusters;
+  std::vector<std::set<int>> Clusters;
 };
 
 /// Returns whether no opaque wall is within the clearance.
 bool IsFree(const BspMap& map, const BspPoint& eye)
 {
-  for (int i = 0; i < 27; ++i)
+  bool free = true;
+  for (int i = 0; i < 27 && free; ++i)
   {
     const BspPoint step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-    if (map.FindCluster(eye + Clearance * step) == BspMap::Opaque)
-    {
-      return false;
-    }
+    free = map.FindCluster(eye + Clearance * step) != BspMap::Opaque;
   }
-  return true;
+  return free;
 }
 
 std::vector<BspPoint> FindStarts(const BspMap& map)
@@ -183,8 +180,7 @@ CameraPath MakeWalk(const BspMap& map, int frames, std::uint64_t seed)
   if (starts.empty())
   {
     throw std::runtime_error(
-      "the map has no start of a player that is free of walls; take orbit or "
-      "cuts");
+      "the map has no start of a player that is free of walls; take orbit or cuts");
   }
   // Another start after each sixth, to see more of the map.
   const int stretch = std::max(10, (frames + 5) / 6);
@@ -221,16 +217,10 @@ CameraPath MakeWalk(const BspMap& map, int frames, std::uint64_t seed)
 /// Returns the file of a name, and the kind of its actors.
 std::pair<std::string, std::string> Split(const std::string& name)
 {
-  for (const char* parts : { "faces", "clusters" })
-  {
-    const std::string ending = std::string(":") + parts;
-    if (name.size() > ending.size() &&
-      name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
-    {
-      return { name.substr(0, name.size() - ending.size()), parts };
-    }
-  }
-  return { name, "faces" };
+  std::smatch words;
+  return std::regex_match(name, words, std::regex("(.+):(faces|clusters)"))
+    ? std::make_pair(words[1].str(), words[2].str())
+    : std::make_pair(name, std::string("faces"));
 }
 }
 
@@ -247,16 +237,8 @@ bool IsBspName(const std::string& name)
 Scene LoadBsp(const std::string& name)
 {
   const auto [file, parts] = Split(name);
-  MapPointer map;
-  try
-  {
-    map = std::make_shared<const BspMap>(ReadMaybeCompressed(file));
-  }
-  catch (const std::runtime_error& error)
-  {
-    const std::string what = error.what();
-    throw std::runtime_error(what.find(file) == std::string::npos ? file + ": " + what : what);
-  }
+  const MapPointer map =
+    ParseFile(file, [](const std::string& bytes) { return std::make_shared<const BspMap>(bytes); });
   const Parts faces = MakeParts(*map, parts == "clusters");
   if (faces.empty())
   {

@@ -7,6 +7,7 @@
 #include "StreetPlan.h"
 
 #include "vtkCamera.h"
+#include "vtkMath.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -17,8 +18,6 @@ namespace NBufferExamples
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 // The paths of a city.
 constexpr double EyeHeight = 1.7;      // metres
 constexpr double StreetStep = 0.5;     // metres per frame
@@ -60,19 +59,56 @@ CameraPath MakeOrbit(const Scene& scene, int frames)
   CameraPath path;
   for (int i = 0; i < frames; ++i)
   {
-    path.push_back(LookFrom(scene, 2.0 * Pi * i / frames, 0.35, FittingDistance));
+    path.push_back(LookFrom(scene, 2.0 * vtkMath::Pi() * i / frames, 0.35, FittingDistance));
   }
   return path;
 }
 
-CameraPath MakeRandomViews(const Scene& scene, int frames, Random& random)
+CameraPath MakeRandomViews(const Scene& scene, int frames, std::uint64_t seed)
 {
+  Random random(seed);
   CameraPath path;
   for (int i = 0; i < frames; ++i)
   {
-    const double azimuth = random.Between(0.0, 2.0 * Pi);
+    const double azimuth = random.Between(0.0, 2.0 * vtkMath::Pi());
     const double elevation = random.Between(-0.2, 1.0);
     path.push_back(LookFrom(scene, azimuth, elevation, random.Between(1.2, FittingDistance)));
+  }
+  return path;
+}
+
+CameraPath MakeAside(const Scene& scene, int frames)
+{
+  constexpr std::size_t inView = 5;
+  const double diagonal = scene.GetBounds().GetDiagonalLength();
+  CameraPath path;
+  for (int i = 0; i < frames; ++i)
+  {
+    // The offset keeps the camera from looking along a row of copies, which all reach equally far.
+    CameraPose pose = LookFrom(scene, 2.0 * vtkMath::Pi() * (i + 0.35) / frames, 0.0, 1.0);
+    const glm::dvec3 outward = glm::normalize(pose.Eye - pose.Target);
+    std::vector<glm::dvec3> corners; // The outermost one of each prop.
+    for (vtkActor* actor : scene.Actors)
+    {
+      const double* bounds = actor->GetBounds();
+      if (bounds && bounds[0] <= bounds[1])
+      {
+        corners.emplace_back(bounds[outward.x >= 0.0 ? 1 : 0], bounds[outward.y >= 0.0 ? 3 : 2],
+          bounds[outward.z >= 0.0 ? 5 : 4]);
+      }
+    }
+    const std::size_t last = std::min(inView, corners.size() - 1);
+    std::partial_sort(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(last + 1),
+      corners.end(),
+      [&outward](const glm::dvec3& a, const glm::dvec3& b)
+      { return glm::dot(a, outward) > glm::dot(b, outward); });
+    // Behind a prop that is in view, and no farther in than the first one that is not.
+    const glm::dvec3& ahead = corners[last / 2];
+    pose.Eye = ahead - glm::dot(ahead - corners[last], outward) * outward;
+    pose.Target = pose.Eye + outward;
+    pose.Near = 1e-5 * diagonal;
+    pose.Far = diagonal;
+    path.push_back(pose);
   }
   return path;
 }
@@ -81,8 +117,8 @@ CameraPath MakeRandomViews(const Scene& scene, int frames, Random& random)
 CameraPose MakePose(const PlanPoint& eye, double height, const PlanPoint& heading, double pitch)
 {
   const PlanPoint target = eye + heading / std::hypot(heading.x, heading.y);
-  return { { eye, height }, { target, height + std::tan(pitch * Pi / 180.0) }, { 0.0, 0.0, 1.0 },
-    ViewAngle, Near, Far };
+  return { { eye, height }, { target, height + std::tan(pitch * vtkMath::Pi() / 180.0) },
+    { 0.0, 0.0, 1.0 }, ViewAngle, Near, Far };
 }
 
 /// The direction of an angle in radians.
@@ -142,7 +178,7 @@ CameraPath MakeFlight(const StreetPlan& plan, int frames, Random& random)
     throw std::runtime_error("the city has no streets, and the drone flies over their corners");
   }
   const PlanPoint middle = points[random.Index(points.size())];
-  const PlanPoint heading = GetHeading(random.Between(0.0, 2.0 * Pi));
+  const PlanPoint heading = GetHeading(random.Between(0.0, 2.0 * vtkMath::Pi()));
   CameraPath path;
   for (int i = 0; i < frames; ++i)
   {
@@ -166,7 +202,8 @@ CameraPath MakeCityCuts(const StreetPlan& plan, int frames, Random& random)
   for (int i = 0; i < frames; ++i)
   {
     const PlanPoint& eye = points[random.Index(points.size())];
-    path.push_back(MakePose(eye, EyeHeight, GetHeading(random.Between(0.0, 2.0 * Pi)), 0.0));
+    path.push_back(
+      MakePose(eye, EyeHeight, GetHeading(random.Between(0.0, 2.0 * vtkMath::Pi())), 0.0));
   }
   return path;
 }
@@ -211,7 +248,7 @@ void ApplyPose(const CameraPose& pose, const double bounds[6], vtkRenderer* rend
 
 CameraPath MakePath(const Scene& scene, const std::string& name, int frames, std::uint64_t seed)
 {
-  std::string known = "orbit, cuts";
+  std::string known = "orbit, cuts, aside";
   for (const auto& [own, make] : scene.Paths)
   {
     if (own == name)
@@ -224,15 +261,17 @@ CameraPath MakePath(const Scene& scene, const std::string& name, int frames, std
   {
     return MakeOrbit(scene, frames);
   }
-  const bool isOfCity = name == "street" || name == "rooftop" || name == "drone" || name == "cuts";
-  if (isOfCity && scene.Plan)
+  if (name == "aside")
+  {
+    return MakeAside(scene, frames);
+  }
+  if (scene.Plan && (name == "street" || name == "rooftop" || name == "drone" || name == "cuts"))
   {
     return MakeCityPath(*scene.Plan, name, frames, seed);
   }
   if (name == "cuts")
   {
-    Random random(seed);
-    return MakeRandomViews(scene, frames, random);
+    return MakeRandomViews(scene, frames, seed);
   }
   throw std::runtime_error("no path " + name + " through " + scene.Name + "; there are " + known +
     (scene.Plan ? ", street, rooftop, drone" : ""));

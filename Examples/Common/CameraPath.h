@@ -7,7 +7,7 @@
 #ifndef CameraPath_h
 #define CameraPath_h
 
-#include "CameraPose.h"
+#include "Scene.h"
 
 #include <cstdint>
 #include <string>
@@ -16,7 +16,6 @@ class vtkRenderer;
 
 namespace NBufferExamples
 {
-struct Scene;
 
 /// Sets up the active camera of a renderer. `bounds` are those of the scene; they serve for near
 /// and far planes that the pose does not have.
@@ -31,6 +30,8 @@ void ApplyPose(const CameraPose& pose, const double bounds[6], vtkRenderer* rend
  *     drone     straight over a city at 120 m, 2 m per frame, looking down obliquely
  *     cuts      in every frame another eye point, in a city at 1.7 m in a street, elsewhere around
  *               the scene, and another direction
+ *     aside     at the edge of the scene, all around it, looking away from it: at most five props
+ *               are in view
  *     orbit     once around the scene, looking at its centre
  *     inside, around, walk, between ...   the paths that the scene has of its own (Scene::Paths)
  *

@@ -28,9 +28,6 @@ struct CityPoint
 {
   std::int32_t X = 0;
   std::int32_t Y = 0;
-
-  bool operator==(const CityPoint& other) const { return X == other.X && Y == other.Y; }
-  bool operator!=(const CityPoint& other) const { return !(*this == other); }
 };
 
 /// A closed line; its first point is not repeated at the end.

@@ -22,10 +22,13 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace NBufferExamples
 {
+using Actors = std::vector<vtkSmartPointer<vtkActor>>;
+
 namespace
 {
 constexpr double Foundation = -0.5;    // metres
@@ -216,8 +219,28 @@ vtkSmartPointer<vtkPolyData> MakeRibbons(const LinesByWidth& linesByWidth)
   return append->GetOutput();
 }
 
+/// The width of a street in metres.
+double GetStreetWidth(const std::string& kind)
+{
+  static const std::map<std::string, double> widths = { { "motorway", 14.0 }, { "trunk", 12.0 },
+    { "primary", 11.0 }, { "secondary", 9.0 }, { "tertiary", 8.0 }, { "residential", 6.5 },
+    { "living_street", 6.0 }, { "unclassified", 6.0 }, { "road", 6.0 }, { "pedestrian", 6.0 },
+    { "service", 4.0 }, { "track", 3.0 }, { "cycleway", 2.5 }, { "footway", 2.0 }, { "path", 1.8 },
+    { "steps", 2.0 } };
+  const auto found = widths.find(kind);
+  return found == widths.end() ? 6.0 : found->second; // The rest: links.
+}
+
+/// Whether cars drive on a street; otherwise it is a path for feet and bicycles.
+bool IsCarriageway(const std::string& kind)
+{
+  static const std::set<std::string> paths = { "pedestrian", "track", "cycleway", "footway", "path",
+    "steps", "bridleway" };
+  return paths.count(kind) == 0;
+}
+
 /// All streets of one sort as flat ribbons, one actor per tile of the plan.
-void AddStreets(const City& city, bool carriageways, const double color[3], CityActors& actors)
+void AddStreets(const City& city, bool carriageways, const double color[3], Actors& actors)
 {
   std::map<TileKey, LinesByWidth> tiles;
   for (const CityStreet& street : city.Streets)
@@ -234,7 +257,7 @@ void AddStreets(const City& city, bool carriageways, const double color[3], City
   }
   for (const auto& tile : tiles)
   {
-    actors.Surroundings.push_back(MakeActor(MakeRibbons(tile.second), color, Shading::Flat));
+    actors.push_back(MakeActor(MakeRibbons(tile.second), color, Shading::Flat));
   }
 }
 }
@@ -273,42 +296,17 @@ vtkSmartPointer<vtkPolyData> MakeBuilding(const CityBuilding& building)
   return data;
 }
 
-double GetStreetWidth(const std::string& kind)
+Actors MakeCityActors(const City& city)
 {
-  static const std::map<std::string, double> widths = { { "motorway", 14.0 }, { "trunk", 12.0 },
-    { "primary", 11.0 }, { "secondary", 9.0 }, { "tertiary", 8.0 }, { "residential", 6.5 },
-    { "living_street", 6.0 }, { "unclassified", 6.0 }, { "road", 6.0 }, { "pedestrian", 6.0 },
-    { "service", 4.0 }, { "track", 3.0 }, { "cycleway", 2.5 }, { "footway", 2.0 }, { "path", 1.8 },
-    { "steps", 2.0 } };
-  const auto found = widths.find(kind);
-  return found == widths.end() ? 6.0 : found->second; // The rest: links.
-}
-
-bool IsCarriageway(const std::string& kind)
-{
-  for (const char* path :
-    { "pedestrian", "track", "cycleway", "footway", "path", "steps", "bridleway" })
-  {
-    if (kind == path)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-CityActors MakeCityActors(const City& city)
-{
-  CityActors actors;
-  actors.Buildings.reserve(city.Buildings.size());
+  Actors actors;
   for (const CityBuilding& building : city.Buildings)
   {
-    actors.Buildings.push_back(
+    actors.push_back(
       MakeActor(MakeBuilding(building), GetBuildingColor(building).data(), Shading::Lit));
   }
   const double asphalt[3] = { 0.47, 0.48, 0.50 };
   const double gravel[3] = { 0.68, 0.64, 0.56 };
-  actors.Surroundings.push_back(MakeGround(city));
+  actors.push_back(MakeGround(city));
   AddStreets(city, true, asphalt, actors);
   AddStreets(city, false, gravel, actors);
   return actors;

@@ -28,23 +28,9 @@ namespace NBufferExamples
  */
 vtkSmartPointer<vtkPolyData> MakeBuilding(const CityBuilding& building);
 
-/// Returns the width in metres of a street of this kind.
-double GetStreetWidth(const std::string& kind);
-
-/// Returns whether cars drive on a street of this kind; otherwise it is a path for feet and
-/// bicycles.
-bool IsCarriageway(const std::string& kind);
-
-struct CityActors
-{
-  /// The buildings, in the order of City::Buildings.
-  std::vector<vtkSmartPointer<vtkActor>> Buildings;
-  /// The ground, then the carriageways and the paths in tiles of 1 km.
-  std::vector<vtkSmartPointer<vtkActor>> Surroundings;
-};
-
-/// Makes the actors of a city.
-CityActors MakeCityActors(const City& city);
+/// Makes the actors of a city: the buildings, in the order of City::Buildings, the ground, then the
+/// carriageways and the paths in tiles of 1 km.
+std::vector<vtkSmartPointer<vtkActor>> MakeCityActors(const City& city);
 
 /// Sets the light of a renderer, and the colour of the sky as its background.
 void LightCity(vtkRenderer* renderer);

@@ -9,19 +9,9 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
 
 namespace NBufferExamples
 {
-namespace
-{
-struct GzClose
-{
-  void operator()(gzFile_s* file) const { gzclose(file); }
-};
-using GzFile = std::unique_ptr<gzFile_s, GzClose>;
-}
-
 std::string ReadMaybeCompressed(const std::string& fileName, std::size_t limit)
 {
   if (std::filesystem::is_directory(fileName))
@@ -29,7 +19,7 @@ std::string ReadMaybeCompressed(const std::string& fileName, std::size_t limit)
     throw std::runtime_error(fileName + " is a folder, not a file");
   }
   errno = 0;
-  const GzFile file(gzopen(fileName.c_str(), "rb"));
+  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(fileName.c_str(), "rb"), gzclose);
   if (!file)
   {
     throw std::runtime_error("cannot open " + fileName + ": " + std::strerror(errno));

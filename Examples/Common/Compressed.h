@@ -7,6 +7,7 @@
 #ifndef Compressed_h
 #define Compressed_h
 
+#include <stdexcept>
 #include <string>
 
 namespace NBufferExamples
@@ -16,6 +17,21 @@ namespace NBufferExamples
 /// file. Throws std::runtime_error, with the name of the file and the cause, if it is missing,
 /// unreadable or damaged.
 std::string ReadMaybeCompressed(const std::string& fileName, std::size_t limit = std::string::npos);
+
+/// Returns parse(contents of a file). What parse() throws gets the name of the file.
+template <typename Parse>
+auto ParseFile(const std::string& fileName, Parse&& parse)
+{
+  const std::string contents = ReadMaybeCompressed(fileName);
+  try
+  {
+    return parse(contents);
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw std::runtime_error(fileName + ": " + error.what());
+  }
+}
 
 } // namespace NBufferExamples
 

@@ -19,7 +19,6 @@
 
 #include <vtksys/SystemTools.hxx>
 
-#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
@@ -32,17 +31,9 @@ Example::Example(const std::string& description, const std::string& feature)
 {
   this->App->add_option(
     "--out", this->Out, "Folder for pictures (PNG); without it a window opens, q closes it");
-  const auto setSize = [this](const std::string& text)
-  {
-    int* size = this->Size;
-    char end = 0;
-    if (std::sscanf(text.c_str(), "%5dx%5d%c", &size[0], &size[1], &end) != 2 || size[0] < 1 ||
-      size[1] < 1 || size[0] > 16384 || size[1] > 16384)
-    {
-      throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT in pixels, not " + text);
-    }
-  };
-  this->App->add_option_function<std::string>("--size", setSize, "Of the picture, in pixels")
+  this->App->add_option("--size", this->Size, "Of the picture, in pixels")
+    ->delimiter('x')
+    ->check(CLI::Range(1, 16384))
     ->type_name("WxH")
     ->default_str("960x720");
   this->App->add_flag_callback(
@@ -54,21 +45,16 @@ Example::Example(const std::string& description, const std::string& feature)
 
 Example::~Example() = default;
 
+template <typename Number>
 void Example::AddOption(
-  const std::string& name, double& value, const std::string& help, double lowest, double highest)
+  const std::string& name, Number& value, const std::string& help, Number lowest, Number highest)
 {
   this->App->add_option(name, value, help)
     ->check(CLI::Range(lowest, highest))
     ->capture_default_str();
 }
-
-void Example::AddOption(
-  const std::string& name, int& value, const std::string& help, int lowest, int highest)
-{
-  this->App->add_option(name, value, help)
-    ->check(CLI::Range(lowest, highest))
-    ->capture_default_str();
-}
+template void Example::AddOption(const std::string&, int&, const std::string&, int, int);
+template void Example::AddOption(const std::string&, double&, const std::string&, double, double);
 
 int Example::Run(int argc, char* argv[], const std::function<void()>& show)
 {
@@ -144,7 +130,7 @@ void Example::AddFill(double intensity)
 
 void Example::Show(const std::string& picture, vtkShadowVolumeClampPass* pass)
 {
-  this->Window->SetSize(this->Size);
+  this->Window->SetSize(this->Size[0], this->Size[1]);
   this->Window->SetWindowName(picture.c_str());
   if (this->Out.empty())
   {

@@ -38,14 +38,12 @@ public:
   Example(const std::string& description, const std::string& feature);
   ~Example();
 
-  ///@{
-  /// Add an option of the program's own: a number between `lowest` and `highest` that Run() writes
-  /// to `value`, which must outlive the example. What `value` holds before is the default.
+  /// Adds an option of the program's own: a number, int or double, between `lowest` and `highest`
+  /// that Run() writes to `value`, which must outlive the example. What `value` holds before is the
+  /// default.
+  template <typename Number>
   void AddOption(
-    const std::string& name, double& value, const std::string& help, double lowest, double highest);
-  void AddOption(
-    const std::string& name, int& value, const std::string& help, int lowest, int highest);
-  ///@}
+    const std::string& name, Number& value, const std::string& help, Number lowest, Number highest);
 
   /// Parses the options, calls `show`, and returns the result of main(): not 0 for wrong options
   /// and for exceptions of `show`, whose text is written to stderr.
@@ -84,7 +82,7 @@ public:
 private:
   std::unique_ptr<CLI::App> App;
   std::string Out;
-  int Size[2] = { 960, 720 };
+  std::array<int, 2> Size = { 960, 720 };
   bool On = true;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "KicadScene.h"
+#include "SceneKinds.h"
 
 #include "Compressed.h"
 #include "KicadBoard.h"
 #include "Parts.h"
-#include "SceneFiles.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellData.h"
@@ -27,6 +26,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <regex>
 #include <stdexcept>
 
 namespace NBufferExamples
@@ -200,24 +200,15 @@ vtkSmartPointer<vtkMatrix4x4> MakePlacement(
 
 KicadBoard ReadBoard(const fs::path& file)
 {
-  try
-  {
-    return ReadKicadBoard(ReadMaybeCompressed(file.string()));
-  }
-  catch (const std::runtime_error& error)
-  {
-    const std::string what = error.what();
-    throw std::runtime_error(
-      what.find(file.string()) == std::string::npos ? file.string() + ": " + what : what);
-  }
+  return ParseFile(file.string(), ReadKicadBoard);
 }
 
 class Builder
 {
 public:
-  Builder(const fs::path& folder, const std::function<void(const std::string&)>& progress)
+  Builder(const fs::path& folder, const Progress& progress)
     : Models(folder)
-    , Progress(progress)
+    , Report(progress)
   {
     vtkNew<vtkCubeSource> cube;
     this->Box = MakePartMapper(cube);
@@ -225,8 +216,8 @@ public:
 
   void AddBoard(const KicadBoard& board, double z)
   {
-    AddPart(this->Result, this->Box, 0.0, 0.0, z, board.High[0] - board.Low[0],
-      board.High[1] - board.Low[1], board.Thickness)
+    AddPart(this->Result, this->Box, { 0.0, 0.0, z },
+      { board.High[0] - board.Low[0], board.High[1] - board.Low[1], board.Thickness })
       ->GetProperty()
       ->SetColor(0.1, 0.35, 0.2);
   }
@@ -270,9 +261,9 @@ public:
         ": none of the models of its parts was found or could be read; they are in Debian's "
         "kicad-packages3d, and KICAD6_3DMODEL_DIR may name their folder");
     }
-    if (this->Progress && this->Missing > 0)
+    if (this->Missing > 0)
     {
-      this->Progress(name + ": " + std::to_string(this->Missing) + " of " +
+      this->Report(name + ": " + std::to_string(this->Missing) + " of " +
         std::to_string(this->Missing + this->Found) + " parts without a model that can be read");
     }
     this->Result.Name = name;
@@ -281,7 +272,7 @@ public:
 
 private:
   Library Models;
-  const std::function<void(const std::string&)>& Progress;
+  const NBufferExamples::Progress& Report;
   vtkSmartPointer<vtkPolyDataMapper> Box;
   Scene Result;
   int Found = 0;
@@ -337,7 +328,7 @@ CameraPath MakeOver(const KicadBoard& board, int frames)
   return path;
 }
 
-Scene LoadBoard(const fs::path& file, const std::function<void(const std::string&)>& progress)
+Scene LoadBoard(const fs::path& file, const Progress& progress)
 {
   const KicadBoard board = ReadBoard(file);
   Builder builder(file.parent_path(), progress);
@@ -355,14 +346,10 @@ Scene LoadBoard(const fs::path& file, const std::function<void(const std::string
 /// The name of a cage without what says that it is to be in pieces.
 std::string GetFolder(const std::string& name)
 {
-  static const std::string suffix = ":actors";
-  const bool inPieces = name.size() > suffix.size() &&
-    name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0;
-  return inPieces ? name.substr(0, name.size() - suffix.size()) : name;
+  return std::regex_replace(name, std::regex("(.):actors$"), "$1");
 }
 
-Scene LoadCage(
-  const fs::path& folder, bool inPieces, const std::function<void(const std::string&)>& progress)
+Scene LoadCage(const fs::path& folder, bool inPieces, const Progress& progress)
 {
   std::vector<KicadBoard> boards;
   for (const fs::path& file : FindBoards(folder))
@@ -403,7 +390,7 @@ bool IsKicadName(const std::string& name)
     (fs::is_directory(folder, ignored) && !FindBoards(folder).empty());
 }
 
-Scene LoadKicad(const std::string& name, const std::function<void(const std::string&)>& progress)
+Scene LoadKicad(const std::string& name, const Progress& progress)
 {
   const std::string folder = GetFolder(name);
   return fs::path(name).extension() == ".kicad_pcb" ? LoadBoard(name, progress)

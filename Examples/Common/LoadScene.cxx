@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LoadScene.h"
 
-#include "BspScene.h"
 #include "CityFile.h"
 #include "CityScene.h"
-#include "KicadScene.h"
-#include "Plant.h"
-#include "SceneFiles.h"
+#include "SceneKinds.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -20,22 +17,12 @@ namespace
 {
 namespace fs = std::filesystem;
 
-void Report(const SceneOptions& options, const std::string& text)
-{
-  if (options.Progress)
-  {
-    options.Progress(text);
-  }
-}
-
 Scene MakeCityScene(City city, const std::string& name, const SceneOptions& options)
 {
-  Report(options, "building " + std::to_string(city.Buildings.size()) + " actors");
+  options.Progress("building " + std::to_string(city.Buildings.size()) + " actors");
   Scene scene;
   scene.Name = name;
-  CityActors actors = MakeCityActors(city);
-  scene.Actors = std::move(actors.Buildings);
-  scene.Actors.insert(scene.Actors.end(), actors.Surroundings.begin(), actors.Surroundings.end());
+  scene.Actors = MakeCityActors(city);
   scene.Plan = std::make_shared<const City>(std::move(city));
   return scene;
 }
@@ -59,11 +46,6 @@ std::string FindData(const std::string& program, const std::string& name)
   return std::string();
 }
 
-std::string FindDefaultCity(const std::string& program)
-{
-  return FindData(program, "neubrandenburg.city");
-}
-
 Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& options)
 {
   if (names.empty())
@@ -71,16 +53,17 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
     throw std::runtime_error("no scene is named");
   }
   const std::string& name = names.front();
-  Report(options, "reading " + name);
+  options.Progress("reading " + name);
   Scene scene;
   if (name == "city")
   {
-    if (options.DefaultCity.empty())
+    const std::string file = FindData(options.Program, "neubrandenburg.city");
+    if (file.empty())
     {
       throw std::runtime_error(
         "neubrandenburg.city is neither installed nor in the source tree; name a city file");
     }
-    scene = MakeCityScene(ReadCity(options.DefaultCity), name, options);
+    scene = MakeCityScene(ReadCity(file), name, options);
   }
   else if (name == "plant")
   {

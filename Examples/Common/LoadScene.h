@@ -14,26 +14,23 @@ namespace NBufferExamples
 
 struct SceneOptions
 {
-  /// The city file that the name "city" stands for; see FindDefaultCity().
-  std::string DefaultCity;
+  /// argv[0], to search the file of the scene "city" with FindData().
+  std::string Program;
   /// The seed of the plant.
   std::uint64_t Seed = 1;
   /// A function that is called with a text that says what is being done.
-  std::function<void(const std::string&)> Progress;
+  std::function<void(const std::string&)> Progress = [](const std::string&) {};
 };
 
 /// Returns the path of a file that comes with the examples: next to an installed program (`program`
 /// is argv[0]) or in the source tree. Returns an empty text if the file is in neither place.
 std::string FindData(const std::string& program, const std::string& name);
 
-/// Returns the path of the city file that comes with the examples.
-std::string FindDefaultCity(const std::string& program);
-
 /**
- * Loads a scene by one name: "city", "plant" (Plant.h), a city file, a map (BspScene.h), a board or
- * a folder of boards (KicadScene.h), .glb, .gltf, .obj, .wrl, .vtm or .vtpc; or by one or more
- * names of .stl or .ply files. A file may also be compressed (.gz). Throws std::runtime_error with
- * the name of the file, the cause, and a remedy where there is one.
+ * Loads a scene by one name: "city", "plant", a city file, a map, a board or a folder of boards
+ * (all of SceneKinds.h), .glb, .gltf, .obj, .wrl, .vtm or .vtpc; or by one or more names of .stl or
+ * .ply files. A file may also be compressed (.gz). Throws std::runtime_error with the name of the
+ * file, the cause, and a remedy where there is one.
  */
 Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& options);
 

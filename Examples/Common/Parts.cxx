@@ -43,12 +43,12 @@ vtkActor* AddPart(Scene& scene, vtkPolyDataMapper* mapper)
   return actor;
 }
 
-vtkActor* AddPart(Scene& scene, vtkPolyDataMapper* mapper, double x, double y, double z,
-  double sizeX, double sizeY, double sizeZ)
+vtkActor* AddPart(
+  Scene& scene, vtkPolyDataMapper* mapper, const glm::dvec3& place, const glm::dvec3& size)
 {
   vtkActor* actor = AddPart(scene, mapper);
-  actor->SetPosition(x, y, z);
-  actor->SetScale(sizeX, sizeY, sizeZ);
+  actor->SetPosition(place.x, place.y, place.z);
+  actor->SetScale(size.x, size.y, size.z);
   return actor;
 }
 

@@ -34,8 +34,8 @@ void PaintPart(vtkActor* actor, std::size_t number, double value = 0.9);
 vtkActor* AddPart(Scene& scene, vtkPolyDataMapper* mapper);
 
 /// Adds such a part at a place and in a size.
-vtkActor* AddPart(Scene& scene, vtkPolyDataMapper* mapper, double x, double y, double z,
-  double sizeX, double sizeY, double sizeZ);
+vtkActor* AddPart(
+  Scene& scene, vtkPolyDataMapper* mapper, const glm::dvec3& place, const glm::dvec3& size);
 
 } // namespace NBufferExamples
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Plant.h"
+#include "SceneKinds.h"
 
 #include "Parts.h"
 #include "Random.h"
@@ -119,8 +119,7 @@ public:
 private:
   vtkActor* AddBlock(const Point& center, const Point& size)
   {
-    return AddPart(
-      this->Result, this->Box, center[0], center[1], center[2], size[0], size[1], size[2]);
+    return AddPart(this->Result, this->Box, center, size);
   }
 
   /// A cylinder, which VTK makes along y, along another axis.
@@ -183,12 +182,10 @@ private:
       if (piece > 6.0 * diameter && this->Numbers.Between(0.0, 1.0) < 0.12)
       {
         const Point place = at((i + 0.3) * piece);
-        AddPart(this->Result, this->Ball, place[0], place[1], place[2], 1.9 * diameter,
-          1.9 * diameter, 1.9 * diameter);
-        this->AddCylinder(this->Cylinder, { place[0], place[1], place[2] + diameter }, 2,
-          0.3 * diameter, 2.0 * diameter);
-        this->AddCylinder(this->Cylinder, { place[0], place[1], place[2] + 2.0 * diameter }, 2,
-          1.6 * diameter, 0.15 * diameter);
+        const Point up(0.0, 0.0, diameter);
+        AddPart(this->Result, this->Ball, place, Point(1.9 * diameter));
+        this->AddCylinder(this->Cylinder, place + up, 2, 0.3 * diameter, 2.0 * diameter);
+        this->AddCylinder(this->Cylinder, place + 2.0 * up, 2, 1.6 * diameter, 0.15 * diameter);
       }
     }
   }
@@ -261,7 +258,7 @@ private:
       const double diameter = this->Numbers.Between(6.0, 10.0);
       const double height = this->Numbers.Between(8.0, 15.0);
       this->AddCylinder(this->Drum, { x, y, 0.5 * height }, 2, diameter, height);
-      AddPart(this->Result, this->Ball, x, y, height, diameter, diameter, 0.35 * diameter);
+      AddPart(this->Result, this->Ball, { x, y, height }, { diameter, diameter, 0.35 * diameter });
       // To the first rack, and a ladder's rungs.
       this->AddPipe({ { x, y + 0.5 * diameter, 1.2 }, { x, GetRackPlace(0) - 6.0, 1.2 },
                       { x, GetRackPlace(0) - 6.0, 3.6 }, { x, GetRackPlace(0), 3.6 } },
@@ -286,8 +283,8 @@ private:
         this->AddCylinder(this->Drum, { x, y, z }, 0, diameter, length);
         for (double end : { -0.5, 0.5 })
         {
-          AddPart(
-            this->Result, this->Ball, x + end * length, y, z, 0.6 * diameter, diameter, diameter);
+          AddPart(this->Result, this->Ball, { x + end * length, y, z },
+            { 0.6 * diameter, diameter, diameter });
           this->AddBlock({ x + 0.6 * end * length, y, 0.4 }, { 0.3, diameter, 0.8 });
         }
         const double up = GetRackPlace(rack + 1) - 1.0;

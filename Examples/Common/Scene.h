@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Scene.h
- * @brief A scene of many actors, from any source.
+ * @brief A scene of many actors, from any source, and the ways of a camera through it.
  */
 #ifndef Scene_h
 #define Scene_h
 
-#include "CameraPose.h"
 #include "City.h"
+
+#include "vtkNBufferGLM.h"
 
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
@@ -26,7 +27,41 @@ class vtkRenderer;
 namespace NBufferExamples
 {
 
-class PotentiallyVisibleSet;
+/// The camera of a frame.
+struct CameraPose
+{
+  glm::dvec3 Eye = { 0.0, 0.0, 1.0 };
+  glm::dvec3 Target = { 0.0, 0.0, 0.0 };
+  glm::dvec3 Up = { 0.0, 1.0, 0.0 };
+  double ViewAngle = 30.0; ///< The vertical view angle in degrees.
+  ///@{
+  /// The distances of the near and the far plane. If both are 0, they are fitted to the scene.
+  double Near = 0.0;
+  double Far = 0.0;
+  ///@}
+};
+
+using CameraPath = std::vector<CameraPose>;
+
+/// What can be seen from where, computed beforehand and independently of any image.
+class PotentiallyVisibleSet
+{
+public:
+  virtual ~PotentiallyVisibleSet() = default;
+
+  /// Returns, for every actor in the order of the scene's list, 1 if it may be seen from the eye or
+  /// if the set knows nothing about it, else 0. Returns an empty list if the set knows nothing
+  /// about this eye.
+  virtual std::vector<char> Find(const glm::dvec3& eye) const = 0;
+
+  /// Returns whether the set knows something about an actor, given by its place in the list.
+  virtual bool IsKnown(int actor) const = 0;
+
+  /// Returns whether the straight line between two points leads through what the set takes for
+  /// opaque. What is seen along such a line is seen through something that is not drawn, and the
+  /// set says nothing about it.
+  virtual bool IsBlocked(const glm::dvec3& from, const glm::dvec3& to) const = 0;
+};
 
 struct Scene
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SceneFiles.h"
+#include "SceneKinds.h"
 
 #include "Compressed.h"
 #include "Parts.h"
@@ -122,11 +122,27 @@ vtkSmartPointer<vtkPolyData> ExtractCells(vtkPolyData* data, const std::vector<v
   return surface->GetOutput();
 }
 
-Actors ReadObj(const std::string& path, std::size_t)
+/// Returns a reader that has read a file.
+template <class Reader>
+vtkSmartPointer<Reader> Read(const std::string& path)
 {
-  vtkNew<vtkOBJReader> reader;
+  auto reader = vtkSmartPointer<Reader>::New();
   reader->SetFileName(path.c_str());
   reader->Update();
+  return reader;
+}
+
+template <class Importer>
+Actors Import(const std::string& path, std::size_t = 0)
+{
+  vtkNew<Importer> importer;
+  importer->SetFileName(path.c_str());
+  return ImportActors(importer);
+}
+
+Actors ReadObj(const std::string& path, std::size_t)
+{
+  const auto reader = Read<vtkOBJReader>(path);
   vtkPolyData* data = reader->GetOutput();
   vtkDataArray* groups = data->GetCellData()->GetArray("GroupIds");
   std::map<int, std::vector<vtkIdType>> cellsByGroup;
@@ -140,13 +156,7 @@ Actors ReadObj(const std::string& path, std::size_t)
   }
   if (cellsByGroup.size() < 2)
   {
-    if (data->GetNumberOfCells() == 0)
-    {
-      return Actors();
-    }
-    vtkNew<vtkOBJImporter> importer;
-    importer->SetFileName(path.c_str());
-    return ImportActors(importer);
+    return data->GetNumberOfCells() == 0 ? Actors() : Import<vtkOBJImporter>(path);
   }
   Actors actors;
   for (const auto& [group, cells] : cellsByGroup)
@@ -159,9 +169,7 @@ Actors ReadObj(const std::string& path, std::size_t)
 template <class Reader>
 Actors ReadSingle(const std::string& path, std::size_t index)
 {
-  vtkNew<Reader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
+  const auto reader = Read<Reader>(path);
   Actors actors;
   if (reader->GetOutput()->GetNumberOfCells() > 0)
   {
@@ -173,9 +181,7 @@ Actors ReadSingle(const std::string& path, std::size_t index)
 template <class Reader>
 Actors ReadComposite(const std::string& path, std::size_t)
 {
-  vtkNew<Reader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
+  const auto reader = Read<Reader>(path);
   Actors actors;
   auto* composite = vtkCompositeDataSet::SafeDownCast(reader->GetOutputDataObject(0));
   if (!composite)
@@ -200,14 +206,6 @@ Actors ReadComposite(const std::string& path, std::size_t)
     }
   }
   return actors;
-}
-
-template <class Importer>
-Actors Import(const std::string& path, std::size_t)
-{
-  vtkNew<Importer> importer;
-  importer->SetFileName(path.c_str());
-  return ImportActors(importer);
 }
 
 /// Reads a file whose first part has a number in the scene.
@@ -258,8 +256,7 @@ Actors ImportActors(vtkImporter* importer)
   return actors;
 }
 
-Scene ImportFiles(
-  const std::vector<std::string>& names, const std::function<void(const std::string&)>& progress)
+Scene ImportFiles(const std::vector<std::string>& names, const Progress& progress)
 {
   Scene scene;
   for (const std::string& name : names)
@@ -269,10 +266,7 @@ Scene ImportFiles(
     {
       throw std::runtime_error(name + " is a scene by itself; only .stl and .ply go together");
     }
-    if (progress)
-    {
-      progress("reading " + name);
-    }
+    progress("reading " + name);
     const Actors actors = ReadOne(name, ending, scene.Actors.size());
     if (actors.empty())
     {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 namespace NBufferExamples
@@ -23,15 +24,9 @@ PlanPoint ToMetres(const CityPoint& point)
 
 bool IsForWalks(const std::string& kind)
 {
-  for (const char* excluded : { "motorway", "motorway_link", "trunk", "trunk_link", "raceway",
-         "platform", "rest_area", "elevator", "bus_stop" })
-  {
-    if (kind == excluded)
-    {
-      return false;
-    }
-  }
-  return true;
+  static const std::set<std::string> excluded = { "motorway", "motorway_link", "trunk",
+    "trunk_link", "raceway", "platform", "rest_area", "elevator", "bus_stop" };
+  return excluded.count(kind) == 0;
 }
 }
 
@@ -135,17 +130,13 @@ bool StreetPlan::IsBuiltOver(const PlanPoint& point, double clearance) const
   const PlanPoint x(clearance, 0.0);
   const PlanPoint y(0.0, clearance);
   const PlanPoint around[] = { point, point - x, point + x, point - y, point + y };
-  for (int building : cell->second.Buildings)
-  {
-    for (const PlanPoint& p : around)
+  const std::vector<int>& buildings = cell->second.Buildings;
+  return std::any_of(buildings.begin(), buildings.end(),
+    [&](int building)
     {
-      if (this->Contains(building, p))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
+      return std::any_of(std::begin(around), std::end(around),
+        [&](const PlanPoint& p) { return this->Contains(building, p); });
+    });
 }
 
 bool StreetPlan::IsEdgeFree(int from, const Edge& edge) const

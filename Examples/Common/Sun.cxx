@@ -25,11 +25,6 @@ glm::dvec3 GetDirectionToSun(const SunTime& time)
       std::cos(latitude) * std::cos(declination) * std::cos(hour) };
 }
 
-double GetElevation(const SunTime& time)
-{
-  return vtkMath::DegreesFromRadians(std::asin(GetDirectionToSun(time).z));
-}
-
 vtkSmartPointer<vtkLight> MakeSun(const SunTime& time)
 {
   auto light = vtkSmartPointer<vtkLight>::New();

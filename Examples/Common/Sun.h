@@ -36,9 +36,6 @@ struct SunTime
 /// Returns the unit vector to the sun: x east, y north, z up.
 glm::dvec3 GetDirectionToSun(const SunTime& time);
 
-/// Returns the elevation of the sun above the horizon in degrees.
-double GetElevation(const SunTime& time);
-
 /// Makes a directional light from the sun. SetSun() moves it.
 vtkSmartPointer<vtkLight> MakeSun(const SunTime& time);
 void SetSun(const SunTime& time, vtkLight* light);

@@ -18,9 +18,7 @@ int main(int argc, char* argv[])
   NBufferExamples::Example example("A city, without what its houses hide", "culler");
   const auto show = [&]()
   {
-    NBufferExamples::SceneOptions options;
-    options.DefaultCity = NBufferExamples::FindDefaultCity(argv[0]);
-    const NBufferExamples::Scene city = NBufferExamples::LoadScene({ "city" }, options);
+    const NBufferExamples::Scene city = NBufferExamples::LoadScene({ "city" }, { argv[0] });
     vtkRenderer* renderer = example.GetRenderer();
     city.AddTo(renderer);
 

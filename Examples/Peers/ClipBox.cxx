@@ -15,12 +15,9 @@ using Rows = vtkNBufferProjection::Rows;
 /// Clip coordinates of corner i of the box grown by `pad` along each axis.
 glm::dvec4 GetCorner(const Rows& rows, const vtkNBufferBox& box, double pad, int i)
 {
-  glm::dvec3 p;
-  for (int j = 0; j < 3; ++j)
-  {
-    const double half = box.HalfSize[j] + pad;
-    p[j] = box.Center[j] + ((i >> j & 1) != 0 ? half : -half);
-  }
+  const glm::dvec3 side(
+    (i & 1) != 0 ? 1.0 : -1.0, (i & 2) != 0 ? 1.0 : -1.0, (i & 4) != 0 ? 1.0 : -1.0);
+  const glm::dvec3 p = box.Center + side * (box.HalfSize + pad);
   glm::dvec4 clip;
   for (int row = 0; row < 4; ++row)
   {

@@ -8,11 +8,11 @@
 #ifndef DrawStage_h
 #define DrawStage_h
 
+#include "vtkObjectFactory.h"
 #include "vtkProp.h"
+#include "vtkRenderer.h"
 
 #include <functional>
-
-class vtkRenderer;
 
 namespace NBufferPeers
 {
@@ -20,7 +20,7 @@ namespace NBufferPeers
 class DrawStage : public vtkProp
 {
 public:
-  static DrawStage* New();
+  static DrawStage* New() { VTK_STANDARD_NEW_BODY(DrawStage); }
   vtkTypeMacro(DrawStage, vtkProp);
 
   /// The function that draws. It returns how many props it drew.
@@ -29,7 +29,11 @@ public:
   /// Returns no bounds, so that no other culler removes this prop.
   double* GetBounds() VTK_SIZEHINT(6) override { return nullptr; }
   vtkTypeBool HasOpaqueGeometry() override { return 1; }
-  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  int RenderOpaqueGeometry(vtkViewport* viewport) override
+  {
+    auto* renderer = vtkRenderer::SafeDownCast(viewport);
+    return renderer && this->Function ? this->Function(renderer) : 0;
+  }
 };
 
 } // namespace NBufferPeers

@@ -2,77 +2,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "QueryCuller.h"
 
-#include "CoherentQueries.h"
-#include "DrawStage.h"
 #include "FlatQueries.h"
 #include "FrameProjection.h"
 
-#include "vtkNBufferCandidateList.h"
 #include "vtkNBufferClock.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferScissor.h"
 
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 namespace NBufferPeers
 {
 
 vtkStandardNewMacro(QueryCuller);
 
-class QueryCuller::Internals : public QueryHost
+QueryCuller::QueryCuller()
 {
-public:
-  Internals()
-  {
-    this->Stage->Function = [this](vtkRenderer* renderer) { return this->DrawProps(renderer); };
-  }
+  this->Stage->Function = [this](vtkRenderer* renderer) { return this->DrawProps(renderer); };
+}
 
-  int TakeProps(vtkProp** props, int count);
-
-  PlacedBox Place(const vtkNBufferBox& box) override;
-  int Ask(const PlacedBox& box) override;
-  bool HasAnswer(int query) override { return this->Queries.HasAnswer(query); }
-  bool IsVisible(int query) override;
-  void Draw(int prop) override;
-
-  QueryMethod Method = QueryMethod::Flat;
-  QueryTarget Target = QueryTarget::Any;
-  QueryStatistics Statistics;
-  std::string Error;
-
-private:
-  bool SetView(vtkRenderer* renderer);
-  int DrawProps(vtkRenderer* renderer);
-  void DrawByTree(bool changed);
-  void Redraw();
-
-  vtkNew<DrawStage> Stage;
-  vtkNBufferCandidateList Props;
-  std::vector<int> Candidates; ///< Places in Props of those that are left to the stage.
-  vtkNBufferProjection Projection;
-  BoxQueries Queries;
-  CoherentQueries Tree;
-  bool TreeIsOld = true;
-  int Samples = 0; ///< Of the framebuffer.
-  vtkRenderer* Renderer = nullptr;
-  std::vector<vtkNBufferDrawnProp> Drawn;
-};
-
-int QueryCuller::Internals::TakeProps(vtkProp** props, int count)
+double QueryCuller::Cull(
+  vtkRenderer* vtkNotUsed(renderer), vtkProp** propList, int& listLength, int& initialized)
 {
-  const bool other = this->Props.Synchronize(props, count);
+  const bool other = this->Props.Synchronize(propList, listLength);
   const bool changed = this->Props.Refresh(nullptr) > 0;
   this->TreeIsOld = this->TreeIsOld || other || changed;
   this->Candidates.clear();
   int kept = 0;
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < listLength; ++i)
   {
     if (this->Props.GetCandidate(i).IsCandidate())
     {
@@ -80,19 +42,24 @@ int QueryCuller::Internals::TakeProps(vtkProp** props, int count)
     }
     else
     {
-      props[kept++] = props[i];
+      propList[kept++] = propList[i];
     }
   }
-  if (kept < count)
+  if (kept < listLength)
   {
     // Last, so that everything else is in the depth buffer.
-    this->Stage->SetRenderTimeMultiplier(1.0);
-    props[kept++] = this->Stage;
+    propList[kept++] = this->Stage;
   }
-  return kept;
+  listLength = kept;
+  for (int i = 0; i < listLength; ++i)
+  {
+    propList[i]->SetRenderTimeMultiplier(1.0);
+  }
+  initialized = 1;
+  return listLength;
 }
 
-bool QueryCuller::Internals::SetView(vtkRenderer* renderer)
+bool QueryCuller::SetView(vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkNBufferDepthSource source;
@@ -107,7 +74,7 @@ bool QueryCuller::Internals::SetView(vtkRenderer* renderer)
   return this->Queries.Begin(window, this->Target, this->Error);
 }
 
-PlacedBox QueryCuller::Internals::Place(const vtkNBufferBox& box)
+PlacedBox QueryCuller::Place(const vtkNBufferBox& box)
 {
   PlacedBox placed;
   placed.Box = box;
@@ -116,13 +83,13 @@ PlacedBox QueryCuller::Internals::Place(const vtkNBufferBox& box)
   return placed;
 }
 
-int QueryCuller::Internals::Ask(const PlacedBox& box)
+int QueryCuller::Ask(const PlacedBox& box)
 {
   ClipBox clip;
   return MakeClipBox(this->Projection, box.Box, box.Screen, clip) ? this->Queries.Ask(clip) : -1;
 }
 
-bool QueryCuller::Internals::IsVisible(int query)
+bool QueryCuller::IsVisible(int query)
 {
   const vtkNBufferClock clock;
   this->Statistics.Waits += this->Queries.HasAnswer(query) ? 0 : 1;
@@ -131,7 +98,7 @@ bool QueryCuller::Internals::IsVisible(int query)
   return visible;
 }
 
-void QueryCuller::Internals::Draw(int prop)
+void QueryCuller::Draw(int prop)
 {
   // A leaf of the tree can be in view where the prop's own box, rounded once less, is not.
   if (this->Props.GetState(prop).Placement == vtkNBufferPlacement::Outside)
@@ -142,7 +109,7 @@ void QueryCuller::Internals::Draw(int prop)
   this->Drawn.push_back(this->Props.GetDrawn(prop, static_cast<int>(this->Drawn.size()) + 1));
 }
 
-void QueryCuller::Internals::DrawByTree(bool old)
+void QueryCuller::DrawByTree(bool old)
 {
   if (old)
   {
@@ -158,7 +125,7 @@ void QueryCuller::Internals::DrawByTree(bool old)
   this->Statistics.Visits = this->Tree.GetNumberOfVisits();
 }
 
-void QueryCuller::Internals::Redraw()
+void QueryCuller::Redraw()
 {
   // With what was drawn before the stage, in the renderer's order.
   std::vector<vtkNBufferDrawnProp> all = this->Drawn;
@@ -179,7 +146,7 @@ void QueryCuller::Internals::Redraw()
   }
 }
 
-int QueryCuller::Internals::DrawProps(vtkRenderer* renderer)
+int QueryCuller::DrawProps(vtkRenderer* renderer)
 {
   this->Renderer = renderer;
   this->Statistics = QueryStatistics();
@@ -219,45 +186,6 @@ int QueryCuller::Internals::DrawProps(vtkRenderer* renderer)
   this->Statistics.Hidden = this->Statistics.InView - this->Statistics.Drawn;
   this->Redraw();
   return this->Statistics.Drawn;
-}
-
-QueryCuller::QueryCuller()
-  : Implementation(std::make_unique<Internals>())
-{
-}
-
-QueryCuller::~QueryCuller() = default;
-
-void QueryCuller::SetMethod(QueryMethod method)
-{
-  this->Implementation->Method = method;
-}
-
-void QueryCuller::SetTarget(QueryTarget target)
-{
-  this->Implementation->Target = target;
-}
-
-const QueryStatistics& QueryCuller::GetStatistics() const
-{
-  return this->Implementation->Statistics;
-}
-
-const std::string& QueryCuller::GetError() const
-{
-  return this->Implementation->Error;
-}
-
-double QueryCuller::Cull(
-  vtkRenderer* vtkNotUsed(renderer), vtkProp** propList, int& listLength, int& initialized)
-{
-  listLength = this->Implementation->TakeProps(propList, listLength);
-  for (int i = 0; i < listLength; ++i)
-  {
-    propList[i]->SetRenderTimeMultiplier(1.0);
-  }
-  initialized = 1;
-  return listLength;
 }
 
 } // namespace NBufferPeers

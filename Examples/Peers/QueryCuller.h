@@ -18,11 +18,16 @@
 #define QueryCuller_h
 
 #include "BoxQueries.h"
+#include "CoherentQueries.h"
+#include "DrawStage.h"
+
+#include "vtkNBufferCandidateList.h"
 
 #include "vtkCuller.h"
+#include "vtkNew.h"
 
-#include <memory>
 #include <string>
+#include <vector>
 
 namespace NBufferPeers
 {
@@ -47,7 +52,9 @@ struct QueryStatistics
   int Redrawn = 0;       ///< Draws that were repeated for the order of equal depths.
 };
 
-class QueryCuller : public vtkCuller
+class QueryCuller
+  : public vtkCuller
+  , private QueryHost
 {
 public:
   static QueryCuller* New();
@@ -55,29 +62,51 @@ public:
 
   ///@{
   /// Set the method and the kind of queries. The defaults are Flat and Any.
-  void SetMethod(QueryMethod method);
-  void SetTarget(QueryTarget target);
+  void SetMethod(QueryMethod method) { this->Method = method; }
+  void SetTarget(QueryTarget target) { this->Target = target; }
   ///@}
 
   /// Returns the numbers of the last frame.
-  const QueryStatistics& GetStatistics() const;
+  const QueryStatistics& GetStatistics() const { return this->Statistics; }
 
   /// Returns why the last frame drew everything, or an empty text if it did not.
-  const std::string& GetError() const;
+  const std::string& GetError() const { return this->Error; }
 
   double Cull(
     vtkRenderer* renderer, vtkProp** propList, int& listLength, int& initialized) override;
 
 protected:
   QueryCuller();
-  ~QueryCuller() override;
 
 private:
   QueryCuller(const QueryCuller&) = delete;
   void operator=(const QueryCuller&) = delete;
 
-  class Internals;
-  std::unique_ptr<Internals> Implementation;
+  PlacedBox Place(const vtkNBufferBox& box) override;
+  int Ask(const PlacedBox& box) override;
+  bool HasAnswer(int query) override { return this->Queries.HasAnswer(query); }
+  bool IsVisible(int query) override;
+  void Draw(int prop) override;
+
+  bool SetView(vtkRenderer* renderer);
+  int DrawProps(vtkRenderer* renderer);
+  void DrawByTree(bool changed);
+  void Redraw();
+
+  QueryMethod Method = QueryMethod::Flat;
+  QueryTarget Target = QueryTarget::Any;
+  QueryStatistics Statistics;
+  std::string Error;
+  vtkNew<DrawStage> Stage;
+  vtkNBufferCandidateList Props;
+  std::vector<int> Candidates; ///< Places in Props of those that are left to the stage.
+  vtkNBufferProjection Projection;
+  BoxQueries Queries;
+  CoherentQueries Tree;
+  bool TreeIsOld = true;
+  int Samples = 0; ///< Of the framebuffer.
+  vtkRenderer* Renderer = nullptr;
+  std::vector<vtkNBufferDrawnProp> Drawn;
 };
 
 } // namespace NBufferPeers

@@ -20,7 +20,6 @@ namespace
 {
 /// The invocations of a work group of the compute shader along each axis.
 constexpr int GroupSide = 16;
-
 }
 
 SingleLevel::SingleLevel()

@@ -43,15 +43,13 @@ int main(int argc, char* argv[])
     }
     for (const NBufferExamples::SunTime& each : times)
     {
-      if (NBufferExamples::GetElevation(each) <= 0.0)
+      if (NBufferExamples::GetDirectionToSun(each).z <= 0.0)
       {
         throw std::runtime_error("the sun is below the horizon; take other hours");
       }
     }
 
-    NBufferExamples::SceneOptions options;
-    options.DefaultCity = NBufferExamples::FindDefaultCity(argv[0]);
-    const NBufferExamples::Scene city = NBufferExamples::LoadScene({ "city" }, options);
+    const NBufferExamples::Scene city = NBufferExamples::LoadScene({ "city" }, { argv[0] });
     vtkRenderer* renderer = example.GetRenderer();
     city.AddTo(renderer);
     NBufferExamples::LightGround(city);

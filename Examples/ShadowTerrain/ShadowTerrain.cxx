@@ -4,26 +4,76 @@
  * @file ShadowTerrain.cxx
  * @brief Hills with towers, and a flock of birds over them, in the light of a low sun.
  *
- * The hills are data (Terrain.h), towers and birds synthetic. Birds are larger than life, 160 m
+ * The hills are data, towers and birds synthetic. Birds are larger than life, 160 m
  * from wing to wing, so that their shadows can be seen from 5 km.
  */
 #include "Example.h"
+#include "LoadScene.h"
 #include "Random.h"
-#include "Terrain.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkImageData.h"
+#include "vtkImageDataGeometryFilter.h"
+#include "vtkImageInterpolator.h"
+#include "vtkImageResize.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkPoints.h"
+#include "vtkPolyDataNormals.h"
 #include "vtkShadowVolumeClampPass.h"
+#include "vtkTriangleFilter.h"
+#include "vtkWarpScalar.h"
 
 #include <array>
 #include <cmath>
+#include <fstream>
+#include <stdexcept>
 
 namespace
 {
+/// Elevations around the Jacksboro Fault in Tennessee, 7.1 by 8.9 km (Examples/Data/README.md names
+/// their source), as a surface of triangles in metres: x points to the east, y to the north, z up;
+/// the origin is in the south-west. The data have 97 x 97 points, 3 arc seconds apart; two more
+/// points are interpolated by cubics between neighbours in each direction.
+vtkSmartPointer<vtkPolyData> MakeTerrain(const std::string& program)
+{
+  constexpr int side = 97;
+  vtkNew<vtkImageData> data;
+  data->SetDimensions(side, side, 1);
+  data->SetSpacing(74.41, 92.66, 1.0); // Of 3 arc seconds at 36.6 degrees north.
+  data->AllocateScalars(VTK_FLOAT, 1);
+  std::ifstream file(NBufferExamples::FindData(program, "jacksboro-heights.csv"));
+  for (int i = 0; i < side * side; ++i)
+  {
+    // The first row is the northernmost. A comma or the end of the line follows each number.
+    file >> *static_cast<float*>(data->GetScalarPointer(i % side, side - 1 - i / side, 0));
+    file.ignore();
+  }
+  if (!file)
+  {
+    throw std::runtime_error("jacksboro-heights.csv is missing or damaged");
+  }
+  vtkNew<vtkImageInterpolator> cubic;
+  cubic->SetInterpolationModeToCubic();
+  vtkNew<vtkImageResize> resize;
+  resize->SetInputData(data);
+  resize->SetInterpolator(cubic);
+  resize->SetOutputDimensions(3 * side - 2, 3 * side - 2, 1);
+  vtkNew<vtkImageDataGeometryFilter> plane;
+  plane->SetInputConnection(resize->GetOutputPort());
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(plane->GetOutputPort());
+  vtkNew<vtkWarpScalar> warp;
+  warp->SetInputConnection(triangles->GetOutputPort());
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputConnection(warp->GetOutputPort());
+  normals->SplittingOff();
+  normals->Update();
+  return normals->GetOutput();
+}
+
 /// Head in direction x, tail, and two wings that are raised a little; metres.
 vtkSmartPointer<vtkPolyData> MakeBird()
 {
@@ -48,7 +98,7 @@ int main(int argc, char* argv[])
   NBufferExamples::Example example("Hills with towers and a flock of birds", "shadows");
   const auto show = [&]()
   {
-    const vtkSmartPointer<vtkPolyData> terrain = NBufferExamples::MakeTerrain(argv[0]);
+    const vtkSmartPointer<vtkPolyData> terrain = MakeTerrain(argv[0]);
     example.AddMesh(terrain, { 0.58, 0.64, 0.44 });
 
     NBufferExamples::Random random(5);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Contender.h"
 
-#include "DepthStructure.h"
 #include "PositionedLevels.h"
 
 #include "vtkNBufferOcclusionTest.h"
@@ -10,6 +9,7 @@
 #include "vtkNBufferSplitBox.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace NBufferStudy
 {
@@ -20,51 +20,24 @@ std::string AddPieces(const std::string& name, int pieces)
   return pieces > 1 ? name + " in " + std::to_string(pieces) : name;
 }
 
-class FamilyContender : public Contender
+float GetDepth(float depth)
+{
+  return depth;
+}
+
+float GetDepth(const PositionedDepth& texel)
+{
+  return texel.Depth;
+}
+
+/// A DepthStructure or PositionedLevels; long boxes are cut into pieces.
+template <typename Structure>
+class StructureContender : public Contender
 {
 public:
-  FamilyContender(const DepthFamily& family, int pieces)
-    : Contender(AddPieces(family.GetName(), pieces))
-    , Structure(family)
-    , Pieces(pieces)
-  {
-  }
-
-  void Build(const DepthFrame& frame) override
-  {
-    this->Structure.Build(frame.Depth.data(), frame.Width, frame.Height);
-  }
-
-  bool IsHidden(const DepthFrame& frame, const DepthBox& box, ContestCounts& counts) override
-  {
-    return vtkNBufferSplitBox::AreBehind(frame.Projection, box.Box, box.Screen, this->Pieces,
-      this->Structure.GetFamily().Factor,
-      [&](const vtkNBufferScreenBox& screen)
-      {
-        ++counts.Queries;
-        return screen.Nearest > this->Structure.Query(screen.Pixels, counts.Lookups);
-      });
-  }
-
-  std::size_t GetNumberOfTexels() const override { return this->Structure.GetNumberOfTexels(); }
-  std::size_t GetMemory() const override { return this->Structure.GetMemory(); }
-
-  long long GetCoveredArea(const DepthBox& box) const override
-  {
-    const vtkNBufferRectangle covered = this->Structure.GetCovered(box.Screen.Pixels);
-    return static_cast<long long>(covered.GetWidth()) * covered.GetHeight();
-  }
-
-private:
-  DepthStructure Structure;
-  int Pieces;
-};
-
-class PositionContender : public Contender
-{
-public:
-  PositionContender(int factor, int pieces)
-    : Contender(AddPieces("squares x4 1/" + std::to_string(factor) + " with positions", pieces))
+  StructureContender(const std::string& name, const Structure& levels, int factor, int pieces)
+    : Contender(AddPieces(name, pieces))
+    , Levels(levels)
     , Factor(factor)
     , Pieces(pieces)
   {
@@ -72,7 +45,7 @@ public:
 
   void Build(const DepthFrame& frame) override
   {
-    this->Levels.Build(frame.Depth.data(), frame.Width, frame.Height, this->Factor);
+    this->Levels.Build(frame.Depth.data(), frame.Width, frame.Height);
   }
 
   bool IsHidden(const DepthFrame& frame, const DepthBox& box, ContestCounts& counts) override
@@ -82,15 +55,25 @@ public:
       [&](const vtkNBufferScreenBox& screen)
       {
         ++counts.Queries;
-        return screen.Nearest > this->Levels.Query(screen.Pixels, counts.Lookups).Depth;
+        return screen.Nearest > GetDepth(this->Levels.Query(screen.Pixels, counts.Lookups));
       });
   }
 
   std::size_t GetNumberOfTexels() const override { return this->Levels.GetNumberOfTexels(); }
   std::size_t GetMemory() const override { return this->Levels.GetMemory(); }
 
+  long long GetCoveredArea(const DepthBox& box) const override
+  {
+    if constexpr (std::is_same_v<Structure, DepthStructure>)
+    {
+      const vtkNBufferRectangle covered = this->Levels.GetCovered(box.Screen.Pixels);
+      return static_cast<long long>(covered.GetWidth()) * covered.GetHeight();
+    }
+    return Contender::GetCoveredArea(box);
+  }
+
 private:
-  PositionedLevels Levels;
+  Structure Levels;
   int Factor;
   int Pieces;
 };
@@ -131,8 +114,8 @@ public:
     this->Levels.BuildLevels(levels);
     this->Occlusion =
       std::make_unique<vtkNBufferOcclusionTest>(frame.Projection, this->Levels, this->Pieces);
-    this->Pixels =
-      std::make_unique<vtkNBufferPixelTest>(frame.Projection, this->Levels, frame.Depth.data(), 0.0);
+    this->Pixels = std::make_unique<vtkNBufferPixelTest>(
+      frame.Projection, this->Levels, frame.Depth.data(), 0.0);
   }
 
   bool IsHidden(const DepthFrame&, const DepthBox& box, ContestCounts& counts) override
@@ -166,12 +149,15 @@ private:
 
 ContenderPointer MakeFamilyContender(const DepthFamily& family, int pieces)
 {
-  return std::make_unique<FamilyContender>(family, pieces);
+  return std::make_unique<StructureContender<DepthStructure>>(
+    family.GetName(), DepthStructure(family), family.Factor, pieces);
 }
 
 ContenderPointer MakePositionContender(int factor, int pieces)
 {
-  return std::make_unique<PositionContender>(factor, pieces);
+  return std::make_unique<StructureContender<PositionedLevels>>(
+    "squares x4 1/" + std::to_string(factor) + " with positions", PositionedLevels(factor), factor,
+    pieces);
 }
 
 ContenderPointer MakeModuleContender(int factor, int pieces, bool testPixels)

@@ -14,8 +14,8 @@
 #ifndef Contender_h
 #define Contender_h
 
-#include "DepthFamily.h"
 #include "DepthFrame.h"
+#include "DepthStructure.h"
 
 #include <cstddef>
 #include <memory>

@@ -37,10 +37,6 @@ struct ContestResult
   std::size_t Texels = 0;
   std::size_t Memory = 0;
 
-  double GetFalseVisibleShare() const
-  {
-    return this->Hidden > 0 ? static_cast<double>(this->FalseVisible) / this->Hidden : 0.0;
-  }
   double GetOverCoverage() const
   {
     return this->CoveredArea > 0.0 ? this->CoveredArea / this->Area - 1.0 : 0.0;

@@ -34,11 +34,8 @@
 
 #include "vtkNBufferProjection.h"
 
-#include "vtkMatrix4x4.h"
-
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace NBufferStudy
 {
@@ -95,11 +92,9 @@ inline void SetProjection(vtkNBufferProjection& projection, const double worldTo
   else
   {
     // w of the near plane, in the middle of the view.
-    double clipToWorld[16];
-    std::fill_n(clipToWorld, 16, std::numeric_limits<double>::quiet_NaN());
-    vtkMatrix4x4::Invert(worldToClip, clipToWorld);
+    const glm::dmat4 clipToWorld = vtkNBufferGLM::Invert(vtkNBufferGLM::ToMatrix(worldToClip));
     std::fill_n(matrix + 8, 3, 0.0);
-    matrix[11] = -1.0 / (clipToWorld[15] - clipToWorld[14]);
+    matrix[11] = -1.0 / (clipToWorld[3][3] - clipToWorld[2][3]);
   }
   projection.Set(matrix, width, height, format);
 }

@@ -43,10 +43,6 @@ struct Planes
   }
 };
 
-double GetSign(const DepthFormat& format)
-{
-  return GetDepthSign(format.Convention);
-}
 }
 
 float DepthFormat::Store(double depth) const
@@ -113,7 +109,7 @@ DepthFrame Convert(
       ? far
       : std::min(old.GetDistance(DepthConvention::Forward, depth + unknown), far);
     depth = distance >= far ? GetBackgroundOrder(format.Convention)
-                            : static_cast<float>(GetSign(format) *
+                            : static_cast<float>(GetDepthSign(format.Convention) *
                                 format.Store(planes.GetStored(format.Convention, distance)));
   }
   result.Boxes.clear();
@@ -142,8 +138,9 @@ std::vector<double> GetSlacks(
     }
     if (!box.Screen.Clipped)
     {
-      slacks.push_back(
-        nearest - planes.GetDistance(format.Convention, GetSign(format) * box.Screen.Nearest));
+      slacks.push_back(nearest -
+        planes.GetDistance(
+          format.Convention, GetDepthSign(format.Convention) * box.Screen.Nearest));
     }
   }
   return slacks;

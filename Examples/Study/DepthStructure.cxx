@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace NBufferStudy
 {
 namespace
 {
-float Farther(float a, float b)
-{
-  return a > b ? a : b;
-}
+constexpr auto Farther = [](float a, float b) { return a > b ? a : b; };
 
 /// Texels x to end - 1 of a row of a level from the row below, all taps inside it.
 void MergeInside(const float* in, const DepthStep& step, int end, float* out)
@@ -20,10 +18,7 @@ void MergeInside(const float* in, const DepthStep& step, int end, float* out)
   const float* other = in + step.Offset;
   if (step.Ratio == 1)
   {
-    for (int x = 0; x < end; ++x)
-    {
-      out[x] = Farther(in[x], other[x]);
-    }
+    std::transform(in, in + end, other, out, Farther);
   }
   else if (step.ThirdTap == DepthStep::Third::All)
   {
@@ -62,21 +57,37 @@ void MergeRows(
 {
   const auto row = [=](int place)
   { return in + static_cast<std::size_t>(std::min(place, height - 1)) * width; };
-  const float* a = row(y * step.Ratio);
-  const float* b = row(y * step.Ratio + step.Offset);
-  for (int x = 0; x < width; ++x)
-  {
-    out[x] = Farther(a[x], b[x]);
-  }
+  const float* first = row(y * step.Ratio);
+  std::transform(first, first + width, row(y * step.Ratio + step.Offset), out, Farther);
   if (step.HasThird(y, count))
   {
-    const float* c = row(y * step.Ratio + 2);
-    for (int x = 0; x < width; ++x)
-    {
-      out[x] = Farther(out[x], c[x]);
-    }
+    std::transform(out, out + width, row(y * step.Ratio + 2), out, Farther);
   }
 }
+}
+
+std::string DepthFamily::GetName() const
+{
+  std::string name = this->Taps == DepthTaps::All ? "one level"
+    : this->Grid == DepthGrid::Mips               ? "mips"
+    : this->Grid == DepthGrid::FatMips            ? "fat mips"
+    : this->Band == 0                             ? "squares"
+                                                  : "rectangles";
+  if (this->Taps != DepthTaps::All)
+  {
+    if (this->Band > 0 && this->Band < AllShapes)
+    {
+      name += " band " + std::to_string(this->Band);
+    }
+    if (this->Grid == DepthGrid::Windows && this->Stride < FullStride)
+    {
+      name += " s=" + std::to_string(this->Stride);
+    }
+    const char* const taps[] = { "x1", "x4", "2x2", "4x4" };
+    name += std::string(" ") + taps[static_cast<int>(this->Taps)];
+  }
+  name += " 1/" + std::to_string(this->Factor);
+  return this->Separable ? name + " separable" : name;
 }
 
 DepthStructure::DepthStructure(const DepthFamily& family)
@@ -296,10 +307,7 @@ float DepthStructure::Query(const vtkNBufferRectangle& pixels, long long& lookup
     for (int y = texels.Y0; y < texels.Y1; ++y)
     {
       const float* row = base.Texels + static_cast<std::size_t>(y) * base.Width;
-      for (int x = texels.X0; x < texels.X1; ++x)
-      {
-        result = Farther(result, row[x]);
-      }
+      result = std::accumulate(row + texels.X0, row + texels.X1, result, Farther);
     }
     lookups += static_cast<long long>(texels.GetWidth()) * texels.GetHeight();
     return result;
@@ -338,12 +346,9 @@ vtkNBufferRectangle DepthStructure::GetCovered(const vtkNBufferRectangle& pixels
 
 std::size_t DepthStructure::GetNumberOfTexels() const
 {
-  std::size_t texels = 0;
-  for (const Level& level : this->Levels)
-  {
-    texels += static_cast<std::size_t>(level.Width) * level.Height;
-  }
-  return texels;
+  return std::accumulate(this->Levels.begin(), this->Levels.end(), std::size_t(0),
+    [](std::size_t texels, const Level& level)
+    { return texels + static_cast<std::size_t>(level.Width) * level.Height; });
 }
 
 std::size_t DepthStructure::GetMemory() const

@@ -2,8 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class DepthStructure
- * @brief Any member of the family (DepthFamily.h), built from a depth image; it returns the
- * farthest depth of rectangles.
+ * @brief Any member of a family of structures, built from a depth image; it returns the farthest
+ * depth of rectangles.
+ *
+ * The parameters that select one structure of the family are:
+ *
+ *     parameter   meaning
+ *     Factor      pixels per texel of the base, which holds their farthest depth
+ *     Grid        the texels along an axis, see DepthAxis.h
+ *     Stride      the s of Windows
+ *     Band        levels (i, j) of windows 2^i wide and 2^j high with |i - j| <= Band; 0: squares
+ *     Taps        how many texels are read for a rectangle, and in which shapes
+ *     Separable   whether rows and then columns are merged, through memory, or both at once
  *
  * The result of Query() is never nearer than the farthest depth in the rectangle. It is the
  * farthest depth in GetCovered(), which is the rectangle or larger. The base, and the levels of
@@ -12,16 +22,42 @@
 #ifndef DepthStructure_h
 #define DepthStructure_h
 
-#include "DepthFamily.h"
+#include "DepthAxis.h"
 
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferMath.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace NBufferStudy
 {
+
+enum class DepthTaps
+{
+  One,
+  Four,     ///< Two by two, four in a row or four in a column: the shape that covers least.
+  TwoByTwo, ///< The texels that graphics hardware fetches at once.
+  FourByFour,
+  All ///< Every texel of the base that the rectangle touches; there are no levels.
+};
+
+constexpr int AllShapes = 30;
+
+struct DepthFamily
+{
+  int Factor = 1;
+  DepthGrid Grid = DepthGrid::Windows;
+  int Stride = FullStride;
+  int Band = 0;
+  DepthTaps Taps = DepthTaps::Four;
+  bool Separable = false;
+
+  /// Returns a name that is unique within the family, such as "squares x4 1/4", "rectangles band 1
+  /// s=2 x4 1/1" or "mips 2x2 1/1".
+  std::string GetName() const;
+};
 
 /// The texels of one level that cover a rectangle: all of Columns x Rows.
 struct DepthCover
@@ -39,8 +75,6 @@ class DepthStructure
 {
 public:
   explicit DepthStructure(const DepthFamily& family);
-
-  const DepthFamily& GetFamily() const { return this->Family; }
 
   /// Lays out the levels for images of this size; Build() does the same if the size has changed.
   /// This suffices for GetCovered(), GetCover() and GetNumberOfTexels(). Only Build() allocates

@@ -20,9 +20,9 @@ struct Farther
 };
 }
 
-void PositionedLevels::Build(const float* depth, int width, int height, int factor)
+void PositionedLevels::Build(const float* depth, int width, int height)
 {
-  this->Factor = factor;
+  const int factor = this->Factor;
   this->Width = vtkNBufferMath::GetBaseSize(width, factor);
   this->Height = vtkNBufferMath::GetBaseSize(height, factor);
   const int levels = vtkNBufferMath::GetNumberOfLevels(this->Width, this->Height);

@@ -29,8 +29,14 @@ struct PositionedDepth
 class PositionedLevels
 {
 public:
-  /// Builds all levels over a base of `factor` x `factor` pixels per texel.
-  void Build(const float* depth, int width, int height, int factor);
+  /// The base has a texel for `factor` x `factor` pixels.
+  explicit PositionedLevels(int factor)
+    : Factor(factor)
+  {
+  }
+
+  /// Builds all levels.
+  void Build(const float* depth, int width, int height);
 
   /// Returns the farthest pixel of the squares, at most four, that cover a rectangle of pixels.
   /// Adds the number of texels that were read to `lookups`.
@@ -41,7 +47,7 @@ public:
 
 private:
   std::vector<PositionedDepth> Texels;
-  int Factor = 1;
+  int Factor;
   int Width = 0;
   int Height = 0;
 };

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The algorithms of occlusion queries without OpenGL: a host that knows which props are visible.
-#include "BoxOutline.h"
 #include "ClipBox.h"
 #include "CoherentQueries.h"
 #include "FlatQueries.h"
+#include "PaperMeasures.h"
 #include "Pixels.h"
 #include "RandomBoxes.h"
 #include "StudyView.h"

@@ -3,7 +3,7 @@
 // Every member of the family against the double loop: what it covers contains the rectangle, what
 // it answers is the farthest depth of what it covers, and where it is said to be exact it is.
 #include "DepthStructure.h"
-#include "OverCoverage.h"
+#include "PaperMeasures.h"
 #include "PositionedLevels.h"
 #include "StudyImage.h"
 
@@ -273,8 +273,8 @@ TEST(StudyPositions, TheFarthestPixelAndItsPlace)
   for (int factor : { 1, 3, 4 })
   {
     const Image image(53, 31, 5);
-    PositionedLevels levels;
-    levels.Build(image.Depth.data(), image.Width, image.Height, factor);
+    PositionedLevels levels(factor);
+    levels.Build(image.Depth.data(), image.Width, image.Height);
     for (int i = 0; i < 500; ++i)
     {
       const vtkNBufferRectangle r = StudyTest::MakeRectangle(image, random);
@@ -291,8 +291,8 @@ TEST(StudyPositions, TheFirstOfEqualDepths)
 {
   Image image(9, 7, 1);
   std::fill(image.Depth.begin(), image.Depth.end(), 0.5f);
-  PositionedLevels levels;
-  levels.Build(image.Depth.data(), image.Width, image.Height, 1);
+  PositionedLevels levels(1);
+  levels.Build(image.Depth.data(), image.Width, image.Height);
   long long lookups = 0;
   EXPECT_EQ(levels.Query({ 2, 3, 6, 7 }, lookups).Pixel, 3 * 9 + 2);
 }

@@ -7,6 +7,7 @@ Ends with 77, skipped, where pandas or matplotlib is missing.
 """
 
 import json
+import math
 import pathlib
 import subprocess
 import sys
@@ -74,8 +75,16 @@ class Figures(unittest.TestCase):
              "mips", "one level", "rectangles", "positions"])
 
     def test_cost_of_a_prop(self):
-        walk = {"modes": {"none": {"drawn": 110, "median_ms": 3}, "oracle": {"drawn": 10, "median_ms": 1}}}
+        def mode(drawn, time):
+            return {"drawn": drawn, "median_ms": time}
+        # Props outside the view and the default culler's own time are not in the figure.
+        walk = {"modes": {"none": mode(10110, 100), "stock": mode(110, 50), "in-view": mode(110, 3),
+                          "oracle": mode(10, 1)}}
         self.assertAlmostEqual(tables.cost_of_a_prop(walk), 20)
+        walk["modes"]["in-view"] = walk["modes"]["oracle"]
+        self.assertEqual(tables.cost_of_a_prop(walk), 0)
+        del walk["modes"]["in-view"]
+        self.assertTrue(math.isnan(tables.cost_of_a_prop(walk)))
 
     def test_kept_props_of_settings(self):
         def mode(drawn):

@@ -1,18 +1,26 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file OverCoverage.h
- * @brief How much more than a rectangle a structure covers, for rectangles of all sizes.
+ * @file PaperMeasures.h
+ * @brief What the paper counts: the depth tests of a query of the hardware (table 2), and how much
+ * more than a rectangle a structure covers (figure 4).
  */
-#ifndef OverCoverage_h
-#define OverCoverage_h
+#ifndef PaperMeasures_h
+#define PaperMeasures_h
 
-#include "DepthFamily.h"
+#include "DepthStructure.h"
+
+#include "vtkNBufferProjection.h"
 
 #include <vector>
 
 namespace NBufferStudy
 {
+
+/// Returns the number of pixels whose centres lie in the outline of a box that is Inside, which is
+/// the number of pixels of its front faces. For a box that was clipped it is that of its rectangle.
+long long CountOutlinePixels(const vtkNBufferProjection& projection, const vtkNBufferBox& box,
+  const vtkNBufferScreenBox& screen);
 
 struct OverCoverage
 {

@@ -1,15 +1,56 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OverCoverage.h"
-
-#include "DepthStructure.h"
+#include "PaperMeasures.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 
 namespace NBufferStudy
 {
+
+long long CountOutlinePixels(const vtkNBufferProjection& projection, const vtkNBufferBox& box,
+  const vtkNBufferScreenBox& screen)
+{
+  const vtkNBufferRectangle& pixels = screen.Pixels;
+  if (screen.Clipped)
+  {
+    return static_cast<long long>(pixels.GetWidth()) * pixels.GetHeight();
+  }
+  const std::array<glm::dvec2, 8> corners = projection.GetCorners(box);
+  long long count = 0;
+  for (int y = pixels.Y0; y < pixels.Y1; ++y)
+  {
+    // A row of a convex outline is what the segments between its corners reach.
+    const double center = y + 0.5;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (int a = 0; a < 8; ++a)
+    {
+      for (int b = a + 1; b < 8; ++b)
+      {
+        const double y0 = corners[a].y;
+        const double y1 = corners[b].y;
+        if ((y0 <= center) != (y1 <= center))
+        {
+          const double t = (center - y0) / (y1 - y0);
+          const double x = corners[a].x + t * (corners[b].x - corners[a].x);
+          low = std::min(low, x);
+          high = std::max(high, x);
+        }
+      }
+    }
+    if (low <= high)
+    {
+      const double first = std::max(std::ceil(low - 0.5), static_cast<double>(pixels.X0));
+      const double end = std::min(std::floor(high - 0.5) + 1.0, static_cast<double>(pixels.X1));
+      count += end > first ? static_cast<long long>(end - first) : 0;
+    }
+  }
+  return count;
+}
 
 double OverCoverage::GetMean() const
 {
@@ -43,11 +84,7 @@ double OverCoverage::GetQuantile(double share) const
 OverCoverage MeasureOverCoverage(const DepthFamily& family, int size, int places)
 {
   // Room on all sides, so that the border cuts nothing off what is covered.
-  int room = 1;
-  while (room < 4 * size)
-  {
-    room *= 2;
-  }
+  const int room = 1 << vtkNBufferMath::CeilLog2(4 * size);
   DepthStructure structure(family);
   structure.SetSize(4 * room, 4 * room);
   std::mt19937 random(1);
