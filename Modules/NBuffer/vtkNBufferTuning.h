@@ -38,8 +38,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   /// A frame has at most this many rounds of test and draw; 1 to 8.
   int MaximumNumberOfRounds = 6;
 
-  /// Where nothing is known, the first round draws this many props, and each further round twice as
-  /// many before the next test; 1 or more.
+  /// Where nothing is known, the first round draws at most this many props, and each further round
+  /// twice as many before the next test (vtkNBufferOccluderChoice.h); 1 or more.
   int RoundSize = 64;
 
   /// A renderer with at least this many props is tested over a hierarchy of their boxes; 0 means

@@ -53,13 +53,14 @@ MUTANTS = {
 
     # Rectangles and lookups.
     "rectangle one pixel short at the right and top": [
-        (PROJECTION, "std::ceil(std::min(to, static_cast<double>(size[i]))));",
-         "std::ceil(std::min(to, static_cast<double>(size[i])))) - 1;\n"
-         "    end[i] = std::max(end[i], begin[i] + 1);")],
+        (PROJECTION, "end[i] = static_cast<int>(std::ceil(to));",
+         "end[i] = std::max(static_cast<int>(std::ceil(to)) - 1, begin[i] + 1);"),
+        (PROJECTION, "std::floor(to - 0.5));", "std::floor(to - 1.5));")],
     "rectangle one pixel short at the left and bottom": [
-        (PROJECTION, "std::ceil(std::min(to, static_cast<double>(size[i]))));",
-         "std::ceil(std::min(to, static_cast<double>(size[i]))));\n"
-         "    begin[i] = std::min(begin[i] + 1, end[i] - 1);")],
+        (PROJECTION, "end[i] = static_cast<int>(std::ceil(to));",
+         "end[i] = static_cast<int>(std::ceil(to));\n"
+         "    begin[i] = std::min(begin[i] + 1, end[i] - 1);"),
+        (PROJECTION, "std::ceil(from - 0.5));", "std::ceil(from + 0.5));")],
     "base rectangle one texel short": [
         ("vtkNBufferMath.cxx", "texels.X1 = GetBaseSize(pixels.X1, factor);",
          "texels.X1 = std::max(pixels.X1 / factor, texels.X0 + 1);")],

@@ -3,10 +3,12 @@
 #include "vtkNBufferPartition.h"
 
 #include "vtkNBufferCandidateList.h"
+#include "vtkNBufferOccluderChoice.h"
 #include "vtkNBufferProjection.h"
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 void vtkNBufferPartition::Clear()
@@ -102,15 +104,26 @@ void vtkNBufferPartition::Project(const vtkNBufferProjection& projection)
   }
 }
 
-std::vector<int> vtkNBufferPartition::RemoveNearest(std::vector<int>& places, std::size_t limit)
+std::vector<int> vtkNBufferPartition::RemoveOccluders(
+  std::vector<int>& places, std::size_t limit, const vtkNBufferProjection& projection)
 {
-  const auto isNearer = [this](int a, int b)
-  { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; };
-  const auto end = places.begin() + static_cast<std::ptrdiff_t>(std::min(limit, places.size()));
-  std::nth_element(places.begin(), end, places.end(), isNearer);
-  std::vector<int> nearest(places.begin(), end);
-  places.erase(places.begin(), end);
-  return nearest;
+  const std::size_t size =
+    std::min(places.size(), std::max(limit, vtkNBufferOccluderChoice::MaximumSize));
+  std::partial_sort(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(size),
+    places.end(),
+    [this](int a, int b)
+    { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; });
+  std::vector<vtkNBufferScreenBox> boxes(size);
+  std::transform(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(size), boxes.begin(),
+    [this](int i) { return this->Props.GetScreen(i); });
+  std::vector<int> occluders;
+  for (std::size_t place :
+    vtkNBufferOccluderChoice::Choose(boxes, limit, projection.GetWidth(), projection.GetHeight()))
+  {
+    occluders.push_back(std::exchange(places[place], -1));
+  }
+  places.erase(std::remove(places.begin(), places.end(), -1), places.end());
+  return occluders;
 }
 
 bool vtkNBufferPartition::IsNew() const

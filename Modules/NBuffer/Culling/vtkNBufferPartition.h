@@ -50,8 +50,10 @@ public:
   /// Place all props in view anew, for a projection that has changed since Classify().
   void Project(const vtkNBufferProjection& projection);
 
-  /// Remove the `limit` nearest props, or all if there are fewer, from `places`, and return them.
-  std::vector<int> RemoveNearest(std::vector<int>& places, std::size_t limit);
+  /// Remove those of the nearest props from `places` that probably hide the others, at most `limit`
+  /// of them, and return them. See vtkNBufferOccluderChoice.h.
+  std::vector<int> RemoveOccluders(
+    std::vector<int>& places, std::size_t limit, const vtkNBufferProjection& projection);
 
   /// Whether the view is new: no prop is kept, and most of those held back have not been tested
   /// since they came into the frustum. Without kept props a view is not new if all candidates are

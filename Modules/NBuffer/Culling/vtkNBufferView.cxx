@@ -323,13 +323,14 @@ bool vtkNBufferView::DrawRounds(
 {
   int round = 1;
   std::vector<int> left = this->Partition.GetHeldBack();
-  const auto drawNearest = [&](std::size_t limit)
-  { drawn += this->DrawRound(renderer, this->Partition.RemoveNearest(left, limit), round++); };
+  const auto draw = [&](const std::vector<int>& props)
+  { drawn += this->DrawRound(renderer, props, round++); };
+  const auto drawOccluders = [&](std::size_t limit)
+  { draw(this->Partition.RemoveOccluders(left, limit, this->Projection)); };
 
-  // Where nothing is known, the nearest props are the best guess at what hides the others.
   if (this->Partition.IsNew())
   {
-    drawNearest(this->Tuning.RoundSize);
+    drawOccluders(this->Tuning.RoundSize);
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkNBufferDepthTest test(this->Backend, this->Levels, this->Projection, this->Props,
@@ -344,8 +345,7 @@ bool vtkNBufferView::DrawRounds(
       this->Fail(renderer, failure, why);
       this->Statistics.Decision = failure;
       // Draw what earlier rounds found hidden, too.
-      left = this->Partition.GetNotDrawn();
-      drawNearest(left.size());
+      draw(this->Partition.GetNotDrawn());
       return false;
     }
     if (this->Statistics.Rounds == 0)
@@ -369,10 +369,10 @@ bool vtkNBufferView::DrawRounds(
     if (left.size() <= 2 * limit || this->Statistics.Rounds >= this->Tuning.MaximumNumberOfRounds)
     {
       this->TestTranslucent(test);
-      drawNearest(left.size());
+      draw(left);
       return true;
     }
-    drawNearest(limit);
+    drawOccluders(limit);
   }
 }
 

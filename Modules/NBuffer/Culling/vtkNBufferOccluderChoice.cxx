@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferOccluderChoice.h"
+
+#include <algorithm>
+#include <limits>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+constexpr int Side = 8;         // of a square, in pixels
+constexpr int SharePerSide = 8; // of a rectangle's width and height, which hides nothing
+
+/// The depths beyond which squares of the screen are hidden.
+class CoarseDepth
+{
+public:
+  CoarseDepth(int width, int height)
+    : Width((width + Side - 1) / Side)
+    , Squares(static_cast<std::size_t>(this->Width) * ((height + Side - 1) / Side),
+        std::numeric_limits<double>::infinity())
+  {
+  }
+
+  /// Call function(depth) for each square that lies in a rectangle of squares.
+  template <typename Function>
+  void ForEach(const vtkNBufferRectangle& squares, Function&& function)
+  {
+    for (int y = squares.Y0; y < squares.Y1; ++y)
+    {
+      double* row = this->Squares.data() + static_cast<std::size_t>(y) * this->Width;
+      std::for_each(row + squares.X0, row + std::max(squares.X0, squares.X1), function);
+    }
+  }
+
+  /// Whether a box is before what hides in half of its squares.
+  bool IsOpen(const vtkNBufferScreenBox& box)
+  {
+    int open = 0;
+    const vtkNBufferRectangle squares = vtkNBufferMath::GetBaseRectangle(box.Pixels, Side);
+    this->ForEach(squares, [&](double& depth) { open += box.Nearest < depth ? 1 : -1; });
+    return open > 0;
+  }
+
+  /// Let a box hide what is behind it.
+  void Add(const vtkNBufferScreenBox& box)
+  {
+    const vtkNBufferRectangle& pixels = box.Pixels;
+    const int x = pixels.GetWidth() / SharePerSide;
+    const int y = pixels.GetHeight() / SharePerSide;
+    // Squares that lie wholly in the middle of the rectangle.
+    const vtkNBufferRectangle squares = { (pixels.X0 + x + Side - 1) / Side,
+      (pixels.Y0 + y + Side - 1) / Side, (pixels.X1 - x) / Side, (pixels.Y1 - y) / Side };
+    this->ForEach(squares, [&](double& depth) { depth = std::min(depth, box.Farthest); });
+  }
+
+private:
+  int Width;
+  std::vector<double> Squares;
+};
+}
+
+std::vector<std::size_t> vtkNBufferOccluderChoice::Choose(
+  const std::vector<vtkNBufferScreenBox>& boxes, std::size_t limit, int width, int height)
+{
+  CoarseDepth depth(width, height);
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < boxes.size() && chosen.size() < limit; ++i)
+  {
+    if (depth.IsOpen(boxes[i]))
+    {
+      depth.Add(boxes[i]);
+      chosen.push_back(i);
+    }
+  }
+  return chosen;
+}
+VTK_ABI_NAMESPACE_END
