@@ -160,9 +160,9 @@ SHADOW_MUTANTS = {
         (PLAN, "lookup.IsInOneFace && lookup.Extent.Far < lookup.Near)",
          "lookup.IsInOneFace && lookup.Extent.Far < lookup.Far)")],
     "only one corner of a caster's box is tested": [
-        (LITMAP_SET, "vtkShadowFootprint::Make(points, *face.Space).Block : box);",
-         "vtkShadowFootprint::Make(points, *face.Space).Block\n"
-         "                    : vtkShadowFootprint::Make({ corners.data(), 1 }, *face.Space).Block);")],
+        (LITMAP_SET, "vtkShadowFootprint::Make(*points, *face.Space).Block : box);",
+         "vtkShadowFootprint::Make(*points, *face.Space).Block\n"
+         "                    : vtkShadowFootprint::Make(std::array{ corners[0] }, *face.Space).Block);")],
     "casters through the light's plane as others": [
         ("vtkShadowLitmapSet.h", "&& !(block.Low[2] > Margin * std::abs(block.High[2]));",
          "&& Margin < 0.0;")],

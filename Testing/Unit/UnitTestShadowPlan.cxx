@@ -116,7 +116,7 @@ struct Situation
     }
     vtkShadowPlan plan(this->Light, this->View, mode, litmaps, gap);
     this->Volume.Begin(Point(0.0));
-    const vtkShadowPart caster = { this->Footprint, this->Silhouette, points };
+    const vtkShadowPart caster = { this->Footprint, this->Silhouette, &points };
     const auto dismissed = plan.EarlyOut(caster);
     const vtkShadowPlan::Choice choice = plan.Decide(caster);
     plan.Draw(choice, caster, this->Volume);

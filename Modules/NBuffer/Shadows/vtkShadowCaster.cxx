@@ -35,7 +35,7 @@ std::shared_ptr<const vtkShadowTopology> MakeTopology(vtkPolyData* data)
 
 /// Triangles [begin, end) alone, in coordinates that the caller has.
 std::shared_ptr<const vtkShadowTopology> MakeTopology(
-  const vtkShadowTopology& whole, vtkShadowPoints points, int begin, int end)
+  const vtkShadowTopology& whole, const vtkShadowPoints& points, int begin, int end)
 {
   auto topology = std::make_shared<vtkShadowTopology>();
   topology->Build(
@@ -153,7 +153,7 @@ const std::vector<vtkShadowCaster::Part>& vtkShadowCaster::GetParts(std::size_t 
     cached.Valid = true;
     Part whole;
     whole.Topology = this->Topology;
-    whole.Points = this->Points;
+    whole.Points = &this->Points;
     this->AddPart(cached, std::move(whole), space, counting);
     ++built;
   }
@@ -184,7 +184,7 @@ void vtkShadowCaster::PrefetchParts(std::size_t slot) const
 void vtkShadowCaster::AddPart(
   Slot& slot, Part part, const vtkShadowLightSpace& space, vtkShadowCounting counting) const
 {
-  part.Silhouette.Compute(*part.Topology, part.Points, slot.Light, counting);
+  part.Silhouette.Compute(*part.Topology, *part.Points, slot.Light, counting);
   const int triangles = part.Topology->GetNumberOfTriangles();
   if (part.Silhouette.GetMaximumCount() > MaximumCount && triangles > 1)
   {
@@ -192,13 +192,13 @@ void vtkShadowCaster::AddPart(
     for (const auto& [begin, end] : { std::pair(0, middle), std::pair(middle, triangles) })
     {
       Part half;
-      half.Topology = MakeTopology(*part.Topology, part.Points, begin, end);
-      half.Points = half.Topology->GetPoints();
+      half.Topology = MakeTopology(*part.Topology, *part.Points, begin, end);
+      half.Points = &half.Topology->GetPoints();
       this->AddPart(slot, std::move(half), space, counting);
     }
     return;
   }
-  part.Footprint = vtkShadowFootprint::Make(part.Silhouette, part.Points, space);
+  part.Footprint = vtkShadowFootprint::Make(part.Silhouette, *part.Points, space);
   slot.Parts.push_back(std::move(part));
 }
 VTK_ABI_NAMESPACE_END

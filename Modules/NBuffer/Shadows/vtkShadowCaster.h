@@ -57,7 +57,7 @@ public:
     vtkPolyData* mesh, const std::array<double, 16>& toWorld, const std::vector<Plane>& planes);
 
   /// The merged points in world coordinates.
-  const std::vector<glm::dvec3>& GetPoints() const { return this->Points; }
+  const vtkShadowPoints& GetPoints() const { return this->Points; }
   const std::vector<int>& GetTriangles() const { return this->Topology->GetTriangles(); }
   int GetNumberOfTriangles() const { return this->Topology->GetNumberOfTriangles(); }
 
@@ -98,7 +98,7 @@ private:
   std::vector<Plane> Planes;
   std::shared_ptr<const vtkShadowTopology> MeshTopology;
   std::shared_ptr<const vtkShadowTopology> Topology; ///< The topology of what the planes leave.
-  std::vector<glm::dvec3> Points;
+  vtkShadowPoints Points;
 };
 
 VTK_ABI_NAMESPACE_END

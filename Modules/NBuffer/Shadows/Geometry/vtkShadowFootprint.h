@@ -18,7 +18,6 @@
 
 #include "vtkShadowBlock.h"
 #include "vtkShadowLight.h"
-#include "vtkShadowPoints.h"
 #include "vtkShadowSilhouette.h"
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -26,7 +25,8 @@ VTK_ABI_NAMESPACE_BEGIN
 struct vtkShadowFootprint
 {
   /// The footprint of all points.
-  static vtkShadowFootprint Make(vtkShadowPoints points, const vtkShadowLightSpace& space)
+  template <typename Points>
+  static vtkShadowFootprint Make(const Points& points, const vtkShadowLightSpace& space)
   {
     vtkShadowFootprint result;
     for (const glm::dvec3& point : points)
@@ -38,8 +38,8 @@ struct vtkShadowFootprint
 
   /// The footprint of the triangles that count alone. `points` must be those that the silhouette
   /// was computed with.
-  static vtkShadowFootprint Make(
-    const vtkShadowSilhouette& silhouette, vtkShadowPoints points, const vtkShadowLightSpace& space)
+  static vtkShadowFootprint Make(const vtkShadowSilhouette& silhouette,
+    const vtkShadowPoints& points, const vtkShadowLightSpace& space)
   {
     vtkShadowFootprint result;
     for (const int corner : silhouette.GetTriangles())
@@ -65,7 +65,7 @@ struct vtkShadowPart
 {
   vtkShadowFootprint Footprint;   ///< The footprint of the triangles that count.
   vtkShadowSilhouette Silhouette; ///< The triangles that count, and their outline.
-  vtkShadowPoints Points;         ///< The world coordinates that the silhouette was computed with.
+  const vtkShadowPoints* Points;  ///< The world coordinates that the silhouette was computed with.
 };
 
 VTK_ABI_NAMESPACE_END

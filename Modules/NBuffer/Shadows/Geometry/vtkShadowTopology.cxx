@@ -116,7 +116,8 @@ double GetSolidAngle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3&
 }
 }
 
-void vtkShadowTopology::Build(vtkShadowPoints points, const std::vector<vtkIdType>& triangles)
+void vtkShadowTopology::Build(
+  const vtkShadowPoints& points, const std::vector<vtkIdType>& triangles)
 {
   *this = vtkShadowTopology();
   this->Triangles.reserve(triangles.size());

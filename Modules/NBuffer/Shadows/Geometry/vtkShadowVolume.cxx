@@ -9,7 +9,7 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 /// Where the near cap has point i.
-glm::dvec3 GetNearPoint(const vtkShadowSilhouette& silhouette, vtkShadowPoints points, int i)
+glm::dvec3 GetNearPoint(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points, int i)
 {
   const std::vector<glm::dvec3>& pushes = silhouette.GetPushes();
   return pushes.empty() ? points[i] : points[i] + pushes[static_cast<std::size_t>(i)];
@@ -22,7 +22,7 @@ template <typename Maker>
 class vtkShadowVolume::Image
 {
 public:
-  Image(vtkShadowPoints points, Maker make)
+  Image(const vtkShadowPoints& points, Maker make)
     : Vertices(points.size(), Unknown)
     , Make(std::move(make))
   {
@@ -124,7 +124,7 @@ void vtkShadowVolume::AddSides(
   }
 }
 void vtkShadowVolume::AddWhole(
-  const vtkShadowSilhouette& silhouette, vtkShadowPoints points, const vtkShadowLight& light)
+  const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points, const vtkShadowLight& light)
 {
   Image nearImage(points,
     [&](int i)
@@ -146,8 +146,9 @@ void vtkShadowVolume::AddWhole(
   }
 }
 
-void vtkShadowVolume::AddClamped(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
-  const vtkShadowLightSpace& space, const vtkShadowSlab& slab, double casterFar)
+void vtkShadowVolume::AddClamped(const vtkShadowSilhouette& silhouette,
+  const vtkShadowPoints& points, const vtkShadowLightSpace& space, const vtkShadowSlab& slab,
+  double casterFar)
 {
   const bool nearPlane = casterFar < slab.Near;
   const double farDepth =

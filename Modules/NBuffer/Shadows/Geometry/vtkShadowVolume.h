@@ -76,15 +76,15 @@ public:
    * Adds the whole volume of a caster: near cap, sides and, for positional lights, far cap.
    * `points` must be those that the silhouette was computed with.
    */
-  void AddWhole(
-    const vtkShadowSilhouette& silhouette, vtkShadowPoints points, const vtkShadowLight& light);
+  void AddWhole(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
+    const vtkShadowLight& light);
 
   /**
    * Adds the part of a caster's volume that lies in the slab, see above. `casterFar` is the largest
    * depth of its points in `space`, or more. For a positional light the depths of all points must
    * be positive. A slab that ends before the caster does is extended to a little beyond it.
    */
-  void AddClamped(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
+  void AddClamped(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
     const vtkShadowLightSpace& space, const vtkShadowSlab& slab, double casterFar);
 
   /// The coordinates x, y, z, w of each vertex. w = 1 is a point relative to the origin, w = 0 is a

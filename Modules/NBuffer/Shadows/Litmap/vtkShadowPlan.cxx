@@ -137,7 +137,7 @@ vtkShadowPlan::Boxes vtkShadowPlan::FindBoxes(
   for (const vtkShadowLitmapSet::FaceQuery& query : lookup.Queries)
   {
     const vtkShadowTiles& tiles = query.Map.Litmap->GetTiles();
-    const vtkShadowUmbra umbra(caster.Silhouette, caster.Points, *query.Map.Space, query.Rays);
+    const vtkShadowUmbra umbra(caster.Silhouette, *caster.Points, *query.Map.Space, query.Rays);
     set.Mark(
       [&](int column, int row)
       {
