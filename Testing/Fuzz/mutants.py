@@ -211,7 +211,7 @@ SHADOW_MUTANTS = {
     "frame key without props": [
         (FRAME_KEY, "this->PropsVersion == other.PropsVersion &&", "")],
     "keys of casters not looked at again": [
-        ("vtkShadowCasterList.cxx", " || casts != member.Casts", "")],
+        ("vtkShadowCasterList.cxx", " ||\n      member.Casts != member.HasRequiredKeys", "")],
     "shaders kept when lights change": [
         ("vtkShadowShading.cxx", "this->Time.Modified();", "")],
 }
