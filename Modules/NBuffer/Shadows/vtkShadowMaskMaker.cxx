@@ -382,8 +382,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   if (done && (pictured ? pictured == work.Source.Source : work.Slot == 0))
   {
     const vtkShadowDebugView::Subject subject = { this->Litmaps.data(),
-      static_cast<int>(spaces.size()), plan->GetDraws(), work.Camera.EyeToClipByRows.data(),
-      this->Viewport };
+      static_cast<int>(spaces.size()), plan->GetDraws(), work.Camera.EyeToClip, this->Viewport };
     return work.Frame.DebugView.Make(
       work.Window, work.Settings.Picture, subject, this->Counter, work.Statistics, this->Error);
   }
@@ -425,9 +424,8 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
     }
     this->Counter.ClearStencil(this->Target, this->Viewport, start);
     ++statistics.StencilClears;
-    if (!this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClipByRows.data(), first,
-          last, work.Settings.Tuning.CountFragments ? &statistics.Fragments : nullptr,
-          this->Error) ||
+    if (!this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClip, first, last,
+          work.Settings.Tuning.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||
       !this->Counter.Resolve(work.Window, this->Target, mask, channel, this->Viewport, this->Error))
     {
       return false;

@@ -79,10 +79,8 @@ bool vtkShadowDebugView::DrawVolumes(vtkOpenGLRenderWindow* window, vtkShadowPic
   glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   glClearBufferfv(GL_COLOR, 0, nothing);
-  if (!counter.Show(window, subject.VolumeToClip, subject.Draws,
-        picture == vtkShadowPicture::Counts ? vtkShadowCounter::Look::Fragments
-                                            : vtkShadowCounter::Look::Edges,
-        why))
+  if (!counter.Show(
+        window, subject.VolumeToClip, subject.Draws, picture == vtkShadowPicture::Volumes, why))
   {
     return false;
   }
