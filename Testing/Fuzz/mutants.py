@@ -203,7 +203,7 @@ SHADOW_MUTANTS = {
     "stale silhouettes after a change of matrix or mesh": [
         (CASTER, "this->Slots.clear();", "")],
     "stale silhouettes of a light that moved": [
-        (CASTER, "!(cached.Light == light) ||", "")],
+        (CASTER, "&& cached.Light == light &&", "&&")],
     "frame key without lights": [
         (FRAME_KEY, "this->Lights == other.Lights &&", "")],
     "frame key without the camera": [

@@ -90,12 +90,6 @@ void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
   glClearBufferfv(GL_DEPTH, 0, &vtkNBufferDepthConvention::Background);
 }
 
-bool vtkShadowMaskMaker::ReadMask(
-  vtkOpenGLRenderWindow* window, std::size_t slot, int sample, std::vector<unsigned char>& mask)
-{
-  return this->Target.ReadMask(window, this->Viewport, slot, sample, mask, this->Error);
-}
-
 bool vtkShadowMaskMaker::Make(const Frame& frame, const Settings& settings)
 {
   const std::vector<vtkShadowLightSource>& lights = frame.Lights;
@@ -203,41 +197,38 @@ bool vtkShadowMaskMaker::MakeLitmaps(
 
 void vtkShadowMaskMaker::FindParts(const Work& work)
 {
-  constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
   const std::vector<vtkShadowCaster*>& casters = work.Frame.Casters.GetCasters();
-  this->PartLists.resize(casters.size());
+  const auto last = static_cast<vtkIdType>(casters.size()) - 1;
   std::atomic<int> built(0);
-  vtkNBufferForEachProp::Run(casters.size(),
-    [&](vtkIdType begin, vtkIdType end)
+  vtkNBufferForEachProp::RunAhead(
+    casters.size(),
+    [&](vtkIdType i)
     {
-      int builtHere = 0;
-      for (vtkIdType i = begin; i < end; ++i)
+      casters[i]->PrefetchParts(work.Slot);
+      casters[std::min(i + vtkNBufferForEachProp::PropsToFetchAhead, last)]->Prefetch();
+    },
+    [&](vtkIdType i)
+    {
+      if (casters[i]->UpdateParts(work.Slot, work.GetLight(), work.Space, work.Camera.NearBounds))
       {
-        if (i + 2 * ahead < end)
-        {
-          casters[i + 2 * ahead]->Prefetch();
-          casters[i + ahead]->PrefetchParts(work.Slot);
-        }
-        this->PartLists[i] = &casters[i]->GetParts(
-          work.Slot, work.GetLight(), work.Space, work.Camera.NearBounds, builtHere);
+        ++built;
       }
-      built += builtHere;
     });
   work.Statistics.Silhouettes += built;
   this->Parts.clear();
-  for (const std::vector<vtkShadowCaster::Part>* parts : this->PartLists)
+  for (const vtkShadowCaster* caster : casters)
   {
-    for (const vtkShadowCaster::Part& part : *parts)
+    for (const vtkShadowPart& part : caster->GetParts(work.Slot))
     {
       this->Parts.push_back(&part);
     }
   }
 }
 
-void vtkShadowMaskMaker::Decide(const vtkShadowPlan& plan)
+vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vtkShadowPlan& plan)
 {
   constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
-  this->Choices.assign(this->Parts.size(), {});
+  this->Choices.resize(this->Parts.size());
   vtkNBufferForEachProp::Run(
     this->Parts.size(),
     [&](vtkIdType begin, vtkIdType end)
@@ -248,33 +239,16 @@ void vtkShadowMaskMaker::Decide(const vtkShadowPlan& plan)
         {
           this->Parts[i + ahead]->Prefetch();
         }
-        const vtkShadowPart& part = *this->Parts[i];
-        if (const auto verdict = plan.EarlyOut(part))
-        {
-          this->Choices[i].Verdict = *verdict;
-        }
-        else
-        {
-          this->Choices[i] = plan.Decide(part);
-        }
+        this->Choices[i] = plan.Decide(*this->Parts[i]);
       }
     },
     CastersPerThread);
-}
-
-vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vtkShadowPlan& plan)
-{
   Verdicts verdicts = {};
   this->Volume.Begin(work.Camera.Eye);
-  this->Decide(plan);
   for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {
-    const vtkShadowPlan::Choice& choice = this->Choices[i];
-    ++verdicts[static_cast<std::size_t>(choice.Verdict)];
-    if (choice.IsDrawn())
-    {
-      plan.Draw(choice, *this->Parts[i], this->Volume);
-    }
+    ++verdicts[static_cast<std::size_t>(this->Choices[i].Verdict)];
+    plan.Draw(this->Choices[i], *this->Parts[i], this->Volume);
   }
   return verdicts;
 }
@@ -317,7 +291,7 @@ bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work)
 {
   const bool positional = work.GetLight().Kind != vtkShadowLightKind::Directional;
   long long triangles = 0;
-  for (const vtkShadowCaster::Part* part : this->Parts)
+  for (const vtkShadowPart* part : this->Parts)
   {
     triangles += vtkShadowCostModel::CountTriangles(part->Silhouette, positional);
   }

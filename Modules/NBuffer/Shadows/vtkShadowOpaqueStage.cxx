@@ -215,12 +215,12 @@ bool vtkShadowOpaqueStage::ReadMask(
     return false;
   }
   const auto slot = static_cast<std::size_t>(found - lights.begin());
-  if (!this->Masks.ReadMask(this->Window, slot, sample, mask))
+  const int* viewport = this->Masks.GetViewport();
+  if (!this->Masks.GetTarget().ReadMask(this->Window, viewport, slot, sample, mask, why))
   {
-    why = this->Masks.GetError();
     return false;
   }
-  std::copy_n(this->Masks.GetViewport() + 2, 2, size);
+  std::copy_n(viewport + 2, 2, size);
   return true;
 }
 

@@ -66,7 +66,7 @@ public:
   /// The statistics of the last frame.
   const vtkShadowStatistics& GetStatistics() const { return this->Statistics; }
   vtkShadowShading& GetShading() { return this->Shading; }
-  const vtkShadowTarget& GetTarget() const { return this->Masks.GetTarget(); }
+  const vtkShadowTarget& GetTarget() { return this->Masks.GetTarget(); }
 
   /// Reads the mask of a light of the last frame, as vtkShadowVolumeClampPass::GetMask() describes.
   /// Returns false if the light did not cast, if there is no such sample or, with the cause in

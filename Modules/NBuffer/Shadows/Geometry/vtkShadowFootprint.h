@@ -16,9 +16,12 @@
 #ifndef vtkShadowFootprint_h
 #define vtkShadowFootprint_h
 
+#include "vtkNBufferForEachProp.h"
 #include "vtkShadowBlock.h"
 #include "vtkShadowLight.h"
 #include "vtkShadowSilhouette.h"
+
+#include <memory>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -63,9 +66,21 @@ struct vtkShadowFootprint
 /// A caster, or some of its triangles, as one light sees it.
 struct vtkShadowPart
 {
+  /// Makes the processor fetch what vtkShadowPlan::EarlyOut() will read.
+  void Prefetch() const
+  {
+    vtkNBufferForEachProp::Fetch(&this->Footprint.Block);
+    vtkNBufferForEachProp::Fetch(&this->Silhouette);
+  }
+
   vtkShadowFootprint Footprint;   ///< The footprint of the triangles that count.
   vtkShadowSilhouette Silhouette; ///< The triangles that count, and their outline.
-  const vtkShadowPoints* Points;  ///< The world coordinates that the silhouette was computed with.
+  ///@{
+  /// What the silhouette was computed with. The points are in world coordinates and belong to the
+  /// caster or to the topology.
+  const vtkShadowPoints* Points = nullptr;
+  std::shared_ptr<const vtkShadowTopology> Topology = nullptr;
+  ///@}
 };
 
 VTK_ABI_NAMESPACE_END

@@ -31,7 +31,7 @@ bool vtkShadowPlan::HasLitmaps() const
   return this->Mode != vtkShadowMode::Unclamped && this->Litmaps.IsKnown();
 }
 
-std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOutByPlace(const vtkShadowPart& caster) const
+std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOut(const vtkShadowPart& caster) const
 {
   if (caster.Silhouette.GetTriangles().empty())
   {
@@ -50,7 +50,7 @@ std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOutByPlace(const vtkShadowPa
   {
     return vtkShadowVerdict::OutsideCone;
   }
-  return {};
+  return EarlyOutByReceivers(this->Litmaps.LookUp(caster.Footprint));
 }
 
 std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOutByReceivers(const Lookup& lookup)
@@ -66,20 +66,10 @@ std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOutByReceivers(const Lookup&
   return {};
 }
 
-std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOut(const vtkShadowPart& caster) const
-{
-  const auto verdict = this->EarlyOutByPlace(caster);
-  if (verdict || !this->HasLitmaps())
-  {
-    return verdict;
-  }
-  return EarlyOutByReceivers(this->Litmaps.LookUp(caster.Footprint));
-}
-
 vtkShadowPlan::Choice vtkShadowPlan::Decide(const vtkShadowPart& caster) const
 {
   Choice choice;
-  if (const auto verdict = this->EarlyOutByPlace(caster))
+  if (const auto verdict = this->EarlyOut(caster))
   {
     choice.Verdict = *verdict;
     return choice;

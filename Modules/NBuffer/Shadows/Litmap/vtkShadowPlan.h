@@ -109,16 +109,13 @@ public:
   vtkShadowPlan(const vtkShadowLight& light, const View& view, vtkShadowMode mode,
     std::vector<Face> litmaps, int gap = 4);
 
-  /**
-   * The reason why a caster is not drawn, as far as its box and one lookup say; nothing if that is
-   * not enough. Decide() comes to the same result, but it reads the caster's points, which the
-   * processor has to fetch from memory for each of many casters. It changes nothing and may be
-   * called in parallel.
-   */
-  std::optional<vtkShadowVerdict> EarlyOut(const vtkShadowPart& caster) const;
-
   /// Decides about a caster. It changes nothing and may be called in parallel.
   Choice Decide(const vtkShadowPart& caster) const;
+
+  /// The reason why a caster is not drawn, as far as its boxes and one lookup say; nothing if that
+  /// is not enough. Decide() begins with it: it does not read the caster's points, which the
+  /// processor has to fetch from memory for each of many casters.
+  std::optional<vtkShadowVerdict> EarlyOut(const vtkShadowPart& caster) const;
 
   /// Adds what was chosen for a caster: its triangles to `volume`, its draws to GetDraws().
   void Draw(const Choice& choice, const vtkShadowPart& caster, vtkShadowVolume& volume);
@@ -136,7 +133,6 @@ private:
   using Lookup = vtkShadowLitmapSet::Lookup;
 
   bool HasLitmaps() const;
-  std::optional<vtkShadowVerdict> EarlyOutByPlace(const vtkShadowPart& caster) const;
   static std::optional<vtkShadowVerdict> EarlyOutByReceivers(const Lookup& lookup);
   /// The boxes of pixels to draw into. `isOnRays` becomes true if any receiver at all is on the
   /// caster's rays.
