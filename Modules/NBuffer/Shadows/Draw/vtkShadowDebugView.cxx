@@ -25,11 +25,11 @@ bool vtkShadowDebugView::Make(vtkOpenGLRenderWindow* window, vtkShadowPicture pi
   std::string& why)
 {
   std::copy_n(subject.Viewport, 4, this->Viewport);
+  this->Image.clear();
   switch (picture)
   {
     case vtkShadowPicture::None:
-      this->Image.clear();
-      return true;
+      break;
     case vtkShadowPicture::Litmaps:
       this->Image = vtkShadowDebugImage::PaintLitmaps(
         subject.Litmaps, subject.NumberOfLitmaps, this->GetWidth(), this->GetHeight());
@@ -45,10 +45,6 @@ bool vtkShadowDebugView::Make(vtkOpenGLRenderWindow* window, vtkShadowPicture pi
         return false;
       }
       break;
-  }
-  if (picture == vtkShadowPicture::Counts)
-  {
-    vtkShadowDebugImage::PaintCounts(this->Image);
   }
   return true;
 }
@@ -88,6 +84,10 @@ bool vtkShadowDebugView::DrawVolumes(vtkOpenGLRenderWindow* window, vtkShadowPic
   const vtkNBufferGL::ScopedReadback readback(this->Texture.GetFramebuffer());
   glReadPixels(viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE,
     this->Image.data());
+  if (picture == vtkShadowPicture::Counts)
+  {
+    vtkShadowDebugImage::PaintCounts(this->Image);
+  }
   return vtkNBufferGL::CheckErrors("Drawing volumes for a debug view", why);
 }
 

@@ -154,7 +154,7 @@ void vtkShadowLitmap::Split(int count)
   {
     vtkShadowLitmap& part = this->GetPart(i);
     part.Begin(this->Resolution, range);
-    part.Tiles.BeginAs(this->Tiles);
+    part.Tiles = this->Tiles;
   }
 }
 

@@ -35,7 +35,6 @@
 #include "vtkNBufferMath.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkShadowBlock.h"
-#include "vtkShadowExtent.h"
 #include "vtkShadowTiles.h"
 
 #include "vtkType.h"
@@ -91,8 +90,8 @@ public:
 
   /**
    * Makes `count` parts (at least 1) so that several threads can add receivers, each to its own
-   * part. Call it after Begin() of litmap and tiles. Part 0 is the litmap itself; memory of the
-   * others is kept.
+   * part. Call it after Begin() of litmap and tiles, before receivers are added. Part 0 is the
+   * litmap itself; memory of the others is kept.
    */
   void Split(int count);
 

@@ -90,7 +90,7 @@ vtkShadowLitmapSet::Lookup vtkShadowLitmapSet::LookUp(
 
 double vtkShadowLitmapSet::GetWidestAngle() const
 {
-  constexpr double margin = 1e-3; // radians; more than vtkShadowLight::IsInCone() is wider
+  constexpr double margin = 1e-3; // radians; more than in vtkShadowLight::GetConeCosine()
   const double cone = vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;
   return this->IsKnown() ? std::max(cone, this->Faces[0].Litmap->GetWidestAngle()) : cone;
 }

@@ -50,14 +50,6 @@ void vtkShadowTiles::Begin(int width, int height)
   this->Splits.assign(size, std::numeric_limits<float>::infinity());
 }
 
-void vtkShadowTiles::BeginAs(const vtkShadowTiles& other)
-{
-  this->Columns = other.Columns;
-  this->Rows = other.Rows;
-  this->Tiles.assign(other.Tiles.size(), Layers());
-  this->Splits = other.Splits;
-}
-
 void vtkShadowTiles::Merge(const vtkShadowTiles& other)
 {
   for (std::size_t k = 0; k < this->Tiles.size(); ++k)
