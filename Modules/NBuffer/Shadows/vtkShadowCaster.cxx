@@ -6,7 +6,6 @@
 #include "vtkNBufferPolygonClip.h"
 #include "vtkNBufferSurface.h"
 
-#include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -102,11 +101,11 @@ bool vtkShadowCaster::Update(
   this->Planes = planes;
   this->Topology = this->MeshTopology;
   this->Points = this->Topology->GetPoints();
+  const glm::dmat4 matrix = vtkNBufferGLM::ToMatrix(toWorld.data());
   for (glm::dvec3& point : this->Points)
   {
-    double x[4] = { point.x, point.y, point.z, 1.0 };
-    vtkMatrix4x4::MultiplyPoint(toWorld.data(), x, x);
-    point = vtkNBufferGLM::ToVector(x) / x[3];
+    const glm::dvec4 moved = vtkNBufferGLM::Multiply(matrix, glm::dvec4(point, 1.0));
+    point = glm::dvec3(moved) / moved.w;
   }
   if (!planes.empty())
   {

@@ -208,17 +208,14 @@ bool vtkShadowTopology::ProveConvex() const
   {
     centre += point / static_cast<double>(this->GetNumberOfPoints());
   }
-  const auto getPoint = [this](int i) -> const glm::dvec3&
-  { return this->Points[static_cast<std::size_t>(i)]; };
-
   double orientation = 0.0; // 1: wound outwards, -1: inwards
   double solidAngle = 0.0;
   for (int t = 0; t < this->GetNumberOfTriangles(); ++t)
   {
     const int* corners = this->Triangles.data() + 3 * std::size_t(t);
-    const glm::dvec3& a = getPoint(corners[0]);
-    const glm::dvec3& b = getPoint(corners[1]);
-    const glm::dvec3& c = getPoint(corners[2]);
+    const glm::dvec3& a = this->Points[corners[0]];
+    const glm::dvec3& b = this->Points[corners[1]];
+    const glm::dvec3& c = this->Points[corners[2]];
     const TetrahedronVolume volume(a, b, c, centre);
     if (t == 0)
     {
@@ -247,8 +244,9 @@ bool vtkShadowTopology::ProveConvex() const
     {
       const Use& use = this->Uses[edge.First];
       const double side = orientation * use.Direction;
-      const TetrahedronVolume volume(getPoint(edge.A), getPoint(edge.B),
-        getPoint(getOpposite(edge, use)), getPoint(getOpposite(edge, this->Uses[edge.First + 1])));
+      const TetrahedronVolume volume(this->Points[edge.A], this->Points[edge.B],
+        this->Points[getOpposite(edge, use)],
+        this->Points[getOpposite(edge, this->Uses[edge.First + 1])]);
       return side * volume.Value - volume.Error >= 0.0; // false if a value overflowed
     });
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowVolume.h"
 
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -18,11 +19,10 @@ glm::dvec3 GetNearPoint(const vtkShadowSilhouette& silhouette, const vtkShadowPo
 
 /// The vertices that stand for merged points on one side of the volume. Each is made when it is
 /// first needed.
-template <typename Maker>
 class vtkShadowVolume::Image
 {
 public:
-  Image(const vtkShadowPoints& points, Maker make)
+  Image(const vtkShadowPoints& points, std::function<unsigned int(int)> make)
     : Vertices(points.size(), Unknown)
     , Make(std::move(make))
   {
@@ -42,7 +42,7 @@ private:
   static constexpr unsigned int Unknown = std::numeric_limits<unsigned int>::max();
 
   std::vector<unsigned int> Vertices;
-  Maker Make;
+  std::function<unsigned int(int)> Make;
 };
 
 void vtkShadowVolume::Begin(const glm::dvec3& origin)
@@ -68,9 +68,7 @@ void vtkShadowVolume::AddTriangle(unsigned int a, unsigned int b, unsigned int c
   this->Indices.insert(this->Indices.end(), { a, b, c });
 }
 
-template <typename ImageType>
-void vtkShadowVolume::AddTriangles(
-  const vtkShadowSilhouette& silhouette, ImageType& image, Side side)
+void vtkShadowVolume::AddTriangles(const vtkShadowSilhouette& silhouette, Image& image, Side side)
 {
   const std::vector<int>& corners = silhouette.GetTriangles();
   for (std::size_t i = 0; i < corners.size(); i += 3)
@@ -82,8 +80,7 @@ void vtkShadowVolume::AddTriangles(
   }
 }
 
-template <typename ImageType>
-void vtkShadowVolume::AddFan(const vtkShadowSilhouette& silhouette, ImageType& image, Side side)
+void vtkShadowVolume::AddFan(const vtkShadowSilhouette& silhouette, Image& image, Side side)
 {
   glm::dvec3 mean(0.0);
   for (const vtkShadowSilhouette::Edge& edge : silhouette.GetEdges())
@@ -103,9 +100,8 @@ void vtkShadowVolume::AddFan(const vtkShadowSilhouette& silhouette, ImageType& i
   }
 }
 
-template <typename NearImage, typename FarImage>
 void vtkShadowVolume::AddSides(
-  const vtkShadowSilhouette& silhouette, NearImage& nearImage, FarImage& farImage)
+  const vtkShadowSilhouette& silhouette, Image& nearImage, Image& farImage)
 {
   for (const vtkShadowSilhouette::Edge& edge : silhouette.GetEdges())
   {

@@ -95,7 +95,6 @@ public:
   const std::vector<unsigned int>& GetIndices() const { return this->Indices; }
 
 private:
-  template <typename Maker>
   class Image;
   enum class Side
   {
@@ -105,12 +104,9 @@ private:
 
   unsigned int AddVertex(const glm::dvec3& x, float w);
   void AddTriangle(unsigned int a, unsigned int b, unsigned int c);
-  template <typename ImageType>
-  void AddTriangles(const vtkShadowSilhouette& silhouette, ImageType& image, Side side);
-  template <typename ImageType>
-  void AddFan(const vtkShadowSilhouette& silhouette, ImageType& image, Side side);
-  template <typename NearImage, typename FarImage>
-  void AddSides(const vtkShadowSilhouette& silhouette, NearImage& nearImage, FarImage& farImage);
+  void AddTriangles(const vtkShadowSilhouette& silhouette, Image& image, Side side);
+  void AddFan(const vtkShadowSilhouette& silhouette, Image& image, Side side);
+  void AddSides(const vtkShadowSilhouette& silhouette, Image& nearImage, Image& farImage);
 
   glm::dvec3 Origin = { 0.0, 0.0, 0.0 };
   std::vector<float> Vertices;

@@ -81,8 +81,8 @@ std::vector<vtkNBufferRectangle> vtkShadowTileSet::GetBoxes(double cost) const
   this->Divide(this->Tiles, cost / (size * size), boxes);
   for (vtkNBufferRectangle& box : boxes)
   {
-    box = { std::max(box.X0 * size, this->Pixels.X0), std::max(box.Y0 * size, this->Pixels.Y0),
-      std::min(box.X1 * size, this->Pixels.X1), std::min(box.Y1 * size, this->Pixels.Y1) };
+    box =
+      this->Pixels.GetIntersection({ box.X0 * size, box.Y0 * size, box.X1 * size, box.Y1 * size });
   }
   return boxes;
 }
