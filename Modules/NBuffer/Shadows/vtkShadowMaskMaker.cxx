@@ -61,9 +61,8 @@ struct vtkShadowMaskMaker::Work
   vtkShadowLightSpace Space;
 };
 
-bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights)
+bool vtkShadowMaskMaker::Reserve(vtkOpenGLRenderWindow* window, std::size_t lights)
 {
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   if (!vtkNBufferGL::CheckVersion(this->Error))
   {
     return false;
@@ -80,9 +79,8 @@ bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights)
     vtkShadowTarget::GetBoundSamples(), this->Error);
 }
 
-void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
+void vtkShadowMaskMaker::BeginDepth(vtkOpenGLRenderWindow* window)
 {
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Target.GetDepthFramebuffer());
@@ -102,7 +100,6 @@ bool vtkShadowMaskMaker::Make(const Frame& frame, const Settings& settings)
   std::copy_n(this->Viewport, 4, camera.Plan.Viewport);
   camera.Plan.Boxes = settings.Mode != vtkShadowMode::Culled &&
     vtkNBufferGL::KeepsToScissor(static_cast<int>(this->Target.GetSamples().size()));
-  camera.Plan.BoxCost = settings.Tuning.BoxCost;
   frame.DebugView.Clear();
   const vtkShadowCounter::Scope scope(window, this->Viewport);
   for (int mask = 0; mask < this->Target.GetNumberOfMasks(); ++mask)
@@ -310,7 +307,8 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   this->FindParts(work);
   if (work.Settings.Mode == vtkShadowMode::Unclamped || (automatic && !this->IsLitmapWorthIt(work)))
   {
-    plan.emplace(light, view, vtkShadowMode::Unclamped, std::vector<vtkShadowPlan::Face>());
+    plan.emplace(light, view, vtkShadowMode::Unclamped, std::vector<vtkShadowPlan::Face>(),
+      work.Settings.Tuning);
     verdicts = this->AddCasters(work, *plan);
     if (automatic &&
       this->IsLitmapWorthIt(work,
@@ -342,7 +340,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
       litmaps.push_back({ &spaces[i], &this->Litmaps[i] });
     }
     plan.emplace(light, view, automatic ? vtkShadowMode::Scissored : work.Settings.Mode,
-      std::move(litmaps), work.Settings.Tuning.SlabGap);
+      std::move(litmaps), work.Settings.Tuning);
     verdicts = this->AddCasters(work, *plan);
     work.Statistics.PlanTime += clock.Restart();
   }
@@ -370,10 +368,11 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
   vtkShadowStatistics& statistics = work.Statistics;
   ++this->Shadows;
   statistics.Boxes += static_cast<int>(draws.size());
-  statistics.Draws += static_cast<int>(std::count_if(
-    draws.begin(), draws.end(), [](const vtkShadowDraw& draw) { return !draw.Again; }));
-  statistics.ZPass += static_cast<int>(std::count_if(draws.begin(), draws.end(),
-    [](const vtkShadowDraw& draw) { return draw.ZPass && !draw.Again; }));
+  for (const vtkShadowDraw& draw : draws)
+  {
+    statistics.Draws += !draw.Again;
+    statistics.ZPass += draw.ZPass && !draw.Again;
+  }
   if (!this->Counter.Upload(this->Volume, this->Error))
   {
     return false;

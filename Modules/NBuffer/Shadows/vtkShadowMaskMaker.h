@@ -65,13 +65,13 @@ public:
    * (vtkShadowTarget::HasRefusedSamples(), with the cause in GetError()). Returns false, with the
    * cause in GetError(), if OpenGL refuses altogether.
    */
-  bool Reserve(vtkRenderer* renderer, std::size_t lights);
+  bool Reserve(vtkOpenGLRenderWindow* window, std::size_t lights);
 
   /**
    * Binds a framebuffer for the depth of what is drawn next, and clears it. Call Reserve() before.
    * The caller pops the framebuffer bindings of the window's vtkOpenGLState.
    */
-  void BeginDepth(vtkRenderer* renderer);
+  void BeginDepth(vtkOpenGLRenderWindow* window);
 
   /**
    * Makes the masks. Returns false on failure, with the cause in GetError(). Afterwards

@@ -87,10 +87,9 @@ private:
   void ReleaseObjects(vtkWindow* window);
   bool MakeMasks(const vtkRenderState* state, const Settings& settings,
     const std::vector<vtkShadowLightSource>& lights);
-  bool ReserveMasks(vtkRenderer* renderer, std::size_t lights);
+  bool ReserveMasks(std::size_t lights);
   void Draw(const vtkRenderState* state, vtkTextureObject* depth);
   int DrawPlain(const vtkRenderState* state, vtkShadowDecision decision);
-  void ShowDebugView(vtkOpenGLRenderWindow* window);
   void JoinProps(const vtkRenderState* state);
   void LeaveProps(const vtkRenderState* state);
   void WarnOnce(bool& hasWarned, const std::string& what);

@@ -12,17 +12,17 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// The part of View::BoxCost that is added for each triangle.
+/// The part of the cost of a box that is added for each triangle.
 constexpr double TriangleShare = 1.0 / 32;
 }
 
 vtkShadowPlan::vtkShadowPlan(const vtkShadowLight& light, const View& view, vtkShadowMode mode,
-  std::vector<Face> litmaps, int gap)
+  std::vector<Face> litmaps, const vtkShadowTuning& tuning)
   : Litmaps(light, std::move(litmaps))
   , Draws(light, view)
-  , BoxCost(view.Boxes ? view.BoxCost : std::numeric_limits<double>::infinity())
   , Mode(mode)
-  , Gap(gap)
+  , BoxCost(view.Boxes ? tuning.BoxCost : std::numeric_limits<double>::infinity())
+  , SlabGap(tuning.SlabGap)
 {
 }
 
@@ -148,7 +148,7 @@ std::vector<vtkShadowSlab> vtkShadowPlan::GetSlabs(const Lookup& lookup) const
 {
   std::vector<vtkShadowSlab> slabs;
   const vtkShadowLitmap& litmap = *lookup.Queries[0].Map.Litmap;
-  for (const auto& [near, far] : litmap.GetSlabs(lookup.Extent, this->Gap))
+  for (const auto& [near, far] : litmap.GetSlabs(lookup.Extent, this->SlabGap))
   {
     if (far < lookup.Near)
     {
