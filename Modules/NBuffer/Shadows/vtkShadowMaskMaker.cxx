@@ -196,6 +196,7 @@ void vtkShadowMaskMaker::FindParts(const Work& work)
 {
   const std::vector<vtkShadowCaster*>& casters = work.Frame.Casters.GetCasters();
   const auto last = static_cast<vtkIdType>(casters.size()) - 1;
+  std::vector<const std::vector<vtkShadowPart>*> partLists(casters.size());
   std::atomic<int> built(0);
   vtkNBufferForEachProp::RunAhead(
     casters.size(),
@@ -210,12 +211,13 @@ void vtkShadowMaskMaker::FindParts(const Work& work)
       {
         ++built;
       }
+      partLists[i] = &casters[i]->GetParts(work.Slot);
     });
   work.Statistics.Silhouettes += built;
   this->Parts.clear();
-  for (const vtkShadowCaster* caster : casters)
+  for (const std::vector<vtkShadowPart>* parts : partLists)
   {
-    for (const vtkShadowPart& part : caster->GetParts(work.Slot))
+    for (const vtkShadowPart& part : *parts)
     {
       this->Parts.push_back(&part);
     }
