@@ -288,11 +288,11 @@ bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work, double fragments, lon
 
 bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work)
 {
-  const bool positional = work.GetLight().Kind != vtkShadowLightKind::Directional;
   long long triangles = 0;
   for (const vtkShadowPart* part : this->Parts)
   {
-    triangles += vtkShadowCostModel::CountTriangles(part->Silhouette, positional);
+    triangles +=
+      vtkShadowCostModel::CountTriangles(part->Silhouette, work.GetLight().IsPositional());
   }
   return this->IsLitmapWorthIt(work, 0.0, triangles);
 }

@@ -29,36 +29,25 @@ struct vtkShadowBlock
   /// Returns true if the two boxes have a point in common, be it on their sides.
   bool Meets(const vtkShadowBlock& other) const
   {
-    return other.High.x >= this->Low.x && other.Low.x <= this->High.x &&
-      other.High.y >= this->Low.y && other.Low.y <= this->High.y && other.High.z >= this->Low.z &&
-      other.Low.z <= this->High.z;
+    return glm::all(glm::lessThanEqual(this->Low, other.High)) &&
+      glm::all(glm::lessThanEqual(other.Low, this->High));
   }
 
-  /// Widens coordinate i to hold [low, high].
-  void Add(int i, double low, double high)
+  /// Widens the box to hold the box from one corner to another.
+  void Add(const glm::dvec3& low, const glm::dvec3& high)
   {
-    this->Low[i] = low < this->Low[i] ? low : this->Low[i];
-    this->High[i] = high > this->High[i] ? high : this->High[i];
+    this->Low = glm::min(this->Low, low);
+    this->High = glm::max(this->High, high);
   }
 
   /// Widens the box to hold a point.
-  void Add(const glm::dvec3& x)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      this->Add(i, x[i], x[i]);
-    }
-  }
+  void Add(const glm::dvec3& x) { this->Add(x, x); }
 
   /// Widens the box to hold the segment from a to b, and what is at most radius[i] from it in
   /// coordinate i.
   void AddSegment(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& radius)
   {
-    for (int i = 0; i < 3; ++i)
-    {
-      this->Add(
-        i, (b[i] < a[i] ? b[i] : a[i]) - radius[i], (a[i] < b[i] ? b[i] : a[i]) + radius[i]);
-    }
+    this->Add(glm::min(a, b) - radius, glm::max(a, b) + radius);
   }
 };
 

@@ -56,11 +56,7 @@ void vtkShadowTiles::Merge(const vtkShadowTiles& other)
   {
     for (std::size_t layer = 0; layer < this->Tiles[k].size(); ++layer)
     {
-      const vtkShadowBlock& block = other.Tiles[k][layer];
-      for (int i = 0; i < 3; ++i)
-      {
-        this->Tiles[k][layer].Add(i, block.Low[i], block.High[i]);
-      }
+      this->Tiles[k][layer].Add(other.Tiles[k][layer].Low, other.Tiles[k][layer].High);
     }
   }
 }
