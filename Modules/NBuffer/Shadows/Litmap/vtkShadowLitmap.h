@@ -98,8 +98,8 @@ public:
   /// One of the parts that Split() made.
   vtkShadowLitmap& GetPart(int i) { return i == 0 ? *this : this->Parts[i - 1]; }
 
-  /// Merges the parts. The order of receivers does not matter to extents and blocks, so the litmap
-  /// is the same to the bit with any number of parts.
+  /// Merges the parts that Split() made. The order of receivers does not matter to extents and
+  /// blocks, so the litmap is the same to the bit with any number of parts.
   void Join();
 
   /// Makes all levels that queries need. After it receivers are added only after the next Begin().
@@ -179,7 +179,6 @@ private:
   std::vector<vtkShadowExtent> Lexels; ///< All levels, one after the other.
   vtkShadowTiles Tiles;
   std::vector<vtkShadowLitmap> Parts; ///< All parts except for the first.
-  int NumberOfParts = 1;
 };
 
 VTK_ABI_NAMESPACE_END
