@@ -88,7 +88,7 @@ void RerenderedLitmap::Begin(const glm::dvec3& eye)
   this->Indices.clear();
 }
 
-void RerenderedLitmap::AddReceiver(vtkShadowPoints points, const std::vector<int>& triangles)
+void RerenderedLitmap::AddReceiver(const vtkShadowPoints& points, const std::vector<int>& triangles)
 {
   const auto first = static_cast<unsigned int>(this->Vertices.size() / 3);
   for (const glm::dvec3& point : points)

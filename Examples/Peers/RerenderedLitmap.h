@@ -36,7 +36,6 @@
 #include "vtkNBufferGLObject.h"
 #include "vtkShadowCasterList.h"
 #include "vtkShadowLitmapSource.h"
-#include "vtkShadowPoints.h"
 
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
@@ -67,7 +66,7 @@ public:
 
   /// Adds a receiver. `points` are world coordinates; `triangles` has three indices for each
   /// triangle.
-  void AddReceiver(vtkShadowPoints points, const std::vector<int>& triangles);
+  void AddReceiver(const vtkShadowPoints& points, const std::vector<int>& triangles);
 
   /**
    * Sends the receivers and the camera's depth (see vtkShadowReceivers::Scatter()) to the device.

@@ -19,25 +19,24 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-/// Which part of the shadow volumes is drawn. The image is the same with all of them.
+/// Which part of the shadow volumes is drawn: see vtkShadowVolumeClampPass::SetMode().
 enum class vtkShadowMode : int
 {
-  Unclamped, ///< All volumes are drawn whole: the reference for what the other modes save.
-  Culled,    ///< The volumes of casters with receivers are drawn whole.
-  Scissored, ///< These volumes are drawn only inside the receivers' boxes on the screen.
-  Clamped,   ///< Of these volumes only the slabs that contain receivers are drawn.
-  Automatic  ///< Scissored for lights for which litmaps save more than they cost
-             ///< (vtkShadowCostModel.h), Unclamped for the others.
+  Unclamped,
+  Culled,
+  Scissored,
+  Clamped,
+  Automatic
 };
 
-/// What is drawn over the picture to show why shadows cost what they cost.
+/// What is drawn over the picture: see vtkShadowVolumeClampPass::SetDebugView().
 enum class vtkShadowPicture : int
 {
-  None,    ///< Nothing.
-  Litmaps, ///< The nearest and farthest depth and the occupancy of each lexel.
-  Extents, ///< The boxes of pixels into which volumes are drawn.
-  Volumes, ///< The edges of the volumes' triangles.
-  Counts   ///< How many fragments volumes have in each pixel.
+  None,
+  Litmaps,
+  Extents,
+  Volumes,
+  Counts
 };
 
 /// The parts of a frame whose time on the graphics device is measured.

@@ -166,9 +166,9 @@ SHADOW_MUTANTS = {
         (PLAN, "lookup.IsInOneFace && lookup.Extent.Far < lookup.Near)",
          "lookup.IsInOneFace && lookup.Extent.Far < lookup.Far)")],
     "only one corner of a caster's box is tested": [
-        (LITMAP_SET, "vtkShadowFootprint::Make(points, *face.Space).Block : box);",
-         "vtkShadowFootprint::Make(points, *face.Space).Block\n"
-         "                    : vtkShadowFootprint::Make({ corners.data(), 1 }, *face.Space).Block);")],
+        (LITMAP_SET, "vtkShadowFootprint::Make(*points, *face.Space).Block : box);",
+         "vtkShadowFootprint::Make(*points, *face.Space).Block\n"
+         "                    : vtkShadowFootprint::Make(std::array{ corners[0] }, *face.Space).Block);")],
     "casters through the light's plane as others": [
         ("vtkShadowLitmapSet.h", "&& !(block.Low[2] > Margin * std::abs(block.High[2]));",
          "&& Margin < 0.0;")],
@@ -209,7 +209,7 @@ SHADOW_MUTANTS = {
     "stale silhouettes after a change of matrix or mesh": [
         (CASTER, "this->Slots.clear();", "")],
     "stale silhouettes of a light that moved": [
-        (CASTER, "!(cached.Light == light) ||", "")],
+        (CASTER, "&& cached.Light == light &&", "&&")],
     "frame key without lights": [
         (FRAME_KEY, "this->Lights == other.Lights &&", "")],
     "frame key without the camera": [
@@ -217,7 +217,7 @@ SHADOW_MUTANTS = {
     "frame key without props": [
         (FRAME_KEY, "this->PropsVersion == other.PropsVersion &&", "")],
     "keys of casters not looked at again": [
-        ("vtkShadowCasterList.cxx", " || casts != member.Casts", "")],
+        ("vtkShadowCasterList.cxx", " ||\n      member.Casts != member.HasRequiredKeys", "")],
     "shaders kept when lights change": [
         ("vtkShadowShading.cxx", "this->Time.Modified();", "")],
 }

@@ -5,6 +5,7 @@
 #include "RerenderedLitmap.h"
 
 #include "GLStateSnapshot.h"
+#include "ShadowCaster.h"
 #include "WindowFixture.h"
 
 #include <algorithm>
@@ -127,7 +128,7 @@ TEST_F(GpuTestRerenderedLitmap, LexelsHoldWhatIsSeenAtTheirCentres)
       for (const double z : { 0.25, 0.75 })
       {
         const glm::dvec3 pqs(pq, frame.GetDepth(Eye - glm::dvec3(0.0, 0.0, z)));
-        const glm::dvec3 x = frame.ToWorld(pqs);
+        const glm::dvec3 x = ToWorld(frame, pqs);
         const double u = x[0] - Eye[0];
         const double v = x[1] - Eye[1];
         const double column = 0.5 * (u + 1.0) * Width;

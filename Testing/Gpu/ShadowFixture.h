@@ -29,7 +29,7 @@ protected:
     }
   }
 
-  static constexpr double VolumeToClip[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1 };
+  const glm::dmat4 VolumeToClip = glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1);
 
   /// The box between two corners.
   static ShadowMesh MakeBlock(const glm::dvec3& low, const glm::dvec3& high)

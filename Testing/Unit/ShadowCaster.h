@@ -41,6 +41,22 @@ inline std::vector<vtkShadowLightSpace> MakeFrames(const vtkShadowLight& light)
   return frames;
 }
 
+/// Whether the light reaches x if nothing is between.
+inline bool IsReached(const vtkShadowLight& light, const Point& x)
+{
+  const Point ray = x - light.Position;
+  return light.Kind != vtkShadowLightKind::Spot ||
+    glm::dot(ray, light.Direction) >= light.GetConeCosine() * glm::length(ray);
+}
+
+/// The inverse of vtkShadowLightSpace::ToLight().
+inline Point ToWorld(const vtkShadowLightSpace& space, const Point& pqs)
+{
+  const double factor = space.IsPositional() ? pqs[2] : 1.0;
+  return space.GetApex() + factor * (pqs[0] * space.GetU() + pqs[1] * space.GetV()) +
+    pqs[2] * space.GetAxis();
+}
+
 /// A mesh as casters are: topology, and a silhouette for one light.
 struct ShadowCaster
 {
@@ -60,8 +76,8 @@ struct ShadowCaster
     volume.AddWhole(this->Silhouette, this->GetPoints(), this->Light);
   }
 
-  void AddClamped(vtkShadowVolume& volume, const vtkShadowLightSpace& frame,
-    const vtkShadowSlab& slab) const
+  void AddClamped(
+    vtkShadowVolume& volume, const vtkShadowLightSpace& frame, const vtkShadowSlab& slab) const
   {
     volume.AddClamped(
       this->Silhouette, this->GetPoints(), frame, slab, this->GetDepths(frame).second);

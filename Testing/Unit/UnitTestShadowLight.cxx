@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Facing signs and light coordinates.
-#include "ShadowMeshes.h"
+#include "ShadowCaster.h"
 #include "vtkShadowLight.h"
 #include "vtkShadowTarget.h"
 
@@ -108,7 +108,7 @@ TEST(ShadowLight, FramesGoThereAndBack)
     {
       continue;
     }
-    const Point back = space.ToWorld(pqs);
+    const Point back = ToWorld(space, pqs);
     const Point moved = space.ToLight(space.Extrude(x, 2.5 * std::abs(pqs[2]) + 1.0));
     ASSERT_LE(glm::length(back - x), 1e-12) << "case " << n;
     ASSERT_NEAR(moved[0], pqs[0], 1e-13 * (30.0 + std::abs(pqs[0]))) << "case " << n;
@@ -135,10 +135,10 @@ TEST(ShadowLight, ReachesItsCone)
     const double radians = vtkMath::RadiansFromDegrees(angle);
     const Point x = light.Position +
       distance * (std::cos(radians) * light.Direction + std::sin(radians) * across);
-    ASSERT_EQ(light.IsInCone(x), angle <= light.ConeAngle + 0.01)
+    ASSERT_EQ(IsReached(light, x), angle <= light.ConeAngle + 0.01)
       << "case " << n << ", angle " << angle << ", cone " << light.ConeAngle;
     light.Kind = n % 2 ? Kind::Point : Kind::Directional;
-    ASSERT_TRUE(light.IsInCone(x));
+    ASSERT_TRUE(IsReached(light, x));
   }
 }
 

@@ -114,9 +114,11 @@ struct Situation
     {
       litmaps = { { &this->Frame, &this->Litmap } };
     }
-    vtkShadowPlan plan(this->Light, this->View, mode, litmaps, gap);
+    vtkShadowTuning tuning;
+    tuning.SlabGap = gap;
+    vtkShadowPlan plan(this->Light, this->View, mode, litmaps, tuning);
     this->Volume.Begin(Point(0.0));
-    const vtkShadowPart caster = { this->Footprint, this->Silhouette, points };
+    const vtkShadowPart caster = { this->Footprint, this->Silhouette, &points };
     const auto dismissed = plan.EarlyOut(caster);
     const vtkShadowPlan::Choice choice = plan.Decide(caster);
     plan.Draw(choice, caster, this->Volume);

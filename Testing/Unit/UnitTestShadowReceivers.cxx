@@ -371,8 +371,8 @@ TEST(ShadowReceiversOnce, OutsideOfTheConeIsLeftOut)
     {
       if (maker.Made.Depth[i] < 1.0f)
       {
-        reached += light.IsInCone(maker.Made.World[i]);
-        atMost += wider.IsInCone(maker.Made.World[i]);
+        reached += IsReached(light, maker.Made.World[i]);
+        atMost += IsReached(wider, maker.Made.World[i]);
       }
     }
     vtkShadowLitmap litmap;
@@ -405,7 +405,7 @@ TEST(ShadowReceiversOnce, WhatRoundingBringsIntoTheConeIsNotLeftOut)
       {
         Point x = maker.Made.World[i];
         x[k / 2] += k % 2 ? rounding : -rounding;
-        any = any || light.IsInCone(x);
+        any = any || IsReached(light, x);
       }
       reached += maker.Made.Depth[i] < 1.0f && any;
     }

@@ -10,7 +10,6 @@ vtkShadowCamera::vtkShadowCamera(vtkRenderer* renderer)
   const vtkNBufferCamera camera(renderer);
   this->Eye = camera.Eye;
   this->EyeToClip = camera.GetEyeToClip();
-  this->EyeToClipByRows = vtkNBufferGLM::ToRows(this->EyeToClip);
   this->Plan.Direction = camera.Direction;
   this->Plan.Parallel = camera.IsParallel;
   this->Plan.NearPlane = glm::row(this->EyeToClip, 2) + glm::row(this->EyeToClip, 3);

@@ -11,8 +11,6 @@
 #include "vtkShadowPlan.h"
 #include "vtkShadowReceivers.h"
 
-#include <array>
-
 VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
 
@@ -26,11 +24,10 @@ struct vtkShadowCamera
   /// pixel.
   vtkShadowView GetView() const;
 
-  glm::dvec3 Eye;                         ///< The camera's position in the world.
-  glm::dmat4 EyeToClip;                   ///< From positions relative to Eye to clip coordinates.
-  std::array<double, 16> EyeToClipByRows; ///< The elements of EyeToClip row by row, for uniforms.
-  vtkShadowBlock NearBounds;              ///< The box around the near plane's rectangle, world.
-  vtkShadowPlan::View Plan;               ///< What vtkShadowPlan needs.
+  glm::dvec3 Eye;            ///< The camera's position in the world.
+  glm::dmat4 EyeToClip;      ///< From positions relative to Eye to clip coordinates.
+  vtkShadowBlock NearBounds; ///< The box around the near plane's rectangle, world.
+  vtkShadowPlan::View Plan;  ///< What vtkShadowPlan needs.
 };
 
 VTK_ABI_NAMESPACE_END

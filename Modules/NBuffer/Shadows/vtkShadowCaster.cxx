@@ -6,7 +6,6 @@
 #include "vtkNBufferPolygonClip.h"
 #include "vtkNBufferSurface.h"
 
-#include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -15,7 +14,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 // A vector that grows moves its parts only if that cannot throw; otherwise it copies them.
-static_assert(std::is_nothrow_move_constructible_v<vtkShadowCaster::Part>);
+static_assert(std::is_nothrow_move_constructible_v<vtkShadowPart>);
 
 namespace
 {
@@ -35,7 +34,7 @@ std::shared_ptr<const vtkShadowTopology> MakeTopology(vtkPolyData* data)
 
 /// Triangles [begin, end) alone, in coordinates that the caller has.
 std::shared_ptr<const vtkShadowTopology> MakeTopology(
-  const vtkShadowTopology& whole, vtkShadowPoints points, int begin, int end)
+  const vtkShadowTopology& whole, const vtkShadowPoints& points, int begin, int end)
 {
   auto topology = std::make_shared<vtkShadowTopology>();
   topology->Build(
@@ -102,11 +101,11 @@ bool vtkShadowCaster::Update(
   this->Planes = planes;
   this->Topology = this->MeshTopology;
   this->Points = this->Topology->GetPoints();
+  const glm::dmat4 matrix = vtkNBufferGLM::ToMatrix(toWorld.data());
   for (glm::dvec3& point : this->Points)
   {
-    double x[4] = { point.x, point.y, point.z, 1.0 };
-    vtkMatrix4x4::MultiplyPoint(toWorld.data(), x, x);
-    point = vtkNBufferGLM::ToVector(x) / x[3];
+    const glm::dvec4 moved = vtkNBufferGLM::Multiply(matrix, glm::dvec4(point, 1.0));
+    point = glm::dvec3(moved) / moved.w;
   }
   if (!planes.empty())
   {
@@ -130,9 +129,8 @@ bool vtkShadowCaster::Update(
   return true;
 }
 
-const std::vector<vtkShadowCaster::Part>& vtkShadowCaster::GetParts(std::size_t slot,
-  const vtkShadowLight& light, const vtkShadowLightSpace& space, const vtkShadowBlock& nearBounds,
-  int& built)
+bool vtkShadowCaster::UpdateParts(std::size_t slot, const vtkShadowLight& light,
+  const vtkShadowLightSpace& space, const vtkShadowBlock& nearBounds)
 {
   if (slot >= this->Slots.size())
   {
@@ -145,31 +143,24 @@ const std::vector<vtkShadowCaster::Part>& vtkShadowCaster::GetParts(std::size_t 
     light.IsPositional() && this->Bounds.Meets({ light.Position, light.Position });
   const vtkShadowCounting counting =
     isAround || this->Bounds.Meets(nearBounds) ? vtkShadowCounting::All : vtkShadowCounting::Away;
-  if (!cached.Valid || !(cached.Light == light) || cached.Counting != counting)
+  if (!cached.Parts.empty() && cached.Light == light && cached.Counting == counting)
   {
-    cached.Parts.clear();
-    cached.Light = light;
-    cached.Counting = counting;
-    cached.Valid = true;
-    Part whole;
-    whole.Topology = this->Topology;
-    whole.Points = this->Points;
-    this->AddPart(cached, std::move(whole), space, counting);
-    ++built;
+    return false;
   }
-  return cached.Parts;
+  cached.Parts.clear();
+  cached.Light = light;
+  cached.Counting = counting;
+  vtkShadowPart whole;
+  whole.Topology = this->Topology;
+  whole.Points = &this->Points;
+  AddPart(cached, std::move(whole), space);
+  return true;
 }
 
 void vtkShadowCaster::Prefetch() const
 {
   vtkNBufferForEachProp::Fetch(&this->Bounds);
   vtkNBufferForEachProp::Fetch(&this->Slots);
-}
-
-void vtkShadowCaster::Part::Prefetch() const
-{
-  vtkNBufferForEachProp::Fetch(&this->Footprint.Block);
-  vtkNBufferForEachProp::Fetch(&this->Silhouette);
 }
 
 void vtkShadowCaster::PrefetchParts(std::size_t slot) const
@@ -181,24 +172,23 @@ void vtkShadowCaster::PrefetchParts(std::size_t slot) const
   }
 }
 
-void vtkShadowCaster::AddPart(
-  Slot& slot, Part part, const vtkShadowLightSpace& space, vtkShadowCounting counting) const
+void vtkShadowCaster::AddPart(Slot& slot, vtkShadowPart part, const vtkShadowLightSpace& space)
 {
-  part.Silhouette.Compute(*part.Topology, part.Points, slot.Light, counting);
+  part.Silhouette.Compute(*part.Topology, *part.Points, slot.Light, slot.Counting);
   const int triangles = part.Topology->GetNumberOfTriangles();
   if (part.Silhouette.GetMaximumCount() > MaximumCount && triangles > 1)
   {
     const int middle = triangles / 2;
     for (const auto& [begin, end] : { std::pair(0, middle), std::pair(middle, triangles) })
     {
-      Part half;
-      half.Topology = MakeTopology(*part.Topology, part.Points, begin, end);
-      half.Points = half.Topology->GetPoints();
-      this->AddPart(slot, std::move(half), space, counting);
+      vtkShadowPart half;
+      half.Topology = MakeTopology(*part.Topology, *part.Points, begin, end);
+      half.Points = &half.Topology->GetPoints();
+      AddPart(slot, std::move(half), space);
     }
     return;
   }
-  part.Footprint = vtkShadowFootprint::Make(part.Silhouette, part.Points, space);
+  part.Footprint = vtkShadowFootprint::Make(part.Silhouette, *part.Points, space);
   slot.Parts.push_back(std::move(part));
 }
 VTK_ABI_NAMESPACE_END

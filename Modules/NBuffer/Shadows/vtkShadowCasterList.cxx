@@ -24,8 +24,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-template <typename Counts>
-void Skip(Counts& skipped, vtkShadowSkip reason)
+void Skip(std::array<int, NumberOfShadowSkips>& skipped, vtkShadowSkip reason)
 {
   ++skipped[static_cast<std::size_t>(reason)];
 }
@@ -43,6 +42,18 @@ std::vector<vtkInformationKey*> GetKeys(vtkInformation* information)
     }
   }
   return keys;
+}
+
+/// Returns true if the prop has all of these keys. (vtkProp::HasKeys() makes an iterator for each
+/// prop, which takes longer than all the rest.)
+bool HasKeys(vtkProp* prop, const std::vector<vtkInformationKey*>& required)
+{
+  return std::all_of(required.begin(), required.end(),
+    [prop](vtkInformationKey* key)
+    {
+      vtkInformation* keys = prop->GetPropertyKeys();
+      return keys && keys->Has(key) != 0;
+    });
 }
 }
 
@@ -64,23 +75,26 @@ void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* required
   changed = changed || state != this->GlobalState;
   this->GlobalState = state;
 
-  // The keys themselves are compared: vtkInformation::Clear() leaves the time as it is.
-  std::vector<vtkInformationKey*> required = GetKeys(requiredKeys);
-  const bool sameRequired = required == this->RequiredKeys;
-  this->RequiredKeys = std::move(required);
-
-  this->FindChanges(sameRequired);
+  // What may be compared in parallel: keys, modification times and pointers.
+  const std::vector<vtkInformationKey*> required = GetKeys(requiredKeys);
+  vtkNBufferForEachProp::RunAhead(
+    this->Members.GetSize(), [this](vtkIdType i) { this->Members[i].Watch.Prefetch(); },
+    [this, &required](vtkIdType i)
+    {
+      Member& member = this->Members[i];
+      member.HasRequiredKeys = HasKeys(this->Members.GetProp(i), required);
+      member.MayHaveChanged = member.Watch.MayHaveChanged();
+    });
   this->Updates = 0;
   bool anyRead = changed;
   for (std::size_t i = 0; i < this->Members.GetSize(); ++i)
   {
     Member& member = this->Members[i];
-    vtkProp* prop = this->Members.GetProp(i);
-    const bool casts = member.HasNewKeys ? this->ReadKeys(prop, member) : member.Casts;
-    if ((member.MayHaveChanged && member.Watch.HasChanged()) || casts != member.Casts)
+    if ((member.MayHaveChanged && member.Watch.HasChanged()) ||
+      member.Casts != member.HasRequiredKeys)
     {
-      member.Casts = casts;
-      changed = this->ReadProp(prop, member) || changed;
+      member.Casts = member.HasRequiredKeys;
+      changed = this->ReadProp(this->Members.GetProp(i), member) || changed;
       anyRead = true;
     }
   }
@@ -102,33 +116,6 @@ void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* required
         this->Skipped.begin(), std::plus<int>());
     }
   }
-}
-
-void vtkShadowCasterList::FindChanges(bool sameRequired)
-{
-  vtkNBufferForEachProp::RunAhead(
-    this->Members.GetSize(), [this](vtkIdType i) { this->Members[i].Watch.Prefetch(); },
-    [this, sameRequired](vtkIdType i)
-    {
-      Member& member = this->Members[i];
-      member.HasNewKeys = !sameRequired || !member.KeysAreKnown;
-      if (!this->RequiredKeys.empty() && !member.HasNewKeys)
-      {
-        vtkInformation* keys = this->Members.GetProp(i)->GetPropertyKeys();
-        member.HasNewKeys = keys != member.Keys || (keys && keys->GetMTime() != member.KeysTime);
-      }
-      member.MayHaveChanged = member.Watch.MayHaveChanged();
-    });
-}
-
-bool vtkShadowCasterList::ReadKeys(vtkProp* prop, Member& member) const
-{
-  vtkInformation* keys = prop->GetPropertyKeys();
-  member.KeysAreKnown = true;
-  member.Keys = keys;
-  member.KeysTime = keys ? keys->GetMTime() : 0;
-  return std::all_of(this->RequiredKeys.begin(), this->RequiredKeys.end(),
-    [keys](vtkInformationKey* key) { return keys && keys->Has(key) != 0; });
 }
 
 bool vtkShadowCasterList::ReadProp(vtkProp* prop, Member& member)

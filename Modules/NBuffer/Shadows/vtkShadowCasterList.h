@@ -28,7 +28,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkInformation;
-class vtkInformationKey;
 class vtkMatrix4x4;
 class vtkProp;
 class vtkRenderer;
@@ -69,25 +68,14 @@ private:
   /// What is known of a visible prop.
   struct Member
   {
-    bool MayHaveChanged = false; ///< The first answer of Watch, which is found in parallel.
-    bool HasNewKeys = false;     ///< True if the keys of the prop must be read again.
-    bool KeysAreKnown = false;   ///< True if they have been read before.
-    bool Casts = false;          ///< True if the prop has the required keys.
+    bool MayHaveChanged = false;  ///< The first answer of Watch, which is found in parallel.
+    bool HasRequiredKeys = false; ///< True if the prop has the required keys now.
+    bool Casts = false;           ///< True if it had them when it was read last.
     vtkNBufferPropWatch Watch;
-    const void* Keys = nullptr; ///< The keys of the prop. The pointer is only compared.
-    vtkMTimeType KeysTime = 0;
     std::vector<Mesh> Meshes;
     std::array<int, NumberOfShadowSkips> Skipped = {};
     std::vector<vtkNBufferSurface> Surfaces; ///< One for each actor, by path.
   };
-
-  /// Compares what may be compared in parallel: modification times and pointers. `sameRequired` is
-  /// true if the required keys are those of the last Update().
-  void FindChanges(bool sameRequired);
-
-  /// Returns true if a prop has the required keys, as vtkProp::HasKeys() does. (That creates an
-  /// iterator for each prop, which takes longer than all the rest.)
-  bool ReadKeys(vtkProp* prop, Member& member) const;
 
   /// Reads a prop again. Returns whether it may draw something else than before.
   bool ReadProp(vtkProp* prop, Member& member);
@@ -100,7 +88,6 @@ private:
   std::vector<vtkNBufferSurface::Part> Parts; ///< Kept for its memory.
   std::vector<Mesh> OldMeshes;                ///< Those of the member that is being read.
   vtkNBufferPropWatch::GlobalState GlobalState{};
-  std::vector<vtkInformationKey*> RequiredKeys; ///< Only props with all of these keys cast.
   vtkMTimeType Version = 0;
   std::vector<vtkShadowCaster*> Casters;
   std::array<int, NumberOfShadowSkips> Skipped = {};

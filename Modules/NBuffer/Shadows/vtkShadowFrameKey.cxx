@@ -22,19 +22,12 @@ namespace
 /// Whether `part` has props of `whole` only, in the same order. Stand-ins are ignored.
 bool IsPart(const std::vector<vtkProp*>& part, const std::vector<vtkProp*>& whole)
 {
-  const std::type_info* type = nullptr; // the class of the last prop that did not follow in `whole`
-  bool isStandIn = false;               // whether its objects are stand-ins
   auto next = whole.begin();
   for (vtkProp* prop : part)
   {
     if (next == whole.end() || *next != prop)
     {
-      if (!type || *type != typeid(*prop))
-      {
-        type = &typeid(*prop);
-        isStandIn = vtkNBufferStandIn::SafeDownCast(prop) != nullptr;
-      }
-      if (isStandIn)
+      if (vtkNBufferStandIn::SafeDownCast(prop))
       {
         continue;
       }

@@ -61,9 +61,8 @@ struct vtkShadowMaskMaker::Work
   vtkShadowLightSpace Space;
 };
 
-bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights)
+bool vtkShadowMaskMaker::Reserve(vtkOpenGLRenderWindow* window, std::size_t lights)
 {
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   if (!vtkNBufferGL::CheckVersion(this->Error))
   {
     return false;
@@ -80,20 +79,13 @@ bool vtkShadowMaskMaker::Reserve(vtkRenderer* renderer, std::size_t lights)
     vtkShadowTarget::GetBoundSamples(), this->Error);
 }
 
-void vtkShadowMaskMaker::BeginDepth(vtkRenderer* renderer)
+void vtkShadowMaskMaker::BeginDepth(vtkOpenGLRenderWindow* window)
 {
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Target.GetDepthFramebuffer());
   state->vtkglDepthMask(GL_TRUE);
   glClearBufferfv(GL_DEPTH, 0, &vtkNBufferDepthConvention::Background);
-}
-
-bool vtkShadowMaskMaker::ReadMask(
-  vtkOpenGLRenderWindow* window, std::size_t slot, int sample, std::vector<unsigned char>& mask)
-{
-  return this->Target.ReadMask(window, this->Viewport, slot, sample, mask, this->Error);
 }
 
 bool vtkShadowMaskMaker::Make(const Frame& frame, const Settings& settings)
@@ -108,7 +100,6 @@ bool vtkShadowMaskMaker::Make(const Frame& frame, const Settings& settings)
   std::copy_n(this->Viewport, 4, camera.Plan.Viewport);
   camera.Plan.Boxes = settings.Mode != vtkShadowMode::Culled &&
     vtkNBufferGL::KeepsToScissor(static_cast<int>(this->Target.GetSamples().size()));
-  camera.Plan.BoxCost = settings.Tuning.BoxCost;
   frame.DebugView.Clear();
   const vtkShadowCounter::Scope scope(window, this->Viewport);
   for (int mask = 0; mask < this->Target.GetNumberOfMasks(); ++mask)
@@ -203,41 +194,40 @@ bool vtkShadowMaskMaker::MakeLitmaps(
 
 void vtkShadowMaskMaker::FindParts(const Work& work)
 {
-  constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
   const std::vector<vtkShadowCaster*>& casters = work.Frame.Casters.GetCasters();
-  this->PartLists.resize(casters.size());
+  const auto last = static_cast<vtkIdType>(casters.size()) - 1;
+  std::vector<const std::vector<vtkShadowPart>*> partLists(casters.size());
   std::atomic<int> built(0);
-  vtkNBufferForEachProp::Run(casters.size(),
-    [&](vtkIdType begin, vtkIdType end)
+  vtkNBufferForEachProp::RunAhead(
+    casters.size(),
+    [&](vtkIdType i)
     {
-      int builtHere = 0;
-      for (vtkIdType i = begin; i < end; ++i)
+      casters[i]->PrefetchParts(work.Slot);
+      casters[std::min(i + vtkNBufferForEachProp::PropsToFetchAhead, last)]->Prefetch();
+    },
+    [&](vtkIdType i)
+    {
+      if (casters[i]->UpdateParts(work.Slot, work.GetLight(), work.Space, work.Camera.NearBounds))
       {
-        if (i + 2 * ahead < end)
-        {
-          casters[i + 2 * ahead]->Prefetch();
-          casters[i + ahead]->PrefetchParts(work.Slot);
-        }
-        this->PartLists[i] = &casters[i]->GetParts(
-          work.Slot, work.GetLight(), work.Space, work.Camera.NearBounds, builtHere);
+        ++built;
       }
-      built += builtHere;
+      partLists[i] = &casters[i]->GetParts(work.Slot);
     });
   work.Statistics.Silhouettes += built;
   this->Parts.clear();
-  for (const std::vector<vtkShadowCaster::Part>* parts : this->PartLists)
+  for (const std::vector<vtkShadowPart>* parts : partLists)
   {
-    for (const vtkShadowCaster::Part& part : *parts)
+    for (const vtkShadowPart& part : *parts)
     {
       this->Parts.push_back(&part);
     }
   }
 }
 
-void vtkShadowMaskMaker::Decide(const vtkShadowPlan& plan)
+vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vtkShadowPlan& plan)
 {
   constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
-  this->Choices.assign(this->Parts.size(), {});
+  this->Choices.resize(this->Parts.size());
   vtkNBufferForEachProp::Run(
     this->Parts.size(),
     [&](vtkIdType begin, vtkIdType end)
@@ -248,33 +238,16 @@ void vtkShadowMaskMaker::Decide(const vtkShadowPlan& plan)
         {
           this->Parts[i + ahead]->Prefetch();
         }
-        const vtkShadowPart& part = *this->Parts[i];
-        if (const auto verdict = plan.EarlyOut(part))
-        {
-          this->Choices[i].Verdict = *verdict;
-        }
-        else
-        {
-          this->Choices[i] = plan.Decide(part);
-        }
+        this->Choices[i] = plan.Decide(*this->Parts[i]);
       }
     },
     CastersPerThread);
-}
-
-vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vtkShadowPlan& plan)
-{
   Verdicts verdicts = {};
   this->Volume.Begin(work.Camera.Eye);
-  this->Decide(plan);
   for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {
-    const vtkShadowPlan::Choice& choice = this->Choices[i];
-    ++verdicts[static_cast<std::size_t>(choice.Verdict)];
-    if (choice.IsDrawn())
-    {
-      plan.Draw(choice, *this->Parts[i], this->Volume);
-    }
+    ++verdicts[static_cast<std::size_t>(this->Choices[i].Verdict)];
+    plan.Draw(this->Choices[i], *this->Parts[i], this->Volume);
   }
   return verdicts;
 }
@@ -315,11 +288,11 @@ bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work, double fragments, lon
 
 bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work)
 {
-  const bool positional = work.GetLight().Kind != vtkShadowLightKind::Directional;
   long long triangles = 0;
-  for (const vtkShadowCaster::Part* part : this->Parts)
+  for (const vtkShadowPart* part : this->Parts)
   {
-    triangles += vtkShadowCostModel::CountTriangles(part->Silhouette, positional);
+    triangles +=
+      vtkShadowCostModel::CountTriangles(part->Silhouette, work.GetLight().IsPositional());
   }
   return this->IsLitmapWorthIt(work, 0.0, triangles);
 }
@@ -336,7 +309,8 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   this->FindParts(work);
   if (work.Settings.Mode == vtkShadowMode::Unclamped || (automatic && !this->IsLitmapWorthIt(work)))
   {
-    plan.emplace(light, view, vtkShadowMode::Unclamped, std::vector<vtkShadowPlan::Face>());
+    plan.emplace(light, view, vtkShadowMode::Unclamped, std::vector<vtkShadowPlan::Face>(),
+      work.Settings.Tuning);
     verdicts = this->AddCasters(work, *plan);
     if (automatic &&
       this->IsLitmapWorthIt(work,
@@ -368,7 +342,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
       litmaps.push_back({ &spaces[i], &this->Litmaps[i] });
     }
     plan.emplace(light, view, automatic ? vtkShadowMode::Scissored : work.Settings.Mode,
-      std::move(litmaps), work.Settings.Tuning.SlabGap);
+      std::move(litmaps), work.Settings.Tuning);
     verdicts = this->AddCasters(work, *plan);
     work.Statistics.PlanTime += clock.Restart();
   }
@@ -382,8 +356,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   if (done && (pictured ? pictured == work.Source.Source : work.Slot == 0))
   {
     const vtkShadowDebugView::Subject subject = { this->Litmaps.data(),
-      static_cast<int>(spaces.size()), plan->GetDraws(), work.Camera.EyeToClipByRows.data(),
-      this->Viewport };
+      static_cast<int>(spaces.size()), plan->GetDraws(), work.Camera.EyeToClip, this->Viewport };
     return work.Frame.DebugView.Make(
       work.Window, work.Settings.Picture, subject, this->Counter, work.Statistics, this->Error);
   }
@@ -397,10 +370,11 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
   vtkShadowStatistics& statistics = work.Statistics;
   ++this->Shadows;
   statistics.Boxes += static_cast<int>(draws.size());
-  statistics.Draws += static_cast<int>(std::count_if(
-    draws.begin(), draws.end(), [](const vtkShadowDraw& draw) { return !draw.Again; }));
-  statistics.ZPass += static_cast<int>(std::count_if(draws.begin(), draws.end(),
-    [](const vtkShadowDraw& draw) { return draw.ZPass && !draw.Again; }));
+  for (const vtkShadowDraw& draw : draws)
+  {
+    statistics.Draws += !draw.Again;
+    statistics.ZPass += draw.ZPass && !draw.Again;
+  }
   if (!this->Counter.Upload(this->Volume, this->Error))
   {
     return false;
@@ -425,9 +399,8 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
     }
     this->Counter.ClearStencil(this->Target, this->Viewport, start);
     ++statistics.StencilClears;
-    if (!this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClipByRows.data(), first,
-          last, work.Settings.Tuning.CountFragments ? &statistics.Fragments : nullptr,
-          this->Error) ||
+    if (!this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClip, first, last,
+          work.Settings.Tuning.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||
       !this->Counter.Resolve(work.Window, this->Target, mask, channel, this->Viewport, this->Error))
     {
       return false;

@@ -65,13 +65,13 @@ public:
    * (vtkShadowTarget::HasRefusedSamples(), with the cause in GetError()). Returns false, with the
    * cause in GetError(), if OpenGL refuses altogether.
    */
-  bool Reserve(vtkRenderer* renderer, std::size_t lights);
+  bool Reserve(vtkOpenGLRenderWindow* window, std::size_t lights);
 
   /**
    * Binds a framebuffer for the depth of what is drawn next, and clears it. Call Reserve() before.
    * The caller pops the framebuffer bindings of the window's vtkOpenGLState.
    */
-  void BeginDepth(vtkRenderer* renderer);
+  void BeginDepth(vtkOpenGLRenderWindow* window);
 
   /**
    * Makes the masks. Returns false on failure, with the cause in GetError(). Afterwards
@@ -79,17 +79,10 @@ public:
    */
   bool Make(const Frame& frame, const Settings& settings);
 
-  /**
-   * Reads back the mask of a light, by its number among the lights of the frame: one value for each
-   * pixel of the viewport, row by row, the lowest first, from 0 (lit) to 255 (in shadow). `sample`
-   * is the number of a sample; a negative number gives the mean of all samples. Returns false, with
-   * the cause in GetError(), if OpenGL refuses.
-   */
-  bool ReadMask(
-    vtkOpenGLRenderWindow* window, std::size_t slot, int sample, std::vector<unsigned char>& mask);
-
   int GetNumberOfShadows() const { return this->Shadows; }
-  const vtkShadowTarget& GetTarget() const { return this->Target; }
+
+  /// The masks, by the numbers of the lights in the frame.
+  vtkShadowTarget& GetTarget() { return this->Target; }
   const int* GetViewport() const { return this->Viewport; }
   const std::string& GetError() const { return this->Error; }
 
@@ -104,7 +97,6 @@ private:
   bool ReadReceivers(const Work& work);
   bool MakeLitmaps(const Work& work, const std::vector<vtkShadowLightSpace>& spaces);
   void FindParts(const Work& work);
-  void Decide(const vtkShadowPlan& plan);
   Verdicts AddCasters(const Work& work, vtkShadowPlan& plan);
   bool IsLitmapWorthIt(const Work& work, double fragments, long long triangles);
   bool IsLitmapWorthIt(const Work& work); ///< The same by the number of triangles alone.
@@ -120,9 +112,7 @@ private:
   bool IsDepthRead = false; ///< True if Depth belongs to the current frame.
   std::vector<vtkShadowLitmap> Litmaps; ///< One, or six for a point light, of the current light.
   vtkShadowVolume Volume;
-  // The parts of all casters, in their order, for the current light.
-  std::vector<const std::vector<vtkShadowCaster::Part>*> PartLists;
-  std::vector<const vtkShadowCaster::Part*> Parts;
+  std::vector<const vtkShadowPart*> Parts;    ///< Of all casters, in order, for the current light.
   std::vector<vtkShadowPlan::Choice> Choices; ///< The decision about each of Parts.
   /// The share of samples that were not background when depth was last read.
   double Coverage = 1.0;

@@ -63,7 +63,7 @@ int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& se
   const vtkShadowFrameKey key(state, lights, this->Casters, settings.Time);
   const bool still =
     statistics.Updates == 0 && !settings.Masks.Tuning.CountFragments && key == this->Key;
-  bool done = still || this->ReserveMasks(renderer, lights.size());
+  bool done = still || this->ReserveMasks(lights.size());
   statistics.Samples = static_cast<int>(this->GetTarget().GetSamples().size());
   statistics.PixelFrames = this->PixelFrames;
   this->Shading.SetUp(lights, statistics.Samples);
@@ -95,7 +95,11 @@ int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& se
     const vtkShadowTimers::Scope timed(this->Timers, vtkShadowStage::Color);
     this->DrawPlain(state, done ? vtkShadowDecision::NoReceiver : vtkShadowDecision::Failed);
   }
-  this->ShowDebugView(window);
+  std::string why;
+  if (!this->DebugView.Show(window, this->Statistics, why))
+  {
+    this->WarnOnce(this->HasWarned, "Drawn without a debug view. " + why);
+  }
   this->Key = done ? key : vtkShadowFrameKey();
   return this->Opaque->GetNumberOfRenderedProps();
 }
@@ -107,9 +111,9 @@ int vtkShadowOpaqueStage::DrawPlain(const vtkRenderState* state, vtkShadowDecisi
   return this->Opaque->GetNumberOfRenderedProps();
 }
 
-bool vtkShadowOpaqueStage::ReserveMasks(vtkRenderer* renderer, std::size_t lights)
+bool vtkShadowOpaqueStage::ReserveMasks(std::size_t lights)
 {
-  const bool done = this->Masks.Reserve(renderer, lights);
+  const bool done = this->Masks.Reserve(this->Window, lights);
   if (done && this->GetTarget().HasRefusedSamples())
   {
     ++this->PixelFrames;
@@ -122,36 +126,23 @@ bool vtkShadowOpaqueStage::ReserveMasks(vtkRenderer* renderer, std::size_t light
 bool vtkShadowOpaqueStage::MakeMasks(const vtkRenderState* state, const Settings& settings,
   const std::vector<vtkShadowLightSource>& lights)
 {
-  vtkRenderer* renderer = state->GetRenderer();
   const vtkNBufferClock clock;
-  this->Masks.BeginDepth(renderer);
+  this->Masks.BeginDepth(this->Window);
   {
     const vtkShadowTimers::Scope timed(this->Timers, vtkShadowStage::Depth);
     this->Draw(state, nullptr);
   }
-  static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
-    ->GetState()
-    ->PopFramebufferBindings();
+  this->Window->GetState()->PopFramebufferBindings();
   this->Statistics.DepthTime = clock.GetMilliseconds();
-  return this->Masks.Make(
-    { renderer, lights, this->Casters, this->Timers, this->DebugView, this->Statistics },
+  return this->Masks.Make({ state->GetRenderer(), lights, this->Casters, this->Timers,
+                            this->DebugView, this->Statistics },
     settings.Masks);
 }
 
 void vtkShadowOpaqueStage::Draw(const vtkRenderState* state, vtkTextureObject* depth)
 {
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(state->GetRenderer()->GetRenderWindow());
-  const vtkShadowShading::Scope scope(this->Shading, window, this->GetTarget(), depth);
+  const vtkShadowShading::Scope scope(this->Shading, this->Window, this->GetTarget(), depth);
   this->Opaque->Render(state);
-}
-
-void vtkShadowOpaqueStage::ShowDebugView(vtkOpenGLRenderWindow* window)
-{
-  std::string why;
-  if (!this->DebugView.Show(window, this->Statistics, why))
-  {
-    this->WarnOnce(this->HasWarned, "Drawn without a debug view. " + why);
-  }
 }
 
 void vtkShadowOpaqueStage::JoinProps(const vtkRenderState* state)
@@ -215,12 +206,12 @@ bool vtkShadowOpaqueStage::ReadMask(
     return false;
   }
   const auto slot = static_cast<std::size_t>(found - lights.begin());
-  if (!this->Masks.ReadMask(this->Window, slot, sample, mask))
+  const int* viewport = this->Masks.GetViewport();
+  if (!this->Masks.GetTarget().ReadMask(this->Window, viewport, slot, sample, mask, why))
   {
-    why = this->Masks.GetError();
     return false;
   }
-  std::copy_n(this->Masks.GetViewport() + 2, 2, size);
+  std::copy_n(viewport + 2, 2, size);
   return true;
 }
 

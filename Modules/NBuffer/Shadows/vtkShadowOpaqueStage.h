@@ -66,7 +66,7 @@ public:
   /// The statistics of the last frame.
   const vtkShadowStatistics& GetStatistics() const { return this->Statistics; }
   vtkShadowShading& GetShading() { return this->Shading; }
-  const vtkShadowTarget& GetTarget() const { return this->Masks.GetTarget(); }
+  const vtkShadowTarget& GetTarget() { return this->Masks.GetTarget(); }
 
   /// Reads the mask of a light of the last frame, as vtkShadowVolumeClampPass::GetMask() describes.
   /// Returns false if the light did not cast, if there is no such sample or, with the cause in
@@ -87,10 +87,9 @@ private:
   void ReleaseObjects(vtkWindow* window);
   bool MakeMasks(const vtkRenderState* state, const Settings& settings,
     const std::vector<vtkShadowLightSource>& lights);
-  bool ReserveMasks(vtkRenderer* renderer, std::size_t lights);
+  bool ReserveMasks(std::size_t lights);
   void Draw(const vtkRenderState* state, vtkTextureObject* depth);
   int DrawPlain(const vtkRenderState* state, vtkShadowDecision decision);
-  void ShowDebugView(vtkOpenGLRenderWindow* window);
   void JoinProps(const vtkRenderState* state);
   void LeaveProps(const vtkRenderState* state);
   void WarnOnce(bool& hasWarned, const std::string& what);

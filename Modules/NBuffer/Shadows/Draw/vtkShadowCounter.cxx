@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowCounter.h"
 
-#include "vtkNBufferDepthConvention.h"
 #include "vtkShadowTarget.h"
 #include "vtkShadowVolume.h"
 
@@ -34,26 +33,27 @@ constexpr GLenum StencilNames[2][7] = { { GL_STENCIL_FUNC, GL_STENCIL_REF, GL_ST
   { GL_STENCIL_BACK_FUNC, GL_STENCIL_BACK_REF, GL_STENCIL_BACK_VALUE_MASK, GL_STENCIL_BACK_FAIL,
     GL_STENCIL_BACK_PASS_DEPTH_FAIL, GL_STENCIL_BACK_PASS_DEPTH_PASS, GL_STENCIL_BACK_WRITEMASK } };
 
-/// The capabilities that decide which samples are written. Counting needs only the first.
-constexpr GLenum SampleNames[] = { GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_COVERAGE,
-  GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK };
+/// The capabilities that decide where and in which samples volumes are drawn. At first only
+/// GL_MULTISAMPLE is on.
+constexpr GLenum CapabilityNames[] = { GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_COVERAGE,
+  GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK, GL_DEPTH_CLAMP,
+  GL_POLYGON_OFFSET_FILL };
 
+/// Sends values to new memory of the device, so that nothing waits for the draws of the last frame.
+/// Returns false if there is none.
+template <typename T>
+bool SetData(GLenum target, vtkNBufferGL::Buffer& buffer, const std::vector<T>& values)
+{
+  glBindBuffer(target, buffer.Create());
+  glBufferData(
+    target, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_STREAM_DRAW);
+  return glGetError() == GL_NO_ERROR;
+}
 }
 
 vtkShadowCounter::vtkShadowCounter()
   : MaskPass(vtkShadowMaskFS, Failure)
 {
-}
-
-bool vtkShadowCounter::GrowingBuffer::Upload(
-  unsigned int target, const void* data, std::size_t bytes)
-{
-  glBindBuffer(target, this->Buffer.Create());
-  // New memory, so that nothing waits for the draws of the last frame.
-  this->Bytes = std::max(this->Bytes, bytes);
-  glBufferData(target, static_cast<GLsizeiptr>(this->Bytes), nullptr, GL_STREAM_DRAW);
-  glBufferSubData(target, 0, static_cast<GLsizeiptr>(bytes), data);
-  return glGetError() == GL_NO_ERROR;
 }
 
 bool vtkShadowCounter::Upload(const vtkShadowVolume& volume, std::string& why)
@@ -64,10 +64,8 @@ bool vtkShadowCounter::Upload(const vtkShadowVolume& volume, std::string& why)
   glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &arrayBuffer);
   glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &vertexArray);
   glBindVertexArray(this->VertexArray.Create());
-  const bool uploaded = this->Vertices.Upload(GL_ARRAY_BUFFER, volume.GetVertices().data(),
-                          volume.GetVertices().size() * sizeof(float)) &&
-    this->Indices.Upload(GL_ELEMENT_ARRAY_BUFFER, volume.GetIndices().data(),
-      volume.GetIndices().size() * sizeof(unsigned int));
+  const bool uploaded = SetData(GL_ARRAY_BUFFER, this->Vertices, volume.GetVertices()) &&
+    SetData(GL_ELEMENT_ARRAY_BUFFER, this->Indices, volume.GetIndices());
   glBindVertexArray(vertexArray);
   glBindBuffer(GL_ARRAY_BUFFER, arrayBuffer);
   if (!uploaded)
@@ -87,8 +85,6 @@ vtkShadowCounter::Scope::Scope(vtkOpenGLRenderWindow* window, const int viewport
   glGetIntegerv(GL_SCISSOR_BOX, this->Scissor);
   glGetFloatv(GL_POLYGON_OFFSET_FACTOR, &this->OffsetFactor);
   glGetFloatv(GL_POLYGON_OFFSET_UNITS, &this->OffsetUnits);
-  this->Clamp = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
-  this->Offset = glIsEnabled(GL_POLYGON_OFFSET_FILL) == GL_TRUE;
   for (int face = 0; face < 2; ++face)
   {
     for (int i = 0; i < 7; ++i)
@@ -96,10 +92,10 @@ vtkShadowCounter::Scope::Scope(vtkOpenGLRenderWindow* window, const int viewport
       glGetIntegerv(StencilNames[face][i], &this->Stencil[face][i]);
     }
   }
-  for (std::size_t i = 0; i < this->SampleCapabilities.size(); ++i)
+  for (std::size_t i = 0; i < this->Capabilities.size(); ++i)
   {
-    this->SampleCapabilities[i] = glIsEnabled(SampleNames[i]) == GL_TRUE;
-    (i == 0 ? glEnable : glDisable)(SampleNames[i]);
+    this->Capabilities[i] = glIsEnabled(CapabilityNames[i]) == GL_TRUE;
+    (i == 0 ? glEnable : glDisable)(CapabilityNames[i]);
   }
   glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   glEnable(GL_SCISSOR_TEST);
@@ -114,12 +110,10 @@ vtkShadowCounter::Scope::~Scope()
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_STENCIL_TEST);
   glDisable(GL_DEPTH_TEST);
-  for (std::size_t i = 0; i < this->SampleCapabilities.size(); ++i)
+  for (std::size_t i = 0; i < this->Capabilities.size(); ++i)
   {
-    (this->SampleCapabilities[i] ? glEnable : glDisable)(SampleNames[i]);
+    (this->Capabilities[i] ? glEnable : glDisable)(CapabilityNames[i]);
   }
-  (this->Clamp ? glEnable : glDisable)(GL_DEPTH_CLAMP);
-  (this->Offset ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(this->OffsetFactor, this->OffsetUnits);
   glDepthFunc(this->DepthFunction);
   glDepthMask(this->DepthMask);
@@ -166,24 +160,24 @@ void vtkShadowCounter::SetDirection(bool zPass)
   }
 }
 
-vtkShaderProgram* vtkShadowCounter::BeginVolumes(vtkOpenGLRenderWindow* window,
+bool vtkShadowCounter::BeginVolumes(vtkOpenGLRenderWindow* window,
   vtkSmartPointer<vtkShaderProgram>& program, const char* fragmentShader,
-  const double volumeToClip[16], std::string& why)
+  const glm::dmat4& volumeToClip, std::string& why)
 {
   if (!vtkNBufferGL::UseProgram(window, program, vtkShadowVolumeVS, fragmentShader, Failure, why))
   {
-    return nullptr;
+    return false;
   }
-  vtkNBufferGL::SetMatrix(program, "volumeToClip", vtkNBufferGLM::ToMatrix(volumeToClip));
+  vtkNBufferGL::SetMatrix(program, "volumeToClip", volumeToClip);
   glBindVertexArray(this->VertexArray.GetName());
   const int attribute = glGetAttribLocation(program->GetHandle(), "corner");
   int arrayBuffer = 0;
   glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &arrayBuffer);
-  glBindBuffer(GL_ARRAY_BUFFER, this->Vertices.Buffer.GetName());
+  glBindBuffer(GL_ARRAY_BUFFER, this->Vertices.GetName());
   glEnableVertexAttribArray(attribute);
   glVertexAttribPointer(attribute, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
   glBindBuffer(GL_ARRAY_BUFFER, arrayBuffer);
-  return program;
+  return true;
 }
 
 void vtkShadowCounter::DrawVolume(const vtkShadowDraw& draw)
@@ -191,11 +185,10 @@ void vtkShadowCounter::DrawVolume(const vtkShadowDraw& draw)
   glScissor(draw.Box[0], draw.Box[1], draw.Box[2], draw.Box[3]);
   glDrawElements(GL_TRIANGLES, draw.NumberOfIndices, GL_UNSIGNED_INT,
     reinterpret_cast<const void*>(draw.FirstIndex * sizeof(unsigned int)));
-  ++this->Draws;
 }
 
 bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
-  const double volumeToClip[16], const vtkShadowDraw* first, const vtkShadowDraw* last,
+  const glm::dmat4& volumeToClip, const vtkShadowDraw* first, const vtkShadowDraw* last,
   long long* fragments, std::string& why)
 {
   vtkNBufferGL::ClearErrors();
@@ -240,16 +233,13 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
   return vtkNBufferGL::CheckErrors("Drawing shadow volumes", why);
 }
 
-bool vtkShadowCounter::Show(vtkOpenGLRenderWindow* window, const double volumeToClip[16],
-  const std::vector<vtkShadowDraw>& draws, Look look, std::string& why)
+bool vtkShadowCounter::Show(vtkOpenGLRenderWindow* window, const glm::dmat4& volumeToClip,
+  const std::vector<vtkShadowDraw>& draws, bool edges, std::string& why)
 {
-  vtkShaderProgram* program =
-    this->BeginVolumes(window, this->TintProgram, vtkShadowTintFS, volumeToClip, why);
-  if (!program)
+  if (!this->BeginVolumes(window, this->TintProgram, vtkShadowTintFS, volumeToClip, why))
   {
     return false;
   }
-  const bool edges = look == Look::Edges;
   constexpr float zPass[4] = { 0.2f, 0.6f, 1.0f, 0.8f };
   constexpr float zFail[4] = { 1.0f, 0.55f, 0.1f, 0.8f };
   constexpr float one[4] = { 1.0f / 255, 1.0f / 255, 1.0f / 255, 1.0f / 255 };
@@ -260,7 +250,7 @@ bool vtkShadowCounter::Show(vtkOpenGLRenderWindow* window, const double volumeTo
   glEnable(GL_SCISSOR_TEST);
   for (const vtkShadowDraw& draw : draws)
   {
-    program->SetUniform4f("tint", !edges ? one : draw.ZPass ? zPass : zFail);
+    this->TintProgram->SetUniform4f("tint", !edges ? one : draw.ZPass ? zPass : zFail);
     (draw.ZPass ? glDisable : glEnable)(GL_CLIP_DISTANCE0);
     this->DrawVolume(draw);
   }
@@ -293,7 +283,6 @@ bool vtkShadowCounter::Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTar
   glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDisable(GL_DEPTH_TEST);
   glDepthRange(range[0], range[1]);
-  ++this->Draws;
   return vtkNBufferGL::CheckErrors("Making a shadow mask", why);
 }
 

@@ -71,9 +71,7 @@ public:
     int Scissor[4] = {};
     float OffsetFactor = 0.0f;
     float OffsetUnits = 0.0f;
-    bool Clamp = false;
-    bool Offset = false;
-    std::array<bool, 5> SampleCapabilities = {};
+    std::array<bool, 7> Capabilities = {};
     int Stencil[2][7] = {};
   };
 
@@ -84,14 +82,14 @@ public:
   ///@}
 
   /**
-   * Counts the draws from `first` to the one before `last`. `volumeToClip` is the row-major matrix
-   * from the uploaded vertices to clip coordinates. If `fragments` is not null, the number of
+   * Counts the draws from `first` to the one before `last`. `volumeToClip` goes from the uploaded
+   * vertices to clip coordinates. If `fragments` is not null, the number of
    * fragments that the volumes cover is added to it, whether or not they pass the depth test; where
    * the target is multisampled, it is the number of their samples. This doubles the draws and waits
    * for the device. Returns false, with the cause in `why`, if OpenGL refuses.
    */
   bool Count(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
-    const double volumeToClip[16], const vtkShadowDraw* first, const vtkShadowDraw* last,
+    const glm::dmat4& volumeToClip, const vtkShadowDraw* first, const vtkShadowDraw* last,
     long long* fragments, std::string& why);
 
   /// Sets a channel of a mask to shadow where the count is not 0. Returns false, with the cause in
@@ -99,48 +97,29 @@ public:
   bool Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target, int mask, int channel,
     const int viewport[4], std::string& why);
 
-  /// How volumes are made visible.
-  enum class Look
-  {
-    Fragments, ///< Each fragment adds 1/255 to all channels.
-    Edges      ///< The edges of triangles are blue for z-pass and orange for z-fail.
-  };
-
   /**
    * Draws volumes for a debug view, without a depth test, into the colours of the framebuffer that
-   * is bound and the viewport that is set. To be called within a ScopedPass. Returns false, with
-   * the cause in `why`, if OpenGL refuses.
+   * is bound and the viewport that is set: the edges of triangles, blue for z-pass and orange for
+   * z-fail, or else fragments, each of which adds 1/255 to all channels. To be called within a
+   * ScopedPass. Returns false, with the cause in `why`, if OpenGL refuses.
    */
-  bool Show(vtkOpenGLRenderWindow* window, const double volumeToClip[16],
-    const std::vector<vtkShadowDraw>& draws, Look look, std::string& why);
-
-  /// How often volumes and masks were drawn since the last Release().
-  int GetNumberOfDraws() const { return this->Draws; }
+  bool Show(vtkOpenGLRenderWindow* window, const glm::dmat4& volumeToClip,
+    const std::vector<vtkShadowDraw>& draws, bool edges, std::string& why);
 
   /// Deletes the OpenGL objects. Their context must be current.
   void Release();
 
 private:
-  struct GrowingBuffer
-  {
-    bool Upload(unsigned int target, const void* data, std::size_t bytes);
-
-    vtkNBufferGL::Buffer Buffer;
-    std::size_t Bytes = 0;
-  };
-
-  vtkShaderProgram* BeginVolumes(vtkOpenGLRenderWindow* window,
-    vtkSmartPointer<vtkShaderProgram>& program, const char* fragmentShader,
-    const double volumeToClip[16], std::string& why);
+  bool BeginVolumes(vtkOpenGLRenderWindow* window, vtkSmartPointer<vtkShaderProgram>& program,
+    const char* fragmentShader, const glm::dmat4& volumeToClip, std::string& why);
   void SetDirection(bool zPass);
   void DrawVolume(const vtkShadowDraw& draw);
 
-  GrowingBuffer Vertices;
-  GrowingBuffer Indices;
+  vtkNBufferGL::Buffer Vertices;
+  vtkNBufferGL::Buffer Indices;
   vtkNBufferGL::VertexArray VertexArray;
   vtkNBufferGL::Query Query;
   vtkNBufferGL::FullScreenPass MaskPass;
-  int Draws = 0;
   vtkSmartPointer<vtkShaderProgram> VolumeProgram;
   vtkSmartPointer<vtkShaderProgram> TintProgram;
 };

@@ -25,11 +25,11 @@ bool vtkShadowDebugView::Make(vtkOpenGLRenderWindow* window, vtkShadowPicture pi
   std::string& why)
 {
   std::copy_n(subject.Viewport, 4, this->Viewport);
+  this->Image.clear();
   switch (picture)
   {
     case vtkShadowPicture::None:
-      this->Image.clear();
-      return true;
+      break;
     case vtkShadowPicture::Litmaps:
       this->Image = vtkShadowDebugImage::PaintLitmaps(
         subject.Litmaps, subject.NumberOfLitmaps, this->GetWidth(), this->GetHeight());
@@ -45,10 +45,6 @@ bool vtkShadowDebugView::Make(vtkOpenGLRenderWindow* window, vtkShadowPicture pi
         return false;
       }
       break;
-  }
-  if (picture == vtkShadowPicture::Counts)
-  {
-    vtkShadowDebugImage::PaintCounts(this->Image);
   }
   return true;
 }
@@ -79,10 +75,8 @@ bool vtkShadowDebugView::DrawVolumes(vtkOpenGLRenderWindow* window, vtkShadowPic
   glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   glClearBufferfv(GL_COLOR, 0, nothing);
-  if (!counter.Show(window, subject.VolumeToClip, subject.Draws,
-        picture == vtkShadowPicture::Counts ? vtkShadowCounter::Look::Fragments
-                                            : vtkShadowCounter::Look::Edges,
-        why))
+  if (!counter.Show(
+        window, subject.VolumeToClip, subject.Draws, picture == vtkShadowPicture::Volumes, why))
   {
     return false;
   }
@@ -90,6 +84,10 @@ bool vtkShadowDebugView::DrawVolumes(vtkOpenGLRenderWindow* window, vtkShadowPic
   const vtkNBufferGL::ScopedReadback readback(this->Texture.GetFramebuffer());
   glReadPixels(viewport[0], viewport[1], viewport[2], viewport[3], GL_RGBA, GL_UNSIGNED_BYTE,
     this->Image.data());
+  if (picture == vtkShadowPicture::Counts)
+  {
+    vtkShadowDebugImage::PaintCounts(this->Image);
+  }
   return vtkNBufferGL::CheckErrors("Drawing volumes for a debug view", why);
 }
 

@@ -34,7 +34,7 @@ public:
     const vtkShadowLitmap* Litmaps = nullptr; ///< One, or the six of a point light.
     int NumberOfLitmaps = 0;                  ///< 0 if the light needed no litmap.
     const std::vector<vtkShadowDraw>& Draws;  ///< The draws of the volume that was uploaded last.
-    const double* VolumeToClip;               ///< Row-major 4 x 4 matrix.
+    const glm::dmat4& VolumeToClip;           ///< From vertices to clip coordinates.
     const int* Viewport; ///< x, y, width and height in pixels of the framebuffer.
   };
 

@@ -139,15 +139,8 @@ bool vtkShadowTarget::Allocate(
 bool vtkShadowTarget::AllocateDepth(vtkOpenGLRenderWindow* window, std::string& why)
 {
   ++this->Allocations;
-  if (this->IsMultisampled())
-  {
-    this->SampledDepth = this->NewTexture(window);
-    this->SampledDepth->AllocateDepthStencil(this->Width, this->Height);
-  }
-  else if (!this->PlainDepth.Reserve(GL_DEPTH24_STENCIL8, this->Width, this->Height, why))
-  {
-    return false;
-  }
+  this->Depth = this->NewTexture(window);
+  this->Depth->AllocateDepthStencil(this->Width, this->Height);
   return vtkNBufferGL::CheckErrors("Allocating depth and stencil", why) &&
     this->Attach(this->DepthFramebuffer, nullptr, why);
 }
@@ -181,10 +174,9 @@ bool vtkShadowTarget::Attach(
   vtkNBufferGL::Framebuffer& framebuffer, vtkTextureObject* color, std::string& why)
 {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.Create());
-  const bool multisampled = this->IsMultisampled();
-  const GLenum target = multisampled ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, target,
-    multisampled ? this->SampledDepth->GetHandle() : this->PlainDepth.GetName(), 0);
+  const GLenum target = this->IsMultisampled() ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+  glFramebufferTexture2D(
+    GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, target, this->Depth->GetHandle(), 0);
   if (color)
   {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target, color->GetHandle(), 0);
@@ -226,7 +218,7 @@ bool vtkShadowTarget::ReadDepth(
   bool done = true;
   for (std::size_t i = 0; i < this->Samples.size() && done; ++i)
   {
-    done = this->SampleReader.Read(window, this->SampledDepth->GetHandle(), static_cast<int>(i), 0,
+    done = this->SampleReader.Read(window, this->Depth->GetHandle(), static_cast<int>(i), 0,
       viewport, depth.data() + i * pixels, why);
   }
   return done;
@@ -284,8 +276,7 @@ void vtkShadowTarget::Free()
 {
   this->Masks.clear();
   this->DepthFramebuffer.Delete();
-  this->PlainDepth.Delete();
-  this->SampledDepth = nullptr;
+  this->Depth = nullptr;
   this->Width = this->Height = 0;
 }
 VTK_ABI_NAMESPACE_END

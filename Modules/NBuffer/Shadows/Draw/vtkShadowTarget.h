@@ -125,7 +125,7 @@ public:
   ///@{
   /// The textures for shaders. Depth is nullptr without multisampling, where no shader needs it.
   vtkTextureObject* GetMask(int mask) const { return this->Masks[mask].Texture; }
-  vtkTextureObject* GetDepth() const { return this->SampledDepth; }
+  vtkTextureObject* GetDepth() const { return this->IsMultisampled() ? this->Depth : nullptr; }
   ///@}
 
   /**
@@ -166,8 +166,7 @@ private:
   int Width = 0;
   int Height = 0;
   int Allocations = 0;
-  vtkNBufferGL::GrowingTexture PlainDepth;        ///< Depth and stencil without multisampling.
-  vtkSmartPointer<vtkTextureObject> SampledDepth; ///< Depth and stencil with multisampling.
+  vtkSmartPointer<vtkTextureObject> Depth; ///< Depth and stencil.
   vtkNBufferGL::Framebuffer DepthFramebuffer;
   std::vector<Mask> Masks;
   vtkShadowSampleReader SampleReader;

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkShadowBlock.h
- * @brief Ranges of light coordinates: a box in p, q and s, and a slab in s alone. No OpenGL.
+ * @brief Ranges of light coordinates: a box in p, q and s, a slab in s alone, and the extent of
+ * receivers. No OpenGL.
  */
 #ifndef vtkShadowBlock_h
 #define vtkShadowBlock_h
 
 #include "vtkNBufferGLM.h"
 
+#include <cstdint>
 #include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -27,36 +29,25 @@ struct vtkShadowBlock
   /// Returns true if the two boxes have a point in common, be it on their sides.
   bool Meets(const vtkShadowBlock& other) const
   {
-    return other.High.x >= this->Low.x && other.Low.x <= this->High.x &&
-      other.High.y >= this->Low.y && other.Low.y <= this->High.y && other.High.z >= this->Low.z &&
-      other.Low.z <= this->High.z;
+    return glm::all(glm::lessThanEqual(this->Low, other.High)) &&
+      glm::all(glm::lessThanEqual(other.Low, this->High));
   }
 
-  /// Widens coordinate i to hold [low, high].
-  void Add(int i, double low, double high)
+  /// Widens the box to hold the box from one corner to another.
+  void Add(const glm::dvec3& low, const glm::dvec3& high)
   {
-    this->Low[i] = low < this->Low[i] ? low : this->Low[i];
-    this->High[i] = high > this->High[i] ? high : this->High[i];
+    this->Low = glm::min(this->Low, low);
+    this->High = glm::max(this->High, high);
   }
 
   /// Widens the box to hold a point.
-  void Add(const glm::dvec3& x)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      this->Add(i, x[i], x[i]);
-    }
-  }
+  void Add(const glm::dvec3& x) { this->Add(x, x); }
 
   /// Widens the box to hold the segment from a to b, and what is at most radius[i] from it in
   /// coordinate i.
   void AddSegment(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& radius)
   {
-    for (int i = 0; i < 3; ++i)
-    {
-      this->Add(
-        i, (b[i] < a[i] ? b[i] : a[i]) - radius[i], (a[i] < b[i] ? b[i] : a[i]) + radius[i]);
-    }
+    this->Add(glm::min(a, b) - radius, glm::max(a, b) + radius);
   }
 };
 
@@ -65,6 +56,33 @@ struct vtkShadowSlab
 {
   double Near = 0.0; ///< The depth nearer to the light.
   double Far = 0.0;  ///< The depth farther from the light.
+};
+
+/**
+ * The extent of the receivers in a part of a litmap, in 32 bytes. It is empty as constructed.
+ */
+struct vtkShadowExtent
+{
+  double Near = std::numeric_limits<double>::infinity(); ///< The least depth s.
+  double Far = -std::numeric_limits<double>::infinity(); ///< The largest depth s.
+  std::uint16_t X0 = 0xffff;                             ///< The first column of the box of pixels.
+  std::uint16_t Y0 = 0xffff;                             ///< The first row of the box of pixels.
+  std::uint16_t X1 = 0;                                  ///< The column after the last one.
+  std::uint16_t Y1 = 0;                                  ///< The row after the last one.
+  std::uint64_t Bins = 0; ///< Bit i is set if a receiver may lie in bin i of the depths.
+
+  bool IsEmpty() const { return this->X1 <= this->X0; }
+
+  void Merge(const vtkShadowExtent& other)
+  {
+    this->Near = other.Near < this->Near ? other.Near : this->Near;
+    this->Far = other.Far > this->Far ? other.Far : this->Far;
+    this->X0 = other.X0 < this->X0 ? other.X0 : this->X0;
+    this->Y0 = other.Y0 < this->Y0 ? other.Y0 : this->Y0;
+    this->X1 = other.X1 > this->X1 ? other.X1 : this->X1;
+    this->Y1 = other.Y1 > this->Y1 ? other.Y1 : this->Y1;
+    this->Bins |= other.Bins;
+  }
 };
 
 VTK_ABI_NAMESPACE_END

@@ -16,17 +16,20 @@
 #ifndef vtkShadowFootprint_h
 #define vtkShadowFootprint_h
 
+#include "vtkNBufferForEachProp.h"
 #include "vtkShadowBlock.h"
 #include "vtkShadowLight.h"
-#include "vtkShadowPoints.h"
 #include "vtkShadowSilhouette.h"
+
+#include <memory>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 struct vtkShadowFootprint
 {
   /// The footprint of all points.
-  static vtkShadowFootprint Make(vtkShadowPoints points, const vtkShadowLightSpace& space)
+  template <typename Points>
+  static vtkShadowFootprint Make(const Points& points, const vtkShadowLightSpace& space)
   {
     vtkShadowFootprint result;
     for (const glm::dvec3& point : points)
@@ -38,8 +41,8 @@ struct vtkShadowFootprint
 
   /// The footprint of the triangles that count alone. `points` must be those that the silhouette
   /// was computed with.
-  static vtkShadowFootprint Make(
-    const vtkShadowSilhouette& silhouette, vtkShadowPoints points, const vtkShadowLightSpace& space)
+  static vtkShadowFootprint Make(const vtkShadowSilhouette& silhouette,
+    const vtkShadowPoints& points, const vtkShadowLightSpace& space)
   {
     vtkShadowFootprint result;
     for (const int corner : silhouette.GetTriangles())
@@ -63,9 +66,21 @@ struct vtkShadowFootprint
 /// A caster, or some of its triangles, as one light sees it.
 struct vtkShadowPart
 {
+  /// Makes the processor fetch what vtkShadowPlan::EarlyOut() will read.
+  void Prefetch() const
+  {
+    vtkNBufferForEachProp::Fetch(&this->Footprint.Block);
+    vtkNBufferForEachProp::Fetch(&this->Silhouette);
+  }
+
   vtkShadowFootprint Footprint;   ///< The footprint of the triangles that count.
   vtkShadowSilhouette Silhouette; ///< The triangles that count, and their outline.
-  vtkShadowPoints Points;         ///< The world coordinates that the silhouette was computed with.
+  ///@{
+  /// What the silhouette was computed with. The points are in world coordinates and belong to the
+  /// caster or to the topology.
+  const vtkShadowPoints* Points = nullptr;
+  std::shared_ptr<const vtkShadowTopology> Topology = nullptr;
+  ///@}
 };
 
 VTK_ABI_NAMESPACE_END

@@ -27,16 +27,6 @@ double vtkShadowLight::GetConeCosine() const
   return std::cos(vtkMath::RadiansFromDegrees(std::min(this->ConeAngle + margin, 180.0)));
 }
 
-bool vtkShadowLight::IsInCone(const glm::dvec3& x) const
-{
-  if (this->Kind != vtkShadowLightKind::Spot)
-  {
-    return true;
-  }
-  const glm::dvec3 ray = x - this->Position;
-  return glm::dot(ray, this->Direction) >= this->GetConeCosine() * glm::length(ray);
-}
-
 vtkShadowLightSpace::vtkShadowLightSpace(const vtkShadowLight& light)
   : vtkShadowLightSpace(light, light.Direction)
 {
@@ -45,21 +35,10 @@ vtkShadowLightSpace::vtkShadowLightSpace(const vtkShadowLight& light)
 vtkShadowLightSpace::vtkShadowLightSpace(const vtkShadowLight& light, const glm::dvec3& axis)
   : Positional(light.IsPositional())
   , Apex(light.IsPositional() ? light.Position : glm::dvec3(0.0))
+  , Axis(vtkNBufferGLM::Normalize(axis))
 {
-  this->SetAxis(axis);
-}
-
-void vtkShadowLightSpace::SetAxis(const glm::dvec3& axis)
-{
-  this->Axis = vtkNBufferGLM::Normalize(axis);
   vtkMath::Perpendiculars(
     glm::value_ptr(this->Axis), glm::value_ptr(this->U), glm::value_ptr(this->V), 0.0);
-}
-
-glm::dvec3 vtkShadowLightSpace::ToWorld(const glm::dvec3& pqs) const
-{
-  const double factor = this->Positional ? pqs[2] : 1.0;
-  return this->Apex + factor * (pqs[0] * this->U + pqs[1] * this->V) + pqs[2] * this->Axis;
 }
 
 glm::dvec3 vtkShadowLightSpace::Extrude(const glm::dvec3& x, double s) const

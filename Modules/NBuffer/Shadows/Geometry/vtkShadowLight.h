@@ -83,12 +83,9 @@ struct VTKNBUFFER_EXPORT vtkShadowLight
    */
   int GetFacing(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const;
 
-  /// Returns true if X is in a spot's cone, which counts as a hundredth of a degree wider. It is
-  /// always true for the other kinds.
-  bool IsInCone(const glm::dvec3& x) const;
-
-  /// The cosine of the cone's angle as IsInCone() uses it: a point is in the cone if the cosine of
-  /// its angle from the axis is at least this. It is -1 for kinds without a cone.
+  /// The cosine of the angle of a spot's cone, which counts as a hundredth of a degree wider: a
+  /// point is in the cone if the cosine of its angle from the axis is at least this. It is -1 for
+  /// kinds without a cone.
   double GetConeCosine() const;
 };
 
@@ -132,16 +129,11 @@ public:
     return { glm::dot(ray, this->U) / divisor, glm::dot(ray, this->V) / divisor, s };
   }
 
-  /// The inverse of ToLight().
-  glm::dvec3 ToWorld(const glm::dvec3& pqs) const;
-
   /// The point with depth s on the ray through X. For a positional light the depth of X itself must
   /// be positive.
   glm::dvec3 Extrude(const glm::dvec3& x, double s) const;
 
 private:
-  void SetAxis(const glm::dvec3& axis);
-
   bool Positional;
   glm::dvec3 Apex;
   glm::dvec3 Axis;

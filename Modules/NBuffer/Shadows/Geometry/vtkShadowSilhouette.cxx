@@ -16,7 +16,7 @@ namespace
 {
 /// Says for each component of a closed mesh whether it is wound inside out: then its signed volume
 /// is negative. Volumes are relative to a corner of the component, where most digits are left.
-std::vector<bool> FindInsideOut(const vtkShadowTopology& topology, vtkShadowPoints points)
+std::vector<bool> FindInsideOut(const vtkShadowTopology& topology, const vtkShadowPoints& points)
 {
   const std::size_t count = static_cast<std::size_t>(topology.GetNumberOfComponents());
   std::vector<const glm::dvec3*> origins(count, nullptr);
@@ -46,7 +46,7 @@ std::vector<bool> FindInsideOut(const vtkShadowTopology& topology, vtkShadowPoin
 /// have light coordinates, it is how many bounding rectangles in p and q overlap; otherwise it is
 /// the number of triangles.
 int BoundOverlap(
-  const std::vector<int>& triangles, vtkShadowPoints points, const vtkShadowLight& light)
+  const std::vector<int>& triangles, const vtkShadowPoints& points, const vtkShadowLight& light)
 {
   const int count = static_cast<int>(triangles.size() / 3);
   glm::dvec3 axis(0.0); // towards the middle, for positional lights
@@ -72,7 +72,7 @@ int BoundOverlap(
 }
 }
 
-void vtkShadowSilhouette::Compute(const vtkShadowTopology& topology, vtkShadowPoints points,
+void vtkShadowSilhouette::Compute(const vtkShadowTopology& topology, const vtkShadowPoints& points,
   const vtkShadowLight& light, vtkShadowCounting counting)
 {
   this->Counting = topology.IsClosed() ? counting : vtkShadowCounting::All;
@@ -126,7 +126,7 @@ void vtkShadowSilhouette::Compute(const vtkShadowTopology& topology, vtkShadowPo
 }
 
 void vtkShadowSilhouette::ComputePushes(
-  const vtkShadowTopology& topology, vtkShadowPoints points, const vtkShadowLight& light)
+  const vtkShadowTopology& topology, const vtkShadowPoints& points, const vtkShadowLight& light)
 {
   constexpr double alongNormal = 0x1p-18; // in units of a triangle's longest side
   constexpr double leastCosine = 0.125;   // Depth cuts what the light grazes anyway.

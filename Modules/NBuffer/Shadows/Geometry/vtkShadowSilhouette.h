@@ -78,7 +78,7 @@ public:
    * the topology is closed. Components of closed meshes that are wound inside out in world
    * coordinates are turned round.
    */
-  void Compute(const vtkShadowTopology& topology, vtkShadowPoints points,
+  void Compute(const vtkShadowTopology& topology, const vtkShadowPoints& points,
     const vtkShadowLight& light, vtkShadowCounting counting);
 
   /// The counting that was used.
@@ -113,7 +113,7 @@ public:
 
 private:
   void ComputePushes(
-    const vtkShadowTopology& topology, vtkShadowPoints points, const vtkShadowLight& light);
+    const vtkShadowTopology& topology, const vtkShadowPoints& points, const vtkShadowLight& light);
 
   vtkShadowCounting Counting = vtkShadowCounting::All;
   std::vector<int> Triangles;

@@ -7,70 +7,25 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
+#include <functional>
 #include <numeric>
 #include <tuple>
+#include <unordered_map>
 
 VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// Gives equal coordinates equal numbers, from 0 in order of appearance. A hash table with open
-/// addressing.
-class PointMerger
+/// The hash of coordinates: -0 and 0, which are equal, have the same.
+struct PointHash
 {
-public:
-  PointMerger(std::vector<glm::dvec3>& points, std::size_t maximum)
-    : Points(points)
+  std::size_t operator()(const glm::dvec3& x) const
   {
-    std::size_t size = 16;
-    while (size < 2 * maximum)
-    {
-      size *= 2;
-    }
-    this->Table.assign(size, -1);
+    const std::hash<double> hash;
+    constexpr std::uint64_t factor = 0x9e3779b97f4a7c15u; // 2^64 / golden ratio
+    return static_cast<std::size_t>((hash(x[0]) * factor + hash(x[1])) * factor + hash(x[2]));
   }
-
-  int GetNumber(const glm::dvec3& x)
-  {
-    const std::size_t mask = this->Table.size() - 1;
-    std::size_t entry = GetHash(x) & mask;
-    while (this->Table[entry] >= 0)
-    {
-      if (x == this->Points[static_cast<std::size_t>(this->Table[entry])])
-      {
-        return this->Table[entry];
-      }
-      entry = (entry + 1) & mask;
-    }
-    this->Table[entry] = static_cast<int>(this->Points.size());
-    this->Points.push_back(x);
-    return this->Table[entry];
-  }
-
-private:
-  static std::size_t GetHash(const glm::dvec3& x)
-  {
-    std::uint64_t hash = 0;
-    for (int i = 0; i < 3; ++i)
-    {
-      const double value = x[i] + 0.0; // -0 becomes 0
-      std::uint64_t bits;
-      std::memcpy(&bits, &value, sizeof(bits));
-      hash = (hash ^ bits) * 0x9e3779b97f4a7c15u; // 2^64 / golden ratio
-      hash ^= hash >> 32;
-    }
-    return static_cast<std::size_t>(hash);
-  }
-
-  std::vector<glm::dvec3>& Points;
-  std::vector<int> Table;
 };
-
-bool IsFinite(const glm::dvec3& x)
-{
-  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-}
 
 /// Six times the volume of tetrahedron (a, b, c, d), and a bound of its error. The volume is
 /// positive if d lies behind triangle (a, b, c), from where its corners go round clockwise. An
@@ -116,14 +71,19 @@ double GetSolidAngle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3&
 }
 }
 
-void vtkShadowTopology::Build(vtkShadowPoints points, const std::vector<vtkIdType>& triangles)
+void vtkShadowTopology::Build(
+  const vtkShadowPoints& points, const std::vector<vtkIdType>& triangles)
 {
   *this = vtkShadowTopology();
   this->Triangles.reserve(triangles.size());
-  PointMerger merger(this->Points, std::min(points.size(), triangles.size()));
+  std::unordered_map<glm::dvec3, int, PointHash> numbers;
+  numbers.reserve(std::min(points.size(), triangles.size()));
   std::vector<int> merged(points.size(), -1);
   const auto isUsable = [&points](vtkIdType i)
-  { return i >= 0 && i < static_cast<vtkIdType>(points.size()) && IsFinite(points[i]); };
+  {
+    return i >= 0 && i < static_cast<vtkIdType>(points.size()) &&
+      vtkNBufferGLM::IsFinite(points[i]);
+  };
   for (std::size_t t = 0; t + 2 < triangles.size(); t += 3)
   {
     const vtkIdType* corners = triangles.data() + t;
@@ -139,7 +99,13 @@ void vtkShadowTopology::Build(vtkShadowPoints points, const std::vector<vtkIdTyp
       int& number = merged[static_cast<std::size_t>(corners[i])];
       if (number < 0)
       {
-        number = merger.GetNumber(points[corners[i]]);
+        const auto [place, isNew] =
+          numbers.try_emplace(points[corners[i]], this->GetNumberOfPoints());
+        number = place->second;
+        if (isNew)
+        {
+          this->Points.push_back(points[corners[i]]);
+        }
       }
       this->Triangles.push_back(number);
     }
@@ -242,17 +208,14 @@ bool vtkShadowTopology::ProveConvex() const
   {
     centre += point / static_cast<double>(this->GetNumberOfPoints());
   }
-  const auto getPoint = [this](int i) -> const glm::dvec3&
-  { return this->Points[static_cast<std::size_t>(i)]; };
-
   double orientation = 0.0; // 1: wound outwards, -1: inwards
   double solidAngle = 0.0;
   for (int t = 0; t < this->GetNumberOfTriangles(); ++t)
   {
     const int* corners = this->Triangles.data() + 3 * std::size_t(t);
-    const glm::dvec3& a = getPoint(corners[0]);
-    const glm::dvec3& b = getPoint(corners[1]);
-    const glm::dvec3& c = getPoint(corners[2]);
+    const glm::dvec3& a = this->Points[corners[0]];
+    const glm::dvec3& b = this->Points[corners[1]];
+    const glm::dvec3& c = this->Points[corners[2]];
     const TetrahedronVolume volume(a, b, c, centre);
     if (t == 0)
     {
@@ -281,8 +244,9 @@ bool vtkShadowTopology::ProveConvex() const
     {
       const Use& use = this->Uses[edge.First];
       const double side = orientation * use.Direction;
-      const TetrahedronVolume volume(getPoint(edge.A), getPoint(edge.B),
-        getPoint(getOpposite(edge, use)), getPoint(getOpposite(edge, this->Uses[edge.First + 1])));
+      const TetrahedronVolume volume(this->Points[edge.A], this->Points[edge.B],
+        this->Points[getOpposite(edge, use)],
+        this->Points[getOpposite(edge, this->Uses[edge.First + 1])]);
       return side * volume.Value - volume.Error >= 0.0; // false if a value overflowed
     });
 }

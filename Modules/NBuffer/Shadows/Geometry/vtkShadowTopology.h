@@ -32,14 +32,17 @@
 #ifndef vtkShadowTopology_h
 #define vtkShadowTopology_h
 
+#include "vtkNBufferGLM.h"
 #include "vtkNBufferModule.h" // For export macro
-#include "vtkShadowPoints.h"
 
 #include "vtkType.h"
 
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+
+/// Points of a caster.
+using vtkShadowPoints = std::vector<glm::dvec3>;
 
 class VTKNBUFFER_EXPORT vtkShadowTopology
 {
@@ -65,10 +68,10 @@ public:
    * 2^31 / 3 triangles. A triangle with an index out of range is left out as if a coordinate were
    * not finite.
    */
-  void Build(vtkShadowPoints points, const std::vector<vtkIdType>& triangles);
+  void Build(const vtkShadowPoints& points, const std::vector<vtkIdType>& triangles);
 
   /// The merged points that triangles use, in the order of their first use.
-  const std::vector<glm::dvec3>& GetPoints() const { return this->Points; }
+  const vtkShadowPoints& GetPoints() const { return this->Points; }
   int GetNumberOfPoints() const { return static_cast<int>(this->Points.size()); }
 
   /// Three merged points for each triangle that was kept, wound as given.
@@ -107,7 +110,7 @@ private:
   void BuildComponents();
   bool ProveConvex() const;
 
-  std::vector<glm::dvec3> Points;
+  vtkShadowPoints Points;
   std::vector<int> Triangles;
   std::vector<Edge> Edges;
   std::vector<Use> Uses;

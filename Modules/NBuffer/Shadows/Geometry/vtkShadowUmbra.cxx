@@ -23,7 +23,8 @@ bool IsSame(const glm::dvec4& plane, const glm::dvec4& other, double distance)
 }
 
 /// The plane of a triangle that goes round anticlockwise as seen from the light.
-glm::dvec4 GetPlane(const int* corners, vtkShadowPoints points, const vtkShadowLightSpace& space)
+glm::dvec4 GetPlane(
+  const int* corners, const vtkShadowPoints& points, const vtkShadowLightSpace& space)
 {
   const glm::dvec3& a = points[corners[0]];
   // The normal points away from the light.
@@ -75,7 +76,7 @@ bool Overlap(const vtkShadowBlock& block, const vtkShadowBlock& rays)
 }
 }
 
-vtkShadowUmbra::vtkShadowUmbra(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
+vtkShadowUmbra::vtkShadowUmbra(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
   const vtkShadowLightSpace& space, const vtkShadowBlock& rays)
   : Positional(space.IsPositional())
   , Rays(rays)
@@ -92,7 +93,7 @@ vtkShadowUmbra::vtkShadowUmbra(const vtkShadowSilhouette& silhouette, vtkShadowP
 }
 
 void vtkShadowUmbra::AddFacets(
-  const std::vector<int>& corners, vtkShadowPoints points, const vtkShadowLightSpace& space)
+  const std::vector<int>& corners, const vtkShadowPoints& points, const vtkShadowLightSpace& space)
 {
   this->Facets.reserve(corners.size() / 3);
   for (std::size_t t = 0; t < corners.size(); t += 3)
@@ -113,7 +114,7 @@ void vtkShadowUmbra::AddFacets(
 }
 
 void vtkShadowUmbra::AddPlanes(
-  const std::vector<int>& corners, vtkShadowPoints points, const vtkShadowLightSpace& space)
+  const std::vector<int>& corners, const vtkShadowPoints& points, const vtkShadowLightSpace& space)
 {
   for (std::size_t t = 0; t < corners.size() && this->Planes.size() <= MaximumFacets; t += 3)
   {

@@ -59,7 +59,7 @@ public:
    * those that the silhouette was computed with. `rays` holds p and q of the triangles that count,
    * infinite where they have none, and depths from their nearest corner on.
    */
-  vtkShadowUmbra(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
+  vtkShadowUmbra(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
     const vtkShadowLightSpace& space, const vtkShadowBlock& rays);
 
   /// Returns false if no point in the block is on one of the rays, at any depth.
@@ -95,10 +95,10 @@ private:
     std::array<glm::dvec3, 3> Sides;
   };
 
-  void AddFacets(
-    const std::vector<int>& corners, vtkShadowPoints points, const vtkShadowLightSpace& space);
-  void AddPlanes(
-    const std::vector<int>& corners, vtkShadowPoints points, const vtkShadowLightSpace& space);
+  void AddFacets(const std::vector<int>& corners, const vtkShadowPoints& points,
+    const vtkShadowLightSpace& space);
+  void AddPlanes(const std::vector<int>& corners, const vtkShadowPoints& points,
+    const vtkShadowLightSpace& space);
   static bool Meets(const vtkShadowBlock& block, const Facet& facet);
   bool IsBefore(const vtkShadowBlock& block, const Plane& plane) const;
 

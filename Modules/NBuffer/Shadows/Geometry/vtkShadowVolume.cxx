@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowVolume.h"
 
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -9,7 +10,7 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 /// Where the near cap has point i.
-glm::dvec3 GetNearPoint(const vtkShadowSilhouette& silhouette, vtkShadowPoints points, int i)
+glm::dvec3 GetNearPoint(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points, int i)
 {
   const std::vector<glm::dvec3>& pushes = silhouette.GetPushes();
   return pushes.empty() ? points[i] : points[i] + pushes[static_cast<std::size_t>(i)];
@@ -18,11 +19,10 @@ glm::dvec3 GetNearPoint(const vtkShadowSilhouette& silhouette, vtkShadowPoints p
 
 /// The vertices that stand for merged points on one side of the volume. Each is made when it is
 /// first needed.
-template <typename Maker>
 class vtkShadowVolume::Image
 {
 public:
-  Image(vtkShadowPoints points, Maker make)
+  Image(const vtkShadowPoints& points, std::function<unsigned int(int)> make)
     : Vertices(points.size(), Unknown)
     , Make(std::move(make))
   {
@@ -42,7 +42,7 @@ private:
   static constexpr unsigned int Unknown = std::numeric_limits<unsigned int>::max();
 
   std::vector<unsigned int> Vertices;
-  Maker Make;
+  std::function<unsigned int(int)> Make;
 };
 
 void vtkShadowVolume::Begin(const glm::dvec3& origin)
@@ -68,9 +68,7 @@ void vtkShadowVolume::AddTriangle(unsigned int a, unsigned int b, unsigned int c
   this->Indices.insert(this->Indices.end(), { a, b, c });
 }
 
-template <typename ImageType>
-void vtkShadowVolume::AddTriangles(
-  const vtkShadowSilhouette& silhouette, ImageType& image, Side side)
+void vtkShadowVolume::AddTriangles(const vtkShadowSilhouette& silhouette, Image& image, Side side)
 {
   const std::vector<int>& corners = silhouette.GetTriangles();
   for (std::size_t i = 0; i < corners.size(); i += 3)
@@ -82,8 +80,7 @@ void vtkShadowVolume::AddTriangles(
   }
 }
 
-template <typename ImageType>
-void vtkShadowVolume::AddFan(const vtkShadowSilhouette& silhouette, ImageType& image, Side side)
+void vtkShadowVolume::AddFan(const vtkShadowSilhouette& silhouette, Image& image, Side side)
 {
   glm::dvec3 mean(0.0);
   for (const vtkShadowSilhouette::Edge& edge : silhouette.GetEdges())
@@ -103,9 +100,8 @@ void vtkShadowVolume::AddFan(const vtkShadowSilhouette& silhouette, ImageType& i
   }
 }
 
-template <typename NearImage, typename FarImage>
 void vtkShadowVolume::AddSides(
-  const vtkShadowSilhouette& silhouette, NearImage& nearImage, FarImage& farImage)
+  const vtkShadowSilhouette& silhouette, Image& nearImage, Image& farImage)
 {
   for (const vtkShadowSilhouette::Edge& edge : silhouette.GetEdges())
   {
@@ -124,7 +120,7 @@ void vtkShadowVolume::AddSides(
   }
 }
 void vtkShadowVolume::AddWhole(
-  const vtkShadowSilhouette& silhouette, vtkShadowPoints points, const vtkShadowLight& light)
+  const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points, const vtkShadowLight& light)
 {
   Image nearImage(points,
     [&](int i)
@@ -146,8 +142,9 @@ void vtkShadowVolume::AddWhole(
   }
 }
 
-void vtkShadowVolume::AddClamped(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
-  const vtkShadowLightSpace& space, const vtkShadowSlab& slab, double casterFar)
+void vtkShadowVolume::AddClamped(const vtkShadowSilhouette& silhouette,
+  const vtkShadowPoints& points, const vtkShadowLightSpace& space, const vtkShadowSlab& slab,
+  double casterFar)
 {
   const bool nearPlane = casterFar < slab.Near;
   const double farDepth =

@@ -76,15 +76,15 @@ public:
    * Adds the whole volume of a caster: near cap, sides and, for positional lights, far cap.
    * `points` must be those that the silhouette was computed with.
    */
-  void AddWhole(
-    const vtkShadowSilhouette& silhouette, vtkShadowPoints points, const vtkShadowLight& light);
+  void AddWhole(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
+    const vtkShadowLight& light);
 
   /**
    * Adds the part of a caster's volume that lies in the slab, see above. `casterFar` is the largest
    * depth of its points in `space`, or more. For a positional light the depths of all points must
    * be positive. A slab that ends before the caster does is extended to a little beyond it.
    */
-  void AddClamped(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
+  void AddClamped(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
     const vtkShadowLightSpace& space, const vtkShadowSlab& slab, double casterFar);
 
   /// The coordinates x, y, z, w of each vertex. w = 1 is a point relative to the origin, w = 0 is a
@@ -95,7 +95,6 @@ public:
   const std::vector<unsigned int>& GetIndices() const { return this->Indices; }
 
 private:
-  template <typename Maker>
   class Image;
   enum class Side
   {
@@ -105,12 +104,9 @@ private:
 
   unsigned int AddVertex(const glm::dvec3& x, float w);
   void AddTriangle(unsigned int a, unsigned int b, unsigned int c);
-  template <typename ImageType>
-  void AddTriangles(const vtkShadowSilhouette& silhouette, ImageType& image, Side side);
-  template <typename ImageType>
-  void AddFan(const vtkShadowSilhouette& silhouette, ImageType& image, Side side);
-  template <typename NearImage, typename FarImage>
-  void AddSides(const vtkShadowSilhouette& silhouette, NearImage& nearImage, FarImage& farImage);
+  void AddTriangles(const vtkShadowSilhouette& silhouette, Image& image, Side side);
+  void AddFan(const vtkShadowSilhouette& silhouette, Image& image, Side side);
+  void AddSides(const vtkShadowSilhouette& silhouette, Image& nearImage, Image& farImage);
 
   glm::dvec3 Origin = { 0.0, 0.0, 0.0 };
   std::vector<float> Vertices;

@@ -11,7 +11,7 @@ namespace
 constexpr double Margin = 1e-6;
 
 /// How many of the triangles that count the ray from `origin` along `direction` crosses.
-int CountCrossings(const vtkShadowSilhouette& silhouette, vtkShadowPoints points,
+int CountCrossings(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
   const glm::dvec3& origin, const glm::dvec3& direction)
 {
   int count = 0;
@@ -55,12 +55,12 @@ void vtkShadowDrawList::AddWhole(
 {
   vtkShadowDraw draw = MakeDraw(caster, volume);
   const std::size_t firstVertex = volume.GetVertices().size();
-  volume.AddWhole(caster.Silhouette, caster.Points, this->Light);
+  volume.AddWhole(caster.Silhouette, *caster.Points, this->Light);
   draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
   if (!draw.ZPass && this->Camera.Parallel && this->Light.IsPositional())
   {
     draw.Start = CountCrossings(
-      caster.Silhouette, caster.Points, this->Light.Position, this->Camera.Direction);
+      caster.Silhouette, *caster.Points, this->Light.Position, this->Camera.Direction);
   }
   this->AddDraw(volume, boxes, draw);
 }
@@ -71,7 +71,7 @@ void vtkShadowDrawList::AddClamped(const vtkShadowPart& caster, const vtkShadowL
   vtkShadowDraw draw = MakeDraw(caster, volume);
   draw.Offset = draw.Offset && casterFar >= slab.Near;
   const std::size_t firstVertex = volume.GetVertices().size();
-  volume.AddClamped(caster.Silhouette, caster.Points, space, slab, casterFar);
+  volume.AddClamped(caster.Silhouette, *caster.Points, space, slab, casterFar);
   draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
   this->AddDraw(volume, boxes, draw);
 }

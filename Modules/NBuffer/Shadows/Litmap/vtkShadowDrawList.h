@@ -85,12 +85,6 @@ public:
     /// True to draw in boxes of pixels; not all devices keep to them
     /// (vtkNBufferGL::KeepsToScissor).
     bool Boxes = true;
-
-    /// What one more box costs, in pixels, and 1/32 of it for each triangle that it sets up again.
-    /// A volume is drawn into one more box where that leaves out more pixels. The default is a
-    /// compromise: software renderers fill in a few nanoseconds for each pixel and set up a
-    /// triangle in some tenths of a microsecond, devices are limited by what they fill.
-    double BoxCost = 256.0;
   };
 
   /// `light` must outlive the list.

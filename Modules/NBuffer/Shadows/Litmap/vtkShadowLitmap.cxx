@@ -38,7 +38,6 @@ void vtkShadowLitmap::Begin(int resolution, const vtkShadowBlock& range)
 {
   this->Resolution = std::clamp(resolution, 1, MaximumResolution);
   this->NumberOfLevels = 0;
-  this->NumberOfParts = 1;
   this->NumberOfReceivers = 0;
   this->WidestAngle = 0.0;
   this->Everywhere = vtkShadowExtent();
@@ -144,26 +143,21 @@ bool vtkShadowLitmap::AddLexel(int i, int j, vtkShadowExtent extent)
 
 void vtkShadowLitmap::Split(int count)
 {
-  this->NumberOfParts = std::max(count, 1);
-  vtkShadowBlock range;
-  range.Low = { this->P.Low, this->Q.Low, this->Depths.Low };
-  range.High = { this->P.High, this->Q.High, this->Depths.High };
-  this->Parts.resize(
-    std::max(this->Parts.size(), static_cast<std::size_t>(this->NumberOfParts - 1)));
-  for (int i = 1; i < this->NumberOfParts; ++i)
+  const vtkShadowBlock range = { { this->P.Low, this->Q.Low, this->Depths.Low },
+    { this->P.High, this->Q.High, this->Depths.High } };
+  this->Parts.resize(static_cast<std::size_t>(std::max(count, 1) - 1));
+  for (vtkShadowLitmap& part : this->Parts)
   {
-    vtkShadowLitmap& part = this->GetPart(i);
     part.Begin(this->Resolution, range);
-    part.Tiles.BeginAs(this->Tiles);
+    part.Tiles = this->Tiles;
   }
 }
 
 void vtkShadowLitmap::Join()
 {
   const std::size_t size = static_cast<std::size_t>(this->Resolution) * this->Resolution;
-  for (int i = 1; i < this->NumberOfParts; ++i)
+  for (const vtkShadowLitmap& part : this->Parts)
   {
-    const vtkShadowLitmap& part = this->GetPart(i);
     for (std::size_t k = 0; k < size; ++k)
     {
       this->Lexels[k].Merge(part.Lexels[k]);
@@ -175,7 +169,6 @@ void vtkShadowLitmap::Join()
     this->Tiles.Merge(part.Tiles);
     this->WidenAngle(part.WidestAngle);
   }
-  this->NumberOfParts = 1;
 }
 
 void vtkShadowLitmap::Build()

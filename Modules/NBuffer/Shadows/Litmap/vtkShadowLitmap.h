@@ -35,7 +35,6 @@
 #include "vtkNBufferMath.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkShadowBlock.h"
-#include "vtkShadowExtent.h"
 #include "vtkShadowTiles.h"
 
 #include "vtkType.h"
@@ -91,16 +90,16 @@ public:
 
   /**
    * Makes `count` parts (at least 1) so that several threads can add receivers, each to its own
-   * part. Call it after Begin() of litmap and tiles. Part 0 is the litmap itself; memory of the
-   * others is kept.
+   * part. Call it after Begin() of litmap and tiles, before receivers are added. Part 0 is the
+   * litmap itself; memory of the others is kept.
    */
   void Split(int count);
 
   /// One of the parts that Split() made.
   vtkShadowLitmap& GetPart(int i) { return i == 0 ? *this : this->Parts[i - 1]; }
 
-  /// Merges the parts. The order of receivers does not matter to extents and blocks, so the litmap
-  /// is the same to the bit with any number of parts.
+  /// Merges the parts that Split() made. The order of receivers does not matter to extents and
+  /// blocks, so the litmap is the same to the bit with any number of parts.
   void Join();
 
   /// Makes all levels that queries need. After it receivers are added only after the next Begin().
@@ -180,7 +179,6 @@ private:
   std::vector<vtkShadowExtent> Lexels; ///< All levels, one after the other.
   vtkShadowTiles Tiles;
   std::vector<vtkShadowLitmap> Parts; ///< All parts except for the first.
-  int NumberOfParts = 1;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -34,10 +34,9 @@ vtkShadowLitmapSet::vtkShadowLitmapSet(const vtkShadowLight& light, std::vector<
 }
 
 vtkShadowLitmapSet::Lookup vtkShadowLitmapSet::LookUp(
-  const vtkShadowFootprint& footprint, vtkShadowPoints points) const
+  const vtkShadowFootprint& footprint, const vtkShadowPoints* points) const
 {
   Lookup lookup;
-  const bool keepQueries = points.size() > 0;
   const auto query = [&](const Face& face, vtkShadowBlock rays)
   {
     if (this->IsThroughLightPlane(rays))
@@ -47,7 +46,7 @@ vtkShadowLitmapSet::Lookup vtkShadowLitmapSet::LookUp(
     }
     rays.High[2] = Infinity;
     lookup.Extent.Merge(face.Litmap->Query(rays.Low[0], rays.Low[1], rays.High[0], rays.High[1]));
-    if (keepQueries)
+    if (points)
     {
       lookup.Queries.push_back({ face, rays });
     }
@@ -74,7 +73,7 @@ vtkShadowLitmapSet::Lookup vtkShadowLitmapSet::LookUp(
     if (box.Low[2] > Margin * box.High[2] && std::min(box.Low[0], box.Low[1]) > -1.0 &&
       std::max(box.High[0], box.High[1]) < 1.0)
     {
-      queryAlone(face, keepQueries ? vtkShadowFootprint::Make(points, *face.Space).Block : box);
+      queryAlone(face, points ? vtkShadowFootprint::Make(*points, *face.Space).Block : box);
       return lookup;
     }
     boxes.push_back(box);
@@ -91,7 +90,7 @@ vtkShadowLitmapSet::Lookup vtkShadowLitmapSet::LookUp(
 
 double vtkShadowLitmapSet::GetWidestAngle() const
 {
-  constexpr double margin = 1e-3; // radians; more than vtkShadowLight::IsInCone() is wider
+  constexpr double margin = 1e-3; // radians; more than in vtkShadowLight::GetConeCosine()
   const double cone = vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;
   return this->IsKnown() ? std::max(cone, this->Faces[0].Litmap->GetWidestAngle()) : cone;
 }

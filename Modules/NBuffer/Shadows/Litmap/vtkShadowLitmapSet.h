@@ -74,7 +74,7 @@ public:
 
   /// Looks a caster up in the litmaps, of which there must be one at least. `points` are the
   /// caster's points. Without them the corners of its bounds stand for them.
-  Lookup LookUp(const vtkShadowFootprint& footprint, vtkShadowPoints points = {}) const;
+  Lookup LookUp(const vtkShadowFootprint& footprint, const vtkShadowPoints* points = nullptr) const;
 
   /// Returns true if a caster with these light coordinates reaches through a positional light's
   /// plane s = 0, or lies behind it.

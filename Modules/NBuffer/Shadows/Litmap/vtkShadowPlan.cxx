@@ -12,17 +12,17 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// The part of View::BoxCost that is added for each triangle.
+/// The part of the cost of a box that is added for each triangle.
 constexpr double TriangleShare = 1.0 / 32;
 }
 
 vtkShadowPlan::vtkShadowPlan(const vtkShadowLight& light, const View& view, vtkShadowMode mode,
-  std::vector<Face> litmaps, int gap)
+  std::vector<Face> litmaps, const vtkShadowTuning& tuning)
   : Litmaps(light, std::move(litmaps))
   , Draws(light, view)
-  , BoxCost(view.Boxes ? view.BoxCost : std::numeric_limits<double>::infinity())
   , Mode(mode)
-  , Gap(gap)
+  , BoxCost(view.Boxes ? tuning.BoxCost : std::numeric_limits<double>::infinity())
+  , SlabGap(tuning.SlabGap)
 {
 }
 
@@ -31,7 +31,7 @@ bool vtkShadowPlan::HasLitmaps() const
   return this->Mode != vtkShadowMode::Unclamped && this->Litmaps.IsKnown();
 }
 
-std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOutByPlace(const vtkShadowPart& caster) const
+std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOut(const vtkShadowPart& caster) const
 {
   if (caster.Silhouette.GetTriangles().empty())
   {
@@ -50,7 +50,7 @@ std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOutByPlace(const vtkShadowPa
   {
     return vtkShadowVerdict::OutsideCone;
   }
-  return {};
+  return EarlyOutByReceivers(this->Litmaps.LookUp(caster.Footprint));
 }
 
 std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOutByReceivers(const Lookup& lookup)
@@ -66,20 +66,10 @@ std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOutByReceivers(const Lookup&
   return {};
 }
 
-std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOut(const vtkShadowPart& caster) const
-{
-  const auto verdict = this->EarlyOutByPlace(caster);
-  if (verdict || !this->HasLitmaps())
-  {
-    return verdict;
-  }
-  return EarlyOutByReceivers(this->Litmaps.LookUp(caster.Footprint));
-}
-
 vtkShadowPlan::Choice vtkShadowPlan::Decide(const vtkShadowPart& caster) const
 {
   Choice choice;
-  if (const auto verdict = this->EarlyOutByPlace(caster))
+  if (const auto verdict = this->EarlyOut(caster))
   {
     choice.Verdict = *verdict;
     return choice;
@@ -137,7 +127,7 @@ vtkShadowPlan::Boxes vtkShadowPlan::FindBoxes(
   for (const vtkShadowLitmapSet::FaceQuery& query : lookup.Queries)
   {
     const vtkShadowTiles& tiles = query.Map.Litmap->GetTiles();
-    const vtkShadowUmbra umbra(caster.Silhouette, caster.Points, *query.Map.Space, query.Rays);
+    const vtkShadowUmbra umbra(caster.Silhouette, *caster.Points, *query.Map.Space, query.Rays);
     set.Mark(
       [&](int column, int row)
       {
@@ -158,7 +148,7 @@ std::vector<vtkShadowSlab> vtkShadowPlan::GetSlabs(const Lookup& lookup) const
 {
   std::vector<vtkShadowSlab> slabs;
   const vtkShadowLitmap& litmap = *lookup.Queries[0].Map.Litmap;
-  for (const auto& [near, far] : litmap.GetSlabs(lookup.Extent, this->Gap))
+  for (const auto& [near, far] : litmap.GetSlabs(lookup.Extent, this->SlabGap))
   {
     if (far < lookup.Near)
     {

@@ -31,7 +31,7 @@
  * In this box, the tiles of 4 x 4 pixels that the caster's shadow can reach (vtkShadowUmbra.h) are
  * found, and the volume is drawn into a few boxes around these (vtkShadowTiles.h). There is one
  * more box where it leaves out more pixels than drawing the triangles once more costs
- * (View::BoxCost). If no tile is reached, the verdict is NoReceiver or BeforeCaster.
+ * (vtkShadowTuning::BoxCost). If no tile is reached, the verdict is NoReceiver or BeforeCaster.
  *
  * Leaving out casters and drawing into boxes change no vertex and so no fragment: the stencil is
  * bit for bit that of whole volumes wherever there is a receiver. Slabs make new vertices, which
@@ -60,6 +60,7 @@
 #include "vtkShadowFootprint.h"
 #include "vtkShadowLitmapSet.h"
 #include "vtkShadowStatistics.h"
+#include "vtkShadowTuning.h"
 
 #include <optional>
 #include <vector>
@@ -103,22 +104,18 @@ public:
   /**
    * A plan without casters. `litmaps` has the litmap of the light, or the six of a point light,
    * with their levels built. Without any, as with mode Unclamped, nothing is known of the
-   * receivers. `gap` is the number of empty bins, of 64, that separate two slabs. The light, the
-   * litmaps and their light spaces must outlive the plan.
+   * receivers. The light, the litmaps and their light spaces must outlive the plan.
    */
   vtkShadowPlan(const vtkShadowLight& light, const View& view, vtkShadowMode mode,
-    std::vector<Face> litmaps, int gap = 4);
-
-  /**
-   * The reason why a caster is not drawn, as far as its box and one lookup say; nothing if that is
-   * not enough. Decide() comes to the same result, but it reads the caster's points, which the
-   * processor has to fetch from memory for each of many casters. It changes nothing and may be
-   * called in parallel.
-   */
-  std::optional<vtkShadowVerdict> EarlyOut(const vtkShadowPart& caster) const;
+    std::vector<Face> litmaps, const vtkShadowTuning& tuning);
 
   /// Decides about a caster. It changes nothing and may be called in parallel.
   Choice Decide(const vtkShadowPart& caster) const;
+
+  /// The reason why a caster is not drawn, as far as its boxes and one lookup say; nothing if that
+  /// is not enough. Decide() begins with it: it does not read the caster's points, which the
+  /// processor has to fetch from memory for each of many casters.
+  std::optional<vtkShadowVerdict> EarlyOut(const vtkShadowPart& caster) const;
 
   /// Adds what was chosen for a caster: its triangles to `volume`, its draws to GetDraws().
   void Draw(const Choice& choice, const vtkShadowPart& caster, vtkShadowVolume& volume);
@@ -136,7 +133,6 @@ private:
   using Lookup = vtkShadowLitmapSet::Lookup;
 
   bool HasLitmaps() const;
-  std::optional<vtkShadowVerdict> EarlyOutByPlace(const vtkShadowPart& caster) const;
   static std::optional<vtkShadowVerdict> EarlyOutByReceivers(const Lookup& lookup);
   /// The boxes of pixels to draw into. `isOnRays` becomes true if any receiver at all is on the
   /// caster's rays.
@@ -145,9 +141,9 @@ private:
 
   vtkShadowLitmapSet Litmaps;
   vtkShadowDrawList Draws;
-  double BoxCost;
   vtkShadowMode Mode;
-  int Gap;
+  double BoxCost; ///< In pixels; infinite if boxes are not used.
+  int SlabGap;
   int Slabs = 0;
 };
 

@@ -50,25 +50,13 @@ void vtkShadowTiles::Begin(int width, int height)
   this->Splits.assign(size, std::numeric_limits<float>::infinity());
 }
 
-void vtkShadowTiles::BeginAs(const vtkShadowTiles& other)
-{
-  this->Columns = other.Columns;
-  this->Rows = other.Rows;
-  this->Tiles.assign(other.Tiles.size(), Layers());
-  this->Splits = other.Splits;
-}
-
 void vtkShadowTiles::Merge(const vtkShadowTiles& other)
 {
   for (std::size_t k = 0; k < this->Tiles.size(); ++k)
   {
     for (std::size_t layer = 0; layer < this->Tiles[k].size(); ++layer)
     {
-      const vtkShadowBlock& block = other.Tiles[k][layer];
-      for (int i = 0; i < 3; ++i)
-      {
-        this->Tiles[k][layer].Add(i, block.Low[i], block.High[i]);
-      }
+      this->Tiles[k][layer].Add(other.Tiles[k][layer].Low, other.Tiles[k][layer].High);
     }
   }
 }
@@ -89,8 +77,8 @@ std::vector<vtkNBufferRectangle> vtkShadowTileSet::GetBoxes(double cost) const
   this->Divide(this->Tiles, cost / (size * size), boxes);
   for (vtkNBufferRectangle& box : boxes)
   {
-    box = { std::max(box.X0 * size, this->Pixels.X0), std::max(box.Y0 * size, this->Pixels.Y0),
-      std::min(box.X1 * size, this->Pixels.X1), std::min(box.Y1 * size, this->Pixels.Y1) };
+    box =
+      this->Pixels.GetIntersection({ box.X0 * size, box.Y0 * size, box.X1 * size, box.Y1 * size });
   }
   return boxes;
 }

@@ -48,9 +48,6 @@ public:
   /// is kept.
   void Begin(int width, int height);
 
-  /// Starts anew for an image of the size of another one, with its splits.
-  void BeginAs(const vtkShadowTiles& other);
-
   /// Sets the window depth from which on receivers belong to the second layer of a tile. Any depth
   /// is correct; a good one separates what lies far apart. Set it before receivers are added.
   void SetSplit(int column, int row, float depth)
