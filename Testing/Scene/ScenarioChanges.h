@@ -51,7 +51,7 @@ enum class ChangeKind
   Representation, //
   LineWidth,      ///< And the size of points.
   Edges,          //
-  MovePoints,     ///< Add 3 values to the points of the data, in place.
+  MovePoints,     ///< Add 3 values to the points of the data, in place; shear x by the fourth, too.
   ReplaceData,    ///< Another data set, whose shape has the 3 values as size.
   ClippingPlane,  ///< The origin of the plane in place; 3 values.
   Rejoin,         ///< Removed from the renderer and added again, at the end.
@@ -68,7 +68,7 @@ enum class ChangeKind
   CullerBaseFactor,
   CullerRoundSize,
   CullerPresent, ///< In the renderers' lists of cullers or not.
-  PolygonOffset, ///< VTK's global switch.
+  PolygonOffset, ///< VTK's global switch: off, polygon offset, or a shifted z-buffer.
   Select,        ///< A hardware selection of the whole window between two frames.
   Casts,
   BlockVisible,  ///< Of the second block of a composite prop.
