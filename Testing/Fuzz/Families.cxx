@@ -28,12 +28,7 @@ Prop& Writer::Add(ShapeKind kind, const glm::dvec3& center, const glm::dvec3& si
 
 void Writer::AddChange(int frame, ChangeKind kind, int target, std::vector<double> values)
 {
-  Change change;
-  change.Frame = frame;
-  change.Kind = kind;
-  change.Target = target;
-  change.Values = std::move(values);
-  this->Scene.Changes.push_back(std::move(change));
+  this->Scene.Changes.push_back({ frame, kind, target, std::move(values) });
 }
 
 View& Writer::AddView(int frame)
@@ -492,6 +487,20 @@ void ShareMappers(Writer& writer)
       props[i].MapperOf = owner.Id;
       props[i].Representation =
         writer.Any({ Representation::Surface, Representation::Surface, Representation::Wireframe });
+    }
+  }
+}
+
+void NestAssemblies(Writer& writer)
+{
+  std::vector<Prop>& props = writer.Scene.Props;
+  for (std::size_t i = 1; i < props.size(); ++i)
+  {
+    const Prop& whole = props[i - 1];
+    const bool canBePart = props[i].Kind == PropKind::Actor || props[i].Kind == PropKind::Assembly;
+    if (whole.Kind == PropKind::Assembly && canBePart && writer.Chance(0.5))
+    {
+      props[i].PartOf = whole.Id;
     }
   }
 }

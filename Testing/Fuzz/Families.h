@@ -74,6 +74,9 @@ const std::vector<NamedFamily>& GetFamilies();
 /// Let some props draw what an earlier prop of their renderer draws, each in its own way.
 void ShareMappers(Writer& writer);
 
+/// Make some props parts of the assembly that stands before them in the list.
+void NestAssemblies(Writer& writer);
+
 /// Props, views, lights and changes of any named scenario of the tests (NamedScenarios.h).
 void BuildNamed(Writer& writer, bool shadows);
 }

@@ -179,7 +179,8 @@ void MakeOdd(Writer& writer, Prop& prop)
         : writer.Any({ PropKind::Assembly, PropKind::Follower, PropKind::Glyphs });
       break;
     case 9:
-      prop.Kind = writer.Any({ PropKind::LOD, PropKind::NoMapper, PropKind::Text });
+      prop.Kind =
+        writer.Any({ PropKind::LOD, PropKind::NoMapper, PropKind::Text, PropKind::NoBounds });
       break;
     case 10:
       prop.Texture = writer.Any({ Translucency::Some, Translucency::Opaque });
@@ -192,6 +193,7 @@ void MakeOdd(Writer& writer, Prop& prop)
       break;
     case 13:
       prop.Shape.Kind = writer.Any({ ShapeKind::Empty, ShapeKind::NaNPoint, ShapeKind::Points });
+      prop.UseBounds = writer.Chance(0.5);
       break;
     case 14:
     case 15:
@@ -210,6 +212,7 @@ void MakeOdd(Writer& writer, Prop& prop)
     }
     case 18:
       prop.OffsetUnits = writer.Any({ -4.0, 4.0, -2000.0 });
+      prop.OffsetFactor = writer.Any({ 0.0, 0.01, 1.0 }) * prop.OffsetUnits;
       break;
     default:
       if (writer.Chance(0.3))
@@ -257,8 +260,7 @@ void ChangeAnyProp(Writer& writer, int frame)
   const std::vector<Prop>& props = writer.Scene.Props;
   const Prop& prop = props[writer.Random.Index(props.size())];
   const glm::dvec3 move = GetRandomVector(writer, 0.5 * writer.Scale);
-  const glm::dvec3 moved = { prop.Position[0] + move[0], prop.Position[1] + move[1],
-    prop.Position[2] + move[2] };
+  const glm::dvec3 moved = prop.Position + move;
   const auto add = [&](ChangeKind kind, std::vector<double> values)
   { writer.AddChange(frame, kind, prop.Id, std::move(values)); };
   switch (writer.Integer(0, 15))
@@ -271,7 +273,9 @@ void ChangeAnyProp(Writer& writer, int frame)
       break;
     case 4:
     case 5:
-      add(ChangeKind::MovePoints, { move[0], move[1], move[2], writer.Scene.Seed % 2 ? 1.0 : 0.0 });
+      add(ChangeKind::MovePoints,
+        { move[0], move[1], move[2], writer.Any({ 0.0, 0.0, 0.7 }),
+          writer.Scene.Seed % 2 ? 1.0 : 0.0 });
       break;
     case 6:
       add(ChangeKind::ReplaceData,
@@ -369,7 +373,7 @@ void ChangeSettings(Writer& writer, int frame)
       add(ChangeKind::CullerPresent, { writer.Any({ 0.0, 1.0 }) });
       break;
     case 11:
-      add(ChangeKind::PolygonOffset, { writer.Any({ 0.0, 1.0 }) });
+      add(ChangeKind::PolygonOffset, { writer.Any({ 0.0, 1.0, 2.0 }) });
       break;
     case 12:
       if (writer.Chance(0.5))
@@ -437,12 +441,7 @@ void MoveFarAway(Writer& writer)
   // Rays are cast at double coordinates.
   scene.Shadows.CompareRays = scene.Shadows.CompareRays && shift;
   const auto place = [&](glm::dvec3& point, bool absolute)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      point[i] = factor * point[i] + (absolute ? origin[i] : 0.0);
-    }
-  };
+  { point = factor * point + (absolute ? origin : glm::dvec3(0.0)); };
   for (Prop& prop : scene.Props)
   {
     place(prop.Position, inMatrix);
@@ -483,7 +482,8 @@ void MoveFarAway(Writer& writer)
     if (change.Kind == ChangeKind::Position || change.Kind == ChangeKind::MovePoints || ofLight)
     {
       const bool absolute = ofLight || (change.Kind == ChangeKind::Position && inMatrix);
-      for (std::size_t i = 0; i < change.Values.size(); ++i)
+      // A fourth value is a share, not a length.
+      for (std::size_t i = 0; i < std::min<std::size_t>(change.Values.size(), 3); ++i)
       {
         change.Values[i] = factor * change.Values[i] + (absolute ? origin[i] : 0.0);
       }
@@ -509,10 +509,7 @@ const NamedFamily& ChooseFamily(Writer& writer, const std::vector<NamedFamily>& 
   }
   return families.back();
 }
-}
 
-namespace
-{
 /// One in so many scenarios begins as a named one.
 constexpr std::uint64_t ScenariosPerNamed = 10;
 }
@@ -564,6 +561,7 @@ Scenario MakeScenario(std::uint64_t seed, ScenarioKind kind)
     // The lines of a wireframe on a caster's surface have depths that rays cannot judge.
     ShareMappers(writer);
   }
+  NestAssemblies(writer);
   RemoveUndefined(scenario);
   return scenario;
 }

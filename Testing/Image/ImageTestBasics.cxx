@@ -10,6 +10,8 @@
 #include "vtkCamera.h"
 #include "vtkCullerCollection.h"
 
+#include <iterator>
+#include <numeric>
 #include <sstream>
 
 using Scenes::Wall;
@@ -35,12 +37,7 @@ void Walk(Comparison& comparison, int frames, double from = 0.0, double step = 0
 
 int GetPropsDrawnInRounds(const vtkNBufferStatistics& statistics)
 {
-  int sum = 0;
-  for (int drawn : statistics.DrawnInRound)
-  {
-    sum += drawn;
-  }
-  return sum;
+  return std::accumulate(std::begin(statistics.DrawnInRound), std::end(statistics.DrawnInRound), 0);
 }
 }
 
@@ -351,20 +348,18 @@ INSTANTIATE_TEST_SUITE_P(Each, CullerSettings, testing::ValuesIn(Settings), GetC
 // Hazard: the two back-ends must agree on every verdict, or one of them is wrong.
 TEST(CullerBasics, BackendsAgreeOnEveryVerdict)
 {
-  ComparisonOptions cpu;
-  cpu.Configure = [](vtkNBufferCuller* c)
+  const auto make = [](int backend)
   {
-    c->SetBackend(vtkNBufferCuller::CPU);
-    Tune(c, &vtkNBufferTuning::TestPixels, false); // of which the back-ends see more or less
+    ComparisonOptions options;
+    options.Configure = [backend](vtkNBufferCuller* c)
+    {
+      c->SetBackend(backend);
+      Tune(c, &vtkNBufferTuning::TestPixels, false); // of which the back-ends see more or less
+    };
+    return options;
   };
-  ComparisonOptions gl;
-  gl.Configure = [](vtkNBufferCuller* c)
-  {
-    c->SetBackend(vtkNBufferCuller::OpenGL);
-    Tune(c, &vtkNBufferTuning::TestPixels, false);
-  };
-  Comparison a([](Stage& stage) { Scenes::BuildCity(stage); }, cpu);
-  Comparison b([](Stage& stage) { Scenes::BuildCity(stage); }, gl);
+  Comparison a([](Stage& stage) { Scenes::BuildCity(stage); }, make(vtkNBufferCuller::CPU));
+  Comparison b([](Stage& stage) { Scenes::BuildCity(stage); }, make(vtkNBufferCuller::OpenGL));
   for (int i = 0; i < 4; ++i)
   {
     Walk(a, 1, 0.1 * i);

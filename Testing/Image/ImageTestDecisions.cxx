@@ -14,6 +14,8 @@
 #include "vtkProperty.h"
 
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 
 using Scenes::Wall;
 
@@ -342,16 +344,10 @@ TEST(CullerDecisions, GL2PSExportIsTheSame)
     exporter->Write3DPropsAsRasterImageOff();
     exporter->SetFilePrefix(prefix.c_str());
     exporter->Write();
-    if (std::FILE* file = std::fopen((prefix + ".svg").c_str(), "rb"))
-    {
-      char buffer[4096];
-      for (std::size_t n; (n = std::fread(buffer, 1, sizeof(buffer), file)) > 0;)
-      {
-        text[which].append(buffer, n);
-      }
-      std::fclose(file);
-      std::remove((prefix + ".svg").c_str());
-    }
+    std::ifstream file(prefix + ".svg", std::ios::binary);
+    text[which].assign(std::istreambuf_iterator<char>(file), {});
+    file.close();
+    std::remove((prefix + ".svg").c_str());
   }
   EXPECT_FALSE(text[0].empty());
   EXPECT_EQ(text[0].size(), text[1].size());

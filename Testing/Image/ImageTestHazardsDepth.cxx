@@ -1,23 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth: its formats and steps, near and far planes, surfaces that touch, offsets.
+// Depth: its formats and their steps.
 #include "CullerTest.h"
 #include "Scenes.h"
 #include "Tune.h"
 
 #include "vtkNBufferDepthSource.h"
 
-#include "vtkCamera.h"
-#include "vtkMapper.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkProperty.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <vector>
 
 using Scenes::AddQuad;
@@ -214,162 +210,3 @@ INSTANTIATE_TEST_SUITE_P(Each, CullerDepthFormats,
     Format{ "Fixed16Samples4", vtkTextureObject::Fixed16, false, 4, 16 },
     Format{ "Float32Samples4", vtkTextureObject::Float32, false, 4, 32, true }),
   GetCaseName);
-
-//------------------------------------------------------------------------------------------------
-// Hazard: the nearest depth of a box that is flush with its own surface is the depth that the prop
-// itself has drawn; by rounding it would hide itself, and flicker from then on.
-TEST(CullerHazards, BoxesFlushWithTheirOwnSurface)
-{
-  for (int view = 0; view < 4; ++view)
-  {
-    SCOPED_TRACE(view);
-    const int count = 12 * 8;
-    Comparison comparison(
-      [](Stage& stage)
-      {
-        for (int i = 0; i < 12; ++i)
-        {
-          for (int j = 0; j < 8; ++j)
-          {
-            // With gaps, so that at an angle none hides its neighbour.
-            const double x = 1.4 * i - 8.0;
-            const double y = 1.4 * j - 5.0;
-            if ((i + j) % 2)
-            {
-              Scenes::AddBox(stage, x, y, -0.05, 1.0, 1.0, 0.1);
-            }
-            else
-            {
-              AddQuad(stage, x - 0.5, y - 0.5, x + 0.5, y + 0.5, 0.0, 1 + (i + j) % 4);
-            }
-          }
-        }
-        // And boxes flush with the backs of the others' faces: hidden wholly.
-        for (int i = 0; i < 12; ++i)
-        {
-          for (int j = 0; j < 8; ++j)
-          {
-            Scenes::AddBox(stage, 1.4 * i - 8.0, 1.4 * j - 5.0, -0.35, 0.5, 0.5, 0.5);
-          }
-        }
-      },
-      Scenes::MakeExactOptions(401, 301));
-    for (int i = 0; i < 6; ++i)
-    {
-      comparison.Both(
-        [view, i](Stage& stage)
-        {
-          vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
-          camera->SetPosition(view == 3 ? 12.0 : 0.0, 0.01 * i, view == 3 ? 22.0 : 25.0);
-          camera->SetFocalPoint(0.0, 0.01 * i, 0.0);
-          camera->SetParallelProjection(view == 1);
-          camera->SetParallelScale(7.0);
-          stage.GetRenderer()->ResetCameraClippingRange();
-          if (view == 2)
-          {
-            camera->SetClippingRange(1e-2, 1e5);
-          }
-        });
-      comparison.Frame();
-      if (i < 3)
-      {
-        continue;
-      }
-      for (int prop = 0; prop < count; ++prop)
-      {
-        EXPECT_EQ(comparison.GetVerdict(prop), Verdict::Visible) << prop;
-        // Behind a face that looks at the camera, but for the range of the third view, in which
-        // 0.1 is less than a step of depth, and the oblique view.
-        if (view < 2)
-        {
-          EXPECT_EQ(comparison.GetVerdict(count + prop), Verdict::Hidden) << prop;
-        }
-      }
-      // No prop was judged hidden by its own depth and then drawn late.
-      const vtkNBufferStatistics& statistics = comparison.GetStatistics();
-      EXPECT_LE(statistics.HeldBack, std::max(comparison.GetHidden(), 1));
-    }
-  }
-}
-
-//------------------------------------------------------------------------------------------------
-namespace
-{
-class CullerOffsets : public testing::TestWithParam<int>
-{
-protected:
-  void TearDown() override
-  {
-    vtkMapper::SetResolveCoincidentTopologyToDefault();
-    vtkMapper::SetResolveCoincidentTopologyZShift(0.01);
-  }
-};
-}
-
-// Hazard: offsets against coincident surfaces pull what is drawn in front of what its bounds lie
-// behind; visible edges are pulled without any setting.
-TEST_P(CullerOffsets, BehindTheWall)
-{
-  constexpr int Kinds = 4;
-  constexpr int Each = 16;
-  vtkMapper::SetResolveCoincidentTopology(this->GetParam());
-  vtkMapper::SetResolveCoincidentTopologyZShift(0.05);
-  Comparison comparison(
-    [](Stage& stage)
-    {
-      Scenes::BuildWall(stage);
-      for (int i = 0; i < Each; ++i)
-      {
-        const double x = 0.6 * i - 4.6;
-        // Just behind the wall's back, all of them pulled forward as far as it may be.
-        for (int kind = 0; kind < Kinds; ++kind)
-        {
-          const int prop =
-            Scenes::AddBox(stage, x, 1.5 - kind, -0.5, 0.4, 0.4, kind % 2 ? 0.4 : 0.1);
-          vtkActor* actor = stage.GetActor(prop);
-          vtkMapper* mapper = actor->GetMapper();
-          switch (kind)
-          {
-            case 1:
-              actor->GetProperty()->EdgeVisibilityOn();
-              actor->GetProperty()->SetLineWidth(3.0);
-              break;
-            case 2:
-              mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-40.0, -4000.0);
-              break;
-            case 3:
-              mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2.0, 4000.0);
-              break;
-            default:
-              break;
-          }
-        }
-      }
-      Scenes::SetWallCamera(stage.GetRenderer());
-    },
-    Scenes::MakeExactOptions(301, 173, 4));
-  for (int i = 0; i < 5; ++i)
-  {
-    Scenes::FrameOfWall(comparison, 0.1 * i);
-  }
-  const bool off = this->GetParam() == VTK_RESOLVE_OFF;
-  const bool shifted = this->GetParam() == VTK_RESOLVE_SHIFT_ZBUFFER;
-  for (int i = 0; i < Each; ++i)
-  {
-    const int first = Wall::Count + Kinds * i;
-    EXPECT_EQ(comparison.GetVerdict(first), shifted ? Verdict::DepthOffset : Verdict::Hidden);
-    EXPECT_EQ(comparison.GetVerdict(first + 1), Verdict::NotASurface);
-    EXPECT_EQ(comparison.GetVerdict(first + 2), off ? Verdict::Hidden : Verdict::DepthOffset);
-    EXPECT_EQ(comparison.GetVerdict(first + 3), shifted ? Verdict::DepthOffset : Verdict::Hidden);
-  }
-  EXPECT_TRUE(shifted || comparison.GetHidden() >= Wall::Hidden);
-}
-
-INSTANTIATE_TEST_SUITE_P(Mode, CullerOffsets,
-  testing::Values(VTK_RESOLVE_OFF, VTK_RESOLVE_POLYGON_OFFSET, VTK_RESOLVE_SHIFT_ZBUFFER),
-  [](const testing::TestParamInfo<int>& info)
-  {
-    return std::string(info.param == VTK_RESOLVE_OFF ? "Off"
-        : info.param == VTK_RESOLVE_POLYGON_OFFSET   ? "PolygonOffset"
-                                                     : "ShiftZBuffer");
-  });

@@ -17,7 +17,6 @@
 #endif
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -43,16 +42,12 @@ constexpr double North = 4.785e6 + 0.21;
 struct World
 {
   Storage How;
-  double Origin[2] = { 0.0, 0.0 };
+  glm::dvec3 Origin;
 
   explicit World(Storage how)
     : How(how)
+    , Origin(how == Storage::Local ? glm::dvec3(0.0) : glm::dvec3(East, North, 0.0))
   {
-    if (how != Storage::Local)
-    {
-      this->Origin[0] = East;
-      this->Origin[1] = North;
-    }
   }
 
   /// Add an actor with these points around the origin, moved to its place in this way.
@@ -63,10 +58,8 @@ struct World
     const bool inPoints = this->How == Storage::Doubles || this->How == Storage::Floats;
     for (vtkIdType i = 0; i < local->GetNumberOfPoints(); ++i)
     {
-      double p[3];
-      local->GetPoint(i, p);
-      points->InsertNextPoint(
-        p[0] + (inPoints ? this->Origin[0] : 0.0), p[1] + (inPoints ? this->Origin[1] : 0.0), p[2]);
+      const glm::dvec3 p = vtkNBufferGLM::ToVector(local->GetPoint(i));
+      points->InsertNextPoint(glm::value_ptr(inPoints ? p + this->Origin : p));
     }
     vtkNew<vtkPolyData> data;
     data->ShallowCopy(local);
@@ -76,7 +69,7 @@ struct World
     vtkActor* actor = stage.AddActor(data, color);
     if (this->How == Storage::Position)
     {
-      actor->SetPosition(this->Origin[0], this->Origin[1], 0.0);
+      actor->SetPosition(this->Origin.x, this->Origin.y, 0.0);
     }
   }
 
@@ -85,12 +78,12 @@ struct World
     this->Add(stage, Scenes::MakeBox({ x, y, z }, { sx, sy, sz }));
   }
 
-  void Look(Stage& stage, const std::array<double, 3>& eye, const std::array<double, 3>& to,
-    double near, double far) const
+  void Look(
+    Stage& stage, const glm::dvec3& eye, const glm::dvec3& to, double near, double far) const
   {
     vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
-    camera->SetPosition(eye[0] + this->Origin[0], eye[1] + this->Origin[1], eye[2]);
-    camera->SetFocalPoint(to[0] + this->Origin[0], to[1] + this->Origin[1], to[2]);
+    camera->SetPosition(glm::value_ptr(eye + this->Origin));
+    camera->SetFocalPoint(glm::value_ptr(to + this->Origin));
     camera->SetViewUp(0.0, 0.0, 1.0);
     camera->SetViewAngle(45.0);
     camera->SetClippingRange(near, far);
@@ -341,30 +334,24 @@ TEST_P(CullerFarAway, TerrainOfAFile)
   }
 #if VTKNBUFFER_TEST_HAS_CITY
   std::istringstream stream(NBufferExamples::ReadMaybeCompressed(file));
-  std::vector<std::array<double, 3>> corners;
+  std::vector<glm::dvec3> corners;
+  glm::dvec3 low(HUGE_VAL);
+  glm::dvec3 high(-HUGE_VAL);
   std::string word;
   while (stream >> word)
   {
-    std::array<double, 3> p;
+    glm::dvec3 p;
     if (word == "vertex" && stream >> p[0] >> p[1] >> p[2])
     {
       corners.push_back(p);
+      low = glm::min(low, p);
+      high = glm::max(high, p);
     }
   }
   ASSERT_GE(corners.size(), 3u);
-  std::array<double, 3> low = corners[0];
-  std::array<double, 3> high = corners[0];
-  for (const auto& p : corners)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
-    }
-  }
   // Tiles of a twelfth of the whole, as they lie, in points of doubles or floats or moved.
   const bool moved = this->GetParam() == Storage::Position;
-  std::map<std::pair<int, int>, std::vector<std::array<double, 3>>> tiles;
+  std::map<std::pair<int, int>, std::vector<glm::dvec3>> tiles;
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
   {
     const auto cell = [&](int k)
@@ -380,7 +367,7 @@ TEST_P(CullerFarAway, TerrainOfAFile)
         vtkNew<vtkPoints> points;
         points->SetDataType(this->GetParam() == Storage::Doubles ? VTK_DOUBLE : VTK_FLOAT);
         vtkNew<vtkCellArray> triangles;
-        for (const auto& p : tile.second)
+        for (const glm::dvec3& p : tile.second)
         {
           const vtkIdType id = points->InsertNextPoint(
             moved ? p[0] - low[0] : p[0], moved ? p[1] - low[1] : p[1], p[2]);

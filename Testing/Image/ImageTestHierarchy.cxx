@@ -21,17 +21,11 @@ ComparisonOptions MakeOptions(int hierarchySize)
   return options;
 }
 
-void MoveWall(Comparison& comparison, double shift)
-{
-  Scenes::MoveWallCamera(comparison, shift);
-}
-
 /// A frame with the camera elsewhere.
 const vtkNBufferStatistics& MoveAndRender(
   Comparison& comparison, double shift, const std::string& what)
 {
-  MoveWall(comparison, shift);
-  comparison.Frame(what);
+  Scenes::FrameOfWall(comparison, shift, what);
   EXPECT_EQ(comparison.GetDecision(), Decision::Culled) << what;
   return comparison.GetStatistics();
 }
@@ -106,7 +100,7 @@ TEST(CullerHierarchy, IsRefitToPropsThatMove)
     // With the camera and without.
     if (i % 2 == 0)
     {
-      MoveWall(comparison, 0.2 + 0.1 * i);
+      Scenes::MoveWallCamera(comparison, 0.2 + 0.1 * i);
     }
     comparison.Frame("moved " + std::to_string(i));
     EXPECT_EQ(comparison.GetStatistics().Refits, 3);

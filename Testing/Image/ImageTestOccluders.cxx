@@ -9,6 +9,7 @@
 
 #include "vtkAssembly.h"
 #include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataArray.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageActor.h"
 #include "vtkImageData.h"
@@ -24,14 +25,11 @@
 #include "vtkProperty.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkTexture.h"
-#include "vtkUnsignedCharArray.h"
 
 #if VTKNBUFFER_TEST_HAS_RENDERINGLOD
 #include "vtkLODActor.h"
 #include "vtkQuadricLODActor.h"
 #endif
-
-#include <algorithm>
 
 using Scenes::Wall;
 
@@ -89,9 +87,10 @@ vtkSmartPointer<vtkProp> MakeNestedAssembly(Stage&)
   return outer;
 }
 
-vtkSmartPointer<vtkProp> MakePropAssembly(Stage&)
+template <typename AssemblyType>
+vtkSmartPointer<vtkProp> MakeAssembly(Stage&)
 {
-  auto assembly = vtkSmartPointer<vtkPropAssembly>::New();
+  auto assembly = vtkSmartPointer<AssemblyType>::New();
   assembly->AddPart(MakeWall<vtkActor>());
   return assembly;
 }
@@ -132,21 +131,15 @@ vtkSmartPointer<vtkProp> MakeGlyphs(Stage&)
   return actor;
 }
 
-vtkSmartPointer<vtkImageData> MakeImage(int nx, int ny, int nz, int components)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(nx, ny, nz);
-  image->SetOrigin(-6.0, -3.0, -0.2);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, components);
-  std::fill_n(static_cast<unsigned char*>(image->GetScalarPointer()), nx * ny * nz * components,
-    static_cast<unsigned char>(255));
-  return image;
-}
-
 vtkSmartPointer<vtkProp> MakeImageActor(Stage&)
 {
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(13, 7, 1);
+  image->SetOrigin(-6.0, -3.0, -0.2);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  image->GetPointData()->GetScalars()->Fill(255.0);
   auto actor = vtkSmartPointer<vtkImageActor>::New();
-  actor->SetInputData(MakeImage(13, 7, 1, 3));
+  actor->SetInputData(image);
   return actor;
 }
 
@@ -170,23 +163,10 @@ CompositeMapper* GetComposite(vtkProp* prop)
   return CompositeMapper::SafeDownCast(vtkActor::SafeDownCast(prop)->GetMapper());
 }
 
-vtkSmartPointer<vtkProp> MakeTextured(Stage&)
-{
-  vtkNew<vtkTexture> texture;
-  texture->SetInputData(MakeImage(4, 4, 1, 4));
-  auto actor = MakeWall<vtkActor>();
-  actor->SetTexture(texture);
-  return actor;
-}
-
 void MakeTextureTranslucent(vtkProp* prop)
 {
   vtkImageData* image = vtkActor::SafeDownCast(prop)->GetTexture()->GetInput();
-  auto* pixels = static_cast<unsigned char*>(image->GetScalarPointer());
-  for (int i = 0; i < 16; ++i)
-  {
-    pixels[4 * i + 3] = 40;
-  }
+  image->GetPointData()->GetScalars()->FillComponent(3, 40.0);
   image->GetPointData()->GetScalars()->Modified();
   image->Modified();
 }
@@ -266,20 +246,14 @@ namespace
 {
 const Occluder Occluders[] = {
   // Hazard: a part moves and its assembly knows nothing of it.
-  { "Assembly",
-    [](Stage&)
-    {
-      auto assembly = vtkSmartPointer<vtkAssembly>::New();
-      assembly->AddPart(MakeWall<vtkActor>());
-      return assembly;
-    },
+  { "Assembly", MakeAssembly<vtkAssembly>,
     [](vtkProp* p)
     { vtkAssembly::SafeDownCast(p)->GetParts()->GetLastProp3D()->SetPosition(0.0, 9.0, 0.0); },
     Verdict::NotAPlainActor },
   // Hazard: matrices of assemblies multiply; a part's own bounds are not where it is drawn.
   { "NestedAssembly", MakeNestedAssembly, Shrink, Verdict::NotAPlainActor },
   // Hazard: an assembly that is no vtkProp3D; one of its parts is switched off.
-  { "PropAssembly", MakePropAssembly,
+  { "PropAssembly", MakeAssembly<vtkPropAssembly>,
     [](vtkProp* p)
     { vtkPropAssembly::SafeDownCast(p)->GetParts()->GetLastProp()->VisibilityOff(); },
     Verdict::NotAPlainActor },
@@ -328,7 +302,9 @@ const Occluder Occluders[] = {
     },
     Verdict::Visible },
   // Hazard: texels become translucent in place, far from actor and mapper.
-  { "TextureTurnsTranslucent", MakeTextured, MakeTextureTranslucent, Verdict::Visible },
+  { "TextureTurnsTranslucent",
+    As([](TestScene::Prop& p) { p.Texture = TestScene::Translucency::Opaque; }),
+    MakeTextureTranslucent, Verdict::Visible },
   // Hazard: a matrix that mirrors turns the faces round, one that shears moves the corners.
   { "MirroredAndSheared",
     As(

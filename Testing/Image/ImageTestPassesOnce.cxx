@@ -3,13 +3,12 @@
 // What VTK's ways of drawing a frame do to ties, parts of the window, cities, samples and peels,
 // and frames between which they change.
 #include "CullerTest.h"
+#include "ScenePasses.h"
 #include "Scenes.h"
 
 #include "vtkNBufferGL.h"
 
 #include "vtkProperty.h"
-#include "vtkRenderStepsPass.h"
-#include "vtkSSAOPass.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -26,37 +25,12 @@ TEST(CullerPassesOnce, TiesUnderPasses)
       s.GetRenderer()->SetUseDepthPeeling(true);
       Scenes::AddTranslucentBoxes(s);
     },
-    [](Stage& s) { Scenes::AddTranslucentBoxes(s); },
-    [](Stage& s)
-    {
-      vtkNew<vtkRenderStepsPass> steps;
-      vtkNew<vtkSSAOPass> ssao;
-      ssao->SetDelegatePass(steps);
-      s.GetRenderer()->SetPass(ssao);
-    } };
+    Scenes::AddTranslucentBoxes,
+    [](Stage& s) { s.GetRenderer()->SetPass(TestScene::MakePass(TestScene::PassKind::SSAO)); } };
   int redrawn = 0;
-  for (int n = 0; n < 10; ++n)
+  for (unsigned int n = 0; n < 10; ++n)
   {
-    const auto& way = ways[n % 5];
-    const auto seed = static_cast<unsigned int>(n);
-    SCOPED_TRACE(n);
-    ComparisonOptions options;
-    options.RoundSize = 5;
-    int door = 0;
-    Comparison comparison(
-      [&way, seed, &door](Stage& stage)
-      {
-        door = Scenes::BuildTies(stage, seed, true);
-        way(stage);
-      },
-      options);
-    for (int i = 0; i < 8; ++i)
-    {
-      comparison.Both([i, door](Stage& stage)
-        { stage.GetActor(door)->SetPosition(2.5 * (i % 4) - 4.0, 0.0, 0.0); });
-      comparison.Frame();
-      redrawn += comparison.GetStatistics().Redrawn;
-    }
+    redrawn += Scenes::MoveTheDoorBeforeTies(n, 8, ways[n % 5]);
   }
   EXPECT_GT(redrawn, 0);
 }

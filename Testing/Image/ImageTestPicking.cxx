@@ -16,12 +16,12 @@
 #include "vtkRenderedAreaPicker.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
-#include "vtkSmartPointer.h"
 #include "vtkWorldPointPicker.h"
 
 #include <algorithm>
 #include <array>
 #include <map>
+#include <tuple>
 #include <vector>
 
 using Scenes::Wall;
@@ -92,9 +92,18 @@ int ExpectSameSelection(Comparison& comparison, const Area& area = WholeWindow,
   return static_cast<int>(found.size());
 }
 
-/// The props, by index and in order, that the frustum of an area meets, seen or not.
-std::vector<int> PickArea(vtkAreaPicker* picker, Stage& stage, const Area& area)
+std::array<double, 3> GetPosition(vtkAbstractPicker* picker)
 {
+  std::array<double, 3> position;
+  picker->GetPickPosition(position.data());
+  return position;
+}
+
+/// The props, by index and in order, that the frustum of an area meets, seen or not.
+template <typename PickerType>
+std::vector<int> PickArea(Stage& stage, const Area& area)
+{
+  vtkNew<PickerType> picker;
   picker->AreaPick(area[0], area[1], area[2], area[3], stage.GetRenderer());
   std::vector<int> found;
   vtkProp3DCollection* props = picker->GetProp3Ds();
@@ -185,14 +194,13 @@ TEST(CullerPicking, PropPickerPicksTheSame)
   {
     for (int y = 5; y < 173; y += 30)
     {
-      int picked[2];
-      for (Stage* stage : { &comparison.Reference, &comparison.Culled })
+      const auto pick = [x, y](Stage& stage)
       {
         vtkNew<vtkPropPicker> picker;
-        picker->PickProp(x, y, stage->GetRenderer());
-        picked[stage == &comparison.Culled] = FindIndex(*stage, picker->GetViewProp());
-      }
-      EXPECT_EQ(picked[0], picked[1]) << x << " " << y;
+        picker->PickProp(x, y, stage.GetRenderer());
+        return FindIndex(stage, picker->GetViewProp());
+      };
+      EXPECT_EQ(pick(comparison.Reference), pick(comparison.Culled)) << x << " " << y;
     }
   }
   comparison.Frame("after picking");
@@ -211,14 +219,13 @@ TEST(CullerPicking, WorldPointPickerPicksTheSame)
     {
       for (int y = 5; y < 173; y += 30)
       {
-        std::array<double, 3> points[2];
-        for (Stage* stage : { &comparison.Reference, &comparison.Culled })
+        const auto pick = [x, y](Stage& stage)
         {
           vtkNew<vtkWorldPointPicker> picker;
-          picker->Pick(x, y, 0.0, stage->GetRenderer());
-          picker->GetPickPosition(points[stage == &comparison.Culled].data());
-        }
-        EXPECT_EQ(points[0], points[1]) << x << " " << y;
+          picker->Pick(x, y, 0.0, stage.GetRenderer());
+          return GetPosition(picker);
+        };
+        EXPECT_EQ(pick(comparison.Reference), pick(comparison.Culled)) << x << " " << y;
       }
     }
   }
@@ -239,30 +246,19 @@ TEST(CullerPicking, CellAndPointPickersPickTheSame)
     {
       for (int y = 5; y < 173; y += 15)
       {
-        int props[2][2];
-        vtkIdType elements[2][2];
-        std::array<double, 3> points[2][2];
-        for (Stage* stage : { &comparison.Reference, &comparison.Culled })
+        const auto pick = [x, y](Stage& stage)
         {
-          const bool culled = stage == &comparison.Culled;
           vtkNew<vtkCellPicker> cells;
-          cells->Pick(x, y, 0.0, stage->GetRenderer());
+          cells->Pick(x, y, 0.0, stage.GetRenderer());
           vtkNew<vtkPointPicker> vertices;
-          vertices->Pick(x, y, 0.0, stage->GetRenderer());
-          props[culled][0] = FindIndex(*stage, cells->GetViewProp());
-          props[culled][1] = FindIndex(*stage, vertices->GetViewProp());
-          elements[culled][0] = cells->GetCellId();
-          elements[culled][1] = vertices->GetPointId();
-          cells->GetPickPosition(points[culled][0].data());
-          vertices->GetPickPosition(points[culled][1].data());
-        }
-        for (int which = 0; which < 2; ++which)
-        {
-          EXPECT_EQ(props[0][which], props[1][which]) << x << " " << y;
-          EXPECT_EQ(elements[0][which], elements[1][which]) << x << " " << y;
-          EXPECT_EQ(points[0][which], points[1][which]) << x << " " << y;
-        }
-        const int picked = props[1][0];
+          vertices->Pick(x, y, 0.0, stage.GetRenderer());
+          return std::tuple(FindIndex(stage, cells->GetViewProp()), cells->GetCellId(),
+            GetPosition(cells), FindIndex(stage, vertices->GetViewProp()), vertices->GetPointId(),
+            GetPosition(vertices));
+        };
+        const auto found = pick(comparison.Culled);
+        EXPECT_EQ(pick(comparison.Reference), found) << x << " " << y;
+        const int picked = std::get<0>(found);
         behind += picked >= Wall::FirstBehind && picked < Wall::FirstInFront &&
           comparison.GetVerdict(picked) == Verdict::Hidden;
       }
@@ -285,23 +281,13 @@ TEST(CullerPicking, AreaPickersFindWhatIsHidden)
       comparison.GetCuller()->SetFreeze(frozen);
       comparison.Culled.Window->Render();
       EXPECT_EQ(comparison.GetDecision() == Decision::Frozen, frozen);
-      std::vector<int> through[2];
-      std::vector<int> rendered[2];
-      for (Stage* stage : { &comparison.Reference, &comparison.Culled })
-      {
-        vtkNew<vtkAreaPicker> picker;
-        through[stage == &comparison.Culled] = PickArea(picker, *stage, area);
-      }
-      EXPECT_EQ(through[0], through[1]);
-      const auto hidden = std::count_if(through[1].begin(), through[1].end(),
+      const std::vector<int> through = PickArea<vtkAreaPicker>(comparison.Culled, area);
+      EXPECT_EQ(PickArea<vtkAreaPicker>(comparison.Reference, area), through);
+      const auto hidden = std::count_if(through.begin(), through.end(),
         [&](int prop) { return comparison.GetVerdict(prop) == Verdict::Hidden; });
       EXPECT_GT(hidden, area == WholeWindow ? Wall::Hidden - 1 : 0);
-      for (Stage* stage : { &comparison.Reference, &comparison.Culled })
-      {
-        vtkNew<vtkRenderedAreaPicker> picker;
-        rendered[stage == &comparison.Culled] = PickArea(picker, *stage, area);
-      }
-      EXPECT_EQ(rendered[0], rendered[1]);
+      EXPECT_EQ(PickArea<vtkRenderedAreaPicker>(comparison.Reference, area),
+        PickArea<vtkRenderedAreaPicker>(comparison.Culled, area));
       comparison.GetCuller()->FreezeOff();
     }
   }

@@ -35,7 +35,13 @@ void CheckExpectation(const Expectation& expectation, const Player& tested)
   vtkNBufferCuller* culler = tested.GetCuller(expectation.Renderer);
   vtkRenderer* renderer = tested.GetRenderer(expectation.Renderer);
   SCOPED_TRACE("renderer " + std::to_string(expectation.Renderer));
+  if (expectation.NeedsSamples && tested.Window->GetMultiSamples() == 0)
+  {
+    return;
+  }
   const vtkNBufferStatistics& statistics = culler->GetStatistics(renderer);
+  EXPECT_TRUE(!expectation.Statistics || expectation.Statistics(statistics))
+    << statistics.GetAsJSON();
   const int hidden = statistics.GetCount(vtkNBufferVerdict::Hidden);
   EXPECT_GE(hidden, expectation.MinimumHidden);
   EXPECT_LE(hidden, expectation.MaximumHidden);

@@ -3,19 +3,15 @@
 
 // The culler beside vtkShadowVolumeClampPass: what the camera does not see is not drawn, and casts.
 #include "CullerTest.h"
+#include "ScenePasses.h"
 #include "Scenes.h"
 
 #include "vtkShadowVolumeClampPass.h"
 
 #include "vtkCamera.h"
-#include "vtkCameraPass.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkLightsPass.h"
 #include "vtkProperty.h"
-#include "vtkRenderPassCollection.h"
-#include "vtkSequencePass.h"
-#include "vtkTranslucentPass.h"
 
 #include <algorithm>
 
@@ -35,11 +31,12 @@ vtkLight* AddLight(Stage& stage, double x, double y, double z, bool positional =
   return light;
 }
 
-vtkShadowVolumeClampPass* AddShadows(Stage& stage)
+/// With one light, there.
+vtkShadowVolumeClampPass* AddShadows(Stage& stage, double x = -8.0, double y = 9.0, double z = 14.0)
 {
   stage.GetRenderer()->RemoveAllLights();
   stage.GetRenderer()->SetAutomaticLightCreation(false);
-  AddLight(stage, -8.0, 9.0, 14.0);
+  AddLight(stage, x, y, z);
   vtkNew<vtkShadowVolumeClampPass> pass;
   pass->SetMode(vtkShadowVolumeClampPass::Scissored);
   stage.GetRenderer()->SetPass(pass);
@@ -126,12 +123,7 @@ TEST(CullerShadows, ShadowOfAHiddenPropIsSeen)
         Scenes::AddBox(stage, 0.1 * (i % 8) - 0.4, -1.0, -3.0 - 0.3 * i, 0.3, 4.0, 0.2);
       }
       Scenes::SetWallCamera(stage.GetRenderer());
-      stage.GetRenderer()->RemoveAllLights();
-      stage.GetRenderer()->SetAutomaticLightCreation(false);
-      AddLight(stage, -14.0, 3.0, -3.0);
-      vtkNew<vtkShadowVolumeClampPass> pass;
-      pass->SetMode(vtkShadowVolumeClampPass::Scissored);
-      stage.GetRenderer()->SetPass(pass);
+      AddShadows(stage, -14.0, 3.0, -3.0);
     });
   Scenes::FrameOfWall(comparison, 0.01);
   EXPECT_GE(comparison.GetHidden(), 28);
@@ -178,28 +170,13 @@ TEST(CullerShadows, CityWalkInEveryMode)
 // Hazard: equal depths, whose order has to be that of the renderer in both drawings.
 TEST(CullerShadows, Ties)
 {
+  ComparisonOptions options;
+  options.CompareDraws = false;
   int redrawn = 0;
   for (unsigned int seed = 0; seed < 6; ++seed)
   {
-    SCOPED_TRACE(seed);
-    ComparisonOptions options;
-    options.RoundSize = 5;
-    options.CompareDraws = false;
-    int door = 0;
-    Comparison comparison(
-      [seed, &door](Stage& stage)
-      {
-        door = Scenes::BuildTies(stage, seed, true);
-        AddShadows(stage);
-      },
-      options);
-    for (int i = 0; i < 6; ++i)
-    {
-      comparison.Both([i, door](Stage& stage)
-        { stage.GetActor(door)->SetPosition(2.5 * (i % 4) - 4.0, 0.0, 0.0); });
-      comparison.Frame();
-      redrawn += comparison.GetStatistics().Redrawn;
-    }
+    redrawn += Scenes::MoveTheDoorBeforeTies(
+      seed, 6, [](Stage& stage) { AddShadows(stage); }, options);
   }
   EXPECT_GT(redrawn, 0);
 }
@@ -232,18 +209,8 @@ TEST(CullerShadows, PassInASequenceAndInAPartOfTheWindow)
     {
       stage.GetRenderer()->SetViewport(0.31, 0.17, 0.93, 0.99);
       Scenes::BuildWall(stage);
-      AddShadows(stage);
-      vtkNew<vtkLightsPass> lights;
-      vtkNew<vtkTranslucentPass> translucent;
-      vtkNew<vtkRenderPassCollection> passes;
-      passes->AddItem(lights);
-      passes->AddItem(stage.GetRenderer()->GetPass());
-      passes->AddItem(translucent);
-      vtkNew<vtkSequencePass> sequence;
-      sequence->SetPasses(passes);
-      vtkNew<vtkCameraPass> camera;
-      camera->SetDelegatePass(sequence);
-      stage.GetRenderer()->SetPass(camera);
+      stage.GetRenderer()->SetPass(
+        TestScene::MakePass(TestScene::PassKind::ShadowVolumesInSequence, AddShadows(stage)));
     });
   for (int i = 0; i < 4; ++i)
   {

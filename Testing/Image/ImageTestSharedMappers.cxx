@@ -4,7 +4,6 @@
 #include "CompositeMapper.h"
 #include "CullerTest.h"
 #include "Scenes.h"
-#include "Tune.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetMapper.h"
@@ -18,9 +17,6 @@
 #include <functional>
 #include <string>
 #include <tuple>
-
-using Verdict = vtkNBufferVerdict;
-using Decision = vtkNBufferDecision;
 
 namespace
 {
@@ -49,16 +45,10 @@ vtkSmartPointer<vtkPolyData> MakeColoredSphere()
   return data;
 }
 
-vtkSmartPointer<vtkMapper> MakePolyDataMapper()
+template <typename MapperType>
+vtkSmartPointer<vtkMapper> MakeMapper()
 {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(MakeColoredSphere());
-  return mapper.Get();
-}
-
-vtkSmartPointer<vtkMapper> MakeDataSetMapper()
-{
-  vtkNew<vtkDataSetMapper> mapper;
+  vtkNew<MapperType> mapper;
   mapper->SetInputData(MakeColoredSphere());
   return mapper.Get();
 }
@@ -72,28 +62,16 @@ vtkSmartPointer<vtkMapper> MakeCompositeMapper()
   return mapper.Get();
 }
 
-struct Way
+struct Way : NamedCase
 {
-  const char* Name;
   std::function<void(vtkActor*)> Change;
   bool Matters = true; ///< False for what VTK sets anew for each actor.
 };
 
-void PrintTo(const Way& way, std::ostream* os)
+struct MapperKind : NamedCase
 {
-  *os << way.Name;
-}
-
-struct MapperKind
-{
-  const char* Name;
   vtkSmartPointer<vtkMapper> (*Make)();
 };
-
-void PrintTo(const MapperKind& kind, std::ostream* os)
-{
-  *os << kind.Name;
-}
 
 /// A far and a near actor with one mapper, in this order, side by side among other props. The
 /// nearest prop is drawn first, so that what the culler holds back is drawn in the other order.
@@ -133,8 +111,7 @@ TEST_P(CullerSharedMappers, KeepTheirOrder)
   const int first = static_cast<int>(comparison.Culled.Props.size()) - 2;
   for (int i = 0; i < 3; ++i)
   {
-    comparison.Both([i](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer(), 0.2 * i); });
-    comparison.Frame("frame " + std::to_string(i));
+    Scenes::FrameOfWall(comparison, 0.2 * i);
     EXPECT_EQ(comparison.GetVerdict(first), way.Matters ? Verdict::SharedMapper : Verdict::Visible);
     EXPECT_EQ(comparison.GetDecision(), way.Matters ? Decision::Blending : Decision::Culled);
   }
@@ -175,8 +152,8 @@ const Way Ways[] = {
   { "Place", [](vtkActor* a) { a->SetOrientation(10.0, 20.0, 30.0); }, false },
 };
 
-const MapperKind MapperKinds[] = { { "PolyData", MakePolyDataMapper },
-  { "DataSet", MakeDataSetMapper }, { "Composite", MakeCompositeMapper } };
+const MapperKind MapperKinds[] = { { "PolyData", MakeMapper<vtkPolyDataMapper> },
+  { "DataSet", MakeMapper<vtkDataSetMapper> }, { "Composite", MakeCompositeMapper } };
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, CullerSharedMappers,

@@ -12,17 +12,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <random>
 
 namespace Scenes
 {
-vtkSmartPointer<vtkPolyData> MakeQuad(
-  double x0, double y0, double x1, double y1, double z, int cells)
-{
-  return TestScene::MakeShape(TestScene::SceneBuilder().Quad(x0, y0, x1, y1, z, cells).Shape);
-}
-
 void GetColor(int index, double color[3])
 {
   std::minstd_rand random(static_cast<unsigned int>(index) + 1);
@@ -134,23 +127,38 @@ void SetCityCamera(vtkRenderer* renderer, double t)
 
 int AddQuad(Stage& stage, double x0, double y0, double x1, double y1, double z, int cells)
 {
-  const int index = static_cast<int>(stage.Props.size());
-  double color[3];
-  GetColor(index, color);
-  vtkActor* actor = stage.AddActor(MakeQuad(x0, y0, x1, y1, z, cells), color);
-  // Only the colour tells the quads apart.
-  actor->GetProperty()->LightingOff();
-  return index;
+  TestScene::SceneBuilder scene;
+  scene.Quad(x0, y0, x1, y1, z, cells);
+  AddProps(stage, scene, stage.GetRenderer());
+  return static_cast<int>(stage.Props.size()) - 1;
 }
 
-int BuildTies(Stage& stage, unsigned int seed, bool large)
+int MoveTheDoorBeforeTies(
+  unsigned int seed, int frames, const Comparison::Change& set, ComparisonOptions options)
 {
-  TestScene::SceneBuilder scene;
-  const int door = scene.AddTies(seed, large);
-  AddProps(stage, scene, stage.GetRenderer());
-  stage.GetRenderer()->GetActiveCamera()->SetPosition(0.0, 0.0, 15.0);
-  stage.GetRenderer()->ResetCameraClippingRange();
-  return door;
+  SCOPED_TRACE(seed);
+  options.RoundSize = 5;
+  int door = 0;
+  int redrawn = 0;
+  Comparison comparison(
+    [&](Stage& stage)
+    {
+      TestScene::SceneBuilder scene;
+      door = scene.AddTies(seed, true);
+      AddProps(stage, scene, stage.GetRenderer());
+      stage.GetRenderer()->GetActiveCamera()->SetPosition(0.0, 0.0, 15.0);
+      stage.GetRenderer()->ResetCameraClippingRange();
+      set(stage);
+    },
+    options);
+  for (int i = 0; i < frames; ++i)
+  {
+    comparison.Both([i, door](Stage& stage)
+      { stage.GetActor(door)->SetPosition(2.5 * (i % 4) - 4.0, 0.0, 0.0); });
+    comparison.Frame();
+    redrawn += comparison.GetStatistics().Redrawn;
+  }
+  return redrawn;
 }
 
 ComparisonOptions MakeExactOptions(int width, int height, int baseFactor)

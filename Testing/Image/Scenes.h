@@ -16,10 +16,6 @@ namespace Scenes
 using TestScene::MakeBox;
 using TestScene::Wall;
 
-/// An upright rectangle (normal z) as one polygon, cut in cells x cells quads of equal size.
-vtkSmartPointer<vtkPolyData> MakeQuad(
-  double x0, double y0, double x1, double y1, double z, int cells = 1);
-
 /// A colour that differs from prop to prop.
 void GetColor(int index, double color[3]);
 
@@ -51,12 +47,14 @@ void SetCityCamera(vtkRenderer* renderer, double t);
 void MoveCityCamera(Comparison& comparison, double t);
 void FrameOfCity(Comparison& comparison, double t, const std::string& what = "");
 
-/// Add an unlit quad of its own colour, so that only the colour tells quads apart.
+/// Add an upright rectangle (normal z) of cells x cells quads, unlit, so that only its colour tells
+/// it from others.
 int AddQuad(Stage& stage, double x0, double y0, double x1, double y1, double z, int cells = 1);
 
-/// Props that cover each other at exactly the same depths, and a door before them, anywhere in the
-/// list. Returns its index.
-int BuildTies(Stage& stage, unsigned int seed, bool large);
+/// Frames of a scene, changed by `set`, of props that cover each other at exactly the same depths,
+/// while a door before them moves. Returns how many were drawn once more for their order.
+int MoveTheDoorBeforeTies(unsigned int seed, int frames, const Comparison::Change& set,
+  ComparisonOptions options = ComparisonOptions());
 
 /// For tests that know every verdict: the culler alone, testing in every frame, however few props
 /// there are, with texels of level 0 of `baseFactor` pixels.

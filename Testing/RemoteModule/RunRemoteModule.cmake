@@ -3,14 +3,6 @@
 
 # Run by CTest with -D: checkout (of this project), source (the emulation of
 # VTK's tree), work (where to put it), and how the build had been configured.
-function (run what)
-  message(STATUS "${what}")
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
-  if (NOT result EQUAL 0)
-    message(FATAL_ERROR "${what} failed: ${result}")
-  endif ()
-endfunction ()
-
 set(tree "${work}/tree")
 file(REMOVE_RECURSE "${tree}")
 file(COPY "${source}/CMakeLists.txt" DESTINATION "${tree}")
@@ -22,17 +14,16 @@ file(COPY
   "${checkout}/CMakeLists.txt" "${checkout}/vtk.module" "${checkout}/Modules" "${checkout}/Testing"
   DESTINATION "${tree}/Remote/NBuffer")
 
-# A launcher may have arguments; it is to stay one word.
-string(REPLACE ";" "\\;" cxx_compiler_launcher "${cxx_compiler_launcher}")
 # Unoptimised: only that it builds matters, and that it lands where VTK's do.
 file(REMOVE_RECURSE "${work}/build")
-run("Configure" "${CMAKE_COMMAND}" -S "${tree}" -B "${work}/build" -G "${generator}"
+execute_process(COMMAND "${CMAKE_COMMAND}" -S "${tree}" -B "${work}/build" -G "${generator}"
   "-DCMAKE_MAKE_PROGRAM=${make_program}"
   "-DCMAKE_CXX_COMPILER=${cxx_compiler}"
   "-DCMAKE_CXX_COMPILER_LAUNCHER=${cxx_compiler_launcher}"
   -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
-  "-DVTK_DIR=${VTK_DIR}")
-run("Build" "${CMAKE_COMMAND}" --build "${work}/build")
+  "-DVTK_DIR=${VTK_DIR}"
+  COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND "${CMAKE_COMMAND}" --build "${work}/build" COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB libraries "${work}/build/lib*/*vtkNBuffer-tree.*")
 if (NOT libraries)
   message(FATAL_ERROR "no vtkNBuffer library with the tree's suffix was built")

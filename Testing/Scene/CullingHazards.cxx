@@ -441,7 +441,7 @@ std::vector<NamedScenario> GetCullingHazards()
   {
     hazards.push_back(FarFromTheOrigin(offset));
   }
-  for (const auto& part : { GetScreenHazards(), GetShapeHazards() })
+  for (const auto& part : { GetScreenHazards(), GetShapeHazards(), GetBoundsHazards() })
   {
     hazards.insert(hazards.end(), part.begin(), part.end());
   }

@@ -301,12 +301,83 @@ NamedScenario ChainLinkFence(int factor)
   }
   return scene.Finish();
 }
+
+/// An occluder moves on and uncovers what it hid; that has to show in the same frame.
+NamedScenario AMovingOccluderUncoversWhatItHid()
+{
+  constexpr int height = 199;
+  constexpr int columns = 20;
+  constexpr int rows = 12;
+  constexpr double width = 110.0; // of the occluder
+  HazardBuilder scene("AMovingOccluderUncoversWhatItHid", 301, height);
+  scene.BeExact();
+  scene.Quad(0.0, 0.0, width, height, 60.0);
+  for (int i = 0; i < columns * rows; ++i)
+  {
+    scene.Box({ 14.0 * (i % columns) + 10.0, 16.0 * (i / columns) + 10.0, 20.0 }, glm::dvec3(9.0));
+  }
+  scene.LookAtPixels();
+  const struct
+  {
+    double Place;
+    int MinimumHidden; // Some are drawn as a guess, or because they were visible before.
+  } steps[] = { { 0.0, 72 }, { 0.0, 72 }, { 0.0, 84 }, { 17.3, 60 }, { 40.0, 60 }, { 40.5, 72 },
+    { 90.0, 24 }, { 190.0, 0 }, { 190.0, 60 }, { 3.0, 0 }, { 3.0, 84 }, { 150.0, 0 }, { 20.25, 0 },
+    { 150.0, 0 }, { 20.25, 0 }, { 400.0, 0 }, { 20.25, 0 }, { 20.25, 0 }, { 20.25, 84 } };
+  std::vector<int> framesCovered(columns * rows, 0);
+  for (const auto& [place, minimumHidden] : steps)
+  {
+    scene.Move(0, { place, 0.0, 0.0 });
+    std::vector<int> hidden;
+    std::vector<int> uncovered;
+    for (int i = 0; i < columns * rows; ++i)
+    {
+      const double left = 14.0 * (i % columns) + 5.5;
+      const bool covered = left > place + 1.25 && left + 9.0 < place + width - 1.25;
+      framesCovered[i] = covered ? framesCovered[i] + 1 : 0;
+      if (framesCovered[i] > 2)
+      {
+        hidden.push_back(i + 1);
+      }
+      else if (left < place - 1.0 || left + 9.0 > place + width + 1.0)
+      {
+        uncovered.push_back(i + 1);
+      }
+    }
+    scene.ExpectVerdict(uncovered, Verdict::Visible);
+    scene.ExpectVerdict(hidden, Verdict::Hidden);
+    scene.ExpectHidden(minimumHidden);
+    scene.NextFrame();
+  }
+  return scene.Finish();
+}
+
+/// With multisampling a prop that covers no middle of a pixel may own samples.
+NamedScenario SamplesThatAreNoMiddles(int samples)
+{
+  constexpr int count = 40;
+  HazardBuilder scene("SamplesThatAreNoMiddles", 64, 48);
+  scene.BeExact();
+  scene.Scene.Window.MultiSamples = samples;
+  for (int i = 0; i < count; ++i)
+  {
+    // Over the corner that four pixels share.
+    const double x = 4.0 + 5.0 * (i % 10);
+    const double y = 4.0 + 5.0 * (i / 10);
+    scene.Quad(x - 0.4, y - 0.4, x + 0.4, y + 0.4, 50.0);
+  }
+  scene.LookAtPixels();
+  scene.Settle(4);
+  scene.ExpectHidden(samples > 0 ? 0 : count, samples > 0 ? 0 : count).NeedsSamples = samples > 0;
+  return scene.Finish();
+}
 }
 
 std::vector<NamedScenario> GetScreenHazards()
 {
   std::vector<NamedScenario> hazards = { BoxesLargerThanTheWindowInPerspective(),
-    ViewportsThatStartAnywhere(), ViewportsOfAPixel() };
+    ViewportsThatStartAnywhere(), ViewportsOfAPixel(), AMovingOccluderUncoversWhatItHid(),
+    SamplesThatAreNoMiddles(0), SamplesThatAreNoMiddles(4) };
   for (const int factor : { 1, 4, 8 })
   {
     for (const auto& make : { RectanglesAtHalfPixels, BoxesLargerThanTheWindow, ChainLinkFence })

@@ -3,6 +3,9 @@
 // Lines and points, equal depths, depths that cannot be told apart, matrices.
 #include "HazardBuilder.h"
 
+#include "vtkMapper.h"
+
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -288,6 +291,117 @@ NamedScenario UserMatricesWithMirrorAndShear()
   scene.ExpectNotHidden(behind);
   return scene.Finish();
 }
+
+/// In a row of parts that touch, drawing one of them late has all others drawn again.
+NamedScenario PartsThatTouchAreDrawnAgainWhereTheyTouch()
+{
+  HazardBuilder scene("PartsThatTouchAreDrawnAgainWhereTheyTouch");
+  // From the far end to the near one, and a door before the first.
+  for (int i = 0; i < 50; ++i)
+  {
+    scene.Box({ 0.2 * i - 5.0, 0.0, 0.0 }, { 0.2, 0.6, 0.2 });
+  }
+  const int door = scene.Box({ -5.0, 0.0, 1.0 }, { 0.3, 1.2, 0.05 }).Id;
+  scene.LookFrom({ -5.0, 0.0, 25.0 });
+  scene.Settle(2);
+  scene.ExpectHidden(1, 1);
+  scene.NextFrame();
+  scene.Move(door, { 0.0, 2.0, 0.0 });
+  // The second part is drawn again, where it touches the first; not the 48 that follow.
+  scene.ExpectHidden(0, 0).Statistics = [](const vtkNBufferStatistics& statistics)
+  { return statistics.DrawnInRound[1] == 1 && statistics.Redrawn == 1; };
+  return scene.Finish();
+}
+
+/// The nearest depth of a box that is flush with its own surface is the depth that the prop itself
+/// has drawn; by rounding it would hide itself, and flicker from then on. Seen from the front in
+/// perspective, in parallel and with a range of depth in which 0.1 is less than a step, and at an
+/// angle.
+NamedScenario BoxesFlushWithTheirOwnSurface(int variant)
+{
+  constexpr int columns = 12;
+  constexpr int count = columns * 8;
+  HazardBuilder scene("BoxesFlushWithTheirOwnSurface", 401, 301);
+  scene.BeExact();
+  // With gaps, so that at an angle none hides its neighbour.
+  const auto getX = [](int i) { return 1.4 * (i % columns) - 8.0; };
+  const auto getY = [](int i) { return 1.4 * (i / columns) - 5.0; };
+  for (int i = 0; i < count; ++i)
+  {
+    const double x = getX(i);
+    const double y = getY(i);
+    const int kind = i % columns + i / columns;
+    kind % 2 ? scene.Box({ x, y, -0.05 }, { 1.0, 1.0, 0.1 })
+             : scene.Quad(x - 0.5, y - 0.5, x + 0.5, y + 0.5, 0.0, 1 + kind % 4);
+  }
+  // And boxes flush with the backs of the others' faces: hidden wholly.
+  for (int i = 0; i < count; ++i)
+  {
+    scene.Box({ getX(i), getY(i), -0.35 }, glm::dvec3(0.5));
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    const double y = 0.01 * i;
+    const bool oblique = variant == 3;
+    View& view =
+      scene.LookFrom({ oblique ? 12.0 : 0.0, y, oblique ? 22.0 : 25.0 }, { 0.0, y, 0.0 });
+    view.Parallel = variant == 1;
+    view.ParallelScale = 7.0;
+    view.Near = variant == 2 ? 1e-2 : 0.0;
+    view.Far = variant == 2 ? 1e5 : 0.0;
+    if (i > 2)
+    {
+      scene.ExpectVerdict(MakeRange(0, count), Verdict::Visible);
+      // No prop was judged hidden by its own depth and then drawn late.
+      scene.ExpectHidden(variant < 2 ? count : 0).Statistics = [](const vtkNBufferStatistics& s)
+      { return s.HeldBack <= std::max(s.GetCount(Verdict::Hidden), 1); };
+      if (variant < 2)
+      {
+        scene.ExpectVerdict(MakeRange(count, 2 * count), Verdict::Hidden);
+      }
+    }
+    scene.NextFrame();
+  }
+  return scene.Finish();
+}
+
+/// Offsets against coincident surfaces pull what is drawn in front of what its bounds lie behind;
+/// visible edges are pulled without any setting. `mode`: as of ChangeKind::PolygonOffset.
+NamedScenario OffsetsBehindTheWall(const std::string& name, int mode)
+{
+  constexpr int each = 16;
+  HazardBuilder scene("Mode/CullerOffsets.BehindTheWall/" + name);
+  scene.BeExact(4);
+  scene.AddWall();
+  scene.Change(ChangeKind::PolygonOffset, 0, { static_cast<double>(mode) });
+  std::vector<int> ofKind[4]; // plain, with edges, pulled forward, pushed back
+  for (int i = 0; i < 4 * each; ++i)
+  {
+    // Just behind the wall's back, all of them pulled forward as far as it may be.
+    const int kind = i % 4;
+    Prop& box =
+      scene.Box({ 0.6 * (i / 4) - 4.6, 1.5 - kind, -0.5 }, { 0.4, 0.4, kind % 2 ? 0.4 : 0.1 });
+    box.Edges = kind == 1;
+    box.LineWidth = kind == 1 ? 3.0 : 1.0;
+    box.OffsetFactor = kind == 2 ? -40.0 : kind == 3 ? 2.0 : 0.0;
+    box.OffsetUnits = kind == 2 ? -4000.0 : kind == 3 ? 4000.0 : 0.0;
+    ofKind[kind].push_back(box.Id);
+  }
+  scene.LookAtWall();
+  for (int i = 1; i < 5; ++i)
+  {
+    scene.NextFrame();
+    scene.LookAtWall(0.1 * i);
+  }
+  const bool shifted = mode == VTK_RESOLVE_SHIFT_ZBUFFER;
+  const Verdict unlessShifted = shifted ? Verdict::DepthOffset : Verdict::Hidden;
+  scene.ExpectVerdict(ofKind[0], unlessShifted);
+  scene.ExpectVerdict(ofKind[1], Verdict::NotASurface);
+  scene.ExpectVerdict(ofKind[2], mode == VTK_RESOLVE_OFF ? Verdict::Hidden : Verdict::DepthOffset);
+  scene.ExpectVerdict(ofKind[3], unlessShifted);
+  scene.ExpectHidden(shifted ? 0 : Wall::Hidden);
+  return scene.Finish();
+}
 }
 
 std::vector<NamedScenario> GetShapeHazards()
@@ -295,7 +409,14 @@ std::vector<NamedScenario> GetShapeHazards()
   std::vector<NamedScenario> hazards = { BoxesThroughTheNearPlaneAndAroundTheEye(),
     FlatThinAndSinglePointBounds(), WideLinesStickOutOfTheirBounds(), LinesSeenEndOn(),
     NearOfAMillimetreAndFarOfTenThousandKilometres(false),
-    NearOfAMillimetreAndFarOfTenThousandKilometres(true), UserMatricesWithMirrorAndShear() };
+    NearOfAMillimetreAndFarOfTenThousandKilometres(true), UserMatricesWithMirrorAndShear(),
+    PartsThatTouchAreDrawnAgainWhereTheyTouch(), OffsetsBehindTheWall("Off", VTK_RESOLVE_OFF),
+    OffsetsBehindTheWall("PolygonOffset", VTK_RESOLVE_POLYGON_OFFSET),
+    OffsetsBehindTheWall("ShiftZBuffer", VTK_RESOLVE_SHIFT_ZBUFFER) };
+  for (int variant = 0; variant < 4; ++variant)
+  {
+    hazards.push_back(BoxesFlushWithTheirOwnSurface(variant));
+  }
   for (int seed = 1; seed < 7; ++seed)
   {
     hazards.push_back(QuadsFacingTheCamera(seed, true));

@@ -6,6 +6,7 @@
 #include "SceneProps.h"
 
 #include "vtkActor.h"
+#include "vtkAssembly.h"
 #include "vtkCamera.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
@@ -24,6 +25,17 @@ bool ShareMapper(vtkProp* prop, vtkProp* other)
     actor->SetMapper(owner->GetMapper());
   }
   return actor && owner;
+}
+
+bool SetPart(vtkProp* whole, vtkProp* prop, bool present)
+{
+  auto* assembly = vtkAssembly::SafeDownCast(whole);
+  auto* part = vtkProp3D::SafeDownCast(prop);
+  if (assembly && part)
+  {
+    present ? assembly->AddPart(part) : assembly->RemovePart(part);
+  }
+  return assembly && part;
 }
 
 void SetView(vtkRenderer* renderer, const View& view)
@@ -61,8 +73,18 @@ void Fill(vtkRenderer* renderer, const Scenario& scenario)
   {
     vtkSmartPointer<vtkProp> made = MakeProp(prop, renderer->GetActiveCamera());
     ShareMapper(made, props[prop.MapperOf]);
-    renderer->AddViewProp(made);
+    if (!SetPart(props[prop.PartOf], made, true))
+    {
+      renderer->AddViewProp(made);
+    }
     props[prop.Id] = made;
+  }
+  for (const Change& change : scenario.Changes)
+  {
+    if (change.Frame == 0 && props[change.Target])
+    {
+      ChangeProp(props[change.Target], scenario.Props.at(change.Target), change);
+    }
   }
   for (const Light& light : scenario.Lights)
   {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HazardBuilder.h"
 
+#include <algorithm>
+
 namespace TestScene
 {
 HazardBuilder::HazardBuilder(const std::string& name, int width, int height)
@@ -21,11 +23,12 @@ void HazardBuilder::BeExact(int baseFactor)
   this->Scene.Culler.ReuseWhenStill = false;
 }
 
-void HazardBuilder::ExpectHidden(int minimum, int maximum, int renderer)
+Expectation& HazardBuilder::ExpectHidden(int minimum, int maximum, int renderer)
 {
   Expectation& expectation = this->Expect(renderer);
   expectation.MinimumHidden = minimum;
   expectation.MaximumHidden = maximum;
+  return expectation;
 }
 
 void HazardBuilder::ExpectCulled(int minimum, int renderer)
@@ -42,13 +45,14 @@ void HazardBuilder::ExpectVerdicts(
   expectation.MinimumHiddenOfProps = minimumHidden;
 }
 
-void HazardBuilder::ExpectNotHidden(const std::vector<int>& props)
+void HazardBuilder::ExpectNone(
+  const std::vector<int>& props, const std::vector<vtkNBufferVerdict>& unwanted)
 {
   std::vector<vtkNBufferVerdict> allowed;
   for (int i = 0; i < vtkNBufferStatistics::NumberOfVerdicts; ++i)
   {
     const auto verdict = static_cast<vtkNBufferVerdict>(i);
-    if (verdict != vtkNBufferVerdict::Hidden)
+    if (std::find(unwanted.begin(), unwanted.end(), verdict) == unwanted.end())
     {
       allowed.push_back(verdict);
     }

@@ -28,7 +28,8 @@ public:
   /// @name What is expected of this frame
   /// What the first frame has drawn as a guess is tested in the second and held back in the third.
   ///@{
-  void ExpectHidden(int minimum, int maximum = Expectation().MaximumHidden, int renderer = 0);
+  Expectation& ExpectHidden(
+    int minimum, int maximum = Expectation().MaximumHidden, int renderer = 0);
   /// So many are hidden or outside.
   void ExpectCulled(int minimum, int renderer = 0);
   /// Each of the props has one of these verdicts, and so many are hidden at least.
@@ -38,7 +39,12 @@ public:
   {
     this->ExpectVerdicts(props, { verdict });
   }
-  void ExpectNotHidden(const std::vector<int>& props);
+  /// None of the props has one of these verdicts.
+  void ExpectNone(const std::vector<int>& props, const std::vector<vtkNBufferVerdict>& unwanted);
+  void ExpectNotHidden(const std::vector<int>& props)
+  {
+    this->ExpectNone(props, { vtkNBufferVerdict::Hidden });
+  }
   void ExpectDecision(vtkNBufferDecision decision, int renderer = 0);
   /// The image shows at least so many pixels of exactly this colour.
   void ExpectPixels(const glm::dvec3& color, int minimum);
@@ -60,6 +66,7 @@ std::vector<int> MakeRange(int first, int last, int step = 1);
 
 /// @name Parts of GetCullingHazards()
 ///@{
+std::vector<NamedScenario> GetBoundsHazards(); ///< Boxes that are none.
 std::vector<NamedScenario> GetScreenHazards(); ///< Pixels, windows and viewports.
 std::vector<NamedScenario> GetShapeHazards();  ///< Lines, equal depths, matrices.
 ///@}

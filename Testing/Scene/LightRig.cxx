@@ -5,7 +5,6 @@
 #include "ScenePasses.h"
 #include "Tune.h"
 
-#include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
@@ -61,6 +60,13 @@ vtkSmartPointer<vtkLight> MakeLight(const Light& light)
   auto result = vtkSmartPointer<vtkLight>::New();
   SetUp(result, light);
   return result;
+}
+
+vtkSmartPointer<vtkInformation> LightRig::MakeCasterKeys()
+{
+  auto keys = vtkSmartPointer<vtkInformation>::New();
+  keys->Set(GetCasterKey(), 1);
+  return keys;
 }
 
 void LightRig::SetCasts(vtkProp* prop, bool casts)
@@ -123,9 +129,7 @@ void LightRig::SetUp(vtkShadowVolumeClampPass* pass, ShadowMode mode) const
   Tune(pass, &vtkShadowTuning::SlabGap, this->Settings.SlabGap);
   if (this->Settings.CasterKeys != (pass->GetCasterKeys() != nullptr))
   {
-    vtkNew<vtkInformation> keys;
-    keys->Set(GetCasterKey(), 1);
-    pass->SetCasterKeys(this->Settings.CasterKeys ? keys.Get() : nullptr);
+    pass->SetCasterKeys(this->Settings.CasterKeys ? MakeCasterKeys() : nullptr);
   }
   for (const Place& place : this->Places)
   {

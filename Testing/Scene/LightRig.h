@@ -11,6 +11,7 @@
 
 #include "vtkShadowVolumeClampPass.h"
 
+#include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkProp.h"
 #include "vtkRenderer.h"
@@ -44,7 +45,8 @@ public:
 
   void UsePasses(ShadowPasses which);
 
-  /// The key of Shadows::CasterKeys.
+  /// The key of Shadows::CasterKeys, as the pass or a prop that casts has it.
+  static vtkSmartPointer<vtkInformation> MakeCasterKeys();
   static void SetCasts(vtkProp* prop, bool casts);
 
   bool HasShadows() const;

@@ -42,6 +42,10 @@ struct Expectation
   /// The image shows at least so many pixels of exactly this colour.
   glm::dvec3 Color = { 0.0, 0.0, 0.0 };
   int MinimumPixels = 0;
+  /// If set: what else is true of the frame's statistics.
+  std::function<bool(const vtkNBufferStatistics&)> Statistics = {};
+  /// Nothing is expected where the window has no samples, which a driver may not have.
+  bool NeedsSamples = false;
 };
 
 struct NamedScenario
@@ -68,7 +72,7 @@ std::vector<NamedScenario> GetCullingHazards();
 ///@}
 
 /// @name Hazards of shadows
-/// All have one renderer and one frame; its pass is for who plays them to choose.
+/// All have one renderer, whose pass is for who plays them to choose, and one frame or two.
 ///@{
 std::vector<NamedScenario> GetLightScenarios(); ///< Where the light is.
 std::vector<NamedScenario> GetViewScenarios();  ///< Where the camera is, and what window it has.

@@ -28,6 +28,10 @@ namespace TestScene
 {
 namespace
 {
+/// Of vtkMapper::SetResolveCoincidentTopologyZShift: VTK's, and one that is seen.
+constexpr double DefaultShift = 0.01;
+constexpr double LargeShift = 0.05;
+
 void SetStereo(vtkRenderWindow* window, int type)
 {
   window->SetStereoRender(type >= 0);
@@ -103,7 +107,6 @@ void Player::Begin(const Scenario& scenario)
   {
     this->DropWindow();
   }
-  vtkMapper::SetResolveCoincidentTopologyToDefault();
   this->Scene = &scenario;
   if (!this->Window)
   {
@@ -149,8 +152,10 @@ void Player::End()
   this->Cullers.clear();
   this->Culler = nullptr;
   this->Draws.clear();
-  this->SharesMapper.clear();
+  this->DrawnWithOthers.clear();
   this->Scene = nullptr;
+  vtkMapper::SetResolveCoincidentTopologyToDefault();
+  vtkMapper::SetResolveCoincidentTopologyZShift(DefaultShift);
 }
 
 void Player::AddRenderers()
@@ -249,10 +254,7 @@ std::string Player::Prepare(int frame)
   }
   if (frame == this->Scene->Culler.AddedInFrame)
   {
-    Change present;
-    present.Kind = ChangeKind::CullerPresent;
-    present.Values = { 1.0 };
-    this->ApplyToCullers(present);
+    this->ApplyToCullers({ frame, ChangeKind::CullerPresent, 0, { 1.0 } });
   }
   return found;
 }
@@ -292,7 +294,7 @@ void Player::Join(int prop, bool present)
     const auto owner = this->Places.find(description.MapperOf);
     if (owner != this->Places.end() && ShareMapper(object, this->Props[owner->second]))
     {
-      this->SharesMapper.insert({ prop, owner->second });
+      this->DrawnWithOthers.insert({ prop, owner->second });
     }
     if (this->Lighting.HasShadows())
     {
@@ -304,6 +306,14 @@ void Player::Join(int prop, bool present)
     }
   }
   this->Present[prop] = present;
+  const auto whole = this->Places.find(description.PartOf);
+  if (whole != this->Places.end() && whole->second < prop &&
+    SetPart(this->Props[whole->second], object, present))
+  {
+    // It is drawn where and when the assembly is.
+    this->DrawnWithOthers.insert(prop);
+    return;
+  }
   for (int i = 0; i < this->GetNumberOfRenderers(); ++i)
   {
     if (i != index && (index != 0 || !this->Scene->Renderers[i].SharesProps))
@@ -336,39 +346,13 @@ void Player::Apply(const Change& change)
   {
     return;
   }
-  const double value = GetValue(change, 0);
-  vtkRenderer* renderer = change.Target >= 0 && change.Target < this->GetNumberOfRenderers()
-    ? this->Renderers[change.Target].Get()
-    : nullptr;
   switch (change.Kind)
   {
     case ChangeKind::Viewport:
-      if (renderer)
-      {
-        renderer->SetViewport(value, GetValue(change, 1), GetValue(change, 2), GetValue(change, 3));
-      }
-      return;
     case ChangeKind::Pass:
-      if (renderer)
-      {
-        if (vtkRenderPass* old = renderer->GetPass())
-        {
-          old->ReleaseGraphicsResources(this->Window);
-        }
-        this->Lighting.SetPassKind(change.Target, static_cast<PassKind>(static_cast<int>(value)));
-      }
-      return;
     case ChangeKind::FXAA:
-      if (renderer)
-      {
-        renderer->SetUseFXAA(value != 0.0);
-      }
-      return;
     case ChangeKind::SSAO:
-      if (renderer)
-      {
-        renderer->SetUseSSAO(value != 0.0);
-      }
+      this->ApplyToRenderer(change);
       return;
     case ChangeKind::WindowSize:
     case ChangeKind::MultiSamples:
@@ -404,6 +388,35 @@ void Player::Apply(const Change& change)
   }
 }
 
+void Player::ApplyToRenderer(const Change& change)
+{
+  if (change.Target < 0 || change.Target >= this->GetNumberOfRenderers())
+  {
+    return;
+  }
+  vtkRenderer* renderer = this->Renderers[change.Target];
+  const double value = GetValue(change, 0);
+  switch (change.Kind)
+  {
+    case ChangeKind::Viewport:
+      renderer->SetViewport(value, GetValue(change, 1), GetValue(change, 2), GetValue(change, 3));
+      break;
+    case ChangeKind::Pass:
+      if (vtkRenderPass* old = renderer->GetPass())
+      {
+        old->ReleaseGraphicsResources(this->Window);
+      }
+      this->Lighting.SetPassKind(change.Target, static_cast<PassKind>(static_cast<int>(value)));
+      break;
+    case ChangeKind::FXAA:
+      renderer->SetUseFXAA(value != 0.0);
+      break;
+    default:
+      renderer->SetUseSSAO(value != 0.0);
+      break;
+  }
+}
+
 void Player::ApplyToWindow(const Change& change)
 {
   const double value = GetValue(change, 0);
@@ -427,8 +440,8 @@ void Player::ApplyToWindow(const Change& change)
       break;
     default:
       // One switch for both stages: the same twice is no change.
-      vtkMapper::SetResolveCoincidentTopology(
-        value != 0.0 ? VTK_RESOLVE_POLYGON_OFFSET : VTK_RESOLVE_OFF);
+      vtkMapper::SetResolveCoincidentTopology(std::clamp(static_cast<int>(value), 0, 2));
+      vtkMapper::SetResolveCoincidentTopologyZShift(LargeShift);
       break;
   }
 }

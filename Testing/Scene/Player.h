@@ -61,6 +61,7 @@ private:
   void JoinAndLeave(int frame);
   void Join(int prop, bool present);
   void Apply(const Change& change);
+  void ApplyToRenderer(const Change& change);
   void ApplyToWindow(const Change& change);
   void ApplyToCullers(const Change& change);
   void Look(const View& view);

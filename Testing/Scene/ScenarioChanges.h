@@ -51,25 +51,25 @@ enum class ChangeKind
   Representation, //
   LineWidth,      ///< And the size of points.
   Edges,          //
-  MovePoints,    ///< Add 3 values to the points of the data, in place. Where there is a fourth that
-                 ///< is not 0, all observers of the points are removed before.
-  ReplaceData,   ///< Another data set, whose shape has the 3 values as size.
-  ClippingPlane, ///< The origin of the plane in place; 3 values.
-  Rejoin,        ///< Removed from the renderer and added again, at the end.
-  WindowSize,    ///< 2 values.
-  MultiSamples,  //
-  Stereo,        ///< A stereo type of VTK, or -1.
-  NewContext,    ///< The window's context is released.
-  Viewport,      ///< Of renderer `Target`; 4 values.
-  Pass,          ///< Of renderer `Target`, a value of PassKind.
-  FXAA,          ///< Of renderer `Target`.
-  SSAO,          ///< Of renderer `Target`.
-  CullerEnabled, //
-  CullerBackend, //
+  MovePoints,     ///< Add 3 values to the points of the data, in place; shear x by the fourth, too.
+                  ///< All observers of the points are removed before where a fifth is not 0.
+  ReplaceData,    ///< Another data set, whose shape has the 3 values as size.
+  ClippingPlane,  ///< The origin of the plane in place; 3 values.
+  Rejoin,         ///< Removed from the renderer and added again, at the end.
+  WindowSize,     ///< 2 values.
+  MultiSamples,   //
+  Stereo,         ///< A stereo type of VTK, or -1.
+  NewContext,     ///< The window's context is released.
+  Viewport,       ///< Of renderer `Target`; 4 values.
+  Pass,           ///< Of renderer `Target`, a value of PassKind.
+  FXAA,           ///< Of renderer `Target`.
+  SSAO,           ///< Of renderer `Target`.
+  CullerEnabled,  //
+  CullerBackend,  //
   CullerBaseFactor,
   CullerRoundSize,
   CullerPresent, ///< In the renderers' lists of cullers or not.
-  PolygonOffset, ///< VTK's global switch.
+  PolygonOffset, ///< VTK's global switch: off, polygon offset, or a shifted z-buffer.
   Select,        ///< A hardware selection of the whole window between two frames.
   Casts,
   BlockVisible,  ///< Of the second block of a composite prop.

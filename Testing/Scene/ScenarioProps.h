@@ -29,7 +29,7 @@ enum class ShapeKind
   Book,      ///< `Detail` leaves round an upright spine that they share, wound by turns.
   Strip,     ///< A triangle strip of 2 x `Detail` triangles, heights anywhere in the box.
   Stack,     ///< `Detail` level quads above each other.
-  Empty,     ///< No points at all.
+  Empty,     ///< No points at all; for an odd `Seed` not even a list of them.
   NaNPoint,  ///< A box with a coordinate that is no number, or infinite for an odd `Seed`.
   SharedBox, ///< A box whose eight points are shared by its faces.
   Globe,    ///< VTK's sphere with `Detail` meridians and parallels: one point at each pole, a seam.
@@ -63,7 +63,8 @@ enum class PropKind
   Actor,
   Piped,     ///< An actor whose data come out of a filter.
   DataSet,   ///< An actor with vtkDataSetMapper.
-  Composite, ///< Two blocks side by side, the second one of another colour.
+  Composite, ///< Two blocks side by side, the second one of another colour. For an odd `Seed` of
+             ///< the shape it is a block within a block.
   Assembly,  ///< Two actors side by side.
   Follower,
   Glyphs, ///< The shape, small, at its own points.
@@ -71,10 +72,11 @@ enum class PropKind
   Volume,
   Billboard,
   Text,
-  NoMapper
+  NoMapper,
+  NoBounds ///< Draws nothing and has no bounds.
 };
 NBUFFER_SCENE_NAMES(PropKind, "Actor", "Piped", "DataSet", "Composite", "Assembly", "Follower",
-  "Glyphs", "LOD", "Volume", "Billboard", "Text", "NoMapper");
+  "Glyphs", "LOD", "Volume", "Billboard", "Text", "NoMapper", "NoBounds");
 
 enum class Representation
 {
@@ -132,14 +134,18 @@ struct Prop
   TestScene::Shader Shader = TestScene::Shader::Original;
   std::vector<double> ClippingPlane; ///< Empty, or origin and normal.
   bool ShiftCoordinates = true;      ///< Large coordinates are moved on their way to the device.
-  double OffsetUnits = 0.0;          ///< Relative polygon offset, where such offsets are on.
+  double OffsetFactor = 0.0;         ///< Relative polygon offset, where such offsets are on.
+  double OffsetUnits = 0.0;          ///< The other part of it.
+  bool UseBounds = true;             ///< vtkProp::UseBounds
   bool Casts = true;                 ///< Has the key of Shadows::CasterKeys.
   int MapperOf = -1; ///< Id of the actor before it whose mapper it shares; -1: none.
+  int PartOf = -1;   ///< Id of the assembly before it that it is a part of; -1: none.
 
   NBUFFER_SCENE_MEMBERS(Id, Kind, Shape, Renderer, From, Until, Position, Orientation, Scale,
     UserMatrix, Color, Opacity, Visible, Lighting, Flat, Representation, Edges, Vertices, Spheres,
     Tubes, LineWidth, PointSize, CulledFaces, ForceOpaque, ForceTranslucent, Texture, Scalars,
-    Shader, ClippingPlane, ShiftCoordinates, OffsetUnits, Casts, MapperOf);
+    Shader, ClippingPlane, ShiftCoordinates, OffsetFactor, OffsetUnits, UseBounds, Casts, MapperOf,
+    PartOf);
 };
 }
 

@@ -201,11 +201,6 @@ void SceneBuilder::Move(int prop, const glm::dvec3& position)
 
 void SceneBuilder::Change(ChangeKind kind, int target, std::vector<double> values)
 {
-  TestScene::Change change;
-  change.Frame = this->GetFrame();
-  change.Kind = kind;
-  change.Target = target;
-  change.Values = std::move(values);
-  this->Scene.Changes.push_back(change);
+  this->Scene.Changes.push_back({ this->GetFrame(), kind, target, std::move(values) });
 }
 }

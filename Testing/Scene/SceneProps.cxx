@@ -21,6 +21,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkPiecewiseFunction.h"
@@ -63,6 +64,15 @@ vtkSmartPointer<vtkTexture> MakeTexture(Translucency translucency)
 
 namespace
 {
+class PropWithoutBounds : public vtkProp
+{
+public:
+  static PropWithoutBounds* New();
+  vtkTypeMacro(PropWithoutBounds, vtkProp);
+  double* GetBounds() override { return nullptr; }
+};
+vtkStandardNewMacro(PropWithoutBounds);
+
 /// The shape beside itself, for props with two parts.
 Shape GetSecondPart(const Shape& shape)
 {
@@ -109,7 +119,14 @@ vtkSmartPointer<vtkMapper> MakeMapper(const Prop& prop)
   {
     vtkNew<vtkMultiBlockDataSet> blocks;
     blocks->SetBlock(0, MakeShape(prop.Shape, prop.Scalars));
-    blocks->SetBlock(1, MakeShape(GetSecondPart(prop.Shape), prop.Scalars));
+    vtkSmartPointer<vtkDataObject> second = MakeShape(GetSecondPart(prop.Shape), prop.Scalars);
+    if (prop.Shape.Seed % 2)
+    {
+      vtkNew<vtkMultiBlockDataSet> inner;
+      inner->SetBlock(0, second);
+      second = inner;
+    }
+    blocks->SetBlock(1, second);
     vtkNew<CompositeMapper> mapper;
     mapper->SetInputDataObject(blocks);
     vtkNew<vtkCompositeDataDisplayAttributes> attributes;
@@ -124,7 +141,7 @@ vtkSmartPointer<vtkMapper> MakeMapper(const Prop& prop)
   {
     openGL->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
   }
-  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, prop.OffsetUnits);
+  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(prop.OffsetFactor, prop.OffsetUnits);
   return mapper;
 }
 
@@ -292,7 +309,7 @@ void MovePoints(vtkMapper* mapper, const Change& change)
 {
   auto* data = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
   vtkPoints* points = data ? data->GetPoints() : nullptr;
-  if (points && GetValue(change, 3) != 0.0)
+  if (points && GetValue(change, 4) != 0.0)
   {
     points->RemoveAllObservers();
   }
@@ -300,8 +317,8 @@ void MovePoints(vtkMapper* mapper, const Change& change)
   {
     double p[3];
     points->GetPoint(i, p);
-    points->SetPoint(
-      i, p[0] + GetValue(change, 0), p[1] + GetValue(change, 1), p[2] + GetValue(change, 2));
+    points->SetPoint(i, p[0] + GetValue(change, 0) + GetValue(change, 3) * p[2],
+      p[1] + GetValue(change, 1), p[2] + GetValue(change, 2));
   }
   if (points)
   {
@@ -382,12 +399,17 @@ vtkSmartPointer<vtkProp> MakeProp(const Prop& prop, vtkCamera* camera)
     text->GetTextProperty()->SetFontSize(10);
     return text;
   }
+  if (prop.Kind == PropKind::NoBounds)
+  {
+    return vtkSmartPointer<PropWithoutBounds>::New();
+  }
   vtkSmartPointer<vtkProp3D> result = MakeProp3D(prop, camera);
   result->SetPosition(prop.Position[0], prop.Position[1], prop.Position[2]);
   result->SetOrientation(prop.Orientation[0], prop.Orientation[1], prop.Orientation[2]);
   result->SetScale(prop.Scale[0], prop.Scale[1], prop.Scale[2]);
   SetMatrix(result, prop.UserMatrix);
   result->SetVisibility(prop.Visible);
+  result->SetUseBounds(prop.UseBounds);
   return result;
 }
 

@@ -154,6 +154,111 @@ void HiddenActor(SceneBuilder& scene)
   assembly.Kind = PropKind::Assembly;
   assembly.Visible = false;
 }
+
+/// One corner of a box is no number. Bounds are as they are without it.
+void NotANumber(SceneBuilder& scene)
+{
+  scene.Sphere({ 0.0, 0.0, 1.0 }, 0.7);
+  Prop& box = scene.Add(ShapeKind::NaNPoint, { 0.8, -0.8, 0.5 }, glm::dvec3(0.5));
+  box.Shape.Seed = 0;
+  box.UseBounds = false;
+}
+
+/// Points repeated for every face of a prism, and at the seam of a sphere.
+void RepeatedPoints(SceneBuilder& scene)
+{
+  constexpr int sides = 9;
+  std::vector<glm::dvec3> points;
+  std::vector<std::vector<int>> polygons(2); // begin with bottom and top
+  for (int i = 0; i < sides; ++i)
+  {
+    const int first = static_cast<int>(points.size());
+    for (const int side : { i, (i + 1) % sides })
+    {
+      const double angle = 2.0 * vtkMath::Pi() * side / sides;
+      const glm::dvec3 low(0.5 * std::cos(angle) - 0.8, -0.5, 0.5 * std::sin(angle) + 1.0);
+      const glm::dvec3 high = low + glm::dvec3(0.0, 1.0, 0.0);
+      points.insert(points.end(), { low, high, low, high });
+    }
+    polygons.push_back({ first, first + 1, first + 5, first + 4 });
+    polygons[0].push_back(first + 2);
+    polygons[1].insert(polygons[1].begin(), first + 3);
+  }
+  scene.Mesh(points, polygons);
+  scene.Sphere({ 0.8, 0.3, 0.8 }, 0.6);
+}
+
+/// Open meshes that are bent: a bowl and a dome.
+void HalfSphere(SceneBuilder& scene)
+{
+  constexpr int meridians = 16;
+  constexpr int rings = 7;
+  std::vector<glm::dvec3> points(meridians, { 0.0, 0.0, 0.7 }); // the pole, as a ring
+  std::vector<std::vector<int>> triangles;
+  for (int i = 0; i < rings * meridians; ++i)
+  {
+    const double latitude = 0.5 * vtkMath::Pi() * (i / meridians + 1) / rings;
+    const double longitude = 2.0 * vtkMath::Pi() * (i % meridians) / meridians;
+    points.push_back(0.7 *
+      glm::dvec3(std::sin(latitude) * std::cos(longitude), std::sin(latitude) * std::sin(longitude),
+        std::cos(latitude)));
+  }
+  for (int i = 0; i < rings * meridians; ++i)
+  {
+    const int next = i % meridians == meridians - 1 ? i + 1 - meridians : i + 1;
+    triangles.push_back({ i < meridians ? 0 : i, i + meridians, next + meridians });
+    if (i >= meridians)
+    {
+      triangles.push_back({ i, next + meridians, next });
+    }
+  }
+  for (const bool dome : { false, true })
+  {
+    Prop& half = scene.Mesh(points, triangles);
+    half.Position = { dome ? 0.8 : -0.8, 0.0, 1.0 };
+    half.Orientation.x = dome ? -30.0 : 200.0;
+  }
+}
+
+/// Assemblies in each other, with a part that is hidden.
+void Assembly(SceneBuilder& scene)
+{
+  Prop& outer = scene.Box({ 0.0, 0.0, 0.0 }, glm::dvec3(0.8));
+  outer.Kind = PropKind::Assembly;
+  outer.Position.z = 0.6;
+  outer.Orientation.y = 20.0;
+  const int outerId = outer.Id;
+  Prop& inner = scene.Sphere({ 0.0, 0.0, 0.9 }, 0.4);
+  inner.Kind = PropKind::Assembly;
+  inner.Orientation.x = 40.0;
+  inner.PartOf = outerId;
+  const int innerId = inner.Id;
+  Prop& part = scene.Sphere({ -0.9, 0.0, 0.9 }, 0.4);
+  part.PartOf = innerId;
+  Prop& hidden = scene.Sphere({ 1.9, 0.0, 0.9 }, 0.4);
+  hidden.PartOf = innerId;
+  hidden.Visible = false;
+}
+
+/// Blocks within blocks, one of them hidden.
+void Composite(SceneBuilder& scene)
+{
+  for (const double y : { 0.0, 1.0 })
+  {
+    Prop& prop = scene.Box({ -0.2, y, 0.8 }, glm::dvec3(0.5));
+    prop.Kind = PropKind::Composite;
+    scene.Change(ChangeKind::BlockVisible, prop.Id, { y > 0.0 ? 0.0 : 1.0 });
+  }
+}
+
+/// The points of the first prop change in the second frame, under the actor.
+void ChangingData(SceneBuilder& scene)
+{
+  const int box = scene.Add(ShapeKind::SharedBox, { -0.5, 0.0, 0.8 }, glm::dvec3(0.8)).Id;
+  scene.Sphere({ 1.0, 0.5, 0.6 }, 0.5);
+  scene.NextFrame();
+  scene.Change(ChangeKind::MovePoints, box, { 0.0, -0.5, 0.2, 0.7 });
+}
 }
 
 std::vector<NamedScenario> GetMeshScenarios()
@@ -187,6 +292,12 @@ std::vector<NamedScenario> GetMeshScenarios()
     make("NotSurfaces", NotSurfaces),
     make("QuadsStripsPolygons", QuadsStripsPolygons),
     make("HiddenActor", HiddenActor),
+    make("NotANumber", NotANumber),
+    make("RepeatedPoints", RepeatedPoints),
+    make("HalfSphere", HalfSphere),
+    make("Assembly", Assembly),
+    make("Composite", Composite),
+    make("ChangingData", ChangingData),
   };
 }
 }

@@ -288,7 +288,7 @@ vtkSmartPointer<vtkPolyData> Finish(Source* source, int precision)
   return data;
 }
 
-/// nullptr if VTK has no source for it.
+/// nullptr if it is one of those that AddCells() makes.
 vtkSmartPointer<vtkPolyData> MakeFromSource(const Shape& shape, int precision)
 {
   const auto setRound = [&shape](auto* source)
@@ -299,6 +299,8 @@ vtkSmartPointer<vtkPolyData> MakeFromSource(const Shape& shape, int precision)
   const int detail = std::clamp(shape.Detail, 3, LargestDetail);
   switch (shape.Kind)
   {
+    case ShapeKind::Empty:
+      return shape.Seed % 2 ? vtkSmartPointer<vtkPolyData>::New() : nullptr;
     case ShapeKind::Box:
     case ShapeKind::NaNPoint:
       return MakeBox(shape.Center, shape.Size, precision);

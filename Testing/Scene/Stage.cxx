@@ -92,7 +92,8 @@ bool Stage::AreDrawsCounted(int prop) const
   vtkActor* actor = this->GetActor(prop);
   return actor && actor->GetMapper() && actor->GetMapper()->IsA("vtkOpenGLPolyDataMapper") &&
     !actor->GetMapper()->IsA("vtkCompositePolyDataMapper") &&
-    !actor->GetMapper()->IsA("vtkCompositePolyDataMapper2") && this->SharesMapper.count(prop) == 0;
+    !actor->GetMapper()->IsA("vtkCompositePolyDataMapper2") &&
+    this->DrawnWithOthers.count(prop) == 0;
 }
 
 void Stage::CountDraws(vtkActor* actor)

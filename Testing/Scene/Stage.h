@@ -67,7 +67,7 @@ public:
 
 protected:
   std::vector<std::shared_ptr<int>> Draws;
-  std::set<int> SharesMapper; ///< The indices of props with the mapper of another one.
+  std::set<int> DrawnWithOthers; ///< Indices: they share a mapper, or are parts of an assembly.
 };
 }
 

@@ -4,6 +4,7 @@
 // What changes between frames is seen in the next one: masks and image are those of a pass that has
 // seen no frame before.
 #include "CompositeMapper.h"
+#include "LightRig.h"
 #include "PassTestTools.h"
 #include "ShadowShapes.h"
 #include "Tune.h"
@@ -12,8 +13,6 @@
 #include "vtkAssembly.h"
 #include "vtkCamera.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
@@ -30,18 +29,13 @@ using namespace ShadowShapes;
 
 namespace
 {
-vtkInformationIntegerKey* GetCastsKey()
-{
-  static vtkInformationIntegerKey* const key = vtkInformationIntegerKey::MakeKey("Casts", "Pass");
-  return key;
-}
-
+/// With keys of its own, so that it is their replacement that has to be seen.
 void SetCasts(vtkProp* prop, bool casts)
 {
-  vtkNew<vtkInformation> keys;
-  if (casts)
+  const vtkSmartPointer<vtkInformation> keys = TestScene::LightRig::MakeCasterKeys();
+  if (!casts)
   {
-    keys->Set(GetCastsKey(), 1);
+    keys->Clear();
   }
   prop->SetPropertyKeys(keys);
 }
@@ -109,9 +103,7 @@ struct ChangingStage
     : Stage(SetStage({ "Changing", [this](vtkRenderer* renderer) { this->Build(renderer); } }))
   {
     this->Pass = AddPass(this->Stage);
-    vtkNew<vtkInformation> keys;
-    keys->Set(GetCastsKey(), 1);
-    this->Pass->SetCasterKeys(keys);
+    this->Pass->SetCasterKeys(TestScene::LightRig::MakeCasterKeys());
     Tune(this->Pass, &vtkShadowTuning::LitmapResolution, 64);
     if (assemblies)
     {

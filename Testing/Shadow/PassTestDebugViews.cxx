@@ -2,16 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Debug views change what they show and nothing else; times of the device.
-#include "GLStateSnapshot.h"
 #include "PassTestTools.h"
 #include "Tune.h"
-
-#include "../Leaks/GLObjects.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkProperty.h"
 
 #include <cmath>
@@ -101,8 +97,7 @@ TEST_F(PassDebugViews, OffCostsNothing)
   const auto count = [&stage]
   {
     stage.Window->Render();
-    vtkOpenGLRenderWindow::SafeDownCast(stage.Window)->MakeCurrent();
-    return GLObjects::Count();
+    return CountObjects(stage);
   };
   count();
   const GLObjects::Counts before = count();
@@ -138,11 +133,7 @@ TEST_F(PassDebugViews, LeaveNoObjectsBehind)
     stage.GetRenderer()->SetPass(nullptr);
     pass = nullptr;
     stage.Window->Render();
-    vtkOpenGLRenderWindow::SafeDownCast(stage.Window)->MakeCurrent();
-    GLObjects::Counts counts = GLObjects::Count();
-    counts.erase("programs");
-    counts.erase("shaders");
-    return counts;
+    return CountObjectsWithoutPrograms(stage);
   };
   const GLObjects::Counts before = countAfter(vtkShadowVolumeClampPass::NoDebugView, false);
   for (const int view : Views)
@@ -196,23 +187,16 @@ TEST_F(PassDebugViews, AreShownWithoutShadows)
 TEST_F(PassDebugViews, LeaveTheStateAsItIs)
 {
   const Stage stage = SetNamedStage("Inset");
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(stage.Window);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-  const auto capture = [&]
-  {
-    GLStateSnapshot result;
-    WhileDrawing(
-      stage.Window, stage.GetRenderer(), [&] { result = GLStateSnapshot::Capture(window); });
-    return result;
-  };
-  capture();
-  const GLStateSnapshot plain = capture();
+  CaptureFrame(stage);
+  const GLStateSnapshot plain = CaptureFrame(stage);
   for (const int view : Views)
   {
     pass->SetDebugView(view);
     for (int frame = 0; frame < 2; ++frame)
     {
-      EXPECT_EQ(plain.GetDifference(capture()), "") << "view " << view << ", frame " << frame;
+      EXPECT_EQ(plain.GetDifference(CaptureFrame(stage)), "")
+        << "view " << view << ", frame " << frame;
     }
   }
 }

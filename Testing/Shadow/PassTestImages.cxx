@@ -4,19 +4,13 @@
 // Colours with vtkShadowVolumeClampPass, to the byte those of images without it.
 #include "LightRig.h"
 #include "PassTestTools.h"
+#include "ScenePasses.h"
 #include "ShadowShapes.h"
 
 #include "vtkActor.h"
-#include "vtkCameraPass.h"
-#include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
-#include "vtkLightsPass.h"
 #include "vtkNew.h"
 #include "vtkProperty.h"
-#include "vtkRenderPassCollection.h"
-#include "vtkSequencePass.h"
-#include "vtkTranslucentPass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,12 +19,6 @@ using namespace ShadowShapes;
 
 namespace
 {
-vtkInformationIntegerKey* GetCastsKey()
-{
-  static vtkInformationIntegerKey* const key = new vtkInformationIntegerKey("Casts", "PassImages");
-  return key;
-}
-
 /// A headlight, a light that is off, a camera light, and one more than fit into a mask.
 void AddLights(SceneBuilder& scene)
 {
@@ -120,11 +108,7 @@ TEST_F(PassImages, WithoutShadowAreThoseWithoutThePass)
         { pass->SetLightCasts(stage.Lights[0], false); } },
       { "no caster",
         [](const Stage&, vtkShadowVolumeClampPass* pass)
-        {
-          vtkNew<vtkInformation> keys;
-          keys->Set(GetCastsKey(), 1);
-          pass->SetCasterKeys(keys);
-        } },
+        { pass->SetCasterKeys(TestScene::LightRig::MakeCasterKeys()); } },
       { "casters that are translucent",
         [](const Stage& stage, vtkShadowVolumeClampPass*)
         {
@@ -167,24 +151,14 @@ TEST_F(PassImages, InASequenceAreThoseOfThePassAlone)
       [](SceneBuilder& scene) {
         scene.Box({ 0.0, -2.5, 1.0 }, { 1.0, 0.2, 1.0 }).Opacity = 0.5;
       });
-    vtkNew<vtkShadowVolumeClampPass> alone;
-    alone->SetMode(vtkShadowVolumeClampPass::Scissored);
-    stage.GetRenderer()->SetPass(alone);
+    const vtkSmartPointer<vtkShadowVolumeClampPass> alone = AddPass(stage);
     const Picture expected = RenderPicture(stage);
     EXPECT_EQ(alone->GetStatistics().Decision, vtkShadowDecision::Drawn);
     EXPECT_NE(FindDifference(GetPlainImage(stage.Window, stage.GetRenderer()), expected), "");
 
-    vtkNew<vtkShadowVolumeClampPass> shadows;
-    shadows->SetMode(vtkShadowVolumeClampPass::Scissored);
-    vtkNew<vtkRenderPassCollection> passes;
-    passes->AddItem(vtkSmartPointer<vtkLightsPass>::New());
-    passes->AddItem(shadows);
-    passes->AddItem(vtkSmartPointer<vtkTranslucentPass>::New());
-    vtkNew<vtkSequencePass> sequence;
-    sequence->SetPasses(passes);
-    vtkNew<vtkCameraPass> camera;
-    camera->SetDelegatePass(sequence);
-    stage.GetRenderer()->SetPass(camera);
+    const vtkSmartPointer<vtkShadowVolumeClampPass> shadows = AddPass(stage);
+    stage.GetRenderer()->SetPass(
+      TestScene::MakePass(TestScene::PassKind::ShadowVolumesInSequence, shadows));
     for (int frame = 0; frame < 2; ++frame)
     {
       EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");

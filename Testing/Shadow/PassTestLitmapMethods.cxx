@@ -3,17 +3,13 @@
 
 // The paper's litmap beside the scattered one: where both find all receivers, and where it does
 // not.
-#include "../Leaks/GLObjects.h"
-#include "OffscreenFixture.h"
+#include "LightRig.h"
 #include "PassTestTools.h"
 #include "RerenderedLitmap.h"
 #include "ShadowShapes.h"
 #include "Tune.h"
 
 #include "vtkActor.h"
-#include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
-#include "vtkNew.h"
 
 #include <functional>
 #include <iostream>
@@ -129,9 +125,6 @@ TEST_F(PassLitmapMethods, RerenderedMissesThinReceivers)
 // What does not cast is drawn into litmaps all the same.
 TEST_F(PassLitmapMethods, ReceiversNeedNotCast)
 {
-  auto* key = vtkInformationIntegerKey::MakeKey("Casts", "PassLitmapMethods");
-  vtkNew<vtkInformation> keys;
-  keys->Set(key, 1);
   const Stage stage = SetStage(
     [](SceneBuilder& scene)
     {
@@ -141,11 +134,9 @@ TEST_F(PassLitmapMethods, ReceiversNeedNotCast)
       scene.Look({ 0.5, -3.0, 7.0 }, { 0.3, 0.0, 0.0 }, 30.0);
     },
     80, 60);
-  vtkNew<vtkInformation> own;
-  own->Set(key, 1);
-  GetActors(stage.GetRenderer()).back()->SetPropertyKeys(own);
+  TestScene::LightRig::SetCasts(GetActors(stage.GetRenderer()).back(), true);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-  pass->SetCasterKeys(keys);
+  pass->SetCasterKeys(TestScene::LightRig::MakeCasterKeys());
   Tune(pass, &vtkShadowTuning::LitmapSource, MakePaperLitmap());
   Tune(pass, &vtkShadowTuning::LitmapResolution, 512);
   stage.Window->Render();
@@ -164,11 +155,7 @@ TEST_F(PassLitmapMethods, RerenderedLeavesNoObjectsBehind)
   {
     stage.GetRenderer()->SetPass(pass);
     stage.Window->Render();
-    stage.MakeCurrent();
-    GLObjects::Counts counts = GLObjects::Count();
-    counts.erase("programs");
-    counts.erase("shaders");
-    return counts;
+    return CountObjectsWithoutPrograms(stage);
   };
   const auto countAfter = [&](const std::shared_ptr<vtkShadowLitmapSource>& source)
   {

@@ -4,14 +4,13 @@
 // What leaves shadows as they are leaves the masks as they are; and VTK's own shadows, counted.
 #include "PassTestTools.h"
 #include "SceneChanges.h"
+#include "ScenePasses.h"
 
 #include "vtkCameraPass.h"
 #include "vtkLight.h"
 #include "vtkLightsPass.h"
 #include "vtkNew.h"
 #include "vtkOpaquePass.h"
-#include "vtkRenderPassCollection.h"
-#include "vtkSequencePass.h"
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
 
@@ -102,24 +101,12 @@ TEST_F(PassComparison, WithShadowMaps)
     vtkNew<vtkShadowMapBakerPass> baker;
     vtkNew<vtkShadowMapPass> maps;
     maps->SetShadowMapBakerPass(baker);
+    vtkNew<vtkLightsPass> lights;
     vtkNew<vtkOpaquePass> opaque;
-    vtkNew<vtkSequencePass> opaqueSequence;
-    vtkNew<vtkRenderPassCollection> opaquePasses;
-    opaquePasses->AddItem(vtkSmartPointer<vtkLightsPass>::New());
-    opaquePasses->AddItem(opaque);
-    opaqueSequence->SetPasses(opaquePasses);
-    vtkNew<vtkCameraPass> opaqueCamera;
-    opaqueCamera->SetDelegatePass(opaqueSequence);
+    const auto opaqueCamera = TestScene::MakeSequence({ lights, opaque });
     baker->SetOpaqueSequence(opaqueCamera);
-    maps->SetOpaqueSequence(opaqueSequence);
-    vtkNew<vtkRenderPassCollection> passes;
-    passes->AddItem(baker);
-    passes->AddItem(maps);
-    vtkNew<vtkSequencePass> sequence;
-    sequence->SetPasses(passes);
-    vtkNew<vtkCameraPass> camera;
-    camera->SetDelegatePass(sequence);
-    stage.GetRenderer()->SetPass(camera);
+    maps->SetOpaqueSequence(vtkCameraPass::SafeDownCast(opaqueCamera)->GetDelegatePass());
+    stage.GetRenderer()->SetPass(TestScene::MakeSequence({ baker, maps }));
     const Picture mapped = RenderPicture(stage);
 
     int compared = 0;

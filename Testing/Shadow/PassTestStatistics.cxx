@@ -2,23 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // What a frame takes: nothing where nothing is due, and what OpenGL is left as.
-#include "GLStateSnapshot.h"
+#include "LightRig.h"
 #include "PassTestTools.h"
 #include "ShadowShapes.h"
 #include "Tune.h"
-
-#include "../Leaks/GLObjects.h"
 
 #include "vtkNBufferGL.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkCamera.h"
-#include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkNew.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -53,12 +48,6 @@ std::string FindDifferenceInView(const Stage& stage, const Picture& expected, co
   return (nothing ? ::testing::AssertionSuccess() : ::testing::AssertionFailure())
     << statistics.GetAsJSON();
 }
-
-GLObjects::Counts CountObjects(const Stage& stage)
-{
-  vtkOpenGLRenderWindow::SafeDownCast(stage.Window)->MakeCurrent();
-  return GLObjects::Count();
-}
 }
 
 using PassStatistics = OffscreenFixture;
@@ -76,9 +65,7 @@ TEST_F(PassStatistics, NothingDueCostsNothing)
     stage.Window->Render();
     const GLObjects::Counts before = CountObjects(stage);
     vtkNew<vtkShadowVolumeClampPass> pass;
-    vtkNew<vtkInformation> keys;
-    keys->Set(vtkInformationIntegerKey::MakeKey("Casts", "PassStatistics"), 1);
-    pass->SetCasterKeys(withLight ? keys.Get() : nullptr);
+    pass->SetCasterKeys(withLight ? TestScene::LightRig::MakeCasterKeys() : nullptr);
     for (vtkLight* light : stage.Lights)
     {
       pass->SetLightCasts(light, withLight);
@@ -318,21 +305,13 @@ TEST_F(PassState, IsThatOfAFrameWithoutShadows)
   {
     SCOPED_TRACE(name);
     const Stage stage = SetNamedStage(name);
-    auto* window = vtkOpenGLRenderWindow::SafeDownCast(stage.Window);
-    const auto capture = [&]
-    {
-      GLStateSnapshot result;
-      WhileDrawing(
-        stage.Window, stage.GetRenderer(), [&] { result = GLStateSnapshot::Capture(window); });
-      return result;
-    };
     vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
     for (vtkLight* light : stage.Lights)
     {
       pass->SetLightCasts(light, false);
     }
-    capture();
-    const GLStateSnapshot plain = capture();
+    CaptureFrame(stage);
+    const GLStateSnapshot plain = CaptureFrame(stage);
     for (vtkLight* light : stage.Lights)
     {
       pass->SetLightCasts(light, true);
@@ -343,7 +322,7 @@ TEST_F(PassState, IsThatOfAFrameWithoutShadows)
       pass->SetMode(mode);
       for (int frame = 0; frame < 4; ++frame)
       {
-        const GLStateSnapshot shadowed = capture();
+        const GLStateSnapshot shadowed = CaptureFrame(stage);
         std::istringstream lines(plain.GetDifference(shadowed));
         for (std::string line; std::getline(lines, line);)
         {

@@ -98,6 +98,28 @@ int CountShadowed(const ShadowMask& mask)
   return static_cast<int>(std::count(mask.begin(), mask.end(), 255));
 }
 
+GLStateSnapshot CaptureFrame(const Stage& stage)
+{
+  GLStateSnapshot result;
+  OffscreenFixture::WhileDrawing(stage.Window, stage.GetRenderer(),
+    [&] { result = GLStateSnapshot::Capture(vtkOpenGLRenderWindow::SafeDownCast(stage.Window)); });
+  return result;
+}
+
+GLObjects::Counts CountObjects(const Stage& stage)
+{
+  stage.MakeCurrent();
+  return GLObjects::Count();
+}
+
+GLObjects::Counts CountObjectsWithoutPrograms(const Stage& stage)
+{
+  GLObjects::Counts counts = CountObjects(stage);
+  counts.erase("programs");
+  counts.erase("shaders");
+  return counts;
+}
+
 Picture RenderPicture(const Stage& stage)
 {
   stage.Window->Render();

@@ -7,6 +7,8 @@
 #ifndef PassTestTools_h
 #define PassTestTools_h
 
+#include "../Leaks/GLObjects.h"
+#include "GLStateSnapshot.h"
 #include "ShadowTest.h"
 #include "StatisticsCheck.h"
 
@@ -44,6 +46,14 @@ int CountShadowed(const ShadowMask& mask); ///< Wholly: 255.
 
 /// Number of pixels of a renderer.
 std::size_t CountPixels(vtkRenderer* renderer);
+
+/// What OpenGL is left as when the renderer has drawn the next frame.
+GLStateSnapshot CaptureFrame(const Stage& stage);
+
+/// The OpenGL objects of the window's context.
+GLObjects::Counts CountObjects(const Stage& stage);
+/// Programs stay in the window's cache.
+GLObjects::Counts CountObjectsWithoutPrograms(const Stage& stage);
 
 /// The image of the next frame.
 Picture RenderPicture(const Stage& stage);

@@ -3,6 +3,10 @@
 #include "ShadowScenes.h"
 
 #include "Fill.h"
+#include "SceneProps.h"
+
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
 
 #include <algorithm>
 #include <iterator>
@@ -17,6 +21,20 @@ std::vector<NamedScene> MakeScenes(const std::vector<TestScene::NamedScenario>& 
   std::transform(scenarios.begin(), scenarios.end(), std::back_inserter(scenes), MakeScene);
   return scenes;
 }
+
+/// What happens in the second frame. Props have the places in the renderer that they have in the
+/// scenario: there are no assemblies in such scenes.
+void ChangeProps(vtkRenderer* renderer, const TestScene::Scenario& scenario)
+{
+  for (const TestScene::Change& change : scenario.Changes)
+  {
+    if (change.Frame == 1)
+    {
+      vtkObject* prop = renderer->GetViewProps()->GetItemAsObject(change.Target);
+      TestScene::ChangeProp(vtkProp::SafeDownCast(prop), scenario.Props.at(change.Target), change);
+    }
+  }
+}
 }
 
 NamedScene MakeScene(const TestScene::NamedScenario& named)
@@ -30,7 +48,12 @@ NamedScene MakeScene(const TestScene::NamedScenario& named)
       named.Finish(renderer);
     }
   };
-  return { named.Name, build, window.Width, window.Height, window.MultiSamples };
+  NamedScene scene = { named.Name, build, window.Width, window.Height, window.MultiSamples };
+  if (named.Scenario.Frames > 1)
+  {
+    scene.Change = [named](vtkRenderer* renderer) { ChangeProps(renderer, named.Scenario); };
+  }
+  return scene;
 }
 
 void PrintTo(const NamedScene& scene, std::ostream* stream)
@@ -71,12 +94,7 @@ std::vector<NamedScene> GetLightScenes()
 
 std::vector<NamedScene> GetMeshScenes()
 {
-  std::vector<NamedScene> scenes = MakeScenes(TestScene::GetMeshScenarios());
-  for (const NamedScene& scene : GetHandmadeScenes())
-  {
-    scenes.push_back(scene);
-  }
-  return scenes;
+  return MakeScenes(TestScene::GetMeshScenarios());
 }
 
 std::vector<NamedScene> GetLargeScenes()

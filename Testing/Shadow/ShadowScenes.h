@@ -4,7 +4,7 @@
  * @file ShadowScenes.h
  * @brief Scenes in which shadows have gone wrong somewhere, one for each hazard, and larger ones.
  *
- * Most are named scenarios (NamedScenarios.h), which the fuzzer mutates as well. A scene fills a
+ * They are named scenarios (NamedScenarios.h), which the fuzzer mutates as well. A scene fills a
  * renderer that is in a window already: props, scene lights, camera and clipping range. Random ones
  * are seeded.
  *
@@ -55,8 +55,6 @@ namespace ShadowScenes
 std::vector<NamedScene> GetLightScenes(); ///< Where the light is.
 std::vector<NamedScene> GetMeshScenes();  ///< What the casters are made of.
 std::vector<NamedScene> GetLargeScenes();
-/// Those of the mesh scenes that the language of scenarios has no words for.
-std::vector<NamedScene> GetHandmadeScenes();
 ///@}
 }
 

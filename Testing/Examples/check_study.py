@@ -1,0 +1,125 @@
+# SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs a study of one frame of each path and checks whether its figures can be true; where pandas
+and matplotlib are installed, also that the tables and charts of the documents can be made of them.
+
+    check_study.py <nbuffer-bench> <source tree> <folder to write to>
+"""
+import importlib.util
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+
+BENCH, SOURCE, OUT = (pathlib.Path(argument) for argument in sys.argv[1:])
+DOCUMENTS = ("accuracy", "accuracy-scenes", "accuracy-settings")
+CHARTS = ("pareto-", "shadows-", "shadow-errors-", "settings-city-street", "settings-birds")
+
+
+def check(holds, message):
+    if not holds:
+        sys.exit(f"check_study.py: {message}")
+
+
+def run(script, *arguments):
+    subprocess.run([sys.executable, SOURCE / "Scripts" / script, *arguments], check=True)
+
+
+def check_scene(name, scene):
+    structures = scene["structures"]
+    check(len(structures) >= 50, f"{name}: {len(structures)} structures")
+    check(scene["hidden"] > 0, f"{name}: nothing is hidden")
+    for point in structures:
+        kept = point["false_visible"]
+        check(0 <= kept <= point["hidden"] and point["false_hidden"] == 0,
+              f"{point['name']}: {kept} of {point['hidden']} kept, "
+              f"{point['false_hidden']} visible ones hidden")
+    defaults = sum(point["is_default"] for point in structures)
+    check(defaults == 1, f"{name}: {defaults} defaults")
+
+    # Queries of the hardware are conservative: no byte differs, and what is visible is drawn.
+    walk = scene["walk"]
+    check(walk["differing_bytes"] == 0, f"{name}: {walk['differing_bytes']} wrong bytes")
+    seen = walk["modes"]["oracle"]["drawn"]
+    everything = walk["modes"]["stock"]["drawn"]
+    in_view = walk["modes"]["in-view"]["drawn"]
+    check(in_view == everything, f"{name}: {in_view} in view, and stock draws {everything}")
+    for mode in ("queries", "chc"):
+        drawn = walk["modes"][mode]["drawn"]
+        asked = walk["modes"][mode]["queries"]["queries"]
+        wasted = scene["fragments"][mode]["wasted"]
+        check(seen <= drawn < everything and asked >= 1 and wasted >= 0,
+              f"{name}, {mode}: {drawn} drawn of {everything}, {seen} seen, {asked} queries, "
+              f"{wasted} fragments wasted")
+    of_hidden = scene["fragments"]["oracle"]["of_hidden"]
+    check(of_hidden == 0, f"{name}: the oracle draws {of_hidden} fragments of hidden props")
+
+
+def check_shadows(name, scene):
+    """No mode has more fragments than whole volumes, and no sample is in wrong light."""
+    check(scene["wrong_samples"] == 0, f"{name}: {scene['wrong_samples']} wrong samples")
+    for mode, values in scene["modes"].items():
+        percent = values.get("fragments_percent", 0)
+        check(percent <= 100, f"{name}, {mode}: {percent} % of the fragments")
+
+
+def check_settings(name, scene):
+    """The modes of all values were measured, and the default is among the values."""
+    tried = scene["tried"]
+    for one in tried:
+        time = scene["modes"][one["mode"]]["median_ms"]
+        check(time > 0, f"{one['mode']}: {time} ms")
+    settings = {(one["kind"], one["setting"]) for one in tried}
+    defaults = [(one["kind"], one["setting"]) for one in tried if one["mode"] == one["kind"]]
+    check(sorted(settings) == sorted(defaults), f"{name}: defaults of {defaults} among {settings}")
+
+
+def check_figures(study):
+    check(len(study["scenes"]) == 3, f"{len(study['scenes'])} scenes instead of three paths")
+    for index, scene in enumerate(study["scenes"]):
+        check_scene(f"scene {index}", scene)
+    rows = len(study["device"][0]["rows"])
+    check(rows >= 15, f"{rows} rows of what the device does")
+    tests = study["table2"]["tests"]
+    check(tests["nb"] < tests["oq"],
+          f"{tests['nb']} lookups, {tests['oq']} pixels: four lookups a box have to be fewer")
+    settings = study["settings"]
+    # Of one frame of a city and one of loose parts, and of settings.
+    check(len(study["shadows"]) == 2, f"{len(study['shadows'])} scenes with shadows, not two")
+    for scene in (*study["shadows"], settings["shadows"][0]):
+        check_shadows("shadows", scene)
+    for part in ("culler", "still", "shadows"):
+        check_settings(part, settings[part][0])
+    entry = settings["few"][0]["entries"][0]
+    drawn = entry["modes"]["nbuffer:MinimumNumberOfCandidates=1"]["drawn"]
+    wrong = settings["culler"][0]["differing_bytes"] + entry["differing_bytes"]
+    check(wrong == 0 and 1 <= drawn <= 8, f"settings: {wrong} wrong bytes, {drawn} drawn of 8 props")
+
+
+def check_report():
+    (OUT / "docs").mkdir()
+    for name in DOCUMENTS:
+        shutil.copy(SOURCE / "docs" / f"{name}.md", OUT / "docs")
+    run("report.py", "study", OUT / "study.json", "--docs", OUT / "docs",
+        "--charts", OUT / "charts", "--csv", OUT / "csv")
+    for name in DOCUMENTS:
+        made = (OUT / "docs" / f"{name}.md").read_text()
+        committed = (SOURCE / "docs" / f"{name}.md").read_text()
+        check(made != committed and "\n@" not in made and "| nan |" not in made,
+              f"{name}.md lacks the figures of this study")
+    lines = (OUT / "csv" / "structures.csv").read_text().splitlines()
+    check(len(lines) >= 150, f"structures.csv has {len(lines)} lines")
+    for beginning in CHARTS:
+        check(any((OUT / "charts").glob(f"{beginning}*.png")), f"no chart {beginning}*")
+    for name in ("shadows", "settings"):
+        check((OUT / "csv" / f"{name}.csv").exists(), f"{name}.csv is missing")
+
+
+shutil.rmtree(OUT, ignore_errors=True)
+run("study.py", "--tiny", "--size", "161x119", "--out", OUT, "--bench", BENCH)
+check_figures(json.loads((OUT / "study.json").read_text()))
+if all(importlib.util.find_spec(name) for name in ("pandas", "matplotlib")):
+    check_report()
+else:
+    print("pandas or matplotlib is missing: tables and charts are not made")
