@@ -4,6 +4,7 @@
 #include "CullerTest.h"
 #include "Scenes.h"
 
+#include "vtkAssembly.h"
 #include "vtkProperty.h"
 
 using Scenes::Wall;
@@ -83,6 +84,39 @@ TEST(CullerProps, BlendedInTheOpaqueStage)
     comparison.Frame();
     EXPECT_EQ(comparison.GetDecision(), Decision::Blending);
     EXPECT_EQ(comparison.GetHidden(), 0);
+  }
+}
+
+// Hazard: a part of an assembly is blended in the opaque stage, of which the assembly knows
+// nothing.
+TEST(CullerProps, BlendedPartOfAnAssembly)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      const int glass = Scenes::AddBox(stage, 0.0, 0.0, 6.0, 12.0, 9.0, 0.1);
+      vtkNew<vtkAssembly> assembly;
+      assembly->AddPart(stage.GetActor(glass));
+      stage.GetRenderer()->RemoveActor(stage.GetActor(glass));
+      stage.Add(assembly);
+      Scenes::SetWallCamera(stage.GetRenderer());
+    });
+  for (const bool blended : { false, true, false, true })
+  {
+    comparison.Both(
+      [blended](Stage& stage)
+      {
+        vtkActor* glass = stage.GetActor(Wall::Count);
+        glass->GetProperty()->SetOpacity(blended ? 0.5 : 1.0);
+        glass->SetForceOpaque(blended);
+      });
+    for (int i = 0; i < 3; ++i)
+    {
+      Scenes::FrameOfWall(comparison, 2.0 * i);
+      EXPECT_EQ(comparison.GetDecision() == Decision::Blending, blended);
+    }
+    EXPECT_EQ(comparison.GetHidden() == 0, blended);
   }
 }
 

@@ -103,7 +103,7 @@ void Player::Begin(const Scenario& scenario)
 {
   this->End();
   const TestScene::Window& window = scenario.Window;
-  if (this->Window && this->StencilCapable != window.StencilCapable)
+  if (this->Window && this->Window->GetStencilCapable() != window.StencilCapable)
   {
     this->DropWindow();
   }
@@ -112,7 +112,6 @@ void Player::Begin(const Scenario& scenario)
   {
     this->Window = vtkSmartPointer<vtkRenderWindow>::New();
     this->Window->SetOffScreenRendering(1);
-    this->StencilCapable = window.StencilCapable;
     this->Window->SetStencilCapable(window.StencilCapable);
   }
   this->Window->SetMultiSamples(window.MultiSamples);

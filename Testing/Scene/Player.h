@@ -69,7 +69,6 @@ private:
 
   const Role Part;
   const Scenario* Scene = nullptr;
-  bool StencilCapable = false;
   std::vector<vtkSmartPointer<vtkNBufferCuller>> Cullers; ///< One for each renderer, or the same.
   LightRig Lighting;
   std::vector<bool> Present; ///< Whether each prop is in its renderer.

@@ -6,6 +6,8 @@
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -29,14 +31,30 @@ bool HasUsableBounds(const double* bounds)
     std::all_of(bounds, bounds + 6, [](double value) { return std::abs(value) < Infinite; });
 }
 
-/// What vtkActor::HasTranslucentPolygonalGeometry() returns when nothing is forced.
-bool IsTranslucentByItself(vtkActor* actor)
+/// Whether an actor is opaque by force, and translucent if nothing is forced (see
+/// vtkActor::HasTranslucentPolygonalGeometry()).
+bool IsForcedToBeOpaque(vtkActor* actor)
 {
   vtkTexture* texture = actor->GetTexture();
   vtkMapper* mapper = actor->GetMapper();
-  return actor->GetProperty()->GetOpacity() < 1.0 || (texture && texture->IsTranslucent()) ||
-    (mapper && mapper->HasTranslucentPolygonalGeometry());
+  return actor->GetForceOpaque() &&
+    (actor->GetProperty()->GetOpacity() < 1.0 || (texture && texture->IsTranslucent()) ||
+      (mapper && mapper->HasTranslucentPolygonalGeometry()));
 }
+}
+
+bool vtkNBufferCandidate::HasBlendedPart() const
+{
+  this->Prop->InitPathTraversal();
+  while (vtkAssemblyPath* path = this->Prop->GetNextPath())
+  {
+    auto* actor = vtkActor::SafeDownCast(path->GetLastNode()->GetViewProp());
+    if (actor && IsForcedToBeOpaque(actor))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
@@ -67,7 +85,7 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
   this->ReadBounds(actor);
   this->Verdict = this->Classify(actor);
   this->DepthWriter = this->Mapper && actor->HasOpaqueGeometry();
-  this->Blended = actor->GetForceOpaque() && IsTranslucentByItself(actor);
+  this->Blended = IsForcedToBeOpaque(actor);
   this->Unlit = !actor->GetProperty()->GetLighting();
   // Composite data never counts as unchanged (IsTracked()), so that the times of its blocks, which
   // would have to be read in every frame, are not needed.

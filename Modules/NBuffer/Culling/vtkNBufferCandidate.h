@@ -80,9 +80,15 @@ public:
    * if it is opaque by force but translucent by itself; if it draws lines, and the window smoothes
    * them; or if it lacks normals, and ambient occlusion needs them (see vtkNBufferCompatibility.h).
    * A prop that shares its mapper counts as well: drawing it once more changes the shaders of the
-   * others.
+   * others. The parts of an assembly or another prop that is no plain actor may change without a
+   * trace, so that HasBlendedPart() reads them when it is called.
    */
   bool IsBlended() const { return this->Blended || this->MapperIsShared; }
+  bool MayHaveBlendedParts() const
+  {
+    return this->Verdict == vtkNBufferVerdict::NotAPlainActor && this->DepthWriter;
+  }
+  bool HasBlendedPart() const;
   bool MayDrawLines() const
   {
     return this->DepthWriter && (!this->IsCandidate() || this->Box.Margin > 0.0);

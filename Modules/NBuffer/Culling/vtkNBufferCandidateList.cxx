@@ -132,8 +132,14 @@ int vtkNBufferCandidateList::RefreshStale(
     this->FindSharedMappers(projection);
   }
   this->UntrackedDepth = this->Blending = this->Lines = this->LackOfNormals = false;
-  for (const vtkNBufferCandidate& candidate : this->Candidates.GetItems())
+  this->WithParts.clear();
+  for (std::size_t i = 0; i < this->Candidates.GetSize(); ++i)
   {
+    const vtkNBufferCandidate& candidate = this->Candidates[i];
+    if (candidate.MayHaveBlendedParts())
+    {
+      this->WithParts.push_back(static_cast<int>(i));
+    }
     this->UntrackedDepth =
       this->UntrackedDepth || (candidate.WritesDepth() && !candidate.IsTracked());
     this->Blending = this->Blending || candidate.IsBlended();
@@ -141,6 +147,14 @@ int vtkNBufferCandidateList::RefreshStale(
     this->LackOfNormals = this->LackOfNormals || candidate.MayLackNormals();
   }
   return changed;
+}
+
+bool vtkNBufferCandidateList::HasBlending(bool smoothLines, bool ambientOcclusion) const
+{
+  return this->Blending || (smoothLines && this->Lines) ||
+    (ambientOcclusion && this->LackOfNormals) ||
+    std::any_of(this->WithParts.begin(), this->WithParts.end(),
+      [this](int i) { return this->Candidates[i].HasBlendedPart(); });
 }
 
 void vtkNBufferCandidateList::FindSharedMappers(const vtkNBufferProjection* projection)

@@ -67,11 +67,7 @@ public:
 
   /// Whether any prop may blend in the opaque stage, given that the window smoothes lines or that
   /// there is ambient occlusion.
-  bool HasBlending(bool smoothLines, bool ambientOcclusion) const
-  {
-    return this->Blending || (smoothLines && this->Lines) ||
-      (ambientOcclusion && this->LackOfNormals);
-  }
+  bool HasBlending(bool smoothLines, bool ambientOcclusion) const;
 
   /// Count the verdicts, the props drawn before the first test, and the work of the hierarchy.
   void CountVerdicts(vtkNBufferStatistics& statistics) const;
@@ -139,6 +135,7 @@ private:
   bool Blending = false;
   bool Lines = false;
   bool LackOfNormals = false;
+  std::vector<int> WithParts; ///< The places of the props that may have blended parts.
 };
 
 VTK_ABI_NAMESPACE_END
