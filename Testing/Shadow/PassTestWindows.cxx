@@ -102,6 +102,21 @@ TEST_F(PassWindows, EyesOfStereo)
   EXPECT_EQ(FindDifference(right, draw(VTK_STEREO_RIGHT, true)), "");
 }
 
+// Hazard: a viewport without a pixel is a failure.
+TEST_F(PassWindows, ViewportOfSizeZero)
+{
+  const Stage stage = SetNamedStage("Directional");
+  const vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  const Picture before = RenderPicture(stage);
+  stage.GetRenderer()->SetViewport(0.5, 0.2, 0.5, 0.8);
+  RenderPicture(stage);
+  EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::NoReceiver);
+  EXPECT_EQ(pass->GetStatistics().FailedFrames, 0);
+  stage.GetRenderer()->SetViewport(0.0, 0.0, 1.0, 1.0);
+  EXPECT_EQ(FindDifference(before, RenderPicture(stage)), "");
+  EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
+}
+
 // Renderers of one window that share a pass see their own shadows.
 TEST_F(PassWindows, OnePassForTwoRenderers)
 {

@@ -46,6 +46,13 @@ int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& se
   {
     return this->DrawPlain(state, vtkShadowDecision::NoLight);
   }
+  glm::ivec2 size;
+  glm::ivec2 origin;
+  renderer->GetTiledSizeAndOrigin(&size.x, &size.y, &origin.x, &origin.y);
+  if (size.x < 1 || size.y < 1)
+  {
+    return this->DrawPlain(state, vtkShadowDecision::NoReceiver);
+  }
   const vtkNBufferClock clock;
   this->Casters.Update(renderer, settings.CasterKeys);
   statistics.Casters = static_cast<int>(this->Casters.GetCasters().size());
