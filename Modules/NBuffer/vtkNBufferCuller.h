@@ -19,8 +19,8 @@
  * reaches the proxy, this frame's depth is in the framebuffer. It is reduced to an N-buffer
  * (vtkNBufferMath.h), the boxes of all candidates are tested against it with at most four
  * lookups each, and what may be visible is drawn. Where little is known (first frame, camera
- * cut) the nearest props are drawn first and the others are tested in rounds. Nothing is carried
- * over from an older depth buffer, so that nothing pops in late.
+ * cut) near props that probably hide the others are drawn first, and the others are tested in
+ * rounds. Nothing is carried over from an older depth buffer, so that nothing pops in late.
  *
  * Candidates are plain opaque surface actors: vtkOpenGLActor itself with a polydata, composite
  * or dataset mapper. All other props are drawn as without the culler; vtkNBufferVerdict says why.

@@ -136,7 +136,7 @@ MUTANTS = {
         ("vtkNBufferCandidateList.cxx", "!this->Observed.TakeChange() && !lost;", "true;")],
     "removed observers not noticed": [
         ("vtkNBufferObservedObjects.cxx",
-         "this->Shared->Lost = this->Shared->Lost || isLost;", "(void)isLost;")],
+         "this->Shared->Lost = true;", "")],
 
     # Props that are none of the tested kind.
     "translucent props hide": [

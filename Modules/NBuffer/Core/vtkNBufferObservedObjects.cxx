@@ -52,7 +52,10 @@ protected:
     const bool isLost = !this->IsDone && this->Object->GetReferenceCount() > 0;
     const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
     this->Shared->Commands.erase(this->Object);
-    this->Shared->Lost = this->Shared->Lost || isLost;
+    if (isLost)
+    {
+      this->Shared->Lost = true;
+    }
   }
 
 private:

@@ -9,7 +9,8 @@
  * observer again, so that an object that keeps changing costs nothing more.
  *
  * An application may remove the observer with RemoveAllObservers(). The command notices that it is
- * destroyed while its object lives, and HasLostObservers() says so.
+ * destroyed while its object lives, and TakeLoss() says so. (In VTK 9.1 an object that is deleted
+ * still has a reference then, and counts as well.)
  *
  * An observer takes about 300 bytes and half a microsecond to add, and makes a call of Modified()
  * take 34 ns instead of 6. Add(), TakeChange() and the destructor belong to one thread; Modified()
