@@ -10,6 +10,7 @@
 #ifndef vtkNBufferForEachProp_h
 #define vtkNBufferForEachProp_h
 
+#include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
 #include "vtkSMPTools.h"
 
 #include <cstddef>
