@@ -66,6 +66,14 @@ void RemoveUndefined(Scenario& scene)
   {
     scene.Window.Stereo = VTK_STEREO_CHECKERBOARD;
   }
+  if (HasPass(scene, HasShadowVolumes))
+  {
+    // VTK 9.1 blends the blocks of composite data in the order of addresses.
+    for (Prop& prop : scene.Props)
+    {
+      prop.ForceTranslucent = prop.ForceTranslucent && prop.Kind != PropKind::Composite;
+    }
+  }
   if (HasPass(scene, [](PassKind pass) { return pass != PassKind::None; }))
   {
     scene.Changes.erase(std::remove_if(scene.Changes.begin(), scene.Changes.end(),
