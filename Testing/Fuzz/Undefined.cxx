@@ -71,7 +71,16 @@ void RemoveUndefined(Scenario& scene)
     // VTK 9.1 blends the blocks of composite data in the order of addresses.
     for (Prop& prop : scene.Props)
     {
-      prop.ForceTranslucent = prop.ForceTranslucent && prop.Kind != PropKind::Composite;
+      if (prop.Kind == PropKind::Composite)
+      {
+        prop.ForceTranslucent = false;
+        prop.Opacity = 1.0;
+        scene.Changes.erase(
+          std::remove_if(scene.Changes.begin(), scene.Changes.end(),
+            [&prop](const Change& change)
+            { return change.Kind == ChangeKind::Opacity && change.Target == prop.Id; }),
+          scene.Changes.end());
+      }
     }
   }
   if (HasPass(scene, [](PassKind pass) { return pass != PassKind::None; }))
