@@ -222,9 +222,6 @@ RARE = {
     "the last column of a cut base texel left out": [
         ("vtkNBufferLevels.cxx", "for (int x = whole * factor + 1; x < width; ++x)",
          "for (int x = whole * factor + 1; x < width - 1; ++x)")],
-    "removed observers not noticed": [
-        ("vtkNBufferObservedObjects.cxx",
-         "this->Shared->Lost = true;", "")],
     "hierarchy not refit to props that move": [
         (CANDIDATE_TREE, "this->Tree.Move(place, candidate.GetBox());", "")],
     "no slack for stored and interpolated depth": NO_DEPTH_SLACK,
