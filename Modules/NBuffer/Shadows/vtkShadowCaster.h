@@ -43,6 +43,11 @@ public:
 
   using Plane = vtkNBufferSurface::Plane;
 
+  // The cached parts point to the points of this object.
+  vtkShadowCaster() = default;
+  vtkShadowCaster(const vtkShadowCaster&) = delete;
+  void operator=(const vtkShadowCaster&) = delete;
+
   /// Brings mesh, matrix (row by row) and planes up to date. Returns whether anything has changed.
   bool Update(
     vtkPolyData* mesh, const std::array<double, 16>& toWorld, const std::vector<Plane>& planes);
