@@ -69,7 +69,7 @@ TEST(NBufferOccluderChoice, ABoxIsChosenIfHalfOfItIsOpen)
     2u);
 }
 
-// Hazard: boxes at the edges of the screen reach beyond the image.
+// Hazard: boxes at the edges of the screen, or old ones of a larger screen, reach beyond the image.
 TEST(NBufferOccluderChoice, AnySizeOfTheScreenIsCovered)
 {
   for (int side : { 1, 7, 8, 9, 100 })
@@ -81,5 +81,7 @@ TEST(NBufferOccluderChoice, AnySizeOfTheScreenIsCovered)
                 .size(),
       2u)
       << side;
+    const vtkNBufferScreenBox old = MakeScreenBox({ 0, side + 8, 900, side + 800 }, 0.1, 0.2);
+    EXPECT_EQ(vtkNBufferOccluderChoice::Choose({ old }, 2, side, side), Places()) << side;
   }
 }

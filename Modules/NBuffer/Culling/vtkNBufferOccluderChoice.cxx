@@ -16,20 +16,22 @@ class CoarseDepth
 {
 public:
   CoarseDepth(int width, int height)
-    : Width((width + Side - 1) / Side)
-    , Squares(static_cast<std::size_t>(this->Width) * ((height + Side - 1) / Side),
+    : All(vtkNBufferMath::GetBaseRectangle({ 0, 0, width, height }, Side))
+    , Squares(static_cast<std::size_t>(this->All.X1) * this->All.Y1,
         std::numeric_limits<double>::infinity())
   {
   }
 
-  /// Call function(depth) for each square that lies in a rectangle of squares.
+  /// Call function(depth) for each square of the screen that lies in a rectangle of squares. The
+  /// rectangle of a box that is not Inside may be an old one, of a larger screen.
   template <typename Function>
-  void ForEach(const vtkNBufferRectangle& squares, Function&& function)
+  void ForEach(const vtkNBufferRectangle& rectangle, Function&& function)
   {
-    for (int y = squares.Y0; y < squares.Y1; ++y)
+    const vtkNBufferRectangle squares = rectangle.GetIntersection(this->All);
+    for (int y = squares.Y0; y < squares.Y1 && !squares.IsEmpty(); ++y)
     {
-      double* row = this->Squares.data() + static_cast<std::size_t>(y) * this->Width;
-      std::for_each(row + squares.X0, row + std::max(squares.X0, squares.X1), function);
+      double* row = this->Squares.data() + static_cast<std::size_t>(y) * this->All.X1;
+      std::for_each(row + squares.X0, row + squares.X1, function);
     }
   }
 
@@ -55,7 +57,7 @@ public:
   }
 
 private:
-  int Width;
+  vtkNBufferRectangle All; ///< Of all squares of the screen.
   std::vector<double> Squares;
 };
 }
