@@ -30,7 +30,24 @@ int CountPixels(const Player& stage, const glm::dvec3& color)
   return count;
 }
 
-void CheckExpectation(const Expectation& expectation, const Player& tested)
+/// The indices of the props that are hidden in the first renderer.
+std::set<int> FindHidden(const Player& tested)
+{
+  std::set<int> hidden;
+  for (int i = 0; i < static_cast<int>(tested.Props.size()) && tested.GetCuller(); ++i)
+  {
+    if (tested.GetCuller()->GetVerdict(tested.Props[i], tested.GetRenderer(0)) ==
+      vtkNBufferVerdict::Hidden)
+    {
+      hidden.insert(i);
+    }
+  }
+  return hidden;
+}
+
+/// `before`: the props that the last frame found hidden.
+void CheckExpectation(
+  const Expectation& expectation, const Player& tested, const std::set<int>& before)
 {
   vtkNBufferCuller* culler = tested.GetCuller(expectation.Renderer);
   vtkRenderer* renderer = tested.GetRenderer(expectation.Renderer);
@@ -60,10 +77,16 @@ void CheckExpectation(const Expectation& expectation, const Player& tested)
     hiddenProps += verdict == vtkNBufferVerdict::Hidden;
   }
   EXPECT_GE(hiddenProps, expectation.MinimumHiddenOfProps);
+  for (const int prop : expectation.StayHidden)
+  {
+    EXPECT_TRUE(before.count(prop) == 0 ||
+      culler->GetVerdict(tested.Props.at(prop), renderer) == vtkNBufferVerdict::Hidden)
+      << "prop " << prop;
+  }
 }
 
 void CheckFrame(const NamedScenario& hazard, const Player& reference, const Player& tested,
-  int frame, const std::string& failure)
+  int frame, const std::string& failure, std::set<int>& hidden)
 {
   const std::string name = "frame " + std::to_string(frame);
   SCOPED_TRACE(name);
@@ -83,9 +106,10 @@ void CheckFrame(const NamedScenario& hazard, const Player& reference, const Play
   {
     if (expectation.Frame == frame)
     {
-      CheckExpectation(expectation, tested);
+      CheckExpectation(expectation, tested, hidden);
     }
   }
+  hidden = FindHidden(tested);
 }
 
 const std::vector<NamedScenario>& GetHazards()
@@ -116,9 +140,10 @@ public:
       const char* control = GetControl();
       TestScene::Checker checker(control ? Role::Stock : Role::Culled,
         control && std::strcmp(control, "stock") == 0 ? Role::Stock : Role::Reference);
-      checker.AfterFrame = [&hazard](const Player& reference, const Player& tested, int frame,
-                             const std::string& failure)
-      { CheckFrame(hazard, reference, tested, frame, failure); };
+      std::set<int> hidden;
+      checker.AfterFrame =
+        [&](const Player& reference, const Player& tested, int frame, const std::string& failure)
+      { CheckFrame(hazard, reference, tested, frame, failure, hidden); };
       TestScene::Tally tally;
       checker.Run(hazard.Scenario, true, &tally);
       EXPECT_EQ(tally.Frames, hazard.Scenario.Frames);

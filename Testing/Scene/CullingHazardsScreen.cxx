@@ -328,6 +328,7 @@ NamedScenario AMovingOccluderUncoversWhatItHid()
   for (const auto& [place, minimumHidden] : steps)
   {
     scene.Move(0, { place, 0.0, 0.0 });
+    std::vector<int> stillCovered;
     std::vector<int> hidden;
     std::vector<int> uncovered;
     for (int i = 0; i < columns * rows; ++i)
@@ -335,6 +336,10 @@ NamedScenario AMovingOccluderUncoversWhatItHid()
       const double left = 14.0 * (i % columns) + 5.5;
       const bool covered = left > place + 1.25 && left + 9.0 < place + width - 1.25;
       framesCovered[i] = covered ? framesCovered[i] + 1 : 0;
+      if (framesCovered[i] > 1)
+      {
+        stillCovered.push_back(i + 1);
+      }
       if (framesCovered[i] > 2)
       {
         hidden.push_back(i + 1);
@@ -345,6 +350,8 @@ NamedScenario AMovingOccluderUncoversWhatItHid()
       }
     }
     scene.ExpectVerdict(uncovered, Verdict::Visible);
+    // What was visible in the last frame is drawn before the test.
+    scene.ExpectStayHidden(stillCovered);
     scene.ExpectVerdict(hidden, Verdict::Hidden);
     scene.ExpectHidden(minimumHidden);
     scene.NextFrame();

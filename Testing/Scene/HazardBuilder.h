@@ -45,6 +45,7 @@ public:
   {
     this->ExpectNone(props, { vtkNBufferVerdict::Hidden });
   }
+  void ExpectStayHidden(const std::vector<int>& props) { this->Expect().StayHidden = props; }
   void ExpectDecision(vtkNBufferDecision decision, int renderer = 0);
   /// The image shows at least so many pixels of exactly this colour.
   void ExpectPixels(const glm::dvec3& color, int minimum);

@@ -39,6 +39,8 @@ struct Expectation
   std::vector<vtkNBufferVerdict> Allowed;
   /// So many of `Props` are hidden at least.
   int MinimumHiddenOfProps = 0;
+  /// The indices of props of which those that the last frame found hidden are hidden again.
+  std::vector<int> StayHidden;
   /// The image shows at least so many pixels of exactly this colour.
   glm::dvec3 Color = { 0.0, 0.0, 0.0 };
   int MinimumPixels = 0;
