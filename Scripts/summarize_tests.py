@@ -21,6 +21,8 @@ What is expected follows from the lists. A case fails
   and prints "SKIPPED: reason", or test-build.json has the reason. With --partial (a choice of tests:
   ctest -R, -L) this is not checked.
 
+The end of what a failed test printed is repeated, since logs of continuous integration may be cut.
+
 The exit status is 0 only if ctest's was, no case failed and one passed.
 """
 
@@ -35,6 +37,8 @@ import xml.etree.ElementTree
 PASSED, FAILED, SKIPPED = "passed", "failed", "skipped"
 # Drawn anew each time ctest is started, for a list too.
 SEED = re.compile(r"\.seed_\d+")
+#: Lines of a failed test that are repeated.
+LAST_LINES = 30
 
 
 class Build:
@@ -58,8 +62,13 @@ class Build:
             self.listed[self.split(test["name"])] = command[0] if google else ""
         #: (case, window) -> (outcome, reason)
         self.ran = {}
+        #: A failed test's name, with window and seed -> the end of what it printed
+        self.printed = {}
         for case in results.iter("testcase") if results is not None else ():
-            self.ran[self.split(case.get("name"))] = classify(case)
+            outcome = self.ran[self.split(case.get("name"))] = classify(case)
+            if outcome[0] == FAILED:
+                text = case.findtext("system-out") or ""
+                self.printed[case.get("name")] = text.splitlines()[-LAST_LINES:]
 
     def read(self, path, parse):
         try:
@@ -159,6 +168,9 @@ def main():
         errors.append("no test passed")
     if arguments.status != 0 and not count[FAILED]:
         errors.append(f"ctest ended with status {arguments.status}")
+    for build in builds:
+        for name, text in sorted(build.printed.items()):
+            print("\n".join(["", f"end of what {name} printed (VTK {build.vtk}):", *text]))
     print()
     print("\n".join([*lines, *(f"error: {error}" for error in errors)]))
     runs = sum(outcome != SKIPPED for build in builds for outcome, _ in build.ran.values())

@@ -113,6 +113,14 @@ class SummarizeTests(unittest.TestCase):
                   (OLD, ["fuzz.fresh.seed_34"], {"fuzz.fresh.seed_76": ""}),
                   last="1 passed, 0 failed, 0 skipped")
 
+    def test_end_of_what_a_failed_test_printed(self):
+        text = "\n".join(["begin", *("frame" for _ in range(summarize_tests.LAST_LINES)), "bytes differ"])
+        failed = f"<failure/><system-out>{text}</system-out>"
+        build = (NEW, ["fuzz.fresh.seed_12", "unit.C.D"], {"fuzz.fresh.seed_98": failed, "unit.C.D": ""})
+        for words in "end of what fuzz.fresh.seed_98 printed (VTK 9.7.0):", "bytes differ":
+            self.bad(build, last="1 passed, 1 failed, 0 skipped", words=words)
+        self.assertNotIn("begin", self.run_on(build)[1])
+
     def test_nothing_ran(self):
         self.bad((NEW, [], {}), last="0 passed, 0 failed, 0 skipped", words="no test passed")
 
