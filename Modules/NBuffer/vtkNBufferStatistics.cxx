@@ -56,6 +56,7 @@ std::string vtkNBufferStatistics::GetAsJSON() const
   json["lookups"] = static_cast<Json::Int64>(this->Lookups);
   json["read_backs"] = this->ReadBacks;
   json["bytes_read"] = static_cast<Json::Int64>(this->BytesRead);
+  json["hidden_by_triangles"] = this->HiddenByTriangles;
   json["slivers"] = this->Slivers;
   json["nodes"] = static_cast<Json::Int64>(this->Nodes);
   json["refits"] = this->Refits;

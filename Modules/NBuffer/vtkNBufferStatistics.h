@@ -117,6 +117,10 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   /// The candidates drawn before the first test ([0]) and after each test ([1], [2], ...).
   std::array<int, MaximumNumberOfRounds + 1> DrawnInRound = {};
 
+  /// The candidates that were found hidden by their triangles alone (vtkNBufferPixelTest), in all
+  /// rounds. Their boxes are not hidden.
+  int HiddenByTriangles = 0;
+
   ///@{
   /// The work on N-buffers in all rounds: levels built and their texels, rectangles that were
   /// compared with them, texels read for that, and read-backs from OpenGL with their bytes.

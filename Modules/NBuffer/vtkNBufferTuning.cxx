@@ -13,8 +13,8 @@ bool vtkNBufferTuning::operator==(const vtkNBufferTuning& other) const
   const auto tie = [](const vtkNBufferTuning& t)
   {
     return std::tie(t.BaseFactor, t.MinimumNumberOfCandidates, t.MaximumNumberOfRounds, t.RoundSize,
-      t.HierarchySize, t.ObserveAfter, t.MaximumNumberOfPieces, t.TestPixels, t.AllowFloatTextures,
-      t.ReuseWhenStill, t.BackOff, t.TakeOverFrustumCulling);
+      t.HierarchySize, t.ObserveAfter, t.MaximumNumberOfPieces, t.TestPixels, t.TestTriangles,
+      t.AllowFloatTextures, t.ReuseWhenStill, t.BackOff, t.TakeOverFrustumCulling);
   };
   return tie(*this) == tie(other);
 }
@@ -64,6 +64,7 @@ void vtkNBufferTuning::PrintSelf(ostream& os, vtkIndent indent) const
   os << indent << "ObserveAfter: " << this->ObserveAfter << "\n";
   os << indent << "MaximumNumberOfPieces: " << this->MaximumNumberOfPieces << "\n";
   os << indent << "TestPixels: " << this->TestPixels << "\n";
+  os << indent << "TestTriangles: " << this->TestTriangles << "\n";
   os << indent << "AllowFloatTextures: " << this->AllowFloatTextures << "\n";
   os << indent << "ReuseWhenStill: " << this->ReuseWhenStill << "\n";
   os << indent << "BackOff: " << this->BackOff << "\n";

@@ -61,6 +61,10 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   /// with multisampling there is no such image.
   bool TestPixels = true;
 
+  /// Where the pixels do not hide the box of a prop either, its triangles are compared with them
+  /// one by one, if they are few (vtkNBufferMeshes::FindSmall). Needs TestPixels.
+  bool TestTriangles = true;
+
   /// The device may draw into float textures, which the OpenGL back-end and multisampling need.
   /// false makes the culler behave as on a device that cannot.
   bool AllowFloatTextures = true;

@@ -28,7 +28,8 @@ NO_DEPTH_SLACK = [
     ("vtkNBufferBoxError.cxx",
      "format.Slack = 2.0 * quantum + DepthErrors * vtkNBufferBoxError::UnitRoundoff;",
      "format.Slack = 0.0 * quantum;"),
-    ("vtkNBufferBoxError.cxx", "InverseOfHeight = 16.0;", "InverseOfHeight = 0.0;")]
+    ("vtkNBufferBoxError.cxx", "(OvershootInPixels + this->PlaneRounding) / LowestHeight;",
+     "0.0 / LowestHeight;")]
 
 NEAR_PLANE_TEST = (
     "if (!(w > this->Error.w && clip.z + clip.w > this->Error.z + this->Error.w))")
@@ -50,6 +51,17 @@ MUTANTS = {
          "this->High = glm::max(this->High, low);")],
     "held-back props below visible nodes of the hierarchy count as hidden": [
         (CANDIDATE_TREE, "!test.IsHidden(node.Box, screen))", "false)")],
+
+    # Triangles.
+    "only one triangle of a mesh looked at": [
+        ("vtkNBufferPixelTest.cxx", "for (std::size_t n = 0; n < size; ++n)",
+         "for (std::size_t n = 0; n < std::min<std::size_t>(size, 1); ++n)")],
+    "outlines of triangles one pixel short": [
+        ("vtkNBufferPixelTest.cxx", "glm::dvec2(side.y, -side.x), corners, slack);",
+         "glm::dvec2(side.y, -side.x), corners, slack - 1.0);")],
+    "triangles of former data": [
+        ("vtkNBufferCandidateList.cxx", "this->Meshes.Forget(this->GetProp(static_cast<int>(i)));",
+         "(void)0;")],
 
     # Rectangles and lookups.
     "rectangle one pixel short at the right and top": [

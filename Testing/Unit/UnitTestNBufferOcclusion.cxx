@@ -6,6 +6,7 @@
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferOcclusionTest.h"
 #include "vtkNBufferPixelTest.h"
+#include "vtkNBufferSurface.h"
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -97,10 +99,70 @@ void MakeScene(ViewSampler& sampler, double offset, int factor, Convention conve
   scene.Build(factor, 1);
 }
 
-/// No point of a hidden box may pass LEQUAL in the pixel that it falls on.
-void CheckHidden(ViewSampler& sampler, Scene& scene, const ProjectedBox& box)
+/// Random triangles between float points in bounds, and their box.
+struct SampledMesh
 {
-  for (const auto& point : sampler.MakePoints(box.Bounds, 150))
+  SampledMesh(ViewSampler& sampler, const Scene& scene, const std::array<double, 6>& bounds)
+  {
+    const unsigned int triangles = static_cast<unsigned int>(sampler.Integer(1, 4));
+    for (unsigned int t = 0; t < triangles; ++t)
+    {
+      this->Mesh.Triangles.push_back({ 3 * t, 3 * t + 1, 3 * t + 2 });
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        glm::dvec3 point;
+        for (int i = 0; i < 3; ++i)
+        {
+          point[i] = static_cast<float>(sampler.Uniform(bounds[2 * i], bounds[2 * i + 1]));
+        }
+        this->Mesh.Points.push_back(point);
+      }
+    }
+    std::array<double, 6> own;
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto range = std::minmax_element(this->Mesh.Points.begin(), this->Mesh.Points.end(),
+        [i](const glm::dvec3& a, const glm::dvec3& b) { return a[i] < b[i]; });
+      own[2 * i] = (*range.first)[i];
+      own[2 * i + 1] = (*range.second)[i];
+    }
+    this->Box.emplace(scene.Projection, own);
+  }
+
+  /// The corners of all triangles, and `count` points of each, on edges and inside.
+  std::vector<glm::dvec3> MakePoints(ViewSampler& sampler, int count) const
+  {
+    std::vector<glm::dvec3> points = this->Mesh.Points;
+    for (const auto& triangle : this->Mesh.Triangles)
+    {
+      for (int n = 0; n < count; ++n)
+      {
+        glm::dvec3 weights(sampler.Uniform(0.0, 1.0), sampler.Uniform(0.0, 1.0),
+          n % 3 == 0 ? 0.0 : sampler.Uniform(0.0, 1.0));
+        weights /= weights.x + weights.y + weights.z;
+        points.push_back(weights.x * this->Mesh.Points[triangle[0]] +
+          weights.y * this->Mesh.Points[triangle[1]] + weights.z * this->Mesh.Points[triangle[2]]);
+      }
+    }
+    return points;
+  }
+
+  bool MayBeSeen(const Scene& scene, double sampleDistance = 0.5)
+  {
+    const double identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+    vtkNBufferPixelTest test(scene.Projection, scene.Levels, scene.Depth.data(), sampleDistance);
+    return test.MayBeSeen(this->Mesh, identity, this->Box->Screen, this->First);
+  }
+
+  vtkNBufferMesh Mesh;
+  std::optional<ProjectedBox> Box;
+  std::size_t First = 0;
+};
+
+/// No such point may pass LEQUAL in the pixel that it falls on.
+void CheckHidden(Scene& scene, const std::vector<glm::dvec3>& points)
+{
+  for (const auto& point : points)
   {
     for (int permutation = -1; permutation < 4; ++permutation)
     {
@@ -189,7 +251,7 @@ TEST_P(NBufferOcclusion, HiddenBoxesAreHidden)
         if (verdicts[i])
         {
           SCOPED_TRACE(i == 0 ? "one piece" : i == 1 ? "eight pieces" : "pixels");
-          ASSERT_NO_FATAL_FAILURE(CheckHidden(sampler, scene, box));
+          ASSERT_NO_FATAL_FAILURE(CheckHidden(scene, sampler.MakePoints(box.Bounds, 150)));
         }
       }
       ASSERT_EQ(one.GetQueries(), 1);
@@ -336,6 +398,96 @@ TEST_P(NBufferOcclusionOfDepths, OnlyMiddlesCountWithoutMultisampling)
   EXPECT_GT(keptForTouchingTexels, 0) << "the rectangles of whole pixels keep more";
 }
 
+// Hazard: a triangle, a corner of one or a pixel is forgotten, or one that is nearer than its
+// plane.
+TEST_P(NBufferOcclusionOfDepths, HiddenTrianglesAreHidden)
+{
+  int hidden = 0;
+  int hiddenByBox = 0;
+  int tested = 0;
+  ForEachBox(37, 4000, this->GetParam(),
+    [&](ViewSampler& sampler, Scene& scene, const ProjectedBox& box)
+    {
+      SampledMesh mesh(sampler, scene, box.Bounds);
+      if (!mesh.Box->IsInside())
+      {
+        return;
+      }
+      ++tested;
+      const bool boxIsHidden = scene.IsHiddenByPixels(*mesh.Box);
+      const bool isHidden = !mesh.MayBeSeen(scene);
+      EXPECT_EQ(!mesh.MayBeSeen(scene), isHidden) << "another one to begin with";
+      EXPECT_LT(mesh.First, mesh.Mesh.Triangles.size());
+      hidden += isHidden || boxIsHidden;
+      hiddenByBox += boxIsHidden;
+      if (isHidden)
+      {
+        ASSERT_NO_FATAL_FAILURE(CheckHidden(scene, mesh.MakePoints(sampler, 60)));
+      }
+    });
+  EXPECT_GT(tested, 500);
+  EXPECT_GT(hiddenByBox, tested / 20);
+  EXPECT_GT(hidden, hiddenByBox + hiddenByBox / 20) << "triangles are meant to be sharper";
+}
+
+// Hazard: a triangle that is seen through one open pixel, or in its middle, does not keep its mesh.
+TEST_P(NBufferOcclusionOfDepths, OneOpenPixelKeepsTheMesh)
+{
+  int opened = 0;
+  int besideMiddles = 0;
+  ForEachBox(38, 1000, this->GetParam(),
+    [&](ViewSampler& sampler, Scene& scene, const ProjectedBox& box)
+    {
+      SampledMesh mesh(sampler, scene, box.Bounds);
+      if (!mesh.Box->IsInside())
+      {
+        return;
+      }
+      for (const auto& point : mesh.MakePoints(sampler, 20))
+      {
+        if (const auto drawn = ProjectExactly(scene.Eye, point, scene.Depths))
+        {
+          scene.Fill(scene.Eye.ToOrder(0.001, scene.Depths));
+          scene.GetPixel(*drawn) = std::nextafter(static_cast<float>(drawn->z), 2.0f);
+          scene.Build(4);
+          const glm::dvec2 off = glm::abs(glm::fract(glm::dvec2(*drawn)) - 0.5);
+          const bool isMiddle = std::max(off.x, off.y) < 1.0 / 16.0;
+          EXPECT_TRUE(mesh.MayBeSeen(scene));
+          const bool isSeen = mesh.MayBeSeen(scene, 0.0);
+          EXPECT_TRUE(isSeen || !isMiddle);
+          opened += isMiddle;
+          besideMiddles += !isSeen;
+        }
+      }
+    });
+  EXPECT_GT(opened, 50);
+  EXPECT_GT(besideMiddles, 50) << "whole pixels keep more";
+}
+
+// Hazard: a triangle with a corner behind the eye or of NaN, of which nothing is known.
+TEST(NBufferTriangles, UnknownPlacesMayBeSeen)
+{
+  ViewSampler sampler(39);
+  Scene scene;
+  do
+  {
+    MakeScene(sampler, 0.0, 4, Convention::Forward, scene);
+  } while (scene.Eye.Parallel);
+  const glm::dvec3 before = scene.Eye.Position + 2.0 * scene.Eye.Near * scene.Eye.Direction;
+  SampledMesh mesh(sampler, scene, { before.x, before.x, before.y, before.y, before.z, before.z });
+  scene.Fill(-1.0);
+  EXPECT_FALSE(mesh.MayBeSeen(scene)) << "before everything that may be drawn";
+  const std::size_t last = mesh.Mesh.Points.size() - 1;
+  mesh.Mesh.Points[last] = scene.Eye.Position - 2.0 * scene.Eye.Near * scene.Eye.Direction;
+  EXPECT_TRUE(mesh.MayBeSeen(scene));
+  EXPECT_EQ(mesh.First, mesh.Mesh.Triangles.size() - 1);
+  for (const double value : { std::nan(""), HUGE_VAL })
+  {
+    mesh.Mesh.Points[last] = { before.x, value, before.z };
+    EXPECT_TRUE(mesh.MayBeSeen(scene)) << value;
+  }
+}
+
 // Hazard: the corners of boxes without thickness differ by rounding only, and so does the direction
 // of an outline's edge from one to the next.
 TEST_P(NBufferOcclusionOfDepths, NeedlesAndSheetsHaveAnOutline)
@@ -363,7 +515,7 @@ TEST_P(NBufferOcclusionOfDepths, NeedlesAndSheetsHaveAnOutline)
       SCOPED_TRACE(GetText(scene.Eye, bounds));
       if (box.IsInside() && scene.IsHiddenByPixels(box))
       {
-        ASSERT_NO_FATAL_FAILURE(CheckHidden(sampler, scene, box));
+        ASSERT_NO_FATAL_FAILURE(CheckHidden(scene, sampler.MakePoints(box.Bounds, 150)));
       }
     }
   }

@@ -27,6 +27,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace
 {
 class Subclass : public vtkOpenGLPolyDataMapper
@@ -181,6 +184,55 @@ TEST_F(NBufferSurface, PolygonsAndStripsBecomeTriangles)
   EXPECT_EQ(mesh.Points.size(), 4u);
   EXPECT_EQ(mesh.Points[3], glm::dvec3(1.0, 1.0, 0.0));
   EXPECT_EQ(mesh.Triangles.size(), 4u);
+}
+
+// Hazard: triangles of a prop are those of its former data, or take more time than they save.
+TEST_F(NBufferSurface, SmallMeshesAreCopiedAFewInAFrame)
+{
+  vtkNBufferMeshes meshes;
+  vtkNew<vtkSphereSource> source;
+  this->Mapper->SetInputConnection(source->GetOutputPort());
+  this->Mapper->Update();
+  EXPECT_EQ(meshes.FindSmall(this->Actor, true), nullptr) << "no frame has begun";
+  meshes.BeginFrame();
+  EXPECT_EQ(meshes.FindSmall(this->Actor, false), nullptr);
+  vtkNBufferMeshes::Small* small = meshes.FindSmall(this->Actor, true);
+  ASSERT_TRUE(small);
+  EXPECT_EQ(small->Mesh->Triangles.size(), 96u);
+  small->First = 5;
+  small = meshes.FindSmall(this->Actor, false);
+  ASSERT_TRUE(small);
+  EXPECT_EQ(small->First, 5u);
+
+  source->SetThetaResolution(20);
+  this->Mapper->Update();
+  meshes.Forget(this->Actor);
+  EXPECT_EQ(meshes.FindSmall(this->Actor, false), nullptr);
+  small = meshes.FindSmall(this->Actor, true);
+  ASSERT_TRUE(small);
+  EXPECT_EQ(small->Mesh->Triangles.size(), 240u);
+  source->SetThetaResolution(40);
+  this->Mapper->Update();
+  meshes.Forget(this->Actor);
+  EXPECT_EQ(meshes.FindSmall(this->Actor, true), nullptr) << "too many triangles";
+
+  std::vector<vtkSmartPointer<vtkActor>> actors;
+  const auto countCopies = [&]
+  {
+    meshes.BeginFrame();
+    return std::count_if(
+      actors.begin(), actors.end(), [&](vtkActor* actor) { return meshes.FindSmall(actor, true); });
+  };
+  for (int i = 0; i < 20; ++i)
+  {
+    vtkNew<vtkOpenGLPolyDataMapper> mapper;
+    mapper->SetInputData(RunSphereSource());
+    actors.push_back(vtkSmartPointer<vtkActor>::New());
+    actors.back()->SetMapper(mapper);
+  }
+  EXPECT_EQ(countCopies(), 8);
+  EXPECT_EQ(countCopies(), 16);
+  EXPECT_EQ(countCopies(), 20);
 }
 
 TEST_F(NBufferSurface, PlanesKeepTheSideOfTheirNormal)

@@ -109,8 +109,8 @@ const Fields<Culling> CullingFields = {
     { "redrawn", &Culling::Redrawn }, { "refreshed", &Culling::Refreshed },
     { "rounds", &Culling::Rounds }, { "levels", &Culling::Levels },
     { "read_backs", &Culling::ReadBacks }, { "failed_frames", &Culling::FailedFrames },
-    { "slivers", &Culling::Slivers }, { "refits", &Culling::Refits },
-    { "builds", &Culling::Builds } },
+    { "hidden_by_triangles", &Culling::HiddenByTriangles }, { "slivers", &Culling::Slivers },
+    { "refits", &Culling::Refits }, { "builds", &Culling::Builds } },
   { { "texels", &Culling::Texels }, { "queries", &Culling::Queries },
     { "lookups", &Culling::Lookups }, { "bytes_read", &Culling::BytesRead },
     { "nodes", &Culling::Nodes } },
@@ -195,7 +195,7 @@ TEST(NBufferStatistics, JSONHoldsEveryField)
   {
     EXPECT_EQ(json["drawn_in_round"][i].asInt(), 10 + i);
   }
-  EXPECT_EQ(json.size(), 24u) << "a new field wants its line here";
+  EXPECT_EQ(json.size(), 25u) << "a new field wants its line here";
 }
 
 TEST(ShadowStatistics, EveryEnumeratorHasItsOwnName)

@@ -3,6 +3,7 @@
 #include "vtkNBufferMeshes.h"
 
 #include "vtkActor.h"
+#include "vtkMapper.h"
 #include "vtkPolyData.h"
 
 #include <iterator>
@@ -15,15 +16,21 @@ constexpr int FramesToKeep = 256;
 
 void vtkNBufferMeshes::BeginFrame()
 {
+  this->CopiesLeft = CopiesPerFrame;
   if (++this->Frame % FramesToKeep != 0)
   {
     return;
   }
-  for (auto entry = this->Entries.begin(); entry != this->Entries.end();)
+  const auto release = [this](auto& entries)
   {
-    entry = this->Frame - entry->second.Frame > FramesToKeep ? this->Entries.erase(entry)
-                                                             : std::next(entry);
-  }
+    for (auto entry = entries.begin(); entry != entries.end();)
+    {
+      entry =
+        this->Frame - entry->second.Frame > FramesToKeep ? entries.erase(entry) : std::next(entry);
+    }
+  };
+  release(this->SmallMeshes);
+  release(this->Entries);
 }
 
 std::vector<vtkNBufferMeshes::Placed> vtkNBufferMeshes::Get(vtkActor* actor)
@@ -36,17 +43,45 @@ std::vector<vtkNBufferMeshes::Placed> vtkNBufferMeshes::Get(vtkActor* actor)
   }
   for (const vtkNBufferSurface::Part& part : parts)
   {
-    // A polydata made at the address of a deleted one has a newer time.
-    const vtkMTimeType time = part.Mesh->GetMTime();
-    Entry& entry = this->Entries[part.Mesh];
-    if (entry.Time != time)
-    {
-      entry.Time = time;
-      entry.Mesh = vtkNBufferSurface::GetMesh(part.Mesh);
-    }
-    entry.Frame = this->Frame;
-    result.push_back({ &entry.Mesh, part.ToWorld });
+    result.push_back({ this->Update(part.Mesh).Mesh.get(), part.ToWorld });
   }
   return result;
+}
+
+vtkNBufferMeshes::Small* vtkNBufferMeshes::FindSmall(vtkActor* actor, bool copy)
+{
+  auto found = this->SmallMeshes.find(actor);
+  if (found == this->SmallMeshes.end())
+  {
+    if (!copy || this->CopiesLeft == 0)
+    {
+      return nullptr;
+    }
+    found = this->SmallMeshes.emplace(actor, Small()).first;
+    vtkMapper* mapper = actor->GetMapper();
+    auto* data = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
+    if (data && data->GetNumberOfPolys() <= MaximumNumberOfPolygons &&
+      data->GetNumberOfStrips() == 0)
+    {
+      --this->CopiesLeft;
+      found->second.Mesh = this->Update(data).Mesh;
+    }
+  }
+  found->second.Frame = this->Frame;
+  return found->second.Mesh ? &found->second : nullptr;
+}
+
+const vtkNBufferMeshes::Entry& vtkNBufferMeshes::Update(vtkPolyData* data)
+{
+  // A polydata made at the address of a deleted one has a newer time.
+  Entry& entry = this->Entries[data];
+  const vtkMTimeType time = data->GetMTime();
+  if (entry.Time != time)
+  {
+    entry.Time = time;
+    entry.Mesh = std::make_shared<vtkNBufferMesh>(vtkNBufferSurface::GetMesh(data));
+  }
+  entry.Frame = this->Frame;
+  return entry;
 }
 VTK_ABI_NAMESPACE_END

@@ -14,12 +14,16 @@
 #include "vtkNBufferSurface.h"
 #include "vtkType.h"
 
+#include <array>
+#include <cstddef>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkPolyData;
+class vtkProp;
 
 class VTKNBUFFER_EXPORT vtkNBufferMeshes
 {
@@ -40,16 +44,42 @@ public:
    */
   std::vector<Placed> Get(vtkActor* actor);
 
+  /// The triangles of one actor, and the one that its user begins with.
+  struct Small
+  {
+    std::shared_ptr<const vtkNBufferMesh> Mesh; ///< Null for an actor that has too many.
+    std::size_t First = 0;
+    int Frame = 0;
+  };
+
+  /**
+   * The triangles of an actor of a polydata of at most MaximumNumberOfPolygons polygons, without
+   * strips. Null for other actors, and where the triangles are not in the cache. With `copy` they
+   * are copied now, for at most CopiesPerFrame actors of a frame, since to triangulate polygons may
+   * take a tenth of a millisecond. Whoever changes the data has to call Forget().
+   */
+  Small* FindSmall(vtkActor* actor, bool copy);
+
+  /// Find the triangles of a prop anew.
+  void Forget(vtkProp* prop) { this->SmallMeshes.erase(prop); }
+
 private:
+  static constexpr vtkIdType MaximumNumberOfPolygons = 256;
+  static constexpr int CopiesPerFrame = 8;
+
   struct Entry
   {
     vtkMTimeType Time = 0;
     int Frame = 0; ///< The last frame that requested the mesh.
-    vtkNBufferMesh Mesh;
+    std::shared_ptr<const vtkNBufferMesh> Mesh;
   };
 
+  const Entry& Update(vtkPolyData* data);
+
   std::unordered_map<vtkPolyData*, Entry> Entries;
+  std::unordered_map<vtkProp*, Small> SmallMeshes;
   int Frame = 0;
+  int CopiesLeft = 0; ///< In this frame, for FindSmall().
 };
 
 VTK_ABI_NAMESPACE_END

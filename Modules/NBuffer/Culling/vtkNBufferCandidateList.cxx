@@ -192,6 +192,7 @@ bool vtkNBufferCandidateList::RefreshOne(std::size_t i, bool globalStateChanged)
   const vtkNBufferVerdict verdict = candidate.GetVerdict();
   const vtkNBufferBox box = candidate.GetBox();
   const bool changed = candidate.Refresh(globalStateChanged);
+  this->Meshes.Forget(this->GetProp(static_cast<int>(i)));
   if (verdict != candidate.GetVerdict() || !(box == candidate.GetBox()))
   {
     this->Tree.HasChanged(static_cast<int>(i));
@@ -312,5 +313,20 @@ vtkNBufferDrawnProp vtkNBufferCandidateList::GetDrawn(int i, int round)
 std::vector<vtkNBufferMeshes::Placed> vtkNBufferCandidateList::GetMeshes(int i)
 {
   return this->Meshes.Get(vtkActor::SafeDownCast(this->GetProp(i)));
+}
+
+bool vtkNBufferCandidateList::MayBeSeen(int i, vtkNBufferPixelTest& test)
+{
+  // What is drawn of lines and points sticks out of the triangles.
+  const vtkNBufferState& state = this->States[i];
+  if (state.Placement != vtkNBufferPlacement::Inside || this->GetBox(i).Margin > 0.0)
+  {
+    return true;
+  }
+  vtkActor* actor = vtkActor::SafeDownCast(this->GetProp(i));
+  vtkNBufferMeshes::Small* small =
+    actor ? this->Meshes.FindSmall(actor, state.WasVisible) : nullptr;
+  return !small ||
+    test.MayBeSeen(*small->Mesh, actor->GetMatrix()->GetData(), this->GetScreen(i), small->First);
 }
 VTK_ABI_NAMESPACE_END

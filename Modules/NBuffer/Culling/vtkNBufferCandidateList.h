@@ -15,6 +15,7 @@
 #include "vtkNBufferMeshes.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferObservedObjects.h"
+#include "vtkNBufferPixelTest.h"
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferPropList.h"
 #include "vtkNBufferTieOrder.h"
@@ -77,6 +78,11 @@ public:
 
   /// The triangles of prop i, see vtkNBufferMeshes.
   std::vector<vtkNBufferMeshes::Placed> GetMeshes(int i);
+
+  /// Whether a candidate that is Inside may be seen by its triangles, of which only those of small
+  /// meshes are looked at (vtkNBufferMeshes::FindSmall). They are copied, a few in each frame, for
+  /// props that the last frame's test found visible, too.
+  bool MayBeSeen(int i, vtkNBufferPixelTest& test);
 
   int GetSize() const { return static_cast<int>(this->Candidates.GetSize()); }
   vtkProp* GetProp(int i) const { return this->Candidates.GetProp(i); }

@@ -149,6 +149,14 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
     places.erase(
       std::remove_if(places.begin(), places.end(), [&](int i) { return isHiddenBy(i, pixelTest); }),
       places.end());
+    if (this->Tuning.TestTriangles)
+    {
+      const std::size_t seen = places.size();
+      places.erase(std::remove_if(places.begin(), places.end(),
+                     [&](int i) { return !this->Props.MayBeSeen(i, pixelTest); }),
+        places.end());
+      this->Statistics.HiddenByTriangles += static_cast<int>(seen - places.size());
+    }
     this->Statistics.Lookups += pixelTest.GetLookups();
     this->Statistics.PixelTestTime += clock.GetMilliseconds();
   }

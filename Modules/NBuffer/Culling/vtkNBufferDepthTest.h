@@ -6,7 +6,7 @@
  *
  * A candidate is compared with the levels first (vtkNBufferOcclusionTest). Those that the levels do
  * not find hidden are compared with the pixels (vtkNBufferPixelTest) where the depth image is in
- * host memory or worth reading. Candidates that were found hidden may have slivers that a device
+ * host memory or worth reading: first their boxes, then the triangles of small meshes. Candidates that were found hidden may have slivers that a device
  * draws before their box; these candidates are kept (vtkNBufferSliverTest).
  */
 #ifndef vtkNBufferDepthTest_h

@@ -12,10 +12,9 @@ constexpr double DepthErrors = 4.0;
 constexpr double PlaneErrors = 8.0;
 constexpr double PositionErrors = 16.0;
 constexpr double OvershootInPixels = 1.0 / 362; // half the diagonal of a step of 2^-8
-constexpr double InverseOfHeight = 16.0;        // of the lowest triangle that is covered
 // Of single triangles, see vtkNBufferSliverTest.h, in units of UnitRoundoff.
 constexpr double SlopeErrors = 32.0;
-constexpr double LowestHeight = 64.0;
+constexpr double LowestRelativeHeight = 64.0;
 }
 
 vtkNBufferDepthFormat vtkNBufferDepthFormat::FromQuantum(double quantum)
@@ -33,7 +32,7 @@ void vtkNBufferBoxError::Set(
   this->WholeBorder =
     std::min(LargestSnap, std::ldexp(1.0, -subpixelBits) + this->PositionRounding);
   this->PlaneRounding = PlaneErrors * UnitRoundoff * largestCoordinate;
-  this->DepthRangeSlack = InverseOfHeight * (OvershootInPixels + this->PlaneRounding);
+  this->DepthRangeSlack = (OvershootInPixels + this->PlaneRounding) / LowestHeight;
 }
 
 vtkNBufferBoxError::TriangleErrors vtkNBufferBoxError::GetTriangleErrors(
@@ -48,7 +47,7 @@ vtkNBufferBoxError::TriangleErrors vtkNBufferBoxError::GetTriangleErrors(
   errors.SlopeRoundingPerLength = SlopeErrors * UnitRoundoff;
   errors.BoxSlack = this->GetInterpolationSlack(range);
   errors.CoveredSlope = errors.BoxSlack / (errors.DepthErrorPerSlope + errors.SlopeRounding);
-  errors.LowestRelativeHeight = LowestHeight * UnitRoundoff;
+  errors.LowestRelativeHeight = LowestRelativeHeight * UnitRoundoff;
   return errors;
 }
 VTK_ABI_NAMESPACE_END

@@ -109,6 +109,7 @@ class VTKNBUFFER_EXPORT vtkNBufferBoxError
 {
 public:
   static constexpr double UnitRoundoff = 1.0 / (1 << 24);
+  static constexpr double LowestHeight = 1.0 / 16; ///< t of the derivation above, in pixels.
 
   /// `largestCoordinate` is n of the derivation above, in pixels, and `subpixelBits` is b.
   void Set(const vtkNBufferDepthFormat& format, int largestCoordinate, int subpixelBits);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferPixelTest.h"
 
+#include "vtkNBufferSurface.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -59,6 +61,27 @@ vtkNBufferPixelTest::vtkNBufferPixelTest(const vtkNBufferProjection& projection,
 {
 }
 
+glm::dvec2 vtkNBufferPixelTest::GetSlack(const vtkNBufferScreenBox& screen) const
+{
+  return { 0.5 * this->Projection.GetWidth() * screen.Slack.x,
+    0.5 * this->Projection.GetHeight() * screen.Slack.y };
+}
+
+template <typename Points>
+void vtkNBufferPixelTest::AddEdge(
+  const glm::dvec2& normal, const Points& points, const glm::dvec2& slack)
+{
+  // Beyond the farthest corner, not through one end: where corners differ by rounding only (boxes
+  // without thickness) an edge may point anywhere, and this holds for every direction.
+  double reach = -std::numeric_limits<double>::infinity();
+  for (const auto& point : points)
+  {
+    reach = std::max(reach, glm::dot(normal, glm::dvec2(point)));
+  }
+  this->Edges[this->NumberOfEdges++] = { normal,
+    -reach - std::abs(normal.x) * slack.x - std::abs(normal.y) * slack.y };
+}
+
 void vtkNBufferPixelTest::SetOutline(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)
 {
   this->NumberOfEdges = 0;
@@ -83,24 +106,47 @@ void vtkNBufferPixelTest::SetEdges(const vtkNBufferBox& box, const vtkNBufferScr
   std::array<glm::dvec2, 8> points = this->Projection.GetCorners(box);
   std::array<glm::dvec2, 16> hull;
   const int count = GetHull(points, hull);
-  const glm::dvec2 slack = { 0.5 * this->Projection.GetWidth() * screen.Slack.x,
-    0.5 * this->Projection.GetHeight() * screen.Slack.y };
-  this->NumberOfEdges = 0;
+  const glm::dvec2 slack = this->GetSlack(screen);
   for (int i = 0; i < count && count <= 8; ++i)
   {
     const glm::dvec2& from = hull[i];
     const glm::dvec2& to = hull[(i + 1) % count];
     // The outward normal of an edge that has the hull on its left.
-    Edge& edge = this->Edges[this->NumberOfEdges++];
-    edge.Normal = { to.y - from.y, from.x - to.x };
-    // Beyond the farthest corner, not through `from`: where corners differ by rounding only (boxes
-    // without thickness) an edge may point anywhere, and this holds for every direction.
-    double reach = -std::numeric_limits<double>::infinity();
-    for (const glm::dvec2& point : points)
-    {
-      reach = std::max(reach, glm::dot(edge.Normal, point));
-    }
-    edge.Offset = -reach - std::abs(edge.Normal.x) * slack.x - std::abs(edge.Normal.y) * slack.y;
+    this->AddEdge({ to.y - from.y, from.x - to.x }, points, slack);
+  }
+}
+
+void vtkNBufferPixelTest::SetOutline(
+  const Corners& corners, const Errors& errors, const glm::dvec2& slack)
+{
+  const auto& [a, b, c] = corners;
+  const double area = Cross(a, b, c);
+  double length = 0.0;
+  this->NumberOfEdges = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::dvec2 side = corners[(i + 1) % 3] - corners[i];
+    length = std::max(length, glm::length(side));
+    this->AddEdge(
+      area < 0.0 ? glm::dvec2(-side.y, side.x) : glm::dvec2(side.y, -side.x), corners, slack);
+  }
+
+  const double nearest = std::min({ a.z, b.z, c.z });
+  const double range = std::max({ a.z, b.z, c.z }) - nearest;
+  const double height = length > 0.0 ? std::abs(area) / length - 3.0 * errors.PositionError : 0.0;
+  this->Nearest = nearest - errors.DepthError - errors.BoxSlack;
+  this->NumberOfPlanes = 0;
+  if (height >= vtkNBufferBoxError::LowestHeight)
+  {
+    const double error =
+      errors.DepthError + (errors.DepthErrorPerSlope + errors.SlopeRounding) * range / height;
+    const glm::dvec3 p = b - a;
+    const glm::dvec3 q = c - a;
+    const glm::dvec2 slope = { (p.z * q.y - q.z * p.y) / area, (q.z * p.x - p.z * q.x) / area };
+    const double depth = a.z - glm::dot(slope, glm::dvec2(a));
+    this->Nearest = std::max(this->Nearest, nearest - error);
+    this->Planes[this->NumberOfPlanes++] = { depth - glm::dot(glm::abs(slope), slack) - error,
+      slope.x, slope.y };
   }
 }
 
@@ -177,6 +223,11 @@ bool vtkNBufferPixelTest::IsHidden(const vtkNBufferBox& box, const vtkNBufferScr
     return true;
   }
   this->SetOutline(box, screen);
+  return this->IsHidden(pixels);
+}
+
+bool vtkNBufferPixelTest::IsHidden(const vtkNBufferRectangle& pixels)
+{
   for (int y = (pixels.Y1 - 1) / Side * Side; y > pixels.Y0 - Side; y -= Side)
   {
     for (int x = pixels.X0 / Side * Side; x < pixels.X1; x += Side)
@@ -188,5 +239,55 @@ bool vtkNBufferPixelTest::IsHidden(const vtkNBufferBox& box, const vtkNBufferScr
     }
   }
   return true;
+}
+
+bool vtkNBufferPixelTest::MayBeSeen(const vtkNBufferMesh& mesh, const double toWorld[16],
+  const vtkNBufferScreenBox& screen, std::size_t& first)
+{
+  const Errors errors = this->Projection.GetTriangleErrors(screen);
+  const glm::dvec2 slack = this->GetSlack(screen);
+  const vtkNBufferRectangle& sampled = screen.GetSampled(this->SampleDistance);
+  const vtkNBufferProjection::Rows rows =
+    this->Projection.GetWindowMatrix(vtkNBufferGLM::ToMatrix(toWorld));
+  const std::size_t size = mesh.Triangles.size();
+  for (std::size_t n = 0; n < size; ++n)
+  {
+    const std::size_t triangle = (first + n) % size;
+    Corners corners;
+    for (int i = 0; i < 3; ++i)
+    {
+      const glm::dvec3& point = mesh.Points[mesh.Triangles[triangle][i]];
+      const auto evaluate = [&](int row) { return vtkNBufferBoxError::Evaluate(rows[row], point); };
+      const double w = evaluate(3);
+      corners[i] = glm::dvec3(evaluate(0), evaluate(1), evaluate(2)) / w;
+      if (!(w > 0.0) || !vtkNBufferGLM::IsFinite(corners[i]))
+      {
+        first = triangle;
+        return true; // A device draws what is left of it before the eye, which is not known here.
+      }
+    }
+    const auto& [a, b, c] = corners;
+    const glm::dvec2 low = glm::dvec2(glm::min(glm::min(a, b), c)) - slack;
+    const glm::dvec2 high = glm::dvec2(glm::max(glm::max(a, b), c)) + slack;
+    // Beyond these bounds the rectangle of the box decides.
+    const auto clamp = [&](double value) { return std::clamp(value, -1.0, 1e6); };
+    const double half = 0.5 - this->SampleDistance;
+    const vtkNBufferRectangle pixels =
+      sampled.GetIntersection({ static_cast<int>(std::ceil(clamp(low.x) - 1.0 + half)),
+        static_cast<int>(std::ceil(clamp(low.y) - 1.0 + half)),
+        static_cast<int>(std::floor(clamp(high.x) - half)) + 1,
+        static_cast<int>(std::floor(clamp(high.y) - half)) + 1 });
+    if (pixels.IsEmpty())
+    {
+      continue;
+    }
+    this->SetOutline(corners, errors, slack);
+    if (!this->IsHidden(pixels))
+    {
+      first = triangle;
+      return true;
+    }
+  }
+  return false;
 }
 VTK_ABI_NAMESPACE_END
