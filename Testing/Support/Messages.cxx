@@ -12,6 +12,7 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <iostream>
 #include <utility>
 
 namespace
@@ -22,8 +23,18 @@ public:
   static MessageCollector* New();
   vtkTypeMacro(MessageCollector, vtkOutputWindow);
   void DisplayText(const char* text) override { this->Text += text; }
+  void DisplayErrorText(const char* text) override
+  {
+    this->Report ? this->Report(text) : this->DisplayText(text);
+  }
+  void DisplayWarningText(const char* text) override
+  {
+    this->Report ? void(std::cerr << text) : this->DisplayText(text);
+  }
+  void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }
 
   std::string Text;
+  void (*Report)(const char*) = nullptr;
 };
 vtkStandardNewMacro(MessageCollector);
 
@@ -44,6 +55,11 @@ std::string TakeMessages()
   std::string text;
   std::swap(text, GetCollector()->Text);
   return text;
+}
+
+void ReportErrors(void (*report)(const char* text))
+{
+  GetCollector()->Report = report;
 }
 
 std::string FindWindowFault()

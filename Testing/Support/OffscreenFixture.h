@@ -27,7 +27,6 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <string>
 
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
@@ -49,15 +48,8 @@ public:
   static void WhileDrawing(
     vtkRenderWindow* window, vtkRenderer* renderer, const std::function<void()>& function);
 
-  /// GL_VERSION of the context that is current.
-  static std::string GetGLVersion();
-
-  /// VTK errors and warnings of `function` instead of a failed test: "" if there are none.
-  static std::string CollectMessages(const std::function<void()>& function);
-
 protected:
   void SetUp() override;
-  void TearDown() override;
 };
 
 /// The same for TEST_P.
