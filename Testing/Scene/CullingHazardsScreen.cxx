@@ -253,9 +253,7 @@ NamedScenario ChainLinkFence(int factor)
     {
       const double dx = rising ? height : -height;
       const double z = rising ? 50.0 : 49.5;
-      Prop& wire = scene.Mesh({ { x, 0.0, z }, { x + wide, 0.0, z }, { x + wide + dx, height, z },
-                                { x + dx, height, z } },
-        { { 0, 1, 2, 3 } });
+      Prop& wire = scene.Sheet({ x, 0.0, z }, { wide, 0.0, 0.0 }, { dx, height, 0.0 });
       wire.Lighting = false;
       wire.Color = glm::dvec3(0.5);
     }

@@ -57,10 +57,15 @@ Prop& SceneBuilder::Mesh(
   return prop;
 }
 
+Prop& SceneBuilder::Sheet(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v)
+{
+  return this->Mesh({ corner, corner + u, corner + u + v, corner + v }, { { 0, 1, 2, 3 } });
+}
+
 Prop& SceneBuilder::Floor(double halfSize, double z)
 {
-  const double h = halfSize;
-  return this->Mesh({ { -h, -h, z }, { h, -h, z }, { h, h, z }, { -h, h, z } }, { { 0, 1, 2, 3 } });
+  const double side = 2.0 * halfSize;
+  return this->Sheet({ -halfSize, -halfSize, z }, { side, 0.0, 0.0 }, { 0.0, side, 0.0 });
 }
 
 void SceneBuilder::AddWall(int renderer)
@@ -202,5 +207,13 @@ void SceneBuilder::Move(int prop, const glm::dvec3& position)
 void SceneBuilder::Change(ChangeKind kind, int target, std::vector<double> values)
 {
   this->Scene.Changes.push_back({ this->GetFrame(), kind, target, std::move(values) });
+}
+
+vtkSmartPointer<vtkPolyData> MakeMesh(
+  const std::vector<glm::dvec3>& points, const std::vector<std::vector<int>>& polygons)
+{
+  SceneBuilder scene;
+  scene.UsesDoubles = true;
+  return MakeShape(scene.Mesh(points, polygons).Shape);
 }
 }

@@ -15,6 +15,7 @@
 #define SceneBuilder_h
 
 #include "Scenario.h"
+#include "Shapes.h"
 
 #include <vector>
 
@@ -49,6 +50,8 @@ public:
   Prop& Quad(double x0, double y0, double x1, double y1, double z, int cells = 1);
   Prop& Sphere(const glm::dvec3& center, double radius, int resolution = 16);
   Prop& Mesh(const std::vector<glm::dvec3>& points, const std::vector<std::vector<int>>& polygons);
+  /// The parallelogram at a corner with these two sides, one polygon.
+  Prop& Sheet(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v);
   /// The square [-halfSize, halfSize]^2 at height z, one polygon.
   Prop& Floor(double halfSize, double z = 0.0);
   /// A wall at z = 0 across most of the view, boxes behind and before it; see Wall.
@@ -88,6 +91,10 @@ public:
   int GetFrame() const { return this->Scene.Frames - 1; }
   int GetNumberOfProps() const { return static_cast<int>(this->Scene.Props.size()); }
 };
+
+/// The data of SceneBuilder::Mesh(), with points in double precision.
+vtkSmartPointer<vtkPolyData> MakeMesh(
+  const std::vector<glm::dvec3>& points, const std::vector<std::vector<int>>& polygons);
 }
 
 #endif

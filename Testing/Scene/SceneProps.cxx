@@ -309,21 +309,16 @@ void MovePoints(vtkMapper* mapper, const Change& change)
 {
   auto* data = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
   vtkPoints* points = data ? data->GetPoints() : nullptr;
-  if (points && GetValue(change, 4) != 0.0)
+  if (!points)
+  {
+    return;
+  }
+  if (GetValue(change, 4) != 0.0)
   {
     points->RemoveAllObservers();
   }
-  for (vtkIdType i = 0; points && i < points->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    points->GetPoint(i, p);
-    points->SetPoint(i, p[0] + GetValue(change, 0) + GetValue(change, 3) * p[2],
-      p[1] + GetValue(change, 1), p[2] + GetValue(change, 2));
-  }
-  if (points)
-  {
-    points->Modified();
-  }
+  TestScene::MovePoints(
+    points, { GetValue(change, 0), GetValue(change, 1), GetValue(change, 2) }, GetValue(change, 3));
 }
 
 void ReplaceData(vtkMapper* mapper, const Prop& description, const Change& change)

@@ -19,9 +19,7 @@ namespace
 /// A floor with two boxes and a sphere that shadow it and each other, all of it moved to `o`.
 void AddBasics(SceneBuilder& scene, const glm::dvec3& o = { 0.0, 0.0, 0.0 })
 {
-  scene.Mesh({ { o[0] - 5.0, o[1] - 5.0, o[2] }, { o[0] + 5.0, o[1] - 5.0, o[2] },
-               { o[0] + 5.0, o[1] + 5.0, o[2] }, { o[0] - 5.0, o[1] + 5.0, o[2] } },
-    { { 0, 1, 2, 3 } });
+  scene.Sheet(o - glm::dvec3(5.0, 5.0, 0.0), { 10.0, 0.0, 0.0 }, { 0.0, 10.0, 0.0 });
   scene.Box({ o[0] - 1.0, o[1], o[2] + 0.75 }, { 1.0, 1.0, 1.5 });
   scene.Box({ o[0] + 1.0, o[1] + 0.5, o[2] + 0.3 }, { 0.5, 1.5, 0.6 });
   scene.Sphere({ o[0] + 0.3, o[1] - 1.2, o[2] + 1.1 }, 0.5);
@@ -48,8 +46,7 @@ void Directional(SceneBuilder& scene)
 void WallAlongLight(SceneBuilder& scene)
 {
   scene.Floor(6.0);
-  scene.Mesh({ { -5.0, 2.0, 0.0 }, { 5.0, 2.0, 0.0 }, { 5.0, 2.0, 5.0 }, { -5.0, 2.0, 5.0 } },
-    { { 0, 1, 2, 3 } });
+  scene.Sheet({ -5.0, 2.0, 0.0 }, { 10.0, 0.0, 0.0 }, { 0.0, 0.0, 5.0 });
   scene.Box({ -2.0, 1.9, 3.5 }, { 1.0, 0.1, 1.0 });
   scene.Directional({ 1.0, 0.05, -1.0 });
   scene.Look({ -1.0, -12.0, 4.0 }, { 0.0, 0.0, 2.0 });

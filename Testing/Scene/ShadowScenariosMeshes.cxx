@@ -14,12 +14,6 @@ namespace TestScene
 {
 namespace
 {
-void AddSheet(
-  SceneBuilder& scene, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v)
-{
-  scene.Mesh({ corner, corner + u, corner + u + v, corner + v }, { { 0, 1, 2, 3 } });
-}
-
 void ThinWall(SceneBuilder& scene)
 {
   scene.Box({ 0.0, 0.0, 0.75 }, { 2.0, 1e-4, 1.5 });
@@ -28,8 +22,8 @@ void ThinWall(SceneBuilder& scene)
 
 void PaperSheets(SceneBuilder& scene)
 {
-  AddSheet(scene, { -1.0, 0.0, 0.0 }, { 2.0, 0.5, 0.0 }, { 0.0, 0.0, 1.5 });
-  AddSheet(scene, { -1.0, -1.5, 1.0 }, { 1.0, 0.0, 0.2 }, { 0.0, 1.0, 0.1 });
+  scene.Sheet({ -1.0, 0.0, 0.0 }, { 2.0, 0.5, 0.0 }, { 0.0, 0.0, 1.5 });
+  scene.Sheet({ -1.0, -1.5, 1.0 }, { 1.0, 0.0, 0.2 }, { 0.0, 1.0, 0.1 });
 }
 
 /// One long edge beside two short ones whose common point is not on it exactly.
@@ -44,7 +38,7 @@ void TJunctions(SceneBuilder& scene)
 /// A picture on the floor and boxes that share faces: what coincides does not shadow.
 void Coplanar(SceneBuilder& scene)
 {
-  AddSheet(scene, { -0.5, -1.5, 0.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 2.5, 0.0 });
+  scene.Sheet({ -0.5, -1.5, 0.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 2.5, 0.0 });
   scene.Box({ -0.5, 0.0, 0.25 }, { 0.5, 0.5, 0.5 });
   scene.Box({ -0.5, 0.0, 0.75 }, { 0.5, 0.5, 0.5 });
   scene.Box({ 0.0, 0.0, 0.25 }, { 0.5, 0.5, 0.5 });

@@ -426,6 +426,17 @@ vtkSmartPointer<vtkPolyData> MakeBox(
   return Finish(source.Get(), precision);
 }
 
+void MovePoints(vtkPoints* points, const glm::dvec3& way, double shear)
+{
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    points->SetPoint(i, p[0] + way.x + shear * p[2], p[1] + way.y, p[2] + way.z);
+  }
+  points->Modified();
+}
+
 vtkSmartPointer<vtkPolyData> MakeShape(const Shape& shape, Translucency scalars)
 {
   // Large coordinates would lose their shape as floats before VTK moves them.

@@ -22,6 +22,9 @@ vtkSmartPointer<vtkPolyData> MakeShape(
 /// A box whose faces have points and normals of their own. `precision`: VTK_FLOAT or VTK_DOUBLE.
 vtkSmartPointer<vtkPolyData> MakeBox(
   const glm::dvec3& center, const glm::dvec3& size, int precision = VTK_FLOAT);
+
+/// Moves all points, in place, and shears them by so much along x for each unit of z.
+void MovePoints(vtkPoints* points, const glm::dvec3& way, double shear = 0.0);
 }
 
 #endif

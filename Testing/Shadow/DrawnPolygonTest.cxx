@@ -3,6 +3,7 @@
 
 // The depth that a rasteriser gives to clipped triangles against the bound that the oracle grants.
 #include "DrawnPolygon.h"
+#include "Fill.h"
 #include "ShadowShapes.h"
 #include "ShadowTest.h"
 #include "ThinSides.h"
@@ -66,6 +67,15 @@ protected:
     }
   }
 
+  void Look(const Point& eye, const Point& focalPoint, double near, double far)
+  {
+    SceneBuilder scene;
+    TestScene::View& view = scene.Look(eye, focalPoint);
+    view.Near = near;
+    view.Far = far;
+    TestScene::SetView(this->Stage->GetRenderer(), view);
+  }
+
   /// Corners have to be floats, so that nothing is rounded before the device has them.
   void Draw(const std::array<Point, 3>& corners, Errors& errors)
   {
@@ -116,9 +126,8 @@ TEST_F(DrawnPolygonTest, LargeGround)
     for (int k = 0; k < 8; ++k)
     {
       const double turn = 0.7 * k;
-      Look(this->Stage->GetRenderer(), { 10.0, 20.0, 1.7 },
-        { 10.0 + 10.0 * std::cos(turn), 20.0 + 10.0 * std::sin(turn), 1.0 });
-      this->Stage->GetRenderer()->GetActiveCamera()->SetClippingRange(0.3, 30000.0);
+      this->Look({ 10.0, 20.0, 1.7 },
+        { 10.0 + 10.0 * std::cos(turn), 20.0 + 10.0 * std::sin(turn), 1.0 }, 0.3, 30000.0);
       this->Draw(
         { { { -size, -size, 0.0 }, { 2.0 * size, -size, 0.0 }, { -size, 2.0 * size, 0.0 } } },
         errors);
@@ -142,8 +151,7 @@ TEST_F(DrawnPolygonTest, Slivers)
   { return low + (high - low) * static_cast<double>(random()) / std::mt19937::max(); };
   Errors errors;
   // A unit in the distance of 10 is 75 pixels / (10 tan 15 degrees).
-  Look(this->Stage->GetRenderer(), { 0.0, 0.0, 10.0 }, { 0.0, 0.0, 0.0 });
-  this->Stage->GetRenderer()->GetActiveCamera()->SetClippingRange(5.0, 50.0);
+  this->Look({ 0.0, 0.0, 10.0 }, { 0.0, 0.0, 0.0 }, 5.0, 50.0);
   for (int i = 0; i < 200; ++i)
   {
     const double width = std::exp(between(std::log(0.02), 0.0)) / 28.0;

@@ -179,7 +179,7 @@ TEST_F(OracleTest, NearAnEdgeIsAmbiguous)
       [&](SceneBuilder& scene)
       {
         scene.Floor(100.0);
-        AddSheet(scene, { -50.0, -50.0, 10.0 }, { edge + 40.0, 0.0, 0.0 }, { 0.0, 100.0, 0.0 });
+        scene.Sheet({ -50.0, -50.0, 10.0 }, { edge + 40.0, 0.0, 0.0 }, { 0.0, 100.0, 0.0 });
         scene.Directional({ 1.0, 0.0, -1.0 });
       });
     const OracleImage image = Cast(stage);
@@ -207,9 +207,9 @@ TEST_F(OracleTest, StepBetweenSheetsSeenAlmostEdgeOnIsAmbiguous)
       [&](SceneBuilder& scene)
       {
         const Point across = { 140.0, 0.0, 0.0 };
-        AddSheet(scene, { -50.0, edge, -1000.0 }, across, { 0.0, 10.0, -400.0 });
-        AddSheet(scene, { -50.0, edge - 10.0, -620.0 }, across, { 0.0, 20.0, -800.0 });
-        AddSheet(scene, { -50.0, 500.0, 0.0 }, across, { 0.0, 0.0, -2000.0 });
+        scene.Sheet({ -50.0, edge, -1000.0 }, across, { 0.0, 10.0, -400.0 });
+        scene.Sheet({ -50.0, edge - 10.0, -620.0 }, across, { 0.0, 20.0, -800.0 });
+        scene.Sheet({ -50.0, 500.0, 0.0 }, across, { 0.0, 0.0, -2000.0 });
         scene.Directional({ 0.0, -1.0, 0.0 });
       });
     const OracleImage image = Cast(stage);

@@ -16,7 +16,7 @@
 
 namespace
 {
-using OracleSceneTest = OffscreenFixtureWithParam<NamedScene>;
+using OracleSceneTest = OffscreenFixtureWithParam<NamedScenario>;
 
 /// Window depth of what the oracle sees there.
 double GetDepth(
@@ -102,20 +102,19 @@ void ExpectSame(const Stage& stage, const std::vector<OracleImage>& expected)
 
 TEST_P(OracleSceneTest, SeesWhatIsDrawn)
 {
-  NamedScene scene = this->GetParam();
-  scene.MultiSamples = 0; // depth of the centres
+  NamedScenario scene = this->GetParam();
+  scene.Scenario.Window.MultiSamples = 0; // depth of the centres
   Stage stage = SetStage(scene);
   stage.Window->Render();
   EXPECT_EQ(CountOtherDepths(stage), 0);
-  if (scene.Change)
+  if (ChangeStage(stage, scene))
   {
-    scene.Change(stage.GetRenderer());
     stage.Window->Render();
     EXPECT_EQ(CountOtherDepths(stage), 0);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, OracleSceneTest, ::testing::ValuesIn(GetScenes()),
+INSTANTIATE_TEST_SUITE_P(Scenes, OracleSceneTest, ::testing::ValuesIn(GetScenarios()),
   [](const auto& info) { return info.param.Name; });
 
 using OracleScenesTest = OffscreenFixture;
@@ -123,7 +122,7 @@ using OracleScenesTest = OffscreenFixture;
 // Each light of each scene lights something and casts a shadow, but for one that is shut in.
 TEST_F(OracleScenesTest, HaveLightAndShadow)
 {
-  for (const NamedScene& scene : GetScenes())
+  for (const NamedScenario& scene : GetScenarios())
   {
     SCOPED_TRACE(scene.Name);
     const Stage stage = SetStage(scene);
@@ -146,7 +145,7 @@ TEST_F(OracleScenesTest, HaveLightAndShadow)
 // is where the world is.
 TEST_F(OracleScenesTest, KeepTheirShadows)
 {
-  for (const NamedScene& scene : GetScenes())
+  for (const NamedScenario& scene : GetScenarios())
   {
     SCOPED_TRACE(scene.Name);
     const std::vector<OracleImage> expected = CastAll(SetStage(scene));

@@ -6,22 +6,21 @@
 
 #include "vtkNew.h"
 
-using ShadowPass = OffscreenFixtureWithParam<NamedScene>;
+using ShadowPass = OffscreenFixtureWithParam<NamedScenario>;
 
 TEST_P(ShadowPass, IsExact)
 {
-  const NamedScene& scene = this->GetParam();
+  const NamedScenario& scene = this->GetParam();
   Stage stage = SetStage(scene);
   vtkNew<vtkShadowVolumeClampPass> pass;
   stage.GetRenderer()->SetPass(pass);
   ExpectAllModesMatchOracle(stage, pass);
-  if (scene.Change)
+  if (ChangeStage(stage, scene))
   {
-    scene.Change(stage.GetRenderer());
     SCOPED_TRACE("after the change");
     ExpectAllModesMatchOracle(stage, pass);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ShadowPass, ::testing::ValuesIn(GetScenes()),
-  [](const ::testing::TestParamInfo<NamedScene>& info) { return info.param.Name; });
+INSTANTIATE_TEST_SUITE_P(Scenes, ShadowPass, ::testing::ValuesIn(GetScenarios()),
+  [](const auto& info) { return info.param.Name; });

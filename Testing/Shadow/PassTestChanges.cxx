@@ -100,8 +100,9 @@ struct ChangingStage
 {
   /// With assemblies no frame is as the last one.
   explicit ChangingStage(bool assemblies = false)
-    : Stage(SetStage({ "Changing", [this](vtkRenderer* renderer) { this->Build(renderer); } }))
+    : Stage(SetStage(AddFloorAndLights))
   {
+    this->AddProps(this->GetRenderer());
     this->Pass = AddPass(this->Stage);
     this->Pass->SetCasterKeys(TestScene::LightRig::MakeCasterKeys());
     Tune(this->Pass, &vtkShadowTuning::LitmapResolution, 64);
@@ -112,24 +113,25 @@ struct ChangingStage
     }
   }
 
-  void Build(vtkRenderer* renderer)
+  static void AddFloorAndLights(SceneBuilder& scene)
   {
-    Fill(renderer,
-      [](SceneBuilder& scene)
-      {
-        scene.Floor(5.0);
-        scene.Directional({ 1.0, 0.0, -1.0 });
-        scene.Spot({ -2.0, -2.0, 5.0 }, { 0.0, 0.0, 0.0 }, 35.0);
-        scene.PointLight({ -0.5, 0.5, 3.0 });
-        scene.Look({ 3.0, -7.0, 5.0 }, { 0.3, 0.0, 0.3 });
-      });
+    scene.Floor(5.0);
+    scene.Directional({ 1.0, 0.0, -1.0 });
+    scene.Spot({ -2.0, -2.0, 5.0 }, { 0.0, 0.0, 0.0 }, 35.0);
+    scene.PointLight({ -0.5, 0.5, 3.0 });
+    TestScene::View& view = scene.Look({ 3.0, -7.0, 5.0 }, { 0.3, 0.0, 0.3 });
+    view.Near = 2.0;
+    view.Far = 30.0;
+  }
+
+  void AddProps(vtkRenderer* renderer)
+  {
     this->Floor = GetActors(renderer).back();
     this->Casters.Add(renderer, 0.0, 1.5);
     this->Casters.SetCast(true);
     this->Receivers.Add(renderer, 0.5, 0.4);
     this->Unseen = AddMesh(renderer, MakeBox({ -8.0, 0.5, 8.5 }, { 1.0, 1.0, 1.0 }, VTK_DOUBLE));
     SetCasts(this->Unseen, true);
-    renderer->GetActiveCamera()->SetClippingRange(2.0, 30.0);
   }
 
   vtkRenderer* GetRenderer() const { return this->Stage.GetRenderer(); }
@@ -156,15 +158,9 @@ void PrintTo(const Change& change, std::ostream* stream)
   *stream << change.Name;
 }
 
-void MovePoints(vtkDataObject* data, const Point& way)
+vtkPoints* GetPoints(vtkDataObject* data)
 {
-  vtkPoints* points = vtkPolyData::SafeDownCast(data)->GetPoints();
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    const Point x = vtkNBufferGLM::ToVector(points->GetPoint(i)) + way;
-    points->SetPoint(i, glm::value_ptr(x));
-  }
-  points->Modified();
+  return vtkPolyData::SafeDownCast(data)->GetPoints();
 }
 
 /// Of props that cast or that are only seen.
@@ -180,8 +176,10 @@ void AddPropChanges(const std::string& of, Props ChangingStage::*props, std::vec
   add("MatrixChanged", [](Props& p) { p.Matrix->SetElement(0, 3, 0.2); });
   add("Hidden", [](Props& p) { p.Box->VisibilityOff(); });
   add("PointsMoved",
-    [](Props& p) {
-      MovePoints(p.Box->GetMapper()->GetInputDataObject(0, 0), { 0.0, 0.0, 0.2 });
+    [](Props& p)
+    {
+      TestScene::MovePoints(
+        GetPoints(p.Box->GetMapper()->GetInputDataObject(0, 0)), { 0.0, 0.0, 0.2 });
     });
   add("SourceChanged", [](Props& p) { p.Source->SetRadius(0.45); });
   add("PlaneMoved", [](Props& p) { p.Plane->SetOrigin(p.Plane->GetOrigin()[0] + 0.2, 1.0, 0.0); });
@@ -197,7 +195,10 @@ void AddPropChanges(const std::string& of, Props ChangingStage::*props, std::vec
     [](Props& p) {
       p.Blocks->SetBlock(1, MakeBox({ 0.3, 1.6, 1.2 }, { 0.4, 0.4, 0.4 }));
     });
-  add("BlockChanged", [](Props& p) { MovePoints(p.Blocks->GetBlock(0), { 0.3, 0.0, 0.0 }); });
+  add("BlockChanged",
+    [](Props& p) {
+      TestScene::MovePoints(GetPoints(p.Blocks->GetBlock(0)), { 0.3, 0.0, 0.0 });
+    });
   add("BlockHidden",
     [](Props& p)
     { static_cast<CompositeMapper*>(p.Composite->GetMapper())->SetBlockVisibility(2, false); });

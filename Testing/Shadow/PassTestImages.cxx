@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Colours with vtkShadowVolumeClampPass, to the byte those of images without it.
+#include "Fill.h"
 #include "LightRig.h"
 #include "PassTestTools.h"
 #include "ScenePasses.h"
@@ -39,20 +40,17 @@ void AddLights(SceneBuilder& scene)
   scene.Directional({ -0.6, 0.35, -0.7 }).Intensity = 0.25;
 }
 
-NamedScene GetColourScene(const std::string& name)
+NamedScenario GetColourScene(const std::string& name)
 {
   if (name != "SixLights")
   {
-    return GetScene(name);
+    return GetScenario(name);
   }
-  NamedScene scene = GetScene("Directional");
-  const std::function<void(vtkRenderer*)> build = scene.Build;
-  scene.Name = name;
-  scene.Build = [build](vtkRenderer* renderer)
-  {
-    build(renderer);
-    Fill(renderer, AddLights);
-  };
+  NamedScenario scene = GetScenario("Directional");
+  SceneBuilder builder;
+  builder.Scene = scene.Scenario;
+  AddLights(builder);
+  scene.Scenario = builder.Scene;
   return scene;
 }
 }
@@ -118,8 +116,10 @@ TEST_F(PassImages, WithoutShadowAreThoseWithoutThePass)
           }
         } },
       { "no receiver",
-        [](const Stage& stage, vtkShadowVolumeClampPass*) {
-          Look(stage.GetRenderer(), { 20.0, 0.0, 1.0 }, { 30.0, 0.0, 1.0 });
+        [](const Stage& stage, vtkShadowVolumeClampPass*)
+        {
+          TestScene::SetView(
+            stage.GetRenderer(), SceneBuilder().Look({ 20.0, 0.0, 1.0 }, { 30.0, 0.0, 1.0 }));
         } },
       { "nothing at all",
         [](const Stage& stage, vtkShadowVolumeClampPass*)

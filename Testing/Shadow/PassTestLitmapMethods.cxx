@@ -33,7 +33,7 @@ void AddLargeReceivers(SceneBuilder& scene)
 /// sight.
 void AddThinReceiver(SceneBuilder& scene)
 {
-  AddSheet(scene, { -2.0, 0.0, -2.0 }, { 4.0, 0.0, 0.0 }, { 0.0, 0.0, 3.0 });
+  scene.Sheet({ -2.0, 0.0, -2.0 }, { 4.0, 0.0, 0.0 }, { 0.0, 0.0, 3.0 });
   scene.Box({ 0.2, 0.0, 2.0 }, { 1.0, 1.0, 0.5 });
   scene.Floor(5.0, -2.5);
   scene.Directional({ 0.0, 0.002, -1.0 });

@@ -26,13 +26,13 @@ bool IsCompared(const OracleImage& oracle, std::size_t pixel)
 }
 }
 
-using PassMetamorphic = OffscreenFixtureWithParam<NamedScene>;
+using PassMetamorphic = OffscreenFixtureWithParam<NamedScenario>;
 
 // Windings, sharing, grouping and order of triangles, and where the world is, are no part of the
 // question.
 TEST_P(PassMetamorphic, MasksAreKept)
 {
-  const NamedScene& scene = this->GetParam();
+  const NamedScenario& scene = this->GetParam();
   const Stage original = SetStage(scene);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(original);
   original.Window->Render();
@@ -74,10 +74,10 @@ TEST_P(PassMetamorphic, MasksAreKept)
 }
 
 INSTANTIATE_TEST_SUITE_P(Lights, PassMetamorphic,
-  ::testing::ValuesIn(ShadowScenes::GetLightScenes()),
+  ::testing::ValuesIn(TestScene::GetLightScenarios()),
   [](const auto& info) { return info.param.Name; });
 INSTANTIATE_TEST_SUITE_P(Meshes, PassMetamorphic,
-  ::testing::ValuesIn(ShadowScenes::GetMeshScenes()),
+  ::testing::ValuesIn(TestScene::GetMeshScenarios()),
   [](const auto& info) { return info.param.Name; });
 
 using PassComparison = OffscreenFixture;

@@ -255,7 +255,7 @@ TEST_F(PassSamples, SliverThatNoCentreSees)
     const Stage stage = SetStage(
       [x = 0.1 * (20 + place[0]) - 1.65](SceneBuilder& scene)
       {
-        AddSheet(scene, { x - 0.005, 0.0, -0.75 }, { 0.01, 0.0, 0.0 }, { 0.0, 0.0, 1.5 });
+        scene.Sheet({ x - 0.005, 0.0, -0.75 }, { 0.01, 0.0, 0.0 }, { 0.0, 0.0, 1.5 });
         scene.Box({ x, -3.0, 3.55 }, { 1.0, 0.2, 1.0 });
         scene.Directional({ 0.0, 1.0, -1.0 });
         scene.LookParallel({ 0.0, -10.0, 0.0 }, { 0.0, 0.0, 0.0 }, 1.0);

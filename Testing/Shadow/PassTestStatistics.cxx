@@ -250,12 +250,12 @@ TEST_F(PassStatistics, ManyCastersAreSharedOut)
   EXPECT_EQ(FindDifference(images[0], images[1]), "");
 }
 
-using PassWork = OffscreenFixtureWithParam<NamedScene>;
+using PassWork = OffscreenFixtureWithParam<NamedScenario>;
 
 // Every caster has a verdict for each light, and no mode draws more than one that knows less.
 TEST_P(PassWork, IsLessTheMoreIsKnown)
 {
-  const NamedScene& scene = this->GetParam();
+  const NamedScenario& scene = this->GetParam();
   const Stage stage = SetStage(scene);
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
   Tune(pass, &vtkShadowTuning::CountFragments, true);
@@ -283,15 +283,15 @@ TEST_P(PassWork, IsLessTheMoreIsKnown)
   EXPECT_GT(unclamped, 0);
   EXPECT_LE(culled, unclamped);
   EXPECT_LE(scissored, culled);
-  const std::vector<NamedScene> large = ShadowScenes::GetLargeScenes();
+  const std::vector<NamedScenario> large = TestScene::GetLargeScenarios();
   if (std::any_of(large.begin(), large.end(),
-        [&scene](const NamedScene& other) { return other.Name == scene.Name; }))
+        [&scene](const NamedScenario& other) { return other.Name == scene.Name; }))
   {
     EXPECT_LE(clamped, scissored);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, PassWork, ::testing::ValuesIn(GetScenes()),
+INSTANTIATE_TEST_SUITE_P(Scenes, PassWork, ::testing::ValuesIn(GetScenarios()),
   [](const auto& info) { return info.param.Name; });
 
 //------------------------------------------------------------------------------------------------

@@ -26,26 +26,19 @@ using PassWindows = OffscreenFixture;
 
 namespace
 {
-/// Another renderer of the window with a scene of the list.
-Stage AddRenderer(const Stage& stage, const std::string& scene, const double viewport[4])
-{
-  Stage result = stage;
-  result.Renderers.clear();
-  result.AddRenderer(viewport[0], viewport[1], viewport[2], viewport[3])
-    ->SetAutomaticLightCreation(0);
-  GetScene(scene).Build(result.GetRenderer());
-  result.Lights = { vtkLight::SafeDownCast(result.GetRenderer()->GetLights()->GetItemAsObject(0)) };
-  return result;
-}
-
-/// Two renderers at odd corners and of odd sizes.
+/// Two renderers of one window, at odd corners and of odd sizes.
 std::array<Stage, 2> SetTwoStages(const std::string& rightScene)
 {
   Stage left = SetNamedStage("Directional");
   left.Window->SetSize(307, 211);
   left.GetRenderer()->SetViewport(0.05, 0.3, 0.45, 0.95);
-  const double viewport[4] = { 0.5, 0.1, 0.97, 0.7 };
-  return { left, AddRenderer(left, rightScene, viewport) };
+  Stage right = left;
+  right.Renderers.clear();
+  right.AddRenderer(0.0, 0.0, 1.0, 1.0)->SetAutomaticLightCreation(0);
+  FillStage(right, GetScenario(rightScene));
+  right.GetRenderer()->SetViewport(0.5, 0.1, 0.97, 0.7);
+  right.Lights = { vtkLight::SafeDownCast(right.GetRenderer()->GetLights()->GetItemAsObject(0)) };
+  return { left, right };
 }
 }
 

@@ -16,14 +16,6 @@
 
 namespace ShadowShapes
 {
-vtkSmartPointer<vtkPolyData> MakeMesh(
-  const std::vector<Point>& points, const std::vector<Polygon>& polygons)
-{
-  SceneBuilder scene;
-  scene.UsesDoubles = true;
-  return TestScene::MakeShape(scene.Mesh(points, polygons).Shape);
-}
-
 vtkSmartPointer<vtkPolyData> MakeGlobe(const Point& centre, double radius, int resolution)
 {
   SceneBuilder scene;
@@ -49,15 +41,5 @@ void Fill(vtkRenderer* renderer, const std::function<void(SceneBuilder&)>& build
   TestScene::Scenario scenario = TestScene::MakeShadowScenario("", build).Scenario;
   std::copy_n(renderer->GetViewport(), 4, scenario.Renderers[0].Viewport.begin());
   TestScene::Fill(renderer, scenario);
-}
-
-void Look(vtkRenderer* renderer, const Point& eye, const Point& focalPoint)
-{
-  TestScene::SetView(renderer, SceneBuilder().Look(eye, focalPoint));
-}
-
-TestScene::Prop& AddSheet(SceneBuilder& scene, const Point& corner, const Point& u, const Point& v)
-{
-  return scene.Mesh({ corner, corner + u, corner + u + v, corner + v }, { { 0, 1, 2, 3 } });
 }
 }

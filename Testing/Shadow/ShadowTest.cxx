@@ -2,17 +2,71 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShadowTest.h"
 
+#include "Fill.h"
+#include "SceneProps.h"
+
 #include "vtkActorCollection.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkPropCollection.h"
 
 #include <algorithm>
+#include <stdexcept>
 
-Stage SetStage(const NamedScene& scene)
+std::vector<NamedScenario> GetScenarios()
 {
-  Stage stage(scene.Width, scene.Height, scene.MultiSamples);
+  std::vector<NamedScenario> result = TestScene::GetLightScenarios();
+  for (const auto& part : { TestScene::GetViewScenarios(), TestScene::GetMeshScenarios(),
+         TestScene::GetLargeScenarios() })
+  {
+    result.insert(result.end(), part.begin(), part.end());
+  }
+  return result;
+}
+
+NamedScenario GetScenario(const std::string& name)
+{
+  for (const NamedScenario& scene : GetScenarios())
+  {
+    if (scene.Name == name)
+    {
+      return scene;
+    }
+  }
+  throw std::out_of_range("There is no scene " + name + ".");
+}
+
+void FillStage(const Stage& stage, const NamedScenario& scene)
+{
+  TestScene::Fill(stage.GetRenderer(), scene.Scenario);
+  if (scene.Finish)
+  {
+    scene.Finish(stage.GetRenderer());
+  }
+}
+
+bool ChangeStage(const Stage& stage, const NamedScenario& scene)
+{
+  // Props have the places in the renderer that they have in the scenario: there are no assemblies
+  // in scenes that change.
+  for (const TestScene::Change& change : scene.Scenario.Changes)
+  {
+    if (change.Frame == 1)
+    {
+      vtkObject* prop = stage.GetRenderer()->GetViewProps()->GetItemAsObject(change.Target);
+      TestScene::ChangeProp(
+        vtkProp::SafeDownCast(prop), scene.Scenario.Props.at(change.Target), change);
+    }
+  }
+  return scene.Scenario.Frames > 1;
+}
+
+Stage SetStage(const NamedScenario& scene)
+{
+  const TestScene::Window& window = scene.Scenario.Window;
+  Stage stage(window.Width, window.Height, window.MultiSamples);
   stage.GetRenderer()->SetAutomaticLightCreation(0);
-  scene.Build(stage.GetRenderer());
+  FillStage(stage, scene);
   vtkCollectionSimpleIterator cookie;
   stage.GetRenderer()->GetLights()->InitTraversal(cookie);
   while (vtkLight* light = stage.GetRenderer()->GetLights()->GetNextLight(cookie))
@@ -25,12 +79,12 @@ Stage SetStage(const NamedScene& scene)
 Stage SetStage(const std::function<void(TestScene::SceneBuilder&)>& build, int width, int height,
   int multiSamples)
 {
-  return SetStage(MakeScene(TestScene::MakeShadowScenario("", build, width, height, multiSamples)));
+  return SetStage(TestScene::MakeShadowScenario("", build, width, height, multiSamples));
 }
 
 Stage SetNamedStage(const std::string& name)
 {
-  return SetStage(GetScene(name));
+  return SetStage(GetScenario(name));
 }
 
 vtkNBufferRectangle GetPixels(vtkRenderer* renderer)

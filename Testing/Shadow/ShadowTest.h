@@ -8,29 +8,50 @@
 #define ShadowTest_h
 
 #include "Judge.h"
+#include "NamedScenarios.h"
 #include "OffscreenFixture.h"
 #include "Pixels.h"
 #include "RayOracle.h"
-#include "ShadowScenes.h"
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <ostream>
 #include <string>
 #include <vector>
 
 using TestScene::FindDifference;
+using TestScene::NamedScenario;
 using TestScene::Picture;
 using TestScene::Stage;
 using TestScene::TakePicture;
 
-/// A scene in a window of its size that has not rendered yet, with the scene's lights.
-Stage SetStage(const NamedScene& scene);
+namespace TestScene
+{
+/// GoogleTest prints the name.
+inline void PrintTo(const NamedScenario& scene, std::ostream* stream)
+{
+  *stream << scene.Name;
+}
+}
+
+/// All scenes in which shadows have gone wrong somewhere, and larger ones.
+std::vector<NamedScenario> GetScenarios();
+/// One of them by name; throws std::out_of_range.
+NamedScenario GetScenario(const std::string& name);
+
+/// The first frame of a scene, in a window of its size that has not rendered yet, with the scene's
+/// lights.
+Stage SetStage(const NamedScenario& scene);
 /// A scene as scenarios describe it; points are stored in double precision.
 Stage SetStage(const std::function<void(TestScene::SceneBuilder&)>& build, int width = 200,
   int height = 150, int multiSamples = 0);
-/// A scene of GetScenes().
+/// A scene of GetScenarios().
 Stage SetNamedStage(const std::string& name);
+/// Adds what a scene describes to the stage.
+void FillStage(const Stage& stage, const NamedScenario& scene);
+/// What happens in the scene's second frame. Returns false if it has only one.
+bool ChangeStage(const Stage& stage, const NamedScenario& scene);
 
 /// The pixels of the window that the renderer fills.
 vtkNBufferRectangle GetPixels(vtkRenderer* renderer);
