@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CullerTest.h"
 
-#include "Tune.h"
 #include "vtkCullerCollection.h"
 #include "vtkPNGWriter.h"
 #include "vtkWindowToImageFilter.h"
@@ -90,15 +89,8 @@ Comparison::Comparison(const Change& build, const ComparisonOptions& options)
     if (stage == &this->Culled)
     {
       stage->Culler = vtkSmartPointer<vtkNBufferCuller>::New();
-      if (options.RoundSize > 0)
-      {
-        Tune(stage->Culler, &vtkNBufferTuning::RoundSize, options.RoundSize);
-      }
-      Tune(stage->Culler, &vtkNBufferTuning::BackOff, options.BackOff);
-      if (options.Configure)
-      {
-        options.Configure(stage->Culler);
-      }
+      stage->Culler->SetBackend(options.Backend);
+      stage->Culler->SetTuning(options.Tuning);
     }
     build(*stage);
   }

@@ -76,18 +76,21 @@ struct ComparisonOptions
   /// Compare the draws of each prop with the reference. Not in stereo: the statistics are those
   /// of one eye.
   bool CompareDraws = true;
-  /// RoundSize of the culler. Its own default would draw most of these small scenes before the
-  /// first test; 0 leaves it, for tests of the culler as it comes.
-  int RoundSize = 12;
-  /// Whether the culler may spare itself tests that hide little; most of these scenes are too
-  /// small, and their cameras too quick, for that to be what is to be tested.
-  bool BackOff = false;
+  int Backend = vtkNBufferCuller::Auto;
+  /// The culler's default RoundSize would draw most of these small scenes before the first test.
+  /// And it may not spare itself tests that hide little: most of these scenes are too small, and
+  /// their cameras too quick, for that to be what is to be tested.
+  vtkNBufferTuning Tuning = []
+  {
+    vtkNBufferTuning tuning;
+    tuning.RoundSize = 12;
+    tuning.BackOff = false;
+    return tuning;
+  }();
   /// What VTK reports is kept in Comparison::Messages instead of failing the test.
   bool KeepMessages = false;
   /// The culler is not added at all; see GetControl().
   bool Control = false;
-  /// Called for the culler before the first frame.
-  std::function<void(vtkNBufferCuller*)> Configure;
 };
 
 class Comparison

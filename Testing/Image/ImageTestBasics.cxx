@@ -22,8 +22,7 @@ namespace
 ComparisonOptions Defaults()
 {
   ComparisonOptions options;
-  options.RoundSize = 0;
-  options.BackOff = true;
+  options.Tuning = vtkNBufferTuning();
   return options;
 }
 
@@ -45,7 +44,7 @@ int GetPropsDrawnInRounds(const vtkNBufferStatistics& statistics)
 // and those that the first round drew for nothing must go with the next frame.
 TEST(CullerBasics, WallHidesWhatIsBehindIt)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   comparison.Frame();
   EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
   EXPECT_EQ(comparison.GetVerdict(Wall::Index), Verdict::Visible);
@@ -130,7 +129,7 @@ TEST(CullerBasics, CameraCuts)
 // Hazard: jumping to and fro between two views, each with the other's visible set.
 TEST(CullerBasics, JumpingToAndFro)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   for (int i = 0; i < 16; ++i)
   {
     comparison.Both(
@@ -154,7 +153,7 @@ TEST(CullerBasics, AddedAfterTheFirstRenderAndRemovedAgain)
 {
   ComparisonOptions options;
   options.AddCuller = false;
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
+  Comparison comparison(Scenes::BuildWall, options);
   comparison.Culled.Window->Render();
   comparison.Culled.Window->Render();
   comparison.AddCuller();
@@ -190,8 +189,7 @@ TEST(CullerBasics, BehindTheDefaultCuller)
 {
   ComparisonOptions options;
   options.StockReference = true;
-  options.Configure = [](vtkNBufferCuller* culler)
-  { Tune(culler, &vtkNBufferTuning::TakeOverFrustumCulling, false); };
+  options.Tuning.TakeOverFrustumCulling = false;
   Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage); }, options);
   Walk(comparison, 6);
   EXPECT_GT(comparison.GetHidden(), 60);
@@ -200,7 +198,7 @@ TEST(CullerBasics, BehindTheDefaultCuller)
 // Hazard: a prop that left or joined the renderer between two frames.
 TEST(CullerBasics, PropsComeAndGo)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   comparison.Frame();
   comparison.Both([](Stage& stage) { Scenes::AddBox(stage, 0.0, 0.0, 3.0, 1.0, 1.0, 1.0); });
   comparison.Frame("one in front added");
@@ -231,14 +229,14 @@ TEST(CullerBasics, PropsComeAndGo)
   comparison.Frame("every other one invisible");
   comparison.Both([](Stage& stage) { stage.GetRenderer()->RemoveAllViewProps(); });
   comparison.Frame("all removed");
-  comparison.Both([](Stage& stage) { Scenes::BuildWall(stage); });
+  comparison.Both(Scenes::BuildWall);
   comparison.Frame("another scene");
 }
 
 // Hazard: a pointer that is reused for a new prop must not inherit a verdict.
 TEST(CullerBasics, ManyGenerationsOfProps)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   for (int i = 0; i < 6; ++i)
   {
     comparison.Both(
@@ -277,7 +275,7 @@ TEST(CullerBasics, NoPropsAndOneProp)
 // Hazard: off must mean off, and on again must not remember what was hidden long ago.
 TEST(CullerBasics, EnabledOffDrawsAll)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   comparison.Frame();
   comparison.GetCuller()->EnabledOff();
   comparison.Frame("off");
@@ -294,7 +292,8 @@ namespace
 {
 struct Setting : NamedCase
 {
-  std::function<void(vtkNBufferCuller*)> Configure;
+  void (*Set)(ComparisonOptions&);
+  int TestSlivers = vtkNBufferCuller::Never;
 };
 
 class CullerSettings : public testing::TestWithParam<Setting>
@@ -302,32 +301,31 @@ class CullerSettings : public testing::TestWithParam<Setting>
 };
 
 const Setting Settings[] = {
-  { "BaseFactor1", [](vtkNBufferCuller* c) { Tune(c, &vtkNBufferTuning::BaseFactor, 1); } },
-  { "BaseFactor2", [](vtkNBufferCuller* c) { Tune(c, &vtkNBufferTuning::BaseFactor, 2); } },
-  { "BaseFactor8", [](vtkNBufferCuller* c) { Tune(c, &vtkNBufferTuning::BaseFactor, 8); } },
-  { "BackendCPU", [](vtkNBufferCuller* c) { c->SetBackend(vtkNBufferCuller::CPU); } },
-  { "BackendOpenGL", [](vtkNBufferCuller* c) { c->SetBackend(vtkNBufferCuller::OpenGL); } },
+  { "BaseFactor1", [](ComparisonOptions& o) { o.Tuning.BaseFactor = 1; } },
+  { "BaseFactor2", [](ComparisonOptions& o) { o.Tuning.BaseFactor = 2; } },
+  { "BaseFactor8", [](ComparisonOptions& o) { o.Tuning.BaseFactor = 8; } },
+  { "BackendCPU", [](ComparisonOptions& o) { o.Backend = vtkNBufferCuller::CPU; } },
+  { "BackendOpenGL", [](ComparisonOptions& o) { o.Backend = vtkNBufferCuller::OpenGL; } },
   { "BackendOpenGLFactor1",
-    [](vtkNBufferCuller* c)
+    [](ComparisonOptions& o)
     {
-      c->SetBackend(vtkNBufferCuller::OpenGL);
-      Tune(c, &vtkNBufferTuning::BaseFactor, 1);
+      o.Backend = vtkNBufferCuller::OpenGL;
+      o.Tuning.BaseFactor = 1;
     } },
-  { "OneRound", [](vtkNBufferCuller* c) { Tune(c, &vtkNBufferTuning::MaximumNumberOfRounds, 1); } },
+  { "OneRound", [](ComparisonOptions& o) { o.Tuning.MaximumNumberOfRounds = 1; } },
   { "EightRoundsOfFour",
-    [](vtkNBufferCuller* c)
+    [](ComparisonOptions& o)
     {
-      Tune(c, &vtkNBufferTuning::MaximumNumberOfRounds, 8);
-      Tune(c, &vtkNBufferTuning::RoundSize, 4);
+      o.Tuning.MaximumNumberOfRounds = 8;
+      o.Tuning.RoundSize = 4;
     } },
-  { "OnePiece", [](vtkNBufferCuller* c) { Tune(c, &vtkNBufferTuning::MaximumNumberOfPieces, 1); } },
-  { "ThreePieces",
-    [](vtkNBufferCuller* c) { Tune(c, &vtkNBufferTuning::MaximumNumberOfPieces, 3); } },
-  { "NoPixels", [](vtkNBufferCuller* c) { Tune(c, &vtkNBufferTuning::TestPixels, false); } },
-  { "NoSlivers", [](vtkNBufferCuller* c) { c->SetTestSlivers(vtkNBufferCuller::Never); } },
-  { "Slivers", [](vtkNBufferCuller* c) { c->SetTestSlivers(vtkNBufferCuller::Always); } },
-  { "NoReuse", [](vtkNBufferCuller* c) { Tune(c, &vtkNBufferTuning::ReuseWhenStill, false); } },
-  { "BackOff", [](vtkNBufferCuller* c) { Tune(c, &vtkNBufferTuning::BackOff, true); } },
+  { "OnePiece", [](ComparisonOptions& o) { o.Tuning.MaximumNumberOfPieces = 1; } },
+  { "ThreePieces", [](ComparisonOptions& o) { o.Tuning.MaximumNumberOfPieces = 3; } },
+  { "NoPixels", [](ComparisonOptions& o) { o.Tuning.TestPixels = false; } },
+  { "NoSlivers", [](ComparisonOptions&) {} },
+  { "Slivers", [](ComparisonOptions&) {}, vtkNBufferCuller::Always },
+  { "NoReuse", [](ComparisonOptions& o) { o.Tuning.ReuseWhenStill = false; } },
+  { "BackOff", [](ComparisonOptions& o) { o.Tuning.BackOff = true; } },
 };
 }
 
@@ -335,8 +333,9 @@ const Setting Settings[] = {
 TEST_P(CullerSettings, WalkThroughTheCity)
 {
   ComparisonOptions options;
-  options.Configure = this->GetParam().Configure;
+  this->GetParam().Set(options);
   Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage); }, options);
+  comparison.GetCuller()->SetTestSlivers(this->GetParam().TestSlivers);
   Walk(comparison, 8, 0.2, 0.03);
   EXPECT_GT(comparison.GetHidden(), 50);
   EXPECT_LE(
@@ -351,11 +350,8 @@ TEST(CullerBasics, BackendsAgreeOnEveryVerdict)
   const auto make = [](int backend)
   {
     ComparisonOptions options;
-    options.Configure = [backend](vtkNBufferCuller* c)
-    {
-      c->SetBackend(backend);
-      Tune(c, &vtkNBufferTuning::TestPixels, false); // of which the back-ends see more or less
-    };
+    options.Backend = backend;
+    options.Tuning.TestPixels = false; // of which the back-ends see more or less
     return options;
   };
   Comparison a([](Stage& stage) { Scenes::BuildCity(stage); }, make(vtkNBufferCuller::CPU));

@@ -54,7 +54,7 @@ vtkPolyDataMapper* GetMapper(Stage& stage, int prop)
 /// Above the wall, where the camera sees it.
 void LiftPoints(vtkPoints* points)
 {
-  Scenes::LiftPoints(points, 7.0);
+  TestScene::MovePoints(points, { 0.0, 7.0, 0.0 });
 }
 
 void Nothing(Stage&) {}
@@ -387,7 +387,7 @@ INSTANTIATE_TEST_SUITE_P(View, CullerChanges, testing::ValuesIn(ViewChanges), Ge
 // Hazard: a moving occluder uncovers in every frame something that was hidden in the one before.
 TEST(CullerChangesOnce, ADoorThatOpens)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   comparison.Frame("closed");
   int hidden = comparison.GetHidden();
   EXPECT_GE(hidden, Wall::Hidden);
@@ -407,7 +407,7 @@ TEST(CullerChangesOnce, ADoorThatOpens)
 // Hazard: props that move and deform at once, each with caches of its own.
 TEST(CullerChangesOnce, EverythingMoves)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   for (int i = 0; i < 8; ++i)
   {
     comparison.Both(

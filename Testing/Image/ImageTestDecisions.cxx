@@ -143,16 +143,17 @@ TEST(CullerDecisions, AllAreHiddenByOtherProps)
     Scenes::MoveWallCamera(comparison, 0.1 * i);
     comparison.Frame();
     EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
-    EXPECT_EQ(comparison.GetStatistics().DrawnInRound[1], i == 0 ? options.RoundSize : 0) << i;
+    EXPECT_EQ(comparison.GetStatistics().DrawnInRound[1], i == 0 ? options.Tuning.RoundSize : 0)
+      << i;
     // Those that were drawn as a guess are drawn once more, and tested then.
-    EXPECT_EQ(comparison.GetHidden(), i < 2 ? 60 - options.RoundSize : 60) << i;
+    EXPECT_EQ(comparison.GetHidden(), i < 2 ? 60 - options.Tuning.RoundSize : 60) << i;
   }
 }
 
 // Hazard: VTK redraws on every expose event; a still picture must not be tested again.
 TEST(CullerDecisions, StillCamera)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   comparison.Frame("first");
   // What is drawn for the first time is modified by being drawn.
   comparison.Frame("second");
@@ -178,7 +179,7 @@ TEST(CullerDecisions, StillCamera)
 // Hazard: Modified() without a change of position must at worst cost a test.
 TEST(CullerDecisions, CameraTouchedButNotMoved)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   for (int i = 0; i < 4; ++i)
   {
     comparison.Both([](Stage& stage) { stage.GetRenderer()->GetActiveCamera()->Modified(); });
@@ -191,7 +192,7 @@ TEST(CullerDecisions, CameraTouchedButNotMoved)
 TEST(CullerDecisions, BacksOffWhereNothingIsHiddenAndProbes)
 {
   ComparisonOptions options;
-  options.BackOff = true;
+  options.Tuning.BackOff = true;
   Comparison comparison(BuildNothingHidden, options);
   int tested = 0;
   int backedOff = 0;
@@ -221,7 +222,7 @@ TEST(CullerDecisions, BacksOffWhereNothingIsHiddenAndProbes)
 TEST(CullerDecisions, NothingHeldWhereEverythingWasVisible)
 {
   ComparisonOptions options;
-  options.BackOff = true;
+  options.Tuning.BackOff = true;
   Comparison comparison(BuildNothingHidden, options);
   for (int i = 0; i < 6; ++i)
   {
@@ -272,7 +273,7 @@ TEST(CullerDecisions, SmallPropsNeedFewLevels)
 // Hazard: bounds are dear; props that do not change are not asked again.
 TEST(CullerDecisions, OnlyChangedPropsAreRefreshed)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   comparison.Frame();
   EXPECT_EQ(comparison.GetStatistics().Refreshed, comparison.GetStatistics().Props);
   Scenes::FrameOfWall(comparison, 0.05);
@@ -286,7 +287,7 @@ TEST(CullerDecisions, OnlyChangedPropsAreRefreshed)
 // Hazard: what Freeze keeps is shown from elsewhere, and thawed it must be right at once.
 TEST(CullerDecisions, FreezeKeepsTheVerdicts)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   comparison.Frame();
   std::vector<Verdict> verdicts;
   for (int i = 0; i < Wall::Count; ++i)
@@ -317,7 +318,7 @@ TEST(CullerDecisions, FreezeKeepsTheVerdicts)
 // Hazard: a prop that joins while frozen has no verdict to keep.
 TEST(CullerDecisions, PropsThatJoinWhileFrozenAreDrawn)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   comparison.Frame();
   comparison.GetCuller()->FreezeOn();
   comparison.Both([](Stage& stage) { Scenes::AddBox(stage, 0.0, 0.0, 4.0, 1.0, 1.0, 1.0); });
@@ -330,7 +331,7 @@ TEST(CullerDecisions, PropsThatJoinWhileFrozenAreDrawn)
 // Hazard: a vector export captures geometry and draws no depth; nothing may be missing in it.
 TEST(CullerDecisions, GL2PSExportIsTheSame)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   comparison.Frame();
   std::string text[2];
   for (Stage* stage : { &comparison.Reference, &comparison.Culled })
@@ -358,7 +359,7 @@ TEST(CullerDecisions, GL2PSExportIsTheSame)
 // Hazard: verdicts are kept for props by pointer; asked about others it must not crash.
 TEST(CullerDecisions, VerdictsOfStrangers)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   comparison.Frame();
   vtkNew<vtkActor> stranger;
   vtkNew<vtkRenderer> elsewhere;
@@ -372,7 +373,7 @@ TEST(CullerDecisions, VerdictsOfStrangers)
 // Hazard: the proxy is nobody's business: the renderer's own lists must never contain it.
 TEST(CullerDecisions, TheRendererKeepsItsProps)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   for (int i = 0; i < 3; ++i)
   {
     Scenes::FrameOfWall(comparison, 0.2 * i);

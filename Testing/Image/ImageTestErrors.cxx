@@ -179,12 +179,9 @@ TEST(CullerErrors, NoContext)
 TEST(CullerErrors, NoFloatTexturesOnTheDevice)
 {
   ComparisonOptions options;
-  options.Configure = [](vtkNBufferCuller* culler)
-  {
-    culler->SetBackend(vtkNBufferCuller::OpenGL);
-    Tune(culler, &vtkNBufferTuning::AllowFloatTextures, false);
-  };
-  ExpectFailure([](Stage& stage) { Scenes::BuildWall(stage); }, options, Decision::NoFloatTextures,
+  options.Backend = vtkNBufferCuller::OpenGL;
+  options.Tuning.AllowFloatTextures = false;
+  ExpectFailure(Scenes::BuildWall, options, Decision::NoFloatTextures,
     "Float textures are switched off", "use the CPU back-end");
 }
 
@@ -197,9 +194,8 @@ TEST(CullerErrors, NoFloatTexturesAndMultiSamples)
   }
   ComparisonOptions options;
   options.MultiSamples = 4;
-  options.Configure = [](vtkNBufferCuller* culler)
-  { Tune(culler, &vtkNBufferTuning::AllowFloatTextures, false); };
-  ExpectFailure([](Stage& stage) { Scenes::BuildWall(stage); }, options, Decision::NoFloatTextures,
+  options.Tuning.AllowFloatTextures = false;
+  ExpectFailure(Scenes::BuildWall, options, Decision::NoFloatTextures,
     "Float textures are switched off", "without multisampling");
 }
 
@@ -207,9 +203,8 @@ TEST(CullerErrors, NoFloatTexturesAndMultiSamples)
 TEST(CullerErrors, AutoDoesWithoutFloatTextures)
 {
   ComparisonOptions options;
-  options.Configure = [](vtkNBufferCuller* culler)
-  { Tune(culler, &vtkNBufferTuning::AllowFloatTextures, false); };
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
+  options.Tuning.AllowFloatTextures = false;
+  Comparison comparison(Scenes::BuildWall, options);
   Scenes::Settle(comparison);
   EXPECT_GE(comparison.GetHidden(), Scenes::Wall::Hidden);
   EXPECT_EQ(comparison.GetStatistics().FailedFrames, 0);
@@ -248,12 +243,9 @@ TEST(CullerErrors, CullsAgainAfterAFailure)
 {
   ComparisonOptions options;
   options.KeepMessages = true;
-  options.Configure = [](vtkNBufferCuller* culler)
-  {
-    culler->SetBackend(vtkNBufferCuller::OpenGL);
-    Tune(culler, &vtkNBufferTuning::AllowFloatTextures, false);
-  };
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
+  options.Backend = vtkNBufferCuller::OpenGL;
+  options.Tuning.AllowFloatTextures = false;
+  Comparison comparison(Scenes::BuildWall, options);
   comparison.Frame("fails");
   EXPECT_EQ(comparison.GetDecision(), Decision::NoFloatTextures);
   Tune(comparison.GetCuller(), &vtkNBufferTuning::AllowFloatTextures, true);

@@ -4,7 +4,6 @@
 // list, and two settings that are compared.
 #include "CullerTest.h"
 #include "Scenes.h"
-#include "Tune.h"
 
 #include "vtkCamera.h"
 #include "vtkPolyDataMapper.h"
@@ -59,7 +58,7 @@ TEST(CullerHazards, OneHundredThousandSpecks)
   ComparisonOptions options;
   options.KeepDefaultCuller = false;
   options.CompareDraws = false; // a shared mapper does not tell for whom it draws
-  options.RoundSize = 0;        // the culler's own
+  options.Tuning.RoundSize = vtkNBufferTuning().RoundSize;
   Comparison comparison([](Stage& stage) { BuildSpecks(stage, Count); }, options);
   for (int i = 0; i < 2; ++i)
   {
@@ -84,8 +83,7 @@ TEST(CullerHazards, LongPropsAreTestedInPieces)
   for (int pieces : { 1, 8 })
   {
     ComparisonOptions options;
-    options.Configure = [pieces](vtkNBufferCuller* c)
-    { Tune(c, &vtkNBufferTuning::MaximumNumberOfPieces, pieces); };
+    options.Tuning.MaximumNumberOfPieces = pieces;
     Comparison comparison(
       [](Stage& stage)
       {

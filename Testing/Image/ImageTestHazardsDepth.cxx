@@ -3,7 +3,6 @@
 // Depth: its formats and their steps.
 #include "CullerTest.h"
 #include "Scenes.h"
-#include "Tune.h"
 
 #include "vtkNBufferDepthSource.h"
 
@@ -39,13 +38,9 @@ public:
   ComparisonOptions GetOptions(int backend) const
   {
     ComparisonOptions options = Scenes::MakeExactOptions(Width, Height);
-    options.Configure = [backend, exact = options.Configure](vtkNBufferCuller* culler)
-    {
-      exact(culler);
-      culler->SetBackend(backend);
-      // By the levels alone, which the device then makes of each format.
-      Tune(culler, &vtkNBufferTuning::TestPixels, backend == vtkNBufferCuller::CPU);
-    };
+    options.Backend = backend;
+    // On the device by the levels alone, which it then makes of each format.
+    options.Tuning.TestPixels = backend == vtkNBufferCuller::CPU;
     options.MultiSamples = this->GetParam().Samples;
     // VTK cannot read multisampled depth whose format is not that of its other framebuffers.
     options.CompareDepth = this->GetParam().Samples == 0;

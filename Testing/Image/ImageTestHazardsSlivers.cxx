@@ -97,13 +97,9 @@ class CullerSlivers : public testing::TestWithParam<Pipe>
 TEST_P(CullerSlivers, AreDrawnWhereTheyShow)
 {
   const Pipe& pipe = this->GetParam();
-  ComparisonOptions options = Scenes::MakeExactOptions(Width, Height, 4);
-  options.Configure = [exact = options.Configure](vtkNBufferCuller* culler)
-  {
-    exact(culler);
-    culler->SetTestSlivers(vtkNBufferCuller::Always);
-  };
-  Comparison comparison([&pipe](Stage& stage) { Build(stage, pipe); }, options);
+  Comparison comparison(
+    [&pipe](Stage& stage) { Build(stage, pipe); }, Scenes::MakeExactOptions(Width, Height, 4));
+  comparison.GetCuller()->SetTestSlivers(vtkNBufferCuller::Always);
   Scenes::Settle(comparison);
 
   const int x = pipe.Pixel[0];

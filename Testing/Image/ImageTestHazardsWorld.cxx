@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Coordinates of millions with details of centimetres: terrain and city where maps have them.
 #include "CullerTest.h"
+#include "SceneBuilder.h"
 #include "Scenes.h"
 
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <sstream>
 #include <vector>
@@ -120,55 +121,51 @@ public:
 
   vtkSmartPointer<vtkPolyData> MakeTile(int tileX, int tileY) const
   {
-    vtkNew<vtkPoints> points;
-    points->SetDataType(VTK_DOUBLE);
-    vtkNew<vtkCellArray> triangles;
+    std::vector<glm::dvec3> points;
+    std::vector<std::vector<int>> triangles;
     for (int j = 0; j <= Cells; ++j)
     {
       for (int i = 0; i <= Cells; ++i)
       {
         const int column = tileX * Cells + i;
         const int row = tileY * Cells + j;
-        points->InsertNextPoint(column * StepX, row * StepY, this->GetHeight(column, row));
+        const int p = static_cast<int>(points.size());
+        points.emplace_back(column * StepX, row * StepY, this->GetHeight(column, row));
         if (i < Cells && j < Cells)
         {
-          const vtkIdType p = static_cast<vtkIdType>(j) * (Cells + 1) + i;
-          triangles->InsertNextCell({ p, p + 1, p + Cells + 2 });
-          triangles->InsertNextCell({ p, p + Cells + 2, p + Cells + 1 });
+          triangles.push_back({ p, p + 1, p + Cells + 2 });
+          triangles.push_back({ p, p + Cells + 2, p + Cells + 1 });
         }
       }
     }
-    auto data = vtkSmartPointer<vtkPolyData>::New();
-    data->SetPoints(points);
-    data->SetPolys(triangles);
-    return data;
+    return TestScene::MakeMesh(points, triangles);
   }
 
 private:
   std::vector<double> Heights;
 };
 
-const char* GetName(Storage how)
+/// Hidden props over some frames, each of which the culler tests.
+int CountHidden(
+  Comparison& comparison, int frames, const std::function<void(Stage&, int)>& lookInFrame)
 {
-  switch (how)
+  int hidden = 0;
+  for (int i = 0; i < frames; ++i)
   {
-    case Storage::Local:
-      return "Local";
-    case Storage::Doubles:
-      return "Doubles";
-    case Storage::Floats:
-      return "Floats";
-    default:
-      return "Position";
+    comparison.Both([&](Stage& stage) { lookInFrame(stage, i); });
+    comparison.Frame();
+    EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+    hidden += comparison.GetHidden();
   }
+  return hidden;
 }
 
-void PrintTo(Storage how, std::ostream* os)
+struct Way : NamedCase
 {
-  *os << GetName(how);
-}
+  Storage How;
+};
 
-class CullerFarAway : public testing::TestWithParam<Storage>
+class CullerFarAway : public testing::TestWithParam<Way>
 {
 protected:
   /// Hidden props over all frames, with the scene around the origin and where it belongs.
@@ -176,11 +173,11 @@ protected:
   void Compare(Run&& run)
   {
     const int local = run(World(Storage::Local));
-    const int away = run(World(this->GetParam()));
+    const int away = run(World(this->GetParam().How));
     EXPECT_GT(local, 0);
     // VTK moves points near to zero before it rounds them to float. What the points themselves
     // have lost is lost, and half a metre matters for boxes of centimetres.
-    EXPECT_GE(away, this->GetParam() == Storage::Floats ? local / 4 : local - local / 20)
+    EXPECT_GE(away, this->GetParam().How == Storage::Floats ? local / 4 : local - local / 20)
       << "of " << local << " around the origin: slack that grows with the coordinates hides less";
   }
 };
@@ -204,23 +201,15 @@ TEST_P(CullerFarAway, Terrain)
           }
         },
         Scenes::MakeExactOptions(301, 173));
-      int hidden = 0;
-      for (int i = 0; i < 8; ++i)
-      {
-        const int column = 20 + 6 * i;
-        const double eye = terrain.GetHeight(column, 30) + 20.0;
-        comparison.Both(
-          [&](Stage& stage)
-          {
-            world.Look(stage, { column * Terrain::StepX, 30.0 * Terrain::StepY, eye },
-              { column * Terrain::StepX + 300.0 * std::sin(0.7 * i), 30.0 * Terrain::StepY + 300.0,
-                eye - 20.0 },
-              1.0, 12000.0);
-          });
-        comparison.Frame();
-        EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
-        hidden += comparison.GetHidden();
-      }
+      const int hidden = CountHidden(comparison, 8,
+        [&](Stage& stage, int i)
+        {
+          const int column = 20 + 6 * i;
+          const glm::dvec3 eye = { column * Terrain::StepX, 30.0 * Terrain::StepY,
+            terrain.GetHeight(column, 30) + 20.0 };
+          world.Look(
+            stage, eye, eye + glm::dvec3(300.0 * std::sin(0.7 * i), 300.0, -20.0), 1.0, 12000.0);
+        });
       EXPECT_GT(hidden, 8 * 5);
       return hidden;
     });
@@ -258,15 +247,11 @@ TEST_P(CullerFarAway, DetailsOfCentimetres)
         hidden += comparison.GetHidden();
         for (int k = 0; k < Count; ++k)
         {
-          EXPECT_TRUE(world.How == Storage::Floats || i < 3 ||
-            comparison.GetVerdict(1 + 3 * k) == Verdict::Hidden)
-            << k;
-          EXPECT_TRUE(
-            world.How == Storage::Floats || comparison.GetVerdict(2 + 3 * k) == Verdict::Visible)
-            << k;
-          EXPECT_TRUE(
-            world.How == Storage::Floats || comparison.GetVerdict(3 + 3 * k) == Verdict::Visible)
-            << k;
+          const auto has = [&](int prop, Verdict verdict)
+          { return world.How == Storage::Floats || comparison.GetVerdict(prop) == verdict; };
+          EXPECT_TRUE(i < 3 || has(1 + 3 * k, Verdict::Hidden)) << k;
+          EXPECT_TRUE(has(2 + 3 * k, Verdict::Visible)) << k;
+          EXPECT_TRUE(has(3 + 3 * k, Verdict::Visible)) << k;
         }
       }
       return hidden;
@@ -301,19 +286,13 @@ TEST_P(CullerFarAway, City)
           }
         },
         Scenes::MakeExactOptions(301, 173));
-      int hidden = 0;
-      for (int i = 0; i < 8; ++i)
-      {
-        comparison.Both(
-          [&](Stage& stage)
-          {
-            const double angle = 0.8 * i;
-            world.Look(stage, { 3.0 * i, -2.0 * i, 2.0 + i },
-              { 3.0 * i + std::sin(angle), -2.0 * i + std::cos(angle), 2.0 + i }, 0.3, 1500.0);
-          });
-        comparison.Frame();
-        hidden += comparison.GetHidden();
-      }
+      const int hidden = CountHidden(comparison, 8,
+        [&](Stage& stage, int i)
+        {
+          const glm::dvec3 eye = { 3.0 * i, -2.0 * i, 2.0 + i };
+          world.Look(
+            stage, eye, eye + glm::dvec3(std::sin(0.8 * i), std::cos(0.8 * i), 0.0), 0.3, 1500.0);
+        });
       EXPECT_GT(hidden, 8 * 20);
       return hidden;
     });
@@ -349,62 +328,40 @@ TEST_P(CullerFarAway, TerrainOfAFile)
     }
   }
   ASSERT_GE(corners.size(), 3u);
-  // Tiles of a twelfth of the whole, as they lie, in points of doubles or floats or moved.
-  const bool moved = this->GetParam() == Storage::Position;
+  World world(this->GetParam().How);
+  world.Origin = { low.x, low.y, 0.0 };
+  // Tiles of a twelfth of the whole.
   std::map<std::pair<int, int>, std::vector<glm::dvec3>> tiles;
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
   {
     const auto cell = [&](int k)
     { return static_cast<int>(12.0 * (corners[i][k] - low[k]) / (high[k] - low[k] + 1.0)); };
-    auto& tile = tiles[{ cell(0), cell(1) }];
-    tile.insert(tile.end(), corners.begin() + i, corners.begin() + i + 3);
+    for (std::size_t k = i; k < i + 3; ++k)
+    {
+      tiles[{ cell(0), cell(1) }].push_back(corners[k] - world.Origin);
+    }
   }
   Comparison comparison(
     [&](Stage& stage)
     {
-      for (const auto& tile : tiles)
+      for (const auto& [place, points] : tiles)
       {
-        vtkNew<vtkPoints> points;
-        points->SetDataType(this->GetParam() == Storage::Doubles ? VTK_DOUBLE : VTK_FLOAT);
-        vtkNew<vtkCellArray> triangles;
-        for (const glm::dvec3& p : tile.second)
+        std::vector<std::vector<int>> triangles;
+        for (int i = 0; i < static_cast<int>(points.size()); i += 3)
         {
-          const vtkIdType id = points->InsertNextPoint(
-            moved ? p[0] - low[0] : p[0], moved ? p[1] - low[1] : p[1], p[2]);
-          if (id % 3 == 2)
-          {
-            triangles->InsertNextCell({ id - 2, id - 1, id });
-          }
+          triangles.push_back({ i, i + 1, i + 2 });
         }
-        vtkNew<vtkPolyData> data;
-        data->SetPoints(points);
-        data->SetPolys(triangles);
-        double color[3];
-        Scenes::GetColor(static_cast<int>(stage.Props.size()), color);
-        vtkActor* actor = stage.AddActor(data, color);
-        if (moved)
-        {
-          actor->SetPosition(low[0], low[1], 0.0);
-        }
+        world.Add(stage, TestScene::MakeMesh(points, triangles));
       }
     },
     Scenes::MakeExactOptions(301, 173));
-  int hidden = 0;
-  for (int i = 0; i < 8; ++i)
-  {
-    comparison.Both(
-      [&](Stage& stage)
-      {
-        vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
-        const double t = 0.125 * i;
-        camera->SetPosition(low[0] + t * (high[0] - low[0]), low[1] - 60.0, low[2] + 40.0);
-        camera->SetFocalPoint(0.5 * (low[0] + high[0]), high[1], low[2]);
-        camera->SetViewUp(0.0, 0.0, 1.0);
-        camera->SetClippingRange(1.0, 3000.0);
-      });
-    comparison.Frame();
-    hidden += comparison.GetHidden();
-  }
+  const glm::dvec3 size = high - low;
+  const int hidden = CountHidden(comparison, 8,
+    [&](Stage& stage, int i)
+    {
+      world.Look(stage, { 0.125 * i * size.x, -60.0, low.z + 40.0 },
+        { 0.5 * size.x, size.y, low.z }, 1.0, 3000.0);
+    });
   EXPECT_GT(hidden, 0);
 #else
   GTEST_SKIP() << "built without the examples, which read compressed files";
@@ -412,5 +369,6 @@ TEST_P(CullerFarAway, TerrainOfAFile)
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, CullerFarAway,
-  testing::Values(Storage::Doubles, Storage::Floats, Storage::Position),
-  [](const testing::TestParamInfo<Storage>& info) { return std::string(GetName(info.param)); });
+  testing::Values(Way{ "Doubles", Storage::Doubles }, Way{ "Floats", Storage::Floats },
+    Way{ "Position", Storage::Position }),
+  GetCaseName);

@@ -16,8 +16,7 @@ ComparisonOptions MakeOptions(int hierarchySize)
 {
   ComparisonOptions options;
   options.KeepDefaultCuller = false;
-  options.Configure = [hierarchySize](vtkNBufferCuller* culler)
-  { Tune(culler, &vtkNBufferTuning::HierarchySize, hierarchySize); };
+  options.Tuning.HierarchySize = hierarchySize;
   return options;
 }
 
@@ -60,7 +59,7 @@ TEST(CullerHierarchy, VerdictsAreThoseOfTheTestOneByOne)
 
 TEST(CullerHierarchy, IsBuiltOnceForAListThatStays)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, MakeOptions(0));
+  Comparison comparison(Scenes::BuildWall, MakeOptions(0));
   int builds = 0;
   for (int i = 0; i < 8; ++i)
   {
@@ -81,7 +80,7 @@ TEST(CullerHierarchy, IsBuiltOnceForAListThatStays)
 // Hazard: a prop moves, and is judged by where it was.
 TEST(CullerHierarchy, IsRefitToPropsThatMove)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, MakeOptions(0));
+  Comparison comparison(Scenes::BuildWall, MakeOptions(0));
   MoveAndRender(comparison, 0.0, "first");
   MoveAndRender(comparison, 0.1, "second");
   const int props[] = { Wall::FirstBehind, Wall::FirstBehind + 7, Wall::FirstInFront };
@@ -113,7 +112,7 @@ TEST(CullerHierarchy, IsRefitToPropsThatMove)
 // Hazard: places of props in the list are no longer those of the hierarchy.
 TEST(CullerHierarchy, IsBuiltAgainWhenTheListHasChangedAndStays)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, MakeOptions(0));
+  Comparison comparison(Scenes::BuildWall, MakeOptions(0));
   MoveAndRender(comparison, 0.0, "first");
   MoveAndRender(comparison, 0.1, "second");
   const auto check = [&comparison](double shift, const std::string& what)
@@ -179,8 +178,7 @@ TEST(CullerHierarchy, PropsThatBecomeAndCeaseToBeCandidates)
 
 TEST(CullerHierarchy, SizeMayChangeAtAnyTime)
 {
-  Comparison comparison(
-    [](Stage& stage) { Scenes::BuildWall(stage); }, MakeOptions(Wall::Count + 1));
+  Comparison comparison(Scenes::BuildWall, MakeOptions(Wall::Count + 1));
   EXPECT_EQ(MoveAndRender(comparison, 0.0, "too few").Nodes, 0);
   Tune(comparison.GetCuller(), &vtkNBufferTuning::HierarchySize, Wall::Count);
   Tune(comparison.GetCuller(), &vtkNBufferTuning::HierarchySize, 0);

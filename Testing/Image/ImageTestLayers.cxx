@@ -4,7 +4,6 @@
 // What a renderer leaves to the one behind it, and takes from the one before it.
 #include "CullerTest.h"
 #include "Scenes.h"
-#include "Tune.h"
 
 #include "vtkNBufferGL.h"
 
@@ -51,8 +50,7 @@ TEST(CullerLayers, LayerWithNothingInsideProcessesWhatLiesBelow)
   {
     ComparisonOptions options;
     options.KeepDefaultCuller = options.StockReference = stock;
-    options.Configure = [](vtkNBufferCuller* culler)
-    { Tune(culler, &vtkNBufferTuning::MinimumNumberOfCandidates, 1); };
+    options.Tuning.MinimumNumberOfCandidates = 1;
     Comparison comparison([](Stage& stage) { BuildLayerOverWall(stage); }, options);
     comparison.Frame("plain");
     // In the first frame VTK's own culler removes the prop before ours sees it.
@@ -72,8 +70,7 @@ TEST(CullerLayers, LayerWhoseRestTheDefaultCullerRemovesProcessesWhatLiesBelow)
 {
   ComparisonOptions options;
   options.KeepDefaultCuller = options.StockReference = true;
-  options.Configure = [](vtkNBufferCuller* culler)
-  { Tune(culler, &vtkNBufferTuning::MinimumNumberOfCandidates, 1); };
+  options.Tuning.MinimumNumberOfCandidates = 1;
   Comparison comparison(
     [](Stage& stage)
     {

@@ -143,7 +143,7 @@ TEST(CullerLifetimeOnce, CullerDeletedByAnObserver)
 {
   ComparisonOptions options;
   options.CompareDraws = false; // of a culler that is gone
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
+  Comparison comparison(Scenes::BuildWall, options);
   for (int i = 0; i < 3; ++i)
   {
     Scenes::FrameOfWall(comparison, 0.1 * i, "before");
@@ -176,7 +176,7 @@ TEST(CullerLifetimeOnce, PropsDieWithTheirRenderer)
       [](Stage& stage)
       {
         Scenes::BuildWall(stage);
-        Scenes::BuildWall(stage, stage.AddRenderer(0.0, 0.0, 0.5, 0.5));
+        Scenes::AddWall(stage, stage.AddRenderer(0.0, 0.0, 0.5, 0.5));
       });
     comparison.Frame();
     EXPECT_GE(comparison.GetHidden(0), Wall::Hidden);
@@ -192,7 +192,7 @@ TEST(CullerLifetimeOnce, PropsDieWithTheirRenderer)
 // Hazard: an observer that adds props while the frame is drawn: they are in no list of this frame.
 TEST(CullerLifetimeOnce, PropsAddedByAnObserver)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   Scenes::FrameOfWall(comparison, 0.1, "before");
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
   comparison.Both(
@@ -252,7 +252,7 @@ void AbortNextFrame(Comparison& comparison, int prop, bool byCheck)
 // about who is hidden may be used in the next one.
 TEST(CullerLifetimeOnce, AbortedFramesAreNotLearntFrom)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   Scenes::FrameOfWall(comparison, 0.0, "before");
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
   for (bool byCheck : { false, true })

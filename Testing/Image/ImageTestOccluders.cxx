@@ -74,7 +74,7 @@ vtkSmartPointer<ActorType> MakeWall()
 
 void LiftPoints(vtkDataObject* data)
 {
-  Scenes::LiftPoints(vtkPolyData::SafeDownCast(data)->GetPoints(), 9.0);
+  TestScene::MovePoints(vtkPolyData::SafeDownCast(data)->GetPoints(), { 0.0, 9.0, 0.0 });
   data->Modified();
 }
 

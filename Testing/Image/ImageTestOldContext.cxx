@@ -22,7 +22,7 @@ TEST(CullerErrors, OldContext)
   ASSERT_TRUE(AsksForAnOldContext);
   ComparisonOptions options;
   options.KeepMessages = true;
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
+  Comparison comparison(Scenes::BuildWall, options);
   for (int i = 0; i < 4; ++i)
   {
     Scenes::FrameOfWall(comparison, 0.01 * i);

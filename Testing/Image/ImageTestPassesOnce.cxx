@@ -96,7 +96,7 @@ TEST(CullerPassesOnce, EveryNumberOfSamples)
 {
   GLint maximum = 0;
   {
-    Comparison probe([](Stage& stage) { Scenes::BuildWall(stage); });
+    Comparison probe(Scenes::BuildWall);
     probe.Frame();
     probe.Culled.Window->MakeCurrent();
     glGetIntegerv(GL_MAX_SAMPLES, &maximum);
@@ -111,7 +111,7 @@ TEST(CullerPassesOnce, EveryNumberOfSamples)
     ComparisonOptions options;
     options.MultiSamples = samples;
     options.CompareDepth = false;
-    Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
+    Comparison comparison(Scenes::BuildWall, options);
     for (int i = 0; i < 4; ++i)
     {
       Scenes::FrameOfWall(comparison, i < 3 ? 0.2 * i : 12.0, "moved");
@@ -163,7 +163,7 @@ TEST(CullerPassesOnce, CityWithMultiSamples)
     ComparisonOptions options;
     options.MultiSamples = 4;
     options.CompareDepth = false;
-    options.Configure = [backend](vtkNBufferCuller* culler) { culler->SetBackend(backend); };
+    options.Backend = backend;
     Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage, 10); }, options);
     for (int i = 0; i < 6; ++i)
     {
@@ -176,7 +176,7 @@ TEST(CullerPassesOnce, CityWithMultiSamples)
 // Hazard: a setting changed between two frames changes the framebuffer under the culler.
 TEST(CullerPassesOnce, SettingsChangeBetweenFrames)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   comparison.Frame("plain");
   comparison.Both([](Stage& stage) { stage.GetRenderer()->SetUseSSAO(true); });
   comparison.Frame("SSAO on");

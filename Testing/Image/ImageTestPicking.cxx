@@ -7,20 +7,15 @@
 
 #include "vtkAreaPicker.h"
 #include "vtkCellPicker.h"
-#include "vtkDataArray.h"
-#include "vtkHardwareSelector.h"
-#include "vtkInformation.h"
+#include "vtkDataObject.h"
 #include "vtkPointPicker.h"
 #include "vtkProp3DCollection.h"
 #include "vtkPropPicker.h"
 #include "vtkRenderedAreaPicker.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 #include "vtkWorldPointPicker.h"
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <tuple>
 #include <vector>
 
@@ -28,62 +23,15 @@ using Scenes::Wall;
 
 namespace
 {
-/// Index of a prop in the stage, or -1.
-int FindIndex(const Stage& stage, const vtkObjectBase* prop)
-{
-  const auto at = std::find(stage.Props.begin(), stage.Props.end(), prop);
-  return at == stage.Props.end() ? -1 : static_cast<int>(at - stage.Props.begin());
-}
-
 using Area = std::array<int, 4>;
 constexpr Area WholeWindow = { 0, 0, 300, 172 };
-
-/// What a selector finds of one prop: pixels and the numbers of the cells or points.
-struct Found
-{
-  int Pixels = 0;
-  std::vector<vtkIdType> Elements;
-  bool operator==(const Found& other) const
-  {
-    return this->Pixels == other.Pixels && this->Elements == other.Elements;
-  }
-};
-
-void PrintTo(const Found& found, std::ostream* os)
-{
-  *os << found.Pixels << " pixels, " << found.Elements.size() << " elements";
-}
-
-/// The props, by index, that a selector finds in an area.
-std::map<int, Found> Select(
-  Stage& stage, const Area& area = WholeWindow, int field = vtkDataObject::FIELD_ASSOCIATION_CELLS)
-{
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(stage.GetRenderer());
-  selector->SetFieldAssociation(field);
-  selector->SetArea(area[0], area[1], area[2], area[3]);
-  auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
-  std::map<int, Found> result;
-  for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
-  {
-    vtkSelectionNode* node = selection->GetNode(i);
-    Found& found = result[FindIndex(stage, node->GetProperties()->Get(vtkSelectionNode::PROP()))];
-    found.Pixels += node->GetProperties()->Get(vtkSelectionNode::PIXEL_COUNT());
-    vtkDataArray* elements = vtkDataArray::SafeDownCast(node->GetSelectionList());
-    for (vtkIdType k = 0; elements && k < elements->GetNumberOfTuples(); ++k)
-    {
-      found.Elements.push_back(static_cast<vtkIdType>(elements->GetTuple1(k)));
-    }
-  }
-  return result;
-}
 
 /// Both stages select the same; returns how many props.
 int ExpectSameSelection(Comparison& comparison, const Area& area = WholeWindow,
   int field = vtkDataObject::FIELD_ASSOCIATION_CELLS)
 {
-  const std::map<int, Found> expected = Select(comparison.Reference, area, field);
-  const std::map<int, Found> found = Select(comparison.Culled, area, field);
+  const TestScene::Selection expected = TestScene::Select(comparison.Reference, area.data(), field);
+  const TestScene::Selection found = TestScene::Select(comparison.Culled, area.data(), field);
   EXPECT_EQ(found, expected);
   EXPECT_EQ(found.count(-1), 0u) << "a prop that is none of the scene's";
   EXPECT_EQ(comparison.GetDecision(), Decision::Selecting);
@@ -99,6 +47,23 @@ std::array<double, 3> GetPosition(vtkAbstractPicker* picker)
   return position;
 }
 
+/// What is picked in the culled stage at places all over the window; in the reference it is the
+/// same.
+template <typename Pick>
+auto PickEverywhere(Comparison& comparison, int step, Pick pick)
+{
+  std::vector<decltype(pick(comparison.Culled, 0, 0))> all;
+  for (int x = 5; x < 301; x += 4 * step)
+  {
+    for (int y = 5; y < 173; y += 3 * step)
+    {
+      all.push_back(pick(comparison.Culled, x, y));
+      EXPECT_EQ(pick(comparison.Reference, x, y), all.back()) << x << " " << y;
+    }
+  }
+  return all;
+}
+
 /// The props, by index and in order, that the frustum of an area meets, seen or not.
 template <typename PickerType>
 std::vector<int> PickArea(Stage& stage, const Area& area)
@@ -109,7 +74,7 @@ std::vector<int> PickArea(Stage& stage, const Area& area)
   vtkProp3DCollection* props = picker->GetProp3Ds();
   for (int i = 0; i < props->GetNumberOfItems(); ++i)
   {
-    found.push_back(FindIndex(stage, props->GetItemAsObject(i)));
+    found.push_back(stage.FindIndex(props->GetItemAsObject(i)));
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -171,7 +136,7 @@ TEST(CullerPicking, HardwareSelectionOfPartsOfTheWindow)
 // Hazard: frozen verdicts are those of another camera; a selection wants all props of this one.
 TEST(CullerPicking, HardwareSelectionWhileFrozen)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   comparison.Frame();
   comparison.GetCuller()->FreezeOn();
   Scenes::MoveWallCamera(comparison, 9.0);
@@ -187,22 +152,16 @@ TEST(CullerPicking, HardwareSelectionWhileFrozen)
 // Hazard: picking a prop by rendering goes the way of selection.
 TEST(CullerPicking, PropPickerPicksTheSame)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   comparison.Frame();
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
-  for (int x = 5; x < 301; x += 40)
-  {
-    for (int y = 5; y < 173; y += 30)
+  PickEverywhere(comparison, 10,
+    [](Stage& stage, int x, int y)
     {
-      const auto pick = [x, y](Stage& stage)
-      {
-        vtkNew<vtkPropPicker> picker;
-        picker->PickProp(x, y, stage.GetRenderer());
-        return FindIndex(stage, picker->GetViewProp());
-      };
-      EXPECT_EQ(pick(comparison.Reference), pick(comparison.Culled)) << x << " " << y;
-    }
-  }
+      vtkNew<vtkPropPicker> picker;
+      picker->PickProp(x, y, stage.GetRenderer());
+      return stage.FindIndex(picker->GetViewProp());
+    });
   comparison.Frame("after picking");
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
 }
@@ -210,31 +169,25 @@ TEST(CullerPicking, PropPickerPicksTheSame)
 // Hazard: a picker that reads the depth of the last frame finds what was drawn in it.
 TEST(CullerPicking, WorldPointPickerPicksTheSame)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   for (int round = 0; round < 3; ++round)
   {
     Scenes::FrameOfWall(comparison, 0.3 * round);
     EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
-    for (int x = 5; x < 301; x += 40)
-    {
-      for (int y = 5; y < 173; y += 30)
+    PickEverywhere(comparison, 10,
+      [](Stage& stage, int x, int y)
       {
-        const auto pick = [x, y](Stage& stage)
-        {
-          vtkNew<vtkWorldPointPicker> picker;
-          picker->Pick(x, y, 0.0, stage.GetRenderer());
-          return GetPosition(picker);
-        };
-        EXPECT_EQ(pick(comparison.Reference), pick(comparison.Culled)) << x << " " << y;
-      }
-    }
+        vtkNew<vtkWorldPointPicker> picker;
+        picker->Pick(x, y, 0.0, stage.GetRenderer());
+        return GetPosition(picker);
+      });
   }
 }
 
 // Hazard: a picker that casts rays asks all props of the renderer, also those that were not drawn.
 TEST(CullerPicking, CellAndPointPickersPickTheSame)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   int behind = 0;
   for (bool wallPickable : { true, false })
   {
@@ -242,26 +195,21 @@ TEST(CullerPicking, CellAndPointPickersPickTheSame)
       [wallPickable](Stage& stage) { stage.GetActor(Wall::Index)->SetPickable(wallPickable); });
     Scenes::FrameOfWall(comparison, 0.2);
     EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
-    for (int x = 5; x < 301; x += 20)
+    const auto pick = [](Stage& stage, int x, int y)
     {
-      for (int y = 5; y < 173; y += 15)
-      {
-        const auto pick = [x, y](Stage& stage)
-        {
-          vtkNew<vtkCellPicker> cells;
-          cells->Pick(x, y, 0.0, stage.GetRenderer());
-          vtkNew<vtkPointPicker> vertices;
-          vertices->Pick(x, y, 0.0, stage.GetRenderer());
-          return std::tuple(FindIndex(stage, cells->GetViewProp()), cells->GetCellId(),
-            GetPosition(cells), FindIndex(stage, vertices->GetViewProp()), vertices->GetPointId(),
-            GetPosition(vertices));
-        };
-        const auto found = pick(comparison.Culled);
-        EXPECT_EQ(pick(comparison.Reference), found) << x << " " << y;
-        const int picked = std::get<0>(found);
-        behind += picked >= Wall::FirstBehind && picked < Wall::FirstInFront &&
-          comparison.GetVerdict(picked) == Verdict::Hidden;
-      }
+      vtkNew<vtkCellPicker> cells;
+      cells->Pick(x, y, 0.0, stage.GetRenderer());
+      vtkNew<vtkPointPicker> vertices;
+      vertices->Pick(x, y, 0.0, stage.GetRenderer());
+      return std::tuple(stage.FindIndex(cells->GetViewProp()), cells->GetCellId(),
+        GetPosition(cells), stage.FindIndex(vertices->GetViewProp()), vertices->GetPointId(),
+        GetPosition(vertices));
+    };
+    for (const auto& found : PickEverywhere(comparison, 5, pick))
+    {
+      const int picked = std::get<0>(found);
+      behind += picked >= Wall::FirstBehind && picked < Wall::FirstInFront &&
+        comparison.GetVerdict(picked) == Verdict::Hidden;
     }
   }
   EXPECT_GT(behind, 5) << "hidden props picked through the wall";
@@ -270,7 +218,7 @@ TEST(CullerPicking, CellAndPointPickersPickTheSame)
 // Hazard: selecting through takes every prop in a frustum, hidden or not.
 TEST(CullerPicking, AreaPickersFindWhatIsHidden)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   const Area areas[] = { WholeWindow, { 100, 50, 200, 120 }, { 130, 70, 170, 100 } };
   for (bool frozen : { false, true })
   {

@@ -105,7 +105,7 @@ TEST_P(CullerSharedMappers, KeepTheirOrder)
 {
   const auto& [way, kind] = this->GetParam();
   ComparisonOptions options;
-  options.RoundSize = 1;
+  options.Tuning.RoundSize = 1;
   Comparison comparison(
     [&way = way, &kind = kind](Stage& stage) { BuildPair(stage, kind, way.Change); }, options);
   const int first = static_cast<int>(comparison.Culled.Props.size()) - 2;

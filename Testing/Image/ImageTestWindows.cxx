@@ -37,7 +37,7 @@ class CullerWindowSizes : public testing::TestWithParam<std::pair<int, int>>
 TEST_P(CullerWindowSizes, WallAndCity)
 {
   const auto [width, height] = this->GetParam();
-  Comparison wall([](Stage& stage) { Scenes::BuildWall(stage); }, Size(width, height));
+  Comparison wall(Scenes::BuildWall, Size(width, height));
   Comparison city([](Stage& stage) { Scenes::BuildCity(stage, 10); }, Size(width, height));
   for (int i = 0; i < 4; ++i)
   {
@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(Each, CullerWindowSizes,
 // Hazard: the framebuffer is allocated anew; levels and temporal state of the old size are void.
 TEST(CullerWindows, ResizedBetweenFrames)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   const int sizes[][2] = { { 301, 173 }, { 97, 211 }, { 400, 400 }, { 133, 300 }, { 301, 173 } };
   for (const auto& size : sizes)
   {
@@ -76,7 +76,7 @@ TEST(CullerWindows, ResizedBetweenFrames)
 // Hazard: a window without a pixel has no depth, and no texel to build levels from.
 TEST(CullerWindows, ResizedToZeroAndBack)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   comparison.Frame("before");
   if (comparison.Culled.Window->IsA("vtkXOpenGLRenderWindow"))
   {
@@ -105,7 +105,7 @@ TEST(CullerWindows, ResizedToZeroAndBack)
 // Hazard: a viewport without a pixel in a window that has some.
 TEST(CullerWindows, ViewportOfSizeZero)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   comparison.Frame("before");
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
   comparison.Both([](Stage& stage) { stage.GetRenderer()->SetViewport(0.5, 0.2, 0.5, 0.8); });
@@ -122,8 +122,8 @@ TEST(CullerWindows, ContextReleasedAndMadeAnew)
   for (int backend : { vtkNBufferCuller::CPU, vtkNBufferCuller::OpenGL })
   {
     ComparisonOptions options;
-    options.Configure = [backend](vtkNBufferCuller* culler) { culler->SetBackend(backend); };
-    Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, options);
+    options.Backend = backend;
+    Comparison comparison(Scenes::BuildWall, options);
     for (int i = 0; i < 3; ++i)
     {
       Scenes::FrameOfWall(comparison, 0.2 * i, "before");
@@ -136,7 +136,7 @@ TEST(CullerWindows, ContextReleasedAndMadeAnew)
 // Hazard: the renderers move to another window, and the culler with them; the old window dies.
 TEST(CullerWindows, RendererMovesToAnotherWindow)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   comparison.Frame("first window");
   comparison.Both(
     [](Stage& stage)
@@ -163,7 +163,7 @@ TEST(CullerWindows, WindowAndCullerDieInAnyOrder)
     culler->SetBackend(backend);
     for (int i = 0; i < 2; ++i)
     {
-      Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+      Comparison comparison(Scenes::BuildWall);
       comparison.Culled.GetRenderer()->AddCuller(culler);
       comparison.Culled.Window->Render();
       // Its own culler goes while the window lives.
@@ -184,7 +184,7 @@ TEST(CullerWindows, FourViewportsOneCuller)
       stage.GetRenderer()->SetViewport(0.03, 0.02, 0.47, 0.55);
       Scenes::BuildWall(stage);
       Scenes::BuildCity(stage, 9, stage.AddRenderer(0.47, 0.0, 1.0, 0.55));
-      Scenes::BuildWall(stage, stage.AddRenderer(0.11, 0.55, 0.5, 0.93));
+      Scenes::AddWall(stage, stage.AddRenderer(0.11, 0.55, 0.5, 0.93));
       Scenes::BuildCity(stage, 9, stage.AddRenderer(0.5, 0.613, 0.98, 1.0));
       Scenes::SetWallCamera(stage.Renderers[2], 3.0);
       Scenes::SetCityCamera(stage.Renderers[3], 0.1);
@@ -288,7 +288,7 @@ TEST(CullerWindows, RendererWithoutErase)
 // Hazard: one culler, several windows of different sizes, drawn in turn.
 TEST(CullerWindows, OneCullerInTwoWindows)
 {
-  Comparison first([](Stage& stage) { Scenes::BuildWall(stage); }, Size(301, 173));
+  Comparison first(Scenes::BuildWall, Size(301, 173));
   Comparison second([](Stage& stage) { Scenes::BuildCity(stage, 10); }, Size(97, 211));
   second.Culled.GetRenderer()->GetCullers()->RemoveItem(second.Culled.Culler);
   second.Culled.Culler = first.Culled.Culler;
@@ -386,7 +386,7 @@ class CullerProjections : public testing::TestWithParam<Projection>
 // Hazard: w is 1 or the matrix is not the usual one; every camera setting that enters it.
 TEST_P(CullerProjections, Wall)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  Comparison comparison(Scenes::BuildWall);
   Scenes::FrameOfWall(comparison, 0.0, "before");
   for (int i = 0; i < 4; ++i)
   {
@@ -490,7 +490,7 @@ INSTANTIATE_TEST_SUITE_P(Each, CullerProjections, testing::ValuesIn(Projections)
 // Hazard: tiled rendering changes the projection of an unchanged camera, tile by tile.
 TEST(CullerWindows, TiledWindow)
 {
-  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); }, Size(200, 120));
+  Comparison comparison(Scenes::BuildWall, Size(200, 120));
   for (int tile = 0; tile < 4; ++tile)
   {
     comparison.Both(
@@ -515,7 +515,7 @@ TEST(CullerWindows, OneCameraTwoAspects)
       stage.GetRenderer()->SetViewport(0.0, 0.0, 0.2, 1.0);
       Scenes::BuildWall(stage);
       vtkRenderer* wide = stage.AddRenderer(0.2, 0.0, 1.0, 1.0);
-      Scenes::BuildWall(stage, wide);
+      Scenes::AddWall(stage, wide);
       wide->SetActiveCamera(stage.GetRenderer()->GetActiveCamera());
     });
   for (int i = 0; i < 4; ++i)

@@ -3,11 +3,9 @@
 #include "Scenes.h"
 
 #include "SceneBuilder.h"
-#include "Tune.h"
 
 #include "vtkCamera.h"
 #include "vtkLight.h"
-#include "vtkPoints.h"
 #include "vtkProperty.h"
 
 #include <algorithm>
@@ -52,14 +50,18 @@ void AddProps(Stage& stage, const TestScene::SceneBuilder& scene, vtkRenderer* r
 }
 }
 
-void BuildWall(Stage& stage, vtkRenderer* renderer)
+void BuildWall(Stage& stage)
 {
-  vtkRenderer* target = renderer ? renderer : stage.GetRenderer();
-  target->SetBackground(0.1, 0.2, 0.3);
+  AddWall(stage, stage.GetRenderer());
+}
+
+void AddWall(Stage& stage, vtkRenderer* renderer)
+{
+  renderer->SetBackground(0.1, 0.2, 0.3);
   TestScene::SceneBuilder scene;
   scene.AddWall();
-  AddProps(stage, scene, target);
-  SetWallCamera(target);
+  AddProps(stage, scene, renderer);
+  SetWallCamera(renderer);
 }
 
 void SetWallCamera(vtkRenderer* renderer, double shift)
@@ -137,7 +139,7 @@ int MoveTheDoorBeforeTies(
   unsigned int seed, int frames, const Comparison::Change& set, ComparisonOptions options)
 {
   SCOPED_TRACE(seed);
-  options.RoundSize = 5;
+  options.Tuning.RoundSize = 5;
   int door = 0;
   int redrawn = 0;
   Comparison comparison(
@@ -167,12 +169,9 @@ ComparisonOptions MakeExactOptions(int width, int height, int baseFactor)
   options.Width = width;
   options.Height = height;
   options.KeepDefaultCuller = false;
-  options.Configure = [baseFactor](vtkNBufferCuller* culler)
-  {
-    Tune(culler, &vtkNBufferTuning::BaseFactor, baseFactor);
-    Tune(culler, &vtkNBufferTuning::MinimumNumberOfCandidates, 1);
-    Tune(culler, &vtkNBufferTuning::ReuseWhenStill, false);
-  };
+  options.Tuning.BaseFactor = baseFactor;
+  options.Tuning.MinimumNumberOfCandidates = 1;
+  options.Tuning.ReuseWhenStill = false;
   return options;
 }
 
@@ -209,17 +208,6 @@ void FrameOfCity(Comparison& comparison, double t, const std::string& what)
 {
   MoveCityCamera(comparison, t);
   comparison.Frame(what);
-}
-
-void LiftPoints(vtkPoints* points, double height)
-{
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    points->GetPoint(i, p);
-    points->SetPoint(i, p[0], p[1] + height, p[2]);
-  }
-  points->Modified();
 }
 
 void Settle(Comparison& comparison)

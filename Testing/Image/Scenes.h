@@ -24,7 +24,8 @@ int AddBox(Stage& stage, double x, double y, double z, double sx, double sy, dou
   vtkRenderer* renderer = nullptr);
 
 /// A wall at z = 0 across most of the view, boxes behind and before it, camera at (0, 0, 20).
-void BuildWall(Stage& stage, vtkRenderer* renderer = nullptr);
+void BuildWall(Stage& stage);
+void AddWall(Stage& stage, vtkRenderer* renderer);
 
 /// The wall scene's camera, moved a little sideways.
 void SetWallCamera(vtkRenderer* renderer, double shift = 0.0);
@@ -64,9 +65,6 @@ ComparisonOptions MakeExactOptions(int width, int height, int baseFactor = 1);
 /// its lower left corner, and z from 99 to -101 becomes a window depth from 0 to 1.
 void SetPixelCamera(
   vtkRenderer* renderer, int width, int height, double shiftX = 0.0, double shiftY = 0.0);
-
-/// Move all points up, in place.
-void LiftPoints(vtkPoints* points, double height);
 
 /// Render until what the first frame drew as a guess has been tested.
 void Settle(Comparison& comparison);

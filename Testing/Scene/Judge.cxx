@@ -8,8 +8,12 @@
 #include "Tune.h"
 
 #include "vtkFloatArray.h"
+#include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPropCollection.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -99,6 +103,33 @@ std::string FindDifference(const Picture& expected, const Picture& actual, const
     Compare("The depth", expected, part, expected.Depths, actual.Depths, 1, faults);
   }
   return faults.str();
+}
+
+void PrintTo(const Selected& selected, std::ostream* os)
+{
+  *os << selected.Pixels << " pixels, " << selected.Elements.size() << " elements";
+}
+
+Selection Select(const Stage& stage, const int area[4], int field)
+{
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(stage.GetRenderer());
+  selector->SetFieldAssociation(field);
+  selector->SetArea(area[0], area[1], area[2], area[3]);
+  const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  Selection result;
+  for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
+  {
+    vtkSelectionNode* node = selection->GetNode(i);
+    Selected& found = result[stage.FindIndex(node->GetProperties()->Get(vtkSelectionNode::PROP()))];
+    found.Pixels += node->GetProperties()->Get(vtkSelectionNode::PIXEL_COUNT());
+    vtkDataArray* elements = vtkDataArray::SafeDownCast(node->GetSelectionList());
+    for (vtkIdType k = 0; elements && k < elements->GetNumberOfTuples(); ++k)
+    {
+      found.Elements.push_back(static_cast<vtkIdType>(elements->GetTuple1(k)));
+    }
+  }
+  return result;
 }
 
 FrameErrors RenderFrame(Stage& stage)

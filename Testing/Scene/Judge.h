@@ -13,6 +13,8 @@
 
 #include "Stage.h"
 
+#include <iosfwd>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -41,6 +43,25 @@ Picture TakePicture(
 /// y, width and height of the only part to compare. Depth is compared if both have it.
 std::string FindDifference(
   const Picture& expected, const Picture& actual, const int region[4] = nullptr);
+
+/// What a hardware selection finds of a prop.
+struct Selected
+{
+  int Pixels = 0;
+  std::vector<vtkIdType> Elements; ///< The numbers of the cells or points.
+  bool operator==(const Selected& other) const
+  {
+    return this->Pixels == other.Pixels && this->Elements == other.Elements;
+  }
+};
+void PrintTo(const Selected& selected, std::ostream* os);
+
+/// The props by their indices in the stage; -1 for others.
+using Selection = std::map<int, Selected>;
+
+/// Selects in an area of the first renderer: its first and last column and row. `field`: of
+/// vtkDataObject, cells or points.
+Selection Select(const Stage& stage, const int area[4], int field);
 
 /// What came with a frame in addition to its image.
 struct FrameErrors

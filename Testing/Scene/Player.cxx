@@ -3,6 +3,7 @@
 #include "Player.h"
 
 #include "Fill.h"
+#include "Judge.h"
 #include "SceneProps.h"
 #include "Tune.h"
 
@@ -12,14 +13,10 @@
 #include "vtkCamera.h"
 #include "vtkCullerCollection.h"
 #include "vtkDataObject.h"
-#include "vtkHardwareSelector.h"
-#include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkOpenGLFXAAPass.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 
 #include <algorithm>
 #include <sstream>
@@ -492,27 +489,14 @@ std::string Player::Select()
   {
     return "";
   }
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(this->Renderers[0]);
-  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
   // A tile is all that is drawn of a tiled window, whose GetSize() is that of all tiles.
   const int* size = this->Window->GetActualSize();
-  selector->SetArea(0, 0, size[0] - 1, size[1] - 1);
-  auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
-  std::map<int, int> found;
-  for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
-  {
-    vtkInformation* properties = selection->GetNode(i)->GetProperties();
-    vtkObjectBase* prop = properties->Get(vtkSelectionNode::PROP());
-    const auto place = std::find(this->Props.begin(), this->Props.end(), prop);
-    const int id =
-      place == this->Props.end() ? -1 : this->Scene->Props[place - this->Props.begin()].Id;
-    found[id] += properties->Get(vtkSelectionNode::PIXEL_COUNT());
-  }
+  const int area[4] = { 0, 0, size[0] - 1, size[1] - 1 };
   std::ostringstream text;
-  for (const auto& [id, pixels] : found)
+  for (const auto& [index, found] :
+    TestScene::Select(*this, area, vtkDataObject::FIELD_ASSOCIATION_CELLS))
   {
-    text << id << ": " << pixels << " ";
+    text << (index < 0 ? -1 : this->Scene->Props[index].Id) << ": " << found.Pixels << " ";
   }
   return text.str();
 }

@@ -35,6 +35,12 @@ vtkActor* Stage::GetActor(int index) const
   return vtkActor::SafeDownCast(this->Props[index]);
 }
 
+int Stage::FindIndex(const vtkObjectBase* prop) const
+{
+  const auto found = std::find(this->Props.begin(), this->Props.end(), prop);
+  return found == this->Props.end() ? -1 : static_cast<int>(found - this->Props.begin());
+}
+
 vtkNBufferCuller* Stage::GetCuller(int renderer) const
 {
   if (renderer >= static_cast<int>(this->Renderers.size()))
@@ -98,15 +104,15 @@ bool Stage::AreDrawsCounted(int prop) const
 
 void Stage::CountDraws(vtkActor* actor)
 {
-  const auto found = std::find(this->Props.begin(), this->Props.end(), actor);
-  if (found == this->Props.end() || !actor->GetMapper())
+  const int index = this->FindIndex(actor);
+  if (index < 0 || !actor->GetMapper())
   {
     return;
   }
   // Polydata mappers announce every piece they draw by a StartEvent.
   vtkNew<vtkCallbackCommand> observer;
   observer->SetCallback(CountDraw);
-  observer->SetClientData(this->Draws[found - this->Props.begin()].get());
+  observer->SetClientData(this->Draws[index].get());
   actor->GetMapper()->AddObserver(vtkCommand::StartEvent, observer);
 }
 

@@ -46,6 +46,8 @@ public:
   int GetNumberOfRenderers() const { return static_cast<int>(this->Renderers.size()); }
   vtkRenderer* GetRenderer(int index = 0) const { return this->Renderers[index]; }
   vtkActor* GetActor(int index) const;
+  /// Of a prop among Props; -1 if it is none of them.
+  int FindIndex(const vtkObjectBase* prop) const;
   /// The vtkNBufferCuller in the renderer's list of cullers, or nullptr.
   vtkNBufferCuller* GetCuller(int renderer = 0) const;
 
