@@ -219,66 +219,53 @@ void LightRig::UsePasses(ShadowPasses which)
   }
 }
 
-bool LightRig::Apply(const Change& change)
+void LightRig::Apply(const Change& change)
 {
   const double value = GetValue(change, 0);
+  const bool hasTarget = change.Target >= 0 && change.Target < this->GetNumberOfLights();
+  Light none;
+  Light& light = hasTarget ? this->Descriptions[change.Target] : none;
   switch (change.Kind)
   {
     case ChangeKind::ShadowMode:
       this->Settings.Mode = static_cast<ShadowMode>(std::clamp(static_cast<int>(value), 0, 4));
-      return true;
+      return;
     case ChangeKind::LitmapResolution:
       this->Settings.LitmapResolution = static_cast<int>(value);
-      return true;
+      return;
     case ChangeKind::SlabGap:
       this->Settings.SlabGap = static_cast<int>(value);
-      return true;
+      return;
     case ChangeKind::BoxCost:
       this->Settings.BoxCost = static_cast<int>(value);
-      return true;
+      return;
     case ChangeKind::CasterKeys:
       this->Settings.CasterKeys = value != 0.0;
-      return true;
+      return;
     case ChangeKind::LightPosition:
+      light.Position = GetVector(change);
+      break;
     case ChangeKind::LightFocalPoint:
+      light.FocalPoint = GetVector(change);
+      break;
     case ChangeKind::LightCone:
+      light.ConeAngle = value;
+      break;
     case ChangeKind::LightOn:
+      light.On = value != 0.0;
+      break;
     case ChangeKind::LightCasts:
+      light.Casts = value != 0.0;
+      break;
     case ChangeKind::LightAttenuation:
+      light.ShadowAttenuation = value;
       break;
     default:
-      return false;
+      return;
   }
-  if (change.Target < 0 || change.Target >= this->GetNumberOfLights())
+  for (std::size_t i = 0; hasTarget && i < this->Places.size(); ++i)
   {
-    return true;
+    TestScene::SetUp(this->Places[i].Lights[change.Target], light);
   }
-  Light& description = this->Descriptions[change.Target];
-  switch (change.Kind)
-  {
-    case ChangeKind::LightPosition:
-      description.Position = GetVector(change);
-      break;
-    case ChangeKind::LightFocalPoint:
-      description.FocalPoint = GetVector(change);
-      break;
-    case ChangeKind::LightCone:
-      description.ConeAngle = value;
-      break;
-    case ChangeKind::LightOn:
-      description.On = value != 0.0;
-      break;
-    case ChangeKind::LightCasts:
-      description.Casts = value != 0.0;
-      break;
-    default:
-      description.ShadowAttenuation = value;
-      break;
-  }
-  for (Place& place : this->Places)
-  {
-    TestScene::SetUp(place.Lights[change.Target], description);
-  }
-  return true;
 }
 }

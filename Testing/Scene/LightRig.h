@@ -39,8 +39,8 @@ public:
   void Begin(const Scenario& scenario, const std::vector<vtkSmartPointer<vtkRenderer>>& renderers);
   void End();
 
-  /// True if it was one of a light or of the settings of shadows.
-  bool Apply(const Change& change);
+  /// Changes of anything but lights and settings of shadows leave them as they are.
+  void Apply(const Change& change);
   void SetPassKind(int renderer, PassKind kind);
 
   void UsePasses(ShadowPasses which);

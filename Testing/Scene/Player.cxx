@@ -4,6 +4,7 @@
 
 #include "Fill.h"
 #include "Judge.h"
+#include "SceneBuilder.h"
 #include "SceneProps.h"
 #include "Tune.h"
 
@@ -75,12 +76,7 @@ void SetUp(vtkRenderer* renderer, const Renderer& description, int index)
   if (description.Shadows && VTKNBUFFER_HAS_LASTING_SHADOW_MAPS)
   {
     renderer->SetUseShadows(true);
-    vtkNew<vtkLight> light;
-    light->SetLightTypeToSceneLight();
-    light->SetPositional(true);
-    light->SetConeAngle(60.0);
-    light->SetPosition(8.0, 9.0, 14.0);
-    renderer->AddLight(light);
+    renderer->AddLight(MakeLight(SceneBuilder().Spot({ 8.0, 9.0, 14.0 }, { 0.0, 0.0, 0.0 }, 60.0)));
   }
 }
 }
@@ -238,7 +234,11 @@ std::string Player::Prepare(int frame)
     }
     else
     {
-      this->Apply(change);
+      this->Lighting.Apply(change);
+      this->ApplyToRenderer(change);
+      this->ApplyToWindow(change);
+      this->ApplyToCullers(change);
+      this->ApplyToProp(change);
     }
   }
   for (const View& view : this->Scene->Views)
@@ -336,37 +336,8 @@ void Player::Look(const View& view)
 }
 
 //------------------------------------------------------------------------------------------------
-void Player::Apply(const Change& change)
+void Player::ApplyToProp(const Change& change)
 {
-  if (this->Lighting.Apply(change))
-  {
-    return;
-  }
-  switch (change.Kind)
-  {
-    case ChangeKind::Viewport:
-    case ChangeKind::Pass:
-    case ChangeKind::FXAA:
-    case ChangeKind::SSAO:
-      this->ApplyToRenderer(change);
-      return;
-    case ChangeKind::WindowSize:
-    case ChangeKind::MultiSamples:
-    case ChangeKind::Stereo:
-    case ChangeKind::NewContext:
-    case ChangeKind::PolygonOffset:
-      this->ApplyToWindow(change);
-      return;
-    case ChangeKind::CullerEnabled:
-    case ChangeKind::CullerBackend:
-    case ChangeKind::CullerBaseFactor:
-    case ChangeKind::CullerRoundSize:
-    case ChangeKind::CullerPresent:
-      this->ApplyToCullers(change);
-      return;
-    default:
-      break;
-  }
   const auto found = this->Places.find(change.Target);
   if (found == this->Places.end() || !this->Props[found->second])
   {
@@ -407,8 +378,10 @@ void Player::ApplyToRenderer(const Change& change)
     case ChangeKind::FXAA:
       renderer->SetUseFXAA(value != 0.0);
       break;
-    default:
+    case ChangeKind::SSAO:
       renderer->SetUseSSAO(value != 0.0);
+      break;
+    default:
       break;
   }
 }
@@ -434,10 +407,12 @@ void Player::ApplyToWindow(const Change& change)
         ReplaceFXAAPass(renderer);
       }
       break;
-    default:
+    case ChangeKind::PolygonOffset:
       // One switch for both stages: the same twice is no change.
       vtkMapper::SetResolveCoincidentTopology(std::clamp(static_cast<int>(value), 0, 2));
       vtkMapper::SetResolveCoincidentTopologyZShift(LargeShift);
+      break;
+    default:
       break;
   }
 }
@@ -463,7 +438,7 @@ void Player::ApplyToCullers(const Change& change)
       case ChangeKind::CullerRoundSize:
         Tune(culler, &vtkNBufferTuning::RoundSize, value);
         break;
-      default:
+      case ChangeKind::CullerPresent:
         cullers->RemoveItem(culler);
         if (value != 0)
         {
@@ -477,6 +452,8 @@ void Player::ApplyToCullers(const Change& change)
             cullers->AddItem(first);
           }
         }
+        break;
+      default:
         break;
     }
   }

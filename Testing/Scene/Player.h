@@ -60,10 +60,13 @@ private:
   void AddCullers();
   void JoinAndLeave(int frame);
   void Join(int prop, bool present);
-  void Apply(const Change& change);
+  /// @name Changes of other kinds leave these as they are
+  ///@{
   void ApplyToRenderer(const Change& change);
   void ApplyToWindow(const Change& change);
   void ApplyToCullers(const Change& change);
+  void ApplyToProp(const Change& change);
+  ///@}
   void Look(const View& view);
   std::string Select();
 
