@@ -12,6 +12,16 @@
 
 #include <array>
 
+/// A parallel view in which world x and y are pixels and z is the depth.
+inline vtkNBufferProjection MapWorldToPixels(int width, int height, int subpixelBits = 4)
+{
+  const double worldToClip[16] = { 2.0 / width, 0.0, 0.0, -1.0, 0.0, 2.0 / height, 0.0, -1.0, 0.0,
+    0.0, 2.0, -1.0, 0.0, 0.0, 0.0, 1.0 };
+  vtkNBufferProjection projection;
+  projection.Set(worldToClip, width, height, 0x1p-24, 0, subpixelBits);
+  return projection;
+}
+
 struct ProjectedBox
 {
   ProjectedBox(const vtkNBufferProjection& projection, const std::array<double, 6>& bounds)

@@ -18,16 +18,6 @@ namespace
 {
 constexpr int Side = 12; // of the simulated window
 
-/// A parallel view in which world x and y are pixels and z is the depth.
-vtkNBufferProjection MapWorldToPixels()
-{
-  const double worldToClip[16] = { 2.0 / Side, 0.0, 0.0, -1.0, 0.0, 2.0 / Side, 0.0, -1.0, 0.0, 0.0,
-    2.0, -1.0, 0.0, 0.0, 0.0, 1.0 };
-  vtkNBufferProjection projection;
-  projection.Set(worldToClip, Side, Side, 0x1p-24);
-  return projection;
-}
-
 /// What was drawn of a prop with these bounds, in the first round.
 vtkNBufferDrawnProp MakeDrawn(const vtkNBufferProjection& projection,
   const std::array<double, 6>& bounds, int index = 0, int round = 0)
@@ -80,7 +70,7 @@ void Draw(const Prop& prop, std::vector<Pixel>& window,
 // once more where said, it must be that of the renderer's order, for any rounds.
 TEST(NBufferTieOrder, RedrawsRestoreTheOrder)
 {
-  const vtkNBufferProjection projection = MapWorldToPixels();
+  const vtkNBufferProjection projection = MapWorldToPixels(Side, Side);
   std::mt19937 random(41);
   int redrawn = 0;
   int regions = 0;
@@ -156,7 +146,7 @@ TEST(NBufferTieOrder, RedrawsRestoreTheOrder)
 // Hazard: a chain of props that touch is drawn again from end to end for the first of them.
 TEST(NBufferTieOrder, ChainsEndWhereRegionsDoNotMeet)
 {
-  const vtkNBufferProjection projection = MapWorldToPixels();
+  const vtkNBufferProjection projection = MapWorldToPixels(Side, Side);
   std::vector<vtkNBufferDrawnProp> drawn;
   for (int i = 0; i < 5; ++i)
   {
@@ -179,7 +169,7 @@ TEST(NBufferTieOrder, ChainsEndWhereRegionsDoNotMeet)
 // Hazard: a large prop that touches many small ones is drawn again all over.
 TEST(NBufferTieOrder, RegionsAreNoMoreThanFour)
 {
-  const vtkNBufferProjection projection = MapWorldToPixels();
+  const vtkNBufferProjection projection = MapWorldToPixels(Side, Side);
   std::vector<vtkNBufferDrawnProp> drawn;
   for (int i = 0; i < 6; ++i)
   {
@@ -203,7 +193,7 @@ TEST(NBufferTieOrder, RegionsAreNoMoreThanFour)
 // Hazard: props that cannot touch are drawn twice for nothing.
 TEST(NBufferTieOrder, OnlyPropsThatTouchTie)
 {
-  const vtkNBufferProjection projection = MapWorldToPixels();
+  const vtkNBufferProjection projection = MapWorldToPixels(Side, Side);
   const auto make = [&projection](double x, double y, double z) {
     return MakeDrawn(projection, { x, x + 2.0, y, y + 2.0, z, z + 0.05 });
   };
@@ -260,18 +250,6 @@ TEST(NBufferBackOff, RestsAndProbes)
   EXPECT_FALSE(backOff.CountPausedFrame()) << "a probe that hides much ends it";
   backOff.Learn(0, 100);
   EXPECT_FALSE(backOff.CountPausedFrame()) << "and all begins anew";
-}
-
-// Hazard: with nothing held back there is no test, and with no test nothing is held back.
-TEST(NBufferBackOff, ProbesWhereNothingIsHeld)
-{
-  vtkNBufferBackOff backOff;
-  int probes = 0;
-  for (int frame = 0; frame < 8 * 10; ++frame)
-  {
-    probes += backOff.CountIdleFrame();
-  }
-  EXPECT_EQ(probes, 10);
 }
 
 // Hazard: an empty frustum divides by nothing.

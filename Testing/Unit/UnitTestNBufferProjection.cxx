@@ -326,28 +326,14 @@ TEST(NBufferProjectionOnce, SlackGrowsWithTheLargestCoordinate)
   EXPECT_GT(after.Screen.Farthest, before.Screen.Farthest);
 }
 
-namespace
-{
-/// A parallel view of 100 pixels in which world x and y are pixels and z is the depth.
-vtkNBufferProjection MapWorldToPixels(int subpixelBits)
-{
-  constexpr int side = 100;
-  const double worldToClip[16] = { 2.0 / side, 0.0, 0.0, -1.0, 0.0, 2.0 / side, 0.0, -1.0, 0.0, 0.0,
-    2.0, -1.0, 0.0, 0.0, 0.0, 1.0 };
-  vtkNBufferProjection projection;
-  projection.Set(worldToClip, side, side, 0x1p-24, 0, subpixelBits);
-  return projection;
-}
-}
-
 // Hazard: a box gets the border of a fine grid although the device makes vertices elsewhere; or the
 // grid is fine and the border is not.
 TEST(NBufferProjectionOnce, BorderIsThatOfTheSubpixelGridInView)
 {
   const auto getBorder = [](int subpixelBits, double left, double right, double far = 0.6)
   {
-    const ProjectedBox box(
-      MapWorldToPixels(subpixelBits), std::array<double, 6>{ left, right, 10, 20, 0.5, far });
+    const ProjectedBox box(MapWorldToPixels(100, 100, subpixelBits),
+      std::array<double, 6>{ left, right, 10, 20, 0.5, far });
     EXPECT_TRUE(box.IsInside());
     return box.Screen.Border;
   };
@@ -359,10 +345,11 @@ TEST(NBufferProjectionOnce, BorderIsThatOfTheSubpixelGridInView)
   EXPECT_DOUBLE_EQ(getBorder(8, 10.0, 100.001), 0x1p-4) << "reaches beyond the right side";
   EXPECT_DOUBLE_EQ(getBorder(8, 10.0, 20.0, 1.001), 0x1p-4) << "reaches beyond the far plane";
 
-  vtkNBufferBox line = ProjectedBox(MapWorldToPixels(8), { 10, 20, 10, 20, 0.5, 0.6 }).Box;
+  vtkNBufferBox line =
+    ProjectedBox(MapWorldToPixels(100, 100, 8), { 10, 20, 10, 20, 0.5, 0.6 }).Box;
   line.Margin = 1.0;
   vtkNBufferScreenBox screen;
-  ASSERT_EQ(MapWorldToPixels(8).Project(line, screen), vtkNBufferPlacement::Inside);
+  ASSERT_EQ(MapWorldToPixels(100, 100, 8).Project(line, screen), vtkNBufferPlacement::Inside);
   EXPECT_DOUBLE_EQ(screen.Border, 1.0 + 0x1p-4);
 }
 
@@ -373,7 +360,7 @@ TEST(NBufferProjectionOnce, MiddlesAreThoseThatAVertexMaySnapTo)
   const auto getMiddles = [](double left, double right)
   {
     const ProjectedBox box(
-      MapWorldToPixels(8), std::array<double, 6>{ left, right, 10, 20, 0.5, 0.6 });
+      MapWorldToPixels(100, 100, 8), std::array<double, 6>{ left, right, 10, 20, 0.5, 0.6 });
     EXPECT_TRUE(box.IsInside());
     EXPECT_FALSE(box.Screen.Pixels.IsEmpty());
     return box.Screen.Middles;

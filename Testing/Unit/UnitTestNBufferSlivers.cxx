@@ -16,17 +16,10 @@ namespace
 constexpr int Width = 101;
 constexpr int Height = 67;
 
-/// A unit of x and y is a pixel, z is the window depth.
 class Slivers : public testing::Test
 {
 protected:
-  Slivers()
-  {
-    const double worldToClip[16] = { 2.0 / Width, 0, 0, -1, 0, 2.0 / Height, 0, -1, 0, 0, 2, -1, 0,
-      0, 0, 1 };
-    this->Projection.Set(worldToClip, Width, Height, 0x1p-24);
-    this->SetWall(0.0f);
-  }
+  Slivers() { this->SetWall(0.0f); }
 
   void SetWall(float depth)
   {
@@ -50,7 +43,7 @@ protected:
     return test.MayBeSeen(mesh, identity, box.Screen);
   }
 
-  vtkNBufferProjection Projection;
+  vtkNBufferProjection Projection = MapWorldToPixels(Width, Height);
   vtkNBufferLevels Levels;
   std::vector<float> Depth;
 };

@@ -169,14 +169,6 @@ private:
   glm::dmat4 WorldToClip;
 };
 
-bool IsInCone(const vtkShadowLight& light, const Point& x)
-{
-  const Point ray = x - light.Position;
-  return light.Kind != Kind::Spot ||
-    vtkMath::AngleBetweenVectors(glm::value_ptr(ray), glm::value_ptr(light.Direction)) <=
-    vtkMath::RadiansFromDegrees(light.ConeAngle);
-}
-
 bool IsInside(const vtkShadowBlock& block, const Point& pqs)
 {
   return glm::all(glm::lessThanEqual(block.Low, pqs)) &&
@@ -197,7 +189,7 @@ int CheckAll(
     {
       const Point pqs = frame.ToLight(image.World[i]);
       const bool inFrame = light.Kind == Kind::Directional ||
-        (pqs[2] > 0.0 && IsInCone(light, image.World[i]) &&
+        (pqs[2] > 0.0 && IsReached(light, image.World[i]) &&
           (light.Kind == Kind::Spot || std::max(std::abs(pqs[0]), std::abs(pqs[1])) <= 1.0));
       if (image.Depth[i] >= 1.0f || !inFrame)
       {
