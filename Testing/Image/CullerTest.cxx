@@ -133,8 +133,12 @@ void Comparison::Both(const Change& change)
   change(this->Culled);
 }
 
-void Comparison::Frame(const std::string& what)
+void Comparison::Frame(const std::string& what, const Change& change)
 {
+  if (change)
+  {
+    this->Both(change);
+  }
   const std::string name = "frame " + std::to_string(this->Frames++) + " " + what;
   SCOPED_TRACE(name);
   const TestScene::FrameErrors expected = TestScene::RenderFrame(this->Reference);

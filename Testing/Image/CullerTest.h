@@ -103,8 +103,9 @@ public:
 
   /// Do the same to both stages.
   void Both(const Change& change);
-  /// Render both and compare; `what` names the frame in failures.
-  void Frame(const std::string& what = "");
+  /// Render both, changed, and compare; `what` names the frame in failures.
+  void Frame(const std::string& what = "", const Change& change = nullptr);
+  void Frame(const Change& change) { this->Frame("", change); }
   /// Add the culler to all renderers of the second stage as a user does.
   void AddCuller();
 

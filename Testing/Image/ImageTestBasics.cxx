@@ -115,13 +115,12 @@ TEST(CullerBasics, CameraCuts)
   // Turned round on the spot: the two visible sets have next to nothing in common.
   for (int i = 0; i < 4; ++i)
   {
-    comparison.Both(
+    comparison.Frame("turned",
       [](Stage& stage)
       {
         stage.GetRenderer()->GetActiveCamera()->Yaw(175.0);
         stage.GetRenderer()->ResetCameraClippingRange();
       });
-    comparison.Frame("turned");
     EXPECT_LE(comparison.GetStatistics().Rounds, 6);
   }
 }
@@ -132,7 +131,7 @@ TEST(CullerBasics, JumpingToAndFro)
   Comparison comparison(Scenes::BuildWall);
   for (int i = 0; i < 16; ++i)
   {
-    comparison.Both(
+    comparison.Frame(i % 4 >= 2 ? "behind" : "before",
       [i](Stage& stage)
       {
         // Two frames on each side of the wall.
@@ -141,7 +140,6 @@ TEST(CullerBasics, JumpingToAndFro)
         camera->SetPosition((behind ? 3.0 : -1.0) + 0.1 * (i % 2), 0.5, behind ? -20.0 : 20.0);
         stage.GetRenderer()->ResetCameraClippingRange();
       });
-    comparison.Frame(i % 4 >= 2 ? "behind" : "before");
     EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
     // What the other side saw is drawn once more before it is found hidden.
     EXPECT_TRUE(i % 4 != 1 || comparison.GetHidden() >= Wall::Hidden) << comparison.GetHidden();
@@ -200,25 +198,23 @@ TEST(CullerBasics, PropsComeAndGo)
 {
   Comparison comparison(Scenes::BuildWall);
   comparison.Frame();
-  comparison.Both([](Stage& stage) { Scenes::AddBox(stage, 0.0, 0.0, 3.0, 1.0, 1.0, 1.0); });
-  comparison.Frame("one in front added");
-  comparison.Both([](Stage& stage) { Scenes::AddBox(stage, 1.0, 1.0, -3.0, 1.0, 1.0, 1.0); });
-  comparison.Frame("one behind added");
+  comparison.Frame("one in front added",
+    [](Stage& stage) { Scenes::AddBox(stage, 0.0, 0.0, 3.0, 1.0, 1.0, 1.0); });
+  comparison.Frame(
+    "one behind added", [](Stage& stage) { Scenes::AddBox(stage, 1.0, 1.0, -3.0, 1.0, 1.0, 1.0); });
   EXPECT_EQ(comparison.GetVerdict(Wall::Count + 1), Verdict::Hidden);
-  comparison.Both(
+  comparison.Frame("one behind removed",
     [](Stage& stage) { stage.GetRenderer()->RemoveViewProp(stage.Props[Wall::FirstBehind]); });
-  comparison.Frame("one behind removed");
   EXPECT_EQ(comparison.GetVerdict(Wall::FirstBehind), Verdict::Unknown);
-  comparison.Both(
+  comparison.Frame("the wall removed",
     [](Stage& stage) { stage.GetRenderer()->RemoveViewProp(stage.Props[Wall::Index]); });
-  comparison.Frame("the wall removed");
   EXPECT_LT(comparison.GetHidden(), Wall::Behind / 2);
-  comparison.Both([](Stage& stage) { stage.GetRenderer()->AddViewProp(stage.Props[Wall::Index]); });
-  comparison.Frame("the wall back, now last in the list");
+  comparison.Frame("the wall back, now last in the list",
+    [](Stage& stage) { stage.GetRenderer()->AddViewProp(stage.Props[Wall::Index]); });
   Scenes::FrameOfWall(comparison, 0.1, "the wall known to hide");
   Scenes::FrameOfWall(comparison, 0.2, "what it hides held back");
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
-  comparison.Both(
+  comparison.Frame("every other one invisible",
     [](Stage& stage)
     {
       for (int i = 1; i < Wall::Count; i += 2)
@@ -226,11 +222,8 @@ TEST(CullerBasics, PropsComeAndGo)
         stage.Props[i]->SetVisibility(false);
       }
     });
-  comparison.Frame("every other one invisible");
-  comparison.Both([](Stage& stage) { stage.GetRenderer()->RemoveAllViewProps(); });
-  comparison.Frame("all removed");
-  comparison.Both(Scenes::BuildWall);
-  comparison.Frame("another scene");
+  comparison.Frame("all removed", [](Stage& stage) { stage.GetRenderer()->RemoveAllViewProps(); });
+  comparison.Frame("another scene", Scenes::BuildWall);
 }
 
 // Hazard: a pointer that is reused for a new prop must not inherit a verdict.
@@ -239,7 +232,7 @@ TEST(CullerBasics, ManyGenerationsOfProps)
   Comparison comparison(Scenes::BuildWall);
   for (int i = 0; i < 6; ++i)
   {
-    comparison.Both(
+    comparison.Frame("generation " + std::to_string(i),
       [i](Stage& stage)
       {
         stage.GetRenderer()->RemoveAllViewProps();
@@ -251,7 +244,6 @@ TEST(CullerBasics, ManyGenerationsOfProps)
         Scenes::BuildWall(stage);
         Scenes::SetWallCamera(stage.GetRenderer(), 0.5 * i);
       });
-    comparison.Frame("generation " + std::to_string(i));
     EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
   }
 }
@@ -262,13 +254,12 @@ TEST(CullerBasics, NoPropsAndOneProp)
   Comparison comparison([](Stage& stage) { stage.GetRenderer()->SetBackground(0.3, 0.1, 0.1); });
   comparison.Frame("no props");
   EXPECT_EQ(comparison.GetHidden(), 0);
-  comparison.Both(
+  comparison.Frame("one prop",
     [](Stage& stage)
     {
       Scenes::AddBox(stage, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0);
       stage.GetRenderer()->ResetCamera();
     });
-  comparison.Frame("one prop");
   EXPECT_EQ(comparison.GetVerdict(0), Verdict::Untested);
 }
 

@@ -75,13 +75,12 @@ TEST(CullerProps, BlendedInTheOpaqueStage)
     });
   for (int i = 0; i < 8; ++i)
   {
-    comparison.Both(
+    comparison.Frame(
       [i](Stage& stage)
       {
         Scenes::SetWallCamera(stage.GetRenderer(), i % 2 ? 9.0 : -2.0 * i);
         stage.GetActor(Wall::Index)->SetPosition(i % 3, 0.0, 0.0);
       });
-    comparison.Frame();
     EXPECT_EQ(comparison.GetDecision(), Decision::Blending);
     EXPECT_EQ(comparison.GetHidden(), 0);
   }
@@ -137,13 +136,12 @@ TEST(CullerProps, SmoothLines)
     });
   for (int i = 0; i < 6; ++i)
   {
-    comparison.Both(
+    comparison.Frame(
       [i](Stage& stage)
       {
         Scenes::SetWallCamera(stage.GetRenderer(), i % 2 ? 7.0 : -2.0 * i);
         stage.GetActor(Wall::Index)->SetPosition(2.0 * (i % 3), 0.0, 0.0);
       });
-    comparison.Frame();
     EXPECT_EQ(comparison.GetDecision(), Decision::Blending);
     EXPECT_EQ(comparison.GetHidden(), 0);
   }

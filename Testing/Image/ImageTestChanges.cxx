@@ -87,8 +87,7 @@ TEST_P(CullerChanges, SeenInThatFrame)
       Scenes::FrameOfWall(comparison, still ? 0.0 : 0.05 * i, "before");
     }
     EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
-    comparison.Both(change.Apply);
-    comparison.Frame("after");
+    comparison.Frame("after", change.Apply);
     if (change.After != Verdict::Unknown)
     {
       EXPECT_EQ(comparison.GetVerdict(change.Prop), change.After);
@@ -393,9 +392,8 @@ TEST(CullerChangesOnce, ADoorThatOpens)
   EXPECT_GE(hidden, Wall::Hidden);
   for (int i = 0; i < 20; ++i)
   {
-    comparison.Both(
+    comparison.Frame(
       [i](Stage& stage) { stage.GetActor(Wall::Index)->SetPosition(0.5 * i, 0.0, 0.0); });
-    comparison.Frame();
     EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
     // At the end nothing hides but the boxes each other, here and there.
     EXPECT_LE(comparison.GetHidden(), hidden + 1) << i;
@@ -410,7 +408,7 @@ TEST(CullerChangesOnce, EverythingMoves)
   Comparison comparison(Scenes::BuildWall);
   for (int i = 0; i < 8; ++i)
   {
-    comparison.Both(
+    comparison.Frame(
       [i](Stage& stage)
       {
         for (int prop = 1; prop < Wall::Count; ++prop)
@@ -420,7 +418,6 @@ TEST(CullerChangesOnce, EverythingMoves)
           stage.GetActor(prop)->RotateZ(10.0);
         }
       });
-    comparison.Frame();
     EXPECT_GT(comparison.GetHidden(), 10);
   }
 }

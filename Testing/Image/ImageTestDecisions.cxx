@@ -111,8 +111,7 @@ TEST(CullerDecisions, FewOfManyAreInView)
     options);
   for (int i = 0; i < 3; ++i)
   {
-    Scenes::MoveWallCamera(comparison, 0.1 * i);
-    comparison.Frame();
+    Scenes::FrameOfWall(comparison, 0.1 * i);
     EXPECT_EQ(comparison.GetDecision(), Decision::FewCandidates);
     EXPECT_TRUE(DidNoWork(comparison.GetStatistics()));
     EXPECT_EQ(comparison.GetStatistics().Props, i == 0 ? inView : inView + outside)
@@ -140,8 +139,7 @@ TEST(CullerDecisions, AllAreHiddenByOtherProps)
     options);
   for (int i = 0; i < 4; ++i)
   {
-    Scenes::MoveWallCamera(comparison, 0.1 * i);
-    comparison.Frame();
+    Scenes::FrameOfWall(comparison, 0.1 * i);
     EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
     EXPECT_EQ(comparison.GetStatistics().DrawnInRound[1], i == 0 ? options.Tuning.RoundSize : 0)
       << i;
@@ -182,8 +180,7 @@ TEST(CullerDecisions, CameraTouchedButNotMoved)
   Comparison comparison(Scenes::BuildWall);
   for (int i = 0; i < 4; ++i)
   {
-    comparison.Both([](Stage& stage) { stage.GetRenderer()->GetActiveCamera()->Modified(); });
-    comparison.Frame();
+    comparison.Frame([](Stage& stage) { stage.GetRenderer()->GetActiveCamera()->Modified(); });
     EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
   }
 }

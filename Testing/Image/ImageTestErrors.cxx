@@ -15,44 +15,6 @@
 
 namespace
 {
-
-constexpr int Frames = 4;
-
-int CountWarnings(const std::string& messages)
-{
-  const std::string beginning = "vtkNBufferCuller draws everything";
-  int count = 0;
-  for (std::size_t at = messages.find(beginning); at != std::string::npos;
-       at = messages.find(beginning, at + 1))
-  {
-    ++count;
-  }
-  return count;
-}
-
-/// The wall, some frames of a walk, each drawn whole for the same reason; one warning in all that
-/// names cause and remedy.
-void ExpectFailure(const Comparison::Change& build, ComparisonOptions options, Decision failure,
-  const std::string& cause, const std::string& remedy)
-{
-  options.KeepMessages = true;
-  Comparison comparison(build, options);
-  for (int i = 0; i < Frames; ++i)
-  {
-    Scenes::FrameOfWall(comparison, 0.01 * i);
-    EXPECT_EQ(comparison.GetDecision(), failure);
-    EXPECT_EQ(comparison.GetHidden(), 0);
-    // The first frame's list has been through VTK's own culler.
-    EXPECT_EQ(comparison.GetStatistics().GetNumberOfPropsDrawn(),
-      comparison.GetStatistics().Props -
-        comparison.GetStatistics().GetCount(vtkNBufferVerdict::Outside));
-    EXPECT_EQ(comparison.GetStatistics().FailedFrames, i + 1);
-  }
-  EXPECT_EQ(CountWarnings(comparison.Messages), 1) << comparison.Messages;
-  EXPECT_NE(comparison.Messages.find(cause), std::string::npos) << comparison.Messages;
-  EXPECT_NE(comparison.Messages.find(remedy), std::string::npos) << comparison.Messages;
-}
-
 /// An application that draws the opaque props into a framebuffer of its own: binds it when it is
 /// drawn in the opaque stage, and copies the colours to where they belong in the overlay stage.
 class OwnFramebuffer : public vtkProp
@@ -159,7 +121,7 @@ TEST(CullerErrors, NoContext)
   }
   const std::vector<vtkProp*> before = list;
   std::string messages;
-  for (int i = 0; i < Frames; ++i)
+  for (int i = 0; i < 4; ++i)
   {
     int count = static_cast<int>(list.size());
     int initialized = 0;
@@ -170,9 +132,7 @@ TEST(CullerErrors, NoContext)
     EXPECT_EQ(culler->GetStatistics().Decision, Decision::NoContext);
     EXPECT_EQ(culler->GetStatistics().FailedFrames, i + 1);
   }
-  EXPECT_EQ(CountWarnings(messages), 1) << messages;
-  EXPECT_NE(messages.find("has no OpenGL context"), std::string::npos) << messages;
-  EXPECT_NE(messages.find("VTK::RenderingOpenGL2"), std::string::npos) << messages;
+  Scenes::ExpectOneWarning(messages, { "has no OpenGL context", "VTK::RenderingOpenGL2" });
 }
 
 // Hazard: a device that cannot draw into float textures cannot build levels.
@@ -181,8 +141,8 @@ TEST(CullerErrors, NoFloatTexturesOnTheDevice)
   ComparisonOptions options;
   options.Backend = vtkNBufferCuller::OpenGL;
   options.Tuning.AllowFloatTextures = false;
-  ExpectFailure(Scenes::BuildWall, options, Decision::NoFloatTextures,
-    "Float textures are switched off", "use the CPU back-end");
+  Scenes::ExpectFailure(Scenes::BuildWall, options, Decision::NoFloatTextures,
+    { "Float textures are switched off", "use the CPU back-end" });
 }
 
 // Hazard: the host builds without float textures, but samples can only be reduced on the device.
@@ -195,8 +155,8 @@ TEST(CullerErrors, NoFloatTexturesAndMultiSamples)
   ComparisonOptions options;
   options.MultiSamples = 4;
   options.Tuning.AllowFloatTextures = false;
-  ExpectFailure(Scenes::BuildWall, options, Decision::NoFloatTextures,
-    "Float textures are switched off", "without multisampling");
+  Scenes::ExpectFailure(Scenes::BuildWall, options, Decision::NoFloatTextures,
+    { "Float textures are switched off", "without multisampling" });
 }
 
 // Hazard: where the back-end is a free choice, a missing feature of one must not cost the culling.
@@ -218,15 +178,15 @@ TEST(CullerErrors, MultisampledRenderbuffer)
   {
     GTEST_SKIP() << "no framebuffer of 4 samples here";
   }
-  ExpectFailure(WithOwnFramebuffer(4, true), ComparisonOptions(), Decision::NoDepth,
-    "Multisampled depth in a renderbuffer", "SetMultiSamples(0)");
+  Scenes::ExpectFailure(WithOwnFramebuffer(4, true), ComparisonOptions(), Decision::NoDepth,
+    { "Multisampled depth in a renderbuffer", "SetMultiSamples(0)" });
 }
 
 // Hazard: the application draws into a framebuffer that has no depth at all.
 TEST(CullerErrors, NoDepthBuffer)
 {
-  ExpectFailure(WithOwnFramebuffer(0, false), ComparisonOptions(), Decision::NoDepth,
-    "has no depth buffer", "Attach one");
+  Scenes::ExpectFailure(WithOwnFramebuffer(0, false), ComparisonOptions(), Decision::NoDepth,
+    { "has no depth buffer", "Attach one" });
 }
 
 // The counterpart of the two above: a framebuffer of the application's own that can be read.

@@ -8,12 +8,7 @@
 #include "vtkCamera.h"
 #include "vtkCylinderSource.h"
 #include "vtkFloatArray.h"
-#include "vtkMath.h"
 #include "vtkPlaneSource.h"
-
-#include <algorithm>
-#include <cstdio>
-#include <string>
 
 namespace
 {

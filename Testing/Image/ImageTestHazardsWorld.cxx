@@ -7,8 +7,6 @@
 
 #include "vtkCamera.h"
 #include "vtkPoints.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
 
 #if VTKNBUFFER_TEST_HAS_CITY
 #include "CityFile.h"
@@ -16,7 +14,6 @@
 #include "Compressed.h"
 #endif
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -152,8 +149,7 @@ int CountHidden(
   int hidden = 0;
   for (int i = 0; i < frames; ++i)
   {
-    comparison.Both([&](Stage& stage) { lookInFrame(stage, i); });
-    comparison.Frame();
+    comparison.Frame([&](Stage& stage) { lookInFrame(stage, i); });
     EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
     hidden += comparison.GetHidden();
   }
@@ -239,11 +235,10 @@ TEST_P(CullerFarAway, DetailsOfCentimetres)
       int hidden = 0;
       for (int i = 0; i < 5; ++i)
       {
-        comparison.Both(
+        comparison.Frame(
           [&](Stage& stage) {
             world.Look(stage, { 0.01 * i, 0.0, 1.5 }, { 0.01 * i, 3.0, 1.2 }, 0.5, 500.0);
           });
-        comparison.Frame();
         hidden += comparison.GetHidden();
         for (int k = 0; k < Count; ++k)
         {

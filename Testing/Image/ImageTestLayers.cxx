@@ -55,10 +55,8 @@ TEST(CullerLayers, LayerWithNothingInsideProcessesWhatLiesBelow)
     comparison.Frame("plain");
     // In the first frame VTK's own culler removes the prop before ours sees it.
     EXPECT_EQ(comparison.GetStatistics(1).GetCount(Verdict::Outside), stock ? 0 : 1);
-    comparison.Both([](Stage& stage) { stage.Renderers[1]->SetUseFXAA(true); });
-    comparison.Frame("FXAA");
-    comparison.Both([](Stage& stage) { stage.Renderers[1]->SetUseSSAO(true); });
-    comparison.Frame("FXAA and SSAO");
+    comparison.Frame("FXAA", [](Stage& stage) { stage.Renderers[1]->SetUseFXAA(true); });
+    comparison.Frame("FXAA and SSAO", [](Stage& stage) { stage.Renderers[1]->SetUseSSAO(true); });
     EXPECT_EQ(comparison.GetStatistics(1).GetCount(Verdict::Untested), 1);
     EXPECT_GE(comparison.GetHidden(0), Wall::Hidden);
   }
@@ -138,7 +136,7 @@ TEST(CullerLayers, DepthTestLeftOffByAnotherRenderersPass)
     options);
   for (int i = 0; i < 4; ++i)
   {
-    comparison.Both(
+    comparison.Frame(
       [i](Stage& stage)
       {
         vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
@@ -146,7 +144,6 @@ TEST(CullerLayers, DepthTestLeftOffByAnotherRenderersPass)
         camera->SetFocalPoint(0.0, 0.0, 0.0);
         stage.GetRenderer()->ResetCameraClippingRange();
       });
-    comparison.Frame();
     EXPECT_EQ(comparison.GetDecision(), i > 0 ? Decision::OtherView : Decision::Culled);
   }
 }

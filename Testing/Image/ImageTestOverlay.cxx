@@ -7,7 +7,6 @@
 
 #include "vtkAxesActor.h"
 #include "vtkCamera.h"
-#include "vtkCaptionActor2D.h"
 #include "vtkCornerAnnotation.h"
 #include "vtkLookupTable.h"
 #include "vtkScalarBarActor.h"
@@ -59,11 +58,11 @@ TEST(CullerOverlay, TextScalarBarAxesAndCornerAnnotation)
   {
     EXPECT_EQ(comparison.GetVerdict(prop), Verdict::NotAPlainActor);
   }
-  comparison.Both([](Stage& stage)
+  comparison.Frame("text changed",
+    [](Stage& stage)
     { vtkTextActor::SafeDownCast(stage.Props[Wall::Count])->SetInput("changed"); });
-  comparison.Frame("text changed");
-  comparison.Both([](Stage& stage) { stage.Props[Wall::Count]->VisibilityOff(); });
-  comparison.Frame("text invisible");
+  comparison.Frame(
+    "text invisible", [](Stage& stage) { stage.Props[Wall::Count]->VisibilityOff(); });
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
 }
 
@@ -81,14 +80,13 @@ TEST(CullerOverlay, MarkerInALayerOfItsOwn)
     });
   for (int i = 0; i < 4; ++i)
   {
-    comparison.Both(
+    comparison.Frame("moved",
       [i](Stage& stage)
       {
         Scenes::SetWallCamera(stage.GetRenderer(), 0.2 * i);
         stage.Renderers[1]->GetActiveCamera()->SetPosition(0.3 * i, 1.0, 5.0);
         stage.Renderers[1]->ResetCamera();
       });
-    comparison.Frame("moved");
     EXPECT_GE(comparison.GetHidden(0), Wall::Hidden);
     EXPECT_EQ(comparison.GetDecision(1), Decision::FewCandidates);
     EXPECT_TRUE(DidNoWork(comparison.GetStatistics(1)));

@@ -178,34 +178,26 @@ TEST(CullerPassesOnce, SettingsChangeBetweenFrames)
 {
   Comparison comparison(Scenes::BuildWall);
   comparison.Frame("plain");
-  comparison.Both([](Stage& stage) { stage.GetRenderer()->SetUseSSAO(true); });
-  comparison.Frame("SSAO on");
-  comparison.Both([](Stage& stage) { stage.GetRenderer()->SetUseSSAO(false); });
-  comparison.Frame("SSAO off");
-  comparison.Both([](Stage& stage) { stage.GetRenderer()->SetUseFXAA(true); });
-  comparison.Frame("FXAA on");
-  comparison.Both([](Stage& stage) { stage.GetRenderer()->SetUseFXAA(false); });
-  comparison.Frame("FXAA off");
-  comparison.Both([](Stage& stage) { stage.Window->SetMultiSamples(4); });
-  comparison.Frame("MSAA on");
-  comparison.Both([](Stage& stage) { stage.Window->SetMultiSamples(0); });
-  comparison.Frame("MSAA off");
+  comparison.Frame("SSAO on", [](Stage& stage) { stage.GetRenderer()->SetUseSSAO(true); });
+  comparison.Frame("SSAO off", [](Stage& stage) { stage.GetRenderer()->SetUseSSAO(false); });
+  comparison.Frame("FXAA on", [](Stage& stage) { stage.GetRenderer()->SetUseFXAA(true); });
+  comparison.Frame("FXAA off", [](Stage& stage) { stage.GetRenderer()->SetUseFXAA(false); });
+  comparison.Frame("MSAA on", [](Stage& stage) { stage.Window->SetMultiSamples(4); });
+  comparison.Frame("MSAA off", [](Stage& stage) { stage.Window->SetMultiSamples(0); });
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
-  comparison.Both(
+  comparison.Frame("shadows on",
     [](Stage& stage)
     {
       Scenes::SetSpotLight(stage);
       stage.GetRenderer()->SetUseShadows(true);
     });
-  comparison.Frame("shadows on");
   EXPECT_EQ(comparison.GetDecision(), Decision::Shadows);
-  comparison.Both(
+  comparison.Frame("shadows off",
     [](Stage& stage)
     {
       stage.GetRenderer()->SetUseShadows(false);
       // VTK renews its light uniforms only after the camera has changed.
       Scenes::SetWallCamera(stage.GetRenderer(), 0.1);
     });
-  comparison.Frame("shadows off");
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
 }

@@ -99,8 +99,8 @@ TEST(CullerPicking, HardwareSelectionFindsTheSame)
   }
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
   // The wall not pickable: what it hides can be selected through it.
-  comparison.Both([](Stage& stage) { stage.GetActor(Wall::Index)->PickableOff(); });
-  comparison.Frame("wall not pickable");
+  comparison.Frame(
+    "wall not pickable", [](Stage& stage) { stage.GetActor(Wall::Index)->PickableOff(); });
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
   EXPECT_GT(ExpectSameSelection(comparison), Wall::Behind / 2);
   comparison.Frame("after selecting through the wall");

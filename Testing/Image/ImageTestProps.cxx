@@ -10,8 +10,6 @@
 #include "vtkDataSetMapper.h"
 #include "vtkImageActor.h"
 #include "vtkImageData.h"
-#include "vtkImageMapper3D.h"
-#include "vtkImageProperty.h"
 #include "vtkMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointGaussianMapper.h"
@@ -106,8 +104,8 @@ TEST_P(CullerKinds, BehindTheWall)
   }
   // And the wall away: now it must show.
   comparison.Both([](Stage& stage) { stage.Props[Wall::Index]->VisibilityOff(); });
-  comparison.Both([](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer()); });
-  comparison.Frame("without the wall");
+  comparison.Frame(
+    "without the wall", [](Stage& stage) { Scenes::SetWallCamera(stage.GetRenderer()); });
   EXPECT_NE(comparison.GetVerdict(Wall::Count), Verdict::Hidden);
 }
 

@@ -3,6 +3,7 @@
 
 // The culler beside vtkShadowVolumeClampPass: what the camera does not see is not drawn, and casts.
 #include "CullerTest.h"
+#include "LightRig.h"
 #include "ScenePasses.h"
 #include "Scenes.h"
 
@@ -19,24 +20,13 @@ using Scenes::Wall;
 
 namespace
 {
-vtkLight* AddLight(Stage& stage, double x, double y, double z, bool positional = false)
-{
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToSceneLight();
-  light->SetPosition(x, y, z);
-  light->SetFocalPoint(0.0, 0.0, 0.0);
-  light->SetPositional(positional);
-  light->SetConeAngle(positional ? 60.0 : 90.0);
-  stage.GetRenderer()->AddLight(light);
-  return light;
-}
-
 /// With one light, there.
-vtkShadowVolumeClampPass* AddShadows(Stage& stage, double x = -8.0, double y = 9.0, double z = 14.0)
+vtkShadowVolumeClampPass* AddShadows(Stage& stage, const glm::dvec3& position = { -8.0, 9.0, 14.0 })
 {
   stage.GetRenderer()->RemoveAllLights();
   stage.GetRenderer()->SetAutomaticLightCreation(false);
-  AddLight(stage, x, y, z);
+  stage.GetRenderer()->AddLight(
+    TestScene::MakeLight(TestScene::SceneBuilder().Directional(-position)));
   vtkNew<vtkShadowVolumeClampPass> pass;
   pass->SetMode(vtkShadowVolumeClampPass::Scissored);
   stage.GetRenderer()->SetPass(pass);
@@ -102,8 +92,8 @@ TEST(CullerShadows, MasksOfAStillFrameStand)
   EXPECT_EQ(comparison.GetDecision(), Decision::Still);
   EXPECT_EQ(GetPass(comparison.Culled)->GetStatistics().Decision, vtkShadowDecision::Still);
   // A caster that the camera does not see moves.
-  comparison.Both([](Stage& stage) { stage.GetActor(Wall::FirstBehind)->SetPosition(0, 0, -0.1); });
-  comparison.Frame("hidden caster moved");
+  comparison.Frame("hidden caster moved",
+    [](Stage& stage) { stage.GetActor(Wall::FirstBehind)->SetPosition(0, 0, -0.1); });
   EXPECT_EQ(comparison.GetVerdict(Wall::FirstBehind), Verdict::Hidden);
   EXPECT_EQ(GetPass(comparison.Culled)->GetStatistics().Decision, vtkShadowDecision::Drawn);
   EXPECT_EQ(GetPass(comparison.Culled)->GetStatistics().Updates, 1);
@@ -123,13 +113,13 @@ TEST(CullerShadows, ShadowOfAHiddenPropIsSeen)
         Scenes::AddBox(stage, 0.1 * (i % 8) - 0.4, -1.0, -3.0 - 0.3 * i, 0.3, 4.0, 0.2);
       }
       Scenes::SetWallCamera(stage.GetRenderer());
-      AddShadows(stage, -14.0, 3.0, -3.0);
+      AddShadows(stage, { -14.0, 3.0, -3.0 });
     });
   Scenes::FrameOfWall(comparison, 0.01);
   EXPECT_GE(comparison.GetHidden(), 28);
   const int shadowed = CompareMasks(comparison);
   // Without the hidden ones the ground beside the wall is lit.
-  comparison.Both(
+  comparison.Frame("without casters",
     [](Stage& stage)
     {
       for (int i = 2; i < 42; ++i)
@@ -137,7 +127,6 @@ TEST(CullerShadows, ShadowOfAHiddenPropIsSeen)
         stage.Props[i]->VisibilityOff();
       }
     });
-  comparison.Frame("without casters");
   EXPECT_LT(CompareMasks(comparison), shadowed);
 }
 
@@ -152,7 +141,8 @@ TEST(CullerShadows, CityWalkInEveryMode)
       {
         Scenes::BuildCity(stage, 10);
         AddShadows(stage)->SetMode(mode);
-        AddLight(stage, 20.0, 30.0, 10.0, true);
+        stage.GetRenderer()->AddLight(TestScene::MakeLight(
+          TestScene::SceneBuilder().Spot({ 20.0, 30.0, 10.0 }, glm::dvec3(0.0), 60.0)));
         for (int i = 5; i < 100; i += 9)
         {
           stage.GetActor(i)->GetProperty()->SetOpacity(0.5);

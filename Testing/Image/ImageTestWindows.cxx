@@ -66,8 +66,7 @@ TEST(CullerWindows, ResizedBetweenFrames)
   const int sizes[][2] = { { 301, 173 }, { 97, 211 }, { 400, 400 }, { 133, 300 }, { 301, 173 } };
   for (const auto& size : sizes)
   {
-    comparison.Both([&size](Stage& stage) { stage.Window->SetSize(size[0], size[1]); });
-    comparison.Frame("resized");
+    comparison.Frame("resized", [&size](Stage& stage) { stage.Window->SetSize(size[0], size[1]); });
     comparison.Frame("the same again");
     EXPECT_GT(comparison.GetHidden(), Wall::Behind / 2) << size[0] << " x " << size[1];
   }
@@ -95,8 +94,7 @@ TEST(CullerWindows, ResizedToZeroAndBack)
         stage.Window->Render();
       });
     TakeMessages(); // VTK's own: it draws in a size of its choice, or in none
-    comparison.Both([](Stage& stage) { stage.Window->SetSize(301, 173); });
-    comparison.Frame("back");
+    comparison.Frame("back", [](Stage& stage) { stage.Window->SetSize(301, 173); });
     EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
     EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
   }
@@ -108,11 +106,11 @@ TEST(CullerWindows, ViewportOfSizeZero)
   Comparison comparison(Scenes::BuildWall);
   comparison.Frame("before");
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
-  comparison.Both([](Stage& stage) { stage.GetRenderer()->SetViewport(0.5, 0.2, 0.5, 0.8); });
-  comparison.Frame("a viewport without width");
+  comparison.Frame("a viewport without width",
+    [](Stage& stage) { stage.GetRenderer()->SetViewport(0.5, 0.2, 0.5, 0.8); });
   EXPECT_EQ(comparison.GetDecision(), Decision::UnsupportedWindow);
-  comparison.Both([](Stage& stage) { stage.GetRenderer()->SetViewport(0.0, 0.0, 1.0, 1.0); });
-  comparison.Frame("back");
+  comparison.Frame(
+    "back", [](Stage& stage) { stage.GetRenderer()->SetViewport(0.0, 0.0, 1.0, 1.0); });
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
 }
 
@@ -138,7 +136,7 @@ TEST(CullerWindows, RendererMovesToAnotherWindow)
 {
   Comparison comparison(Scenes::BuildWall);
   comparison.Frame("first window");
-  comparison.Both(
+  comparison.Frame("second window",
     [](Stage& stage)
     {
       auto window = vtkSmartPointer<vtkRenderWindow>::New();
@@ -149,7 +147,6 @@ TEST(CullerWindows, RendererMovesToAnotherWindow)
       window->AddRenderer(stage.GetRenderer());
       stage.Window = window;
     });
-  comparison.Frame("second window");
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
 }
 
@@ -192,7 +189,7 @@ TEST(CullerWindows, FourViewportsOneCuller)
     Size(403, 301));
   for (int i = 0; i < 5; ++i)
   {
-    comparison.Both(
+    comparison.Frame(
       [i](Stage& stage)
       {
         Scenes::SetWallCamera(stage.Renderers[0], 0.2 * i);
@@ -200,7 +197,6 @@ TEST(CullerWindows, FourViewportsOneCuller)
         Scenes::SetWallCamera(stage.Renderers[2], 3.0 - 0.2 * i);
         Scenes::SetCityCamera(stage.Renderers[3], 0.1 + 0.03 * i);
       });
-    comparison.Frame();
     EXPECT_GE(comparison.GetHidden(0), Wall::Hidden);
     EXPECT_GT(comparison.GetHidden(1), 5);
     EXPECT_GT(comparison.GetHidden(2), 0);
@@ -391,13 +387,12 @@ TEST_P(CullerProjections, Wall)
   for (int i = 0; i < 4; ++i)
   {
     Scenes::MoveWallCamera(comparison, 0.15 * i);
-    comparison.Both(
+    comparison.Frame("set",
       [this](Stage& stage)
       {
         this->GetParam().Set(stage.GetRenderer()->GetActiveCamera());
         stage.GetRenderer()->ResetCameraClippingRange();
       });
-    comparison.Frame("set");
     comparison.Frame("still");
     if (this->GetParam().WallHidesAll)
     {
@@ -493,7 +488,7 @@ TEST(CullerWindows, TiledWindow)
   Comparison comparison(Scenes::BuildWall, Size(200, 120));
   for (int tile = 0; tile < 4; ++tile)
   {
-    comparison.Both(
+    comparison.Frame("tile " + std::to_string(tile),
       [tile](Stage& stage)
       {
         const double x = 0.5 * (tile % 2);
@@ -501,7 +496,6 @@ TEST(CullerWindows, TiledWindow)
         stage.Window->SetTileScale(2);
         stage.Window->SetTileViewport(x, y, x + 0.5, y + 0.5);
       });
-    comparison.Frame("tile " + std::to_string(tile));
     EXPECT_GT(comparison.GetHidden(), 0);
   }
 }

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scenes.h"
 
+#include "LightRig.h"
 #include "SceneBuilder.h"
 
 #include "vtkCamera.h"
-#include "vtkLight.h"
 #include "vtkProperty.h"
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -87,13 +86,8 @@ void AddTranslucentBoxes(Stage& stage)
 void SetSpotLight(Stage& stage)
 {
   stage.GetRenderer()->RemoveAllLights();
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToSceneLight();
-  light->SetPositional(true);
-  light->SetConeAngle(60.0);
-  light->SetPosition(8.0, 9.0, 14.0);
-  light->SetFocalPoint(0.0, 0.0, 0.0);
-  stage.GetRenderer()->AddLight(light);
+  stage.GetRenderer()->AddLight(TestScene::MakeLight(
+    TestScene::SceneBuilder().Spot({ 8.0, 9.0, 14.0 }, glm::dvec3(0.0), 60.0)));
 }
 
 void BuildCity(Stage& stage, int count, vtkRenderer* renderer)
@@ -155,9 +149,8 @@ int MoveTheDoorBeforeTies(
     options);
   for (int i = 0; i < frames; ++i)
   {
-    comparison.Both([i, door](Stage& stage)
+    comparison.Frame([i, door](Stage& stage)
       { stage.GetActor(door)->SetPosition(2.5 * (i % 4) - 4.0, 0.0, 0.0); });
-    comparison.Frame();
     redrawn += comparison.GetStatistics().Redrawn;
   }
   return redrawn;
@@ -208,6 +201,36 @@ void FrameOfCity(Comparison& comparison, double t, const std::string& what)
 {
   MoveCityCamera(comparison, t);
   comparison.Frame(what);
+}
+
+void ExpectOneWarning(const std::string& messages, const std::vector<std::string>& words)
+{
+  const std::string beginning = "vtkNBufferCuller draws everything";
+  const std::size_t first = messages.find(beginning);
+  EXPECT_NE(first, std::string::npos) << messages;
+  EXPECT_EQ(messages.find(beginning, first + 1), std::string::npos) << messages;
+  for (const std::string& word : words)
+  {
+    EXPECT_NE(messages.find(word), std::string::npos) << messages;
+  }
+}
+
+void ExpectFailure(const Comparison::Change& build, ComparisonOptions options, Decision failure,
+  const std::vector<std::string>& words)
+{
+  options.KeepMessages = true;
+  Comparison comparison(build, options);
+  for (int i = 0; i < 4; ++i)
+  {
+    FrameOfWall(comparison, 0.01 * i);
+    EXPECT_EQ(comparison.GetDecision(), failure);
+    EXPECT_EQ(comparison.GetHidden(), 0);
+    // The first frame's list has been through VTK's own culler.
+    EXPECT_EQ(comparison.GetStatistics().GetNumberOfPropsDrawn(),
+      comparison.GetStatistics().Props - comparison.GetStatistics().GetCount(Verdict::Outside));
+    EXPECT_EQ(comparison.GetStatistics().FailedFrames, i + 1);
+  }
+  ExpectOneWarning(comparison.Messages, words);
 }
 
 void Settle(Comparison& comparison)

@@ -11,6 +11,9 @@
 #include "SceneBuilder.h"
 #include "Shapes.h"
 
+#include <string>
+#include <vector>
+
 namespace Scenes
 {
 using TestScene::MakeBox;
@@ -65,6 +68,14 @@ ComparisonOptions MakeExactOptions(int width, int height, int baseFactor = 1);
 /// its lower left corner, and z from 99 to -101 becomes a window depth from 0 to 1.
 void SetPixelCamera(
   vtkRenderer* renderer, int width, int height, double shiftX = 0.0, double shiftY = 0.0);
+
+/// The culler has warned once, in words that name all of these.
+void ExpectOneWarning(const std::string& messages, const std::vector<std::string>& words);
+
+/// The wall, some frames of a walk, each drawn whole for the same reason; one warning in all that
+/// names cause and remedy.
+void ExpectFailure(const Comparison::Change& build, ComparisonOptions options, Decision failure,
+  const std::vector<std::string>& words);
 
 /// Render until what the first frame drew as a guess has been tested.
 void Settle(Comparison& comparison);
