@@ -6,7 +6,6 @@
 #include "ShadowFamilies.h"
 #include "Undefined.h"
 
-#include "vtkMath.h"
 #include "vtkNBufferCuller.h"
 #include "vtkRenderWindow.h"
 

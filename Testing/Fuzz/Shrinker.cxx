@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shrinker.h"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 

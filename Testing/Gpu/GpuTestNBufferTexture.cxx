@@ -20,12 +20,6 @@ constexpr vtkNBufferExtremum Extrema[] = { vtkNBufferExtremum::Maximum,
   vtkNBufferExtremum::Minimum };
 constexpr int AllLevels = 99;
 
-std::string Describe(int factor, vtkNBufferExtremum extremum)
-{
-  return "factor " + std::to_string(factor) +
-    (extremum == vtkNBufferExtremum::Maximum ? ", maximum" : ", minimum");
-}
-
 class LevelsFixture : public WindowFixture
 {
 protected:
@@ -34,7 +28,9 @@ protected:
   void Compare(const vtkNBufferDepthSource& source, int x, int y, int width, int height, int factor,
     vtkNBufferExtremum extremum, const std::vector<float>& depth)
   {
-    SCOPED_TRACE(Describe(factor, extremum));
+    SCOPED_TRACE(testing::Message()
+      << "factor " << factor
+      << (extremum == vtkNBufferExtremum::Maximum ? ", maximum" : ", minimum"));
     ASSERT_TRUE(
       this->Texture->Build(this->Window, source, x, y, width, height, factor, AllLevels, extremum))
       << this->Texture->GetError();

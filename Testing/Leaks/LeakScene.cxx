@@ -101,14 +101,4 @@ int Contents::GetNumberOfLivingObjects() const
   return static_cast<int>(std::count_if(this->Objects.begin(), this->Objects.end(),
     [](vtkObject* object) { return object != nullptr; }));
 }
-
-int Contents::GetNumberOfReferences() const
-{
-  int references = 0;
-  for (vtkObject* object : this->Objects)
-  {
-    references += object ? object->GetReferenceCount() : 0;
-  }
-  return references;
-}
 }

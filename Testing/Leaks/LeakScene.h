@@ -85,8 +85,6 @@ public:
   explicit Contents(vtkRenderer* renderer);
   int GetNumberOfObjects() const { return static_cast<int>(this->Objects.size()); }
   int GetNumberOfLivingObjects() const;
-  /// Sum of their reference counts.
-  int GetNumberOfReferences() const;
 
 private:
   std::vector<vtkWeakPointer<vtkObject>> Objects;

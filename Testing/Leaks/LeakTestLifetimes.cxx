@@ -15,7 +15,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPropCollection.h"
 
-#include <algorithm>
 #include <array>
 #include <functional>
 #include <iostream>

@@ -4,7 +4,6 @@
 // scenes are given in pixels, so that it is known which props are covered.
 #include "HazardBuilder.h"
 
-#include <algorithm>
 #include <array>
 
 namespace TestScene

@@ -7,8 +7,6 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
-#include <memory>
-#include <sstream>
 #include <stdexcept>
 #include <tuple>
 #include <type_traits>

@@ -13,14 +13,6 @@
 
 namespace TestScene
 {
-namespace
-{
-void CountDraw(vtkObject*, unsigned long, void* counter, void*)
-{
-  ++*static_cast<int*>(counter);
-}
-}
-
 Stage::Stage(int width, int height, int multiSamples)
   : Window(vtkSmartPointer<vtkRenderWindow>::New())
 {
@@ -111,7 +103,8 @@ void Stage::CountDraws(vtkActor* actor)
   }
   // Polydata mappers announce every piece they draw by a StartEvent.
   vtkNew<vtkCallbackCommand> observer;
-  observer->SetCallback(CountDraw);
+  observer->SetCallback(
+    [](vtkObject*, unsigned long, void* counter, void*) { ++*static_cast<int*>(counter); });
   observer->SetClientData(this->Draws[index].get());
   actor->GetMapper()->AddObserver(vtkCommand::StartEvent, observer);
 }

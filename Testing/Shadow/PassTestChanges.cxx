@@ -141,7 +141,6 @@ struct ChangingStage
   Props Casters;
   Props Receivers;
   vtkActor* Unseen;
-  vtkNew<vtkSphereSource> Another;
   TestScene::Stage Stage;
   vtkSmartPointer<vtkShadowVolumeClampPass> Pass;
 };

@@ -10,7 +10,6 @@
 
 #include "vtkActor.h"
 #include "vtkLight.h"
-#include "vtkNew.h"
 #include "vtkProperty.h"
 
 #include <algorithm>

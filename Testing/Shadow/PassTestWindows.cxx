@@ -276,17 +276,6 @@ TEST_F(PassWindows, WithTheCuller)
 //------------------------------------------------------------------------------------------------
 using PassLifetime = OffscreenFixture;
 
-TEST_F(PassLifetime, PassBeforeWindow)
-{
-  const Stage stage = SetNamedStage("ManyLights");
-  {
-    vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
-    stage.Window->Render();
-    stage.GetRenderer()->SetPass(nullptr);
-  }
-  stage.Window->Render();
-}
-
 TEST_F(PassLifetime, WindowBeforePass)
 {
   vtkSmartPointer<vtkShadowVolumeClampPass> pass;

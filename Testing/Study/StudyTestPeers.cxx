@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Occlusion queries of the hardware: the image of VTK without any culler, byte for byte, and what
 // is hidden is not drawn.
+#include "Judge.h"
 #include "OffscreenFixture.h"
 #include "QueryCuller.h"
 #include "Shapes.h"
@@ -14,11 +15,9 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <cmath>
 #include <random>
-#include <vector>
 
 namespace
 {
@@ -97,7 +96,7 @@ protected:
     camera->SetClippingRange(0.1, 100.0);
   }
 
-  std::vector<unsigned char> Render(bool culled)
+  TestScene::Picture Render(bool culled)
   {
     this->Renderer->GetCullers()->RemoveAllItems();
     if (culled)
@@ -105,18 +104,15 @@ protected:
       this->Renderer->AddCuller(this->Culler);
     }
     this->Window->Render();
-    vtkNew<vtkUnsignedCharArray> pixels;
-    this->Window->GetRGBACharPixelData(0, 0, 300, 172, 1, pixels);
-    return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
+    return TestScene::TakePicture(this->Window);
   }
 
   /// The image must be that without a culler.
   const QueryStatistics& Compare(const char* what)
   {
-    const std::vector<unsigned char> expected = this->Render(false);
-    const std::vector<unsigned char> found = this->Render(true);
+    const TestScene::Picture expected = this->Render(false);
+    EXPECT_EQ(TestScene::FindDifference(expected, this->Render(true)), "") << what;
     EXPECT_EQ(this->Culler->GetError(), "");
-    EXPECT_TRUE(expected == found) << what;
     const QueryStatistics& statistics = this->Culler->GetStatistics();
     EXPECT_EQ(statistics.Drawn + statistics.Hidden, statistics.InView);
     if (GetParam().Method == QueryMethod::Coherent)

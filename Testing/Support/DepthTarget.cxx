@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-
 namespace
 {
 const char* const VertexSource = R"(#version 150

@@ -9,7 +9,6 @@
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 
-#include <iterator>
 #include <sstream>
 
 namespace
