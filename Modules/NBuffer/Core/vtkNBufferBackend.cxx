@@ -111,10 +111,8 @@ bool vtkNBufferBackend::CountFailure(vtkNBufferDecision failure)
 
 bool vtkNBufferBackend::DrawsOrdinaryDepth(const vtkNBufferDepthSource& source)
 {
-  GLint depthFunction = 0;
   GLint scissor[4] = { 0, 0, 0, 0 };
   GLboolean mask = GL_FALSE;
-  glGetIntegerv(GL_DEPTH_FUNC, &depthFunction);
   glGetIntegerv(GL_SCISSOR_BOX, scissor);
   glGetBooleanv(GL_DEPTH_WRITEMASK, &mask);
   const int* viewport = source.Viewport;
@@ -122,7 +120,7 @@ bool vtkNBufferBackend::DrawsOrdinaryDepth(const vtkNBufferDepthSource& source)
     (scissor[0] <= viewport[0] && scissor[1] <= viewport[1] &&
       scissor[0] + scissor[2] >= viewport[0] + viewport[2] &&
       scissor[1] + scissor[3] >= viewport[1] + viewport[3]);
-  const auto passes = static_cast<unsigned int>(depthFunction);
+  const auto passes = static_cast<unsigned int>(vtkNBufferGL::GetInteger(GL_DEPTH_FUNC));
   const bool passesIfNearer = passes == vtkNBufferDepthConvention::PassIfNearerOrEqual ||
     passes == vtkNBufferDepthConvention::PassIfNearer;
   return glIsEnabled(GL_DEPTH_TEST) && passesIfNearer && mask && wholeViewport &&

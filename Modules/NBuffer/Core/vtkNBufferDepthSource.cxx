@@ -24,8 +24,7 @@ GLint GetAttachmentParameter(GLenum attachment, GLenum name)
 bool GetTextureSize(
   GLenum target, GLenum bindingName, const vtkNBufferDepthSource& source, int& width, int& height)
 {
-  GLint bound = 0;
-  glGetIntegerv(bindingName, &bound);
+  const int bound = vtkNBufferGL::GetInteger(bindingName);
   // OpenGL 3.2 cannot be queried for the target of a texture, but binding the texture to another
   // target is an error.
   glBindTexture(target, source.DepthName);
@@ -69,8 +68,7 @@ void InspectRenderbuffer(vtkNBufferDepthSource& source)
 {
   source.DepthName =
     GetAttachmentParameter(GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME);
-  GLint bound = 0;
-  glGetIntegerv(GL_RENDERBUFFER_BINDING, &bound);
+  const int bound = vtkNBufferGL::GetInteger(GL_RENDERBUFFER_BINDING);
   glBindRenderbuffer(GL_RENDERBUFFER, source.DepthName);
   glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &source.Width);
   glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &source.Height);
@@ -80,11 +78,9 @@ void InspectRenderbuffer(vtkNBufferDepthSource& source)
 bool InspectFramebuffer(
   vtkOpenGLRenderWindow* window, vtkNBufferDepthSource& source, std::string& why)
 {
-  GLint binding = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &binding);
-  source.Framebuffer = binding;
+  source.Framebuffer = vtkNBufferGL::GetInteger(GL_DRAW_FRAMEBUFFER_BINDING);
+  source.Samples = vtkNBufferGL::GetInteger(GL_SAMPLES);
   glGetIntegerv(GL_VIEWPORT, source.Viewport);
-  glGetIntegerv(GL_SAMPLES, &source.Samples);
   GLdouble range[2] = { 0.0, 1.0 };
   glGetDoublev(GL_DEPTH_RANGE, range);
   source.DefaultDepthRange = range[0] == 0.0 && range[1] == 1.0;
@@ -94,7 +90,7 @@ bool InspectFramebuffer(
     why = "The framebuffer that is being drawn is incomplete. Complete it before rendering.";
     return false;
   }
-  const GLenum attachment = binding == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
+  const GLenum attachment = source.Framebuffer == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
   const GLint kind = GetAttachmentParameter(attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE);
   if (kind != GL_NONE)
   {

@@ -19,14 +19,15 @@ namespace
 // What can discard fragments of a full-screen triangle or change what they write. A clip plane is
 // undefined while the vertex shader writes no distance; VTK uses the first six. Blending is apart:
 // it is a property of each draw buffer.
-constexpr GLenum CapabilityNames[] = { GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST,
-  GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_RASTERIZER_DISCARD, GL_POLYGON_SMOOTH, GL_CLIP_DISTANCE0,
+constexpr GLenum Capabilities[] = { GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST,
+  GL_COLOR_LOGIC_OP, GL_RASTERIZER_DISCARD, GL_POLYGON_SMOOTH, GL_CLIP_DISTANCE0,
   GL_CLIP_DISTANCE0 + 1, GL_CLIP_DISTANCE0 + 2, GL_CLIP_DISTANCE0 + 3, GL_CLIP_DISTANCE0 + 4,
   GL_CLIP_DISTANCE0 + 5 };
 
-constexpr GLenum Targets[] = { GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D_MULTISAMPLE };
-constexpr GLenum TargetBindings[] = { GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY,
-  GL_TEXTURE_BINDING_2D_MULTISAMPLE };
+// What passes bind textures to, and the names of what is bound there.
+constexpr std::pair<GLenum, GLenum> Targets[] = { { GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D },
+  { GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY },
+  { GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_BINDING_2D_MULTISAMPLE } };
 
 // OpenGL 4.3; VTK's oldest loaders may not name it.
 constexpr GLenum DepthStencilTextureMode = 0x90EA;
@@ -43,8 +44,7 @@ const char* GetErrorName(GLenum error)
 
 bool HasExtension(const char* name)
 {
-  GLint count = 0;
-  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  const GLint count = vtkNBufferGL::GetInteger(GL_NUM_EXTENSIONS);
   for (GLint i = 0; i < count; ++i)
   {
     const auto* extension = reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i));
@@ -59,13 +59,17 @@ bool HasExtension(const char* name)
 
 namespace vtkNBufferGL
 {
+int GetInteger(unsigned int name)
+{
+  GLint value = 0;
+  glGetIntegerv(name, &value);
+  return value;
+}
+
 bool HasVersion(int major, int minor)
 {
-  GLint foundMajor = 0;
-  GLint foundMinor = 0;
-  glGetIntegerv(GL_MAJOR_VERSION, &foundMajor);
-  glGetIntegerv(GL_MINOR_VERSION, &foundMinor);
-  return foundMajor > major || (foundMajor == major && foundMinor >= minor);
+  const std::pair<int, int> found = { GetInteger(GL_MAJOR_VERSION), GetInteger(GL_MINOR_VERSION) };
+  return found >= std::make_pair(major, minor);
 }
 
 bool CheckVersion(std::string& why)
@@ -102,9 +106,7 @@ bool CoversTouchedPixels()
 
 int GetSubpixelBits()
 {
-  GLint bits = 0;
-  glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
-  return std::clamp(static_cast<int>(bits), 4, 8);
+  return std::clamp<int>(GetInteger(GL_SUBPIXEL_BITS), 4, 8);
 }
 
 bool KeepsToScissor(int samples)
@@ -141,210 +143,145 @@ void SetMatrix(vtkShaderProgram* program, const char* name, const glm::dmat4& ma
   program->SetUniformMatrix4x4(name, glm::value_ptr(rounded));
 }
 
-ScopedFramebuffers::ScopedFramebuffers()
+Scope::~Scope()
 {
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &this->Draw);
-  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &this->Read);
+  std::for_each(this->Changes.rbegin(), this->Changes.rend(), [](const auto& undo) { undo(); });
 }
 
-ScopedFramebuffers::~ScopedFramebuffers()
+void Scope::SaveFramebuffers()
 {
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Draw);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, this->Read);
+  this->AtEnd(
+    [draw = GetInteger(GL_DRAW_FRAMEBUFFER_BINDING), read = GetInteger(GL_READ_FRAMEBUFFER_BINDING)]
+    {
+      glBindFramebuffer(GL_DRAW_FRAMEBUFFER, draw);
+      glBindFramebuffer(GL_READ_FRAMEBUFFER, read);
+    });
 }
 
-struct ScopedTransfer::Direction
+void Scope::SetTransfer(
+  GLenum target, GLenum binding, std::initializer_list<GLenum> parameters, unsigned int buffer)
 {
-  GLenum Target;
-  GLenum Binding;
-  int Count;
-  GLenum Names[MaximumCount];
-};
-
-const ScopedTransfer::Direction ScopedTransfer::Pack = { GL_PIXEL_PACK_BUFFER,
-  GL_PIXEL_PACK_BUFFER_BINDING, 6,
-  { GL_PACK_ALIGNMENT, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS,
-    GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST } };
-
-const ScopedTransfer::Direction ScopedTransfer::Unpack = { GL_PIXEL_UNPACK_BUFFER,
-  GL_PIXEL_UNPACK_BUFFER_BINDING, 8,
-  { GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS,
-    GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES } };
-
-ScopedTransfer::ScopedTransfer(const Direction& direction, unsigned int buffer)
-  : Parameters(direction)
-{
-  glGetIntegerv(direction.Binding, &this->Buffer);
-  glBindBuffer(direction.Target, buffer);
-  for (int i = 0; i < direction.Count; ++i)
+  this->AtEnd([target, bound = GetInteger(binding)] { glBindBuffer(target, bound); });
+  glBindBuffer(target, buffer);
+  for (const GLenum name : parameters)
   {
-    glGetIntegerv(direction.Names[i], &this->Values[i]);
+    this->AtEnd([name, value = GetInteger(name)] { glPixelStorei(name, value); });
     // The first is the alignment, the others are 0 for rows that are tightly packed.
-    glPixelStorei(direction.Names[i], i == 0 ? 4 : 0);
+    glPixelStorei(name, name == *parameters.begin() ? 4 : 0);
   }
-}
-
-ScopedTransfer::~ScopedTransfer()
-{
-  for (int i = 0; i < this->Parameters.Count; ++i)
-  {
-    glPixelStorei(this->Parameters.Names[i], this->Values[i]);
-  }
-  glBindBuffer(this->Parameters.Target, this->Buffer);
 }
 
 ScopedReadback::ScopedReadback(unsigned int readFramebuffer, unsigned int packBuffer)
-  : ScopedTransfer(Pack, packBuffer)
 {
-  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &this->ReadFramebuffer);
+  this->SetTransfer(GL_PIXEL_PACK_BUFFER, GL_PIXEL_PACK_BUFFER_BINDING,
+    { GL_PACK_ALIGNMENT, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS,
+      GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST },
+    packBuffer);
+  this->SaveFramebuffers();
   glBindFramebuffer(GL_READ_FRAMEBUFFER, readFramebuffer);
 }
 
-ScopedReadback::~ScopedReadback()
+ScopedUpload::ScopedUpload(unsigned int unpackBuffer)
 {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, this->ReadFramebuffer);
+  this->SetTransfer(GL_PIXEL_UNPACK_BUFFER, GL_PIXEL_UNPACK_BUFFER_BINDING,
+    { GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS,
+      GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES },
+    unpackBuffer);
 }
 
 ScopedPass::ScopedPass(vtkOpenGLRenderWindow* window)
-  : Window(window)
-  , Shader(window->GetShaderCache()->GetLastShaderBound())
 {
-  static_assert(std::size(CapabilityNames) == CapabilityCount &&
-      std::size(Targets) == TargetCount && std::size(TargetBindings) == TargetCount,
-    "one element for each value to restore");
-  for (int i = 0; i < CapabilityCount; ++i)
+  this->SaveFramebuffers();
+  for (const GLenum name : Capabilities)
   {
-    this->Capabilities[i] = glIsEnabled(CapabilityNames[i]) == GL_TRUE;
-    if (this->Capabilities[i])
+    if (glIsEnabled(name))
     {
-      glDisable(CapabilityNames[i]);
+      this->AtEnd([name] { glEnable(name); });
+      glDisable(name);
     }
   }
-  this->Blend = glIsEnabledi(GL_BLEND, 0) == GL_TRUE;
-  glDisablei(GL_BLEND, 0);
-  glGetBooleani_v(GL_COLOR_WRITEMASK, 0, this->ColorMask);
+  if (glIsEnabledi(GL_BLEND, 0))
+  {
+    this->AtEnd([] { glEnablei(GL_BLEND, 0); });
+    glDisablei(GL_BLEND, 0);
+  }
+  std::array<GLboolean, 4> mask{};
+  glGetBooleani_v(GL_COLOR_WRITEMASK, 0, mask.data());
+  this->AtEnd([mask] { glColorMaski(0, mask[0], mask[1], mask[2], mask[3]); });
   glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glGetIntegerv(GL_POLYGON_MODE, this->PolygonMode);
+  // A core profile has one polygon mode for both faces.
+  std::array<GLint, 2> polygonMode{};
+  glGetIntegerv(GL_POLYGON_MODE, polygonMode.data());
+  this->AtEnd([mode = polygonMode[0]] { glPolygonMode(GL_FRONT_AND_BACK, mode); });
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 
-  glGetIntegerv(GL_VIEWPORT, this->Viewport);
-  glGetIntegerv(GL_CURRENT_PROGRAM, &this->Program);
-  glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &this->VertexArray);
-
-  glGetIntegerv(GL_ACTIVE_TEXTURE, &this->ActiveTexture);
-  glActiveTexture(GL_TEXTURE0);
-  for (int i = 0; i < TargetCount; ++i)
-  {
-    glGetIntegerv(TargetBindings[i], &this->Textures[i]);
-  }
-  if (HasVersion(3, 3))
-  {
-    glGetIntegerv(GL_SAMPLER_BINDING, &this->Sampler);
-    if (this->Sampler != 0)
-    {
-      // A sampler object hides the parameters of the texture.
-      glBindSampler(0, 0);
-    }
-  }
-}
-
-ScopedPass::~ScopedPass()
-{
-  if (this->Sampler != 0)
-  {
-    glBindSampler(0, this->Sampler);
-  }
-  for (int i = 0; i < TargetCount; ++i)
-  {
-    glBindTexture(Targets[i], this->Textures[i]);
-  }
-  glActiveTexture(this->ActiveTexture);
-
+  std::array<GLint, 4> viewport{};
+  glGetIntegerv(GL_VIEWPORT, viewport.data());
+  this->AtEnd([viewport] { glViewport(viewport[0], viewport[1], viewport[2], viewport[3]); });
+  this->AtEnd([name = GetInteger(GL_VERTEX_ARRAY_BINDING)] { glBindVertexArray(name); });
   // The shader cache remembers which program is bound; foreign code may have bound another.
-  if (this->Shader)
-  {
-    this->Window->GetShaderCache()->ReadyShaderProgram(this->Shader);
-  }
-  else
-  {
-    this->Window->GetShaderCache()->ReleaseCurrentShader();
-  }
-  glUseProgram(this->Program);
-  glBindVertexArray(this->VertexArray);
-  glViewport(this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
+  vtkOpenGLShaderCache* cache = window->GetShaderCache();
+  this->AtEnd([program = GetInteger(GL_CURRENT_PROGRAM)] { glUseProgram(program); });
+  this->AtEnd(
+    [cache, shader = cache->GetLastShaderBound()] {
+      shader ? static_cast<void>(cache->ReadyShaderProgram(shader)) : cache->ReleaseCurrentShader();
+    });
 
-  // A core profile has one polygon mode for both faces.
-  glPolygonMode(GL_FRONT_AND_BACK, this->PolygonMode[0]);
-  glColorMaski(0, this->ColorMask[0], this->ColorMask[1], this->ColorMask[2], this->ColorMask[3]);
-  if (this->Blend)
+  this->AtEnd([unit = GetInteger(GL_ACTIVE_TEXTURE)] { glActiveTexture(unit); });
+  glActiveTexture(GL_TEXTURE0);
+  for (const auto& [target, binding] : Targets)
   {
-    glEnablei(GL_BLEND, 0);
+    this->AtEnd([target = target, name = GetInteger(binding)] { glBindTexture(target, name); });
   }
-  for (int i = 0; i < CapabilityCount; ++i)
+  const GLint sampler = HasVersion(3, 3) ? GetInteger(GL_SAMPLER_BINDING) : 0;
+  if (sampler != 0)
   {
-    if (this->Capabilities[i])
-    {
-      glEnable(CapabilityNames[i]);
-    }
+    // A sampler object hides the parameters of the texture.
+    this->AtEnd([sampler] { glBindSampler(0, sampler); });
+    glBindSampler(0, 0);
   }
 }
 
 ScopedBlend::ScopedBlend(unsigned int equation, unsigned int source, unsigned int destination)
 {
-  glGetIntegerv(GL_BLEND_EQUATION_RGB, &this->Equations[0]);
-  glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &this->Equations[1]);
-  glGetIntegerv(GL_BLEND_SRC_RGB, &this->Factors[0]);
-  glGetIntegerv(GL_BLEND_DST_RGB, &this->Factors[1]);
-  glGetIntegerv(GL_BLEND_SRC_ALPHA, &this->Factors[2]);
-  glGetIntegerv(GL_BLEND_DST_ALPHA, &this->Factors[3]);
+  this->AtEnd([] { glDisablei(GL_BLEND, 0); });
+  this->AtEnd(
+    [color = GetInteger(GL_BLEND_EQUATION_RGB), alpha = GetInteger(GL_BLEND_EQUATION_ALPHA)]
+    { glBlendEquationSeparate(color, alpha); });
+  this->AtEnd([source = GetInteger(GL_BLEND_SRC_RGB), destination = GetInteger(GL_BLEND_DST_RGB),
+                sourceAlpha = GetInteger(GL_BLEND_SRC_ALPHA),
+                destinationAlpha = GetInteger(GL_BLEND_DST_ALPHA)]
+    { glBlendFuncSeparate(source, destination, sourceAlpha, destinationAlpha); });
   glBlendEquation(equation);
   glBlendFunc(source, destination);
   glEnablei(GL_BLEND, 0);
 }
 
-ScopedBlend::~ScopedBlend()
-{
-  glDisablei(GL_BLEND, 0);
-  glBlendEquationSeparate(this->Equations[0], this->Equations[1]);
-  const int* f = this->Factors;
-  glBlendFuncSeparate(f[0], f[1], f[2], f[3]);
-}
-
 ScopedDepthSampling::ScopedDepthSampling(unsigned int target, int level)
-  : Target(target)
 {
+  const auto set = [this, target](GLenum name, GLint value)
+  {
+    GLint before = 0;
+    glGetTexParameteriv(target, name, &before);
+    this->AtEnd([=] { glTexParameteri(target, name, before); });
+    glTexParameteri(target, name, value);
+  };
   if (HasVersion(4, 3))
   {
-    this->Set(DepthStencilTextureMode, GL_DEPTH_COMPONENT);
+    set(DepthStencilTextureMode, GL_DEPTH_COMPONENT);
   }
   if (target == GL_TEXTURE_2D_MULTISAMPLE)
   {
     // Multisampled textures have no sampler state.
     return;
   }
-  this->Set(GL_TEXTURE_COMPARE_MODE, GL_NONE);
-  this->Set(GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  this->Set(GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  set(GL_TEXTURE_COMPARE_MODE, GL_NONE);
+  set(GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  set(GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   // The order keeps base <= maximum on the way.
-  this->Set(GL_TEXTURE_BASE_LEVEL, 0);
-  this->Set(GL_TEXTURE_MAX_LEVEL, level);
-  this->Set(GL_TEXTURE_BASE_LEVEL, level);
-}
-
-ScopedDepthSampling::~ScopedDepthSampling()
-{
-  for (int i = this->Count - 1; i >= 0; --i)
-  {
-    glTexParameteri(this->Target, this->Names[i], this->Values[i]);
-  }
-}
-
-void ScopedDepthSampling::Set(unsigned int name, int value)
-{
-  this->Names[this->Count] = name;
-  glGetTexParameteriv(this->Target, name, &this->Values[this->Count]);
-  ++this->Count;
-  glTexParameteri(this->Target, name, value);
+  set(GL_TEXTURE_BASE_LEVEL, 0);
+  set(GL_TEXTURE_MAX_LEVEL, level);
+  set(GL_TEXTURE_BASE_LEVEL, level);
 }
 }
 VTK_ABI_NAMESPACE_END

@@ -16,7 +16,11 @@
 
 #include VTKNBUFFER_GL_HEADER
 
+#include <functional>
+#include <initializer_list>
 #include <string>
+#include <utility>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
@@ -24,6 +28,9 @@ class vtkShaderProgram;
 
 namespace vtkNBufferGL
 {
+/// The value of a state variable that is one integer; 0 if the current context does not know it.
+VTKNBUFFER_EXPORT int GetInteger(unsigned int name);
+
 /// Whether the current context has at least this version of OpenGL.
 VTKNBUFFER_EXPORT bool HasVersion(int major, int minor);
 
@@ -60,66 +67,55 @@ VTKNBUFFER_EXPORT void SetMatrix(
   vtkShaderProgram* program, const char* name, const glm::dmat4& matrix);
 
 /**
- * While it lives, code may bind other framebuffers; the bindings are restored when it ends.
+ * What the scopes below have in common: each change of the state is undone when the scope ends, the
+ * last change first.
  */
-class VTKNBUFFER_EXPORT ScopedFramebuffers
+class VTKNBUFFER_EXPORT Scope
 {
 public:
-  ScopedFramebuffers();
-  ~ScopedFramebuffers();
-  ScopedFramebuffers(const ScopedFramebuffers&) = delete;
-  void operator=(const ScopedFramebuffers&) = delete;
-
-private:
-  int Draw = 0;
-  int Read = 0;
-};
-
-/**
- * While it lives, pixels are transferred with rows tightly packed, between textures or framebuffers
- * and a buffer object, or host memory if the buffer is 0. A direction has its own parameters.
- */
-class VTKNBUFFER_EXPORT ScopedTransfer
-{
-public:
-  ScopedTransfer(const ScopedTransfer&) = delete;
-  void operator=(const ScopedTransfer&) = delete;
+  Scope(const Scope&) = delete;
+  void operator=(const Scope&) = delete;
 
 protected:
-  struct Direction;
+  Scope() = default;
+  ~Scope();
 
-  ScopedTransfer(const Direction& direction, unsigned int buffer);
-  ~ScopedTransfer();
+  /// Call undo() when the scope ends.
+  void AtEnd(std::function<void()> undo) { this->Changes.push_back(std::move(undo)); }
 
-  static const Direction Pack;
-  static const Direction Unpack;
+  /// Bind other framebuffers from now on.
+  void SaveFramebuffers();
+
+  /// Transfer pixels with rows tightly packed from now on, to or from a buffer object, or host
+  /// memory if `buffer` is 0. The first of the `parameters` of that direction is the alignment.
+  void SetTransfer(
+    GLenum target, GLenum binding, std::initializer_list<GLenum> parameters, unsigned int buffer);
 
 private:
-  static constexpr int MaximumCount = 8;
-  const Direction& Parameters;
-  int Buffer = 0;
-  int Values[MaximumCount] = {};
+  std::vector<std::function<void()>> Changes;
 };
 
-/// While it lives, glReadPixels() reads `readFramebuffer` into host memory or into `packBuffer`.
-class VTKNBUFFER_EXPORT ScopedReadback : public ScopedTransfer
+/// While it lives, code may bind other framebuffers; the bindings are restored when it ends.
+class VTKNBUFFER_EXPORT ScopedFramebuffers : public Scope
+{
+public:
+  ScopedFramebuffers() { this->SaveFramebuffers(); }
+};
+
+/// While it lives, glReadPixels() reads `readFramebuffer` into host memory or into `packBuffer`,
+/// with rows tightly packed.
+class VTKNBUFFER_EXPORT ScopedReadback : public Scope
 {
 public:
   explicit ScopedReadback(unsigned int readFramebuffer, unsigned int packBuffer = 0);
-  ~ScopedReadback();
-
-private:
-  int ReadFramebuffer = 0;
 };
 
-/// While it lives, textures receive texels from host memory or from `unpackBuffer`.
-class VTKNBUFFER_EXPORT ScopedUpload : public ScopedTransfer
+/// While it lives, textures receive texels from host memory or from `unpackBuffer`, with rows
+/// tightly packed.
+class VTKNBUFFER_EXPORT ScopedUpload : public Scope
 {
 public:
-  explicit ScopedUpload(unsigned int unpackBuffer)
-    : ScopedTransfer(Unpack, unpackBuffer)
-  {
-  }
+  explicit ScopedUpload(unsigned int unpackBuffer);
 };
 
 /**
@@ -128,47 +124,20 @@ public:
  * change the framebuffer bindings, the viewport, the program, the vertex array and what is bound to
  * unit 0; the scope restores them.
  */
-class VTKNBUFFER_EXPORT ScopedPass
+class VTKNBUFFER_EXPORT ScopedPass : public Scope
 {
 public:
   explicit ScopedPass(vtkOpenGLRenderWindow* window);
-  ~ScopedPass();
-  ScopedPass(const ScopedPass&) = delete;
-  void operator=(const ScopedPass&) = delete;
-
-private:
-  static constexpr int CapabilityCount = 13;
-  static constexpr int TargetCount = 3;
-  vtkOpenGLRenderWindow* Window;
-  vtkShaderProgram* Shader;
-  bool Capabilities[CapabilityCount] = {};
-  bool Blend = false;
-  unsigned char ColorMask[4] = {};
-  int PolygonMode[2] = {};
-  int Viewport[4] = {};
-  ScopedFramebuffers Framebuffers;
-  int Program = 0;
-  int VertexArray = 0;
-  int ActiveTexture = 0;
-  int Textures[TargetCount] = {};
-  int Sampler = 0;
 };
 
 /**
  * Within a ScopedPass: while it lives, fragments are blended into the first colour attachment, with
  * one equation and the same factors for colour and alpha.
  */
-class VTKNBUFFER_EXPORT ScopedBlend
+class VTKNBUFFER_EXPORT ScopedBlend : public Scope
 {
 public:
   ScopedBlend(unsigned int equation, unsigned int source, unsigned int destination);
-  ~ScopedBlend();
-  ScopedBlend(const ScopedBlend&) = delete;
-  void operator=(const ScopedBlend&) = delete;
-
-private:
-  int Equations[2] = {};
-  int Factors[4] = {};
 };
 
 /**
@@ -176,22 +145,10 @@ private:
  * is bound to the active unit: no comparison, no filter, and only the level given. The texture's
  * own parameters, which belong to somebody else, are restored.
  */
-class VTKNBUFFER_EXPORT ScopedDepthSampling
+class VTKNBUFFER_EXPORT ScopedDepthSampling : public Scope
 {
 public:
   ScopedDepthSampling(unsigned int target, int level);
-  ~ScopedDepthSampling();
-  ScopedDepthSampling(const ScopedDepthSampling&) = delete;
-  void operator=(const ScopedDepthSampling&) = delete;
-
-private:
-  void Set(unsigned int name, int value);
-
-  static constexpr int MaximumCount = 7;
-  unsigned int Target;
-  int Count = 0;
-  unsigned int Names[MaximumCount] = {};
-  int Values[MaximumCount] = {};
 };
 }
 VTK_ABI_NAMESPACE_END

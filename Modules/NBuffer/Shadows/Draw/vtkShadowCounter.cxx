@@ -15,6 +15,8 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -35,7 +37,7 @@ constexpr GLenum StencilNames[2][7] = { { GL_STENCIL_FUNC, GL_STENCIL_REF, GL_ST
 
 /// The capabilities that decide where and in which samples volumes are drawn. At first only
 /// GL_MULTISAMPLE is on.
-constexpr GLenum CapabilityNames[] = { GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_COVERAGE,
+constexpr GLenum Capabilities[] = { GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_COVERAGE,
   GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK, GL_DEPTH_CLAMP,
   GL_POLYGON_OFFSET_FILL };
 
@@ -59,10 +61,8 @@ vtkShadowCounter::vtkShadowCounter()
 bool vtkShadowCounter::Upload(const vtkShadowVolume& volume, std::string& why)
 {
   vtkNBufferGL::ClearErrors();
-  int arrayBuffer = 0;
-  int vertexArray = 0;
-  glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &arrayBuffer);
-  glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &vertexArray);
+  const int arrayBuffer = vtkNBufferGL::GetInteger(GL_ARRAY_BUFFER_BINDING);
+  const int vertexArray = vtkNBufferGL::GetInteger(GL_VERTEX_ARRAY_BINDING);
   glBindVertexArray(this->VertexArray.Create());
   const bool uploaded = SetData(GL_ARRAY_BUFFER, this->Vertices, volume.GetVertices()) &&
     SetData(GL_ELEMENT_ARRAY_BUFFER, this->Indices, volume.GetIndices());
@@ -78,54 +78,49 @@ bool vtkShadowCounter::Upload(const vtkShadowVolume& volume, std::string& why)
 }
 
 vtkShadowCounter::Scope::Scope(vtkOpenGLRenderWindow* window, const int viewport[4])
-  : Pass(window)
+  : ScopedPass(window)
 {
-  glGetIntegerv(GL_DEPTH_FUNC, &this->DepthFunction);
-  glGetBooleanv(GL_DEPTH_WRITEMASK, &this->DepthMask);
-  glGetIntegerv(GL_SCISSOR_BOX, this->Scissor);
-  glGetFloatv(GL_POLYGON_OFFSET_FACTOR, &this->OffsetFactor);
-  glGetFloatv(GL_POLYGON_OFFSET_UNITS, &this->OffsetUnits);
-  for (int face = 0; face < 2; ++face)
-  {
-    for (int i = 0; i < 7; ++i)
+  using vtkNBufferGL::GetInteger;
+  // ScopedPass enables again what was enabled before.
+  this->AtEnd(
+    []
     {
-      glGetIntegerv(StencilNames[face][i], &this->Stencil[face][i]);
-    }
-  }
-  for (std::size_t i = 0; i < this->Capabilities.size(); ++i)
+      glDisable(GL_SCISSOR_TEST);
+      glDisable(GL_STENCIL_TEST);
+      glDisable(GL_DEPTH_TEST);
+    });
+  for (const GLenum name : Capabilities)
   {
-    this->Capabilities[i] = glIsEnabled(CapabilityNames[i]) == GL_TRUE;
-    (i == 0 ? glEnable : glDisable)(CapabilityNames[i]);
+    this->AtEnd([name, on = glIsEnabled(name)] { (on ? glEnable : glDisable)(name); });
+    (name == GL_MULTISAMPLE ? glEnable : glDisable)(name);
+  }
+  float offset[2] = { 0.0f, 0.0f };
+  glGetFloatv(GL_POLYGON_OFFSET_FACTOR, &offset[0]);
+  glGetFloatv(GL_POLYGON_OFFSET_UNITS, &offset[1]);
+  this->AtEnd([factor = offset[0], units = offset[1]] { glPolygonOffset(factor, units); });
+  this->AtEnd([function = GetInteger(GL_DEPTH_FUNC)] { glDepthFunc(function); });
+  this->AtEnd([mask = GetInteger(GL_DEPTH_WRITEMASK) != 0] { glDepthMask(mask); });
+  std::array<int, 4> scissor{};
+  glGetIntegerv(GL_SCISSOR_BOX, scissor.data());
+  this->AtEnd([scissor] { glScissor(scissor[0], scissor[1], scissor[2], scissor[3]); });
+  for (const GLenum side : { GL_FRONT, GL_BACK })
+  {
+    const auto& names = StencilNames[side == GL_FRONT ? 0 : 1];
+    std::array<int, 7> s{};
+    std::transform(std::begin(names), std::end(names), s.begin(), GetInteger);
+    this->AtEnd(
+      [side, s]
+      {
+        glStencilFuncSeparate(side, s[0], s[1], static_cast<GLuint>(s[2]));
+        glStencilOpSeparate(side, s[3], s[4], s[5]);
+        glStencilMaskSeparate(side, static_cast<GLuint>(s[6]));
+      });
   }
   glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   glEnable(GL_SCISSOR_TEST);
   glEnable(GL_STENCIL_TEST);
   glStencilMask(0xff);
   glDepthMask(GL_FALSE);
-}
-
-vtkShadowCounter::Scope::~Scope()
-{
-  // ScopedPass enables again what was enabled before.
-  glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_STENCIL_TEST);
-  glDisable(GL_DEPTH_TEST);
-  for (std::size_t i = 0; i < this->Capabilities.size(); ++i)
-  {
-    (this->Capabilities[i] ? glEnable : glDisable)(CapabilityNames[i]);
-  }
-  glPolygonOffset(this->OffsetFactor, this->OffsetUnits);
-  glDepthFunc(this->DepthFunction);
-  glDepthMask(this->DepthMask);
-  glScissor(this->Scissor[0], this->Scissor[1], this->Scissor[2], this->Scissor[3]);
-  for (int face = 0; face < 2; ++face)
-  {
-    const GLenum side = face == 0 ? GL_FRONT : GL_BACK;
-    const int* s = this->Stencil[face];
-    glStencilFuncSeparate(side, s[0], s[1], static_cast<GLuint>(s[2]));
-    glStencilOpSeparate(side, s[3], s[4], s[5]);
-    glStencilMaskSeparate(side, static_cast<GLuint>(s[6]));
-  }
 }
 
 void vtkShadowCounter::ClearMask(const vtkShadowTarget& target, int mask, const int viewport[4])
@@ -171,8 +166,7 @@ bool vtkShadowCounter::BeginVolumes(vtkOpenGLRenderWindow* window,
   vtkNBufferGL::SetMatrix(program, "volumeToClip", volumeToClip);
   glBindVertexArray(this->VertexArray.GetName());
   const int attribute = glGetAttribLocation(program->GetHandle(), "corner");
-  int arrayBuffer = 0;
-  glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &arrayBuffer);
+  const int arrayBuffer = vtkNBufferGL::GetInteger(GL_ARRAY_BUFFER_BINDING);
   glBindBuffer(GL_ARRAY_BUFFER, this->Vertices.GetName());
   glEnableVertexAttribArray(attribute);
   glVertexAttribPointer(attribute, 4, GL_FLOAT, GL_FALSE, 0, nullptr);

@@ -34,7 +34,6 @@
 
 #include "vtkSmartPointer.h"
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -56,23 +55,10 @@ public:
    * While it lives, the state for counting is set; when it ends, the state is restored. One scope
    * serves for all lights of a frame.
    */
-  class Scope
+  class Scope : public vtkNBufferGL::ScopedPass
   {
   public:
     Scope(vtkOpenGLRenderWindow* window, const int viewport[4]);
-    ~Scope();
-    Scope(const Scope&) = delete;
-    void operator=(const Scope&) = delete;
-
-  private:
-    vtkNBufferGL::ScopedPass Pass;
-    int DepthFunction = 0;
-    unsigned char DepthMask = 0;
-    int Scissor[4] = {};
-    float OffsetFactor = 0.0f;
-    float OffsetUnits = 0.0f;
-    std::array<bool, 7> Capabilities = {};
-    int Stencil[2][7] = {};
   };
 
   ///@{
