@@ -73,8 +73,7 @@ public:
   bool DrawLevel(vtkOpenGLRenderWindow* window, int level);
   bool ReadLevels(vtkNBufferLevels& levels);
   bool IsBuilt(int level) const { return level >= 0 && level < this->NumberOfLevels; }
-  void Delete(); ///< The context must be current.
-  void Forget(); ///< The context is gone.
+  void Delete(vtkNBufferGL::Context context);
 
   int PixelWidth = 0;
   int PixelHeight = 0;
@@ -150,7 +149,7 @@ void vtkNBufferTexture::Internals::UseContext(vtkOpenGLRenderWindow* window)
   // The same window with another context: the objects went with the old one.
   if (this->ContextTime != 0)
   {
-    this->Forget();
+    this->Delete(vtkNBufferGL::Context::Gone);
   }
   this->ContextTime = window->GetContextCreationTime();
   if (vtkNBufferGL::HasVersion(3, 3) && vtkOpenGLRenderTimer::IsSupported())
@@ -277,22 +276,17 @@ bool vtkNBufferTexture::Internals::ReadLevels(vtkNBufferLevels& levels)
   return vtkNBufferGL::CheckErrors("Reading the levels back", this->Error);
 }
 
-void vtkNBufferTexture::Internals::Delete()
+void vtkNBufferTexture::Internals::Delete(vtkNBufferGL::Context context)
 {
-  this->Storage.Delete();
-  this->BasePass.Delete();
-  this->LevelPass.Delete();
+  this->Storage.Delete(context);
+  this->BasePass.Delete(context);
+  this->LevelPass.Delete(context);
+  if (context == vtkNBufferGL::Context::Gone)
+  {
+    // Queries of a dead context cannot be deleted: their names are left to it.
+    this->Timer.release();
+  }
   this->Timer.reset();
-  this->Forget();
-}
-
-void vtkNBufferTexture::Internals::Forget()
-{
-  this->Storage.Forget();
-  this->BasePass.Forget();
-  this->LevelPass.Forget();
-  // Queries of a dead context cannot be deleted: their names are left to it.
-  this->Timer.release();
   this->ContextTime = 0;
   this->NumberOfLevels = 0;
 }
@@ -450,7 +444,7 @@ void vtkNBufferTexture::ReleaseGraphicsResources(vtkWindow* window)
     self.ResourceCallback->Release();
     return;
   }
-  self.Delete();
+  self.Delete(vtkNBufferGL::Context::Current);
   self.Window = nullptr;
 }
 

@@ -54,15 +54,9 @@ void FullScreenPass::Draw(unsigned int framebuffer, int x, int y, int width, int
   this->Draw();
 }
 
-void FullScreenPass::Delete()
+void FullScreenPass::Delete(Context context)
 {
-  this->Empty.Delete();
-  this->Forget();
-}
-
-void FullScreenPass::Forget()
-{
-  this->Empty.Forget();
+  this->Empty.Delete(context);
   this->Programs.clear();
 }
 }

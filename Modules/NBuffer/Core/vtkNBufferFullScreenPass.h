@@ -69,11 +69,8 @@ public:
   /// Draw into a framebuffer; the viewport is a rectangle of its pixels.
   void Draw(unsigned int framebuffer, int x, int y, int width, int height);
 
-  /// Delete the objects. Their context must be current.
-  void Delete();
-
-  /// Give up the objects, whose context is gone.
-  void Forget();
+  /// Delete the objects.
+  void Delete(Context context = Context::Current);
 
 private:
   const char* FragmentShader;

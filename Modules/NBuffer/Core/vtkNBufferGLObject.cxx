@@ -75,13 +75,13 @@ unsigned int Object::Create()
   return this->Name;
 }
 
-void Object::Delete()
+void Object::Delete(Context context)
 {
-  if (this->Name != 0)
+  if (this->Name != 0 && context == Context::Current)
   {
     FunctionsOf[static_cast<int>(this->Type)].Delete(&this->Name);
-    this->Name = 0;
   }
+  this->Name = 0;
 }
 
 bool GrowingTexture::Reserve(unsigned int format, int width, int height, std::string& why)
@@ -90,8 +90,7 @@ bool GrowingTexture::Reserve(unsigned int format, int width, int height, std::st
   {
     return true;
   }
-  GLint bound = 0;
-  glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+  const int bound = GetInteger(GL_TEXTURE_BINDING_2D);
   glBindTexture(GL_TEXTURE_2D, this->Texture.Create());
   SetPlainSampling(GL_TEXTURE_2D);
   this->Format = format;
@@ -138,17 +137,10 @@ bool GrowingTexture::ReserveTarget(unsigned int format, int width, int height, s
   return CheckErrors("Attaching a texture", why);
 }
 
-void GrowingTexture::Delete()
+void GrowingTexture::Delete(Context context)
 {
-  this->Framebuffer.Delete();
-  this->Texture.Delete();
-  this->Forget();
-}
-
-void GrowingTexture::Forget()
-{
-  this->Framebuffer.Forget();
-  this->Texture.Forget();
+  this->Framebuffer.Delete(context);
+  this->Texture.Delete(context);
   this->Format = 0;
   this->Width = this->Height = 0;
 }

@@ -5,8 +5,8 @@
  * @brief Owners of OpenGL objects.
  *
  * An owner is moved, never copied, and deletes its object when it is destroyed or assigned to: the
- * context of the object must be current then. Where that context is already gone, Forget() gives
- * the name up without a call of OpenGL.
+ * context of the object must be current then. Where that context is already gone, the object has
+ * gone with it: Delete(Context::Gone) gives the name up without a call of OpenGL.
  *
  * VTK's own classes serve where their objects are handed on to VTK (the shadow masks are
  * vtkTextureObjects, because mappers sample them). They do not serve here, from VTK 9.1 to 9.7:
@@ -27,6 +27,13 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace vtkNBufferGL
 {
+/// The state of the context to which objects belong.
+enum class Context
+{
+  Current,
+  Gone
+};
+
 enum class ObjectType
 {
   Buffer,
@@ -52,11 +59,8 @@ public:
   /// The object's name; 0 before Create().
   unsigned int GetName() const { return this->Name; }
 
-  /// Delete the object, if there is one. Its context must be current.
-  void Delete();
-
-  /// Give up an object whose context is gone.
-  void Forget() { this->Name = 0; }
+  /// Delete the object, if there is one.
+  void Delete(Context context = Context::Current);
 
 protected:
   explicit Object(ObjectType type)
@@ -117,11 +121,8 @@ public:
   /// How often memory was requested from OpenGL since construction.
   int GetNumberOfAllocations() const { return this->Allocations; }
 
-  /// Delete the objects. Their context must be current.
-  void Delete();
-
-  /// Give up the objects, whose context is gone.
-  void Forget();
+  /// Delete the objects.
+  void Delete(Context context = Context::Current);
 
 private:
   vtkNBufferGL::Texture Texture;

@@ -16,11 +16,11 @@ bool vtkNBufferTextureStorage::ReserveLevels(int width, int height, int levels, 
   const int newWidth = std::max(width, this->Width);
   const int newHeight = std::max(height, this->Height);
   const int newLevels = std::max(levels, this->Levels);
-  this->DeleteLevels();
+  this->DeleteLevels(vtkNBufferGL::Context::Current);
   if (!this->AllocateArrays(newWidth, newHeight, newLevels, why) ||
     !this->AllocateFramebuffers(newLevels, why))
   {
-    this->DeleteLevels();
+    this->DeleteLevels(vtkNBufferGL::Context::Current);
     return false;
   }
   this->Width = newWidth;
@@ -85,8 +85,7 @@ bool vtkNBufferTextureStorage::ReserveBuffer(
   {
     return true;
   }
-  GLint bound = 0;
-  glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &bound);
+  const int bound = vtkNBufferGL::GetInteger(GL_PIXEL_PACK_BUFFER_BINDING);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer.Object.Create());
   glBufferData(GL_PIXEL_PACK_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, usage);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, bound);
@@ -102,39 +101,29 @@ int vtkNBufferTextureStorage::GetNumberOfAllocations() const
     this->Integers.GetNumberOfAllocations();
 }
 
-void vtkNBufferTextureStorage::DeleteLevels()
+void vtkNBufferTextureStorage::DeleteLevels(vtkNBufferGL::Context context)
 {
+  for (vtkNBufferGL::Framebuffer& framebuffer : this->Framebuffers)
+  {
+    framebuffer.Delete(context);
+  }
   this->Framebuffers.clear();
   for (vtkNBufferGL::Texture& array : this->Arrays)
   {
-    array.Delete();
+    array.Delete(context);
   }
   this->Width = this->Height = this->Levels = 0;
 }
 
-void vtkNBufferTextureStorage::Delete()
+void vtkNBufferTextureStorage::Delete(vtkNBufferGL::Context context)
 {
-  this->DeleteLevels();
-  this->Copy.Delete();
-  this->Integers.Delete();
-  this->IntegerBuffer = Buffer();
-  this->ReadbackBuffer = Buffer();
-}
-
-void vtkNBufferTextureStorage::Forget()
-{
-  for (vtkNBufferGL::Framebuffer& framebuffer : this->Framebuffers)
+  this->DeleteLevels(context);
+  this->Copy.Delete(context);
+  this->Integers.Delete(context);
+  for (Buffer* buffer : { &this->IntegerBuffer, &this->ReadbackBuffer })
   {
-    framebuffer.Forget();
+    buffer->Object.Delete(context);
+    buffer->Bytes = 0;
   }
-  for (vtkNBufferGL::Texture& array : this->Arrays)
-  {
-    array.Forget();
-  }
-  this->Copy.Forget();
-  this->Integers.Forget();
-  this->IntegerBuffer.Object.Forget();
-  this->ReadbackBuffer.Object.Forget();
-  this->Delete();
 }
 VTK_ABI_NAMESPACE_END

@@ -53,11 +53,8 @@ public:
   /// How often memory was requested from OpenGL since construction.
   int GetNumberOfAllocations() const;
 
-  /// Delete the objects. Their context must be current.
-  void Delete();
-
-  /// Give up the objects, whose context is gone.
-  void Forget();
+  /// Delete the objects.
+  void Delete(vtkNBufferGL::Context context);
 
   vtkNBufferGL::GrowingTexture Copy;     ///< A copy of the depth that is reduced.
   vtkNBufferGL::GrowingTexture Integers; ///< The same as 32-bit integers.
@@ -72,7 +69,7 @@ private:
   bool ReserveBuffer(Buffer& buffer, unsigned int usage, std::size_t bytes, std::string& why);
   bool AllocateArrays(int width, int height, int levels, std::string& why);
   bool AllocateFramebuffers(int levels, std::string& why);
-  void DeleteLevels();
+  void DeleteLevels(vtkNBufferGL::Context context);
 
   int Width = 0;
   int Height = 0;
