@@ -14,16 +14,10 @@ vtkNBufferTranslucentProxy* vtkNBufferTranslucentProxy::Pool::Add(vtkProp* prop,
     this->Proxies.push_back(vtkSmartPointer<vtkNBufferTranslucentProxy>::New());
   }
   vtkNBufferTranslucentProxy* proxy = this->Proxies[this->Count++];
-  proxy->SetProp(prop);
-  proxy->SetOpen(open);
+  proxy->Prop = prop;
+  proxy->Open = open;
+  proxy->Drawn = false;
   return proxy;
-}
-
-void vtkNBufferTranslucentProxy::SetProp(vtkProp* prop)
-{
-  this->Prop = prop;
-  this->Open = true;
-  this->Drawn = false;
 }
 
 int vtkNBufferTranslucentProxy::RenderOpaqueGeometry(vtkViewport* viewport)

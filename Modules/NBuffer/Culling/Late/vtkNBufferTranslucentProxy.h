@@ -35,7 +35,7 @@ public:
     /// Begin a frame without proxies.
     void Clear() { this->Count = 0; }
 
-    /// Get the next unused proxy and let it represent `prop`.
+    /// Get the next unused proxy and let it represent `prop` for one frame, without a reference.
     vtkNBufferTranslucentProxy* Add(vtkProp* prop, bool open);
 
     /// Get the proxy that was added as number n, where the first one is number 0.
@@ -45,11 +45,6 @@ public:
     std::vector<vtkSmartPointer<vtkNBufferTranslucentProxy>> Proxies;
     std::size_t Count = 0;
   };
-
-  /// Set the prop to represent for one frame. It is not counted as a reference. This opens the
-  /// proxy.
-  void SetProp(vtkProp* prop);
-  vtkProp* GetProp() const { return this->Prop; }
 
   /// A closed proxy draws nothing in the translucent stage. Default: open.
   void SetOpen(bool open) { this->Open = open; }
@@ -84,7 +79,7 @@ private:
   vtkNBufferTranslucentProxy(const vtkNBufferTranslucentProxy&) = delete;
   void operator=(const vtkNBufferTranslucentProxy&) = delete;
 
-  vtkProp* Prop = nullptr;
+  vtkProp* Prop = nullptr; ///< It is not counted as a reference.
   bool Open = true;
   bool Drawn = false;
 };
