@@ -82,8 +82,7 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
   const vtkMTimeType timeBefore = this->Watch.GetTime();
   this->Mapper = actor->GetMapper();
   this->WayOfDrawing = vtkNBufferSurface::GetWayOfDrawing(actor);
-  this->ReadBounds(actor);
-  this->Verdict = this->Classify(actor);
+  this->Verdict = this->Classify(actor, this->ReadBox(actor));
   this->DepthWriter = this->Mapper && actor->HasOpaqueGeometry();
   this->Blended = IsForcedToBeOpaque(actor);
   this->Unlit = !actor->GetProperty()->GetLighting();
@@ -94,7 +93,7 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
   return this->Watch.GetTime() != timeBefore || this->Verdict != verdictBefore;
 }
 
-vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor) const
+vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor, vtkNBufferVerdict box) const
 {
   if (vtkNBufferSurface::HasOtherCoordinates(actor))
   {
@@ -107,7 +106,8 @@ vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor) const
   vtkProperty* property = actor->GetProperty();
   if (property->GetRepresentation() != VTK_SURFACE || property->GetEdgeVisibility() ||
     property->GetVertexVisibility() || property->GetRenderPointsAsSpheres() ||
-    property->GetRenderLinesAsTubes() || this->HasLines)
+    property->GetRenderLinesAsTubes() ||
+    (this->Box.Margin > 0.0 && vtkNBufferSurface::DrawsLines(this->Mapper)))
   {
     return vtkNBufferVerdict::NotASurface;
   }
@@ -119,13 +119,9 @@ vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor) const
   {
     return vtkNBufferVerdict::DepthOffset;
   }
-  if (!this->BoxIsUsable)
+  if (box != vtkNBufferVerdict::Visible)
   {
-    return vtkNBufferVerdict::NoBounds;
-  }
-  if (!this->BufferIsKnown)
-  {
-    return vtkNBufferVerdict::NotAPlainMapper;
+    return box;
   }
   if (actor->HasTranslucentPolygonalGeometry() || !actor->HasOpaqueGeometry())
   {
@@ -134,23 +130,21 @@ vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor) const
   return vtkNBufferVerdict::Visible;
 }
 
-void vtkNBufferCandidate::ReadBounds(vtkActor* actor)
+vtkNBufferVerdict vtkNBufferCandidate::ReadBox(vtkActor* actor)
 {
   // GetBounds() also brings the pipeline and the actor's matrix up to date.
   const double* bounds = this->Mapper ? actor->GetBounds() : nullptr;
-  this->BoxIsUsable = HasUsableBounds(bounds);
-  if (!this->BoxIsUsable)
+  this->Box = vtkNBufferBox();
+  if (!HasUsableBounds(bounds))
   {
-    return;
+    return vtkNBufferVerdict::NoBounds;
   }
   this->Box = vtkNBufferBox::FromBounds(bounds);
   this->Box.Margin = vtkNBufferSurface::GetMargin(actor);
-  this->HasLines = this->Box.Margin > 0.0 && vtkNBufferSurface::DrawsLines(this->Mapper);
   const auto buffer = vtkNBufferSurface::GetBufferCoordinates(this->Mapper);
-  this->BufferIsKnown = buffer.has_value();
   if (!buffer)
   {
-    return;
+    return vtkNBufferVerdict::NotAPlainMapper;
   }
   const glm::dmat4 toWorld = vtkNBufferGLM::ToMatrix(actor->GetMatrix()->GetData());
   this->Box.Origin = glm::dvec3(toWorld[3]);
@@ -162,7 +156,8 @@ void vtkNBufferCandidate::ReadBounds(vtkActor* actor)
     this->Box.Magnitude += vtkNBufferGLM::Abs(column) * buffer->HalfRange[k];
   }
   // VTK's bounds leave infinite points out; the device does not.
-  this->BoxIsUsable =
+  const bool isFinite =
     vtkNBufferGLM::IsFinite(this->Box.Origin) && vtkNBufferGLM::IsFinite(this->Box.Magnitude);
+  return isFinite ? vtkNBufferVerdict::Visible : vtkNBufferVerdict::NoBounds;
 }
 VTK_ABI_NAMESPACE_END

@@ -128,15 +128,14 @@ public:
   bool Refresh(bool globalStateChanged);
 
 private:
-  vtkNBufferVerdict Classify(vtkActor* actor) const;
-  void ReadBounds(vtkActor* actor);
+  /// Read the box. Returns Visible, or the verdict of a prop whose box cannot be known.
+  vtkNBufferVerdict ReadBox(vtkActor* actor);
+  /// The verdict, given that of ReadBox().
+  vtkNBufferVerdict Classify(vtkActor* actor, vtkNBufferVerdict box) const;
 
   // What is read of each prop in each frame comes first, to share a cache line.
   alignas(64) vtkNBufferVerdict Verdict = vtkNBufferVerdict::Unknown;
   bool MapperIsShared = false;
-  bool BoxIsUsable = false;
-  bool BufferIsKnown = true;
-  bool HasLines = false;
   vtkNBufferPropWatch Watch;
   vtkProp* Prop = nullptr;
   vtkMapper* Mapper = nullptr;
