@@ -9,6 +9,8 @@
 #include "vtkDataSetMapper.h"
 #include "vtkFloatArray.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLActor.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -73,15 +75,26 @@ struct MapperKind : NamedCase
   vtkSmartPointer<vtkMapper> (*Make)();
 };
 
+/// An actor of a class of the application.
+class OwnActor : public vtkOpenGLActor
+{
+public:
+  static OwnActor* New();
+  vtkTypeMacro(OwnActor, vtkOpenGLActor);
+};
+vtkStandardNewMacro(OwnActor);
+
 /// A far and a near actor with one mapper, in this order, side by side among other props. The
 /// nearest prop is drawn first, so that what the culler holds back is drawn in the other order.
+template <typename NearActor = vtkActor>
 void BuildPair(Stage& stage, const MapperKind& kind, const std::function<void(vtkActor*)>& change)
 {
   Scenes::BuildWall(stage);
   const vtkSmartPointer<vtkMapper> mapper = kind.Make();
   for (const bool isNear : { false, true })
   {
-    vtkNew<vtkActor> actor;
+    const auto actor = vtkSmartPointer<vtkActor>::Take(
+      isNear ? static_cast<vtkActor*>(NearActor::New()) : vtkActor::New());
     actor->SetMapper(mapper);
     actor->SetScale(2.5);
     actor->SetPosition(isNear ? 1.5 : -1.5, 0.3, isNear ? 9.0 : 4.0);
@@ -125,6 +138,29 @@ TEST_P(CullerSharedMappers, KeepTheirOrder)
     });
   EXPECT_EQ(comparison.GetVerdict(first), Verdict::Visible);
   EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+}
+
+// Hazard: an actor of another class begins to draw the mapper of a plain one in another way.
+TEST(CullerOwnActors, ThatShareAMapperAreFollowed)
+{
+  const MapperKind kind = { { "PolyData" }, MakeMapper<vtkPolyDataMapper> };
+  ComparisonOptions options;
+  options.RoundSize = 1;
+  options.CompareDraws = false; // They are counted by mapper.
+  Comparison comparison(
+    [&kind](Stage& stage) { BuildPair<OwnActor>(stage, kind, [](vtkActor*) {}); }, options);
+  const int first = static_cast<int>(comparison.Culled.Props.size()) - 2;
+  Scenes::FrameOfWall(comparison, 0.0, "alike");
+  EXPECT_EQ(comparison.GetVerdict(first), Verdict::Visible);
+  const auto getLast = [](Stage& stage)
+  { return stage.GetActor(static_cast<int>(stage.Props.size()) - 1); };
+  comparison.Both([&](Stage& stage) { getLast(stage)->GetProperty()->SetInterpolationToFlat(); });
+  Scenes::FrameOfWall(comparison, 0.2, "another property");
+  EXPECT_EQ(comparison.GetVerdict(first), Verdict::SharedMapper);
+  comparison.Both(
+    [&](Stage& stage) { getLast(stage)->SetMapper(MakeMapper<vtkPolyDataMapper>()); });
+  Scenes::FrameOfWall(comparison, 0.4, "another mapper");
+  EXPECT_EQ(comparison.GetVerdict(first), Verdict::Visible);
 }
 
 namespace

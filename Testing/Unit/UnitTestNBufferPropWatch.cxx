@@ -473,6 +473,38 @@ TEST(NBufferPropWatch, AnotherPropAtTheSameAddressIsAChange)
   EXPECT_EQ(watch.GetMeans(), Means::None);
 }
 
+// Hazard: what a deleted actor was made of is observed for the prop that lies at its address now.
+TEST(NBufferPropWatch, AnotherPropAtTheSameAddressHasNothingOfThePlainActor)
+{
+  vtkNBufferObservedObjects objects;
+  StampedActor stamped;
+  vtkNew<vtkProperty> property;
+  property->SetOpacity(0.5);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(stamped.Mapper);
+  actor->SetProperty(property);
+  actor->ForceOpaqueOn();
+  vtkNBufferCandidate candidate(actor);
+  candidate.Refresh(false);
+  EXPECT_TRUE(candidate.IsBlended());
+  ASSERT_EQ(candidate.GetWatch().GetMeans(), Means::Stamps);
+  const vtkProp* const address = actor;
+  actor = nullptr;
+  const auto other = MakeAt<OtherProp>(address);
+  if (!other)
+  {
+    GTEST_SKIP() << "The allocator does not use the address again.";
+  }
+  other->IsKnown = true;
+  EXPECT_TRUE(candidate.IsStale());
+  candidate.Refresh(false);
+  EXPECT_EQ(candidate.GetVerdict(), vtkNBufferVerdict::NotAPlainActor);
+  EXPECT_FALSE(candidate.IsBlended());
+  candidate.GetWatch().Observe(objects);
+  candidate.GetWatch().Observe(objects);
+  EXPECT_EQ(objects.GetSize(), 0u);
+}
+
 // Hazard: what is no plain actor is never read again, although its address is that of one now.
 TEST(NBufferPropWatch, APlainActorAtTheAddressOfAnotherPropBecomesACandidate)
 {

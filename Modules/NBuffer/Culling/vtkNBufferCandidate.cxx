@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferCandidate.h"
 
+#include "vtkNBufferProtectedMembers.h"
 #include "vtkNBufferSurface.h"
 
 #include "vtkActor.h"
@@ -31,6 +32,14 @@ bool HasUsableBounds(const double* bounds)
     std::all_of(bounds, bounds + 6, [](double value) { return std::abs(value) < Infinite; });
 }
 
+/// When the mapper of an actor, or the way in which the actor draws it, may have changed last.
+vtkMTimeType GetTimeOfWay(vtkActor* actor)
+{
+  const auto getTime = [](const vtkObject* object)
+  { return vtkNBufferProtectedMembers::GetTimeStamp(object).GetMTime(); };
+  return std::max(getTime(actor), getTime(actor->GetProperty()));
+}
+
 /// Whether an actor is opaque by force, and translucent if nothing is forced (see
 /// vtkActor::HasTranslucentPolygonalGeometry()).
 bool IsForcedToBeOpaque(vtkActor* actor)
@@ -41,6 +50,11 @@ bool IsForcedToBeOpaque(vtkActor* actor)
     (actor->GetProperty()->GetOpacity() < 1.0 || (texture && texture->IsTranslucent()) ||
       (mapper && mapper->HasTranslucentPolygonalGeometry()));
 }
+}
+
+bool vtkNBufferCandidate::MayDrawInAnotherWay() const
+{
+  return this->TimeOfWay != 0 && GetTimeOfWay(static_cast<vtkActor*>(this->Prop)) > this->TimeOfWay;
 }
 
 bool vtkNBufferCandidate::HasBlendedPart() const
@@ -67,16 +81,18 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
   vtkActor* actor = vtkNBufferSurface::GetPlainActor(this->Prop);
   if (!actor)
   {
+    // The prop may be a new one, at the address of a plain actor that has been deleted.
+    this->Watch.Track(this->Prop);
     this->Verdict = vtkNBufferVerdict::NotAPlainActor;
     this->DepthWriter =
       !vtkActor2D::SafeDownCast(this->Prop) && !vtkVolume::SafeDownCast(this->Prop);
     this->Tracked = !this->DepthWriter;
+    this->Blended = this->Unlit = false;
     this->Class = &typeid(*this->Prop);
-    if (auto* other = vtkActor::SafeDownCast(this->Prop))
-    {
-      this->Mapper = other->GetMapper();
-      this->WayOfDrawing = vtkNBufferSurface::GetWayOfDrawing(other);
-    }
+    auto* other = vtkActor::SafeDownCast(this->Prop);
+    this->Mapper = other ? other->GetMapper() : nullptr;
+    this->WayOfDrawing = other ? vtkNBufferSurface::GetWayOfDrawing(other) : 0;
+    this->TimeOfWay = other ? GetTimeOfWay(other) : 0;
     return this->Verdict != verdictBefore;
   }
   const vtkMTimeType timeBefore = this->Watch.GetTime();

@@ -107,10 +107,10 @@ public:
   /// See vtkNBufferPropWatch::MayHaveChanged().
   bool IsStale(bool observedAreUnchanged = false) const
   {
-    // Of a prop that is no plain actor only the class is known. The class is another one if another
-    // prop has been made at the address of a deleted one.
+    // Of a prop that is no plain actor only the class is known, and how an actor draws its mapper.
+    // The class is another one if another prop has been made at the address of a deleted one.
     return this->Verdict == vtkNBufferVerdict::NotAPlainActor
-      ? this->Class != &typeid(*this->Prop)
+      ? this->Class != &typeid(*this->Prop) || this->MayDrawInAnotherWay()
       : this->Watch.MayHaveChanged(observedAreUnchanged);
   }
 
@@ -128,6 +128,7 @@ public:
   bool Refresh(bool globalStateChanged);
 
 private:
+  bool MayDrawInAnotherWay() const;
   /// Read the box. Returns Visible, or the verdict of a prop whose box cannot be known.
   vtkNBufferVerdict ReadBox(vtkActor* actor);
   /// The verdict, given that of ReadBox().
@@ -142,6 +143,7 @@ private:
   const std::type_info* Class = nullptr; ///< The class of a prop that is no plain actor.
   vtkNBufferBox Box;
   std::size_t WayOfDrawing = 0;
+  vtkMTimeType TimeOfWay = 0; ///< Of an actor that is no plain one.
   bool DepthWriter = true;
   bool Blended = false;
   bool Unlit = false;
