@@ -281,6 +281,21 @@ TEST(CullerDecisions, OnlyChangedPropsAreRefreshed)
   EXPECT_EQ(comparison.GetStatistics().Refreshed, 1);
 }
 
+// Hazard: a setting of VTK for all mappers moves depths, and no prop has a newer time.
+TEST(CullerDecisions, SettingsOfAllMappersEndTheStill)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  for (int i = 0; i < 3; ++i)
+  {
+    comparison.Frame();
+  }
+  EXPECT_EQ(comparison.GetDecision(), Decision::Still);
+  vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+  comparison.Frame("moved");
+  EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+  vtkMapper::SetResolveCoincidentTopologyToDefault();
+}
+
 // Hazard: what Freeze keeps is shown from elsewhere, and thawed it must be right at once.
 TEST(CullerDecisions, FreezeKeepsTheVerdicts)
 {

@@ -93,7 +93,7 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
     this->Mapper = other ? other->GetMapper() : nullptr;
     this->WayOfDrawing = other ? vtkNBufferSurface::GetWayOfDrawing(other) : 0;
     this->TimeOfWay = other ? GetTimeOfWay(other) : 0;
-    return this->Verdict != verdictBefore;
+    return globalStateChanged || this->Verdict != verdictBefore;
   }
   const vtkMTimeType timeBefore = this->Watch.GetTime();
   this->Mapper = actor->GetMapper();
@@ -106,7 +106,8 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
   // would have to be read in every frame, are not needed.
   this->Watch.Track(actor, false);
   this->Tracked = this->Watch.SeesAllChanges();
-  return this->Watch.GetTime() != timeBefore || this->Verdict != verdictBefore;
+  return globalStateChanged || this->Watch.GetTime() != timeBefore ||
+    this->Verdict != verdictBefore;
 }
 
 vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor, vtkNBufferVerdict box) const
