@@ -61,7 +61,7 @@ int CeilLog2(int n)
 
 int GetBaseSize(int size, int factor)
 {
-  return (size + factor - 1) / factor;
+  return size / factor + (size % factor > 0 ? 1 : 0);
 }
 
 vtkNBufferRectangle GetBaseRectangle(const vtkNBufferRectangle& pixels, int factor)

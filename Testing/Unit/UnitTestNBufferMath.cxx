@@ -269,6 +269,8 @@ TEST(NBufferMath, BaseSizeIsRoundedUp)
     }
     ASSERT_EQ(vtkNBufferMath::GetBaseSize(size, factor), texels) << size << " / " << factor;
   }
+  EXPECT_EQ(vtkNBufferMath::GetBaseSize(5, INT_MAX), 1);
+  EXPECT_EQ(vtkNBufferMath::GetBaseSize(INT_MAX, 2), 1 << 30);
 }
 
 // Hazard: a rectangle rounded inward in the base misses the pixels of its border texels.
