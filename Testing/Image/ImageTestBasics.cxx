@@ -433,6 +433,21 @@ TEST(CullerBasics, TuningsOutOfRangeAreRefused)
     "0 to 1e9", { 0, 256, 1000000000 }, { -1, 1000000001, most, least });
 }
 
+// Hazard: the reason for a back-end is that of another one, which the application has set before.
+TEST(CullerBasics, BackendReasonIsThatOfTheSetting)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  vtkNBufferCuller* culler = comparison.Culled.GetCuller();
+  const std::string set = "set by the application";
+  for (int i = 0; i < 4; ++i)
+  {
+    const bool isSet = i % 2 == 1;
+    culler->SetBackend(isSet ? vtkNBufferCuller::CPU : vtkNBufferCuller::Auto);
+    Scenes::FrameOfWall(comparison, 0.2 * i);
+    EXPECT_EQ(culler->GetBackendReason() == set, isSet) << culler->GetBackendReason();
+  }
+}
+
 // Hazard: a culler asked before its first frame, or about a renderer that it never saw.
 TEST(CullerBasics, QuestionsBeforeTheFirstFrame)
 {

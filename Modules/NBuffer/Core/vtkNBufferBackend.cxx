@@ -25,44 +25,42 @@ vtkNBufferBackend::Kind vtkNBufferBackend::Choose(Kind wanted, vtkOpenGLRenderWi
   if (this->ContextTime != window->GetContextCreationTime())
   {
     this->ContextTime = window->GetContextCreationTime();
-    this->Chosen = Auto;
+    this->Settle(Auto, "trying both");
     this->Trial = 0;
-  }
-  if (this->Chosen == Auto && this->Trial == 0)
-  {
     if (const char* software = vtkNBufferGL::GetSoftwareRenderer())
     {
-      this->Chosen = CPU;
-      this->Reason = std::string("software renderer (") + software +
-        "): building on the host costs a tenth of the passes or less";
+      this->Settle(CPU,
+        std::string("software renderer (") + software +
+          "): building on the host costs a tenth of the passes or less");
     }
   }
+  this->Reason = this->ReasonOfChoice;
   if (this->Chosen != Auto)
   {
     return this->Chosen;
   }
   // Warm up, time the device, time the host.
-  this->Reason = "trying both";
   return this->Trial < 2 ? OpenGL : CPU;
 }
 
-void vtkNBufferBackend::RecordTrial(Kind used, double milliseconds)
+void vtkNBufferBackend::Settle(Kind kind, const std::string& reason)
 {
-  if (this->Chosen != Auto)
-  {
-    return;
-  }
+  this->Chosen = kind;
+  this->Reason = this->ReasonOfChoice = reason;
+}
+
+void vtkNBufferBackend::RecordTrial(double milliseconds)
+{
   ++this->Trial;
-  if (this->Trial == 1)
+  if (this->Trial == 2)
   {
-    return;
+    this->DeviceTime = milliseconds;
   }
-  this->TrialTimes[used == OpenGL ? 0 : 1] = milliseconds;
-  if (this->Trial == 3)
+  else if (this->Trial == 3)
   {
-    this->Chosen = this->TrialTimes[0] <= this->TrialTimes[1] ? OpenGL : CPU;
-    this->Reason = "measured: OpenGL " + std::to_string(this->TrialTimes[0]) + " ms, CPU " +
-      std::to_string(this->TrialTimes[1]) + " ms";
+    this->Settle(this->DeviceTime <= milliseconds ? OpenGL : CPU,
+      "measured: OpenGL " + std::to_string(this->DeviceTime) + " ms, CPU " +
+        std::to_string(milliseconds) + " ms");
   }
 }
 
@@ -76,25 +74,23 @@ vtkNBufferDecision vtkNBufferBackend::Build(Kind wanted, const Job& job, std::st
     glFinish();
   }
   const vtkNBufferClock clock;
-  bool built = this->InUse == OpenGL && this->BuildOnDevice(job, job.NumberOfLevels, why);
-  if (!built && this->InUse == OpenGL && wanted == Auto)
+  vtkNBufferDecision failure = this->InUse == OpenGL
+    ? this->BuildOnDevice(job, job.NumberOfLevels, why)
+    : this->BuildOnHost(job, why);
+  if (failure != vtkNBufferDecision::None && this->InUse == OpenGL && wanted == Auto)
   {
-    this->InUse = this->Chosen = CPU;
-    this->Reason = "the device cannot build: " + why;
+    this->InUse = CPU;
+    this->Settle(CPU, "the device cannot build: " + why);
+    failure = this->BuildOnHost(job, why);
   }
-  if (!built && this->InUse == CPU)
-  {
-    built = this->BuildOnHost(job, why);
-  }
-  if (!built)
+  if (failure != vtkNBufferDecision::None)
   {
     job.Levels.Clear();
-    return this->Texture->LacksFloatTextures() ? vtkNBufferDecision::NoFloatTextures
-                                               : vtkNBufferDecision::NoDepth;
+    return failure;
   }
-  if (wanted == Auto)
+  if (wanted == Auto && this->Chosen == Auto)
   {
-    this->RecordTrial(this->InUse, clock.GetMilliseconds());
+    this->RecordTrial(clock.GetMilliseconds());
   }
   const vtkNBufferLevels& levels = job.Levels;
   job.Statistics.Levels += levels.GetNumberOfLevels();
@@ -127,7 +123,7 @@ bool vtkNBufferBackend::DrawsOrdinaryDepth(const vtkNBufferDepthSource& source)
     source.DefaultDepthRange;
 }
 
-bool vtkNBufferBackend::BuildOnDevice(const Job& job, int levels, std::string& why)
+vtkNBufferDecision vtkNBufferBackend::BuildOnDevice(const Job& job, int levels, std::string& why)
 {
   vtkNBufferClock clock;
   const int* viewport = job.Source.Viewport;
@@ -136,20 +132,21 @@ bool vtkNBufferBackend::BuildOnDevice(const Job& job, int levels, std::string& w
         viewport[3], job.Factor, levels, vtkNBufferDepthConvention::Farthest))
   {
     why = this->Texture->GetError();
-    return false;
+    return this->Texture->LacksFloatTextures() ? vtkNBufferDecision::NoFloatTextures
+                                               : vtkNBufferDecision::NoDepth;
   }
   statistics.BuildTime += clock.Restart();
   if (!this->Texture->Download(job.Window, job.Levels))
   {
     why = this->Texture->GetError();
-    return false;
+    return vtkNBufferDecision::NoDepth;
   }
   statistics.ReadTime += clock.GetMilliseconds();
   ++statistics.ReadBacks;
   statistics.BytesRead += static_cast<long long>(sizeof(float)) * job.Levels.GetNumberOfLevels() *
     job.Levels.GetWidth() * job.Levels.GetHeight();
   statistics.DeviceBuildTime = this->Texture->GetDeviceTime();
-  return true;
+  return vtkNBufferDecision::None;
 }
 
 bool vtkNBufferBackend::ReadDepth(vtkOpenGLRenderWindow* window,
@@ -181,21 +178,22 @@ const float* vtkNBufferBackend::GetDepth(vtkOpenGLRenderWindow* window,
   return this->Depth.data();
 }
 
-bool vtkNBufferBackend::BuildOnHost(const Job& job, std::string& why)
+vtkNBufferDecision vtkNBufferBackend::BuildOnHost(const Job& job, std::string& why)
 {
   if (job.Source.Samples > 1)
   {
     // Samples cannot be read; the device reduces them to level 0.
-    if (!this->BuildOnDevice(job, 1, why))
+    const vtkNBufferDecision failure = this->BuildOnDevice(job, 1, why);
+    if (failure != vtkNBufferDecision::None)
     {
-      return false;
+      return failure;
     }
   }
   else
   {
     if (!this->ReadDepth(job.Window, job.Source, job.Statistics, why))
     {
-      return false;
+      return vtkNBufferDecision::NoDepth;
     }
     const vtkNBufferClock clock;
     job.Levels.BuildBase(this->Depth.data(), job.Source.Viewport[2], job.Source.Viewport[3],
@@ -205,6 +203,6 @@ bool vtkNBufferBackend::BuildOnHost(const Job& job, std::string& why)
   const vtkNBufferClock clock;
   job.Levels.BuildLevels(job.NumberOfLevels);
   job.Statistics.BuildTime += clock.GetMilliseconds();
-  return true;
+  return vtkNBufferDecision::None;
 }
 VTK_ABI_NAMESPACE_END

@@ -89,20 +89,25 @@ public:
 
 private:
   Kind Choose(Kind wanted, vtkOpenGLRenderWindow* window);
-  void RecordTrial(Kind used, double milliseconds);
-  bool BuildOnDevice(const Job& job, int levels, std::string& why);
-  bool BuildOnHost(const Job& job, std::string& why);
+  void Settle(Kind kind, const std::string& reason);
+  void RecordTrial(double milliseconds);
+  vtkNBufferDecision BuildOnDevice(const Job& job, int levels, std::string& why);
+  vtkNBufferDecision BuildOnHost(const Job& job, std::string& why);
   bool ReadDepth(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
     vtkNBufferStatistics& statistics, std::string& why);
 
   vtkNew<vtkNBufferTexture> Texture;
   std::vector<float> Depth; ///< The whole image; empty if the last build did not read it.
   Kind InUse = Auto;
-  Kind Chosen = Auto;
   std::string Reason = "nothing built yet";
+  ///@{
+  /// What Auto has come to in the context: the choice with its reason, or Auto while trials go on.
+  Kind Chosen = Auto;
+  std::string ReasonOfChoice;
   vtkMTimeType ContextTime = 0;
   int Trial = 0;
-  double TrialTimes[2] = { 0.0, 0.0 };
+  double DeviceTime = 0.0;
+  ///@}
   int FailedFrames = 0;
   std::set<vtkNBufferDecision> WarnedOf;
 };
