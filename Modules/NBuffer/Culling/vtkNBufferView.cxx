@@ -228,14 +228,13 @@ int vtkNBufferView::TestAndDraw(vtkRenderer* renderer)
   {
     return this->DrawAll(renderer, nullptr, obstacle);
   }
-  this->TestedPrecision = source.GetPrecision();
-  this->TestedSamples = source.Samples;
+  this->Tested = source;
   this->KeptInVain = 0;
   int drawn = 0;
-  const bool tested = this->DrawRounds(renderer, source, drawn);
+  const bool tested = this->DrawRounds(renderer, drawn);
   const vtkNBufferClock clock;
-  this->Statistics.Redrawn +=
-    this->Draws.RestoreTieOrder(renderer, this->Partition.GetHeldBack(), true, this->TestedSamples);
+  this->Statistics.Redrawn += this->Draws.RestoreTieOrder(
+    renderer, this->Partition.GetHeldBack(), true, this->Tested.Samples);
   this->Statistics.DrawTime += clock.GetMilliseconds();
   // When rendering is aborted mappers return early, so that depth and verdicts are not complete.
   if (tested && !renderer->GetRenderWindow()->GetAbortRender())
@@ -255,8 +254,8 @@ bool vtkNBufferView::PrepareRepeat(vtkRenderer* renderer)
   vtkNBufferDepthSource source;
   return vtkNBufferCompatibility::DrawsOpaquePropsTwice(renderer) &&
     this->PrepareTest(renderer, source) == vtkNBufferDecision::None &&
-    std::max(source.Samples, 1) == std::max(this->TestedSamples, 1) &&
-    source.GetPrecision() >= this->TestedPrecision;
+    std::max(source.Samples, 1) == std::max(this->Tested.Samples, 1) &&
+    source.GetPrecision() >= this->Tested.GetPrecision();
 }
 
 int vtkNBufferView::Repeat(vtkRenderer* renderer)
@@ -264,7 +263,7 @@ int vtkNBufferView::Repeat(vtkRenderer* renderer)
   // The statistics count the draws of one drawing.
   const vtkNBufferClock clock;
   const int drawn = this->Draws.Repeat(renderer);
-  this->Draws.RestoreTieOrder(renderer, this->Partition.GetHeldBack(), true, this->TestedSamples);
+  this->Draws.RestoreTieOrder(renderer, this->Partition.GetHeldBack(), true, this->Tested.Samples);
   this->Statistics.DrawTime += clock.GetMilliseconds();
   return drawn;
 }
@@ -318,8 +317,7 @@ void vtkNBufferView::TestTranslucent(vtkNBufferDepthTest& test)
   }
 }
 
-bool vtkNBufferView::DrawRounds(
-  vtkRenderer* renderer, const vtkNBufferDepthSource& source, int& drawn)
+bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
 {
   int round = 1;
   std::vector<int> left = this->Partition.GetHeldBack();
@@ -338,7 +336,7 @@ bool vtkNBufferView::DrawRounds(
   for (;;)
   {
     std::string why;
-    const vtkNBufferDecision failure = test.Build(window, source,
+    const vtkNBufferDecision failure = test.Build(window, this->Tested,
       { &this->Partition.GetKept(), &left, &this->Partition.GetTranslucent() }, why);
     if (failure != vtkNBufferDecision::None)
     {
@@ -418,7 +416,7 @@ int vtkNBufferView::DrawAll(
   // In another view the boxes cover other pixels, and without a depth test the prop that is drawn
   // last wins at any depth.
   this->Statistics.Redrawn += this->Draws.RestoreTieOrder(
-    renderer, this->Partition.GetHeldBack(), false, this->TestedSamples);
+    renderer, this->Partition.GetHeldBack(), false, this->Tested.Samples);
   this->Statistics.Decision = reason;
   this->State = Phase::Incomplete;
   this->Props.CountVerdicts(this->Statistics);

@@ -112,7 +112,7 @@ private:
   /// The parts of DrawHeldProps().
   vtkNBufferDecision PrepareTest(vtkRenderer* renderer, vtkNBufferDepthSource& source);
   int TestAndDraw(vtkRenderer* renderer);
-  bool DrawRounds(vtkRenderer* renderer, const vtkNBufferDepthSource& source, int& drawn);
+  bool DrawRounds(vtkRenderer* renderer, int& drawn);
   int DrawRound(vtkRenderer* renderer, std::vector<int> props, int round);
   void TestKept(vtkNBufferDepthTest& test);
   void TestTranslucent(vtkNBufferDepthTest& test);
@@ -142,8 +142,7 @@ private:
   vtkNBufferViewKey LastKey;
   double DepthQuantum = 0x1p-24; ///< One unit of the depth buffer drawn last, in window depth.
   int SubpixelBits = 4;          ///< vtkNBufferGL::GetSubpixelBits() of the context drawn in last.
-  int TestedPrecision = 0;       ///< GetPrecision() of the depth that was tested.
-  int TestedSamples = 0;         ///< Samples per pixel of the depth that was tested.
+  vtkNBufferDepthSource Tested;  ///< The depth that was tested last.
   int KeptInVain = 0; ///< Kept props that the last test found hidden, after they had been drawn.
 };
 
