@@ -18,6 +18,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+#include <algorithm>
 #include <typeinfo>
 #include <vector>
 
@@ -36,6 +37,14 @@ public:
     vtkWeakPointer<vtkRenderWindow> Window;
     std::unique_ptr<vtkNBufferBackend> Backend;
   };
+  struct Detach
+  {
+    void operator()(vtkNBufferFrameGuard* guard) const
+    {
+      guard->Detach();
+      guard->Delete();
+    }
+  };
   struct ViewEntry
   {
     vtkWeakPointer<vtkRenderer> Renderer;
@@ -44,31 +53,21 @@ public:
     std::unique_ptr<vtkNBufferView> View;
     /// This is no vtkWeakPointer, because VTK 9.1 does not reset weak pointers to a vtkCommand when
     /// the command is deleted.
-    vtkSmartPointer<vtkNBufferFrameGuard> Guard;
+    std::unique_ptr<vtkNBufferFrameGuard, Detach> Guard;
   };
 
   explicit Internals(const vtkNBufferTuning& tuning)
     : Tuning(tuning)
   {
   }
-  Internals(const Internals&) = delete;
-  void operator=(const Internals&) = delete;
-  ~Internals()
-  {
-    for (ViewEntry& entry : this->Views)
-    {
-      entry.Guard->Detach();
-    }
-  }
 
   vtkNBufferBackend& GetBackend(vtkRenderWindow* window)
   {
-    for (WindowEntry& entry : this->Windows)
+    const auto found = std::find_if(this->Windows.begin(), this->Windows.end(),
+      [window](const WindowEntry& entry) { return entry.Window == window; });
+    if (found != this->Windows.end())
     {
-      if (entry.Window == window)
-      {
-        return *entry.Backend;
-      }
+      return *found->Backend;
     }
     this->Windows.push_back({ window, std::make_unique<vtkNBufferBackend>() });
     return *this->Windows.back().Backend;
@@ -91,10 +90,10 @@ public:
     }
     this->DropDeleted();
     this->Last = this->Views.size();
-    vtkNew<vtkNBufferFrameGuard> guard;
-    guard->Attach(renderer);
     this->Views.push_back({ renderer, window, eye,
-      std::make_unique<vtkNBufferView>(this->GetBackend(window), this->Tuning), guard.Get() });
+      std::make_unique<vtkNBufferView>(this->GetBackend(window), this->Tuning),
+      decltype(ViewEntry::Guard)(vtkNBufferFrameGuard::New()) });
+    this->Views.back().Guard->Attach(renderer);
     return this->Views.back();
   }
 
@@ -118,23 +117,14 @@ public:
 private:
   void DropDeleted()
   {
-    for (std::size_t i = this->Views.size(); i-- > 0;)
-    {
-      vtkRenderer* renderer = this->Views[i].Renderer;
-      vtkRenderWindow* window = this->Views[i].Window;
-      if (!renderer || !window || renderer->GetRenderWindow() != window)
-      {
-        this->Views[i].Guard->Detach();
-        this->Views.erase(this->Views.begin() + i);
-      }
-    }
-    for (std::size_t i = this->Windows.size(); i-- > 0;)
-    {
-      if (!this->Windows[i].Window)
-      {
-        this->Windows.erase(this->Windows.begin() + i);
-      }
-    }
+    const auto isViewDeleted = [](const ViewEntry& entry) {
+      return !entry.Renderer || !entry.Window || entry.Renderer->GetRenderWindow() != entry.Window;
+    };
+    this->Views.erase(
+      std::remove_if(this->Views.begin(), this->Views.end(), isViewDeleted), this->Views.end());
+    this->Windows.erase(std::remove_if(this->Windows.begin(), this->Windows.end(),
+                          [](const WindowEntry& entry) { return !entry.Window; }),
+      this->Windows.end());
   }
 
   const vtkNBufferTuning& Tuning; ///< The culler's own.
