@@ -105,10 +105,7 @@ void vtkNBufferLevels::Allocate(
   this->NumberOfLevels =
     std::min(levels, vtkNBufferMath::GetNumberOfLevels(this->Width, this->Height));
   this->Extremum = extremum;
-  if (this->Texels.size() < this->GetLevelOffset(this->NumberOfLevels))
-  {
-    this->Texels.resize(this->GetLevelOffset(this->NumberOfLevels));
-  }
+  this->Texels.resize(std::max(this->Texels.size(), this->GetLevelOffset(this->NumberOfLevels)));
 }
 
 void vtkNBufferLevels::BuildBase(
@@ -133,19 +130,12 @@ void vtkNBufferLevels::BuildBase(
 int vtkNBufferLevels::BuildLevels(int count)
 {
   const int first = this->NumberOfLevels;
-  if (first == 0)
-  {
-    return 0;
-  }
   const int levels = std::min(count, vtkNBufferMath::GetNumberOfLevels(this->Width, this->Height));
-  if (levels <= first)
+  if (first == 0 || levels <= first)
   {
     return 0;
   }
-  if (this->Texels.size() < this->GetLevelOffset(levels))
-  {
-    this->Texels.resize(this->GetLevelOffset(levels));
-  }
+  this->Texels.resize(std::max(this->Texels.size(), this->GetLevelOffset(levels)));
   this->NumberOfLevels = levels;
   if (this->Extremum == vtkNBufferExtremum::Maximum)
   {

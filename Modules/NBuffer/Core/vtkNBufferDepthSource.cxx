@@ -203,7 +203,8 @@ bool vtkNBufferDepthSource::Inspect(vtkOpenGLRenderWindow* window, std::string& 
 bool vtkNBufferDepthSource::HoldsViewport() const
 {
   const auto& [x, y, width, height] = this->Viewport;
-  return x >= 0 && y >= 0 && width <= this->Width - x && height <= this->Height - y;
+  std::string why;
+  return this->Holds(x, y, width, height, why);
 }
 
 bool vtkNBufferDepthSource::Holds(int x, int y, int width, int height, std::string& why) const

@@ -41,27 +41,25 @@ const std::array<const char*, 17> KnownPasses = { "vtkSequencePass", "vtkCameraP
   "vtkOverlayPass", "vtkClearZPass", "vtkDepthPeelingPass", "vtkDualDepthPeelingPass",
   "vtkOrderIndependentTranslucentPass" };
 
-const vtkNBufferRenderPassTraits* GetTraits(const vtkRenderPass* pass)
+vtkNBufferRenderPassTraits* GetTraits(vtkRenderPass* pass)
 {
-  return dynamic_cast<const vtkNBufferRenderPassTraits*>(pass);
+  return dynamic_cast<vtkNBufferRenderPassTraits*>(pass);
 }
 
 /// Get the passes that a pass calls.
 std::vector<vtkRenderPass*> GetParts(vtkRenderPass* pass)
 {
   std::vector<vtkRenderPass*> parts;
-  if (auto* traits = dynamic_cast<vtkNBufferRenderPassTraits*>(pass))
+  if (vtkNBufferRenderPassTraits* traits = GetTraits(pass))
   {
     parts = traits->GetDelegatePasses();
   }
   else if (auto* sequence = vtkSequencePass::SafeDownCast(pass))
   {
-    if (vtkRenderPassCollection* passes = sequence->GetPasses())
+    vtkRenderPassCollection* passes = sequence->GetPasses();
+    for (int i = 0; passes && i < passes->GetNumberOfItems(); ++i)
     {
-      for (int i = 0; i < passes->GetNumberOfItems(); ++i)
-      {
-        parts.push_back(vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i)));
-      }
+      parts.push_back(vtkRenderPass::SafeDownCast(passes->GetItemAsObject(i)));
     }
   }
   else if (auto* camera = vtkCameraPass::SafeDownCast(pass))
@@ -137,7 +135,7 @@ bool DrawsOpaquePropsTwice(vtkRenderer* renderer)
   return AnyPass(renderer->GetPass(),
     [](vtkRenderPass* pass)
     {
-      const vtkNBufferRenderPassTraits* traits = GetTraits(pass);
+      vtkNBufferRenderPassTraits* traits = GetTraits(pass);
       return traits && traits->DrawsOpaquePropsTwice();
     });
 }

@@ -8,6 +8,7 @@
 #include "vtkNBufferPixelTest.h"
 
 #include <algorithm>
+#include <iterator>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -100,18 +101,13 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::ve
   vtkNBufferSliverTest test(this->Projection, this->Levels, this->SampleDistance);
   std::vector<int> visible;
   auto left = places.begin();
-  for (int i : tested)
-  {
-    if (left != places.end() && *left == i)
+  std::copy_if(tested.begin(), tested.end(), std::back_inserter(visible),
+    [&](int i)
     {
-      ++left;
-      visible.push_back(i);
-    }
-    else if (this->HasVisibleSlivers(i, test))
-    {
-      visible.push_back(i);
-    }
-  }
+      const bool isLeft = left != places.end() && *left == i;
+      left += isLeft ? 1 : 0;
+      return isLeft || this->HasVisibleSlivers(i, test);
+    });
   this->Statistics.Slivers += static_cast<int>(visible.size() - places.size());
   places.swap(visible);
   this->Statistics.SliverTestTime += clock.GetMilliseconds();
