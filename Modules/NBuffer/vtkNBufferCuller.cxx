@@ -10,7 +10,6 @@
 #include "vtkCamera.h"
 #include "vtkCullerCollection.h"
 #include "vtkFrustumCoverageCuller.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkProp.h"
 #include "vtkRenderWindow.h"

@@ -7,8 +7,18 @@
 #include "Scenes.h"
 
 #include "vtkNBufferGL.h"
+#include "vtkNBufferRenderPassTraits.h"
 
+#include "vtkCameraPass.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkLightsPass.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpaquePass.h"
 #include "vtkProperty.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderState.h"
+#include "vtkSequencePass.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -119,6 +129,73 @@ TEST(CullerPassesOnce, EveryNumberOfSamples)
       EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
       EXPECT_GT(comparison.GetHidden(), Wall::Behind / 3);
     }
+  }
+}
+
+namespace
+{
+/// Draws the opaque props that have a key.
+class KeyedPass
+  : public vtkOpaquePass
+  , public vtkNBufferRenderPassTraits
+{
+public:
+  static KeyedPass* New();
+  vtkTypeMacro(KeyedPass, vtkOpaquePass);
+
+  static vtkInformation* GetKeys()
+  {
+    static vtkInformationIntegerKey* key = vtkInformationIntegerKey::MakeKey("Keyed", "KeyedPass");
+    static vtkNew<vtkInformation> keys;
+    keys->Set(key, 1);
+    return keys;
+  }
+
+  std::vector<vtkRenderPass*> GetDelegatePasses() override { return {}; }
+
+  void Render(const vtkRenderState* s) override
+  {
+    vtkRenderState filtered(s->GetRenderer());
+    filtered.SetFrameBuffer(s->GetFrameBuffer());
+    filtered.SetPropArrayAndCount(s->GetPropArray(), s->GetPropArrayCount());
+    filtered.SetRequiredKeys(GetKeys());
+    this->Superclass::Render(&filtered);
+  }
+};
+vtkStandardNewMacro(KeyedPass);
+}
+
+// Hazard: for a pass that draws some of the props, others are drawn once more for the order of
+// equal depths.
+TEST(CullerPassesOnce, PropsWithoutTheKeysOfAPassStayOut)
+{
+  ComparisonOptions options;
+  options.CompareDraws = false;
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      for (std::size_t i = 1; i < stage.Props.size(); i += 2)
+      {
+        stage.Props[i]->SetPropertyKeys(KeyedPass::GetKeys());
+      }
+      // It is no candidate, and so it is in the list and may have the depth of any other prop.
+      const int box = Scenes::AddBox(stage, 0.0, 0.0, 4.0, 3.0, 3.0, 1.0);
+      stage.GetActor(box)->GetProperty()->SetRepresentationToWireframe();
+      vtkNew<vtkRenderPassCollection> passes;
+      passes->AddItem(vtkNew<vtkLightsPass>());
+      passes->AddItem(vtkNew<KeyedPass>());
+      vtkNew<vtkSequencePass> sequence;
+      sequence->SetPasses(passes);
+      vtkNew<vtkCameraPass> camera;
+      camera->SetDelegatePass(sequence);
+      stage.GetRenderer()->SetPass(camera);
+    },
+    options);
+  for (int i = 0; i < 4; ++i)
+  {
+    Scenes::FrameOfWall(comparison, 0.2 * i);
+    EXPECT_EQ(comparison.GetDecision(), Decision::OtherView);
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The culler beside vtkShadowVolumeClampPass: what the camera does not see is not drawn, and casts.
+#include "CompositeMapper.h"
 #include "CullerTest.h"
 #include "LightRig.h"
 #include "ScenePasses.h"
@@ -10,9 +11,12 @@
 #include "vtkShadowVolumeClampPass.h"
 
 #include "vtkCamera.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkProperty.h"
+#include "vtkSphereSource.h"
 
 #include <algorithm>
 
@@ -190,6 +194,50 @@ TEST(CullerShadows, MultiSamples)
     Scenes::FrameOfCity(comparison, 0.05 * i);
     EXPECT_EQ(comparison.GetStatistics().FailedFrames, 0);
   }
+}
+
+// Hazard: the opaque blocks of a translucent prop are drawn once more for the order of equal
+// depths, and without the shader of the shadows.
+TEST(CullerShadows, OpaqueBlocksOfTranslucentPropsAreRedrawnInShadow)
+{
+  ComparisonOptions options;
+  options.RoundSize = 1;
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      AddShadows(stage);
+      Scenes::AddBox(stage, -2.8, 3.1, 7.5, 2.0, 2.0, 0.2);
+      vtkNew<vtkMultiBlockDataSet> blocks;
+      for (const double x : { -1.5, 1.5 })
+      {
+        vtkNew<vtkSphereSource> source;
+        source->SetCenter(x, 0.0, 4.0);
+        source->SetRadius(1.4);
+        source->Update();
+        blocks->SetBlock(blocks->GetNumberOfBlocks(), source->GetOutput());
+      }
+      vtkNew<CompositeMapper> mapper;
+      mapper->SetInputDataObject(blocks);
+      vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+      mapper->SetCompositeDataDisplayAttributes(attributes);
+      mapper->SetBlockOpacity(2, 0.5);
+      vtkNew<vtkActor> actor;
+      actor->SetMapper(mapper);
+      stage.Add(actor);
+      Scenes::SetWallCamera(stage.GetRenderer());
+    },
+    options);
+  const int last = static_cast<int>(comparison.Culled.Props.size()) - 1;
+  int redrawn = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    Scenes::FrameOfWall(comparison, 0.2 * i);
+    EXPECT_EQ(comparison.GetVerdict(last), Verdict::Translucent);
+    EXPECT_GT(CompareMasks(comparison), 500);
+    redrawn += comparison.GetStatistics().Redrawn;
+  }
+  EXPECT_GT(redrawn, 0);
 }
 
 TEST(CullerShadows, PassInASequenceAndInAPartOfTheWindow)

@@ -44,11 +44,25 @@ vtkNBufferStandIn::ForwardedKeys::ForwardedKeys(vtkNBufferStandIn* standIn, vtkP
     vtkNew<vtkInformation> keys;
     to->SetPropertyKeys(keys);
   }
-  this->From = from;
   this->To = to->GetPropertyKeys();
+  const auto has = [this, passes](vtkObjectBase* pass)
+  {
+    for (int i = 0; i < passes->Length(this->To); ++i)
+    {
+      if (passes->Get(this->To, i) == pass)
+      {
+        return true;
+      }
+    }
+    return false;
+  };
   for (int i = 0; i < passes->Length(from); ++i)
   {
-    passes->Append(this->To, passes->Get(from, i));
+    if (vtkObjectBase* pass = passes->Get(from, i); !has(pass))
+    {
+      passes->Append(this->To, pass);
+      this->Added.push_back(pass);
+    }
   }
   this->SetsDepthMask = from->Has(depthMask) && !this->To->Has(depthMask);
   if (this->SetsDepthMask)
@@ -64,9 +78,9 @@ vtkNBufferStandIn::ForwardedKeys::~ForwardedKeys()
     return;
   }
   vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
-  for (int i = 0; i < passes->Length(this->From); ++i)
+  for (vtkObjectBase* pass : this->Added)
   {
-    passes->Remove(this->To, passes->Get(this->From, i));
+    passes->Remove(this->To, pass);
   }
   if (passes->Length(this->To) == 0)
   {

@@ -26,6 +26,7 @@
 #include "vtkProp.h"
 
 #include <functional>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkInformation;
@@ -51,8 +52,9 @@ protected:
 
   /**
    * Lends the property keys of a stand-in to a prop: the prop has them from the construction of
-   * this object to its destruction. The prop's own vtkInformation is changed where the prop has
-   * one, because vtkProp::SetPropertyKeys() marks a prop as modified.
+   * this object to its destruction. Those that it has already, as a prop of the renderer's list
+   * does, are left alone. The prop's own vtkInformation is changed where the prop has one, because
+   * vtkProp::SetPropertyKeys() marks a prop as modified.
    */
   class ForwardedKeys
   {
@@ -63,9 +65,9 @@ protected:
     void operator=(const ForwardedKeys&) = delete;
 
   private:
-    vtkInformation* From = nullptr;
-    vtkInformation* To = nullptr; ///< This is nullptr if there is nothing to forward.
-    bool SetsDepthMask = false;   ///< The prop did not have this key before.
+    vtkInformation* To = nullptr;      ///< This is nullptr if there is nothing to forward.
+    std::vector<vtkObjectBase*> Added; ///< The passes that the prop did not have before.
+    bool SetsDepthMask = false;        ///< The prop did not have this key before.
   };
 
 private:

@@ -40,7 +40,7 @@ int vtkNBufferLateDraws::Repeat(vtkRenderer* renderer)
 }
 
 std::vector<vtkNBufferDrawnProp> vtkNBufferLateDraws::GetAllDrawn(
-  const std::vector<int>& heldBack, bool screensAreValid) const
+  const std::vector<int>& heldBack, bool screensAreValid, vtkInformation* requiredKeys) const
 {
   std::vector<vtkNBufferDrawnProp> all = this->Drawn;
   const int firstLate = std::min_element(all.begin(), all.end(),
@@ -54,7 +54,7 @@ std::vector<vtkNBufferDrawnProp> vtkNBufferLateDraws::GetAllDrawn(
     if (verdict != vtkNBufferVerdict::Outside && verdict != vtkNBufferVerdict::Hidden &&
       !std::binary_search(heldBack.begin(), heldBack.end(), i) &&
       this->Props.GetProp(i)->GetRenderTimeMultiplier() > 0.0 &&
-      this->Props.GetCandidate(i).WritesDepth())
+      this->Props.GetProp(i)->HasKeys(requiredKeys) && this->Props.GetCandidate(i).WritesDepth())
     {
       all.push_back(this->Props.GetDrawn(i, 0));
     }
@@ -66,35 +66,22 @@ std::vector<vtkNBufferDrawnProp> vtkNBufferLateDraws::GetAllDrawn(
   return all;
 }
 
-int vtkNBufferLateDraws::RestoreTieOrder(
-  vtkRenderer* renderer, const std::vector<int>& heldBack, bool screensAreValid, int samples)
+int vtkNBufferLateDraws::RestoreTieOrder(vtkRenderer* renderer, const std::vector<int>& heldBack,
+  bool screensAreValid, int samples, vtkInformation* requiredKeys)
 {
   if (this->Drawn.empty())
   {
     return 0;
   }
-  std::vector<vtkNBufferDrawnProp> all = this->GetAllDrawn(heldBack, screensAreValid);
+  std::vector<vtkNBufferDrawnProp> all = this->GetAllDrawn(heldBack, screensAreValid, requiredKeys);
   int draws = 0;
   for (const vtkNBufferRedraw& redraw :
     vtkNBufferTieOrder::GetRedraws(this->Projection, all, vtkNBufferGL::KeepsToScissor(samples)))
   {
-    // Render passes have set their keys on the kept props and on the proxy, so that only props that
-    // were held back need the keys of the proxy again.
-    const int place = all[redraw.Position].Index;
-    vtkProp* prop = this->Props.GetProp(place);
-    const bool wasHeldBack = std::binary_search(heldBack.begin(), heldBack.end(), place);
-    draws += vtkNBufferGL::DrawIn(redraw.Regions,
-      [&]()
-      {
-        if (wasHeldBack)
-        {
-          this->Proxy->Draw(prop, renderer, prop->GetAllocatedRenderTime());
-        }
-        else
-        {
-          prop->RenderOpaqueGeometry(renderer);
-        }
-      });
+    // Render passes have set their keys on the props of the list alone: not on those that were held
+    // back, nor on translucent ones, which a proxy represents.
+    vtkProp* prop = this->Props.GetProp(all[redraw.Position].Index);
+    draws += vtkNBufferGL::DrawIn(redraw.Regions, [&]() { this->Proxy->Redraw(prop, renderer); });
   }
   return draws;
 }

@@ -16,6 +16,7 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkInformation;
 class vtkNBufferCandidateList;
 class vtkNBufferDeferredProxy;
 class vtkNBufferProjection;
@@ -45,17 +46,18 @@ public:
    * `heldBack` are the places of the props that were held back, in ascending order. `samples` is
    * the number of samples of a pixel, as in vtkNBufferDepthSource. With `screensAreValid` set to
    * false the frame is drawn from another view than the boxes were projected with, so that any two
-   * props may have equal depths. Returns the number of draws.
+   * props may have equal depths. With `requiredKeys` only props that have these keys are drawn (see
+   * vtkProp::HasKeys). Returns the number of draws.
    */
-  int RestoreTieOrder(
-    vtkRenderer* renderer, const std::vector<int>& heldBack, bool screensAreValid, int samples);
+  int RestoreTieOrder(vtkRenderer* renderer, const std::vector<int>& heldBack, bool screensAreValid,
+    int samples, vtkInformation* requiredKeys = nullptr);
 
   /// Get the draws of this frame, in the order of drawing.
   const std::vector<vtkNBufferDrawnProp>& Get() const { return this->Drawn; }
 
 private:
   std::vector<vtkNBufferDrawnProp> GetAllDrawn(
-    const std::vector<int>& heldBack, bool screensAreValid) const;
+    const std::vector<int>& heldBack, bool screensAreValid, vtkInformation* requiredKeys) const;
 
   vtkNBufferCandidateList& Props;
   const vtkNBufferProjection& Projection;

@@ -416,7 +416,7 @@ int vtkNBufferView::DrawAll(
   // In another view the boxes cover other pixels, and without a depth test the prop that is drawn
   // last wins at any depth.
   this->Statistics.Redrawn += this->Draws.RestoreTieOrder(
-    renderer, this->Partition.GetHeldBack(), false, this->Tested.Samples);
+    renderer, this->Partition.GetHeldBack(), false, this->Tested.Samples, requiredKeys);
   this->Statistics.Decision = reason;
   this->State = Phase::Incomplete;
   this->Props.CountVerdicts(this->Statistics);

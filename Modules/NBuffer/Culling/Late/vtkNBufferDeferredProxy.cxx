@@ -10,8 +10,13 @@ vtkStandardNewMacro(vtkNBufferDeferredProxy);
 
 int vtkNBufferDeferredProxy::Draw(vtkProp* prop, vtkRenderer* renderer, double time)
 {
-  const ForwardedKeys keys(this, prop);
   prop->SetAllocatedRenderTime(time, renderer);
+  return this->Redraw(prop, renderer);
+}
+
+int vtkNBufferDeferredProxy::Redraw(vtkProp* prop, vtkRenderer* renderer)
+{
+  const ForwardedKeys keys(this, prop);
   return prop->RenderOpaqueGeometry(renderer);
 }
 

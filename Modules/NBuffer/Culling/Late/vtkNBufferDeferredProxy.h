@@ -52,6 +52,9 @@ public:
   /// allocated to it. Returns the number of props drawn, as vtkProp::RenderOpaqueGeometry() does.
   int Draw(vtkProp* prop, vtkRenderer* renderer, double time);
 
+  /// Draw a prop once more, with the property keys of this proxy.
+  int Redraw(vtkProp* prop, vtkRenderer* renderer);
+
   /// Returns nullptr, so that no culler that runs later removes the proxy.
   double* GetBounds() VTK_SIZEHINT(6) override { return nullptr; }
 
