@@ -18,6 +18,8 @@
 #include "vtkProperty.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderState.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSSAAPass.h"
 #include "vtkSequencePass.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -163,6 +165,36 @@ public:
   }
 };
 vtkStandardNewMacro(KeyedPass);
+}
+
+// Hazard: a pass that draws into more samples sees what lies between the middles of the pixels,
+// while nothing has changed but the pass.
+TEST(CullerPassesOnce, StillCameraUnderAnotherPass)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::BuildWall(stage);
+      for (int i = 0; i < 60; ++i)
+      {
+        Scenes::AddBox(stage, -5.0 + 0.171 * i, -2.0 + 0.067 * i, 5.0, 0.02, 0.02, 0.02);
+      }
+    });
+  for (int i = 0; i < 4; ++i)
+  {
+    comparison.Frame("plain");
+  }
+  EXPECT_EQ(comparison.GetDecision(), Decision::Still);
+  EXPECT_GT(comparison.GetHidden(), Wall::Hidden);
+  comparison.Both(
+    [](Stage& stage)
+    {
+      vtkNew<vtkSSAAPass> pass;
+      pass->SetDelegatePass(vtkNew<vtkRenderStepsPass>());
+      stage.GetRenderer()->SetPass(pass);
+    });
+  comparison.Frame("finer");
+  EXPECT_EQ(comparison.GetDecision(), Decision::OtherView);
 }
 
 // Hazard: for a pass that draws some of the props, others are drawn once more for the order of

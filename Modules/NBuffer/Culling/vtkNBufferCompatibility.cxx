@@ -140,6 +140,18 @@ bool DrawsOpaquePropsTwice(vtkRenderer* renderer)
     });
 }
 
+PassList GetPasses(vtkRenderer* renderer)
+{
+  PassList passes;
+  AnyPass(renderer->GetPass(),
+    [&passes](vtkRenderPass* pass)
+    {
+      passes.emplace_back(pass, &typeid(*pass));
+      return false;
+    });
+  return passes;
+}
+
 bool SmoothesLines(vtkRenderer* renderer)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();

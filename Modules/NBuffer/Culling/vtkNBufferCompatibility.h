@@ -17,9 +17,13 @@
 #include "vtkNBufferStatistics.h"
 
 #include <string>
+#include <typeinfo>
+#include <utility>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 struct vtkNBufferDepthSource;
+class vtkRenderPass;
 class vtkRenderer;
 struct vtkNBufferViewKey;
 
@@ -45,6 +49,11 @@ VTKNBUFFER_EXPORT bool ProcessesImage(vtkRenderer* renderer);
 /// Whether one of the renderer's passes says that it may draw the same opaque props twice in a
 /// frame (vtkNBufferRenderPassTraits::DrawsOpaquePropsTwice).
 VTKNBUFFER_EXPORT bool DrawsOpaquePropsTwice(vtkRenderer* renderer);
+
+/// The passes with which the renderer draws, by address and class: only compared, never used.
+/// Another pass may draw into other samples.
+using PassList = std::vector<std::pair<const vtkRenderPass*, const std::type_info*>>;
+PassList GetPasses(vtkRenderer* renderer);
 
 ///@{
 /// Whether the renderer or its window may blend in the opaque stage. Then the image depends on what

@@ -3,7 +3,6 @@
 #include "vtkNBufferView.h"
 
 #include "vtkNBufferClock.h"
-#include "vtkNBufferCompatibility.h"
 #include "vtkNBufferGL.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -11,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -63,7 +63,10 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   this->Statistics.Refreshed = this->Props.Refresh(moved ? &this->Projection : nullptr);
   this->Statistics.RefreshTime = part.Restart();
 
-  const bool changed = listChanged || this->Statistics.Refreshed > 0 || moved;
+  const vtkNBufferCompatibility::PassList passesBefore = std::move(this->Passes);
+  this->Passes = vtkNBufferCompatibility::GetPasses(renderer);
+  const bool changed =
+    listChanged || this->Statistics.Refreshed > 0 || moved || this->Passes != passesBefore;
   if (frozen)
   {
     this->Statistics.Decision = vtkNBufferDecision::Frozen;

@@ -36,6 +36,7 @@
 #include "vtkNBufferBackend.h"
 #include "vtkNBufferCamera.h"
 #include "vtkNBufferCandidateList.h"
+#include "vtkNBufferCompatibility.h"
 #include "vtkNBufferDeferredProxy.h"
 #include "vtkNBufferDepthTest.h"
 #include "vtkNBufferLateDraws.h"
@@ -140,6 +141,7 @@ private:
   vtkNBufferTranslucentProxy::Pool TranslucentProxies;
 
   vtkNBufferViewKey LastKey;
+  vtkNBufferCompatibility::PassList Passes; ///< Those of the last frame.
   double DepthQuantum = 0x1p-24; ///< One unit of the depth buffer drawn last, in window depth.
   int SubpixelBits = 4;          ///< vtkNBufferGL::GetSubpixelBits() of the context drawn in last.
   vtkNBufferDepthSource Tested;  ///< The depth that was tested last.
