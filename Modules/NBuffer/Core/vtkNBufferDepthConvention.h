@@ -18,7 +18,7 @@
  *    mathematics of the culler (vtkNBufferProjection) compares orders and nothing else,
  *  - the extremum that the levels of an N-buffer must hold,
  *  - the depths that are stored on the near plane and in the background,
- *  - the comparisons that are set with glDepthFunc.
+ *  - the comparisons that are set with glDepthFunc, and which way glPolygonOffset moves.
  *
  * VTK's order is linear-fractional in the point, (row . p) / w, so that planes in the world remain
  * planes of the order on the screen. That has to hold for any other depth too.
@@ -46,6 +46,12 @@ constexpr double Scale = 0.5;
 constexpr double Offset = 0.5;
 ///@}
 
+///@{
+/// The way back: of a point whose stored depth is d, z / w is InverseScale * d + InverseOffset.
+constexpr double InverseScale = Sign / Scale;
+constexpr double InverseOffset = -Offset / Scale;
+///@}
+
 /// The stored depth where nothing has been drawn. No drawn depth is farther. The depth buffer is
 /// cleared to this value.
 constexpr float Background = 1.0f;
@@ -60,6 +66,12 @@ constexpr vtkNBufferExtremum Farthest = vtkNBufferExtremum::Maximum;
 constexpr bool IsDrawn(float stored)
 {
   return Sign > 0.0 ? stored < Background : stored > Background;
+}
+
+/// Whether glPolygonOffset() with these arguments draws nothing nearer to the eye.
+constexpr bool IsAwayFromEye(double factor, double units)
+{
+  return GetOrder(factor) >= 0.0 && GetOrder(units) >= 0.0;
 }
 
 ///@{

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferSurface.h"
 
+#include "vtkNBufferDepthConvention.h"
 #include "vtkNBufferProtectedMembers.h"
 
 #include "vtkCellArray.h"
@@ -322,7 +323,7 @@ bool vtkNBufferSurface::HasOffsetTowardsEye(vtkMapper* mapper, bool linesOrPoint
       double factor = 0.0;
       double units = 0.0;
       mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
-      return linesOrPoints || !(factor >= 0.0 && units >= 0.0);
+      return linesOrPoints || !vtkNBufferDepthConvention::IsAwayFromEye(factor, units);
     }
     default:
       return true;

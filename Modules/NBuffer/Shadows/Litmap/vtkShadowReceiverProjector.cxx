@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowReceiverProjector.h"
 
+#include "vtkNBufferDepthConvention.h"
+
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -77,11 +79,11 @@ vtkShadowReceiverProjector::vtkShadowReceiverProjector(
     const glm::dvec4& column = view.ClipToWorld[j];
     ndc[j] = glm::dvec4(toAxes(glm::dvec3(column)) + this->Eye * column[3], column[3]);
   }
-  // NDC are 2 x / width - 1, 2 y / height - 1 and 2 depth - 1.
+  // NDC are 2 x / width - 1, 2 y / height - 1 and, for VTK's depth, 2 depth - 1.
   this->Matrix[0] = 2.0 * ndc[0] / static_cast<double>(view.Width);
   this->Matrix[1] = 2.0 * ndc[1] / static_cast<double>(view.Height);
-  this->Matrix[2] = 2.0 * ndc[2];
-  this->Matrix[3] = ndc[3] - ndc[0] - ndc[1] - ndc[2];
+  this->Matrix[2] = vtkNBufferDepthConvention::InverseScale * ndc[2];
+  this->Matrix[3] = ndc[3] - ndc[0] - ndc[1] + vtkNBufferDepthConvention::InverseOffset * ndc[2];
   this->GuardAtW1 = Guard *
     std::max(glm::length(glm::dvec3(this->Matrix[0])), glm::length(glm::dvec3(this->Matrix[1])));
   if (this->Kind == vtkShadowLightKind::Point)

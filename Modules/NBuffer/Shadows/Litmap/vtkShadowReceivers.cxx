@@ -62,8 +62,9 @@ void ForEachReceiver(const float* depth, const vtkShadowView& view,
 float GetMiddle(const vtkShadowView& view, float nearest, float farthest)
 {
   // 1 / w is a linear function of depth, and constant for parallel projections.
-  const double slope = 2.0 * view.ClipToWorld[2][3];
-  const double start = view.ClipToWorld[3][3] - view.ClipToWorld[2][3];
+  const double slope = vtkNBufferDepthConvention::InverseScale * view.ClipToWorld[2][3];
+  const double start =
+    view.ClipToWorld[3][3] + vtkNBufferDepthConvention::InverseOffset * view.ClipToWorld[2][3];
   const double nearW = 1.0 / (start + slope * nearest);
   const double farW = 1.0 / (start + slope * farthest);
   const double middle = slope != 0.0 ? (2.0 / (nearW + farW) - start) / slope
