@@ -201,7 +201,7 @@ TEST(CullerShadows, MultiSamples)
 TEST(CullerShadows, OpaqueBlocksOfTranslucentPropsAreRedrawnInShadow)
 {
   ComparisonOptions options;
-  options.RoundSize = 1;
+  options.Tuning.RoundSize = 1;
   Comparison comparison(
     [](Stage& stage)
     {

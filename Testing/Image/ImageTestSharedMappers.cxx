@@ -145,7 +145,7 @@ TEST(CullerOwnActors, ThatShareAMapperAreFollowed)
 {
   const MapperKind kind = { { "PolyData" }, MakeMapper<vtkPolyDataMapper> };
   ComparisonOptions options;
-  options.RoundSize = 1;
+  options.Tuning.RoundSize = 1;
   options.CompareDraws = false; // They are counted by mapper.
   Comparison comparison(
     [&kind](Stage& stage) { BuildPair<OwnActor>(stage, kind, [](vtkActor*) {}); }, options);

@@ -13,6 +13,10 @@
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+constexpr std::size_t PropsPerOccluder = 512; // see vtkNBufferTuning::RoundSize
+}
 
 vtkNBufferView::vtkNBufferView(vtkNBufferBackend& backend, const vtkNBufferTuning& tuning)
   : Backend(backend)
@@ -329,9 +333,11 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
   const auto drawOccluders = [&](std::size_t limit)
   { draw(this->Partition.RemoveOccluders(left, limit, this->Projection)); };
 
+  const std::size_t roundSize =
+    std::max<std::size_t>(this->Tuning.RoundSize, left.size() / PropsPerOccluder);
   if (this->Partition.IsNew())
   {
-    drawOccluders(this->Tuning.RoundSize);
+    drawOccluders(roundSize);
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkNBufferDepthTest test(this->Backend, this->Levels, this->Projection, this->Props,
@@ -365,7 +371,7 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
     this->Statistics.PassedCoarseTest += this->Statistics.Rounds == 0 ? passed : 0;
 
     // Another round must save more props than it draws to be worth its read-back.
-    const auto limit = std::size_t(this->Tuning.RoundSize) << this->Statistics.Rounds;
+    const auto limit = roundSize << this->Statistics.Rounds;
     ++this->Statistics.Rounds;
     if (left.size() <= 2 * limit || this->Statistics.Rounds >= this->Tuning.MaximumNumberOfRounds)
     {
