@@ -39,8 +39,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   int MaximumNumberOfRounds = 6;
 
   /// Where nothing is known, the first round draws at most this many props, and each further round
-  /// twice as many before the next test (vtkNBufferOccluderChoice.h); 1 or more. Of a great many
-  /// props the first round draws one in 512, because each round tests all that are left.
+  /// twice as many before the next test (vtkNBufferOccluderChoice.h); 1 or more. Of more
+  /// than 512 times as many, the first round draws one in 512.
   int RoundSize = 64;
 
   /// A renderer with at least this many props is tested over a hierarchy of their boxes; 0 means

@@ -85,3 +85,11 @@ TEST(NBufferOccluderChoice, AnySizeOfTheScreenIsCovered)
     EXPECT_EQ(vtkNBufferOccluderChoice::Choose({ old }, 2, side, side), Places()) << side;
   }
 }
+
+// Hazard: half a million props are tested in six rounds that draw next to nothing.
+TEST(NBufferOccluderChoice, AGreatManyPropsHaveLargerRounds)
+{
+  EXPECT_EQ(vtkNBufferOccluderChoice::GetLimit(64, 100), 64u);
+  EXPECT_EQ(vtkNBufferOccluderChoice::GetLimit(64, 64 * 512 + 511), 64u);
+  EXPECT_EQ(vtkNBufferOccluderChoice::GetLimit(64, 512 * 1000), 1000u);
+}

@@ -19,6 +19,7 @@
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferScreenBox.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -27,6 +28,13 @@ namespace vtkNBufferOccluderChoice
 {
 /// This many of the nearest props are enough to choose from.
 constexpr std::size_t MaximumSize = 256;
+
+/// How many props the first of several rounds draws at most, of `props` that are held back. Each
+/// round tests all that are left, so that a great many want larger rounds than `roundSize`.
+inline std::size_t GetLimit(int roundSize, std::size_t props)
+{
+  return std::max<std::size_t>(roundSize, props / 512);
+}
 
 /**
  * Choose at most `limit` of boxes on a screen of `width` x `height` pixels, and return their

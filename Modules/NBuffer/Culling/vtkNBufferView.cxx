@@ -4,6 +4,7 @@
 
 #include "vtkNBufferClock.h"
 #include "vtkNBufferGL.h"
+#include "vtkNBufferOccluderChoice.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
@@ -13,10 +14,6 @@
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
-namespace
-{
-constexpr std::size_t PropsPerOccluder = 512; // see vtkNBufferTuning::RoundSize
-}
 
 vtkNBufferView::vtkNBufferView(vtkNBufferBackend& backend, const vtkNBufferTuning& tuning)
   : Backend(backend)
@@ -334,7 +331,7 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
   { draw(this->Partition.RemoveOccluders(left, limit, this->Projection)); };
 
   const std::size_t roundSize =
-    std::max<std::size_t>(this->Tuning.RoundSize, left.size() / PropsPerOccluder);
+    vtkNBufferOccluderChoice::GetLimit(this->Tuning.RoundSize, left.size());
   if (this->Partition.IsNew())
   {
     drawOccluders(roundSize);
