@@ -119,6 +119,34 @@ TEST(CullerProps, BlendedPartOfAnAssembly)
   }
 }
 
+// Hazard: the verdicts of a frame without blending are used again for one with blending.
+TEST(CullerProps, BlendingThatBeginsWhileTheCameraStandsStill)
+{
+  const std::function<void(Stage&)> changes[] = {
+    [](Stage& stage) { stage.GetRenderer()->SetUseSSAO(true); },
+    [](Stage& stage) { stage.Window->LineSmoothingOn(); },
+    [](Stage& stage) { stage.Window->PolygonSmoothingOn(); },
+  };
+  for (const auto& change : changes)
+  {
+    Comparison comparison(
+      [](Stage& stage)
+      {
+        Scenes::BuildWall(stage);
+        stage.GetActor(2)->GetProperty()->SetRepresentationToWireframe();
+        stage.GetActor(2)->GetProperty()->LightingOff();
+      });
+    for (int i = 0; i < 4; ++i)
+    {
+      comparison.Frame();
+    }
+    EXPECT_EQ(comparison.GetDecision(), Decision::Still);
+    comparison.Both(change);
+    comparison.Frame("blending");
+    EXPECT_EQ(comparison.GetDecision(), Decision::Blending);
+  }
+}
+
 // Hazard: smooth lines are blended at their edges in the opaque stage.
 TEST(CullerProps, SmoothLines)
 {

@@ -119,12 +119,6 @@ bool HasWireframes(vtkRenderer* renderer)
 
 namespace vtkNBufferCompatibility
 {
-bool HasAmbientOcclusion(vtkRenderer* renderer)
-{
-  return renderer->GetUseSSAO() ||
-    AnyPass(renderer->GetPass(), [](vtkRenderPass* pass) { return pass->IsA("vtkSSAOPass"); });
-}
-
 bool ProcessesImage(vtkRenderer* renderer)
 {
   return renderer->GetUseFXAA() || renderer->GetUseSSAO();
@@ -140,22 +134,21 @@ bool DrawsOpaquePropsTwice(vtkRenderer* renderer)
     });
 }
 
-PassList GetPasses(vtkRenderer* renderer)
-{
-  PassList passes;
-  AnyPass(renderer->GetPass(),
-    [&passes](vtkRenderPass* pass)
-    {
-      passes.emplace_back(pass, &typeid(*pass));
-      return false;
-    });
-  return passes;
-}
-
-bool SmoothesLines(vtkRenderer* renderer)
+DrawingSettings GetDrawingSettings(vtkRenderer* renderer)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();
-  return window->GetLineSmoothing() || window->GetPointSmoothing() || window->GetPolygonSmoothing();
+  DrawingSettings settings;
+  settings.AmbientOcclusion = renderer->GetUseSSAO();
+  settings.SmoothLines =
+    window->GetLineSmoothing() || window->GetPointSmoothing() || window->GetPolygonSmoothing();
+  AnyPass(renderer->GetPass(),
+    [&settings](vtkRenderPass* pass)
+    {
+      settings.Passes.emplace_back(pass, &typeid(*pass));
+      settings.AmbientOcclusion = settings.AmbientOcclusion || pass->IsA("vtkSSAOPass");
+      return false;
+    });
+  return settings;
 }
 
 vtkNBufferDecision WhyNot(vtkRenderer* renderer)
@@ -219,7 +212,7 @@ vtkNBufferDecision WhyNot(vtkRenderer* renderer)
 #if !VTKNBUFFER_HAS_SSAO_IN_PARTS
   // In these versions the image depends on props outside of the pass's framebuffer, and even on
   // whether there are any props to draw.
-  if (HasAmbientOcclusion(renderer) && (origin[0] > 0 || origin[1] > 0))
+  if (GetDrawingSettings(renderer).AmbientOcclusion && (origin[0] > 0 || origin[1] > 0))
   {
     return vtkNBufferDecision::OtherView;
   }

@@ -50,19 +50,32 @@ VTKNBUFFER_EXPORT bool ProcessesImage(vtkRenderer* renderer);
 /// frame (vtkNBufferRenderPassTraits::DrawsOpaquePropsTwice).
 VTKNBUFFER_EXPORT bool DrawsOpaquePropsTwice(vtkRenderer* renderer);
 
-/// The passes with which the renderer draws, by address and class: only compared, never used.
-/// Another pass may draw into other samples.
-using PassList = std::vector<std::pair<const vtkRenderPass*, const std::type_info*>>;
-PassList GetPasses(vtkRenderer* renderer);
+/**
+ * How a renderer draws its props. The verdicts of a frame serve for the next one only if both are
+ * drawn with the same settings.
+ */
+struct DrawingSettings
+{
+  /// The passes, by address and class. They are only compared, never used. Another pass may draw
+  /// into other samples.
+  std::vector<std::pair<const vtkRenderPass*, const std::type_info*>> Passes;
+  ///@{
+  /// Whether the renderer or its window may blend in the opaque stage. Then the image depends on
+  /// what has been drawn below a prop and in which order. With screen-space ambient occlusion, a
+  /// prop without normals (an unlit one) leaves the positions and normals of what lies below it.
+  /// Smooth lines and points are blended at their edges.
+  bool AmbientOcclusion = false;
+  bool SmoothLines = false;
+  ///@}
 
-///@{
-/// Whether the renderer or its window may blend in the opaque stage. Then the image depends on what
-/// has been drawn below a prop and in which order. With screen-space ambient occlusion, a prop
-/// without normals (an unlit one) leaves the positions and normals of what lies below it. Smooth
-/// lines and points are blended at their edges.
-VTKNBUFFER_EXPORT bool HasAmbientOcclusion(vtkRenderer* renderer);
-VTKNBUFFER_EXPORT bool SmoothesLines(vtkRenderer* renderer);
-///@}
+  bool operator==(const DrawingSettings& other) const
+  {
+    return this->Passes == other.Passes && this->AmbientOcclusion == other.AmbientOcclusion &&
+      this->SmoothLines == other.SmoothLines;
+  }
+};
+
+DrawingSettings GetDrawingSettings(vtkRenderer* renderer);
 }
 
 VTK_ABI_NAMESPACE_END

@@ -64,10 +64,10 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   this->Statistics.Refreshed = this->Props.Refresh(moved ? &this->Projection : nullptr);
   this->Statistics.RefreshTime = part.Restart();
 
-  const vtkNBufferCompatibility::PassList passesBefore = std::move(this->Passes);
-  this->Passes = vtkNBufferCompatibility::GetPasses(renderer);
+  const auto drawingBefore =
+    std::exchange(this->Drawing, vtkNBufferCompatibility::GetDrawingSettings(renderer));
   const bool changed =
-    listChanged || this->Statistics.Refreshed > 0 || moved || this->Passes != passesBefore;
+    listChanged || this->Statistics.Refreshed > 0 || moved || !(this->Drawing == drawingBefore);
   if (frozen)
   {
     this->Statistics.Decision = vtkNBufferDecision::Frozen;
@@ -84,7 +84,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
     {
       this->Props.Project(this->Projection);
     }
-    this->Statistics.Decision = this->Divide(renderer);
+    this->Statistics.Decision = this->Divide();
     this->State = this->Statistics.Decision == vtkNBufferDecision::Culled ? Phase::AwaitingProxy
                                                                           : Phase::Untested;
   }
@@ -116,11 +116,11 @@ bool vtkNBufferView::CanReuse(vtkRenderer* renderer) const
     renderer->GetRenderWindow()->GetErase() && !renderer->GetPreserveDepthBuffer();
 }
 
-vtkNBufferDecision vtkNBufferView::Divide(vtkRenderer* renderer)
+vtkNBufferDecision vtkNBufferView::Divide()
 {
   vtkNBufferFrustumCounts counts = this->Partition.Classify();
-  counts.Blending = this->Props.HasBlending(vtkNBufferCompatibility::SmoothesLines(renderer),
-    vtkNBufferCompatibility::HasAmbientOcclusion(renderer));
+  counts.Blending =
+    this->Props.HasBlending(this->Drawing.SmoothLines, this->Drawing.AmbientOcclusion);
   this->Statistics.Candidates = counts.Candidates;
   const vtkNBufferDecision decision = vtkNBufferCullingPolicy::ChooseDecision(counts,
     this->Tuning.MinimumNumberOfCandidates, this->Tuning.BackOff ? &this->BackOff : nullptr);

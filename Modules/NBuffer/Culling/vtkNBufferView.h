@@ -104,7 +104,7 @@ private:
   /// The parts of Cull().
   void SetProjection(const vtkNBufferViewKey& key);
   bool CanReuse(vtkRenderer* renderer) const;
-  vtkNBufferDecision Divide(vtkRenderer* renderer);
+  vtkNBufferDecision Divide();
   double MakeList(vtkProp** props, int& count, int& initialized);
   void ResetStatistics();
   ///@}
@@ -141,7 +141,7 @@ private:
   vtkNBufferTranslucentProxy::Pool TranslucentProxies;
 
   vtkNBufferViewKey LastKey;
-  vtkNBufferCompatibility::PassList Passes; ///< Those of the last frame.
+  vtkNBufferCompatibility::DrawingSettings Drawing; ///< That of this frame.
   double DepthQuantum = 0x1p-24; ///< One unit of the depth buffer drawn last, in window depth.
   int SubpixelBits = 4;          ///< vtkNBufferGL::GetSubpixelBits() of the context drawn in last.
   vtkNBufferDepthSource Tested;  ///< The depth that was tested last.
