@@ -160,11 +160,12 @@ double vtkNBufferView::MakeList(vtkProp** props, int& count, int& initialized)
       heldTotal += multiplier;
       continue;
     }
+    prop->SetRenderTimeMultiplier(multiplier);
     if (closed || (pending && std::binary_search(translucent.begin(), translucent.end(), i)))
     {
       prop = this->TranslucentProxies.Add(prop, !closed);
+      prop->SetRenderTimeMultiplier(multiplier);
     }
-    prop->SetRenderTimeMultiplier(multiplier);
     total += multiplier;
     props[kept++] = prop;
   }
