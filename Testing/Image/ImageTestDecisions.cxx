@@ -296,6 +296,20 @@ TEST(CullerDecisions, SettingsOfAllMappersEndTheStill)
   vtkMapper::SetResolveCoincidentTopologyToDefault();
 }
 
+// Hazard: slivers of what was found hidden without looking at them stay away.
+TEST(CullerDecisions, SliversAreTestedFromTheNextFrameOn)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  for (int i = 0; i < 3; ++i)
+  {
+    comparison.Frame();
+  }
+  EXPECT_EQ(comparison.GetDecision(), Decision::Still);
+  comparison.GetCuller()->SetTestSlivers(vtkNBufferCuller::Always);
+  comparison.Frame("with slivers");
+  EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+}
+
 // Hazard: what Freeze keeps is shown from elsewhere, and thawed it must be right at once.
 TEST(CullerDecisions, FreezeKeepsTheVerdicts)
 {

@@ -44,6 +44,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
 {
   const vtkNBufferClock clock;
   const bool complete = this->State == Phase::Tested || this->State == Phase::Reused;
+  const bool testsOtherSlivers = settings.TestSlivers != this->Settings.TestSlivers;
   this->Settings = settings;
   this->ResetStatistics();
   this->Statistics.Props = count;
@@ -66,8 +67,8 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
 
   const auto drawingBefore =
     std::exchange(this->Drawing, vtkNBufferCompatibility::GetDrawingSettings(renderer));
-  const bool changed =
-    listChanged || this->Statistics.Refreshed > 0 || moved || !(this->Drawing == drawingBefore);
+  const bool changed = listChanged || this->Statistics.Refreshed > 0 || moved ||
+    !(this->Drawing == drawingBefore) || testsOtherSlivers;
   if (frozen)
   {
     this->Statistics.Decision = vtkNBufferDecision::Frozen;
