@@ -75,7 +75,7 @@ public:
   ViewEntry& GetView(vtkRenderer* renderer)
   {
     vtkRenderWindow* window = renderer->GetRenderWindow();
-    const int eye = renderer->GetActiveCamera() && window->GetStereoRender()
+    const int eye = window && window->GetStereoRender() && renderer->GetActiveCamera()
       ? renderer->GetActiveCamera()->GetLeftEye()
       : 1;
     for (std::size_t i = 0; i < this->Views.size(); ++i)

@@ -135,6 +135,22 @@ TEST(CullerErrors, NoContext)
   Scenes::ExpectOneWarning(messages, { "has no OpenGL context", "VTK::RenderingOpenGL2" });
 }
 
+// Hazard: a renderer that belongs to no window is culled by an application.
+TEST(CullerErrors, NoWindow)
+{
+  TakeMessages();
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkActor> actor;
+  vtkNew<vtkNBufferCuller> culler;
+  vtkProp* list[] = { actor };
+  int count = 1;
+  int initialized = 0;
+  EXPECT_EQ(culler->Cull(renderer, list, count, initialized), 1.0);
+  EXPECT_EQ(count, 1);
+  EXPECT_EQ(culler->GetStatistics().Decision, Decision::NoContext);
+  EXPECT_EQ(CountWarnings(TakeMessages()), 1);
+}
+
 // Hazard: a device that cannot draw into float textures cannot build levels.
 TEST(CullerErrors, NoFloatTexturesOnTheDevice)
 {
