@@ -55,11 +55,6 @@ public:
     std::unique_ptr<vtkNBufferFrameGuard, Detach> Guard;
   };
 
-  explicit Internals(const vtkNBufferTuning& tuning)
-    : Tuning(tuning)
-  {
-  }
-
   vtkNBufferBackend& GetBackend(vtkRenderWindow* window)
   {
     const auto found = std::find_if(this->Windows.begin(), this->Windows.end(),
@@ -89,9 +84,9 @@ public:
     }
     this->DropDeleted();
     this->Last = this->Views.size();
-    this->Views.push_back({ renderer, window, eye,
-      std::make_unique<vtkNBufferView>(this->GetBackend(window), this->Tuning),
-      decltype(ViewEntry::Guard)(vtkNBufferFrameGuard::New()) });
+    this->Views.push_back(
+      { renderer, window, eye, std::make_unique<vtkNBufferView>(this->GetBackend(window)),
+        decltype(ViewEntry::Guard)(vtkNBufferFrameGuard::New()) });
     this->Views.back().Guard->Attach(renderer);
     return this->Views.back();
   }
@@ -126,7 +121,6 @@ private:
       this->Windows.end());
   }
 
-  const vtkNBufferTuning& Tuning; ///< The culler's own.
   std::vector<WindowEntry> Windows;
   std::vector<ViewEntry> Views;
   std::size_t Last = 0;
@@ -200,7 +194,7 @@ bool IsOtherCullerBehind(vtkCuller* self, vtkCullerCollection* cullers)
 }
 
 vtkNBufferCuller::vtkNBufferCuller()
-  : Implementation(new Internals(this->Tuning))
+  : Implementation(new Internals)
 {
 }
 
@@ -262,7 +256,8 @@ double vtkNBufferCuller::Cull(
     return total;
   }
   entry.Guard->BeginFrame(this);
-  const vtkNBufferSettings settings = { static_cast<vtkNBufferBackend::Kind>(this->Backend),
+  const vtkNBufferSettings settings = { this->Tuning,
+    static_cast<vtkNBufferBackend::Kind>(this->Backend),
     static_cast<vtkNBufferSliverPolicy>(this->TestSlivers), this->Freeze };
   return view.Cull(renderer, propList, listLength, initialized, settings);
 }

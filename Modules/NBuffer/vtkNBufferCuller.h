@@ -197,7 +197,7 @@ private:
   vtkNBufferTuning Tuning;
 
   class Internals;
-  std::unique_ptr<Internals> Implementation; ///< It refers to Tuning and is destroyed before it.
+  std::unique_ptr<Internals> Implementation;
 };
 
 VTK_ABI_NAMESPACE_END

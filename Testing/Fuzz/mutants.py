@@ -91,8 +91,8 @@ MUTANTS = {
         ("vtkNBufferSplitBox.h", "for (int i = 0; i < pieces; ++i)",
          "for (int i = 0; i < pieces - 1; ++i)")],
     "one round too many (>= turned to >)": [
-        (VIEW, "this->Statistics.Rounds >= this->Tuning.MaximumNumberOfRounds",
-         "this->Statistics.Rounds > this->Tuning.MaximumNumberOfRounds")],
+        (VIEW, "this->Statistics.Rounds >= this->Settings.MaximumNumberOfRounds",
+         "this->Statistics.Rounds > this->Settings.MaximumNumberOfRounds")],
 
     # Depth.
     "one sample of a multisampled pixel": [

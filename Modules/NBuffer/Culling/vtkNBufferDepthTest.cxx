@@ -20,15 +20,13 @@ constexpr std::size_t CandidatesWorthARead = 32;
 
 vtkNBufferDepthTest::vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferLevels& levels,
   const vtkNBufferProjection& projection, vtkNBufferCandidateList& props,
-  vtkNBufferStatistics& statistics, const vtkNBufferSettings& settings,
-  const vtkNBufferTuning& tuning)
+  vtkNBufferStatistics& statistics, const vtkNBufferSettings& settings)
   : Backend(backend)
   , Levels(levels)
   , Projection(projection)
   , Props(props)
   , Statistics(statistics)
   , Settings(settings)
-  , Tuning(tuning)
 {
 }
 
@@ -49,20 +47,20 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
       {
         levels = std::max(levels,
           vtkNBufferOcclusionTest::GetLevelsNeeded(
-            this->Props.GetScreen(i).Pixels, this->Tuning.BaseFactor));
+            this->Props.GetScreen(i).Pixels, this->Settings.BaseFactor));
       }
     }
   }
-  levels = std::max(levels, this->Props.GetLevelsNeeded(this->Tuning.BaseFactor));
-  this->Backend.SetAllowFloatTextures(this->Tuning.AllowFloatTextures);
+  levels = std::max(levels, this->Props.GetLevelsNeeded(this->Settings.BaseFactor));
+  this->Backend.SetAllowFloatTextures(this->Settings.AllowFloatTextures);
   return this->Backend.Build(this->Settings.Backend,
-    { window, source, this->Tuning.BaseFactor, levels, this->Levels, this->Statistics }, why);
+    { window, source, this->Settings.BaseFactor, levels, this->Levels, this->Statistics }, why);
 }
 
 const float* vtkNBufferDepthTest::GetDepth(std::size_t candidates)
 {
   // With the OpenGL back-end this is a second read-back, which must have something to save.
-  if (!this->Tuning.TestPixels || candidates == 0 ||
+  if (!this->Settings.TestPixels || candidates == 0 ||
     (this->Backend.GetInUse() == vtkNBufferBackend::OpenGL && candidates < CandidatesWorthARead))
   {
     return nullptr;
@@ -129,7 +127,7 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
   vtkNBufferOcclusionTest nodeTest(this->Projection, this->Levels, 1, this->SampleDistance);
   this->Props.MarkHidden(nodeTest);
   vtkNBufferOcclusionTest test(
-    this->Projection, this->Levels, this->Tuning.MaximumNumberOfPieces, this->SampleDistance);
+    this->Projection, this->Levels, this->Settings.MaximumNumberOfPieces, this->SampleDistance);
   places.erase(std::remove_if(places.begin(), places.end(),
                  [&](int i) { return this->Props.GetState(i).Behind || isHiddenBy(i, test); }),
     places.end());
@@ -145,7 +143,7 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
     places.erase(
       std::remove_if(places.begin(), places.end(), [&](int i) { return isHiddenBy(i, pixelTest); }),
       places.end());
-    if (this->Tuning.TestTriangles)
+    if (this->Settings.TestTriangles)
     {
       const std::size_t seen = places.size();
       places.erase(std::remove_if(places.begin(), places.end(),

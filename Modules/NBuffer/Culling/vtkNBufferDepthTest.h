@@ -35,8 +35,9 @@ enum class vtkNBufferSliverPolicy
   Always      ///< In every frame.
 };
 
-/// The settings of vtkNBufferCuller with the same names, as they are when a frame begins.
-struct vtkNBufferSettings
+/// The settings of vtkNBufferCuller with the same names and its tuning, as they are when a frame
+/// begins.
+struct vtkNBufferSettings : vtkNBufferTuning
 {
   vtkNBufferBackend::Kind Backend = vtkNBufferBackend::Auto;
   vtkNBufferSliverPolicy TestSlivers = vtkNBufferSliverPolicy::Never;
@@ -49,8 +50,7 @@ public:
   /// All arguments are kept by reference and must outlive the test.
   vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferLevels& levels,
     const vtkNBufferProjection& projection, vtkNBufferCandidateList& props,
-    vtkNBufferStatistics& statistics, const vtkNBufferSettings& settings,
-    const vtkNBufferTuning& tuning);
+    vtkNBufferStatistics& statistics, const vtkNBufferSettings& settings);
 
   /**
    * Build the levels that the candidates at all of `places` need, from the depth of the framebuffer
@@ -79,7 +79,6 @@ private:
   vtkNBufferCandidateList& Props;
   vtkNBufferStatistics& Statistics;
   const vtkNBufferSettings& Settings;
-  const vtkNBufferTuning& Tuning;
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkNBufferDepthSource Source;
   double SampleDistance = 0.5; ///< From the middle of its pixel, in x and in y, in pixels.

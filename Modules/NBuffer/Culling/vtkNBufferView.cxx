@@ -15,9 +15,8 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-vtkNBufferView::vtkNBufferView(vtkNBufferBackend& backend, const vtkNBufferTuning& tuning)
+vtkNBufferView::vtkNBufferView(vtkNBufferBackend& backend)
   : Backend(backend)
-  , Tuning(tuning)
   , Partition(this->Props)
   , Draws(this->Props, this->Projection, this->Proxy)
 {
@@ -52,8 +51,8 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   this->Draws.Clear();
 
   vtkNBufferClock part;
-  this->Props.SetHierarchySize(this->Tuning.HierarchySize);
-  this->Props.SetObserveAfter(this->Tuning.ObserveAfter);
+  this->Props.SetHierarchySize(this->Settings.HierarchySize);
+  this->Props.SetObserveAfter(this->Settings.ObserveAfter);
   const bool listChanged = this->Props.Synchronize(props, count);
   const vtkNBufferViewKey key = vtkNBufferViewKey::Make(renderer);
   const bool frozen = settings.Freeze && complete;
@@ -74,7 +73,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
     this->Statistics.Decision = vtkNBufferDecision::Frozen;
     this->State = Phase::Reused;
   }
-  else if (complete && !changed && this->Tuning.ReuseWhenStill && this->CanReuse(renderer))
+  else if (complete && !changed && this->Settings.ReuseWhenStill && this->CanReuse(renderer))
   {
     this->Statistics.Decision = vtkNBufferDecision::Still;
     this->State = Phase::Reused;
@@ -124,7 +123,7 @@ vtkNBufferDecision vtkNBufferView::Divide()
     this->Props.HasBlending(this->Drawing.SmoothLines, this->Drawing.AmbientOcclusion);
   this->Statistics.Candidates = counts.Candidates;
   const vtkNBufferDecision decision = vtkNBufferCullingPolicy::ChooseDecision(counts,
-    this->Tuning.MinimumNumberOfCandidates, this->Tuning.BackOff ? &this->BackOff : nullptr);
+    this->Settings.MinimumNumberOfCandidates, this->Settings.BackOff ? &this->BackOff : nullptr);
   if (decision != vtkNBufferDecision::Culled)
   {
     this->Partition.KeepAll();
@@ -333,14 +332,14 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
   { draw(this->Partition.RemoveOccluders(left, limit, this->Projection)); };
 
   const std::size_t roundSize =
-    vtkNBufferOccluderChoice::GetLimit(this->Tuning.RoundSize, left.size());
+    vtkNBufferOccluderChoice::GetLimit(this->Settings.RoundSize, left.size());
   if (this->Partition.IsNew())
   {
     drawOccluders(roundSize);
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  vtkNBufferDepthTest test(this->Backend, this->Levels, this->Projection, this->Props,
-    this->Statistics, this->Settings, this->Tuning);
+  vtkNBufferDepthTest test(
+    this->Backend, this->Levels, this->Projection, this->Props, this->Statistics, this->Settings);
   for (;;)
   {
     std::string why;
@@ -372,7 +371,7 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
     // Another round must save more props than it draws to be worth its read-back.
     const auto limit = roundSize << this->Statistics.Rounds;
     ++this->Statistics.Rounds;
-    if (left.size() <= 2 * limit || this->Statistics.Rounds >= this->Tuning.MaximumNumberOfRounds)
+    if (left.size() <= 2 * limit || this->Statistics.Rounds >= this->Settings.MaximumNumberOfRounds)
     {
       this->TestTranslucent(test);
       draw(left);

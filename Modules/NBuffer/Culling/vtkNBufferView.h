@@ -45,7 +45,6 @@
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferStatistics.h"
 #include "vtkNBufferTranslucentProxy.h"
-#include "vtkNBufferTuning.h"
 
 #include "vtkNew.h"
 
@@ -59,8 +58,8 @@ class vtkRenderer;
 class vtkNBufferView : private vtkNBufferDeferredProxy::Owner
 {
 public:
-  /// Both arguments are kept by reference and must outlive this object.
-  vtkNBufferView(vtkNBufferBackend& backend, const vtkNBufferTuning& tuning);
+  /// The back-end is kept by reference and must outlive this object.
+  explicit vtkNBufferView(vtkNBufferBackend& backend);
   ~vtkNBufferView();
   vtkNBufferView(const vtkNBufferView&) = delete;
   void operator=(const vtkNBufferView&) = delete;
@@ -125,7 +124,6 @@ private:
   ///@}
 
   vtkNBufferBackend& Backend;
-  const vtkNBufferTuning& Tuning;
   vtkNBufferBackOff BackOff;
   vtkNBufferCandidateList Props;
   vtkNBufferPartition Partition;
