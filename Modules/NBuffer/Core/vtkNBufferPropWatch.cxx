@@ -36,6 +36,8 @@
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
+using vtkNBufferProtectedMembers::GetOwnTime;
+
 namespace
 {
 /// Whether GetMTime() of a user's transform only reads. vtkProp3D wraps a user's matrix in a
@@ -55,12 +57,6 @@ vtkDemandDrivenPipeline* GetExecutive(vtkMapper* mapper)
         typeid(*executive) == typeid(vtkCompositeDataPipeline))
     ? static_cast<vtkDemandDrivenPipeline*>(executive)
     : nullptr;
-}
-
-/// The time stamp of an object itself, without those of the objects that it refers to.
-vtkMTimeType GetOwnTime(const vtkObject* object)
-{
-  return vtkNBufferProtectedMembers::GetTimeStamp(object).GetMTime();
 }
 
 /// Whether requests decide about what the filters make, and not their parameters alone.

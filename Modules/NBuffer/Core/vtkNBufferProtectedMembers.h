@@ -14,13 +14,13 @@
 #include "vtkMapper.h"
 #include "vtkObject.h"
 #include "vtkProp.h"
+#include "vtkTimeStamp.h"
 
 #include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkScalarsToColors;
 class vtkShaderProperty;
-class vtkTimeStamp;
 
 namespace vtkNBufferProtectedMembers
 {
@@ -32,6 +32,12 @@ inline const vtkTimeStamp& GetTimeStamp(const vtkObject* object)
     static vtkTimeStamp vtkObject::*Get() { return &Access::MTime; }
   };
   return object->*Access::Get();
+}
+
+/// The time of an object itself, without those of the objects that it refers to.
+inline vtkMTimeType GetOwnTime(const vtkObject* object)
+{
+  return GetTimeStamp(object).GetMTime();
 }
 
 /// The shader property of a prop, or nullptr. vtkProp::GetShaderProperty() would create one.

@@ -21,6 +21,8 @@
 #include <typeinfo>
 
 VTK_ABI_NAMESPACE_BEGIN
+using vtkNBufferProtectedMembers::GetOwnTime;
+
 namespace
 {
 /// VTK writes the largest float or something near it where it means infinity.
@@ -30,14 +32,6 @@ bool HasUsableBounds(const double* bounds)
 {
   return bounds && vtkMath::AreBoundsInitialized(bounds) &&
     std::all_of(bounds, bounds + 6, [](double value) { return std::abs(value) < Infinite; });
-}
-
-/// When the mapper of an actor, or the way in which the actor draws it, may have changed last.
-vtkMTimeType GetTimeOfWay(vtkActor* actor)
-{
-  const auto getTime = [](const vtkObject* object)
-  { return vtkNBufferProtectedMembers::GetTimeStamp(object).GetMTime(); };
-  return std::max(getTime(actor), getTime(actor->GetProperty()));
 }
 
 /// Whether an actor is opaque by force, and translucent if nothing is forced (see
@@ -54,7 +48,10 @@ bool IsForcedToBeOpaque(vtkActor* actor)
 
 bool vtkNBufferCandidate::MayDrawInAnotherWay() const
 {
-  return this->TimeOfWay != 0 && GetTimeOfWay(static_cast<vtkActor*>(this->Prop)) > this->TimeOfWay;
+  // An actor without a property makes one when it is requested, but it has been modified then.
+  auto* actor = this->TimeOfWay != 0 ? static_cast<vtkActor*>(this->Prop) : nullptr;
+  return actor &&
+    (GetOwnTime(actor) > this->TimeOfWay || GetOwnTime(actor->GetProperty()) > this->TimeOfWay);
 }
 
 bool vtkNBufferCandidate::HasBlendedPart() const
@@ -92,7 +89,7 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
     auto* other = vtkActor::SafeDownCast(this->Prop);
     this->Mapper = other ? other->GetMapper() : nullptr;
     this->WayOfDrawing = other ? vtkNBufferSurface::GetWayOfDrawing(other) : 0;
-    this->TimeOfWay = other ? GetTimeOfWay(other) : 0;
+    this->TimeOfWay = other ? std::max(GetOwnTime(other), GetOwnTime(other->GetProperty())) : 0;
     return globalStateChanged || this->Verdict != verdictBefore;
   }
   const vtkMTimeType timeBefore = this->Watch.GetTime();
