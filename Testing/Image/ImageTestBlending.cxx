@@ -127,7 +127,7 @@ TEST(CullerProps, BlendedPartOfAnAssembly)
 TEST(CullerProps, OpaqueBlockOfATranslucentPropThatComesIntoView)
 {
   ComparisonOptions options;
-  options.RoundSize = 1;
+  options.Tuning.RoundSize = 1;
   Comparison comparison(
     [](Stage& stage)
     {
