@@ -42,8 +42,9 @@ enum class vtkNBufferVerdict : int
   ShaderReplaced,   ///< Drawn: the application replaces its shader code.
   OtherCoordinates, ///< Drawn: its coordinates are not world coordinates.
   NoBounds,         ///< Drawn: its bounds are null, uninitialised, infinite or NaN.
-  SharedMapper,     ///< Drawn: its mapper belongs to another prop as well, which draws in another
-                    ///< way, and VTK draws both as it draws whichever is first.
+  SharedMapper,     ///< Drawn: its mapper, lookup table or array of points belongs to another prop
+                    ///< as well, or to a part of one, which uses it in another way. VTK keeps the
+                    ///< shaders, the range or the buffer of one of them for the other.
   NumberOfVerdicts
 };
 
@@ -71,7 +72,7 @@ enum class vtkNBufferDecision : int
   UnsupportedWindow, ///< The window is a VR window or has no size.
   OtherCuller,       ///< A culler comes after this one; it would not see what is held back.
   Blending,          ///< The order of drawing can be seen: a prop blends among the opaque ones, or
-                     ///< has the verdict SharedMapper.
+                     ///< shares what is described at vtkNBufferVerdict::SharedMapper.
   OtherView,         ///< Camera, viewport or framebuffer were not those of Cull(): all was drawn.
   NoContext,         ///< Failure: the window has no OpenGL context.
   OldContext,        ///< Failure: OpenGL is older than 3.2.

@@ -136,8 +136,8 @@ MUTANTS = {
          "sharedScreen.Pixels = pixels.GetIntersection(sharedScreen.Pixels);\n"
          "      --sharedScreen.Pixels.X1;\n      return sharedScreen.Pixels;")],
     "representations of a shared mapper not compared": [
-        ("vtkNBufferSurface.cxx",
-         "  add(static_cast<std::size_t>(property->GetRepresentation()));\n", "")],
+        ("vtkNBufferSharedState.cxx",
+         "  Combine(way, static_cast<std::size_t>(property->GetRepresentation()));\n", "")],
     "changes upstream of a mapper not noticed": [
         ("vtkNBufferPropWatch.h", "Means::Pipeline ? this->PipelineHasChanged()",
          "Means::Pipeline ? false")],

@@ -37,8 +37,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <string>
 #include <typeinfo>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -239,32 +237,6 @@ bool vtkNBufferSurface::HasOtherCoordinates(vtkActor* actor)
   (void)actor;
   return false;
 #endif
-}
-
-std::size_t vtkNBufferSurface::GetWayOfDrawing(vtkActor* actor)
-{
-  // What vtkOpenGLPolyDataMapper::ReplaceShaderValues() reads of an actor.
-  std::size_t way = 0;
-  const auto add = [&way](std::size_t value)
-  { way ^= value + 0x9e3779b97f4a7c15 + (way << 6) + (way >> 2); };
-  vtkProperty* property = actor->GetProperty();
-  add(static_cast<std::size_t>(property->GetRepresentation()));
-  add(static_cast<std::size_t>(property->GetInterpolation()));
-  for (const bool value : { property->GetLighting(), property->GetEdgeVisibility() != 0,
-         property->GetVertexVisibility() != 0, property->GetRenderPointsAsSpheres(),
-         property->GetRenderLinesAsTubes(), property->GetLineWidth() > 1.0F,
-         property->GetCoatStrength() > 0.0, property->GetAnisotropy() != 0.0,
-         actor->GetBackfaceProperty() != nullptr, HasReplacedShaders(actor) })
-  {
-    add(value);
-  }
-  add(std::hash<vtkTexture*>()(actor->GetTexture()));
-  for (const auto& [name, texture] : property->GetAllTextures())
-  {
-    add(std::hash<std::string>()(name));
-    add(std::hash<vtkTexture*>()(texture));
-  }
-  return way;
 }
 
 vtkPolyData* vtkNBufferSurface::GetOnlyPolyData(vtkMapper* mapper)

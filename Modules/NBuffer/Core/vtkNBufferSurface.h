@@ -24,7 +24,6 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
-#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -70,15 +69,6 @@ public:
    * class; otherwise nullptr.
    */
   static vtkPolyData* GetOnlyPolyData(vtkMapper* mapper);
-
-  /**
-   * A number for the way in which an actor draws its mapper: two actors for which it is the same
-   * get the same shaders from VTK. A mapper of VTK keeps one set of shaders. It makes them for the
-   * first actor that it draws and makes them anew when a property is modified, but not when the
-   * next actor needs other ones. If actors of one mapper differ in this number, the image depends
-   * on the order in which they are drawn.
-   */
-  static std::size_t GetWayOfDrawing(vtkActor* actor);
 
   /// Bring what feeds mapper and texture up to date, as VTK does before it draws. Does nothing for
   /// a static mapper (vtkMapper::SetStatic()), and costs little where there is no pipeline.

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferCandidate.h"
 
-#include "vtkNBufferProtectedMembers.h"
 #include "vtkNBufferSurface.h"
 
 #include "vtkActor.h"
@@ -21,8 +20,6 @@
 #include <typeinfo>
 
 VTK_ABI_NAMESPACE_BEGIN
-using vtkNBufferProtectedMembers::GetOwnTime;
-
 namespace
 {
 /// VTK writes the largest float or something near it where it means infinity.
@@ -46,26 +43,19 @@ bool IsForcedToBeOpaque(vtkActor* actor)
 }
 }
 
-bool vtkNBufferCandidate::MayDrawInAnotherWay() const
+bool vtkNBufferCandidate::ReadParts(std::vector<vtkNBufferSharedState::Uses>& uses) const
 {
-  // An actor without a property makes one when it is requested, but it has been modified then.
-  auto* actor = this->TimeOfWay != 0 ? static_cast<vtkActor*>(this->Prop) : nullptr;
-  return actor &&
-    (GetOwnTime(actor) > this->TimeOfWay || GetOwnTime(actor->GetProperty()) > this->TimeOfWay);
-}
-
-bool vtkNBufferCandidate::HasBlendedPart() const
-{
+  bool isBlended = false;
   this->Prop->InitPathTraversal();
   while (vtkAssemblyPath* path = this->Prop->GetNextPath())
   {
-    auto* actor = vtkActor::SafeDownCast(path->GetLastNode()->GetViewProp());
-    if (actor && IsForcedToBeOpaque(actor))
+    if (auto* actor = vtkActor::SafeDownCast(path->GetLastNode()->GetViewProp()))
     {
-      return true;
+      isBlended = isBlended || IsForcedToBeOpaque(actor);
+      uses.push_back(vtkNBufferSharedState::GetUses(actor));
     }
   }
-  return false;
+  return isBlended;
 }
 
 bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
@@ -86,16 +76,15 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
     this->Tracked = !this->DepthWriter;
     this->Blended = this->Unlit = false;
     this->Class = &typeid(*this->Prop);
-    auto* other = vtkActor::SafeDownCast(this->Prop);
-    this->Mapper = other ? other->GetMapper() : nullptr;
-    this->WayOfDrawing = other ? vtkNBufferSurface::GetWayOfDrawing(other) : 0;
-    this->TimeOfWay = other ? std::max(GetOwnTime(other), GetOwnTime(other->GetProperty())) : 0;
+    this->Mapper = nullptr;
+    this->Uses = {};
     return globalStateChanged || this->Verdict != verdictBefore;
   }
   const vtkMTimeType timeBefore = this->Watch.GetTime();
   this->Mapper = actor->GetMapper();
-  this->WayOfDrawing = vtkNBufferSurface::GetWayOfDrawing(actor);
-  this->Verdict = this->Classify(actor, this->ReadBox(actor));
+  const vtkNBufferVerdict box = this->ReadBox(actor);
+  this->Uses = vtkNBufferSharedState::GetUses(actor);
+  this->Verdict = this->Classify(actor, box);
   this->DepthWriter = this->Mapper && actor->HasOpaqueGeometry();
   this->Blended = IsForcedToBeOpaque(actor);
   this->Unlit = !actor->GetProperty()->GetLighting();

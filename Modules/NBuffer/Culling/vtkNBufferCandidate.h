@@ -21,12 +21,12 @@
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferPropWatch.h"
+#include "vtkNBufferSharedState.h"
 #include "vtkNBufferStatistics.h"
 #include "vtkProp.h"
 
 #include <typeinfo>
-
-#include <cstddef>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
@@ -55,18 +55,15 @@ public:
   {
     const bool mayBeLeftOut = this->Verdict == vtkNBufferVerdict::Visible ||
       this->Verdict == vtkNBufferVerdict::Translucent;
-    return this->MapperIsShared && mayBeLeftOut ? vtkNBufferVerdict::SharedMapper : this->Verdict;
+    return this->SharesState && mayBeLeftOut ? vtkNBufferVerdict::SharedMapper : this->Verdict;
   }
 
-  /// The mapper of an actor, or nullptr. It is only compared, and may be deleted already.
-  vtkMapper* GetMapper() const { return this->Mapper; }
+  /// What a plain actor uses. ReadParts() reads it of other props.
+  const vtkNBufferSharedState::Uses& GetUses() const { return this->Uses; }
 
-  /// See vtkNBufferSurface::GetWayOfDrawing().
-  std::size_t GetWayOfDrawing() const { return this->WayOfDrawing; }
-
-  /// Say whether the mapper is shared with a prop that draws it in another way. Only the list of
-  /// all props can know.
-  void SetMapperIsShared(bool shared) { this->MapperIsShared = shared; }
+  /// Set whether another prop uses the same objects in another way. Only the list of all props can
+  /// know.
+  void SetSharesState(bool shares) { this->SharesState = shares; }
 
   /// The box of a prop with a placement, in world coordinates.
   const vtkNBufferBox& GetBox() const { return this->Box; }
@@ -79,21 +76,26 @@ public:
    * Whether the prop may blend in the opaque stage, where the order of drawing then shows. It does
    * if it is opaque by force but translucent by itself; if it draws lines, and the window smoothes
    * them; or if it lacks normals, and ambient occlusion needs them (see vtkNBufferCompatibility.h).
-   * A prop that shares its mapper counts as well: drawing it once more changes the shaders of the
-   * others. The parts of an assembly or another prop that is no plain actor may change without a
-   * trace, so that HasBlendedPart() reads them when it is called.
    */
-  bool IsBlended() const { return this->Blended || this->MapperIsShared; }
-  bool MayHaveBlendedParts() const
-  {
-    return this->Verdict == vtkNBufferVerdict::NotAPlainActor && this->DepthWriter;
-  }
-  bool HasBlendedPart() const;
+  bool IsBlended() const { return this->Blended; }
   bool MayDrawLines() const
   {
     return this->DepthWriter && (!this->IsCandidate() || this->Box.Margin > 0.0);
   }
   bool MayLackNormals() const { return this->Unlit || this->MayDrawLines(); }
+  ///@}
+
+  ///@{
+  /**
+   * The parts of an assembly or another prop that is no plain actor may change without a trace, so
+   * that ReadParts() has to be called in each frame. It returns whether any part blends in the
+   * opaque stage, and appends what the parts use.
+   */
+  bool HasParts() const
+  {
+    return this->Verdict == vtkNBufferVerdict::NotAPlainActor && this->DepthWriter;
+  }
+  bool ReadParts(std::vector<vtkNBufferSharedState::Uses>& uses) const;
   ///@}
 
   /**
@@ -107,10 +109,10 @@ public:
   /// See vtkNBufferPropWatch::MayHaveChanged().
   bool IsStale(bool observedAreUnchanged = false) const
   {
-    // Of a prop that is no plain actor only the class is known, and how an actor draws its mapper.
-    // The class is another one if another prop has been made at the address of a deleted one.
+    // Of a prop that is no plain actor only the class is known here. It is another one if another
+    // prop has been made at the address of a deleted one.
     return this->Verdict == vtkNBufferVerdict::NotAPlainActor
-      ? this->Class != &typeid(*this->Prop) || this->MayDrawInAnotherWay()
+      ? this->Class != &typeid(*this->Prop)
       : this->Watch.MayHaveChanged(observedAreUnchanged);
   }
 
@@ -128,7 +130,6 @@ public:
   bool Refresh(bool globalStateChanged);
 
 private:
-  bool MayDrawInAnotherWay() const;
   /// Read the box. Returns Visible, or the verdict of a prop whose box cannot be known.
   vtkNBufferVerdict ReadBox(vtkActor* actor);
   /// The verdict, given that of ReadBox().
@@ -136,14 +137,13 @@ private:
 
   // What is read of each prop in each frame comes first, to share a cache line.
   alignas(64) vtkNBufferVerdict Verdict = vtkNBufferVerdict::Unknown;
-  bool MapperIsShared = false;
+  bool SharesState = false;
   vtkNBufferPropWatch Watch;
   vtkProp* Prop = nullptr;
   vtkMapper* Mapper = nullptr;
   const std::type_info* Class = nullptr; ///< The class of a prop that is no plain actor.
   vtkNBufferBox Box;
-  std::size_t WayOfDrawing = 0;
-  vtkMTimeType TimeOfWay = 0; ///< Of an actor that is no plain one.
+  vtkNBufferSharedState::Uses Uses;
   bool DepthWriter = true;
   bool Blended = false;
   bool Unlit = false;

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <numeric>
-#include <unordered_map>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -72,6 +72,11 @@ int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
   {
     changed = this->RefreshStale(projection, all);
   }
+  this->ReadParts();
+  if (this->UsesChanged)
+  {
+    this->FindSharedState(projection);
+  }
   this->ObserveSome();
   if (projection && overTree)
   {
@@ -111,7 +116,7 @@ void vtkNBufferCandidateList::FindPlacement(vtkIdType i, const vtkNBufferProject
 int vtkNBufferCandidateList::RefreshStale(
   const vtkNBufferProjection* projection, bool globalStateChanged)
 {
-  bool findShared = this->ListChanged;
+  this->UsesChanged = this->ListChanged;
   this->ListChanged = false;
   int changed = 0;
   for (std::size_t i = 0; i < this->Candidates.GetSize(); ++i)
@@ -120,23 +125,17 @@ int vtkNBufferCandidateList::RefreshStale(
     {
       continue;
     }
-    const vtkMapper* mapper = this->Candidates[i].GetMapper();
-    const std::size_t way = this->Candidates[i].GetWayOfDrawing();
+    const vtkNBufferSharedState::Uses uses = this->Candidates[i].GetUses();
     changed += this->RefreshOne(i, globalStateChanged) ? 1 : 0;
-    findShared = findShared || mapper != this->Candidates[i].GetMapper() ||
-      way != this->Candidates[i].GetWayOfDrawing();
+    this->UsesChanged = this->UsesChanged || !(uses == this->Candidates[i].GetUses());
     this->FindPlacement(static_cast<vtkIdType>(i), projection);
-  }
-  if (findShared)
-  {
-    this->FindSharedMappers(projection);
   }
   this->UntrackedDepth = this->Blending = this->Lines = this->LackOfNormals = false;
   this->WithParts.clear();
   for (std::size_t i = 0; i < this->Candidates.GetSize(); ++i)
   {
     const vtkNBufferCandidate& candidate = this->Candidates[i];
-    if (candidate.MayHaveBlendedParts())
+    if (candidate.HasParts())
     {
       this->WithParts.push_back(static_cast<int>(i));
     }
@@ -151,39 +150,52 @@ int vtkNBufferCandidateList::RefreshStale(
 
 bool vtkNBufferCandidateList::HasBlending(bool smoothLines, bool ambientOcclusion) const
 {
-  return this->Blending || (smoothLines && this->Lines) ||
-    (ambientOcclusion && this->LackOfNormals) ||
-    std::any_of(this->WithParts.begin(), this->WithParts.end(),
-      [this](int i) { return this->Candidates[i].HasBlendedPart(); });
+  return this->Blending || this->BlendedParts || this->SharesState ||
+    (smoothLines && this->Lines) || (ambientOcclusion && this->LackOfNormals);
 }
 
-void vtkNBufferCandidateList::FindSharedMappers(const vtkNBufferProjection* projection)
+void vtkNBufferCandidateList::ReadParts()
 {
-  struct Use
+  this->BlendedParts = false;
+  std::vector<vtkNBufferSharedState::Uses> uses;
+  for (const int i : this->WithParts)
   {
-    std::size_t Way = 0;
-    bool IsMixed = false;
-  };
-  std::unordered_map<vtkMapper*, Use> uses;
-  uses.reserve(this->Candidates.GetSize());
-  for (const vtkNBufferCandidate& candidate : this->Candidates.GetItems())
-  {
-    const std::size_t way = candidate.GetWayOfDrawing();
-    Use& use = uses.try_emplace(candidate.GetMapper(), Use{ way }).first->second;
-    use.IsMixed = use.IsMixed || use.Way != way;
+    this->BlendedParts = this->Candidates[i].ReadParts(uses) || this->BlendedParts;
   }
-  uses[nullptr].IsMixed = false;
+  if (uses != this->PartUses)
+  {
+    this->PartUses = std::move(uses);
+    this->UsesChanged = true;
+  }
+}
+
+void vtkNBufferCandidateList::FindSharedState(const vtkNBufferProjection* projection)
+{
+  this->UsesChanged = this->SharesState = false;
+  vtkNBufferSharedState state;
+  for (const auto add : { &vtkNBufferSharedState::Add, &vtkNBufferSharedState::AddCommon })
+  {
+    for (const vtkNBufferCandidate& candidate : this->Candidates.GetItems())
+    {
+      (state.*add)(candidate.GetUses());
+    }
+    for (const vtkNBufferSharedState::Uses& uses : this->PartUses)
+    {
+      (state.*add)(uses);
+    }
+  }
   for (std::size_t i = 0; i < this->Candidates.GetSize(); ++i)
   {
     vtkNBufferCandidate& candidate = this->Candidates[i];
     const vtkNBufferVerdict before = candidate.GetVerdict();
-    candidate.SetMapperIsShared(uses[candidate.GetMapper()].IsMixed);
+    candidate.SetSharesState(state.IsMixed(candidate.GetUses()));
     if (candidate.GetVerdict() != before)
     {
       this->Tree.HasChanged(static_cast<int>(i));
       this->FindPlacement(static_cast<vtkIdType>(i), projection);
     }
   }
+  this->SharesState = state.HasMixed();
 }
 
 bool vtkNBufferCandidateList::RefreshOne(std::size_t i, bool globalStateChanged)

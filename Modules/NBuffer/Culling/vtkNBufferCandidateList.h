@@ -116,8 +116,10 @@ private:
   /// projection.
   void FindPlacement(vtkIdType i, const vtkNBufferProjection* projection);
   int RefreshStale(const vtkNBufferProjection* projection, bool globalStateChanged);
-  /// Tell all candidates whether a prop of the list draws their mappers in another way.
-  void FindSharedMappers(const vtkNBufferProjection* projection);
+  /// Read what may change without a trace.
+  void ReadParts();
+  /// Tell all candidates whether a prop of the list uses their objects in another way.
+  void FindSharedState(const vtkNBufferProjection* projection);
   bool RefreshOne(std::size_t i, bool globalStateChanged);
   /// Have some of the props observed that have not changed for a while, in turn.
   void ObserveSome();
@@ -141,7 +143,11 @@ private:
   bool Blending = false;
   bool Lines = false;
   bool LackOfNormals = false;
-  std::vector<int> WithParts; ///< The places of the props that may have blended parts.
+  bool UsesChanged = false;
+  bool SharesState = false;
+  bool BlendedParts = false;
+  std::vector<int> WithParts;                        ///< The places of the props that have parts.
+  std::vector<vtkNBufferSharedState::Uses> PartUses; ///< Of all parts of these props.
 };
 
 VTK_ABI_NAMESPACE_END

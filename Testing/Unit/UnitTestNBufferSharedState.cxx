@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Which objects are used in several ways, whoever comes first.
+#include "vtkNBufferSharedState.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace
+{
+using Uses = vtkNBufferSharedState::Uses;
+
+vtkNBufferSharedState Collect(const std::vector<Uses>& all)
+{
+  vtkNBufferSharedState state;
+  std::for_each(all.begin(), all.end(), [&state](const Uses& uses) { state.Add(uses); });
+  std::for_each(all.begin(), all.end(), [&state](const Uses& uses) { state.AddCommon(uses); });
+  return state;
+}
+
+Uses Make(const int& object, std::size_t way)
+{
+  Uses uses;
+  uses[0] = { &object, way };
+  return uses;
+}
+}
+
+TEST(NBufferSharedState, MixedObjectsAreFoundInAnyOrder)
+{
+  const int a = 0;
+  const int b = 0;
+  const int c = 0;
+  for (const std::size_t wayOfB : { 1, 2 })
+  {
+    std::vector<Uses> all = { Make(a, 1), Make(a, 2), Make(b, wayOfB), Make(b, wayOfB), Make(c, 2),
+      Uses() };
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      std::rotate(all.begin(), all.begin() + 1, all.end());
+      const vtkNBufferSharedState state = Collect(all);
+      EXPECT_TRUE(state.HasMixed()) << i;
+      EXPECT_TRUE(state.IsMixed(Make(a, 1))) << i;
+      EXPECT_TRUE(state.IsMixed(Make(a, 2))) << i;
+      EXPECT_FALSE(state.IsMixed(Make(b, wayOfB))) << i;
+      EXPECT_FALSE(state.IsMixed(Make(c, 2))) << i;
+      EXPECT_FALSE(state.IsMixed(Uses())) << i;
+    }
+  }
+  EXPECT_FALSE(Collect({ Make(a, 2), Make(a, 2), Make(b, 1), Uses() }).HasMixed());
+  EXPECT_FALSE(Collect({}).HasMixed());
+}
