@@ -17,7 +17,6 @@ namespace TestScene
 {
 namespace
 {
-using vtkNBufferGLM::ToVector;
 
 /// Where single precision may see a sample on the other side of the cone. In radians.
 constexpr double ConeMargin = 2e-4;
@@ -50,8 +49,8 @@ bool IsReached(const OracleLight& light, const glm::dvec3& point)
   {
     return true;
   }
-  const glm::dvec3 ray = glm::normalize(point - ToVector(light.Position));
-  const double cosine = std::clamp(glm::dot(ray, ToVector(light.Direction)), -1.0, 1.0);
+  const glm::dvec3 ray = glm::normalize(point - glm::make_vec3(light.Position));
+  const double cosine = std::clamp(glm::dot(ray, glm::make_vec3(light.Direction)), -1.0, 1.0);
   return std::acos(cosine) < std::acos(light.ConeCosine) - ConeMargin;
 }
 
@@ -76,7 +75,7 @@ public:
     double clip[4] = { (2.0 * x + 1.0) / this->Width - 1.0, (2.0 * y + 1.0) / this->Height - 1.0,
       2.0 * depth - 1.0, 1.0 };
     this->ClipToWorld->MultiplyPoint(clip, clip);
-    return ToVector(clip) / clip[3];
+    return glm::make_vec3(clip) / clip[3];
   }
 
 private:
@@ -140,8 +139,9 @@ bool FacesLight(const ShadowFrame& frame, const Unprojection& unprojection,
   const glm::dvec3 up = unproject(x, y + 1) - unproject(x, y - 1);
   const glm::dvec3 normal = glm::normalize(glm::cross(across, up));
   const glm::dvec3 point = unproject(x, y);
-  const glm::dvec3 toLight = light.Positional ? glm::normalize(ToVector(light.Position) - point)
-                                              : -ToVector(light.Direction);
+  const glm::dvec3 toLight = light.Positional
+    ? glm::normalize(glm::make_vec3(light.Position) - point)
+    : -glm::make_vec3(light.Direction);
   constexpr double grazing = 0.01;
   const double side = glm::dot(normal, eye - point) > 0.0 ? 1.0 : -1.0;
   return side * glm::dot(normal, toLight) > grazing;
@@ -188,8 +188,8 @@ ShadowFrame CaptureShadows(const Player& stage)
   // Of parallel cameras a point far behind it.
   vtkCamera* camera = renderer->GetActiveCamera();
   const double behind = camera->GetParallelProjection() ? 1e6 * camera->GetParallelScale() : 0.0;
-  const glm::dvec3 eye =
-    ToVector(camera->GetPosition()) - behind * ToVector(camera->GetDirectionOfProjection());
+  const glm::dvec3 eye = glm::make_vec3(camera->GetPosition()) -
+    behind * glm::make_vec3(camera->GetDirectionOfProjection());
   for (int light = 0; light < stage.GetLights().GetNumberOfLights(); ++light)
   {
     const OracleLight geometry(stage.GetLights().GetLight(0, light));

@@ -56,7 +56,7 @@ struct World
     const bool inPoints = this->How == Storage::Doubles || this->How == Storage::Floats;
     for (vtkIdType i = 0; i < local->GetNumberOfPoints(); ++i)
     {
-      const glm::dvec3 p = vtkNBufferGLM::ToVector(local->GetPoint(i));
+      const glm::dvec3 p = glm::make_vec3(local->GetPoint(i));
       points->InsertNextPoint(glm::value_ptr(inPoints ? p + this->Origin : p));
     }
     vtkNew<vtkPolyData> data;

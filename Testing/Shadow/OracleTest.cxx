@@ -39,8 +39,8 @@ bool MeetsBox(
 
 double GetDistanceToRay(const double origin[3], const double direction[3], const Point& centre)
 {
-  const glm::dvec3 ray = vtkNBufferGLM::ToVector(direction);
-  const glm::dvec3 toCentre = centre - vtkNBufferGLM::ToVector(origin);
+  const glm::dvec3 ray = glm::make_vec3(direction);
+  const glm::dvec3 toCentre = centre - glm::make_vec3(origin);
   return glm::length(glm::cross(toCentre, ray)) / glm::length(ray);
 }
 

@@ -210,7 +210,7 @@ TEST_F(TreeTest, AgreesWithLocator)
     const int first = static_cast<int>(points.size());
     for (std::size_t k = 0; k < 9; k += 3)
     {
-      points.push_back(vtkNBufferGLM::ToVector(&corners[i + k]));
+      points.push_back(glm::make_vec3(&corners[i + k]));
     }
     triangles.push_back({ first, first + 1, first + 2 });
   }

@@ -42,7 +42,7 @@ glm::dvec3 Shade(
   Oracle::Receiver receiver;
   if (!oracle.GetReceiver(x, y, 0.0, 0.0, receiver))
   {
-    return vtkNBufferGLM::ToVector(renderer->GetBackground());
+    return glm::make_vec3(renderer->GetBackground());
   }
   if (sample != OracleSample::Lit)
   {
@@ -51,9 +51,8 @@ glm::dvec3 Shade(
   const RenderedTriangles& triangles = oracle.GetTriangles();
   vtkActor* actor = triangles.Actors[triangles.Owners[receiver.Triangle]].Actor;
   const double cosine = -vtkMath::Dot(receiver.Normal, OracleLight(light).Direction);
-  return glm::min(vtkNBufferGLM::ToVector(actor->GetProperty()->GetDiffuseColor()) * cosine *
-      light->GetIntensity(),
-    1.0);
+  return glm::min(
+    glm::make_vec3(actor->GetProperty()->GetDiffuseColor()) * cosine * light->GetIntensity(), 1.0);
 }
 
 using Colors = std::vector<glm::dvec3>;

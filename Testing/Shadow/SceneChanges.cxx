@@ -185,15 +185,15 @@ void Move(vtkRenderer* renderer, const glm::dvec3& offset)
     for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
     {
       vtkPlane* plane = planes->GetItem(i);
-      const glm::dvec3 origin = vtkNBufferGLM::ToVector(plane->GetOrigin()) + offset;
+      const glm::dvec3 origin = glm::make_vec3(plane->GetOrigin()) + offset;
       plane->SetOrigin(origin.x, origin.y, origin.z);
     }
   }
   const auto moveView = [&offset](auto* view)
   {
-    const glm::dvec3 position = vtkNBufferGLM::ToVector(view->GetPosition()) + offset;
+    const glm::dvec3 position = glm::make_vec3(view->GetPosition()) + offset;
     view->SetPosition(position.x, position.y, position.z);
-    const glm::dvec3 focalPoint = vtkNBufferGLM::ToVector(view->GetFocalPoint()) + offset;
+    const glm::dvec3 focalPoint = glm::make_vec3(view->GetFocalPoint()) + offset;
     view->SetFocalPoint(focalPoint.x, focalPoint.y, focalPoint.z);
   };
   vtkCollectionSimpleIterator cookie;

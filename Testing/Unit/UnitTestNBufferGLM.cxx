@@ -58,7 +58,7 @@ TEST(NBufferGLM, RoundsAsVTKDoes)
     vtkMatrix4x4::MultiplyPoint(a.data(), b.data(), glm::value_ptr(moved));
     ASSERT_EQ(vtkNBufferGLM::Multiply(matrix, glm::make_vec4(b.data())), moved);
 
-    glm::dvec3 unit = vtkNBufferGLM::ToVector(b.data());
+    glm::dvec3 unit = glm::make_vec3(b.data());
     const glm::dvec3 normalized = vtkNBufferGLM::Normalize(unit);
     vtkMath::Normalize(glm::value_ptr(unit));
     ASSERT_EQ(normalized, unit);

@@ -86,8 +86,8 @@ public:
   /// A point for the next sample: at distance z, seen at (x, y) in pixels.
   void Add(double x, double y, double z)
   {
-    const Point forward = vtkNBufferGLM::ToVector(this->Eye->GetDirectionOfProjection());
-    const Point up = vtkNBufferGLM::ToVector(this->Eye->GetViewUp());
+    const Point forward = glm::make_vec3(this->Eye->GetDirectionOfProjection());
+    const Point up = glm::make_vec3(this->Eye->GetViewUp());
     const Point right = glm::cross(forward, up);
     const double size = this->Setup.Parallel
       ? this->Eye->GetParallelScale()

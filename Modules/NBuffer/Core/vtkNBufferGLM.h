@@ -38,12 +38,6 @@ static_assert(std::is_trivial_v<glm::dvec2> && std::is_trivial_v<glm::dvec3> &&
 VTK_ABI_NAMESPACE_BEGIN
 namespace vtkNBufferGLM
 {
-/// Three numbers of VTK's, such as a point or a direction.
-inline glm::dvec3 ToVector(const double x[3])
-{
-  return { x[0], x[1], x[2] };
-}
-
 /// A matrix of VTK's, row by row.
 inline glm::dmat4 ToMatrix(const double rows[16])
 {
