@@ -341,6 +341,28 @@ TEST(CullerDecisions, FreezeKeepsTheVerdicts)
   EXPECT_NE(comparison.GetDecision(), Decision::Frozen);
 }
 
+// Hazard: what has changed while frozen is no change any more when the frame thaws.
+TEST(CullerDecisions, ChangesOfFrozenFramesCountWhenThawed)
+{
+  Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
+  for (int i = 0; i < 3; ++i)
+  {
+    comparison.Frame();
+  }
+  EXPECT_EQ(comparison.GetDecision(), Decision::Still);
+  comparison.GetCuller()->FreezeOn();
+  comparison.Both([](Stage& stage) { stage.GetActor(Wall::Index)->SetPosition(7.0, 0.0, 0.0); });
+  for (int i = 0; i < 2; ++i)
+  {
+    comparison.Culled.Window->Render();
+    EXPECT_EQ(comparison.GetDecision(), Decision::Frozen);
+  }
+  comparison.GetCuller()->FreezeOff();
+  comparison.Culled.ResetDraws();
+  comparison.Frame("thawed");
+  EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
+}
+
 // Hazard: a prop that joins while frozen has no verdict to keep.
 TEST(CullerDecisions, PropsThatJoinWhileFrozenAreDrawn)
 {

@@ -67,7 +67,8 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   const auto drawingBefore =
     std::exchange(this->Drawing, vtkNBufferCompatibility::GetDrawingSettings(renderer));
   const bool changed = listChanged || this->Statistics.Refreshed > 0 || moved ||
-    !(this->Drawing == drawingBefore) || testsOtherSlivers;
+    !(this->Drawing == drawingBefore) || testsOtherSlivers || this->ChangedWhileFrozen;
+  this->ChangedWhileFrozen = frozen && changed;
   if (frozen)
   {
     this->Statistics.Decision = vtkNBufferDecision::Frozen;

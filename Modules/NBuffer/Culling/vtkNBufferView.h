@@ -132,6 +132,8 @@ private:
   vtkNBufferSettings Settings;
   vtkNBufferStatistics Statistics;
   Phase State = Phase::Aside;
+  bool ChangedWhileFrozen =
+    false; ///< Whether anything has changed since the last frame not frozen.
 
   vtkNew<vtkNBufferDeferredProxy> Proxy;
   vtkNBufferLateDraws Draws;
