@@ -73,7 +73,6 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
     this->Verdict = vtkNBufferVerdict::NotAPlainActor;
     this->DepthWriter =
       !vtkActor2D::SafeDownCast(this->Prop) && !vtkVolume::SafeDownCast(this->Prop);
-    this->Tracked = !this->DepthWriter;
     this->Blended = this->Unlit = false;
     this->Class = &typeid(*this->Prop);
     this->Mapper = nullptr;
@@ -91,7 +90,6 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
   // Composite data never counts as unchanged (IsTracked()), so that the times of its blocks, which
   // would have to be read in every frame, are not needed.
   this->Watch.Track(actor, false);
-  this->Tracked = this->Watch.SeesAllChanges();
   return globalStateChanged || this->Watch.GetTime() != timeBefore ||
     this->Verdict != verdictBefore;
 }

@@ -103,7 +103,11 @@ public:
    * props, level-of-detail actors and shader uniforms may differ from frame to frame without a
    * trace.
    */
-  bool IsTracked() const { return this->Tracked; }
+  bool IsTracked() const
+  {
+    return this->Watch.SeesAllChanges() ||
+      (this->Verdict == vtkNBufferVerdict::NotAPlainActor && !this->DepthWriter);
+  }
 
   /// Whether Refresh() must be called. Only reads times; may run in parallel for different props.
   /// See vtkNBufferPropWatch::MayHaveChanged().
@@ -138,16 +142,15 @@ private:
   // What is read of each prop in each frame comes first, to share a cache line.
   alignas(64) vtkNBufferVerdict Verdict = vtkNBufferVerdict::Unknown;
   bool SharesState = false;
+  bool DepthWriter = true;
+  bool Blended = false;
+  bool Unlit = false;
   vtkNBufferPropWatch Watch;
   vtkProp* Prop = nullptr;
   vtkMapper* Mapper = nullptr;
   const std::type_info* Class = nullptr; ///< The class of a prop that is no plain actor.
   vtkNBufferBox Box;
   vtkNBufferSharedState::Uses Uses;
-  bool DepthWriter = true;
-  bool Blended = false;
-  bool Unlit = false;
-  bool Tracked = false;
 };
 
 /// What a view knows of a prop in one frame. It is kept apart from the caches and small, because

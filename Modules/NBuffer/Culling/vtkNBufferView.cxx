@@ -332,11 +332,10 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
   const auto drawOccluders = [&](std::size_t limit)
   { draw(this->Partition.RemoveOccluders(left, limit, this->Projection)); };
 
-  const std::size_t roundSize =
-    vtkNBufferOccluderChoice::GetLimit(this->Settings.RoundSize, left.size());
+  const auto first = vtkNBufferOccluderChoice::GetLimit(this->Settings.RoundSize, left.size());
   if (this->Partition.IsNew())
   {
-    drawOccluders(roundSize);
+    drawOccluders(first);
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkNBufferDepthTest test(
@@ -370,7 +369,7 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
     this->Statistics.PassedCoarseTest += this->Statistics.Rounds == 0 ? passed : 0;
 
     // Another round must save more props than it draws to be worth its read-back.
-    const auto limit = roundSize << this->Statistics.Rounds;
+    const auto limit = first << this->Statistics.Rounds;
     ++this->Statistics.Rounds;
     if (left.size() <= 2 * limit || this->Statistics.Rounds >= this->Settings.MaximumNumberOfRounds)
     {
