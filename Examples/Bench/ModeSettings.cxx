@@ -40,7 +40,7 @@ constexpr Setting<vtkNBufferCuller> CullerSettings[] = {
   NBUFFER_CULLER(MaximumNumberOfPieces),
   NBUFFER_CULLER(HierarchySize),
   NBUFFER_CULLER(ObserveAfter),
-  NBUFFER_CULLER(TestTriangles),
+  NBUFFER_CULLER(TestTrianglesAfter),
   NBUFFER_CULLER(TestPixels),
   NBUFFER_CULLER(BackOff),
   NBUFFER_CULLER(ReuseWhenStill),

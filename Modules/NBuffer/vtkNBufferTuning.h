@@ -53,6 +53,11 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   /// 0 means never.
   int ObserveAfter = 60;
 
+  /// Where neither levels nor pixels hide the box of a prop that has been visible for this many
+  /// frames, its triangles are compared with the pixels one by one, if they are few
+  /// (vtkNBufferMeshes::FindSmall); 0 means never. Needs TestPixels.
+  int TestTrianglesAfter = 8;
+
   /// A long box that is not hidden as a whole is cut into at most this many pieces, each of which
   /// has its own rectangle and nearest depth; 1 to 8.
   int MaximumNumberOfPieces = 8;
@@ -61,10 +66,6 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   /// The OpenGL back-end reads the whole depth image back for that, once many props are in doubt;
   /// with multisampling there is no such image.
   bool TestPixels = true;
-
-  /// Where the pixels do not hide the box of a prop either, its triangles are compared with them
-  /// one by one, if they are few (vtkNBufferMeshes::FindSmall). Needs TestPixels.
-  bool TestTriangles = true;
 
   /// The device may draw into float textures, which the OpenGL back-end and multisampling need.
   /// false makes the culler behave as on a device that cannot.

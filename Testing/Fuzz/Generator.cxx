@@ -61,6 +61,7 @@ void MakeCuller(Writer& writer)
   // than any of these scenes.
   culler.HierarchySize = writer.Scene.Seed % 3 == 0 ? culler.HierarchySize : 0;
   culler.TestSlivers = writer.Scene.Seed % 5 == 0 ? vtkNBufferCuller::Always : culler.TestSlivers;
+  culler.TestTrianglesAfter = writer.Scene.Seed % 3;
   culler.ObserveAfter = writer.Scene.Seed % 4 == 0 ? 0 : 1;
   culler.TestPixels = writer.Chance(0.6);
   culler.ReuseWhenStill = writer.Chance(0.8);

@@ -82,8 +82,9 @@ TEST_P(CullerTriangles, BehindTheEdgeOfAWall)
 {
   ComparisonOptions options = Scenes::MakeExactOptions(Width, Height, 4);
   options.Backend = vtkNBufferCuller::CPU;
+  options.Tuning.TestTrianglesAfter = 2;
   Comparison comparison(BuildNotch, options);
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < 5; ++i)
   {
     comparison.Frame("unchanged");
   }

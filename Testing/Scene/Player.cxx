@@ -199,6 +199,7 @@ void Player::AddCullers()
       Tune(culler, &vtkNBufferTuning::MaximumNumberOfPieces, settings.MaximumNumberOfPieces);
       Tune(culler, &vtkNBufferTuning::HierarchySize, settings.HierarchySize);
       Tune(culler, &vtkNBufferTuning::ObserveAfter, settings.ObserveAfter);
+      Tune(culler, &vtkNBufferTuning::TestTrianglesAfter, settings.TestTrianglesAfter);
       Tune(culler, &vtkNBufferTuning::TestPixels, settings.TestPixels);
       culler->SetTestSlivers(settings.TestSlivers);
       Tune(culler, &vtkNBufferTuning::ReuseWhenStill, settings.ReuseWhenStill);

@@ -92,6 +92,7 @@ struct Culler
   int MaximumNumberOfPieces = 8;
   int HierarchySize = 10000;
   int ObserveAfter = 60;
+  int TestTrianglesAfter = 8;
   bool TestPixels = true;
   int TestSlivers = 0;
   bool ReuseWhenStill = true;
@@ -99,7 +100,8 @@ struct Culler
 
   NBUFFER_SCENE_MEMBERS(DefaultCuller, OnePerRenderer, AddedInFrame, Backend, BaseFactor,
     MinimumNumberOfCandidates, MaximumNumberOfRounds, RoundSize, MaximumNumberOfPieces,
-    HierarchySize, ObserveAfter, TestPixels, TestSlivers, ReuseWhenStill, BackOff);
+    HierarchySize, ObserveAfter, TestTrianglesAfter, TestPixels, TestSlivers, ReuseWhenStill,
+    BackOff);
 };
 }
 

@@ -48,27 +48,30 @@ std::vector<vtkNBufferMeshes::Placed> vtkNBufferMeshes::Get(vtkActor* actor)
   return result;
 }
 
-vtkNBufferMeshes::Small* vtkNBufferMeshes::FindSmall(vtkActor* actor, bool copy)
+vtkNBufferMeshes::Small* vtkNBufferMeshes::FindSmall(vtkActor* actor, int copyAfter)
 {
-  auto found = this->SmallMeshes.find(actor);
+  const auto found =
+    copyAfter > 0 ? this->SmallMeshes.try_emplace(actor).first : this->SmallMeshes.find(actor);
   if (found == this->SmallMeshes.end())
   {
-    if (!copy || this->CopiesLeft == 0)
-    {
-      return nullptr;
-    }
-    found = this->SmallMeshes.emplace(actor, Small()).first;
+    return nullptr;
+  }
+  Small& small = found->second;
+  small.Frame = this->Frame;
+  if (!small.Mesh && !small.IsTooLarge && copyAfter > 0 && ++small.Requests >= copyAfter &&
+    this->CopiesLeft > 0)
+  {
     vtkMapper* mapper = actor->GetMapper();
     auto* data = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
-    if (data && data->GetNumberOfPolys() <= MaximumNumberOfPolygons &&
-      data->GetNumberOfStrips() == 0)
+    small.IsTooLarge =
+      !data || data->GetNumberOfPolys() > MaximumNumberOfPolygons || data->GetNumberOfStrips() > 0;
+    if (!small.IsTooLarge)
     {
       --this->CopiesLeft;
-      found->second.Mesh = this->Update(data).Mesh;
+      small.Mesh = this->Update(data).Mesh;
     }
   }
-  found->second.Frame = this->Frame;
-  return found->second.Mesh ? &found->second : nullptr;
+  return small.Mesh ? &small : nullptr;
 }
 
 const vtkNBufferMeshes::Entry& vtkNBufferMeshes::Update(vtkPolyData* data)

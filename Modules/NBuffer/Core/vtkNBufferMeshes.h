@@ -47,18 +47,21 @@ public:
   /// The triangles of one actor, and the one that its user begins with.
   struct Small
   {
-    std::shared_ptr<const vtkNBufferMesh> Mesh; ///< Null for an actor that has too many.
+    std::shared_ptr<const vtkNBufferMesh> Mesh; ///< Null before it is copied.
     std::size_t First = 0;
+    int Requests = 0; ///< The calls so far that were meant to copy it.
+    bool IsTooLarge = false;
     int Frame = 0;
   };
 
   /**
    * The triangles of an actor of a polydata of at most MaximumNumberOfPolygons polygons, without
-   * strips. Null for other actors, and where the triangles are not in the cache. With `copy` they
-   * are copied now, for at most CopiesPerFrame actors of a frame, since to triangulate polygons may
-   * take a tenth of a millisecond. Whoever changes the data has to call Forget().
+   * strips. Null for other actors, and where the triangles are not in the cache. To triangulate
+   * polygons may take a tenth of a millisecond, so that they are copied at call number `copyAfter`
+   * with the same actor, and for at most CopiesPerFrame actors in a frame; never if it is 0.
+   * Whoever changes the data has to call Forget().
    */
-  Small* FindSmall(vtkActor* actor, bool copy);
+  Small* FindSmall(vtkActor* actor, int copyAfter);
 
   /// Find the triangles of a prop anew.
   void Forget(vtkProp* prop) { this->SmallMeshes.erase(prop); }

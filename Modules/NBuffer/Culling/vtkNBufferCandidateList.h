@@ -80,9 +80,9 @@ public:
   std::vector<vtkNBufferMeshes::Placed> GetMeshes(int i);
 
   /// Whether a candidate that is Inside may be seen by its triangles, of which only those of small
-  /// meshes are looked at (vtkNBufferMeshes::FindSmall). They are copied, a few in each frame, for
-  /// props that the last frame's test found visible, too.
-  bool MayBeSeen(int i, vtkNBufferPixelTest& test);
+  /// meshes are looked at (vtkNBufferMeshes::FindSmall). They are copied for props that the tests
+  /// of `copyAfter` frames have found visible.
+  bool MayBeSeen(int i, vtkNBufferPixelTest& test, int copyAfter);
 
   int GetSize() const { return static_cast<int>(this->Candidates.GetSize()); }
   vtkProp* GetProp(int i) const { return this->Candidates.GetProp(i); }

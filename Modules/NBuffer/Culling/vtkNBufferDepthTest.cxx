@@ -143,11 +143,13 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
     places.erase(
       std::remove_if(places.begin(), places.end(), [&](int i) { return isHiddenBy(i, pixelTest); }),
       places.end());
-    if (this->Settings.TestTriangles)
+    if (this->Settings.TestTrianglesAfter > 0)
     {
       const std::size_t seen = places.size();
-      places.erase(std::remove_if(places.begin(), places.end(),
-                     [&](int i) { return !this->Props.MayBeSeen(i, pixelTest); }),
+      places.erase(
+        std::remove_if(places.begin(), places.end(),
+          [&](int i)
+          { return !this->Props.MayBeSeen(i, pixelTest, this->Settings.TestTrianglesAfter); }),
         places.end());
       this->Statistics.HiddenByTriangles += static_cast<int>(seen - places.size());
     }
