@@ -301,8 +301,12 @@ void ChangeAnyProp(Writer& writer, int frame)
       add(ChangeKind::Rejoin, {});
       break;
     case 14:
-      add(ChangeKind::Representation, { writer.Any({ 1.0, 2.0 }) });
+    {
+      // Glyphs of lines are as wide as the lines that happened to be drawn before (docs/limits.md).
+      const double value = writer.Any({ 1.0, 2.0 });
+      add(ChangeKind::Representation, { prop.Kind == PropKind::Glyphs ? 2.0 : value });
       break;
+    }
     default:
       add(writer.Any({ ChangeKind::Edges, ChangeKind::ClippingPlane, ChangeKind::LineWidth }),
         { 1.0, 0.5, 0.5 });

@@ -310,3 +310,30 @@ TEST(CullerPassesOnce, SettingsChangeBetweenFrames)
     });
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
 }
+
+// Hazard: ambient occlusion draws opaque props without samples, and translucent props that lie
+// between the middles of pixels follow in the samples of the window.
+TEST(CullerPassesOnce, TranslucentPropsBetweenMiddlesAfterAmbientOcclusion)
+{
+  ComparisonOptions options = Scenes::MakeExactOptions(160, 120, 4);
+  options.MultiSamples = 4;
+  options.Backend = vtkNBufferCuller::CPU;
+  options.CompareDepth = false;
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::SetPixelCamera(stage.GetRenderer(), 160, 120);
+      stage.GetRenderer()->SetUseSSAO(true);
+      SetUseOIT(stage.GetRenderer(), false); // That has no samples either.
+      // The middle of pixel 80 is beside the wall and beside the translucent prop behind it.
+      Scenes::AddBox(stage, 40.2, 60.0, 0.0, 80.4, 120.0, 1.0);
+      const int behind = Scenes::AddBox(stage, 60.24, 60.0, -5.0, 40.48, 80.0, 1.0);
+      stage.GetActor(behind)->GetProperty()->SetOpacity(0.5);
+      Scenes::AddBox(stage, 120.0, 60.0, -50.0, 40.0, 80.0, 1.0);
+    },
+    options);
+  for (int i = 0; i < 3; ++i)
+  {
+    comparison.Frame();
+  }
+}

@@ -36,7 +36,9 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
 {
   this->Window = window;
   this->Source = source;
-  this->SampleDistance = source.Samples > 1 || vtkNBufferGL::CoversTouchedPixels() ? 0.5 : 0.0;
+  // A pass may draw opaque props without samples, and translucent ones follow in the window's.
+  const bool hasSamples = std::max(source.Samples, window->GetMultiSamples()) > 1;
+  this->SampleDistance = hasSamples || vtkNBufferGL::CoversTouchedPixels() ? 0.5 : 0.0;
   int levels = 1;
   for (const std::vector<int>* list : places)
   {
