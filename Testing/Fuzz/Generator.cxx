@@ -301,12 +301,10 @@ void ChangeAnyProp(Writer& writer, int frame)
       add(ChangeKind::Rejoin, {});
       break;
     case 14:
-    {
-      // Glyphs of lines are as wide as the lines that happened to be drawn before (docs/limits.md).
-      const double value = writer.Any({ 1.0, 2.0 });
-      add(ChangeKind::Representation, { prop.Kind == PropKind::Glyphs ? 2.0 : value });
+      // Glyphs of lines are as wide as the lines drawn before them (docs/limits.md).
+      add(ChangeKind::Representation,
+        { prop.Kind == PropKind::Glyphs ? 2.0 : writer.Any({ 1.0, 2.0 }) });
       break;
-    }
     default:
       add(writer.Any({ ChangeKind::Edges, ChangeKind::ClippingPlane, ChangeKind::LineWidth }),
         { 1.0, 0.5, 0.5 });

@@ -59,9 +59,6 @@ MUTANTS = {
     "outlines of triangles one pixel short": [
         ("vtkNBufferPixelTest.cxx", "glm::dvec2(side.y, -side.x), corners, slack);",
          "glm::dvec2(side.y, -side.x), corners, slack - 1.0);")],
-    "triangles of former data": [
-        ("vtkNBufferCandidateList.cxx", "this->Meshes.Forget(this->GetProp(static_cast<int>(i)));",
-         "(void)0;")],
 
     # Rectangles and lookups.
     "rectangle one pixel short at the right and top": [
