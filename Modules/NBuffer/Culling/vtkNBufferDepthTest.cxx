@@ -7,6 +7,8 @@
 #include "vtkNBufferOcclusionTest.h"
 #include "vtkNBufferPixelTest.h"
 
+#include "vtkOpenGLRenderWindow.h"
+
 #include <algorithm>
 #include <iterator>
 
