@@ -210,6 +210,22 @@ int ForEachBox(unsigned int seed, int count, Convention convention, Function fun
   return boxes;
 }
 
+/// Calls function(sampler, scene, mesh) for a mesh in each of `count` scenes, where its box lies in
+/// the view.
+template <typename Function>
+void ForEachMesh(unsigned int seed, int count, Convention convention, Function function)
+{
+  ForEachBox(seed, count, convention,
+    [&](ViewSampler& sampler, Scene& scene, const ProjectedBox& box)
+    {
+      SampledMesh mesh(sampler, scene, box.Bounds);
+      if (mesh.Box->IsInside())
+      {
+        function(sampler, scene, mesh);
+      }
+    });
+}
+
 using NBufferOcclusion = testing::TestWithParam<std::tuple<int, Convention>>;
 using NBufferOcclusionOfDepths = testing::TestWithParam<Convention>;
 }
@@ -405,14 +421,9 @@ TEST_P(NBufferOcclusionOfDepths, HiddenTrianglesAreHidden)
   int hidden = 0;
   int hiddenByBox = 0;
   int tested = 0;
-  ForEachBox(37, 4000, this->GetParam(),
-    [&](ViewSampler& sampler, Scene& scene, const ProjectedBox& box)
+  ForEachMesh(37, 4000, this->GetParam(),
+    [&](ViewSampler& sampler, Scene& scene, SampledMesh& mesh)
     {
-      SampledMesh mesh(sampler, scene, box.Bounds);
-      if (!mesh.Box->IsInside())
-      {
-        return;
-      }
       ++tested;
       const bool boxIsHidden = scene.IsHiddenByPixels(*mesh.Box);
       const bool isHidden = !mesh.MayBeSeen(scene);
@@ -435,14 +446,9 @@ TEST_P(NBufferOcclusionOfDepths, OneOpenPixelKeepsTheMesh)
 {
   int opened = 0;
   int besideMiddles = 0;
-  ForEachBox(38, 1000, this->GetParam(),
-    [&](ViewSampler& sampler, Scene& scene, const ProjectedBox& box)
+  ForEachMesh(38, 1000, this->GetParam(),
+    [&](ViewSampler& sampler, Scene& scene, SampledMesh& mesh)
     {
-      SampledMesh mesh(sampler, scene, box.Bounds);
-      if (!mesh.Box->IsInside())
-      {
-        return;
-      }
       for (const auto& point : mesh.MakePoints(sampler, 20))
       {
         if (const auto drawn = ProjectExactly(scene.Eye, point, scene.Depths))
