@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Props that are blended: they hide nothing, and the order of drawing shows.
-#include "CompositeMapper.h"
 #include "CullerTest.h"
 #include "Scenes.h"
 
 #include "vtkAssembly.h"
-#include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkMultiBlockDataSet.h"
+#include "vtkMapper.h"
 #include "vtkProperty.h"
 
 using Scenes::Wall;
@@ -133,16 +131,9 @@ TEST(CullerProps, OpaqueBlockOfATranslucentPropThatComesIntoView)
     {
       Scenes::BuildWall(stage);
       vtkActor* box = stage.GetActor(Scenes::AddBox(stage, 0.0, 0.0, 4.0, 3.0, 3.0, 1.0));
-      vtkNew<vtkMultiBlockDataSet> blocks;
-      blocks->SetBlock(0, box->GetMapper()->GetInputDataObject(0, 0));
-      blocks->SetBlock(1, TestScene::MakeBox({ 4.0, 0.0, 4.0 }, { 1.0, 1.0, 1.0 }));
-      vtkNew<CompositeMapper> mapper;
-      mapper->SetInputDataObject(blocks);
-      vtkNew<vtkCompositeDataDisplayAttributes> attributes;
-      mapper->SetCompositeDataDisplayAttributes(attributes);
-      mapper->SetBlockOpacity(2, 0.5);
-      vtkNew<vtkActor> actor;
-      actor->SetMapper(mapper);
+      const vtkSmartPointer<vtkActor> actor =
+        Scenes::MakeTwoBlocks(box->GetMapper()->GetInputDataObject(0, 0),
+          TestScene::MakeBox({ 4.0, 0.0, 4.0 }, { 1.0, 1.0, 1.0 }), 0.5);
       actor->GetProperty()->SetColor(1.0, 0.0, 0.0);
       stage.Add(actor);
       for (vtkActor* moved : { box, actor.Get() })

@@ -8,7 +8,6 @@
 #include "Scenes.h"
 
 #include "vtkAssembly.h"
-#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataArray.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageActor.h"
@@ -145,16 +144,7 @@ vtkSmartPointer<vtkProp> MakeImageActor(Stage&)
 /// The wall is block 1 by flat index, another box in the middle of it block 2.
 vtkSmartPointer<vtkProp> MakeComposite(Stage&)
 {
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, MakeWallData());
-  blocks->SetBlock(1, MakeWallData(true));
-  vtkNew<CompositeMapper> mapper;
-  mapper->SetInputDataObject(blocks);
-  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
-  mapper->SetCompositeDataDisplayAttributes(attributes);
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  return actor;
+  return Scenes::MakeTwoBlocks(MakeWallData(), MakeWallData(true));
 }
 
 CompositeMapper* GetComposite(vtkProp* prop)

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The culler beside vtkShadowVolumeClampPass: what the camera does not see is not drawn, and casts.
-#include "CompositeMapper.h"
 #include "CullerTest.h"
 #include "LightRig.h"
 #include "ScenePasses.h"
@@ -11,10 +10,8 @@
 #include "vtkShadowVolumeClampPass.h"
 
 #include "vtkCamera.h"
-#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
 
@@ -208,23 +205,14 @@ TEST(CullerShadows, OpaqueBlocksOfTranslucentPropsAreRedrawnInShadow)
       Scenes::BuildWall(stage);
       AddShadows(stage);
       Scenes::AddBox(stage, -2.8, 3.1, 7.5, 2.0, 2.0, 0.2);
-      vtkNew<vtkMultiBlockDataSet> blocks;
-      for (const double x : { -1.5, 1.5 })
+      vtkNew<vtkSphereSource> spheres[2];
+      for (int i = 0; i < 2; ++i)
       {
-        vtkNew<vtkSphereSource> source;
-        source->SetCenter(x, 0.0, 4.0);
-        source->SetRadius(1.4);
-        source->Update();
-        blocks->SetBlock(blocks->GetNumberOfBlocks(), source->GetOutput());
+        spheres[i]->SetCenter(3.0 * i - 1.5, 0.0, 4.0);
+        spheres[i]->SetRadius(1.4);
+        spheres[i]->Update();
       }
-      vtkNew<CompositeMapper> mapper;
-      mapper->SetInputDataObject(blocks);
-      vtkNew<vtkCompositeDataDisplayAttributes> attributes;
-      mapper->SetCompositeDataDisplayAttributes(attributes);
-      mapper->SetBlockOpacity(2, 0.5);
-      vtkNew<vtkActor> actor;
-      actor->SetMapper(mapper);
-      stage.Add(actor);
+      stage.Add(Scenes::MakeTwoBlocks(spheres[0]->GetOutput(), spheres[1]->GetOutput(), 0.5));
       Scenes::SetWallCamera(stage.GetRenderer());
     },
     options);

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scenes.h"
 
+#include "CompositeMapper.h"
 #include "LightRig.h"
 #include "SceneBuilder.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkProperty.h"
 
 #include <cmath>
@@ -47,6 +51,25 @@ void AddProps(Stage& stage, const TestScene::SceneBuilder& scene, vtkRenderer* r
       ->SetLighting(prop.Lighting);
   }
 }
+}
+
+vtkSmartPointer<vtkActor> MakeTwoBlocks(
+  vtkDataObject* first, vtkDataObject* second, double opacityOfSecond)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, first);
+  blocks->SetBlock(1, second);
+  vtkNew<CompositeMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  mapper->SetCompositeDataDisplayAttributes(attributes);
+  if (opacityOfSecond < 1.0)
+  {
+    mapper->SetBlockOpacity(2, opacityOfSecond);
+  }
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  return actor;
 }
 
 void BuildWall(Stage& stage)

@@ -26,6 +26,10 @@ void GetColor(int index, double color[3]);
 int AddBox(Stage& stage, double x, double y, double z, double sx, double sy, double sz,
   vtkRenderer* renderer = nullptr);
 
+/// An actor of two blocks, which have the flat indices 1 and 2; the second may be translucent.
+vtkSmartPointer<vtkActor> MakeTwoBlocks(
+  vtkDataObject* first, vtkDataObject* second, double opacityOfSecond = 1.0);
+
 /// A wall at z = 0 across most of the view, boxes behind and before it, camera at (0, 0, 20).
 void BuildWall(Stage& stage);
 void AddWall(Stage& stage, vtkRenderer* renderer);
