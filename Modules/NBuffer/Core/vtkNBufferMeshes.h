@@ -44,7 +44,7 @@ public:
    */
   std::vector<Placed> Get(vtkActor* actor);
 
-  /// The triangles of one actor, and the one that its user begins with.
+  /// The triangles of one actor, and the one with which vtkNBufferPixelTest::MayBeSeen() begins.
   struct Small
   {
     std::shared_ptr<const vtkNBufferMesh> Mesh; ///< Null before it is copied.
