@@ -175,22 +175,6 @@ TEST(FuzzScenario, NothingIsSelectedWithAPassThatComesLater)
   EXPECT_EQ(scenario.Changes[0].Kind, ChangeKind::Pass);
 }
 
-//------------------------------------------------------------------------------------------------
-TEST(FuzzScenario, NoShaderMovesWhatASpotLights)
-{
-  Scenario scenario;
-  scenario.Renderers.resize(1);
-  scenario.Renderers[0].Pass = PassKind::ShadowVolumes;
-  scenario.Lights.resize(1);
-  scenario.Props.resize(1);
-  scenario.Props[0].Shader = Shader::WritesDepth;
-  RemoveUndefined(scenario);
-  EXPECT_EQ(scenario.Props[0].Shader, Shader::WritesDepth) << "a directional light has no cone";
-  scenario.Lights[0].Kind = LightKind::Spot;
-  RemoveUndefined(scenario);
-  EXPECT_EQ(scenario.Props[0].Shader, Shader::Original);
-}
-
 // A planted fault: two props of a colour, under MSAA, from frame 3 on.
 TEST(FuzzShrinker, LeavesWhatTheFailureNeeds)
 {

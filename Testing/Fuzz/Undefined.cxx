@@ -68,12 +68,9 @@ void RemoveUndefined(Scenario& scene)
   }
   if (HasPass(scene, HasShadowVolumes))
   {
-    const bool hasSpot = std::any_of(scene.Lights.begin(), scene.Lights.end(),
-      [](const Light& light) { return light.Kind == LightKind::Spot; });
+    // VTK 9.1 blends the blocks of composite data in the order of addresses.
     for (Prop& prop : scene.Props)
     {
-      prop.Shader = hasSpot ? Shader::Original : prop.Shader;
-      // VTK 9.1 blends the blocks of composite data in the order of addresses.
       if (prop.Kind == PropKind::Composite)
       {
         prop.ForceTranslucent = false;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Undefined.h
- * @brief What VTK or a documented limit leaves undefined, taken out of scenarios.
+ * @brief What VTK leaves undefined, so that it does not even repeat itself, taken out of scenarios.
  */
 #ifndef Undefined_h
 #define Undefined_h
@@ -17,9 +17,6 @@ namespace TestScene
 /// renderer does not erase, and before 9.7 shows what it has not drawn of it in a part of a window;
 /// split stereo squeezes the whole window, and the next frame what of that is left outside of the
 /// viewports, so that pictures depend on how many frames there were: with shadows not the same.
-///
-/// And what the shadow pass leaves undefined: shadow at the edge of a spot's cone on surfaces whose
-/// shaders draw them elsewhere than where they are lit (docs/shadows.md).
 void RemoveUndefined(Scenario& scene);
 }
 
