@@ -10,6 +10,9 @@
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
 
+#include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -282,63 +285,61 @@ bool Oracle::DependsOnRounding(
   int x, int y, const Receiver& receiver, const OracleLight& light) const
 {
   const std::set<int> crossed = this->GetCrossed(receiver, light);
-  const Ray ray = this->GetEyeRay(x, y);
-  const double distance = std::sqrt(vtkMath::Distance2BetweenPoints(receiver.Position, ray.Origin));
-  const auto getPoint = [](const Ray& along, double t, double point[3])
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      point[i] = along.Origin[i] + t * along.Direction[i];
-    }
-  };
-  std::vector<std::array<double, 3>> offs;
+  Ray ray = this->GetEyeRay(x, y);
+  const glm::dvec3 position = glm::make_vec3(receiver.Position);
+  const glm::dvec3 eye = glm::make_vec3(ray.Origin);
+  const double distance = glm::distance(position, eye);
   // Steps of depth along the eye ray, as many again where a volume is pushed away from a surface:
   // by how much the depth changes over a part of it.
-  constexpr double part = 1e-3;
-  double far[3];
-  double near[3];
-  getPoint(ray, distance * (1.0 + part), far);
-  getPoint(ray, distance * (1.0 - part), near);
-  const double change = this->GetWindowDepth(far) - this->GetWindowDepth(near);
+  const glm::dvec3 part = 1e-3 * distance * glm::make_vec3(ray.Direction);
+  const double change = this->GetWindowDepth(glm::value_ptr(position + part)) -
+    this->GetWindowDepth(glm::value_ptr(position - part));
+  const glm::dvec3 step = 2.0 * part / change;
   const double bound = this->GetDepthBound(x, y, receiver.Triangle);
-  const auto addSteps = [&](double steps)
-  {
-    offs.emplace_back();
-    for (int i = 0; i < 3; ++i)
+  std::vector<glm::dvec3> offs = { step * (DepthSteps + bound), step * (2.0 * DepthSteps + bound) };
+
+  // Triangles that close to the receiver on the eye ray are caps that may be drawn before or behind
+  // it.
+  ray.Near = distance - glm::length(offs[1]);
+  ray.Far = distance + glm::length(offs[1]);
+  bool cap = false;
+  this->Tree.VisitCrossings(ray,
+    [&](int triangle, double t)
     {
-      offs.back()[i] = (far[i] - near[i]) * steps / change;
-    }
-  };
-  addSteps(DepthSteps + bound);
-  addSteps(2.0 * DepthSteps + bound);
+      cap =
+        std::abs(t - distance) > this->Tolerance && this->Casts[this->Triangles.Owners[triangle]];
+      return !cap;
+    });
+  if (cap)
+  {
+    return true;
+  }
+
   // On the way there, too: what is thinner must not be missed.
   for (double less = 0.25 * bound; less > DepthSteps; less *= 0.25)
   {
-    addSteps(less);
+    offs.push_back(step * less);
   }
   // Two steps of the subpixel grid beside it.
-  for (int k = 0; k < 2; ++k)
+  for (const Ray& beside :
+    { this->GetEyeRay(x, y, GridSteps), this->GetEyeRay(x, y, 0.0, GridSteps) })
   {
-    double beside[3];
-    getPoint(
-      this->GetEyeRay(x, y, k == 0 ? GridSteps : 0.0, k == 1 ? GridSteps : 0.0), distance, beside);
-    offs.emplace_back();
-    vtkMath::Subtract(beside, receiver.Position, offs.back().data());
+    offs.push_back(
+      glm::make_vec3(beside.Origin) + distance * glm::make_vec3(beside.Direction) - position);
   }
   double toLight[3];
   light.GetDirectionTo(receiver.Position, toLight);
-  const double cosine = vtkMath::Dot(receiver.Normal, toLight);
-  for (const std::array<double, 3>& off : offs)
+  const glm::dvec3 normal = glm::make_vec3(receiver.Normal);
+  const double cosine = glm::dot(normal, glm::make_vec3(toLight));
+  for (const glm::dvec3& off : offs)
   {
     for (const double sign : { -1.0, 1.0 })
     {
       // Back to the surface along the light's ray: a volume's sides follow it.
+      const double back = -glm::dot(off, normal) / cosine;
+      const glm::dvec3 place = position + sign * (off + back * glm::make_vec3(toLight));
       Receiver moved = receiver;
-      const double back = -sign * vtkMath::Dot(off.data(), receiver.Normal) / cosine;
-      for (int i = 0; i < 3; ++i)
-      {
-        moved.Position[i] += sign * off[i] + back * toLight[i];
-      }
+      std::copy_n(glm::value_ptr(place), 3, moved.Position);
       // By which actors, not only whether: what has left one shadow may be below a floor.
       if (this->GetCrossed(moved, light) != crossed)
       {

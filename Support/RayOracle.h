@@ -81,7 +81,7 @@ public:
     int x, int y, double jitterX, double jitterY, const OracleLight& light) const;
 
   /**
-   * Returns whether rounding may decide about a sample. That is so in three cases:
+   * Returns whether rounding may decide about a sample. That is so in four cases:
    *
    *  - The sample is marginal (Classification).
    *  - One of the samples 1/64 of a pixel away in the four diagonal directions is of another kind,
@@ -91,6 +91,8 @@ public:
    *    its surface along the light's ray, which is a long way under grazing light. If the triangle
    *    reaches out of the view, the bound of DrawnPolygon.h, which grows with the part outside, is
    *    added to the units of depth.
+   *  - Another triangle of a caster is met within 8 units of depth of the receiver, the other side
+   * of a thin sheet for instance: the cap of the volume may be drawn before or behind the receiver.
    */
   bool IsAmbiguous(int x, int y, const OracleLight& light) const;
 

@@ -401,6 +401,50 @@ TEST_F(FuzzRuns, ConesOfMultisampledPixels)
   EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
 }
 
+// Hazard of the shadow pass: where depth puts a sample beside a spot's cone and VTK lights it for
+// another place: in the middle of a line, of a point, or where the shader that sets its depth would
+// have drawn it. As the fuzzer found them.
+TEST_F(FuzzRuns, ConesOfWhatIsLitElsewhere)
+{
+  const char* scenes[] = {
+    R"("lights": [{"cone_angle": 89.9, "kind": "Spot",
+         "focal_point": [0.092105746377238451, 0.18398554342725637, -1.8264376958540549],
+         "position": [0.67539424863268183, 1.8818752234269405, -2.267462042274988]}],
+       "props": [
+         {"id": 20, "representation": "Wireframe", "shape": {
+           "center": [-3.3368618838341826, 2.9164354805330293, -3.5020703760441583],
+           "size": [0.97486761503039332, 1.6949398988059685, 0.25346833725194828]}},
+         {"id": 4, "shape": {
+           "center": [-0.085684970656753734, 3.5118712274780934, -2.4265060953948971],
+           "size": [1.8688380814872583, 3.0890479604345904, 1.9434898319174068]}}],
+       "views": [{"position": [-2.6076783249487372, 4.0121413442878122, 8.6602540378443873],
+         "view_angle": 60.0}],
+       "window": {"height": 59, "width": 121}})",
+    R"("lights": [{"kind": "Spot",
+         "position": [-2.401587485967172, 0.49042558212741016, 1.7345690302361281]}],
+       "props": [
+         {"shape": {"size": [9.0, 7.0, 0.5]}},
+         {"id": 18, "point_size": 3.854868219115871, "representation": "Points", "shape": {
+           "center": [3.4845592174169688, 2.3953420140195059, -5.6197356667546696]}}],
+       "views": [{"position": [0.0, 0.0, 12.071067811865476], "view_angle": 45.0}],
+       "window": {"height": 1}})",
+    R"("lights": [{"kind": "Spot",
+         "position": [-9.0648407266925233, -5.6526117571578247, 5.2254226506148642]}],
+       "props": [{"id": 53, "shader": "WritesDepth", "shape": {
+         "center": [-5.9556323921675824, -5.2682061967872524, 1.0790134123606272],
+         "size": [5.2450786456002385, 0.3028356001452992, 2.6711656411646896]}}],
+       "views": [{"far": 10000000.0, "near": 1.0, "view_angle": 100.0,
+         "focal_point": [-5.479387480109267, -5.1626728830212922, 0.44674443283884124],
+         "position": [-5.2099081439167989, -6.1256790550499387, 0.2]}]})",
+  };
+  for (const std::string scene : scenes)
+  {
+    const Scenario scenario = FromJson(
+      Parse("{\"frames\": 1, \"renderers\": [{\"pass\": \"ShadowVolumes\"}], " + scene + "}"));
+    EXPECT_EQ(Checker().Run(scenario, true).Failure, "") << scene;
+  }
+}
+
 TEST(FuzzShadows, MasksMayDifferAtEdgesOnly)
 {
   // Left of the middle is in shadow.

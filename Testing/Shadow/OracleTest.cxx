@@ -233,6 +233,27 @@ TEST_F(OracleTest, GrazingLightIsAmbiguous)
   }
 }
 
+// Below a sheet seen from above is its other side, which is the cap of its volume: 200 units of
+// depth are 200 / 2^24 steps.
+TEST_F(OracleTest, CapsWithinStepsOfDepthAreAmbiguous)
+{
+  for (const double steps : { 2.0, 50.0 })
+  {
+    SCOPED_TRACE(steps);
+    Stage stage = SetPixelStage(8, 6,
+      [&](SceneBuilder& scene)
+      {
+        scene.Floor(10.0);
+        scene.Floor(10.0, -200.0 * steps / (1 << 24));
+        scene.Directional({ 0.1, 0.2, -1.0 });
+      });
+    stage.GetRenderer()->GetActiveCamera()->SetClippingRange(1.0, 201.0);
+    const OracleImage image = Cast(stage);
+    EXPECT_EQ(image.Count(OracleSample::Lit), 48);
+    EXPECT_EQ(image.CountAmbiguous(), steps < 10.0 ? 48 : 0);
+  }
+}
+
 // A cone of 45 degrees, 10 above the floor: a circle of radius 10.
 TEST_F(OracleTest, ConeEndsTheLight)
 {

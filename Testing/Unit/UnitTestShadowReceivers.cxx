@@ -139,6 +139,14 @@ public:
     return light;
   }
 
+  /// The width of a pixel at a point.
+  double GetPixel(const Point& world) const
+  {
+    const Point forward = glm::make_vec3(this->Eye->GetDirectionOfProjection());
+    return 2.0 * glm::dot(world - this->Setup.Origin, forward) *
+      std::tan(vtkMath::RadiansFromDegrees(0.5 * this->Setup.Angle)) / this->Made.View.Height;
+  }
+
   /// The image's receivers in a litmap; their number.
   vtkIdType Scatter(const vtkShadowLight& light, int resolution, vtkShadowLitmap& litmap) const
   {
@@ -372,6 +380,41 @@ TEST(ShadowReceiversOnce, OutsideOfTheConeIsLeftOut)
     EXPECT_GE(count, reached) << "seed " << seed;
     // Far away, where a quantum of depth is longer than the margin, and next to the apex.
     EXPECT_LE(count, atMost + 12) << "seed " << seed;
+  }
+}
+
+// Lines and points are lit in their middle, which may be as many pixels beside their samples.
+TEST(ShadowReceiversOnce, OnlyWhatMayBeLitBesideItsSampleIsAdded)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (unsigned int seed = 0; seed < 20; ++seed)
+  {
+    for (const double margin : { 0.0, 1.5, 20.0, infinity })
+    {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", margin " << margin);
+      Maker maker(Camera{ false, 1.0, 100.0 }, 40, 30, 30 + seed);
+      maker.AddAll();
+      const vtkShadowLight light = maker.MakeLight(Kind::Spot);
+      maker.Made.View.LightingMargin = margin;
+      int reached = 0;
+      int atMost = 0;
+      for (std::size_t i = 0; i < maker.Made.Depth.size(); ++i)
+      {
+        const Point fromLight = maker.Made.World[i] - light.Position;
+        const double beside = std::acos(glm::dot(glm::normalize(fromLight), light.Direction)) -
+          vtkMath::RadiansFromDegrees(light.ConeAngle);
+        // From the point to the cone; from behind the cone, to its apex.
+        const double away =
+          glm::length(fromLight) * std::sin(std::clamp(beside, 0.0, 0.5 * vtkMath::Pi()));
+        const double pixels = away / maker.GetPixel(maker.Made.World[i]);
+        reached += maker.Made.Depth[i] < 1.0f && pixels <= margin;
+        atMost += maker.Made.Depth[i] < 1.0f && (pixels <= 1.1 * margin || beside < 0.004);
+      }
+      vtkShadowLitmap litmap;
+      const vtkIdType count = maker.Scatter(light, 32, litmap);
+      EXPECT_GE(count, reached);
+      EXPECT_LE(count, atMost + 12);
+    }
   }
 }
 

@@ -37,6 +37,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <typeinfo>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -204,6 +205,11 @@ bool IsShifted(vtkOpenGLPolyDataMapper* mapper, const glm::dvec3& low, const glm
       return false;
   }
 }
+
+double GetMarginOfLines(vtkProperty* property)
+{
+  return 0.5 * std::max(property->GetLineWidth(), property->GetPointSize()) + 1.0;
+}
 }
 
 vtkActor* vtkNBufferSurface::GetPlainActor(vtkProp* prop)
@@ -266,13 +272,24 @@ void vtkNBufferSurface::UpdatePipeline(vtkActor* actor)
 
 double vtkNBufferSurface::GetMargin(vtkActor* actor)
 {
-  vtkProperty* property = actor->GetProperty();
   vtkPolyData* input = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
   if (input && input->GetNumberOfVerts() == 0 && input->GetNumberOfLines() == 0)
   {
     return 0.0;
   }
-  return 0.5 * std::max(property->GetLineWidth(), property->GetPointSize()) + 1.0;
+  return GetMarginOfLines(actor->GetProperty());
+}
+
+double vtkNBufferSurface::GetLightingMargin(vtkActor* actor)
+{
+  if (HasReplacedShaders(actor))
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  vtkProperty* property = actor->GetProperty();
+  const bool onlySurface = property->GetRepresentation() == VTK_SURFACE &&
+    !property->GetEdgeVisibility() && !property->GetVertexVisibility();
+  return onlySurface ? GetMargin(actor) : GetMarginOfLines(property);
 }
 
 bool vtkNBufferSurface::DrawsLines(vtkMapper* mapper)

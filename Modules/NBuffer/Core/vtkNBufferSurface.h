@@ -84,6 +84,13 @@ public:
   ///@}
 
   /**
+   * How far from a fragment of an actor, in pixels, the place may be for which VTK's shader lights
+   * it: points and lines are lit in their middle, and replaced shaders may light anything
+   * (infinity).
+   */
+  static double GetLightingMargin(vtkActor* actor);
+
+  /**
    * Whether the polygon offset of a plain mapper may draw its surface nearer than its vertices.
    * Depends on vtkNBufferPropWatch::GetGlobalState().
    */

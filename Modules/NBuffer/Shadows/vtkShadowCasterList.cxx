@@ -19,15 +19,14 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-void Skip(std::array<int, NumberOfShadowSkips>& skipped, vtkShadowSkip reason)
-{
-  ++skipped[static_cast<std::size_t>(reason)];
-}
+/// The lighting margin of what nothing is known of.
+constexpr double Anywhere = std::numeric_limits<double>::infinity();
 
 std::vector<vtkInformationKey*> GetKeys(vtkInformation* information)
 {
@@ -103,6 +102,8 @@ void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* required
   {
     this->Casters.clear();
     this->Skipped.fill(0);
+    this->LightingMargin =
+      vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF ? 0.0 : Anywhere;
     for (const Member& member : this->Members.GetItems())
     {
       for (const Mesh& mesh : member.Meshes)
@@ -114,6 +115,7 @@ void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* required
       }
       std::transform(member.Skipped.begin(), member.Skipped.end(), this->Skipped.begin(),
         this->Skipped.begin(), std::plus<int>());
+      this->LightingMargin = std::max(this->LightingMargin, member.LightingMargin);
     }
   }
 }
@@ -126,14 +128,12 @@ bool vtkShadowCasterList::ReadProp(vtkProp* prop, Member& member)
   this->OldMeshes = std::move(member.Meshes);
   member.Meshes.clear();
   member.Skipped.fill(0);
+  member.LightingMargin = 0.0;
   if (vtkActor* actor = vtkNBufferSurface::GetPlainActor(prop))
   {
     vtkNBufferSurface::UpdatePipeline(actor);
   }
-  if (member.Casts)
-  {
-    this->AddProp(prop, member);
-  }
+  this->AddProp(prop, member);
   this->OldMeshes.clear();
   member.Watch.Track(prop);
   return member.Watch.GetMeans() == vtkNBufferPropWatch::Means::None ||
@@ -161,7 +161,8 @@ void vtkShadowCasterList::AddProp(vtkProp* prop, Member& member)
     auto* actor = vtkActor::SafeDownCast(last->GetViewProp());
     if (!actor)
     {
-      Skip(member.Skipped, vtkShadowSkip::NotAnActor);
+      member.LightingMargin = Anywhere;
+      member.Skip(vtkShadowSkip::NotAnActor);
     }
     else if (actor->GetVisibility())
     {
@@ -179,14 +180,20 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
   {
     return;
   }
+  member.LightingMargin =
+    std::max(member.LightingMargin, vtkNBufferSurface::GetLightingMargin(actor));
+  if (!member.Casts)
+  {
+    return;
+  }
   if (actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
   {
-    Skip(member.Skipped, vtkShadowSkip::NotASurface);
+    member.Skip(vtkShadowSkip::NotASurface);
     return;
   }
   if (actor->HasTranslucentPolygonalGeometry())
   {
-    Skip(member.Skipped, vtkShadowSkip::Translucent);
+    member.Skip(vtkShadowSkip::Translucent);
     return;
   }
   if (member.Surfaces.size() <= static_cast<std::size_t>(path))
@@ -195,14 +202,14 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
   }
   if (!member.Surfaces[static_cast<std::size_t>(path)].GetParts(actor, matrix, this->Parts))
   {
-    Skip(member.Skipped, vtkShadowSkip::NotAPlainMapper);
+    member.Skip(vtkShadowSkip::NotAPlainMapper);
     return;
   }
   for (const vtkNBufferSurface::Part& part : this->Parts)
   {
     if (part.IsVisible && part.IsTranslucent)
     {
-      Skip(member.Skipped, vtkShadowSkip::Translucent);
+      member.Skip(vtkShadowSkip::Translucent);
     }
     else if (part.IsVisible)
     {

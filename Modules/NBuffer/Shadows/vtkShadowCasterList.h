@@ -44,6 +44,10 @@ public:
   /// The number of actors that do not cast, by reason.
   const std::array<int, NumberOfShadowSkips>& GetSkipped() const { return this->Skipped; }
 
+  /// The largest vtkNBufferSurface::GetLightingMargin() of what is drawn, caster or not; infinity
+  /// where polygons are offset, or if there are props that are no actors.
+  double GetLightingMargin() const { return this->LightingMargin; }
+
   /// The number of casters whose mesh, matrix or planes the last Update() found changed.
   int GetNumberOfUpdates() const { return this->Updates; }
 
@@ -68,9 +72,15 @@ private:
   /// What is known of a visible prop.
   struct Member
   {
+    void Skip(vtkShadowSkip reason)
+    {
+      this->Skipped[static_cast<std::size_t>(reason)] += this->Casts ? 1 : 0;
+    }
+
     bool MayHaveChanged = false;  ///< The first answer of Watch, which is found in parallel.
     bool HasRequiredKeys = false; ///< True if the prop has the required keys now.
     bool Casts = false;           ///< True if it had them when it was read last.
+    double LightingMargin = 0.0;  ///< The largest of its actors.
     vtkNBufferPropWatch Watch;
     std::vector<Mesh> Meshes;
     std::array<int, NumberOfShadowSkips> Skipped = {};
@@ -91,6 +101,7 @@ private:
   vtkMTimeType Version = 0;
   std::vector<vtkShadowCaster*> Casters;
   std::array<int, NumberOfShadowSkips> Skipped = {};
+  double LightingMargin = 0.0;
   int Updates = 0;
 };
 

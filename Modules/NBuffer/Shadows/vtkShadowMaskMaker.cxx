@@ -167,6 +167,7 @@ bool vtkShadowMaskMaker::MakeLitmaps(
   const float* depth = this->Depth.data();
   vtkShadowView view = work.Camera.GetView();
   view.Samples = this->Target.GetSamples();
+  view.LightingMargin = work.Frame.Casters.GetLightingMargin();
   this->Litmaps.resize(std::max(this->Litmaps.size(), spaces.size()));
   for (std::size_t i = 0; i < spaces.size(); ++i)
   {

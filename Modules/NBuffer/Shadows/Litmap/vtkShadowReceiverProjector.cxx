@@ -64,6 +64,7 @@ vtkShadowReceiverProjector::vtkShadowReceiverProjector(
   : Kind(light.Kind)
   , DepthError(2.0 * view.DepthQuantum + DepthRounding * (1.0 + GetCornerDistance(view)))
   , ConeCosine(light.GetConeCosine())
+  , LightingMargin(view.LightingMargin)
   , WorldError(WorldRounding * (GetLength1(view.Origin) + GetLength1(space.GetApex())))
 {
   const auto toAxes = [&space](const glm::dvec3& x)
@@ -167,8 +168,11 @@ bool vtkShadowReceiverProjector::MayReach(const glm::dvec3& middle, double radiu
     return std::max(std::abs(middle[0]), std::abs(middle[1])) - radius <=
       this->Limit * (s + radius);
   }
-  return glm::dot(middle, this->Direction) + radius >=
-    this->ConeCosine * glm::length(middle) - std::abs(this->ConeCosine) * radius;
+  // How far the middle is from the surface of the cone, which goes on behind the apex.
+  const double sine = std::sqrt(1.0 - this->ConeCosine * this->ConeCosine);
+  return this->ConeCosine * glm::length(glm::cross(middle, this->Direction)) -
+    sine * glm::dot(middle, this->Direction) <=
+    radius;
 }
 
 std::optional<vtkShadowReceiverProjector::Receiver> vtkShadowReceiverProjector::Project(
@@ -203,9 +207,9 @@ std::optional<vtkShadowReceiverProjector::Receiver> vtkShadowReceiverProjector::
     else if (!this->MayReach(middle, radius))
     {
       const double error = radius + this->GetShaderError(distance + length);
-      const double pixels = GrazingPixels / Guard * guard;
-      if (!this->MayReach(middle, error) &&
-        !(this->ByCentre && this->MayReach(middle, error + pixels) &&
+      const double pixel = guard / Guard;
+      if (!this->MayReach(middle, error + this->LightingMargin * pixel) &&
+        !(this->ByCentre && this->MayReach(middle, error + GrazingPixels * pixel) &&
           this->MayCentreReach(x, LineRounding + error / glm::length(b))))
       {
         return std::nullopt;

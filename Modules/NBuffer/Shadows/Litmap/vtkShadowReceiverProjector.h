@@ -51,6 +51,10 @@
  * cone is not farther from the sample than 64 widths of a pixel: on surfaces that are seen at less
  * than a degree the centre might be that far.
  *
+ * Lines and points are lit in their middle. So a sample is also a receiver if it is not farther
+ * from the cone than vtkShadowView::LightingMargin widths of a pixel. That is infinity, and every
+ * sample a receiver, if something is drawn whose shaders may light it for any place.
+ *
  * ## Projection
  *
  * Both ends of the interval are projected to light coordinates. Where straight lines stay straight
@@ -81,6 +85,9 @@ struct vtkShadowView
   int Width = 0;                         ///< The number of columns, at most 65535.
   int Height = 0;                        ///< The number of rows, at most 65535.
   double DepthQuantum = 0x1p-24;         ///< The step of the depth format near 1.
+
+  /// How far from a fragment, in pixels, the place may be for which VTK's shader lights it.
+  double LightingMargin = 0.0;
 
   /// The places of the samples in a pixel, in [0, 1] from its lower left corner.
   std::vector<std::array<double, 2>> Samples = { { { 0.5, 0.5 } } };
@@ -135,6 +142,7 @@ private:
   double DepthError; ///< What a window depth may be off by.
   double Limit = std::numeric_limits<double>::infinity();
   double ConeCosine;          ///< vtkShadowLight::GetConeCosine().
+  double LightingMargin;      ///< vtkShadowView::LightingMargin.
   glm::dvec3 Direction;       ///< The light's direction along u, v and the axis.
   glm::dvec3 Eye;             ///< The eye relative to the apex, along u, v and the axis.
   double WorldError;          ///< The rounding of world coordinates.
