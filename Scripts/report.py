@@ -53,7 +53,7 @@ TABLE = re.compile(r"(<!-- table: ([^\n]*?) -->\n).*?(<!-- end -->)", re.DOTALL)
 BLACK, ORANGE, SKY, GREEN = "#000000", "#e69f00", "#56b4e9", "#009e73"
 BLUE, RED, PINK, GREY = "#0072b2", "#d55e00", "#cc79a7", "#787878"
 GROUPS = {
-    "one square": (ORANGE, "s"), "four squares": (BLUE, "s"), "squares in pieces": (BLUE, "D"),
+    "one square": (ORANGE, "s"), "four squares": (BLUE, "s"),
     "strided": (SKY, "s"), "rectangles": (PINK, "o"), "mips": (RED, "x"), "one level": (GREY, "+"),
     "table": ("#aa0000", "o"), "positions": (BLUE, "+"), "culler": (GREEN, "D"),
     "outline": (BLACK, "D")}
@@ -62,7 +62,7 @@ SHADOW_LOOKS = {
     "auto": (GREEN, "D"), "paper": (RED, "x"), "vtk": (GREY, "+")}
 SETTING_LOOKS = {
     "RoundSize": (ORANGE, "s"), "MaximumNumberOfRounds": (BLUE, "s"), "BaseFactor": (GREEN, "D"),
-    "MaximumNumberOfPieces": (PINK, "o"), "TestPixels": (BLACK, "x"), "BackOff": (RED, "+"),
+    "TestPixels": (BLACK, "x"), "BackOff": (RED, "+"),
     "TakeOverFrustumCulling": (SKY, "+"), "auto, BoxCost": (GREEN, "D"),
     "exact, BoxCost": (BLUE, "s"), "slabs, BoxCost": (PINK, "D"), "slabs, SlabGap": (ORANGE, "o")}
 MODE_COLORS = {

@@ -78,7 +78,7 @@ def group_of(name):
             return group
     return ("positions" if "positions" in name else "one level" if name.startswith("one level")
             else "mips" if "mips" in name else "rectangles" if name.startswith("rect")
-            else "strided" if " s=" in name else "squares in pieces" if " in 8" in name
+            else "strided" if " s=" in name
             else "one square" if "x1 " in name else "four squares")
 
 

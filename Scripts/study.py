@@ -53,7 +53,7 @@ OTHER_SCENES = [
 # The values that are tried of each setting, one setting at a time.
 CULLER_VALUES = {
     "RoundSize": [16, 32, 64, 128, 256, 1024], "MaximumNumberOfRounds": [1, 2, 3, 4, 6, 8],
-    "BaseFactor": [1, 2, 4, 8], "MaximumNumberOfPieces": [1, 2, 4, 8], "TestPixels": [0, 1],
+    "BaseFactor": [1, 2, 4, 8], "TestPixels": [0, 1],
     "BackOff": [0, 1], "TakeOverFrustumCulling": [0, 1]}
 REST_VALUES = {"BackOff": [0, 1], "BaseFactor": [4, 8]}  # For scenes where culling gains little.
 STILL_VALUES = {"ReuseWhenStill": [0, 1]}

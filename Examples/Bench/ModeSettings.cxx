@@ -37,7 +37,6 @@ constexpr Setting<vtkNBufferCuller> CullerSettings[] = {
   NBUFFER_CULLER(MaximumNumberOfRounds),
   NBUFFER_CULLER(MinimumNumberOfCandidates),
   NBUFFER_CULLER(BaseFactor),
-  NBUFFER_CULLER(MaximumNumberOfPieces),
   NBUFFER_CULLER(HierarchySize),
   NBUFFER_CULLER(ObserveAfter),
   NBUFFER_CULLER(TestTrianglesAfter),

@@ -21,7 +21,7 @@ Json::Value MeasureFormats(
       ShowProgress(std::string("depth formats: ") + format.Name);
       std::vector<DepthFrame> frames = { Convert(frame, near, far, far / ratio, format) };
       std::vector<ContenderPointer> contenders;
-      contenders.push_back(MakeFamilyContender(DepthFamily(), 8));
+      contenders.push_back(MakeFamilyContender(DepthFamily()));
       const ContestResult result = RunContest(frames, contenders, repetitions, nullptr).front();
       Json::Value entry;
       entry["ratio"] = Round(ratio);

@@ -76,7 +76,7 @@ struct Way
   void Run(const DepthFrame& frame, const vtkNBufferLevels& levels, Visit&& visit)
   {
     const vtkNBufferClock clock;
-    vtkNBufferOcclusionTest test(frame.Projection, levels, 8);
+    vtkNBufferOcclusionTest test(levels);
     this->Tests = this->Kept = this->Nodes = 0;
     visit(
       [&](const vtkNBufferBox& box)
@@ -89,7 +89,7 @@ struct Way
         vtkNBufferScreenBox screen;
         const vtkNBufferPlacement placement = frame.Projection.Project(box, screen);
         return placement == vtkNBufferPlacement::Outside ||
-          (placement == vtkNBufferPlacement::Inside && test.IsHidden(box, screen));
+          (placement == vtkNBufferPlacement::Inside && test.IsHidden(screen));
       });
     this->Milliseconds.push_back(clock.GetMilliseconds());
     this->Lookups = test.GetLookups();

@@ -19,7 +19,7 @@ using NBufferStudy::DepthFrame;
 /// finished frame.
 std::unordered_set<int> FindHidden(const DepthFrame& frame)
 {
-  const NBufferStudy::ContenderPointer contender = NBufferStudy::MakeModuleContender(4, 8, true);
+  const NBufferStudy::ContenderPointer contender = NBufferStudy::MakeModuleContender(4, true);
   contender->Build(frame);
   std::unordered_set<int> hidden;
   NBufferStudy::ContestCounts counts;

@@ -90,12 +90,12 @@ Json::Value MeasureTable2(const std::vector<DepthFrame>& frames)
           static_cast<double>(NBufferStudy::CountOutlinePixels(frame.Projection, box, screen));
         return pixels.IsHidden(box, screen);
       });
-    vtkNBufferOcclusionTest squares(frame.Projection, levels, 1);
+    vtkNBufferOcclusionTest squares(levels);
     const Tests nb = CountTests(frame, tree,
-      [&](const vtkNBufferBox& box, const vtkNBufferScreenBox& screen, double& tests)
+      [&](const vtkNBufferBox&, const vtkNBufferScreenBox& screen, double& tests)
       {
         const long long before = squares.GetLookups();
-        const bool hidden = squares.IsHidden(box, screen);
+        const bool hidden = squares.IsHidden(screen);
         tests += static_cast<double>(squares.GetLookups() - before);
         return hidden;
       });

@@ -6,7 +6,6 @@
 
 #include "vtkNBufferOcclusionTest.h"
 #include "vtkNBufferPixelTest.h"
-#include "vtkNBufferSplitBox.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -15,11 +14,6 @@ namespace NBufferStudy
 {
 namespace
 {
-std::string AddPieces(const std::string& name, int pieces)
-{
-  return pieces > 1 ? name + " in " + std::to_string(pieces) : name;
-}
-
 float GetDepth(float depth)
 {
   return depth;
@@ -30,16 +24,14 @@ float GetDepth(const PositionedDepth& texel)
   return texel.Depth;
 }
 
-/// A DepthStructure or PositionedLevels; long boxes are cut into pieces.
+/// A DepthStructure or PositionedLevels.
 template <typename Structure>
 class StructureContender : public Contender
 {
 public:
-  StructureContender(const std::string& name, const Structure& levels, int factor, int pieces)
-    : Contender(AddPieces(name, pieces))
+  StructureContender(const std::string& name, const Structure& levels)
+    : Contender(name)
     , Levels(levels)
-    , Factor(factor)
-    , Pieces(pieces)
   {
   }
 
@@ -48,15 +40,10 @@ public:
     this->Levels.Build(frame.Depth.data(), frame.Width, frame.Height);
   }
 
-  bool IsHidden(const DepthFrame& frame, const DepthBox& box, ContestCounts& counts) override
+  bool IsHidden(const DepthFrame&, const DepthBox& box, ContestCounts& counts) override
   {
-    return vtkNBufferSplitBox::AreBehind(frame.Projection, box.Box, box.Screen, this->Pieces,
-      this->Factor,
-      [&](const vtkNBufferScreenBox& screen)
-      {
-        ++counts.Queries;
-        return screen.Nearest > GetDepth(this->Levels.Query(screen.Pixels, counts.Lookups));
-      });
+    ++counts.Queries;
+    return box.Screen.Nearest > GetDepth(this->Levels.Query(box.Screen.Pixels, counts.Lookups));
   }
 
   std::size_t GetNumberOfTexels() const override { return this->Levels.GetNumberOfTexels(); }
@@ -74,13 +61,11 @@ public:
 
 private:
   Structure Levels;
-  int Factor;
-  int Pieces;
 };
 
-std::string GetModuleName(int factor, int pieces, bool testPixels)
+std::string GetModuleName(int factor, bool testPixels)
 {
-  return AddPieces("culler 1/" + std::to_string(factor), pieces) + (testPixels ? " + pixels" : "");
+  return "culler 1/" + std::to_string(factor) + (testPixels ? " + pixels" : "");
 }
 
 /// The order of vtkNBufferDepthTest: the levels that are needed, the levels' word on every box, and
@@ -88,10 +73,9 @@ std::string GetModuleName(int factor, int pieces, bool testPixels)
 class ModuleContender : public Contender
 {
 public:
-  ModuleContender(const std::string& name, int factor, int pieces, bool testLevels, bool testPixels)
+  ModuleContender(const std::string& name, int factor, bool testLevels, bool testPixels)
     : Contender(name)
     , Factor(factor)
-    , Pieces(pieces)
     , TestLevels(testLevels)
     , TestPixels(testPixels)
   {
@@ -112,8 +96,7 @@ public:
     this->Levels.BuildBase(
       frame.Depth.data(), frame.Width, frame.Height, this->Factor, vtkNBufferExtremum::Maximum);
     this->Levels.BuildLevels(levels);
-    this->Occlusion =
-      std::make_unique<vtkNBufferOcclusionTest>(frame.Projection, this->Levels, this->Pieces);
+    this->Occlusion = std::make_unique<vtkNBufferOcclusionTest>(this->Levels);
     this->Pixels = std::make_unique<vtkNBufferPixelTest>(
       frame.Projection, this->Levels, frame.Depth.data(), 0.0);
   }
@@ -122,7 +105,7 @@ public:
   {
     const long long queries = this->Occlusion->GetQueries();
     const long long lookups = this->Occlusion->GetLookups() + this->Pixels->GetLookups();
-    const bool hidden = (this->TestLevels && this->Occlusion->IsHidden(box.Box, box.Screen)) ||
+    const bool hidden = (this->TestLevels && this->Occlusion->IsHidden(box.Screen)) ||
       (this->TestPixels && this->Pixels->IsHidden(box.Box, box.Screen));
     counts.Queries += this->Occlusion->GetQueries() - queries;
     counts.Lookups += this->Occlusion->GetLookups() + this->Pixels->GetLookups() - lookups;
@@ -138,7 +121,6 @@ public:
 
 private:
   int Factor;
-  int Pieces;
   bool TestLevels;
   bool TestPixels;
   vtkNBufferLevels Levels;
@@ -147,45 +129,44 @@ private:
 };
 }
 
-ContenderPointer MakeFamilyContender(const DepthFamily& family, int pieces)
+ContenderPointer MakeFamilyContender(const DepthFamily& family)
 {
   return std::make_unique<StructureContender<DepthStructure>>(
-    family.GetName(), DepthStructure(family), family.Factor, pieces);
+    family.GetName(), DepthStructure(family));
 }
 
-ContenderPointer MakePositionContender(int factor, int pieces)
+ContenderPointer MakePositionContender(int factor)
 {
   return std::make_unique<StructureContender<PositionedLevels>>(
-    "squares x4 1/" + std::to_string(factor) + " with positions", PositionedLevels(factor), factor,
-    pieces);
+    "squares x4 1/" + std::to_string(factor) + " with positions", PositionedLevels(factor));
 }
 
-ContenderPointer MakeModuleContender(int factor, int pieces, bool testPixels)
+ContenderPointer MakeModuleContender(int factor, bool testPixels)
 {
   return std::make_unique<ModuleContender>(
-    GetModuleName(factor, pieces, testPixels), factor, pieces, true, testPixels);
+    GetModuleName(factor, testPixels), factor, true, testPixels);
 }
 
 ContenderPointer MakePixelContender()
 {
-  return std::make_unique<ModuleContender>("outline per pixel", 4, 1, false, true);
+  return std::make_unique<ModuleContender>("outline per pixel", 4, false, true);
 }
 
 std::string GetDefaultName()
 {
-  return GetModuleName(4, 8, true);
+  return GetModuleName(4, true);
 }
 
 std::vector<ContenderPointer> MakeContenders(int width, int height, double megabytes)
 {
   std::vector<ContenderPointer> contenders;
-  const auto add = [&](const DepthFamily& family, int pieces = 1)
+  const auto add = [&](const DepthFamily& family)
   {
     DepthStructure structure(family);
     structure.SetSize(width, height);
     if (static_cast<double>(structure.GetNumberOfTexels()) * sizeof(float) <= megabytes * 1e6)
     {
-      contenders.push_back(MakeFamilyContender(family, pieces));
+      contenders.push_back(MakeFamilyContender(family));
     }
   };
   constexpr DepthGrid windows = DepthGrid::Windows;
@@ -194,7 +175,6 @@ std::vector<ContenderPointer> MakeContenders(int width, int height, double megab
   {
     add({ factor, windows, FullStride, 0, DepthTaps::One, false });
     add({ factor, windows, FullStride, 0, four, false });
-    add({ factor, windows, FullStride, 0, four, false }, 8);
   }
   for (int factor : { 1, 4 })
   {
@@ -203,33 +183,27 @@ std::vector<ContenderPointer> MakeContenders(int width, int height, double megab
     {
       add({ factor, windows, stride, 0, four, false });
     }
-    for (int stride : { 0, 2 })
-    {
-      add({ factor, windows, stride, 0, four, false }, 8);
-    }
     for (DepthGrid mips : { DepthGrid::Mips, DepthGrid::FatMips })
     {
       add({ factor, mips, FullStride, 0, DepthTaps::TwoByTwo, false });
       add({ factor, mips, FullStride, 0, DepthTaps::FourByFour, false });
     }
-    add({ factor, DepthGrid::Mips, FullStride, 0, DepthTaps::FourByFour, false }, 8);
     for (int band : { 1, 2 })
     {
       add({ factor, windows, FullStride, band, four, false });
     }
     add({ factor, windows, 2, AllShapes, four, false });
-    contenders.push_back(MakePositionContender(factor, 1));
+    contenders.push_back(MakePositionContender(factor));
   }
   for (int factor : { 4, 8, 16 })
   {
     add({ factor, windows, FullStride, AllShapes, four, false });
-    add({ factor, windows, FullStride, AllShapes, four, false }, 8);
     add({ factor, windows, FullStride, 0, DepthTaps::All, false });
   }
   for (int factor : { 2, 4, 8 })
   {
-    contenders.push_back(MakeModuleContender(factor, 8, false));
-    contenders.push_back(MakeModuleContender(factor, 8, true));
+    contenders.push_back(MakeModuleContender(factor, false));
+    contenders.push_back(MakeModuleContender(factor, true));
   }
   contenders.push_back(MakePixelContender());
   return contenders;

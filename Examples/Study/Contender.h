@@ -4,8 +4,7 @@
  * @file Contender.h
  * @brief Ways to find which boxes of a frame are hidden, all behind one interface.
  *
- *     family    a DepthStructure; long boxes are cut into up to `pieces` pieces
- *               (vtkNBufferSplitBox.h)
+ *     family    a DepthStructure
  *     position  PositionedLevels, which also find the pixel that keeps a box visible
  *     module    the test of vtkNBufferCuller with the same settings; it builds only the levels that
  *               it needs, with or without the second test of the pixels
@@ -65,9 +64,9 @@ using ContenderPointer = std::unique_ptr<Contender>;
 
 ///@{
 /// Make a contender of each kind.
-ContenderPointer MakeFamilyContender(const DepthFamily& family, int pieces);
-ContenderPointer MakePositionContender(int factor, int pieces);
-ContenderPointer MakeModuleContender(int factor, int pieces, bool testPixels);
+ContenderPointer MakeFamilyContender(const DepthFamily& family);
+ContenderPointer MakePositionContender(int factor);
+ContenderPointer MakeModuleContender(int factor, bool testPixels);
 ContenderPointer MakePixelContender();
 ///@}
 

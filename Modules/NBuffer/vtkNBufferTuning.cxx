@@ -13,7 +13,7 @@ bool vtkNBufferTuning::operator==(const vtkNBufferTuning& other) const
   const auto tie = [](const vtkNBufferTuning& t)
   {
     return std::tie(t.BaseFactor, t.MinimumNumberOfCandidates, t.MaximumNumberOfRounds, t.RoundSize,
-      t.HierarchySize, t.ObserveAfter, t.MaximumNumberOfPieces, t.TestPixels, t.TestTrianglesAfter,
+      t.HierarchySize, t.ObserveAfter, t.TestPixels, t.TestTrianglesAfter,
       t.AllowFloatTextures, t.ReuseWhenStill, t.BackOff, t.TakeOverFrustumCulling);
   };
   return tie(*this) == tie(other);
@@ -42,7 +42,6 @@ std::string vtkNBufferTuning::FindFault() const
     { "HierarchySize", this->HierarchySize, 0, VTK_INT_MAX },
     { "ObserveAfter", this->ObserveAfter, 0, VTK_INT_MAX },
     { "TestTrianglesAfter", this->TestTrianglesAfter, 0, VTK_INT_MAX },
-    { "MaximumNumberOfPieces", this->MaximumNumberOfPieces, 1, 8 },
   };
   for (const Range& range : ranges)
   {
@@ -63,7 +62,6 @@ void vtkNBufferTuning::PrintSelf(ostream& os, vtkIndent indent) const
   os << indent << "RoundSize: " << this->RoundSize << "\n";
   os << indent << "HierarchySize: " << this->HierarchySize << "\n";
   os << indent << "ObserveAfter: " << this->ObserveAfter << "\n";
-  os << indent << "MaximumNumberOfPieces: " << this->MaximumNumberOfPieces << "\n";
   os << indent << "TestPixels: " << this->TestPixels << "\n";
   os << indent << "TestTrianglesAfter: " << this->TestTrianglesAfter << "\n";
   os << indent << "AllowFloatTextures: " << this->AllowFloatTextures << "\n";

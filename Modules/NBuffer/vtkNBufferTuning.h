@@ -58,13 +58,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   /// (vtkNBufferMeshes::FindSmall); 0 means never. Needs TestPixels.
   int TestTrianglesAfter = 8;
 
-  /// A long box that is not hidden as a whole is cut into at most this many pieces, each of which
-  /// has its own rectangle and nearest depth; 1 to 8.
-  int MaximumNumberOfPieces = 8;
-
   /// Where the levels do not hide a box, its pixels are compared one by one (vtkNBufferPixelTest).
-  /// The OpenGL back-end reads the whole depth image back for that, once many props are in doubt;
-  /// with multisampling there is no such image.
+  /// The OpenGL back-end reads the whole depth image back for that, once many props are in doubt.
   bool TestPixels = true;
 
   /// The device may draw into float textures, which the OpenGL back-end and multisampling need.

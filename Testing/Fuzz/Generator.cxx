@@ -56,7 +56,6 @@ void MakeCuller(Writer& writer)
   culler.MinimumNumberOfCandidates = writer.Chance(0.1) ? writer.Integer(1, 40) : 1;
   culler.MaximumNumberOfRounds = writer.Integer(1, 8);
   culler.RoundSize = writer.Any({ 1, 2, 4, 8, 12, 64 });
-  culler.MaximumNumberOfPieces = writer.Any({ 1, 3, 8, 8 });
   // Not drawn, so that the rest of a scenario stays what it was for its seed. The default is larger
   // than any of these scenes.
   culler.HierarchySize = writer.Scene.Seed % 3 == 0 ? culler.HierarchySize : 0;

@@ -50,7 +50,7 @@ MUTANTS = {
         (HIERARCHY, "this->High = glm::max(this->High, high);",
          "this->High = glm::max(this->High, low);")],
     "held-back props below visible nodes of the hierarchy count as hidden": [
-        (CANDIDATE_TREE, "!test.IsHidden(node.Box, screen))", "false)")],
+        (CANDIDATE_TREE, "!test.IsHidden(screen))", "false)")],
 
     # Triangles.
     "only one triangle of a mesh looked at": [
@@ -84,9 +84,6 @@ MUTANTS = {
     "pixel test one column short": [
         ("vtkNBufferPixelTest.cxx", "column < std::min(x + Side, pixels.X1)",
          "column < std::min(x + Side, pixels.X1 - 1)")],
-    "the last piece of a long box not tested": [
-        ("vtkNBufferSplitBox.h", "for (int i = 0; i < pieces; ++i)",
-         "for (int i = 0; i < pieces - 1; ++i)")],
     "one round too many (>= turned to >)": [
         (VIEW, "this->Statistics.Rounds >= this->Settings.MaximumNumberOfRounds",
          "this->Statistics.Rounds > this->Settings.MaximumNumberOfRounds")],
@@ -100,8 +97,8 @@ MUTANTS = {
          "if (!source.Read(window, viewport[0], viewport[1],", "if (!source.Read(window, 0, 0,")],
     "viewport's origin ignored on the device": [
         ("vtkNBufferBackend.cxx",
-         "this->Texture->Build(job.Window, job.Source, viewport[0], viewport[1], viewport[2],",
-         "this->Texture->Build(job.Window, job.Source, 0, 0, viewport[2],")],
+         "texture->Build(job.Window, job.Source, viewport[0], viewport[1], viewport[2], viewport[3],",
+         "texture->Build(job.Window, job.Source, 0, 0, viewport[2], viewport[3],")],
 
     # The near plane.
     "crossing the near plane or the eye counts as inside": [

@@ -310,8 +310,6 @@ const Setting Settings[] = {
       o.Tuning.MaximumNumberOfRounds = 8;
       o.Tuning.RoundSize = 4;
     } },
-  { "OnePiece", [](ComparisonOptions& o) { o.Tuning.MaximumNumberOfPieces = 1; } },
-  { "ThreePieces", [](ComparisonOptions& o) { o.Tuning.MaximumNumberOfPieces = 3; } },
   { "NoPixels", [](ComparisonOptions& o) { o.Tuning.TestPixels = false; } },
   { "NoSlivers", [](ComparisonOptions&) {} },
   { "Slivers", [](ComparisonOptions&) {}, vtkNBufferCuller::Always },
@@ -421,8 +419,6 @@ TEST(CullerBasics, TuningsOutOfRangeAreRefused)
     "1 to 4194303", { 1, 64, most / 512 }, { 0, -1, most / 512 + 1, most, least });
   CheckRange(culler.Get(), &vtkNBufferTuning::TestPixels, &vtkNBufferTuning::HierarchySize,
     "HierarchySize", "0 to 2147483647", { 0, 10000, most }, { -1, least });
-  CheckRange(culler.Get(), &vtkNBufferTuning::TestPixels, &vtkNBufferTuning::MaximumNumberOfPieces,
-    "MaximumNumberOfPieces", "1 to 8", { 1, 8 }, { 0, -1, 9, most, least });
 
   vtkNew<vtkShadowVolumeClampPass> pass;
   CheckRange(pass.Get(), &vtkShadowTuning::CountFragments, &vtkShadowTuning::LitmapResolution,
@@ -465,7 +461,7 @@ TEST(CullerBasics, QuestionsBeforeTheFirstFrame)
   std::ostringstream text;
   culler->Print(text);
   for (const char* field : { "Enabled", "Backend", "BaseFactor", "MinimumNumberOfCandidates",
-         "MaximumNumberOfRounds", "RoundSize", "MaximumNumberOfPieces", "ReuseWhenStill", "BackOff",
+         "MaximumNumberOfRounds", "RoundSize", "ReuseWhenStill", "BackOff",
          "TakeOverFrustumCulling", "TestPixels", "TestSlivers", "Freeze" })
   {
     EXPECT_NE(text.str().find(field), std::string::npos) << field;

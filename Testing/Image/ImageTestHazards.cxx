@@ -76,37 +76,41 @@ TEST(CullerHazards, OneHundredThousandSpecks)
 }
 
 // Hazard: long props, the whole of whose nearest depth is that of one end.
-TEST(CullerHazards, LongPropsAreTestedInPieces)
+TEST(CullerHazards, LongPropsAreHiddenPixelByPixel)
 {
-  int hidden[2] = { 0, 0 };
-  for (int pieces : { 1, 8 })
+  for (const int samples : { 0, 4 })
   {
-    ComparisonOptions options;
-    options.Tuning.MaximumNumberOfPieces = pieces;
-    Comparison comparison(
-      [](Stage& stage)
-      {
-        // A corridor wall that recedes, and rails behind it that recede with it.
-        Scenes::AddBox(stage, -1.0, 0.0, -20.0, 0.1, 6.0, 50.0);
-        for (int i = 0; i < 60; ++i)
-        {
-          Scenes::AddBox(stage, -1.6 - 0.02 * i, 0.05 * i - 1.5, -22.0, 0.02, 0.02, 44.0);
-        }
-        stage.GetRenderer()->GetActiveCamera()->SetViewAngle(60.0);
-        stage.GetRenderer()->GetActiveCamera()->SetFocalPoint(-0.5, 0.0, -20.0);
-      },
-      options);
-    for (int i = 0; i < 3; ++i)
+    int hidden[2] = { 0, 0 };
+    for (const bool testPixels : { false, true })
     {
-      comparison.Frame(
-        [i](Stage& stage)
+      ComparisonOptions options;
+      options.MultiSamples = samples;
+      options.Tuning.TestPixels = testPixels;
+      Comparison comparison(
+        [](Stage& stage)
         {
-          stage.GetRenderer()->GetActiveCamera()->SetPosition(1.0 + 0.1 * i, 0.0, 4.0);
-          stage.GetRenderer()->ResetCameraClippingRange();
-        });
+          // A corridor wall that recedes, and rails behind it that recede with it.
+          Scenes::AddBox(stage, -1.0, 0.0, -20.0, 0.1, 6.0, 50.0);
+          for (int i = 0; i < 60; ++i)
+          {
+            Scenes::AddBox(stage, -1.6 - 0.02 * i, 0.05 * i - 1.5, -22.0, 0.02, 0.02, 44.0);
+          }
+          stage.GetRenderer()->GetActiveCamera()->SetViewAngle(60.0);
+          stage.GetRenderer()->GetActiveCamera()->SetFocalPoint(-0.5, 0.0, -20.0);
+        },
+        options);
+      for (int i = 0; i < 3; ++i)
+      {
+        comparison.Frame(
+          [i](Stage& stage)
+          {
+            stage.GetRenderer()->GetActiveCamera()->SetPosition(1.0 + 0.1 * i, 0.0, 4.0);
+            stage.GetRenderer()->ResetCameraClippingRange();
+          });
+      }
+      hidden[testPixels] = comparison.GetHidden();
     }
-    hidden[pieces > 1] = comparison.GetHidden();
+    EXPECT_LT(hidden[0], 20) << "the test would show nothing, samples: " << samples;
+    EXPECT_GT(hidden[1], 20) << "pixel by pixel nearly all are behind the wall: " << samples;
   }
-  EXPECT_GE(hidden[1], hidden[0]);
-  EXPECT_GT(hidden[1], 20) << "cut in pieces nearly all of them are behind the wall";
 }

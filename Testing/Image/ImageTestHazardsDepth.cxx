@@ -128,8 +128,9 @@ TEST_P(CullerDepthFormats, LadderOfDistances)
           const double y = 32.0 * static_cast<double>(i / 10) + 2.0;
           const double z = Top - gaps[i] * Range;
           AddQuad(stage, x, y, x + 25.0, y + 28.0, Top);
-          AddQuad(stage, x + 2.0, y + 2.0, x + 11.0, y + 25.0, z);            // flat
-          Scenes::AddBox(stage, x + 18.5, y + 13.5, z - 1.0, 9.0, 23.0, 2.0); // 1/100 deep
+          // Of squares the levels look at little more than their rectangle.
+          AddQuad(stage, x + 2.0, y + 10.0, x + 11.0, y + 19.0, z);          // flat
+          Scenes::AddBox(stage, x + 18.5, y + 14.5, z - 1.0, 9.0, 9.0, 2.0); // 1/100 deep
         }
         Scenes::SetPixelCamera(stage.GetRenderer(), Width, Height);
       },

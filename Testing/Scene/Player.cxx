@@ -196,7 +196,6 @@ void Player::AddCullers()
         culler, &vtkNBufferTuning::MinimumNumberOfCandidates, settings.MinimumNumberOfCandidates);
       Tune(culler, &vtkNBufferTuning::MaximumNumberOfRounds, settings.MaximumNumberOfRounds);
       Tune(culler, &vtkNBufferTuning::RoundSize, settings.RoundSize);
-      Tune(culler, &vtkNBufferTuning::MaximumNumberOfPieces, settings.MaximumNumberOfPieces);
       Tune(culler, &vtkNBufferTuning::HierarchySize, settings.HierarchySize);
       Tune(culler, &vtkNBufferTuning::ObserveAfter, settings.ObserveAfter);
       Tune(culler, &vtkNBufferTuning::TestTrianglesAfter, settings.TestTrianglesAfter);

@@ -274,6 +274,10 @@ Json::Value ReplaceRetired(const Json::Value& value)
     shadows.removeMember("scissor");
     shadows.removeMember("skip_unlit_receivers");
   }
+  if (result.isMember("culler") && result["culler"].isObject())
+  {
+    result["culler"].removeMember("maximum_number_of_pieces");
+  }
   if (result.isMember("changes") && result["changes"].isArray())
   {
     Json::Value changes(Json::arrayValue);

@@ -89,7 +89,6 @@ struct Culler
   int MinimumNumberOfCandidates = 1;
   int MaximumNumberOfRounds = 6;
   int RoundSize = 8;
-  int MaximumNumberOfPieces = 8;
   int HierarchySize = 10000;
   int ObserveAfter = 60;
   int TestTrianglesAfter = 8;
@@ -99,9 +98,8 @@ struct Culler
   bool BackOff = false;
 
   NBUFFER_SCENE_MEMBERS(DefaultCuller, OnePerRenderer, AddedInFrame, Backend, BaseFactor,
-    MinimumNumberOfCandidates, MaximumNumberOfRounds, RoundSize, MaximumNumberOfPieces,
-    HierarchySize, ObserveAfter, TestTrianglesAfter, TestPixels, TestSlivers, ReuseWhenStill,
-    BackOff);
+    MinimumNumberOfCandidates, MaximumNumberOfRounds, RoundSize, HierarchySize, ObserveAfter,
+    TestTrianglesAfter, TestPixels, TestSlivers, ReuseWhenStill, BackOff);
 };
 }
 

@@ -114,7 +114,7 @@ TEST(StudyFormats, NothingVisibleIsHiddenByRounding)
       std::vector<DepthFrame> frames = { Convert(frame, 1.0, 1000.0, near, format) };
       EXPECT_EQ(frames.front().Boxes.size(), frame.Boxes.size());
       std::vector<ContenderPointer> contenders;
-      contenders.push_back(MakeFamilyContender(DepthFamily(), 1));
+      contenders.push_back(MakeFamilyContender(DepthFamily()));
       const ContestResult result = RunContest(frames, contenders, 1, nullptr).front();
       EXPECT_EQ(result.FalseHidden, 0) << format.Name << ", near " << near;
       EXPECT_TRUE(result.FalseVisible == 0 || near != 1.0 || format.Bits == 16) << format.Name;

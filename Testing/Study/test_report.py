@@ -68,10 +68,10 @@ class Figures(unittest.TestCase):
             self.assertTrue((points["loss"] >= points["total_ms.median"] - 1e-9).all())
         self.assertEqual(
             [tables.group_of(name) for name in (
-                "culler 1/4 in 8 + pixels", "outline per pixel", "squares x4 1/4",
-                "squares x4 1/4 in 8", "squares s=2 x4 1/4", "squares x1 1/4", "fat mips 2x2 1/4",
+                "culler 1/4 + pixels", "outline per pixel", "squares x4 1/4",
+                "squares s=2 x4 1/4", "squares x1 1/4", "fat mips 2x2 1/4",
                 "one level 1/8", "rectangles band 1 x4 1/4", "squares x4 1/4 with positions")],
-            ["culler", "outline", "four squares", "squares in pieces", "strided", "one square",
+            ["culler", "outline", "four squares", "strided", "one square",
              "mips", "one level", "rectangles", "positions"])
 
     def test_cost_of_a_prop(self):

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which triangles of hidden meshes may be drawn before their box, and what pieces of a box allow.
+// Which triangles of hidden meshes may be drawn before their box.
 #include "ProjectedBox.h"
 #include "vtkNBufferSliverTest.h"
-#include "vtkNBufferSplitBox.h"
 #include "vtkNBufferSurface.h"
 
 #include <gtest/gtest.h>
@@ -129,32 +128,4 @@ TEST_F(Slivers, ThroughAHole)
   this->Levels.BuildBase(this->Depth.data(), Width, Height, 4, vtkNBufferExtremum::Maximum);
   EXPECT_TRUE(this->MayBeSeen(MakeLow(20.5, 0.005, 0.8, 0.8, 0.85)));
   EXPECT_FALSE(this->MayBeSeen(MakeLow(30.5, 0.005, 0.8, 0.8, 0.85)));
-}
-
-// Hazard: a piece of a box allows for triangles that are as deep as the piece only. One of the
-// whole box may have its whole depth over the smallest height.
-TEST_F(Slivers, PiecesAllowForTheWholeBox)
-{
-  // Depth grows along x, so that each piece is an eighth as deep.
-  const double worldToClip[16] = { 2.0 / Width, 0, 0, -1, 0, 2.0 / Height, 0, -1, 2.0 * 0.6 / 80, 0,
-    0, 2.0 * 0.125 - 1.0, 0, 0, 0, 1 };
-  vtkNBufferProjection projection;
-  projection.Set(worldToClip, Width, Height, 0x1p-24);
-  const ProjectedBox box(projection, { 10, 90, 20, 21, 0.2, 0.8 });
-  ASSERT_TRUE(box.IsInside());
-  EXPECT_NEAR(box.Screen.DepthRange, 0.6, 1e-5);
-  int pieces = 0;
-  vtkNBufferSplitBox::AreBehind(projection, box.Box, box.Screen, 8, 4,
-    [&](const vtkNBufferScreenBox& part)
-    {
-      if (pieces++ == 0)
-      {
-        return false; // the whole box
-      }
-      const double x = 10.0 + 10.0 * (pieces - 2);
-      const double exact = 0.125 + 0.6 / 80 * x;
-      EXPECT_NEAR(part.Nearest, exact - 0.6 * 16 / 362, 1e-3) << pieces;
-      return true;
-    });
-  EXPECT_EQ(pieces, 9);
 }

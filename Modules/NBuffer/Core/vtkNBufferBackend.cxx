@@ -74,9 +74,8 @@ vtkNBufferDecision vtkNBufferBackend::Build(Kind wanted, const Job& job, std::st
     glFinish();
   }
   const vtkNBufferClock clock;
-  vtkNBufferDecision failure = this->InUse == OpenGL
-    ? this->BuildOnDevice(job, job.NumberOfLevels, why)
-    : this->BuildOnHost(job, why);
+  vtkNBufferDecision failure =
+    this->InUse == OpenGL ? BuildOnDevice(this->Texture, job, why) : this->BuildOnHost(job, why);
   if (failure != vtkNBufferDecision::None && this->InUse == OpenGL && wanted == Auto)
   {
     this->InUse = CPU;
@@ -123,84 +122,82 @@ bool vtkNBufferBackend::DrawsOrdinaryDepth(const vtkNBufferDepthSource& source)
     source.DefaultDepthRange;
 }
 
-vtkNBufferDecision vtkNBufferBackend::BuildOnDevice(const Job& job, int levels, std::string& why)
+vtkNBufferDecision vtkNBufferBackend::BuildOnDevice(
+  vtkNBufferTexture* texture, const Job& job, std::string& why)
 {
   vtkNBufferClock clock;
   const int* viewport = job.Source.Viewport;
   vtkNBufferStatistics& statistics = job.Statistics;
-  if (!this->Texture->Build(job.Window, job.Source, viewport[0], viewport[1], viewport[2],
-        viewport[3], job.Factor, levels, vtkNBufferDepthConvention::Farthest))
+  if (!texture->Build(job.Window, job.Source, viewport[0], viewport[1], viewport[2], viewport[3],
+        job.Factor, job.NumberOfLevels, vtkNBufferDepthConvention::Farthest))
   {
-    why = this->Texture->GetError();
-    return this->Texture->LacksFloatTextures() ? vtkNBufferDecision::NoFloatTextures
-                                               : vtkNBufferDecision::NoDepth;
+    why = texture->GetError();
+    return texture->LacksFloatTextures() ? vtkNBufferDecision::NoFloatTextures
+                                         : vtkNBufferDecision::NoDepth;
   }
   statistics.BuildTime += clock.Restart();
-  if (!this->Texture->Download(job.Window, job.Levels))
+  if (!texture->Download(job.Window, job.Levels))
   {
-    why = this->Texture->GetError();
+    why = texture->GetError();
     return vtkNBufferDecision::NoDepth;
   }
   statistics.ReadTime += clock.GetMilliseconds();
   ++statistics.ReadBacks;
   statistics.BytesRead += static_cast<long long>(sizeof(float)) * job.Levels.GetNumberOfLevels() *
     job.Levels.GetWidth() * job.Levels.GetHeight();
-  statistics.DeviceBuildTime = this->Texture->GetDeviceTime();
+  statistics.DeviceBuildTime = texture->GetDeviceTime();
   return vtkNBufferDecision::None;
 }
 
-bool vtkNBufferBackend::ReadDepth(vtkOpenGLRenderWindow* window,
+vtkNBufferDecision vtkNBufferBackend::ReadDepth(vtkOpenGLRenderWindow* window,
   const vtkNBufferDepthSource& source, vtkNBufferStatistics& statistics, std::string& why)
 {
-  const vtkNBufferClock clock;
   const int* viewport = source.Viewport;
+  if (source.Samples > 1)
+  {
+    // Samples cannot be read: the device reduces them to the farthest one of each pixel.
+    vtkNBufferLevels farthest;
+    const vtkNBufferDecision failure =
+      BuildOnDevice(this->Farthest, { window, source, 1, 1, farthest, statistics }, why);
+    if (failure == vtkNBufferDecision::None)
+    {
+      const float* texels = farthest.GetLevelData(0);
+      this->Depth.assign(texels, texels + static_cast<std::size_t>(viewport[2]) * viewport[3]);
+    }
+    return failure;
+  }
+  const vtkNBufferClock clock;
   if (!source.Read(window, viewport[0], viewport[1], viewport[2], viewport[3], this->Depth, why,
         vtkNBufferDepthConvention::Farthest))
   {
     this->Depth.clear();
-    return false;
+    return vtkNBufferDecision::NoDepth;
   }
   statistics.ReadTime += clock.GetMilliseconds();
   ++statistics.ReadBacks;
   statistics.BytesRead += static_cast<long long>(sizeof(float)) * viewport[2] * viewport[3];
-  return true;
+  return vtkNBufferDecision::None;
 }
 
 const float* vtkNBufferBackend::GetDepth(vtkOpenGLRenderWindow* window,
   const vtkNBufferDepthSource& source, vtkNBufferStatistics& statistics)
 {
   std::string why;
-  if (this->Depth.empty() &&
-    (source.Samples > 1 || !this->ReadDepth(window, source, statistics, why)))
-  {
-    return nullptr;
-  }
-  return this->Depth.data();
+  const bool known = !this->Depth.empty() ||
+    this->ReadDepth(window, source, statistics, why) == vtkNBufferDecision::None;
+  return known ? this->Depth.data() : nullptr;
 }
 
 vtkNBufferDecision vtkNBufferBackend::BuildOnHost(const Job& job, std::string& why)
 {
-  if (job.Source.Samples > 1)
+  const vtkNBufferDecision failure = this->ReadDepth(job.Window, job.Source, job.Statistics, why);
+  if (failure != vtkNBufferDecision::None)
   {
-    // Samples cannot be read; the device reduces them to level 0.
-    const vtkNBufferDecision failure = this->BuildOnDevice(job, 1, why);
-    if (failure != vtkNBufferDecision::None)
-    {
-      return failure;
-    }
-  }
-  else
-  {
-    if (!this->ReadDepth(job.Window, job.Source, job.Statistics, why))
-    {
-      return vtkNBufferDecision::NoDepth;
-    }
-    const vtkNBufferClock clock;
-    job.Levels.BuildBase(this->Depth.data(), job.Source.Viewport[2], job.Source.Viewport[3],
-      job.Factor, vtkNBufferDepthConvention::Farthest);
-    job.Statistics.BuildTime += clock.GetMilliseconds();
+    return failure;
   }
   const vtkNBufferClock clock;
+  job.Levels.BuildBase(this->Depth.data(), job.Source.Viewport[2], job.Source.Viewport[3],
+    job.Factor, vtkNBufferDepthConvention::Farthest);
   job.Levels.BuildLevels(job.NumberOfLevels);
   job.Statistics.BuildTime += clock.GetMilliseconds();
   return vtkNBufferDecision::None;

@@ -60,9 +60,9 @@ public:
   vtkNBufferDecision Build(Kind wanted, const Job& job, std::string& why);
 
   /**
-   * The whole depth image from which the last levels were built, width * height of the viewport,
-   * or nullptr if there is none (multisampling). On the CPU path it is there already; on the
-   * OpenGL path it is read now, which must be before anything else is drawn.
+   * The whole depth image from which the last levels were built, width * height of the viewport: of
+   * each pixel the farthest sample; or nullptr if it cannot be read. On the CPU path it is there
+   * already; on the OpenGL path it is read now, which must be before anything else is drawn.
    */
   const float* GetDepth(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
     vtkNBufferStatistics& statistics);
@@ -75,7 +75,11 @@ public:
   static bool DrawsOrdinaryDepth(const vtkNBufferDepthSource& source);
 
   /// See vtkNBufferTexture.
-  void SetAllowFloatTextures(bool allow) { this->Texture->SetAllowFloatTextures(allow); }
+  void SetAllowFloatTextures(bool allow)
+  {
+    this->Texture->SetAllowFloatTextures(allow);
+    this->Farthest->SetAllowFloatTextures(allow);
+  }
 
   ///@{
   /// Count a frame that is drawn whole because of `failure`. True for the first failure of its
@@ -91,13 +95,15 @@ private:
   Kind Choose(Kind wanted, vtkOpenGLRenderWindow* window);
   void Settle(Kind kind, const std::string& reason);
   void RecordTrial(double milliseconds);
-  vtkNBufferDecision BuildOnDevice(const Job& job, int levels, std::string& why);
+  static vtkNBufferDecision BuildOnDevice(
+    vtkNBufferTexture* texture, const Job& job, std::string& why);
   vtkNBufferDecision BuildOnHost(const Job& job, std::string& why);
-  bool ReadDepth(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
+  vtkNBufferDecision ReadDepth(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
     vtkNBufferStatistics& statistics, std::string& why);
 
   vtkNew<vtkNBufferTexture> Texture;
-  std::vector<float> Depth; ///< The whole image; empty if the last build did not read it.
+  vtkNew<vtkNBufferTexture> Farthest; ///< The farthest sample of each pixel.
+  std::vector<float> Depth;           ///< The whole image; empty if the last build did not read it.
   Kind InUse = Auto;
   std::string Reason = "nothing built yet";
   ///@{

@@ -187,7 +187,7 @@ void vtkNBufferCandidateTree::MarkHidden(
     ++this->Done.Nodes;
     vtkNBufferScreenBox screen;
     if (this->Projection->Project(node.Box, screen) != vtkNBufferPlacement::Inside ||
-      !test.IsHidden(node.Box, screen))
+      !test.IsHidden(screen))
     {
       return true;
     }

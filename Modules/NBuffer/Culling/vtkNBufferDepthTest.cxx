@@ -119,24 +119,28 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
 {
   const std::vector<int> tested = this->TestsSlivers() ? places : std::vector<int>();
   // GetScreen() makes the rectangle, which only a candidate that is Inside has.
-  const auto isHiddenBy = [this](int i, auto& test)
+  const auto getScreen = [this](int i)
   {
     const vtkNBufferScreenBox& screen = this->Props.GetScreen(i);
-    return this->Props.GetState(i).Placement == vtkNBufferPlacement::Inside &&
-      test.IsHidden(this->Props.GetBox(i), screen);
+    return this->Props.GetState(i).Placement == vtkNBufferPlacement::Inside ? &screen : nullptr;
   };
 
   vtkNBufferClock clock;
-  // Testing the children of a node is cheaper than testing pieces of the node.
-  vtkNBufferOcclusionTest nodeTest(this->Projection, this->Levels, 1, this->SampleDistance);
-  this->Props.MarkHidden(nodeTest);
-  vtkNBufferOcclusionTest test(
-    this->Projection, this->Levels, this->Settings.MaximumNumberOfPieces, this->SampleDistance);
+  vtkNBufferOcclusionTest test(this->Levels, this->SampleDistance);
+  this->Props.MarkHidden(test);
   places.erase(std::remove_if(places.begin(), places.end(),
-                 [&](int i) { return this->Props.GetState(i).Behind || isHiddenBy(i, test); }),
+                 [&](int i)
+                 {
+                   if (this->Props.GetState(i).Behind)
+                   {
+                     return true;
+                   }
+                   const vtkNBufferScreenBox* screen = getScreen(i);
+                   return screen && test.IsHidden(*screen);
+                 }),
     places.end());
-  this->Statistics.Queries += test.GetQueries() + nodeTest.GetQueries();
-  this->Statistics.Lookups += test.GetLookups() + nodeTest.GetLookups();
+  this->Statistics.Queries += test.GetQueries();
+  this->Statistics.Lookups += test.GetLookups();
   const auto passed = static_cast<int>(places.size());
   this->Statistics.TestTime += clock.Restart();
 
@@ -144,8 +148,12 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
   {
     clock.Restart();
     vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth, this->SampleDistance);
-    places.erase(
-      std::remove_if(places.begin(), places.end(), [&](int i) { return isHiddenBy(i, pixelTest); }),
+    places.erase(std::remove_if(places.begin(), places.end(),
+                   [&](int i)
+                   {
+                     const vtkNBufferScreenBox* screen = getScreen(i);
+                     return screen && pixelTest.IsHidden(this->Props.GetBox(i), *screen);
+                   }),
       places.end());
     if (this->Settings.TestTrianglesAfter > 0)
     {

@@ -58,9 +58,6 @@
  *
  *     slack = 2 quantum + 4 u + (2^-8.5 + 8 u n) R / t,   t = 1/16 pixel
  *
- * A piece of a box shows triangles of the whole box: R remains that of the whole box
- * (vtkNBufferProjection::SetPiece).
- *
  * Triangles lower than 1/16 pixel are not covered. Few of them own a sample, but such a rasteriser
  * may give these samples any depth. vtkNBufferSliverTest looks at such triangles one by one.
  * docs/precision.md compares this slack with the largest errors found for each format and

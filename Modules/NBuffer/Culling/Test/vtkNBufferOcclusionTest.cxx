@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferOcclusionTest.h"
 
-#include "vtkNBufferSplitBox.h"
+#include "vtkNBufferDepthConvention.h"
 
 VTK_ABI_NAMESPACE_BEGIN
-vtkNBufferOcclusionTest::vtkNBufferOcclusionTest(const vtkNBufferProjection& projection,
-  const vtkNBufferLevels& levels, int maximumPieces, double sampleDistance)
-  : Projection(projection)
-  , Levels(levels)
-  , MaximumPieces(maximumPieces)
+vtkNBufferOcclusionTest::vtkNBufferOcclusionTest(
+  const vtkNBufferLevels& levels, double sampleDistance)
+  : Levels(levels)
   , SampleDistance(sampleDistance)
 {
 }
@@ -20,7 +18,7 @@ int vtkNBufferOcclusionTest::GetLevelsNeeded(const vtkNBufferRectangle& pixels, 
   return vtkNBufferMath::GetLevelForFourLookups(texels.GetWidth(), texels.GetHeight()) + 1;
 }
 
-bool vtkNBufferOcclusionTest::IsBehind(const vtkNBufferScreenBox& screen)
+bool vtkNBufferOcclusionTest::IsHidden(const vtkNBufferScreenBox& screen)
 {
   const vtkNBufferRectangle& pixels = screen.GetSampled(this->SampleDistance);
   if (pixels.IsEmpty())
@@ -37,12 +35,5 @@ bool vtkNBufferOcclusionTest::IsBehind(const vtkNBufferScreenBox& screen)
   ++this->Queries;
   this->Lookups += cover.Count;
   return screen.Nearest > vtkNBufferDepthConvention::GetOrder(this->Levels.Query(cover));
-}
-
-bool vtkNBufferOcclusionTest::IsHidden(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)
-{
-  return vtkNBufferSplitBox::AreBehind(this->Projection, box, screen, this->MaximumPieces,
-    this->Levels.GetFactor(),
-    [this](const vtkNBufferScreenBox& part) { return this->IsBehind(part); });
 }
 VTK_ABI_NAMESPACE_END

@@ -5,18 +5,16 @@
  * @brief Whether a box lies behind what has been drawn. No OpenGL.
  *
  * A box is hidden if its nearest depth is farther than the farthest depth drawn in its rectangle
- * (Decoret 2005, section 3.1), which takes at most four lookups. If that test says visible and the
- * box is long on the screen, the box is cut along its longest axis, and each piece is tested with
- * its own rectangle and nearest depth (vtkNBufferSplitBox.h). One nearest depth for the whole
- * length is the main reason why four lookups keep props that an exact test would find hidden.
- * Cutting halves the props kept in scenes of pipes, halls and streets.
+ * (Decoret 2005, section 3.1), which takes at most four lookups. One nearest depth for the whole
+ * box is the main reason why four lookups keep props that an exact test would find hidden, long
+ * ones above all: vtkNBufferPixelTest follows the faces of those that are left.
  */
 #ifndef vtkNBufferOcclusionTest_h
 #define vtkNBufferOcclusionTest_h
 
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferModule.h" // For export macro
-#include "vtkNBufferProjection.h"
+#include "vtkNBufferScreenBox.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -24,20 +22,16 @@ class VTKNBUFFER_EXPORT vtkNBufferOcclusionTest
 {
 public:
   /**
-   * `projection` and `levels` are kept by reference and must outlive the test. The levels hold the
-   * farthest stored depths of the projection's viewport (vtkNBufferDepthConvention::Farthest). A
-   * box that needs a level that was not built (GetLevelsNeeded) counts as visible. A box is cut
-   * into at most `maximumPieces` pieces. `sampleDistance` is how far from the middle of its pixel a
-   * sample may be in x and in y: 0, or 0.5 pixels with multisampling or smoothed polygons.
+   * `levels` are kept by reference and must outlive the test. They hold the farthest stored depths
+   * of a viewport (vtkNBufferDepthConvention::Farthest). A box that needs a level that was not
+   * built (GetLevelsNeeded) counts as visible. `sampleDistance` is how far from the middle of its
+   * pixel a sample may be in x and in y: 0, or 0.5 pixels with multisampling or smoothed polygons.
    */
-  vtkNBufferOcclusionTest(const vtkNBufferProjection& projection, const vtkNBufferLevels& levels,
-    int maximumPieces, double sampleDistance = 0.5);
+  explicit vtkNBufferOcclusionTest(const vtkNBufferLevels& levels, double sampleDistance = 0.5);
 
-  /**
-   * True only if nothing of the box can be seen. `screen` is what projection.Project() gave for the
-   * box.
-   */
-  bool IsHidden(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen);
+  /// True only if nothing of the box can be seen. `screen` is what vtkNBufferProjection::Project()
+  /// gave for it in this viewport.
+  bool IsHidden(const vtkNBufferScreenBox& screen);
 
   /// The number of levels with which a rectangle of pixels can be tested. `factor` is how many
   /// pixels a texel of the base stands for, along each axis.
@@ -50,11 +44,7 @@ public:
   long long GetLookups() const { return this->Lookups; }
 
 private:
-  bool IsBehind(const vtkNBufferScreenBox& screen);
-
-  const vtkNBufferProjection& Projection;
   const vtkNBufferLevels& Levels;
-  int MaximumPieces;
   double SampleDistance;
   long long Queries = 0;
   long long Lookups = 0;

@@ -344,22 +344,4 @@ std::array<glm::dvec2, 8> vtkNBufferProjection::GetCorners(const vtkNBufferBox& 
   }
   return corners;
 }
-
-glm::dvec3 vtkNBufferProjection::GetAxisLengths(const vtkNBufferBox& box) const
-{
-  const glm::dvec2 half = { 0.5 * this->Width, 0.5 * this->Height };
-  const double w = Evaluate(this->WorldToClip[3], box.Center);
-  const glm::dvec2 center = { Evaluate(this->WorldToClip[0], box.Center),
-    Evaluate(this->WorldToClip[1], box.Center) };
-  glm::dvec3 lengths;
-  for (int j = 0; j < 3; ++j)
-  {
-    const double h = box.HalfSize[j];
-    const glm::dvec2 d = { this->WorldToClip[0][j] * h, this->WorldToClip[1][j] * h };
-    const double dw = this->WorldToClip[3][j] * h;
-    const glm::dvec2 axis = half * ((center + d) / (w + dw) - (center - d) / (w - dw));
-    lengths[j] = std::hypot(axis.x, axis.y);
-  }
-  return lengths;
-}
 VTK_ABI_NAMESPACE_END

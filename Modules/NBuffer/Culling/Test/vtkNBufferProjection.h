@@ -26,7 +26,6 @@
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferScreenBox.h"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -79,16 +78,6 @@ public:
    * view.
    */
   vtkNBufferPlacement Project(const vtkNBufferBox& box, vtkNBufferScreenBox& result) const;
-
-  /// Widen the depths of `piece`, which Project() gave for a piece of a box, so that they allow for
-  /// the triangles of the whole box, which may be as steep as the depth range of `whole` says.
-  void SetPiece(const vtkNBufferScreenBox& whole, vtkNBufferScreenBox& piece) const
-  {
-    const double rest = std::max(whole.DepthRange - piece.DepthRange, 0.0);
-    piece.DepthRange += rest;
-    piece.Nearest -= this->Error.GetInterpolationSlack(rest);
-    piece.Farthest += this->Error.GetInterpolationSlack(rest);
-  }
 
   /// How a device may draw one triangle of a box that is Inside.
   vtkNBufferBoxError::TriangleErrors GetTriangleErrors(const vtkNBufferScreenBox& screen) const;
@@ -150,9 +139,6 @@ public:
 
   /// The corners of a box that is Inside, in pixels of the viewport.
   std::array<glm::dvec2, 8> GetCorners(const vtkNBufferBox& box) const;
-
-  /// The length in pixels, on the screen, of each axis of a box that is Inside, through its centre.
-  glm::dvec3 GetAxisLengths(const vtkNBufferBox& box) const;
 
 private:
   using Corners = std::array<glm::dvec4, 8>;
