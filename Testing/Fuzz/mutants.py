@@ -89,6 +89,9 @@ MUTANTS = {
          "this->Statistics.Rounds > this->Settings.MaximumNumberOfRounds")],
 
     # Depth.
+    "samples in the middles of pixels only": [
+        ("vtkNBufferDepthSource.cxx", "source.SampleDistance = GetSampleDistance(source.Samples);",
+         "source.SampleDistance = 0.0;")],
     "one sample of a multisampled pixel": [
         ("Shaders/vtkNBufferBaseFS.glsl", "for (int i = 1; i < NBUFFER_SAMPLES; ++i)",
          "for (int i = 1; i < 1; ++i)")],

@@ -99,6 +99,7 @@ TEST_F(GpuTestNBufferDepthSource, EveryFormatIsInspected)
       EXPECT_EQ(source.Height, 13);
       EXPECT_EQ(source.Viewport[0], 3);
       EXPECT_EQ(source.Viewport[3], 9);
+      EXPECT_EQ(source.SampleDistance, 0.0);
       EXPECT_NE(source.Framebuffer, 0u);
       EXPECT_NE(source.DepthName, 0u);
     });
@@ -209,7 +210,7 @@ TEST_F(GpuTestNBufferDepthSource, TellsWhetherItHoldsTheViewport)
   EXPECT_FALSE(holds(10, 0, 1, 1));
 }
 
-TEST_F(GpuTestNBufferDepthSource, RefusesMultisampledReads)
+TEST_F(GpuTestNBufferDepthSource, SamplesArePlacedAndNotRead)
 {
   const DepthTarget target(GetDepthFormats()[1], 10, 8, true, 4);
   if (target.GetSamples() < 2)
@@ -219,6 +220,15 @@ TEST_F(GpuTestNBufferDepthSource, RefusesMultisampledReads)
   target.Bind(0, 0, 10, 8);
   const vtkNBufferDepthSource source = this->Inspect();
   EXPECT_EQ(source.Samples, target.GetSamples());
+  double distance = 0.0;
+  for (int i = 0; i < source.Samples; ++i)
+  {
+    float place[2];
+    glGetMultisamplefv(GL_SAMPLE_POSITION, i, place);
+    distance = std::max({ distance, std::abs(place[0] - 0.5), std::abs(place[1] - 0.5) });
+  }
+  EXPECT_GT(distance, 0.0);
+  EXPECT_EQ(source.SampleDistance, distance) << "the target's samples are fixed";
   std::vector<float> depth;
   EXPECT_FALSE(source.Read(this->Window, 0, 0, 10, 8, depth, this->Why));
   EXPECT_NE(this->Why.find("ultisampled"), std::string::npos);

@@ -6,6 +6,8 @@
 #include "vtkNBufferGL.h"
 #include "vtkOpenGLRenderWindow.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -19,10 +21,22 @@ GLint GetAttachmentParameter(GLenum attachment, GLenum name)
   return value;
 }
 
-/// Get the size of the attached level of the texture. Returns false if the texture has another
-/// target.
-bool GetTextureSize(
-  GLenum target, GLenum bindingName, const vtkNBufferDepthSource& source, int& width, int& height)
+/// How far the samples of the framebuffer that is being drawn are from the middle of their pixel.
+double GetSampleDistance(int samples)
+{
+  double distance = 0.0;
+  for (int i = 0; i < samples; ++i)
+  {
+    float place[2] = { 0.0f, 0.0f };
+    glGetMultisamplefv(GL_SAMPLE_POSITION, i, place);
+    distance = std::max({ distance, std::abs(place[0] - 0.5), std::abs(place[1] - 0.5) });
+  }
+  return distance;
+}
+
+/// Set the members that describe a texture of a target. Returns false if the texture has another
+/// one.
+bool InspectTarget(GLenum target, GLenum bindingName, vtkNBufferDepthSource& source)
 {
   const int bound = vtkNBufferGL::GetInteger(bindingName);
   // OpenGL 3.2 cannot be queried for the target of a texture, but binding the texture to another
@@ -31,8 +45,17 @@ bool GetTextureSize(
   const bool isTarget = glGetError() == GL_NO_ERROR;
   if (isTarget)
   {
-    glGetTexLevelParameteriv(target, source.DepthLevel, GL_TEXTURE_WIDTH, &width);
-    glGetTexLevelParameteriv(target, source.DepthLevel, GL_TEXTURE_HEIGHT, &height);
+    glGetTexLevelParameteriv(target, source.DepthLevel, GL_TEXTURE_WIDTH, &source.Width);
+    glGetTexLevelParameteriv(target, source.DepthLevel, GL_TEXTURE_HEIGHT, &source.Height);
+    GLint isFixed = GL_FALSE; // If not, the samples of other pixels may lie elsewhere.
+    if (source.Samples > 1)
+    {
+      glGetTexLevelParameteriv(target, 0, GL_TEXTURE_FIXED_SAMPLE_LOCATIONS, &isFixed);
+    }
+    if (isFixed)
+    {
+      source.SampleDistance = GetSampleDistance(source.Samples);
+    }
     glBindTexture(target, bound);
   }
   return isTarget;
@@ -53,9 +76,8 @@ bool InspectTexture(vtkNBufferDepthSource& source, std::string& why)
       0;
   const bool multisample = source.Samples > 1;
   if (!plain ||
-    !GetTextureSize(multisample ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D,
-      multisample ? GL_TEXTURE_BINDING_2D_MULTISAMPLE : GL_TEXTURE_BINDING_2D, source, source.Width,
-      source.Height))
+    !InspectTarget(multisample ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D,
+      multisample ? GL_TEXTURE_BINDING_2D_MULTISAMPLE : GL_TEXTURE_BINDING_2D, source))
   {
     why = "The depth attachment is a layered, cube, array or rectangle texture, which is not "
           "supported. Attach a GL_TEXTURE_2D or a renderbuffer.";
@@ -80,6 +102,7 @@ bool InspectFramebuffer(
 {
   source.Framebuffer = vtkNBufferGL::GetInteger(GL_DRAW_FRAMEBUFFER_BINDING);
   source.Samples = vtkNBufferGL::GetInteger(GL_SAMPLES);
+  source.SampleDistance = source.Samples > 1 ? 0.5 : 0.0;
   glGetIntegerv(GL_VIEWPORT, source.Viewport);
   GLdouble range[2] = { 0.0, 1.0 };
   glGetDoublev(GL_DEPTH_RANGE, range);

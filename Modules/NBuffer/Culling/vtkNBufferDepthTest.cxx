@@ -7,6 +7,7 @@
 #include "vtkNBufferOcclusionTest.h"
 #include "vtkNBufferPixelTest.h"
 
+#include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
@@ -39,8 +40,10 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
   this->Window = window;
   this->Source = source;
   // A pass may draw opaque props without samples, and translucent ones follow in the window's.
-  const bool hasSamples = std::max(source.Samples, window->GetMultiSamples()) > 1;
-  this->SampleDistance = hasSamples || vtkNBufferGL::CoversTouchedPixels() ? 0.5 : 0.0;
+  const bool hasOtherSamples = window->GetMultiSamples() > 1 &&
+    source.Framebuffer != window->GetRenderFramebuffer()->GetFBOIndex();
+  this->SampleDistance =
+    hasOtherSamples || vtkNBufferGL::CoversTouchedPixels() ? 0.5 : source.SampleDistance;
   int levels = 1;
   for (const std::vector<int>* list : places)
   {

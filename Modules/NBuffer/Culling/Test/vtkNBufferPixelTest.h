@@ -19,8 +19,8 @@
  * (OpenGL 4.6, section 14.6.1), and its depth is that in the middle. The outline is wider than the
  * box by what a device may move the corners of triangles, which covers snapping, and a middle
  * exactly on the outline counts as inside, which covers every rule for shared edges. With
- * multisampling a sample may lie anywhere in its pixel, and smoothed polygons cover each pixel that
- * they touch: then the whole pixel counts.
+ * multisampling the square around the middle counts that holds all samples; smoothed polygons cover
+ * each pixel that they touch, so that the whole pixel counts.
  *
  * One lookup in the levels answers a square of 8 x 8 pixels. Only the squares that do not hide
  * their part of the box are looked at pixel by pixel, beginning at the top, where houses, masts and
@@ -63,7 +63,8 @@ public:
    * All arguments are kept by reference and must outlive the test. `levels` holds the farthest
    * stored depths of the projection's viewport. `depth` is the depth image that they were made
    * from, row 0 at the bottom. `sampleDistance` is how far from the middle of its pixel a sample
-   * may be in x and in y: 0, or 0.5 pixels with multisampling or smoothed polygons.
+   * may be in x and in y: 0 with one sample, at most 0.5 pixels with more, 0.5 for smoothed
+   * polygons.
    */
   vtkNBufferPixelTest(const vtkNBufferProjection& projection, const vtkNBufferLevels& levels,
     const float* depth, double sampleDistance);

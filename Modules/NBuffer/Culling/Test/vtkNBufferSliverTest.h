@@ -55,7 +55,7 @@ public:
   /**
    * `projection` and `levels` are kept by reference and must outlive the test. The levels hold the
    * farthest stored depths of the projection's viewport. `sampleDistance` is how far a sample may
-   * be from the middle of its pixel in x and in y: 0 without multisampling, else 0.5 pixels.
+   * be from the middle of its pixel in x and in y: see vtkNBufferPixelTest.
    */
   vtkNBufferSliverTest(
     const vtkNBufferProjection& projection, const vtkNBufferLevels& levels, double sampleDistance);
