@@ -90,7 +90,7 @@ MUTANTS = {
 
     # Depth.
     "samples in the middles of pixels only": [
-        ("vtkNBufferDepthSource.cxx", "source.SampleDistance = GetSampleDistance(source.Samples);",
+        ("vtkNBufferDepthSource.cxx", "source.SampleDistance = GetSampleDistance();",
          "source.SampleDistance = 0.0;")],
     "one sample of a multisampled pixel": [
         ("Shaders/vtkNBufferBaseFS.glsl", "for (int i = 1; i < NBUFFER_SAMPLES; ++i)",
@@ -113,7 +113,7 @@ MUTANTS = {
     "stale bounds": [
         ("vtkNBufferCandidate.h",
          ": this->Watch.MayHaveChanged(observedAreUnchanged);",
-         ": !this->BoxIsUsable && this->Watch.MayHaveChanged(observedAreUnchanged);")],
+         ": this->Verdict == vtkNBufferVerdict::NoBounds && this->Watch.MayHaveChanged(true);")],
     "camera's motion not noticed": [
         ("vtkNBufferCamera.h", "return this->WorldToClip == other.WorldToClip &&", "return")],
     "verdicts of the last frame reused although props changed": [

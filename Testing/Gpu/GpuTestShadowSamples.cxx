@@ -55,7 +55,7 @@ protected:
       last = target.GetSamples();
       SCOPED_TRACE(std::to_string(last) + " samples");
       target.Bind(Viewport[0], Viewport[1], Viewport[2], Viewport[3]);
-      const vtkShadowTarget::SamplePlaces places = vtkShadowTarget::GetBoundSamples();
+      const vtkShadowTarget::SamplePlaces places = vtkNBufferGL::GetSamplePlaces();
       ASSERT_EQ(static_cast<int>(places.size()), last);
       function(target, places);
     }

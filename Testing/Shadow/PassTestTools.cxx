@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PassTestTools.h"
 
-#include "vtkNBufferVTKVersion.h"
-#include VTKNBUFFER_GL_HEADER
+#include "vtkNBufferGL.h"
 
 #include "vtkLight.h"
 #include "vtkNew.h"
@@ -45,22 +44,10 @@ std::vector<std::array<double, 2>> GetSamplePlaces(vtkRenderWindow* window)
     vtkOpenGLRenderWindow::SafeDownCast(window)->GetRenderFramebuffer();
   window->MakeCurrent();
   int bound = 0;
-  int count = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer->GetFBOIndex());
-  glGetIntegerv(GL_SAMPLES, &count);
-  std::vector<std::array<double, 2>> places;
-  for (int i = 0; i < count; ++i)
-  {
-    float place[2];
-    glGetMultisamplefv(GL_SAMPLE_POSITION, i, place);
-    places.push_back({ place[0], place[1] });
-  }
+  const vtkNBufferGL::SamplePlaces places = vtkNBufferGL::GetSamplePlaces();
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
-  if (places.empty())
-  {
-    places.push_back({ 0.5, 0.5 });
-  }
   return places;
 }
 

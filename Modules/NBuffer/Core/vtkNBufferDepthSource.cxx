@@ -22,14 +22,12 @@ GLint GetAttachmentParameter(GLenum attachment, GLenum name)
 }
 
 /// How far the samples of the framebuffer that is being drawn are from the middle of their pixel.
-double GetSampleDistance(int samples)
+double GetSampleDistance()
 {
   double distance = 0.0;
-  for (int i = 0; i < samples; ++i)
+  for (const auto& [x, y] : vtkNBufferGL::GetSamplePlaces())
   {
-    float place[2] = { 0.0f, 0.0f };
-    glGetMultisamplefv(GL_SAMPLE_POSITION, i, place);
-    distance = std::max({ distance, std::abs(place[0] - 0.5), std::abs(place[1] - 0.5) });
+    distance = std::max({ distance, std::abs(x - 0.5), std::abs(y - 0.5) });
   }
   return distance;
 }
@@ -54,7 +52,7 @@ bool InspectTarget(GLenum target, GLenum bindingName, vtkNBufferDepthSource& sou
     }
     if (isFixed)
     {
-      source.SampleDistance = GetSampleDistance(source.Samples);
+      source.SampleDistance = GetSampleDistance();
     }
     glBindTexture(target, bound);
   }

@@ -32,14 +32,13 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
   int Width = 0;                    ///< Width of the depth buffer in pixels.
   int Height = 0;                   ///< Height of the depth buffer in pixels.
   int Samples = 0;                  ///< Samples of a pixel; 0 and 1 both mean one.
-  double SampleDistance =
-    0.0;                   ///< From the middle of a pixel to its samples, at most, in x and in y.
-  int DepthBits = 0;       ///< 0 if there is no depth buffer.
-  bool FloatDepth = false; ///< Depth is floating-point, not unsigned normalised.
-  bool DefaultDepthRange = true; ///< glDepthRange is [0, 1].
-  bool Texture = false;          ///< The depth attachment is a texture, not a renderbuffer.
-  unsigned int DepthName = 0;    ///< GL name of the depth attachment.
-  int DepthLevel = 0;            ///< Mip level of a texture attachment.
+  double SampleDistance = 0.0;      ///< How far they may be from its middle in x and y, in pixels.
+  int DepthBits = 0;                ///< 0 if there is no depth buffer.
+  bool FloatDepth = false;          ///< Depth is floating-point, not unsigned normalised.
+  bool DefaultDepthRange = true;    ///< glDepthRange is [0, 1].
+  bool Texture = false;             ///< The depth attachment is a texture, not a renderbuffer.
+  unsigned int DepthName = 0;       ///< GL name of the depth attachment.
+  int DepthLevel = 0;               ///< Mip level of a texture attachment.
 
   /**
    * Query the framebuffer that is bound for drawing and set all members. The window's context must

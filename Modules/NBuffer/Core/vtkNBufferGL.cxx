@@ -109,6 +109,19 @@ int GetSubpixelBits()
   return std::clamp<int>(GetInteger(GL_SUBPIXEL_BITS), 4, 8);
 }
 
+SamplePlaces GetSamplePlaces()
+{
+  const int count = GetInteger(GL_SAMPLES);
+  SamplePlaces places;
+  for (int i = 0; i < count && count > 1; ++i)
+  {
+    float place[2] = { 0.5f, 0.5f };
+    glGetMultisamplefv(GL_SAMPLE_POSITION, i, place);
+    places.push_back({ place[0], place[1] });
+  }
+  return places.empty() ? SamplePlaces{ { 0.5, 0.5 } } : places;
+}
+
 bool KeepsToScissor(int samples)
 {
   return samples <= 1 || !GetSoftwareRenderer();

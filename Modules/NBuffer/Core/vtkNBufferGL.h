@@ -16,6 +16,7 @@
 
 #include VTKNBUFFER_GL_HEADER
 
+#include <array>
 #include <functional>
 #include <initializer_list>
 #include <string>
@@ -49,6 +50,13 @@ VTKNBUFFER_EXPORT bool CoversTouchedPixels();
 /// The number of bits of the grid to which the current context snaps vertices: 4, which OpenGL
 /// promises, to 8. A finer grid gains nothing.
 VTKNBUFFER_EXPORT int GetSubpixelBits();
+
+/// The places of samples in a pixel, in [0, 1] from its lower left corner. A single sample is in
+/// the middle.
+using SamplePlaces = std::vector<std::array<double, 2>>;
+
+/// The samples of the framebuffer that is bound for drawing.
+VTKNBUFFER_EXPORT SamplePlaces GetSamplePlaces();
 
 /// Whether the current context's renderer draws inside a scissor box only, where a pixel has
 /// `samples` samples. With several samples llvmpipe (Mesa 22.3) also draws some samples of the row

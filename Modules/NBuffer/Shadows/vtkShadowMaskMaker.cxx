@@ -76,7 +76,7 @@ bool vtkShadowMaskMaker::Reserve(vtkOpenGLRenderWindow* window, std::size_t ligh
   }
   const int masks = vtkShadowTarget::CountMasks(lights);
   return this->Target.Reserve(window, viewport[0] + viewport[2], viewport[1] + viewport[3], masks,
-    vtkShadowTarget::GetBoundSamples(), this->Error);
+    vtkNBufferGL::GetSamplePlaces(), this->Error);
 }
 
 void vtkShadowMaskMaker::BeginDepth(vtkOpenGLRenderWindow* window)

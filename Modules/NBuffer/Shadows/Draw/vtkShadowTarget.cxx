@@ -56,23 +56,6 @@ void vtkShadowSampleReader::Release()
   this->Image.Delete();
   this->Pass.Delete();
 }
-vtkShadowTarget::SamplePlaces vtkShadowTarget::GetBoundSamples()
-{
-  int count = 0;
-  glGetIntegerv(GL_SAMPLES, &count);
-  if (count < 2)
-  {
-    return GetCentre();
-  }
-  SamplePlaces places;
-  for (int i = 0; i < count; ++i)
-  {
-    float place[2] = { 0.0f, 0.0f };
-    glGetMultisamplefv(GL_SAMPLE_POSITION, i, place);
-    places.push_back({ place[0], place[1] });
-  }
-  return places;
-}
 
 bool vtkShadowTarget::Reserve(vtkOpenGLRenderWindow* window, int width, int height, int masks,
   const SamplePlaces& samples, std::string& why)
@@ -194,7 +177,7 @@ bool vtkShadowTarget::Attach(
           "driver or use Mesa's software renderer.";
     return false;
   }
-  if (GetBoundSamples() != this->Samples)
+  if (vtkNBufferGL::GetSamplePlaces() != this->Samples)
   {
     why = "The device has other samples in textures than in the framebuffer that is drawn.";
     return false;

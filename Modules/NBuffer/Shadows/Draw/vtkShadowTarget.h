@@ -28,6 +28,7 @@
 
 #include "Shaders/vtkNBufferShared.h"
 #include "vtkNBufferFullScreenPass.h"
+#include "vtkNBufferGL.h"
 #include "vtkNBufferGLObject.h"
 #include "vtkNBufferModule.h" // For export macro
 
@@ -83,12 +84,7 @@ public:
   static int CountMasks(std::size_t lights) { return GetMaskIndex(lights + LightsPerMask - 1); }
   ///@}
 
-  /// The places of the samples in a pixel, in [0, 1] from its lower left corner. A single sample is
-  /// at the centre.
-  using SamplePlaces = std::vector<std::array<double, 2>>;
-
-  /// The samples of the framebuffer that is bound for drawing.
-  static SamplePlaces GetBoundSamples();
+  using SamplePlaces = vtkNBufferGL::SamplePlaces;
 
   /**
    * Makes room for images of at least this size, for this many masks, with these samples. If
