@@ -175,6 +175,23 @@ TEST(FuzzScenario, NothingIsSelectedWithAPassThatComesLater)
   EXPECT_EQ(scenario.Changes[0].Kind, ChangeKind::Pass);
 }
 
+//------------------------------------------------------------------------------------------------
+// Far from the origin rounding leaves triangles of a small prop without extent.
+TEST(FuzzScenario, NoFlatTrianglesWithoutExtentUnderAmbientOcclusion)
+{
+  Scenario scenario;
+  scenario.Renderers.resize(1);
+  scenario.Props.resize(2);
+  scenario.Props[0].Flat = scenario.Props[1].Flat = true;
+  scenario.Props[1].ShiftCoordinates = false;
+  RemoveUndefined(scenario);
+  EXPECT_TRUE(scenario.Props[1].Flat);
+  scenario.Renderers[0].SSAO = true;
+  RemoveUndefined(scenario);
+  EXPECT_TRUE(scenario.Props[0].Flat);
+  EXPECT_FALSE(scenario.Props[1].Flat);
+}
+
 // A planted fault: two props of a colour, under MSAA, from frame 3 on.
 TEST(FuzzShrinker, LeavesWhatTheFailureNeeds)
 {

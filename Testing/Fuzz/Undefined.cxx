@@ -55,6 +55,10 @@ void RemoveUndefined(Scenario& scene)
       renderer.Viewport = { 0.0, 0.0, 1.0, 1.0 };
 #endif
     }
+    for (Prop& prop : scene.Props)
+    {
+      prop.Flat = prop.Flat && prop.ShiftCoordinates;
+    }
 #if !VTKNBUFFER_HAS_SSAO_IN_PARTS
     scene.Changes.erase(std::remove_if(scene.Changes.begin(), scene.Changes.end(),
                           [](const Change& change) { return change.Kind == ChangeKind::Viewport; }),
