@@ -233,7 +233,6 @@ RARE = {
          "for (int x = whole * factor + 1; x < width - 1; ++x)")],
     "hierarchy not refit to props that move": [
         (CANDIDATE_TREE, "this->Tree.Move(place, candidate.GetBox());", "")],
-    "no slack for stored and interpolated depth": NO_DEPTH_SLACK,
     "no slack for rounded vertices in x and y": [
         (CLIP_EXTENT, "ndc - slack);", "ndc - slack * glm::dvec3(0.0, 0.0, 1.0));"),
         (CLIP_EXTENT, "ndc + slack);", "ndc + slack * glm::dvec3(0.0, 0.0, 1.0));")],
