@@ -91,8 +91,8 @@ public:
    *    its surface along the light's ray, which is a long way under grazing light. If the triangle
    *    reaches out of the view, the bound of DrawnPolygon.h, which grows with the part outside, is
    *    added to the units of depth.
-   *  - Another triangle of a caster is met within 8 units of depth of the receiver, the other side
-   * of a thin sheet for instance: the cap of the volume may be drawn before or behind the receiver.
+   *  - The eye ray meets another triangle of a caster within 8 units of depth of the receiver, the
+   *    other side of a thin sheet for instance. As the cap of a volume it may be drawn before it.
    */
   bool IsAmbiguous(int x, int y, const OracleLight& light) const;
 

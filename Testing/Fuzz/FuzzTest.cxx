@@ -134,7 +134,8 @@ TEST(FuzzScenario, SaysWhereAFileIsWrong)
 TEST(FuzzScenario, OldFilesAreRead)
 {
   const Scenario scenario = FromJson(Parse(R"({"shadows": {"scissor": false,
-    "skip_unlit_receivers": true}, "culler": {"maximum_number_of_pieces": 3}, "changes": [{"kind": "SkipUnlitReceivers", "values": [1.0]},
+    "skip_unlit_receivers": true}, "culler": {"maximum_number_of_pieces": 3},
+    "changes": [{"kind": "SkipUnlitReceivers", "values": [1.0]},
     {"kind": "Select"}]})"));
   EXPECT_EQ(scenario.Shadows.Mode, ShadowMode::Culled);
   ASSERT_EQ(scenario.Changes.size(), 1u);

@@ -144,7 +144,8 @@ MUTANTS = {
          "if (actor->HasTranslucentPolygonalGeometry() || !actor->HasOpaqueGeometry())",
          "if (actor->GetMapper() == nullptr)")],
     "wireframes and points are tested as surfaces": [
-        (CANDIDATE, "property->GetRepresentation() != VTK_SURFACE ||", "")],
+        ("vtkNBufferSurface.cxx", "return property->GetRepresentation() == VTK_SURFACE &&",
+         "return")],
     "passes do not reach what is held back": [
         ("vtkNBufferStandIn.cxx",
          "if (!from || (passes->Length(from) == 0 && !from->Has(depthMask)))", "if (to)")],

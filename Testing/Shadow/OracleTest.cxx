@@ -233,8 +233,8 @@ TEST_F(OracleTest, GrazingLightIsAmbiguous)
   }
 }
 
-// Below a sheet seen from above is its other side, which is the cap of its volume: 200 units of
-// depth are 200 / 2^24 steps.
+// Below a sheet seen from above is another one, the cap of whose volume is next to the first. The
+// view is 200 deep, so that a step of depth is 200 / 2^24.
 TEST_F(OracleTest, CapsWithinStepsOfDepthAreAmbiguous)
 {
   for (const double steps : { 2.0, 50.0 })

@@ -383,7 +383,7 @@ TEST(ShadowReceiversOnce, OutsideOfTheConeIsLeftOut)
   }
 }
 
-// Lines and points are lit in their middle, which may be as many pixels beside their samples.
+// Lines and points are lit in their middle, which may be some pixels away from their samples.
 TEST(ShadowReceiversOnce, OnlyWhatMayBeLitBesideItsSampleIsAdded)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();

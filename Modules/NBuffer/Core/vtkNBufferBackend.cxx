@@ -156,12 +156,11 @@ vtkNBufferDecision vtkNBufferBackend::ReadDepth(vtkOpenGLRenderWindow* window,
   if (source.Samples > 1)
   {
     // Samples cannot be read: the device reduces them to the farthest one of each pixel.
-    vtkNBufferLevels farthest;
-    const vtkNBufferDecision failure =
-      BuildOnDevice(this->Farthest, { window, source, 1, 1, farthest, statistics }, why);
+    const Job job = { window, source, 1, 1, this->FarthestSamples, statistics };
+    const vtkNBufferDecision failure = BuildOnDevice(this->FarthestTexture, job, why);
     if (failure == vtkNBufferDecision::None)
     {
-      const float* texels = farthest.GetLevelData(0);
+      const float* texels = this->FarthestSamples.GetLevelData(0);
       this->Depth.assign(texels, texels + static_cast<std::size_t>(viewport[2]) * viewport[3]);
     }
     return failure;

@@ -78,7 +78,7 @@ public:
   void SetAllowFloatTextures(bool allow)
   {
     this->Texture->SetAllowFloatTextures(allow);
-    this->Farthest->SetAllowFloatTextures(allow);
+    this->FarthestTexture->SetAllowFloatTextures(allow);
   }
 
   ///@{
@@ -102,8 +102,13 @@ private:
     vtkNBufferStatistics& statistics, std::string& why);
 
   vtkNew<vtkNBufferTexture> Texture;
-  vtkNew<vtkNBufferTexture> Farthest; ///< The farthest sample of each pixel.
-  std::vector<float> Depth;           ///< The whole image; empty if the last build did not read it.
+  ///@{
+  /// The farthest sample of each pixel, as the device finds it. The levels are kept for their
+  /// memory.
+  vtkNew<vtkNBufferTexture> FarthestTexture;
+  vtkNBufferLevels FarthestSamples;
+  ///@}
+  std::vector<float> Depth; ///< The whole image; empty if the last build did not read it.
   Kind InUse = Auto;
   std::string Reason = "nothing built yet";
   ///@{

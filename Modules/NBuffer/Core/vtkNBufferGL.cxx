@@ -112,14 +112,18 @@ int GetSubpixelBits()
 SamplePlaces GetSamplePlaces()
 {
   const int count = GetInteger(GL_SAMPLES);
+  if (count < 2)
+  {
+    return { { { 0.5, 0.5 } } };
+  }
   SamplePlaces places;
-  for (int i = 0; i < count && count > 1; ++i)
+  for (int i = 0; i < count; ++i)
   {
     float place[2] = { 0.5f, 0.5f };
     glGetMultisamplefv(GL_SAMPLE_POSITION, i, place);
     places.push_back({ place[0], place[1] });
   }
-  return places.empty() ? SamplePlaces{ { 0.5, 0.5 } } : places;
+  return places;
 }
 
 bool KeepsToScissor(int samples)

@@ -235,6 +235,13 @@ bool vtkNBufferSurface::HasReplacedShaders(vtkActor* actor)
       shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0);
 }
 
+bool vtkNBufferSurface::DrawsAsSurface(vtkProperty* property)
+{
+  return property->GetRepresentation() == VTK_SURFACE && !property->GetEdgeVisibility() &&
+    !property->GetVertexVisibility() && !property->GetRenderPointsAsSpheres() &&
+    !property->GetRenderLinesAsTubes();
+}
+
 bool vtkNBufferSurface::HasOtherCoordinates(vtkActor* actor)
 {
 #if VTKNBUFFER_HAS_COORDINATE_SYSTEMS
@@ -287,9 +294,7 @@ double vtkNBufferSurface::GetLightingMargin(vtkActor* actor)
     return std::numeric_limits<double>::infinity();
   }
   vtkProperty* property = actor->GetProperty();
-  const bool onlySurface = property->GetRepresentation() == VTK_SURFACE &&
-    !property->GetEdgeVisibility() && !property->GetVertexVisibility();
-  return onlySurface ? GetMargin(actor) : GetMarginOfLines(property);
+  return DrawsAsSurface(property) ? GetMargin(actor) : GetMarginOfLines(property);
 }
 
 bool vtkNBufferSurface::DrawsLines(vtkMapper* mapper)

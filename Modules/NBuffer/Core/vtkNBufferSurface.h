@@ -34,6 +34,7 @@ class vtkMapper;
 class vtkMatrix4x4;
 class vtkPolyData;
 class vtkProp;
+class vtkProperty;
 
 /// The triangles that VTK's OpenGL mappers draw for a polydata, in model coordinates.
 struct vtkNBufferMesh
@@ -59,6 +60,9 @@ public:
 
   /// Whether the user has replaced parts of the actor's shaders, which may then draw anything.
   static bool HasReplacedShaders(vtkActor* actor);
+
+  /// Whether these properties draw nothing but what a mapper's polygons cover.
+  static bool DrawsAsSurface(vtkProperty* property);
 
   /// Whether the actor is placed by a device or in the physical world, not in world coordinates.
   static bool HasOtherCoordinates(vtkActor* actor);

@@ -104,10 +104,7 @@ vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor, vtkNBufferVerdi
   {
     return vtkNBufferVerdict::NotAPlainMapper;
   }
-  vtkProperty* property = actor->GetProperty();
-  if (property->GetRepresentation() != VTK_SURFACE || property->GetEdgeVisibility() ||
-    property->GetVertexVisibility() || property->GetRenderPointsAsSpheres() ||
-    property->GetRenderLinesAsTubes() ||
+  if (!vtkNBufferSurface::DrawsAsSurface(actor->GetProperty()) ||
     (this->Box.Margin > 0.0 && vtkNBufferSurface::DrawsLines(this->Mapper)))
   {
     return vtkNBufferVerdict::NotASurface;
