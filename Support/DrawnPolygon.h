@@ -9,8 +9,8 @@
  *
  *  - A clip coordinate of a corner is a sum of four products. The vertex is rounded (u), and so are
  *    each product and three sums (4 u): E = 5 u times the sum of the terms' magnitudes. The matrix
- *    is rounded, too, but that moves the whole polygon, as if the camera were another one, by u at
- *    the sample and not by u at the corners.
+ *    is rounded, too, but that is as if the camera were slightly different: a sample moves in
+ *    proportion to its own coordinates, however far away the corners are.
  *  - A polygon that reaches out of the view is cut at the planes of the view. A new corner
  *    r = a + t (b - a) of an edge, with t in [0, 1], inherits at most the larger error of a and b
  *    and adds that of the difference, the product and the sum: u (2 |b - a| + |r|). That is in
@@ -18,11 +18,11 @@
  *    the new corners of an edge of kilometres are centimetres off. An error of t moves the corner
  *    along the edge, which changes no plane.
  *  - The rest of the polygon is drawn as triangles of its corners; which triangles is not defined.
- *    Divided by w and measured across the polygon's plane, a corner's error is e_i, in window
- * depth. Inside one triangle the depth is off by at most sum_i l_i e_i with the sample's
- * barycentric coordinates l.
+ *    Divided by w and measured across the polygon's plane, the error of corner i is e_i, in window
+ *    depth. Inside one triangle the depth is off by at most sum_i l_i e_i with the sample's
+ *    barycentric coordinates l_i.
  *  - The plane's coefficients are rounded: 8 u n R / t, with n the largest window coordinate, R the
- *    triangle's depth range and t its smallest height (vtkNBufferProjection.h). Clipping can make
+ *    triangle's depth range and t its smallest height (vtkNBufferBoxError.h). Clipping can make
  *    thin triangles out of thick ones.
  *  - Samples are chosen with corners that are snapped to a grid of 1/256 pixel, while the plane may
  *    be that of the corners before they were snapped: 2^-8.5 times the slope.
@@ -49,7 +49,7 @@ public:
   /// The device has both as floats.
   static Corner Transform(const double matrix[4][4], const double x[3], double w = 1.0);
 
-  /// The planes that cut the polygon besides the four sides of the view.
+  /// The planes that cut the polygon in addition to the four sides of the view.
   enum class Planes
   {
     NearAndFar,
@@ -81,7 +81,8 @@ public:
   /// Returns the exact window depth of the polygon's plane.
   double GetDepth(double x, double y) const;
 
-  /// Returns the bound in window depth; for a place that is not inside, the largest of all bounds.
+  /// Returns the bound in window depth; for a place outside of the polygon, the largest of all
+  /// bounds.
   double GetBound(double x, double y) const;
 
 private:

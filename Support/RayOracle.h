@@ -91,8 +91,9 @@ public:
    *    its surface along the light's ray, which is a long way under grazing light. If the triangle
    *    reaches out of the view, the bound of DrawnPolygon.h, which grows with the part outside, is
    *    added to the units of depth.
-   *  - The eye ray meets another triangle of a caster within 8 units of depth of the receiver, the
-   *    other side of a thin sheet for instance. As the cap of a volume it may be drawn before it.
+   *  - The eye ray meets another triangle of a caster within 8 units of depth of the receiver, for
+   *    instance the other side of a thin sheet. As the cap of a volume, that triangle may be drawn
+   *    before the receiver.
    */
   bool IsAmbiguous(int x, int y, const OracleLight& light) const;
 

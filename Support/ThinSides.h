@@ -11,12 +11,12 @@
  * sample in the sliver may be off by the bound of DrawnPolygon.h, so that the side may be drawn
  * before or behind a receiver that is closer to it than the bound.
  *
- * Only slivers that are less than a pixel thick count: the bound of thicker sides
- * is far larger than the errors that occur. A sliver that is thinner than two steps of the subpixel
- * grid, or that is seen edge-on, has no plane on the screen after its corners were snapped, if it
- * is drawn at all: its samples may get any depth, also one before or behind the whole side. (A
- * bound may correspond to no more than a small part of a pixel by which the side is moved. But
- * moved samples cannot replace the bound: where the side has ended, they do not meet its plane.)
+ * Only sides that are less than a pixel thick count, because for thicker sides the bound is far
+ * larger than the errors that occur. A sliver that is thinner than two steps of the subpixel grid,
+ * or that is seen edge-on, has no plane on the screen after its corners were snapped. If it is
+ * drawn at all, its samples may get any depth, even one before or behind the whole side. (Often the
+ * bound corresponds to a move of the side by a small part of a pixel. Rays through moved samples
+ * still cannot replace the bound: beyond the end of the side they do not meet its plane.)
  */
 #ifndef ThinSides_h
 #define ThinSides_h
@@ -50,7 +50,7 @@ public:
   ///@}
 
   /// Returns whether a side that covers the middle of pixel (x, y) may be drawn on the wrong side
-  /// of a receiver. The window depth of the receiver is uncertain by `slack`.
+  /// of a receiver. The window depth of the receiver is `depth`, uncertain by `slack`.
   bool AreNear(int x, int y, double depth, double slack) const;
 
 private:

@@ -77,8 +77,8 @@ private:
   {
     double Low[3];
     double High[3];
-    int First = 0; ///< Leaf: the first of its triangles. Else: the second child; the first follows.
-    int Count = 0; ///< Leaf: number of triangles. Else: 0.
+    int First = 0; ///< Leaf: its first triangle. Else: its second child; the first is next to it.
+    int Count = 0; ///< Leaf: its number of triangles. Else: 0.
   };
 
   /// Calls visit(triangle, t, far) for each triangle that the ray crosses; visit() may lower `far`.

@@ -39,13 +39,13 @@ struct ViewOptions
   std::vector<std::string> SceneNames = { "city" };
   std::string Path;
   int Frames = 0;
-  int PathFrames = 0; ///< Of the whole path; 0: as many as are rendered.
+  int PathFrames = 0; ///< The frames of the whole path; 0: as many as are rendered.
   std::uint64_t Seed = 1;
-  int Props = 0;
+  int Props = 0; ///< The scene is copied until it has this many props; 0: not copied.
   SessionOptions Window;
-  std::string Backend = "auto"; ///< Or opengl or cpu: of vtkNBufferCuller.
+  std::string Backend = "auto"; ///< The back-end of vtkNBufferCuller: auto, opengl or cpu.
 
-  /// What --scene can be, for the help.
+  /// The possible values of --scene, for the help.
   std::string SceneHelp = "city, plant (synthetic), a city file, .bsp, .kicad_pcb or a folder of "
                           "them (with :actors behind: all actors of VTK's importer), .glb, .gltf, "
                           ".obj, .wrl, .vtm, .vtpc, or one or more .stl or .ply; each also as .gz";
@@ -72,7 +72,8 @@ struct ViewOptions
 void CheckWritable(const std::string& fileName);
 
 ///@{
-/// Add the subcommands. `run` becomes what is to be done once the options are parsed.
+/// Add the subcommands. If a subcommand is given, parsing sets `run` to the function that does it
+/// and returns the exit code.
 using Run = std::function<int()>;
 void AddWalkCommand(CLI::App& app, const std::string& program, Run& run);
 void AddFirstCommand(CLI::App& app, const std::string& program, Run& run);

@@ -4,8 +4,8 @@
  * @class Mode
  * @brief A set of cullers that takes its turn in the one renderer that all modes share.
  *
- * Props, buffers and textures are shared. Cullers are not: each remembers only its own frames. A
- * mode finds its cullers again in the order in which it left them.
+ * All modes share props, buffers and textures. Each mode has its own cullers, which know only the
+ * frames of their mode. Enter() restores the cullers in the order that they had at Leave().
  */
 #ifndef Mode_h
 #define Mode_h

@@ -4,7 +4,7 @@
  * @file ModeSettings.h
  * @brief Settings in the name of a mode, such as nbuffer:RoundSize=16:BackOff=0.
  *
- * They have the names of the properties of vtkNBufferCuller and vtkShadowVolumeClampPass, and their
+ * They have the names of members of vtkNBufferTuning and vtkShadowTuning, or TestSlivers, and their
  * values are whole numbers; a switch is 0 or 1. ModeSettings.cxx has the lists.
  */
 #ifndef ModeSettings_h
@@ -35,7 +35,7 @@ const Entry* FindNamed(const Entry (&entries)[N], const std::string& name)
 /// Returns the name without settings.
 std::string GetModeKind(const std::string& mode);
 
-/// Removes names that stand in the list before.
+/// Removes each name that occurs earlier in the list.
 void RemoveRepeated(std::vector<std::string>& modes);
 
 ///@{
@@ -45,7 +45,7 @@ void ApplySettings(const std::string& mode, vtkNBufferCuller* culler);
 void ApplySettings(const std::string& mode, vtkShadowVolumeClampPass* pass);
 ///@}
 
-/// Returns the default of every setting, `culler` and `shadow` apart.
+/// Returns the default of every setting, in the members `culler` and `shadow`.
 Json::Value GetDefaults();
 
 } // namespace NBufferBench

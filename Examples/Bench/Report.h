@@ -26,7 +26,8 @@ Json::Value Round(double value);
 /// Returns the members `median`, `p10` and `p90`.
 Json::Value Summarize(const std::vector<double>& values);
 
-/// Returns the first twenty of such places as lists of numbers.
+/// Returns the first twenty places, each as a list of its numbers. A place is a list of ints, such
+/// as frame, x and y.
 template <typename Places>
 Json::Value MakePlaces(const Places& places)
 {
@@ -44,13 +45,13 @@ Json::Value MakePlaces(const Places& places)
 /// Adds `median_ms`, `p10_ms`, `p90_ms` and `frames_ms`, the time of each frame, to a mode.
 void AddTimes(Json::Value& mode, const std::vector<double>& milliseconds);
 
-/// Adds `ratios` of the report: for each mode and each of the references the median over the frames
-/// of (time of the mode) / (time of the reference), and the other way round. A mode with settings
-/// also has the mode without them as a reference.
+/// Adds `ratios` to the report: for each mode and each of the references the median over the frames
+/// of (time of the mode) / (time of the reference), and of its inverse. A mode with settings also
+/// has the mode without them as a reference.
 void AddRatios(Json::Value& report, const std::vector<std::string>& references);
 
-/// Returns the median, member by member, of at least one value of the same shape, and of texts the
-/// most frequent one.
+/// Returns the median, member by member, of at least one value, all of the same shape. Of texts it
+/// returns the most frequent one.
 Json::Value GetMedian(const std::vector<Json::Value>& values);
 
 /// Throws std::exception if a text is not JSON.

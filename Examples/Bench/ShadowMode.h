@@ -12,11 +12,12 @@
  *     exact       only casters that have receivers, inside of the receivers' box of pixels
  *     clamp       the same, clamped to one slab (SlabGap 64)
  *     slabs       the same, clamped to several slabs (SlabGap 4)
+ *     paper       as clamp, with the litmap of the paper (RerenderedLitmap.h)
  *     vtk         vtkShadowMapPass with its baker, put together as in VTK's tests. It is right in
  *                 square windows only, because it looks maps up with an aspect ratio of 1
  *
- * cull@N, auto@N, exact@N, clamp@N and slabs@N have litmaps of N x N lexels; vtk@N has shadow maps
- * of N x N texels instead of VTK's default. Modes of volumes can also have settings
+ * cull@N, auto@N, exact@N, clamp@N, slabs@N and paper@N have litmaps of N x N lexels; vtk@N has
+ * shadow maps of N x N texels instead of VTK's default. Modes of volumes can also have settings
  * (ModeSettings.h), such as slabs@64:SlabGap=2.
  */
 #ifndef ShadowMode_h
@@ -45,10 +46,11 @@ public:
 
   const std::string& GetName() const { return this->Name; }
 
-  /// Whether the mode is one of vtkShadowVolumeClampPass.
+  /// Returns whether the mode draws with vtkShadowVolumeClampPass.
   bool HasVolumes() const { return this->IsVolumes; }
 
-  /// Whether every sample that differs from a ray and is not ambiguous is an error of this module.
+  /// Returns whether every sample that differs from a ray and is not ambiguous is an error of this
+  /// module. That is so in all modes of volumes except paper.
   static bool IsExact(const std::string& name);
 
   void Enter(vtkRenderer* renderer) const;

@@ -29,7 +29,7 @@ struct ShadowWalkOptions
 {
   std::vector<std::string> Modes = { "none", "unclamped", "cull", "exact", "auto", "clamp", "slabs",
     "exact@32", "exact@64", "exact@128", "exact@512", "exact@1024", "vtk" };
-  /// Lexels along each side of the litmaps of modes whose name does not say.
+  /// Lexels along each side of a litmap, for modes whose names do not contain the number.
   int Litmap = 256;
   /// Only props with these keys cast shadows; nullptr: all props.
   vtkSmartPointer<vtkInformation> CasterKeys;
@@ -43,7 +43,7 @@ struct ShadowWalkOptions
   int Block = 5;
   /// Folder for the middle frame of each mode; empty: no images.
   std::string ImageFolder;
-  /// The one of vtkShadowVolumeClampPass::DebugViews that is laid over these images.
+  /// The debug view (vtkShadowVolumeClampPass::DebugViews) that is drawn over these images.
   int DebugView = 0;
 };
 

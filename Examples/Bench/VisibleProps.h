@@ -35,13 +35,13 @@ std::vector<std::vector<vtkProp*>> FindPropsInView(
   Session& session, const NBufferExamples::CameraPath& path);
 
 /// Returns, for every pixel, row 0 at the bottom, the place of its prop in the renderer's list, or
-/// -1 for the background. Shaders are left as above.
+/// -1 for the background. Shaders are left ready for selection, too.
 std::vector<int> FindPixelOwners(Session& session, const NBufferExamples::CameraPose& pose);
 
 /**
- * Draws the given props and no others. With the props that own a pixel it is the lower bound that
- * no culler can beat: it copies the pointers of the frame over the list and looks at nothing else,
- * so that its own cost is that of the props that it draws.
+ * Draws the given props and no others. With the props that own a pixel its time is a lower bound
+ * that no culler can beat: it only copies the pointers of the frame over the list, so that its own
+ * cost depends on the number of props that it draws, not on those in the scene.
  */
 class OracleCuller : public vtkCuller
 {

@@ -5,10 +5,10 @@
  * @brief Renders the frames of a camera path in several modes and times each.
  *
  * All modes take turns in one renderer of one window. A turn is a block of a few frames: first the
- * frame before the block, untimed, then the frames of the block, timed, so that every timed frame
- * follows the frame that it follows in an application that has only this mode. The modes of a
- * block run one after the other, and each block begins with another mode, so that disturbances of
- * the machine meet all modes alike.
+ * frame before the block, untimed, then the frames of the block, timed. So every timed frame comes
+ * after the same frame as in an application that has only this mode. The modes of a block run one
+ * after the other, and each block begins with another mode, so that disturbances of the machine
+ * affect all modes alike.
  *
  * A time is the time of Render() and of waiting until the image is finished.
  */
@@ -27,8 +27,8 @@
 namespace NBufferBench
 {
 
-/// Calls run(mode, begin, end) for every block of frames and every mode, and end(begin, end) after
-/// each block.
+/// Calls run(mode, begin, end) for every block of frames and every mode, and endBlock(begin, end)
+/// after each block.
 template <typename RunBlock, typename EndBlock>
 void TakeTurns(
   std::size_t modes, std::size_t frames, int block, RunBlock&& run, EndBlock&& endBlock)
@@ -48,9 +48,9 @@ void TakeTurns(
 struct WalkOptions
 {
   std::vector<std::string> Modes = { "stock", "none", "nbuffer", "oracle" };
-  std::string Backend = "auto"; ///< Of Mode.
-  /// Frames of each mode that are drawn before any frame is timed: forth along the path, back, and
-  /// so on. The culler goes on learning about a scene for some hundred frames.
+  std::string Backend = "auto"; ///< The back-end of the mode nbuffer, as for Mode.
+  /// Frames of each mode that are drawn before any frame is timed: forward along the path, back,
+  /// and so on. The culler needs some hundred frames to get as fast as it can be in a scene.
   int WarmUp = 1;
   /// Whether every frame is compared with the same frame of mode none.
   bool Verify = false;

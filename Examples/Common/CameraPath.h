@@ -17,8 +17,8 @@ class vtkRenderer;
 namespace NBufferExamples
 {
 
-/// Sets up the active camera of a renderer. `bounds` are those of the scene; they serve for near
-/// and far planes that the pose does not have.
+/// Sets up the active camera of a renderer. Near and far plane are fitted to `bounds`, those of the
+/// scene, if the pose has none.
 void ApplyPose(const CameraPose& pose, const double bounds[6], vtkRenderer* renderer);
 
 /**
@@ -33,7 +33,7 @@ void ApplyPose(const CameraPose& pose, const double bounds[6], vtkRenderer* rend
  *     aside     at the edge of the scene, all around it, looking away from it: at most five props
  *               are in view
  *     orbit     once around the scene, looking at its centre
- *     inside, around, walk, between ...   the paths that the scene has of its own (Scene::Paths)
+ *     inside, around, walk, between ...   paths that only this scene has (Scene::Paths)
  *
  * Throws std::runtime_error for a path that the scene does not have.
  */

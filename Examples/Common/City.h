@@ -10,8 +10,8 @@
  *     x = R cos(latitude of the centre) (longitude - longitude of the centre)
  *     y = R (latitude - latitude of the centre)
  *
- * with R = 6,371,008.8 m. 20 km from the centre it is off by less than 0.5 %, the same way for
- * everything nearby, which a picture does not show.
+ * with R = 6,371,008.8 m. 20 km from the centre lengths are off by less than 0.5 %, by almost the
+ * same factor for neighbouring objects, so that a picture does not show it.
  */
 #ifndef City_h
 #define City_h

@@ -18,7 +18,8 @@ namespace NBufferExamples
 /// unreadable or damaged.
 std::string ReadMaybeCompressed(const std::string& fileName, std::size_t limit = std::string::npos);
 
-/// Returns parse(contents of a file). What parse() throws gets the name of the file.
+/// Returns parse(contents of a file). If parse() throws a std::runtime_error, the name of the file
+/// is put before its text.
 template <typename Parse>
 auto ParseFile(const std::string& fileName, Parse&& parse)
 {

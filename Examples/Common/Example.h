@@ -38,9 +38,9 @@ public:
   Example(const std::string& description, const std::string& feature);
   ~Example();
 
-  /// Adds an option of the program's own: a number, int or double, between `lowest` and `highest`
-  /// that Run() writes to `value`, which must outlive the example. What `value` holds before is the
-  /// default.
+  /// Adds an option of the program's own: a number (int or double) between `lowest` and `highest`
+  /// that Run() writes to `value`, which must outlive the example. The former content of `value` is
+  /// the default.
   template <typename Number>
   void AddOption(
     const std::string& name, Number& value, const std::string& help, Number lowest, Number highest);

@@ -17,7 +17,7 @@ namespace NBufferExamples
 
 struct KicadPart
 {
-  std::string Model; ///< The name in the file, with variables such as ${KICAD6_3DMODEL_DIR}.
+  std::string Model; ///< The file name of its model, with variables like ${KICAD6_3DMODEL_DIR}.
   double X = 0.0;
   double Y = 0.0;
   double Angle = 0.0; ///< Counter-clockwise.

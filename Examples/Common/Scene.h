@@ -57,9 +57,9 @@ public:
   /// Returns whether the set knows something about an actor, given by its place in the list.
   virtual bool IsKnown(int actor) const = 0;
 
-  /// Returns whether the straight line between two points leads through what the set takes for
-  /// opaque. What is seen along such a line is seen through something that is not drawn, and the
-  /// set says nothing about it.
+  /// Returns whether the straight line between two points leads through a region that is opaque for
+  /// the set. An image that shows something along such a line does not contradict the set, because
+  /// nothing is drawn in that region.
   virtual bool IsBlocked(const glm::dvec3& from, const glm::dvec3& to) const = 0;
 };
 

@@ -10,8 +10,8 @@
  *
  *  - wider by a pad in the world that moves its outline on the screen by twice the prop's slack
  *    (vtkNBufferProjection.h) and an eighth of a pixel in every direction. The pad is parallel to
- * the image plane, so that whatever is behind a point of the padded outline is also behind the
- * point from which it was moved;
+ *    the image plane, so that whatever is behind a point of the padded outline is also behind the
+ *    point from which it was moved;
  *  - nearer in window depth by twice the difference between the nearest corner and
  *    vtkNBufferScreenBox::Nearest: once for the prop, and once for the box, which is drawn too.
  *

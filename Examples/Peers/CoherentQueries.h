@@ -5,18 +5,18 @@
  * @brief Coherent hierarchical culling: queries over a tree of boxes, interleaved with drawing.
  *
  * J. Bittner, M. Wimmer, H. Piringer, W. Purgathofer: Coherent Hierarchical Culling: Hardware
- * Occlusion Queries Made Useful. Computer Graphics Forum 23 (3), 2004. Front to back, by a queue of
- * distances as in its successor for hierarchies of boxes (O. Mattausch, J. Bittner, M. Wimmer:
- * CHC++. Computer Graphics Forum 27 (2), 2008), since boxes of a hierarchy overlap:
+ * Occlusion Queries Made Useful. Computer Graphics Forum 23 (3), 2004. Boxes of a hierarchy
+ * overlap, so that the nodes are visited front to back by a queue of distances, as in the successor
+ * (O. Mattausch, J. Bittner, M. Wimmer: CHC++. Computer Graphics Forum 27 (2), 2008):
  *
  *  - Inner nodes that were visible in the last frame are opened without a query.
  *  - Leaves that were visible get a query, for the next frame, and are drawn at once.
  *  - Nodes that were hidden get a query, and nothing is done with them until the answer arrives.
- *  - If an answer is "visible", all ancestors become visible. A hidden answer changes nothing,
- * because a node is reset when it is visited and stays hidden unless something below it is visible.
+ *  - If an answer is "visible", all ancestors become visible. The answer "hidden" changes nothing:
+ *    a node becomes hidden when it is visited, and stays so unless something below it is visible.
  *  - The algorithm waits only when there is nothing else to do.
  *
- * A leaf is one prop. Nothing visible is left out: a hidden verdict is always one of this frame.
+ * A leaf is one prop. No visible prop is left out: every verdict "hidden" comes from this frame.
  */
 #ifndef CoherentQueries_h
 #define CoherentQueries_h

@@ -14,19 +14,19 @@
  * This method may miss receivers, so that shadows are lost:
  *
  *  - A lexel represents only the point of a receiver at the lexel's centre. A receiver that is
- * smaller than a lexel as seen from the light, or is seen edge-on, may have no lexel at all.
+ *    smaller than a lexel as seen from the light, or is seen edge-on, may have no lexel at all.
  *  - If a lexel covers several pixels, only the pixel at its centre is in the box, and only the
- * depth there is in the range.
+ *    depth there is in the range.
  *  - The point is tested against the depth of the pixel in which it lies, and that depth is the one
  *    at the pixel's centre: on slopes, a visible point can lie behind it. DepthBias, which the
- * paper does not have, includes most of these points, and some that the camera does not see.
+ *    paper does not have, includes most of these points, and some that the camera does not see.
  *
  * vtkShadowReceivers.h has none of these errors. Finer litmaps make them smaller: a receiver is not
  * missed if it covers the centre of a lexel and of the pixel there.
  *
- * The meshes that could cast shadows are drawn, whether they cast or not; lines, points and glyphs
- * are receivers of the other method only. For a spot the litmap is the square around its cone, and
- * of a pixel with several samples only the first one is used.
+ * The receivers drawn are the meshes that could cast shadows, whether they cast or not; lines,
+ * points and glyphs are receivers only of vtkShadowReceivers.h. For a spot the litmap is the square
+ * around its cone, and of a pixel with several samples only the first one is used.
  *
  * Set it as vtkShadowTuning::LitmapSource.
  */
@@ -90,7 +90,7 @@ public:
   void Release() override { this->Device = DeviceObjects(); }
 
 private:
-  /// What the litmaps have on the graphics device.
+  /// The objects of the litmaps on the graphics device.
   struct DeviceObjects
   {
     vtkNBufferGL::Texture Depth; ///< The camera's.

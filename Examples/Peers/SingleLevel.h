@@ -4,8 +4,9 @@
  * @class SingleLevel
  * @brief A depth texture reduced to one level on the device, without any hierarchy.
  *
- * Texel (x, y) holds the farthest depth of the pixels [Nx, Nx + N) x [Ny, Ny + N) inside the image,
- * equal to vtkNBufferLevels::BuildBase() bit for bit. There are three ways to compute it:
+ * With the factor N, texel (x, y) holds the farthest depth of the pixels [Nx, Nx + N) x
+ * [Ny, Ny + N) inside the image, equal to vtkNBufferLevels::BuildBase() bit for bit. There are
+ * three ways to compute it:
  *
  *  - one fragment pass with N x N fetches for each texel (the module's shader),
  *  - log2(N) fragment passes with 2 x 2 fetches,

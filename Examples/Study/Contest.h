@@ -28,8 +28,8 @@ struct ContestResult
   /// The sums over all frames.
   long long Boxes = 0;
   long long Hidden = 0;       ///< Boxes whose props own no pixel.
-  long long FalseVisible = 0; ///< Hidden boxes that are kept.
-  long long FalseHidden = 0;  ///< Visible boxes that are not kept: this must be 0.
+  long long FalseVisible = 0; ///< Hidden boxes that the contender does not find hidden.
+  long long FalseHidden = 0;  ///< Visible boxes that it finds hidden: this must be 0.
   ContestCounts Counts;
   double Area = 0.0;        ///< The area of all rectangles in pixels.
   double CoveredArea = 0.0; ///< The pixels that were tested for them; 0 if that has no meaning.

@@ -33,8 +33,8 @@ enum class DepthGrid
 constexpr int FullStride = 30;
 
 /// How texel t of a level is computed from the level below: from the texels Ratio * t and
-/// Ratio * t + Offset, and Ratio * t + 2 if it has a third one. The last texel takes the place of
-/// texels beyond it.
+/// Ratio * t + Offset, and Ratio * t + 2 if it has a third one. Texels beyond the last one are
+/// replaced by the last one.
 struct DepthStep
 {
   enum class Third

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class DepthStructure
- * @brief Any member of a family of structures, built from a depth image; it returns the farthest
- * depth of rectangles.
+ * @brief One structure of a family, built from a depth image; it returns a bound of the farthest
+ * depth in a rectangle.
  *
  * The parameters that select one structure of the family are:
  *

@@ -141,7 +141,7 @@ static_assert(AreEqual(vtkNBufferCuller::Auto, vtkNBufferBackend::Auto) &&
     AreEqual(vtkNBufferCuller::Always, vtkNBufferSliverPolicy::Always),
   "the settings are cast to the enumerations of the private classes");
 
-/// Whether the frustum test of vtkNBufferView does all that this culler would do.
+/// Whether the frustum test of vtkNBufferView does everything that `culler` would do.
 bool IsDefaultFrustumCuller(vtkCuller* culler)
 {
   if (typeid(*culler) != typeid(vtkFrustumCoverageCuller))
@@ -153,8 +153,9 @@ bool IsDefaultFrustumCuller(vtkCuller* culler)
     frustum->GetSortingStyle() == VTK_CULLER_SORT_NONE;
 }
 
-/// Cullers run in the order of the collection. One that is moved behind those that run now is not
-/// reached again in this frame: the renderer's iterator has passed on.
+/// Move the default frustum cullers before `self` to the end of the collection, whose order is the
+/// order in which cullers run. If `self` is the last culler, they do not run again in this frame,
+/// because the renderer's iterator is at its end already.
 void MoveDefaultFrustumCullersBehind(vtkCuller* self, vtkCullerCollection* cullers)
 {
   std::vector<vtkSmartPointer<vtkCuller>> before;
@@ -175,7 +176,8 @@ void MoveDefaultFrustumCullersBehind(vtkCuller* self, vtkCullerCollection* culle
   }
 }
 
-/// Whether a culler behind this one would have removed props that are held back from it.
+/// Whether a culler comes after `self` that may remove props. It would not see the props that are
+/// held back.
 bool IsOtherCullerBehind(vtkCuller* self, vtkCullerCollection* cullers)
 {
   bool behind = false;
@@ -229,8 +231,8 @@ double vtkNBufferCuller::Cull(
   {
     obstacle = vtkNBufferDecision::OtherCuller;
   }
-  // Before the props are counted: a default frustum culler in front of this one may have left few
-  // of many, and stays as slow as it is for as long as it stays there.
+  // This comes before the props are counted. A default frustum culler in front of this one may have
+  // left only a few of many props, and it takes its time in each frame until it is moved.
   if (obstacle == vtkNBufferDecision::None && this->Tuning.TakeOverFrustumCulling)
   {
     MoveDefaultFrustumCullersBehind(this, renderer->GetCullers());

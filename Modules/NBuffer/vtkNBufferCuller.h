@@ -9,56 +9,59 @@
  * renderer->AddCuller(culler);
  * @endcode
  *
- * That is all. The culler may be added before or after the first Render(), to several renderers
- * of several windows, and removed at any time.
+ * Nothing else is needed. The culler may be added before or after the first Render(), to several
+ * renderers of several windows, and removed at any time.
  *
  * ## How it decides
  *
- * Cull() lets through what was visible in the last frame and every prop that it does not test,
- * and holds the other candidates back behind one proxy at the end of the list. When the renderer
- * reaches the proxy, this frame's depth is in the framebuffer. It is reduced to an N-buffer
- * (vtkNBufferMath.h), the boxes of all candidates are tested against it with at most four
- * lookups each, and what may be visible is drawn. Where little is known (first frame, camera
- * cut) near props that probably hide the others are drawn first, and the others are tested in
- * rounds. Nothing is carried over from an older depth buffer, so that nothing pops in late.
+ * Cull() lets through every prop that it does not test and the candidates that the last test found
+ * visible. It holds the other candidates back behind one proxy at the end of the list. When the
+ * renderer reaches the proxy, this frame's depth is in the framebuffer. The culler reduces it to an
+ * N-buffer (vtkNBufferMath.h), tests the boxes of all candidates against it with at most four
+ * lookups each, and draws the props held back that may be visible. Where little is known (first
+ * frame, camera cut), it first draws near props that probably hide the others, and tests the others
+ * in rounds. No test uses the depth of an older frame, so no prop appears a frame too late.
  *
  * Candidates are plain opaque surface actors: vtkOpenGLActor itself with a polydata, composite
  * or dataset mapper. All other props are drawn as without the culler; vtkNBufferVerdict says why.
  * Translucent actors keep their places in the order of blending; those behind opaque props are left
- * out, and none of them hides anything.
+ * out, and no translucent actor hides anything.
  *
- * The culler takes over the work of a vtkFrustumCoverageCuller with default settings by moving
- * itself in front of it (vtkNBufferTuning::TakeOverFrustumCulling): its own frustum test costs a
- * fraction.
+ * The culler does the work of each vtkFrustumCoverageCuller with default settings, and moves it
+ * behind itself (vtkNBufferTuning::TakeOverFrustumCulling): the culler's own frustum test takes a
+ * fraction of the time.
  *
- * Where two props have exactly the same depth in a pixel, the one drawn last wins. A prop that
- * had been held back is drawn later than its place in the renderer says, so that those that come
- * after it in the renderer are drawn once more where they can touch it (vtkNBufferTieOrder.h).
+ * Where two props have exactly the same depth in a pixel, the one drawn last wins. A prop that was
+ * held back is drawn later than its place in the renderer's list says. The props that come after it
+ * in that list are therefore drawn once more where they can touch it (vtkNBufferTieOrder.h).
  *
  * ## Cost
  *
- * A frame costs about 0.1 microseconds per prop for cached bounds and the frustum test (for long
- * lists over a hierarchy, see vtkNBufferTuning::HierarchySize); what a prop without a pipeline is
- * made of gets observers for that, once the prop has not changed for a while (300 bytes for each
- * object, see vtkNBufferTuning::ObserveAfter). A prop with a pipeline costs one microsecond or two.
- * A test costs one read-back of a reduced depth image (with software renderers, of the whole one)
- * and the levels that the rectangles of this frame need. There is no test in a frame with fewer
- * candidates than vtkNBufferTuning::MinimumNumberOfCandidates, and none with a still camera and
- * unchanged props. Where recent frames hid next to nothing, only a probe now and then is tested.
+ * A frame costs about 0.1 microseconds per prop to keep its bounds up to date and to test the
+ * frustum (long lists use a hierarchy, see vtkNBufferTuning::HierarchySize). To find changes so
+ * cheaply, the culler observes the objects of a prop without a pipeline once the prop has not
+ * changed for a while (300 bytes per object, see vtkNBufferTuning::ObserveAfter). A prop with a
+ * pipeline costs one or two microseconds. A test costs one read-back of a reduced depth image (with
+ * software renderers, of the whole one) and the levels that the rectangles of this frame need.
+ * There is no test in a frame with fewer candidates than
+ * vtkNBufferTuning::MinimumNumberOfCandidates, and none while camera and props stay the same. Where
+ * recent tests found next to nothing hidden, there is only a probe now and then.
  *
  * ## Lifetime
  *
- * Observers may remove and delete props, and the culler itself, while a frame is drawn: what the
- * frame was begun with is drawn, as in VTK, but lives until its end (vtkNBufferFrameGuard.h).
+ * Observers may remove and delete props, and the culler itself, while a frame is drawn. The props
+ * with which the frame began are still drawn, as without the culler, and they and the culler live
+ * until the end of the frame (vtkNBufferFrameGuard.h).
  *
  * ## Limits
  *
- * It steps aside, and all is drawn as usual, where props are needed that the camera does not see
- * or where the framebuffer is not the camera's: hardware selection, UseShadows, GL2PS export,
- * hidden-line removal, unknown render passes, VR windows, other cullers behind this one.
- * vtkNBufferDecision names each case and GetDecision() tells it. A failure (no context or an old
- * one, no float textures, depth that cannot be read) draws everything, is counted, and the first of
- * its kind warns with cause and remedy.
+ * The culler steps aside, and everything is drawn as usual, where props are needed that the camera
+ * does not see or where the framebuffer is not the camera's: hardware selection, UseShadows, GL2PS
+ * export, hidden-line removal, unknown render passes, VR windows, other cullers behind this one.
+ * vtkNBufferDecision lists the cases, and GetDecision() returns the name of the one that applies.
+ * After a failure (no context or an old one, no float textures, depth that cannot be read)
+ * everything is drawn, the frame is counted, and the first failure of its kind in a window prints a
+ * warning with cause and remedy.
  *
  * Sources: X. Decoret, "N-Buffers for efficient depth map query", 2005, section 3.1; M. Turitzin,
  * "Hierarchical Depth Buffers", 2020, for reductions of images of any size.
@@ -93,24 +96,25 @@ public:
   enum BackendType
   {
     Auto,   ///< Chosen once per graphics context; see GetBackendInUse().
-    OpenGL, ///< By fragment passes; the levels are read back.
-    CPU     ///< On the host, from the depth image read back.
+    OpenGL, ///< On the device, by fragment passes; then the levels are read back.
+    CPU     ///< On the host, from the depth image that is read back.
   };
 
   ///@{
-  /// Off lets every prop through. Default: on.
+  /// Whether the culler works. If off, it lets every prop through. Default: on.
   vtkSetMacro(Enabled, bool);
   vtkGetMacro(Enabled, bool);
   vtkBooleanMacro(Enabled, bool);
   ///@}
 
   ///@{
-  /// Where the levels are built; they are the same to the bit. Default: Auto.
+  /// Where the levels are built (BackendType). They are the same, to the bit, with every back-end.
+  /// Default: Auto.
   vtkSetClampMacro(Backend, int, Auto, CPU);
   vtkGetMacro(Backend, int);
   ///@}
 
-  /// When triangles are looked at one by one.
+  /// When the triangles of hidden props are tested for slivers; see SetTestSlivers().
   enum SliverTestType
   {
     Never,
@@ -119,19 +123,21 @@ public:
   };
 
   ///@{
-  /// Look at the triangles of hidden props for slivers that a rasteriser may draw before the box
-  /// that they are in (vtkNBufferSliverTest): stray pixels that the image has without the culler.
-  /// Mesa's llvmpipe is known to draw them, one in 40 frames of a plant of thin pipes. Costs some
-  /// 5 microseconds per hidden prop of a hundred points and triangles in every frame, 24 bytes per
-  /// point and 12 per triangle of their meshes, and the props drawn for it: a few in a hundred of
-  /// those hidden, which in a street of a city are more than those that are seen. Default: Never.
+  /// Whether the triangles of hidden props are searched for slivers that a rasteriser may draw
+  /// nearer than the prop's box (vtkNBufferSliverTest). Without the culler the image has such stray
+  /// pixels, and Mesa's llvmpipe is known to draw them: one in 40 frames of a plant of thin pipes.
+  /// The search takes some 5 microseconds in every frame per hidden prop of a hundred points and
+  /// triangles, and 24 bytes per point and 12 per triangle of its mesh. A prop with a sliver that
+  /// may be seen is drawn. These are a few in a hundred of the hidden props, which in a street of a
+  /// city are more than the props that are seen. Default: Never.
   vtkSetClampMacro(TestSlivers, int, Never, Always);
   vtkGetMacro(TestSlivers, int);
   ///@}
 
   ///@{
-  /// Keep the verdicts while the camera moves, to fly around and see what a view draws. The image
-  /// is then not the one without the culler. Default: off.
+  /// Whether the verdicts stay as they are while the camera moves, so that one can fly around and
+  /// see what was drawn for a view. The image may then differ from the one without the culler.
+  /// Default: off.
   vtkSetMacro(Freeze, bool);
   vtkGetMacro(Freeze, bool);
   vtkBooleanMacro(Freeze, bool);
@@ -144,15 +150,16 @@ public:
   const vtkNBufferTuning& GetTuning() const { return this->Tuning; }
   ///@}
 
-  /// Why a prop was drawn or culled in the last frame of `renderer`, or, without one, of the
-  /// renderer culled last. Unknown if it was not in that frame. Costs one hash look-up.
+  /// Why a prop was drawn or culled in the last frame of `renderer`; nullptr means the renderer
+  /// that was culled last. Unknown if the prop was not in that frame. Costs one hash look-up.
   vtkNBufferVerdict GetVerdict(vtkProp* prop, vtkRenderer* renderer = nullptr) const;
 
-  /// Counts and times of the last frame of `renderer`, or of the renderer culled last.
+  /// Counts and times of the last frame of `renderer`; nullptr means the renderer that was culled
+  /// last.
   const vtkNBufferStatistics& GetStatistics(vtkRenderer* renderer = nullptr) const;
 
   ///@{
-  /// The same numbers one by one, of the renderer culled last.
+  /// Single values of GetStatistics(), of the renderer that was culled last.
   int GetNumberOfProps() const { return this->GetStatistics().Props; }
   int GetNumberOfPropsDrawn() const { return this->GetStatistics().GetNumberOfPropsDrawn(); }
   int GetNumberOfHiddenProps() const
@@ -170,15 +177,17 @@ public:
   std::string GetStatisticsAsJSON() const { return this->GetStatistics().GetAsJSON(); }
   ///@}
 
-  /// The back-end used last (OpenGL or CPU; Auto before the first test) and why it was chosen.
+  /// The back-end that was used last in the window of the renderer culled last (OpenGL or CPU; Auto
+  /// before the first test there), and why it was chosen.
   int GetBackendInUse() const;
   const char* GetBackendReason() const;
 
-  /// Whether the image is the one without the culler, which is true unless Freeze is on. A subclass
-  /// has to say so itself, because it may remove more props.
+  /// Whether the image is the same as without the culler: true unless Freeze is on. For a subclass
+  /// it is false, because the subclass may remove more props; one that does not may override it.
   bool PreservesImage() const override;
 
-  /// Called by vtkRenderer before it draws.
+  /// Called by vtkRenderer before it draws. It removes props from the list, may put proxies into
+  /// it, and returns the sum of the props' render time multipliers (vtkCuller::Cull()).
   double Cull(
     vtkRenderer* renderer, vtkProp** propList, int& listLength, int& initialized) override;
 

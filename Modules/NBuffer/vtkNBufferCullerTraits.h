@@ -7,8 +7,8 @@
  *
  * vtkShadowVolumeClampPass reuses the shadow masks of the last frame while nothing that they depend
  * on has changed. Normally they depend on which props the renderer's cullers have left in the list.
- * They do not if the cullers remove only props that show in no pixel. vtkNBufferCuller says so by
- * this class, and a culler of your own may do the same.
+ * They do not if the cullers remove only props that show in no pixel. vtkNBufferCuller derives from
+ * this class to say so, and a culler of your own may do the same.
  */
 #ifndef vtkNBufferCullerTraits_h
 #define vtkNBufferCullerTraits_h

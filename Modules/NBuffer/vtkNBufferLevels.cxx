@@ -9,7 +9,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-// Written so that compilers turn them into one vector instruction each.
+// Compilers turn each of these expressions into one vector instruction.
 struct Maximum
 {
   float operator()(float a, float b) const { return a > b ? a : b; }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferLevels
- * @brief The levels of an N-buffer in host memory: they are built or filled here, and queried.
+ * @brief The levels of an N-buffer in host memory: builds them, or stores those built elsewhere,
+ * and answers queries.
  *
  * The levels that vtkNBufferTexture builds with OpenGL are the same to the bit, and the tests
  * compare them. On software renderers the culler uses these levels instead. vtkNBufferMath.h
@@ -36,8 +37,9 @@ public:
     const float* depth, int width, int height, int factor, vtkNBufferExtremum extremum);
 
   /**
-   * Make room for `levels` levels over a depth image of pixelWidth x pixelHeight pixels, of which
-   * each texel of level 0 covers `factor` x `factor`. The caller fills them through GetLevelData().
+   * Make room for `levels` levels (at most vtkNBufferMath::GetNumberOfLevels() of the base) over a
+   * depth image of pixelWidth x pixelHeight pixels, of which each texel of level 0 covers
+   * `factor` x `factor`. The caller fills the levels through GetLevelData().
    */
   void Allocate(
     int pixelWidth, int pixelHeight, int factor, int levels, vtkNBufferExtremum extremum);
@@ -52,15 +54,15 @@ public:
   void Clear();
 
   ///@{
-  /// Size of the depth image in pixels, and the side in pixels of the square behind a texel of
-  /// level 0.
+  /// The size of the depth image in pixels, and the side in pixels of the square that a texel of
+  /// level 0 covers.
   int GetPixelWidth() const { return this->PixelWidth; }
   int GetPixelHeight() const { return this->PixelHeight; }
   int GetFactor() const { return this->Factor; }
   ///@}
 
   ///@{
-  /// Size of each level in texels, and the number of levels that are built.
+  /// The size of each level in texels, and the number of levels that are built or allocated.
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
   int GetNumberOfLevels() const { return this->NumberOfLevels; }
@@ -81,7 +83,8 @@ public:
   }
 
   /**
-   * The extremum over a cover (vtkNBufferMath::GetCoverOfFour), whose level must be built.
+   * The extremum over the texels of a cover (vtkNBufferMath::GetCoverOfFour), whose level must be
+   * built.
    */
   float Query(const vtkNBufferCover& cover) const
   {

@@ -14,9 +14,9 @@ int CountSquares(int n, int level)
   return static_cast<int>((static_cast<std::int64_t>(n) + (std::int64_t(1) << level) - 1) >> level);
 }
 
-/// The start of square `index` of those of side 2^level that cover [begin, end). They follow each
-/// other, and the last one ends at `end`. A single larger square ends at `end` too, but starts at 0
-/// where it would start below.
+/// Squares of side 2^level cover [begin, end): each begins where the one before it ends, but the
+/// last one ends at `end`. Returns where square `index` begins. A single square that is larger than
+/// the range ends at `end` too, or begins at 0 if it would otherwise begin below 0.
 int GetStart(int begin, int end, int level, int index)
 {
   const std::int64_t side = std::int64_t(1) << level;

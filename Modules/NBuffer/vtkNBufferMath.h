@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferMath.h
- * @brief What a texel of an N-buffer covers, and which texels answer a rectangle. No OpenGL.
+ * @brief What a texel of an N-buffer covers, and which texels give the extremum over a rectangle.
+ * No OpenGL.
  *
  * An N-buffer (X. Decoret, "N-Buffers for efficient depth map query", Computer Graphics Forum
  * 24(3), 2005, section 2) is a stack of images of one size. Level 0 is the base image. Texel
@@ -23,13 +24,13 @@
  * inside the square anyway, so that clamping never changes a result.
  *
  * The base may itself be a reduction of the depth image: texel (x, y) of a base of factor f
- * covers the depth pixels [f x, f x + f) x [f y, f y + f) that exist.
+ * covers the depth pixels [f x, f x + f) x [f y, f y + f) that lie inside the image.
  *
- * A rectangle is answered by
- *  - one lookup: the finest level whose square is at least as wide and as high;
- *  - at most four lookups: the finest level k whose squares cover the rectangle with at most
- *    four of them, ceil(w / 2^k) * ceil(h / 2^k) <= 4. The five cases of the paper's figure 3
- *    are this rule:
+ * The extremum over a rectangle of w x h texels takes
+ *  - one lookup, in the finest level whose squares are at least as wide and as high;
+ *  - or at most four lookups, in the finest level k of which at most four squares cover the
+ *    rectangle: ceil(w / 2^k) * ceil(h / 2^k) <= 4. The five cases of the paper's figure 3 follow
+ *    from this rule:
  *
  *        +--+--+   +-----+   +--+--+--+--+   +--+   and a single square.
  *        |  |  |   |     |   |  |  |  |  |   |  |
@@ -38,10 +39,11 @@
  *        +--+--+   +-----+                   +--+
  *         2 x 2     1 x 2      4 x 1, 3 x 1   1 x 4, 1 x 3
  *
- * Squares overlap where the side is no multiple of 2^k, which does not change an extremum. Where a
- * square is larger than the rectangle it is pushed down (towards y = 0): what lies below the
- * screen extent of a prop is mostly the ground or another prop that it stands behind, what lies
- * above it is mostly empty (paper, section 2).
+ * Squares overlap where a side of the rectangle is no multiple of 2^k, which does not change an
+ * extremum. Where a square is wider or higher than the rectangle, it ends with the rectangle on the
+ * right and at the top, and reaches beyond it on the left and below, unless the border of the base
+ * is in the way. It reaches down (towards y = 0) because below the screen extent of a prop there is
+ * mostly the ground or another prop in front of it, and above it mostly nothing (paper, section 2).
  */
 #ifndef vtkNBufferMath_h
 #define vtkNBufferMath_h
@@ -77,8 +79,8 @@ struct vtkNBufferRectangle
 };
 
 /**
- * At most four texels of one level whose squares cover a rectangle. They cover texels outside of
- * the rectangle only where the rule above says so.
+ * At most four texels of one level whose squares cover a rectangle. They reach beyond the rectangle
+ * only where a square is wider or higher than the rectangle.
  */
 struct vtkNBufferCover
 {
@@ -106,11 +108,12 @@ namespace vtkNBufferMath
 /// The smallest i with 2^i >= n, for n >= 1; 0 for smaller n.
 VTKNBUFFER_EXPORT int CeilLog2(int n);
 
-/// The side of a base image whose texels cover `factor` pixels along each axis:
-/// ceil(size / factor).
+/// The width (or height) in texels of the base of a depth image that is `size` pixels wide (or
+/// high): ceil(size / factor).
 VTKNBUFFER_EXPORT int GetBaseSize(int size, int factor);
 
-/// The texels of the base that a rectangle of pixels touches (rounded outward).
+/// The texels of the base that a rectangle of pixels touches (rounded outward). The coordinates of
+/// the rectangle must not be negative.
 VTKNBUFFER_EXPORT vtkNBufferRectangle GetBaseRectangle(
   const vtkNBufferRectangle& pixels, int factor);
 
@@ -124,18 +127,18 @@ VTKNBUFFER_EXPORT int GetLevelForOneLookup(int width, int height);
 /// The finest level whose squares cover a width x height rectangle with at most four.
 VTKNBUFFER_EXPORT int GetLevelForFourLookups(int width, int height);
 
-/// The one texel that covers `rectangle`, which must not be empty and lie inside the base.
+/// The texel that covers `rectangle`, which must not be empty and must lie inside the base.
 VTKNBUFFER_EXPORT vtkNBufferCover GetCoverOfOne(const vtkNBufferRectangle& rectangle);
 
-/// The at most four texels that cover `rectangle`, which must not be empty and lie inside the
-/// base.
+/// The texels, at most four, that cover `rectangle`, which must not be empty and must lie inside
+/// the base.
 VTKNBUFFER_EXPORT vtkNBufferCover GetCoverOfFour(const vtkNBufferRectangle& rectangle);
 
 /**
- * The merge of the texels of a cover. `texels` holds all levels of a width x height base one after
- * the other, each row by row. Texels may be of any type for which merging two is commutative,
- * associative and idempotent (maximum, minimum, union of boxes, bitwise or). It has to be
- * idempotent because squares overlap: a texel that two squares contain is merged twice.
+ * Merge the texels of a cover that is not empty. `texels` holds all levels of a width x height base
+ * one after the other, each row by row. `merge(a, b)` returns a merged texel; it has to be
+ * commutative, associative and idempotent (maximum, minimum, union of boxes, bitwise or). It has to
+ * be idempotent because squares overlap: a texel that two squares contain is merged twice.
  */
 template <typename Texel, typename Merge>
 Texel MergeCover(

@@ -6,7 +6,7 @@
  *
  * vtkNBufferCuller knows which of VTK's own passes it can work with. If a renderer has a pass of
  * another class, the culler draws everything, with the decision vtkNBufferDecision::RenderPass. A
- * pass of your own becomes known if it derives from this class, too:
+ * pass of your own becomes known if it also derives from this class:
  *
  * @code
  * class MyPass : public vtkRenderPass, public vtkNBufferRenderPassTraits
@@ -52,10 +52,10 @@ public:
 
   /**
    * Whether this pass may draw the same opaque props twice in a frame: first to find out what is
-   * visible, then in the same or in a finer framebuffer for the image. The culler tests props in
-   * the first drawing and then repeats the same draws in the second one, because what is hidden in
-   * the first is hidden in the second. If a pass draws twice without saying so, the culler draws
-   * everything. Default: false.
+   * visible, then for the image. Both framebuffers must have the same samples, and the second at
+   * least as many bits of depth. The culler tests props in the first drawing and repeats the same
+   * draws in the second one, because what is hidden in the first is hidden in the second. If a pass
+   * draws twice without saying so, the second drawing has all props. Default: false.
    */
   virtual bool DrawsOpaquePropsTwice() const { return false; }
 

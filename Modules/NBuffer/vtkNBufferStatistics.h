@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferStatistics.h
- * @brief What the culler did with every prop of a frame, and what that cost.
+ * @brief What the culler did with every prop of a frame, and how much work and time that took.
  *
- * One struct feeds the getters of vtkNBufferCuller, PrintSelf, JSON, overlays and tests. Every prop
- * that the renderer gave to the culler has exactly one verdict, so that in every frame
+ * The getters of vtkNBufferCuller, PrintSelf, JSON, overlays and tests all read one struct. Every
+ * prop that the renderer gave to the culler has exactly one verdict, so that in every frame
  *
  *     Props = sum of Verdicts = drawn + hidden + outside.
  */
@@ -30,7 +30,7 @@ enum class vtkNBufferVerdict : int
 {
   Unknown,          ///< The last frame did not contain it: it is invisible or in another renderer.
   Outside,          ///< Not drawn: its box lies outside the view frustum.
-  Hidden,           ///< Not drawn: its box lies behind what is drawn (translucent props too).
+  Hidden,           ///< Not drawn: its box lies behind occluders (for translucent props, too).
   Visible,          ///< Drawn: its box may be seen.
   NearPlane,        ///< Drawn: its box reaches the near plane or the eye point.
   Untested,         ///< Drawn: the frame was not tested (vtkNBufferDecision says why).
@@ -42,9 +42,9 @@ enum class vtkNBufferVerdict : int
   ShaderReplaced,   ///< Drawn: the application replaces its shader code.
   OtherCoordinates, ///< Drawn: its coordinates are not world coordinates.
   NoBounds,         ///< Drawn: its bounds are null, uninitialised, infinite or NaN.
-  SharedMapper,     ///< Drawn: its mapper, lookup table or array of points belongs to another prop
-                    ///< as well, or to a part of one, which uses it in another way. VTK keeps the
-                    ///< shaders, the range or the buffer of one of them for the other.
+  SharedMapper,     ///< Drawn: it shares its mapper, lookup table or array of points with another
+                    ///< prop (or a part of one) that uses it in another way. VTK then draws one of
+                    ///< them with the shaders, the range or the vertex buffer of the other.
   NumberOfVerdicts
 };
 
@@ -59,25 +59,26 @@ enum class vtkNBufferDecision : int
   Culled,            ///< Props were tested against the depth of this frame.
   Still,             ///< Nothing has changed since the last frame, whose verdicts were used again.
   Frozen,            ///< Freeze is on: the verdicts of the frozen frame were used again.
-  NothingHeld,       ///< All candidates in the frustum were visible before: none to hold back.
+  NothingHeld,       ///< All candidates in the frustum were visible before; none is held back.
   FewCandidates,     ///< Fewer candidates than MinimumNumberOfCandidates are in the frustum.
   BackedOff,         ///< Recent tests hid next to nothing; there is no test for some frames.
   Disabled,          ///< Enabled is off.
-  Selecting,         ///< A hardware selector draws, which numbers the props in their order.
+  Selecting,         ///< A hardware selector draws; it numbers the props in their order.
   Shadows,           ///< VTK's shadow maps need the props that the camera does not see.
   RenderPass,        ///< The renderer has a render pass that the culler does not know.
-  HiddenLines,       ///< Hidden-line removal is on, which draws wireframes in its own way.
-  Exporting,         ///< A GL2PS capture goes on, which draws no depth.
-  Delegated,         ///< A delegate draws this renderer.
-  UnsupportedWindow, ///< The window is a VR window or has no size.
+  HiddenLines,       ///< Hidden-line removal draws wireframes of this renderer in its own way.
+  Exporting,         ///< A GL2PS capture is active; it draws no depth.
+  Delegated,         ///< A vtkRendererDelegate draws in place of this renderer.
+  UnsupportedWindow, ///< The window is a VR window, or the renderer's viewport has no pixels.
   OtherCuller,       ///< A culler comes after this one; it would not see what is held back.
-  Blending,          ///< The order of drawing can be seen: a prop blends among the opaque ones, or
-                     ///< shares what is described at vtkNBufferVerdict::SharedMapper.
-  OtherView,         ///< Camera, viewport or framebuffer were not those of Cull(): all was drawn.
+  Blending,          ///< The image depends on the order of drawing: a prop blends among the opaque
+                     ///< ones, or shares an object as vtkNBufferVerdict::SharedMapper describes.
+  OtherView,         ///< The camera, the viewport or the framebuffer cannot be tested, or is not
+                     ///< the one of Cull(); all props were drawn.
   NoContext,         ///< Failure: the window has no OpenGL context.
   OldContext,        ///< Failure: OpenGL is older than 3.2.
-  NoFloatTextures,   ///< Failure: the device cannot draw into float textures, nor is there another
-                     ///< way.
+  NoFloatTextures,   ///< Failure: the device cannot draw into float textures, and the depth cannot
+                     ///< be read in another way.
   NoDepth,           ///< Failure: the depth cannot be read.
   NumberOfDecisions
 };
@@ -98,13 +99,13 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   int Candidates = 0;
   /// The candidates whose boxes were tested against depth.
   int Tested = 0;
-  /// The tested candidates that the levels did not find hidden in the first round.
+  /// The tested candidates that the levels alone did not find hidden in the first round.
   int PassedCoarseTest = 0;
   /// The candidates that were not drawn before the first test.
   int HeldBack = 0;
-  /// The props drawn once more for the order of equal depths (vtkNBufferTieOrder).
+  /// The props that were drawn once more to restore the order of equal depths (vtkNBufferTieOrder).
   int Redrawn = 0;
-  /// The props whose cached box was computed anew because something had changed.
+  /// The props that had changed, so that what is cached of them was read again.
   int Refreshed = 0;
 
   /// The frames of this window so far in which everything was drawn because of a failure.
@@ -113,18 +114,21 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   /// The number of props with each verdict, indexed by vtkNBufferVerdict.
   std::array<int, NumberOfVerdicts> Verdicts = {};
 
-  /// The rounds of test and draw.
+  /// The number of rounds, which is the number of tests.
   int Rounds = 0;
-  /// The candidates drawn before the first test ([0]) and after each test ([1], [2], ...).
+  /// The candidates that were not held back ([0]), and those that each draw of props held back drew
+  /// ([1], [2], ...). In a view of which nothing is known, draw [1] comes before the first test;
+  /// otherwise draw [i] follows test i.
   std::array<int, MaximumNumberOfRounds + 1> DrawnInRound = {};
 
-  /// The candidates that were found hidden by their triangles alone (vtkNBufferPixelTest), in all
-  /// rounds. Their boxes are not hidden.
+  /// The candidates that were found hidden by their triangles (vtkNBufferPixelTest) although their
+  /// boxes were not, in all rounds.
   int HiddenByTriangles = 0;
 
   ///@{
-  /// The work on N-buffers in all rounds: levels built and their texels, rectangles that were
-  /// compared with them, texels read for that, and read-backs from OpenGL with their bytes.
+  /// The work on N-buffers in all rounds: the levels built and their texels, the rectangles that
+  /// were compared with levels and the texels read for that, the read-backs from OpenGL and their
+  /// bytes.
   int Levels = 0;
   long long Texels = 0;
   long long Queries = 0;
@@ -133,31 +137,32 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   long long BytesRead = 0;
   ///@}
 
-  /// The props whose boxes were found hidden and which were drawn because a sliver of theirs may be
-  /// seen (vtkNBufferCuller::SetTestSlivers). A prop may be counted once in each round.
+  /// The props that were found hidden, but drawn because one of their slivers may be seen
+  /// (vtkNBufferCuller::SetTestSlivers). A prop may be counted once in each round.
   int Slivers = 0;
 
   ///@{
-  /// The work on the hierarchy over the props (vtkNBufferTuning::HierarchySize): nodes visited for
-  /// the frustum and for the test, boxes replaced because they had changed, and 1 if the hierarchy
-  /// was built in this frame.
+  /// The work on the hierarchy over the props (vtkNBufferTuning::HierarchySize): the nodes visited
+  /// by the frustum test and by the tests against depth, the changed boxes that were replaced, and
+  /// 1 if the hierarchy was built in this frame.
   long long Nodes = 0;
   int Refits = 0;
   int Builds = 0;
   ///@}
 
   ///@{
-  /// Milliseconds of the calling thread in Cull(): as a whole, and two parts of it. The first part
-  /// is bringing caches up to date, with the frustum test where the camera has moved; the second is
-  /// deciding what to do, with the frustum test in other frames.
+  /// Milliseconds of the calling thread in Cull(): the whole, and two parts of it. RefreshTime is
+  /// for bringing caches up to date, with the frustum test if the camera has moved. FrustumTime is
+  /// for deciding what to do with the frame, with the frustum test if the camera has not moved.
   double CullTime = 0.0;
   double RefreshTime = 0.0;
   double FrustumTime = 0.0;
   ///@}
 
   ///@{
-  /// Milliseconds of the calling thread while the frame is drawn: waiting for and reading the
-  /// depth, building levels, testing boxes, pixels and slivers, and drawing what was held back.
+  /// Milliseconds of the calling thread while the frame is drawn: for waiting for and reading the
+  /// depth, for building levels, for comparing boxes with levels and with pixels, for testing
+  /// slivers, and for drawing what was held back.
   double ReadTime = 0.0;
   double BuildTime = 0.0;
   double TestTime = 0.0;
@@ -166,8 +171,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   double DrawTime = 0.0;
   ///@}
 
-  /// Milliseconds of the graphics device for building levels with the OpenGL back-end. They belong
-  /// to an earlier frame, because the culler never waits for a timer query.
+  /// Milliseconds of the graphics device for building levels with the OpenGL back-end; 0 without
+  /// timer queries. They may belong to an earlier frame: the culler never waits for a timer query.
   double DeviceBuildTime = 0.0;
 
   /// The number of props with a verdict.

@@ -36,7 +36,7 @@ std::string Define(const char* name, int value)
 struct SampledDepth
 {
   int Kind = NBUFFER_SOURCE_DEPTH;
-  bool Foreign = false; ///< The texture belongs to somebody else, whose parameters must stay.
+  bool Foreign = false; ///< Other code owns the texture, whose parameters must be restored.
   GLenum Target = GL_TEXTURE_2D;
   int Level = 0;
   int Origin[2] = { 0, 0 };
@@ -146,7 +146,7 @@ void vtkNBufferTexture::Internals::UseContext(vtkOpenGLRenderWindow* window)
   {
     return;
   }
-  // The same window with another context: the objects went with the old one.
+  // The same window has another context: the objects are gone with the old one.
   if (this->ContextTime != 0)
   {
     this->Delete(vtkNBufferGL::Context::Gone);
@@ -183,8 +183,8 @@ bool vtkNBufferTexture::Internals::PrepareDepth(
     glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, x, y, width, height);
     return vtkNBufferGL::CheckErrors("Copying the depth buffer", this->Error);
   }
-  // Depth can be copied as integers only through a buffer. Hardware does not offer this format, and
-  // software copies it without a conversion.
+  // Depth can be copied as integers only through a buffer object. That costs little: graphics
+  // devices lack this depth format, and software renderers copy it without a conversion.
   depth.Kind = NBUFFER_SOURCE_INTEGER;
   if (!this->Storage.ReserveIntegers(width, height, this->Error))
   {
@@ -283,7 +283,7 @@ void vtkNBufferTexture::Internals::Delete(vtkNBufferGL::Context context)
   this->LevelPass.Delete(context);
   if (context == vtkNBufferGL::Context::Gone)
   {
-    // Queries of a dead context cannot be deleted: their names are left to it.
+    // The queries of a destroyed context cannot be deleted, so their names are given up.
     this->Timer.release();
   }
   this->Timer.reset();
@@ -334,7 +334,7 @@ bool vtkNBufferTexture::Build(vtkOpenGLRenderWindow* window, const vtkNBufferDep
     self.LacksFloatTextures = true;
     return false;
   }
-  // The timer starts again only if the last time that it measured has been read.
+  // The timer starts again only after the time that it measured last has been read.
   this->GetDeviceTime();
   if (self.Timer)
   {

@@ -6,7 +6,7 @@
  *
  * Build() reduces a rectangle of the depth buffer that is being drawn to level 0 and makes the
  * levels above it, all by fragment passes of OpenGL 3.2. vtkNBufferMath.h defines which squares a
- * texel covers; vtkNBufferLevels holds the same levels, bit for bit, in host memory.
+ * texel covers; vtkNBufferLevels builds the same levels, bit for bit, in host memory.
  *
  * Texels are 32-bit floats (R32F). Even and odd levels live in two array textures, so that a pass
  * never reads the texture that it writes. Level i is layer GetLayer(i) of GetHandle(i), and fills
@@ -15,15 +15,15 @@
  * 4 * levels * ceil(w / factor) * ceil(h / factor) bytes, and is kept until
  * ReleaseGraphicsResources().
  *
- * Where depth comes from: a depth texture is sampled directly. A renderbuffer and the window's own
- * framebuffer are first copied on the device. Normalised depth of 32 bits, which samplers round, is
- * copied as integers. Multisampled depth must be a texture; all samples are fetched, and none is
- * resolved.
+ * Where depth comes from: Build() samples a depth texture directly. It first copies, on the device,
+ * the depth of a renderbuffer or of the window's own framebuffer. It copies normalised depth of 32
+ * bits, which samplers round, as integers. Multisampled depth must be a texture: Build() fetches
+ * every sample, without resolving them into one.
  *
- * Depth is rounded as by vtkNBufferDepthSource::Read, with two exceptions. Depth of 24 bits is what
- * the driver's sampler returns, which can be one unit in the last place lower than what Read
- * returns. Multisampled depth of 32 normalised bits can only be sampled, and is moved by 2^-23 to
- * the safe side (up for Maximum, down for Minimum).
+ * Depth is rounded as by vtkNBufferDepthSource::Read(), with two exceptions. Depth of 24 bits has
+ * the value that the driver's sampler returns, which can be one unit in the last place lower than
+ * what Read() returns. Multisampled normalised depth of 32 bits can only be sampled, and is moved
+ * by 2^-23 to the conservative side (up for Maximum, down for Minimum).
  *
  * Build() and Download() restore the GL state that they change. On a failure (no float textures, no
  * readable depth, incomplete framebuffer, shader error) they return false and leave no levels, and
@@ -54,16 +54,17 @@ public:
   /**
    * Build `levels` levels (clamped to vtkNBufferMath::GetNumberOfLevels) over the rectangle
    * (x, y, width, height) in framebuffer pixels of `source`, which describes the framebuffer bound
-   * for drawing. `factor` is 1, 2, 4 or 8. Under multisampling a texel takes the extremum over all
-   * samples of its pixels. The window's context must be current. Cost: one pass over the depth and
-   * one pass over the base per level; it does not wait for the device.
+   * for drawing. `factor`, the side in pixels of the square that a texel of level 0 covers, is 1,
+   * 2, 4 or 8. With multisampling a texel holds the extremum over all samples of its pixels. The
+   * window's context must be current. Cost: one pass over the depth, and for each further level one
+   * pass over the base; it does not wait for the device.
    */
   bool Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, int x, int y,
     int width, int height, int factor, int levels, vtkNBufferExtremum extremum);
 
   /**
    * Copy all levels to host memory in one blocking read-back of 4 * levels * width * height bytes.
-   * On failure returns false and clears `levels`.
+   * Returns false and clears `levels` on failure.
    */
   bool Download(vtkOpenGLRenderWindow* window, vtkNBufferLevels& levels);
 
@@ -104,8 +105,9 @@ public:
   /// The cause of the last failure and a remedy; empty after a success.
   const std::string& GetError() const;
 
-  /// How many milliseconds the device took for the last build whose timer query has finished. Never
-  /// waits. 0 where timer queries are missing (before OpenGL 3.3). The context must be current.
+  /// How many milliseconds the device took for the last build whose timer query has finished; 0
+  /// before there is one, and without timer queries (before OpenGL 3.3). Never waits. The context
+  /// must be current.
   double GetDeviceTime();
 
   /// Delete all OpenGL objects. VTK calls this before it destroys the window's context; the

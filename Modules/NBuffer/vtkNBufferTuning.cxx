@@ -37,7 +37,7 @@ std::string vtkNBufferTuning::FindFault() const
     { "MinimumNumberOfCandidates", this->MinimumNumberOfCandidates, 1, VTK_INT_MAX },
     { "MaximumNumberOfRounds", this->MaximumNumberOfRounds, 1,
       vtkNBufferStatistics::MaximumNumberOfRounds },
-    // The last round draws 2^7 times as many.
+    // The number doubles from round to round, at most seven times.
     { "RoundSize", this->RoundSize, 1, VTK_INT_MAX / 512 },
     { "HierarchySize", this->HierarchySize, 0, VTK_INT_MAX },
     { "ObserveAfter", this->ObserveAfter, 0, VTK_INT_MAX },

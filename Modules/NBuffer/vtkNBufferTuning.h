@@ -27,59 +27,64 @@ VTK_ABI_NAMESPACE_BEGIN
 
 struct VTKNBUFFER_EXPORT vtkNBufferTuning
 {
-  /// A texel of level 0 stands for a square of this many pixels on a side: 1, 2, 4 or 8. A larger
-  /// square is cheaper to build and to read back, and leaves more small hidden props drawn.
+  /// The side in pixels of the square that a texel of level 0 covers: 1, 2, 4 or 8. With a larger
+  /// square levels are cheaper to build and to read back, and more small props are false-visible.
   int BaseFactor = 4;
 
-  /// A frame with fewer candidates in the frustum is drawn as without the culler, because a
-  /// read-back would take longer than it saves; 1 or more.
+  /// A frame with fewer candidates than this in the frustum is drawn as without the culler, because
+  /// a read-back would take longer than it saves; 1 or more.
   int MinimumNumberOfCandidates = 32;
 
-  /// A frame has at most this many rounds of test and draw; 1 to 8.
+  /// The largest number of rounds (one test and one draw each) in a frame; 1 to 8.
   int MaximumNumberOfRounds = 6;
 
-  /// Where nothing is known, the first round draws at most this many props, and each further round
-  /// twice as many before the next test (vtkNBufferOccluderChoice.h); 1 or more. Of more
-  /// than 512 times as many, the first round draws one in 512.
+  /// How many props are drawn before the first test, at most, in a view of which nothing is known
+  /// (vtkNBufferOccluderChoice.h); 1 to 4194303. The number is 1/512 of the props held back if that
+  /// is more. At most as many are drawn after the first test, and twice as many after each further
+  /// one. If no more than twice this number are left, all are drawn without another test.
   int RoundSize = 64;
 
-  /// A renderer with at least this many props is tested over a hierarchy of their boxes; 0 means
-  /// always. The hierarchy costs 150 bytes per prop, and 0.5 microseconds per prop to build it
-  /// where the list of props changes (vtkNBufferCandidateTree).
+  /// If a renderer has at least this many props, the culler uses a hierarchy over their boxes; 0
+  /// means always. The hierarchy takes 150 bytes per prop. When the list of props changes, it is
+  /// built again, which takes 0.5 microseconds per prop (vtkNBufferCandidateTree).
   int HierarchySize = 10000;
 
-  /// Props that have not changed for this many frames are observed (vtkNBufferObservedObjects): of
-  /// each, a frame then reads the times of the actor alone, and not those of some fifteen objects;
-  /// 0 means never.
+  /// The objects of a prop get observers (vtkNBufferObservedObjects) when the prop has not changed
+  /// for this many frames; 0 means never. From then on a frame reads only the modification time of
+  /// the actor, instead of those of some fifteen objects.
   int ObserveAfter = 60;
 
-  /// Where neither levels nor pixels hide the box of a prop that has been visible for this many
-  /// frames, its triangles are compared with the pixels one by one, if they are few
-  /// (vtkNBufferMeshes::FindSmall); 0 means never. Needs TestPixels.
+  /// If a prop has been visible for this many frames, and neither the levels nor the pixels hide
+  /// its box, its triangles are compared with the pixels one by one, if they are few
+  /// (vtkNBufferMeshes::FindSmall); 0 means never. This requires TestPixels.
   int TestTrianglesAfter = 8;
 
-  /// Where the levels do not hide a box, its pixels are compared one by one (vtkNBufferPixelTest).
-  /// The OpenGL back-end reads the whole depth image back for that, once many props are in doubt.
+  /// Whether a box that the levels do not hide is compared with its pixels one by one
+  /// (vtkNBufferPixelTest). With the OpenGL back-end this reads the whole depth image back, and
+  /// happens only if many such boxes are left.
   bool TestPixels = true;
 
-  /// The device may draw into float textures, which the OpenGL back-end and multisampling need.
-  /// false makes the culler behave as on a device that cannot.
+  /// Whether the device may draw into float textures, which the OpenGL back-end and multisampling
+  /// need. If false, the culler behaves as on a device that cannot draw into them.
   bool AllowFloatTextures = true;
 
-  /// The verdicts of the last frame are used again while camera, window and props stay the same.
+  /// Whether the verdicts of the last frame are used again while camera, window and props stay the
+  /// same.
   bool ReuseWhenStill = true;
 
-  /// Where tests hide next to nothing, the culler stops testing, except for a probe now and then
-  /// (vtkNBufferBackOff in vtkNBufferCullingPolicy.h).
+  /// Whether the culler stops testing while tests find next to nothing hidden, except for a probe
+  /// now and then (vtkNBufferBackOff in vtkNBufferCullingPolicy.h).
   bool BackOff = true;
 
-  /// The culler moves in front of a vtkFrustumCoverageCuller that has default settings, and tests
-  /// the frustum itself. A vtkFrustumCoverageCuller with other settings stays in front.
+  /// Whether the culler moves each vtkFrustumCoverageCuller with default settings behind itself in
+  /// the renderer's list of cullers, and tests the frustum in its place. A vtkFrustumCoverageCuller
+  /// with other settings stays where it is.
   bool TakeOverFrustumCulling = true;
 
   bool operator==(const vtkNBufferTuning& other) const;
 
-  /// Says what is wrong with a value that is out of its range; empty if all are valid.
+  /// Return what is wrong with the first value that is out of its range, or an empty string if all
+  /// values are valid.
   std::string FindFault() const;
 
   void PrintSelf(ostream& os, vtkIndent indent) const;

@@ -19,7 +19,7 @@
 #define VTK_ABI_NAMESPACE_END
 #endif
 
-// The header that declares OpenGL: VTK loads it with glad since 9.4, with GLEW before.
+// The header that declares OpenGL: VTK loads OpenGL with glad since 9.4, with GLEW before.
 // (__has_include would say it more directly, but VTK's header parser does not know it.)
 #if VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 4
 #define VTKNBUFFER_GL_HEADER "vtk_glad.h"
@@ -30,32 +30,33 @@
 // vtkProp3D::CoordinateSystem: actors that follow a VR device or the physical world.
 #define VTKNBUFFER_HAS_COORDINATE_SYSTEMS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 2)
 
-// vtkCompositePolyDataMapper2 is what applications use for composite data.
+// Applications use vtkCompositePolyDataMapper2 for composite data.
 #define VTKNBUFFER_HAS_COMPOSITE_MAPPER_2 (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 3)
 
 // vtkAlgorithm::ABORTED(): a filter whose last run did not come to its end.
 #define VTKNBUFFER_HAS_ABORTED_FILTERS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 3)
 
-// vtkRenderWindow::Initialize() and GetInitialized(); before, the first Render() makes the context.
+// vtkRenderWindow::Initialize() and GetInitialized(). In older versions the first Render() makes
+// the context.
 #define VTKNBUFFER_HAS_INITIALIZE (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 4)
 
 // vtkOpenGLResourceFreeCallback.h is installed; see vtkNBufferResourceCallback.h.
 #define VTKNBUFFER_HAS_RESOURCE_CALLBACK (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 5)
 
-// vtkRenderer::SetUseOIT(); before, order-independent transparency is always on.
+// vtkRenderer::SetUseOIT(). In older versions order-independent transparency is always on.
 #define VTKNBUFFER_HAS_OIT_SWITCH (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 5)
 
-// What vtkDataSet's list of cell types is called.
+// The name of the function that lists the types of a vtkDataSet's cells.
 #if VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 6
 #define VTKNBUFFER_GET_CELL_TYPES GetDistinctCellTypes
 #else
 #define VTKNBUFFER_GET_CELL_TYPES GetCellTypes
 #endif
 
-// Ambient occlusion works in a part of a window; before, it draws outside its framebuffer.
+// Ambient occlusion works in a part of a window. Older versions draw outside its framebuffer.
 #define VTKNBUFFER_HAS_SSAO_IN_PARTS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 7)
 
-// Shadow maps survive a prop that is added later, which ends the program in 9.1.
+// VTK's shadow maps work with props that are added later. In 9.1 such a prop ends the program.
 #define VTKNBUFFER_HAS_LASTING_SHADOW_MAPS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 7)
 
 #endif

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkShadowStatistics.h
- * @brief What the shadows of a frame cost: casters by verdict, volumes, fragments, times.
+ * @brief How much work and time the shadows of a frame took: casters by verdict, volumes,
+ * fragments, milliseconds.
  *
- * One struct feeds the getters of vtkShadowVolumeClampPass, PrintSelf, JSON and tests. Every caster
- * has one verdict for each casting light. For each light the verdicts add up to Casters, or to more
- * if a caster is drawn in several parts.
+ * The getters of vtkShadowVolumeClampPass, PrintSelf, JSON and tests all read one struct. Every
+ * caster has one verdict for each light that casts shadows. For each such light the verdicts add up
+ * to Casters, or to more if a caster is drawn in several parts, each with its own verdict.
  */
 #ifndef vtkShadowStatistics_h
 #define vtkShadowStatistics_h
@@ -55,24 +56,24 @@ constexpr vtkShadowStageTimes UnknownShadowStageTimes = { -1.0, -1.0, -1.0 };
 enum class vtkShadowVerdict : int
 {
   Whole,             ///< Drawn whole: the mode is Unclamped, or no litmap was worth its cost.
-  Boxed,             ///< Drawn whole, but only inside its receivers' boxes of pixels.
+  Boxed,             ///< Drawn whole, but only inside boxes of pixels around its receivers.
   Clamped,           ///< Drawn in slabs, inside such boxes.
-  ThroughLightPlane, ///< Drawn whole: the caster reaches to the light's plane or behind it.
+  ThroughLightPlane, ///< As Boxed: the caster reaches to or behind the light's plane s = 0.
   NoReceiver,        ///< Not drawn: the camera sees nothing on the light rays through the caster.
   BeforeCaster,      ///< Not drawn: what the camera sees on these rays is nearer to the light.
-  BehindLight,       ///< Not drawn: the caster is behind the light, which looks away from it.
+  BehindLight,       ///< Not drawn: the caster is behind a spot light, which shines away from it.
   OutsideCone,       ///< Not drawn: the caster is outside of the cone of a spot light.
   Empty,             ///< Not drawn: the caster has no triangle that can cast a shadow.
   NumberOfVerdicts
 };
 
-/// Why an actor of the renderer does not cast.
+/// Why a prop of the renderer casts no shadow.
 enum class vtkShadowSkip : int
 {
   NotAnActor,      ///< It is a volume, a billboard or a prop of a class of the application.
   NotASurface,     ///< It is drawn as wireframe or points.
   Translucent,     ///< It is translucent, or a block of it is.
-  NotAPlainMapper, ///< Its mapper gives no polydata, as those of glyphs and data sets.
+  NotAPlainMapper, ///< The triangles that its mapper draws cannot be known (glyphs, for instance).
   NumberOfSkips
 };
 constexpr int NumberOfShadowSkips = int(vtkShadowSkip::NumberOfSkips);
@@ -103,7 +104,7 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   int Lights = 0;
   /// The meshes that can cast a shadow.
   int Casters = 0;
-  /// The number of actors that cannot cast, by reason.
+  /// The number of actors, blocks and other props that cannot cast, by reason.
   std::array<int, NumberOfShadowSkips> Skipped = {};
   /// The number of casters with each verdict, summed over the lights.
   std::array<int, NumberOfVerdicts> Verdicts = {};
@@ -111,13 +112,13 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   int Updates = 0;
   /// The silhouettes that were computed in this frame.
   int Silhouettes = 0;
-  /// The draw calls for shadow volumes.
+  /// The pieces of shadow volumes that were drawn: whole volumes, or slabs of them.
   int Draws = 0;
-  /// The part of Draws that was counted by z-pass, between the eye and the receiver.
+  /// Those of Draws that were counted by z-pass.
   int ZPass = 0;
   /// The boxes of pixels that volumes were drawn into: one or more for each of the Draws.
   int Boxes = 0;
-  /// How often counting began anew: once for each light with volumes, and more often where a
+  /// How often the stencil was cleared: once for each light with volumes, and more often where a
   /// receiver might be in more volumes than a stencil can count.
   int StencilClears = 0;
   /// The slabs that volumes were cut into.
@@ -126,8 +127,8 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   long long Triangles = 0;
   /// The samples that were scattered into litmaps, summed over the lights.
   long long Receivers = 0;
-  /// The fragments that the volumes covered, whether or not they passed the depth test; samples of
-  /// fragments with multisampling. -1 unless fragments are counted.
+  /// The fragments of the volumes, whether or not they passed the depth test; with multisampling,
+  /// the samples of these fragments. -1 unless vtkShadowTuning::CountFragments is set.
   long long Fragments = -1;
   /// The litmaps that were made in this frame.
   int Litmaps = 0;
@@ -135,20 +136,20 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   int UnclampedLights = 0;
   /// The read-backs of depth from OpenGL.
   int ReadBacks = 0;
-  /// The frames so far that were drawn as without the pass because OpenGL refused something.
+  /// The frames so far that were drawn without shadows because OpenGL refused something.
   int FailedFrames = 0;
   /// The draw calls for debug views.
   int DebugDraws = 0;
-  /// The samples in each pixel of the masks.
+  /// The number of samples in each pixel of the masks.
   int Samples = 1;
-  /// The frames so far whose masks have one sample in each pixel although the window has more,
-  /// because the device refused as many.
+  /// The frames so far whose masks have one sample in each pixel, although the window has more,
+  /// because the device refused masks with more.
   int PixelFrames = 0;
 
   ///@{
-  /// Milliseconds of the calling thread for collecting casters and silhouettes, drawing the depth
-  /// of receivers, reading this depth, making litmaps, planning and making volumes, and drawing
-  /// them.
+  /// Milliseconds of the calling thread for finding the casters, for drawing the depth of
+  /// receivers, for reading this depth, for making litmaps, for computing silhouettes, plans and
+  /// volumes, and for drawing the volumes.
   double CasterTime = 0.0;
   double DepthTime = 0.0;
   double ReadTime = 0.0;
@@ -157,9 +158,9 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   double DrawTime = 0.0;
   ///@}
 
-  /// Milliseconds of the graphics device for each stage. They belong to the last frame that is
-  /// known, because the pass never waits for a timer (vtkShadowTimers.h). -1 unless they are
-  /// measured, and if the driver has no timers.
+  /// Milliseconds of the graphics device for each stage. They belong to the last frame whose times
+  /// have arrived, because the pass never waits for a timer (vtkShadowTimers.h). -1 before there is
+  /// one, unless vtkShadowTuning::MeasureDeviceTime is set, and if the driver has no timers.
   vtkShadowStageTimes DeviceTimes = UnknownShadowStageTimes;
 
   /// The milliseconds of the graphics device for one stage.
@@ -168,7 +169,7 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
     return this->DeviceTimes[static_cast<std::size_t>(stage)];
   }
 
-  /// The number of casters with a verdict.
+  /// The number of casters with a verdict, summed over the lights.
   int GetCount(vtkShadowVerdict verdict) const
   {
     return this->Verdicts[static_cast<std::size_t>(verdict)];

@@ -30,37 +30,41 @@ class vtkShadowLitmapSource;
 
 struct VTKNBUFFER_EXPORT vtkShadowTuning
 {
-  /// A litmap has this many lexels along each side; 1 to 4096. More lexels make tighter boxes and
-  /// slabs.
+  /// The number of lexels along each side of a litmap; 1 to 4096. More lexels make tighter boxes
+  /// and slabs.
   int LitmapResolution = 256;
 
   /// Two slabs are separated by at least this many empty bins of the 64 between the nearest and the
-  /// farthest receiver; 1 to 64. 64 makes one slab of all receivers, as in the paper.
+  /// farthest receiver; 1 to 64. With 64 there is one slab around all receivers of a caster, as in
+  /// the paper (see vtkShadowVolumeClampPass).
   int SlabGap = 4;
 
-  /// One more box around the receivers of a caster has to leave out at least this many pixels, plus
-  /// 1/32 of that for each triangle of the caster's volume, which is drawn once more in that box;
-  /// 0 to 1e9. The default is a compromise: software renderers fill in a few nanoseconds for each
-  /// pixel and set up a triangle in some tenths of a microsecond, devices are limited by what they
-  /// fill.
+  /// What one more box of pixels costs, in pixels; 0 to 1e9. A caster's volume is drawn once more
+  /// in each further box around its receivers. So there is a further box only if it leaves out at
+  /// least this many pixels, and 1/32 of this number more for each triangle of the volume. The
+  /// default is a compromise: software renderers take a few nanoseconds to fill a pixel and some
+  /// tenths of a microsecond to set up a triangle, whereas graphics devices are limited by what
+  /// they fill.
   int BoxCost = 256;
 
-  /// The fragments of volumes are counted (vtkShadowStatistics::Fragments). The volumes are drawn
-  /// once more for that, and the host waits for the device.
+  /// Whether the fragments of volumes are counted (vtkShadowStatistics::Fragments). The volumes are
+  /// drawn once more for that, the host waits for the device, and the masks of the last frame are
+  /// never used again.
   bool CountFragments = false;
 
-  /// The time of the graphics device is measured (vtkShadowStatistics::DeviceTimes). It costs two
-  /// timer queries and two flushes for each light and for each draw of the props; the results are
-  /// read when they are known, without waiting.
+  /// Whether the time of the graphics device is measured (vtkShadowStatistics::DeviceTimes). This
+  /// costs two timer queries and two flushes for each light and for each draw of the props. The
+  /// pass reads the results when they have arrived and does not wait for them.
   bool MeasureDeviceTime = false;
 
-  /// An experiment fills litmaps in its own way (Shadows/Litmap/vtkShadowLitmapSource.h); nullptr
-  /// scatters the depth of the receivers.
+  /// An experiment's own way to fill litmaps (Shadows/Litmap/vtkShadowLitmapSource.h). With nullptr
+  /// the pass scatters the depth of the receivers into them.
   std::shared_ptr<vtkShadowLitmapSource> LitmapSource;
 
   bool operator==(const vtkShadowTuning& other) const;
 
-  /// Says what is wrong with a value that is out of its range; empty if all are valid.
+  /// Return what is wrong with the first value that is out of its range, or an empty string if all
+  /// values are valid.
   std::string FindFault() const;
 
   void PrintSelf(ostream& os, vtkIndent indent) const;

@@ -19,7 +19,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-/// The opaque stage of the steps, which is the pass itself.
+/// The opaque stage of GetSteps(). It calls the pass that owns it.
 class vtkShadowVolumeClampPass::OpaqueStage
   : public vtkRenderPass
   , public vtkNBufferRenderPassTraits
@@ -38,7 +38,7 @@ public:
     }
   }
 
-  /// The stage has no parts: its owner draws.
+  /// The stage calls no other passes: its owner draws.
   std::vector<vtkRenderPass*> GetDelegatePasses() override { return {}; }
 
   vtkShadowVolumeClampPass* Owner = nullptr;
@@ -163,8 +163,8 @@ void vtkShadowVolumeClampPass::Render(const vtkRenderState* s)
   vtkRenderer* renderer = s->GetRenderer();
   if (renderer->GetPass() == this)
   {
-    // VTK's camera pass leaves out what vtkCamera::Render() asks the window: whether there are two
-    // eyes.
+    // vtkCamera::Render() reads from the window whether there are two eyes. VTK's camera pass does
+    // not.
     vtkCamera* camera = renderer->GetActiveCamera();
     if (camera->GetStereo() != renderer->GetRenderWindow()->GetStereoRender())
     {

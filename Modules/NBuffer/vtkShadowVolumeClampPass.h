@@ -4,18 +4,19 @@
  * @class vtkShadowVolumeClampPass
  * @brief Exact hard shadows by stencil shadow volumes, drawn only where a receiver can be seen.
  *
- * Every switched-on light that is not a headlight casts: directional lights, spots (with VTK's cone
- * and exponent) and point lights. What the camera does not see casts all the same. Shadows have the
- * edges that a ray from every pixel to the light would find, at any distance, in windows of any
- * shape; there is no map whose resolution shows.
+ * Every light that is switched on, has an intensity above 0 and is not a headlight casts shadows:
+ * directional lights, spots (with VTK's cone and exponent) and point lights. Props that the camera
+ * does not see cast shadows, too. Shadows have the edges that a ray from every pixel to the light
+ * would find, at any distance, in windows of any shape; there is no shadow map, whose resolution
+ * would show.
  *
  * As the pass of a renderer it draws everything, with the usual stages for camera, lights,
- * translucent props, volumes and overlays (GetSteps() has them):
+ * translucent props, volumes and overlays (GetSteps() returns them):
  *
  *     vtkNew<vtkShadowVolumeClampPass> shadows;
  *     renderer->SetPass(shadows);
  *
- * In a sequence of passes it is the opaque stage, in the place of vtkOpaquePass:
+ * In a sequence of passes it draws the opaque props only, in the place of vtkOpaquePass:
  *
  *     vtkNew<vtkRenderPassCollection> passes;
  *     passes->AddItem(vtkSmartPointer<vtkLightsPass>::New());
@@ -27,30 +28,33 @@
  *
  * ## How
  *
- * The opaque props are drawn into depth alone, then for each light the shadow volumes of the
- * casters into the stencil buffer, from which a mask with one channel for each light is made; then
- * the opaque props are drawn once, with shaders (Phong and PBR) that take from each light what its
- * mask does not let through: ShadowAttenuation of it. What is lit by all lights has, to the bit,
- * the colour that it has without the pass.
+ * The pass first draws only the depth of the opaque props. Then, for each light, it draws the
+ * shadow volumes of the casters into the stencil buffer, and turns the stencil into one channel of
+ * a mask. Then it draws the opaque props for the image, with shaders (Phong and PBR) that weaken
+ * each light where its mask says that the light does not shine, by
+ * vtkLight::GetShadowAttenuation(). What is lit by all lights has, to the bit, the colour that it
+ * has without the pass.
  *
- * Mode says how much of the volumes is drawn. The depth of the receivers is scattered into a litmap
- * for each light (X. Decoret, "N-Buffers for efficient depth map query", Computer Graphics Forum
- * 24(3), 2005, section 3.3; vtkShadowReceivers.h says what differs): from it Scissored knows which
- * casters have no receiver, and the box of pixels of those that have; Clamped, also the depths at
- * which they lie. vtkShadowPlan.h has the rules.
+ * Mode says how much of the volumes is drawn. The pass scatters the depth of the receivers into a
+ * litmap for each light (X. Decoret, "N-Buffers for efficient depth map query", Computer Graphics
+ * Forum 24(3), 2005, section 3.3; vtkShadowReceivers.h says what differs). From the litmap the pass
+ * knows which casters have no receiver and, for the others, the boxes of pixels of their receivers
+ * (mode Scissored) and the depths of their receivers (mode Clamped). vtkShadowPlan.h has the rules.
  *
- * With multisampling masks have the samples of the framebuffer that is drawn, and so has the depth
- * of the receivers. A fragment gets the mean of the mask over the samples in which it is seen,
- * as if each of them had been shaded by itself. (OpenGL before 4.0 without ARB_gpu_shader5 does not
- * say which it covers: then those of its depth are used.)
+ * With multisampling, the masks and the depth of the receivers have the same samples as the
+ * framebuffer that is drawn. A fragment gets the mean of the mask over the samples in which it is
+ * seen, as if each of them had been shaded separately. (OpenGL before 4.0 without ARB_gpu_shader5
+ * does not tell a shader which samples a fragment covers. All samples of the pixel that have the
+ * depth of the fragment are used then.)
  *
  * ## Limits
  *
- * Casters are opaque surfaces of data sets or composites of polydata; GetStatistics() counts what
- * is not, by reason. Wireframes, points and glyphs cast nothing; textures with alpha and what
- * shaders displace cast as if they did not. Volumes of a point light are clamped if their caster
- * lies in one face of the cube around it. Needs OpenGL 3.2 with depth and stencil in one texture;
- * where anything is refused the frame is drawn without shadows, with one warning.
+ * Casters are opaque surfaces of data sets or composites of polydata; GetStatistics() counts the
+ * other props by reason. Wireframes, points and glyphs cast no shadows. Surfaces cast shadows as if
+ * their textures had no alpha and their shaders displaced no vertex. In mode Clamped the volumes of
+ * a point light are clamped only if their caster lies in one face of the cube around the light. The
+ * pass needs OpenGL 3.2 with depth and stencil in one texture. If OpenGL refuses anything, the
+ * frame is drawn without shadows, and the first such frame prints a warning.
  *
  * Cost: two draws of the opaque props, a read-back of the depth (where litmaps are made), and the
  * volumes.
@@ -94,12 +98,13 @@ public:
   /**
    * Mode says how much of the shadow volumes is drawn.
    *
-   *  - Unclamped: all of every caster's volume.
-   *  - Culled: the volumes of casters that have a visible receiver.
-   *  - Scissored: these, inside boxes of pixels around their receivers. The picture is the one of
-   *    Unclamped to the bit, as with Culled.
-   *  - Clamped: slabs of these volumes around the receivers. Samples within 1/256 of a pixel of a
-   *    shadow's edge may differ.
+   *  - Unclamped: the whole volumes of all casters.
+   *  - Culled: the whole volumes of casters that have a visible receiver. The image is the same, to
+   *    the bit, as with Unclamped.
+   *  - Scissored: the same volumes, inside boxes of pixels around their receivers only. The image
+   *    is the same, to the bit, as with Unclamped.
+   *  - Clamped: only slabs of these volumes around the receivers. Samples within 1/256 of a pixel
+   *    of a shadow's edge may differ.
    *  - Automatic, the default: Scissored for lights where that is likely to take less time
    *    (vtkShadowCostModel.h), Unclamped for the others.
    */
@@ -131,16 +136,19 @@ public:
    * `light` is that light, which is not owned; nullptr means the first one that casts. NoDebugView,
    * the default, costs nothing.
    *
-   *  - Litmaps: squares for nearest and farthest receiver (bright: near to the light) and occupied
-   *    bins of each lexel; a row for each of the six litmaps of a point light. Nothing where
-   *    there are none (Unclamped).
-   *  - Extents: the boxes of pixels into which volumes are drawn, and in how many a pixel is.
+   *  - Litmaps: the litmap of the light as three squares, which show the nearest and the farthest
+   *    receiver (bright: near to the light) and the number of occupied bins of each lexel. A point
+   *    light has one row for each of its six litmaps. Nothing if there is no litmap (Unclamped).
+   *  - Extents: the boxes of pixels into which volumes are drawn, and for each pixel the number of
+   *    boxes that contain it.
    *  - Volumes: the edges of the volumes' triangles in these boxes, blue where they are counted by
-   *    z-pass, orange by z-fail.
-   *  - Counts: how many fragments volumes have in each pixel, whatever the depth test says of them.
+   *    z-pass, orange where they are counted by z-fail.
+   *  - Counts: the number of fragments that volumes have in each pixel, whether or not the
+   *    fragments pass the depth test.
    *
-   * Numbers are colours from blue (1) over cyan (4), green (16) and yellow (64) to red (255 and
-   * more). Costs a few full-screen images on the host each time that masks are made.
+   * Numbers are shown as colours from blue (1) over cyan (4), green (16) and yellow (64) to red
+   * (255 and more). A debug view costs a few full-screen images on the host each time that masks
+   * are made.
    */
   void SetDebugView(int view, vtkLight* light = nullptr);
   vtkGetMacro(DebugView, int);
@@ -149,7 +157,8 @@ public:
 
   ///@{
   /**
-   * Whether a light casts, if it is of a kind that can; all do by default. nullptr is ignored.
+   * Whether a light casts shadows, if it is of a kind that can. Default: true for every light.
+   * SetLightCasts() ignores nullptr.
    */
   void SetLightCasts(vtkLight* light, bool casts);
   bool GetLightCasts(vtkLight* light) const;
@@ -157,14 +166,15 @@ public:
 
   ///@{
   /**
-   * Only props whose property keys (vtkProp::SetPropertyKeys) hold these keys cast; nullptr, the
-   * default: all.
+   * Only props whose property keys (vtkProp::SetPropertyKeys()) contain all of these keys cast
+   * shadows. With nullptr, the default, all props do.
    */
   void SetCasterKeys(vtkInformation* keys);
   vtkInformation* GetCasterKeys();
   ///@}
 
-  /// The stages of the pass where it is the renderer's own: camera, lights, translucent, ...
+  /// The stages (camera, lights, translucent props, ...) that the pass runs if it is the pass of a
+  /// renderer and not a part of another pass. Its opaque stage is this pass itself.
   vtkRenderStepsPass* GetSteps();
 
   ///@{
@@ -173,23 +183,23 @@ public:
   bool DrawsOpaquePropsTwice() const override { return true; }
   ///@}
 
-  /// Of the last frame.
+  /// Counts and times of the last frame.
   const vtkShadowStatistics& GetStatistics() const;
 
   /**
-   * The mask of a light of the last frame: one value for each pixel of the viewport, row by row,
-   * the lowest first; 0 lit or nothing opaque seen, 255 in shadow (also what the light does not
-   * reach). With multisampling the mean of the
-   * pixel's samples, or one of them: `sample` from 0 to less than vtkShadowStatistics::Samples.
-   * Empty, and `width` and `height` 0, if the light did not cast or there is no such sample. Reads
-   * it back; the window's context must be current.
+   * Read back the mask of a light of the last frame: one value for each pixel of the viewport, row
+   * by row, the lowest row first. 0 means lit or that no opaque prop is seen, 255 means in shadow
+   * (also where the light does not reach). With multisampling, `sample` is a number below
+   * vtkShadowStatistics::Samples, or -1 for the mean over the samples of each pixel. The result is
+   * empty, and `width` and `height` are 0, if the frame was drawn without shadows of this light or
+   * there is no such sample. The window's context must be current.
    */
   std::vector<unsigned char> GetMask(vtkLight* light, int& width, int& height, int sample = -1);
 
   /**
-   * The debug view of the last frame: red, green, blue and opacity of each pixel of the viewport,
-   * row by row, the lowest first; all 0 where it shows nothing. Empty, and `width` and `height` 0,
-   * if there is none.
+   * The debug view of the last frame: red, green, blue and opacity (0 to 255) of each pixel of the
+   * viewport, row by row, the lowest row first; all four are 0 where it shows nothing. If there is
+   * no debug view, the result is empty, and `width` and `height` are 0.
    */
   std::vector<unsigned char> GetDebugImage(int& width, int& height) const;
 
@@ -197,7 +207,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   ///@{
-  /// Called by mappers.
+  /// Called by the mappers of the opaque props while this pass draws them.
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,

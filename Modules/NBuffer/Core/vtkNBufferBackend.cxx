@@ -39,7 +39,7 @@ vtkNBufferBackend::Kind vtkNBufferBackend::Choose(Kind wanted, vtkOpenGLRenderWi
   {
     return this->Chosen;
   }
-  // Warm up, time the device, time the host.
+  // Three builds: warm the device up, measure the device, measure the host.
   return this->Trial < 2 ? OpenGL : CPU;
 }
 
@@ -68,7 +68,7 @@ vtkNBufferDecision vtkNBufferBackend::Build(Kind wanted, const Job& job, std::st
 {
   this->InUse = this->Choose(wanted, job.Window);
   this->Depth.clear();
-  // Either path waits for what is still being drawn. That time must not count in a trial.
+  // Either path waits until earlier draws have finished. A trial must not count that time.
   if (wanted == Auto && this->Chosen == Auto)
   {
     glFinish();
@@ -155,7 +155,7 @@ vtkNBufferDecision vtkNBufferBackend::ReadDepth(vtkOpenGLRenderWindow* window,
   const int* viewport = source.Viewport;
   if (source.Samples > 1)
   {
-    // Samples cannot be read: the device reduces them to the farthest one of each pixel.
+    // OpenGL cannot read samples: the device reduces them to the farthest one of each pixel.
     const Job job = { window, source, 1, 1, this->FarthestSamples, statistics };
     const vtkNBufferDecision failure = BuildOnDevice(this->FarthestTexture, job, why);
     if (failure == vtkNBufferDecision::None)

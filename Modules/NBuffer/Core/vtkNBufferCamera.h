@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferCamera
- * @brief The camera of a renderer for the eye that is drawn, as culler and shadows use it.
+ * @brief The camera of a renderer for the eye that is being drawn, as culler and shadows use it.
  *
- * vtkCamera::GetCompositeProjectionTransformMatrix() leaves out the shear of a stereo pair's eyes.
- * The mappers multiply projection and model-view matrix, and so does this class.
+ * vtkCamera::GetCompositeProjectionTransformMatrix() leaves out the shear that the eyes of a stereo
+ * pair have. VTK's mappers multiply the projection matrix by the model-view matrix instead, and so
+ * does this class.
  */
 #ifndef vtkNBufferCamera_h
 #define vtkNBufferCamera_h
@@ -25,27 +26,27 @@ struct VTKNBUFFER_EXPORT vtkNBufferCamera
   /// The active camera of a renderer that has one, for the eye that the renderer draws.
   explicit vtkNBufferCamera(vtkRenderer* renderer);
 
-  /// From positions relative to Eye to clip coordinates: without the large numbers that cancel
-  /// where the world's origin is far away.
+  /// The matrix from positions relative to Eye to clip coordinates. It avoids the large numbers
+  /// that cancel each other in WorldToClip if the world's origin is far away.
   glm::dmat4 GetEyeToClip() const;
 
-  glm::dmat4 WorldToClip;  ///< From world to clip coordinates, in which -w <= z <= w is seen.
+  glm::dmat4 WorldToClip;  ///< From world to clip coordinates; points with -w <= z <= w are seen.
   glm::dvec3 Eye;          ///< The camera's position in the world.
   glm::dvec3 Direction;    ///< The direction of projection in the world, with unit length.
   bool IsParallel = false; ///< True for parallel projection.
 };
 
 /**
- * Everything but the props on which the verdicts of a frame depend. Two frames with equal keys
- * project boxes alike and draw into the same buffers.
+ * What the verdicts of a frame depend on, except for the props. Two frames with equal keys project
+ * boxes alike and draw into the same buffers.
  */
 struct vtkNBufferViewKey
 {
   std::array<double, 16> WorldToClip{}; ///< Row-major, as the mappers get it.
   std::array<int, 4> Viewport{};        ///< x, y, width, height in pixels of the window.
-  vtkCamera* Camera = nullptr;          ///< Compared, never used.
-  vtkMTimeType ContextTime = 0;
-  int MultiSamples = 0;
+  vtkCamera* Camera = nullptr;          ///< Only compared, never dereferenced.
+  vtkMTimeType ContextTime = 0;         ///< When the window's OpenGL context was created.
+  int MultiSamples = 0;                 ///< As vtkRenderWindow::GetMultiSamples().
 
   /// The key of a renderer that has a camera and an OpenGL window.
   static vtkNBufferViewKey Make(vtkRenderer* renderer);

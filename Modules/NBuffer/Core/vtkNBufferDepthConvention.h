@@ -11,8 +11,8 @@
  * and draws with GL_LEQUAL: a fragment replaces what is stored if it is nearer or equally near.
  *
  * Other renderers store other depths. With reversed depth, (1 - z / w) / 2, the near plane is at 1,
- * the background is 0, and what hides is the minimum of a square, not the maximum. This is the only
- * file that knows which of them is meant. All other files take from here
+ * the background is at 0, and the farthest depth of a square is the minimum, not the maximum. This
+ * is the only file that knows which depth is stored. All other files take from here
  *
  *  - the *order* of a depth, which grows with the distance from the eye whatever is stored; the
  *    mathematics of the culler (vtkNBufferProjection) compares orders and nothing else,
@@ -20,8 +20,9 @@
  *  - the depths that are stored on the near plane and in the background,
  *  - the comparisons that are set with glDepthFunc, and which way glPolygonOffset moves.
  *
- * VTK's order is linear-fractional in the point, (row . p) / w, so that planes in the world remain
- * planes of the order on the screen. That has to hold for any other depth too.
+ * VTK's order of a point p is a linear function of p divided by w, as its x and y on the screen
+ * are. So the points of a plane in the world have an order that is a linear function of x and y on
+ * the screen. Any other depth must have this property, too.
  */
 #ifndef vtkNBufferDepthConvention_h
 #define vtkNBufferDepthConvention_h
@@ -31,10 +32,10 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace vtkNBufferDepthConvention
 {
-/// The order of a stored depth is Sign times this depth: 1 where far depths are large, else -1.
+/// 1 if stored depths grow with the distance from the eye, otherwise -1.
 constexpr double Sign = 1.0;
 
-/// The order of a stored depth: it grows with the distance from the eye.
+/// The order of a stored depth, which grows with the distance from the eye.
 constexpr double GetOrder(double stored)
 {
   return Sign * stored;
@@ -47,7 +48,7 @@ constexpr double Offset = 0.5;
 ///@}
 
 ///@{
-/// The way back: of a point whose stored depth is d, z / w is InverseScale * d + InverseOffset.
+/// For a point whose stored depth is d, z / w is InverseScale * d + InverseOffset.
 constexpr double InverseScale = Sign / Scale;
 constexpr double InverseOffset = -Offset / Scale;
 ///@}
@@ -62,13 +63,13 @@ constexpr float Nearest = 0.0f;
 /// The extremum that finds the farthest of several stored depths.
 constexpr vtkNBufferExtremum Farthest = vtkNBufferExtremum::Maximum;
 
-/// Whether something has been drawn where this depth is stored.
+/// Whether this stored depth is that of something drawn, and not the background's.
 constexpr bool IsDrawn(float stored)
 {
   return Sign > 0.0 ? stored < Background : stored > Background;
 }
 
-/// Whether glPolygonOffset() with these arguments draws nothing nearer to the eye.
+/// Whether glPolygonOffset() with these arguments moves no fragment nearer to the eye.
 constexpr bool IsAwayFromEye(double factor, double units)
 {
   return GetOrder(factor) >= 0.0 && GetOrder(units) >= 0.0;

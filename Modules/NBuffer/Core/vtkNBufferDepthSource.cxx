@@ -32,8 +32,8 @@ double GetSampleDistance()
   return distance;
 }
 
-/// Set the members that describe a texture of a target. Returns false if the texture has another
-/// one.
+/// Set the members that describe a texture with this target. Returns false if the texture has
+/// another target.
 bool InspectTarget(GLenum target, GLenum bindingName, vtkNBufferDepthSource& source)
 {
   const int bound = vtkNBufferGL::GetInteger(bindingName);
@@ -45,7 +45,7 @@ bool InspectTarget(GLenum target, GLenum bindingName, vtkNBufferDepthSource& sou
   {
     glGetTexLevelParameteriv(target, source.DepthLevel, GL_TEXTURE_WIDTH, &source.Width);
     glGetTexLevelParameteriv(target, source.DepthLevel, GL_TEXTURE_HEIGHT, &source.Height);
-    GLint isFixed = GL_FALSE; // If not, the samples of other pixels may lie elsewhere.
+    GLint isFixed = GL_FALSE; // If false, samples may lie elsewhere in other pixels.
     if (source.Samples > 1)
     {
       glGetTexLevelParameteriv(target, 0, GL_TEXTURE_FIXED_SAMPLE_LOCATIONS, &isFixed);
@@ -139,8 +139,8 @@ bool InspectFramebuffer(
   return true;
 }
 
-// Reading integers is a copy or a shift in every driver, and the loops below vectorise. The
-// integers are converted where they lie.
+// Reading integers is a copy or a shift in every driver, and compilers vectorise the loops below.
+// The integers are converted in the memory into which they were read.
 template <typename Convert>
 void ConvertInPlace(float* values, std::size_t count, Convert&& convert)
 {
@@ -198,7 +198,7 @@ bool vtkNBufferDepthSource::Inspect(vtkOpenGLRenderWindow* window, std::string& 
   int minor = 0;
   if (window)
   {
-    // 2.0 for a window without a context.
+    // This gives 2.0 for a window without a context.
     window->GetOpenGLVersion(major, minor);
   }
   if (major < 3)

@@ -32,7 +32,7 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
   int Width = 0;                    ///< Width of the depth buffer in pixels.
   int Height = 0;                   ///< Height of the depth buffer in pixels.
   int Samples = 0;                  ///< Samples of a pixel; 0 and 1 both mean one.
-  double SampleDistance = 0.0;      ///< How far they may be from its middle in x and y, in pixels.
+  double SampleDistance = 0.0;      ///< How far they may be from its middle in x or y, in pixels.
   int DepthBits = 0;                ///< 0 if there is no depth buffer.
   bool FloatDepth = false;          ///< Depth is floating-point, not unsigned normalised.
   bool DefaultDepthRange = true;    ///< glDepthRange is [0, 1].
@@ -49,29 +49,29 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
   bool Inspect(vtkOpenGLRenderWindow* window, std::string& why);
 
   /**
-   * Whether the viewport lies inside the depth buffer. It does not where a pass draws into a
-   * framebuffer of the viewport's size, but at the viewport's place in the window (vtkSSAOPass
-   * before VTK 9.7 in a part of a window).
+   * Whether the viewport lies inside the depth buffer. It does not if a pass draws into a
+   * framebuffer that has the size of the viewport, but sets the viewport at its place in the window
+   * (vtkSSAOPass before VTK 9.7, if the renderer fills only a part of the window).
    */
   bool HoldsViewport() const;
 
-  /// The bits of a depth that both the buffer and a float in [0, 1] hold.
+  /// The number of bits of a depth that both the buffer and a float in [0, 1] can hold; at most 24.
   int GetPrecision() const { return std::min(this->DepthBits, 24); }
 
-  /// Whether depth is normalised and has more bits than fit a float.
+  /// Whether depth is normalised and has more bits than fit into a float.
   bool ExceedsFloats() const { return this->DepthBits > 24 && !this->FloatDepth; }
 
   /**
-   * Whether there is a depth buffer and a rectangle (in framebuffer pixels) that is not empty lies
-   * inside it. If not, `why` receives the cause and a remedy.
+   * Whether there is a depth buffer, and the rectangle (in framebuffer pixels) is not empty and
+   * lies inside it. If not, `why` receives the cause and a remedy.
    */
   bool Holds(int x, int y, int width, int height, std::string& why) const;
 
   /**
-   * Read a rectangle of single-sample depth, in framebuffer pixels, as floats in [0, 1] whose row 0
-   * is the lowest, by one blocking glReadPixels. Returns false, with the cause in `why`, on any GL
-   * error, for a rectangle that is not inside the depth buffer, and for multisampled framebuffers
-   * (which vtkNBufferTexture reduces first); `depth` is then undefined.
+   * Read a rectangle (in framebuffer pixels) of single-sample depth as floats in [0, 1], row by
+   * row, the lowest row first, by one blocking glReadPixels(). Returns false, with the cause in
+   * `why`, on any GL error, for a rectangle that is not inside the depth buffer, and for
+   * multisampled framebuffers (use vtkNBufferTexture for these); `depth` is then undefined.
    *
    * Rounding: floating-point depth is returned unchanged. Depth of 16 and 24 bits differs by at
    * most one unit in the last place, and depth of 24 bits is never nearer than stored. Normalised
@@ -79,8 +79,9 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
    * (never nearer than stored, except for a relative 2^-32) and down for Minimum (never farther). 0
    * and 1 are exact.
    *
-   * Depth of 24 and 32 bits is read as integers, which is a plain copy, and converted here. Mesa's
-   * software drivers convert a read of floats pixel by pixel, which takes four times as long.
+   * Normalised depth of 24 and 32 bits is read as integers, which is a plain copy, and converted
+   * here. Mesa's software drivers convert a read of floats pixel by pixel, which takes four times
+   * as long.
    */
   bool Read(vtkOpenGLRenderWindow* window, int x, int y, int width, int height,
     std::vector<float>& depth, std::string& why,

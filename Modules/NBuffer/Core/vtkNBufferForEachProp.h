@@ -4,8 +4,8 @@
  * @file vtkNBufferForEachProp.h
  * @brief Runs work for each of many props in VTK's threads, and prefetches what it will read.
  *
- * A culled frame reads a little from each of 15,000 props, and each prop lies elsewhere in memory.
- * Most of the time goes into waiting for memory unless the reads are requested in advance.
+ * A culled frame may read a little from each of 15,000 props, which are scattered in memory.
+ * Without prefetching, it spends most of its time waiting for memory.
  */
 #ifndef vtkNBufferForEachProp_h
 #define vtkNBufferForEachProp_h
@@ -21,7 +21,7 @@ namespace vtkNBufferForEachProp
 /// The number of props that is worth a thread of its own.
 constexpr vtkIdType PropsPerThread = 2048;
 
-/// How many props before its use an object must be requested to arrive in time.
+/// How many props in advance the memory of a prop must be requested to arrive in time.
 constexpr vtkIdType PropsToFetchAhead = 16;
 
 /// Request the cache line at an address from memory, without waiting for it.
@@ -35,7 +35,7 @@ inline void Fetch(const void* address)
 }
 
 /// Call functor(begin, end) for ranges that cover 0 to count - 1. The ranges run in parallel if
-/// there are at least two times `perThread` props.
+/// there are at least twice `perThread` props.
 template <typename Functor>
 void Run(std::size_t count, Functor&& functor, vtkIdType perThread = PropsPerThread)
 {
@@ -62,7 +62,8 @@ void RunEach(std::size_t count, Functor&& functor)
     });
 }
 
-/// RunEach() that calls prefetch(i) for each prop some props before functor(i).
+/// As RunEach(), and calls prefetch(i) for a prop while functor() works on the prop that is
+/// PropsToFetchAhead before it. The first props of all are not prefetched.
 template <typename Prefetch, typename Functor>
 void RunAhead(std::size_t count, Prefetch&& prefetch, Functor&& functor)
 {

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferFullScreenPass.h
- * @brief Programs, and the pass that runs a fragment shader for each pixel of a rectangle.
+ * @brief Makes shader programs current, and runs a fragment shader for each pixel of a rectangle.
  *
- * VTK's own class, vtkOpenGLQuadHelper, does not serve here: it dereferences a null pointer where
- * its shader does not compile, and a failure here must leave the image as it is without this
- * module.
+ * VTK's own class, vtkOpenGLQuadHelper, is not used: it dereferences a null pointer if its shader
+ * does not compile. A failure in this module must leave the image as it is without the module.
  */
 #ifndef vtkNBufferFullScreenPass_h
 #define vtkNBufferFullScreenPass_h
@@ -63,10 +62,10 @@ public:
   vtkShaderProgram* Begin(
     vtkOpenGLRenderWindow* window, std::string& why, const std::string& definitions = {});
 
-  /// Draw into the framebuffer and the viewport that are set.
+  /// Draw into the current framebuffer and viewport.
   void Draw();
 
-  /// Draw into a framebuffer; the viewport is a rectangle of its pixels.
+  /// Draw into a rectangle of a framebuffer's pixels, which becomes the viewport.
   void Draw(unsigned int framebuffer, int x, int y, int width, int height);
 
   /// Delete the objects.

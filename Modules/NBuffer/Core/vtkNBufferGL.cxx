@@ -16,20 +16,20 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-// What can discard fragments of a full-screen triangle or change what they write. A clip plane is
-// undefined while the vertex shader writes no distance; VTK uses the first six. Blending is apart:
-// it is a property of each draw buffer.
+// The capabilities that can discard fragments of a full-screen triangle or change what they write.
+// A clip distance (VTK uses the first six) is undefined if the vertex shader does not write it.
+// Blending is not in this list, because each draw buffer has a switch of its own.
 constexpr GLenum Capabilities[] = { GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST,
   GL_COLOR_LOGIC_OP, GL_RASTERIZER_DISCARD, GL_POLYGON_SMOOTH, GL_CLIP_DISTANCE0,
   GL_CLIP_DISTANCE0 + 1, GL_CLIP_DISTANCE0 + 2, GL_CLIP_DISTANCE0 + 3, GL_CLIP_DISTANCE0 + 4,
   GL_CLIP_DISTANCE0 + 5 };
 
-// What passes bind textures to, and the names of what is bound there.
+// The targets to which passes bind textures, and the state variables of these bindings.
 constexpr std::pair<GLenum, GLenum> Targets[] = { { GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D },
   { GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY },
   { GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_BINDING_2D_MULTISAMPLE } };
 
-// OpenGL 4.3; VTK's oldest loaders may not name it.
+// GL_DEPTH_STENCIL_TEXTURE_MODE of OpenGL 4.3, which VTK's oldest loaders may not declare.
 constexpr GLenum DepthStencilTextureMode = 0x90EA;
 
 const char* GetErrorName(GLenum error)
@@ -94,7 +94,7 @@ const char* GetSoftwareRenderer()
 
 bool CoversTouchedPixels()
 {
-  // The enumerator of each extension, which is an error where the extension is missing.
+  // Extensions and their capabilities. It is an error to query one whose extension is missing.
   constexpr std::pair<const char*, GLenum> conservative[] = {
     { "GL_NV_conservative_raster", 0x9346 }, { "GL_INTEL_conservative_rasterization", 0x83FE }
   };
@@ -183,7 +183,7 @@ void Scope::SetTransfer(
   for (const GLenum name : parameters)
   {
     this->AtEnd([name, value = GetInteger(name)] { glPixelStorei(name, value); });
-    // The first is the alignment, the others are 0 for rows that are tightly packed.
+    // The first one is the alignment. The others are 0 for tightly packed rows.
     glPixelStorei(name, name == *parameters.begin() ? 4 : 0);
   }
 }
@@ -295,7 +295,7 @@ ScopedDepthSampling::ScopedDepthSampling(unsigned int target, int level)
   set(GL_TEXTURE_COMPARE_MODE, GL_NONE);
   set(GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   set(GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  // The order keeps base <= maximum on the way.
+  // In this order the base level never exceeds the maximum level.
   set(GL_TEXTURE_BASE_LEVEL, 0);
   set(GL_TEXTURE_MAX_LEVEL, level);
   set(GL_TEXTURE_BASE_LEVEL, level);

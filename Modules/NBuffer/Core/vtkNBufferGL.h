@@ -47,15 +47,15 @@ VTKNBUFFER_EXPORT const char* GetSoftwareRenderer();
 /// where a sample lies in the triangle: with smoothed polygons and conservative rasterisation.
 VTKNBUFFER_EXPORT bool CoversTouchedPixels();
 
-/// The number of bits of the grid to which the current context snaps vertices: 4, which OpenGL
-/// promises, to 8. A finer grid gains nothing.
+/// The number of subpixel bits of the grid to which the current context snaps vertices, clamped to
+/// 4 (OpenGL requires no less) to 8 (a finer grid gains nothing).
 VTKNBUFFER_EXPORT int GetSubpixelBits();
 
 /// The places of samples in a pixel, in [0, 1] from its lower left corner. A single sample is in
 /// the middle.
 using SamplePlaces = std::vector<std::array<double, 2>>;
 
-/// The samples of the framebuffer that is bound for drawing.
+/// The places of the samples of the framebuffer that is bound for drawing.
 VTKNBUFFER_EXPORT SamplePlaces GetSamplePlaces();
 
 /// Whether the current context's renderer draws inside a scissor box only, where a pixel has
@@ -63,11 +63,11 @@ VTKNBUFFER_EXPORT SamplePlaces GetSamplePlaces();
 /// below the box.
 VTKNBUFFER_EXPORT bool KeepsToScissor(int samples);
 
-/// Discard the errors that other code left behind, so that CheckErrors() reports only ours.
+/// Discard the errors of earlier calls of OpenGL, so that CheckErrors() reports only later ones.
 VTKNBUFFER_EXPORT void ClearErrors();
 
-/// Whether OpenGL has reported no error since ClearErrors(). If it has, `why` receives `where` and
-/// the error.
+/// Whether OpenGL has reported no error since ClearErrors(). If there is one, `why` receives
+/// `where`, the name of the error and a remedy.
 VTKNBUFFER_EXPORT bool CheckErrors(const char* where, std::string& why);
 
 /// Set a uniform mat4 of the current program.
@@ -75,8 +75,8 @@ VTKNBUFFER_EXPORT void SetMatrix(
   vtkShaderProgram* program, const char* name, const glm::dmat4& matrix);
 
 /**
- * What the scopes below have in common: each change of the state is undone when the scope ends, the
- * last change first.
+ * Base class of the scopes below. When a scope ends, it undoes each of its changes of the state,
+ * the last change first.
  */
 class VTKNBUFFER_EXPORT Scope
 {
@@ -91,11 +91,13 @@ protected:
   /// Call undo() when the scope ends.
   void AtEnd(std::function<void()> undo) { this->Changes.push_back(std::move(undo)); }
 
-  /// Bind other framebuffers from now on.
+  /// Restore the current framebuffer bindings when the scope ends.
   void SaveFramebuffers();
 
-  /// Transfer pixels with rows tightly packed from now on, to or from a buffer object, or host
-  /// memory if `buffer` is 0. The first of the `parameters` of that direction is the alignment.
+  /// Transfer pixels with tightly packed rows until the scope ends, to or from a buffer object, or
+  /// host memory if `buffer` is 0. `target` and `binding` are the target of the buffer and the
+  /// state variable of its binding, `parameters` those of glPixelStore for this direction, of which
+  /// the alignment must be the first.
   void SetTransfer(
     GLenum target, GLenum binding, std::initializer_list<GLenum> parameters, unsigned int buffer);
 

@@ -38,13 +38,13 @@ static_assert(std::is_trivial_v<glm::dvec2> && std::is_trivial_v<glm::dvec3> &&
 VTK_ABI_NAMESPACE_BEGIN
 namespace vtkNBufferGLM
 {
-/// A matrix of VTK's, row by row.
+/// The matrix whose elements are given row by row, as vtkMatrix4x4::GetData() returns them.
 inline glm::dmat4 ToMatrix(const double rows[16])
 {
   return glm::transpose(glm::make_mat4(rows));
 }
 
-/// The inverse of ToMatrix(): the elements row by row, as VTK and the uniforms take them.
+/// The elements of a matrix row by row, as VTK expects them: the inverse of ToMatrix().
 inline std::array<double, 16> ToRows(const glm::dmat4& matrix)
 {
   std::array<double, 16> rows;
@@ -69,8 +69,8 @@ bool IsFinite(const glm::vec<n, double>& x)
     glm::value_ptr(x), glm::value_ptr(x) + n, [](double value) { return std::isfinite(value); });
 }
 
-/// Unit length, as vtkMath::Normalize() rounds it; a null vector stays null. (glm::normalize()
-/// multiplies by a rounded reciprocal, and divides by zero.)
+/// The vector scaled to unit length, rounded as by vtkMath::Normalize(); a null vector stays null.
+/// (glm::normalize() multiplies by a rounded reciprocal, and divides by zero for a null vector.)
 inline glm::dvec3 Normalize(const glm::dvec3& x)
 {
   const double length = glm::length(x);
@@ -84,8 +84,8 @@ inline glm::dvec4 Multiply(const glm::dmat4& matrix, const glm::dvec4& x)
   return matrix[0] * x[0] + matrix[1] * x[1] + matrix[2] * x[2] + matrix[3] * x[3];
 }
 
-/// The inverse, as vtkMatrix4x4::Invert() rounds it. A singular matrix has none: all elements of
-/// the result are NaN then, so that no comparison with what is computed from them is true.
+/// The inverse matrix, rounded as by vtkMatrix4x4::Invert(). For a singular matrix all elements of
+/// the result are NaN, so that no order comparison with numbers computed from them is true.
 inline glm::dmat4 Invert(const glm::dmat4& matrix)
 {
   // vtkMatrix4x4::Invert() leaves its result as it is if the determinant is zero.

@@ -16,8 +16,8 @@ struct Functions
   void (*Delete)(GLuint*);
 };
 
-/// The functions of OpenGL for each ObjectType. Their addresses are known only when they are
-/// called.
+/// The functions of OpenGL for each ObjectType. They are wrapped because their addresses are known
+/// only after OpenGL has been loaded.
 constexpr Functions FunctionsOf[] = {
   { [](GLuint* name) { glGenBuffers(1, name); }, [](GLuint* name) { glDeleteBuffers(1, name); } },
   { [](GLuint* name) { glGenFramebuffers(1, name); },
@@ -28,7 +28,7 @@ constexpr Functions FunctionsOf[] = {
     [](GLuint* name) { glDeleteVertexArrays(1, name); } },
 };
 
-/// The format and type of the data that OpenGL wants to hear of even where there is no data.
+/// The format and type of texels in host memory, which OpenGL requires even if none are passed.
 std::pair<GLenum, GLenum> GetTransferFormat(GLenum sizedFormat)
 {
   switch (sizedFormat)

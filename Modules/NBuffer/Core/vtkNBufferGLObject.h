@@ -4,12 +4,12 @@
  * @file vtkNBufferGLObject.h
  * @brief Owners of OpenGL objects.
  *
- * An owner is moved, never copied, and deletes its object when it is destroyed or assigned to: the
- * context of the object must be current then. Where that context is already gone, the object has
- * gone with it: Delete(Context::Gone) gives the name up without a call of OpenGL.
+ * An owner is moved, never copied, and deletes its object when it is destroyed or assigned to. The
+ * context of the object must be current then. If that context does not exist any more, neither does
+ * the object: Delete(Context::Gone) forgets the name without a call of OpenGL.
  *
- * VTK's own classes serve where their objects are handed on to VTK (the shadow masks are
- * vtkTextureObjects, because mappers sample them). They do not serve here, from VTK 9.1 to 9.7:
+ * The module uses VTK's own classes where VTK itself uses the objects (the shadow masks are
+ * vtkTextureObjects, because mappers sample them). In VTK 9.1 to 9.7 they are not sufficient here:
  *
  *     vtkTextureObject            prints errors instead of returning them, takes texture units,
  *                                 and cannot allocate empty array textures before VTK 9.3
@@ -30,8 +30,8 @@ namespace vtkNBufferGL
 /// The state of the context to which objects belong.
 enum class Context
 {
-  Current,
-  Gone
+  Current, ///< It is the current context.
+  Gone     ///< It does not exist any more.
 };
 
 enum class ObjectType
@@ -93,11 +93,11 @@ using VertexArray = TypedObject<ObjectType::VertexArray>;
  * shrinks, and what it holds is undefined after it has grown:
  *
  *     +-----------------+
- *     |                 |  GetHeight()
+ *     |                 |  the largest height so far
  *     +---------+       |
- *     |  image  |       |  An image may fill the lower left part only.
+ *     |  image  |       |  An image may fill only the lower left part.
  *     +---------+-------+
- *       GetWidth()
+ *       the largest width so far
  */
 class VTKNBUFFER_EXPORT GrowingTexture
 {
@@ -109,7 +109,7 @@ public:
    */
   bool Reserve(unsigned int format, int width, int height, std::string& why);
 
-  /// As Reserve(), for a format of colours, and with a framebuffer that draws into the texture.
+  /// As Reserve(), for a colour format, and with a framebuffer that draws into the texture.
   bool ReserveTarget(unsigned int format, int width, int height, std::string& why);
 
   /// The name of the texture; 0 before Reserve().
@@ -133,7 +133,7 @@ private:
   int Allocations = 0;
 };
 
-/// Set the parameters of the texture bound to `target` with which texelFetch() reads its level 0.
+/// Set the parameters of the texture bound to `target` so that texelFetch() can read its level 0.
 VTKNBUFFER_EXPORT void SetPlainSampling(unsigned int target);
 
 }

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferJSON.h
- * @brief What the names and the JSON of vtkNBufferStatistics and vtkShadowStatistics have in
- * common.
+ * @brief Functions for the names and the JSON of vtkNBufferStatistics and vtkShadowStatistics.
  */
 #ifndef vtkNBufferJSON_h
 #define vtkNBufferJSON_h

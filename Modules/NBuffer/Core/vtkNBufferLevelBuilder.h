@@ -28,7 +28,8 @@ namespace vtkNBufferLevelBuilder
 /// build slower on two cores; the size at which threads begin to help has not been measured.
 constexpr vtkIdType TexelsWorthAThread = 1 << 22;
 
-/// Call functor(first row, end of rows) for all rows, in parallel if there are enough texels.
+/// Call functor(begin, end) for ranges that cover the rows 0 to rows - 1, in parallel if the rows
+/// have enough texels in total.
 template <typename Functor>
 void ForEachRow(int rows, vtkIdType texels, Functor&& functor)
 {
@@ -42,8 +43,8 @@ void ForEachRow(int rows, vtkIdType texels, Functor&& functor)
     { functor(static_cast<int>(begin), static_cast<int>(end)); });
 }
 
-/// Build one row of a level from the rows y and y + step of the level below. All compilers that VTK
-/// supports know __restrict, which saves them a test for overlap in every row.
+/// Build one row of a level from two rows of the level below, `a` (row y) and `b` (row y + step).
+/// All compilers that VTK supports know __restrict, which saves a test for overlap in every row.
 template <typename Merge, typename Texel>
 void BuildRow(const Texel* a, const Texel* b, int width, int step, Texel* __restrict out)
 {

@@ -76,7 +76,7 @@ vtkNBufferMeshes::Small* vtkNBufferMeshes::FindSmall(vtkActor* actor, int copyAf
 
 const vtkNBufferMeshes::Entry& vtkNBufferMeshes::Update(vtkPolyData* data)
 {
-  // A polydata made at the address of a deleted one has a newer time.
+  // A polydata at the address of a deleted one is not mistaken for it: its time is newer.
   Entry& entry = this->Entries[data];
   const vtkMTimeType time = data->GetMTime();
   if (entry.Time != time)

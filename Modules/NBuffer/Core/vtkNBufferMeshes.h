@@ -5,7 +5,8 @@
  * @brief A cache of the triangles of polydata.
  *
  * Actors that show the same polydata share one mesh, which takes 24 bytes per point and 12 per
- * triangle. A mesh that was not requested in the last 256 frames is released.
+ * triangle. A mesh is released if it has not been requested for more than 256 frames; this is
+ * checked in every 256th frame.
  */
 #ifndef vtkNBufferMeshes_h
 #define vtkNBufferMeshes_h
@@ -35,35 +36,37 @@ public:
     std::array<double, 16> ToWorld; ///< From the coordinates of the mesh, row by row.
   };
 
-  /// Count a frame, and release what was not requested for a long time.
+  /// Count a frame, and release meshes that have not been requested for a long time.
   void BeginFrame();
 
   /**
    * The meshes of an actor whose pipeline is up to date. They are valid until the next
-   * BeginFrame(). Empty for nullptr, and for data that vtkDataSetMapper extracts a surface from.
+   * BeginFrame(). The result is empty for nullptr, and for data from which vtkDataSetMapper
+   * extracts a surface.
    */
   std::vector<Placed> Get(vtkActor* actor);
 
-  /// The triangles of one actor, and the one with which vtkNBufferPixelTest::MayBeSeen() begins.
+  /// The triangles of an actor with few of them.
   struct Small
   {
     std::shared_ptr<const vtkNBufferMesh> Mesh; ///< Null before it is copied.
-    std::size_t First = 0;
-    int Requests = 0; ///< The calls so far that were meant to copy it.
-    bool IsTooLarge = false;
-    int Frame = 0;
+    std::size_t First = 0;   ///< With which triangle vtkNBufferPixelTest::MayBeSeen() begins.
+    int Requests = 0;        ///< The calls of FindSmall() so far that count for `copyAfter`.
+    bool IsTooLarge = false; ///< The data has too many polygons, or strips, or is no polydata.
+    int Frame = 0;           ///< The last frame that requested the triangles.
   };
 
   /**
-   * The triangles of an actor of a polydata of at most MaximumNumberOfPolygons polygons, without
-   * strips. Null for other actors, and where the triangles are not in the cache. To triangulate
-   * polygons may take a tenth of a millisecond, so that they are copied at call number `copyAfter`
-   * with the same actor, and for at most CopiesPerFrame actors in a frame; never if it is 0.
-   * Whoever changes the data has to call Forget().
+   * The triangles of an actor if its data is a polydata with at most MaximumNumberOfPolygons
+   * polygons and without strips, and if they have been copied; otherwise nullptr. Copying them may
+   * take a tenth of a millisecond, because polygons have to be triangulated. They are therefore
+   * copied in call number `copyAfter` for the same actor, or later, because at most CopiesPerFrame
+   * actors get a copy in a frame. Calls with a `copyAfter` of 0 are not counted and never copy. If
+   * the actor or its data changes, Forget() must be called.
    */
   Small* FindSmall(vtkActor* actor, int copyAfter);
 
-  /// Find the triangles of a prop anew.
+  /// Drop the triangles of a prop, which may have changed.
   void Forget(vtkProp* prop) { this->SmallMeshes.erase(prop); }
 
 private:
@@ -82,7 +85,7 @@ private:
   std::unordered_map<vtkPolyData*, Entry> Entries;
   std::unordered_map<vtkProp*, Small> SmallMeshes;
   int Frame = 0;
-  int CopiesLeft = 0; ///< In this frame, for FindSmall().
+  int CopiesLeft = 0; ///< How many meshes FindSmall() may still copy in this frame.
 };
 
 VTK_ABI_NAMESPACE_END

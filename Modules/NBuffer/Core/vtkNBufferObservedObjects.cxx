@@ -21,7 +21,8 @@ struct vtkNBufferObservedObjects::Record
   std::unordered_map<vtkObject*, vtkCommand*> Commands;
 };
 
-/// Observes one object, which alone refers to it: the command is destroyed with its observer.
+/// Observes one object. Only that object refers to the command, so that the command is destroyed
+/// when its observer is removed.
 class vtkNBufferObservedObjects::Command : public vtkCommand
 {
 public:
@@ -38,7 +39,7 @@ public:
     object->RemoveObserver(this);
   }
 
-  /// Remove the observer because nobody needs it any more.
+  /// Remove the observer, which is not needed any more.
   void Withdraw()
   {
     this->IsDone = true;
@@ -100,7 +101,7 @@ bool vtkNBufferObservedObjects::Add(vtkObject* object)
     const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
     this->Shared->Commands.emplace(object, command);
   }
-  // No other observer may end the event before this one.
+  // The highest priority: another observer that is called first could abort the event.
   object->AddObserver(vtkCommand::ModifiedEvent, command, std::numeric_limits<float>::infinity());
   command->Delete();
   return true;

@@ -9,8 +9,8 @@
  * observer again, so that an object that keeps changing costs nothing more.
  *
  * An application may remove the observer with RemoveAllObservers(). The command notices that it is
- * destroyed while its object lives, and TakeLoss() says so. (In VTK 9.1 an object that is deleted
- * still has a reference then, and counts as well.)
+ * destroyed while its object lives, and TakeLoss() says so. (In VTK 9.1 an object that is being
+ * deleted still has a reference when its observers are destroyed. TakeLoss() reports it, too.)
  *
  * An observer takes about 300 bytes and half a microsecond to add, and makes a call of Modified()
  * take 34 ns instead of 6. Add(), TakeChange() and the destructor belong to one thread; Modified()
@@ -32,7 +32,8 @@ class vtkObject;
 class VTKNBUFFER_EXPORT vtkNBufferObservedObjects
 {
 public:
-  /// The memory for more observers than this is not worth the time that they save.
+  /// The largest number of objects that are observed at a time. More observers would save less time
+  /// than their memory is worth.
   static constexpr std::size_t MaximumSize = 1 << 18;
 
   vtkNBufferObservedObjects();
@@ -40,23 +41,24 @@ public:
   vtkNBufferObservedObjects(const vtkNBufferObservedObjects&) = delete;
   void operator=(const vtkNBufferObservedObjects&) = delete;
 
-  /// Observe an object from now on. Returns false if there are too many.
+  /// Observe an object from now on. Returns false if MaximumSize objects are observed already.
   bool Add(vtkObject* object);
 
   /// Whether any object was modified since the last call.
   bool TakeChange();
 
-  /// Whether any living object has lost its observer to somebody else since the last call. Which
-  /// one is not known: all must be added again.
+  /// Whether other code has removed the observer of any living object since the last call. It is
+  /// not known from which object, so all of them must be added again.
   bool TakeLoss();
 
-  /// The number of objects that are observed. An object that has been modified or deleted is not.
+  /// The number of objects that are observed now. Objects that have been modified or deleted do not
+  /// count.
   std::size_t GetSize() const;
 
 private:
   class Command;
   struct Record;
-  /// Commands may outlive this object, in the hands of an event that is being invoked.
+  /// The commands share it, because they may outlive this object while an event is invoked.
   std::shared_ptr<Record> Shared;
 };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferPolygonClip.h
- * @brief What a half space leaves of a convex polygon (I. Sutherland, G. Hodgman, "Reentrant
- * polygon clipping", Communications of the ACM 17(1), 1974).
+ * @brief Clips a convex polygon by a half space (I. Sutherland, G. Hodgman, "Reentrant polygon
+ * clipping", Communications of the ACM 17(1), 1974).
  *
  *        A-----X-----B         The corners A, B, C, D become A, X, Y, D.
  *        |      \    |
@@ -22,13 +22,13 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace vtkNBufferPolygonClip
 {
 /**
- * Clips `polygon` and stores the rest in `result`, which must be another container of the same type
- * (its memory is kept). A polygon that lies wholly outside leaves none.
+ * Clips `polygon` and stores what is left in `result`, which must be another container of the same
+ * type (its memory is kept). `result` is empty if the whole polygon is cut off.
  *
- * Corners may be points or numbers of points. `getDistance(corner)` is a number that is linear
- * along edges; corners with a number below 0 are cut off. `cut(from, to, t)` makes the corner on
- * the edge at from + t (to - from), with 0 <= t <= 1. It is called once for each edge that is cut,
- * in the direction in which the polygon runs.
+ * Corners may be points or indices of points. `getDistance(corner)` returns a number that is linear
+ * along edges; corners with a number below 0 are cut off. `cut(from, to, t)` returns the new corner
+ * on an edge, at from + t (to - from) with 0 <= t <= 1. It is called once for each edge that is
+ * cut; `from` precedes `to` in the polygon.
  */
 template <typename Polygon, typename Distance, typename Cut>
 void Clip(const Polygon& polygon, Distance&& getDistance, Cut&& cut, Polygon& result)

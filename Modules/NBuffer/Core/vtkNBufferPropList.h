@@ -6,13 +6,13 @@
  *
  * A renderer has the same props in the same order in most frames. The list is therefore compared
  * with the last one pointer by pointer, and only a difference costs look-ups. Props are compared as
- * addresses and never dereferenced. A new prop at the address of a deleted one is mistaken for it
- * here; its modification time is newer, which vtkNBufferPropWatch notices.
+ * addresses and never dereferenced. This class mistakes a new prop at the address of a deleted one
+ * for the old prop; vtkNBufferPropWatch notices the newer modification time.
  *
- * T is what the owner of the list knows of a prop. It is moved along when the list changes, and is
- * made as T(prop) or, where there is no such constructor, as T() for a prop that is new. The items
- * lie side by side in one vector. An owner that keeps more than one vector passes the others to
- * Synchronize().
+ * T is what the owner of the list knows of a prop, an item. When the list changes, items move with
+ * their props. The item of a new prop is T(prop) or, if there is no such constructor, T(). The
+ * items lie side by side in one vector. An owner that keeps more vectors with one element for each
+ * prop passes them to Synchronize().
  */
 #ifndef vtkNBufferPropList_h
 #define vtkNBufferPropList_h
@@ -61,7 +61,7 @@ public:
   vtkProp* GetProp(std::size_t place) const { return this->Props[place]; }
 
   ///@{
-  /// What is known of each prop, in the order of the list.
+  /// The items, in the order of the list.
   std::vector<T>& GetItems() { return this->Items; }
   const std::vector<T>& GetItems() const { return this->Items; }
   T& operator[](std::size_t place) { return this->Items[place]; }

@@ -40,15 +40,15 @@ using vtkNBufferProtectedMembers::GetOwnTime;
 
 namespace
 {
-/// Whether GetMTime() of a user's transform only reads. vtkProp3D wraps a user's matrix in a
-/// vtkMatrixToLinearTransform.
+/// Whether GetMTime() of a user's transform changes nothing, so that it may be called in parallel.
+/// vtkProp3D wraps a user's matrix in a vtkMatrixToLinearTransform.
 bool IsPlain(vtkLinearTransform* transform)
 {
   return !transform || typeid(*transform) == typeid(vtkTransform) ||
     typeid(*transform) == typeid(vtkMatrixToLinearTransform);
 }
 
-/// The executive of what feeds the mapper if it is one whose rules are known, or nullptr.
+/// The executive of the mapper's input if the rules of its class are known, otherwise nullptr.
 vtkDemandDrivenPipeline* GetExecutive(vtkMapper* mapper)
 {
   vtkExecutive* executive = mapper->GetInputExecutive(0, 0);
@@ -59,7 +59,7 @@ vtkDemandDrivenPipeline* GetExecutive(vtkMapper* mapper)
     : nullptr;
 }
 
-/// Whether requests decide about what the filters make, and not their parameters alone.
+/// Whether the output of the filters depends on requests, and not only on their parameters.
 bool DependsOnRequests(vtkInformation* request)
 {
 #if VTKNBUFFER_HAS_ABORTED_FILTERS
@@ -72,7 +72,7 @@ bool DependsOnRequests(vtkInformation* request)
     request->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
 }
 
-/// The time of data and, with blocks, of those of composite data.
+/// The time of data and, if `withBlocks` is true, of the blocks of composite data.
 vtkMTimeType GetDataTime(vtkDataObject* data, bool withBlocks)
 {
   vtkMTimeType time = data ? data->GetMTime() : 0;
@@ -154,8 +154,8 @@ void vtkNBufferPropWatch::Track(vtkProp* prop, bool withBlocks)
     (!vtkNBufferSurface::IsComposite(this->Mapper) &&
       !vtkNBufferSurface::HasReplacedShaders(this->Actor) &&
       !vtkNBufferSurface::HasOtherCoordinates(this->Actor));
-  // A texture's translucency has a pipeline of its own, and the time of clipping planes is not part
-  // of the mapper's.
+  // Whether a texture is translucent depends on a pipeline of its own, and the time of a mapper
+  // does not include those of its clipping planes.
   vtkPolyData* input =
     this->Mapper && !this->Actor->GetTexture() && !this->Mapper->GetClippingPlanes()
     ? vtkNBufferSurface::GetOnlyPolyData(this->Mapper)
@@ -277,7 +277,7 @@ void vtkNBufferPropWatch::Observe(vtkNBufferObservedObjects& objects)
 
 bool vtkNBufferPropWatch::GetPipelineTime(vtkMTimeType& time) const
 {
-  // The actor keeps its mapper alive, the mapper what feeds it, and that its data.
+  // The actor keeps its mapper alive, the mapper its input algorithm, and the algorithm its data.
   vtkDemandDrivenPipeline* executive = GetExecutive(this->Mapper);
   if (!executive || DependsOnRequests(this->Mapper->GetInputInformation(0, 0)) ||
     !executive->UpdatePipelineMTime() || this->Mapper->GetInputDataObject(0, 0) != this->Input ||
@@ -297,8 +297,8 @@ bool vtkNBufferPropWatch::GetPipelineTime(vtkMTimeType& time) const
 bool vtkNBufferPropWatch::PipelineHasChanged() const
 {
   vtkMTimeType time = 0;
-  // Another prop may have been made at the address of the actor. Its stamp is newer, and no
-  // function of an actor may be called for it.
+  // Another prop may have been made at the address of the actor. Its stamp is newer, and must be
+  // checked first, because no function of an actor may be called for it.
   return GetOwnTime(this->Actor) > this->Time || this->Actor->GetMapper() != this->Mapper ||
     vtkNBufferProtectedMembers::GetShaderProperty(this->Actor) != this->Shaders ||
     this->Mapper->GetNumberOfInputConnections(0) != 1 || !this->GetPipelineTime(time) ||

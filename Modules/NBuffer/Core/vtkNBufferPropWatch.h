@@ -4,31 +4,31 @@
  * @class vtkNBufferPropWatch
  * @brief Whether what a prop draws has changed since it was last read.
  *
- * Culler and shadows cache what they know of a prop for as long as this class finds no change. VTK
- * takes all modification times from one global counter, so any change makes the newest time of
- * everything that an actor is made of grow. Track() chooses the cheapest means to see that:
+ * Culler and shadows cache what they know of a prop for as long as this class finds no change. An
+ * actor consists of many objects (property, mapper, data, ...). VTK takes all modification times
+ * from one global counter, so any change of any of them increases the newest of their times.
+ * Track() chooses the cheapest means to detect that:
  *
- * - Stamps: the mapper shows polydata without a pipeline. All objects are listed once, and then
- *   their time stamps are compared, each in one cache line. vtkActor::GetMTime() and
- *   vtkMapper::GetMTime() walk some thirty cache lines one after the other, which for 15,000 props
- *   takes most of a culled frame. After Observe() only the actor is compared, and
+ * - Stamps: the mapper shows polydata without a pipeline. Track() lists all objects, and each later
+ *   check reads only their time stamps, one cache line for each. vtkActor::GetMTime() and
+ *   vtkMapper::GetMTime() read some thirty cache lines one after the other, which for 15,000 props
+ *   takes most of a culled frame. After Observe() only the actor's stamp is read, and
  *   vtkNBufferObservedObjects says whether any other object has been modified.
  * - Pipeline: filters or sources make the polydata. vtkActor::GetBounds() sends three requests up
  *   the pipeline, which takes as long as drawing a small prop. VTK begins each request by querying
  *   the modification times of all filters, and ends it if none is newer than the data. HasChanged()
  *   does only this first step, in about a microsecond.
- * - Times: any other mapper of vtkNBufferSurface::IsPlain(), and an actor without a mapper. The
- *   times are known only after the pipeline was updated, as VTK does before it draws. HasChanged()
- *   is always true, and GetTime() says after the next Track() whether there was a change.
- * - None: any other prop or mapper may change without a trace.
+ * - Times: any other plain mapper (vtkNBufferSurface::IsPlain()), or an actor without a mapper. The
+ *   times are known only after the pipeline has been updated, as VTK does before it draws.
+ *   HasChanged() is always true. A change shows in GetTime() after the next Track().
+ * - None: any other prop or mapper. It may change without a newer time.
  *
  * The list of stamps mirrors GetMTime() of vtkActor, vtkMapper, vtkTrivialProducer, vtkPolyData,
  * vtkPoints and vtkFieldData, which are the same in VTK 9.1 to 9.7. Track() verifies that the list
- * gives the same time as they do, and otherwise does not use it. An object's stamp is listed after
- * that of its owner: the object is alive if its owner has not changed. Two things are compared
- * besides: the shader property, which VTK creates later without marking its prop as modified, and
- * the user's transform, as importers give to each actor, which may concatenate any number of
- * others.
+ * gives the same time as these functions, and otherwise does not use it. An object is listed after
+ * its owner: it is alive if its owner has not changed. Two more things are compared: the shader
+ * property, which VTK creates later without marking its prop as modified, and the user's transform,
+ * which importers give to each actor and which may concatenate any number of others.
  *
  * A filter may run again without a newer time because another time step is requested, because its
  * last run was aborted, or because its data was released. HasChanged() is true then.
@@ -57,7 +57,7 @@ class vtkShaderProperty;
 class VTKNBUFFER_EXPORT vtkNBufferPropWatch
 {
 public:
-  /// How changes are found, see above.
+  /// How changes are found; see above.
   enum class Means
   {
     None,
@@ -76,10 +76,11 @@ public:
   /**
    * Whether anything may have been modified since Track(), or whether another prop has been made at
    * the address of a deleted actor; true before the first Track().
-   * MayHaveChanged() reads time stamps only, is true for everything that does not show in them, and
-   * may be called in parallel; `observedAreUnchanged` says that no observed object has been
-   * modified since the last call. HasChanged() queries the pipeline as well. It must not be called
-   * in parallel, because pipelines store the times that they find, and may share filters.
+   *
+   * MayHaveChanged() only reads time stamps, and may be called in parallel. It is true for all
+   * means other than Stamps. `observedAreUnchanged` says that no observed object has been modified
+   * since the last call. HasChanged() also queries the pipeline. It must not be called in parallel,
+   * because pipelines store the times that they find, and may share filters.
    */
   bool MayHaveChanged(bool observedAreUnchanged = false) const
   {
@@ -92,14 +93,15 @@ public:
   }
   ///@}
 
-  /// Have the processor fetch what MayHaveChanged() will read.
+  /// Prefetch the memory that MayHaveChanged() will read.
   void Prefetch(bool observedAreUnchanged = false) const;
 
   ///@{
   /**
-   * Have all objects observed but the actor, until the next Track() or Forget(). This does nothing
-   * for means other than Stamps, if there are too many objects, and in the first call after
-   * Track(): what has not changed from one call to the next will not soon.
+   * Observe() lets `objects` observe all objects of the prop except for the actor, until the next
+   * Track() or Forget(). It does nothing for means other than Stamps, if there are too many
+   * objects, and in the first call after Track(): a prop that has not changed from one call to the
+   * next will probably not change soon.
    */
   void Observe(vtkNBufferObservedObjects& objects);
   void Forget() { this->Observed = false; }

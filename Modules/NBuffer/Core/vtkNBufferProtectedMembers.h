@@ -4,9 +4,9 @@
  * @file vtkNBufferProtectedMembers.h
  * @brief Every protected member of VTK's classes that this module reads, and nothing else.
  *
- * C++ allows a derived class to name a protected member of its base, and the pointer to member that
- * results works for any object of the base. VTK's public getters do not serve here: they create
- * what is missing, or they combine the times of other objects.
+ * C++ allows a derived class to name a protected member of its base, and the resulting pointer to
+ * member works for any object of the base. VTK's public getters cannot be used: they create an
+ * object that is missing, or they include the times of other objects.
  */
 #ifndef vtkNBufferProtectedMembers_h
 #define vtkNBufferProtectedMembers_h
@@ -24,7 +24,8 @@ class vtkShaderProperty;
 
 namespace vtkNBufferProtectedMembers
 {
-/// The time stamp of an object itself. vtkObject::GetMTime() is virtual and may combine several.
+/// The time stamp of an object itself. vtkObject::GetMTime() is virtual and may combine several
+/// stamps.
 inline const vtkTimeStamp& GetTimeStamp(const vtkObject* object)
 {
   struct Access : vtkObject

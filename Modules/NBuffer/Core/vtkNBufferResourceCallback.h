@@ -46,7 +46,7 @@ public:
   {
   }
 
-  /// Register with a window. The owner's objects in the window before are released first.
+  /// Register with a window. The owner's objects in the previous window are released first.
   void RegisterGraphicsResources(vtkOpenGLRenderWindow* window) override
   {
     if (this->VTKWindow != window)

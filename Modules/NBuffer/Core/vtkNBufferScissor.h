@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferScissor.h
- * @brief Drawing inside rectangles only.
+ * @brief Restricts drawing to rectangles of pixels.
  */
 #ifndef vtkNBufferScissor_h
 #define vtkNBufferScissor_h
@@ -36,11 +36,11 @@ private:
   bool Enabled;
   vtkNBufferRectangle Viewport;
   vtkNBufferRectangle Outer; ///< Where drawing was allowed before, in framebuffer pixels.
-  int Box[4] = {};
+  int Box[4] = {};           ///< The scissor box before: x, y, width, height.
 };
 
-/// Call draw() once for each region (in pixels of the viewport), so that it draws inside the region
-/// only. Without regions call it once, and let it draw everywhere. Returns the number of calls.
+/// Call draw() once for each region (in pixels of the viewport), and restrict it to that region. If
+/// `regions` is empty, call it once without a restriction. Returns the number of calls.
 template <typename Functor>
 int DrawIn(const std::vector<vtkNBufferRectangle>& regions, Functor&& draw)
 {

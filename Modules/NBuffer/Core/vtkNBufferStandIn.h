@@ -37,7 +37,7 @@ public:
   vtkTypeMacro(vtkNBufferStandIn, vtkProp);
 
   ///@{
-  /// Forwarded to the represented props.
+  /// Forwarded to the represented props that are drawn.
   void RestoreEstimatedRenderTime() override;
   double GetEstimatedRenderTime(vtkViewport* viewport) override;
   double GetEstimatedRenderTime() override;
@@ -65,9 +65,9 @@ protected:
     void operator=(const ForwardedKeys&) = delete;
 
   private:
-    vtkInformation* To = nullptr;      ///< This is nullptr if there is nothing to forward.
+    vtkInformation* To = nullptr;      ///< The prop's keys, or nullptr if nothing is forwarded.
     std::vector<vtkObjectBase*> Added; ///< The passes that the prop did not have before.
-    bool SetsDepthMask = false;        ///< The prop did not have this key before.
+    bool SetsDepthMask = false;        ///< Whether the depth mask key was added to the prop.
   };
 
 private:

@@ -119,8 +119,8 @@ bool HasLines(vtkDataObject* data)
   return mesh && mesh->GetNumberOfLines() > 0;
 }
 
-/// Add data and, if it is composite, its blocks, which inherit the attributes of the `part` that
-/// they are in.
+/// Add the part of data or, if the data is composite, of each block. `part` has the attributes that
+/// they inherit.
 void AddBlocks(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* data,
   vtkNBufferSurface::Part part, std::vector<vtkNBufferSurface::Part>& parts)
 {
@@ -332,8 +332,8 @@ std::optional<vtkNBufferSurface::BufferCoordinates> vtkNBufferSurface::GetBuffer
   vtkPolyData* input = plain ? plain->GetInput() : nullptr;
   if (!input || !input->GetPoints())
   {
-    // The buffers are made from points that are not at hand. Moved or not, their vertices and the
-    // place of their zero are within twice the bounds.
+    // The points of the buffers cannot be read here. Whether VTK shifts them or not, the vertices
+    // and the origin of the buffers are within twice the bounds.
     const double* bounds = mapper->GetBounds();
     const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
     const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);

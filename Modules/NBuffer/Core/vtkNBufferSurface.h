@@ -4,17 +4,17 @@
  * @class vtkNBufferSurface
  * @brief What an actor draws: the one place that knows VTK's kinds of mappers.
  *
- * A new kind of mapper is taught here to the culler and to the shadows at once. The static methods
- * answer what can be read from actor and mapper; an object of this class keeps what has to be made
- * for one actor, the extracted surface of data that is no polydata.
+ * Culler and shadows support a new kind of mapper as soon as this class does. The static methods
+ * read actor and mapper. An object of this class belongs to one actor and keeps the surface that is
+ * extracted from the actor's data if these are no polydata.
  *
- * Which classes count has two answers:
+ * Which classes of mappers are supported depends on the purpose:
  *
- *     IsPlain()   for the culler: exactly the classes that are known. What a subclass draws may lie
- *                 outside its bounds, and the culler would leave out what can be seen.
- *     GetParts()  for shadows: subclasses as well. No bounds are involved: the shadow is that of
- *                 the triangles in the mapper's input, and if a subclass draws something else
- *                 in addition, only the shadow of that is missing.
+ *     IsPlain()   for the culler: exactly the classes that are known. A subclass may draw outside
+ *                 its bounds, and the culler would leave out what can be seen.
+ *     GetParts()  for shadows: subclasses as well. Bounds do not matter: the triangles in the
+ *                 mapper's input cast the shadow, and if a subclass draws something else in
+ *                 addition, only the shadow of that is missing.
  */
 #ifndef vtkNBufferSurface_h
 #define vtkNBufferSurface_h
@@ -48,7 +48,8 @@ class VTKNBUFFER_EXPORT vtkNBufferSurface
 public:
   ///@{
   /**
-   * The prop if it is an actor of VTK's own class, otherwise nullptr. A subclass may draw anything.
+   * The prop if it is a vtkOpenGLActor, otherwise nullptr. A subclass may draw anything, and gives
+   * nullptr.
    */
   static vtkActor* GetPlainActor(vtkProp* prop);
 
@@ -61,7 +62,8 @@ public:
   /// Whether the user has replaced parts of the actor's shaders, which may then draw anything.
   static bool HasReplacedShaders(vtkActor* actor);
 
-  /// Whether these properties draw nothing but what a mapper's polygons cover.
+  /// Whether an actor with this property draws filled polygons without edges, vertices, spheres or
+  /// tubes.
   static bool DrawsAsSurface(vtkProperty* property);
 
   /// Whether the actor is placed by a device or in the physical world, not in world coordinates.
@@ -80,30 +82,30 @@ public:
 
   ///@{
   /**
-   * How much wider than its surface a plain actor draws, in pixels: half the width of its lines and
-   * points and one more, or 0 if it has neither. DrawsLines() says whether there are lines.
+   * How far outside its surface a plain actor draws, in pixels: half the width of its lines or
+   * points, plus 1, or 0 if it has neither. DrawsLines() says whether there are lines.
    */
   static double GetMargin(vtkActor* actor);
   static bool DrawsLines(vtkMapper* mapper);
   ///@}
 
   /**
-   * How far from a fragment of an actor, in pixels, the place may be for which VTK's shader lights
-   * it: points and lines are lit in their middle, and replaced shaders may light anything
-   * (infinity).
+   * How far, in pixels, the position at which VTK's shader lights a fragment of an actor may be
+   * from the fragment: points and lines are lit at their middle, and replaced shaders may use any
+   * position (infinity).
    */
   static double GetLightingMargin(vtkActor* actor);
 
   /**
-   * Whether the polygon offset of a plain mapper may draw its surface nearer than its vertices.
-   * Depends on vtkNBufferPropWatch::GetGlobalState().
+   * Whether the polygon offset of a plain mapper, which draws `linesOrPoints` or not, may move its
+   * surface nearer to the eye. This depends on vtkNBufferPropWatch::GetGlobalState().
    */
   static bool HasOffsetTowardsEye(vtkMapper* mapper, bool linesOrPoints);
 
   /**
    * The coordinates in the vertex buffers of a plain mapper. VTK may shift and scale vertices
-   * before it rounds them to floats, hence rounding depends on how far they are from `Origin`, in
-   * model coordinates. No coordinate is farther from it than `HalfRange`.
+   * before it rounds them to floats, so the rounding error depends on how far they are from
+   * `Origin`. No vertex is farther from it than `HalfRange`. Both are in model coordinates.
    */
   struct BufferCoordinates
   {
@@ -111,7 +113,7 @@ public:
     glm::dvec3 HalfRange;
   };
 
-  /// The coordinates in the mapper's vertex buffers, or nothing if they follow the camera.
+  /// The coordinates in the mapper's vertex buffers, or nullopt if they depend on the camera.
   static std::optional<BufferCoordinates> GetBufferCoordinates(vtkMapper* mapper);
 
   /// A clipping plane a x + b y + c z + d >= 0 in world coordinates: it keeps the side to which its
@@ -129,18 +131,18 @@ public:
   };
 
   /**
-   * What an actor draws as a surface, given that its pipeline is up to date: the polydata of its
-   * mapper, each block of composite data, or what vtkDataSetMapper extracts from any other data
-   * set. `toWorld` is the matrix of the actor, or of its place in an assembly. Returns false if the
+   * The meshes of an actor whose pipeline is up to date: the polydata of its mapper, each block of
+   * composite data, or the surface that vtkDataSetMapper extracts from any other data set.
+   * `toWorld` is the matrix of the actor, or of its place in an assembly. Returns false if the
    * triangles cannot be known. The meshes are valid until the next call or change of the data.
    */
   bool GetParts(vtkActor* actor, vtkMatrix4x4* toWorld, std::vector<Part>& parts);
 
-  /// GetParts() without what would have to be extracted.
+  /// As GetParts(), but returns false if a surface would have to be extracted.
   static bool GetPartsAtHand(vtkActor* actor, vtkMatrix4x4* toWorld, std::vector<Part>& parts);
 
-  /// The triangles of a polydata: of its polygons, then of its strips, made by the functions that
-  /// VTK's mappers use.
+  /// The triangles of a polydata: those of its polygons, then those of its strips, made by the
+  /// functions that VTK's mappers use.
   static vtkNBufferMesh GetMesh(vtkPolyData* data);
 
 private:

@@ -11,9 +11,9 @@
  *                  v    /    v    /
  *     array 1:  level 1   level 3   level 5  ...
  *
- * A pass then reads one array and writes the other. With a single array it would be a feedback
- * loop: OpenGL 3.2 looks only at the mip level of what is attached and sampled, which is 0 for
- * both, and not at the layer (section 4.4.3). Two samplers are enough for queries in shaders.
+ * A pass then reads one array and writes the other. With a single array this would be a feedback
+ * loop: OpenGL 3.2 compares only the mip levels that are attached and sampled, which are both 0,
+ * and not the layers (section 4.4.3). Shaders that query the levels need only two samplers.
  */
 #ifndef vtkNBufferTextureStorage_h
 #define vtkNBufferTextureStorage_h
@@ -31,14 +31,16 @@ public:
   static int GetArrayIndex(int level) { return level % ArrayCount; }
   static int GetLayer(int level) { return level / ArrayCount; }
 
-  /// Make room for levels of at least this size. False, with the cause in `why`, if OpenGL refuses.
+  /// Make room for at least `levels` levels of at least width x height texels. Returns false, with
+  /// the cause in `why`, if OpenGL refuses.
   bool ReserveLevels(int width, int height, int levels, std::string& why);
 
-  /// Make room for an integer image of depth and for the buffer through which it is copied. False,
-  /// with the cause in `why`, if OpenGL refuses.
+  /// Make room for an image of depth as integers, and for the buffer through which it is copied.
+  /// Returns false, with the cause in `why`, if OpenGL refuses.
   bool ReserveIntegers(int width, int height, std::string& why);
 
-  /// Make room for levels that are read back. False, with the cause in `why`, if OpenGL refuses.
+  /// Make room for `bytes` bytes of levels that are read back. Returns false, with the cause in
+  /// `why`, if OpenGL refuses.
   bool ReserveReadback(std::size_t bytes, std::string& why);
 
   /// The name of the array that holds a level.
@@ -47,6 +49,7 @@ public:
   /// The name of the framebuffer that has a level as its only attachment.
   unsigned int GetFramebuffer(int level) const { return this->Framebuffers[level].GetName(); }
 
+  /// The names of the buffers of ReserveIntegers() and ReserveReadback(); 0 before these.
   unsigned int GetIntegerBuffer() const { return this->IntegerBuffer.Object.GetName(); }
   unsigned int GetReadbackBuffer() const { return this->ReadbackBuffer.Object.GetName(); }
 
@@ -56,8 +59,8 @@ public:
   /// Delete the objects.
   void Delete(vtkNBufferGL::Context context);
 
-  vtkNBufferGL::GrowingTexture Copy;     ///< A copy of the depth that is reduced.
-  vtkNBufferGL::GrowingTexture Integers; ///< The same as 32-bit integers.
+  vtkNBufferGL::GrowingTexture Copy;     ///< A copy of the depth from which level 0 is made.
+  vtkNBufferGL::GrowingTexture Integers; ///< The same depth as 32-bit integers.
 
 private:
   struct Buffer

@@ -87,8 +87,8 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
   this->DepthWriter = this->Mapper && actor->HasOpaqueGeometry();
   this->Blended = IsForcedToBeOpaque(actor);
   this->Unlit = !actor->GetProperty()->GetLighting();
-  // Composite data never counts as unchanged (IsTracked()), so that the times of its blocks, which
-  // would have to be read in every frame, are not needed.
+  // Composite data never counts as unchanged (IsTracked()). The times of its blocks, which would
+  // have to be read in every frame, are therefore not needed.
   this->Watch.Track(actor, false);
   return globalStateChanged || this->Watch.GetTime() != timeBefore ||
     this->Verdict != verdictBefore;
@@ -153,7 +153,7 @@ vtkNBufferVerdict vtkNBufferCandidate::ReadBox(vtkActor* actor)
     this->Box.Origin += column * buffer->Origin[k];
     this->Box.Magnitude += vtkNBufferGLM::Abs(column) * buffer->HalfRange[k];
   }
-  // VTK's bounds leave infinite points out; the device does not.
+  // VTK leaves infinite points out of the bounds, but the device draws them.
   const bool isFinite =
     vtkNBufferGLM::IsFinite(this->Box.Origin) && vtkNBufferGLM::IsFinite(this->Box.Magnitude);
   return isFinite ? vtkNBufferVerdict::Visible : vtkNBufferVerdict::NoBounds;

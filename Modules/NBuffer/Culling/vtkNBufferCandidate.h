@@ -2,18 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferCandidate
- * @brief What the culler knows of one prop: whether it may be culled, its box, and until when.
+ * @brief What the culler knows of one prop: whether it may be culled, and its box.
  *
  * This class alone decides which props are tested. A prop is a candidate if everything that it
  * draws in the opaque stage lies inside its bounds, at the depths of its surface, and if it draws
  * nothing in the other stages. Every other prop is drawn as usual, and its verdict says why it is
  * no candidate.
  *
- * Lines are no surface: fragments lie up to half a pixel beyond a line's ends, at depths that go on
- * as steeply as the line does. For a line that is seen end-on, there is no bound to that.
+ * Props that draw lines are no candidates. A device draws fragments up to half a pixel beyond the
+ * ends of a line, and their depths continue the slope of the line. Nothing bounds these depths for
+ * a line that is seen end-on.
  *
- * What an actor draws is answered by vtkNBufferSurface, and whether it has changed since by
- * vtkNBufferPropWatch.
+ * vtkNBufferSurface knows what an actor draws. vtkNBufferPropWatch finds out whether this has
+ * changed since it was read.
  */
 #ifndef vtkNBufferCandidate_h
 #define vtkNBufferCandidate_h
@@ -44,10 +45,10 @@ public:
   bool IsCandidate() const { return this->GetVerdict() == vtkNBufferVerdict::Visible; }
 
   /// Whether translucency is the only reason why the prop is no candidate. Such a prop is never
-  /// held back, but it is not drawn where it is hidden.
+  /// held back, but it is not drawn if it is hidden.
   bool IsTranslucent() const { return this->GetVerdict() == vtkNBufferVerdict::Translucent; }
 
-  /// Whether the prop has a placement in the view, as candidates and translucent props have.
+  /// Whether the prop is tested, so that it has a box and, in each view, a vtkNBufferPlacement.
   bool HasPlacement() const { return this->IsCandidate() || this->IsTranslucent(); }
 
   /// Visible for a candidate, otherwise the reason why the prop is no candidate.
@@ -58,11 +59,11 @@ public:
     return this->SharesState && mayBeLeftOut ? vtkNBufferVerdict::SharedMapper : this->Verdict;
   }
 
-  /// What a plain actor uses. ReadParts() reads it of other props.
+  /// The objects that a plain actor may share with others. For other props see ReadParts().
   const vtkNBufferSharedState::Uses& GetUses() const { return this->Uses; }
 
-  /// Set whether another prop uses the same objects in another way. Only the list of all props can
-  /// know.
+  /// Set whether another prop uses one of these objects in another way. Only the list of all props
+  /// knows this.
   void SetSharesState(bool shares) { this->SharesState = shares; }
 
   /// The box of a prop with a placement, in world coordinates.
@@ -73,9 +74,10 @@ public:
 
   ///@{
   /**
-   * Whether the prop may blend in the opaque stage, where the order of drawing then shows. It does
-   * if it is opaque by force but translucent by itself; if it draws lines, and the window smoothes
-   * them; or if it lacks normals, and ambient occlusion needs them (see vtkNBufferCompatibility.h).
+   * Whether the prop may blend in the opaque stage, so that the image depends on the order of
+   * drawing. IsBlended(): always, because the application forces a translucent prop to be opaque.
+   * MayDrawLines(): if the window smoothes lines. MayLackNormals(): if there is ambient occlusion,
+   * which needs normals (see vtkNBufferCompatibility::DrawingSettings).
    */
   bool IsBlended() const { return this->Blended; }
   bool MayDrawLines() const
@@ -87,9 +89,10 @@ public:
 
   ///@{
   /**
-   * The parts of an assembly or another prop that is no plain actor may change without a trace, so
-   * that ReadParts() has to be called in each frame. It returns whether any part blends in the
-   * opaque stage, and appends what the parts use.
+   * HasParts() says whether the prop is an assembly, or any other prop that is no plain actor and
+   * may write depth. The parts of such a prop may change without a newer modification time, so that
+   * ReadParts() has to be called in each frame. ReadParts() returns whether any part is forced to
+   * be opaque (see IsBlended()), and appends the objects that the parts use to `uses`.
    */
   bool HasParts() const
   {
@@ -101,7 +104,7 @@ public:
   /**
    * Whether every change of the depth that the prop writes shows in modification times. Custom
    * props, level-of-detail actors and shader uniforms may differ from frame to frame without a
-   * trace.
+   * newer time.
    */
   bool IsTracked() const
   {
@@ -109,34 +112,34 @@ public:
       (this->Verdict == vtkNBufferVerdict::NotAPlainActor && !this->DepthWriter);
   }
 
-  /// Whether Refresh() must be called. Only reads times; may run in parallel for different props.
-  /// See vtkNBufferPropWatch::MayHaveChanged().
+  /// Whether Refresh() must be called. Only reads modification times, and may run in parallel for
+  /// different props. `observedAreUnchanged` is that of vtkNBufferPropWatch::MayHaveChanged().
   bool IsStale(bool observedAreUnchanged = false) const
   {
-    // Of a prop that is no plain actor only the class is known here. It is another one if another
-    // prop has been made at the address of a deleted one.
+    // Of a prop that is no plain actor only the class is compared. It differs if another prop has
+    // been made at the address of a deleted one.
     return this->Verdict == vtkNBufferVerdict::NotAPlainActor
       ? this->Class != &typeid(*this->Prop)
       : this->Watch.MayHaveChanged(observedAreUnchanged);
   }
 
-  /// Have the processor fetch what IsStale() will read.
+  /// Prefetch the memory that IsStale() will read into the processor's cache.
   void Prefetch(bool observedAreUnchanged) const { this->Watch.Prefetch(observedAreUnchanged); }
 
   vtkNBufferPropWatch& GetWatch() { return this->Watch; }
 
   /**
-   * Read the prop again, unless neither it nor the global state has changed (see
-   * vtkNBufferPropWatch::GetGlobalState()). May run the prop's pipeline, and costs what
-   * vtkProp::GetBounds() costs. Returns whether anything has changed since the last call that may
-   * change what the prop draws.
+   * Read the prop again if it has changed or if `globalStateChanged` is true, because VTK's
+   * settings for all mappers have changed (vtkNBufferPropWatch::GetGlobalState()). May run the
+   * prop's pipeline, and takes as long as vtkProp::GetBounds(). Returns whether what the prop draws
+   * may have changed since the last call.
    */
   bool Refresh(bool globalStateChanged);
 
 private:
   /// Read the box. Returns Visible, or the verdict of a prop whose box cannot be known.
   vtkNBufferVerdict ReadBox(vtkActor* actor);
-  /// The verdict, given that of ReadBox().
+  /// The verdict of the prop, where `box` is the result of ReadBox().
   vtkNBufferVerdict Classify(vtkActor* actor, vtkNBufferVerdict box) const;
 
   // What is read of each prop in each frame comes first, to share a cache line.
@@ -153,8 +156,8 @@ private:
   vtkNBufferSharedState::Uses Uses;
 };
 
-/// What a view knows of a prop in one frame. It is kept apart from the caches and small, because
-/// every frame walks the states of all props several times.
+/// What a view knows of a prop in one frame. It is small and not a part of vtkNBufferCandidate,
+/// because every frame reads the states of all props several times.
 struct vtkNBufferState
 {
   vtkNBufferVerdict Verdict = vtkNBufferVerdict::Unknown;
@@ -163,10 +166,10 @@ struct vtkNBufferState
   /// Whether the last depth test that included the prop found it visible.
   bool WasVisible = false;
 
-  /// Whether a depth test has included the prop since it was outside the frustum the last time.
+  /// Whether a depth test has included the prop since it was last outside the frustum.
   bool WasTested = false;
 
-  /// Whether the prop is Inside, but its rectangle has not been computed in this frame yet.
+  /// Whether the prop is deferred: it is Inside, but its rectangle has not been computed yet.
   bool RectangleIsStale = false;
 
   /// Whether the rectangle is stale and the prop lies below a node of the hierarchy that this

@@ -13,8 +13,8 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// At most so many props are visited in one frame, and so many objects observed, which takes a
-/// millisecond.
+/// ObserveSome() visits at most this many props, and observes at most this many objects and those
+/// of one prop more. That takes a millisecond.
 constexpr std::size_t PropsToObserve = 1024;
 constexpr std::size_t ObjectsToObserve = 2048;
 }
@@ -329,7 +329,7 @@ std::vector<vtkNBufferMeshes::Placed> vtkNBufferCandidateList::GetMeshes(int i)
 
 bool vtkNBufferCandidateList::MayBeSeen(int i, vtkNBufferPixelTest& test, int copyAfter)
 {
-  // What is drawn of lines and points sticks out of the triangles.
+  // Wide lines and points stick out of the triangles.
   const vtkNBufferState& state = this->States[i];
   if (state.Placement != vtkNBufferPlacement::Inside || this->GetBox(i).Margin > 0.0)
   {

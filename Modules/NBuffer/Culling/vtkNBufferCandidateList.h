@@ -5,7 +5,7 @@
  * @brief The props of one view in the renderer's order, cached from frame to frame.
  *
  * In a long list a hierarchy finds where the props are in the view (vtkNBufferCandidateTree). The
- * rectangle of a prop may then be deferred until GetScreen() needs it.
+ * rectangle of a prop may then be deferred: it is computed when GetScreen() is called for the prop.
  */
 #ifndef vtkNBufferCandidateList_h
 #define vtkNBufferCandidateList_h
@@ -29,58 +29,60 @@ public:
   /// Use a hierarchy for lists of at least this many props, see vtkNBufferTuning::HierarchySize.
   void SetHierarchySize(int size) { this->HierarchySize = size; }
 
-  /// Observe props that have not changed for so many frames, see vtkNBufferTuning::ObserveAfter.
+  /// Observe props that have not changed for this many frames, see vtkNBufferTuning::ObserveAfter.
   void SetObserveAfter(int frames) { this->ObserveAfter = frames; }
 
   /// Follow the renderer's list of props. Returns whether it differs from the last one.
   bool Synchronize(vtkProp** props, int count);
 
   /**
-   * Bring the caches up to date and, if there is a projection, do what Project() does. Both walk
-   * the same memory, so that for a short list they cost little more together than one of them.
-   * Returns the number of props that have changed.
+   * Bring the caches up to date and, if `projection` is not nullptr, do what Project() does. Both
+   * read the same memory, so that for a short list they take little longer together than one of
+   * them alone. Returns the number of props that have changed.
    */
   int Refresh(const vtkNBufferProjection* projection);
 
   /**
    * Find the placement of every candidate and translucent prop in the view: outside, crossing, or
    * inside with its rectangle and depth interval. The projection is kept by reference until the
-   * next call, for rectangles that are deferred.
+   * next call, to compute deferred rectangles.
    */
   void Project(const vtkNBufferProjection& projection);
 
-  /// The number of levels that nodes of deferred props need over a base of the given factor.
+  /// The number of levels that MarkHidden() needs, at least 1. `factor` is the side of a texel of
+  /// level 0 in pixels.
   int GetLevelsNeeded(int factor) const { return this->Tree.GetLevelsNeeded(factor); }
 
-  /// Mark the deferred props below hidden nodes as Behind. This must be called once in a frame,
-  /// before its first test.
+  /// Mark the deferred props below hidden nodes as Behind. This must be called before the first
+  /// test of a frame; further calls in the frame do nothing.
   void MarkHidden(vtkNBufferOcclusionTest& test) { this->Tree.MarkHidden(test, this->States); }
 
   /**
-   * If no prop is known to reach into the view, draw the props that are outside all the same. VTK
-   * does not touch a renderer whose list is empty, not even for image processing, and a culler that
-   * follows may remove any other prop.
+   * If no candidate or translucent prop reaches into the view, let the renderer draw those that are
+   * outside nevertheless. VTK skips a renderer whose list is empty, image processing included.
+   * Props of other kinds are not enough to prevent this: a culler that runs later may remove them.
    */
   void KeepIfNoneIsInside();
 
-  /// Whether the depth that any of the props writes may change without a trace.
+  /// Whether the depth that any of the props writes may change without a newer modification time.
   bool HasUntrackedDepth() const { return this->UntrackedDepth; }
 
-  /// Whether any prop may blend in the opaque stage, given that the window smoothes lines or that
-  /// there is ambient occlusion.
+  /// Whether the image may depend on the order in which the opaque stage draws: because a prop
+  /// blends there, given whether lines are smooth and whether there is ambient occlusion, or
+  /// because props share an object that they use in different ways (vtkNBufferSharedState).
   bool HasBlending(bool smoothLines, bool ambientOcclusion) const;
 
-  /// Count the verdicts, the props drawn before the first test, and the work of the hierarchy.
+  /// Set the counts of verdicts, of props drawn before the first test, and of the hierarchy's work.
   void CountVerdicts(vtkNBufferStatistics& statistics) const;
 
-  /// Prop i as drawn in a round, for the order of props with equal depth.
+  /// Describe prop i for vtkNBufferTieOrder. `round` is 0 for props that the renderer draws.
   vtkNBufferDrawnProp GetDrawn(int i, int round);
 
   /// The triangles of prop i, see vtkNBufferMeshes.
   std::vector<vtkNBufferMeshes::Placed> GetMeshes(int i);
 
-  /// Whether a candidate that is Inside may be seen by its triangles, of which only those of small
-  /// meshes are looked at (vtkNBufferMeshes::FindSmall). They are copied for props that the tests
+  /// Whether any triangle of candidate i may be visible. Also true if its triangles are not known:
+  /// only those of small meshes are copied (vtkNBufferMeshes::FindSmall), for props that the tests
   /// of `copyAfter` frames have found visible.
   bool MayBeSeen(int i, vtkNBufferPixelTest& test, int copyAfter);
 
@@ -89,7 +91,7 @@ public:
   const vtkNBufferCandidate& GetCandidate(int i) const { return this->Candidates[i]; }
   const vtkNBufferBox& GetBox(int i) const { return this->Candidates[i].GetBox(); }
 
-  /// The rectangle of prop i. If it was deferred it is computed now, which may change the prop's
+  /// The rectangle of prop i. If it was deferred, it is computed now, which may change the prop's
   /// placement.
   vtkNBufferScreenBox& GetScreen(int i)
   {
@@ -112,40 +114,40 @@ private:
   void ProjectOverTree(const vtkNBufferProjection& projection);
   void ProjectDeferred(int i);
   void ResetPlacement(vtkIdType i);
-  /// ProjectOne(), or ResetPlacement() if the tree finds the placement later; nothing without a
-  /// projection.
+  /// Call ProjectOne(), or ResetPlacement() if the tree will find the placement later. Does nothing
+  /// if `projection` is nullptr.
   void FindPlacement(vtkIdType i, const vtkNBufferProjection* projection);
   int RefreshStale(const vtkNBufferProjection* projection, bool globalStateChanged);
-  /// Read what may change without a trace.
+  /// Call vtkNBufferCandidate::ReadParts() for the props that have parts.
   void ReadParts();
-  /// Tell all candidates whether a prop of the list uses their objects in another way.
+  /// Find out for each candidate whether another prop uses one of its objects in another way.
   void FindSharedState(const vtkNBufferProjection* projection);
   bool RefreshOne(std::size_t i, bool globalStateChanged);
-  /// Have some of the props observed that have not changed for a while, in turn.
+  /// Observe the next few of the props that have not changed for a while. A turn visits all props.
   void ObserveSome();
   bool UsesTree() const { return this->GetSize() >= this->HierarchySize; }
 
   vtkNBufferPropList<vtkNBufferCandidate> Candidates;
   std::vector<vtkNBufferScreenBox> Screens;
   std::vector<vtkNBufferState> States;
-  std::vector<unsigned char> Stale;
+  std::vector<unsigned char> Stale; ///< For each prop, whether RefreshStale() has to read it.
   vtkNBufferCandidateTree Tree;
   vtkNBufferMeshes Meshes;
-  std::vector<int> Reached; ///< The places that the tree leaves to be projected one by one.
+  std::vector<int> Reached; ///< The places of the props that the tree leaves to ProjectOne().
   vtkNBufferObservedObjects Observed;
   int HierarchySize = VTK_INT_MAX;
   int ObserveAfter = 0;
   int FramesOfTurn = 0;       ///< Frames since the current turn of ObserveSome() began.
-  std::size_t NextOfTurn = 0; ///< The place of the prop that it comes to next.
+  std::size_t NextOfTurn = 0; ///< The place of the prop that the turn visits next.
   vtkNBufferPropWatch::GlobalState GlobalState{};
-  bool ListChanged = false;
-  bool UntrackedDepth = false;
-  bool Blending = false;
-  bool Lines = false;
-  bool LackOfNormals = false;
-  bool UsesChanged = false;
-  bool SharesState = false;
-  bool BlendedParts = false;
+  bool ListChanged = false;                          ///< Since the last RefreshStale().
+  bool UntrackedDepth = false;                       ///< Some prop writes depth and is not tracked.
+  bool Blending = false;                             ///< Some prop is blended.
+  bool Lines = false;                                ///< Some prop may draw lines.
+  bool LackOfNormals = false;                        ///< Some prop may lack normals.
+  bool UsesChanged = false;                          ///< FindSharedState() has to be called.
+  bool SharesState = false;                          ///< Some object is used in several ways.
+  bool BlendedParts = false;                         ///< A part of some prop is blended.
   std::vector<int> WithParts;                        ///< The places of the props that have parts.
   std::vector<vtkNBufferSharedState::Uses> PartUses; ///< Of all parts of these props.
 };

@@ -66,7 +66,7 @@ bool vtkNBufferCandidateTree::Update(const std::vector<vtkNBufferCandidate>& can
   this->Changed.clear();
   if (many)
   {
-    // The nodes stay marked and are fitted in a quieter frame.
+    // The nodes stay marked as changed and are fitted in a frame with fewer changes.
     return false;
   }
   if (this->Done.Refits > 0)
@@ -130,7 +130,8 @@ void vtkNBufferCandidateTree::FindPlacements(const vtkNBufferProjection& project
     {
       const int place = this->Tree.GetOrder()[slot];
       vtkNBufferState& state = states[place];
-      // Verdicts begin as those of the candidates: only these may be held back.
+      // In each frame a state begins with the verdict of its prop, which for a candidate is
+      // Visible. Only candidates may be held back.
       if (within && state.Verdict == vtkNBufferVerdict::Visible && !state.WasVisible)
       {
         state.Placement = vtkNBufferPlacement::Inside;

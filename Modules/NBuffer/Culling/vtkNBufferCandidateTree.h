@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferCandidateTree
- * @brief Places the candidates of a long list in the view over a hierarchy. No OpenGL.
+ * @brief Finds where the candidates of a long list are in the view, by a hierarchy. No OpenGL.
  *
  *     node outside        All props below it are Outside. None of them is read.
  *     node wholly inside  All props below it are Inside. Those that were not visible in the last
@@ -13,23 +13,23 @@
  * a node that the depth test hides.
  *
  * Props get the placements that projecting each of them would give, apart from rounding in double
- * precision, which the slack of the projection exceeds by far. More of the props in view may be
- * found hidden: the texels that are read for the rectangle of a prop may reach beyond those that
- * are read for its node.
+ * precision, which is far smaller than the slack of the projection. A test over the hierarchy may
+ * find more props hidden than a test of each prop: the texels that are read for the rectangle of a
+ * prop may reach beyond those that are read for its node.
  *
  * The tree holds all props that have a placement in the view (candidates and translucent props). A
  * prop that has become one of them since the tree was built is projected one by one.
  *
  * When the tree is refit and built:
  *
- *  - It is refit to the boxes that have changed, in every frame in which some have. If more than
- *    FewChanges and more than one in ChangesPerFrame have changed, all props of this frame are
- *    projected one by one, which is cheaper.
+ *  - It is refit to the boxes that have changed, in every frame in which some have. If many have
+ *    changed (more than FewChanges and more than one in ChangesPerFrame), all props of this frame
+ *    are projected one by one, which is cheaper.
  *  - It is built when the list has changed, but not before the list has stayed the same for a
- *    frame. Building takes some ten times as long as projecting all props one by one, which would
- *    never be worth its cost if the list changed in every frame. It is also built again where
- * refits have made leaves more than WorstGrowth times as wide as they were built, at most every
- *    FramesBetweenBuilds frames.
+ *    frame. Building takes about ten times as long as projecting all props one by one, and would
+ *    never be worth its cost if the list changed in every frame.
+ *  - It is built again if refits have made the leaves more than WorstGrowth times as large as they
+ *    were built, or if many props are not in it, but at most every FramesBetweenBuilds frames.
  */
 #ifndef vtkNBufferCandidateTree_h
 #define vtkNBufferCandidateTree_h
@@ -49,7 +49,7 @@ class VTKNBUFFER_EXPORT vtkNBufferCandidateTree
 {
 public:
   ///@{
-  /// The constants of the rules above. Up to FewChanges changes are always refit.
+  /// The constants of the rules above.
   static constexpr int ChangesPerFrame = 16;
   static constexpr int FewChanges = 1024;
   static constexpr double WorstGrowth = 2.0;
@@ -68,8 +68,8 @@ public:
   const Work& GetWork() const { return this->Done; }
 
   ///@{
-  /// Tell the tree before Update() that the list has changed, or the verdict or box of the prop at
-  /// a place.
+  /// To be called before Update() if the list has changed, or if the verdict or the box of the prop
+  /// at `place` has changed.
   void ListHasChanged();
   void HasChanged(int place);
   ///@}
@@ -78,19 +78,21 @@ public:
   bool Update(const std::vector<vtkNBufferCandidate>& candidates);
 
   /**
-   * Set the placements of the candidates in the view, all of which must be Outside in `states`. The
-   * places in the list of props that must be projected one by one are appended to `places`, each
-   * once. The others are deferred. The projection is kept by reference until the next call.
+   * Find the placements of the candidates and translucent props, all of which must be Outside in
+   * `states`. Appends to `places`, each once, the places of the props that the caller must project
+   * one by one. The others stay Outside, or are Inside and deferred. The projection is kept by
+   * reference until the next call.
    */
   void FindPlacements(const vtkNBufferProjection& projection,
     const std::vector<vtkNBufferCandidate>& candidates, std::vector<vtkNBufferState>& states,
     std::vector<int>& places);
 
-  /// The number of levels that the depth test of the nodes of deferred props needs, at least 1 (see
-  /// vtkNBufferOcclusionTest).
+  /// The number of levels that MarkHidden() needs, at least 1. `factor` is that of
+  /// vtkNBufferOcclusionTest::GetLevelsNeeded().
   int GetLevelsNeeded(int factor) const;
 
-  /// Mark the deferred props below hidden nodes as Behind. This serves all tests of a frame.
+  /// Mark the deferred props below hidden nodes as Behind. Only the first call in a frame does
+  /// this: what is hidden stays hidden, because depth only gets nearer while a frame is drawn.
   void MarkHidden(vtkNBufferOcclusionTest& test, std::vector<vtkNBufferState>& states);
 
   /// The projection of the last FindPlacements(), for props that it has deferred.
@@ -103,10 +105,10 @@ private:
     const vtkNBufferHierarchy::Node& node, const std::vector<vtkNBufferState>& states) const;
 
   vtkNBufferHierarchy Tree;
-  std::vector<int> Changed;
-  std::vector<unsigned char> IsChanged; ///< By place.
+  std::vector<int> Changed;             ///< The places given to HasChanged() since Update().
+  std::vector<unsigned char> IsChanged; ///< For each place, whether it is in Changed.
   std::vector<int> Loose;               ///< Places of props that are not in the tree, sorted.
-  std::vector<int> Roots;               ///< Nodes wholly inside that have deferred props below.
+  std::vector<int> Roots;               ///< The nodes wholly inside that have deferred props.
   const vtkNBufferProjection* Projection = nullptr;
   Work Done;
   bool Built = false;

@@ -202,15 +202,15 @@ vtkNBufferDecision WhyNot(vtkRenderer* renderer)
   }
   vtkCamera* camera = renderer->GetActiveCamera();
   // With a scissor only a part of the viewport is drawn, and the depth elsewhere is that of another
-  // frame. A camera gets to know that it is one of two eyes only when it is drawn, which is too
-  // late for the frustum.
+  // frame. VTK sets a camera's stereo flag only when it renders the camera. Until then the frustum
+  // may be that of another eye.
   if (!camera || camera->GetUseScissor() ||
     (camera->GetStereo() != 0) != (window->GetStereoRender() != 0))
   {
     return vtkNBufferDecision::OtherView;
   }
 #if !VTKNBUFFER_HAS_SSAO_IN_PARTS
-  // In these versions the image depends on props outside of the pass's framebuffer, and even on
+  // In these versions of VTK the image depends on props outside the pass's framebuffer, and even on
   // whether there are any props to draw.
   if (GetDrawingSettings(renderer).AmbientOcclusion && (origin[0] > 0 || origin[1] > 0))
   {

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferCompatibility.h
- * @brief When the culler must draw everything: the one place that knows VTK's ways of drawing a
- * frame.
+ * @brief When the culler must draw everything. This is the only file that knows the ways in which
+ * VTK draws a frame.
  *
  * The culler may hold props back only if the renderer draws its opaque props once, from its active
  * camera, into a framebuffer with depth, and if nothing needs the props that the camera does not
- * see. Of VTK's own render passes this file knows which of them do that. All other passes can say
- * so themselves (vtkNBufferRenderPassTraits); the culler draws everything for those that do not.
+ * see. This file knows which of VTK's own render passes meet these conditions. Any other pass can
+ * declare that it does (vtkNBufferRenderPassTraits); if it does not, the culler draws everything.
  */
 #ifndef vtkNBufferCompatibility_h
 #define vtkNBufferCompatibility_h
@@ -33,17 +33,18 @@ namespace vtkNBufferCompatibility
 VTKNBUFFER_EXPORT vtkNBufferDecision WhyNot(vtkRenderer* renderer);
 
 /**
- * Get the reason why the depth drawn so far must not be used to test what was held back, or None if
- * it may be used. To be called when the proxy is drawn: only then is the framebuffer known. `key`
- * is the view that the culler has placed the props in. Describes the framebuffer in `source`. After
- * a failure `why` says its cause and remedy; otherwise it stays empty.
+ * Get the reason why the depth drawn so far must not be used to test the props that are held back,
+ * or None if it may be used. Call it when the proxy is drawn, because the framebuffer is not known
+ * earlier. `key` is the view for which the culler has placed the props. The function writes the
+ * properties of the framebuffer to `source`. If the result is a failure, it writes the cause and a
+ * remedy to `why`, which otherwise stays empty.
  */
 vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferViewKey& key,
   vtkNBufferDepthSource& source, std::string& why);
 
-/// Whether the renderer processes the image after drawing its props (FXAA, SSAO), the image of
-/// layers below included. VTK does so only if the renderer's list contains a prop, even if that
-/// prop draws nothing.
+/// Whether the renderer processes the image (FXAA, SSAO) after it has drawn its props. This changes
+/// what lower layers have drawn as well. VTK does it only if the renderer's list of props is not
+/// empty, but even if these props draw nothing.
 VTKNBUFFER_EXPORT bool ProcessesImage(vtkRenderer* renderer);
 
 /// Whether one of the renderer's passes says that it may draw the same opaque props twice in a
@@ -51,19 +52,19 @@ VTKNBUFFER_EXPORT bool ProcessesImage(vtkRenderer* renderer);
 VTKNBUFFER_EXPORT bool DrawsOpaquePropsTwice(vtkRenderer* renderer);
 
 /**
- * How a renderer draws its props. The verdicts of a frame serve for the next one only if both are
+ * How a renderer draws its props. The next frame can reuse the verdicts of a frame only if both are
  * drawn with the same settings.
  */
 struct DrawingSettings
 {
-  /// The passes, by address and class. They are only compared, never used. Another pass may draw
-  /// into other samples.
+  /// The renderer's pass and all passes that it calls, by address and class. The addresses are only
+  /// compared, never dereferenced. Another pass may draw with another number of samples.
   std::vector<std::pair<const vtkRenderPass*, const std::type_info*>> Passes;
   ///@{
-  /// Whether the renderer or its window may blend in the opaque stage. Then the image depends on
-  /// what has been drawn below a prop and in which order. With screen-space ambient occlusion, a
-  /// prop without normals (an unlit one) leaves the positions and normals of what lies below it.
-  /// Smooth lines and points are blended at their edges.
+  /// Whether screen-space ambient occlusion is on, and whether smooth lines, points or polygons
+  /// are. With either, the image may depend on the order of drawing and on what is drawn behind a
+  /// prop: an unlit prop, which has no normals, leaves the positions and normals of what is behind
+  /// it in place for the ambient occlusion; smooth primitives are blended at their edges.
   bool AmbientOcclusion = false;
   bool SmoothLines = false;
   ///@}

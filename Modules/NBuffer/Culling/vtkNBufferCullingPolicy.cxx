@@ -62,7 +62,7 @@ vtkNBufferDecision ChooseDecision(
   }
   if (counts.HeldBack == 0)
   {
-    // Only a test finds props that have become hidden, so that one is due every few frames. Many
+    // Only a test finds the props that have become hidden, so a test is due every few frames. Many
     // translucent props are worth a test in every frame.
     const bool isTestDue =
       !backOff || counts.Translucent >= minimumNumberOfCandidates || backOff->CountIdleFrame();

@@ -57,9 +57,10 @@ public:
   bool CountIdleFrame();
 
   /**
-   * Report the result of a test: `saved` is how many draws it saved, the candidates that it found
-   * hidden (drawn already in this frame or not) less those that were drawn once more; `inside` is
-   * how many candidates are in the frustum. A test of an empty frustum says nothing and is ignored.
+   * Report the result of a test. `saved` is how many draws it saved: the candidates that it found
+   * hidden (drawn already in this frame or not) less those that were drawn once more. `inside` is
+   * how many candidates in the frustum could be tested, translucent ones included; if it is 0, the
+   * test says nothing and is ignored.
    */
   void Learn(int saved, int inside);
 
@@ -72,26 +73,27 @@ private:
 };
 
 /**
- * How many props of a frame are of which kind, before any of them is drawn.
+ * The number of props of each kind in a frame, before any of them is drawn.
  */
 struct vtkNBufferFrustumCounts
 {
-  int Candidates = 0;  ///< All opaque and translucent candidates, in the frustum or not.
-  int Inside = 0;      ///< Opaque candidates that reach into the frustum.
-  int Kept = 0;        ///< Those of Inside that can be tested and that the last test found visible.
-  int HeldBack = 0;    ///< Those of Inside that can be tested and that are not Kept.
-  int Translucent = 0; ///< Translucent candidates that can be tested.
+  int Candidates = 0;    ///< All opaque and translucent candidates, in the frustum or not.
+  int Inside = 0;        ///< Opaque candidates that reach into the frustum.
+  int Kept = 0;          ///< Those of Inside that can be tested and were visible in the last test.
+  int HeldBack = 0;      ///< Those of Inside that can be tested and that are not Kept.
+  int Translucent = 0;   ///< Translucent candidates that can be tested.
   bool Blending = false; ///< A prop blends in the opaque stage, so that the order of drawing shows.
 };
 
 namespace vtkNBufferCullingPolicy
 {
 /**
- * Choose what to do with a frame. The result is vtkNBufferDecision::Culled if the frame is to be
- * tested, otherwise the reason why not. If it is Culled and no prop is held back, there are kept
- * props, and the caller has to hold back one of them, so that there is a test.
+ * Choose what to do with a frame. Returns vtkNBufferDecision::Culled if the frame is to be tested,
+ * otherwise the reason why not. If the result is Culled and no prop is held back, there are kept
+ * props, and the caller must hold back one of them, because without such a prop there is no test.
  *
- * `backOff` counts the frame. With nullptr every frame is tested that can be.
+ * A frame with fewer opaque candidates in the frustum than `minimumNumberOfCandidates` is never
+ * tested. `backOff` counts the frame; with nullptr every other frame that can be tested is tested.
  */
 VTKNBUFFER_EXPORT vtkNBufferDecision ChooseDecision(
   const vtkNBufferFrustumCounts& counts, int minimumNumberOfCandidates, vtkNBufferBackOff* backOff);

@@ -16,7 +16,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// The number of candidates for which reading the whole depth image is worth while where it is not
+/// The number of candidates from which on it is worth reading the whole depth image, if it is not
 /// in host memory yet.
 constexpr std::size_t CandidatesWorthARead = 32;
 }
@@ -39,7 +39,7 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
 {
   this->Window = window;
   this->Source = source;
-  // A pass may draw opaque props without samples, and translucent ones follow in the window's.
+  // A pass may draw opaque props into one sample, and the window then translucent ones into more.
   const bool hasOtherSamples = window->GetMultiSamples() > 1 &&
     source.Framebuffer != window->GetRenderFramebuffer()->GetFBOIndex();
   this->SampleDistance =
@@ -49,7 +49,7 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
   {
     for (int i : *list)
     {
-      // A candidate whose rectangle is stale needs no more levels than the nodes above it.
+      // A candidate with a stale rectangle needs no more levels than the nodes above it.
       if (!this->Props.GetState(i).RectangleIsStale)
       {
         levels = std::max(levels,
@@ -66,7 +66,7 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
 
 const float* vtkNBufferDepthTest::GetDepth(std::size_t candidates)
 {
-  // With the OpenGL back-end this is a second read-back, which must have something to save.
+  // With the OpenGL back-end this is a second read-back, which has to be worth its cost.
   if (!this->Settings.TestPixels || candidates == 0 ||
     (this->Backend.GetInUse() == vtkNBufferBackend::OpenGL && candidates < CandidatesWorthARead))
   {
@@ -77,7 +77,7 @@ const float* vtkNBufferDepthTest::GetDepth(std::size_t candidates)
 
 bool vtkNBufferDepthTest::HasVisibleSlivers(int i, vtkNBufferSliverTest& test)
 {
-  // The rectangle is made now if a node of the hierarchy was found hidden instead of the prop.
+  // GetScreen() computes the rectangle now if only a node above the prop was found hidden so far.
   const vtkNBufferScreenBox& screen = this->Props.GetScreen(i);
   if (this->Props.GetState(i).Placement != vtkNBufferPlacement::Inside)
   {
@@ -121,7 +121,7 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::ve
 int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
 {
   const std::vector<int> tested = this->TestsSlivers() ? places : std::vector<int>();
-  // GetScreen() makes the rectangle, which only a candidate that is Inside has.
+  // GetScreen() may set the placement. Only a candidate that is Inside has a rectangle.
   const auto getScreen = [this](int i)
   {
     const vtkNBufferScreenBox& screen = this->Props.GetScreen(i);

@@ -4,10 +4,14 @@
  * @class vtkNBufferDepthTest
  * @brief Which candidates of a list lie behind what has been drawn in this frame so far.
  *
- * A candidate is compared with the levels first (vtkNBufferOcclusionTest). Those that the levels do
- * not find hidden are compared with the pixels (vtkNBufferPixelTest) where the depth image is in
- * host memory or worth reading: first their boxes, then the triangles of small meshes. Candidates that were found hidden may have slivers that a device
- * draws before their box; these candidates are kept (vtkNBufferSliverTest).
+ * A test has up to three steps:
+ *
+ *  1. The box of each candidate is compared with the levels (vtkNBufferOcclusionTest).
+ *  2. Candidates that the levels do not find hidden are compared with the pixels
+ *     (vtkNBufferPixelTest): first their boxes, then the triangles of small meshes. This step needs
+ *     the depth image, and is done where that is in host memory or worth reading.
+ *  3. Candidates that were found hidden may have slivers that a device draws in front of their
+ *     boxes (vtkNBufferSliverTest). Such candidates count as visible.
  */
 #ifndef vtkNBufferDepthTest_h
 #define vtkNBufferDepthTest_h
@@ -27,7 +31,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 
-/// When the triangles of hidden props are looked at.
+/// Whether to look for slivers of the props whose boxes were found hidden.
 enum class vtkNBufferSliverPolicy
 {
   Never,      ///< In no frame.
@@ -53,9 +57,9 @@ public:
     vtkNBufferStatistics& statistics, const vtkNBufferSettings& settings);
 
   /**
-   * Build the levels that the candidates at all of `places` need, from the depth of the framebuffer
-   * that is being drawn. Returns None, or a failure with its cause and remedy in `why`, as
-   * vtkNBufferBackend::Build() does.
+   * Build the levels that the candidates in all lists of `places` need, from the depth of the
+   * framebuffer that is bound for drawing, which `source` describes. Returns None, or a failure
+   * with its cause and remedy in `why`, as vtkNBufferBackend::Build() does.
    */
   vtkNBufferDecision Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
     std::initializer_list<const std::vector<int>*> places, std::string& why);
@@ -68,8 +72,8 @@ private:
   /// The depth image if it is worth having for this many candidates, else null.
   const float* GetDepth(std::size_t candidates);
   bool TestsSlivers() const;
-  /// Put those of `tested` back into `places` that may be seen by a sliver. `places` is what is
-  /// left of `tested`, in the same order, before and after.
+  /// Put those of `tested` back into `places` of which a sliver may be visible. Before and after
+  /// the call `places` is a part of `tested`, in the same order.
   void PutBackSlivers(const std::vector<int>& tested, std::vector<int>& places);
   bool HasVisibleSlivers(int i, vtkNBufferSliverTest& test);
 
@@ -81,7 +85,8 @@ private:
   const vtkNBufferSettings& Settings;
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkNBufferDepthSource Source;
-  double SampleDistance = 0.5; ///< From the middle of its pixel, in x and in y, in pixels.
+  /// How far a sample may be from the middle of its pixel in x and in y, in pixels.
+  double SampleDistance = 0.5;
 };
 
 VTK_ABI_NAMESPACE_END

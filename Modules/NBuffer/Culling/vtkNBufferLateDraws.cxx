@@ -78,8 +78,8 @@ int vtkNBufferLateDraws::RestoreTieOrder(vtkRenderer* renderer, const std::vecto
   for (const vtkNBufferRedraw& redraw :
     vtkNBufferTieOrder::GetRedraws(this->Projection, all, vtkNBufferGL::KeepsToScissor(samples)))
   {
-    // Render passes have set their keys on the props of the list alone: not on those that were held
-    // back, nor on translucent ones, which a proxy represents.
+    // Render passes have set their keys only on the props of the list: neither on those that were
+    // held back nor on translucent props, which have a proxy in the list.
     vtkProp* prop = this->Props.GetProp(all[redraw.Position].Index);
     draws += vtkNBufferGL::DrawIn(redraw.Regions, [&]() { this->Proxy->Redraw(prop, renderer); });
   }

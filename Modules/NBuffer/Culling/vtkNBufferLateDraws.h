@@ -4,9 +4,9 @@
  * @class vtkNBufferLateDraws
  * @brief The props that were held back and have been drawn in this frame, in the order of drawing.
  *
- * It keeps the order in which the view has drawn them, draws them again for a pass that draws its
- * list twice, and draws once more what has to come last where depths are equal. Late/README.md says
- * what drawing late breaks, and which class repairs it.
+ * It records the order in which the view draws them. It draws them again for a pass that draws its
+ * list twice. Where depths are equal, it draws those props once more that have to be drawn last.
+ * Late/README.md says what drawing late breaks, and which class repairs it.
  */
 #ifndef vtkNBufferLateDraws_h
 #define vtkNBufferLateDraws_h
@@ -41,13 +41,14 @@ public:
   int Repeat(vtkRenderer* renderer);
 
   /**
-   * Draw props once more, so that equal depths end as in the renderer's order.
+   * Draw props once more where this is needed so that, of the props that have the same depth in a
+   * sample, the last one in the renderer's order is the one that stays (vtkNBufferTieOrder.h).
    *
    * `heldBack` are the places of the props that were held back, in ascending order. `samples` is
-   * the number of samples of a pixel, as in vtkNBufferDepthSource. With `screensAreValid` set to
-   * false the frame is drawn from another view than the boxes were projected with, so that any two
-   * props may have equal depths. With `requiredKeys` only props that have these keys are drawn (see
-   * vtkProp::HasKeys). Returns the number of draws.
+   * the number of samples of a pixel, as in vtkNBufferDepthSource. `screensAreValid` is false if
+   * the frame is drawn from another view than that of Cull(), so that the rectangles of the props
+   * are wrong and any two props may have equal depths. If `requiredKeys` is not nullptr, only props
+   * that have these keys are drawn (see vtkProp::HasKeys). Returns the number of draws.
    */
   int RestoreTieOrder(vtkRenderer* renderer, const std::vector<int>& heldBack, bool screensAreValid,
     int samples, vtkInformation* requiredKeys = nullptr);

@@ -8,8 +8,8 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-constexpr int Side = 8;         // of a square, in pixels
-constexpr int SharePerSide = 8; // of a rectangle's width and height, which hides nothing
+constexpr int Side = 8;         // The side of a square, in pixels.
+constexpr int SharePerSide = 8; // 1/8 of a rectangle, on each of its sides, hides nothing.
 
 /// The depths beyond which squares of the screen are hidden.
 class CoarseDepth
@@ -35,7 +35,7 @@ public:
     }
   }
 
-  /// Whether a box is before what hides in half of its squares.
+  /// Whether a box is in front of the chosen boxes in more than half of its squares.
   bool IsOpen(const vtkNBufferScreenBox& box)
   {
     int open = 0;
@@ -57,7 +57,7 @@ public:
   }
 
 private:
-  vtkNBufferRectangle All; ///< Of all squares of the screen.
+  vtkNBufferRectangle All; ///< The rectangle of all squares of the screen.
   std::vector<double> Squares;
 };
 }

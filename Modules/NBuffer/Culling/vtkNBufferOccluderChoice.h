@@ -7,11 +7,13 @@
  *
  * The nearest props hide most, but where houses stand in rows the nearest of them also hide each
  * other. So the boxes are drawn into a coarse depth image of squares of 8 x 8 pixels, from near to
- * far. A box is chosen if it is before the chosen ones in half of the squares that it touches. It
- * then hides what lies beyond its farthest depth, in the middle three quarters of its rectangle.
+ * far. A box is chosen if it is in front of the chosen ones in more than half of the squares that
+ * it touches. From then on it counts as hiding what lies beyond its farthest depth, in the middle
+ * three quarters of the width and height of its rectangle.
  *
- * The choice need not be right: every prop that is not chosen is tested. In cuts from one place of
- * a city to another, some 90 props are drawn in a frame instead of 140 with the 64 nearest.
+ * The choice need not be right: every prop that is not chosen is tested. Where the camera jumps
+ * from one place of a city to another, about 90 props are drawn in a frame. If the first round drew
+ * the 64 nearest props instead, 140 would be drawn.
  */
 #ifndef vtkNBufferOccluderChoice_h
 #define vtkNBufferOccluderChoice_h
@@ -26,19 +28,21 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace vtkNBufferOccluderChoice
 {
-/// This many of the nearest props are enough to choose from.
+/// The number of nearest props that are enough to choose from.
 constexpr std::size_t MaximumSize = 256;
 
-/// How many props the first of several rounds draws at most, of `props` that are held back. Each
-/// round tests all that are left, so that a great many want larger rounds than `roundSize`.
+/// The largest number of props that the first round may draw, if `props` are held back: `roundSize`
+/// or, if that is more, one in 512. Each round tests all props that are left, so that rounds have
+/// to be larger where a great many are held back.
 inline std::size_t GetLimit(int roundSize, std::size_t props)
 {
   return std::max<std::size_t>(roundSize, props / 512);
 }
 
 /**
- * Choose at most `limit` of boxes on a screen of `width` x `height` pixels, and return their
- * places. The boxes are in the order of their nearest depths. Takes about a microsecond for each.
+ * Choose at most `limit` of `boxes` in a viewport of `width` x `height` pixels, and return their
+ * indices. The boxes must be sorted by their nearest depths, the nearest box first. Takes about a
+ * microsecond per box.
  */
 VTKNBUFFER_EXPORT std::vector<std::size_t> Choose(
   const std::vector<vtkNBufferScreenBox>& boxes, std::size_t limit, int width, int height);

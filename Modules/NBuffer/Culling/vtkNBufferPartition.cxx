@@ -84,7 +84,7 @@ void vtkNBufferPartition::HoldBack()
 
 void vtkNBufferPartition::KeepAll()
 {
-  // All of them are drawn now, so that they are the depth with which the next test begins.
+  // All of them are drawn from now on, so the next test begins with the depth of all of them.
   for (int i : this->HeldBack)
   {
     this->Props.GetState(i).WasVisible = true;

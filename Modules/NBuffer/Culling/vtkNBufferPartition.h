@@ -11,8 +11,8 @@
  * - translucent: They keep their places in the renderer's list, and are left out if this frame's
  *   test finds them hidden.
  *
- * Each list contains indices of the list of candidates, in ascending order. Classify() fills them.
- * After that either HoldBack() or KeepAll() has to be called, as vtkNBufferCullingPolicy decides.
+ * Each list contains indices into the list of candidates, in ascending order. Classify() fills the
+ * lists. After that the view calls HoldBack() or KeepAll(), as vtkNBufferCullingPolicy decides.
  */
 #ifndef vtkNBufferPartition_h
 #define vtkNBufferPartition_h
@@ -37,34 +37,37 @@ public:
   /// Begin a frame without props.
   void Clear();
 
-  /// Divide the props by their placements in view, and set the verdicts of those that need no test.
+  /// Divide the props by their placements in the view, and set the verdicts of those that need no
+  /// test. Returns the number of props of each kind.
   vtkNBufferFrustumCounts Classify();
 
-  /// Set the verdicts for a frame with a test. If no prop is held back so far, the farthest of the
-  /// kept ones is held back, because it hides least.
+  /// Set the verdicts for a frame with a test. If no prop is held back so far, the farthest kept
+  /// prop becomes the one that is held back, because it hides least.
   void HoldBack();
 
-  /// Set the verdicts for a frame without a test: all props are drawn.
+  /// Prepare a frame without a test: empty the lists. All props are drawn, and the next frame keeps
+  /// them.
   void KeepAll();
 
-  /// Place all props in view anew, for a projection that has changed since Classify().
+  /// Compute the placements and rectangles of the props in the three lists again, with a projection
+  /// that has changed since Classify().
   void Project(const vtkNBufferProjection& projection);
 
-  /// Remove those of the nearest props from `places` that probably hide the others, at most `limit`
-  /// of them, and return them. See vtkNBufferOccluderChoice.h.
+  /// Choose at most `limit` of the nearest props in `places`, those that probably hide the others;
+  /// remove them from `places` and return them. See vtkNBufferOccluderChoice.h.
   std::vector<int> RemoveOccluders(
     std::vector<int>& places, std::size_t limit, const vtkNBufferProjection& projection);
 
   /// Whether the view is new: no prop is kept, and most of those held back have not been tested
-  /// since they came into the frustum. Without kept props a view is not new if all candidates are
-  /// hidden by other props.
+  /// since they came into the frustum. (If other props hide all candidates, no prop is kept either,
+  /// but the candidates have been tested, and the view is not new.)
   bool IsNew() const;
 
-  /// Get the props held back that have not been found visible and drawn so far.
+  /// Get those of the props held back that have not been drawn in this frame so far.
   std::vector<int> GetNotDrawn() const;
 
-  /// Tell the next frame which of the kept props the test has found visible: those of `visible`.
-  /// Returns how many it has found hidden.
+  /// Store for the next frame which of the kept props this frame's test has found visible: those in
+  /// `visible`. Returns how many of the kept props it has found hidden.
   int SetVisibleKept(const std::vector<int>& visible);
 
   ///@{

@@ -29,9 +29,9 @@ void Combine(std::size_t& hash, std::size_t value)
 }
 
 /**
- * A number for what vtkOpenGLPolyDataMapper::ReplaceShaderValues() reads of an actor. A mapper
- * keeps one set of shaders. It makes them for the first actor that it draws and makes them anew
- * when a property is modified, but not when the next actor needs other ones.
+ * A hash of what vtkOpenGLPolyDataMapper::ReplaceShaderValues() reads of an actor. A mapper keeps
+ * one set of shaders. It makes them for the first actor that it draws and makes them again when a
+ * property is modified, but not when the next actor needs other shaders.
  */
 std::size_t GetWayOfShading(vtkActor* actor)
 {
@@ -56,7 +56,7 @@ std::size_t GetWayOfShading(vtkActor* actor)
   return way;
 }
 
-/// The table that a mapper maps scalars by. The table of an array precedes that of the mapper.
+/// The table with which a mapper maps scalars. If the array has a table, VTK uses that one.
 vtkScalarsToColors* GetLookupTable(vtkMapper* mapper)
 {
   int isCellArray = 0;
@@ -67,7 +67,8 @@ vtkScalarsToColors* GetLookupTable(vtkMapper* mapper)
                                               : vtkNBufferProtectedMembers::GetLookupTable(mapper);
 }
 
-/// A mapper sets its range before it maps, unless it relies on what it finds, as textures do.
+/// A mapper sets the range of its table before it maps scalars, unless it has to use the range that
+/// it finds there (UseLookupTableScalarRange). A texture uses the range that it finds as well.
 vtkNBufferSharedState::Use GetTableUse(vtkActor* actor)
 {
   vtkMapper* mapper = actor->GetMapper();
@@ -85,7 +86,7 @@ vtkNBufferSharedState::Use GetTableUse(vtkActor* actor)
   return { table, way };
 }
 
-/// The mappers of a window make one buffer for an array, and shift its coordinates only once.
+/// The mappers of a window share one vertex buffer for an array. Only the first of them shifts it.
 vtkNBufferSharedState::Use GetPointsUse(vtkMapper* mapper)
 {
   vtkPolyData* data = vtkNBufferSurface::GetOnlyPolyData(mapper);

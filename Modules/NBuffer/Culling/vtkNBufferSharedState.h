@@ -4,15 +4,15 @@
  * @class vtkNBufferSharedState
  * @brief Which props share an object in which VTK leaves something from one draw to the next.
  *
- *     object            what VTK leaves in it                       the way of an actor
+ *     object            what VTK leaves in it              two actors use it in the same way with
  *
- *     mapper            the shaders for the actor drawn first       all that decides about shaders
- *     lookup table      the range that was set by the last mapper   the range, or none to set
- *     array of points   a vertex buffer, made by the first mapper   how it shifts coordinates
+ *     mapper            the shaders of the first actor     equal settings that select the shaders
+ *     lookup table      the range that was set last        the same range, or none to set
+ *     array of points   the first mapper's vertex buffer   the same shift of coordinates
  *
- * If all actors use such an object in the same way, the order of drawing does not matter. If not,
- * the image depends on the order and on which actors are drawn at all, so that none of them may be
- * held back or left out.
+ * If all actors use an object in the same way, the order of drawing does not matter. If not, the
+ * image depends on the order of drawing and on which actors are drawn at all. Therefore none of the
+ * actors that use the object may be held back or left out.
  */
 #ifndef vtkNBufferSharedState_h
 #define vtkNBufferSharedState_h
@@ -30,11 +30,11 @@ class vtkActor;
 class VTKNBUFFER_EXPORT vtkNBufferSharedState
 {
 public:
-  /// How an actor uses an object. The object is only compared, and may be deleted already.
+  /// How an actor uses an object. Its address is only compared: it may have been deleted.
   struct Use
   {
-    const void* Object = nullptr; ///< nullptr if there is none.
-    std::size_t Way = 0;          ///< Two actors with the same number use the object alike.
+    const void* Object = nullptr; ///< nullptr if the actor uses no such object.
+    std::size_t Way = 0;          ///< Equal numbers mean that it is used in the same way.
     bool operator==(const Use& other) const
     {
       return this->Object == other.Object && this->Way == other.Way;
@@ -48,13 +48,14 @@ public:
   static Uses GetUses(vtkActor* actor);
 
   ///@{
-  /// Collects what all actors use, in two turns: first call Add() for all uses, and then
-  /// AddCommon() for all of them.
+  /// Collect what all actors use: first call Add() for all actors, and then AddCommon() for all of
+  /// them again. Only then is it known which objects are used in an uncommon way and in the common
+  /// one too.
   void Add(const Uses& uses);
   void AddCommon(const Uses& uses);
   ///@}
 
-  /// Whether another actor uses one of these objects in another way.
+  /// Whether any of these objects is used in several ways.
   bool IsMixed(const Uses& uses) const;
 
   /// Whether any object is used in several ways.
@@ -67,8 +68,8 @@ private:
     bool IsMixed;
   };
 
-  /// The first use of each kind. Most actors use their objects in the same way. Only objects that
-  /// are used in another way are kept in the table.
+  /// The first use of each kind of object. Its way is the common one: most actors use their mapper
+  /// (or table, or points) in this way. `Uncommon` holds the objects that are used in other ways.
   Uses Common;
   std::unordered_map<const void*, Entry> Uncommon;
 };

@@ -111,8 +111,8 @@ void vtkNBufferView::SetProjection(const vtkNBufferViewKey& key)
 
 bool vtkNBufferView::CanReuse(vtkRenderer* renderer) const
 {
-  // Where kept props were found hidden, another test saves drawing them again. Without erasing, the
-  // image also depends on what was in the buffers before, and untracked depth may have changed.
+  // If the last test found kept props hidden, another test saves drawing them again. If nothing is
+  // erased, the image also depends on what was in the buffers before. Untracked depth may change.
   return this->KeptInVain == 0 && !this->Props.HasUntrackedDepth() && renderer->GetErase() &&
     renderer->GetRenderWindow()->GetErase() && !renderer->GetPreserveDepthBuffer();
 }
@@ -172,7 +172,7 @@ double vtkNBufferView::MakeList(vtkProp** props, int& count, int& initialized)
   }
   if (pending)
   {
-    // At least one prop is held back, so that the list never grows.
+    // At least one prop is held back, so that the proxy never makes the list longer.
     this->Proxy->SetRenderTimeMultiplier(heldTotal);
     total += heldTotal;
     props[kept++] = this->Proxy;
@@ -218,8 +218,8 @@ int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* require
   {
     return this->Repeat(renderer);
   }
-  // Otherwise VTK wants only some of the props, or the same props once more, for reasons that are
-  // not known here.
+  // Otherwise VTK draws only some of the props, or the same props again, for a reason that is not
+  // known here.
   const bool isAnyHeldBack = this->State == Phase::AwaitingProxy || this->State == Phase::Tested ||
     this->State == Phase::Incomplete;
   return isAnyHeldBack ? this->DrawAll(renderer, requiredKeys, vtkNBufferDecision::OtherView) : 0;
@@ -256,7 +256,7 @@ int vtkNBufferView::TestAndDraw(vtkRenderer* renderer)
 
 bool vtkNBufferView::PrepareRepeat(vtkRenderer* renderer)
 {
-  // In coarser depth other props have equal depths, and other samples see past other silhouettes.
+  // With coarser depth other props have equal depths; with other samples other props are visible.
   vtkNBufferDepthSource source;
   return vtkNBufferCompatibility::DrawsOpaquePropsTwice(renderer) &&
     this->PrepareTest(renderer, source) == vtkNBufferDecision::None &&
@@ -266,7 +266,7 @@ bool vtkNBufferView::PrepareRepeat(vtkRenderer* renderer)
 
 int vtkNBufferView::Repeat(vtkRenderer* renderer)
 {
-  // The statistics count the draws of one drawing.
+  // The statistics count only the draws of the first time.
   const vtkNBufferClock clock;
   const int drawn = this->Draws.Repeat(renderer);
   this->Draws.RestoreTieOrder(renderer, this->Partition.GetHeldBack(), true, this->Tested.Samples);
@@ -301,7 +301,7 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBuffer
 
 void vtkNBufferView::TestKept(vtkNBufferDepthTest& test)
 {
-  // They are drawn already; the next frame begins with those of them that are visible.
+  // The kept props are drawn already. The next frame keeps those of them that are visible.
   std::vector<int> visible = this->Partition.GetKept();
   this->Statistics.PassedCoarseTest += test.RemoveHidden(visible);
   this->KeptInVain = this->Partition.SetVisibleKept(visible);

@@ -20,10 +20,10 @@
  *
  *     StepAside() ---> Aside
  *     Cull() -+------> Untested        all candidates in the frustum are drawn
- *             +------> Reused          the verdicts of the last test stand
+ *             +------> Reused          the verdicts of the last test are still valid
  *             +------> AwaitingProxy
  *                        | DrawHeldProps()
- *                        +---> Tested       DrawHeldProps() once more -+-> Tested, the same draws
+ *                        +---> Tested       DrawHeldProps() again -----+-> Tested, the same draws
  *                        |                                             |
  *                        +---> Incomplete  <---------------------------+
  *
@@ -64,12 +64,12 @@ public:
   vtkNBufferView(const vtkNBufferView&) = delete;
   void operator=(const vtkNBufferView&) = delete;
 
-  /// Begin a frame: permute and shorten the list as vtkCuller::Cull() may, and return what it
-  /// returns.
+  /// Begin a frame: replace the renderer's list in place, as vtkCuller::Cull() does. Returns the
+  /// sum of the render time multipliers, as that function does.
   double Cull(vtkRenderer* renderer, vtkProp** props, int& count, int& initialized,
     const vtkNBufferSettings& settings);
 
-  /// Begin a frame that is drawn as without the culler, for the reason given.
+  /// Begin a frame that is drawn as it would be without the culler, because of `reason`.
   void StepAside(vtkNBufferDecision reason, vtkProp** props, int count);
 
   /// Count a failure because of which a frame draws everything. Warns with the text `why` if it is
@@ -84,12 +84,12 @@ public:
 private:
   enum class Phase
   {
-    Aside,         ///< The list is as the renderer made it, and the candidates were not looked at.
-    Untested,      ///< Candidates outside of the frustum are removed from the list; no others.
+    Aside,         ///< The list is as the renderer made it; candidates were not looked for.
+    Untested,      ///< Only the candidates outside the frustum were removed from the list.
     Reused,        ///< The verdicts are those of an earlier test, and they are complete.
     AwaitingProxy, ///< The proxy is in the list and has not been drawn yet.
     Tested,        ///< The proxy has been drawn; the verdicts are complete.
-    Incomplete     ///< The proxy has been drawn, but the verdicts must not be used again.
+    Incomplete     ///< The proxy has been drawn; the next frame must not reuse the verdicts.
   };
 
   ///@{
@@ -116,8 +116,8 @@ private:
   int DrawRound(vtkRenderer* renderer, std::vector<int> props, int round);
   void TestKept(vtkNBufferDepthTest& test);
   void TestTranslucent(vtkNBufferDepthTest& test);
-  /// PrepareTest() for drawing once more in a frame. Returns whether the same draws can be
-  /// repeated.
+  /// PrepareTest() for a pass that draws its list a second time in this frame. Returns whether the
+  /// draws of the first time can be repeated.
   bool PrepareRepeat(vtkRenderer* renderer);
   int Repeat(vtkRenderer* renderer);
   int DrawAll(vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason);
@@ -132,20 +132,20 @@ private:
   vtkNBufferSettings Settings;
   vtkNBufferStatistics Statistics;
   Phase State = Phase::Aside;
-  bool ChangedWhileFrozen =
-    false; ///< Whether anything has changed since the last frame not frozen.
+  /// Whether anything has changed since the last frame that was not frozen.
+  bool ChangedWhileFrozen = false;
 
   vtkNew<vtkNBufferDeferredProxy> Proxy;
   vtkNBufferLateDraws Draws;
-  /// While the proxy is awaited, number n represents prop n of Partition.GetTranslucent().
+  /// In a frame with a test, proxy n represents prop n of Partition.GetTranslucent().
   vtkNBufferTranslucentProxy::Pool TranslucentProxies;
 
   vtkNBufferViewKey LastKey;
-  vtkNBufferCompatibility::DrawingSettings Drawing; ///< That of this frame.
-  double DepthQuantum = 0x1p-24; ///< One unit of the depth buffer drawn last, in window depth.
-  int SubpixelBits = 4;          ///< vtkNBufferGL::GetSubpixelBits() of the context drawn in last.
+  vtkNBufferCompatibility::DrawingSettings Drawing; ///< Those of this frame.
+  double DepthQuantum = 0x1p-24; ///< The step of the depth buffer used last, in window depth.
+  int SubpixelBits = 4;          ///< vtkNBufferGL::GetSubpixelBits() of the context used last.
   vtkNBufferDepthSource Tested;  ///< The depth that was tested last.
-  int KeptInVain = 0; ///< Kept props that the last test found hidden, after they had been drawn.
+  int KeptInVain = 0; ///< Number of kept props that the last test found hidden, after their draw.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::Output::Dec
 
-// Level i + 1 from level i. The squares of level i have the side s = 2^i, and four of them make one
-// with twice the side. A neighbour outside the image is replaced by the last texel of its row or
-// column, which lies inside the square anyway (vtkNBufferMath.h).
+// Makes level i + 1 from level i. The squares of level i have the side s = 2^i, and four of them
+// make one with twice the side. A neighbour outside the image is replaced by the last texel of its
+// row or column, whose square lies inside the larger square anyway (vtkNBufferMath.h).
 //
 //     +------+------+
 //     | x,   | x+s, |
@@ -18,8 +18,8 @@
 //VTK::NBuffer::Dec
 
 uniform sampler2DArray below;
-uniform int layer;  // of the level below, in the array that holds it
-uniform int side;   // of its squares, in texels
+uniform int layer;  // of level i in the array
+uniform int side;   // s, in texels
 uniform ivec2 last; // last texel of the image
 
 #if NBUFFER_MAXIMUM

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::Output::Dec
 
-// Lays an image over the picture, pixel by pixel. Where the image is transparent nothing is drawn.
+// Lays an image over the picture, pixel by pixel. Nothing is drawn where the image is transparent.
 uniform sampler2D image;
 
 void main()

@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shadow masks, declared in the fragment shaders of VTK's mappers. A mask has one channel for each
-// of several lights: 0 where the light shines, 1 where it does not (vtkShadowTarget.h).
+// Declares the shadow masks in the fragment shaders of VTK's mappers. A mask has one channel for
+// each of four lights: 0 where the light shines, 1 where it does not (vtkShadowTarget.h).
 
 //VTK::NBuffer::Shared
 //VTK::NBuffer::Dec
 
 #if NBUFFER_SHADOW_SAMPLES > 1
 uniform sampler2DMS shadowMasks[NBUFFER_SHADOW_MASKS];
-uniform sampler2DMS shadowDepth; // of the receivers
-uniform vec2 shadowSamples[NBUFFER_SHADOW_SAMPLES]; // places in a pixel, from its centre
+uniform sampler2DMS shadowDepth; // the depth of the receivers
+uniform vec2 shadowSamples[NBUFFER_SHADOW_SAMPLES]; // places relative to the pixel's centre
 
 // The mean of the mask over the samples that the fragment covers and in which it is visible, which
-// means that the depth of the receiver is the fragment's. It is exactly 0 where the light shines on
+// means that the receiver's depth is that of the fragment. It is exactly 0 if the light shines on
 // all of them. If there is no such sample (a shader may write a depth of its own), the mean is over
 // all samples that the fragment covers.
 float NBufferShadow(sampler2DMS mask, int channel)
@@ -22,8 +22,8 @@ float NBufferShadow(sampler2DMS mask, int channel)
   vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
   float tolerance = (abs(slope.x) + abs(slope.y)) * NBUFFER_SHADOW_PLACE_TOLERANCE +
     NBUFFER_SHADOW_DEPTH_TOLERANCE;
-  vec2 seen = vec2(0.0); // sum and number
-  vec2 covered = vec2(0.0);
+  vec2 seen = vec2(0.0); // sum of the mask over visible samples, and their number
+  vec2 covered = vec2(0.0); // the same over covered samples
   for (int i = 0; i < NBUFFER_SHADOW_SAMPLES; ++i)
   {
 #if __VERSION__ >= 400 || defined(GL_ARB_gpu_shader5)

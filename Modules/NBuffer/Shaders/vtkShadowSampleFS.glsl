@@ -4,8 +4,8 @@
 //VTK::Output::Dec
 
 // Copies one channel of one sample of each texel.
-uniform sampler2DMS samples;
-uniform int index;
+uniform sampler2DMS samples; // the texture to read
+uniform int index;           // of the sample
 uniform int channel;
 uniform ivec2 origin; // of the rectangle that is read, in texels
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkShadowCamera.h
- * @brief What shadow volumes need of a renderer's camera, in world coordinates relative to the eye.
+ * @brief What the shadow pass needs from a renderer's camera, with coordinates relative to the eye.
  */
 #ifndef vtkShadowCamera_h
 #define vtkShadowCamera_h
@@ -16,17 +16,17 @@ class vtkRenderer;
 
 struct vtkShadowCamera
 {
-  /// The camera for the eye that the renderer draws. The caller sets the viewport of Plan, and how
-  /// boxes are used.
+  /// Reads the camera for the eye that the renderer draws. The caller sets Plan.Viewport and
+  /// Plan.Boxes.
   explicit vtkShadowCamera(vtkRenderer* renderer);
 
-  /// The view of an image of the size of Plan.Viewport, with one sample in the middle of each
-  /// pixel.
+  /// Returns the view of a depth image of the size of Plan.Viewport, with one sample in the middle
+  /// of each pixel.
   vtkShadowView GetView() const;
 
   glm::dvec3 Eye;            ///< The camera's position in the world.
-  glm::dmat4 EyeToClip;      ///< From positions relative to Eye to clip coordinates.
-  vtkShadowBlock NearBounds; ///< The box around the near plane's rectangle, world.
+  glm::dmat4 EyeToClip;      ///< From world coordinates relative to Eye to clip coordinates.
+  vtkShadowBlock NearBounds; ///< The box around the near plane's rectangle, in world coordinates.
   vtkShadowPlan::View Plan;  ///< What vtkShadowPlan needs.
 };
 

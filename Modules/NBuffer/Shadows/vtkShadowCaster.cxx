@@ -32,7 +32,8 @@ std::shared_ptr<const vtkShadowTopology> MakeTopology(vtkPolyData* data)
   return topology;
 }
 
-/// Triangles [begin, end) alone, in coordinates that the caller has.
+/// The topology of triangles [begin, end) alone. `points` are the merged points of the whole, in
+/// the coordinates that the part will have.
 std::shared_ptr<const vtkShadowTopology> MakeTopology(
   const vtkShadowTopology& whole, const vtkShadowPoints& points, int begin, int end)
 {
@@ -42,8 +43,7 @@ std::shared_ptr<const vtkShadowTopology> MakeTopology(
   return topology;
 }
 
-/// What a plane leaves of triangles. New points are shared by the triangles on both sides of an
-/// edge.
+/// Clips triangles by a plane. Triangles on both sides of an edge share the new point on it.
 void Clip(std::vector<glm::dvec3>& points, std::vector<vtkIdType>& triangles,
   const vtkShadowCaster::Plane& plane)
 {
@@ -137,8 +137,8 @@ bool vtkShadowCaster::UpdateParts(std::size_t slot, const vtkShadowLight& light,
     this->Slots.resize(slot + 1);
   }
   Slot& cached = this->Slots[slot];
-  // A light in the bounds may be inside the caster, where no triangle faces it; and where the
-  // inside is seen, it is in shadow.
+  // All triangles count in two cases. A light within the bounds may be inside the caster, where no
+  // triangle faces it. And if the inside of the caster is seen, the inside has to be in shadow.
   const bool isAround =
     light.IsPositional() && this->Bounds.Meets({ light.Position, light.Position });
   const vtkShadowCounting counting =

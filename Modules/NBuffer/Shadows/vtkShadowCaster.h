@@ -13,12 +13,12 @@
  *     points       the topology, and the values of the matrix and of the clipping planes
  *     silhouettes  the points, and the light in world coordinates
  *
- * The clipping planes of the mapper cut the triangles. The cut is not closed, since it is drawn
- * open as well.
+ * The clipping planes of the mapper cut the triangles. The cut is left open, because VTK also draws
+ * it open.
  *
  * A stencil counts to 255. If more triangles of a caster may lie between a light and a receiver,
- * the triangles are split into several parts, which are drawn one by one: counts add up over
- * triangles.
+ * the triangles are split into several parts, which may be counted one after the other. A receiver
+ * is in shadow of the caster if it is in shadow of any part.
  */
 #ifndef vtkShadowCaster_h
 #define vtkShadowCaster_h
@@ -43,12 +43,13 @@ public:
 
   using Plane = vtkNBufferSurface::Plane;
 
-  // The cached parts point to the points of this object.
+  // Objects cannot be copied, because the cached parts point to the points of their object.
   vtkShadowCaster() = default;
   vtkShadowCaster(const vtkShadowCaster&) = delete;
   void operator=(const vtkShadowCaster&) = delete;
 
-  /// Brings mesh, matrix (row by row) and planes up to date. Returns whether anything has changed.
+  /// Brings mesh, matrix (row by row) and clipping planes up to date. Returns whether anything has
+  /// changed.
   bool Update(
     vtkPolyData* mesh, const std::array<double, 16>& toWorld, const std::vector<Plane>& planes);
 
@@ -57,9 +58,10 @@ public:
   const std::vector<int>& GetTriangles() const { return this->Topology->GetTriangles(); }
   int GetNumberOfTriangles() const { return this->Topology->GetNumberOfTriangles(); }
 
-  /// Brings the parts for a light up to date. `slot` is the number of the light: 0, 1, 2, ... The
-  /// inside of a caster may be seen if it meets the rectangle of the near plane, whose bounds are
-  /// `nearBounds`. Returns whether the silhouette was not cached.
+  /// Brings the parts for a light up to date. `slot` is the number of the light: 0, 1, 2, ... Their
+  /// footprints are in `space`. `nearBounds` is vtkShadowCamera::NearBounds: if the caster's bounds
+  /// meet it, the inside of the caster may be seen, and all triangles count. Returns true if the
+  /// silhouettes were computed, false if they were cached.
   bool UpdateParts(std::size_t slot, const vtkShadowLight& light, const vtkShadowLightSpace& space,
     const vtkShadowBlock& nearBounds);
 
@@ -70,8 +72,8 @@ public:
   }
 
   ///@{
-  /// Makes the processor fetch what UpdateParts() will read: first the caster itself, then what it
-  /// refers to. (With 15,000 casters planning takes twice as long without it.)
+  /// Make the processor fetch what UpdateParts() will read: first the caster itself, then what it
+  /// refers to. (With 15,000 casters, planning takes twice as long without this.)
   void Prefetch() const;
   void PrefetchParts(std::size_t slot) const;
   ///@}

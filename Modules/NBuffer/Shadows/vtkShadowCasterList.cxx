@@ -25,7 +25,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// The lighting margin of what nothing is known of.
+/// The lighting margin of props whose shaders are not known.
 constexpr double Anywhere = std::numeric_limits<double>::infinity();
 
 std::vector<vtkInformationKey*> GetKeys(vtkInformation* information)
@@ -74,7 +74,7 @@ void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* required
   changed = changed || state != this->GlobalState;
   this->GlobalState = state;
 
-  // What may be compared in parallel: keys, modification times and pointers.
+  // Keys, modification times and pointers may be compared in parallel.
   const std::vector<vtkInformationKey*> required = GetKeys(requiredKeys);
   vtkNBufferForEachProp::RunAhead(
     this->Members.GetSize(), [this](vtkIdType i) { this->Members[i].Watch.Prefetch(); },
@@ -147,7 +147,7 @@ void vtkShadowCasterList::AddProp(vtkProp* prop, Member& member)
   {
     return;
   }
-  // Paths cost more than all the rest.
+  // Plain actors need no paths, which would take more time than all the rest.
   if (vtkActor* actor = vtkNBufferSurface::GetPlainActor(prop))
   {
     this->AddActor(actor, 0, actor->GetMatrix(), member);
@@ -222,7 +222,7 @@ void vtkShadowCasterList::AddMesh(
   vtkActor* actor, int path, const vtkNBufferSurface::Part& part, Member& member)
 {
   Mesh entry{ path, part.Mesh, nullptr };
-  // As a rule blocks come in the order of the last time.
+  // The search begins at the same place, because blocks mostly come in the order of the last time.
   const std::size_t count = this->OldMeshes.size();
   for (std::size_t k = 0; k < count && !entry.Caster; ++k)
   {

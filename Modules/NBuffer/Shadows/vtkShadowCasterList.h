@@ -44,21 +44,22 @@ public:
   /// The number of actors that do not cast, by reason.
   const std::array<int, NumberOfShadowSkips>& GetSkipped() const { return this->Skipped; }
 
-  /// The largest vtkNBufferSurface::GetLightingMargin() of what is drawn, caster or not; infinity
-  /// where polygons are offset, or if there are props that are no actors.
+  /// The largest vtkNBufferSurface::GetLightingMargin(), in pixels, of all visible actors, casters
+  /// or not. It is infinite if polygons are offset (vtkMapper::GetResolveCoincidentTopology()), or
+  /// if there are visible props that are neither actors nor 2D actors.
   double GetLightingMargin() const { return this->LightingMargin; }
 
   /// The number of casters whose mesh, matrix or planes the last Update() found changed.
   int GetNumberOfUpdates() const { return this->Updates; }
 
   /**
-   * A number that every Update() increases if a visible prop, caster or not, may draw something
-   * else than at the last one. Props other than plain actors may change without a trace: if there
-   * are any, it always increases.
+   * A number that Update() increases if a visible prop, caster or not, may draw something else than
+   * at the last Update(). Some props may change without a trace (vtkNBufferPropWatch::Means::None).
+   * If there are any, every Update() increases the number.
    */
   vtkMTimeType GetVersion() const { return this->Version; }
 
-  /// The visible props in the renderer's order. The pointers may only be compared.
+  /// The visible props in the renderer's order. The pointers must only be compared.
   const std::vector<vtkProp*>& GetProps() const { return this->Members.GetProps(); }
 
 private:
@@ -77,10 +78,10 @@ private:
       this->Skipped[static_cast<std::size_t>(reason)] += this->Casts ? 1 : 0;
     }
 
-    bool MayHaveChanged = false;  ///< The first answer of Watch, which is found in parallel.
+    bool MayHaveChanged = false;  ///< Watch.MayHaveChanged(), which is called in parallel.
     bool HasRequiredKeys = false; ///< True if the prop has the required keys now.
     bool Casts = false;           ///< True if it had them when it was read last.
-    double LightingMargin = 0.0;  ///< The largest of its actors.
+    double LightingMargin = 0.0;  ///< The largest lighting margin of its actors, in pixels.
     vtkNBufferPropWatch Watch;
     std::vector<Mesh> Meshes;
     std::array<int, NumberOfShadowSkips> Skipped = {};
@@ -94,9 +95,9 @@ private:
   void AddMesh(vtkActor* actor, int path, const vtkNBufferSurface::Part& part, Member& member);
 
   vtkNBufferPropList<Member> Members;
-  std::vector<vtkProp*> Visible;              ///< Kept for its memory.
-  std::vector<vtkNBufferSurface::Part> Parts; ///< Kept for its memory.
-  std::vector<Mesh> OldMeshes;                ///< Those of the member that is being read.
+  std::vector<vtkProp*> Visible;              ///< Used in Update(); a member to keep its memory.
+  std::vector<vtkNBufferSurface::Part> Parts; ///< Used in AddActor(); a member to keep its memory.
+  std::vector<Mesh> OldMeshes;                ///< The last meshes of the prop that is being read.
   vtkNBufferPropWatch::GlobalState GlobalState{};
   vtkMTimeType Version = 0;
   std::vector<vtkShadowCaster*> Casters;

@@ -19,7 +19,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// Whether `part` has props of `whole` only, in the same order. Stand-ins are ignored.
+/// Returns true if all props of `part`, except stand-ins, are in `whole`, in the same order.
 bool IsPart(const std::vector<vtkProp*>& part, const std::vector<vtkProp*>& whole)
 {
   auto next = whole.begin();
@@ -42,8 +42,9 @@ bool IsPart(const std::vector<vtkProp*>& part, const std::vector<vtkProp*>& whol
   return true;
 }
 
-/// Whether the renderer's cullers remove only props that show in no pixel. `settingsTime` is raised
-/// to the last change of the settings of the cullers, up to the first one that does remove others.
+/// Returns true if at least one culler promises to remove only props that show in no pixel, and all
+/// others are VTK's frustum cullers. `settingsTime` is raised to the time of the last change of the
+/// cullers that were looked at.
 bool CullersPreserveImage(vtkRenderer* renderer, vtkMTimeType& settingsTime)
 {
   bool preserve = false;

@@ -42,7 +42,7 @@ public:
   bool operator==(const vtkShadowFrameKey& other) const;
 
 private:
-  bool Complete = false; ///< The list has no props but the renderer's own and stand-ins.
+  bool Complete = false; ///< True if only the renderer's own props and stand-ins are drawn.
   const void* Renderer = nullptr;
   vtkMTimeType ContextTime = 0;
   vtkMTimeType SettingsTime = 0;
@@ -51,7 +51,7 @@ private:
   std::array<double, 16> WorldToClip = {};
   std::vector<vtkShadowLightSource> Lights;
   vtkMTimeType PropsVersion = 0;
-  std::vector<vtkProp*> Drawn; ///< These pointers are compared and never used.
+  std::vector<vtkProp*> Drawn; ///< The drawn props, where they matter. Pointers are only compared.
 };
 VTK_ABI_NAMESPACE_END
 #endif

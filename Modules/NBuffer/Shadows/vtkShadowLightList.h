@@ -4,9 +4,10 @@
  * @file vtkShadowLightList.h
  * @brief Finds the lights of a renderer that cast shadows.
  *
- * A light casts if it is switched on, its intensity is above 0, and it is no headlight, which
- * stands in the eye, where no shadow can be seen. A positional light is a spot if its cone angle is
- * below 90 degrees, as in VTK's shaders. Otherwise it shines in all directions.
+ * A light casts if it is switched on, its intensity is above 0, and it is not a headlight. (A
+ * headlight shines from the eye, which cannot see shadows of it.) A positional light is a spot if
+ * its cone angle is below 90 degrees, as in VTK's shaders; otherwise it is a point light.
+ * Directional lights and spots cast only if their position and focal point differ.
  */
 #ifndef vtkShadowLightList_h
 #define vtkShadowLightList_h
@@ -25,7 +26,7 @@ struct vtkShadowLightSource
 {
   vtkLight* Source = nullptr;
   int Number = 0; ///< The place among the lights that are on, as in the names of VTK's uniforms.
-  float Attenuation = 1.0f;
+  float Attenuation = 1.0f; ///< The share of the light that its shadow takes away.
   vtkShadowLight Geometry;
 
   bool operator==(const vtkShadowLightSource& other) const

@@ -22,10 +22,11 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// For so many spaces Automatic believes what it knows of how many samples see something.
+/// For so many frames mode Automatic relies on the number of samples that are not background.
 constexpr int CoverageFrames = 30;
 
-/// Deciding about one may take longer than about a hundred others.
+/// The number of casters that is worth a thread of its own. It is small because to decide about one
+/// caster may take longer than to decide about a hundred others.
 constexpr vtkIdType CastersPerThread = 256;
 
 /// The faces of a cube around a point light.
@@ -267,7 +268,7 @@ long long vtkShadowMaskMaker::EstimateCovered(const Work& work)
     (this->CoverageSamples != samples || this->CoverageAge >= CoverageFrames) &&
     !this->ReadReceivers(work))
   {
-    // Without litmaps there is no need to read anything.
+    // This is no failure: with full coverage the light gets no litmaps, which alone need the depth.
     this->Error.clear();
     this->SetCoverage(samples, samples);
   }
@@ -382,7 +383,7 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
   }
   const int mask = vtkShadowTarget::GetMaskIndex(work.Slot);
   const int channel = vtkShadowTarget::GetChannel(work.Slot);
-  // As many volumes at a time as the stencil can count, should a receiver be in all of them.
+  // Each turn counts as many volumes as the stencil can hold if a receiver is inside of them all.
   const bool allAtOnce = plan.IsCountBelow(vtkShadowCaster::MaximumCount);
   const vtkShadowDraw* first = draws.data();
   const vtkShadowDraw* const end = first + draws.size();

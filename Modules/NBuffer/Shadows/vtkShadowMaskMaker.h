@@ -44,8 +44,8 @@ public:
   {
     vtkShadowMode Mode;
     const vtkShadowTuning& Tuning;
-    vtkShadowPicture Picture;
-    const vtkLight* PictureLight; ///< The light of the picture; nullptr means the first one.
+    vtkShadowPicture Picture;     ///< The debug view to make.
+    const vtkLight* PictureLight; ///< The light that it shows; nullptr means the first one.
   };
 
   /// A frame whose masks are made.
@@ -61,15 +61,16 @@ public:
 
   /**
    * Allocates the masks of this many lights for the viewport that is set now. They get the samples
-   * of the framebuffer that is bound for drawing, or one for each pixel if the device refuses that
-   * (vtkShadowTarget::HasRefusedSamples(), with the cause in GetError()). Returns false, with the
-   * cause in GetError(), if OpenGL refuses altogether.
+   * of the framebuffer that is bound for drawing. If the device refuses these samples, the masks
+   * get one for each pixel, vtkShadowTarget::HasRefusedSamples() is true, and GetError() has the
+   * cause. Returns false, with the cause in GetError(), if OpenGL refuses that, too.
    */
   bool Reserve(vtkOpenGLRenderWindow* window, std::size_t lights);
 
   /**
-   * Binds a framebuffer for the depth of what is drawn next, and clears it. Call Reserve() before.
-   * The caller pops the framebuffer bindings of the window's vtkOpenGLState.
+   * Binds the framebuffer into which the caller draws the receivers' depth next, and clears its
+   * depth. Call Reserve() before. It pushes the framebuffer bindings of the window's
+   * vtkOpenGLState, which the caller pops.
    */
   void BeginDepth(vtkOpenGLRenderWindow* window);
 
@@ -81,7 +82,7 @@ public:
 
   int GetNumberOfShadows() const { return this->Shadows; }
 
-  /// The masks, by the numbers of the lights in the frame.
+  /// The masks. A light has the number that it has in Frame::Lights.
   vtkShadowTarget& GetTarget() { return this->Target; }
   const int* GetViewport() const { return this->Viewport; }
   const std::string& GetError() const { return this->Error; }
@@ -99,8 +100,8 @@ private:
   void FindParts(const Work& work);
   Verdicts AddCasters(const Work& work, vtkShadowPlan& plan);
   bool IsLitmapWorthIt(const Work& work, double fragments, long long triangles);
-  bool IsLitmapWorthIt(const Work& work); ///< The same by the number of triangles alone.
-  long long EstimateCovered(const Work& work);
+  bool IsLitmapWorthIt(const Work& work);      ///< The same by the number of triangles alone.
+  long long EstimateCovered(const Work& work); ///< The number of samples that are not background.
   void SetCoverage(std::size_t covered, std::size_t samples);
   bool Shade(const Work& work);
   bool Count(const Work& work, const vtkShadowPlan& plan);
@@ -114,7 +115,7 @@ private:
   vtkShadowVolume Volume;
   std::vector<const vtkShadowPart*> Parts;    ///< Of all casters, in order, for the current light.
   std::vector<vtkShadowPlan::Choice> Choices; ///< The decision about each of Parts.
-  /// The share of samples that were not background when depth was last read.
+  /// The share of the samples that were not background when the depth was last read, in [0, 1].
   double Coverage = 1.0;
   std::size_t CoverageSamples = 0; ///< The number of samples then.
   int CoverageAge = 0;             ///< The number of frames since then.

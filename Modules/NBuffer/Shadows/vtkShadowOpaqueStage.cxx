@@ -74,8 +74,8 @@ int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& se
   statistics.Samples = static_cast<int>(this->GetTarget().GetSamples().size());
   statistics.PixelFrames = this->PixelFrames;
   this->Shading.SetUp(lights, statistics.Samples);
-  // The depth is drawn by the shaders that will draw the colour, so that both have the same depth
-  // to the bit, and no mapper has to build its shaders twice.
+  // The shaders that will draw the colour also draw the depth, so that both have the same depth to
+  // the bit, and no mapper has to build its shaders twice.
   this->JoinProps(state);
   if (!still)
   {
@@ -242,7 +242,7 @@ void vtkShadowOpaqueStage::UseContext(vtkOpenGLRenderWindow* window)
 void vtkShadowOpaqueStage::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Opaque->ReleaseGraphicsResources(window);
-  // VTK calls this for a window that is about to get its context, too.
+  // VTK also calls this for a window that is about to get its context.
   if (!window || window == this->Window)
   {
     this->ResourceCallback->Release();
@@ -256,7 +256,7 @@ void vtkShadowOpaqueStage::ReleaseObjects(vtkWindow* window)
   this->DebugView.Release();
   if (auto* other = vtkOpenGLRenderWindow::SafeDownCast(window))
   {
-    // OSMesa sets these anew where a context is made current, without vtkOpenGLState's knowledge.
+    // OSMesa changes both when a context is made current, and vtkOpenGLState does not notice.
     other->GetState()->ResetGLViewportState();
     other->GetState()->ResetGLScissorState();
   }

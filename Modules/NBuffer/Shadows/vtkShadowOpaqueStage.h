@@ -54,7 +54,7 @@ public:
     vtkMTimeType Time; ///< The time of the last change of any setting.
   };
 
-  /// `pass` is the one that mappers call back, and in whose name warnings are given.
+  /// `pass` is the pass that mappers call back and that warnings are reported for.
   explicit vtkShadowOpaqueStage(vtkOpenGLRenderPass* pass);
   ~vtkShadowOpaqueStage();
   vtkShadowOpaqueStage(const vtkShadowOpaqueStage&) = delete;
@@ -69,8 +69,8 @@ public:
   const vtkShadowTarget& GetTarget() { return this->Masks.GetTarget(); }
 
   /// Reads the mask of a light of the last frame, as vtkShadowVolumeClampPass::GetMask() describes.
-  /// Returns false if the light did not cast, if there is no such sample or, with the cause in
-  /// `why`, if OpenGL refuses.
+  /// `size` receives its width and height in pixels. Returns false if the light did not cast, if
+  /// there is no such sample or, with the cause in `why`, if OpenGL refuses.
   bool ReadMask(
     vtkLight* light, int sample, std::vector<unsigned char>& mask, int size[2], std::string& why);
 
@@ -103,8 +103,8 @@ private:
   vtkShadowDebugView DebugView;
   vtkShadowFrameKey Key; ///< The key of the frame that the masks belong to.
   vtkShadowStatistics Statistics;
-  int FailedFrames = 0;
-  int PixelFrames = 0; ///< See vtkShadowStatistics::PixelFrames.
+  int FailedFrames = 0; ///< See vtkShadowStatistics::FailedFrames.
+  int PixelFrames = 0;  ///< See vtkShadowStatistics::PixelFrames.
   bool HasWarned = false;
   bool HasWarnedOfSamples = false;
   vtkOpenGLRenderWindow* Window = nullptr; ///< The window that the OpenGL objects belong to.

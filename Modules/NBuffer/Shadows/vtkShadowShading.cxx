@@ -114,8 +114,8 @@ vtkShadowShading::Scope::Scope(vtkShadowShading& shading, vtkOpenGLRenderWindow*
   , Target(target)
   , Depth(depth)
 {
-  // The masks are bound even where depth alone is drawn: samplers of two kinds must not share a
-  // texture unit.
+  // The masks are bound even if depth alone is drawn, because samplers of two kinds must not share
+  // a texture unit.
   shading.TextureUnits.resize(target.GetNumberOfMasks());
   for (int i = 0; i < target.GetNumberOfMasks(); ++i)
   {

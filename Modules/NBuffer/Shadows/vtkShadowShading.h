@@ -4,13 +4,13 @@
  * @class vtkShadowShading
  * @brief Gives the masks of a frame to the shaders of VTK's mappers.
  *
- * The pass is among the property keys of the props while they are drawn, and VTK's mappers call it
- * back: first to change the text of their shaders, then, for each prop, to set the uniforms of the
- * program.
+ * While the props are drawn, the pass is among their property keys, and VTK's mappers call it back:
+ * first to change the text of their shaders, then, for each prop, to set the uniforms of the
+ * program. The pass forwards these calls to this class.
  *
  * In the text, each term of a light (diffuse and specular of Phong shading, the radiance of PBR) is
  * multiplied by the share of the light that arrives, which vtkShadowLightDec.glsl declares.
- * Insert() knows what VTK's lighting code looks like, from VTK 9.1 to 9.7.
+ * Insert() knows the lighting code of VTK 9.1 to 9.7.
  */
 #ifndef vtkShadowShading_h
 #define vtkShadowShading_h
@@ -33,30 +33,31 @@ class vtkTextureObject;
 class vtkShadowShading
 {
 public:
-  /// The shaders are made for these lights and this number of samples of a pixel from now on.
+  /// Sets the lights and the number of samples of a pixel for which shaders are made from now on.
   void SetUp(const std::vector<vtkShadowLightSource>& lights, int samples);
 
-  /// The lights whose masks darken what is drawn; the other lights of SetUp() shine everywhere.
+  /// Sets the lights whose masks darken what is drawn: those of SetUp(), or none to draw without
+  /// shadows.
   void SetLights(const std::vector<vtkShadowLightSource>& lights) { this->Lights = lights; }
   const std::vector<vtkShadowLightSource>& GetLights() const { return this->Lights; }
 
-  /// Changes when mappers have to build their shaders anew.
+  /// A time that grows when mappers have to build their shaders again.
   vtkMTimeType GetMTime() const { return this->Time.GetMTime(); }
 
-  /// Declares the masks in a mapper's fragment shader. To be called before the mapper inserts its
-  /// own code. Does nothing in a shader that declares them already.
+  /// Declares the masks in a mapper's fragment shader. Call it before the mapper inserts its own
+  /// code. It does nothing in a shader that already declares them.
   void Declare(std::string& fragmentShader) const;
 
-  /// Multiplies the terms of lights by their shares. To be called after the mapper has inserted its
-  /// own code. Does nothing for terms that are multiplied already. Returns false if the shader uses
-  /// a light in an unknown way, so that its props receive no shadow of that light.
+  /// Multiplies the terms of lights by their shares. Call it after the mapper has inserted its own
+  /// code. It does nothing for lights whose terms are already multiplied. Returns false if the
+  /// shader uses a light in an unknown way, so that its props receive no shadow of that light.
   bool Insert(std::string& fragmentShader) const;
 
-  /// Sets the uniforms of a mapper's program. A Scope must live.
+  /// Sets the uniforms of a mapper's program. Call it within a Scope.
   void SetParameters(vtkShaderProgram* program);
 
-  /// While it lives, the masks of `target` are bound to texture units, and so is `depth` if it is
-  /// not nullptr. The active texture unit is restored.
+  /// Binds the masks of `target`, and `depth` if it is not nullptr, to texture units. Its end
+  /// releases them and restores the active texture unit.
   class Scope
   {
   public:
@@ -67,7 +68,7 @@ public:
     void operator=(const Scope&) = delete;
 
   private:
-    const vtkOpenGLState::ScopedglActiveTexture ActiveUnit; ///< Ends last.
+    const vtkOpenGLState::ScopedglActiveTexture ActiveUnit; ///< The first member, so it ends last.
     const vtkShadowTarget& Target;
     vtkTextureObject* Depth;
   };
@@ -82,7 +83,7 @@ private:
   /// The program whose uniforms were set last in this Scope, and its handle. Most props share their
   /// program, which keeps its uniforms from prop to prop.
   std::pair<const void*, int> LastProgram = {};
-  std::vector<float> SampleOffsets; ///< From the middle of a pixel, x and y of each sample.
+  std::vector<float> SampleOffsets; ///< x and y of each sample from a pixel's middle, in pixels.
   std::vector<float> Attenuations;  ///< For each of ShaderLights; 0 if Lights is empty.
 };
 

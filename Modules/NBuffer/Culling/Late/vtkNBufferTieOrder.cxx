@@ -8,15 +8,15 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// More rectangles leave out more pixels, but each costs a draw: beyond four nothing was gained.
+/// More rectangles leave out more pixels, but each costs a draw. More than four gained nothing.
 constexpr std::size_t MaximumNumberOfRegions = 4;
 
 /// Tiles along the longer side of the viewport.
 constexpr int TilesPerSide = 32;
 
 /**
- * A prop that was drawn after props that follow it in the renderer's order, and the pixels in which
- * it was. Round is larger than that of any round if the prop is drawn again.
+ * A prop that was drawn after props that follow it in the renderer's order, and the pixels of this
+ * draw. For a prop that is drawn again, Round is larger than the number of any round.
  */
 struct LateDraw
 {
@@ -45,7 +45,7 @@ public:
       draw.Pixels, [&draw](int, int, std::vector<LateDraw>& tile) { tile.push_back(draw); });
   }
 
-  /// Calls functor(draw, shared pixels) once for each draw whose pixels overlap the rectangle.
+  /// Call functor(draw, shared pixels) once for each draw whose pixels overlap the rectangle.
   template <typename Functor>
   void ForEachIn(const vtkNBufferRectangle& pixels, Functor&& functor)
   {
@@ -54,8 +54,8 @@ public:
       {
         for (const LateDraw& draw : tile)
         {
-          // Of the tiles that both overlap, only that with the lower left corner of what they share
-          // calls, so that each draw is found once.
+          // The draw and the rectangle may share several tiles. The functor is called only in the
+          // tile with the lower left corner of the shared pixels.
           const vtkNBufferRectangle shared = draw.Pixels.GetIntersection(pixels);
           if (!shared.IsEmpty() && shared.X0 / this->TileSize == column &&
             shared.Y0 / this->TileSize == row)
@@ -94,8 +94,8 @@ vtkNBufferRectangle GetUnion(const vtkNBufferRectangle& a, const vtkNBufferRecta
   return { std::min(a.X0, b.X0), std::min(a.Y0, b.Y0), std::max(a.X1, b.X1), std::max(a.Y1, b.Y1) };
 }
 
-/// Add a rectangle. Two rectangles become one where that covers no more pixels, and where there are
-/// too many.
+/// Add a rectangle. Then, while there are too many rectangles or the union of two has no more
+/// pixels than both of them, replace the two whose union adds the fewest pixels by their union.
 void AddRegion(std::vector<vtkNBufferRectangle>& regions, const vtkNBufferRectangle& pixels)
 {
   regions.push_back(pixels);

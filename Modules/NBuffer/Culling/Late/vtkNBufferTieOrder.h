@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferTieOrder.h
- * @brief Which props to draw once more, and where, so that equal depths end as in the renderer's
- * order.
+ * @brief Which props to draw once more, and where, so that ties end as without the culler.
  *
  * VTK draws with GL_LEQUAL: of several fragments that have the same depth in a sample, the one
  * drawn last stays. Without a culler that is the fragment of the prop that comes last in the
@@ -15,16 +14,16 @@
  *     redrawn:                   D       D is drawn again and wins as it should.
  *
  * The final image is right if, of the props that tie in a sample, the last one in the renderer's
- * order is drawn last. So the props are looked at in the renderer's order, and a prop is drawn
- * again wherever it may tie with an earlier prop that was drawn after it or that is itself drawn
- * again. Drawing an opaque prop twice with GL_LEQUAL changes nothing else.
+ * order is drawn last. GetRedraws() therefore visits the props in the renderer's order. A prop is
+ * drawn again wherever it may tie with an earlier prop (in that order) that was drawn after it, or
+ * that is itself drawn again. Drawing an opaque prop twice with GL_LEQUAL changes nothing else.
  *
  * Two props can tie only where their depth intervals (slack included) overlap, and only in the
  * rectangle of pixels in which they touch (vtkNBufferProjection::GetContact). If a prop is drawn
- * again only inside such rectangles, by a scissor, no other prop has to follow elsewhere. If it is
- * drawn again whole, all later props that touch it have to follow, then those that touch these.
- * Where parts touch, as in machines and on circuit boards, most of what follows is then drawn twice
- * for a few props that were held back:
+ * again whole, all later props that touch it have to be drawn again, then those that touch these,
+ * and so on. Where parts touch, as in machines and on circuit boards, a few props that were held
+ * back then cause most of the later props to be drawn twice. If a prop is drawn again only inside
+ * such rectangles, with a scissor, only props that touch it there have to be drawn again:
  *
  *     first draw:    . B C D E           A is held back, touches B alone, and B touches C, C D, ...
  *     after test:    A
@@ -47,8 +46,10 @@ VTK_ABI_NAMESPACE_BEGIN
 struct vtkNBufferDrawnProp
 {
   int Index = 0; ///< The place of the prop in the renderer's order.
-  int Round = 0; ///< The round in which it was drawn; within one, the renderer's order was kept.
-  /// Whether Box and Screen are known. A prop for which they are not may tie with any other.
+  /// The round in which the prop was drawn, from 1 on; 0 if the renderer drew it, which is before
+  /// all rounds. In a round the renderer's order is kept.
+  int Round = 0;
+  /// Whether Box and Screen are known. If not, the prop may tie with any other.
   bool Bounded = false;
   vtkNBufferBox Box;
   vtkNBufferScreenBox Screen;
@@ -60,8 +61,8 @@ struct vtkNBufferDrawnProp
 struct vtkNBufferRedraw
 {
   int Position = 0; ///< The place of the prop in the list that was given to GetRedraws().
-  /// The one to four rectangles of the viewport in which to draw it, in pixels. If there are none,
-  /// it has to be drawn whole.
+  /// The rectangles of the viewport in which to draw the prop, in pixels, at most four. If there
+  /// are none, it has to be drawn whole.
   std::vector<vtkNBufferRectangle> Regions;
 };
 
@@ -72,10 +73,11 @@ VTKNBUFFER_EXPORT vtkNBufferRectangle GetTie(const vtkNBufferProjection& project
   const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b);
 
 /**
- * The props to draw once more, in the order in which to draw them. With `inRegions` they are
- * redrawn only inside rectangles, which needs a driver that clips exactly to the sample; otherwise
- * whole. Sorts `drawn` by Index. For each drawn prop, the props in the same part of the screen that
- * were drawn after the first round are looked at.
+ * The props to draw once more, in the order in which to draw them. `drawn` are all props that were
+ * drawn and may tie; the function sorts them by Index. If `inRegions` is true, props are redrawn
+ * inside rectangles only, which needs a driver that never draws a sample outside the scissor box;
+ * otherwise they are redrawn whole. The time for each prop depends on how many props in the same
+ * part of the screen were drawn late (Round > 0) or are drawn again.
  */
 VTKNBUFFER_EXPORT std::vector<vtkNBufferRedraw> GetRedraws(
   const vtkNBufferProjection& projection, std::vector<vtkNBufferDrawnProp>& drawn, bool inRegions);

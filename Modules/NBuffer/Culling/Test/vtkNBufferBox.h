@@ -24,11 +24,12 @@ struct vtkNBufferBox
   glm::dvec3 Origin = glm::dvec3(0.0);
   glm::dvec3 Magnitude = glm::dvec3(0.0);
   ///@}
-  /// Pixels by which what is drawn may stick out of the projected box (wide lines, points).
+  /// How many pixels the fragments of lines and points may stick out of the projected box. 0 if the
+  /// box contains neither.
   double Margin = 0.0;
 
-  /// Whether all numbers are the same. Infinities equal themselves here, which they do not for
-  /// GLM's operator: it looks at the difference.
+  /// Whether all numbers are the same. An infinity equals itself here, but not with GLM's operator,
+  /// which compares differences.
   bool operator==(const vtkNBufferBox& other) const
   {
     const auto same = [](const glm::dvec3& a, const glm::dvec3& b)
@@ -45,7 +46,7 @@ struct vtkNBufferBox
     for (int i = 0; i < 3; ++i)
     {
       box.Center[i] = 0.5 * (bounds[2 * i] + bounds[2 * i + 1]);
-      // Centre and half size are rounded, and so is their sum: a few steps outward.
+      // The centre, the half size and their sum are rounded. A few steps outward allow for that.
       const double half = 0.5 * (bounds[2 * i + 1] - bounds[2 * i]);
       box.HalfSize[i] = half + (std::abs(box.Center[i]) + half) * 0x1p-50;
       box.Magnitude[i] = std::abs(box.Center[i]) + box.HalfSize[i];

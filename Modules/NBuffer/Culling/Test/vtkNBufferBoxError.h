@@ -58,8 +58,8 @@
  *
  *     slack = 2 quantum + 4 u + (2^-8.5 + 8 u n) R / t,   t = 1/16 pixel
  *
- * Triangles lower than 1/16 pixel are not covered. Few of them own a sample, but such a rasteriser
- * may give these samples any depth. vtkNBufferSliverTest looks at such triangles one by one.
+ * Triangles lower than 1/16 pixel are not covered. Few of them own a sample, but a rasteriser such
+ * as llvmpipe may give this sample any depth. vtkNBufferSliverTest tests them one by one.
  * docs/precision.md compares this slack with the largest errors found for each format and
  * projection.
  */
@@ -90,8 +90,8 @@ struct vtkNBufferDepthFormat
   double Farthest = vtkNBufferDepthConvention::GetOrder(vtkNBufferDepthConvention::Background);
   /// The slack above without its last term, which depends on R.
   double Slack = 0.0;
-  /// More slack, as a share of the largest |z / w| of a box. VTK's depth needs none: it is rounded
-  /// as values near 1 are, wherever it is.
+  /// More slack, as a share of the largest |z / w| of a box. VTK's depth needs none, because Slack
+  /// already allows for the rounding of values near 1, its largest.
   double RelativeSlack = 0.0;
 
   /// The depth that VTK stores in a buffer whose values are multiples of `quantum`: 2^-16, 2^-24,
@@ -127,8 +127,8 @@ public:
         std::abs(Evaluate(row, box.Origin)));
   }
 
-  /// Pixels that are added on each side of a projected box: its margin and the border of the
-  /// derivation above, that of a box wholly in view if `isWhole`.
+  /// The pixels to add on each side of a projected box: its margin and the border of the derivation
+  /// above. `isWhole` says whether the box is wholly in view.
   double GetBorder(const vtkNBufferBox& box, bool isWhole) const
   {
     return isWhole && !(box.Margin > 0.0) ? this->WholeBorder : box.Margin + LargestSnap;
@@ -163,22 +163,22 @@ public:
     /// The error of a sample's depth for each unit of the slope of the triangle's plane.
     double DepthErrorPerSlope;
     ///@{
-    /// What rounding does to the slopes themselves. It costs at most SlopeRounding for each unit
-    /// of depth range by height, and at most SlopeRoundingPerLength for each unit of longest side
-    /// times depth range by height.
+    /// The error of a sample's depth because the slopes themselves are rounded. With q the depth
+    /// range of the triangle divided by its height, and l its longest side, it is at most
+    /// SlopeRounding q and at most SlopeRoundingPerLength l q.
     double SlopeRounding;
     double SlopeRoundingPerLength;
     ///@}
-    /// How much of these three the slack of the box allows for.
+    /// The last term of the slack of the box, which allows for the errors of the slope above.
     double BoxSlack;
-    /// The depth range by height up to which BoxSlack is enough for any triangle.
+    /// The largest depth range divided by height for which BoxSlack is enough for any triangle.
     double CoveredSlope;
     /// The height, in units of the longest side, below which rounding leaves no plane at all.
     double LowestRelativeHeight;
   };
 
-  /// `position` is what the vertex errors make of a vertex's place in pixels, `depth` the error of
-  /// depth without the term that depends on R, `range` is R.
+  /// `position` is how far E moves a vertex, in pixels. `depth` is the error of a depth without the
+  /// term that depends on R, and `range` is R.
   TriangleErrors GetTriangleErrors(double position, double depth, double range) const;
 
 private:

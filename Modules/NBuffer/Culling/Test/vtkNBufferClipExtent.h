@@ -31,7 +31,7 @@ public:
     }
   }
 
-  /// How far the clip coordinates of a device may be from the exact ones.
+  /// How far the clip coordinates that a device computes may be from the exact ones.
   const glm::dvec4& GetErrors() const { return this->Error; }
 
   /// Add a point in clip space. Returns false for a point before the near plane, behind the eye, or

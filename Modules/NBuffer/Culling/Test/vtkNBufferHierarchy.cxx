@@ -35,13 +35,13 @@ public:
     if (this->Known)
     {
       box.Center = 0.5 * (this->Low + this->High);
-      // Rounding must not cut anything off.
+      // Rounding must not make the box too small.
       box.HalfSize = 0.5 * (this->High - this->Low) +
         (vtkNBufferGLM::Abs(this->Low) + vtkNBufferGLM::Abs(this->High)) * 0x1p-51;
     }
     else
     {
-      // The projection takes NaN for "unknown" in every comparison.
+      // Every comparison of the projection treats NaN as "unknown".
       box.Center = box.HalfSize = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
     }
     box.Magnitude = this->Magnitude;
@@ -63,7 +63,7 @@ double GetExtent(const vtkNBufferBox& box)
 }
 }
 
-/// The search for the median sorts these: they are small, so that it moves little memory.
+/// The search for the median sorts these instead of boxes: they are small, so less memory moves.
 struct vtkNBufferHierarchy::Key
 {
   glm::dvec3 Center = glm::dvec3(0.0);
@@ -101,7 +101,7 @@ void vtkNBufferHierarchy::Build(
     const vtkNBufferBox& box = boxes[places[i]];
     for (int j = 0; j < 3; ++j)
     {
-      // NaN has no place in an order.
+      // NaN cannot be sorted.
       keys[i].Center[j] = std::isfinite(box.Center[j]) ? box.Center[j] : 0.0;
     }
     keys[i].Place = places[i];

@@ -5,18 +5,18 @@
  * @brief A hierarchy of bounding boxes whose nodes follow boxes that move. No OpenGL.
  *
  * The hierarchy is a binary tree. Each node is split at the median of the centres of its boxes,
- * along the axis on which the centres extend farthest. Nodes follow each other depth first, so that
- * passing over everything below a node is a jump to an index (Next), and refitting is one walk
- * backwards:
+ * along the axis on which the centres extend farthest. The nodes are stored depth first. A jump to
+ * an index (Next) then skips everything below a node, and refitting is one pass from the last node
+ * to the first:
  *
  *              0              nodes      0 1 2 3 4 5 6
  *          1       4          Next       7 4 3 4 7 6 7
  *        2   3   5   6
  *
  * The box of a node can be tested by vtkNBufferProjection like any other, and the result for the
- * node holds for everything below it: the box contains all boxes below, rounded outward, its
- * rounding is at least that of each of them, and its margin is the largest. If a box below is not
- * finite, the node's box is NaN, and every test of the node says that nothing is known.
+ * node holds for everything below it: the box contains all boxes below, rounded outward, the error
+ * of its vertices is at least that of each of them, and its margin is the largest. If a box below
+ * is not finite, the node's box is NaN, and every test of the node says that nothing is known.
  *
  * With n boxes, Build() takes about n log n steps and Refit() looks at the nodes above the boxes
  * that have moved. The memory is about 150 bytes for each box.
@@ -34,23 +34,23 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKNBUFFER_EXPORT vtkNBufferHierarchy
 {
 public:
-  /// The number of boxes in a leaf. Testing a node costs as much as testing a box.
+  /// The largest number of boxes in a leaf. Testing a node takes as long as testing a box.
   static constexpr int DefaultLeafSize = 8;
 
   struct Node
   {
     vtkNBufferBox Box;
     ///@{
-    /// The boxes below the node are those from Begin to End of GetOrder().
+    /// The boxes below the node are those at Begin to End - 1 of GetOrder().
     int Begin = 0;
     int End = 0;
     ///@}
     int Left = -1;  ///< The left child, which is the next node; -1 for a leaf.
     int Right = -1; ///< The right child; -1 for a leaf.
-    int Next = 0;   ///< The first node that is not below this one.
+    int Next = 0;   ///< The first node after this one that is not below it.
   };
 
-  /// Build the tree over the boxes at `places`, in which each place appears at most once.
+  /// Build the tree over those of `boxes` whose indices are in `places`, each at most once.
   void Build(const std::vector<vtkNBufferBox>& boxes, std::vector<int> places,
     int leafSize = DefaultLeafSize);
 
@@ -69,18 +69,18 @@ public:
   /// Replace the box of a place that is in the tree. The nodes follow with the next Refit().
   void Move(int place, const vtkNBufferBox& box);
 
-  /// Fit the nodes to the boxes that were replaced. Returns how many nodes were fitted.
+  /// Fit the nodes to the boxes that were replaced. Returns the number of nodes that were fitted.
   int Refit();
 
   /**
-   * How much larger the leaves are than when the tree was built, 1 if they are as large: the sum of
-   * their sizes along all axes, divided by that sum at Build(). It grows when boxes move away from
-   * their neighbours, and with it the number of nodes that are visited in vain.
+   * How much larger the leaves are than when the tree was built: the sum of their sizes along all
+   * axes, divided by that sum at Build(). It is 1 just after Build(). It grows when boxes move away
+   * from their neighbours; then more nodes are visited in vain.
    */
   double GetGrowth() const;
 
-  /// Visit node `root` and the nodes below it, each before its children: descend(const Node&)
-  /// returns whether to visit what is below the node.
+  /// Call descend(const Node&) for node `root` and the nodes below it, each before its children.
+  /// The function returns whether to visit what is below the node.
   template <typename Descend>
   void Visit(int root, Descend&& descend) const
   {
@@ -97,7 +97,7 @@ public:
   /// The index of a node in GetNodes().
   int GetIndex(const Node& node) const { return static_cast<int>(&node - this->Nodes.data()); }
 
-  /// The places of the boxes, in an order in which those below a node are neighbours.
+  /// The places of the boxes, in an order in which those below any node are neighbours.
   const std::vector<int>& GetOrder() const { return this->Order; }
 
 private:

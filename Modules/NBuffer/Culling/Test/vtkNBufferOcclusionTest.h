@@ -5,9 +5,9 @@
  * @brief Whether a box lies behind what has been drawn. No OpenGL.
  *
  * A box is hidden if its nearest depth is farther than the farthest depth drawn in its rectangle
- * (Decoret 2005, section 3.1), which takes at most four lookups. One nearest depth for the whole
- * box is the main reason why four lookups keep props that an exact test would find hidden, long
- * ones above all: vtkNBufferPixelTest follows the faces of those that are left.
+ * (Decoret 2005, section 3.1), which takes at most four lookups. This test leaves some props
+ * false-visible, mainly because one nearest depth stands for the whole box, and above all props
+ * that are long. vtkNBufferPixelTest compares the faces of such boxes with the pixels.
  */
 #ifndef vtkNBufferOcclusionTest_h
 #define vtkNBufferOcclusionTest_h
@@ -34,14 +34,14 @@ public:
   /// gave for it in this viewport.
   bool IsHidden(const vtkNBufferScreenBox& screen);
 
-  /// The number of levels with which a rectangle of pixels can be tested. `factor` is how many
-  /// pixels a texel of the base stands for, along each axis.
+  /// The number of levels, level 0 included, that it takes to test a rectangle of pixels. `factor`
+  /// is the side of a texel of level 0 in pixels.
   static int GetLevelsNeeded(const vtkNBufferRectangle& pixels, int factor);
 
   /// The number of rectangles compared with the levels so far.
   long long GetQueries() const { return this->Queries; }
 
-  /// The number of texels read for that.
+  /// The number of texels read for these rectangles.
   long long GetLookups() const { return this->Lookups; }
 
 private:

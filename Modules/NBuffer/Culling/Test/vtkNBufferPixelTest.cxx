@@ -12,7 +12,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-constexpr int Side = 8; // of a square, in pixels
+constexpr int Side = 8; // The side of a square, in pixels.
 
 /// Twice the area of the triangle o, a, b; positive if it is counter-clockwise.
 double Cross(const glm::dvec2& o, const glm::dvec2& a, const glm::dvec2& b)
@@ -22,8 +22,8 @@ double Cross(const glm::dvec2& o, const glm::dvec2& a, const glm::dvec2& b)
   return p.x * q.y - p.y * q.x;
 }
 
-/// The convex hull of eight points, which it sorts, counter-clockwise (A. M. Andrew, 1979). Returns
-/// the number of its corners.
+/// Compute the convex hull of eight points, counter-clockwise (A. M. Andrew, 1979). Sorts the
+/// points. Returns the number of corners of the hull.
 int GetHull(std::array<glm::dvec2, 8>& points, std::array<glm::dvec2, 16>& hull)
 {
   std::sort(points.begin(), points.end(),
@@ -71,8 +71,8 @@ template <typename Points>
 void vtkNBufferPixelTest::AddEdge(
   const glm::dvec2& normal, const Points& points, const glm::dvec2& slack)
 {
-  // Beyond the farthest corner, not through one end: where corners differ by rounding only (boxes
-  // without thickness) an edge may point anywhere, and this holds for every direction.
+  // The edge passes the farthest corner, and not just one of its ends: where two corners differ
+  // only by rounding (in boxes without thickness) the normal may have any direction.
   double reach = -std::numeric_limits<double>::infinity();
   for (const auto& point : points)
   {
@@ -263,13 +263,13 @@ bool vtkNBufferPixelTest::MayBeSeen(const vtkNBufferMesh& mesh, const double toW
       if (!(w > 0.0) || !vtkNBufferGLM::IsFinite(corners[i]))
       {
         first = triangle;
-        return true; // A device draws what is left of it before the eye, which is not known here.
+        return true; // A device draws the part of it before the eye, which is not known here.
       }
     }
     const auto& [a, b, c] = corners;
     const glm::dvec2 low = glm::dvec2(glm::min(glm::min(a, b), c)) - slack;
     const glm::dvec2 high = glm::dvec2(glm::max(glm::max(a, b), c)) + slack;
-    // Beyond these bounds the rectangle of the box decides.
+    // Only avoids an overflow of int: the intersection is with the rectangle of the box.
     const auto clamp = [&](double value) { return std::clamp(value, -1.0, 1e6); };
     const double half = 0.5 - this->SampleDistance;
     const vtkNBufferRectangle pixels =

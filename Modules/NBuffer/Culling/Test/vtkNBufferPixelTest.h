@@ -4,9 +4,9 @@
  * @class vtkNBufferPixelTest
  * @brief Whether a box or a mesh lies behind every sample that its outline covers. No OpenGL.
  *
- * This is the second opinion on boxes that four lookups did not find hidden. Where the whole depth
- * image is in host memory anyway, looking at the pixels costs far less than drawing a prop for
- * nothing:
+ * This test is for boxes that vtkNBufferOcclusionTest did not find hidden. Where the whole depth
+ * image is in host memory, looking at the pixels takes far less time than drawing a false-visible
+ * prop:
  *
  *     +---------------------+      The rectangle of a box also covers what is around its outline
  *     |     .--------.      |      (the sky above a hidden house), and its nearest depth is that
@@ -14,22 +14,25 @@
  *     |  '--------------'   |      and each is compared with the depth of the box's front faces
  *     +---------------------+      in this square.
  *
- * What counts in a pixel is where the device takes samples. Without multisampling that is its
- * middle alone: a rasteriser draws a fragment only if the middle of the pixel lies in the triangle
- * (OpenGL 4.6, section 14.6.1), and its depth is that in the middle. The outline is wider than the
- * box by what a device may move the corners of triangles, which covers snapping, and a middle
- * exactly on the outline counts as inside, which covers every rule for shared edges. With
- * multisampling the square around the middle counts that holds all samples; smoothed polygons cover
- * each pixel that they touch, so that the whole pixel counts.
+ * Only the places in a pixel at which the device may take samples count. Without multisampling that
+ * is the middle alone: a rasteriser draws a fragment only if the middle of the pixel lies in the
+ * triangle (OpenGL 4.6, section 14.6.1), and the depth of the fragment is that in the middle. With
+ * multisampling it is a square around the middle that holds all samples. Smoothed polygons cover
+ * every pixel that they touch, so that the whole pixel counts.
  *
- * One lookup in the levels answers a square of 8 x 8 pixels. Only the squares that do not hide
- * their part of the box are looked at pixel by pixel, beginning at the top, where houses, masts and
- * trees stick out. The test stops at the first pixel in which the box may be seen.
+ * The outline is wider than the box by as much as a device may move the corners of triangles,
+ * snapping included. A middle exactly on the outline counts as inside, so that it does not matter
+ * which of two triangles owns a middle on their common edge.
  *
- * A mesh is tested in the same way, triangle by triangle, where its box is not hidden. Through the
- * gaps of a fence and between two roofs, boxes are seen and nothing that is in them. With E the
- * error of vertices in pixels, B the border of the box (vtkNBufferBoxError.h), g the slope of the
- * triangle, R its depth range and h its height on the screen, a device draws
+ * One lookup in the levels tests a square of 8 x 8 pixels. Only the squares that do not hide their
+ * part of the box are looked at pixel by pixel, beginning at the top, where houses, masts and trees
+ * stick out. The test stops at the first pixel in which the box may be visible.
+ *
+ * A mesh is tested in the same way, triangle by triangle, if its box is not hidden. Often only an
+ * empty part of a box is visible, for example between two roofs or through the gaps of a fence.
+ * With E the error of vertices in pixels, B the border of the box and u and n as in
+ * vtkNBufferBoxError.h, g the slope of the triangle, R its depth range and h its height on the
+ * screen, a device draws
  *
  *  - no sample farther than E + B outside of the triangle, in x and in y: the outline,
  *  - no sample nearer than
@@ -37,12 +40,12 @@
  *        max(z of the nearest corner, z(x, y) - (|g_x| + |g_y|) (E + B))
  *          - the error of a vertex's depth - (2^-8.5 + 16 u n) R / h
  *
- * where z(x, y) is the plane of the triangle. The first line holds because the depth of a sample is
- * a mean of the corners' depths, with the weights that also make its place of the corners' places,
- * and these are at most E + B away from the exact ones. The last term is that of the slack of a
- * box, with the triangle's own range and height. A triangle lower than 1/16 pixel is compared with
- * its nearest corner alone, and with the slack of its box, so that vtkNBufferSliverTest need not
- * know whether the box or the triangles were hidden.
+ * where z(x, y) is the plane of the triangle. The first line of the formula holds because the depth
+ * of a sample is a weighted mean of the depths of the corners, its place is the mean of their
+ * places with the same weights, and these places are at most E + B away from the exact ones. The
+ * last term is that of the slack of a box, with the triangle's own range and height. For a triangle
+ * lower than 1/16 pixel only its nearest corner is used, with the slack of its box, so that
+ * vtkNBufferSliverTest need not know whether the box or the triangles were found hidden.
  */
 #ifndef vtkNBufferPixelTest_h
 #define vtkNBufferPixelTest_h
@@ -76,9 +79,9 @@ public:
   /**
    * False only if nothing of a mesh can be seen. `screen` is what projection.Project() gave for its
    * box, which has no Margin and is Inside. `toWorld` is the matrix from the coordinates of the
-   * mesh to the world, row by row. The test begins with triangle `first`, of which nothing is
-   * expected, and sets it to the triangle that may be seen: given again in the next frame it mostly
-   * gives the answer at once.
+   * mesh to the world, row by row. The test begins with triangle `first`, which may be any number.
+   * If a triangle may be visible, `first` is set to it: in the next frame the test then mostly ends
+   * with its first triangle.
    */
   bool MayBeSeen(const vtkNBufferMesh& mesh, const double toWorld[16],
     const vtkNBufferScreenBox& screen, std::size_t& first);
@@ -97,9 +100,10 @@ private:
   using Errors = vtkNBufferBoxError::TriangleErrors;
   using Corners = std::array<glm::dvec3, 3>;
 
-  /// The errors of vertices and the border, in pixels.
+  /// How far a device may draw the corners of triangles from their exact places, along x and y, in
+  /// pixels: the sum of the vertex errors and the border.
   glm::dvec2 GetSlack(const vtkNBufferScreenBox& screen) const;
-  /// Add an edge with this outward normal, beyond all points of an outline and their slack.
+  /// Add the edge with this outward normal that has all points, slack included, on its inner side.
   template <typename Points>
   void AddEdge(const glm::dvec2& normal, const Points& points, const glm::dvec2& slack);
   void SetEdges(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen);
@@ -110,7 +114,7 @@ private:
   bool IsHidden(const vtkNBufferRectangle& pixels);
   /// Whether a square around (x, y) lies wholly outside of the outline.
   bool IsOutsideOutline(double x, double y, double halfSide) const;
-  /// The nearest depth that the box may have in a square around (x, y).
+  /// The nearest depth that the box or triangle may have in a square around (x, y).
   double GetNearest(double x, double y, double halfSide) const;
   bool IsSquareHidden(int x, int y, const vtkNBufferRectangle& pixels);
 

@@ -12,7 +12,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// Relative, far more than unprojecting in double precision can err.
+/// A relative margin, far larger than the error of unprojecting in double precision.
 constexpr double NearPlaneMargin = 1e-6;
 
 double Evaluate(const glm::dvec4& row, const glm::dvec3& point)
@@ -124,7 +124,7 @@ vtkNBufferPlacement vtkNBufferProjection::Clip(
     return vtkNBufferPlacement::Crossing;
   }
 
-  // A corner of the near plane inside the box: nothing bounds what is drawn of it.
+  // If a corner of the near plane is inside the box, nothing bounds what is drawn of the box.
   for (int corner = 0; corner < 4; ++corner)
   {
     const glm::dvec3 ndc = { corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, -1.0 };
@@ -143,8 +143,8 @@ vtkNBufferPlacement vtkNBufferProjection::Clip(
     }
   }
 
-  // Each face, cut at the four sides of the view, which are moved out by what the device may see
-  // farther inside. What remains has w >= 0.
+  // Cut each face at the four sides of the view. The sides are moved outward by as much as the
+  // device may draw points farther inside. What remains has w >= 0.
   static const int faces[6][4] = { { 0, 2, 6, 4 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 3, 7, 6 },
     { 0, 1, 3, 2 }, { 4, 5, 7, 6 } };
   const int size[2] = { this->Width, this->Height };
@@ -189,7 +189,7 @@ vtkNBufferPlacement vtkNBufferProjection::Finish(
     return vtkNBufferPlacement::Crossing;
   }
   const int size[2] = { this->Width, this->Height };
-  // Whether the device cuts nothing of the box at a side of the view.
+  // Whether the device cuts no triangle of the box at a side of the view.
   const bool isWhole = !result.Clipped &&
     glm::all(glm::greaterThanEqual(extent.Low, glm::dvec3(-1.0))) &&
     glm::all(glm::lessThanEqual(extent.High, glm::dvec3(1.0)));
@@ -234,7 +234,7 @@ vtkNBufferBoxError::TriangleErrors vtkNBufferProjection::GetTriangleErrors(
 {
   const double position = std::max({ 0.5 * screen.Slack.x * this->Width - screen.Border,
     0.5 * screen.Slack.y * this->Height - screen.Border, 0.0 });
-  // What Finish() adds to the depths of the box without the part of R, and the vertices' errors.
+  // The errors of the vertices, and what Finish() adds to the depths except for the part with R.
   const double depth = this->Error.GetFormat().Scale * screen.Slack.z -
     this->Error.GetInterpolationSlack(screen.DepthRange);
   return this->Error.GetTriangleErrors(position, depth, screen.DepthRange);
@@ -302,7 +302,7 @@ std::optional<vtkNBufferProjection::FacePlane> vtkNBufferProjection::GetFacePlan
   const int axis = face / 2;
   const double sign = face % 2 == 0 ? -1.0 : 1.0;
   const double offset = box.Center[axis] + sign * box.HalfSize[axis];
-  // Inside of the face L(q) <= 0, see GetContact.
+  // L(q) <= 0 on the inner side of the face, see GetContact().
   const glm::dvec4 l = sign * (this->ClipToWorld[axis] - offset * this->ClipToWorld[3]);
   if (!(l.z < 0.0))
   {

@@ -9,7 +9,7 @@
  * derives how far that may be):
  *
  *     outside    no fragment of the box can land in the viewport,
- *     crossing   the box reaches the near plane in view, or the eye: nothing is known about its
+ *     crossing   the box reaches the eye or, in view, the near plane: nothing is known about its
  *                pixels, and it counts as visible,
  *     inside     all fragments of the box land in `Pixels`, none of them nearer than `Nearest`;
  *                those in the middles of pixels land in `Middles`.
@@ -41,15 +41,15 @@ public:
 
   ///@{
   /**
-   * `worldToClip` is a matrix of VTK's (16 numbers, row by row) to clip coordinates with z in
-   * [-w, w]: vtkCamera's projection matrix for (aspect, -1, 1) times its model-view matrix. The
-   * viewport is `width` x `height` pixels. `depthQuantum` is the step of the depth buffer's format,
-   * see vtkNBufferDepthFormat::FromQuantum(). `largestCoordinate` says where the viewport ends in
-   * the window, in pixels, if it does not begin at 0. `subpixelBits` is that of the device
-   * (vtkNBufferGL::GetSubpixelBits()), of which OpenGL promises 4.
+   * `worldToClip` is the matrix from world to clip coordinates, row by row as in vtkMatrix4x4, with
+   * z in [-w, w]: vtkCamera's projection matrix for (aspect, -1, 1) times its model-view matrix.
+   * The viewport is `width` x `height` pixels. `depthQuantum` is the step of the depth buffer's
+   * format, see vtkNBufferDepthFormat::FromQuantum(). `largestCoordinate` is the largest window
+   * coordinate in the viewport, in pixels; it is only needed if the viewport does not begin at 0.
+   * `subpixelBits` is vtkNBufferGL::GetSubpixelBits(), which OpenGL guarantees to be at least 4.
    *
-   * The second form is for depths other than VTK's. Its matrix gives the z for which `format` is
-   * made.
+   * The second form is for depths other than VTK's. The z of its matrix must be the one that
+   * `format` describes.
    */
   void Set(const double worldToClip[16], int width, int height, double depthQuantum,
     int largestCoordinate = 0, int subpixelBits = 4);
@@ -62,9 +62,9 @@ public:
   const Rows& GetWorldToClip() const { return this->WorldToClip; }
 
   /**
-   * Whether a box lies outside one of the six planes of the view. The test looks at signs in clip
-   * space and never divides, so that eye points inside the box are no special case. Always false
-   * for boxes with a Margin: what sticks out of them is for Project(). Takes about 15 ns.
+   * Whether a box lies outside one of the six planes of the view. The test uses only signs in clip
+   * space and never divides, so that a box around the eye is no special case. Always false for a
+   * box with a Margin: only Project() allows for what sticks out of it. Takes about 15 ns.
    */
   bool IsOutside(const vtkNBufferBox& box) const;
 
@@ -74,12 +74,13 @@ public:
    *
    * Of a box that reaches behind the eye only the part inside the four sides of the view counts:
    * a street under the viewer's feet begins some metres ahead on the screen. That part is cut out
-   * first, which takes about a microsecond. What remains Crossing is what crosses the near plane in
-   * view.
+   * first, which takes about a microsecond. Only boxes that cross the near plane in view remain
+   * Crossing.
    */
   vtkNBufferPlacement Project(const vtkNBufferBox& box, vtkNBufferScreenBox& result) const;
 
-  /// How a device may draw one triangle of a box that is Inside.
+  /// The errors with which a device may draw a triangle of a box that is Inside, given the result
+  /// of Project() for the box.
   vtkNBufferBoxError::TriangleErrors GetTriangleErrors(const vtkNBufferScreenBox& screen) const;
 
   /// The rows of the matrix from model coordinates to (x, y, order, 1) times w, with x and y in
@@ -93,8 +94,8 @@ public:
    */
   bool IsWhollyInside(const vtkNBufferScreenBox& screen) const
   {
-    // Farthest lies at least the slack behind the box, and the Nearest of what the box contains at
-    // least the slack before it.
+    // Farthest is at least Slack behind the farthest point of the box. The Nearest of any box
+    // inside is at least Slack before that point, and must not be beyond the far plane.
     const vtkNBufferDepthFormat& format = this->Error.GetFormat();
     return !screen.Clipped && screen.Pixels.X0 > 0 && screen.Pixels.Y0 > 0 &&
       screen.Pixels.X1 < this->Width && screen.Pixels.Y1 < this->Height &&
@@ -104,26 +105,28 @@ public:
   /**
    * The pixels in which two boxes, both Inside, may have fragments of equal depth in one sample;
    * empty if there are none. Such fragments stand for nearly the same point of the world, which
-   * lies in both boxes except for rounding. So the rectangle is that of what the boxes share: one
-   * box inflated by the rounding and cut to the other. Props side by side in a street overlap in
-   * their rectangles and depth intervals and share nothing; props that touch share a face.
+   * lies in both boxes except for rounding. The function therefore inflates the other box by the
+   * rounding, cuts it to this one, and projects what the boxes share. (Props side by side in a
+   * street overlap in their rectangles and depth intervals but share nothing; props that touch
+   * share a face.)
    *
-   * How far to inflate: with b a face of the other box along world axis j, and N the clip-to-world
-   * matrix, L(q) = (N_j - b N_3) q = (p_j - b) / w is linear in the NDC point q of world point p.
-   * It is not positive for points of the other box (b its upper face), and two fragments in one
-   * place differ in it by no more than r = sum_k |N_jk - b N_3k| (slack_k of one + slack_k of the
-   * other): p_j <= b + w_max r. Takes about 0.15 us.
+   * How far to inflate: let b be the coordinate of a face of the other box on world axis j, and N
+   * the clip-to-world matrix. Then L(q) = (N_j - b N_3) q = (p_j - b) / w is linear in the NDC
+   * point q of a world point p. For the upper face, L is not positive at any point of the other
+   * box. Between two fragments in one place, L differs by no more than
+   * r = sum_k |N_jk - b N_3k| (slack_k of one + slack_k of the other). So p_j <= b + w_max r for a
+   * fragment of this box, whose largest w is w_max. Lower faces likewise. Takes about 0.15 us.
    */
   vtkNBufferRectangle GetContact(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen,
     const vtkNBufferBox& other, const vtkNBufferScreenBox& otherScreen) const;
 
   /**
-   * The plane of a face as a bound on depth: what is drawn of the box in a square of pixels of half
-   * side `h` around (x, y) is nowhere nearer than
+   * The plane of a face as a bound on depth: what is drawn of the box in a square of half side h
+   * around (x, y) is nowhere nearer than the order of distance
    *
    *     Depth + SlopeX x + SlopeY y - h (|SlopeX| + |SlopeY|)
    *
-   * in order of distance and pixels of the viewport, slack included.
+   * where x, y and h are in pixels of the viewport. The slack is included.
    */
   struct FacePlane
   {
@@ -132,8 +135,8 @@ public:
     double SlopeY;
   };
 
-  /// The bound by face 0 to 5 (low x, high x, low y, ...) of a box that is Inside. A face that
-  /// looks away from the eye or is seen edge-on bounds nothing.
+  /// The bound by face 0 to 5 (low x, high x, low y, ...) of a box that is Inside. Empty for a face
+  /// that looks away from the eye or is seen edge-on, because it bounds nothing.
   std::optional<FacePlane> GetFacePlane(
     const vtkNBufferBox& box, const vtkNBufferScreenBox& screen, int face) const;
 
@@ -149,7 +152,7 @@ private:
 
   Rows WorldToClip{};
   Rows ClipToWorld{};
-  std::array<glm::dvec4, 6> Planes{}; ///< Not negative for points inside, by sides of the view.
+  std::array<glm::dvec4, 6> Planes{}; ///< Of the sides of the view; not negative inside.
   vtkNBufferBoxError Error;
   int Width = 0;
   int Height = 0;

@@ -15,9 +15,9 @@ VTK_ABI_NAMESPACE_BEGIN
 /// Where a box is with respect to the view, see vtkNBufferProjection.h.
 enum class vtkNBufferPlacement
 {
-  Outside,
-  Crossing,
-  Inside
+  Outside,  ///< Nothing of it can be drawn.
+  Crossing, ///< It reaches the near plane or the eye: its pixels are not known.
+  Inside    ///< It has a vtkNBufferScreenBox.
 };
 
 /// What a box covers on the screen. It has a meaning only for boxes that are Inside.
@@ -25,23 +25,25 @@ struct vtkNBufferScreenBox
 {
   /// The pixels of the viewport that the box may cover, (0, 0) the lower left one; never empty.
   vtkNBufferRectangle Pixels;
-  /// The pixels whose middles the box may cover. It is empty for a box that lies between middles.
+  /// The pixels whose middles the box may cover. Empty if the box lies between such middles.
   vtkNBufferRectangle Middles;
   ///@{
-  /// Bounds of the depths of the box, as orders of distance: larger is farther. The slack has been
-  /// subtracted from the first and added to the second.
+  /// Bounds of the depths of the box, as orders of distance: larger is farther. Nearest is less and
+  /// Farthest is greater than the computed depths by the slack.
   double Nearest = 0.0;
   double Farthest = 1.0;
   ///@}
-  /// The depth range R for which the slack of Nearest and Farthest allows (vtkNBufferBoxError.h).
+  /// The range R of the box's depths from which that slack was computed (vtkNBufferBoxError.h).
   double DepthRange = 1.0;
-  /// How far a drawn point may be from its exact place along x, y and z, in NDC.
+  /// How far a drawn point may be from its exact place along x, y and z, in normalised device
+  /// coordinates.
   glm::dvec3 Slack = glm::dvec3(0.0);
-  /// The border in pixels that Slack contains in x and y (vtkNBufferBoxError.h).
+  /// The border, in pixels, that is a part of Slack in x and y (vtkNBufferBoxError.h).
   double Border = 0.0;
   /// The largest clip coordinate w of the corners.
   double MaximumW = 0.0;
-  /// Whether corners are behind the eye. In this case the part in view was cut out.
+  /// Whether a corner may be before the near plane or behind the eye. In this case all members
+  /// describe only the part of the box between the four sides of the view.
   bool Clipped = false;
 
   /// The pixels in which the box may own a sample, given how far a sample may be from the middle of

@@ -54,7 +54,7 @@ bool vtkNBufferSliverTest::MayBeSeen(
 {
   const Errors errors = this->Projection.GetTriangleErrors(screen);
   const double inverseSlope = 1.0 / errors.CoveredSlope;
-  // Every vertex may be elsewhere by the diagonal of its error.
+  // Two corners may err by the diagonal of PositionError each, and 2 sqrt(2) is less than 3.
   const double heightError = 3.0 * errors.PositionError;
   this->Project(mesh, toWorld);
   for (const std::array<unsigned int, 3>& triangle : mesh.Triangles)
@@ -63,7 +63,7 @@ bool vtkNBufferSliverTest::MayBeSeen(
       this->Points[triangle[2]] };
     const auto& [a, b, c] = corners;
     const auto [low, high] = GetRange(corners);
-    // At least as long as the longest side, which makes the height at most too small.
+    // This is not less than the longest side, so that the height is never overestimated.
     const double length = high.x - low.x + high.y - low.y;
     const double area = std::abs(Cross(b - a, c - a));
     const double range = high.z - low.z;
@@ -110,7 +110,7 @@ bool vtkNBufferSliverTest::MayBeSeen(
   const glm::dvec3 side = to - from;
   const glm::dvec3 toThird = third - from;
   const double own = length > 0.0 ? std::abs(Cross(side, toThird)) / length : 0.0;
-  // No point of the triangle is farther from its longest side. 1.5 covers diagonals.
+  // No point of the triangle is farther from its longest side. 1.5 allows for diagonals (sqrt(2)).
   const double distance =
     own + errors.Overshoot + 1.5 * (errors.PositionError + this->SampleDistance);
   const double height = own - heightError;
@@ -121,7 +121,7 @@ bool vtkNBufferSliverTest::MayBeSeen(
     const double foot = glm::dot(glm::dvec2(side), glm::dvec2(toThird)) / length;
     const double across = toThird.z - along * foot;
     const auto [low, high] = GetRange(corners);
-    // The vertices of the device's triangle are elsewhere, which makes it steeper.
+    // The triangle that the device draws has displaced vertices, which may make it steeper.
     const double steepness = std::abs(along) * (1.0 + 3.0 * errors.PositionError / length);
     const double slope = steepness +
       (std::abs(across) + 3.0 * errors.PositionError * steepness + 2.0 * errors.DepthError) /
@@ -141,7 +141,7 @@ bool vtkNBufferSliverTest::MayBeSeen(
 bool vtkNBufferSliverTest::MayBeSeen(
   const glm::dvec3& from, const glm::dvec3& to, double distance, double allowance) const
 {
-  // Line by line across the axis along which it is longer: u along, v across.
+  // Pixel by pixel along the axis on which the line is longer: u is along that axis, v across it.
   const bool alongX = std::abs(to.x - from.x) >= std::abs(to.y - from.y);
   const int along = alongX ? 0 : 1;
   const int other = 1 - along;

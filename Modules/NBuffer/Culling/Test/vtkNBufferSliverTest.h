@@ -2,30 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferSliverTest
- * @brief Whether a hidden mesh has triangles that may be drawn before its box. No OpenGL.
+ * @brief Whether a hidden mesh has triangles that may be drawn in front of its box. No OpenGL.
  *
  * The slack of a box (vtkNBufferBoxError.h) allows for the depth error of triangles that are at
  * least 1/16 pixel high on the screen. A lower triangle, a sliver, seldom owns a sample. Where it
  * does, a rasteriser that takes the depth plane of the vertices before they are snapped (Mesa's
- * llvmpipe) extrapolates along a slope that grows without bound, and VTK without a culler shows a
- * stray pixel through the wall in front: every curved surface has such triangles along its outline.
- * To keep these pixels too, this test looks at each triangle of a mesh whose box was found hidden.
+ * llvmpipe) extrapolates along a slope that grows without bound. VTK without a culler then shows a
+ * stray pixel through the wall in front. Every curved surface has slivers along its outline. To
+ * keep their stray pixels, this test looks at each triangle of a mesh whose box was found hidden.
  *
- * On the screen, let L be the longest side of a triangle, h its height over this side less what its
- * vertices may err, R its depth range, and r the difference in depth between its third corner and
- * the longest side. Then
+ * On the screen, let L be the longest side of a triangle, h its height over this side less the
+ * error of its vertices, R its depth range, and r the difference in depth between its third corner
+ * and the foot of the height on the longest side. With u and n as in vtkNBufferBoxError.h,
  *
  *     h < 64 u L      rounding leaves no plane: the triangle's samples may have any depth,
  *     h >= 64 u L     its samples are nearer than the triangle itself by at most
  *
  *                         (2^-8.5 + 8 u n) s + min(8 u n, 32 u L) R / h
  *
- *                     with s <= R / L + r / h the slope of its plane, along and across. Most often
- *                     that is no more than the slack of the box, which is then enough.
+ *                     where s <= R / L + r / h is the slope of its plane, along the longest side
+ *                     and across it. In most cases the slack of the box allows for that.
  *
- * The last term is what rounding does to the slopes. They are sums of two products of sides of L
- * and depths of R, divided by an area of L h, each with some 6 u, over a distance of L. The term
- * holds as long as the area itself is not lost, 6 u L^2 << L h.
+ * The last term is the error by the rounding of the slopes. They are sums of two products of sides
+ * of L and depths of R, divided by an area of L h, each with an error of about 6 u, over a distance
+ * of L. The term holds as long as rounding does not change the area much, 6 u L^2 << L h.
  *
  * For each triangle that the slack of the box does not cover, the test finds the samples that the
  * triangle may own (no farther than 2^-8.5 pixels outside of it) and compares them with the depth
@@ -34,7 +34,7 @@
  * A device also cuts triangles (at the near plane, the sides of the view and clipping planes),
  * which may make them lower than they were. The test does not cover these.
  *
- * Takes some 50 ns for each point and each triangle.
+ * Takes about 50 ns per point and per triangle.
  */
 #ifndef vtkNBufferSliverTest_h
 #define vtkNBufferSliverTest_h
@@ -70,13 +70,13 @@ public:
 
 private:
   using Errors = vtkNBufferBoxError::TriangleErrors;
-  /// The corners of a triangle on the screen, see Points.
+  /// The corners of a triangle: x and y in pixels, and the order of depth in z.
   using Corners = std::array<glm::dvec3, 3>;
 
-  /// Set Points to those of a mesh.
+  /// Project the points of a mesh, and store the results in Points.
   void Project(const vtkNBufferMesh& mesh, const double toWorld[16]);
 
-  /// Whether a triangle may be seen whose height errs by at most `heightError` pixels.
+  /// Whether a triangle may be seen. Its height has an error of at most `heightError` pixels.
   bool MayBeSeen(const Corners& corners, double heightError, const Errors& errors) const;
 
   /// Whether a sample may be seen that is at most `distance` pixels away from a line on the screen
@@ -87,7 +87,7 @@ private:
   const vtkNBufferProjection& Projection;
   const vtkNBufferLevels& Levels;
   double SampleDistance;
-  /// x and y in pixels and the order of depth in z; NaN behind the eye.
+  /// The projected points: x and y in pixels, and the order of depth in z; NaN behind the eye.
   std::vector<glm::dvec3> Points;
 };
 

@@ -25,7 +25,7 @@ constexpr const char* Failure =
   "A shader for shadow volumes does not compile on this driver. Update the driver, and report its "
   "message.";
 
-// Away from the eye.
+// The polygon offset, away from the eye (see the header).
 constexpr float OffsetFactor = static_cast<float>(vtkNBufferDepthConvention::Sign) / 128;
 constexpr float OffsetUnits = static_cast<float>(vtkNBufferDepthConvention::Sign) * 2;
 
@@ -35,14 +35,14 @@ constexpr GLenum StencilNames[2][7] = { { GL_STENCIL_FUNC, GL_STENCIL_REF, GL_ST
   { GL_STENCIL_BACK_FUNC, GL_STENCIL_BACK_REF, GL_STENCIL_BACK_VALUE_MASK, GL_STENCIL_BACK_FAIL,
     GL_STENCIL_BACK_PASS_DEPTH_FAIL, GL_STENCIL_BACK_PASS_DEPTH_PASS, GL_STENCIL_BACK_WRITEMASK } };
 
-/// The capabilities that decide where and in which samples volumes are drawn. At first only
-/// GL_MULTISAMPLE is on.
+/// The capabilities that decide where and in which samples volumes are drawn. A Scope begins with
+/// GL_MULTISAMPLE enabled and the others disabled.
 constexpr GLenum Capabilities[] = { GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_COVERAGE,
   GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK, GL_DEPTH_CLAMP,
   GL_POLYGON_OFFSET_FILL };
 
 /// Sends values to new memory of the device, so that nothing waits for the draws of the last frame.
-/// Returns false if there is none.
+/// Returns false if there is no memory.
 template <typename T>
 bool SetData(GLenum target, vtkNBufferGL::Buffer& buffer, const std::vector<T>& values)
 {
@@ -266,7 +266,7 @@ bool vtkShadowCounter::Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTar
   glScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
   glStencilFunc(GL_NOTEQUAL, 0, 0xff);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-  // The triangle has the background's depth, which is farther than everything that was drawn.
+  // The triangle has the background's depth, so that it passes only where something was drawn.
   double range[2];
   glGetDoublev(GL_DEPTH_RANGE, range);
   glDepthRange(vtkNBufferDepthConvention::Background, vtkNBufferDepthConvention::Background);

@@ -16,11 +16,12 @@
  * what lies before the near plane, which z-fail never counts. Counts wrap modulo 256, so the order
  * of the faces does not matter; the caller ensures that no receiver is in 256 volumes at once.
  *
- * The near cap of an open mesh's volume may lie in a lit surface. The face then has the surface's
- * depth, and a fragment of equal depth fails the depth test, which is right. But another shader
- * program may compute a depth that is two units off, and its vertices may be rounded to the next
- * step of the subpixel grid (1/256 of a pixel). A polygon offset pushes such volumes away from the
- * eye by that much.
+ * If all triangles count (vtkShadowCounting::All), the near cap may lie in a lit surface. The cap
+ * then has the depth of the surface, and a fragment of equal depth fails the depth test, so that
+ * the surface stays lit. But the shader program of the volumes may compute a depth that is two
+ * units off, and its vertices may be rounded to the next step of the subpixel grid (1/256 of a
+ * pixel). A polygon offset pushes such volumes away from the eye by two units and by the change of
+ * their depth over 1/128 of a pixel.
  *
  * In a multisampled target, each sample has its own depth and count.
  */
@@ -48,12 +49,13 @@ class VTKNBUFFER_EXPORT vtkShadowCounter
 public:
   vtkShadowCounter();
 
-  /// Sends a volume to the device. Returns false, with the cause in `why`, if OpenGL refuses.
+  /// Sends a volume to the device, for Count() and Show(). Returns false, with the cause in `why`,
+  /// if OpenGL refuses.
   bool Upload(const vtkShadowVolume& volume, std::string& why);
 
   /**
-   * While it lives, the state for counting is set; when it ends, the state is restored. One scope
-   * serves for all lights of a frame.
+   * Sets the OpenGL state for counting, and restores the state at its end. One scope serves for all
+   * lights of a frame. The other functions, except Upload(), Show() and Release(), require it.
    */
   class Scope : public vtkNBufferGL::ScopedPass
   {
@@ -62,32 +64,33 @@ public:
   };
 
   ///@{
-  /// Sets all channels of a mask to lit, or the stencil buffer to a count, within the viewport.
+  /// Sets all channels of a mask to lit, or the stencil buffer to `start` modulo 256, within the
+  /// viewport (x, y, width and height in pixels).
   void ClearMask(const vtkShadowTarget& target, int mask, const int viewport[4]);
   void ClearStencil(const vtkShadowTarget& target, const int viewport[4], int start);
   ///@}
 
   /**
    * Counts the draws from `first` to the one before `last`. `volumeToClip` goes from the uploaded
-   * vertices to clip coordinates. If `fragments` is not null, the number of
-   * fragments that the volumes cover is added to it, whether or not they pass the depth test; where
-   * the target is multisampled, it is the number of their samples. This doubles the draws and waits
-   * for the device. Returns false, with the cause in `why`, if OpenGL refuses.
+   * vertices to clip coordinates. If `fragments` is not null, the number of fragments of the
+   * volumes is added to it, whether or not they pass the depth test; in a multisampled target it is
+   * the number of their samples. This doubles the draws and waits for the device. Returns false,
+   * with the cause in `why`, if OpenGL refuses.
    */
   bool Count(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
     const glm::dmat4& volumeToClip, const vtkShadowDraw* first, const vtkShadowDraw* last,
     long long* fragments, std::string& why);
 
-  /// Sets a channel of a mask to shadow where the count is not 0. Returns false, with the cause in
-  /// `why`, if OpenGL refuses.
+  /// Sets a channel of a mask to shadow where the count is not 0 and something has been drawn.
+  /// Returns false, with the cause in `why`, if OpenGL refuses.
   bool Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target, int mask, int channel,
     const int viewport[4], std::string& why);
 
   /**
    * Draws volumes for a debug view, without a depth test, into the colours of the framebuffer that
-   * is bound and the viewport that is set: the edges of triangles, blue for z-pass and orange for
-   * z-fail, or else fragments, each of which adds 1/255 to all channels. To be called within a
-   * ScopedPass. Returns false, with the cause in `why`, if OpenGL refuses.
+   * is bound and the viewport that is set. With `edges` it draws the edges of triangles, blue for
+   * z-pass and orange for z-fail; otherwise each fragment adds 1/255 to all channels. Call it
+   * within a ScopedPass. Returns false, with the cause in `why`, if OpenGL refuses.
    */
   bool Show(vtkOpenGLRenderWindow* window, const glm::dmat4& volumeToClip,
     const std::vector<vtkShadowDraw>& draws, bool edges, std::string& why);

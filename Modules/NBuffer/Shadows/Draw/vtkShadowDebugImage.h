@@ -27,12 +27,13 @@ namespace vtkShadowDebugImage
 using Color = std::array<unsigned char, 4>;
 using Image = std::vector<unsigned char>;
 
-/// The colour of a number, which is at least 0; 0 is transparent.
+/// The colour of a number on this scale. 0 is transparent.
 VTKNBUFFER_EXPORT Color GetHeat(int number);
 
 /**
- * Paints litmaps, one of them or the six of a point light. Each has a row of three squares, the
- * first row is the lowest. p goes to the right, q upwards, and lexels without receivers are dark:
+ * Paints `count` litmaps, one or the six of a point light, into an image of width x height pixels.
+ * Each litmap has a row of three squares; that of the first litmap is the lowest. p grows to the
+ * right, q grows upwards, and lexels without receivers are dark:
  *
  *     +-----------------+ +-----------------+ +-----------------+
  *     | nearest depth   | | farthest depth  | | occupied bins,  |
@@ -49,7 +50,7 @@ VTKNBUFFER_EXPORT Image PaintLitmaps(
 VTKNBUFFER_EXPORT Image PaintExtents(
   const std::vector<vtkShadowDraw>& draws, const int viewport[4]);
 
-/// Replaces the numbers in the first channel of an image by heat.
+/// Replaces each pixel of an image by the heat of the number in its first channel.
 VTKNBUFFER_EXPORT void PaintCounts(Image& image);
 }
 VTK_ABI_NAMESPACE_END

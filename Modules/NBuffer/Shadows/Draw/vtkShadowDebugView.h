@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkShadowDebugView
- * @brief Makes an image of the work behind the shadows of one light, and lays it over the picture.
+ * @brief Makes an image of how the shadows of one light were made, and lays it over the picture.
  *
  * The image is made when the plan, the volumes and the litmaps of the light exist, and is kept in
  * host memory. It is shown after the opaque props, also in later frames that use the same masks.
@@ -28,7 +28,7 @@ class VTKNBUFFER_EXPORT vtkShadowDebugView
 public:
   vtkShadowDebugView();
 
-  /// The work behind the shadows of a light.
+  /// What the image shows: how the shadows of a light were made.
   struct Subject
   {
     const vtkShadowLitmap* Litmaps = nullptr; ///< One, or the six of a point light.
@@ -39,16 +39,16 @@ public:
   };
 
   /**
-   * Makes the image. Returns false, with the cause in `why`, if OpenGL refuses. To be called within
-   * a vtkShadowCounter::Scope, whose state is restored.
+   * Makes the image. Returns false, with the cause in `why`, if OpenGL refuses. Call it within a
+   * vtkShadowCounter::Scope, whose state is restored.
    */
   bool Make(vtkOpenGLRenderWindow* window, vtkShadowPicture picture, const Subject& subject,
     vtkShadowCounter& counter, vtkShadowStatistics& statistics, std::string& why);
 
   /**
-   * Lays the image, if there is one, over the colours of the framebuffer that is bound, where the
-   * image is not transparent. Depth and opacity of the framebuffer stay. Returns false, with the
-   * cause in `why`, if OpenGL refuses. Restores the state.
+   * Blends the image, if there is one, over the colours of the framebuffer that is bound. Depth and
+   * opacity of the framebuffer stay. Returns false, with the cause in `why`, if OpenGL refuses.
+   * Restores the state.
    */
   bool Show(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics, std::string& why);
 

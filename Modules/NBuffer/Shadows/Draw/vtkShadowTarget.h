@@ -87,16 +87,16 @@ public:
   using SamplePlaces = vtkNBufferGL::SamplePlaces;
 
   /**
-   * Makes room for images of at least this size, for this many masks, with these samples. If
-   * textures on this device cannot have these samples, they get one for each pixel,
-   * HasRefusedSamples() is true, and `why` says why. Returns false, with the cause and a remedy in
-   * `why`, if OpenGL refuses that, too. Restores the draw and read framebuffer.
+   * Makes room for images of at least this size in pixels, for this many masks, with these samples
+   * of a pixel. If textures on this device cannot have these samples, they get one for each pixel,
+   * HasRefusedSamples() is true, and the cause is in `why`. Returns false, with the cause and a
+   * remedy in `why`, if OpenGL refuses that, too. Restores the draw and read framebuffer.
    */
   bool Reserve(vtkOpenGLRenderWindow* window, int width, int height, int masks,
     const SamplePlaces& samples, std::string& why);
 
   ///@{
-  /// The samples that the textures have, and whether Reserve() was given others.
+  /// The samples that the textures have, and whether the device refused those for Reserve().
   const SamplePlaces& GetSamples() const { return this->Samples; }
   bool IsMultisampled() const { return this->Samples.size() > 1; }
   bool HasRefusedSamples() const { return !this->RefusedSamples.empty(); }
@@ -132,8 +132,8 @@ public:
   bool ReadDepth(vtkOpenGLRenderWindow* window, const int viewport[4], std::vector<float>& depth,
     std::string& why);
 
-  /// Reads the shadow of a light likewise: 0 is lit, 255 is in shadow. `sample` is the number of a
-  /// sample; a negative number gives the mean of all samples.
+  /// Likewise reads the mask of a light, given by its number: 0 is lit, 255 is in shadow. `sample`
+  /// is the number of a sample; a negative number gives the mean of all samples.
   bool ReadMask(vtkOpenGLRenderWindow* window, const int viewport[4], std::size_t light, int sample,
     std::vector<unsigned char>& mask, std::string& why);
 
@@ -158,7 +158,7 @@ private:
   void Free();
 
   SamplePlaces Samples = { { { 0.5, 0.5 } } };
-  SamplePlaces RefusedSamples; ///< What Reserve() was given and could not have; else empty.
+  SamplePlaces RefusedSamples; ///< The samples that Reserve() could not provide, or empty.
   int Width = 0;
   int Height = 0;
   int Allocations = 0;

@@ -44,7 +44,7 @@ public:
    */
   const vtkShadowStageTimes& GetTimes() const { return this->Times; }
 
-  /// While it lives, calls of OpenGL count for a stage. Two of them must not overlap.
+  /// Measures the OpenGL calls of its lifetime as a piece of a stage. Scopes must not overlap.
   class VTKNBUFFER_EXPORT Scope
   {
   public:

@@ -16,8 +16,8 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 /**
- * A box along the axes, of light coordinates (p, q, s) or, where that is said, of the world's. It
- * is empty as constructed.
+ * An axis-aligned box in light coordinates (p, q, s) or, where a comment says so, in world
+ * coordinates. It is empty when constructed.
  */
 struct vtkShadowBlock
 {
@@ -26,14 +26,14 @@ struct vtkShadowBlock
 
   bool IsEmpty() const { return !(this->Low[2] <= this->High[2]); }
 
-  /// Returns true if the two boxes have a point in common, be it on their sides.
+  /// Returns true if the two boxes have a point in common. Boxes that only touch do.
   bool Meets(const vtkShadowBlock& other) const
   {
     return glm::all(glm::lessThanEqual(this->Low, other.High)) &&
       glm::all(glm::lessThanEqual(other.Low, this->High));
   }
 
-  /// Widens the box to hold the box from one corner to another.
+  /// Widens the box to hold another box, given by its lowest and highest corner.
   void Add(const glm::dvec3& low, const glm::dvec3& high)
   {
     this->Low = glm::min(this->Low, low);
@@ -43,7 +43,7 @@ struct vtkShadowBlock
   /// Widens the box to hold a point.
   void Add(const glm::dvec3& x) { this->Add(x, x); }
 
-  /// Widens the box to hold the segment from a to b, and what is at most radius[i] from it in
+  /// Widens the box to hold the segment from a to b and a margin of radius[i] around it in
   /// coordinate i.
   void AddSegment(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& radius)
   {
@@ -59,7 +59,7 @@ struct vtkShadowSlab
 };
 
 /**
- * The extent of the receivers in a part of a litmap, in 32 bytes. It is empty as constructed.
+ * The extent of the receivers in a part of a litmap, in 32 bytes. It is empty when constructed.
  */
 struct vtkShadowExtent
 {
@@ -69,7 +69,7 @@ struct vtkShadowExtent
   std::uint16_t Y0 = 0xffff;                             ///< The first row of the box of pixels.
   std::uint16_t X1 = 0;                                  ///< The column after the last one.
   std::uint16_t Y1 = 0;                                  ///< The row after the last one.
-  std::uint64_t Bins = 0; ///< Bit i is set if a receiver may lie in bin i of the depths.
+  std::uint64_t Bins = 0; ///< Bit i is set if a receiver may lie in bin i of the litmap's depths.
 
   bool IsEmpty() const { return this->X1 <= this->X0; }
 

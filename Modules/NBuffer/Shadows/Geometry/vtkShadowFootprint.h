@@ -27,7 +27,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 struct vtkShadowFootprint
 {
-  /// The footprint of all points.
+  /// Returns the footprint of all these points.
   template <typename Points>
   static vtkShadowFootprint Make(const Points& points, const vtkShadowLightSpace& space)
   {
@@ -39,8 +39,8 @@ struct vtkShadowFootprint
     return result;
   }
 
-  /// The footprint of the triangles that count alone. `points` must be those that the silhouette
-  /// was computed with.
+  /// Returns the footprint of the triangles that count only (vtkShadowSilhouette.h). `points` must
+  /// be those that the silhouette was computed with.
   static vtkShadowFootprint Make(const vtkShadowSilhouette& silhouette,
     const vtkShadowPoints& points, const vtkShadowLightSpace& space)
   {
@@ -59,8 +59,10 @@ struct vtkShadowFootprint
     this->Bounds.Add(point);
   }
 
-  vtkShadowBlock Bounds; ///< The box around the points in the world.
-  vtkShadowBlock Block;  ///< p, q and s. For a positional light p and q mean nothing if near <= 0.
+  vtkShadowBlock Bounds; ///< The box around the points in world coordinates.
+  /// The box around them in light coordinates. For a positional light its p and q mean nothing if
+  /// its least s is not positive.
+  vtkShadowBlock Block;
 };
 
 /// A caster, or some of its triangles, as one light sees it.

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkShadowLight.h
- * @brief A light that casts shadows, as geometry, and the light coordinates (p, q, s) around it.
- * No OpenGL.
+ * @brief The geometry of a light that casts shadows, and its light coordinates (p, q, s). No
+ * OpenGL.
  *
- * A light sees the world along its rays. (p, q) names the ray, s the place on it:
+ * A light sees the world along its rays. (p, q) names a ray, and s is the place on the ray:
  *
  *      directional light                     spot or point light at L
  *
@@ -17,8 +17,8 @@
  *     -+---+---+---+---+-  s = 2                -/----+----\-    s = 2
  *     p=-2 -1  0   1   2                    p=-1/2  p=0   p=1/2
  *
- * d is the unit axis, away from the light. u and v are the unit directions of p and q: u, v and d
- * are perpendicular to each other. Then
+ * d is the unit vector along the axis; it points away from the light. u and v are the unit vectors
+ * along which p and q grow. u, v and d are perpendicular to each other. Then
  *
  *     directional   s = X . d,        p = X . u,            q = X . v          (world units)
  *     positional    s = (X - L) . d,  p = (X - L) . u / s,  q = (X - L) . v / s,  for s > 0
@@ -26,7 +26,7 @@
  * p and q are constant along a ray, and s increases along it, linearly in space. s is measured
  * along the axis and is not the distance from the light. So surfaces s = const are planes, and a
  * flat shape that is extruded onto one of them stays flat. (X. Decoret, "N-Buffers for efficient
- * depth map query", Computer Graphics Forum 24(3), 2005, section 3.3 has projected depths instead.)
+ * depth map query", Computer Graphics Forum 24(3), 2005, section 3.3, uses projected depths.)
  *
  * All numbers are doubles, all points are in world coordinates.
  */
@@ -79,13 +79,13 @@ struct VTKNBUFFER_EXPORT vtkShadowLight
    * anticlockwise as seen from the light (the normal by the right-hand rule points to the light),
    * and -1 if they go round clockwise. It is 0 if the light sees the triangle edge-on, if the
    * triangle has no area, or if a coordinate is NaN. Compute it once for each triangle and store
-   * it: the sides of a triangle's edges must agree.
+   * it, so that all edges of the triangle use the same value.
    */
   int GetFacing(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const;
 
-  /// The cosine of the angle of a spot's cone, which counts as a hundredth of a degree wider: a
-  /// point is in the cone if the cosine of its angle from the axis is at least this. It is -1 for
-  /// kinds without a cone.
+  /// The cosine of ConeAngle plus 0.01 degrees, or of 180 degrees if that is less. A point counts
+  /// as inside a spot's cone if the cosine of its angle from the axis is at least this value. It is
+  /// -1 for the kinds without a cone.
   double GetConeCosine() const;
 };
 
@@ -95,11 +95,11 @@ struct VTKNBUFFER_EXPORT vtkShadowLight
 class VTKNBUFFER_EXPORT vtkShadowLightSpace
 {
 public:
-  /// The coordinates around the axis of a directional or spot light.
+  /// The light coordinates around the axis of a directional or spot light.
   explicit vtkShadowLightSpace(const vtkShadowLight& light);
 
-  /// The coordinates of a positional light around another axis, which is normalised here and must
-  /// not be null.
+  /// The light coordinates of a spot or point light around another axis, in world coordinates. The
+  /// axis may have any length except 0.
   vtkShadowLightSpace(const vtkShadowLight& light, const glm::dvec3& axis);
 
   bool IsPositional() const { return this->Positional; }

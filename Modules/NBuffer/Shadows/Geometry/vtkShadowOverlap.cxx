@@ -46,7 +46,8 @@ long long vtkShadowOverlap::GetBound(const std::vector<Item>& items)
       ? static_cast<std::size_t>(std::clamp((value - all.Low[i]) / width, 0.0, size - 1.0))
       : 0;
   };
-  // Each item is entered into the differences between cells by the four corners of its rectangle.
+  // Each item changes only four cells, at the corners of its rectangle. The sums over rows and
+  // columns below then add its weight to every cell of the rectangle.
   std::vector<long long> grid(row * row, 0);
   for (const Item& item : items)
   {

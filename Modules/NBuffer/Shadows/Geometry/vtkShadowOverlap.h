@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkShadowOverlap.h
- * @brief How many things one ray of a light can meet at most, from their ranges of rays. No OpenGL.
+ * @brief An upper bound of how many things one ray of a light meets. No OpenGL.
  */
 #ifndef vtkShadowOverlap_h
 #define vtkShadowOverlap_h
@@ -17,18 +17,19 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace vtkShadowOverlap
 {
-/// Several things on the same rays: those from Low to High in p and q.
+/// Things that cover the same rectangle of rays, from Low to High in (p, q).
 struct Item
 {
   glm::dvec2 Low = glm::dvec2(std::numeric_limits<double>::infinity());
   glm::dvec2 High = glm::dvec2(-std::numeric_limits<double>::infinity());
-  int Weight = 1; ///< How many things these are.
+  int Weight = 1; ///< The number of these things.
 };
 
 /**
- * An upper bound of the weights of all items on one ray. It is the largest sum over the items that
- * touch one cell of a grid over all of them, with about four cells for each item. Items with a
- * coordinate that is not finite count in every cell. The cost is linear in their number.
+ * Returns an upper bound of the sum of the weights of the items that one ray meets. A grid covers
+ * all items, with about four cells for each item and at most 1024 x 1024. The bound is the largest
+ * sum of the weights of the items that touch one cell. An item with a coordinate that is not finite
+ * counts in every cell. The cost is linear in the number of items.
  */
 VTKNBUFFER_EXPORT long long GetBound(const std::vector<Item>& items);
 }

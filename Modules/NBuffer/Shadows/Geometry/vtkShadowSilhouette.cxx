@@ -14,8 +14,9 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// Says for each component of a closed mesh whether it is wound inside out: then its signed volume
-/// is negative. Volumes are relative to a corner of the component, where most digits are left.
+/// Returns for each component of a closed mesh whether it is wound inside out, which means that its
+/// signed volume is negative. Coordinates are taken relative to a corner of the component, so that
+/// the fewest digits are lost.
 std::vector<bool> FindInsideOut(const vtkShadowTopology& topology, const vtkShadowPoints& points)
 {
   const std::size_t count = static_cast<std::size_t>(topology.GetNumberOfComponents());
@@ -42,9 +43,9 @@ std::vector<bool> FindInsideOut(const vtkShadowTopology& topology, const vtkShad
   return insideOut;
 }
 
-/// An upper bound of how many of the triangles one ray of the light can meet. Where all triangles
-/// have light coordinates, it is how many bounding rectangles in p and q overlap; otherwise it is
-/// the number of triangles.
+/// An upper bound of how many of the triangles one ray of the light can meet. If all corners have
+/// light coordinates (s > 0), it follows from the overlap of the triangles' bounding rectangles in
+/// p and q. Otherwise it is the number of triangles.
 int BoundOverlap(
   const std::vector<int>& triangles, const vtkShadowPoints& points, const vtkShadowLight& light)
 {
@@ -129,7 +130,7 @@ void vtkShadowSilhouette::ComputePushes(
   const vtkShadowTopology& topology, const vtkShadowPoints& points, const vtkShadowLight& light)
 {
   constexpr double alongNormal = 0x1p-18; // in units of a triangle's longest side
-  constexpr double leastCosine = 0.125;   // Depth cuts what the light grazes anyway.
+  constexpr double leastCosine = 0.125;   // Where rays graze, the depth test cuts volumes anyway.
   this->Pushes.assign(static_cast<std::size_t>(topology.GetNumberOfPoints()), glm::dvec3(0.0));
   for (std::size_t t = 0; t < this->Triangles.size(); t += 3)
   {

@@ -4,8 +4,9 @@
  * @class vtkShadowSilhouette
  * @brief A caster as one light sees it: the triangles that count, and their outline. No OpenGL.
  *
- * A point P is in shadow of a caster if m(P) is not 0. m(P) is the number of the caster's triangles
- * that count and that the open segment from the light to P crosses. Which triangles count:
+ * A point P is in shadow of a caster if m(P) is not 0. m(P) is the number of triangles of the
+ * caster that the open segment from the light to P crosses, where only some triangles count. (The
+ * segment of a directional light comes from infinity.) There are two ways to choose these:
  *
  *      Away: a closed caster,                     All: an open caster,
  *      the light outside                          or the light or the eye inside
@@ -18,17 +19,17 @@
  *             :::    m = 1: in shadow                   :::::
  *
  *  - Away: the triangles that face away from the light count (m is 1 beyond a convex caster). The
- *    shadow begins where the light would leave the caster. Nothing is seen inside of the caster.
- *    On its lit surface, where a cap would lie in the surface itself, there is no cap.
- *  - All: every triangle counts, each turned towards the light (m is 2 beyond a convex caster).
+ *    shadow begins where the light would leave the caster. This is correct because nothing inside
+ *    of the caster is seen. Its advantage is that no cap of the volume lies in the lit surface.
+ *  - All: every triangle counts and is turned towards the light (m is 2 beyond a convex caster).
  *    This is for a light inside the caster, for a caster whose inside is seen because the near
  *    plane cuts it, and for open or badly wound meshes.
  *
- * Both agree on what is in shadow outside of the caster and on its lit surface.
+ * Outside of the caster and on its lit surface, the same points are in shadow in both ways.
  *
  * The outline (the silhouette) consists of the edges at which the signed uses by triangles that
- * count do not cancel. Its multiplicity is the number of uses that are left over: a shadow volume
- * has that many sides there. Meshes need not be manifold.
+ * count do not cancel (vtkShadowTopology.h). The multiplicity of an edge is the number of uses that
+ * are left over: a shadow volume has that many sides there. Meshes need not be manifold.
  *
  *      as the light sees it
  *      D-----------C
@@ -37,8 +38,8 @@
  *      | /         |     one use: multiplicity 1, From -> To is A -> B, B -> C, C -> D, D -> A.
  *      A-----------B
  *
- * One stored sign for each triangle decides everything (vtkShadowLight::GetFacing). Triangles that
- * the light sees edge-on have sign 0 and do not count.
+ * Triangles and outline follow from one stored sign for each triangle (vtkShadowLight::GetFacing).
+ * Triangles that the light sees edge-on have sign 0 and do not count.
  *
  * A silhouette stays valid until the mesh, its matrix or the light changes. It does not depend on
  * cameras and receivers.
@@ -53,7 +54,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-/// Which triangles m(P) counts. Each is turned towards the light.
+/// Which triangles m(P) counts, see above. Each is turned towards the light.
 enum class vtkShadowCounting
 {
   Away, ///< Triangles that face away from the light: for closed meshes with the light outside.
@@ -73,15 +74,15 @@ public:
   };
 
   /**
-   * Computes triangles and outline. `points` are the world coordinates of the topology's merged
-   * points, moved by an invertible affine matrix. A `counting` of Away is replaced by All unless
-   * the topology is closed. Components of closed meshes that are wound inside out in world
-   * coordinates are turned round.
+   * Computes triangles and outline. `points` are the topology's merged points in world coordinates,
+   * where an invertible affine matrix has moved them. All replaces a `counting` of Away if the
+   * topology is not closed. With Away, a component that is wound inside out in world coordinates
+   * is treated as if its winding were reversed.
    */
   void Compute(const vtkShadowTopology& topology, const vtkShadowPoints& points,
     const vtkShadowLight& light, vtkShadowCounting counting);
 
-  /// The counting that was used.
+  /// The counting that Compute() used.
   vtkShadowCounting GetCounting() const { return this->Counting; }
 
   /// The triangles that count: three merged points each, anticlockwise as seen from the light.
@@ -91,23 +92,23 @@ public:
   const std::vector<Edge>& GetEdges() const { return this->Edges; }
 
   /**
-   * An upper bound of m(P), for the range of the stencil. It is the largest number of triangles
-   * that count over one cell of a grid in the light's view, or the number of all of them if the
-   * caster is around the light. For meshes that are proven to be convex it is at most 1 (Away) or 2
-   * (All).
+   * An upper bound of m(P), from which the range of the stencil follows. It is the largest number
+   * of triangles that count and touch one cell of a grid over p and q (vtkShadowOverlap.h). If the
+   * caster surrounds the light, it is the number of all triangles that count. For meshes that are
+   * proven to be convex it is at most 1 (Away) or 2 (All).
    */
   int GetMaximumCount() const { return this->MaximumCount; }
 
   /**
-   * How far beyond each merged point, along its light ray, the volume begins where lit triangles
-   * count (All): one world vector for each point. With Away it is empty.
+   * With All, a vector in world coordinates for each merged point, away from the light along the
+   * ray through the point. The near cap has the point moved by this vector. With Away it is empty.
    *
-   * The near cap lies in the lit surface, which VTK draws with other roundings: both are cut at the
-   * borders of the view, with errors in proportion to the whole triangle. A quad of 14 km was seen
-   * 3.5 mm off its plane, which is 2^-22 of its size (commit 075d83b). The push is sixteen times
-   * that, along the normal, and keeps the surface on the lit side. What lies behind the surface but
-   * nearer to it than the push is lit. For triangles of the size of the view the push is far below
-   * a step of depth.
+   * Without the push the near cap would lie in the lit surface, which VTK draws with other rounding
+   * errors: cap and surface are clipped at the borders of the view, with errors in proportion to
+   * the whole triangle. A quad of 14 km was drawn 3.5 mm off its plane, which is 2^-22 of its size
+   * (commit 075d83b). Measured along the normal, the push is sixteen times that, so that the
+   * surface stays lit. What lies behind the surface, but nearer to it than the push, is lit, too.
+   * For triangles of the size of the view the push is far smaller than a step of depth.
    */
   const std::vector<glm::dvec3>& GetPushes() const { return this->Pushes; }
 

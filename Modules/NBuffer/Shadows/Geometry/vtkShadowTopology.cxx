@@ -16,7 +16,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// The hash of coordinates: -0 and 0, which are equal, have the same.
+/// The hash of coordinates. -0 and 0 have the same hash, because they are equal.
 struct PointHash
 {
   std::size_t operator()(const glm::dvec3& x) const
@@ -27,9 +27,9 @@ struct PointHash
   }
 };
 
-/// Six times the volume of tetrahedron (a, b, c, d), and a bound of its error. The volume is
-/// positive if d lies behind triangle (a, b, c), from where its corners go round clockwise. An
-/// error of 0 means that the volume is exact.
+/// Six times the signed volume of tetrahedron (a, b, c, d), and a bound of its rounding error. The
+/// volume is positive if d lies behind triangle (a, b, c): seen from d, the corners go round
+/// clockwise. An error of 0 means that the volume is exact.
 struct TetrahedronVolume
 {
   TetrahedronVolume(
@@ -49,8 +49,8 @@ struct TetrahedronVolume
       const bool isZero = (v[j] == 0.0 || w[k] == 0.0) && (v[k] == 0.0 || w[j] == 0.0);
       exact = exact && (u[i] == 0.0 || isZero);
     }
-    // More than orient3d's bound (J. R. Shewchuk, "Adaptive precision floating-point arithmetic and
-    // fast robust geometric predicates", 1997), and than what underflow can take away.
+    // This is more than the bound of orient3d (J. R. Shewchuk, "Adaptive precision floating-point
+    // arithmetic and fast robust geometric predicates", 1997) plus what underflow can lose.
     this->Error = exact ? 0.0 : 8.0 * 0x1p-53 * magnitude + 1e-290;
   }
 
@@ -159,7 +159,8 @@ void vtkShadowTopology::BuildEdges()
 
 void vtkShadowTopology::BuildComponents()
 {
-  // Union-find: each triangle points to a lower one of its component, the lowest to itself.
+  // Union-find: each triangle points to a triangle with a lower number in its component. The lowest
+  // one points to itself.
   std::vector<int>& parents = this->Components;
   parents.resize(static_cast<std::size_t>(this->GetNumberOfTriangles()));
   std::iota(parents.begin(), parents.end(), 0);
@@ -181,7 +182,7 @@ void vtkShadowTopology::BuildComponents()
       parents[std::max(x, y)] = std::min(x, y);
     }
   }
-  // In ascending order all lower entries are numbers of components already.
+  // In ascending order, all lower entries have already been replaced by numbers of components.
   for (int t = 0; t < this->GetNumberOfTriangles(); ++t)
   {
     parents[t] = parents[t] == t ? this->NumberOfComponents++ : parents[parents[t]];
@@ -189,11 +190,12 @@ void vtkShadowTopology::BuildComponents()
 }
 
 /**
- * With a point that is behind all triangles' planes, the view from there is a covering of the
- * sphere of directions, branched at corners only. Solid angles of 4 pi in all make it a simple one:
- * the surface bounds a star-shaped body. If no edge is concave, that body is convex (H. Tietze,
- * 1928). Convex edges alone do not suffice, nor with the Euler characteristic of a sphere: the
- * bipyramid over a pentagram has both.
+ * First, the mean of all points must lie behind the planes of all triangles. Seen from there, the
+ * surface covers the sphere of directions, branched at corners only. If the solid angles of all
+ * triangles add up to 4 pi, it covers every direction once, and so bounds a star-shaped body.
+ * Second, no edge may be concave. Then that body is convex (H. Tietze, 1928). The second condition
+ * alone does not suffice, not even with the Euler characteristic of a sphere: the bipyramid over a
+ * pentagram fulfils both.
  */
 bool vtkShadowTopology::ProveConvex() const
 {
@@ -227,13 +229,13 @@ bool vtkShadowTopology::ProveConvex() const
     }
     solidAngle += GetSolidAngle(a - centre, b - centre, c - centre);
   }
-  // A multiple of 4 pi, up to rounding.
+  // The sum is a multiple of 4 pi, up to rounding, so that it is 4 pi if it is less than 6 pi.
   if (!(solidAngle < 6.0 * vtkMath::Pi()))
   {
     return false;
   }
 
-  // The corner of a triangle that one of its edges does not use.
+  // The corner of a triangle that lies opposite to one of its edges.
   const auto getOpposite = [this](const Edge& edge, const Use& use)
   {
     const int* corners = this->Triangles.data() + 3 * std::size_t(use.Triangle);

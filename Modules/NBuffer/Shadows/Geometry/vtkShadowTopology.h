@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkShadowTopology
- * @brief Which triangles of a caster share which edges, whatever the mesh. No OpenGL.
+ * @brief Which triangles of a caster share which edges, for any mesh. No OpenGL.
  *
- * Points are merged if their coordinates are equal to the bit (-0 equals 0). So meshes that repeat
- * points for normals or texture coordinates are closed all the same. Edges are undirected pairs of
- * merged points. Each edge has a list of its uses: the triangle, and whether the triangle runs
- * along the edge (+1) or against it (-1). Nothing is demanded of the mesh: open edges have one use,
- * non-manifold edges have three or more, and edges between badly wound triangles have two of the
- * same direction (B. Kim, K. Kim, G. Turk, "A shadow-volume algorithm for opaque and transparent
- * nonmanifold casters", Journal of Graphics Tools 13(3), 2008).
+ * Points are merged if their coordinates are equal to the bit (-0 equals 0). So a mesh is closed
+ * even if it repeats points to give them several normals or texture coordinates. An edge is a pair
+ * of merged points, the one with the lower number first. Each edge has a list of its uses: the
+ * triangle, and whether the triangle runs along the edge (+1) or against it (-1). Any mesh is
+ * allowed: open edges have one use, non-manifold edges have three or more, and edges between badly
+ * wound triangles have two of the same direction (B. Kim, K. Kim, G. Turk, "A shadow-volume
+ * algorithm for opaque and transparent nonmanifold casters", Journal of Graphics Tools 13(3),
+ * 2008).
  *
  *        2           edge {1, 2} of triangles T0 = (0, 1, 2) and T1 = (1, 3, 2):
  *       /|\            T0 runs from 1 to 2, along the edge: +1
@@ -24,8 +25,7 @@
  * no area, and their edges cancel), and those with a coordinate that is not finite.
  *
  * The topology depends only on the coordinates before any matrix is applied, so it is built once
- * for each mesh: an invertible affine matrix moves equal points to equal places, and keeps convex
- * what is convex.
+ * for each mesh: an invertible affine matrix keeps equal points equal and convex bodies convex.
  *
  * The cost is a hash of the points and a sort of the edges, O(n log n).
  */
@@ -64,17 +64,17 @@ public:
   };
 
   /**
-   * Builds the topology. `triangles` holds three indices of points for each triangle, at most
-   * 2^31 / 3 triangles. A triangle with an index out of range is left out as if a coordinate were
-   * not finite.
+   * Builds the topology. `triangles` holds three indices into `points` for each triangle, for at
+   * most 2^31 / 3 triangles. A triangle with an index out of range is left out and counted like
+   * one with a coordinate that is not finite.
    */
   void Build(const vtkShadowPoints& points, const std::vector<vtkIdType>& triangles);
 
-  /// The merged points that triangles use, in the order of their first use.
+  /// The merged points that the kept triangles use, in the order of their first use.
   const vtkShadowPoints& GetPoints() const { return this->Points; }
   int GetNumberOfPoints() const { return static_cast<int>(this->Points.size()); }
 
-  /// Three merged points for each triangle that was kept, wound as given.
+  /// The numbers of three merged points for each triangle that was kept, in the given winding.
   const std::vector<int>& GetTriangles() const { return this->Triangles; }
   int GetNumberOfTriangles() const { return static_cast<int>(this->Triangles.size() / 3); }
 
@@ -84,8 +84,8 @@ public:
   /// The uses of all edges. Those of one edge are in the order of their triangles.
   const std::vector<Use>& GetUses() const { return this->Uses; }
 
-  /// For each triangle the number, from 0, of its component: the part of the mesh that is connected
-  /// by edges.
+  /// For each triangle the number of its component, from 0. A component is a part of the mesh that
+  /// is connected by edges.
   const std::vector<int>& GetComponents() const { return this->Components; }
   int GetNumberOfComponents() const { return this->NumberOfComponents; }
 
@@ -93,15 +93,16 @@ public:
   vtkIdType GetNumberOfDegenerates() const { return this->Degenerates; }
 
   /**
-   * Returns true if every edge is run along as often as against. Then the surface is closed, and
-   * every line that enters it leaves it. Only then may a volume be made of the lit triangles alone.
+   * Returns true if every edge has as many uses along it (+1) as against it (-1). Then the surface
+   * is closed: a line that enters it also leaves it. Only then may a shadow volume be made of the
+   * triangles that face away from the light alone (vtkShadowCounting::Away).
    */
   bool IsClosed() const { return this->Closed; }
 
   /**
    * Returns true if the surface is proven to be that of one convex body, wound outwards or inwards.
-   * Rounding errors are bounded: a surface for which it cannot be decided is not convex. Spheres,
-   * whose coordinates are rounded off the sphere, mostly are not; boxes are.
+   * The proof takes rounding errors into account. If they leave the answer open, this returns
+   * false. It is true for boxes, and false for most spheres, whose points are rounded.
    */
   bool IsConvex() const { return this->Convex; }
 

@@ -8,11 +8,12 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// What rounding may do to the terms of a plane's equation, in units of the terms, generously.
+/// A generous bound of the rounding error of a plane's equation, relative to the sum of the
+/// magnitudes of its terms.
 constexpr double Rounding = 1e-9;
 
-/// Returns true for the planes of triangles in one plane, as far as doubles can tell. The tolerance
-/// is far below what Rounding is for.
+/// Returns true if two planes are equal up to the rounding of doubles. `distance` is the distance
+/// of a point in the plane from the apex. The tolerance is far smaller than Rounding.
 bool IsSame(const glm::dvec4& plane, const glm::dvec4& other, double distance)
 {
   constexpr double tolerance = 1e-14;
@@ -22,7 +23,7 @@ bool IsSame(const glm::dvec4& plane, const glm::dvec4& other, double distance)
     std::abs(plane[3] - other[3]) <= tolerance * distance;
 }
 
-/// The plane of a triangle that goes round anticlockwise as seen from the light.
+/// The plane of a triangle whose corners go round anticlockwise as seen from the light.
 glm::dvec4 GetPlane(
   const int* corners, const vtkShadowPoints& points, const vtkShadowLightSpace& space)
 {
@@ -34,8 +35,8 @@ glm::dvec4 GetPlane(
     glm::dot(normal, space.GetAxis()), glm::dot(normal, a - space.GetApex()) };
 }
 
-/// The side from a to b of a triangle in p and q, whose third corner is c. It is all zero where c
-/// is too close to the side's line to tell on which side of it the triangle lies.
+/// The side from a to b of triangle (a, b, c) in p and q (vtkShadowUmbra::Facet::Sides). It is all
+/// zero if c is so close to the line through a and b that rounding may move it across.
 glm::dvec3 GetSide(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 {
   const glm::dvec2 normal = { b[1] - a[1], a[0] - b[0] };
@@ -51,7 +52,7 @@ glm::dvec3 GetSide(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c
   return { outwards[0], outwards[1], glm::dot(outwards, a) };
 }
 
-/// The part of a block that lies on these rays.
+/// The part of a block that lies on the rays of another one.
 vtkShadowBlock GetCommon(const vtkShadowBlock& block, const vtkShadowBlock& rays)
 {
   vtkShadowBlock common = block;
@@ -151,7 +152,7 @@ bool vtkShadowUmbra::IsBefore(const vtkShadowBlock& block, const Plane& plane) c
     largest += getLargest(plane[2], low[2], high[2]);
     terms += getTerm(plane[2], low[2], high[2]);
   }
-  // False for what is not finite.
+  // This is false if any value is not finite.
   return largest - plane[3] < -Rounding * (terms + std::abs(plane[3]));
 }
 
@@ -166,7 +167,7 @@ bool vtkShadowUmbra::Meets(const vtkShadowBlock& block, const Facet& facet)
         for (int i = 0; i < 2; ++i)
         {
           const double factor = side[i];
-          // Not 0 times infinity.
+          // A factor of 0 has a case of its own, because 0 times infinity is NaN.
           least += factor > 0.0 ? factor * block.Low[i]
             : factor < 0.0      ? factor * block.High[i]
                                 : 0.0;

@@ -5,35 +5,34 @@
  * @brief Where a caster's shadow can reach, in light coordinates. No OpenGL.
  *
  * A point P is in shadow of a caster if the segment from the light to P crosses a triangle that
- * counts (vtkShadowSilhouette.h). Then all of this holds for one of these triangles:
+ * counts (vtkShadowSilhouette.h). Then all three of these conditions hold for such a triangle:
  *
  *            light
  *             /|\
  *            / | \
- *     near  +  |  \       1. P lies on one of the triangle's rays: in p and q it is inside.
+ *     near  +  |  \       1. P lies on one of the triangle's rays: its (p, q) is inside.
  *           : \|   \      2. P is no nearer to the light than the nearest corner: s >= near.
  *           :  |\   \     3. P lies beyond the triangle's plane: a segment crosses a plane
  *           :  P  \  \       once, from the light's side to the other.
  *           :       \ \
  *           :         +
  *
- * A point for which this holds for no triangle is not in shadow of the caster, whatever the shape
- * of the caster. That leaves out the caster's lit side where triangles that face away count,
- * everything that the light meets before the caster, and what stands in the corner of a building
- * with wings. A ground that has a thickness counts only with its lower side and its walls: it
- * shadows nothing that stands on it.
+ * A point for which no triangle fulfils all three is not in shadow of the caster, whatever the
+ * caster's shape. This excludes the caster's own lit side (if the triangles that face away count),
+ * everything that the light meets before the caster, and what stands between the wings of a
+ * building. It also excludes what stands on a ground that has a thickness: of such a ground only
+ * the lower side and the walls count.
  *
- * If at most 64 triangles count, each of them is tested. Otherwise the test uses the ranges of p, q
- * and s of all of them, and whether P lies beyond any of their planes if these are at most 64;
- * consecutive triangles in one plane share it. (The planes of a sphere would say little more than
- * its nearest corner.)
+ * If at most 64 triangles count, each of them is tested. Otherwise conditions 1 and 2 are tested
+ * with the ranges of p, q and s of all triangles together. Condition 3 is then tested only if the
+ * triangles have at most 64 planes: P must lie beyond one of them. Consecutive triangles in one
+ * plane share it. (The planes of a sphere would say little more than its nearest corner.)
  *
- * Two more kinds of receivers need no shadow but are not recognised here: those whose surface faces
- * away from the light, and those on the caster's own unlit side. Depth alone is not enough to be
- * certain, and shading is not known here. Normals are interpolated and turned towards the camera,
- * so that a facet that faces away may be lit in part. And a sample that is as deep as an unlit
- * facet may belong to something just before it, a relief or a poster on a wall, which the wall has
- * to shadow.
+ * Two more kinds of receivers need no shadow, but depth alone cannot identify them with certainty.
+ * The first are receivers whose surface faces away from the light: VTK interpolates normals and
+ * turns them towards the camera, so that such a facet may be lit in part. The second are receivers
+ * on the caster's own unlit side: a sample as deep as an unlit facet may belong to something just
+ * before it (a relief or a poster on a wall), which the wall has to shadow.
  */
 #ifndef vtkShadowUmbra_h
 #define vtkShadowUmbra_h
@@ -56,8 +55,9 @@ public:
 
   /**
    * The umbra in the coordinates of `space`, whose light must be the silhouette's. `points` must be
-   * those that the silhouette was computed with. `rays` holds p and q of the triangles that count,
-   * infinite where they have none, and depths from their nearest corner on.
+   * those that the silhouette was computed with. `rays` bounds the umbra. In p and q it holds the
+   * triangles that count, and is infinite if they have no such coordinates. In s it begins at their
+   * nearest corner or later, and ends at infinity or where shadows are of no interest.
    */
   vtkShadowUmbra(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
     const vtkShadowLightSpace& space, const vtkShadowBlock& rays);
@@ -65,7 +65,7 @@ public:
   /// Returns false if no point in the block is on one of the rays, at any depth.
   bool MeetsRays(const vtkShadowBlock& block) const;
 
-  /// Returns false if no point in the block is in shadow.
+  /// Returns false if no point in the block, at the depths of `rays`, is in shadow.
   bool MayShadow(const vtkShadowBlock& block) const;
 
   /// Returns false if no point in either layer of a tile (vtkShadowTiles.h) is on one of the rays.
@@ -74,7 +74,7 @@ public:
     return this->MeetsRays(tile[0]) || this->MeetsRays(tile[1]);
   }
 
-  /// Returns false if no point in either layer of a tile is in shadow.
+  /// Returns false if no point in either layer of a tile, at the depths of `rays`, is in shadow.
   bool MayShadow(const std::array<vtkShadowBlock, 2>& tile) const
   {
     return this->MayShadow(tile[0]) || this->MayShadow(tile[1]);
@@ -89,9 +89,9 @@ private:
   struct Facet
   {
     Plane Beyond;        ///< Its plane.
-    vtkShadowBlock Rays; ///< The box around its corners.
-    /// Its sides as (a, b, c): a point inside has a p + b q <= c. A side is (0, 0, 0) where
-    /// rounding does not allow to tell.
+    vtkShadowBlock Rays; ///< The box around its corners in light coordinates.
+    /// Its sides as (a, b, c): a point inside has a p + b q <= c. A side is (0, 0, 0), and excludes
+    /// nothing, if rounding leaves open on which side of it the triangle lies.
     std::array<glm::dvec3, 3> Sides;
   };
 
@@ -99,11 +99,13 @@ private:
     const vtkShadowLightSpace& space);
   void AddPlanes(const std::vector<int>& corners, const vtkShadowPoints& points,
     const vtkShadowLightSpace& space);
+  /// Returns false if no point in the block is on a ray of the facet.
   static bool Meets(const vtkShadowBlock& block, const Facet& facet);
+  /// Returns true if no point in the block lies beyond the plane.
   bool IsBefore(const vtkShadowBlock& block, const Plane& plane) const;
 
   bool Positional;
-  vtkShadowBlock Rays;       ///< The range of rays of all triangles, and their nearest depth.
+  vtkShadowBlock Rays;       ///< What the constructor was given.
   std::vector<Facet> Facets; ///< Empty if triangles are not tested one by one.
   std::vector<Plane> Planes; ///< Empty if planes are not tested.
 };

@@ -9,7 +9,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// Where the near cap has point i.
+/// The position of merged point i in the near cap.
 glm::dvec3 GetNearPoint(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points, int i)
 {
   const std::vector<glm::dvec3>& pushes = silhouette.GetPushes();
@@ -17,8 +17,8 @@ glm::dvec3 GetNearPoint(const vtkShadowSilhouette& silhouette, const vtkShadowPo
 }
 }
 
-/// The vertices that stand for merged points on one side of the volume. Each is made when it is
-/// first needed.
+/// The vertices of the merged points in one cap of the volume. Each is made when it is first
+/// needed.
 class vtkShadowVolume::Image
 {
 public:

@@ -4,8 +4,8 @@
  * @class vtkShadowVolume
  * @brief The triangles of casters' shadow volumes, whole or clamped to slabs. No OpenGL.
  *
- * The triangles made here bound the set of points P with m(P) > 0 (vtkShadowSilhouette.h). Counted
- * with sign along any line from outside, they add up to m(P).
+ * The triangles made here bound the set of points P with m(P) > 0 (vtkShadowSilhouette.h). Along
+ * any line from outside to P, the front faces (+1) and back faces (-1) add up to m(P).
  *
  *               light
  *             /   |   \
@@ -17,20 +17,21 @@
  *       /  +=============+  \  far cap: the near cap turned round and moved away
  *                              from the light
  *
- * Where lit triangles count, the near cap is pushed away from the light by as much as rounding may
- * move it (vtkShadowSilhouette::GetPushes).
+ * If all triangles count (vtkShadowCounting::All), the near cap would lie in the lit surface. It is
+ * therefore pushed away from the light (vtkShadowSilhouette::GetPushes).
  *
- * Every corner of a volume is computed once for each merged point and shared by its index. So sides
- * and caps fit to the bit, and each piece is watertight. Front faces (anticlockwise) look outwards.
+ * The near and the far corner of each merged point are computed once, and triangles share them by
+ * index. So sides and caps fit to the bit, and each piece is watertight. Front faces
+ * (anticlockwise) look outwards.
  *
  * ## Whole and clamped
  *
  * The whole volume reaches to infinity: its far corners have w = 0. All far corners of a
  * directional light are one point, so that the sides are triangles and there is no far cap.
  *
- * A clamped piece is what lies between the planes s = near and s = far (vtkShadowLight.h). It holds
- * the same receivers as the whole volume if all receivers on the caster's rays have depths in this
- * slab.
+ * A clamped piece is the part of the volume between the planes s = near and s = far
+ * (vtkShadowLight.h). It holds the same receivers as the whole volume if all receivers on the
+ * caster's rays have depths in this slab. s_far is the depth of the caster's farthest point.
  *
  *         whole            the caster is nearer        the caster reaches
  *                          than the slab               into the slab
@@ -46,13 +47,13 @@
  *    the plane s = near and the sides begin there.
  *  - Otherwise the near cap is the caster's own triangles. It is never the plane for some vertices
  *    and the caster for others: a triangle that crosses the plane would be moved beyond its true
- *    surface, and what lies right behind that would lose its shadow.
+ *    surface, and what lies right behind this surface would lose its shadow.
  *
- * The far plane lies beyond the caster (far > s_far), since extruding would go backwards otherwise.
- * Both caps are always there. A cap in a plane is a fan with one triangle for each silhouette edge,
- * from a common point. (In Decoret 2005 it is the images of the triangles that count.) Both have
- * the same winding number everywhere, because they have the same boundary and a plane holds no
- * closed surface.
+ * The far plane lies beyond the caster (far > s_far); otherwise the sides would run towards the
+ * light. A clamped piece always has both caps. A cap in a plane is a fan of triangles, which join
+ * each silhouette edge to a common point. (Decoret 2005 projects the triangles that count to the
+ * plane instead.) Both kinds of cap have the same winding number everywhere, because they have the
+ * same boundary and a plane holds no closed surface.
  */
 #ifndef vtkShadowVolume_h
 #define vtkShadowVolume_h
@@ -68,8 +69,8 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKNBUFFER_EXPORT vtkShadowVolume
 {
 public:
-  /// Clears the volume. `origin` is the world position that vertices will be relative to. With the
-  /// eye as origin floats are finest near the eye.
+  /// Clears the volume. `origin` is the world position that vertices will be relative to. If it is
+  /// the eye, the vertices, which are floats, are most exact near the eye.
   void Begin(const glm::dvec3& origin);
 
   /**
@@ -80,9 +81,9 @@ public:
     const vtkShadowLight& light);
 
   /**
-   * Adds the part of a caster's volume that lies in the slab, see above. `casterFar` is the largest
-   * depth of its points in `space`, or more. For a positional light the depths of all points must
-   * be positive. A slab that ends before the caster does is extended to a little beyond it.
+   * Adds the part of a caster's volume that lies in the slab, see above. `casterFar` is at least
+   * the largest depth of its points in `space`. For a positional light the depths of all points
+   * must be positive. A slab that ends before the caster does is extended to a little beyond it.
    */
   void AddClamped(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
     const vtkShadowLightSpace& space, const vtkShadowSlab& slab, double casterFar);

@@ -27,10 +27,10 @@ constexpr double LexelCost = 75.0;
 constexpr double CoveredCost = 26.0;
 constexpr double Saving = 2.0 / 3.0;
 
-/// The number of triangles that the estimate looks at.
+/// The largest number of triangles that the estimate measures.
 constexpr std::size_t Budget = 4096;
 
-/// The fractional parts of its multiples are spread evenly and have no period.
+/// The fractional parts of this number's multiples are spread evenly and have no period.
 constexpr double GoldenRatio = 0.6180339887498949;
 
 using Polygon = std::vector<glm::dvec4>;
@@ -74,8 +74,8 @@ double EstimateFragments(
   Polygon rest;
   for (std::size_t k = 0; k < sampled; ++k)
   {
-    // The triangles are not taken at equal distances: volumes of similar casters have similar
-    // triangles at equal distances.
+    // Taking every n-th triangle would be biased, because the volumes of similar casters have
+    // similar triangles at equal distances.
     const double place = static_cast<double>(k) * GoldenRatio;
     const std::size_t t = sampled < triangles
       ? static_cast<std::size_t>((place - std::floor(place)) * static_cast<double>(triangles))

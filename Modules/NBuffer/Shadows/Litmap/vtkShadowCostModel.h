@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkShadowCostModel.h
- * @brief What drawing whole volumes costs, and whether litmaps would save more than they cost. No
+ * @brief Estimates the cost of whole volumes, and whether litmaps save more than they cost. No
  * OpenGL.
  *
  * Litmaps leave out at least about two thirds of what is drawn (nbuffer-bench shadow, scene simple,
@@ -14,8 +14,9 @@
  *     2/3 (fragments * cost + triangles * cost)
  *       >  samples * cost + faces * (lexels * cost + covered * cost)
  *
- * How many samples are not background is known only after the depth was read. Where it matters, the
- * number that was found last is used (vtkShadowMaskMaker::EstimateCovered).
+ * `samples` are all samples of the viewport, `covered` those that are not background. The latter
+ * are known only after the depth was read. If the decision depends on them, the number that was
+ * found last is used (vtkShadowMaskMaker::EstimateCovered).
  *
  * Costs in nanoseconds:
  *
@@ -27,8 +28,8 @@
  *     | a sample with depth, for each face    |        26          |    26   |
  *
  * The left column was fitted to llvmpipe on two cores (commits cf31101 and e218509), and so was
- * what the host does (lexels, samples, and 40 of a triangle). The costs of devices are assumed, no
- * measurement stands behind them. A wrong guess costs time, never a shadow.
+ * the host's work in both columns (lexels, samples, and 40 ns of a triangle). The costs of devices
+ * are assumptions that no measurement supports. A wrong one costs time, but changes no shadow.
  */
 #ifndef vtkShadowCostModel_h
 #define vtkShadowCostModel_h
@@ -42,21 +43,22 @@ class vtkShadowVolume;
 
 namespace vtkShadowCostModel
 {
-/// Estimates the number of triangles of a caster's whole volume before it is made.
+/// Estimates the number of triangles of a caster's whole volume before it is made. `positional` is
+/// true for spot and point lights.
 VTKNBUFFER_EXPORT long long CountTriangles(const vtkShadowSilhouette& silhouette, bool positional);
 
 /**
- * Estimates the fragments of a volume: the area of its triangles in the view, in pixels. Of more
- * than 4096 triangles 4096 are looked at, spread evenly. `volumeToClip` goes from vertices to clip
- * coordinates, `width` and `height` are the pixels of the viewport.
+ * Estimates the number of fragments of a volume: the area of its triangles in the view, in pixels.
+ * If there are more than 4096 triangles, it measures 4096 of them, spread evenly. `volumeToClip`
+ * goes from vertices to clip coordinates; `width` and `height` are those of the viewport in pixels.
  */
 VTKNBUFFER_EXPORT double EstimateFragments(
   const vtkShadowVolume& volume, const glm::dmat4& volumeToClip, int width, int height);
 
 /**
- * The rule above. `samples` is the number of samples of the receivers' depth, `covered` the number
- * of those that are not background, `lexels` the number of lexels of a litmap, and `faces` the
- * number of litmaps of the light, 1 or 6.
+ * Returns true if the rule above says that litmaps are worth their cost. `fragments` and
+ * `triangles` are those of all whole volumes of the light, `lexels` is the number of lexels of a
+ * litmap, and `faces` the number of litmaps of the light, 1 or 6.
  */
 VTKNBUFFER_EXPORT bool IsLitmapWorthIt(double fragments, long long triangles, long long samples,
   long long covered, long long lexels, int faces, bool softwareRenderer);

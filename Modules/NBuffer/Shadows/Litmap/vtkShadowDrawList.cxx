@@ -7,10 +7,11 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// What rounding may do to a distance from the near plane, in units of its terms, generously.
+/// A generous bound of the rounding error of a distance from the near plane, relative to the sum of
+/// the magnitudes of its terms.
 constexpr double Margin = 1e-6;
 
-/// How many of the triangles that count the ray from `origin` along `direction` crosses.
+/// Returns how many of the triangles that count the ray from `origin` along `direction` crosses.
 int CountCrossings(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
   const glm::dvec3& origin, const glm::dvec3& direction)
 {
@@ -21,14 +22,15 @@ int CountCrossings(const vtkShadowSilhouette& silhouette, const vtkShadowPoints&
     const glm::dvec3 a = points[triangles[t]] - origin;
     const glm::dvec3 b = points[triangles[t + 1]] - origin;
     const glm::dvec3 c = points[triangles[t + 2]] - origin;
-    // Anticlockwise as seen from the origin: the ray passes to the left of all three edges.
+    // The corners go round anticlockwise as seen from the origin, so the ray crosses the triangle
+    // if it passes to the left of all three edges.
     count += glm::dot(glm::cross(a, b), direction) < 0.0 &&
       glm::dot(glm::cross(b, c), direction) < 0.0 && glm::dot(glm::cross(c, a), direction) < 0.0;
   }
   return count;
 }
 
-/// A draw of what will be added to a volume next.
+/// A draw of the triangles that will be added to `volume` next.
 vtkShadowDraw MakeDraw(const vtkShadowPart& caster, const vtkShadowVolume& volume)
 {
   vtkShadowDraw draw;
@@ -86,7 +88,7 @@ void vtkShadowDrawList::AddDraw(
   }
   const int* viewport = this->Camera.Viewport;
   std::copy_n(viewport, 4, draw.Box);
-  // What the stencil begins with has to be taken away again everywhere.
+  // The stencil begins with Start in all pixels, so that the draw has to reach all pixels, too.
   if (boxes.empty() || draw.Start != 0 || !this->Camera.Boxes)
   {
     this->Draws.push_back(draw);

@@ -14,22 +14,25 @@
  *      eye ----(+1)-----R-----(-1)---->       z-fail: minus the sum of those behind R, here -(-1)
  *                                             Both are 1: R is in shadow.
  *
- * z-pass is right if the eye is outside of the piece: an eye inside of it has passed the (+1)
- * already. z-fail is always right. z-pass is used if the whole piece lies beyond the near plane,
- * where the eye never is. That is more than necessary: an eye outside of the piece would do, with
- * depth clamp in the place of near clipping. But then what reaches behind the eye is cut at w = 0,
- * where depths have no bound, and rasterisers that interpolate depth on the screen lose it all over
- * the triangle. With z-fail, what lies before the near plane is of no use and is cut off there.
+ * z-pass is right if the eye is outside of the piece: from an eye inside of it, the face with the
+ * (+1) is not before R. z-fail is always right. z-pass is used if the whole piece lies beyond the
+ * near plane, where the eye never is. This condition is stricter than necessary: an eye outside of
+ * the piece would suffice if depth clamp replaced clipping at the near plane. But then a triangle
+ * that reaches behind the eye is clipped at w = 0, where depths have no bound, and rasterisers that
+ * interpolate depth on the screen lose the depth of the whole triangle. With z-fail, what lies
+ * before the near plane never counts and is clipped away.
  *
- * With a parallel camera, lines of sight end at infinity, outside of every clamped piece. But whole
- * volumes reach to infinity themselves: for a directional light in its direction alone, for a
- * positional light in all directions in which a triangle counts. If lines of sight end inside of c
- * volumes, the stencil begins at c instead of 0, everywhere (vtkShadowDraw::Start).
+ * z-fail assumes that lines of sight end outside of all volumes. With a parallel camera they end at
+ * infinity, outside of every clamped piece. But whole volumes reach to infinity, too: that of a
+ * directional light only in the light's own direction, that of a positional light in all directions
+ * in which a triangle counts. If lines of sight, which are all parallel, end inside of c volumes,
+ * the stencil begins at c instead of 0, everywhere (vtkShadowDraw::Start).
  *
  * ## The range of the stencil
  *
- * A receiver is inside of at most as many volumes as the casters that its light ray can meet count.
- * Where the rectangles of rays of all casters bound that by 255, all casters are counted at once.
+ * The stencil count of a receiver is at most the sum of the largest counts of the casters that its
+ * light ray can meet (vtkShadowSilhouette::GetMaximumCount). The casters' rectangles in p and q
+ * bound this sum (vtkShadowOverlap.h). If it is at most 255, all casters are counted at once.
  *
  * ## Boxes
  *
@@ -54,13 +57,14 @@ VTK_ABI_NAMESPACE_BEGIN
 /// A run of a volume's triangles that are drawn in the same way.
 struct vtkShadowDraw
 {
-  int FirstIndex = 0;          ///< The first of its indices in the volume.
-  int NumberOfIndices = 0;     ///< The number of its indices.
+  int FirstIndex = 0;          ///< Where it begins in vtkShadowVolume::GetIndices().
+  int NumberOfIndices = 0;     ///< The number of its indices there.
   bool ZPass = false;          ///< True for z-pass, false for z-fail.
   int Box[4] = { 0, 0, 0, 0 }; ///< The pixels of the framebuffer to draw into: x, y, width, height.
-  int MaximumCount = 0;        ///< The largest number of times that a receiver is inside.
-  int Start = 0;               ///< What the stencil has to begin with in addition, see above.
-  /// True for caps in surfaces that may be lit: they are pushed away a little.
+  int MaximumCount = 0;        ///< The largest stencil count that a receiver can get from it.
+  int Start = 0;               ///< What it adds to the count that the stencil begins with.
+  /// True if the near cap lies in a surface that may be lit. A polygon offset then pushes the
+  /// triangles away from the eye (vtkShadowCounter.h).
   bool Offset = false;
   /// True if it repeats the triangles of the draw before in another box. Both count as one.
   bool Again = false;
@@ -71,40 +75,41 @@ class VTKNBUFFER_EXPORT vtkShadowDrawList
 public:
   using Boxes = std::vector<vtkNBufferRectangle>; ///< Pixels of the viewport.
 
-  /// The camera's part.
+  /// What the draws depend on besides light and casters.
   struct View
   {
-    /// The row z + w of the clip coordinates of (x, y, z, w) relative to the volume's origin. It is
-    /// positive beyond the near plane.
+    /// The near plane as a row: its product with a vertex (x, y, z, w) relative to the volume's
+    /// origin is z + w in clip coordinates, which is positive beyond the near plane.
     glm::dvec4 NearPlane = { 0.0, 0.0, 0.0, 1.0 };
 
     glm::dvec3 Direction = { 0.0, 0.0, -1.0 }; ///< Where the camera looks, in the world.
     bool Parallel = false;                     ///< True for parallel projection.
     int Viewport[4] = { 0, 0, 0, 0 };          ///< x, y, width, height in the framebuffer.
 
-    /// True to draw in boxes of pixels; not all devices keep to them
-    /// (vtkNBufferGL::KeepsToScissor).
+    /// True to draw into boxes of pixels, false to draw into the whole viewport. Not all devices
+    /// keep to scissor boxes (vtkNBufferGL::KeepsToScissor).
     bool Boxes = true;
   };
 
   /// `light` must outlive the list.
   vtkShadowDrawList(const vtkShadowLight& light, const View& view);
 
-  /// Adds the rays of a caster that will be drawn to what bounds the stencil.
+  /// Adds the rays of a caster that will be drawn, for IsCountBelow(). Rays that are not finite
+  /// stand for any ray.
   void AddRays(const vtkShadowSilhouette& silhouette, const vtkShadowBlock& rays);
 
   /// Adds the whole volume of a caster to `volume`, and its draws into these boxes, or everywhere
   /// if there are none.
   void AddWhole(const vtkShadowPart& caster, const Boxes& boxes, vtkShadowVolume& volume);
 
-  /// Adds a clamped piece of a caster's volume (vtkShadowVolume::AddClamped) and its draws.
+  /// Likewise adds a clamped piece of a caster's volume (vtkShadowVolume::AddClamped).
   void AddClamped(const vtkShadowPart& caster, const vtkShadowLightSpace& space,
     const vtkShadowSlab& slab, double casterFar, const Boxes& boxes, vtkShadowVolume& volume);
 
   /// The draws, in the order in which they were added.
   const std::vector<vtkShadowDraw>& GetDraws() const { return this->Draws; }
 
-  /// Returns true if no receiver is inside of all volumes drawn more often than this.
+  /// Returns true if no receiver can have a stencil count above `limit` when all volumes are drawn.
   bool IsCountBelow(int limit) const;
 
 private:

@@ -111,8 +111,8 @@ bool vtkShadowLitmap::Add(const glm::dvec3& a, const glm::dvec3& b, double radiu
     this->AddToLexels(i0, i1, j0, j1, receiver);
     return true;
   }
-  // Long segments are entered column by column: the part of the segment that is in the column,
-  // widened by the radius, and the rows that it passes there.
+  // A long segment is added column by column: the part of the segment in the column, widened by the
+  // radius, gives the rows that the segment passes there.
   const double slope = (b[1] - a[1]) / (b[0] - a[0]);
   for (int i = i0; i <= i1; ++i)
   {
@@ -227,7 +227,7 @@ vtkShadowExtent vtkShadowLitmap::Query(double p0, double q0, double p1, double q
 std::vector<vtkShadowSlab> vtkShadowLitmap::GetSlabs(const vtkShadowExtent& extent, int gap) const
 {
   const auto isSet = [&extent](int bin) { return (extent.Bins >> bin & 1) != 0; };
-  // Ten times the rounding of a depth's bin, and of the edges computed here.
+  // Ten times the rounding error of a depth's bin and of the edges that are computed here.
   const double rounding = 0x1p-48 * (std::abs(this->Depths.Low) + std::abs(this->Depths.High));
   std::vector<vtkShadowSlab> slabs;
   int bin = 0;

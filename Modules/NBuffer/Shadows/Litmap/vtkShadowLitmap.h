@@ -9,7 +9,7 @@
  * 2005, section 3.3) is an image from the light's point of view of what the camera sees. The paper
  * draws the scene again from the light and tests every pixel against the camera's depth, which
  * misses receivers. This one is made the other way round: every sample of the camera's depth is
- * scattered to the texels (lexels) where its light coordinates (p, q) may lie. There it widens
+ * scattered to the texels (lexels) where its light coordinates (p, q) may lie. In each it widens
  *
  *  - the range of depths [Near, Far] along the light's axis,
  *  - the box of pixels on the camera's screen,
@@ -23,8 +23,8 @@
  *        +---+---+---+---+                +---+---+---+---+   of R is not known exactly.
  *
  * So no receiver can be missed, whatever the resolution: the resolution decides only how tight the
- * answers are. All three are merges that may count the same receiver twice. That is what the levels
- * of an N-buffer need: four lookups answer for any rectangle of lexels.
+ * answers are. Merging the same receiver twice changes none of the three. The levels of an N-buffer
+ * require that, because their squares overlap: four lookups answer for any rectangle of lexels.
  *
  * vtkShadowReceivers.h says which samples are receivers, vtkShadowReceiverProjector.h where they
  * may lie.
@@ -51,47 +51,48 @@ public:
   static constexpr int MaximumResolution = 4096;
 
   /**
-   * Starts anew. The map has resolution x resolution lexels (1 to MaximumResolution) over the range
-   * of p and q. Receivers outside are put into the lexels of the border, where queries that reach
-   * outside find them. Bins divide the range of depths; receivers outside are in the first or the
-   * last bin. Memory is kept.
+   * Removes all receivers and sets the range. The litmap has resolution x resolution lexels (1 to
+   * MaximumResolution) over the range of p and q. Receivers outside of it go into the lexels of the
+   * border, where queries that reach outside find them. The bins divide the range of depths s;
+   * receivers outside of it go into the first or the last bin. Memory is kept.
    */
   void Begin(int resolution, const vtkShadowBlock& range);
 
   /**
-   * Adds a receiver that covers pixel (x, y), both below 65535. It lies somewhere on the segment
-   * from a to b in light coordinates (p, q, s), or at most `radius` from it in p and q. For a
-   * receiver whose place is known a = b. A radius of infinity puts it into all lexels. Returns
+   * Adds a receiver that covers pixel (x, y) of the viewport, both below 65535. It lies somewhere
+   * on the segment from a to b in light coordinates (p, q, s), or at most `radius` from it in p and
+   * q. If its place is known, a equals b. A radius of infinity puts it into all lexels. Returns
    * false, and adds nothing, if an end (or the sum of all coordinates) is not finite.
    */
   bool Add(const glm::dvec3& a, const glm::dvec3& b, double radius, int x, int y);
 
   /**
-   * Adds receivers that lie in one lexel, at depths from `extent.Near` to `extent.Far` and within
-   * its box of pixels. The bins of the extent are not used: all from Near to Far are set. Returns
-   * false, and adds nothing, for lexels outside of the map, empty boxes, and depths that are not
-   * finite or not in order.
+   * Adds receivers that lie in lexel (i, j), column and row, at depths from `extent.Near` to
+   * `extent.Far` and within the extent's box of pixels. extent.Bins is ignored: all bins from Near
+   * to Far are set. Returns false, and adds nothing, if the lexel is outside of the litmap, if the
+   * box is empty, or if the depths are not finite or not in order.
    */
   bool AddLexel(int i, int j, vtkShadowExtent extent);
 
-  /// Tells of a receiver that lies outside of a spot's cone by as much as rounding may do
-  /// (vtkShadowReceiverProjector.h): `angle` is its angle from the spot's axis in radians.
+  /// Records a receiver outside of a spot's cone that VTK's shader may still light
+  /// (vtkShadowReceiverProjector.h). `angle` is its angle from the spot's axis in radians.
   void WidenAngle(double angle)
   {
     this->WidestAngle = angle > this->WidestAngle ? angle : this->WidestAngle;
   }
 
-  /// The widest of these angles; 0, as after Begin(), if there is no such receiver.
+  /// The largest of these angles, or 0 if there is no such receiver since Begin().
   double GetWidestAngle() const { return this->WidestAngle; }
 
-  /// The same receivers by tiles of the screen. After Begin() nothing is known of them.
+  /// The same receivers by tiles of the screen. They have a Begin() of their own; until it is
+  /// called, they are not known (vtkShadowTiles::IsKnown()).
   vtkShadowTiles& GetTiles() { return this->Tiles; }
   const vtkShadowTiles& GetTiles() const { return this->Tiles; }
 
   /**
    * Makes `count` parts (at least 1) so that several threads can add receivers, each to its own
-   * part. Call it after Begin() of litmap and tiles, before receivers are added. Part 0 is the
-   * litmap itself; memory of the others is kept.
+   * part. Call it after Begin() of litmap and tiles, when the tiles have their splits, and before
+   * receivers are added. Part 0 is the litmap itself; the memory of the others is kept.
    */
   void Split(int count);
 
@@ -102,14 +103,15 @@ public:
   /// blocks, so the litmap is the same to the bit with any number of parts.
   void Join();
 
-  /// Makes all levels that queries need. After it receivers are added only after the next Begin().
+  /// Builds the levels for Query(). Call it when all receivers have been added. More of them may be
+  /// added only after the next Begin().
   void Build();
 
   /**
-   * The merge of the lexels that [p0, p1] x [q0, q1] touches, widened by one lexel on all sides. It
-   * takes at most four lookups, whose squares may reach beyond, so that the answer may be wider
-   * than necessary. NaN anywhere, or p0 > p1 or q0 > q1, means the whole map. It is empty before
-   * Build().
+   * Returns the merged extent of the lexels that the rectangle [p0, p1] x [q0, q1] touches, widened
+   * by one lexel on all sides. At most four lookups answer it. Their squares may reach beyond the
+   * rectangle, so that the extent may be wider than necessary. If a value is NaN, or if p0 > p1 or
+   * q0 > q1, the rectangle is the whole litmap. The extent is empty before Build().
    */
   vtkShadowExtent Query(double p0, double q0, double p1, double q1) const;
 
@@ -120,12 +122,14 @@ public:
   /// The lexels of one level, row by row, or nullptr for a level that is not built.
   const vtkShadowExtent* GetLevelData(int level) const;
 
-  /// The lexels that Query() merges at least. The rectangle is empty if they can hold no receiver.
+  /// The lexels that Query() has to merge, with the additional lexel on all sides. The rectangle is
+  /// empty if there can be no receiver in them.
   vtkNBufferRectangle GetLexels(double p0, double q0, double p1, double q1) const;
 
   /**
-   * The slabs that hold all receivers of an extent, nearest first, from its bins. Occupied bins
-   * make one slab as long as fewer than `gap` (at least 1) empty bins lie between them:
+   * Returns the slabs that hold all receivers of an extent, the nearest first, from its bins.
+   * Occupied bins belong to the same slab if fewer than `gap` (at least 1) empty bins lie between
+   * them:
    *
    *     bins        . # # . # . . . . # .      gap 4: one slab from 1 to 4, one of bin 9
    *     s ------->  0 1 2 3 4 5 6 7 8 9 10     gap 5: one slab from 1 to 9
@@ -136,7 +140,7 @@ public:
   std::vector<vtkShadowSlab> GetSlabs(const vtkShadowExtent& extent, int gap) const;
 
 private:
-  /// An interval of equal cells. What lies outside belongs to the first or the last cell.
+  /// An interval, divided into equal cells. Values outside belong to the first or the last cell.
   struct Scale
   {
     double Low = 0.0;
@@ -145,12 +149,12 @@ private:
     int Count = 1;
 
     void Set(double low, double high, int count);
-    /// The cell of x. It never decreases as x grows, rounding included: what lies between two
-    /// values lies in a cell between theirs.
+    /// The number of the cell of x. It never decreases as x grows, in spite of rounding: a value
+    /// between two others lies in one of the cells from theirs to theirs.
     int GetCell(double x) const
     {
       const double cell = (x - this->Low) * this->CellsPerUnit;
-      if (!(cell > 0.0)) // NaN: an interval without a width has one cell.
+      if (!(cell > 0.0)) // An interval without a width gives 0 or NaN: everything is in cell 0.
       {
         return 0;
       }
@@ -175,7 +179,7 @@ private:
   ///@}
   vtkIdType NumberOfReceivers = 0;
   double WidestAngle = 0.0;
-  vtkShadowExtent Everywhere;          ///< What receivers that may be on any ray add to all lexels.
+  vtkShadowExtent Everywhere;          ///< The receivers that may be on any ray, for all lexels.
   std::vector<vtkShadowExtent> Lexels; ///< All levels, one after the other.
   vtkShadowTiles Tiles;
   std::vector<vtkShadowLitmap> Parts; ///< All parts except for the first.

@@ -2,23 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkShadowLitmapSet
- * @brief The litmaps of one light, one or six, and the receivers on a caster's rays there. No
- * OpenGL.
+ * @brief Looks up the receivers on a caster's rays in all litmaps of one light. No OpenGL.
  *
  * A directional or spot light has one litmap. A point light has six, one for each face of a cube
  * around it:
  *
  *        +-----------+      A caster whose bounding box lies in the pyramid of one face (a) is
- *        | \   b   / |      looked up like one before a spot: no other face has receivers on its
- *        |  \ ___ /  |      rays.
- *        |   \[ ]/   |      The rays of other casters (b) are looked up in all faces that they
- *        | a  \L/    |      meet, for the receivers' boxes of pixels alone.
+ *        | \   b   / |      looked up as for a spot: no other face has receivers on its rays.
+ *        |  \ ___ /  |
+ *        |   \[ ]/   |      Other casters (b) are looked up in all faces that their rays may meet,
+ *        | a  \L/    |      which finds boxes of pixels, but no slabs.
  *        |[]  / \    |
  *        |   /   \   |
  *        +-----------+
  *
  * A positional light's coordinates mean nothing at and behind its plane s = 0. A caster that
- * reaches through this plane may have receivers anywhere.
+ * reaches to or through this plane may have receivers on any ray.
  */
 #ifndef vtkShadowLitmapSet_h
 #define vtkShadowLitmapSet_h
@@ -45,25 +44,27 @@ public:
     const vtkShadowLitmap* Litmap;
   };
 
-  /// A caster as it is looked up in one litmap.
+  /// One litmap, and the rays that a caster is looked up with in it.
   struct FaceQuery
   {
-    Face Map;            ///< The litmap.
-    vtkShadowBlock Rays; ///< The caster's rays, with depths from its nearest corner on.
+    Face Map; ///< The litmap.
+    /// The caster's rays, and depths from its nearest point to infinity. All are infinite if the
+    /// caster reaches through the light's plane.
+    vtkShadowBlock Rays;
   };
 
-  /// A caster in all litmaps into which it may cast, and the receivers on its rays there.
+  /// The result of LookUp().
   struct Lookup
   {
-    std::vector<FaceQuery> Queries; ///< Empty if the caster's points were not given.
-    vtkShadowExtent Extent;         ///< All receivers on the caster's rays.
-    bool IsInOneFace = false;       ///< True if all its rays are in one litmap.
+    std::vector<FaceQuery> Queries; ///< The litmaps that it has looked at; empty without points.
+    vtkShadowExtent Extent;         ///< The merged extent of all receivers on the caster's rays.
+    bool IsInOneFace = false;       ///< True if all its rays are known and in one litmap.
     double Near = 0.0;              ///< If so, the depth of the caster's nearest point there.
     double Far = 0.0;               ///< If so, the depth of the caster's farthest point there.
   };
 
   /// `faces` has one litmap, six for a point light, or none if nothing is known of the receivers.
-  /// Light, spaces and litmaps must outlive the set.
+  /// The light, the light spaces and the litmaps must outlive the set.
   vtkShadowLitmapSet(const vtkShadowLight& light, std::vector<Face> faces);
 
   /// Returns true if there is any litmap.
@@ -72,31 +73,32 @@ public:
   /// Returns true if there are the six litmaps of a point light.
   bool HasFaces() const { return this->Faces.size() > 1; }
 
-  /// Looks a caster up in the litmaps, of which there must be one at least. `points` are the
-  /// caster's points. Without them the corners of its bounds stand for them.
+  /// Looks a caster up in the litmaps, of which there must be at least one. `points` are the
+  /// caster's points. Without them Queries stays empty and, for a point light, the corners of the
+  /// caster's bounds are used, so that more receivers may be found.
   Lookup LookUp(const vtkShadowFootprint& footprint, const vtkShadowPoints* points = nullptr) const;
 
-  /// Returns true if a caster with these light coordinates reaches through a positional light's
-  /// plane s = 0, or lies behind it.
+  /// Returns true if a caster with these light coordinates reaches to a positional light's plane
+  /// s = 0 or lies behind it.
   bool IsThroughLightPlane(const vtkShadowBlock& block) const
   {
     return this->Light.IsPositional() && !(block.Low[2] > Margin * std::abs(block.High[2]));
   }
 
-  /// Returns true if the caster lies wholly behind a spot and shadows nothing that the spot
-  /// reaches, receivers outside of the cone included.
+  /// Returns true if the caster lies wholly behind a spot's plane s = 0, and all receivers, also
+  /// those outside of the cone, lie before it. Then the caster shadows none of them.
   bool IsBehindSpot(const vtkShadowFootprint& footprint) const
   {
     return this->Light.Kind == vtkShadowLightKind::Spot && footprint.Block.High[2] <= 0.0 &&
       this->GetWidestAngle() < 0.5 * vtkMath::Pi();
   }
 
-  /// Returns true if the sphere around the caster's bounds lies outside of a spot's cone, which is
-  /// widened by receivers outside of it.
+  /// Returns true if the sphere around the caster's bounds lies outside of a spot's cone. The cone
+  /// is widened to hold the receivers outside of it.
   bool IsOutsideCone(const vtkShadowFootprint& footprint) const;
 
 private:
-  /// What rounding may do to a footprint, in units of the caster's own size, generously.
+  /// A generous bound of the rounding error of a footprint's depths, relative to the farthest one.
   static constexpr double Margin = 1e-6;
 
   /// The angle in radians from a spot's axis beyond which there is no receiver.

@@ -136,8 +136,8 @@ vtkShadowPlan::Boxes vtkShadowPlan::FindBoxes(
         return meets && (!tiles.IsKnown() || umbra.MayShadow(tiles.Get(column, row)));
       });
   }
-  // For all kinds of pieces the cost is that of as many triangles as a directional light's whole
-  // volume has.
+  // The same cost is used for all kinds of pieces: that of the near cap and of two triangles for
+  // each silhouette edge.
   const std::size_t triangles =
     caster.Silhouette.GetTriangles().size() / 3 + 2 * caster.Silhouette.GetEdges().size();
   const double cost = this->BoxCost * (1.0 + TriangleShare * static_cast<double>(triangles));
@@ -154,7 +154,8 @@ std::vector<vtkShadowSlab> vtkShadowPlan::GetSlabs(const Lookup& lookup) const
     {
       continue;
     }
-    // Pieces that begin at the caster itself would overlap: one piece stands for all of them.
+    // If the caster reaches into several slabs, their pieces would all begin at the caster and
+    // overlap. One piece replaces them.
     if (!slabs.empty() && slabs.back().Near <= lookup.Far && near <= lookup.Far)
     {
       slabs.back().Far = far;
@@ -173,7 +174,7 @@ void vtkShadowPlan::Draw(const Choice& choice, const vtkShadowPart& caster, vtkS
   {
     return;
   }
-  // A block that is empty, and so infinite, stands for a caster that may be on any ray.
+  // An empty block, which is not finite, stands for a caster that may be on any ray.
   this->Draws.AddRays(caster.Silhouette,
     this->Litmaps.IsThroughLightPlane(caster.Footprint.Block) ? vtkShadowBlock()
                                                               : caster.Footprint.Block);

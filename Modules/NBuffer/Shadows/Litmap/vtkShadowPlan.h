@@ -4,13 +4,13 @@
  * @class vtkShadowPlan
  * @brief Which part of each caster's shadow volume is drawn for one light and one view. No OpenGL.
  *
- * Whatever a caster shadows lies on its rays, beyond its nearest depth (vtkShadowFootprint.h). The
- * litmaps (vtkShadowLitmapSet.h) know all receivers on these rays: a range of depths, a box on the
- * screen, and which bins of depth they occupy. So
+ * Whatever a caster shadows lies on its rays, beyond its nearest depth (vtkShadowFootprint.h). For
+ * the receivers on these rays, the litmaps (vtkShadowLitmapSet.h) know the range of depths, the box
+ * on the screen, and the occupied bins of depth. An example with the receivers r1, r2 and r3:
  *
- *        light                           a caster is ...
+ *        light
  *          |  |  |  |
- *          | (r1)   |                    r1 before it: BeforeCaster, not drawn if that is all
+ *          | (r1)   |                    r1 is before the caster, which cannot shadow it
  *       ---+--------+--- near
  *          | caster |
  *       ---+--------+--- far
@@ -23,34 +23,37 @@
  *          | (r3)   |      > slab 2      drawn
  *       ---+--------+---  /
  *
- *  - a caster without receivers on its rays is not drawn (NoReceiver);
- *  - a caster whose receivers all are nearer to the light than itself is not drawn (BeforeCaster);
- *  - otherwise its volume is drawn into the receivers' box of pixels (Boxed),
- *  - and in mode Clamped only the part of it in the slabs that the receivers take up (Clamped).
+ * The most common verdicts about a caster are:
  *
- * In this box, the tiles of 4 x 4 pixels that the caster's shadow can reach (vtkShadowUmbra.h) are
- * found, and the volume is drawn into a few boxes around these (vtkShadowTiles.h). There is one
- * more box where it leaves out more pixels than drawing the triangles once more costs
- * (vtkShadowTuning::BoxCost). If no tile is reached, the verdict is NoReceiver or BeforeCaster.
+ *  - NoReceiver: there is no receiver on its rays. It is not drawn.
+ *  - BeforeCaster: all receivers on its rays are nearer to the light. It is not drawn.
+ *  - Boxed: its whole volume is drawn into boxes of pixels around the receivers.
+ *  - Clamped, in mode Clamped: only the part of its volume in the slabs that the receivers occupy
+ *    is drawn into such boxes.
+ *
+ * The boxes are found in the receivers' box on the screen: they enclose the tiles of 4 x 4 pixels
+ * that the caster's shadow can reach (vtkShadowUmbra.h, vtkShadowTiles.h). A box is divided if that
+ * leaves out more pixels than it costs to draw the triangles once more (vtkShadowTuning::BoxCost).
+ * If the shadow reaches no tile, the verdict is NoReceiver or BeforeCaster.
  *
  * Leaving out casters and drawing into boxes change no vertex and so no fragment: the stencil is
  * bit for bit that of whole volumes wherever there is a receiver. Slabs make new vertices, which
- * the device snaps to its subpixel grid by themselves: samples closer to the edge of a shadow than
- * that may change.
+ * the device snaps to its own subpixel grid, independently of the others. So samples closer than
+ * one step of this grid to the edge of a shadow may change.
  *
  * A positional light's coordinates mean nothing at and behind its plane s = 0:
  *
- *           [a]                   a behind the plane: BehindLight, not drawn. It shadows nothing
+ *           [a]                   a is behind the plane: BehindLight, not drawn. It shadows nothing
  *      ----- L ----[b]---- s = 0    that a spot of less than 90 degrees reaches.
- *           / \                   b through the plane: ThroughLightPlane, drawn whole into the
- *          /   \                    box of all receivers; or OutsideCone, not drawn, if the sphere
+ *           / \                   b is in the plane: ThroughLightPlane, drawn whole into boxes
+ *          /   \                    around all receivers; or OutsideCone, not drawn, if the sphere
  *         /cone \                   around its bounds lies outside of the spot's cone.
  *
  * Receivers outside of the cone (vtkShadowReceiverProjector.h) widen it. If one of them may lie
- * behind the light, no caster is BehindLight.
+ * behind the light, the verdict is never BehindLight.
  *
- * With the six litmaps of a point light, casters whose rays are in one face can be clamped to
- * slabs; the volumes of others are never clamped.
+ * With the six litmaps of a point light, the volumes of casters whose rays are all in one face can
+ * be clamped to slabs; the volumes of others are never clamped.
  */
 #ifndef vtkShadowPlan_h
 #define vtkShadowPlan_h
@@ -81,7 +84,7 @@ public:
     Boxes Pixels;
   };
 
-  /// The decision about a caster, and what follows from it.
+  /// The decision about a caster, with all that Draw() needs.
   struct Choice
   {
     bool IsDrawn() const
@@ -103,8 +106,8 @@ public:
 
   /**
    * A plan without casters. `litmaps` has the litmap of the light, or the six of a point light,
-   * with their levels built. Without any, as with mode Unclamped, nothing is known of the
-   * receivers. The light, the litmaps and their light spaces must outlive the plan.
+   * with their levels built. If it is empty, or with mode Unclamped, all volumes are drawn whole.
+   * The light, the litmaps and their light spaces must outlive the plan.
    */
   vtkShadowPlan(const vtkShadowLight& light, const View& view, vtkShadowMode mode,
     std::vector<Face> litmaps, const vtkShadowTuning& tuning);
@@ -112,18 +115,19 @@ public:
   /// Decides about a caster. It changes nothing and may be called in parallel.
   Choice Decide(const vtkShadowPart& caster) const;
 
-  /// The reason why a caster is not drawn, as far as its boxes and one lookup say; nothing if that
-  /// is not enough. Decide() begins with it: it does not read the caster's points, which the
-  /// processor has to fetch from memory for each of many casters.
+  /// Returns the verdict if the caster's footprint and one lookup prove that it is not drawn, else
+  /// nothing. Decide() begins with this test, because it does not read the caster's points, which
+  /// take long to fetch from memory if there are many casters.
   std::optional<vtkShadowVerdict> EarlyOut(const vtkShadowPart& caster) const;
 
-  /// Adds what was chosen for a caster: its triangles to `volume`, its draws to GetDraws().
+  /// Carries out the decision about a caster: adds its triangles to `volume` and its draws to
+  /// GetDraws().
   void Draw(const Choice& choice, const vtkShadowPart& caster, vtkShadowVolume& volume);
 
   /// The draws of all casters.
   const std::vector<vtkShadowDraw>& GetDraws() const { return this->Draws.GetDraws(); }
 
-  /// Returns true if no receiver is inside of all volumes drawn more often than this.
+  /// Returns true if no receiver can have a stencil count above `limit` when all volumes are drawn.
   bool IsCountBelow(int limit) const { return this->Draws.IsCountBelow(limit); }
 
   /// The number of slabs drawn.
@@ -134,8 +138,8 @@ private:
 
   bool HasLitmaps() const;
   static std::optional<vtkShadowVerdict> EarlyOutByReceivers(const Lookup& lookup);
-  /// The boxes of pixels to draw into. `isOnRays` becomes true if any receiver at all is on the
-  /// caster's rays.
+  /// Returns the boxes of pixels to draw into. `isOnRays` becomes true if any receiver is on the
+  /// caster's rays, at any depth; otherwise it stays as it is.
   Boxes FindBoxes(const Lookup& lookup, const vtkShadowPart& caster, bool& isOnRays) const;
   std::vector<vtkShadowSlab> GetSlabs(const Lookup& lookup) const;
 

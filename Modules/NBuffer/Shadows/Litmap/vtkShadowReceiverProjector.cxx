@@ -15,28 +15,29 @@ namespace
 /// Half the side of a cube's face around a point light, a little widened.
 constexpr double FaceLimit = 1.0 + 0x1p-8;
 
-/// What the transformation to clip coordinates in float does to a depth, for a narrow view.
+/// The error of a window depth by the transformation to clip coordinates in float, in units of
+/// 1 + r (see the header).
 constexpr double DepthRounding = 0x1p-22;
 
-/// The rounding of a position, in units of its distance from the eye.
+/// The rounding error of a position, in units of its distance from the eye.
 constexpr double PositionRounding = 0x1p-20;
 
-/// The rounding of world coordinates in double, in units of their size.
+/// The rounding error of world coordinates in double, in units of their size.
 constexpr double WorldRounding = 0x1p-48;
 
-/// The rounding of a coordinate that a shader transforms in float: products, sums and what goes
-/// into them.
+/// The rounding error of a coordinate that a shader transforms in float: that of the products, of
+/// the sums and of their operands.
 constexpr double ShaderRounding = 5.0 * 0x1p-24;
 
-/// How far along a surface the centre of a pixel may be from a sample, in widths of a pixel there:
-/// that far if the surface is seen at an angle of one degree.
+/// How far along a surface the centre of a pixel may be from a sample, in pixel widths, if the
+/// surface is seen at an angle of one degree.
 constexpr double GrazingPixels = 64.0;
 
-/// The rounding of the cosine between a line of sight and a cone's axis, generously.
+/// A generous bound of the rounding error of the cosine between a line of sight and a cone's axis.
 constexpr double LineRounding = 1e-3;
 
-/// How far beside its place the side of a volume may be drawn, in pixels. Devices snap corners to
-/// 1/256 of a pixel or better; the rest is for their rounding where they clip long triangles.
+/// How far from its exact place the side of a volume may be drawn, in pixels. Devices snap corners
+/// to 1/256 of a pixel or better; the rest is for rounding errors where they clip long triangles.
 constexpr double Guard = 0.25;
 
 double GetLength1(const glm::dvec3& v)
@@ -44,7 +45,7 @@ double GetLength1(const glm::dvec3& v)
   return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
 }
 
-/// How far the corners of the image are from the eye, in units of the distance of its centre.
+/// The largest distance of a corner of the image from the eye, in units of that of its centre.
 double GetCornerDistance(const vtkShadowView& view)
 {
   const glm::dmat4& m = view.ClipToWorld;
@@ -144,7 +145,8 @@ bool vtkShadowReceiverProjector::MayCentreReach(int x, double widening) const
   const glm::dvec4 start = this->CentreRow + this->Matrix[0] * static_cast<double>(x);
   const glm::dvec4 end = start + this->Matrix[2];
   const glm::dvec3 near = glm::dvec3(start) / start[3];
-  // The directions from the light to the line's points are half a great circle.
+  // The directions from the light to the points of the line make half a great circle. The largest
+  // cosine of the angle between one of them and the cone's axis decides.
   const glm::dvec3 along = vtkNBufferGLM::Normalize(glm::dvec3(end) / end[3] - near);
   const glm::dvec3 across = vtkNBufferGLM::Normalize(near - glm::dot(near, along) * along);
   const double c = glm::dot(along, this->Direction);
@@ -168,7 +170,8 @@ bool vtkShadowReceiverProjector::MayReach(const glm::dvec3& middle, double radiu
     return std::max(std::abs(middle[0]), std::abs(middle[1])) - radius <=
       this->Limit * (s + radius);
   }
-  // How far the middle is from the surface of the cone, which goes on behind the apex.
+  // The signed distance of the middle from the surface of the cone, positive outside. The surface
+  // is continued behind the apex, where the distance may so be too small, which is conservative.
   const double sine = std::sqrt(1.0 - this->ConeCosine * this->ConeCosine);
   return this->ConeCosine * glm::length(glm::cross(middle, this->Direction)) -
     sine * glm::dot(middle, this->Direction) <=

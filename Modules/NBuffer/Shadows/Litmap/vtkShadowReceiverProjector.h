@@ -6,61 +6,63 @@
  *
  *        eye
  *         o
- *          \        a: as near as depth may be off      projected end by end
+ *          \        a: the nearest possible place        both ends projected
  *           \  ___                                       -------->   a'----b'  segment in
  *            (  a  )   ball of rounding                              (p, q, s), with a
  *            (   \ )   around the interval a b                       radius in p and q
  *            (_ _ b)
- *                  b: as far as depth may be off
+ *                  b: the farthest possible place
  *
  * ## The interval on the line of sight
  *
- * The sample lies on the eye's ray through it, in an interval. A stored depth is off by a quantum,
- * what is drawn against it is off by another one, and both are off by the transformation to clip
- * coordinates in float. In four million random points (views of 1 to 120 degrees, far / near 3 to
- * 1e8; commit 7323db1) that was off by at most 5.4 * 2^-24 in window depth. It grows with the
- * distance of the image's corners from the eye. With r, this distance in units of that of the
- * image's centre, the interval reaches 2 quanta and 4 (1 + r) 2^-24 to both sides. (Where the depth
- * range is short for its distance the error is larger, but then a quantum is so small a length that
- * the next term covers it.)
+ * The sample lies on the line of sight through its place in the image, in an interval of depths.
+ * Three errors add up: the stored depth is off by up to a quantum (a step of the depth format), the
+ * depth of a volume that is drawn against it by another quantum, and both depths are off because
+ * they are transformed to clip coordinates in float. For four million random points (views of 1 to
+ * 120 degrees, far / near 3 to 1e8; commit 7323db1) the third error was at most 5.4 * 2^-24 in
+ * window depth. It grows with r, the distance of the image's corners from the eye in units of the
+ * distance of its centre. The interval reaches 2 quanta + 4 (1 + r) 2^-24 of window depth to both
+ * sides. (If near and far plane are close together for their distance from the eye, the third error
+ * is larger. But then a quantum is so short a length that the radius below covers it.)
  *
  * ## The radius around it
  *
- * In all directions the interval is widened by the rounding of a position, 2^-20 of its distance
- * from the eye, and of world coordinates in double, 2^-48 of their size.
+ * In all directions the interval is widened by two rounding errors: that of a position, 2^-20 of
+ * its distance from the eye, and that of world coordinates in double, 2^-48 of their size.
  *
- * Devices draw the sides of a volume a little off their place, and the receiver's edge as well.
+ * Devices draw the sides of a volume and the edges of a receiver a little off their exact place.
  * Litmaps and tiles must hold all samples for which a volume may be drawn. So the radius grows by a
- * quarter of a pixel. (A lexel may be smaller than that.)
+ * quarter of a pixel. (The margin of one lexel in vtkShadowLitmap::Query() may be smaller.)
  *
  * ## What VTK's shader takes to be in a spot's cone
  *
- * VTK's shader has another place for the sample when it decides whether it lies in a spot's cone.
- * It transforms corners as floats, wherever their origin is, to view coordinates in floats, while
- * depth comes from their transformation to clip coordinates. With u = 2^-24, and S the sum of the
- * distances of eye and sample from the origin and of eye and light from each other, each of these
- * is off by E = 5 u S times the length of its row in the matrix (DrawnPolygon.h in the tests
- * derives that). The way back from clip coordinates multiplies this error. It is smaller where VTK
- * shifts coordinates to the middle of what they belong to. Samples outside of the cone that only
- * this error brings in are receivers, too. They may get their shadow from casters that shadow
- * nothing in the cone: vtkShadowLitmap::GetWidestAngle() says how far off they are.
+ * When VTK's shader decides whether a sample lies in a spot's cone, it uses a position with other
+ * errors than the depth. The position comes from corners that are transformed to view coordinates
+ * in float, the depth from corners that are transformed to clip coordinates in float. Each of these
+ * coordinates is off by up to E = 5 u S times the length of its row in the matrix (DrawnPolygon.h
+ * in the folder Support derives that). Here u = 2^-24, and S is the sum of three distances: of the
+ * eye from the world's origin, of the sample from the world's origin, and of eye from light. The
+ * inverse transformation from clip coordinates multiplies this error. (It is smaller where VTK
+ * shifts coordinates to the middle of their mesh.) A sample outside of the cone that this error may
+ * bring into it is a receiver, too. Casters that shadow nothing in the cone may shadow such a
+ * sample, so vtkShadowLitmap::GetWidestAngle() keeps the largest angle of these samples.
  *
- * With multisampling a fragment decides only once whether it lies in a spot's cone: at the place of
- * its surface, continued to the centre of the pixel. No sample knows how deep that is. So a sample
- * is also a receiver if the line of sight through the centre of its pixel meets the cone, and the
- * cone is not farther from the sample than 64 widths of a pixel: on surfaces that are seen at less
- * than a degree the centre might be that far.
+ * With multisampling a fragment decides only once whether it lies in a spot's cone: for the centre
+ * of the pixel, to which its surface is extrapolated. The samples do not tell the depth there. So a
+ * sample is also a receiver if the line of sight through the centre of its pixel meets the cone and
+ * the cone is at most 64 pixel widths from the sample. On a surface that is seen at an angle of one
+ * degree, the point at the centre may be that far from the sample.
  *
- * Lines and points are lit in their middle. So a sample is also a receiver if it is not farther
- * from the cone than vtkShadowView::LightingMargin widths of a pixel. That is infinity, and every
- * sample a receiver, if something is drawn whose shaders may light it for any place.
+ * VTK lights lines and points for their middle. So a sample is also a receiver if the cone is at
+ * most vtkShadowView::LightingMargin pixel widths from it. This margin is infinite, and every
+ * sample is a receiver, if something is drawn whose shaders may light it for any place.
  *
  * ## Projection
  *
- * Both ends of the interval are projected to light coordinates. Where straight lines stay straight
- * that loses nothing. The decisions about cone and cube face are about the ball around the
- * interval: a sample that may be reached is a receiver. If the ball touches the light's plane s =
- * 0, so that its side or its p and q are not known, the radius is infinite.
+ * Both ends of the interval are projected to light coordinates. That loses nothing, because
+ * straight lines stay straight in p and q. The tests against cone and cube face use the ball around
+ * the interval, so that every sample that may be reached is a receiver. If the ball touches the
+ * light's plane s = 0, its p and q are not known, and the radius is infinite.
  */
 #ifndef vtkShadowReceiverProjector_h
 #define vtkShadowReceiverProjector_h
@@ -74,10 +76,10 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-/// The camera and the image that a depth image of receivers belongs to.
+/// The camera and the image format of a depth image of receivers.
 struct vtkShadowView
 {
-  /// The inverse of vtkCamera's world-to-clip matrix for z in [-w, w]. World coordinates are
+  /// From clip coordinates, with z in [-w, w] as vtkCamera gives them, to world coordinates
   /// relative to Origin.
   glm::dmat4 ClipToWorld = glm::dmat4(1.0);
 
@@ -86,7 +88,8 @@ struct vtkShadowView
   int Height = 0;                        ///< The number of rows, at most 65535.
   double DepthQuantum = 0x1p-24;         ///< The step of the depth format near 1.
 
-  /// How far from a fragment, in pixels, the place may be for which VTK's shader lights it.
+  /// The largest distance, in pixels, from a fragment to the place for which VTK lights it.
+  /// Infinity stands for any place.
   double LightingMargin = 0.0;
 
   /// The places of the samples in a pixel, in [0, 1] from its lower left corner.
@@ -99,57 +102,59 @@ public:
   /// Where a receiver may lie, as vtkShadowLitmap::Add() and vtkShadowTiles::Add() take it.
   struct Receiver
   {
-    /// The radius around the segment in p, q and s. That in s is part of the segment.
+    /// The radius around the segment in p, q and s. It is 0 in s, where A and B include it.
     glm::dvec3 GetRadii() const { return { this->Radius, this->Radius, 0.0 }; }
 
     glm::dvec3 A;  ///< One end of the segment in light coordinates.
     glm::dvec3 B;  ///< The other end.
     double Radius; ///< The radius around the segment in p and q.
-    double Angle; ///< The largest angle from a spot's axis in radians if it is outside of the cone,
-                  ///< or else 0.
+    double Angle;  ///< The largest possible angle from a spot's axis in radians, if the receiver is
+                   ///< outside of the cone; else 0.
   };
 
   vtkShadowReceiverProjector(
     const vtkShadowView& view, const vtkShadowLight& light, const vtkShadowLightSpace& space);
 
-  /// Prepares for one row of pixels and the place of one sample in them.
+  /// Selects the row of pixels, and the place of the sample in a pixel, for Project().
   void SetRow(const std::array<double, 2>& sample, int y);
 
-  /// The receiver in column x of the row at a window depth, or nothing if the light cannot reach
-  /// it.
+  /// Returns the receiver in column x of the row at a window depth, or nothing if the light cannot
+  /// reach it.
   std::optional<Receiver> Project(int x, double depth) const;
 
-  /// A bound of |p| and |q| of what the light reaches.
+  /// An upper bound of |p| and |q| of what the light reaches; infinity if there is none.
   double GetLimit() const { return this->Limit; }
 
 private:
-  /// Returns false if the light reaches nothing in a ball.
+  /// Returns false if the light reaches nothing in a ball. `middle` is relative to the apex, along
+  /// u, v and the axis, here and in GetAngle().
   bool MayReach(const glm::dvec3& middle, double radius) const;
 
   void SetShaderError(const vtkShadowView& view);
 
-  /// The largest angle from a spot's axis in a ball.
+  /// The largest angle from a spot's axis of any point in a ball, in radians.
   double GetAngle(const glm::dvec3& middle, double radius) const;
 
   /// Returns true if the line of sight through the centre of a pixel may meet the cone, widened by
   /// a difference of cosines.
   bool MayCentreReach(int x, double widening) const;
 
-  /// How far from its place VTK's shader may see what is at this distance from the eye.
+  /// The largest error, in world units, of the position that VTK's shader computes for a sample at
+  /// this distance from the eye.
   double GetShaderError(double distance) const;
 
   vtkShadowLightKind Kind;
-  double DepthError; ///< What a window depth may be off by.
+  double DepthError; ///< The largest error of a window depth.
   double Limit = std::numeric_limits<double>::infinity();
   double ConeCosine;          ///< vtkShadowLight::GetConeCosine().
   double LightingMargin;      ///< vtkShadowView::LightingMargin.
   glm::dvec3 Direction;       ///< The light's direction along u, v and the axis.
   glm::dvec3 Eye;             ///< The eye relative to the apex, along u, v and the axis.
-  double WorldError;          ///< The rounding of world coordinates.
-  double ShaderOffset = 0.0;  ///< What is added to the distance to get S.
-  double PlaceFactor = 0.0;   ///< What E is multiplied by in a place.
-  double InverseFactor = 0.0; ///< What E is multiplied by in 1 / w.
-  double GuardAtW1;           ///< A quarter of a pixel in world units, for w = 1.
+  double WorldError;          ///< The rounding error of world coordinates, in world units.
+  double ShaderOffset = 0.0;  ///< S less the distance of the sample from the eye.
+  double PlaceFactor = 0.0;   ///< The error of a position is E times this, w being exact.
+  double InverseFactor = 0.0; ///< The error of 1 / w is E times this.
+  double GuardAtW1;           ///< The size of a quarter of a pixel in world units where w = 1.
 
   /// From (pixel x, pixel y, window depth, 1) to homogeneous coordinates along u, v and the axis,
   /// relative to the apex.

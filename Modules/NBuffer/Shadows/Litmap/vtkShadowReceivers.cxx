@@ -12,21 +12,21 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// The range of a litmap is taken from every fourth row and column: what lies outside of it is not
-/// lost (vtkShadowLitmap::Begin), and it need not be exact.
+/// The range of a litmap is taken from every fourth row and column. It need not be exact, because
+/// receivers outside of it are not lost (vtkShadowLitmap::Begin).
 constexpr int RangeStride = 4;
 
 using Receiver = vtkShadowReceiverProjector::Receiver;
 
-/// Which pixels to look at.
+/// The pixels to look at: those that fulfil both conditions.
 struct Lattice
 {
-  int Stride = 1; ///< Every row and column whose number is a multiple of this.
-  int Band = 0;   ///< The first row of tiles.
-  int Bands = 1;  ///< The distance of the rows of tiles.
+  int Stride = 1; ///< The numbers of their row and column are multiples of this.
+  int Band = 0;   ///< The number of their row of tiles is Band modulo Bands.
+  int Bands = 1;  ///< The number of bands into which the rows of tiles are dealt out.
 };
 
-/// Calls functor(receiver, x, y, depth) for each receiver in these rows.
+/// Calls functor(receiver, x, y, depth) for each receiver in these pixels.
 template <typename Functor>
 void ForEachReceiver(const float* depth, const vtkShadowView& view,
   vtkShadowReceiverProjector& projector, const Lattice& lattice, Functor&& functor)
@@ -58,7 +58,7 @@ void ForEachReceiver(const float* depth, const vtkShadowView& view,
   }
 }
 
-/// The window depth whose distance from the eye is halfway between those of two depths.
+/// The window depth halfway between two others, where distance is measured along the camera's axis.
 float GetMiddle(const vtkShadowView& view, float nearest, float farthest)
 {
   // 1 / w is a linear function of depth, and constant for parallel projections.
@@ -72,7 +72,7 @@ float GetMiddle(const vtkShadowView& view, float nearest, float farthest)
   return static_cast<float>(middle);
 }
 
-/// Divides all tiles into layers, by the depth of what may be receivers.
+/// Divides all tiles into layers by the depths of their samples that are not background.
 void SplitLayers(const float* depth, const vtkShadowView& view, vtkShadowTiles& tiles)
 {
   constexpr int size = vtkShadowTiles::Size;
@@ -117,8 +117,8 @@ void SplitLayers(const float* depth, const vtkShadowView& view, vtkShadowTiles& 
     });
 }
 
-/// The number of threads that scatter. Clearing and merging the lexels of one more costs about as
-/// much as a third as many samples.
+/// The number of bands, which threads scatter in parallel. Each band has lexels of its own. To
+/// clear and merge a lexel costs about a third of what it costs to scatter a sample.
 int GetNumberOfBands(const vtkShadowView& view, int resolution)
 {
   const double samples = static_cast<double>(view.Samples.size()) * view.Width * view.Height;

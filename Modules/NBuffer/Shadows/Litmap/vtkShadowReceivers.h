@@ -2,23 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkShadowReceivers.h
- * @brief From a depth image to a litmap and its tiles. No OpenGL.
+ * @brief Fills a litmap and its tiles from a depth image. No OpenGL.
  *
  * A sample of the depth image is a receiver if both of these hold:
  *
  *  - Its depth is nearer than the background (vtkNBufferDepthConvention.h). Geometry so close to
  *    the far plane that its depth is rounded to that of the background counts as background.
- *  - The light can reach it, or VTK's shader may take it to be reached. A directional light reaches
- *    everything, a spot what lies in its cone (vtkShadowLight::GetConeCosine). For a point light,
- *    the light space takes in one face of a cube around the light, |p| <= 1 and |q| <= 1, a little
- *    widened: six light spaces make up all directions. Positional lights have receivers at s > 0
- *    only.
+ *  - The light may reach it, or VTK's shader may light it. A directional light reaches everything,
+ *    a spot what lies in its cone (vtkShadowLight::GetConeCosine). A light space of a point light
+ *    covers one face of a cube around the light, |p| <= 1 and |q| <= 1, a little widened; six light
+ *    spaces cover all directions. Positional lights have receivers at s > 0 only.
  *
- * vtkShadowReceiverProjector.h derives where a receiver may lie, given the rounding of what was
- * drawn and stored. A receiver whose rays are not known is put into all lexels.
+ * vtkShadowReceiverProjector.h derives where a receiver may lie, given the rounding errors of what
+ * was drawn and stored. A receiver whose rays are not known is put into all lexels.
  *
- * The layers of a tile (vtkShadowTiles.h) are divided halfway, in distances from the eye, between
- * the tile's nearest and farthest receiver.
+ * A tile is divided into its two layers (vtkShadowTiles.h) halfway between its nearest and its
+ * farthest sample that is not background, where distance is measured along the camera's axis.
  */
 #ifndef vtkShadowReceivers_h
 #define vtkShadowReceivers_h
@@ -33,19 +32,20 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace vtkShadowReceivers
 {
 /**
- * Roughly the range of p, q and s that the receivers of a depth image take up. It is measured at
- * every fourth row and column, or from all of them if these have no receiver. If there is no
- * receiver at all it is empty.
+ * Returns roughly the range of p, q and s of the receivers of a depth image. It looks at every
+ * fourth row and column, or at all of them if these have no receiver. The range is empty if there
+ * is no receiver at all. `depth` is as for Scatter().
  */
 VTKNBUFFER_EXPORT vtkShadowBlock GetRange(const float* depth, const vtkShadowView& view,
   const vtkShadowLight& light, const vtkShadowLightSpace& space);
 
 /**
- * Fills `litmap` and its tiles with the receivers of a depth image as `space` sees them, over
- * GetRange(), and returns their number. The caller calls vtkShadowLitmap::Build() afterwards.
+ * Fills `litmap` and its tiles with the receivers of a depth image, in the coordinates of `space`
+ * and over the range of GetRange(). Returns the number of receivers. The caller calls
+ * vtkShadowLitmap::Build() afterwards. `resolution` is as for vtkShadowLitmap::Begin().
  *
- * `depth` holds window depths in [0, 1], one image of Width x Height for each sample of a pixel,
- * with row 0 at the bottom.
+ * `depth` holds window depths in [0, 1]: one image of view.Width x view.Height for each of
+ * view.Samples, one after the other, each with row 0 at the bottom.
  *
  * The cost is linear in the number of samples and is shared by the threads of vtkSMPTools. The
  * litmap is the same with any number of threads.

@@ -9,7 +9,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// The first and the last mark of a row along the columns, or of a column along the rows.
+/// The first and the last marked tile of a line, which is a row or a column.
 struct Span
 {
   int First = std::numeric_limits<int>::max();
@@ -22,7 +22,7 @@ struct Span
   }
 };
 
-/// For i = 0, 1, ... the number of tiles in the box around the marks of the first i lines.
+/// Returns for i = 0, 1, ... the number of tiles in the box around the marks of the first i lines.
 template <typename Iterator>
 std::vector<int> GetAreas(Iterator line, Iterator end)
 {

@@ -4,9 +4,9 @@
  * @file vtkShadowTiles.h
  * @brief Receivers by tiles of the screen, and boxes of pixels around some of the tiles. No OpenGL.
  *
- * A litmap answers the light's question: what lies on these rays? Its answer is one box of pixels,
- * and most pixels in the box may lie on other rays, or before the caster. Tiles of 4 x 4 pixels
- * answer the camera's question: where in light coordinates (vtkShadowLight.h) do the receivers of
+ * A litmap says which receivers lie on given rays. Its answer is one box of pixels, and most pixels
+ * in the box may lie on other rays, or nearer to the light than the caster. Tiles of 4 x 4 pixels
+ * answer the inverse question: where in light coordinates (vtkShadowLight.h) do the receivers of
  * these pixels lie? The tiles that a caster can shadow (vtkShadowUmbra.h) are marked, and a few
  * boxes that share no pixel are put around them.
  *
@@ -19,9 +19,10 @@
  *      +--+--+--+--+--+--+--+
  *
  * Where the camera sees past an edge, a tile has receivers in two places: on the surface that ends
- * at the edge, and on the surface behind it. One block around both would hold all that lies between
- * them. For small things before a far ground, that is most of what they throw shadows on. So a tile
- * has two layers, divided at a window depth of its own (SetSplit()), with a block for each.
+ * at the edge, and on the surface behind it. One block around both would also hold the empty space
+ * between them. For small things before a distant ground, that space is most of what they shadow,
+ * and tiles would be marked without need. So a tile has two layers, divided at a window depth of
+ * its own (SetSplit()), with a block for each.
  */
 #ifndef vtkShadowTiles_h
 #define vtkShadowTiles_h
@@ -41,24 +42,25 @@ public:
   /// The width and height of a tile in pixels.
   static constexpr int Size = 4;
 
-  /// The blocks of a tile: of the receivers before its split, and of those from the split on.
+  /// The blocks of a tile in light coordinates: of the receivers with a window depth less than its
+  /// split, and of the others.
   using Layers = std::array<vtkShadowBlock, 2>;
 
-  /// Starts anew for an image of that many pixels, without splits. With 0 nothing is known. Memory
-  /// is kept.
+  /// Removes all receivers and splits, and sets the size of the image in pixels. With a size of 0
+  /// the tiles are not known (IsKnown()). Memory is kept.
   void Begin(int width, int height);
 
-  /// Sets the window depth from which on receivers belong to the second layer of a tile. Any depth
-  /// is correct; a good one separates what lies far apart. Set it before receivers are added.
+  /// Sets the window depth at which the second layer of a tile begins. Any depth is correct; a good
+  /// one separates receivers that lie far apart. Set it before receivers are added.
   void SetSplit(int column, int row, float depth)
   {
     this->Splits[this->GetIndex(column, row)] = depth;
   }
 
   /**
-   * Adds a receiver of a window depth that covers pixel (x, y) of the image. It lies somewhere on
-   * the segment from a to b in light coordinates, or at most radius[i] from it in p, q and s. An
-   * infinite radius means anywhere.
+   * Adds a receiver with window depth `depth` that covers pixel (x, y) of the image. It lies
+   * somewhere on the segment from a to b in light coordinates (p, q, s), or at most radius[i] from
+   * it in coordinate i. An infinite radius means anywhere.
    */
   void Add(
     const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& radius, int x, int y, float depth)
@@ -67,10 +69,10 @@ public:
     this->Tiles[tile][depth >= this->Splits[tile]].AddSegment(a, b, radius);
   }
 
-  /// Adds the receivers of another image of the same size and splits.
+  /// Adds the receivers of other tiles with the same size and splits.
   void Merge(const vtkShadowTiles& other);
 
-  /// Returns true if there is an image.
+  /// Returns true if the image has a size.
   bool IsKnown() const { return this->Columns > 0; }
 
   int GetNumberOfColumns() const { return this->Columns; }
@@ -88,20 +90,20 @@ private:
   int Columns = 0;
   int Rows = 0;
   std::vector<Layers> Tiles; ///< Row by row.
-  std::vector<float> Splits; ///< For each tile; infinite for tiles of one layer.
+  std::vector<float> Splits; ///< For each tile; infinite for a tile with one layer.
 };
 
 /**
- * Some of the tiles in a rectangle of pixels.
+ * A set of tiles in a rectangle of pixels.
  */
 class VTKNBUFFER_EXPORT vtkShadowTileSet
 {
 public:
-  /// An empty set of the tiles that touch `pixels`, which must not be empty.
+  /// Makes an empty set. It can hold the tiles that touch `pixels`, which must not be empty.
   explicit vtkShadowTileSet(const vtkNBufferRectangle& pixels);
 
-  /// Calls functor(column, row) -> bool for all tiles that are not in the set, and adds those for
-  /// which it returns true.
+  /// Calls functor(column, row) -> bool for all tiles that are not in the set yet, and adds those
+  /// for which it returns true.
   template <typename Functor>
   void Mark(Functor&& functor)
   {
@@ -116,9 +118,9 @@ public:
   }
 
   /**
-   * Boxes that hold all pixels of the rectangle in tiles of the set, and that have no pixel in
-   * common. A box is cut in two, and its parts again, as long as that leaves out more than `cost`
-   * pixels. The cut is at the place where it leaves out most.
+   * Returns boxes that hold all pixels of the rectangle in tiles of the set, and that share no
+   * pixel. A box is cut in two, and its parts again, as long as the cut leaves out more than `cost`
+   * pixels. The cut is where it leaves out most.
    */
   std::vector<vtkNBufferRectangle> GetBoxes(double cost) const;
 
