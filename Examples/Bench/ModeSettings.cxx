@@ -39,7 +39,7 @@ constexpr Setting<vtkNBufferCuller> CullerSettings[] = {
   NBUFFER_CULLER(BaseFactor),
   NBUFFER_CULLER(HierarchySize),
   NBUFFER_CULLER(ObserveAfter),
-  NBUFFER_CULLER(TestTrianglesAfter),
+  NBUFFER_CULLER(TestTriangles),
   NBUFFER_CULLER(TestPixels),
   NBUFFER_CULLER(BackOff),
   NBUFFER_CULLER(ReuseWhenStill),

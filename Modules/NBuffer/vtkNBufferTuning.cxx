@@ -13,8 +13,8 @@ bool vtkNBufferTuning::operator==(const vtkNBufferTuning& other) const
   const auto tie = [](const vtkNBufferTuning& t)
   {
     return std::tie(t.BaseFactor, t.MinimumNumberOfCandidates, t.MaximumNumberOfRounds, t.RoundSize,
-      t.HierarchySize, t.ObserveAfter, t.TestPixels, t.TestTrianglesAfter,
-      t.AllowFloatTextures, t.ReuseWhenStill, t.BackOff, t.TakeOverFrustumCulling);
+      t.HierarchySize, t.ObserveAfter, t.TestPixels, t.TestTriangles, t.AllowFloatTextures,
+      t.ReuseWhenStill, t.BackOff, t.TakeOverFrustumCulling);
   };
   return tie(*this) == tie(other);
 }
@@ -41,7 +41,6 @@ std::string vtkNBufferTuning::FindFault() const
     { "RoundSize", this->RoundSize, 1, VTK_INT_MAX / 512 },
     { "HierarchySize", this->HierarchySize, 0, VTK_INT_MAX },
     { "ObserveAfter", this->ObserveAfter, 0, VTK_INT_MAX },
-    { "TestTrianglesAfter", this->TestTrianglesAfter, 0, VTK_INT_MAX },
   };
   for (const Range& range : ranges)
   {
@@ -63,7 +62,7 @@ void vtkNBufferTuning::PrintSelf(ostream& os, vtkIndent indent) const
   os << indent << "HierarchySize: " << this->HierarchySize << "\n";
   os << indent << "ObserveAfter: " << this->ObserveAfter << "\n";
   os << indent << "TestPixels: " << this->TestPixels << "\n";
-  os << indent << "TestTrianglesAfter: " << this->TestTrianglesAfter << "\n";
+  os << indent << "TestTriangles: " << this->TestTriangles << "\n";
   os << indent << "AllowFloatTextures: " << this->AllowFloatTextures << "\n";
   os << indent << "ReuseWhenStill: " << this->ReuseWhenStill << "\n";
   os << indent << "BackOff: " << this->BackOff << "\n";

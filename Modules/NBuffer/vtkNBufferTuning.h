@@ -54,10 +54,10 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   /// the actor, instead of those of some fifteen objects.
   int ObserveAfter = 60;
 
-  /// If a prop has been visible for this many frames, and neither the levels nor the pixels hide
-  /// its box, its triangles are compared with the pixels one by one, if they are few
-  /// (vtkNBufferMeshes::FindSmall); 0 means never. This requires TestPixels.
-  int TestTrianglesAfter = 8;
+  /// Whether the triangles of a prop whose box neither the levels nor the pixels hide are compared
+  /// with the pixels one by one, if they are few (vtkNBufferMeshes::FindSmall). Requires
+  /// TestPixels.
+  bool TestTriangles = true;
 
   /// Whether a box that the levels do not hide is compared with its pixels one by one
   /// (vtkNBufferPixelTest). With the OpenGL back-end this reads the whole depth image back, and

@@ -60,7 +60,7 @@ void MakeCuller(Writer& writer)
   // than any of these scenes.
   culler.HierarchySize = writer.Scene.Seed % 3 == 0 ? culler.HierarchySize : 0;
   culler.TestSlivers = writer.Scene.Seed % 5 == 0 ? vtkNBufferCuller::Always : culler.TestSlivers;
-  culler.TestTrianglesAfter = writer.Scene.Seed % 3;
+  culler.TestTriangles = writer.Scene.Seed % 3 != 0;
   culler.ObserveAfter = writer.Scene.Seed % 4 == 0 ? 0 : 1;
   culler.TestPixels = writer.Chance(0.6);
   culler.ReuseWhenStill = writer.Chance(0.8);
@@ -76,7 +76,7 @@ void MakePasses(Writer& writer, Renderer& renderer)
     renderer.Pass = writer.Any({ PassKind::RenderSteps, PassKind::OpaqueTranslucent,
       PassKind::OpaqueTwice, PassKind::TranslucentFirst, PassKind::Default, PassKind::DepthPeeling,
       PassKind::DualDepthPeeling, PassKind::SSAO, PassKind::FXAA, PassKind::Framebuffer,
-      PassKind::Sobel });
+      PassKind::Sobel, PassKind::SSAA });
   }
   renderer.SSAO = writer.Chance(0.04);
   renderer.FXAA = writer.Chance(0.04);
@@ -256,8 +256,7 @@ glm::dvec3 GetRandomVector(Writer& writer, double size)
 
 void ChangeAnyProp(Writer& writer, int frame)
 {
-  const std::vector<Prop>& props = writer.Scene.Props;
-  const Prop& prop = props[writer.Random.Index(props.size())];
+  const Prop& prop = writer.Scene.Props[writer.Random.Index(writer.Scene.Props.size())];
   const glm::dvec3 move = GetRandomVector(writer, 0.5 * writer.Scale);
   const glm::dvec3 moved = prop.Position + move;
   const auto add = [&](ChangeKind kind, std::vector<double> values)
@@ -290,7 +289,8 @@ void ChangeAnyProp(Writer& writer, int frame)
       add(ChangeKind::Color, { writer.Between(0.0, 1.0), 0.5, 0.9 });
       break;
     case 10:
-      add(ChangeKind::Opacity, { writer.Any({ 0.5, 1.0 }) });
+      add(prop.Kind == PropKind::Composite ? ChangeKind::BlockOpacity : ChangeKind::Opacity,
+        { writer.Any({ 0.5, 1.0 }) });
       break;
     case 11:
     case 12:
@@ -480,7 +480,8 @@ void MoveFarAway(Writer& writer)
   {
     const bool ofLight =
       change.Kind == ChangeKind::LightPosition || change.Kind == ChangeKind::LightFocalPoint;
-    if (change.Kind == ChangeKind::Position || change.Kind == ChangeKind::MovePoints || ofLight)
+    if (ofLight || change.Kind == ChangeKind::Position || change.Kind == ChangeKind::MovePoints ||
+      change.Kind == ChangeKind::ReplaceData)
     {
       const bool absolute = ofLight || (change.Kind == ChangeKind::Position && inMatrix);
       // A fourth value is a share, not a length.

@@ -82,7 +82,10 @@ void RemoveUndefined(Scenario& scene)
         scene.Changes.erase(
           std::remove_if(scene.Changes.begin(), scene.Changes.end(),
             [&prop](const Change& change)
-            { return change.Kind == ChangeKind::Opacity && change.Target == prop.Id; }),
+            {
+              return change.Target == prop.Id &&
+                (change.Kind == ChangeKind::Opacity || change.Kind == ChangeKind::BlockOpacity);
+            }),
           scene.Changes.end());
       }
     }

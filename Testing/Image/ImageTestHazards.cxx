@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Hazards that the named scenarios (ImageTestScenarios.cxx) have no words for: too many props for a
-// list, and two settings that are compared.
+// A hazard of too many props for the list of a named scenario (ImageTestScenarios.cxx).
 #include "CullerTest.h"
 #include "Scenes.h"
 
@@ -72,45 +71,5 @@ TEST(CullerHazards, OneHundredThousandSpecks)
       });
     EXPECT_EQ(comparison.GetStatistics().Props, Count + 1);
     EXPECT_GE(comparison.GetHidden(), Count * 8 / 10);
-  }
-}
-
-// Hazard: long props, the whole of whose nearest depth is that of one end.
-TEST(CullerHazards, LongPropsAreHiddenPixelByPixel)
-{
-  for (const int samples : { 0, 4 })
-  {
-    int hidden[2] = { 0, 0 };
-    for (const bool testPixels : { false, true })
-    {
-      ComparisonOptions options;
-      options.MultiSamples = samples;
-      options.Tuning.TestPixels = testPixels;
-      Comparison comparison(
-        [](Stage& stage)
-        {
-          // A corridor wall that recedes, and rails behind it that recede with it.
-          Scenes::AddBox(stage, -1.0, 0.0, -20.0, 0.1, 6.0, 50.0);
-          for (int i = 0; i < 60; ++i)
-          {
-            Scenes::AddBox(stage, -1.6 - 0.02 * i, 0.05 * i - 1.5, -22.0, 0.02, 0.02, 44.0);
-          }
-          stage.GetRenderer()->GetActiveCamera()->SetViewAngle(60.0);
-          stage.GetRenderer()->GetActiveCamera()->SetFocalPoint(-0.5, 0.0, -20.0);
-        },
-        options);
-      for (int i = 0; i < 3; ++i)
-      {
-        comparison.Frame(
-          [i](Stage& stage)
-          {
-            stage.GetRenderer()->GetActiveCamera()->SetPosition(1.0 + 0.1 * i, 0.0, 4.0);
-            stage.GetRenderer()->ResetCameraClippingRange();
-          });
-      }
-      hidden[testPixels] = comparison.GetHidden();
-    }
-    EXPECT_LT(hidden[0], 20) << "the test would show nothing, samples: " << samples;
-    EXPECT_GT(hidden[1], 20) << "pixel by pixel nearly all are behind the wall: " << samples;
   }
 }

@@ -171,6 +171,8 @@ const Way Ways[] = {
   { "FXAA", UseFXAA },
   { "FXAATranslucent", UseFXAA, Decision::Culled, true },
   { "FXAAPass", Use(PassKind::FXAA) },
+  // Hazard: SSAA draws into a framebuffer of its own, which is four times as wide and high.
+  { "SSAAPass", Use(PassKind::SSAA), Decision::OtherView },
   // Hazard: hidden-line removal draws the surfaces as depth only and then the lines.
   { "HiddenLineRemoval",
     [](Stage& s)

@@ -18,8 +18,6 @@
 #include "vtkProperty.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderState.h"
-#include "vtkRenderStepsPass.h"
-#include "vtkSSAAPass.h"
 #include "vtkSequencePass.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -186,13 +184,8 @@ TEST(CullerPassesOnce, StillCameraUnderAnotherPass)
   }
   EXPECT_EQ(comparison.GetDecision(), Decision::Still);
   EXPECT_GT(comparison.GetHidden(), Wall::Hidden);
-  comparison.Both(
-    [](Stage& stage)
-    {
-      vtkNew<vtkSSAAPass> pass;
-      pass->SetDelegatePass(vtkNew<vtkRenderStepsPass>());
-      stage.GetRenderer()->SetPass(pass);
-    });
+  comparison.Both([](Stage& stage)
+    { stage.GetRenderer()->SetPass(TestScene::MakePass(TestScene::PassKind::SSAA)); });
   comparison.Frame("finer");
   EXPECT_EQ(comparison.GetDecision(), Decision::OtherView);
 }

@@ -82,7 +82,6 @@ TEST_P(CullerTriangles, BehindTheEdgeOfAWall)
 {
   ComparisonOptions options = Scenes::MakeExactOptions(Width, Height, 4);
   options.Backend = vtkNBufferCuller::CPU;
-  options.Tuning.TestTrianglesAfter = 2;
   Comparison comparison(BuildNotch, options);
   for (int i = 0; i < 5; ++i)
   {

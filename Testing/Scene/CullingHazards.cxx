@@ -191,6 +191,28 @@ NamedScenario FarFromTheOrigin(double offset)
   return scene.Finish();
 }
 
+/// Long props that recede with the wall before them: the nearest depth of their boxes is that of
+/// one end, so that only the test of each pixel hides them.
+NamedScenario LongPropsAreHiddenPixelByPixel(bool testPixels, int multiSamples)
+{
+  HazardBuilder scene("LongPropsAreHiddenPixelByPixel");
+  scene.Scene.Window.MultiSamples = multiSamples;
+  scene.Scene.Culler.TestPixels = testPixels;
+  scene.Box({ -1.0, 0.0, -20.0 }, { 0.1, 6.0, 50.0 }); // the wall of a corridor
+  for (int i = 0; i < 60; ++i)
+  {
+    scene.Box({ -1.6 - 0.02 * i, 0.05 * i - 1.5, -22.0 }, { 0.02, 0.02, 44.0 }); // a rail
+  }
+  scene.LookFrom({ 1.0, 0.0, 4.0 }, { -0.5, 0.0, -20.0 }).ViewAngle = 60.0;
+  for (int i = 1; i < 4; ++i)
+  {
+    scene.NextFrame();
+    scene.LookFrom({ 1.0 + 0.1 * i, 0.0, 4.0 }, { -0.5, 0.0, -20.0 });
+  }
+  scene.ExpectHidden(testPixels ? 21 : 0, testPixels ? 60 : 19);
+  return scene.Finish();
+}
+
 /// A large model matrix undone by small coordinates, and the other way round.
 NamedScenario LargeMatricesAndScales()
 {
@@ -436,6 +458,11 @@ std::vector<NamedScenario> GetCullingHazards()
   for (const int baseFactor : { 1, 2, 4, 8 })
   {
     hazards.push_back(FenceWithNarrowGaps(baseFactor));
+  }
+  for (const int samples : { 0, 4 })
+  {
+    hazards.push_back(LongPropsAreHiddenPixelByPixel(false, samples));
+    hazards.push_back(LongPropsAreHiddenPixelByPixel(true, samples));
   }
   for (const double offset : { 1e4, 1e6, 5e6 })
   {

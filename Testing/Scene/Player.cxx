@@ -198,7 +198,7 @@ void Player::AddCullers()
       Tune(culler, &vtkNBufferTuning::RoundSize, settings.RoundSize);
       Tune(culler, &vtkNBufferTuning::HierarchySize, settings.HierarchySize);
       Tune(culler, &vtkNBufferTuning::ObserveAfter, settings.ObserveAfter);
-      Tune(culler, &vtkNBufferTuning::TestTrianglesAfter, settings.TestTrianglesAfter);
+      Tune(culler, &vtkNBufferTuning::TestTriangles, settings.TestTriangles);
       Tune(culler, &vtkNBufferTuning::TestPixels, settings.TestPixels);
       culler->SetTestSlivers(settings.TestSlivers);
       Tune(culler, &vtkNBufferTuning::ReuseWhenStill, settings.ReuseWhenStill);

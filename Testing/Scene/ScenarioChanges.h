@@ -83,7 +83,8 @@ enum class ChangeKind
   LitmapResolution,
   SlabGap,
   CasterKeys,
-  BoxCost
+  BoxCost,
+  BlockOpacity ///< Of the second block of a composite prop.
 };
 NBUFFER_SCENE_NAMES(ChangeKind, "Position", "Orientation", "Scale", "UserMatrix", "Color",
   "Opacity", "Visible", "Representation", "LineWidth", "Edges", "MovePoints", "ReplaceData",
@@ -91,7 +92,7 @@ NBUFFER_SCENE_NAMES(ChangeKind, "Position", "Orientation", "Scale", "UserMatrix"
   "Pass", "FXAA", "SSAO", "CullerEnabled", "CullerBackend", "CullerBaseFactor", "CullerRoundSize",
   "CullerPresent", "PolygonOffset", "Select", "Casts", "BlockVisible", "LightPosition",
   "LightFocalPoint", "LightCone", "LightOn", "LightCasts", "LightAttenuation", "ShadowMode",
-  "LitmapResolution", "SlabGap", "CasterKeys", "BoxCost");
+  "LitmapResolution", "SlabGap", "CasterKeys", "BoxCost", "BlockOpacity");
 
 /// Done before the frame is drawn, in the order of the list.
 struct Change

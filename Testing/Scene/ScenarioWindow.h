@@ -25,14 +25,15 @@ enum class PassKind
   DualDepthPeeling,
   SSAO,
   FXAA,
-  Framebuffer,            ///< One that the culler does not know.
-  Sobel,                  ///< One that the culler does not know.
-  ShadowVolumes,          ///< vtkShadowVolumeClampPass as the pass of the renderer.
-  ShadowVolumesInSequence ///< In the place of the opaque pass of OpaqueTranslucent.
+  Framebuffer,             ///< One that the culler does not know.
+  Sobel,                   ///< One that the culler does not know.
+  ShadowVolumes,           ///< vtkShadowVolumeClampPass as the pass of the renderer.
+  ShadowVolumesInSequence, ///< In the place of the opaque pass of OpaqueTranslucent.
+  SSAA
 };
 NBUFFER_SCENE_NAMES(PassKind, "None", "RenderSteps", "OpaqueTranslucent", "OpaqueTwice",
   "TranslucentFirst", "Default", "DepthPeeling", "DualDepthPeeling", "SSAO", "FXAA", "Framebuffer",
-  "Sobel", "ShadowVolumes", "ShadowVolumesInSequence");
+  "Sobel", "ShadowVolumes", "ShadowVolumesInSequence", "SSAA");
 
 struct Renderer
 {
@@ -91,7 +92,7 @@ struct Culler
   int RoundSize = 8;
   int HierarchySize = 10000;
   int ObserveAfter = 60;
-  int TestTrianglesAfter = 8;
+  bool TestTriangles = true;
   bool TestPixels = true;
   int TestSlivers = 0;
   bool ReuseWhenStill = true;
@@ -99,7 +100,7 @@ struct Culler
 
   NBUFFER_SCENE_MEMBERS(DefaultCuller, OnePerRenderer, AddedInFrame, Backend, BaseFactor,
     MinimumNumberOfCandidates, MaximumNumberOfRounds, RoundSize, HierarchySize, ObserveAfter,
-    TestTrianglesAfter, TestPixels, TestSlivers, ReuseWhenStill, BackOff);
+    TestTriangles, TestPixels, TestSlivers, ReuseWhenStill, BackOff);
 };
 }
 

@@ -14,6 +14,7 @@
 #include "vtkOverlayPass.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
+#include "vtkSSAAPass.h"
 #include "vtkSSAOPass.h"
 #include "vtkSequencePass.h"
 #include "vtkSobelGradientMagnitudePass.h"
@@ -131,6 +132,8 @@ vtkSmartPointer<vtkRenderPass> MakePass(PassKind kind, vtkRenderPass* shadows)
     }
     case PassKind::Sobel:
       return AroundSteps<vtkSobelGradientMagnitudePass>();
+    case PassKind::SSAA:
+      return AroundSteps<vtkSSAAPass>();
   }
   return nullptr;
 }

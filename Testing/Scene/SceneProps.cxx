@@ -371,6 +371,12 @@ void ChangeActor(vtkActor* actor, const Prop& description, const Change& change)
         composite->SetBlockVisibility(2, value != 0.0);
       }
       break;
+    case ChangeKind::BlockOpacity:
+      if (auto* composite = CompositeMapper::SafeDownCast(mapper))
+      {
+        composite->SetBlockOpacity(2, value);
+      }
+      break;
     case ChangeKind::ClippingPlane:
       if (mapper && mapper->GetClippingPlanes())
       {

@@ -193,38 +193,36 @@ TEST_F(NBufferSurface, SmallMeshesAreCopiedAFewInAFrame)
   vtkNew<vtkSphereSource> source;
   this->Mapper->SetInputConnection(source->GetOutputPort());
   this->Mapper->Update();
-  EXPECT_EQ(meshes.FindSmall(this->Actor, 1), nullptr) << "no frame has begun";
+  EXPECT_EQ(meshes.FindSmall(this->Actor, true), nullptr) << "no frame has begun";
   meshes.Forget(this->Actor);
   meshes.BeginFrame();
-  EXPECT_EQ(meshes.FindSmall(this->Actor, 0), nullptr);
-  EXPECT_EQ(meshes.FindSmall(this->Actor, 2), nullptr);
-  EXPECT_EQ(meshes.FindSmall(this->Actor, 0), nullptr);
-  vtkNBufferMeshes::Small* small = meshes.FindSmall(this->Actor, 2);
+  EXPECT_EQ(meshes.FindSmall(this->Actor, false), nullptr);
+  vtkNBufferMeshes::Small* small = meshes.FindSmall(this->Actor, true);
   ASSERT_TRUE(small);
   EXPECT_EQ(small->Mesh->Triangles.size(), 96u);
   small->First = 5;
-  small = meshes.FindSmall(this->Actor, 0);
+  small = meshes.FindSmall(this->Actor, false);
   ASSERT_TRUE(small);
   EXPECT_EQ(small->First, 5u);
 
   source->SetThetaResolution(20);
   this->Mapper->Update();
   meshes.Forget(this->Actor);
-  EXPECT_EQ(meshes.FindSmall(this->Actor, 0), nullptr);
-  small = meshes.FindSmall(this->Actor, 1);
+  EXPECT_EQ(meshes.FindSmall(this->Actor, false), nullptr);
+  small = meshes.FindSmall(this->Actor, true);
   ASSERT_TRUE(small);
   EXPECT_EQ(small->Mesh->Triangles.size(), 240u);
   source->SetThetaResolution(40);
   this->Mapper->Update();
   meshes.Forget(this->Actor);
-  EXPECT_EQ(meshes.FindSmall(this->Actor, 1), nullptr) << "too many triangles";
+  EXPECT_EQ(meshes.FindSmall(this->Actor, true), nullptr) << "too many triangles";
 
   std::vector<vtkSmartPointer<vtkActor>> actors;
   const auto countCopies = [&]
   {
     meshes.BeginFrame();
     return std::count_if(
-      actors.begin(), actors.end(), [&](vtkActor* actor) { return meshes.FindSmall(actor, 1); });
+      actors.begin(), actors.end(), [&](vtkActor* actor) { return meshes.FindSmall(actor, true); });
   };
   for (int i = 0; i < 20; ++i)
   {

@@ -11,9 +11,10 @@
 #include VTKNBUFFER_GL_HEADER
 
 VTK_ABI_NAMESPACE_BEGIN
-static_assert(vtkNBufferDepthConvention::PassIfNearer == GL_LESS &&
-  vtkNBufferDepthConvention::PassIfNearerOrEqual == GL_LEQUAL &&
-  vtkNBufferDepthConvention::PassIfFarther == GL_GREATER);
+constexpr bool FarIsLarge = vtkNBufferDepthConvention::Sign > 0.0;
+static_assert(vtkNBufferDepthConvention::PassIfNearer == (FarIsLarge ? GL_LESS : GL_GREATER) &&
+  vtkNBufferDepthConvention::PassIfNearerOrEqual == (FarIsLarge ? GL_LEQUAL : GL_GEQUAL) &&
+  vtkNBufferDepthConvention::PassIfFarther == (FarIsLarge ? GL_GREATER : GL_LESS));
 
 vtkNBufferBackend::Kind vtkNBufferBackend::Choose(Kind wanted, vtkOpenGLRenderWindow* window)
 {

@@ -44,7 +44,7 @@ constexpr double GetOrder(double stored)
 ///@{
 /// The order of a point whose clip coordinates are z and w is Scale * z / w + Offset.
 constexpr double Scale = 0.5;
-constexpr double Offset = 0.5;
+constexpr double Offset = 0.5 * Sign;
 ///@}
 
 ///@{
@@ -55,13 +55,14 @@ constexpr double InverseOffset = -Offset / Scale;
 
 /// The stored depth where nothing has been drawn. No drawn depth is farther. The depth buffer is
 /// cleared to this value.
-constexpr float Background = 1.0f;
+constexpr float Background = Sign > 0.0 ? 1.0f : 0.0f;
 
 /// The stored depth on the near plane. No drawn depth is nearer.
-constexpr float Nearest = 0.0f;
+constexpr float Nearest = 1.0f - Background;
 
 /// The extremum that finds the farthest of several stored depths.
-constexpr vtkNBufferExtremum Farthest = vtkNBufferExtremum::Maximum;
+constexpr vtkNBufferExtremum Farthest =
+  Sign > 0.0 ? vtkNBufferExtremum::Maximum : vtkNBufferExtremum::Minimum;
 
 /// Whether this stored depth is that of something drawn, and not the background's.
 constexpr bool IsDrawn(float stored)
@@ -79,9 +80,9 @@ constexpr bool IsAwayFromEye(double factor, double units)
 /// Arguments of glDepthFunc(): a fragment passes if it is nearer than what is stored, if it is
 /// nearer or has the same depth, or if it is farther. The numbers are those of GL_LESS, GL_LEQUAL
 /// and GL_GREATER.
-constexpr unsigned int PassIfNearer = 0x0201;
-constexpr unsigned int PassIfNearerOrEqual = 0x0203;
-constexpr unsigned int PassIfFarther = 0x0204;
+constexpr unsigned int PassIfNearer = Sign > 0.0 ? 0x0201 : 0x0204;
+constexpr unsigned int PassIfNearerOrEqual = Sign > 0.0 ? 0x0203 : 0x0206;
+constexpr unsigned int PassIfFarther = Sign > 0.0 ? 0x0204 : 0x0201;
 ///@}
 }
 VTK_ABI_NAMESPACE_END

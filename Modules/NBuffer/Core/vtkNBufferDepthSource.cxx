@@ -104,7 +104,8 @@ bool InspectFramebuffer(
   glGetIntegerv(GL_VIEWPORT, source.Viewport);
   GLdouble range[2] = { 0.0, 1.0 };
   glGetDoublev(GL_DEPTH_RANGE, range);
-  source.DefaultDepthRange = range[0] == 0.0 && range[1] == 1.0;
+  source.DefaultDepthRange = range[0] == vtkNBufferDepthConvention::Nearest &&
+    range[1] == vtkNBufferDepthConvention::Background;
 
   if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
   {

@@ -48,18 +48,17 @@ std::vector<vtkNBufferMeshes::Placed> vtkNBufferMeshes::Get(vtkActor* actor)
   return result;
 }
 
-vtkNBufferMeshes::Small* vtkNBufferMeshes::FindSmall(vtkActor* actor, int copyAfter)
+vtkNBufferMeshes::Small* vtkNBufferMeshes::FindSmall(vtkActor* actor, bool mayCopy)
 {
   const auto found =
-    copyAfter > 0 ? this->SmallMeshes.try_emplace(actor).first : this->SmallMeshes.find(actor);
+    mayCopy ? this->SmallMeshes.try_emplace(actor).first : this->SmallMeshes.find(actor);
   if (found == this->SmallMeshes.end())
   {
     return nullptr;
   }
   Small& small = found->second;
   small.Frame = this->Frame;
-  if (!small.Mesh && !small.IsTooLarge && copyAfter > 0 && ++small.Requests >= copyAfter &&
-    this->CopiesLeft > 0)
+  if (!small.Mesh && !small.IsTooLarge && mayCopy && this->CopiesLeft > 0)
   {
     vtkMapper* mapper = actor->GetMapper();
     auto* data = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;

@@ -51,7 +51,6 @@ public:
   {
     std::shared_ptr<const vtkNBufferMesh> Mesh; ///< Null before it is copied.
     std::size_t First = 0;   ///< With which triangle vtkNBufferPixelTest::MayBeSeen() begins.
-    int Requests = 0;        ///< The calls of FindSmall() so far that count for `copyAfter`.
     bool IsTooLarge = false; ///< The data has too many polygons, or strips, or is no polydata.
     int Frame = 0;           ///< The last frame that requested the triangles.
   };
@@ -60,11 +59,10 @@ public:
    * The triangles of an actor if its data is a polydata with at most MaximumNumberOfPolygons
    * polygons and without strips, and if they have been copied; otherwise nullptr. Copying them may
    * take a tenth of a millisecond, because polygons have to be triangulated. They are therefore
-   * copied in call number `copyAfter` for the same actor, or later, because at most CopiesPerFrame
-   * actors get a copy in a frame. Calls with a `copyAfter` of 0 are not counted and never copy. If
-   * the actor or its data changes, Forget() must be called.
+   * copied only if `mayCopy` is true, and for at most CopiesPerFrame actors in a frame. If the
+   * actor or its data changes, Forget() must be called.
    */
-  Small* FindSmall(vtkActor* actor, int copyAfter);
+  Small* FindSmall(vtkActor* actor, bool mayCopy);
 
   /// Drop the triangles of a prop, which may have changed.
   void Forget(vtkProp* prop) { this->SmallMeshes.erase(prop); }

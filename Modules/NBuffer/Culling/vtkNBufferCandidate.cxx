@@ -75,16 +75,14 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
       !vtkActor2D::SafeDownCast(this->Prop) && !vtkVolume::SafeDownCast(this->Prop);
     this->Blended = this->Unlit = false;
     this->Class = &typeid(*this->Prop);
-    this->Mapper = nullptr;
     this->Uses = {};
     return globalStateChanged || this->Verdict != verdictBefore;
   }
   const vtkMTimeType timeBefore = this->Watch.GetTime();
-  this->Mapper = actor->GetMapper();
   const vtkNBufferVerdict box = this->ReadBox(actor);
   this->Uses = vtkNBufferSharedState::GetUses(actor);
   this->Verdict = this->Classify(actor, box);
-  this->DepthWriter = this->Mapper && actor->HasOpaqueGeometry();
+  this->DepthWriter = actor->GetMapper() && actor->HasOpaqueGeometry();
   this->Blended = IsForcedToBeOpaque(actor);
   this->Unlit = !actor->GetProperty()->GetLighting();
   // Composite data never counts as unchanged (IsTracked()). The times of its blocks, which would
@@ -100,12 +98,13 @@ vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor, vtkNBufferVerdi
   {
     return vtkNBufferVerdict::OtherCoordinates;
   }
-  if (!this->Mapper || !vtkNBufferSurface::IsPlain(this->Mapper))
+  vtkMapper* mapper = actor->GetMapper();
+  if (!mapper || !vtkNBufferSurface::IsPlain(mapper))
   {
     return vtkNBufferVerdict::NotAPlainMapper;
   }
   if (!vtkNBufferSurface::DrawsAsSurface(actor->GetProperty()) ||
-    (this->Box.Margin > 0.0 && vtkNBufferSurface::DrawsLines(this->Mapper)))
+    (this->Box.Margin > 0.0 && vtkNBufferSurface::DrawsLines(mapper)))
   {
     return vtkNBufferVerdict::NotASurface;
   }
@@ -113,7 +112,7 @@ vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor, vtkNBufferVerdi
   {
     return vtkNBufferVerdict::ShaderReplaced;
   }
-  if (vtkNBufferSurface::HasOffsetTowardsEye(this->Mapper, this->Box.Margin > 0.0))
+  if (vtkNBufferSurface::HasOffsetTowardsEye(mapper, this->Box.Margin > 0.0))
   {
     return vtkNBufferVerdict::DepthOffset;
   }
@@ -131,7 +130,8 @@ vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor, vtkNBufferVerdi
 vtkNBufferVerdict vtkNBufferCandidate::ReadBox(vtkActor* actor)
 {
   // GetBounds() also brings the pipeline and the actor's matrix up to date.
-  const double* bounds = this->Mapper ? actor->GetBounds() : nullptr;
+  vtkMapper* mapper = actor->GetMapper();
+  const double* bounds = mapper ? actor->GetBounds() : nullptr;
   this->Box = vtkNBufferBox();
   if (!HasUsableBounds(bounds))
   {
@@ -139,7 +139,7 @@ vtkNBufferVerdict vtkNBufferCandidate::ReadBox(vtkActor* actor)
   }
   this->Box = vtkNBufferBox::FromBounds(bounds);
   this->Box.Margin = vtkNBufferSurface::GetMargin(actor);
-  const auto buffer = vtkNBufferSurface::GetBufferCoordinates(this->Mapper);
+  const auto buffer = vtkNBufferSurface::GetBufferCoordinates(mapper);
   if (!buffer)
   {
     return vtkNBufferVerdict::NotAPlainMapper;

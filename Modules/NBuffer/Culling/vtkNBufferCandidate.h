@@ -150,7 +150,6 @@ private:
   bool Unlit = false;
   vtkNBufferPropWatch Watch;
   vtkProp* Prop = nullptr;
-  vtkMapper* Mapper = nullptr;
   const std::type_info* Class = nullptr; ///< The class of a prop that is no plain actor.
   vtkNBufferBox Box;
   vtkNBufferSharedState::Uses Uses;

@@ -327,7 +327,7 @@ std::vector<vtkNBufferMeshes::Placed> vtkNBufferCandidateList::GetMeshes(int i)
   return this->Meshes.Get(vtkActor::SafeDownCast(this->GetProp(i)));
 }
 
-bool vtkNBufferCandidateList::MayBeSeen(int i, vtkNBufferPixelTest& test, int copyAfter)
+bool vtkNBufferCandidateList::MayBeSeen(int i, vtkNBufferPixelTest& test)
 {
   // Wide lines and points stick out of the triangles.
   const vtkNBufferState& state = this->States[i];

@@ -82,9 +82,9 @@ public:
   std::vector<vtkNBufferMeshes::Placed> GetMeshes(int i);
 
   /// Whether any triangle of candidate i may be visible. Also true if its triangles are not known:
-  /// only those of small meshes are copied (vtkNBufferMeshes::FindSmall), for props that the tests
-  /// of `copyAfter` frames have found visible.
-  bool MayBeSeen(int i, vtkNBufferPixelTest& test, int copyAfter);
+  /// only those of small meshes are copied (vtkNBufferMeshes::FindSmall), for props that the last
+  /// test found visible.
+  bool MayBeSeen(int i, vtkNBufferPixelTest& test);
 
   int GetSize() const { return static_cast<int>(this->Candidates.GetSize()); }
   vtkProp* GetProp(int i) const { return this->Candidates.GetProp(i); }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -19,6 +20,13 @@ namespace
 /// The number of candidates from which on it is worth reading the whole depth image, if it is not
 /// in host memory yet.
 constexpr std::size_t CandidatesWorthARead = 32;
+
+template <typename Predicate>
+void RemoveIf(std::vector<int>& places, Predicate&& predicate)
+{
+  places.erase(
+    std::remove_if(places.begin(), places.end(), std::forward<Predicate>(predicate)), places.end());
+}
 }
 
 vtkNBufferDepthTest::vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferLevels& levels,
@@ -131,17 +139,16 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
   vtkNBufferClock clock;
   vtkNBufferOcclusionTest test(this->Levels, this->SampleDistance);
   this->Props.MarkHidden(test);
-  places.erase(std::remove_if(places.begin(), places.end(),
-                 [&](int i)
-                 {
-                   if (this->Props.GetState(i).Behind)
-                   {
-                     return true;
-                   }
-                   const vtkNBufferScreenBox* screen = getScreen(i);
-                   return screen && test.IsHidden(*screen);
-                 }),
-    places.end());
+  RemoveIf(places,
+    [&](int i)
+    {
+      if (this->Props.GetState(i).Behind)
+      {
+        return true;
+      }
+      const vtkNBufferScreenBox* screen = getScreen(i);
+      return screen && test.IsHidden(*screen);
+    });
   this->Statistics.Queries += test.GetQueries();
   this->Statistics.Lookups += test.GetLookups();
   const auto passed = static_cast<int>(places.size());
@@ -151,21 +158,16 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
   {
     clock.Restart();
     vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth, this->SampleDistance);
-    places.erase(std::remove_if(places.begin(), places.end(),
-                   [&](int i)
-                   {
-                     const vtkNBufferScreenBox* screen = getScreen(i);
-                     return screen && pixelTest.IsHidden(this->Props.GetBox(i), *screen);
-                   }),
-      places.end());
-    if (this->Settings.TestTrianglesAfter > 0)
+    RemoveIf(places,
+      [&](int i)
+      {
+        const vtkNBufferScreenBox* screen = getScreen(i);
+        return screen && pixelTest.IsHidden(this->Props.GetBox(i), *screen);
+      });
+    if (this->Settings.TestTriangles)
     {
       const std::size_t seen = places.size();
-      places.erase(
-        std::remove_if(places.begin(), places.end(),
-          [&](int i)
-          { return !this->Props.MayBeSeen(i, pixelTest, this->Settings.TestTrianglesAfter); }),
-        places.end());
+      RemoveIf(places, [&](int i) { return !this->Props.MayBeSeen(i, pixelTest); });
       this->Statistics.HiddenByTriangles += static_cast<int>(seen - places.size());
     }
     this->Statistics.Lookups += pixelTest.GetLookups();

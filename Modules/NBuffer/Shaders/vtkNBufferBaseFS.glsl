@@ -16,10 +16,13 @@
 //VTK::NBuffer::Dec
 
 #if NBUFFER_SOURCE == NBUFFER_SOURCE_INTEGER
+#define NBUFFER_VALUE uint
 uniform usampler2D depth;
 #elif NBUFFER_SOURCE == NBUFFER_SOURCE_MULTISAMPLE
+#define NBUFFER_VALUE float
 uniform sampler2DMS depth;
 #else
+#define NBUFFER_VALUE float
 uniform sampler2D depth;
 #endif
 uniform ivec2 origin; // of the rectangle to reduce, in texels of the depth texture
@@ -31,30 +34,17 @@ uniform ivec2 last;   // last pixel of the rectangle, counted from its origin
 #define NBUFFER_EXTREMUM min
 #endif
 
-#if NBUFFER_SOURCE == NBUFFER_SOURCE_INTEGER
-#define NBUFFER_VALUE uint
 NBUFFER_VALUE Fetch(ivec2 pixel)
 {
-  return texelFetch(depth, origin + pixel, 0).r;
-}
-#elif NBUFFER_SOURCE == NBUFFER_SOURCE_MULTISAMPLE
-#define NBUFFER_VALUE float
-NBUFFER_VALUE Fetch(ivec2 pixel)
-{
-  float value = texelFetch(depth, origin + pixel, 0).r;
+  NBUFFER_VALUE value = texelFetch(depth, origin + pixel, 0).r;
+#if NBUFFER_SOURCE == NBUFFER_SOURCE_MULTISAMPLE
   for (int i = 1; i < NBUFFER_SAMPLES; ++i)
   {
     value = NBUFFER_EXTREMUM(value, texelFetch(depth, origin + pixel, i).r);
   }
+#endif
   return value;
 }
-#else
-#define NBUFFER_VALUE float
-NBUFFER_VALUE Fetch(ivec2 pixel)
-{
-  return texelFetch(depth, origin + pixel, 0).r;
-}
-#endif
 
 float ToDepth(NBUFFER_VALUE value)
 {

@@ -38,6 +38,7 @@ int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& se
   vtkShadowStatistics& statistics = this->Statistics;
   statistics = vtkShadowStatistics();
   statistics.FailedFrames = this->FailedFrames;
+  statistics.PixelFrames = this->PixelFrames;
   this->Shading.SetLights({});
   const std::vector<vtkShadowLightSource> lights =
     vtkShadowLightSource::Find(renderer, settings.DoesLightCast);
@@ -72,7 +73,6 @@ int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& se
     statistics.Updates == 0 && !settings.Masks.Tuning.CountFragments && key == this->Key;
   bool done = still || this->ReserveMasks(lights.size());
   statistics.Samples = static_cast<int>(this->GetTarget().GetSamples().size());
-  statistics.PixelFrames = this->PixelFrames;
   this->Shading.SetUp(lights, statistics.Samples);
   // The shaders that will draw the colour also draw the depth, so that both have the same depth to
   // the bit, and no mapper has to build its shaders twice.
@@ -123,7 +123,7 @@ bool vtkShadowOpaqueStage::ReserveMasks(std::size_t lights)
   const bool done = this->Masks.Reserve(this->Window, lights);
   if (done && this->GetTarget().HasRefusedSamples())
   {
-    ++this->PixelFrames;
+    this->Statistics.PixelFrames = ++this->PixelFrames;
     this->WarnOnce(this->HasWarnedOfSamples,
       "Shadows have one sample for each pixel. " + this->Masks.GetError());
   }
