@@ -50,8 +50,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   int HierarchySize = 10000;
 
   /// The objects of a prop get observers (vtkNBufferObservedObjects) when the prop has not changed
-  /// for this many frames; 0 means never. From then on a frame reads only the modification time of
-  /// the actor, instead of those of some fifteen objects.
+  /// for this many frames; 0 means never. From then on a frame reads no modification time, instead
+  /// of those of some fifteen objects. Of an actor with a user's transform it reads the actor's.
   int ObserveAfter = 60;
 
   /// Whether the triangles of a prop whose box neither the levels nor the pixels hide are compared

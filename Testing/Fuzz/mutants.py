@@ -137,6 +137,9 @@ MUTANTS = {
          "  Combine(way, static_cast<std::size_t>(property->GetRepresentation()));\n", "")],
     "changes of observed objects not noticed": [
         ("vtkNBufferCandidateList.cxx", "!this->Observed.TakeChange() && !lost;", "true;")],
+    "changes of observed actors not noticed": [
+        ("vtkNBufferCandidateList.cxx",
+         "!this->ObservedActors.TakeChange() && unchanged && !all;", "unchanged && !all;")],
 
     # Props that are none of the tested kind.
     "translucent props hide": [

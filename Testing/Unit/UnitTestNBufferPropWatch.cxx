@@ -25,6 +25,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLActor.h"
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLShaderProperty.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -247,7 +248,6 @@ TEST(NBufferStamps, ChangesAreSeen)
     { "NewBackfaceProperty",
       [](StampedActor& s) { s.Actor->SetBackfaceProperty(vtkNew<vtkProperty>()); } },
     { "UserMatrix", [](StampedActor& s) { s.Matrix->SetElement(0, 3, 2.0); } },
-    { "NewShaderProperty", [](StampedActor& s) { s.Actor->GetShaderProperty(); } },
     { "Mapper", [](StampedActor& s) { s.Mapper->SetScalarVisibility(false); } },
     { "NewLookupTable",
       [](StampedActor& s) { s.Mapper->SetLookupTable(vtkNew<vtkLookupTable>()); } },
@@ -283,6 +283,7 @@ TEST(NBufferStamps, ChangesAreSeen)
   {
     SCOPED_TRACE(name);
     vtkNBufferObservedObjects objects;
+    vtkNBufferObservedObjects actors;
     const auto mayHaveChanged = [&objects](const vtkNBufferPropWatch& watch)
     { return watch.MayHaveChanged(!objects.TakeChange()); };
     StampedActor stamped;
@@ -291,9 +292,9 @@ TEST(NBufferStamps, ChangesAreSeen)
     EXPECT_TRUE(watch.SeesAllChanges());
     EXPECT_FALSE(watch.MayHaveChanged());
     EXPECT_FALSE(watch.HasChanged());
-    watch.Observe(objects);
+    watch.Observe(objects, actors);
     EXPECT_FALSE(watch.IsObserved()) << "it may change in the next frame again";
-    watch.Observe(objects);
+    watch.Observe(objects, actors);
     EXPECT_TRUE(watch.IsObserved());
     EXPECT_FALSE(mayHaveChanged(watch));
     const vtkMTimeType time = watch.GetTime();
@@ -313,10 +314,11 @@ TEST(NBufferStamps, ChangesAreSeen)
 TEST(NBufferStamps, AllObjectsButTheActorAreObserved)
 {
   vtkNBufferObservedObjects objects;
+  vtkNBufferObservedObjects actors;
   StampedActor stamped;
   vtkNBufferPropWatch watch = Watch(stamped.Actor);
-  watch.Observe(objects);
-  watch.Observe(objects);
+  watch.Observe(objects, actors);
+  watch.Observe(objects, actors);
   for (vtkObject* object : { static_cast<vtkObject*>(stamped.Actor->GetProperty()),
          static_cast<vtkObject*>(stamped.Matrix), static_cast<vtkObject*>(stamped.Mapper),
          static_cast<vtkObject*>(stamped.Mapper->GetInputAlgorithm()),
@@ -327,6 +329,50 @@ TEST(NBufferStamps, AllObjectsButTheActorAreObserved)
     EXPECT_TRUE(object->HasObserver(vtkCommand::ModifiedEvent)) << object->GetClassName();
   }
   EXPECT_FALSE(stamped.Actor->HasObserver(vtkCommand::ModifiedEvent));
+  EXPECT_FALSE(watch.IsWhollyObserved()) << "a transform may depend on any number of others";
+}
+
+// Hazard: VTK makes the shader property late, which changes no time of the actor.
+TEST(NBufferStamps, NewShaderPropertiesAreSeen)
+{
+  StampedActor stamped;
+  const vtkNBufferPropWatch watch = Watch(stamped.Actor);
+  EXPECT_FALSE(watch.MayHaveChanged());
+  stamped.Actor->GetShaderProperty();
+  EXPECT_TRUE(watch.MayHaveChanged());
+}
+
+// Hazard: an actor that is not read any more moves, gets a shader property, or is deleted.
+TEST(NBufferStamps, ActorsWithoutTransformsOfUsersAreObservedAsWell)
+{
+  const ChangeOf<StampedActor> changes[] = {
+    { "Position", [](StampedActor& s) { s.Actor->SetPosition(1.0, 0.0, 0.0); } },
+    { "Transform", [](StampedActor& s) { s.Actor->SetUserMatrix(s.Matrix); } },
+    { "Mapper", [](StampedActor& s) { s.Actor->SetMapper(vtkNew<vtkOpenGLPolyDataMapper>()); } },
+    { "Property", [](StampedActor& s) { s.Actor->SetProperty(vtkNew<vtkProperty>()); } },
+    { "ShaderProperty",
+      [](StampedActor& s) { s.Actor->SetShaderProperty(vtkNew<vtkOpenGLShaderProperty>()); } },
+    { "Shaders",
+      [](StampedActor& s)
+      { s.Actor->GetShaderProperty()->SetVertexShaderCode("void main() {}"); } },
+  };
+  for (const auto& [name, apply] : changes)
+  {
+    SCOPED_TRACE(name);
+    vtkNBufferObservedObjects objects;
+    vtkNBufferObservedObjects actors(true);
+    StampedActor stamped;
+    stamped.Actor->SetUserMatrix(nullptr);
+    vtkNBufferPropWatch watch = Watch(stamped.Actor);
+    watch.Observe(objects, actors);
+    EXPECT_FALSE(watch.IsWhollyObserved());
+    watch.Observe(objects, actors);
+    EXPECT_TRUE(watch.IsWhollyObserved());
+    EXPECT_FALSE(objects.TakeChange() || actors.TakeChange() || watch.HasChanged());
+    apply(stamped);
+    EXPECT_TRUE(objects.TakeChange() || actors.TakeChange());
+    EXPECT_TRUE(watch.HasChanged());
+  }
 }
 
 // Hazard: what is read in every frame anyway is taken for unchanged, because the change is that of
@@ -500,8 +546,8 @@ TEST(NBufferPropWatch, AnotherPropAtTheSameAddressHasNothingOfThePlainActor)
   candidate.Refresh(false);
   EXPECT_EQ(candidate.GetVerdict(), vtkNBufferVerdict::NotAPlainActor);
   EXPECT_FALSE(candidate.IsBlended());
-  candidate.GetWatch().Observe(objects);
-  candidate.GetWatch().Observe(objects);
+  candidate.GetWatch().Observe(objects, objects);
+  candidate.GetWatch().Observe(objects, objects);
   EXPECT_EQ(objects.GetSize(), 0u);
 }
 

@@ -15,6 +15,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 struct vtkNBufferObservedObjects::Record
 {
+  bool DeletionIsChange = false;
   std::atomic<bool> Changed{ false };
   std::atomic<bool> Lost{ false };
   std::mutex Mutex; ///< Guards Commands.
@@ -50,12 +51,17 @@ protected:
   ~Command() override
   {
     // VTK destroys the observers of an object when nothing refers to the object any more.
-    const bool isLost = !this->IsDone && this->Object->GetReferenceCount() > 0;
+    const bool isDeleted = !this->IsDone && this->Object->GetReferenceCount() <= 0;
+    const bool isLost = !this->IsDone && !isDeleted;
     const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
     this->Shared->Commands.erase(this->Object);
     if (isLost)
     {
       this->Shared->Lost = true;
+    }
+    if (isDeleted && this->Shared->DeletionIsChange)
+    {
+      this->Shared->Changed = true;
     }
   }
 
@@ -65,9 +71,10 @@ private:
   bool IsDone = false;
 };
 
-vtkNBufferObservedObjects::vtkNBufferObservedObjects()
+vtkNBufferObservedObjects::vtkNBufferObservedObjects(bool deletionIsChange)
   : Shared(std::make_shared<Record>())
 {
+  this->Shared->DeletionIsChange = deletionIsChange;
 }
 
 vtkNBufferObservedObjects::~vtkNBufferObservedObjects()

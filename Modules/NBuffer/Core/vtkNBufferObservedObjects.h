@@ -36,7 +36,8 @@ public:
   /// than their memory is worth.
   static constexpr std::size_t MaximumSize = 1 << 18;
 
-  vtkNBufferObservedObjects();
+  /// With `deletionIsChange` TakeChange() also says whether an object was deleted.
+  explicit vtkNBufferObservedObjects(bool deletionIsChange = false);
   ~vtkNBufferObservedObjects();
   vtkNBufferObservedObjects(const vtkNBufferObservedObjects&) = delete;
   void operator=(const vtkNBufferObservedObjects&) = delete;
@@ -44,7 +45,7 @@ public:
   /// Observe an object from now on. Returns false if MaximumSize objects are observed already.
   bool Add(vtkObject* object);
 
-  /// Whether any object was modified since the last call.
+  /// Whether any object was modified (or deleted, see the constructor) since the last call.
   bool TakeChange();
 
   /// Whether other code has removed the observer of any living object since the last call. It is

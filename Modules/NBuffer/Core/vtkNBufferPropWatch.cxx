@@ -136,7 +136,8 @@ void vtkNBufferPropWatch::Track(vtkProp* prop, bool withBlocks)
 {
   this->How = Means::None;
   this->Time = 0;
-  this->Complete = this->Observed = this->IsSettled = false;
+  this->Complete = this->IsSettled = false;
+  this->Forget();
   this->Actor = vtkNBufferSurface::GetPlainActor(prop);
   this->Mapper = this->Actor ? this->Actor->GetMapper() : nullptr;
   if (!this->Actor)
@@ -263,16 +264,30 @@ void vtkNBufferPropWatch::Prefetch(bool observedAreUnchanged) const
   }
 }
 
-void vtkNBufferPropWatch::Observe(vtkNBufferObservedObjects& objects)
+void vtkNBufferPropWatch::Observe(
+  vtkNBufferObservedObjects& objects, vtkNBufferObservedObjects& actors)
 {
   if (this->How != Means::Stamps || this->Observed || !std::exchange(this->IsSettled, true))
   {
     return;
   }
+  if (!this->Shaders && this->Count < static_cast<int>(this->Objects.size()))
+  {
+    this->Shaders = this->Actor->GetShaderProperty();
+    // Only now: a later change has a newer time than the new shader property.
+    if (this->MayHaveChanged())
+    {
+      return;
+    }
+    this->Add(this->Shaders);
+    this->Time = std::max(this->Time, GetOwnTime(this->Shaders));
+  }
   // Another thread may have modified an object since it was compared in this frame.
   this->Observed = std::all_of(this->Objects.begin(), this->Objects.begin() + this->Count,
                      [&objects](vtkObject* object) { return objects.Add(object); }) &&
     !this->MayHaveChanged();
+  this->ActorObserved = this->Observed && this->Shaders && !this->UserTransform &&
+    actors.Add(this->Actor) && !this->ActorHasChanged();
 }
 
 bool vtkNBufferPropWatch::GetPipelineTime(vtkMTimeType& time) const

@@ -12,8 +12,8 @@
  * - Stamps: the mapper shows polydata without a pipeline. Track() lists all objects, and each later
  *   check reads only their time stamps, one cache line for each. vtkActor::GetMTime() and
  *   vtkMapper::GetMTime() read some thirty cache lines one after the other, which for 15,000 props
- *   takes most of a culled frame. After Observe() only the actor's stamp is read, and
- *   vtkNBufferObservedObjects says whether any other object has been modified.
+ *   takes most of a culled frame. After Observe() nothing is read as long as
+ *   vtkNBufferObservedObjects says that no observed object has been modified.
  * - Pipeline: filters or sources make the polydata. vtkActor::GetBounds() sends three requests up
  *   the pipeline, which takes as long as drawing a small prop. VTK begins each request by querying
  *   the modification times of all filters, and ends it if none is newer than the data. HasChanged()
@@ -98,14 +98,20 @@ public:
 
   ///@{
   /**
-   * Observe() lets `objects` observe all objects of the prop except for the actor, until the next
-   * Track() or Forget(). It does nothing for means other than Stamps, if there are too many
-   * objects, and in the first call after Track(): a prop that has not changed from one call to the
-   * next will probably not change soon.
+   * Observe() lets `actors` observe the actor, and `objects` all other objects of the prop, until
+   * the next Track() or Forget(). It does nothing for means other than Stamps, if there are too
+   * many objects, and in the first call after Track(): a prop that has not changed from one call to
+   * the next will probably not change soon. An actor with a user's transform is not observed,
+   * because the transform may depend on any number of others. Observe() makes VTK create the shader
+   * property of the actor, which otherwise happens later and without an event.
+   *
+   * IsObserved() says whether the other objects are observed, IsWhollyObserved() whether the actor
+   * is, too, so that every change of the prop invokes an event.
    */
-  void Observe(vtkNBufferObservedObjects& objects);
-  void Forget() { this->Observed = false; }
+  void Observe(vtkNBufferObservedObjects& objects, vtkNBufferObservedObjects& actors);
+  void Forget() { this->Observed = this->ActorObserved = false; }
   bool IsObserved() const { return this->Observed; }
+  bool IsWhollyObserved() const { return this->ActorObserved; }
   ///@}
 
   /**
@@ -139,6 +145,7 @@ private:
   // What MayHaveChanged() reads of each prop in each frame comes first, to share a cache line.
   Means How = Means::None;
   bool Observed = false;
+  bool ActorObserved = false;
   bool IsSettled = false; ///< Whether Observe() has been called since Track().
   bool Complete = false;
   vtkMTimeType Time = 0;

@@ -171,6 +171,9 @@ struct vtkNBufferState
   /// Whether the prop is deferred: it is Inside, but its rectangle has not been computed yet.
   bool RectangleIsStale = false;
 
+  /// Whether every change of the prop invokes an event (vtkNBufferPropWatch::IsWhollyObserved()).
+  bool Observed = false;
+
   /// Whether the rectangle is stale and the prop lies below a node of the hierarchy that this
   /// frame's depth test has hidden.
   bool Behind = false;

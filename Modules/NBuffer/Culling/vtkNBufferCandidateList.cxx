@@ -44,23 +44,32 @@ int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
     this->Tree.ListHasChanged();
   }
 
-  const bool lost = this->Observed.TakeLoss();
+  const bool lostObject = this->Observed.TakeLoss();
+  const bool lost = this->ObservedActors.TakeLoss() || lostObject;
   const bool unchanged = !this->Observed.TakeChange() && !lost;
-  if (lost)
+  const bool actorsUnchanged = !this->ObservedActors.TakeChange() && unchanged && !all;
+  for (std::size_t i = 0; lost && i < this->Candidates.GetSize(); ++i)
   {
-    for (vtkNBufferCandidate& candidate : this->Candidates.GetItems())
-    {
-      candidate.GetWatch().Forget();
-    }
+    this->Candidates[i].GetWatch().Forget();
+    this->States[i].Observed = false;
   }
   // Comparing times is most of the work and may run in parallel. Refreshing may run pipelines.
   this->Stale.assign(this->Candidates.GetSize(), 0);
   vtkNBufferForEachProp::RunAhead(
     this->Candidates.GetSize(),
-    [this, unchanged](vtkIdType i) { this->Candidates[i].Prefetch(unchanged); },
-    [this, all, unchanged, projection](vtkIdType i)
+    [this, unchanged, actorsUnchanged](vtkIdType i)
     {
-      this->Stale[i] = all || this->Candidates[i].IsStale(unchanged);
+      if (actorsUnchanged && this->States[i].Observed)
+      {
+        vtkNBufferForEachProp::Fetch(&this->Candidates[i]);
+        return;
+      }
+      this->Candidates[i].Prefetch(unchanged);
+    },
+    [this, all, unchanged, actorsUnchanged, projection](vtkIdType i)
+    {
+      this->Stale[i] = !(actorsUnchanged && this->States[i].Observed) &&
+        (all || this->Candidates[i].IsStale(unchanged));
       if (!this->Stale[i])
       {
         this->FindPlacement(i, projection);
@@ -101,7 +110,9 @@ void vtkNBufferCandidateList::ObserveSome()
   const std::size_t most = this->Observed.GetSize() + ObjectsToObserve;
   for (; this->NextOfTurn < end && this->Observed.GetSize() < most; ++this->NextOfTurn)
   {
-    this->Candidates[this->NextOfTurn].GetWatch().Observe(this->Observed);
+    vtkNBufferPropWatch& watch = this->Candidates[this->NextOfTurn].GetWatch();
+    watch.Observe(this->Observed, this->ObservedActors);
+    this->States[this->NextOfTurn].Observed = watch.IsWhollyObserved();
   }
 }
 
@@ -204,6 +215,7 @@ bool vtkNBufferCandidateList::RefreshOne(std::size_t i, bool globalStateChanged)
   const vtkNBufferVerdict verdict = candidate.GetVerdict();
   const vtkNBufferBox box = candidate.GetBox();
   const bool changed = candidate.Refresh(globalStateChanged);
+  this->States[i].Observed = false;
   this->Meshes.Forget(this->GetProp(static_cast<int>(i)));
   if (verdict != candidate.GetVerdict() || !(box == candidate.GetBox()))
   {

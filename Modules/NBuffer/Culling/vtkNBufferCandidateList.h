@@ -134,7 +134,8 @@ private:
   vtkNBufferCandidateTree Tree;
   vtkNBufferMeshes Meshes;
   std::vector<int> Reached; ///< The places of the props that the tree leaves to ProjectOne().
-  vtkNBufferObservedObjects Observed;
+  vtkNBufferObservedObjects Observed; ///< The objects of props, except for actors.
+  vtkNBufferObservedObjects ObservedActors{ true };
   int HierarchySize = VTK_INT_MAX;
   int ObserveAfter = 0;
   int FramesOfTurn = 0;       ///< Frames since the current turn of ObserveSome() began.
