@@ -40,7 +40,7 @@
  * A frame costs about 0.1 microseconds per prop to keep its bounds up to date and to test the
  * frustum (long lists use a hierarchy, see vtkNBufferTuning::HierarchySize). To find changes so
  * cheaply, the culler observes a prop without a pipeline and its objects once the prop has not
- * changed for a while (some 4 kB per prop, see vtkNBufferTuning::ObserveAfter). A prop with a
+ * changed for a while (up to 4 kB per prop, see vtkNBufferTuning::ObserveAfter). A prop with a
  * pipeline costs one or two microseconds. A test costs one read-back of a reduced depth image (with
  * software renderers, of the whole one) and the levels that the rectangles of this frame need.
  * There is no test in a frame with fewer candidates than

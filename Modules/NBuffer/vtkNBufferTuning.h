@@ -51,7 +51,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
 
   /// The objects of a prop get observers (vtkNBufferObservedObjects) when the prop has not changed
   /// for this many frames; 0 means never. From then on a frame reads no modification time, instead
-  /// of those of some fifteen objects. Of an actor with a user's transform it reads the actor's.
+  /// of those of some fifteen objects. If the actor has a user's transform, or has never been
+  /// drawn, the frame still reads the time of the actor.
   int ObserveAfter = 60;
 
   /// Whether the triangles of a prop whose box neither the levels nor the pixels hide are compared

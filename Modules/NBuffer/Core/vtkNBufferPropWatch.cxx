@@ -271,17 +271,6 @@ void vtkNBufferPropWatch::Observe(
   {
     return;
   }
-  if (!this->Shaders && this->Count < static_cast<int>(this->Objects.size()))
-  {
-    this->Shaders = this->Actor->GetShaderProperty();
-    // Only now: a later change has a newer time than the new shader property.
-    if (this->MayHaveChanged())
-    {
-      return;
-    }
-    this->Add(this->Shaders);
-    this->Time = std::max(this->Time, GetOwnTime(this->Shaders));
-  }
   // Another thread may have modified an object since it was compared in this frame.
   this->Observed = std::all_of(this->Objects.begin(), this->Objects.begin() + this->Count,
                      [&objects](vtkObject* object) { return objects.Add(object); }) &&

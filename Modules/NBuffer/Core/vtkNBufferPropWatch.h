@@ -101,9 +101,10 @@ public:
    * Observe() lets `actors` observe the actor, and `objects` all other objects of the prop, until
    * the next Track() or Forget(). It does nothing for means other than Stamps, if there are too
    * many objects, and in the first call after Track(): a prop that has not changed from one call to
-   * the next will probably not change soon. An actor with a user's transform is not observed,
-   * because the transform may depend on any number of others. Observe() makes VTK create the shader
-   * property of the actor, which otherwise happens later and without an event.
+   * the next will probably not change soon. Two kinds of actors are not observed: those with a
+   * user's transform, which may depend on any number of others, and those that have never been
+   * drawn, for VTK creates their shader property without an event. (Creating it here would change
+   * when the mapper builds its shaders anew, and so what is drawn of actors that share a mapper.)
    *
    * IsObserved() says whether the other objects are observed, IsWhollyObserved() whether the actor
    * is, too, so that every change of the prop invokes an event.
