@@ -12,8 +12,9 @@
  * - Stamps: the mapper shows polydata without a pipeline. Track() lists all objects, and each later
  *   check reads only their time stamps, one cache line for each. vtkActor::GetMTime() and
  *   vtkMapper::GetMTime() read some thirty cache lines one after the other, which for 15,000 props
- *   takes most of a culled frame. After Observe() nothing is read as long as
- *   vtkNBufferObservedObjects says that no observed object has been modified.
+ *   takes most of a culled frame. After Observe() only the actor's stamp is read, or
+ *   none at all (IsWhollyObserved()), as long as vtkNBufferObservedObjects says that no observed
+ *   object has been modified.
  * - Pipeline: filters or sources make the polydata. vtkActor::GetBounds() sends three requests up
  *   the pipeline, which takes as long as drawing a small prop. VTK begins each request by querying
  *   the modification times of all filters, and ends it if none is newer than the data. HasChanged()

@@ -135,6 +135,7 @@ private:
   vtkNBufferMeshes Meshes;
   std::vector<int> Reached; ///< The places of the props that the tree leaves to ProjectOne().
   vtkNBufferObservedObjects Observed; ///< The objects of props, except for actors.
+  /// A deleted actor counts as changed, because another prop may have been made at its address.
   vtkNBufferObservedObjects ObservedActors{ true };
   int HierarchySize = VTK_INT_MAX;
   int ObserveAfter = 0;
