@@ -28,7 +28,7 @@ def run(script, *arguments):
 
 def check_scene(name, scene):
     structures = scene["structures"]
-    check(len(structures) >= 40, f"{name}: {len(structures)} structures")
+    check(len(structures) >= 49, f"{name}: {len(structures)} structures")
     check(scene["hidden"] > 0, f"{name}: nothing is hidden")
     for point in structures:
         kept = point["false_visible"]
