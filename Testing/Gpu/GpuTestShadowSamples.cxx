@@ -153,7 +153,7 @@ TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
         {
           const vtkShadowCounter::Scope scope(this->Window, Viewport);
           this->Counter.ClearMask(this->Target, 1, Viewport);
-          this->Counter.ClearStencil(this->Target, Viewport, 0);
+          this->Counter.ClearStencil(this->Target, Viewport);
           ASSERT_TRUE(this->Counter.Count(
             this->Window, this->Target, VolumeToClip, &draw, &draw + 1, nullptr, this->Why))
             << this->Why;

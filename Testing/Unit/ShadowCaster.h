@@ -71,9 +71,9 @@ struct ShadowCaster
 
   const std::vector<Point>& GetPoints() const { return this->Topology.GetPoints(); }
 
-  void AddWhole(vtkShadowVolume& volume) const
+  void AddWhole(vtkShadowVolume& volume, const vtkShadowBlock* view = nullptr) const
   {
-    volume.AddWhole(this->Silhouette, this->GetPoints(), this->Light);
+    volume.AddWhole(this->Silhouette, this->GetPoints(), this->Light, view);
   }
 
   void AddClamped(

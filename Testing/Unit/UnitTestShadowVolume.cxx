@@ -68,6 +68,7 @@ struct Range
 {
   double Near = -std::numeric_limits<double>::infinity();
   double Far = std::numeric_limits<double>::infinity();
+  const vtkShadowBlock* View = nullptr; ///< Points outside of it are not checked.
 };
 
 /// Counts of a volume against brute force, for random points.
@@ -80,6 +81,10 @@ void CheckCounts(const Caster& caster, const vtkShadowVolume& volume, const Poin
   for (int i = 0; i < points; ++i)
   {
     const Point x = caster.MakeReceiver(random);
+    if (range.View && !range.View->Meets({ x, x }))
+    {
+      continue;
+    }
     const double depth = frame.GetDepth(x);
     std::optional<int> expected = CountByBruteForce(caster.Mesh, caster.Light, x, lit);
     if (!expected || std::abs(depth - range.Near) < 1e-4 || std::abs(depth - range.Far) < 1e-4)
@@ -113,6 +118,21 @@ void CheckVolumes(const ShadowMesh& mesh, const ShadowMesh& outwards, const vtkS
   caster.AddWhole(volume);
   ASSERT_NO_FATAL_FAILURE(
     CheckCounts(caster, volume, origin, frame, Range(), random, points, shadowed));
+
+  // A parallel camera sees a box, beyond which the volume ends.
+  vtkShadowBlock view;
+  view.Add(MakePoint(random, 4.0));
+  view.Add(MakePoint(random, 4.0));
+  Range range;
+  range.View = &view;
+  volume.Begin(origin);
+  caster.AddWhole(volume, &view);
+  for (std::size_t i = 3; i < volume.GetVertices().size(); i += 4)
+  {
+    ASSERT_EQ(volume.GetVertices()[i], 1.0f);
+  }
+  ASSERT_NO_FATAL_FAILURE(
+    CheckCounts(caster, volume, origin, frame, range, random, points, shadowed));
 
   const auto [least, largest] = caster.GetDepths(frame);
   if (light.IsPositional() && least < 0.1)
@@ -385,6 +405,33 @@ TEST(ShadowVolume, VerticesAreRoundedOnceRelativeToTheOrigin)
     .AddWhole(moved);
   EXPECT_EQ(volume.GetVertices(), moved.GetVertices());
   EXPECT_EQ(volume.GetIndices(), moved.GetIndices());
+}
+
+// Volumes of a parallel camera are hardly longer than they have to be.
+TEST(ShadowVolume, LengthsForParallelCameras)
+{
+  const auto getLowest = [](const vtkShadowLight& light, const vtkShadowBlock& view)
+  {
+    vtkShadowVolume volume;
+    volume.Begin(Point(0.0));
+    Caster(MakeCube(), light, vtkShadowCounting::Away).AddWhole(volume, &view);
+    double lowest = 0.0;
+    for (std::size_t i = 2; i < volume.GetVertices().size(); i += 4)
+    {
+      lowest = std::min<double>(lowest, volume.GetVertices()[i]);
+    }
+    return lowest;
+  };
+  const vtkShadowBlock view = { { -4.0, -3.0, -12.0 }, { 2.0, 0.0, 5.0 } };
+  const double bottom = MakeCube().Points[0][2];
+  const vtkShadowLight sun = MakeLight(vtkShadowLightKind::Directional, { 0, 0, 1 });
+  EXPECT_NEAR(getLowest(sun, view), -12.0, 0.2);
+  const vtkShadowLight lamp = MakeLight(vtkShadowLightKind::Point, { 0, 0, 3 });
+  // The walls' upper edges are the nearest place that counts, and (-4, -3, -12) the farthest in view.
+  const double factor = glm::length(Point(4.0, 3.0, 15.0)) / glm::length(Point(0.5, 0.0, 2.5));
+  EXPECT_NEAR(getLowest(lamp, view), 3.0 + factor * (bottom - 3.0), 0.3);
+  // A view before the caster has nothing in shadow.
+  EXPECT_NEAR(getLowest(lamp, { { -1.0, -1.0, 2.0 }, { 1.0, 1.0, 3.0 } }), bottom, 0.1);
 }
 
 TEST(ShadowVolume, SizesOfPieces)

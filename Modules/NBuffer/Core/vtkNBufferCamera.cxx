@@ -17,7 +17,6 @@ vtkNBufferCamera::vtkNBufferCamera(vtkRenderer* renderer)
     toMatrix(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)) *
     toMatrix(camera->GetModelViewTransformMatrix());
   camera->GetPosition(glm::value_ptr(this->Eye));
-  camera->GetDirectionOfProjection(glm::value_ptr(this->Direction));
   this->IsParallel = camera->GetParallelProjection() != 0;
 }
 

@@ -32,7 +32,6 @@ struct VTKNBUFFER_EXPORT vtkNBufferCamera
 
   glm::dmat4 WorldToClip;  ///< From world to clip coordinates; points with -w <= z <= w are seen.
   glm::dvec3 Eye;          ///< The camera's position in the world.
-  glm::dvec3 Direction;    ///< The direction of projection in the world, with unit length.
   bool IsParallel = false; ///< True for parallel projection.
 };
 

@@ -10,16 +10,23 @@ vtkShadowCamera::vtkShadowCamera(vtkRenderer* renderer)
   const vtkNBufferCamera camera(renderer);
   this->Eye = camera.Eye;
   this->EyeToClip = camera.GetEyeToClip();
-  this->Plan.Direction = camera.Direction;
-  this->Plan.Parallel = camera.IsParallel;
   this->Plan.NearPlane = glm::row(this->EyeToClip, 2) + glm::row(this->EyeToClip, 3);
   const glm::dmat4 clipToEye = vtkNBufferGLM::Invert(this->EyeToClip);
   for (const double x : { -1.0, 1.0 })
   {
     for (const double y : { -1.0, 1.0 })
     {
-      const glm::dvec4 corner = vtkNBufferGLM::Multiply(clipToEye, glm::dvec4(x, y, -1.0, 1.0));
-      this->NearBounds.Add(this->Eye + glm::dvec3(corner) / corner.w);
+      const auto getCorner = [&](double z)
+      {
+        const glm::dvec4 corner = vtkNBufferGLM::Multiply(clipToEye, glm::dvec4(x, y, z, 1.0));
+        return this->Eye + glm::dvec3(corner) / corner.w;
+      };
+      this->NearBounds.Add(getCorner(-1.0));
+      if (camera.IsParallel)
+      {
+        this->Plan.ParallelView.Add(getCorner(-1.0));
+        this->Plan.ParallelView.Add(getCorner(1.0));
+      }
     }
   }
 }

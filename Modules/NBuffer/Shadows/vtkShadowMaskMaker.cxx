@@ -390,16 +390,14 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
   while (first != end)
   {
     int count = first->MaximumCount;
-    int start = first->Start;
     const vtkShadowDraw* last = first + 1;
     while (last != end &&
       (allAtOnce || last->Again || count + last->MaximumCount <= vtkShadowCaster::MaximumCount))
     {
       count += last->Again ? 0 : last->MaximumCount;
-      start += last->Start;
       ++last;
     }
-    this->Counter.ClearStencil(this->Target, this->Viewport, start);
+    this->Counter.ClearStencil(this->Target, this->Viewport);
     ++statistics.StencilClears;
     if (!this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClip, first, last,
           work.Settings.Tuning.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||

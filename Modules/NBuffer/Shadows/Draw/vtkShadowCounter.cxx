@@ -131,12 +131,12 @@ void vtkShadowCounter::ClearMask(const vtkShadowTarget& target, int mask, const 
   glClearBufferfv(GL_COLOR, 0, lit);
 }
 
-void vtkShadowCounter::ClearStencil(const vtkShadowTarget& target, const int viewport[4], int start)
+void vtkShadowCounter::ClearStencil(const vtkShadowTarget& target, const int viewport[4])
 {
   glBindFramebuffer(GL_FRAMEBUFFER, target.GetDepthFramebuffer());
   glScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
-  const int value = start % 256;
-  glClearBufferiv(GL_STENCIL, 0, &value);
+  const int none = 0;
+  glClearBufferiv(GL_STENCIL, 0, &none);
 }
 
 void vtkShadowCounter::SetDirection(bool zPass)

@@ -64,10 +64,10 @@ public:
   };
 
   ///@{
-  /// Sets all channels of a mask to lit, or the stencil buffer to `start` modulo 256, within the
-  /// viewport (x, y, width and height in pixels).
+  /// Sets all channels of a mask to lit, or the stencil buffer to 0, within the viewport (x, y,
+  /// width and height in pixels).
   void ClearMask(const vtkShadowTarget& target, int mask, const int viewport[4]);
-  void ClearStencil(const vtkShadowTarget& target, const int viewport[4], int start);
+  void ClearStencil(const vtkShadowTarget& target, const int viewport[4]);
   ///@}
 
   /**

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowVolume.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -14,6 +16,69 @@ glm::dvec3 GetNearPoint(const vtkShadowSilhouette& silhouette, const vtkShadowPo
 {
   const std::vector<glm::dvec3>& pushes = silhouette.GetPushes();
   return pushes.empty() ? points[i] : points[i] + pushes[static_cast<std::size_t>(i)];
+}
+
+/// Volumes of parallel cameras are made longer by this factor, so that the rounding of their corners
+/// and of receivers does not matter.
+constexpr double Lengthening = 1.01;
+
+/// The largest factor by which a near cap is enlarged. A triangle that is nearer to the light than
+/// this fraction of the distance of a receiver is within rounding errors of containing the light.
+constexpr double LargestFactor = 1e12;
+
+/// The distance of `x` from the triangle (a, b, c).
+double GetDistance(
+  const glm::dvec3& x, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+  const glm::dvec3 corners[] = { a, b, c };
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  double least = std::numeric_limits<double>::infinity();
+  bool isInside = true; // Whether the nearest point of the plane lies in the triangle.
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::dvec3 from = corners[i] - x;
+    const glm::dvec3 edge = corners[(i + 1) % 3] - corners[i];
+    const double length = glm::dot(edge, edge);
+    const double t = length > 0.0 ? std::clamp(-glm::dot(from, edge) / length, 0.0, 1.0) : 0.0;
+    least = std::min(least, glm::length(from + t * edge));
+    isInside = isInside && glm::dot(glm::cross(from, edge), normal) > 0.0;
+  }
+  return isInside ? std::abs(glm::dot(a - x, normal)) / glm::length(normal) : least;
+}
+
+/// The factor k of vtkShadowVolume.h.
+double GetFactor(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
+  const glm::dvec3& light, const vtkShadowBlock& view)
+{
+  const double farthest =
+    glm::length(glm::max(glm::abs(view.Low - light), glm::abs(view.High - light)));
+  double nearest = std::numeric_limits<double>::infinity();
+  const std::vector<int>& corners = silhouette.GetTriangles();
+  for (std::size_t i = 0; i < corners.size(); i += 3)
+  {
+    nearest = std::min(nearest,
+      GetDistance(light, points[corners[i]], points[corners[i + 1]], points[corners[i + 2]]));
+  }
+  return Lengthening *
+    (farthest < LargestFactor * nearest ? std::max(farthest / nearest, 1.0) : LargestFactor);
+}
+
+/// The depth s at which volumes of a directional light end for a parallel camera.
+double GetFarDepth(
+  const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
+  const vtkShadowLightSpace& space, const vtkShadowBlock& view)
+{
+  const glm::dvec3 middle = 0.5 * (view.Low + view.High);
+  const glm::dvec3 half = 0.5 * (view.High - view.Low);
+  const double radius = glm::dot(glm::abs(space.GetAxis()), half);
+  double near = space.GetDepth(middle) - radius;
+  double far = space.GetDepth(middle) + radius;
+  for (const int corner : silhouette.GetTriangles())
+  {
+    near = std::min(near, space.GetDepth(points[corner]));
+    far = std::max(far, space.GetDepth(points[corner]));
+  }
+  return near + Lengthening * (far - near);
 }
 }
 
@@ -119,8 +184,9 @@ void vtkShadowVolume::AddSides(
     }
   }
 }
-void vtkShadowVolume::AddWhole(
-  const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points, const vtkShadowLight& light)
+
+void vtkShadowVolume::AddWhole(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
+  const vtkShadowLight& light, const vtkShadowBlock* view)
 {
   Image nearImage(points,
     [&](int i)
@@ -129,9 +195,24 @@ void vtkShadowVolume::AddWhole(
 
   if (light.IsPositional())
   {
-    Image farImage(
-      points, [&](int i) { return this->AddVertex(points[i] - light.Position, 0.0f); });
+    const double factor = view ? GetFactor(silhouette, points, light.Position, *view) : 1.0;
+    const glm::dvec3 origin = view ? light.Position - this->Origin : glm::dvec3(0.0);
+    Image farImage(points,
+      [&](int i)
+      {
+        return this->AddVertex(
+          origin + factor * (points[i] - light.Position), view ? 1.0f : 0.0f);
+      });
     this->AddTriangles(silhouette, farImage, Side::Far);
+    this->AddSides(silhouette, nearImage, farImage);
+  }
+  else if (view)
+  {
+    const vtkShadowLightSpace space(light);
+    const double depth = GetFarDepth(silhouette, points, space, *view);
+    Image farImage(
+      points, [&](int i) { return this->AddVertex(space.Extrude(points[i], depth) - this->Origin, 1.0f); });
+    this->AddFan(silhouette, farImage, Side::Far);
     this->AddSides(silhouette, nearImage, farImage);
   }
   else

@@ -11,25 +11,6 @@ namespace
 /// the magnitudes of its terms.
 constexpr double Margin = 1e-6;
 
-/// Returns how many of the triangles that count the ray from `origin` along `direction` crosses.
-int CountCrossings(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
-  const glm::dvec3& origin, const glm::dvec3& direction)
-{
-  int count = 0;
-  const std::vector<int>& triangles = silhouette.GetTriangles();
-  for (std::size_t t = 0; t < triangles.size(); t += 3)
-  {
-    const glm::dvec3 a = points[triangles[t]] - origin;
-    const glm::dvec3 b = points[triangles[t + 1]] - origin;
-    const glm::dvec3 c = points[triangles[t + 2]] - origin;
-    // The corners go round anticlockwise as seen from the origin, so the ray crosses the triangle
-    // if it passes to the left of all three edges.
-    count += glm::dot(glm::cross(a, b), direction) < 0.0 &&
-      glm::dot(glm::cross(b, c), direction) < 0.0 && glm::dot(glm::cross(c, a), direction) < 0.0;
-  }
-  return count;
-}
-
 /// A draw of the triangles that will be added to `volume` next.
 vtkShadowDraw MakeDraw(const vtkShadowPart& caster, const vtkShadowVolume& volume)
 {
@@ -57,13 +38,10 @@ void vtkShadowDrawList::AddWhole(
 {
   vtkShadowDraw draw = MakeDraw(caster, volume);
   const std::size_t firstVertex = volume.GetVertices().size();
-  volume.AddWhole(caster.Silhouette, *caster.Points, this->Light);
+  const vtkShadowBlock& view = this->Camera.ParallelView;
+  volume.AddWhole(
+    caster.Silhouette, *caster.Points, this->Light, view.IsEmpty() ? nullptr : &view);
   draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
-  if (!draw.ZPass && this->Camera.Parallel && this->Light.IsPositional())
-  {
-    draw.Start = CountCrossings(
-      caster.Silhouette, *caster.Points, this->Light.Position, this->Camera.Direction);
-  }
   this->AddDraw(volume, boxes, draw);
 }
 
@@ -88,8 +66,7 @@ void vtkShadowDrawList::AddDraw(
   }
   const int* viewport = this->Camera.Viewport;
   std::copy_n(viewport, 4, draw.Box);
-  // The stencil begins with Start in all pixels, so that the draw has to reach all pixels, too.
-  if (boxes.empty() || draw.Start != 0 || !this->Camera.Boxes)
+  if (boxes.empty() || !this->Camera.Boxes)
   {
     this->Draws.push_back(draw);
     return;

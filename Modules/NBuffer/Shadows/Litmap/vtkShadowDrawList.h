@@ -22,11 +22,9 @@
  * interpolate depth on the screen lose the depth of the whole triangle. With z-fail, what lies
  * before the near plane never counts and is clipped away.
  *
- * z-fail assumes that lines of sight end outside of all volumes. With a parallel camera they end at
- * infinity, outside of every clamped piece. But whole volumes reach to infinity, too: that of a
- * directional light only in the light's own direction, that of a positional light in all directions
- * in which a triangle counts. If lines of sight, which are all parallel, end inside of c volumes,
- * the stencil begins at c instead of 0, everywhere (vtkShadowDraw::Start).
+ * z-fail assumes that lines of sight end outside of all volumes, and that all faces behind the
+ * receiver are drawn. Volumes of a parallel camera therefore end at finite places
+ * (vtkShadowVolume.h).
  *
  * ## The range of the stencil
  *
@@ -62,7 +60,6 @@ struct vtkShadowDraw
   bool ZPass = false;          ///< True for z-pass, false for z-fail.
   int Box[4] = { 0, 0, 0, 0 }; ///< The pixels of the framebuffer to draw into: x, y, width, height.
   int MaximumCount = 0;        ///< The largest stencil count that a receiver can get from it.
-  int Start = 0;               ///< What it adds to the count that the stencil begins with.
   /// True if the near cap lies in a surface that may be lit. A polygon offset then pushes the
   /// triangles away from the eye (vtkShadowCounter.h).
   bool Offset = false;
@@ -82,9 +79,11 @@ public:
     /// origin is z + w in clip coordinates, which is positive beyond the near plane.
     glm::dvec4 NearPlane = { 0.0, 0.0, 0.0, 1.0 };
 
-    glm::dvec3 Direction = { 0.0, 0.0, -1.0 }; ///< Where the camera looks, in the world.
-    bool Parallel = false;                     ///< True for parallel projection.
-    int Viewport[4] = { 0, 0, 0, 0 };          ///< x, y, width, height in the framebuffer.
+    /// For a parallel camera the box, in world coordinates, around what it can see. It is empty for
+    /// a perspective camera.
+    vtkShadowBlock ParallelView;
+
+    int Viewport[4] = { 0, 0, 0, 0 }; ///< x, y, width, height in the framebuffer.
 
     /// True to draw into boxes of pixels, false to draw into the whole viewport. Not all devices
     /// keep to scissor boxes (vtkNBufferGL::KeepsToScissor).
