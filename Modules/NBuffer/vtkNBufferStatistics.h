@@ -79,7 +79,7 @@ enum class vtkNBufferDecision : int
   OldContext,        ///< Failure: OpenGL is older than 3.2.
   NoFloatTextures,   ///< Failure: the device cannot draw into float textures, and the depth cannot
                      ///< be read in another way.
-  NoDepth,           ///< Failure: the depth cannot be read.
+  NoDepth, ///< Failure: the depth cannot be read without changing the image, or not at all.
   NumberOfDecisions
 };
 

@@ -152,7 +152,7 @@ void vtkNBufferTexture::Internals::UseContext(vtkOpenGLRenderWindow* window)
     this->Delete(vtkNBufferGL::Context::Gone);
   }
   this->ContextTime = window->GetContextCreationTime();
-  if (vtkNBufferGL::HasVersion(3, 3) && vtkOpenGLRenderTimer::IsSupported())
+  if (vtkNBufferGL::HasFeature(3, 3, "GL_ARB_timer_query") && vtkOpenGLRenderTimer::IsSupported())
   {
     this->Timer = std::make_unique<vtkOpenGLRenderTimer>();
   }

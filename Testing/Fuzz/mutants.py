@@ -195,7 +195,9 @@ SHADOW_MUTANTS = {
         (DRAW_LIST, "if (!(addUp(terms) > Margin * addUp(glm::abs(terms))))",
          "if (!(addUp(glm::abs(terms)) >= 0.0))")],
     "far cap of a clamped piece missing": [
-        (VOLUME, "this->AddFan(silhouette, farImage, Side::Far);", "")],
+        (VOLUME, "  }\n  this->AddFan(silhouette, farImage, Side::Far);", "  }")],
+    "volumes of parallel cameras end within the view": [
+        (VOLUME, "Lengthening = 1.01;", "Lengthening = 0.5;")],
     "near cap missing": [
         (VOLUME,
          "this->AddTriangles(silhouette, nearImage, Side::Near);\n\n  if (light.IsPositional())",

@@ -51,6 +51,7 @@ struct Options
   std::string ReplayFile;
   std::string ScenarioFile;
   std::string Output = ".";
+  int Backend = vtkNBufferCuller::Auto; ///< Another one replaces that of all scenarios.
 };
 
 /// Seeds that follow each other give engines that resemble each other.
@@ -70,6 +71,17 @@ ScenarioKind ChooseKind(std::uint64_t scenarioSeed, double shareOfShadows)
   constexpr std::uint64_t parts = 1000;
   return static_cast<double>(scenarioSeed % parts) < shareOfShadows * parts ? ScenarioKind::Shadows
                                                                             : ScenarioKind::Culling;
+}
+
+/// The scenario of a seed, as it is run.
+Scenario Generate(std::uint64_t seed, const Options& options)
+{
+  Scenario scenario = MakeScenario(seed, ChooseKind(seed, options.Shadows));
+  if (options.Backend != vtkNBufferCuller::Auto)
+  {
+    scenario.Culler.Backend = options.Backend;
+  }
+  return scenario;
 }
 
 enum class Blame
@@ -158,7 +170,7 @@ public:
     {
       const std::uint64_t seed =
         Mix(this->Settings.Seed, static_cast<std::uint64_t>(this->Counts.Scenarios));
-      Scenario scenario = MakeScenario(seed, ChooseKind(seed, this->Settings.Shadows));
+      Scenario scenario = Generate(seed, this->Settings);
       if (this->Settings.Frames > 0)
       {
         scenario.Frames = static_cast<int>(
@@ -278,17 +290,16 @@ private:
   long long FirstFailure = -1;
 };
 
-int Replay(const Options& options)
+int Replay(const Options& options, const Scenario& scenario)
 {
-  const std::string& fileName = options.ReplayFile;
-  const Scenario scenario = FromJson(ReadJson(fileName));
   const Outcome outcome = Checker().Run(scenario, true);
+  std::cout << "scenario seed " << scenario.Seed << ": ";
   if (!outcome.HasFailed())
   {
-    std::cout << fileName << ": all " << scenario.Frames << " frames are right" << std::endl;
+    std::cout << "all " << scenario.Frames << " frames are right" << std::endl;
     return Success;
   }
-  std::cout << fileName << ": FAILED" << std::endl;
+  std::cout << "FAILED" << std::endl;
   PrintOutcome(outcome);
   const Blame blame = FindBlame(scenario);
   if (blame == Blame::Elsewhere)
@@ -305,6 +316,22 @@ int Replay(const Options& options)
   }
   return Failed;
 }
+
+/// Run the scenario of a file, or each of a list of them.
+int ReplayFile(const Options& options)
+{
+  const Json::Value file = ReadJson(options.ReplayFile);
+  if (!file.isArray())
+  {
+    return Replay(options, FromJson(file));
+  }
+  int result = file.empty() ? Failed : Success;
+  for (const Json::Value& value : file)
+  {
+    result = std::max(result, Replay(options, FromJson(value)));
+  }
+  return result;
+}
 }
 
 int main(int argc, char* argv[])
@@ -320,11 +347,15 @@ int main(int argc, char* argv[])
     ->check(CLI::PositiveNumber);
   app.add_option("--shadows", options.Shadows, "Share of scenarios with shadow volumes")
     ->check(CLI::Range(0.0, 1.0));
+  const std::map<std::string, int> backends = { { "auto", vtkNBufferCuller::Auto },
+    { "opengl", vtkNBufferCuller::OpenGL }, { "cpu", vtkNBufferCuller::CPU } };
+  app.add_option("--backend", options.Backend, "Use this back-end of the culler in all scenarios")
+    ->transform(CLI::CheckedTransformer(backends));
   app.add_flag("!--no-shrink", options.Shrink, "Write failing scenarios as they are");
   app.add_option("--json", options.JsonFile, "Write what was counted");
   app.add_option("--output", options.Output, "Folder for scenarios that fail")
     ->check(CLI::ExistingDirectory);
-  app.add_option("--replay", options.ReplayFile, "Run one scenario of a file instead")
+  app.add_option("--replay", options.ReplayFile, "Run the scenarios of a file instead")
     ->check(CLI::ExistingFile);
   app.add_option("--write-scenario", options.ScenarioFile,
     "Write the scenario of the seed of a scenario, and run nothing; with --replay, write what "
@@ -340,8 +371,7 @@ int main(int argc, char* argv[])
   {
     if (!options.ScenarioFile.empty() && options.ReplayFile.empty())
     {
-      const ScenarioKind kind = ChooseKind(options.Seed, options.Shadows);
-      WriteJson(options.ScenarioFile, TestScene::ToJson(MakeScenario(options.Seed, kind)));
+      WriteJson(options.ScenarioFile, TestScene::ToJson(Generate(options.Seed, options)));
       return Success;
     }
     const std::string fault = FindWindowFault();
@@ -352,7 +382,7 @@ int main(int argc, char* argv[])
     }
     if (!options.ReplayFile.empty())
     {
-      return Replay(options);
+      return ReplayFile(options);
     }
     if (options.Frames == 0 && options.Seconds == 0.0)
     {

@@ -30,6 +30,15 @@ const DepthFormat& GetFormat()
 class GpuTestShadowSamples : public ShadowFixture
 {
 protected:
+  void SetUp() override
+  {
+    ShadowFixture::SetUp();
+    if (this->Window && vtkNBufferGL::GetInteger(GL_MAX_SAMPLES) < 2)
+    {
+      GTEST_SKIP() << "The renderer has no multisampling.";
+    }
+  }
+
   void TearDown() override
   {
     ShadowFixture::TearDown();

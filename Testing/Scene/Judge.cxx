@@ -17,6 +17,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <sstream>
 
@@ -43,12 +44,13 @@ Picture TakePicture(vtkRenderWindow* window, bool withDepth, PictureSource sourc
 
 namespace
 {
-/// Compare `size` bytes of each pixel.
+/// Compare `values` numbers of each pixel, which may differ by `tolerance`.
 template <typename T>
 void Compare(const char* what, const Picture& shape, const int region[4],
-  const std::vector<T>& expected, const std::vector<T>& actual, std::size_t values,
+  const std::vector<T>& expected, const std::vector<T>& actual, std::size_t values, int tolerance,
   std::ostream& faults)
 {
+  const auto isClose = [tolerance](T x, T y) { return std::abs(x - y) <= tolerance; };
   const std::size_t width = static_cast<std::size_t>(shape.Size[0]);
   std::size_t differing = 0;
   std::size_t first = 0;
@@ -63,7 +65,10 @@ void Compare(const char* what, const Picture& shape, const int region[4],
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(region[2]); ++i)
     {
-      if (std::memcmp(a + values * i, b + values * i, sizeof(T) * values) != 0 && differing++ == 0)
+      const std::size_t k = values * i;
+      const bool same = tolerance == 0 ? std::memcmp(a + k, b + k, sizeof(T) * values) == 0
+                                       : std::equal(a + k, a + k + values, b + k, isClose);
+      if (!same && differing++ == 0)
       {
         first = begin + i;
       }
@@ -86,7 +91,8 @@ void Compare(const char* what, const Picture& shape, const int region[4],
 }
 }
 
-std::string FindDifference(const Picture& expected, const Picture& actual, const int region[4])
+std::string FindDifference(
+  const Picture& expected, const Picture& actual, const int region[4], int tolerance)
 {
   const std::size_t count = static_cast<std::size_t>(expected.Size[0]) * expected.Size[1];
   if (!std::equal(expected.Size, expected.Size + 2, actual.Size) ||
@@ -97,10 +103,10 @@ std::string FindDifference(const Picture& expected, const Picture& actual, const
   const int all[4] = { 0, 0, expected.Size[0], expected.Size[1] };
   const int* part = region ? region : all;
   std::ostringstream faults;
-  Compare("The image", expected, part, expected.Colors, actual.Colors, 4, faults);
+  Compare("The image", expected, part, expected.Colors, actual.Colors, 4, tolerance, faults);
   if (expected.Depths.size() == count && actual.Depths.size() == count)
   {
-    Compare("The depth", expected, part, expected.Depths, actual.Depths, 1, faults);
+    Compare("The depth", expected, part, expected.Depths, actual.Depths, 1, 0, faults);
   }
   return faults.str();
 }

@@ -40,9 +40,10 @@ Picture TakePicture(
   vtkRenderWindow* window, bool withDepth = false, PictureSource source = PictureSource::Shown);
 
 /// In how many pixels the pictures differ, the first of them, and its values in both. `region`: x,
-/// y, width and height of the only part to compare. Depth is compared if both have it.
+/// y, width and height of the only part to compare. Depth is compared if both have it. Values of
+/// colours (0 to 255) may differ by `tolerance`.
 std::string FindDifference(
-  const Picture& expected, const Picture& actual, const int region[4] = nullptr);
+  const Picture& expected, const Picture& actual, const int region[4] = nullptr, int tolerance = 0);
 
 /// What a hardware selection finds of a prop.
 struct Selected

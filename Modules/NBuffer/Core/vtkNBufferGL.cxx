@@ -72,6 +72,11 @@ bool HasVersion(int major, int minor)
   return found >= std::make_pair(major, minor);
 }
 
+bool HasFeature(int major, int minor, const char* extension)
+{
+  return HasVersion(major, minor) || HasExtension(extension);
+}
+
 bool CheckVersion(std::string& why)
 {
   if (HasVersion(3, 2))
@@ -90,6 +95,12 @@ const char* GetSoftwareRenderer()
   const auto found = std::find_if(names.begin(), names.end(),
     [renderer](const char* name) { return renderer && std::strstr(renderer, name); });
   return found == names.end() ? nullptr : *found;
+}
+
+bool KeepsColorsWhenRead()
+{
+  const char* software = GetSoftwareRenderer();
+  return !software || std::strcmp(software, "softpipe") != 0;
 }
 
 bool CoversTouchedPixels()
@@ -250,7 +261,8 @@ ScopedPass::ScopedPass(vtkOpenGLRenderWindow* window)
   {
     this->AtEnd([target = target, name = GetInteger(binding)] { glBindTexture(target, name); });
   }
-  const GLint sampler = HasVersion(3, 3) ? GetInteger(GL_SAMPLER_BINDING) : 0;
+  const GLint sampler =
+    HasFeature(3, 3, "GL_ARB_sampler_objects") ? GetInteger(GL_SAMPLER_BINDING) : 0;
   if (sampler != 0)
   {
     // A sampler object hides the parameters of the texture.
@@ -283,7 +295,7 @@ ScopedDepthSampling::ScopedDepthSampling(unsigned int target, int level)
     this->AtEnd([=] { glTexParameteri(target, name, before); });
     glTexParameteri(target, name, value);
   };
-  if (HasVersion(4, 3))
+  if (HasFeature(4, 3, "GL_ARB_stencil_texturing"))
   {
     set(DepthStencilTextureMode, GL_DEPTH_COMPONENT);
   }

@@ -35,6 +35,10 @@ VTKNBUFFER_EXPORT int GetInteger(unsigned int name);
 /// Whether the current context has at least this version of OpenGL.
 VTKNBUFFER_EXPORT bool HasVersion(int major, int minor);
 
+/// Whether the current context has a feature that this version of OpenGL contains and that this
+/// extension adds to older ones. VTK requests OpenGL 3.2, and some drivers give exactly that.
+VTKNBUFFER_EXPORT bool HasFeature(int major, int minor, const char* extension);
+
 /// Whether the current context has OpenGL 3.2, which everything in this module needs. If it has
 /// not, `why` receives the cause and a remedy.
 VTKNBUFFER_EXPORT bool CheckVersion(std::string& why);
@@ -42,6 +46,11 @@ VTKNBUFFER_EXPORT bool CheckVersion(std::string& why);
 /// The name of the software renderer (llvmpipe, ...) behind the current context; nullptr if the
 /// context has a graphics device.
 VTKNBUFFER_EXPORT const char* GetSoftwareRenderer();
+
+/// Whether reading the depth leaves the colours as they are, as OpenGL promises. Mesa's softpipe
+/// keeps colours as floats until something is read, and rounds them to the framebuffer's format
+/// only then, so that what is blended later has another result than without the read.
+VTKNBUFFER_EXPORT bool KeepsColorsWhenRead();
 
 /// Whether the current context draws a fragment in each pixel that a triangle touches, and not only
 /// where a sample lies in the triangle: with smoothed polygons and conservative rasterisation.

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferCompatibility.h"
 
-#include "vtkNBufferBackend.h"
 #include "vtkNBufferCamera.h"
 #include "vtkNBufferDepthSource.h"
 #include "vtkNBufferGL.h"
@@ -221,7 +220,7 @@ vtkNBufferDecision WhyNot(vtkRenderer* renderer)
 }
 
 vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferViewKey& key,
-  vtkNBufferDepthSource& source, std::string& why)
+  vtkNBufferBackend::Kind wanted, vtkNBufferDepthSource& source, std::string& why)
 {
   if (!(vtkNBufferViewKey::Make(renderer) == key))
   {
@@ -230,6 +229,14 @@ vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferViewKey& ke
   if (!vtkNBufferGL::CheckVersion(why))
   {
     return vtkNBufferDecision::OldContext;
+  }
+  if (wanted == vtkNBufferBackend::Auto && !vtkNBufferGL::KeepsColorsWhenRead())
+  {
+    why =
+      "This OpenGL renderer (softpipe) rounds colors when the depth is read, which would change "
+      "the image where something is blended later. Use llvmpipe (GALLIUM_DRIVER=llvmpipe), or "
+      "SetBackend(CPU) if nothing is blended.";
+    return vtkNBufferDecision::NoDepth;
   }
   if (!source.Inspect(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), why))
   {

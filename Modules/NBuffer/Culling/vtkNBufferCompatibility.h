@@ -13,6 +13,7 @@
 #ifndef vtkNBufferCompatibility_h
 #define vtkNBufferCompatibility_h
 
+#include "vtkNBufferBackend.h"
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferStatistics.h"
 
@@ -35,12 +36,13 @@ VTKNBUFFER_EXPORT vtkNBufferDecision WhyNot(vtkRenderer* renderer);
 /**
  * Get the reason why the depth drawn so far must not be used to test the props that are held back,
  * or None if it may be used. Call it when the proxy is drawn, because the framebuffer is not known
- * earlier. `key` is the view for which the culler has placed the props. The function writes the
- * properties of the framebuffer to `source`. If the result is a failure, it writes the cause and a
- * remedy to `why`, which otherwise stays empty.
+ * earlier. `key` is the view for which the culler has placed the props, and `wanted` the back-end
+ * that the application has set. The function writes the properties of the framebuffer to `source`.
+ * If the result is a failure, it writes the cause and a remedy to `why`, which otherwise stays
+ * empty.
  */
 vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferViewKey& key,
-  vtkNBufferDepthSource& source, std::string& why);
+  vtkNBufferBackend::Kind wanted, vtkNBufferDepthSource& source, std::string& why);
 
 /// Whether the renderer processes the image (FXAA, SSAO) after it has drawn its props. This changes
 /// what lower layers have drawn as well. VTK does it only if the renderer's list of props is not

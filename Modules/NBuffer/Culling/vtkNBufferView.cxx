@@ -277,8 +277,8 @@ int vtkNBufferView::Repeat(vtkRenderer* renderer)
 vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBufferDepthSource& source)
 {
   std::string why;
-  const vtkNBufferDecision obstacle =
-    vtkNBufferCompatibility::WhyNotHere(renderer, this->LastKey, source, why);
+  const vtkNBufferDecision obstacle = vtkNBufferCompatibility::WhyNotHere(
+    renderer, this->LastKey, this->Settings.Backend, source, why);
   if (obstacle != vtkNBufferDecision::None)
   {
     if (!why.empty())

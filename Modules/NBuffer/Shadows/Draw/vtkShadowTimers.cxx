@@ -13,7 +13,7 @@ vtkShadowTimers::~vtkShadowTimers() = default;
 
 void vtkShadowTimers::Begin(bool measure)
 {
-  this->Log->SetLoggingEnabled(measure && vtkNBufferGL::HasVersion(3, 3));
+  this->Log->SetLoggingEnabled(measure && vtkNBufferGL::HasFeature(3, 3, "GL_ARB_timer_query"));
   if (!this->Log->GetLoggingEnabled())
   {
     this->Release();
