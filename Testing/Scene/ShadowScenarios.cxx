@@ -197,13 +197,18 @@ void ParallelCamera(SceneBuilder& scene)
 }
 
 /// The camera's plane is amid the casters; what is behind it casts into view.
-void ParallelCameraAmid(SceneBuilder& scene)
+void AmidCasters(SceneBuilder& scene)
 {
   AddBasics(scene);
   scene.Box({ -1.0, -3.0, 1.5 }, { 0.5, 0.5, 3.0 });
   scene.Sphere({ -3.5, -3.5, 4.0 }, 0.6);
-  scene.Directional({ 0.6, 0.8, -0.7 });
   scene.LookParallel({ 0.3, -2.0, 1.0 }, { 0.3, 0.0, 0.2 }, 2.0);
+}
+
+void ParallelCameraAmid(SceneBuilder& scene)
+{
+  AmidCasters(scene);
+  scene.Directional({ 0.6, 0.8, -0.7 });
 }
 
 void Inset(SceneBuilder& scene)
@@ -301,6 +306,14 @@ std::vector<NamedScenario> GetViewScenarios()
 {
   NamedScenario tile = MakeShadowScenario("Tile", Directional);
   tile.Finish = SetTile;
+  const auto parallel = [](double x, double y, double z)
+  {
+    return [=](SceneBuilder& scene)
+    {
+      AmidCasters(scene);
+      scene.PointLight({ x, y, z });
+    };
+  };
   return {
     MakeShadowScenario("HugeCoordinates", HugeCoordinates),
     MakeShadowScenario("ExtremeNearFar", ExtremeNearFar),
@@ -310,6 +323,10 @@ std::vector<NamedScenario> GetViewScenarios()
     MakeShadowScenario("Orbit", Orbit),
     MakeShadowScenario("ParallelCamera", ParallelCamera),
     MakeShadowScenario("ParallelCameraAmid", ParallelCameraAmid),
+    MakeShadowScenario("ParallelLightBefore", parallel(0.4, 3.0, 1.5)),
+    MakeShadowScenario("ParallelLightBehind", parallel(-1.5, -6.0, 3.0)),
+    MakeShadowScenario("ParallelLightBeside", parallel(5.0, -1.0, 2.0)),
+    MakeShadowScenario("ParallelLightAmid", parallel(-0.6, -1.9, 1.6)),
     MakeShadowScenario("MultiSamples", Directional, 200, 150, 4),
     MakeShadowScenario("OddSize", Directional, 641, 479),
     MakeShadowScenario("Inset", Inset, 301, 203),
