@@ -481,10 +481,10 @@ TEST(ShadowPlan, ZPassNeedsAllOfThePieceBeyondTheNearPlane)
   EXPECT_FALSE(situation.Draws.at(0).ZPass);
 }
 
-// Lines of sight of a parallel camera end at infinity, and so no volume may.
-TEST(ShadowPlan, NothingIsInfiniteForParallelCameras)
+// Lines of sight of a parallel camera end at infinity, where no volume of a positional light may.
+TEST(ShadowPlan, PositionalVolumesOfParallelCamerasAreFinite)
 {
-  for (const Kind kind : { Kind::Directional, Kind::Spot, Kind::Point })
+  for (const Kind kind : { Kind::Spot, Kind::Point })
   {
     Situation situation(MakeLightAbove(kind, 3.0));
     situation.View.ParallelView = { { -5.0, -5.0, -5.0 }, { 5.0, 5.0, 5.0 } };

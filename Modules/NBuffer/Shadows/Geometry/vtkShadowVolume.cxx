@@ -18,8 +18,8 @@ glm::dvec3 GetNearPoint(const vtkShadowSilhouette& silhouette, const vtkShadowPo
   return pushes.empty() ? points[i] : points[i] + pushes[static_cast<std::size_t>(i)];
 }
 
-/// Volumes of parallel cameras are made longer by this factor, so that the rounding of their corners
-/// and of receivers does not matter.
+/// Volumes of parallel cameras are made longer by this factor, so that the rounding of their
+/// corners and of receivers does not matter.
 constexpr double Lengthening = 1.01;
 
 /// The largest factor by which a near cap is enlarged. A triangle that is nearer to the light than
@@ -61,24 +61,6 @@ double GetFactor(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& p
   }
   return Lengthening *
     (farthest < LargestFactor * nearest ? std::max(farthest / nearest, 1.0) : LargestFactor);
-}
-
-/// The depth s at which volumes of a directional light end for a parallel camera.
-double GetFarDepth(
-  const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
-  const vtkShadowLightSpace& space, const vtkShadowBlock& view)
-{
-  const glm::dvec3 middle = 0.5 * (view.Low + view.High);
-  const glm::dvec3 half = 0.5 * (view.High - view.Low);
-  const double radius = glm::dot(glm::abs(space.GetAxis()), half);
-  double near = space.GetDepth(middle) - radius;
-  double far = space.GetDepth(middle) + radius;
-  for (const int corner : silhouette.GetTriangles())
-  {
-    near = std::min(near, space.GetDepth(points[corner]));
-    far = std::max(far, space.GetDepth(points[corner]));
-  }
-  return near + Lengthening * (far - near);
 }
 }
 
@@ -198,21 +180,10 @@ void vtkShadowVolume::AddWhole(const vtkShadowSilhouette& silhouette, const vtkS
     const double factor = view ? GetFactor(silhouette, points, light.Position, *view) : 1.0;
     const glm::dvec3 origin = view ? light.Position - this->Origin : glm::dvec3(0.0);
     Image farImage(points,
-      [&](int i)
-      {
-        return this->AddVertex(
-          origin + factor * (points[i] - light.Position), view ? 1.0f : 0.0f);
+      [&](int i) {
+        return this->AddVertex(origin + factor * (points[i] - light.Position), view ? 1.0f : 0.0f);
       });
     this->AddTriangles(silhouette, farImage, Side::Far);
-    this->AddSides(silhouette, nearImage, farImage);
-  }
-  else if (view)
-  {
-    const vtkShadowLightSpace space(light);
-    const double depth = GetFarDepth(silhouette, points, space, *view);
-    Image farImage(
-      points, [&](int i) { return this->AddVertex(space.Extrude(points[i], depth) - this->Origin, 1.0f); });
-    this->AddFan(silhouette, farImage, Side::Far);
     this->AddSides(silhouette, nearImage, farImage);
   }
   else

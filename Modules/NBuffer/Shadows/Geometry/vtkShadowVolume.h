@@ -32,15 +32,13 @@
  *
  * A parallel camera projects points at infinity to clip coordinates with w = 0, too. OpenGL does
  * not say whether a triangle with three such corners is drawn: Mesa's llvmpipe does not draw it,
- * NVIDIA's driver does. The whole volume of a parallel camera therefore ends beyond everything that
- * the camera can see, which lies in a box:
- *
- *  - directional light: all far corners lie in the plane s = far, which is beyond the box and the
- *    caster. The far cap is a fan, as in clamped pieces.
- *  - light at L: a far corner is L + k (P - L) for the near corner P, so that the far cap is the near
- *    cap made k times as large. A seen point on the ray from L through point Q of the caster is
- *    L + t (Q - L) with t <= D / d, where D is the largest distance of the box from L, and d the
- *    least distance of the triangles that count. It lies in the volume if k is at least D / d.
+ * NVIDIA's driver does. For a parallel camera the whole volume of a light at L therefore ends
+ * beyond everything that the camera can see, which lies in a box: a far corner is L + k (P - L) for
+ * the near corner P, so that the far cap is the near cap made k times as large. A seen point on the
+ * ray from L through point Q of the caster is L + t (Q - L) with t <= D / d, where D is the largest
+ * distance of the box from L, and d the least distance of the triangles that count. It lies in the
+ * volume if k is at least D / d. Volumes of directional lights have no triangle with three such
+ * corners and stay infinite.
  *
  * A clamped piece is the part of the volume between the planes s = near and s = far
  * (vtkShadowLight.h). It holds the same receivers as the whole volume if all receivers on the
@@ -89,7 +87,8 @@ public:
   /**
    * Adds the whole volume of a caster. `points` must be those that the silhouette was computed
    * with. For a parallel camera `view` is a box, in world coordinates, that holds everything that
-   * can be seen; the volume ends beyond it. For a perspective camera it is null.
+   * can be seen; the volume of a positional light ends beyond it. For a perspective camera it is
+   * null.
    */
   void AddWhole(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
     const vtkShadowLight& light, const vtkShadowBlock* view = nullptr);

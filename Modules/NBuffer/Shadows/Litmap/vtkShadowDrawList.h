@@ -23,8 +23,8 @@
  * before the near plane never counts and is clipped away.
  *
  * z-fail assumes that lines of sight end outside of all volumes, and that all faces behind the
- * receiver are drawn. Volumes of a parallel camera therefore end at finite places
- * (vtkShadowVolume.h).
+ * receiver are drawn. For a parallel camera volumes of positional lights therefore end at finite
+ * places (vtkShadowVolume.h).
  *
  * ## The range of the stencil
  *
