@@ -237,16 +237,17 @@ class GpuTestNBufferPrecisionFormats
 // Hazard: a fragment nearer than the box that it belongs to is said to be.
 TEST_P(GpuTestNBufferPrecisionFormats, ErrorsStayUnderTheSlack)
 {
-  if (!vtkNBufferGL::KeepsColorsWhenRead())
-  {
-    // Its errors in 16 bits of depth exceed the slack by up to 9 %.
-    GTEST_SKIP() << "The culler does not cull with this renderer unless it is forced to.";
-  }
   const DepthFormat& format = GetDepthFormats()[GetParam()];
   const DepthTarget target(format, Width, Height, true);
   if (!target.IsComplete())
   {
     GTEST_SKIP() << "The driver refuses " << format.Name << ".";
+  }
+  if (GetParam() == 0 && !vtkNBufferGL::KeepsColorsWhenRead())
+  {
+    GTEST_SKIP()
+      << "softpipe's depths of 16 bits are off by up to 1.09 times the slack; the culler "
+         "does not cull with it.";
   }
   target.Bind(0, 0, Width, Height);
   const vtkNBufferDepthSource source = this->Inspect();
