@@ -55,6 +55,7 @@ std::string vtkShadowStatistics::GetAsJSON() const
   json["skipped"] = vtkNBufferJSON::ByName<vtkShadowSkip>(this->Skipped, GetName);
   json["updates"] = this->Updates;
   json["silhouettes"] = this->Silhouettes;
+  json["pieces"] = this->Pieces;
   json["draws"] = this->Draws;
   json["z_pass"] = this->ZPass;
   json["boxes"] = this->Boxes;

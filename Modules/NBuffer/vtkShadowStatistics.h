@@ -112,6 +112,10 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   int Updates = 0;
   /// The silhouettes that were computed in this frame.
   int Silhouettes = 0;
+  /// The pieces of shadow volumes that were made in this frame. Whole volumes are kept until the
+  /// caster or the light changes, except those of positional lights for parallel cameras; slabs are
+  /// made anew.
+  int Pieces = 0;
   /// The pieces of shadow volumes that were drawn: whole volumes, or slabs of them.
   int Draws = 0;
   /// Those of Draws that were counted by z-pass.

@@ -58,10 +58,17 @@ protected:
 
   /// A volume over x in (-0.5, 0.5), y in (-0.3, 0.3), z in (-0.2, 0.2) that goes from left to
   /// right, so many times.
-  static vtkShadowVolume MakeVolume(int copies)
+  static vtkShadowVolumeStore MakeVolume(int copies)
   {
     return ShadowFixture::MakeVolume(MakeBlock({ -0.9, -0.3, -0.2 }, { -0.7, 0.3, 0.2 }),
       { 1.0, 0.0, 0.0 }, { -0.5, 0.5 }, copies);
+  }
+
+  /// Adds one more.
+  static void AddVolume(vtkShadowVolumeStore& store)
+  {
+    AddPiece(
+      store, MakeBlock({ -0.9, -0.3, -0.2 }, { -0.7, 0.3, 0.2 }), { 1.0, 0.0, 0.0 }, { -0.5, 0.5 });
   }
 
   /// Whether the receiver of a pixel of the viewport is in the volume.
@@ -136,19 +143,19 @@ protected:
     }
   }
 
-  static vtkShadowDraw MakeDraw(const vtkShadowVolume& volume, bool zPass)
+  static vtkShadowDraw MakeDraw(const vtkShadowVolumeStore& volume, bool zPass)
   {
     return ShadowFixture::MakeDraw(volume, Viewport, zPass);
   }
 
-  void Count(const vtkShadowVolume& volume, const std::vector<vtkShadowDraw>& draws,
+  void Count(const vtkShadowVolumeStore& volume, const std::vector<vtkShadowDraw>& draws,
     long long* fragments = nullptr)
   {
-    ASSERT_TRUE(this->Counter.Upload(volume, this->Why)) << this->Why;
+    ASSERT_TRUE(this->Volume.Upload(volume, this->Why)) << this->Why;
     const vtkShadowCounter::Scope scope(this->Window, Viewport);
     this->Counter.ClearStencil(this->Target, Viewport);
-    ASSERT_TRUE(this->Counter.Count(this->Window, this->Target, VolumeToClip, draws.data(),
-      draws.data() + draws.size(), fragments, this->Why))
+    ASSERT_TRUE(this->Counter.Count(this->Window, this->Target, this->Volume, MakeView(),
+      draws.data(), draws.data() + draws.size(), fragments, this->Why))
       << this->Why;
   }
 
@@ -226,7 +233,7 @@ TEST_F(GpuTestShadowCounter, CountsReceiversInTheVolumeAndWraps)
 {
   for (const int copies : { 1, 255, 256, 300 })
   {
-    const vtkShadowVolume volume = MakeVolume(copies);
+    const vtkShadowVolumeStore volume = MakeVolume(copies);
     for (const bool zPass : { false, true })
     {
       SCOPED_TRACE(std::to_string(copies) + (zPass ? " z-pass" : " z-fail"));
@@ -239,8 +246,8 @@ TEST_F(GpuTestShadowCounter, CountsReceiversInTheVolumeAndWraps)
 // Draws keep to their boxes, and both ways of counting add up.
 TEST_F(GpuTestShadowCounter, DrawsKeepToTheirBoxes)
 {
-  const vtkShadowVolume volume = MakeVolume(2);
-  const int half = static_cast<int>(volume.GetIndices().size()) / 2;
+  const vtkShadowVolumeStore volume = MakeVolume(2);
+  const int half = static_cast<int>(volume.GetVolume().GetIndices().size()) / 2;
   std::vector<vtkShadowDraw> draws(2, MakeDraw(volume, true));
   draws[0].NumberOfIndices = draws[1].NumberOfIndices = draws[1].FirstIndex = half;
   draws[1].ZPass = false;
@@ -259,7 +266,7 @@ TEST_F(GpuTestShadowCounter, DrawsKeepToTheirBoxes)
 
 TEST_F(GpuTestShadowCounter, FragmentsAreThoseOfAllFaces)
 {
-  const vtkShadowVolume volume = MakeVolume(1);
+  const vtkShadowVolumeStore volume = MakeVolume(1);
   long long fragments = 5;
   ASSERT_NO_FATAL_FAILURE(this->Count(volume, { MakeDraw(volume, false) }, &fragments));
   int covered = 0;
@@ -275,7 +282,7 @@ TEST_F(GpuTestShadowCounter, FragmentsAreThoseOfAllFaces)
 // A channel is darkened where the count is not 0; the others, other masks and the stencil stay.
 TEST_F(GpuTestShadowCounter, ResolvesOneChannel)
 {
-  const vtkShadowVolume volume = MakeVolume(3);
+  const vtkShadowVolumeStore volume = MakeVolume(3);
   for (int channel = 0; channel < 4; ++channel)
   {
     SCOPED_TRACE(channel);
@@ -295,7 +302,7 @@ TEST_F(GpuTestShadowCounter, ResolvesOneChannel)
 // Whatever the state was, counts are right and the state is as it was.
 TEST_F(GpuTestShadowCounter, StateIsSetAndRestored)
 {
-  const vtkShadowVolume volume = MakeVolume(1);
+  const vtkShadowVolumeStore volume = MakeVolume(1);
   // Objects are made in the first use.
   ASSERT_NO_FATAL_FAILURE(this->Count(volume, { MakeDraw(volume, false) }));
   ASSERT_NO_FATAL_FAILURE(this->Resolve(0, 0));
@@ -330,18 +337,68 @@ TEST_F(GpuTestShadowCounter, StateIsSetAndRestored)
   }
 }
 
+// What the device has is not sent again, and what is added is where it belongs.
+TEST_F(GpuTestShadowCounter, OnlyWhatIsAddedIsSent)
+{
+  vtkShadowVolumeStore store = MakeVolume(1);
+  ASSERT_NO_FATAL_FAILURE(this->Count(store, { MakeDraw(store, true) }));
+  const std::size_t one = this->Volume.GetUploadedBytes();
+  EXPECT_GT(one, 0u);
+  ASSERT_TRUE(this->Volume.Upload(store, this->Why));
+  EXPECT_EQ(this->Volume.GetUploadedBytes(), one);
+  // There is room for half as much again at first, so that memory is allocated on the way.
+  std::size_t expected = one;
+  for (int copies = 2; copies < 9; ++copies)
+  {
+    AddVolume(store);
+    ASSERT_NO_FATAL_FAILURE(this->Count(store, { MakeDraw(store, true) }));
+    this->ExpectStencil([copies](int x, int y) { return IsShadowed(x, y) ? copies : 0; });
+    const bool isAllocated = copies == 2 || copies == 4 || copies == 7;
+    expected += isAllocated ? copies * one : one;
+    EXPECT_EQ(this->Volume.GetUploadedBytes(), expected) << copies << " copies";
+  }
+  // Another store has nothing in common with the first.
+  store = MakeVolume(2);
+  ASSERT_NO_FATAL_FAILURE(this->Count(store, { MakeDraw(store, true) }));
+  this->ExpectStencil([](int x, int y) { return IsShadowed(x, y) ? 2 : 0; });
+  EXPECT_EQ(this->Volume.GetUploadedBytes(), expected + 2 * one);
+}
+
+// Hazard: coordinates far from the origin of the world lose the digits that matter near the eye.
+TEST_F(GpuTestShadowCounter, VolumesAreExactFarFromTheOrigin)
+{
+  for (const glm::dvec3& eye :
+    { glm::dvec3(5.0e5, 4.0e6, 304.0), glm::dvec3(-1.0e7 / 3.0, 0.1, 1.0e7) })
+  {
+    vtkShadowVolumeStore store = ShadowFixture::MakeVolume(
+      MakeBlock(eye + glm::dvec3(-0.9, -0.3, -0.2), eye + glm::dvec3(-0.7, 0.3, 0.2)),
+      { 1.0, 0.0, 0.0 }, { eye.x - 0.5, eye.x + 0.5 });
+    ASSERT_TRUE(this->Volume.Upload(store, this->Why)) << this->Why;
+    vtkShadowDrawList::View view = MakeView();
+    view.Eye = eye;
+    const vtkShadowDraw draw = MakeDraw(store, true);
+    const vtkShadowCounter::Scope scope(this->Window, Viewport);
+    this->Counter.ClearStencil(this->Target, Viewport);
+    ASSERT_TRUE(this->Counter.Count(
+      this->Window, this->Target, this->Volume, view, &draw, &draw + 1, nullptr, this->Why));
+    this->ExpectStencil([](int x, int y) { return IsShadowed(x, y) ? 1 : 0; });
+  }
+}
+
 // Hazard: names of a context that is gone, or of another one, are used again.
 TEST_F(GpuTestShadowCounter, WorksAgainAfterRelease)
 {
-  const vtkShadowVolume volume = MakeVolume(1);
+  const vtkShadowVolumeStore volume = MakeVolume(1);
   for (int round = 0; round < 2; ++round)
   {
     ASSERT_NO_FATAL_FAILURE(this->Count(volume, { MakeDraw(volume, true) }));
     this->ExpectStencil([](int x, int y) { return IsShadowed(x, y) ? 1 : 0; });
-    this->Counter.Release();
-    this->Target.Release();
-    this->Counter.Release();
-    this->Target.Release();
+    for (int i = 0; i < 2; ++i)
+    {
+      this->Counter.Release();
+      this->Target.Release();
+      this->Volume = vtkShadowVolumeBuffer();
+    }
     this->Window = nullptr;
     this->Window = NewWindow(16, 16);
     ASSERT_NO_FATAL_FAILURE(this->Reserve());

@@ -32,9 +32,9 @@ protected:
     ShadowFixture::SetUp();
     if (this->Window)
     {
-      const vtkShadowVolume volume = MakeVolume(
+      const vtkShadowVolumeStore volume = MakeVolume(
         MakeBlock({ -0.5, -0.3, 0.4 }, { 0.5, 0.3, 0.5 }), { 0.0, 0.0, -1.0 }, { -0.2, 0.2 });
-      ASSERT_TRUE(this->Counter.Upload(volume, this->Why)) << this->Why;
+      ASSERT_TRUE(this->Volume.Upload(volume, this->Why)) << this->Why;
       this->Draws = { MakeDraw(volume, Viewport) };
     }
   }
@@ -50,7 +50,9 @@ protected:
 
   void Make(vtkShadowPicture picture)
   {
-    const vtkShadowDebugView::Subject subject = { nullptr, 0, this->Draws, VolumeToClip, Viewport };
+    vtkShadowDrawList::View view = MakeView();
+    std::copy_n(Viewport, 4, view.Viewport);
+    const vtkShadowDebugView::Subject subject = { nullptr, 0, this->Volume, this->Draws, view };
     const vtkShadowCounter::Scope scope(this->Window, Viewport);
     ASSERT_TRUE(
       this->View.Make(this->Window, picture, subject, this->Counter, this->Statistics, this->Why))

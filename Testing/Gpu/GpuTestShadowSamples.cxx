@@ -131,7 +131,7 @@ TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
   // Its shadow, along x: x in (-0.51, 0.47), y in (-0.31, 0.29), z in (-0.2, 0.2).
   const ShadowMesh caster = MakeOpenRectangle().Move(
     [](const glm::dvec3& x) { return glm::dvec3(-0.9, 0.3 * x.x - 0.01, 0.2 * x.y); });
-  const vtkShadowVolume volume = MakeVolume(caster, { 1.0, 0.0, 0.0 }, { -0.51, 0.47 });
+  const vtkShadowVolumeStore volume = MakeVolume(caster, { 1.0, 0.0, 0.0 }, { -0.51, 0.47 });
   vtkShadowDraw draw = MakeDraw(volume, Viewport);
 
   this->ForEachCount(
@@ -158,13 +158,13 @@ TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
         glSampleMaski(0, 1);
         glDisable(GL_MULTISAMPLE);
         const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
-        ASSERT_TRUE(this->Counter.Upload(volume, this->Why)) << this->Why;
+        ASSERT_TRUE(this->Volume.Upload(volume, this->Why)) << this->Why;
         {
           const vtkShadowCounter::Scope scope(this->Window, Viewport);
           this->Counter.ClearMask(this->Target, 1, Viewport);
           this->Counter.ClearStencil(this->Target, Viewport);
-          ASSERT_TRUE(this->Counter.Count(
-            this->Window, this->Target, VolumeToClip, &draw, &draw + 1, nullptr, this->Why))
+          ASSERT_TRUE(this->Counter.Count(this->Window, this->Target, this->Volume, MakeView(),
+            &draw, &draw + 1, nullptr, this->Why))
             << this->Why;
           ASSERT_TRUE(this->Counter.Resolve(this->Window, this->Target, 1, 2, Viewport, this->Why))
             << this->Why;

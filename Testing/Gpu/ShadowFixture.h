@@ -26,10 +26,16 @@ protected:
     if (this->Window)
     {
       this->Counter.Release();
+      this->Volume = vtkShadowVolumeBuffer();
     }
   }
 
-  const glm::dmat4 VolumeToClip = glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1);
+  static vtkShadowDrawList::View MakeView()
+  {
+    vtkShadowDrawList::View view;
+    view.EyeToClip = glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1);
+    return view;
+  }
 
   /// The box between two corners.
   static ShadowMesh MakeBlock(const glm::dvec3& low, const glm::dvec3& high)
@@ -38,28 +44,35 @@ protected:
       [&](const glm::dvec3& x) { return glm::mix(low, high, x + glm::dvec3(0.5)); });
   }
 
-  /// What the mesh shadows between two depths in a light along a direction, so many times.
-  static vtkShadowVolume MakeVolume(
-    const ShadowMesh& mesh, const glm::dvec3& direction, const vtkShadowSlab& slab, int copies = 1)
+  /// Adds what the mesh shadows between two depths in a light along a direction.
+  static void AddPiece(vtkShadowVolumeStore& store, const ShadowMesh& mesh,
+    const glm::dvec3& direction, const vtkShadowSlab& slab)
   {
     vtkShadowLight light;
     light.Direction = direction;
     const ShadowCaster caster(mesh, light);
-    vtkShadowVolume volume;
-    volume.Begin(glm::dvec3(0.0));
+    const vtkShadowLightSpace space(light);
+    store.AddClamped(caster.MakePart(), space, slab, caster.GetDepths(space).second);
+  }
+
+  /// A store of so many copies of such a piece.
+  static vtkShadowVolumeStore MakeVolume(
+    const ShadowMesh& mesh, const glm::dvec3& direction, const vtkShadowSlab& slab, int copies = 1)
+  {
+    vtkShadowVolumeStore store;
     for (int i = 0; i < copies; ++i)
     {
-      caster.AddClamped(volume, vtkShadowLightSpace(light), slab);
+      AddPiece(store, mesh, direction, slab);
     }
-    return volume;
+    return store;
   }
 
   /// All of a volume as one draw.
   static vtkShadowDraw MakeDraw(
-    const vtkShadowVolume& volume, const int viewport[4], bool zPass = false)
+    const vtkShadowVolumeStore& store, const int viewport[4], bool zPass = false)
   {
     vtkShadowDraw draw;
-    draw.NumberOfIndices = static_cast<int>(volume.GetIndices().size());
+    draw.NumberOfIndices = static_cast<int>(store.GetVolume().GetIndices().size());
     draw.ZPass = zPass;
     std::copy_n(viewport, 4, draw.Box);
     return draw;
@@ -74,6 +87,7 @@ protected:
   }
 
   vtkShadowCounter Counter;
+  vtkShadowVolumeBuffer Volume;
   std::string Why;
 };
 

@@ -42,7 +42,7 @@ std::string FindDifferenceInView(const Stage& stage, const Picture& expected, co
 {
   const bool nothing = statistics.Draws == 0 && statistics.Triangles == 0 &&
     statistics.Litmaps == 0 && statistics.Receivers == 0 && statistics.ReadBacks == 0 &&
-    statistics.Silhouettes == 0 && statistics.Updates == 0 &&
+    statistics.Silhouettes == 0 && statistics.Updates == 0 && statistics.Pieces == 0 &&
     std::count(statistics.Verdicts.begin(), statistics.Verdicts.end(), 0) ==
       vtkShadowStatistics::NumberOfVerdicts;
   return (nothing ? ::testing::AssertionSuccess() : ::testing::AssertionFailure())
@@ -204,6 +204,42 @@ TEST_F(PassStatistics, SilhouettesAreMadeOnce)
   mesh->GetPoints()->SetPoint(0, 0.3, -1.2, 1.7);
   mesh->GetPoints()->Modified();
   expect(1, lights, "points moved");
+}
+
+// Whole volumes last as long as silhouettes, in every mode that draws them.
+TEST_F(PassStatistics, VolumesAreMadeOnce)
+{
+  for (const int mode : { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Culled,
+         vtkShadowVolumeClampPass::Scissored, vtkShadowVolumeClampPass::Automatic })
+  {
+    SCOPED_TRACE(mode);
+    const Stage stage = SetNamedStage("ManyLights");
+    vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+    pass->SetMode(mode);
+    const auto render = [&]() -> const vtkShadowStatistics&
+    {
+      stage.Window->Render();
+      EXPECT_EQ(pass->GetStatistics().Decision, vtkShadowDecision::Drawn);
+      return pass->GetStatistics();
+    };
+    EXPECT_GT(render().Pieces, 0);
+    vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+    camera->Azimuth(1.0);
+    render(); // It may draw casters that the first frame did not.
+    camera->Azimuth(-1.0);
+    EXPECT_EQ(render().Pieces, 0) << "the camera moved";
+    EXPECT_GT(pass->GetStatistics().Draws, 0);
+    vtkActor* actor = GetActors(stage.GetRenderer()).back();
+    actor->AddPosition(0.01, 0.0, 0.0);
+    const int lights = static_cast<int>(stage.Lights.size());
+    EXPECT_LE(render().Pieces, lights) << "an actor moved";
+    if (mode == vtkShadowVolumeClampPass::Unclamped)
+    {
+      EXPECT_EQ(pass->GetStatistics().Pieces, lights);
+    }
+    camera->Azimuth(1.0);
+    EXPECT_EQ(render().Pieces, 0);
+  }
 }
 
 // More casters than one thread is given.

@@ -93,15 +93,9 @@ std::optional<int> CountByBruteForce(
   return count;
 }
 
-int CountInVolume(
-  const vtkShadowVolume& volume, const Point& origin, const Point& x, std::mt19937& random)
+int CountInVolume(const vtkShadowVolume& volume, const Point& x, std::mt19937& random)
 {
-  std::vector<glm::dvec4> vertices;
-  for (std::size_t i = 0; i < volume.GetVertices().size(); i += 4)
-  {
-    const float* v = volume.GetVertices().data() + i;
-    vertices.push_back(glm::dvec4(glm::make_vec4(v)) + glm::dvec4(double(v[3]) * origin, 0.0));
-  }
+  const std::vector<glm::dvec4>& vertices = volume.GetVertices();
   for (int attempt = 0; attempt < 100; ++attempt)
   {
     const Point direction = MakePoint(random, 1.0);
@@ -133,7 +127,7 @@ bool IsWatertight(const vtkShadowVolume& volume)
     const unsigned int from = indices[i];
     const unsigned int to = indices[i % 3 == 2 ? i - 2 : i + 1];
     EXPECT_NE(from, to);
-    EXPECT_LT(from, volume.GetVertices().size() / 4);
+    EXPECT_LT(from, volume.GetVertices().size());
     balance[{ std::min(from, to), std::max(from, to) }] += from < to ? 1 : -1;
   }
   return std::all_of(

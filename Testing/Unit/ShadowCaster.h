@@ -8,6 +8,7 @@
 #define ShadowCaster_h
 
 #include "ShadowMeshes.h"
+#include "vtkShadowFootprint.h"
 #include "vtkShadowVolume.h"
 
 #include <limits>
@@ -83,6 +84,14 @@ struct ShadowCaster
       this->Silhouette, this->GetPoints(), frame, slab, this->GetDepths(frame).second);
   }
 
+  /// The part that stands for it, which points to its points.
+  vtkShadowPart MakePart() const
+  {
+    const vtkShadowLightSpace space(this->Light);
+    return { vtkShadowFootprint::Make(this->Silhouette, this->GetPoints(), space), this->Silhouette,
+      &this->GetPoints() };
+  }
+
   /// The least and the largest depth of its points.
   std::pair<double, double> GetDepths(const vtkShadowLightSpace& frame) const
   {
@@ -108,8 +117,7 @@ std::optional<int> CountByBruteForce(
   const ShadowMesh& mesh, const vtkShadowLight& light, const Point& x, bool awayOnly);
 
 /// Signed crossings of the triangles of a volume on the way from x to infinity.
-int CountInVolume(
-  const vtkShadowVolume& volume, const Point& origin, const Point& x, std::mt19937& random);
+int CountInVolume(const vtkShadowVolume& volume, const Point& x, std::mt19937& random);
 
 /// Every directed edge is met by as many of the opposite direction.
 bool IsWatertight(const vtkShadowVolume& volume);

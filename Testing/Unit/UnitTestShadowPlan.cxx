@@ -43,9 +43,8 @@ struct Situation
     this->Topology.Build(mesh.Points, mesh.Triangles);
     const int viewport[4] = { 10, 20, 300, 200 };
     std::copy_n(viewport, 4, this->View.Viewport);
-    // What lies more than 100 below the origin of the volume is before the near plane.
-    this->View.NearPlane[2] = 1.0;
-    this->View.NearPlane[3] = 100.0;
+    // What lies more than 100 below the eye is before the near plane.
+    this->SetNearPlane({ 0.0, 0.0, 1.0, 100.0 });
     this->Litmap.Begin(64, { { -4.0, -4.0, -10.0 }, { 4.0, 4.0, 54.0 } });
   }
 
@@ -98,6 +97,14 @@ struct Situation
     }
   }
 
+  /// Sets the row that is positive for vertices relative to the eye beyond the near plane.
+  void SetNearPlane(const glm::dvec4& plane)
+  {
+    this->View.EyeToClip = glm::row(glm::dmat4(0.0), 2, plane);
+  }
+
+  const vtkShadowVolume& GetVolume() const { return this->Store.GetVolume(); }
+
   Verdict Decide(vtkShadowMode mode, int gap = 4, bool useLitmap = true)
   {
     this->Litmap.Build();
@@ -117,11 +124,11 @@ struct Situation
     vtkShadowTuning tuning;
     tuning.SlabGap = gap;
     vtkShadowPlan plan(this->Light, this->View, mode, litmaps, tuning);
-    this->Volume.Begin(Point(0.0));
+    this->Store = vtkShadowVolumeStore();
     const vtkShadowPart caster = { this->Footprint, this->Silhouette, &points };
     const auto dismissed = plan.EarlyOut(caster);
     const vtkShadowPlan::Choice choice = plan.Decide(caster);
-    plan.Draw(choice, caster, this->Volume);
+    plan.Draw(choice, caster, this->Store);
     const Verdict verdict = choice.Verdict;
     this->Draws = plan.GetDraws();
     EXPECT_EQ(choice.IsDrawn(), !this->Draws.empty());
@@ -148,7 +155,7 @@ struct Situation
       }
       EXPECT_EQ(draw.FirstIndex + draw.NumberOfIndices, next);
     }
-    EXPECT_EQ(next, static_cast<int>(this->Volume.GetIndices().size()));
+    EXPECT_EQ(next, static_cast<int>(this->GetVolume().GetIndices().size()));
   }
 
   /// The smallest and the largest z of a draw's corners.
@@ -157,9 +164,9 @@ struct Situation
     std::pair<double, double> result = { HUGE_VAL, -HUGE_VAL };
     for (int i = draw.FirstIndex; i < draw.FirstIndex + draw.NumberOfIndices; ++i)
     {
-      const float* vertex = &this->Volume.GetVertices()[4 * this->Volume.GetIndices()[i]];
-      result.first = std::min<double>(result.first, vertex[2]);
-      result.second = std::max<double>(result.second, vertex[2]);
+      const glm::dvec4& vertex = this->GetVolume().GetVertices()[this->GetVolume().GetIndices()[i]];
+      result.first = std::min(result.first, vertex.z);
+      result.second = std::max(result.second, vertex.z);
     }
     return result;
   }
@@ -173,7 +180,7 @@ struct Situation
   vtkShadowLitmap Litmap;
   std::vector<std::pair<vtkShadowLightSpace, vtkShadowLitmap>> Faces;
   vtkShadowPlan::View View;
-  vtkShadowVolume Volume;
+  vtkShadowVolumeStore Store;
   std::vector<vtkShadowDraw> Draws;
   int Slabs = 0;
   bool HasDismissed = false; ///< Before the caster was added.
@@ -463,7 +470,7 @@ TEST(ShadowPlan, ZPassNeedsAllOfThePieceBeyondTheNearPlane)
   ASSERT_EQ(situation.Draws.size(), 2u);
   EXPECT_TRUE(situation.Draws[0].ZPass);
   EXPECT_TRUE(situation.Draws[1].ZPass);
-  situation.View.NearPlane[3] = 20.0; // Only what is above -20.
+  situation.SetNearPlane({ 0.0, 0.0, 1.0, 20.0 }); // Only what is above -20.
   situation.Decide(vtkShadowMode::Clamped);
   ASSERT_EQ(situation.Draws.size(), 2u);
   EXPECT_TRUE(situation.Draws[0].ZPass);
@@ -472,11 +479,11 @@ TEST(ShadowPlan, ZPassNeedsAllOfThePieceBeyondTheNearPlane)
   situation.Decide(vtkShadowMode::Scissored);
   EXPECT_FALSE(situation.Draws.at(0).ZPass);
   // A near plane that looks down has all of it before itself.
-  situation.View.NearPlane[2] = -1.0;
+  situation.SetNearPlane({ 0.0, 0.0, -1.0, 20.0 });
   situation.Decide(vtkShadowMode::Scissored);
   EXPECT_TRUE(situation.Draws.at(0).ZPass);
   // One that touches the cap does not.
-  situation.View.NearPlane[3] = -situation.Footprint.Block.High[2];
+  situation.SetNearPlane({ 0.0, 0.0, -1.0, -situation.Footprint.Block.High[2] });
   situation.Decide(vtkShadowMode::Scissored);
   EXPECT_FALSE(situation.Draws.at(0).ZPass);
 }
@@ -489,9 +496,9 @@ TEST(ShadowPlan, PositionalVolumesOfParallelCamerasAreFinite)
     Situation situation(MakeLightAbove(kind, 3.0));
     situation.View.ParallelView = { { -5.0, -5.0, -5.0 }, { 5.0, 5.0, 5.0 } };
     situation.Decide(vtkShadowMode::Unclamped, 4, false);
-    for (std::size_t i = 3; i < situation.Volume.GetVertices().size(); i += 4)
+    for (const glm::dvec4& vertex : situation.GetVolume().GetVertices())
     {
-      EXPECT_EQ(situation.Volume.GetVertices()[i], 1.0f);
+      EXPECT_EQ(vertex.w, 1.0);
     }
   }
 }

@@ -186,7 +186,6 @@ TEST(ShadowTiles, OneDepthIsOneLayer)
 TEST(ShadowUmbra, HoldsAllThatIsInShadow)
 {
   std::mt19937 random(17);
-  const Point origin(0.0);
   int inShadow = 0;
   int left[2] = { 0, 0 }; // tested triangle by triangle, or all at once
   int beside[2] = { 0, 0 };
@@ -211,7 +210,6 @@ TEST(ShadowUmbra, HoldsAllThatIsInShadow)
       }
       const vtkShadowUmbra umbra = caster.GetUmbra(frame);
       vtkShadowVolume volume;
-      volume.Begin(origin);
       caster.AddWhole(volume);
       for (int i = 0; i < 40; ++i)
       {
@@ -221,7 +219,7 @@ TEST(ShadowUmbra, HoldsAllThatIsInShadow)
         {
           continue; // has no p and q
         }
-        if (CountInVolume(volume, origin, x, random) != 0)
+        if (CountInVolume(volume, x, random) != 0)
         {
           ++inShadow;
           EXPECT_TRUE(umbra.MayShadow(block)) << mesh.Name << ", case " << n;

@@ -8,10 +8,9 @@ VTK_ABI_NAMESPACE_BEGIN
 vtkShadowCamera::vtkShadowCamera(vtkRenderer* renderer)
 {
   const vtkNBufferCamera camera(renderer);
-  this->Eye = camera.Eye;
-  this->EyeToClip = camera.GetEyeToClip();
-  this->Plan.NearPlane = glm::row(this->EyeToClip, 2) + glm::row(this->EyeToClip, 3);
-  const glm::dmat4 clipToEye = vtkNBufferGLM::Invert(this->EyeToClip);
+  this->Plan.Eye = camera.Eye;
+  this->Plan.EyeToClip = camera.GetEyeToClip();
+  const glm::dmat4 clipToEye = vtkNBufferGLM::Invert(this->Plan.EyeToClip);
   for (const double x : { -1.0, 1.0 })
   {
     for (const double y : { -1.0, 1.0 })
@@ -19,7 +18,7 @@ vtkShadowCamera::vtkShadowCamera(vtkRenderer* renderer)
       const auto getCorner = [&](double z)
       {
         const glm::dvec4 corner = vtkNBufferGLM::Multiply(clipToEye, glm::dvec4(x, y, z, 1.0));
-        return this->Eye + glm::dvec3(corner) / corner.w;
+        return camera.Eye + glm::dvec3(corner) / corner.w;
       };
       this->NearBounds.Add(getCorner(-1.0));
       if (camera.IsParallel)
@@ -34,8 +33,8 @@ vtkShadowCamera::vtkShadowCamera(vtkRenderer* renderer)
 vtkShadowView vtkShadowCamera::GetView() const
 {
   vtkShadowView view;
-  view.ClipToWorld = vtkNBufferGLM::Invert(this->EyeToClip);
-  view.Origin = this->Eye;
+  view.ClipToWorld = vtkNBufferGLM::Invert(this->Plan.EyeToClip);
+  view.Origin = this->Plan.Eye;
   view.Width = this->Plan.Viewport[2];
   view.Height = this->Plan.Viewport[3];
   return view;

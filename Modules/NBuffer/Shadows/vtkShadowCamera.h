@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkShadowCamera.h
- * @brief What the shadow pass needs from a renderer's camera, with coordinates relative to the eye.
+ * @brief What the shadow pass needs from a renderer's camera.
  */
 #ifndef vtkShadowCamera_h
 #define vtkShadowCamera_h
@@ -24,8 +24,6 @@ struct vtkShadowCamera
   /// of each pixel.
   vtkShadowView GetView() const;
 
-  glm::dvec3 Eye;            ///< The camera's position in the world.
-  glm::dmat4 EyeToClip;      ///< From world coordinates relative to Eye to clip coordinates.
   vtkShadowBlock NearBounds; ///< The box around the near plane's rectangle, in world coordinates.
   vtkShadowPlan::View Plan;  ///< What vtkShadowPlan needs.
 };

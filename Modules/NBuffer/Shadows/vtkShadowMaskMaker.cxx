@@ -60,6 +60,7 @@ struct vtkShadowMaskMaker::Work
   const vtkShadowLightSource& Source;
   std::size_t Slot;
   vtkShadowLightSpace Space;
+  Volumes& LightVolumes;
 };
 
 bool vtkShadowMaskMaker::Reserve(vtkOpenGLRenderWindow* window, std::size_t lights)
@@ -111,10 +112,11 @@ bool vtkShadowMaskMaker::Make(const Frame& frame, const Settings& settings)
   {
     frame.Statistics.Fragments = 0;
   }
+  this->LightVolumes.resize(std::max(this->LightVolumes.size(), lights.size()));
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
     const Work work = { frame, window, camera, settings, frame.Statistics, lights[i], i,
-      vtkShadowLightSpace(lights[i].Geometry) };
+      vtkShadowLightSpace(lights[i].Geometry), this->LightVolumes[i] };
     if (!this->Shade(work))
     {
       return false;
@@ -245,11 +247,10 @@ vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vt
     },
     CastersPerThread);
   Verdicts verdicts = {};
-  this->Volume.Begin(work.Camera.Eye);
   for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {
     ++verdicts[static_cast<std::size_t>(this->Choices[i].Verdict)];
-    plan.Draw(this->Choices[i], *this->Parts[i], this->Volume);
+    plan.Draw(this->Choices[i], *this->Parts[i], work.LightVolumes.Store);
   }
   return verdicts;
 }
@@ -309,6 +310,8 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   Verdicts verdicts = {};
   const bool automatic = work.Settings.Mode == vtkShadowMode::Automatic;
   this->FindParts(work);
+  vtkShadowVolumeStore& store = work.LightVolumes.Store;
+  store.BeginFrame();
   if (work.Settings.Mode == vtkShadowMode::Unclamped || (automatic && !this->IsLitmapWorthIt(work)))
   {
     plan.emplace(light, view, vtkShadowMode::Unclamped, std::vector<vtkShadowPlan::Face>(),
@@ -316,9 +319,8 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
     verdicts = this->AddCasters(work, *plan);
     if (automatic &&
       this->IsLitmapWorthIt(work,
-        vtkShadowCostModel::EstimateFragments(
-          this->Volume, work.Camera.EyeToClip, this->Viewport[2], this->Viewport[3]),
-        static_cast<long long>(this->Volume.GetIndices().size() / 3)))
+        vtkShadowCostModel::EstimateFragments(store.GetVolume(), plan->GetDraws(), view),
+        plan->GetNumberOfTriangles()))
     {
       plan.reset();
     }
@@ -351,14 +353,15 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   std::transform(verdicts.begin(), verdicts.end(), work.Statistics.Verdicts.begin(),
     work.Statistics.Verdicts.begin(), std::plus<int>());
   work.Statistics.Slabs += plan->GetNumberOfSlabs();
-  work.Statistics.Triangles += static_cast<long long>(this->Volume.GetIndices().size() / 3);
+  work.Statistics.Pieces += store.GetNumberOfPiecesMade();
+  work.Statistics.Triangles += plan->GetNumberOfTriangles();
   const bool done = plan->GetDraws().empty() || this->Count(work, *plan);
   work.Statistics.DrawTime += clock.GetMilliseconds();
   const vtkLight* pictured = work.Settings.PictureLight;
   if (done && (pictured ? pictured == work.Source.Source : work.Slot == 0))
   {
     const vtkShadowDebugView::Subject subject = { this->Litmaps.data(),
-      static_cast<int>(spaces.size()), plan->GetDraws(), work.Camera.EyeToClip, this->Viewport };
+      static_cast<int>(spaces.size()), work.LightVolumes.Buffer, plan->GetDraws(), view };
     return work.Frame.DebugView.Make(
       work.Window, work.Settings.Picture, subject, this->Counter, work.Statistics, this->Error);
   }
@@ -377,7 +380,8 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
     statistics.Draws += !draw.Again;
     statistics.ZPass += draw.ZPass && !draw.Again;
   }
-  if (!this->Counter.Upload(this->Volume, this->Error))
+  vtkShadowVolumeBuffer& volume = work.LightVolumes.Buffer;
+  if (!volume.Upload(work.LightVolumes.Store, this->Error))
   {
     return false;
   }
@@ -399,7 +403,7 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
     }
     this->Counter.ClearStencil(this->Target, this->Viewport);
     ++statistics.StencilClears;
-    if (!this->Counter.Count(work.Window, this->Target, work.Camera.EyeToClip, first, last,
+    if (!this->Counter.Count(work.Window, this->Target, volume, work.Camera.Plan, first, last,
           work.Settings.Tuning.CountFragments ? &statistics.Fragments : nullptr, this->Error) ||
       !this->Counter.Resolve(work.Window, this->Target, mask, channel, this->Viewport, this->Error))
     {
@@ -413,6 +417,7 @@ bool vtkShadowMaskMaker::Count(const Work& work, const vtkShadowPlan& plan)
 void vtkShadowMaskMaker::Release()
 {
   this->Counter.Release();
+  this->LightVolumes.clear();
   if (this->LitmapSource)
   {
     this->LitmapSource->Release();

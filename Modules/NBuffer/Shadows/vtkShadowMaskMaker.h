@@ -26,7 +26,8 @@
 #include "vtkShadowTarget.h"
 #include "vtkShadowTimers.h"
 #include "vtkShadowTuning.h"
-#include "vtkShadowVolume.h"
+#include "vtkShadowVolumeBuffer.h"
+#include "vtkShadowVolumeStore.h"
 
 #include <array>
 #include <string>
@@ -92,6 +93,12 @@ public:
 
 private:
   struct Work;
+  /// The volumes of a light, which are kept from frame to frame.
+  struct Volumes
+  {
+    vtkShadowVolumeStore Store;
+    vtkShadowVolumeBuffer Buffer;
+  };
   using Verdicts = std::array<int, vtkShadowStatistics::NumberOfVerdicts>;
 
   std::size_t GetNumberOfSamples() const; ///< The number of all samples of the viewport.
@@ -111,9 +118,9 @@ private:
   std::shared_ptr<vtkShadowLitmapSource> LitmapSource; ///< The last source that was used, if any.
   std::vector<float> Depth; ///< The window depths of all samples (vtkShadowTarget::ReadDepth()).
   bool IsDepthRead = false; ///< True if Depth belongs to the current frame.
-  std::vector<vtkShadowLitmap> Litmaps; ///< One, or six for a point light, of the current light.
-  vtkShadowVolume Volume;
-  std::vector<const vtkShadowPart*> Parts;    ///< Of all casters, in order, for the current light.
+  std::vector<vtkShadowLitmap> Litmaps;    ///< One, or six for a point light, of the current light.
+  std::vector<Volumes> LightVolumes;       ///< By the number of the light.
+  std::vector<const vtkShadowPart*> Parts; ///< Of all casters, in order, for the current light.
   std::vector<vtkShadowPlan::Choice> Choices; ///< The decision about each of Parts.
   /// The share of the samples that were not background when the depth was last read, in [0, 1].
   double Coverage = 1.0;

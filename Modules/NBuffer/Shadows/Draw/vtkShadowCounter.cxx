@@ -3,7 +3,6 @@
 #include "vtkShadowCounter.h"
 
 #include "vtkShadowTarget.h"
-#include "vtkShadowVolume.h"
 
 #include "vtkNBufferDepthConvention.h"
 #include "vtkShadowMaskFS.h"
@@ -40,41 +39,11 @@ constexpr GLenum StencilNames[2][7] = { { GL_STENCIL_FUNC, GL_STENCIL_REF, GL_ST
 constexpr GLenum Capabilities[] = { GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_COVERAGE,
   GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK, GL_DEPTH_CLAMP,
   GL_POLYGON_OFFSET_FILL };
-
-/// Sends values to new memory of the device, so that nothing waits for the draws of the last frame.
-/// Returns false if there is no memory.
-template <typename T>
-bool SetData(GLenum target, vtkNBufferGL::Buffer& buffer, const std::vector<T>& values)
-{
-  glBindBuffer(target, buffer.Create());
-  glBufferData(
-    target, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_STREAM_DRAW);
-  return glGetError() == GL_NO_ERROR;
-}
 }
 
 vtkShadowCounter::vtkShadowCounter()
   : MaskPass(vtkShadowMaskFS, Failure)
 {
-}
-
-bool vtkShadowCounter::Upload(const vtkShadowVolume& volume, std::string& why)
-{
-  vtkNBufferGL::ClearErrors();
-  const int arrayBuffer = vtkNBufferGL::GetInteger(GL_ARRAY_BUFFER_BINDING);
-  const int vertexArray = vtkNBufferGL::GetInteger(GL_VERTEX_ARRAY_BINDING);
-  glBindVertexArray(this->VertexArray.Create());
-  const bool uploaded = SetData(GL_ARRAY_BUFFER, this->Vertices, volume.GetVertices()) &&
-    SetData(GL_ELEMENT_ARRAY_BUFFER, this->Indices, volume.GetIndices());
-  glBindVertexArray(vertexArray);
-  glBindBuffer(GL_ARRAY_BUFFER, arrayBuffer);
-  if (!uploaded)
-  {
-    vtkNBufferGL::ClearErrors();
-    why = "There is no memory on the device for " + std::to_string(volume.GetIndices().size() / 3) +
-      " triangles of shadow volumes. Let fewer or simpler props cast.";
-  }
-  return uploaded;
 }
 
 vtkShadowCounter::Scope::Scope(vtkOpenGLRenderWindow* window, const int viewport[4])
@@ -157,20 +126,13 @@ void vtkShadowCounter::SetDirection(bool zPass)
 
 bool vtkShadowCounter::BeginVolumes(vtkOpenGLRenderWindow* window,
   vtkSmartPointer<vtkShaderProgram>& program, const char* fragmentShader,
-  const glm::dmat4& volumeToClip, std::string& why)
+  const vtkShadowVolumeBuffer& volume, const vtkShadowDrawList::View& view, std::string& why)
 {
   if (!vtkNBufferGL::UseProgram(window, program, vtkShadowVolumeVS, fragmentShader, Failure, why))
   {
     return false;
   }
-  vtkNBufferGL::SetMatrix(program, "volumeToClip", volumeToClip);
-  glBindVertexArray(this->VertexArray.GetName());
-  const int attribute = glGetAttribLocation(program->GetHandle(), "corner");
-  const int arrayBuffer = vtkNBufferGL::GetInteger(GL_ARRAY_BUFFER_BINDING);
-  glBindBuffer(GL_ARRAY_BUFFER, this->Vertices.GetName());
-  glEnableVertexAttribArray(attribute);
-  glVertexAttribPointer(attribute, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
-  glBindBuffer(GL_ARRAY_BUFFER, arrayBuffer);
+  volume.Bind(program, view);
   return true;
 }
 
@@ -182,11 +144,11 @@ void vtkShadowCounter::DrawVolume(const vtkShadowDraw& draw)
 }
 
 bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
-  const glm::dmat4& volumeToClip, const vtkShadowDraw* first, const vtkShadowDraw* last,
-  long long* fragments, std::string& why)
+  const vtkShadowVolumeBuffer& volume, const vtkShadowDrawList::View& view,
+  const vtkShadowDraw* first, const vtkShadowDraw* last, long long* fragments, std::string& why)
 {
   vtkNBufferGL::ClearErrors();
-  if (!this->BeginVolumes(window, this->VolumeProgram, vtkShadowVolumeFS, volumeToClip, why))
+  if (!this->BeginVolumes(window, this->VolumeProgram, vtkShadowVolumeFS, volume, view, why))
   {
     return false;
   }
@@ -227,10 +189,11 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
   return vtkNBufferGL::CheckErrors("Drawing shadow volumes", why);
 }
 
-bool vtkShadowCounter::Show(vtkOpenGLRenderWindow* window, const glm::dmat4& volumeToClip,
-  const std::vector<vtkShadowDraw>& draws, bool edges, std::string& why)
+bool vtkShadowCounter::Show(vtkOpenGLRenderWindow* window, const vtkShadowVolumeBuffer& volume,
+  const vtkShadowDrawList::View& view, const std::vector<vtkShadowDraw>& draws, bool edges,
+  std::string& why)
 {
-  if (!this->BeginVolumes(window, this->TintProgram, vtkShadowTintFS, volumeToClip, why))
+  if (!this->BeginVolumes(window, this->TintProgram, vtkShadowTintFS, volume, view, why))
   {
     return false;
   }

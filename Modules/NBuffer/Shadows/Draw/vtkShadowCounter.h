@@ -31,11 +31,10 @@
 #include "vtkNBufferFullScreenPass.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferModule.h" // For export macro
-#include "vtkShadowPlan.h"
+#include "vtkShadowVolumeBuffer.h"
 
 #include "vtkSmartPointer.h"
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -49,13 +48,9 @@ class VTKNBUFFER_EXPORT vtkShadowCounter
 public:
   vtkShadowCounter();
 
-  /// Sends a volume to the device, for Count() and Show(). Returns false, with the cause in `why`,
-  /// if OpenGL refuses.
-  bool Upload(const vtkShadowVolume& volume, std::string& why);
-
   /**
    * Sets the OpenGL state for counting, and restores the state at its end. One scope serves for all
-   * lights of a frame. The other functions, except Upload(), Show() and Release(), require it.
+   * lights of a frame. The other functions, except Show() and Release(), require it.
    */
   class Scope : public vtkNBufferGL::ScopedPass
   {
@@ -71,15 +66,14 @@ public:
   ///@}
 
   /**
-   * Counts the draws from `first` to the one before `last`. `volumeToClip` goes from the uploaded
-   * vertices to clip coordinates. If `fragments` is not null, the number of fragments of the
-   * volumes is added to it, whether or not they pass the depth test; in a multisampled target it is
-   * the number of their samples. This doubles the draws and waits for the device. Returns false,
-   * with the cause in `why`, if OpenGL refuses.
+   * Counts the draws of an uploaded volume from `first` to the one before `last`. If `fragments` is
+   * not null, the number of fragments of the volumes is added to it, whether or not they pass the
+   * depth test; in a multisampled target it is the number of their samples. This doubles the draws
+   * and waits for the device. Returns false, with the cause in `why`, if OpenGL refuses.
    */
   bool Count(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
-    const glm::dmat4& volumeToClip, const vtkShadowDraw* first, const vtkShadowDraw* last,
-    long long* fragments, std::string& why);
+    const vtkShadowVolumeBuffer& volume, const vtkShadowDrawList::View& view,
+    const vtkShadowDraw* first, const vtkShadowDraw* last, long long* fragments, std::string& why);
 
   /// Sets a channel of a mask to shadow where the count is not 0 and something has been drawn.
   /// Returns false, with the cause in `why`, if OpenGL refuses.
@@ -92,21 +86,20 @@ public:
    * z-pass and orange for z-fail; otherwise each fragment adds 1/255 to all channels. Call it
    * within a ScopedPass. Returns false, with the cause in `why`, if OpenGL refuses.
    */
-  bool Show(vtkOpenGLRenderWindow* window, const glm::dmat4& volumeToClip,
-    const std::vector<vtkShadowDraw>& draws, bool edges, std::string& why);
+  bool Show(vtkOpenGLRenderWindow* window, const vtkShadowVolumeBuffer& volume,
+    const vtkShadowDrawList::View& view, const std::vector<vtkShadowDraw>& draws, bool edges,
+    std::string& why);
 
   /// Deletes the OpenGL objects. Their context must be current.
   void Release();
 
 private:
   bool BeginVolumes(vtkOpenGLRenderWindow* window, vtkSmartPointer<vtkShaderProgram>& program,
-    const char* fragmentShader, const glm::dmat4& volumeToClip, std::string& why);
+    const char* fragmentShader, const vtkShadowVolumeBuffer& volume,
+    const vtkShadowDrawList::View& view, std::string& why);
   void SetDirection(bool zPass);
   void DrawVolume(const vtkShadowDraw& draw);
 
-  vtkNBufferGL::Buffer Vertices;
-  vtkNBufferGL::Buffer Indices;
-  vtkNBufferGL::VertexArray VertexArray;
   vtkNBufferGL::Query Query;
   vtkNBufferGL::FullScreenPass MaskPass;
   vtkSmartPointer<vtkShaderProgram> VolumeProgram;

@@ -24,7 +24,7 @@ bool vtkShadowDebugView::Make(vtkOpenGLRenderWindow* window, vtkShadowPicture pi
   const Subject& subject, vtkShadowCounter& counter, vtkShadowStatistics& statistics,
   std::string& why)
 {
-  std::copy_n(subject.Viewport, 4, this->Viewport);
+  std::copy_n(subject.View.Viewport, 4, this->Viewport);
   this->Image.clear();
   switch (picture)
   {
@@ -75,8 +75,8 @@ bool vtkShadowDebugView::DrawVolumes(vtkOpenGLRenderWindow* window, vtkShadowPic
   glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   glClearBufferfv(GL_COLOR, 0, nothing);
-  if (!counter.Show(
-        window, subject.VolumeToClip, subject.Draws, picture == vtkShadowPicture::Volumes, why))
+  if (!counter.Show(window, subject.Volume, subject.View, subject.Draws,
+        picture == vtkShadowPicture::Volumes, why))
   {
     return false;
   }

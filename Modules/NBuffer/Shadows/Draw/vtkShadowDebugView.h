@@ -15,6 +15,7 @@
 #include "vtkNBufferModule.h" // For export macro
 #include "vtkShadowDebugImage.h"
 #include "vtkShadowStatistics.h"
+#include "vtkShadowVolumeBuffer.h"
 
 #include <string>
 #include <vector>
@@ -33,9 +34,9 @@ public:
   {
     const vtkShadowLitmap* Litmaps = nullptr; ///< One, or the six of a point light.
     int NumberOfLitmaps = 0;                  ///< 0 if the light needed no litmap.
-    const std::vector<vtkShadowDraw>& Draws;  ///< The draws of the volume that was uploaded last.
-    const glm::dmat4& VolumeToClip;           ///< From vertices to clip coordinates.
-    const int* Viewport; ///< x, y, width and height in pixels of the framebuffer.
+    const vtkShadowVolumeBuffer& Volume;
+    const std::vector<vtkShadowDraw>& Draws; ///< The draws of Volume.
+    const vtkShadowDrawList::View& View;     ///< The view that they were made for.
   };
 
   /**

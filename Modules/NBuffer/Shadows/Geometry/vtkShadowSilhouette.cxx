@@ -76,6 +76,7 @@ int BoundOverlap(
 void vtkShadowSilhouette::Compute(const vtkShadowTopology& topology, const vtkShadowPoints& points,
   const vtkShadowLight& light, vtkShadowCounting counting)
 {
+  this->ComputeTime.Modified();
   this->Counting = topology.IsClosed() ? counting : vtkShadowCounting::All;
   this->Triangles.clear();
   this->Edges.clear();

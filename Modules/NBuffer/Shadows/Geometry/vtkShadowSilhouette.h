@@ -50,6 +50,8 @@
 #include "vtkShadowLight.h"
 #include "vtkShadowTopology.h"
 
+#include "vtkTimeStamp.h"
+
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -81,6 +83,10 @@ public:
    */
   void Compute(const vtkShadowTopology& topology, const vtkShadowPoints& points,
     const vtkShadowLight& light, vtkShadowCounting counting);
+
+  /// When Compute() was called last, as vtkTimeStamp counts; 0 before. Two silhouettes with the
+  /// same time are copies of each other.
+  vtkMTimeType GetMTime() const { return this->ComputeTime.GetMTime(); }
 
   /// The counting that Compute() used.
   vtkShadowCounting GetCounting() const { return this->Counting; }
@@ -121,6 +127,7 @@ private:
   std::vector<Edge> Edges;
   std::vector<glm::dvec3> Pushes;
   int MaximumCount = 0;
+  vtkTimeStamp ComputeTime;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -92,22 +92,23 @@ private:
   std::function<unsigned int(int)> Make;
 };
 
-void vtkShadowVolume::Begin(const glm::dvec3& origin)
+/// The piece that begins here. End() completes it.
+vtkShadowPiece vtkShadowVolume::Begin() const
 {
-  this->Origin = origin;
-  this->Vertices.clear();
-  this->Indices.clear();
+  return { this->Indices.size(), 0, this->Vertices.size(), 0 };
 }
 
-unsigned int vtkShadowVolume::AddVertex(const glm::dvec3& x, float w)
+vtkShadowPiece vtkShadowVolume::End(vtkShadowPiece piece) const
 {
-  const std::size_t vertex = this->Vertices.size() / 4;
-  for (int i = 0; i < 3; ++i)
-  {
-    this->Vertices.push_back(static_cast<float>(x[i]));
-  }
-  this->Vertices.push_back(w);
-  return static_cast<unsigned int>(vertex);
+  piece.EndIndex = this->Indices.size();
+  piece.EndVertex = this->Vertices.size();
+  return piece;
+}
+
+unsigned int vtkShadowVolume::AddVertex(const glm::dvec3& x, double w)
+{
+  this->Vertices.emplace_back(x, w);
+  return static_cast<unsigned int>(this->Vertices.size() - 1);
 }
 
 void vtkShadowVolume::AddTriangle(unsigned int a, unsigned int b, unsigned int c)
@@ -132,10 +133,10 @@ void vtkShadowVolume::AddFan(const vtkShadowSilhouette& silhouette, Image& image
   glm::dvec3 mean(0.0);
   for (const vtkShadowSilhouette::Edge& edge : silhouette.GetEdges())
   {
-    const float* vertex = &this->Vertices[4 * std::size_t(image[edge.From])];
-    mean += glm::dvec3(glm::make_vec3(vertex)) / static_cast<double>(silhouette.GetEdges().size());
+    mean += glm::dvec3(this->Vertices[image[edge.From]]) /
+      static_cast<double>(silhouette.GetEdges().size());
   }
-  const unsigned int centre = this->AddVertex(mean, 1.0f);
+  const unsigned int centre = this->AddVertex(mean, 1.0);
   for (const vtkShadowSilhouette::Edge& edge : silhouette.GetEdges())
   {
     const unsigned int from = image[edge.From];
@@ -167,47 +168,49 @@ void vtkShadowVolume::AddSides(
   }
 }
 
-void vtkShadowVolume::AddWhole(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
-  const vtkShadowLight& light, const vtkShadowBlock* view)
+vtkShadowPiece vtkShadowVolume::AddWhole(const vtkShadowSilhouette& silhouette,
+  const vtkShadowPoints& points, const vtkShadowLight& light, const vtkShadowBlock* view)
 {
-  Image nearImage(points,
-    [&](int i)
-    { return this->AddVertex(GetNearPoint(silhouette, points, i) - this->Origin, 1.0f); });
+  const vtkShadowPiece piece = this->Begin();
+  Image nearImage(
+    points, [&](int i) { return this->AddVertex(GetNearPoint(silhouette, points, i), 1.0); });
   this->AddTriangles(silhouette, nearImage, Side::Near);
 
   if (light.IsPositional())
   {
     const double factor = view ? GetFactor(silhouette, points, light.Position, *view) : 1.0;
-    const glm::dvec3 origin = view ? light.Position - this->Origin : glm::dvec3(0.0);
+    const glm::dvec3 origin = view ? light.Position : glm::dvec3(0.0);
     Image farImage(points,
       [&](int i) {
-        return this->AddVertex(origin + factor * (points[i] - light.Position), view ? 1.0f : 0.0f);
+        return this->AddVertex(origin + factor * (points[i] - light.Position), view ? 1.0 : 0.0);
       });
     this->AddTriangles(silhouette, farImage, Side::Far);
     this->AddSides(silhouette, nearImage, farImage);
   }
   else
   {
-    const unsigned int end = this->AddVertex(light.Direction, 0.0f);
+    const unsigned int end = this->AddVertex(light.Direction, 0.0);
     Image farImage(points, [end](int) { return end; });
     this->AddSides(silhouette, nearImage, farImage);
   }
+  return this->End(piece);
 }
 
-void vtkShadowVolume::AddClamped(const vtkShadowSilhouette& silhouette,
+vtkShadowPiece vtkShadowVolume::AddClamped(const vtkShadowSilhouette& silhouette,
   const vtkShadowPoints& points, const vtkShadowLightSpace& space, const vtkShadowSlab& slab,
   double casterFar)
 {
+  const vtkShadowPiece piece = this->Begin();
   const bool nearPlane = casterFar < slab.Near;
   const double farDepth =
     slab.Far > casterFar ? slab.Far : casterFar + 1e-6 * (casterFar - slab.Near);
   const auto addExtruded = [&](int i, double depth)
-  { return this->AddVertex(space.Extrude(points[i], depth) - this->Origin, 1.0f); };
+  { return this->AddVertex(space.Extrude(points[i], depth), 1.0); };
   Image nearImage(points,
     [&](int i)
     {
       return nearPlane ? addExtruded(i, slab.Near)
-                       : this->AddVertex(GetNearPoint(silhouette, points, i) - this->Origin, 1.0f);
+                       : this->AddVertex(GetNearPoint(silhouette, points, i), 1.0);
     });
   Image farImage(points, [&](int i) { return addExtruded(i, farDepth); });
 
@@ -221,6 +224,7 @@ void vtkShadowVolume::AddClamped(const vtkShadowSilhouette& silhouette,
   }
   this->AddFan(silhouette, farImage, Side::Far);
   this->AddSides(silhouette, nearImage, farImage);
+  return this->End(piece);
 }
 
 VTK_ABI_NAMESPACE_END

@@ -40,6 +40,10 @@
  * volume if k is at least D / d. Volumes of directional lights have no triangle with three such
  * corners and stay infinite.
  *
+ * A whole volume for perspective cameras depends on the caster and the light alone. So vertices are
+ * in world coordinates, and not relative to the eye, and such a volume is made once and kept while
+ * camera and receivers change (vtkShadowVolumeStore.h).
+ *
  * A clamped piece is the part of the volume between the planes s = near and s = far
  * (vtkShadowLight.h). It holds the same receivers as the whole volume if all receivers on the
  * caster's rays have depths in this slab. s_far is the depth of the caster's farthest point.
@@ -73,24 +77,32 @@
 #include "vtkShadowLight.h"
 #include "vtkShadowSilhouette.h"
 
+#include <cstddef>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
+/// What was added to a volume at once: runs of its indices and of its vertices.
+struct vtkShadowPiece
+{
+  std::size_t GetNumberOfIndices() const { return this->EndIndex - this->FirstIndex; }
+
+  std::size_t FirstIndex = 0;
+  std::size_t EndIndex = 0; ///< The one after the last.
+  std::size_t FirstVertex = 0;
+  std::size_t EndVertex = 0; ///< The one after the last.
+};
+
 class VTKNBUFFER_EXPORT vtkShadowVolume
 {
 public:
-  /// Clears the volume. `origin` is the world position that vertices will be relative to. If it is
-  /// the eye, the vertices, which are floats, are most exact near the eye.
-  void Begin(const glm::dvec3& origin);
-
   /**
    * Adds the whole volume of a caster. `points` must be those that the silhouette was computed
    * with. For a parallel camera `view` is a box, in world coordinates, that holds everything that
    * can be seen; the volume of a positional light ends beyond it. For a perspective camera it is
    * null.
    */
-  void AddWhole(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
+  vtkShadowPiece AddWhole(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
     const vtkShadowLight& light, const vtkShadowBlock* view = nullptr);
 
   /**
@@ -98,12 +110,11 @@ public:
    * the largest depth of its points in `space`. For a positional light the depths of all points
    * must be positive. A slab that ends before the caster does is extended to a little beyond it.
    */
-  void AddClamped(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
+  vtkShadowPiece AddClamped(const vtkShadowSilhouette& silhouette, const vtkShadowPoints& points,
     const vtkShadowLightSpace& space, const vtkShadowSlab& slab, double casterFar);
 
-  /// The coordinates x, y, z, w of each vertex. w = 1 is a point relative to the origin, w = 0 is a
-  /// direction.
-  const std::vector<float>& GetVertices() const { return this->Vertices; }
+  /// The world coordinates x, y, z, w of each vertex. w = 1 is a point, w = 0 a direction.
+  const std::vector<glm::dvec4>& GetVertices() const { return this->Vertices; }
 
   /// Three vertices for each triangle.
   const std::vector<unsigned int>& GetIndices() const { return this->Indices; }
@@ -116,14 +127,15 @@ private:
     Far
   };
 
-  unsigned int AddVertex(const glm::dvec3& x, float w);
+  vtkShadowPiece Begin() const;
+  vtkShadowPiece End(vtkShadowPiece piece) const;
+  unsigned int AddVertex(const glm::dvec3& x, double w);
   void AddTriangle(unsigned int a, unsigned int b, unsigned int c);
   void AddTriangles(const vtkShadowSilhouette& silhouette, Image& image, Side side);
   void AddFan(const vtkShadowSilhouette& silhouette, Image& image, Side side);
   void AddSides(const vtkShadowSilhouette& silhouette, Image& nearImage, Image& farImage);
 
-  glm::dvec3 Origin = { 0.0, 0.0, 0.0 };
-  std::vector<float> Vertices;
+  std::vector<glm::dvec4> Vertices;
   std::vector<unsigned int> Indices;
 };
 

@@ -4,7 +4,6 @@
 
 #include "vtkNBufferPolygonClip.h"
 #include "vtkShadowSilhouette.h"
-#include "vtkShadowVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,12 +61,16 @@ long long CountTriangles(const vtkShadowSilhouette& silhouette, bool positional)
   return static_cast<long long>(positional ? 2 * half : half);
 }
 
-double EstimateFragments(
-  const vtkShadowVolume& volume, const glm::dmat4& volumeToClip, int width, int height)
+double EstimateFragments(const vtkShadowVolume& volume, const std::vector<vtkShadowDraw>& draws,
+  const vtkShadowDrawList::View& view)
 {
-  const float* vertices = volume.GetVertices().data();
-  const std::vector<unsigned int>& indices = volume.GetIndices();
-  const std::size_t triangles = indices.size() / 3;
+  std::vector<std::size_t> ends; // Of each draw among the triangles of all.
+  std::size_t triangles = 0;
+  for (const vtkShadowDraw& draw : draws)
+  {
+    triangles += static_cast<std::size_t>(draw.NumberOfIndices) / 3;
+    ends.push_back(triangles);
+  }
   const std::size_t sampled = std::min(triangles, Budget);
   double area = 0.0;
   Polygon polygon;
@@ -80,11 +83,17 @@ double EstimateFragments(
     const std::size_t t = sampled < triangles
       ? static_cast<std::size_t>((place - std::floor(place)) * static_cast<double>(triangles))
       : k;
+    // Which draw has it, and where: counted from the end of the draw.
+    const auto end = std::upper_bound(ends.begin(), ends.end(), t);
+    const vtkShadowDraw& draw = draws[static_cast<std::size_t>(end - ends.begin())];
+    const std::size_t first = static_cast<std::size_t>(draw.FirstIndex) +
+      static_cast<std::size_t>(draw.NumberOfIndices) - 3 * (*end - t);
     polygon.clear();
-    for (std::size_t i = 3 * t; i < 3 * t + 3; ++i)
+    for (std::size_t i = first; i < first + 3; ++i)
     {
-      const float* vertex = vertices + 4 * std::size_t(indices[i]);
-      polygon.push_back(vtkNBufferGLM::Multiply(volumeToClip, glm::make_vec4(vertex)));
+      const glm::dvec4& vertex = volume.GetVertices()[volume.GetIndices()[i]];
+      polygon.push_back(
+        vtkNBufferGLM::Multiply(view.EyeToClip, vertex - glm::dvec4(vertex.w * view.Eye, 0.0)));
     }
     for (const glm::dvec4& plane : Planes)
     {
@@ -95,9 +104,9 @@ double EstimateFragments(
     }
     area += GetAreaInNdc(polygon);
   }
-  return sampled > 0
-    ? area * 0.25 * width * height * static_cast<double>(triangles) / static_cast<double>(sampled)
-    : 0.0;
+  return sampled > 0 ? area * 0.25 * view.Viewport[2] * view.Viewport[3] *
+      static_cast<double>(triangles) / static_cast<double>(sampled)
+                     : 0.0;
 }
 
 bool IsLitmapWorthIt(double fragments, long long triangles, long long samples, long long covered,

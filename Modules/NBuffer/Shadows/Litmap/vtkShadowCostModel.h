@@ -34,12 +34,12 @@
 #ifndef vtkShadowCostModel_h
 #define vtkShadowCostModel_h
 
-#include "vtkNBufferGLM.h"
 #include "vtkNBufferModule.h" // For export macro
+#include "vtkShadowDrawList.h"
+
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkShadowSilhouette;
-class vtkShadowVolume;
 
 namespace vtkShadowCostModel
 {
@@ -48,12 +48,12 @@ namespace vtkShadowCostModel
 VTKNBUFFER_EXPORT long long CountTriangles(const vtkShadowSilhouette& silhouette, bool positional);
 
 /**
- * Estimates the number of fragments of a volume: the area of its triangles in the view, in pixels.
- * If there are more than 4096 triangles, it measures 4096 of them, spread evenly. `volumeToClip`
- * goes from vertices to clip coordinates; `width` and `height` are those of the viewport in pixels.
+ * Estimates the number of fragments of a volume's draws into the whole viewport: the area of their
+ * triangles in the view, in pixels. If there are more than 4096 triangles, it measures 4096 of
+ * them, spread evenly.
  */
-VTKNBUFFER_EXPORT double EstimateFragments(
-  const vtkShadowVolume& volume, const glm::dmat4& volumeToClip, int width, int height);
+VTKNBUFFER_EXPORT double EstimateFragments(const vtkShadowVolume& volume,
+  const std::vector<vtkShadowDraw>& draws, const vtkShadowDrawList::View& view);
 
 /**
  * Returns true if the rule above says that litmaps are worth their cost. `fragments` and

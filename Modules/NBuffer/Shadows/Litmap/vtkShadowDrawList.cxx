@@ -10,21 +10,12 @@ namespace
 /// A generous bound of the rounding error of a distance from the near plane, relative to the sum of
 /// the magnitudes of its terms.
 constexpr double Margin = 1e-6;
-
-/// A draw of the triangles that will be added to `volume` next.
-vtkShadowDraw MakeDraw(const vtkShadowPart& caster, const vtkShadowVolume& volume)
-{
-  vtkShadowDraw draw;
-  draw.FirstIndex = static_cast<int>(volume.GetIndices().size());
-  draw.MaximumCount = caster.Silhouette.GetMaximumCount();
-  draw.Offset = caster.Silhouette.GetCounting() == vtkShadowCounting::All;
-  return draw;
-}
 }
 
 vtkShadowDrawList::vtkShadowDrawList(const vtkShadowLight& light, const View& view)
   : Light(light)
   , Camera(view)
+  , NearPlane(glm::row(view.EyeToClip, 2) + glm::row(view.EyeToClip, 3))
 {
 }
 
@@ -34,36 +25,35 @@ void vtkShadowDrawList::AddRays(const vtkShadowSilhouette& silhouette, const vtk
 }
 
 void vtkShadowDrawList::AddWhole(
-  const vtkShadowPart& caster, const Boxes& boxes, vtkShadowVolume& volume)
+  const vtkShadowPart& caster, const Boxes& boxes, vtkShadowVolumeStore& store)
 {
-  vtkShadowDraw draw = MakeDraw(caster, volume);
-  const std::size_t firstVertex = volume.GetVertices().size();
   const vtkShadowBlock& view = this->Camera.ParallelView;
-  volume.AddWhole(
-    caster.Silhouette, *caster.Points, this->Light, view.IsEmpty() ? nullptr : &view);
-  draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
-  this->AddDraw(volume, boxes, draw);
+  const vtkShadowPiece piece =
+    store.GetWhole(caster, this->Light, view.IsEmpty() ? nullptr : &view);
+  this->AddDraws(caster, true, boxes, store.GetVolume(), piece);
 }
 
 void vtkShadowDrawList::AddClamped(const vtkShadowPart& caster, const vtkShadowLightSpace& space,
-  const vtkShadowSlab& slab, double casterFar, const Boxes& boxes, vtkShadowVolume& volume)
+  const vtkShadowSlab& slab, double casterFar, const Boxes& boxes, vtkShadowVolumeStore& store)
 {
-  vtkShadowDraw draw = MakeDraw(caster, volume);
-  draw.Offset = draw.Offset && casterFar >= slab.Near;
-  const std::size_t firstVertex = volume.GetVertices().size();
-  volume.AddClamped(caster.Silhouette, *caster.Points, space, slab, casterFar);
-  draw.ZPass = this->IsBeyondNearPlane(volume, firstVertex);
-  this->AddDraw(volume, boxes, draw);
+  const vtkShadowPiece piece = store.AddClamped(caster, space, slab, casterFar);
+  this->AddDraws(caster, casterFar >= slab.Near, boxes, store.GetVolume(), piece);
 }
 
-void vtkShadowDrawList::AddDraw(
-  const vtkShadowVolume& volume, const Boxes& boxes, vtkShadowDraw draw)
+void vtkShadowDrawList::AddDraws(const vtkShadowPart& caster, bool isNearCapItsOwn,
+  const Boxes& boxes, const vtkShadowVolume& volume, const vtkShadowPiece& piece)
 {
-  draw.NumberOfIndices = static_cast<int>(volume.GetIndices().size()) - draw.FirstIndex;
+  vtkShadowDraw draw;
+  draw.FirstIndex = static_cast<int>(piece.FirstIndex);
+  draw.NumberOfIndices = static_cast<int>(piece.GetNumberOfIndices());
   if (draw.NumberOfIndices == 0)
   {
     return;
   }
+  this->Triangles += draw.NumberOfIndices / 3;
+  draw.MaximumCount = caster.Silhouette.GetMaximumCount();
+  draw.Offset = isNearCapItsOwn && caster.Silhouette.GetCounting() == vtkShadowCounting::All;
+  draw.ZPass = this->IsBeyondNearPlane(volume, piece);
   const int* viewport = this->Camera.Viewport;
   std::copy_n(viewport, 4, draw.Box);
   if (boxes.empty() || !this->Camera.Boxes)
@@ -83,13 +73,13 @@ void vtkShadowDrawList::AddDraw(
 }
 
 bool vtkShadowDrawList::IsBeyondNearPlane(
-  const vtkShadowVolume& volume, std::size_t firstVertex) const
+  const vtkShadowVolume& volume, const vtkShadowPiece& piece) const
 {
-  const std::vector<float>& vertices = volume.GetVertices();
-  for (std::size_t i = firstVertex; i < vertices.size(); i += 4)
+  for (std::size_t i = piece.FirstVertex; i < piece.EndVertex; ++i)
   {
+    const glm::dvec4& vertex = volume.GetVertices()[i];
     const glm::dvec4 terms =
-      this->Camera.NearPlane * glm::dvec4(glm::make_vec4(vertices.data() + i));
+      this->NearPlane * (vertex - glm::dvec4(vertex.w * this->Camera.Eye, 0.0));
     const auto addUp = [](const glm::dvec4& x) { return x[0] + x[1] + x[2] + x[3]; };
     if (!(addUp(terms) > Margin * addUp(glm::abs(terms))))
     {

@@ -46,7 +46,7 @@
 #include "vtkShadowLight.h"
 #include "vtkShadowOverlap.h"
 #include "vtkShadowSilhouette.h"
-#include "vtkShadowVolume.h"
+#include "vtkShadowVolumeStore.h"
 
 #include <vector>
 
@@ -75,9 +75,8 @@ public:
   /// What the draws depend on besides light and casters.
   struct View
   {
-    /// The near plane as a row: its product with a vertex (x, y, z, w) relative to the volume's
-    /// origin is z + w in clip coordinates, which is positive beyond the near plane.
-    glm::dvec4 NearPlane = { 0.0, 0.0, 0.0, 1.0 };
+    glm::dvec3 Eye = { 0.0, 0.0, 0.0 };     ///< The camera's position in the world.
+    glm::dmat4 EyeToClip = glm::dmat4(1.0); ///< See vtkNBufferCamera::GetEyeToClip().
 
     /// For a parallel camera the box, in world coordinates, around what it can see. It is empty for
     /// a perspective camera.
@@ -97,27 +96,32 @@ public:
   /// stand for any ray.
   void AddRays(const vtkShadowSilhouette& silhouette, const vtkShadowBlock& rays);
 
-  /// Adds the whole volume of a caster to `volume`, and its draws into these boxes, or everywhere
-  /// if there are none.
-  void AddWhole(const vtkShadowPart& caster, const Boxes& boxes, vtkShadowVolume& volume);
+  /// Adds the draws of the whole volume of a caster into these boxes, or everywhere if there are
+  /// none.
+  void AddWhole(const vtkShadowPart& caster, const Boxes& boxes, vtkShadowVolumeStore& store);
 
-  /// Likewise adds a clamped piece of a caster's volume (vtkShadowVolume::AddClamped).
+  /// Likewise adds those of a clamped piece of a caster's volume (vtkShadowVolume::AddClamped).
   void AddClamped(const vtkShadowPart& caster, const vtkShadowLightSpace& space,
-    const vtkShadowSlab& slab, double casterFar, const Boxes& boxes, vtkShadowVolume& volume);
+    const vtkShadowSlab& slab, double casterFar, const Boxes& boxes, vtkShadowVolumeStore& store);
 
-  /// The draws, in the order in which they were added.
+  /// The draws, in the order in which they were added, and the number of their triangles; those of
+  /// draws into several boxes count once.
+  long long GetNumberOfTriangles() const { return this->Triangles; }
   const std::vector<vtkShadowDraw>& GetDraws() const { return this->Draws; }
 
   /// Returns true if no receiver can have a stencil count above `limit` when all volumes are drawn.
   bool IsCountBelow(int limit) const;
 
 private:
-  void AddDraw(const vtkShadowVolume& volume, const Boxes& boxes, vtkShadowDraw draw);
-  bool IsBeyondNearPlane(const vtkShadowVolume& volume, std::size_t firstVertex) const;
+  void AddDraws(const vtkShadowPart& caster, bool isNearCapItsOwn, const Boxes& boxes,
+    const vtkShadowVolume& volume, const vtkShadowPiece& piece);
+  bool IsBeyondNearPlane(const vtkShadowVolume& volume, const vtkShadowPiece& piece) const;
 
   const vtkShadowLight& Light;
   View Camera;
+  glm::dvec4 NearPlane; ///< As a row: its product with a vertex relative to the eye is z + w.
   std::vector<vtkShadowDraw> Draws;
+  long long Triangles = 0;
   std::vector<vtkShadowOverlap::Item> Items; ///< The rays of the casters, weighted by their counts.
 };
 

@@ -168,7 +168,8 @@ std::vector<vtkShadowSlab> vtkShadowPlan::GetSlabs(const Lookup& lookup) const
   return slabs;
 }
 
-void vtkShadowPlan::Draw(const Choice& choice, const vtkShadowPart& caster, vtkShadowVolume& volume)
+void vtkShadowPlan::Draw(
+  const Choice& choice, const vtkShadowPart& caster, vtkShadowVolumeStore& store)
 {
   if (!choice.IsDrawn())
   {
@@ -180,11 +181,11 @@ void vtkShadowPlan::Draw(const Choice& choice, const vtkShadowPart& caster, vtkS
                                                               : caster.Footprint.Block);
   if (choice.Slabs.empty())
   {
-    this->Draws.AddWhole(caster, choice.Pixels, volume);
+    this->Draws.AddWhole(caster, choice.Pixels, store);
   }
   for (const BoxedSlab& slab : choice.Slabs)
   {
-    this->Draws.AddClamped(caster, *choice.Space, slab.Slab, choice.Far, slab.Pixels, volume);
+    this->Draws.AddClamped(caster, *choice.Space, slab.Slab, choice.Far, slab.Pixels, store);
     ++this->Slabs;
   }
 }

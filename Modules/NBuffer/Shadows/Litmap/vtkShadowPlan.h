@@ -120,12 +120,15 @@ public:
   /// take long to fetch from memory if there are many casters.
   std::optional<vtkShadowVerdict> EarlyOut(const vtkShadowPart& caster) const;
 
-  /// Carries out the decision about a caster: adds its triangles to `volume` and its draws to
-  /// GetDraws().
-  void Draw(const Choice& choice, const vtkShadowPart& caster, vtkShadowVolume& volume);
+  /// Carries out the decision about a caster: adds its draws to GetDraws(). Their triangles are in
+  /// `store`.
+  void Draw(const Choice& choice, const vtkShadowPart& caster, vtkShadowVolumeStore& store);
 
   /// The draws of all casters.
   const std::vector<vtkShadowDraw>& GetDraws() const { return this->Draws.GetDraws(); }
+
+  /// See vtkShadowDrawList::GetNumberOfTriangles().
+  long long GetNumberOfTriangles() const { return this->Draws.GetNumberOfTriangles(); }
 
   /// Returns true if no receiver can have a stencil count above `limit` when all volumes are drawn.
   bool IsCountBelow(int limit) const { return this->Draws.IsCountBelow(limit); }

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Which pieces of shadow volumes are kept from frame to frame, and what keeping them takes.
+#include "ShadowCaster.h"
+#include "vtkShadowVolumeStore.h"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+
+namespace
+{
+/// Casters of one light, and a store of their volumes.
+struct Frames
+{
+  explicit Frames(vtkShadowLightKind kind = vtkShadowLightKind::Directional)
+    : Light(MakeLight(kind, { 0.0, 0.0, 9.0 }))
+  {
+  }
+
+  void Add(double x)
+  {
+    this->Casters.emplace_back(MakeCube().Translate(x, 0.0, 0.0), this->Light);
+    this->Parts.push_back(this->Casters.back().MakePart());
+  }
+
+  /// Computes the silhouette of a caster again, as after it has moved.
+  void Move(std::size_t caster)
+  {
+    this->Casters[caster] =
+      ShadowCaster(this->Casters[caster].Mesh.Translate(0.1, 0.0, 0.0), this->Light);
+    this->Parts[caster] = this->Casters[caster].MakePart();
+  }
+
+  /// Draws the first casters whole. Returns how many pieces were made.
+  int Draw(std::size_t casters)
+  {
+    this->Store.BeginFrame();
+    for (std::size_t i = 0; i < casters; ++i)
+    {
+      const vtkShadowPiece piece = this->Store.GetWhole(this->Parts[i], this->Light, this->View);
+      this->ExpectWhole(i, piece);
+    }
+    return this->Store.GetNumberOfPiecesMade();
+  }
+
+  /// The piece has the triangles of the caster's volume as it is now.
+  void ExpectWhole(std::size_t caster, const vtkShadowPiece& piece) const
+  {
+    vtkShadowVolume expected;
+    this->Casters[caster].AddWhole(expected, this->View);
+    const vtkShadowVolume& volume = this->Store.GetVolume();
+    ASSERT_EQ(piece.GetNumberOfIndices(), expected.GetIndices().size());
+    ASSERT_EQ(piece.EndVertex - piece.FirstVertex, expected.GetVertices().size());
+    ASSERT_LE(piece.EndIndex, volume.GetIndices().size());
+    for (std::size_t i = 0; i < piece.GetNumberOfIndices(); ++i)
+    {
+      const unsigned int vertex = volume.GetIndices()[piece.FirstIndex + i];
+      ASSERT_GE(vertex, piece.FirstVertex);
+      ASSERT_LT(vertex, piece.EndVertex);
+      ASSERT_EQ(volume.GetVertices()[vertex], expected.GetVertices()[expected.GetIndices()[i]]);
+    }
+  }
+
+  vtkShadowLight Light;
+  std::deque<ShadowCaster> Casters;
+  std::vector<vtkShadowPart> Parts;
+  vtkShadowVolumeStore Store;
+  const vtkShadowBlock* View = nullptr;
+};
+}
+
+TEST(ShadowVolumeStore, MakesOnlyWhatHasChanged)
+{
+  for (const auto kind : { vtkShadowLightKind::Directional, vtkShadowLightKind::Point })
+  {
+    Frames frames(kind);
+    frames.Add(0.0);
+    frames.Add(2.0);
+    frames.Add(4.0);
+    EXPECT_EQ(frames.Draw(2), 2);
+    const std::size_t size = frames.Store.GetVolume().GetIndices().size();
+    const vtkMTimeType time = frames.Store.GetTime();
+    EXPECT_EQ(frames.Draw(2), 0);
+    EXPECT_EQ(frames.Draw(1), 0) << "a caster less";
+    EXPECT_EQ(frames.Draw(2), 0) << "and again, though it was not drawn in the frame before";
+    EXPECT_EQ(frames.Store.GetVolume().GetIndices().size(), size);
+    EXPECT_EQ(frames.Draw(3), 1) << "a new caster";
+    frames.Move(1);
+    EXPECT_EQ(frames.Draw(3), 1) << "one has moved";
+    EXPECT_EQ(frames.Draw(3), 0);
+    EXPECT_EQ(frames.Store.GetTime(), time) << "it has only grown";
+  }
+}
+
+// What depends on the receivers or on the view of a parallel camera is made in each frame.
+TEST(ShadowVolumeStore, MakesWhatDependsOnMoreInEachFrame)
+{
+  const vtkShadowBlock view = { { -5.0, -5.0, -5.0 }, { 5.0, 5.0, 5.0 } };
+  Frames frames(vtkShadowLightKind::Spot);
+  frames.View = &view;
+  frames.Add(0.0);
+  EXPECT_EQ(frames.Draw(1), 1);
+  EXPECT_EQ(frames.Draw(1), 1);
+  Frames sun;
+  sun.View = &view;
+  sun.Add(0.0);
+  EXPECT_EQ(sun.Draw(1), 1);
+  EXPECT_EQ(sun.Draw(1), 0);
+  const vtkShadowLightSpace space(sun.Light);
+  for (int i = 0; i < 2; ++i)
+  {
+    sun.Store.BeginFrame();
+    const vtkShadowPiece piece = sun.Store.AddClamped(
+      sun.Parts[0], space, { 1.0, 2.0 }, sun.Casters[0].GetDepths(space).second);
+    EXPECT_EQ(piece.EndIndex, sun.Store.GetVolume().GetIndices().size());
+    EXPECT_GT(piece.GetNumberOfIndices(), 0u);
+    EXPECT_EQ(sun.Store.GetNumberOfPiecesMade(), 1);
+  }
+}
+
+// Where everything moves, the store stays in proportion to what is drawn.
+TEST(ShadowVolumeStore, BeginsAgainBeforeItIsMostlyUseless)
+{
+  Frames frames;
+  constexpr std::size_t count = 400;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    frames.Add(2.0 * static_cast<double>(i));
+  }
+  EXPECT_EQ(frames.Draw(count), static_cast<int>(count));
+  const std::size_t used = frames.Store.GetVolume().GetIndices().size();
+  const vtkMTimeType time = frames.Store.GetTime();
+  for (int frame = 0; frame < 40; ++frame)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      frames.Move(i);
+    }
+    EXPECT_EQ(frames.Draw(count), static_cast<int>(count));
+    EXPECT_LE(frames.Store.GetVolume().GetIndices().size(), 5 * used + (1 << 16));
+  }
+  EXPECT_GT(frames.Store.GetTime(), time);
+}
