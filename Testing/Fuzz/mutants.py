@@ -196,6 +196,9 @@ SHADOW_MUTANTS = {
          "if (!(addUp(glm::abs(terms)) >= 0.0))")],
     "far cap of a clamped piece missing": [
         (VOLUME, "  }\n  this->AddFan(silhouette, farImage, Side::Far);", "  }")],
+    "volumes of casters that moved are kept": [
+        ("vtkShadowVolumeStore.cxx", "try_emplace(caster.Silhouette.GetMTime())",
+         "try_emplace(reinterpret_cast<vtkMTimeType>(&caster))")],
     "volumes of parallel cameras end within the view": [
         (VOLUME, "Lengthening = 1.01;", "Lengthening = 0.5;")],
     "near cap missing": [

@@ -11,7 +11,7 @@ uniform vec3 eyeHigh;
 uniform vec3 eyeLow;
 uniform mat4 eyeToClip;
 
-// Compilers must not rearrange the sums, whose rounding errors would be other ones.
+// It keeps compilers from rearranging the sums below (docs/precision.md).
 invariant gl_Position;
 
 void main()

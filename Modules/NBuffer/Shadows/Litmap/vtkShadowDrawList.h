@@ -104,10 +104,11 @@ public:
   void AddClamped(const vtkShadowPart& caster, const vtkShadowLightSpace& space,
     const vtkShadowSlab& slab, double casterFar, const Boxes& boxes, vtkShadowVolumeStore& store);
 
-  /// The draws, in the order in which they were added, and the number of their triangles; those of
-  /// draws into several boxes count once.
-  long long GetNumberOfTriangles() const { return this->Triangles; }
+  /// The draws, in the order in which they were added.
   const std::vector<vtkShadowDraw>& GetDraws() const { return this->Draws; }
+
+  /// The number of their triangles. Those that are drawn into several boxes count once.
+  long long GetNumberOfTriangles() const { return this->Triangles; }
 
   /// Returns true if no receiver can have a stencil count above `limit` when all volumes are drawn.
   bool IsCountBelow(int limit) const;
