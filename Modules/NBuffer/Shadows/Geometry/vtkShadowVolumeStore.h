@@ -18,7 +18,7 @@
  *     frame 3   | A | B | C | B' | B" |      B has moved again: two pieces are useless now
  *
  * The store begins again with nothing if less than a quarter of what it holds was used in the last
- * frame. So it stays small, and making what is then missing costs no more than a third of what was
+ * frame. So it stays small, and making what is used again costs less than a quarter of what was
  * made since it began.
  */
 #ifndef vtkShadowVolumeStore_h
