@@ -370,12 +370,15 @@ TEST_F(GpuTestShadowCounter, VolumesAreExactFarFromTheOrigin)
   for (const glm::dvec3& eye :
     { glm::dvec3(5.0e5, 4.0e6, 304.0), glm::dvec3(-1.0e7 / 3.0, 0.1, 1.0e7) })
   {
-    vtkShadowVolumeStore store = ShadowFixture::MakeVolume(
-      MakeBlock(eye + glm::dvec3(-0.9, -0.3, -0.2), eye + glm::dvec3(-0.7, 0.3, 0.2)),
-      { 1.0, 0.0, 0.0 }, { eye.x - 0.5, eye.x + 0.5 });
+    // The view is a thousandth of a unit wide: single precision is a hundred times as coarse.
+    constexpr double size = 1e-3;
+    const vtkShadowVolumeStore store = ShadowFixture::MakeVolume(
+      MakeBlock(eye + size * glm::dvec3(-0.9, -0.3, -0.2), eye + size * glm::dvec3(-0.7, 0.3, 0.2)),
+      { 1.0, 0.0, 0.0 }, { eye.x - 0.5 * size, eye.x + 0.5 * size });
     ASSERT_TRUE(this->Volume.Upload(store, this->Why)) << this->Why;
     vtkShadowDrawList::View view = MakeView();
     view.Eye = eye;
+    view.EyeToClip = glm::scale(view.EyeToClip, glm::dvec3(1.0 / size));
     const vtkShadowDraw draw = MakeDraw(store, true);
     const vtkShadowCounter::Scope scope(this->Window, Viewport);
     this->Counter.ClearStencil(this->Target, Viewport);

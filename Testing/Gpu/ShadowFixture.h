@@ -30,6 +30,7 @@ protected:
     }
   }
 
+  /// The eye is the origin of the world, and looks along -z.
   static vtkShadowDrawList::View MakeView()
   {
     vtkShadowDrawList::View view;

@@ -11,11 +11,9 @@ uniform vec3 eyeHigh;
 uniform vec3 eyeLow;
 uniform mat4 eyeToClip;
 
-// It keeps compilers from rearranging the sums below (docs/precision.md).
-invariant gl_Position;
-
 void main()
 {
+  // The differences come first, so that large coordinates cancel without rounding errors.
   vec3 relative = high.w != 0.0 ? (high.xyz - eyeHigh) + (low - eyeLow) : high.xyz;
   gl_Position = eyeToClip * vec4(relative, high.w);
   // For z-fail, what lies before the near plane is clipped (vtkShadowCounter.h).

@@ -6,8 +6,6 @@
 
 #include "vtkShaderProgram.h"
 
-#include <algorithm>
-
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
@@ -24,7 +22,7 @@ Corner MakeCorner(const glm::dvec4& vertex)
   for (int i = 0; i < 3; ++i)
   {
     // Volatile, because GCC 12.2 with -O2 or -O3 makes the low parts of some vertices of the
-    // vectorised loop 0 (ShadowPass.IsExact/HugeCoordinates finds it).
+    // vectorised loop 0 (GpuTestShadowCounter.VolumesAreExactFarFromTheOrigin finds it).
     const volatile float high = static_cast<float>(vertex[i]);
     corner.High[i] = high;
     corner.Low[i] = static_cast<float>(vertex[i] - static_cast<double>(high));

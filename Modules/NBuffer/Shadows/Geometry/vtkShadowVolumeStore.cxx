@@ -21,7 +21,8 @@ void vtkShadowVolumeStore::Clear()
 
 void vtkShadowVolumeStore::BeginFrame()
 {
-  if (this->Volume.GetIndices().size() > Surplus * this->UsedIndices + SmallNumberOfIndices)
+  if (this->PiecesMade > 0 &&
+    this->Volume.GetIndices().size() > Surplus * this->UsedIndices + SmallNumberOfIndices)
   {
     this->Clear();
   }

@@ -17,9 +17,10 @@
  *     frame 2   | A | B | C | B' |           B has moved
  *     frame 3   | A | B | C | B' | B" |      B has moved again: two pieces are useless now
  *
- * The store begins again with nothing if less than a quarter of what it holds was used in the last
- * frame. So it stays small, and making what is used again costs less than a quarter of what was
- * made since it began.
+ * The store begins again with nothing if the last frame added pieces and used less than a quarter
+ * of what the store then held. So it stays small, and making what is used again costs less than a
+ * quarter of what was made since it began. A frame that adds nothing loses nothing, even if it
+ * draws little or nothing.
  */
 #ifndef vtkShadowVolumeStore_h
 #define vtkShadowVolumeStore_h

@@ -92,8 +92,7 @@ double EstimateFragments(const vtkShadowVolume& volume, const std::vector<vtkSha
     for (std::size_t i = first; i < first + 3; ++i)
     {
       const glm::dvec4& vertex = volume.GetVertices()[volume.GetIndices()[i]];
-      polygon.push_back(
-        vtkNBufferGLM::Multiply(view.EyeToClip, vertex - glm::dvec4(vertex.w * view.Eye, 0.0)));
+      polygon.push_back(vtkNBufferGLM::Multiply(view.EyeToClip, view.ToEye(vertex)));
     }
     for (const glm::dvec4& plane : Planes)
     {

@@ -77,9 +77,7 @@ bool vtkShadowDrawList::IsBeyondNearPlane(
 {
   for (std::size_t i = piece.FirstVertex; i < piece.EndVertex; ++i)
   {
-    const glm::dvec4& vertex = volume.GetVertices()[i];
-    const glm::dvec4 terms =
-      this->NearPlane * (vertex - glm::dvec4(vertex.w * this->Camera.Eye, 0.0));
+    const glm::dvec4 terms = this->NearPlane * this->Camera.ToEye(volume.GetVertices()[i]);
     const auto addUp = [](const glm::dvec4& x) { return x[0] + x[1] + x[2] + x[3]; };
     if (!(addUp(terms) > Margin * addUp(glm::abs(terms))))
     {

@@ -75,6 +75,12 @@ public:
   /// What the draws depend on besides light and casters.
   struct View
   {
+    /// A vertex in world coordinates, relative to the eye. Directions (w = 0) stay as they are.
+    glm::dvec4 ToEye(const glm::dvec4& vertex) const
+    {
+      return vertex - glm::dvec4(vertex.w * this->Eye, 0.0);
+    }
+
     glm::dvec3 Eye = { 0.0, 0.0, 0.0 };     ///< The camera's position in the world.
     glm::dmat4 EyeToClip = glm::dmat4(1.0); ///< See vtkNBufferCamera::GetEyeToClip().
 
