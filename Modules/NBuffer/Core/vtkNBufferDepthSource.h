@@ -19,6 +19,7 @@
 #include "vtkNBufferVTKVersion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,22 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
 
   /// The number of bits of a depth that both the buffer and a float in [0, 1] can hold; at most 24.
   int GetPrecision() const { return std::min(this->DepthBits, 24); }
+
+  /**
+   * The step of depth near 1: 2^-16 for 16 bits, otherwise 2^-24, the step of floats.
+   *
+   * A depth that is read differs from the one that the rasteriser calculated by at most two steps,
+   * whether Read() or a shader reads it. vtkNBufferDepthFormat::FromQuantum() allows for them:
+   *
+   *  - Storing costs at most one step, whichever way the device rounds.
+   *  - Reading costs at most one more. OpenGL does not say how the integer i of b bits becomes the
+   *    float i / (2^b - 1), and glReadPixels() and texelFetch() differ on some devices. Each
+   *    returns one of the two floats around the exact value, which lie at most 2^-24 apart. Depth
+   *    of 32 bits loses its last 8 bits, which is less than a step and to the safe side
+   *    (vtkNBufferBaseFS.glsl does the same); if only samplers can read it, the shader moves it by
+   *    their error to the safe side, too.
+   */
+  double GetStep() const { return std::ldexp(1.0, -this->GetPrecision()); }
 
   /// Whether depth is normalised and has more bits than fit into a float.
   bool ExceedsFloats() const { return this->DepthBits > 24 && !this->FloatDepth; }

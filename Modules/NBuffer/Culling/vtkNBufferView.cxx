@@ -287,7 +287,7 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBuffer
     }
     return obstacle;
   }
-  const double quantum = std::ldexp(1.0, -source.GetPrecision());
+  const double quantum = source.GetStep();
   const int subpixelBits = vtkNBufferGL::GetSubpixelBits();
   if (quantum != this->DepthQuantum || subpixelBits != this->SubpixelBits)
   {

@@ -54,7 +54,7 @@
  *
  * R is at most the depth range of the box. The division by w, the viewport transform and the last
  * addition round a value of at most 1: 4 u. Storing the depth costs a quantum of its format, and
- * reading it back as float costs at most one more.
+ * reading it back as float costs at most one more (vtkNBufferDepthSource::GetStep()).
  *
  *     slack = 2 quantum + 4 u + (2^-8.5 + 8 u n) R / t,   t = 1/16 pixel
  *
