@@ -6,6 +6,7 @@
 #include "WindowFixture.h"
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 class GpuTestNBufferDepthSource : public WindowFixture
@@ -127,6 +128,47 @@ TEST_F(GpuTestNBufferDepthSource, EveryFormatIsReadAndRoundedAsPromised)
         ASSERT_TRUE(up[i] == floats[i] || (floats[i] != 0.0f && floats[i] != 1.0f)) << i;
       }
     });
+}
+
+TEST_F(GpuTestNBufferDepthSource, KnownIntegersAreReadWithinTheDerivedError)
+{
+  constexpr int side = 50;
+  for (const int bits : { 16, 24 })
+  {
+    SCOPED_TRACE(bits);
+    const DepthTarget target(GetDepthFormats()[bits == 16 ? 0 : 1], side, side, true);
+    target.Bind(0, 0, side, side);
+    const vtkNBufferDepthSource source = this->Inspect();
+    if (source.DepthBits != bits)
+    {
+      continue; // The driver gives more bits than it was asked for.
+    }
+    const std::int64_t largest = (std::int64_t(1) << bits) - 1;
+    std::vector<double> exact;
+    // The same fractions of 2^32 - 1, rounded up because some drivers cut the lower bits off.
+    std::vector<GLuint> words;
+    for (int i = 0; i < side * side; ++i)
+    {
+      const std::int64_t value = largest * i / (side * side - 1);
+      exact.push_back(static_cast<double>(value) / largest);
+      words.push_back(static_cast<GLuint>(std::ceil(exact.back() * 4294967295.0)));
+    }
+    glBindTexture(GL_TEXTURE_2D, source.DepthName);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexSubImage2D(
+      GL_TEXTURE_2D, 0, 0, 0, side, side, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, words.data());
+    glBindTexture(GL_TEXTURE_2D, 0);
+    const std::vector<float> read = this->Read(source, { 0, 0, side, side });
+    const std::vector<float> sampled = target.Fetch();
+    const double step = std::ldexp(1.0, -24);
+    for (std::size_t i = 0; i < exact.size(); ++i)
+    {
+      ASSERT_GE(read[i], exact[i] - (bits == 24 ? 0.0 : step)) << i;
+      ASSERT_LE(read[i], exact[i] + 1.25 * step) << i;
+      ASSERT_GE(sampled[i], exact[i] - step) << i;
+      ASSERT_LE(sampled[i], exact[i] + 1.25 * step) << i;
+    }
+  }
 }
 
 TEST_F(GpuTestNBufferDepthSource, ReadsWhatSamplersReturn)

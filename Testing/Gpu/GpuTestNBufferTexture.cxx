@@ -124,9 +124,18 @@ TEST_P(GpuTestNBufferTextureFormats, EqualHost)
 {
   const auto [number, isTexture] = this->GetParam();
   const DepthFormat& format = GetDepthFormats()[number];
+  // Renderbuffers cannot be sampled; a texture with the same depth can.
+  const DepthTarget twin(format, 90, 70, true);
+  twin.Fill(3);
+  const std::vector<float> sampled = twin.Fetch();
   const DepthTarget target(format, 90, 70, isTexture);
   ASSERT_TRUE(target.IsComplete());
   target.Fill(3);
+  const vtkNBufferDepthSource source = this->Inspect();
+  if (!source.ExceedsFloats())
+  {
+    EXPECT_EQ(this->ReadOnDevice(source, 0, 0, 90, 70, vtkNBufferExtremum::Maximum), sampled);
+  }
   this->CompareWithRead(0, 0, 90, 70);
   // Rectangles inside, at odd places and of odd sizes.
   this->CompareWithRead(13, 7, 53, 41);

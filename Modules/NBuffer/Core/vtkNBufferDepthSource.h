@@ -62,16 +62,21 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
   /**
    * The step of depth near 1: 2^-16 for 16 bits, otherwise 2^-24, the step of floats.
    *
-   * A depth that is read differs from the one that the rasteriser calculated by at most two steps,
-   * whether Read() or a shader reads it. vtkNBufferDepthFormat::FromQuantum() allows for them:
+   * A depth that is read as Maximum is at most two steps nearer than the one that the rasteriser
+   * calculated, and one that is read as Minimum at most two steps farther, whether Read() or a
+   * shader reads it. vtkNBufferDepthFormat::FromQuantum() allows for them:
    *
-   *  - Storing costs at most one step, whichever way the device rounds.
-   *  - Reading costs at most one more. OpenGL does not say how the integer i of b bits becomes the
-   *    float i / (2^b - 1), and glReadPixels() and texelFetch() differ on some devices. Each
-   *    returns one of the two floats around the exact value, which lie at most 2^-24 apart. Depth
-   *    of 32 bits loses its last 8 bits, which is less than a step and to the safe side
-   *    (vtkNBufferBaseFS.glsl does the same); if only samplers can read it, the shader moves it by
-   *    their error to the safe side, too.
+   *  - Storing costs at most one step: OpenGL takes one of the two nearest integers i of b bits.
+   *    (They are 1 / (2^b - 1) apart. What that exceeds the step by, 2^-2b, the second cost does
+   *    not use up for 16 bits, and for 24 bits the rounding of the slack covers it.)
+   *  - Reading costs at most one more. OpenGL does not say how i becomes the float i / (2^b - 1),
+   *    and glReadPixels() and texelFetch() differ on some devices. One of the two floats around the
+   *    exact value is off by less than 2^-24. Read() and Mesa's llvmpipe multiply integers of 24
+   *    bits by a rounded factor instead, which returns up to 1.25 * 2^-24 too far, but never too
+   *    near. The quarter matters only for the Minimum, which no culling uses.
+   *  - Of 32 bits the last 8 are dropped, which costs less than a step and only to the safe side
+   *    (vtkNBufferBaseFS.glsl does the same). Where only samplers can read them, the shader moves
+   *    the value by the error of samplers to the safe side.
    */
   double GetStep() const { return std::ldexp(1.0, -this->GetPrecision()); }
 
@@ -90,11 +95,11 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
    * `why`, on any GL error, for a rectangle that is not inside the depth buffer, and for
    * multisampled framebuffers (use vtkNBufferTexture for these); `depth` is then undefined.
    *
-   * Rounding: floating-point depth is returned unchanged. Depth of 16 and 24 bits differs by at
-   * most one unit in the last place, and depth of 24 bits is never nearer than stored. Normalised
-   * depth of 32 bits does not fit a float; it is rounded to a multiple of 2^-24, up for Maximum
-   * (never nearer than stored, except for a relative 2^-32) and down for Minimum (never farther). 0
-   * and 1 are exact.
+   * Rounding: floating-point depth is returned unchanged. Depth of 16 bits is rounded by
+   * the driver; depth of 24 bits is at most 1.25 * 2^-24 farther than stored and never nearer
+   * (GetStep() says what follows from both). Normalised depth of 32 bits does not fit a float; it
+   * is rounded to a multiple of 2^-24, up for Maximum (never nearer than stored, except for a
+   * relative 2^-32) and down for Minimum (never farther). 0 and 1 are exact.
    *
    * Normalised depth of 24 and 32 bits is read as integers, which is a plain copy, and converted
    * here. Mesa's software drivers convert a read of floats pixel by pixel, which takes four times
