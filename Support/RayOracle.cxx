@@ -316,7 +316,7 @@ bool Oracle::DependsOnRounding(
   }
 
   // On the way there, too: what is thinner must not be missed.
-  for (double less = 0.25 * bound; less > DepthSteps; less *= 0.25)
+  for (double less = 0.5 * (DepthSteps + bound); less > 0.125 * DepthSteps; less *= 0.5)
   {
     offs.push_back(step * less);
   }

@@ -86,11 +86,11 @@ public:
    *  - The sample is marginal (Classification).
    *  - One of the samples 1/64 of a pixel away in the four diagonal directions is of another kind,
    *    or beyond an edge or a step of the surface, so that a rasteriser may find another surface.
-   *  - The sample is of another kind where rounding may put it: 4 or 8 units of depth of 24 bits
-   *    along the eye ray, or 2 steps of a subpixel grid of 1/256 pixel away, and from there back to
-   *    its surface along the light's ray, which is a long way under grazing light. If the triangle
-   *    reaches out of the view, the bound of DrawnPolygon.h, which grows with the part outside, is
-   *    added to the units of depth.
+   *  - The sample is of another kind where rounding may put it: 1, 2, 4 or 8 units of depth of 24
+   *    bits along the eye ray, or 2 steps of a subpixel grid of 1/256 pixel away, and from there
+   *    back to its surface along the light's ray, which is a long way under grazing light. If the
+   *    triangle reaches out of the view, the bound of DrawnPolygon.h, which grows with the part
+   *    outside, is added to the units of depth.
    *  - The eye ray meets another triangle of a caster within 8 units of depth of the receiver, for
    *    instance the other side of a thin sheet. As the cap of a volume, that triangle may be drawn
    *    before the receiver.

@@ -193,6 +193,22 @@ TEST(FuzzScenario, NoFlatTrianglesWithoutExtentUnderAmbientOcclusion)
   EXPECT_FALSE(scenario.Props[1].Flat);
 }
 
+//------------------------------------------------------------------------------------------------
+// A billboard that two renderers share depends on which of them was modified last.
+TEST(FuzzScenario, NoSharedBillboardsWithShadowVolumes)
+{
+  Scenario scenario;
+  scenario.Renderers.resize(2);
+  scenario.Props.resize(1);
+  scenario.Props[0].Kind = PropKind::Billboard;
+  scenario.Renderers[0].Pass = PassKind::ShadowVolumes;
+  RemoveUndefined(scenario);
+  EXPECT_EQ(scenario.Props[0].Kind, PropKind::Billboard);
+  scenario.Renderers[1].SharesProps = true;
+  RemoveUndefined(scenario);
+  EXPECT_EQ(scenario.Props[0].Kind, PropKind::Actor);
+}
+
 // A planted fault: two props of a colour, under MSAA, from frame 3 on.
 TEST(FuzzShrinker, LeavesWhatTheFailureNeeds)
 {

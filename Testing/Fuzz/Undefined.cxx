@@ -72,9 +72,17 @@ void RemoveUndefined(Scenario& scene)
   }
   if (HasPass(scene, HasShadowVolumes))
   {
-    // VTK 9.1 blends the blocks of composite data in the order of addresses.
+    const bool sharesProps = std::any_of(scene.Renderers.begin(), scene.Renderers.end(),
+      [](const Renderer& renderer) { return renderer.SharesProps; });
     for (Prop& prop : scene.Props)
     {
+      // In a second renderer VTK draws a billboard where it was in the first one, unless this was
+      // modified since. Giving it a new pass, as the reference does in each frame, modifies it.
+      if (prop.Kind == PropKind::Billboard && sharesProps)
+      {
+        prop.Kind = PropKind::Actor;
+      }
+      // VTK 9.1 blends the blocks of composite data in the order of addresses.
       if (prop.Kind == PropKind::Composite)
       {
         prop.ForceTranslucent = false;

@@ -17,8 +17,8 @@ namespace TestScene
 /// renderer does not erase, before 9.7 shows what it has not drawn of it in a part of a window, and
 /// blends normals, so that what lies before a flat triangle without extent gets its normal, which
 /// is no number; split stereo squeezes the whole window, and the next frame what of that is left
-/// outside of the viewports, so that pictures depend on how many frames there were: with shadows
-/// not the same.
+/// outside of the viewports, so that pictures depend on how many frames there were, which with
+/// shadows is not the same; a billboard of several renderers is drawn where it was in another one.
 void RemoveUndefined(Scenario& scene);
 }
 

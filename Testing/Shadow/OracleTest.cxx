@@ -254,6 +254,29 @@ TEST_F(OracleTest, CapsWithinStepsOfDepthAreAmbiguous)
   }
 }
 
+// Light at 45 degrees through a strip one step of depth wide, whose shadow is so many steps beside
+// the samples of a column. Depth that is rounded by as much moves the samples into it.
+TEST_F(OracleTest, ThinShadowsWithinStepsOfDepthAreAmbiguous)
+{
+  constexpr double step = 200.0 / (1 << 24);
+  for (const double steps : { 0.5, 1.5, 20.0 })
+  {
+    SCOPED_TRACE(steps);
+    Stage stage = SetPixelStage(8, 6,
+      [&](SceneBuilder& scene)
+      {
+        scene.Floor(10.0);
+        scene.Sheet(
+          { 4.5 - 10.0 + steps * step, -50.0, 10.0 }, { step, 0.0, 0.0 }, { 0.0, 100.0, 0.0 });
+        scene.Directional({ 1.0, 0.0, -1.0 });
+      });
+    stage.GetRenderer()->GetActiveCamera()->SetClippingRange(1.0, 201.0);
+    const OracleImage image = Cast(stage);
+    EXPECT_EQ(image.Count(OracleSample::Lit), 48);
+    EXPECT_EQ(image.CountAmbiguous(), steps < 10.0 ? 6 : 0);
+  }
+}
+
 // A cone of 45 degrees, 10 above the floor: a circle of radius 10.
 TEST_F(OracleTest, ConeEndsTheLight)
 {
