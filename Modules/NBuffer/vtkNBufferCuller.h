@@ -92,12 +92,12 @@ public:
   vtkTypeMacro(vtkNBufferCuller, vtkCuller);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Where the levels are built.
+  /// From what the host builds the levels.
   enum BackendType
   {
     Auto,   ///< Chosen once per graphics context; see GetBackendInUse().
-    OpenGL, ///< On the device, by fragment passes; then the levels are read back.
-    CPU     ///< On the host, from the depth image that is read back.
+    OpenGL, ///< From a depth image that the device reduces before it is read back.
+    CPU     ///< From the whole depth image, which is read back.
   };
 
   ///@{
@@ -108,7 +108,8 @@ public:
   ///@}
 
   ///@{
-  /// Where the levels are built (BackendType). They are the same, to the bit, with every back-end.
+  /// From what the levels are built (BackendType). They are the same, to the bit, with every
+  /// back-end.
   /// Default: Auto.
   vtkSetClampMacro(Backend, int, Auto, CPU);
   vtkGetMacro(Backend, int);

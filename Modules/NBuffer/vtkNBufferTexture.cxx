@@ -71,7 +71,8 @@ public:
   bool DrawBase(
     vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, const SampledDepth& depth);
   bool DrawLevel(vtkOpenGLRenderWindow* window, int level);
-  bool ReadLevels(vtkNBufferLevels& levels);
+  bool Read(vtkOpenGLRenderWindow* window, const std::vector<vtkNBufferRectangle>& rectangles,
+    int levels, float* texels);
   bool IsBuilt(int level) const { return level >= 0 && level < this->NumberOfLevels; }
   void Delete(vtkNBufferGL::Context context);
 
@@ -252,28 +253,18 @@ bool vtkNBufferTexture::Internals::DrawLevel(vtkOpenGLRenderWindow* window, int 
   return true;
 }
 
-bool vtkNBufferTexture::Internals::ReadLevels(vtkNBufferLevels& levels)
+bool vtkNBufferTexture::Internals::Read(vtkOpenGLRenderWindow* window,
+  const std::vector<vtkNBufferRectangle>& rectangles, int levels, float* texels)
 {
-  const std::size_t texels = static_cast<std::size_t>(this->Width) * this->Height;
-  const std::size_t bytes = sizeof(float) * texels * this->NumberOfLevels;
-  if (!this->Storage.ReserveReadback(bytes, this->Error))
+  if (this->NumberOfLevels == 0 || this->Window != window)
   {
+    this->Error = "There are no levels to read back in this window. Build them first.";
     return false;
   }
-  const vtkNBufferGL::ScopedReadback readback(0, this->Storage.GetReadbackBuffer());
-  for (int level = 0; level < this->NumberOfLevels; ++level)
-  {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, this->Storage.GetFramebuffer(level));
-    glReadPixels(0, 0, this->Width, this->Height, GL_RED, GL_FLOAT,
-      reinterpret_cast<void*>(sizeof(float) * texels * level));
-  }
-  levels.Allocate(
-    this->PixelWidth, this->PixelHeight, this->Factor, this->NumberOfLevels, this->Extremum);
-  // This is the one call that waits. Levels follow each other on both sides.
-  glGetBufferSubData(
-    GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(bytes), levels.GetLevelData(0));
+  vtkNBufferGL::ClearErrors();
+  this->Error.clear();
   ++this->Downloads;
-  return vtkNBufferGL::CheckErrors("Reading the levels back", this->Error);
+  return this->Storage.Read(rectangles, levels, this->Width, this->Height, texels, this->Error);
 }
 
 void vtkNBufferTexture::Internals::Delete(vtkNBufferGL::Context context)
@@ -362,20 +353,21 @@ bool vtkNBufferTexture::Build(vtkOpenGLRenderWindow* window, const vtkNBufferDep
 bool vtkNBufferTexture::Download(vtkOpenGLRenderWindow* window, vtkNBufferLevels& levels)
 {
   Internals& self = *this->Implementation;
-  if (self.NumberOfLevels == 0 || self.Window != window)
-  {
-    self.Error = "There are no levels to read back in this window. Build them first.";
-    levels.Clear();
-    return false;
-  }
-  vtkNBufferGL::ClearErrors();
-  if (!self.ReadLevels(levels))
+  levels.Allocate(
+    self.PixelWidth, self.PixelHeight, self.Factor, self.NumberOfLevels, self.Extremum);
+  const bool done = self.Read(
+    window, { { 0, 0, self.Width, self.Height } }, self.NumberOfLevels, levels.GetLevelData(0));
+  if (!done)
   {
     levels.Clear();
-    return false;
   }
-  self.Error.clear();
-  return true;
+  return done;
+}
+
+bool vtkNBufferTexture::Download(
+  vtkOpenGLRenderWindow* window, const std::vector<vtkNBufferRectangle>& rectangles, float* base)
+{
+  return rectangles.empty() || this->Implementation->Read(window, rectangles, 1, base);
 }
 
 bool vtkNBufferTexture::LacksFloatTextures() const

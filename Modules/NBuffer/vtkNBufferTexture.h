@@ -38,6 +38,7 @@
 
 #include <memory> // For the implementation's pointer
 #include <string> // For the error text
+#include <vector> // For rectangles
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
@@ -67,6 +68,15 @@ public:
    * Returns false and clears `levels` on failure.
    */
   bool Download(vtkOpenGLRenderWindow* window, vtkNBufferLevels& levels);
+
+  /**
+   * Copy the texels of level 0 that lie in `rectangles` to their places in `base`, which has room
+   * for GetWidth() * GetHeight() texels, in one blocking read-back of 4 bytes per texel. The
+   * rectangles are not empty and lie inside the level. Other texels of `base` stay as they are.
+   * Returns false on failure; the texels are then undefined.
+   */
+  bool Download(
+    vtkOpenGLRenderWindow* window, const std::vector<vtkNBufferRectangle>& rectangles, float* base);
 
   ///@{
   /// Size of a level in texels, and the number of levels; all are 0 while there are no levels.

@@ -61,8 +61,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   bool TestTriangles = true;
 
   /// Whether a box that the levels do not hide is compared with its pixels one by one
-  /// (vtkNBufferPixelTest). With the OpenGL back-end this reads the whole depth image back, and
-  /// happens only if many such boxes are left.
+  /// (vtkNBufferPixelTest). With the OpenGL back-end this is a second read-back, of the tiles of
+  /// 64 x 64 pixels that such boxes touch, and happens only if many such boxes are left.
   bool TestPixels = true;
 
   /// Whether the device may draw into float textures, which the OpenGL back-end and multisampling

@@ -96,8 +96,8 @@ MUTANTS = {
         ("Shaders/vtkNBufferBaseFS.glsl", "for (int i = 1; i < NBUFFER_SAMPLES; ++i)",
          "for (int i = 1; i < 1; ++i)")],
     "viewport's origin ignored on the host": [
-        ("vtkNBufferBackend.cxx",
-         "if (!source.Read(window, viewport[0], viewport[1],", "if (!source.Read(window, 0, 0,")],
+        ("vtkNBufferBackend.cxx", "job.Source.Read(job.Window, viewport[0], viewport[1],",
+         "job.Source.Read(job.Window, 0, 0,")],
     "viewport's origin ignored on the device": [
         ("vtkNBufferBackend.cxx",
          "texture->Build(job.Window, job.Source, viewport[0], viewport[1], viewport[2], viewport[3],",

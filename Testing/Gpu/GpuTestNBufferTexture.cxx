@@ -117,6 +117,51 @@ INSTANTIATE_TEST_SUITE_P(Sizes, GpuTestNBufferTextureSizes,
   [](const auto& info)
   { return std::to_string(info.param.first) + "x" + std::to_string(info.param.second); });
 
+// Rectangles of level 0, in one read-back; the texels between them are left alone.
+using GpuTestNBufferTextureRectangles = LevelsFixture;
+
+TEST_F(GpuTestNBufferTextureRectangles, AreThoseOfTheWholeLevel)
+{
+  constexpr float untouched = -1.0f;
+  const DepthTarget target(GetDepthFormats()[3], 90, 70, true);
+  target.Fill(3);
+  const vtkNBufferDepthSource source = this->Inspect();
+  float texel = untouched;
+  EXPECT_FALSE(this->Texture->Download(this->Window, { { 0, 0, 1, 1 } }, &texel));
+  EXPECT_NE(this->Texture->GetError().find("no levels"), std::string::npos);
+  for (const int factor : Factors)
+  {
+    SCOPED_TRACE(factor);
+    ASSERT_TRUE(this->Texture->Build(
+      this->Window, source, 0, 0, 90, 70, factor, 1, vtkNBufferExtremum::Maximum));
+    vtkNBufferLevels whole;
+    ASSERT_TRUE(this->Texture->Download(this->Window, whole));
+    const int width = whole.GetWidth();
+    const int height = whole.GetHeight();
+    std::vector<float> parts(static_cast<std::size_t>(width) * height, untouched);
+    const std::vector<vtkNBufferRectangle> rectangles = { { 0, 0, 3, 2 }, { 5, 4, 6, 8 },
+      { 8, 0, width, height } };
+    const int downloads = this->Texture->GetNumberOfDownloads();
+    EXPECT_TRUE(this->Texture->Download(this->Window, {}, nullptr));
+    EXPECT_EQ(this->Texture->GetNumberOfDownloads(), downloads) << "nothing is read for nothing";
+    ASSERT_TRUE(this->Texture->Download(this->Window, rectangles, parts.data()))
+      << this->Texture->GetError();
+    EXPECT_EQ(this->Texture->GetNumberOfDownloads(), downloads + 1);
+    for (int y = 0; y < height; ++y)
+    {
+      for (int x = 0; x < width; ++x)
+      {
+        const bool isRead = std::any_of(rectangles.begin(), rectangles.end(),
+          [x, y](const vtkNBufferRectangle& r)
+          { return x >= r.X0 && x < r.X1 && y >= r.Y0 && y < r.Y1; });
+        ASSERT_EQ(parts[static_cast<std::size_t>(y) * width + x],
+          isRead ? whole.GetTexel(0, x, y) : untouched)
+          << x << ", " << y;
+      }
+    }
+  }
+}
+
 // Format and kind of attachment.
 using GpuTestNBufferTextureFormats = LevelsWithParam<std::tuple<int, bool>>;
 

@@ -5,6 +5,7 @@
 #include "Scenes.h"
 #include "Tune.h"
 
+#include "vtkNBufferMath.h"
 #include "vtkShadowVolumeClampPass.h"
 
 #include "vtkCamera.h"
@@ -332,6 +333,39 @@ TEST_P(CullerSettings, WalkThroughTheCity)
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, CullerSettings, testing::ValuesIn(Settings), GetCaseName);
+
+// The device reduces the depth, and level 0 alone is read back, once for each round. Where many
+// boxes are in doubt, as they are with a coarse level 0, their pixels are read as well, each once.
+TEST(CullerBasics, DevicesReadBackTheBaseLevel)
+{
+  for (const bool testPixels : { false, true })
+  {
+    SCOPED_TRACE(testPixels);
+    ComparisonOptions options;
+    options.Backend = vtkNBufferCuller::OpenGL;
+    options.Tuning.TestPixels = testPixels;
+    options.Tuning.BaseFactor = 8;
+    Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage, 24); }, options);
+    const int* size = comparison.Culled.Window->GetSize();
+    const auto getBytes = [size](int factor)
+    {
+      return static_cast<long long>(sizeof(float)) * vtkNBufferMath::GetBaseSize(size[0], factor) *
+        vtkNBufferMath::GetBaseSize(size[1], factor);
+    };
+    long long pixels = 0;
+    for (int i = 0; i < 4; ++i)
+    {
+      Walk(comparison, 1, 0.1 * i);
+      const vtkNBufferStatistics& statistics = comparison.GetStatistics();
+      ASSERT_EQ(statistics.Decision, vtkNBufferDecision::Culled);
+      const long long more = statistics.BytesRead - statistics.Rounds * getBytes(8);
+      EXPECT_EQ(more > 0, statistics.ReadBacks > statistics.Rounds);
+      EXPECT_LE(more, statistics.Rounds * getBytes(1));
+      pixels += more;
+    }
+    EXPECT_EQ(pixels > 0, testPixels);
+  }
+}
 
 // Hazard: the two back-ends must agree on every verdict, or one of them is wrong.
 TEST(CullerBasics, BackendsAgreeOnEveryVerdict)

@@ -68,7 +68,7 @@ void vtkNBufferBackend::RecordTrial(double milliseconds)
 vtkNBufferDecision vtkNBufferBackend::Build(Kind wanted, const Job& job, std::string& why)
 {
   this->InUse = this->Choose(wanted, job.Window);
-  this->Depth.clear();
+  this->HasDepth = false;
   // Either path waits until earlier draws have finished. A trial must not count that time.
   if (wanted == Auto && this->Chosen == Auto)
   {
@@ -76,7 +76,7 @@ vtkNBufferDecision vtkNBufferBackend::Build(Kind wanted, const Job& job, std::st
   }
   const vtkNBufferClock clock;
   vtkNBufferDecision failure =
-    this->InUse == OpenGL ? BuildOnDevice(this->Texture, job, why) : this->BuildOnHost(job, why);
+    this->InUse == OpenGL ? this->BuildOnDevice(job, why) : this->BuildOnHost(job, why);
   if (failure != vtkNBufferDecision::None && this->InUse == OpenGL && wanted == Auto)
   {
     this->InUse = CPU;
@@ -123,78 +123,126 @@ bool vtkNBufferBackend::DrawsOrdinaryDepth(const vtkNBufferDepthSource& source)
     source.DefaultDepthRange;
 }
 
-vtkNBufferDecision vtkNBufferBackend::BuildOnDevice(
-  vtkNBufferTexture* texture, const Job& job, std::string& why)
+vtkNBufferDecision vtkNBufferBackend::Reduce(
+  vtkNBufferTexture* texture, const Job& job, int factor, std::string& why)
 {
-  vtkNBufferClock clock;
+  const vtkNBufferClock clock;
   const int* viewport = job.Source.Viewport;
-  vtkNBufferStatistics& statistics = job.Statistics;
   if (!texture->Build(job.Window, job.Source, viewport[0], viewport[1], viewport[2], viewport[3],
-        job.Factor, job.NumberOfLevels, vtkNBufferDepthConvention::Farthest))
+        factor, 1, vtkNBufferDepthConvention::Farthest))
   {
     why = texture->GetError();
     return texture->LacksFloatTextures() ? vtkNBufferDecision::NoFloatTextures
                                          : vtkNBufferDecision::NoDepth;
   }
-  statistics.BuildTime += clock.Restart();
-  if (!texture->Download(job.Window, job.Levels))
+  job.Statistics.BuildTime += clock.GetMilliseconds();
+  job.Statistics.DeviceBuildTime = texture->GetDeviceTime();
+  return vtkNBufferDecision::None;
+}
+
+vtkNBufferDecision vtkNBufferBackend::ReadBack(vtkNBufferTexture* texture, const Job& job,
+  const std::vector<vtkNBufferRectangle>& rectangles, float* base, std::string& why)
+{
+  const vtkNBufferClock clock;
+  if (!texture->Download(job.Window, rectangles, base))
   {
     why = texture->GetError();
     return vtkNBufferDecision::NoDepth;
   }
+  vtkNBufferStatistics& statistics = job.Statistics;
   statistics.ReadTime += clock.GetMilliseconds();
   ++statistics.ReadBacks;
-  statistics.BytesRead += static_cast<long long>(sizeof(float)) * job.Levels.GetNumberOfLevels() *
-    job.Levels.GetWidth() * job.Levels.GetHeight();
-  statistics.DeviceBuildTime = texture->GetDeviceTime();
+  for (const vtkNBufferRectangle& rectangle : rectangles)
+  {
+    statistics.BytesRead +=
+      static_cast<long long>(sizeof(float)) * rectangle.GetWidth() * rectangle.GetHeight();
+  }
   return vtkNBufferDecision::None;
 }
 
-vtkNBufferDecision vtkNBufferBackend::ReadDepth(vtkOpenGLRenderWindow* window,
-  const vtkNBufferDepthSource& source, vtkNBufferStatistics& statistics, std::string& why)
+vtkNBufferDecision vtkNBufferBackend::BuildOnDevice(const Job& job, std::string& why)
 {
-  const int* viewport = source.Viewport;
-  if (source.Samples > 1)
+  vtkNBufferDecision failure = Reduce(this->Texture, job, job.Factor, why);
+  if (failure != vtkNBufferDecision::None)
   {
-    // OpenGL cannot read samples: the device reduces them to the farthest one of each pixel.
-    const Job job = { window, source, 1, 1, this->FarthestSamples, statistics };
-    const vtkNBufferDecision failure = BuildOnDevice(this->FarthestTexture, job, why);
-    if (failure == vtkNBufferDecision::None)
-    {
-      const float* texels = this->FarthestSamples.GetLevelData(0);
-      this->Depth.assign(texels, texels + static_cast<std::size_t>(viewport[2]) * viewport[3]);
-    }
     return failure;
   }
-  const vtkNBufferClock clock;
-  if (!source.Read(window, viewport[0], viewport[1], viewport[2], viewport[3], this->Depth, why,
-        vtkNBufferDepthConvention::Farthest))
+  vtkNBufferLevels& levels = job.Levels;
+  levels.Allocate(job.Source.Viewport[2], job.Source.Viewport[3], job.Factor, 1,
+    vtkNBufferDepthConvention::Farthest);
+  failure = ReadBack(this->Texture, job, { { 0, 0, levels.GetWidth(), levels.GetHeight() } },
+    levels.GetLevelData(0), why);
+  if (failure == vtkNBufferDecision::None)
   {
-    this->Depth.clear();
+    const vtkNBufferClock clock;
+    levels.BuildLevels(job.NumberOfLevels);
+    job.Statistics.BuildTime += clock.GetMilliseconds();
+  }
+  return failure;
+}
+
+vtkNBufferDecision vtkNBufferBackend::ReadDepth(const Job& job, std::string& why)
+{
+  const int* viewport = job.Source.Viewport;
+  if (job.Source.Samples > 1)
+  {
+    // OpenGL cannot read samples: the device reduces them to the farthest one of each pixel.
+    const vtkNBufferDecision failure = Reduce(this->FarthestTexture, job, 1, why);
+    this->Depth.resize(static_cast<std::size_t>(viewport[2]) * viewport[3]);
+    return failure != vtkNBufferDecision::None
+      ? failure
+      : ReadBack(this->FarthestTexture, job, { { 0, 0, viewport[2], viewport[3] } },
+          this->Depth.data(), why);
+  }
+  const vtkNBufferClock clock;
+  if (!job.Source.Read(job.Window, viewport[0], viewport[1], viewport[2], viewport[3], this->Depth,
+        why, vtkNBufferDepthConvention::Farthest))
+  {
     return vtkNBufferDecision::NoDepth;
   }
+  vtkNBufferStatistics& statistics = job.Statistics;
   statistics.ReadTime += clock.GetMilliseconds();
   ++statistics.ReadBacks;
   statistics.BytesRead += static_cast<long long>(sizeof(float)) * viewport[2] * viewport[3];
   return vtkNBufferDecision::None;
 }
 
-const float* vtkNBufferBackend::GetDepth(vtkOpenGLRenderWindow* window,
-  const vtkNBufferDepthSource& source, vtkNBufferStatistics& statistics)
+const float* vtkNBufferBackend::GetDepth(
+  const Job& job, const std::vector<vtkNBufferRectangle>& rectangles)
 {
+  if (this->InUse == CPU)
+  {
+    return this->HasDepth ? this->Depth.data() : nullptr;
+  }
+  const int* viewport = job.Source.Viewport;
   std::string why;
-  const bool known = !this->Depth.empty() ||
-    this->ReadDepth(window, source, statistics, why) == vtkNBufferDecision::None;
-  return known ? this->Depth.data() : nullptr;
+  if (!this->HasDepth)
+  {
+    if (Reduce(this->FarthestTexture, job, 1, why) != vtkNBufferDecision::None)
+    {
+      return nullptr;
+    }
+    this->Depth.resize(static_cast<std::size_t>(viewport[2]) * viewport[3]);
+    this->Tiles.Begin(viewport[2], viewport[3]);
+    this->HasDepth = true;
+  }
+  const std::vector<vtkNBufferRectangle> unread = this->Tiles.Add(rectangles);
+  if (!unread.empty())
+  {
+    this->HasDepth = ReadBack(this->FarthestTexture, job, unread, this->Depth.data(), why) ==
+      vtkNBufferDecision::None;
+  }
+  return this->HasDepth ? this->Depth.data() : nullptr;
 }
 
 vtkNBufferDecision vtkNBufferBackend::BuildOnHost(const Job& job, std::string& why)
 {
-  const vtkNBufferDecision failure = this->ReadDepth(job.Window, job.Source, job.Statistics, why);
+  const vtkNBufferDecision failure = this->ReadDepth(job, why);
   if (failure != vtkNBufferDecision::None)
   {
     return failure;
   }
+  this->HasDepth = true;
   const vtkNBufferClock clock;
   job.Levels.BuildBase(this->Depth.data(), job.Source.Viewport[2], job.Source.Viewport[3],
     job.Factor, vtkNBufferDepthConvention::Farthest);

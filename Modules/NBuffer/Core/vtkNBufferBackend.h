@@ -5,12 +5,13 @@
  * @brief Builds the levels of the depth of the framebuffer that is being drawn, and returns them in
  * host memory.
  *
- * There are two paths, which give the same levels to the bit. OpenGL: fragment passes reduce the
- * depth and build the levels, which are then read back once. CPU: the depth is read back once, and
- * the host reduces it and builds the levels.
+ * There are two paths, which give the same levels to the bit. OpenGL: a fragment pass reduces the
+ * depth to level 0, which is read back. CPU: the whole depth is read back, and the host reduces it.
+ * The host builds the other levels in both: they hold 8 to 10 times as much as level 0, so that
+ * reading them would take longer than building them.
  *
- * Which one is faster depends on the machine. On llvmpipe the passes took 20 to 40 times as long as
- * the host (docs/benchmarks.md), so Auto chooses the CPU on software renderers without a trial.
+ * Which one is faster depends on the machine. Software renderers reduce on the same processor, and
+ * slower than the host does (docs/benchmarks.md), so Auto chooses the CPU there without a trial.
  * Elsewhere Auto measures both paths in real frames, once per graphics context: the first build, by
  * OpenGL, warms the passes up; the second, by OpenGL, and the third, by the CPU, are measured. Auto
  * then stays with the faster path.
@@ -19,6 +20,7 @@
 #define vtkNBufferBackend_h
 
 #include "vtkNBufferDepthSource.h"
+#include "vtkNBufferDepthTiles.h"
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferStatistics.h"
 #include "vtkNBufferTexture.h"
@@ -64,13 +66,13 @@ public:
   vtkNBufferDecision Build(Kind wanted, const Job& job, std::string& why);
 
   /**
-   * The whole depth image from which the last levels were built: the farthest sample of each pixel
-   * of the viewport, row by row, the lowest row first; or nullptr if it cannot be read. The CPU
-   * path has it already. The OpenGL path reads it now, so nothing may have been drawn since
-   * Build().
+   * The depth image from which Build() made the levels of `job`: the farthest sample of each pixel
+   * of the viewport, row by row, the lowest row first; or nullptr if it cannot be read. Only the
+   * pixels in `rectangles`, here and in earlier calls since Build(), are defined. The CPU path has
+   * the whole image already. The OpenGL path reads the tiles that it has not read yet
+   * (vtkNBufferDepthTiles), so nothing may have been drawn since Build().
    */
-  const float* GetDepth(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
-    vtkNBufferStatistics& statistics);
+  const float* GetDepth(const Job& job, const std::vector<vtkNBufferRectangle>& rectangles);
 
   /**
    * Whether the state of OpenGL is the one that the test requires while props are drawn: a depth
@@ -103,20 +105,27 @@ private:
   Kind Choose(Kind wanted, vtkOpenGLRenderWindow* window);
   void Settle(Kind kind, const std::string& reason);
   void RecordTrial(double milliseconds);
-  static vtkNBufferDecision BuildOnDevice(
-    vtkNBufferTexture* texture, const Job& job, std::string& why);
+  vtkNBufferDecision BuildOnDevice(const Job& job, std::string& why);
   vtkNBufferDecision BuildOnHost(const Job& job, std::string& why);
-  vtkNBufferDecision ReadDepth(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
-    vtkNBufferStatistics& statistics, std::string& why);
+  vtkNBufferDecision ReadDepth(const Job& job, std::string& why);
+  /// Let the device reduce the depth to level 0 of `texture`.
+  static vtkNBufferDecision Reduce(
+    vtkNBufferTexture* texture, const Job& job, int factor, std::string& why);
+  /// Read rectangles of level 0 of `texture` back to their places in `base`.
+  static vtkNBufferDecision ReadBack(vtkNBufferTexture* texture, const Job& job,
+    const std::vector<vtkNBufferRectangle>& rectangles, float* base, std::string& why);
 
   vtkNew<vtkNBufferTexture> Texture;
-  ///@{
-  /// The farthest sample of each pixel of a multisampled framebuffer, which the device finds and
-  /// which is read back. Both members are kept only for their memory.
+  /// The farthest sample of each pixel, where the device finds it: of a multisampled framebuffer,
+  /// and with the OpenGL path.
   vtkNew<vtkNBufferTexture> FarthestTexture;
-  vtkNBufferLevels FarthestSamples;
+  ///@{
+  /// The depth image. With the OpenGL path only the tiles that were read since the last Build() are
+  /// defined.
+  std::vector<float> Depth;
+  bool HasDepth = false;
+  vtkNBufferDepthTiles Tiles;
   ///@}
-  std::vector<float> Depth; ///< The whole depth image; empty while it has not been read.
   Kind InUse = Auto;
   std::string Reason = "nothing built yet";
   ///@{

@@ -5,6 +5,7 @@
 #include "vtkNBufferGL.h"
 
 #include <algorithm>
+#include <cstddef>
 
 VTK_ABI_NAMESPACE_BEGIN
 bool vtkNBufferTextureStorage::ReserveLevels(int width, int height, int levels, std::string& why)
@@ -73,9 +74,54 @@ bool vtkNBufferTextureStorage::ReserveIntegers(int width, int height, std::strin
     this->Integers.Reserve(GL_R32UI, width, height, why);
 }
 
-bool vtkNBufferTextureStorage::ReserveReadback(std::size_t bytes, std::string& why)
+bool vtkNBufferTextureStorage::Read(const std::vector<vtkNBufferRectangle>& rectangles, int levels,
+  int width, int height, float* texels, std::string& why)
 {
-  return this->ReserveBuffer(this->ReadbackBuffer, GL_STREAM_READ, bytes, why);
+  std::size_t size = 0;
+  for (const vtkNBufferRectangle& rectangle : rectangles)
+  {
+    size += sizeof(float) * rectangle.GetWidth() * rectangle.GetHeight() * levels;
+  }
+  if (!this->ReserveBuffer(this->ReadbackBuffer, GL_STREAM_READ, size, why))
+  {
+    return false;
+  }
+  const vtkNBufferGL::ScopedReadback readback(0, this->ReadbackBuffer.Object.GetName());
+  std::size_t offset = 0;
+  for (int level = 0; level < levels; ++level)
+  {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, this->GetFramebuffer(level));
+    for (const vtkNBufferRectangle& rectangle : rectangles)
+    {
+      glReadPixels(rectangle.X0, rectangle.Y0, rectangle.GetWidth(), rectangle.GetHeight(), GL_RED,
+        GL_FLOAT, reinterpret_cast<void*>(offset));
+      offset += sizeof(float) * rectangle.GetWidth() * rectangle.GetHeight();
+    }
+  }
+  // This is the one call that waits.
+  const auto* from = static_cast<const float*>(
+    glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(size), GL_MAP_READ_BIT));
+  if (!vtkNBufferGL::CheckErrors("Reading the levels back", why))
+  {
+    return false;
+  }
+  for (int level = 0; level < levels; ++level, texels += static_cast<std::size_t>(width) * height)
+  {
+    for (const vtkNBufferRectangle& rectangle : rectangles)
+    {
+      for (int y = rectangle.Y0; y < rectangle.Y1; ++y, from += rectangle.GetWidth())
+      {
+        std::copy_n(
+          from, rectangle.GetWidth(), texels + static_cast<std::size_t>(y) * width + rectangle.X0);
+      }
+    }
+  }
+  if (!glUnmapBuffer(GL_PIXEL_PACK_BUFFER))
+  {
+    why = "The driver lost the depth that was read back. Use the CPU back-end.";
+    return false;
+  }
+  return true;
 }
 
 bool vtkNBufferTextureStorage::ReserveBuffer(

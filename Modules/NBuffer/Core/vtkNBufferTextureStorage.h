@@ -19,6 +19,7 @@
 #define vtkNBufferTextureStorage_h
 
 #include "vtkNBufferGLObject.h"
+#include "vtkNBufferMath.h"
 
 #include <string>
 #include <vector>
@@ -39,9 +40,13 @@ public:
   /// Returns false, with the cause in `why`, if OpenGL refuses.
   bool ReserveIntegers(int width, int height, std::string& why);
 
-  /// Make room for `bytes` bytes of levels that are read back. Returns false, with the cause in
-  /// `why`, if OpenGL refuses.
-  bool ReserveReadback(std::size_t bytes, std::string& why);
+  /**
+   * Copy the texels of the lowest levels that lie in `rectangles` to their places in `texels`,
+   * where levels of width x height texels follow each other, in one blocking read-back. Returns
+   * false, with the cause in `why`, if OpenGL refuses.
+   */
+  bool Read(const std::vector<vtkNBufferRectangle>& rectangles, int levels, int width, int height,
+    float* texels, std::string& why);
 
   /// The name of the array that holds a level.
   unsigned int GetArray(int level) const { return this->Arrays[GetArrayIndex(level)].GetName(); }
@@ -49,9 +54,8 @@ public:
   /// The name of the framebuffer that has a level as its only attachment.
   unsigned int GetFramebuffer(int level) const { return this->Framebuffers[level].GetName(); }
 
-  /// The names of the buffers of ReserveIntegers() and ReserveReadback(); 0 before these.
+  /// The name of the buffer of ReserveIntegers(); 0 before that.
   unsigned int GetIntegerBuffer() const { return this->IntegerBuffer.Object.GetName(); }
-  unsigned int GetReadbackBuffer() const { return this->ReadbackBuffer.Object.GetName(); }
 
   /// How often memory was requested from OpenGL since construction.
   int GetNumberOfAllocations() const;

@@ -17,8 +17,8 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// The number of candidates from which on it is worth reading the whole depth image, if it is not
-/// in host memory yet.
+/// The number of candidates from which on it is worth reading their pixels, if these are not in
+/// host memory yet.
 constexpr std::size_t CandidatesWorthARead = 32;
 
 template <typename Predicate>
@@ -68,33 +68,51 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
   }
   levels = std::max(levels, this->Props.GetLevelsNeeded(this->Settings.BaseFactor));
   this->Backend.SetAllowFloatTextures(this->Settings.AllowFloatTextures);
-  return this->Backend.Build(this->Settings.Backend,
-    { window, source, this->Settings.BaseFactor, levels, this->Levels, this->Statistics }, why);
+  return this->Backend.Build(this->Settings.Backend, this->GetJob(levels), why);
 }
 
-const float* vtkNBufferDepthTest::GetDepth(std::size_t candidates)
+const vtkNBufferScreenBox* vtkNBufferDepthTest::GetScreen(int i)
+{
+  // GetScreen() may set the placement.
+  const vtkNBufferScreenBox& screen = this->Props.GetScreen(i);
+  return this->Props.GetState(i).Placement == vtkNBufferPlacement::Inside ? &screen : nullptr;
+}
+
+const float* vtkNBufferDepthTest::GetDepth(const std::vector<int>& places)
 {
   // With the OpenGL back-end this is a second read-back, which has to be worth its cost.
-  if (!this->Settings.TestPixels || candidates == 0 ||
-    (this->Backend.GetInUse() == vtkNBufferBackend::OpenGL && candidates < CandidatesWorthARead))
+  const bool reads = this->Backend.GetInUse() == vtkNBufferBackend::OpenGL;
+  if (!this->Settings.TestPixels || places.empty() ||
+    (reads && places.size() < CandidatesWorthARead))
   {
     return nullptr;
   }
-  return this->Backend.GetDepth(this->Window, this->Source, this->Statistics);
+  std::vector<vtkNBufferRectangle> rectangles;
+  if (reads)
+  {
+    for (int i : places)
+    {
+      if (const vtkNBufferScreenBox* screen = this->GetScreen(i))
+      {
+        rectangles.push_back(screen->GetSampled(this->SampleDistance));
+      }
+    }
+  }
+  return this->Backend.GetDepth(this->GetJob(1), rectangles);
 }
 
 bool vtkNBufferDepthTest::HasVisibleSlivers(int i, vtkNBufferSliverTest& test)
 {
-  // GetScreen() computes the rectangle now if only a node above the prop was found hidden so far.
-  const vtkNBufferScreenBox& screen = this->Props.GetScreen(i);
-  if (this->Props.GetState(i).Placement != vtkNBufferPlacement::Inside)
+  // The rectangle is calculated now if only a node above the prop was found hidden so far.
+  const vtkNBufferScreenBox* screen = this->GetScreen(i);
+  if (!screen)
   {
     return false;
   }
   const std::vector<vtkNBufferMeshes::Placed> meshes = this->Props.GetMeshes(i);
   return std::any_of(meshes.begin(), meshes.end(),
     [&](const vtkNBufferMeshes::Placed& placed)
-    { return test.MayBeSeen(*placed.Mesh, placed.ToWorld.data(), screen); });
+    { return test.MayBeSeen(*placed.Mesh, placed.ToWorld.data(), *screen); });
 }
 
 bool vtkNBufferDepthTest::TestsSlivers() const
@@ -129,13 +147,6 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::ve
 int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
 {
   const std::vector<int> tested = this->TestsSlivers() ? places : std::vector<int>();
-  // GetScreen() may set the placement. Only a candidate that is Inside has a rectangle.
-  const auto getScreen = [this](int i)
-  {
-    const vtkNBufferScreenBox& screen = this->Props.GetScreen(i);
-    return this->Props.GetState(i).Placement == vtkNBufferPlacement::Inside ? &screen : nullptr;
-  };
-
   vtkNBufferClock clock;
   vtkNBufferOcclusionTest test(this->Levels, this->SampleDistance);
   this->Props.MarkHidden(test);
@@ -146,7 +157,7 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
       {
         return true;
       }
-      const vtkNBufferScreenBox* screen = getScreen(i);
+      const vtkNBufferScreenBox* screen = this->GetScreen(i);
       return screen && test.IsHidden(*screen);
     });
   this->Statistics.Queries += test.GetQueries();
@@ -154,14 +165,14 @@ int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
   const auto passed = static_cast<int>(places.size());
   this->Statistics.TestTime += clock.Restart();
 
-  if (const float* depth = this->GetDepth(places.size()))
+  if (const float* depth = this->GetDepth(places))
   {
     clock.Restart();
     vtkNBufferPixelTest pixelTest(this->Projection, this->Levels, depth, this->SampleDistance);
     RemoveIf(places,
       [&](int i)
       {
-        const vtkNBufferScreenBox* screen = getScreen(i);
+        const vtkNBufferScreenBox* screen = this->GetScreen(i);
         return screen && pixelTest.IsHidden(this->Props.GetBox(i), *screen);
       });
     if (this->Settings.TestTriangles)

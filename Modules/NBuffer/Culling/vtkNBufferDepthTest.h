@@ -69,8 +69,17 @@ public:
   int RemoveHidden(std::vector<int>& places);
 
 private:
-  /// The depth image if it is worth having for this many candidates, else null.
-  const float* GetDepth(std::size_t candidates);
+  /// What the back-end builds and reads, with this many levels.
+  vtkNBufferBackend::Job GetJob(int levels)
+  {
+    return { this->Window, this->Source, this->Settings.BaseFactor, levels, this->Levels,
+      this->Statistics };
+  }
+  /// The depth image, with the pixels of these candidates, if it is worth having for them, else
+  /// null.
+  const float* GetDepth(const std::vector<int>& places);
+  /// The pixels of a candidate, or null for one that is not Inside.
+  const vtkNBufferScreenBox* GetScreen(int i);
   bool TestsSlivers() const;
   /// Put those of `tested` back into `places` of which a sliver may be visible. Before and after
   /// the call `places` is a part of `tested`, in the same order.
