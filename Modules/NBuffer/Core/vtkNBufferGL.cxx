@@ -97,10 +97,21 @@ const char* GetSoftwareRenderer()
   return found == names.end() ? nullptr : *found;
 }
 
-bool KeepsColorsWhenRead()
+/// Whether this is Mesa's softpipe, which does not keep two of OpenGL's promises.
+static bool IsSoftpipe()
 {
   const char* software = GetSoftwareRenderer();
-  return !software || std::strcmp(software, "softpipe") != 0;
+  return software && std::strcmp(software, "softpipe") == 0;
+}
+
+bool KeepsColorsWhenRead()
+{
+  return !IsSoftpipe();
+}
+
+bool OffsetsBeyondFarPlane()
+{
+  return !IsSoftpipe();
 }
 
 bool CoversTouchedPixels()

@@ -52,6 +52,11 @@ VTKNBUFFER_EXPORT const char* GetSoftwareRenderer();
 /// only then, so that what is blended later has another result than without the read.
 VTKNBUFFER_EXPORT bool KeepsColorsWhenRead();
 
+/// Whether a polygon offset leaves depths beyond the far plane as they are until fragments are
+/// drawn, as OpenGL promises (4.6, section 14.6.5). Mesa's softpipe adds the offset to the corners
+/// of a triangle and clamps each of them to [0, 1], which bends triangles that reach farther.
+VTKNBUFFER_EXPORT bool OffsetsBeyondFarPlane();
+
 /// Whether the current context draws a fragment in each pixel that a triangle touches, and not only
 /// where a sample lies in the triangle: with smoothed polygons and conservative rasterisation.
 VTKNBUFFER_EXPORT bool CoversTouchedPixels();

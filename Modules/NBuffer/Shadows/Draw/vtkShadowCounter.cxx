@@ -27,6 +27,8 @@ constexpr const char* Failure =
 // The polygon offset, away from the eye (see the header).
 constexpr float OffsetFactor = static_cast<float>(vtkNBufferDepthConvention::Sign) / 128;
 constexpr float OffsetUnits = static_cast<float>(vtkNBufferDepthConvention::Sign) * 2;
+/// What the fragment shader adds to the window depth instead of the units.
+constexpr float OffsetByShader = 2 * OffsetUnits * 0x1p-24f;
 
 constexpr GLenum StencilNames[2][7] = { { GL_STENCIL_FUNC, GL_STENCIL_REF, GL_STENCIL_VALUE_MASK,
                                           GL_STENCIL_FAIL, GL_STENCIL_PASS_DEPTH_FAIL,
@@ -125,7 +127,7 @@ void vtkShadowCounter::SetDirection(bool zPass)
 }
 
 bool vtkShadowCounter::BeginVolumes(vtkOpenGLRenderWindow* window,
-  vtkSmartPointer<vtkShaderProgram>& program, const char* fragmentShader,
+  vtkSmartPointer<vtkShaderProgram>& program, const std::string& fragmentShader,
   const vtkShadowVolumeBuffer& volume, const vtkShadowDrawList::View& view, std::string& why)
 {
   if (!vtkNBufferGL::UseProgram(window, program, vtkShadowVolumeVS, fragmentShader, Failure, why))
@@ -148,7 +150,11 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
   const vtkShadowDraw* first, const vtkShadowDraw* last, long long* fragments, std::string& why)
 {
   vtkNBufferGL::ClearErrors();
-  if (!this->BeginVolumes(window, this->VolumeProgram, vtkShadowVolumeFS, volume, view, why))
+  const bool isOffsetByShader = !vtkNBufferGL::OffsetsBeyondFarPlane();
+  std::string fragmentShader = vtkShadowVolumeFS;
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::NBuffer::Dec",
+    isOffsetByShader ? "#define NBUFFER_SHADOW_OFFSET 1" : "#define NBUFFER_SHADOW_OFFSET 0");
+  if (!this->BeginVolumes(window, this->VolumeProgram, fragmentShader, volume, view, why))
   {
     return false;
   }
@@ -167,7 +173,15 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
       {
         glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
       }
-      (draw->Offset ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
+      if (isOffsetByShader)
+      {
+        this->VolumeProgram->SetUniformf("factor", draw->Offset ? OffsetFactor : 0.0f);
+        this->VolumeProgram->SetUniformf("bias", draw->Offset ? OffsetByShader : 0.0f);
+      }
+      else
+      {
+        (draw->Offset ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
+      }
       this->DrawVolume(*draw);
     }
   };

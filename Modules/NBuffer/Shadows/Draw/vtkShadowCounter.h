@@ -21,7 +21,9 @@
  * the surface stays lit. But the shader program of the volumes may compute a depth that is two
  * units off, and its vertices may be rounded to the next step of the subpixel grid (1/256 of a
  * pixel). A polygon offset pushes such volumes away from the eye by two units and by the change of
- * their depth over 1/128 of a pixel.
+ * their depth over 1/128 of a pixel. Where a device bends volumes that it offsets
+ * (vtkNBufferGL::OffsetsBeyondFarPlane), the fragment shader offsets them instead, by four units:
+ * its sum and the conversion of what it writes are rounded by at most one unit each.
  *
  * In a multisampled target, each sample has its own depth and count.
  */
@@ -95,7 +97,7 @@ public:
 
 private:
   bool BeginVolumes(vtkOpenGLRenderWindow* window, vtkSmartPointer<vtkShaderProgram>& program,
-    const char* fragmentShader, const vtkShadowVolumeBuffer& volume,
+    const std::string& fragmentShader, const vtkShadowVolumeBuffer& volume,
     const vtkShadowDrawList::View& view, std::string& why);
   void SetDirection(bool zPass);
   void DrawVolume(const vtkShadowDraw& draw);
