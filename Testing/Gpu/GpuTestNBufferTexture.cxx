@@ -179,7 +179,17 @@ TEST_P(GpuTestNBufferTextureFormats, EqualHost)
   const vtkNBufferDepthSource source = this->Inspect();
   if (!source.ExceedsFloats())
   {
-    EXPECT_EQ(this->ReadOnDevice(source, 0, 0, 90, 70, vtkNBufferExtremum::Maximum), sampled);
+    // A texture is sampled where it lies. A renderbuffer is copied, which rounds its depth where
+    // the device stores the two formats differently (Mesa's zink has 24 bits with stencil as
+    // floats).
+    const std::vector<float> read =
+      this->ReadOnDevice(source, 0, 0, 90, 70, vtkNBufferExtremum::Maximum);
+    const double tolerance = isTexture ? 0.0 : std::ldexp(1.0, -24);
+    ASSERT_EQ(read.size(), sampled.size());
+    for (std::size_t i = 0; i < read.size(); ++i)
+    {
+      ASSERT_LE(std::abs(static_cast<double>(read[i]) - sampled[i]), tolerance) << i;
+    }
   }
   this->CompareWithRead(0, 0, 90, 70);
   // Rectangles inside, at odd places and of odd sizes.

@@ -74,6 +74,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
    *    exact value is off by less than 2^-24. Read() and Mesa's llvmpipe multiply integers of 24
    *    bits by a rounded factor instead, which returns up to 1.25 * 2^-24 too far, but never too
    *    near. The quarter matters only for the Minimum, which no culling uses.
+   *  - Copying to a texture (vtkNBufferTexture) costs nothing where the device stores both formats
+   *    alike. Where it stores 24 bits as floats, the copy rounds to 24 bits, and storing did not.
    *  - Of 32 bits the last 8 are dropped, which costs less than a step and only to the safe side
    *    (vtkNBufferBaseFS.glsl does the same). Where only samplers can read them, the shader moves
    *    the value by the error of samplers to the safe side.
