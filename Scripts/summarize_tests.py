@@ -8,8 +8,10 @@ which ones. In each folder are
 
     test-list.json      what ctest lists (ctest --show-only=json-v1)
     test-results.xml    what ctest ran (ctest --output-junit)
-    test-build.json     written by Testing/CMakeLists.txt: the VTK, the windows, and which cases are
-                        not for this build ("skipped": beginnings of their names with the reason)
+    test-build.json     written by Testing/CMakeLists.txt: the VTK, the windows, which cases are not
+                        for this build ("skipped": beginnings of their names with the reason), and
+                        which programs run only a choice of their cases on a window ("chosen":
+                        program.window)
 
 What is expected follows from the lists. A case fails
 
@@ -52,6 +54,7 @@ class Build:
         self.windows = about.get("windows", [])
         #: beginning of names -> why such cases are not listed
         self.skipped = about.get("skipped", {})
+        self.chosen = set(about.get("chosen", []))
         listed = self.read(folder / "test-list.json", json.loads) or {"tests": []}
         results = self.read(folder / "test-results.xml", xml.etree.ElementTree.fromstring)
         #: (case, window) -> the program of GoogleTest, or ""
@@ -123,8 +126,10 @@ def gaps(builds):
                 windows[program].add(window)
                 cases[program].add(case)
         for program, names in cases.items():
+            whole = {window for window in windows[program]
+                     if f"{pathlib.Path(program).name}.{window}" not in build.chosen}
             for case in sorted(names):
-                for window in sorted(windows[program]):
+                for window in sorted(whole):
                     if (case, window) not in build.listed:
                         yield case, f"VTK {build.vtk}, {window} does not list it"
 

@@ -27,16 +27,16 @@ def listed(name):
 
 class SummarizeTests(unittest.TestCase):
     def run_on(self, *builds, options=()):
-        """Builds are (version and windows, names listed, what ran: name -> outcome, skipped).
-        Returns the exit status and the lines printed."""
+        """Builds are (version and windows, names listed, what ran: name -> outcome, further members
+        of test-build.json). Returns the exit status and the lines printed."""
         with tempfile.TemporaryDirectory() as temporary:
             folders = []
-            for index, ((vtk, windows), names, ran, *skipped) in enumerate(builds):
+            for index, ((vtk, windows), names, ran, *about) in enumerate(builds):
                 folder = pathlib.Path(temporary, f"build{index}")
                 folder.mkdir()
                 folders.append(str(folder))
                 (folder / "test-build.json").write_text(json.dumps(
-                    {"vtk": vtk, "windows": windows, "skipped": skipped[0] if skipped else {}}))
+                    {"vtk": vtk, "windows": windows, **(about[0] if about else {})}))
                 (folder / "test-list.json").write_text(json.dumps(
                     {"tests": [listed(name) for name in names]}))
                 cases = "".join(
@@ -99,13 +99,16 @@ class SummarizeTests(unittest.TestCase):
         self.bad(build, last="1 passed, 1 failed, 0 skipped",
                  words="image.A.C: VTK 9.7.0, egl does not list it")
         self.good(build, options=["--partial"], last="2 passed, 0 failed, 0 skipped")
+        self.good((*build, {"chosen": ["nbuffer-image-tests.egl"]}), last="2 passed, 0 failed, 0 skipped")
+        self.bad((*build, {"chosen": ["nbuffer-image-tests.osmesa"]}),
+                 last="1 passed, 1 failed, 0 skipped", words="image.A.C: VTK 9.7.0, egl does not list it")
 
     def test_missing_with_a_vtk(self):
         new = (NEW, ["unit.C.D", "unit.E.F"], {"unit.C.D": "", "unit.E.F": ""})
         old = (OLD, ["unit.C.D"], {"unit.C.D": ""})
         self.bad(new, old, last="1 passed, 1 failed, 0 skipped",
                  words="unit.E.F: VTK 9.1.0 does not list it")
-        lines = self.good(new, (*old, {"unit.E.": "needs OSMesa"}), last="2 passed, 0 failed, 0 skipped")
+        lines = self.good(new, (*old, {"skipped": {"unit.E.": "needs OSMesa"}}), last="2 passed, 0 failed, 0 skipped")
         self.assertIn("skipped: unit.E.* (VTK 9.1.0): needs OSMesa", lines)
 
     def test_seeds_are_not_part_of_the_case(self):
