@@ -109,8 +109,7 @@ public:
 
   ///@{
   /// From what the levels are built (BackendType). They are the same, to the bit, with every
-  /// back-end.
-  /// Default: Auto.
+  /// back-end. Default: Auto.
   vtkSetClampMacro(Backend, int, Auto, CPU);
   vtkGetMacro(Backend, int);
   ///@}

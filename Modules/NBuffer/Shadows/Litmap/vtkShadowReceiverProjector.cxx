@@ -63,7 +63,7 @@ double GetCornerDistance(const vtkShadowView& view)
 vtkShadowReceiverProjector::vtkShadowReceiverProjector(
   const vtkShadowView& view, const vtkShadowLight& light, const vtkShadowLightSpace& space)
   : Kind(light.Kind)
-  , DepthError(2.0 * view.DepthQuantum + DepthRounding * (1.0 + GetCornerDistance(view)))
+  , DepthError(3.0 * view.DepthQuantum + DepthRounding * (1.0 + GetCornerDistance(view)))
   , ConeCosine(light.GetConeCosine())
   , LightingMargin(view.LightingMargin)
   , WorldError(WorldRounding * (GetLength1(view.Origin) + GetLength1(space.GetApex())))

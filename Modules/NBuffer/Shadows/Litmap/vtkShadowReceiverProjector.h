@@ -16,14 +16,15 @@
  * ## The interval on the line of sight
  *
  * The sample lies on the line of sight through its place in the image, in an interval of depths.
- * Three errors add up: the stored depth is off by up to a quantum (a step of the depth format), the
- * depth of a volume that is drawn against it by another quantum, and both depths are off because
- * they are transformed to clip coordinates in float. For four million random points (views of 1 to
- * 120 degrees, far / near 3 to 1e8; commit 7323db1) the third error was at most 5.4 * 2^-24 in
- * window depth. It grows with r, the distance of the image's corners from the eye in units of the
- * distance of its centre. The interval reaches 2 quanta + 4 (1 + r) 2^-24 of window depth to both
- * sides. (If near and far plane are close together for their distance from the eye, the third error
- * is larger. But then a quantum is so short a length that the radius below covers it.)
+ * Three errors add up: the depth that was read is off by up to two quanta, the steps of storing and
+ * of reading (vtkNBufferDepthSource::GetStep), the depth of a volume that is drawn against it by a
+ * third one, and both depths are off because they are transformed to clip coordinates in float. For
+ * four million random points (views of 1 to 120 degrees, far / near 3 to 1e8; commit 7323db1) the
+ * last error was at most 5.4 * 2^-24 in window depth. It grows with r, the distance of the image's
+ * corners from the eye in units of the distance of its centre. The interval reaches 3 quanta +
+ * 4 (1 + r) 2^-24 of window depth to both sides. (If near and far plane are close together for
+ * their distance from the eye, the last error is larger. But then a quantum is so short a length
+ * that the radius below covers it.)
  *
  * ## The radius around it
  *
