@@ -42,14 +42,18 @@ struct SampledDepth
   int Origin[2] = { 0, 0 };
 };
 
-/// The format of a copy that changes no bit of the depth.
+/// The format of the source: devices may round depth that they copy to another one (Mesa's zink).
 GLenum GetCopyFormat(const vtkNBufferDepthSource& source)
 {
   if (source.FloatDepth)
   {
-    return GL_DEPTH_COMPONENT32F;
+    return source.HasStencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
   }
-  return source.DepthBits <= 16 ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24;
+  if (source.DepthBits <= 16)
+  {
+    return GL_DEPTH_COMPONENT16;
+  }
+  return source.HasStencil ? GL_DEPTH24_STENCIL8 : GL_DEPTH_COMPONENT24;
 }
 }
 

@@ -125,6 +125,12 @@ bool InspectFramebuffer(
   }
   source.FloatDepth =
     GetAttachmentParameter(attachment, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
+  const GLenum stencil = source.Framebuffer == 0 ? GL_STENCIL : GL_STENCIL_ATTACHMENT;
+  source.HasStencil =
+    GetAttachmentParameter(stencil, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == kind &&
+    (source.Framebuffer == 0 ||
+      GetAttachmentParameter(stencil, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME) ==
+        GetAttachmentParameter(attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
   if (kind == GL_TEXTURE)
   {
     return InspectTexture(source, why);

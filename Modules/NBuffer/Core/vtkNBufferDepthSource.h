@@ -36,6 +36,7 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
   double SampleDistance = 0.0;      ///< How far they may be from its middle in x or y, in pixels.
   int DepthBits = 0;                ///< 0 if there is no depth buffer.
   bool FloatDepth = false;          ///< Depth is floating-point, not unsigned normalised.
+  bool HasStencil = false;          ///< The buffer of depth holds a stencil, too.
   bool DefaultDepthRange = true;    ///< glDepthRange is [0, 1].
   bool Texture = false;             ///< The depth attachment is a texture, not a renderbuffer.
   unsigned int DepthName = 0;       ///< GL name of the depth attachment.
@@ -74,8 +75,7 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
    *    exact value is off by less than 2^-24. Read() and Mesa's llvmpipe multiply integers of 24
    *    bits by a rounded factor instead, which returns up to 1.25 * 2^-24 too far, but never too
    *    near. The quarter matters only for the Minimum, which no culling uses.
-   *  - Copying to a texture (vtkNBufferTexture) costs nothing where the device stores both formats
-   *    alike. Where it stores 24 bits as floats, the copy rounds to 24 bits, and storing did not.
+   *  - Copying to a texture (vtkNBufferTexture) costs nothing, because the format stays the same.
    *  - Of 32 bits the last 8 are dropped, which costs less than a step and only to the safe side
    *    (vtkNBufferBaseFS.glsl does the same). Where only samplers can read them, the shader moves
    *    the value by the error of samplers to the safe side.

@@ -41,6 +41,8 @@ std::pair<GLenum, GLenum> GetTransferFormat(GLenum sizedFormat)
       return { GL_RGBA, GL_UNSIGNED_BYTE };
     case GL_DEPTH24_STENCIL8:
       return { GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8 };
+    case GL_DEPTH32F_STENCIL8:
+      return { GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV };
     default:
       return { GL_DEPTH_COMPONENT, GL_FLOAT };
   }
