@@ -30,7 +30,7 @@ double QueryCuller::Cull(
   vtkRenderer* vtkNotUsed(renderer), vtkProp** propList, int& listLength, int& initialized)
 {
   const bool other = this->Props.Synchronize(propList, listLength);
-  const bool changed = this->Props.Refresh(nullptr) > 0;
+  const bool changed = this->Props.Refresh() > 0;
   this->TreeIsOld = this->TreeIsOld || other || changed;
   this->Candidates.clear();
   int kept = 0;

@@ -152,8 +152,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
 
   ///@{
   /// Milliseconds of the calling thread in Cull(): the whole, and two parts of it. RefreshTime is
-  /// for bringing caches up to date, with the frustum test if the camera has moved. FrustumTime is
-  /// for deciding what to do with the frame, with the frustum test if the camera has not moved.
+  /// for bringing caches up to date. FrustumTime is for the frustum test and for deciding what to
+  /// do with the frame.
   double CullTime = 0.0;
   double RefreshTime = 0.0;
   double FrustumTime = 0.0;

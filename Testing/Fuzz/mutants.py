@@ -139,7 +139,8 @@ MUTANTS = {
         ("vtkNBufferCandidateList.cxx", "!this->Observed.TakeChange() && !lost;", "true;")],
     "changes of observed actors not noticed": [
         ("vtkNBufferCandidateList.cxx",
-         "!this->ObservedActors.TakeChange() && unchanged && !all;", "unchanged && !all;")],
+         "!this->ObservedActors.TakeChange() && unchanged && !globalStateChanged;",
+         "unchanged && !globalStateChanged;")],
 
     # Props that are none of the tested kind.
     "translucent props hide": [

@@ -159,6 +159,8 @@ private:
 /// because every frame reads the states of all props several times.
 struct vtkNBufferState
 {
+  /// The verdict of the prop itself (vtkNBufferCandidate::GetVerdict()), with which a frame begins.
+  vtkNBufferVerdict OwnVerdict = vtkNBufferVerdict::Unknown;
   vtkNBufferVerdict Verdict = vtkNBufferVerdict::Unknown;
   vtkNBufferPlacement Placement = vtkNBufferPlacement::Crossing;
 

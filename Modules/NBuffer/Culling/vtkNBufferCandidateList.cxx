@@ -31,67 +31,67 @@ bool vtkNBufferCandidateList::Synchronize(vtkProp** props, int count)
   return true;
 }
 
-int vtkNBufferCandidateList::Refresh(const vtkNBufferProjection* projection)
+int vtkNBufferCandidateList::Refresh()
 {
   const vtkNBufferPropWatch::GlobalState state = vtkNBufferPropWatch::GetGlobalState();
   const bool all = state != this->GlobalState;
   this->GlobalState = state;
   this->Tree.BeginFrame();
   this->Meshes.BeginFrame();
-  const bool overTree = this->UsesTree();
-  if (!overTree)
+  if (!this->UsesTree())
   {
     this->Tree.ListHasChanged();
   }
 
+  this->FindStale(all);
+  const int changed = this->ListChanged || !this->Stale.empty() ? this->RefreshStale(all) : 0;
+  this->ReadParts();
+  if (this->UsesChanged)
+  {
+    this->FindSharedState();
+  }
+  this->ObserveSome();
+  return changed;
+}
+
+void vtkNBufferCandidateList::FindStale(bool globalStateChanged)
+{
   const bool lostObject = this->Observed.TakeLoss();
   const bool lost = this->ObservedActors.TakeLoss() || lostObject;
   const bool unchanged = !this->Observed.TakeChange() && !lost;
-  const bool actorsUnchanged = !this->ObservedActors.TakeChange() && unchanged && !all;
+  const bool actorsUnchanged =
+    !this->ObservedActors.TakeChange() && unchanged && !globalStateChanged;
   for (std::size_t i = 0; lost && i < this->Candidates.GetSize(); ++i)
   {
     this->Candidates[i].GetWatch().Forget();
     this->States[i].Observed = false;
   }
+  this->Polled.clear();
+  for (int i = 0; i < this->GetSize(); ++i)
+  {
+    if (!(actorsUnchanged && this->States[i].Observed))
+    {
+      this->Polled.push_back(i);
+    }
+  }
   // Comparing times is most of the work and may run in parallel. Refreshing may run pipelines.
-  this->Stale.assign(this->Candidates.GetSize(), 0);
-  vtkNBufferForEachProp::RunAhead(
-    this->Candidates.GetSize(),
-    [this, unchanged, actorsUnchanged](vtkIdType i)
+  this->PolledIsStale.assign(this->Polled.size(), globalStateChanged);
+  if (!globalStateChanged)
+  {
+    vtkNBufferForEachProp::RunAhead(
+      this->Polled.size(),
+      [this, unchanged](vtkIdType n) { this->Candidates[this->Polled[n]].Prefetch(unchanged); },
+      [this, unchanged](vtkIdType n)
+      { this->PolledIsStale[n] = this->Candidates[this->Polled[n]].IsStale(unchanged); });
+  }
+  this->Stale.clear();
+  for (std::size_t n = 0; n < this->Polled.size(); ++n)
+  {
+    if (this->PolledIsStale[n])
     {
-      if (actorsUnchanged && this->States[i].Observed)
-      {
-        vtkNBufferForEachProp::Fetch(&this->Candidates[i]);
-        return;
-      }
-      this->Candidates[i].Prefetch(unchanged);
-    },
-    [this, all, unchanged, actorsUnchanged, projection](vtkIdType i)
-    {
-      this->Stale[i] = !(actorsUnchanged && this->States[i].Observed) &&
-        (all || this->Candidates[i].IsStale(unchanged));
-      if (!this->Stale[i])
-      {
-        this->FindPlacement(i, projection);
-      }
-    });
-  int changed = 0;
-  if (this->ListChanged ||
-    std::find(this->Stale.begin(), this->Stale.end(), 1) != this->Stale.end())
-  {
-    changed = this->RefreshStale(projection, all);
+      this->Stale.push_back(this->Polled[n]);
+    }
   }
-  this->ReadParts();
-  if (this->UsesChanged)
-  {
-    this->FindSharedState(projection);
-  }
-  this->ObserveSome();
-  if (projection && overTree)
-  {
-    this->ProjectOverTree(*projection);
-  }
-  return changed;
 }
 
 void vtkNBufferCandidateList::ObserveSome()
@@ -110,36 +110,26 @@ void vtkNBufferCandidateList::ObserveSome()
   const std::size_t most = this->Observed.GetSize() + ObjectsToObserve;
   for (; this->NextOfTurn < end && this->Observed.GetSize() < most; ++this->NextOfTurn)
   {
-    vtkNBufferPropWatch& watch = this->Candidates[this->NextOfTurn].GetWatch();
-    watch.Observe(this->Observed, this->ObservedActors);
-    this->States[this->NextOfTurn].Observed = watch.IsWhollyObserved();
+    vtkNBufferState& state = this->States[this->NextOfTurn];
+    if (!state.Observed)
+    {
+      vtkNBufferPropWatch& watch = this->Candidates[this->NextOfTurn].GetWatch();
+      watch.Observe(this->Observed, this->ObservedActors);
+      state.Observed = watch.IsWhollyObserved();
+    }
   }
 }
 
-void vtkNBufferCandidateList::FindPlacement(vtkIdType i, const vtkNBufferProjection* projection)
-{
-  if (projection)
-  {
-    this->UsesTree() ? this->ResetPlacement(i) : this->ProjectOne(i, *projection);
-  }
-}
-
-int vtkNBufferCandidateList::RefreshStale(
-  const vtkNBufferProjection* projection, bool globalStateChanged)
+int vtkNBufferCandidateList::RefreshStale(bool globalStateChanged)
 {
   this->UsesChanged = this->ListChanged;
   this->ListChanged = false;
   int changed = 0;
-  for (std::size_t i = 0; i < this->Candidates.GetSize(); ++i)
+  for (const int i : this->Stale)
   {
-    if (!this->Stale[i])
-    {
-      continue;
-    }
     const vtkNBufferSharedState::Uses uses = this->Candidates[i].GetUses();
     changed += this->RefreshOne(i, globalStateChanged) ? 1 : 0;
     this->UsesChanged = this->UsesChanged || !(uses == this->Candidates[i].GetUses());
-    this->FindPlacement(static_cast<vtkIdType>(i), projection);
   }
   this->UntrackedDepth = this->Blending = this->Lines = this->LackOfNormals = false;
   this->WithParts.clear();
@@ -180,7 +170,7 @@ void vtkNBufferCandidateList::ReadParts()
   }
 }
 
-void vtkNBufferCandidateList::FindSharedState(const vtkNBufferProjection* projection)
+void vtkNBufferCandidateList::FindSharedState()
 {
   this->UsesChanged = this->SharesState = false;
   vtkNBufferSharedState state;
@@ -198,12 +188,10 @@ void vtkNBufferCandidateList::FindSharedState(const vtkNBufferProjection* projec
   for (std::size_t i = 0; i < this->Candidates.GetSize(); ++i)
   {
     vtkNBufferCandidate& candidate = this->Candidates[i];
-    const vtkNBufferVerdict before = candidate.GetVerdict();
     candidate.SetSharesState(state.IsMixed(candidate.GetUses()));
-    if (candidate.GetVerdict() != before)
+    if (std::exchange(this->States[i].OwnVerdict, candidate.GetVerdict()) != candidate.GetVerdict())
     {
       this->Tree.HasChanged(static_cast<int>(i));
-      this->FindPlacement(static_cast<vtkIdType>(i), projection);
     }
   }
   this->SharesState = state.HasMixed();
@@ -216,6 +204,7 @@ bool vtkNBufferCandidateList::RefreshOne(std::size_t i, bool globalStateChanged)
   const vtkNBufferBox box = candidate.GetBox();
   const bool changed = candidate.Refresh(globalStateChanged);
   this->States[i].Observed = false;
+  this->States[i].OwnVerdict = candidate.GetVerdict();
   this->Meshes.Forget(this->GetProp(static_cast<int>(i)));
   if (verdict != candidate.GetVerdict() || !(box == candidate.GetBox()))
   {
@@ -224,21 +213,8 @@ bool vtkNBufferCandidateList::RefreshOne(std::size_t i, bool globalStateChanged)
   return changed;
 }
 
-void vtkNBufferCandidateList::ResetPlacement(vtkIdType i)
+void vtkNBufferCandidateList::ProjectOne(int i, const vtkNBufferProjection& projection)
 {
-  const vtkNBufferCandidate& candidate = this->Candidates[i];
-  vtkNBufferState& state = this->States[i];
-  state.Verdict = candidate.GetVerdict();
-  state.RectangleIsStale = state.Behind = false;
-  if (candidate.HasPlacement())
-  {
-    state.Placement = vtkNBufferPlacement::Outside;
-  }
-}
-
-void vtkNBufferCandidateList::ProjectOne(vtkIdType i, const vtkNBufferProjection& projection)
-{
-  this->ResetPlacement(i);
   const vtkNBufferCandidate& candidate = this->Candidates[i];
   if (candidate.HasPlacement() && !projection.IsOutside(candidate.GetBox()))
   {
@@ -248,27 +224,22 @@ void vtkNBufferCandidateList::ProjectOne(vtkIdType i, const vtkNBufferProjection
 
 void vtkNBufferCandidateList::Project(const vtkNBufferProjection& projection)
 {
-  if (!this->UsesTree())
+  for (vtkNBufferState& state : this->States)
   {
-    this->ProjectAll(projection);
-    return;
+    state.Verdict = state.OwnVerdict;
+    state.Placement = vtkNBufferPlacement::Outside;
+    state.RectangleIsStale = state.Behind = false;
   }
-  vtkNBufferForEachProp::RunEach(
-    this->Candidates.GetSize(), [this](vtkIdType i) { this->ResetPlacement(i); });
-  this->ProjectOverTree(projection);
-}
-
-void vtkNBufferCandidateList::ProjectOverTree(const vtkNBufferProjection& projection)
-{
-  if (!this->Tree.Update(this->Candidates.GetItems()))
+  if (!this->UsesTree() || !this->Tree.Update(this->Candidates.GetItems()))
   {
-    this->ProjectAll(projection);
+    vtkNBufferForEachProp::RunEach(this->Candidates.GetSize(),
+      [this, &projection](vtkIdType i) { this->ProjectOne(static_cast<int>(i), projection); });
     return;
   }
   this->Reached.clear();
   this->Tree.FindPlacements(projection, this->Candidates.GetItems(), this->States, this->Reached);
   vtkNBufferForEachProp::RunEach(this->Reached.size(),
-    [this, &projection](vtkIdType i) { this->ProjectOne(this->Reached[i], projection); });
+    [this, &projection](vtkIdType n) { this->ProjectOne(this->Reached[n], projection); });
 }
 
 void vtkNBufferCandidateList::ProjectDeferred(int i)
@@ -276,12 +247,6 @@ void vtkNBufferCandidateList::ProjectDeferred(int i)
   vtkNBufferState& state = this->States[i];
   state.RectangleIsStale = false;
   state.Placement = this->Tree.GetProjection().Project(this->GetBox(i), this->Screens[i]);
-}
-
-void vtkNBufferCandidateList::ProjectAll(const vtkNBufferProjection& projection)
-{
-  vtkNBufferForEachProp::RunEach(this->Candidates.GetSize(),
-    [this, &projection](vtkIdType i) { this->ProjectOne(i, projection); });
 }
 
 void vtkNBufferCandidateList::KeepIfNoneIsInside()

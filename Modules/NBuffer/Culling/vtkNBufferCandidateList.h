@@ -35,12 +35,9 @@ public:
   /// Follow the renderer's list of props. Returns whether it differs from the last one.
   bool Synchronize(vtkProp** props, int count);
 
-  /**
-   * Bring the caches up to date and, if `projection` is not nullptr, do what Project() does. Both
-   * read the same memory, so that for a short list they take little longer together than one of
-   * them alone. Returns the number of props that have changed.
-   */
-  int Refresh(const vtkNBufferProjection* projection);
+  /// Bring the caches up to date. Returns the number of props that have changed. Project() has to
+  /// be called before the next test if any prop has changed.
+  int Refresh();
 
   /**
    * Find the placement of every candidate and translucent prop in the view: outside, crossing, or
@@ -109,19 +106,16 @@ public:
   int Find(vtkProp* prop) const { return this->Candidates.Find(prop); }
 
 private:
-  void ProjectOne(vtkIdType i, const vtkNBufferProjection& projection);
-  void ProjectAll(const vtkNBufferProjection& projection);
-  void ProjectOverTree(const vtkNBufferProjection& projection);
+  void ProjectOne(int i, const vtkNBufferProjection& projection);
   void ProjectDeferred(int i);
-  void ResetPlacement(vtkIdType i);
-  /// Call ProjectOne(), or ResetPlacement() if the tree will find the placement later. Does nothing
-  /// if `projection` is nullptr.
-  void FindPlacement(vtkIdType i, const vtkNBufferProjection* projection);
-  int RefreshStale(const vtkNBufferProjection* projection, bool globalStateChanged);
+  /// Find the props that have to be read again, given whether VTK's settings for all mappers have
+  /// changed. Only compares times.
+  void FindStale(bool globalStateChanged);
+  int RefreshStale(bool globalStateChanged);
   /// Call vtkNBufferCandidate::ReadParts() for the props that have parts.
   void ReadParts();
   /// Find out for each candidate whether another prop uses one of its objects in another way.
-  void FindSharedState(const vtkNBufferProjection* projection);
+  void FindSharedState();
   bool RefreshOne(std::size_t i, bool globalStateChanged);
   /// Observe the next few of the props that have not changed for a while. A turn visits all props.
   void ObserveSome();
@@ -130,7 +124,9 @@ private:
   vtkNBufferPropList<vtkNBufferCandidate> Candidates;
   std::vector<vtkNBufferScreenBox> Screens;
   std::vector<vtkNBufferState> States;
-  std::vector<unsigned char> Stale; ///< For each prop, whether RefreshStale() has to read it.
+  std::vector<int> Polled;                  ///< The places of the props whose times are compared.
+  std::vector<unsigned char> PolledIsStale; ///< For each of these, whether it is in Stale.
+  std::vector<int> Stale; ///< The places of the props that RefreshStale() has to read.
   vtkNBufferCandidateTree Tree;
   vtkNBufferMeshes Meshes;
   std::vector<int> Reached; ///< The places of the props that the tree leaves to ProjectOne().

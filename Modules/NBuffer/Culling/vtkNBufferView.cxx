@@ -61,7 +61,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   {
     this->SetProjection(key);
   }
-  this->Statistics.Refreshed = this->Props.Refresh(moved ? &this->Projection : nullptr);
+  this->Statistics.Refreshed = this->Props.Refresh();
   this->Statistics.RefreshTime = part.Restart();
 
   const auto drawingBefore =
@@ -81,10 +81,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   }
   else
   {
-    if (!moved)
-    {
-      this->Props.Project(this->Projection);
-    }
+    this->Props.Project(this->Projection);
     this->Statistics.Decision = this->Divide();
     this->State = this->Statistics.Decision == vtkNBufferDecision::Culled ? Phase::AwaitingProxy
                                                                           : Phase::Untested;
