@@ -10,7 +10,22 @@ endif ()
 set(VTKNBUFFER_VTK_COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath FiltersGeometry
   RenderingCore RenderingOpenGL2 jsoncpp)
-find_package(VTK 9.1 REQUIRED COMPONENTS ${VTKNBUFFER_VTK_COMPONENTS})
+set(_python_components)
+if (VTKNBUFFER_WRAP_PYTHON)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
+  set(_python_components Python WrappingPythonCore)
+endif ()
+find_package(VTK 9.1 REQUIRED COMPONENTS ${VTKNBUFFER_VTK_COMPONENTS} ${_python_components})
+
+# The Python package that contains this VTK, and the folder of ours for modules compiled for it.
+get_property(VTKNBUFFER_VTK_PACKAGE TARGET VTK::CommonCore
+  PROPERTY INTERFACE_vtk_module_python_package)
+if (VTKNBUFFER_VTK_PACKAGE STREQUAL "cvista")
+  set(VTKNBUFFER_PYTHON_FOLDER "_cvista")
+else ()
+  set(VTKNBUFFER_VTK_PACKAGE "vtkmodules")
+  set(VTKNBUFFER_PYTHON_FOLDER "_vtk")
+endif ()
 
 # What only the examples and tests need.
 set(VTKNBUFFER_EXAMPLE_COMPONENTS

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ModeSettings.h"
 
-#include "Tune.h"
-
 #include "vtkNBufferCuller.h"
 #include "vtkNew.h"
 #include "vtkShadowVolumeClampPass.h"
@@ -16,88 +14,100 @@ namespace NBufferBench
 {
 namespace
 {
-template <typename Object>
-struct Setting
-{
-  const char* Name;
-  void (*Set)(Object*, int);
-  int (*Get)(Object*);
-};
+constexpr char TestSlivers[] = "TestSlivers";
 
-// These two lists are the only place where settings of modes are named.
-// clang-format off
-#define NBUFFER_TUNING(Class, Tuning, Name)                                                        \
-  {                                                                                                \
-    #Name, [](Class* object, int value) { Tune(object, &Tuning::Name, value); },                  \
-      [](Class* object) { return static_cast<int>(object->GetTuning().Name); }                    \
+/// Sets one setting. Returns false if the name is unknown or the value is refused.
+bool SetOne(vtkNBufferTuning& tuning, vtkNBufferCuller* culler, const std::string& name, int value)
+{
+  if (name == TestSlivers)
+  {
+    culler->SetTestSlivers(value);
+    return culler->GetTestSlivers() == value;
   }
-#define NBUFFER_CULLER(Name) NBUFFER_TUNING(vtkNBufferCuller, vtkNBufferTuning, Name)
-constexpr Setting<vtkNBufferCuller> CullerSettings[] = {
-  NBUFFER_CULLER(RoundSize),
-  NBUFFER_CULLER(MaximumNumberOfRounds),
-  NBUFFER_CULLER(MinimumNumberOfCandidates),
-  NBUFFER_CULLER(BaseFactor),
-  NBUFFER_CULLER(HierarchySize),
-  NBUFFER_CULLER(ObserveAfter),
-  NBUFFER_CULLER(TestTriangles),
-  NBUFFER_CULLER(TestPixels),
-  NBUFFER_CULLER(BackOff),
-  NBUFFER_CULLER(ReuseWhenStill),
-  NBUFFER_CULLER(TakeOverFrustumCulling),
-  { "TestSlivers", [](vtkNBufferCuller* culler, int value) { culler->SetTestSlivers(value); },
-    [](vtkNBufferCuller* culler) { return culler->GetTestSlivers(); } },
-};
-constexpr Setting<vtkShadowVolumeClampPass> PassSettings[] = {
-  NBUFFER_TUNING(vtkShadowVolumeClampPass, vtkShadowTuning, BoxCost),
-  NBUFFER_TUNING(vtkShadowVolumeClampPass, vtkShadowTuning, SlabGap),
-};
-// clang-format on
-#undef NBUFFER_CULLER
-#undef NBUFFER_TUNING
+  return tuning.Set(name, value) && tuning.FindFault().empty();
+}
 
-template <typename Object, std::size_t N>
-const Setting<Object>& Find(const Setting<Object> (&settings)[N], const std::string& name)
+bool SetOne(vtkShadowTuning& tuning, vtkShadowVolumeClampPass*, const std::string& name, int value)
 {
-  const Setting<Object>* found = FindNamed(settings, name);
-  if (!found)
+  return tuning.Set(name, value) && tuning.FindFault().empty();
+}
+
+std::vector<std::string> GetNames(vtkNBufferCuller*)
+{
+  std::vector<std::string> names = vtkNBufferTuning::GetNames();
+  names.emplace_back(TestSlivers);
+  return names;
+}
+
+std::vector<std::string> GetNames(vtkShadowVolumeClampPass*)
+{
+  return vtkShadowTuning::GetNames();
+}
+
+int GetOne(vtkNBufferCuller* culler, const std::string& name)
+{
+  return name == TestSlivers ? culler->GetTestSlivers() : culler->GetTuning().Get(name);
+}
+
+int GetOne(vtkShadowVolumeClampPass* pass, const std::string& name)
+{
+  return pass->GetTuning().Get(name);
+}
+
+template <typename Object>
+void CheckName(Object* object, const std::string& name)
+{
+  const std::vector<std::string> names = GetNames(object);
+  if (std::find(names.begin(), names.end(), name) == names.end())
   {
     std::string message = "no setting " + name + "; there are";
-    for (const Setting<Object>& setting : settings)
+    for (const std::string& known : names)
     {
-      message += std::string(" ") + setting.Name;
+      message += " " + known;
     }
     throw std::runtime_error(message);
   }
-  return *found;
 }
 
-template <typename Object, std::size_t N>
-void Apply(const Setting<Object> (&settings)[N], const std::string& mode, Object* object)
+template <typename Object>
+void Apply(const std::string& mode, Object* object)
 {
   std::istringstream words(mode);
   std::string word;
   std::getline(words, word, ':');
+  auto tuning = object->GetTuning();
   while (std::getline(words, word, ':'))
   {
     const std::size_t equals = std::min(word.find('='), word.size());
-    const Setting<Object>& setting = Find(settings, word.substr(0, equals));
+    const std::string name = word.substr(0, equals);
+    CheckName(object, name);
     const char* begin = word.data() + std::min(equals + 1, word.size());
     const char* end = word.data() + word.size();
     int value = 0;
     const std::from_chars_result read = std::from_chars(begin, end, value);
     if (begin == end || read.ec != std::errc() || read.ptr != end)
     {
-      throw std::runtime_error("mode " + mode + ": " + setting.Name +
-        " is to be a whole number, such as " + setting.Name + "=" +
-        std::to_string(setting.Get(object)));
+      throw std::runtime_error("mode " + mode + ": " + name + " is to be a whole number, such as " +
+        name + "=" + std::to_string(GetOne(object, name)));
     }
-    setting.Set(object, value);
-    if (setting.Get(object) != value)
+    if (!SetOne(tuning, object, name, value))
     {
       throw std::runtime_error(
-        "mode " + mode + ": " + setting.Name + " cannot be " + std::to_string(value));
+        "mode " + mode + ": " + name + " cannot be " + std::to_string(value));
     }
   }
+  object->SetTuning(tuning);
+}
+
+template <typename Object>
+Json::Value GetDefaultsOf(Object* object)
+{
+  Json::Value defaults;
+  for (const std::string& name : GetNames(object))
+  {
+    defaults[name] = GetOne(object, name);
+  }
+  return defaults;
 }
 }
 
@@ -116,28 +126,19 @@ void RemoveRepeated(std::vector<std::string>& modes)
 
 void ApplySettings(const std::string& mode, vtkNBufferCuller* culler)
 {
-  Apply(CullerSettings, mode, culler);
+  Apply(mode, culler);
 }
 
 void ApplySettings(const std::string& mode, vtkShadowVolumeClampPass* pass)
 {
-  Apply(PassSettings, mode, pass);
+  Apply(mode, pass);
 }
 
 Json::Value GetDefaults()
 {
   Json::Value defaults;
-  vtkNew<vtkNBufferCuller> culler;
-  for (const Setting<vtkNBufferCuller>& setting : CullerSettings)
-  {
-    defaults["culler"][setting.Name] = setting.Get(culler);
-  }
-  vtkNew<vtkShadowVolumeClampPass> pass;
-  for (const Setting<vtkShadowVolumeClampPass>& setting : PassSettings)
-  {
-    defaults["shadow"][setting.Name] = setting.Get(pass);
-  }
-  defaults["shadow"]["LitmapResolution"] = pass->GetTuning().LitmapResolution;
+  defaults["culler"] = GetDefaultsOf(vtkNew<vtkNBufferCuller>().Get());
+  defaults["shadow"] = GetDefaultsOf(vtkNew<vtkShadowVolumeClampPass>().Get());
   return defaults;
 }
 

@@ -5,7 +5,7 @@
  * @brief Settings in the name of a mode, such as nbuffer:RoundSize=16:BackOff=0.
  *
  * They have the names of members of vtkNBufferTuning and vtkShadowTuning, or TestSlivers, and their
- * values are whole numbers; a switch is 0 or 1. ModeSettings.cxx has the lists.
+ * values are whole numbers; a switch is 0 or 1.
  */
 #ifndef ModeSettings_h
 #define ModeSettings_h

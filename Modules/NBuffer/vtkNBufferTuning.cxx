@@ -2,71 +2,65 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferTuning.h"
 
+#include "vtkNBufferNamedMembers.h"
 #include "vtkNBufferStatistics.h"
 
-#include <tuple>
-
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+constexpr vtkNBufferNamedMember<vtkNBufferTuning> Members[] = {
+  { "BaseFactor", &vtkNBufferTuning::BaseFactor, 1, 8 },
+  { "MinimumNumberOfCandidates", &vtkNBufferTuning::MinimumNumberOfCandidates, 1, VTK_INT_MAX },
+  { "MaximumNumberOfRounds", &vtkNBufferTuning::MaximumNumberOfRounds, 1,
+    vtkNBufferStatistics::MaximumNumberOfRounds },
+  // The number doubles from round to round, at most seven times.
+  { "RoundSize", &vtkNBufferTuning::RoundSize, 1, VTK_INT_MAX / 512 },
+  { "HierarchySize", &vtkNBufferTuning::HierarchySize, 0, VTK_INT_MAX },
+  { "ObserveAfter", &vtkNBufferTuning::ObserveAfter, 0, VTK_INT_MAX },
+  { "TestTriangles", &vtkNBufferTuning::TestTriangles },
+  { "TestPixels", &vtkNBufferTuning::TestPixels },
+  { "AllowFloatTextures", &vtkNBufferTuning::AllowFloatTextures },
+  { "ReuseWhenStill", &vtkNBufferTuning::ReuseWhenStill },
+  { "BackOff", &vtkNBufferTuning::BackOff },
+  { "TakeOverFrustumCulling", &vtkNBufferTuning::TakeOverFrustumCulling },
+};
+}
+
+std::vector<std::string> vtkNBufferTuning::GetNames()
+{
+  return vtkNBufferNamedMembers::GetNames(Members);
+}
+
+int vtkNBufferTuning::Get(const std::string& name) const
+{
+  const vtkNBufferNamedMember<vtkNBufferTuning>* member =
+    vtkNBufferNamedMembers::Find(Members, name);
+  return member ? member->Get(*this) : -1;
+}
+
+bool vtkNBufferTuning::Set(const std::string& name, int value)
+{
+  return vtkNBufferNamedMembers::Set(Members, *this, name, value);
+}
 
 bool vtkNBufferTuning::operator==(const vtkNBufferTuning& other) const
 {
-  const auto tie = [](const vtkNBufferTuning& t)
-  {
-    return std::tie(t.BaseFactor, t.MinimumNumberOfCandidates, t.MaximumNumberOfRounds, t.RoundSize,
-      t.HierarchySize, t.ObserveAfter, t.TestPixels, t.TestTriangles, t.AllowFloatTextures,
-      t.ReuseWhenStill, t.BackOff, t.TakeOverFrustumCulling);
-  };
-  return tie(*this) == tie(other);
+  return vtkNBufferNamedMembers::AreEqual(Members, *this, other);
 }
 
 std::string vtkNBufferTuning::FindFault() const
 {
-  if (this->BaseFactor != 1 && this->BaseFactor != 2 && this->BaseFactor != 4 &&
-    this->BaseFactor != 8)
+  const int factor = this->BaseFactor;
+  if (factor != 1 && factor != 2 && factor != 4 && factor != 8)
   {
-    return "BaseFactor must be 1, 2, 4 or 8, not " + std::to_string(this->BaseFactor);
+    return "BaseFactor must be 1, 2, 4 or 8, not " + std::to_string(factor);
   }
-  struct Range
-  {
-    const char* Name;
-    int Value;
-    int Lowest;
-    int Highest;
-  };
-  const Range ranges[] = {
-    { "MinimumNumberOfCandidates", this->MinimumNumberOfCandidates, 1, VTK_INT_MAX },
-    { "MaximumNumberOfRounds", this->MaximumNumberOfRounds, 1,
-      vtkNBufferStatistics::MaximumNumberOfRounds },
-    // The number doubles from round to round, at most seven times.
-    { "RoundSize", this->RoundSize, 1, VTK_INT_MAX / 512 },
-    { "HierarchySize", this->HierarchySize, 0, VTK_INT_MAX },
-    { "ObserveAfter", this->ObserveAfter, 0, VTK_INT_MAX },
-  };
-  for (const Range& range : ranges)
-  {
-    if (range.Value < range.Lowest || range.Value > range.Highest)
-    {
-      return std::string(range.Name) + " must be " + std::to_string(range.Lowest) + " to " +
-        std::to_string(range.Highest) + ", not " + std::to_string(range.Value);
-    }
-  }
-  return "";
+  return vtkNBufferNamedMembers::FindFault(Members, *this);
 }
 
 void vtkNBufferTuning::PrintSelf(ostream& os, vtkIndent indent) const
 {
-  os << indent << "BaseFactor: " << this->BaseFactor << "\n";
-  os << indent << "MinimumNumberOfCandidates: " << this->MinimumNumberOfCandidates << "\n";
-  os << indent << "MaximumNumberOfRounds: " << this->MaximumNumberOfRounds << "\n";
-  os << indent << "RoundSize: " << this->RoundSize << "\n";
-  os << indent << "HierarchySize: " << this->HierarchySize << "\n";
-  os << indent << "ObserveAfter: " << this->ObserveAfter << "\n";
-  os << indent << "TestPixels: " << this->TestPixels << "\n";
-  os << indent << "TestTriangles: " << this->TestTriangles << "\n";
-  os << indent << "AllowFloatTextures: " << this->AllowFloatTextures << "\n";
-  os << indent << "ReuseWhenStill: " << this->ReuseWhenStill << "\n";
-  os << indent << "BackOff: " << this->BackOff << "\n";
-  os << indent << "TakeOverFrustumCulling: " << this->TakeOverFrustumCulling << "\n";
+  vtkNBufferNamedMembers::Print(Members, *this, os, indent);
 }
 
 VTK_ABI_NAMESPACE_END

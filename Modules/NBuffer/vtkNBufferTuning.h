@@ -22,6 +22,7 @@
 #include "vtkNBufferVTKVersion.h"
 
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -81,6 +82,17 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   /// the renderer's list of cullers, and tests the frustum in its place. A vtkFrustumCoverageCuller
   /// with other settings stays where it is.
   bool TakeOverFrustumCulling = true;
+
+  ///@{
+  /**
+   * Access by the name of a member as in this file, for Python and command lines. A switch is 0 or
+   * 1. If there is no such name, Get() returns -1, and Set() returns false and changes nothing.
+   * Set() also refuses other numbers for a switch; FindFault() reports all other wrong values.
+   */
+  static std::vector<std::string> GetNames();
+  int Get(const std::string& name) const;
+  bool Set(const std::string& name, int value);
+  ///@}
 
   bool operator==(const vtkNBufferTuning& other) const;
 

@@ -19,6 +19,9 @@
 #define VTK_ABI_NAMESPACE_END
 #endif
 
+// VTK's wrappers would make the macros below members of the wrapped module.
+#ifndef __VTK_WRAP__
+
 // The header that declares OpenGL: VTK loads OpenGL with glad since 9.4, with GLEW before.
 // (__has_include would say it more directly, but VTK's header parser does not know it.)
 #if VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 4
@@ -59,4 +62,5 @@
 // VTK's shadow maps work with props that are added later. In 9.1 such a prop ends the program.
 #define VTKNBUFFER_HAS_LASTING_SHADOW_MAPS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 7)
 
+#endif // __VTK_WRAP__
 #endif

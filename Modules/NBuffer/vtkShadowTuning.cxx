@@ -2,44 +2,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowTuning.h"
 
-#include <tuple>
+#include "vtkNBufferNamedMembers.h"
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+constexpr vtkNBufferNamedMember<vtkShadowTuning> Members[] = {
+  { "LitmapResolution", &vtkShadowTuning::LitmapResolution, 1, 4096 },
+  { "SlabGap", &vtkShadowTuning::SlabGap, 1, 64 },
+  { "BoxCost", &vtkShadowTuning::BoxCost, 0, 1000000000 },
+  { "CountFragments", &vtkShadowTuning::CountFragments },
+  { "MeasureDeviceTime", &vtkShadowTuning::MeasureDeviceTime },
+};
+}
+
+std::vector<std::string> vtkShadowTuning::GetNames()
+{
+  return vtkNBufferNamedMembers::GetNames(Members);
+}
+
+int vtkShadowTuning::Get(const std::string& name) const
+{
+  const vtkNBufferNamedMember<vtkShadowTuning>* member =
+    vtkNBufferNamedMembers::Find(Members, name);
+  return member ? member->Get(*this) : -1;
+}
+
+bool vtkShadowTuning::Set(const std::string& name, int value)
+{
+  return vtkNBufferNamedMembers::Set(Members, *this, name, value);
+}
 
 bool vtkShadowTuning::operator==(const vtkShadowTuning& other) const
 {
-  const auto tie = [](const vtkShadowTuning& t)
-  {
-    return std::tie(t.LitmapResolution, t.SlabGap, t.BoxCost, t.CountFragments, t.MeasureDeviceTime,
-      t.LitmapSource);
-  };
-  return tie(*this) == tie(other);
+  return vtkNBufferNamedMembers::AreEqual(Members, *this, other) &&
+    this->LitmapSource == other.LitmapSource;
 }
 
 std::string vtkShadowTuning::FindFault() const
 {
-  if (this->LitmapResolution < 1 || this->LitmapResolution > 4096)
-  {
-    return "LitmapResolution must be 1 to 4096, not " + std::to_string(this->LitmapResolution);
-  }
-  if (this->SlabGap < 1 || this->SlabGap > 64)
-  {
-    return "SlabGap must be 1 to 64, not " + std::to_string(this->SlabGap);
-  }
-  if (this->BoxCost < 0 || this->BoxCost > 1000000000)
-  {
-    return "BoxCost must be 0 to 1e9, not " + std::to_string(this->BoxCost);
-  }
-  return "";
+  return vtkNBufferNamedMembers::FindFault(Members, *this);
 }
 
 void vtkShadowTuning::PrintSelf(ostream& os, vtkIndent indent) const
 {
-  os << indent << "LitmapResolution: " << this->LitmapResolution << "\n";
-  os << indent << "SlabGap: " << this->SlabGap << "\n";
-  os << indent << "BoxCost: " << this->BoxCost << "\n";
-  os << indent << "CountFragments: " << this->CountFragments << "\n";
-  os << indent << "MeasureDeviceTime: " << this->MeasureDeviceTime << "\n";
+  vtkNBufferNamedMembers::Print(Members, *this, os, indent);
   os << indent << "LitmapSource: " << this->LitmapSource.get() << "\n";
 }
 

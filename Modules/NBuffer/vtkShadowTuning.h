@@ -24,6 +24,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkShadowLitmapSource;
@@ -60,6 +61,17 @@ struct VTKNBUFFER_EXPORT vtkShadowTuning
   /// An experiment's own way to fill litmaps (Shadows/Litmap/vtkShadowLitmapSource.h). With nullptr
   /// the pass scatters the depth of the receivers into them.
   std::shared_ptr<vtkShadowLitmapSource> LitmapSource;
+
+  ///@{
+  /**
+   * Access by the name of a member as in this file, for Python and command lines, except for
+   * LitmapSource. A switch is 0 or 1. If there is no such name, Get() returns -1, and Set() returns false and changes nothing.
+   * Set() also refuses other numbers for a switch; FindFault() reports all other wrong values.
+   */
+  static std::vector<std::string> GetNames();
+  int Get(const std::string& name) const;
+  bool Set(const std::string& name, int value);
+  ///@}
 
   bool operator==(const vtkShadowTuning& other) const;
 

@@ -460,7 +460,7 @@ TEST(CullerBasics, TuningsOutOfRangeAreRefused)
   CheckRange(pass.Get(), &vtkShadowTuning::CountFragments, &vtkShadowTuning::SlabGap, "SlabGap",
     "1 to 64", { 1, 4, 64 }, { 0, -1, 65, most, least });
   CheckRange(pass.Get(), &vtkShadowTuning::CountFragments, &vtkShadowTuning::BoxCost, "BoxCost",
-    "0 to 1e9", { 0, 256, 1000000000 }, { -1, 1000000001, most, least });
+    "0 to 1000000000", { 0, 256, 1000000000 }, { -1, 1000000001, most, least });
 }
 
 // Hazard: the reason for a back-end is that of another one, which the application has set before.

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferNamedMembers.h
+ * @brief The numbers of a struct by name: what vtkNBufferTuning and vtkShadowTuning do with all of
+ * their constants.
+ *
+ * Each of the two has one array of vtkNBufferNamedMember. Comparing, checking ranges, printing, and
+ * access by name from Python and from command lines follow from it.
+ */
+#ifndef vtkNBufferNamedMembers_h
+#define vtkNBufferNamedMembers_h
+
+#include "vtkIndent.h"
+#include "vtkNBufferVTKVersion.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/// A member of a struct that is a number with a range, or a switch.
+template <typename Struct>
+struct vtkNBufferNamedMember
+{
+  const char* Name;
+  int Struct::*Number = nullptr;
+  int Lowest = 0;
+  int Highest = 1;
+  bool Struct::*Switch = nullptr; ///< Set instead of Number.
+
+  constexpr vtkNBufferNamedMember(const char* name, int Struct::*number, int lowest, int highest)
+    : Name(name)
+    , Number(number)
+    , Lowest(lowest)
+    , Highest(highest)
+  {
+  }
+  constexpr vtkNBufferNamedMember(const char* name, bool Struct::*member)
+    : Name(name)
+    , Switch(member)
+  {
+  }
+
+  int Get(const Struct& object) const
+  {
+    return this->Number ? object.*this->Number : static_cast<int>(object.*this->Switch);
+  }
+};
+
+namespace vtkNBufferNamedMembers
+{
+/// Return the member of a name, or nullptr if there is none.
+template <typename Struct, std::size_t N>
+const vtkNBufferNamedMember<Struct>* Find(
+  const vtkNBufferNamedMember<Struct> (&members)[N], const std::string& name)
+{
+  const auto found = std::find_if(std::begin(members), std::end(members),
+    [&name](const vtkNBufferNamedMember<Struct>& member) { return name == member.Name; });
+  return found == std::end(members) ? nullptr : found;
+}
+
+/// Return all names.
+template <typename Struct, std::size_t N>
+std::vector<std::string> GetNames(const vtkNBufferNamedMember<Struct> (&members)[N])
+{
+  std::vector<std::string> names;
+  std::transform(std::begin(members), std::end(members), std::back_inserter(names),
+    [](const vtkNBufferNamedMember<Struct>& member) { return member.Name; });
+  return names;
+}
+
+/// Set the member of a name, whatever its range. Return false if there is no such name, or if a
+/// switch gets a number that is neither 0 nor 1.
+template <typename Struct, std::size_t N>
+bool Set(const vtkNBufferNamedMember<Struct> (&members)[N], Struct& object, const std::string& name,
+  int value)
+{
+  const vtkNBufferNamedMember<Struct>* member = Find(members, name);
+  if (!member || (member->Switch && value != 0 && value != 1))
+  {
+    return false;
+  }
+  if (member->Switch)
+  {
+    object.*member->Switch = value == 1;
+  }
+  else
+  {
+    object.*member->Number = value;
+  }
+  return true;
+}
+
+/// Return whether all members of two structs are equal.
+template <typename Struct, std::size_t N>
+bool AreEqual(
+  const vtkNBufferNamedMember<Struct> (&members)[N], const Struct& one, const Struct& other)
+{
+  return std::all_of(std::begin(members), std::end(members),
+    [&](const vtkNBufferNamedMember<Struct>& member)
+    { return member.Get(one) == member.Get(other); });
+}
+
+/// Return a sentence about the first number that is out of its range, or an empty string.
+template <typename Struct, std::size_t N>
+std::string FindFault(const vtkNBufferNamedMember<Struct> (&members)[N], const Struct& object)
+{
+  for (const vtkNBufferNamedMember<Struct>& member : members)
+  {
+    const int value = member.Get(object);
+    if (value < member.Lowest || value > member.Highest)
+    {
+      return std::string(member.Name) + " must be " + std::to_string(member.Lowest) + " to " +
+        std::to_string(member.Highest) + ", not " + std::to_string(value);
+    }
+  }
+  return "";
+}
+
+/// Print a line for each member.
+template <typename Struct, std::size_t N>
+void Print(const vtkNBufferNamedMember<Struct> (&members)[N], const Struct& object, ostream& os,
+  vtkIndent indent)
+{
+  for (const vtkNBufferNamedMember<Struct>& member : members)
+  {
+    os << indent << member.Name << ": " << member.Get(object) << "\n";
+  }
+}
+}
+
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkNBufferNamedMembers.h
