@@ -87,19 +87,22 @@ def walls_and_roof(outline, height):
     return points, np.concatenate((walls.ravel(), [n], i + n))
 
 
-def walk(streets, frames, step=2.0, eye=1.7):
-    """Return the eye points and focal points of a walk along the longest street of the centre."""
-    def length(line):
-        return np.linalg.norm(np.diff(line, axis=0), axis=1).sum()
+def walk(buildings, streets, frames, step=1.0, eye=1.7):
+    """Return the eye points and the focal points of a walk along a street with many houses."""
+    middles = np.array([outline.mean(axis=0) for outline, _ in buildings])
 
-    line = max((s for s in streets if np.linalg.norm(s.mean(axis=0)) < 1000), key=length)
-    corners = np.concatenate(([0], np.linalg.norm(np.diff(line, axis=0), axis=1).cumsum()))
-    places = np.minimum(np.arange(frames + 10) * step, corners[-1])
-    path = np.column_stack([np.interp(places, corners, line[:, k]) for k in (0, 1)]
-                           + [np.full(len(places), eye)])
-    ahead = np.diff(path[::10], axis=0)[-1] if len(path) < 20 else None
-    eyes = path[:frames]
-    focal = path[10:frames + 10] if ahead is None else eyes + ahead
-    still = np.linalg.norm(focal - eyes, axis=1) < 0.1
-    focal[still] = eyes[still] + (1.0, 0.0, 0.0)
-    return eyes, focal
+    def corners_of(line):
+        return np.concatenate(([0], np.linalg.norm(np.diff(line, axis=0), axis=1).cumsum()))
+
+    def houses(line):
+        return (np.linalg.norm(middles - line[len(line) // 2], axis=1) < 150).sum()
+
+    line = max((line for line in streets if corners_of(line)[-1] > 150), key=houses)
+    corners = corners_of(line)
+    ahead = 10.0
+    places = np.linspace(0, min(frames * step, corners[-1] - ahead), frames)
+
+    def at(place):
+        return np.column_stack([np.interp(place, corners, line[:, k]) for k in (0, 1)]
+                               + [np.full(frames, eye)])
+    return at(places), at(places + ahead)

@@ -89,7 +89,7 @@ def run(frames, size, report=print):
     buildings, streets = city.read()
     report(f"making {len(buildings)} actors ...")
     window, renderer = make_window(buildings, size)
-    eyes, focal_points = city.walk(streets, frames)
+    eyes, focal_points = city.walk(buildings, streets, frames)
     camera = renderer.GetActiveCamera()
     camera.SetViewUp(0, 0, 1)
     actors = renderer.GetActors()

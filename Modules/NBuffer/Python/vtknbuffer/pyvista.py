@@ -125,7 +125,7 @@ class NBuffer:
             copy = core.vtkActor()
             copy.SetMapper(mapper)
             copy.SetUserMatrix(actor.GetMatrix())
-            copy.GetProperty().SetColor(colors[word in ("Hidden", "Outside")])
+            copy.GetProperty().SetColor(colors[word in ("Hidden", "Outside", "Unknown")])
             second.add_actor(copy, reset_camera=False, render=False)
         width, height = renderer.GetSize()
         second.add_mesh(self._plotter.camera.view_frustum(width / max(height, 1)),

@@ -1,0 +1,235 @@
+# SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The package with plain VTK."""
+
+import inspect
+import itertools
+import json
+import re
+
+import pytest
+
+import vtknbuffer
+from conftest import (differing, image, look, make_window, renderers_of, rendering, run_python,
+                      vtk)
+
+
+@pytest.mark.parametrize("renderers", [1, 3])
+def test_image_is_the_same_to_the_byte(renderers):
+    stock, ours = make_window(renderers), make_window(renderers)
+    culler = vtknbuffer.enable(ours)
+    for i in range(12):
+        look(stock, i)
+        look(ours, i)
+        assert differing(image(stock), image(ours)) == 0
+        for renderer in renderers_of(ours):
+            assert vtknbuffer.statistics(culler, renderer)["verdicts"]["Hidden"] > 100
+
+
+def test_one_renderer_alone(window):
+    renderer = renderers_of(window)[0]
+    culler = vtknbuffer.enable(renderer)
+    look(window, 0)
+    assert culler.GetDecision() == "Culled"
+    assert culler.GetNumberOfHiddenProps() > 100
+
+
+def test_enabling_twice_adds_one_culler(window):
+    renderer = renderers_of(window)[0]
+    before = renderer.GetCullers().GetNumberOfItems()
+    culler = vtknbuffer.enable(window)
+    assert vtknbuffer.enable(window) is culler
+    assert vtknbuffer.enable(renderer, round_size=8) is culler
+    assert renderer.GetCullers().GetNumberOfItems() == before + 1
+    assert culler.GetTuning().Get("RoundSize") == 8
+    vtknbuffer.disable(window)
+    vtknbuffer.disable(window)
+    assert vtknbuffer.find_culler(renderer) is None
+    assert renderer.GetCullers().GetNumberOfItems() == before
+
+
+def test_statistics_are_those_of_json(window):
+    culler = vtknbuffer.enable(window)
+    look(window, 0)
+    look(window, 1)
+    counts = vtknbuffer.statistics(culler)
+    assert counts == json.loads(culler.GetStatisticsAsJSON())
+    assert counts["props"] == 576
+    assert counts["props"] == sum(counts["verdicts"].values())
+    assert counts["drawn"] == culler.GetNumberOfPropsDrawn()
+    shadows = vtknbuffer.vtkShadowVolumeClampPass()
+    assert vtknbuffer.statistics(shadows)["decision"] == "None"
+    with pytest.raises(TypeError):
+        vtknbuffer.statistics(window)
+    with pytest.raises(TypeError):
+        vtknbuffer.statistics(shadows, renderers_of(window)[0])
+
+
+def test_verdicts(window):
+    renderer = renderers_of(window)[0]
+    culler = vtknbuffer.enable(window)
+    actors = renderer.GetActors()
+    assert vtknbuffer.verdict(culler, actors.GetItemAsObject(0)) == "Unknown"
+    look(window, 0)
+    front, back = (actors.GetItemAsObject(i) for i in (60, 575 - 60))
+    assert vtknbuffer.verdict(culler, front) == "Visible"
+    assert vtknbuffer.verdict(culler, back) == "Hidden"
+    assert culler.GetVerdict(back) == vtknbuffer.vtkNBufferVerdict.Hidden
+
+
+@pytest.mark.parametrize("target", [vtknbuffer.vtkNBufferCuller(),
+                                    vtknbuffer.vtkShadowVolumeClampPass()],
+                         ids=lambda target: target.GetClassName())
+def test_settings_are_set_by_the_names_that_are_listed(target):
+    settings = vtknbuffer.get_settings(target)
+    assert len(settings) >= 6
+    vtknbuffer.configure(target, **settings)
+    assert vtknbuffer.get_settings(target) == settings
+
+
+@pytest.mark.parametrize("settings, error, text", [
+    ({"round_sise": 1}, TypeError, "no setting round_sise; there are enabled"),
+    ({"round_size": 0}, ValueError, "RoundSize must be 1 to"),
+    ({"base_factor": 3}, ValueError, "BaseFactor must be 1, 2, 4 or 8, not 3"),
+    ({"round_size": 1.5}, ValueError, "whole number"),
+    ({"back_off": 2}, ValueError, "0 or 1"),
+    ({"backend": "gpu"}, ValueError, "one of auto, opengl, cpu"),
+    ({"test_slivers": 3}, ValueError, "one of never, on_software, always"),
+])
+def test_wrong_settings_are_refused_and_change_nothing(settings, error, text):
+    culler = vtknbuffer.vtkNBufferCuller()
+    before = vtknbuffer.get_settings(culler)
+    with pytest.raises(error, match=re.escape(text)):
+        vtknbuffer.configure(culler, freeze=True, hierarchy_size=7, **settings)
+    assert vtknbuffer.get_settings(culler) == before
+
+
+@pytest.mark.parametrize("target", [None, 1, "renderer"])
+def test_only_renderers_and_windows_are_enabled(target):
+    with pytest.raises(TypeError, match="a vtkRenderer or a vtkRenderWindow is needed"):
+        vtknbuffer.enable(target)
+
+
+def test_wrong_settings_add_no_culler(window):
+    with pytest.raises(TypeError):
+        vtknbuffer.enable(window, speed=11)
+    assert vtknbuffer.find_culler(renderers_of(window)[0]) is None
+
+
+def test_culler_is_a_culler_of_the_vtk_in_use():
+    assert isinstance(vtknbuffer.vtkNBufferCuller(), rendering.vtkCuller)
+    assert isinstance(vtknbuffer.vtkShadowVolumeClampPass(),
+                      vtk("vtkRenderingOpenGL2").vtkOpenGLRenderPass)
+
+
+def test_documentation_and_names():
+    assert "to the bit" in vtknbuffer.vtkNBufferCuller.__doc__
+    assert "nullptr" in vtknbuffer.vtkNBufferCuller.GetVerdict.__doc__
+    assert [name for name in dir(vtknbuffer._module) if name.isupper()] == []
+    for name in vtknbuffer.__all__:
+        assert hasattr(vtknbuffer, name)
+        assert name.startswith("vtk") or inspect.getdoc(getattr(vtknbuffer, name))
+
+
+def test_mask_of_a_light(window):
+    renderer = renderers_of(window)[0]
+    light = rendering.vtkLight()
+    light.SetLightTypeToSceneLight()
+    light.SetPosition(30, 40, 60)
+    renderer.AddLight(light)
+    shadows = vtknbuffer.vtkShadowVolumeClampPass()
+    renderer.SetPass(shadows)
+    vtknbuffer.enable(window)
+    look(window, 0)
+    width, height = reference(), reference()
+    mask = shadows.GetMask(light, width, height)
+    assert (width.get(), height.get()) == window.GetSize()
+    assert len(mask) == width.get() * height.get()
+    assert 0 < sum(1 for value in mask if value) < len(mask)
+    assert vtknbuffer.statistics(shadows)["lights"] == 1
+
+
+def reference():
+    """A number that C++ can change."""
+    return vtk("vtkCommonCore").reference(0)
+
+
+@pytest.mark.parametrize("picker", ["vtkPropPicker", "vtkCellPicker", "vtkPointPicker",
+                                    "vtkAreaPicker"])
+def test_pickers_find_the_same(picker):
+    found = []
+    for enabled in (False, True):
+        window = make_window(shared=False)
+        renderer = renderers_of(window)[0]
+        if enabled:
+            vtknbuffer.enable(window)
+        for i in range(3):
+            look(window, i)
+        pick = getattr(rendering, picker)()
+        if picker == "vtkAreaPicker":
+            pick.AreaPick(20, 20, 180, 140, renderer)
+            props = pick.GetProp3Ds()
+        else:
+            pick.Pick(100, 80, 0, renderer)
+            props = pick.GetProp3Ds() if hasattr(pick, "GetProp3Ds") else [pick.GetViewProp()]
+        found.append(sorted(prop.GetPosition() for prop in props if prop))
+    assert found[0] == found[1]
+    assert found[0]
+
+
+def test_hardware_selection_finds_hidden_props_too():
+    found = []
+    for enabled in (False, True):
+        window = make_window()
+        renderer = renderers_of(window)[0]
+        if enabled:
+            vtknbuffer.enable(window)
+        for i in range(3):
+            look(window, i)
+        selector = rendering.vtkHardwareSelector()
+        selector.SetRenderer(renderer)
+        selector.SetArea(0, 0, 199, 159)
+        selection = selector.Select()
+        prop = vtk("vtkCommonDataModel").vtkSelectionNode.PROP()
+        found.append(sorted(selection.GetNode(i).GetProperties().Get(prop).GetPosition()
+                            for i in range(selection.GetNumberOfNodes())))
+    assert found[0] == found[1]
+    assert len(found[0]) > 50
+
+
+# Hazard: a crash when the interpreter ends, or when one object outlives another.
+@pytest.mark.parametrize("order", list(itertools.permutations(("culler", "renderer", "window"))),
+                         ids="-".join)
+def test_objects_are_dropped_in_every_order(order):
+    code = f"""
+import sys
+sys.path.insert(0, {str(__file__.rsplit('/', 1)[0])!r})
+from conftest import make_window, renderers_of, look
+import vtknbuffer
+window = make_window()
+renderer = renderers_of(window)[0]
+culler = vtknbuffer.enable(window)
+look(window, 0)
+look(window, 1)
+objects = dict(culler=culler, renderer=renderer, window=window)
+del culler, renderer, window
+for name in {order!r}:
+    del objects[name]
+print("ended")
+"""
+    assert run_python(code).strip() == "ended"
+
+
+def test_nothing_is_dropped_at_all():
+    code = f"""
+import sys
+sys.path.insert(0, {str(__file__.rsplit('/', 1)[0])!r})
+from conftest import make_window, look
+import vtknbuffer
+window = make_window()
+culler = vtknbuffer.enable(window)
+shadows = vtknbuffer.vtkShadowVolumeClampPass()
+look(window, 0)
+print("ended")
+"""
+    assert run_python(code).strip() == "ended"
