@@ -14,6 +14,8 @@ void ViewOptions::AddTo(CLI::App& command, const std::string& program)
 {
   this->Program = program;
   command.add_option("--scene", this->SceneNames, this->SceneHelp)->capture_default_str();
+  command.add_flag("--split", this->SplitRegions,
+    "A prop for each connected region of a file that holds one mesh; default: one prop");
   command.add_option("--path", this->Path,
     "street, rooftop, drone, cuts, aside (few of the props in view) or orbit, or a path that the "
     "scene has of its own; default: street in a city, orbit elsewhere");
@@ -52,6 +54,7 @@ NBufferExamples::Scene ViewOptions::LoadScene() const
   options.Program = this->Program;
   options.Seed = this->Seed;
   options.Progress = ShowProgress;
+  options.SplitRegions = this->SplitRegions;
   NBufferExamples::Scene scene = NBufferExamples::LoadScene(this->SceneNames, options);
   scene.Tile(this->Props);
   return scene;
@@ -59,10 +62,7 @@ NBufferExamples::Scene ViewOptions::LoadScene() const
 
 std::string ViewOptions::GetPathName(const NBufferExamples::Scene& scene) const
 {
-  return !this->Path.empty() ? this->Path
-    : scene.Plan             ? "street"
-    : !scene.Paths.empty()   ? scene.Paths.front().first
-                             : "orbit";
+  return !this->Path.empty() ? this->Path : NBufferExamples::GetUsualPath(scene);
 }
 
 NBufferExamples::CameraPath ViewOptions::MakePath(

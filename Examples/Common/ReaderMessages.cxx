@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReaderMessages.h"
+
+#include "vtkLogger.h"
+#include "vtkObjectFactory.h"
+
+#include <regex>
+
+namespace NBufferExamples
+{
+namespace
+{
+/// Keeps the first error and drops everything else.
+class ErrorKeeper : public vtkOutputWindow
+{
+public:
+  static ErrorKeeper* New();
+  vtkTypeMacro(ErrorKeeper, vtkOutputWindow);
+  void DisplayText(const char*) override {}
+  void DisplayErrorText(const char* text) override
+  {
+    if (this->First.empty() && text)
+    {
+      this->First = text;
+    }
+  }
+  void DisplayWarningText(const char*) override {}
+  void DisplayGenericWarningText(const char*) override {}
+  void DisplayDebugText(const char*) override {}
+
+  std::string First;
+};
+vtkStandardNewMacro(ErrorKeeper);
+}
+
+ReaderMessages::ReaderMessages()
+  : Previous(vtkOutputWindow::GetInstance())
+  , Collector(vtkSmartPointer<ErrorKeeper>::New())
+  , Verbosity(vtkLogger::GetCurrentVerbosityCutoff())
+{
+  vtkOutputWindow::SetInstance(this->Collector);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+}
+
+ReaderMessages::~ReaderMessages()
+{
+  vtkOutputWindow::SetInstance(this->Previous);
+  vtkLogger::SetStderrVerbosity(vtkLogger::ConvertToVerbosity(this->Verbosity));
+}
+
+std::string ReaderMessages::GetFirstError() const
+{
+  std::string text = static_cast<ErrorKeeper*>(this->Collector.GetPointer())->First.substr(0, 400);
+  // "ERROR: In vtkFoo.cxx, line 12\nvtkFoo (0x1234): what has happened\n\n"
+  text = std::regex_replace(text, std::regex("^ERROR: In [^\n]*\n"), "");
+  text = std::regex_replace(text, std::regex("^\\w+ \\((0x)?[0-9a-fA-F]+\\): *"), "");
+  text = std::regex_replace(text, std::regex("\\s+"), " ");
+  text = std::regex_replace(text, std::regex("^ | ?[.]? $"), "");
+  return text;
+}
+
+} // namespace NBufferExamples
