@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileFormats.h"
 
+#include "MeshParts.h"
 #include "Parts.h"
 
 #include "vtkPolyData.h"
@@ -12,6 +13,9 @@ namespace NBufferExamples
 {
 namespace
 {
+/// More regions than this are no parts that somebody made: such a mesh stays whole.
+constexpr int MaximumNumberOfRegions = 100000;
+
 std::vector<FileFormat> MakeFormats()
 {
   std::vector<FileFormat> formats = { { ".city", "city of Scripts/make-city.py", {} },
@@ -90,6 +94,27 @@ void AddNamedPart(Scene& scene, vtkActor* actor, const std::string& name)
 {
   scene.Actors.emplace_back(actor);
   scene.PartNames.push_back(name);
+}
+
+void AddMesh(Scene& scene, vtkPolyData* mesh, const ReadOptions& options)
+{
+  int regions = 1;
+  std::vector<int> numbers;
+  if (options.SplitRegions)
+  {
+    numbers = FindRegions(mesh, regions);
+  }
+  if (regions < 2 || regions > MaximumNumberOfRegions)
+  {
+    AddNamedPart(scene, mesh, options.Title);
+    return;
+  }
+  int number = 0;
+  for (vtkPolyData* part : SplitMesh(mesh, numbers, regions))
+  {
+    AddNamedPart(scene, part,
+      options.Title + ", region " + std::to_string(++number) + " of " + std::to_string(regions));
+  }
 }
 
 } // namespace NBufferExamples

@@ -64,6 +64,10 @@ void AddNamedPart(Scene& scene, vtkPolyData* mesh, const std::string& name);
 void AddNamedPart(Scene& scene, vtkActor* actor, const std::string& name);
 ///@}
 
+/// Adds the one mesh of a file: as a part for each of its connected regions if the options say so,
+/// else as one part.
+void AddMesh(Scene& scene, vtkPolyData* mesh, const ReadOptions& options);
+
 ///@{
 /// The lists of single libraries, from which GetFileFormats() is put together.
 std::vector<FileFormat> GetDataFormats();   ///< VTK's readers of data.

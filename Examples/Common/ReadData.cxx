@@ -5,9 +5,7 @@
  * @brief Files of data: meshes, grids, and trees of them, read by VTK.
  */
 #include "FileFormats.h"
-#include "MeshParts.h"
 
-#include "vtkAlgorithm.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
@@ -15,12 +13,17 @@
 #include "vtkGenericDataObjectReader.h"
 #include "vtkGeometryFilter.h"
 #include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPLYReader.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
 #include "vtkSTLReader.h"
 #include "vtkStringArray.h"
 #include "vtkXMLGenericDataObjectReader.h"
+#include "vtkXMLMultiBlockDataReader.h"
+#include "vtkXMLPartitionedDataSetCollectionReader.h"
 
 #ifdef NBUFFER_HAS_CITYGML
 #include "vtkCityGMLReader.h"
@@ -35,9 +38,6 @@ namespace NBufferExamples
 {
 namespace
 {
-/// More regions than this are no parts that somebody made: such a mesh stays whole.
-constexpr int MaximumNumberOfRegions = 100000;
-
 vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataObject* data)
 {
   vtkSmartPointer<vtkPolyData> surface = vtkPolyData::SafeDownCast(data);
@@ -51,63 +51,69 @@ vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataObject* data)
   return surface;
 }
 
-void AddMesh(vtkPolyData* mesh, const ReadOptions& options, Scene& scene)
+/// Returns the name of a child of a tree, or that of the tree with a number.
+std::string GetName(vtkInformation* about, const std::string& tree, unsigned int number)
 {
-  int regions = 1;
-  std::vector<int> numbers;
-  if (options.SplitRegions)
-  {
-    numbers = FindRegions(mesh, regions);
-  }
-  if (regions < 2 || regions > MaximumNumberOfRegions)
-  {
-    AddNamedPart(scene, mesh, options.Title);
-    return;
-  }
-  int number = 0;
-  for (vtkPolyData* part : SplitMesh(mesh, numbers, regions))
-  {
-    AddNamedPart(scene, part,
-      options.Title + ", region " + std::to_string(++number) + " of " + std::to_string(regions));
-  }
+  const char* name = about ? about->Get(vtkCompositeDataSet::NAME()) : nullptr;
+  return name && *name ? name : tree + ", block " + std::to_string(number);
 }
 
-/// Returns the name of a leaf of a tree: that in the tree, its name in CityGML, or a number.
-std::string GetLeafName(vtkCompositeDataIterator* leaf, const ReadOptions& options)
+/// Returns the name of an object of CityGML, or the name that it has in the tree.
+std::string GetCityName(vtkDataObject* data, const std::string& usual)
 {
-  vtkInformation* about = leaf->HasCurrentMetaData() ? leaf->GetCurrentMetaData() : nullptr;
-  const char* name = about ? about->Get(vtkCompositeDataSet::NAME()) : nullptr;
-  if (name && *name)
+  vtkFieldData* fields = data->GetFieldData();
+  auto* ids = fields ? vtkStringArray::SafeDownCast(fields->GetAbstractArray("gml_id")) : nullptr;
+  return ids && ids->GetNumberOfValues() > 0 ? std::string(ids->GetValue(0)) : usual;
+}
+
+/// Adds the leaves of a tree, each under the name of the nearest node above it that has one.
+void AddTree(vtkDataObject* node, const std::string& usual, Scene& scene)
+{
+  if (!node)
   {
-    return name;
+    return;
   }
-  vtkFieldData* fields = leaf->GetCurrentDataObject()->GetFieldData();
-  const auto* ids =
-    fields ? vtkStringArray::SafeDownCast(fields->GetAbstractArray("gml_id")) : nullptr;
-  if (ids && ids->GetNumberOfValues() > 0)
+  const std::string name = GetCityName(node, usual);
+  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(node))
   {
-    return const_cast<vtkStringArray*>(ids)->GetValue(0);
+    for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+    {
+      AddTree(blocks->GetBlock(i),
+        GetName(blocks->HasMetaData(i) ? blocks->GetMetaData(i) : nullptr, name, i), scene);
+    }
   }
-  return options.Title + ", block " + std::to_string(leaf->GetCurrentFlatIndex());
+  else if (auto* sets = vtkPartitionedDataSetCollection::SafeDownCast(node))
+  {
+    for (unsigned int i = 0; i < sets->GetNumberOfPartitionedDataSets(); ++i)
+    {
+      AddTree(sets->GetPartitionedDataSet(i),
+        GetName(sets->HasMetaData(i) ? sets->GetMetaData(i) : nullptr, name, i), scene);
+    }
+  }
+  else if (auto* tree = vtkCompositeDataSet::SafeDownCast(node))
+  {
+    // Pieces of one thing, or a tree without names.
+    const auto leaf = vtk::TakeSmartPointer(tree->NewIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      AddTree(leaf->GetCurrentDataObject(), name, scene);
+    }
+  }
+  else if (vtkDataSet::SafeDownCast(node))
+  {
+    AddNamedPart(scene, MakeSurface(node), name);
+  }
 }
 
 void AddData(vtkDataObject* data, const ReadOptions& options, Scene& scene)
 {
-  if (auto* tree = vtkCompositeDataSet::SafeDownCast(data))
+  if (vtkDataSet::SafeDownCast(data))
   {
-    const auto leaf = vtk::TakeSmartPointer(tree->NewIterator());
-    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
-    {
-      if (vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject()))
-      {
-        AddNamedPart(
-          scene, MakeSurface(leaf->GetCurrentDataObject()), GetLeafName(leaf, options));
-      }
-    }
+    AddMesh(scene, MakeSurface(data), options);
   }
-  else if (vtkDataSet::SafeDownCast(data))
+  else
   {
-    AddMesh(MakeSurface(data), options, scene);
+    AddTree(data, options.Title, scene);
   }
 }
 
@@ -133,11 +139,9 @@ std::vector<FileFormat> GetDataFormats()
     formats.push_back({ ending, isImage ? "VTK's XML, the faces of the box" : "VTK's XML",
       Read<vtkXMLGenericDataObjectReader>, z, true });
   }
-  for (const char* ending : { ".vtm", ".vtpc" })
-  {
-    formats.push_back({ ending, "VTK's XML, a part for each block",
-      Read<vtkXMLGenericDataObjectReader>, z, false });
-  }
+  const char* kind = "VTK's XML, a part for each block";
+  formats.push_back({ ".vtm", kind, Read<vtkXMLMultiBlockDataReader>, z, false });
+  formats.push_back({ ".vtpc", kind, Read<vtkXMLPartitionedDataSetCollectionReader>, z, false });
 #ifdef NBUFFER_HAS_HDF
   formats.push_back({ ".vtkhdf", "VTK's HDF", Read<vtkHDFReader>, z, true });
 #endif

@@ -12,6 +12,7 @@
 #include "vtkActorCollection.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataAssembly.h"
 #include "vtkGLTFImporter.h"
 #include "vtkNew.h"
 #include "vtkOBJImporter.h"
@@ -21,22 +22,74 @@
 #include "vtkRenderer.h"
 #include "vtkVRMLImporter.h"
 
+#include <fstream>
 #include <map>
 
 namespace NBufferExamples
 {
 namespace
 {
+using Names = std::map<std::size_t, std::string>; ///< By the place of the actor.
+
+/// Returns the names that the file has for its parts. Importers of old versions of VTK have no
+/// hierarchy, and so no names; the other function is chosen for them.
+template <class Importer>
+auto GetNames(Importer* importer, int)
+  -> decltype(static_cast<void>(importer->GetSceneHierarchy()), Names())
+{
+  Names names;
+  vtkDataAssembly* tree = importer->GetSceneHierarchy();
+  if (!tree)
+  {
+    return names;
+  }
+  for (int node : tree->GetChildNodes(vtkDataAssembly::GetRootNode(), true))
+  {
+    int actor = -1;
+    if (tree->GetAttribute(node, "flat_actor_id", actor) && actor >= 0)
+    {
+      const char* usual = tree->GetAttributeOrDefault(node, "parent_node_name", tree->GetNodeName(node));
+      names[static_cast<std::size_t>(actor)] = tree->GetAttributeOrDefault(node, "label", usual);
+    }
+  }
+  return names;
+}
+template <class Importer>
+Names GetNames(Importer*, long)
+{
+  return Names();
+}
+
 template <class Importer>
 void Import(const std::string& path, const ReadOptions& options, Scene& scene)
 {
   vtkNew<Importer> importer;
   importer->SetFileName(path.c_str());
-  for (vtkActor* actor : ImportActors(importer))
+  const std::vector<vtkSmartPointer<vtkActor>> actors = ImportActors(importer);
+  Names names = GetNames(importer.Get(), 0);
+  for (std::size_t i = 0; i < actors.size(); ++i)
   {
+    const std::string& name = names[i];
     AddNamedPart(
-      scene, actor, options.Title + ", part " + std::to_string(scene.Actors.size() + 1));
+      scene, actors[i], name.empty() ? options.Title + ", part " + std::to_string(i + 1) : name);
   }
+}
+
+/// Returns the names of the groups of an .obj file: the rest of each line that begins with g.
+std::vector<std::string> ReadGroupNames(const std::string& path)
+{
+  std::vector<std::string> names;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);)
+  {
+    if (line.compare(0, 2, "g ") == 0)
+    {
+      line.erase(0, line.find_first_not_of(' ', 1));
+      line.erase(line.find_last_not_of(" \r\t") + 1);
+      names.push_back(line);
+    }
+  }
+  return names;
 }
 
 void ReadObj(const std::string& path, const ReadOptions& options, Scene& scene)
@@ -76,10 +129,14 @@ void ReadObj(const std::string& path, const ReadOptions& options, Scene& scene)
     return;
   }
   const auto count = static_cast<int>(parts.size());
-  for (vtkPolyData* part : SplitMesh(data, numbers, count))
+  const std::vector<vtkSmartPointer<vtkPolyData>> meshes = SplitMesh(data, numbers, count);
+  const std::vector<std::string> names = ReadGroupNames(path);
+  for (const auto& [group, part] : parts)
   {
-    AddNamedPart(
-      scene, part, options.Title + ", group " + std::to_string(scene.Actors.size() + 1));
+    const bool isNamed = group >= 0 && group < static_cast<int>(names.size());
+    AddNamedPart(scene, meshes[static_cast<std::size_t>(part)],
+      isNamed ? names[static_cast<std::size_t>(group)]
+              : options.Title + ", group " + std::to_string(group));
   }
 }
 }

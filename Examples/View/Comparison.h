@@ -28,8 +28,8 @@ public:
   bool IsCulling() const { return this->On; }
   ///@}
 
-  /// Draws the present view with and without the culler, by turns, two frames each, and stores the
-  /// medians of the second ones.
+  /// Draws the present view with and without the culler, by turns, a few frames each, and stores
+  /// the medians of the last ones.
   void Measure(int turns);
 
   ///@{

@@ -5,6 +5,8 @@
 #include "vtkProp3D.h"
 #include "vtkRenderWindowInteractor.h"
 
+#include <iostream>
+
 namespace NBufferView
 {
 namespace
@@ -66,6 +68,7 @@ bool HoverName::Wait(vtkObject*, unsigned long, void* timer)
   const std::string name = this->Find(place[0], place[1]);
   if (!name.empty())
   {
+    std::cout << "under the pointer: " << name << std::endl;
     this->Text.SetLabel(name, place[0], place[1]);
     this->IsShown = true;
     this->Pointer->Render();

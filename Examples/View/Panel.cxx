@@ -41,6 +41,7 @@ Panel::Panel(View& view)
     SetUp(text, view.GetOverlay());
   }
   this->Lines->SetPosition(Margin, Margin);
+  this->List->GetTextProperty()->SetFontFamilyToCourier(); // It has columns.
   this->List->GetTextProperty()->SetVerticalJustificationToTop();
   this->List->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   this->List->SetPosition(0.01, 0.985);

@@ -78,7 +78,8 @@ Viewer::Viewer(const NBufferExamples::Scene& scene, std::array<int, 2> size, boo
   }
   this->Interactor->SetInteractorStyle(this->Orbit);
   this->Where.GetOverlay()->AddObserver(vtkCommand::StartEvent, this, &Viewer::WriteText);
-  std::cout << scene.Actors.size() << " parts; the key h shows the keys" << std::endl;
+  std::cout << scene.Actors.size() << (scene.Actors.size() == 1 ? " part" : " parts")
+            << "; the key h shows the keys" << std::endl;
   // First everything is uploaded and compiled, and the culler finds out what is worth drawing first.
   for (int i = 0; i < WarmUp; ++i)
   {
