@@ -5,8 +5,6 @@
 #include "vtkVersion.h"
 
 #include <algorithm>
-#include <fstream>
-#include <stdexcept>
 
 namespace NBufferBench
 {
@@ -86,14 +84,6 @@ void ViewOptions::Describe(
   report["size"] = session.GetSize();
   report["samples"] = session.GetWindow()->GetMultiSamples();
   report["seed"] = static_cast<Json::UInt64>(this->Seed);
-}
-
-void CheckWritable(const std::string& fileName)
-{
-  if (!fileName.empty() && !std::ofstream(fileName, std::ios::app))
-  {
-    throw std::runtime_error("cannot write " + fileName);
-  }
 }
 
 } // namespace NBufferBench

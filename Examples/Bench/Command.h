@@ -70,9 +70,7 @@ struct ViewOptions
   void Describe(const NBufferExamples::Scene& scene, Session& session, Json::Value& report) const;
 };
 
-/// Throws std::runtime_error, at the beginning of a long run, if the file cannot be written. An
-/// empty name passes.
-void CheckWritable(const std::string& fileName);
+using NBufferExamples::CheckWritable;
 
 ///@{
 /// Add the subcommands. If a subcommand is given, parsing sets `run` to the function that does it

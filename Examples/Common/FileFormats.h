@@ -43,6 +43,9 @@ struct FileFormat
   int UpAxis = 2; ///< The axis that points up in such files: 0, 1 or 2 for x, y or z.
   /// Whether several files of this kind make one scene.
   bool IsPart = false;
+  /// Whether such a file names others, such as pictures, so that an error need not mean that
+  /// something is wrong with the file itself. Otherwise files with errors are refused.
+  bool NamesFiles = false;
 };
 
 /// Returns all formats, sorted by their endings.

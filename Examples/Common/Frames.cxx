@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <regex>
 #include <stdexcept>
 
@@ -64,6 +65,14 @@ long long CountDifferingBytes(vtkUnsignedCharArray* a, vtkUnsignedCharArray* b)
     differing += a->GetValue(i) != b->GetValue(i);
   }
   return differing;
+}
+
+void CheckWritable(const std::string& fileName)
+{
+  if (!fileName.empty() && !std::ofstream(fileName, std::ios::app))
+  {
+    throw std::runtime_error("cannot write " + fileName);
+  }
 }
 
 void WritePNG(vtkImageData* image, const std::string& fileName)

@@ -30,6 +30,10 @@ vtkSmartPointer<vtkImageData> MakeColorImage(vtkRenderWindow* window, vtkUnsigne
 /// Returns how many bytes of two frames differ: all of them if the frames differ in size.
 long long CountDifferingBytes(vtkUnsignedCharArray* a, vtkUnsignedCharArray* b);
 
+/// Throws std::runtime_error, at the beginning of a long run, if the file cannot be written. An
+/// empty name passes.
+void CheckWritable(const std::string& fileName);
+
 /// Throws std::runtime_error if the file cannot be written.
 void WritePNG(vtkImageData* image, const std::string& fileName);
 

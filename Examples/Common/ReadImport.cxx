@@ -167,12 +167,12 @@ std::vector<FileFormat> GetImportFormats()
 {
   constexpr int y = 1;
   constexpr int z = 2;
-  return { { ".obj", "Wavefront OBJ, a part for each group or material", ReadObj, z },
+  return { { ".obj", "Wavefront OBJ, a part for each group or material", ReadObj, z, false, true },
     { ".wrl", "VRML 2.0", Import<vtkVRMLImporter>, y },
     { ".vrml", "VRML 2.0", Import<vtkVRMLImporter>, y },
     { ".3ds", "3D Studio", Import<vtk3DSImporter>, z },
-    { ".glb", "glTF 2.0", Import<vtkGLTFImporter>, y },
-    { ".gltf", "glTF 2.0", Import<vtkGLTFImporter>, y } };
+    { ".glb", "glTF 2.0", Import<vtkGLTFImporter>, y, false, true },
+    { ".gltf", "glTF 2.0", Import<vtkGLTFImporter>, y, false, true } };
 }
 
 } // namespace NBufferExamples

@@ -5,6 +5,7 @@
 #include "vtkLogger.h"
 #include "vtkObjectFactory.h"
 
+#include <iostream>
 #include <regex>
 
 namespace NBufferExamples
@@ -38,6 +39,7 @@ ReaderMessages::ReaderMessages()
   : Previous(vtkOutputWindow::GetInstance())
   , Collector(vtkSmartPointer<ErrorKeeper>::New())
   , Verbosity(vtkLogger::GetCurrentVerbosityCutoff())
+  , PreviousErrors(std::cerr.rdbuf(Errors.rdbuf()))
 {
   vtkOutputWindow::SetInstance(this->Collector);
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
@@ -45,19 +47,28 @@ ReaderMessages::ReaderMessages()
 
 ReaderMessages::~ReaderMessages()
 {
+  std::cerr.rdbuf(this->PreviousErrors);
   vtkOutputWindow::SetInstance(this->Previous);
   vtkLogger::SetStderrVerbosity(vtkLogger::ConvertToVerbosity(this->Verbosity));
 }
 
 std::string ReaderMessages::GetFirstError() const
 {
-  std::string text = static_cast<ErrorKeeper*>(this->Collector.GetPointer())->First.substr(0, 400);
+  constexpr std::size_t moderate = 160;
+  std::string text = static_cast<ErrorKeeper*>(this->Collector.GetPointer())->First;
+  if (text.empty() && this->Errors.str().find("rror") != std::string::npos)
+  {
+    text = this->Errors.str();
+  }
+  text = text.substr(0, 4 * moderate);
   // "ERROR: In vtkFoo.cxx, line 12\nvtkFoo (0x1234): what has happened\n\n"
-  text = std::regex_replace(text, std::regex("^ERROR: In [^\n]*\n"), "");
-  text = std::regex_replace(text, std::regex("^\\w+ \\((0x)?[0-9a-fA-F]+\\): *"), "");
+  for (const char* part : { "^ERROR: In [^\n]*\n", "^(\\w+ )?\\((0x)?[0-9a-fA-F]+\\): *", "^\\(nullptr\\): *" })
+  {
+    text = std::regex_replace(text, std::regex(part), "");
+  }
   text = std::regex_replace(text, std::regex("\\s+"), " ");
   text = std::regex_replace(text, std::regex("^ | ?[.]? $"), "");
-  return text;
+  return text.size() > moderate ? text.substr(0, moderate) + "..." : text;
 }
 
 } // namespace NBufferExamples

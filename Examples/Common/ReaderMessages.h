@@ -10,12 +10,13 @@
 #include "vtkOutputWindow.h"
 #include "vtkSmartPointer.h"
 
+#include <sstream>
 #include <string>
 
 namespace NBufferExamples
 {
 
-/// Collects all messages of VTK while it lives.
+/// Collects all messages of VTK, and what is written to std::cerr, while it lives.
 class ReaderMessages
 {
 public:
@@ -24,14 +25,16 @@ public:
   ReaderMessages(const ReaderMessages&) = delete;
   void operator=(const ReaderMessages&) = delete;
 
-  /// Returns the first error on one line, without the place in VTK's sources and the name of the
-  /// class that reports it; an empty text if there was no error.
+  /// Returns the first error on one line of moderate length, without the place in VTK's sources and
+  /// the name of the class that reports it; an empty text if there was no error.
   std::string GetFirstError() const;
 
 private:
   vtkSmartPointer<vtkOutputWindow> Previous;
   vtkSmartPointer<vtkOutputWindow> Collector;
-  int Verbosity; ///< What VTK's logger wrote to stderr before.
+  int Verbosity;             ///< What VTK's logger wrote to stderr before.
+  std::ostringstream Errors; ///< The parser of VRML writes there.
+  std::streambuf* PreviousErrors;
 };
 
 } // namespace NBufferExamples

@@ -82,6 +82,11 @@ bool IsEmpty(const std::string& name)
 
 const FileFormat& FindFormat(const std::string& name)
 {
+  std::error_code ignored;
+  if (fs::is_directory(name, ignored))
+  {
+    throw std::runtime_error(name + " is a folder, and there is no .kicad_pcb in it");
+  }
   const std::string ending = GetEnding(name);
   const FileFormat* format = FindFileFormat(ending);
   if (format && !format->Read)
@@ -127,9 +132,13 @@ void ReadFile(const std::string& name, const FileFormat& format, bool splitRegio
     throw std::runtime_error(name + ": nothing to draw was read" +
       (error.empty() ? ", the file has no geometry" : "; " + error));
   }
+  if (!error.empty() && !format.NamesFiles)
+  {
+    throw std::runtime_error(name + " is damaged, or was cut short; " + error);
+  }
   if (!error.empty())
   {
-    progress(name + " was read, but perhaps not all of it; " + error);
+    progress(name + " was read, but perhaps not all that belongs to it; " + error);
   }
 }
 }
@@ -146,7 +155,10 @@ Scene ImportFiles(
       throw std::runtime_error(
         name + " is a scene by itself; only files of these endings go together: " + ListPartEndings(" "));
     }
-    progress("reading " + name);
+    if (&name != &names.front())
+    {
+      progress("reading " + name); // LoadScene() has reported the first one.
+    }
     ReadFile(name, format, splitRegions, progress, scene);
     scene.UpAxis = format.UpAxis;
     scene.Name += (scene.Name.empty() ? "" : " ") + fs::path(name).filename().string();

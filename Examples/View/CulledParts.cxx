@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CulledParts.h"
 
+#include "vtkCommand.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPolyDataMapper.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HoverName.h"
 
+#include "vtkCommand.h"
 #include "vtkProp3D.h"
 #include "vtkRenderWindowInteractor.h"
 

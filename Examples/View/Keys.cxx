@@ -88,7 +88,7 @@ void Keys::PlayKey(const std::string& name)
 {
   if (!this->Find(name))
   {
-    throw std::runtime_error("there is no key " + name + "; the keys are\n" + this->Describe());
+    throw std::runtime_error("there is no key " + name + "; --help lists the keys");
   }
   const char code = name.size() == 1 ? name[0] : '\0';
   this->Source->SetKeyEventInformation(0, 0, code, 1, name.c_str());

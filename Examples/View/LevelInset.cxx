@@ -5,6 +5,7 @@
 #include "LevelPicture.h"
 
 #include "vtkCamera.h"
+#include "vtkCommand.h"
 #include "vtkNBufferLevels.h"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include "Frames.h"
 
 #include "vtkCamera.h"
+#include "vtkCommand.h"
 #include "vtkMath.h"
 
 #include <chrono>
@@ -88,22 +89,28 @@ void View::GoHome()
   const std::string path = NBufferExamples::GetUsualPath(this->Parts);
   const NBufferExamples::CameraPath poses = NBufferExamples::MakePath(this->Parts, path, 8, 1);
   // The second pose of an orbit looks at the scene from a corner.
-  NBufferExamples::ApplyPose(
-    poses[path == "orbit" ? 1 : 0], this->Bounds, this->SceneRenderer);
+  const bool isOrbit = path == "orbit";
+  NBufferExamples::ApplyPose(poses[isOrbit ? 1 : 0], this->Bounds, this->SceneRenderer);
+  if (!isOrbit)
+  {
+    // Who stands in the scene orbits around what is some way ahead.
+    this->SceneRenderer->GetActiveCamera()->SetDistance(60.0 * this->GetStep());
+  }
 }
 
-void View::Walk(double steps)
+void View::Walk(double ahead, double up)
 {
   vtkCamera* camera = this->SceneRenderer->GetActiveCamera();
-  const int up = this->Parts.UpAxis;
-  glm::dvec3 ahead = glm::make_vec3(camera->GetDirectionOfProjection());
-  ahead[up] = 0.0;
-  if (glm::length(ahead) < 1e-6) // The camera looks straight up or down.
+  const int axis = this->Parts.UpAxis;
+  glm::dvec3 heading = glm::make_vec3(camera->GetDirectionOfProjection());
+  heading[axis] = 0.0;
+  if (glm::length(heading) < 1e-6) // The camera looks straight up or down.
   {
-    ahead = glm::make_vec3(camera->GetViewUp());
-    ahead[up] = 0.0;
+    heading = glm::make_vec3(camera->GetViewUp());
+    heading[axis] = 0.0;
   }
-  const glm::dvec3 way = steps * this->GetStep() * glm::normalize(ahead);
+  glm::dvec3 way = ahead * this->GetStep() * glm::normalize(heading);
+  way[axis] = up * this->GetStep();
   const glm::dvec3 eye = glm::make_vec3(camera->GetPosition()) + way;
   const glm::dvec3 target = glm::make_vec3(camera->GetFocalPoint()) + way;
   camera->SetPosition(glm::value_ptr(eye));

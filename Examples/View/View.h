@@ -42,8 +42,8 @@ public:
   /// Moves the camera to the first pose of the path that suits the scene best.
   void GoHome();
 
-  /// Moves the camera level with the ground, by a number of steps ahead.
-  void Walk(double steps);
+  /// Moves the camera by a number of steps: ahead, level with the ground, and up.
+  void Walk(double ahead, double up);
   /// Returns the length of a step: half a metre in a city, elsewhere a two-hundredth of the diagonal
   /// of the scene.
   double GetStep() const;

@@ -4,6 +4,7 @@
 
 #include "Frames.h"
 
+#include "vtkCommand.h"
 #include "vtkGenericRenderWindowInteractor.h"
 #include "vtkPropCollection.h"
 
@@ -108,17 +109,20 @@ void Viewer::AddKeys(Keys& keys, Viewer* viewer)
     [viewer]() { viewer->UseStyle(viewer->Orbit, "orbit"); });
   add("w", "walk: left button goes to where the pointer is, right one goes back",
     [viewer]() { viewer->UseStyle(viewer->Flight, "walk"); });
-  const auto move = [viewer](double steps, double degrees)
+  const auto move = [viewer](double ahead, double up, double turn)
   {
-    viewer->Where.Walk(steps);
-    viewer->Where.Turn(degrees);
+    viewer->Where.Walk(ahead, up);
+    viewer->Where.Turn(turn);
     viewer->Draw();
   };
-  const char* moves = "a step level with the ground, or a turn";
-  add("Up", moves, [move]() { move(1.0, 0.0); });
-  add("Down", moves, [move]() { move(-1.0, 0.0); });
-  add("Left", moves, [move]() { move(0.0, TurnStep); });
-  add("Right", moves, [move]() { move(0.0, -TurnStep); });
+  const char* moves = "steps level with the ground, and turns";
+  add("Up", moves, [move]() { move(1.0, 0.0, 0.0); });
+  add("Down", moves, [move]() { move(-1.0, 0.0, 0.0); });
+  add("Left", moves, [move]() { move(0.0, 0.0, TurnStep); });
+  add("Right", moves, [move]() { move(0.0, 0.0, -TurnStep); });
+  const char* heights = "steps up and down: the keys Page Up and Page Down";
+  add("Prior", heights, [move]() { move(0.0, 2.0, 0.0); });
+  add("Next", heights, [move]() { move(0.0, -2.0, 0.0); });
   add("r", "back to where the camera was at first",
     [viewer]()
     {
@@ -287,8 +291,8 @@ void Viewer::WriteText()
   }
   vtkNBufferCuller* culler = this->Culling.GetCuller();
   const vtkNBufferStatistics& counts = culler->GetStatistics(this->Where.GetScene());
-  std::string text = DescribeTimes(this->Culling) +
-    Format("; this frame %.1f ms\n", this->Where.GetLastTime());
+  std::string text = DescribeTimes(this->Culling) + "\n" +
+    Format("this frame %.1f ms, ", this->Where.GetLastTime());
   if (this->Culling.IsCulling())
   {
     text += "culler on: " + std::to_string(counts.GetNumberOfPropsDrawn()) + " of " +
@@ -302,13 +306,19 @@ void Viewer::WriteText()
       " of " + std::to_string(this->Where.GetScene()->GetViewProps()->GetNumberOfItems()) +
       " parts drawn";
   }
-  const auto addState = [&text](bool is, const std::string& state) { text += is ? ", " + state : ""; };
+  std::string states;
+  const auto addState = [&states](bool is, const std::string& state)
+  { states += is ? (states.empty() ? "" : ", ") + state : ""; };
   addState(culler->GetFreeze(), "frozen");
-  addState(this->Red.IsShown(), std::to_string(this->Red.GetCount()) + " in red");
+  addState(this->Red.IsShown(), std::to_string(this->Red.GetCount()) + " culled parts in red");
   addState(this->Shadows.IsShown(), "shadows at " + this->Shadows.GetTime());
   const std::string level = this->Levels.Describe();
-  text += level.empty() ? "" : "\n" + level;
-  text += this->Message.empty() || this->Message == level ? "" : "\n" + this->Message;
+  addState(!level.empty(), level);
+  text += states.empty() ? "" : "\n" + states;
+  // Not twice, and not times that have changed since.
+  const bool isNews = states.find(this->Message) == std::string::npos &&
+    this->Message.find(" a frame") == std::string::npos;
+  text += isNews ? "\n" + this->Message : "";
   this->Text.SetLines(text);
 }
 

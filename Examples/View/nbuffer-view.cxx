@@ -5,6 +5,7 @@
  * @brief `nbuffer-view FILE...`: a file of the user's own in a window, with and without the culler.
  */
 #include "FileFormats.h"
+#include "Frames.h"
 #include "LoadScene.h"
 #include "Viewer.h"
 
@@ -79,6 +80,7 @@ std::string MakeFooter()
 
 int Show(const Options& options, const char* program)
 {
+  NBufferExamples::CheckWritable(options.Picture);
   NBufferExamples::SceneOptions sceneOptions;
   sceneOptions.Program = program;
   sceneOptions.SplitRegions = !options.Whole;
