@@ -51,11 +51,13 @@ vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataObject* data)
   return surface;
 }
 
-/// Returns the name of a child of a tree, or that of the tree with a number.
-std::string GetName(vtkInformation* about, const std::string& tree, unsigned int number)
+/// Returns the name of a child of a tree, or that of the tree, with a number if it has several.
+template <class Tree>
+std::string GetName(Tree* tree, unsigned int number, unsigned int count, const std::string& above)
 {
+  vtkInformation* about = tree->HasMetaData(number) ? tree->GetMetaData(number) : nullptr;
   const char* name = about ? about->Get(vtkCompositeDataSet::NAME()) : nullptr;
-  return name && *name ? name : tree + ", block " + std::to_string(number);
+  return name && *name ? name : count > 1 ? above + ", block " + std::to_string(number) : above;
 }
 
 /// Returns the name of an object of CityGML, or the name that it has in the tree.
@@ -76,18 +78,18 @@ void AddTree(vtkDataObject* node, const std::string& usual, Scene& scene)
   const std::string name = GetCityName(node, usual);
   if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(node))
   {
-    for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+    const unsigned int count = blocks->GetNumberOfBlocks();
+    for (unsigned int i = 0; i < count; ++i)
     {
-      AddTree(blocks->GetBlock(i),
-        GetName(blocks->HasMetaData(i) ? blocks->GetMetaData(i) : nullptr, name, i), scene);
+      AddTree(blocks->GetBlock(i), GetName(blocks, i, count, name), scene);
     }
   }
   else if (auto* sets = vtkPartitionedDataSetCollection::SafeDownCast(node))
   {
-    for (unsigned int i = 0; i < sets->GetNumberOfPartitionedDataSets(); ++i)
+    const unsigned int count = sets->GetNumberOfPartitionedDataSets();
+    for (unsigned int i = 0; i < count; ++i)
     {
-      AddTree(sets->GetPartitionedDataSet(i),
-        GetName(sets->HasMetaData(i) ? sets->GetMetaData(i) : nullptr, name, i), scene);
+      AddTree(sets->GetPartitionedDataSet(i), GetName(sets, i, count, name), scene);
     }
   }
   else if (auto* tree = vtkCompositeDataSet::SafeDownCast(node))
@@ -125,6 +127,21 @@ void Read(const std::string& path, const ReadOptions& options, Scene& scene)
   reader->Update();
   AddData(reader->GetOutputDataObject(0), options, scene);
 }
+
+#ifdef NBUFFER_HAS_CITYGML
+/// Reads the finest level of detail in which something can be drawn: the reader reads one at a time.
+void ReadCity(const std::string& path, const ReadOptions& options, Scene& scene)
+{
+  vtkNew<vtkCityGMLReader> reader;
+  reader->SetFileName(path.c_str());
+  for (int level = 4; level >= 0 && scene.Actors.empty(); --level)
+  {
+    reader->SetLOD(level);
+    reader->Update();
+    AddData(reader->GetOutputDataObject(0), options, scene);
+  }
+}
+#endif
 }
 
 std::vector<FileFormat> GetDataFormats()
@@ -148,7 +165,7 @@ std::vector<FileFormat> GetDataFormats()
 #ifdef NBUFFER_HAS_CITYGML
   for (const char* ending : { ".gml", ".citygml" })
   {
-    formats.push_back({ ending, "CityGML", Read<vtkCityGMLReader>, z, false });
+    formats.push_back({ ending, "CityGML, its finest level of detail", ReadCity, z, false });
   }
 #endif
   return formats;

@@ -267,7 +267,7 @@ void Viewer::SwitchHelp()
 void Viewer::Quit()
 {
   this->IsOver = true;
-  this->Interactor->TerminateApp();
+  this->Interactor->SetDone(true);
 }
 
 void Viewer::Say(const std::string& message)

@@ -1,13 +1,13 @@
-#!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes one small scene in many formats: a wall, and a block of 4 x 4 x 4 boxes behind it.
 
 From the first view of nbuffer-view parts of it hide others. Each writer takes the boxes, as (lower
-corner, upper corner), and returns the bytes of a file, or writes into a folder.
+corner, upper corner), and returns the contents of a file; vtm() writes several files.
 """
 
 import base64
+import gzip
 import io
 import json
 import struct
@@ -225,7 +225,7 @@ def tds(parts):
 
 
 def gml(parts):
-    """CityGML: a building of level 1 for each part."""
+    """CityGML: a building of level 2 for each part, all of its surfaces in one wall."""
     text = ('<?xml version="1.0" encoding="UTF-8"?>\n<CityModel '
             'xmlns="http://www.opengis.net/citygml/2.0" '
             'xmlns:bldg="http://www.opengis.net/citygml/building/2.0" '
@@ -238,10 +238,10 @@ def gml(parts):
             members += ("<gml:surfaceMember><gml:Polygon><gml:exterior><gml:LinearRing>"
                         f'<gml:posList srsDimension="3">{ring}</gml:posList></gml:LinearRing>'
                         "</gml:exterior></gml:Polygon></gml:surfaceMember>")
-        text += (f'<cityObjectMember><bldg:Building gml:id="house{number}"><bldg:lod1Solid>'
-                 "<gml:Solid><gml:exterior><gml:CompositeSurface>"
-                 f"{members}</gml:CompositeSurface></gml:exterior></gml:Solid></bldg:lod1Solid>"
-                 "</bldg:Building></cityObjectMember>\n")
+        text += (f'<cityObjectMember><bldg:Building gml:id="house{number}"><bldg:boundedBy>'
+                 f'<bldg:WallSurface gml:id="wall{number}"><bldg:lod2MultiSurface>'
+                 f"<gml:MultiSurface>{members}</gml:MultiSurface></bldg:lod2MultiSurface>"
+                 "</bldg:WallSurface></bldg:boundedBy></bldg:Building></cityObjectMember>\n")
     return text + "</CityModel>\n"
 
 
@@ -368,7 +368,8 @@ def write_all(folder):
         file.write_bytes(contents if isinstance(contents, bytes) else contents.encode())
         expected[file] = count
     (folder / "binary.stl").write_bytes(binary_stl(parts))
-    expected[folder / "binary.stl"] = 65
+    (folder / "packed.ply.gz").write_bytes(gzip.compress(ply(parts).encode()))
+    expected[folder / "binary.stl"] = expected[folder / "packed.ply.gz"] = 65
     vtm(folder, parts)
     expected[folder / "boxes.vtm"] = expected[folder / "boxes.vtpc"] = 65
     return expected
