@@ -10,6 +10,7 @@
 #ifndef FileFormats_h
 #define FileFormats_h
 
+#include "ReaderMessages.h"
 #include "Scene.h"
 
 #include <functional>
@@ -28,12 +29,14 @@ struct ReadOptions
   std::string Title;
   /// Whether a file that holds one mesh becomes an actor for each connected region of the mesh.
   bool SplitRegions = false;
+  /// What the readers of VTK report.
+  const ReaderMessages& Messages;
 };
 
 struct FileFormat
 {
-  /// Adds the parts of a file to a scene; throws std::runtime_error if the file is not what its
-  /// ending says. Errors of VTK are left to ReaderMessages.
+  /// Adds the parts of a file to a scene; throws std::runtime_error if the file is damaged or is
+  /// not what its ending says. Errors that VTK reports may also be left to the caller.
   using Reader = std::function<void(const std::string& path, const ReadOptions&, Scene&)>;
 
   std::string Ending; ///< In lower case, with the dot.

@@ -5,6 +5,8 @@
  * @brief Files of data: meshes, grids, and trees of them, read by VTK.
  */
 #include "FileFormats.h"
+#include "LegacyCheck.h"
+#include "PlyCheck.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -125,7 +127,20 @@ void Read(const std::string& path, const ReadOptions& options, Scene& scene)
   vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
+  options.Messages.Check();
   AddData(reader->GetOutputDataObject(0), options, scene);
+}
+
+void ReadPly(const std::string& path, const ReadOptions& options, Scene& scene)
+{
+  CheckPly(path);
+  Read<vtkPLYReader>(path, options, scene);
+}
+
+void ReadLegacy(const std::string& path, const ReadOptions& options, Scene& scene)
+{
+  CheckLegacy(path);
+  Read<vtkGenericDataObjectReader>(path, options, scene);
 }
 
 #ifdef NBUFFER_HAS_CITYGML
@@ -148,8 +163,8 @@ std::vector<FileFormat> GetDataFormats()
 {
   constexpr int z = 2;
   std::vector<FileFormat> formats = { { ".stl", "STL", Read<vtkSTLReader>, z, true },
-    { ".ply", "PLY", Read<vtkPLYReader>, z, true },
-    { ".vtk", "VTK's legacy format", Read<vtkGenericDataObjectReader>, z, true } };
+    { ".ply", "PLY", ReadPly, z, true },
+    { ".vtk", "VTK's legacy format", ReadLegacy, z, true } };
   for (const char* ending : { ".vtp", ".vtu", ".vts", ".vtr", ".vti" })
   {
     const bool isImage = std::string(ending) == ".vti";

@@ -7,12 +7,13 @@
 
 #include <iostream>
 #include <regex>
+#include <stdexcept>
 
 namespace NBufferExamples
 {
 namespace
 {
-/// Keeps the first error and drops everything else.
+/// Keeps the first error, or warning about an error, and drops everything else.
 class ErrorKeeper : public vtkOutputWindow
 {
 public:
@@ -26,8 +27,14 @@ public:
       this->First = text;
     }
   }
-  void DisplayWarningText(const char*) override {}
-  void DisplayGenericWarningText(const char*) override {}
+  void DisplayWarningText(const char* text) override
+  {
+    if (text && std::string(text).find("Error") != std::string::npos)
+    {
+      this->DisplayErrorText(text);
+    }
+  }
+  void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }
   void DisplayDebugText(const char*) override {}
 
   std::string First;
@@ -62,13 +69,22 @@ std::string ReaderMessages::GetFirstError() const
   }
   text = text.substr(0, 4 * moderate);
   // "ERROR: In vtkFoo.cxx, line 12\nvtkFoo (0x1234): what has happened\n\n"
-  for (const char* part : { "^ERROR: In [^\n]*\n", "^(\\w+ )?\\((0x)?[0-9a-fA-F]+\\): *", "^\\(nullptr\\): *" })
+  for (const char* part : { "^[A-Za-z ]+: In [^\n]*\n", "^(\\w+ )?\\((0x)?[0-9a-fA-F]+\\): *", "^\\(nullptr\\): *" })
   {
     text = std::regex_replace(text, std::regex(part), "");
   }
   text = std::regex_replace(text, std::regex("\\s+"), " ");
   text = std::regex_replace(text, std::regex("^ | ?[.]? $"), "");
   return text.size() > moderate ? text.substr(0, moderate) + "..." : text;
+}
+
+void ReaderMessages::Check() const
+{
+  const std::string error = this->GetFirstError();
+  if (!error.empty())
+  {
+    throw std::runtime_error("VTK says: " + error);
+  }
 }
 
 } // namespace NBufferExamples

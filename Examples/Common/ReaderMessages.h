@@ -29,6 +29,10 @@ public:
   /// the name of the class that reports it; an empty text if there was no error.
   std::string GetFirstError() const;
 
+  /// Throws std::runtime_error with the first error, if there was one. To be called before damaged
+  /// data are used for anything.
+  void Check() const;
+
 private:
   vtkSmartPointer<vtkOutputWindow> Previous;
   vtkSmartPointer<vtkOutputWindow> Collector;

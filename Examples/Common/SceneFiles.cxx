@@ -113,32 +113,29 @@ void ReadFile(const std::string& name, const FileFormat& format, bool splitRegio
   }
   const std::size_t before = scene.Actors.size();
   std::string error;
+  try
   {
     const ReaderMessages messages;
-    try
+    const std::string title = fs::path(name).filename().string();
+    format.Read(file.GetPath(), { title, splitRegions, messages }, scene);
+    error = messages.GetFirstError();
+    if (scene.Actors.size() == before || !format.NamesFiles)
     {
-      const std::string title = fs::path(name).filename().string();
-      format.Read(file.GetPath(), { title, splitRegions }, scene);
-      error = messages.GetFirstError();
-      error = error.empty() ? error : "VTK says: " + error;
+      messages.Check();
     }
-    catch (const std::exception& exception)
-    {
-      throw std::runtime_error(name + ": nothing to draw was read; " + exception.what());
-    }
+  }
+  catch (const std::exception& exception)
+  {
+    throw std::runtime_error(
+      name + " is damaged, was cut short, or is not what its ending says; " + exception.what());
   }
   if (scene.Actors.size() == before)
   {
-    throw std::runtime_error(name + ": nothing to draw was read" +
-      (error.empty() ? ", the file has no geometry" : "; " + error));
-  }
-  if (!error.empty() && !format.NamesFiles)
-  {
-    throw std::runtime_error(name + " is damaged, or was cut short; " + error);
+    throw std::runtime_error(name + ": nothing to draw was read, the file has no geometry");
   }
   if (!error.empty())
   {
-    progress(name + " was read, but perhaps not all that belongs to it; " + error);
+    progress(name + " was read, but perhaps not all that belongs to it; VTK says: " + error);
   }
 }
 }

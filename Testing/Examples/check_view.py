@@ -144,7 +144,7 @@ def test_errors():
             ("what", "what", "has no ending; known are"),
             ("points.obj", "v 0 0 0\nv 1 0 0\n", "the file has no geometry"),
             ("none.vtp", view_files.vtp([]), "the file has no geometry"),
-            ("what.glb", "what", "nothing to draw was read"),
+            ("what.glb", "what", "is damaged, was cut short, or is not what its ending says"),
             ("cut.bsp", "IBSP.", "damaged map")):
         (OUT / name).write_text(contents)
         refuse(OUT / name, cause)
@@ -152,14 +152,15 @@ def test_errors():
         refuse(OUT / name, f"{name}")
     (OUT / "folder").mkdir()
     refuse(OUT / "folder", "folder is a folder, and there is no .kicad_pcb in it")
-    # Cut short: VTK's readers of these notice that, and the others at least do not crash.
+    # Cut short: that is noticed in most formats, and in the others nothing crashes. VTK 9.1 does not
+    # notice it in .stl.
     for file in whole:
         data = file.read_bytes()
         for percent in (40, 90):
             cut = OUT / f"cut{file.suffix}"
             cut.write_bytes(data[:len(data) * percent // 100])
-            if file.suffix not in (".obj", ".ply", ".gml", ".citygml"):
-                refuse(cut, cut.name)
+            if file.suffix not in (".obj", ".gml", ".citygml", *([".stl"] if IS_X else [])):
+                refuse(cut, f"{cut.name} is damaged, was cut short")
                 continue
             done = subprocess.run(
                 [PROGRAM, cut, "--offscreen", OUT / "picture.png", "--size", "240x180"],

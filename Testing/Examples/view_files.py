@@ -86,6 +86,13 @@ def ply(parts):
             f"{words(points)}\n{words((4, *face) for face in faces)}\n")
 
 
+def binary_ply(parts):
+    points, faces = mesh(parts)
+    header = ply(parts).split("end_header\n", maxsplit=1)[0].replace("ascii", "binary_big_endian")
+    return (header.encode() + b"end_header\n" + b"".join(struct.pack(">3f", *p) for p in points) +
+            b"".join(struct.pack(">B4i", 4, *face) for face in faces))
+
+
 def off(parts):
     points, faces = mesh(parts)
     return (f"OFF\n{len(points)} {len(faces)} 0\n{words(points)}\n"
@@ -97,6 +104,19 @@ def vtk(parts):
     return ("# vtk DataFile Version 3.0\nboxes\nASCII\nDATASET POLYDATA\n"
             f"POINTS {len(points)} float\n{words(points)}\n"
             f"POLYGONS {len(faces)} {5 * len(faces)}\n{words((4, *face) for face in faces)}\n")
+
+
+def new_vtk(parts):
+    """Version 5.1, binary."""
+    points, faces = mesh(parts)
+    numbers = [i for face in faces for i in face]
+    data = b"# vtk DataFile Version 5.1\nboxes\nBINARY\nDATASET POLYDATA\n"
+    data += f"POINTS {len(points)} float\n".encode()
+    data += b"".join(struct.pack(">3f", *point) for point in points)
+    data += f"\nPOLYGONS {len(faces) + 1} {len(numbers)}\nOFFSETS vtktypeint64\n".encode()
+    data += struct.pack(f">{len(faces) + 1}q", *range(0, len(numbers) + 1, 4))
+    data += b"\nCONNECTIVITY vtktypeint64\n" + struct.pack(f">{len(numbers)}q", *numbers)
+    return data + b"\n"
 
 
 def array(name, kind, rows, components=1):
@@ -368,8 +388,11 @@ def write_all(folder):
         file.write_bytes(contents if isinstance(contents, bytes) else contents.encode())
         expected[file] = count
     (folder / "binary.stl").write_bytes(binary_stl(parts))
+    (folder / "binary.ply").write_bytes(binary_ply(parts))
     (folder / "packed.ply.gz").write_bytes(gzip.compress(ply(parts).encode()))
-    expected[folder / "binary.stl"] = expected[folder / "packed.ply.gz"] = 65
+    (folder / "binary.vtk").write_bytes(new_vtk(parts))
+    for name in ("binary.stl", "binary.ply", "binary.vtk", "packed.ply.gz"):
+        expected[folder / name] = 65
     vtm(folder, parts)
     expected[folder / "boxes.vtm"] = expected[folder / "boxes.vtpc"] = 65
     return expected
