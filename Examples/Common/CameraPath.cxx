@@ -279,9 +279,7 @@ CameraPath MakePath(const Scene& scene, const std::string& name, int frames, std
 
 std::string GetUsualPath(const Scene& scene)
 {
-  return scene.Plan        ? "street"
-    : !scene.Paths.empty() ? scene.Paths.front().first
-                           : "orbit";
+  return scene.Plan ? "street" : !scene.Paths.empty() ? scene.Paths.front().first : "orbit";
 }
 
 } // namespace NBufferExamples

@@ -66,8 +66,8 @@ public:
   }
 
 private:
-  /// Up to version 4 cells are `size` numbers. Since version 5 they are two lists, of offsets and of
-  /// points, each with a line for the type of its numbers.
+  /// Up to version 4 cells are `size` numbers. Since version 5 they are two lists, of offsets and
+  /// of points, each with a line for the type of its numbers.
   void SkipCells(const std::string& section, long long count, long long size)
   {
     if (!this->HasOffsets)

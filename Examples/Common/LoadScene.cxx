@@ -93,8 +93,8 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   }
   if (names.size() > 1)
   {
-    throw std::runtime_error(
-      name + " is a scene by itself; only files of these endings go together: " + ListPartEndings(" "));
+    throw std::runtime_error(name +
+      " is a scene by itself; only files of these endings go together: " + ListPartEndings(" "));
   }
   return scene;
 }

@@ -15,9 +15,9 @@
 namespace NBufferExamples
 {
 
-/// Returns a mesh for each number from 0 to `parts` - 1, with the cells that have this number, their
-/// points, and the data of these points. Cells keep their order; those with a negative number are
-/// left out.
+/// Returns a mesh for each number from 0 to `parts` - 1, with the cells that have this number,
+/// their points, and the data of these points. Cells keep their order; those with a negative number
+/// are left out.
 std::vector<vtkSmartPointer<vtkPolyData>> SplitMesh(
   vtkPolyData* mesh, const std::vector<int>& numbers, int parts);
 

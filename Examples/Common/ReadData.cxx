@@ -144,7 +144,8 @@ void ReadLegacy(const std::string& path, const ReadOptions& options, Scene& scen
 }
 
 #ifdef NBUFFER_HAS_CITYGML
-/// Reads the finest level of detail in which something can be drawn: the reader reads one at a time.
+/// Reads the finest level of detail in which something can be drawn: the reader reads one at a
+/// time.
 void ReadCity(const std::string& path, const ReadOptions& options, Scene& scene)
 {
   vtkNew<vtkCityGMLReader> reader;
@@ -163,8 +164,7 @@ std::vector<FileFormat> GetDataFormats()
 {
   constexpr int z = 2;
   std::vector<FileFormat> formats = { { ".stl", "STL", Read<vtkSTLReader>, z, true },
-    { ".ply", "PLY", ReadPly, z, true },
-    { ".vtk", "VTK's legacy format", ReadLegacy, z, true } };
+    { ".ply", "PLY", ReadPly, z, true }, { ".vtk", "VTK's legacy format", ReadLegacy, z, true } };
   for (const char* ending : { ".vtp", ".vtu", ".vts", ".vtr", ".vti" })
   {
     const bool isImage = std::string(ending) == ".vti";

@@ -48,7 +48,8 @@ auto GetNames(Importer* importer, int)
     int actor = -1;
     if (tree->GetAttribute(node, "flat_actor_id", actor) && actor >= 0)
     {
-      const char* usual = tree->GetAttributeOrDefault(node, "parent_node_name", tree->GetNodeName(node));
+      const char* usual =
+        tree->GetAttributeOrDefault(node, "parent_node_name", tree->GetNodeName(node));
       names[static_cast<std::size_t>(actor)] = tree->GetAttributeOrDefault(node, "label", usual);
     }
   }

@@ -69,7 +69,8 @@ std::string ReaderMessages::GetFirstError() const
   }
   text = text.substr(0, 4 * moderate);
   // "ERROR: In vtkFoo.cxx, line 12\nvtkFoo (0x1234): what has happened\n\n"
-  for (const char* part : { "^[A-Za-z ]+: In [^\n]*\n", "^(\\w+ )?\\((0x)?[0-9a-fA-F]+\\): *", "^\\(nullptr\\): *" })
+  for (const char* part :
+    { "^[A-Za-z ]+: In [^\n]*\n", "^(\\w+ )?\\((0x)?[0-9a-fA-F]+\\): *", "^\\(nullptr\\): *" })
   {
     text = std::regex_replace(text, std::regex(part), "");
   }

@@ -92,7 +92,8 @@ const FileFormat& FindFormat(const std::string& name)
   if (format && !format->Read)
   {
     // LoadScene() would have recognised it by what it contains.
-    throw std::runtime_error(name + (IsEmpty(name) ? " is empty" : " is damaged, or is no " + format->Kind));
+    throw std::runtime_error(
+      name + (IsEmpty(name) ? " is empty" : " is damaged, or is no " + format->Kind));
   }
   if (!format)
   {
@@ -149,8 +150,8 @@ Scene ImportFiles(
     const FileFormat& format = FindFormat(name);
     if (names.size() > 1 && !format.IsPart)
     {
-      throw std::runtime_error(
-        name + " is a scene by itself; only files of these endings go together: " + ListPartEndings(" "));
+      throw std::runtime_error(name +
+        " is a scene by itself; only files of these endings go together: " + ListPartEndings(" "));
     }
     if (&name != &names.front())
     {

@@ -10,8 +10,7 @@
 namespace NBufferView
 {
 
-CulledParts::CulledParts(
-  View& view, Comparison& comparison, const NBufferExamples::Scene& scene)
+CulledParts::CulledParts(View& view, Comparison& comparison, const NBufferExamples::Scene& scene)
   : Where(view)
   , Culling(comparison)
   , Parts(scene)

@@ -68,7 +68,8 @@ void Panel::SetLabel(const std::string& text, int x, int y)
   double size[2];
   this->Label->GetSize(this->Where.GetOverlay(), size);
   const int* window = this->Where.GetWindow()->GetSize();
-  this->Label->SetPosition(std::clamp(x + 14.0, Margin, std::max(Margin, window[0] - size[0] - Margin)),
+  this->Label->SetPosition(
+    std::clamp(x + 14.0, Margin, std::max(Margin, window[0] - size[0] - Margin)),
     std::clamp(y + 10.0, Margin, std::max(Margin, window[1] - size[1] - Margin)));
 }
 

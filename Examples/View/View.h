@@ -44,8 +44,8 @@ public:
 
   /// Moves the camera by a number of steps: ahead, level with the ground, and up.
   void Walk(double ahead, double up);
-  /// Returns the length of a step: half a metre in a city, elsewhere a two-hundredth of the diagonal
-  /// of the scene.
+  /// Returns the length of a step: half a metre in a city, elsewhere a two-hundredth of the
+  /// diagonal of the scene.
   double GetStep() const;
 
   /// Turns the camera about the axis that points up, to the left, in degrees.

@@ -69,8 +69,7 @@ Viewer::Viewer(const NBufferExamples::Scene& scene, std::array<int, 2> size, boo
   up[scene.UpAxis] = 1.0;
   this->Flight->SetDefaultUpVector(up);
   this->Flight->RestoreUpVectorOn();
-  this->Flight->SetMotionStepSize(
-    this->Where.GetStep() / scene.GetBounds().GetDiagonalLength());
+  this->Flight->SetMotionStepSize(this->Where.GetStep() / scene.GetBounds().GetDiagonalLength());
   for (vtkInteractorStyle* style :
     std::initializer_list<vtkInteractorStyle*>{ this->Orbit, this->Flight })
   {
@@ -81,7 +80,8 @@ Viewer::Viewer(const NBufferExamples::Scene& scene, std::array<int, 2> size, boo
   this->Where.GetOverlay()->AddObserver(vtkCommand::StartEvent, this, &Viewer::WriteText);
   std::cout << scene.Actors.size() << (scene.Actors.size() == 1 ? " part" : " parts")
             << "; the key h shows the keys" << std::endl;
-  // First everything is uploaded and compiled, and the culler finds out what is worth drawing first.
+  // First everything is uploaded and compiled, and the culler finds out what is worth drawing
+  // first.
   for (int i = 0; i < WarmUp; ++i)
   {
     this->Where.Draw();
@@ -291,8 +291,8 @@ void Viewer::WriteText()
   }
   vtkNBufferCuller* culler = this->Culling.GetCuller();
   const vtkNBufferStatistics& counts = culler->GetStatistics(this->Where.GetScene());
-  std::string text = DescribeTimes(this->Culling) + "\n" +
-    Format("this frame %.1f ms, ", this->Where.GetLastTime());
+  std::string text =
+    DescribeTimes(this->Culling) + "\n" + Format("this frame %.1f ms, ", this->Where.GetLastTime());
   if (this->Culling.IsCulling())
   {
     text += "culler on: " + std::to_string(counts.GetNumberOfPropsDrawn()) + " of " +

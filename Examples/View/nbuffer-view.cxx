@@ -70,12 +70,14 @@ std::string MakeFooter()
   NBufferView::Keys keys;
   NBufferView::Viewer::AddKeys(keys, nullptr);
   std::string text = "Keys in the window, and words of --keys:\n\n" + keys.Describe() + "\n\n";
-  text += "  --keys also knows the pointer: @x,y moves it there, which shows the name of the part;\n"
-          "  @x,y>x,y drags with the left button. Places are pixels from the lower left corner.\n\n"
-          "Files that this build reads, each also compressed (.gz) except for boards:\n\n";
+  text +=
+    "  --keys also knows the pointer: @x,y moves it there, which shows the name of the part;\n"
+    "  @x,y>x,y drags with the left button. Places are pixels from the lower left corner.\n\n"
+    "Files that this build reads, each also compressed (.gz) except for boards:\n\n";
   return text + DescribeFormats() +
     "\nInstead of a file: city and plant, two scenes that come with the program.\n"
-    "Several files make one scene if they are of: " + NBufferExamples::ListPartEndings(" ");
+    "Several files make one scene if they are of: " +
+    NBufferExamples::ListPartEndings(" ");
 }
 
 int Show(const Options& options, const char* program)
@@ -121,9 +123,9 @@ int main(int argc, char* argv[])
     ->default_str("1280x800");
   app.add_flag("--whole", options.Whole,
     "A file with one mesh stays one part, instead of one for each connected region");
-  app
-    .add_option("--up", options.Up, "The axis that points up: x, y or z; default: by the format")
-    ->transform(CLI::CheckedTransformer(std::map<std::string, int>{ { "x", 0 }, { "y", 1 }, { "z", 2 } }));
+  app.add_option("--up", options.Up, "The axis that points up: x, y or z; default: by the format")
+    ->transform(
+      CLI::CheckedTransformer(std::map<std::string, int>{ { "x", 0 }, { "y", 1 }, { "z", 2 } }));
   try
   {
     app.parse(argc, argv);

@@ -3,12 +3,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs nbuffer-view on files that are written here.
 
-    check_view.py files <nbuffer-view> <folder>    one small scene in every format that is read
+    check_view.py files <nbuffer-view> <folder> [<nbuffer-bench>]
+                                                   one small scene in every format that is read
     check_view.py errors <nbuffer-view> <folder>   files that are refused; what the help lists
     check_view.py keys <nbuffer-view> <folder>     what the keys do; in X in a window, too
 
 Where a window needs a display that is missing, it prints "Skipped: " and the reason.
 """
+import json
 import os
 import pathlib
 import re
@@ -118,6 +120,14 @@ def test_files():
         OUT / "boxes.vtp", OUT / "binary.stl", OUT / "boxes.vti", "--whole", "--offscreen",
         OUT / "picture.png", "--size", "240x180")[0]
     check("\n3 parts;" in several, several)
+    if len(sys.argv) > 4:
+        for name, count in (("boxes.vtu", 65), ("boxes.vtm", 65)):
+            printed = subprocess.run(
+                [sys.argv[4], "walk", "--scene", OUT / name, "--split", "--frames", "2", "--size",
+                 "161x119", "--verify", "--json", OUT / "walk.json"],
+                capture_output=True, text=True, timeout=240, check=True).stdout
+            check("0 bytes differ" in printed and
+                  json.loads((OUT / "walk.json").read_text())["props"] == count, printed)
     # The names of the parts; the wall is box0.
     for name in ("boxes.vtm", "boxes.vtpc", "boxes.obj"):
         printed, _ = draw(OUT / name, "@150,90")
