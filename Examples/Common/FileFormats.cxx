@@ -5,6 +5,9 @@
 #include "MeshParts.h"
 #include "Parts.h"
 
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -114,6 +117,36 @@ void AddMesh(Scene& scene, vtkPolyData* mesh, const ReadOptions& options)
   {
     AddNamedPart(scene, part,
       options.Title + ", region " + std::to_string(++number) + " of " + std::to_string(regions));
+  }
+}
+
+void AddParts(Scene& scene, const Scene& parts, const ReadOptions& options)
+{
+  Scene regions;
+  if (parts.Actors.size() == 1 && options.SplitRegions)
+  {
+    vtkActor* whole = parts.Actors.front();
+    auto* mesh = vtkPolyData::SafeDownCast(whole->GetMapper()->GetInputDataObject(0, 0));
+    if (mesh)
+    {
+      AddMesh(regions, mesh, options);
+    }
+    for (vtkActor* region : regions.Actors)
+    {
+      vtkNew<vtkMatrix4x4> place;
+      place->DeepCopy(whole->GetMatrix());
+      region->SetUserMatrix(place);
+      if (whole->GetTexture())
+      {
+        region->SetProperty(whole->GetProperty());
+        region->SetTexture(whole->GetTexture());
+      }
+    }
+  }
+  const Scene& chosen = regions.Actors.size() > 1 ? regions : parts;
+  for (std::size_t i = 0; i < chosen.Actors.size(); ++i)
+  {
+    AddNamedPart(scene, chosen.Actors[i], chosen.PartNames[i]);
   }
 }
 

@@ -74,6 +74,10 @@ void AddNamedPart(Scene& scene, vtkActor* actor, const std::string& name);
 /// else as one part.
 void AddMesh(Scene& scene, vtkPolyData* mesh, const ReadOptions& options);
 
+/// Adds the parts of a file. If there is only one, it is treated as by AddMesh(), at its place; its
+/// regions get colours of their own unless it has a texture.
+void AddParts(Scene& scene, const Scene& parts, const ReadOptions& options);
+
 ///@{
 /// The lists of single libraries, from which GetFileFormats() is put together.
 std::vector<FileFormat> GetDataFormats();   ///< VTK's readers of data.

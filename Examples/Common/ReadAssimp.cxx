@@ -165,23 +165,6 @@ private:
   std::vector<vtkSmartPointer<vtkPolyDataMapper>> Mappers; ///< By the number of the mesh.
 };
 
-/// Puts the connected regions of the only part of a scene in its place.
-void SplitOnlyPart(Scene& scene, const ReadOptions& options)
-{
-  const vtkSmartPointer<vtkActor> whole = scene.Actors.front();
-  auto* mapper = vtkPolyDataMapper::SafeDownCast(whole->GetMapper());
-  Scene regions;
-  AddMesh(regions, mapper->GetInput(), options);
-  if (regions.Actors.size() > 1)
-  {
-    for (vtkActor* region : regions.Actors)
-    {
-      region->SetUserMatrix(whole->GetUserMatrix());
-    }
-    scene = regions;
-  }
-}
-
 void Read(const std::string& path, const ReadOptions& options, Scene& scene)
 {
   Assimp::Importer importer;
@@ -193,14 +176,7 @@ void Read(const std::string& path, const ReadOptions& options, Scene& scene)
   }
   Scene parts;
   Walker(*read, options, parts);
-  if (parts.Actors.size() == 1 && options.SplitRegions)
-  {
-    SplitOnlyPart(parts, options);
-  }
-  for (std::size_t i = 0; i < parts.Actors.size(); ++i)
-  {
-    AddNamedPart(scene, parts.Actors[i], parts.PartNames[i]);
-  }
+  AddParts(scene, parts, options);
 }
 }
 

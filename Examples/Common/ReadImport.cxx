@@ -68,12 +68,14 @@ void Import(const std::string& path, const ReadOptions& options, Scene& scene)
   importer->SetFileName(path.c_str());
   const std::vector<vtkSmartPointer<vtkActor>> actors = ImportActors(importer);
   Names names = GetNames(importer.Get(), 0);
+  Scene parts;
   for (std::size_t i = 0; i < actors.size(); ++i)
   {
     const std::string& name = names[i];
     AddNamedPart(
-      scene, actors[i], name.empty() ? options.Title + ", part " + std::to_string(i + 1) : name);
+      parts, actors[i], name.empty() ? options.Title + ", part " + std::to_string(i + 1) : name);
   }
+  AddParts(scene, parts, options);
 }
 
 /// Returns the names of the groups of an .obj file: the rest of each line that begins with g.

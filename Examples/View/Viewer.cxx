@@ -298,7 +298,8 @@ void Viewer::WriteText()
     text += "culler on: " + std::to_string(counts.GetNumberOfPropsDrawn()) + " of " +
       std::to_string(counts.Props) + " parts drawn, " +
       std::to_string(counts.GetCount(vtkNBufferVerdict::Hidden)) + " hidden, " +
-      std::to_string(counts.GetCount(vtkNBufferVerdict::Outside)) + " outside the view";
+      std::to_string(counts.GetCount(vtkNBufferVerdict::Outside)) + " outside the view (" +
+      vtkNBufferStatistics::GetName(counts.Decision) + ")";
   }
   else
   {

@@ -10,6 +10,7 @@ import base64
 import gzip
 import io
 import json
+import re
 import struct
 import zipfile
 
@@ -391,7 +392,8 @@ def write_all(folder):
     (folder / "binary.ply").write_bytes(binary_ply(parts))
     (folder / "packed.ply.gz").write_bytes(gzip.compress(ply(parts).encode()))
     (folder / "binary.vtk").write_bytes(new_vtk(parts))
-    for name in ("binary.stl", "binary.ply", "binary.vtk", "packed.ply.gz"):
+    (folder / "whole.obj").write_text(re.sub("^g .*\n", "", obj(parts), flags=re.MULTILINE))
+    for name in ("whole.obj", "binary.stl", "binary.ply", "binary.vtk", "packed.ply.gz"):
         expected[folder / name] = 65
     vtm(folder, parts)
     expected[folder / "boxes.vtm"] = expected[folder / "boxes.vtpc"] = 65
