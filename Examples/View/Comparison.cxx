@@ -18,28 +18,33 @@ double GetMedian(std::vector<double> values)
   return *middle;
 }
 
-/// While it lives, the scene is drawn alone, and what is drawn does not reach the screen. Then
-/// everything is as before.
-class HiddenFrames
+/// While it lives, the scene is drawn alone. Then everything is as before.
+class SceneAlone
 {
 public:
-  HiddenFrames(View& view, Comparison& comparison)
+  SceneAlone(View& view, Comparison& comparison)
     : Where(view)
     , Owner(comparison)
     , On(comparison.IsCulling())
     , Swap(view.GetWindow()->GetSwapBuffers())
   {
     this->Where.SetDecorated(false);
-    this->Where.GetWindow()->SetSwapBuffers(this->Where.GetWindow()->GetOffScreenRendering());
   }
-  ~HiddenFrames()
+  ~SceneAlone()
   {
     this->Owner.SetCulling(this->On);
     this->Where.SetDecorated(true);
     this->Where.GetWindow()->SetSwapBuffers(this->Swap);
   }
-  HiddenFrames(const HiddenFrames&) = delete;
-  void operator=(const HiddenFrames&) = delete;
+  SceneAlone(const SceneAlone&) = delete;
+  void operator=(const SceneAlone&) = delete;
+
+  /// What is drawn does not reach the screen. Nor can it be read from there: GrabPixels() would
+  /// return the frame before.
+  void Hide()
+  {
+    this->Where.GetWindow()->SetSwapBuffers(this->Where.GetWindow()->GetOffScreenRendering());
+  }
 
 private:
   View& Where;
@@ -75,7 +80,8 @@ void Comparison::SetCulling(bool on)
 
 void Comparison::Measure(int turns)
 {
-  const HiddenFrames hidden(this->Where, *this);
+  SceneAlone alone(this->Where, *this);
+  alone.Hide();
   // The time is to be that of a camera that moves: each frame is tested anew.
   const vtkNBufferTuning usual = this->Culler->GetTuning();
   vtkNBufferTuning moving = usual;
@@ -102,7 +108,7 @@ void Comparison::Measure(int turns)
 
 long long Comparison::Verify()
 {
-  const HiddenFrames hidden(this->Where, *this);
+  const SceneAlone alone(this->Where, *this);
   vtkSmartPointer<vtkUnsignedCharArray> frames[2];
   for (const bool on : { false, true })
   {

@@ -38,8 +38,8 @@ public:
   double GetOwnTime() const { return this->OwnTime; }
   ///@}
 
-  /// Returns how many bytes of the present view differ with and without the culler. The verdicts
-  /// must not be frozen.
+  /// Returns how many bytes of the present view differ with and without the culler: 0, unless the
+  /// verdicts are frozen.
   long long Verify();
 
 private:

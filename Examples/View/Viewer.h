@@ -48,7 +48,7 @@ public:
   /// Writes the picture of the window to a file.
   void WritePicture(const std::string& fileName);
 
-  /// Returns how many bytes differed in all verifications so far.
+  /// Returns how many bytes differed in all verifications so far, frozen verdicts left aside.
   long long GetDifferingBytes() const { return this->DifferingBytes; }
 
 private:
