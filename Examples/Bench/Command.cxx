@@ -5,8 +5,6 @@
 #include "vtkVersion.h"
 
 #include <algorithm>
-#include <fstream>
-#include <stdexcept>
 
 namespace NBufferBench
 {
@@ -14,6 +12,8 @@ void ViewOptions::AddTo(CLI::App& command, const std::string& program)
 {
   this->Program = program;
   command.add_option("--scene", this->SceneNames, this->SceneHelp)->capture_default_str();
+  command.add_flag("--split", this->SplitRegions,
+    "A prop for each connected region of a file that holds one mesh; default: one prop");
   command.add_option("--path", this->Path,
     "street, rooftop, drone, cuts, aside (few of the props in view) or orbit, or a path that the "
     "scene has of its own; default: street in a city, orbit elsewhere");
@@ -52,6 +52,7 @@ NBufferExamples::Scene ViewOptions::LoadScene() const
   options.Program = this->Program;
   options.Seed = this->Seed;
   options.Progress = ShowProgress;
+  options.SplitRegions = this->SplitRegions;
   NBufferExamples::Scene scene = NBufferExamples::LoadScene(this->SceneNames, options);
   scene.Tile(this->Props);
   return scene;
@@ -59,10 +60,7 @@ NBufferExamples::Scene ViewOptions::LoadScene() const
 
 std::string ViewOptions::GetPathName(const NBufferExamples::Scene& scene) const
 {
-  return !this->Path.empty() ? this->Path
-    : scene.Plan             ? "street"
-    : !scene.Paths.empty()   ? scene.Paths.front().first
-                             : "orbit";
+  return !this->Path.empty() ? this->Path : NBufferExamples::GetUsualPath(scene);
 }
 
 NBufferExamples::CameraPath ViewOptions::MakePath(
@@ -86,14 +84,6 @@ void ViewOptions::Describe(
   report["size"] = session.GetSize();
   report["samples"] = session.GetWindow()->GetMultiSamples();
   report["seed"] = static_cast<Json::UInt64>(this->Seed);
-}
-
-void CheckWritable(const std::string& fileName)
-{
-  if (!fileName.empty() && !std::ofstream(fileName, std::ios::app))
-  {
-    throw std::runtime_error("cannot write " + fileName);
-  }
 }
 
 } // namespace NBufferBench

@@ -9,6 +9,7 @@
 #define Command_h
 
 #include "CameraPath.h"
+#include "FileFormats.h"
 #include "LoadScene.h"
 #include "Mode.h"
 #include "Session.h"
@@ -41,14 +42,17 @@ struct ViewOptions
   int Frames = 0;
   int PathFrames = 0; ///< The frames of the whole path; 0: as many as are rendered.
   std::uint64_t Seed = 1;
-  int Props = 0; ///< The scene is copied until it has this many props; 0: not copied.
+  bool SplitRegions = false; ///< As in NBufferExamples::SceneOptions.
+  int Props = 0;             ///< The scene is copied until it has this many props; 0: not copied.
   SessionOptions Window;
   std::string Backend = "auto"; ///< The back-end of vtkNBufferCuller: auto, opengl or cpu.
 
   /// The possible values of --scene, for the help.
-  std::string SceneHelp = "city, plant (synthetic), a city file, .bsp, .kicad_pcb or a folder of "
-                          "them (with :actors behind: all actors of VTK's importer), .glb, .gltf, "
-                          ".obj, .wrl, .vtm, .vtpc, or one or more .stl or .ply; each also as .gz";
+  std::string SceneHelp =
+    "city, plant (synthetic), a folder of .kicad_pcb (with :actors behind: all "
+    "actors of VTK's importer), or a file of " +
+    NBufferExamples::ListEndings(" ") + ", or several of " + NBufferExamples::ListPartEndings(" ") +
+    "; each also as .gz";
 
   ///@{
   /// Add the options to a subcommand; this object must outlive it.
@@ -67,9 +71,7 @@ struct ViewOptions
   void Describe(const NBufferExamples::Scene& scene, Session& session, Json::Value& report) const;
 };
 
-/// Throws std::runtime_error, at the beginning of a long run, if the file cannot be written. An
-/// empty name passes.
-void CheckWritable(const std::string& fileName);
+using NBufferExamples::CheckWritable;
 
 ///@{
 /// Add the subcommands. If a subcommand is given, parsing sets `run` to the function that does it

@@ -5,16 +5,14 @@
  * @brief The subcommand pictures: images that show what the culler does; the README shows them.
  */
 #include "Command.h"
+#include "LevelPicture.h"
 #include "VerdictPicture.h"
 
 #include "vtkCamera.h"
-#include "vtkColorTransferFunction.h"
-#include "vtkFloatArray.h"
 #include "vtkImageActor.h"
 #include "vtkImageMapper3D.h"
 #include "vtkImageProperty.h"
 #include "vtkNBufferLevels.h"
-#include "vtkPointData.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkWindowToImageFilter.h"
@@ -22,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -121,57 +118,12 @@ std::string Describe(const Frame& frame, const std::string& culler)
   return culler + ": " + std::to_string(frame.Drawn) + " props drawn";
 }
 
-/// Returns a level as an image. Colours (those of viridis) follow the logarithm of the distance
-/// from the eye, from the nearest in level 0 (dark) to the farthest (light); where nothing was
-/// drawn, the image is white. `range` has the distances of the clipping planes.
-Image MakeLevelImage(vtkNBufferLevels& levels, int level, const double range[2])
-{
-  const vtkIdType texels = static_cast<vtkIdType>(levels.GetWidth()) * levels.GetHeight();
-  const auto makeDistances = [&](int which)
-  {
-    vtkNew<vtkFloatArray> distances;
-    distances->SetNumberOfValues(texels);
-    for (vtkIdType i = 0; i < texels; ++i)
-    {
-      const double depth = levels.GetLevelData(which)[i];
-      distances->SetValue(i,
-        depth < 1.0 ? static_cast<float>(
-                        std::log(range[0] * range[1] / (range[1] - depth * (range[1] - range[0]))))
-                    : std::numeric_limits<float>::quiet_NaN());
-    }
-    return vtkSmartPointer<vtkFloatArray>(distances);
-  };
-  double logarithms[2];
-  makeDistances(0)->GetFiniteRange(logarithms);
-  // The ground reaches to the horizon, which would leave one colour for everything else.
-  const double length = std::clamp(logarithms[1] - logarithms[0], std::log(2.0), std::log(300.0));
-  constexpr double viridis[][3] = { { 0.267, 0.005, 0.329 }, { 0.254, 0.265, 0.530 },
-    { 0.164, 0.471, 0.558 }, { 0.135, 0.659, 0.518 }, { 0.478, 0.821, 0.318 },
-    { 0.993, 0.906, 0.144 } };
-  vtkNew<vtkColorTransferFunction> colors;
-  for (int i = 0; i < 6; ++i)
-  {
-    colors->AddRGBPoint(
-      logarithms[0] + length * i / 5.0, viridis[i][0], viridis[i][1], viridis[i][2]);
-  }
-  colors->SetNanColor(1.0, 1.0, 1.0);
-  auto image = Image::New();
-  image->SetDimensions(levels.GetWidth(), levels.GetHeight(), 1);
-  image->GetPointData()->SetScalars(vtkSmartPointer<vtkUnsignedCharArray>::Take(
-    colors->MapScalars(makeDistances(level), VTK_COLOR_MODE_MAP_SCALARS, -1, VTK_RGB)));
-  return image;
-}
-
 /// Writes level 0 of the depth of the frame that was rendered last, and two levels above.
 void WriteLevels(Session& session, const std::string& folder)
 {
-  const int* size = session.GetWindow()->GetActualSize();
-  vtkNew<vtkFloatArray> depth;
-  session.GetWindow()->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depth);
   vtkNBufferLevels levels;
-  levels.BuildBase(depth->GetPointer(0), size[0], size[1], 1, vtkNBufferExtremum::Maximum);
   const std::vector<int> which = { 0, 4, 6 };
-  levels.BuildLevels(which.back() + 1);
+  NBufferExamples::ReadLevels(session.GetWindow(), which.back() + 1, levels);
   if (levels.GetNumberOfLevels() <= which.back())
   {
     throw std::runtime_error("the image is too small for the pictures of the levels");
@@ -183,7 +135,7 @@ void WriteLevels(Session& session, const std::string& folder)
   {
     const std::string side = std::to_string(1 << level);
     const std::string name = "level " + std::to_string(level);
-    panels.push_back({ MakeLevelImage(levels, level, range),
+    panels.push_back({ NBufferExamples::MakeLevelImage(levels, level, range),
       level == 0 ? name + ": the depth" : name + ": farthest in " + side + " x " + side });
   }
   WritePNG(ComposePanels(panels, 0.5), folder + "/levels.png");
@@ -203,10 +155,7 @@ int RunPictures(const ViewOptions& view, const std::string& folder)
   Mode nbuffer("nbuffer", view.Backend);
   const Frame without = RenderFrame(session, path, middle, stock);
   const Frame with = RenderFrame(session, path, middle, nbuffer);
-  const vtkIdType bytes = without.Pixels->GetNumberOfValues();
-  const bool same = bytes == with.Pixels->GetNumberOfValues() &&
-    std::equal(
-      without.Pixels->GetPointer(0), without.Pixels->GetPointer(bytes), with.Pixels->GetPointer(0));
+  const bool same = NBufferExamples::CountDifferingBytes(without.Pixels, with.Pixels) == 0;
   WritePNG(without.Picture, folder + "/frame-stock.png");
   WritePNG(with.Picture, folder + "/frame-nbuffer.png");
   WritePNG(ComposePanels({ { without.Picture, Describe(without, "VTK's default culler") },

@@ -8,6 +8,7 @@
 #define Session_h
 
 #include "CameraPath.h"
+#include "Frames.h"
 #include "Scene.h"
 
 #include "vtkImageData.h"
@@ -62,18 +63,22 @@ public:
   /// frame, because another mode may have rendered that frame.
   void SetPose(const NBufferExamples::CameraPose& pose);
 
-  /// Renders, waits until the image is finished, and returns the milliseconds that both took.
-  double Render();
-
-  /// Returns the RGBA bytes of the frame that was rendered last, row 0 at the bottom.
-  vtkSmartPointer<vtkUnsignedCharArray> ReadPixels();
-
-  /// Returns the colours of such bytes as an image of the window's size.
-  vtkSmartPointer<vtkImageData> MakeImage(vtkUnsignedCharArray* rgba);
+  ///@{
+  /// Functions of Frames.h, for the window of the session.
+  double Render() { return NBufferExamples::RenderTimed(this->Window); }
+  vtkSmartPointer<vtkUnsignedCharArray> ReadPixels()
+  {
+    return NBufferExamples::GrabPixels(this->Window);
+  }
+  vtkSmartPointer<vtkImageData> MakeImage(vtkUnsignedCharArray* rgba)
+  {
+    return NBufferExamples::MakeColorImage(this->Window, rgba);
+  }
+  std::string GetDevice() { return NBufferExamples::GetDevice(this->Window); }
+  ///@}
 
   ///@{
-  /// Return GL_RENDERER, the class of the window, and its size in pixels as in 960x720.
-  std::string GetDevice();
+  /// Return the class of the window, and its size in pixels as in 960x720.
   std::string GetWindowClass() { return this->Window->GetClassName(); }
   std::string GetSize();
   ///@}
@@ -86,11 +91,10 @@ private:
   double Bounds[6];
 };
 
-///@{
-/// Throw std::exception if that is not possible.
-void WritePNG(vtkImageData* image, const std::string& fileName);
+using NBufferExamples::WritePNG;
+
+/// Throws std::exception if that is not possible.
 void MakeFolder(const std::string& folder);
-///@}
 
 } // namespace NBufferBench
 

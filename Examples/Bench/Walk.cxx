@@ -14,6 +14,7 @@ namespace NBufferBench
 namespace
 {
 using NBufferExamples::CameraPath;
+using NBufferExamples::CountDifferingBytes;
 
 /// A mode and what its frames gave.
 struct Runner
@@ -83,21 +84,6 @@ Json::Value MakeQueryReport(const NBufferPeers::QueryStatistics& statistics)
   frame["hidden"] = statistics.Hidden;
   frame["redrawn"] = statistics.Redrawn;
   return frame;
-}
-
-long long CountDifferingBytes(vtkUnsignedCharArray* a, vtkUnsignedCharArray* b)
-{
-  const vtkIdType count = a->GetNumberOfValues();
-  if (b->GetNumberOfValues() != count)
-  {
-    return std::max(count, b->GetNumberOfValues());
-  }
-  long long differing = 0;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    differing += a->GetValue(i) != b->GetValue(i);
-  }
-  return differing;
 }
 
 class Walker

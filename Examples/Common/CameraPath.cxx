@@ -277,4 +277,9 @@ CameraPath MakePath(const Scene& scene, const std::string& name, int frames, std
     (scene.Plan ? ", street, rooftop, drone" : ""));
 }
 
+std::string GetUsualPath(const Scene& scene)
+{
+  return scene.Plan ? "street" : !scene.Paths.empty() ? scene.Paths.front().first : "orbit";
+}
+
 } // namespace NBufferExamples

@@ -39,6 +39,10 @@ void ApplyPose(const CameraPose& pose, const double bounds[6], vtkRenderer* rend
  */
 CameraPath MakePath(const Scene& scene, const std::string& name, int frames, std::uint64_t seed);
 
+/// Returns the name of the path that suits a scene best: street in a city, the first one that only
+/// this scene has, or orbit.
+std::string GetUsualPath(const Scene& scene);
+
 } // namespace NBufferExamples
 
 #endif

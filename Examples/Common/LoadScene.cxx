@@ -4,6 +4,7 @@
 
 #include "CityFile.h"
 #include "CityScene.h"
+#include "FileFormats.h"
 #include "SceneKinds.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -79,7 +80,8 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   }
   else if (!fs::exists(name))
   {
-    throw std::runtime_error("no scene " + name + ": neither \"city\" nor \"plant\" nor a file");
+    throw std::runtime_error(
+      "there is no file " + name + "; the scenes without a file are city and plant");
   }
   else if (IsCityFile(name))
   {
@@ -87,11 +89,12 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   }
   else
   {
-    return ImportFiles(names, options.Progress);
+    return ImportFiles(names, options.SplitRegions, options.Progress);
   }
   if (names.size() > 1)
   {
-    throw std::runtime_error(name + " is a scene by itself; only .stl and .ply files go together");
+    throw std::runtime_error(name +
+      " is a scene by itself; only files of these endings go together: " + ListPartEndings(" "));
   }
   return scene;
 }

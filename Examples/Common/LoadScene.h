@@ -20,6 +20,8 @@ struct SceneOptions
   std::uint64_t Seed = 1;
   /// A function that is called with a text that says what is being done.
   std::function<void(const std::string&)> Progress = [](const std::string&) {};
+  /// Whether a file that holds one mesh becomes an actor for each connected region of the mesh.
+  bool SplitRegions = false;
 };
 
 /// Returns the path of a file that comes with the examples: next to an installed program (`program`
@@ -27,9 +29,9 @@ struct SceneOptions
 std::string FindData(const std::string& program, const std::string& name);
 
 /**
- * Loads a scene by one name: "city", "plant", a city file, a map, a board or a folder of boards
- * (all of SceneKinds.h), .glb, .gltf, .obj, .wrl, .vtm or .vtpc; or by one or more names of .stl or
- * .ply files. A file may also be compressed (.gz). Throws std::runtime_error with the name of the
+ * Loads a scene by one name: "city", "plant", or a file of FileFormats.h (the maps and boards, and
+ * a folder of boards, are described in SceneKinds.h); or by several names of files that go
+ * together. A file may also be compressed (.gz). Throws std::runtime_error with the name of the
  * file, the cause, and a remedy where there is one.
  */
 Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& options);

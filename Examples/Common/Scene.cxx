@@ -35,6 +35,16 @@ void Move(vtkActor* actor, const double way[3])
 }
 }
 
+std::string Scene::GetPartName(std::size_t actor) const
+{
+  if (actor < this->PartNames.size() && !this->PartNames[actor].empty())
+  {
+    return this->PartNames[actor];
+  }
+  const bool isBuilding = this->Plan && actor < this->Plan->Buildings.size();
+  return (isBuilding ? "building " : "part ") + std::to_string(actor + 1);
+}
+
 vtkBoundingBox Scene::GetBounds() const
 {
   vtkBoundingBox box;
@@ -76,6 +86,10 @@ void Scene::Tile(int count)
         }
         Move(copy, way);
         this->Actors.push_back(copy);
+        if (i < this->PartNames.size())
+        {
+          this->PartNames.push_back(std::string(this->PartNames[i]));
+        }
       }
     }
   }

@@ -72,6 +72,9 @@ struct Scene
   /// The actors of the scene. In a city the buildings come first, in the order of Plan->Buildings,
   /// then the ground, then the streets.
   std::vector<vtkSmartPointer<vtkActor>> Actors;
+  /// The names of the actors, in their order, where the scene comes from a file that names its
+  /// parts; else an empty list.
+  std::vector<std::string> PartNames;
   /// The plan of a city; nullptr in other scenes.
   std::shared_ptr<const City> Plan;
   /// The axis that points up: 0, 1 or 2 for x, y or z.
@@ -81,6 +84,9 @@ struct Scene
   /// The camera paths that only this scene has, by name. The first one is the default.
   std::vector<std::pair<std::string, PathMaker>> Paths;
 
+  /// Returns the name of an actor, given by its place in the list: its own, or a number.
+  std::string GetPartName(std::size_t actor) const;
+
   /// Returns the bounds of all actors.
   vtkBoundingBox GetBounds() const;
 
@@ -89,8 +95,8 @@ struct Scene
 
   /**
    * Adds copies of the actors around the originals, ring by ring in the level plane, until there
-   * are `count` actors. A copy shares mapper and property with its original. Plan, Known and Paths
-   * stay those of the original.
+   * are `count` actors. A copy shares mapper, property and name with its original. Plan, Known and
+   * Paths stay those of the original.
    */
   void Tile(int count);
 };

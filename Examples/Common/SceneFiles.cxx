@@ -3,33 +3,13 @@
 #include "SceneKinds.h"
 
 #include "Compressed.h"
-#include "Parts.h"
-
-#include "vtkActorCollection.h"
-#include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkDataArray.h"
-#include "vtkExtractCells.h"
-#include "vtkGLTFImporter.h"
-#include "vtkGeometryFilter.h"
-#include "vtkNew.h"
-#include "vtkOBJImporter.h"
-#include "vtkOBJReader.h"
-#include "vtkPLYReader.h"
-#include "vtkPolyData.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
-#include "vtkSTLReader.h"
-#include "vtkVRMLImporter.h"
-#include "vtkXMLMultiBlockDataReader.h"
-#include "vtkXMLPartitionedDataSetCollectionReader.h"
+#include "FileFormats.h"
+#include "ReaderMessages.h"
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <random>
 #include <stdexcept>
 
@@ -38,13 +18,6 @@ namespace NBufferExamples
 namespace
 {
 namespace fs = std::filesystem;
-using Actors = std::vector<vtkSmartPointer<vtkActor>>;
-
-[[noreturn]] void FailEmpty(const std::string& name)
-{
-  throw std::runtime_error(
-    name + ": nothing to draw was read; messages of VTK above, if any, say why");
-}
 
 /// Returns the ending of a name in lower case; of a .gz, that of the file inside.
 std::string GetEnding(const std::string& name)
@@ -101,185 +74,96 @@ private:
   fs::path Folder;
 };
 
-/// Parts without colours of their own get one each.
-vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* data, std::size_t index)
+bool IsEmpty(const std::string& name)
 {
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(MakePartMapper(data));
-  PaintPart(actor, index, 0.85);
-  return actor;
+  std::error_code ignored;
+  return fs::is_regular_file(name, ignored) && fs::file_size(name, ignored) == 0;
 }
 
-/// Returns some cells of a mesh with the points that they use.
-vtkSmartPointer<vtkPolyData> ExtractCells(vtkPolyData* data, const std::vector<vtkIdType>& cells)
+const FileFormat& FindFormat(const std::string& name)
 {
-  vtkNew<vtkExtractCells> extract;
-  extract->SetInputData(data);
-  extract->SetCellIds(cells.data(), static_cast<vtkIdType>(cells.size()));
-  vtkNew<vtkGeometryFilter> surface;
-  surface->SetInputConnection(extract->GetOutputPort());
-  surface->Update();
-  return surface->GetOutput();
-}
-
-/// Returns a reader that has read a file.
-template <class Reader>
-vtkSmartPointer<Reader> Read(const std::string& path)
-{
-  auto reader = vtkSmartPointer<Reader>::New();
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  return reader;
-}
-
-template <class Importer>
-Actors Import(const std::string& path, std::size_t = 0)
-{
-  vtkNew<Importer> importer;
-  importer->SetFileName(path.c_str());
-  return ImportActors(importer);
-}
-
-Actors ReadObj(const std::string& path, std::size_t)
-{
-  const auto reader = Read<vtkOBJReader>(path);
-  vtkPolyData* data = reader->GetOutput();
-  vtkDataArray* groups = data->GetCellData()->GetArray("GroupIds");
-  std::map<int, std::vector<vtkIdType>> cellsByGroup;
-  // Lines and points come first in the cell data and have no groups.
-  if (groups && groups->GetNumberOfTuples() == data->GetNumberOfPolys())
+  std::error_code ignored;
+  if (fs::is_directory(name, ignored))
   {
-    for (vtkIdType cell = 0; cell < data->GetNumberOfPolys(); ++cell)
-    {
-      cellsByGroup[static_cast<int>(groups->GetTuple1(cell))].push_back(cell);
-    }
+    throw std::runtime_error(name + " is a folder, and there is no .kicad_pcb in it");
   }
-  if (cellsByGroup.size() < 2)
+  const std::string ending = GetEnding(name);
+  const FileFormat* format = FindFileFormat(ending);
+  if (format && !format->Read)
   {
-    return data->GetNumberOfCells() == 0 ? Actors() : Import<vtkOBJImporter>(path);
+    // LoadScene() would have recognised it by what it contains.
+    throw std::runtime_error(
+      name + (IsEmpty(name) ? " is empty" : " is damaged, or is no " + format->Kind));
   }
-  Actors actors;
-  for (const auto& [group, cells] : cellsByGroup)
+  if (!format)
   {
-    actors.push_back(MakeActor(ExtractCells(data, cells), actors.size()));
+    throw std::runtime_error("cannot tell how to read " + name + ": " +
+      (ending.empty() ? "it has no ending" : "the ending " + ending + " is not known") +
+      "; known are " + ListEndings(" "));
   }
-  return actors;
+  return *format;
 }
 
-template <class Reader>
-Actors ReadSingle(const std::string& path, std::size_t index)
-{
-  const auto reader = Read<Reader>(path);
-  Actors actors;
-  if (reader->GetOutput()->GetNumberOfCells() > 0)
-  {
-    actors.push_back(MakeActor(reader->GetOutput(), index));
-  }
-  return actors;
-}
-
-template <class Reader>
-Actors ReadComposite(const std::string& path, std::size_t)
-{
-  const auto reader = Read<Reader>(path);
-  Actors actors;
-  auto* composite = vtkCompositeDataSet::SafeDownCast(reader->GetOutputDataObject(0));
-  if (!composite)
-  {
-    return actors;
-  }
-  const auto iterator = vtk::TakeSmartPointer(composite->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    vtkDataObject* leaf = iterator->GetCurrentDataObject();
-    vtkSmartPointer<vtkPolyData> surface = vtkPolyData::SafeDownCast(leaf);
-    if (!surface)
-    {
-      vtkNew<vtkGeometryFilter> filter;
-      filter->SetInputData(leaf);
-      filter->Update();
-      surface = filter->GetOutput();
-    }
-    if (surface->GetNumberOfCells() > 0)
-    {
-      actors.push_back(MakeActor(surface, actors.size()));
-    }
-  }
-  return actors;
-}
-
-/// Reads a file whose first part has a number in the scene.
-using Reader = Actors (*)(const std::string& path, std::size_t number);
-const std::map<std::string, Reader> Readers = { { ".obj", ReadObj },
-  { ".stl", ReadSingle<vtkSTLReader> }, { ".ply", ReadSingle<vtkPLYReader> },
-  { ".vtm", ReadComposite<vtkXMLMultiBlockDataReader> },
-  { ".vtpc", ReadComposite<vtkXMLPartitionedDataSetCollectionReader> },
-  { ".wrl", Import<vtkVRMLImporter> }, { ".glb", Import<vtkGLTFImporter> },
-  { ".gltf", Import<vtkGLTFImporter> } };
-
-Actors ReadOne(const std::string& name, const std::string& ending, std::size_t number)
+void ReadFile(const std::string& name, const FileFormat& format, bool splitRegions,
+  const Progress& progress, Scene& scene)
 {
   const PlainFile file(name);
-  const auto reader = Readers.find(ending);
-  if (reader == Readers.end())
+  if (IsEmpty(file.GetPath()))
   {
-    std::string message = "cannot tell how to read " + name + ": known are .city";
-    for (const auto& known : Readers)
-    {
-      message += " " + known.first;
-    }
-    throw std::runtime_error(message);
+    throw std::runtime_error(name + " is empty");
   }
-  return reader->second(file.GetPath(), number);
+  const std::size_t before = scene.Actors.size();
+  std::string error;
+  try
+  {
+    const ReaderMessages messages;
+    const std::string title = fs::path(name).filename().string();
+    format.Read(file.GetPath(), { title, splitRegions, messages }, scene);
+    error = messages.GetFirstError();
+    if (scene.Actors.size() == before || !format.NamesFiles)
+    {
+      messages.Check();
+    }
+  }
+  catch (const std::exception& exception)
+  {
+    throw std::runtime_error(
+      name + " is damaged, was cut short, or is not what its ending says; " + exception.what());
+  }
+  if (scene.Actors.size() == before)
+  {
+    throw std::runtime_error(name + ": nothing to draw was read, the file has no geometry");
+  }
+  if (!error.empty())
+  {
+    progress(name + " was read, but perhaps not all that belongs to it; VTK says: " + error);
+  }
 }
 }
 
-Actors ImportActors(vtkImporter* importer)
-{
-  // The window is only a place for the importer to put its actors; it never gets a context.
-  vtkNew<vtkRenderWindow> window;
-  vtkNew<vtkRenderer> renderer;
-  window->AddRenderer(renderer);
-  importer->SetRenderWindow(window);
-  importer->Update();
-  Actors actors;
-  if (vtkRenderer* filled = importer->GetRenderer())
-  {
-    vtkActorCollection* collection = filled->GetActors();
-    collection->InitTraversal();
-    while (vtkActor* actor = collection->GetNextActor())
-    {
-      actors.emplace_back(actor);
-    }
-    filled->RemoveAllViewProps();
-  }
-  return actors;
-}
-
-Scene ImportFiles(const std::vector<std::string>& names, const Progress& progress)
+Scene ImportFiles(
+  const std::vector<std::string>& names, bool splitRegions, const Progress& progress)
 {
   Scene scene;
   for (const std::string& name : names)
   {
-    const std::string ending = GetEnding(name);
-    if (names.size() > 1 && ending != ".stl" && ending != ".ply")
+    const FileFormat& format = FindFormat(name);
+    if (names.size() > 1 && !format.IsPart)
     {
-      throw std::runtime_error(name + " is a scene by itself; only .stl and .ply go together");
+      throw std::runtime_error(name +
+        " is a scene by itself; only files of these endings go together: " + ListPartEndings(" "));
     }
-    progress("reading " + name);
-    const Actors actors = ReadOne(name, ending, scene.Actors.size());
-    if (actors.empty())
+    if (&name != &names.front())
     {
-      FailEmpty(name);
+      progress("reading " + name); // LoadScene() has reported the first one.
     }
-    scene.Actors.insert(scene.Actors.end(), actors.begin(), actors.end());
-    const bool yUp = ending == ".glb" || ending == ".gltf" || ending == ".wrl";
-    scene.UpAxis = yUp ? 1 : 2;
+    ReadFile(name, format, splitRegions, progress, scene);
+    scene.UpAxis = format.UpAxis;
     scene.Name += (scene.Name.empty() ? "" : " ") + fs::path(name).filename().string();
   }
   if (!scene.GetBounds().IsValid())
   {
-    FailEmpty(scene.Name);
+    throw std::runtime_error(scene.Name + ": nothing to draw was read, no part has an extent");
   }
   return scene;
 }

@@ -73,12 +73,13 @@ Scene LoadKicad(const std::string& name, const Progress& progress);
 std::vector<vtkSmartPointer<vtkActor>> ImportActors(vtkImporter* importer);
 
 /**
- * Reads one file, or several .stl or .ply files. An .obj file becomes an actor per group if it has
- * several groups, else an actor per material. The axis y points up in .glb, .gltf and .wrl, z in
- * all others. `progress` is called with what is being done. Throws std::runtime_error with the name
- * of the file and the cause.
+ * Reads one file, or several of the formats of which several make one scene (FileFormats.h). An
+ * .obj file becomes an actor per group if it has several groups, else an actor per material. With
+ * `splitRegions` a file with one mesh becomes an actor per connected region. `progress` is called
+ * with what is being done. Throws std::runtime_error with the name of the file and the cause.
  */
-Scene ImportFiles(const std::vector<std::string>& names, const Progress& progress);
+Scene ImportFiles(
+  const std::vector<std::string>& names, bool splitRegions, const Progress& progress);
 
 } // namespace NBufferExamples
 

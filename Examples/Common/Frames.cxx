@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frames.h"
+
+#include "vtkErrorCode.h"
+#include "vtkImageExtractComponents.h"
+#include "vtkNBufferVTKVersion.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkPointData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <regex>
+#include <stdexcept>
+
+namespace NBufferExamples
+{
+
+double RenderTimed(vtkRenderWindow* window)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  window->Render();
+  window->WaitForCompletion();
+  const auto end = std::chrono::steady_clock::now();
+  return std::chrono::duration<double, std::milli>(end - begin).count();
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> GrabPixels(vtkRenderWindow* window)
+{
+  auto pixels = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  const int* size = window->GetActualSize();
+  // The front buffer was shown, so that its samples, if there are any, are resolved.
+  window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels);
+  return pixels;
+}
+
+vtkSmartPointer<vtkImageData> MakeColorImage(vtkRenderWindow* window, vtkUnsignedCharArray* rgba)
+{
+  const int* size = window->GetActualSize();
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(size[0], size[1], 1);
+  image->GetPointData()->SetScalars(rgba);
+  vtkNew<vtkImageExtractComponents> colors;
+  colors->SetInputData(image);
+  colors->SetComponents(0, 1, 2);
+  colors->Update();
+  return colors->GetOutput();
+}
+
+long long CountDifferingBytes(vtkUnsignedCharArray* a, vtkUnsignedCharArray* b)
+{
+  const vtkIdType count = a->GetNumberOfValues();
+  if (b->GetNumberOfValues() != count)
+  {
+    return std::max(count, b->GetNumberOfValues());
+  }
+  long long differing = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    differing += a->GetValue(i) != b->GetValue(i);
+  }
+  return differing;
+}
+
+void CheckWritable(const std::string& fileName)
+{
+  if (!fileName.empty() && !std::ofstream(fileName, std::ios::app))
+  {
+    throw std::runtime_error("cannot write " + fileName);
+  }
+}
+
+void WritePNG(vtkImageData* image, const std::string& fileName)
+{
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(fileName.c_str());
+  writer->SetInputData(image);
+  writer->Write();
+  if (writer->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    throw std::runtime_error("cannot write " + fileName);
+  }
+}
+
+void PrepareWindow(vtkRenderWindow* window)
+{
+#if VTKNBUFFER_HAS_INITIALIZE
+  window->Initialize();
+#else
+  vtkRenderer* renderer = window->GetRenderers()->GetFirstRenderer();
+  renderer->DrawOff();
+  window->Render();
+  renderer->DrawOn();
+#endif
+  if (GetDevice(window).empty())
+  {
+    throw std::runtime_error(std::string("no OpenGL in a ") + window->GetClassName() +
+      "; VTK_DEFAULT_OPENGL_WINDOW may name another class of windows");
+  }
+}
+
+std::string GetDevice(vtkRenderWindow* window)
+{
+  const char* text = window->ReportCapabilities();
+  std::cmatch found;
+  const bool isNamed =
+    text && std::regex_search(text, found, std::regex("OpenGL renderer string: *(.*)"));
+  return isNamed ? found[1].str() : std::string();
+}
+
+} // namespace NBufferExamples
