@@ -3,8 +3,10 @@
 #include "vtkNBufferSurface.h"
 
 #include "vtkNBufferDepthConvention.h"
+#include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferProtectedMembers.h"
 
+#include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCellTypes.h"
 #include "vtkCompositeDataDisplayAttributes.h"
@@ -18,7 +20,6 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
-#include "vtkOpenGLActor.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLVertexBufferObject.h"
@@ -41,6 +42,9 @@
 #include <typeinfo>
 
 VTK_ABI_NAMESPACE_BEGIN
+using vtkNBufferKnownClasses::GetKind;
+using Kind = vtkNBufferKnownClasses::MapperKind;
+
 namespace
 {
 /// The composite mapper that has attributes of blocks.
@@ -49,32 +53,6 @@ using CompositeMapper = vtkCompositePolyDataMapper2;
 #else
 using CompositeMapper = vtkCompositePolyDataMapper;
 #endif
-
-/// The kinds of mappers whose drawing is known. A subclass is of kind Other.
-enum class Kind
-{
-  PolyData,
-  DataSet,
-  Composite,
-  Other
-};
-
-Kind GetKind(vtkMapper* mapper)
-{
-  const std::type_info& type = typeid(*mapper);
-  if (type == typeid(vtkOpenGLPolyDataMapper))
-  {
-    return Kind::PolyData;
-  }
-  if (type == typeid(vtkDataSetMapper))
-  {
-    return Kind::DataSet;
-  }
-  // Where VTK has two composite mappers the older one has no attributes of blocks.
-  const bool composite =
-    type == typeid(CompositeMapper) || type == typeid(vtkCompositePolyDataMapper);
-  return composite ? Kind::Composite : Kind::Other;
-}
 
 void UpdateProducer(vtkAlgorithm* algorithm)
 {
@@ -214,7 +192,7 @@ double GetMarginOfLines(vtkProperty* property)
 
 vtkActor* vtkNBufferSurface::GetPlainActor(vtkProp* prop)
 {
-  return typeid(*prop) == typeid(vtkOpenGLActor) ? static_cast<vtkActor*>(prop) : nullptr;
+  return vtkNBufferKnownClasses::GetPlainActor(prop);
 }
 
 bool vtkNBufferSurface::IsPlain(vtkMapper* mapper)
