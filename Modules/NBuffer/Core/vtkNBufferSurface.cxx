@@ -85,16 +85,18 @@ bool HasLineCells(vtkDataSet* data)
   return false;
 }
 
-/// Whether a polydata, or a block of composite data that is one, has lines.
-bool HasLines(vtkDataObject* data)
+/// Whether a polydata, or a block of composite data that is one, has lines (or vertices).
+bool HasLines(vtkDataObject* data, bool orVertices)
 {
   if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
   {
     const auto blocks = vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes);
-    return std::any_of(blocks.begin(), blocks.end(), HasLines);
+    return std::any_of(blocks.begin(), blocks.end(),
+      [orVertices](vtkDataObject* block) { return HasLines(block, orVertices); });
   }
   auto* mesh = vtkPolyData::SafeDownCast(data);
-  return mesh && mesh->GetNumberOfLines() > 0;
+  return mesh &&
+    (mesh->GetNumberOfLines() > 0 || (orVertices && mesh->GetNumberOfVerts() > 0));
 }
 
 /// Add the part of data or, if the data is composite, of each block. `part` has the attributes that
@@ -257,12 +259,9 @@ void vtkNBufferSurface::UpdatePipeline(vtkActor* actor)
 
 double vtkNBufferSurface::GetMargin(vtkActor* actor)
 {
-  vtkPolyData* input = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
-  if (input && input->GetNumberOfVerts() == 0 && input->GetNumberOfLines() == 0)
-  {
-    return 0.0;
-  }
-  return GetMarginOfLines(actor->GetProperty());
+  vtkDataObject* input = actor->GetMapper()->GetInputDataObject(0, 0);
+  const bool isRead = vtkPolyData::SafeDownCast(input) || vtkDataObjectTree::SafeDownCast(input);
+  return isRead && !HasLines(input, true) ? 0.0 : GetMarginOfLines(actor->GetProperty());
 }
 
 double vtkNBufferSurface::GetLightingMargin(vtkActor* actor)
@@ -279,7 +278,7 @@ bool vtkNBufferSurface::DrawsLines(vtkMapper* mapper)
 {
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
   auto* data = vtkPolyData::SafeDownCast(input) ? nullptr : vtkDataSet::SafeDownCast(input);
-  return data ? HasLineCells(data) : HasLines(input);
+  return data ? HasLineCells(data) : HasLines(input, false);
 }
 
 bool vtkNBufferSurface::HasOffsetTowardsEye(vtkMapper* mapper, bool linesOrPoints)
