@@ -5,10 +5,10 @@
  * @brief A plug-in that gives vtkNBufferCuller to all renderers of a program that is not changed.
  *
  * VTK loads every library in the folders of VTK_AUTOLOAD_PATH before it makes its first object by a
- * factory. This one replaces no class: its factory lets the factories behind it make each window and
- * renderer, of whatever class, and observes it. When a frame begins, a renderer gets the culler if it
- * has none, even if the program has emptied its list of cullers. README.md lists the environment
- * variables.
+ * factory. This one replaces no class: its factory lets the factories behind it make each window
+ * and renderer, of whatever class, and observes it. When a frame begins, a renderer gets the culler
+ * if it has none, even if the program has emptied its list of cullers. README.md lists the
+ * environment variables.
  */
 #include "vtkNBufferCuller.h"
 
@@ -259,7 +259,8 @@ protected:
   vtkObject* CreateObject(const char* className) override
   {
     if (this->IsBusy ||
-      (std::strcmp(className, "vtkRenderWindow") != 0 && std::strcmp(className, "vtkRenderer") != 0))
+      (std::strcmp(className, "vtkRenderWindow") != 0 &&
+        std::strcmp(className, "vtkRenderer") != 0))
     {
       return nullptr;
     }
@@ -283,9 +284,9 @@ private:
 };
 
 /**
- * What VTK loads. VTK puts it at the end of its list of factories, behind those of its own libraries
- * that this plug-in needs, which would make all windows. It makes nothing, and puts a Factory at the
- * beginning of the list.
+ * What VTK loads. VTK puts it at the end of its list of factories, behind those of its own
+ * libraries that this plug-in needs, which would make all windows. It makes nothing, and puts a
+ * Factory at the beginning of the list.
  */
 class Loader : public vtkObjectFactory
 {

@@ -23,9 +23,10 @@
  * in rounds. No test uses the depth of an older frame, so no prop appears a frame too late.
  *
  * Candidates are plain opaque surface actors: vtkOpenGLActor itself with a polydata, composite
- * or dataset mapper, and the subclasses that the application vouches for. All other props are drawn as without the culler; vtkNBufferVerdict says why.
- * Translucent actors keep their places in the order of blending; those behind opaque props are left
- * out, and no translucent actor hides anything.
+ * or dataset mapper, and the subclasses that the application vouches for (AddKnownActor()). All
+ * other props are drawn as without the culler; vtkNBufferVerdict says why. Translucent actors keep
+ * their places in the order of blending; those behind opaque props are left out, and no translucent
+ * actor hides anything.
  *
  * The culler does the work of each vtkFrustumCoverageCuller with default settings, and moves it
  * behind itself (vtkNBufferTuning::TakeOverFrustumCulling): the culler's own frustum test takes a
@@ -170,11 +171,12 @@ public:
    * depend on when, how often and after which props it is drawn. GetMTime() of the mapper or of its
    * data is newer whenever that changes. (A mapper that moves vertices by bones breaks this.)
    *
-   * An actor is derived from vtkActor. It draws what vtkOpenGLActor would draw with its GetMapper(),
-   * property, texture, shader property and matrix, in the same stages, within GetBounds(), and its
-   * GetMTime() is newer whenever these change. It may have several mappers if GetMapper() returns
-   * the one that it would draw next and the choice stays the same while a frame is drawn. (This is
-   * so for ParaView's vtkPVLODActor, which is known, but not for vtkLODActor and vtkFollower.)
+   * An actor is derived from vtkActor. It draws what vtkOpenGLActor would draw with its
+   * GetMapper(), property, texture, shader property and matrix, in the same stages, within
+   * GetBounds(), and its GetMTime() is newer whenever these change. It may have several mappers if
+   * GetMapper() returns the one that it would draw next and the choice stays the same while a frame
+   * is drawn. (This is so for ParaView's vtkPVLODActor, which is known, but not for vtkLODActor and
+   * vtkFollower.)
    */
   static void AddKnownPass(const char* className);
   static void AddKnownMapper(const char* className);

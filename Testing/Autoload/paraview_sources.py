@@ -1,42 +1,38 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""For ParaView's pvbatch: a wall and 300 sources behind it, each with a representation of its own.
+"""For ParaView's pvbatch: a wall and 70 sources behind it, each with a representation of its own.
 
-paraview_sources.py FOLDER: walks past the wall and writes each frame to the folder.
+paraview_sources.py: walks past the wall, changes between levels of detail, and appends a checksum of
+each frame to the file FRAME_SUMS, as FrameSums.cxx does for windows that it sees; ParaView makes its own.
 """
 
-import sys
+import hashlib
+import os
 
-from paraview.simple import Box, CreateView, Render, Show
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
-
-
-def write(window, name):
-    picture = vtkWindowToImageFilter()
-    picture.SetInput(window)
-    picture.ShouldRerenderOff()
-    picture.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(name)
-    writer.SetInputConnection(picture.GetOutputPort())
-    writer.Write()
+from paraview.simple import Box, CreateView, Show, Sphere
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 
 
 def main():
     view = CreateView("RenderView")
     view.ViewSize = [320, 240]
-    Show(Box(XLength=24, YLength=10, ZLength=0.5), view)
-    for i in range(300):
-        center = [i % 25 - 12, i // 25 % 4 * 3 - 5, -2 - i // 100 * 2]
-        box = Show(Box(XLength=0.6, YLength=1, ZLength=0.6, Center=center), view)
-        box.DiffuseColor = [i % 7 / 7, i % 5 / 5, i % 3 / 3]
-    for frame in range(6):
-        view.CameraPosition = [0.8 * frame, 0, 30]
+    view.LODThreshold = 0
+    view.LODResolution = 0.2
+    Show(Box(XLength=14, YLength=6, ZLength=0.5), view)
+    for i in range(70):
+        center = [i % 14 - 6.5, i // 14 % 3 * 2.5 - 2.5, -2 - i // 35 * 2]
+        Show(Sphere(Radius=0.8, Center=center, ThetaResolution=24, PhiResolution=24), view)
+    for frame in range(8):
+        view.CameraPosition = [0.8 * frame, 0, 22]
         view.CameraFocalPoint = [0.8 * frame, 0, 0]
-        Render(view)
-        write(view.GetRenderWindow(), f"{sys.argv[1]}/frame-{frame}.png")
+        view.SMProxy.UpdateVTKObjects()
+        for render in (view.SMProxy.StillRender, view.SMProxy.InteractiveRender) * 2:
+            render()
+            pixels = vtkUnsignedCharArray()
+            view.GetRenderWindow().GetRGBACharPixelData(0, 0, 319, 239, 0, pixels)
+            with open(os.environ["FRAME_SUMS"], "a", encoding="ascii") as file:
+                print(hashlib.sha256(bytes(memoryview(pixels))).hexdigest(), file=file)
 
 
 if __name__ == "__main__":

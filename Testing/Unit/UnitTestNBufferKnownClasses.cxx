@@ -75,10 +75,8 @@ TEST(NBufferKnownClasses, AMapperIsOfTheKindOfItsBase)
   vtkNew<vtkPolyData> data;
   polyData->SetInputData(data);
   EXPECT_EQ(vtkNBufferSurface::GetOnlyPolyData(polyData), data);
-  EXPECT_EQ(
-    vtkNBufferKnownClasses::GetKind(vtkNew<OwnDataSetMapper>()), MapperKind::DataSet);
-  EXPECT_EQ(
-    vtkNBufferKnownClasses::GetKind(vtkNew<OwnCompositeMapper>()), MapperKind::Composite);
+  EXPECT_EQ(vtkNBufferKnownClasses::GetKind(vtkNew<OwnDataSetMapper>()), MapperKind::DataSet);
+  EXPECT_EQ(vtkNBufferKnownClasses::GetKind(vtkNew<OwnCompositeMapper>()), MapperKind::Composite);
   EXPECT_TRUE(vtkNBufferSurface::IsComposite(vtkNew<OwnCompositeMapper>()));
   // Hazard: a class is vouched for from which nothing can be read.
   EXPECT_EQ(vtkNBufferKnownClasses::GetKind(vtkNew<OwnGlyphMapper>()), MapperKind::Other);
@@ -152,9 +150,8 @@ TEST(NBufferKnownClasses, AMissingNameIsAnError)
   vtkOutputWindow::SetInstance(before);
   EXPECT_EQ(vtkNBufferPropWatch::GetGlobalState(), state);
   std::size_t errors = 0;
-  for (std::size_t at = 0; (at = window->Text.find("a class to be known has no name", at)) !=
-       std::string::npos;
-       ++at)
+  for (std::size_t at = 0;
+       (at = window->Text.find("a class to be known has no name", at)) != std::string::npos; ++at)
   {
     ++errors;
   }

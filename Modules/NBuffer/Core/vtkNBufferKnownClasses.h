@@ -6,8 +6,8 @@
  *
  * Known are the classes of VTK that were examined, and those that an application vouches for.
  * vtkNBufferCuller::AddKnownPass(), AddKnownMapper() and AddKnownActor() say what it promises. Its
- * names are kept for the whole process, because a promise holds for a class, and whoever gives it (a
- * script, a plug-in) may have no access to each culler. They cannot be taken out again. All
+ * names are kept for the whole process, because a promise holds for a class, and whoever gives it
+ * (a script, a plug-in) may have no access to each culler. They cannot be taken out again. All
  * functions may be called by several threads.
  */
 #ifndef vtkNBufferKnownClasses_h

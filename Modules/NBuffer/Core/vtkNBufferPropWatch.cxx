@@ -164,7 +164,8 @@ void vtkNBufferPropWatch::Track(vtkProp* prop, bool withBlocks)
     ? vtkNBufferSurface::GetOnlyPolyData(this->Mapper)
     : nullptr;
   this->Input = input;
-  if (input && vtkNBufferKnownClasses::HaveKnownTimes(this->Actor) && this->TrackStamps(this->Mapper, input))
+  if (input && vtkNBufferKnownClasses::HaveKnownTimes(this->Actor) &&
+    this->TrackStamps(this->Mapper, input))
   {
     this->How = Means::Stamps;
     return;

@@ -16,10 +16,10 @@
  *   none at all (IsWhollyObserved()), as long as vtkNBufferObservedObjects says that no observed
  *   object has been modified.
  * - Pipeline: filters or sources make the polydata, or actor or mapper are of a class that the
- *   application vouches for, which may override GetMTime(). vtkActor::GetBounds() sends three requests up
- *   the pipeline, which takes as long as drawing a small prop. VTK begins each request by querying
- *   the modification times of all filters, and ends it if none is newer than the data. HasChanged()
- *   does only this first step, in about a microsecond.
+ *   application vouches for, which may override GetMTime(). vtkActor::GetBounds() sends three
+ *   requests up the pipeline, which takes as long as drawing a small prop. VTK begins each request
+ *   by querying the modification times of all filters, and ends it if none is newer than the data.
+ *   HasChanged() does only this first step, in about a microsecond.
  * - Times: any other plain mapper (vtkNBufferSurface::IsPlain()), or an actor without a mapper. The
  *   times are known only after the pipeline has been updated, as VTK does before it draws.
  *   HasChanged() is always true. A change shows in GetTime() after the next Track().

@@ -95,8 +95,7 @@ bool HasLines(vtkDataObject* data, bool orVertices)
       [orVertices](vtkDataObject* block) { return HasLines(block, orVertices); });
   }
   auto* mesh = vtkPolyData::SafeDownCast(data);
-  return mesh &&
-    (mesh->GetNumberOfLines() > 0 || (orVertices && mesh->GetNumberOfVerts() > 0));
+  return mesh && (mesh->GetNumberOfLines() > 0 || (orVertices && mesh->GetNumberOfVerts() > 0));
 }
 
 /// Add the part of data or, if the data is composite, of each block. `part` has the attributes that
