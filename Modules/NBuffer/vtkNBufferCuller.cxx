@@ -5,6 +5,7 @@
 #include "vtkNBufferBackend.h"
 #include "vtkNBufferCompatibility.h"
 #include "vtkNBufferFrameGuard.h"
+#include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferView.h"
 
 #include "vtkCamera.h"
@@ -193,6 +194,15 @@ bool IsOtherCullerBehind(vtkCuller* self, vtkCullerCollection* cullers)
   }
   return false;
 }
+
+void AddKnownClass(vtkNBufferKnownClasses::List list, const char* className)
+{
+  if (!vtkNBufferKnownClasses::Add(list, className))
+  {
+    vtkErrorWithObjectMacro(nullptr,
+      "vtkNBufferCuller: a class to be known has no name; give what its GetClassName() returns.");
+  }
+}
 }
 
 vtkNBufferCuller::vtkNBufferCuller()
@@ -215,6 +225,21 @@ void vtkNBufferCuller::SetTuning(const vtkNBufferTuning& tuning)
     this->Tuning = tuning;
     this->Modified();
   }
+}
+
+void vtkNBufferCuller::AddKnownPass(const char* className)
+{
+  AddKnownClass(vtkNBufferKnownClasses::Passes, className);
+}
+
+void vtkNBufferCuller::AddKnownMapper(const char* className)
+{
+  AddKnownClass(vtkNBufferKnownClasses::Mappers, className);
+}
+
+void vtkNBufferCuller::AddKnownActor(const char* className)
+{
+  AddKnownClass(vtkNBufferKnownClasses::Actors, className);
 }
 
 double vtkNBufferCuller::Cull(

@@ -23,9 +23,10 @@
  * in rounds. No test uses the depth of an older frame, so no prop appears a frame too late.
  *
  * Candidates are plain opaque surface actors: vtkOpenGLActor itself with a polydata, composite
- * or dataset mapper. All other props are drawn as without the culler; vtkNBufferVerdict says why.
- * Translucent actors keep their places in the order of blending; those behind opaque props are left
- * out, and no translucent actor hides anything.
+ * or dataset mapper, and the subclasses that the application vouches for (AddKnownActor()). All
+ * other props are drawn as without the culler; vtkNBufferVerdict says why. Translucent actors keep
+ * their places in the order of blending; those behind opaque props are left out, and no translucent
+ * actor hides anything.
  *
  * The culler does the work of each vtkFrustumCoverageCuller with default settings, and moves it
  * behind itself (vtkNBufferTuning::TakeOverFrustumCulling): the culler's own frustum test takes a
@@ -148,6 +149,38 @@ public:
   /// that is out of its range is an error, and the tuning stays as it was.
   void SetTuning(const vtkNBufferTuning& tuning);
   const vtkNBufferTuning& GetTuning() const { return this->Tuning; }
+  ///@}
+
+  ///@{
+  /**
+   * Vouch for a class of the application's own, by the name that its GetClassName() returns. From
+   * the next frame on every culler, and the casters of vtkShadowVolumeClampPass, treat it like the
+   * class of VTK from which it is derived; its subclasses have to be named themselves. These
+   * functions are static, because a promise holds for a class, and scripts and plug-ins have no
+   * access to every culler. A name cannot be taken out again; a null or empty one is an error.
+   *
+   * A pass promises for itself, and for all passes that it calls, what vtkNBufferRenderPassTraits
+   * lists, and that it uses the list of each frame, and not that of an earlier one. It draws each
+   * opaque prop once in a frame, from the renderer's active camera into a framebuffer of the
+   * viewport's size, with VTK's depth test and with depth that can be read while it draws.
+   *
+   * A mapper is derived from vtkOpenGLPolyDataMapper, vtkDataSetMapper or the composite mapper;
+   * otherwise it stays NotAPlainMapper. It draws the cells of its input, or some of them, at the
+   * positions and depths at which that class draws them, within GetBounds(). It blends nothing in
+   * the opaque stage and leaves the OpenGL state that its base class leaves. What it draws does not
+   * depend on when, how often and after which props it is drawn. GetMTime() of the mapper or of its
+   * data is newer whenever that changes. (A mapper that moves vertices by bones breaks this.)
+   *
+   * An actor is derived from vtkActor. It draws what vtkOpenGLActor would draw with its
+   * GetMapper(), property, texture, shader property and matrix, in the same stages, within
+   * GetBounds(), and its GetMTime() is newer whenever these change. It may have several mappers if
+   * GetMapper() returns the one that it would draw next and the choice stays the same while a frame
+   * is drawn. (This is so for ParaView's vtkPVLODActor, which is known, but not for vtkLODActor and
+   * vtkFollower.)
+   */
+  static void AddKnownPass(const char* className);
+  static void AddKnownMapper(const char* className);
+  static void AddKnownActor(const char* className);
   ///@}
 
   /// Why a prop was drawn or culled in the last frame of `renderer`; nullptr means the renderer

@@ -18,6 +18,8 @@
  * };
  * @endcode
  *
+ * For a pass whose source you cannot change see vtkNBufferCuller::AddKnownPass().
+ *
  * By deriving from this class a pass promises that
  *
  *  - it draws props of the list in its vtkRenderState only, in the order of that list, and calls

@@ -34,8 +34,10 @@ enum class vtkNBufferVerdict : int
   Visible,          ///< Drawn: its box may be seen.
   NearPlane,        ///< Drawn: its box reaches the near plane or the eye point.
   Untested,         ///< Drawn: the frame was not tested (vtkNBufferDecision says why).
-  NotAPlainActor,   ///< Drawn: not exactly a vtkOpenGLActor (subclass, volume, assembly, 2D, ...).
-  NotAPlainMapper,  ///< Drawn: it has no mapper, or one of a class whose bounds may be too small.
+  NotAPlainActor,   ///< Drawn: no vtkOpenGLActor itself, but a subclass that is not known
+                    ///< (vtkNBufferCuller::AddKnownActor()), a volume, an assembly, 2D, ...
+  NotAPlainMapper,  ///< Drawn: it has no mapper, or one of a class that is not known
+                    ///< (vtkNBufferCuller::AddKnownMapper()), whose bounds may be too small.
   Translucent,      ///< Drawn: it may be seen and has translucent geometry, which hides nothing.
   NotASurface,      ///< Drawn: it draws lines, points, edges, vertices or spheres.
   DepthOffset,      ///< Drawn: coincident-topology parameters pull its depth towards the eye.

@@ -215,7 +215,9 @@ const Way Ways[] = {
     },
     Decision::RenderPass, false, 0, true },
   { "SobelPass", Use(PassKind::Sobel), Decision::RenderPass },
-  { "FramebufferPass", Use(PassKind::Framebuffer), Decision::RenderPass },
+  // Hazard: another framebuffer, with depth of another format, of which the colors are copied.
+  { "FramebufferPass", Use(PassKind::Framebuffer) },
+  { "FramebufferPassTranslucent", Use(PassKind::Framebuffer), Decision::Culled, true },
   // Hazard: a pass of the application may draw anything. The culler culls with it only if the pass
   // says what it does, and only if all the passes that it calls are known, too.
   { "UsersPass", [](Stage& s) { SetPass(s, vtkNew<UsersPass>()); }, Decision::RenderPass, true },

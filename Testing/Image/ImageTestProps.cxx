@@ -253,6 +253,12 @@ const Kind Kinds[] = {
         p.OffsetUnits = -9000.0;
       }),
     Verdict::DepthOffset },
+  // ParaView pushes all surfaces away from the eye like this. No block has lines, which VTK would
+  // pull towards it.
+  { "CompositeWithOffsetAwayFromTheEye",
+    With([](vtkActor*) { vtkMapper::SetResolveCoincidentTopologyToPolygonOffset(); },
+      PropKind::Composite),
+    Verdict::Hidden },
   { "VertexShaderReplaced", As([](Prop& p) { p.Shader = Shader::MovesVertices; }),
     Verdict::ShaderReplaced },
   { "FragmentShaderReplaced", As([](Prop& p) { p.Shader = Shader::WritesDepth; }),

@@ -260,4 +260,14 @@ TEST_F(NBufferSurface, WideLinesAndPointsHaveAMargin)
   sphere->SetLines(lines);
   EXPECT_EQ(vtkNBufferSurface::GetMargin(this->Actor), 4.0);
   EXPECT_TRUE(vtkNBufferSurface::DrawsLines(this->Mapper));
+
+  // Blocks are searched for lines, too.
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, RunSphereSource());
+  vtkNew<CompositeMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  this->Actor->SetMapper(mapper);
+  EXPECT_EQ(vtkNBufferSurface::GetMargin(this->Actor), 0.0);
+  blocks->SetBlock(2, sphere);
+  EXPECT_EQ(vtkNBufferSurface::GetMargin(this->Actor), 4.0);
 }

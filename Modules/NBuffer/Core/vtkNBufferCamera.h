@@ -50,11 +50,15 @@ struct vtkNBufferViewKey
   /// The key of a renderer that has a camera and an OpenGL window.
   static vtkNBufferViewKey Make(vtkRenderer* renderer);
 
-  bool operator==(const vtkNBufferViewKey& other) const
+  /// Whether both draw each point of the world at the same place, by whichever camera.
+  bool HasSameView(const vtkNBufferViewKey& other) const
   {
     return this->WorldToClip == other.WorldToClip && this->Viewport == other.Viewport &&
-      this->Camera == other.Camera && this->ContextTime == other.ContextTime &&
-      this->MultiSamples == other.MultiSamples;
+      this->ContextTime == other.ContextTime && this->MultiSamples == other.MultiSamples;
+  }
+  bool operator==(const vtkNBufferViewKey& other) const
+  {
+    return this->HasSameView(other) && this->Camera == other.Camera;
   }
 };
 

@@ -3,6 +3,7 @@
 #include "vtkNBufferPropWatch.h"
 
 #include "vtkNBufferForEachProp.h"
+#include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferObservedObjects.h"
 #include "vtkNBufferProtectedMembers.h"
 #include "vtkNBufferSurface.h"
@@ -129,6 +130,7 @@ vtkNBufferPropWatch::GlobalState vtkNBufferPropWatch::GetGlobalState()
   state[1] = vtkMapper::GetResolveCoincidentTopologyZShift();
   vtkMapper::GetResolveCoincidentTopologyPolygonOffsetParameters(state[2], state[3]);
   vtkMapper::GetResolveCoincidentTopologyLineOffsetParameters(state[4], state[5]);
+  state[6] = vtkNBufferKnownClasses::GetVersion();
   return state;
 }
 
@@ -162,7 +164,8 @@ void vtkNBufferPropWatch::Track(vtkProp* prop, bool withBlocks)
     ? vtkNBufferSurface::GetOnlyPolyData(this->Mapper)
     : nullptr;
   this->Input = input;
-  if (input && this->TrackStamps(this->Mapper, input))
+  if (input && vtkNBufferKnownClasses::HaveKnownTimes(this->Actor) &&
+    this->TrackStamps(this->Mapper, input))
   {
     this->How = Means::Stamps;
     return;

@@ -15,10 +15,11 @@
  *   takes most of a culled frame. After Observe() only the actor's stamp is read, or
  *   none at all (IsWhollyObserved()), as long as vtkNBufferObservedObjects says that no observed
  *   object has been modified.
- * - Pipeline: filters or sources make the polydata. vtkActor::GetBounds() sends three requests up
- *   the pipeline, which takes as long as drawing a small prop. VTK begins each request by querying
- *   the modification times of all filters, and ends it if none is newer than the data. HasChanged()
- *   does only this first step, in about a microsecond.
+ * - Pipeline: filters or sources make the polydata, or actor or mapper are of a class that the
+ *   application vouches for, which may override GetMTime(). vtkActor::GetBounds() sends three
+ *   requests up the pipeline, which takes as long as drawing a small prop. VTK begins each request
+ *   by querying the modification times of all filters, and ends it if none is newer than the data.
+ *   HasChanged() does only this first step, in about a microsecond.
  * - Times: any other plain mapper (vtkNBufferSurface::IsPlain()), or an actor without a mapper. The
  *   times are known only after the pipeline has been updated, as VTK does before it draws.
  *   HasChanged() is always true. A change shows in GetTime() after the next Track().
@@ -72,6 +73,9 @@ public:
   void Track(vtkProp* prop, bool withBlocks = true);
 
   Means GetMeans() const { return this->How; }
+
+  /// The mapper that the actor had in Track(), which may have been deleted since.
+  const vtkMapper* GetMapper() const { return this->Mapper; }
 
   ///@{
   /**
@@ -131,8 +135,9 @@ public:
    */
   bool SeesAllChanges() const { return this->Complete; }
 
-  /// VTK's settings for all mappers, which change what props draw without changing their times.
-  using GlobalState = std::array<double, 6>;
+  /// What changes what props draw, or what is known of it, without changing their times: VTK's
+  /// settings for all mappers, and the version of vtkNBufferKnownClasses.
+  using GlobalState = std::array<double, 7>;
   static GlobalState GetGlobalState();
 
 private:

@@ -3,8 +3,10 @@
 #include "vtkNBufferSurface.h"
 
 #include "vtkNBufferDepthConvention.h"
+#include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferProtectedMembers.h"
 
+#include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCellTypes.h"
 #include "vtkCompositeDataDisplayAttributes.h"
@@ -18,7 +20,6 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
-#include "vtkOpenGLActor.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLVertexBufferObject.h"
@@ -41,6 +42,9 @@
 #include <typeinfo>
 
 VTK_ABI_NAMESPACE_BEGIN
+using vtkNBufferKnownClasses::GetKind;
+using Kind = vtkNBufferKnownClasses::MapperKind;
+
 namespace
 {
 /// The composite mapper that has attributes of blocks.
@@ -49,32 +53,6 @@ using CompositeMapper = vtkCompositePolyDataMapper2;
 #else
 using CompositeMapper = vtkCompositePolyDataMapper;
 #endif
-
-/// The kinds of mappers whose drawing is known. A subclass is of kind Other.
-enum class Kind
-{
-  PolyData,
-  DataSet,
-  Composite,
-  Other
-};
-
-Kind GetKind(vtkMapper* mapper)
-{
-  const std::type_info& type = typeid(*mapper);
-  if (type == typeid(vtkOpenGLPolyDataMapper))
-  {
-    return Kind::PolyData;
-  }
-  if (type == typeid(vtkDataSetMapper))
-  {
-    return Kind::DataSet;
-  }
-  // Where VTK has two composite mappers the older one has no attributes of blocks.
-  const bool composite =
-    type == typeid(CompositeMapper) || type == typeid(vtkCompositePolyDataMapper);
-  return composite ? Kind::Composite : Kind::Other;
-}
 
 void UpdateProducer(vtkAlgorithm* algorithm)
 {
@@ -107,16 +85,17 @@ bool HasLineCells(vtkDataSet* data)
   return false;
 }
 
-/// Whether a polydata, or a block of composite data that is one, has lines.
-bool HasLines(vtkDataObject* data)
+/// Whether a polydata, or a block of composite data that is one, has lines (or vertices).
+bool HasLines(vtkDataObject* data, bool orVertices)
 {
   if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
   {
     const auto blocks = vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes);
-    return std::any_of(blocks.begin(), blocks.end(), HasLines);
+    return std::any_of(blocks.begin(), blocks.end(),
+      [orVertices](vtkDataObject* block) { return HasLines(block, orVertices); });
   }
   auto* mesh = vtkPolyData::SafeDownCast(data);
-  return mesh && mesh->GetNumberOfLines() > 0;
+  return mesh && (mesh->GetNumberOfLines() > 0 || (orVertices && mesh->GetNumberOfVerts() > 0));
 }
 
 /// Add the part of data or, if the data is composite, of each block. `part` has the attributes that
@@ -214,7 +193,7 @@ double GetMarginOfLines(vtkProperty* property)
 
 vtkActor* vtkNBufferSurface::GetPlainActor(vtkProp* prop)
 {
-  return typeid(*prop) == typeid(vtkOpenGLActor) ? static_cast<vtkActor*>(prop) : nullptr;
+  return vtkNBufferKnownClasses::GetPlainActor(prop);
 }
 
 bool vtkNBufferSurface::IsPlain(vtkMapper* mapper)
@@ -279,12 +258,9 @@ void vtkNBufferSurface::UpdatePipeline(vtkActor* actor)
 
 double vtkNBufferSurface::GetMargin(vtkActor* actor)
 {
-  vtkPolyData* input = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
-  if (input && input->GetNumberOfVerts() == 0 && input->GetNumberOfLines() == 0)
-  {
-    return 0.0;
-  }
-  return GetMarginOfLines(actor->GetProperty());
+  vtkDataObject* input = actor->GetMapper()->GetInputDataObject(0, 0);
+  const bool isRead = vtkPolyData::SafeDownCast(input) || vtkDataObjectTree::SafeDownCast(input);
+  return isRead && !HasLines(input, true) ? 0.0 : GetMarginOfLines(actor->GetProperty());
 }
 
 double vtkNBufferSurface::GetLightingMargin(vtkActor* actor)
@@ -301,7 +277,7 @@ bool vtkNBufferSurface::DrawsLines(vtkMapper* mapper)
 {
   vtkDataObject* input = mapper->GetInputDataObject(0, 0);
   auto* data = vtkPolyData::SafeDownCast(input) ? nullptr : vtkDataSet::SafeDownCast(input);
-  return data ? HasLineCells(data) : HasLines(input);
+  return data ? HasLineCells(data) : HasLines(input, false);
 }
 
 bool vtkNBufferSurface::HasOffsetTowardsEye(vtkMapper* mapper, bool linesOrPoints)

@@ -10,8 +10,9 @@
  *
  * Which classes of mappers are supported depends on the purpose:
  *
- *     IsPlain()   for the culler: exactly the classes that are known. A subclass may draw outside
- *                 its bounds, and the culler would leave out what can be seen.
+ *     IsPlain()   for the culler: the classes that are known (vtkNBufferKnownClasses). A subclass
+ *                 may draw outside its bounds, and the culler would leave out what can be seen,
+ *                 unless the application vouches for it.
  *     GetParts()  for shadows: subclasses as well. Bounds do not matter: the triangles in the
  *                 mapper's input cast the shadow, and if a subclass draws something else in
  *                 addition, only the shadow of that is missing.
@@ -47,10 +48,7 @@ class VTKNBUFFER_EXPORT vtkNBufferSurface
 {
 public:
   ///@{
-  /**
-   * The prop if it is a vtkOpenGLActor, otherwise nullptr. A subclass may draw anything, and gives
-   * nullptr.
-   */
+  /// The prop if it is a vtkOpenGLActor or of a subclass that is known, otherwise nullptr.
   static vtkActor* GetPlainActor(vtkProp* prop);
 
   /// Whether all that a mapper draws in the opaque stage is known to lie within its bounds.

@@ -79,6 +79,7 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
     return globalStateChanged || this->Verdict != verdictBefore;
   }
   const vtkMTimeType timeBefore = this->Watch.GetTime();
+  const vtkMapper* mapperBefore = this->Watch.GetMapper();
   const vtkNBufferVerdict box = this->ReadBox(actor);
   this->Uses = vtkNBufferSharedState::GetUses(actor);
   this->Verdict = this->Classify(actor, box);
@@ -88,8 +89,9 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
   // Composite data never counts as unchanged (IsTracked()). The times of its blocks, which would
   // have to be read in every frame, are therefore not needed.
   this->Watch.Track(actor, false);
+  // An actor with levels of detail may change its mapper without a newer time.
   return globalStateChanged || this->Watch.GetTime() != timeBefore ||
-    this->Verdict != verdictBefore;
+    this->Watch.GetMapper() != mapperBefore || this->Verdict != verdictBefore;
 }
 
 vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor, vtkNBufferVerdict box) const

@@ -129,8 +129,8 @@ public:
   vtkNBufferPropWatch& GetWatch() { return this->Watch; }
 
   /**
-   * Read the prop again if it has changed or if `globalStateChanged` is true, because VTK's
-   * settings for all mappers have changed (vtkNBufferPropWatch::GetGlobalState()). May run the
+   * Read the prop again if it has changed or if `globalStateChanged` is true, because
+   * vtkNBufferPropWatch::GetGlobalState() has changed. May run the
    * prop's pipeline, and takes as long as vtkProp::GetBounds(). Returns whether what the prop draws
    * may have changed since the last call.
    */

@@ -5,6 +5,7 @@
 #include "vtkNBufferCamera.h"
 #include "vtkNBufferDepthSource.h"
 #include "vtkNBufferGL.h"
+#include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferRenderPassTraits.h"
 #include "vtkNBufferVTKVersion.h"
 
@@ -25,21 +26,12 @@
 #include "vtkSequencePass.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// VTK's passes that draw the renderer's own props from its own camera. Whether a pass draws in
-/// another size or with another camera is checked later, when the proxy is drawn.
-const std::array<const char*, 17> KnownPasses = { "vtkSequencePass", "vtkCameraPass",
-  "vtkRenderStepsPass", "vtkSSAOPass", "vtkSSAAPass", "vtkOpenGLFXAAPass", "vtkToneMappingPass",
-  "vtkLightsPass", "vtkDefaultPass", "vtkOpaquePass", "vtkTranslucentPass", "vtkVolumetricPass",
-  "vtkOverlayPass", "vtkClearZPass", "vtkDepthPeelingPass", "vtkDualDepthPeelingPass",
-  "vtkOrderIndependentTranslucentPass" };
-
 vtkNBufferRenderPassTraits* GetTraits(vtkRenderPass* pass)
 {
   return dynamic_cast<vtkNBufferRenderPassTraits*>(pass);
@@ -93,9 +85,7 @@ bool AnyPass(vtkRenderPass* pass, Predicate&& predicate)
 
 bool IsUnknownPass(vtkRenderPass* pass)
 {
-  const std::string name = pass->GetClassName();
-  return !GetTraits(pass) &&
-    std::find(KnownPasses.begin(), KnownPasses.end(), name) == KnownPasses.end();
+  return !GetTraits(pass) && !vtkNBufferKnownClasses::IsKnown(pass);
 }
 
 bool HasWireframes(vtkRenderer* renderer)
@@ -222,7 +212,8 @@ vtkNBufferDecision WhyNot(vtkRenderer* renderer)
 vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferViewKey& key,
   vtkNBufferBackend::Kind wanted, vtkNBufferDepthSource& source, std::string& why)
 {
-  if (!(vtkNBufferViewKey::Make(renderer) == key))
+  // Passes with framebuffers of their own draw from a copy of the camera.
+  if (!vtkNBufferViewKey::Make(renderer).HasSameView(key))
   {
     return vtkNBufferDecision::OtherView;
   }

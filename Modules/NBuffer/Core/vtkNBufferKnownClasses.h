@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferKnownClasses.h
+ * @brief Which classes of passes, mappers and actors are known to draw what the culler relies on.
+ *
+ * Known are the classes of VTK that were examined, and those that an application vouches for.
+ * vtkNBufferCuller::AddKnownPass(), AddKnownMapper() and AddKnownActor() say what it promises. Its
+ * names are kept for the whole process, because a promise holds for a class, and whoever gives it
+ * (a script, a plug-in) may have no access to each culler. They cannot be taken out again. All
+ * functions may be called by several threads.
+ */
+#ifndef vtkNBufferKnownClasses_h
+#define vtkNBufferKnownClasses_h
+
+#include "vtkNBufferModule.h" // For export macro
+#include "vtkNBufferVTKVersion.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkActor;
+class vtkMapper;
+class vtkProp;
+class vtkRenderPass;
+
+namespace vtkNBufferKnownClasses
+{
+enum List
+{
+  Passes,
+  Mappers,
+  Actors
+};
+
+/// Add a class of an application by the name that GetClassName() returns. Returns false, and adds
+/// nothing, if the name is null or empty.
+VTKNBUFFER_EXPORT bool Add(List list, const char* name);
+
+/// A number that grows with each new name. Props that were read before have to be read again
+/// (vtkNBufferPropWatch::GetGlobalState()).
+VTKNBUFFER_EXPORT int GetVersion();
+
+/// Whether a pass is of a known class. It looks up a name, and is meant for the few passes of a
+/// renderer.
+VTKNBUFFER_EXPORT bool IsKnown(vtkRenderPass* pass);
+
+/// The kinds of mappers whose drawing is known.
+enum class MapperKind
+{
+  PolyData,
+  DataSet,
+  Composite,
+  Other
+};
+
+///@{
+/**
+ * The kind of a mapper, and the prop if it is a plain actor, otherwise nullptr. Subclasses of VTK's
+ * classes may draw anything. They are Other and nullptr, unless the application vouches for them.
+ * The names of subclasses are looked up, so that these functions are meant for props that are read
+ * anew, and not for each prop in each frame.
+ */
+VTKNBUFFER_EXPORT MapperKind GetKind(vtkMapper* mapper);
+VTKNBUFFER_EXPORT vtkActor* GetPlainActor(vtkProp* prop);
+///@}
+
+/// Whether a plain actor with a mapper, and that mapper, are of VTK's own classes, of which it is
+/// known from which objects GetMTime() combines its time. Subclasses may override it.
+VTKNBUFFER_EXPORT bool HaveKnownTimes(vtkActor* actor);
+}
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkNBufferKnownClasses.h
