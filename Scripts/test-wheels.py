@@ -65,17 +65,20 @@ class Environment:
         self.install(wheel)
 
     def run(self, command, status=0, **options):
-        """Run a command in the empty folder; return what it prints, or raise Failure."""
+        """Run a command in the empty folder; return what it prints, or raise Failure.
+
+        If it is to fail with this status, what it prints as errors is returned.
+        """
         environment = {name: value for name, value in os.environ.items()
                        if name not in ("PYTHONPATH", "PYVISTA_VTK_BACKEND")}
         environment.update(options.pop("environment", {}))
         done = subprocess.run(
-            [str(word) for word in command], env=environment, text=True, stderr=subprocess.STDOUT,
-            stdout=subprocess.PIPE, **{"cwd": getattr(self, "empty", None), **options})
+            [str(word) for word in command], env=environment, text=True, capture_output=True,
+            **{"cwd": getattr(self, "empty", None), **options})
         if done.returncode != status:
             raise Failure(f"{' '.join(map(str, command))} returns {done.returncode}, not {status}:\n"
-                          + "\n".join(done.stdout.splitlines()[-30:]))
-        return done.stdout.strip()
+                          + "\n".join((done.stdout + done.stderr).splitlines()[-30:]))
+        return (done.stderr if status else done.stdout).strip()
 
     def python_run(self, *words, **options):
         return self.run([self.python, *words], **options)
@@ -107,7 +110,7 @@ def run_tests(environment, package, title, with_pytest):
     if not demo.endswith("\n0 bytes of all images differ."):
         raise Failure(f"the demonstration fails:\n{demo}")
     print(f"   demonstration: {demo.splitlines()[-5]}", flush=True)
-    if with_pytest:
+    if with_pytest and list(SOURCE.glob("Testing/Python/test_*.py")):
         environment.install("pyvista[cvista]" if package == "cvista" else "pyvista", "pytest")
         printed = environment.python_run("-m", "pytest", "-q", "-p", "no:cacheprovider",
                                          SOURCE / "Testing/Python", **settings)

@@ -74,7 +74,9 @@ make_wheel() {
   for setting in "$@"; do
     settings+=("--config-settings=$setting")
   done
-  rm -rf "$work/new"
+  # Without this file scikit-build-core does not notice that another environment has used the folder
+  # before, after which it would compile everything again.
+  rm -rf "$work/new" "$folder/.skbuild-info.json"
   nbuffer_quietly wheel "$python" -m pip wheel --disable-pip-version-check --no-deps \
     --no-build-isolation --wheel-dir "$work/new" "${settings[@]}" "$nbuffer_source"
 }
