@@ -12,7 +12,7 @@
 #
 # SDK is a folder that Scripts/make-vtk-sdk.sh has made, or an archive of it. A Python of the right
 # version is $PYTHON, python3.X in $PATH, or pyenv's, with its headers. What cannot be made is said in
-# a line that begins with "SKIPPED: ". The exit status is 1 if there is no wheel in the end.
+# a line that begins with "SKIPPED: "; if no wheel can be made, the exit status is 125.
 
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=setup.sh
@@ -176,4 +176,4 @@ else
 fi
 
 nbuffer_say "Wheels"
-ls -l "$dist"/vtk_nbuffer-*.whl 2>/dev/null || nbuffer_fail "no wheel was made"
+ls -l "$dist"/vtk_nbuffer-*.whl 2>/dev/null || exit 125
