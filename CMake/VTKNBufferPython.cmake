@@ -24,6 +24,7 @@ vtk_module_wrap_python(
 # tests use them as users do.
 file(GLOB _files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Modules/NBuffer/Python/vtknbuffer/*.py")
 list(APPEND _files
+  "${PROJECT_SOURCE_DIR}/Modules/NBuffer/Python/vtknbuffer/py.typed"
   "${PROJECT_SOURCE_DIR}/Examples/Data/neubrandenburg.city"
   "${PROJECT_SOURCE_DIR}/Examples/Data/neubrandenburg.city.license")
 set(_package "${CMAKE_BINARY_DIR}/${_python_destination}/vtknbuffer")

@@ -12,8 +12,10 @@ import importlib.util
 import os
 import sys
 
-# Versions of VTK whose classes have the same layout: a module that was compiled for one of them
-# passes all tests with the others. Any other version has to be the one that it was compiled for.
+# Versions of VTK whose classes have the same layout, as far as this module uses them: sizes, members
+# and virtual tables in the packages of PyPI were compared (only the cell locators of 9.7.2 differ),
+# and Scripts/test-wheels.py tests a module that was compiled for 9.7.0 with the others. Any other
+# version has to be the one that it was compiled for.
 _INTERCHANGEABLE = ({"9.7.0", "9.7.1", "9.7.2"},)
 
 
@@ -34,7 +36,9 @@ def find_vtk_package():
     loaded = [name for name in ("cvista", "vtkmodules") if name in sys.modules]
     if len(loaded) == 1:
         return loaded[0]
-    return "cvista" if importlib.util.find_spec("cvista") else "vtkmodules"
+    # A folder that cvista has left behind when it was uninstalled has no origin.
+    cvista = importlib.util.find_spec("cvista")
+    return "cvista" if cvista and cvista.origin else "vtkmodules"
 
 
 def _describe_builds(folders):
