@@ -27,7 +27,8 @@ list(APPEND _files
   "${PROJECT_SOURCE_DIR}/Modules/NBuffer/Python/vtknbuffer/py.typed"
   "${PROJECT_SOURCE_DIR}/Examples/Data/neubrandenburg.city"
   "${PROJECT_SOURCE_DIR}/Examples/Data/neubrandenburg.city.license")
-set(_package "${CMAKE_BINARY_DIR}/${_python_destination}/vtknbuffer")
+set(VTKNBUFFER_PYTHON_PATH "${CMAKE_BINARY_DIR}/${_python_destination}")
+set(_package "${VTKNBUFFER_PYTHON_PATH}/vtknbuffer")
 set(_copies)
 foreach (_file IN LISTS _files)
   get_filename_component(_name "${_file}" NAME)
@@ -62,10 +63,11 @@ else ()
   add_custom_command(
     OUTPUT "${_package}/${VTKNBUFFER_PYTHON_FOLDER}/vtkNBuffer.pyi"
     DEPENDS PyvtkNBufferPython ${_copies}
-    WORKING_DIRECTORY "${_package}/.."
+    WORKING_DIRECTORY "${VTKNBUFFER_PYTHON_PATH}"
     COMMAND "${CMAKE_COMMAND}" -E env PYVISTA_VTK_BACKEND=${VTKNBUFFER_VTK_PACKAGE}
       "${Python3_EXECUTABLE}" -m ${VTKNBUFFER_VTK_PACKAGE}.generate_pyi
-      -p "vtknbuffer.${VTKNBUFFER_PYTHON_FOLDER}" -o "${_package}/${VTKNBUFFER_PYTHON_FOLDER}" vtkNBuffer
+      -p "vtknbuffer.${VTKNBUFFER_PYTHON_FOLDER}"
+      -o "${_package}/${VTKNBUFFER_PYTHON_FOLDER}" vtkNBuffer
     COMMENT "Type stubs of the Python module")
   add_custom_target(vtknbuffer-python-stubs ALL DEPENDS "${_package}/${VTKNBUFFER_PYTHON_FOLDER}/vtkNBuffer.pyi")
   install(FILES "${_package}/${VTKNBUFFER_PYTHON_FOLDER}/vtkNBuffer.pyi"

@@ -196,6 +196,7 @@ nbuffer_setup_debian_vtk() {
   nbuffer_install_packages $requirements
   local config
   config=$(dpkg-query -L libvtk9-dev | grep '/vtk-config\.cmake$')
-  nbuffer_configure configure-debian-vtk "$nbuffer_debian_build" "-DVTK_DIR=${config%/*}"
+  nbuffer_configure configure-debian-vtk "$nbuffer_debian_build" "-DVTK_DIR=${config%/*}" \
+    -DVTKNBUFFER_WRAP_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3
   nbuffer_build "$nbuffer_debian_build"
 }

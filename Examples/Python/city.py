@@ -10,7 +10,7 @@ import pyvista as pv
 import vtknbuffer.pyvista  # noqa: F401 (not needed with PyVista 0.48 and later)
 from vtknbuffer import city
 
-plotter = pv.Plotter(off_screen=len(sys.argv) > 1, lighting="none")
+plotter = pv.Plotter(window_size=(800, 600), off_screen=len(sys.argv) > 1, lighting="none")
 buildings, streets = city.read()
 colors = np.random.default_rng(1).uniform(0.6, 0.95, (len(buildings), 3))
 for (outline, height), color in zip(buildings, colors):

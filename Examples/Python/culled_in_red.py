@@ -10,7 +10,7 @@ import pyvista as pv
 import vtknbuffer.pyvista  # noqa: F401 (not needed with PyVista 0.48 and later)
 
 off_screen = len(sys.argv) > 1
-plotter = pv.Plotter(off_screen=off_screen)
+plotter = pv.Plotter(window_size=(800, 600), off_screen=off_screen)
 random = np.random.default_rng(3)
 for x in range(40):
     for y in range(40):

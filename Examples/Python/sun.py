@@ -9,7 +9,7 @@ import pyvista as pv
 
 import vtknbuffer.pyvista  # noqa: F401 (not needed with PyVista 0.48 and later)
 
-plotter = pv.Plotter(off_screen=len(sys.argv) > 1, lighting="none")
+plotter = pv.Plotter(window_size=(800, 600), off_screen=len(sys.argv) > 1, lighting="none")
 plotter.add_mesh(pv.Plane(i_size=400, j_size=400), color="white")
 angles = np.linspace(0, 2 * np.pi, 24, endpoint=False)
 for ring in (12, 20, 28):
