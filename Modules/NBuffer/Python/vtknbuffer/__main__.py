@@ -36,7 +36,7 @@ def add_file(plotter, path):
     path = pathlib.Path(path)
     if not path.is_file():
         raise ValueError(f"{path}: there is no such file")
-    before = len(plotter.renderer.GetViewProps())
+    before = plotter.renderer.GetViewProps().GetNumberOfItems()
     importer = getattr(plotter, _IMPORTERS.get(path.suffix.lower(), ""), None)
     try:
         if importer:
@@ -49,7 +49,7 @@ def add_file(plotter, path):
                                      show_scalar_bar=False)
     except Exception as error:
         raise ValueError(f"{path}: {error}") from error
-    if len(plotter.renderer.GetViewProps()) == before:
+    if plotter.renderer.GetViewProps().GetNumberOfItems() == before:
         raise ValueError(f"{path}: the file has nothing that can be drawn")
 
 

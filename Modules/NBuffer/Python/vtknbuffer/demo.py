@@ -25,14 +25,16 @@ core, data, rendering = _vtk("vtkCommonCore"), _vtk("vtkCommonDataModel"), _vtk(
 to_numpy = _vtk("util.numpy_support")
 
 
-def _make_actor(points, polygons, color):
+def _make_actor(points, polygons, color, kept):
     mesh = data.vtkPolyData()
     vtk_points = core.vtkPoints()
-    vtk_points.SetData(to_numpy.numpy_to_vtk(points, deep=True))
+    coordinates = to_numpy.numpy_to_vtk(points, deep=True)
+    vtk_points.SetData(coordinates)
     mesh.SetPoints(vtk_points)
     cells = data.vtkCellArray()
     cells.ImportLegacyFormat(to_numpy.numpy_to_vtkIdTypeArray(polygons.astype(np.int64), deep=True))
     mesh.SetPolys(cells)
+    kept.extend((coordinates, vtk_points, cells, mesh))
     mapper = rendering.vtkPolyDataMapper()
     mapper.SetInputData(mesh)
     actor = rendering.vtkActor()
@@ -41,15 +43,20 @@ def _make_actor(points, polygons, color):
     return actor
 
 
-def make_window(buildings, size):
-    """Return a window off screen with one actor per building, and its renderer."""
+def make_window(buildings, size, kept):
+    """Return a window off screen with one actor per building, and its renderer.
+
+    The list ``kept`` receives what the actors are made of. It has to live longer than the window:
+    when Python drops such an object and VTK does not, the package vtk searches all that were
+    dropped before, which takes minutes for 15,000 actors.
+    """
     renderer = rendering.vtkRenderer()
     renderer.SetBackground(0.6, 0.75, 0.9)
     colors = np.random.default_rng(1).uniform(0.5, 0.9, (len(buildings), 3))
     for (outline, height), color in zip(buildings, colors):
-        renderer.AddActor(_make_actor(*city.walls_and_roof(outline, height), color))
+        renderer.AddActor(_make_actor(*city.walls_and_roof(outline, height), color, kept))
     corners = np.array([[-9e3, -9e3, 0], [9e3, -9e3, 0], [9e3, 9e3, 0], [-9e3, 9e3, 0.0]])
-    renderer.AddActor(_make_actor(corners, np.array([4, 0, 1, 2, 3]), (0.45, 0.5, 0.4)))
+    renderer.AddActor(_make_actor(corners, np.array([4, 0, 1, 2, 3]), (0.45, 0.5, 0.4), kept))
     window = rendering.vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)
@@ -86,9 +93,14 @@ def _props_with_pixels(renderer, window):
 
 def run(frames, size, report=print):
     """Walk, and return the medians in milliseconds and the number of bytes that differ."""
+    kept = []
+    return _run(frames, size, report, kept)
+
+
+def _run(frames, size, report, kept):
     buildings, streets = city.read()
     report(f"making {len(buildings)} actors ...")
-    window, renderer = make_window(buildings, size)
+    window, renderer = make_window(buildings, size, kept)
     eyes, focal_points = city.walk(buildings, streets, frames)
     camera = renderer.GetActiveCamera()
     camera.SetViewUp(0, 0, 1)
