@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tests the wheels that Scripts/wheel.sh has made, as users install them.
 
-For each wheel and each Python that it is for, a virtual environment is made with the VTK that the
-wheel needs. In a folder that is empty it runs a smoke test (Testing/Python/smoke_wheel.py) and the
+For each Python and the wheel that pip chooses for it, a virtual environment is made with the VTK that
+the wheel needs; with --all for each wheel that the Python can use. In a folder that is empty it runs a smoke test (Testing/Python/smoke_wheel.py) and the
 demonstration, and with --pytest all tests in Testing/Python with PyVista. It also checks that a
 wheel refuses a VTK for which it has no module. The wheels of the package vtk are tested with each
 of the versions that --vtk names.
@@ -43,14 +43,18 @@ def find_python(version):
 
 
 def find_wheels(dist, version):
-    """Yield the wheels in this folder that are for this version of Python, with their VTKs."""
-    tag = f"cp{version.replace('.', '')}"
+    """Return the wheels in this folder for this version of Python, the one that pip chooses first.
+
+    With each wheel the packages that it has a module for are returned.
+    """
+    found = []
     for wheel in sorted(dist.glob("vtk_nbuffer-*.whl")):
         python, abi = wheel.stem.split("-")[2:4]
         if abi == "abi3" and int(version[2:]) >= int(python[3:]):
-            yield wheel, ("cvista",)
-        elif python == tag:
-            yield wheel, ("vtk", "cvista") if int(version[2:]) >= 12 else ("vtk",)
+            found.append((wheel, ("cvista",)))
+        elif python == f"cp{version.replace('.', '')}":
+            found.insert(0, (wheel, ("vtk", "cvista") if int(version[2:]) >= 12 else ("vtk",)))
+    return found
 
 
 class Environment:
@@ -149,6 +153,8 @@ def main():
     parser.add_argument("dist", nargs="?", type=pathlib.Path, default=SOURCE / "dist")
     parser.add_argument("--python", nargs="+", default=PYTHONS, metavar="3.X", choices=PYTHONS)
     parser.add_argument("--vtk", nargs="+", default=["9.7.0", "9.7.1", "9.7.2"], metavar="9.7.X")
+    parser.add_argument("--all", action="store_true",
+                        help="also wheels that pip does not choose if it has another one")
     parser.add_argument("--pytest", action="store_true",
                         help="also run Testing/Python, with the first of these versions of VTK")
     parser.add_argument("--work", type=pathlib.Path, default=SOURCE / "build/wheel/test")
@@ -157,7 +163,7 @@ def main():
     tested = failed = 0
     for version in options.python:
         python = find_python(version)
-        wheels = list(find_wheels(options.dist, version))
+        wheels = find_wheels(options.dist, version)[:None if options.all else 1]
         if not wheels or not python:
             print(f"SKIPPED: Python {version}: "
                   + ("it is not found" if wheels else f"there is no wheel for it in {options.dist.name}"))
