@@ -245,6 +245,28 @@ const Kind Kinds[] = {
         p.LineWidth = 10.0;
       }),
     Verdict::NotASurface },
+  // vedo gives all its meshes spheres for points. A surface without points has none to draw.
+  { "SpheresAndTubesWithoutPointsAndLines", As([](Prop& p) { p.Spheres = p.Tubes = true; }),
+    Verdict::Hidden },
+  // Hazard: points in the data stick out of its bounds as spheres, and lines as tubes.
+  { "SpheresForPointsInTheData",
+    As(
+      [](Prop& p)
+      {
+        p.Shape.Kind = ShapeKind::Points;
+        p.Spheres = true;
+        p.PointSize = 20.0;
+      }),
+    Verdict::NotASurface },
+  { "TubesForLinesInTheData",
+    As(
+      [](Prop& p)
+      {
+        p.Shape.Kind = ShapeKind::Lines;
+        p.Tubes = true;
+        p.LineWidth = 10.0;
+      }),
+    Verdict::NotASurface },
   { "DepthOffset",
     As(
       [](Prop& p)

@@ -214,11 +214,11 @@ bool vtkNBufferSurface::HasReplacedShaders(vtkActor* actor)
       shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0);
 }
 
-bool vtkNBufferSurface::DrawsAsSurface(vtkProperty* property)
+bool vtkNBufferSurface::DrawsAsSurface(vtkProperty* property, bool linesOrPoints)
 {
   return property->GetRepresentation() == VTK_SURFACE && !property->GetEdgeVisibility() &&
-    !property->GetVertexVisibility() && !property->GetRenderPointsAsSpheres() &&
-    !property->GetRenderLinesAsTubes();
+    !property->GetVertexVisibility() &&
+    !(linesOrPoints && (property->GetRenderPointsAsSpheres() || property->GetRenderLinesAsTubes()));
 }
 
 bool vtkNBufferSurface::HasOtherCoordinates(vtkActor* actor)
@@ -269,8 +269,9 @@ double vtkNBufferSurface::GetLightingMargin(vtkActor* actor)
   {
     return std::numeric_limits<double>::infinity();
   }
+  const double margin = GetMargin(actor);
   vtkProperty* property = actor->GetProperty();
-  return DrawsAsSurface(property) ? GetMargin(actor) : GetMarginOfLines(property);
+  return DrawsAsSurface(property, margin > 0.0) ? margin : GetMarginOfLines(property);
 }
 
 bool vtkNBufferSurface::DrawsLines(vtkMapper* mapper)

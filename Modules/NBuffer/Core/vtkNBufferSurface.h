@@ -61,8 +61,8 @@ public:
   static bool HasReplacedShaders(vtkActor* actor);
 
   /// Whether an actor with this property draws filled polygons without edges, vertices, spheres or
-  /// tubes.
-  static bool DrawsAsSurface(vtkProperty* property);
+  /// tubes. Spheres and tubes are drawn only for data with points or lines, if `linesOrPoints`.
+  static bool DrawsAsSurface(vtkProperty* property, bool linesOrPoints);
 
   /// Whether the actor is placed by a device or in the physical world, not in world coordinates.
   static bool HasOtherCoordinates(vtkActor* actor);

@@ -105,8 +105,9 @@ vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor, vtkNBufferVerdi
   {
     return vtkNBufferVerdict::NotAPlainMapper;
   }
-  if (!vtkNBufferSurface::DrawsAsSurface(actor->GetProperty()) ||
-    (this->Box.Margin > 0.0 && vtkNBufferSurface::DrawsLines(mapper)))
+  const bool linesOrPoints = this->Box.Margin > 0.0;
+  if (!vtkNBufferSurface::DrawsAsSurface(actor->GetProperty(), linesOrPoints) ||
+    (linesOrPoints && vtkNBufferSurface::DrawsLines(mapper)))
   {
     return vtkNBufferVerdict::NotASurface;
   }
@@ -114,7 +115,7 @@ vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor, vtkNBufferVerdi
   {
     return vtkNBufferVerdict::ShaderReplaced;
   }
-  if (vtkNBufferSurface::HasOffsetTowardsEye(mapper, this->Box.Margin > 0.0))
+  if (vtkNBufferSurface::HasOffsetTowardsEye(mapper, linesOrPoints))
   {
     return vtkNBufferVerdict::DepthOffset;
   }
