@@ -144,6 +144,8 @@ else
     tar -xf "$sdk" -C "$work/sdk"
     sdk=$(echo "$work/sdk"/*)
   fi
+  package=$(echo "$sdk"/lib/cmake/vtk-*)
+  [[ -f "$package/vtk-config.cmake" ]] || nbuffer_fail "$sdk is not an SDK of Scripts/make-vtk-sdk.sh"
   versions=()
   for version in 3.10 3.11 3.12 3.13; do
     if find_python "$version" >/dev/null; then
@@ -166,7 +168,7 @@ else
     nbuffer_say "Wheel for vtk, by Python $version"
     site=$("$work/$environment/bin/python" -c 'import sysconfig; print(sysconfig.get_path("purelib"))')
     # One build folder for all: only what includes Python's headers is compiled again.
-    make_wheel "$environment" build-vtk wheel.py-api= "cmake.define.CMAKE_PREFIX_PATH=$sdk" \
+    make_wheel "$environment" build-vtk wheel.py-api= "cmake.define.VTK_DIR=$package" \
       "cmake.define.VTK_WHEEL_DIR=$site/vtkmodules"
     if [[ -n "$abi3" && "${version#3.}" -ge 12 ]]; then
       add_cvista "$environment" "$abi3"
