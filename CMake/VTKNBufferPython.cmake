@@ -60,9 +60,14 @@ execute_process(
 if (_no_stubs)
   message(STATUS "No type stubs: ${Python3_EXECUTABLE} has no package ${VTKNBUFFER_VTK_PACKAGE}")
 else ()
+  # VTK 9.7 has renamed the wrapper's target.
+  set(_wrapper PyvtkNBufferPython)
+  if (NOT TARGET ${_wrapper})
+    set(_wrapper vtkNBufferPython)
+  endif ()
   add_custom_command(
     OUTPUT "${_package}/${VTKNBUFFER_PYTHON_FOLDER}/vtkNBuffer.pyi"
-    DEPENDS PyvtkNBufferPython ${_copies}
+    DEPENDS ${_wrapper} ${_copies}
     WORKING_DIRECTORY "${VTKNBUFFER_PYTHON_PATH}"
     COMMAND "${CMAKE_COMMAND}" -E env PYVISTA_VTK_BACKEND=${VTKNBUFFER_VTK_PACKAGE}
       "${Python3_EXECUTABLE}" -m ${VTKNBUFFER_VTK_PACKAGE}.generate_pyi
