@@ -164,11 +164,12 @@ void vtkShadowVolumeClampPass::Render(const vtkRenderState* s)
   if (renderer->GetPass() == this)
   {
     // vtkCamera::Render() reads from the window whether there are two eyes. VTK's camera pass does
-    // not.
+    // not. The matrices that the camera keeps do not notice it without Modified().
     vtkCamera* camera = renderer->GetActiveCamera();
     if (camera->GetStereo() != renderer->GetRenderWindow()->GetStereoRender())
     {
       camera->Render(renderer);
+      camera->Modified();
     }
     this->Implementation->Steps->Render(s);
     this->NumberOfRenderedProps = this->Implementation->Steps->GetNumberOfRenderedProps();

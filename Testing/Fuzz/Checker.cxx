@@ -7,6 +7,7 @@
 #include "Judge.h"
 #include "Messages.h"
 
+#include "vtkCamera.h"
 #include "vtkNBufferGL.h"
 #include "vtkOpenGLRenderWindow.h"
 
@@ -34,6 +35,19 @@ bool IsComparable(const std::string& name)
     "GL_DEPTH_WRITEMASK" };
   return std::none_of(excluded.begin(), excluded.end(),
     [&name](const char* part) { return name.find(part) != std::string::npos; });
+}
+
+/// Whether the last frame was that of an eye, by whose frustum VTK may cull the next one as well.
+bool HasCameraOfAnEye(const Player& player)
+{
+  for (int i = 0; i < player.GetNumberOfRenderers(); ++i)
+  {
+    if (player.GetRenderer(i)->GetActiveCamera()->GetStereo())
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// What vtkOpenGLState takes for the state although it is not, by name.
@@ -208,9 +222,10 @@ std::string Checker::CheckFrame(const Scenario& scenario, int frame)
   }
   const bool stereo = this->Reference.Window->GetStereoRender() != 0;
   const ShadowPasses passes = this->IsJudging ? ShadowPasses::Lasting : last;
-  if (shadows && stereo)
+  if (shadows && (stereo || HasCameraOfAnEye(this->Tested)))
   {
-    // As the reference: see DrawReferenceShadows().
+    // The reference has been drawn before: see DrawReferenceShadows(). VTK's first frame after
+    // stereo is not the second one either, because VTK drops props by the camera's old frustum.
     Draw(this->Tested, passes, false);
   }
   const Drawn tested = Draw(this->Tested, passes, checkState);

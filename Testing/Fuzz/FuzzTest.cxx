@@ -479,6 +479,16 @@ TEST_F(FuzzRuns, ConesOfWhatIsLitElsewhere)
   }
 }
 
+// VTK culls the first frame after stereo by the frustum of an eye.
+TEST_F(FuzzRuns, ShadowsAfterStereo)
+{
+  const Scenario scenario = FromJson(Parse(
+    R"({"changes": [{"frame": 2, "kind": "Stereo", "values": [-1]}], "frames": 3,
+        "props": [{"id": 6}], "renderers": [{"pass": "ShadowVolumes"}],
+        "window": {"height": 42, "stereo": 4, "width": 159}})"));
+  EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
+}
+
 TEST(FuzzShadows, MasksMayDifferAtEdgesOnly)
 {
   // Left of the middle is in shadow.

@@ -354,6 +354,18 @@ TEST_P(CullerStereo, WallAndCity)
   }
   wall.Frame("still");
   wall.Frame("still");
+
+  // VTK goes on to draw with the matrices of the last eye until the camera is modified.
+  for (Comparison* scene : { &wall, &city })
+  {
+    scene->Frame("mono", [](Stage& stage) { stage.Window->StereoRenderOff(); });
+    for (int i = 0; i < 4; ++i)
+    {
+      // Something that changes lets the props be tested anew.
+      scene->Frame("mono",
+        [i](Stage& stage) { stage.GetRenderer()->GetActors()->GetLastActor()->SetScale(1.0 + i); });
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, CullerStereo,

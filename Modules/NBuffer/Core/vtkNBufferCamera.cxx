@@ -4,6 +4,7 @@
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
@@ -13,9 +14,22 @@ vtkNBufferCamera::vtkNBufferCamera(vtkRenderer* renderer)
   vtkCamera* camera = renderer->GetActiveCamera();
   const auto toMatrix = [](vtkMatrix4x4* matrix)
   { return vtkNBufferGLM::ToMatrix(matrix->GetData()); };
-  this->WorldToClip =
-    toMatrix(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)) *
-    toMatrix(camera->GetModelViewTransformMatrix());
+  auto* drawing = vtkOpenGLCamera::SafeDownCast(camera);
+  if (drawing && camera->GetStereo() == renderer->GetRenderWindow()->GetStereoRender())
+  {
+    vtkMatrix4x4* modelView = nullptr;
+    vtkMatrix3x3* normals = nullptr;
+    vtkMatrix4x4* projection = nullptr;
+    vtkMatrix4x4* both = nullptr;
+    drawing->GetKeyMatrices(renderer, modelView, normals, projection, both);
+    this->WorldToClip = glm::transpose(toMatrix(projection)) * glm::transpose(toMatrix(modelView));
+  }
+  else
+  {
+    this->WorldToClip =
+      toMatrix(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)) *
+      toMatrix(camera->GetModelViewTransformMatrix());
+  }
   camera->GetPosition(glm::value_ptr(this->Eye));
   this->IsParallel = camera->GetParallelProjection() != 0;
 }

@@ -7,6 +7,11 @@
  * vtkCamera::GetCompositeProjectionTransformMatrix() leaves out the shear that the eyes of a stereo
  * pair have. VTK's mappers multiply the projection matrix by the model-view matrix instead, and so
  * does this class.
+ *
+ * VTK draws with the matrices that vtkOpenGLCamera keeps until camera or renderer are modified. A
+ * window that is switched to stereo or back modifies neither, so that the matrices may be those of
+ * an eye that is no longer drawn. This class takes the matrices that VTK draws with. Only where VTK
+ * has not yet told the camera about the switch are they computed from the camera's parameters.
  */
 #ifndef vtkNBufferCamera_h
 #define vtkNBufferCamera_h
