@@ -11,7 +11,7 @@
  * VTK draws with the matrices that vtkOpenGLCamera keeps until camera or renderer are modified. A
  * window that is switched to stereo or back modifies neither, so that the matrices may be those of
  * an eye that is no longer drawn. This class takes the matrices that VTK draws with. Only where VTK
- * has not yet told the camera about the switch are they computed from the camera's parameters.
+ * has not yet set the flag of the camera are they computed from the camera's parameters.
  */
 #ifndef vtkNBufferCamera_h
 #define vtkNBufferCamera_h
