@@ -4,13 +4,13 @@
 
 #include "vtkNBufferBackend.h"
 #include "vtkNBufferCompatibility.h"
+#include "vtkNBufferCullerOrder.h"
+#include "vtkNBufferDepthExchange.h"
 #include "vtkNBufferFrameGuard.h"
 #include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferView.h"
 
 #include "vtkCamera.h"
-#include "vtkCullerCollection.h"
-#include "vtkFrustumCoverageCuller.h"
 #include "vtkObjectFactory.h"
 #include "vtkProp.h"
 #include "vtkRenderWindow.h"
@@ -142,59 +142,6 @@ static_assert(AreEqual(vtkNBufferCuller::Auto, vtkNBufferBackend::Auto) &&
     AreEqual(vtkNBufferCuller::Always, vtkNBufferSliverPolicy::Always),
   "the settings are cast to the enumerations of the private classes");
 
-/// Whether the frustum test of vtkNBufferView does everything that `culler` would do.
-bool IsDefaultFrustumCuller(vtkCuller* culler)
-{
-  if (typeid(*culler) != typeid(vtkFrustumCoverageCuller))
-  {
-    return false;
-  }
-  auto* frustum = static_cast<vtkFrustumCoverageCuller*>(culler);
-  return frustum->GetMinimumCoverage() == 0.0 && frustum->GetMaximumCoverage() == 1.0 &&
-    frustum->GetSortingStyle() == VTK_CULLER_SORT_NONE;
-}
-
-/// Move the default frustum cullers before `self` to the end of the collection, whose order is the
-/// order in which cullers run. If `self` is the last culler, they do not run again in this frame,
-/// because the renderer's iterator is at its end already.
-void MoveDefaultFrustumCullersBehind(vtkCuller* self, vtkCullerCollection* cullers)
-{
-  std::vector<vtkSmartPointer<vtkCuller>> before;
-  vtkCollectionSimpleIterator cookie;
-  cullers->InitTraversal(cookie);
-  for (vtkCuller* culler = cullers->GetNextCuller(cookie); culler && culler != self;
-       culler = cullers->GetNextCuller(cookie))
-  {
-    if (IsDefaultFrustumCuller(culler))
-    {
-      before.emplace_back(culler);
-    }
-  }
-  for (const vtkSmartPointer<vtkCuller>& culler : before)
-  {
-    cullers->RemoveItem(culler);
-    cullers->AddItem(culler);
-  }
-}
-
-/// Whether a culler comes after `self` that may remove props. It would not see the props that are
-/// held back.
-bool IsOtherCullerBehind(vtkCuller* self, vtkCullerCollection* cullers)
-{
-  bool behind = false;
-  vtkCollectionSimpleIterator cookie;
-  cullers->InitTraversal(cookie);
-  while (vtkCuller* culler = cullers->GetNextCuller(cookie))
-  {
-    if (behind && !IsDefaultFrustumCuller(culler))
-    {
-      return true;
-    }
-    behind = behind || culler == self;
-  }
-  return false;
-}
-
 void AddKnownClass(vtkNBufferKnownClasses::List list, const char* className)
 {
   if (!vtkNBufferKnownClasses::Add(list, className))
@@ -227,6 +174,20 @@ void vtkNBufferCuller::SetTuning(const vtkNBufferTuning& tuning)
   }
 }
 
+void vtkNBufferCuller::SetDepthExchange(vtkNBufferDepthExchange* exchange)
+{
+  if (exchange != this->DepthExchange)
+  {
+    this->DepthExchange = exchange;
+    this->Modified();
+  }
+}
+
+vtkNBufferDepthExchange* vtkNBufferCuller::GetDepthExchange() const
+{
+  return this->DepthExchange;
+}
+
 void vtkNBufferCuller::AddKnownPass(const char* className)
 {
   AddKnownClass(vtkNBufferKnownClasses::Passes, className);
@@ -252,7 +213,8 @@ double vtkNBufferCuller::Cull(
   {
     obstacle = vtkNBufferCompatibility::WhyNot(renderer);
   }
-  if (obstacle == vtkNBufferDecision::None && IsOtherCullerBehind(this, renderer->GetCullers()))
+  if (obstacle == vtkNBufferDecision::None &&
+    vtkNBufferCullerOrder::IsOtherBehind(this, renderer->GetCullers()))
   {
     obstacle = vtkNBufferDecision::OtherCuller;
   }
@@ -260,9 +222,18 @@ double vtkNBufferCuller::Cull(
   // left only a few of many props, and it takes its time in each frame until it is moved.
   if (obstacle == vtkNBufferDecision::None && this->Tuning.TakeOverFrustumCulling)
   {
-    MoveDefaultFrustumCullersBehind(this, renderer->GetCullers());
+    vtkNBufferCullerOrder::MoveFrustumCullersBehind(this, renderer->GetCullers());
   }
-  if (obstacle == vtkNBufferDecision::None && listLength < this->Tuning.MinimumNumberOfCandidates)
+  vtkNBufferSettings settings = { this->Tuning };
+  settings.Backend = static_cast<vtkNBufferBackend::Kind>(this->Backend);
+  settings.TestSlivers = static_cast<vtkNBufferSliverPolicy>(this->TestSlivers);
+  settings.Freeze = this->Freeze;
+  if (obstacle == vtkNBufferDecision::None && this->DepthExchange &&
+    vtkNBufferCompatibility::CanShareDepth(renderer))
+  {
+    settings.Share(this->DepthExchange->GetSharedDepth(renderer));
+  }
+  if (obstacle == vtkNBufferDecision::None && listLength < settings.MinimumNumberOfCandidates)
   {
     obstacle = vtkNBufferDecision::FewCandidates;
   }
@@ -283,9 +254,6 @@ double vtkNBufferCuller::Cull(
     return total;
   }
   entry.Guard->BeginFrame(this);
-  const vtkNBufferSettings settings = { this->Tuning,
-    static_cast<vtkNBufferBackend::Kind>(this->Backend),
-    static_cast<vtkNBufferSliverPolicy>(this->TestSlivers), this->Freeze };
   return view.Cull(renderer, propList, listLength, initialized, settings);
 }
 
@@ -327,6 +295,7 @@ void vtkNBufferCuller::PrintSelf(ostream& os, vtkIndent indent)
      << this->GetBackendReason() << ")\n";
   os << indent << "TestSlivers: " << this->TestSlivers << "\n";
   os << indent << "Freeze: " << this->Freeze << "\n";
+  os << indent << "DepthExchange: " << this->DepthExchange << "\n";
   this->Tuning.PrintSelf(os, indent);
   os << indent << "Statistics: " << this->GetStatisticsAsJSON() << "\n";
 }

@@ -67,7 +67,7 @@
  * Sources: X. Decoret, "N-Buffers for efficient depth map query", 2005, section 3.1; M. Turitzin,
  * "Hierarchical Depth Buffers", 2020, for reductions of images of any size.
  *
- * @sa vtkNBufferStatistics vtkFrustumCoverageCuller
+ * @sa vtkNBufferStatistics vtkNBufferDepthExchange vtkFrustumCoverageCuller
  */
 #ifndef vtkNBufferCuller_h
 #define vtkNBufferCuller_h
@@ -77,10 +77,12 @@
 #include "vtkNBufferModule.h"       // For export macro
 #include "vtkNBufferStatistics.h"   // For vtkNBufferVerdict and the counters
 #include "vtkNBufferTuning.h"       // For the tuning
+#include "vtkSmartPointer.h"        // For the exchange
 
 #include <memory> // For the implementation's pointer
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkNBufferDepthExchange;
 class vtkProp;
 class vtkRenderer;
 
@@ -183,6 +185,13 @@ public:
   static void AddKnownActor(const char* className);
   ///@}
 
+  ///@{
+  /// What gives the culler the depth that other ranks of a parallel program have drawn, in frames
+  /// of the exchange's renderer; see vtkNBufferDepthExchange. Default: nullptr.
+  void SetDepthExchange(vtkNBufferDepthExchange* exchange);
+  vtkNBufferDepthExchange* GetDepthExchange() const;
+  ///@}
+
   /// Why a prop was drawn or culled in the last frame of `renderer`; nullptr means the renderer
   /// that was culled last. Unknown if the prop was not in that frame. Costs one hash look-up.
   vtkNBufferVerdict GetVerdict(vtkProp* prop, vtkRenderer* renderer = nullptr) const;
@@ -237,6 +246,7 @@ private:
   int TestSlivers = Never;
   bool Freeze = false;
   vtkNBufferTuning Tuning;
+  vtkSmartPointer<vtkNBufferDepthExchange> DepthExchange;
 
   class Internals;
   std::unique_ptr<Internals> Implementation;

@@ -46,7 +46,7 @@ ROOMS = {
 }
 # The rooms of the files that lie on top, by their names; the first that fits.
 PUBLIC = (
-    (r"vtkNBufferCuller(?!Traits)", "the culler"),
+    (r"vtkNBufferCuller(?!Traits)|vtkNBufferDepthExchange", "the culler"),
     (r"vtkNBufferTuning", "Culling/Test"),
     (r"vtkShadowVolumeClampPass", "the shadow pass"),
     (r"vtkShadow", "Shadows/Geometry"),

@@ -10,6 +10,8 @@
 
 #include VTKNBUFFER_GL_HEADER
 
+#include <algorithm>
+
 VTK_ABI_NAMESPACE_BEGIN
 constexpr bool FarIsLarge = vtkNBufferDepthConvention::Sign > 0.0;
 static_assert(vtkNBufferDepthConvention::PassIfNearer == (FarIsLarge ? GL_LESS : GL_GREATER) &&
@@ -69,6 +71,7 @@ vtkNBufferDecision vtkNBufferBackend::Build(Kind wanted, const Job& job, std::st
 {
   this->InUse = this->Choose(wanted, job.Window);
   this->HasDepth = false;
+  this->IsMerged = false;
   // Either path waits until earlier draws have finished. A trial must not count that time.
   if (wanted == Auto && this->Chosen == Auto)
   {
@@ -97,6 +100,40 @@ vtkNBufferDecision vtkNBufferBackend::Build(Kind wanted, const Job& job, std::st
   job.Statistics.Texels +=
     static_cast<long long>(levels.GetNumberOfLevels()) * levels.GetWidth() * levels.GetHeight();
   return vtkNBufferDecision::None;
+}
+
+void vtkNBufferBackend::Merge(vtkNBufferBaseMerger& shared, const Job& job)
+{
+  const vtkNBufferClock clock;
+  vtkNBufferLevels& levels = job.Levels;
+  // Levels above 0 are dropped: they may be of this depth alone.
+  levels.Allocate(job.Source.Viewport[2], job.Source.Viewport[3], job.Factor, 1,
+    vtkNBufferDepthConvention::Farthest);
+  this->IsMerged = shared.Merge(levels);
+  if (this->IsMerged && this->HasDepth)
+  {
+    this->MergePixels(levels, { 0, 0, job.Source.Viewport[2], job.Source.Viewport[3] });
+  }
+  const int built = levels.BuildLevels(job.NumberOfLevels);
+  job.Statistics.Levels += built;
+  job.Statistics.Texels += static_cast<long long>(built) * levels.GetWidth() * levels.GetHeight();
+  job.Statistics.BuildTime += clock.GetMilliseconds();
+}
+
+void vtkNBufferBackend::MergePixels(
+  const vtkNBufferLevels& levels, const vtkNBufferRectangle& pixels)
+{
+  const int factor = levels.GetFactor();
+  for (int y = pixels.Y0; y < pixels.Y1; ++y)
+  {
+    const float* texels =
+      levels.GetLevelData(0) + static_cast<std::size_t>(y / factor) * levels.GetWidth();
+    float* row = this->Depth.data() + static_cast<std::size_t>(y) * levels.GetPixelWidth();
+    for (int x = pixels.X0; x < pixels.X1; ++x)
+    {
+      row[x] = std::min(row[x], texels[x / factor]);
+    }
+  }
 }
 
 bool vtkNBufferBackend::CountFailure(vtkNBufferDecision failure)
@@ -231,6 +268,10 @@ const float* vtkNBufferBackend::GetDepth(
   {
     this->HasDepth = ReadBack(this->FarthestTexture, job, unread, this->Depth.data(), why) ==
       vtkNBufferDecision::None;
+    for (std::size_t i = 0; i < unread.size() && this->HasDepth && this->IsMerged; ++i)
+    {
+      this->MergePixels(job.Levels, unread[i]);
+    }
   }
   return this->HasDepth ? this->Depth.data() : nullptr;
 }

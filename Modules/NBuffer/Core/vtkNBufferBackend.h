@@ -35,6 +35,19 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 
+/**
+ * Whoever knows of depth that has not been drawn here, but will be nearer in the picture.
+ */
+class vtkNBufferBaseMerger
+{
+public:
+  /// Make the texels of level 0 nearer where that is known. Returns whether it made one nearer.
+  virtual bool Merge(vtkNBufferLevels& base) = 0;
+
+protected:
+  ~vtkNBufferBaseMerger() = default;
+};
+
 class vtkNBufferBackend
 {
 public:
@@ -64,6 +77,12 @@ public:
    * in this context.
    */
   vtkNBufferDecision Build(Kind wanted, const Job& job, std::string& why);
+
+  /**
+   * After Build(): let `shared` merge what else is known of the depth into level 0, and build the
+   * levels of `job` from it. GetDepth() then returns an image into which level 0 is merged, too.
+   */
+  void Merge(vtkNBufferBaseMerger& shared, const Job& job);
 
   /**
    * The depth image from which Build() made the levels of `job`: the farthest sample of each pixel
@@ -111,6 +130,8 @@ private:
   /// Let the device reduce the depth to level 0 of `texture`.
   static vtkNBufferDecision Reduce(
     vtkNBufferTexture* texture, const Job& job, int factor, std::string& why);
+  /// Make the pixels of a rectangle of the depth image as near as their texels of level 0.
+  void MergePixels(const vtkNBufferLevels& levels, const vtkNBufferRectangle& pixels);
   /// Read rectangles of level 0 of `texture` back to their places in `base`.
   static vtkNBufferDecision ReadBack(vtkNBufferTexture* texture, const Job& job,
     const std::vector<vtkNBufferRectangle>& rectangles, float* base, std::string& why);
@@ -124,6 +145,7 @@ private:
   /// defined.
   std::vector<float> Depth;
   bool HasDepth = false;
+  bool IsMerged = false; ///< Whether level 0 is merged into the depth image.
   vtkNBufferDepthTiles Tiles;
   ///@}
   Kind InUse = Auto;

@@ -113,6 +113,11 @@ bool ProcessesImage(vtkRenderer* renderer)
   return renderer->GetUseFXAA() || renderer->GetUseSSAO();
 }
 
+bool CanShareDepth(vtkRenderer* renderer)
+{
+  return !ProcessesImage(renderer) && !renderer->GetPass();
+}
+
 bool DrawsOpaquePropsTwice(vtkRenderer* renderer)
 {
   return AnyPass(renderer->GetPass(),

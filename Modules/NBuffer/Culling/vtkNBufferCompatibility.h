@@ -49,6 +49,12 @@ vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferViewKey& ke
 /// empty, but even if these props draw nothing.
 VTKNBUFFER_EXPORT bool ProcessesImage(vtkRenderer* renderer);
 
+/// Whether the depth that this renderer draws may be used to cull props of other ranks, and theirs
+/// to cull its props. The colour of each pixel must depend on that pixel alone, or a prop that
+/// another rank hides might shine into a pixel beside it. And the depth that is drawn must be the
+/// depth that is composited, which is known without render passes only.
+VTKNBUFFER_EXPORT bool CanShareDepth(vtkRenderer* renderer);
+
 /// Whether one of the renderer's passes says that it may draw the same opaque props twice in a
 /// frame (vtkNBufferRenderPassTraits::DrawsOpaquePropsTwice).
 VTKNBUFFER_EXPORT bool DrawsOpaquePropsTwice(vtkRenderer* renderer);

@@ -64,6 +64,9 @@ public:
    */
   void Learn(int saved, int inside);
 
+  /// Whether a pause is going on, so that the next frame must not be tested.
+  bool IsPaused() const { return this->FramesLeft > 0; }
+
 private:
   bool WasPaused = false; ///< Whether the last frame that was counted was part of a pause.
   int FramesLeft = 0;     ///< The frames left of the pause.

@@ -6,6 +6,7 @@
 #include "vtkNBufferGL.h"
 #include "vtkNBufferOcclusionTest.h"
 #include "vtkNBufferPixelTest.h"
+#include "vtkNBufferSharedDepth.h"
 
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -27,6 +28,24 @@ void RemoveIf(std::vector<int>& places, Predicate&& predicate)
   places.erase(
     std::remove_if(places.begin(), places.end(), std::forward<Predicate>(predicate)), places.end());
 }
+}
+
+void vtkNBufferSettings::Share(const std::shared_ptr<vtkNBufferSharedDepth>& shared)
+{
+  this->Shared = shared;
+  if (shared)
+  {
+    const vtkNBufferSharedDepth::Layout& layout = shared->GetLayout();
+    this->BaseFactor = layout.TileSize;
+    this->RoundSize = std::max(this->RoundSize / layout.Ranks, 1);
+    this->MinimumNumberOfCandidates =
+      std::max(this->MinimumNumberOfCandidates - shared->GetOtherCandidates(), 1);
+  }
+}
+
+double vtkNBufferSettings::GetStep(const vtkNBufferDepthSource& source) const
+{
+  return std::max(source.GetStep(), this->Shared ? this->Shared->GetStep() : 0.0);
 }
 
 vtkNBufferDepthTest::vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferLevels& levels,
@@ -68,7 +87,50 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
   }
   levels = std::max(levels, this->Props.GetLevelsNeeded(this->Settings.BaseFactor));
   this->Backend.SetAllowFloatTextures(this->Settings.AllowFloatTextures);
-  return this->Backend.Build(this->Settings.Backend, this->GetJob(levels), why);
+  // Each rank's picture is composited by the depth that is in the window's framebuffer at the end.
+  const bool isShared = this->Settings.Shared && source.Samples <= 1 &&
+    source.Framebuffer == window->GetRenderFramebuffer()->GetFBOIndex();
+  const bool isTrial = isShared && this->Settings.Shared->IsTrial();
+  const vtkNBufferDecision failure = this->Backend.Build(
+    this->Settings.Backend, this->GetJob(isShared && !isTrial ? 1 : levels), why);
+  if (failure == vtkNBufferDecision::None && isShared)
+  {
+    this->Settings.Shared->GetReport().Step = source.GetStep();
+    const int hidden = isTrial ? this->CountHidden(places) : 0;
+    this->Backend.Merge(*this->Settings.Shared, this->GetJob(levels));
+    if (isTrial)
+    {
+      this->Settings.Shared->SetGain(std::max(this->CountHidden(places) - hidden, 0));
+    }
+  }
+  return failure;
+}
+
+void vtkNBufferDepthTest::SetCounts(int candidates, int newProps)
+{
+  if (this->Settings.Shared)
+  {
+    vtkNBufferRankReport& report = this->Settings.Shared->GetReport();
+    report.Candidates = candidates;
+    report.NewProps = newProps;
+    report.Changed = this->Statistics.Refreshed > 0;
+  }
+}
+
+int vtkNBufferDepthTest::CountHidden(std::initializer_list<const std::vector<int>*> places)
+{
+  const vtkNBufferStatistics before = this->Statistics;
+  const vtkNBufferClock clock;
+  std::size_t hidden = 0;
+  for (const std::vector<int>* list : places)
+  {
+    std::vector<int> left = *list;
+    this->RemoveHidden(left);
+    hidden += list->size() - left.size();
+  }
+  this->Statistics = before;
+  this->Statistics.TestTime += clock.GetMilliseconds();
+  return static_cast<int>(hidden);
 }
 
 const vtkNBufferScreenBox* vtkNBufferDepthTest::GetScreen(int i)

@@ -4,6 +4,8 @@
  * @class vtkNBufferDepthTest
  * @brief Which candidates of a list lie behind what has been drawn in this frame so far.
  *
+ * In a parallel program the levels are those of what all ranks have drawn (vtkNBufferSharedDepth).
+ *
  * A test has up to three steps:
  *
  *  1. The box of each candidate is compared with the levels (vtkNBufferOcclusionTest).
@@ -25,10 +27,12 @@
 #include "vtkNBufferTuning.h"
 
 #include <initializer_list>
+#include <memory>
 #include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkNBufferSharedDepth;
 class vtkOpenGLRenderWindow;
 
 /// Whether to look for slivers of the props whose boxes were found hidden.
@@ -43,6 +47,15 @@ enum class vtkNBufferSliverPolicy
 /// begins.
 struct vtkNBufferSettings : vtkNBufferTuning
 {
+  /// Adapt the settings to a frame whose depth is shared by several ranks, or not if `shared` is
+  /// nullptr: level 0 has the size of the tiles, the candidates of all ranks count, and the first
+  /// rounds of all ranks together are as large as that of one.
+  void Share(const std::shared_ptr<vtkNBufferSharedDepth>& shared);
+
+  /// The step of depth that the test allows for: that of the coarsest depth of any rank.
+  double GetStep(const vtkNBufferDepthSource& source) const;
+
+  std::shared_ptr<vtkNBufferSharedDepth> Shared; ///< nullptr if this frame is not shared.
   vtkNBufferBackend::Kind Backend = vtkNBufferBackend::Auto;
   vtkNBufferSliverPolicy TestSlivers = vtkNBufferSliverPolicy::Never;
   bool Freeze = false;
@@ -64,6 +77,10 @@ public:
   vtkNBufferDecision Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
     std::initializer_list<const std::vector<int>*> places, std::string& why);
 
+  /// Before the first Build() of a frame: the candidates in the frustum, and how many of them are
+  /// held back in a view that is new (0 if it is not), for the other ranks.
+  void SetCounts(int candidates, int newProps);
+
   /// Remove the places of hidden candidates from `places`. Returns how many candidates the levels
   /// alone did not find hidden. Nothing may have been drawn since Build().
   int RemoveHidden(std::vector<int>& places);
@@ -75,6 +92,8 @@ private:
     return { this->Window, this->Source, this->Settings.BaseFactor, levels, this->Levels,
       this->Statistics };
   }
+  /// How many candidates of all lists the levels hide; the statistics count only the time.
+  int CountHidden(std::initializer_list<const std::vector<int>*> places);
   /// The depth image, with the pixels of these candidates, if it is worth having for them, else
   /// null.
   const float* GetDepth(const std::vector<int>& places);

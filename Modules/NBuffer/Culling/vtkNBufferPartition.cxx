@@ -16,6 +16,7 @@ void vtkNBufferPartition::Clear()
   this->Kept.clear();
   this->HeldBack.clear();
   this->Translucent.clear();
+  this->Lost = 0;
 }
 
 vtkNBufferFrustumCounts vtkNBufferPartition::Classify()
@@ -42,6 +43,7 @@ vtkNBufferFrustumCounts vtkNBufferPartition::Classify()
     {
       case vtkNBufferPlacement::Outside:
         state.Verdict = vtkNBufferVerdict::Outside;
+        this->Lost += state.WasVisible ? 1 : 0;
         state.WasVisible = state.WasTested = false;
         break;
       case vtkNBufferPlacement::Crossing:
@@ -126,8 +128,12 @@ std::vector<int> vtkNBufferPartition::RemoveOccluders(
   return occluders;
 }
 
-bool vtkNBufferPartition::IsNew() const
+bool vtkNBufferPartition::IsNew(bool afterCuts) const
 {
+  if (afterCuts && this->Lost > this->Kept.size())
+  {
+    return true;
+  }
   const auto tested = std::count_if(this->HeldBack.begin(), this->HeldBack.end(),
     [this](int i) { return this->Props.GetState(i).WasTested; });
   return this->Kept.empty() && 2 * static_cast<std::size_t>(tested) < this->HeldBack.size();

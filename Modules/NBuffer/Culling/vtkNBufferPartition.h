@@ -60,8 +60,9 @@ public:
 
   /// Whether the view is new: no prop is kept, and most of those held back have not been tested
   /// since they came into the frustum. (If other props hide all candidates, no prop is kept either,
-  /// but the candidates have been tested, and the view is not new.)
-  bool IsNew() const;
+  /// but the candidates have been tested, and the view is not new.) If `afterCuts`, it is new, too,
+  /// if most of the props that the last test found visible have left the frustum.
+  bool IsNew(bool afterCuts = false) const;
 
   /// Get those of the props held back that have not been drawn in this frame so far.
   std::vector<int> GetNotDrawn() const;
@@ -87,6 +88,7 @@ private:
   std::vector<int> Kept;
   std::vector<int> HeldBack;
   std::vector<int> Translucent;
+  std::size_t Lost = 0; ///< The props that were visible and have left the frustum.
 };
 
 VTK_ABI_NAMESPACE_END

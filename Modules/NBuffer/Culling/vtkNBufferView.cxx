@@ -110,8 +110,9 @@ bool vtkNBufferView::CanReuse(vtkRenderer* renderer) const
 {
   // If the last test found kept props hidden, another test saves drawing them again. If nothing is
   // erased, the image also depends on what was in the buffers before. Untracked depth may change.
-  return this->KeptInVain == 0 && !this->Props.HasUntrackedDepth() && renderer->GetErase() &&
-    renderer->GetRenderWindow()->GetErase() && !renderer->GetPreserveDepthBuffer();
+  return !this->Settings.Shared && this->KeptInVain == 0 && !this->Props.HasUntrackedDepth() &&
+    renderer->GetErase() && renderer->GetRenderWindow()->GetErase() &&
+    !renderer->GetPreserveDepthBuffer();
 }
 
 vtkNBufferDecision vtkNBufferView::Divide()
@@ -284,7 +285,7 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBuffer
     }
     return obstacle;
   }
-  const double quantum = source.GetStep();
+  const double quantum = this->Settings.GetStep(source);
   const int subpixelBits = vtkNBufferGL::GetSubpixelBits();
   if (quantum != this->DepthQuantum || subpixelBits != this->SubpixelBits)
   {
@@ -330,13 +331,15 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
   { draw(this->Partition.RemoveOccluders(left, limit, this->Projection)); };
 
   const auto first = vtkNBufferOccluderChoice::GetLimit(this->Settings.RoundSize, left.size());
-  if (this->Partition.IsNew())
+  const bool isNew = this->Partition.IsNew(this->Settings.Shared != nullptr);
+  vtkNBufferDepthTest test(
+    this->Backend, this->Levels, this->Projection, this->Props, this->Statistics, this->Settings);
+  test.SetCounts(this->Partition.GetSize(), isNew ? static_cast<int>(left.size()) : 0);
+  if (isNew)
   {
     drawOccluders(first);
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  vtkNBufferDepthTest test(
-    this->Backend, this->Levels, this->Projection, this->Props, this->Statistics, this->Settings);
   for (;;)
   {
     std::string why;

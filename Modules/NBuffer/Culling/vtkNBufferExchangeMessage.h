@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferExchangeMessage.h
+ * @brief What the ranks of a parallel program exchange in a frame: an array of floats of which
+ * every rank gets the minima. No MPI, no OpenGL, no renderer.
+ *
+ * The array begins with level 0 of the rank's own depth: the farthest depth of each tile. The
+ * minimum over the ranks is never nearer than the farthest depth of the tile in the composited
+ * image, because in each pixel p of a tile
+ *
+ *     composited depth(p) = min over r of depth_r(p) <= min over r of (max over q of depth_r(q)).
+ *
+ * A prop behind that value is hidden in the image. (The minimum of the nearest depths of the tile
+ * would be wrong: a single near pixel would hide what is seen beside it.)
+ *
+ * The reports of the ranks follow, written in such a way that the minima carry them, too: a number
+ * x as -x for its maximum, the view as x and -x, which shows whether all ranks have the same, and
+ * numbers to be added in one float for each rank, of which all others leave 0.
+ */
+#ifndef vtkNBufferExchangeMessage_h
+#define vtkNBufferExchangeMessage_h
+
+#include "vtkNBufferModule.h" // For export macro
+#include "vtkNBufferVTKVersion.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/// What a rank tells the others in addition to its depth.
+struct vtkNBufferRankReport
+{
+  std::array<float, 20> View{}; ///< The matrix from world to clip coordinates, and the viewport.
+  double Step = 0.0;            ///< The step of the rank's depth buffer, in window depth.
+  bool Changed = false;         ///< Whether props have changed since the last frame.
+  int NewProps = 0;   ///< The props held back of a view that is new (vtkNBufferPartition::IsNew()).
+  int Candidates = 0; ///< The candidates in the frustum; less than 2^24, as all counts here.
+  int Gain = 0;       ///< How many more props the last trial found hidden by all ranks' depth than
+                      ///< by the rank's own.
+};
+
+/// What all ranks have reported. Each rank gets the same.
+struct vtkNBufferRankReply
+{
+  bool SameView = false; ///< Whether all ranks have the same view.
+  double Step = 0.0;     ///< The largest step.
+  bool Changed = false;  ///< Whether props of any rank have changed.
+  int NewProps = 0;      ///< The largest number of any rank.
+  int Candidates = 0;    ///< The sum over all ranks.
+  int Gain = 0;          ///< The sum over all ranks.
+};
+
+class VTKNBUFFER_EXPORT vtkNBufferExchangeMessage
+{
+public:
+  /// The message of rank `rank` of `ranks`, with room for a level 0 of `texels` texels, all of them
+  /// at the far plane.
+  vtkNBufferExchangeMessage(std::size_t texels, int ranks, int rank);
+
+  /// Level 0 of the rank's own depth, to be filled in.
+  float* GetTexels() { return this->Values.data(); }
+
+  void SetReport(const vtkNBufferRankReport& report);
+
+  /// The reports of all ranks, from the minima of their messages.
+  vtkNBufferRankReply GetReply(const std::vector<float>& minima) const;
+
+  const std::vector<float>& GetValues() const { return this->Values; }
+
+private:
+  std::size_t Texels;
+  int Ranks;
+  int Rank;
+  std::vector<float> Values;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkNBufferExchangeMessage.h

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferDepthExchange
+ * @brief Lets the cullers of a parallel program leave out what the walls of another rank hide.
+ *
+ * Where a scene is spread over the ranks of a parallel program, each rank draws its own props, and
+ * the pictures are composited by depth (sort-last). A culler without an exchange knows only the
+ * depth of its own rank. With an exchange, all ranks of the renderer share the depth that they have
+ * drawn so far, reduced to tiles. The composited image stays the same, to the bit.
+ *
+ * This class knows no MPI: vtkNBufferParallelDepthExchange in the module VTK::NBufferParallel
+ * exchanges by a vtkMultiProcessController, and an application may derive a class of its own.
+ *
+ * @code
+ * exchange->SetRenderer(renderer);       // on every rank, before its first frame
+ * culler->SetDepthExchange(exchange);
+ * renderer->AddCuller(culler);
+ * @endcode
+ *
+ * ## What it requires
+ *
+ *  - Every rank draws each frame of its renderer, of the same size and with the same camera, and
+ *    composites the picture by depth after that, as vtkSynchronizedRenderers does.
+ *  - The exchange of a renderer exists on all ranks from the same frame on, with the same settings.
+ *    The application keeps it as long as the renderer is drawn.
+ *
+ * Apart from that, ranks may differ. A rank without props, or whose culler is missing, off, pausing
+ * or steps aside, joins all exchanges at the end of its frame, with the depth of its picture; where
+ * depth cannot be read, it contributes the far plane. So no rank ever waits for one that does not
+ * come. Where the ranks' views are not the same, an exchange fails, or depth is read with different
+ * precision, each rank culls by its own depth.
+ *
+ * A rank uses its own depth alone, too, if the color of its pixels depends on other pixels: with
+ * FXAA, SSAO, render passes and multisampling.
+ *
+ * ## Cost
+ *
+ * A frame has one exchange, two after a cut of the camera, and none while nothing moves or while
+ * the ranks back off together (vtkNBufferExchangePlan.h). It sends 4 bytes per tile, and 8 per
+ * rank: at 960 x 720 pixels 172,800 bytes. The time is that of an all-reduce of that size, and the
+ * time until the slowest rank has drawn what it draws before its first test.
+ *
+ * @sa vtkNBufferCuller
+ */
+#ifndef vtkNBufferDepthExchange_h
+#define vtkNBufferDepthExchange_h
+
+#include "vtkNBufferModule.h" // For export macro
+#include "vtkNBufferVTKVersion.h"
+#include "vtkObject.h"
+#include "vtkWeakPointer.h" // For the renderer
+
+#include <memory> // For the shared depth
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkNBufferSharedDepth;
+class vtkRenderer;
+
+class VTKNBUFFER_EXPORT vtkNBufferDepthExchange : public vtkObject
+{
+public:
+  vtkTypeMacro(vtkNBufferDepthExchange, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The renderer whose depth is exchanged. It does not belong to the exchange. Default: nullptr.
+  void SetRenderer(vtkRenderer* renderer);
+  vtkRenderer* GetRenderer() const;
+  ///@}
+
+  ///@{
+  /// Whether depth is exchanged. If off, each rank culls by its own depth. Like the setting of that
+  /// name of vtkSynchronizedRenderers, it must be the same on all ranks in every frame. Default:
+  /// on.
+  vtkSetMacro(ParallelRendering, bool);
+  vtkGetMacro(ParallelRendering, bool);
+  vtkBooleanMacro(ParallelRendering, bool);
+  ///@}
+
+  ///@{
+  /// The side of a tile in pixels: 1, 2, 4 or 8; other values are an error. Smaller tiles hide more
+  /// where the walls of two ranks fill a tile only together, and cost more bytes. While depth is
+  /// exchanged this replaces vtkNBufferTuning::BaseFactor. It must be the same on all ranks.
+  /// Default: 4.
+  void SetTileSize(int pixels);
+  vtkGetMacro(TileSize, int);
+  ///@}
+
+  ///@{
+  /// Whether the ranks stop exchanging together for some frames where that hides next to nothing.
+  /// It must be the same on all ranks. Default: on.
+  vtkSetMacro(BackOff, bool);
+  vtkGetMacro(BackOff, bool);
+  vtkBooleanMacro(BackOff, bool);
+  ///@}
+
+  ///@{
+  /// Of the last frame: the number of exchanges, the bytes of this rank's messages, and the
+  /// milliseconds spent in them, most of them for waiting for other ranks.
+  int GetNumberOfExchanges() const;
+  long long GetNumberOfBytes() const;
+  double GetExchangeTime() const;
+  ///@}
+
+  ///@{
+  /// The number of ranks, and the number of this one, which begins with 0.
+  virtual int GetNumberOfRanks() = 0;
+  virtual int GetRank() = 0;
+  ///@}
+
+  /**
+   * Write the minimum over all ranks of each of `count` floats to `minima`. All ranks call this
+   * function equally often, with the same count. Returns false on failure.
+   */
+  virtual bool ReduceToMinimum(const float* values, float* minima, int count) = 0;
+
+  /// For vtkNBufferCuller: what is shared in this frame of `renderer`, or nullptr if nothing is.
+  std::shared_ptr<vtkNBufferSharedDepth> GetSharedDepth(vtkRenderer* renderer);
+
+protected:
+  vtkNBufferDepthExchange();
+  ~vtkNBufferDepthExchange() override;
+
+private:
+  vtkNBufferDepthExchange(const vtkNBufferDepthExchange&) = delete;
+  void operator=(const vtkNBufferDepthExchange&) = delete;
+
+  bool IsOn();
+  void EndFrame();
+
+  vtkWeakPointer<vtkRenderer> Renderer;
+  unsigned long Observer = 0;
+  bool ParallelRendering = true;
+  bool BackOff = true;
+  int TileSize = 4;
+  std::shared_ptr<vtkNBufferSharedDepth> Shared;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

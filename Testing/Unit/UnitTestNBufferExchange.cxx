@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the ranks of a parallel program exchange: the reduction never hides what is seen, and all
+// ranks come to the same plan.
+#include "vtkNBufferExchangeMessage.h"
+#include "vtkNBufferExchangePlan.h"
+#include "vtkNBufferLevels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+namespace
+{
+constexpr int Width = 37;
+constexpr int Height = 23;
+constexpr int Tile = 4;
+
+/// Depth images of ranks: near rectangles before the far plane.
+std::vector<std::vector<float>> MakeDepths(int ranks, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  std::vector<std::vector<float>> depths(ranks, std::vector<float>(Width * Height, 1.0F));
+  for (std::vector<float>& depth : depths)
+  {
+    for (int n = 0; n < 3; ++n)
+    {
+      const int x0 = static_cast<int>(random() % Width);
+      const int y0 = static_cast<int>(random() % Height);
+      const int x1 = std::min<int>(x0 + 1 + random() % 20, Width);
+      const int y1 = std::min<int>(y0 + 1 + random() % 20, Height);
+      const float z = 0.01F * static_cast<float>(random() % 100);
+      for (int y = y0; y < y1; ++y)
+      {
+        for (int x = x0; x < x1; ++x)
+        {
+          depth[y * Width + x] = std::min(depth[y * Width + x], z);
+        }
+      }
+    }
+  }
+  return depths;
+}
+
+std::vector<float> GetMinima(const std::vector<std::vector<float>>& all)
+{
+  std::vector<float> minima = all.front();
+  for (const std::vector<float>& values : all)
+  {
+    std::transform(values.begin(), values.end(), minima.begin(), minima.begin(),
+      [](float a, float b) { return std::min(a, b); });
+  }
+  return minima;
+}
+
+std::vector<float> Reduce(const std::vector<float>& depth, vtkNBufferExtremum extremum)
+{
+  vtkNBufferLevels levels;
+  levels.BuildBase(depth.data(), Width, Height, Tile, extremum);
+  const float* base = levels.GetLevelData(0);
+  return std::vector<float>(base, base + levels.GetWidth() * levels.GetHeight());
+}
+
+vtkNBufferRankReport MakeReport(float view)
+{
+  vtkNBufferRankReport report;
+  report.View.fill(view);
+  report.Step = 0x1p-24;
+  return report;
+}
+
+std::vector<vtkNBufferRankReply> Exchange(const std::vector<vtkNBufferRankReport>& reports)
+{
+  const int ranks = static_cast<int>(reports.size());
+  std::vector<vtkNBufferExchangeMessage> messages;
+  std::vector<std::vector<float>> values;
+  for (int rank = 0; rank < ranks; ++rank)
+  {
+    messages.emplace_back(6, ranks, rank);
+    messages.back().SetReport(reports[rank]);
+    values.push_back(messages.back().GetValues());
+  }
+  std::vector<vtkNBufferRankReply> replies;
+  for (const vtkNBufferExchangeMessage& message : messages)
+  {
+    replies.push_back(message.GetReply(GetMinima(values)));
+  }
+  return replies;
+}
+}
+
+TEST(Exchange, FarthestOfTileThenMinimumOverRanksIsNeverNearerThanTheImage)
+{
+  int wrong = 0;
+  for (unsigned int seed = 0; seed < 200; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const std::vector<std::vector<float>> depths = MakeDepths(1 + seed % 7, seed);
+    const std::vector<float> image = Reduce(GetMinima(depths), vtkNBufferExtremum::Maximum);
+    std::vector<std::vector<float>> farthest;
+    std::vector<std::vector<float>> nearest;
+    for (const std::vector<float>& depth : depths)
+    {
+      farthest.push_back(Reduce(depth, vtkNBufferExtremum::Maximum));
+      nearest.push_back(Reduce(depth, vtkNBufferExtremum::Minimum));
+    }
+    const std::vector<float> shared = GetMinima(farthest);
+    const std::vector<float> control = GetMinima(nearest);
+    for (std::size_t i = 0; i < image.size(); ++i)
+    {
+      EXPECT_GE(shared[i], image[i]);
+      wrong += control[i] < image[i];
+    }
+    if (depths.size() == 1)
+    {
+      EXPECT_EQ(shared, image);
+    }
+  }
+  // The negative control: the nearest depth of a tile would hide what is seen.
+  EXPECT_GT(wrong, 1000);
+}
+
+TEST(Exchange, AMessageBeginsWithTheFarPlane)
+{
+  vtkNBufferExchangeMessage message(6, 3, 1);
+  EXPECT_TRUE(std::all_of(
+    message.GetTexels(), message.GetTexels() + 6, [](float texel) { return texel == 1.0F; }));
+}
+
+TEST(Exchange, EachRankGetsTheReportsOfAll)
+{
+  std::vector<vtkNBufferRankReport> reports(5, MakeReport(0.25F));
+  for (int i = 0; i < 5; ++i)
+  {
+    reports[i].Candidates = 1000 + i;
+    reports[i].Gain = i;
+  }
+  reports[1].Step = 0x1p-16;
+  reports[2].NewProps = 300;
+  for (const vtkNBufferRankReply& reply : Exchange(reports))
+  {
+    EXPECT_TRUE(reply.SameView);
+    EXPECT_EQ(reply.Step, 0x1p-16);
+    EXPECT_FALSE(reply.Changed);
+    EXPECT_EQ(reply.NewProps, 300);
+    EXPECT_EQ(reply.Candidates, 5010);
+    EXPECT_EQ(reply.Gain, 10);
+  }
+  reports[4].Changed = true;
+  reports[3].View[7] = 0.2500001F;
+  for (const vtkNBufferRankReply& reply : Exchange(reports))
+  {
+    EXPECT_FALSE(reply.SameView);
+    EXPECT_TRUE(reply.Changed);
+  }
+}
+
+TEST(Exchange, AStepThatIsNoFloatIsRoundedUp)
+{
+  std::vector<vtkNBufferRankReport> reports(2, MakeReport(0.0F));
+  reports[0].Step = 0.1;
+  EXPECT_GE(Exchange(reports)[1].Step, 0.1);
+}
+
+TEST(ExchangePlan, OneExchangePerFrameWhileTheViewChanges)
+{
+  vtkNBufferExchangePlan plan;
+  for (int i = 0; i < 100; ++i)
+  {
+    plan.BeginFrame({ 1.0 * i }, false);
+    EXPECT_EQ(plan.GetNumberOfExchanges(), 1);
+    plan.Learn(vtkNBufferRankReply(), 0);
+    EXPECT_EQ(plan.GetNumberOfExchanges(), 1);
+  }
+}
+
+TEST(ExchangePlan, TwoExchangesWhereARankHasANewView)
+{
+  vtkNBufferExchangePlan plan;
+  plan.BeginFrame({ 0.0 }, true);
+  vtkNBufferRankReply reply;
+  reply.NewProps = vtkNBufferExchangePlan::FewNewProps;
+  plan.Learn(reply, 0);
+  EXPECT_EQ(plan.GetNumberOfExchanges(), 1);
+  plan.BeginFrame({ 1.0 }, true);
+  ++reply.NewProps;
+  plan.Learn(reply, 0);
+  EXPECT_EQ(plan.GetNumberOfExchanges(), 2);
+  plan.Learn(reply, 1);
+  EXPECT_EQ(plan.GetNumberOfExchanges(), 2);
+}
+
+TEST(ExchangePlan, NoneWhileNothingChanges)
+{
+  vtkNBufferExchangePlan plan;
+  for (int i = 0; i < 50; ++i)
+  {
+    plan.BeginFrame({ 5.0 }, false);
+    const bool isDue =
+      i < vtkNBufferExchangePlan::FramesToSettle || i % vtkNBufferExchangePlan::FramesToProbe == 0;
+    EXPECT_EQ(plan.GetNumberOfExchanges(), isDue ? 1 : 0) << i;
+    if (plan.GetNumberOfExchanges() > 0)
+    {
+      plan.Learn(vtkNBufferRankReply(), 0);
+    }
+  }
+}
+
+TEST(ExchangePlan, PropsThatChangeAreExchangedInEachFrame)
+{
+  vtkNBufferExchangePlan plan;
+  vtkNBufferRankReply reply;
+  reply.Changed = true;
+  for (int i = 0; i < 50; ++i)
+  {
+    plan.BeginFrame({ 5.0 }, false);
+    EXPECT_EQ(plan.GetNumberOfExchanges(), 1) << i;
+    plan.Learn(reply, 0);
+  }
+}
+
+TEST(ExchangePlan, PausesWhereTrialsGainNothing)
+{
+  for (int gain : { 0, 500 })
+  {
+    vtkNBufferExchangePlan plan;
+    int exchanges = 0;
+    bool hadTrial = false;
+    for (int i = 0; i < 400; ++i)
+    {
+      plan.BeginFrame({ 1.0 * i }, true);
+      if (plan.GetNumberOfExchanges() > 0)
+      {
+        vtkNBufferRankReply reply;
+        reply.Candidates = 1000;
+        reply.Gain = hadTrial ? gain : 0;
+        hadTrial = plan.IsTrial();
+        plan.Learn(reply, 0);
+        ++exchanges;
+      }
+    }
+    EXPECT_EQ(exchanges == 400, gain > 0) << exchanges;
+    EXPECT_TRUE(gain > 0 || exchanges < 40) << exchanges;
+  }
+}
