@@ -17,6 +17,23 @@ if (VTKNBUFFER_WRAP_PYTHON)
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${VTKNBUFFER_VTK_COMPONENTS} ${_python_components})
 
+# The module for parallel programs, where VTK has what it needs. Wheels do without it.
+find_package(VTK 9.1 QUIET OPTIONAL_COMPONENTS ParallelCore)
+set(_has_parallel OFF)
+if (TARGET VTK::ParallelCore AND NOT SKBUILD)
+  set(_has_parallel ON)
+endif ()
+option(VTKNBUFFER_BUILD_PARALLEL
+  "Build the module NBufferParallel, which needs VTK::ParallelCore" ${_has_parallel})
+if (VTKNBUFFER_BUILD_PARALLEL)
+  if (NOT TARGET VTK::ParallelCore)
+    message(FATAL_ERROR
+      "This VTK has no module ParallelCore. Configure with -DVTKNBUFFER_BUILD_PARALLEL=OFF or use "
+      "another VTK.")
+  endif ()
+  list(APPEND VTKNBUFFER_VTK_COMPONENTS ParallelCore)
+endif ()
+
 # The Python package that contains this VTK, and the folder of ours for modules compiled for it.
 get_property(VTKNBUFFER_VTK_PACKAGE TARGET VTK::CommonCore
   PROPERTY INTERFACE_vtk_module_python_package)

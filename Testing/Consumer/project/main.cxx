@@ -12,6 +12,10 @@
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
 
+#ifdef CONSUMER_HAS_PARALLEL
+#include <vtkNBufferParallelDepthExchange.h>
+#endif
+
 #include <iostream>
 
 int main()
@@ -29,6 +33,11 @@ int main()
   }
   vtkNew<vtkNBufferCuller> culler;
   renderer->AddCuller(culler);
+#ifdef CONSUMER_HAS_PARALLEL
+  vtkNew<vtkNBufferParallelDepthExchange> exchange; // Without a controller it does nothing.
+  exchange->SetRenderer(renderer);
+  culler->SetDepthExchange(exchange);
+#endif
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetSize(200, 200);
