@@ -38,6 +38,7 @@ void vtkNBufferSettings::Share(const std::shared_ptr<vtkNBufferSharedDepth>& sha
     const vtkNBufferSharedDepth::Layout& layout = shared->GetLayout();
     this->BaseFactor = layout.TileSize;
     this->RoundSize = std::max(this->RoundSize / layout.Ranks, 1);
+    this->BackOff = false;
     this->MinimumNumberOfCandidates =
       std::max(this->MinimumNumberOfCandidates - shared->GetOtherCandidates(), 1);
   }

@@ -48,8 +48,9 @@ enum class vtkNBufferSliverPolicy
 struct vtkNBufferSettings : vtkNBufferTuning
 {
   /// Adapt the settings to a frame whose depth is shared by several ranks, or not if `shared` is
-  /// nullptr: level 0 has the size of the tiles, the candidates of all ranks count, and the first
-  /// rounds of all ranks together are as large as that of one.
+  /// nullptr: level 0 has the size of the tiles, the candidates of all ranks count, the first
+  /// rounds of all ranks together are as large as that of one, and no rank backs off alone, because
+  /// it has to read its depth for the others in any case.
   void Share(const std::shared_ptr<vtkNBufferSharedDepth>& shared);
 
   /// The step of depth that the test allows for: that of the coarsest depth of any rank.

@@ -1,0 +1,14 @@
+# SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Run by CTest with -D: mpiexec, program. One process is killed. MPI must end the others with an
+# error; a time-out is a failure.
+execute_process(COMMAND "${mpiexec}" -n 3 "${program}" --case killed --frames 12 --width 320 --height 240
+  TIMEOUT 150 RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+message("${output}")
+if (output MATCHES "SKIPPED: ")
+  return()
+endif ()
+if (result EQUAL 0 OR result MATCHES "timeout")
+  message(FATAL_ERROR "the result is ${result}")
+endif ()

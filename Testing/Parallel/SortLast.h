@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SortLast.h
+ * @brief A small stand-in for vtkCompositedSynchronizedRenderers, which not every VTK has: sends
+ * the camera of the first process to all at the beginning of a frame, and composites their pictures
+ * by depth on the first process at its end.
+ */
+#ifndef SortLast_h
+#define SortLast_h
+
+#include "Judge.h"
+
+#include "vtkCommand.h"
+#include "vtkMultiProcessController.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+class SortLast : public vtkCommand
+{
+public:
+  static SortLast* New() { return new SortLast; }
+  vtkTypeMacro(SortLast, vtkCommand);
+
+  /// To be called once, on all processes.
+  void Attach(vtkRenderer* renderer, vtkMultiProcessController* controller);
+
+  void Execute(vtkObject* caller, unsigned long event, void* data) override;
+
+  /// What the last frame has become: on the first process the composited picture.
+  const TestScene::Picture& GetPicture() const { return this->Picture; }
+
+  /// The CPU time of this process in the last frame, in milliseconds, without the time for sending
+  /// the camera and for compositing.
+  double GetTime() const { return this->Time; }
+
+private:
+  void SendCamera();
+  void Composite();
+
+  vtkRenderer* Renderer = nullptr;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  TestScene::Picture Picture;
+  double Time = 0.0;
+};
+
+/// The CPU time that this process has used, in milliseconds.
+double GetProcessTime();
+
+#endif
