@@ -19,6 +19,7 @@ int main(int argc, char* argv[])
   NBufferBench::AddWalkCommand(app, argv[0], run);
   NBufferBench::AddFirstCommand(app, argv[0], run);
   NBufferBench::AddPicturesCommand(app, argv[0], run);
+  NBufferBench::AddRanksCommand(app, argv[0], run);
   NBufferBench::AddShadowCommand(app, argv[0], run);
   NBufferBench::AddStudyCommand(app, argv[0], run);
   NBufferBench::AddDefaultsCommand(app, run);

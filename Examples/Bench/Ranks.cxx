@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ranks.h"
+
+#include "vtkNBufferCuller.h"
+#include "vtkNBufferDepthExchange.h"
+#include "vtkNBufferExchangeMessage.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkObjectFactory.h"
+#include "vtkProp.h"
+#include "vtkRendererCollection.h"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <random>
+
+namespace NBufferBench
+{
+namespace
+{
+/// The rounds after which the counts stay the same: a guess, its test, and what was drawn in vain.
+constexpr int Rounds = 6;
+
+/// What all ranks have sent in this round and in the round before.
+struct Messages
+{
+  std::vector<float> Before;
+  std::vector<float> Now;
+};
+
+void Minimize(std::vector<float>& minima, const std::vector<float>& values)
+{
+  minima.resize(std::max(minima.size(), values.size()), 2.0e9F);
+  std::transform(values.begin(), values.end(), minima.begin(), minima.begin(),
+    [](float a, float b) { return std::min(a, b); });
+}
+
+/// Answers each exchange with the depth of the other ranks in the round before.
+class SimulatedExchange : public vtkNBufferDepthExchange
+{
+public:
+  static SimulatedExchange* New();
+  vtkTypeMacro(SimulatedExchange, vtkNBufferDepthExchange);
+
+  int GetNumberOfRanks() override { return this->Ranks; }
+  int GetRank() override { return this->Rank; }
+  bool ReduceToMinimum(const float* values, float* minima, int count) override
+  {
+    std::vector<float> mine(values, values + count);
+    std::vector<float> result = mine;
+    constexpr int AgreementSize = 8; // The message in which ranks agree on sizes.
+    if (count > AgreementSize)
+    {
+      Minimize(this->All->Now, mine);
+      if (!this->All->Before.empty())
+      {
+        Minimize(result, this->All->Before);
+      }
+      // Exchanges would stop while nothing moves. They go on if a rank reports changes.
+      const std::size_t report = vtkNBufferExchangeMessage(0, this->Ranks, 0).GetValues().size();
+      vtkNBufferExchangeMessage changed(count - report, this->Ranks, this->Rank);
+      vtkNBufferRankReport change;
+      std::copy_n(values + (count - report), change.View.size(), change.View.begin());
+      change.Changed = true;
+      changed.SetReport(change);
+      Minimize(result, changed.GetValues());
+    }
+    std::copy(result.begin(), result.end(), minima);
+    return true;
+  }
+
+  Messages* All = nullptr;
+  int Ranks = 1;
+  int Rank = 0;
+};
+vtkStandardNewMacro(SimulatedExchange);
+
+std::vector<int> Distribute(
+  const std::vector<vtkProp*>& props, const std::string& spread, int ranks)
+{
+  std::vector<int> owners(props.size());
+  if (spread == "random")
+  {
+    std::mt19937 random(1);
+    std::generate(
+      owners.begin(), owners.end(), [&]() { return static_cast<int>(random() % ranks); });
+    return owners;
+  }
+  std::vector<vtkBoundingBox> boxes;
+  for (vtkProp* prop : props)
+  {
+    const double* bounds = prop->GetBounds();
+    boxes.push_back(bounds ? vtkBoundingBox(bounds) : vtkBoundingBox(0.0, 0.0, 0.0, 0.0, 0.0, 0.0));
+  }
+  std::vector<int> order(props.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto getCenter = [&](int i, int axis)
+  { return boxes[i].GetBound(2 * axis) + boxes[i].GetBound(2 * axis + 1); };
+  const std::function<void(std::size_t, std::size_t, int, int)> split =
+    [&](std::size_t begin, std::size_t end, int first, int count)
+  {
+    if (count == 1 || end - begin < 2)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        owners[order[i]] = first;
+      }
+      return;
+    }
+    double length[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto extremes = std::minmax_element(order.begin() + begin, order.begin() + end,
+        [&](int a, int b) { return getCenter(a, axis) < getCenter(b, axis); });
+      length[axis] = getCenter(*extremes.second, axis) - getCenter(*extremes.first, axis);
+    }
+    const int axis = static_cast<int>(std::max_element(length, length + 3) - length);
+    const std::size_t middle = begin + (end - begin) * (count / 2) / count;
+    std::nth_element(order.begin() + begin, order.begin() + middle, order.begin() + end,
+      [&](int a, int b) { return getCenter(a, axis) < getCenter(b, axis); });
+    split(begin, middle, first, count / 2);
+    split(middle, end, first + count / 2, count - count / 2);
+  };
+  split(0, order.size(), 0, ranks);
+  return owners;
+}
+
+/// One rank: a renderer of the window that is drawn alone, and its culler.
+struct Rank
+{
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkNBufferCuller> Culler;
+  vtkNew<SimulatedExchange> Exchange;
+
+  int GetDrawn()
+  {
+    return this->Renderer->VisibleActorCount() > 0 ? this->Culler->GetNumberOfPropsDrawn() : 0;
+  }
+};
+
+/// Draws a frame of each rank.
+void DrawRound(Session& session, std::vector<Rank>& ranks)
+{
+  for (Rank& rank : ranks)
+  {
+    rank.Renderer->DrawOn();
+    session.Render();
+    rank.Renderer->DrawOff();
+  }
+}
+}
+
+RankCounts SimulateRanks(Session& session, const NBufferExamples::CameraPose& pose, int count,
+  const std::string& spread, const std::vector<int>& owners)
+{
+  session.SetPose(pose);
+  vtkRenderer* all = session.GetRenderer();
+  all->DrawOff();
+  const std::vector<vtkProp*> props = session.GetProps();
+  const std::vector<int> rankOf = Distribute(props, spread, count);
+  std::vector<Rank> ranks(count);
+  Messages messages;
+  RankCounts result;
+  for (int i = 0; i < count; ++i)
+  {
+    ranks[i].Renderer->SetActiveCamera(all->GetActiveCamera());
+    ranks[i].Renderer->DrawOff();
+    ranks[i].Renderer->AddCuller(ranks[i].Culler);
+    ranks[i].Exchange->All = &messages;
+    ranks[i].Exchange->Ranks = count;
+    ranks[i].Exchange->Rank = i;
+    ranks[i].Exchange->BackOffOff();
+    session.GetWindow()->AddRenderer(ranks[i].Renderer);
+  }
+  for (std::size_t i = 0; i < props.size(); ++i)
+  {
+    ranks[rankOf[i]].Renderer->AddViewProp(props[i]);
+  }
+  for (int round = 0; round < 3; ++round)
+  {
+    DrawRound(session, ranks);
+  }
+  for (Rank& rank : ranks)
+  {
+    result.Local += rank.GetDrawn();
+    rank.Exchange->SetRenderer(rank.Renderer);
+    rank.Culler->SetDepthExchange(rank.Exchange);
+  }
+  for (int round = 0; round < Rounds && count > 1; ++round)
+  {
+    messages.Before.swap(messages.Now);
+    messages.Now.clear();
+    DrawRound(session, ranks);
+  }
+  for (Rank& rank : ranks)
+  {
+    const int drawn = rank.GetDrawn();
+    result.Shared += drawn;
+    result.Busiest = std::max(result.Busiest, drawn);
+    result.Idle += drawn == 0 ? 1 : 0;
+    result.Bytes = std::max(result.Bytes, rank.Exchange->GetNumberOfBytes());
+  }
+  for (int owner : owners)
+  {
+    Rank& rank = ranks[rankOf[owner]];
+    const vtkNBufferVerdict verdict = rank.Culler->GetVerdict(props[owner], rank.Renderer);
+    result.VisibleHidden += verdict == vtkNBufferVerdict::Hidden ? 1 : 0;
+  }
+  for (Rank& rank : ranks)
+  {
+    session.GetWindow()->RemoveRenderer(rank.Renderer);
+  }
+  all->DrawOn();
+  return result;
+}
+
+} // namespace NBufferBench

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Ranks.h
+ * @brief A parallel program of many ranks, simulated in one process: how many props its cullers
+ * draw with and without the exchange of depth.
+ */
+#ifndef Ranks_h
+#define Ranks_h
+
+#include "Session.h"
+
+#include <string>
+#include <vector>
+
+namespace NBufferBench
+{
+
+struct RankCounts
+{
+  int Local = 0;         ///< Props drawn by all ranks, each of which culls by its own depth.
+  int Shared = 0;        ///< Props drawn by all ranks, which cull by the depth of all.
+  int Busiest = 0;       ///< The most props that one rank draws, with shared depth.
+  int Idle = 0;          ///< The ranks that draw nothing, with shared depth.
+  long long Bytes = 0;   ///< What a rank sends in an exchange.
+  int VisibleHidden = 0; ///< Props that own a pixel, but were found hidden: must be 0.
+};
+
+/**
+ * Spreads the props of a session over `ranks` ranks, "kd" (parts of space with equally many props)
+ * or "random", and draws the pose on one rank after the other, again and again, until the counts of
+ * a camera that stands still are reached. In each round a rank gets the depth that the others have
+ * drawn in the round before. `owners`: the props that own a pixel, by their places in the list.
+ */
+RankCounts SimulateRanks(Session& session, const NBufferExamples::CameraPose& pose, int ranks,
+  const std::string& spread, const std::vector<int>& owners);
+
+} // namespace NBufferBench
+
+#endif
