@@ -240,6 +240,7 @@ double vtkNBufferCuller::Cull(
   if (obstacle != vtkNBufferDecision::None)
   {
     view.StepAside(obstacle, propList, listLength);
+    settings.ReportUntested(view.GetStatistics());
     if (obstacle == vtkNBufferDecision::NoContext)
     {
       view.Fail(renderer, obstacle,
@@ -254,7 +255,9 @@ double vtkNBufferCuller::Cull(
     return total;
   }
   entry.Guard->BeginFrame(this);
-  return view.Cull(renderer, propList, listLength, initialized, settings);
+  const double total = view.Cull(renderer, propList, listLength, initialized, settings);
+  settings.ReportUntested(view.GetStatistics());
+  return total;
 }
 
 vtkNBufferVerdict vtkNBufferCuller::GetVerdict(vtkProp* prop, vtkRenderer* renderer) const

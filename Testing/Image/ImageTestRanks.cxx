@@ -229,6 +229,15 @@ TEST(CullerRanksDraw, WhatTheWallsOfOtherRanksHideIsNotDrawn)
   }
 }
 
+TEST(CullerRanksDraw, FewPropsOfEachRankAreManyTogether)
+{
+  RankOptions options;
+  options.Ranks = 12; // Each has 16 or 17 of 197 props, less than MinimumNumberOfCandidates.
+  options.Frames = 6;
+  const std::vector<RankFrame> frames = Draw(options);
+  EXPECT_LT(frames.back().GetDrawn(), 80);
+}
+
 TEST(CullerRanksDraw, OneExchangePerFrameTwoAtFirstNoneWhileStill)
 {
   RankOptions options;

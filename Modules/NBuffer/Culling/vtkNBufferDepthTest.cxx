@@ -44,6 +44,14 @@ void vtkNBufferSettings::Share(const std::shared_ptr<vtkNBufferSharedDepth>& sha
   }
 }
 
+void vtkNBufferSettings::ReportUntested(const vtkNBufferStatistics& statistics) const
+{
+  if (this->Shared && statistics.Decision != vtkNBufferDecision::Culled)
+  {
+    this->Shared->GetReport().Candidates = statistics.GetCount(vtkNBufferVerdict::Untested);
+  }
+}
+
 double vtkNBufferSettings::GetStep(const vtkNBufferDepthSource& source) const
 {
   return std::max(source.GetStep(), this->Shared ? this->Shared->GetStep() : 0.0);

@@ -53,6 +53,10 @@ struct vtkNBufferSettings : vtkNBufferTuning
   /// it has to read its depth for the others in any case.
   void Share(const std::shared_ptr<vtkNBufferSharedDepth>& shared);
 
+  /// Report the candidates of a frame that is not tested to the other ranks. If they are few, those
+  /// of all ranks may still be enough.
+  void ReportUntested(const vtkNBufferStatistics& statistics) const;
+
   /// The step of depth that the test allows for: that of the coarsest depth of any rank.
   double GetStep(const vtkNBufferDepthSource& source) const;
 
