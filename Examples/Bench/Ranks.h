@@ -10,7 +10,6 @@
 
 #include "Session.h"
 
-#include <string>
 #include <vector>
 
 namespace NBufferBench
@@ -27,13 +26,13 @@ struct RankCounts
 };
 
 /**
- * Spreads the props of a session over `ranks` ranks, "kd" (parts of space with equally many props)
- * or "random", and draws the pose on one rank after the other, again and again, until the counts of
- * a camera that stands still are reached. In each round a rank gets the depth that the others have
- * drawn in the round before. `owners`: the props that own a pixel, by their places in the list.
+ * Draws a pose with the props of each of `count` ranks, one rank after the other, again and again,
+ * until the counts of a camera that stands still are reached. In each round a rank gets the depth
+ * that the others have drawn in the round before. `rankOf`: the rank of each prop. `owners`: the
+ * props that own a pixel, by their places in the list.
  */
-RankCounts SimulateRanks(Session& session, const NBufferExamples::CameraPose& pose, int ranks,
-  const std::string& spread, const std::vector<int>& owners);
+RankCounts SimulateRanks(Session& session, const NBufferExamples::CameraPose& pose, int count,
+  const std::vector<int>& rankOf, const std::vector<int>& owners);
 
 } // namespace NBufferBench
 

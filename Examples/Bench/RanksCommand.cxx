@@ -7,6 +7,7 @@
 #include "Command.h"
 #include "Ranks.h"
 #include "Report.h"
+#include "Spread.h"
 #include "VisibleProps.h"
 
 #include <iostream>
@@ -45,8 +46,9 @@ int RunRanksCommand(RanksOptions& options)
   int errors = 0;
   for (int ranks : options.Ranks)
   {
-    const RankCounts counts = SimulateRanks(
-      session, path.back(), ranks, options.Spread, std::vector<int>(owners.begin(), owners.end()));
+    const RankCounts counts = SimulateRanks(session, path.back(), ranks,
+      NBufferExamples::SpreadActors(scene, options.Spread, ranks),
+      std::vector<int>(owners.begin(), owners.end()));
     Json::Value& entry = report["ranks"][std::to_string(ranks)];
     entry["drawn_local"] = counts.Local;
     entry["drawn_shared"] = counts.Shared;
