@@ -238,6 +238,33 @@ TEST(CullerRanksDraw, FewPropsOfEachRankAreManyTogether)
   EXPECT_LT(frames.back().GetDrawn(), 80);
 }
 
+TEST(CullerRanksDraw, TheOnlyCandidateOfARankIsNotDrawnWhereOthersHideIt)
+{
+  RankOptions options;
+  options.Frames = 6;
+  options.Path = [](int frame) { return 0.1 + 0.001 * frame; };
+  // The last rank has only a house at the other end of the city.
+  options.Build = [](RankStages& stages, int rank)
+  {
+    stages.Both(
+      [rank](Stage& stage)
+      {
+        for (int i = 0; i < 197 && rank == 3; ++i)
+        {
+          if (i != 14 * 13)
+          {
+            stage.GetRenderer()->RemoveViewProp(stage.Props[i]);
+          }
+        }
+        if (rank == 3)
+        {
+          stage.GetRenderer()->AddViewProp(stage.Props[14 * 13]);
+        }
+      });
+  };
+  EXPECT_EQ(Draw(options).back().Drawn[3], 0);
+}
+
 TEST(CullerRanksDraw, OneExchangePerFrameTwoAtFirstNoneWhileStill)
 {
   RankOptions options;

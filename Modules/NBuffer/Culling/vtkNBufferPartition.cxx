@@ -72,6 +72,8 @@ void vtkNBufferPartition::HoldBack()
     { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; };
     const auto farthest = std::max_element(this->Kept.begin(), this->Kept.end(), isNearer);
     this->HeldBack.push_back(*farthest);
+    // It was drawn, so that the view is not new, even if it is the only candidate.
+    this->Props.GetState(*farthest).WasTested = true;
     this->Kept.erase(farthest);
   }
   for (int i : this->Kept)
