@@ -96,7 +96,7 @@ void DrawRound(Session& session, std::vector<Rank>& ranks)
 }
 
 RankCounts SimulateRanks(Session& session, const NBufferExamples::CameraPose& pose, int count,
-  const std::vector<int>& rankOf, const std::vector<int>& owners)
+  const std::vector<int>& rankOf, const std::vector<int>& owners, int tileSize)
 {
   session.SetPose(pose);
   vtkRenderer* all = session.GetRenderer();
@@ -114,6 +114,7 @@ RankCounts SimulateRanks(Session& session, const NBufferExamples::CameraPose& po
     ranks[i].Exchange->Ranks = count;
     ranks[i].Exchange->Rank = i;
     ranks[i].Exchange->BackOffOff();
+    ranks[i].Exchange->SetTileSize(tileSize);
     session.GetWindow()->AddRenderer(ranks[i].Renderer);
   }
   for (std::size_t i = 0; i < props.size(); ++i)

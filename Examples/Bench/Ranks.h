@@ -29,10 +29,11 @@ struct RankCounts
  * Draws a pose with the props of each of `count` ranks, one rank after the other, again and again,
  * until the counts of a camera that stands still are reached. In each round a rank gets the depth
  * that the others have drawn in the round before. `rankOf`: the rank of each prop. `owners`: the
- * props that own a pixel, by their places in the list.
+ * props that own a pixel, by their places in the list. `tileSize`: as
+ * vtkNBufferDepthExchange::SetTileSize().
  */
 RankCounts SimulateRanks(Session& session, const NBufferExamples::CameraPose& pose, int count,
-  const std::vector<int>& rankOf, const std::vector<int>& owners);
+  const std::vector<int>& rankOf, const std::vector<int>& owners, int tileSize);
 
 } // namespace NBufferBench
 

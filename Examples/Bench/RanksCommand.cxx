@@ -23,6 +23,7 @@ struct RanksOptions
   ViewOptions View;
   std::vector<int> Ranks = { 1, 4, 16 };
   std::string Spread = "kd";
+  int TileSize = 4;
   std::string JSON;
 };
 
@@ -41,6 +42,7 @@ int RunRanksCommand(RanksOptions& options)
   Json::Value report;
   options.View.Describe(scene, session, report);
   report["spread"] = options.Spread;
+  report["tile"] = options.TileSize;
   report["own_a_pixel"] = static_cast<int>(owners.size());
   std::cout << owners.size() << " props own a pixel\n";
   int errors = 0;
@@ -48,7 +50,7 @@ int RunRanksCommand(RanksOptions& options)
   {
     const RankCounts counts = SimulateRanks(session, path.back(), ranks,
       NBufferExamples::SpreadActors(scene, options.Spread, ranks),
-      std::vector<int>(owners.begin(), owners.end()));
+      std::vector<int>(owners.begin(), owners.end()), options.TileSize);
     Json::Value& entry = report["ranks"][std::to_string(ranks)];
     entry["drawn_local"] = counts.Local;
     entry["drawn_shared"] = counts.Shared;
@@ -79,6 +81,8 @@ void AddRanksCommand(CLI::App& app, const std::string& program, Run& run)
     ->check(CLI::Range(1, 100000));
   command->add_option("--spread", options->Spread, "How props belong to ranks")
     ->check(CLI::IsMember({ "kd", "random" }));
+  command->add_option("--tile", options->TileSize, "The side of a tile in pixels")
+    ->check(CLI::IsMember({ 1, 2, 4, 8 }));
   command->add_option("--json", options->JSON, "File for the figures");
   command->callback([options, &run]() { run = [options]() { return RunRanksCommand(*options); }; });
 }
