@@ -18,6 +18,7 @@ def view(monkeypatch, capsys):
     """What ``python -m vtknbuffer`` does, in this process. Returns what it prints."""
     def call(*words):
         monkeypatch.setattr(sys, "argv", ["vtknbuffer", *map(str, words)])
+        monkeypatch.setattr(pyvista.global_theme, "window_size", [160, 120])
         main()
         return capsys.readouterr().out
     return call

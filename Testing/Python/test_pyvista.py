@@ -361,9 +361,9 @@ def test_many_actors_cost_no_loop():
 def test_objects_are_dropped_in_every_order():
     check_that_all_end("import pyvista, vtknbuffer.pyvista", {
         f"{'closed, ' if close else ''}{'-'.join(order)}": f"""
-plotter = pyvista.Plotter(off_screen=True)
-actors = [plotter.add_mesh(pyvista.Cube(center=(0, 0, -i))) for i in range(50)]
-culler = plotter.nbuffer.enable()
+plotter = pyvista.Plotter(off_screen=True, window_size=(160, 120))
+actors = [plotter.add_mesh(pyvista.Cube(center=(0, 0, -i))) for i in range(10)]
+culler = plotter.nbuffer.enable(minimum_number_of_candidates=1)
 plotter.nbuffer.enable_shadows()
 plotter.show(auto_close=False)
 objects = dict(plotter=plotter, culler=culler, actor=actors)
