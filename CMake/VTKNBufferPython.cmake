@@ -52,13 +52,18 @@ VTK_VERSION = \"@VTK_VERSION@\"
 install(FILES "${_package}/${VTKNBUFFER_PYTHON_FOLDER}/__init__.py"
   DESTINATION "${_python_destination}/vtknbuffer/${VTKNBUFFER_PYTHON_FOLDER}" COMPONENT python)
 
-# Type stubs, by VTK's own generator, which imports the module: it needs the Python package of VTK.
+# Type stubs, by VTK's own generator, which imports the module: it needs the Python package of this
+# VTK. In a build folder or an installation of VTK that is below VTK_PYTHONPATH, where it goes before
+# another VTK that the interpreter may have.
+set(_python "${CMAKE_COMMAND}" -E env "PYTHONPATH=${VTK_PREFIX_PATH}/${VTK_PYTHONPATH}"
+  "PYVISTA_VTK_BACKEND=${VTKNBUFFER_VTK_PACKAGE}" "${Python3_EXECUTABLE}")
 execute_process(
-  COMMAND "${Python3_EXECUTABLE}" -c
+  COMMAND ${_python} -c
     "import ${VTKNBUFFER_VTK_PACKAGE}.generate_pyi, ${VTKNBUFFER_VTK_PACKAGE}.vtkRenderingOpenGL2"
   RESULT_VARIABLE _no_stubs OUTPUT_QUIET ERROR_QUIET)
 if (_no_stubs)
-  message(STATUS "No type stubs: ${Python3_EXECUTABLE} has no package ${VTKNBUFFER_VTK_PACKAGE}")
+  message(STATUS
+    "No type stubs: ${Python3_EXECUTABLE} cannot import ${VTKNBUFFER_VTK_PACKAGE}.generate_pyi")
 else ()
   # VTK 9.7 has renamed the wrapper's target.
   set(_wrapper PyvtkNBufferPython)
@@ -69,8 +74,7 @@ else ()
     OUTPUT "${_package}/${VTKNBUFFER_PYTHON_FOLDER}/vtkNBuffer.pyi"
     DEPENDS ${_wrapper} ${_copies}
     WORKING_DIRECTORY "${VTKNBUFFER_PYTHON_PATH}"
-    COMMAND "${CMAKE_COMMAND}" -E env PYVISTA_VTK_BACKEND=${VTKNBUFFER_VTK_PACKAGE}
-      "${Python3_EXECUTABLE}" -m ${VTKNBUFFER_VTK_PACKAGE}.generate_pyi
+    COMMAND ${_python} -m ${VTKNBUFFER_VTK_PACKAGE}.generate_pyi
       -p "vtknbuffer.${VTKNBUFFER_PYTHON_FOLDER}"
       -o "${_package}/${VTKNBUFFER_PYTHON_FOLDER}" vtkNBuffer
     COMMENT "Type stubs of the Python module")

@@ -3,11 +3,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tests the wheels that Scripts/wheel.sh has made, as users install them.
 
-For each Python and the wheel that pip chooses for it, a virtual environment is made with the VTK that
-the wheel needs; with --all for each wheel that the Python can use. In a folder that is empty it runs a smoke test (Testing/Python/smoke_wheel.py) and the
-demonstration, and with --pytest all tests in Testing/Python with PyVista. It also checks that a
-wheel refuses a VTK for which it has no module. The wheels of the package vtk are tested with each
-of the versions that --vtk names.
+For each Python and each wheel that it can use, a virtual environment is made with the VTK that the
+wheel needs. In a folder that is empty it runs a smoke test (Testing/Python/smoke_wheel.py) with each
+of the versions that --vtk names, and all tests in Testing/Python with the first one and PyVista. The
+part for cvista is the same file in several wheels; all tests run with the one that pip chooses. It
+also checks that a wheel refuses a VTK for which it has no module.
 
 What cannot be tested is said in a line that begins with "SKIPPED: ". The exit status is 1 if a test
 failed, and 125 if none could run.
@@ -103,47 +103,44 @@ def check_refusal(environment, package, variable=None):
     print(f"   refused as it should be: {printed}", flush=True)
 
 
-def run_tests(environment, package, title, with_pytest):
-    """All tests with the VTK that is installed."""
-    settings = {"environment": {"PYVISTA_VTK_BACKEND": package}}
-    begin = time.monotonic()
+def run_smoke_test(environment, package):
     for line in environment.python_run(SOURCE / "Testing/Python/smoke_wheel.py",
-                                       **settings).splitlines():
-        print(f"   {line}")
-    demo = environment.python_run("-m", "vtknbuffer.demo", "--frames", "5", **settings)
-    if not demo.endswith("\n0 bytes of all images differ."):
-        raise Failure(f"the demonstration fails:\n{demo}")
-    print(f"   demonstration: {demo.splitlines()[-5]}", flush=True)
-    if with_pytest and list(SOURCE.glob("Testing/Python/test_*.py")):
-        environment.install("pyvista[cvista]" if package == "cvista" else "pyvista", "pytest")
-        printed = environment.python_run("-m", "pytest", "-q", "-p", "no:cacheprovider",
-                                         SOURCE / "Testing/Python", **settings)
-        print(f"   pytest: {printed.splitlines()[-1]}")
-    print(f"   {title}: passed in {time.monotonic() - begin:.0f} s", flush=True)
+                                       environment={"PYVISTA_VTK_BACKEND": package}).splitlines():
+        print(f"   {line}", flush=True)
 
 
-def test_wheel(wheel, packages, python, version, options):
+def run_pytest(environment, package):
+    """Run all tests. PyVista's view of trame is tested as well, which has two packages of its own."""
+    environment.install("pyvista[cvista]" if package == "cvista" else "pyvista", "pytest",
+                        "trame-vtk", "wslink")
+    printed = environment.python_run("-m", "pytest", "-q", "-rs", "-p", "no:cacheprovider",
+                                     SOURCE / "Testing/Python",
+                                     environment={"PYVISTA_VTK_BACKEND": package}).splitlines()
+    for line in printed:
+        if line.startswith("SKIPPED") or line == printed[-1]:
+            print(f"   pytest: {line}", flush=True)
+
+
+def test_wheel(wheel, packages, python, version, options, tested):
+    """Test one wheel; add the packages with which all tests have run to the set ``tested``."""
     folder = options.work / f"{wheel.stem.split('-')[3]}-{version}"
+    begin = time.monotonic()
+    print(f"== {wheel.name}, Python {version}", flush=True)
+    environment = Environment(folder, python, wheel)
     for package in packages:
-        versions = options.vtk if package == "vtk" else ["9.7.0.5"]
-        begin = time.monotonic()
-        print(f"== {wheel.name}, Python {version}, {package}", flush=True)
-        environment = Environment(folder, python, wheel)
-        for i, number in enumerate(versions):
-            environment.install(f"vtk=={number}" if package == "vtk" else CVISTA)
+        for i, number in enumerate(options.vtk if package == "vtk" else ["9.7.0.5"]):
             print(f"   {package} {number}, {time.monotonic() - begin:.0f} s after the start", flush=True)
-            run_tests(environment, package, f"{package} {number}", options.pytest and i == 0)
-        if len(packages) == 1:
-            # The other VTK as well: by the variable it is the one in use, although it does not fit.
-            other = "cvista" if package == "vtk" else "vtk"
-            if other == "vtk":
-                environment.install(f"vtk=={options.vtk[0]}")
-                check_refusal(environment, "vtk", "vtk")
-                environment.python_run("-m", "pip", "uninstall", "--quiet", "--yes", "cvista")
-                check_refusal(environment, "vtk")
-            elif int(version[2:]) >= 12:
-                environment.install(CVISTA)
-                check_refusal(environment, "cvista")
+            environment.install(f"vtk=={number}" if package == "vtk" else CVISTA)
+            run_smoke_test(environment, package)
+            if i == 0 and package not in tested:
+                run_pytest(environment, package)
+                tested.add(package)
+    if packages == ("cvista",):
+        # The package vtk as well: by the variable it is the one in use, although it does not fit.
+        environment.install(f"vtk=={options.vtk[0]}")
+        check_refusal(environment, "vtk", "vtk")
+        environment.python_run("-m", "pip", "uninstall", "--quiet", "--yes", "cvista")
+        check_refusal(environment, "vtk")
     shutil.rmtree(folder)
 
 
@@ -153,25 +150,22 @@ def main():
     parser.add_argument("dist", nargs="?", type=pathlib.Path, default=SOURCE / "dist")
     parser.add_argument("--python", nargs="+", default=PYTHONS, metavar="3.X", choices=PYTHONS)
     parser.add_argument("--vtk", nargs="+", default=["9.7.0", "9.7.1", "9.7.2"], metavar="9.7.X")
-    parser.add_argument("--all", action="store_true",
-                        help="also wheels that pip does not choose if it has another one")
-    parser.add_argument("--pytest", action="store_true",
-                        help="also run Testing/Python, with the first of these versions of VTK")
     parser.add_argument("--work", type=pathlib.Path, default=SOURCE / "build/wheel/test")
     options = parser.parse_args()
     options.dist, options.work = options.dist.resolve(), options.work.resolve()
     tested = failed = 0
     for version in options.python:
         python = find_python(version)
-        wheels = find_wheels(options.dist, version)[:None if options.all else 1]
+        wheels = find_wheels(options.dist, version)
         if not wheels or not python:
             print(f"SKIPPED: Python {version}: "
                   + ("it is not found" if wheels else f"there is no wheel for it in {options.dist.name}"))
             continue
+        with_all_tests = set()
         for wheel, packages in wheels:
             tested += 1
             try:
-                test_wheel(wheel, packages, python, version, options)
+                test_wheel(wheel, packages, python, version, options, with_all_tests)
             except Failure as failure:
                 failed += 1
                 print(f"FAILED: {wheel.name}, Python {version}: {failure}", flush=True)

@@ -8,7 +8,6 @@
 #   Scripts/wheel.sh --sdk SDK        and one for the package vtk for each Python 3.10 to 3.13 that
 #                                     is found. From 3.12 on these wheels also have what is in the
 #                                     first one, and pip prefers them to it
-#   Scripts/wheel.sh --sdk SDK --ends the latter for the oldest and the newest Python only
 #
 # SDK is a folder that Scripts/make-vtk-sdk.sh has made, or an archive of it. A Python of the right
 # version is $PYTHON, python3.X in $PATH, or pyenv's, with its headers. What cannot be made is said in
@@ -19,14 +18,12 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 sdk=
-ends=
 while (($# > 0)); do
   case $1 in
     --sdk)
       sdk=$(realpath "${2:?--sdk needs a folder or an archive}")
       shift
       ;;
-    --ends) ends=yes ;;
     *) nbuffer_fail "there is no argument $1" ;;
   esac
   shift
@@ -146,20 +143,13 @@ else
   fi
   package=$(echo "$sdk"/lib/cmake/vtk-*)
   [[ -f "$package/vtk-config.cmake" ]] || nbuffer_fail "$sdk is not an SDK of Scripts/make-vtk-sdk.sh"
-  versions=()
   for version in 3.10 3.11 3.12 3.13; do
-    if find_python "$version" >/dev/null; then
-      versions+=("$version")
-    else
+    if ! python=$(find_python "$version"); then
       printf 'SKIPPED: the wheel for the package vtk: Python %s is not found with its headers\n' "$version"
+      continue
     fi
-  done
-  if [[ -n "$ends" ]] && ((${#versions[@]} > 2)); then
-    versions=("${versions[0]}" "${versions[-1]}")
-  fi
-  for version in "${versions[@]}"; do
     environment=vtk-$version
-    if ! make_environment "$environment" "$(find_python "$version")" requirements-wheel.txt \
+    if ! make_environment "$environment" "$python" requirements-wheel.txt \
       requirements-wheel-vtk.txt; then
       printf 'SKIPPED: the wheel for the package vtk, Python %s: %s\n' "$version" \
         "it cannot be installed: $work/$environment.log"

@@ -3,6 +3,7 @@
 """What the tests of the Python package share. They import the package as it is installed."""
 
 import importlib
+import pathlib
 import subprocess
 import sys
 
@@ -82,6 +83,29 @@ def run_python(code):
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
+
+
+def check_that_all_end(imports, programs):
+    """Run each of some programs, by name, in a process of its own, which must end without an error.
+
+    Most of the time of a short program goes into importing PyVista. Here it is imported once, and a
+    process is forked from that for each program, before VTK has made a window.
+    """
+    run_python(f"""
+import os, sys
+sys.path.insert(0, {str(pathlib.Path(__file__).parent)!r})
+{imports}
+for name, program in {programs!r}.items():
+    child = os.fork()
+    if child == 0:
+        break
+    status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    if status:
+        sys.exit(f"{{name}}: the exit status is {{status}}")
+else:
+    program = ""
+exec(program)
+""")
 
 
 @pytest.fixture

@@ -10,9 +10,23 @@ import pytest
 
 pyvista = pytest.importorskip("pyvista", reason="SKIPPED: PyVista is not installed")
 
+from vtknbuffer.__main__ import main  # noqa: E402
+
+
+@pytest.fixture
+def view(monkeypatch, capsys):
+    """What ``python -m vtknbuffer`` does, in this process. Returns what it prints."""
+    def call(*words):
+        monkeypatch.setattr(sys, "argv", ["vtknbuffer", *map(str, words)])
+        monkeypatch.setattr(pyvista.global_theme, "window_size", [160, 120])
+        main()
+        return capsys.readouterr().out
+    return call
+
 
 def run(*words):
-    done = subprocess.run([sys.executable, "-m", *map(str, words)], capture_output=True, text=True,
+    """Run Python. Returns its exit status, and what it prints as output and as errors."""
+    done = subprocess.run([sys.executable, *map(str, words)], capture_output=True, text=True,
                           timeout=300)
     return done.returncode, done.stdout, done.stderr
 
@@ -25,13 +39,11 @@ def many_spheres():
 
 
 @pytest.mark.parametrize("ending", ["vtp", "ply", "stl", "vtk"])
-def test_file_is_shown_part_by_part(tmp_path, ending):
+def test_file_is_shown_part_by_part(tmp_path, view, ending):
     mesh, parts = many_spheres()
     mesh.save(tmp_path / f"spheres.{ending}")
     picture = tmp_path / "picture.png"
-    status, output, errors = run("vtknbuffer", tmp_path / f"spheres.{ending}",
-                                 "--offscreen", picture)
-    assert status == 0, errors
+    output = view(tmp_path / f"spheres.{ending}", "--offscreen", picture)
     found = re.search(r"(\d+) of (\d+) props drawn; (\d+) bytes differ", output)
     assert found, output
     assert 0 < int(found[2]) <= parts
@@ -42,7 +54,7 @@ def test_file_is_shown_part_by_part(tmp_path, ending):
 def test_blocks_and_shadows(tmp_path):
     pyvista.MultiBlock({f"part {i}": pyvista.Cube(center=(0, 0, -2 * i))
                         for i in range(40)}).save(tmp_path / "parts.vtm")
-    status, output, errors = run("vtknbuffer", tmp_path / "parts.vtm", "--shadows",
+    status, output, errors = run("-m", "vtknbuffer", tmp_path / "parts.vtm", "--shadows",
                                  "--offscreen", tmp_path / "picture.png")
     assert status == 0, errors
     assert "0 bytes differ" in output
@@ -51,21 +63,30 @@ def test_blocks_and_shadows(tmp_path):
 @pytest.mark.parametrize("name, content", [
     ("missing.vtp", None), ("empty.vtp", b""), ("cut.vtp", b"<VTKFile type='PolyData'><Poly"),
     ("unknown.xyzzy", b"1 2 3"), ("nothing.ply", b"ply\nformat ascii 1.0\nend_header\n")])
-def test_refused_files_are_one_sentence(tmp_path, name, content):
+def test_refused_files_are_one_sentence(tmp_path, view, name, content):
     path = tmp_path / name
     if content is not None:
         path.write_bytes(content)
-    status, output, errors = run("vtknbuffer", path, "--offscreen", tmp_path / "picture.png")
-    assert status == 1
-    assert f"python -m vtknbuffer: {path}: " in errors
-    assert "Traceback" not in errors
+    with pytest.raises(SystemExit) as caught:
+        view(path, "--offscreen", tmp_path / "picture.png")
+    assert str(caught.value).startswith(f"python -m vtknbuffer: {path}: ")
     assert not (tmp_path / "picture.png").exists()
 
 
+def test_refused_files_end_the_program(tmp_path):
+    status, output, errors = run("-m", "vtknbuffer", tmp_path / "missing.vtp")
+    assert status == 1
+    assert errors.splitlines()[-1].endswith("there is no such file")
+    assert "Traceback" not in errors
+
+
 def test_demonstration():
-    status, output, errors = run("vtknbuffer.demo", "--frames", "3", "--size", "160", "120")
+    # It needs no PyVista.
+    status, output, errors = run(
+        "-c", "import runpy, sys; sys.modules['pyvista'] = None; runpy.run_module('vtknbuffer.demo', "
+        "run_name='__main__', alter_sys=True)", "--frames", "3", "--size", "160", "120")
     assert status == 0, errors
     assert output.splitlines()[-1] == "0 bytes of all images differ."
     assert re.search(r"^  oracle +[0-9.]+ ms", output, re.MULTILINE)
     assert re.search(r"(\d+) of 15329 props drawn", output)
-    assert run("vtknbuffer.demo", "--frames", "0")[0] == 2
+    assert run("-m", "vtknbuffer.demo", "--frames", "0")[0] == 2

@@ -10,8 +10,8 @@ import re
 import pytest
 
 import vtknbuffer
-from conftest import (differing, image, look, make_window, renderers_of, rendering, run_python,
-                      vtk)
+from conftest import (check_that_all_end, differing, image, look, make_window, renderers_of,
+                      rendering, vtk)
 
 
 @pytest.mark.parametrize("renderers", [1, 3])
@@ -198,38 +198,20 @@ def test_hardware_selection_finds_hidden_props_too():
 
 
 # Hazard: a crash when the interpreter ends, or when one object outlives another.
-@pytest.mark.parametrize("order", list(itertools.permutations(("culler", "renderer", "window"))),
-                         ids="-".join)
-def test_objects_are_dropped_in_every_order(order):
-    code = f"""
-import sys
-sys.path.insert(0, {str(__file__.rsplit('/', 1)[0])!r})
-from conftest import make_window, renderers_of, look
-import vtknbuffer
+def test_objects_are_dropped_in_every_order():
+    begin = """
 window = make_window()
 renderer = renderers_of(window)[0]
 culler = vtknbuffer.enable(window)
 look(window, 0)
 look(window, 1)
+"""
+    programs = {"-".join(order): f"""{begin}
 objects = dict(culler=culler, renderer=renderer, window=window)
 del culler, renderer, window
 for name in {order!r}:
     del objects[name]
-print("ended")
-"""
-    assert run_python(code).strip() == "ended"
-
-
-def test_nothing_is_dropped_at_all():
-    code = f"""
-import sys
-sys.path.insert(0, {str(__file__.rsplit('/', 1)[0])!r})
-from conftest import make_window, look
-import vtknbuffer
-window = make_window()
-culler = vtknbuffer.enable(window)
-shadows = vtknbuffer.vtkShadowVolumeClampPass()
-look(window, 0)
-print("ended")
-"""
-    assert run_python(code).strip() == "ended"
+""" for order in itertools.permutations(("culler", "renderer", "window"))}
+    programs["nothing is dropped"] = f"{begin}\nshadows = vtknbuffer.vtkShadowVolumeClampPass()"
+    check_that_all_end("import vtknbuffer\nfrom conftest import look, make_window, renderers_of",
+                       programs)
