@@ -4,6 +4,7 @@
 
 #include "vtkNBufferBackend.h"
 #include "vtkNBufferCompatibility.h"
+#include "vtkNBufferDivision.h"
 #include "vtkNBufferFrameGuard.h"
 #include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferView.h"
@@ -262,7 +263,10 @@ double vtkNBufferCuller::Cull(
   {
     MoveDefaultFrustumCullersBehind(this, renderer->GetCullers());
   }
-  if (obstacle == vtkNBufferDecision::None && listLength < this->Tuning.MinimumNumberOfCandidates)
+  const auto isLarge = [this](vtkProp* prop)
+  { return vtkNBufferDivision::IsLarge(prop, this->Tuning.MinimumNumberOfPrimitives); };
+  if (obstacle == vtkNBufferDecision::None && listLength < this->Tuning.MinimumNumberOfCandidates &&
+    !(this->DivideProps && std::any_of(propList, propList + listLength, isLarge)))
   {
     obstacle = vtkNBufferDecision::FewCandidates;
   }
@@ -285,7 +289,7 @@ double vtkNBufferCuller::Cull(
   entry.Guard->BeginFrame(this);
   const vtkNBufferSettings settings = { this->Tuning,
     static_cast<vtkNBufferBackend::Kind>(this->Backend),
-    static_cast<vtkNBufferSliverPolicy>(this->TestSlivers), this->Freeze };
+    static_cast<vtkNBufferSliverPolicy>(this->TestSlivers), this->DivideProps, this->Freeze };
   return view.Cull(renderer, propList, listLength, initialized, settings);
 }
 
@@ -326,6 +330,7 @@ void vtkNBufferCuller::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Backend: " << this->Backend << " (in use: " << this->GetBackendInUse() << ", "
      << this->GetBackendReason() << ")\n";
   os << indent << "TestSlivers: " << this->TestSlivers << "\n";
+  os << indent << "DivideProps: " << this->DivideProps << "\n";
   os << indent << "Freeze: " << this->Freeze << "\n";
   this->Tuning.PrintSelf(os, indent);
   os << indent << "Statistics: " << this->GetStatisticsAsJSON() << "\n";

@@ -43,7 +43,7 @@ vtkNBufferDepthTest::vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferL
 
 vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
   const vtkNBufferDepthSource& source, std::initializer_list<const std::vector<int>*> places,
-  std::string& why)
+  int levels, std::string& why)
 {
   this->Window = window;
   this->Source = source;
@@ -52,7 +52,6 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
     source.Framebuffer != window->GetRenderFramebuffer()->GetFBOIndex();
   this->SampleDistance =
     hasOtherSamples || vtkNBufferGL::CoversTouchedPixels() ? 0.5 : source.SampleDistance;
-  int levels = 1;
   for (const std::vector<int>* list : places)
   {
     for (int i : *list)
@@ -69,6 +68,14 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
   levels = std::max(levels, this->Props.GetLevelsNeeded(this->Settings.BaseFactor));
   this->Backend.SetAllowFloatTextures(this->Settings.AllowFloatTextures);
   return this->Backend.Build(this->Settings.Backend, this->GetJob(levels), why);
+}
+
+vtkNBufferDividedProp::Depth vtkNBufferDepthTest::GetDepthOfUnits()
+{
+  const bool isAtHand =
+    this->Settings.TestPixels && this->Backend.GetInUse() == vtkNBufferBackend::CPU;
+  return { this->Levels, isAtHand ? this->Backend.GetDepth(this->GetJob(1), {}) : nullptr,
+    this->SampleDistance };
 }
 
 const vtkNBufferScreenBox* vtkNBufferDepthTest::GetScreen(int i)

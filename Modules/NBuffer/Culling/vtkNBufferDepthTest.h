@@ -18,6 +18,7 @@
 
 #include "vtkNBufferBackend.h"
 #include "vtkNBufferCandidateList.h"
+#include "vtkNBufferDividedProp.h"
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferSliverTest.h"
@@ -45,6 +46,7 @@ struct vtkNBufferSettings : vtkNBufferTuning
 {
   vtkNBufferBackend::Kind Backend = vtkNBufferBackend::Auto;
   vtkNBufferSliverPolicy TestSlivers = vtkNBufferSliverPolicy::Never;
+  bool DivideProps = true;
   bool Freeze = false;
 };
 
@@ -57,12 +59,16 @@ public:
     vtkNBufferStatistics& statistics, const vtkNBufferSettings& settings);
 
   /**
-   * Build the levels that the candidates in all lists of `places` need, from the depth of the
-   * framebuffer that is bound for drawing, which `source` describes. Returns None, or a failure
-   * with its cause and remedy in `why`, as vtkNBufferBackend::Build() does.
+   * Build the levels that the candidates in all lists of `places` need, and at least `levels` of
+   * them, from the depth of the framebuffer that is bound for drawing, which `source` describes.
+   * Returns None, or a failure with its cause and remedy in `why`, as vtkNBufferBackend::Build()
+   * does.
    */
   vtkNBufferDecision Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
-    std::initializer_list<const std::vector<int>*> places, std::string& why);
+    std::initializer_list<const std::vector<int>*> places, int levels, std::string& why);
+
+  /// What units of props are compared with after Build(), until something is drawn.
+  vtkNBufferDividedProp::Depth GetDepthOfUnits();
 
   /// Remove the places of hidden candidates from `places`. Returns how many candidates the levels
   /// alone did not find hidden. Nothing may have been drawn since Build().
