@@ -59,7 +59,7 @@ MUTANTS = {
     "boxes of units 1 % too small": [
         (DIVIDED, "vtkNBufferBox box = vtkNBufferBox::FromBounds(values);",
          "vtkNBufferBox box = vtkNBufferBox::FromBounds(values); box.HalfSize *= 0.99;")],
-    "groups in space taken for runs": [
+    "groups in space treated as runs": [
         (UNITS, "if (!this->AreSpatial())", "if (true)")],
     "fresh units over those that come later in the mesh": [
         ("vtkNBufferTieOrder.cxx", "a.Round > b.Round;", "a.Round < b.Round;")],

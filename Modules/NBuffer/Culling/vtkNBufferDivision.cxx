@@ -57,7 +57,7 @@ void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
   }
 }
 
-void vtkNBufferDivision::Update(const vtkNBufferSettings& settings)
+void vtkNBufferDivision::Update(vtkOpenGLRenderWindow* window, const vtkNBufferSettings& settings)
 {
   this->Postponed = -1;
   const int minimum = settings.DivideProps ? settings.MinimumNumberOfPrimitives : VTK_INT_MAX;
@@ -95,8 +95,9 @@ void vtkNBufferDivision::Update(const vtkNBufferSettings& settings)
       [this](const Entry& entry) { return !this->Props.GetCandidate(entry.Place).IsCandidate(); }),
     this->Entries.end());
   this->FindLarge(changed);
-  const vtkNBufferDividedProp::Settings making = { static_cast<std::size_t>(settings.UnitSize),
-    settings.DivideAfter, settings.DivideInBackground };
+  const vtkNBufferDividedProp::Settings making = { window,
+    static_cast<std::size_t>(settings.UnitSize), settings.DivideAfter,
+    settings.DivideInBackground };
   for (Entry& entry : this->Entries)
   {
     const bool hasChanged = std::binary_search(changed.begin(), changed.end(), entry.Place);

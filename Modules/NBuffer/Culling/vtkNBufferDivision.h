@@ -27,6 +27,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkNBufferCandidateList;
+class vtkOpenGLRenderWindow;
 struct vtkNBufferSettings;
 struct vtkNBufferStatistics;
 struct vtkNBufferViewSetup;
@@ -44,7 +45,7 @@ public:
   static bool IsLarge(vtkProp* prop, int minimum);
 
   /// Begin a frame, after the candidates have been brought up to date.
-  void Update(const vtkNBufferSettings& settings);
+  void Update(vtkOpenGLRenderWindow* window, const vtkNBufferSettings& settings);
 
   /// Set the view of the frame. To be called again if the format of the depth turns out to be
   /// another one.

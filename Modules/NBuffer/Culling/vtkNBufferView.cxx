@@ -69,7 +69,8 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
     this->Setup.Apply(this->Projection);
   }
   this->Statistics.Refreshed = this->Props.Refresh();
-  this->Division.Update(this->Settings);
+  this->Division.Update(
+    static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), this->Settings);
   this->Statistics.RefreshTime = part.Restart();
 
   const auto drawingBefore =

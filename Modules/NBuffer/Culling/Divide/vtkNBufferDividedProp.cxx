@@ -71,6 +71,7 @@ void vtkNBufferDividedProp::BeginFrame(bool changed, const Settings& settings)
     this->Units = {};
     this->Mesh = {};
   }
+  this->Hook->SetWindow(settings.Window);
   this->IsDrawn = this->FreshIsNext = this->Settled = false;
   if (this->State == Phase::Waiting && this->StillFrames++ >= settings.DivideAfter)
   {

@@ -44,15 +44,16 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
-class vtkNBufferOcclusionTest;
+class vtkOpenGLRenderWindow;
 class vtkNBufferLevels;
 
 class vtkNBufferDividedProp
 {
 public:
-  /// How units are made, see vtkNBufferTuning.
+  /// Where the prop is drawn, and how units are made (see vtkNBufferTuning).
   struct Settings
   {
+    vtkOpenGLRenderWindow* Window = nullptr;
     std::size_t UnitSize = 1;
     int DivideAfter = 0;
     bool InBackground = false;

@@ -38,6 +38,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkOpenGLHelper;
 class vtkOpenGLPolyDataMapper;
+class vtkOpenGLRenderWindow;
 class vtkPolyData;
 class vtkProp;
 
@@ -78,6 +79,12 @@ public:
   void Attach(vtkProp* prop);
   void Detach(vtkProp* prop);
   ///@}
+
+  /// Set the window of the next draws. The buffers of the hook are released with its context.
+  void SetWindow(vtkOpenGLRenderWindow* window)
+  {
+    this->Resources->RegisterGraphicsResources(window);
+  }
 
   /// Read what the next draw draws: afterwards GetSource() and TakeMesh() have it.
   void ReadNext();
