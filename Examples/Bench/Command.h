@@ -43,14 +43,15 @@ struct ViewOptions
   int PathFrames = 0; ///< The frames of the whole path; 0: as many as are rendered.
   std::uint64_t Seed = 1;
   bool SplitRegions = false; ///< As in NBufferExamples::SceneOptions.
+  bool Merge = false;        ///< The scene becomes one prop.
   int Props = 0;             ///< The scene is copied until it has this many props; 0: not copied.
   SessionOptions Window;
   std::string Backend = "auto"; ///< The back-end of vtkNBufferCuller: auto, opengl or cpu.
 
   /// The possible values of --scene, for the help.
-  std::string SceneHelp =
-    "city, plant (synthetic), a folder of .kicad_pcb (with :actors behind: all "
-    "actors of VTK's importer), or a file of " +
+  std::string SceneHelp = "city, plant, isosurface, points-wall (synthetic), a folder of "
+                          ".kicad_pcb (with :actors behind: all "
+                          "actors of VTK's importer), or a file of " +
     NBufferExamples::ListEndings(" ") + ", or several of " + NBufferExamples::ListPartEndings(" ") +
     "; each also as .gz";
 

@@ -70,6 +70,14 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   {
     scene = MakePlant(options.Seed);
   }
+  else if (name == "isosurface")
+  {
+    scene = MakeIsosurface();
+  }
+  else if (name == "points-wall")
+  {
+    scene = MakePointsBehindWall();
+  }
   else if (IsKicadName(name))
   {
     scene = LoadKicad(name, options.Progress);
@@ -81,7 +89,7 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   else if (!fs::exists(name))
   {
     throw std::runtime_error(
-      "there is no file " + name + "; the scenes without a file are city and plant");
+      "there is no file " + name + "; the scenes without a file are city, plant, isosurface and points-wall");
   }
   else if (IsCityFile(name))
   {

@@ -99,6 +99,10 @@ struct Scene
    * Paths stay those of the original.
    */
   void Tile(int count);
+
+  /// Makes one actor of all, whose mesh has a color at each point. Plan, Known and Paths stay as
+  /// they are. Throws std::runtime_error if an actor shows something else than polygons.
+  void Merge();
 };
 
 } // namespace NBufferExamples

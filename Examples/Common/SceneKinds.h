@@ -26,6 +26,13 @@ using Progress = std::function<void(const std::string&)>;
  */
 Scene MakePlant(std::uint64_t seed);
 
+/// Makes an isosurface of 0.9 million triangles that fills a cube, with the paths "outside", around
+/// it, and "inside", through its channels.
+Scene MakeIsosurface();
+
+/// Makes a million points, in no order, behind a wall that hides all of them.
+Scene MakePointsBehindWall();
+
 /// Returns whether a name ends with .bsp or .bsp.gz, or with one of these and ":faces" or
 /// ":clusters".
 bool IsBspName(const std::string& name);

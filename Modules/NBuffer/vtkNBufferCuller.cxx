@@ -6,6 +6,7 @@
 #include "vtkNBufferCompatibility.h"
 #include "vtkNBufferCullerOrder.h"
 #include "vtkNBufferDepthExchange.h"
+#include "vtkNBufferDivision.h"
 #include "vtkNBufferFrameGuard.h"
 #include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferView.h"
@@ -227,13 +228,17 @@ double vtkNBufferCuller::Cull(
   vtkNBufferSettings settings = { this->Tuning };
   settings.Backend = static_cast<vtkNBufferBackend::Kind>(this->Backend);
   settings.TestSlivers = static_cast<vtkNBufferSliverPolicy>(this->TestSlivers);
+  settings.DivideProps = this->DivideProps;
   settings.Freeze = this->Freeze;
   if (obstacle == vtkNBufferDecision::None && this->DepthExchange &&
     vtkNBufferCompatibility::CanShareDepth(renderer))
   {
     settings.Share(this->DepthExchange->GetSharedDepth(renderer));
   }
-  if (obstacle == vtkNBufferDecision::None && listLength < settings.MinimumNumberOfCandidates)
+  const auto isLarge = [this](vtkProp* prop)
+  { return vtkNBufferDivision::IsLarge(prop, this->Tuning.MinimumNumberOfPrimitives); };
+  if (obstacle == vtkNBufferDecision::None && listLength < settings.MinimumNumberOfCandidates &&
+    !(this->DivideProps && std::any_of(propList, propList + listLength, isLarge)))
   {
     obstacle = vtkNBufferDecision::FewCandidates;
   }
@@ -297,6 +302,7 @@ void vtkNBufferCuller::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Backend: " << this->Backend << " (in use: " << this->GetBackendInUse() << ", "
      << this->GetBackendReason() << ")\n";
   os << indent << "TestSlivers: " << this->TestSlivers << "\n";
+  os << indent << "DivideProps: " << this->DivideProps << "\n";
   os << indent << "Freeze: " << this->Freeze << "\n";
   os << indent << "DepthExchange: " << this->DepthExchange << "\n";
   this->Tuning.PrintSelf(os, indent);

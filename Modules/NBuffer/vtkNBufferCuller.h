@@ -138,6 +138,17 @@ public:
   ///@}
 
   ///@{
+  /// Whether large props are culled unit by unit: meshes of at least
+  /// vtkNBufferTuning::MinimumNumberOfPrimitives triangles or points, whose units are groups of
+  /// neighbours. A pass in the property keys lets VTK draw only units that may be seen, from its
+  /// own vertex buffers (vtkNBufferDrawHook.h says when a mesh is drawn whole). Takes 12 bytes per
+  /// triangle and, if the file does not list neighbours together, 4 more. Default: on.
+  vtkSetMacro(DivideProps, bool);
+  vtkGetMacro(DivideProps, bool);
+  vtkBooleanMacro(DivideProps, bool);
+  ///@}
+
+  ///@{
   /// Whether the verdicts stay as they are while the camera moves, so that one can fly around and
   /// see what was drawn for a view. The image may then differ from the one without the culler.
   /// Default: off.
@@ -244,6 +255,7 @@ private:
   bool Enabled = true;
   int Backend = Auto;
   int TestSlivers = Never;
+  bool DivideProps = true;
   bool Freeze = false;
   vtkNBufferTuning Tuning;
   vtkSmartPointer<vtkNBufferDepthExchange> DepthExchange;

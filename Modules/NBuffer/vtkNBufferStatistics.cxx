@@ -57,6 +57,12 @@ std::string vtkNBufferStatistics::GetAsJSON() const
   json["read_backs"] = this->ReadBacks;
   json["bytes_read"] = static_cast<Json::Int64>(this->BytesRead);
   json["hidden_by_triangles"] = this->HiddenByTriangles;
+  json["units"] = this->Units;
+  json["units_outside"] = this->UnitsOutside;
+  json["units_kept"] = this->UnitsKept;
+  json["units_fresh"] = this->UnitsFresh;
+  json["units_hidden"] = this->UnitsHidden;
+  json["fresh_draws"] = this->FreshDraws;
   json["slivers"] = this->Slivers;
   json["nodes"] = static_cast<Json::Int64>(this->Nodes);
   json["refits"] = this->Refits;

@@ -128,6 +128,19 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   int HiddenByTriangles = 0;
 
   ///@{
+  /// The units of the props that are drawn unit by unit (vtkNBufferCuller::SetDivideProps): all,
+  /// those outside the frustum, those drawn before the first test, those drawn after it, and those
+  /// found hidden.
+  int Units = 0;
+  int UnitsOutside = 0;
+  int UnitsKept = 0;
+  int UnitsFresh = 0;
+  int UnitsHidden = 0;
+  ///@}
+  /// How many props were drawn a second time, for their fresh units.
+  int FreshDraws = 0;
+
+  ///@{
   /// The work on N-buffers in all rounds: the levels built and their texels, the rectangles that
   /// were compared with levels and the texels read for that, the read-backs from OpenGL and their
   /// bytes.

@@ -56,6 +56,20 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   /// drawn, the frame still reads the time of the actor.
   int ObserveAfter = 60;
 
+  ///@{
+  /**
+   * A prop whose mapper's input has at least MinimumNumberOfPrimitives cells is divided into units
+   * of UnitSize triangles or points, when it has stayed the same for DivideAfter frames. With
+   * DivideInBackground a thread makes the units, which takes about 0.1 microseconds per triangle
+   * (vtkNBufferUnits); until then the prop is drawn whole. The ranges are 1 to 2147483647, 1 to
+   * 65536, and 0 to 2147483647.
+   */
+  int MinimumNumberOfPrimitives = 20000;
+  int UnitSize = 128;
+  int DivideAfter = 3;
+  bool DivideInBackground = true;
+  ///@}
+
   /// Whether the triangles of a prop whose box neither the levels nor the pixels hide are compared
   /// with the pixels one by one, if they are few (vtkNBufferMeshes::FindSmall). Requires
   /// TestPixels.

@@ -400,6 +400,8 @@ void Checker::Count(const Scenario& scenario, Tally& tally) const
                                                                              : "culled by CPU"];
       tally.Features["culled in several rounds"] += statistics.Rounds > 1;
       tally.Features["culled over a hierarchy"] += statistics.Nodes > 0;
+      tally.Features["culled by units"] += statistics.UnitsHidden > 0;
+      tally.Features["fresh units"] += statistics.FreshDraws > 0;
     }
   }
   tally.FramesWithHidden += hidden;

@@ -44,11 +44,10 @@ void MakeWindow(Writer& writer)
 void MakeCuller(Writer& writer)
 {
   Culler& culler = writer.Scene.Culler;
-  if (writer.Chance(0.3))
-  {
-    culler.DefaultCuller =
-      writer.Any({ DefaultCuller::Before, DefaultCuller::Behind, DefaultCuller::NoTakeOver });
-  }
+  const bool isMoved = writer.Chance(0.3);
+  culler.DefaultCuller = isMoved
+    ? writer.Any({ DefaultCuller::Before, DefaultCuller::Behind, DefaultCuller::NoTakeOver })
+    : culler.DefaultCuller;
   culler.OnePerRenderer = writer.Chance(0.3);
   culler.AddedInFrame = writer.Chance(0.05) ? 1 : 0;
   culler.Backend = writer.Any({ 0, 1, 1, 2 });
@@ -56,8 +55,7 @@ void MakeCuller(Writer& writer)
   culler.MinimumNumberOfCandidates = writer.Chance(0.1) ? writer.Integer(1, 40) : 1;
   culler.MaximumNumberOfRounds = writer.Integer(1, 8);
   culler.RoundSize = writer.Any({ 1, 2, 4, 8, 12, 64 });
-  // Not drawn, so that the rest of a scenario stays what it was for its seed. The default is larger
-  // than any of these scenes.
+  // Not drawn, so that the rest of a scenario stays what it was for its seed.
   culler.HierarchySize = writer.Scene.Seed % 3 == 0 ? culler.HierarchySize : 0;
   culler.TestSlivers = writer.Scene.Seed % 5 == 0 ? vtkNBufferCuller::Always : culler.TestSlivers;
   culler.TestTriangles = writer.Scene.Seed % 3 != 0;
@@ -65,6 +63,8 @@ void MakeCuller(Writer& writer)
   culler.TestPixels = writer.Chance(0.6);
   culler.ReuseWhenStill = writer.Chance(0.8);
   culler.BackOff = writer.Chance(0.1);
+  culler.MinimumNumberOfPrimitives = writer.Any({ 2, 6, 50, 20000, 20000 });
+  culler.UnitSize = writer.Any({ 1, 2, 5, 20 });
 }
 
 //------------------------------------------------------------------------------------------------

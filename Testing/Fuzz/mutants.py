@@ -16,6 +16,9 @@ CASTER = "vtkShadowCaster.cxx"
 SURFACE = "vtkNBufferSurface.cxx"
 HIERARCHY = "vtkNBufferHierarchy.cxx"
 FRAME_KEY = "vtkShadowFrameKey.cxx"
+DIVIDED = "vtkNBufferDividedProp.cxx"
+HOOK = "vtkNBufferDrawHook.cxx"
+UNITS = "vtkNBufferUnits.cxx"
 MASK_MAKER = "vtkShadowMaskMaker.cxx"
 PLAN = "vtkShadowPlan.cxx"
 DRAW_LIST = "vtkShadowDrawList.cxx"
@@ -51,6 +54,29 @@ MUTANTS = {
          "this->High = glm::max(this->High, low);")],
     "held-back props below visible nodes of the hierarchy count as hidden": [
         (CANDIDATE_TREE, "!test.IsHidden(screen))", "false)")],
+
+    # Units of large props.
+    "boxes of units 1 % too small": [
+        (DIVIDED, "vtkNBufferBox box = vtkNBufferBox::FromBounds(values);",
+         "vtkNBufferBox box = vtkNBufferBox::FromBounds(values); box.HalfSize *= 0.99;")],
+    "groups in space treated as runs": [
+        (UNITS, "if (!this->AreSpatial())", "if (true)")],
+    "fresh units over those that come later in the mesh": [
+        ("vtkNBufferTieOrder.cxx", "a.Round > b.Round;", "a.Round < b.Round;")],
+    "cells' colors with the numbers of some primitives": [
+        ("vtkNBufferProtectedMembers.h",
+         "!(mapper->*&Access::HaveCellScalars) && !(mapper->*&Access::HaveCellNormals);", "true;")],
+    "a mapper keeps the index buffer of the units": [
+        (HOOK, "this->Changed->IBO = this->Original;", "")],
+    "indices of the mesh before": [
+        (HOOK, "buffer.Marked.clear(); // The same units of another mesh have other indices.", "")],
+    "units of data that have changed": [
+        (DIVIDED, "data->GetMTime() == source.DataTime;", "true;"),
+        (HOOK, "this->Stale = source.Corners == 0 || !(source == this->Read);",
+         "this->Stale = source.Corners == 0;")],
+    "units that are hidden stay hidden": [
+        (DIVIDED, "this->Marks[n] |= Visible;",
+         "this->Marks[n] |= Visible; if (this->Turn % 2 == 0) { return; }")],
 
     # Triangles.
     "only one triangle of a mesh looked at": [
@@ -273,5 +299,5 @@ EQUIVALENT = {
         (CLIP_EXTENT, NEAR_PLANE_TEST, "if (!(w > this->Error.w))")],
     # The next frame begins with more props than it needs.
     "visible props are not remembered": [
-        (VIEW, "    state.WasVisible = true;\n    drawn +=", "    drawn +=")],
+        (VIEW, "      state.WasVisible = true;\n", "")],
 }

@@ -201,6 +201,13 @@ void Player::AddCullers()
       Tune(culler, &vtkNBufferTuning::TestTriangles, settings.TestTriangles);
       Tune(culler, &vtkNBufferTuning::TestPixels, settings.TestPixels);
       culler->SetTestSlivers(settings.TestSlivers);
+      culler->SetDivideProps(settings.DivideProps);
+      Tune(
+        culler, &vtkNBufferTuning::MinimumNumberOfPrimitives, settings.MinimumNumberOfPrimitives);
+      Tune(culler, &vtkNBufferTuning::UnitSize, settings.UnitSize);
+      Tune(culler, &vtkNBufferTuning::DivideAfter, 0);
+      // The same units in the same frame, whenever the scenario is run.
+      Tune(culler, &vtkNBufferTuning::DivideInBackground, false);
       Tune(culler, &vtkNBufferTuning::ReuseWhenStill, settings.ReuseWhenStill);
       Tune(culler, &vtkNBufferTuning::BackOff, settings.BackOff);
       Tune(culler, &vtkNBufferTuning::TakeOverFrustumCulling,

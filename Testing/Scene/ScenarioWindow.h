@@ -95,12 +95,16 @@ struct Culler
   bool TestTriangles = true;
   bool TestPixels = true;
   int TestSlivers = 0;
+  bool DivideProps = true;
+  int MinimumNumberOfPrimitives = 20000;
+  int UnitSize = 128;
   bool ReuseWhenStill = true;
   bool BackOff = false;
 
   NBUFFER_SCENE_MEMBERS(DefaultCuller, OnePerRenderer, AddedInFrame, Backend, BaseFactor,
     MinimumNumberOfCandidates, MaximumNumberOfRounds, RoundSize, HierarchySize, ObserveAfter,
-    TestTriangles, TestPixels, TestSlivers, ReuseWhenStill, BackOff);
+    TestTriangles, TestPixels, TestSlivers, DivideProps, MinimumNumberOfPrimitives, UnitSize,
+    ReuseWhenStill, BackOff);
 };
 }
 

@@ -45,6 +45,9 @@ std::string FindInconsistency(
         s.BytesRead == 0 && s.Tested == 0,
       "a frame without a test does no work");
   }
+  demand(s.UnitsOutside >= 0 && s.UnitsKept >= 0 && s.UnitsFresh >= 0 && s.UnitsHidden >= 0 &&
+      s.UnitsOutside + s.UnitsKept + s.UnitsFresh + s.UnitsHidden == s.Units,
+    "Units = outside + kept + fresh + hidden");
   demand(s.Decision <= vtkNBufferDecision::BackedOff || hidden == 0,
     "nothing is hidden where the culler steps aside");
   return faults;

@@ -28,6 +28,7 @@ vtkNBufferDrawnProp MakeDrawn(const vtkNBufferProjection& projection,
   drawn.Index = index;
   drawn.Round = round;
   drawn.Bounded = true;
+  drawn.KeepsScissor = true;
   drawn.Box = box.Box;
   drawn.Screen = box.Screen;
   return drawn;
@@ -96,6 +97,7 @@ TEST(NBufferTieOrder, RedrawsRestoreTheOrder)
         { r.X0 + 0.3, r.X1 - 0.3, r.Y0 + 0.3, r.Y1 - 0.3, prop.Depth, prop.Depth }, i,
         static_cast<int>(random() % rounds));
       prop.Drawn.Bounded = random() % 8 != 0;
+      prop.Drawn.KeepsScissor = random() % 8 != 0;
       text << r << " at " << prop.Depth << ", round " << prop.Drawn.Round << "; ";
     }
     SCOPED_TRACE(text.str());
@@ -124,7 +126,7 @@ TEST(NBufferTieOrder, RedrawsRestoreTheOrder)
     {
       const Prop& prop = props[drawn[redraw.Position].Index];
       ASSERT_LE(redraw.Regions.size(), 4u);
-      ASSERT_TRUE(redraw.Regions.empty() || (inRegions && prop.Drawn.Bounded));
+      ASSERT_TRUE(redraw.Regions.empty() || (inRegions && prop.Drawn.KeepsScissor));
       for (const vtkNBufferRectangle& region : redraw.Regions)
       {
         Draw(prop, window, region);
@@ -219,6 +221,24 @@ TEST(NBufferTieOrder, OnlyPropsThatTouchTie)
   EXPECT_EQ(pixels.Y1, a.Screen.Pixels.Y1);
   EXPECT_TRUE(tie(unbounded, unbounded));
   EXPECT_EQ(pixels.GetWidth(), Side);
+}
+
+// Hazard: of a prop that is drawn in parts the part that was drawn first wins although it comes
+// later in the mesh, or the whole prop is drawn again everywhere.
+TEST(NBufferTieOrder, PartsOfOnePropAreRestored)
+{
+  const vtkNBufferProjection projection = MapWorldToPixels(Side, Side);
+  std::vector<vtkNBufferDrawnProp> drawn = {
+    MakeDrawn(projection, { 1.0, 7.0, 1.0, 7.0, 0.5, 0.5 }, 3, 0),
+    MakeDrawn(projection, { 2.0, 4.0, 2.0, 4.0, 0.5, 0.5 }, 3, 2),
+    MakeDrawn(projection, { 6.5, 7.0, 6.5, 7.0, 0.5, 0.5 }, 4, 0),
+  };
+  const std::vector<vtkNBufferRedraw> redraws =
+    vtkNBufferTieOrder::GetRedraws(projection, drawn, true);
+  ASSERT_EQ(redraws.size(), 1u) << "the next prop does not touch the late part";
+  EXPECT_EQ(drawn[redraws[0].Position].Index, 3);
+  ASSERT_EQ(redraws[0].Regions.size(), 1u);
+  EXPECT_EQ(redraws[0].Regions[0], (vtkNBufferRectangle{ 1, 1, 5, 5 }));
 }
 
 // Hazard: a rest that never begins wastes tests, one that never ends hides nothing any more.

@@ -110,7 +110,10 @@ const Fields<Culling> CullingFields = {
     { "rounds", &Culling::Rounds }, { "levels", &Culling::Levels },
     { "read_backs", &Culling::ReadBacks }, { "failed_frames", &Culling::FailedFrames },
     { "hidden_by_triangles", &Culling::HiddenByTriangles }, { "slivers", &Culling::Slivers },
-    { "refits", &Culling::Refits }, { "builds", &Culling::Builds } },
+    { "refits", &Culling::Refits }, { "builds", &Culling::Builds }, { "units", &Culling::Units },
+    { "units_outside", &Culling::UnitsOutside }, { "units_kept", &Culling::UnitsKept },
+    { "units_fresh", &Culling::UnitsFresh }, { "units_hidden", &Culling::UnitsHidden },
+    { "fresh_draws", &Culling::FreshDraws } },
   { { "texels", &Culling::Texels }, { "queries", &Culling::Queries },
     { "lookups", &Culling::Lookups }, { "bytes_read", &Culling::BytesRead },
     { "nodes", &Culling::Nodes } },
@@ -195,7 +198,7 @@ TEST(NBufferStatistics, JSONHoldsEveryField)
   {
     EXPECT_EQ(json["drawn_in_round"][i].asInt(), 10 + i);
   }
-  EXPECT_EQ(json.size(), 25u) << "a new field wants its line here";
+  EXPECT_EQ(json.size(), 31u) << "a new field wants its line here";
 }
 
 TEST(ShadowStatistics, EveryEnumeratorHasItsOwnName)

@@ -13,6 +13,10 @@
 
 #include "vtkMapper.h"
 #include "vtkObject.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkProp.h"
 #include "vtkTimeStamp.h"
 
@@ -49,6 +53,48 @@ inline vtkShaderProperty* const& GetShaderProperty(const vtkProp* prop)
     static vtkShaderProperty* vtkProp::*Get() { return &Access::ShaderProperty; }
   };
   return prop->*Access::Get();
+}
+
+/**
+ * What a mapper is about to draw, while it sets the parameters of its shader. Null unless triangles
+ * or points are all that it draws, and what it draws of a primitive does not depend on the number
+ * of the primitive (gl_PrimitiveID), as the values of cells do.
+ */
+inline vtkOpenGLHelper* GetOnlyStream(vtkOpenGLPolyDataMapper* mapper)
+{
+  struct Access : vtkOpenGLPolyDataMapper
+  {
+    static vtkOpenGLHelper* Get(vtkOpenGLPolyDataMapper* mapper)
+    {
+      vtkOpenGLHelper* stream = mapper->*&Access::LastBoundBO;
+      vtkOpenGLHelper* streams = mapper->*&Access::Primitives;
+      vtkOpenGLHelper* selected = mapper->*&Access::SelectionPrimitives;
+      const bool isKnown = stream == streams + PrimitiveTris || stream == streams + PrimitivePoints;
+      bool isOnly = isKnown && !(mapper->*&Access::PointPicking) &&
+        !(mapper->*&Access::HaveCellScalars) && !(mapper->*&Access::HaveCellNormals);
+      for (int i = PrimitiveStart; i <= PrimitiveTriStrips; ++i)
+      {
+        const bool isOther = streams + i != stream;
+        isOnly = isOnly && (streams[i].IBO->IndexCount > 0) == !isOther &&
+          selected[i].IBO->IndexCount == 0;
+      }
+      return isOnly ? stream : nullptr;
+    }
+  };
+  return Access::Get(mapper);
+}
+
+/// The number of points in the vertex buffers of a mapper.
+inline std::size_t GetNumberOfVertices(vtkOpenGLPolyDataMapper* mapper)
+{
+  struct Access : vtkOpenGLPolyDataMapper
+  {
+    static vtkOpenGLVertexBufferObjectGroup* Get(vtkOpenGLPolyDataMapper* mapper)
+    {
+      return mapper->*&Access::VBOs;
+    }
+  };
+  return static_cast<std::size_t>(Access::Get(mapper)->GetNumberOfTuples("vertexMC"));
 }
 
 /// The lookup table of a mapper, or nullptr. vtkMapper::GetLookupTable() would create one.

@@ -28,6 +28,7 @@ bool vtkNBufferCandidateList::Synchronize(vtkProp** props, int count)
   this->Screens.resize(static_cast<std::size_t>(count));
   this->Tree.ListHasChanged();
   this->ListChanged = true;
+  ++this->ListNumber;
   return true;
 }
 
@@ -44,14 +45,18 @@ int vtkNBufferCandidateList::Refresh()
   }
 
   this->FindStale(all);
-  const int changed = this->ListChanged || !this->Stale.empty() ? this->RefreshStale(all) : 0;
+  this->Changed.clear();
+  if (this->ListChanged || !this->Stale.empty())
+  {
+    this->RefreshStale(all);
+  }
   this->ReadParts();
   if (this->UsesChanged)
   {
     this->FindSharedState();
   }
   this->ObserveSome();
-  return changed;
+  return static_cast<int>(this->Changed.size());
 }
 
 void vtkNBufferCandidateList::FindStale(bool globalStateChanged)
@@ -120,15 +125,17 @@ void vtkNBufferCandidateList::ObserveSome()
   }
 }
 
-int vtkNBufferCandidateList::RefreshStale(bool globalStateChanged)
+void vtkNBufferCandidateList::RefreshStale(bool globalStateChanged)
 {
   this->UsesChanged = this->ListChanged;
   this->ListChanged = false;
-  int changed = 0;
   for (const int i : this->Stale)
   {
     const vtkNBufferSharedState::Uses uses = this->Candidates[i].GetUses();
-    changed += this->RefreshOne(i, globalStateChanged) ? 1 : 0;
+    if (this->RefreshOne(i, globalStateChanged))
+    {
+      this->Changed.push_back(i);
+    }
     this->UsesChanged = this->UsesChanged || !(uses == this->Candidates[i].GetUses());
   }
   this->UntrackedDepth = this->Blending = this->Lines = this->LackOfNormals = false;
@@ -146,7 +153,6 @@ int vtkNBufferCandidateList::RefreshStale(bool globalStateChanged)
     this->Lines = this->Lines || candidate.MayDrawLines();
     this->LackOfNormals = this->LackOfNormals || candidate.MayLackNormals();
   }
-  return changed;
 }
 
 bool vtkNBufferCandidateList::HasBlending(bool smoothLines, bool ambientOcclusion) const
@@ -292,8 +298,8 @@ vtkNBufferDrawnProp vtkNBufferCandidateList::GetDrawn(int i, int round)
   vtkNBufferDrawnProp drawn;
   drawn.Index = i;
   drawn.Round = round;
-  drawn.Bounded =
-    this->Candidates[i].IsCandidate() && this->States[i].Placement == vtkNBufferPlacement::Inside;
+  drawn.KeepsScissor = this->Candidates[i].IsCandidate();
+  drawn.Bounded = drawn.KeepsScissor && this->States[i].Placement == vtkNBufferPlacement::Inside;
   drawn.Box = this->GetBox(i);
   drawn.Screen = screen;
   return drawn;

@@ -35,9 +35,15 @@ public:
   /// Follow the renderer's list of props. Returns whether it differs from the last one.
   bool Synchronize(vtkProp** props, int count);
 
+  /// A number that grows whenever Synchronize() finds another list.
+  int GetListNumber() const { return this->ListNumber; }
+
   /// Bring the caches up to date. Returns the number of props that have changed. Project() has to
   /// be called before the next test if any prop has changed.
   int Refresh();
+
+  /// The places of the props that the last Refresh() has found changed, in ascending order.
+  const std::vector<int>& GetChanged() const { return this->Changed; }
 
   /**
    * Find the placement of every candidate and translucent prop in the view: outside, crossing, or
@@ -111,7 +117,7 @@ private:
   /// Find the props that have to be read again, given whether VTK's settings for all mappers have
   /// changed. Only compares times.
   void FindStale(bool globalStateChanged);
-  int RefreshStale(bool globalStateChanged);
+  void RefreshStale(bool globalStateChanged);
   /// Call vtkNBufferCandidate::ReadParts() for the props that have parts.
   void ReadParts();
   /// Find out for each candidate whether another prop uses one of its objects in another way.
@@ -126,7 +132,8 @@ private:
   std::vector<vtkNBufferState> States;
   std::vector<int> Polled;                  ///< The places of the props whose times are compared.
   std::vector<unsigned char> PolledIsStale; ///< For each of these, whether it is in Stale.
-  std::vector<int> Stale; ///< The places of the props that RefreshStale() has to read.
+  std::vector<int> Stale;   ///< The places of the props that RefreshStale() has to read.
+  std::vector<int> Changed; ///< The places of those that have changed.
   vtkNBufferCandidateTree Tree;
   vtkNBufferMeshes Meshes;
   std::vector<int> Reached; ///< The places of the props that the tree leaves to ProjectOne().
@@ -138,6 +145,7 @@ private:
   int FramesOfTurn = 0;       ///< Frames since the current turn of ObserveSome() began.
   std::size_t NextOfTurn = 0; ///< The place of the prop that the turn visits next.
   vtkNBufferPropWatch::GlobalState GlobalState{};
+  int ListNumber = 0;
   bool ListChanged = false;                          ///< Since the last RefreshStale().
   bool UntrackedDepth = false;                       ///< Some prop writes depth and is not tracked.
   bool Blending = false;                             ///< Some prop is blended.

@@ -71,7 +71,7 @@ vtkNBufferDepthTest::vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferL
 
 vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
   const vtkNBufferDepthSource& source, std::initializer_list<const std::vector<int>*> places,
-  std::string& why)
+  int levels, std::string& why)
 {
   this->Window = window;
   this->Source = source;
@@ -80,7 +80,6 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
     source.Framebuffer != window->GetRenderFramebuffer()->GetFBOIndex();
   this->SampleDistance =
     hasOtherSamples || vtkNBufferGL::CoversTouchedPixels() ? 0.5 : source.SampleDistance;
-  int levels = 1;
   for (const std::vector<int>* list : places)
   {
     for (int i : *list)
@@ -140,6 +139,14 @@ int vtkNBufferDepthTest::CountHidden(std::initializer_list<const std::vector<int
   this->Statistics = before;
   this->Statistics.TestTime += clock.GetMilliseconds();
   return static_cast<int>(hidden);
+}
+
+vtkNBufferDividedProp::Depth vtkNBufferDepthTest::GetDepthOfUnits()
+{
+  const bool isAtHand =
+    this->Settings.TestPixels && this->Backend.GetInUse() == vtkNBufferBackend::CPU;
+  return { this->Levels, isAtHand ? this->Backend.GetDepth(this->GetJob(1), {}) : nullptr,
+    this->SampleDistance };
 }
 
 const vtkNBufferScreenBox* vtkNBufferDepthTest::GetScreen(int i)

@@ -20,6 +20,7 @@
 
 #include "vtkNBufferBackend.h"
 #include "vtkNBufferCandidateList.h"
+#include "vtkNBufferDividedProp.h"
 #include "vtkNBufferLevels.h"
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferSliverTest.h"
@@ -63,6 +64,7 @@ struct vtkNBufferSettings : vtkNBufferTuning
   std::shared_ptr<vtkNBufferSharedDepth> Shared; ///< nullptr if this frame is not shared.
   vtkNBufferBackend::Kind Backend = vtkNBufferBackend::Auto;
   vtkNBufferSliverPolicy TestSlivers = vtkNBufferSliverPolicy::Never;
+  bool DivideProps = true;
   bool Freeze = false;
 };
 
@@ -75,12 +77,16 @@ public:
     vtkNBufferStatistics& statistics, const vtkNBufferSettings& settings);
 
   /**
-   * Build the levels that the candidates in all lists of `places` need, from the depth of the
-   * framebuffer that is bound for drawing, which `source` describes. Returns None, or a failure
-   * with its cause and remedy in `why`, as vtkNBufferBackend::Build() does.
+   * Build the levels that the candidates in all lists of `places` need, and at least `levels` of
+   * them, from the depth of the framebuffer that is bound for drawing, which `source` describes.
+   * Returns None, or a failure with its cause and remedy in `why`, as vtkNBufferBackend::Build()
+   * does.
    */
   vtkNBufferDecision Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
-    std::initializer_list<const std::vector<int>*> places, std::string& why);
+    std::initializer_list<const std::vector<int>*> places, int levels, std::string& why);
+
+  /// What units of props are compared with after Build(), until something is drawn.
+  vtkNBufferDividedProp::Depth GetDepthOfUnits();
 
   /// Before the first Build() of a frame: the candidates in the frustum, and how many of them are
   /// held back in a view that is new (0 if it is not), for the other ranks.

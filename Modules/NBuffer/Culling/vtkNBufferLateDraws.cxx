@@ -4,6 +4,7 @@
 
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDeferredProxy.h"
+#include "vtkNBufferDivision.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferScissor.h"
 
@@ -14,8 +15,10 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 vtkNBufferLateDraws::vtkNBufferLateDraws(vtkNBufferCandidateList& props,
-  const vtkNBufferProjection& projection, vtkNBufferDeferredProxy* proxy)
+  vtkNBufferDivision& division, const vtkNBufferProjection& projection,
+  vtkNBufferDeferredProxy* proxy)
   : Props(props)
+  , Division(division)
   , Projection(projection)
   , Proxy(proxy)
 {
@@ -23,9 +26,9 @@ vtkNBufferLateDraws::vtkNBufferLateDraws(vtkNBufferCandidateList& props,
 
 int vtkNBufferLateDraws::Draw(vtkRenderer* renderer, int place, int round, double time)
 {
-  const int drawn = this->Proxy->Draw(this->Props.GetProp(place), renderer, time);
-  this->Drawn.push_back(this->Props.GetDrawn(place, round));
-  return drawn;
+  this->Division.DescribeNext(place, round, this->Projection, this->Drawn);
+  return this->Division.Draw(
+    place, [&]() { return this->Proxy->Draw(this->Props.GetProp(place), renderer, time); });
 }
 
 int vtkNBufferLateDraws::Repeat(vtkRenderer* renderer)
@@ -34,7 +37,8 @@ int vtkNBufferLateDraws::Repeat(vtkRenderer* renderer)
   for (const vtkNBufferDrawnProp& prop : this->Drawn)
   {
     vtkProp* heldBack = this->Props.GetProp(prop.Index);
-    drawn += this->Proxy->Draw(heldBack, renderer, heldBack->GetAllocatedRenderTime());
+    drawn += this->Division.DrawAgain(prop.Index,
+      [&]() { return this->Proxy->Draw(heldBack, renderer, heldBack->GetAllocatedRenderTime()); });
   }
   return drawn;
 }
@@ -53,6 +57,7 @@ std::vector<vtkNBufferDrawnProp> vtkNBufferLateDraws::GetAllDrawn(
     // Other cullers set a multiplier of 0 for the props that they remove from the list.
     if (verdict != vtkNBufferVerdict::Outside && verdict != vtkNBufferVerdict::Hidden &&
       !std::binary_search(heldBack.begin(), heldBack.end(), i) &&
+      i != this->Division.GetPostponed() &&
       this->Props.GetProp(i)->GetRenderTimeMultiplier() > 0.0 &&
       this->Props.GetProp(i)->HasKeys(requiredKeys) && this->Props.GetCandidate(i).WritesDepth())
     {
@@ -62,6 +67,7 @@ std::vector<vtkNBufferDrawnProp> vtkNBufferLateDraws::GetAllDrawn(
   for (vtkNBufferDrawnProp& drawn : all)
   {
     drawn.Bounded = drawn.Bounded && screensAreValid;
+    drawn.KeepsScissor = drawn.KeepsScissor && screensAreValid;
   }
   return all;
 }
@@ -80,8 +86,13 @@ int vtkNBufferLateDraws::RestoreTieOrder(vtkRenderer* renderer, const std::vecto
   {
     // Render passes have set their keys only on the props of the list: neither on those that were
     // held back nor on translucent props, which have a proxy in the list.
-    vtkProp* prop = this->Props.GetProp(all[redraw.Position].Index);
-    draws += vtkNBufferGL::DrawIn(redraw.Regions, [&]() { this->Proxy->Redraw(prop, renderer); });
+    const int place = all[redraw.Position].Index;
+    draws += vtkNBufferGL::DrawIn(redraw.Regions,
+      [&]()
+      {
+        this->Division.DrawAgain(
+          place, [&]() { return this->Proxy->Redraw(this->Props.GetProp(place), renderer); });
+      });
   }
   return draws;
 }

@@ -19,15 +19,16 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkInformation;
 class vtkNBufferCandidateList;
 class vtkNBufferDeferredProxy;
+class vtkNBufferDivision;
 class vtkNBufferProjection;
 class vtkRenderer;
 
 class vtkNBufferLateDraws
 {
 public:
-  /// The three arguments are kept by reference and must outlive this object.
-  vtkNBufferLateDraws(vtkNBufferCandidateList& props, const vtkNBufferProjection& projection,
-    vtkNBufferDeferredProxy* proxy);
+  /// The arguments are kept by reference and must outlive this object.
+  vtkNBufferLateDraws(vtkNBufferCandidateList& props, vtkNBufferDivision& division,
+    const vtkNBufferProjection& projection, vtkNBufferDeferredProxy* proxy);
 
   /// Begin a frame without draws.
   void Clear() { this->Drawn.clear(); }
@@ -61,6 +62,7 @@ private:
     const std::vector<int>& heldBack, bool screensAreValid, vtkInformation* requiredKeys) const;
 
   vtkNBufferCandidateList& Props;
+  vtkNBufferDivision& Division;
   const vtkNBufferProjection& Projection;
   vtkNBufferDeferredProxy* Proxy;
   std::vector<vtkNBufferDrawnProp> Drawn;

@@ -64,9 +64,9 @@ vtkNBufferFrustumCounts vtkNBufferPartition::Classify()
   return counts;
 }
 
-void vtkNBufferPartition::HoldBack()
+void vtkNBufferPartition::HoldBack(bool needsOne)
 {
-  if (this->HeldBack.empty())
+  if (needsOne && this->HeldBack.empty() && !this->Kept.empty())
   {
     const auto isNearer = [this](int a, int b)
     { return this->Props.GetScreen(a).Nearest < this->Props.GetScreen(b).Nearest; };

@@ -41,9 +41,10 @@ public:
   /// test. Returns the number of props of each kind.
   vtkNBufferFrustumCounts Classify();
 
-  /// Set the verdicts for a frame with a test. If no prop is held back so far, the farthest kept
-  /// prop becomes the one that is held back, because it hides least.
-  void HoldBack();
+  /// Set the verdicts for a frame with a test. If no prop is held back so far and `needsOne` is
+  /// true, the farthest kept prop, if there is any, becomes the one that is held back, because it
+  /// hides least.
+  void HoldBack(bool needsOne);
 
   /// Prepare a frame without a test: empty the lists. All props are drawn, and the next frame keeps
   /// them.

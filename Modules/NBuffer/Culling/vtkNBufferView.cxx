@@ -5,6 +5,7 @@
 #include "vtkNBufferClock.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferOccluderChoice.h"
+#include "vtkNBufferOcclusionTest.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
@@ -18,7 +19,9 @@ VTK_ABI_NAMESPACE_BEGIN
 vtkNBufferView::vtkNBufferView(vtkNBufferBackend& backend)
   : Backend(backend)
   , Partition(this->Props)
-  , Draws(this->Props, this->Projection, this->Proxy)
+  , Division(this->Props)
+  , Draws(this->Props, this->Division, this->Projection, this->Proxy)
+  , List(this->Props, this->Partition, this->Division, this->Proxy)
 {
   this->Proxy->SetOwner(this);
 }
@@ -45,6 +48,9 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   const bool complete = this->State == Phase::Tested || this->State == Phase::Reused;
   const bool testsOtherSlivers = settings.TestSlivers != this->Settings.TestSlivers;
   this->Settings = settings;
+  // Slivers are looked for in whole props, and ranks tell each other of whole props.
+  this->Settings.DivideProps = settings.DivideProps && !settings.Shared &&
+    settings.TestSlivers == vtkNBufferSliverPolicy::Never;
   this->ResetStatistics();
   this->Statistics.Props = count;
   this->Partition.Clear();
@@ -56,12 +62,15 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   const bool listChanged = this->Props.Synchronize(props, count);
   const vtkNBufferViewKey key = vtkNBufferViewKey::Make(renderer);
   const bool frozen = settings.Freeze && complete;
-  const bool moved = !frozen && !(key == this->LastKey);
+  const bool moved = !frozen && !(key == this->Setup.Key);
   if (moved)
   {
-    this->SetProjection(key);
+    this->Setup.Key = key;
+    this->Setup.Apply(this->Projection);
   }
   this->Statistics.Refreshed = this->Props.Refresh();
+  this->Division.Update(
+    static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), this->Settings);
   this->Statistics.RefreshTime = part.Restart();
 
   const auto drawingBefore =
@@ -82,6 +91,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   else
   {
     this->Props.Project(this->Projection);
+    this->Division.SetView(this->Setup);
     this->Statistics.Decision = this->Divide();
     this->State = this->Statistics.Decision == vtkNBufferDecision::Culled ? Phase::AwaitingProxy
                                                                           : Phase::Untested;
@@ -92,18 +102,15 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   {
     this->Props.KeepIfNoneIsInside();
   }
-  const double total = this->MakeList(props, count, initialized);
+  const double total =
+    this->List.Fill(this->State == Phase::AwaitingProxy, props, count, initialized);
   this->Props.CountVerdicts(this->Statistics);
+  if (this->State == Phase::Reused)
+  {
+    this->Division.Count(this->Statistics);
+  }
   this->Statistics.CullTime = clock.GetMilliseconds();
   return total;
-}
-
-void vtkNBufferView::SetProjection(const vtkNBufferViewKey& key)
-{
-  this->LastKey = key;
-  const auto& viewport = key.Viewport;
-  this->Projection.Set(key.WorldToClip.data(), viewport[2], viewport[3], this->DepthQuantum,
-    std::max(viewport[0] + viewport[2], viewport[1] + viewport[3]), this->SubpixelBits);
 }
 
 bool vtkNBufferView::CanReuse(vtkRenderer* renderer) const
@@ -121,63 +128,20 @@ vtkNBufferDecision vtkNBufferView::Divide()
   counts.Blending =
     this->Props.HasBlending(this->Drawing.SmoothLines, this->Drawing.AmbientOcclusion);
   this->Statistics.Candidates = counts.Candidates;
+  this->Division.Classify(this->Settings, counts);
   const vtkNBufferDecision decision = vtkNBufferCullingPolicy::ChooseDecision(counts,
     this->Settings.MinimumNumberOfCandidates, this->Settings.BackOff ? &this->BackOff : nullptr);
   if (decision != vtkNBufferDecision::Culled)
   {
     this->Partition.KeepAll();
+    this->Division.Reset();
     return decision;
   }
-  this->Partition.HoldBack();
+  this->Partition.HoldBack(!this->Division.HoldsUnits());
+  this->Division.MarkOutside();
   this->Statistics.HeldBack = static_cast<int>(
     this->Partition.GetHeldBack().size() + this->Partition.GetTranslucent().size());
   return decision;
-}
-
-double vtkNBufferView::MakeList(vtkProp** props, int& count, int& initialized)
-{
-  const bool pending = this->State == Phase::AwaitingProxy;
-  const std::vector<int>& translucent = this->Partition.GetTranslucent();
-  double total = 0.0;
-  int kept = 0;
-  double heldTotal = 0.0;
-  this->TranslucentProxies.Clear();
-  for (int i = 0; i < this->Props.GetSize(); ++i)
-  {
-    const vtkNBufferVerdict verdict = this->Props.GetState(i).Verdict;
-    // A translucent prop that an earlier test found hidden keeps its place, behind a closed proxy.
-    const bool closed = verdict == vtkNBufferVerdict::Hidden && !pending &&
-      this->Props.GetCandidate(i).IsTranslucent();
-    if (verdict == vtkNBufferVerdict::Outside || (verdict == vtkNBufferVerdict::Hidden && !closed))
-    {
-      continue;
-    }
-    vtkProp* prop = this->Props.GetProp(i);
-    const double multiplier = initialized ? prop->GetRenderTimeMultiplier() : 1.0;
-    if (verdict == vtkNBufferVerdict::Unknown && pending)
-    {
-      heldTotal += multiplier;
-      continue;
-    }
-    prop->SetRenderTimeMultiplier(multiplier);
-    if (closed || (pending && std::binary_search(translucent.begin(), translucent.end(), i)))
-    {
-      prop = this->TranslucentProxies.Add(prop, !closed);
-      prop->SetRenderTimeMultiplier(multiplier);
-    }
-    total += multiplier;
-    props[kept++] = prop;
-  }
-  if (pending)
-  {
-    // At least one prop is held back, so that the proxy never makes the list longer.
-    this->Proxy->SetRenderTimeMultiplier(heldTotal);
-    total += heldTotal;
-    props[kept++] = this->Proxy;
-  }
-  count = kept;
-  initialized = 1;
-  return total;
 }
 
 vtkNBufferVerdict vtkNBufferView::GetVerdict(vtkProp* prop) const
@@ -194,8 +158,10 @@ vtkNBufferVerdict vtkNBufferView::GetVerdict(vtkProp* prop) const
 bool vtkNBufferView::HasHeldPropWithKeys(vtkInformation* requiredKeys) const
 {
   const std::vector<int>& heldBack = this->Partition.GetHeldBack();
-  return std::any_of(heldBack.begin(), heldBack.end(),
-    [&](int i) { return this->Props.GetProp(i)->HasKeys(requiredKeys); });
+  const int postponed = this->Division.GetPostponed();
+  return (postponed >= 0 && this->Props.GetProp(postponed)->HasKeys(requiredKeys)) ||
+    std::any_of(heldBack.begin(), heldBack.end(),
+      [&](int i) { return this->Props.GetProp(i)->HasKeys(requiredKeys); });
 }
 
 void vtkNBufferView::ForEachDrawnHeldProp(const std::function<void(vtkProp*)>& visit) const
@@ -246,9 +212,10 @@ int vtkNBufferView::TestAndDraw(vtkRenderer* renderer)
     this->State = Phase::Tested;
   }
   this->Props.CountVerdicts(this->Statistics);
-  this->BackOff.Learn(this->Statistics.GetCount(vtkNBufferVerdict::Hidden) + this->KeptInVain -
-      this->Statistics.Redrawn,
-    this->Partition.GetSize());
+  this->Division.Count(this->Statistics);
+  this->BackOff.Learn(this->Statistics.GetCount(vtkNBufferVerdict::Hidden) + this->KeptInVain +
+      this->Statistics.UnitsHidden - this->Statistics.Redrawn,
+    this->Partition.GetSize() + this->Statistics.Units - this->Statistics.UnitsOutside);
   return drawn;
 }
 
@@ -276,7 +243,7 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBuffer
 {
   std::string why;
   const vtkNBufferDecision obstacle = vtkNBufferCompatibility::WhyNotHere(
-    renderer, this->LastKey, this->Settings.Backend, source, why);
+    renderer, this->Setup.Key, this->Settings.Backend, source, why);
   if (obstacle != vtkNBufferDecision::None)
   {
     if (!why.empty())
@@ -287,11 +254,12 @@ vtkNBufferDecision vtkNBufferView::PrepareTest(vtkRenderer* renderer, vtkNBuffer
   }
   const double quantum = this->Settings.GetStep(source);
   const int subpixelBits = vtkNBufferGL::GetSubpixelBits();
-  if (quantum != this->DepthQuantum || subpixelBits != this->SubpixelBits)
+  if (quantum != this->Setup.DepthQuantum || subpixelBits != this->Setup.SubpixelBits)
   {
-    this->DepthQuantum = quantum;
-    this->SubpixelBits = subpixelBits;
-    this->SetProjection(this->LastKey);
+    this->Setup.DepthQuantum = quantum;
+    this->Setup.SubpixelBits = subpixelBits;
+    this->Setup.Apply(this->Projection);
+    this->Division.SetView(this->Setup);
     this->Partition.Project(this->Projection);
   }
   return vtkNBufferDecision::None;
@@ -312,7 +280,7 @@ void vtkNBufferView::TestTranslucent(vtkNBufferDepthTest& test)
   test.RemoveHidden(visible);
   for (std::size_t n = 0; n < all.size(); ++n)
   {
-    vtkNBufferTranslucentProxy* proxy = this->TranslucentProxies.Get(n);
+    vtkNBufferTranslucentProxy* proxy = this->List.GetTranslucent(n);
     if (!proxy->HasDrawn() && !std::binary_search(visible.begin(), visible.end(), all[n]))
     {
       proxy->SetOpen(false);
@@ -325,8 +293,19 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
 {
   int round = 1;
   std::vector<int> left = this->Partition.GetHeldBack();
-  const auto draw = [&](const std::vector<int>& props)
-  { drawn += this->DrawRound(renderer, props, round++); };
+  const auto draw = [&](std::vector<int> props)
+  {
+    for (const int i : this->Division.GetFresh())
+    {
+      props.push_back(i);
+    }
+    drawn += this->DrawRound(renderer, std::move(props), round++);
+  };
+  if (this->Division.GetPostponed() >= 0)
+  {
+    drawn += this->Draws.Draw(
+      renderer, this->Division.GetPostponed(), 1, this->Proxy->GetAllocatedRenderTime());
+  }
   const auto drawOccluders = [&](std::size_t limit)
   { draw(this->Partition.RemoveOccluders(left, limit, this->Projection)); };
 
@@ -339,18 +318,26 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
   {
     drawOccluders(first);
   }
+  // Groups of units may be large.
+  const int levels = this->Division.GetCounts().Units == 0
+    ? 1
+    : vtkNBufferOcclusionTest::GetLevelsNeeded(
+        { 0, 0, this->Projection.GetWidth() / 2, this->Projection.GetHeight() / 2 },
+        this->Settings.BaseFactor);
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   for (;;)
   {
     std::string why;
     const vtkNBufferDecision failure = test.Build(window, this->Tested,
-      { &this->Partition.GetKept(), &left, &this->Partition.GetTranslucent() }, why);
+      { &this->Partition.GetKept(), &left, &this->Partition.GetTranslucent() }, levels, why);
     if (failure != vtkNBufferDecision::None)
     {
       this->Fail(renderer, failure, why);
       this->Statistics.Decision = failure;
       // Draw what earlier rounds found hidden, too.
-      draw(this->Partition.GetNotDrawn());
+      std::vector<int> all = this->Partition.GetNotDrawn();
+      this->Division.AddDrawnInPart(all);
+      draw(all);
       return false;
     }
     if (this->Statistics.Rounds == 0)
@@ -366,6 +353,7 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
       this->Props.GetState(i).WasTested = true;
     }
     const int passed = test.RemoveHidden(left);
+    this->Division.Test(test.GetDepthOfUnits(), left);
     this->Statistics.PassedCoarseTest += this->Statistics.Rounds == 0 ? passed : 0;
 
     // Another round must save more props than it draws to be worth its read-back.
@@ -391,12 +379,20 @@ int vtkNBufferView::DrawRound(vtkRenderer* renderer, std::vector<int> props, int
   for (int i : props)
   {
     vtkNBufferState& state = this->Props.GetState(i);
-    state.Verdict = vtkNBufferVerdict::Visible;
-    state.WasVisible = true;
-    drawn += this->Draws.Draw(renderer, i, round, time);
+    if (state.Verdict == vtkNBufferVerdict::Visible ||
+      state.Verdict == vtkNBufferVerdict::NearPlane)
+    {
+      ++this->Statistics.FreshDraws; // Some of its units have been drawn before.
+    }
+    else
+    {
+      state.Verdict = vtkNBufferVerdict::Visible;
+      state.WasVisible = true;
+      ++this->Statistics.DrawnInRound[std::min(round, vtkNBufferStatistics::MaximumNumberOfRounds)];
+    }
+    // The first round is that of a prop for which the renderer's list had no room.
+    drawn += this->Draws.Draw(renderer, i, round + 1, time);
   }
-  this->Statistics.DrawnInRound[std::min(round, vtkNBufferStatistics::MaximumNumberOfRounds)] +=
-    static_cast<int>(props.size());
   this->Statistics.DrawTime += clock.GetMilliseconds();
   return drawn;
 }
@@ -408,11 +404,13 @@ int vtkNBufferView::DrawAll(
   const std::vector<int>& translucent = this->Partition.GetTranslucent();
   for (std::size_t n = 0; n < translucent.size(); ++n)
   {
-    this->TranslucentProxies.Get(n)->SetOpen(true);
+    this->List.GetTranslucent(n)->SetOpen(true);
     this->Props.GetState(translucent[n]).Verdict = vtkNBufferVerdict::Translucent;
   }
   this->Draws.Clear();
-  for (int i : this->Partition.GetHeldBack())
+  std::vector<int> all = this->Partition.GetHeldBack();
+  this->Division.AddDrawnInPart(all);
+  for (int i : all)
   {
     this->Props.GetState(i).Verdict = vtkNBufferVerdict::Untested;
     if (this->Props.GetProp(i)->HasKeys(requiredKeys))

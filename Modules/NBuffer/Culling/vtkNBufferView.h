@@ -34,17 +34,18 @@
 #define vtkNBufferView_h
 
 #include "vtkNBufferBackend.h"
-#include "vtkNBufferCamera.h"
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferCompatibility.h"
 #include "vtkNBufferDeferredProxy.h"
 #include "vtkNBufferDepthTest.h"
+#include "vtkNBufferDivision.h"
 #include "vtkNBufferLateDraws.h"
 #include "vtkNBufferLevels.h"
+#include "vtkNBufferListMaker.h"
 #include "vtkNBufferPartition.h"
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferStatistics.h"
-#include "vtkNBufferTranslucentProxy.h"
+#include "vtkNBufferViewSetup.h"
 
 #include "vtkNew.h"
 
@@ -101,10 +102,8 @@ private:
 
   ///@{
   /// The parts of Cull().
-  void SetProjection(const vtkNBufferViewKey& key);
   bool CanReuse(vtkRenderer* renderer) const;
   vtkNBufferDecision Divide();
-  double MakeList(vtkProp** props, int& count, int& initialized);
   void ResetStatistics();
   ///@}
 
@@ -127,6 +126,7 @@ private:
   vtkNBufferBackOff BackOff;
   vtkNBufferCandidateList Props;
   vtkNBufferPartition Partition;
+  vtkNBufferDivision Division;
   vtkNBufferProjection Projection;
   vtkNBufferLevels Levels;
   vtkNBufferSettings Settings;
@@ -137,14 +137,11 @@ private:
 
   vtkNew<vtkNBufferDeferredProxy> Proxy;
   vtkNBufferLateDraws Draws;
-  /// In a frame with a test, proxy n represents prop n of Partition.GetTranslucent().
-  vtkNBufferTranslucentProxy::Pool TranslucentProxies;
+  vtkNBufferListMaker List;
 
-  vtkNBufferViewKey LastKey;
+  vtkNBufferViewSetup Setup;
   vtkNBufferCompatibility::DrawingSettings Drawing; ///< Those of this frame.
-  double DepthQuantum = 0x1p-24; ///< The step of the depth buffer used last, in window depth.
-  int SubpixelBits = 4;          ///< vtkNBufferGL::GetSubpixelBits() of the context used last.
-  vtkNBufferDepthSource Tested;  ///< The depth that was tested last.
+  vtkNBufferDepthSource Tested;                     ///< The depth that was tested last.
   int KeptInVain = 0; ///< Number of kept props that the last test found hidden, after their draw.
 };
 

@@ -162,7 +162,12 @@ std::vector<vtkNBufferRedraw> GetRedraws(
   const vtkNBufferProjection& projection, std::vector<vtkNBufferDrawnProp>& drawn, bool inRegions)
 {
   std::sort(drawn.begin(), drawn.end(),
-    [](const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b) { return a.Index < b.Index; });
+    [](const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b)
+    {
+      // Of the parts of one prop the one drawn last comes first: the other parts must be drawn once
+      // more where they tie with it.
+      return a.Index != b.Index ? a.Index < b.Index : a.Round > b.Round;
+    });
   const vtkNBufferRectangle viewport = { 0, 0, projection.GetWidth(), projection.GetHeight() };
   LateDraws late(projection.GetWidth(), projection.GetHeight());
   std::vector<vtkNBufferRedraw> redraws;
@@ -183,7 +188,7 @@ std::vector<vtkNBufferRedraw> GetRedraws(
           GetTie(projection, drawn[other.Position], prop).GetIntersection(shared);
         if (!tie.IsEmpty())
         {
-          AddRegion(redraw.Regions, inRegions && prop.Bounded ? tie : all);
+          AddRegion(redraw.Regions, inRegions && prop.KeepsScissor ? tie : all);
         }
       });
     if (prop.Round > 0)
@@ -198,7 +203,7 @@ std::vector<vtkNBufferRedraw> GetRedraws(
     {
       late.Add({ i, std::numeric_limits<int>::max(), region });
     }
-    if (!inRegions || !prop.Bounded)
+    if (!inRegions || !prop.KeepsScissor)
     {
       redraw.Regions.clear();
     }

@@ -41,7 +41,9 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 /**
- * A prop that has been drawn in this frame.
+ * A prop that has been drawn in this frame, or a part of one. Of a prop that was drawn in several
+ * rounds there is an entry for each round. Any of them stands for the whole prop when it is drawn
+ * once more.
  */
 struct vtkNBufferDrawnProp
 {
@@ -51,6 +53,8 @@ struct vtkNBufferDrawnProp
   int Round = 0;
   /// Whether Box and Screen are known. If not, the prop may tie with any other.
   bool Bounded = false;
+  /// Whether the prop leaves the scissor alone, so that it can be drawn inside of rectangles.
+  bool KeepsScissor = false;
   vtkNBufferBox Box;
   vtkNBufferScreenBox Screen;
 };

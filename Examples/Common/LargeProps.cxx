@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Scenes that are one prop, which vtkNBufferCuller culls unit by unit.
+#include "SceneKinds.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkFloatArray.h"
+#include "vtkFlyingEdges3D.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMatrixToLinearTransform.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkTransformFilter.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+namespace NBufferExamples
+{
+namespace
+{
+vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* data, const glm::dvec3& color)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetStatic(true);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(color.x, color.y, color.z);
+  return actor;
+}
+
+/// A gyroid of six periods along each axis in the cube from -1 to 1: 0.9 million triangles.
+vtkSmartPointer<vtkPolyData> MakeGyroid()
+{
+  constexpr int size = 200;
+  const double frequency = 6.0 * vtkMath::Pi();
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(size, size, size);
+  image->SetOrigin(-1.0, -1.0, -1.0);
+  image->SetSpacing(2.0 / (size - 1), 2.0 / (size - 1), 2.0 / (size - 1));
+  vtkNew<vtkFloatArray> values;
+  values->SetName("value");
+  values->SetNumberOfTuples(image->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    glm::dvec3 point;
+    image->GetPoint(i, glm::value_ptr(point));
+    const glm::dvec3 s = glm::sin(frequency * point);
+    const glm::dvec3 c = glm::cos(frequency * point);
+    values->SetValue(i, static_cast<float>(s.x * c.y + s.y * c.z + s.z * c.x));
+  }
+  image->GetPointData()->SetScalars(values);
+  vtkNew<vtkFlyingEdges3D> contour;
+  contour->SetInputData(image);
+  contour->SetValue(0, 0.0);
+  contour->ComputeScalarsOff();
+  contour->Update();
+  return contour->GetOutput();
+}
+
+CameraPose Look(const glm::dvec3& eye, const glm::dvec3& target, double viewAngle)
+{
+  CameraPose pose;
+  pose.Eye = eye;
+  pose.Target = target;
+  pose.Up = { 0.0, 0.0, 1.0 };
+  pose.ViewAngle = viewAngle;
+  return pose;
+}
+}
+
+Scene MakeIsosurface()
+{
+  Scene scene;
+  scene.Name = "isosurface";
+  scene.Actors = { MakeActor(MakeGyroid(), { 0.8, 0.7, 0.5 }) };
+  scene.Paths = { { "outside",
+                    [](int frames, std::uint64_t)
+                    {
+                      CameraPath path;
+                      for (int i = 0; i < frames; ++i)
+                      {
+                        const double angle = 0.5 + 0.01 * i;
+                        path.push_back(Look({ 4.5 * std::cos(angle), 4.5 * std::sin(angle), 2.0 },
+                          { 0.0, 0.0, 0.0 }, 30.0));
+                      }
+                      return path;
+                    } },
+    { "inside",
+      [](int frames, std::uint64_t)
+      {
+        // Along an axis on which the gyroid leaves a channel open, looking around.
+        CameraPath path;
+        for (int i = 0; i < frames; ++i)
+        {
+          const glm::dvec3 eye(0.125, 0.0, -0.6 + 0.004 * i);
+          const double turn = 0.02 * i;
+          path.push_back(Look(eye,
+            eye + glm::dvec3(std::cos(turn), std::sin(turn), 0.5 * std::sin(2.0 * turn)), 60.0));
+          path.back().Near = 0.005;
+          path.back().Far = 4.0;
+        }
+        return path;
+      } } };
+  return scene;
+}
+
+Scene MakePointsBehindWall()
+{
+  constexpr int count = 1000000;
+  std::minstd_rand random(1);
+  std::uniform_real_distribution<> uniform(-1.0, 1.0);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> vertices;
+  points->SetNumberOfPoints(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    points->SetPoint(i, uniform(random), uniform(random), uniform(random));
+    vertices->InsertNextCell({ i });
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  cloud->SetVerts(vertices);
+  vtkNew<vtkPlaneSource> wall;
+  wall->SetOrigin(-3.0, -2.0, -3.0);
+  wall->SetPoint1(3.0, -2.0, -3.0);
+  wall->SetPoint2(-3.0, -2.0, 3.0);
+  wall->Update();
+
+  Scene scene;
+  scene.Name = "points-wall";
+  scene.Actors = { MakeActor(wall->GetOutput(), { 0.6, 0.6, 0.6 }),
+    MakeActor(cloud, { 0.9, 0.3, 0.2 }) };
+  scene.Actors[1]->GetProperty()->SetPointSize(2.0F);
+  scene.Paths = { { "past",
+    [](int frames, std::uint64_t)
+    {
+      CameraPath path;
+      for (int i = 0; i < frames; ++i)
+      {
+        path.push_back(Look({ -0.5 + 0.01 * i, -6.0, 0.2 }, { 0.0, 0.0, 0.0 }, 30.0));
+      }
+      return path;
+    } } };
+  return scene;
+}
+
+void Scene::Merge()
+{
+  vtkNew<vtkAppendPolyData> append;
+  for (vtkActor* actor : this->Actors)
+  {
+    auto* data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+    if (!data)
+    {
+      throw std::runtime_error(this->Name +
+        " has parts other than polygons, so that its parts "
+        "cannot be merged");
+    }
+    vtkNew<vtkMatrixToLinearTransform> transform;
+    transform->SetInput(actor->GetMatrix());
+    vtkNew<vtkPolyData> bare;
+    bare->SetPoints(data->GetPoints());
+    bare->SetPolys(data->GetPolys());
+    bare->SetStrips(data->GetStrips());
+    bare->GetPointData()->SetNormals(data->GetPointData()->GetNormals());
+    vtkNew<vtkTransformFilter> move;
+    move->SetTransform(transform);
+    move->SetInputData(bare);
+    move->Update();
+    vtkPolyData* part = move->GetPolyDataOutput();
+    const double* color = actor->GetProperty()->GetColor();
+    vtkNew<vtkUnsignedCharArray> colors;
+    colors->SetName("color");
+    colors->SetNumberOfComponents(3);
+    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
+    {
+      colors->InsertNextTuple3(255.0 * color[0], 255.0 * color[1], 255.0 * color[2]);
+    }
+    part->GetPointData()->SetScalars(colors);
+    append->AddInputData(part);
+  }
+  append->Update();
+  auto merged = MakeActor(append->GetOutput(), { 1.0, 1.0, 1.0 });
+  merged->GetProperty()->SetInterpolation(this->Actors.front()->GetProperty()->GetInterpolation());
+  this->Actors = { merged };
+  this->PartNames.clear();
+}
+
+} // namespace NBufferExamples

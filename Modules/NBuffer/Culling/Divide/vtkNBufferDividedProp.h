@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferDividedProp
+ * @brief One large prop whose units (vtkNBufferUnits) are culled one by one.
+ *
+ * From frame to frame:
+ *
+ *     Waiting ---> Reading ---> Building ---> Ready
+ *                     |             |
+ *                     +-------------+---> Refused
+ *
+ *  - Waiting: The data has changed a moment ago. Nothing is done until it stays as it is.
+ *  - Reading: The next draw copies the list of indices that VTK draws, and the points.
+ *  - Building: A thread makes the units from the copy. The prop is drawn whole.
+ *  - Ready: The units are tested.
+ *  - Refused: The prop cannot be divided, and is drawn whole until it changes.
+ *
+ * In a frame with a test, when it is Ready:
+ *
+ *  1. FindKept() tests the frustum. The units that the last test found visible are to be drawn
+ *     first. In a new view, of which the last test says little, these are the nearest units.
+ *  2. The first draw draws these.
+ *  3. Test() compares the other units with the levels. Units that were drawn already are tested in
+ *     turns, an eighth of them in each frame, so that the next frame need not draw hidden ones.
+ *  4. The second draw draws the units that the test found visible, the fresh ones.
+ *
+ * A prop that is held back is tested before its first draw; then all units take steps 3 and 4.
+ */
+#ifndef vtkNBufferDividedProp_h
+#define vtkNBufferDividedProp_h
+
+#include "vtkNBufferDividedProxy.h"
+#include "vtkNBufferDrawHook.h"
+#include "vtkNBufferProjection.h"
+#include "vtkNBufferUnits.h"
+
+#include "vtkNew.h"
+#include "vtkWeakPointer.h"
+
+#include <functional>
+#include <future>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkActor;
+class vtkOpenGLRenderWindow;
+class vtkNBufferLevels;
+
+class vtkNBufferDividedProp
+{
+public:
+  /// Where the prop is drawn, and how units are made (see vtkNBufferTuning).
+  struct Settings
+  {
+    vtkOpenGLRenderWindow* Window = nullptr;
+    std::size_t UnitSize = 1;
+    int DivideAfter = 0;
+    bool InBackground = false;
+  };
+
+  /// What a test of units compares them with.
+  struct Depth
+  {
+    const vtkNBufferLevels& Levels;
+    const float* Pixels = nullptr; ///< The depth image, or nullptr if it is not in host memory.
+    double SampleDistance = 0.5;
+  };
+
+  /// How many units there are of each kind in this frame.
+  struct Counts
+  {
+    int Units = 0;
+    int Outside = 0;
+    int Kept = 0;
+    int Fresh = 0;
+  };
+
+  explicit vtkNBufferDividedProp(vtkActor* actor);
+  ~vtkNBufferDividedProp();
+  vtkNBufferDividedProp(const vtkNBufferDividedProp&) = delete;
+  void operator=(const vtkNBufferDividedProp&) = delete;
+
+  vtkActor* GetActor() const { return this->Actor; }
+  vtkNBufferDividedProxy* GetProxy() const { return this->Proxy; }
+
+  /// Begin a frame. `changed` says whether what the prop draws may have changed.
+  void BeginFrame(bool changed, const Settings& settings);
+
+  /// Whether the next draw has to be one of Draw(), to read what is drawn.
+  bool IsReading() const { return this->State == Phase::Reading; }
+
+  /// Whether the units can be tested.
+  bool IsReady() const { return this->State == Phase::Ready; }
+
+  /// Step 1 for a projection from the coordinates of the mesh.
+  void FindKept(const vtkNBufferProjection& projection);
+
+  /// Step 3. Returns the number of fresh units.
+  int Test(const vtkNBufferProjection& projection, const Depth& depth);
+
+  /// Steps 2 and 4: draw what is to be drawn next, by calling `drawWhole`, which draws the actor.
+  int Draw(const std::function<int()>& drawWhole);
+
+  /// Draw the units that have been drawn in this frame once more, in the order of the mesh.
+  int DrawAgain(const std::function<int()>& drawWhole);
+
+  /// Whether the first draw of this frame has been made.
+  bool IsBegun() const { return this->IsDrawn; }
+
+  /// Whether all units have been tested after that draw. What a test has found hidden stays hidden.
+  bool IsSettled() const { return this->Settled; }
+
+  /// Bounds of the fresh units in the coordinates of the mesh, in a few groups of neighbours.
+  std::vector<vtkNBufferUnits::Box> GetFreshGroups() const;
+
+  /// The box of bounds in the coordinates of the mesh, with what bounds the rounding of vertices.
+  vtkNBufferBox MakeBox(const vtkNBufferUnits::Box& bounds) const;
+
+  const Counts& GetCounts() const { return this->Number; }
+
+  /// Whether the next draw draws the fresh units.
+  bool HasFresh() const { return this->FreshIsNext; }
+
+  /// Whether not all units in the view have been drawn, although something has.
+  bool IsDrawnInPart() const;
+
+private:
+  enum class Phase
+  {
+    Waiting,
+    Reading,
+    Building,
+    Ready,
+    Refused
+  };
+
+  /// What is known of a unit.
+  enum Mark : unsigned char
+  {
+    Visible = 1, ///< The last test found it visible.
+    Outside = 2  ///< It is outside of the view in this frame.
+  };
+
+  bool HasSameData() const;
+  void ReadRounding();
+  void Build(const Settings& settings);
+  void Adopt();
+  void MarkOutside(std::size_t level, std::size_t n, const vtkNBufferProjection& projection);
+  void KeepNearest(const vtkNBufferProjection& projection, std::size_t limit);
+  void FindOpen();
+  struct Tests;
+  void TestNode(std::size_t level, std::size_t n, Tests& tests);
+  int DrawList(vtkNBufferDrawHook::List list, const std::vector<unsigned char>& marked,
+    const std::function<int()>& drawWhole);
+
+  vtkWeakPointer<vtkActor> Actor;
+  vtkNew<vtkNBufferDividedProxy> Proxy;
+  vtkNew<vtkNBufferDrawHook> Hook;
+  Phase State = Phase::Waiting;
+  int StillFrames = 0;
+  std::future<vtkNBufferUnits> Pending;
+  vtkNBufferUnits::Mesh Mesh; ///< The points are released when the units are made.
+  vtkNBufferUnits Units;
+  glm::dvec3 Origin;    ///< vtkNBufferBox::Origin, in the coordinates of the mesh.
+  glm::dvec3 Magnitude; ///< vtkNBufferBox::Magnitude, likewise.
+  double Margin = 0.0;
+
+  std::vector<unsigned char> Marks;             ///< Of each unit.
+  std::vector<unsigned char> DrawnUnits;        ///< Whether it has been drawn.
+  std::vector<unsigned char> FreshUnits;        ///< Whether it is to be drawn next.
+  std::vector<std::vector<unsigned char>> Open; ///< Nodes with units to be tested.
+  Counts Number;
+  unsigned int Turn = 0; ///< Which of the drawn units are tested.
+  bool IsDrawn = false;
+  bool FreshIsNext = false;
+  bool Settled = false;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferDrawHook.h"
+
+#include "vtkNBufferGL.h"
+#include "vtkNBufferProtectedMembers.h"
+
+#include "vtkActor.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPolyData.h"
+
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkNBufferDrawHook);
+
+namespace
+{
+vtkNBufferDrawHook::Source GetSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream)
+{
+  vtkPolyData* data = mapper->GetInput();
+  const std::size_t corners =
+    stream->PrimitiveType == vtkOpenGLPolyDataMapper::PrimitivePoints ? 1 : 3;
+  const bool isKnown = data && data->GetPoints() &&
+    static_cast<std::size_t>(data->GetNumberOfPoints()) ==
+      vtkNBufferProtectedMembers::GetNumberOfVertices(mapper) &&
+    stream->IBO->IndexCount % corners == 0;
+  return { mapper, data, data ? data->GetMTime() : 0, stream->IBO->IndexCount,
+    isKnown ? corners : 0 };
+}
+}
+
+vtkNBufferDrawHook::vtkNBufferDrawHook()
+  : Resources(new Callback(this, &vtkNBufferDrawHook::ReleaseGraphicsResources))
+{
+}
+
+vtkNBufferDrawHook::~vtkNBufferDrawHook()
+{
+  this->Resources->Release();
+}
+
+void vtkNBufferDrawHook::Attach(vtkProp* prop)
+{
+  if (!prop->GetPropertyKeys())
+  {
+    vtkNew<vtkInformation> keys;
+    prop->SetPropertyKeys(keys);
+  }
+  vtkOpenGLRenderPass::RenderPasses()->Append(prop->GetPropertyKeys(), this);
+}
+
+void vtkNBufferDrawHook::Detach(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
+  if (keys && passes->Length(keys) > 0)
+  {
+    passes->Remove(keys, this);
+    if (passes->Length(keys) == 0)
+    {
+      keys->Remove(passes);
+    }
+  }
+}
+
+vtkNBufferDrawHook::Draw::Draw(vtkNBufferDrawHook* hook, vtkActor* actor, List list)
+  : Hook(hook)
+{
+  hook->Actor = actor;
+  hook->Current = list;
+}
+
+vtkNBufferDrawHook::Draw::~Draw()
+{
+  this->Hook->Restore();
+  this->Hook->Actor = nullptr;
+}
+
+void vtkNBufferDrawHook::Restore()
+{
+  if (this->Changed)
+  {
+    this->Changed->IBO = this->Original;
+    this->Changed = nullptr;
+  }
+}
+
+void vtkNBufferDrawHook::ReadNext()
+{
+  this->Reads = true;
+  this->Read = {};
+  for (Buffer& buffer : this->Buffers)
+  {
+    buffer.Marked.clear(); // The same units of another mesh have other indices.
+  }
+}
+
+void vtkNBufferDrawHook::SetList(List list, const vtkNBufferUnits& units,
+  const std::vector<unsigned int>& indices, const std::vector<unsigned char>& marked)
+{
+  this->Stale = false;
+  Buffer& buffer = this->Buffers[list];
+  if (buffer.Marked != marked)
+  {
+    buffer.Marked = marked;
+    buffer.IsUploaded = false;
+    units.GetIndices(marked, indices, buffer.Indices);
+  }
+}
+
+bool vtkNBufferDrawHook::Upload(Buffer& buffer)
+{
+  if (!buffer.IsUploaded && !buffer.Indices.empty())
+  {
+    buffer.IsUploaded =
+      buffer.Object->Upload(buffer.Indices, vtkOpenGLBufferObject::ElementArrayBuffer);
+    buffer.Object->IndexCount = buffer.Indices.size();
+    buffer.Indices = {};
+  }
+  return buffer.IsUploaded;
+}
+
+bool vtkNBufferDrawHook::SetShaderParameters(
+  vtkShaderProgram*, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  if (!this->Actor || prop != this->Actor)
+  {
+    return true;
+  }
+  this->Restore();
+  auto* surface = typeid(*mapper) == typeid(vtkOpenGLPolyDataMapper)
+    ? static_cast<vtkOpenGLPolyDataMapper*>(mapper)
+    : nullptr;
+  vtkOpenGLHelper* stream = surface ? vtkNBufferProtectedMembers::GetOnlyStream(surface) : nullptr;
+  const Source source = stream ? ::GetSource(surface, stream) : Source{ surface };
+  if (this->Reads)
+  {
+    this->Reads = false;
+    this->ReadSource(stream, source, surface ? surface->GetInput() : nullptr);
+    return true;
+  }
+  if (this->Current == Whole)
+  {
+    return true;
+  }
+  Buffer& buffer = this->Buffers[this->Current];
+  this->Stale = source.Corners == 0 || !(source == this->Read);
+  if (!this->Stale && this->Upload(buffer))
+  {
+    this->Changed = stream;
+    this->Original = std::exchange(stream->IBO, buffer.Object.Get());
+  }
+  return true;
+}
+
+void vtkNBufferDrawHook::ReadSource(
+  vtkOpenGLHelper* stream, const Source& source, vtkPolyData* data)
+{
+  this->Read = source;
+  this->Mesh = {};
+  if (source.Corners == 0)
+  {
+    return;
+  }
+  this->Mesh.Corners = source.Corners;
+  this->Mesh.Indices.resize(source.IndexCount);
+  stream->IBO->Bind();
+  glGetBufferSubData(GL_ELEMENT_ARRAY_BUFFER, 0,
+    static_cast<GLsizeiptr>(this->Mesh.Indices.size() * sizeof(unsigned int)),
+    this->Mesh.Indices.data());
+  this->Mesh.Points.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < this->Mesh.Points.size(); ++i)
+  {
+    data->GetPoint(static_cast<vtkIdType>(i), glm::value_ptr(this->Mesh.Points[i]));
+  }
+}
+
+void vtkNBufferDrawHook::ReleaseGraphicsResources(vtkWindow*)
+{
+  for (Buffer& buffer : this->Buffers)
+  {
+    buffer.Object->ReleaseGraphicsResources();
+    buffer.IsUploaded = false;
+    buffer.Marked.clear();
+  }
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferDrawHook
+ * @brief Lets a mapper draw only some of the primitives of an actor, from its own vertex buffers.
+ *
+ * vtkOpenGLPolyDataMapper calls SetShaderParameters() of the render passes in an actor's property
+ * keys just before it binds its index buffer and draws. This pass then puts another index buffer
+ * into the place of the mapper's. Program, vertex buffers and uniforms stay the same, so that each
+ * primitive has the same fragments, to the bit. No subclass of a mapper is needed, and no shader is
+ * changed.
+ *
+ * A prop is drawn whole while it changes; if it has scalars or normals of cells, whose shader needs
+ * the numbers of all primitives; if it has strips or lines as well as triangles; if its mapper is
+ * neither vtkPolyDataMapper nor vtkDataSetMapper; while vtkNBufferCuller::TestSlivers is on; and
+ * for some frames if next to none of its units is hidden.
+ *
+ * The hook works only while one of its own draws is running (the class Draw). It then puts the
+ * mapper's buffer back. Whatever else draws the actor gets the whole of it: hardware selectors,
+ * other renderers, the application.
+ */
+#ifndef vtkNBufferDrawHook_h
+#define vtkNBufferDrawHook_h
+
+#include "vtkNBufferResourceCallback.h"
+#include "vtkNBufferUnits.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkActor;
+class vtkOpenGLHelper;
+class vtkOpenGLPolyDataMapper;
+class vtkOpenGLRenderWindow;
+class vtkPolyData;
+class vtkProp;
+
+class vtkNBufferDrawHook : public vtkOpenGLRenderPass
+{
+public:
+  static vtkNBufferDrawHook* New();
+  vtkTypeMacro(vtkNBufferDrawHook, vtkOpenGLRenderPass);
+
+  /// What a mapper draws. Two draws with equal sources draw the same primitives in the same order.
+  struct Source
+  {
+    const vtkObjectBase* Mapper = nullptr; ///< Only compared, never dereferenced.
+    const vtkObjectBase* Data = nullptr;   ///< Only compared, never dereferenced.
+    vtkMTimeType DataTime = 0;
+    std::size_t IndexCount = 0;
+    std::size_t Corners = 0; ///< 3 for triangles, 1 for points, 0 for what cannot be divided.
+
+    bool operator==(const Source& other) const
+    {
+      return this->Mapper == other.Mapper && this->Data == other.Data &&
+        this->DataTime == other.DataTime && this->IndexCount == other.IndexCount &&
+        this->Corners == other.Corners;
+    }
+  };
+
+  /// What a draw draws. The first two are lists of indices on the device.
+  enum List
+  {
+    Drawn, ///< The units that have been drawn in this frame.
+    Fresh, ///< The units that are drawn next.
+    Whole, ///< Everything; the draw may only read what is drawn.
+    NumberOfLists = Whole
+  };
+
+  ///@{
+  /// Add the hook to the property keys of a prop, or remove it.
+  void Attach(vtkProp* prop);
+  void Detach(vtkProp* prop);
+  ///@}
+
+  /// Set the window of the next draws. The buffers of the hook are released with its context.
+  void SetWindow(vtkOpenGLRenderWindow* window)
+  {
+    this->Resources->RegisterGraphicsResources(window);
+  }
+
+  /// Read what the next draw draws: afterwards GetSource() and TakeMesh() have it.
+  void ReadNext();
+
+  ///@{
+  /// What the last draw with ReadNext() has read. The source has no corners if the mapper draws
+  /// something that cannot be divided, and no mapper if it has drawn nothing yet.
+  const Source& GetSource() const { return this->Read; }
+  vtkNBufferUnits::Mesh TakeMesh() { return std::move(this->Mesh); }
+  ///@}
+
+  /// Let draws of this list draw the primitives of the units that are marked. `indices` are those
+  /// of the whole mesh that was read last.
+  void SetList(List list, const vtkNBufferUnits& units, const std::vector<unsigned int>& indices,
+    const std::vector<unsigned char>& marked);
+
+  /// While an object of this class exists, draws of the actor draw only a list, provided that they
+  /// have the source that was read last. Otherwise they draw everything.
+  class Draw
+  {
+  public:
+    Draw(vtkNBufferDrawHook* hook, vtkActor* actor, List list);
+    ~Draw();
+    Draw(const Draw&) = delete;
+    void operator=(const Draw&) = delete;
+
+  private:
+    vtkNBufferDrawHook* Hook;
+  };
+
+  /// Whether a draw of a list drew everything, because the source has changed.
+  bool IsStale() const { return this->Stale; }
+
+  /// Called by the mapper.
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO) override;
+
+  /// A pass in a prop's property keys is never rendered itself.
+  void Render(const vtkRenderState*) override {}
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkNBufferDrawHook();
+  ~vtkNBufferDrawHook() override;
+
+private:
+  vtkNBufferDrawHook(const vtkNBufferDrawHook&) = delete;
+  void operator=(const vtkNBufferDrawHook&) = delete;
+
+  struct Buffer
+  {
+    vtkNew<vtkOpenGLIndexBufferObject> Object;
+    std::vector<unsigned char> Marked; ///< The units of which the list consists.
+    std::vector<unsigned int> Indices; ///< The list, until it is uploaded.
+    bool IsUploaded = false;
+  };
+
+  void ReadSource(vtkOpenGLHelper* stream, const Source& source, vtkPolyData* data);
+  bool Upload(Buffer& buffer);
+  void Restore();
+
+  using Callback = vtkOpenGLResourceFreeCallback<vtkNBufferDrawHook>;
+  std::unique_ptr<Callback> Resources;
+  std::array<Buffer, NumberOfLists> Buffers;
+  vtkActor* Actor = nullptr; ///< Only compared; set while a Draw exists.
+  List Current = Drawn;
+  bool Reads = false;
+  bool Stale = false;
+  Source Read;
+  vtkNBufferUnits::Mesh Mesh;
+  vtkOpenGLHelper* Changed = nullptr; ///< Its index buffer is one of ours.
+  vtkOpenGLIndexBufferObject* Original = nullptr;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferUnits.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+using Box = vtkNBufferUnits::Box;
+
+/// The bits of a Morton code along each axis.
+constexpr int BitsPerAxis = 10;
+/// The bits by which one pass of the radix sort sorts.
+constexpr int BitsPerPass = 10;
+
+/// Groups in space take memory for their order, which has to be worth it: their boxes must have
+/// less than this share of the surface of the runs' boxes.
+constexpr double WorthAnOrder = 0.95;
+
+/// The largest float that is not above x, or with 1 for `sign` the smallest that is not below.
+float RoundOutward(double x, int sign)
+{
+  const auto rounded = static_cast<float>(x);
+  const bool isInside = sign < 0 ? rounded > x : rounded < x;
+  return isInside ? std::nextafter(rounded, sign * std::numeric_limits<float>::infinity())
+                  : rounded;
+}
+
+Box GetEmpty()
+{
+  const float infinity = std::numeric_limits<float>::infinity();
+  return { glm::vec3(infinity), glm::vec3(-infinity) };
+}
+
+void Include(Box& box, const Box& other)
+{
+  box.Low = glm::min(box.Low, other.Low);
+  box.High = glm::max(box.High, other.High);
+}
+
+void Include(Box& box, const glm::dvec3& point)
+{
+  const bool isFinite = vtkNBufferGLM::IsFinite(point);
+  for (int k = 0; k < 3; ++k)
+  {
+    const float infinity = std::numeric_limits<float>::infinity();
+    box.Low[k] = isFinite ? std::min(box.Low[k], RoundOutward(point[k], -1)) : -infinity;
+    box.High[k] = isFinite ? std::max(box.High[k], RoundOutward(point[k], 1)) : infinity;
+  }
+}
+
+double GetSurface(const Box& box)
+{
+  const glm::dvec3 size = glm::dvec3(box.High) - glm::dvec3(box.Low);
+  return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
+double GetSurface(const std::vector<Box>& boxes)
+{
+  double sum = 0.0;
+  for (const Box& box : boxes)
+  {
+    sum += GetSurface(box);
+  }
+  return sum;
+}
+
+/// The bits of a number of BitsPerAxis bits, each followed by two zeros.
+std::uint32_t Spread(std::uint32_t x)
+{
+  x = (x | (x << 16)) & 0x030000ffU;
+  x = (x | (x << 8)) & 0x0300f00fU;
+  x = (x | (x << 4)) & 0x030c30c3U;
+  return (x | (x << 2)) & 0x09249249U;
+}
+
+struct Key
+{
+  std::uint32_t Code;
+  unsigned int Primitive;
+};
+
+/// The primitives in the Morton order of their middles. Those with the same code keep their order.
+std::vector<unsigned int> GetMortonOrder(const vtkNBufferUnits::Mesh& mesh)
+{
+  const std::size_t size = mesh.Indices.size() / mesh.Corners;
+  std::vector<glm::vec3> middles(size);
+  Box all = GetEmpty();
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    Box box = GetEmpty();
+    for (std::size_t k = 0; k < mesh.Corners; ++k)
+    {
+      Include(box, mesh.Points[mesh.Indices[mesh.Corners * i + k]]);
+    }
+    middles[i] = 0.5F * box.Low + 0.5F * box.High;
+    if (vtkNBufferGLM::IsFinite(glm::dvec3(middles[i])))
+    {
+      Include(all, Box{ middles[i], middles[i] });
+    }
+  }
+  const glm::vec3 extent = all.High - all.Low;
+  const float largest = std::max({ extent.x, extent.y, extent.z });
+  constexpr auto cells = static_cast<float>(1 << BitsPerAxis);
+  std::vector<Key> keys(size);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    std::uint32_t code = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      // The comparison is false for NaN.
+      const float cell = (middles[i][k] - all.Low[k]) / largest * cells;
+      const auto whole = cell > 0.0F ? static_cast<std::uint32_t>(std::min(cell, cells - 1.0F)) : 0;
+      code |= Spread(whole) << k;
+    }
+    keys[i] = { code, static_cast<unsigned int>(i) };
+  }
+  std::vector<Key> sorted(size);
+  for (int shift = 0; shift < 3 * BitsPerAxis; shift += BitsPerPass)
+  {
+    std::array<std::size_t, (1 << BitsPerPass) + 1> begins = {};
+    const auto getDigit = [shift](const Key& key)
+    { return (key.Code >> shift) & ((1U << BitsPerPass) - 1U); };
+    for (const Key& key : keys)
+    {
+      ++begins[getDigit(key) + 1];
+    }
+    for (std::size_t digit = 1; digit < begins.size(); ++digit)
+    {
+      begins[digit] += begins[digit - 1];
+    }
+    for (const Key& key : keys)
+    {
+      sorted[begins[getDigit(key)]++] = key;
+    }
+    keys.swap(sorted);
+  }
+  std::vector<unsigned int> order(size);
+  std::transform(
+    keys.begin(), keys.end(), order.begin(), [](const Key& key) { return key.Primitive; });
+  return order;
+}
+}
+
+vtkNBufferUnits vtkNBufferUnits::Make(const Mesh& mesh, std::size_t unitSize)
+{
+  const bool isInRange = std::all_of(mesh.Indices.begin(), mesh.Indices.end(),
+    [&mesh](unsigned int index) { return index < mesh.Points.size(); });
+  vtkNBufferUnits runs;
+  if (!isInRange || mesh.Indices.size() < mesh.Corners)
+  {
+    return runs;
+  }
+  runs.UnitSize = unitSize;
+  runs.Corners = mesh.Corners;
+  runs.MakeBoxes(mesh);
+  vtkNBufferUnits groups;
+  groups.UnitSize = unitSize;
+  groups.Corners = mesh.Corners;
+  groups.Order = GetMortonOrder(mesh);
+  groups.MakeBoxes(mesh);
+  const bool isSmaller = GetSurface(groups.Levels[0]) < WorthAnOrder * GetSurface(runs.Levels[0]);
+  return isSmaller ? groups : runs;
+}
+
+void vtkNBufferUnits::MakeBoxes(const Mesh& mesh)
+{
+  const std::size_t size = mesh.Indices.size() / mesh.Corners;
+  std::vector<Box> boxes((size + this->UnitSize - 1) / this->UnitSize, GetEmpty());
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const std::size_t primitive = this->Order.empty() ? i : this->Order[i];
+    for (std::size_t k = 0; k < mesh.Corners; ++k)
+    {
+      Include(boxes[i / this->UnitSize], mesh.Points[mesh.Indices[mesh.Corners * primitive + k]]);
+    }
+  }
+  this->Levels.push_back(std::move(boxes));
+  while (this->Levels.back().size() > 1)
+  {
+    const std::vector<Box>& below = this->Levels.back();
+    std::vector<Box> level((below.size() + Fanout - 1) / Fanout, GetEmpty());
+    for (std::size_t i = 0; i < below.size(); ++i)
+    {
+      Include(level[i / Fanout], below[i]);
+    }
+    this->Levels.push_back(std::move(level));
+  }
+}
+
+void vtkNBufferUnits::GetIndices(const std::vector<unsigned char>& drawn,
+  const std::vector<unsigned int>& mesh, std::vector<unsigned int>& indices) const
+{
+  indices.clear();
+  const std::size_t size = mesh.size() / this->Corners;
+  const auto append = [&](std::size_t begin, std::size_t end)
+  {
+    indices.insert(indices.end(), mesh.begin() + static_cast<std::ptrdiff_t>(this->Corners * begin),
+      mesh.begin() + static_cast<std::ptrdiff_t>(this->Corners * end));
+  };
+  if (!this->AreSpatial())
+  {
+    for (std::size_t unit = 0; unit < this->GetSize(); ++unit)
+    {
+      if (drawn[unit])
+      {
+        append(unit * this->UnitSize, std::min((unit + 1) * this->UnitSize, size));
+      }
+    }
+    return;
+  }
+  // One bit for each primitive puts the primitives of the units back into the order of drawing.
+  constexpr std::size_t bits = 64;
+  std::vector<std::uint64_t> marked((size + bits - 1) / bits);
+  for (std::size_t unit = 0; unit < this->GetSize(); ++unit)
+  {
+    const std::size_t end = std::min((unit + 1) * this->UnitSize, size);
+    for (std::size_t i = unit * this->UnitSize; drawn[unit] && i < end; ++i)
+    {
+      marked[this->Order[i] / bits] |= std::uint64_t(1) << (this->Order[i] % bits);
+    }
+  }
+  for (std::size_t word = 0; word < marked.size(); ++word)
+  {
+    std::size_t primitive = word * bits;
+    for (std::uint64_t left = marked[word]; left != 0; left >>= 1, ++primitive)
+    {
+      if (left & 1U)
+      {
+        append(primitive, primitive + 1);
+      }
+    }
+  }
+}
+VTK_ABI_NAMESPACE_END

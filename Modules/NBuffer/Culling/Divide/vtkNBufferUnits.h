@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferUnits
+ * @brief The parts of a large mesh that are culled one by one, and a hierarchy of their boxes. No
+ * OpenGL.
+ *
+ * A unit is a group of primitives, which are triangles or points. The units are either runs of
+ * neighbours in the order in which the mesh is drawn, or groups of neighbours in space, whichever
+ * have the smaller boxes. Many files list their triangles row by row or part by part, so that runs
+ * are small. Isosurfaces and scans do not.
+ *
+ * Groups in space are made with the middles of the primitives in Morton order. They only say which
+ * primitives belong together: GetIndices() returns the primitives of any set of units in the order
+ * in which the mesh is drawn, because of several fragments of equal depth the last one drawn stays.
+ *
+ * Level 0 of the hierarchy consists of the units. A node of a higher level bounds up to Fanout
+ * nodes of the level below it:
+ *
+ *     level 2                            0
+ *     level 1            0               1                  2
+ *     level 0     0 1 2 3 4 5 6 7   8 9 ... 15   16 17 18
+ *
+ * Boxes are in the coordinates of the mesh, rounded outward to floats. The memory is 28 bytes per
+ * unit, and 4 bytes per primitive if the units are groups in space.
+ */
+#ifndef vtkNBufferUnits_h
+#define vtkNBufferUnits_h
+
+#include "vtkNBufferGLM.h"
+#include "vtkNBufferModule.h" // For export macro
+
+#include <cstddef>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class VTKNBUFFER_EXPORT vtkNBufferUnits
+{
+public:
+  /// The largest number of children of a node.
+  static constexpr std::size_t Fanout = 8;
+
+  /// The primitives of a mesh in the order in which it is drawn.
+  struct Mesh
+  {
+    std::vector<unsigned int> Indices; ///< The points of each primitive.
+    std::size_t Corners = 3;           ///< How many points a primitive has: 3 or 1.
+    std::vector<glm::dvec3> Points;
+  };
+
+  /// Infinite if a point is not finite.
+  struct Box
+  {
+    glm::vec3 Low;
+    glm::vec3 High;
+  };
+
+  /**
+   * Make units of `unitSize` primitives each; the last one may have fewer. Returns no units if an
+   * index is out of range. Takes about 0.1 microseconds per primitive.
+   */
+  static vtkNBufferUnits Make(const Mesh& mesh, std::size_t unitSize);
+
+  /// The number of units.
+  std::size_t GetSize() const { return this->Levels.empty() ? 0 : this->Levels[0].size(); }
+
+  /// Whether the units are groups in space, and not runs of the order of drawing.
+  bool AreSpatial() const { return !this->Order.empty(); }
+
+  /// The boxes of each level, that of the units first. The last level has one node.
+  const std::vector<std::vector<Box>>& GetLevels() const { return this->Levels; }
+
+  ///@{
+  /// The units below node n of a level are those from GetBegin() to GetEnd() - 1.
+  std::size_t GetBegin(std::size_t level, std::size_t n) const { return n << (3 * level); }
+  std::size_t GetEnd(std::size_t level, std::size_t n) const
+  {
+    const std::size_t end = (n + 1) << (3 * level);
+    return end < this->GetSize() ? end : this->GetSize();
+  }
+  ///@}
+
+  /// Get the indices of all primitives whose units are marked in `drawn`, in the order of drawing.
+  /// `mesh` is the list of indices of which the units were made.
+  void GetIndices(const std::vector<unsigned char>& drawn, const std::vector<unsigned int>& mesh,
+    std::vector<unsigned int>& indices) const;
+
+private:
+  void MakeBoxes(const Mesh& mesh);
+
+  std::size_t UnitSize = 1;
+  std::size_t Corners = 3;
+  std::vector<unsigned int> Order; ///< The primitives of all units; empty if units are runs.
+  std::vector<std::vector<Box>> Levels;
+};
+
+static_assert(vtkNBufferUnits::Fanout == 1 << 3, "GetBegin() and GetEnd() shift by 3 bits");
+
+VTK_ABI_NAMESPACE_END
+#endif

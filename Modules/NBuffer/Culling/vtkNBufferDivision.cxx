@@ -1,0 +1,319 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferDivision.h"
+
+#include "vtkNBufferCandidateList.h"
+#include "vtkNBufferDepthTest.h"
+#include "vtkNBufferKnownClasses.h"
+#include "vtkNBufferViewSetup.h"
+
+#include "vtkActor.h"
+#include "vtkDataSet.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+bool vtkNBufferDivision::IsLarge(vtkProp* prop, int minimum)
+{
+  vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(prop);
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  if (!mapper || !vtkNBufferKnownClasses::HaveKnownTimes(actor) ||
+    mapper->GetNumberOfInputConnections(0) == 0)
+  {
+    return false;
+  }
+  auto* data = vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  return data && data->GetNumberOfCells() >= minimum;
+}
+
+vtkNBufferDivision::Entry* vtkNBufferDivision::Find(int place)
+{
+  const auto found = std::lower_bound(this->Entries.begin(), this->Entries.end(), place,
+    [](const Entry& entry, int wanted) { return entry.Place < wanted; });
+  return found != this->Entries.end() && found->Place == place ? &*found : nullptr;
+}
+
+void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
+{
+  for (const int i : places)
+  {
+    if (this->Props.GetCandidate(i).IsCandidate() && !this->Find(i) &&
+      IsLarge(this->Props.GetProp(i), this->Minimum))
+    {
+      Entry entry;
+      entry.Place = i;
+      entry.Prop =
+        std::make_unique<vtkNBufferDividedProp>(static_cast<vtkActor*>(this->Props.GetProp(i)));
+      this->Entries.insert(std::lower_bound(this->Entries.begin(), this->Entries.end(), i,
+                             [](const Entry& other, int place) { return other.Place < place; }),
+        std::move(entry));
+    }
+  }
+}
+
+void vtkNBufferDivision::Update(vtkOpenGLRenderWindow* window, const vtkNBufferSettings& settings)
+{
+  this->Postponed = -1;
+  const int minimum = settings.DivideProps ? settings.MinimumNumberOfPrimitives : VTK_INT_MAX;
+  const bool isNew = std::exchange(this->Minimum, minimum) != minimum;
+  if (isNew)
+  {
+    this->Entries.clear();
+  }
+  if (!settings.DivideProps)
+  {
+    return;
+  }
+  if (std::exchange(this->ListNumber, this->Props.GetListNumber()) != this->Props.GetListNumber())
+  {
+    for (Entry& entry : this->Entries)
+    {
+      vtkActor* actor = entry.Prop->GetActor();
+      entry.Place = actor ? this->Props.Find(actor) : -1;
+    }
+    this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
+                          [](const Entry& entry) { return entry.Place < 0; }),
+      this->Entries.end());
+    std::sort(this->Entries.begin(), this->Entries.end(),
+      [](const Entry& a, const Entry& b) { return a.Place < b.Place; });
+  }
+  std::vector<int> changed = this->Props.GetChanged();
+  if (isNew)
+  {
+    changed.resize(static_cast<std::size_t>(this->Props.GetSize()));
+    std::iota(changed.begin(), changed.end(), 0);
+  }
+  // A prop that has become translucent, or is drawn in another way that cannot be tested.
+  this->Entries.erase(
+    std::remove_if(this->Entries.begin(), this->Entries.end(),
+      [this](const Entry& entry) { return !this->Props.GetCandidate(entry.Place).IsCandidate(); }),
+    this->Entries.end());
+  this->FindLarge(changed);
+  const vtkNBufferDividedProp::Settings making = { window,
+    static_cast<std::size_t>(settings.UnitSize), settings.DivideAfter,
+    settings.DivideInBackground };
+  for (Entry& entry : this->Entries)
+  {
+    const bool hasChanged = std::binary_search(changed.begin(), changed.end(), entry.Place);
+    entry.Prop->BeginFrame(hasChanged, making);
+    entry.IsActive = entry.IsActive && !hasChanged;
+  }
+}
+
+void vtkNBufferDivision::SetView(const vtkNBufferViewSetup& view)
+{
+  for (Entry& entry : this->Entries)
+  {
+    view.Apply(
+      entry.Projection, vtkNBufferGLM::ToMatrix(entry.Prop->GetActor()->GetMatrix()->GetData()));
+  }
+}
+
+void vtkNBufferDivision::Classify(
+  const vtkNBufferSettings& settings, vtkNBufferFrustumCounts& counts)
+{
+  for (Entry& entry : this->Entries)
+  {
+    const vtkNBufferState& state = this->Props.GetState(entry.Place);
+    entry.IsHeldBack = state.Verdict == vtkNBufferVerdict::Untested && !state.WasVisible;
+    const bool isKept = state.Verdict == vtkNBufferVerdict::NearPlane ||
+      (state.Verdict == vtkNBufferVerdict::Untested && state.WasVisible);
+    entry.IsActive = (entry.IsHeldBack || isKept) && entry.Prop->IsReady() &&
+      !(settings.BackOff && entry.BackOff.CountPausedFrame());
+    if (entry.IsActive)
+    {
+      entry.Prop->FindKept(entry.Projection);
+      const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
+      const int inside = units.Units - units.Outside;
+      counts.Candidates += units.Units;
+      counts.Inside += inside;
+      counts.Kept += entry.IsHeldBack ? 0 : units.Kept;
+      counts.HeldBack += entry.IsHeldBack ? inside : inside - units.Kept;
+    }
+  }
+}
+
+bool vtkNBufferDivision::HoldsUnits() const
+{
+  return std::any_of(this->Entries.begin(), this->Entries.end(),
+    [](const Entry& entry)
+    {
+      const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
+      return entry.IsActive && !entry.IsHeldBack && units.Units > units.Outside + units.Kept;
+    });
+}
+
+void vtkNBufferDivision::MarkOutside()
+{
+  for (Entry& entry : this->Entries)
+  {
+    const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
+    if (entry.IsActive && !entry.IsHeldBack && units.Units == units.Outside)
+    {
+      entry.IsActive = false;
+      this->Props.GetState(entry.Place).Verdict = vtkNBufferVerdict::Outside;
+    }
+  }
+}
+
+void vtkNBufferDivision::Reset()
+{
+  for (Entry& entry : this->Entries)
+  {
+    entry.IsActive = false;
+  }
+}
+
+vtkProp* vtkNBufferDivision::GetInList(int place)
+{
+  Entry* entry = this->Find(place);
+  return entry && (entry->IsActive || entry->Prop->IsReading()) ? entry->Prop->GetProxy()
+                                                                : this->Props.GetProp(place);
+}
+
+int vtkNBufferDivision::Postpone(vtkProp** props, int count)
+{
+  for (int i = count - 1; i >= 0; --i)
+  {
+    for (const Entry& entry : this->Entries)
+    {
+      if (props[i] == entry.Prop->GetProxy())
+      {
+        this->Postponed = entry.Place;
+        return i;
+      }
+    }
+  }
+  return -1;
+}
+
+void vtkNBufferDivision::Test(const vtkNBufferDividedProp::Depth& depth, std::vector<int>& heldBack)
+{
+  for (Entry& entry : this->Entries)
+  {
+    const auto left = std::find(heldBack.begin(), heldBack.end(), entry.Place);
+    const bool isLeft = left != heldBack.end();
+    if (!entry.IsActive || entry.Prop->IsSettled() || (!entry.Prop->IsBegun() && !isLeft))
+    {
+      continue;
+    }
+    const int fresh = entry.Prop->Test(entry.Projection, depth);
+    const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
+    // A unit outside saves work as well: without division it is sent to the device.
+    entry.BackOff.Learn(units.Units - units.Kept - units.Fresh, units.Units);
+    if (fresh == 0 && isLeft)
+    {
+      heldBack.erase(left);
+    }
+  }
+}
+
+std::vector<int> vtkNBufferDivision::GetFresh() const
+{
+  std::vector<int> places;
+  for (const Entry& entry : this->Entries)
+  {
+    if (entry.IsActive && entry.Prop->IsBegun() && entry.Prop->HasFresh())
+    {
+      places.push_back(entry.Place);
+    }
+  }
+  return places;
+}
+
+void vtkNBufferDivision::AddDrawnInPart(std::vector<int>& places)
+{
+  for (Entry& entry : this->Entries)
+  {
+    const bool isMissing = entry.Place == this->Postponed && !entry.Prop->IsBegun();
+    if (entry.IsActive && (isMissing || entry.Prop->IsDrawnInPart()))
+    {
+      places.push_back(entry.Place);
+    }
+    entry.IsActive = false;
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+}
+
+int vtkNBufferDivision::Draw(int place, const std::function<int()>& drawWhole)
+{
+  Entry* entry = this->Find(place);
+  return entry && (entry->IsActive || entry->Prop->IsReading()) ? entry->Prop->Draw(drawWhole)
+                                                                : drawWhole();
+}
+
+int vtkNBufferDivision::DrawAgain(int place, const std::function<int()>& drawWhole)
+{
+  Entry* entry = this->Find(place);
+  return entry && entry->IsActive ? entry->Prop->DrawAgain(drawWhole) : drawWhole();
+}
+
+void vtkNBufferDivision::DescribeNext(int place, int round, const vtkNBufferProjection& projection,
+  std::vector<vtkNBufferDrawnProp>& drawn)
+{
+  const vtkNBufferDrawnProp whole = this->Props.GetDrawn(place, round);
+  Entry* entry = this->Find(place);
+  if (!entry || !entry->IsActive || !entry->Prop->HasFresh())
+  {
+    drawn.push_back(whole);
+    return;
+  }
+  const glm::dmat4 toWorld =
+    vtkNBufferGLM::ToMatrix(entry->Prop->GetActor()->GetMatrix()->GetData());
+  for (const vtkNBufferUnits::Box& group : entry->Prop->GetFreshGroups())
+  {
+    vtkNBufferDrawnProp part = whole;
+    const glm::dvec3 low(group.Low);
+    const glm::dvec3 high(group.High);
+    const glm::dvec3 half = 0.5 * (high - low);
+    part.Box.Center = glm::dvec3(toWorld[3]);
+    part.Box.HalfSize = glm::dvec3(0.0);
+    glm::dvec3 largest = vtkNBufferGLM::Abs(part.Box.Center);
+    for (int k = 0; k < 3; ++k)
+    {
+      const glm::dvec3 column(toWorld[k]);
+      part.Box.Center += column * (0.5 * (low[k] + high[k]));
+      part.Box.HalfSize += vtkNBufferGLM::Abs(column) * half[k];
+      largest += vtkNBufferGLM::Abs(column) * std::max(std::abs(low[k]), std::abs(high[k]));
+    }
+    // Some ten operations are rounded on numbers that are at most as large as this.
+    part.Box.HalfSize += largest * 0x1p-48;
+    part.Bounded = projection.Project(part.Box, part.Screen) == vtkNBufferPlacement::Inside;
+    drawn.push_back(part);
+  }
+}
+
+vtkNBufferDividedProp::Counts vtkNBufferDivision::GetCounts() const
+{
+  vtkNBufferDividedProp::Counts sum;
+  for (const Entry& entry : this->Entries)
+  {
+    if (entry.IsActive)
+    {
+      const vtkNBufferDividedProp::Counts& counts = entry.Prop->GetCounts();
+      sum.Units += counts.Units;
+      sum.Outside += counts.Outside;
+      sum.Kept += counts.Kept;
+      sum.Fresh += counts.Fresh;
+    }
+  }
+  return sum;
+}
+
+void vtkNBufferDivision::Count(vtkNBufferStatistics& statistics) const
+{
+  const vtkNBufferDividedProp::Counts counts = this->GetCounts();
+  statistics.Units = counts.Units;
+  statistics.UnitsOutside = counts.Outside;
+  statistics.UnitsKept = counts.Kept;
+  statistics.UnitsFresh = counts.Fresh;
+  statistics.UnitsHidden = counts.Units - counts.Outside - counts.Kept - counts.Fresh;
+}
+VTK_ABI_NAMESPACE_END

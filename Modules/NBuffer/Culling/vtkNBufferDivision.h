@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferDivision
+ * @brief The large props of one view, which are culled unit by unit (vtkNBufferDividedProp).
+ *
+ * What it answers at each step of a frame:
+ *
+ *     Update()     which props are large, and whether they have changed
+ *     Classify()   which of them are tested in this frame, and which of their units are drawn first
+ *     GetInList()  what takes the place of a prop in the renderer's list
+ *     Test()       which of the other units may be seen
+ *     Draw()       draws them
+ *
+ * Props are named by their places in the list of candidates.
+ */
+#ifndef vtkNBufferDivision_h
+#define vtkNBufferDivision_h
+
+#include "vtkNBufferCullingPolicy.h"
+#include "vtkNBufferDividedProp.h"
+#include "vtkNBufferTieOrder.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkNBufferCandidateList;
+class vtkOpenGLRenderWindow;
+struct vtkNBufferSettings;
+struct vtkNBufferStatistics;
+struct vtkNBufferViewSetup;
+
+class vtkNBufferDivision
+{
+public:
+  /// The candidates are kept by reference and must outlive this object.
+  explicit vtkNBufferDivision(vtkNBufferCandidateList& props)
+    : Props(props)
+  {
+  }
+
+  /// Whether a prop is a plain actor with a surface of at least `minimum` cells.
+  static bool IsLarge(vtkProp* prop, int minimum);
+
+  /// Begin a frame, after the candidates have been brought up to date.
+  void Update(vtkOpenGLRenderWindow* window, const vtkNBufferSettings& settings);
+
+  /// Set the view of the frame. To be called again if the format of the depth turns out to be
+  /// another one.
+  void SetView(const vtkNBufferViewSetup& view);
+
+  /// Find the units that are drawn first, and add all units in the frustum to the counts.
+  void Classify(const vtkNBufferSettings& settings, vtkNBufferFrustumCounts& counts);
+
+  /// Whether any unit is held back while its prop is not.
+  bool HoldsUnits() const;
+
+  /// Give the verdict Outside to props that are not held back and have no unit in the frustum.
+  void MarkOutside();
+
+  /// Draw all props of this frame whole.
+  void Reset();
+
+  /// What represents a prop in the renderer's list: the prop itself, or a proxy.
+  vtkProp* GetInList(int place);
+
+  /// Take the last prop with a proxy out of the renderer's list, because there must be room for
+  /// another proxy. Returns its place in that list.
+  int Postpone(vtkProp** props, int count);
+
+  /// The place of the prop that Postpone() has taken out of the list, or -1.
+  int GetPostponed() const { return this->Postponed; }
+
+  /// Test the units of the props that have been drawn and, of those in `heldBack`, remove the
+  /// places of props without visible units.
+  void Test(const vtkNBufferDividedProp::Depth& depth, std::vector<int>& heldBack);
+
+  /// The places of the props with units that are to be drawn next although the props themselves are
+  /// not held back.
+  std::vector<int> GetFresh() const;
+
+  /// Add the places of the props of which units in the view have not been drawn to `places`, which
+  /// are sorted then. From now on all props are drawn whole.
+  void AddDrawnInPart(std::vector<int>& places);
+
+  ///@{
+  /// Draw what is to be drawn next of a prop, or once more what has been drawn of it, by calling
+  /// `drawWhole`. A prop that is not drawn unit by unit is drawn whole.
+  int Draw(int place, const std::function<int()>& drawWhole);
+  int DrawAgain(int place, const std::function<int()>& drawWhole);
+  ///@}
+
+  /// Describe for vtkNBufferTieOrder what the next Draw() of a prop draws.
+  void DescribeNext(int place, int round, const vtkNBufferProjection& projection,
+    std::vector<vtkNBufferDrawnProp>& drawn);
+
+  /// The sums over all props that are drawn unit by unit.
+  vtkNBufferDividedProp::Counts GetCounts() const;
+
+  /// Set the statistics of units, after a test.
+  void Count(vtkNBufferStatistics& statistics) const;
+
+private:
+  struct Entry
+  {
+    int Place = -1;
+    std::unique_ptr<vtkNBufferDividedProp> Prop;
+    vtkNBufferProjection Projection; ///< From the coordinates of the mesh.
+    vtkNBufferBackOff BackOff;
+    bool IsActive = false; ///< It is drawn unit by unit.
+    bool IsHeldBack = false;
+  };
+
+  Entry* Find(int place);
+  void FindLarge(const std::vector<int>& places);
+  vtkNBufferCandidateList& Props;
+  std::vector<Entry> Entries; ///< In the order of their places.
+  int ListNumber = -1;        ///< That of the list of candidates to which the places belong.
+  int Minimum = VTK_INT_MAX;  ///< The number of cells from which on a prop is large.
+  int Postponed = -1;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferListMaker
+ * @brief Makes the list of props that the renderer draws in a frame, from the verdicts of Cull().
+ *
+ * Props with the verdicts Outside and Hidden are left out. While a test is pending, those with the
+ * verdict Unknown are held back: a proxy at the end of the list represents all of them. Translucent
+ * props and large props that are drawn unit by unit keep their places, behind proxies of their own.
+ */
+#ifndef vtkNBufferListMaker_h
+#define vtkNBufferListMaker_h
+
+#include "vtkNBufferTranslucentProxy.h"
+
+#include <cstddef>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkNBufferCandidateList;
+class vtkNBufferDeferredProxy;
+class vtkNBufferDivision;
+class vtkNBufferPartition;
+
+class vtkNBufferListMaker
+{
+public:
+  /// The arguments are kept by reference and must outlive this object.
+  vtkNBufferListMaker(vtkNBufferCandidateList& props, const vtkNBufferPartition& partition,
+    vtkNBufferDivision& division, vtkNBufferDeferredProxy* proxy)
+    : Props(props)
+    , Partition(partition)
+    , Division(division)
+    , Proxy(proxy)
+  {
+  }
+
+  /// Replace the list in place, as vtkCuller::Cull() does, and return the sum of the render time
+  /// multipliers, as that function does. `isTestPending` says whether the proxy will test.
+  double Fill(bool isTestPending, vtkProp** props, int& count, int& initialized);
+
+  /// In a frame with a test, proxy n represents prop n of vtkNBufferPartition::GetTranslucent().
+  vtkNBufferTranslucentProxy* GetTranslucent(std::size_t n) const { return this->Proxies.Get(n); }
+
+private:
+  vtkNBufferCandidateList& Props;
+  const vtkNBufferPartition& Partition;
+  vtkNBufferDivision& Division;
+  vtkNBufferDeferredProxy* Proxy;
+  vtkNBufferTranslucentProxy::Pool Proxies;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

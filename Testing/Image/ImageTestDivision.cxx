@@ -1,0 +1,506 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Large props, of which only the units that can be seen are drawn.
+#include "CullerTest.h"
+#include "Scenes.h"
+
+#include "vtkActor.h"
+#include "vtkAppendPolyData.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSetMapper.h"
+#include "vtkHardwareSelector.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMapper.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+namespace
+{
+/// Units of a few triangles, made without delay.
+ComparisonOptions MakeOptions(int unitSize = 8)
+{
+  ComparisonOptions options;
+  options.Tuning.MinimumNumberOfCandidates = 1;
+  options.Tuning.MinimumNumberOfPrimitives = 100;
+  options.Tuning.UnitSize = unitSize;
+  options.Tuning.DivideAfter = 0;
+  options.Tuning.DivideInBackground = false;
+  return options;
+}
+
+/// Houses on a ground, all of them one mesh, with a color at each point.
+vtkSmartPointer<vtkPolyData> MakeCity(int count)
+{
+  vtkNew<vtkAppendPolyData> append;
+  std::minstd_rand random(5);
+  append->AddInputData(Scenes::MakeBox({ 0.0, 0.0, -0.5 }, { 4.0 * count, 4.0 * count, 1.0 }));
+  for (int x = 0; x < count; ++x)
+  {
+    for (int y = 0; y < count; ++y)
+    {
+      const double height = std::uniform_real_distribution<>(1.0, 6.0)(random);
+      append->AddInputData(Scenes::MakeBox(
+        { 4.0 * x - 2.0 * count, 4.0 * y - 2.0 * count, 0.5 * height }, { 2.5, 2.5, height }));
+    }
+  }
+  append->Update();
+  vtkSmartPointer<vtkPolyData> data = append->GetOutput();
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("colors");
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    colors->InsertNextTuple3(random() % 256, random() % 256, random() % 256);
+  }
+  data->GetPointData()->SetScalars(colors);
+  return data;
+}
+
+/// The same triangles in another order, as triangles.
+vtkSmartPointer<vtkPolyData> Shuffle(vtkPolyData* data)
+{
+  std::vector<vtkIdType> order(static_cast<std::size_t>(data->GetNumberOfCells()));
+  std::iota(order.begin(), order.end(), 0);
+  std::shuffle(order.begin(), order.end(), std::minstd_rand(9));
+  vtkNew<vtkCellArray> cells;
+  for (const vtkIdType cell : order)
+  {
+    cells->InsertNextCell(data->GetCell(cell));
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->ShallowCopy(data);
+  result->SetPolys(cells);
+  return result;
+}
+
+/// Each point of the mesh as a vertex.
+vtkSmartPointer<vtkPolyData> MakePoints(vtkPolyData* data)
+{
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    cells->InsertNextCell({ i });
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->ShallowCopy(data);
+  result->SetPolys(nullptr);
+  result->SetVerts(cells);
+  return result;
+}
+
+vtkSmartPointer<vtkPolyData> MakeBumps()
+{
+  TestScene::Shape shape;
+  shape.Kind = TestScene::ShapeKind::Terrain;
+  shape.Size = { 60.0, 60.0, 4.0 };
+  shape.Center = { 0.0, 0.0, 1.0 };
+  shape.Detail = 40;
+  return TestScene::MakeShape(shape);
+}
+
+const double White[3] = { 1.0, 1.0, 1.0 };
+
+/// Walk through a scene of about 60 x 60 at eye height, then look at it from above.
+void Walk(vtkRenderer* renderer, int frame)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double t = 0.3 * frame;
+  camera->SetPosition(
+    frame < 8 ? -20.0 + 3.0 * frame : 0.0, frame < 8 ? 2.0 : -50.0, frame < 8 ? 1.7 : 30.0);
+  camera->SetFocalPoint(20.0 * std::cos(t), 20.0 * std::sin(t), 1.0);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  camera->SetClippingRange(0.05, 200.0);
+}
+
+struct Large : NamedCase
+{
+  std::function<void(Stage&)> Build;
+};
+
+void AddWalls(Stage& stage)
+{
+  Scenes::AddBox(stage, 6.0, 2.0, 1.0, 0.3, 12.0, 6.0);
+  Scenes::AddBox(stage, -8.0, 12.0, 1.0, 10.0, 0.3, 6.0);
+}
+
+const Large Cases[] = {
+  { "City", [](Stage& stage) { stage.AddActor(MakeCity(14), White); } },
+  { "CityShuffled", [](Stage& stage) { stage.AddActor(Shuffle(MakeCity(14)), White); } },
+  { "CityAndWalls",
+    [](Stage& stage)
+    {
+      AddWalls(stage);
+      stage.AddActor(MakeCity(14), White);
+      AddWalls(stage);
+    } },
+  { "TwoCities",
+    [](Stage& stage)
+    {
+      stage.AddActor(MakeCity(10), White);
+      stage.AddActor(MakeCity(10), White);
+      stage.GetActor(1)->SetPosition(1.0, 0.5, 0.0);
+      stage.GetActor(1)->RotateZ(30.0);
+      stage.GetActor(1)->SetScale(1.0, 0.7, 1.3);
+    } },
+  { "FarFromTheOrigin",
+    [](Stage& stage)
+    {
+      // The points are far away, and the actor brings them back.
+      vtkSmartPointer<vtkPolyData> city = MakeCity(14);
+      vtkNew<vtkPoints> points;
+      points->SetDataTypeToDouble();
+      for (vtkIdType i = 0; i < city->GetNumberOfPoints(); ++i)
+      {
+        double point[3];
+        city->GetPoint(i, point);
+        points->InsertNextPoint(point[0] + 3.5e5, point[1] + 5.2e6, point[2]);
+      }
+      city->SetPoints(points);
+      stage.AddActor(city, White);
+      stage.GetActor(0)->SetPosition(-3.5e5, -5.2e6, 0.0);
+    } },
+  { "Terrain",
+    [](Stage& stage)
+    {
+      stage.AddActor(MakeBumps(), White);
+      AddWalls(stage);
+    } },
+  { "Points",
+    [](Stage& stage)
+    {
+      stage.AddActor(MakePoints(MakeCity(14)), White);
+      stage.GetActor(0)->GetProperty()->SetPointSize(5.0F);
+      AddWalls(stage);
+    } },
+  { "DataSetMapper",
+    [](Stage& stage)
+    {
+      stage.AddActor(MakeCity(14), White);
+      vtkNew<vtkDataSetMapper> mapper;
+      mapper->SetInputData(MakeCity(14));
+      stage.GetActor(0)->SetMapper(mapper);
+    } },
+  { "ClippingPlane",
+    [](Stage& stage)
+    {
+      stage.AddActor(MakeCity(14), White);
+      vtkNew<vtkPlane> plane;
+      plane->SetNormal(0.6, 0.0, 0.8);
+      stage.GetActor(0)->GetMapper()->AddClippingPlane(plane);
+    } },
+  { "FlatAndCulledFaces",
+    [](Stage& stage)
+    {
+      stage.AddActor(MakeCity(14), White);
+      stage.GetActor(0)->GetProperty()->SetInterpolationToFlat();
+      stage.GetActor(0)->GetProperty()->BackfaceCullingOn();
+    } },
+};
+}
+
+class CullerDivision : public testing::TestWithParam<Large>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Each, CullerDivision, testing::ValuesIn(Cases), GetCaseName);
+
+// Hazard: units whose boxes are too small, units in another order than the triangles of the mesh,
+// fresh units that are drawn over what comes after them.
+TEST_P(CullerDivision, SameImage)
+{
+  for (const int samples : { 0, 4 })
+  {
+    ComparisonOptions options = MakeOptions();
+    options.MultiSamples = samples;
+    options.CompareDepth = samples == 0;
+    Comparison comparison(
+      [this](Stage& stage)
+      {
+        this->GetParam().Build(stage);
+        stage.GetRenderer()->SetBackground(0.2, 0.3, 0.4);
+      },
+      options);
+    int hidden = 0;
+    int fresh = 0;
+    for (int i = 0; i < 14; ++i)
+    {
+      comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
+      hidden += comparison.GetStatistics().UnitsHidden;
+      fresh += i > 2 ? comparison.GetStatistics().UnitsFresh : 0;
+      EXPECT_TRUE(i < 2 || comparison.GetStatistics().Units > 0) << i << comparison.GetCuller()->GetStatisticsAsJSON();
+    }
+    EXPECT_GT(hidden, 15);
+    EXPECT_GT(fresh, 10) << "units that come into view are drawn late";
+    // Nothing changes: the units of the last test are drawn again.
+    comparison.Frame("still");
+    EXPECT_EQ(comparison.GetDecision(), Decision::Still);
+    EXPECT_GT(comparison.GetStatistics().Units, 0);
+    comparison.Frame("still");
+  }
+}
+
+// Hazard: triangles of equal depth in one mesh, of which the last one in its order has to stay.
+TEST(CullerDivisionTies, LastOneStays)
+{
+  ComparisonOptions options = MakeOptions(2);
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      Scenes::SetPixelCamera(stage.GetRenderer(), 301, 173);
+      // Overlapping upright quads in a few planes, each of a color of its own.
+      vtkNew<vtkPoints> points;
+      vtkNew<vtkCellArray> cells;
+      vtkNew<vtkUnsignedCharArray> colors;
+      colors->SetNumberOfComponents(3);
+      std::minstd_rand random(11);
+      for (vtkIdType i = 0; i < 400; ++i)
+      {
+        const double x = random() % 280;
+        const double y = random() % 160;
+        const double z = -10.0 * static_cast<double>(random() % 3);
+        const double size = 10.0 + random() % 40;
+        for (const auto& corner :
+          { glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(1, 1), glm::dvec2(0, 1) })
+        {
+          points->InsertNextPoint(x + size * corner.x, y + size * corner.y, z);
+          colors->InsertNextTuple3(i % 256, (i * 37) % 256, (i * 91) % 256);
+        }
+        cells->InsertNextCell({ 4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3 });
+      }
+      vtkNew<vtkPolyData> quads;
+      quads->SetPoints(points);
+      quads->SetPolys(cells);
+      quads->GetPointData()->SetScalars(colors);
+      Scenes::AddQuad(stage, 20, 20, 90, 90, -10.0); // shares a plane with the mesh
+      stage.AddActor(quads, White);
+      stage.GetActor(1)->GetProperty()->LightingOff();
+      Scenes::AddQuad(stage, 120, 60, 200, 150, 0.0);
+      Scenes::AddQuad(stage, 0, 0, 120, 173, 50.0); // the door
+    },
+    options);
+  int fresh = 0;
+  for (int i = 0; i < 30; ++i)
+  {
+    comparison.Frame([i](Stage& stage) { stage.GetActor(3)->SetPosition((i * 47) % 180, 0, 0); });
+    fresh += comparison.GetStatistics().UnitsFresh;
+  }
+  EXPECT_GT(fresh, 300);
+}
+
+//------------------------------------------------------------------------------------------------
+namespace
+{
+struct Change : NamedCase
+{
+  Comparison::Change Apply;
+  bool IsDividedAfterwards = true;
+};
+
+vtkPolyData* GetData(Stage& stage)
+{
+  return vtkPolyData::SafeDownCast(stage.GetActor(0)->GetMapper()->GetInputDataObject(0, 0));
+}
+
+const Change Changes[] = {
+  { "Points",
+    [](Stage& stage)
+    {
+      TestScene::MovePoints(GetData(stage)->GetPoints(), { 1.0, 2.0, 0.5 }, 0.3);
+      GetData(stage)->Modified();
+    } },
+  { "Cells",
+    [](Stage& stage)
+    {
+      GetData(stage)->GetPolys()->InsertNextCell({ 0, 100, 200 });
+      GetData(stage)->GetPolys()->Modified();
+      GetData(stage)->Modified();
+    } },
+  { "OrderOfCells",
+    [](Stage& stage) { GetData(stage)->SetPolys(Shuffle(GetData(stage))->GetPolys()); } },
+  { "Data",
+    [](Stage& stage) {
+      static_cast<vtkPolyDataMapper*>(stage.GetActor(0)->GetMapper())->SetInputData(MakeCity(9));
+    } },
+  { "Mapper",
+    [](Stage& stage)
+    {
+      vtkNew<vtkPolyDataMapper> mapper;
+      mapper->SetInputData(MakeCity(12));
+      stage.GetActor(0)->SetMapper(mapper);
+    } },
+  { "Colors",
+    [](Stage& stage)
+    {
+      GetData(stage)->GetPointData()->SetScalars(nullptr);
+      stage.GetActor(0)->GetProperty()->SetColor(0.3, 0.8, 0.1);
+    } },
+  { "Actor",
+    [](Stage& stage)
+    {
+      stage.GetActor(0)->SetPosition(2.0, 1.0, 0.3);
+      stage.GetActor(0)->RotateX(4.0);
+    } },
+  { "CellColors",
+    [](Stage& stage)
+    {
+      vtkNew<vtkUnsignedCharArray> colors;
+      colors->SetNumberOfComponents(3);
+      for (vtkIdType i = 0; i < GetData(stage)->GetNumberOfCells(); ++i)
+      {
+        colors->InsertNextTuple3(i % 256, (i * 7) % 256, (i * 31) % 256);
+      }
+      GetData(stage)->GetCellData()->SetScalars(colors);
+      stage.GetActor(0)->GetMapper()->SetScalarModeToUseCellData();
+    },
+    false },
+  { "Wireframe",
+    [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetRepresentationToWireframe(); }, false },
+  { "Edges", [](Stage& stage) { stage.GetActor(0)->GetProperty()->EdgeVisibilityOn(); }, false },
+  { "Lines",
+    [](Stage& stage)
+    {
+      vtkNew<vtkCellArray> lines;
+      lines->InsertNextCell({ 0, 100 });
+      GetData(stage)->SetLines(lines);
+    },
+    false },
+  { "Vertices",
+    [](Stage& stage)
+    {
+      vtkNew<vtkCellArray> vertices;
+      vertices->InsertNextCell({ 17 });
+      GetData(stage)->SetVerts(vertices);
+    },
+    false },
+  { "Opacity", [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetOpacity(0.5); }, false },
+  { "Removed", [](Stage& stage) { stage.GetRenderer()->RemoveActor(stage.GetActor(0)); }, false },
+  { "Hidden", [](Stage& stage) { stage.GetActor(0)->VisibilityOff(); }, false },
+  { "SharedMapper",
+    [](Stage& stage)
+    {
+      stage.AddActor(MakeCity(3), White);
+      stage.GetActor(static_cast<int>(stage.Props.size()) - 1)
+        ->SetMapper(stage.GetActor(0)->GetMapper());
+      stage.GetActor(static_cast<int>(stage.Props.size()) - 1)->SetPosition(3.0, 0.0, 1.0);
+    } },
+  { "Window", [](Stage& stage) { stage.Window->SetSize(211, 307); } },
+};
+}
+
+class CullerDivisionChanges : public testing::TestWithParam<Change>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Each, CullerDivisionChanges, testing::ValuesIn(Changes), GetCaseName);
+
+// Hazard: units of data, or of a way to draw them, that have changed since.
+TEST_P(CullerDivisionChanges, SameImage)
+{
+  ComparisonOptions options = MakeOptions();
+  options.CompareDraws = false; // The new mapper's are not counted.
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      stage.AddActor(MakeCity(14), White);
+      AddWalls(stage);
+    },
+    options);
+  for (int i = 0; i < 4; ++i)
+  {
+    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
+  }
+  EXPECT_GT(comparison.GetStatistics().Units, 0);
+  comparison.Frame("changed", this->GetParam().Apply);
+  for (int i = 4; i < 10; ++i)
+  {
+    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
+  }
+  EXPECT_EQ(comparison.GetStatistics().Units > 0, this->GetParam().IsDividedAfterwards);
+}
+
+// Hazard: the ids that a selector draws are those of the list, or hidden triangles cannot be
+// picked.
+TEST(CullerDivisionPicking, SameCells)
+{
+  Comparison comparison([](Stage& stage) { stage.AddActor(MakeCity(14), White); }, MakeOptions());
+  for (int i = 0; i < 6; ++i)
+  {
+    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
+    std::vector<std::vector<vtkIdType>> picked;
+    comparison.Both(
+      [&picked](Stage& stage)
+      {
+        vtkNew<vtkHardwareSelector> selector;
+        selector->SetRenderer(stage.GetRenderer());
+        selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+        selector->SetArea(0, 0, 300, 172);
+        const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+        picked.emplace_back();
+        for (unsigned int n = 0; n < selection->GetNumberOfNodes(); ++n)
+        {
+          auto* ids = vtkIdTypeArray::SafeDownCast(selection->GetNode(n)->GetSelectionList());
+          for (vtkIdType k = 0; ids && k < ids->GetNumberOfTuples(); ++k)
+          {
+            picked.back().push_back(ids->GetValue(k));
+          }
+        }
+        std::sort(picked.back().begin(), picked.back().end());
+      });
+    ASSERT_EQ(picked.size(), 2U);
+    EXPECT_GT(picked[0].size(), 0U);
+    EXPECT_EQ(picked[0], picked[1]);
+  }
+}
+
+// The setting, and both sides of the size from which on a prop is divided.
+TEST(CullerDivisionSettings, SizeAndSwitch)
+{
+  Comparison comparison([](Stage& stage) { stage.AddActor(MakeCity(14), White); }, MakeOptions());
+  const auto frames = [&comparison]()
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
+    }
+    return comparison.GetStatistics().Units;
+  };
+  const int units = frames();
+  EXPECT_EQ(units, (6 * 2 * (14 * 14 + 1) + 7) / 8);
+  comparison.GetCuller()->DividePropsOff();
+  EXPECT_EQ(frames(), 0);
+  comparison.GetCuller()->DividePropsOn();
+  EXPECT_EQ(frames(), units);
+}
+
+// Hazard: a prop of which everything is seen pays for tests for ever.
+TEST(CullerDivisionSettings, NothingHiddenIsLeftAlone)
+{
+  ComparisonOptions options = MakeOptions();
+  options.Tuning.BackOff = true;
+  Comparison comparison([](Stage& stage) { stage.AddActor(MakeBumps(), White); }, options);
+  int tested = 0;
+  for (int i = 0; i < 40; ++i)
+  {
+    comparison.Frame(
+      [i](Stage& stage)
+      {
+        vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+        camera->SetPosition(0.1 * i, 0.0, 150.0);
+        camera->SetFocalPoint(0.1 * i, 0.0, 0.0);
+        camera->SetClippingRange(1.0, 200.0);
+      });
+    tested += comparison.GetStatistics().ReadBacks;
+  }
+  EXPECT_LE(tested, 8) << "of 40 frames";
+}

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferUnits.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+namespace
+{
+using Mesh = vtkNBufferUnits::Mesh;
+using Box = vtkNBufferUnits::Box;
+
+/// A terrain of size x size quads, row by row.
+Mesh MakeTerrain(unsigned int size)
+{
+  Mesh mesh;
+  std::minstd_rand random(7);
+  for (unsigned int y = 0; y <= size; ++y)
+  {
+    for (unsigned int x = 0; x <= size; ++x)
+    {
+      mesh.Points.emplace_back(
+        0.1 * x, 0.1 * y, std::uniform_real_distribution<>(0.0, 0.1)(random));
+    }
+  }
+  for (unsigned int y = 0; y < size; ++y)
+  {
+    for (unsigned int x = 0; x < size; ++x)
+    {
+      const unsigned int first = y * (size + 1) + x;
+      for (const unsigned int step : { 0U, 1U, size + 1, 1U, size + 2, size + 1 })
+      {
+        mesh.Indices.push_back(first + step);
+      }
+    }
+  }
+  return mesh;
+}
+
+/// The triangles of a mesh in another order.
+Mesh Shuffle(const Mesh& mesh)
+{
+  std::vector<std::size_t> order(mesh.Indices.size() / 3);
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    order[i] = i;
+  }
+  std::shuffle(order.begin(), order.end(), std::minstd_rand(3));
+  Mesh result = mesh;
+  for (std::size_t i = 0; i < mesh.Indices.size(); ++i)
+  {
+    result.Indices[i] = mesh.Indices[3 * order[i / 3] + i % 3];
+  }
+  return result;
+}
+
+/// The indices of each single unit.
+std::vector<std::vector<unsigned int>> GetAll(const vtkNBufferUnits& units, const Mesh& mesh)
+{
+  std::vector<std::vector<unsigned int>> all(units.GetSize());
+  for (std::size_t unit = 0; unit < units.GetSize(); ++unit)
+  {
+    std::vector<unsigned char> drawn(units.GetSize());
+    drawn[unit] = 1;
+    units.GetIndices(drawn, mesh.Indices, all[unit]);
+  }
+  return all;
+}
+
+bool Contains(const Box& box, const glm::dvec3& point)
+{
+  return glm::all(glm::lessThanEqual(glm::dvec3(box.Low), point)) &&
+    glm::all(glm::lessThanEqual(point, glm::dvec3(box.High)));
+}
+}
+
+class Units : public testing::TestWithParam<bool>
+{
+protected:
+  Mesh Get() const { return this->GetParam() ? Shuffle(MakeTerrain(40)) : MakeTerrain(40); }
+};
+INSTANTIATE_TEST_SUITE_P(Each, Units, testing::Bool(),
+  [](const auto& info) { return std::string(info.param ? "Shuffled" : "RowByRow"); });
+
+// Hazard: a primitive in no unit or in two, or outside of the box of its unit.
+TEST_P(Units, EachPrimitiveIsInOneUnitAndInItsBox)
+{
+  const Mesh mesh = this->Get();
+  const vtkNBufferUnits units = vtkNBufferUnits::Make(mesh, 64);
+  ASSERT_EQ(units.GetSize(), 50U);
+  std::size_t total = 0;
+  const auto all = GetAll(units, mesh);
+  for (std::size_t unit = 0; unit < units.GetSize(); ++unit)
+  {
+    total += all[unit].size();
+    for (const unsigned int index : all[unit])
+    {
+      EXPECT_TRUE(Contains(units.GetLevels()[0][unit], mesh.Points[index]));
+    }
+  }
+  EXPECT_EQ(total, mesh.Indices.size());
+  std::vector<unsigned int> whole;
+  units.GetIndices(std::vector<unsigned char>(units.GetSize(), 1), mesh.Indices, whole);
+  EXPECT_EQ(whole, mesh.Indices) << "all units are the mesh in its own order";
+}
+
+// Hazard: the order of drawing, which decides where depths are equal, is that of the units.
+TEST_P(Units, KeepTheOrderOfDrawing)
+{
+  const Mesh mesh = this->Get();
+  const vtkNBufferUnits units = vtkNBufferUnits::Make(mesh, 16);
+  std::vector<unsigned char> drawn(units.GetSize());
+  for (std::size_t i = 0; i < drawn.size(); i += 3)
+  {
+    drawn[i] = 1;
+  }
+  std::vector<unsigned int> some;
+  units.GetIndices(drawn, mesh.Indices, some);
+  ASSERT_GT(some.size(), mesh.Indices.size() / 4);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < some.size(); i += 3)
+  {
+    while (next < mesh.Indices.size() && !std::equal(&some[i], &some[i] + 3, &mesh.Indices[next]))
+    {
+      next += 3;
+    }
+    ASSERT_LT(next, mesh.Indices.size()) << "triangle " << i / 3 << " is out of order";
+    next += 3;
+  }
+}
+
+// Hazard: a node of the hierarchy that does not contain what is below it.
+TEST_P(Units, NodesContainTheirUnits)
+{
+  const vtkNBufferUnits units = vtkNBufferUnits::Make(this->Get(), 4);
+  EXPECT_EQ(units.GetLevels().back().size(), 1U);
+  for (std::size_t level = 0; level < units.GetLevels().size(); ++level)
+  {
+    std::size_t next = 0;
+    for (std::size_t n = 0; n < units.GetLevels()[level].size(); ++n)
+    {
+      EXPECT_EQ(units.GetBegin(level, n), next);
+      next = units.GetEnd(level, n);
+      const Box& node = units.GetLevels()[level][n];
+      for (std::size_t i = units.GetBegin(level, n); i < next; ++i)
+      {
+        EXPECT_TRUE(Contains(node, glm::dvec3(units.GetLevels()[0][i].Low)));
+        EXPECT_TRUE(Contains(node, glm::dvec3(units.GetLevels()[0][i].High)));
+      }
+    }
+    EXPECT_EQ(next, units.GetSize());
+  }
+}
+
+// Both sides: groups in space where the order of the file is of no use, runs where it is.
+TEST(UnitsOfFiles, AreRunsOrGroupsWhicheverAreSmaller)
+{
+  // A unit of a row by row terrain is a long strip, so that groups win there, too; a mesh that
+  // lists small patches one after the other has runs that are as good as any group.
+  Mesh patches;
+  for (int patch = 0; patch < 64; ++patch)
+  {
+    Mesh one = MakeTerrain(4);
+    const auto first = static_cast<unsigned int>(patches.Points.size());
+    for (const glm::dvec3& point : one.Points)
+    {
+      patches.Points.push_back(point + glm::dvec3(0.7 * (patch * 29 % 64), 0.0, 0.0));
+    }
+    for (const unsigned int index : one.Indices)
+    {
+      patches.Indices.push_back(first + index);
+    }
+  }
+  EXPECT_FALSE(vtkNBufferUnits::Make(patches, 32).AreSpatial());
+  const vtkNBufferUnits shuffled = vtkNBufferUnits::Make(Shuffle(patches), 32);
+  EXPECT_TRUE(shuffled.AreSpatial());
+  double size = 0.0;
+  for (const Box& box : shuffled.GetLevels()[0])
+  {
+    size = std::max<double>(size, box.High.x - box.Low.x);
+  }
+  EXPECT_LT(size, 2.0) << "of 45 in all";
+}
+
+TEST(UnitsOfFiles, PointsAreUnitsToo)
+{
+  Mesh mesh = MakeTerrain(10);
+  mesh.Corners = 1;
+  const vtkNBufferUnits units = vtkNBufferUnits::Make(mesh, 100);
+  EXPECT_EQ(units.GetSize(), 6U);
+  EXPECT_EQ(GetAll(units, mesh)[5].size(), 100U);
+}
+
+// Hazard: numbers that are none, lists that are empty or wrong, boxes without extent.
+TEST(UnitsOfFiles, BadNumbers)
+{
+  EXPECT_EQ(vtkNBufferUnits::Make({}, 8).GetSize(), 0U);
+  Mesh mesh = MakeTerrain(4);
+  mesh.Indices.push_back(1000);
+  EXPECT_EQ(vtkNBufferUnits::Make(mesh, 8).GetSize(), 0U) << "an index out of range";
+
+  mesh = MakeTerrain(4);
+  mesh.Points[7].x = std::numeric_limits<double>::quiet_NaN();
+  mesh.Points[9].y = std::numeric_limits<double>::infinity();
+  mesh.Points[11] = glm::dvec3(1e300);
+  const vtkNBufferUnits units = vtkNBufferUnits::Make(mesh, 1);
+  const auto all = GetAll(units, mesh);
+  for (std::size_t unit = 0; unit < units.GetSize(); ++unit)
+  {
+    const bool isBad = std::any_of(all[unit].begin(), all[unit].end(),
+      [](unsigned int index) { return index == 7 || index == 9 || index == 11; });
+    EXPECT_EQ(std::isinf(units.GetLevels()[0][unit].High.x), isBad);
+  }
+
+  for (glm::dvec3& point : mesh.Points)
+  {
+    point = glm::dvec3(1.0 / 3.0);
+  }
+  const vtkNBufferUnits point = vtkNBufferUnits::Make(mesh, 2);
+  EXPECT_TRUE(Contains(point.GetLevels()[0][0], mesh.Points[0])) << "rounded outward";
+}
