@@ -14,11 +14,11 @@
 
 #include "vtkNBufferVTKVersion.h"
 
+#include "vtkOpenGLRenderWindow.h" // VTK's header calls its methods without including it.
+
 #if VTKNBUFFER_HAS_RESOURCE_CALLBACK
 #include "vtkOpenGLResourceFreeCallback.h"
 #else
-#include "vtkOpenGLRenderWindow.h"
-
 VTK_ABI_NAMESPACE_BEGIN
 class vtkWindow;
 

@@ -35,6 +35,7 @@
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferUnits.h"
 
+#include "vtkActor.h" // For the weak pointer
 #include "vtkNew.h"
 #include "vtkWeakPointer.h"
 
@@ -43,7 +44,6 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkActor;
 class vtkOpenGLRenderWindow;
 class vtkNBufferLevels;
 
