@@ -18,6 +18,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTransformFilter.h"
+#include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
@@ -42,7 +43,7 @@ vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* data, const glm::dvec3& color)
 /// A gyroid of six periods along each axis in the cube from -1 to 1: 0.9 million triangles.
 vtkSmartPointer<vtkPolyData> MakeGyroid()
 {
-  constexpr int size = 200;
+  constexpr int size = 126;
   const double frequency = 6.0 * vtkMath::Pi();
   vtkNew<vtkImageData> image;
   image->SetDimensions(size, size, size);
@@ -190,8 +191,11 @@ void Scene::Merge()
     part->GetPointData()->SetScalars(colors);
     append->AddInputData(part);
   }
-  append->Update();
-  auto merged = MakeActor(append->GetOutput(), { 1.0, 1.0, 1.0 });
+  // A mesh of triangles and strips is not divided.
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(append->GetOutputPort());
+  triangles->Update();
+  auto merged = MakeActor(triangles->GetOutput(), { 1.0, 1.0, 1.0 });
   merged->GetProperty()->SetInterpolation(this->Actors.front()->GetProperty()->GetInterpolation());
   this->Actors = { merged };
   this->PartNames.clear();

@@ -63,6 +63,7 @@ std::string vtkNBufferStatistics::GetAsJSON() const
   json["units_fresh"] = this->UnitsFresh;
   json["units_hidden"] = this->UnitsHidden;
   json["fresh_draws"] = this->FreshDraws;
+  json["tie_queries"] = this->TieQueries;
   json["slivers"] = this->Slivers;
   json["nodes"] = static_cast<Json::Int64>(this->Nodes);
   json["refits"] = this->Refits;

@@ -140,6 +140,10 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   /// How many props were drawn a second time, for their fresh units.
   int FreshDraws = 0;
 
+  /// Draws of fresh units that write nothing, to count their fragments that have the depth of an
+  /// earlier one. If there are none, nothing is drawn once more because of these units.
+  int TieQueries = 0;
+
   ///@{
   /// The work on N-buffers in all rounds: the levels built and their texels, the rectangles that
   /// were compared with levels and the texels read for that, the read-backs from OpenGL and their

@@ -63,6 +63,8 @@ MUTANTS = {
         (UNITS, "if (!this->AreSpatial())", "if (true)")],
     "fresh units over those that come later in the mesh": [
         ("vtkNBufferTieOrder.cxx", "a.Round > b.Round;", "a.Round < b.Round;")],
+    "equal depths inside of a mesh not found by the device": [
+        ("vtkNBufferTieQuery.cxx", "return passed > 0;", "return false;")],
     "cells' colors with the numbers of some primitives": [
         ("vtkNBufferProtectedMembers.h",
          "!(mapper->*&Access::HaveCellScalars) && !(mapper->*&Access::HaveCellNormals);", "true;")],

@@ -239,7 +239,8 @@ TEST_P(CullerDivision, SameImage)
       comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
       hidden += comparison.GetStatistics().UnitsHidden;
       fresh += i > 2 ? comparison.GetStatistics().UnitsFresh : 0;
-      EXPECT_TRUE(i < 2 || comparison.GetStatistics().Units > 0) << i << comparison.GetCuller()->GetStatisticsAsJSON();
+      EXPECT_TRUE(i < 2 || comparison.GetStatistics().Units > 0)
+        << i << comparison.GetCuller()->GetStatisticsAsJSON();
     }
     EXPECT_GT(hidden, 15);
     EXPECT_GT(fresh, 10) << "units that come into view are drawn late";
@@ -291,12 +292,18 @@ TEST(CullerDivisionTies, LastOneStays)
     },
     options);
   int fresh = 0;
+  int queries = 0;
+  int redrawn = 0;
   for (int i = 0; i < 30; ++i)
   {
     comparison.Frame([i](Stage& stage) { stage.GetActor(3)->SetPosition((i * 47) % 180, 0, 0); });
     fresh += comparison.GetStatistics().UnitsFresh;
+    queries += comparison.GetStatistics().TieQueries;
+    redrawn += comparison.GetStatistics().Redrawn;
   }
   EXPECT_GT(fresh, 300);
+  EXPECT_GT(queries, 10);
+  EXPECT_GT(redrawn, 10);
 }
 
 //------------------------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDepthTest.h"
 #include "vtkNBufferKnownClasses.h"
+#include "vtkNBufferTieQuery.h"
 #include "vtkNBufferViewSetup.h"
 
 #include "vtkActor.h"
@@ -240,6 +241,18 @@ void vtkNBufferDivision::AddDrawnInPart(std::vector<int>& places)
   }
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
+}
+
+std::optional<bool> vtkNBufferDivision::HasTies(int place, const std::function<int()>& drawWhole)
+{
+  Entry* entry = this->Find(place);
+  if (!entry || !entry->IsActive || !entry->Prop->HasFewFresh())
+  {
+    return {};
+  }
+  // The boxes of units of one mesh touch each other everywhere, but fragments of equal depth are
+  // few, and there are often none.
+  return vtkNBufferTieQuery::HasTies([&]() { entry->Prop->TryFresh(drawWhole); });
 }
 
 int vtkNBufferDivision::Draw(int place, const std::function<int()>& drawWhole)

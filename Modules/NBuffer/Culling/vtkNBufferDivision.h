@@ -23,6 +23,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -84,6 +85,11 @@ public:
   /// Add the places of the props of which units in the view have not been drawn to `places`, which
   /// are sorted then. From now on all props are drawn whole.
   void AddDrawnInPart(std::vector<int>& places);
+
+  /// If the next draw of a prop draws only a small part of it, find out whether this part has
+  /// fragments with the depth of an earlier draw (vtkNBufferTieQuery::HasTies()). If not, the prop
+  /// need not be drawn once more. Empty if it was not worth finding out.
+  std::optional<bool> HasTies(int place, const std::function<int()>& drawWhole);
 
   ///@{
   /// Draw what is to be drawn next of a prop, or once more what has been drawn of it, by calling

@@ -11,6 +11,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <optional>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -26,9 +27,17 @@ vtkNBufferLateDraws::vtkNBufferLateDraws(vtkNBufferCandidateList& props,
 
 int vtkNBufferLateDraws::Draw(vtkRenderer* renderer, int place, int round, double time)
 {
+  const auto drawWhole = [&]()
+  { return this->Proxy->Draw(this->Props.GetProp(place), renderer, time); };
+  const std::optional<bool> ties = this->Division.HasTies(place, drawWhole);
+  this->TieQueries += ties ? 1 : 0;
+  const std::size_t first = this->Drawn.size();
   this->Division.DescribeNext(place, round, this->Projection, this->Drawn);
-  return this->Division.Draw(
-    place, [&]() { return this->Proxy->Draw(this->Props.GetProp(place), renderer, time); });
+  for (std::size_t i = first; i < this->Drawn.size(); ++i)
+  {
+    this->Drawn[i].MayTie = ties.value_or(true);
+  }
+  return this->Division.Draw(place, drawWhole);
 }
 
 int vtkNBufferLateDraws::Repeat(vtkRenderer* renderer)

@@ -31,7 +31,11 @@ public:
     const vtkNBufferProjection& projection, vtkNBufferDeferredProxy* proxy);
 
   /// Begin a frame without draws.
-  void Clear() { this->Drawn.clear(); }
+  void Clear()
+  {
+    this->Drawn.clear();
+    this->TieQueries = 0;
+  }
 
   /// Draw the prop at index `place` of the list of candidates, with `time` seconds allocated to it.
   /// The first round is number 1. The props of one round must come in ascending order of their
@@ -57,6 +61,9 @@ public:
   /// Get the draws of this frame, in the order of drawing.
   const std::vector<vtkNBufferDrawnProp>& Get() const { return this->Drawn; }
 
+  /// Get the number of draws of this frame that only looked for equal depths.
+  int GetTieQueries() const { return this->TieQueries; }
+
 private:
   std::vector<vtkNBufferDrawnProp> GetAllDrawn(
     const std::vector<int>& heldBack, bool screensAreValid, vtkInformation* requiredKeys) const;
@@ -66,6 +73,7 @@ private:
   const vtkNBufferProjection& Projection;
   vtkNBufferDeferredProxy* Proxy;
   std::vector<vtkNBufferDrawnProp> Drawn;
+  int TieQueries = 0;
 };
 
 VTK_ABI_NAMESPACE_END

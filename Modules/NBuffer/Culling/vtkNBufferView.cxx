@@ -205,6 +205,7 @@ int vtkNBufferView::TestAndDraw(vtkRenderer* renderer)
   const vtkNBufferClock clock;
   this->Statistics.Redrawn += this->Draws.RestoreTieOrder(
     renderer, this->Partition.GetHeldBack(), true, this->Tested.Samples);
+  this->Statistics.TieQueries = this->Draws.GetTieQueries();
   this->Statistics.DrawTime += clock.GetMilliseconds();
   // When rendering is aborted mappers return early, so that depth and verdicts are not complete.
   if (tested && !renderer->GetRenderWindow()->GetAbortRender())

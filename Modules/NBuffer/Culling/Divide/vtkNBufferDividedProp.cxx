@@ -340,15 +340,26 @@ int vtkNBufferDividedProp::Draw(const std::function<int()>& drawWhole)
     return this->DrawAgain(drawWhole);
   }
   this->Settled = true;
-  const int drawn = this->DrawList(vtkNBufferDrawHook::Fresh, this->FreshUnits, drawWhole);
+  const int drawn = this->TryFresh(drawWhole);
   std::transform(this->FreshUnits.begin(), this->FreshUnits.end(), this->DrawnUnits.begin(),
     this->DrawnUnits.begin(), std::bit_or<unsigned char>());
   return drawn;
 }
 
+int vtkNBufferDividedProp::TryFresh(const std::function<int()>& drawWhole)
+{
+  return this->DrawList(vtkNBufferDrawHook::Fresh, this->FreshUnits, drawWhole);
+}
+
 int vtkNBufferDividedProp::DrawAgain(const std::function<int()>& drawWhole)
 {
   return this->DrawList(vtkNBufferDrawHook::Drawn, this->DrawnUnits, drawWhole);
+}
+
+bool vtkNBufferDividedProp::HasFewFresh() const
+{
+  return this->FreshIsNext &&
+    std::count(this->DrawnUnits.begin(), this->DrawnUnits.end(), 1) > this->Number.Fresh;
 }
 
 bool vtkNBufferDividedProp::IsDrawnInPart() const

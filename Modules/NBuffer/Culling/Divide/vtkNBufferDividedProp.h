@@ -102,6 +102,9 @@ public:
   /// Steps 2 and 4: draw what is to be drawn next, by calling `drawWhole`, which draws the actor.
   int Draw(const std::function<int()>& drawWhole);
 
+  /// Draw what step 4 draws, and take no note of it.
+  int TryFresh(const std::function<int()>& drawWhole);
+
   /// Draw the units that have been drawn in this frame once more, in the order of the mesh.
   int DrawAgain(const std::function<int()>& drawWhole);
 
@@ -121,6 +124,9 @@ public:
 
   /// Whether the next draw draws the fresh units.
   bool HasFresh() const { return this->FreshIsNext; }
+
+  /// Whether there are fewer fresh units than units that have been drawn in this frame.
+  bool HasFewFresh() const;
 
   /// Whether not all units in the view have been drawn, although something has.
   bool IsDrawnInPart() const;

@@ -191,7 +191,7 @@ std::vector<vtkNBufferRedraw> GetRedraws(
           AddRegion(redraw.Regions, inRegions && prop.KeepsScissor ? tie : all);
         }
       });
-    if (prop.Round > 0)
+    if (prop.Round > 0 && prop.MayTie)
     {
       late.Add({ i, prop.Round, all });
     }

@@ -51,6 +51,9 @@ struct vtkNBufferDrawnProp
   /// The round in which the prop was drawn, from 1 on; 0 if the renderer drew it, which is before
   /// all rounds. In a round the renderer's order is kept.
   int Round = 0;
+  /// Whether the prop, drawn in a round, may have had fragments with the depth of an earlier draw.
+  /// If not, no prop has to be drawn once more because of it.
+  bool MayTie = true;
   /// Whether Box and Screen are known. If not, the prop may tie with any other.
   bool Bounded = false;
   /// Whether the prop leaves the scissor alone, so that it can be drawn inside of rectangles.
