@@ -3,6 +3,7 @@
 #include "Walk.h"
 
 #include "Report.h"
+#include "VisibleUnits.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -123,9 +124,13 @@ private:
     {
       if (runner.Cullers.GetOracleCuller())
       {
-        runner.Given = runner.Cullers.GetName() == "oracle"
-          ? FindVisibleProps(this->Where, this->Path)
-          : FindPropsInView(this->Where, this->Path);
+        const bool isOracle = runner.Cullers.GetName() == "oracle";
+        runner.Given = isOracle ? FindVisibleProps(this->Where, this->Path)
+                                : FindPropsInView(this->Where, this->Path);
+        if (isOracle)
+        {
+          this->VisibleUnits = ReplaceByVisibleUnits(this->Where, this->Path, runner.Given);
+        }
       }
     }
     ShowProgress("uploading");
@@ -294,6 +299,7 @@ private:
   const CameraPath& Path;
   const WalkOptions& Options;
   std::vector<Runner> Runners;
+  std::vector<vtkSmartPointer<vtkActor>> VisibleUnits; ///< What the oracle draws of large props.
 };
 }
 

@@ -194,6 +194,16 @@ void vtkNBufferUnits::MakeBoxes(const Mesh& mesh)
   }
 }
 
+std::vector<std::size_t> vtkNBufferUnits::GetUnitsOfPrimitives(std::size_t size) const
+{
+  std::vector<std::size_t> units(size);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    units[this->AreSpatial() ? this->Order[i] : i] = i / this->UnitSize;
+  }
+  return units;
+}
+
 void vtkNBufferUnits::GetIndices(const std::vector<unsigned char>& drawn,
   const std::vector<unsigned int>& mesh, std::vector<unsigned int>& indices) const
 {

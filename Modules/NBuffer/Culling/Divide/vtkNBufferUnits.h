@@ -86,6 +86,9 @@ public:
   void GetIndices(const std::vector<unsigned char>& drawn, const std::vector<unsigned int>& mesh,
     std::vector<unsigned int>& indices) const;
 
+  /// Get the unit of each primitive of a mesh of `size` primitives.
+  std::vector<std::size_t> GetUnitsOfPrimitives(std::size_t size) const;
+
 private:
   void MakeBoxes(const Mesh& mesh);
 

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file VisibleUnits.h
+ * @brief The units of large props that own a pixel.
+ */
+#ifndef VisibleUnits_h
+#define VisibleUnits_h
+
+#include "Session.h"
+
+#include "vtkActor.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+namespace NBufferBench
+{
+
+/**
+ * Replaces each large prop in `visible`, the visible props of every pose, by an actor that draws
+ * exactly those of its units that own a pixel, with the units and the order of drawing of
+ * vtkNBufferCuller. Large are props that it divides by default. Returns the new actors, which the
+ * caller keeps alive. Each of them has been drawn once, so that its buffers are on the device.
+ *
+ * A hardware selection of cells finds which primitives own a pixel (without multisampling).
+ */
+std::vector<vtkSmartPointer<vtkActor>> ReplaceByVisibleUnits(Session& session,
+  const NBufferExamples::CameraPath& path, std::vector<std::vector<vtkProp*>>& visible);
+
+} // namespace NBufferBench
+
+#endif
