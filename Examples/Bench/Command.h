@@ -49,9 +49,10 @@ struct ViewOptions
   std::string Backend = "auto"; ///< The back-end of vtkNBufferCuller: auto, opengl or cpu.
 
   /// The possible values of --scene, for the help.
-  std::string SceneHelp = "city, plant, isosurface, points-wall (synthetic), a folder of "
-                          ".kicad_pcb (with :actors behind: all "
-                          "actors of VTK's importer), or a file of " +
+  std::string SceneHelp =
+    "city, plant, isosurface, terrain, points-wall, points-terrain (synthetic), a folder of "
+    ".kicad_pcb (with :actors behind: all "
+    "actors of VTK's importer), or a file of " +
     NBufferExamples::ListEndings(" ") + ", or several of " + NBufferExamples::ListPartEndings(" ") +
     "; each also as .gz";
 

@@ -69,6 +69,39 @@ vtkSmartPointer<vtkPolyData> MakeGyroid()
   return contour->GetOutput();
 }
 
+/// The height of hilly ground that is 8 wide.
+double GetHeight(double x, double y)
+{
+  return 0.25 * std::sin(2.1 * x + 0.4) * std::cos(1.7 * y) +
+    0.08 * std::sin(5.3 * x - 1.0) * std::sin(4.9 * y + 0.7) + 0.02 * std::cos(17.0 * x + 11.0 * y);
+}
+
+/// Half a million triangles, row by row.
+vtkSmartPointer<vtkPolyData> MakeGround()
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-4.0, -4.0, 0.0);
+  plane->SetPoint1(4.0, -4.0, 0.0);
+  plane->SetPoint2(-4.0, 4.0, 0.0);
+  plane->SetResolution(500, 500);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(plane->GetOutputPort());
+  triangles->Update();
+  vtkPolyData* flat = triangles->GetOutput();
+  vtkNew<vtkPoints> points;
+  points->SetNumberOfPoints(flat->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    glm::dvec3 point;
+    flat->GetPoint(i, glm::value_ptr(point));
+    points->SetPoint(i, point.x, point.y, GetHeight(point.x, point.y));
+  }
+  auto ground = vtkSmartPointer<vtkPolyData>::New();
+  ground->SetPoints(points);
+  ground->SetPolys(flat->GetPolys());
+  return ground;
+}
+
 CameraPose Look(const glm::dvec3& eye, const glm::dvec3& target, double viewAngle)
 {
   CameraPose pose;
@@ -150,6 +183,50 @@ Scene MakePointsBehindWall()
       for (int i = 0; i < frames; ++i)
       {
         path.push_back(Look({ -0.5 + 0.01 * i, -6.0, 0.2 }, { 0.0, 0.0, 0.0 }, 30.0));
+      }
+      return path;
+    } } };
+  return scene;
+}
+
+Scene MakeTerrain(bool withPoints)
+{
+  Scene scene;
+  scene.Name = withPoints ? "points-terrain" : "terrain";
+  scene.Actors = { MakeActor(MakeGround(), { 0.45, 0.6, 0.3 }) };
+  if (withPoints)
+  {
+    constexpr int count = 1000000;
+    std::minstd_rand random(2);
+    std::uniform_real_distribution<> uniform(-4.0, 4.0);
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> vertices;
+    points->SetNumberOfPoints(count);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      const double x = uniform(random);
+      const double y = uniform(random);
+      points->SetPoint(i, x, y, GetHeight(x, y) + 0.01);
+      vertices->InsertNextCell({ i });
+    }
+    vtkNew<vtkPolyData> cloud;
+    cloud->SetPoints(points);
+    cloud->SetVerts(vertices);
+    scene.Actors.push_back(MakeActor(cloud, { 0.9, 0.5, 0.2 }));
+    scene.Actors[1]->GetProperty()->SetPointSize(2.0F);
+  }
+  scene.Paths = { { "eye-height",
+    [](int frames, std::uint64_t)
+    {
+      CameraPath path;
+      for (int i = 0; i < frames; ++i)
+      {
+        const double x = -2.5 + 0.02 * i;
+        const double y = 0.3 * std::sin(0.05 * i);
+        const glm::dvec3 eye(x, y, GetHeight(x, y) + 0.06);
+        path.push_back(Look(eye, eye + glm::dvec3(1.0, 0.4 * std::sin(0.03 * i), -0.03), 50.0));
+        path.back().Near = 0.01;
+        path.back().Far = 12.0;
       }
       return path;
     } } };

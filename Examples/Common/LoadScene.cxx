@@ -74,6 +74,10 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   {
     scene = MakeIsosurface();
   }
+  else if (name == "terrain" || name == "points-terrain")
+  {
+    scene = MakeTerrain(name == "points-terrain");
+  }
   else if (name == "points-wall")
   {
     scene = MakePointsBehindWall();
@@ -88,8 +92,9 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   }
   else if (!fs::exists(name))
   {
-    throw std::runtime_error(
-      "there is no file " + name + "; the scenes without a file are city, plant, isosurface and points-wall");
+    throw std::runtime_error("there is no file " + name +
+      "; the scenes without a file are city, plant, isosurface, terrain, points-wall and "
+      "points-terrain");
   }
   else if (IsCityFile(name))
   {

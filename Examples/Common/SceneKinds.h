@@ -32,6 +32,7 @@ Scene MakeIsosurface();
 
 /// Makes a million points, in no order, behind a wall that hides all of them.
 Scene MakePointsBehindWall();
+Scene MakeTerrain(bool withPoints);
 
 /// Returns whether a name ends with .bsp or .bsp.gz, or with one of these and ":faces" or
 /// ":clusters".

@@ -335,6 +335,39 @@ void BuildSlits(Writer& writer)
   AddViewsFromFront(writer, width);
 }
 
+/// Meshes that are drawn unit by unit, of quads with equal depths, behind doors that move: units
+/// come into view late and must not win over those that come later in their mesh.
+void BuildScraps(Writer& writer)
+{
+  const double width = 10.0;
+  writer.Scene.Culler.MinimumNumberOfPrimitives = 2;
+  const int meshes = writer.Integer(1, 3);
+  for (int i = 0; i < meshes; ++i)
+  {
+    const double z = writer.Any({ 0.0, -1.0, -1.0, writer.Between(-3.0, 0.0) });
+    Prop& mesh =
+      writer.Add(ShapeKind::Scraps, { writer.Between(-1.0, 1.0), writer.Between(-1.0, 1.0), z },
+        { writer.Between(5.0, 9.0), writer.Between(5.0, 9.0), writer.Any({ 0.0, 1.0, 2.0 }) });
+    mesh.Shape.Detail = writer.Integer(10, 64);
+    mesh.Shape.Seed = writer.Integer(0, 1000);
+  }
+  const int doors = writer.Integer(1, 3);
+  for (int i = 0; i < doors; ++i)
+  {
+    const int door = writer
+                       .Box({ writer.Between(-3.0, 3.0), writer.Between(-2.0, 2.0), 2.0 + i },
+                         { writer.Between(2.0, 5.0), writer.Between(3.0, 8.0), 0.2 })
+                       .Id;
+    writer.Occluders.push_back(door);
+    for (int frame = 1; frame < writer.Scene.Frames; ++frame)
+    {
+      writer.AddChange(frame, ChangeKind::Position, door,
+        { writer.Between(-4.0, 4.0), writer.Between(-2.0, 2.0), 0.0 });
+    }
+  }
+  AddViewsFromFront(writer, width);
+}
+
 /// Many props smaller than a pixel, lines and points of some pixels among them.
 void BuildSpecks(Writer& writer)
 {
@@ -510,7 +543,8 @@ const std::vector<NamedFamily>& GetFamilies()
   static const std::vector<NamedFamily> families = { { "wall", 3.0, BuildWall },
     { "peeking", 3.0, BuildPeeking }, { "coplanar", 2.0, BuildCoplanar },
     { "decals", 2.0, BuildDecals }, { "slits", 2.0, BuildSlits }, { "specks", 1.0, BuildSpecks },
-    { "near", 2.0, BuildNear }, { "city", 1.5, BuildCity }, { "long", 1.0, BuildLong } };
+    { "scraps", 2.0, BuildScraps }, { "near", 2.0, BuildNear }, { "city", 1.5, BuildCity },
+    { "long", 1.0, BuildLong } };
   return families;
 }
 }

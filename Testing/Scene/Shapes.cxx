@@ -245,6 +245,25 @@ void AddTiles(Builder& builder, int detail)
   }
 }
 
+void AddScraps(Builder& builder, int detail, NBufferExamples::Random& random)
+{
+  for (int i = 0; i < detail; ++i)
+  {
+    const double width = random.Between(0.03, 0.3);
+    const double height = random.Between(0.03, 0.3);
+    const double x = random.Between(-0.5, 0.5 - width);
+    const double y = random.Between(-0.5, 0.5 - height);
+    const double z = 0.5 * static_cast<double>(random.Index(3)) - 0.5;
+    const glm::dvec3 normal =
+      glm::normalize(glm::dvec3(random.Between(-1.0, 1.0), random.Between(-1.0, 1.0), 0.5));
+    const vtkIdType first = builder.Point(x, y, z, normal);
+    builder.Point(x + width, y, z, normal);
+    builder.Point(x + width, y + height, z, normal);
+    builder.Point(x, y + height, z, normal);
+    builder.Polygon({ first, first + 1, first + 2, first + 3 });
+  }
+}
+
 /// What refers to a point that is not there is left out.
 void AddMesh(Builder& builder, const Shape& shape)
 {
@@ -392,6 +411,9 @@ void AddCells(Builder& builder, const Shape& shape, int detail)
       break;
     case ShapeKind::Tiles:
       AddTiles(builder, detail);
+      break;
+    case ShapeKind::Scraps:
+      AddScraps(builder, detail, random);
       break;
     case ShapeKind::Mesh:
       AddMesh(builder, shape);

@@ -19,7 +19,8 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// Drawn units are tested in turns of this many frames, in groups of vtkNBufferUnits::Fanout.
+/// Drawn units are compared with the levels in each frame, and with pixels in one of this many, in
+/// groups of vtkNBufferUnits::Fanout.
 constexpr std::size_t Turns = 8;
 
 /// A view is new if fewer than one in this many units of the frustum are known to be visible. Then
@@ -237,8 +238,7 @@ void vtkNBufferDividedProp::FindOpen()
 {
   for (std::size_t i = 0; i < this->Units.GetSize(); ++i)
   {
-    const bool isDue = i / vtkNBufferUnits::Fanout % Turns == this->Turn;
-    this->Open[0][i] = !(this->Marks[i] & Outside) && (!this->DrawnUnits[i] || isDue);
+    this->Open[0][i] = !(this->Marks[i] & Outside);
   }
   for (std::size_t level = 1; level < this->Open.size(); ++level)
   {
@@ -282,7 +282,8 @@ void vtkNBufferDividedProp::TestNode(std::size_t level, std::size_t n, Tests& te
   vtkNBufferScreenBox screen;
   const bool isInside = tests.Projection.Project(box, screen) == vtkNBufferPlacement::Inside;
   bool isHidden = isInside && tests.Levels.IsHidden(screen);
-  if (level == 0 && isInside && !isHidden && !this->DrawnUnits[n] && tests.Pixels)
+  const bool isDue = n / vtkNBufferUnits::Fanout % Turns == this->Turn;
+  if (level == 0 && isInside && !isHidden && tests.Pixels && (!this->DrawnUnits[n] || isDue))
   {
     isHidden = tests.Pixels->IsHidden(box, screen);
   }

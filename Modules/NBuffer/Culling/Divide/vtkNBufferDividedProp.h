@@ -21,8 +21,9 @@
  *  1. FindKept() tests the frustum. The units that the last test found visible are to be drawn
  *     first. In a new view, of which the last test says little, these are the nearest units.
  *  2. The first draw draws these.
- *  3. Test() compares the other units with the levels. Units that were drawn already are tested in
- *     turns, an eighth of them in each frame, so that the next frame need not draw hidden ones.
+ *  3. Test() compares the other units with the levels. Units that were drawn already are tested as
+ *     well, so that the next frame need not draw hidden ones; an eighth of them in each frame also
+ *     with pixels.
  *  4. The second draw draws the units that the test found visible, the fresh ones.
  *
  * A prop that is held back is tested before its first draw; then all units take steps 3 and 4.
@@ -177,7 +178,7 @@ private:
   std::vector<unsigned char> FreshUnits;        ///< Whether it is to be drawn next.
   std::vector<std::vector<unsigned char>> Open; ///< Nodes with units to be tested.
   Counts Number;
-  unsigned int Turn = 0; ///< Which of the drawn units are tested.
+  unsigned int Turn = 0; ///< Which of the drawn units are compared with pixels.
   bool IsDrawn = false;
   bool FreshIsNext = false;
   bool Settled = false;
