@@ -9,97 +9,11 @@
 
 namespace TestScene
 {
-Prop& Writer::Add(ShapeKind kind, const glm::dvec3& center, const glm::dvec3& size)
-{
-  Prop prop;
-  prop.Id = static_cast<int>(this->Scene.Props.size());
-  prop.Shape.Kind = kind;
-  prop.Shape.Center = center;
-  prop.Shape.Size = size;
-  prop.Shape.Detail = this->Integer(1, 12);
-  prop.Shape.Seed = this->Integer(0, 999);
-  for (int i = 0; i < 3; ++i)
-  {
-    prop.Color[i] = this->Between(0.2, 1.0);
-  }
-  this->Scene.Props.push_back(prop);
-  return this->Scene.Props.back();
-}
-
-void Writer::AddChange(int frame, ChangeKind kind, int target, std::vector<double> values)
-{
-  this->Scene.Changes.push_back({ frame, kind, target, std::move(values) });
-}
-
-View& Writer::AddView(int frame)
-{
-  View view = this->Scene.Views.empty() ? View() : this->Scene.Views.back();
-  view.Frame = frame;
-  this->Scene.Views.push_back(view);
-  return this->Scene.Views.back();
-}
-
 namespace
 {
-constexpr double Distance = 20.0; // of the camera from the plane z = 0
-
 int GetProps(Writer& writer)
 {
   return writer.Integer(24, writer.Chance(0.1) ? 150 : 60);
-}
-
-/// The camera walks, cuts, jumps back and forth or stays, before the plane z = 0.
-void AddViewsFromFront(Writer& writer, double width)
-{
-  View first;
-  first.ViewAngle = writer.Any({ 30.0, 30.0, 45.0, 60.0, 90.0 });
-  first.Parallel = writer.Chance(0.25);
-  first.ParallelScale = 0.5 * width;
-  const double distance = writer.Chance(0.7)
-    ? 0.5 * width / std::tan(vtkMath::RadiansFromDegrees(0.5 * first.ViewAngle))
-    : Distance;
-  first.Position = { 0.0, 0.0, distance };
-  writer.Scale = width;
-  writer.Scene.Views.push_back(first);
-  const int style = writer.Integer(0, 4);
-  const glm::dvec3 other = { writer.Between(-0.7, 0.7) * width, writer.Between(-0.5, 0.5) * width,
-    writer.Chance(0.8) ? distance : -distance };
-  for (int frame = 1; frame < writer.Scene.Frames; ++frame)
-  {
-    switch (style)
-    {
-      case 0: // still
-        break;
-      case 1: // a walk
-      {
-        View& view = writer.AddView(frame);
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          view.Position[axis] += writer.Between(-0.02, 0.02) * width;
-        }
-        break;
-      }
-      case 2: // back and forth
-        writer.AddView(frame).Position = frame % 2 ? other : first.Position;
-        break;
-      case 3: // cuts
-      {
-        View& view = writer.AddView(frame);
-        view.Position = { writer.Between(-0.8, 0.8) * width, writer.Between(-0.5, 0.5) * width,
-          writer.Between(0.3, 1.2) * distance };
-        view.FocalPoint = { writer.Between(-0.2, 0.2) * width, 0.0, 0.0 };
-        break;
-      }
-      default: // still in between
-        if (writer.Chance(0.5))
-        {
-          View& view = writer.AddView(frame);
-          view.Position[0] += writer.Between(-0.1, 0.1) * width;
-          view.FocalPoint[0] = writer.Between(0.0, 1.0) < 0.5 ? 0.0 : view.Position[0];
-        }
-        break;
-    }
-  }
 }
 
 //------------------------------------------------------------------------------------------------
@@ -128,7 +42,7 @@ void BuildWall(Writer& writer)
                                       ShapeKind::Terrain, ShapeKind::Soup, ShapeKind::Lines }),
       center, { size, size * writer.Between(0.3, 2.0), size * writer.Between(0.1, 1.5) });
   }
-  AddViewsFromFront(writer, width);
+  writer.AddViewsFromFront(width);
 }
 
 /// An occluder whose borders lie at chosen places between pixels, and small boxes behind it that
@@ -242,14 +156,14 @@ void BuildCoplanar(Writer& writer)
       writer.Box({ writer.Between(-2.0, 2.0), 0.0, 3.0 }, { writer.Between(2.0, 6.0), 8.0, 0.2 });
     writer.Occluders.push_back(door.Id);
   }
-  AddViewsFromFront(writer, width);
+  writer.AddViewsFromFront(width);
   if (axis == 0)
   {
     // Askew: equal planes, but depths that are rounded along slopes.
     for (View& view : writer.Scene.Views)
     {
-      view.Position[0] += 0.9 * Distance;
-      view.Position[1] += 0.3 * Distance;
+      view.Position[0] += 0.9 * Writer::Distance;
+      view.Position[1] += 0.3 * Writer::Distance;
     }
   }
 }
@@ -293,7 +207,7 @@ void BuildDecals(Writer& writer)
   {
     writer.Occluders.push_back(writer.Box({ 0.0, 0.0, 5.0 }, { 6.0, 8.0, 0.2 }).Id);
   }
-  AddViewsFromFront(writer, 10.0);
+  writer.AddViewsFromFront(10.0);
   for (View& view : writer.Scene.Views)
   {
     // Straight on.
@@ -332,7 +246,7 @@ void BuildSlits(Writer& writer)
       { writer.Between(-5.0, 5.0), writer.Between(-4.0, 4.0), writer.Between(-5.0, -0.5) },
       { size, size, writer.Between(0.05, 0.5) });
   }
-  AddViewsFromFront(writer, width);
+  writer.AddViewsFromFront(width);
 }
 
 /// Meshes that are drawn unit by unit, of quads with equal depths, behind doors that move: units
@@ -365,7 +279,7 @@ void BuildScraps(Writer& writer)
         { writer.Between(-4.0, 4.0), writer.Between(-2.0, 2.0), 0.0 });
     }
   }
-  AddViewsFromFront(writer, width);
+  writer.AddViewsFromFront(width);
 }
 
 /// Many props smaller than a pixel, lines and points of some pixels among them.
@@ -395,7 +309,7 @@ void BuildSpecks(Writer& writer)
       prop.LineWidth = prop.PointSize = writer.Any({ 1.0, 2.0, 5.0, 9.0 });
     }
   }
-  AddViewsFromFront(writer, width);
+  writer.AddViewsFromFront(width);
 }
 
 /// The eye among boxes, some of which it is inside of; a floor under it, explicit near planes.
