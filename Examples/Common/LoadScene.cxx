@@ -78,6 +78,10 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   {
     scene = MakePointsBehindWall();
   }
+  else if (name == "glyph-wall" || name == "glyph-cloud" || name == "glyph-open")
+  {
+    scene = MakeGlyphs(name);
+  }
   else if (IsKicadName(name))
   {
     scene = LoadKicad(name, options.Progress);
@@ -88,8 +92,9 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   }
   else if (!fs::exists(name))
   {
-    throw std::runtime_error(
-      "there is no file " + name + "; the scenes without a file are city, plant, isosurface and points-wall");
+    throw std::runtime_error("there is no file " + name +
+      "; the scenes without a file are city, plant, isosurface, points-wall, glyph-wall, "
+      "glyph-cloud and glyph-open");
   }
   else if (IsCityFile(name))
   {
