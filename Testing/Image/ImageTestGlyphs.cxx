@@ -154,7 +154,7 @@ void Walk(vtkRenderer* renderer, int frame)
   vtkCamera* camera = renderer->GetActiveCamera();
   const double t = 0.3 * frame;
   camera->SetPosition(
-    frame < 8 ? -40.0 + 3.0 * frame : 0.0, frame < 8 ? 2.0 : -50.0, frame < 8 ? 1.7 : 30.0);
+    frame < 8 ? -40.0 + 3.0 * frame : 0.13, frame < 8 ? 2.0 : -50.0, frame < 8 ? 1.7 : 30.0);
   camera->SetFocalPoint(20.0 * std::cos(t), 20.0 * std::sin(t), 1.0);
   camera->SetViewUp(0.0, 0.0, 1.0);
   camera->SetClippingRange(0.05, 200.0);
@@ -398,8 +398,7 @@ const Change Changes[] = {
       other->SetMapper(stage.GetActor(0)->GetMapper());
       other->SetPosition(3.0, 0.0, 1.0);
       other->GetProperty()->SetColor(1.0, 0.0, 0.0);
-    },
-    false },
+    } },
   { "Window", [](Stage& stage) { stage.Window->SetSize(211, 307); } },
 };
 }
