@@ -5,8 +5,10 @@
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
+#include "vtkCubeSource.h"
 #include "vtkFloatArray.h"
 #include "vtkFlyingEdges3D.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMatrixToLinearTransform.h"
@@ -227,6 +229,73 @@ Scene MakeTerrain(bool withPoints)
         path.push_back(Look(eye, eye + glm::dvec3(1.0, 0.4 * std::sin(0.03 * i), -0.03), 50.0));
         path.back().Near = 0.01;
         path.back().Far = 12.0;
+      }
+      return path;
+    } } };
+  return scene;
+}
+
+Scene MakeGlyphs(const std::string& name)
+{
+  constexpr int count = 200000;
+  const bool isLayer = name == "glyph-open";
+  std::minstd_rand random(1);
+  std::uniform_real_distribution<> uniform(-1.0, 1.0);
+  vtkNew<vtkPoints> points;
+  points->SetNumberOfPoints(count);
+  constexpr int columns = 500;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (isLayer)
+    {
+      points->SetPoint(i, 0.004 * static_cast<double>(i % columns) - 1.0,
+        0.004 * static_cast<double>(i / columns) - 0.8, 0.0);
+    }
+    else
+    {
+      points->SetPoint(i, uniform(random), uniform(random), uniform(random));
+    }
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  const double length = isLayer ? 0.003 : 0.02;
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(length);
+  cube->SetYLength(length);
+  cube->SetZLength(length);
+  cube->Update();
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetSourceData(cube->GetOutput());
+  mapper->ScalingOff();
+  mapper->OrientOff();
+  mapper->ScalarVisibilityOff();
+  mapper->SetStatic(true);
+  auto glyphs = vtkSmartPointer<vtkActor>::New();
+  glyphs->SetMapper(mapper);
+  glyphs->GetProperty()->SetColor(0.9, 0.5, 0.2);
+
+  Scene scene;
+  scene.Name = name;
+  if (name == "glyph-wall")
+  {
+    vtkNew<vtkPlaneSource> wall;
+    wall->SetOrigin(-3.0, -2.0, -3.0);
+    wall->SetPoint1(3.0, -2.0, -3.0);
+    wall->SetPoint2(-3.0, -2.0, 3.0);
+    wall->Update();
+    scene.Actors = { MakeActor(wall->GetOutput(), { 0.6, 0.6, 0.6 }) };
+  }
+  scene.Actors.push_back(glyphs);
+  scene.Paths = { { "past",
+    [isLayer](int frames, std::uint64_t)
+    {
+      CameraPath path;
+      for (int i = 0; i < frames; ++i)
+      {
+        const double x = -0.5 + 0.01 * i;
+        path.push_back(isLayer ? Look({ 0.1 * x, -0.01, 5.0 }, { 0.1 * x, 0.0, 0.0 }, 30.0)
+                               : Look({ x, -6.0, 0.2 }, { 0.0, 0.0, 0.0 }, 30.0));
       }
       return path;
     } } };

@@ -82,6 +82,10 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   {
     scene = MakePointsBehindWall();
   }
+  else if (name == "glyph-wall" || name == "glyph-cloud" || name == "glyph-open")
+  {
+    scene = MakeGlyphs(name);
+  }
   else if (IsKicadName(name))
   {
     scene = LoadKicad(name, options.Progress);
@@ -93,8 +97,8 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   else if (!fs::exists(name))
   {
     throw std::runtime_error("there is no file " + name +
-      "; the scenes without a file are city, plant, isosurface, terrain, points-wall and "
-      "points-terrain");
+      "; the scenes without a file are city, plant, isosurface, terrain, points-wall, "
+      "points-terrain, glyph-wall, glyph-cloud and glyph-open");
   }
   else if (IsCityFile(name))
   {

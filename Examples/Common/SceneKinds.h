@@ -34,6 +34,13 @@ Scene MakeIsosurface();
 Scene MakePointsBehindWall();
 Scene MakeTerrain(bool withPoints);
 
+/**
+ * Makes 200,000 cubes, instances of one vtkGlyph3DMapper: "glyph-wall" behind a wall that hides
+ * almost all of them, "glyph-cloud" as a dense cloud, or "glyph-open" as a layer seen from above,
+ * of which nothing is hidden.
+ */
+Scene MakeGlyphs(const std::string& name);
+
 /// Returns whether a name ends with .bsp or .bsp.gz, or with one of these and ":faces" or
 /// ":clusters".
 bool IsBspName(const std::string& name);

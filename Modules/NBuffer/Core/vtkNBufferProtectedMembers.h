@@ -13,6 +13,8 @@
 
 #include "vtkMapper.h"
 #include "vtkObject.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLGlyph3DHelper.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -21,6 +23,8 @@
 #include "vtkTimeStamp.h"
 
 #include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
+
+#include <optional>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkScalarsToColors;
@@ -95,6 +99,35 @@ inline std::size_t GetNumberOfVertices(vtkOpenGLPolyDataMapper* mapper)
     }
   };
   return static_cast<std::size_t>(Access::Get(mapper)->GetNumberOfTuples("vertexMC"));
+}
+
+/// What the mapper of the instances of a vtkGlyph3DMapper has uploaded for them.
+struct InstanceBuffers
+{
+  vtkOpenGLBufferObject* Matrices;
+  vtkOpenGLBufferObject* NormalMatrices;
+  vtkOpenGLBufferObject* Colors;
+  vtkMTimeType BuildTime; ///< When they were uploaded.
+  vtkMTimeType LoadTime;  ///< When they were attached to the vertex array.
+};
+
+/// The buffers of instances, or nothing if the instances are drawn one by one.
+inline std::optional<InstanceBuffers> GetInstanceBuffers(vtkOpenGLGlyph3DHelper* mapper)
+{
+  struct Access : vtkOpenGLGlyph3DHelper
+  {
+    static std::optional<InstanceBuffers> Get(vtkOpenGLGlyph3DHelper* mapper)
+    {
+      if (!(mapper->*&Access::UsingInstancing))
+      {
+        return std::nullopt;
+      }
+      return InstanceBuffers{ mapper->*&Access::MatrixBuffer, mapper->*&Access::NormalMatrixBuffer,
+        mapper->*&Access::ColorBuffer, (mapper->*&Access::InstanceBuffersBuildTime).GetMTime(),
+        (mapper->*&Access::InstanceBuffersLoadTime).GetMTime() };
+    }
+  };
+  return Access::Get(mapper);
 }
 
 /// The lookup table of a mapper, or nullptr. vtkMapper::GetLookupTable() would create one.

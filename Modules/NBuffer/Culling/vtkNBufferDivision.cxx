@@ -23,6 +23,10 @@ VTK_ABI_NAMESPACE_BEGIN
 bool vtkNBufferDivision::IsLarge(vtkProp* prop, int minimum)
 {
   vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(prop);
+  if (actor && vtkNBufferInstanceStream::MayBeDivided(actor))
+  {
+    return vtkNBufferInstanceStream::CountTriangles(actor) >= minimum;
+  }
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
   if (!mapper || !vtkNBufferKnownClasses::HaveKnownTimes(actor) ||
     mapper->GetNumberOfInputConnections(0) == 0)
@@ -40,12 +44,28 @@ vtkNBufferDivision::Entry* vtkNBufferDivision::Find(int place)
   return found != this->Entries.end() && found->Place == place ? &*found : nullptr;
 }
 
+bool vtkNBufferDivision::MayDivide(int place) const
+{
+  const vtkNBufferCandidate& candidate = this->Props.GetCandidate(place);
+  if (candidate.GetVerdict() != vtkNBufferVerdict::NotAPlainMapper)
+  {
+    return candidate.IsCandidate();
+  }
+  vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(candidate.GetProp());
+  return actor && !candidate.GetSharesState() && vtkNBufferInstanceStream::MayBeDivided(actor);
+}
+
+bool vtkNBufferDivision::IsDrawnByUnits(int place)
+{
+  const Entry* entry = this->Find(place);
+  return entry && entry->IsActive;
+}
+
 void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
 {
   for (const int i : places)
   {
-    if (this->Props.GetCandidate(i).IsCandidate() && !this->Find(i) &&
-      IsLarge(this->Props.GetProp(i), this->Minimum))
+    if (!this->Find(i) && this->MayDivide(i) && IsLarge(this->Props.GetProp(i), this->Minimum))
     {
       Entry entry;
       entry.Place = i;
@@ -91,9 +111,8 @@ void vtkNBufferDivision::Update(vtkOpenGLRenderWindow* window, const vtkNBufferS
     std::iota(changed.begin(), changed.end(), 0);
   }
   // A prop that has become translucent, or is drawn in another way that cannot be tested.
-  this->Entries.erase(
-    std::remove_if(this->Entries.begin(), this->Entries.end(),
-      [this](const Entry& entry) { return !this->Props.GetCandidate(entry.Place).IsCandidate(); }),
+  this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
+                        [this](const Entry& entry) { return !this->MayDivide(entry.Place); }),
     this->Entries.end());
   this->FindLarge(changed);
   const vtkNBufferDividedProp::Settings making = { window,
@@ -101,7 +120,11 @@ void vtkNBufferDivision::Update(vtkOpenGLRenderWindow* window, const vtkNBufferS
     settings.DivideInBackground };
   for (Entry& entry : this->Entries)
   {
-    const bool hasChanged = std::binary_search(changed.begin(), changed.end(), entry.Place);
+    const bool isPlain = this->Props.GetCandidate(entry.Place).IsCandidate();
+    const vtkMTimeType time =
+      isPlain ? 0 : vtkNBufferInstanceStream::GetTime(entry.Prop->GetActor());
+    const bool hasChanged = std::exchange(entry.InstanceTime, time) != time ||
+      std::binary_search(changed.begin(), changed.end(), entry.Place);
     entry.Prop->BeginFrame(hasChanged, making);
     entry.IsActive = entry.IsActive && !hasChanged;
   }
@@ -123,7 +146,9 @@ void vtkNBufferDivision::Classify(
   {
     const vtkNBufferState& state = this->Props.GetState(entry.Place);
     entry.IsHeldBack = state.Verdict == vtkNBufferVerdict::Untested && !state.WasVisible;
+    // A prop of instances is no candidate. It keeps its place, and only its units are tested.
     const bool isKept = state.Verdict == vtkNBufferVerdict::NearPlane ||
+      state.Verdict == vtkNBufferVerdict::NotAPlainMapper ||
       (state.Verdict == vtkNBufferVerdict::Untested && state.WasVisible);
     entry.IsActive = (entry.IsHeldBack || isKept) && entry.Prop->IsReady() &&
       !(settings.BackOff && entry.BackOff.CountPausedFrame());
@@ -155,7 +180,8 @@ void vtkNBufferDivision::MarkOutside()
   for (Entry& entry : this->Entries)
   {
     const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
-    if (entry.IsActive && !entry.IsHeldBack && units.Units == units.Outside)
+    if (entry.IsActive && !entry.IsHeldBack && units.Units == units.Outside &&
+      !entry.Prop->IsInstanced())
     {
       entry.IsActive = false;
       this->Props.GetState(entry.Place).Verdict = vtkNBufferVerdict::Outside;
@@ -298,6 +324,19 @@ void vtkNBufferDivision::DescribeNext(int place, int round, const vtkNBufferProj
     }
     // Some ten operations are rounded on numbers that are at most as large as this.
     part.Box.HalfSize += largest * 0x1p-48;
+    if (entry->Prop->IsInstanced())
+    {
+      // The box of the prop itself is an estimate of VTK.
+      const vtkNBufferBox box = entry->Prop->MakeBox(group);
+      part.KeepsScissor = true;
+      part.Box.Margin = box.Margin;
+      part.Box.Origin = glm::dvec3(toWorld[3]);
+      part.Box.Magnitude = glm::dvec3(0.0);
+      for (int k = 0; k < 3; ++k)
+      {
+        part.Box.Magnitude += vtkNBufferGLM::Abs(glm::dvec3(toWorld[k])) * box.Magnitude[k];
+      }
+    }
     part.Bounded = projection.Project(part.Box, part.Screen) == vtkNBufferPlacement::Inside;
     drawn.push_back(part);
   }

@@ -42,7 +42,8 @@ public:
   {
   }
 
-  /// Whether a prop is a plain actor with a surface of at least `minimum` cells.
+  /// Whether a prop is a plain actor with a surface of at least `minimum` cells, or with instances
+  /// that have as many triangles.
   static bool IsLarge(vtkProp* prop, int minimum);
 
   /// Begin a frame, after the candidates have been brought up to date.
@@ -98,6 +99,9 @@ public:
   int DrawAgain(int place, const std::function<int()>& drawWhole);
   ///@}
 
+  /// Whether only some units of a prop are drawn in this frame.
+  bool IsDrawnByUnits(int place);
+
   /// Describe for vtkNBufferTieOrder what the next Draw() of a prop draws.
   void DescribeNext(int place, int round, const vtkNBufferProjection& projection,
     std::vector<vtkNBufferDrawnProp>& drawn);
@@ -115,11 +119,13 @@ private:
     std::unique_ptr<vtkNBufferDividedProp> Prop;
     vtkNBufferProjection Projection; ///< From the coordinates of the mesh.
     vtkNBufferBackOff BackOff;
-    bool IsActive = false; ///< It is drawn unit by unit.
+    vtkMTimeType InstanceTime = 0; ///< That of the instances of a prop that is no candidate.
+    bool IsActive = false;         ///< It is drawn unit by unit.
     bool IsHeldBack = false;
   };
 
   Entry* Find(int place);
+  bool MayDivide(int place) const;
   void FindLarge(const std::vector<int>& places);
   vtkNBufferCandidateList& Props;
   std::vector<Entry> Entries; ///< In the order of their places.

@@ -71,6 +71,8 @@ std::vector<vtkNBufferDrawnProp> vtkNBufferLateDraws::GetAllDrawn(
       this->Props.GetProp(i)->HasKeys(requiredKeys) && this->Props.GetCandidate(i).WritesDepth())
     {
       all.push_back(this->Props.GetDrawn(i, 0));
+      // Units are triangles or points, also those of a prop that is no candidate.
+      all.back().KeepsScissor = all.back().KeepsScissor || this->Division.IsDrawnByUnits(i);
     }
   }
   for (vtkNBufferDrawnProp& drawn : all)

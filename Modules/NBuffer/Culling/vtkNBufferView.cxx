@@ -381,7 +381,8 @@ int vtkNBufferView::DrawRound(vtkRenderer* renderer, std::vector<int> props, int
   {
     vtkNBufferState& state = this->Props.GetState(i);
     if (state.Verdict == vtkNBufferVerdict::Visible ||
-      state.Verdict == vtkNBufferVerdict::NearPlane)
+      state.Verdict == vtkNBufferVerdict::NearPlane ||
+      state.Verdict == vtkNBufferVerdict::NotAPlainMapper)
     {
       ++this->Statistics.FreshDraws; // Some of its units have been drawn before.
     }

@@ -90,6 +90,11 @@ void vtkNBufferDividedProp::BeginFrame(bool changed, const Settings& settings)
   }
 }
 
+bool vtkNBufferDividedProp::IsInstanced() const
+{
+  return this->Hook->GetSource().InstanceTime > 0;
+}
+
 bool vtkNBufferDividedProp::HasSameData() const
 {
   const vtkNBufferDrawHook::Source& source = this->Hook->GetSource();
@@ -102,6 +107,13 @@ bool vtkNBufferDividedProp::HasSameData() const
 
 void vtkNBufferDividedProp::ReadRounding()
 {
+  if (this->IsInstanced())
+  {
+    this->Origin = glm::dvec3(0.0);
+    this->Magnitude = this->Hook->GetInstances().GetMagnitude();
+    this->Margin = 0.0;
+    return;
+  }
   const auto buffer = vtkNBufferSurface::GetBufferCoordinates(this->Actor->GetMapper());
   if (!buffer)
   {
@@ -122,9 +134,12 @@ void vtkNBufferDividedProp::Build(const Settings& settings)
   }
   this->State = Phase::Building;
   this->Mesh = this->Hook->TakeMesh();
+  const std::size_t size = this->IsInstanced()
+    ? vtkNBufferInstanceStream::GetUnitSize(this->Hook->GetSource().IndexCount, settings.UnitSize)
+    : settings.UnitSize;
   // The member is not touched until the units are there.
   this->Pending = std::async(settings.InBackground ? std::launch::async : std::launch::deferred,
-    [this, size = settings.UnitSize]() { return vtkNBufferUnits::Make(this->Mesh, size); });
+    [this, size]() { return vtkNBufferUnits::Make(this->Mesh, size); });
 }
 
 void vtkNBufferDividedProp::Adopt()

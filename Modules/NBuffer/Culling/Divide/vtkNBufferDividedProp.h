@@ -123,6 +123,9 @@ public:
 
   const Counts& GetCounts() const { return this->Number; }
 
+  /// Whether the units that have been made are instances (vtkNBufferInstanceStream).
+  bool IsInstanced() const;
+
   /// Whether the next draw draws the fresh units.
   bool HasFresh() const { return this->FreshIsNext; }
 

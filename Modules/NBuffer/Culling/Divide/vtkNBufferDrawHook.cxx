@@ -9,6 +9,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLGlyph3DHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyData.h"
 
@@ -82,6 +83,7 @@ vtkNBufferDrawHook::Draw::~Draw()
 
 void vtkNBufferDrawHook::Restore()
 {
+  this->Instances.Restore();
   if (this->Changed)
   {
     this->Changed->IBO = this->Original;
@@ -132,6 +134,11 @@ bool vtkNBufferDrawHook::SetShaderParameters(
     return true;
   }
   this->Restore();
+  if (vtkOpenGLGlyph3DHelper* instances = vtkNBufferInstanceStream::GetHelper(mapper))
+  {
+    this->SetInstances(instances);
+    return true;
+  }
   auto* surface = typeid(*mapper) == typeid(vtkOpenGLPolyDataMapper)
     ? static_cast<vtkOpenGLPolyDataMapper*>(mapper)
     : nullptr;
@@ -155,6 +162,44 @@ bool vtkNBufferDrawHook::SetShaderParameters(
     this->Original = std::exchange(stream->IBO, buffer.Object.Get());
   }
   return true;
+}
+
+void vtkNBufferDrawHook::SetInstances(vtkOpenGLGlyph3DHelper* mapper)
+{
+  vtkOpenGLHelper* stream = vtkNBufferProtectedMembers::GetOnlyStream(mapper);
+  const auto buffers = vtkNBufferProtectedMembers::GetInstanceBuffers(mapper);
+  vtkPolyData* data = mapper->CurrentInput;
+  Source source = { mapper };
+  if (stream && buffers && data &&
+    stream->PrimitiveType != vtkOpenGLPolyDataMapper::PrimitivePoints)
+  {
+    source = { mapper, data, data->GetMTime(), stream->IBO->IndexCount, 2, buffers->BuildTime };
+  }
+  if (this->Reads)
+  {
+    this->Reads = false;
+    this->Mesh = {};
+    if (source.Corners > 0 && !this->Instances.Read(this->Actor, mapper, this->Mesh))
+    {
+      source.Corners = 0;
+    }
+    this->Read = source;
+    return;
+  }
+  if (this->Current == Whole)
+  {
+    return;
+  }
+  Buffer& buffer = this->Buffers[this->Current];
+  this->Stale = source.Corners == 0 || !(source == this->Read);
+  if (!this->Stale)
+  {
+    if (!std::exchange(buffer.IsUploaded, true))
+    {
+      this->Instances.Upload(this->Current, std::exchange(buffer.Indices, {}));
+    }
+    this->Instances.DrawNext(this->Current, mapper, stream);
+  }
 }
 
 void vtkNBufferDrawHook::ReadSource(
@@ -187,5 +232,6 @@ void vtkNBufferDrawHook::ReleaseGraphicsResources(vtkWindow*)
     buffer.IsUploaded = false;
     buffer.Marked.clear();
   }
+  this->Instances.ReleaseGraphicsResources();
 }
 VTK_ABI_NAMESPACE_END

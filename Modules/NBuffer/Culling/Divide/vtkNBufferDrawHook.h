@@ -12,8 +12,8 @@
  *
  * A prop is drawn whole while it changes; if it has scalars or normals of cells, whose shader needs
  * the numbers of all primitives; if it has strips or lines as well as triangles; if its mapper is
- * neither vtkPolyDataMapper nor vtkDataSetMapper; while vtkNBufferCuller::TestSlivers is on; and
- * for some frames if next to none of its units is hidden.
+ * neither vtkPolyDataMapper nor vtkDataSetMapper nor vtkGlyph3DMapper; while
+ * vtkNBufferCuller::TestSlivers is on; and for some frames if next to none of its units is hidden.
  *
  * The hook works only while one of its own draws is running (the class Draw). It then puts the
  * mapper's buffer back. Whatever else draws the actor gets the whole of it: hardware selectors,
@@ -22,6 +22,7 @@
 #ifndef vtkNBufferDrawHook_h
 #define vtkNBufferDrawHook_h
 
+#include "vtkNBufferInstanceStream.h"
 #include "vtkNBufferResourceCallback.h"
 #include "vtkNBufferUnits.h"
 
@@ -36,6 +37,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
+class vtkOpenGLGlyph3DHelper;
 class vtkOpenGLHelper;
 class vtkOpenGLPolyDataMapper;
 class vtkOpenGLRenderWindow;
@@ -55,13 +57,16 @@ public:
     const vtkObjectBase* Data = nullptr;   ///< Only compared, never dereferenced.
     vtkMTimeType DataTime = 0;
     std::size_t IndexCount = 0;
-    std::size_t Corners = 0; ///< 3 for triangles, 1 for points, 0 for what cannot be divided.
+    /// 3 for triangles, 1 for points, 2 for the boxes of instances (vtkNBufferInstanceStream), 0
+    /// for what cannot be divided.
+    std::size_t Corners = 0;
+    vtkMTimeType InstanceTime = 0; ///< When the instances were uploaded.
 
     bool operator==(const Source& other) const
     {
       return this->Mapper == other.Mapper && this->Data == other.Data &&
         this->DataTime == other.DataTime && this->IndexCount == other.IndexCount &&
-        this->Corners == other.Corners;
+        this->Corners == other.Corners && this->InstanceTime == other.InstanceTime;
     }
   };
 
@@ -94,6 +99,7 @@ public:
   /// something that cannot be divided, and no mapper if it has drawn nothing yet.
   const Source& GetSource() const { return this->Read; }
   vtkNBufferUnits::Mesh TakeMesh() { return std::move(this->Mesh); }
+  const vtkNBufferInstanceStream& GetInstances() const { return this->Instances; }
   ///@}
 
   /// Let draws of this list draw the primitives of the units that are marked. `indices` are those
@@ -143,6 +149,7 @@ private:
     bool IsUploaded = false;
   };
 
+  void SetInstances(vtkOpenGLGlyph3DHelper* mapper);
   void ReadSource(vtkOpenGLHelper* stream, const Source& source, vtkPolyData* data);
   bool Upload(Buffer& buffer);
   void Restore();
@@ -156,6 +163,7 @@ private:
   bool Stale = false;
   Source Read;
   vtkNBufferUnits::Mesh Mesh;
+  vtkNBufferInstanceStream Instances;
   vtkOpenGLHelper* Changed = nullptr; ///< Its index buffer is one of ours.
   vtkOpenGLIndexBufferObject* Original = nullptr;
 };

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferInstanceStream
+ * @brief The instances of a vtkGlyph3DMapper: reads what VTK draws, and draws some of them.
+ *
+ * vtkOpenGLGlyph3DMapper draws all instances of a source by one call of vtkOpenGLGlyph3DHelper. A
+ * matrix, a matrix of normals and a color for each instance are in buffers of that mapper. This
+ * class reads the buffers, so that it need not know how VTK makes them.
+ *
+ * VTK passes the number of instances to OpenGL itself, which cannot be changed. When everything for
+ * the draw has been bound (vtkCommand::UpdateShaderEvent), this class therefore attaches buffers
+ * with the chosen instances alone to the vertex array, draws them, attaches VTK's buffers again,
+ * and lets VTK's own draw have no indices. Program, uniforms and vertices are VTK's, and the
+ * instances keep their order.
+ *
+ * The unit of vtkNBufferUnits is here a group of instances. A mesh of two points for each instance,
+ * the corners of its box, stands for them.
+ *
+ * Not divided are mappers with several sources, with a tree of sources, with composite data, with a
+ * mask, or with VTK's own culling of instances; sources that are not triangles alone; and sources
+ * with values of cells. The instances are read again if actor, mapper, data or source change.
+ * The copy in host memory takes 104 bytes for each instance.
+ */
+#ifndef vtkNBufferInstanceStream_h
+#define vtkNBufferInstanceStream_h
+
+#include "vtkNBufferGLM.h"
+#include "vtkNBufferUnits.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLGlyph3DHelper.h" // For the smart pointer
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkAbstractMapper;
+class vtkActor;
+class vtkOpenGLHelper;
+
+class vtkNBufferInstanceStream
+{
+public:
+  vtkNBufferInstanceStream() = default;
+  ~vtkNBufferInstanceStream() { this->Restore(); }
+  vtkNBufferInstanceStream(const vtkNBufferInstanceStream&) = delete;
+  void operator=(const vtkNBufferInstanceStream&) = delete;
+
+  /// The mapper if it is the one that draws instances, otherwise nullptr.
+  static vtkOpenGLGlyph3DHelper* GetHelper(vtkAbstractMapper* mapper);
+
+  /// Whether the actor has a vtkGlyph3DMapper, and it is known what that draws: an opaque surface
+  /// in the actor's place and at its own depths, by one call.
+  static bool MayBeDivided(vtkActor* actor);
+
+  ///@{
+  /// Of an actor that may be divided: how many cells all instances have, and the newest time of
+  /// what they are made of, whose pipelines are brought up to date.
+  static vtkIdType CountTriangles(vtkActor* actor);
+  static vtkMTimeType GetTime(vtkActor* actor);
+  ///@}
+
+  /// How many instances make a unit, if the source has so many indices and a unit of a mesh has
+  /// `unitSize` triangles.
+  static std::size_t GetUnitSize(std::size_t indices, std::size_t unitSize);
+
+  /// Copy the instances that a mapper is about to draw, and make the mesh of their boxes. Returns
+  /// false if it is not known which of them the mapper draws.
+  bool Read(vtkActor* actor, vtkOpenGLGlyph3DHelper* mapper, vtkNBufferUnits::Mesh& boxes);
+
+  /// vtkNBufferBox::Magnitude of the boxes that were read last, in their coordinates.
+  const glm::dvec3& GetMagnitude() const { return this->Magnitude; }
+
+  /// Let list 0 or 1 consist of the instances whose corners are `corners`, in ascending order.
+  void Upload(int list, const std::vector<unsigned int>& corners);
+
+  /// Let the draw whose shader parameters are being set draw only a list.
+  void DrawNext(int list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream);
+
+  /// Undo what DrawNext() has changed in the mapper.
+  void Restore();
+
+  void ReleaseGraphicsResources();
+
+private:
+  struct List
+  {
+    vtkNew<vtkOpenGLBufferObject> Matrices;
+    vtkNew<vtkOpenGLBufferObject> NormalMatrices;
+    vtkNew<vtkOpenGLBufferObject> Colors;
+    std::size_t Size = 0;
+  };
+
+  void Draw();
+  void Attach(vtkOpenGLBufferObject* matrices, vtkOpenGLBufferObject* normalMatrices,
+    vtkOpenGLBufferObject* colors);
+
+  std::vector<float> Matrices;       ///< 16 for each instance, column by column.
+  std::vector<float> NormalMatrices; ///< 9 for each instance, or none.
+  std::vector<unsigned char> Colors; ///< 4 for each instance.
+  glm::dvec3 Magnitude = glm::dvec3(0.0);
+  std::array<List, 2> Lists;
+  vtkSmartPointer<vtkOpenGLGlyph3DHelper> Mapper; ///< Of the draw that is running.
+  vtkOpenGLHelper* Stream = nullptr;
+  int Current = 0;
+  unsigned long Observer = 0;
+  std::size_t IndexCount = 0; ///< That of the mapper, while it has been taken away.
+};
+
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,486 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Props with many instances of one source, of which only those that can be seen are drawn.
+#include "CullerTest.h"
+#include "Scenes.h"
+
+#include "vtkActor.h"
+#include "vtkBitArray.h"
+#include "vtkCamera.h"
+#include "vtkCubeSource.h"
+#include "vtkFloatArray.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkHardwareSelector.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+#include "vtkSphereSource.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <random>
+
+namespace
+{
+ComparisonOptions MakeOptions(int unitSize = 12)
+{
+  ComparisonOptions options;
+  options.Tuning.MinimumNumberOfCandidates = 1;
+  options.Tuning.MinimumNumberOfPrimitives = 100;
+  options.Tuning.UnitSize = unitSize;
+  options.Tuning.DivideAfter = 0;
+  options.Tuning.DivideInBackground = false;
+  options.CompareDraws = false; // A mapper of which no instance is drawn announces nothing.
+  return options;
+}
+
+vtkSmartPointer<vtkPolyData> MakeCube(double length, bool withNormals = true)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(length);
+  cube->SetYLength(length);
+  cube->SetZLength(length);
+  cube->Update();
+  vtkSmartPointer<vtkPolyData> data = cube->GetOutput();
+  if (!withNormals)
+  {
+    data->GetPointData()->SetNormals(nullptr);
+  }
+  return data;
+}
+
+/// Give each point a color, a size and a direction.
+void AddArrays(vtkPolyData* data)
+{
+  std::minstd_rand random(3);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("colors");
+  colors->SetNumberOfComponents(3);
+  vtkNew<vtkFloatArray> sizes;
+  sizes->SetName("sizes");
+  vtkNew<vtkFloatArray> directions;
+  directions->SetName("directions");
+  directions->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    colors->InsertNextTuple3(random() % 256, random() % 256, random() % 256);
+    sizes->InsertNextValue(0.5F + static_cast<float>(random() % 100) / 100.0F);
+    directions->InsertNextTuple3(random() % 100 - 50.0, random() % 100 - 50.0, 7.0);
+  }
+  data->GetPointData()->SetScalars(colors);
+  data->GetPointData()->AddArray(sizes);
+  data->GetPointData()->AddArray(directions);
+}
+
+vtkSmartPointer<vtkPolyData> MakeData(vtkPoints* points)
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  AddArrays(data);
+  return data;
+}
+
+/// Points at random in a block of 60 x 60 x 8.
+vtkSmartPointer<vtkPolyData> MakeCloud(int count)
+{
+  std::minstd_rand random(5);
+  std::uniform_real_distribution<> uniform(-30.0, 30.0);
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < count; ++i)
+  {
+    const double x = uniform(random);
+    const double y = uniform(random);
+    points->InsertNextPoint(x, y, 4.0 + uniform(random) / 7.5);
+  }
+  return MakeData(points);
+}
+
+/// Points on a lattice with steps of 2, some of them twice, in no order.
+vtkSmartPointer<vtkPolyData> MakeLattice()
+{
+  std::vector<glm::dvec3> places;
+  for (int x = -12; x < 12; ++x)
+  {
+    for (int y = -12; y < 12; ++y)
+    {
+      for (int z = 0; z < 3; ++z)
+      {
+        places.emplace_back(2.0 * x, 2.0 * y, 2.0 * z);
+      }
+    }
+  }
+  places.insert(places.end(), places.begin(), places.begin() + 300);
+  std::shuffle(places.begin(), places.end(), std::minstd_rand(7));
+  vtkNew<vtkPoints> points;
+  for (const glm::dvec3& place : places)
+  {
+    points->InsertNextPoint(glm::value_ptr(place));
+  }
+  return MakeData(points);
+}
+
+vtkGlyph3DMapper* GetMapper(Stage& stage)
+{
+  return static_cast<vtkGlyph3DMapper*>(stage.GetActor(0)->GetMapper());
+}
+
+vtkGlyph3DMapper* AddGlyphs(Stage& stage, vtkPolyData* data, vtkPolyData* source)
+{
+  const double white[3] = { 1.0, 1.0, 1.0 };
+  stage.AddActor(source, white);
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetSourceData(source);
+  mapper->ScalingOff();
+  mapper->OrientOff();
+  stage.GetActor(static_cast<int>(stage.Props.size()) - 1)->SetMapper(mapper);
+  return mapper;
+}
+
+void AddWalls(Stage& stage)
+{
+  Scenes::AddBox(stage, 6.0, 2.0, 1.0, 0.3, 22.0, 12.0);
+  Scenes::AddBox(stage, -8.0, 12.0, 1.0, 20.0, 0.3, 12.0);
+}
+
+/// Walk through a scene of about 60 x 60 at eye height, then look at it from above.
+void Walk(vtkRenderer* renderer, int frame)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double t = 0.3 * frame;
+  camera->SetPosition(
+    frame < 8 ? -40.0 + 3.0 * frame : 0.13, frame < 8 ? 2.0 : -50.0, frame < 8 ? 1.7 : 30.0);
+  camera->SetFocalPoint(20.0 * std::cos(t), 20.0 * std::sin(t), 1.0);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  camera->SetClippingRange(0.05, 200.0);
+}
+
+struct Glyphs : NamedCase
+{
+  std::function<void(Stage&)> Build;
+};
+
+const Glyphs Cases[] = {
+  { "CloudAndWalls",
+    [](Stage& stage)
+    {
+      AddGlyphs(stage, MakeCloud(3000), MakeCube(1.0));
+      AddWalls(stage);
+    } },
+  { "WallsFirst",
+    [](Stage& stage)
+    {
+      AddWalls(stage);
+      AddGlyphs(stage, MakeCloud(3000), MakeCube(1.0));
+    } },
+  { "DenseCloud", [](Stage& stage) { AddGlyphs(stage, MakeCloud(4000), MakeCube(2.5)); } },
+  { "WithoutNormals",
+    [](Stage& stage)
+    {
+      AddGlyphs(stage, MakeCloud(4000), MakeCube(2.5, false));
+      stage.GetActor(0)->GetProperty()->SetAmbient(0.4);
+    } },
+  { "OneColor",
+    [](Stage& stage)
+    {
+      AddGlyphs(stage, MakeCloud(4000), MakeCube(2.5))->ScalarVisibilityOff();
+      stage.GetActor(0)->GetProperty()->SetColor(0.2, 0.9, 0.4);
+    } },
+  { "Unlit",
+    [](Stage& stage)
+    {
+      AddGlyphs(stage, MakeCloud(4000), MakeCube(2.5));
+      stage.GetActor(0)->GetProperty()->LightingOff();
+    } },
+  { "Lattice", [](Stage& stage) { AddGlyphs(stage, MakeLattice(), MakeCube(2.0)); } },
+  { "LatticeAndWalls",
+    [](Stage& stage)
+    {
+      AddWalls(stage);
+      AddGlyphs(stage, MakeLattice(), MakeCube(2.0));
+      Scenes::AddBox(stage, 1.0, 1.0, 3.0, 6.0, 6.0, 6.0); // shares planes with the cubes
+      AddWalls(stage);
+    } },
+  { "ScaledAndTurned",
+    [](Stage& stage)
+    {
+      vtkGlyph3DMapper* mapper = AddGlyphs(stage, MakeCloud(3000), MakeCube(2.0));
+      mapper->ScalingOn();
+      mapper->SetScaleModeToScaleByMagnitude();
+      mapper->SetScaleArray("sizes");
+      mapper->OrientOn();
+      mapper->SetOrientationModeToDirection();
+      mapper->SetOrientationArray("directions");
+      stage.GetActor(0)->RotateZ(20.0);
+      stage.GetActor(0)->SetScale(1.0, 0.8, 1.1);
+      AddWalls(stage);
+    } },
+  { "Spheres",
+    [](Stage& stage)
+    {
+      vtkNew<vtkSphereSource> sphere;
+      sphere->SetCenter(0.4, -0.3, 0.2);
+      sphere->Update();
+      AddGlyphs(stage, MakeCloud(3000), sphere->GetOutput())->SetScaleFactor(2.0);
+      GetMapper(stage)->ScalingOn();
+      AddWalls(stage);
+    } },
+  { "ClippingPlane",
+    [](Stage& stage)
+    {
+      vtkNew<vtkPlane> plane;
+      plane->SetNormal(0.6, 0.0, 0.8);
+      AddGlyphs(stage, MakeCloud(3000), MakeCube(2.0))->AddClippingPlane(plane);
+      AddWalls(stage);
+    } },
+  { "TwoProps",
+    [](Stage& stage)
+    {
+      AddGlyphs(stage, MakeLattice(), MakeCube(2.0));
+      AddGlyphs(stage, MakeLattice(), MakeCube(2.0));
+      stage.GetActor(1)->SetPosition(1.0, 0.0, 2.0);
+    } },
+};
+}
+
+class CullerGlyphs : public testing::TestWithParam<Glyphs>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Each, CullerGlyphs, testing::ValuesIn(Cases), GetCaseName);
+
+// Hazard: boxes that are too small, instances in another order, fresh instances that are drawn over
+// what comes after them, buffers that stay attached.
+TEST_P(CullerGlyphs, SameImage)
+{
+  for (const int unitSize : { 12, 100 })
+  {
+    for (const int samples : { 0, 4 })
+    {
+      ComparisonOptions options = MakeOptions(unitSize);
+      options.MultiSamples = samples;
+      options.CompareDepth = samples == 0;
+      Comparison comparison(
+        [this](Stage& stage)
+        {
+          this->GetParam().Build(stage);
+          stage.GetRenderer()->SetBackground(0.2, 0.3, 0.4);
+        },
+        options);
+      int hidden = 0;
+      int fresh = 0;
+      for (int i = 0; i < 14; ++i)
+      {
+        comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
+        hidden += comparison.GetStatistics().UnitsHidden;
+        fresh += i > 2 ? comparison.GetStatistics().UnitsFresh : 0;
+        EXPECT_TRUE(i < 2 || comparison.GetStatistics().Units > 0)
+          << i << comparison.GetCuller()->GetStatisticsAsJSON();
+      }
+      EXPECT_GT(hidden, 100);
+      EXPECT_GT(fresh, 10) << "instances that come into view are drawn late";
+      comparison.Frame("still");
+      comparison.Frame("still");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------------------------
+namespace
+{
+struct Change : NamedCase
+{
+  Comparison::Change Apply;
+  bool IsDividedAfterwards = true;
+};
+
+vtkPolyData* GetData(Stage& stage)
+{
+  return vtkPolyData::SafeDownCast(GetMapper(stage)->GetInputDataObject(0, 0));
+}
+
+vtkPolyData* GetSource(Stage& stage)
+{
+  return vtkPolyData::SafeDownCast(GetMapper(stage)->GetInputDataObject(1, 0));
+}
+
+const Change Changes[] = {
+  { "Points",
+    [](Stage& stage)
+    {
+      TestScene::MovePoints(GetData(stage)->GetPoints(), { 1.0, 2.0, 0.5 }, 0.3);
+      GetData(stage)->Modified();
+    } },
+  { "FewerPoints", [](Stage& stage) { GetMapper(stage)->SetInputData(MakeCloud(500)); } },
+  { "SourcePoints",
+    [](Stage& stage)
+    {
+      TestScene::MovePoints(GetSource(stage)->GetPoints(), { 0.0, 0.0, 1.0 }, 0.5);
+      GetSource(stage)->Modified();
+    } },
+  { "Source", [](Stage& stage) { GetMapper(stage)->SetSourceData(MakeCube(0.7, false)); } },
+  { "ScaleFactor",
+    [](Stage& stage)
+    {
+      GetMapper(stage)->ScalingOn();
+      GetMapper(stage)->SetScaleFactor(0.4);
+    } },
+  { "Colors",
+    [](Stage& stage)
+    {
+      GetMapper(stage)->ScalarVisibilityOff();
+      stage.GetActor(0)->GetProperty()->SetColor(0.3, 0.8, 0.1);
+    } },
+  { "ColorOfProperty",
+    [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetColor(0.3, 0.8, 0.1); } },
+  { "Lighting", [](Stage& stage) { stage.GetActor(0)->GetProperty()->LightingOff(); } },
+  { "Mapper",
+    [](Stage& stage)
+    {
+      vtkNew<vtkGlyph3DMapper> mapper;
+      mapper->SetInputData(MakeCloud(2000));
+      mapper->SetSourceData(MakeCube(1.5));
+      mapper->ScalingOff();
+      mapper->OrientOff();
+      stage.GetActor(0)->SetMapper(mapper);
+    } },
+  { "Actor",
+    [](Stage& stage)
+    {
+      stage.GetActor(0)->SetPosition(2.0, 1.0, 0.3);
+      stage.GetActor(0)->RotateX(4.0);
+    } },
+  { "Mask",
+    [](Stage& stage)
+    {
+      vtkNew<vtkBitArray> mask;
+      mask->SetName("mask");
+      for (vtkIdType i = 0; i < GetData(stage)->GetNumberOfPoints(); ++i)
+      {
+        mask->InsertNextValue(i % 3 == 0);
+      }
+      GetData(stage)->GetPointData()->AddArray(mask);
+      GetMapper(stage)->SetMaskArray("mask");
+      GetMapper(stage)->MaskingOn();
+    },
+    false },
+  { "TwoSources",
+    [](Stage& stage)
+    {
+      GetMapper(stage)->SetSourceData(1, MakeCube(0.5));
+      GetMapper(stage)->SetSourceIndexArray("sizes");
+      GetMapper(stage)->SourceIndexingOn();
+    },
+    false },
+  { "Wireframe",
+    [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetRepresentationToWireframe(); }, false },
+  { "Edges", [](Stage& stage) { stage.GetActor(0)->GetProperty()->EdgeVisibilityOn(); }, false },
+  { "Lines",
+    [](Stage& stage)
+    {
+      vtkNew<vtkCellArray> lines;
+      lines->InsertNextCell({ 0, 7 });
+      GetSource(stage)->SetLines(lines);
+      GetSource(stage)->Modified();
+    },
+    false },
+  { "Removed", [](Stage& stage) { stage.GetRenderer()->RemoveActor(stage.GetActor(0)); }, false },
+  { "Hidden", [](Stage& stage) { stage.GetActor(0)->VisibilityOff(); }, false },
+  { "SharedMapper",
+    [](Stage& stage)
+    {
+      AddGlyphs(stage, MakeCloud(10), MakeCube(1.0));
+      vtkActor* other = stage.GetActor(static_cast<int>(stage.Props.size()) - 1);
+      other->SetMapper(stage.GetActor(0)->GetMapper());
+      other->SetPosition(3.0, 0.0, 1.0);
+      other->GetProperty()->SetColor(1.0, 0.0, 0.0);
+    } },
+  { "Window", [](Stage& stage) { stage.Window->SetSize(211, 307); } },
+};
+}
+
+class CullerGlyphsChanges : public testing::TestWithParam<Change>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Each, CullerGlyphsChanges, testing::ValuesIn(Changes), GetCaseName);
+
+// Hazard: instances of data, or of a way to draw them, that have changed since.
+TEST_P(CullerGlyphsChanges, SameImage)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      AddGlyphs(stage, MakeCloud(3000), MakeCube(2.0));
+      AddWalls(stage);
+    },
+    MakeOptions());
+  for (int i = 0; i < 4; ++i)
+  {
+    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
+  }
+  EXPECT_GT(comparison.GetStatistics().Units, 0);
+  comparison.Frame("changed", this->GetParam().Apply);
+  for (int i = 4; i < 10; ++i)
+  {
+    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
+  }
+  EXPECT_EQ(comparison.GetStatistics().Units > 0, this->GetParam().IsDividedAfterwards);
+}
+
+// Hazard: hidden instances cannot be picked, or have the ids of others.
+TEST(CullerGlyphsPicking, SamePoints)
+{
+  Comparison comparison(
+    [](Stage& stage) { AddGlyphs(stage, MakeCloud(800), MakeCube(2.5)); }, MakeOptions());
+  for (int i = 0; i < 5; ++i)
+  {
+    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
+    std::vector<std::vector<vtkIdType>> picked;
+    comparison.Both(
+      [&picked](Stage& stage)
+      {
+        vtkNew<vtkHardwareSelector> selector;
+        selector->SetRenderer(stage.GetRenderer());
+        selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+        selector->SetArea(0, 0, 300, 172);
+        const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+        picked.emplace_back();
+        for (unsigned int n = 0; n < selection->GetNumberOfNodes(); ++n)
+        {
+          auto* ids = vtkIdTypeArray::SafeDownCast(selection->GetNode(n)->GetSelectionList());
+          for (vtkIdType k = 0; ids && k < ids->GetNumberOfTuples(); ++k)
+          {
+            picked.back().push_back(ids->GetValue(k));
+          }
+        }
+        std::sort(picked.back().begin(), picked.back().end());
+      });
+    ASSERT_EQ(picked.size(), 2U);
+    EXPECT_GT(picked[0].size(), 0U);
+    EXPECT_EQ(picked[0], picked[1]);
+  }
+}
+
+// The number of units, and the switch.
+TEST(CullerGlyphsSettings, SizeAndSwitch)
+{
+  Comparison comparison(
+    [](Stage& stage) { AddGlyphs(stage, MakeCloud(1000), MakeCube(2.5)); }, MakeOptions(48));
+  const auto frames = [&comparison]()
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
+    }
+    return comparison.GetStatistics().Units;
+  };
+  EXPECT_EQ(frames(), 1000 / 4);
+  comparison.GetCuller()->DividePropsOff();
+  EXPECT_EQ(frames(), 0);
+  comparison.GetCuller()->DividePropsOn();
+  EXPECT_EQ(frames(), 1000 / 4);
+}
