@@ -26,9 +26,6 @@ constexpr std::size_t Turns = 8;
 /// A view is new if fewer than one in this many units of the frustum are known to be visible. Then
 /// that share of the units is drawn first.
 constexpr std::size_t NewViewShare = 64;
-
-/// The largest number of groups of fresh units.
-constexpr std::size_t MaximumNumberOfGroups = 16;
 }
 
 /// The tests of one call of Test().
@@ -383,37 +380,5 @@ bool vtkNBufferDividedProp::IsDrawnInPart() const
   return this->IsDrawn &&
     std::count(this->DrawnUnits.begin(), this->DrawnUnits.end(), 1) <
     this->Number.Units - this->Number.Outside;
-}
-
-std::vector<vtkNBufferUnits::Box> vtkNBufferDividedProp::GetFreshGroups() const
-{
-  std::vector<vtkNBufferUnits::Box> groups;
-  for (std::size_t level = 0; level < this->Units.GetLevels().size(); ++level)
-  {
-    groups.clear();
-    for (std::size_t n = 0; n < this->Units.GetLevels()[level].size(); ++n)
-    {
-      std::optional<vtkNBufferUnits::Box> group;
-      for (std::size_t i = this->Units.GetBegin(level, n); i < this->Units.GetEnd(level, n); ++i)
-      {
-        if (this->FreshUnits[i])
-        {
-          const vtkNBufferUnits::Box& unit = this->Units.GetLevels()[0][i];
-          group = group ? vtkNBufferUnits::Box{ glm::min(group->Low, unit.Low),
-            glm::max(group->High, unit.High) }
-                        : unit;
-        }
-      }
-      if (group)
-      {
-        groups.push_back(*group);
-      }
-    }
-    if (groups.size() <= MaximumNumberOfGroups)
-    {
-      break;
-    }
-  }
-  return groups;
 }
 VTK_ABI_NAMESPACE_END

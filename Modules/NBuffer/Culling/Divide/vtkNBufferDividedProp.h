@@ -116,7 +116,10 @@ public:
   bool IsSettled() const { return this->Settled; }
 
   /// Bounds of the fresh units in the coordinates of the mesh, in a few groups of neighbours.
-  std::vector<vtkNBufferUnits::Box> GetFreshGroups() const;
+  std::vector<vtkNBufferUnits::Box> GetFreshGroups() const
+  {
+    return this->Units.GetGroups(this->FreshUnits);
+  }
 
   /// The box of bounds in the coordinates of the mesh, with what bounds the rounding of vertices.
   vtkNBufferBox MakeBox(const vtkNBufferUnits::Box& bounds) const;

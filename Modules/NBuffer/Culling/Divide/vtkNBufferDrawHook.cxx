@@ -114,6 +114,12 @@ void vtkNBufferDrawHook::SetList(List list, const vtkNBufferUnits& units,
   }
 }
 
+bool vtkNBufferDrawHook::IsAsRead(const Source& source)
+{
+  this->Stale = source.Corners == 0 || !(source == this->Read);
+  return !this->Stale;
+}
+
 bool vtkNBufferDrawHook::Upload(Buffer& buffer)
 {
   if (!buffer.IsUploaded && !buffer.Indices.empty())
@@ -155,8 +161,7 @@ bool vtkNBufferDrawHook::SetShaderParameters(
     return true;
   }
   Buffer& buffer = this->Buffers[this->Current];
-  this->Stale = source.Corners == 0 || !(source == this->Read);
-  if (!this->Stale && this->Upload(buffer))
+  if (this->IsAsRead(source) && this->Upload(buffer))
   {
     this->Changed = stream;
     this->Original = std::exchange(stream->IBO, buffer.Object.Get());
@@ -190,10 +195,9 @@ void vtkNBufferDrawHook::SetInstances(vtkOpenGLGlyph3DHelper* mapper)
   {
     return;
   }
-  Buffer& buffer = this->Buffers[this->Current];
-  this->Stale = source.Corners == 0 || !(source == this->Read);
-  if (!this->Stale)
+  if (this->IsAsRead(source))
   {
+    Buffer& buffer = this->Buffers[this->Current];
     if (!std::exchange(buffer.IsUploaded, true))
     {
       this->Instances.Upload(this->Current, std::exchange(buffer.Indices, {}));

@@ -151,6 +151,7 @@ private:
 
   void SetInstances(vtkOpenGLGlyph3DHelper* mapper);
   void ReadSource(vtkOpenGLHelper* stream, const Source& source, vtkPolyData* data);
+  bool IsAsRead(const Source& source);
   bool Upload(Buffer& buffer);
   void Restore();
 

@@ -23,6 +23,9 @@ constexpr int BitsPerPass = 10;
 /// less than this share of the surface of the runs' boxes.
 constexpr double WorthAnOrder = 0.95;
 
+/// The largest number of groups that GetGroups() returns.
+constexpr std::size_t MaximumNumberOfGroups = 16;
+
 /// The largest float that is not above x, or with 1 for `sign` the smallest that is not below.
 float RoundOutward(double x, int sign)
 {
@@ -192,6 +195,35 @@ void vtkNBufferUnits::MakeBoxes(const Mesh& mesh)
     }
     this->Levels.push_back(std::move(level));
   }
+}
+
+std::vector<Box> vtkNBufferUnits::GetGroups(const std::vector<unsigned char>& marked) const
+{
+  std::vector<Box> groups;
+  for (std::size_t level = 0; level < this->Levels.size(); ++level)
+  {
+    groups.clear();
+    for (std::size_t n = 0; n < this->Levels[level].size(); ++n)
+    {
+      Box group = GetEmpty();
+      for (std::size_t i = this->GetBegin(level, n); i < this->GetEnd(level, n); ++i)
+      {
+        if (marked[i])
+        {
+          Include(group, this->Levels[0][i]);
+        }
+      }
+      if (group.Low.x <= group.High.x)
+      {
+        groups.push_back(group);
+      }
+    }
+    if (groups.size() <= MaximumNumberOfGroups)
+    {
+      break;
+    }
+  }
+  return groups;
 }
 
 std::vector<std::size_t> vtkNBufferUnits::GetUnitsOfPrimitives(std::size_t size) const

@@ -86,6 +86,9 @@ public:
   void GetIndices(const std::vector<unsigned char>& drawn, const std::vector<unsigned int>& mesh,
     std::vector<unsigned int>& indices) const;
 
+  /// Get the bounds of the units that are marked, in a few groups of neighbours, at most 16.
+  std::vector<Box> GetGroups(const std::vector<unsigned char>& marked) const;
+
   /// Get the unit of each primitive of a mesh of `size` primitives.
   std::vector<std::size_t> GetUnitsOfPrimitives(std::size_t size) const;
 
