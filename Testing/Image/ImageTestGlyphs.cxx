@@ -23,7 +23,10 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <random>
+#include <utility>
 
 namespace
 {
@@ -169,32 +172,32 @@ const Glyphs Cases[] = {
   { "CloudAndWalls",
     [](Stage& stage)
     {
-      AddGlyphs(stage, MakeCloud(3000), MakeCube(1.0));
+      AddGlyphs(stage, MakeCloud(2500), MakeCube(1.0));
       AddWalls(stage);
     } },
   { "WallsFirst",
     [](Stage& stage)
     {
       AddWalls(stage);
-      AddGlyphs(stage, MakeCloud(3000), MakeCube(1.0));
+      AddGlyphs(stage, MakeCloud(2500), MakeCube(1.0));
     } },
-  { "DenseCloud", [](Stage& stage) { AddGlyphs(stage, MakeCloud(4000), MakeCube(2.5)); } },
+  { "DenseCloud", [](Stage& stage) { AddGlyphs(stage, MakeCloud(2500), MakeCube(2.5)); } },
   { "WithoutNormals",
     [](Stage& stage)
     {
-      AddGlyphs(stage, MakeCloud(4000), MakeCube(2.5, false));
+      AddGlyphs(stage, MakeCloud(2500), MakeCube(2.5, false));
       stage.GetActor(0)->GetProperty()->SetAmbient(0.4);
     } },
   { "OneColor",
     [](Stage& stage)
     {
-      AddGlyphs(stage, MakeCloud(4000), MakeCube(2.5))->ScalarVisibilityOff();
+      AddGlyphs(stage, MakeCloud(2500), MakeCube(2.5))->ScalarVisibilityOff();
       stage.GetActor(0)->GetProperty()->SetColor(0.2, 0.9, 0.4);
     } },
   { "Unlit",
     [](Stage& stage)
     {
-      AddGlyphs(stage, MakeCloud(4000), MakeCube(2.5));
+      AddGlyphs(stage, MakeCloud(2500), MakeCube(2.5));
       stage.GetActor(0)->GetProperty()->LightingOff();
     } },
   { "Lattice", [](Stage& stage) { AddGlyphs(stage, MakeLattice(), MakeCube(2.0)); } },
@@ -209,7 +212,7 @@ const Glyphs Cases[] = {
   { "ScaledAndTurned",
     [](Stage& stage)
     {
-      vtkGlyph3DMapper* mapper = AddGlyphs(stage, MakeCloud(3000), MakeCube(2.0));
+      vtkGlyph3DMapper* mapper = AddGlyphs(stage, MakeCloud(2500), MakeCube(2.0));
       mapper->ScalingOn();
       mapper->SetScaleModeToScaleByMagnitude();
       mapper->SetScaleArray("sizes");
@@ -226,7 +229,7 @@ const Glyphs Cases[] = {
       vtkNew<vtkSphereSource> sphere;
       sphere->SetCenter(0.4, -0.3, 0.2);
       sphere->Update();
-      AddGlyphs(stage, MakeCloud(3000), sphere->GetOutput())->SetScaleFactor(2.0);
+      AddGlyphs(stage, MakeCloud(2500), sphere->GetOutput())->SetScaleFactor(2.0);
       GetMapper(stage)->ScalingOn();
       AddWalls(stage);
     } },
@@ -235,7 +238,7 @@ const Glyphs Cases[] = {
     {
       vtkNew<vtkPlane> plane;
       plane->SetNormal(0.6, 0.0, 0.8);
-      AddGlyphs(stage, MakeCloud(3000), MakeCube(2.0))->AddClippingPlane(plane);
+      AddGlyphs(stage, MakeCloud(2500), MakeCube(2.0))->AddClippingPlane(plane);
       AddWalls(stage);
     } },
   { "TwoProps",
@@ -257,35 +260,32 @@ INSTANTIATE_TEST_SUITE_P(Each, CullerGlyphs, testing::ValuesIn(Cases), GetCaseNa
 // what comes after them, buffers that stay attached.
 TEST_P(CullerGlyphs, SameImage)
 {
-  for (const int unitSize : { 12, 100 })
+  for (const auto& [unitSize, samples] : { std::pair(12, 0), std::pair(100, 4) })
   {
-    for (const int samples : { 0, 4 })
-    {
-      ComparisonOptions options = MakeOptions(unitSize);
-      options.MultiSamples = samples;
-      options.CompareDepth = samples == 0;
-      Comparison comparison(
-        [this](Stage& stage)
-        {
-          this->GetParam().Build(stage);
-          stage.GetRenderer()->SetBackground(0.2, 0.3, 0.4);
-        },
-        options);
-      int hidden = 0;
-      int fresh = 0;
-      for (int i = 0; i < 14; ++i)
+    ComparisonOptions options = MakeOptions(unitSize);
+    options.MultiSamples = samples;
+    options.CompareDepth = samples == 0;
+    Comparison comparison(
+      [this](Stage& stage)
       {
-        comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-        hidden += comparison.GetStatistics().UnitsHidden;
-        fresh += i > 2 ? comparison.GetStatistics().UnitsFresh : 0;
-        EXPECT_TRUE(i < 2 || comparison.GetStatistics().Units > 0)
-          << i << comparison.GetCuller()->GetStatisticsAsJSON();
-      }
-      EXPECT_GT(hidden, 100);
-      EXPECT_GT(fresh, 10) << "instances that come into view are drawn late";
-      comparison.Frame("still");
-      comparison.Frame("still");
+        this->GetParam().Build(stage);
+        stage.GetRenderer()->SetBackground(0.2, 0.3, 0.4);
+      },
+      options);
+    int hidden = 0;
+    int fresh = 0;
+    for (int i = 0; i < 14; ++i)
+    {
+      comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
+      hidden += comparison.GetStatistics().UnitsHidden;
+      fresh += i > 2 ? comparison.GetStatistics().UnitsFresh : 0;
+      EXPECT_TRUE(i < 2 || comparison.GetStatistics().Units > 0)
+        << i << comparison.GetCuller()->GetStatisticsAsJSON();
     }
+    EXPECT_GT(hidden, 100);
+    EXPECT_GT(fresh, 10) << "instances that come into view are drawn late";
+    comparison.Frame("still");
+    comparison.Frame("still");
   }
 }
 
@@ -414,7 +414,7 @@ TEST_P(CullerGlyphsChanges, SameImage)
   Comparison comparison(
     [](Stage& stage)
     {
-      AddGlyphs(stage, MakeCloud(3000), MakeCube(2.0));
+      AddGlyphs(stage, MakeCloud(2500), MakeCube(2.0));
       AddWalls(stage);
     },
     MakeOptions());
