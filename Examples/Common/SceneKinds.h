@@ -32,6 +32,9 @@ Scene MakeIsosurface();
 
 /// Makes a million points, in no order, behind a wall that hides all of them.
 Scene MakePointsBehindWall();
+
+/// Makes hills of half a million triangles, row by row, with a path at the height of the eyes;
+/// `withPoints` adds a million points just above the ground, in no order.
 Scene MakeTerrain(bool withPoints);
 
 /**
