@@ -73,20 +73,6 @@ bool DependsOnRequests(vtkInformation* request)
     request->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
 }
 
-/// The time of data and, if `withBlocks` is true, of the blocks of composite data.
-vtkMTimeType GetDataTime(vtkDataObject* data, bool withBlocks)
-{
-  vtkMTimeType time = data ? data->GetMTime() : 0;
-  if (auto* tree = withBlocks ? vtkDataObjectTree::SafeDownCast(data) : nullptr)
-  {
-    for (vtkDataObject* part : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
-    {
-      time = std::max(time, GetDataTime(part, withBlocks));
-    }
-  }
-  return time;
-}
-
 /// The time of a mapper or texture, and of all data that it shows.
 vtkMTimeType GetTimeWithData(vtkAlgorithm* algorithm, bool withBlocks)
 {
@@ -95,7 +81,8 @@ vtkMTimeType GetTimeWithData(vtkAlgorithm* algorithm, bool withBlocks)
   {
     for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
     {
-      time = std::max(time, GetDataTime(algorithm->GetInputDataObject(port, i), withBlocks));
+      time = std::max(
+        time, vtkNBufferPropWatch::GetDataTime(algorithm->GetInputDataObject(port, i), withBlocks));
     }
   }
   return time;
@@ -121,6 +108,19 @@ vtkMTimeType GetTimeOfAll(vtkActor* actor, vtkShaderProperty* shaders, bool with
   }
   return time;
 }
+}
+
+vtkMTimeType vtkNBufferPropWatch::GetDataTime(vtkDataObject* data, bool withBlocks)
+{
+  vtkMTimeType time = data ? data->GetMTime() : 0;
+  if (auto* tree = withBlocks ? vtkDataObjectTree::SafeDownCast(data) : nullptr)
+  {
+    for (vtkDataObject* part : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
+    {
+      time = std::max(time, GetDataTime(part, withBlocks));
+    }
+  }
+  return time;
 }
 
 vtkNBufferPropWatch::GlobalState vtkNBufferPropWatch::GetGlobalState()

@@ -135,6 +135,9 @@ public:
    */
   bool SeesAllChanges() const { return this->Complete; }
 
+  /// The time of data (0 for none) and, if `withBlocks` is true, of the blocks of composite data.
+  static vtkMTimeType GetDataTime(vtkDataObject* data, bool withBlocks);
+
   /// What changes what props draw, or what is known of it, without changing their times: VTK's
   /// settings for all mappers, and the version of vtkNBufferKnownClasses.
   using GlobalState = std::array<double, 7>;

@@ -7,6 +7,7 @@
 #include "vtkNBufferProtectedMembers.h"
 
 #include "vtkActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellTypes.h"
 #include "vtkCompositeDataDisplayAttributes.h"
@@ -122,6 +123,28 @@ void AddBlocks(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* dat
   {
     parts.push_back(part);
   }
+}
+
+/// The bounds of what a mapper draws and of its blocks that are switched off: they are in the
+/// vertex buffers as well.
+vtkBoundingBox GetBoundsOfBuffers(vtkMapper* mapper)
+{
+  vtkBoundingBox box(mapper->GetBounds());
+  auto* composite = CompositeMapper::SafeDownCast(mapper);
+  auto* attributes = composite ? composite->GetCompositeDataDisplayAttributes() : nullptr;
+  if (attributes && attributes->HasBlockVisibilities())
+  {
+    std::vector<vtkNBufferSurface::Part> blocks;
+    AddBlocks(nullptr, mapper->GetInputDataObject(0, 0), {}, blocks);
+    for (const vtkNBufferSurface::Part& block : blocks)
+    {
+      if (block.Mesh->GetNumberOfPoints() > 0)
+      {
+        box.AddBounds(block.Mesh->GetPoints()->GetBounds());
+      }
+    }
+  }
+  return box;
 }
 
 vtkNBufferSurface::Part MakePart(vtkMatrix4x4* toWorld)
@@ -311,7 +334,8 @@ std::optional<vtkNBufferSurface::BufferCoordinates> vtkNBufferSurface::GetBuffer
   {
     // The points of the buffers cannot be read here. Whether VTK shifts them or not, the vertices
     // and the origin of the buffers are within twice the bounds.
-    const double* bounds = mapper->GetBounds();
+    double bounds[6];
+    GetBoundsOfBuffers(mapper).GetBounds(bounds);
     const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
     const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
     return BufferCoordinates{ glm::dvec3(0.0),

@@ -5,6 +5,7 @@
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDepthTest.h"
 #include "vtkNBufferKnownClasses.h"
+#include "vtkNBufferSurface.h"
 #include "vtkNBufferTieQuery.h"
 #include "vtkNBufferViewSetup.h"
 
@@ -19,6 +20,14 @@
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// Whether a plain mapper of surfaces draws by streams that are known.
+bool HasUnits(vtkMapper* mapper)
+{
+  return !vtkNBufferSurface::IsComposite(mapper) || vtkNBufferBlockStream::MayBeDivided(mapper);
+}
+}
 
 bool vtkNBufferDivision::IsLarge(vtkProp* prop, int minimum)
 {
@@ -29,12 +38,12 @@ bool vtkNBufferDivision::IsLarge(vtkProp* prop, int minimum)
   }
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
   if (!mapper || !vtkNBufferKnownClasses::HaveKnownTimes(actor) ||
-    mapper->GetNumberOfInputConnections(0) == 0)
+    mapper->GetNumberOfInputConnections(0) == 0 || !HasUnits(mapper))
   {
     return false;
   }
-  auto* data = vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
-  return data && data->GetNumberOfCells() >= minimum;
+  vtkDataObject* data = mapper->GetInputDataObject(0, 0);
+  return data && data->GetNumberOfElements(vtkDataObject::CELL) >= minimum;
 }
 
 vtkNBufferDivision::Entry* vtkNBufferDivision::Find(int place)
@@ -49,7 +58,10 @@ bool vtkNBufferDivision::MayDivide(int place) const
   const vtkNBufferCandidate& candidate = this->Props.GetCandidate(place);
   if (candidate.GetVerdict() != vtkNBufferVerdict::NotAPlainMapper)
   {
-    return candidate.IsCandidate();
+    vtkActor* actor = candidate.IsCandidate()
+      ? vtkNBufferKnownClasses::GetPlainActor(candidate.GetProp())
+      : nullptr;
+    return actor && HasUnits(actor->GetMapper());
   }
   vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(candidate.GetProp());
   return actor && !candidate.GetSharesState() && vtkNBufferInstanceStream::MayBeDivided(actor);
@@ -184,7 +196,10 @@ void vtkNBufferDivision::MarkOutside()
       !entry.Prop->IsInstanced())
     {
       entry.IsActive = false;
-      this->Props.GetState(entry.Place).Verdict = vtkNBufferVerdict::Outside;
+      if (!entry.Prop->HasChangedBlocks())
+      {
+        this->Props.GetState(entry.Place).Verdict = vtkNBufferVerdict::Outside;
+      }
     }
   }
 }
@@ -236,7 +251,11 @@ void vtkNBufferDivision::Test(const vtkNBufferDividedProp::Depth& depth, std::ve
     entry.BackOff.Learn(units.Units - units.Kept - units.Fresh, units.Units);
     if (fresh == 0 && isLeft)
     {
-      heldBack.erase(left);
+      entry.IsActive = !entry.Prop->HasChangedBlocks();
+      if (entry.IsActive)
+      {
+        heldBack.erase(left);
+      }
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include "vtkNBufferOcclusionTest.h"
 #include "vtkNBufferPixelTest.h"
+#include "vtkNBufferPropWatch.h"
 #include "vtkNBufferSurface.h"
 
 #include "vtkActor.h"
@@ -55,7 +56,7 @@ vtkNBufferDividedProp::~vtkNBufferDividedProp()
 
 void vtkNBufferDividedProp::BeginFrame(bool changed, const Settings& settings)
 {
-  const bool isStale = this->State == Phase::Ready && this->Hook->IsStale();
+  const bool isStale = this->State == Phase::Ready && (this->Hook->IsStale() || this->IsOutdated);
   if (changed && this->State == Phase::Ready && this->HasSameData())
   {
     this->ReadRounding();
@@ -66,6 +67,7 @@ void vtkNBufferDividedProp::BeginFrame(bool changed, const Settings& settings)
     this->Pending = {};
     this->State = Phase::Waiting;
     this->StillFrames = 0;
+    this->IsOutdated = false;
     this->Units = {};
     this->Mesh = {};
   }
@@ -74,6 +76,8 @@ void vtkNBufferDividedProp::BeginFrame(bool changed, const Settings& settings)
   if (this->State == Phase::Waiting && this->StillFrames++ >= settings.DivideAfter)
   {
     this->State = Phase::Reading;
+    this->BlockTime =
+      vtkNBufferPropWatch::GetDataTime(this->Actor->GetMapper()->GetInputDataObject(0, 0), true);
     this->Hook->ReadNext();
   }
   else if (this->State == Phase::Reading && this->Hook->GetSource().Mapper)
@@ -90,6 +94,19 @@ void vtkNBufferDividedProp::BeginFrame(bool changed, const Settings& settings)
 bool vtkNBufferDividedProp::IsInstanced() const
 {
   return this->Hook->GetSource().InstanceTime > 0;
+}
+
+bool vtkNBufferDividedProp::HasBlocks() const
+{
+  return this->Hook->GetSource().Corners == 2 && !this->IsInstanced();
+}
+
+bool vtkNBufferDividedProp::HasChangedBlocks()
+{
+  this->IsOutdated = this->HasBlocks() &&
+    vtkNBufferPropWatch::GetDataTime(this->Actor->GetMapper()->GetInputDataObject(0, 0), true) !=
+      this->BlockTime;
+  return this->IsOutdated;
 }
 
 bool vtkNBufferDividedProp::HasSameData() const
@@ -131,9 +148,11 @@ void vtkNBufferDividedProp::Build(const Settings& settings)
   }
   this->State = Phase::Building;
   this->Mesh = this->Hook->TakeMesh();
-  const std::size_t size = this->IsInstanced()
-    ? vtkNBufferInstanceStream::GetUnitSize(this->Hook->GetSource().IndexCount, settings.UnitSize)
-    : settings.UnitSize;
+  std::size_t size = this->HasBlocks() ? 1 : settings.UnitSize;
+  if (this->IsInstanced())
+  {
+    size = vtkNBufferInstanceStream::GetUnitSize(this->Hook->GetSource().IndexCount, size);
+  }
   // The member is not touched until the units are there.
   this->Pending = std::async(settings.InBackground ? std::launch::async : std::launch::deferred,
     [this, size]() { return vtkNBufferUnits::Make(this->Mesh, size); });

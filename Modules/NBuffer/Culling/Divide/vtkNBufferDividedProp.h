@@ -126,6 +126,14 @@ public:
 
   const Counts& GetCounts() const { return this->Number; }
 
+  /**
+   * Whether the units are blocks of composite data that have changed. In this case the prop has to
+   * be drawn whole, and is read again. If blocks change, the time of the data may stay the same.
+   * VTK takes notice when it draws them, so that this needs to be known only of props that are not
+   * drawn. It visits all blocks.
+   */
+  bool HasChangedBlocks();
+
   /// Whether the units that have been made are instances (vtkNBufferInstanceStream).
   bool IsInstanced() const;
 
@@ -156,6 +164,7 @@ private:
   };
 
   bool HasSameData() const;
+  bool HasBlocks() const;
   void ReadRounding();
   void Build(const Settings& settings);
   void Adopt();
@@ -172,6 +181,8 @@ private:
   vtkNew<vtkNBufferDrawHook> Hook;
   Phase State = Phase::Waiting;
   int StillFrames = 0;
+  vtkMTimeType BlockTime = 0; ///< The newest time of all blocks before they were read.
+  bool IsOutdated = false;    ///< HasChangedBlocks() has been true.
   std::future<vtkNBufferUnits> Pending;
   vtkNBufferUnits::Mesh Mesh; ///< The points are released when the units are made.
   vtkNBufferUnits Units;

@@ -8,6 +8,7 @@
 #include "vtkActor.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLGlyph3DHelper.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -79,11 +80,13 @@ vtkNBufferDrawHook::Draw::~Draw()
 {
   this->Hook->Restore();
   this->Hook->Actor = nullptr;
+  this->Hook->Reads = this->Hook->Reads && !this->Hook->Read.Mapper;
 }
 
 void vtkNBufferDrawHook::Restore()
 {
   this->Instances.Restore();
+  this->Blocks.Restore();
   if (this->Changed)
   {
     this->Changed->IBO = this->Original;
@@ -95,6 +98,8 @@ void vtkNBufferDrawHook::ReadNext()
 {
   this->Reads = true;
   this->Read = {};
+  this->Mesh = {};
+  this->Blocks.Clear();
   for (Buffer& buffer : this->Buffers)
   {
     buffer.Marked.clear(); // The same units of another mesh have other indices.
@@ -145,6 +150,11 @@ bool vtkNBufferDrawHook::SetShaderParameters(
     this->SetInstances(instances);
     return true;
   }
+  if (vtkNBufferBlockStream::DrawsBlocks(mapper))
+  {
+    this->SetBlocks(mapper);
+    return true;
+  }
   auto* surface = typeid(*mapper) == typeid(vtkOpenGLPolyDataMapper)
     ? static_cast<vtkOpenGLPolyDataMapper*>(mapper)
     : nullptr;
@@ -183,7 +193,6 @@ void vtkNBufferDrawHook::SetInstances(vtkOpenGLGlyph3DHelper* mapper)
   if (this->Reads)
   {
     this->Reads = false;
-    this->Mesh = {};
     if (source.Corners > 0 && !this->Instances.Read(this->Actor, mapper, this->Mesh))
     {
       source.Corners = 0;
@@ -206,11 +215,38 @@ void vtkNBufferDrawHook::SetInstances(vtkOpenGLGlyph3DHelper* mapper)
   }
 }
 
+void vtkNBufferDrawHook::SetBlocks(vtkAbstractMapper* mapper)
+{
+  // There are several mappers of blocks if some blocks have other arrays.
+  if (this->Reads)
+  {
+    vtkMapper* whole = this->Actor->GetMapper();
+    vtkDataObject* data = whole->GetInputDataObject(0, 0);
+    this->Blocks.Read(mapper, this->Mesh);
+    this->Read = { whole, data, data->GetMTime(), this->Mesh.Indices.size(), this->Mesh.Corners };
+    return;
+  }
+  if (this->Current == Whole)
+  {
+    return;
+  }
+  if (!this->Blocks.IsAsRead(mapper))
+  {
+    this->Stale = true;
+    return;
+  }
+  Buffer& buffer = this->Buffers[this->Current];
+  if (!std::exchange(buffer.IsUploaded, true))
+  {
+    this->Blocks.SetList(this->Current, std::exchange(buffer.Indices, {}));
+  }
+  this->Blocks.DrawNext(this->Current, mapper);
+}
+
 void vtkNBufferDrawHook::ReadSource(
   vtkOpenGLHelper* stream, const Source& source, vtkPolyData* data)
 {
   this->Read = source;
-  this->Mesh = {};
   if (source.Corners == 0)
   {
     return;

@@ -12,8 +12,12 @@
  *
  * A prop is drawn whole while it changes; if it has scalars or normals of cells, whose shader needs
  * the numbers of all primitives; if it has strips or lines as well as triangles; if its mapper is
- * neither vtkPolyDataMapper nor vtkDataSetMapper nor vtkGlyph3DMapper; while
- * vtkNBufferCuller::TestSlivers is on; and for some frames if next to none of its units is hidden.
+ * neither vtkPolyDataMapper nor vtkDataSetMapper nor vtkGlyph3DMapper nor a mapper of composite
+ * data; while vtkNBufferCuller::TestSlivers is on; and for some frames if next to none of its units
+ * is hidden.
+ *
+ * What is said of scalars, strips and lines does not hold for composite data, of which whole blocks
+ * are left out.
  *
  * The hook works only while one of its own draws is running (the class Draw). It then puts the
  * mapper's buffer back. Whatever else draws the actor gets the whole of it: hardware selectors,
@@ -22,6 +26,7 @@
 #ifndef vtkNBufferDrawHook_h
 #define vtkNBufferDrawHook_h
 
+#include "vtkNBufferBlockStream.h"
 #include "vtkNBufferInstanceStream.h"
 #include "vtkNBufferResourceCallback.h"
 #include "vtkNBufferUnits.h"
@@ -57,8 +62,8 @@ public:
     const vtkObjectBase* Data = nullptr;   ///< Only compared, never dereferenced.
     vtkMTimeType DataTime = 0;
     std::size_t IndexCount = 0;
-    /// 3 for triangles, 1 for points, 2 for the boxes of instances (vtkNBufferInstanceStream), 0
-    /// for what cannot be divided.
+    /// 3 for triangles, 1 for points, 2 for the boxes of instances (vtkNBufferInstanceStream) or
+    /// blocks (vtkNBufferBlockStream), 0 for what cannot be divided.
     std::size_t Corners = 0;
     vtkMTimeType InstanceTime = 0; ///< When the instances were uploaded.
 
@@ -150,6 +155,7 @@ private:
   };
 
   void SetInstances(vtkOpenGLGlyph3DHelper* mapper);
+  void SetBlocks(vtkAbstractMapper* mapper);
   void ReadSource(vtkOpenGLHelper* stream, const Source& source, vtkPolyData* data);
   bool IsAsRead(const Source& source);
   bool Upload(Buffer& buffer);
@@ -165,6 +171,7 @@ private:
   Source Read;
   vtkNBufferUnits::Mesh Mesh;
   vtkNBufferInstanceStream Instances;
+  vtkNBufferBlockStream Blocks;
   vtkOpenGLHelper* Changed = nullptr; ///< Its index buffer is one of ours.
   vtkOpenGLIndexBufferObject* Original = nullptr;
 };

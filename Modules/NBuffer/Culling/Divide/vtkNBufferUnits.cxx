@@ -168,7 +168,10 @@ vtkNBufferUnits vtkNBufferUnits::Make(const Mesh& mesh, std::size_t unitSize)
   groups.Corners = mesh.Corners;
   groups.Order = GetMortonOrder(mesh);
   groups.MakeBoxes(mesh);
-  const bool isSmaller = GetSurface(groups.Levels[0]) < WorthAnOrder * GetSurface(runs.Levels[0]);
+  // The boxes of single primitives are the same in any order.
+  const std::size_t level = unitSize == 1 && runs.Levels.size() > 1 ? 1 : 0;
+  const bool isSmaller =
+    GetSurface(groups.Levels[level]) < WorthAnOrder * GetSurface(runs.Levels[level]);
   return isSmaller ? groups : runs;
 }
 

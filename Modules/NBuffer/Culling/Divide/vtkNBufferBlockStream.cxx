@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferBlockStream.h"
+
+#include "vtkCommand.h"
+#include "vtkDataObjectTree.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkSelection.h"
+
+#include <algorithm>
+#include <limits>
+
+VTK_ABI_NAMESPACE_BEGIN
+using vtkNBufferProtectedMembers::GetBlockList;
+
+bool vtkNBufferBlockStream::MayBeDivided(vtkMapper* mapper)
+{
+  vtkSelection* selection = mapper->GetSelection();
+  return vtkNBufferProtectedMembers::HasBlockLists(mapper) &&
+    vtkDataObjectTree::SafeDownCast(mapper->GetInputDataObject(0, 0)) &&
+    !(selection && selection->GetNumberOfNodes() > 0);
+}
+
+bool vtkNBufferBlockStream::DrawsBlocks(vtkAbstractMapper* mapper)
+{
+  return GetBlockList(mapper).Blocks != nullptr;
+}
+
+void vtkNBufferBlockStream::Clear()
+{
+  this->Restore();
+  this->Batches.clear();
+}
+
+vtkNBufferBlockStream::Batch* vtkNBufferBlockStream::Find(vtkAbstractMapper* mapper)
+{
+  const vtkNBufferProtectedMembers::BlockList drawn = GetBlockList(mapper);
+  const auto found = std::find_if(this->Batches.begin(), this->Batches.end(),
+    [&](const Batch& batch)
+    {
+      return batch.Mapper == mapper && batch.BuildTime == drawn.BuildTime &&
+        batch.Blocks.size() == drawn.Blocks->size();
+    });
+  return found == this->Batches.end() ? nullptr : &*found;
+}
+
+void vtkNBufferBlockStream::Read(vtkAbstractMapper* mapper, vtkNBufferUnits::Mesh& boxes)
+{
+  if (this->Find(mapper))
+  {
+    return; // It draws triangles first, and then strips of the same blocks.
+  }
+  const vtkNBufferProtectedMembers::BlockList drawn = GetBlockList(mapper);
+  this->Batches.push_back({ mapper, drawn.BuildTime, *drawn.Blocks, {} });
+  boxes.Corners = 2;
+  for (const Map::value_type& block : *drawn.Blocks)
+  {
+    const double infinity = std::numeric_limits<double>::infinity();
+    glm::dvec3 low(-infinity);
+    glm::dvec3 high(infinity);
+    vtkPolyData* mesh = vtkNBufferProtectedMembers::GetMesh(mapper, block);
+    if (mesh && mesh->GetNumberOfPoints() > 0)
+    {
+      const double* bounds = mesh->GetPoints()->GetBounds();
+      low = { bounds[0], bounds[2], bounds[4] };
+      high = { bounds[1], bounds[3], bounds[5] };
+    }
+    for (const glm::dvec3& corner : { low, high })
+    {
+      boxes.Indices.push_back(static_cast<unsigned int>(boxes.Points.size()));
+      boxes.Points.push_back(corner);
+    }
+  }
+}
+
+void vtkNBufferBlockStream::SetList(int list, const std::vector<unsigned int>& corners)
+{
+  std::size_t first = 0;
+  auto next = corners.begin();
+  for (Batch& batch : this->Batches)
+  {
+    batch.Lists[list].clear();
+    std::size_t block = first;
+    for (const Map::value_type& entry : batch.Blocks)
+    {
+      if (next != corners.end() && *next == 2 * block)
+      {
+        batch.Lists[list].insert(batch.Lists[list].end(), entry);
+        next += 2;
+      }
+      ++block;
+    }
+    first = block;
+  }
+}
+
+void vtkNBufferBlockStream::DrawNext(int list, vtkAbstractMapper* mapper)
+{
+  this->Restore();
+  if (Batch* batch = this->Find(mapper))
+  {
+    this->Changed = mapper;
+    this->Exchanged = &batch->Lists[list];
+    this->Exchanged->swap(*GetBlockList(mapper).Blocks);
+    this->Observer =
+      mapper->AddObserver(vtkCommand::ProgressEvent, this, &vtkNBufferBlockStream::Restore);
+  }
+}
+
+void vtkNBufferBlockStream::Restore()
+{
+  if (this->Changed)
+  {
+    this->Exchanged->swap(*GetBlockList(this->Changed).Blocks);
+    this->Changed->RemoveObserver(this->Observer);
+    this->Changed = nullptr;
+  }
+}
+VTK_ABI_NAMESPACE_END

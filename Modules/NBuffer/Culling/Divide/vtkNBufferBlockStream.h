@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferBlockStream
+ * @brief The blocks of composite data: reads which ones VTK draws, and lets it draw some of them.
+ *
+ * vtkCompositePolyDataMapper (before VTK 9.3, vtkCompositePolyDataMapper2) has a mapper of blocks
+ * for all blocks with arrays of the same kinds. It has their vertices in common buffers, and draws
+ * one block after the other, each by a call of OpenGL with uniforms of its own. Which blocks, and
+ * in which order, is in a list (vtkNBufferProtectedBlocks.h). While this class lets it draw some of
+ * them, the list has only these. Buffers, program, uniforms and order stay VTK's.
+ *
+ * The unit of vtkNBufferUnits is here a block. A mesh of two points for each block, the corners of
+ * its box, stands for them. Blocks have any kinds of cells, and may have values of cells.
+ */
+#ifndef vtkNBufferBlockStream_h
+#define vtkNBufferBlockStream_h
+
+#include "vtkNBufferProtectedBlocks.h"
+#include "vtkNBufferUnits.h"
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkAbstractMapper;
+class vtkMapper;
+
+class vtkNBufferBlockStream
+{
+public:
+  vtkNBufferBlockStream() = default;
+  ~vtkNBufferBlockStream() { this->Restore(); }
+  vtkNBufferBlockStream(const vtkNBufferBlockStream&) = delete;
+  void operator=(const vtkNBufferBlockStream&) = delete;
+
+  /// Whether this mapper has the blocks of composite data drawn by mappers of blocks, and no cells
+  /// of it are selected, which would be drawn by the same list.
+  static bool MayBeDivided(vtkMapper* mapper);
+
+  /// Whether this is a mapper of blocks.
+  static bool DrawsBlocks(vtkAbstractMapper* mapper);
+
+  /// Forget all blocks.
+  void Clear();
+
+  /// Add the boxes of the blocks that a mapper of blocks is about to draw to the mesh, if they have
+  /// not been added since Clear().
+  void Read(vtkAbstractMapper* mapper, vtkNBufferUnits::Mesh& boxes);
+
+  /// Whether a mapper of blocks is about to draw the blocks that were read of it.
+  bool IsAsRead(vtkAbstractMapper* mapper) { return this->Find(mapper) != nullptr; }
+
+  /// Let list 0 or 1 consist of the blocks whose corners are `corners`, in ascending order.
+  void SetList(int list, const std::vector<unsigned int>& corners);
+
+  /// Let the draw whose shader parameters are being set draw only a list.
+  void DrawNext(int list, vtkAbstractMapper* mapper);
+
+  /// Undo what DrawNext() has changed in the mapper.
+  void Restore();
+
+private:
+  using Map = vtkNBufferProtectedMembers::BlockMap;
+
+  /// What one mapper of blocks draws.
+  struct Batch
+  {
+    const vtkAbstractMapper* Mapper; ///< Only compared.
+    vtkMTimeType BuildTime;
+    Map Blocks;
+    std::array<Map, 2> Lists;
+  };
+
+  Batch* Find(vtkAbstractMapper* mapper);
+
+  std::vector<Batch> Batches;
+  vtkSmartPointer<vtkAbstractMapper> Changed;
+  Map* Exchanged = nullptr; ///< The list of that mapper, while the mapper has one of ours.
+  unsigned long Observer = 0;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
