@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderedTriangles.h"
 #include "CompositeMapper.h"
+#include "vtkNBufferForEachChild.h"
 
 #include "vtkNBufferVTKVersion.h"
 
@@ -11,7 +12,6 @@
 #include "vtkCellArray.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeRange.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLIndexBufferObject.h"
@@ -90,10 +90,12 @@ private:
     }
     if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
     {
-      for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
-      {
-        this->AddData(child, visible);
-      }
+      vtkNBufferForEachChild(tree,
+        [&](vtkDataObject* child)
+        {
+          this->AddData(child, visible);
+          return true;
+        });
     }
     else if (auto* mesh = vtkPolyData::SafeDownCast(data))
     {

@@ -14,7 +14,10 @@ void ViewOptions::AddTo(CLI::App& command, const std::string& program)
   command.add_option("--scene", this->SceneNames, this->SceneHelp)->capture_default_str();
   command.add_flag("--split", this->SplitRegions,
     "A prop for each connected region of a file that holds one mesh; default: one prop");
-  command.add_flag("--merge", this->Merge, "All parts of the scene as one prop of polygons");
+  command
+    .add_option("--merge", this->Merge,
+      "All parts of the scene as one prop: one mesh, or composite data with a block for each part")
+    ->check(CLI::IsMember({ "polydata", "composite" }));
   command.add_option("--path", this->Path,
     "street, rooftop, drone, cuts, aside (few of the props in view) or orbit, or a path that the "
     "scene has of its own; default: street in a city, orbit elsewhere");
@@ -56,9 +59,9 @@ NBufferExamples::Scene ViewOptions::LoadScene() const
   options.SplitRegions = this->SplitRegions;
   NBufferExamples::Scene scene = NBufferExamples::LoadScene(this->SceneNames, options);
   scene.Tile(this->Props);
-  if (this->Merge)
+  if (!this->Merge.empty())
   {
-    scene.Merge();
+    scene.Merge(this->Merge == "composite");
   }
   return scene;
 }

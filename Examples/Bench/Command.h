@@ -43,7 +43,7 @@ struct ViewOptions
   int PathFrames = 0; ///< The frames of the whole path; 0: as many as are rendered.
   std::uint64_t Seed = 1;
   bool SplitRegions = false; ///< As in NBufferExamples::SceneOptions.
-  bool Merge = false;        ///< The scene becomes one prop.
+  std::string Merge;         ///< What the scene becomes: "", "polydata" or "composite".
   int Props = 0;             ///< The scene is copied until it has this many props; 0: not copied.
   SessionOptions Window;
   std::string Backend = "auto"; ///< The back-end of vtkNBufferCuller: auto, opengl or cpu.

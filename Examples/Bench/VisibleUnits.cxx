@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VisibleUnits.h"
 
+#include "CompositeMapper.h"
 #include "VisibleProps.h"
 #include "vtkNBufferCuller.h"
 #include "vtkNBufferUnits.h"
@@ -10,11 +11,14 @@
 #include "vtkDataObject.h"
 #include "vtkFrustumCoverageCuller.h"
 #include "vtkHardwareSelector.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <memory>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -24,8 +28,12 @@ namespace NBufferBench
 {
 namespace
 {
-/// A prop that vtkNBufferCuller divides, and its units.
-struct LargeProp
+/// Makes an actor that draws a part of a large prop: the units of which these cells, or blocks by
+/// their flat indices, own a pixel.
+using PartMaker = std::function<vtkSmartPointer<vtkActor>(const std::set<vtkIdType>&)>;
+
+/// A mesh that vtkNBufferCuller divides, and its units.
+struct LargeMesh
 {
   vtkActor* Actor = nullptr;
   vtkPolyData* Data = nullptr;
@@ -33,7 +41,6 @@ struct LargeProp
   vtkNBufferUnits Units;
   std::vector<std::size_t> UnitOfPrimitive;
 
-  /// An actor that draws the units of the given primitives.
   vtkSmartPointer<vtkActor> MakePart(const std::set<vtkIdType>& primitives) const
   {
     std::vector<unsigned char> drawn(this->Units.GetSize());
@@ -78,6 +85,63 @@ vtkCellArray* GetOnlyCells(vtkPolyData* data)
   return cells->GetNumberOfCells() == count && cells->IsHomogeneous() == corners ? cells : nullptr;
 }
 
+PartMaker MakeMeshMaker(vtkActor* actor, vtkPolyData* data, std::size_t unitSize)
+{
+  vtkCellArray* cells = GetOnlyCells(data);
+  if (!cells)
+  {
+    return nullptr;
+  }
+  auto found = std::make_shared<LargeMesh>();
+  found->Actor = actor;
+  found->Data = data;
+  found->Mesh.Corners = static_cast<std::size_t>(cells->IsHomogeneous());
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    cells->GetCellAtId(i, size, points);
+    found->Mesh.Indices.insert(found->Mesh.Indices.end(), points, points + size);
+  }
+  found->Mesh.Points.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < found->Mesh.Points.size(); ++i)
+  {
+    data->GetPoint(static_cast<vtkIdType>(i), glm::value_ptr(found->Mesh.Points[i]));
+  }
+  found->Units = vtkNBufferUnits::Make(found->Mesh, unitSize);
+  found->UnitOfPrimitive =
+    found->Units.GetUnitsOfPrimitives(found->Mesh.Indices.size() / found->Mesh.Corners);
+  return [found](const std::set<vtkIdType>& primitives) { return found->MakePart(primitives); };
+}
+
+PartMaker MakeBlockMaker(vtkActor* actor, vtkMultiBlockDataSet* data)
+{
+  return [actor, data](const std::set<vtkIdType>& flatIndices)
+  {
+    vtkNew<vtkMultiBlockDataSet> part;
+    for (unsigned int i = 0; i < data->GetNumberOfBlocks(); ++i)
+    {
+      // The root has flat index 0.
+      part->SetBlock(i, flatIndices.count(i + 1) > 0 ? data->GetBlock(i) : nullptr);
+    }
+    auto* original = static_cast<CompositeMapper*>(actor->GetMapper());
+    vtkNew<CompositeMapper> mapper;
+    mapper->SetCompositeDataDisplayAttributes(original->GetCompositeDataDisplayAttributes());
+    mapper->SetInputDataObject(part);
+    mapper->SetStatic(true);
+    auto copy = vtkSmartPointer<vtkActor>::New();
+    copy->ShallowCopy(actor);
+    copy->SetMapper(mapper);
+    return copy;
+  };
+}
+
+struct LargeProp
+{
+  PartMaker MakePart;
+  bool HasBlocks = false;
+};
+
 std::map<vtkProp*, LargeProp> FindLargeProps(Session& session)
 {
   vtkNew<vtkNBufferCuller> culler;
@@ -88,33 +152,22 @@ std::map<vtkProp*, LargeProp> FindLargeProps(Session& session)
   {
     auto* actor = vtkActor::SafeDownCast(prop);
     vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-    auto* data = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
-    vtkCellArray* cells =
-      data && data->GetNumberOfCells() >= minimum ? GetOnlyCells(data) : nullptr;
-    if (!cells)
+    vtkDataObject* data = mapper ? mapper->GetInputDataObject(0, 0) : nullptr;
+    if (!data || data->GetNumberOfElements(vtkDataObject::CELL) < minimum)
     {
       continue;
     }
+    auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data);
+    auto* mesh = vtkPolyData::SafeDownCast(data);
     LargeProp found;
-    found.Actor = actor;
-    found.Data = data;
-    found.Mesh.Corners = static_cast<std::size_t>(cells->IsHomogeneous());
-    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+    found.HasBlocks = blocks != nullptr;
+    found.MakePart = blocks ? MakeBlockMaker(actor, blocks)
+      : mesh                ? MakeMeshMaker(actor, mesh, unitSize)
+                            : nullptr;
+    if (found.MakePart)
     {
-      vtkIdType size = 0;
-      const vtkIdType* points = nullptr;
-      cells->GetCellAtId(i, size, points);
-      found.Mesh.Indices.insert(found.Mesh.Indices.end(), points, points + size);
+      large.emplace(prop, std::move(found));
     }
-    found.Mesh.Points.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
-    for (std::size_t i = 0; i < found.Mesh.Points.size(); ++i)
-    {
-      data->GetPoint(static_cast<vtkIdType>(i), glm::value_ptr(found.Mesh.Points[i]));
-    }
-    found.Units = vtkNBufferUnits::Make(found.Mesh, unitSize);
-    found.UnitOfPrimitive =
-      found.Units.GetUnitsOfPrimitives(found.Mesh.Indices.size() / found.Mesh.Corners);
-    large.emplace(prop, std::move(found));
   }
   return large;
 }
@@ -143,16 +196,18 @@ std::vector<vtkSmartPointer<vtkActor>> ReplaceByVisibleUnits(Session& session,
     {
       throw std::runtime_error("the cells that own a pixel could not be found: no selection");
     }
-    std::map<vtkProp*, std::set<vtkIdType>> cells;
+    std::map<vtkProp*, std::set<vtkIdType>> owners;
     for (unsigned int y = 0; y < static_cast<unsigned int>(size[1]); ++y)
     {
       for (unsigned int x = 0; x < static_cast<unsigned int>(size[0]); ++x)
       {
         const unsigned int pixel[2] = { x, y };
         const vtkHardwareSelector::PixelInformation owner = selector->GetPixelInformation(pixel, 0);
-        if (owner.Valid && large.count(owner.Prop) > 0)
+        const auto found = owner.Valid ? large.find(owner.Prop) : large.end();
+        if (found != large.end())
         {
-          cells[owner.Prop].insert(owner.AttributeID);
+          const bool byBlock = found->second.HasBlocks;
+          owners[owner.Prop].insert(byBlock ? owner.CompositeID : owner.AttributeID);
         }
       }
     }
@@ -161,7 +216,7 @@ std::vector<vtkSmartPointer<vtkActor>> ReplaceByVisibleUnits(Session& session,
       const auto found = large.find(prop);
       if (found != large.end())
       {
-        parts.push_back(found->second.MakePart(cells[prop]));
+        parts.push_back(found->second.MakePart(owners[prop]));
         prop = parts.back();
       }
     }

@@ -3,7 +3,6 @@
 // Scenes that are one prop, which vtkNBufferCuller culls unit by unit.
 #include "SceneKinds.h"
 
-#include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCubeSource.h"
 #include "vtkFloatArray.h"
@@ -11,7 +10,6 @@
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
-#include "vtkMatrixToLinearTransform.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -19,13 +17,11 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkTransformFilter.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
 #include <random>
-#include <stdexcept>
 
 namespace NBufferExamples
 {
@@ -300,51 +296,6 @@ Scene MakeGlyphs(const std::string& name)
       return path;
     } } };
   return scene;
-}
-
-void Scene::Merge()
-{
-  vtkNew<vtkAppendPolyData> append;
-  for (vtkActor* actor : this->Actors)
-  {
-    auto* data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
-    if (!data)
-    {
-      throw std::runtime_error(this->Name +
-        " has parts other than polygons, so that its parts "
-        "cannot be merged");
-    }
-    vtkNew<vtkMatrixToLinearTransform> transform;
-    transform->SetInput(actor->GetMatrix());
-    vtkNew<vtkPolyData> bare;
-    bare->SetPoints(data->GetPoints());
-    bare->SetPolys(data->GetPolys());
-    bare->SetStrips(data->GetStrips());
-    bare->GetPointData()->SetNormals(data->GetPointData()->GetNormals());
-    vtkNew<vtkTransformFilter> move;
-    move->SetTransform(transform);
-    move->SetInputData(bare);
-    move->Update();
-    vtkPolyData* part = move->GetPolyDataOutput();
-    const double* color = actor->GetProperty()->GetColor();
-    vtkNew<vtkUnsignedCharArray> colors;
-    colors->SetName("color");
-    colors->SetNumberOfComponents(3);
-    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
-    {
-      colors->InsertNextTuple3(255.0 * color[0], 255.0 * color[1], 255.0 * color[2]);
-    }
-    part->GetPointData()->SetScalars(colors);
-    append->AddInputData(part);
-  }
-  // A mesh of triangles and strips is not divided.
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputConnection(append->GetOutputPort());
-  triangles->Update();
-  auto merged = MakeActor(triangles->GetOutput(), { 1.0, 1.0, 1.0 });
-  merged->GetProperty()->SetInterpolation(this->Actors.front()->GetProperty()->GetInterpolation());
-  this->Actors = { merged };
-  this->PartNames.clear();
 }
 
 } // namespace NBufferExamples

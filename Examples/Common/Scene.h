@@ -100,9 +100,10 @@ struct Scene
    */
   void Tile(int count);
 
-  /// Makes one actor of all, whose mesh has a color at each point. Plan, Known and Paths stay as
-  /// they are. Throws std::runtime_error if an actor shows something else than polygons.
-  void Merge();
+  /// Makes one actor of all: of one mesh with a color at each point, or of composite data with a
+  /// colored block for each actor. Plan, Known and Paths stay as they are. Throws
+  /// std::runtime_error if an actor shows something else than polygons.
+  void Merge(bool toBlocks);
 };
 
 } // namespace NBufferExamples

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferPropWatch.h"
 
+#include "vtkNBufferForEachChild.h"
 #include "vtkNBufferForEachProp.h"
 #include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferObservedObjects.h"
@@ -14,7 +15,6 @@
 #include "vtkCellData.h"
 #include "vtkCompositeDataPipeline.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeRange.h"
 #include "vtkInformation.h"
 #include "vtkLookupTable.h"
 #include "vtkMapper.h"
@@ -115,10 +115,12 @@ vtkMTimeType vtkNBufferPropWatch::GetDataTime(vtkDataObject* data, bool withBloc
   vtkMTimeType time = data ? data->GetMTime() : 0;
   if (auto* tree = withBlocks ? vtkDataObjectTree::SafeDownCast(data) : nullptr)
   {
-    for (vtkDataObject* part : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
-    {
-      time = std::max(time, GetDataTime(part, withBlocks));
-    }
+    vtkNBufferForEachChild(tree,
+      [&time](vtkDataObject* part)
+      {
+        time = std::max(time, GetDataTime(part, true));
+        return true;
+      });
   }
   return time;
 }

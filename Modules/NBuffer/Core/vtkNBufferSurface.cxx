@@ -3,6 +3,7 @@
 #include "vtkNBufferSurface.h"
 
 #include "vtkNBufferDepthConvention.h"
+#include "vtkNBufferForEachChild.h"
 #include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferProtectedMembers.h"
 
@@ -13,7 +14,6 @@
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositePolyDataMapper.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeRange.h"
 #include "vtkDataSetMapper.h"
 #include "vtkFloatArray.h"
 #include "vtkGenericCell.h"
@@ -91,9 +91,14 @@ bool HasLines(vtkDataObject* data, bool orVertices)
 {
   if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
   {
-    const auto blocks = vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes);
-    return std::any_of(blocks.begin(), blocks.end(),
-      [orVertices](vtkDataObject* block) { return HasLines(block, orVertices); });
+    bool found = false;
+    vtkNBufferForEachChild(tree,
+      [&](vtkDataObject* block)
+      {
+        found = HasLines(block, orVertices);
+        return !found;
+      });
+    return found;
   }
   auto* mesh = vtkPolyData::SafeDownCast(data);
   return mesh && (mesh->GetNumberOfLines() > 0 || (orVertices && mesh->GetNumberOfVerts() > 0));
@@ -114,10 +119,12 @@ void AddBlocks(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* dat
   }
   if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
   {
-    for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
-    {
-      AddBlocks(attributes, child, part, parts);
-    }
+    vtkNBufferForEachChild(tree,
+      [&](vtkDataObject* child)
+      {
+        AddBlocks(attributes, child, part, parts);
+        return true;
+      });
   }
   else if ((part.Mesh = vtkPolyData::SafeDownCast(data)))
   {

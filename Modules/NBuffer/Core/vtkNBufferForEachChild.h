@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferForEachChild.h
+ * @brief Visits the children of a node of composite data.
+ *
+ * vtk::Range() does the same, but each of its references copies the iterator, which begins again at
+ * the first child: with thousands of children this takes seconds.
+ */
+#ifndef vtkNBufferForEachChild_h
+#define vtkNBufferForEachChild_h
+
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkNBufferVTKVersion.h"
+#include "vtkSmartPointer.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+
+/// Call `visit` with each child that is not null, in their order, until it returns false.
+template <typename Visit>
+void vtkNBufferForEachChild(vtkDataObjectTree* tree, const Visit& visit)
+{
+  const auto child = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+  child->SkipEmptyNodesOn();
+  child->TraverseSubTreeOff();
+  child->VisitOnlyLeavesOff();
+  for (child->InitTraversal(); !child->IsDoneWithTraversal(); child->GoToNextItem())
+  {
+    if (!visit(child->GetCurrentDataObject()))
+    {
+      return;
+    }
+  }
+}
+
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkNBufferForEachChild.h
