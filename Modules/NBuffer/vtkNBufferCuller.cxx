@@ -93,13 +93,13 @@ public:
     return this->Views.back();
   }
 
-  const vtkNBufferView* FindView(vtkRenderer* renderer) const
+  vtkNBufferView* FindView(vtkRenderer* renderer) const
   {
     if (!renderer)
     {
       return this->Last < this->Views.size() ? this->Views[this->Last].View.get() : nullptr;
     }
-    const vtkNBufferView* found = nullptr;
+    vtkNBufferView* found = nullptr;
     for (std::size_t i = 0; i < this->Views.size(); ++i)
     {
       if (this->Views[i].Renderer == renderer && (!found || i == this->Last))
@@ -267,8 +267,14 @@ double vtkNBufferCuller::Cull(
 
 vtkNBufferVerdict vtkNBufferCuller::GetVerdict(vtkProp* prop, vtkRenderer* renderer) const
 {
-  const vtkNBufferView* view = this->Implementation->FindView(renderer);
-  return view ? view->GetVerdict(prop) : vtkNBufferVerdict::Unknown;
+  vtkNBufferView* view = this->Implementation->FindView(renderer);
+  return view ? view->GetVerdict(prop, {}) : vtkNBufferVerdict::Unknown;
+}
+
+vtkNBufferVerdict vtkNBufferCuller::GetVerdict(vtkProp* prop, int part, vtkRenderer* renderer) const
+{
+  vtkNBufferView* view = this->Implementation->FindView(renderer);
+  return view ? view->GetVerdict(prop, part) : vtkNBufferVerdict::Unknown;
 }
 
 const vtkNBufferStatistics& vtkNBufferCuller::GetStatistics(vtkRenderer* renderer) const

@@ -207,6 +207,16 @@ public:
   /// that was culled last. Unknown if the prop was not in that frame. Costs one hash look-up.
   vtkNBufferVerdict GetVerdict(vtkProp* prop, vtkRenderer* renderer = nullptr) const;
 
+  /// The same of one part of a prop that is drawn unit by unit (SetDivideProps()): Visible if its
+  /// unit was drawn, otherwise Hidden or Outside, and Unknown if the prop has no such part. `part`
+  /// is the id of a point of the input for vtkGlyph3DMapper, and the flat index of a block for
+  /// composite data. For a mesh it is the number of the triangle or vertex in the order in which
+  /// VTK draws them, from 0 on: the id of the cell, if all cells are triangles or all are vertices.
+  /// The other parts of a unit have the same verdict. If the prop is drawn or culled as a whole,
+  /// any number has the verdict of the prop. The first call after a prop was divided makes a table
+  /// of 8 bytes per part; each further one costs two look-ups.
+  vtkNBufferVerdict GetVerdict(vtkProp* prop, int part, vtkRenderer* renderer = nullptr) const;
+
   /// Counts and times of the last frame of `renderer`; nullptr means the renderer that was culled
   /// last.
   const vtkNBufferStatistics& GetStatistics(vtkRenderer* renderer = nullptr) const;

@@ -75,6 +75,10 @@ def test_verdicts(window):
     assert vtknbuffer.verdict(culler, front) == "Visible"
     assert vtknbuffer.verdict(culler, back) == "Hidden"
     assert culler.GetVerdict(back) == vtknbuffer.vtkNBufferVerdict.Hidden
+    assert vtknbuffer.verdict(culler, back, part=0) == "Hidden"
+    assert culler.GetVerdict(back, None) == vtknbuffer.vtkNBufferVerdict.Hidden
+    assert culler.GetVerdict(back, 0) == vtknbuffer.vtkNBufferVerdict.Hidden
+    assert culler.GetVerdict(back, 0, renderer) == vtknbuffer.vtkNBufferVerdict.Hidden
 
 
 @pytest.mark.parametrize("target", [vtknbuffer.vtkNBufferCuller(),

@@ -107,6 +107,24 @@ TEST_P(Units, EachPrimitiveIsInOneUnitAndInItsBox)
   EXPECT_EQ(whole, mesh.Indices) << "all units are the mesh in its own order";
 }
 
+TEST_P(Units, AreFoundByTheirPrimitives)
+{
+  const Mesh mesh = this->Get();
+  vtkNBufferUnits units = vtkNBufferUnits::Make(mesh, 64);
+  EXPECT_EQ(units.AreSpatial(), this->GetParam());
+  const auto all = GetAll(units, mesh);
+  std::vector<std::size_t> next(units.GetSize());
+  for (std::size_t i = 0; i < mesh.Indices.size(); i += 3)
+  {
+    const std::size_t unit = units.FindUnit(i / 3);
+    ASSERT_LT(unit, units.GetSize());
+    ASSERT_LT(next[unit], all[unit].size());
+    EXPECT_TRUE(std::equal(&mesh.Indices[i], &mesh.Indices[i] + 3, &all[unit][next[unit]]));
+    next[unit] += 3;
+  }
+  EXPECT_EQ(units.FindUnit(mesh.Indices.size() / 3), units.GetSize());
+}
+
 // Hazard: the order of drawing, which decides where depths are equal, is that of the units.
 TEST_P(Units, KeepTheOrderOfDrawing)
 {

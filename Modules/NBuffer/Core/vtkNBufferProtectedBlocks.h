@@ -97,6 +97,16 @@ inline vtkPolyData* GetMesh(vtkAbstractMapper* mapper, const BlockMap::value_typ
     : nullptr;
 #endif
 }
+
+/// The flat index of a block in that list.
+inline unsigned int GetFlatIndex(const BlockMap::value_type& block)
+{
+#if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
+  return block.second->FlatIndex;
+#else
+  return block.first;
+#endif
+}
 #else
 inline bool HasBlockLists(vtkAbstractMapper*)
 {
@@ -111,6 +121,11 @@ inline BlockList GetBlockList(vtkAbstractMapper*)
 inline vtkPolyData* GetMesh(vtkAbstractMapper*, const BlockMap::value_type&)
 {
   return nullptr;
+}
+
+inline unsigned int GetFlatIndex(const BlockMap::value_type& block)
+{
+  return block.first;
 }
 #endif
 }

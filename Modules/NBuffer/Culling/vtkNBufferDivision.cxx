@@ -73,6 +73,15 @@ bool vtkNBufferDivision::IsDrawnByUnits(int place)
   return entry && entry->IsActive;
 }
 
+vtkNBufferVerdict vtkNBufferDivision::GetVerdict(int place, std::optional<int> part)
+{
+  const vtkNBufferVerdict whole = this->Props.GetState(place).Verdict;
+  const Entry* entry = this->Find(place);
+  const bool isInParts = part && entry && entry->IsActive && entry->Prop->IsReady() &&
+    whole != vtkNBufferVerdict::Outside && whole != vtkNBufferVerdict::Hidden;
+  return isInParts ? entry->Prop->GetVerdict(*part) : whole;
+}
+
 void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
 {
   for (const int i : places)

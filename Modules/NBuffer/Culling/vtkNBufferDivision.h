@@ -102,6 +102,10 @@ public:
   /// Whether only some units of a prop are drawn in this frame.
   bool IsDrawnByUnits(int place);
 
+  /// The verdict of a prop or, if it is drawn unit by unit, of the unit to which a part of it
+  /// belongs (vtkNBufferDividedProp::GetVerdict()).
+  vtkNBufferVerdict GetVerdict(int place, std::optional<int> part);
+
   /// Describe for vtkNBufferTieOrder what the next Draw() of a prop draws.
   void DescribeNext(int place, int round, const vtkNBufferProjection& projection,
     std::vector<vtkNBufferDrawnProp>& drawn);

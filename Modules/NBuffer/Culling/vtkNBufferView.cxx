@@ -144,7 +144,7 @@ vtkNBufferDecision vtkNBufferView::Divide()
   return decision;
 }
 
-vtkNBufferVerdict vtkNBufferView::GetVerdict(vtkProp* prop) const
+vtkNBufferVerdict vtkNBufferView::GetVerdict(vtkProp* prop, std::optional<int> part)
 {
   const int i = this->Props.Find(prop);
   if (i < 0)
@@ -152,7 +152,7 @@ vtkNBufferVerdict vtkNBufferView::GetVerdict(vtkProp* prop) const
     return vtkNBufferVerdict::Unknown;
   }
   return this->State == Phase::Aside ? vtkNBufferVerdict::Untested
-                                     : this->Props.GetState(i).Verdict;
+                                     : this->Division.GetVerdict(i, part);
 }
 
 bool vtkNBufferView::HasHeldPropWithKeys(vtkInformation* requiredKeys) const

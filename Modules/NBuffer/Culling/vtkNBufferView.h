@@ -49,6 +49,7 @@
 
 #include "vtkNew.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -77,8 +78,8 @@ public:
   /// the first failure of its kind in the window.
   void Fail(vtkRenderer* renderer, vtkNBufferDecision failure, const std::string& why);
 
-  /// Get the verdict of a prop in the last frame, or Unknown if it was not in that frame.
-  vtkNBufferVerdict GetVerdict(vtkProp* prop) const;
+  /// See vtkNBufferCuller::GetVerdict().
+  vtkNBufferVerdict GetVerdict(vtkProp* prop, std::optional<int> part);
   const vtkNBufferStatistics& GetStatistics() const { return this->Statistics; }
   const vtkNBufferBackend& GetBackend() const { return this->Backend; }
 

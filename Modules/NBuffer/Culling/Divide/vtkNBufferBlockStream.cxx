@@ -31,6 +31,7 @@ void vtkNBufferBlockStream::Clear()
 {
   this->Restore();
   this->Batches.clear();
+  this->Numbers.clear();
 }
 
 vtkNBufferBlockStream::Batch* vtkNBufferBlockStream::Find(vtkAbstractMapper* mapper)
@@ -66,12 +67,20 @@ void vtkNBufferBlockStream::Read(vtkAbstractMapper* mapper, vtkNBufferUnits::Mes
       low = { bounds[0], bounds[2], bounds[4] };
       high = { bounds[1], bounds[3], bounds[5] };
     }
+    this->Numbers.emplace(
+      vtkNBufferProtectedMembers::GetFlatIndex(block), boxes.Indices.size() / boxes.Corners);
     for (const glm::dvec3& corner : { low, high })
     {
       boxes.Indices.push_back(static_cast<unsigned int>(boxes.Points.size()));
       boxes.Points.push_back(corner);
     }
   }
+}
+
+std::size_t vtkNBufferBlockStream::FindBlock(unsigned int flatIndex) const
+{
+  const auto found = this->Numbers.find(flatIndex);
+  return found == this->Numbers.end() ? std::numeric_limits<std::size_t>::max() : found->second;
 }
 
 void vtkNBufferBlockStream::SetList(int list, const std::vector<unsigned int>& corners)

@@ -23,6 +23,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -51,6 +52,10 @@ public:
   /// not been added since Clear().
   void Read(vtkAbstractMapper* mapper, vtkNBufferUnits::Mesh& boxes);
 
+  /// The number of a block among those that were read since Clear(), by its flat index; the largest
+  /// number if there is no such block.
+  std::size_t FindBlock(unsigned int flatIndex) const;
+
   /// Whether a mapper of blocks is about to draw the blocks that were read of it.
   bool IsAsRead(vtkAbstractMapper* mapper) { return this->Find(mapper) != nullptr; }
 
@@ -78,6 +83,7 @@ private:
   Batch* Find(vtkAbstractMapper* mapper);
 
   std::vector<Batch> Batches;
+  std::map<unsigned int, std::size_t> Numbers; ///< Of the blocks, by their flat indices.
   vtkSmartPointer<vtkAbstractMapper> Changed;
   Map* Exchanged = nullptr; ///< The list of that mapper, while the mapper has one of ours.
   unsigned long Observer = 0;

@@ -179,6 +179,22 @@ void vtkNBufferDividedProp::Adopt()
   }
 }
 
+vtkNBufferVerdict vtkNBufferDividedProp::GetVerdict(int part)
+{
+  const std::size_t primitive = this->HasBlocks()
+    ? this->Hook->GetBlocks().FindBlock(static_cast<unsigned int>(part))
+    : static_cast<std::size_t>(part);
+  const std::size_t unit = this->Units.FindUnit(primitive);
+  if (unit == this->Units.GetSize())
+  {
+    return vtkNBufferVerdict::Unknown;
+  }
+  const bool isOutside = (this->Marks[unit] & Outside) != 0;
+  const auto inView =
+    this->DrawnUnits[unit] ? vtkNBufferVerdict::Visible : vtkNBufferVerdict::Hidden;
+  return isOutside ? vtkNBufferVerdict::Outside : inView;
+}
+
 vtkNBufferBox vtkNBufferDividedProp::MakeBox(const vtkNBufferUnits::Box& bounds) const
 {
   const double values[6] = { bounds.Low.x, bounds.High.x, bounds.Low.y, bounds.High.y, bounds.Low.z,

@@ -34,6 +34,7 @@
 #include "vtkNBufferDividedProxy.h"
 #include "vtkNBufferDrawHook.h"
 #include "vtkNBufferProjection.h"
+#include "vtkNBufferStatistics.h" // For the verdict
 #include "vtkNBufferUnits.h"
 
 #include "vtkActor.h" // For the weak pointer
@@ -133,6 +134,9 @@ public:
    * drawn. It visits all blocks.
    */
   bool HasChangedBlocks();
+
+  /// See vtkNBufferCuller::GetVerdict(). Requires IsReady().
+  vtkNBufferVerdict GetVerdict(int part);
 
   /// Whether the units that have been made are instances (vtkNBufferInstanceStream).
   bool IsInstanced() const;

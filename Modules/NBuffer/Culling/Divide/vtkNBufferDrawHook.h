@@ -105,6 +105,7 @@ public:
   const Source& GetSource() const { return this->Read; }
   vtkNBufferUnits::Mesh TakeMesh() { return std::move(this->Mesh); }
   const vtkNBufferInstanceStream& GetInstances() const { return this->Instances; }
+  const vtkNBufferBlockStream& GetBlocks() const { return this->Blocks; }
   ///@}
 
   /// Let draws of this list draw the primitives of the units that are marked. `indices` are those

@@ -178,6 +178,7 @@ vtkNBufferUnits vtkNBufferUnits::Make(const Mesh& mesh, std::size_t unitSize)
 void vtkNBufferUnits::MakeBoxes(const Mesh& mesh)
 {
   const std::size_t size = mesh.Indices.size() / mesh.Corners;
+  this->NumberOfPrimitives = size;
   std::vector<Box> boxes((size + this->UnitSize - 1) / this->UnitSize, GetEmpty());
   for (std::size_t i = 0; i < size; ++i)
   {
@@ -237,6 +238,15 @@ std::vector<std::size_t> vtkNBufferUnits::GetUnitsOfPrimitives(std::size_t size)
     units[this->AreSpatial() ? this->Order[i] : i] = i / this->UnitSize;
   }
   return units;
+}
+
+std::size_t vtkNBufferUnits::FindUnit(std::size_t primitive)
+{
+  if (this->UnitOfPrimitive.empty())
+  {
+    this->UnitOfPrimitive = this->GetUnitsOfPrimitives(this->NumberOfPrimitives);
+  }
+  return primitive < this->NumberOfPrimitives ? this->UnitOfPrimitive[primitive] : this->GetSize();
 }
 
 void vtkNBufferUnits::GetIndices(const std::vector<unsigned char>& drawn,

@@ -92,11 +92,17 @@ public:
   /// Get the unit of each primitive of a mesh of `size` primitives.
   std::vector<std::size_t> GetUnitsOfPrimitives(std::size_t size) const;
 
+  /// Get the unit of one primitive, or GetSize() if there is no such primitive. The first call
+  /// calls GetUnitsOfPrimitives(), which takes 8 bytes per primitive.
+  std::size_t FindUnit(std::size_t primitive);
+
 private:
   void MakeBoxes(const Mesh& mesh);
 
   std::size_t UnitSize = 1;
   std::size_t Corners = 3;
+  std::size_t NumberOfPrimitives = 0;
+  std::vector<std::size_t> UnitOfPrimitive; ///< Of FindUnit(), which makes it.
   std::vector<unsigned int> Order; ///< The primitives of all units; empty if units are runs.
   std::vector<std::vector<Box>> Levels;
 };

@@ -173,9 +173,11 @@ def statistics(source, renderer=None):
     return json.loads(source.GetStatistics().GetAsJSON())
 
 
-def verdict(culler, prop, renderer=None):
+def verdict(culler, prop, renderer=None, part=None):
     """Return why a prop was drawn or not drawn in the last frame, such as "Hidden".
 
-    The words are those of vtkNBufferVerdict.
+    The words are those of vtkNBufferVerdict. ``part`` is the number of an instance, a block, a
+    triangle or a vertex of a large prop (``vtkNBufferCuller.GetVerdict``).
     """
-    return vtkNBufferStatistics.GetName(culler.GetVerdict(prop, renderer))
+    arguments = (renderer,) if part is None else (part, renderer)
+    return vtkNBufferStatistics.GetName(culler.GetVerdict(prop, *arguments))

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The verdicts of instances, blocks, triangles and points of props that are drawn unit by unit.
+#include "CompositeMapper.h"
+#include "CullerTest.h"
+#include "Scenes.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCubeSource.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkMapper.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+
+#include <functional>
+
+namespace
+{
+constexpr int Side = 8;
+constexpr int PlacesOfKind = Side * Side;
+constexpr int Kinds = 3;
+constexpr int Copies = 4; // There are so many parts at each place.
+constexpr int Count = Copies * Kinds * PlacesOfKind;
+
+/// Where a part is and what the verdict on it is to be, seen from (0, -30, 0) with a wall at y = 0.
+struct Place
+{
+  glm::dvec3 Center;
+  Verdict Expected;
+};
+
+/// The three kinds take turns, and the copies of a part are far from it in the list.
+Place GetPlace(int part)
+{
+  const int n = part / Kinds % PlacesOfKind;
+  const glm::dvec3 inGrid(n % Side - 3.5, 0.0, n / Side - 3.5);
+  const Place kinds[Kinds] = { { inGrid + glm::dvec3(0.0, -5.0, 0.0), Verdict::Visible },
+    { inGrid + glm::dvec3(0.0, 5.0, 0.0), Verdict::Hidden },
+    { inGrid + glm::dvec3(100.0, 0.0, 0.0), Verdict::Outside } };
+  return kinds[part % Kinds];
+}
+
+vtkSmartPointer<vtkPolyData> MakeParts(int corners)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (int part = 0; part < Count; ++part)
+  {
+    cells->InsertNextCell(corners);
+    for (int k = 0; k < corners; ++k)
+    {
+      const glm::dvec3 shift(k == 1 ? 0.3 : 0.0, 0.0, k == 2 ? 0.3 : 0.0);
+      cells->InsertCellPoint(
+        points->InsertNextPoint(glm::value_ptr(GetPlace(part).Center + shift)));
+    }
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetVerts(corners == 1 ? cells.Get() : nullptr);
+  data->SetPolys(corners == 3 ? cells.Get() : nullptr);
+  return data;
+}
+
+/// The same triangles as blocks.
+vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks()
+{
+  vtkSmartPointer<vtkPolyData> all = MakeParts(3);
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (unsigned int part = 0; part < Count; ++part)
+  {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell({ 0, 1, 2 });
+    for (int k = 0; k < 3; ++k)
+    {
+      points->InsertNextPoint(all->GetPoint(3 * part + k));
+    }
+    vtkNew<vtkPolyData> block;
+    block->SetPoints(points);
+    block->SetPolys(cells);
+    blocks->SetBlock(part, block);
+  }
+  return blocks;
+}
+
+void SetGlyphs(vtkActor* actor)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->Update();
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputData(MakeParts(1));
+  mapper->SetSourceData(cube->GetOutput());
+  mapper->SetScaleFactor(0.3);
+  actor->SetMapper(mapper);
+}
+
+void SetBlocks(vtkActor* actor)
+{
+  vtkNew<CompositeMapper> mapper;
+  mapper->SetInputDataObject(MakeBlocks());
+  actor->SetMapper(mapper);
+}
+
+struct Kind : NamedCase
+{
+  int Corners;
+  int UnitSize;
+  std::function<void(vtkActor*)> SetMapper;
+  int First = 0; ///< The number of the first part.
+  int UnitsOfPlace = 1;
+};
+const Kind KindsOfParts[] = { { "Instances", 1, 48, SetGlyphs },
+  { "Blocks", 3, 4, SetBlocks, 1, Copies }, { "Triangles", 3, 4, nullptr },
+  { "Points", 1, 4, nullptr } };
+}
+
+class CullerVerdicts : public testing::TestWithParam<Kind>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Each, CullerVerdicts, testing::ValuesIn(KindsOfParts), GetCaseName);
+
+TEST_P(CullerVerdicts, EachPartHasItsOwn)
+{
+  ComparisonOptions options;
+  options.Tuning.MinimumNumberOfCandidates = 1;
+  options.Tuning.MinimumNumberOfPrimitives = 100;
+  options.Tuning.UnitSize = this->GetParam().UnitSize;
+  options.Tuning.DivideAfter = 0;
+  options.Tuning.DivideInBackground = false;
+  options.CompareDraws = false; // A mapper of which no instance is drawn announces nothing.
+  Comparison comparison(
+    [this](Stage& stage)
+    {
+      Scenes::AddBox(stage, 0.0, 0.0, 0.0, 30.0, 0.3, 30.0);
+      const double white[3] = { 1.0, 1.0, 1.0 };
+      stage.AddActor(MakeParts(this->GetParam().Corners), white);
+      stage.GetActor(1)->GetProperty()->LightingOff();
+      if (this->GetParam().SetMapper)
+      {
+        this->GetParam().SetMapper(stage.GetActor(1));
+      }
+    },
+    options);
+  int frame = 0;
+  const auto move = [&]()
+  {
+    for (int i = 0; i < 6; ++i)
+    {
+      const double x = 0.01 * ++frame;
+      comparison.Frame(
+        [x](Stage& stage)
+        {
+          vtkCamera* camera = stage.GetRenderer()->GetActiveCamera();
+          camera->SetPosition(x, -30.0, 0.0);
+          camera->SetFocalPoint(x, 0.0, 0.0);
+          camera->SetViewUp(0.0, 0.0, 1.0);
+          camera->SetClippingRange(1.0, 200.0);
+        });
+    }
+  };
+  move();
+  vtkNBufferCuller* culler = comparison.GetCuller();
+  vtkActor* wall = comparison.Culled.GetActor(0);
+  vtkActor* parts = comparison.Culled.GetActor(1);
+  const vtkNBufferStatistics& statistics = comparison.GetStatistics();
+  const int units = PlacesOfKind * this->GetParam().UnitsOfPlace;
+  const int first = this->GetParam().First;
+  const int hidden = first + 1;
+  ASSERT_EQ(statistics.Units, Kinds * units);
+  EXPECT_EQ(statistics.UnitsHidden, units);
+  EXPECT_EQ(statistics.UnitsOutside, units);
+  for (int part = 0; part < Count; ++part)
+  {
+    ASSERT_EQ(culler->GetVerdict(parts, first + part), GetPlace(part).Expected) << part;
+  }
+  EXPECT_EQ(culler->GetVerdict(parts, hidden, comparison.Culled.GetRenderer()), Verdict::Hidden);
+  for (const int part : { -1, first - 1, first + Count })
+  {
+    EXPECT_EQ(culler->GetVerdict(parts, part), Verdict::Unknown) << part;
+  }
+  EXPECT_EQ(culler->GetVerdict(nullptr, 0), Verdict::Unknown);
+  EXPECT_EQ(culler->GetVerdict(comparison.Reference.GetActor(1), 0), Verdict::Unknown);
+  EXPECT_EQ(culler->GetVerdict(wall, 0), Verdict::Visible) << "it is drawn whole";
+
+  comparison.Frame("still");
+  EXPECT_EQ(culler->GetVerdict(parts, first), Verdict::Visible);
+  EXPECT_EQ(culler->GetVerdict(parts, hidden), Verdict::Hidden);
+
+  culler->DividePropsOff();
+  move();
+  EXPECT_EQ(culler->GetVerdict(parts, hidden), culler->GetVerdict(parts)) << "it is drawn whole";
+  culler->DividePropsOn();
+  move();
+  EXPECT_EQ(culler->GetVerdict(parts, hidden), Verdict::Hidden);
+
+  // Behind the wall all parts have the verdict of the prop.
+  comparison.Both([](Stage& stage) { stage.GetActor(1)->SetPosition(0.0, 20.0, 0.0); });
+  move();
+  EXPECT_EQ(culler->GetVerdict(parts, hidden), Verdict::Hidden);
+  culler->EnabledOff();
+  move();
+  EXPECT_EQ(culler->GetVerdict(parts, hidden), Verdict::Untested);
+}
