@@ -6,7 +6,9 @@
  *
  * The marks are props of their own in the second renderer of the view, so that the scene, its
  * culler and its image stay as they are. A mark is made when its part is found hidden for the first
- * time; it uses the mesh of the part.
+ * time; it uses the mesh of the part. Of a large part, which the culler draws unit by unit, the
+ * mark has the hidden instances of a vtkGlyph3DMapper or the hidden cells of a mesh; it is made
+ * anew in each frame.
  */
 #ifndef CulledParts_h
 #define CulledParts_h
@@ -33,12 +35,14 @@ public:
   bool IsShown() const { return this->Shown; }
   ///@}
 
-  /// Returns how many marks the last frame has.
+  /// Returns how much the last frame has marked: parts and, of large parts, instances and cells.
   int GetCount() const { return this->Count; }
 
 private:
   /// Before the marks are drawn, the verdicts of the frame are known.
   void Update();
+  /// Marks what is hidden of a part, and returns how much that is.
+  int Mark(std::size_t part);
   vtkActor* GetMark(std::size_t part);
 
   View& Where;

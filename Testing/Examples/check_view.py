@@ -236,6 +236,13 @@ def test_keys():
     printed, frozen = draw(wall, flight)
     check(FROZEN_DIFFER.search(printed), f"frozen verdicts should change the picture: {printed}")
     check(share(frozen, is_red) > 0.01, "what was culled is not seen in red")
+    # Of one part, the instances and the triangles that are hidden.
+    for scene in ("glyph-wall", "isosurface"):
+        _, plain_scene = draw(scene, "i")
+        printed, red = draw(scene, "c v i")
+        culled = int(re.search(r"(\d+) culled parts in red", printed)[1])
+        check(culled > 10000 and "verify: 0 bytes differ" in printed, printed)
+        check(share(red, is_red) > share(plain_scene, is_red) + 0.01, f"nothing is red in {scene}")
     printed, shadows = draw(wall, "s . , v i")
     check(re.search(r"shadows at 09:00\n.*09:30\n.*09:00\nverify: 0 bytes differ", printed), printed)
     check(shadows != plain, "there are no shadows")
