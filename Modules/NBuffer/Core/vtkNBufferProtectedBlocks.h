@@ -18,6 +18,10 @@
 #include "vtkPolyData.h"
 
 #if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
+// The header of the helper does not include what it needs.
+#include VTKNBUFFER_GL_HEADER
+#include "vtkColor.h"
+
 #include "vtkCompositeMapperHelper2.h"
 #include "vtkCompositePolyDataMapper2.h"
 #elif VTKNBUFFER_HAS_BATCHED_MAPPER
