@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Example.h"
 
+#include "Frames.h"
+
 #include "vtkActor.h"
 #include "vtkCubeSource.h"
 #include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkLight.h"
+#include "vtkNBufferCuller.h"
 #include "vtkPNGWriter.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -19,7 +22,9 @@
 
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
 #include <exception>
+#include <iomanip>
 #include <iostream>
 #include <stdexcept>
 
@@ -128,10 +133,63 @@ void Example::AddFill(double intensity)
   this->Renderer->AddLight(fill);
 }
 
-void Example::Show(const std::string& picture, vtkShadowVolumeClampPass* pass)
+void Example::Compare(
+  vtkNBufferCuller* culler, int frames, const std::function<void(int)>& setCamera)
+{
+  this->PrepareWindow("comparing");
+  const auto draw = [&](int frame, bool withCuller)
+  {
+    setCamera(frame);
+    culler->SetEnabled(withCuller && this->On);
+    return RenderTimed(this->Window);
+  };
+  constexpr int patience = 100;
+  for (int i = 0; i < patience && this->On && culler->GetStatistics().Units == 0; ++i)
+  {
+    draw(i % 2, true);
+  }
+  draw(0, true); // The first frame with units draws more of them than the next ones.
+  draw(0, false);
+  std::vector<double> times[2];
+  long long bytes = 0;
+  std::cout << std::fixed << std::setprecision(1);
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    times[0].push_back(draw(frame, false));
+    const vtkSmartPointer<vtkUnsignedCharArray> expected = GrabPixels(this->Window);
+    times[1].push_back(draw(frame, true));
+    bytes += CountDifferingBytes(expected, GrabPixels(this->Window));
+    const vtkNBufferStatistics& counts = culler->GetStatistics();
+    std::cout << "frame " << frame << ": stock VTK " << times[0].back() << " ms, with the culler "
+              << times[1].back() << " ms, " << counts.UnitsKept + counts.UnitsFresh
+              << " units drawn, " << counts.UnitsHidden << " hidden, " << counts.UnitsOutside
+              << " outside\n";
+  }
+  for (std::vector<double>& list : times)
+  {
+    std::nth_element(
+      list.begin(), list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2), list.end());
+  }
+  const double stock = times[0][times[0].size() / 2];
+  const double own = times[1][times[1].size() / 2];
+  std::cout << "medians: stock VTK " << stock << " ms, with the culler " << own << " ms, "
+            << stock / own << " times as fast; " << bytes << " bytes differ\n";
+  if (bytes > 0)
+  {
+    throw std::runtime_error("the culler changes the image");
+  }
+}
+
+void Example::PrepareWindow(const std::string& name)
 {
   this->Window->SetSize(this->Size[0], this->Size[1]);
-  this->Window->SetWindowName(picture.c_str());
+  this->Window->SetWindowName(name.c_str());
+  this->Window->SetOffScreenRendering(this->Out.empty() ? 0 : 1);
+}
+
+void Example::Show(const std::string& picture, vtkShadowVolumeClampPass* pass)
+{
+  this->PrepareWindow(picture);
   if (this->Out.empty())
   {
     vtkNew<vtkRenderWindowInteractor> interactor;
@@ -143,7 +201,6 @@ void Example::Show(const std::string& picture, vtkShadowVolumeClampPass* pass)
     return;
   }
   vtksys::SystemTools::MakeDirectory(this->Out);
-  this->Window->SetOffScreenRendering(1);
   this->Window->Render();
   vtkNew<vtkWindowToImageFilter> grab;
   grab->SetInput(this->Window);
