@@ -18,6 +18,7 @@ HIERARCHY = "vtkNBufferHierarchy.cxx"
 FRAME_KEY = "vtkShadowFrameKey.cxx"
 DIVIDED = "vtkNBufferDividedProp.cxx"
 HOOK = "vtkNBufferDrawHook.cxx"
+UNIT_CULLING = "vtkNBufferUnitCulling.cxx"
 UNITS = "vtkNBufferUnits.cxx"
 MASK_MAKER = "vtkShadowMaskMaker.cxx"
 PLAN = "vtkShadowPlan.cxx"
@@ -57,7 +58,7 @@ MUTANTS = {
 
     # Units of large props.
     "boxes of units 1 % too small": [
-        (DIVIDED, "vtkNBufferBox box = vtkNBufferBox::FromBounds(values);",
+        (UNIT_CULLING, "vtkNBufferBox box = vtkNBufferBox::FromBounds(values);",
          "vtkNBufferBox box = vtkNBufferBox::FromBounds(values); box.HalfSize *= 0.99;")],
     "groups in space treated as runs": [
         (UNITS, "if (!this->AreSpatial())", "if (true)")],
@@ -77,7 +78,7 @@ MUTANTS = {
         (HOOK, "this->Stale = source.Corners == 0 || !(source == this->Read);",
          "this->Stale = source.Corners == 0;")],
     "units that are hidden stay hidden": [
-        (DIVIDED, "this->Marks[n] |= Visible;",
+        (UNIT_CULLING, "this->Marks[n] |= Visible;",
          "this->Marks[n] |= Visible; if (this->Turn % 2 == 0) { return; }")],
 
     # Triangles.

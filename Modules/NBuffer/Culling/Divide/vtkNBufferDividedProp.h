@@ -33,9 +33,7 @@
 
 #include "vtkNBufferDividedProxy.h"
 #include "vtkNBufferDrawHook.h"
-#include "vtkNBufferProjection.h"
-#include "vtkNBufferStatistics.h" // For the verdict
-#include "vtkNBufferUnits.h"
+#include "vtkNBufferUnitCulling.h"
 
 #include "vtkActor.h" // For the weak pointer
 #include "vtkNew.h"
@@ -47,7 +45,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
-class vtkNBufferLevels;
 
 class vtkNBufferDividedProp
 {
@@ -61,22 +58,8 @@ public:
     bool InBackground = false;
   };
 
-  /// What a test of units compares them with.
-  struct Depth
-  {
-    const vtkNBufferLevels& Levels;
-    const float* Pixels = nullptr; ///< The depth image, or nullptr if it is not in host memory.
-    double SampleDistance = 0.5;
-  };
-
-  /// How many units there are of each kind in this frame.
-  struct Counts
-  {
-    int Units = 0;
-    int Outside = 0;
-    int Kept = 0;
-    int Fresh = 0;
-  };
+  using Depth = vtkNBufferUnitCulling::Depth;
+  using Counts = vtkNBufferUnitCulling::Counts;
 
   explicit vtkNBufferDividedProp(vtkActor* actor);
   ~vtkNBufferDividedProp();
@@ -96,7 +79,7 @@ public:
   bool IsReady() const { return this->State == Phase::Ready; }
 
   /// Step 1 for a projection from the coordinates of the mesh.
-  void FindKept(const vtkNBufferProjection& projection);
+  void FindKept(const vtkNBufferProjection& projection) { this->Culling.FindKept(projection); }
 
   /// Step 3. Returns the number of fresh units.
   int Test(const vtkNBufferProjection& projection, const Depth& depth);
@@ -119,13 +102,15 @@ public:
   /// Bounds of the fresh units in the coordinates of the mesh, in a few groups of neighbours.
   std::vector<vtkNBufferUnits::Box> GetFreshGroups() const
   {
-    return this->Units.GetGroups(this->FreshUnits);
+    return this->Culling.GetUnits().GetGroups(this->Culling.GetFresh());
   }
 
-  /// The box of bounds in the coordinates of the mesh, with what bounds the rounding of vertices.
-  vtkNBufferBox MakeBox(const vtkNBufferUnits::Box& bounds) const;
-
-  const Counts& GetCounts() const { return this->Number; }
+  /// See vtkNBufferUnitCulling.
+  vtkNBufferBox MakeBox(const vtkNBufferUnits::Box& bounds) const
+  {
+    return this->Culling.MakeBox(bounds);
+  }
+  const Counts& GetCounts() const { return this->Culling.GetCounts(); }
 
   /**
    * Whether the units are blocks of composite data that have changed. In this case the prop has to
@@ -160,23 +145,11 @@ private:
     Refused
   };
 
-  /// What is known of a unit.
-  enum Mark : unsigned char
-  {
-    Visible = 1, ///< The last test found it visible.
-    Outside = 2  ///< It is outside of the view in this frame.
-  };
-
   bool HasSameData() const;
   bool HasBlocks() const;
   void ReadRounding();
   void Build(const Settings& settings);
   void Adopt();
-  void MarkOutside(std::size_t level, std::size_t n, const vtkNBufferProjection& projection);
-  void KeepNearest(const vtkNBufferProjection& projection, std::size_t limit);
-  void FindOpen();
-  struct Tests;
-  void TestNode(std::size_t level, std::size_t n, Tests& tests);
   int DrawList(vtkNBufferDrawHook::List list, const std::vector<unsigned char>& marked,
     const std::function<int()>& drawWhole);
 
@@ -189,17 +162,7 @@ private:
   bool IsOutdated = false;    ///< HasChangedBlocks() has been true.
   std::future<vtkNBufferUnits> Pending;
   vtkNBufferUnits::Mesh Mesh; ///< The points are released when the units are made.
-  vtkNBufferUnits Units;
-  glm::dvec3 Origin;    ///< vtkNBufferBox::Origin, in the coordinates of the mesh.
-  glm::dvec3 Magnitude; ///< vtkNBufferBox::Magnitude, likewise.
-  double Margin = 0.0;
-
-  std::vector<unsigned char> Marks;             ///< Of each unit.
-  std::vector<unsigned char> DrawnUnits;        ///< Whether it has been drawn.
-  std::vector<unsigned char> FreshUnits;        ///< Whether it is to be drawn next.
-  std::vector<std::vector<unsigned char>> Open; ///< Nodes with units to be tested.
-  Counts Number;
-  unsigned int Turn = 0; ///< Which of the drawn units are compared with pixels.
+  vtkNBufferUnitCulling Culling;
   bool IsDrawn = false;
   bool FreshIsNext = false;
   bool Settled = false;

@@ -230,6 +230,15 @@ std::vector<Box> vtkNBufferUnits::GetGroups(const std::vector<unsigned char>& ma
   return groups;
 }
 
+std::size_t vtkNBufferUnits::FindUnit(std::size_t primitive)
+{
+  if (this->UnitOfPrimitive.empty())
+  {
+    this->UnitOfPrimitive = this->GetUnitsOfPrimitives(this->NumberOfPrimitives);
+  }
+  return primitive < this->NumberOfPrimitives ? this->UnitOfPrimitive[primitive] : this->GetSize();
+}
+
 std::vector<std::size_t> vtkNBufferUnits::GetUnitsOfPrimitives(std::size_t size) const
 {
   std::vector<std::size_t> units(size);
@@ -238,15 +247,6 @@ std::vector<std::size_t> vtkNBufferUnits::GetUnitsOfPrimitives(std::size_t size)
     units[this->AreSpatial() ? this->Order[i] : i] = i / this->UnitSize;
   }
   return units;
-}
-
-std::size_t vtkNBufferUnits::FindUnit(std::size_t primitive)
-{
-  if (this->UnitOfPrimitive.empty())
-  {
-    this->UnitOfPrimitive = this->GetUnitsOfPrimitives(this->NumberOfPrimitives);
-  }
-  return primitive < this->NumberOfPrimitives ? this->UnitOfPrimitive[primitive] : this->GetSize();
 }
 
 void vtkNBufferUnits::GetIndices(const std::vector<unsigned char>& drawn,

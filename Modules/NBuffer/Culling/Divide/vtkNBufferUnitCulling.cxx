@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferUnitCulling.h"
+
+#include "vtkNBufferOcclusionTest.h"
+#include "vtkNBufferPixelTest.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// Drawn units are compared with the levels in each frame, and with pixels in one of this many, in
+/// groups of vtkNBufferUnits::Fanout.
+constexpr std::size_t Turns = 8;
+
+/// A view is new if fewer than one in this many units of the frustum are known to be visible. Then
+/// that share of the units is drawn first.
+constexpr std::size_t NewViewShare = 64;
+}
+
+/// The tests of one call of Test().
+struct vtkNBufferUnitCulling::Tests
+{
+  const vtkNBufferProjection& Projection;
+  vtkNBufferOcclusionTest Levels;
+  std::optional<vtkNBufferPixelTest> Pixels;
+};
+
+void vtkNBufferUnitCulling::SetUnits(vtkNBufferUnits units)
+{
+  this->Units = std::move(units);
+  const std::size_t size = this->Units.GetSize();
+  this->Marks.assign(size, 0);
+  this->DrawnUnits.assign(size, 0);
+  this->FreshUnits.assign(size, 0);
+  this->Open.clear();
+  for (const auto& level : this->Units.GetLevels())
+  {
+    this->Open.emplace_back(level.size());
+  }
+}
+
+vtkNBufferBox vtkNBufferUnitCulling::MakeBox(const vtkNBufferUnits::Box& bounds) const
+{
+  const double values[6] = { bounds.Low.x, bounds.High.x, bounds.Low.y, bounds.High.y, bounds.Low.z,
+    bounds.High.z };
+  vtkNBufferBox box = vtkNBufferBox::FromBounds(values);
+  box.Origin = this->Errors.Origin;
+  box.Magnitude = this->Errors.Magnitude;
+  box.Margin = this->Errors.Margin;
+  return box;
+}
+
+void vtkNBufferUnitCulling::FindKept(const vtkNBufferProjection& projection)
+{
+  for (unsigned char& mark : this->Marks)
+  {
+    mark &= static_cast<unsigned char>(~Outside);
+  }
+  this->MarkOutside(this->Units.GetLevels().size() - 1, 0, projection);
+  this->Number = {};
+  this->Number.Units = static_cast<int>(this->Units.GetSize());
+  for (std::size_t i = 0; i < this->Units.GetSize(); ++i)
+  {
+    this->DrawnUnits[i] = this->Marks[i] == Visible;
+    this->Number.Outside += (this->Marks[i] & Outside) != 0;
+    this->Number.Kept += this->DrawnUnits[i];
+  }
+  const auto limit =
+    static_cast<std::size_t>(this->Number.Units - this->Number.Outside) / NewViewShare + 1;
+  if (static_cast<std::size_t>(this->Number.Kept) < limit)
+  {
+    this->KeepNearest(projection, limit);
+  }
+}
+
+void vtkNBufferUnitCulling::MarkOutside(
+  std::size_t level, std::size_t n, const vtkNBufferProjection& projection)
+{
+  const vtkNBufferBox box = this->MakeBox(this->Units.GetLevels()[level][n]);
+  vtkNBufferScreenBox screen;
+  const vtkNBufferPlacement placement =
+    projection.IsOutside(box) ? vtkNBufferPlacement::Outside : projection.Project(box, screen);
+  if (placement == vtkNBufferPlacement::Outside)
+  {
+    const std::size_t end = this->Units.GetEnd(level, n);
+    for (std::size_t i = this->Units.GetBegin(level, n); i < end; ++i)
+    {
+      this->Marks[i] = Outside;
+    }
+    return;
+  }
+  if (level == 0 || (placement == vtkNBufferPlacement::Inside && projection.IsWhollyInside(screen)))
+  {
+    return;
+  }
+  const std::size_t end =
+    std::min((n + 1) * vtkNBufferUnits::Fanout, this->Units.GetLevels()[level - 1].size());
+  for (std::size_t child = n * vtkNBufferUnits::Fanout; child < end; ++child)
+  {
+    this->MarkOutside(level - 1, child, projection);
+  }
+}
+
+void vtkNBufferUnitCulling::KeepNearest(const vtkNBufferProjection& projection, std::size_t limit)
+{
+  std::vector<std::pair<double, std::size_t>> nearest;
+  for (std::size_t i = 0; i < this->Units.GetSize(); ++i)
+  {
+    vtkNBufferScreenBox screen;
+    if (this->Marks[i] == 0)
+    {
+      const bool isInside = projection.Project(this->MakeBox(this->Units.GetLevels()[0][i]),
+                              screen) == vtkNBufferPlacement::Inside;
+      nearest.emplace_back(isInside ? screen.Nearest : 0.0, i);
+    }
+  }
+  limit = std::min(limit, nearest.size());
+  std::nth_element(
+    nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(limit), nearest.end());
+  for (std::size_t k = 0; k < limit; ++k)
+  {
+    this->Marks[nearest[k].second] = Visible;
+    this->DrawnUnits[nearest[k].second] = 1;
+    ++this->Number.Kept;
+  }
+}
+
+void vtkNBufferUnitCulling::FindOpen()
+{
+  for (std::size_t i = 0; i < this->Units.GetSize(); ++i)
+  {
+    this->Open[0][i] = !(this->Marks[i] & Outside);
+  }
+  for (std::size_t level = 1; level < this->Open.size(); ++level)
+  {
+    std::fill(this->Open[level].begin(), this->Open[level].end(), 0);
+    for (std::size_t i = 0; i < this->Open[level - 1].size(); ++i)
+    {
+      this->Open[level][i / vtkNBufferUnits::Fanout] |= this->Open[level - 1][i];
+    }
+  }
+}
+
+void vtkNBufferUnitCulling::ClearDrawn()
+{
+  std::fill(this->DrawnUnits.begin(), this->DrawnUnits.end(), 0);
+  this->Number.Kept = 0;
+}
+
+int vtkNBufferUnitCulling::Test(const vtkNBufferProjection& projection, const Depth& depth)
+{
+  std::fill(this->FreshUnits.begin(), this->FreshUnits.end(), 0);
+  this->Number.Fresh = 0;
+  this->Turn = (this->Turn + 1) % Turns;
+  this->FindOpen();
+  Tests tests = { projection, vtkNBufferOcclusionTest(depth.Levels, depth.SampleDistance), {} };
+  if (depth.Pixels)
+  {
+    tests.Pixels.emplace(projection, depth.Levels, depth.Pixels, depth.SampleDistance);
+  }
+  this->TestNode(this->Units.GetLevels().size() - 1, 0, tests);
+  return this->Number.Fresh;
+}
+
+void vtkNBufferUnitCulling::TestNode(std::size_t level, std::size_t n, Tests& tests)
+{
+  if (!this->Open[level][n])
+  {
+    return;
+  }
+  const vtkNBufferBox box = this->MakeBox(this->Units.GetLevels()[level][n]);
+  vtkNBufferScreenBox screen;
+  const bool isInside = tests.Projection.Project(box, screen) == vtkNBufferPlacement::Inside;
+  bool isHidden = isInside && tests.Levels.IsHidden(screen);
+  const bool isDue = n / vtkNBufferUnits::Fanout % Turns == this->Turn;
+  if (level == 0 && isInside && !isHidden && tests.Pixels && (!this->DrawnUnits[n] || isDue))
+  {
+    isHidden = tests.Pixels->IsHidden(box, screen);
+  }
+  if (isHidden)
+  {
+    const std::size_t end = this->Units.GetEnd(level, n);
+    for (std::size_t i = this->Units.GetBegin(level, n); i < end; ++i)
+    {
+      this->Marks[i] &= static_cast<unsigned char>(~Visible);
+    }
+    return;
+  }
+  if (level == 0)
+  {
+    this->Marks[n] |= Visible;
+    this->FreshUnits[n] = !this->DrawnUnits[n];
+    this->Number.Fresh += this->FreshUnits[n];
+    return;
+  }
+  const std::size_t end =
+    std::min((n + 1) * vtkNBufferUnits::Fanout, this->Units.GetLevels()[level - 1].size());
+  for (std::size_t child = n * vtkNBufferUnits::Fanout; child < end; ++child)
+  {
+    this->TestNode(level - 1, child, tests);
+  }
+}
+
+void vtkNBufferUnitCulling::AddFreshToDrawn()
+{
+  std::transform(this->FreshUnits.begin(), this->FreshUnits.end(), this->DrawnUnits.begin(),
+    this->DrawnUnits.begin(), std::bit_or<unsigned char>());
+}
+
+int vtkNBufferUnitCulling::CountDrawn() const
+{
+  return static_cast<int>(std::count(this->DrawnUnits.begin(), this->DrawnUnits.end(), 1));
+}
+
+vtkNBufferVerdict vtkNBufferUnitCulling::GetVerdict(std::size_t primitive)
+{
+  const std::size_t unit = this->Units.FindUnit(primitive);
+  if (unit == this->Units.GetSize())
+  {
+    return vtkNBufferVerdict::Unknown;
+  }
+  const bool isOutside = (this->Marks[unit] & Outside) != 0;
+  const auto inView =
+    this->DrawnUnits[unit] ? vtkNBufferVerdict::Visible : vtkNBufferVerdict::Hidden;
+  return isOutside ? vtkNBufferVerdict::Outside : inView;
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferUnitCulling
+ * @brief Which units of one large prop (vtkNBufferUnits) may be seen, have been drawn, and are to
+ * be drawn next. No OpenGL. vtkNBufferDividedProp says what happens when.
+ */
+#ifndef vtkNBufferUnitCulling_h
+#define vtkNBufferUnitCulling_h
+
+#include "vtkNBufferProjection.h"
+#include "vtkNBufferStatistics.h" // For the verdict
+#include "vtkNBufferUnits.h"
+
+#include <cstddef>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkNBufferLevels;
+
+class vtkNBufferUnitCulling
+{
+public:
+  /// What a test of units compares them with.
+  struct Depth
+  {
+    const vtkNBufferLevels& Levels;
+    const float* Pixels = nullptr; ///< The depth image, or nullptr if it is not in host memory.
+    double SampleDistance = 0.5;
+  };
+
+  /// How many units there are of each kind in this frame.
+  struct Counts
+  {
+    int Units = 0;
+    int Outside = 0;
+    int Kept = 0;
+    int Fresh = 0;
+  };
+
+  /// What bounds the rounding of vertices, in the coordinates of the mesh; see vtkNBufferBox.
+  struct Rounding
+  {
+    glm::dvec3 Origin = glm::dvec3(0.0);
+    glm::dvec3 Magnitude = glm::dvec3(0.0);
+    double Margin = 0.0;
+  };
+
+  /// Begin with new units, of which nothing is known.
+  void SetUnits(vtkNBufferUnits units);
+  const vtkNBufferUnits& GetUnits() const { return this->Units; }
+
+  void SetRounding(const Rounding& rounding) { this->Errors = rounding; }
+
+  /// The box of bounds in the coordinates of the mesh, with what bounds the rounding of vertices.
+  vtkNBufferBox MakeBox(const vtkNBufferUnits::Box& bounds) const;
+
+  /// Test the frustum, and let the units that are drawn first count as drawn: those that the last
+  /// test found visible or, in a new view, the nearest ones.
+  void FindKept(const vtkNBufferProjection& projection);
+
+  /// If the prop has not been drawn, no unit counts as drawn.
+  void ClearDrawn();
+
+  /// Test the units in the frustum. Those that are visible and not drawn are fresh. Returns their
+  /// number.
+  int Test(const vtkNBufferProjection& projection, const Depth& depth);
+
+  /// The fresh units have been drawn.
+  void AddFreshToDrawn();
+
+  ///@{
+  /// 1 for each unit that has been drawn in this frame, or that is fresh.
+  const std::vector<unsigned char>& GetDrawn() const { return this->DrawnUnits; }
+  const std::vector<unsigned char>& GetFresh() const { return this->FreshUnits; }
+  ///@}
+
+  /// How many units have been drawn in this frame.
+  int CountDrawn() const;
+
+  const Counts& GetCounts() const { return this->Number; }
+
+  /// The verdict of the unit of a primitive; Unknown if there is no such primitive.
+  vtkNBufferVerdict GetVerdict(std::size_t primitive);
+
+private:
+  /// What is known of a unit.
+  enum Mark : unsigned char
+  {
+    Visible = 1, ///< The last test found it visible.
+    Outside = 2  ///< It is outside of the view in this frame.
+  };
+
+  void MarkOutside(std::size_t level, std::size_t n, const vtkNBufferProjection& projection);
+  void KeepNearest(const vtkNBufferProjection& projection, std::size_t limit);
+  void FindOpen();
+  struct Tests;
+  void TestNode(std::size_t level, std::size_t n, Tests& tests);
+
+  vtkNBufferUnits Units;
+  Rounding Errors;
+  std::vector<unsigned char> Marks;             ///< Of each unit.
+  std::vector<unsigned char> DrawnUnits;        ///< Whether it has been drawn.
+  std::vector<unsigned char> FreshUnits;        ///< Whether it is to be drawn next.
+  std::vector<std::vector<unsigned char>> Open; ///< Nodes with units to be tested.
+  Counts Number;
+  unsigned int Turn = 0; ///< Which of the drawn units are compared with pixels.
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
