@@ -20,6 +20,7 @@ DIVIDED = "vtkNBufferDividedProp.cxx"
 HOOK = "vtkNBufferDrawHook.cxx"
 UNIT_CULLING = "vtkNBufferUnitCulling.cxx"
 UNITS = "vtkNBufferUnits.cxx"
+RANGES = "vtkNBufferRangeDraw.cxx"
 MASK_MAKER = "vtkShadowMaskMaker.cxx"
 PLAN = "vtkShadowPlan.cxx"
 DRAW_LIST = "vtkShadowDrawList.cxx"
@@ -66,17 +67,16 @@ MUTANTS = {
         ("vtkNBufferTieOrder.cxx", "a.Round > b.Round;", "a.Round < b.Round;")],
     "equal depths inside of a mesh not found by the device": [
         ("vtkNBufferTieQuery.cxx", "return passed > 0;", "return false;")],
-    "cells' colors with the numbers of some primitives": [
-        ("vtkNBufferProtectedMembers.h",
-         "!(mapper->*&Access::HaveCellScalars) && !(mapper->*&Access::HaveCellNormals);", "true;")],
+    "cell values of a shortened list": [
+        (RANGES, "SetUniformi(Offset, static_cast<int>(range.Begin));", "SetUniformi(Offset, 0);")],
     "a mapper keeps the index buffer of the units": [
         (HOOK, "this->Changed->IBO = this->Original;", "")],
     "indices of the mesh before": [
         (HOOK, "buffer.Marked.clear(); // The same units of another mesh have other indices.", "")],
     "units of data that have changed": [
         (DIVIDED, "data->GetMTime() == source.DataTime;", "true;"),
-        (HOOK, "this->Stale = source.Corners == 0 || !(source == this->Read);",
-         "this->Stale = source.Corners == 0;")],
+        (HOOK, "this->Stale = source.Corners == 0 || !(source == this->Read) ||",
+         "this->Stale = source.Corners == 0 ||")],
     "units that are hidden stay hidden": [
         (UNIT_CULLING, "this->Marks[n] |= Visible;",
          "this->Marks[n] |= Visible; if (this->Turn % 2 == 0) { return; }")],

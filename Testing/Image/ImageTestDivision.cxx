@@ -10,6 +10,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSetMapper.h"
+#include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMapper.h"
@@ -98,6 +99,41 @@ vtkSmartPointer<vtkPolyData> MakePoints(vtkPolyData* data)
   result->ShallowCopy(data);
   result->SetPolys(nullptr);
   result->SetVerts(cells);
+  return result;
+}
+
+/// The mesh with a color for each cell instead of each point.
+vtkSmartPointer<vtkPolyData> ColorCells(vtkPolyData* data)
+{
+  std::minstd_rand random(17);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    colors->InsertNextTuple3(random() % 256, random() % 256, random() % 256);
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->ShallowCopy(data);
+  result->GetPointData()->SetScalars(nullptr);
+  result->GetCellData()->SetScalars(colors);
+  return result;
+}
+
+/// The mesh with a normal for each cell instead of each point.
+vtkSmartPointer<vtkPolyData> TurnCells(vtkPolyData* data)
+{
+  std::minstd_rand random(19);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    const glm::dvec3 normal(random() % 100 - 50.0, random() % 100 - 50.0, 20.0);
+    normals->InsertNextTuple(glm::value_ptr(glm::normalize(normal)));
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->ShallowCopy(data);
+  result->GetPointData()->SetNormals(nullptr);
+  result->GetCellData()->SetNormals(normals);
   return result;
 }
 
@@ -193,6 +229,34 @@ const Large Cases[] = {
       mapper->SetInputData(MakeCity(14));
       stage.GetActor(0)->SetMapper(mapper);
     } },
+  { "CellColors", [](Stage& stage) { stage.AddActor(ColorCells(MakeCity(14)), White); } },
+  { "CellColorsShuffled",
+    [](Stage& stage) { stage.AddActor(ColorCells(Shuffle(MakeCity(14))), White); } },
+  { "CellColorsAndWalls",
+    [](Stage& stage)
+    {
+      AddWalls(stage);
+      stage.AddActor(ColorCells(MakeBumps()), White);
+      AddWalls(stage);
+    } },
+  { "CellColorsOfPoints",
+    [](Stage& stage)
+    {
+      stage.AddActor(ColorCells(MakePoints(MakeCity(14))), White);
+      stage.GetActor(0)->GetProperty()->SetPointSize(5.0F);
+      AddWalls(stage);
+    } },
+  { "CellNormals", [](Stage& stage) { stage.AddActor(TurnCells(MakeCity(14)), White); } },
+  { "CellNormalsShuffled",
+    [](Stage& stage) { stage.AddActor(TurnCells(Shuffle(MakeCity(14))), White); } },
+  { "CellColorsAndNormals",
+    [](Stage& stage)
+    {
+      vtkNew<vtkDataSetMapper> mapper;
+      mapper->SetInputData(TurnCells(ColorCells(MakeCity(14))));
+      stage.AddActor(MakeCity(14), White);
+      stage.GetActor(0)->SetMapper(mapper);
+    } },
   { "ClippingPlane",
     [](Stage& stage)
     {
@@ -252,12 +316,18 @@ TEST_P(CullerDivision, SameImage)
   }
 }
 
+class CullerDivisionTies : public testing::TestWithParam<bool>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Each, CullerDivisionTies, testing::Bool(),
+  [](const auto& info) { return std::string(info.param ? "OfCells" : "OfPoints"); });
+
 // Hazard: triangles of equal depth in one mesh, of which the last one in its order has to stay.
-TEST(CullerDivisionTies, LastOneStays)
+TEST_P(CullerDivisionTies, LastOneStays)
 {
   ComparisonOptions options = MakeOptions(2);
   Comparison comparison(
-    [](Stage& stage)
+    [ofCells = this->GetParam()](Stage& stage)
     {
       Scenes::SetPixelCamera(stage.GetRenderer(), 301, 173);
       // Overlapping upright quads in a few planes, each of a color of its own.
@@ -285,7 +355,7 @@ TEST(CullerDivisionTies, LastOneStays)
       quads->SetPolys(cells);
       quads->GetPointData()->SetScalars(colors);
       Scenes::AddQuad(stage, 20, 20, 90, 90, -10.0); // shares a plane with the mesh
-      stage.AddActor(quads, White);
+      stage.AddActor(ofCells ? ColorCells(quads) : quads.Get(), White);
       stage.GetActor(1)->GetProperty()->LightingOff();
       Scenes::AddQuad(stage, 120, 60, 200, 150, 0.0);
       Scenes::AddQuad(stage, 0, 0, 120, 173, 50.0); // the door
@@ -362,16 +432,16 @@ const Change Changes[] = {
   { "CellColors",
     [](Stage& stage)
     {
-      vtkNew<vtkUnsignedCharArray> colors;
-      colors->SetNumberOfComponents(3);
-      for (vtkIdType i = 0; i < GetData(stage)->GetNumberOfCells(); ++i)
-      {
-        colors->InsertNextTuple3(i % 256, (i * 7) % 256, (i * 31) % 256);
-      }
-      GetData(stage)->GetCellData()->SetScalars(colors);
+      GetData(stage)->GetCellData()->SetScalars(
+        ColorCells(GetData(stage))->GetCellData()->GetScalars());
       stage.GetActor(0)->GetMapper()->SetScalarModeToUseCellData();
-    },
-    false },
+    } },
+  { "CellNormals",
+    [](Stage& stage)
+    {
+      static_cast<vtkPolyDataMapper*>(stage.GetActor(0)->GetMapper())
+        ->SetInputData(TurnCells(GetData(stage)));
+    } },
   { "Wireframe",
     [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetRepresentationToWireframe(); }, false },
   { "Edges", [](Stage& stage) { stage.GetActor(0)->GetProperty()->EdgeVisibilityOn(); }, false },
@@ -436,11 +506,23 @@ TEST_P(CullerDivisionChanges, SameImage)
   EXPECT_EQ(comparison.GetStatistics().Units > 0, this->GetParam().IsDividedAfterwards);
 }
 
+class CullerDivisionPicking : public testing::TestWithParam<bool>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Each, CullerDivisionPicking, testing::Bool(),
+  [](const auto& info) { return std::string(info.param ? "CellColors" : "PointColors"); });
+
 // Hazard: the ids that a selector draws are those of the list, or hidden triangles cannot be
 // picked.
-TEST(CullerDivisionPicking, SameCells)
+TEST_P(CullerDivisionPicking, SameCells)
 {
-  Comparison comparison([](Stage& stage) { stage.AddActor(MakeCity(14), White); }, MakeOptions());
+  Comparison comparison(
+    [ofCells = this->GetParam()](Stage& stage)
+    {
+      const vtkSmartPointer<vtkPolyData> city = MakeCity(14);
+      stage.AddActor(ofCells ? ColorCells(city) : city, White);
+    },
+    MakeOptions());
   for (int i = 0; i < 6; ++i)
   {
     comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
@@ -466,6 +548,7 @@ TEST(CullerDivisionPicking, SameCells)
       });
     ASSERT_EQ(picked.size(), 2U);
     EXPECT_GT(picked[0].size(), 0U);
+    EXPECT_TRUE(i < 2 || comparison.GetStatistics().UnitsHidden > 0);
     EXPECT_EQ(picked[0], picked[1]);
   }
 }

@@ -7,6 +7,7 @@
 #include "vtkActor.h"
 #include "vtkBitArray.h"
 #include "vtkCamera.h"
+#include "vtkCellData.h"
 #include "vtkCubeSource.h"
 #include "vtkFloatArray.h"
 #include "vtkGlyph3DMapper.h"
@@ -187,6 +188,23 @@ const Glyphs Cases[] = {
     {
       AddGlyphs(stage, MakeCloud(2500), MakeCube(2.5, false));
       stage.GetActor(0)->GetProperty()->SetAmbient(0.4);
+    } },
+  { "ValuesOfCells",
+    [](Stage& stage)
+    {
+      const vtkSmartPointer<vtkPolyData> cube = MakeCube(2.5, false);
+      vtkNew<vtkUnsignedCharArray> colors;
+      colors->SetNumberOfComponents(3);
+      vtkNew<vtkFloatArray> normals;
+      normals->SetNumberOfComponents(3);
+      for (int face = 0; face < 6; ++face)
+      {
+        colors->InsertNextTuple3(40 * face, 255 - 30 * face, 90 * (face % 3));
+        normals->InsertNextTuple3(0.1 * face, 0.5 - 0.2 * face, 0.8);
+      }
+      cube->GetCellData()->SetScalars(colors);
+      cube->GetCellData()->SetNormals(normals);
+      AddGlyphs(stage, MakeCloud(2500), cube);
     } },
   { "OneColor",
     [](Stage& stage)

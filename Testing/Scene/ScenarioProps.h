@@ -51,11 +51,12 @@ struct Shape
   int Detail = 1;
   double Fill = 0.5;
   int Seed = 0;               ///< Points are stored as doubles if it is odd.
+  bool CellValues = false;    ///< Each cell has a color, and a normal for flat shading.
   std::vector<double> Points; ///< Of a Mesh: three coordinates for each point.
   /// Of a Mesh: for each polygon the number of its points and these; two are a line, one a vertex.
   std::vector<double> Polygons;
 
-  NBUFFER_SCENE_MEMBERS(Kind, Center, Size, Detail, Fill, Seed, Points, Polygons);
+  NBUFFER_SCENE_MEMBERS(Kind, Center, Size, Detail, Fill, Seed, CellValues, Points, Polygons);
 };
 
 //------------------------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #include "Random.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
 #include "vtkCylinderSource.h"
@@ -435,6 +436,24 @@ void AddScalars(vtkPolyData* data, Translucency translucency)
   }
   data->GetPointData()->SetScalars(colors);
 }
+
+void AddCellValues(vtkPolyData* data, int seed)
+{
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  NBufferExamples::Random random(static_cast<std::uint64_t>(seed));
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    colors->InsertNextTuple3(random.Index(256), random.Index(256), random.Index(256));
+    const glm::dvec3 normal =
+      glm::normalize(glm::dvec3(random.Between(-1.0, 1.0), random.Between(-1.0, 1.0), 0.5));
+    normals->InsertNextTuple(glm::value_ptr(normal));
+  }
+  data->GetCellData()->SetScalars(colors);
+  data->GetCellData()->SetNormals(normals);
+}
 }
 
 vtkSmartPointer<vtkPolyData> MakeBox(
@@ -477,6 +496,10 @@ vtkSmartPointer<vtkPolyData> MakeShape(const Shape& shape, Translucency scalars)
     const double value = shape.Seed % 2 ? std::numeric_limits<double>::infinity()
                                         : std::numeric_limits<double>::quiet_NaN();
     data->GetPoints()->SetPoint(0, value, shape.Center[1], shape.Center[2]);
+  }
+  if (shape.CellValues)
+  {
+    AddCellValues(data, shape.Seed);
   }
   if (scalars != Translucency::None)
   {

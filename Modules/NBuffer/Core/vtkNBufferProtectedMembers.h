@@ -61,8 +61,7 @@ inline vtkShaderProperty* const& GetShaderProperty(const vtkProp* prop)
 
 /**
  * What a mapper is about to draw, while it sets the parameters of its shader. Null unless triangles
- * or points are all that it draws, and what it draws of a primitive does not depend on the number
- * of the primitive (gl_PrimitiveID), as the values of cells do.
+ * or points are all that it draws.
  */
 inline vtkOpenGLHelper* GetOnlyStream(vtkOpenGLPolyDataMapper* mapper)
 {
@@ -74,8 +73,7 @@ inline vtkOpenGLHelper* GetOnlyStream(vtkOpenGLPolyDataMapper* mapper)
       vtkOpenGLHelper* streams = mapper->*&Access::Primitives;
       vtkOpenGLHelper* selected = mapper->*&Access::SelectionPrimitives;
       const bool isKnown = stream == streams + PrimitiveTris || stream == streams + PrimitivePoints;
-      bool isOnly = isKnown && !(mapper->*&Access::PointPicking) &&
-        !(mapper->*&Access::HaveCellScalars) && !(mapper->*&Access::HaveCellNormals);
+      bool isOnly = isKnown && !(mapper->*&Access::PointPicking);
       for (int i = PrimitiveStart; i <= PrimitiveTriStrips; ++i)
       {
         const bool isOther = streams + i != stream;

@@ -21,6 +21,9 @@ vtkStandardNewMacro(vtkNBufferDrawHook);
 
 namespace
 {
+/// Primitives between two ranges that are drawn with them, because a draw takes longer.
+constexpr std::size_t SmallGap = 16;
+
 vtkNBufferDrawHook::Source GetSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream)
 {
   vtkPolyData* data = mapper->GetInput();
@@ -31,7 +34,7 @@ vtkNBufferDrawHook::Source GetSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLH
       vtkNBufferProtectedMembers::GetNumberOfVertices(mapper) &&
     stream->IBO->IndexCount % corners == 0;
   return { mapper, data, data ? data->GetMTime() : 0, stream->IBO->IndexCount,
-    isKnown ? corners : 0 };
+    isKnown ? corners : 0, 0, vtkNBufferRangeDraw::IsNeeded(stream) };
 }
 }
 
@@ -87,6 +90,7 @@ void vtkNBufferDrawHook::Restore()
 {
   this->Instances.Restore();
   this->Blocks.Restore();
+  this->Ranges.Restore();
   if (this->Changed)
   {
     this->Changed->IBO = this->Original;
@@ -115,13 +119,21 @@ void vtkNBufferDrawHook::SetList(List list, const vtkNBufferUnits& units,
   {
     buffer.Marked = marked;
     buffer.IsUploaded = false;
+    if (this->Read.IsNumbered)
+    {
+      // A fresh list must not contain what was drawn before: of equal depths, the last one stays.
+      buffer.Ranges =
+        units.GetRanges(marked, indices.size() / this->Read.Corners, list == Drawn ? SmallGap : 0);
+      return;
+    }
     units.GetIndices(marked, indices, buffer.Indices);
   }
 }
 
 bool vtkNBufferDrawHook::IsAsRead(const Source& source)
 {
-  this->Stale = source.Corners == 0 || !(source == this->Read);
+  this->Stale =
+    source.Corners == 0 || !(source == this->Read) || (source.IsNumbered && !this->Read.IsNumbered);
   return !this->Stale;
 }
 
@@ -171,7 +183,15 @@ bool vtkNBufferDrawHook::SetShaderParameters(
     return true;
   }
   Buffer& buffer = this->Buffers[this->Current];
-  if (this->IsAsRead(source) && this->Upload(buffer))
+  if (!this->IsAsRead(source))
+  {
+    return true;
+  }
+  if (this->Read.IsNumbered)
+  {
+    this->Ranges.DrawNext(buffer.Ranges, surface, stream);
+  }
+  else if (this->Upload(buffer))
   {
     this->Changed = stream;
     this->Original = std::exchange(stream->IBO, buffer.Object.Get());
@@ -252,6 +272,7 @@ void vtkNBufferDrawHook::ReadSource(
     return;
   }
   this->Mesh.Corners = source.Corners;
+  this->Mesh.IsDrawnInRanges = source.IsNumbered;
   this->Mesh.Indices.resize(source.IndexCount);
   stream->IBO->Bind();
   glGetBufferSubData(GL_ELEMENT_ARRAY_BUFFER, 0,

@@ -10,14 +10,16 @@
  * primitive has the same fragments, to the bit. No subclass of a mapper is needed, and no shader is
  * changed.
  *
- * A prop is drawn whole while it changes; if it has scalars or normals of cells, whose shader needs
- * the numbers of all primitives; if it has strips or lines as well as triangles; if its mapper is
- * neither vtkPolyDataMapper nor vtkDataSetMapper nor vtkGlyph3DMapper nor a mapper of composite
- * data; while vtkNBufferCuller::TestSlivers is on; and for some frames if next to none of its units
- * is hidden.
+ * Of a mesh with scalars or normals of cells, whose shader needs the number of each primitive,
+ * ranges of the mapper's own index buffer are drawn instead (vtkNBufferRangeDraw).
  *
- * What is said of scalars, strips and lines does not hold for composite data, of which whole blocks
- * are left out.
+ * A prop is drawn whole while it changes; if it has strips or lines as well as triangles; if its
+ * mapper is neither vtkPolyDataMapper nor vtkDataSetMapper nor vtkGlyph3DMapper nor a mapper of
+ * composite data; while vtkNBufferCuller::TestSlivers is on; and for some frames if next to none of
+ * its units is hidden.
+ *
+ * What is said of strips and lines does not hold for composite data, of which whole blocks are left
+ * out.
  *
  * The hook works only while one of its own draws is running (the class Draw). It then puts the
  * mapper's buffer back. Whatever else draws the actor gets the whole of it: hardware selectors,
@@ -28,6 +30,7 @@
 
 #include "vtkNBufferBlockStream.h"
 #include "vtkNBufferInstanceStream.h"
+#include "vtkNBufferRangeDraw.h"
 #include "vtkNBufferResourceCallback.h"
 #include "vtkNBufferUnits.h"
 
@@ -66,6 +69,9 @@ public:
     /// blocks (vtkNBufferBlockStream), 0 for what cannot be divided.
     std::size_t Corners = 0;
     vtkMTimeType InstanceTime = 0; ///< When the instances were uploaded.
+    /// Whether the shader reads values by the numbers of primitives, those of cells for example. It
+    /// depends on the shader alone, and is not compared.
+    bool IsNumbered = false;
 
     bool operator==(const Source& other) const
     {
@@ -153,6 +159,7 @@ private:
     std::vector<unsigned char> Marked; ///< The units of which the list consists.
     std::vector<unsigned int> Indices; ///< The list, until it is uploaded.
     bool IsUploaded = false;
+    std::vector<vtkNBufferUnits::Range> Ranges; ///< The list, if primitives are numbered.
   };
 
   void SetInstances(vtkOpenGLGlyph3DHelper* mapper);
@@ -173,6 +180,7 @@ private:
   vtkNBufferUnits::Mesh Mesh;
   vtkNBufferInstanceStream Instances;
   vtkNBufferBlockStream Blocks;
+  vtkNBufferRangeDraw Ranges;
   vtkOpenGLHelper* Changed = nullptr; ///< Its index buffer is one of ours.
   vtkOpenGLIndexBufferObject* Original = nullptr;
 };

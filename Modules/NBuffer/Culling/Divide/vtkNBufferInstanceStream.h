@@ -18,9 +18,9 @@
  * the corners of its box, stands for them.
  *
  * Not divided are mappers with several sources, with a tree of sources, with composite data, with a
- * mask, or with VTK's own culling of instances; sources that are not triangles alone; and sources
- * with values of cells. The instances are read again if actor, mapper, data or source change.
- * The copy in host memory takes 104 bytes for each instance.
+ * mask, or with VTK's own culling of instances; and sources that are not triangles alone. The
+ * instances are read again if actor, mapper, data or source change. The copy in host memory takes
+ * 104 bytes for each instance.
  */
 #ifndef vtkNBufferInstanceStream_h
 #define vtkNBufferInstanceStream_h

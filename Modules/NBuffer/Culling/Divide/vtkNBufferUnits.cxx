@@ -23,6 +23,10 @@ constexpr int BitsPerPass = 10;
 /// less than this share of the surface of the runs' boxes.
 constexpr double WorthAnOrder = 0.95;
 
+/// Where each range of neighbours is a draw of its own, the ranges of groups have to have this many
+/// primitives on average. A draw takes as long as some fifty triangles.
+constexpr std::size_t WorthDraws = 4;
+
 /// The largest number of groups that GetGroups() returns.
 constexpr std::size_t MaximumNumberOfGroups = 16;
 
@@ -81,6 +85,17 @@ std::uint32_t Spread(std::uint32_t x)
   x = (x | (x << 8)) & 0x0300f00fU;
   x = (x | (x << 4)) & 0x030c30c3U;
   return (x | (x << 2)) & 0x09249249U;
+}
+
+/// The number of ranges of primitives that have the same unit.
+std::size_t CountRanges(const std::vector<std::size_t>& units)
+{
+  std::size_t count = 1;
+  for (std::size_t i = 1; i < units.size(); ++i)
+  {
+    count += units[i] != units[i - 1];
+  }
+  return count;
 }
 
 struct Key
@@ -172,7 +187,10 @@ vtkNBufferUnits vtkNBufferUnits::Make(const Mesh& mesh, std::size_t unitSize)
   const std::size_t level = unitSize == 1 && runs.Levels.size() > 1 ? 1 : 0;
   const bool isSmaller =
     GetSurface(groups.Levels[level]) < WorthAnOrder * GetSurface(runs.Levels[level]);
-  return isSmaller ? groups : runs;
+  const bool isScattered = mesh.IsDrawnInRanges &&
+    CountRanges(groups.GetUnitsOfPrimitives(groups.Order.size())) * WorthDraws >
+      groups.Order.size();
+  return isSmaller && !isScattered ? groups : runs;
 }
 
 void vtkNBufferUnits::MakeBoxes(const Mesh& mesh)
@@ -249,23 +267,18 @@ std::vector<std::size_t> vtkNBufferUnits::GetUnitsOfPrimitives(std::size_t size)
   return units;
 }
 
-void vtkNBufferUnits::GetIndices(const std::vector<unsigned char>& drawn,
-  const std::vector<unsigned int>& mesh, std::vector<unsigned int>& indices) const
+template <typename Function>
+void vtkNBufferUnits::VisitRanges(
+  const std::vector<unsigned char>& drawn, const Function& visit) const
 {
-  indices.clear();
-  const std::size_t size = mesh.size() / this->Corners;
-  const auto append = [&](std::size_t begin, std::size_t end)
-  {
-    indices.insert(indices.end(), mesh.begin() + static_cast<std::ptrdiff_t>(this->Corners * begin),
-      mesh.begin() + static_cast<std::ptrdiff_t>(this->Corners * end));
-  };
+  const std::size_t size = this->NumberOfPrimitives;
   if (!this->AreSpatial())
   {
     for (std::size_t unit = 0; unit < this->GetSize(); ++unit)
     {
       if (drawn[unit])
       {
-        append(unit * this->UnitSize, std::min((unit + 1) * this->UnitSize, size));
+        visit(unit * this->UnitSize, std::min((unit + 1) * this->UnitSize, size));
       }
     }
     return;
@@ -288,9 +301,38 @@ void vtkNBufferUnits::GetIndices(const std::vector<unsigned char>& drawn,
     {
       if (left & 1U)
       {
-        append(primitive, primitive + 1);
+        visit(primitive, primitive + 1);
       }
     }
   }
+}
+
+void vtkNBufferUnits::GetIndices(const std::vector<unsigned char>& drawn,
+  const std::vector<unsigned int>& mesh, std::vector<unsigned int>& indices) const
+{
+  indices.clear();
+  this->VisitRanges(drawn,
+    [&](std::size_t begin, std::size_t end)
+    {
+      indices.insert(indices.end(),
+        mesh.begin() + static_cast<std::ptrdiff_t>(this->Corners * begin),
+        mesh.begin() + static_cast<std::ptrdiff_t>(this->Corners * end));
+    });
+}
+
+std::vector<vtkNBufferUnits::Range> vtkNBufferUnits::GetRanges(
+  const std::vector<unsigned char>& drawn) const
+{
+  std::vector<Range> ranges;
+  this->VisitRanges(drawn,
+    [&](std::size_t begin, std::size_t end)
+    {
+      if (ranges.empty() || begin > ranges.back().End)
+      {
+        ranges.push_back({ begin, end });
+      }
+      ranges.back().End = end;
+    });
+  return ranges;
 }
 VTK_ABI_NAMESPACE_END

@@ -11,8 +11,9 @@
  * are small. Isosurfaces and scans do not.
  *
  * Groups in space are made with the middles of the primitives in Morton order. They only say which
- * primitives belong together: GetIndices() returns the primitives of any set of units in the order
- * in which the mesh is drawn, because of several fragments of equal depth the last one drawn stays.
+ * primitives belong together: GetIndices() and GetRanges() return the primitives of any set of
+ * units in the order in which the mesh is drawn, because of several fragments of equal depth the
+ * last one drawn stays.
  *
  * Level 0 of the hierarchy consists of the units. A node of a higher level bounds up to Fanout
  * nodes of the level below it:
@@ -47,6 +48,16 @@ public:
     std::vector<unsigned int> Indices; ///< The points of each primitive.
     std::size_t Corners = 3;           ///< How many points a primitive has: 3 or 1.
     std::vector<glm::dvec3> Points;
+    /// Whether each range of neighbours in this order is a draw of its own (vtkNBufferRangeDraw).
+    /// Groups in space that would make too many draws are not made then.
+    bool IsDrawnInRanges = false;
+  };
+
+  /// The primitives from Begin to End - 1.
+  struct Range
+  {
+    std::size_t Begin = 0;
+    std::size_t End = 0;
   };
 
   /// Infinite if a point is not finite.
@@ -86,6 +97,10 @@ public:
   void GetIndices(const std::vector<unsigned char>& drawn, const std::vector<unsigned int>& mesh,
     std::vector<unsigned int>& indices) const;
 
+  /// Get the ranges of the primitives whose units are marked in `drawn`, in the order of drawing.
+  /// Those that follow each other are one.
+  std::vector<Range> GetRanges(const std::vector<unsigned char>& drawn) const;
+
   /// Get the bounds of the units that are marked, in a few groups of neighbours, at most 16.
   std::vector<Box> GetGroups(const std::vector<unsigned char>& marked) const;
 
@@ -98,6 +113,8 @@ public:
 
 private:
   void MakeBoxes(const Mesh& mesh);
+  template <typename Function>
+  void VisitRanges(const std::vector<unsigned char>& drawn, const Function& visit) const;
 
   std::size_t UnitSize = 1;
   std::size_t Corners = 3;
