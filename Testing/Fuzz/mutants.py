@@ -75,8 +75,8 @@ MUTANTS = {
         (HOOK, "buffer.Marked.clear(); // The same units of another mesh have other indices.", "")],
     "units of data that have changed": [
         (DIVIDED, "data->GetMTime() == source.DataTime;", "true;"),
-        (HOOK, "this->Stale = source.Corners == 0 || !(source == this->Read) ||",
-         "this->Stale = source.Corners == 0 ||")],
+        (HOOK, "source.Corners == 0 || !(source == this->Read) || (source.IsNumbered",
+         "source.Corners == 0 || (source.IsNumbered")],
     "units that are hidden stay hidden": [
         (UNIT_CULLING, "this->Marks[n] |= Visible;",
          "this->Marks[n] |= Visible; if (this->Turn % 2 == 0) { return; }")],

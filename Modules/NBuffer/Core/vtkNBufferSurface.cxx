@@ -92,12 +92,8 @@ bool HasLines(vtkDataObject* data, bool orVertices)
   if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
   {
     bool found = false;
-    vtkNBufferForEachChild(tree,
-      [&](vtkDataObject* block)
-      {
-        found = HasLines(block, orVertices);
-        return !found;
-      });
+    vtkNBufferForEachChild(
+      tree, [&](vtkDataObject* block) { return !(found = HasLines(block, orVertices)); });
     return found;
   }
   auto* mesh = vtkPolyData::SafeDownCast(data);
