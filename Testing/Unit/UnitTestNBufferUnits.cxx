@@ -151,48 +151,31 @@ TEST_P(Units, KeepTheOrderOfDrawing)
 }
 
 // Hazard: a range without a primitive of the units, with one of others, or out of order.
-TEST_P(Units, RangesAreJoinedAcrossSmallGaps)
+TEST_P(Units, RangesAreThoseOfTheIndices)
 {
   const Mesh mesh = this->Get();
-  const std::size_t size = mesh.Indices.size() / 3;
   const vtkNBufferUnits units = vtkNBufferUnits::Make(mesh, 16);
-  const std::vector<std::size_t> unitOf = units.GetUnitsOfPrimitives(size);
-  std::vector<unsigned char> drawn(units.GetSize());
-  for (std::size_t i = 0; i < drawn.size(); ++i)
+  for (const std::size_t share : { 1, 2, 5, 1000 })
   {
-    drawn[i] = i % 5 == 1 || i % 5 == 2;
-  }
-  for (const std::size_t gap : { 0, 1, 7, 100000 })
-  {
-    std::vector<bool> isIn(size);
-    std::size_t last = 0;
-    const auto ranges = units.GetRanges(drawn, size, gap);
-    for (std::size_t n = 0; n < ranges.size(); ++n)
+    std::vector<unsigned char> drawn(units.GetSize());
+    for (std::size_t i = 0; i < drawn.size(); ++i)
     {
-      const auto& [begin, end] = ranges[n];
+      drawn[i] = (i + 1) % share == 0 || (i + 2) % share == 0;
+    }
+    std::vector<unsigned int> indices;
+    units.GetIndices(drawn, mesh.Indices, indices);
+    std::vector<unsigned int> found;
+    std::size_t last = 0;
+    for (const auto& [begin, end] : units.GetRanges(drawn))
+    {
       ASSERT_LT(begin, end);
-      ASSERT_LE(end, size);
-      EXPECT_TRUE(drawn[unitOf[begin]] && drawn[unitOf[end - 1]]) << "nothing at the ends";
-      EXPECT_TRUE(n == 0 || begin > last + gap) << "neighbours are joined, in order";
-      std::size_t others = 0;
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        isIn[i] = true;
-        others = drawn[unitOf[i]] ? 0 : others + 1;
-        EXPECT_LE(others, gap);
-      }
+      EXPECT_TRUE(found.empty() || begin > last) << "neighbours are joined, in order";
+      found.insert(found.end(), mesh.Indices.data() + 3 * begin, mesh.Indices.data() + 3 * end);
       last = end;
     }
-    for (std::size_t i = 0; i < size; ++i)
-    {
-      EXPECT_TRUE(isIn[i] || !drawn[unitOf[i]]) << "primitive " << i;
-    }
-    EXPECT_EQ(ranges.size() == 1, gap == 100000);
+    EXPECT_EQ(found, indices);
+    EXPECT_EQ(indices.empty(), share == 1000);
   }
-  const std::vector<unsigned char> all(units.GetSize(), 1);
-  ASSERT_EQ(units.GetRanges(all, size, 0).size(), 1U);
-  EXPECT_EQ(units.GetRanges(all, size, 0)[0].End, size);
-  EXPECT_TRUE(units.GetRanges(std::vector<unsigned char>(units.GetSize()), size, 0).empty());
 }
 
 // Hazard: a node of the hierarchy that does not contain what is below it.
@@ -240,12 +223,11 @@ TEST(UnitsOfFiles, AreRunsOrGroupsWhicheverAreSmaller)
   EXPECT_FALSE(vtkNBufferUnits::Make(patches, 32).AreSpatial());
   const vtkNBufferUnits shuffled = vtkNBufferUnits::Make(Shuffle(patches), 32);
   EXPECT_TRUE(shuffled.AreSpatial());
-  // Groups in space have to be smaller by half where each range is drawn on its own.
+  // Groups that consist of single triangles are not drawn range by range.
   Mesh terrain = MakeTerrain(64);
-  EXPECT_TRUE(vtkNBufferUnits::Make(terrain, 128).AreSpatial());
   terrain.IsDrawnInRanges = true;
-  EXPECT_FALSE(vtkNBufferUnits::Make(terrain, 128).AreSpatial());
-  EXPECT_TRUE(vtkNBufferUnits::Make(Shuffle(terrain), 128).AreSpatial());
+  EXPECT_TRUE(vtkNBufferUnits::Make(terrain, 128).AreSpatial());
+  EXPECT_FALSE(vtkNBufferUnits::Make(Shuffle(terrain), 128).AreSpatial());
   double size = 0.0;
   for (const Box& box : shuffled.GetLevels()[0])
   {

@@ -21,9 +21,6 @@ vtkStandardNewMacro(vtkNBufferDrawHook);
 
 namespace
 {
-/// Primitives between two ranges that are drawn with them, because a draw takes longer.
-constexpr std::size_t SmallGap = 16;
-
 vtkNBufferDrawHook::Source GetSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream)
 {
   vtkPolyData* data = mapper->GetInput();
@@ -121,9 +118,7 @@ void vtkNBufferDrawHook::SetList(List list, const vtkNBufferUnits& units,
     buffer.IsUploaded = false;
     if (this->Read.IsNumbered)
     {
-      // A fresh list must not contain what was drawn before: of equal depths, the last one stays.
-      buffer.Ranges =
-        units.GetRanges(marked, indices.size() / this->Read.Corners, list == Drawn ? SmallGap : 0);
+      buffer.Ranges = units.GetRanges(marked);
       return;
     }
     units.GetIndices(marked, indices, buffer.Indices);
