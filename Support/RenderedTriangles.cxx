@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderedTriangles.h"
 #include "CompositeMapper.h"
-#include "vtkNBufferForEachChild.h"
 
 #include "vtkNBufferVTKVersion.h"
 
@@ -12,6 +11,7 @@
 #include "vtkCellArray.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeRange.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLIndexBufferObject.h"
@@ -90,12 +90,10 @@ private:
     }
     if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
     {
-      vtkNBufferForEachChild(tree,
-        [&](vtkDataObject* child)
-        {
-          this->AddData(child, visible);
-          return true;
-        });
+      for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
+      {
+        this->AddData(child, visible);
+      }
     }
     else if (auto* mesh = vtkPolyData::SafeDownCast(data))
     {
