@@ -27,8 +27,8 @@
 #include <cmath>
 #include <functional>
 #include <random>
-#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -48,16 +48,32 @@ using Blocks = vtkSmartPointer<vtkMultiBlockDataSet>;
 /// How the n-th block is changed before it is added.
 using Finish = std::function<vtkSmartPointer<vtkPolyData>(vtkPolyData* block, unsigned int n)>;
 
+/// Empty meshes in the order of their addresses. VTK before 9.3 draws blocks in that order, which
+/// has to be the same in both scenes that are compared: blocks touch each other.
+std::vector<vtkSmartPointer<vtkPolyData>> MakeMeshes(int count)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> meshes(static_cast<std::size_t>(count));
+  for (vtkSmartPointer<vtkPolyData>& mesh : meshes)
+  {
+    mesh = vtkSmartPointer<vtkPolyData>::New();
+  }
+  std::sort(meshes.begin(), meshes.end(),
+    [](vtkPolyData* a, vtkPolyData* b) { return std::less<>()(a, b); });
+  return meshes;
+}
+
 /// Houses on a ground, each a block.
 Blocks MakeCity(int count, const Finish& finish = nullptr)
 {
   auto blocks = Blocks::New();
+  const std::vector<vtkSmartPointer<vtkPolyData>> meshes = MakeMeshes(count * count + 1);
   std::minstd_rand random(5);
   const auto add = [&](const glm::dvec3& center, const glm::dvec3& size)
   {
     const unsigned int n = blocks->GetNumberOfBlocks();
     vtkSmartPointer<vtkPolyData> box = Scenes::MakeBox(center, size);
-    blocks->SetBlock(n, finish ? finish(box, n) : box);
+    meshes[n]->ShallowCopy(finish ? finish(box, n) : box);
+    blocks->SetBlock(n, meshes[n]);
   };
   add({ 0.0, 0.0, -0.5 }, { 4.0 * count, 4.0 * count, 1.0 });
   for (int x = 0; x < count; ++x)
@@ -288,6 +304,7 @@ TEST(CullerBlocksTies, LastOneStays)
     {
       Scenes::SetPixelCamera(stage.GetRenderer(), 301, 173);
       vtkNew<vtkMultiBlockDataSet> quads;
+      const std::vector<vtkSmartPointer<vtkPolyData>> meshes = MakeMeshes(200);
       std::minstd_rand random(11);
       for (unsigned int i = 0; i < 200; ++i)
       {
@@ -297,7 +314,8 @@ TEST(CullerBlocksTies, LastOneStays)
         const double size = 10.0 + random() % 40;
         vtkSmartPointer<vtkPolyData> quad =
           Scenes::MakeBox({ x, y, z - 0.5 * size }, { size, size, size });
-        quads->SetBlock(i, ColorCells(quad, i));
+        meshes[i]->ShallowCopy(ColorCells(quad, i));
+        quads->SetBlock(i, meshes[i]);
       }
       AddBlocks(stage, quads);
       stage.GetActor(0)->GetProperty()->LightingOff();
@@ -343,13 +361,13 @@ const Change Changes[] = {
     } },
   { "Block",
     [](Stage& stage) {
-      GetBlocks(stage)->SetBlock(20, Scenes::MakeBox({ -18.0, 3.0, 2.0 }, { 1.0, 1.0, 4.0 }));
+      GetBlocks(stage)->SetBlock(20, Scenes::MakeBox({ -18.0, 3.0, 2.1 }, { 1.0, 1.0, 4.0 }));
     } },
   { "BlockAdded",
     [](Stage& stage)
     {
       GetBlocks(stage)->SetBlock(GetBlocks(stage)->GetNumberOfBlocks(),
-        Scenes::MakeBox({ -12.0, 3.0, 2.0 }, { 1.0, 1.0, 9.0 }));
+        Scenes::MakeBox({ -12.0, 3.0, 4.6 }, { 1.0, 1.0, 9.0 }));
     } },
   { "BlockRemoved", [](Stage& stage) { GetBlocks(stage)->RemoveBlock(30); } },
   { "OrderOfBlocks",
