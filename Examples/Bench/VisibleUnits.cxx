@@ -109,8 +109,7 @@ PartMaker MakeMeshMaker(vtkActor* actor, vtkPolyData* data, std::size_t unitSize
     data->GetPoint(static_cast<vtkIdType>(i), glm::value_ptr(found->Mesh.Points[i]));
   }
   found->Units = vtkNBufferUnits::Make(found->Mesh, unitSize);
-  found->UnitOfPrimitive =
-    found->Units.GetUnitsOfPrimitives(found->Mesh.Indices.size() / found->Mesh.Corners);
+  found->UnitOfPrimitive = found->Units.GetUnitsOfPrimitives();
   return [found](const std::set<vtkIdType>& primitives) { return found->MakePart(primitives); };
 }
 

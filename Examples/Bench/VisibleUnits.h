@@ -21,8 +21,9 @@ namespace NBufferBench
  * Replaces each large prop in `visible`, the visible props of every pose, by an actor that draws
  * exactly those of its units that own a pixel, with the units and the order of drawing of
  * vtkNBufferCuller. (The units of composite data are its blocks. VTK makes new buffers for those
- * that own a pixel, so that it need not look at all blocks as it does in the original.) Large are props that it divides by default. Returns the new actors, which the
- * caller keeps alive. Each of them has been drawn once, so that its buffers are on the device.
+ * that own a pixel, so that it need not look at all blocks as it does in the original.) Large are
+ * props that it divides by default. Returns the new actors, which the caller keeps alive. Each of
+ * them has been drawn once, so that its buffers are on the device.
  *
  * A hardware selection of cells finds which primitives own a pixel (without multisampling).
  */

@@ -213,8 +213,8 @@ public:
   /// composite data. For a mesh it is the number of the triangle or vertex in the order in which
   /// VTK draws them, from 0 on: the id of the cell, if all cells are triangles or all are vertices.
   /// The other parts of a unit have the same verdict. If the prop is drawn or culled as a whole,
-  /// any number has the verdict of the prop. The first call after a prop was divided makes a table
-  /// of 8 bytes per part; each further one costs two look-ups.
+  /// any number has the verdict of the prop. The first call after a prop was divided may make a
+  /// table of 8 bytes per part; each further one costs two look-ups.
   vtkNBufferVerdict GetVerdict(vtkProp* prop, int part, vtkRenderer* renderer = nullptr) const;
 
   /// Counts and times of the last frame of `renderer`; nullptr means the renderer that was culled

@@ -71,6 +71,8 @@ MUTANTS = {
         (RANGES, "SetUniformi(Offset, static_cast<int>(range.Begin));", "SetUniformi(Offset, 0);")],
     "a mapper keeps the index buffer of the units": [
         (HOOK, "this->Changed->IBO = this->Original;", "")],
+    "a mapper keeps the list of the blocks that were drawn": [
+        ("vtkNBufferBlockStream.cxx", "this->Exchanged->swap(*GetBlockList(this->Changed).Blocks);", "")],
     "indices of the mesh before": [
         (HOOK, "buffer.Marked.clear(); // The same units of another mesh have other indices.", "")],
     "units of data that have changed": [

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Large props, of which only the units that can be seen are drawn.
-#include "CullerTest.h"
+#include "LargeProps.h"
 #include "Scenes.h"
 
 #include "vtkActor.h"
@@ -11,8 +11,6 @@
 #include "vtkCellData.h"
 #include "vtkDataSetMapper.h"
 #include "vtkFloatArray.h"
-#include "vtkHardwareSelector.h"
-#include "vtkIdTypeArray.h"
 #include "vtkMapper.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
@@ -20,28 +18,18 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <numeric>
 #include <random>
 
+using LargeProps::AddWalls;
+using LargeProps::MakeOptions;
+using LargeProps::Walk;
+
 namespace
 {
-/// Units of a few triangles, made without delay.
-ComparisonOptions MakeOptions(int unitSize = 8)
-{
-  ComparisonOptions options;
-  options.Tuning.MinimumNumberOfCandidates = 1;
-  options.Tuning.MinimumNumberOfPrimitives = 100;
-  options.Tuning.UnitSize = unitSize;
-  options.Tuning.DivideAfter = 0;
-  options.Tuning.DivideInBackground = false;
-  return options;
-}
-
 /// Houses on a ground, all of them one mesh, with a color at each point.
 vtkSmartPointer<vtkPolyData> MakeCity(int count)
 {
@@ -149,28 +137,10 @@ vtkSmartPointer<vtkPolyData> MakeBumps()
 
 const double White[3] = { 1.0, 1.0, 1.0 };
 
-/// Walk through a scene of about 60 x 60 at eye height, then look at it from above.
-void Walk(vtkRenderer* renderer, int frame)
-{
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const double t = 0.3 * frame;
-  camera->SetPosition(
-    frame < 8 ? -20.0 + 3.0 * frame : 0.0, frame < 8 ? 2.0 : -50.0, frame < 8 ? 1.7 : 30.0);
-  camera->SetFocalPoint(20.0 * std::cos(t), 20.0 * std::sin(t), 1.0);
-  camera->SetViewUp(0.0, 0.0, 1.0);
-  camera->SetClippingRange(0.05, 200.0);
-}
-
 struct Large : NamedCase
 {
   std::function<void(Stage&)> Build;
 };
-
-void AddWalls(Stage& stage)
-{
-  Scenes::AddBox(stage, 6.0, 2.0, 1.0, 0.3, 12.0, 6.0);
-  Scenes::AddBox(stage, -8.0, 12.0, 1.0, 10.0, 0.3, 6.0);
-}
 
 const Large Cases[] = {
   { "City", [](Stage& stage) { stage.AddActor(MakeCity(14), White); } },
@@ -296,18 +266,10 @@ TEST_P(CullerDivision, SameImage)
         stage.GetRenderer()->SetBackground(0.2, 0.3, 0.4);
       },
       options);
-    int hidden = 0;
-    int fresh = 0;
-    for (int i = 0; i < 14; ++i)
-    {
-      comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-      hidden += comparison.GetStatistics().UnitsHidden;
-      fresh += i > 2 ? comparison.GetStatistics().UnitsFresh : 0;
-      EXPECT_TRUE(i < 2 || comparison.GetStatistics().Units > 0)
-        << i << comparison.GetCuller()->GetStatisticsAsJSON();
-    }
-    EXPECT_GT(hidden, 15);
-    EXPECT_GT(fresh, 10) << "units that come into view are drawn late";
+    const LargeProps::Units units = LargeProps::CompareWalk(
+      comparison, [](vtkRenderer* renderer, int frame) { Walk(renderer, frame); });
+    EXPECT_GT(units.Hidden, 15);
+    EXPECT_GT(units.Fresh, 10) << "units that come into view are drawn late";
     // Nothing changes: the units of the last test are drawn again.
     comparison.Frame("still");
     EXPECT_EQ(comparison.GetDecision(), Decision::Still);
@@ -527,29 +489,7 @@ TEST_P(CullerDivisionPicking, SameCells)
   {
     comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
     EXPECT_TRUE(i < 3 || comparison.GetStatistics().UnitsHidden > 0) << i;
-    std::vector<std::vector<vtkIdType>> picked;
-    comparison.Both(
-      [&picked](Stage& stage)
-      {
-        vtkNew<vtkHardwareSelector> selector;
-        selector->SetRenderer(stage.GetRenderer());
-        selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
-        selector->SetArea(0, 0, 300, 172);
-        const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
-        picked.emplace_back();
-        for (unsigned int n = 0; n < selection->GetNumberOfNodes(); ++n)
-        {
-          auto* ids = vtkIdTypeArray::SafeDownCast(selection->GetNode(n)->GetSelectionList());
-          for (vtkIdType k = 0; ids && k < ids->GetNumberOfTuples(); ++k)
-          {
-            picked.back().push_back(ids->GetValue(k));
-          }
-        }
-        std::sort(picked.back().begin(), picked.back().end());
-      });
-    ASSERT_EQ(picked.size(), 2U);
-    EXPECT_GT(picked[0].size(), 0U);
-    EXPECT_EQ(picked[0], picked[1]);
+    LargeProps::ExpectSamePicks(comparison);
   }
 }
 

@@ -1,25 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Props with many instances of one source, of which only those that can be seen are drawn.
-#include "CullerTest.h"
+#include "LargeProps.h"
 #include "Scenes.h"
 
 #include "vtkActor.h"
 #include "vtkBitArray.h"
-#include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkCubeSource.h"
 #include "vtkFloatArray.h"
 #include "vtkGlyph3DMapper.h"
-#include "vtkHardwareSelector.h"
-#include "vtkIdTypeArray.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 #include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -33,12 +28,7 @@ namespace
 {
 ComparisonOptions MakeOptions(int unitSize = 12)
 {
-  ComparisonOptions options;
-  options.Tuning.MinimumNumberOfCandidates = 1;
-  options.Tuning.MinimumNumberOfPrimitives = 100;
-  options.Tuning.UnitSize = unitSize;
-  options.Tuning.DivideAfter = 0;
-  options.Tuning.DivideInBackground = false;
+  ComparisonOptions options = LargeProps::MakeOptions(unitSize);
   options.CompareDraws = false; // A mapper of which no instance is drawn announces nothing.
   return options;
 }
@@ -152,16 +142,9 @@ void AddWalls(Stage& stage)
   Scenes::AddBox(stage, -8.0, 12.0, 1.0, 20.0, 0.3, 12.0);
 }
 
-/// Walk through a scene of about 60 x 60 at eye height, then look at it from above.
 void Walk(vtkRenderer* renderer, int frame)
 {
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const double t = 0.3 * frame;
-  camera->SetPosition(
-    frame < 8 ? -40.0 + 3.0 * frame : 0.13, frame < 8 ? 2.0 : -50.0, frame < 8 ? 1.7 : 30.0);
-  camera->SetFocalPoint(20.0 * std::cos(t), 20.0 * std::sin(t), 1.0);
-  camera->SetViewUp(0.0, 0.0, 1.0);
-  camera->SetClippingRange(0.05, 200.0);
+  LargeProps::Walk(renderer, frame, -40.0, 0.13);
 }
 
 struct Glyphs : NamedCase
@@ -290,18 +273,9 @@ TEST_P(CullerGlyphs, SameImage)
         stage.GetRenderer()->SetBackground(0.2, 0.3, 0.4);
       },
       options);
-    int hidden = 0;
-    int fresh = 0;
-    for (int i = 0; i < 14; ++i)
-    {
-      comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-      hidden += comparison.GetStatistics().UnitsHidden;
-      fresh += i > 2 ? comparison.GetStatistics().UnitsFresh : 0;
-      EXPECT_TRUE(i < 2 || comparison.GetStatistics().Units > 0)
-        << i << comparison.GetCuller()->GetStatisticsAsJSON();
-    }
-    EXPECT_GT(hidden, 100);
-    EXPECT_GT(fresh, 10) << "instances that come into view are drawn late";
+    const LargeProps::Units units = LargeProps::CompareWalk(comparison, Walk);
+    EXPECT_GT(units.Hidden, 100);
+    EXPECT_GT(units.Fresh, 10) << "instances that come into view are drawn late";
     comparison.Frame("still");
     comparison.Frame("still");
   }
@@ -457,29 +431,7 @@ TEST(CullerGlyphsPicking, SamePoints)
   for (int i = 0; i < 5; ++i)
   {
     comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-    std::vector<std::vector<vtkIdType>> picked;
-    comparison.Both(
-      [&picked](Stage& stage)
-      {
-        vtkNew<vtkHardwareSelector> selector;
-        selector->SetRenderer(stage.GetRenderer());
-        selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
-        selector->SetArea(0, 0, 300, 172);
-        const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
-        picked.emplace_back();
-        for (unsigned int n = 0; n < selection->GetNumberOfNodes(); ++n)
-        {
-          auto* ids = vtkIdTypeArray::SafeDownCast(selection->GetNode(n)->GetSelectionList());
-          for (vtkIdType k = 0; ids && k < ids->GetNumberOfTuples(); ++k)
-          {
-            picked.back().push_back(ids->GetValue(k));
-          }
-        }
-        std::sort(picked.back().begin(), picked.back().end());
-      });
-    ASSERT_EQ(picked.size(), 2U);
-    EXPECT_GT(picked[0].size(), 0U);
-    EXPECT_EQ(picked[0], picked[1]);
+    LargeProps::ExpectSamePicks(comparison);
   }
 }
 

@@ -87,7 +87,7 @@ void vtkNBufferDrawHook::Restore()
 {
   this->Instances.Restore();
   this->Blocks.Restore();
-  this->Ranges.Restore();
+  this->Own.Restore();
   if (this->Changed)
   {
     this->Changed->IBO = this->Original;
@@ -184,7 +184,8 @@ bool vtkNBufferDrawHook::SetShaderParameters(
   }
   if (this->Read.IsNumbered)
   {
-    this->Ranges.DrawNext(buffer.Ranges, surface, stream);
+    this->Own.SetNext(surface, stream,
+      [&buffer, stream]() { return vtkNBufferRangeDraw::Draw(buffer.Ranges, stream); });
   }
   else if (this->Upload(buffer))
   {

@@ -30,6 +30,7 @@
 
 #include "vtkNBufferBlockStream.h"
 #include "vtkNBufferInstanceStream.h"
+#include "vtkNBufferOwnDraw.h"
 #include "vtkNBufferRangeDraw.h"
 #include "vtkNBufferResourceCallback.h"
 #include "vtkNBufferUnits.h"
@@ -180,7 +181,7 @@ private:
   vtkNBufferUnits::Mesh Mesh;
   vtkNBufferInstanceStream Instances;
   vtkNBufferBlockStream Blocks;
-  vtkNBufferRangeDraw Ranges;
+  vtkNBufferOwnDraw Own;
   vtkOpenGLHelper* Changed = nullptr; ///< Its index buffer is one of ours.
   vtkOpenGLIndexBufferObject* Original = nullptr;
 };

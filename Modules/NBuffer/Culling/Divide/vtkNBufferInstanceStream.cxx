@@ -7,10 +7,10 @@
 #include "vtkNBufferSurface.h"
 
 #include "vtkActor.h"
-#include "vtkCommand.h"
 #include "vtkDataSet.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLGlyph3DHelper.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLVertexArrayObject.h"
@@ -22,7 +22,6 @@
 #include <cstring>
 #include <limits>
 #include <typeinfo>
-#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -223,39 +222,35 @@ void vtkNBufferInstanceStream::Upload(int list, const std::vector<unsigned int>&
 void vtkNBufferInstanceStream::DrawNext(
   int list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream)
 {
-  this->Restore();
-  this->Mapper = mapper;
-  this->Stream = stream;
-  this->Current = list;
-  this->Observer =
-    mapper->AddObserver(vtkCommand::UpdateShaderEvent, this, &vtkNBufferInstanceStream::Draw);
+  this->Own.SetNext(mapper, stream,
+    [this, list, mapper, stream]() { return this->Draw(this->Lists[list], mapper, stream); });
 }
 
-void vtkNBufferInstanceStream::Draw()
+bool vtkNBufferInstanceStream::Draw(
+  const List& list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream)
 {
-  const auto buffers = vtkNBufferProtectedMembers::GetInstanceBuffers(this->Mapper);
-  const List& list = this->Lists[this->Current];
+  const auto buffers = vtkNBufferProtectedMembers::GetInstanceBuffers(mapper);
   const bool willAttach = buffers &&
     (buffers->BuildTime > buffers->LoadTime ||
-      this->Stream->ShaderSourceTime.GetMTime() > buffers->LoadTime);
-  if (!buffers || willAttach || this->IndexCount > 0 || list.Size == 0)
+      stream->ShaderSourceTime.GetMTime() > buffers->LoadTime);
+  if (!buffers || willAttach || list.Size == 0)
   {
-    return; // VTK draws all instances.
+    return false;
   }
-  this->Attach(list.Matrices, list.NormalMatrices, list.Colors);
-  this->Stream->IBO->Bind();
-  glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(this->Stream->IBO->IndexCount),
+  this->Attach(stream, list.Matrices, list.NormalMatrices, list.Colors);
+  stream->IBO->Bind();
+  glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(stream->IBO->IndexCount),
     GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(list.Size));
-  this->Stream->IBO->Release();
-  this->Attach(buffers->Matrices, buffers->NormalMatrices, buffers->Colors);
-  this->IndexCount = std::exchange(this->Stream->IBO->IndexCount, 0);
+  stream->IBO->Release();
+  this->Attach(stream, buffers->Matrices, buffers->NormalMatrices, buffers->Colors);
+  return true;
 }
 
-void vtkNBufferInstanceStream::Attach(vtkOpenGLBufferObject* matrices,
+void vtkNBufferInstanceStream::Attach(vtkOpenGLHelper* stream, vtkOpenGLBufferObject* matrices,
   vtkOpenGLBufferObject* normalMatrices, vtkOpenGLBufferObject* colors)
 {
-  vtkShaderProgram* program = this->Stream->Program;
-  vtkOpenGLVertexArrayObject* array = this->Stream->VAO;
+  vtkShaderProgram* program = stream->Program;
+  vtkOpenGLVertexArrayObject* array = stream->VAO;
   matrices->Bind();
   array->AddAttributeMatrixWithDivisor(program, matrices, "GCMCMatrix", 0,
     MatrixSize * sizeof(float), VTK_FLOAT, 4, false, 1, 4 * sizeof(float));
@@ -273,20 +268,6 @@ void vtkNBufferInstanceStream::Attach(vtkOpenGLBufferObject* matrices,
     array->AddAttributeArrayWithDivisor(
       program, colors, "glyphColor", 0, ColorSize, VTK_UNSIGNED_CHAR, 4, true, 1, false);
     colors->Release();
-  }
-}
-
-void vtkNBufferInstanceStream::Restore()
-{
-  if (this->Mapper)
-  {
-    this->Mapper->RemoveObserver(this->Observer);
-    if (this->IndexCount > 0)
-    {
-      this->Stream->IBO->IndexCount = std::exchange(this->IndexCount, 0);
-    }
-    this->Mapper = nullptr;
-    this->Stream = nullptr;
   }
 }
 

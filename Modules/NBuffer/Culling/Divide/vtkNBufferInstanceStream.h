@@ -26,12 +26,11 @@
 #define vtkNBufferInstanceStream_h
 
 #include "vtkNBufferGLM.h"
+#include "vtkNBufferOwnDraw.h"
 #include "vtkNBufferUnits.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"
-#include "vtkOpenGLGlyph3DHelper.h" // For the smart pointer
-#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <array>
@@ -41,13 +40,13 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractMapper;
 class vtkActor;
+class vtkOpenGLGlyph3DHelper;
 class vtkOpenGLHelper;
 
 class vtkNBufferInstanceStream
 {
 public:
   vtkNBufferInstanceStream() = default;
-  ~vtkNBufferInstanceStream() { this->Restore(); }
   vtkNBufferInstanceStream(const vtkNBufferInstanceStream&) = delete;
   void operator=(const vtkNBufferInstanceStream&) = delete;
 
@@ -83,7 +82,7 @@ public:
   void DrawNext(int list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream);
 
   /// Undo what DrawNext() has changed in the mapper.
-  void Restore();
+  void Restore() { this->Own.Restore(); }
 
   void ReleaseGraphicsResources();
 
@@ -96,20 +95,16 @@ private:
     std::size_t Size = 0;
   };
 
-  void Draw();
-  void Attach(vtkOpenGLBufferObject* matrices, vtkOpenGLBufferObject* normalMatrices,
-    vtkOpenGLBufferObject* colors);
+  bool Draw(const List& list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream);
+  void Attach(vtkOpenGLHelper* stream, vtkOpenGLBufferObject* matrices,
+    vtkOpenGLBufferObject* normalMatrices, vtkOpenGLBufferObject* colors);
 
   std::vector<float> Matrices;       ///< 16 for each instance, column by column.
   std::vector<float> NormalMatrices; ///< 9 for each instance, or none.
   std::vector<unsigned char> Colors; ///< 4 for each instance.
   glm::dvec3 Magnitude = glm::dvec3(0.0);
   std::array<List, 2> Lists;
-  vtkSmartPointer<vtkOpenGLGlyph3DHelper> Mapper; ///< Of the draw that is running.
-  vtkOpenGLHelper* Stream = nullptr;
-  int Current = 0;
-  unsigned long Observer = 0;
-  std::size_t IndexCount = 0; ///< That of the mapper, while it has been taken away.
+  vtkNBufferOwnDraw Own;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -4,12 +4,10 @@
 
 #include "vtkNBufferGL.h"
 
-#include "vtkCommand.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkShaderProgram.h"
-
-#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -24,49 +22,21 @@ bool vtkNBufferRangeDraw::IsNeeded(vtkOpenGLHelper* stream)
   return stream->Program->IsUniformUsed(Offset);
 }
 
-void vtkNBufferRangeDraw::DrawNext(const std::vector<vtkNBufferUnits::Range>& ranges,
-  vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream)
+bool vtkNBufferRangeDraw::Draw(
+  const std::vector<vtkNBufferUnits::Range>& ranges, vtkOpenGLHelper* stream)
 {
-  this->Restore();
-  this->Mapper = mapper;
-  this->Stream = stream;
-  this->Ranges = &ranges;
-  this->Observer =
-    mapper->AddObserver(vtkCommand::UpdateShaderEvent, this, &vtkNBufferRangeDraw::Draw);
-}
-
-void vtkNBufferRangeDraw::Draw()
-{
-  if (this->IndexCount > 0 || this->Ranges->empty())
-  {
-    return; // VTK draws everything, or these ranges have been drawn.
-  }
-  const bool isPoints = this->Stream->PrimitiveType == vtkOpenGLPolyDataMapper::PrimitivePoints;
+  const bool isPoints = stream->PrimitiveType == vtkOpenGLPolyDataMapper::PrimitivePoints;
   const std::size_t corners = isPoints ? 1 : 3;
-  this->Stream->IBO->Bind();
-  for (const vtkNBufferUnits::Range& range : *this->Ranges)
+  stream->IBO->Bind();
+  for (const vtkNBufferUnits::Range& range : ranges)
   {
-    this->Stream->Program->SetUniformi(Offset, static_cast<int>(range.Begin));
+    stream->Program->SetUniformi(Offset, static_cast<int>(range.Begin));
     glDrawElements(isPoints ? GL_POINTS : GL_TRIANGLES,
       static_cast<GLsizei>(corners * (range.End - range.Begin)), GL_UNSIGNED_INT,
       reinterpret_cast<const void*>(corners * range.Begin * sizeof(unsigned int)));
   }
-  this->Stream->Program->SetUniformi(Offset, 0);
-  this->Stream->IBO->Release();
-  this->IndexCount = std::exchange(this->Stream->IBO->IndexCount, 0);
-}
-
-void vtkNBufferRangeDraw::Restore()
-{
-  if (this->Mapper)
-  {
-    this->Mapper->RemoveObserver(this->Observer);
-    if (this->IndexCount > 0)
-    {
-      this->Stream->IBO->IndexCount = std::exchange(this->IndexCount, 0);
-    }
-    this->Mapper = nullptr;
-    this->Stream = nullptr;
-  }
+  stream->Program->SetUniformi(Offset, 0);
+  stream->IBO->Release();
+  return !ranges.empty();
 }
 VTK_ABI_NAMESPACE_END

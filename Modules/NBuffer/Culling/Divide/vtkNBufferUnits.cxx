@@ -188,8 +188,7 @@ vtkNBufferUnits vtkNBufferUnits::Make(const Mesh& mesh, std::size_t unitSize)
   const bool isSmaller =
     GetSurface(groups.Levels[level]) < WorthAnOrder * GetSurface(runs.Levels[level]);
   const bool isScattered = mesh.IsDrawnInRanges &&
-    CountRanges(groups.GetUnitsOfPrimitives(groups.Order.size())) * WorthDraws >
-      groups.Order.size();
+    CountRanges(groups.GetUnitsOfPrimitives()) * WorthDraws > groups.Order.size();
   return isSmaller && !isScattered ? groups : runs;
 }
 
@@ -250,17 +249,25 @@ std::vector<Box> vtkNBufferUnits::GetGroups(const std::vector<unsigned char>& ma
 
 std::size_t vtkNBufferUnits::FindUnit(std::size_t primitive)
 {
+  if (primitive >= this->NumberOfPrimitives)
+  {
+    return this->GetSize();
+  }
+  if (this->Order.empty())
+  {
+    return primitive / this->UnitSize;
+  }
   if (this->UnitOfPrimitive.empty())
   {
-    this->UnitOfPrimitive = this->GetUnitsOfPrimitives(this->NumberOfPrimitives);
+    this->UnitOfPrimitive = this->GetUnitsOfPrimitives();
   }
-  return primitive < this->NumberOfPrimitives ? this->UnitOfPrimitive[primitive] : this->GetSize();
+  return this->UnitOfPrimitive[primitive];
 }
 
-std::vector<std::size_t> vtkNBufferUnits::GetUnitsOfPrimitives(std::size_t size) const
+std::vector<std::size_t> vtkNBufferUnits::GetUnitsOfPrimitives() const
 {
-  std::vector<std::size_t> units(size);
-  for (std::size_t i = 0; i < size; ++i)
+  std::vector<std::size_t> units(this->NumberOfPrimitives);
+  for (std::size_t i = 0; i < units.size(); ++i)
   {
     units[this->AreSpatial() ? this->Order[i] : i] = i / this->UnitSize;
   }

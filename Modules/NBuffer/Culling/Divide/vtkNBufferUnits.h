@@ -104,11 +104,11 @@ public:
   /// Get the bounds of the units that are marked, in a few groups of neighbours, at most 16.
   std::vector<Box> GetGroups(const std::vector<unsigned char>& marked) const;
 
-  /// Get the unit of each primitive of a mesh of `size` primitives.
-  std::vector<std::size_t> GetUnitsOfPrimitives(std::size_t size) const;
+  /// Get the unit of each primitive.
+  std::vector<std::size_t> GetUnitsOfPrimitives() const;
 
-  /// Get the unit of one primitive, or GetSize() if there is no such primitive. The first call
-  /// calls GetUnitsOfPrimitives(), which takes 8 bytes per primitive.
+  /// Get the unit of one primitive, or GetSize() if there is no such primitive. If the units are
+  /// groups in space, the first call calls GetUnitsOfPrimitives(), which takes 8 bytes for each.
   std::size_t FindUnit(std::size_t primitive);
 
 private:
