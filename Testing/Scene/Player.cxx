@@ -15,6 +15,7 @@
 #include "vtkCullerCollection.h"
 #include "vtkDataObject.h"
 #include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkOpenGLFXAAPass.h"
@@ -55,6 +56,13 @@ void ReplaceFXAAPass(vtkRenderer* renderer)
     pass->SetDelegatePass(old->GetDelegatePass());
     renderer->SetPass(pass);
   }
+}
+
+/// vtkShadowMapBakerPass bakes only after a change of props or lights. It does not notice that its
+/// maps went with the context, and ends the program where it reads them.
+void BakeShadowMapsAgain(vtkRenderer* renderer)
+{
+  renderer->GetLights()->Modified();
 }
 
 void SetUp(vtkRenderer* renderer, const Renderer& description, int index)
@@ -412,6 +420,7 @@ void Player::ApplyToWindow(const Change& change)
       for (const auto& renderer : this->Renderers)
       {
         ReplaceFXAAPass(renderer);
+        BakeShadowMapsAgain(renderer);
       }
       break;
     case ChangeKind::PolygonOffset:
