@@ -51,8 +51,9 @@ using BlockMap = std::map<unsigned int, std::uintptr_t>;
 /// What a mapper of blocks draws.
 struct BlockList
 {
-  BlockMap* Blocks = nullptr; ///< In the order of drawing; null for all other mappers.
-  vtkMTimeType BuildTime = 0; ///< When the vertex buffers were made.
+  BlockMap* Blocks = nullptr;        ///< In the order of drawing; null for all other mappers.
+  vtkMTimeType BuildTime = 0;        ///< When the vertex buffers were made.
+  vtkOpenGLHelper* Stream = nullptr; ///< What it is about to draw of them: triangles, for example.
 };
 
 #if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2 || VTKNBUFFER_HAS_BATCHED_MAPPER
@@ -75,7 +76,8 @@ inline BlockList GetBlockList(vtkAbstractMapper* mapper)
 #else
       BlockMap& blocks = mapper->*&Access::FlatIndexToPolyData;
 #endif
-      return { &blocks, (mapper->*&Access::VBOBuildTime).GetMTime() };
+      return { &blocks, (mapper->*&Access::VBOBuildTime).GetMTime(),
+        mapper->*&Access::LastBoundBO };
     }
   };
   return typeid(*mapper) == typeid(BlockMapper) ? Access::Get(static_cast<BlockMapper*>(mapper))

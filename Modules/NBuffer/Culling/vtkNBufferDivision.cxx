@@ -322,6 +322,13 @@ int vtkNBufferDivision::DrawAgain(int place, const std::function<int()>& drawWho
   return entry && entry->IsActive ? entry->Prop->DrawAgain(drawWhole) : drawWhole();
 }
 
+int vtkNBufferDivision::Render(int place, vtkRenderer* renderer)
+{
+  Entry* entry = this->Find(place);
+  return entry && entry->IsActive ? entry->Prop->Render(renderer)
+                                  : this->Props.GetProp(place)->RenderOpaqueGeometry(renderer);
+}
+
 void vtkNBufferDivision::DescribeNext(int place, int round, const vtkNBufferProjection& projection,
   std::vector<vtkNBufferDrawnProp>& drawn)
 {

@@ -29,6 +29,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkNBufferCandidateList;
 class vtkOpenGLRenderWindow;
+class vtkRenderer;
 struct vtkNBufferSettings;
 struct vtkNBufferStatistics;
 struct vtkNBufferViewSetup;
@@ -98,6 +99,9 @@ public:
   int Draw(int place, const std::function<int()>& drawWhole);
   int DrawAgain(int place, const std::function<int()>& drawWhole);
   ///@}
+
+  /// Draw a prop in a call of `drawWhole`.
+  int Render(int place, vtkRenderer* renderer);
 
   /// Whether only some units of a prop are drawn in this frame.
   bool IsDrawnByUnits(int place);

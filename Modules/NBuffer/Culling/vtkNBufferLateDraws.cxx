@@ -25,10 +25,16 @@ vtkNBufferLateDraws::vtkNBufferLateDraws(vtkNBufferCandidateList& props,
 {
 }
 
+int vtkNBufferLateDraws::DrawWhole(vtkRenderer* renderer, int place)
+{
+  return this->Proxy->Draw(
+    this->Props.GetProp(place), [&]() { return this->Division.Render(place, renderer); });
+}
+
 int vtkNBufferLateDraws::Draw(vtkRenderer* renderer, int place, int round, double time)
 {
-  const auto drawWhole = [&]()
-  { return this->Proxy->Draw(this->Props.GetProp(place), renderer, time); };
+  this->Props.GetProp(place)->SetAllocatedRenderTime(time, renderer);
+  const auto drawWhole = [&]() { return this->DrawWhole(renderer, place); };
   const std::optional<bool> ties = this->Division.HasTies(place, drawWhole);
   this->TieQueries += ties ? 1 : 0;
   const std::size_t first = this->Drawn.size();
@@ -46,8 +52,9 @@ int vtkNBufferLateDraws::Repeat(vtkRenderer* renderer)
   for (const vtkNBufferDrawnProp& prop : this->Drawn)
   {
     vtkProp* heldBack = this->Props.GetProp(prop.Index);
-    drawn += this->Division.DrawAgain(prop.Index,
-      [&]() { return this->Proxy->Draw(heldBack, renderer, heldBack->GetAllocatedRenderTime()); });
+    heldBack->SetAllocatedRenderTime(heldBack->GetAllocatedRenderTime(), renderer);
+    drawn +=
+      this->Division.DrawAgain(prop.Index, [&]() { return this->DrawWhole(renderer, prop.Index); });
   }
   return drawn;
 }
@@ -100,10 +107,7 @@ int vtkNBufferLateDraws::RestoreTieOrder(vtkRenderer* renderer, const std::vecto
     const int place = all[redraw.Position].Index;
     draws += vtkNBufferGL::DrawIn(redraw.Regions,
       [&]()
-      {
-        this->Division.DrawAgain(
-          place, [&]() { return this->Proxy->Redraw(this->Props.GetProp(place), renderer); });
-      });
+      { this->Division.DrawAgain(place, [&]() { return this->DrawWhole(renderer, place); }); });
   }
   return draws;
 }

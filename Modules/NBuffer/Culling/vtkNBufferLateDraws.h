@@ -65,6 +65,7 @@ public:
   int GetTieQueries() const { return this->TieQueries; }
 
 private:
+  int DrawWhole(vtkRenderer* renderer, int place);
   std::vector<vtkNBufferDrawnProp> GetAllDrawn(
     const std::vector<int>& heldBack, bool screensAreValid, vtkInformation* requiredKeys) const;
 

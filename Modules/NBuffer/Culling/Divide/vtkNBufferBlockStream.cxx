@@ -2,11 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferBlockStream.h"
 
+#include "vtkNBufferGL.h"
+#include "vtkNBufferRangeDraw.h"
+
+#include "vtkActor.h"
 #include "vtkCommand.h"
 #include "vtkDataObjectTree.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
 #include "vtkPoints.h"
-#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkSelection.h"
+#include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <limits>
@@ -109,6 +119,10 @@ void vtkNBufferBlockStream::DrawNext(int list, vtkAbstractMapper* mapper)
   this->Restore();
   if (Batch* batch = this->Find(mapper))
   {
+    batch->Last = GetBlockList(mapper).Stream;
+    // Either an image, or values of cells, which are in a texture as well.
+    batch->UsesTextures = batch->UsesTextures || vtkNBufferRangeDraw::IsNeeded(batch->Last) ||
+      batch->Last->Program->IsAttributeUsed("tcoord");
     this->Changed = mapper;
     this->Exchanged = &batch->Lists[list];
     this->Exchanged->swap(*GetBlockList(mapper).Blocks);
@@ -125,5 +139,41 @@ void vtkNBufferBlockStream::Restore()
     this->Changed->RemoveObserver(this->Observer);
     this->Changed = nullptr;
   }
+}
+
+void vtkNBufferBlockStream::BeginFrame()
+{
+  for (Batch& batch : this->Batches)
+  {
+    batch.Last = nullptr;
+  }
+}
+
+bool vtkNBufferBlockStream::DrawDirectly(vtkActor* actor, vtkRenderer* renderer)
+{
+  if (this->Batches.empty() ||
+    !std::all_of(this->Batches.begin(), this->Batches.end(),
+      [](const Batch& batch) { return batch.Mapper && batch.Last && !batch.UsesTextures; }))
+  {
+    return false;
+  }
+  vtkOpenGLState* state = static_cast<vtkOpenGLRenderer*>(renderer)->GetState();
+  const vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkProperty* property = actor->GetProperty();
+  property->Render(actor, renderer);
+  if (vtkProperty* backface = actor->GetBackfaceProperty())
+  {
+    backface->BackfaceRender(actor, renderer);
+  }
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglPointSize(property->GetPointSize());
+  for (Batch& batch : this->Batches)
+  {
+    static_cast<vtkOpenGLPolyDataMapper*>(batch.Mapper.Get())->RenderPieceDraw(renderer, actor);
+    this->Restore();
+    batch.Last->VAO->Release();
+  }
+  property->PostRender(actor, renderer);
+  return true;
 }
 VTK_ABI_NAMESPACE_END

@@ -20,6 +20,7 @@
 #include "vtkNBufferUnits.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
 #include <array>
 #include <cstddef>
@@ -28,7 +29,10 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractMapper;
+class vtkActor;
 class vtkMapper;
+class vtkOpenGLHelper;
+class vtkRenderer;
 
 class vtkNBufferBlockStream
 {
@@ -56,6 +60,9 @@ public:
   /// number if there is no such block.
   std::size_t FindBlock(unsigned int flatIndex) const;
 
+  /// Begin a frame, in which VTK has not drawn any blocks yet.
+  void BeginFrame();
+
   /// Whether a mapper of blocks is about to draw the blocks that were read of it.
   bool IsAsRead(vtkAbstractMapper* mapper) { return this->Find(mapper) != nullptr; }
 
@@ -68,16 +75,26 @@ public:
   /// Undo what DrawNext() has changed in the mapper.
   void Restore();
 
+  /**
+   * Draw the blocks of the actor again, as vtkActor::RenderOpaqueGeometry() does. That function
+   * visits each block several times before it draws the first one, in order to find out whether
+   * any has changed. If VTK has done so in this frame, this function does without. Returns false,
+   * and draws nothing, if VTK has not, or if the blocks have textures, which only VTK binds.
+   */
+  bool DrawDirectly(vtkActor* actor, vtkRenderer* renderer);
+
 private:
   using Map = vtkNBufferProtectedMembers::BlockMap;
 
   /// What one mapper of blocks draws.
   struct Batch
   {
-    const vtkAbstractMapper* Mapper; ///< Only compared.
+    vtkWeakPointer<vtkAbstractMapper> Mapper;
     vtkMTimeType BuildTime;
     Map Blocks;
     std::array<Map, 2> Lists;
+    vtkOpenGLHelper* Last = nullptr; ///< What VTK has drawn last of it in this frame.
+    bool UsesTextures = false;
   };
 
   Batch* Find(vtkAbstractMapper* mapper);

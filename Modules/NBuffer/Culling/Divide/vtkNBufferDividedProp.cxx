@@ -48,7 +48,7 @@ void vtkNBufferDividedProp::BeginFrame(bool changed, const Settings& settings)
     this->Culling.SetUnits({});
     this->Mesh = {};
   }
-  this->Hook->SetWindow(settings.Window);
+  this->Hook->BeginFrame(settings.Window);
   this->IsDrawn = this->FreshIsNext = this->Settled = false;
   if (this->State == Phase::Waiting && this->StillFrames++ >= settings.DivideAfter)
   {

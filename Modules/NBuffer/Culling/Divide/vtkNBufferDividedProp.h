@@ -45,6 +45,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
+class vtkRenderer;
 
 class vtkNBufferDividedProp
 {
@@ -92,6 +93,9 @@ public:
 
   /// Draw the units that have been drawn in this frame once more, in the order of the mesh.
   int DrawAgain(const std::function<int()>& drawWhole);
+
+  /// Draw the actor in a call of `drawWhole`.
+  int Render(vtkRenderer* renderer) { return this->Hook->Render(this->Actor, renderer); }
 
   /// Whether the first draw of this frame has been made.
   bool IsBegun() const { return this->IsDrawn; }

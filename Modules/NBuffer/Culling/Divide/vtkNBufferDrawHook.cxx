@@ -83,6 +83,13 @@ vtkNBufferDrawHook::Draw::~Draw()
   this->Hook->Reads = this->Hook->Reads && !this->Hook->Read.Mapper;
 }
 
+int vtkNBufferDrawHook::Render(vtkActor* actor, vtkRenderer* renderer)
+{
+  const bool isDirect = this->Actor && this->Current != Whole && !this->Stale &&
+    this->Blocks.DrawDirectly(actor, renderer);
+  return isDirect ? 1 : actor->RenderOpaqueGeometry(renderer);
+}
+
 void vtkNBufferDrawHook::Restore()
 {
   this->Instances.Restore();

@@ -52,6 +52,7 @@ class vtkOpenGLPolyDataMapper;
 class vtkOpenGLRenderWindow;
 class vtkPolyData;
 class vtkProp;
+class vtkRenderer;
 
 class vtkNBufferDrawHook : public vtkOpenGLRenderPass
 {
@@ -97,10 +98,11 @@ public:
   void Detach(vtkProp* prop);
   ///@}
 
-  /// Set the window of the next draws. The buffers of the hook are released with its context.
-  void SetWindow(vtkOpenGLRenderWindow* window)
+  /// Begin a frame of a window. The buffers of the hook are released with its context.
+  void BeginFrame(vtkOpenGLRenderWindow* window)
   {
     this->Resources->RegisterGraphicsResources(window);
+    this->Blocks.BeginFrame();
   }
 
   /// Read what the next draw draws: afterwards GetSource() and TakeMesh() have it.
@@ -133,6 +135,9 @@ public:
   private:
     vtkNBufferDrawHook* Hook;
   };
+
+  /// Draw the actor while an object of that class exists.
+  int Render(vtkActor* actor, vtkRenderer* renderer);
 
   /// Whether a draw of a list drew everything, because the source has changed.
   bool IsStale() const { return this->Stale; }

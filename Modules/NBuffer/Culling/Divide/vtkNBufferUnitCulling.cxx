@@ -17,9 +17,12 @@ namespace
 /// groups of vtkNBufferUnits::Fanout.
 constexpr std::size_t Turns = 8;
 
-/// A view is new if fewer than one in this many units of the frustum are known to be visible. Then
-/// that share of the units is drawn first.
-constexpr std::size_t NewViewShare = 64;
+/// A view is new if of the units that the last test found visible fewer than one in this many are
+/// in the frustum, or if of the units in the frustum fewer were in that of the last test.
+constexpr int NewView = 4;
+
+/// In a new view, one in this many units of the frustum is drawn first.
+constexpr std::size_t NearestShare = 64;
 }
 
 /// The tests of one call of Test().
@@ -37,6 +40,7 @@ void vtkNBufferUnitCulling::SetUnits(vtkNBufferUnits units)
   this->Marks.assign(size, 0);
   this->DrawnUnits.assign(size, 0);
   this->FreshUnits.assign(size, 0);
+  this->Asked = this->Seen = 0;
   this->Open.clear();
   for (const auto& level : this->Units.GetLevels())
   {
@@ -70,11 +74,10 @@ void vtkNBufferUnitCulling::FindKept(const vtkNBufferProjection& projection)
     this->Number.Outside += (this->Marks[i] & Outside) != 0;
     this->Number.Kept += this->DrawnUnits[i];
   }
-  const auto limit =
-    static_cast<std::size_t>(this->Number.Units - this->Number.Outside) / NewViewShare + 1;
-  if (static_cast<std::size_t>(this->Number.Kept) < limit)
+  const int inside = this->Number.Units - this->Number.Outside;
+  if (NewView * this->Number.Kept < this->Seen || inside > NewView * this->Asked)
   {
-    this->KeepNearest(projection, limit);
+    this->KeepNearest(projection, static_cast<std::size_t>(inside) / NearestShare + 1);
   }
 }
 
@@ -164,6 +167,9 @@ int vtkNBufferUnitCulling::Test(const vtkNBufferProjection& projection, const De
     tests.Pixels.emplace(projection, depth.Levels, depth.Pixels, depth.SampleDistance);
   }
   this->TestNode(this->Units.GetLevels().size() - 1, 0, tests);
+  this->Asked = this->Number.Units - this->Number.Outside;
+  this->Seen = static_cast<int>(std::count_if(this->Marks.begin(), this->Marks.end(),
+    [](unsigned char mark) { return (mark & Visible) != 0; }));
   return this->Number.Fresh;
 }
 

@@ -8,16 +8,10 @@
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkNBufferDeferredProxy);
 
-int vtkNBufferDeferredProxy::Draw(vtkProp* prop, vtkRenderer* renderer, double time)
-{
-  prop->SetAllocatedRenderTime(time, renderer);
-  return this->Redraw(prop, renderer);
-}
-
-int vtkNBufferDeferredProxy::Redraw(vtkProp* prop, vtkRenderer* renderer)
+int vtkNBufferDeferredProxy::Draw(vtkProp* prop, const std::function<int()>& draw)
 {
   const ForwardedKeys keys(this, prop);
-  return prop->RenderOpaqueGeometry(renderer);
+  return draw();
 }
 
 bool vtkNBufferDeferredProxy::HasKeys(vtkInformation* requiredKeys)

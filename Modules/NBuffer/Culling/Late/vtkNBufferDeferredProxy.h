@@ -48,12 +48,8 @@ public:
   /// deleted. A proxy without an owner, which is the default, draws nothing.
   void SetOwner(Owner* owner) { this->TheOwner = owner; }
 
-  /// Draw one prop that is held back, with the property keys of this proxy and with `time` seconds
-  /// allocated to it. Returns the number of props drawn, as vtkProp::RenderOpaqueGeometry() does.
-  int Draw(vtkProp* prop, vtkRenderer* renderer, double time);
-
-  /// Draw a prop once more, with the property keys of this proxy.
-  int Redraw(vtkProp* prop, vtkRenderer* renderer);
+  /// Call `draw` while a prop has the property keys of this proxy. Returns what `draw` returns.
+  int Draw(vtkProp* prop, const std::function<int()>& draw);
 
   /// Returns nullptr, so that no culler that runs later removes the proxy.
   double* GetBounds() VTK_SIZEHINT(6) override { return nullptr; }
