@@ -65,7 +65,7 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
    * 65536, and 0 to 2147483647.
    */
   int MinimumNumberOfPrimitives = 20000;
-  int UnitSize = 128;
+  int UnitSize = 64;
   int DivideAfter = 3;
   bool DivideInBackground = true;
   ///@}

@@ -448,9 +448,9 @@ TEST(CullerGlyphsSettings, SizeAndSwitch)
     }
     return comparison.GetStatistics().Units;
   };
-  EXPECT_EQ(frames(), 1000 / 4);
+  EXPECT_EQ(frames(), 1000 / 2);
   comparison.GetCuller()->DividePropsOff();
   EXPECT_EQ(frames(), 0);
   comparison.GetCuller()->DividePropsOn();
-  EXPECT_EQ(frames(), 1000 / 4);
+  EXPECT_EQ(frames(), 1000 / 2);
 }

@@ -113,7 +113,7 @@ struct Kind : NamedCase
   int First = 0; ///< The number of the first part.
   int UnitsOfPlace = 1;
 };
-const Kind KindsOfParts[] = { { "Instances", 1, 48, SetGlyphs },
+const Kind KindsOfParts[] = { { "Instances", 1, 24, SetGlyphs, 0, 2 },
   { "Blocks", 3, 4, SetBlocks, 1, Copies }, { "Triangles", 3, 4, nullptr },
   { "Points", 1, 4, nullptr } };
 }

@@ -97,7 +97,7 @@ struct Culler
   int TestSlivers = 0;
   bool DivideProps = true;
   int MinimumNumberOfPrimitives = 20000;
-  int UnitSize = 128;
+  int UnitSize = 64;
   bool ReuseWhenStill = true;
   bool BackOff = false;
 

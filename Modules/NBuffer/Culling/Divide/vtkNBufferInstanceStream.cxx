@@ -31,7 +31,7 @@ constexpr std::size_t NormalMatrixSize = 9;
 constexpr std::size_t ColorSize = 4;
 
 /// The most instances in a unit. Larger groups have boxes that are seen more often.
-constexpr std::size_t LargestUnit = 4;
+constexpr std::size_t LargestUnit = 2;
 
 /// Each vertex of an instance is rounded in two products of matrices. See Read().
 constexpr double Products = 2.0;
