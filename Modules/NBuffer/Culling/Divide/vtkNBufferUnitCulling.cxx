@@ -79,6 +79,12 @@ void vtkNBufferUnitCulling::FindKept(const vtkNBufferProjection& projection)
   {
     this->KeepNearest(projection, static_cast<std::size_t>(inside) / NearestShare + 1);
   }
+  else if (this->Number.Kept == 0 && inside > 0)
+  {
+    // VTK notices some changes only while it draws.
+    const auto first = std::find(this->Marks.begin(), this->Marks.end(), 0) - this->Marks.begin();
+    this->Keep(static_cast<std::size_t>(first));
+  }
 }
 
 void vtkNBufferUnitCulling::MarkOutside(
@@ -127,10 +133,15 @@ void vtkNBufferUnitCulling::KeepNearest(const vtkNBufferProjection& projection, 
     nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(limit), nearest.end());
   for (std::size_t k = 0; k < limit; ++k)
   {
-    this->Marks[nearest[k].second] = Visible;
-    this->DrawnUnits[nearest[k].second] = 1;
-    ++this->Number.Kept;
+    this->Keep(nearest[k].second);
   }
+}
+
+void vtkNBufferUnitCulling::Keep(std::size_t unit)
+{
+  this->Marks[unit] = Visible;
+  this->DrawnUnits[unit] = 1;
+  ++this->Number.Kept;
 }
 
 void vtkNBufferUnitCulling::FindOpen()

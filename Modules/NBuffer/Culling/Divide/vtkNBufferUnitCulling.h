@@ -56,7 +56,8 @@ public:
   vtkNBufferBox MakeBox(const vtkNBufferUnits::Box& bounds) const;
 
   /// Test the frustum, and let the units that are drawn first count as drawn: those that the last
-  /// test found visible or, in a new view, the nearest ones.
+  /// test found visible and, in a new view, the nearest ones. If any unit is in the frustum, at
+  /// least one is drawn.
   void FindKept(const vtkNBufferProjection& projection);
 
   /// If the prop has not been drawn, no unit counts as drawn.
@@ -93,6 +94,7 @@ private:
 
   void MarkOutside(std::size_t level, std::size_t n, const vtkNBufferProjection& projection);
   void KeepNearest(const vtkNBufferProjection& projection, std::size_t limit);
+  void Keep(std::size_t unit);
   void FindOpen();
   struct Tests;
   void TestNode(std::size_t level, std::size_t n, Tests& tests);
