@@ -18,6 +18,16 @@ void ViewOptions::AddTo(CLI::App& command, const std::string& program)
     .add_option("--merge", this->Merge,
       "All parts of the scene as one prop: one mesh, or composite data with a block for each part")
     ->check(CLI::IsMember({ "polydata", "composite" }));
+  command.add_flag("--shuffle", this->Shuffle,
+    "The triangles of a scene that is one mesh in a random order, always the same one");
+  command
+    .add_option("--points", this->Points,
+      "Points of the scenes points-wall and points-terrain; default: 1000000")
+    ->check(CLI::Range(1, 100000000));
+  command
+    .add_option("--instances", this->Instances,
+      "Instances of the scenes glyph-wall, glyph-cloud and glyph-open; default: 200000")
+    ->check(CLI::Range(1, 16000000));
   command.add_option("--path", this->Path,
     "street, rooftop, drone, cuts, aside (few of the props in view) or orbit, or a path that the "
     "scene has of its own; default: street in a city, orbit elsewhere");
@@ -57,11 +67,17 @@ NBufferExamples::Scene ViewOptions::LoadScene() const
   options.Seed = this->Seed;
   options.Progress = ShowProgress;
   options.SplitRegions = this->SplitRegions;
+  options.Points = this->Points;
+  options.Instances = this->Instances;
   NBufferExamples::Scene scene = NBufferExamples::LoadScene(this->SceneNames, options);
   scene.Tile(this->Props);
   if (!this->Merge.empty())
   {
     scene.Merge(this->Merge == "composite");
+  }
+  if (this->Shuffle)
+  {
+    scene.Shuffle();
   }
   return scene;
 }
@@ -89,6 +105,15 @@ void ViewOptions::Describe(
   report["vtk"] = vtkVersion::GetVTKVersion();
   report["scene"] = scene.Name;
   report["merged"] = this->Merge;
+  report["shuffled"] = this->Shuffle;
+  if (this->Points > 0)
+  {
+    report["points"] = this->Points;
+  }
+  if (this->Instances > 0)
+  {
+    report["instances"] = this->Instances;
+  }
   report["path"] = this->GetPathName(scene);
   report["size"] = session.GetSize();
   report["samples"] = session.GetWindow()->GetMultiSamples();

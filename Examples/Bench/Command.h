@@ -44,15 +44,19 @@ struct ViewOptions
   std::uint64_t Seed = 1;
   bool SplitRegions = false; ///< As in NBufferExamples::SceneOptions.
   std::string Merge;         ///< What the scene becomes: "", "polydata" or "composite".
+  bool Shuffle = false;      ///< Whether the triangles of the only mesh are shuffled.
+  int Points = 0;            ///< As in NBufferExamples::SceneOptions.
+  int Instances = 0;         ///< As in NBufferExamples::SceneOptions.
   int Props = 0;             ///< The scene is copied until it has this many props; 0: not copied.
   SessionOptions Window;
   std::string Backend = "auto"; ///< The back-end of vtkNBufferCuller: auto, opengl or cpu.
 
   /// The possible values of --scene, for the help.
-  std::string SceneHelp =
-    "city, plant, isosurface, terrain, points-wall, points-terrain (synthetic), a folder of "
-    ".kicad_pcb (with :actors behind: all "
-    "actors of VTK's importer), or a file of " +
+  std::string SceneHelp = "city, plant, isosurface, terrain, points-wall, points-terrain, "
+                          "glyph-wall, glyph-cloud, glyph-open "
+                          "(synthetic), a folder of "
+                          ".kicad_pcb (with :actors behind: all "
+                          "actors of VTK's importer), or a file of " +
     NBufferExamples::ListEndings(" ") + ", or several of " + NBufferExamples::ListPartEndings(" ") +
     "; each also as .gz";
 

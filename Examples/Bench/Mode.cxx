@@ -32,7 +32,7 @@ constexpr QueryMode QueryModes[] = { { "queries", QueryMethod::Flat, QueryTarget
 /// Returns the names of all modes, without settings.
 std::vector<std::string> GetNames()
 {
-  std::vector<std::string> names = { "stock", "none", "nbuffer", "oracle", "in-view" };
+  std::vector<std::string> names = { "stock", "none", "nbuffer", "oracle", "in-view", "same-list" };
   for (const QueryMode& mode : QueryModes)
   {
     names.emplace_back(mode.Name);
@@ -79,7 +79,7 @@ Mode::Mode(const std::string& name, const std::string& backend)
     ApplySettings(name, this->NBuffer);
     this->Cullers.push_back(this->NBuffer);
   }
-  if (name == "oracle" || name == "in-view")
+  if (name == "oracle" || name == "in-view" || name == "same-list")
   {
     this->Oracle = vtkSmartPointer<OracleCuller>::New();
     this->Cullers.push_back(this->Oracle);

@@ -30,7 +30,8 @@ class Mode
 public:
   /// stock: VTK's default culler. none: no culler. nbuffer: the default culler and
   /// vtkNBufferCuller, added as a user adds it, or with settings, see ModeSettings.h. oracle:
-  /// exactly the props that own a pixel. in-view: exactly the props in the view frustum. queries,
+  /// exactly the props that own a pixel. in-view: exactly the props in the view frustum.
+  /// same-list: what nbuffer draws of composite data (SameList.h), without tests. queries,
   /// queries-conservative, queries-count: an occlusion query for each prop, of the exact, the
   /// conservative or the counting kind; the mode waits for each answer. chc: coherent hierarchical
   /// culling by exact queries. The back-end of nbuffer is auto, opengl or cpu. Throws
@@ -44,7 +45,7 @@ public:
   ///@{
   /// Return nullptr in modes that have no such culler.
   vtkNBufferCuller* GetNBufferCuller() { return this->NBuffer; }
-  /// The culler of oracle and in-view, which must be given the props of each frame.
+  /// The culler of oracle, in-view and same-list, which must be given the props of each frame.
   OracleCuller* GetOracleCuller() { return this->Oracle; }
   NBufferPeers::QueryCuller* GetQueryCuller() { return this->Queries; }
   ///@}

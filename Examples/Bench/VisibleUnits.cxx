@@ -3,6 +3,7 @@
 #include "VisibleUnits.h"
 
 #include "CompositeMapper.h"
+#include "VisibleInstances.h"
 #include "VisibleProps.h"
 #include "vtkNBufferCuller.h"
 #include "vtkNBufferUnits.h"
@@ -10,6 +11,7 @@
 #include "vtkCellArray.h"
 #include "vtkDataObject.h"
 #include "vtkFrustumCoverageCuller.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkHardwareSelector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
@@ -28,9 +30,16 @@ namespace NBufferBench
 {
 namespace
 {
-/// Makes an actor that draws a part of a large prop: the units of which these cells, or blocks by
-/// their flat indices, own a pixel.
-using PartMaker = std::function<vtkSmartPointer<vtkActor>(const std::set<vtkIdType>&)>;
+/// The part of a large prop that is drawn, and how many units it consists of.
+struct Part
+{
+  vtkSmartPointer<vtkActor> Actor;
+  std::size_t Count = 0;
+};
+
+/// Makes the part of a large prop with the units of which these cells, blocks by their flat
+/// indices, or instances own a pixel.
+using PartMaker = std::function<Part(const std::set<vtkIdType>&)>;
 
 /// A mesh that vtkNBufferCuller divides, and its units.
 struct LargeMesh
@@ -41,7 +50,7 @@ struct LargeMesh
   vtkNBufferUnits Units;
   std::vector<std::size_t> UnitOfPrimitive;
 
-  vtkSmartPointer<vtkActor> MakePart(const std::set<vtkIdType>& primitives) const
+  Part MakePart(const std::set<vtkIdType>& primitives) const
   {
     std::vector<unsigned char> drawn(this->Units.GetSize());
     for (const vtkIdType primitive : primitives)
@@ -72,7 +81,7 @@ struct LargeMesh
     auto actor = vtkSmartPointer<vtkActor>::New();
     actor->ShallowCopy(this->Actor);
     actor->SetMapper(mapper);
-    return actor;
+    return { actor, static_cast<std::size_t>(std::count(drawn.begin(), drawn.end(), 1)) };
   }
 };
 
@@ -131,7 +140,7 @@ PartMaker MakeBlockMaker(vtkActor* actor, vtkMultiBlockDataSet* data)
     auto copy = vtkSmartPointer<vtkActor>::New();
     copy->ShallowCopy(actor);
     copy->SetMapper(mapper);
-    return copy;
+    return Part{ copy, flatIndices.size() };
   };
 }
 
@@ -139,7 +148,18 @@ struct LargeProp
 {
   PartMaker MakePart;
   bool HasBlocks = false;
+  std::shared_ptr<const VisibleInstances> Instances; ///< Of a prop that has instances.
 };
+
+/// Returns nullptr for an actor without instances, or with few of them.
+std::shared_ptr<const VisibleInstances> MakeInstances(vtkActor* actor, vtkIdType minimum)
+{
+  auto* mapper = actor ? vtkGlyph3DMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+  auto* points = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
+  const bool isLarge = points && mapper->GetSource() &&
+    points->GetNumberOfPoints() * mapper->GetSource()->GetNumberOfPolys() >= minimum;
+  return isLarge ? std::make_shared<const VisibleInstances>(actor, mapper) : nullptr;
+}
 
 std::map<vtkProp*, LargeProp> FindLargeProps(Session& session)
 {
@@ -150,6 +170,14 @@ std::map<vtkProp*, LargeProp> FindLargeProps(Session& session)
   for (vtkProp* prop : session.GetProps())
   {
     auto* actor = vtkActor::SafeDownCast(prop);
+    if (const std::shared_ptr<const VisibleInstances> instances = MakeInstances(actor, minimum))
+    {
+      const auto make = [instances](const std::set<vtkIdType>& visible) {
+        return Part{ instances->MakePart(visible), visible.size() };
+      };
+      large.emplace(prop, LargeProp{ make, false, instances });
+      continue;
+    }
     vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
     vtkDataObject* data = mapper ? mapper->GetInputDataObject(0, 0) : nullptr;
     if (!data || data->GetNumberOfElements(vtkDataObject::CELL) < minimum)
@@ -170,60 +198,102 @@ std::map<vtkProp*, LargeProp> FindLargeProps(Session& session)
   }
   return large;
 }
-}
 
-std::vector<vtkSmartPointer<vtkActor>> ReplaceByVisibleUnits(Session& session,
-  const NBufferExamples::CameraPath& path, std::vector<std::vector<vtkProp*>>& visible)
+/// Finds what owns a pixel of large props: cells, or blocks by their flat indices.
+class CellFinder
 {
-  const std::map<vtkProp*, LargeProp> large = FindLargeProps(session);
-  std::vector<vtkSmartPointer<vtkActor>> parts;
-  if (large.empty())
+public:
+  CellFinder(Session& session, const std::map<vtkProp*, LargeProp>& large)
+    : Where(session)
+    , Large(large)
   {
-    return parts;
+    this->Selector->SetRenderer(session.GetRenderer());
+    this->Selector->SetArea(0, 0, this->GetSize(0) - 1, this->GetSize(1) - 1);
+    this->Selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
   }
-  const int* size = session.GetWindow()->GetActualSize();
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(session.GetRenderer());
-  selector->SetArea(
-    0, 0, static_cast<unsigned int>(size[0] - 1), static_cast<unsigned int>(size[1] - 1));
-  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
-  for (std::size_t frame = 0; frame < path.size(); ++frame)
+
+  std::map<vtkProp*, std::set<vtkIdType>> Find()
   {
-    session.SetCuller(vtkNew<vtkFrustumCoverageCuller>());
-    session.SetPose(path[frame]);
-    if (!selector->CaptureBuffers())
+    this->Where.SetCuller(vtkNew<vtkFrustumCoverageCuller>());
+    if (!this->Selector->CaptureBuffers())
     {
       throw std::runtime_error("the cells that own a pixel could not be found: no selection");
     }
     std::map<vtkProp*, std::set<vtkIdType>> owners;
-    for (unsigned int y = 0; y < static_cast<unsigned int>(size[1]); ++y)
+    for (unsigned int y = 0; y < this->GetSize(1); ++y)
     {
-      for (unsigned int x = 0; x < static_cast<unsigned int>(size[0]); ++x)
+      for (unsigned int x = 0; x < this->GetSize(0); ++x)
       {
         const unsigned int pixel[2] = { x, y };
-        const vtkHardwareSelector::PixelInformation owner = selector->GetPixelInformation(pixel, 0);
-        const auto found = owner.Valid ? large.find(owner.Prop) : large.end();
-        if (found != large.end())
+        const vtkHardwareSelector::PixelInformation owner =
+          this->Selector->GetPixelInformation(pixel, 0);
+        const auto found = owner.Valid ? this->Large.find(owner.Prop) : this->Large.end();
+        if (found != this->Large.end())
         {
           const bool byBlock = found->second.HasBlocks;
           owners[owner.Prop].insert(byBlock ? owner.CompositeID : owner.AttributeID);
         }
       }
     }
+    return owners;
+  }
+
+private:
+  unsigned int GetSize(int axis)
+  {
+    return static_cast<unsigned int>(this->Where.GetWindow()->GetActualSize()[axis]);
+  }
+
+  Session& Where;
+  const std::map<vtkProp*, LargeProp>& Large;
+  vtkNew<vtkHardwareSelector> Selector;
+};
+}
+
+VisibleUnits ReplaceByVisibleUnits(Session& session, const NBufferExamples::CameraPath& path,
+  std::vector<std::vector<vtkProp*>>& visible)
+{
+  const std::map<vtkProp*, LargeProp> large = FindLargeProps(session);
+  VisibleUnits units;
+  if (large.empty())
+  {
+    return units;
+  }
+  const bool hasCells = std::any_of(
+    large.begin(), large.end(), [](const auto& entry) { return !entry.second.Instances; });
+  CellFinder cells(session, large);
+  for (std::size_t frame = 0; frame < path.size(); ++frame)
+  {
+    session.SetPose(path[frame]);
+    std::map<vtkProp*, std::set<vtkIdType>> owners;
+    if (hasCells)
+    {
+      owners = cells.Find();
+    }
+    for (const auto& [prop, entry] : large)
+    {
+      if (entry.Instances)
+      {
+        owners[prop] = entry.Instances->Find(session, visible[frame]);
+      }
+    }
+    units.Counts.push_back(0.0);
     for (vtkProp*& prop : visible[frame])
     {
       const auto found = large.find(prop);
       if (found != large.end())
       {
-        parts.push_back(found->second.MakePart(owners[prop]));
-        prop = parts.back();
+        const Part part = found->second.MakePart(owners[prop]);
+        units.Actors.push_back(part.Actor);
+        units.Counts.back() += static_cast<double>(part.Count);
+        prop = part.Actor;
       }
     }
     RenderOnly(session, visible[frame]);
     ShowProgress("finding which units own a pixel: frame " + std::to_string(frame + 1) + " of " +
       std::to_string(path.size()));
   }
-  return parts;
+  return units;
 }
 
 } // namespace NBufferBench

@@ -3,6 +3,7 @@
 #include "Walk.h"
 
 #include "Report.h"
+#include "SameList.h"
 #include "VisibleUnits.h"
 
 #include <algorithm>
@@ -32,6 +33,7 @@ struct Runner
   ///@{
   /// By frame.
   std::vector<std::vector<vtkProp*>> Given; ///< The props that OracleCuller draws.
+  std::vector<double> GivenUnits;           ///< The units of large props among them, if known.
   std::vector<double> Milliseconds;
   std::vector<double> Drawn;
   std::vector<long long> DifferingBytes;
@@ -70,6 +72,24 @@ Json::Value SummarizeStatistics(const std::vector<Json::Value>& frames)
     stages["test_microseconds_per_prop"] = Round(GetQuantile(perProp, 0.5));
   }
   return result;
+}
+
+/// Adds `units`, the median of the units that were drawn, over the frames that tested units.
+void AddUnits(Json::Value& mode, const std::vector<Json::Value>& frames)
+{
+  std::vector<double> drawn;
+  for (const Json::Value& frame : frames)
+  {
+    const double visible = frame["units_kept"].asDouble() + frame["units_fresh"].asDouble();
+    if (visible + frame["units_hidden"].asDouble() > 0.0)
+    {
+      drawn.push_back(visible);
+    }
+  }
+  if (!drawn.empty())
+  {
+    mode["units"] = GetQuantile(drawn, 0.5);
+  }
 }
 
 Json::Value MakeQueryReport(const NBufferPeers::QueryStatistics& statistics)
@@ -124,13 +144,7 @@ private:
     {
       if (runner.Cullers.GetOracleCuller())
       {
-        const bool isOracle = runner.Cullers.GetName() == "oracle";
-        runner.Given = isOracle ? FindVisibleProps(this->Where, this->Path)
-                                : FindPropsInView(this->Where, this->Path);
-        if (isOracle)
-        {
-          this->VisibleUnits = ReplaceByVisibleUnits(this->Where, this->Path, runner.Given);
-        }
+        this->FindGiven(runner);
       }
     }
     ShowProgress("uploading");
@@ -154,12 +168,34 @@ private:
     }
   }
 
+  /// Finds what a mode with an OracleCuller draws.
+  void FindGiven(Runner& runner)
+  {
+    const std::string& name = runner.Cullers.GetName();
+    if (name == "oracle")
+    {
+      runner.Given = FindVisibleProps(this->Where, this->Path);
+      this->OfOracle = ReplaceByVisibleUnits(this->Where, this->Path, runner.Given);
+      runner.GivenUnits = this->OfOracle.Counts;
+    }
+    else if (name == "same-list")
+    {
+      runner.Given = this->OfNBuffer.Record(this->Where, this->Path, this->Options.Backend);
+      runner.GivenUnits = this->OfNBuffer.CountBlocks();
+    }
+    else
+    {
+      runner.Given = FindPropsInView(this->Where, this->Path);
+    }
+  }
+
   double RenderFrame(Runner& runner, std::size_t frame)
   {
     if (OracleCuller* oracle = runner.Cullers.GetOracleCuller())
     {
       oracle->SetProps(&runner.Given[frame]);
     }
+    this->OfNBuffer.SetFrame(frame); // Other modes do not draw its copies.
     this->Where.SetPose(this->Path[frame]);
     return this->Where.Render();
   }
@@ -256,13 +292,19 @@ private:
       {
         mode["frames_drawn"].append(static_cast<int>(drawn));
       }
+      if (!runner.GivenUnits.empty())
+      {
+        mode["units"] = GetQuantile(runner.GivenUnits, 0.5);
+      }
       if (vtkNBufferCuller* culler = runner.Cullers.GetNBufferCuller())
       {
         const int backend = culler->GetBackendInUse();
         mode["backend"] = backend == vtkNBufferCuller::CPU ? "CPU"
           : backend == vtkNBufferCuller::OpenGL            ? "OpenGL"
                                                            : "none used";
-        mode["statistics"] = SummarizeStatistics(ParseAll(runner.Statistics));
+        const std::vector<Json::Value> frames = ParseAll(runner.Statistics);
+        mode["statistics"] = SummarizeStatistics(frames);
+        AddUnits(mode, frames);
       }
       if (!runner.Queries.empty())
       {
@@ -288,7 +330,7 @@ private:
         wrong += name == "oracle" ? 0 : bytes;
       }
     }
-    AddRatios(report, { "stock", "oracle" });
+    AddRatios(report, { "stock", "oracle", "same-list" });
     report["verified_frames"] =
       static_cast<Json::UInt64>(this->Options.Verify ? this->Path.size() : 0);
     report["differing_bytes"] = static_cast<Json::Int64>(wrong);
@@ -299,7 +341,8 @@ private:
   const CameraPath& Path;
   const WalkOptions& Options;
   std::vector<Runner> Runners;
-  std::vector<vtkSmartPointer<vtkActor>> VisibleUnits; ///< What the oracle draws of large props.
+  VisibleUnits OfOracle; ///< What the oracle draws of large props.
+  SameList OfNBuffer;    ///< What the mode same-list draws of composite data.
 };
 }
 

@@ -6,6 +6,7 @@
  * first image of the process, and defaults, which prints the defaults of settings.
  */
 #include "Command.h"
+#include "FirstFrames.h"
 #include "ModeSettings.h"
 #include "Report.h"
 #include "StudyFrames.h"
@@ -27,7 +28,8 @@ struct WalkCommandOptions
   ViewOptions View;
   WalkOptions Walk;
   std::string JSON;
-  int Nearest = 0; ///< 0: all props are visible.
+  int Nearest = 0;     ///< 0: all props are visible.
+  int FirstFrames = 0; ///< Runs of each mode in new windows; 0: a walk.
 };
 
 /// Leaves only the nearest props in view of a pose visible.
@@ -52,6 +54,41 @@ void ShowNearest(Session& session, const NBufferExamples::CameraPose& pose, int 
   }
 }
 
+/// Measures the first frames of new windows instead of a walk in one window.
+int RunFirstFramesCommand(const WalkCommandOptions& options)
+{
+  FirstFramesOptions first;
+  const NBufferExamples::Scene scene = options.View.LoadScene();
+  first.Path = options.View.MakePath(scene, 30);
+  if (first.Path.size() < 12)
+  {
+    throw std::runtime_error("--first-frames compares frames 1 to 10 with those that follow, so "
+                             "that --frames is to be at least 12");
+  }
+  for (const std::string& mode : options.Walk.Modes)
+  {
+    // The default of --modes has others, too, which know every frame of a walk.
+    if (GetModeKind(mode) == "nbuffer")
+    {
+      first.Modes.push_back(mode);
+    }
+  }
+  if (first.Modes.empty())
+  {
+    throw std::runtime_error(
+      "--first-frames compares stock with modes nbuffer, and --modes has none");
+  }
+  first.LoadScene = [&options]() { return options.View.LoadScene(); };
+  first.Window = options.View.Window;
+  first.Backend = options.View.Backend;
+  first.Runs = options.FirstFrames;
+  Json::Value report = RunFirstFrames(first);
+  options.View.Describe(scene, Session::New(scene, options.View.Window), report);
+  PrintFirstFrames(report, std::cout);
+  WriteJSON(report, options.JSON);
+  return Success;
+}
+
 int RunWalkCommand(WalkCommandOptions& options)
 {
   std::vector<std::string>& modes = options.Walk.Modes;
@@ -65,6 +102,10 @@ int RunWalkCommand(WalkCommandOptions& options)
     MakeFolder(options.Walk.ImageFolder);
   }
   CheckWritable(options.JSON);
+  if (options.FirstFrames > 0)
+  {
+    return RunFirstFramesCommand(options);
+  }
   const NBufferExamples::Scene scene = options.View.LoadScene();
   const NBufferExamples::CameraPath path = options.View.MakePath(scene, 120);
   Session& session = Session::New(scene, options.View.Window);
@@ -88,7 +129,9 @@ int RunWalkCommand(WalkCommandOptions& options)
     [](const Json::Value& mode)
     {
       const std::string bytes = mode["differing_bytes"].asString();
-      return ", " + std::to_string(mode["drawn"].asInt()) + " props drawn" +
+      const std::string units =
+        mode["units"].isNull() ? "" : ", " + std::to_string(mode["units"].asInt()) + " units drawn";
+      return ", " + std::to_string(mode["drawn"].asInt()) + " props drawn" + units +
         (bytes.empty() || bytes == "0" ? "" : ", " + bytes + " bytes differ");
     });
   WriteJSON(report, options.JSON);
@@ -152,7 +195,9 @@ void AddWalkCommand(CLI::App& app, const std::string& program, Run& run)
   command
     ->add_option("--modes", options->Walk.Modes,
       "stock: VTK's default culler; none: no culler; nbuffer: vtkNBufferCuller; oracle: exactly "
-      "the props that own a pixel; in-view: exactly those in the view frustum; queries, "
+      "the props (of large props, the units) that own a pixel; in-view: exactly those in the view "
+      "frustum; same-list: the blocks of composite data that nbuffer draws, without tests; "
+      "queries, "
       "queries-conservative, queries-count: an occlusion "
       "query of the hardware for each prop, waited for; chc: coherent hierarchical culling by "
       "them. nbuffer also with settings of its own, such as nbuffer:RoundSize=16:BackOff=0")
@@ -178,6 +223,11 @@ void AddWalkCommand(CLI::App& app, const std::string& program, Run& run)
     ->add_option("--nearest", options->Nearest,
       "Only so many props, the nearest ones in view of the first frame; all others are invisible")
     ->check(CLI::Range(1, 1000000));
+  command
+    ->add_option("--first-frames", options->FirstFrames,
+      "Instead of a walk in one window, so many runs of stock and of the modes nbuffer, each in a "
+      "new window that loads the scene anew; says what the first frames cost")
+    ->check(CLI::Range(1, 1000));
   command->callback([options, &run]() { run = [options]() { return RunWalkCommand(*options); }; });
 }
 

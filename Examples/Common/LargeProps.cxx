@@ -147,9 +147,8 @@ Scene MakeIsosurface()
   return scene;
 }
 
-Scene MakePointsBehindWall()
+Scene MakePointsBehindWall(int count)
 {
-  constexpr int count = 1000000;
   std::minstd_rand random(1);
   std::uniform_real_distribution<> uniform(-1.0, 1.0);
   vtkNew<vtkPoints> points;
@@ -187,14 +186,13 @@ Scene MakePointsBehindWall()
   return scene;
 }
 
-Scene MakeTerrain(bool withPoints)
+Scene MakeTerrain(int count)
 {
   Scene scene;
-  scene.Name = withPoints ? "points-terrain" : "terrain";
+  scene.Name = count > 0 ? "points-terrain" : "terrain";
   scene.Actors = { MakeActor(MakeGround(), { 0.45, 0.6, 0.3 }) };
-  if (withPoints)
+  if (count > 0)
   {
-    constexpr int count = 1000000;
     std::minstd_rand random(2);
     std::uniform_real_distribution<> uniform(-4.0, 4.0);
     vtkNew<vtkPoints> points;
@@ -214,38 +212,51 @@ Scene MakeTerrain(bool withPoints)
     scene.Actors[1]->GetProperty()->SetPointSize(2.0F);
   }
   scene.Paths = { { "eye-height",
-    [](int frames, std::uint64_t)
-    {
-      CameraPath path;
-      for (int i = 0; i < frames; ++i)
+                    [](int frames, std::uint64_t)
+                    {
+                      CameraPath path;
+                      for (int i = 0; i < frames; ++i)
+                      {
+                        const double x = -2.5 + 0.02 * i;
+                        const double y = 0.3 * std::sin(0.05 * i);
+                        const glm::dvec3 eye(x, y, GetHeight(x, y) + 0.06);
+                        path.push_back(
+                          Look(eye, eye + glm::dvec3(1.0, 0.4 * std::sin(0.03 * i), -0.03), 50.0));
+                        path.back().Near = 0.01;
+                        path.back().Far = 12.0;
+                      }
+                      return path;
+                    } },
+    { "above",
+      [](int frames, std::uint64_t)
       {
-        const double x = -2.5 + 0.02 * i;
-        const double y = 0.3 * std::sin(0.05 * i);
-        const glm::dvec3 eye(x, y, GetHeight(x, y) + 0.06);
-        path.push_back(Look(eye, eye + glm::dvec3(1.0, 0.4 * std::sin(0.03 * i), -0.03), 50.0));
-        path.back().Near = 0.01;
-        path.back().Far = 12.0;
-      }
-      return path;
-    } } };
+        CameraPath path;
+        for (int i = 0; i < frames; ++i)
+        {
+          const double x = -0.5 + 0.01 * i;
+          path.push_back(Look({ x, -0.01, 10.0 }, { x, 0.0, 0.0 }, 45.0));
+        }
+        return path;
+      } } };
   return scene;
 }
 
-Scene MakeGlyphs(const std::string& name)
+Scene MakeGlyphs(const std::string& name, int count)
 {
-  constexpr int count = 200000;
   const bool isLayer = name == "glyph-open";
   std::minstd_rand random(1);
   std::uniform_real_distribution<> uniform(-1.0, 1.0);
   vtkNew<vtkPoints> points;
   points->SetNumberOfPoints(count);
-  constexpr int columns = 500;
+  // A layer of 5 columns for 4 rows.
+  const int columns = static_cast<int>(std::ceil(std::sqrt(1.25 * count)));
+  const double distance = 2.0 / columns;
   for (vtkIdType i = 0; i < count; ++i)
   {
     if (isLayer)
     {
-      points->SetPoint(i, 0.004 * static_cast<double>(i % columns) - 1.0,
-        0.004 * static_cast<double>(i / columns) - 0.8, 0.0);
+      points->SetPoint(i, distance * static_cast<double>(i % columns) - 1.0,
+        distance * static_cast<double>(i / columns) - 0.8, 0.0);
     }
     else
     {
@@ -254,7 +265,7 @@ Scene MakeGlyphs(const std::string& name)
   }
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
-  const double length = isLayer ? 0.003 : 0.02;
+  const double length = isLayer ? 0.75 * distance : 0.02;
   vtkNew<vtkCubeSource> cube;
   cube->SetXLength(length);
   cube->SetYLength(length);

@@ -27,6 +27,19 @@ Scene MakeCityScene(City city, const std::string& name, const SceneOptions& opti
   scene.Plan = std::make_shared<const City>(std::move(city));
   return scene;
 }
+
+constexpr int UsualPoints = 1000000;
+constexpr int UsualInstances = 200000;
+
+bool HasPoints(const std::string& name)
+{
+  return name == "points-wall" || name == "points-terrain";
+}
+
+bool HasInstances(const std::string& name)
+{
+  return name == "glyph-wall" || name == "glyph-cloud" || name == "glyph-open";
+}
 }
 
 std::string FindData(const std::string& program, const std::string& name)
@@ -54,6 +67,20 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
     throw std::runtime_error("no scene is named");
   }
   const std::string& name = names.front();
+  if (options.Points > 0 && !HasPoints(name))
+  {
+    throw std::runtime_error("the number of points can be chosen in the scenes points-wall and "
+                             "points-terrain, not in " +
+      name);
+  }
+  if (options.Instances > 0 && !HasInstances(name))
+  {
+    throw std::runtime_error("the number of instances can be chosen in the scenes glyph-wall, "
+                             "glyph-cloud and glyph-open, not in " +
+      name);
+  }
+  const int points = options.Points > 0 ? options.Points : UsualPoints;
+  const int instances = options.Instances > 0 ? options.Instances : UsualInstances;
   options.Progress("reading " + name);
   Scene scene;
   if (name == "city")
@@ -76,15 +103,15 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   }
   else if (name == "terrain" || name == "points-terrain")
   {
-    scene = MakeTerrain(name == "points-terrain");
+    scene = MakeTerrain(HasPoints(name) ? points : 0);
   }
   else if (name == "points-wall")
   {
-    scene = MakePointsBehindWall();
+    scene = MakePointsBehindWall(points);
   }
-  else if (name == "glyph-wall" || name == "glyph-cloud" || name == "glyph-open")
+  else if (HasInstances(name))
   {
-    scene = MakeGlyphs(name);
+    scene = MakeGlyphs(name, instances);
   }
   else if (IsKicadName(name))
   {

@@ -22,6 +22,12 @@ struct SceneOptions
   std::function<void(const std::string&)> Progress = [](const std::string&) {};
   /// Whether a file that holds one mesh becomes an actor for each connected region of the mesh.
   bool SplitRegions = false;
+  ///@{
+  /// The number of points or instances of the scenes that have them; 0: as many as they usually
+  /// have.
+  int Points = 0;
+  int Instances = 0;
+  ///@}
 };
 
 /// Returns the path of a file that comes with the examples: next to an installed program (`program`
@@ -30,10 +36,10 @@ std::string FindData(const std::string& program, const std::string& name);
 
 /**
  * Loads a scene by one name: "city", "plant", "isosurface", "terrain", "points-wall",
- * "points-terrain", or a file of FileFormats.h (the maps and boards, and a folder of boards, are
- * described in SceneKinds.h); or by several names of files that go together. A file may also be
- * compressed (.gz). Throws std::runtime_error with the name of the file, the cause, and a remedy
- * where there is one.
+ * "points-terrain", "glyph-wall", "glyph-cloud", "glyph-open", or a file of FileFormats.h (the maps
+ * and boards, and a folder of boards, are described in SceneKinds.h); or by several names of files
+ * that go together. A file may also be compressed (.gz). Throws std::runtime_error with the name of
+ * the file, the cause, and a remedy where there is one.
  */
 Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& options);
 

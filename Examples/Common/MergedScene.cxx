@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene as one prop.
 #include "CompositeMapper.h"
+#include "Random.h"
 #include "Scene.h"
 
 #include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkMatrixToLinearTransform.h"
 #include "vtkMultiBlockDataSet.h"
@@ -17,7 +20,10 @@
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <numeric>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace NBufferExamples
 {
@@ -98,6 +104,45 @@ void Scene::Merge(bool toBlocks)
   merged->GetProperty()->SetInterpolation(this->Actors.front()->GetProperty()->GetInterpolation());
   this->Actors = { merged };
   this->PartNames.clear();
+}
+
+void Scene::Shuffle()
+{
+  vtkActor* actor = this->Actors.size() == 1 ? this->Actors.front() : nullptr;
+  auto* mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+  auto* data = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
+  if (!data || data->GetNumberOfCells() != data->GetNumberOfPolys())
+  {
+    throw std::runtime_error(
+      this->Name + " is not one mesh of polygons, the order of which could be shuffled");
+  }
+  vtkNew<vtkTriangleFilter> triangulate;
+  triangulate->SetInputData(data);
+  triangulate->Update();
+  vtkPolyData* triangles = triangulate->GetOutput();
+  std::vector<vtkIdType> order(static_cast<std::size_t>(triangles->GetNumberOfCells()));
+  std::iota(order.begin(), order.end(), 0);
+  Random random(1);
+  for (std::size_t i = order.size(); i > 1; --i)
+  {
+    std::swap(order[i - 1], order[random.Index(i)]);
+  }
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkPolyData> shuffled;
+  shuffled->SetPoints(triangles->GetPoints());
+  shuffled->GetPointData()->ShallowCopy(triangles->GetPointData());
+  shuffled->GetCellData()->CopyAllocate(triangles->GetCellData());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    triangles->GetPolys()->GetCellAtId(order[i], size, points);
+    cells->InsertNextCell(size, points);
+    shuffled->GetCellData()->CopyData(
+      triangles->GetCellData(), order[i], static_cast<vtkIdType>(i));
+  }
+  shuffled->SetPolys(cells);
+  mapper->SetInputData(shuffled);
 }
 
 } // namespace NBufferExamples

@@ -104,6 +104,10 @@ struct Scene
   /// colored block for each actor. Plan, Known and Paths stay as they are. Throws
   /// std::runtime_error if an actor shows something else than polygons.
   void Merge(bool toBlocks);
+
+  /// Puts the triangles of the only actor into a random order, always the same one, as some files
+  /// have them. Throws std::runtime_error unless the scene is one mesh of polygons.
+  void Shuffle();
 };
 
 } // namespace NBufferExamples

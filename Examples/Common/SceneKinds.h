@@ -30,19 +30,20 @@ Scene MakePlant(std::uint64_t seed);
 /// it, and "inside", through its channels.
 Scene MakeIsosurface();
 
-/// Makes a million points, in no order, behind a wall that hides all of them.
-Scene MakePointsBehindWall();
+/// Makes points, in no order, behind a wall that hides all of them.
+Scene MakePointsBehindWall(int count);
 
-/// Makes hills of half a million triangles, row by row, with a path at the height of the eyes;
-/// `withPoints` adds a million points just above the ground, in no order.
-Scene MakeTerrain(bool withPoints);
+/// Makes hills of half a million triangles, row by row, with the paths "eye-height", at the height
+/// of the eyes, and "above", from where nothing is hidden. If `points` is not 0, there are so many
+/// points just above the ground, in no order.
+Scene MakeTerrain(int points);
 
 /**
- * Makes 200,000 cubes, instances of one vtkGlyph3DMapper: "glyph-wall" behind a wall that hides
+ * Makes cubes, instances of one vtkGlyph3DMapper: "glyph-wall" behind a wall that hides
  * almost all of them, "glyph-cloud" as a dense cloud, or "glyph-open" as a layer seen from above,
  * of which nothing is hidden.
  */
-Scene MakeGlyphs(const std::string& name);
+Scene MakeGlyphs(const std::string& name, int count);
 
 /// Returns whether a name ends with .bsp or .bsp.gz, or with one of these and ":faces" or
 /// ":clusters".
