@@ -40,7 +40,7 @@ void vtkNBufferUnitCulling::SetUnits(vtkNBufferUnits units)
   this->Marks.assign(size, 0);
   this->DrawnUnits.assign(size, 0);
   this->FreshUnits.assign(size, 0);
-  this->Asked = this->Seen = 0;
+  this->Tested = this->Seen = 0;
   this->Open.clear();
   for (const auto& level : this->Units.GetLevels())
   {
@@ -75,7 +75,7 @@ void vtkNBufferUnitCulling::FindKept(const vtkNBufferProjection& projection)
     this->Number.Kept += this->DrawnUnits[i];
   }
   const int inside = this->Number.Units - this->Number.Outside;
-  if (NewView * this->Number.Kept < this->Seen || inside > NewView * this->Asked)
+  if (NewView * this->Number.Kept < this->Seen || inside > NewView * this->Tested)
   {
     this->KeepNearest(projection, static_cast<std::size_t>(inside) / NearestShare + 1);
   }
@@ -178,7 +178,7 @@ int vtkNBufferUnitCulling::Test(const vtkNBufferProjection& projection, const De
     tests.Pixels.emplace(projection, depth.Levels, depth.Pixels, depth.SampleDistance);
   }
   this->TestNode(this->Units.GetLevels().size() - 1, 0, tests);
-  this->Asked = this->Number.Units - this->Number.Outside;
+  this->Tested = this->Number.Units - this->Number.Outside;
   this->Seen = static_cast<int>(std::count_if(this->Marks.begin(), this->Marks.end(),
     [](unsigned char mark) { return (mark & Visible) != 0; }));
   return this->Number.Fresh;

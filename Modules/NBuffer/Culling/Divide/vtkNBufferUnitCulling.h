@@ -106,7 +106,7 @@ private:
   std::vector<unsigned char> FreshUnits;        ///< Whether it is to be drawn next.
   std::vector<std::vector<unsigned char>> Open; ///< Nodes with units to be tested.
   Counts Number;
-  int Asked = 0;         ///< How many units the last test has asked.
+  int Tested = 0;        ///< How many units the last test has tested.
   int Seen = 0;          ///< How many of these it found visible.
   unsigned int Turn = 0; ///< Which of the drawn units are compared with pixels.
 };
