@@ -81,6 +81,11 @@ Json::Value MeasureTable2(const std::vector<NBufferStudy::DepthFrame>& frames);
 Json::Value MeasureFigure4(int size);
 ///@}
 
+/// Measures particles as the paper draws them, in the vertex stage (ParticleCloud.h): behind what a
+/// frame shows, and behind nothing; `most` particles at most.
+Json::Value MeasureParticles(
+  Session& session, const NBufferExamples::CameraPose& pose, int most, int repetitions);
+
 /// Measures drawing by the verdicts of an earlier frame: picks `pairs` pairs of poses, `step` poses
 /// of the path apart. The worst frame is written to `fileName`, wrong pixels in red; no picture is
 /// written if there are none.

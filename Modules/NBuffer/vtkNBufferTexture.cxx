@@ -41,20 +41,6 @@ struct SampledDepth
   int Level = 0;
   int Origin[2] = { 0, 0 };
 };
-
-/// The format of the source: devices may round depth that they copy to another one (Mesa's zink).
-GLenum GetCopyFormat(const vtkNBufferDepthSource& source)
-{
-  if (source.FloatDepth)
-  {
-    return source.HasStencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
-  }
-  if (source.DepthBits <= 16)
-  {
-    return GL_DEPTH_COMPONENT16;
-  }
-  return source.HasStencil ? GL_DEPTH24_STENCIL8 : GL_DEPTH_COMPONENT24;
-}
 }
 
 class vtkNBufferTexture::Internals
@@ -179,7 +165,7 @@ bool vtkNBufferTexture::Internals::PrepareDepth(
   }
   if (!source.ExceedsFloats())
   {
-    if (!this->Storage.Copy.Reserve(GetCopyFormat(source), width, height, this->Error))
+    if (!this->Storage.ReserveCopy(source, width, height, this->Error))
     {
       return false;
     }
@@ -352,6 +338,16 @@ bool vtkNBufferTexture::Build(vtkOpenGLRenderWindow* window, const vtkNBufferDep
   }
   self.NumberOfLevels = count;
   return true;
+}
+
+bool vtkNBufferTexture::Build(
+  vtkOpenGLRenderWindow* window, int factor, int levels, vtkNBufferExtremum extremum)
+{
+  vtkNBufferDepthSource source;
+  this->Implementation->NumberOfLevels = 0;
+  const int(&r)[4] = source.Viewport;
+  return (!window || source.Inspect(window, this->Implementation->Error)) &&
+    this->Build(window, source, r[0], r[1], r[2], r[3], factor, levels, extremum);
 }
 
 bool vtkNBufferTexture::Download(vtkOpenGLRenderWindow* window, vtkNBufferLevels& levels)

@@ -13,7 +13,7 @@
  * the lower left GetWidth() x GetHeight() texels of that layer. The memory grows with the largest
  * image and the largest number of levels since construction, to
  * 4 * levels * ceil(w / factor) * ceil(h / factor) bytes, and is kept until
- * ReleaseGraphicsResources().
+ * ReleaseGraphicsResources(). Shaders query the levels by the functions of vtkNBufferQuery.glsl.
  *
  * Where depth comes from: Build() samples a depth texture directly. It first copies, on the device,
  * the depth of a renderbuffer or of the window's own framebuffer. It copies normalised depth of 32
@@ -62,6 +62,9 @@ public:
    */
   bool Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, int x, int y,
     int width, int height, int factor, int levels, vtkNBufferExtremum extremum);
+
+  /// Build over the viewport of the framebuffer that is bound, as in an observer of EndEvent.
+  bool Build(vtkOpenGLRenderWindow* window, int factor, int levels, vtkNBufferExtremum extremum);
 
   /**
    * Copy all levels to host memory in one blocking read-back of 4 * levels * width * height bytes.

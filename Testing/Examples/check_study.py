@@ -13,7 +13,7 @@ import subprocess
 import sys
 
 BENCH, SOURCE, OUT = (pathlib.Path(argument) for argument in sys.argv[1:])
-DOCUMENTS = ("accuracy", "accuracy-scenes", "accuracy-settings")
+DOCUMENTS = ("accuracy", "accuracy-particles", "accuracy-scenes", "accuracy-settings")
 CHARTS = ("pareto-", "shadows-", "shadow-errors-", "settings-city-street", "settings-birds")
 
 
@@ -84,6 +84,18 @@ def check_figures(study):
     tests = study["table2"]["tests"]
     check(tests["nb"] < tests["oq"],
           f"{tests['nb']} lookups, {tests['oq']} pixels: four lookups a box have to be fewer")
+    for entry in study["particles"]:
+        name = f"{entry['kind']}, {'the' if entry['occluders'] else 'no'} scene before them"
+        count, tests = entry["particles"], entry["tests"]
+        check(entry["wrongly_rejected"] == 0 and entry["changed"] == 0, f"{name}: wrong verdicts")
+        # What is drawn in front of nothing is seen; in a street most particles are not.
+        check(entry["rejected"] <= entry["hidden"] and
+              (entry["rejected"] > count / 4) == entry["occluders"],
+              f"{name}: {entry['rejected']} of {entry['hidden']} hidden ones rejected")
+        check(count <= tests["maxima"] <= 4 * count < tests["drawn"], f"{name}: {tests}")
+        check(entry["kind"] == "boxes" or tests["maxima"] == count,
+              f"{name}: {tests['maxima']} lookups instead of one each")
+    check(len(study["particles"]) == 4, "particles: two kinds before and without a scene")
     settings = study["settings"]
     # Of one frame of a city and one of loose parts, and of settings.
     check(len(study["shadows"]) == 2, f"{len(study['shadows'])} scenes with shadows, not two")

@@ -2,12 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferTextureStorage.h"
 
+#include "vtkNBufferDepthSource.h"
 #include "vtkNBufferGL.h"
 
 #include <algorithm>
 #include <cstddef>
 
 VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// The format of the source: devices may round depth that they copy to another one (Mesa's zink).
+GLenum GetCopyFormat(const vtkNBufferDepthSource& source)
+{
+  if (source.FloatDepth)
+  {
+    return source.HasStencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
+  }
+  if (source.DepthBits <= 16)
+  {
+    return GL_DEPTH_COMPONENT16;
+  }
+  return source.HasStencil ? GL_DEPTH24_STENCIL8 : GL_DEPTH_COMPONENT24;
+}
+}
+
 bool vtkNBufferTextureStorage::ReserveLevels(int width, int height, int levels, std::string& why)
 {
   if (width <= this->Width && height <= this->Height && levels <= this->Levels)
@@ -65,6 +83,12 @@ bool vtkNBufferTextureStorage::AllocateFramebuffers(int levels, std::string& why
     }
   }
   return vtkNBufferGL::CheckErrors("Attaching the levels", why);
+}
+
+bool vtkNBufferTextureStorage::ReserveCopy(
+  const vtkNBufferDepthSource& source, int width, int height, std::string& why)
+{
+  return this->Copy.Reserve(GetCopyFormat(source), width, height, why);
 }
 
 bool vtkNBufferTextureStorage::ReserveIntegers(int width, int height, std::string& why)

@@ -25,6 +25,8 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+struct vtkNBufferDepthSource;
+
 class vtkNBufferTextureStorage
 {
 public:
@@ -35,6 +37,10 @@ public:
   /// Make room for at least `levels` levels of at least width x height texels. Returns false, with
   /// the cause in `why`, if OpenGL refuses.
   bool ReserveLevels(int width, int height, int levels, std::string& why);
+
+  /// Make room in Copy for a rectangle of the depth of `source`. Returns false, with the cause in
+  /// `why`, if OpenGL refuses.
+  bool ReserveCopy(const vtkNBufferDepthSource& source, int width, int height, std::string& why);
 
   /// Make room for an image of depth as integers, and for the buffer through which it is copied.
   /// Returns false, with the cause in `why`, if OpenGL refuses.

@@ -6,6 +6,8 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkNBufferCuller.h>
+#include <vtkNBufferQuery.h>
+#include <vtkNBufferTexture.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderWindow.h>
@@ -16,6 +18,7 @@
 #include <vtkNBufferParallelDepthExchange.h>
 #endif
 
+#include <cstring>
 #include <iostream>
 
 int main()
@@ -46,5 +49,10 @@ int main()
   renderer->ResetCameraClippingRange();
   window->Render();
   std::cout << culler->GetStatisticsAsJSON() << '\n';
+  vtkNew<vtkNBufferTexture> texture;
+  if (!std::strstr(vtkNBufferQuery, "NBufferHides") || texture->GetNumberOfLevels() != 0)
+  {
+    return 1;
+  }
   return culler->GetNumberOfHiddenProps() > 100 ? 0 : 1;
 }

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Queries of an N-buffer in vertex and fragment programs: functions for the text of any shader of
+// GLSL 1.50 or later. C++ has this text as the string vtkNBufferQuery of vtkNBufferQuery.h. For
+// particles, for example, a vertex program rejects what is hidden:
+//
+//     uniform sampler2DArray even;  // texture unit of vtkNBufferTexture::GetHandle(0)
+//     uniform sampler2DArray odd;   // texture unit of vtkNBufferTexture::GetHandle(1)
+//     uniform NBufferShape shape;   // set by the names shape.size, shape.factor and shape.levels
+//     ...
+//     if (NBufferHides(even, odd, shape, pixels, nearest))
+//     {
+//       gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // outside of the clip volume
+//     }
+//
+// Meaning. A vtkNBufferTexture holds maxima (the farthest depth) or minima (the nearest depth),
+// whichever Build() was called for; an application that needs both builds two. The functions that
+// are about hiding read maxima, those that are about showing read minima. They return what
+// vtkNBufferLevels::Query() returns for the same levels, bit for bit.
+//
+// Units. Rectangles are half-open, (x0, y0, x1, y1) with x0 <= x < x1 and y upwards, in pixels that
+// are counted from the lower left corner of the rectangle that Build() was called for. Depths are
+// window depths in [0, 1], 0 at the near plane (GL_LESS or GL_LEQUAL).
+//
+// Range. Rectangles may lie partly or wholly outside of the image, and may be empty: only the pixels
+// inside count. A rectangle without such pixels is hidden and not shown. Images may have up to
+// 65,536 pixels a side. Where the level that a query needs is not built, nothing is known: nothing
+// is hidden then, and nothing is shown.
+//
+// The caller rounds to the safe side: a rectangle must contain every pixel that may be drawn,
+// `nearest` must not be farther than any fragment, and `farthest` not nearer (docs/precision.md says
+// how far the depth of a fragment may differ from that of its vertices).
+//
+// Cost. One texelFetch, or at most four, whatever the size of the rectangle, and some dozens of
+// integer operations; no loop has more than four turns, and no derivatives are used.
+//
+// Sources: X. Decoret, "N-Buffers for efficient depth map query", Computer Graphics Forum 24(3),
+// 2005, sections 2 and 3.2; for NBufferShows() M. Turitzin, "Hierarchical Depth Buffers", 2020.
+// vtkNBufferMath.h has pictures of the squares that cover a rectangle.
+#ifndef vtkNBufferQuery_glsl
+#define vtkNBufferQuery_glsl
+
+// What all functions need to know of the levels.
+struct NBufferShape
+{
+  ivec2 size; // of the depth image, in pixels: the width and height that Build() was called for
+  int factor; // pixels along a side of a texel of level 0: 1, 2, 4 or 8
+  int levels; // vtkNBufferTexture::GetNumberOfLevels()
+};
+
+// A texel of a level, as vtkNBufferTexture stores it (GetLayer()): even and odd levels are in two
+// textures, two levels of the N-buffer for each layer.
+float NBufferFetch(sampler2DArray even, sampler2DArray odd, int level, ivec2 texel)
+{
+  ivec3 place = ivec3(texel, level / 2);
+  return level % 2 == 0 ? texelFetch(even, place, 0).r : texelFetch(odd, place, 0).r;
+}
+
+// The texels of level 0 that a rectangle of pixels touches inside the image; empty if x0 >= x1 or
+// y0 >= y1.
+ivec4 NBufferToTexels(NBufferShape shape, ivec4 pixels)
+{
+  ivec2 begin = max(pixels.xy, ivec2(0));
+  ivec2 end = max(min(pixels.zw, shape.size), ivec2(0));
+  ivec2 up = ivec2(shape.factor - 1);
+  return all(lessThan(begin, end)) ? ivec4(begin / shape.factor, (end + up) / shape.factor)
+                                   : ivec4(0);
+}
+
+// The smallest i with 2^i >= n, for 1 <= n <= 65,536. The logarithm is rounded to the nearest whole
+// number first, so that its error does not matter.
+int NBufferCeilLog2(int n)
+{
+  int i = int(floor(log2(float(n)) + 0.5));
+  return (1 << i) < n ? i + 1 : i;
+}
+
+// How many squares of a level cover `size` texels, along x and y.
+ivec2 NBufferCountSquares(ivec2 size, int level)
+{
+  return (size + ivec2((1 << level) - 1)) >> level;
+}
+
+// The texel whose square is number `index`, along x and y, of those that cover `texels`.
+ivec2 NBufferGetStart(ivec4 texels, int level, ivec2 index)
+{
+  int side = 1 << level;
+  return max(min(texels.xy + side * index, texels.zw - ivec2(side)), ivec2(0));
+}
+
+// The farthest depth in the square of 2^level texels a side whose lower left corner is the texel
+// `corner` of level 0, in one lookup. Up to the border of the image the square is exact, which makes
+// it the query for sprites with a power of two as their size. A square that begins outside of the
+// image, on the left or below, is moved inside. Returns 0 for a square outside of the image, and 1
+// if the level is not built.
+float NBufferFarthestOfSquare(
+  sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec2 corner, int level)
+{
+  ivec2 size = (shape.size + ivec2(shape.factor - 1)) / shape.factor;
+  if (any(greaterThanEqual(corner, size)) ||
+    any(lessThanEqual(corner + ivec2(1 << level), ivec2(0))))
+  {
+    return 0.0;
+  }
+  return level < shape.levels ? NBufferFetch(even, odd, level, max(corner, ivec2(0))) : 1.0;
+}
+
+// The farthest depth over a rectangle, in four lookups at most, or a depth beyond it where a square
+// is wider or higher than the rectangle. Returns 0 for no pixels, and 1 if the level is not built.
+float NBufferFarthest(
+  sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels)
+{
+  ivec4 texels = NBufferToTexels(shape, pixels);
+  ivec2 size = texels.zw - texels.xy;
+  if (size.x == 0)
+  {
+    return 0.0;
+  }
+  // The finest level of which four squares suffice. Four in a row reach 4 * 2^level.
+  int level = max(NBufferCeilLog2(max(size.x, size.y)) - 2, 0);
+  ivec2 count = NBufferCountSquares(size, level);
+  while (count.x * count.y > 4)
+  {
+    count = NBufferCountSquares(size, ++level);
+  }
+  if (level >= shape.levels)
+  {
+    return 1.0;
+  }
+  float farthest = 0.0;
+  for (int i = 0; i < count.x * count.y; ++i)
+  {
+    ivec2 index = ivec2(i % count.x, i / count.x);
+    farthest =
+      max(farthest, NBufferFetch(even, odd, level, NBufferGetStart(texels, level, index)));
+  }
+  return farthest;
+}
+
+// Whether all that is drawn in a rectangle of pixels, and is nowhere nearer than `nearest`, is
+// hidden by what the N-buffer of maxima was built from. Four lookups at most.
+bool NBufferHides(
+  sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels, float nearest)
+{
+  return nearest > NBufferFarthest(even, odd, shape, pixels) ||
+    NBufferToTexels(shape, pixels) == ivec4(0);
+}
+
+// The nearest depth over a rectangle, of an N-buffer of minima, in one lookup; where the square is
+// larger than the rectangle, a depth that may be nearer. Returns 1 for no pixels, and 0 if the level
+// is not built.
+float NBufferNearestInOne(
+  sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels)
+{
+  ivec4 texels = NBufferToTexels(shape, pixels);
+  ivec2 size = texels.zw - texels.xy;
+  if (size.x == 0)
+  {
+    return 1.0;
+  }
+  int level = NBufferCeilLog2(max(size.x, size.y));
+  return level < shape.levels
+    ? NBufferFetch(even, odd, level, NBufferGetStart(texels, level, ivec2(0)))
+    : 0.0;
+}
+
+// Whether all that is drawn in a rectangle of pixels, and is nowhere farther than `farthest`, lies
+// before everything that the N-buffer of minima was built from. This is the early accept: if one
+// lookup says so, the lookups of NBufferHides() are not needed. False means that nothing is known.
+bool NBufferShows(
+  sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels, float farthest)
+{
+  return farthest < NBufferNearestInOne(even, odd, shape, pixels) &&
+    NBufferToTexels(shape, pixels) != ivec4(0);
+}
+
+#endif
