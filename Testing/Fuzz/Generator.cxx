@@ -175,8 +175,7 @@ void MakeOdd(Writer& writer, Prop& prop)
       // Glyphs of lines are as wide as the lines that happened to be drawn before (docs/limits.md).
       prop.Kind = prop.Shape.Kind == ShapeKind::Lines
         ? writer.Any({ PropKind::Assembly, PropKind::Follower })
-        : writer.Any(
-            { PropKind::Assembly, PropKind::Follower, PropKind::Glyphs, PropKind::Splats });
+        : writer.Any({ PropKind::Assembly, PropKind::Follower, PropKind::Glyphs });
       break;
     case 9:
       prop.Kind =

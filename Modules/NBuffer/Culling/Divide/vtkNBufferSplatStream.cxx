@@ -26,7 +26,7 @@ namespace
 /// Whether shader code of the application may make splats translucent.
 bool SetsOpacity(const std::string& code)
 {
-  const char* const names[] = { "opacity", "gl_FragData", "gl_FragColor", "fragOutput", "#", "\\" };
+  const char* const names[] = { "opacity", "Frag", "frag", "#", "\\" };
   return std::any_of(std::begin(names), std::end(names),
     [&code](const char* name) { return code.find(name) != std::string::npos; });
 }
