@@ -266,10 +266,10 @@ void BuildScraps(Writer& writer)
     mesh.Shape.Seed = writer.Integer(0, 1000);
     // Not drawn, so that the rest of a scenario stays what it was for its seed.
     mesh.Shape.CellValues = mesh.Shape.Seed % 3 == 0;
-    if (mesh.Shape.Seed % 5 == 1)
+    if (mesh.Shape.Seed % 4 == 1)
     {
       mesh.Kind = PropKind::Splats;
-      mesh.PointSize = 1.0 + mesh.Shape.Seed % 41;
+      mesh.PointSize = 9.0 + mesh.Shape.Seed % 41;
     }
   }
   const int doors = writer.Integer(1, 3);
