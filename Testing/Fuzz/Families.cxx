@@ -266,6 +266,11 @@ void BuildScraps(Writer& writer)
     mesh.Shape.Seed = writer.Integer(0, 1000);
     // Not drawn, so that the rest of a scenario stays what it was for its seed.
     mesh.Shape.CellValues = mesh.Shape.Seed % 3 == 0;
+    if (mesh.Shape.Seed % 4 == 1)
+    {
+      mesh.Kind = PropKind::Splats;
+      mesh.PointSize = 9.0 + mesh.Shape.Seed % 41;
+    }
   }
   const int doors = writer.Integer(1, 3);
   for (int i = 0; i < doors; ++i)
@@ -309,6 +314,7 @@ void BuildSpecks(Writer& writer)
     if (kind == ShapeKind::Points || kind == ShapeKind::Lines)
     {
       prop.LineWidth = prop.PointSize = writer.Any({ 1.0, 2.0, 5.0, 9.0 });
+      prop.Kind = kind == ShapeKind::Points && i % 2 ? PropKind::Splats : prop.Kind;
     }
   }
   writer.AddViewsFromFront(width);

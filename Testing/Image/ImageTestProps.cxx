@@ -134,6 +134,7 @@ vtkSmartPointer<vtkProp> MakePointGaussian()
   vtkNew<vtkPointGaussianMapper> mapper;
   mapper->SetInputData(Scenes::MakeBox({ 1.0, 0.5, -3.0 }, { 1.0, 1.0, 1.0 }));
   mapper->SetScaleFactor(0.0);
+  mapper->EmissiveOff();
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   return actor;

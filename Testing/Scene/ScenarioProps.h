@@ -70,6 +70,7 @@ enum class PropKind
   Assembly,  ///< Two actors side by side.
   Follower,
   Glyphs, ///< The shape, small, at its own points.
+  Splats, ///< The points of the shape, drawn by vtkPointGaussianMapper.
   LOD,
   Volume,
   Billboard,
@@ -78,7 +79,7 @@ enum class PropKind
   NoBounds ///< Draws nothing and has no bounds.
 };
 NBUFFER_SCENE_NAMES(PropKind, "Actor", "Piped", "DataSet", "Composite", "Assembly", "Follower",
-  "Glyphs", "LOD", "Volume", "Billboard", "Text", "NoMapper", "NoBounds");
+  "Glyphs", "Splats", "LOD", "Volume", "Billboard", "Text", "NoMapper", "NoBounds");
 
 enum class Representation
 {

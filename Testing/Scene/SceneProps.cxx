@@ -27,6 +27,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -113,6 +114,15 @@ vtkSmartPointer<vtkMapper> MakeMapper(const Prop& prop)
     vtkNew<vtkGlyph3DMapper> mapper;
     mapper->SetInputData(MakeShape(prop.Shape));
     mapper->SetSourceData(MakeShape(small));
+    return mapper;
+  }
+  if (prop.Kind == PropKind::Splats)
+  {
+    vtkNew<vtkPointGaussianMapper> mapper;
+    mapper->SetInputData(MakeShape(prop.Shape, prop.Scalars));
+    // One in four blends, with which the culler steps aside.
+    mapper->SetScaleFactor(prop.Shape.Seed % 4 == 0 ? 0.1 * prop.Shape.Size[0] : 0.0);
+    mapper->EmissiveOff();
     return mapper;
   }
   if (prop.Kind == PropKind::Composite)

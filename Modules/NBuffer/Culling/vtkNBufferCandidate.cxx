@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferCandidate.h"
 
+#include "vtkNBufferSplatStream.h"
 #include "vtkNBufferSurface.h"
 
 #include "vtkActor.h"
@@ -41,6 +42,11 @@ bool IsForcedToBeOpaque(vtkActor* actor)
     (actor->GetProperty()->GetOpacity() < 1.0 || (texture && texture->IsTranslucent()) ||
       (mapper && mapper->HasTranslucentPolygonalGeometry()));
 }
+
+bool BlendsAmongOpaque(vtkActor* actor)
+{
+  return IsForcedToBeOpaque(actor) || vtkNBufferSplatStream::Blends(actor);
+}
 }
 
 bool vtkNBufferCandidate::ReadParts(std::vector<vtkNBufferSharedState::Uses>& uses) const
@@ -51,7 +57,7 @@ bool vtkNBufferCandidate::ReadParts(std::vector<vtkNBufferSharedState::Uses>& us
   {
     if (auto* actor = vtkActor::SafeDownCast(path->GetLastNode()->GetViewProp()))
     {
-      isBlended = isBlended || IsForcedToBeOpaque(actor);
+      isBlended = isBlended || BlendsAmongOpaque(actor);
       uses.push_back(vtkNBufferSharedState::GetUses(actor));
     }
   }
@@ -84,7 +90,7 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
   this->Uses = vtkNBufferSharedState::GetUses(actor);
   this->Verdict = this->Classify(actor, box);
   this->DepthWriter = actor->GetMapper() && actor->HasOpaqueGeometry();
-  this->Blended = IsForcedToBeOpaque(actor);
+  this->Blended = BlendsAmongOpaque(actor);
   this->Unlit = !actor->GetProperty()->GetLighting();
   // Composite data never counts as unchanged (IsTracked()). The times of its blocks, which would
   // have to be read in every frame, are therefore not needed.

@@ -76,7 +76,8 @@ public:
   ///@{
   /**
    * Whether the prop may blend in the opaque stage, so that the image depends on the order of
-   * drawing. IsBlended(): always, because the application forces a translucent prop to be opaque.
+   * drawing. IsBlended(): always, because the application forces a translucent prop to be opaque,
+   * or because of what it is (vtkNBufferSplatStream::Blends()).
    * MayDrawLines(): if the window smoothes lines. MayLackNormals(): if there is ambient occlusion,
    * which needs normals (see vtkNBufferCompatibility::DrawingSettings).
    */
@@ -92,8 +93,8 @@ public:
   /**
    * HasParts() says whether the prop is an assembly, or any other prop that is no plain actor and
    * may write depth. The parts of such a prop may change without a newer modification time, so that
-   * ReadParts() has to be called in each frame. ReadParts() returns whether any part is forced to
-   * be opaque (see IsBlended()), and appends the objects that the parts use to `uses`.
+   * ReadParts() has to be called in each frame. ReadParts() returns whether any part is blended
+   * (see IsBlended()), and appends the objects that the parts use to `uses`.
    */
   bool HasParts() const
   {

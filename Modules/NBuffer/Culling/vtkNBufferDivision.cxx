@@ -27,6 +27,14 @@ bool HasUnits(vtkMapper* mapper)
 {
   return !vtkNBufferSurface::IsComposite(mapper) || vtkNBufferBlockStream::MayBeDivided(mapper);
 }
+
+/// Whether an actor that is no candidate, because VTK does not know the bounds of what it draws,
+/// may be divided.
+bool IsOfKnownParts(vtkActor* actor)
+{
+  return vtkNBufferInstanceStream::MayBeDivided(actor) ||
+    vtkNBufferSplatStream::MayBeDivided(actor);
+}
 }
 
 bool vtkNBufferDivision::IsLarge(vtkProp* prop, int minimum)
@@ -35,6 +43,10 @@ bool vtkNBufferDivision::IsLarge(vtkProp* prop, int minimum)
   if (actor && vtkNBufferInstanceStream::MayBeDivided(actor))
   {
     return vtkNBufferInstanceStream::CountTriangles(actor) >= minimum;
+  }
+  if (actor && vtkNBufferSplatStream::MayBeDivided(actor))
+  {
+    return vtkNBufferSplatStream::GetData(actor)->GetNumberOfPoints() >= minimum;
   }
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
   if (!mapper || !vtkNBufferKnownClasses::HaveKnownTimes(actor) ||
@@ -64,7 +76,7 @@ bool vtkNBufferDivision::MayDivide(int place) const
     return actor && HasUnits(actor->GetMapper());
   }
   vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(candidate.GetProp());
-  return actor && !candidate.GetSharesState() && vtkNBufferInstanceStream::MayBeDivided(actor);
+  return actor && !candidate.GetSharesState() && IsOfKnownParts(actor);
 }
 
 bool vtkNBufferDivision::IsDrawnByUnits(int place)
@@ -97,6 +109,17 @@ void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
         std::move(entry));
     }
   }
+}
+
+vtkMTimeType vtkNBufferDivision::GetPartsTime(const Entry& entry) const
+{
+  vtkActor* actor = entry.Prop->GetActor();
+  if (this->Props.GetCandidate(entry.Place).IsCandidate())
+  {
+    return 0;
+  }
+  return vtkNBufferSplatStream::MayBeDivided(actor) ? vtkNBufferSplatStream::GetTime(actor)
+                                                    : vtkNBufferInstanceStream::GetTime(actor);
 }
 
 void vtkNBufferDivision::Update(vtkOpenGLRenderWindow* window, const vtkNBufferSettings& settings)
@@ -141,10 +164,8 @@ void vtkNBufferDivision::Update(vtkOpenGLRenderWindow* window, const vtkNBufferS
     settings.DivideInBackground };
   for (Entry& entry : this->Entries)
   {
-    const bool isPlain = this->Props.GetCandidate(entry.Place).IsCandidate();
-    const vtkMTimeType time =
-      isPlain ? 0 : vtkNBufferInstanceStream::GetTime(entry.Prop->GetActor());
-    const bool hasChanged = std::exchange(entry.InstanceTime, time) != time ||
+    const vtkMTimeType time = this->GetPartsTime(entry);
+    const bool hasChanged = std::exchange(entry.PartsTime, time) != time ||
       std::binary_search(changed.begin(), changed.end(), entry.Place);
     entry.Prop->BeginFrame(hasChanged, making);
     entry.IsActive = entry.IsActive && !hasChanged;
@@ -167,7 +188,8 @@ void vtkNBufferDivision::Classify(
   {
     const vtkNBufferState& state = this->Props.GetState(entry.Place);
     entry.IsHeldBack = state.Verdict == vtkNBufferVerdict::Untested && !state.WasVisible;
-    // A prop of instances is no candidate. It keeps its place, and only its units are tested.
+    // A prop of instances or splats is no candidate. It keeps its place, and only its units are
+    // tested.
     const bool isKept = state.Verdict == vtkNBufferVerdict::NearPlane ||
       state.Verdict == vtkNBufferVerdict::NotAPlainMapper ||
       (state.Verdict == vtkNBufferVerdict::Untested && state.WasVisible);
@@ -202,7 +224,7 @@ void vtkNBufferDivision::MarkOutside()
   {
     const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
     if (entry.IsActive && !entry.IsHeldBack && units.Units == units.Outside &&
-      !entry.Prop->IsInstanced())
+      this->Props.GetCandidate(entry.Place).IsCandidate())
     {
       entry.IsActive = false;
       if (!entry.Prop->HasChangedBlocks())
@@ -359,7 +381,7 @@ void vtkNBufferDivision::DescribeNext(int place, int round, const vtkNBufferProj
     }
     // Some ten operations are rounded on numbers that are at most as large as this.
     part.Box.HalfSize += largest * 0x1p-48;
-    if (entry->Prop->IsInstanced())
+    if (!this->Props.GetCandidate(place).IsCandidate())
     {
       // The box of the prop itself is an estimate of VTK.
       const vtkNBufferBox box = entry->Prop->MakeBox(group);

@@ -43,8 +43,8 @@ public:
   {
   }
 
-  /// Whether a prop is a plain actor with a surface of at least `minimum` cells, or with instances
-  /// that have as many triangles.
+  /// Whether a prop is a plain actor with a surface of at least `minimum` cells, with instances
+  /// that have as many triangles, or with as many splats.
   static bool IsLarge(vtkProp* prop, int minimum);
 
   /// Begin a frame, after the candidates have been brought up to date.
@@ -127,13 +127,14 @@ private:
     std::unique_ptr<vtkNBufferDividedProp> Prop;
     vtkNBufferProjection Projection; ///< From the coordinates of the mesh.
     vtkNBufferBackOff BackOff;
-    vtkMTimeType InstanceTime = 0; ///< That of the instances of a prop that is no candidate.
-    bool IsActive = false;         ///< It is drawn unit by unit.
+    vtkMTimeType PartsTime = 0; ///< That of the instances or splats of a prop that is no candidate.
+    bool IsActive = false;      ///< It is drawn unit by unit.
     bool IsHeldBack = false;
   };
 
   Entry* Find(int place);
   bool MayDivide(int place) const;
+  vtkMTimeType GetPartsTime(const Entry& entry) const;
   void FindLarge(const std::vector<int>& places);
   vtkNBufferCandidateList& Props;
   std::vector<Entry> Entries; ///< In the order of their places.

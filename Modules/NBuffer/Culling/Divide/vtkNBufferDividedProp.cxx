@@ -8,6 +8,8 @@
 #include "vtkActor.h"
 #include "vtkDataObject.h"
 #include "vtkMapper.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <chrono>
@@ -101,6 +103,15 @@ void vtkNBufferDividedProp::ReadRounding()
   if (this->IsInstanced())
   {
     this->Culling.SetRounding({ glm::dvec3(0.0), this->Hook->GetInstances().GetMagnitude(), 0.0 });
+    return;
+  }
+  if (vtkNBufferSplatStream::MayBeDivided(this->Actor))
+  {
+    const double* bounds = vtkNBufferSplatStream::GetData(this->Actor)->GetPoints()->GetBounds();
+    vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
+    // A buffer that a mapper of the same points has made may be shifted. Its origin is not farther.
+    this->Culling.SetRounding(
+      { glm::dvec3(0.0), 2.0 * box.Magnitude, vtkNBufferSplatStream::GetMargin(this->Actor) });
     return;
   }
   const auto buffer = vtkNBufferSurface::GetBufferCoordinates(this->Actor->GetMapper());

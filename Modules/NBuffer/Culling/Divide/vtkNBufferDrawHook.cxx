@@ -24,11 +24,15 @@ namespace
 vtkNBufferDrawHook::Source GetSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream)
 {
   vtkPolyData* data = mapper->GetInput();
+  const bool isSplats = vtkNBufferSplatStream::GetHelper(mapper) != nullptr;
   const std::size_t corners =
-    stream->PrimitiveType == vtkOpenGLPolyDataMapper::PrimitivePoints ? 1 : 3;
+    isSplats || stream->PrimitiveType == vtkOpenGLPolyDataMapper::PrimitivePoints ? 1 : 3;
+  const std::size_t vertices = vtkNBufferProtectedMembers::GetNumberOfVertices(mapper);
   const bool isKnown = data && data->GetPoints() &&
-    static_cast<std::size_t>(data->GetNumberOfPoints()) ==
-      vtkNBufferProtectedMembers::GetNumberOfVertices(mapper) &&
+    vertices ==
+      (isSplats && vtkNBufferSplatStream::DrawsArrays(stream)
+          ? stream->IBO->IndexCount
+          : static_cast<std::size_t>(data->GetNumberOfPoints())) &&
     stream->IBO->IndexCount % corners == 0;
   return { mapper, data, data ? data->GetMTime() : 0, stream->IBO->IndexCount,
     isKnown ? corners : 0, 0, vtkNBufferRangeDraw::IsNeeded(stream) };
@@ -95,6 +99,7 @@ void vtkNBufferDrawHook::Restore()
   this->Instances.Restore();
   this->Blocks.Restore();
   this->Own.Restore();
+  this->Splats.Restore();
   if (this->Changed)
   {
     this->Changed->IBO = this->Original;
@@ -169,9 +174,10 @@ bool vtkNBufferDrawHook::SetShaderParameters(
     this->SetBlocks(mapper);
     return true;
   }
+  vtkOpenGLPolyDataMapper* splats = vtkNBufferSplatStream::GetHelper(mapper);
   auto* surface = typeid(*mapper) == typeid(vtkOpenGLPolyDataMapper)
     ? static_cast<vtkOpenGLPolyDataMapper*>(mapper)
-    : nullptr;
+    : splats;
   vtkOpenGLHelper* stream = surface ? vtkNBufferProtectedMembers::GetOnlyStream(surface) : nullptr;
   const Source source = stream ? ::GetSource(surface, stream) : Source{ surface };
   if (this->Reads)
@@ -194,7 +200,11 @@ bool vtkNBufferDrawHook::SetShaderParameters(
     this->Own.SetNext(surface, stream,
       [&buffer, stream]() { return vtkNBufferRangeDraw::Draw(buffer.Ranges, stream); });
   }
-  else if (this->Upload(buffer))
+  else if (this->Upload(buffer) && splats && vtkNBufferSplatStream::DrawsArrays(stream))
+  {
+    this->Splats.DrawNext(splats, stream, buffer.Object);
+  }
+  else if (buffer.IsUploaded)
   {
     this->Changed = stream;
     this->Original = std::exchange(stream->IBO, buffer.Object.Get());
@@ -277,6 +287,11 @@ void vtkNBufferDrawHook::ReadSource(
   this->Mesh.Corners = source.Corners;
   this->Mesh.IsDrawnInRanges = source.IsNumbered;
   this->Mesh.Indices.resize(source.IndexCount);
+  if (source.Corners == 1 && vtkNBufferSplatStream::DrawsArrays(stream))
+  {
+    vtkNBufferSplatStream::ReadVertices(data, this->Mesh);
+    return;
+  }
   stream->IBO->Bind();
   glGetBufferSubData(GL_ELEMENT_ARRAY_BUFFER, 0,
     static_cast<GLsizeiptr>(this->Mesh.Indices.size() * sizeof(unsigned int)),
@@ -297,5 +312,6 @@ void vtkNBufferDrawHook::ReleaseGraphicsResources(vtkWindow*)
     buffer.Marked.clear();
   }
   this->Instances.ReleaseGraphicsResources();
+  this->Splats.ReleaseGraphicsResources();
 }
 VTK_ABI_NAMESPACE_END

@@ -14,9 +14,9 @@
  * ranges of the mapper's own index buffer are drawn instead (vtkNBufferRangeDraw).
  *
  * A prop is drawn whole while it changes; if it has strips or lines as well as triangles; if its
- * mapper is neither vtkPolyDataMapper nor vtkDataSetMapper nor vtkGlyph3DMapper nor a mapper of
- * composite data; while vtkNBufferCuller::TestSlivers is on; and for some frames if next to none of
- * its units is hidden.
+ * mapper is neither vtkPolyDataMapper nor vtkDataSetMapper nor vtkGlyph3DMapper nor
+ * vtkPointGaussianMapper (vtkNBufferSplatStream) nor a mapper of composite data; while
+ * vtkNBufferCuller::TestSlivers is on; and for some frames if next to none of its units is hidden.
  *
  * What is said of strips and lines does not hold for composite data, of which whole blocks are left
  * out.
@@ -33,6 +33,7 @@
 #include "vtkNBufferOwnDraw.h"
 #include "vtkNBufferRangeDraw.h"
 #include "vtkNBufferResourceCallback.h"
+#include "vtkNBufferSplatStream.h"
 #include "vtkNBufferUnits.h"
 
 #include "vtkNew.h"
@@ -187,6 +188,7 @@ private:
   vtkNBufferInstanceStream Instances;
   vtkNBufferBlockStream Blocks;
   vtkNBufferOwnDraw Own;
+  vtkNBufferSplatStream Splats;
   vtkOpenGLHelper* Changed = nullptr; ///< Its index buffer is one of ours.
   vtkOpenGLIndexBufferObject* Original = nullptr;
 };

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferSplatStream.h"
+
+#include "vtkNBufferGL.h"
+#include "vtkNBufferSurface.h"
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkPointGaussianMapper.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+#include <string>
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// Whether shader code of the application may make splats translucent.
+bool SetsOpacity(const std::string& code)
+{
+  const char* const names[] = { "opacity", "Frag", "frag", "#", "\\" };
+  return std::any_of(std::begin(names), std::end(names),
+    [&code](const char* name) { return code.find(name) != std::string::npos; });
+}
+
+bool HasText(const char* text)
+{
+  return text && *text != '\0';
+}
+}
+
+vtkOpenGLPolyDataMapper* vtkNBufferSplatStream::GetHelper(vtkAbstractMapper* mapper)
+{
+  // The class is private before VTK 9.4. Subclasses may draw anything.
+  return std::strcmp(mapper->GetClassName(), "vtkOpenGLPointGaussianMapperHelper") == 0
+    ? static_cast<vtkOpenGLPolyDataMapper*>(mapper)
+    : nullptr;
+}
+
+bool vtkNBufferSplatStream::Blends(vtkActor* actor)
+{
+  auto* mapper = vtkPointGaussianMapper::SafeDownCast(actor->GetMapper());
+  if (!mapper || !actor->HasOpaqueGeometry())
+  {
+    return false;
+  }
+  // Without code of the application, the opacity of a splat falls with the distance from its
+  // middle.
+  const char* code = mapper->GetSplatShaderCode();
+  const bool isFaint = mapper->GetScaleFactor() != 0.0 && (!HasText(code) || SetsOpacity(code));
+  return mapper->GetEmissive() || HasText(mapper->GetOpacityArray()) || isFaint;
+}
+
+bool vtkNBufferSplatStream::MayBeDivided(vtkActor* actor)
+{
+  vtkMapper* any = actor->GetMapper();
+  // Subclasses of the class that the object factory makes may draw anything.
+  if (!any || std::strcmp(any->GetClassName(), "vtkOpenGLPointGaussianMapper") != 0)
+  {
+    return false;
+  }
+  auto* mapper = static_cast<vtkPointGaussianMapper*>(any);
+  vtkPolyData* data = mapper->GetNumberOfInputConnections(0) == 1 ? GetData(actor) : nullptr;
+  return data && data->GetPoints() && mapper->GetScaleFactor() == 0.0 && !Blends(actor) &&
+    !vtkNBufferSurface::HasOtherCoordinates(actor) &&
+    vtkNBufferSurface::DrawsAsSurface(actor->GetProperty(), true) &&
+    !vtkNBufferSurface::HasReplacedShaders(actor) &&
+    !vtkNBufferSurface::HasOffsetTowardsEye(mapper, true) &&
+    !actor->HasTranslucentPolygonalGeometry() && actor->HasOpaqueGeometry();
+}
+
+vtkPolyData* vtkNBufferSplatStream::GetData(vtkActor* actor)
+{
+  return vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+}
+
+vtkMTimeType vtkNBufferSplatStream::GetTime(vtkActor* actor)
+{
+  vtkNBufferSurface::UpdatePipeline(actor);
+  actor->ComputeMatrix();
+  return std::max(
+    { actor->GetMTime(), actor->GetMapper()->GetMTime(), GetData(actor)->GetMTime() });
+}
+
+double vtkNBufferSplatStream::GetMargin(vtkActor* actor)
+{
+  return 0.5 * actor->GetProperty()->GetPointSize() + 1.0;
+}
+
+bool vtkNBufferSplatStream::DrawsArrays(vtkOpenGLHelper* stream)
+{
+  return stream->PrimitiveType != vtkOpenGLPolyDataMapper::PrimitivePoints;
+}
+
+void vtkNBufferSplatStream::ReadVertices(vtkPolyData* data, vtkNBufferUnits::Mesh& mesh)
+{
+  const auto add = [&mesh, data](vtkIdType id)
+  {
+    glm::dvec3 point;
+    data->GetPoint(id, glm::value_ptr(point));
+    mesh.Points.push_back(point);
+  };
+  if (vtkCellArray* cells = data->GetVerts(); cells->GetNumberOfCells() > 0)
+  {
+    const vtkIdType* ids = nullptr;
+    vtkIdType size = 0;
+    for (cells->InitTraversal(); cells->GetNextCell(size, ids);)
+    {
+      std::for_each(ids, ids + size, add);
+    }
+  }
+  else
+  {
+    for (vtkIdType id = 0; id < data->GetNumberOfPoints(); ++id)
+    {
+      add(id);
+    }
+  }
+  std::iota(mesh.Indices.begin(), mesh.Indices.end(), 0U);
+}
+
+void vtkNBufferSplatStream::DrawNext(
+  vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream, vtkOpenGLIndexBufferObject* vertices)
+{
+  this->Own.SetNext(mapper, stream, [this, vertices]() { return this->Draw(vertices); });
+}
+
+bool vtkNBufferSplatStream::Draw(vtkOpenGLIndexBufferObject* vertices)
+{
+  vertices->Bind();
+  glDrawElements(GL_POINTS, static_cast<GLsizei>(vertices->IndexCount), GL_UNSIGNED_INT, nullptr);
+  vertices->Release();
+  if (this->Nothing == 0)
+  {
+    glGenQueries(1, &this->Nothing);
+    glBeginQuery(GL_SAMPLES_PASSED, this->Nothing);
+    glEndQuery(GL_SAMPLES_PASSED);
+  }
+  glBeginConditionalRender(this->Nothing, GL_QUERY_WAIT);
+  this->IsDiscarding = true;
+  return true;
+}
+
+void vtkNBufferSplatStream::Restore()
+{
+  this->Own.Restore();
+  if (std::exchange(this->IsDiscarding, false))
+  {
+    glEndConditionalRender();
+  }
+}
+
+void vtkNBufferSplatStream::ReleaseGraphicsResources()
+{
+  if (this->Nothing != 0)
+  {
+    glDeleteQueries(1, &this->Nothing);
+    this->Nothing = 0;
+  }
+}
+VTK_ABI_NAMESPACE_END

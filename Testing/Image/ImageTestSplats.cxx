@@ -1,0 +1,419 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Props of vtkPointGaussianMapper, of which only the points that can be seen are drawn, or which
+// are blended among opaque props.
+#include "LargeProps.h"
+#include "Scenes.h"
+
+#include "vtkActor.h"
+#include "vtkFloatArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkPointGaussianMapper.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <functional>
+#include <random>
+#include <utility>
+
+namespace
+{
+ComparisonOptions MakeOptions(int unitSize = 8)
+{
+  ComparisonOptions options = LargeProps::MakeOptions(unitSize);
+  options.CompareDraws = false; // A mapper of which no point is drawn announces nothing.
+  return options;
+}
+
+/// Points with a color, a size and an opacity each; with vertices for two of three, if asked for.
+vtkSmartPointer<vtkPolyData> MakeData(vtkPoints* points, bool withVertices)
+{
+  std::minstd_rand random(3);
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("colors");
+  colors->SetNumberOfComponents(3);
+  vtkNew<vtkFloatArray> sizes;
+  sizes->SetName("sizes");
+  vtkNew<vtkFloatArray> opacities;
+  opacities->SetName("opacities");
+  vtkNew<vtkCellArray> vertices;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    colors->InsertNextTuple3(random() % 256, random() % 256, random() % 256);
+    sizes->InsertNextValue(0.1F + static_cast<float>(random() % 100) / 200.0F);
+    opacities->InsertNextValue(static_cast<float>(random() % 100) / 100.0F);
+    vertices->InsertNextCell(1, &i);
+  }
+  data->GetPointData()->SetScalars(colors);
+  data->GetPointData()->AddArray(sizes);
+  data->GetPointData()->AddArray(opacities);
+  if (withVertices)
+  {
+    data->SetVerts(vertices);
+  }
+  return data;
+}
+
+/// Points at random in a block of 60 x 60 x 8.
+vtkSmartPointer<vtkPolyData> MakeCloud(int count, bool withVertices = false)
+{
+  std::minstd_rand random(5);
+  std::uniform_real_distribution<> uniform(-30.0, 30.0);
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < count; ++i)
+  {
+    const double x = uniform(random);
+    const double y = uniform(random);
+    points->InsertNextPoint(x, y, 4.0 + uniform(random) / 7.5);
+  }
+  return MakeData(points, withVertices);
+}
+
+/// Points on a lattice with steps of 1, each of them twice, with another color.
+vtkSmartPointer<vtkPolyData> MakeLattice()
+{
+  std::vector<glm::dvec3> places;
+  for (int x = -20; x < 20; ++x)
+  {
+    for (int y = -20; y < 20; ++y)
+    {
+      places.insert(places.end(), 2, { 1.0 * x, 1.0 * y, 0.5 * ((x + y) % 8) });
+    }
+  }
+  std::shuffle(places.begin(), places.end(), std::minstd_rand(7));
+  vtkNew<vtkPoints> points;
+  for (const glm::dvec3& place : places)
+  {
+    points->InsertNextPoint(glm::value_ptr(place));
+  }
+  return MakeData(points, false);
+}
+
+vtkPointGaussianMapper* GetMapper(Stage& stage)
+{
+  return static_cast<vtkPointGaussianMapper*>(stage.GetActor(0)->GetMapper());
+}
+
+/// Add opaque points of 9 pixels.
+vtkPointGaussianMapper* AddSplats(Stage& stage, vtkPolyData* data)
+{
+  const double white[3] = { 1.0, 1.0, 1.0 };
+  stage.AddActor(data, white);
+  vtkNew<vtkPointGaussianMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetScaleFactor(0.0);
+  mapper->EmissiveOff();
+  vtkActor* actor = stage.GetActor(static_cast<int>(stage.Props.size()) - 1);
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetPointSize(9.0);
+  return mapper;
+}
+
+void AddWalls(Stage& stage)
+{
+  Scenes::AddBox(stage, 6.0, 2.0, 1.0, 0.3, 22.0, 12.0);
+  Scenes::AddBox(stage, -8.0, 12.0, 1.0, 20.0, 0.3, 12.0);
+}
+
+void Walk(vtkRenderer* renderer, int frame)
+{
+  LargeProps::Walk(renderer, frame, -40.0, 0.13);
+}
+
+struct Splats : NamedCase
+{
+  std::function<void(Stage&)> Build;
+};
+
+const Splats Cases[] = {
+  { "CloudAndWalls",
+    [](Stage& stage)
+    {
+      AddSplats(stage, MakeCloud(4000));
+      AddWalls(stage);
+    } },
+  { "WallsFirst",
+    [](Stage& stage)
+    {
+      AddWalls(stage);
+      AddSplats(stage, MakeCloud(4000, true));
+    } },
+  { "LargePoints",
+    [](Stage& stage)
+    {
+      AddSplats(stage, MakeCloud(4000));
+      stage.GetActor(0)->GetProperty()->SetPointSize(60.0);
+    } },
+  { "Lattice",
+    [](Stage& stage)
+    {
+      AddSplats(stage, MakeLattice());
+      Scenes::AddBox(stage, 1.0, 1.0, 0.0, 6.0, 6.0, 6.0); // shares planes with the points
+      AddWalls(stage);
+    } },
+  { "OneColor",
+    [](Stage& stage)
+    {
+      AddSplats(stage, MakeCloud(4000, true))->ScalarVisibilityOff();
+      AddWalls(stage);
+    } },
+  { "ScaledAndTurned",
+    [](Stage& stage)
+    {
+      AddSplats(stage, MakeCloud(4000));
+      stage.GetActor(0)->RotateZ(20.0);
+      stage.GetActor(0)->SetScale(1.0, 0.8, 1.1);
+      AddWalls(stage);
+    } },
+  { "ClippingPlane",
+    [](Stage& stage)
+    {
+      vtkNew<vtkPlane> plane;
+      plane->SetNormal(0.6, 0.0, 0.8);
+      AddSplats(stage, MakeCloud(4000))->AddClippingPlane(plane);
+      AddWalls(stage);
+    } },
+  // Both mappers have the same buffer, which the other one shifts.
+  { "PointsOfAnotherMapper",
+    [](Stage& stage)
+    {
+      const vtkSmartPointer<vtkPolyData> data = MakeCloud(4000, true);
+      AddSplats(stage, data);
+      const double white[3] = { 1.0, 1.0, 1.0 };
+      stage.AddActor(data, white);
+      stage.GetActor(1)->SetPosition(2.0, 1.0, 0.0);
+      AddWalls(stage);
+    } },
+  { "TwoProps",
+    [](Stage& stage)
+    {
+      AddSplats(stage, MakeLattice());
+      AddSplats(stage, MakeLattice());
+      AddWalls(stage);
+    } },
+};
+}
+
+class CullerSplats : public testing::TestWithParam<Splats>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Each, CullerSplats, testing::ValuesIn(Cases), GetCaseName);
+
+// Hazard: points stick out of their units, or are drawn in another order.
+TEST_P(CullerSplats, SameImage)
+{
+  for (const auto& [unitSize, samples] : { std::pair(8, 0), std::pair(16, 4) })
+  {
+    ComparisonOptions options = MakeOptions(unitSize);
+    options.MultiSamples = samples;
+    options.CompareDepth = samples == 0;
+    Comparison comparison(
+      [this](Stage& stage)
+      {
+        this->GetParam().Build(stage);
+        stage.GetRenderer()->SetBackground(0.2, 0.3, 0.4);
+      },
+      options);
+    const LargeProps::Units units = LargeProps::CompareWalk(comparison, Walk);
+    EXPECT_GT(units.Hidden, 20);
+    EXPECT_GT(units.Fresh, 5) << "units that come into view are drawn late";
+    comparison.Frame("still");
+    comparison.Frame("still");
+  }
+}
+
+//------------------------------------------------------------------------------------------------
+namespace
+{
+enum class Outcome
+{
+  Divided,
+  Whole,
+  Blended
+};
+
+struct Change : NamedCase
+{
+  Comparison::Change Apply;
+  Outcome Afterwards = Outcome::Divided;
+};
+
+/// Shader code of opaque discs.
+const char* const Discs = "//VTK::Color::Impl\n"
+                          "if (dot(offsetVCVSOutput.xy, offsetVCVSOutput.xy) > 1.0) { discard; }\n";
+
+const Change Changes[] = {
+  { "Points",
+    [](Stage& stage)
+    {
+      vtkPolyData* data = vtkPolyData::SafeDownCast(GetMapper(stage)->GetInputDataObject(0, 0));
+      TestScene::MovePoints(data->GetPoints(), { 1.0, 2.0, 0.5 }, 0.3);
+      data->Modified();
+    } },
+  { "FewerPoints", [](Stage& stage) { GetMapper(stage)->SetInputData(MakeCloud(500)); } },
+  { "Vertices", [](Stage& stage) { GetMapper(stage)->SetInputData(MakeCloud(3000, true)); } },
+  { "PointSize", [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetPointSize(31.0); } },
+  { "Colors", [](Stage& stage) { GetMapper(stage)->ScalarVisibilityOff(); } },
+  { "Actor", [](Stage& stage) { stage.GetActor(0)->SetPosition(2.0, 1.0, 0.3); } },
+  { "Mapper",
+    [](Stage& stage)
+    {
+      vtkNew<vtkPolyDataMapper> mapper;
+      mapper->SetInputData(MakeCloud(2000, true));
+      stage.GetActor(0)->SetMapper(mapper);
+    } },
+  { "Window", [](Stage& stage) { stage.Window->SetSize(211, 307); } },
+  { "Discs",
+    [](Stage& stage)
+    {
+      GetMapper(stage)->SetScaleFactor(0.4);
+      GetMapper(stage)->SetSplatShaderCode(Discs);
+    },
+    Outcome::Whole },
+  { "DiscsOfSizes",
+    [](Stage& stage)
+    {
+      GetMapper(stage)->SetScaleFactor(1.0);
+      GetMapper(stage)->SetScaleArray("sizes");
+      GetMapper(stage)->SetSplatShaderCode(Discs);
+    },
+    Outcome::Whole },
+  { "Spheres", [](Stage& stage) { stage.GetActor(0)->GetProperty()->RenderPointsAsSpheresOn(); },
+    Outcome::Whole },
+  { "Blocks",
+    [](Stage& stage)
+    {
+      vtkNew<vtkMultiBlockDataSet> blocks;
+      blocks->SetBlock(0, MakeCloud(1000));
+      blocks->SetBlock(1, MakeCloud(300, true));
+      GetMapper(stage)->SetInputDataObject(blocks);
+    },
+    Outcome::Whole },
+  { "Translucent", [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetOpacity(0.5); },
+    Outcome::Whole },
+  { "Removed", [](Stage& stage) { stage.GetRenderer()->RemoveActor(stage.GetActor(0)); },
+    Outcome::Whole },
+  { "ScaleFactor", [](Stage& stage) { GetMapper(stage)->SetScaleFactor(0.4); }, Outcome::Blended },
+  { "Sizes",
+    [](Stage& stage)
+    {
+      GetMapper(stage)->SetScaleFactor(1.0);
+      GetMapper(stage)->SetScaleArray("sizes");
+    },
+    Outcome::Blended },
+  { "CodeWithOpacity",
+    [](Stage& stage)
+    {
+      GetMapper(stage)->SetScaleFactor(0.4);
+      GetMapper(stage)->SetSplatShaderCode("//VTK::Color::Impl\nopacity = opacity * 0.5;\n");
+    },
+    Outcome::Blended },
+  { "Emissive", [](Stage& stage) { GetMapper(stage)->EmissiveOn(); }, Outcome::Blended },
+  { "EmissiveSplats",
+    [](Stage& stage)
+    {
+      GetMapper(stage)->EmissiveOn();
+      GetMapper(stage)->SetScaleFactor(0.4);
+    },
+    Outcome::Blended },
+  { "Opacities", [](Stage& stage) { GetMapper(stage)->SetOpacityArray("opacities"); },
+    Outcome::Blended },
+};
+}
+
+class CullerSplatsChanges : public testing::TestWithParam<Change>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Each, CullerSplatsChanges, testing::ValuesIn(Changes), GetCaseName);
+
+// Hazard: points of data, or of a way to draw them, that have changed since; and splats that blend
+// with what is drawn before them, so that this must not be left out nor drawn later.
+TEST_P(CullerSplatsChanges, SameImage)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      AddSplats(stage, MakeCloud(4000));
+      AddWalls(stage);
+    },
+    MakeOptions());
+  for (int i = 0; i < 4; ++i)
+  {
+    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
+  }
+  EXPECT_GT(comparison.GetStatistics().Units, 0);
+  comparison.Frame("changed", this->GetParam().Apply);
+  for (int i = 4; i < 10; ++i)
+  {
+    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
+  }
+  const Outcome outcome = this->GetParam().Afterwards;
+  EXPECT_EQ(comparison.GetStatistics().Units > 0, outcome == Outcome::Divided);
+  EXPECT_EQ(comparison.GetDecision() == Decision::Blending, outcome == Outcome::Blended);
+}
+
+// Hazard: the splats in front of boxes show what is drawn before them.
+TEST(CullerSplatsBlending, InFrontOfWhatTheyHide)
+{
+  for (const bool emissive : { false, true })
+  {
+    Comparison comparison(
+      [emissive](Stage& stage)
+      {
+        Scenes::BuildWall(stage);
+        const vtkSmartPointer<vtkPolyData> data = MakeCloud(200);
+        AddSplats(stage, data);
+        vtkActor* actor = stage.GetActor(static_cast<int>(stage.Props.size()) - 1);
+        auto* mapper = static_cast<vtkPointGaussianMapper*>(actor->GetMapper());
+        mapper->SetScaleFactor(1.5);
+        mapper->SetEmissive(emissive);
+        actor->SetScale(0.2, 0.2, 0.2);
+        actor->SetPosition(0.0, 0.0, 4.0);
+        Scenes::AddBox(stage, 0.0, 5.0, -2.0, 9.0, 2.0, 0.5);
+      });
+    for (int i = 0; i < 6; ++i)
+    {
+      Scenes::FrameOfWall(comparison, 1.0 * i);
+      EXPECT_EQ(comparison.GetDecision(), Decision::Blending);
+    }
+  }
+}
+
+// Hazard: hidden points cannot be picked, or have the ids of others.
+TEST(CullerSplatsPicking, SamePoints)
+{
+  Comparison comparison(
+    [](Stage& stage) { AddSplats(stage, MakeCloud(800, true)); }, MakeOptions());
+  for (int i = 0; i < 5; ++i)
+  {
+    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
+    LargeProps::ExpectSamePicks(comparison);
+  }
+}
+
+// The number of units, and the switch.
+TEST(CullerSplatsSettings, SizeAndSwitch)
+{
+  Comparison comparison([](Stage& stage) { AddSplats(stage, MakeCloud(1000)); }, MakeOptions(50));
+  const auto frames = [&comparison]()
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
+    }
+    return comparison.GetStatistics().Units;
+  };
+  EXPECT_EQ(frames(), 1000 / 50);
+  comparison.GetCuller()->DividePropsOff();
+  EXPECT_EQ(frames(), 0);
+  comparison.GetCuller()->DividePropsOn();
+  EXPECT_EQ(frames(), 1000 / 50);
+}
