@@ -4,6 +4,7 @@
 
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDepthTest.h"
+#include "vtkNBufferForEachChild.h"
 #include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferSurface.h"
 #include "vtkNBufferTieQuery.h"
@@ -26,6 +27,24 @@ namespace
 bool HasUnits(vtkMapper* mapper)
 {
   return !vtkNBufferSurface::IsComposite(mapper) || vtkNBufferBlockStream::MayBeDivided(mapper);
+}
+
+/// Whether there are at least so many cells. Composite data counts those of all of its blocks in
+/// each call, which takes milliseconds, where the first blocks may be enough.
+bool HasCells(vtkDataObject* data, vtkIdType minimum)
+{
+  auto* tree = vtkDataObjectTree::SafeDownCast(data);
+  if (!tree)
+  {
+    return data->GetNumberOfElements(vtkDataObject::CELL) >= minimum;
+  }
+  vtkNBufferForEachChild(tree,
+    [&minimum](vtkDataObject* child)
+    {
+      minimum -= child->GetNumberOfElements(vtkDataObject::CELL);
+      return minimum > 0;
+    });
+  return minimum <= 0;
 }
 
 /// Whether an actor that is no candidate, because VTK does not know the bounds of what it draws,
@@ -55,7 +74,7 @@ bool vtkNBufferDivision::IsLarge(vtkProp* prop, int minimum)
     return false;
   }
   vtkDataObject* data = mapper->GetInputDataObject(0, 0);
-  return data && data->GetNumberOfElements(vtkDataObject::CELL) >= minimum;
+  return data && HasCells(data, minimum);
 }
 
 vtkNBufferDivision::Entry* vtkNBufferDivision::Find(int place)
