@@ -14,6 +14,7 @@
 #include "vtkDataSet.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
+#include "vtkRenderer.h"
 
 #include <algorithm>
 #include <iterator>

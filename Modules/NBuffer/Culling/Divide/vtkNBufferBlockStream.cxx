@@ -63,7 +63,8 @@ void vtkNBufferBlockStream::Read(vtkAbstractMapper* mapper, vtkNBufferUnits::Mes
     return; // It draws triangles first, and then strips of the same blocks.
   }
   const vtkNBufferProtectedMembers::BlockList drawn = GetBlockList(mapper);
-  this->Batches.push_back({ mapper, drawn.BuildTime, *drawn.Blocks, {} });
+  this->Batches.push_back(
+    { mapper, drawn.BuildTime, { drawn.Blocks->begin(), drawn.Blocks->end() }, {} });
   boxes.Corners = 2;
   for (const Map::value_type& block : *drawn.Blocks)
   {
@@ -99,18 +100,14 @@ void vtkNBufferBlockStream::SetList(int list, const std::vector<unsigned int>& c
   auto next = corners.begin();
   for (Batch& batch : this->Batches)
   {
-    batch.Lists[list].clear();
-    std::size_t block = first;
-    for (const Map::value_type& entry : batch.Blocks)
+    const std::size_t end = first + batch.Blocks.size();
+    Map& blocks = batch.Lists[list];
+    blocks.clear();
+    for (; next != corners.end() && *next < 2 * end; next += 2)
     {
-      if (next != corners.end() && *next == 2 * block)
-      {
-        batch.Lists[list].insert(batch.Lists[list].end(), entry);
-        next += 2;
-      }
-      ++block;
+      blocks.insert(blocks.end(), batch.Blocks[*next / 2 - first]);
     }
-    first = block;
+    first = end;
   }
 }
 

@@ -91,7 +91,7 @@ private:
   {
     vtkWeakPointer<vtkAbstractMapper> Mapper;
     vtkMTimeType BuildTime;
-    Map Blocks;
+    std::vector<Map::value_type> Blocks; ///< In the order of the list.
     std::array<Map, 2> Lists;
     vtkOpenGLHelper* Last = nullptr; ///< What VTK has drawn last of it in this frame.
     bool UsesTextures = false;

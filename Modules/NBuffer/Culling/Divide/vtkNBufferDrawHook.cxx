@@ -13,6 +13,7 @@
 #include "vtkOpenGLGlyph3DHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyData.h"
+#include "vtkRenderer.h"
 
 #include <utility>
 
