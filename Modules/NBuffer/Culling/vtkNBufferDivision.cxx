@@ -214,6 +214,7 @@ void vtkNBufferDivision::Classify(
       state.Verdict == vtkNBufferVerdict::NotAPlainMapper ||
       (state.Verdict == vtkNBufferVerdict::Untested && state.WasVisible);
     entry.IsActive = (entry.IsHeldBack || isKept) && entry.Prop->IsReady() &&
+      !vtkNBufferSplatStream::AreShifted(entry.Prop->GetActor()) &&
       !(settings.BackOff && entry.BackOff.CountPausedFrame());
     if (entry.IsActive)
     {

@@ -72,9 +72,15 @@ bool vtkNBufferSplatStream::MayBeDivided(vtkActor* actor)
   return data && data->GetPoints() && mapper->GetScaleFactor() == 0.0 && !Blends(actor) &&
     !vtkNBufferSurface::HasOtherCoordinates(actor) &&
     vtkNBufferSurface::DrawsAsSurface(actor->GetProperty(), true) &&
-    !vtkNBufferSurface::HasReplacedShaders(actor) &&
-    !vtkNBufferSurface::HasOffsetTowardsEye(mapper, true) &&
-    !actor->HasTranslucentPolygonalGeometry() && actor->HasOpaqueGeometry();
+    !vtkNBufferSurface::HasReplacedShaders(actor) && !actor->HasTranslucentPolygonalGeometry() &&
+    actor->HasOpaqueGeometry();
+}
+
+bool vtkNBufferSplatStream::AreShifted(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  return vtkPointGaussianMapper::SafeDownCast(mapper) &&
+    vtkNBufferSurface::HasOffsetTowardsEye(mapper, true);
 }
 
 vtkPolyData* vtkNBufferSplatStream::GetData(vtkActor* actor)
