@@ -108,7 +108,7 @@ void vtkNBufferDividedProp::ReadRounding()
   if (vtkNBufferSplatStream::MayBeDivided(this->Actor))
   {
     const double* bounds = vtkNBufferSplatStream::GetData(this->Actor)->GetPoints()->GetBounds();
-    vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
+    const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
     // A buffer that a mapper of the same points has made may be shifted. Its origin is not farther.
     this->Culling.SetRounding(
       { glm::dvec3(0.0), 2.0 * box.Magnitude, vtkNBufferSplatStream::GetMargin(this->Actor) });
