@@ -3,7 +3,6 @@
 #include "vtkNBufferUnits.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -13,11 +12,6 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 using Box = vtkNBufferUnits::Box;
-
-/// The bits of a Morton code along each axis.
-constexpr int BitsPerAxis = 10;
-/// The bits by which one pass of the radix sort sorts.
-constexpr int BitsPerPass = 10;
 
 /// Groups in space take memory for their order, which has to be worth it: their boxes must have
 /// less than this share of the surface of the runs' boxes.
@@ -78,15 +72,6 @@ double GetSurface(const std::vector<Box>& boxes)
   return sum;
 }
 
-/// The bits of a number of BitsPerAxis bits, each followed by two zeros.
-std::uint32_t Spread(std::uint32_t x)
-{
-  x = (x | (x << 16)) & 0x030000ffU;
-  x = (x | (x << 8)) & 0x0300f00fU;
-  x = (x | (x << 4)) & 0x030c30c3U;
-  return (x | (x << 2)) & 0x09249249U;
-}
-
 /// The number of ranges of primitives that have the same unit.
 std::size_t CountRanges(const std::vector<std::size_t>& units)
 {
@@ -98,70 +83,62 @@ std::size_t CountRanges(const std::vector<std::size_t>& units)
   return count;
 }
 
-struct Key
+struct Entry
 {
-  std::uint32_t Code;
+  glm::vec3 Middle;
   unsigned int Primitive;
 };
 
-/// The primitives in the Morton order of their middles. Those with the same code keep their order.
-std::vector<unsigned int> GetMortonOrder(const vtkNBufferUnits::Mesh& mesh)
+/// Bring primitives into an order in which those of each unit, and of each node of the hierarchy,
+/// are neighbours in space.
+void SplitAtMedian(Entry* begin, Entry* end, std::size_t unitSize)
 {
-  const std::size_t size = mesh.Indices.size() / mesh.Corners;
-  std::vector<glm::vec3> middles(size);
+  const auto size = static_cast<std::size_t>(end - begin);
+  if (size <= unitSize)
+  {
+    return;
+  }
   Box all = GetEmpty();
-  for (std::size_t i = 0; i < size; ++i)
+  for (const Entry* entry = begin; entry != end; ++entry)
+  {
+    Include(all, Box{ entry->Middle, entry->Middle });
+  }
+  const glm::vec3 extent = all.High - all.Low;
+  int axis = extent.y > extent.x ? 1 : 0;
+  axis = extent.z > extent[axis] ? 2 : axis;
+  // The first part has a power of 2 of units, at least half of all, so that no node, which has a
+  // power of 8 of units, has some of both parts.
+  std::size_t first = unitSize;
+  while (2 * first < size)
+  {
+    first *= 2;
+  }
+  std::nth_element(begin, begin + first, end,
+    [axis](const Entry& a, const Entry& b) { return a.Middle[axis] < b.Middle[axis]; });
+  SplitAtMedian(begin, begin + first, unitSize);
+  SplitAtMedian(begin + first, end, unitSize);
+}
+
+/// The primitives in the order of a k-d tree of their middles (J. L. Bentley, "Multidimensional
+/// binary search trees used for associative searching", Communications of the ACM 18(9), 1975).
+std::vector<unsigned int> GetOrderInSpace(const vtkNBufferUnits::Mesh& mesh, std::size_t unitSize)
+{
+  std::vector<Entry> entries(mesh.Indices.size() / mesh.Corners);
+  for (std::size_t i = 0; i < entries.size(); ++i)
   {
     Box box = GetEmpty();
     for (std::size_t k = 0; k < mesh.Corners; ++k)
     {
       Include(box, mesh.Points[mesh.Indices[mesh.Corners * i + k]]);
     }
-    middles[i] = 0.5F * box.Low + 0.5F * box.High;
-    if (vtkNBufferGLM::IsFinite(glm::dvec3(middles[i])))
-    {
-      Include(all, Box{ middles[i], middles[i] });
-    }
+    const glm::vec3 middle = 0.5F * box.Low + 0.5F * box.High;
+    const bool isFinite = vtkNBufferGLM::IsFinite(glm::dvec3(middle)); // NaN has no order.
+    entries[i] = { isFinite ? middle : glm::vec3(0.0F), static_cast<unsigned int>(i) };
   }
-  const glm::vec3 extent = all.High - all.Low;
-  const float largest = std::max({ extent.x, extent.y, extent.z });
-  constexpr auto cells = static_cast<float>(1 << BitsPerAxis);
-  std::vector<Key> keys(size);
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    std::uint32_t code = 0;
-    for (int k = 0; k < 3; ++k)
-    {
-      // The comparison is false for NaN.
-      const float cell = (middles[i][k] - all.Low[k]) / largest * cells;
-      const auto whole = cell > 0.0F ? static_cast<std::uint32_t>(std::min(cell, cells - 1.0F)) : 0;
-      code |= Spread(whole) << k;
-    }
-    keys[i] = { code, static_cast<unsigned int>(i) };
-  }
-  std::vector<Key> sorted(size);
-  for (int shift = 0; shift < 3 * BitsPerAxis; shift += BitsPerPass)
-  {
-    std::array<std::size_t, (1 << BitsPerPass) + 1> begins = {};
-    const auto getDigit = [shift](const Key& key)
-    { return (key.Code >> shift) & ((1U << BitsPerPass) - 1U); };
-    for (const Key& key : keys)
-    {
-      ++begins[getDigit(key) + 1];
-    }
-    for (std::size_t digit = 1; digit < begins.size(); ++digit)
-    {
-      begins[digit] += begins[digit - 1];
-    }
-    for (const Key& key : keys)
-    {
-      sorted[begins[getDigit(key)]++] = key;
-    }
-    keys.swap(sorted);
-  }
-  std::vector<unsigned int> order(size);
-  std::transform(
-    keys.begin(), keys.end(), order.begin(), [](const Key& key) { return key.Primitive; });
+  SplitAtMedian(entries.data(), entries.data() + entries.size(), unitSize);
+  std::vector<unsigned int> order(entries.size());
+  std::transform(entries.begin(), entries.end(), order.begin(),
+    [](const Entry& entry) { return entry.Primitive; });
   return order;
 }
 }
@@ -181,7 +158,7 @@ vtkNBufferUnits vtkNBufferUnits::Make(const Mesh& mesh, std::size_t unitSize)
   vtkNBufferUnits groups;
   groups.UnitSize = unitSize;
   groups.Corners = mesh.Corners;
-  groups.Order = GetMortonOrder(mesh);
+  groups.Order = GetOrderInSpace(mesh, unitSize);
   groups.MakeBoxes(mesh);
   // The boxes of single primitives are the same in any order.
   const std::size_t level = unitSize == 1 && runs.Levels.size() > 1 ? 1 : 0;

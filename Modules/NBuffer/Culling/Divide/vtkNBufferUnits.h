@@ -10,10 +10,10 @@
  * have the smaller boxes. Many files list their triangles row by row or part by part, so that runs
  * are small. Isosurfaces and scans do not.
  *
- * Groups in space are made with the middles of the primitives in Morton order. They only say which
- * primitives belong together: GetIndices() and GetRanges() return the primitives of any set of
- * units in the order in which the mesh is drawn, because of several fragments of equal depth the
- * last one drawn stays.
+ * Groups in space are the leaves of a k-d tree of the middles of the primitives, which is split
+ * across the longest side until each part is a unit. They only say which primitives belong
+ * together: GetIndices() and GetRanges() return the primitives of any set of units in the order in
+ * which the mesh is drawn, because of several fragments of equal depth the last one drawn stays.
  *
  * Level 0 of the hierarchy consists of the units. A node of a higher level bounds up to Fanout
  * nodes of the level below it:
@@ -69,7 +69,7 @@ public:
 
   /**
    * Make units of `unitSize` primitives each; the last one may have fewer. Returns no units if an
-   * index is out of range. Takes about 0.1 microseconds per primitive.
+   * index is out of range. Takes about 0.2 microseconds per primitive.
    */
   static vtkNBufferUnits Make(const Mesh& mesh, std::size_t unitSize);
 
