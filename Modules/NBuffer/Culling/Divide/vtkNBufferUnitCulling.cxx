@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferUnitCulling.h"
 
+#include "vtkNBufferForEachProp.h"
 #include "vtkNBufferOcclusionTest.h"
 #include "vtkNBufferPixelTest.h"
 
@@ -21,17 +22,35 @@ constexpr std::size_t Turns = 8;
 /// in the frustum, or if of the units in the frustum fewer were in that of the last test.
 constexpr int NewView = 4;
 
+/// The threads share the nodes of this level, of 512 units each, in groups of this size.
+constexpr std::size_t LevelOfThreads = 3;
+constexpr vtkIdType NodesPerThread = 4;
+
 /// In a new view, one in this many units of the frustum is drawn first.
 constexpr std::size_t NearestShare = 64;
 }
 
-/// The tests of one call of Test().
+/// The tests of one thread in a call of Test().
 struct vtkNBufferUnitCulling::Tests
 {
   const vtkNBufferProjection& Projection;
   vtkNBufferOcclusionTest Levels;
   std::optional<vtkNBufferPixelTest> Pixels;
 };
+
+/// Call function(level, begin, end) for ranges of nodes that together have all units, in parallel
+/// if there are many.
+template <typename Function>
+void vtkNBufferUnitCulling::RunInThreads(const Function& function)
+{
+  const auto& levels = this->Units.GetLevels();
+  const std::size_t level = std::min(LevelOfThreads, levels.size() - 1);
+  vtkNBufferForEachProp::Run(
+    levels[level].size(),
+    [&function, level](vtkIdType begin, vtkIdType end)
+    { function(level, static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); },
+    NodesPerThread);
+}
 
 void vtkNBufferUnitCulling::SetUnits(vtkNBufferUnits units)
 {
@@ -65,7 +84,14 @@ void vtkNBufferUnitCulling::FindKept(const vtkNBufferProjection& projection)
   {
     mark &= static_cast<unsigned char>(~Outside);
   }
-  this->MarkOutside(this->Units.GetLevels().size() - 1, 0, projection);
+  this->RunInThreads(
+    [this, &projection](std::size_t level, std::size_t begin, std::size_t end)
+    {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        this->MarkOutside(level, n, projection);
+      }
+    });
   this->Number = {};
   this->Number.Units = static_cast<int>(this->Units.GetSize());
   for (std::size_t i = 0; i < this->Units.GetSize(); ++i)
@@ -169,15 +195,23 @@ void vtkNBufferUnitCulling::ClearDrawn()
 int vtkNBufferUnitCulling::Test(const vtkNBufferProjection& projection, const Depth& depth)
 {
   std::fill(this->FreshUnits.begin(), this->FreshUnits.end(), 0);
-  this->Number.Fresh = 0;
   this->Turn = (this->Turn + 1) % Turns;
   this->FindOpen();
-  Tests tests = { projection, vtkNBufferOcclusionTest(depth.Levels, depth.SampleDistance), {} };
-  if (depth.Pixels)
-  {
-    tests.Pixels.emplace(projection, depth.Levels, depth.Pixels, depth.SampleDistance);
-  }
-  this->TestNode(this->Units.GetLevels().size() - 1, 0, tests);
+  this->RunInThreads(
+    [this, &projection, &depth](std::size_t level, std::size_t begin, std::size_t end)
+    {
+      Tests tests = { projection, vtkNBufferOcclusionTest(depth.Levels, depth.SampleDistance), {} };
+      if (depth.Pixels)
+      {
+        tests.Pixels.emplace(projection, depth.Levels, depth.Pixels, depth.SampleDistance);
+      }
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        this->TestNode(level, n, tests);
+      }
+    });
+  this->Number.Fresh =
+    static_cast<int>(std::count(this->FreshUnits.begin(), this->FreshUnits.end(), 1));
   this->Tested = this->Number.Units - this->Number.Outside;
   this->Seen = static_cast<int>(std::count_if(this->Marks.begin(), this->Marks.end(),
     [](unsigned char mark) { return (mark & Visible) != 0; }));
@@ -212,7 +246,6 @@ void vtkNBufferUnitCulling::TestNode(std::size_t level, std::size_t n, Tests& te
   {
     this->Marks[n] |= Visible;
     this->FreshUnits[n] = !this->DrawnUnits[n];
-    this->Number.Fresh += this->FreshUnits[n];
     return;
   }
   const std::size_t end =

@@ -98,6 +98,8 @@ private:
   void FindOpen();
   struct Tests;
   void TestNode(std::size_t level, std::size_t n, Tests& tests);
+  template <typename Function>
+  void RunInThreads(const Function& function);
 
   vtkNBufferUnits Units;
   Rounding Errors;
