@@ -6,9 +6,9 @@
 #include "vtkNBufferCompatibility.h"
 #include "vtkNBufferCullerOrder.h"
 #include "vtkNBufferDepthExchange.h"
-#include "vtkNBufferDivision.h"
 #include "vtkNBufferFrameGuard.h"
 #include "vtkNBufferKnownClasses.h"
+#include "vtkNBufferLargeProps.h"
 #include "vtkNBufferView.h"
 
 #include "vtkCamera.h"
@@ -236,7 +236,7 @@ double vtkNBufferCuller::Cull(
     settings.Share(this->DepthExchange->GetSharedDepth(renderer));
   }
   const auto isLarge = [this](vtkProp* prop)
-  { return vtkNBufferDivision::IsLarge(prop, this->Tuning.MinimumNumberOfPrimitives); };
+  { return vtkNBufferLargeProps::IsLarge(prop, this->Tuning.MinimumNumberOfPrimitives); };
   if (obstacle == vtkNBufferDecision::None && listLength < settings.MinimumNumberOfCandidates &&
     !(this->DivideProps && std::any_of(propList, propList + listLength, isLarge)))
   {

@@ -80,6 +80,9 @@ MUTANTS = {
         (DIVIDED, "data->GetMTime() == source.DataTime;", "true;"),
         (HOOK, "source.Corners == 0 || !(source == this->Read) || (source.IsNumbered",
          "source.Corners == 0 || (source.IsNumbered")],
+    "translucent units not tested in this frame": [
+        (DIVIDED, "  this->Culling.ClearDrawn();\n  this->Culling.Test(projection, depth);\n",
+         "  (void)projection;\n  (void)depth;\n")],
     "units that are hidden stay hidden": [
         (UNIT_CULLING, "this->Marks[n] |= Visible;",
          "this->Marks[n] |= Visible; if (this->Turn % 2 == 0) { return; }")],

@@ -137,6 +137,14 @@ vtkSmartPointer<vtkPolyData> MakeBumps()
 
 const double White[3] = { 1.0, 1.0, 1.0 };
 
+/// A city that is translucent, between two walls that are not.
+void AddTranslucentCity(Stage& stage, vtkPolyData* city)
+{
+  stage.AddActor(city, White);
+  stage.GetActor(0)->GetProperty()->SetOpacity(0.4);
+  AddWalls(stage);
+}
+
 struct Large : NamedCase
 {
   std::function<void(Stage&)> Build;
@@ -241,6 +249,25 @@ const Large Cases[] = {
       stage.AddActor(MakeCity(14), White);
       stage.GetActor(0)->GetProperty()->SetInterpolationToFlat();
       stage.GetActor(0)->GetProperty()->BackfaceCullingOn();
+    } },
+  { "Translucent", [](Stage& stage) { AddTranslucentCity(stage, MakeCity(14)); } },
+  { "TranslucentShuffled", [](Stage& stage) { AddTranslucentCity(stage, Shuffle(MakeCity(14))); } },
+  { "TranslucentCellColors",
+    [](Stage& stage) { AddTranslucentCity(stage, ColorCells(MakeCity(14))); } },
+  { "TranslucentPeeled",
+    [](Stage& stage)
+    {
+      AddTranslucentCity(stage, MakeCity(14));
+      stage.Window->SetMultiSamples(0); // VTK peels with one sample only.
+      stage.Window->AlphaBitPlanesOn();
+      stage.GetRenderer()->UseDepthPeelingOn();
+    } },
+  { "TranslucentAndOpaque",
+    [](Stage& stage)
+    {
+      AddTranslucentCity(stage, MakeCity(14));
+      stage.AddActor(MakeCity(14), White);
+      stage.GetActor(3)->SetPosition(1.0, 1.0, 0.0);
     } },
 };
 }
@@ -423,7 +450,7 @@ const Change Changes[] = {
       GetData(stage)->SetVerts(vertices);
     },
     false },
-  { "Opacity", [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetOpacity(0.5); }, false },
+  { "Opacity", [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetOpacity(0.5); } },
   { "Removed", [](Stage& stage) { stage.GetRenderer()->RemoveActor(stage.GetActor(0)); }, false },
   { "Hidden", [](Stage& stage) { stage.GetActor(0)->VisibilityOff(); }, false },
   { "SharedMapper",

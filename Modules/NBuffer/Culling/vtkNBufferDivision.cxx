@@ -4,15 +4,11 @@
 
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDepthTest.h"
-#include "vtkNBufferForEachChild.h"
-#include "vtkNBufferKnownClasses.h"
-#include "vtkNBufferSurface.h"
+#include "vtkNBufferLargeProps.h"
 #include "vtkNBufferTieQuery.h"
 #include "vtkNBufferViewSetup.h"
 
 #include "vtkActor.h"
-#include "vtkDataSet.h"
-#include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
 
@@ -22,81 +18,11 @@
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
-namespace
-{
-/// Whether a plain mapper of surfaces draws by streams that are known.
-bool HasUnits(vtkMapper* mapper)
-{
-  return !vtkNBufferSurface::IsComposite(mapper) || vtkNBufferBlockStream::MayBeDivided(mapper);
-}
-
-/// Whether there are at least so many cells. Composite data counts those of all of its blocks in
-/// each call, which takes milliseconds, where the first blocks may be enough.
-bool HasCells(vtkDataObject* data, vtkIdType minimum)
-{
-  auto* tree = vtkDataObjectTree::SafeDownCast(data);
-  if (!tree)
-  {
-    return data->GetNumberOfElements(vtkDataObject::CELL) >= minimum;
-  }
-  vtkNBufferForEachChild(tree,
-    [&minimum](vtkDataObject* child)
-    {
-      minimum -= child->GetNumberOfElements(vtkDataObject::CELL);
-      return minimum > 0;
-    });
-  return minimum <= 0;
-}
-
-/// Whether an actor that is no candidate, because VTK does not know the bounds of what it draws,
-/// may be divided.
-bool IsOfKnownParts(vtkActor* actor)
-{
-  return vtkNBufferInstanceStream::MayBeDivided(actor) ||
-    vtkNBufferSplatStream::MayBeDivided(actor);
-}
-}
-
-bool vtkNBufferDivision::IsLarge(vtkProp* prop, int minimum)
-{
-  vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(prop);
-  if (actor && vtkNBufferInstanceStream::MayBeDivided(actor))
-  {
-    return vtkNBufferInstanceStream::CountTriangles(actor) >= minimum;
-  }
-  if (actor && vtkNBufferSplatStream::MayBeDivided(actor))
-  {
-    return vtkNBufferSplatStream::GetData(actor)->GetNumberOfPoints() >= minimum;
-  }
-  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-  if (!mapper || !vtkNBufferKnownClasses::HaveKnownTimes(actor) ||
-    mapper->GetNumberOfInputConnections(0) == 0 || !HasUnits(mapper))
-  {
-    return false;
-  }
-  vtkDataObject* data = mapper->GetInputDataObject(0, 0);
-  return data && HasCells(data, minimum);
-}
-
 vtkNBufferDivision::Entry* vtkNBufferDivision::Find(int place)
 {
   const auto found = std::lower_bound(this->Entries.begin(), this->Entries.end(), place,
     [](const Entry& entry, int wanted) { return entry.Place < wanted; });
   return found != this->Entries.end() && found->Place == place ? &*found : nullptr;
-}
-
-bool vtkNBufferDivision::MayDivide(int place) const
-{
-  const vtkNBufferCandidate& candidate = this->Props.GetCandidate(place);
-  if (candidate.GetVerdict() != vtkNBufferVerdict::NotAPlainMapper)
-  {
-    vtkActor* actor = candidate.IsCandidate()
-      ? vtkNBufferKnownClasses::GetPlainActor(candidate.GetProp())
-      : nullptr;
-    return actor && HasUnits(actor->GetMapper());
-  }
-  vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(candidate.GetProp());
-  return actor && !candidate.GetSharesState() && IsOfKnownParts(actor);
 }
 
 bool vtkNBufferDivision::IsDrawnByUnits(int place)
@@ -118,7 +44,8 @@ void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
 {
   for (const int i : places)
   {
-    if (!this->Find(i) && this->MayDivide(i) && IsLarge(this->Props.GetProp(i), this->Minimum))
+    if (!this->Find(i) && vtkNBufferLargeProps::MayBeDivided(this->Props.GetCandidate(i)) &&
+      vtkNBufferLargeProps::IsLarge(this->Props.GetProp(i), this->Minimum))
     {
       Entry entry;
       entry.Place = i;
@@ -129,17 +56,6 @@ void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
         std::move(entry));
     }
   }
-}
-
-vtkMTimeType vtkNBufferDivision::GetPartsTime(const Entry& entry) const
-{
-  vtkActor* actor = entry.Prop->GetActor();
-  if (this->Props.GetCandidate(entry.Place).IsCandidate())
-  {
-    return 0;
-  }
-  return vtkNBufferSplatStream::MayBeDivided(actor) ? vtkNBufferSplatStream::GetTime(actor)
-                                                    : vtkNBufferInstanceStream::GetTime(actor);
 }
 
 void vtkNBufferDivision::Update(vtkOpenGLRenderWindow* window, const vtkNBufferSettings& settings)
@@ -175,8 +91,10 @@ void vtkNBufferDivision::Update(vtkOpenGLRenderWindow* window, const vtkNBufferS
     std::iota(changed.begin(), changed.end(), 0);
   }
   // A prop that has become translucent, or is drawn in another way that cannot be tested.
-  this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
-                        [this](const Entry& entry) { return !this->MayDivide(entry.Place); }),
+  this->Entries.erase(
+    std::remove_if(this->Entries.begin(), this->Entries.end(),
+      [this](const Entry& entry)
+      { return !vtkNBufferLargeProps::MayBeDivided(this->Props.GetCandidate(entry.Place)); }),
     this->Entries.end());
   this->FindLarge(changed);
   const vtkNBufferDividedProp::Settings making = { window,
@@ -184,7 +102,8 @@ void vtkNBufferDivision::Update(vtkOpenGLRenderWindow* window, const vtkNBufferS
     settings.DivideInBackground };
   for (Entry& entry : this->Entries)
   {
-    const vtkMTimeType time = this->GetPartsTime(entry);
+    const vtkMTimeType time =
+      vtkNBufferLargeProps::GetPartsTime(this->Props.GetCandidate(entry.Place));
     const bool hasChanged = std::exchange(entry.PartsTime, time) != time ||
       std::binary_search(changed.begin(), changed.end(), entry.Place);
     entry.Prop->BeginFrame(hasChanged, making);
@@ -213,18 +132,22 @@ void vtkNBufferDivision::Classify(
     const bool isKept = state.Verdict == vtkNBufferVerdict::NearPlane ||
       state.Verdict == vtkNBufferVerdict::NotAPlainMapper ||
       (state.Verdict == vtkNBufferVerdict::Untested && state.WasVisible);
-    entry.IsActive = (entry.IsHeldBack || isKept) && entry.Prop->IsReady() &&
+    const bool isTranslucent = state.Verdict == vtkNBufferVerdict::Translucent;
+    const bool isTested = (entry.IsHeldBack || isKept || isTranslucent) && entry.Prop->IsReady() &&
       !vtkNBufferSplatStream::AreShifted(entry.Prop->GetActor()) &&
       !(settings.BackOff && entry.BackOff.CountPausedFrame());
-    if (entry.IsActive)
+    entry.IsActive = isTested && !isTranslucent;
+    entry.IsPending = isTested && isTranslucent;
+    if (isTested)
     {
       entry.Prop->FindKept(entry.Projection);
       const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
       const int inside = units.Units - units.Outside;
+      const int kept = isKept ? units.Kept : 0;
       counts.Candidates += units.Units;
       counts.Inside += inside;
-      counts.Kept += entry.IsHeldBack ? 0 : units.Kept;
-      counts.HeldBack += entry.IsHeldBack ? inside : inside - units.Kept;
+      counts.Kept += kept;
+      (isTranslucent ? counts.Translucent : counts.HeldBack) += inside - kept;
     }
   }
 }
@@ -260,15 +183,21 @@ void vtkNBufferDivision::Reset()
 {
   for (Entry& entry : this->Entries)
   {
-    entry.IsActive = false;
+    entry.IsActive = entry.IsPending = false;
   }
 }
 
 vtkProp* vtkNBufferDivision::GetInList(int place)
 {
   Entry* entry = this->Find(place);
-  return entry && (entry->IsActive || entry->Prop->IsReading()) ? entry->Prop->GetProxy()
-                                                                : this->Props.GetProp(place);
+  return entry && entry->IsDrawnHere() ? entry->Prop->GetProxy() : this->Props.GetProp(place);
+}
+
+bool vtkNBufferDivision::DrawsTranslucent(int place)
+{
+  const Entry* entry = this->Find(place);
+  return entry && this->Props.GetCandidate(place).IsTranslucent() &&
+    (entry->IsPending || entry->IsDrawnHere());
 }
 
 int vtkNBufferDivision::Postpone(vtkProp** props, int count)
@@ -312,6 +241,28 @@ void vtkNBufferDivision::Test(const vtkNBufferDividedProp::Depth& depth, std::ve
   }
 }
 
+void vtkNBufferDivision::TestTranslucent(const vtkNBufferDividedProp::Depth& depth,
+  const std::function<bool(int)>& hasDrawn, const std::function<void(int)>& hide)
+{
+  for (Entry& entry : this->Entries)
+  {
+    const bool isPending = std::exchange(entry.IsPending, false);
+    if (!isPending || hasDrawn(entry.Place) ||
+      this->Props.GetState(entry.Place).Verdict != vtkNBufferVerdict::Translucent)
+    {
+      continue;
+    }
+    entry.Prop->TestAll(entry.Projection, depth);
+    const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
+    entry.BackOff.Learn(units.Units - units.Fresh, units.Units);
+    entry.IsActive = units.Fresh > 0;
+    if (!entry.IsActive)
+    {
+      hide(entry.Place);
+    }
+  }
+}
+
 std::vector<int> vtkNBufferDivision::GetFresh() const
 {
   std::vector<int> places;
@@ -330,7 +281,8 @@ void vtkNBufferDivision::AddDrawnInPart(std::vector<int>& places)
   for (Entry& entry : this->Entries)
   {
     const bool isMissing = entry.Place == this->Postponed && !entry.Prop->IsBegun();
-    if (entry.IsActive && (isMissing || entry.Prop->IsDrawnInPart()))
+    if (entry.IsActive && !this->Props.GetCandidate(entry.Place).IsTranslucent() &&
+      (isMissing || entry.Prop->IsDrawnInPart()))
     {
       places.push_back(entry.Place);
     }
@@ -355,8 +307,7 @@ std::optional<bool> vtkNBufferDivision::HasTies(int place, const std::function<i
 int vtkNBufferDivision::Draw(int place, const std::function<int()>& drawWhole)
 {
   Entry* entry = this->Find(place);
-  return entry && (entry->IsActive || entry->Prop->IsReading()) ? entry->Prop->Draw(drawWhole)
-                                                                : drawWhole();
+  return entry && entry->IsDrawnHere() ? entry->Prop->Draw(drawWhole) : drawWhole();
 }
 
 int vtkNBufferDivision::DrawAgain(int place, const std::function<int()>& drawWhole)
@@ -418,6 +369,12 @@ void vtkNBufferDivision::DescribeNext(int place, int round, const vtkNBufferProj
     part.Bounded = projection.Project(part.Box, part.Screen) == vtkNBufferPlacement::Inside;
     drawn.push_back(part);
   }
+}
+
+bool vtkNBufferDivision::HasUnits() const
+{
+  return std::any_of(this->Entries.begin(), this->Entries.end(),
+    [](const Entry& entry) { return entry.IsActive || entry.IsPending; });
 }
 
 vtkNBufferDividedProp::Counts vtkNBufferDivision::GetCounts() const

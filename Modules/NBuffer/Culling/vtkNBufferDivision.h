@@ -12,6 +12,9 @@
  *     Test()       which of the other units may be seen
  *     Draw()       draws them
  *
+ * Of a translucent prop, all units are tested when the depth of the opaque stage is complete
+ * (TestTranslucent()).
+ *
  * Props are named by their places in the list of candidates.
  */
 #ifndef vtkNBufferDivision_h
@@ -43,10 +46,6 @@ public:
   {
   }
 
-  /// Whether a prop is a plain actor with a surface of at least `minimum` cells, with instances
-  /// that have as many triangles, or with as many splats.
-  static bool IsLarge(vtkProp* prop, int minimum);
-
   /// Begin a frame, after the candidates have been brought up to date.
   void Update(vtkOpenGLRenderWindow* window, const vtkNBufferSettings& settings);
 
@@ -66,8 +65,11 @@ public:
   /// Draw all props of this frame whole.
   void Reset();
 
-  /// What represents a prop in the renderer's list: the prop itself, or a proxy.
+  /// What represents an opaque prop in the renderer's list: the prop itself, or a proxy.
   vtkProp* GetInList(int place);
+
+  /// Whether a translucent prop has to be drawn by Draw().
+  bool DrawsTranslucent(int place);
 
   /// Take the last prop with a proxy out of the renderer's list, because there must be room for
   /// another proxy. Returns its place in that list.
@@ -79,6 +81,11 @@ public:
   /// Test the units of the props that have been drawn and, of those in `heldBack`, remove the
   /// places of props without visible units.
   void Test(const vtkNBufferDividedProp::Depth& depth, std::vector<int>& heldBack);
+
+  /// Test the units of translucent props, except for those that are hidden or, as `hasDrawn` says
+  /// of their places, have been drawn. Calls `hide` with the places of those without visible units.
+  void TestTranslucent(const vtkNBufferDividedProp::Depth& depth,
+    const std::function<bool(int)>& hasDrawn, const std::function<void(int)>& hide);
 
   /// The places of the props with units that are to be drawn next although the props themselves are
   /// not held back.
@@ -114,6 +121,9 @@ public:
   void DescribeNext(int place, int round, const vtkNBufferProjection& projection,
     std::vector<vtkNBufferDrawnProp>& drawn);
 
+  /// Whether any prop has units that are tested in this frame.
+  bool HasUnits() const;
+
   /// The sums over all props that are drawn unit by unit.
   vtkNBufferDividedProp::Counts GetCounts() const;
 
@@ -130,11 +140,13 @@ private:
     vtkMTimeType PartsTime = 0; ///< That of the instances or splats of a prop that is no candidate.
     bool IsActive = false;      ///< It is drawn unit by unit.
     bool IsHeldBack = false;
+    bool IsPending = false; ///< Its units are to be tested before the translucent stage.
+
+    /// Whether draws of the prop draw some units, or read it.
+    bool IsDrawnHere() const { return this->IsActive || this->Prop->IsReading(); }
   };
 
   Entry* Find(int place);
-  bool MayDivide(int place) const;
-  vtkMTimeType GetPartsTime(const Entry& entry) const;
   void FindLarge(const std::vector<int>& places);
   vtkNBufferCandidateList& Props;
   std::vector<Entry> Entries; ///< In the order of their places.

@@ -8,6 +8,7 @@
 #include "vtkNBufferPartition.h"
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -39,8 +40,11 @@ double vtkNBufferListMaker::Fill(bool isTestPending, vtkProp** props, int& count
     prop->SetRenderTimeMultiplier(multiplier);
     const bool tested =
       isTestPending && std::binary_search(translucent.begin(), translucent.end(), i);
-    vtkProp* listed =
-      closed || tested ? this->Proxies.Add(prop, !closed) : this->Division.GetInList(i);
+    vtkProp* listed = closed || tested || this->Division.DrawsTranslucent(i)
+      ? this->Proxies.Add(i, prop, !closed,
+          [this, i](const std::function<int()>& drawWhole)
+          { return this->Division.Draw(i, drawWhole); })
+      : this->Division.GetInList(i);
     if (listed != prop)
     {
       listed->SetRenderTimeMultiplier(multiplier);
@@ -66,5 +70,21 @@ double vtkNBufferListMaker::Fill(bool isTestPending, vtkProp** props, int& count
   count = kept;
   initialized = 1;
   return total;
+}
+
+void vtkNBufferListMaker::HideTranslucent(int place)
+{
+  this->Proxies.Get(place)->SetOpen(false);
+  this->Props.GetState(place).Verdict = vtkNBufferVerdict::Hidden;
+}
+
+void vtkNBufferListMaker::ShowTranslucent()
+{
+  this->Proxies.ForEach(
+    [this](vtkNBufferTranslucentProxy* proxy)
+    {
+      proxy->SetOpen(true);
+      this->Props.GetState(proxy->GetPlace()).Verdict = vtkNBufferVerdict::Translucent;
+    });
 }
 VTK_ABI_NAMESPACE_END

@@ -38,8 +38,15 @@ public:
   /// multipliers, as that function does. `isTestPending` says whether the proxy will test.
   double Fill(bool isTestPending, vtkProp** props, int& count, int& initialized);
 
-  /// In a frame with a test, proxy n represents prop n of vtkNBufferPartition::GetTranslucent().
-  vtkNBufferTranslucentProxy* GetTranslucent(std::size_t n) const { return this->Proxies.Get(n); }
+  /// Whether the translucent prop in a place of the list of candidates, which has a proxy, has been
+  /// drawn in the translucent stage of this frame.
+  bool HasDrawnTranslucent(int place) const { return this->Proxies.Get(place)->HasDrawn(); }
+
+  ///@{
+  /// Close the proxy of such a prop, which becomes Hidden, or open all of them.
+  void HideTranslucent(int place);
+  void ShowTranslucent();
+  ///@}
 
 private:
   vtkNBufferCandidateList& Props;

@@ -276,18 +276,18 @@ void vtkNBufferView::TestKept(vtkNBufferDepthTest& test)
 
 void vtkNBufferView::TestTranslucent(vtkNBufferDepthTest& test)
 {
-  const std::vector<int>& all = this->Partition.GetTranslucent();
-  std::vector<int> visible = all;
+  const auto hasDrawn = [this](int i) { return this->List.HasDrawnTranslucent(i); };
+  const auto hide = [this](int i) { this->List.HideTranslucent(i); };
+  std::vector<int> visible = this->Partition.GetTranslucent();
   test.RemoveHidden(visible);
-  for (std::size_t n = 0; n < all.size(); ++n)
+  for (const int i : this->Partition.GetTranslucent())
   {
-    vtkNBufferTranslucentProxy* proxy = this->List.GetTranslucent(n);
-    if (!proxy->HasDrawn() && !std::binary_search(visible.begin(), visible.end(), all[n]))
+    if (!hasDrawn(i) && !std::binary_search(visible.begin(), visible.end(), i))
     {
-      proxy->SetOpen(false);
-      this->Props.GetState(all[n]).Verdict = vtkNBufferVerdict::Hidden;
+      hide(i);
     }
   }
+  this->Division.TestTranslucent(test.GetDepthOfUnits(), hasDrawn, hide);
 }
 
 bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
@@ -320,7 +320,7 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
     drawOccluders(first);
   }
   // Groups of units may be large.
-  const int levels = this->Division.GetCounts().Units == 0
+  const int levels = !this->Division.HasUnits()
     ? 1
     : vtkNBufferOcclusionTest::GetLevelsNeeded(
         { 0, 0, this->Projection.GetWidth() / 2, this->Projection.GetHeight() / 2 },
@@ -403,12 +403,7 @@ int vtkNBufferView::DrawAll(
   vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason)
 {
   int drawn = 0;
-  const std::vector<int>& translucent = this->Partition.GetTranslucent();
-  for (std::size_t n = 0; n < translucent.size(); ++n)
-  {
-    this->List.GetTranslucent(n)->SetOpen(true);
-    this->Props.GetState(translucent[n]).Verdict = vtkNBufferVerdict::Translucent;
-  }
+  this->List.ShowTranslucent();
   this->Draws.Clear();
   std::vector<int> all = this->Partition.GetHeldBack();
   this->Division.AddDrawnInPart(all);

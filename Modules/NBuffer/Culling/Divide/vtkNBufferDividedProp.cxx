@@ -174,6 +174,13 @@ int vtkNBufferDividedProp::Test(const vtkNBufferProjection& projection, const De
   return fresh;
 }
 
+void vtkNBufferDividedProp::TestAll(const vtkNBufferProjection& projection, const Depth& depth)
+{
+  this->Culling.ClearDrawn();
+  this->Culling.Test(projection, depth);
+  this->Culling.AddFreshToDrawn();
+}
+
 int vtkNBufferDividedProp::DrawList(vtkNBufferDrawHook::List list,
   const std::vector<unsigned char>& marked, const std::function<int()>& drawWhole)
 {

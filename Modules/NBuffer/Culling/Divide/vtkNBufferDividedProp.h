@@ -26,7 +26,8 @@
  *     with pixels.
  *  4. The second draw draws the units that the test found visible, the fresh ones.
  *
- * A prop that is held back is tested before its first draw; then all units take steps 3 and 4.
+ * A prop that is held back is tested before its first draw; then all units take steps 3 and 4. So
+ * is a translucent prop, which may be drawn several times (depth peeling).
  */
 #ifndef vtkNBufferDividedProp_h
 #define vtkNBufferDividedProp_h
@@ -84,6 +85,9 @@ public:
 
   /// Step 3. Returns the number of fresh units.
   int Test(const vtkNBufferProjection& projection, const Depth& depth);
+
+  /// Test all units of a translucent prop. Draws of this frame then draw those that are visible.
+  void TestAll(const vtkNBufferProjection& projection, const Depth& depth);
 
   /// Steps 2 and 4: draw what is to be drawn next, by calling `drawWhole`, which draws the actor.
   int Draw(const std::function<int()>& drawWhole);

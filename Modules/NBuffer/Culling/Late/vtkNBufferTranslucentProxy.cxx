@@ -4,20 +4,34 @@
 
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
+#include <utility>
+
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkNBufferTranslucentProxy);
 
-vtkNBufferTranslucentProxy* vtkNBufferTranslucentProxy::Pool::Add(vtkProp* prop, bool open)
+vtkNBufferTranslucentProxy* vtkNBufferTranslucentProxy::Pool::Add(
+  int place, vtkProp* prop, bool open, Drawer drawer)
 {
   if (this->Count == this->Proxies.size())
   {
     this->Proxies.push_back(vtkSmartPointer<vtkNBufferTranslucentProxy>::New());
   }
   vtkNBufferTranslucentProxy* proxy = this->Proxies[this->Count++];
+  proxy->Place = place;
   proxy->Prop = prop;
+  proxy->DrawProp = std::move(drawer);
   proxy->Open = open;
   proxy->Drawn = false;
   return proxy;
+}
+
+vtkNBufferTranslucentProxy* vtkNBufferTranslucentProxy::Pool::Get(int place) const
+{
+  const auto end = this->Proxies.begin() + static_cast<std::ptrdiff_t>(this->Count);
+  const auto found = std::lower_bound(this->Proxies.begin(), end, place,
+    [](const auto& proxy, int wanted) { return proxy->Place < wanted; });
+  return found != end && (*found)->Place == place ? found->Get() : nullptr;
 }
 
 int vtkNBufferTranslucentProxy::RenderOpaqueGeometry(vtkViewport* viewport)
@@ -34,7 +48,8 @@ int vtkNBufferTranslucentProxy::RenderTranslucentPolygonalGeometry(vtkViewport* 
   }
   this->Drawn = true;
   const ForwardedKeys keys(this, this->Prop);
-  return this->Prop->RenderTranslucentPolygonalGeometry(viewport);
+  return this->DrawProp(
+    [this, viewport]() { return this->Prop->RenderTranslucentPolygonalGeometry(viewport); });
 }
 
 void vtkNBufferTranslucentProxy::SetAllocatedRenderTime(double time, vtkViewport* viewport)

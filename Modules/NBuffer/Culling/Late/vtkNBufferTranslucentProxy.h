@@ -4,10 +4,11 @@
  * @class vtkNBufferTranslucentProxy
  * @brief Represents one translucent prop, in the place of that prop in the renderer's list.
  *
- * The proxy draws its prop only while it is open. It is open when the frame begins, and the culler
- * closes it when this frame's depth shows that the prop is hidden. A closed proxy still says that
- * it has translucent geometry, so that the renderer takes the same way through its render passes as
- * without the culler. README.md of this folder describes the whole frame.
+ * The proxy draws its prop, or some units of it, only while it is open. It is open when the frame
+ * begins, and the culler closes it when this frame's depth shows that the prop is hidden. A closed
+ * proxy still says that it has translucent geometry, so that the renderer takes the same way
+ * through its render passes as without the culler. README.md of this folder describes the whole
+ * frame.
  */
 #ifndef vtkNBufferTranslucentProxy_h
 #define vtkNBufferTranslucentProxy_h
@@ -15,6 +16,7 @@
 #include "vtkNBufferStandIn.h"
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -26,6 +28,10 @@ public:
   vtkTypeMacro(vtkNBufferTranslucentProxy, vtkNBufferStandIn);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Draws the prop by calling the function that is given to it, or does not. Returns the number of
+  /// props drawn.
+  using Drawer = std::function<int(const std::function<int()>& drawWhole)>;
+
   /**
    * The proxies of one renderer. They are created once and used again in every frame.
    */
@@ -36,10 +42,21 @@ public:
     void Clear() { this->Count = 0; }
 
     /// Get the next unused proxy and let it represent `prop` for one frame, without a reference.
-    vtkNBufferTranslucentProxy* Add(vtkProp* prop, bool open);
+    /// The props must be added in the order of their places.
+    vtkNBufferTranslucentProxy* Add(int place, vtkProp* prop, bool open, Drawer drawer);
 
-    /// Get the proxy that was added as number n, where the first one is number 0.
-    vtkNBufferTranslucentProxy* Get(std::size_t n) const { return this->Proxies[n]; }
+    /// Get the proxy of the prop in a place, or nullptr if it has none.
+    vtkNBufferTranslucentProxy* Get(int place) const;
+
+    /// Call visit(proxy) for each proxy of this frame.
+    template <typename Function>
+    void ForEach(const Function& visit) const
+    {
+      for (std::size_t n = 0; n < this->Count; ++n)
+      {
+        visit(this->Proxies[n].Get());
+      }
+    }
 
   private:
     std::vector<vtkSmartPointer<vtkNBufferTranslucentProxy>> Proxies;
@@ -48,6 +65,9 @@ public:
 
   /// A closed proxy draws nothing in the translucent stage. Default: open.
   void SetOpen(bool open) { this->Open = open; }
+
+  /// The place of the prop in the list of candidates.
+  int GetPlace() const { return this->Place; }
 
   /// Whether the prop has been drawn in the translucent stage of this frame. A render pass that
   /// draws translucent props before opaque ones does so while the proxy is still open.
@@ -79,7 +99,9 @@ private:
   vtkNBufferTranslucentProxy(const vtkNBufferTranslucentProxy&) = delete;
   void operator=(const vtkNBufferTranslucentProxy&) = delete;
 
+  int Place = -1;
   vtkProp* Prop = nullptr; ///< It is not counted as a reference.
+  Drawer DrawProp;
   bool Open = true;
   bool Drawn = false;
 };

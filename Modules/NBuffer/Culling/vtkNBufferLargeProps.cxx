@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferLargeProps.h"
+
+#include "vtkNBufferBlockStream.h"
+#include "vtkNBufferCandidate.h"
+#include "vtkNBufferForEachChild.h"
+#include "vtkNBufferInstanceStream.h"
+#include "vtkNBufferKnownClasses.h"
+#include "vtkNBufferSplatStream.h"
+#include "vtkNBufferSurface.h"
+
+#include "vtkActor.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataSet.h"
+#include "vtkMapper.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+/// Whether a plain mapper of surfaces draws by streams that are known.
+bool HasUnits(vtkMapper* mapper)
+{
+  return !vtkNBufferSurface::IsComposite(mapper) || vtkNBufferBlockStream::MayBeDivided(mapper);
+}
+
+/// Whether there are at least so many cells. Composite data counts those of all of its blocks in
+/// each call, which takes milliseconds, where the first blocks may be enough.
+bool HasCells(vtkDataObject* data, vtkIdType minimum)
+{
+  auto* tree = vtkDataObjectTree::SafeDownCast(data);
+  if (!tree)
+  {
+    return data->GetNumberOfElements(vtkDataObject::CELL) >= minimum;
+  }
+  vtkNBufferForEachChild(tree,
+    [&minimum](vtkDataObject* child)
+    {
+      minimum -= child->GetNumberOfElements(vtkDataObject::CELL);
+      return minimum > 0;
+    });
+  return minimum <= 0;
+}
+}
+
+bool vtkNBufferLargeProps::IsLarge(vtkProp* prop, int minimum)
+{
+  vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(prop);
+  if (actor && vtkNBufferInstanceStream::MayBeDivided(actor))
+  {
+    return vtkNBufferInstanceStream::CountTriangles(actor) >= minimum;
+  }
+  if (actor && vtkNBufferSplatStream::MayBeDivided(actor))
+  {
+    return vtkNBufferSplatStream::GetData(actor)->GetNumberOfPoints() >= minimum;
+  }
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  if (!mapper || !vtkNBufferKnownClasses::HaveKnownTimes(actor) ||
+    mapper->GetNumberOfInputConnections(0) == 0 || !HasUnits(mapper))
+  {
+    return false;
+  }
+  vtkDataObject* data = mapper->GetInputDataObject(0, 0);
+  return data && HasCells(data, minimum);
+}
+
+bool vtkNBufferLargeProps::MayBeDivided(const vtkNBufferCandidate& candidate)
+{
+  vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(candidate.GetProp());
+  if (!actor)
+  {
+    return false;
+  }
+  // VTK does not know the bounds of instances and splats.
+  if (candidate.GetVerdict() == vtkNBufferVerdict::NotAPlainMapper)
+  {
+    return !candidate.GetSharesState() &&
+      (vtkNBufferInstanceStream::MayBeDivided(actor) || vtkNBufferSplatStream::MayBeDivided(actor));
+  }
+  // Of translucent composite data some blocks may be opaque.
+  return candidate.HasPlacement() && HasUnits(actor->GetMapper()) &&
+    !(candidate.IsTranslucent() && vtkNBufferSurface::IsComposite(actor->GetMapper()));
+}
+
+vtkMTimeType vtkNBufferLargeProps::GetPartsTime(const vtkNBufferCandidate& candidate)
+{
+  if (candidate.HasPlacement())
+  {
+    return 0;
+  }
+  vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(candidate.GetProp());
+  return vtkNBufferSplatStream::MayBeDivided(actor) ? vtkNBufferSplatStream::GetTime(actor)
+                                                    : vtkNBufferInstanceStream::GetTime(actor);
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferLargeProps.h
+ * @brief Which props are large enough to be drawn unit by unit, and can be.
+ */
+#ifndef vtkNBufferLargeProps_h
+#define vtkNBufferLargeProps_h
+
+#include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
+#include "vtkType.h"
+
+class vtkProp;
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkNBufferCandidate;
+
+namespace vtkNBufferLargeProps
+{
+/// Whether a prop is a plain actor with a surface of at least `minimum` cells, with instances that
+/// have as many triangles, or with as many splats.
+bool IsLarge(vtkProp* prop, int minimum);
+
+/// Whether a prop that is large may be drawn unit by unit.
+bool MayBeDivided(const vtkNBufferCandidate& candidate);
+
+/// The newest time of the instances or splats of such a prop, or 0 if the list of candidates knows
+/// whether the prop has changed.
+vtkMTimeType GetPartsTime(const vtkNBufferCandidate& candidate);
+}
+
+VTK_ABI_NAMESPACE_END
+#endif
