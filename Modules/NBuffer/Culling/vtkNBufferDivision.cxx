@@ -132,7 +132,8 @@ void vtkNBufferDivision::Classify(
     const bool isKept = state.Verdict == vtkNBufferVerdict::NearPlane ||
       state.Verdict == vtkNBufferVerdict::NotAPlainMapper ||
       (state.Verdict == vtkNBufferVerdict::Untested && state.WasVisible);
-    const bool isTranslucent = state.Verdict == vtkNBufferVerdict::Translucent;
+    const bool isTranslucent = state.Verdict == vtkNBufferVerdict::Translucent &&
+      state.Placement != vtkNBufferPlacement::Outside;
     const bool isTested = (entry.IsHeldBack || isKept || isTranslucent) && entry.Prop->IsReady() &&
       !vtkNBufferSplatStream::AreShifted(entry.Prop->GetActor()) &&
       !(settings.BackOff && entry.BackOff.CountPausedFrame());
@@ -150,6 +151,16 @@ void vtkNBufferDivision::Classify(
       (isTranslucent ? counts.Translucent : counts.HeldBack) += inside - kept;
     }
   }
+}
+
+int vtkNBufferDivision::CountTranslucentAtNearPlane() const
+{
+  return static_cast<int>(std::count_if(this->Entries.begin(), this->Entries.end(),
+    [this](const Entry& entry)
+    {
+      return entry.IsPending &&
+        this->Props.GetState(entry.Place).Placement == vtkNBufferPlacement::Crossing;
+    }));
 }
 
 bool vtkNBufferDivision::HoldsUnits() const

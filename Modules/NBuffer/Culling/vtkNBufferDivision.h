@@ -56,6 +56,10 @@ public:
   /// Find the units that are drawn first, and add all units in the frustum to the counts.
   void Classify(const vtkNBufferSettings& settings, vtkNBufferFrustumCounts& counts);
 
+  /// The number of translucent props that are tested unit by unit alone, because they reach the
+  /// near plane.
+  int CountTranslucentAtNearPlane() const;
+
   /// Whether any unit is held back while its prop is not.
   bool HoldsUnits() const;
 

@@ -139,8 +139,9 @@ vtkNBufferDecision vtkNBufferView::Divide()
   }
   this->Partition.HoldBack(!this->Division.HoldsUnits());
   this->Division.MarkOutside();
-  this->Statistics.HeldBack = static_cast<int>(
-    this->Partition.GetHeldBack().size() + this->Partition.GetTranslucent().size());
+  this->Statistics.HeldBack = this->Division.CountTranslucentAtNearPlane() +
+    static_cast<int>(
+      this->Partition.GetHeldBack().size() + this->Partition.GetTranslucent().size());
   return decision;
 }
 
