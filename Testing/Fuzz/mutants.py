@@ -232,10 +232,6 @@ SHADOW_MUTANTS = {
     "volumes of casters that moved are kept": [
         ("vtkShadowVolumeStore.cxx", "try_emplace(caster.Silhouette.GetMTime())",
          "try_emplace(reinterpret_cast<vtkMTimeType>(&caster))")],
-    "masked instances of glyphs cast": [
-        ("vtkNBufferGlyphs.cxx", "if (mask && mask->GetValue(point) == 0)", "if (point < 0)")],
-    "instances of glyphs cast unturned": [
-        ("vtkNBufferGlyphs.cxx", "    if (arrays.Orientation)\n", "    if (point < 0)\n")],
     "volumes of parallel cameras end within the view": [
         (VOLUME, "Lengthening = 1.01;", "Lengthening = 0.5;")],
     "near cap missing": [
