@@ -14,6 +14,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -193,6 +194,30 @@ TEST_F(ShadowCasterList, EachBlockIsACaster)
   EXPECT_EQ(this->List.GetNumberOfUpdates(), 1);
   casters.insert(casters.begin(), this->List.GetCasters().front());
   EXPECT_EQ(this->List.GetCasters(), casters);
+
+  // Hazard: the change of a block is not noticed, whether it casts or only receives.
+  auto* last = vtkPolyData::SafeDownCast(blocks->GetBlock(count - 1));
+  last->GetPoints()->Modified();
+  EXPECT_TRUE(this->Update());
+  EXPECT_EQ(this->List.GetNumberOfUpdates(), 1);
+  attributes->SetBlockOpacity(last, 0.5);
+  mapper->Modified();
+  EXPECT_TRUE(this->Update());
+  EXPECT_EQ(this->GetSkipped(vtkShadowSkip::Translucent), 1);
+  EXPECT_FALSE(this->Update());
+  last->GetPoints()->Modified();
+  EXPECT_TRUE(this->Update()) << "it may hide receivers";
+  attributes->RemoveBlockOpacities();
+  mapper->Modified();
+  this->Update();
+  EXPECT_EQ(this->List.GetCasters().size(), count);
+  vtkNew<vtkInformation> required;
+  required->Set(vtkInformationIntegerKey::MakeKey("BLOCKS_CAST", "ShadowCasterList"), 1);
+  EXPECT_TRUE(this->Update(required));
+  EXPECT_TRUE(this->List.GetCasters().empty());
+  EXPECT_FALSE(this->Update(required));
+  last->GetPoints()->Modified();
+  EXPECT_TRUE(this->Update(required)) << "it is a receiver";
 }
 
 TEST_F(ShadowCasterList, ActorsThatDoNotCastAreCountedByReason)

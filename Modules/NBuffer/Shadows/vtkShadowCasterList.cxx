@@ -140,7 +140,11 @@ bool vtkShadowCasterList::ReadProp(vtkProp* prop, Member& member)
   this->AddProp(prop, member);
   this->OldMeshes.clear();
   this->OldPlaces.clear();
-  member.Watch.Track(prop);
+  // The times of all blocks that may be seen have been compared if all of them cast.
+  const bool allCast = member.Casts &&
+    std::all_of(
+      member.Skipped.begin(), member.Skipped.end(), [](int skipped) { return skipped == 0; });
+  member.Watch.Track(prop, !allCast);
   return member.Watch.GetMeans() == vtkNBufferPropWatch::Means::None ||
     member.Watch.GetTime() != timeBefore || this->Updates != updatesBefore ||
     member.Meshes.size() != meshesBefore;
