@@ -130,8 +130,8 @@ public:
   vtkMTimeType GetTime() const { return this->Time; }
 
   /**
-   * Whether every change shows in GetTime(). This is false for the props of means None, for
-   * composite data, whose blocks have attributes without times, for replaced shaders, whose
+   * Whether every change shows in GetTime(). This is false for the props of means None, for glyphs,
+   * for composite data, whose blocks have attributes without times, for replaced shaders, whose
    * uniforms have none, and for actors that follow a device.
    */
   bool SeesAllChanges() const { return this->Complete; }
