@@ -12,15 +12,22 @@
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeRange.h"
+#include "vtkDataSet.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkInformation.h"
 #include "vtkMapper.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkTransform.h"
 
 #include <algorithm>
 #include <array>
@@ -74,6 +81,11 @@ public:
     this->Planes = mapper->GetClippingPlanes();
     this->Attributes = nullptr;
     this->Result.Actors.push_back({ prop, actor });
+    if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
+    {
+      this->AddGlyphs(glyphs, matrix);
+      return;
+    }
     if (auto* composite = CompositeMapper::SafeDownCast(mapper))
     {
       this->Attributes = composite->GetCompositeDataDisplayAttributes();
@@ -105,6 +117,95 @@ private:
     else
     {
       throw std::invalid_argument("The triangles of this mapper's input are not known.");
+    }
+  }
+
+  /// The array of a glyph mapper with this index, by its name or as an attribute of the points.
+  static vtkDataArray* GetArray(vtkGlyph3DMapper* mapper, int index)
+  {
+    vtkInformation* which = mapper->GetInputArrayInformation(index);
+    vtkPointData* data = vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0))->GetPointData();
+    return which->Has(vtkDataObject::FIELD_NAME())
+      ? data->GetArray(which->Get(vtkDataObject::FIELD_NAME()))
+      : vtkArrayDownCast<vtkDataArray>(
+          data->GetAbstractAttribute(which->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE())));
+  }
+
+  /// One source, in the place of each point.
+  void AddGlyphs(vtkGlyph3DMapper* mapper, vtkMatrix4x4* actorToWorld)
+  {
+    auto* data = vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
+    if (!data || mapper->GetNumberOfInputConnections(1) != 1 || mapper->GetUseSourceTableTree())
+    {
+      throw std::invalid_argument("The triangles of these glyphs are not known.");
+    }
+    vtkDataArray* masks = mapper->GetMasking() ? GetArray(mapper, vtkGlyph3DMapper::MASK) : nullptr;
+    vtkDataArray* turns =
+      mapper->GetOrient() ? GetArray(mapper, vtkGlyph3DMapper::ORIENTATION) : nullptr;
+    vtkDataArray* sizes =
+      mapper->GetScaling() && mapper->GetScaleMode() != vtkGlyph3DMapper::NO_DATA_SCALING
+      ? GetArray(mapper, vtkGlyph3DMapper::SCALE)
+      : nullptr;
+    for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+    {
+      if (masks && masks->GetComponent(i, 0) == 0.0)
+      {
+        continue;
+      }
+      vtkNew<vtkTransform> place;
+      place->SetMatrix(actorToWorld);
+      place->Translate(data->GetPoint(i));
+      if (turns)
+      {
+        Turn(place, turns->GetTuple(i), mapper->GetOrientationMode());
+      }
+      double size[3] = { 1.0, 1.0, 1.0 };
+      for (int k = 0; k < 3 && sizes; ++k)
+      {
+        size[k] = mapper->GetScaleMode() == vtkGlyph3DMapper::SCALE_BY_COMPONENTS
+          ? sizes->GetComponent(i, k)
+          : vtkMath::Norm(sizes->GetTuple(i), sizes->GetNumberOfComponents());
+        if (mapper->GetClamping())
+        {
+          const double* range = mapper->GetRange();
+          size[k] = (std::clamp(size[k], range[0], range[1]) - range[0]) / (range[1] - range[0]);
+        }
+      }
+      for (double& value : size)
+      {
+        value *= mapper->GetScaling() ? mapper->GetScaleFactor() : 1.0;
+        value = value == 0.0 ? 1e-10 : value;
+      }
+      place->Scale(size);
+      this->Matrix = place->GetMatrix();
+      this->AddMesh(vtkPolyData::SafeDownCast(mapper->GetInputDataObject(1, 0)));
+    }
+  }
+
+  static void Turn(vtkTransform* place, const double* values, int mode)
+  {
+    if (mode == vtkGlyph3DMapper::ROTATION)
+    {
+      place->RotateZ(values[2]);
+      place->RotateX(values[0]);
+      place->RotateY(values[1]);
+    }
+    else if (mode == vtkGlyph3DMapper::DIRECTION)
+    {
+      // Half a turn about the middle between the x axis and the direction, or none at all.
+      if (values[1] != 0.0 || values[2] != 0.0)
+      {
+        place->RotateWXYZ(180.0, values[0] + vtkMath::Norm(values), values[1], values[2]);
+      }
+      else if (values[0] < 0.0)
+      {
+        place->RotateY(180.0);
+      }
+    }
+    else
+    {
+      place->RotateWXYZ(
+        2.0 * vtkMath::DegreesFromRadians(std::acos(values[0])), values[1], values[2], values[3]);
     }
   }
 

@@ -30,8 +30,9 @@ struct RenderedTriangles
 
 /**
  * Collects the triangles of all actors that are visible, opaque and drawn as surfaces: those of
- * assemblies by their paths, and those of the visible blocks of composite data. Polygons are cut
- * into triangles by the mapper's own function, and clipping planes are applied. Triangles with a
+ * assemblies by their paths, those of the visible blocks of composite data, and those of the
+ * instances of glyphs with one source, whose places follow from vtkTransform. Polygons are cut into
+ * triangles by the mapper's own function, and clipping planes are applied. Triangles with a
  * coordinate that is not finite are left out.
  *
  * Throws std::invalid_argument for a mapper whose triangles are not known here.

@@ -6,12 +6,17 @@
 #include "Random.h"
 #include "Sun.h"
 
+#include "vtkActor.h"
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
 #include "vtkCylinderSource.h"
+#include "vtkFloatArray.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -67,6 +72,43 @@ Scene MakeBirds(std::uint64_t seed)
     const double size = random.Between(0.6, 1.8);
     AddPart(scene, bird, { x, y, z }, glm::dvec3(size));
   }
+  return scene;
+}
+
+Scene MakeSwarm(std::uint64_t seed, int count)
+{
+  Scene scene;
+  scene.Name = "swarm";
+  Random random(seed);
+  vtkNew<vtkCubeSource> cube;
+  AddGround(scene, MakePartMapper(cube), 120.0);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> directions;
+  directions->SetNumberOfComponents(3);
+  for (int i = 0; i < count; ++i)
+  {
+    double values[6];
+    for (int j = 0; j < 6; ++j)
+    {
+      // Position, direction.
+      values[j] = j < 2 ? random.Between(-50.0, 50.0)
+        : j == 2        ? random.Between(2.0, 30.0)
+                        : random.Between(-1.0, 1.0);
+    }
+    points->InsertNextPoint(values);
+    directions->InsertNextTuple(values + 3);
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->GetPointData()->SetVectors(directions);
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetSourceConnection(cube->GetOutputPort());
+  mapper->SetScaleFactor(0.3);
+  auto glyphs = vtkSmartPointer<vtkActor>::New();
+  glyphs->SetMapper(mapper);
+  glyphs->GetProperty()->SetColor(0.9, 0.5, 0.2);
+  scene.Actors.push_back(glyphs);
   return scene;
 }
 
@@ -126,7 +168,7 @@ vtkSmartPointer<vtkLight> MakeSpot(const NBufferExamples::CameraPath& path, cons
 /// Returns whether a scene was made here, and not loaded.
 bool IsMadeHere(const Scene& scene)
 {
-  return scene.Name == "birds" || scene.Name == "simple";
+  return scene.Name == "birds" || scene.Name == "simple" || scene.Name == "swarm";
 }
 }
 
@@ -176,7 +218,9 @@ vtkLight* LightScene(const std::string& name, const Scene& scene,
 
 vtkSmartPointer<vtkInformation> MarkCasters(const Scene& scene)
 {
-  if (!scene.Plan && !IsMadeHere(scene))
+  // The parts of one prop (--merge) cannot be told apart either.
+  const bool isOneProp = scene.Actors.size() == 1;
+  if ((!scene.Plan && !IsMadeHere(scene)) || isOneProp)
   {
     return nullptr;
   }
@@ -204,6 +248,11 @@ NBufferExamples::Scene LoadShadowScene(ViewOptions view)
   if (name == "birds" || name == "simple")
   {
     return name == "birds" ? MakeBirds(view.Seed) : MakeParts(view.Seed);
+  }
+  if (name == "swarm")
+  {
+    constexpr int usualInstances = 10000;
+    return MakeSwarm(view.Seed, view.Instances > 0 ? view.Instances : usualInstances);
   }
   if (name == "city-sun" || name == "city-spot")
   {

@@ -73,7 +73,7 @@ enum class vtkShadowSkip : int
   NotAnActor,      ///< It is a volume, a billboard or a prop of a class of the application.
   NotASurface,     ///< It is drawn as wireframe or points.
   Translucent,     ///< It is translucent, or a block of it is.
-  NotAPlainMapper, ///< The triangles that its mapper draws cannot be known (glyphs, for instance).
+  NotAPlainMapper, ///< The triangles that its mapper draws cannot be known (splats, for instance).
   NumberOfSkips
 };
 constexpr int NumberOfShadowSkips = int(vtkShadowSkip::NumberOfSkips);
@@ -102,7 +102,7 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
 
   /// The lights that cast shadows.
   int Lights = 0;
-  /// The meshes that can cast a shadow.
+  /// The meshes that can cast a shadow; each block and each instance of a glyph is one.
   int Casters = 0;
   /// The number of actors, blocks and other props that cannot cast, by reason.
   std::array<int, NumberOfShadowSkips> Skipped = {};

@@ -49,9 +49,10 @@
  *
  * ## Limits
  *
- * Casters are opaque surfaces of data sets or composites of polydata; GetStatistics() counts the
- * other props by reason. Wireframes, points and glyphs cast no shadows. Surfaces cast shadows as if
- * their textures had no alpha and their shaders displaced no vertex. In mode Clamped the volumes of
+ * Casters are opaque surfaces of data sets, the blocks of composites of polydata, and the instances
+ * of a vtkGlyph3DMapper with one source; GetStatistics() counts the other props by reason.
+ * Wireframes and points cast no shadows. Surfaces cast shadows as if their textures had no alpha
+ * and their shaders displaced no vertex. In mode Clamped the volumes of
  * a point light are clamped only if their caster lies in one face of the cube around the light. The
  * pass needs OpenGL 3.2 with depth and stencil in one texture. If OpenGL refuses anything, the
  * frame is drawn without shadows, and the first such frame prints a warning.

@@ -44,6 +44,10 @@ Prop& AddCaster(Writer& writer, const glm::dvec3& center)
   {
     prop.Kind = PropKind::Composite;
   }
+  else if (writer.Chance(0.1))
+  {
+    prop.Kind = PropKind::Glyphs;
+  }
   if (writer.Chance(0.1))
   {
     const glm::dvec3& c = prop.Position;
@@ -264,7 +268,7 @@ bool IsPlain(const Scenario& scene)
     [](const Prop& prop)
     {
       return (prop.Kind == PropKind::Actor || prop.Kind == PropKind::Piped ||
-               prop.Kind == PropKind::Composite) &&
+               prop.Kind == PropKind::Composite || prop.Kind == PropKind::Glyphs) &&
         prop.Shape.Kind != ShapeKind::Lines && prop.Shape.Kind != ShapeKind::Points &&
         prop.Shape.Kind != ShapeKind::NaNPoint && prop.Shape.Kind != ShapeKind::Mesh &&
         glm::all(glm::greaterThan(prop.Shape.Size, glm::dvec3(0.0))) &&

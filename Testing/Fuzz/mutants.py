@@ -293,6 +293,8 @@ RARE_SHADOWS = {
         (MASK_MAKER,
          "const bool allAtOnce = plan.IsCountBelow(vtkShadowCaster::MaximumCount);",
          "const bool allAtOnce = true;")],
+    "instances of glyphs cast from where they were": [
+        ("vtkShadowCasterList.cxx", "mesh.InstancesTime == instancesTime && ", "")],
     "clipping planes ignored": [
         (CASTER, "if (!planes.empty())", "if (planes.size() > 9)")],
 }

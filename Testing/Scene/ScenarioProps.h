@@ -69,7 +69,8 @@ enum class PropKind
              ///< the shape it is a block within a block.
   Assembly,  ///< Two actors side by side.
   Follower,
-  Glyphs, ///< The shape, small, at its own points.
+  Glyphs, ///< The shape, small, at its own points. For an odd `Seed` of the shape each instance has
+          ///< a size and an orientation of its own, and some are masked.
   Splats, ///< The points of the shape, drawn by vtkPointGaussianMapper.
   LOD,
   Volume,

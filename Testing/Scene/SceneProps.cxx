@@ -11,9 +11,11 @@
 #include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkBillboardTextActor3D.h"
+#include "vtkBitArray.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataSetMapper.h"
+#include "vtkDoubleArray.h"
 #include "vtkFollower.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
@@ -27,6 +29,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
@@ -42,6 +45,8 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 
 namespace TestScene
 {
@@ -98,6 +103,53 @@ void SetInput(vtkPolyDataMapper* mapper, const Prop& prop)
   mapper->SetInputConnection(filter->GetOutputPort());
 }
 
+/// Each instance gets a size and an orientation of its own; with every other seed a third of them
+/// is masked.
+void ScatterGlyphs(vtkPolyData* points, vtkGlyph3DMapper* mapper, int seed)
+{
+  std::minstd_rand random(static_cast<unsigned int>(seed) + 1);
+  const auto between = [&random](double low, double high)
+  { return low + (high - low) * (static_cast<double>(random() % 1000) / 999.0); };
+  vtkNew<vtkDoubleArray> sizes;
+  vtkNew<vtkDoubleArray> turns;
+  vtkNew<vtkBitArray> masks;
+  const int mode = seed % 3; // DIRECTION, ROTATION or QUATERNION
+  sizes->SetNumberOfComponents(3);
+  turns->SetNumberOfComponents(mode == vtkGlyph3DMapper::QUATERNION ? 4 : 3);
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    const double x = between(0.5, 2.0);
+    const double y = between(0.5, 2.0);
+    sizes->InsertNextTuple3(x, y, between(0.5, 2.0));
+    double turn[4];
+    for (double& value : turn)
+    {
+      value = mode == vtkGlyph3DMapper::ROTATION ? between(-180.0, 180.0) : between(-0.5, 0.5);
+    }
+    const double length = std::sqrt(
+      turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] + turn[3] * turn[3] + 1e-9);
+    for (double& value : turn)
+    {
+      value /= mode == vtkGlyph3DMapper::QUATERNION ? length : 1.0;
+    }
+    turns->InsertNextTuple(turn);
+    masks->InsertNextValue(random() % 3 != 0);
+  }
+  sizes->SetName("sizes");
+  turns->SetName("turns");
+  masks->SetName("masks");
+  points->GetPointData()->AddArray(sizes);
+  points->GetPointData()->AddArray(turns);
+  points->GetPointData()->AddArray(masks);
+  mapper->SetScaleArray("sizes");
+  mapper->SetScaleMode(
+    seed % 2 ? vtkGlyph3DMapper::SCALE_BY_COMPONENTS : vtkGlyph3DMapper::SCALE_BY_MAGNITUDE);
+  mapper->SetOrientationArray("turns");
+  mapper->SetOrientationMode(mode);
+  mapper->SetMaskArray("masks");
+  mapper->SetMasking(seed % 2 != 0);
+}
+
 vtkSmartPointer<vtkMapper> MakeMapper(const Prop& prop)
 {
   if (prop.Kind == PropKind::DataSet)
@@ -112,8 +164,13 @@ vtkSmartPointer<vtkMapper> MakeMapper(const Prop& prop)
     small.Center = { 0.0, 0.0, 0.0 };
     small.Size *= 0.2;
     vtkNew<vtkGlyph3DMapper> mapper;
-    mapper->SetInputData(MakeShape(prop.Shape));
+    vtkSmartPointer<vtkPolyData> points = MakeShape(prop.Shape);
+    mapper->SetInputData(points);
     mapper->SetSourceData(MakeShape(small));
+    if (prop.Shape.Seed % 2)
+    {
+      ScatterGlyphs(points, mapper, prop.Shape.Seed / 2);
+    }
     return mapper;
   }
   if (prop.Kind == PropKind::Splats)
@@ -367,7 +424,7 @@ void ChangeActor(vtkActor* actor, const Prop& description, const Change& change)
       break;
     case ChangeKind::MovePoints:
       // What a filter puts out is its own.
-      if (description.Kind == PropKind::Actor)
+      if (description.Kind == PropKind::Actor || description.Kind == PropKind::Glyphs)
       {
         MovePoints(mapper, change);
       }

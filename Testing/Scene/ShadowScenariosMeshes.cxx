@@ -245,6 +245,25 @@ void Composite(SceneBuilder& scene)
   }
 }
 
+/// Instances of closed and open sources, of any size and in any direction, some of them masked.
+/// Some move in the second frame.
+void Instances(SceneBuilder& scene)
+{
+  const int first = scene.GetNumberOfProps();
+  scene.Box({ -1.0, -0.5, 0.9 }, { 1.2, 1.0, 1.0 });
+  scene.Sphere({ 0.6, 0.7, 1.0 }, 0.6, 5);
+  scene.Add(ShapeKind::Tiles, { 1.2, -0.8, 0.9 }, { 1.0, 1.0, 1.0 }, 3);
+  for (int i = 0; i < 3; ++i)
+  {
+    Prop& prop = scene.Scene.Props[static_cast<std::size_t>(first + i)];
+    prop.Kind = PropKind::Glyphs;
+    prop.Shape.Seed = 2 * i + 1;
+    prop.Orientation = { 10.0 * i, 0.0, 20.0 };
+  }
+  scene.NextFrame();
+  scene.Change(ChangeKind::MovePoints, first, { 0.3, 0.1, 0.2, 0.7 });
+}
+
 /// The points of the first prop change in the second frame, under the actor.
 void ChangingData(SceneBuilder& scene)
 {
@@ -292,6 +311,7 @@ std::vector<NamedScenario> GetMeshScenarios()
     make("Assembly", Assembly),
     make("Composite", Composite),
     make("ChangingData", ChangingData),
+    make("Instances", Instances),
   };
 }
 }

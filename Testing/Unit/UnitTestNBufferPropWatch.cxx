@@ -439,6 +439,12 @@ TEST(NBufferPropWatch, WhatMayChangeWithoutATraceIsSaid)
   EXPECT_EQ(Watch(glyphs).GetMeans(), Means::None);
   EXPECT_TRUE(Watch(glyphs).HasChanged());
   EXPECT_FALSE(Watch(glyphs).SeesAllChanges());
+  vtkNew<vtkGlyph3DMapper> known;
+  known->SetInputData(vtkNew<vtkPolyData>());
+  known->SetSourceData(vtkNew<vtkPolyData>());
+  glyphs->SetMapper(known);
+  EXPECT_EQ(Watch(glyphs).GetMeans(), Means::Times);
+  EXPECT_FALSE(Watch(glyphs).SeesAllChanges());
 
   vtkNew<CompositeMapper> mapper;
   mapper->SetInputDataObject(vtkNew<vtkMultiBlockDataSet>());

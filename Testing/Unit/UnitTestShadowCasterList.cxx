@@ -1,21 +1,28 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Which props cast, and when the list says that one of them may draw something else.
+#include "CompositeMapper.h"
+
 #include "vtkShadowCasterList.h"
 
 #include "vtkActor.h"
 #include "vtkAssembly.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
 
 #include <gtest/gtest.h>
+
+#include <vector>
 
 namespace
 {
@@ -97,6 +104,120 @@ TEST_F(ShadowCasterList, VersionAlwaysGrowsWithWhatChangesWithoutATrace)
   EXPECT_TRUE(this->Update());
   EXPECT_TRUE(this->Update());
   EXPECT_EQ(this->GetSkipped(vtkShadowSkip::NotAPlainMapper), 1);
+}
+
+// Hazard: each instance of a glyph has a copy of its source.
+TEST_F(ShadowCasterList, InstancesShareTheirTopology)
+{
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputConnection(this->Source->GetOutputPort());
+  mapper->SetSourceConnection(this->Source->GetOutputPort());
+  this->Actor->SetMapper(mapper);
+  EXPECT_TRUE(this->Update());
+  const std::vector<vtkShadowCaster*> casters = this->List.GetCasters();
+  this->Source->Update();
+  ASSERT_EQ(static_cast<vtkIdType>(casters.size()), this->Source->GetOutput()->GetNumberOfPoints());
+  EXPECT_EQ(casters.front()->GetTriangles().data(), casters.back()->GetTriangles().data());
+  EXPECT_NE(casters.front()->GetPoints()[0], casters.back()->GetPoints()[0]);
+  EXPECT_FALSE(this->Update()) << "nothing has changed";
+  EXPECT_EQ(this->List.GetCasters(), casters);
+  this->Source->SetRadius(2.0);
+  EXPECT_TRUE(this->Update()) << "the pipeline has to run";
+  EXPECT_EQ(this->List.GetNumberOfUpdates(), static_cast<int>(casters.size()));
+  EXPECT_EQ(this->List.GetCasters(), casters);
+}
+
+// Hazard: glyphs cast from where they are not drawn.
+TEST_F(ShadowCasterList, GlyphsThatAreNotKnownCastNothing)
+{
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputConnection(this->Source->GetOutputPort());
+  mapper->SetSourceConnection(this->Source->GetOutputPort());
+  this->Actor->SetMapper(mapper);
+  const auto expect = [this](bool cast)
+  {
+    this->Update();
+    EXPECT_EQ(this->List.GetCasters().empty(), !cast);
+    EXPECT_EQ(this->GetSkipped(vtkShadowSkip::NotAPlainMapper), cast ? 0 : 1);
+  };
+  expect(true);
+  mapper->SetCullingAndLOD(true);
+  expect(false);
+  mapper->SetCullingAndLOD(false);
+  mapper->SetUseSourceTableTree(true);
+  expect(false);
+  mapper->SetUseSourceTableTree(false);
+  vtkNew<vtkPolyData> other;
+  mapper->SetSourceData(1, other);
+  expect(false);
+  mapper->SetSourceConnection(1, nullptr);
+  expect(true);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, this->Source->GetOutput());
+  mapper->SetInputDataObject(blocks);
+  expect(false);
+}
+
+// Hazard: a block that comes or goes lets all others be read again, or an invisible one casts.
+TEST_F(ShadowCasterList, EachBlockIsACaster)
+{
+  constexpr unsigned int count = 1000;
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    vtkNew<vtkPolyData> block;
+    this->Source->SetCenter(3.0 * i, 0.0, 0.0);
+    this->Source->Update();
+    block->DeepCopy(this->Source->GetOutput());
+    blocks->SetBlock(i, block);
+  }
+  vtkNew<CompositeMapper> mapper;
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  mapper->SetCompositeDataDisplayAttributes(attributes);
+  mapper->SetInputDataObject(blocks);
+  this->Actor->SetMapper(mapper);
+  EXPECT_TRUE(this->Update());
+  EXPECT_EQ(this->List.GetNumberOfUpdates(), static_cast<int>(count));
+  std::vector<vtkShadowCaster*> casters = this->List.GetCasters();
+  EXPECT_EQ(casters.size(), count);
+  EXPECT_FALSE(this->Update());
+  EXPECT_EQ(this->List.GetCasters(), casters);
+
+  mapper->SetBlockVisibility(1, false); // The first block; flat index 0 is the whole.
+  EXPECT_TRUE(this->Update());
+  EXPECT_EQ(this->List.GetNumberOfUpdates(), 0);
+  casters.erase(casters.begin());
+  EXPECT_EQ(this->List.GetCasters(), casters);
+
+  mapper->SetBlockVisibility(1, true);
+  EXPECT_TRUE(this->Update());
+  EXPECT_EQ(this->List.GetNumberOfUpdates(), 1);
+  casters.insert(casters.begin(), this->List.GetCasters().front());
+  EXPECT_EQ(this->List.GetCasters(), casters);
+
+  // Hazard: the change of a block is not noticed, whether it casts or only receives.
+  auto* last = vtkPolyData::SafeDownCast(blocks->GetBlock(count - 1));
+  last->GetPoints()->Modified();
+  EXPECT_TRUE(this->Update());
+  EXPECT_EQ(this->List.GetNumberOfUpdates(), 1);
+  attributes->SetBlockOpacity(last, 0.5);
+  mapper->Modified();
+  EXPECT_TRUE(this->Update());
+  EXPECT_EQ(this->GetSkipped(vtkShadowSkip::Translucent), 1);
+  EXPECT_FALSE(this->Update());
+  last->GetPoints()->Modified();
+  EXPECT_TRUE(this->Update()) << "it may hide receivers";
+  attributes->RemoveBlockOpacities();
+  mapper->Modified();
+  this->Update();
+  EXPECT_EQ(this->List.GetCasters().size(), count);
+  vtkNew<vtkInformation> required;
+  required->Set(vtkInformationIntegerKey::MakeKey("BLOCKS_CAST", "ShadowCasterList"), 1);
+  EXPECT_TRUE(this->Update(required));
+  EXPECT_TRUE(this->List.GetCasters().empty());
+  EXPECT_FALSE(this->Update(required));
+  last->GetPoints()->Modified();
+  EXPECT_TRUE(this->Update(required)) << "it is a receiver";
 }
 
 TEST_F(ShadowCasterList, ActorsThatDoNotCastAreCountedByReason)

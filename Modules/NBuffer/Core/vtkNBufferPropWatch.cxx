@@ -4,6 +4,7 @@
 
 #include "vtkNBufferForEachChild.h"
 #include "vtkNBufferForEachProp.h"
+#include "vtkNBufferGlyphs.h"
 #include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferObservedObjects.h"
 #include "vtkNBufferProtectedMembers.h"
@@ -152,6 +153,7 @@ void vtkNBufferPropWatch::Track(vtkProp* prop, bool withBlocks)
   if (this->Mapper && !vtkNBufferSurface::IsPlain(this->Mapper))
   {
     this->Time = GetTimeOfAll(this->Actor, this->Shaders, withBlocks);
+    this->How = vtkNBufferGlyphs::GetMapper(this->Mapper) ? Means::Times : Means::None;
     return;
   }
   this->UserTransform = this->Actor->GetUserTransform();

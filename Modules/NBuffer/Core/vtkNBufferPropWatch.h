@@ -20,9 +20,10 @@
  *   requests up the pipeline, which takes as long as drawing a small prop. VTK begins each request
  *   by querying the modification times of all filters, and ends it if none is newer than the data.
  *   HasChanged() does only this first step, in about a microsecond.
- * - Times: any other plain mapper (vtkNBufferSurface::IsPlain()), or an actor without a mapper. The
- *   times are known only after the pipeline has been updated, as VTK does before it draws.
- *   HasChanged() is always true. A change shows in GetTime() after the next Track().
+ * - Times: any other plain mapper (vtkNBufferSurface::IsPlain()), a mapper of glyphs that is known
+ *   (vtkNBufferGlyphs::GetMapper()), or an actor without a mapper. The times are known only after
+ *   the pipeline has been updated, as VTK does before it draws. HasChanged() is always true. A
+ *   change shows in GetTime() after the next Track().
  * - None: any other prop or mapper. It may change without a newer time.
  *
  * The list of stamps mirrors GetMTime() of vtkActor, vtkMapper, vtkTrivialProducer, vtkPolyData,
@@ -129,8 +130,8 @@ public:
   vtkMTimeType GetTime() const { return this->Time; }
 
   /**
-   * Whether every change shows in GetTime(). This is false for the props of means None, for
-   * composite data, whose blocks have attributes without times, for replaced shaders, whose
+   * Whether every change shows in GetTime(). This is false for the props of means None, for glyphs,
+   * for composite data, whose blocks have attributes without times, for replaced shaders, whose
    * uniforms have none, and for actors that follow a device.
    */
   bool SeesAllChanges() const { return this->Complete; }

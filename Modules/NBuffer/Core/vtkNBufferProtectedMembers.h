@@ -11,6 +11,7 @@
 #ifndef vtkNBufferProtectedMembers_h
 #define vtkNBufferProtectedMembers_h
 
+#include "vtkGlyph3DMapper.h"
 #include "vtkMapper.h"
 #include "vtkObject.h"
 #include "vtkOpenGLBufferObject.h"
@@ -27,6 +28,8 @@
 #include <optional>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
+class vtkDataSet;
 class vtkScalarsToColors;
 class vtkShaderProperty;
 
@@ -126,6 +129,27 @@ inline std::optional<InstanceBuffers> GetInstanceBuffers(vtkOpenGLGlyph3DHelper*
     }
   };
   return Access::Get(mapper);
+}
+
+/// The arrays from which a vtkGlyph3DMapper makes its instances; null where one is not used.
+struct GlyphArrays
+{
+  vtkDataArray* Mask;
+  vtkDataArray* Orientation;
+  vtkDataArray* Scale;
+};
+
+inline GlyphArrays GetGlyphArrays(vtkGlyph3DMapper* mapper, vtkDataSet* data)
+{
+  struct Access : vtkGlyph3DMapper
+  {
+    static GlyphArrays Get(vtkGlyph3DMapper* mapper, vtkDataSet* data)
+    {
+      return { (mapper->*&Access::GetMaskArray)(data),
+        (mapper->*&Access::GetOrientationArray)(data), (mapper->*&Access::GetScaleArray)(data) };
+    }
+  };
+  return Access::Get(mapper, data);
 }
 
 /// The lookup table of a mapper, or nullptr. vtkMapper::GetLookupTable() would create one.

@@ -6,8 +6,6 @@
 #include "vtkNBufferPolygonClip.h"
 #include "vtkNBufferSurface.h"
 
-#include "vtkPolyData.h"
-
 #include <algorithm>
 #include <map>
 #include <type_traits>
@@ -18,23 +16,9 @@ static_assert(std::is_nothrow_move_constructible_v<vtkShadowPart>);
 
 namespace
 {
-std::shared_ptr<const vtkShadowTopology> MakeTopology(vtkPolyData* data)
-{
-  auto topology = std::make_shared<vtkShadowTopology>();
-  const vtkNBufferMesh mesh = vtkNBufferSurface::GetMesh(data);
-  std::vector<vtkIdType> triangles;
-  triangles.reserve(3 * mesh.Triangles.size());
-  for (const std::array<unsigned int, 3>& triangle : mesh.Triangles)
-  {
-    triangles.insert(triangles.end(), triangle.begin(), triangle.end());
-  }
-  topology->Build(mesh.Points, triangles);
-  return topology;
-}
-
 /// The topology of triangles [begin, end) alone. `points` are the merged points of the whole, in
 /// the coordinates that the part will have.
-std::shared_ptr<const vtkShadowTopology> MakeTopology(
+std::shared_ptr<const vtkShadowTopology> MakePart(
   const vtkShadowTopology& whole, const vtkShadowPoints& points, int begin, int end)
 {
   auto topology = std::make_shared<vtkShadowTopology>();
@@ -83,20 +67,28 @@ void Clip(std::vector<glm::dvec3>& points, std::vector<vtkIdType>& triangles,
 }
 }
 
-bool vtkShadowCaster::Update(
-  vtkPolyData* mesh, const std::array<double, 16>& toWorld, const std::vector<Plane>& planes)
+std::shared_ptr<const vtkShadowTopology> vtkShadowCaster::MakeTopology(vtkPolyData* data)
 {
-  const bool newMesh = this->Mesh != mesh || this->MeshTime != mesh->GetMTime();
-  if (newMesh)
+  auto topology = std::make_shared<vtkShadowTopology>();
+  const vtkNBufferMesh mesh = vtkNBufferSurface::GetMesh(data);
+  std::vector<vtkIdType> triangles;
+  triangles.reserve(3 * mesh.Triangles.size());
+  for (const std::array<unsigned int, 3>& triangle : mesh.Triangles)
   {
-    this->MeshTopology = MakeTopology(mesh);
-    this->Mesh = mesh;
-    this->MeshTime = mesh->GetMTime();
+    triangles.insert(triangles.end(), triangle.begin(), triangle.end());
   }
-  if (!newMesh && planes == this->Planes && toWorld == this->ToWorld)
+  topology->Build(mesh.Points, triangles);
+  return topology;
+}
+
+bool vtkShadowCaster::Update(const std::shared_ptr<const vtkShadowTopology>& mesh,
+  const std::array<double, 16>& toWorld, const std::vector<Plane>& planes)
+{
+  if (mesh == this->MeshTopology && planes == this->Planes && toWorld == this->ToWorld)
   {
     return false;
   }
+  this->MeshTopology = mesh;
   this->ToWorld = toWorld;
   this->Planes = planes;
   this->Topology = this->MeshTopology;
@@ -182,7 +174,7 @@ void vtkShadowCaster::AddPart(Slot& slot, vtkShadowPart part, const vtkShadowLig
     for (const auto& [begin, end] : { std::pair(0, middle), std::pair(middle, triangles) })
     {
       vtkShadowPart half;
-      half.Topology = MakeTopology(*part.Topology, *part.Points, begin, end);
+      half.Topology = MakePart(*part.Topology, *part.Points, begin, end);
       half.Points = &half.Topology->GetPoints();
       AddPart(slot, std::move(half), space);
     }

@@ -4,17 +4,17 @@
  * @class vtkShadowCaster
  * @brief A mesh that casts shadows, in world coordinates, with its silhouette for each light.
  *
- * A caster is one part of what an actor draws (vtkNBufferSurface::Part): a polydata under one
- * matrix. Its triangles are those that the mapper draws.
+ * A caster is one part of what an actor draws (vtkNBufferSurface::Part), or one instance of a
+ * glyph: a polydata under one matrix. Its triangles are those that the mapper draws. The topology
+ * of the polydata may be shared by several casters.
  *
  * What is cached here is valid until what it was made from changes:
  *
- *     topology     the modification time of the mesh
  *     points       the topology, and the values of the matrix and of the clipping planes
  *     silhouettes  the points, and the light in world coordinates
  *
  * The clipping planes of the mapper cut the triangles. The cut is left open, because VTK also draws
- * it open.
+ * it open. A caster that is cut has a topology of its own.
  *
  * A stencil counts to 255. If more triangles of a caster may lie between a light and a receiver,
  * the triangles are split into several parts, which may be counted one after the other. A receiver
@@ -48,10 +48,13 @@ public:
   vtkShadowCaster(const vtkShadowCaster&) = delete;
   void operator=(const vtkShadowCaster&) = delete;
 
+  /// The topology of the triangles that VTK draws for a polydata.
+  static std::shared_ptr<const vtkShadowTopology> MakeTopology(vtkPolyData* data);
+
   /// Brings mesh, matrix (row by row) and clipping planes up to date. Returns whether anything has
-  /// changed.
-  bool Update(
-    vtkPolyData* mesh, const std::array<double, 16>& toWorld, const std::vector<Plane>& planes);
+  /// changed. A mesh that has changed has a new topology.
+  bool Update(const std::shared_ptr<const vtkShadowTopology>& mesh,
+    const std::array<double, 16>& toWorld, const std::vector<Plane>& planes);
 
   /// The merged points in world coordinates.
   const vtkShadowPoints& GetPoints() const { return this->Points; }
@@ -93,8 +96,6 @@ private:
   // lines.
   vtkShadowBlock Bounds;
   std::vector<Slot> Slots;
-  const void* Mesh = nullptr; ///< The polydata. The pointer is only compared.
-  vtkMTimeType MeshTime = 0;
   std::array<double, 16> ToWorld = {};
   std::vector<Plane> Planes;
   std::shared_ptr<const vtkShadowTopology> MeshTopology;

@@ -3,6 +3,7 @@
 #include "vtkShadowCasterList.h"
 
 #include "vtkNBufferForEachProp.h"
+#include "vtkNBufferGlyphs.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
@@ -108,9 +109,12 @@ void vtkShadowCasterList::Update(vtkRenderer* renderer, vtkInformation* required
     {
       for (const Mesh& mesh : member.Meshes)
       {
-        if (mesh.Caster->GetNumberOfTriangles() > 0)
+        for (const std::unique_ptr<vtkShadowCaster>& caster : mesh.Casters)
         {
-          this->Casters.push_back(mesh.Caster.get());
+          if (caster->GetNumberOfTriangles() > 0)
+          {
+            this->Casters.push_back(caster.get());
+          }
         }
       }
       std::transform(member.Skipped.begin(), member.Skipped.end(), this->Skipped.begin(),
@@ -135,7 +139,12 @@ bool vtkShadowCasterList::ReadProp(vtkProp* prop, Member& member)
   }
   this->AddProp(prop, member);
   this->OldMeshes.clear();
-  member.Watch.Track(prop);
+  this->OldPlaces.clear();
+  // The times of all blocks that may be seen have been compared if all of them cast.
+  const bool allCast = member.Casts &&
+    std::all_of(
+      member.Skipped.begin(), member.Skipped.end(), [](int skipped) { return skipped == 0; });
+  member.Watch.Track(prop, !allCast);
   return member.Watch.GetMeans() == vtkNBufferPropWatch::Means::None ||
     member.Watch.GetTime() != timeBefore || this->Updates != updatesBefore ||
     member.Meshes.size() != meshesBefore;
@@ -196,6 +205,16 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
     member.Skip(vtkShadowSkip::Translucent);
     return;
   }
+  const std::vector<vtkNBufferSurface::Plane> planes =
+    vtkNBufferSurface::GetClippingPlanes(actor->GetMapper());
+  if (vtkGlyph3DMapper* glyphs = vtkNBufferGlyphs::GetMapper(actor->GetMapper()))
+  {
+    vtkNBufferSurface::Part part;
+    part.Mesh = vtkNBufferGlyphs::GetSource(glyphs);
+    std::copy_n(matrix->GetData(), 16, part.ToWorld.begin());
+    this->AddMesh(part, glyphs, path, planes, member);
+    return;
+  }
   if (member.Surfaces.size() <= static_cast<std::size_t>(path))
   {
     member.Surfaces.resize(static_cast<std::size_t>(path) + 1);
@@ -213,33 +232,86 @@ void vtkShadowCasterList::AddActor(vtkActor* actor, int path, vtkMatrix4x4* matr
     }
     else if (part.IsVisible)
     {
-      this->AddMesh(actor, path, part, member);
+      this->AddMesh(part, nullptr, path, planes, member);
     }
   }
 }
 
-void vtkShadowCasterList::AddMesh(
-  vtkActor* actor, int path, const vtkNBufferSurface::Part& part, Member& member)
+void vtkShadowCasterList::AddMesh(const vtkNBufferSurface::Part& part, vtkGlyph3DMapper* glyphs,
+  int path, const std::vector<vtkNBufferSurface::Plane>& planes, Member& member)
 {
-  Mesh entry{ path, part.Mesh, nullptr };
-  // The search begins at the same place, because blocks mostly come in the order of the last time.
-  const std::size_t count = this->OldMeshes.size();
-  for (std::size_t k = 0; k < count && !entry.Caster; ++k)
+  Mesh mesh = this->TakeOldMesh(path, part.Mesh, member.Meshes.size());
+  const vtkMTimeType time = part.Mesh->GetMTime();
+  const vtkMTimeType instancesTime = glyphs ? vtkNBufferGlyphs::GetTime(glyphs) : 0;
+  if (!mesh.Topology || mesh.Time != time)
   {
-    Mesh& old = this->OldMeshes[(member.Meshes.size() + k) % count];
-    if (old.Path == path && old.Block == part.Mesh)
+    mesh.Topology = vtkShadowCaster::MakeTopology(part.Mesh);
+  }
+  else if (mesh.InstancesTime == instancesTime && mesh.ToWorld == part.ToWorld &&
+    mesh.Planes == planes)
+  {
+    member.Meshes.push_back(std::move(mesh));
+    return;
+  }
+  mesh.Time = time;
+  mesh.InstancesTime = instancesTime;
+  mesh.ToWorld = part.ToWorld;
+  mesh.Planes = planes;
+  std::vector<std::array<double, 16>> places = { part.ToWorld };
+  if (glyphs)
+  {
+    places = vtkNBufferGlyphs::GetMatrices(glyphs);
+    for (std::array<double, 16>& place : places)
     {
-      entry.Caster = std::move(old.Caster);
+      vtkMatrix4x4::Multiply4x4(part.ToWorld.data(), place.data(), place.data());
     }
   }
-  if (!entry.Caster)
+  mesh.Casters.resize(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
   {
-    entry.Caster = std::make_unique<vtkShadowCaster>();
+    std::unique_ptr<vtkShadowCaster>& caster = mesh.Casters[i];
+    if (!caster)
+    {
+      caster = std::make_unique<vtkShadowCaster>();
+    }
+    this->Updates += caster->Update(mesh.Topology, places[i], planes) ? 1 : 0;
   }
-  this->Updates += entry.Caster->Update(part.Mesh, part.ToWorld,
-                     vtkNBufferSurface::GetClippingPlanes(actor->GetMapper()))
-    ? 1
-    : 0;
-  member.Meshes.push_back(std::move(entry));
+  member.Meshes.push_back(std::move(mesh));
+}
+
+vtkShadowCasterList::Mesh vtkShadowCasterList::TakeOldMesh(
+  int path, const void* block, std::size_t place)
+{
+  const auto take = [this](std::size_t i)
+  {
+    Mesh mesh = std::move(this->OldMeshes[i]);
+    this->OldMeshes[i].Block = nullptr;
+    return mesh;
+  };
+  const auto isThere = [this, path, block](std::size_t i)
+  { return this->OldMeshes[i].Block == block && this->OldMeshes[i].Path == path; };
+  if (place < this->OldMeshes.size() && isThere(place))
+  {
+    return take(place);
+  }
+  if (this->OldPlaces.empty())
+  {
+    for (std::size_t i = 0; i < this->OldMeshes.size(); ++i)
+    {
+      this->OldPlaces.emplace(this->OldMeshes[i].Block, i);
+    }
+  }
+  const auto [begin, end] = this->OldPlaces.equal_range(block);
+  for (auto found = begin; found != end; ++found)
+  {
+    if (isThere(found->second))
+    {
+      return take(found->second);
+    }
+  }
+  Mesh mesh;
+  mesh.Path = path;
+  mesh.Block = block;
+  return mesh;
 }
 VTK_ABI_NAMESPACE_END

@@ -6,8 +6,16 @@
  *
  * Every actor among the visible props of the renderer may cast, and so may the actors in its
  * assemblies. An actor casts if it is drawn opaque, as a surface, by a mapper whose triangles are
- * known (vtkNBufferSurface::GetParts()). The actors that do not cast are counted by reason
- * (vtkShadowSkip).
+ * known: those of a mesh or of the blocks of composite data (vtkNBufferSurface::GetParts()), or
+ * those of the instances of a glyph (vtkNBufferGlyphs.h). Each block and each instance is a caster
+ * of its own; invisible blocks and masked instances are none. The actors that do not cast are
+ * counted by reason (vtkShadowSkip).
+ *
+ * The instances of a glyph share the topology of their source. In addition, each takes about 300
+ * bytes and 24 for each point of the source, and for each light about 300 bytes and 12 for each
+ * triangle and edge of its silhouette, as other casters do, and its volume once that is drawn. For
+ * a cube under the sun these are 1.7 kB. Instances are read again if the mapper or its data have
+ * changed, and only those whose matrix differs are computed again.
  *
  * A prop is read again when vtkNBufferPropWatch says that it has changed, and in every frame if
  * that cannot be known. Its pipeline is then brought up to date, as VTK does before it draws.
@@ -22,11 +30,14 @@
 #include "vtkShadowStatistics.h"
 
 #include <array>
+#include <cstddef>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
+class vtkGlyph3DMapper;
 class vtkInformation;
 class vtkMatrix4x4;
 class vtkProp;
@@ -63,11 +74,17 @@ public:
   const std::vector<vtkProp*>& GetProps() const { return this->Members.GetProps(); }
 
 private:
+  /// A mesh of an actor.
   struct Mesh
   {
-    int Path;          ///< The number of the actor in its assembly.
-    const void* Block; ///< The polydata. The pointer is only compared.
-    std::unique_ptr<vtkShadowCaster> Caster;
+    int Path = 0;                ///< The number of the actor in its assembly.
+    const void* Block = nullptr; ///< The polydata. The pointer is only compared.
+    vtkMTimeType Time = 0;       ///< That of the polydata when Topology was made.
+    vtkMTimeType InstancesTime = 0;
+    std::array<double, 16> ToWorld = {};
+    std::vector<vtkNBufferSurface::Plane> Planes;
+    std::shared_ptr<const vtkShadowTopology> Topology;
+    std::vector<std::unique_ptr<vtkShadowCaster>> Casters; ///< One, or one for each instance.
   };
 
   /// What is known of a visible prop.
@@ -92,12 +109,19 @@ private:
   bool ReadProp(vtkProp* prop, Member& member);
   void AddProp(vtkProp* prop, Member& member);
   void AddActor(vtkActor* actor, int path, vtkMatrix4x4* matrix, Member& member);
-  void AddMesh(vtkActor* actor, int path, const vtkNBufferSurface::Part& part, Member& member);
+  /// Adds the casters of a part, of which `glyphs` draws instances if it is not nullptr.
+  void AddMesh(const vtkNBufferSurface::Part& part, vtkGlyph3DMapper* glyphs, int path,
+    const std::vector<vtkNBufferSurface::Plane>& planes, Member& member);
+  /// Takes a mesh out of OldMeshes. If it was not there, a new one is the result. `place` is where
+  /// it is among the meshes that are read now, which mostly come in the order of the last time.
+  Mesh TakeOldMesh(int path, const void* block, std::size_t place);
 
   vtkNBufferPropList<Member> Members;
   std::vector<vtkProp*> Visible;              ///< Used in Update(); a member to keep its memory.
   std::vector<vtkNBufferSurface::Part> Parts; ///< Used in AddActor(); a member to keep its memory.
   std::vector<Mesh> OldMeshes;                ///< The last meshes of the prop that is being read.
+  /// The places of OldMeshes by Block, made when one is not in its last place.
+  std::unordered_multimap<const void*, std::size_t> OldPlaces;
   vtkNBufferPropWatch::GlobalState GlobalState{};
   vtkMTimeType Version = 0;
   std::vector<vtkShadowCaster*> Casters;

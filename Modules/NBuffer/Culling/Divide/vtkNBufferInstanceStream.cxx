@@ -3,6 +3,7 @@
 #include "vtkNBufferInstanceStream.h"
 
 #include "vtkNBufferGL.h"
+#include "vtkNBufferGlyphs.h"
 #include "vtkNBufferProtectedMembers.h"
 #include "vtkNBufferSurface.h"
 
@@ -19,7 +20,6 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <typeinfo>
 
@@ -35,15 +35,6 @@ constexpr std::size_t LargestUnit = 2;
 
 /// Each vertex of an instance is rounded in two products of matrices. See Read().
 constexpr double Products = 2.0;
-
-vtkGlyph3DMapper* GetMapper(vtkActor* actor)
-{
-  vtkMapper* mapper = actor->GetMapper();
-  // Subclasses of the class that the object factory makes may draw anything.
-  return mapper && std::strcmp(mapper->GetClassName(), "vtkOpenGLGlyph3DMapper") == 0
-    ? static_cast<vtkGlyph3DMapper*>(mapper)
-    : nullptr;
-}
 
 /// The first `size` values of a buffer of VTK, or all of them if the size is 0.
 template <typename T>
@@ -97,16 +88,8 @@ vtkOpenGLGlyph3DHelper* vtkNBufferInstanceStream::GetHelper(vtkAbstractMapper* m
 
 bool vtkNBufferInstanceStream::MayBeDivided(vtkActor* actor)
 {
-  vtkGlyph3DMapper* mapper = GetMapper(actor);
-  if (!mapper || mapper->GetNumberOfInputConnections(0) != 1 ||
-    mapper->GetNumberOfInputConnections(1) != 1)
-  {
-    return false;
-  }
-  auto* data = vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
-  return data && vtkPolyData::SafeDownCast(mapper->GetInputDataObject(1, 0)) &&
-    !mapper->GetUseSourceTableTree() && !mapper->GetMasking() && !mapper->GetCullingAndLOD() &&
-    !mapper->GetAbortExecute() && !vtkNBufferSurface::HasOtherCoordinates(actor) &&
+  vtkGlyph3DMapper* mapper = vtkNBufferGlyphs::GetMapper(actor->GetMapper());
+  return mapper && !mapper->GetMasking() && !vtkNBufferSurface::HasOtherCoordinates(actor) &&
     vtkNBufferSurface::DrawsAsSurface(actor->GetProperty(), false) &&
     !vtkNBufferSurface::HasReplacedShaders(actor) &&
     !vtkNBufferSurface::HasOffsetTowardsEye(mapper, false) &&
@@ -115,7 +98,7 @@ bool vtkNBufferInstanceStream::MayBeDivided(vtkActor* actor)
 
 vtkIdType vtkNBufferInstanceStream::CountTriangles(vtkActor* actor)
 {
-  vtkGlyph3DMapper* mapper = GetMapper(actor);
+  vtkMapper* mapper = actor->GetMapper();
   const vtkIdType instances =
     vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0))->GetNumberOfPoints();
   const vtkIdType cells =
@@ -127,7 +110,7 @@ vtkMTimeType vtkNBufferInstanceStream::GetTime(vtkActor* actor)
 {
   vtkNBufferSurface::UpdatePipeline(actor);
   actor->ComputeMatrix();
-  vtkGlyph3DMapper* mapper = GetMapper(actor);
+  vtkMapper* mapper = actor->GetMapper();
   return std::max({ actor->GetMTime(), mapper->GetMTime(),
     mapper->GetInputDataObject(0, 0)->GetMTime(), mapper->GetInputDataObject(1, 0)->GetMTime() });
 }

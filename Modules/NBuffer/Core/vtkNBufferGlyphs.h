@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkNBufferGlyphs.h
+ * @brief The instances of a vtkGlyph3DMapper: one source, and where each of its copies is.
+ *
+ * VTK's mapper computes the matrices of the instances when it draws them, in a private class. Who
+ * needs them earlier, or those of a prop that is never drawn, finds them here. GetMatrices()
+ * repeats what vtkOpenGLGlyph3DMapper::RebuildStructures() does in VTK 9.1 to 9.7: position,
+ * orientation, scale and mask of each point, computed in doubles and rounded to floats. A test
+ * compares the result with the buffers that VTK uploads, bit for bit.
+ */
+#ifndef vtkNBufferGlyphs_h
+#define vtkNBufferGlyphs_h
+
+#include "vtkNBufferModule.h" // For export macro
+#include "vtkNBufferVTKVersion.h"
+#include "vtkType.h"
+
+#include <array>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkGlyph3DMapper;
+class vtkMapper;
+class vtkPolyData;
+
+namespace vtkNBufferGlyphs
+{
+/**
+ * The mapper if it is VTK's own and draws copies of one polydata at the points of one data set,
+ * otherwise nullptr. So nullptr is the answer for several sources, a table of sources, composite
+ * data, VTK's own culling of instances, which replaces sources by coarser ones, and subclasses,
+ * which may draw anything.
+ */
+VTKNBUFFER_EXPORT vtkGlyph3DMapper* GetMapper(vtkMapper* mapper);
+
+///@{
+/// Of such a mapper: the polydata, and the newest time of what the matrices are computed from.
+VTKNBUFFER_EXPORT vtkPolyData* GetSource(vtkGlyph3DMapper* mapper);
+VTKNBUFFER_EXPORT vtkMTimeType GetTime(vtkGlyph3DMapper* mapper);
+///@}
+
+/**
+ * The matrices of the instances that such a mapper draws, from the coordinates of the source to
+ * those of the actor, row by row. Their elements are floats. Instances that the mask leaves out are
+ * missing, and so are those that nothing can be seen of: those with a number that is not finite,
+ * and those with two or three scales of 0, which are points or lines. If an array has a wrong
+ * number of components, VTK reports it and draws nothing, and the result is empty.
+ */
+VTKNBUFFER_EXPORT std::vector<std::array<double, 16>> GetMatrices(vtkGlyph3DMapper* mapper);
+}
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkNBufferGlyphs.h
