@@ -39,7 +39,7 @@ protected:
     mesh.Triangles = { { 0, 1, 2 } };
     vtkNBufferSliverTest test(this->Projection, this->Levels, sampleReach);
     const double identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-    return test.MayBeSeen(mesh, identity, box.Screen);
+    return test.MayBeSeen(mesh, identity, box.Box, box.Screen);
   }
 
   vtkNBufferProjection Projection = MapWorldToPixels(Width, Height);
@@ -106,13 +106,15 @@ TEST_F(Slivers, BesideAllSamples)
 TEST_F(Slivers, AsNearAsTheSlopeAllows)
 {
   // Exact depths begin at 0.8. The third corner is 0.05 behind the side below: a slope of 5 per
-  // pixel, 0.014 nearer 2^-8.5 pixels beside it.
-  const auto gentle = MakeLow(20.5, 0.01);
-  const auto steep = MakeLow(20.5, 0.01, 0.8, 0.8, 0.85);
+  // pixel, 0.01 nearer at the middles of pixels that are 0.002 pixels below that side.
+  const auto steep = [](double y) { return MakeLow(y, 0.01, 0.8, 0.8, 0.85); };
+  const auto gentle = MakeLow(20.502, 0.01);
   this->SetWall(0.78f);
-  EXPECT_FALSE(this->MayBeSeen(steep));
-  this->SetWall(0.79f);
-  EXPECT_TRUE(this->MayBeSeen(steep));
+  EXPECT_FALSE(this->MayBeSeen(steep(20.502)));
+  this->SetWall(0.791f);
+  EXPECT_TRUE(this->MayBeSeen(steep(20.502)));
+  // Middles in the triangle are farther than its nearest point.
+  EXPECT_FALSE(this->MayBeSeen(steep(20.498)));
   // As low, but of a slope for which the slack of its box is enough.
   this->SetWall(1.0f);
   EXPECT_FALSE(this->MayBeSeen(gentle));

@@ -156,6 +156,13 @@ public:
   {
     /// How far a vertex may be from its exact place before it is snapped, in x and in y.
     double PositionError;
+    ///@{
+    /// What the division by w and the viewport transform add to the errors of vertices where the
+    /// device does not cut a triangle, in x and in y: a part that does not depend on the vertex,
+    /// and one for each pixel of distance from the middle of the view.
+    double UncutRounding;
+    double UncutRoundingPerPixel;
+    ///@}
     /// How far a sample may be outside of the triangle that it belongs to, beyond PositionError.
     double Overshoot;
     /// The error of any sample's depth that does not grow with the slope of the triangle.
