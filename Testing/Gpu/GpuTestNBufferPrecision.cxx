@@ -314,7 +314,7 @@ bool IsForetold(const vtkNBufferProjection& projection, const Triangle& triangle
   vtkNBufferMesh mesh;
   mesh.Points.assign(triangle.begin(), triangle.end());
   mesh.Triangles = { { 0, 1, 2 } };
-  vtkNBufferSliverTest test(projection, levels, 0.0);
+  vtkNBufferSliverTest test(projection, levels, depth.data(), 0.0);
   const double toWorld[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
   return test.MayBeSeen(mesh, toWorld, box, screen);
 }

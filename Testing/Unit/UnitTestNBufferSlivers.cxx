@@ -37,7 +37,7 @@ protected:
     vtkNBufferMesh mesh;
     mesh.Points.assign(triangle.begin(), triangle.end());
     mesh.Triangles = { { 0, 1, 2 } };
-    vtkNBufferSliverTest test(this->Projection, this->Levels, sampleReach);
+    vtkNBufferSliverTest test(this->Projection, this->Levels, nullptr, sampleReach);
     const double identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
     return test.MayBeSeen(mesh, identity, box.Box, box.Screen);
   }

@@ -209,7 +209,8 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::ve
     return;
   }
   const vtkNBufferClock clock;
-  vtkNBufferSliverTest test(this->Projection, this->Levels, this->SampleDistance);
+  vtkNBufferSliverTest test(
+    this->Projection, this->Levels, this->GetDepthOfUnits().Pixels, this->SampleDistance);
   std::vector<int> visible;
   auto left = places.begin();
   std::copy_if(tested.begin(), tested.end(), std::back_inserter(visible),

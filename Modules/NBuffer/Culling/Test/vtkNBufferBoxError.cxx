@@ -30,6 +30,7 @@ void vtkNBufferBoxError::Set(
   const vtkNBufferDepthFormat& format, int largestCoordinate, int subpixelBits)
 {
   this->Format = format;
+  this->LargestCoordinate = largestCoordinate;
   this->PositionRounding = PositionErrors * UnitRoundoff * largestCoordinate;
   this->WholeBorder =
     std::min(LargestSnap, std::ldexp(1.0, -subpixelBits) + this->PositionRounding);
@@ -42,8 +43,9 @@ vtkNBufferBoxError::TriangleErrors vtkNBufferBoxError::GetTriangleErrors(
 {
   TriangleErrors errors;
   errors.PositionError = position + this->PositionRounding;
-  errors.UncutRounding = this->PositionRounding * (TransformErrors / PositionErrors);
-  errors.UncutRoundingPerPixel = DivisionErrors * UnitRoundoff;
+  errors.DivisionRounding = DivisionErrors * UnitRoundoff;
+  errors.TransformRounding = TransformErrors * UnitRoundoff;
+  errors.LargestCoordinate = this->LargestCoordinate;
   errors.Overshoot = OvershootInPixels;
   errors.DepthError = depth;
   errors.DepthErrorPerSlope = OvershootInPixels + this->PlaneRounding;

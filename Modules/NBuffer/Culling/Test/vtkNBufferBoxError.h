@@ -158,10 +158,12 @@ public:
     double PositionError;
     ///@{
     /// What the division by w and the viewport transform add to the errors of vertices where the
-    /// device does not cut a triangle, in x and in y: a part that does not depend on the vertex,
-    /// and one for each pixel of distance from the middle of the view.
-    double UncutRounding;
-    double UncutRoundingPerPixel;
+    /// device does not cut a triangle, in x and in y: DivisionRounding for each pixel between the
+    /// vertex and the middle of the view, and TransformRounding for each pixel of its window
+    /// coordinate. LargestCoordinate is n of the derivation above.
+    double DivisionRounding;
+    double TransformRounding;
+    double LargestCoordinate;
     ///@}
     /// How far a sample may be outside of the triangle that it belongs to, beyond PositionError.
     double Overshoot;
@@ -198,6 +200,7 @@ private:
   double DepthRangeSlack = 0.0;     ///< The last term of the slack for a depth range of 1.
   double PlaneRounding = 0.0;       ///< 8 u n of the derivation above, in pixels.
   double PositionRounding = 0.0;    ///< 16 u n of the derivation above, in pixels.
+  double LargestCoordinate = 0.0;   ///< n of the derivation above, in pixels.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -107,9 +108,11 @@ double vtkNBufferSliverTest::Sliver::GetNearest(
 }
 
 vtkNBufferSliverTest::vtkNBufferSliverTest(
-  const vtkNBufferProjection& projection, const vtkNBufferLevels& levels, double sampleDistance)
+  const vtkNBufferProjection& projection, const vtkNBufferLevels& levels, const float* depth,
+  double sampleDistance)
   : Projection(projection)
   , Levels(levels)
+  , Depth(depth)
   , SampleDistance(sampleDistance)
 {
 }
@@ -153,6 +156,8 @@ bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, const double to
   { return vtkNBufferBoxError::GetVertexError(toClip[row], box); };
   const glm::dvec2 ofPlace = half * glm::dvec2(getError(0), getError(1));
   const double ofW = getError(3);
+  // The largest window coordinates that the corner of the viewport may have.
+  const glm::dvec2 origin = errors.LargestCoordinate - 2.0 * half;
   // Two corners may err by the diagonal of PositionError each, and 2 sqrt(2) is less than 3.
   const double covered = 3.0 * errors.PositionError + screen.DepthRange / errors.CoveredSlope;
 
@@ -184,8 +189,8 @@ bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, const double to
     if (w > ofW)
     {
       error = glm::min(error,
-        (ofPlace + aside * ofW) / (w - ofW) + aside * errors.UncutRoundingPerPixel +
-          errors.UncutRounding);
+        (ofPlace + aside * ofW) / (w - ofW) + aside * errors.DivisionRounding +
+          (origin + half + aside) * errors.TransformRounding);
     }
     const auto getCorner = [&](const Point& point, unsigned int i)
     {
@@ -299,8 +304,14 @@ bool vtkNBufferSliverTest::HasVisibleSample(const Sliver& sliver, const Errors& 
       {
         continue;
       }
-      const double farthest = vtkNBufferDepthConvention::GetOrder(
+      double farthest = vtkNBufferDepthConvention::GetOrder(
         this->Levels.GetTexel(0, pixel.x / factor, pixel.y / factor));
+      if (this->Depth)
+      {
+        const std::ptrdiff_t place = std::ptrdiff_t{ pixel.y } * pixels.x + pixel.x;
+        farthest =
+          std::min<double>(farthest, vtkNBufferDepthConvention::GetOrder(this->Depth[place]));
+      }
       if (!(sliver.GetNearest(middle, this->SampleDistance, errors) > farthest))
       {
         return true;

@@ -39,8 +39,8 @@
  *    vertices. Of the samples beside a triangle, those on one side are thus nearer than it, and
  *    those on the other are farther.
  *
- * The mesh has to be drawn only if one of these samples is not behind what is stored in its texel
- * of level 0.
+ * The mesh has to be drawn only if one of these samples is not behind what is stored in its pixel
+ * or, if that is not at hand, in its texel of level 0.
  *
  * A device also cuts triangles (at the near plane, the sides of the view and clipping planes),
  * which may make them lower than they were. The test does not cover these.
@@ -66,11 +66,12 @@ class VTKNBUFFER_EXPORT vtkNBufferSliverTest
 public:
   /**
    * `projection` and `levels` are kept by reference and must outlive the test. The levels hold the
-   * farthest stored depths of the projection's viewport. `sampleDistance` is how far a sample may
-   * be from the middle of its pixel in x and in y: see vtkNBufferPixelTest.
+   * farthest stored depths of the projection's viewport. `depth` is the depth image that they were
+   * made from, or nullptr if it is not at hand, and `sampleDistance` is how far a sample may be
+   * from the middle of its pixel in x and in y: see vtkNBufferPixelTest.
    */
-  vtkNBufferSliverTest(
-    const vtkNBufferProjection& projection, const vtkNBufferLevels& levels, double sampleDistance);
+  vtkNBufferSliverTest(const vtkNBufferProjection& projection, const vtkNBufferLevels& levels,
+    const float* depth, double sampleDistance);
 
   /**
    * False only if nothing of the mesh can be seen, given that its box, which is Inside, was found
@@ -112,6 +113,7 @@ private:
 
   const vtkNBufferProjection& Projection;
   const vtkNBufferLevels& Levels;
+  const float* Depth;
   double SampleDistance;
   std::vector<Point> Points;
 };
