@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -27,7 +28,8 @@ protected:
   }
 
   using Triangle = std::array<glm::dvec3, 3>;
-  bool MayBeSeen(const Triangle& triangle, double sampleReach = 0.0) const
+  bool MayBeSeen(
+    const Triangle& triangle, double sampleReach = 0.0, const float* depth = nullptr) const
   {
     const auto& [a, b, c] = triangle;
     const glm::dvec3 low = glm::min(glm::min(a, b), c);
@@ -37,7 +39,7 @@ protected:
     vtkNBufferMesh mesh;
     mesh.Points.assign(triangle.begin(), triangle.end());
     mesh.Triangles = { { 0, 1, 2 } };
-    vtkNBufferSliverTest test(this->Projection, this->Levels, nullptr, sampleReach);
+    vtkNBufferSliverTest test(this->Projection, this->Levels, depth, sampleReach);
     const double identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
     return test.MayBeSeen(mesh, identity, box.Box, box.Screen);
   }
@@ -118,6 +120,28 @@ TEST_F(Slivers, AsNearAsTheSlopeAllows)
   // As low, but of a slope for which the slack of its box is enough.
   this->SetWall(1.0f);
   EXPECT_FALSE(this->MayBeSeen(gentle));
+}
+
+// Samples on the other side of its longest side are none of its own.
+TEST_F(Slivers, OnlySamplesInIt)
+{
+  this->SetWall(1.0f);
+  EXPECT_FALSE(this->MayBeSeen(MakeLow(20.52, 0.025, 0.8, 0.8, 0.85)));
+  EXPECT_FALSE(this->MayBeSeen(MakeLow(20.48, -0.025, 0.8, 0.8, 0.85)));
+  EXPECT_TRUE(this->MayBeSeen(MakeLow(20.501, 0.025, 0.8, 0.8, 0.85)));
+}
+
+// Where the wall is open beside it, pixels say more than texels.
+TEST_F(Slivers, PixelsDecideWhereTheyAreAtHand)
+{
+  const auto sliver = MakeLow(20.5, 0.005, 0.8, 0.8, 0.85);
+  this->SetWall(0.5f);
+  std::fill_n(this->Depth.begin() + 21 * Width, Width, 1.0f);
+  this->Levels.BuildBase(this->Depth.data(), Width, Height, 4, vtkNBufferExtremum::Maximum);
+  EXPECT_TRUE(this->MayBeSeen(sliver));
+  EXPECT_FALSE(this->MayBeSeen(sliver, 0.0, this->Depth.data()));
+  this->Depth[20 * Width + 40] = 1.0f;
+  EXPECT_TRUE(this->MayBeSeen(sliver, 0.0, this->Depth.data()));
 }
 
 // A single pixel in which the wall is open.

@@ -238,6 +238,31 @@ TEST_F(NBufferSurface, SmallMeshesAreCopiedAFewInAFrame)
   EXPECT_EQ(countCopies(), 20);
 }
 
+// Hazard: large meshes are looked at in each frame, or meshes are kept for ever.
+TEST_F(NBufferSurface, MeshesOfPropsAreKeptWhileTheyAreAskedFor)
+{
+  vtkNBufferMeshes meshes;
+  std::vector<vtkNBufferMeshes::OfProp> kept(2);
+  this->Mapper->SetInputData(RunSphereSource());
+  EXPECT_TRUE(meshes.Get(this->Actor, 96, kept[0]).empty()) << "too large";
+  ASSERT_EQ(meshes.Get(this->Actor, 97, kept[0]).size(), 1u);
+  EXPECT_EQ(kept[0].Meshes[0].Mesh->Triangles.size(), 96u);
+  EXPECT_EQ(meshes.Get(nullptr, 97, kept[0]).size(), 1u) << "known";
+  EXPECT_TRUE(meshes.Get(nullptr, 98, kept[0]).empty());
+
+  kept[0] = {};
+  meshes.Get(this->Actor, 97, kept[0]);
+  meshes.Get(this->Actor, 97, kept[1]);
+  EXPECT_EQ(kept[0].Meshes[0].Mesh, kept[1].Meshes[0].Mesh);
+  for (int frame = 0; frame < 600; ++frame)
+  {
+    meshes.BeginFrame(kept);
+    meshes.Get(nullptr, 97, kept[0]);
+  }
+  EXPECT_EQ(kept[0].Meshes.size(), 1u);
+  EXPECT_TRUE(kept[1].Meshes.empty());
+}
+
 TEST_F(NBufferSurface, PlanesKeepTheSideOfTheirNormal)
 {
   vtkNew<vtkPlane> plane;

@@ -107,9 +107,8 @@ double vtkNBufferSliverTest::Sliver::GetNearest(
     errors.DepthError * (1.0 + 2.0 * largest) - this->Rounding;
 }
 
-vtkNBufferSliverTest::vtkNBufferSliverTest(
-  const vtkNBufferProjection& projection, const vtkNBufferLevels& levels, const float* depth,
-  double sampleDistance)
+vtkNBufferSliverTest::vtkNBufferSliverTest(const vtkNBufferProjection& projection,
+  const vtkNBufferLevels& levels, const float* depth, double sampleDistance)
   : Projection(projection)
   , Levels(levels)
   , Depth(depth)
