@@ -6,8 +6,8 @@
  *
  * Actors that show the same polydata share one mesh, which takes 24 bytes per point and 12 per
  * triangle. A mesh is released if it has not been requested for more than 256 frames; this is
- * checked in every 256th frame. The owner may keep the meshes of a prop (OfProp), because asking
- * VTK for the data of an actor, and whether it has changed, takes longer than looking at a house.
+ * checked in every 256th frame. The owner keeps the meshes of a prop (OfProp), because to get the
+ * data of an actor from VTK, with their time, takes longer than to test a mesh of 20 points.
  */
 #ifndef vtkNBufferMeshes_h
 #define vtkNBufferMeshes_h
@@ -37,7 +37,7 @@ public:
     std::array<double, 16> ToWorld; ///< From the coordinates of the mesh, row by row.
   };
 
-  /// The meshes of a prop that was asked for them.
+  /// The meshes of a prop.
   struct OfProp
   {
     std::vector<Placed> Meshes;

@@ -14,8 +14,6 @@ constexpr double PositionErrors = 16.0;
 constexpr double OvershootInPixels = 1.0 / 362; // half the diagonal of a step of 2^-8
 // Of single triangles, see vtkNBufferSliverTest.h, in units of UnitRoundoff.
 constexpr double SlopeErrors = 32.0;
-constexpr double TransformErrors = 2.0; // the last addition of the viewport transform
-constexpr double DivisionErrors = 4.0;  // the other three operations
 constexpr double LowestRelativeHeight = 64.0;
 }
 
@@ -43,8 +41,6 @@ vtkNBufferBoxError::TriangleErrors vtkNBufferBoxError::GetTriangleErrors(
 {
   TriangleErrors errors;
   errors.PositionError = position + this->PositionRounding;
-  errors.DivisionRounding = DivisionErrors * UnitRoundoff;
-  errors.TransformRounding = TransformErrors * UnitRoundoff;
   errors.LargestCoordinate = this->LargestCoordinate;
   errors.Overshoot = OvershootInPixels;
   errors.DepthError = depth;

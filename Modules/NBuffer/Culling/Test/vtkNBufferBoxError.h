@@ -156,15 +156,8 @@ public:
   {
     /// How far a vertex may be from its exact place before it is snapped, in x and in y.
     double PositionError;
-    ///@{
-    /// What the division by w and the viewport transform add to the errors of vertices where the
-    /// device does not cut a triangle, in x and in y: DivisionRounding for each pixel between the
-    /// vertex and the middle of the view, and TransformRounding for each pixel of its window
-    /// coordinate. LargestCoordinate is n of the derivation above.
-    double DivisionRounding;
-    double TransformRounding;
+    /// n of the derivation above, in pixels.
     double LargestCoordinate;
-    ///@}
     /// How far a sample may be outside of the triangle that it belongs to, beyond PositionError.
     double Overshoot;
     /// The error of any sample's depth that does not grow with the slope of the triangle.

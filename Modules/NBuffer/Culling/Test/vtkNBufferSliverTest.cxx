@@ -28,6 +28,12 @@ std::pair<glm::dvec3, glm::dvec3> GetRange(const std::array<glm::dvec3, 3>& corn
 
 /// How far a device may move a vertex when it snaps it, in x and in y, in pixels.
 constexpr double Snap = 1.0 / 512;
+
+///@{
+/// The factors of E' (see the header), in units of u.
+constexpr double DivisionErrors = 4.0;
+constexpr double AdditionErrors = 2.0;
+///@}
 }
 
 /// A sliver. Its longest side runs from `From` to `To`.
@@ -188,8 +194,9 @@ bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, const double to
     if (w > ofW)
     {
       error = glm::min(error,
-        (ofPlace + aside * ofW) / (w - ofW) + aside * errors.DivisionRounding +
-          (origin + half + aside) * errors.TransformRounding);
+        (ofPlace + aside * ofW) / (w - ofW) +
+          vtkNBufferBoxError::UnitRoundoff *
+            (DivisionErrors * aside + AdditionErrors * (origin + half + aside)));
     }
     const auto getCorner = [&](const Point& point, unsigned int i)
     {

@@ -36,8 +36,18 @@
  *  - The depth is that of the plane of the vertices before they were snapped. With d the distance
  *    of the sample from the longest side, positive towards the third corner, it is the depth of
  *    that side there plus d / h times r, less the errors above. d and h err by those of the
- *    vertices. Of the samples beside a triangle, those on one side are thus nearer than it, and
+ *    vertices. Of the samples outside of a triangle, those on one side are thus nearer than it, and
  *    those on the other are farther.
+ *
+ * Where h is less than the errors of the vertices, nothing is known of the plane. These errors
+ * therefore count for each triangle and axis: with E of vtkNBufferBoxError.h, w of the nearest
+ * corner, a the largest distance of a corner from the middle of the view and x its window
+ * coordinate, in pixels,
+ *
+ *     E' = E / w + u (4 a + 2 x),
+ *
+ * because a device that does not cut a triangle rounds three times as it divides by w and scales,
+ * and once more as it adds the middle of the viewport.
  *
  * The mesh has to be drawn only if one of these samples is not behind what is stored in its pixel
  * or, if that is not at hand, in its texel of level 0.
