@@ -119,14 +119,7 @@ Blame FindBlame(const Scenario& scenario)
   }
   Scenario tested = scenario;
   tested.Culler.TestSlivers = vtkNBufferCuller::Always;
-  if (Checker().Run(tested, true).HasFailed())
-  {
-    return Blame::Culler;
-  }
-  // With TestSlivers no prop is divided, so that errors of units vanish as well.
-  Scenario whole = scenario;
-  whole.Culler.DivideProps = false;
-  return Checker().Run(whole, true).HasFailed() ? Blame::Slivers : Blame::Culler;
+  return Checker().Run(tested, true).HasFailed() ? Blame::Culler : Blame::Slivers;
 }
 
 Json::Value MakeSmall(const Scenario& scenario, const Options& options)

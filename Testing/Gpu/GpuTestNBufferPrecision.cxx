@@ -305,7 +305,7 @@ namespace
 {
 /// Whether the triangle is said to show where a fragment of this depth is all that can be seen.
 bool IsForetold(const vtkNBufferProjection& projection, const Triangle& triangle,
-  const vtkNBufferScreenBox& screen, int x, int y, float z)
+  const vtkNBufferBox& box, const vtkNBufferScreenBox& screen, int x, int y, float z)
 {
   std::vector<float> depth(static_cast<std::size_t>(Width) * Height, 0.0f);
   depth[static_cast<std::size_t>(y) * Width + x] = z;
@@ -314,9 +314,9 @@ bool IsForetold(const vtkNBufferProjection& projection, const Triangle& triangle
   vtkNBufferMesh mesh;
   mesh.Points.assign(triangle.begin(), triangle.end());
   mesh.Triangles = { { 0, 1, 2 } };
-  vtkNBufferSliverTest test(projection, levels, 0.0);
+  vtkNBufferSliverTest test(projection, levels, depth.data(), 0.0);
   const double toWorld[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-  return test.MayBeSeen(mesh, toWorld, screen);
+  return test.MayBeSeen(mesh, toWorld, box, screen);
 }
 }
 
@@ -357,7 +357,7 @@ TEST_F(GpuTestNBufferPrecision, SliversAreForetold)
         {
           ++strays;
           farthest = std::max(farthest, (screen.Nearest - z) / screen.DepthRange);
-          ASSERT_TRUE(IsForetold(projection, triangle, screen, x, y, z))
+          ASSERT_TRUE(IsForetold(projection, triangle, box, screen, x, y, z))
             << camera.Name << ", triangle " << n << ", pixel " << x << " " << y;
         }
       }

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -27,7 +28,8 @@ protected:
   }
 
   using Triangle = std::array<glm::dvec3, 3>;
-  bool MayBeSeen(const Triangle& triangle, double sampleReach = 0.0) const
+  bool MayBeSeen(
+    const Triangle& triangle, double sampleReach = 0.0, const float* depth = nullptr) const
   {
     const auto& [a, b, c] = triangle;
     const glm::dvec3 low = glm::min(glm::min(a, b), c);
@@ -37,9 +39,9 @@ protected:
     vtkNBufferMesh mesh;
     mesh.Points.assign(triangle.begin(), triangle.end());
     mesh.Triangles = { { 0, 1, 2 } };
-    vtkNBufferSliverTest test(this->Projection, this->Levels, sampleReach);
+    vtkNBufferSliverTest test(this->Projection, this->Levels, depth, sampleReach);
     const double identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-    return test.MayBeSeen(mesh, identity, box.Screen);
+    return test.MayBeSeen(mesh, identity, box.Box, box.Screen);
   }
 
   vtkNBufferProjection Projection = MapWorldToPixels(Width, Height);
@@ -71,6 +73,16 @@ TEST_F(Slivers, WithoutAPlaneAnyDepth)
   {
     EXPECT_TRUE(this->MayBeSeen(MakeLow(20.5, height))) << height;
   }
+}
+
+// Its vertices may err by more than it is high, so that nothing is known of its plane.
+TEST_F(Slivers, LowerThanTheErrorsOfItsVertices)
+{
+  this->SetWall(0.5f);
+  const auto make = [](double height) -> Triangle
+  { return { { { 10.2, 20.5, 0.8 }, { 15.2, 20.5, 0.8 }, { 12.7, 20.5 + height, 0.80001 } } }; };
+  EXPECT_TRUE(this->MayBeSeen(make(5e-5)));
+  EXPECT_FALSE(this->MayBeSeen(make(5e-3)));
 }
 
 // Two corners in one place stay in one place on every device.
@@ -106,16 +118,40 @@ TEST_F(Slivers, BesideAllSamples)
 TEST_F(Slivers, AsNearAsTheSlopeAllows)
 {
   // Exact depths begin at 0.8. The third corner is 0.05 behind the side below: a slope of 5 per
-  // pixel, 0.014 nearer 2^-8.5 pixels beside it.
-  const auto gentle = MakeLow(20.5, 0.01);
-  const auto steep = MakeLow(20.5, 0.01, 0.8, 0.8, 0.85);
+  // pixel, 0.01 nearer at the middles of pixels that are 0.002 pixels below that side.
+  const auto steep = [](double y) { return MakeLow(y, 0.01, 0.8, 0.8, 0.85); };
+  const auto gentle = MakeLow(20.502, 0.01);
   this->SetWall(0.78f);
-  EXPECT_FALSE(this->MayBeSeen(steep));
-  this->SetWall(0.79f);
-  EXPECT_TRUE(this->MayBeSeen(steep));
+  EXPECT_FALSE(this->MayBeSeen(steep(20.502)));
+  this->SetWall(0.791f);
+  EXPECT_TRUE(this->MayBeSeen(steep(20.502)));
+  // Middles in the triangle are farther than its nearest point.
+  EXPECT_FALSE(this->MayBeSeen(steep(20.498)));
   // As low, but of a slope for which the slack of its box is enough.
   this->SetWall(1.0f);
   EXPECT_FALSE(this->MayBeSeen(gentle));
+}
+
+// Samples on the other side of its longest side are none of its own.
+TEST_F(Slivers, OnlySamplesInIt)
+{
+  this->SetWall(1.0f);
+  EXPECT_FALSE(this->MayBeSeen(MakeLow(20.52, 0.025, 0.8, 0.8, 0.85)));
+  EXPECT_FALSE(this->MayBeSeen(MakeLow(20.48, -0.025, 0.8, 0.8, 0.85)));
+  EXPECT_TRUE(this->MayBeSeen(MakeLow(20.501, 0.025, 0.8, 0.8, 0.85)));
+}
+
+// Where the wall is open beside it, pixels say more than texels.
+TEST_F(Slivers, PixelsDecideWhereTheyAreAtHand)
+{
+  const auto sliver = MakeLow(20.5, 0.005, 0.8, 0.8, 0.85);
+  this->SetWall(0.5f);
+  std::fill_n(this->Depth.begin() + 21 * Width, Width, 1.0f);
+  this->Levels.BuildBase(this->Depth.data(), Width, Height, 4, vtkNBufferExtremum::Maximum);
+  EXPECT_TRUE(this->MayBeSeen(sliver));
+  EXPECT_FALSE(this->MayBeSeen(sliver, 0.0, this->Depth.data()));
+  this->Depth[20 * Width + 40] = 1.0f;
+  EXPECT_TRUE(this->MayBeSeen(sliver, 0.0, this->Depth.data()));
 }
 
 // A single pixel in which the wall is open.

@@ -139,7 +139,8 @@ TEST_F(NBufferSurface, OtherDataIsExtracted)
   EXPECT_FALSE(vtkNBufferSurface::GetPartsAtHand(this->Actor, this->Actor->GetMatrix(), parts));
   EXPECT_TRUE(surface.GetParts(this->Actor, this->Actor->GetMatrix(), parts));
   EXPECT_EQ(vtkNBufferSurface::GetMesh(parts.at(0).Mesh).Triangles.size(), 6u * 4u * 2u);
-  EXPECT_TRUE(vtkNBufferMeshes().Get(this->Actor).empty());
+  vtkNBufferMeshes::OfProp kept;
+  EXPECT_TRUE(vtkNBufferMeshes().Get(this->Actor, 1000, kept).empty());
 
   this->Actor->SetMapper(vtkNew<vtkOpenGLPolyDataMapper>());
   EXPECT_FALSE(vtkNBufferSurface().GetParts(this->Actor, this->Actor->GetMatrix(), parts))
@@ -190,12 +191,13 @@ TEST_F(NBufferSurface, PolygonsAndStripsBecomeTriangles)
 TEST_F(NBufferSurface, SmallMeshesAreCopiedAFewInAFrame)
 {
   vtkNBufferMeshes meshes;
+  std::vector<vtkNBufferMeshes::OfProp> none;
   vtkNew<vtkSphereSource> source;
   this->Mapper->SetInputConnection(source->GetOutputPort());
   this->Mapper->Update();
   EXPECT_EQ(meshes.FindSmall(this->Actor, true), nullptr) << "no frame has begun";
   meshes.Forget(this->Actor);
-  meshes.BeginFrame();
+  meshes.BeginFrame(none);
   EXPECT_EQ(meshes.FindSmall(this->Actor, false), nullptr);
   vtkNBufferMeshes::Small* small = meshes.FindSmall(this->Actor, true);
   ASSERT_TRUE(small);
@@ -220,7 +222,7 @@ TEST_F(NBufferSurface, SmallMeshesAreCopiedAFewInAFrame)
   std::vector<vtkSmartPointer<vtkActor>> actors;
   const auto countCopies = [&]
   {
-    meshes.BeginFrame();
+    meshes.BeginFrame(none);
     return std::count_if(
       actors.begin(), actors.end(), [&](vtkActor* actor) { return meshes.FindSmall(actor, true); });
   };
@@ -234,6 +236,31 @@ TEST_F(NBufferSurface, SmallMeshesAreCopiedAFewInAFrame)
   EXPECT_EQ(countCopies(), 8);
   EXPECT_EQ(countCopies(), 16);
   EXPECT_EQ(countCopies(), 20);
+}
+
+// Hazard: large meshes are looked at in each frame, or meshes are kept for ever.
+TEST_F(NBufferSurface, MeshesOfPropsAreKeptWhileTheyAreAskedFor)
+{
+  vtkNBufferMeshes meshes;
+  std::vector<vtkNBufferMeshes::OfProp> kept(2);
+  this->Mapper->SetInputData(RunSphereSource());
+  EXPECT_TRUE(meshes.Get(this->Actor, 96, kept[0]).empty()) << "too large";
+  ASSERT_EQ(meshes.Get(this->Actor, 97, kept[0]).size(), 1u);
+  EXPECT_EQ(kept[0].Meshes[0].Mesh->Triangles.size(), 96u);
+  EXPECT_EQ(meshes.Get(nullptr, 97, kept[0]).size(), 1u) << "known";
+  EXPECT_TRUE(meshes.Get(nullptr, 98, kept[0]).empty());
+
+  kept[0] = {};
+  meshes.Get(this->Actor, 97, kept[0]);
+  meshes.Get(this->Actor, 97, kept[1]);
+  EXPECT_EQ(kept[0].Meshes[0].Mesh, kept[1].Meshes[0].Mesh);
+  for (int frame = 0; frame < 600; ++frame)
+  {
+    meshes.BeginFrame(kept);
+    meshes.Get(nullptr, 97, kept[0]);
+  }
+  EXPECT_EQ(kept[0].Meshes.size(), 1u);
+  EXPECT_TRUE(kept[1].Meshes.empty());
 }
 
 TEST_F(NBufferSurface, PlanesKeepTheSideOfTheirNormal)

@@ -14,7 +14,7 @@ namespace
 constexpr int FramesToKeep = 256;
 }
 
-void vtkNBufferMeshes::BeginFrame()
+void vtkNBufferMeshes::BeginFrame(std::vector<OfProp>& kept)
 {
   this->CopiesLeft = CopiesPerFrame;
   if (++this->Frame % FramesToKeep != 0)
@@ -29,23 +29,45 @@ void vtkNBufferMeshes::BeginFrame()
         this->Frame - entry->second.Frame > FramesToKeep ? entries.erase(entry) : std::next(entry);
     }
   };
+  for (OfProp& one : kept)
+  {
+    if (this->Frame - one.Frame > FramesToKeep)
+    {
+      one = {};
+    }
+  }
   release(this->SmallMeshes);
   release(this->Entries);
 }
 
-std::vector<vtkNBufferMeshes::Placed> vtkNBufferMeshes::Get(vtkActor* actor)
+const std::vector<vtkNBufferMeshes::Placed>& vtkNBufferMeshes::Get(
+  vtkActor* actor, vtkIdType limit, OfProp& kept)
 {
-  std::vector<Placed> result;
+  kept.Frame = this->Frame;
+  if (kept.Limit == limit)
+  {
+    return kept.Meshes;
+  }
+  kept.Meshes.clear();
   std::vector<vtkNBufferSurface::Part> parts;
-  if (!actor || !vtkNBufferSurface::GetPartsAtHand(actor, actor->GetMatrix(), parts))
+  if (actor && vtkNBufferSurface::GetPartsAtHand(actor, actor->GetMatrix(), parts))
   {
-    return result;
+    vtkIdType count = 0;
+    for (const vtkNBufferSurface::Part& part : parts)
+    {
+      count += part.Mesh->GetNumberOfPolys() + part.Mesh->GetNumberOfStrips();
+    }
+    for (const vtkNBufferSurface::Part& part : parts)
+    {
+      if (count < limit)
+      {
+        kept.Meshes.push_back({ this->Update(part.Mesh).Mesh, part.ToWorld });
+      }
+    }
   }
-  for (const vtkNBufferSurface::Part& part : parts)
-  {
-    result.push_back({ this->Update(part.Mesh).Mesh.get(), part.ToWorld });
-  }
-  return result;
+  // Blocks of composite data may change without a newer time of the data.
+  kept.Limit = actor && vtkNBufferSurface::IsComposite(actor->GetMapper()) ? -1 : limit;
+  return kept.Meshes;
 }
 
 vtkNBufferMeshes::Small* vtkNBufferMeshes::FindSmall(vtkActor* actor, bool mayCopy)

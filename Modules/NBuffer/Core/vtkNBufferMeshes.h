@@ -6,7 +6,8 @@
  *
  * Actors that show the same polydata share one mesh, which takes 24 bytes per point and 12 per
  * triangle. A mesh is released if it has not been requested for more than 256 frames; this is
- * checked in every 256th frame.
+ * checked in every 256th frame. The owner keeps the meshes of a prop (OfProp), because to get the
+ * data of an actor from VTK, with their time, takes longer than to test a mesh of 20 points.
  */
 #ifndef vtkNBufferMeshes_h
 #define vtkNBufferMeshes_h
@@ -32,19 +33,29 @@ public:
   /// A mesh and its place in the world.
   struct Placed
   {
-    const vtkNBufferMesh* Mesh;
+    std::shared_ptr<const vtkNBufferMesh> Mesh;
     std::array<double, 16> ToWorld; ///< From the coordinates of the mesh, row by row.
   };
 
-  /// Count a frame, and release meshes that have not been requested for a long time.
-  void BeginFrame();
+  /// The meshes of a prop.
+  struct OfProp
+  {
+    std::vector<Placed> Meshes;
+    vtkIdType Limit = -1; ///< That of Get(), or -1 if the meshes are not known.
+    int Frame = 0;        ///< The last frame that requested them.
+  };
+
+  /// Count a frame, and release meshes that have not been requested for a long time, those that are
+  /// kept included.
+  void BeginFrame(std::vector<OfProp>& kept);
 
   /**
-   * The meshes of an actor whose pipeline is up to date. They are valid until the next
-   * BeginFrame(). The result is empty for nullptr, and for data from which vtkDataSetMapper
-   * extracts a surface.
+   * The meshes of an actor whose pipeline is up to date. The result is empty for nullptr, for
+   * actors with `limit` polygons and strips or more, and for data from which vtkDataSetMapper
+   * extracts a surface. The meshes are copied to `kept`. If the actor or its data changes, `kept`
+   * must be replaced by an empty one.
    */
-  std::vector<Placed> Get(vtkActor* actor);
+  const std::vector<Placed>& Get(vtkActor* actor, vtkIdType limit, OfProp& kept);
 
   /// The triangles of an actor with few of them.
   struct Small

@@ -21,7 +21,8 @@ constexpr std::size_t ObjectsToObserve = 2048;
 
 bool vtkNBufferCandidateList::Synchronize(vtkProp** props, int count)
 {
-  if (!this->Candidates.Synchronize(props, static_cast<std::size_t>(count), this->States))
+  if (!this->Candidates.Synchronize(
+        props, static_cast<std::size_t>(count), this->States, this->MeshesOfProps))
   {
     return false;
   }
@@ -38,7 +39,7 @@ int vtkNBufferCandidateList::Refresh()
   const bool all = state != this->GlobalState;
   this->GlobalState = state;
   this->Tree.BeginFrame();
-  this->Meshes.BeginFrame();
+  this->Meshes.BeginFrame(this->MeshesOfProps);
   if (!this->UsesTree())
   {
     this->Tree.ListHasChanged();
@@ -212,6 +213,7 @@ bool vtkNBufferCandidateList::RefreshOne(std::size_t i, bool globalStateChanged)
   this->States[i].Observed = false;
   this->States[i].OwnVerdict = candidate.GetVerdict();
   this->Meshes.Forget(this->GetProp(static_cast<int>(i)));
+  this->MeshesOfProps[i] = {};
   if (verdict != candidate.GetVerdict() || !(box == candidate.GetBox()))
   {
     this->Tree.HasChanged(static_cast<int>(i));
@@ -305,9 +307,12 @@ vtkNBufferDrawnProp vtkNBufferCandidateList::GetDrawn(int i, int round)
   return drawn;
 }
 
-std::vector<vtkNBufferMeshes::Placed> vtkNBufferCandidateList::GetMeshes(int i)
+const std::vector<vtkNBufferMeshes::Placed>& vtkNBufferCandidateList::GetMeshes(int i, int limit)
 {
-  return this->Meshes.Get(vtkActor::SafeDownCast(this->GetProp(i)));
+  vtkNBufferMeshes::OfProp& kept = this->MeshesOfProps[i];
+  const bool isKnown = kept.Limit == limit;
+  return this->Meshes.Get(
+    isKnown ? nullptr : vtkActor::SafeDownCast(this->GetProp(i)), limit, kept);
 }
 
 bool vtkNBufferCandidateList::MayBeSeen(int i, vtkNBufferPixelTest& test)

@@ -81,8 +81,8 @@ public:
   /// Describe prop i for vtkNBufferTieOrder. `round` is 0 for props that the renderer draws.
   vtkNBufferDrawnProp GetDrawn(int i, int round);
 
-  /// The triangles of prop i, see vtkNBufferMeshes.
-  std::vector<vtkNBufferMeshes::Placed> GetMeshes(int i);
+  /// The triangles of prop i, see vtkNBufferMeshes; none if it has `limit` polygons or more.
+  const std::vector<vtkNBufferMeshes::Placed>& GetMeshes(int i, int limit);
 
   /// Whether any triangle of candidate i may be visible. Also true if its triangles are not known:
   /// only those of small meshes are copied (vtkNBufferMeshes::FindSmall), for props that the last
@@ -136,6 +136,7 @@ private:
   std::vector<int> Changed; ///< The places of those that have changed.
   vtkNBufferCandidateTree Tree;
   vtkNBufferMeshes Meshes;
+  std::vector<vtkNBufferMeshes::OfProp> MeshesOfProps; ///< Of GetMeshes().
   std::vector<int> Reached; ///< The places of the props that the tree leaves to ProjectOne().
   vtkNBufferObservedObjects Observed; ///< The objects of props, except for actors.
   /// A deleted actor counts as changed, because another prop may have been made at its address.

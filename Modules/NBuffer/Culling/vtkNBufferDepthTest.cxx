@@ -183,14 +183,16 @@ bool vtkNBufferDepthTest::HasVisibleSlivers(int i, vtkNBufferSliverTest& test)
 {
   // The rectangle is calculated now if only a node above the prop was found hidden so far.
   const vtkNBufferScreenBox* screen = this->GetScreen(i);
-  if (!screen)
+  if (!screen || screen->GetSampled(this->SampleDistance).IsEmpty())
   {
     return false;
   }
-  const std::vector<vtkNBufferMeshes::Placed> meshes = this->Props.GetMeshes(i);
+  const std::vector<vtkNBufferMeshes::Placed>& meshes =
+    this->Props.GetMeshes(i, this->Settings.MinimumNumberOfPrimitives);
   return std::any_of(meshes.begin(), meshes.end(),
-    [&](const vtkNBufferMeshes::Placed& placed)
-    { return test.MayBeSeen(*placed.Mesh, placed.ToWorld.data(), *screen); });
+    [&](const vtkNBufferMeshes::Placed& placed) {
+      return test.MayBeSeen(*placed.Mesh, placed.ToWorld.data(), this->Props.GetBox(i), *screen);
+    });
 }
 
 bool vtkNBufferDepthTest::TestsSlivers() const
@@ -207,7 +209,8 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::ve
     return;
   }
   const vtkNBufferClock clock;
-  vtkNBufferSliverTest test(this->Projection, this->Levels, this->SampleDistance);
+  vtkNBufferSliverTest test(
+    this->Projection, this->Levels, this->GetDepthOfUnits().Pixels, this->SampleDistance);
   std::vector<int> visible;
   auto left = places.begin();
   std::copy_if(tested.begin(), tested.end(), std::back_inserter(visible),

@@ -13,7 +13,8 @@
  *     (vtkNBufferPixelTest): first their boxes, then the triangles of small meshes. This step needs
  *     the depth image, and is done where that is in host memory or worth reading.
  *  3. Candidates that were found hidden may have slivers that a device draws in front of their
- *     boxes (vtkNBufferSliverTest). Such candidates count as visible.
+ *     boxes (vtkNBufferSliverTest). Such candidates count as visible. Props of
+ *     MinimumNumberOfPrimitives polygons or more, which are divided, are not examined.
  */
 #ifndef vtkNBufferDepthTest_h
 #define vtkNBufferDepthTest_h

@@ -48,9 +48,8 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   const bool complete = this->State == Phase::Tested || this->State == Phase::Reused;
   const bool testsOtherSlivers = settings.TestSlivers != this->Settings.TestSlivers;
   this->Settings = settings;
-  // Slivers are looked for in whole props, and ranks tell each other of whole props.
-  this->Settings.DivideProps = settings.DivideProps && !settings.Shared &&
-    settings.TestSlivers == vtkNBufferSliverPolicy::Never;
+  // Ranks tell each other of whole props.
+  this->Settings.DivideProps = settings.DivideProps && !settings.Shared;
   this->ResetStatistics();
   this->Statistics.Props = count;
   this->Partition.Clear();

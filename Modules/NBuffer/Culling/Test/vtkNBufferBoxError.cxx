@@ -28,6 +28,7 @@ void vtkNBufferBoxError::Set(
   const vtkNBufferDepthFormat& format, int largestCoordinate, int subpixelBits)
 {
   this->Format = format;
+  this->LargestCoordinate = largestCoordinate;
   this->PositionRounding = PositionErrors * UnitRoundoff * largestCoordinate;
   this->WholeBorder =
     std::min(LargestSnap, std::ldexp(1.0, -subpixelBits) + this->PositionRounding);
@@ -40,6 +41,7 @@ vtkNBufferBoxError::TriangleErrors vtkNBufferBoxError::GetTriangleErrors(
 {
   TriangleErrors errors;
   errors.PositionError = position + this->PositionRounding;
+  errors.LargestCoordinate = this->LargestCoordinate;
   errors.Overshoot = OvershootInPixels;
   errors.DepthError = depth;
   errors.DepthErrorPerSlope = OvershootInPixels + this->PlaneRounding;

@@ -156,6 +156,8 @@ public:
   {
     /// How far a vertex may be from its exact place before it is snapped, in x and in y.
     double PositionError;
+    /// n of the derivation above, in pixels.
+    double LargestCoordinate;
     /// How far a sample may be outside of the triangle that it belongs to, beyond PositionError.
     double Overshoot;
     /// The error of any sample's depth that does not grow with the slope of the triangle.
@@ -191,6 +193,7 @@ private:
   double DepthRangeSlack = 0.0;     ///< The last term of the slack for a depth range of 1.
   double PlaneRounding = 0.0;       ///< 8 u n of the derivation above, in pixels.
   double PositionRounding = 0.0;    ///< 16 u n of the derivation above, in pixels.
+  double LargestCoordinate = 0.0;   ///< n of the derivation above, in pixels.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -6,14 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// The area of the parallelogram that two vectors span in x and y, with its sign.
-double Cross(const glm::dvec3& a, const glm::dvec3& b)
+/// The area of the parallelogram that two vectors span, with its sign.
+double Cross(const glm::dvec2& a, const glm::dvec2& b)
 {
   return a.x * b.y - a.y * b.x;
 }
@@ -24,55 +25,187 @@ std::pair<glm::dvec3, glm::dvec3> GetRange(const std::array<glm::dvec3, 3>& corn
   const auto& [a, b, c] = corners;
   return { glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c) };
 }
+
+/// How far a device may move a vertex when it snaps it, in x and in y, in pixels.
+constexpr double Snap = 1.0 / 512;
+
+///@{
+/// The factors of E' (see the header), in units of u.
+constexpr double DivisionErrors = 4.0;
+constexpr double AdditionErrors = 2.0;
+///@}
 }
 
-vtkNBufferSliverTest::vtkNBufferSliverTest(
-  const vtkNBufferProjection& projection, const vtkNBufferLevels& levels, double sampleDistance)
+/// A sliver. Its longest side runs from `From` to `To`.
+struct vtkNBufferSliverTest::Sliver
+{
+  glm::dvec3 From;
+  glm::dvec3 To;
+  glm::dvec3 Third;
+  double Length;    ///< Of the longest side.
+  double Height;    ///< Over the longest side.
+  double Across;    ///< The depth of the third corner less that of the foot of the height.
+  glm::dvec2 Error; ///< How far a corner may be from its exact place before it is snapped.
+  double Beside;    ///< The same, across the longest side.
+  double Steepness; ///< The slope of the longest side as a device may draw it.
+  double Rounding;  ///< How much nearer than its plane a sample may be, for the slopes' rounding.
+  bool HasPlane;    ///< If not, its samples may have any depth.
+
+  /// Whether a sample, at most `reach` from a place in x and in y, may lie in the triangle as
+  /// snapped.
+  bool MayOwn(const glm::dvec2& place, double reach) const;
+
+  /// The nearest depth that a sample of the triangle may have which is at most `reach` from a place
+  /// in x and in y.
+  double GetNearest(const glm::dvec2& place, double reach, const Errors& errors) const;
+};
+
+bool vtkNBufferSliverTest::Sliver::MayOwn(const glm::dvec2& place, double reach) const
+{
+  const std::array<glm::dvec2, 3> corners = { glm::dvec2(this->From), glm::dvec2(this->To),
+    glm::dvec2(this->Third) };
+  // A side and a distance from a corner err by no more than the sum of the errors of both ends.
+  const glm::dvec2 ofSide = 2.0 * (this->Error + Snap);
+  const glm::dvec2 ofPlace = this->Error + Snap + reach;
+  bool left = true;
+  bool right = true;
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::dvec2 side = corners[(i + 1) % 3] - corners[i];
+    const glm::dvec2 toPlace = place - corners[i];
+    const double area = Cross(side, toPlace);
+    const double tolerance = ofSide.x * (std::abs(toPlace.y) + ofPlace.y) +
+      ofSide.y * (std::abs(toPlace.x) + ofPlace.x) + ofPlace.x * std::abs(side.y) +
+      ofPlace.y * std::abs(side.x);
+    left = left && area >= -tolerance;
+    right = right && area <= tolerance;
+  }
+  return left || right;
+}
+
+double vtkNBufferSliverTest::Sliver::GetNearest(
+  const glm::dvec2& place, double reach, const Errors& errors) const
+{
+  if (!this->HasPlane)
+  {
+    return -std::numeric_limits<double>::infinity();
+  }
+  const glm::dvec2 side = glm::dvec2(this->To - this->From) / this->Length;
+  const glm::dvec2 toThird(this->Third - this->From);
+  const glm::dvec2 toPlace = place - glm::dvec2(this->From);
+  const double middle = (Cross(side, toThird) < 0.0 ? -1.0 : 1.0) * Cross(side, toPlace);
+  // No sample is farther outside of the triangle than this. 1.5 allows for diagonals (sqrt(2)).
+  const double outside = errors.Overshoot + this->Beside;
+  const double low = std::max(middle - 1.5 * reach, -outside) - this->Beside;
+  const double high = std::min(middle + 1.5 * reach, this->Height + outside) + this->Beside;
+  // The weights that the third corner may have.
+  const double lowest = this->Height - 2.0 * this->Beside;
+  const double highest = this->Height + 2.0 * this->Beside;
+  const double least = low / (low < 0.0 ? lowest : highest);
+  const double most = high / (high < 0.0 ? highest : lowest);
+  const double largest = std::max({ std::abs(least), std::abs(most), 1.0 });
+
+  const double slope = (this->To.z - this->From.z) / this->Length;
+  const double along = glm::dot(side, toPlace);
+  const double ofPlaces = this->Error.x + this->Error.y;
+  return this->From.z + slope * along + std::min(least * this->Across, most * this->Across) -
+    this->Steepness * (1.5 * reach + 2.0 * ofPlaces * (1.0 + largest)) -
+    errors.DepthError * (1.0 + 2.0 * largest) - this->Rounding;
+}
+
+vtkNBufferSliverTest::vtkNBufferSliverTest(const vtkNBufferProjection& projection,
+  const vtkNBufferLevels& levels, const float* depth, double sampleDistance)
   : Projection(projection)
   , Levels(levels)
+  , Depth(depth)
   , SampleDistance(sampleDistance)
 {
 }
 
-void vtkNBufferSliverTest::Project(const vtkNBufferMesh& mesh, const double toWorld[16])
+void vtkNBufferSliverTest::Project(
+  const vtkNBufferMesh& mesh, const vtkNBufferProjection::Rows& toWindow, double reach)
 {
-  const vtkNBufferProjection::Rows rows =
-    this->Projection.GetWindowMatrix(vtkNBufferGLM::ToMatrix(toWorld));
+  const glm::dvec2 size(this->Levels.GetPixelWidth(), this->Levels.GetPixelHeight());
+  const auto round = [&size](const glm::dvec2& place)
+  {
+    const glm::dvec2 up = glm::clamp(place, glm::dvec2(-1.0), size) + 1.0;
+    const glm::ivec2 whole(up); // rounds down, because no number is negative
+    return whole - 1;
+  };
   this->Points.resize(mesh.Points.size());
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)
   {
-    const glm::dvec3& point = mesh.Points[i];
-    const auto evaluate = [&](int row) { return vtkNBufferBoxError::Evaluate(rows[row], point); };
-    const double w = evaluate(3);
-    const double inverse = w > 0.0 ? 1.0 / w : std::numeric_limits<double>::quiet_NaN();
-    this->Points[i] = inverse * glm::dvec3(evaluate(0), evaluate(1), evaluate(2));
+    const auto evaluate = [&](int row)
+    { return vtkNBufferBoxError::Evaluate(toWindow[row], mesh.Points[i]); };
+    Point& point = this->Points[i];
+    point.W = evaluate(3);
+    const bool isBefore = point.W > 0.0;
+    point.Place = isBefore ? glm::dvec2(evaluate(0), evaluate(1)) / point.W : glm::dvec2(0.0);
+    point.First = round(point.Place - reach + 0.5);
+    point.Last = round(point.Place + reach - 0.5);
   }
 }
 
-bool vtkNBufferSliverTest::MayBeSeen(
-  const vtkNBufferMesh& mesh, const double toWorld[16], const vtkNBufferScreenBox& screen)
+bool vtkNBufferSliverTest::MayBeSeen(const vtkNBufferMesh& mesh, const double toWorld[16],
+  const vtkNBufferBox& box, const vtkNBufferScreenBox& screen)
 {
+  const vtkNBufferProjection::Rows toWindow =
+    this->Projection.GetWindowMatrix(vtkNBufferGLM::ToMatrix(toWorld));
   const Errors errors = this->Projection.GetTriangleErrors(screen);
-  const double inverseSlope = 1.0 / errors.CoveredSlope;
+  this->Project(mesh, toWindow, Snap + errors.PositionError + this->SampleDistance);
+
+  // The errors of clip coordinates, x and y times the size of a pixel.
+  const glm::dvec2 half = { 0.5 * this->Projection.GetWidth(), 0.5 * this->Projection.GetHeight() };
+  const auto& toClip = this->Projection.GetWorldToClip();
+  const auto getError = [&](int row)
+  { return vtkNBufferBoxError::GetVertexError(toClip[row], box); };
+  const glm::dvec2 ofPlace = half * glm::dvec2(getError(0), getError(1));
+  const double ofW = getError(3);
+  // The largest window coordinates that the corner of the viewport may have.
+  const glm::dvec2 origin = errors.LargestCoordinate - 2.0 * half;
   // Two corners may err by the diagonal of PositionError each, and 2 sqrt(2) is less than 3.
-  const double heightError = 3.0 * errors.PositionError;
-  this->Project(mesh, toWorld);
+  const double covered = 3.0 * errors.PositionError + screen.DepthRange / errors.CoveredSlope;
+
   for (const std::array<unsigned int, 3>& triangle : mesh.Triangles)
   {
-    const Corners corners = { this->Points[triangle[0]], this->Points[triangle[1]],
-      this->Points[triangle[2]] };
-    const auto& [a, b, c] = corners;
-    const auto [low, high] = GetRange(corners);
-    // This is not less than the longest side, so that the height is never overestimated.
-    const double length = high.x - low.x + high.y - low.y;
-    const double area = std::abs(Cross(b - a, c - a));
-    const double range = high.z - low.z;
-    if (area >=
-      length * (heightError + errors.LowestRelativeHeight * length + range * inverseSlope))
+    const Point& a = this->Points[triangle[0]];
+    const Point& b = this->Points[triangle[1]];
+    const Point& c = this->Points[triangle[2]];
+    const glm::ivec2 first = glm::min(glm::min(a.First, b.First), c.First);
+    const glm::ivec2 last = glm::max(glm::max(a.Last, b.Last), c.Last);
+    if (first.x > last.x || first.y > last.y)
     {
       continue;
     }
-    if (this->MayBeSeen(corners, heightError, errors))
+    const glm::dvec2 low = glm::min(glm::min(a.Place, b.Place), c.Place);
+    const glm::dvec2 high = glm::max(glm::max(a.Place, b.Place), c.Place);
+    // This is not less than the longest side, so that the height is never overestimated.
+    const double length = high.x - low.x + high.y - low.y;
+    const double area = std::abs(Cross(b.Place - a.Place, c.Place - a.Place));
+    const double w = std::min({ a.W, b.W, c.W });
+    // Triangles that reach behind the eye are not covered.
+    if (area >= length * (covered + errors.LowestRelativeHeight * length) || !(w > 0.0))
+    {
+      continue;
+    }
+    // How far corners are from the middle of the view.
+    const glm::dvec2 aside = glm::max(half - low, high - half);
+    glm::dvec2 error(errors.PositionError);
+    if (w > ofW)
+    {
+      error = glm::min(error,
+        (ofPlace + aside * ofW) / (w - ofW) +
+          vtkNBufferBoxError::UnitRoundoff *
+            (DivisionErrors * aside + AdditionErrors * (origin + half + aside)));
+    }
+    const auto getCorner = [&](const Point& point, unsigned int i)
+    {
+      return glm::dvec3(
+        point.Place, vtkNBufferBoxError::Evaluate(toWindow[2], mesh.Points[i]) / point.W);
+    };
+    if (this->MayBeSeen(
+          { getCorner(a, triangle[0]), getCorner(b, triangle[1]), getCorner(c, triangle[2]) },
+          error, errors))
     {
       return true;
     }
@@ -81,67 +214,67 @@ bool vtkNBufferSliverTest::MayBeSeen(
 }
 
 bool vtkNBufferSliverTest::MayBeSeen(
-  const Corners& corners, double heightError, const Errors& errors) const
+  const Corners& corners, const glm::dvec2& error, const Errors& errors) const
 {
-  // The longest side runs from `from` to `to`.
   const auto getLength = [](const glm::dvec3& a, const glm::dvec3& b)
   { return glm::distance(glm::dvec2(a), glm::dvec2(b)); };
+  Sliver sliver;
   int first = 0;
-  double length = getLength(corners[0], corners[1]);
+  sliver.Length = getLength(corners[0], corners[1]);
   for (int i = 1; i < 3; ++i)
   {
     const double other = getLength(corners[i], corners[(i + 1) % 3]);
-    if (other > length)
+    if (other > sliver.Length)
     {
-      length = other;
+      sliver.Length = other;
       first = i;
     }
   }
-  const glm::dvec3& from = corners[first];
-  const glm::dvec3& to = corners[(first + 1) % 3];
-  const glm::dvec3& third = corners[(first + 2) % 3];
-  // Triangles that reach behind the eye are not covered. No device draws a triangle with two
-  // corners in one place.
-  if (!std::isfinite(length + third.x + third.y) || getLength(from, third) == 0.0 ||
-    getLength(to, third) == 0.0)
+  sliver.From = corners[first];
+  sliver.To = corners[(first + 1) % 3];
+  sliver.Third = corners[(first + 2) % 3];
+  const double length = sliver.Length;
+  // No device draws a triangle with two corners in one place.
+  if (!std::isfinite(length + sliver.Third.x + sliver.Third.y) ||
+    getLength(sliver.From, sliver.Third) == 0.0 || getLength(sliver.To, sliver.Third) == 0.0)
   {
     return false;
   }
-  const glm::dvec3 side = to - from;
-  const glm::dvec3 toThird = third - from;
-  const double own = length > 0.0 ? std::abs(Cross(side, toThird)) / length : 0.0;
-  // No point of the triangle is farther from its longest side. 1.5 allows for diagonals (sqrt(2)).
-  const double distance =
-    own + errors.Overshoot + 1.5 * (errors.PositionError + this->SampleDistance);
-  const double height = own - heightError;
-  double allowance = std::numeric_limits<double>::infinity();
-  if (height > 0.0 && height >= errors.LowestRelativeHeight * length)
+  const glm::dvec3 side = sliver.To - sliver.From;
+  const glm::dvec3 toThird = sliver.Third - sliver.From;
+  const double along = side.z / length;
+  const double foot = glm::dot(glm::dvec2(side), glm::dvec2(toThird)) / length;
+  sliver.Height = std::abs(Cross(glm::dvec2(side), glm::dvec2(toThird))) / length;
+  sliver.Across = toThird.z - along * foot;
+  sliver.Error = error;
+  sliver.Beside = (error.x * std::abs(side.y) + error.y * std::abs(side.x)) / length;
+  // The triangle that the device draws has displaced vertices, which may make it steeper.
+  const double twice = 2.0 * (error.x + error.y);
+  sliver.Steepness = std::abs(along) * (1.0 + twice / length);
+  const double height = sliver.Height - 2.0 * sliver.Beside;
+  sliver.HasPlane = height > 0.0 && height >= errors.LowestRelativeHeight * length;
+  if (sliver.HasPlane)
   {
-    const double along = side.z / length;
-    const double foot = glm::dot(glm::dvec2(side), glm::dvec2(toThird)) / length;
-    const double across = toThird.z - along * foot;
     const auto [low, high] = GetRange(corners);
-    // The triangle that the device draws has displaced vertices, which may make it steeper.
-    const double steepness = std::abs(along) * (1.0 + 3.0 * errors.PositionError / length);
-    const double slope = steepness +
-      (std::abs(across) + 3.0 * errors.PositionError * steepness + 2.0 * errors.DepthError) /
-        height;
-    const double rounding = std::min(errors.SlopeRounding, errors.SlopeRoundingPerLength * length) *
+    const double slope = sliver.Steepness +
+      (std::abs(sliver.Across) + twice * sliver.Steepness + 2.0 * errors.DepthError) / height;
+    const double ofSlopes = std::min(errors.SlopeRounding, errors.SlopeRoundingPerLength * length) *
       (high.z - low.z + 2.0 * errors.DepthError) / height;
-    const double stray = slope * errors.DepthErrorPerSlope + rounding;
-    if (stray <= errors.BoxSlack)
+    if (slope * errors.DepthErrorPerSlope + ofSlopes <= errors.BoxSlack)
     {
       return false;
     }
-    allowance = errors.DepthError + std::max(-across, 0.0) + 2.0 * distance * steepness + stray;
+    sliver.Rounding = slope * (errors.DepthErrorPerSlope - errors.Overshoot) + ofSlopes;
   }
-  return this->MayBeSeen(from, to, distance, allowance);
+  return this->HasVisibleSample(sliver, errors);
 }
 
-bool vtkNBufferSliverTest::MayBeSeen(
-  const glm::dvec3& from, const glm::dvec3& to, double distance, double allowance) const
+bool vtkNBufferSliverTest::HasVisibleSample(const Sliver& sliver, const Errors& errors) const
 {
-  // Pixel by pixel along the axis on which the line is longer: u is along that axis, v across it.
+  // Pixel by pixel along the axis on which the longest side is longer: u is along that axis, v
+  // across it.
+  const glm::dvec3& from = sliver.From;
+  const glm::dvec3& to = sliver.To;
   const bool alongX = std::abs(to.x - from.x) >= std::abs(to.y - from.y);
   const int along = alongX ? 0 : 1;
   const int other = 1 - along;
@@ -150,6 +283,9 @@ bool vtkNBufferSliverTest::MayBeSeen(
   const double du = to[along] - from[along];
   const double dv = to[other] - from[other];
   const double slope = du != 0.0 ? dv / du : 0.0;
+  // No point of the triangle is farther from its longest side. 1.5 allows for diagonals (sqrt(2)).
+  const double distance = sliver.Height + errors.Overshoot +
+    1.5 * (std::max(sliver.Error.x, sliver.Error.y) + this->SampleDistance);
   const double across = distance * std::hypot(1.0, slope);
   const glm::ivec2 pixels = { this->Levels.GetPixelWidth(), this->Levels.GetPixelHeight() };
   const int sizeU = pixels[along];
@@ -165,14 +301,24 @@ bool vtkNBufferSliverTest::MayBeSeen(
   for (int u = getFirst(std::min(u0, u0 + du) - distance, sizeU); u <= lastU; ++u)
   {
     const double v = v0 + slope * (u + 0.5 - u0);
-    const double part = du != 0.0 ? std::clamp((u + 0.5 - u0) / du, 0.0, 1.0) : 0.0;
-    const double nearest = from.z + part * (to.z - from.z) - allowance;
     const int lastV = getLast(v + across, sizeV);
     for (int w = getFirst(v - across, sizeV); w <= lastV; ++w)
     {
-      const float farthest =
-        this->Levels.GetTexel(0, (alongX ? u : w) / factor, (alongX ? w : u) / factor);
-      if (!(nearest > vtkNBufferDepthConvention::GetOrder(farthest)))
+      const glm::ivec2 pixel = alongX ? glm::ivec2(u, w) : glm::ivec2(w, u);
+      const glm::dvec2 middle = glm::dvec2(pixel) + 0.5;
+      if (!sliver.MayOwn(middle, this->SampleDistance))
+      {
+        continue;
+      }
+      double farthest = vtkNBufferDepthConvention::GetOrder(
+        this->Levels.GetTexel(0, pixel.x / factor, pixel.y / factor));
+      if (this->Depth)
+      {
+        const std::ptrdiff_t place = std::ptrdiff_t{ pixel.y } * pixels.x + pixel.x;
+        farthest =
+          std::min<double>(farthest, vtkNBufferDepthConvention::GetOrder(this->Depth[place]));
+      }
+      if (!(sliver.GetNearest(middle, this->SampleDistance, errors) > farthest))
       {
         return true;
       }
