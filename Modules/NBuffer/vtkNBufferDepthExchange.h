@@ -22,24 +22,25 @@
  *
  *  - Every rank draws each frame of its renderer, of the same size and with the same camera, and
  *    composites the picture by depth after that, as vtkSynchronizedRenderers does.
- *  - The exchange of a renderer exists on all ranks from the same frame on, with the same settings.
- *    The application keeps it as long as the renderer is drawn.
+ *  - The exchange of a renderer exists on all ranks from the same frame on, and ParallelRendering is
+ *    the same on all of them. The application keeps it as long as the renderer is drawn.
  *
  * Apart from that, ranks may differ. A rank without props, or whose culler is missing, off, pausing
  * or steps aside, joins all exchanges at the end of its frame, with the depth of its picture; where
  * depth cannot be read, it contributes the far plane. So no rank ever waits for one that does not
- * come. Where the ranks' views are not the same, an exchange fails, or depth is read with different
- * precision, each rank culls by its own depth.
+ * come. Where the ranks' views, sizes or settings are not the same, an exchange fails, or depth is
+ * read with different precision, each rank culls by its own depth.
  *
  * A rank uses its own depth alone, too, if the color of its pixels depends on other pixels: with
  * FXAA, SSAO, render passes and multisampling.
  *
  * ## Cost
  *
- * A frame has one exchange, two after a cut of the camera, and none while nothing moves or while
- * the ranks back off together (vtkNBufferExchangePlan.h). It sends 4 bytes per tile, and 8 per
- * rank: at 960 x 720 pixels 172,800 bytes. The time is that of an all-reduce of that size, and the
- * time until the slowest rank has drawn what it draws before its first test.
+ * A frame has one exchange, and two after a cut of the camera. While nothing moves it has only a
+ * poll, a message of 4 bytes by which the ranks find out whether anything has changed, and while the
+ * ranks back off together it has no message (vtkNBufferExchangePlan.h). An exchange sends 4 bytes per
+ * tile, and 8 per rank: at 960 x 720 pixels 172,800 bytes. The time is that of an all-reduce of that
+ * size, and the time until the slowest rank has drawn what it draws before its first test.
  *
  * @sa vtkNBufferCuller
  */
@@ -96,8 +97,8 @@ public:
   ///@}
 
   ///@{
-  /// Of the last frame: the number of exchanges, the bytes of this rank's messages, and the
-  /// milliseconds spent in them, most of them for waiting for other ranks.
+  /// Of the last frame: the number of exchanges, the bytes of this rank's messages, polls included,
+  /// and the milliseconds spent in them, most of them for waiting for other ranks.
   int GetNumberOfExchanges() const;
   long long GetNumberOfBytes() const;
   double GetExchangeTime() const;

@@ -148,12 +148,15 @@ TEST(Exchange, EachRankGetsTheReportsOfAll)
     EXPECT_EQ(reply.Candidates, 5010);
     EXPECT_EQ(reply.Gain, 10);
   }
+  EXPECT_FALSE(Exchange(reports)[0].Misfit);
   reports[4].Changed = true;
+  reports[2].Misfit = true;
   reports[3].View[7] = 0.2500001F;
   for (const vtkNBufferRankReply& reply : Exchange(reports))
   {
     EXPECT_FALSE(reply.SameView);
     EXPECT_TRUE(reply.Changed);
+    EXPECT_TRUE(reply.Misfit);
   }
 }
 
@@ -164,27 +167,38 @@ TEST(Exchange, AStepThatIsNoFloatIsRoundedUp)
   EXPECT_GE(Exchange(reports)[1].Step, 0.1);
 }
 
-TEST(ExchangePlan, OneExchangePerFrameWhileTheViewChanges)
+namespace
+{
+vtkNBufferRankReply MakeReply(bool changed)
+{
+  vtkNBufferRankReply reply;
+  reply.Changed = changed;
+  return reply;
+}
+}
+
+TEST(ExchangePlan, OneExchangePerFrameAndNoPollWhileAnythingChanges)
 {
   vtkNBufferExchangePlan plan;
   for (int i = 0; i < 100; ++i)
   {
-    plan.BeginFrame({ 1.0 * i }, false);
-    EXPECT_EQ(plan.GetNumberOfExchanges(), 1);
-    plan.Learn(vtkNBufferRankReply(), 0);
-    EXPECT_EQ(plan.GetNumberOfExchanges(), 1);
+    plan.BeginFrame(false);
+    EXPECT_FALSE(plan.HasPoll()) << i;
+    EXPECT_EQ(plan.GetNumberOfExchanges(), 1) << i;
+    plan.Learn(MakeReply(true), 0);
+    EXPECT_EQ(plan.GetNumberOfExchanges(), 1) << i;
   }
 }
 
 TEST(ExchangePlan, TwoExchangesWhereARankHasANewView)
 {
   vtkNBufferExchangePlan plan;
-  plan.BeginFrame({ 0.0 }, true);
-  vtkNBufferRankReply reply;
+  plan.BeginFrame(true);
+  vtkNBufferRankReply reply = MakeReply(true);
   reply.NewProps = vtkNBufferExchangePlan::FewNewProps;
   plan.Learn(reply, 0);
   EXPECT_EQ(plan.GetNumberOfExchanges(), 1);
-  plan.BeginFrame({ 1.0 }, true);
+  plan.BeginFrame(true);
   ++reply.NewProps;
   plan.Learn(reply, 0);
   EXPECT_EQ(plan.GetNumberOfExchanges(), 2);
@@ -192,33 +206,35 @@ TEST(ExchangePlan, TwoExchangesWhereARankHasANewView)
   EXPECT_EQ(plan.GetNumberOfExchanges(), 2);
 }
 
-TEST(ExchangePlan, NoneWhileNothingChanges)
+TEST(ExchangePlan, OnlyAPollWhileNothingChanges)
 {
   vtkNBufferExchangePlan plan;
+  plan.BeginFrame(false);
+  plan.Learn(MakeReply(false), 0);
   for (int i = 0; i < 50; ++i)
   {
-    plan.BeginFrame({ 5.0 }, false);
-    const bool isDue =
-      i < vtkNBufferExchangePlan::FramesToSettle || i % vtkNBufferExchangePlan::FramesToProbe == 0;
-    EXPECT_EQ(plan.GetNumberOfExchanges(), isDue ? 1 : 0) << i;
-    if (plan.GetNumberOfExchanges() > 0)
-    {
-      plan.Learn(vtkNBufferRankReply(), 0);
-    }
+    plan.BeginFrame(false);
+    ASSERT_TRUE(plan.HasPoll()) << i;
+    EXPECT_EQ(plan.GetNumberOfExchanges(), 1) << i;
+    plan.LearnPoll(false);
+    EXPECT_EQ(plan.GetNumberOfExchanges(), 0) << i;
+    EXPECT_FALSE(plan.HasPoll()) << i;
   }
 }
 
-TEST(ExchangePlan, PropsThatChangeAreExchangedInEachFrame)
+TEST(ExchangePlan, AChangeIsExchangedInTheFrameInWhichThePollFindsIt)
 {
   vtkNBufferExchangePlan plan;
-  vtkNBufferRankReply reply;
-  reply.Changed = true;
-  for (int i = 0; i < 50; ++i)
-  {
-    plan.BeginFrame({ 5.0 }, false);
-    EXPECT_EQ(plan.GetNumberOfExchanges(), 1) << i;
-    plan.Learn(reply, 0);
-  }
+  plan.BeginFrame(false);
+  plan.Learn(MakeReply(false), 0);
+  plan.BeginFrame(false);
+  plan.LearnPoll(true);
+  EXPECT_FALSE(plan.HasPoll());
+  EXPECT_EQ(plan.GetNumberOfExchanges(), 1);
+  plan.Learn(MakeReply(true), 0);
+  plan.BeginFrame(false);
+  EXPECT_FALSE(plan.HasPoll());
+  EXPECT_EQ(plan.GetNumberOfExchanges(), 1);
 }
 
 TEST(ExchangePlan, PausesWhereTrialsGainNothing)
@@ -230,10 +246,10 @@ TEST(ExchangePlan, PausesWhereTrialsGainNothing)
     bool hadTrial = false;
     for (int i = 0; i < 400; ++i)
     {
-      plan.BeginFrame({ 1.0 * i }, true);
+      plan.BeginFrame(true);
       if (plan.GetNumberOfExchanges() > 0)
       {
-        vtkNBufferRankReply reply;
+        vtkNBufferRankReply reply = MakeReply(true);
         reply.Candidates = 1000;
         reply.Gain = hadTrial ? gain : 0;
         hadTrial = plan.IsTrial();

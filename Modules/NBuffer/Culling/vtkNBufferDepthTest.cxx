@@ -121,7 +121,6 @@ void vtkNBufferDepthTest::SetCounts(int candidates, int newProps)
     vtkNBufferRankReport& report = this->Settings.Shared->GetReport();
     report.Candidates = candidates;
     report.NewProps = newProps;
-    report.Changed = this->Statistics.Refreshed > 0;
   }
 }
 

@@ -18,7 +18,8 @@ constexpr std::size_t ViewSize = std::tuple_size<decltype(vtkNBufferRankReport::
 constexpr std::size_t NegativeView = ViewSize;
 constexpr std::size_t Step = 2 * ViewSize;
 constexpr std::size_t Changed = Step + 1;
-constexpr std::size_t NewProps = Changed + 1;
+constexpr std::size_t Misfit = Changed + 1;
+constexpr std::size_t NewProps = Misfit + 1;
 constexpr std::size_t PerRank = NewProps + 1;
 
 /// A float that is not less than a double.
@@ -53,6 +54,7 @@ void vtkNBufferExchangeMessage::SetReport(const vtkNBufferRankReport& report)
     [](float value) { return -value; });
   values[Step] = -RoundUp(report.Step);
   values[Changed] = report.Changed ? -1.0F : 0.0F;
+  values[Misfit] = report.Misfit ? -1.0F : 0.0F;
   values[NewProps] = static_cast<float>(-report.NewProps);
   values[PerRank + this->Rank] = static_cast<float>(-report.Candidates);
   values[PerRank + this->Ranks + this->Rank] = static_cast<float>(-report.Gain);
@@ -66,6 +68,7 @@ vtkNBufferRankReply vtkNBufferExchangeMessage::GetReply(const std::vector<float>
     [](float minimum, float negativeMaximum) { return minimum == -negativeMaximum; });
   reply.Step = -values[Step];
   reply.Changed = values[Changed] < 0.0F;
+  reply.Misfit = values[Misfit] < 0.0F;
   reply.NewProps = static_cast<int>(-values[NewProps]);
   reply.Candidates = AddNegated(values + PerRank, this->Ranks);
   reply.Gain = AddNegated(values + PerRank + this->Ranks, this->Ranks);

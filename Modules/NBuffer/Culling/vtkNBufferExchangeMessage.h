@@ -35,7 +35,9 @@ struct vtkNBufferRankReport
 {
   std::array<float, 20> View{}; ///< The matrix from world to clip coordinates, and the viewport.
   double Step = 0.0;            ///< The step of the rank's depth buffer, in window depth.
-  bool Changed = false;         ///< Whether props have changed since the last frame.
+  bool Changed = false;         ///< Whether what the rank draws may have changed since the last
+                                ///< frame.
+  bool Misfit = false;          ///< Whether the rank's layout is not the one that this message has.
   int NewProps = 0;   ///< The props held back of a view that is new (vtkNBufferPartition::IsNew()).
   int Candidates = 0; ///< The candidates in the frustum; less than 2^24, as all counts here.
   int Gain = 0;       ///< How many more props the last trial found hidden by all ranks' depth than
@@ -47,7 +49,8 @@ struct vtkNBufferRankReply
 {
   bool SameView = false; ///< Whether all ranks have the same view.
   double Step = 0.0;     ///< The largest step.
-  bool Changed = false;  ///< Whether props of any rank have changed.
+  bool Changed = false;  ///< Whether any rank may have changed.
+  bool Misfit = false;   ///< Whether the message does not fit any rank's layout.
   int NewProps = 0;      ///< The largest number of any rank.
   int Candidates = 0;    ///< The sum over all ranks.
   int Gain = 0;          ///< The sum over all ranks.

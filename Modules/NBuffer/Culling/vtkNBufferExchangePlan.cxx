@@ -5,20 +5,21 @@
 #include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
-void vtkNBufferExchangePlan::BeginFrame(const std::vector<double>& view, bool mayBackOff)
+void vtkNBufferExchangePlan::BeginFrame(bool mayBackOff)
 {
-  this->StillFrames = view == this->View ? this->StillFrames + 1 : 0;
-  this->View = view;
   this->MayBackOff = mayBackOff;
-  const bool isStill =
-    this->StillFrames >= FramesToSettle && !this->Changed && this->StillFrames % FramesToProbe != 0;
-  const bool isPaused = mayBackOff && this->BackOff.CountPausedFrame();
-  this->Planned = isStill || isPaused ? 0 : 1;
+  this->Planned = mayBackOff && this->BackOff.CountPausedFrame() ? 0 : 1;
+}
+
+void vtkNBufferExchangePlan::LearnPoll(bool changed)
+{
+  this->Planned = changed ? 1 : 0;
+  this->IsQuiet = !changed;
 }
 
 void vtkNBufferExchangePlan::Learn(const vtkNBufferRankReply& reply, int number)
 {
-  this->Changed = reply.Changed;
+  this->IsQuiet = !reply.Changed;
   if (number > 0)
   {
     return;
@@ -31,8 +32,9 @@ void vtkNBufferExchangePlan::Learn(const vtkNBufferRankReply& reply, int number)
   {
     this->BackOff.Learn(reply.Gain, std::max(reply.Candidates, 1));
   }
-  // The first exchange after a pause is a trial.
+  // The first exchange after a pause is a trial, and no verdicts of before are left.
   this->HadTrial = this->IsTrial();
+  this->IsQuiet = this->IsQuiet && !this->BackOff.IsPaused();
   this->SinceTrial = this->BackOff.IsPaused() ? 0 : (this->SinceTrial + 1) % ExchangesPerTrial;
 }
 VTK_ABI_NAMESPACE_END

@@ -51,12 +51,16 @@ void vtkNBufferSharedDepth::BeginFrame(vtkRenderer* renderer, const Layout& layo
   }
   this->HasBegun = true;
   this->HasShared = false;
+  this->HasPolled = false;
   this->Joined = 0;
   this->AssumedStep = this->Step;
   this->Frame = Counts();
   this->Current = layout;
   this->Report = vtkNBufferRankReport();
-  this->Plan.BeginFrame(GetSharedView(renderer), layout.BackOff);
+  this->Plan.BeginFrame(!this->Agreed.empty() && this->Agreed.back() > 0.0F);
+  std::vector<double> view = GetSharedView(renderer);
+  this->HasMoved = view != this->View;
+  this->View.swap(view);
   int size[2];
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
@@ -73,29 +77,47 @@ void vtkNBufferSharedDepth::BeginFrame(vtkRenderer* renderer, const Layout& layo
   }
 }
 
+bool vtkNBufferSharedDepth::Poll(bool changed)
+{
+  this->HasPolled = true;
+  this->Report.Changed = changed || this->HasMoved || this->GetWanted() != this->Agreed;
+  if (this->Plan.HasPoll())
+  {
+    const vtkNBufferClock clock;
+    const float mine = this->Report.Changed ? -1.0F : 0.0F;
+    float minimum = mine;
+    const bool isDone = this->Reduce(&mine, &minimum, 1);
+    this->Plan.LearnPoll(!isDone || minimum < 0.0F);
+    this->Frame.Bytes += sizeof(float);
+    this->Frame.Time += clock.GetMilliseconds();
+  }
+  return !this->IsShared();
+}
+
+std::vector<float> vtkNBufferSharedDepth::GetWanted() const
+{
+  return { static_cast<float>(this->Size[0]), static_cast<float>(this->Size[1]),
+    static_cast<float>(this->Current.TileSize), this->Current.BackOff ? 1.0F : 0.0F };
+}
+
 bool vtkNBufferSharedDepth::Agree()
 {
-  const std::vector<float> wanted = { static_cast<float>(this->Size[0]),
-    static_cast<float>(this->Size[1]), static_cast<float>(this->Current.TileSize),
-    this->Current.BackOff ? 1.0F : 0.0F };
-  if (wanted == this->Agreed)
+  if (!this->Agreed.empty())
   {
     return true;
   }
-  // All ranks come here: they have changed their sizes together, or have not agreed before.
-  this->Agreed.clear();
+  const std::vector<float> wanted = this->GetWanted();
   std::vector<float> values = wanted;
   std::transform(
     wanted.begin(), wanted.end(), std::back_inserter(values), [](float value) { return -value; });
   std::vector<float> minima(values.size());
+  this->Frame.Bytes += static_cast<long long>(values.size() * sizeof(float));
   if (!this->Reduce(values.data(), minima.data(), static_cast<int>(values.size())))
   {
     this->WarnOnce("the exchange failed. Each rank culls by its own depth");
     return false;
   }
-  if (!std::equal(wanted.begin(), wanted.end(), minima.begin() + wanted.size(),
-        [](float value, float negative) { return value == -negative; }) ||
-    !std::equal(wanted.begin(), wanted.end(), minima.begin()))
+  if (minima != values)
   {
     this->WarnOnce("the ranks have renderers of different sizes, or exchanges with different "
                    "settings. Make them the same on all ranks; until then each rank culls by its "
@@ -110,44 +132,54 @@ void vtkNBufferSharedDepth::Join(const float* texels)
 {
   const vtkNBufferClock clock;
   const int number = this->Joined++;
-  if (!this->Agree())
+  this->HasShared = false;
+  // Once more if a layout has changed; all ranks have then agreed on the new one, or not at all.
+  while (this->Agree() && !this->Exchange(texels, number))
   {
-    this->Frame.Time += clock.GetMilliseconds();
-    return;
+    this->Agreed.clear();
   }
-  vtkNBufferExchangeMessage message(static_cast<std::size_t>(this->Size[0]) * this->Size[1],
-    this->Current.Ranks, this->Current.Rank);
-  if (texels)
+  this->Frame.Time += clock.GetMilliseconds();
+}
+
+bool vtkNBufferSharedDepth::Exchange(const float* texels, int number)
+{
+  const auto size =
+    static_cast<std::size_t>(this->Agreed[0]) * static_cast<std::size_t>(this->Agreed[1]);
+  vtkNBufferExchangeMessage message(size, this->Current.Ranks, this->Current.Rank);
+  this->Report.Misfit = this->GetWanted() != this->Agreed;
+  this->HasGiven = false;
+  if (texels && !this->Report.Misfit)
   {
-    std::copy(texels, texels + static_cast<std::size_t>(this->Size[0]) * this->Size[1],
-      message.GetTexels());
+    std::copy(texels, texels + size, message.GetTexels());
+    this->HasGiven = std::any_of(texels, texels + size,
+      [](float texel) { return texel != vtkNBufferDepthConvention::Background; });
   }
   this->Report.Gain = number == 0 ? std::exchange(this->Gain, 0) : 0;
   message.SetReport(this->Report);
   const std::vector<float>& values = message.GetValues();
   this->Minima.resize(values.size());
-  this->HasShared = false;
-  if (this->Reduce(values.data(), this->Minima.data(), static_cast<int>(values.size())))
-  {
-    const vtkNBufferRankReply reply = message.GetReply(this->Minima);
-    this->Plan.Learn(reply, number);
-    this->HasShared =
-      reply.SameView && reply.Step <= std::max(this->AssumedStep, this->Report.Step);
-    this->Step = reply.Step;
-    this->OtherCandidates = reply.Candidates - this->Report.Candidates;
-    if (!reply.SameView)
-    {
-      this->WarnOnce("the ranks draw different views. Synchronize their cameras, as "
-                     "vtkSynchronizedRenderers does; until then each rank culls by its own depth");
-    }
-  }
-  else
-  {
-    this->WarnOnce("the exchange failed. Each rank culls by its own depth");
-  }
   ++this->Frame.Exchanges;
   this->Frame.Bytes += static_cast<long long>(values.size() * sizeof(float));
-  this->Frame.Time += clock.GetMilliseconds();
+  if (!this->Reduce(values.data(), this->Minima.data(), static_cast<int>(values.size())))
+  {
+    this->WarnOnce("the exchange failed. Each rank culls by its own depth");
+    return true;
+  }
+  const vtkNBufferRankReply reply = message.GetReply(this->Minima);
+  if (reply.Misfit)
+  {
+    return false;
+  }
+  this->Plan.Learn(reply, number);
+  this->HasShared = reply.SameView && reply.Step <= std::max(this->AssumedStep, this->Report.Step);
+  this->Step = reply.Step;
+  this->OtherCandidates = reply.Candidates - this->Report.Candidates;
+  if (!reply.SameView)
+  {
+    this->WarnOnce("the ranks draw different views. Synchronize their cameras, as "
+                   "vtkSynchronizedRenderers does; until then each rank culls by its own depth");
+  }
+  return true;
 }
 
 bool vtkNBufferSharedDepth::Merge(vtkNBufferLevels& base)
@@ -202,6 +234,11 @@ bool vtkNBufferSharedDepth::ReadDepth(vtkRenderer* renderer, std::vector<float>&
 void vtkNBufferSharedDepth::EndFrame(vtkRenderer* renderer, const Layout& layout)
 {
   this->BeginFrame(renderer, layout);
+  if (!this->HasPolled)
+  {
+    // Nobody knows whether this rank draws the same as in the last frame.
+    this->Poll(this->HasGiven);
+  }
   if (this->Joined < this->Plan.GetNumberOfExchanges())
   {
     std::vector<float> texels;

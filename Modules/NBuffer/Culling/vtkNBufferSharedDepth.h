@@ -8,15 +8,30 @@
  * In each frame of the renderer:
  *
  *     BeginFrame()    plans the number of exchanges (vtkNBufferExchangePlan)
- *     the culler      Merge() after each level 0 that it builds: joins an exchange if one is left,
+ *     the culler      Poll(): joins the poll, if there is one, before anything is drawn.
+ *                     Merge() after each level 0 that it builds: joins an exchange if one is left,
  *                     and makes level 0 the minimum of the rank's own depth and that of all ranks
- *     EndFrame()      joins the exchanges that are left. A rank without a culler, without props, or
- *                     whose culler does not test this frame joins all of them here, with the depth
- *                     of its finished picture, or the far plane where depth cannot be read
+ *     EndFrame()      joins the poll and the exchanges that are left. A rank without a culler,
+ *                     without props, or whose culler does not test this frame joins all of them
+ *                     here, with the depth of its finished picture, or the far plane where depth
+ *                     cannot be read
  *
  * What an exchange has brought is used until the end of the frame: all depths only get nearer. It
  * is not used where ranks have different views, or another rank has coarser depth than was assumed
  * when the boxes were placed; that depth is then assumed from the next frame on.
+ *
+ * ## When the verdicts of the last frame are still valid
+ *
+ * They are if the depth of no rank has become farther since the last exchange. A rank can tell that
+ * of its own depth if its culler says so, or if all that it gave to that exchange was the far
+ * plane. If all ranks can tell (in the poll), nothing is exchanged.
+ *
+ * ## Layouts
+ *
+ * All messages of an exchange must have the same size. Before the first exchange the ranks agree on
+ * their layout, which is the size of level 0 and the settings. A rank whose layout changes after
+ * that, alone or together with the others, still sends a message of the size that was agreed on,
+ * which says so; then all ranks agree anew in the same frame.
  */
 #ifndef vtkNBufferSharedDepth_h
 #define vtkNBufferSharedDepth_h
@@ -62,8 +77,16 @@ public:
   /// Begin a frame of the renderer unless it has begun already.
   void BeginFrame(vtkRenderer* renderer, const Layout& layout);
 
-  /// Whether this frame has exchanges.
+  /// Whether this frame has exchanges, as far as is known.
   bool IsShared() const { return this->Plan.GetNumberOfExchanges() > 0; }
+
+  /**
+   * Join the poll of a frame that IsShared(), if it has one. `changed`: whether what this rank
+   * draws may have changed since the last frame. Returns whether no rank has changed, so that all
+   * verdicts of the last frame are still valid, and there is no exchange. Call it once in a frame,
+   * before anything is drawn.
+   */
+  bool Poll(bool changed);
 
   /// What the culler reports of this frame. The view is filled in already, and so is Gain before
   /// the message is sent.
@@ -94,8 +117,10 @@ public:
   const Counts& GetCounts() const { return this->LastCounts; }
 
 private:
+  std::vector<float> GetWanted() const;
   bool Agree();
   void Join(const float* texels);
+  bool Exchange(const float* texels, int number);
   bool ReadDepth(vtkRenderer* renderer, std::vector<float>& texels);
   void WarnOnce(const char* text);
 
@@ -105,10 +130,14 @@ private:
   vtkNBufferRankReport Report;
   Counts Frame;
   Counts LastCounts;
+  std::vector<double> View;  ///< The view of the last frame.
   std::vector<float> Minima; ///< The last reply; it begins with level 0 of all ranks.
   int Size[2] = { 0, 0 };    ///< That of level 0, in texels.
   std::vector<float> Agreed; ///< What all ranks have agreed on; empty if they have not.
   bool HasBegun = false;
+  bool HasMoved = false;  ///< Whether the view is not that of the last frame.
+  bool HasPolled = false; ///< Whether Poll() was called in this frame.
+  bool HasGiven = false;  ///< Whether this rank gave any depth to the last exchange.
   bool HasShared = false; ///< Whether Minima is valid for this frame.
   bool HasWarned = false;
   int Joined = 0;

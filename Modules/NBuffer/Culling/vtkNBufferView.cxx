@@ -6,6 +6,7 @@
 #include "vtkNBufferGL.h"
 #include "vtkNBufferOccluderChoice.h"
 #include "vtkNBufferOcclusionTest.h"
+#include "vtkNBufferSharedDepth.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
@@ -45,8 +46,8 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   const vtkNBufferSettings& settings)
 {
   const vtkNBufferClock clock;
-  const bool complete = this->State == Phase::Tested || this->State == Phase::Reused;
-  const bool testsOtherSlivers = settings.TestSlivers != this->Settings.TestSlivers;
+  const Phase before = this->State;
+  const bool complete = before == Phase::Tested || before == Phase::Reused;
   this->Settings = settings;
   // Ranks tell each other of whole props.
   this->Settings.DivideProps = settings.DivideProps && !settings.Shared;
@@ -72,28 +73,27 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
     static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), this->Settings);
   this->Statistics.RefreshTime = part.Restart();
 
-  const auto drawingBefore =
-    std::exchange(this->Drawing, vtkNBufferCompatibility::GetDrawingSettings(renderer));
-  const bool changed = listChanged || this->Statistics.Refreshed > 0 || moved ||
-    !(this->Drawing == drawingBefore) || testsOtherSlivers || this->ChangedWhileFrozen;
-  this->ChangedWhileFrozen = frozen && changed;
-  if (frozen)
+  this->Stillness.BeginFrame(
+    renderer, settings, listChanged || this->Statistics.Refreshed > 0 || moved, frozen);
+  const bool isSame = this->Stillness.IsSame() && !this->Props.HasUntrackedDepth();
+  // If the last test found kept props hidden, another test saves drawing them again.
+  const bool mayReuse =
+    complete && isSame && this->Settings.ReuseWhenStill && this->KeptInVain == 0;
+  bool reuses = frozen || mayReuse;
+  if (!reuses)
   {
-    this->Statistics.Decision = vtkNBufferDecision::Frozen;
-    this->State = Phase::Reused;
+    this->Classify();
   }
-  else if (complete && !changed && this->Settings.ReuseWhenStill && this->CanReuse(renderer))
+  const bool repeats = mayReuse || (isSame && before == Phase::Untested && this->State == before);
+  if (settings.Shared && !settings.Shared->Poll(!repeats) && reuses && !frozen)
   {
-    this->Statistics.Decision = vtkNBufferDecision::Still;
-    this->State = Phase::Reused;
+    reuses = false;
+    this->Classify();
   }
-  else
+  if (reuses)
   {
-    this->Props.Project(this->Projection);
-    this->Division.SetView(this->Setup);
-    this->Statistics.Decision = this->Divide();
-    this->State = this->Statistics.Decision == vtkNBufferDecision::Culled ? Phase::AwaitingProxy
-                                                                          : Phase::Untested;
+    this->Statistics.Decision = frozen ? vtkNBufferDecision::Frozen : vtkNBufferDecision::Still;
+    this->State = Phase::Reused;
   }
   this->Statistics.FrustumTime = part.GetMilliseconds();
 
@@ -112,20 +112,20 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   return total;
 }
 
-bool vtkNBufferView::CanReuse(vtkRenderer* renderer) const
+void vtkNBufferView::Classify()
 {
-  // If the last test found kept props hidden, another test saves drawing them again. If nothing is
-  // erased, the image also depends on what was in the buffers before. Untracked depth may change.
-  return !this->Settings.Shared && this->KeptInVain == 0 && !this->Props.HasUntrackedDepth() &&
-    renderer->GetErase() && renderer->GetRenderWindow()->GetErase() &&
-    !renderer->GetPreserveDepthBuffer();
+  this->Props.Project(this->Projection);
+  this->Division.SetView(this->Setup);
+  this->Statistics.Decision = this->Divide();
+  this->State = this->Statistics.Decision == vtkNBufferDecision::Culled ? Phase::AwaitingProxy
+                                                                        : Phase::Untested;
 }
 
 vtkNBufferDecision vtkNBufferView::Divide()
 {
+  const vtkNBufferCompatibility::DrawingSettings& drawing = this->Stillness.GetDrawing();
   vtkNBufferFrustumCounts counts = this->Partition.Classify();
-  counts.Blending =
-    this->Props.HasBlending(this->Drawing.SmoothLines, this->Drawing.AmbientOcclusion);
+  counts.Blending = this->Props.HasBlending(drawing.SmoothLines, drawing.AmbientOcclusion);
   this->Statistics.Candidates = counts.Candidates;
   this->Division.Classify(this->Settings, counts);
   const vtkNBufferDecision decision = vtkNBufferCullingPolicy::ChooseDecision(counts,

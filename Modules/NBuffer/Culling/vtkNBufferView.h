@@ -45,6 +45,7 @@
 #include "vtkNBufferPartition.h"
 #include "vtkNBufferProjection.h"
 #include "vtkNBufferStatistics.h"
+#include "vtkNBufferStillness.h"
 #include "vtkNBufferViewSetup.h"
 
 #include "vtkNew.h"
@@ -103,7 +104,7 @@ private:
 
   ///@{
   /// The parts of Cull().
-  bool CanReuse(vtkRenderer* renderer) const;
+  void Classify();
   vtkNBufferDecision Divide();
   void ResetStatistics();
   ///@}
@@ -133,16 +134,14 @@ private:
   vtkNBufferSettings Settings;
   vtkNBufferStatistics Statistics;
   Phase State = Phase::Aside;
-  /// Whether anything has changed since the last frame that was not frozen.
-  bool ChangedWhileFrozen = false;
+  vtkNBufferStillness Stillness;
 
   vtkNew<vtkNBufferDeferredProxy> Proxy;
   vtkNBufferLateDraws Draws;
   vtkNBufferListMaker List;
 
   vtkNBufferViewSetup Setup;
-  vtkNBufferCompatibility::DrawingSettings Drawing; ///< Those of this frame.
-  vtkNBufferDepthSource Tested;                     ///< The depth that was tested last.
+  vtkNBufferDepthSource Tested; ///< The depth that was tested last.
   int KeptInVain = 0; ///< Number of kept props that the last test found hidden, after their draw.
 };
 

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferStillness.h"
+
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <utility>
+
+VTK_ABI_NAMESPACE_BEGIN
+void vtkNBufferStillness::BeginFrame(
+  vtkRenderer* renderer, const vtkNBufferSettings& settings, bool changed, bool frozen)
+{
+  const auto drawing =
+    std::exchange(this->Drawing, vtkNBufferCompatibility::GetDrawingSettings(renderer));
+  const auto slivers = std::exchange(this->TestSlivers, settings.TestSlivers);
+  const bool wasShared = std::exchange(this->IsShared, settings.Shared != nullptr);
+  changed = changed || !(this->Drawing == drawing) || this->TestSlivers != slivers ||
+    this->IsShared != wasShared || this->ChangedWhileFrozen;
+  this->ChangedWhileFrozen = frozen && changed;
+  this->Same = !changed && renderer->GetErase() && renderer->GetRenderWindow()->GetErase() &&
+    !renderer->GetPreserveDepthBuffer();
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkNBufferStillness
+ * @brief Whether a frame of a view draws the same as the last one, so that the verdicts of the last
+ * one are still valid.
+ *
+ * It does unless the list of props, a prop, the view, or a setting has changed. If nothing is
+ * erased at the beginning of a frame, its depth also depends on what was drawn before.
+ *
+ * In a parallel program this is about one rank; vtkNBufferSharedDepth::Poll() finds out about the
+ * others. Here it counts as a change, too, if depth is shared that was not shared in the last
+ * frame, or the other way round.
+ */
+#ifndef vtkNBufferStillness_h
+#define vtkNBufferStillness_h
+
+#include "vtkNBufferCompatibility.h"
+#include "vtkNBufferDepthTest.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkRenderer;
+
+class vtkNBufferStillness
+{
+public:
+  /// Begin a frame: compare it with the last one. `changed`: whether the view, the list of props,
+  /// or a prop has changed. `frozen`: whether the verdicts are used in spite of that
+  /// (vtkNBufferCuller::SetFreeze()).
+  void BeginFrame(
+    vtkRenderer* renderer, const vtkNBufferSettings& settings, bool changed, bool frozen);
+
+  /// Whether nothing has changed since the last frame.
+  bool IsSame() const { return this->Same; }
+
+  /// How the renderer draws in this frame.
+  const vtkNBufferCompatibility::DrawingSettings& GetDrawing() const { return this->Drawing; }
+
+private:
+  vtkNBufferCompatibility::DrawingSettings Drawing;
+  vtkNBufferSliverPolicy TestSlivers = vtkNBufferSliverPolicy::Never;
+  bool IsShared = false;
+  bool Same = false;
+  /// Whether anything has changed since the last frame that was not frozen.
+  bool ChangedWhileFrozen = false;
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkNBufferStillness.h
