@@ -12,7 +12,7 @@ else ()
   vtk_module_python_default_destination(_python_destination)
 endif ()
 vtk_module_wrap_python(
-  MODULES ${VTKNBUFFER_MODULE}
+  MODULES ${VTKNBUFFER_MODULE} ${VTKNBUFFER_PARALLEL_MODULE}
   PYTHON_PACKAGE "vtknbuffer.${VTKNBUFFER_PYTHON_FOLDER}"
   MODULE_DESTINATION "${_python_destination}"
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
