@@ -6,6 +6,7 @@
     report.py study out/study/study.json [MORE.json ...] [--docs docs] [--charts docs/images/study] [--csv out]
     report.py walk out/walk.json --chart out/frame-times.svg
     report.py shadow out/shadow.json --chart out/shadow-times.svg
+    report.py ranks out/ranks-*.json --chart out/ranks.png
     report.py first out/first-*.json
 
 `study` replaces the tables in the documents. A table stands between two comments,
@@ -226,6 +227,28 @@ def times_chart(report, file):
          "milliseconds per frame"), file, log_x=False)
 
 
+def ranks_chart(files, file):
+    """Props drawn by all ranks, by their number; the files are of `nbuffer-bench ranks`.
+
+    Files of one spread that have other numbers of props (weak scaling) are one line.
+    """
+    points = {}
+    for report in (json.loads(pathlib.Path(name).read_text()) for name in files):
+        for ranks, counts in report["ranks"].items():
+            entry = points.setdefault(report["spread"], {}).setdefault(int(ranks), {})
+            entry.update(counts, own_a_pixel=report["own_a_pixel"])
+    lines = {}
+    for spread, entries in points.items():
+        ranks = sorted(entries)
+        colors = (RED, BLUE, GREEN) if spread == "kd" else (ORANGE, SKY, GREY)
+        for (key, words), color in zip((("drawn_local", "own depth"), ("drawn_shared", "depth of all"),
+                                        ("own_a_pixel", "own a pixel")), colors):
+            if key != "own_a_pixel" or spread == "kd":
+                label = words if key == "own_a_pixel" else f"{words}, {spread}"
+                lines[label] = (ranks, [entries[n][key] for n in ranks], color)
+    line_chart(lines, ("Props drawn by all ranks", "ranks", "props"), file)
+
+
 # Commands.
 
 
@@ -294,6 +317,10 @@ def main():
         times.add_argument("file")
         times.add_argument("--chart", required=True, help="file of the chart (.png or .svg)")
         times.set_defaults(run=lambda options: times_chart(load([options.file]), options.chart))
+    ranks = commands.add_parser("ranks", help="a chart of what ranks draw")
+    ranks.add_argument("files", nargs="+")
+    ranks.add_argument("--chart", required=True, help="file of the chart (.png or .svg)")
+    ranks.set_defaults(run=lambda options: ranks_chart(options.files, options.chart))
     first = commands.add_parser("first", help="medians of first images")
     first.add_argument("files", nargs="+")
     first.set_defaults(run=run_first)

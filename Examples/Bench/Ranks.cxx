@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ranks.h"
 
+#include "CoverageMask.h"
+
 #include "vtkNBufferCuller.h"
 #include "vtkNBufferDepthExchange.h"
 #include "vtkNBufferExchangeMessage.h"
@@ -24,6 +26,8 @@ struct Messages
 {
   std::vector<float> Before;
   std::vector<float> Now;
+  CoverageMask MaskBefore;
+  CoverageMask MaskNow;
 };
 
 void Minimize(std::vector<float>& minima, const std::vector<float>& values)
@@ -49,6 +53,13 @@ public:
     constexpr int AgreementSize = 8; // The message in which ranks agree on sizes.
     if (count > AgreementSize)
     {
+      if (this->Width > 0)
+      {
+        const CoverageMask mask(mine.data(), this->Width, this->Height);
+        this->All->MaskNow.Merge(mask);
+        this->All->MaskBefore.Apply(result.data());
+        std::fill_n(mine.begin(), static_cast<std::size_t>(this->Width) * this->Height, 1.0F);
+      }
       Minimize(this->All->Now, mine);
       if (!this->All->Before.empty())
       {
@@ -70,6 +81,8 @@ public:
   Messages* All = nullptr;
   int Ranks = 1;
   int Rank = 0;
+  int Width = 0; ///< The size of the image if coverage masks are sent, else 0.
+  int Height = 0;
 };
 vtkStandardNewMacro(SimulatedExchange);
 
@@ -96,7 +109,7 @@ void DrawRound(Session& session, std::vector<Rank>& ranks)
 }
 
 RankCounts SimulateRanks(Session& session, const NBufferExamples::CameraPose& pose, int count,
-  const std::vector<int>& rankOf, const std::vector<int>& owners, int tileSize)
+  const std::vector<int>& rankOf, const std::vector<int>& owners, int tileSize, bool mask)
 {
   session.SetPose(pose);
   vtkRenderer* all = session.GetRenderer();
@@ -114,7 +127,12 @@ RankCounts SimulateRanks(Session& session, const NBufferExamples::CameraPose& po
     ranks[i].Exchange->Ranks = count;
     ranks[i].Exchange->Rank = i;
     ranks[i].Exchange->BackOffOff();
-    ranks[i].Exchange->SetTileSize(tileSize);
+    ranks[i].Exchange->SetTileSize(mask ? 1 : tileSize);
+    if (mask)
+    {
+      ranks[i].Exchange->Width = session.GetWindow()->GetSize()[0];
+      ranks[i].Exchange->Height = session.GetWindow()->GetSize()[1];
+    }
     session.GetWindow()->AddRenderer(ranks[i].Renderer);
   }
   for (std::size_t i = 0; i < props.size(); ++i)
@@ -135,6 +153,8 @@ RankCounts SimulateRanks(Session& session, const NBufferExamples::CameraPose& po
   {
     messages.Before.swap(messages.Now);
     messages.Now.clear();
+    messages.MaskBefore = messages.MaskNow;
+    messages.MaskNow = CoverageMask();
     DrawRound(session, ranks);
   }
   for (Rank& rank : ranks)

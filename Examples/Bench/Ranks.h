@@ -30,10 +30,11 @@ struct RankCounts
  * until the counts of a camera that stands still are reached. In each round a rank gets the depth
  * that the others have drawn in the round before. `rankOf`: the rank of each prop. `owners`: the
  * props that own a pixel, by their places in the list. `tileSize`: as
- * vtkNBufferDepthExchange::SetTileSize().
+ * vtkNBufferDepthExchange::SetTileSize(). `mask`: send a CoverageMask instead of tiles; the number
+ * of bytes is then that of tiles of one pixel.
  */
 RankCounts SimulateRanks(Session& session, const NBufferExamples::CameraPose& pose, int count,
-  const std::vector<int>& rankOf, const std::vector<int>& owners, int tileSize);
+  const std::vector<int>& rankOf, const std::vector<int>& owners, int tileSize, bool mask);
 
 } // namespace NBufferBench
 

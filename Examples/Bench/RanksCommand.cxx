@@ -24,6 +24,7 @@ struct RanksOptions
   std::vector<int> Ranks = { 1, 4, 16 };
   std::string Spread = "kd";
   int TileSize = 4;
+  bool Mask = false;
   std::string JSON;
 };
 
@@ -43,6 +44,7 @@ int RunRanksCommand(RanksOptions& options)
   options.View.Describe(scene, session, report);
   report["spread"] = options.Spread;
   report["tile"] = options.TileSize;
+  report["mask"] = options.Mask;
   report["own_a_pixel"] = static_cast<int>(owners.size());
   std::cout << owners.size() << " props own a pixel\n";
   int errors = 0;
@@ -50,7 +52,7 @@ int RunRanksCommand(RanksOptions& options)
   {
     const RankCounts counts = SimulateRanks(session, path.back(), ranks,
       NBufferExamples::SpreadActors(scene, options.Spread, ranks),
-      std::vector<int>(owners.begin(), owners.end()), options.TileSize);
+      std::vector<int>(owners.begin(), owners.end()), options.TileSize, options.Mask);
     Json::Value& entry = report["ranks"][std::to_string(ranks)];
     entry["drawn_local"] = counts.Local;
     entry["drawn_shared"] = counts.Shared;
@@ -83,6 +85,8 @@ void AddRanksCommand(CLI::App& app, const std::string& program, Run& run)
     ->check(CLI::IsMember({ "kd", "random" }));
   command->add_option("--tile", options->TileSize, "The side of a tile in pixels")
     ->check(CLI::IsMember({ 1, 2, 4, 8 }));
+  command->add_flag("--mask", options->Mask,
+    "Tiles of 4 x 4 pixels with a mask of the nearer ones, which no exchange sends");
   command->add_option("--json", options->JSON, "File for the figures");
   command->callback([options, &run]() { run = [options]() { return RunRanksCommand(*options); }; });
 }

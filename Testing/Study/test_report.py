@@ -167,6 +167,18 @@ class Commands(unittest.TestCase):
             self.assertIn("pareto", structures.columns)
             self.assertTrue((folder / "settings.csv").is_file())
 
+    def test_ranks(self):
+        counts = {"drawn_local": 30, "drawn_shared": 19, "busiest": 11}
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            for spread in ("kd", "random"):
+                (folder / f"{spread}.json").write_text(json.dumps(
+                    {"spread": spread, "own_a_pixel": 15, "ranks": {"1": counts, "16": counts}}))
+            self.run_report("ranks", *folder.glob("*.json"), "--chart", folder / "ranks.svg")
+            chart = (folder / "ranks.svg").read_text()
+            for line in ("own depth, kd", "depth of all, random", "own a pixel"):
+                self.assertIn(f"<!-- {line} -->", chart)
+
     def test_walk_and_first(self):
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
