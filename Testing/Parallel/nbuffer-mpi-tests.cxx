@@ -185,14 +185,17 @@ int Run(const Options& options, const char* program, vtkMPIController* controlle
   Window alone(options, nullptr); // Everything on one process.
   Window stock(options, controller);
   Window culled(options, controller);
+  std::vector<NBufferExamples::Scene> scenes;
   for (Window* window : { &alone, &stock, &culled })
   {
-    scene.AddTo(window->Renderer);
+    // Actors of its own: VTK would make their OpenGL objects anew whenever the window changes.
+    scenes.push_back(NBufferExamples::LoadScene({ options.Scene }, { program }));
+    scenes.back().AddTo(window->Renderer);
     for (std::size_t i = 0; i < owners.size() && window != &alone; ++i)
     {
       if (owners[i] != rank)
       {
-        window->Renderer->RemoveViewProp(scene.Actors[i]);
+        window->Renderer->RemoveViewProp(scenes.back().Actors[i]);
       }
     }
   }
