@@ -22,8 +22,8 @@
  *
  *  - Every rank draws each frame of its renderer, of the same size and with the same camera, and
  *    composites the picture by depth after that, as vtkSynchronizedRenderers does.
- *  - The exchange of a renderer exists on all ranks from the same frame on, and ParallelRendering is
- *    the same on all of them. The application keeps it as long as the renderer is drawn.
+ *  - The exchange of a renderer exists on all ranks from the same frame on, and ParallelRendering
+ * is the same on all of them. The application keeps it as long as the renderer is drawn.
  *
  * Apart from that, ranks may differ. A rank without props, or whose culler is missing, off, pausing
  * or steps aside, joins all exchanges at the end of its frame, with the depth of its picture; where
@@ -37,10 +37,11 @@
  * ## Cost
  *
  * A frame has one exchange, and two after a cut of the camera. While nothing moves it has only a
- * poll, a message of 4 bytes by which the ranks find out whether anything has changed, and while the
- * ranks back off together it has no message (vtkNBufferExchangePlan.h). An exchange sends 4 bytes per
- * tile, and 8 per rank: at 960 x 720 pixels 172,800 bytes. The time is that of an all-reduce of that
- * size, and the time until the slowest rank has drawn what it draws before its first test.
+ * poll, a message of 4 bytes by which the ranks find out whether anything has changed, and while
+ * the ranks back off together it has no message (vtkNBufferExchangePlan.h). An exchange sends 4
+ * bytes per tile, and 8 per rank: at 960 x 720 pixels 172,800 bytes. The time is that of an
+ * all-reduce of that size, and the time until the slowest rank has drawn what it draws before its
+ * first test.
  *
  * @sa vtkNBufferCuller
  */

@@ -20,12 +20,12 @@
  *    of all has hidden. Where that is next to nothing, vtkNBufferBackOff decides how long to pause.
  *
  * A frame in which nothing moves cannot do without the poll, unless it draws what only the walls of
- * other ranks hide. Proof: Let a prop of rank B be hidden by nothing but a wall of rank A. Compare a
- * frame before which nothing changes with a frame before which A removes the wall. If B receives
+ * other ranks hide. Proof: Let a prop of rank B be hidden by nothing but a wall of rank A. Compare
+ * a frame before which nothing changes with a frame before which A removes the wall. If B receives
  * no message that A has sent, directly or by others, between the change and its own draw, then B
  * has received the same in both cases, and does the same. In the second case it has to draw the
- * prop, and so it does in both. Any rank may be A or B, so that each has to hear of each other one in
- * every frame, and the smallest all-reduce is the cheapest way.
+ * prop, and so it does in both. Any rank may be A or B, so that each has to hear of each other one
+ * in every frame, and the smallest all-reduce is the cheapest way.
  */
 #ifndef vtkNBufferExchangePlan_h
 #define vtkNBufferExchangePlan_h
