@@ -22,8 +22,8 @@
  *
  *  - Every rank draws each frame of its renderer, of the same size and with the same camera, and
  *    composites the picture by depth after that, as vtkSynchronizedRenderers does.
- *  - The exchange of a renderer exists on all ranks from the same frame on, ParallelRendering is the
- *    same on all of them, and the application keeps it as long as the renderer is drawn.
+ *  - The exchange of a renderer exists on all ranks from the same frame on, with the same setting of
+ *    ParallelRendering. The application keeps it as long as the renderer is drawn.
  *
  * Apart from that, ranks may differ. A rank without props, or whose culler is missing, off, pausing
  * or steps aside, joins all exchanges at the end of its frame, with the depth of its picture; where
