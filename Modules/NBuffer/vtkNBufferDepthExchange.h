@@ -22,7 +22,7 @@
  *
  *  - Every rank draws each frame of its renderer, of the same size and with the same camera, and
  *    composites the picture by depth after that, as vtkSynchronizedRenderers does.
- *  - The exchange of a renderer exists on all ranks from the same frame on, with the same setting of
+ *  - The exchange of a renderer exists on all ranks from the same frame on, with the same
  *    ParallelRendering. The application keeps it as long as the renderer is drawn.
  *
  * Apart from that, ranks may differ. A rank without props, or whose culler is missing, off, pausing
