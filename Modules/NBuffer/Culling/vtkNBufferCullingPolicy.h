@@ -76,14 +76,15 @@ private:
 };
 
 /**
- * The number of props of each kind in a frame, before any of them is drawn.
+ * The number of props of each kind in a frame, before any of them is drawn. Each unit of a prop
+ * that is drawn unit by unit counts like a prop.
  */
 struct vtkNBufferFrustumCounts
 {
   int Candidates = 0;    ///< All opaque and translucent candidates, in the frustum or not.
-  int Inside = 0;        ///< Opaque candidates that reach into the frustum.
+  int Inside = 0;        ///< Opaque candidates, and units of any, that reach into the frustum.
   int Kept = 0;          ///< Those of Inside that can be tested and were visible in the last test.
-  int HeldBack = 0;      ///< Those of Inside that can be tested and that are not Kept.
+  int HeldBack = 0;      ///< Opaque ones of Inside that can be tested and that are not Kept.
   int Translucent = 0;   ///< Translucent candidates that can be tested.
   bool Blending = false; ///< A prop blends in the opaque stage, so that the order of drawing shows.
 };
@@ -95,8 +96,8 @@ namespace vtkNBufferCullingPolicy
  * otherwise the reason why not. If the result is Culled and no prop is held back, there are kept
  * props, and the caller must hold back one of them, because without such a prop there is no test.
  *
- * A frame with fewer opaque candidates in the frustum than `minimumNumberOfCandidates` is never
- * tested. `backOff` counts the frame; with nullptr every other frame that can be tested is tested.
+ * A frame with fewer candidates Inside than `minimumNumberOfCandidates` is never tested. `backOff`
+ * counts the frame; with nullptr every other frame that can be tested is tested.
  */
 VTKNBUFFER_EXPORT vtkNBufferDecision ChooseDecision(
   const vtkNBufferFrustumCounts& counts, int minimumNumberOfCandidates, vtkNBufferBackOff* backOff);
