@@ -288,6 +288,32 @@ def test_verdicts_freeze_and_what_is_culled():
     plotter.close()
 
 
+def test_what_is_culled_of_composite_data():
+    plotter = pyvista.Plotter(off_screen=True, window_size=(160, 120))
+    if not hasattr(plotter, "add_composite"):
+        pytest.skip("SKIPPED: this PyVista has no add_composite()")
+    actor, mapper = plotter.add_composite(pyvista.MultiBlock(list(cubes(8))), color="white")
+    plotter.nbuffer.enable(minimum_number_of_candidates=1, minimum_number_of_primitives=100,
+                           divide_after=0, divide_in_background=0)
+    plotter.show(auto_close=False)
+    for i in range(10):
+        look(plotter, 0.01 * i)
+        plotter.render()
+    statistics = plotter.nbuffer.statistics
+    if statistics["units"] == 0:
+        pytest.skip("SKIPPED: this VTK's composite data is drawn whole")
+    assert statistics["units_hidden"] > 20
+    second = plotter.nbuffer.show_culled(show=False, window_size=(160, 120))
+    picture = second.screenshot(None, return_img=True).astype(int)
+    second.close()
+    red = (picture[..., 0] > 60) & (picture[..., 1] < picture[..., 0] // 3)
+    gray = (picture.max(axis=2) - picture.min(axis=2) < 30) & (picture.max(axis=2) < 250)
+    assert red.mean() > 0.01 and gray.mean() > 0.01
+    before = plotter.screenshot(None, return_img=True)
+    assert not ((before[..., 0] > 60) & (before[..., 1] < before[..., 0] // 3)).any()
+    plotter.close()
+
+
 def test_shadows():
     plotter = pyvista.Plotter(off_screen=True, window_size=(160, 120), lighting="none")
     add_cubes(plotter)

@@ -20,6 +20,20 @@ def _rendering_core():
     return importlib.import_module(f"{vtknbuffer._vtk_package}.vtkRenderingCore")
 
 
+def _color_blocks(mapper, color_of):
+    """Give each block of composite data the color that color_of(its flat index) returns."""
+    attributes = _rendering_core().vtkCompositeDataDisplayAttributes()
+    blocks = mapper.GetInputDataObject(0, 0).NewIterator()
+    blocks.InitTraversal()
+    while not blocks.IsDoneWithTraversal():
+        block = blocks.GetCurrentDataObject()
+        attributes.SetBlockVisibility(
+            block, mapper.GetBlockVisibility(blocks.GetCurrentFlatIndex()))
+        attributes.SetBlockColor(block, color_of(blocks.GetCurrentFlatIndex()))
+        blocks.GoToNextItem()
+    mapper.SetCompositeDataDisplayAttributes(attributes)
+
+
 class NBuffer:
     """Culling and shadows of one plotter, for all of its subplots.
 
@@ -100,6 +114,8 @@ class NBuffer:
     def show_culled(self, cpos=None, color="red", drawn_color="lightgray", show=True, **options):
         """Show what the last frame of the active subplot left out in red, from a second view.
 
+        Of composite data it shows which blocks these are.
+
         The second view is a plotter of its own, which is returned; it also shows the frustum of
         the camera. Its camera stands obliquely above the scene, or at ``cpos``. Further options are
         those of ``pyvista.Plotter``. With ``show=False`` the window is not opened.
@@ -117,15 +133,20 @@ class NBuffer:
             if (actor.GetMapper() is None or not actor.GetVisibility()
                     or not actor.GetMapper().GetNumberOfInputConnections(0)):
                 continue
-            word = vtknbuffer.verdict(culler, actor, renderer)
+            def color_of(part=None, actor=actor):
+                word = vtknbuffer.verdict(culler, actor, renderer, part)
+                return colors[word in ("Hidden", "Outside", "Unknown")]
+
             mapper = actor.GetMapper().NewInstance()
             mapper.ShallowCopy(actor.GetMapper())
             mapper.SetInputConnection(actor.GetMapper().GetInputConnection(0, 0))
             mapper.ScalarVisibilityOff()
+            if hasattr(mapper, "SetBlockColor"):
+                _color_blocks(mapper, color_of)
             copy = core.vtkActor()
             copy.SetMapper(mapper)
             copy.SetUserMatrix(actor.GetMatrix())
-            copy.GetProperty().SetColor(colors[word in ("Hidden", "Outside", "Unknown")])
+            copy.GetProperty().SetColor(color_of())
             second.add_actor(copy, reset_camera=False, render=False)
         width, height = renderer.GetSize()
         second.add_mesh(self._plotter.camera.view_frustum(width / max(height, 1)),
