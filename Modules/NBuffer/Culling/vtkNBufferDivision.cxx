@@ -90,23 +90,20 @@ void vtkNBufferDivision::Update(vtkOpenGLRenderWindow* window, const vtkNBufferS
     changed.resize(static_cast<std::size_t>(this->Props.GetSize()));
     std::iota(changed.begin(), changed.end(), 0);
   }
+  // A prop that has become translucent, or is drawn in another way that cannot be tested.
+  this->Entries.erase(
+    std::remove_if(this->Entries.begin(), this->Entries.end(),
+      [this](const Entry& entry)
+      { return !vtkNBufferLargeProps::MayBeDivided(this->Props.GetCandidate(entry.Place)); }),
+    this->Entries.end());
   this->FindLarge(changed);
   const vtkNBufferDividedProp::Settings making = { window,
     static_cast<std::size_t>(settings.UnitSize), settings.DivideAfter,
     settings.DivideInBackground };
   for (Entry& entry : this->Entries)
   {
-    // A prop that is drawn in another way now, in which it cannot be divided, keeps its hook.
-    // Without it VTK would make another program for the prop, which sees settings that the old one
-    // does not.
-    const vtkNBufferCandidate& candidate = this->Props.GetCandidate(entry.Place);
-    if (!vtkNBufferLargeProps::MayBeDivided(candidate))
-    {
-      entry.Prop->Forget();
-      entry.IsActive = false;
-      continue;
-    }
-    const vtkMTimeType time = vtkNBufferLargeProps::GetPartsTime(candidate);
+    const vtkMTimeType time =
+      vtkNBufferLargeProps::GetPartsTime(this->Props.GetCandidate(entry.Place));
     const bool hasChanged = std::exchange(entry.PartsTime, time) != time ||
       std::binary_search(changed.begin(), changed.end(), entry.Place);
     entry.Prop->BeginFrame(hasChanged, making);

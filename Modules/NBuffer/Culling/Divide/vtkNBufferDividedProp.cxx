@@ -42,7 +42,13 @@ void vtkNBufferDividedProp::BeginFrame(bool changed, const Settings& settings)
   }
   else if (changed || isStale)
   {
-    this->Forget();
+    // A thread that is still building finishes first, which takes less than reading again.
+    this->Pending = {};
+    this->State = Phase::Waiting;
+    this->StillFrames = 0;
+    this->IsOutdated = false;
+    this->Culling.SetUnits({});
+    this->Mesh = {};
   }
   this->Hook->BeginFrame(settings.Window);
   this->IsDrawn = this->FreshIsNext = this->Settled = false;
@@ -62,17 +68,6 @@ void vtkNBufferDividedProp::BeginFrame(bool changed, const Settings& settings)
   {
     this->Adopt();
   }
-}
-
-void vtkNBufferDividedProp::Forget()
-{
-  // A thread that is still building finishes first, which takes less than reading again.
-  this->Pending = {};
-  this->State = Phase::Waiting;
-  this->StillFrames = 0;
-  this->IsOutdated = false;
-  this->Culling.SetUnits({});
-  this->Mesh = {};
 }
 
 bool vtkNBufferDividedProp::IsInstanced() const

@@ -74,9 +74,6 @@ public:
   /// Begin a frame. `changed` says whether what the prop draws may have changed.
   void BeginFrame(bool changed, const Settings& settings);
 
-  /// Go back to Waiting, because the prop cannot be divided now.
-  void Forget();
-
   /// Whether the next draw has to be one of Draw(), to read what is drawn.
   bool IsReading() const { return this->State == Phase::Reading; }
 
