@@ -193,6 +193,16 @@ TEST(NBufferProjectionOnce, NaNAndInfinityAreCrossing)
       EXPECT_FALSE(projection.IsOutside(box.Box)) << value << " " << i;
       EXPECT_EQ(box.Placement, vtkNBufferPlacement::Crossing) << value << " " << i;
     }
+    // As of a unit that is finite, in a prop with a point that is not.
+    const ProjectedBox finite(projection, sampler.MakeBounds(view));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      vtkNBufferBox unit = finite.Box;
+      unit.Magnitude[axis] = value;
+      vtkNBufferScreenBox screen;
+      EXPECT_FALSE(projection.IsOutside(unit)) << value << " " << axis;
+      EXPECT_EQ(projection.Project(unit, screen), vtkNBufferPlacement::Crossing) << value;
+    }
   }
 }
 

@@ -119,7 +119,8 @@ vtkNBufferPlacement vtkNBufferProjection::Project(
 vtkNBufferPlacement vtkNBufferProjection::Clip(
   const vtkNBufferBox& box, const Corners& corners, vtkNBufferClipExtent& extent) const
 {
-  if (!std::all_of(corners.begin(), corners.end(), vtkNBufferGLM::IsFinite<4>))
+  if (!std::all_of(corners.begin(), corners.end(), vtkNBufferGLM::IsFinite<4>) ||
+    !vtkNBufferGLM::IsFinite(extent.GetErrors()))
   {
     return vtkNBufferPlacement::Crossing;
   }
