@@ -292,9 +292,10 @@ def test_what_is_culled_of_composite_data():
     plotter = pyvista.Plotter(off_screen=True, window_size=(160, 120))
     if not hasattr(plotter, "add_composite"):
         pytest.skip("SKIPPED: this PyVista has no add_composite()")
-    actor, mapper = plotter.add_composite(pyvista.MultiBlock(list(cubes(8))), color="white")
+    wall = pyvista.Cube(center=(2, 2, 2), x_length=6, y_length=6)
+    plotter.add_composite(pyvista.MultiBlock([wall, *cubes(8)]), color="white")
     plotter.nbuffer.enable(minimum_number_of_candidates=1, minimum_number_of_primitives=100,
-                           divide_after=0, divide_in_background=0)
+                           divide_after=0, divide_in_background=0, back_off=0)
     plotter.show(auto_close=False)
     for i in range(10):
         look(plotter, 0.01 * i)
