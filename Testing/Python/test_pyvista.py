@@ -258,6 +258,16 @@ def test_exports_hold_all_props(tmp_path, ending, export):
         pytest.skip("SKIPPED: this VTK writes nothing here, with and without the culler")
 
 
+def check_what_is_culled(plotter):
+    """Some of the scene is shown in red, and some in gray."""
+    second = plotter.nbuffer.show_culled(show=False, window_size=(160, 120))
+    picture = second.screenshot(None, return_img=True).astype(int)
+    second.close()
+    red = (picture[..., 0] > 60) & (picture[..., 1] < picture[..., 0] // 3)
+    gray = (picture.max(axis=2) - picture.min(axis=2) < 30) & (picture.max(axis=2) < 250)
+    assert red.mean() > 0.01 and gray.mean() > 0.01
+
+
 def test_verdicts_freeze_and_what_is_culled():
     plotter = pyvista.Plotter(off_screen=True, window_size=(160, 120))
     actors = [plotter.add_mesh(cube, color="white", name=str(i)) for i, cube in enumerate(cubes(8))]
@@ -271,12 +281,7 @@ def test_verdicts_freeze_and_what_is_culled():
     assert len(hidden) == plotter.nbuffer.statistics["verdicts"]["Hidden"] > 20
     with pytest.raises(ValueError, match="no actor of the name 'x'"):
         plotter.nbuffer.verdict("x")
-    second = plotter.nbuffer.show_culled(show=False, window_size=(160, 120))
-    picture = second.screenshot(None, return_img=True).astype(int)
-    second.close()
-    red = (picture[..., 0] > 60) & (picture[..., 1] < picture[..., 0] // 3)
-    gray = (picture.max(axis=2) - picture.min(axis=2) < 30) & (picture.max(axis=2) < 250)
-    assert red.mean() > 0.01 and gray.mean() > 0.01
+    check_what_is_culled(plotter)
     plotter.nbuffer.freeze()
     look(plotter, 9)
     plotter.render()
@@ -304,12 +309,7 @@ def test_what_is_culled_of_composite_data():
     if statistics["units"] == 0:
         pytest.skip("SKIPPED: this VTK's composite data is drawn whole")
     assert statistics["units_hidden"] > 20
-    second = plotter.nbuffer.show_culled(show=False, window_size=(160, 120))
-    picture = second.screenshot(None, return_img=True).astype(int)
-    second.close()
-    red = (picture[..., 0] > 60) & (picture[..., 1] < picture[..., 0] // 3)
-    gray = (picture.max(axis=2) - picture.min(axis=2) < 30) & (picture.max(axis=2) < 250)
-    assert red.mean() > 0.01 and gray.mean() > 0.01
+    check_what_is_culled(plotter)
     before = plotter.screenshot(None, return_img=True)
     assert not ((before[..., 0] > 60) & (before[..., 1] < before[..., 0] // 3)).any()
     plotter.close()
