@@ -50,6 +50,20 @@ bool HasCameraOfAnEye(const Player& player)
   return false;
 }
 
+/// Whether a shadow pass used the mask of an earlier frame in the last one.
+bool ReusesShadowMask(const Player& player)
+{
+  for (int i = 0; i < player.GetNumberOfRenderers(); ++i)
+  {
+    vtkShadowVolumeClampPass* pass = player.GetLights().GetPass(i);
+    if (pass && pass->GetStatistics().Decision == vtkShadowDecision::Still)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// What vtkOpenGLState takes for the state although it is not, by name.
 std::map<std::string, std::string> FindMisremembered(const GLStateSnapshot& snapshot)
 {
@@ -240,10 +254,10 @@ std::string Checker::CheckFrame(const Scenario& scenario, int frame)
     const bool withDepth = this->Reference.Window->GetMultiSamples() <= 1 && !stereo;
     const Picture expected = TakePicture(this->Reference.Window, withDepth);
     const Picture actual = TakePicture(this->Tested.Window, withDepth);
-    // Where reading rounds colours: a culler that has been forced to read depth, and shadows, which
-    // are drawn into another framebuffer unless nothing has changed.
+    // Where reading rounds colours: a culler that has been forced to read depth, and a shadow mask
+    // that is used again, while the reference draws its mask into another framebuffer.
     const bool roundsTwice = !vtkNBufferGL::KeepsColorsWhenRead() &&
-      (shadows || scenario.Culler.Backend != vtkNBufferCuller::Auto);
+      (scenario.Culler.Backend != vtkNBufferCuller::Auto || ReusesShadowMask(this->Tested));
     failure += FindDifference(expected, actual, nullptr, roundsTwice ? ForcedTolerance : 0);
     for (Player* stage : { &this->Reference, &this->Tested })
     {

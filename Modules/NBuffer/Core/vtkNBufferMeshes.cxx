@@ -41,7 +41,7 @@ void vtkNBufferMeshes::BeginFrame(std::vector<OfProp>& kept)
 }
 
 const std::vector<vtkNBufferMeshes::Placed>& vtkNBufferMeshes::Get(
-  vtkActor* actor, vtkIdType limit, OfProp& kept)
+  vtkProp* prop, vtkIdType limit, OfProp& kept)
 {
   kept.Frame = this->Frame;
   if (kept.Limit == limit)
@@ -49,20 +49,22 @@ const std::vector<vtkNBufferMeshes::Placed>& vtkNBufferMeshes::Get(
     return kept.Meshes;
   }
   kept.Meshes.clear();
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
   std::vector<vtkNBufferSurface::Part> parts;
-  if (actor && vtkNBufferSurface::GetPartsAtHand(actor, actor->GetMatrix(), parts))
+  if (!actor || !vtkNBufferSurface::GetPartsAtHand(actor, actor->GetMatrix(), parts))
   {
-    vtkIdType count = 0;
+    parts.clear();
+  }
+  vtkIdType count = 0;
+  for (const vtkNBufferSurface::Part& part : parts)
+  {
+    count += part.Mesh->GetNumberOfPolys() + part.Mesh->GetNumberOfStrips();
+  }
+  if (count < limit)
+  {
     for (const vtkNBufferSurface::Part& part : parts)
     {
-      count += part.Mesh->GetNumberOfPolys() + part.Mesh->GetNumberOfStrips();
-    }
-    for (const vtkNBufferSurface::Part& part : parts)
-    {
-      if (count < limit)
-      {
-        kept.Meshes.push_back({ this->Update(part.Mesh).Mesh, part.ToWorld });
-      }
+      kept.Meshes.push_back({ this->Update(part.Mesh).Mesh, part.ToWorld });
     }
   }
   // Blocks of composite data may change without a newer time of the data.

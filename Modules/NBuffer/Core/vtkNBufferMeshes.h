@@ -50,12 +50,12 @@ public:
   void BeginFrame(std::vector<OfProp>& kept);
 
   /**
-   * The meshes of an actor whose pipeline is up to date. The result is empty for nullptr, for
+   * The meshes of an actor whose pipeline is up to date. The result is empty for other props, for
    * actors with `limit` polygons and strips or more, and for data from which vtkDataSetMapper
    * extracts a surface. The meshes are copied to `kept`. If the actor or its data changes, `kept`
    * must be replaced by an empty one.
    */
-  const std::vector<Placed>& Get(vtkActor* actor, vtkIdType limit, OfProp& kept);
+  const std::vector<Placed>& Get(vtkProp* prop, vtkIdType limit, OfProp& kept);
 
   /// The triangles of an actor with few of them.
   struct Small

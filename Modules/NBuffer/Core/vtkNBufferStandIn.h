@@ -36,6 +36,10 @@ class vtkNBufferStandIn : public vtkProp
 public:
   vtkTypeMacro(vtkNBufferStandIn, vtkProp);
 
+  /// Draws a prop by calling the function that is given to it, or does not. Returns the number of
+  /// props drawn.
+  using Drawer = std::function<int(const std::function<int()>& drawWhole)>;
+
   ///@{
   /// Forwarded to the represented props that are drawn.
   void RestoreEstimatedRenderTime() override;

@@ -309,10 +309,7 @@ vtkNBufferDrawnProp vtkNBufferCandidateList::GetDrawn(int i, int round)
 
 const std::vector<vtkNBufferMeshes::Placed>& vtkNBufferCandidateList::GetMeshes(int i, int limit)
 {
-  vtkNBufferMeshes::OfProp& kept = this->MeshesOfProps[i];
-  const bool isKnown = kept.Limit == limit;
-  return this->Meshes.Get(
-    isKnown ? nullptr : vtkActor::SafeDownCast(this->GetProp(i)), limit, kept);
+  return this->Meshes.Get(this->GetProp(i), limit, this->MeshesOfProps[i]);
 }
 
 bool vtkNBufferCandidateList::MayBeSeen(int i, vtkNBufferPixelTest& test)

@@ -15,8 +15,8 @@
  *
  * A prop is drawn whole while it changes; if it has strips or lines as well as triangles; if its
  * mapper is neither vtkPolyDataMapper nor vtkDataSetMapper nor vtkGlyph3DMapper nor
- * vtkPointGaussianMapper (vtkNBufferSplatStream) nor a mapper of composite data; and for some frames
- * if next to none of its units is hidden.
+ * vtkPointGaussianMapper (vtkNBufferSplatStream) nor a mapper of composite data; and for some
+ * frames if next to none of its units is hidden.
  *
  * What is said of strips and lines does not hold for composite data, of which whole blocks are left
  * out.

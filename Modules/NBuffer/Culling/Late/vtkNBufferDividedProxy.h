@@ -22,10 +22,6 @@ public:
   static vtkNBufferDividedProxy* New();
   vtkTypeMacro(vtkNBufferDividedProxy, vtkNBufferStandIn);
 
-  /// Draws a prop in the opaque stage by calling the function that is given to it, or does not.
-  /// Returns the number of props drawn.
-  using Drawer = std::function<int(const std::function<int()>& drawWhole)>;
-
   /// Let the proxy represent `prop`, without a reference.
   void SetProp(vtkProp* prop, Drawer drawer)
   {

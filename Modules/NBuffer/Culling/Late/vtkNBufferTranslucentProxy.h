@@ -28,10 +28,6 @@ public:
   vtkTypeMacro(vtkNBufferTranslucentProxy, vtkNBufferStandIn);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Draws the prop by calling the function that is given to it, or does not. Returns the number of
-  /// props drawn.
-  using Drawer = std::function<int(const std::function<int()>& drawWhole)>;
-
   /**
    * The proxies of one renderer. They are created once and used again in every frame.
    */
