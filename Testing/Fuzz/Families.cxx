@@ -265,11 +265,15 @@ void BuildScraps(Writer& writer)
     mesh.Shape.Detail = writer.Integer(10, 64);
     mesh.Shape.Seed = writer.Integer(0, 1000);
     // Not drawn, so that the rest of a scenario stays what it was for its seed.
-    mesh.Shape.CellValues = mesh.Shape.Seed % 3 == 0;
     if (mesh.Shape.Seed % 4 == 1)
     {
       mesh.Kind = PropKind::Splats;
       mesh.PointSize = 9.0 + mesh.Shape.Seed % 41;
+    }
+    else
+    {
+      // Of splats, VTK would read the color of each point from the fewer colors of cells.
+      mesh.Shape.CellValues = mesh.Shape.Seed % 3 == 0;
     }
   }
   const int doors = writer.Integer(1, 3);
