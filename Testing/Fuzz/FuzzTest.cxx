@@ -209,6 +209,21 @@ TEST(FuzzScenario, NoSharedBillboardsWithShadowVolumes)
   EXPECT_EQ(scenario.Props[0].Kind, PropKind::Actor);
 }
 
+// Splats keep the global offset with which their shaders were made.
+TEST(FuzzScenario, NoChangedOffsetOfSplatsWithShadowVolumes)
+{
+  Scenario scenario;
+  scenario.Renderers.resize(1);
+  scenario.Props.resize(1);
+  scenario.Renderers[0].Pass = PassKind::ShadowVolumes;
+  scenario.Changes.push_back({ 1, ChangeKind::PolygonOffset, 0, { 1.0 } });
+  RemoveUndefined(scenario);
+  EXPECT_EQ(scenario.Changes.size(), 1U);
+  scenario.Props[0].Kind = PropKind::Splats;
+  RemoveUndefined(scenario);
+  EXPECT_TRUE(scenario.Changes.empty());
+}
+
 // A planted fault: two props of a colour, under MSAA, from frame 3 on.
 TEST(FuzzShrinker, LeavesWhatTheFailureNeeds)
 {

@@ -29,6 +29,13 @@ bool HasPass(const Scenario& scene, const Predicate& predicate)
       });
 }
 
+void RemoveChanges(Scenario& scene, ChangeKind kind)
+{
+  scene.Changes.erase(std::remove_if(scene.Changes.begin(), scene.Changes.end(),
+                        [kind](const Change& change) { return change.Kind == kind; }),
+    scene.Changes.end());
+}
+
 bool IsSSAO(PassKind pass)
 {
   return pass == PassKind::SSAO;
@@ -60,9 +67,7 @@ void RemoveUndefined(Scenario& scene)
       prop.Flat = prop.Flat && prop.ShiftCoordinates;
     }
 #if !VTKNBUFFER_HAS_SSAO_IN_PARTS
-    scene.Changes.erase(std::remove_if(scene.Changes.begin(), scene.Changes.end(),
-                          [](const Change& change) { return change.Kind == ChangeKind::Viewport; }),
-      scene.Changes.end());
+    RemoveChanges(scene, ChangeKind::Viewport);
 #endif
   }
   if (HasPass(scene, HasShadowVolumes) &&
@@ -82,6 +87,12 @@ void RemoveUndefined(Scenario& scene)
       {
         prop.Kind = PropKind::Actor;
       }
+      // VTK does not make the shaders of splats anew when its global offsets of polygons change.
+      // The new pass does.
+      if (prop.Kind == PropKind::Splats)
+      {
+        RemoveChanges(scene, ChangeKind::PolygonOffset);
+      }
       // VTK 9.1 blends the blocks of composite data in the order of addresses.
       if (prop.Kind == PropKind::Composite)
       {
@@ -100,9 +111,7 @@ void RemoveUndefined(Scenario& scene)
   }
   if (HasPass(scene, [](PassKind pass) { return pass != PassKind::None; }))
   {
-    scene.Changes.erase(std::remove_if(scene.Changes.begin(), scene.Changes.end(),
-                          [](const Change& change) { return change.Kind == ChangeKind::Select; }),
-      scene.Changes.end());
+    RemoveChanges(scene, ChangeKind::Select);
   }
   if (HasPass(scene, IsSSAO))
   {
