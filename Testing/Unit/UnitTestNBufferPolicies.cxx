@@ -241,6 +241,24 @@ TEST(NBufferTieOrder, PartsOfOnePropAreRestored)
   EXPECT_EQ(redraws[0].Regions[0], (vtkNBufferRectangle{ 1, 1, 5, 5 }));
 }
 
+// Hazard: a part that does not touch what was drawn late is drawn once more with the rest of its
+// prop, and wins against the next prop.
+TEST(NBufferTieOrder, PropsAreDrawnAgainWithAllParts)
+{
+  const vtkNBufferProjection projection = MapWorldToPixels(Side, Side);
+  std::vector<vtkNBufferDrawnProp> drawn = {
+    MakeDrawn(projection, { 1.0, 4.0, 1.0, 4.0, 0.3, 0.3 }, 1, 2),
+    MakeDrawn(projection, { 2.0, 3.0, 2.0, 3.0, 0.3, 0.3 }, 3, 1),
+    MakeDrawn(projection, { 2.0, 3.0, 2.0, 3.0, 0.7, 0.7 }, 3, 1),
+    MakeDrawn(projection, { 2.0, 3.0, 2.0, 3.0, 0.7, 0.7 }, 4, 1),
+  };
+  const std::vector<vtkNBufferRedraw> redraws =
+    vtkNBufferTieOrder::GetRedraws(projection, drawn, true);
+  ASSERT_EQ(redraws.size(), 2u);
+  EXPECT_EQ(drawn[redraws[0].Position].Index, 3);
+  EXPECT_EQ(drawn[redraws[1].Position].Index, 4);
+}
+
 // Hazard: a rest that never begins wastes tests, one that never ends hides nothing any more.
 TEST(NBufferBackOff, RestsAndProbes)
 {

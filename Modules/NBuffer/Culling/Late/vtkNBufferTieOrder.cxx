@@ -164,50 +164,64 @@ std::vector<vtkNBufferRedraw> GetRedraws(
   std::sort(drawn.begin(), drawn.end(),
     [](const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b)
     {
-      // Of the parts of one prop the one drawn last comes first: the other parts must be drawn once
-      // more where they tie with it.
+      // Of the parts of one prop the one drawn last comes first: the prop must be drawn once more
+      // where another part ties with it.
       return a.Index != b.Index ? a.Index < b.Index : a.Round > b.Round;
     });
   const vtkNBufferRectangle viewport = { 0, 0, projection.GetWidth(), projection.GetHeight() };
+  const auto getPixels = [&](int i) -> const vtkNBufferRectangle&
+  { return drawn[i].Bounded ? drawn[i].Screen.Pixels : viewport; };
   LateDraws late(projection.GetWidth(), projection.GetHeight());
   std::vector<vtkNBufferRedraw> redraws;
-  for (int i = 0; i < static_cast<int>(drawn.size()); ++i)
+  const int count = static_cast<int>(drawn.size());
+  for (int begin = 0, end = 0; begin < count; begin = end)
   {
-    const vtkNBufferDrawnProp& prop = drawn[i];
-    const vtkNBufferRectangle& all = prop.Bounded ? prop.Screen.Pixels : viewport;
+    bool isWhole = !inRegions;
+    for (end = begin; end < count && drawn[end].Index == drawn[begin].Index; ++end)
+    {
+      isWhole = isWhole || !drawn[end].KeepsScissor;
+    }
     vtkNBufferRedraw redraw;
-    redraw.Position = i;
-    late.ForEachIn(all,
-      [&](const LateDraw& other, const vtkNBufferRectangle& shared)
+    redraw.Position = begin;
+    for (int i = begin; i < end; ++i)
+    {
+      const vtkNBufferDrawnProp& part = drawn[i];
+      const vtkNBufferRectangle& pixels = getPixels(i);
+      late.ForEachIn(pixels,
+        [&](const LateDraw& other, const vtkNBufferRectangle& shared)
+        {
+          if (other.Round <= part.Round || Covers(redraw.Regions, shared))
+          {
+            return;
+          }
+          const vtkNBufferRectangle tie =
+            GetTie(projection, drawn[other.Position], part).GetIntersection(shared);
+          if (!tie.IsEmpty())
+          {
+            AddRegion(redraw.Regions, isWhole ? viewport : tie);
+          }
+        });
+      if (part.Round > 0 && part.MayTie)
       {
-        if (other.Round <= prop.Round || Covers(redraw.Regions, shared))
-        {
-          return;
-        }
-        const vtkNBufferRectangle tie =
-          GetTie(projection, drawn[other.Position], prop).GetIntersection(shared);
-        if (!tie.IsEmpty())
-        {
-          AddRegion(redraw.Regions, inRegions && prop.KeepsScissor ? tie : all);
-        }
-      });
-    if (prop.Round > 0 && prop.MayTie)
-    {
-      late.Add({ i, prop.Round, all });
+        late.Add({ i, part.Round, pixels });
+      }
     }
-    if (redraw.Regions.empty())
-    {
-      continue;
-    }
+    // A prop that is drawn once more is drawn with all of its parts.
     for (const vtkNBufferRectangle& region : redraw.Regions)
     {
-      late.Add({ i, std::numeric_limits<int>::max(), region });
+      for (int i = begin; i < end; ++i)
+      {
+        late.Add({ i, std::numeric_limits<int>::max(), region.GetIntersection(getPixels(i)) });
+      }
     }
-    if (!inRegions || !prop.KeepsScissor)
+    if (!redraw.Regions.empty())
     {
-      redraw.Regions.clear();
+      if (isWhole)
+      {
+        redraw.Regions.clear();
+      }
+      redraws.push_back(std::move(redraw));
     }
-    redraws.push_back(std::move(redraw));
   }
   return redraws;
 }
