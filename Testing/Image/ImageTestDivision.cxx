@@ -495,6 +495,42 @@ TEST_P(CullerDivisionChanges, SameImage)
   EXPECT_EQ(comparison.GetStatistics().Units > 0, this->GetParam().IsDividedAfterwards);
 }
 
+class CullerDivisionSharing : public testing::TestWithParam<int>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Each, CullerDivisionSharing, testing::Values(0, 1),
+  [](const auto& info) { return std::string(info.param ? "Second" : "First"); });
+
+// Hazard: VTK makes the shaders of a shared mapper at another time because the culler adds its pass
+// to the actors, or takes it away.
+TEST_P(CullerDivisionSharing, SameImageWithEdges)
+{
+  Comparison comparison(
+    [](Stage& stage)
+    {
+      const vtkSmartPointer<vtkPolyData> city = MakeCity(14);
+      stage.AddActor(city, White);
+      stage.AddActor(city, White);
+      stage.GetActor(1)->SetMapper(stage.GetActor(0)->GetMapper());
+      stage.GetActor(1)->SetPosition(3.0, 0.0, 1.0);
+      AddWalls(stage);
+    },
+    MakeOptions());
+  const auto walk = [&comparison](int from)
+  {
+    for (int i = from; i < from + 4; ++i)
+    {
+      comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
+    }
+  };
+  walk(0);
+  EXPECT_GT(comparison.GetStatistics().Units, 0);
+  comparison.Frame("edges",
+    [this](Stage& stage) { stage.GetActor(this->GetParam())->GetProperty()->EdgeVisibilityOn(); });
+  walk(5);
+  EXPECT_EQ(comparison.GetStatistics().Units, 0);
+}
+
 class CullerDivisionPicking : public testing::TestWithParam<bool>
 {
 };

@@ -44,13 +44,19 @@ void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
 {
   for (const int i : places)
   {
-    if (!this->Find(i) && vtkNBufferLargeProps::MayBeDivided(this->Props.GetCandidate(i)) &&
-      vtkNBufferLargeProps::IsLarge(this->Props.GetProp(i), this->Minimum))
+    if (this->Find(i) || !vtkNBufferLargeProps::IsLarge(this->Props.GetProp(i), this->Minimum))
+    {
+      continue;
+    }
+    auto* actor = static_cast<vtkActor*>(this->Props.GetProp(i));
+    if (vtkNBufferLargeProps::MayBeDivided(this->Props.GetCandidate(i)) ||
+      std::any_of(this->Entries.begin(), this->Entries.end(),
+        [actor](const Entry& entry)
+        { return entry.Prop->GetActor()->GetMapper() == actor->GetMapper(); }))
     {
       Entry entry;
       entry.Place = i;
-      entry.Prop =
-        std::make_unique<vtkNBufferDividedProp>(static_cast<vtkActor*>(this->Props.GetProp(i)));
+      entry.Prop = std::make_unique<vtkNBufferDividedProp>(actor, this->Pass);
       this->Entries.insert(std::lower_bound(this->Entries.begin(), this->Entries.end(), i,
                              [](const Entry& other, int place) { return other.Place < place; }),
         std::move(entry));
@@ -90,18 +96,18 @@ void vtkNBufferDivision::Update(vtkOpenGLRenderWindow* window, const vtkNBufferS
     changed.resize(static_cast<std::size_t>(this->Props.GetSize()));
     std::iota(changed.begin(), changed.end(), 0);
   }
-  // A prop that has become translucent, or is drawn in another way that cannot be tested.
-  this->Entries.erase(
-    std::remove_if(this->Entries.begin(), this->Entries.end(),
-      [this](const Entry& entry)
-      { return !vtkNBufferLargeProps::MayBeDivided(this->Props.GetCandidate(entry.Place)); }),
-    this->Entries.end());
   this->FindLarge(changed);
   const vtkNBufferDividedProp::Settings making = { window,
     static_cast<std::size_t>(settings.UnitSize), settings.DivideAfter,
     settings.DivideInBackground };
   for (Entry& entry : this->Entries)
   {
+    if (!vtkNBufferLargeProps::MayBeDivided(this->Props.GetCandidate(entry.Place)))
+    {
+      entry.IsActive = entry.IsPending = false;
+      entry.Prop->Release();
+      continue;
+    }
     const vtkMTimeType time =
       vtkNBufferLargeProps::GetPartsTime(this->Props.GetCandidate(entry.Place));
     const bool hasChanged = std::exchange(entry.PartsTime, time) != time ||
@@ -135,7 +141,6 @@ void vtkNBufferDivision::Classify(
     const bool isTranslucent = state.Verdict == vtkNBufferVerdict::Translucent &&
       state.Placement != vtkNBufferPlacement::Outside;
     const bool isTested = (entry.IsHeldBack || isKept || isTranslucent) && entry.Prop->IsReady() &&
-      !vtkNBufferSplatStream::AreShifted(entry.Prop->GetActor()) &&
       !(settings.BackOff && entry.BackOff.CountPausedFrame());
     entry.IsActive = isTested && !isTranslucent;
     entry.IsPending = isTested && isTranslucent;

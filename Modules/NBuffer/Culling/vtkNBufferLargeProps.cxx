@@ -50,7 +50,7 @@ bool vtkNBufferLargeProps::IsLarge(vtkProp* prop, int minimum)
   {
     return vtkNBufferInstanceStream::CountTriangles(actor) >= minimum;
   }
-  if (actor && vtkNBufferSplatStream::MayBeDivided(actor))
+  if (actor && vtkNBufferSplatStream::DrawsSplats(actor))
   {
     return vtkNBufferSplatStream::GetData(actor)->GetNumberOfPoints() >= minimum;
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferDividedProp.h"
 
+#include "vtkNBufferDrawPass.h"
 #include "vtkNBufferPropWatch.h"
 #include "vtkNBufferSurface.h"
 
@@ -16,10 +17,12 @@
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
-vtkNBufferDividedProp::vtkNBufferDividedProp(vtkActor* actor)
+vtkNBufferDividedProp::vtkNBufferDividedProp(vtkActor* actor, vtkNBufferDrawPass* pass)
   : Actor(actor)
+  , Pass(pass)
+  , Hook(pass)
 {
-  this->Hook->Attach(actor);
+  this->Pass->Attach(actor);
   this->Proxy->SetProp(
     actor, [this](const std::function<int()>& drawWhole) { return this->Draw(drawWhole); });
 }
@@ -29,37 +32,42 @@ vtkNBufferDividedProp::~vtkNBufferDividedProp()
   this->Pending = {}; // A thread that is still building reads the mesh.
   if (this->Actor)
   {
-    this->Hook->Detach(this->Actor);
+    this->Pass->Detach(this->Actor);
   }
+}
+
+void vtkNBufferDividedProp::Release()
+{
+  // A thread that is still building finishes first, which takes less than reading again.
+  this->Pending = {};
+  this->State = Phase::Waiting;
+  this->StillFrames = 0;
+  this->IsOutdated = false;
+  this->Culling.SetUnits({});
+  this->Mesh = {};
 }
 
 void vtkNBufferDividedProp::BeginFrame(bool changed, const Settings& settings)
 {
-  const bool isStale = this->State == Phase::Ready && (this->Hook->IsStale() || this->IsOutdated);
+  const bool isStale = this->State == Phase::Ready && (this->Hook.IsStale() || this->IsOutdated);
   if (changed && this->State == Phase::Ready && this->HasSameData())
   {
     this->ReadRounding();
   }
   else if (changed || isStale)
   {
-    // A thread that is still building finishes first, which takes less than reading again.
-    this->Pending = {};
-    this->State = Phase::Waiting;
-    this->StillFrames = 0;
-    this->IsOutdated = false;
-    this->Culling.SetUnits({});
-    this->Mesh = {};
+    this->Release();
   }
-  this->Hook->BeginFrame(settings.Window);
+  this->Hook.BeginFrame(settings.Window);
   this->IsDrawn = this->FreshIsNext = this->Settled = false;
   if (this->State == Phase::Waiting && this->StillFrames++ >= settings.DivideAfter)
   {
     this->State = Phase::Reading;
     this->BlockTime =
       vtkNBufferPropWatch::GetDataTime(this->Actor->GetMapper()->GetInputDataObject(0, 0), true);
-    this->Hook->ReadNext();
+    this->Hook.ReadNext();
   }
-  else if (this->State == Phase::Reading && this->Hook->GetSource().Mapper)
+  else if (this->State == Phase::Reading && this->Hook.GetSource().Mapper)
   {
     this->Build(settings);
   }
@@ -72,12 +80,12 @@ void vtkNBufferDividedProp::BeginFrame(bool changed, const Settings& settings)
 
 bool vtkNBufferDividedProp::IsInstanced() const
 {
-  return this->Hook->GetSource().InstanceTime > 0;
+  return this->Hook.GetSource().InstanceTime > 0;
 }
 
 bool vtkNBufferDividedProp::HasBlocks() const
 {
-  return this->Hook->GetSource().Corners == 2 && !this->IsInstanced();
+  return this->Hook.GetSource().Corners == 2 && !this->IsInstanced();
 }
 
 bool vtkNBufferDividedProp::HasChangedBlocks()
@@ -90,7 +98,7 @@ bool vtkNBufferDividedProp::HasChangedBlocks()
 
 bool vtkNBufferDividedProp::HasSameData() const
 {
-  const vtkNBufferDrawHook::Source& source = this->Hook->GetSource();
+  const vtkNBufferDrawHook::Source& source = this->Hook.GetSource();
   vtkMapper* mapper = this->Actor->GetMapper();
   // Other mappers draw a polydata that they make themselves.
   const bool isOwn = static_cast<vtkObjectBase*>(mapper) == source.Mapper;
@@ -102,7 +110,7 @@ void vtkNBufferDividedProp::ReadRounding()
 {
   if (this->IsInstanced())
   {
-    this->Culling.SetRounding({ glm::dvec3(0.0), this->Hook->GetInstances().GetMagnitude(), 0.0 });
+    this->Culling.SetRounding({ glm::dvec3(0.0), this->Hook.GetInstances().GetMagnitude(), 0.0 });
     return;
   }
   if (vtkNBufferSplatStream::MayBeDivided(this->Actor))
@@ -126,17 +134,17 @@ void vtkNBufferDividedProp::ReadRounding()
 
 void vtkNBufferDividedProp::Build(const Settings& settings)
 {
-  if (this->Hook->GetSource().Corners == 0)
+  if (this->Hook.GetSource().Corners == 0)
   {
     this->State = Phase::Refused;
     return;
   }
   this->State = Phase::Building;
-  this->Mesh = this->Hook->TakeMesh();
+  this->Mesh = this->Hook.TakeMesh();
   std::size_t size = this->HasBlocks() ? 1 : settings.UnitSize;
   if (this->IsInstanced())
   {
-    size = vtkNBufferInstanceStream::GetUnitSize(this->Hook->GetSource().IndexCount, size);
+    size = vtkNBufferInstanceStream::GetUnitSize(this->Hook.GetSource().IndexCount, size);
   }
   // The member is not touched until the units are there.
   this->Pending = std::async(settings.InBackground ? std::launch::async : std::launch::deferred,
@@ -157,7 +165,7 @@ void vtkNBufferDividedProp::Adopt()
 vtkNBufferVerdict vtkNBufferDividedProp::GetVerdict(int part)
 {
   const std::size_t primitive = this->HasBlocks()
-    ? this->Hook->GetBlocks().FindBlock(static_cast<unsigned int>(part))
+    ? this->Hook.GetBlocks().FindBlock(static_cast<unsigned int>(part))
     : static_cast<std::size_t>(part);
   return this->Culling.GetVerdict(primitive);
 }
@@ -193,8 +201,8 @@ int vtkNBufferDividedProp::DrawList(vtkNBufferDrawHook::List list,
   {
     return 0;
   }
-  this->Hook->SetList(list, this->Culling.GetUnits(), this->Mesh.Indices, marked);
-  const vtkNBufferDrawHook::Draw draw(this->Hook, this->Actor, list);
+  this->Hook.SetList(list, this->Culling.GetUnits(), this->Mesh.Indices, marked);
+  const vtkNBufferDrawHook::Draw draw(&this->Hook, this->Actor, list);
   return drawWhole();
 }
 
@@ -202,7 +210,7 @@ int vtkNBufferDividedProp::Draw(const std::function<int()>& drawWhole)
 {
   if (this->State != Phase::Ready)
   {
-    const vtkNBufferDrawHook::Draw draw(this->Hook, this->Actor, vtkNBufferDrawHook::Whole);
+    const vtkNBufferDrawHook::Draw draw(&this->Hook, this->Actor, vtkNBufferDrawHook::Whole);
     return drawWhole();
   }
   this->IsDrawn = true;

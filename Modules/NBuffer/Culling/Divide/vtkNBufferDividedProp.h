@@ -63,13 +63,17 @@ public:
   using Depth = vtkNBufferUnitCulling::Depth;
   using Counts = vtkNBufferUnitCulling::Counts;
 
-  explicit vtkNBufferDividedProp(vtkActor* actor);
+  /// `pass` has to outlive this object.
+  vtkNBufferDividedProp(vtkActor* actor, vtkNBufferDrawPass* pass);
   ~vtkNBufferDividedProp();
   vtkNBufferDividedProp(const vtkNBufferDividedProp&) = delete;
   void operator=(const vtkNBufferDividedProp&) = delete;
 
   vtkActor* GetActor() const { return this->Actor; }
   vtkNBufferDividedProxy* GetProxy() const { return this->Proxy; }
+
+  /// Draw the prop whole, and forget its units, until the next BeginFrame().
+  void Release();
 
   /// Begin a frame. `changed` says whether what the prop draws may have changed.
   void BeginFrame(bool changed, const Settings& settings);
@@ -99,7 +103,7 @@ public:
   int DrawAgain(const std::function<int()>& drawWhole);
 
   /// Draw the actor in a call of `drawWhole`.
-  int Render(vtkRenderer* renderer) { return this->Hook->Render(this->Actor, renderer); }
+  int Render(vtkRenderer* renderer) { return this->Hook.Render(this->Actor, renderer); }
 
   /// Whether the first draw of this frame has been made.
   bool IsBegun() const { return this->IsDrawn; }
@@ -163,7 +167,8 @@ private:
 
   vtkWeakPointer<vtkActor> Actor;
   vtkNew<vtkNBufferDividedProxy> Proxy;
-  vtkNew<vtkNBufferDrawHook> Hook;
+  vtkNBufferDrawPass* Pass;
+  vtkNBufferDrawHook Hook;
   Phase State = Phase::Waiting;
   int StillFrames = 0;
   vtkMTimeType BlockTime = 0; ///< The newest time of all blocks before they were read.

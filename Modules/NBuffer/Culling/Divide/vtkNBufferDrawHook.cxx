@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferDrawHook.h"
 
+#include "vtkNBufferDrawPass.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferProtectedMembers.h"
 
 #include "vtkActor.h"
-#include "vtkInformation.h"
-#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMapper.h"
-#include "vtkObjectFactory.h"
 #include "vtkOpenGLGlyph3DHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyData.h"
@@ -18,8 +16,6 @@
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
-vtkStandardNewMacro(vtkNBufferDrawHook);
-
 namespace
 {
 vtkNBufferDrawHook::Source GetSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream)
@@ -40,8 +36,9 @@ vtkNBufferDrawHook::Source GetSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLH
 }
 }
 
-vtkNBufferDrawHook::vtkNBufferDrawHook()
-  : Resources(new Callback(this, &vtkNBufferDrawHook::ReleaseGraphicsResources))
+vtkNBufferDrawHook::vtkNBufferDrawHook(vtkNBufferDrawPass* pass)
+  : Pass(pass)
+  , Resources(new Callback(this, &vtkNBufferDrawHook::ReleaseGraphicsResources))
 {
 }
 
@@ -50,40 +47,19 @@ vtkNBufferDrawHook::~vtkNBufferDrawHook()
   this->Resources->Release();
 }
 
-void vtkNBufferDrawHook::Attach(vtkProp* prop)
-{
-  if (!prop->GetPropertyKeys())
-  {
-    vtkNew<vtkInformation> keys;
-    prop->SetPropertyKeys(keys);
-  }
-  vtkOpenGLRenderPass::RenderPasses()->Append(prop->GetPropertyKeys(), this);
-}
-
-void vtkNBufferDrawHook::Detach(vtkProp* prop)
-{
-  vtkInformation* keys = prop->GetPropertyKeys();
-  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
-  if (keys && passes->Length(keys) > 0)
-  {
-    passes->Remove(keys, this);
-    if (passes->Length(keys) == 0)
-    {
-      keys->Remove(passes);
-    }
-  }
-}
-
 vtkNBufferDrawHook::Draw::Draw(vtkNBufferDrawHook* hook, vtkActor* actor, List list)
   : Hook(hook)
 {
   hook->Actor = actor;
   hook->Current = list;
+  hook->Pass->SetCallback(
+    [hook](vtkAbstractMapper* mapper, vtkProp* prop) { hook->BeforeDraw(mapper, prop); });
 }
 
 vtkNBufferDrawHook::Draw::~Draw()
 {
   this->Hook->Restore();
+  this->Hook->Pass->SetCallback(nullptr);
   this->Hook->Actor = nullptr;
   this->Hook->Reads = this->Hook->Reads && !this->Hook->Read.Mapper;
 }
@@ -157,23 +133,22 @@ bool vtkNBufferDrawHook::Upload(Buffer& buffer)
   return buffer.IsUploaded;
 }
 
-bool vtkNBufferDrawHook::SetShaderParameters(
-  vtkShaderProgram*, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+void vtkNBufferDrawHook::BeforeDraw(vtkAbstractMapper* mapper, vtkProp* prop)
 {
   if (!this->Actor || prop != this->Actor)
   {
-    return true;
+    return;
   }
   this->Restore();
   if (vtkOpenGLGlyph3DHelper* instances = vtkNBufferInstanceStream::GetHelper(mapper))
   {
     this->SetInstances(instances);
-    return true;
+    return;
   }
   if (vtkNBufferBlockStream::DrawsBlocks(mapper))
   {
     this->SetBlocks(mapper);
-    return true;
+    return;
   }
   vtkOpenGLPolyDataMapper* splats = vtkNBufferSplatStream::GetHelper(mapper);
   auto* surface = typeid(*mapper) == typeid(vtkOpenGLPolyDataMapper)
@@ -185,16 +160,16 @@ bool vtkNBufferDrawHook::SetShaderParameters(
   {
     this->Reads = false;
     this->ReadSource(stream, source, surface ? surface->GetInput() : nullptr);
-    return true;
+    return;
   }
   if (this->Current == Whole)
   {
-    return true;
+    return;
   }
   Buffer& buffer = this->Buffers[this->Current];
   if (!this->IsAsRead(source))
   {
-    return true;
+    return;
   }
   if (this->Read.IsNumbered)
   {
@@ -210,7 +185,6 @@ bool vtkNBufferDrawHook::SetShaderParameters(
     this->Changed = stream;
     this->Original = std::exchange(stream->IBO, buffer.Object.Get());
   }
-  return true;
 }
 
 void vtkNBufferDrawHook::SetInstances(vtkOpenGLGlyph3DHelper* mapper)

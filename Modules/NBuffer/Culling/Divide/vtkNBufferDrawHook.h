@@ -5,10 +5,10 @@
  * @brief Lets a mapper draw only some of the primitives of an actor, from its own vertex buffers.
  *
  * vtkOpenGLPolyDataMapper calls SetShaderParameters() of the render passes in an actor's property
- * keys just before it binds its index buffer and draws. This pass then puts another index buffer
- * into the place of the mapper's. Program, vertex buffers and uniforms stay the same, so that each
- * primitive has the same fragments, to the bit. No subclass of a mapper is needed, and no shader is
- * changed.
+ * keys just before it binds its index buffer and draws (vtkNBufferDrawPass). The hook then puts
+ * another index buffer into the place of the mapper's. Program, vertex buffers and uniforms stay
+ * the same, so that each primitive has the same fragments, to the bit. No subclass of a mapper is
+ * needed, and no shader is changed.
  *
  * Of a mesh with scalars or normals of cells, whose shader needs the number of each primitive,
  * ranges of the mapper's own index buffer are drawn instead (vtkNBufferRangeDraw).
@@ -38,7 +38,6 @@
 
 #include "vtkNew.h"
 #include "vtkOpenGLIndexBufferObject.h"
-#include "vtkOpenGLRenderPass.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
@@ -46,7 +45,9 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkAbstractMapper;
 class vtkActor;
+class vtkNBufferDrawPass;
 class vtkOpenGLGlyph3DHelper;
 class vtkOpenGLHelper;
 class vtkOpenGLPolyDataMapper;
@@ -54,12 +55,16 @@ class vtkOpenGLRenderWindow;
 class vtkPolyData;
 class vtkProp;
 class vtkRenderer;
+class vtkWindow;
 
-class vtkNBufferDrawHook : public vtkOpenGLRenderPass
+class vtkNBufferDrawHook
 {
 public:
-  static vtkNBufferDrawHook* New();
-  vtkTypeMacro(vtkNBufferDrawHook, vtkOpenGLRenderPass);
+  /// The pass, which has to outlive the hook, is that of the props that the hook draws.
+  explicit vtkNBufferDrawHook(vtkNBufferDrawPass* pass);
+  ~vtkNBufferDrawHook();
+  vtkNBufferDrawHook(const vtkNBufferDrawHook&) = delete;
+  void operator=(const vtkNBufferDrawHook&) = delete;
 
   /// What a mapper draws. Two draws with equal sources draw the same primitives in the same order.
   struct Source
@@ -92,12 +97,6 @@ public:
     Whole, ///< Everything; the draw may only read what is drawn.
     NumberOfLists = Whole
   };
-
-  ///@{
-  /// Add the hook to the property keys of a prop, or remove it.
-  void Attach(vtkProp* prop);
-  void Detach(vtkProp* prop);
-  ///@}
 
   /// Begin a frame of a window. The buffers of the hook are released with its context.
   void BeginFrame(vtkOpenGLRenderWindow* window)
@@ -143,23 +142,9 @@ public:
   /// Whether a draw of a list drew everything, because the source has changed.
   bool IsStale() const { return this->Stale; }
 
-  /// Called by the mapper.
-  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
-    vtkOpenGLVertexArrayObject* VAO) override;
-
-  /// A pass in a prop's property keys is never rendered itself.
-  void Render(const vtkRenderState*) override {}
-
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-
-protected:
-  vtkNBufferDrawHook();
-  ~vtkNBufferDrawHook() override;
+  void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  vtkNBufferDrawHook(const vtkNBufferDrawHook&) = delete;
-  void operator=(const vtkNBufferDrawHook&) = delete;
-
   struct Buffer
   {
     vtkNew<vtkOpenGLIndexBufferObject> Object;
@@ -169,6 +154,7 @@ private:
     std::vector<vtkNBufferUnits::Range> Ranges; ///< The list, if primitives are numbered.
   };
 
+  void BeforeDraw(vtkAbstractMapper* mapper, vtkProp* prop);
   void SetInstances(vtkOpenGLGlyph3DHelper* mapper);
   void SetBlocks(vtkAbstractMapper* mapper);
   void ReadSource(vtkOpenGLHelper* stream, const Source& source, vtkPolyData* data);
@@ -177,6 +163,7 @@ private:
   void Restore();
 
   using Callback = vtkOpenGLResourceFreeCallback<vtkNBufferDrawHook>;
+  vtkNBufferDrawPass* Pass;
   std::unique_ptr<Callback> Resources;
   std::array<Buffer, NumberOfLists> Buffers;
   vtkActor* Actor = nullptr; ///< Only compared; set while a Draw exists.

@@ -59,28 +59,31 @@ bool vtkNBufferSplatStream::Blends(vtkActor* actor)
   return mapper->GetEmissive() || HasText(mapper->GetOpacityArray()) || isFaint;
 }
 
-bool vtkNBufferSplatStream::MayBeDivided(vtkActor* actor)
+bool vtkNBufferSplatStream::DrawsSplats(vtkActor* actor)
 {
-  vtkMapper* any = actor->GetMapper();
+  vtkMapper* mapper = actor->GetMapper();
   // Subclasses of the class that the object factory makes may draw anything.
-  if (!any || std::strcmp(any->GetClassName(), "vtkOpenGLPointGaussianMapper") != 0)
+  if (!mapper || std::strcmp(mapper->GetClassName(), "vtkOpenGLPointGaussianMapper") != 0)
   {
     return false;
   }
-  auto* mapper = static_cast<vtkPointGaussianMapper*>(any);
   vtkPolyData* data = mapper->GetNumberOfInputConnections(0) == 1 ? GetData(actor) : nullptr;
-  return data && data->GetPoints() && mapper->GetScaleFactor() == 0.0 && !Blends(actor) &&
+  return data && data->GetPoints();
+}
+
+bool vtkNBufferSplatStream::MayBeDivided(vtkActor* actor)
+{
+  if (!DrawsSplats(actor))
+  {
+    return false;
+  }
+  auto* mapper = static_cast<vtkPointGaussianMapper*>(actor->GetMapper());
+  return mapper->GetScaleFactor() == 0.0 && !Blends(actor) &&
     !vtkNBufferSurface::HasOtherCoordinates(actor) &&
+    !vtkNBufferSurface::HasOffsetTowardsEye(mapper, true) &&
     vtkNBufferSurface::DrawsAsSurface(actor->GetProperty(), true) &&
     !vtkNBufferSurface::HasReplacedShaders(actor) && !actor->HasTranslucentPolygonalGeometry() &&
     actor->HasOpaqueGeometry();
-}
-
-bool vtkNBufferSplatStream::AreShifted(vtkActor* actor)
-{
-  vtkMapper* mapper = actor->GetMapper();
-  return vtkPointGaussianMapper::SafeDownCast(mapper) &&
-    vtkNBufferSurface::HasOffsetTowardsEye(mapper, true);
 }
 
 vtkPolyData* vtkNBufferSplatStream::GetData(vtkActor* actor)

@@ -47,19 +47,15 @@ public:
   /// before: emissive ones, and those that are less opaque at their borders or by an array.
   static bool Blends(vtkActor* actor);
 
-  /// Whether the actor has a vtkPointGaussianMapper that draws one polydata as opaque points, in
-  /// the actor's place and at their own depths.
+  /// Whether the actor has a vtkPointGaussianMapper that draws one polydata.
+  static bool DrawsSplats(vtkActor* actor);
+
+  /// Whether an actor that draws splats draws opaque points, in the actor's place and at their own
+  /// depths.
   static bool MayBeDivided(vtkActor* actor);
 
-  /**
-   * Whether global settings of vtkMapper shift the splats of an actor towards the eye, so that
-   * their boxes do not bound them. This is no reason to take the hook away: VTK would make another
-   * shader then, and only that one would have the shift.
-   */
-  static bool AreShifted(vtkActor* actor);
-
   ///@{
-  /// Of an actor that may be divided: its data; the newest time of what the points are made of,
+  /// Of an actor that draws splats: its data; the newest time of what the points are made of,
   /// whose pipeline is brought up to date; and how large its points are, as
   /// vtkNBufferSurface::GetMargin().
   static vtkPolyData* GetData(vtkActor* actor);
