@@ -209,6 +209,19 @@ TEST(FuzzScenario, NoSharedBillboardsWithShadowVolumes)
   EXPECT_EQ(scenario.Props[0].Kind, PropKind::Actor);
 }
 
+// VTK alone crashes with splats in a window that gets another context.
+TEST(FuzzScenario, NoNewContextWithSplats)
+{
+  Scenario scenario;
+  scenario.Props.resize(1);
+  scenario.Changes.push_back({ 1, ChangeKind::NewContext, 0, {} });
+  RemoveUndefined(scenario);
+  EXPECT_EQ(scenario.Changes.size(), 1U);
+  scenario.Props[0].Kind = PropKind::Splats;
+  RemoveUndefined(scenario);
+  EXPECT_TRUE(scenario.Changes.empty());
+}
+
 // Splats keep the global offset with which their shaders were made.
 TEST(FuzzScenario, NoChangedOffsetOfSplatsWithShadowVolumes)
 {

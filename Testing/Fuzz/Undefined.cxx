@@ -53,6 +53,12 @@ bool HasAmbientOcclusion(const Scenario& scene)
 
 void RemoveUndefined(Scenario& scene)
 {
+  const bool hasSplats = std::any_of(scene.Props.begin(), scene.Props.end(),
+    [](const Prop& prop) { return prop.Kind == PropKind::Splats; });
+  if (hasSplats)
+  {
+    RemoveChanges(scene, ChangeKind::NewContext);
+  }
   if (HasAmbientOcclusion(scene))
   {
     for (Renderer& renderer : scene.Renderers)
@@ -77,6 +83,12 @@ void RemoveUndefined(Scenario& scene)
   }
   if (HasPass(scene, HasShadowVolumes))
   {
+    // VTK does not make the shaders of splats anew when its global offsets of polygons change. The
+    // new pass does that the reference has in each frame.
+    if (hasSplats)
+    {
+      RemoveChanges(scene, ChangeKind::PolygonOffset);
+    }
     const bool sharesProps = std::any_of(scene.Renderers.begin(), scene.Renderers.end(),
       [](const Renderer& renderer) { return renderer.SharesProps; });
     for (Prop& prop : scene.Props)
@@ -86,12 +98,6 @@ void RemoveUndefined(Scenario& scene)
       if (prop.Kind == PropKind::Billboard && sharesProps)
       {
         prop.Kind = PropKind::Actor;
-      }
-      // VTK does not make the shaders of splats anew when its global offsets of polygons change.
-      // The new pass does.
-      if (prop.Kind == PropKind::Splats)
-      {
-        RemoveChanges(scene, ChangeKind::PolygonOffset);
       }
       // VTK 9.1 blends the blocks of composite data in the order of addresses.
       if (prop.Kind == PropKind::Composite)

@@ -19,7 +19,8 @@ namespace TestScene
 /// is no number; split stereo squeezes the whole window, and the next frame what of that is left
 /// outside of the viewports, so that pictures depend on how many frames there were, which with
 /// shadows is not the same; a billboard of several renderers is drawn where it was in another one,
-/// and splats with the global offset of the time when their shaders were made.
+/// and splats with the global offset of the time when their shaders were made; where splats are
+/// drawn and the context is replaced, VTK crashes.
 void RemoveUndefined(Scenario& scene);
 }
 
