@@ -503,7 +503,7 @@ INSTANTIATE_TEST_SUITE_P(Each, CullerDivisionSharing, testing::Values(0, 1),
 
 // Hazard: VTK makes the shaders of a shared mapper at another time because the culler adds its pass
 // to the actors, or takes it away.
-TEST_P(CullerDivisionSharing, SameImageWithEdges)
+TEST_P(CullerDivisionSharing, SameImage)
 {
   Comparison comparison(
     [](Stage& stage)
@@ -525,8 +525,9 @@ TEST_P(CullerDivisionSharing, SameImageWithEdges)
   };
   walk(0);
   EXPECT_GT(comparison.GetStatistics().Units, 0);
-  comparison.Frame("edges",
-    [this](Stage& stage) { stage.GetActor(this->GetParam())->GetProperty()->EdgeVisibilityOn(); });
+  comparison.Frame("physical",
+    [this](Stage& stage)
+    { stage.GetActor(this->GetParam())->GetProperty()->SetInterpolationToPBR(); });
   walk(5);
   EXPECT_EQ(comparison.GetStatistics().Units, 0);
 }
