@@ -198,33 +198,10 @@ void vtkNBufferDivision::Reset()
   }
 }
 
-vtkProp* vtkNBufferDivision::GetInList(int place)
-{
-  Entry* entry = this->Find(place);
-  return entry && entry->IsDrawnHere() ? entry->Prop->GetProxy() : this->Props.GetProp(place);
-}
-
-bool vtkNBufferDivision::DrawsTranslucent(int place)
+bool vtkNBufferDivision::Draws(int place)
 {
   const Entry* entry = this->Find(place);
-  return entry && this->Props.GetCandidate(place).IsTranslucent() &&
-    (entry->IsPending || entry->IsDrawnHere());
-}
-
-int vtkNBufferDivision::Postpone(vtkProp** props, int count)
-{
-  for (int i = count - 1; i >= 0; --i)
-  {
-    for (const Entry& entry : this->Entries)
-    {
-      if (props[i] == entry.Prop->GetProxy())
-      {
-        this->Postponed = entry.Place;
-        return i;
-      }
-    }
-  }
-  return -1;
+  return entry && (entry->IsPending || entry->IsDrawnHere());
 }
 
 void vtkNBufferDivision::Test(const vtkNBufferDividedProp::Depth& depth, std::vector<int>& heldBack)

@@ -20,8 +20,6 @@ vtkNBufferDividedProp::vtkNBufferDividedProp(vtkActor* actor)
   : Actor(actor)
 {
   this->Hook->Attach(actor);
-  this->Proxy->SetProp(
-    actor, [this](const std::function<int()>& drawWhole) { return this->Draw(drawWhole); });
 }
 
 vtkNBufferDividedProp::~vtkNBufferDividedProp()

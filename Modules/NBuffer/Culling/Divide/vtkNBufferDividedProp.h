@@ -32,7 +32,6 @@
 #ifndef vtkNBufferDividedProp_h
 #define vtkNBufferDividedProp_h
 
-#include "vtkNBufferDividedProxy.h"
 #include "vtkNBufferDrawHook.h"
 #include "vtkNBufferUnitCulling.h"
 
@@ -69,7 +68,6 @@ public:
   void operator=(const vtkNBufferDividedProp&) = delete;
 
   vtkActor* GetActor() const { return this->Actor; }
-  vtkNBufferDividedProxy* GetProxy() const { return this->Proxy; }
 
   /// Begin a frame. `changed` says whether what the prop draws may have changed.
   void BeginFrame(bool changed, const Settings& settings);
@@ -162,7 +160,6 @@ private:
     const std::function<int()>& drawWhole);
 
   vtkWeakPointer<vtkActor> Actor;
-  vtkNew<vtkNBufferDividedProxy> Proxy;
   vtkNew<vtkNBufferDrawHook> Hook;
   Phase State = Phase::Waiting;
   int StillFrames = 0;
