@@ -67,8 +67,10 @@ MUTANTS = {
         ("vtkNBufferTieOrder.cxx", "a.Round > b.Round;", "a.Round < b.Round;")],
     "cell values of a shortened list": [
         (RANGES, "SetUniformi(Offset, static_cast<int>(range.Begin));", "SetUniformi(Offset, 0);")],
-    "a mapper keeps the index buffer of the units": [
-        (HOOK, "this->Changed->IBO = this->Original;", "")],
+    "a mapper keeps having no indices": [
+        ("vtkNBufferOwnDraw.cxx",
+         "this->Stream->IBO->IndexCount = std::exchange(this->IndexCount, 0);",
+         "this->IndexCount = 0;")],
     "a mapper keeps the list of the blocks that were drawn": [
         ("vtkNBufferBlockStream.cxx", "this->Exchanged->swap(*GetBlockList(this->Changed).Blocks);", "")],
     "gaussian points as small as their middles": [

@@ -5,6 +5,7 @@
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDepthTest.h"
 #include "vtkNBufferLargeProps.h"
+#include "vtkNBufferSplatStream.h"
 #include "vtkNBufferTieQuery.h"
 #include "vtkNBufferViewSetup.h"
 

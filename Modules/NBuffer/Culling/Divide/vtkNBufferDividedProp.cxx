@@ -3,6 +3,7 @@
 #include "vtkNBufferDividedProp.h"
 
 #include "vtkNBufferPropWatch.h"
+#include "vtkNBufferSplatStream.h"
 #include "vtkNBufferSurface.h"
 
 #include "vtkActor.h"

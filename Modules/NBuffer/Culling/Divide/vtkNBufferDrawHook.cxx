@@ -4,6 +4,8 @@
 
 #include "vtkNBufferGL.h"
 #include "vtkNBufferProtectedMembers.h"
+#include "vtkNBufferRangeDraw.h"
+#include "vtkNBufferSplatStream.h"
 
 #include "vtkActor.h"
 #include "vtkInformation.h"
@@ -15,6 +17,8 @@
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
+#include <functional>
+#include <typeinfo>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -24,6 +28,16 @@ namespace
 {
 vtkNBufferDrawHook::Source GetSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream)
 {
+  if (vtkOpenGLGlyph3DHelper* instances = vtkNBufferInstanceStream::GetHelper(mapper))
+  {
+    const auto buffers = vtkNBufferProtectedMembers::GetInstanceBuffers(instances);
+    vtkPolyData* source = instances->CurrentInput;
+    const bool isKnown =
+      buffers && source && stream->PrimitiveType != vtkOpenGLPolyDataMapper::PrimitivePoints;
+    return isKnown ? vtkNBufferDrawHook::Source{ mapper, source, source->GetMTime(),
+      stream->IBO->IndexCount, 2, buffers->BuildTime }
+                   : vtkNBufferDrawHook::Source{ mapper };
+  }
   vtkPolyData* data = mapper->GetInput();
   const bool isSplats = vtkNBufferSplatStream::GetHelper(mapper) != nullptr;
   const std::size_t corners =
@@ -37,6 +51,15 @@ vtkNBufferDrawHook::Source GetSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLH
     stream->IBO->IndexCount % corners == 0;
   return { mapper, data, data ? data->GetMTime() : 0, stream->IBO->IndexCount,
     isKnown ? corners : 0, 0, vtkNBufferRangeDraw::IsNeeded(stream) };
+}
+
+bool DrawIndices(vtkOpenGLIndexBufferObject* indices, bool arePoints)
+{
+  indices->Bind();
+  glDrawElements(arePoints ? GL_POINTS : GL_TRIANGLES, static_cast<GLsizei>(indices->IndexCount),
+    GL_UNSIGNED_INT, nullptr);
+  indices->Release();
+  return true;
 }
 }
 
@@ -97,15 +120,8 @@ int vtkNBufferDrawHook::Render(vtkActor* actor, vtkRenderer* renderer)
 
 void vtkNBufferDrawHook::Restore()
 {
-  this->Instances.Restore();
   this->Blocks.Restore();
   this->Own.Restore();
-  this->Splats.Restore();
-  if (this->Changed)
-  {
-    this->Changed->IBO = this->Original;
-    this->Changed = nullptr;
-  }
 }
 
 void vtkNBufferDrawHook::ReadNext()
@@ -165,87 +181,60 @@ bool vtkNBufferDrawHook::SetShaderParameters(
     return true;
   }
   this->Restore();
-  if (vtkOpenGLGlyph3DHelper* instances = vtkNBufferInstanceStream::GetHelper(mapper))
-  {
-    this->SetInstances(instances);
-    return true;
-  }
   if (vtkNBufferBlockStream::DrawsBlocks(mapper))
   {
     this->SetBlocks(mapper);
-    return true;
   }
-  vtkOpenGLPolyDataMapper* splats = vtkNBufferSplatStream::GetHelper(mapper);
-  auto* surface = typeid(*mapper) == typeid(vtkOpenGLPolyDataMapper)
-    ? static_cast<vtkOpenGLPolyDataMapper*>(mapper)
-    : splats;
-  vtkOpenGLHelper* stream = surface ? vtkNBufferProtectedMembers::GetOnlyStream(surface) : nullptr;
-  const Source source = stream ? ::GetSource(surface, stream) : Source{ surface };
-  if (this->Reads)
+  else
   {
-    this->Reads = false;
-    this->ReadSource(stream, source, surface ? surface->GetInput() : nullptr);
-    return true;
-  }
-  if (this->Current == Whole)
-  {
-    return true;
-  }
-  Buffer& buffer = this->Buffers[this->Current];
-  if (!this->IsAsRead(source))
-  {
-    return true;
-  }
-  if (this->Read.IsNumbered)
-  {
-    this->Own.SetNext(surface, stream,
-      [&buffer, stream]() { return vtkNBufferRangeDraw::Draw(buffer.Ranges, stream); });
-  }
-  else if (this->Upload(buffer) && splats && vtkNBufferSplatStream::DrawsArrays(stream))
-  {
-    this->Splats.DrawNext(splats, stream, buffer.Object);
-  }
-  else if (buffer.IsUploaded)
-  {
-    this->Changed = stream;
-    this->Original = std::exchange(stream->IBO, buffer.Object.Get());
+    this->SetStream(mapper);
   }
   return true;
 }
 
-void vtkNBufferDrawHook::SetInstances(vtkOpenGLGlyph3DHelper* mapper)
+void vtkNBufferDrawHook::SetStream(vtkAbstractMapper* mapper)
 {
-  vtkOpenGLHelper* stream = vtkNBufferProtectedMembers::GetOnlyStream(mapper);
-  const auto buffers = vtkNBufferProtectedMembers::GetInstanceBuffers(mapper);
-  vtkPolyData* data = mapper->CurrentInput;
-  Source source = { mapper };
-  if (stream && buffers && data &&
-    stream->PrimitiveType != vtkOpenGLPolyDataMapper::PrimitivePoints)
+  vtkOpenGLGlyph3DHelper* instances = vtkNBufferInstanceStream::GetHelper(mapper);
+  vtkOpenGLPolyDataMapper* splats = vtkNBufferSplatStream::GetHelper(mapper);
+  const bool isDrawnByStreams =
+    instances || splats || typeid(*mapper) == typeid(vtkOpenGLPolyDataMapper);
+  auto* surface = isDrawnByStreams ? static_cast<vtkOpenGLPolyDataMapper*>(mapper) : nullptr;
+  vtkOpenGLHelper* stream = surface ? vtkNBufferProtectedMembers::GetOnlyStream(surface) : nullptr;
+  const Source source = stream ? ::GetSource(surface, stream) : Source{ surface };
+  if (std::exchange(this->Reads, false))
   {
-    source = { mapper, data, data->GetMTime(), stream->IBO->IndexCount, 2, buffers->BuildTime };
-  }
-  if (this->Reads)
-  {
-    this->Reads = false;
-    if (source.Corners > 0 && !this->Instances.Read(this->Actor, mapper, this->Mesh))
-    {
-      source.Corners = 0;
-    }
-    this->Read = source;
+    this->ReadSource(surface, stream, source);
     return;
   }
-  if (this->Current == Whole)
+  if (this->Current == Whole || !this->IsAsRead(source))
   {
     return;
   }
-  if (this->IsAsRead(source))
+  const List list = this->Current;
+  Buffer& buffer = this->Buffers[list];
+  std::function<bool()> draw;
+  if (instances)
   {
-    Buffer& buffer = this->Buffers[this->Current];
     if (!std::exchange(buffer.IsUploaded, true))
     {
-      this->Instances.Upload(this->Current, std::exchange(buffer.Indices, {}));
+      this->Instances.Upload(list, std::exchange(buffer.Indices, {}));
     }
-    this->Instances.DrawNext(this->Current, mapper, stream);
+    draw = [this, list, instances, stream]()
+    { return this->Instances.Draw(list, instances, stream); };
+  }
+  else if (this->Read.IsNumbered)
+  {
+    draw = [&buffer, stream]() { return vtkNBufferRangeDraw::Draw(buffer.Ranges, stream); };
+  }
+  else if (this->Upload(buffer))
+  {
+    draw = [&buffer, arePoints = source.Corners == 1]()
+    { return DrawIndices(buffer.Object, arePoints); };
+  }
+  if (draw)
+  {
+    this->Own.SetNext(
+      surface, stream, !splats || !vtkNBufferSplatStream::DrawsArrays(stream), draw);
   }
 }
 
@@ -278,13 +267,20 @@ void vtkNBufferDrawHook::SetBlocks(vtkAbstractMapper* mapper)
 }
 
 void vtkNBufferDrawHook::ReadSource(
-  vtkOpenGLHelper* stream, const Source& source, vtkPolyData* data)
+  vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream, const Source& source)
 {
   this->Read = source;
   if (source.Corners == 0)
   {
     return;
   }
+  if (vtkOpenGLGlyph3DHelper* instances = vtkNBufferInstanceStream::GetHelper(mapper))
+  {
+    const bool isRead = this->Instances.Read(this->Actor, instances, this->Mesh);
+    this->Read.Corners = isRead ? source.Corners : 0;
+    return;
+  }
+  vtkPolyData* data = mapper->GetInput();
   this->Mesh.Corners = source.Corners;
   this->Mesh.IsDrawnInRanges = source.IsNumbered;
   this->Mesh.Indices.resize(source.IndexCount);
@@ -313,6 +309,6 @@ void vtkNBufferDrawHook::ReleaseGraphicsResources(vtkWindow*)
     buffer.Marked.clear();
   }
   this->Instances.ReleaseGraphicsResources();
-  this->Splats.ReleaseGraphicsResources();
+  this->Own.ReleaseGraphicsResources();
 }
 VTK_ABI_NAMESPACE_END

@@ -5,10 +5,10 @@
  * @brief Lets a mapper draw only some of the primitives of an actor, from its own vertex buffers.
  *
  * vtkOpenGLPolyDataMapper calls SetShaderParameters() of the render passes in an actor's property
- * keys just before it binds its index buffer and draws. This pass then puts another index buffer
- * into the place of the mapper's. Program, vertex buffers and uniforms stay the same, so that each
- * primitive has the same fragments, to the bit. No subclass of a mapper is needed, and no shader is
- * changed.
+ * keys just before it binds its index buffer and draws. This pass then draws with another index
+ * buffer in the place of the mapper (vtkNBufferOwnDraw). Program, vertex buffers and uniforms stay
+ * the same, so that each primitive has the same fragments, to the bit. No subclass of a mapper is
+ * needed, and no shader is changed.
  *
  * Of a mesh with scalars or normals of cells, whose shader needs the number of each primitive,
  * ranges of the mapper's own index buffer are drawn instead (vtkNBufferRangeDraw).
@@ -21,9 +21,8 @@
  * What is said of strips and lines does not hold for composite data, of which whole blocks are left
  * out.
  *
- * The hook works only while one of its own draws is running (the class Draw). It then puts the
- * mapper's buffer back. Whatever else draws the actor gets the whole of it: hardware selectors,
- * other renderers, the application.
+ * The hook works only while one of its own draws is running (the class Draw). Whatever else draws
+ * the actor gets the whole of it: hardware selectors, other renderers, the application.
  */
 #ifndef vtkNBufferDrawHook_h
 #define vtkNBufferDrawHook_h
@@ -31,9 +30,7 @@
 #include "vtkNBufferBlockStream.h"
 #include "vtkNBufferInstanceStream.h"
 #include "vtkNBufferOwnDraw.h"
-#include "vtkNBufferRangeDraw.h"
 #include "vtkNBufferResourceCallback.h"
-#include "vtkNBufferSplatStream.h"
 #include "vtkNBufferUnits.h"
 
 #include "vtkNew.h"
@@ -47,11 +44,9 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
-class vtkOpenGLGlyph3DHelper;
 class vtkOpenGLHelper;
 class vtkOpenGLPolyDataMapper;
 class vtkOpenGLRenderWindow;
-class vtkPolyData;
 class vtkProp;
 class vtkRenderer;
 
@@ -169,9 +164,9 @@ private:
     std::vector<vtkNBufferUnits::Range> Ranges; ///< The list, if primitives are numbered.
   };
 
-  void SetInstances(vtkOpenGLGlyph3DHelper* mapper);
   void SetBlocks(vtkAbstractMapper* mapper);
-  void ReadSource(vtkOpenGLHelper* stream, const Source& source, vtkPolyData* data);
+  void SetStream(vtkAbstractMapper* mapper);
+  void ReadSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream, const Source& source);
   bool IsAsRead(const Source& source);
   bool Upload(Buffer& buffer);
   void Restore();
@@ -188,9 +183,6 @@ private:
   vtkNBufferInstanceStream Instances;
   vtkNBufferBlockStream Blocks;
   vtkNBufferOwnDraw Own;
-  vtkNBufferSplatStream Splats;
-  vtkOpenGLHelper* Changed = nullptr; ///< Its index buffer is one of ours.
-  vtkOpenGLIndexBufferObject* Original = nullptr;
 };
 
 VTK_ABI_NAMESPACE_END

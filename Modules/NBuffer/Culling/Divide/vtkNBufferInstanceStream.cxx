@@ -202,16 +202,10 @@ void vtkNBufferInstanceStream::Upload(int list, const std::vector<unsigned int>&
   UploadPart(target.Colors, this->Colors, ColorSize, corners);
 }
 
-void vtkNBufferInstanceStream::DrawNext(
-  int list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream)
-{
-  this->Own.SetNext(mapper, stream,
-    [this, list, mapper, stream]() { return this->Draw(this->Lists[list], mapper, stream); });
-}
-
 bool vtkNBufferInstanceStream::Draw(
-  const List& list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream)
+  int number, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream)
 {
+  const List& list = this->Lists[number];
   const auto buffers = vtkNBufferProtectedMembers::GetInstanceBuffers(mapper);
   const bool willAttach = buffers &&
     (buffers->BuildTime > buffers->LoadTime ||

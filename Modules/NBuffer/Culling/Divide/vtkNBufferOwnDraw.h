@@ -7,6 +7,10 @@
  * When everything for the mapper's draw has been bound (vtkCommand::UpdateShaderEvent), this class
  * calls a function that draws, and then lets VTK's own draw have no indices. Program, textures,
  * uniforms and vertices are VTK's.
+ *
+ * A draw without an index buffer (vtkNBufferSplatStream) takes no notice of that. OpenGL discards
+ * it instead: within glBeginConditionalRender() with a query that has counted nothing, nothing is
+ * drawn.
  */
 #ifndef vtkNBufferOwnDraw_h
 #define vtkNBufferOwnDraw_h
@@ -31,12 +35,15 @@ public:
   void operator=(const vtkNBufferOwnDraw&) = delete;
 
   /// Let `draw` draw instead of the mapper, the shader parameters of whose stream are being set. If
-  /// it returns false, it has drawn nothing, and VTK draws.
-  void SetNext(
-    vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream, const std::function<bool()>& draw);
+  /// it returns false, it has drawn nothing, and VTK draws. `hasIndices`: whether VTK's draw has an
+  /// index buffer.
+  void SetNext(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream, bool hasIndices,
+    const std::function<bool()>& draw);
 
-  /// Undo what SetNext() has changed in the mapper.
+  /// Undo what SetNext() has changed.
   void Restore();
+
+  void ReleaseGraphicsResources();
 
 private:
   void Draw();
@@ -46,6 +53,9 @@ private:
   std::function<bool()> Function;
   unsigned long Observer = 0;
   std::size_t IndexCount = 0; ///< That of the stream, while it has been taken away.
+  bool HasIndices = true;
+  unsigned int Nothing = 0;  ///< A query that has counted nothing, or 0.
+  bool IsDiscarding = false; ///< Until Restore() nothing is drawn.
 };
 
 VTK_ABI_NAMESPACE_END
