@@ -74,8 +74,7 @@ MUTANTS = {
     "a mapper keeps the list of the blocks that were drawn": [
         ("vtkNBufferBlockStream.cxx", "this->Exchanged->swap(*GetBlockList(this->Changed).Blocks);", "")],
     "gaussian points as small as their middles": [
-        ("vtkNBufferSplatStream.cxx", "return 0.5 * actor->GetProperty()->GetPointSize() + 1.0;",
-         "(void)actor; return 0.0;")],
+        (DIVIDED, "vtkNBufferSurface::GetMarginOfLines(this->Actor->GetProperty())", "0.0")],
     "indices of the mesh before": [
         (HOOK, "buffer.Marked.clear(); // The same units of another mesh have other indices.", "")],
     "units of data that have changed": [

@@ -103,10 +103,7 @@ void vtkNBufferDivision::Update(vtkOpenGLRenderWindow* window, const vtkNBufferS
     settings.DivideInBackground };
   for (Entry& entry : this->Entries)
   {
-    const vtkMTimeType time =
-      vtkNBufferLargeProps::GetPartsTime(this->Props.GetCandidate(entry.Place));
-    const bool hasChanged = std::exchange(entry.PartsTime, time) != time ||
-      std::binary_search(changed.begin(), changed.end(), entry.Place);
+    const bool hasChanged = std::binary_search(changed.begin(), changed.end(), entry.Place);
     entry.Prop->BeginFrame(hasChanged, making);
     entry.IsActive = entry.IsActive && !hasChanged;
   }
@@ -116,8 +113,10 @@ void vtkNBufferDivision::SetView(const vtkNBufferViewSetup& view)
 {
   for (Entry& entry : this->Entries)
   {
-    view.Apply(
-      entry.Projection, vtkNBufferGLM::ToMatrix(entry.Prop->GetActor()->GetMatrix()->GetData()));
+    // GetBounds() does not compute the matrix of splats without cells.
+    vtkActor* actor = entry.Prop->GetActor();
+    actor->ComputeMatrix();
+    view.Apply(entry.Projection, vtkNBufferGLM::ToMatrix(actor->GetMatrix()->GetData()));
   }
 }
 

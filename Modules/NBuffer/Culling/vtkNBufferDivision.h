@@ -137,8 +137,7 @@ private:
     std::unique_ptr<vtkNBufferDividedProp> Prop;
     vtkNBufferProjection Projection; ///< From the coordinates of the mesh.
     vtkNBufferBackOff BackOff;
-    vtkMTimeType PartsTime = 0; ///< That of the instances or splats of a prop that is no candidate.
-    bool IsActive = false;      ///< It is drawn unit by unit.
+    bool IsActive = false; ///< It is drawn unit by unit.
     bool IsHeldBack = false;
     bool IsPending = false; ///< Its units are to be tested before the translucent stage.
 

@@ -11,6 +11,7 @@
 #include "vtkMapper.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkProperty.h"
 
 #include <algorithm>
 #include <chrono>
@@ -109,8 +110,8 @@ void vtkNBufferDividedProp::ReadRounding()
     const double* bounds = vtkNBufferSplatStream::GetData(this->Actor)->GetPoints()->GetBounds();
     const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
     // A buffer that a mapper of the same points has made may be shifted. Its origin is not farther.
-    this->Culling.SetRounding(
-      { glm::dvec3(0.0), 2.0 * box.Magnitude, vtkNBufferSplatStream::GetMargin(this->Actor) });
+    this->Culling.SetRounding({ glm::dvec3(0.0), 2.0 * box.Magnitude,
+      vtkNBufferSurface::GetMarginOfLines(this->Actor->GetProperty()) });
     return;
   }
   const auto buffer = vtkNBufferSurface::GetBufferCoordinates(this->Actor->GetMapper());

@@ -106,15 +106,6 @@ vtkIdType vtkNBufferInstanceStream::CountTriangles(vtkActor* actor)
   return cells > 0 && instances > VTK_INT_MAX / cells ? VTK_INT_MAX : instances * cells;
 }
 
-vtkMTimeType vtkNBufferInstanceStream::GetTime(vtkActor* actor)
-{
-  vtkNBufferSurface::UpdatePipeline(actor);
-  actor->ComputeMatrix();
-  vtkMapper* mapper = actor->GetMapper();
-  return std::max({ actor->GetMTime(), mapper->GetMTime(),
-    mapper->GetInputDataObject(0, 0)->GetMTime(), mapper->GetInputDataObject(1, 0)->GetMTime() });
-}
-
 std::size_t vtkNBufferInstanceStream::GetUnitSize(std::size_t indices, std::size_t unitSize)
 {
   return std::clamp<std::size_t>(3 * unitSize / std::max<std::size_t>(indices, 1), 1, LargestUnit);

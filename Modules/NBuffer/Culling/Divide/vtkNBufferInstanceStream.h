@@ -55,12 +55,8 @@ public:
   /// in the actor's place and at its own depths, by one call.
   static bool MayBeDivided(vtkActor* actor);
 
-  ///@{
-  /// Of an actor that may be divided: how many cells all instances have, and the newest time of
-  /// what they are made of, whose pipelines are brought up to date.
+  /// How many cells all instances of an actor that may be divided have.
   static vtkIdType CountTriangles(vtkActor* actor);
-  static vtkMTimeType GetTime(vtkActor* actor);
-  ///@}
 
   /// How many instances make a unit, if the source has so many indices and a unit of a mesh has
   /// `unitSize` triangles.

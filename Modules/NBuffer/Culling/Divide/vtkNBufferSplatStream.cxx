@@ -85,19 +85,6 @@ vtkPolyData* vtkNBufferSplatStream::GetData(vtkActor* actor)
   return vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
 }
 
-vtkMTimeType vtkNBufferSplatStream::GetTime(vtkActor* actor)
-{
-  vtkNBufferSurface::UpdatePipeline(actor);
-  actor->ComputeMatrix();
-  return std::max(
-    { actor->GetMTime(), actor->GetMapper()->GetMTime(), GetData(actor)->GetMTime() });
-}
-
-double vtkNBufferSplatStream::GetMargin(vtkActor* actor)
-{
-  return 0.5 * actor->GetProperty()->GetPointSize() + 1.0;
-}
-
 bool vtkNBufferSplatStream::DrawsArrays(vtkOpenGLHelper* stream)
 {
   return stream->PrimitiveType != vtkOpenGLPolyDataMapper::PrimitivePoints;

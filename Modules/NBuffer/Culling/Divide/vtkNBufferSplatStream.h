@@ -17,8 +17,6 @@
 
 #include "vtkNBufferUnits.h"
 
-#include "vtkType.h"
-
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractMapper;
 class vtkActor;
@@ -46,13 +44,8 @@ bool MayBeDivided(vtkActor* actor);
  */
 bool AreShifted(vtkActor* actor);
 
-///@{
-/// Of an actor that may be divided: its data; the newest time of what the points are made of, whose
-/// pipeline is brought up to date; and how large its points are, as vtkNBufferSurface::GetMargin().
+/// The data of an actor that may be divided.
 vtkPolyData* GetData(vtkActor* actor);
-vtkMTimeType GetTime(vtkActor* actor);
-double GetMargin(vtkActor* actor);
-///@}
 
 /// Whether a stream of the helper has no index buffer.
 bool DrawsArrays(vtkOpenGLHelper* stream);
