@@ -326,33 +326,14 @@ void vtkNBufferDivision::DescribeNext(int place, int round, const vtkNBufferProj
   for (const vtkNBufferUnits::Box& group : entry->Prop->GetFreshGroups())
   {
     vtkNBufferDrawnProp part = whole;
-    const glm::dvec3 low(group.Low);
-    const glm::dvec3 high(group.High);
-    const glm::dvec3 half = 0.5 * (high - low);
-    part.Box.Center = glm::dvec3(toWorld[3]);
-    part.Box.HalfSize = glm::dvec3(0.0);
-    glm::dvec3 largest = vtkNBufferGLM::Abs(part.Box.Center);
-    for (int k = 0; k < 3; ++k)
-    {
-      const glm::dvec3 column(toWorld[k]);
-      part.Box.Center += column * (0.5 * (low[k] + high[k]));
-      part.Box.HalfSize += vtkNBufferGLM::Abs(column) * half[k];
-      largest += vtkNBufferGLM::Abs(column) * std::max(std::abs(low[k]), std::abs(high[k]));
-    }
-    // Some ten operations are rounded on numbers that are at most as large as this.
-    part.Box.HalfSize += largest * 0x1p-48;
+    part.Box.SetPlace(toWorld, glm::dvec3(group.Low), glm::dvec3(group.High));
     if (!this->Props.GetCandidate(place).IsCandidate())
     {
       // The box of the prop itself is an estimate of VTK.
       const vtkNBufferBox box = entry->Prop->MakeBox(group);
       part.KeepsScissor = true;
       part.Box.Margin = box.Margin;
-      part.Box.Origin = glm::dvec3(toWorld[3]);
-      part.Box.Magnitude = glm::dvec3(0.0);
-      for (int k = 0; k < 3; ++k)
-      {
-        part.Box.Magnitude += vtkNBufferGLM::Abs(glm::dvec3(toWorld[k])) * box.Magnitude[k];
-      }
+      part.Box.SetRounding(toWorld, box.Origin, box.Magnitude);
     }
     part.Bounded = projection.Project(part.Box, part.Screen) == vtkNBufferPlacement::Inside;
     drawn.push_back(part);
