@@ -4,7 +4,6 @@
 
 #include "vtkNBufferBackend.h"
 #include "vtkNBufferCompatibility.h"
-#include "vtkNBufferCullerOrder.h"
 #include "vtkNBufferDepthExchange.h"
 #include "vtkNBufferFrameGuard.h"
 #include "vtkNBufferKnownClasses.h"
@@ -209,21 +208,13 @@ double vtkNBufferCuller::Cull(
 {
   Internals::ViewEntry& entry = this->Implementation->GetView(renderer);
   vtkNBufferView& view = *entry.View;
-  vtkNBufferDecision obstacle = vtkNBufferDecision::Disabled;
-  if (this->Enabled)
-  {
-    obstacle = vtkNBufferCompatibility::WhyNot(renderer);
-  }
-  if (obstacle == vtkNBufferDecision::None &&
-    vtkNBufferCullerOrder::IsOtherBehind(this, renderer->GetCullers()))
-  {
-    obstacle = vtkNBufferDecision::OtherCuller;
-  }
+  vtkNBufferDecision obstacle =
+    this->Enabled ? vtkNBufferCompatibility::WhyNot(renderer, this) : vtkNBufferDecision::Disabled;
   // This comes before the props are counted. A default frustum culler in front of this one may have
   // left only a few of many props, and it takes its time in each frame until it is moved.
   if (obstacle == vtkNBufferDecision::None && this->Tuning.TakeOverFrustumCulling)
   {
-    vtkNBufferCullerOrder::MoveFrustumCullersBehind(this, renderer->GetCullers());
+    vtkNBufferCompatibility::MoveFrustumCullersBehind(renderer->GetCullers(), this);
   }
   vtkNBufferSettings settings = { this->Tuning };
   settings.Backend = static_cast<vtkNBufferBackend::Kind>(this->Backend);
