@@ -224,9 +224,9 @@ bool vtkNBufferCandidateList::RefreshOne(std::size_t i, bool globalStateChanged)
 void vtkNBufferCandidateList::ProjectOne(int i, const vtkNBufferProjection& projection)
 {
   const vtkNBufferCandidate& candidate = this->Candidates[i];
-  if (candidate.HasPlacement() && !projection.IsOutside(candidate.GetBox()))
+  if (candidate.HasPlacement())
   {
-    this->States[i].Placement = projection.Project(candidate.GetBox(), this->Screens[i]);
+    this->States[i].Placement = projection.Place(candidate.GetBox(), this->Screens[i]);
   }
 }
 

@@ -79,6 +79,12 @@ public:
    */
   vtkNBufferPlacement Project(const vtkNBufferBox& box, vtkNBufferScreenBox& result) const;
 
+  /// The same where many boxes are outside: IsOutside() comes first.
+  vtkNBufferPlacement Place(const vtkNBufferBox& box, vtkNBufferScreenBox& result) const
+  {
+    return this->IsOutside(box) ? vtkNBufferPlacement::Outside : this->Project(box, result);
+  }
+
   /// The errors with which a device may draw a triangle of a box that is Inside, given the result
   /// of Project() for the box.
   vtkNBufferBoxError::TriangleErrors GetTriangleErrors(const vtkNBufferScreenBox& screen) const;
