@@ -98,13 +98,10 @@ void vtkNBufferDivision::Update(vtkOpenGLRenderWindow* window, const vtkNBufferS
       { return !vtkNBufferLargeProps::MayBeDivided(this->Props.GetCandidate(entry.Place)); }),
     this->Entries.end());
   this->FindLarge(changed);
-  const vtkNBufferDividedProp::Settings making = { window,
-    static_cast<std::size_t>(settings.UnitSize), settings.DivideAfter,
-    settings.DivideInBackground };
   for (Entry& entry : this->Entries)
   {
     const bool hasChanged = std::binary_search(changed.begin(), changed.end(), entry.Place);
-    entry.Prop->BeginFrame(hasChanged, making);
+    entry.Prop->BeginFrame(hasChanged, window, settings);
     entry.IsActive = entry.IsActive && !hasChanged;
   }
 }
@@ -346,30 +343,21 @@ bool vtkNBufferDivision::HasUnits() const
     [](const Entry& entry) { return entry.IsActive || entry.IsPending; });
 }
 
-vtkNBufferDividedProp::Counts vtkNBufferDivision::GetCounts() const
+void vtkNBufferDivision::Count(vtkNBufferStatistics& statistics) const
 {
-  vtkNBufferDividedProp::Counts sum;
+  statistics.Units = statistics.UnitsOutside = statistics.UnitsKept = statistics.UnitsFresh = 0;
   for (const Entry& entry : this->Entries)
   {
     if (entry.IsActive)
     {
       const vtkNBufferDividedProp::Counts& counts = entry.Prop->GetCounts();
-      sum.Units += counts.Units;
-      sum.Outside += counts.Outside;
-      sum.Kept += counts.Kept;
-      sum.Fresh += counts.Fresh;
+      statistics.Units += counts.Units;
+      statistics.UnitsOutside += counts.Outside;
+      statistics.UnitsKept += counts.Kept;
+      statistics.UnitsFresh += counts.Fresh;
     }
   }
-  return sum;
-}
-
-void vtkNBufferDivision::Count(vtkNBufferStatistics& statistics) const
-{
-  const vtkNBufferDividedProp::Counts counts = this->GetCounts();
-  statistics.Units = counts.Units;
-  statistics.UnitsOutside = counts.Outside;
-  statistics.UnitsKept = counts.Kept;
-  statistics.UnitsFresh = counts.Fresh;
-  statistics.UnitsHidden = counts.Units - counts.Outside - counts.Kept - counts.Fresh;
+  statistics.UnitsHidden =
+    statistics.Units - statistics.UnitsOutside - statistics.UnitsKept - statistics.UnitsFresh;
 }
 VTK_ABI_NAMESPACE_END

@@ -124,10 +124,8 @@ public:
   /// Whether any prop has units that are tested in this frame.
   bool HasUnits() const;
 
-  /// The sums over all props that are drawn unit by unit.
-  vtkNBufferDividedProp::Counts GetCounts() const;
-
-  /// Set the statistics of units, after a test.
+  /// Set the statistics of units, after a test: the sums over all props that are drawn unit by
+  /// unit.
   void Count(vtkNBufferStatistics& statistics) const;
 
 private:

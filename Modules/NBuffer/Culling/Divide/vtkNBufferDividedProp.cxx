@@ -5,6 +5,7 @@
 #include "vtkNBufferPropWatch.h"
 #include "vtkNBufferSplatStream.h"
 #include "vtkNBufferSurface.h"
+#include "vtkNBufferTuning.h"
 
 #include "vtkActor.h"
 #include "vtkDataObject.h"
@@ -33,7 +34,8 @@ vtkNBufferDividedProp::~vtkNBufferDividedProp()
   }
 }
 
-void vtkNBufferDividedProp::BeginFrame(bool changed, const Settings& settings)
+void vtkNBufferDividedProp::BeginFrame(
+  bool changed, vtkOpenGLRenderWindow* window, const vtkNBufferTuning& tuning)
 {
   const bool isStale = this->State == Phase::Ready && (this->Hook->IsStale() || this->IsOutdated);
   if (changed && this->State == Phase::Ready && this->HasSameData())
@@ -50,9 +52,9 @@ void vtkNBufferDividedProp::BeginFrame(bool changed, const Settings& settings)
     this->Culling.SetUnits({});
     this->Mesh = {};
   }
-  this->Hook->BeginFrame(settings.Window);
+  this->Hook->BeginFrame(window);
   this->IsDrawn = this->FreshIsNext = this->Settled = false;
-  if (this->State == Phase::Waiting && this->StillFrames++ >= settings.DivideAfter)
+  if (this->State == Phase::Waiting && this->StillFrames++ >= tuning.DivideAfter)
   {
     this->State = Phase::Reading;
     this->BlockTime =
@@ -61,7 +63,7 @@ void vtkNBufferDividedProp::BeginFrame(bool changed, const Settings& settings)
   }
   else if (this->State == Phase::Reading && this->Hook->GetSource().Mapper)
   {
-    this->Build(settings);
+    this->Build(tuning);
   }
   if (this->State == Phase::Building &&
     this->Pending.wait_for(std::chrono::seconds(0)) != std::future_status::timeout)
@@ -124,7 +126,7 @@ void vtkNBufferDividedProp::ReadRounding()
     { buffer->Origin, buffer->HalfRange, vtkNBufferSurface::GetMargin(this->Actor) });
 }
 
-void vtkNBufferDividedProp::Build(const Settings& settings)
+void vtkNBufferDividedProp::Build(const vtkNBufferTuning& tuning)
 {
   if (this->Hook->GetSource().Corners == 0)
   {
@@ -133,13 +135,13 @@ void vtkNBufferDividedProp::Build(const Settings& settings)
   }
   this->State = Phase::Building;
   this->Mesh = this->Hook->TakeMesh();
-  std::size_t size = this->HasBlocks() ? 1 : settings.UnitSize;
+  std::size_t size = this->HasBlocks() ? 1 : static_cast<std::size_t>(tuning.UnitSize);
   if (this->IsInstanced())
   {
     size = vtkNBufferInstanceStream::GetUnitSize(this->Hook->GetSource().IndexCount, size);
   }
   // The member is not touched until the units are there.
-  this->Pending = std::async(settings.InBackground ? std::launch::async : std::launch::deferred,
+  this->Pending = std::async(tuning.DivideInBackground ? std::launch::async : std::launch::deferred,
     [this, size]() { return vtkNBufferUnits::Make(this->Mesh, size); });
 }
 

@@ -46,19 +46,11 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
+struct vtkNBufferTuning;
 
 class vtkNBufferDividedProp
 {
 public:
-  /// Where the prop is drawn, and how units are made (see vtkNBufferTuning).
-  struct Settings
-  {
-    vtkOpenGLRenderWindow* Window = nullptr;
-    std::size_t UnitSize = 1;
-    int DivideAfter = 0;
-    bool InBackground = false;
-  };
-
   using Depth = vtkNBufferUnitCulling::Depth;
   using Counts = vtkNBufferUnitCulling::Counts;
 
@@ -69,8 +61,9 @@ public:
 
   vtkActor* GetActor() const { return this->Actor; }
 
-  /// Begin a frame. `changed` says whether what the prop draws may have changed.
-  void BeginFrame(bool changed, const Settings& settings);
+  /// Begin a frame. `changed` says whether what the prop draws may have changed, and the tuning how
+  /// units are made.
+  void BeginFrame(bool changed, vtkOpenGLRenderWindow* window, const vtkNBufferTuning& tuning);
 
   /// Whether the next draw has to be one of Draw(), to read what is drawn.
   bool IsReading() const { return this->State == Phase::Reading; }
@@ -154,7 +147,7 @@ private:
   bool HasSameData() const;
   bool HasBlocks() const;
   void ReadRounding();
-  void Build(const Settings& settings);
+  void Build(const vtkNBufferTuning& tuning);
   void Adopt();
   int DrawList(vtkNBufferDrawHook::List list, const std::vector<unsigned char>& marked,
     const std::function<int()>& drawWhole);
