@@ -8,7 +8,6 @@ the old text must be there exactly once.
 
 PROJECTION = "vtkNBufferProjection.cxx"
 BOX_ERROR = "vtkNBufferBoxError.h"
-CLIP_EXTENT = "vtkNBufferClipExtent.h"
 VIEW = "vtkNBufferView.cxx"
 CANDIDATE = "vtkNBufferCandidate.cxx"
 CANDIDATE_TREE = "vtkNBufferCandidateTree.cxx"
@@ -141,7 +140,7 @@ MUTANTS = {
 
     # The near plane.
     "crossing the near plane or the eye counts as inside": [
-        (CLIP_EXTENT, NEAR_PLANE_TEST, "if (std::isnan(w))")],
+        (PROJECTION, NEAR_PLANE_TEST, "if (std::isnan(w))")],
     "the part of a box behind the eye is forgotten": [
         (PROJECTION, "result.Clipped = !before;", "result.Clipped = !before;\n  before = true;")],
 
@@ -283,8 +282,8 @@ RARE = {
     "hierarchy not refit to props that move": [
         (CANDIDATE_TREE, "this->Tree.Move(place, candidate.GetBox());", "")],
     "no slack for rounded vertices in x and y": [
-        (CLIP_EXTENT, "ndc - slack);", "ndc - slack * glm::dvec3(0.0, 0.0, 1.0));"),
-        (CLIP_EXTENT, "ndc + slack);", "ndc + slack * glm::dvec3(0.0, 0.0, 1.0));")],
+        (PROJECTION, "ndc - slack);", "ndc - slack * glm::dvec3(0.0, 0.0, 1.0));"),
+        (PROJECTION, "ndc + slack);", "ndc + slack * glm::dvec3(0.0, 0.0, 1.0));")],
     "a square's level looked up that was not built (< turned to <=)": [
         ("vtkNBufferPixelTest.cxx", "this->SquareLevel < this->Levels.GetNumberOfLevels()",
          "this->SquareLevel <= this->Levels.GetNumberOfLevels()")],
@@ -311,7 +310,7 @@ EQUIVALENT = {
          "return screen.Nearest >= vtkNBufferDepthConvention")],
     # What is before the near plane and in front of the eye has a negative depth, which nothing hides.
     "crossing the near plane counts as inside, crossing the eye does not": [
-        (CLIP_EXTENT, NEAR_PLANE_TEST, "if (!(w > this->Error.w))")],
+        (PROJECTION, NEAR_PLANE_TEST, "if (!(w > this->Error.w))")],
     # The next frame begins with more props than it needs.
     "visible props are not remembered": [
         (VIEW, "      state.WasVisible = true;\n", "")],

@@ -30,7 +30,6 @@
 #include <optional>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkNBufferClipExtent;
 
 /// One camera, one viewport, one depth format.
 class VTKNBUFFER_EXPORT vtkNBufferProjection
@@ -150,11 +149,11 @@ public:
   std::array<glm::dvec2, 8> GetCorners(const vtkNBufferBox& box) const;
 
 private:
+  class Extent;
   using Corners = std::array<glm::dvec4, 8>;
-  vtkNBufferPlacement Clip(
-    const vtkNBufferBox& box, const Corners& corners, vtkNBufferClipExtent& extent) const;
-  vtkNBufferPlacement Finish(const vtkNBufferBox& box, const vtkNBufferClipExtent& extent,
-    vtkNBufferScreenBox& result) const;
+  vtkNBufferPlacement Clip(const vtkNBufferBox& box, const Corners& corners, Extent& extent) const;
+  vtkNBufferPlacement Finish(
+    const vtkNBufferBox& box, const Extent& extent, vtkNBufferScreenBox& result) const;
 
   Rows WorldToClip{};
   Rows ClipToWorld{};
