@@ -19,7 +19,7 @@ DIVIDED = "vtkNBufferDividedProp.cxx"
 HOOK = "vtkNBufferDrawHook.cxx"
 UNIT_CULLING = "vtkNBufferUnitCulling.cxx"
 UNITS = "vtkNBufferUnits.cxx"
-RANGES = "vtkNBufferRangeDraw.cxx"
+OWN_DRAW = "vtkNBufferOwnDraw.cxx"
 MASK_MAKER = "vtkShadowMaskMaker.cxx"
 PLAN = "vtkShadowPlan.cxx"
 DRAW_LIST = "vtkShadowDrawList.cxx"
@@ -65,9 +65,9 @@ MUTANTS = {
     "fresh units over those that come later in the mesh": [
         ("vtkNBufferTieOrder.cxx", "a.Round > b.Round;", "a.Round < b.Round;")],
     "cell values of a shortened list": [
-        (RANGES, "SetUniformi(Offset, static_cast<int>(range.Begin));", "SetUniformi(Offset, 0);")],
+        (OWN_DRAW, "SetUniformi(Offset, static_cast<int>(range.Begin));", "SetUniformi(Offset, 0);")],
     "a mapper keeps having no indices": [
-        ("vtkNBufferOwnDraw.cxx",
+        (OWN_DRAW,
          "this->Stream->IBO->IndexCount = std::exchange(this->IndexCount, 0);",
          "this->IndexCount = 0;")],
     "a mapper keeps the list of the blocks that were drawn": [

@@ -3,7 +3,7 @@
 #include "vtkNBufferBlockStream.h"
 
 #include "vtkNBufferGL.h"
-#include "vtkNBufferRangeDraw.h"
+#include "vtkNBufferOwnDraw.h"
 
 #include "vtkActor.h"
 #include "vtkCommand.h"
@@ -118,7 +118,8 @@ void vtkNBufferBlockStream::DrawNext(int list, vtkAbstractMapper* mapper)
   {
     batch->Last = GetBlockList(mapper).Stream;
     // Either an image, or values of cells, which are in a texture as well.
-    batch->UsesTextures = batch->UsesTextures || vtkNBufferRangeDraw::IsNeeded(batch->Last) ||
+    batch->UsesTextures = batch->UsesTextures ||
+      vtkNBufferOwnDraw::NumbersPrimitives(batch->Last) ||
       batch->Last->Program->IsAttributeUsed("tcoord");
     this->Changed = mapper;
     this->Exchanged = &batch->Lists[list];

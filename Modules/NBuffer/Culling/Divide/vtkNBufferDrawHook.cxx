@@ -4,7 +4,6 @@
 
 #include "vtkNBufferGL.h"
 #include "vtkNBufferProtectedMembers.h"
-#include "vtkNBufferRangeDraw.h"
 #include "vtkNBufferSplatStream.h"
 
 #include "vtkActor.h"
@@ -50,16 +49,7 @@ vtkNBufferDrawHook::Source GetSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLH
           : static_cast<std::size_t>(data->GetNumberOfPoints())) &&
     stream->IBO->IndexCount % corners == 0;
   return { mapper, data, data ? data->GetMTime() : 0, stream->IBO->IndexCount,
-    isKnown ? corners : 0, 0, vtkNBufferRangeDraw::IsNeeded(stream) };
-}
-
-bool DrawIndices(vtkOpenGLIndexBufferObject* indices, bool arePoints)
-{
-  indices->Bind();
-  glDrawElements(arePoints ? GL_POINTS : GL_TRIANGLES, static_cast<GLsizei>(indices->IndexCount),
-    GL_UNSIGNED_INT, nullptr);
-  indices->Release();
-  return true;
+    isKnown ? corners : 0, 0, vtkNBufferOwnDraw::NumbersPrimitives(stream) };
 }
 }
 
@@ -224,12 +214,12 @@ void vtkNBufferDrawHook::SetStream(vtkAbstractMapper* mapper)
   }
   else if (this->Read.IsNumbered)
   {
-    draw = [&buffer, stream]() { return vtkNBufferRangeDraw::Draw(buffer.Ranges, stream); };
+    draw = [&buffer, stream]() { return vtkNBufferOwnDraw::DrawRanges(buffer.Ranges, stream); };
   }
   else if (this->Upload(buffer))
   {
     draw = [&buffer, arePoints = source.Corners == 1]()
-    { return DrawIndices(buffer.Object, arePoints); };
+    { return vtkNBufferOwnDraw::DrawIndices(buffer.Object, arePoints); };
   }
   if (draw)
   {

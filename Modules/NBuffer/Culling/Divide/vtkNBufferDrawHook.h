@@ -11,7 +11,7 @@
  * needed, and no shader is changed.
  *
  * Of a mesh with scalars or normals of cells, whose shader needs the number of each primitive,
- * ranges of the mapper's own index buffer are drawn instead (vtkNBufferRangeDraw).
+ * ranges of the mapper's own index buffer are drawn instead.
  *
  * A prop is drawn whole while it changes; if it has strips or lines as well as triangles; if its
  * mapper is neither vtkPolyDataMapper nor vtkDataSetMapper nor vtkGlyph3DMapper nor

@@ -11,20 +11,27 @@
  * A draw without an index buffer (vtkNBufferSplatStream) takes no notice of that. OpenGL discards
  * it instead: within glBeginConditionalRender() with a query that has counted nothing, nothing is
  * drawn.
+ *
+ * Of a mesh that has scalars or normals of cells, ranges of VTK's own list of indices are drawn.
+ * The shader of vtkOpenGLPolyDataMapper reads the values of a cell from a texture, at the place
+ * gl_PrimitiveID + PrimitiveIDOffset. OpenGL counts gl_PrimitiveID from the beginning of each draw,
+ * so that the triangles of a shortened list would have the values of others. Each range is drawn
+ * with the number of its first primitive in the uniform variable PrimitiveIDOffset.
  */
 #ifndef vtkNBufferOwnDraw_h
 #define vtkNBufferOwnDraw_h
 
+#include "vtkNBufferUnits.h"
 #include "vtkOpenGLPolyDataMapper.h" // For the smart pointer
 #include "vtkSmartPointer.h"
 
-#include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
-
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLHelper;
+class vtkOpenGLIndexBufferObject;
 
 class vtkNBufferOwnDraw
 {
@@ -44,6 +51,18 @@ public:
   void Restore();
 
   void ReleaseGraphicsResources();
+
+  ///@{
+  /// Draw primitives by a list of indices, or ranges of the primitives of a stream, for which
+  /// everything has been bound. Returns false if there are none.
+  static bool DrawIndices(vtkOpenGLIndexBufferObject* indices, bool arePoints);
+  static bool DrawRanges(
+    const std::vector<vtkNBufferUnits::Range>& ranges, vtkOpenGLHelper* stream);
+  ///@}
+
+  /// Whether the shader of a stream, whose parameters are being set, reads values by the numbers of
+  /// primitives.
+  static bool NumbersPrimitives(vtkOpenGLHelper* stream);
 
 private:
   void Draw();
