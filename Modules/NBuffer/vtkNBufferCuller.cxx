@@ -20,23 +20,19 @@
 
 #include <algorithm>
 #include <typeinfo>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkNBufferCuller);
 
 /**
- * The views of a culler, one for each eye of each renderer, and its back-ends, one for each window.
+ * The views of a culler, one for each eye of each renderer. The views of a window share a back-end.
  * When a new view is made, those of deleted renderers and windows are deleted.
  */
 class vtkNBufferCuller::Internals
 {
 public:
-  struct WindowEntry
-  {
-    vtkWeakPointer<vtkRenderWindow> Window;
-    std::unique_ptr<vtkNBufferBackend> Backend;
-  };
   struct Detach
   {
     void operator()(vtkNBufferFrameGuard* guard) const
@@ -56,18 +52,6 @@ public:
     std::unique_ptr<vtkNBufferFrameGuard, Detach> Guard;
   };
 
-  vtkNBufferBackend& GetBackend(vtkRenderWindow* window)
-  {
-    const auto found = std::find_if(this->Windows.begin(), this->Windows.end(),
-      [window](const WindowEntry& entry) { return entry.Window == window; });
-    if (found != this->Windows.end())
-    {
-      return *found->Backend;
-    }
-    this->Windows.push_back({ window, std::make_unique<vtkNBufferBackend>() });
-    return *this->Windows.back().Backend;
-  }
-
   ViewEntry& GetView(vtkRenderer* renderer)
   {
     vtkRenderWindow* window = renderer->GetRenderWindow();
@@ -83,10 +67,14 @@ public:
         return entry;
       }
     }
+    const auto other = std::find_if(this->Views.begin(), this->Views.end(),
+      [window](const ViewEntry& entry) { return entry.Window == window; });
+    auto backend = other != this->Views.end() ? other->View->GetBackend()
+                                              : std::make_shared<vtkNBufferBackend>();
     this->DropDeleted();
     this->Last = this->Views.size();
     this->Views.push_back(
-      { renderer, window, eye, std::make_unique<vtkNBufferView>(this->GetBackend(window)),
+      { renderer, window, eye, std::make_unique<vtkNBufferView>(std::move(backend)),
         decltype(ViewEntry::Guard)(vtkNBufferFrameGuard::New()) });
     this->Views.back().Guard->Attach(renderer);
     return this->Views.back();
@@ -117,12 +105,8 @@ private:
     };
     this->Views.erase(
       std::remove_if(this->Views.begin(), this->Views.end(), isViewDeleted), this->Views.end());
-    this->Windows.erase(std::remove_if(this->Windows.begin(), this->Windows.end(),
-                          [](const WindowEntry& entry) { return !entry.Window; }),
-      this->Windows.end());
   }
 
-  std::vector<WindowEntry> Windows;
   std::vector<ViewEntry> Views;
   std::size_t Last = 0;
 };
@@ -283,13 +267,13 @@ bool vtkNBufferCuller::PreservesImage() const
 int vtkNBufferCuller::GetBackendInUse() const
 {
   const vtkNBufferView* view = this->Implementation->FindView(nullptr);
-  return view ? view->GetBackend().GetInUse() : vtkNBufferBackend::Auto;
+  return view ? view->GetBackend()->GetInUse() : vtkNBufferBackend::Auto;
 }
 
 const char* vtkNBufferCuller::GetBackendReason() const
 {
   const vtkNBufferView* view = this->Implementation->FindView(nullptr);
-  return view ? view->GetBackend().GetReason().c_str() : "nothing built yet";
+  return view ? view->GetBackend()->GetReason().c_str() : "nothing built yet";
 }
 
 void vtkNBufferCuller::PrintSelf(ostream& os, vtkIndent indent)
