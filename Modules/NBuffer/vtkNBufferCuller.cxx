@@ -113,18 +113,10 @@ private:
 
 namespace
 {
-template <typename A, typename B>
-constexpr bool AreEqual(A a, B b)
-{
-  return static_cast<int>(a) == static_cast<int>(b);
-}
-static_assert(AreEqual(vtkNBufferCuller::Auto, vtkNBufferBackend::Auto) &&
-    AreEqual(vtkNBufferCuller::OpenGL, vtkNBufferBackend::OpenGL) &&
-    AreEqual(vtkNBufferCuller::CPU, vtkNBufferBackend::CPU) &&
-    AreEqual(vtkNBufferCuller::Never, vtkNBufferSliverPolicy::Never) &&
-    AreEqual(vtkNBufferCuller::OnSoftware, vtkNBufferSliverPolicy::OnSoftware) &&
-    AreEqual(vtkNBufferCuller::Always, vtkNBufferSliverPolicy::Always),
-  "the settings are cast to the enumerations of the private classes");
+static_assert(int(vtkNBufferCuller::Auto) == int(vtkNBufferBackend::Auto) &&
+    int(vtkNBufferCuller::OpenGL) == int(vtkNBufferBackend::OpenGL) &&
+    int(vtkNBufferCuller::CPU) == int(vtkNBufferBackend::CPU),
+  "the setting is cast to the enumeration of the private class");
 
 void AddKnownClass(vtkNBufferKnownClasses::List list, const char* className)
 {
@@ -202,7 +194,7 @@ double vtkNBufferCuller::Cull(
   }
   vtkNBufferSettings settings = { this->Tuning };
   settings.Backend = static_cast<vtkNBufferBackend::Kind>(this->Backend);
-  settings.TestSlivers = static_cast<vtkNBufferSliverPolicy>(this->TestSlivers);
+  settings.TestSlivers = this->TestSlivers;
   settings.DivideProps = this->DivideProps;
   settings.Freeze = this->Freeze;
   if (obstacle == vtkNBufferDecision::None && this->DepthExchange &&

@@ -38,7 +38,7 @@ public:
 
 private:
   vtkNBufferCompatibility::DrawingSettings Drawing;
-  vtkNBufferSliverPolicy TestSlivers = vtkNBufferSliverPolicy::Never;
+  bool TestSlivers = false;
   bool IsShared = false;
   bool Same = false;
   /// Whether anything has changed since the last frame that was not frozen.
