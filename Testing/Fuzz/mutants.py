@@ -152,8 +152,8 @@ MUTANTS = {
     "camera's motion not noticed": [
         ("vtkNBufferCamera.h", "return this->WorldToClip == other.WorldToClip &&", "return")],
     "verdicts of the last frame reused although props changed": [
-        (VIEW, "listChanged || this->Statistics.Refreshed > 0 || moved, frozen);",
-         "moved, frozen);")],
+        (VIEW, "listChanged || this->Statistics.Refreshed > 0 || moved, frozen)",
+         "moved, frozen)")],
     "order of equal depths forgotten": [
         ("vtkNBufferLateDraws.cxx", "if (this->Drawn.empty())", "if (!this->Drawn.empty())")],
     "equal depths of overlapping rectangles forgotten": [

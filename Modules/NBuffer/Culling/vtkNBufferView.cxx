@@ -73,9 +73,9 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
     static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), this->Settings);
   this->Statistics.RefreshTime = part.Restart();
 
-  this->Stillness.BeginFrame(
-    renderer, settings, listChanged || this->Statistics.Refreshed > 0 || moved, frozen);
-  const bool isSame = this->Stillness.IsSame() && !this->Props.HasUntrackedDepth();
+  const bool isSame = this->Stillness.BeginFrame(renderer, settings,
+                        listChanged || this->Statistics.Refreshed > 0 || moved, frozen) &&
+    !this->Props.HasUntrackedDepth();
   // If the last test found kept props hidden, another test saves drawing them again.
   const bool mayReuse =
     complete && isSame && this->Settings.ReuseWhenStill && this->KeptInVain == 0;

@@ -16,7 +16,6 @@
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
-#include <functional>
 #include <typeinfo>
 #include <utility>
 
@@ -131,16 +130,30 @@ void vtkNBufferDrawHook::SetList(List list, const vtkNBufferUnits& units,
 {
   this->Stale = false;
   Buffer& buffer = this->Buffers[list];
-  if (buffer.Marked != marked)
+  if (buffer.Marked == marked)
   {
-    buffer.Marked = marked;
-    buffer.IsUploaded = false;
-    if (this->Read.IsNumbered)
-    {
-      buffer.Ranges = units.GetRanges(marked);
-      return;
-    }
-    units.GetIndices(marked, indices, buffer.Indices);
+    return;
+  }
+  buffer.Marked = marked;
+  if (this->Read.IsNumbered)
+  {
+    buffer.Ranges = units.GetRanges(marked);
+    return;
+  }
+  std::vector<unsigned int> part;
+  units.GetIndices(marked, indices, part);
+  if (this->Read.InstanceTime > 0)
+  {
+    this->Instances.Upload(list, part);
+  }
+  else if (this->Read.Corners == 2)
+  {
+    this->Blocks.SetList(list, part);
+  }
+  else
+  {
+    const bool isUploaded = buffer.Object->Upload(part, vtkOpenGLBufferObject::ElementArrayBuffer);
+    buffer.Object->IndexCount = isUploaded ? part.size() : 0;
   }
 }
 
@@ -149,18 +162,6 @@ bool vtkNBufferDrawHook::IsAsRead(const Source& source)
   this->Stale =
     source.Corners == 0 || !(source == this->Read) || (source.IsNumbered && !this->Read.IsNumbered);
   return !this->Stale;
-}
-
-bool vtkNBufferDrawHook::Upload(Buffer& buffer)
-{
-  if (!buffer.IsUploaded && !buffer.Indices.empty())
-  {
-    buffer.IsUploaded =
-      buffer.Object->Upload(buffer.Indices, vtkOpenGLBufferObject::ElementArrayBuffer);
-    buffer.Object->IndexCount = buffer.Indices.size();
-    buffer.Indices = {};
-  }
-  return buffer.IsUploaded;
 }
 
 bool vtkNBufferDrawHook::SetShaderParameters(
@@ -200,32 +201,19 @@ void vtkNBufferDrawHook::SetStream(vtkAbstractMapper* mapper)
   {
     return;
   }
-  const List list = this->Current;
-  Buffer& buffer = this->Buffers[list];
-  std::function<bool()> draw;
-  if (instances)
-  {
-    if (!std::exchange(buffer.IsUploaded, true))
+  const bool hasIndices = !splats || !vtkNBufferSplatStream::DrawsArrays(stream);
+  this->Own.SetNext(surface, stream, hasIndices,
+    [this, list = this->Current, instances, stream]()
     {
-      this->Instances.Upload(list, std::exchange(buffer.Indices, {}));
-    }
-    draw = [this, list, instances, stream]()
-    { return this->Instances.Draw(list, instances, stream); };
-  }
-  else if (this->Read.IsNumbered)
-  {
-    draw = [&buffer, stream]() { return vtkNBufferOwnDraw::DrawRanges(buffer.Ranges, stream); };
-  }
-  else if (this->Upload(buffer))
-  {
-    draw = [&buffer, arePoints = source.Corners == 1]()
-    { return vtkNBufferOwnDraw::DrawIndices(buffer.Object, arePoints); };
-  }
-  if (draw)
-  {
-    this->Own.SetNext(
-      surface, stream, !splats || !vtkNBufferSplatStream::DrawsArrays(stream), draw);
-  }
+      const Buffer& buffer = this->Buffers[list];
+      if (instances)
+      {
+        return this->Instances.Draw(list, instances, stream);
+      }
+      return this->Read.IsNumbered
+        ? vtkNBufferOwnDraw::DrawRanges(buffer.Ranges, stream)
+        : vtkNBufferOwnDraw::DrawIndices(buffer.Object, this->Read.Corners == 1);
+    });
 }
 
 void vtkNBufferDrawHook::SetBlocks(vtkAbstractMapper* mapper)
@@ -239,21 +227,10 @@ void vtkNBufferDrawHook::SetBlocks(vtkAbstractMapper* mapper)
     this->Read = { whole, data, data->GetMTime(), this->Mesh.Indices.size(), this->Mesh.Corners };
     return;
   }
-  if (this->Current == Whole)
-  {
-    return;
-  }
-  if (!this->Blocks.IsAsRead(mapper))
+  if (this->Current != Whole && !this->Blocks.DrawNext(this->Current, mapper))
   {
     this->Stale = true;
-    return;
   }
-  Buffer& buffer = this->Buffers[this->Current];
-  if (!std::exchange(buffer.IsUploaded, true))
-  {
-    this->Blocks.SetList(this->Current, std::exchange(buffer.Indices, {}));
-  }
-  this->Blocks.DrawNext(this->Current, mapper);
 }
 
 void vtkNBufferDrawHook::ReadSource(
@@ -295,7 +272,6 @@ void vtkNBufferDrawHook::ReleaseGraphicsResources(vtkWindow*)
   for (Buffer& buffer : this->Buffers)
   {
     buffer.Object->ReleaseGraphicsResources();
-    buffer.IsUploaded = false;
     buffer.Marked.clear();
   }
   this->Instances.ReleaseGraphicsResources();

@@ -114,7 +114,7 @@ public:
   ///@}
 
   /// Let draws of this list draw the primitives of the units that are marked. `indices` are those
-  /// of the whole mesh that was read last.
+  /// of the whole mesh that was read last. The window's context must be current.
   void SetList(List list, const vtkNBufferUnits& units, const std::vector<unsigned int>& indices,
     const std::vector<unsigned char>& marked);
 
@@ -158,9 +158,7 @@ private:
   struct Buffer
   {
     vtkNew<vtkOpenGLIndexBufferObject> Object;
-    std::vector<unsigned char> Marked; ///< The units of which the list consists.
-    std::vector<unsigned int> Indices; ///< The list, until it is uploaded.
-    bool IsUploaded = false;
+    std::vector<unsigned char> Marked;          ///< The units of which the list consists.
     std::vector<vtkNBufferUnits::Range> Ranges; ///< The list, if primitives are numbered.
   };
 
@@ -168,7 +166,6 @@ private:
   void SetStream(vtkAbstractMapper* mapper);
   void ReadSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream, const Source& source);
   bool IsAsRead(const Source& source);
-  bool Upload(Buffer& buffer);
   void Restore();
 
   using Callback = vtkOpenGLResourceFreeCallback<vtkNBufferDrawHook>;
