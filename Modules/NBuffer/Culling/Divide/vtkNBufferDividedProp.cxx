@@ -72,19 +72,9 @@ void vtkNBufferDividedProp::BeginFrame(
   }
 }
 
-bool vtkNBufferDividedProp::IsInstanced() const
-{
-  return this->Hook->GetSource().InstanceTime > 0;
-}
-
-bool vtkNBufferDividedProp::HasBlocks() const
-{
-  return this->Hook->GetSource().Corners == 2 && !this->IsInstanced();
-}
-
 bool vtkNBufferDividedProp::HasChangedBlocks()
 {
-  this->IsOutdated = this->HasBlocks() &&
+  this->IsOutdated = this->Hook->GetSource().HasBlocks() &&
     vtkNBufferPropWatch::GetDataTime(this->Actor->GetMapper()->GetInputDataObject(0, 0), true) !=
       this->BlockTime;
   return this->IsOutdated;
@@ -102,7 +92,7 @@ bool vtkNBufferDividedProp::HasSameData() const
 
 void vtkNBufferDividedProp::ReadRounding()
 {
-  if (this->IsInstanced())
+  if (this->Hook->GetSource().HasInstances())
   {
     this->Culling.SetRounding({ glm::dvec3(0.0), this->Hook->GetInstances().GetMagnitude(), 0.0 });
     return;
@@ -135,8 +125,9 @@ void vtkNBufferDividedProp::Build(const vtkNBufferTuning& tuning)
   }
   this->State = Phase::Building;
   this->Mesh = this->Hook->TakeMesh();
-  std::size_t size = this->HasBlocks() ? 1 : static_cast<std::size_t>(tuning.UnitSize);
-  if (this->IsInstanced())
+  std::size_t size =
+    this->Hook->GetSource().HasBlocks() ? 1 : static_cast<std::size_t>(tuning.UnitSize);
+  if (this->Hook->GetSource().HasInstances())
   {
     size = vtkNBufferInstanceStream::GetUnitSize(this->Hook->GetSource().IndexCount, size);
   }
@@ -158,7 +149,7 @@ void vtkNBufferDividedProp::Adopt()
 
 vtkNBufferVerdict vtkNBufferDividedProp::GetVerdict(int part)
 {
-  const std::size_t primitive = this->HasBlocks()
+  const std::size_t primitive = this->Hook->GetSource().HasBlocks()
     ? this->Hook->GetBlocks().FindBlock(static_cast<unsigned int>(part))
     : static_cast<std::size_t>(part);
   return this->Culling.GetVerdict(primitive);

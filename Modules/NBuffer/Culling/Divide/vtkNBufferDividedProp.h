@@ -122,9 +122,6 @@ public:
   /// See vtkNBufferCuller::GetVerdict(). Requires IsReady().
   vtkNBufferVerdict GetVerdict(int part);
 
-  /// Whether the units that have been made are instances (vtkNBufferInstanceStream).
-  bool IsInstanced() const;
-
   /// Whether the next draw draws the fresh units.
   bool HasFresh() const { return this->FreshIsNext; }
 
@@ -145,7 +142,6 @@ private:
   };
 
   bool HasSameData() const;
-  bool HasBlocks() const;
   void ReadRounding();
   void Build(const vtkNBufferTuning& tuning);
   void Adopt();

@@ -142,11 +142,11 @@ void vtkNBufferDrawHook::SetList(List list, const vtkNBufferUnits& units,
   }
   std::vector<unsigned int> part;
   units.GetIndices(marked, indices, part);
-  if (this->Read.InstanceTime > 0)
+  if (this->Read.HasInstances())
   {
     this->Instances.Upload(list, part);
   }
-  else if (this->Read.Corners == 2)
+  else if (this->Read.HasBlocks())
   {
     this->Blocks.SetList(list, part);
   }

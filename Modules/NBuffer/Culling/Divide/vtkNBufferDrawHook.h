@@ -71,6 +71,9 @@ public:
     /// depends on the shader alone, and is not compared.
     bool IsNumbered = false;
 
+    bool HasInstances() const { return this->InstanceTime > 0; }
+    bool HasBlocks() const { return this->Corners == 2 && !this->HasInstances(); }
+
     bool operator==(const Source& other) const
     {
       return this->Mapper == other.Mapper && this->Data == other.Data &&
