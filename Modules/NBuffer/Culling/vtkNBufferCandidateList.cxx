@@ -132,12 +132,23 @@ void vtkNBufferCandidateList::RefreshStale(bool globalStateChanged)
   this->ListChanged = false;
   for (const int i : this->Stale)
   {
-    const vtkNBufferSharedState::Uses uses = this->Candidates[i].GetUses();
-    if (this->RefreshOne(i, globalStateChanged))
+    vtkNBufferCandidate& candidate = this->Candidates[i];
+    const vtkNBufferSharedState::Uses uses = candidate.GetUses();
+    const vtkNBufferVerdict verdict = candidate.GetVerdict();
+    const vtkNBufferBox box = candidate.GetBox();
+    if (candidate.Refresh(globalStateChanged))
     {
       this->Changed.push_back(i);
     }
-    this->UsesChanged = this->UsesChanged || !(uses == this->Candidates[i].GetUses());
+    this->UsesChanged = this->UsesChanged || !(uses == candidate.GetUses());
+    this->States[i].Observed = false;
+    this->States[i].OwnVerdict = candidate.GetVerdict();
+    this->Meshes.Forget(this->GetProp(i));
+    this->MeshesOfProps[i] = {};
+    if (verdict != candidate.GetVerdict() || !(box == candidate.GetBox()))
+    {
+      this->Tree.HasChanged(i);
+    }
   }
   this->UntrackedDepth = this->Blending = this->Lines = this->LackOfNormals = false;
   this->WithParts.clear();
@@ -202,23 +213,6 @@ void vtkNBufferCandidateList::FindSharedState()
     }
   }
   this->SharesState = state.HasMixed();
-}
-
-bool vtkNBufferCandidateList::RefreshOne(std::size_t i, bool globalStateChanged)
-{
-  vtkNBufferCandidate& candidate = this->Candidates[i];
-  const vtkNBufferVerdict verdict = candidate.GetVerdict();
-  const vtkNBufferBox box = candidate.GetBox();
-  const bool changed = candidate.Refresh(globalStateChanged);
-  this->States[i].Observed = false;
-  this->States[i].OwnVerdict = candidate.GetVerdict();
-  this->Meshes.Forget(this->GetProp(static_cast<int>(i)));
-  this->MeshesOfProps[i] = {};
-  if (verdict != candidate.GetVerdict() || !(box == candidate.GetBox()))
-  {
-    this->Tree.HasChanged(static_cast<int>(i));
-  }
-  return changed;
 }
 
 void vtkNBufferCandidateList::ProjectOne(int i, const vtkNBufferProjection& projection)

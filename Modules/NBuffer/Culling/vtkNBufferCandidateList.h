@@ -122,7 +122,6 @@ private:
   void ReadParts();
   /// Find out for each candidate whether another prop uses one of its objects in another way.
   void FindSharedState();
-  bool RefreshOne(std::size_t i, bool globalStateChanged);
   /// Observe the next few of the props that have not changed for a while. A turn visits all props.
   void ObserveSome();
   bool UsesTree() const { return this->GetSize() >= this->HierarchySize; }
