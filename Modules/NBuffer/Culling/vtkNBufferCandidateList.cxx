@@ -143,7 +143,6 @@ void vtkNBufferCandidateList::RefreshStale(bool globalStateChanged)
     this->UsesChanged = this->UsesChanged || !(uses == candidate.GetUses());
     this->States[i].Observed = false;
     this->States[i].OwnVerdict = candidate.GetVerdict();
-    this->Meshes.Forget(this->GetProp(i));
     this->MeshesOfProps[i] = {};
     if (verdict != candidate.GetVerdict() || !(box == candidate.GetBox()))
     {
@@ -315,9 +314,8 @@ bool vtkNBufferCandidateList::MayBeSeen(int i, vtkNBufferPixelTest& test)
     return true;
   }
   vtkActor* actor = vtkActor::SafeDownCast(this->GetProp(i));
-  vtkNBufferMeshes::Small* small =
-    actor ? this->Meshes.FindSmall(actor, state.WasVisible) : nullptr;
-  return !small ||
-    test.MayBeSeen(*small->Mesh, actor->GetMatrix()->GetData(), this->GetScreen(i), small->First);
+  vtkNBufferMeshes::OfProp& meshes = this->MeshesOfProps[i];
+  return !actor || !this->Meshes.FindSmall(actor, state.WasVisible, meshes) ||
+    test.MayBeSeen(*meshes.Small, actor->GetMatrix()->GetData(), this->GetScreen(i), meshes.First);
 }
 VTK_ABI_NAMESPACE_END
