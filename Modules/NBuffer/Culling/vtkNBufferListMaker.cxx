@@ -25,8 +25,8 @@ double vtkNBufferListMaker::Fill(bool isTestPending, vtkProp** props, int& count
   {
     const vtkNBufferVerdict verdict = this->Props.GetState(i).Verdict;
     // A translucent prop that an earlier test found hidden keeps its place, behind a closed proxy.
-    const bool isTranslucent = this->Props.GetCandidate(i).IsTranslucent();
-    const bool closed = verdict == vtkNBufferVerdict::Hidden && !isTestPending && isTranslucent;
+    const bool closed = verdict == vtkNBufferVerdict::Hidden && !isTestPending &&
+      this->Props.GetCandidate(i).IsTranslucent();
     if (verdict == vtkNBufferVerdict::Outside || (verdict == vtkNBufferVerdict::Hidden && !closed))
     {
       continue;
@@ -49,7 +49,7 @@ double vtkNBufferListMaker::Fill(bool isTestPending, vtkProp** props, int& count
       proxy->SetOpen(!closed);
       proxy->SetRenderTimeMultiplier(multiplier);
       props[kept] = proxy;
-      lastDivided = isTranslucent ? lastDivided : kept;
+      lastDivided = this->Props.GetCandidate(i).IsTranslucent() ? lastDivided : kept;
     }
     total += multiplier;
     ++kept;
