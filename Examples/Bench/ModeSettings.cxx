@@ -21,8 +21,8 @@ bool SetOne(vtkNBufferTuning& tuning, vtkNBufferCuller* culler, const std::strin
 {
   if (name == TestSlivers)
   {
-    culler->SetTestSlivers(value);
-    return culler->GetTestSlivers() == value;
+    culler->SetTestSlivers(value != 0);
+    return value == 0 || value == 1;
   }
   return tuning.Set(name, value) && tuning.FindFault().empty();
 }

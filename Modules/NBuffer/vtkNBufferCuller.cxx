@@ -4,7 +4,6 @@
 
 #include "vtkNBufferBackend.h"
 #include "vtkNBufferCompatibility.h"
-#include "vtkNBufferCullerOrder.h"
 #include "vtkNBufferDepthExchange.h"
 #include "vtkNBufferFrameGuard.h"
 #include "vtkNBufferKnownClasses.h"
@@ -21,23 +20,19 @@
 
 #include <algorithm>
 #include <typeinfo>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkNBufferCuller);
 
 /**
- * The views of a culler, one for each eye of each renderer, and its back-ends, one for each window.
+ * The views of a culler, one for each eye of each renderer. The views of a window share a back-end.
  * When a new view is made, those of deleted renderers and windows are deleted.
  */
 class vtkNBufferCuller::Internals
 {
 public:
-  struct WindowEntry
-  {
-    vtkWeakPointer<vtkRenderWindow> Window;
-    std::unique_ptr<vtkNBufferBackend> Backend;
-  };
   struct Detach
   {
     void operator()(vtkNBufferFrameGuard* guard) const
@@ -57,18 +52,6 @@ public:
     std::unique_ptr<vtkNBufferFrameGuard, Detach> Guard;
   };
 
-  vtkNBufferBackend& GetBackend(vtkRenderWindow* window)
-  {
-    const auto found = std::find_if(this->Windows.begin(), this->Windows.end(),
-      [window](const WindowEntry& entry) { return entry.Window == window; });
-    if (found != this->Windows.end())
-    {
-      return *found->Backend;
-    }
-    this->Windows.push_back({ window, std::make_unique<vtkNBufferBackend>() });
-    return *this->Windows.back().Backend;
-  }
-
   ViewEntry& GetView(vtkRenderer* renderer)
   {
     vtkRenderWindow* window = renderer->GetRenderWindow();
@@ -84,10 +67,14 @@ public:
         return entry;
       }
     }
+    const auto other = std::find_if(this->Views.begin(), this->Views.end(),
+      [window](const ViewEntry& entry) { return entry.Window == window; });
+    auto backend = other != this->Views.end() ? other->View->GetBackend()
+                                              : std::make_shared<vtkNBufferBackend>();
     this->DropDeleted();
     this->Last = this->Views.size();
     this->Views.push_back(
-      { renderer, window, eye, std::make_unique<vtkNBufferView>(this->GetBackend(window)),
+      { renderer, window, eye, std::make_unique<vtkNBufferView>(std::move(backend)),
         decltype(ViewEntry::Guard)(vtkNBufferFrameGuard::New()) });
     this->Views.back().Guard->Attach(renderer);
     return this->Views.back();
@@ -118,30 +105,18 @@ private:
     };
     this->Views.erase(
       std::remove_if(this->Views.begin(), this->Views.end(), isViewDeleted), this->Views.end());
-    this->Windows.erase(std::remove_if(this->Windows.begin(), this->Windows.end(),
-                          [](const WindowEntry& entry) { return !entry.Window; }),
-      this->Windows.end());
   }
 
-  std::vector<WindowEntry> Windows;
   std::vector<ViewEntry> Views;
   std::size_t Last = 0;
 };
 
 namespace
 {
-template <typename A, typename B>
-constexpr bool AreEqual(A a, B b)
-{
-  return static_cast<int>(a) == static_cast<int>(b);
-}
-static_assert(AreEqual(vtkNBufferCuller::Auto, vtkNBufferBackend::Auto) &&
-    AreEqual(vtkNBufferCuller::OpenGL, vtkNBufferBackend::OpenGL) &&
-    AreEqual(vtkNBufferCuller::CPU, vtkNBufferBackend::CPU) &&
-    AreEqual(vtkNBufferCuller::Never, vtkNBufferSliverPolicy::Never) &&
-    AreEqual(vtkNBufferCuller::OnSoftware, vtkNBufferSliverPolicy::OnSoftware) &&
-    AreEqual(vtkNBufferCuller::Always, vtkNBufferSliverPolicy::Always),
-  "the settings are cast to the enumerations of the private classes");
+static_assert(int(vtkNBufferCuller::Auto) == int(vtkNBufferBackend::Auto) &&
+    int(vtkNBufferCuller::OpenGL) == int(vtkNBufferBackend::OpenGL) &&
+    int(vtkNBufferCuller::CPU) == int(vtkNBufferBackend::CPU),
+  "the setting is cast to the enumeration of the private class");
 
 void AddKnownClass(vtkNBufferKnownClasses::List list, const char* className)
 {
@@ -209,25 +184,17 @@ double vtkNBufferCuller::Cull(
 {
   Internals::ViewEntry& entry = this->Implementation->GetView(renderer);
   vtkNBufferView& view = *entry.View;
-  vtkNBufferDecision obstacle = vtkNBufferDecision::Disabled;
-  if (this->Enabled)
-  {
-    obstacle = vtkNBufferCompatibility::WhyNot(renderer);
-  }
-  if (obstacle == vtkNBufferDecision::None &&
-    vtkNBufferCullerOrder::IsOtherBehind(this, renderer->GetCullers()))
-  {
-    obstacle = vtkNBufferDecision::OtherCuller;
-  }
+  vtkNBufferDecision obstacle =
+    this->Enabled ? vtkNBufferCompatibility::WhyNot(renderer, this) : vtkNBufferDecision::Disabled;
   // This comes before the props are counted. A default frustum culler in front of this one may have
   // left only a few of many props, and it takes its time in each frame until it is moved.
   if (obstacle == vtkNBufferDecision::None && this->Tuning.TakeOverFrustumCulling)
   {
-    vtkNBufferCullerOrder::MoveFrustumCullersBehind(this, renderer->GetCullers());
+    vtkNBufferCompatibility::MoveFrustumCullersBehind(renderer->GetCullers(), this);
   }
   vtkNBufferSettings settings = { this->Tuning };
   settings.Backend = static_cast<vtkNBufferBackend::Kind>(this->Backend);
-  settings.TestSlivers = static_cast<vtkNBufferSliverPolicy>(this->TestSlivers);
+  settings.TestSlivers = this->TestSlivers;
   settings.DivideProps = this->DivideProps;
   settings.Freeze = this->Freeze;
   if (obstacle == vtkNBufferDecision::None && this->DepthExchange &&
@@ -292,13 +259,13 @@ bool vtkNBufferCuller::PreservesImage() const
 int vtkNBufferCuller::GetBackendInUse() const
 {
   const vtkNBufferView* view = this->Implementation->FindView(nullptr);
-  return view ? view->GetBackend().GetInUse() : vtkNBufferBackend::Auto;
+  return view ? view->GetBackend()->GetInUse() : vtkNBufferBackend::Auto;
 }
 
 const char* vtkNBufferCuller::GetBackendReason() const
 {
   const vtkNBufferView* view = this->Implementation->FindView(nullptr);
-  return view ? view->GetBackend().GetReason().c_str() : "nothing built yet";
+  return view ? view->GetBackend()->GetReason().c_str() : "nothing built yet";
 }
 
 void vtkNBufferCuller::PrintSelf(ostream& os, vtkIndent indent)

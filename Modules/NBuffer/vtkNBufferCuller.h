@@ -117,14 +117,6 @@ public:
   vtkGetMacro(Backend, int);
   ///@}
 
-  /// When the triangles of hidden props are tested for slivers; see SetTestSlivers().
-  enum SliverTestType
-  {
-    Never,
-    OnSoftware, ///< With software renderers only.
-    Always
-  };
-
   ///@{
   /// Whether the triangles of hidden props are searched for slivers that a rasteriser may draw
   /// nearer than the prop's box (vtkNBufferSliverTest). Without the culler the image has such stray
@@ -132,9 +124,10 @@ public:
   /// The search takes half a microsecond in every frame per hidden prop of some twenty points, and
   /// 24 bytes per point and 12 per triangle of its mesh. A prop with a sliver that may be seen is
   /// drawn: one in 300 of the hidden props of a street. Props of
-  /// vtkNBufferTuning::MinimumNumberOfPrimitives polygons or more are not searched. Default: Never.
-  vtkSetClampMacro(TestSlivers, int, Never, Always);
-  vtkGetMacro(TestSlivers, int);
+  /// vtkNBufferTuning::MinimumNumberOfPrimitives polygons or more are not searched. Default: off.
+  vtkSetMacro(TestSlivers, bool);
+  vtkGetMacro(TestSlivers, bool);
+  vtkBooleanMacro(TestSlivers, bool);
   ///@}
 
   ///@{
@@ -264,7 +257,7 @@ private:
 
   bool Enabled = true;
   int Backend = Auto;
-  int TestSlivers = Never;
+  bool TestSlivers = false;
   bool DivideProps = true;
   bool Freeze = false;
   vtkNBufferTuning Tuning;

@@ -57,7 +57,7 @@ void MakeCuller(Writer& writer)
   culler.RoundSize = writer.Any({ 1, 2, 4, 8, 12, 64 });
   // Not drawn, so that the rest of a scenario stays what it was for its seed.
   culler.HierarchySize = writer.Scene.Seed % 3 == 0 ? culler.HierarchySize : 0;
-  culler.TestSlivers = writer.Scene.Seed % 5 == 0 ? vtkNBufferCuller::Always : culler.TestSlivers;
+  culler.TestSlivers = writer.Scene.Seed % 5 == 0;
   culler.TestTriangles = writer.Scene.Seed % 3 != 0;
   culler.ObserveAfter = writer.Scene.Seed % 4 == 0 ? 0 : 1;
   culler.TestPixels = writer.Chance(0.6);

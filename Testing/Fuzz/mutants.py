@@ -8,7 +8,6 @@ the old text must be there exactly once.
 
 PROJECTION = "vtkNBufferProjection.cxx"
 BOX_ERROR = "vtkNBufferBoxError.h"
-CLIP_EXTENT = "vtkNBufferClipExtent.h"
 VIEW = "vtkNBufferView.cxx"
 CANDIDATE = "vtkNBufferCandidate.cxx"
 CANDIDATE_TREE = "vtkNBufferCandidateTree.cxx"
@@ -20,7 +19,7 @@ DIVIDED = "vtkNBufferDividedProp.cxx"
 HOOK = "vtkNBufferDrawHook.cxx"
 UNIT_CULLING = "vtkNBufferUnitCulling.cxx"
 UNITS = "vtkNBufferUnits.cxx"
-RANGES = "vtkNBufferRangeDraw.cxx"
+OWN_DRAW = "vtkNBufferOwnDraw.cxx"
 MASK_MAKER = "vtkShadowMaskMaker.cxx"
 PLAN = "vtkShadowPlan.cxx"
 DRAW_LIST = "vtkShadowDrawList.cxx"
@@ -66,14 +65,15 @@ MUTANTS = {
     "fresh units over those that come later in the mesh": [
         ("vtkNBufferTieOrder.cxx", "a.Round > b.Round;", "a.Round < b.Round;")],
     "cell values of a shortened list": [
-        (RANGES, "SetUniformi(Offset, static_cast<int>(range.Begin));", "SetUniformi(Offset, 0);")],
-    "a mapper keeps the index buffer of the units": [
-        (HOOK, "this->Changed->IBO = this->Original;", "")],
+        (OWN_DRAW, "SetUniformi(Offset, static_cast<int>(range.Begin));", "SetUniformi(Offset, 0);")],
+    "a mapper keeps having no indices": [
+        (OWN_DRAW,
+         "this->Stream->IBO->IndexCount = std::exchange(this->IndexCount, 0);",
+         "this->IndexCount = 0;")],
     "a mapper keeps the list of the blocks that were drawn": [
         ("vtkNBufferBlockStream.cxx", "this->Exchanged->swap(*GetBlockList(this->Changed).Blocks);", "")],
     "gaussian points as small as their middles": [
-        ("vtkNBufferSplatStream.cxx", "return 0.5 * actor->GetProperty()->GetPointSize() + 1.0;",
-         "(void)actor; return 0.0;")],
+        (DIVIDED, "vtkNBufferSurface::GetMarginOfLines(this->Actor->GetProperty())", "0.0")],
     "indices of the mesh before": [
         (HOOK, "buffer.Marked.clear(); // The same units of another mesh have other indices.", "")],
     "units of data that have changed": [
@@ -140,7 +140,7 @@ MUTANTS = {
 
     # The near plane.
     "crossing the near plane or the eye counts as inside": [
-        (CLIP_EXTENT, NEAR_PLANE_TEST, "if (std::isnan(w))")],
+        (PROJECTION, NEAR_PLANE_TEST, "if (std::isnan(w))")],
     "the part of a box behind the eye is forgotten": [
         (PROJECTION, "result.Clipped = !before;", "result.Clipped = !before;\n  before = true;")],
 
@@ -152,8 +152,8 @@ MUTANTS = {
     "camera's motion not noticed": [
         ("vtkNBufferCamera.h", "return this->WorldToClip == other.WorldToClip &&", "return")],
     "verdicts of the last frame reused although props changed": [
-        (VIEW, "listChanged || this->Statistics.Refreshed > 0 || moved, frozen);",
-         "moved, frozen);")],
+        (VIEW, "listChanged || this->Statistics.Refreshed > 0 || moved, frozen)",
+         "moved, frozen)")],
     "order of equal depths forgotten": [
         ("vtkNBufferLateDraws.cxx", "if (this->Drawn.empty())", "if (!this->Drawn.empty())")],
     "equal depths of overlapping rectangles forgotten": [
@@ -286,8 +286,8 @@ RARE = {
     "hierarchy not refit to props that move": [
         (CANDIDATE_TREE, "this->Tree.Move(place, candidate.GetBox());", "")],
     "no slack for rounded vertices in x and y": [
-        (CLIP_EXTENT, "ndc - slack);", "ndc - slack * glm::dvec3(0.0, 0.0, 1.0));"),
-        (CLIP_EXTENT, "ndc + slack);", "ndc + slack * glm::dvec3(0.0, 0.0, 1.0));")],
+        (PROJECTION, "ndc - slack);", "ndc - slack * glm::dvec3(0.0, 0.0, 1.0));"),
+        (PROJECTION, "ndc + slack);", "ndc + slack * glm::dvec3(0.0, 0.0, 1.0));")],
     "a square's level looked up that was not built (< turned to <=)": [
         ("vtkNBufferPixelTest.cxx", "this->SquareLevel < this->Levels.GetNumberOfLevels()",
          "this->SquareLevel <= this->Levels.GetNumberOfLevels()")],
@@ -314,7 +314,7 @@ EQUIVALENT = {
          "return screen.Nearest >= vtkNBufferDepthConvention")],
     # What is before the near plane and in front of the eye has a negative depth, which nothing hides.
     "crossing the near plane counts as inside, crossing the eye does not": [
-        (CLIP_EXTENT, NEAR_PLANE_TEST, "if (!(w > this->Error.w))")],
+        (PROJECTION, NEAR_PLANE_TEST, "if (!(w > this->Error.w))")],
     # The next frame begins with more props than it needs.
     "visible props are not remembered": [
         (VIEW, "      state.WasVisible = true;\n", "")],

@@ -118,7 +118,7 @@ Blame FindBlame(const Scenario& scenario)
     return Blame::History;
   }
   Scenario tested = scenario;
-  tested.Culler.TestSlivers = vtkNBufferCuller::Always;
+  tested.Culler.TestSlivers = true;
   return Checker().Run(tested, true).HasFailed() ? Blame::Culler : Blame::Slivers;
 }
 

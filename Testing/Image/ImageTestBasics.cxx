@@ -285,7 +285,7 @@ namespace
 struct Setting : NamedCase
 {
   void (*Set)(ComparisonOptions&);
-  int TestSlivers = vtkNBufferCuller::Never;
+  bool TestSlivers = false;
 };
 
 class CullerSettings : public testing::TestWithParam<Setting>
@@ -313,7 +313,7 @@ const Setting Settings[] = {
     } },
   { "NoPixels", [](ComparisonOptions& o) { o.Tuning.TestPixels = false; } },
   { "NoSlivers", [](ComparisonOptions&) {} },
-  { "Slivers", [](ComparisonOptions&) {}, vtkNBufferCuller::Always },
+  { "Slivers", [](ComparisonOptions&) {}, true },
   { "NoReuse", [](ComparisonOptions& o) { o.Tuning.ReuseWhenStill = false; } },
   { "BackOff", [](ComparisonOptions& o) { o.Tuning.BackOff = true; } },
 };

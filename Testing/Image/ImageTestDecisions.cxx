@@ -305,7 +305,7 @@ TEST(CullerDecisions, SliversAreTestedFromTheNextFrameOn)
     comparison.Frame();
   }
   EXPECT_EQ(comparison.GetDecision(), Decision::Still);
-  comparison.GetCuller()->SetTestSlivers(vtkNBufferCuller::Always);
+  comparison.GetCuller()->SetTestSlivers(true);
   comparison.Frame("with slivers");
   EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
 }

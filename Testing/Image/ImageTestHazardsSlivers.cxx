@@ -94,7 +94,7 @@ TEST_P(CullerSlivers, AreDrawnWhereTheyShow)
   const Pipe& pipe = this->GetParam();
   Comparison comparison(
     [&pipe](Stage& stage) { Build(stage, pipe); }, Scenes::MakeExactOptions(Width, Height, 4));
-  comparison.GetCuller()->SetTestSlivers(vtkNBufferCuller::Always);
+  comparison.GetCuller()->SetTestSlivers(true);
   Scenes::Settle(comparison);
 
   const int x = pipe.Pixel[0];
@@ -107,11 +107,11 @@ TEST_P(CullerSlivers, AreDrawnWhereTheyShow)
     return;
   }
   // The box lies behind the wall, and so does every point of the pipe.
-  comparison.GetCuller()->SetTestSlivers(vtkNBufferCuller::Never);
+  comparison.GetCuller()->SetTestSlivers(false);
   comparison.Culled.Window->Render();
   comparison.Culled.Window->Render();
   EXPECT_EQ(comparison.GetVerdict(1), Verdict::Hidden);
-  comparison.GetCuller()->SetTestSlivers(vtkNBufferCuller::Always);
+  comparison.GetCuller()->SetTestSlivers(true);
   comparison.Frame("slivers looked at");
   // Whether this rasteriser draws the stray pixel or not: one may.
   EXPECT_EQ(comparison.GetVerdict(1), Verdict::Visible);

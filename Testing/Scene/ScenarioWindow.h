@@ -94,7 +94,7 @@ struct Culler
   int ObserveAfter = 60;
   bool TestTriangles = true;
   bool TestPixels = true;
-  int TestSlivers = 0;
+  bool TestSlivers = false;
   bool DivideProps = true;
   int MinimumNumberOfPrimitives = 20000;
   int UnitSize = 64;

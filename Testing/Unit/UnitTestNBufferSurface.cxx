@@ -192,39 +192,41 @@ TEST_F(NBufferSurface, SmallMeshesAreCopiedAFewInAFrame)
 {
   vtkNBufferMeshes meshes;
   std::vector<vtkNBufferMeshes::OfProp> none;
+  vtkNBufferMeshes::OfProp kept;
   vtkNew<vtkSphereSource> source;
   this->Mapper->SetInputConnection(source->GetOutputPort());
   this->Mapper->Update();
-  EXPECT_EQ(meshes.FindSmall(this->Actor, true), nullptr) << "no frame has begun";
-  meshes.Forget(this->Actor);
+  EXPECT_FALSE(meshes.FindSmall(this->Actor, true, kept)) << "no frame has begun";
   meshes.BeginFrame(none);
-  EXPECT_EQ(meshes.FindSmall(this->Actor, false), nullptr);
-  vtkNBufferMeshes::Small* small = meshes.FindSmall(this->Actor, true);
-  ASSERT_TRUE(small);
-  EXPECT_EQ(small->Mesh->Triangles.size(), 96u);
-  small->First = 5;
-  small = meshes.FindSmall(this->Actor, false);
-  ASSERT_TRUE(small);
-  EXPECT_EQ(small->First, 5u);
+  EXPECT_FALSE(meshes.FindSmall(this->Actor, false, kept));
+  ASSERT_TRUE(meshes.FindSmall(this->Actor, true, kept));
+  EXPECT_EQ(kept.Small->Triangles.size(), 96u);
+  kept.First = 5;
+  ASSERT_TRUE(meshes.FindSmall(this->Actor, false, kept));
+  EXPECT_EQ(kept.First, 5u);
 
   source->SetThetaResolution(20);
   this->Mapper->Update();
-  meshes.Forget(this->Actor);
-  EXPECT_EQ(meshes.FindSmall(this->Actor, false), nullptr);
-  small = meshes.FindSmall(this->Actor, true);
-  ASSERT_TRUE(small);
-  EXPECT_EQ(small->Mesh->Triangles.size(), 240u);
+  kept = {};
+  EXPECT_FALSE(meshes.FindSmall(this->Actor, false, kept));
+  ASSERT_TRUE(meshes.FindSmall(this->Actor, true, kept));
+  EXPECT_EQ(kept.Small->Triangles.size(), 240u);
   source->SetThetaResolution(40);
   this->Mapper->Update();
-  meshes.Forget(this->Actor);
-  EXPECT_EQ(meshes.FindSmall(this->Actor, true), nullptr) << "too many triangles";
+  kept = {};
+  EXPECT_FALSE(meshes.FindSmall(this->Actor, true, kept)) << "too many triangles";
 
   std::vector<vtkSmartPointer<vtkActor>> actors;
+  std::vector<vtkNBufferMeshes::OfProp> keptOfActors(20);
   const auto countCopies = [&]
   {
     meshes.BeginFrame(none);
-    return std::count_if(
-      actors.begin(), actors.end(), [&](vtkActor* actor) { return meshes.FindSmall(actor, true); });
+    int count = 0;
+    for (std::size_t i = 0; i < actors.size(); ++i)
+    {
+      count += meshes.FindSmall(actors[i], true, keptOfActors[i]) ? 1 : 0;
+    }
+    return count;
   };
   for (int i = 0; i < 20; ++i)
   {

@@ -21,14 +21,6 @@ void vtkNBufferMeshes::BeginFrame(std::vector<OfProp>& kept)
   {
     return;
   }
-  const auto release = [this](auto& entries)
-  {
-    for (auto entry = entries.begin(); entry != entries.end();)
-    {
-      entry =
-        this->Frame - entry->second.Frame > FramesToKeep ? entries.erase(entry) : std::next(entry);
-    }
-  };
   for (OfProp& one : kept)
   {
     if (this->Frame - one.Frame > FramesToKeep)
@@ -36,8 +28,11 @@ void vtkNBufferMeshes::BeginFrame(std::vector<OfProp>& kept)
       one = {};
     }
   }
-  release(this->SmallMeshes);
-  release(this->Entries);
+  for (auto entry = this->Entries.begin(); entry != this->Entries.end();)
+  {
+    const bool isOld = this->Frame - entry->second.Frame > FramesToKeep;
+    entry = isOld ? this->Entries.erase(entry) : std::next(entry);
+  }
 }
 
 const std::vector<vtkNBufferMeshes::Placed>& vtkNBufferMeshes::Get(
@@ -72,29 +67,22 @@ const std::vector<vtkNBufferMeshes::Placed>& vtkNBufferMeshes::Get(
   return kept.Meshes;
 }
 
-vtkNBufferMeshes::Small* vtkNBufferMeshes::FindSmall(vtkActor* actor, bool mayCopy)
+bool vtkNBufferMeshes::FindSmall(vtkActor* actor, bool mayCopy, OfProp& kept)
 {
-  const auto found =
-    mayCopy ? this->SmallMeshes.try_emplace(actor).first : this->SmallMeshes.find(actor);
-  if (found == this->SmallMeshes.end())
-  {
-    return nullptr;
-  }
-  Small& small = found->second;
-  small.Frame = this->Frame;
-  if (!small.Mesh && !small.IsTooLarge && mayCopy && this->CopiesLeft > 0)
+  kept.Frame = this->Frame;
+  if (!kept.Small && !kept.IsTooLarge && mayCopy && this->CopiesLeft > 0)
   {
     vtkMapper* mapper = actor->GetMapper();
     auto* data = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
-    small.IsTooLarge =
+    kept.IsTooLarge =
       !data || data->GetNumberOfPolys() > MaximumNumberOfPolygons || data->GetNumberOfStrips() > 0;
-    if (!small.IsTooLarge)
+    if (!kept.IsTooLarge)
     {
       --this->CopiesLeft;
-      small.Mesh = this->Update(data).Mesh;
+      kept.Small = this->Update(data).Mesh;
     }
   }
-  return small.Mesh ? &small : nullptr;
+  return kept.Small != nullptr;
 }
 
 const vtkNBufferMeshes::Entry& vtkNBufferMeshes::Update(vtkPolyData* data)

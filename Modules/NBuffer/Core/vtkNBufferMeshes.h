@@ -42,7 +42,15 @@ public:
   {
     std::vector<Placed> Meshes;
     vtkIdType Limit = -1; ///< That of Get(), or -1 if the meshes are not known.
-    int Frame = 0;        ///< The last frame that requested them.
+    int Frame = 0;        ///< The last frame that requested any of this.
+    ///@{
+    /// Of FindSmall(): the triangles, or null before they are copied; whether the data has too many
+    /// polygons, or strips, or is no polydata; and with which triangle
+    /// vtkNBufferPixelTest::MayBeSeen() begins.
+    std::shared_ptr<const vtkNBufferMesh> Small;
+    bool IsTooLarge = false;
+    std::size_t First = 0;
+    ///@}
   };
 
   /// Count a frame, and release meshes that have not been requested for a long time, those that are
@@ -57,26 +65,14 @@ public:
    */
   const std::vector<Placed>& Get(vtkProp* prop, vtkIdType limit, OfProp& kept);
 
-  /// The triangles of an actor with few of them.
-  struct Small
-  {
-    std::shared_ptr<const vtkNBufferMesh> Mesh; ///< Null before it is copied.
-    std::size_t First = 0;   ///< With which triangle vtkNBufferPixelTest::MayBeSeen() begins.
-    bool IsTooLarge = false; ///< The data has too many polygons, or strips, or is no polydata.
-    int Frame = 0;           ///< The last frame that requested the triangles.
-  };
-
   /**
-   * The triangles of an actor if its data is a polydata with at most MaximumNumberOfPolygons
-   * polygons and without strips, and if they have been copied; otherwise nullptr. Copying them may
-   * take a tenth of a millisecond, because polygons have to be triangulated. They are therefore
-   * copied only if `mayCopy` is true, and for at most CopiesPerFrame actors in a frame. If the
-   * actor or its data changes, Forget() must be called.
+   * Whether `kept.Small` is known: the triangles of an actor whose data is a polydata with at most
+   * MaximumNumberOfPolygons polygons and without strips. Copying them may take a tenth of a
+   * millisecond, because polygons have to be triangulated. They are therefore copied only if
+   * `mayCopy` is true, and for at most CopiesPerFrame actors in a frame. What is said of `kept`
+   * above holds here, too.
    */
-  Small* FindSmall(vtkActor* actor, bool mayCopy);
-
-  /// Drop the triangles of a prop, which may have changed.
-  void Forget(vtkProp* prop) { this->SmallMeshes.erase(prop); }
+  bool FindSmall(vtkActor* actor, bool mayCopy, OfProp& kept);
 
 private:
   static constexpr vtkIdType MaximumNumberOfPolygons = 256;
@@ -92,7 +88,6 @@ private:
   const Entry& Update(vtkPolyData* data);
 
   std::unordered_map<vtkPolyData*, Entry> Entries;
-  std::unordered_map<vtkProp*, Small> SmallMeshes;
   int Frame = 0;
   int CopiesLeft = 0; ///< How many meshes FindSmall() may still copy in this frame.
 };

@@ -210,11 +210,6 @@ bool IsShifted(vtkOpenGLPolyDataMapper* mapper, const glm::dvec3& low, const glm
       return false;
   }
 }
-
-double GetMarginOfLines(vtkProperty* property)
-{
-  return 0.5 * std::max(property->GetLineWidth(), property->GetPointSize()) + 1.0;
-}
 }
 
 vtkActor* vtkNBufferSurface::GetPlainActor(vtkProp* prop)
@@ -287,6 +282,11 @@ double vtkNBufferSurface::GetMargin(vtkActor* actor)
   vtkDataObject* input = actor->GetMapper()->GetInputDataObject(0, 0);
   const bool isRead = vtkPolyData::SafeDownCast(input) || vtkDataObjectTree::SafeDownCast(input);
   return isRead && !HasLines(input, true) ? 0.0 : GetMarginOfLines(actor->GetProperty());
+}
+
+double vtkNBufferSurface::GetMarginOfLines(vtkProperty* property)
+{
+  return 0.5 * std::max(property->GetLineWidth(), property->GetPointSize()) + 1.0;
 }
 
 double vtkNBufferSurface::GetLightingMargin(vtkActor* actor)

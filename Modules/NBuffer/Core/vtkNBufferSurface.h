@@ -81,9 +81,10 @@ public:
   ///@{
   /**
    * How far outside its surface a plain actor draws, in pixels: half the width of its lines or
-   * points, plus 1, or 0 if it has neither. DrawsLines() says whether there are lines.
+   * points, plus 1 (GetMarginOfLines()), or 0 if it has neither. DrawsLines(): if it has lines.
    */
   static double GetMargin(vtkActor* actor);
+  static double GetMarginOfLines(vtkProperty* property);
   static bool DrawsLines(vtkMapper* mapper);
   ///@}
 

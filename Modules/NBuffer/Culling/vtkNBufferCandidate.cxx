@@ -153,15 +153,8 @@ vtkNBufferVerdict vtkNBufferCandidate::ReadBox(vtkActor* actor)
   {
     return vtkNBufferVerdict::NotAPlainMapper;
   }
-  const glm::dmat4 toWorld = vtkNBufferGLM::ToMatrix(actor->GetMatrix()->GetData());
-  this->Box.Origin = glm::dvec3(toWorld[3]);
-  this->Box.Magnitude = glm::dvec3(0.0);
-  for (int k = 0; k < 3; ++k)
-  {
-    const glm::dvec3 column(toWorld[k]);
-    this->Box.Origin += column * buffer->Origin[k];
-    this->Box.Magnitude += vtkNBufferGLM::Abs(column) * buffer->HalfRange[k];
-  }
+  this->Box.SetRounding(
+    vtkNBufferGLM::ToMatrix(actor->GetMatrix()->GetData()), buffer->Origin, buffer->HalfRange);
   // VTK leaves infinite points out of the bounds, but the device draws them.
   const bool isFinite =
     vtkNBufferGLM::IsFinite(this->Box.Origin) && vtkNBufferGLM::IsFinite(this->Box.Magnitude);

@@ -132,12 +132,22 @@ void vtkNBufferCandidateList::RefreshStale(bool globalStateChanged)
   this->ListChanged = false;
   for (const int i : this->Stale)
   {
-    const vtkNBufferSharedState::Uses uses = this->Candidates[i].GetUses();
-    if (this->RefreshOne(i, globalStateChanged))
+    vtkNBufferCandidate& candidate = this->Candidates[i];
+    const vtkNBufferSharedState::Uses uses = candidate.GetUses();
+    const vtkNBufferVerdict verdict = candidate.GetVerdict();
+    const vtkNBufferBox box = candidate.GetBox();
+    if (candidate.Refresh(globalStateChanged))
     {
       this->Changed.push_back(i);
     }
-    this->UsesChanged = this->UsesChanged || !(uses == this->Candidates[i].GetUses());
+    this->UsesChanged = this->UsesChanged || !(uses == candidate.GetUses());
+    this->States[i].Observed = false;
+    this->States[i].OwnVerdict = candidate.GetVerdict();
+    this->MeshesOfProps[i] = {};
+    if (verdict != candidate.GetVerdict() || !(box == candidate.GetBox()))
+    {
+      this->Tree.HasChanged(i);
+    }
   }
   this->UntrackedDepth = this->Blending = this->Lines = this->LackOfNormals = false;
   this->WithParts.clear();
@@ -204,29 +214,12 @@ void vtkNBufferCandidateList::FindSharedState()
   this->SharesState = state.HasMixed();
 }
 
-bool vtkNBufferCandidateList::RefreshOne(std::size_t i, bool globalStateChanged)
-{
-  vtkNBufferCandidate& candidate = this->Candidates[i];
-  const vtkNBufferVerdict verdict = candidate.GetVerdict();
-  const vtkNBufferBox box = candidate.GetBox();
-  const bool changed = candidate.Refresh(globalStateChanged);
-  this->States[i].Observed = false;
-  this->States[i].OwnVerdict = candidate.GetVerdict();
-  this->Meshes.Forget(this->GetProp(static_cast<int>(i)));
-  this->MeshesOfProps[i] = {};
-  if (verdict != candidate.GetVerdict() || !(box == candidate.GetBox()))
-  {
-    this->Tree.HasChanged(static_cast<int>(i));
-  }
-  return changed;
-}
-
 void vtkNBufferCandidateList::ProjectOne(int i, const vtkNBufferProjection& projection)
 {
   const vtkNBufferCandidate& candidate = this->Candidates[i];
-  if (candidate.HasPlacement() && !projection.IsOutside(candidate.GetBox()))
+  if (candidate.HasPlacement())
   {
-    this->States[i].Placement = projection.Project(candidate.GetBox(), this->Screens[i]);
+    this->States[i].Placement = projection.Place(candidate.GetBox(), this->Screens[i]);
   }
 }
 
@@ -321,9 +314,8 @@ bool vtkNBufferCandidateList::MayBeSeen(int i, vtkNBufferPixelTest& test)
     return true;
   }
   vtkActor* actor = vtkActor::SafeDownCast(this->GetProp(i));
-  vtkNBufferMeshes::Small* small =
-    actor ? this->Meshes.FindSmall(actor, state.WasVisible) : nullptr;
-  return !small ||
-    test.MayBeSeen(*small->Mesh, actor->GetMatrix()->GetData(), this->GetScreen(i), small->First);
+  vtkNBufferMeshes::OfProp& meshes = this->MeshesOfProps[i];
+  return !actor || !this->Meshes.FindSmall(actor, state.WasVisible, meshes) ||
+    test.MayBeSeen(*meshes.Small, actor->GetMatrix()->GetData(), this->GetScreen(i), meshes.First);
 }
 VTK_ABI_NAMESPACE_END

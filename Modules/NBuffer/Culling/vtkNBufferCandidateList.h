@@ -122,7 +122,6 @@ private:
   void ReadParts();
   /// Find out for each candidate whether another prop uses one of its objects in another way.
   void FindSharedState();
-  bool RefreshOne(std::size_t i, bool globalStateChanged);
   /// Observe the next few of the props that have not changed for a while. A turn visits all props.
   void ObserveSome();
   bool UsesTree() const { return this->GetSize() >= this->HierarchySize; }
@@ -136,7 +135,7 @@ private:
   std::vector<int> Changed; ///< The places of those that have changed.
   vtkNBufferCandidateTree Tree;
   vtkNBufferMeshes Meshes;
-  std::vector<vtkNBufferMeshes::OfProp> MeshesOfProps; ///< Of GetMeshes().
+  std::vector<vtkNBufferMeshes::OfProp> MeshesOfProps; ///< Of each prop.
   std::vector<int> Reached; ///< The places of the props that the tree leaves to ProjectOne().
   vtkNBufferObservedObjects Observed; ///< The objects of props, except for actors.
   /// A deleted actor counts as changed, because another prop may have been made at its address.

@@ -112,9 +112,7 @@ void vtkNBufferCandidateTree::FindPlacements(const vtkNBufferProjection& project
   {
     ++this->Done.Nodes;
     vtkNBufferScreenBox screen;
-    const vtkNBufferPlacement placement = projection.IsOutside(node.Box)
-      ? vtkNBufferPlacement::Outside
-      : projection.Project(node.Box, screen);
+    const vtkNBufferPlacement placement = projection.Place(node.Box, screen);
     if (placement == vtkNBufferPlacement::Outside)
     {
       return false;

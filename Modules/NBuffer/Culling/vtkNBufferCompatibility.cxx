@@ -12,6 +12,9 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
+#include "vtkCuller.h"
+#include "vtkCullerCollection.h"
+#include "vtkFrustumCoverageCuller.h"
 #include "vtkImageProcessingPass.h"
 #include "vtkOpenGLGL2PSHelper.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -24,6 +27,7 @@
 #include "vtkRenderer.h"
 #include "vtkRendererDelegate.h"
 #include "vtkSequencePass.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <string>
@@ -104,10 +108,60 @@ bool HasWireframes(vtkRenderer* renderer)
   }
   return false;
 }
+
+/// Whether the frustum test of vtkNBufferView does everything that `culler` would do.
+bool IsDefaultFrustumCuller(vtkCuller* culler)
+{
+  if (typeid(*culler) != typeid(vtkFrustumCoverageCuller))
+  {
+    return false;
+  }
+  auto* frustum = static_cast<vtkFrustumCoverageCuller*>(culler);
+  return frustum->GetMinimumCoverage() == 0.0 && frustum->GetMaximumCoverage() == 1.0 &&
+    frustum->GetSortingStyle() == VTK_CULLER_SORT_NONE;
+}
+
+/// Whether a culler comes after `self` that may remove props. It would not see the props that are
+/// held back.
+bool IsOtherBehind(vtkCullerCollection* cullers, vtkCuller* self)
+{
+  bool behind = false;
+  vtkCollectionSimpleIterator cookie;
+  cullers->InitTraversal(cookie);
+  while (vtkCuller* culler = cullers->GetNextCuller(cookie))
+  {
+    if (behind && !IsDefaultFrustumCuller(culler))
+    {
+      return true;
+    }
+    behind = behind || culler == self;
+  }
+  return false;
+}
 }
 
 namespace vtkNBufferCompatibility
 {
+void MoveFrustumCullersBehind(vtkCullerCollection* cullers, vtkCuller* self)
+{
+  std::vector<vtkSmartPointer<vtkCuller>> before;
+  vtkCollectionSimpleIterator cookie;
+  cullers->InitTraversal(cookie);
+  for (vtkCuller* culler = cullers->GetNextCuller(cookie); culler && culler != self;
+       culler = cullers->GetNextCuller(cookie))
+  {
+    if (IsDefaultFrustumCuller(culler))
+    {
+      before.emplace_back(culler);
+    }
+  }
+  for (const vtkSmartPointer<vtkCuller>& culler : before)
+  {
+    cullers->RemoveItem(culler);
+    cullers->AddItem(culler);
+  }
+}
+
 bool ProcessesImage(vtkRenderer* renderer)
 {
   return renderer->GetUseFXAA() || renderer->GetUseSSAO();
@@ -145,7 +199,7 @@ DrawingSettings GetDrawingSettings(vtkRenderer* renderer)
   return settings;
 }
 
-vtkNBufferDecision WhyNot(vtkRenderer* renderer)
+vtkNBufferDecision WhyNot(vtkRenderer* renderer, vtkCuller* self)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window || window->GetContextCreationTime() == 0)
@@ -211,7 +265,8 @@ vtkNBufferDecision WhyNot(vtkRenderer* renderer)
     return vtkNBufferDecision::OtherView;
   }
 #endif
-  return vtkNBufferDecision::None;
+  return IsOtherBehind(renderer->GetCullers(), self) ? vtkNBufferDecision::OtherCuller
+                                                     : vtkNBufferDecision::None;
 }
 
 vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferViewKey& key,

@@ -23,6 +23,8 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkCuller;
+class vtkCullerCollection;
 struct vtkNBufferDepthSource;
 class vtkRenderPass;
 class vtkRenderer;
@@ -30,8 +32,14 @@ struct vtkNBufferViewKey;
 
 namespace vtkNBufferCompatibility
 {
-/// Get the reason why the culler must not cull the next frame of `renderer`, or None if it may.
-VTKNBUFFER_EXPORT vtkNBufferDecision WhyNot(vtkRenderer* renderer);
+/// Get the reason why `self` must not cull the next frame of `renderer`, or None if it may.
+VTKNBUFFER_EXPORT vtkNBufferDecision WhyNot(vtkRenderer* renderer, vtkCuller* self);
+
+/// Move the frustum cullers with default settings before `self` to the end of the collection, whose
+/// order is that in which cullers run: the frustum test of vtkNBufferView does everything that they
+/// do. If `self` is the last culler, they do not run again in this frame, because the renderer's
+/// iterator is at its end already.
+VTKNBUFFER_EXPORT void MoveFrustumCullersBehind(vtkCullerCollection* cullers, vtkCuller* self);
 
 /**
  * Get the reason why the depth drawn so far must not be used to test the props that are held back,

@@ -194,13 +194,6 @@ bool vtkNBufferDepthTest::HasVisibleSlivers(int i, vtkNBufferSliverTest& test)
     });
 }
 
-bool vtkNBufferDepthTest::TestsSlivers() const
-{
-  const vtkNBufferSliverPolicy policy = this->Settings.TestSlivers;
-  return policy == vtkNBufferSliverPolicy::Always ||
-    (policy == vtkNBufferSliverPolicy::OnSoftware && vtkNBufferGL::GetSoftwareRenderer());
-}
-
 void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::vector<int>& places)
 {
   if (tested.size() <= places.size())
@@ -226,7 +219,7 @@ void vtkNBufferDepthTest::PutBackSlivers(const std::vector<int>& tested, std::ve
 
 int vtkNBufferDepthTest::RemoveHidden(std::vector<int>& places)
 {
-  const std::vector<int> tested = this->TestsSlivers() ? places : std::vector<int>();
+  const std::vector<int> tested = this->Settings.TestSlivers ? places : std::vector<int>();
   vtkNBufferClock clock;
   vtkNBufferOcclusionTest test(this->Levels, this->SampleDistance);
   this->Props.MarkHidden(test);

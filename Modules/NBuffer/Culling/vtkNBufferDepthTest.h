@@ -12,8 +12,8 @@
  *  2. Candidates that the levels do not find hidden are compared with the pixels
  *     (vtkNBufferPixelTest): first their boxes, then the triangles of small meshes. This step needs
  *     the depth image, and is done where that is in host memory or worth reading.
- *  3. Candidates that were found hidden may have slivers that a device draws in front of their
- *     boxes (vtkNBufferSliverTest). Such candidates count as visible. Props of
+ *  3. With TestSlivers: candidates that were found hidden may have slivers that a device draws in
+ *     front of their boxes (vtkNBufferSliverTest). Such candidates count as visible. Props of
  *     MinimumNumberOfPrimitives polygons or more, which are divided, are not examined.
  */
 #ifndef vtkNBufferDepthTest_h
@@ -37,14 +37,6 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkNBufferSharedDepth;
 class vtkOpenGLRenderWindow;
 
-/// Whether to look for slivers of the props whose boxes were found hidden.
-enum class vtkNBufferSliverPolicy
-{
-  Never,      ///< In no frame.
-  OnSoftware, ///< Where OpenGL runs in software, as with Mesa's llvmpipe.
-  Always      ///< In every frame.
-};
-
 /// The settings of vtkNBufferCuller with the same names and its tuning, as they are when a frame
 /// begins.
 struct vtkNBufferSettings : vtkNBufferTuning
@@ -64,7 +56,7 @@ struct vtkNBufferSettings : vtkNBufferTuning
 
   std::shared_ptr<vtkNBufferSharedDepth> Shared; ///< nullptr if this frame is not shared.
   vtkNBufferBackend::Kind Backend = vtkNBufferBackend::Auto;
-  vtkNBufferSliverPolicy TestSlivers = vtkNBufferSliverPolicy::Never;
+  bool TestSlivers = false;
   bool DivideProps = true;
   bool Freeze = false;
 };
@@ -111,7 +103,6 @@ private:
   const float* GetDepth(const std::vector<int>& places);
   /// The pixels of a candidate, or null for one that is not Inside.
   const vtkNBufferScreenBox* GetScreen(int i);
-  bool TestsSlivers() const;
   /// Put those of `tested` back into `places` of which a sliver may be visible. Before and after
   /// the call `places` is a part of `tested`, in the same order.
   void PutBackSlivers(const std::vector<int>& tested, std::vector<int>& places);

@@ -5,6 +5,7 @@
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDepthTest.h"
 #include "vtkNBufferLargeProps.h"
+#include "vtkNBufferSplatStream.h"
 #include "vtkNBufferTieQuery.h"
 #include "vtkNBufferViewSetup.h"
 
@@ -97,9 +98,6 @@ void vtkNBufferDivision::Update(vtkOpenGLRenderWindow* window, const vtkNBufferS
     std::iota(changed.begin(), changed.end(), 0);
   }
   this->FindLarge(changed);
-  const vtkNBufferDividedProp::Settings making = { window,
-    static_cast<std::size_t>(settings.UnitSize), settings.DivideAfter,
-    settings.DivideInBackground };
   for (Entry& entry : this->Entries)
   {
     if (!vtkNBufferLargeProps::MayBeDivided(this->Props.GetCandidate(entry.Place)))
@@ -108,11 +106,8 @@ void vtkNBufferDivision::Update(vtkOpenGLRenderWindow* window, const vtkNBufferS
       entry.Prop->Release();
       continue;
     }
-    const vtkMTimeType time =
-      vtkNBufferLargeProps::GetPartsTime(this->Props.GetCandidate(entry.Place));
-    const bool hasChanged = std::exchange(entry.PartsTime, time) != time ||
-      std::binary_search(changed.begin(), changed.end(), entry.Place);
-    entry.Prop->BeginFrame(hasChanged, making);
+    const bool hasChanged = std::binary_search(changed.begin(), changed.end(), entry.Place);
+    entry.Prop->BeginFrame(hasChanged, window, settings);
     entry.IsActive = entry.IsActive && !hasChanged;
   }
 }
@@ -121,8 +116,10 @@ void vtkNBufferDivision::SetView(const vtkNBufferViewSetup& view)
 {
   for (Entry& entry : this->Entries)
   {
-    view.Apply(
-      entry.Projection, vtkNBufferGLM::ToMatrix(entry.Prop->GetActor()->GetMatrix()->GetData()));
+    // GetBounds() does not compute the matrix of splats without cells.
+    vtkActor* actor = entry.Prop->GetActor();
+    actor->ComputeMatrix();
+    view.Apply(entry.Projection, vtkNBufferGLM::ToMatrix(actor->GetMatrix()->GetData()));
   }
 }
 
@@ -203,33 +200,10 @@ void vtkNBufferDivision::Reset()
   }
 }
 
-vtkProp* vtkNBufferDivision::GetInList(int place)
-{
-  Entry* entry = this->Find(place);
-  return entry && entry->IsDrawnHere() ? entry->Prop->GetProxy() : this->Props.GetProp(place);
-}
-
-bool vtkNBufferDivision::DrawsTranslucent(int place)
+bool vtkNBufferDivision::Draws(int place)
 {
   const Entry* entry = this->Find(place);
-  return entry && this->Props.GetCandidate(place).IsTranslucent() &&
-    (entry->IsPending || entry->IsDrawnHere());
-}
-
-int vtkNBufferDivision::Postpone(vtkProp** props, int count)
-{
-  for (int i = count - 1; i >= 0; --i)
-  {
-    for (const Entry& entry : this->Entries)
-    {
-      if (props[i] == entry.Prop->GetProxy())
-      {
-        this->Postponed = entry.Place;
-        return i;
-      }
-    }
-  }
-  return -1;
+  return entry && (entry->IsPending || entry->IsDrawnHere());
 }
 
 void vtkNBufferDivision::Test(const vtkNBufferDividedProp::Depth& depth, std::vector<int>& heldBack)
@@ -354,33 +328,14 @@ void vtkNBufferDivision::DescribeNext(int place, int round, const vtkNBufferProj
   for (const vtkNBufferUnits::Box& group : entry->Prop->GetFreshGroups())
   {
     vtkNBufferDrawnProp part = whole;
-    const glm::dvec3 low(group.Low);
-    const glm::dvec3 high(group.High);
-    const glm::dvec3 half = 0.5 * (high - low);
-    part.Box.Center = glm::dvec3(toWorld[3]);
-    part.Box.HalfSize = glm::dvec3(0.0);
-    glm::dvec3 largest = vtkNBufferGLM::Abs(part.Box.Center);
-    for (int k = 0; k < 3; ++k)
-    {
-      const glm::dvec3 column(toWorld[k]);
-      part.Box.Center += column * (0.5 * (low[k] + high[k]));
-      part.Box.HalfSize += vtkNBufferGLM::Abs(column) * half[k];
-      largest += vtkNBufferGLM::Abs(column) * std::max(std::abs(low[k]), std::abs(high[k]));
-    }
-    // Some ten operations are rounded on numbers that are at most as large as this.
-    part.Box.HalfSize += largest * 0x1p-48;
+    part.Box.SetPlace(toWorld, glm::dvec3(group.Low), glm::dvec3(group.High));
     if (!this->Props.GetCandidate(place).IsCandidate())
     {
       // The box of the prop itself is an estimate of VTK.
       const vtkNBufferBox box = entry->Prop->MakeBox(group);
       part.KeepsScissor = true;
       part.Box.Margin = box.Margin;
-      part.Box.Origin = glm::dvec3(toWorld[3]);
-      part.Box.Magnitude = glm::dvec3(0.0);
-      for (int k = 0; k < 3; ++k)
-      {
-        part.Box.Magnitude += vtkNBufferGLM::Abs(glm::dvec3(toWorld[k])) * box.Magnitude[k];
-      }
+      part.Box.SetRounding(toWorld, box.Origin, box.Magnitude);
     }
     part.Bounded = projection.Project(part.Box, part.Screen) == vtkNBufferPlacement::Inside;
     drawn.push_back(part);
@@ -393,30 +348,21 @@ bool vtkNBufferDivision::HasUnits() const
     [](const Entry& entry) { return entry.IsActive || entry.IsPending; });
 }
 
-vtkNBufferDividedProp::Counts vtkNBufferDivision::GetCounts() const
+void vtkNBufferDivision::Count(vtkNBufferStatistics& statistics) const
 {
-  vtkNBufferDividedProp::Counts sum;
+  statistics.Units = statistics.UnitsOutside = statistics.UnitsKept = statistics.UnitsFresh = 0;
   for (const Entry& entry : this->Entries)
   {
     if (entry.IsActive)
     {
       const vtkNBufferDividedProp::Counts& counts = entry.Prop->GetCounts();
-      sum.Units += counts.Units;
-      sum.Outside += counts.Outside;
-      sum.Kept += counts.Kept;
-      sum.Fresh += counts.Fresh;
+      statistics.Units += counts.Units;
+      statistics.UnitsOutside += counts.Outside;
+      statistics.UnitsKept += counts.Kept;
+      statistics.UnitsFresh += counts.Fresh;
     }
   }
-  return sum;
-}
-
-void vtkNBufferDivision::Count(vtkNBufferStatistics& statistics) const
-{
-  const vtkNBufferDividedProp::Counts counts = this->GetCounts();
-  statistics.Units = counts.Units;
-  statistics.UnitsOutside = counts.Outside;
-  statistics.UnitsKept = counts.Kept;
-  statistics.UnitsFresh = counts.Fresh;
-  statistics.UnitsHidden = counts.Units - counts.Outside - counts.Kept - counts.Fresh;
+  statistics.UnitsHidden =
+    statistics.Units - statistics.UnitsOutside - statistics.UnitsKept - statistics.UnitsFresh;
 }
 VTK_ABI_NAMESPACE_END

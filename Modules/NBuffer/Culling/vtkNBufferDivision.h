@@ -8,7 +8,7 @@
  *
  *     Update()     which props are large, and whether they have changed
  *     Classify()   which of them are tested in this frame, and which of their units are drawn first
- *     GetInList()  what takes the place of a prop in the renderer's list
+ *     Draws()      which props have to be drawn by this class
  *     Test()       which of the other units may be seen
  *     Draw()       draws them
  *
@@ -71,17 +71,13 @@ public:
   /// Draw all props of this frame whole.
   void Reset();
 
-  /// What represents an opaque prop in the renderer's list: the prop itself, or a proxy.
-  vtkProp* GetInList(int place);
+  /// Whether a prop has to be drawn by Draw(), so that it has a proxy in the renderer's list.
+  bool Draws(int place);
 
-  /// Whether a translucent prop has to be drawn by Draw().
-  bool DrawsTranslucent(int place);
+  /// An opaque prop with such a proxy is not in the list, because there was no room for it.
+  void Postpone(int place) { this->Postponed = place; }
 
-  /// Take the last prop with a proxy out of the renderer's list, because there must be room for
-  /// another proxy. Returns its place in that list.
-  int Postpone(vtkProp** props, int count);
-
-  /// The place of the prop that Postpone() has taken out of the list, or -1.
+  /// The place of the prop given to Postpone(), or -1.
   int GetPostponed() const { return this->Postponed; }
 
   /// Test the units of the props that have been drawn and, of those in `heldBack`, remove the
@@ -130,10 +126,8 @@ public:
   /// Whether any prop has units that are tested in this frame.
   bool HasUnits() const;
 
-  /// The sums over all props that are drawn unit by unit.
-  vtkNBufferDividedProp::Counts GetCounts() const;
-
-  /// Set the statistics of units, after a test.
+  /// Set the statistics of units, after a test: the sums over all props that are drawn unit by
+  /// unit.
   void Count(vtkNBufferStatistics& statistics) const;
 
 private:
@@ -143,8 +137,7 @@ private:
     std::unique_ptr<vtkNBufferDividedProp> Prop;
     vtkNBufferProjection Projection; ///< From the coordinates of the mesh.
     vtkNBufferBackOff BackOff;
-    vtkMTimeType PartsTime = 0; ///< That of the instances or splats of a prop that is no candidate.
-    bool IsActive = false;      ///< It is drawn unit by unit.
+    bool IsActive = false; ///< It is drawn unit by unit.
     bool IsHeldBack = false;
     bool IsPending = false; ///< Its units are to be tested before the translucent stage.
 

@@ -81,15 +81,4 @@ bool vtkNBufferLargeProps::MayBeDivided(const vtkNBufferCandidate& candidate)
   return candidate.HasPlacement() && HasUnits(actor->GetMapper()) &&
     !(candidate.IsTranslucent() && vtkNBufferSurface::IsComposite(actor->GetMapper()));
 }
-
-vtkMTimeType vtkNBufferLargeProps::GetPartsTime(const vtkNBufferCandidate& candidate)
-{
-  if (candidate.HasPlacement())
-  {
-    return 0;
-  }
-  vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(candidate.GetProp());
-  return vtkNBufferSplatStream::MayBeDivided(actor) ? vtkNBufferSplatStream::GetTime(actor)
-                                                    : vtkNBufferInstanceStream::GetTime(actor);
-}
 VTK_ABI_NAMESPACE_END

@@ -8,7 +8,6 @@
 #define vtkNBufferLargeProps_h
 
 #include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
-#include "vtkType.h"
 
 class vtkProp;
 
@@ -23,10 +22,6 @@ bool IsLarge(vtkProp* prop, int minimum);
 
 /// Whether a prop that is large may be drawn unit by unit.
 bool MayBeDivided(const vtkNBufferCandidate& candidate);
-
-/// The newest time of the instances or splats of such a prop, or 0 if the list of candidates knows
-/// whether the prop has changed.
-vtkMTimeType GetPartsTime(const vtkNBufferCandidate& candidate);
 }
 
 VTK_ABI_NAMESPACE_END

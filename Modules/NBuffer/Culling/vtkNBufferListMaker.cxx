@@ -19,7 +19,8 @@ double vtkNBufferListMaker::Fill(bool isTestPending, vtkProp** props, int& count
   double total = 0.0;
   int kept = 0;
   double heldTotal = 0.0;
-  this->Proxies.Clear();
+  int lastDivided = -1; // In the list that is made here.
+  this->NumberOfProxies = 0;
   for (int i = 0; i < this->Props.GetSize(); ++i)
   {
     const vtkNBufferVerdict verdict = this->Props.GetState(i).Verdict;
@@ -40,25 +41,26 @@ double vtkNBufferListMaker::Fill(bool isTestPending, vtkProp** props, int& count
     prop->SetRenderTimeMultiplier(multiplier);
     const bool tested =
       isTestPending && std::binary_search(translucent.begin(), translucent.end(), i);
-    vtkProp* listed = closed || tested || this->Division.DrawsTranslucent(i)
-      ? this->Proxies.Add(i, prop, !closed,
-          [this, i](const std::function<int()>& drawWhole)
-          { return this->Division.Draw(i, drawWhole); })
-      : this->Division.GetInList(i);
-    if (listed != prop)
+    const bool divided = this->Division.Draws(i);
+    props[kept] = prop;
+    if (closed || tested || divided)
     {
-      listed->SetRenderTimeMultiplier(multiplier);
+      vtkNBufferPropProxy* proxy = this->AddProxy(i);
+      proxy->SetOpen(!closed);
+      proxy->SetRenderTimeMultiplier(multiplier);
+      props[kept] = proxy;
+      lastDivided = this->Props.GetCandidate(i).IsTranslucent() ? lastDivided : kept;
     }
     total += multiplier;
-    props[kept++] = listed;
+    ++kept;
   }
   if (isTestPending)
   {
     // The list must not become longer. If no prop is missing, units of a prop are held back.
-    const int postponed = kept == count ? this->Division.Postpone(props, kept) : -1;
-    if (postponed >= 0)
+    if (kept == count && lastDivided >= 0)
     {
-      std::copy(props + postponed + 1, props + kept, props + postponed);
+      this->Division.Postpone(static_cast<vtkNBufferPropProxy*>(props[lastDivided])->GetPlace());
+      std::copy(props + lastDivided + 1, props + kept, props + lastDivided);
       --kept;
     }
     // VTK does not draw what has a multiplier of 0.
@@ -72,19 +74,42 @@ double vtkNBufferListMaker::Fill(bool isTestPending, vtkProp** props, int& count
   return total;
 }
 
+vtkNBufferPropProxy* vtkNBufferListMaker::AddProxy(int place)
+{
+  if (this->NumberOfProxies == this->Proxies.size())
+  {
+    this->Proxies.push_back(vtkSmartPointer<vtkNBufferPropProxy>::New());
+  }
+  vtkNBufferPropProxy* proxy = this->Proxies[this->NumberOfProxies++];
+  proxy->SetProp(place, this->Props.GetProp(place), this->Props.GetCandidate(place).IsTranslucent(),
+    [this, place](const std::function<int()>& drawWhole)
+    { return this->Division.Draw(place, drawWhole); });
+  return proxy;
+}
+
+vtkNBufferPropProxy* vtkNBufferListMaker::FindProxy(int place) const
+{
+  return *std::lower_bound(this->Proxies.begin(),
+    this->Proxies.begin() + static_cast<std::ptrdiff_t>(this->NumberOfProxies), place,
+    [](const auto& proxy, int wanted) { return proxy->GetPlace() < wanted; });
+}
+
 void vtkNBufferListMaker::HideTranslucent(int place)
 {
-  this->Proxies.Get(place)->SetOpen(false);
+  this->FindProxy(place)->SetOpen(false);
   this->Props.GetState(place).Verdict = vtkNBufferVerdict::Hidden;
 }
 
 void vtkNBufferListMaker::ShowTranslucent()
 {
-  this->Proxies.ForEach(
-    [this](vtkNBufferTranslucentProxy* proxy)
+  for (std::size_t n = 0; n < this->NumberOfProxies; ++n)
+  {
+    vtkNBufferPropProxy* proxy = this->Proxies[n];
+    if (this->Props.GetCandidate(proxy->GetPlace()).IsTranslucent())
     {
       proxy->SetOpen(true);
       this->Props.GetState(proxy->GetPlace()).Verdict = vtkNBufferVerdict::Translucent;
-    });
+    }
+  }
 }
 VTK_ABI_NAMESPACE_END

@@ -11,9 +11,11 @@
 #ifndef vtkNBufferListMaker_h
 #define vtkNBufferListMaker_h
 
-#include "vtkNBufferTranslucentProxy.h"
+#include "vtkNBufferPropProxy.h"
+#include "vtkSmartPointer.h"
 
 #include <cstddef>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkNBufferCandidateList;
@@ -40,7 +42,7 @@ public:
 
   /// Whether the translucent prop in a place of the list of candidates, which has a proxy, has been
   /// drawn in the translucent stage of this frame.
-  bool HasDrawnTranslucent(int place) const { return this->Proxies.Get(place)->HasDrawn(); }
+  bool HasDrawnTranslucent(int place) const { return this->FindProxy(place)->HasDrawn(); }
 
   ///@{
   /// Close the proxy of such a prop, which becomes Hidden, or open all of them.
@@ -49,11 +51,19 @@ public:
   ///@}
 
 private:
+  /// Let the next unused proxy represent a prop in this frame.
+  vtkNBufferPropProxy* AddProxy(int place);
+  /// The proxy of a prop that has one.
+  vtkNBufferPropProxy* FindProxy(int place) const;
+
   vtkNBufferCandidateList& Props;
   const vtkNBufferPartition& Partition;
   vtkNBufferDivision& Division;
   vtkNBufferDeferredProxy* Proxy;
-  vtkNBufferTranslucentProxy::Pool Proxies;
+  /// These are created once and used again in every frame. The first ones are those of this frame,
+  /// in the order of their places.
+  std::vector<vtkSmartPointer<vtkNBufferPropProxy>> Proxies;
+  std::size_t NumberOfProxies = 0; ///< Those of this frame.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -8,7 +8,7 @@
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
-void vtkNBufferStillness::BeginFrame(
+bool vtkNBufferStillness::BeginFrame(
   vtkRenderer* renderer, const vtkNBufferSettings& settings, bool changed, bool frozen)
 {
   const auto drawing =
@@ -18,7 +18,7 @@ void vtkNBufferStillness::BeginFrame(
   changed = changed || !(this->Drawing == drawing) || this->TestSlivers != slivers ||
     this->IsShared != wasShared || this->ChangedWhileFrozen;
   this->ChangedWhileFrozen = frozen && changed;
-  this->Same = !changed && renderer->GetErase() && renderer->GetRenderWindow()->GetErase() &&
+  return !changed && renderer->GetErase() && renderer->GetRenderWindow()->GetErase() &&
     !renderer->GetPreserveDepthBuffer();
 }
 VTK_ABI_NAMESPACE_END

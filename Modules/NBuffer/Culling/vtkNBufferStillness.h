@@ -24,23 +24,19 @@ class vtkRenderer;
 class vtkNBufferStillness
 {
 public:
-  /// Begin a frame: compare it with the last one. `changed`: whether the view, the list of props,
-  /// or a prop has changed. `frozen`: whether the verdicts are used in spite of that
-  /// (vtkNBufferCuller::SetFreeze()).
-  void BeginFrame(
+  /// Begin a frame. Returns whether nothing has changed since the last one. `changed`: whether the
+  /// view, the list of props, or a prop has changed. `frozen`: whether the verdicts are used in
+  /// spite of that (vtkNBufferCuller::SetFreeze()).
+  bool BeginFrame(
     vtkRenderer* renderer, const vtkNBufferSettings& settings, bool changed, bool frozen);
-
-  /// Whether nothing has changed since the last frame.
-  bool IsSame() const { return this->Same; }
 
   /// How the renderer draws in this frame.
   const vtkNBufferCompatibility::DrawingSettings& GetDrawing() const { return this->Drawing; }
 
 private:
   vtkNBufferCompatibility::DrawingSettings Drawing;
-  vtkNBufferSliverPolicy TestSlivers = vtkNBufferSliverPolicy::Never;
+  bool TestSlivers = false;
   bool IsShared = false;
-  bool Same = false;
   /// Whether anything has changed since the last frame that was not frozen.
   bool ChangedWhileFrozen = false;
 };

@@ -17,8 +17,8 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-vtkNBufferView::vtkNBufferView(vtkNBufferBackend& backend)
-  : Backend(backend)
+vtkNBufferView::vtkNBufferView(std::shared_ptr<vtkNBufferBackend> backend)
+  : Backend(std::move(backend))
   , Partition(this->Props)
   , Division(this->Props)
   , Draws(this->Props, this->Division, this->Projection, this->Proxy)
@@ -73,9 +73,9 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
     static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), this->Settings);
   this->Statistics.RefreshTime = part.Restart();
 
-  this->Stillness.BeginFrame(
-    renderer, settings, listChanged || this->Statistics.Refreshed > 0 || moved, frozen);
-  const bool isSame = this->Stillness.IsSame() && !this->Props.HasUntrackedDepth();
+  const bool isSame = this->Stillness.BeginFrame(renderer, settings,
+                        listChanged || this->Statistics.Refreshed > 0 || moved, frozen) &&
+    !this->Props.HasUntrackedDepth();
   // If the last test found kept props hidden, another test saves drawing them again.
   const bool mayReuse =
     complete && isSame && this->Settings.ReuseWhenStill && this->KeptInVain == 0;
@@ -313,7 +313,7 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
   const auto first = vtkNBufferOccluderChoice::GetLimit(this->Settings.RoundSize, left.size());
   const bool isNew = this->Partition.IsNew(this->Settings.Shared != nullptr);
   vtkNBufferDepthTest test(
-    this->Backend, this->Levels, this->Projection, this->Props, this->Statistics, this->Settings);
+    *this->Backend, this->Levels, this->Projection, this->Props, this->Statistics, this->Settings);
   test.SetCounts(this->Partition.GetSize(), isNew ? static_cast<int>(left.size()) : 0);
   if (isNew)
   {
@@ -427,17 +427,17 @@ int vtkNBufferView::DrawAll(
 
 void vtkNBufferView::Fail(vtkRenderer* renderer, vtkNBufferDecision failure, const std::string& why)
 {
-  if (this->Backend.CountFailure(failure))
+  if (this->Backend->CountFailure(failure))
   {
     vtkWarningWithObjectMacro(renderer, << "vtkNBufferCuller draws everything ("
                                         << vtkNBufferStatistics::GetName(failure) << "). " << why);
   }
-  this->Statistics.FailedFrames = this->Backend.GetFailedFrames();
+  this->Statistics.FailedFrames = this->Backend->GetFailedFrames();
 }
 
 void vtkNBufferView::ResetStatistics()
 {
   this->Statistics = vtkNBufferStatistics();
-  this->Statistics.FailedFrames = this->Backend.GetFailedFrames();
+  this->Statistics.FailedFrames = this->Backend->GetFailedFrames();
 }
 VTK_ABI_NAMESPACE_END

@@ -50,6 +50,7 @@
 
 #include "vtkNew.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,8 +62,8 @@ class vtkRenderer;
 class vtkNBufferView : private vtkNBufferDeferredProxy::Owner
 {
 public:
-  /// The back-end is kept by reference and must outlive this object.
-  explicit vtkNBufferView(vtkNBufferBackend& backend);
+  /// The views of a window share a back-end.
+  explicit vtkNBufferView(std::shared_ptr<vtkNBufferBackend> backend);
   ~vtkNBufferView();
   vtkNBufferView(const vtkNBufferView&) = delete;
   void operator=(const vtkNBufferView&) = delete;
@@ -82,7 +83,7 @@ public:
   /// See vtkNBufferCuller::GetVerdict().
   vtkNBufferVerdict GetVerdict(vtkProp* prop, std::optional<int> part);
   const vtkNBufferStatistics& GetStatistics() const { return this->Statistics; }
-  const vtkNBufferBackend& GetBackend() const { return this->Backend; }
+  const std::shared_ptr<vtkNBufferBackend>& GetBackend() const { return this->Backend; }
 
 private:
   enum class Phase
@@ -124,7 +125,7 @@ private:
   int DrawAll(vtkRenderer* renderer, vtkInformation* requiredKeys, vtkNBufferDecision reason);
   ///@}
 
-  vtkNBufferBackend& Backend;
+  std::shared_ptr<vtkNBufferBackend> Backend;
   vtkNBufferBackOff BackOff;
   vtkNBufferCandidateList Props;
   vtkNBufferPartition Partition;

@@ -3,7 +3,7 @@
 #include "vtkNBufferBlockStream.h"
 
 #include "vtkNBufferGL.h"
-#include "vtkNBufferRangeDraw.h"
+#include "vtkNBufferOwnDraw.h"
 
 #include "vtkActor.h"
 #include "vtkCommand.h"
@@ -111,21 +111,24 @@ void vtkNBufferBlockStream::SetList(int list, const std::vector<unsigned int>& c
   }
 }
 
-void vtkNBufferBlockStream::DrawNext(int list, vtkAbstractMapper* mapper)
+bool vtkNBufferBlockStream::DrawNext(int list, vtkAbstractMapper* mapper)
 {
   this->Restore();
-  if (Batch* batch = this->Find(mapper))
+  Batch* batch = this->Find(mapper);
+  if (!batch)
   {
-    batch->Last = GetBlockList(mapper).Stream;
-    // Either an image, or values of cells, which are in a texture as well.
-    batch->UsesTextures = batch->UsesTextures || vtkNBufferRangeDraw::IsNeeded(batch->Last) ||
-      batch->Last->Program->IsAttributeUsed("tcoord");
-    this->Changed = mapper;
-    this->Exchanged = &batch->Lists[list];
-    this->Exchanged->swap(*GetBlockList(mapper).Blocks);
-    this->Observer =
-      mapper->AddObserver(vtkCommand::ProgressEvent, this, &vtkNBufferBlockStream::Restore);
+    return false;
   }
+  batch->Last = GetBlockList(mapper).Stream;
+  // Either an image, or values of cells, which are in a texture as well.
+  batch->UsesTextures = batch->UsesTextures || vtkNBufferOwnDraw::NumbersPrimitives(batch->Last) ||
+    batch->Last->Program->IsAttributeUsed("tcoord");
+  this->Changed = mapper;
+  this->Exchanged = &batch->Lists[list];
+  this->Exchanged->swap(*GetBlockList(mapper).Blocks);
+  this->Observer =
+    mapper->AddObserver(vtkCommand::ProgressEvent, this, &vtkNBufferBlockStream::Restore);
+  return true;
 }
 
 void vtkNBufferBlockStream::Restore()

@@ -63,14 +63,12 @@ public:
   /// Begin a frame, in which VTK has not drawn any blocks yet.
   void BeginFrame();
 
-  /// Whether a mapper of blocks is about to draw the blocks that were read of it.
-  bool IsAsRead(vtkAbstractMapper* mapper) { return this->Find(mapper) != nullptr; }
-
   /// Let list 0 or 1 consist of the blocks whose corners are `corners`, in ascending order.
   void SetList(int list, const std::vector<unsigned int>& corners);
 
-  /// Let the draw whose shader parameters are being set draw only a list.
-  void DrawNext(int list, vtkAbstractMapper* mapper);
+  /// Let the draw whose shader parameters are being set draw only a list. Returns false, and does
+  /// nothing, if the mapper is about to draw other blocks than were read of it.
+  bool DrawNext(int list, vtkAbstractMapper* mapper);
 
   /// Undo what DrawNext() has changed in the mapper.
   void Restore();

@@ -4,13 +4,16 @@
 
 #include "vtkNBufferDrawPass.h"
 #include "vtkNBufferPropWatch.h"
+#include "vtkNBufferSplatStream.h"
 #include "vtkNBufferSurface.h"
+#include "vtkNBufferTuning.h"
 
 #include "vtkActor.h"
 #include "vtkDataObject.h"
 #include "vtkMapper.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkProperty.h"
 
 #include <algorithm>
 #include <chrono>
@@ -23,8 +26,6 @@ vtkNBufferDividedProp::vtkNBufferDividedProp(vtkActor* actor, vtkNBufferDrawPass
   , Hook(pass)
 {
   this->Pass->Attach(actor);
-  this->Proxy->SetProp(
-    actor, [this](const std::function<int()>& drawWhole) { return this->Draw(drawWhole); });
 }
 
 vtkNBufferDividedProp::~vtkNBufferDividedProp()
@@ -47,7 +48,8 @@ void vtkNBufferDividedProp::Release()
   this->Mesh = {};
 }
 
-void vtkNBufferDividedProp::BeginFrame(bool changed, const Settings& settings)
+void vtkNBufferDividedProp::BeginFrame(
+  bool changed, vtkOpenGLRenderWindow* window, const vtkNBufferTuning& tuning)
 {
   const bool isStale = this->State == Phase::Ready && (this->Hook.IsStale() || this->IsOutdated);
   if (changed && this->State == Phase::Ready && this->HasSameData())
@@ -58,9 +60,9 @@ void vtkNBufferDividedProp::BeginFrame(bool changed, const Settings& settings)
   {
     this->Release();
   }
-  this->Hook.BeginFrame(settings.Window);
+  this->Hook.BeginFrame(window);
   this->IsDrawn = this->FreshIsNext = this->Settled = false;
-  if (this->State == Phase::Waiting && this->StillFrames++ >= settings.DivideAfter)
+  if (this->State == Phase::Waiting && this->StillFrames++ >= tuning.DivideAfter)
   {
     this->State = Phase::Reading;
     this->BlockTime =
@@ -69,7 +71,7 @@ void vtkNBufferDividedProp::BeginFrame(bool changed, const Settings& settings)
   }
   else if (this->State == Phase::Reading && this->Hook.GetSource().Mapper)
   {
-    this->Build(settings);
+    this->Build(tuning);
   }
   if (this->State == Phase::Building &&
     this->Pending.wait_for(std::chrono::seconds(0)) != std::future_status::timeout)
@@ -78,19 +80,9 @@ void vtkNBufferDividedProp::BeginFrame(bool changed, const Settings& settings)
   }
 }
 
-bool vtkNBufferDividedProp::IsInstanced() const
-{
-  return this->Hook.GetSource().InstanceTime > 0;
-}
-
-bool vtkNBufferDividedProp::HasBlocks() const
-{
-  return this->Hook.GetSource().Corners == 2 && !this->IsInstanced();
-}
-
 bool vtkNBufferDividedProp::HasChangedBlocks()
 {
-  this->IsOutdated = this->HasBlocks() &&
+  this->IsOutdated = this->Hook.GetSource().HasBlocks() &&
     vtkNBufferPropWatch::GetDataTime(this->Actor->GetMapper()->GetInputDataObject(0, 0), true) !=
       this->BlockTime;
   return this->IsOutdated;
@@ -108,7 +100,7 @@ bool vtkNBufferDividedProp::HasSameData() const
 
 void vtkNBufferDividedProp::ReadRounding()
 {
-  if (this->IsInstanced())
+  if (this->Hook.GetSource().HasInstances())
   {
     this->Culling.SetRounding({ glm::dvec3(0.0), this->Hook.GetInstances().GetMagnitude(), 0.0 });
     return;
@@ -118,8 +110,8 @@ void vtkNBufferDividedProp::ReadRounding()
     const double* bounds = vtkNBufferSplatStream::GetData(this->Actor)->GetPoints()->GetBounds();
     const vtkNBufferBox box = vtkNBufferBox::FromBounds(bounds);
     // A buffer that a mapper of the same points has made may be shifted. Its origin is not farther.
-    this->Culling.SetRounding(
-      { glm::dvec3(0.0), 2.0 * box.Magnitude, vtkNBufferSplatStream::GetMargin(this->Actor) });
+    this->Culling.SetRounding({ glm::dvec3(0.0), 2.0 * box.Magnitude,
+      vtkNBufferSurface::GetMarginOfLines(this->Actor->GetProperty()) });
     return;
   }
   const auto buffer = vtkNBufferSurface::GetBufferCoordinates(this->Actor->GetMapper());
@@ -132,7 +124,7 @@ void vtkNBufferDividedProp::ReadRounding()
     { buffer->Origin, buffer->HalfRange, vtkNBufferSurface::GetMargin(this->Actor) });
 }
 
-void vtkNBufferDividedProp::Build(const Settings& settings)
+void vtkNBufferDividedProp::Build(const vtkNBufferTuning& tuning)
 {
   if (this->Hook.GetSource().Corners == 0)
   {
@@ -141,13 +133,14 @@ void vtkNBufferDividedProp::Build(const Settings& settings)
   }
   this->State = Phase::Building;
   this->Mesh = this->Hook.TakeMesh();
-  std::size_t size = this->HasBlocks() ? 1 : settings.UnitSize;
-  if (this->IsInstanced())
+  std::size_t size =
+    this->Hook.GetSource().HasBlocks() ? 1 : static_cast<std::size_t>(tuning.UnitSize);
+  if (this->Hook.GetSource().HasInstances())
   {
     size = vtkNBufferInstanceStream::GetUnitSize(this->Hook.GetSource().IndexCount, size);
   }
   // The member is not touched until the units are there.
-  this->Pending = std::async(settings.InBackground ? std::launch::async : std::launch::deferred,
+  this->Pending = std::async(tuning.DivideInBackground ? std::launch::async : std::launch::deferred,
     [this, size]() { return vtkNBufferUnits::Make(this->Mesh, size); });
 }
 
@@ -164,7 +157,7 @@ void vtkNBufferDividedProp::Adopt()
 
 vtkNBufferVerdict vtkNBufferDividedProp::GetVerdict(int part)
 {
-  const std::size_t primitive = this->HasBlocks()
+  const std::size_t primitive = this->Hook.GetSource().HasBlocks()
     ? this->Hook.GetBlocks().FindBlock(static_cast<unsigned int>(part))
     : static_cast<std::size_t>(part);
   return this->Culling.GetVerdict(primitive);

@@ -32,7 +32,6 @@
 #ifndef vtkNBufferDividedProp_h
 #define vtkNBufferDividedProp_h
 
-#include "vtkNBufferDividedProxy.h"
 #include "vtkNBufferDrawHook.h"
 #include "vtkNBufferUnitCulling.h"
 
@@ -47,19 +46,11 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
+struct vtkNBufferTuning;
 
 class vtkNBufferDividedProp
 {
 public:
-  /// Where the prop is drawn, and how units are made (see vtkNBufferTuning).
-  struct Settings
-  {
-    vtkOpenGLRenderWindow* Window = nullptr;
-    std::size_t UnitSize = 1;
-    int DivideAfter = 0;
-    bool InBackground = false;
-  };
-
   using Depth = vtkNBufferUnitCulling::Depth;
   using Counts = vtkNBufferUnitCulling::Counts;
 
@@ -70,13 +61,13 @@ public:
   void operator=(const vtkNBufferDividedProp&) = delete;
 
   vtkActor* GetActor() const { return this->Actor; }
-  vtkNBufferDividedProxy* GetProxy() const { return this->Proxy; }
 
   /// Draw the prop whole, and forget its units, until the next BeginFrame().
   void Release();
 
-  /// Begin a frame. `changed` says whether what the prop draws may have changed.
-  void BeginFrame(bool changed, const Settings& settings);
+  /// Begin a frame. `changed` says whether what the prop draws may have changed, and the tuning how
+  /// units are made.
+  void BeginFrame(bool changed, vtkOpenGLRenderWindow* window, const vtkNBufferTuning& tuning);
 
   /// Whether the next draw has to be one of Draw(), to read what is drawn.
   bool IsReading() const { return this->State == Phase::Reading; }
@@ -135,9 +126,6 @@ public:
   /// See vtkNBufferCuller::GetVerdict(). Requires IsReady().
   vtkNBufferVerdict GetVerdict(int part);
 
-  /// Whether the units that have been made are instances (vtkNBufferInstanceStream).
-  bool IsInstanced() const;
-
   /// Whether the next draw draws the fresh units.
   bool HasFresh() const { return this->FreshIsNext; }
 
@@ -158,15 +146,13 @@ private:
   };
 
   bool HasSameData() const;
-  bool HasBlocks() const;
   void ReadRounding();
-  void Build(const Settings& settings);
+  void Build(const vtkNBufferTuning& tuning);
   void Adopt();
   int DrawList(vtkNBufferDrawHook::List list, const std::vector<unsigned char>& marked,
     const std::function<int()>& drawWhole);
 
   vtkWeakPointer<vtkActor> Actor;
-  vtkNew<vtkNBufferDividedProxy> Proxy;
   vtkNBufferDrawPass* Pass;
   vtkNBufferDrawHook Hook;
   Phase State = Phase::Waiting;

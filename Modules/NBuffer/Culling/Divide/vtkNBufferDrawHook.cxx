@@ -5,6 +5,7 @@
 #include "vtkNBufferDrawPass.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferProtectedMembers.h"
+#include "vtkNBufferSplatStream.h"
 
 #include "vtkActor.h"
 #include "vtkMapper.h"
@@ -13,6 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
+#include <typeinfo>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -20,6 +22,16 @@ namespace
 {
 vtkNBufferDrawHook::Source GetSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream)
 {
+  if (vtkOpenGLGlyph3DHelper* instances = vtkNBufferInstanceStream::GetHelper(mapper))
+  {
+    const auto buffers = vtkNBufferProtectedMembers::GetInstanceBuffers(instances);
+    vtkPolyData* source = instances->CurrentInput;
+    const bool isKnown =
+      buffers && source && stream->PrimitiveType != vtkOpenGLPolyDataMapper::PrimitivePoints;
+    return isKnown ? vtkNBufferDrawHook::Source{ mapper, source, source->GetMTime(),
+      stream->IBO->IndexCount, 2, buffers->BuildTime }
+                   : vtkNBufferDrawHook::Source{ mapper };
+  }
   vtkPolyData* data = mapper->GetInput();
   const bool isSplats = vtkNBufferSplatStream::GetHelper(mapper) != nullptr;
   const std::size_t corners =
@@ -32,7 +44,7 @@ vtkNBufferDrawHook::Source GetSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLH
           : static_cast<std::size_t>(data->GetNumberOfPoints())) &&
     stream->IBO->IndexCount % corners == 0;
   return { mapper, data, data ? data->GetMTime() : 0, stream->IBO->IndexCount,
-    isKnown ? corners : 0, 0, vtkNBufferRangeDraw::IsNeeded(stream) };
+    isKnown ? corners : 0, 0, vtkNBufferOwnDraw::NumbersPrimitives(stream) };
 }
 }
 
@@ -73,15 +85,8 @@ int vtkNBufferDrawHook::Render(vtkActor* actor, vtkRenderer* renderer)
 
 void vtkNBufferDrawHook::Restore()
 {
-  this->Instances.Restore();
   this->Blocks.Restore();
   this->Own.Restore();
-  this->Splats.Restore();
-  if (this->Changed)
-  {
-    this->Changed->IBO = this->Original;
-    this->Changed = nullptr;
-  }
 }
 
 void vtkNBufferDrawHook::ReadNext()
@@ -101,16 +106,30 @@ void vtkNBufferDrawHook::SetList(List list, const vtkNBufferUnits& units,
 {
   this->Stale = false;
   Buffer& buffer = this->Buffers[list];
-  if (buffer.Marked != marked)
+  if (buffer.Marked == marked)
   {
-    buffer.Marked = marked;
-    buffer.IsUploaded = false;
-    if (this->Read.IsNumbered)
-    {
-      buffer.Ranges = units.GetRanges(marked);
-      return;
-    }
-    units.GetIndices(marked, indices, buffer.Indices);
+    return;
+  }
+  buffer.Marked = marked;
+  if (this->Read.IsNumbered)
+  {
+    buffer.Ranges = units.GetRanges(marked);
+    return;
+  }
+  std::vector<unsigned int> part;
+  units.GetIndices(marked, indices, part);
+  if (this->Read.HasInstances())
+  {
+    this->Instances.Upload(list, part);
+  }
+  else if (this->Read.HasBlocks())
+  {
+    this->Blocks.SetList(list, part);
+  }
+  else
+  {
+    const bool isUploaded = buffer.Object->Upload(part, vtkOpenGLBufferObject::ElementArrayBuffer);
+    buffer.Object->IndexCount = isUploaded ? part.size() : 0;
   }
 }
 
@@ -121,18 +140,6 @@ bool vtkNBufferDrawHook::IsAsRead(const Source& source)
   return !this->Stale;
 }
 
-bool vtkNBufferDrawHook::Upload(Buffer& buffer)
-{
-  if (!buffer.IsUploaded && !buffer.Indices.empty())
-  {
-    buffer.IsUploaded =
-      buffer.Object->Upload(buffer.Indices, vtkOpenGLBufferObject::ElementArrayBuffer);
-    buffer.Object->IndexCount = buffer.Indices.size();
-    buffer.Indices = {};
-  }
-  return buffer.IsUploaded;
-}
-
 void vtkNBufferDrawHook::BeforeDraw(vtkAbstractMapper* mapper, vtkProp* prop)
 {
   if (!this->Actor || prop != this->Actor)
@@ -140,87 +147,47 @@ void vtkNBufferDrawHook::BeforeDraw(vtkAbstractMapper* mapper, vtkProp* prop)
     return;
   }
   this->Restore();
-  if (vtkOpenGLGlyph3DHelper* instances = vtkNBufferInstanceStream::GetHelper(mapper))
-  {
-    this->SetInstances(instances);
-    return;
-  }
   if (vtkNBufferBlockStream::DrawsBlocks(mapper))
   {
     this->SetBlocks(mapper);
-    return;
   }
-  vtkOpenGLPolyDataMapper* splats = vtkNBufferSplatStream::GetHelper(mapper);
-  auto* surface = typeid(*mapper) == typeid(vtkOpenGLPolyDataMapper)
-    ? static_cast<vtkOpenGLPolyDataMapper*>(mapper)
-    : splats;
-  vtkOpenGLHelper* stream = surface ? vtkNBufferProtectedMembers::GetOnlyStream(surface) : nullptr;
-  const Source source = stream ? ::GetSource(surface, stream) : Source{ surface };
-  if (this->Reads)
+  else
   {
-    this->Reads = false;
-    this->ReadSource(stream, source, surface ? surface->GetInput() : nullptr);
-    return;
-  }
-  if (this->Current == Whole)
-  {
-    return;
-  }
-  Buffer& buffer = this->Buffers[this->Current];
-  if (!this->IsAsRead(source))
-  {
-    return;
-  }
-  if (this->Read.IsNumbered)
-  {
-    this->Own.SetNext(surface, stream,
-      [&buffer, stream]() { return vtkNBufferRangeDraw::Draw(buffer.Ranges, stream); });
-  }
-  else if (this->Upload(buffer) && splats && vtkNBufferSplatStream::DrawsArrays(stream))
-  {
-    this->Splats.DrawNext(splats, stream, buffer.Object);
-  }
-  else if (buffer.IsUploaded)
-  {
-    this->Changed = stream;
-    this->Original = std::exchange(stream->IBO, buffer.Object.Get());
+    this->SetStream(mapper);
   }
 }
 
-void vtkNBufferDrawHook::SetInstances(vtkOpenGLGlyph3DHelper* mapper)
+void vtkNBufferDrawHook::SetStream(vtkAbstractMapper* mapper)
 {
-  vtkOpenGLHelper* stream = vtkNBufferProtectedMembers::GetOnlyStream(mapper);
-  const auto buffers = vtkNBufferProtectedMembers::GetInstanceBuffers(mapper);
-  vtkPolyData* data = mapper->CurrentInput;
-  Source source = { mapper };
-  if (stream && buffers && data &&
-    stream->PrimitiveType != vtkOpenGLPolyDataMapper::PrimitivePoints)
+  vtkOpenGLGlyph3DHelper* instances = vtkNBufferInstanceStream::GetHelper(mapper);
+  vtkOpenGLPolyDataMapper* splats = vtkNBufferSplatStream::GetHelper(mapper);
+  const bool isDrawnByStreams =
+    instances || splats || typeid(*mapper) == typeid(vtkOpenGLPolyDataMapper);
+  auto* surface = isDrawnByStreams ? static_cast<vtkOpenGLPolyDataMapper*>(mapper) : nullptr;
+  vtkOpenGLHelper* stream = surface ? vtkNBufferProtectedMembers::GetOnlyStream(surface) : nullptr;
+  const Source source = stream ? ::GetSource(surface, stream) : Source{ surface };
+  if (std::exchange(this->Reads, false))
   {
-    source = { mapper, data, data->GetMTime(), stream->IBO->IndexCount, 2, buffers->BuildTime };
-  }
-  if (this->Reads)
-  {
-    this->Reads = false;
-    if (source.Corners > 0 && !this->Instances.Read(this->Actor, mapper, this->Mesh))
-    {
-      source.Corners = 0;
-    }
-    this->Read = source;
+    this->ReadSource(surface, stream, source);
     return;
   }
-  if (this->Current == Whole)
+  if (this->Current == Whole || !this->IsAsRead(source))
   {
     return;
   }
-  if (this->IsAsRead(source))
-  {
-    Buffer& buffer = this->Buffers[this->Current];
-    if (!std::exchange(buffer.IsUploaded, true))
+  const bool hasIndices = !splats || !vtkNBufferSplatStream::DrawsArrays(stream);
+  this->Own.SetNext(surface, stream, hasIndices,
+    [this, list = this->Current, instances, stream]()
     {
-      this->Instances.Upload(this->Current, std::exchange(buffer.Indices, {}));
-    }
-    this->Instances.DrawNext(this->Current, mapper, stream);
-  }
+      const Buffer& buffer = this->Buffers[list];
+      if (instances)
+      {
+        return this->Instances.Draw(list, instances, stream);
+      }
+      return this->Read.IsNumbered
+        ? vtkNBufferOwnDraw::DrawRanges(buffer.Ranges, stream)
+        : vtkNBufferOwnDraw::DrawIndices(buffer.Object, this->Read.Corners == 1);
+    });
 }
 
 void vtkNBufferDrawHook::SetBlocks(vtkAbstractMapper* mapper)
@@ -234,31 +201,27 @@ void vtkNBufferDrawHook::SetBlocks(vtkAbstractMapper* mapper)
     this->Read = { whole, data, data->GetMTime(), this->Mesh.Indices.size(), this->Mesh.Corners };
     return;
   }
-  if (this->Current == Whole)
-  {
-    return;
-  }
-  if (!this->Blocks.IsAsRead(mapper))
+  if (this->Current != Whole && !this->Blocks.DrawNext(this->Current, mapper))
   {
     this->Stale = true;
-    return;
   }
-  Buffer& buffer = this->Buffers[this->Current];
-  if (!std::exchange(buffer.IsUploaded, true))
-  {
-    this->Blocks.SetList(this->Current, std::exchange(buffer.Indices, {}));
-  }
-  this->Blocks.DrawNext(this->Current, mapper);
 }
 
 void vtkNBufferDrawHook::ReadSource(
-  vtkOpenGLHelper* stream, const Source& source, vtkPolyData* data)
+  vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream, const Source& source)
 {
   this->Read = source;
   if (source.Corners == 0)
   {
     return;
   }
+  if (vtkOpenGLGlyph3DHelper* instances = vtkNBufferInstanceStream::GetHelper(mapper))
+  {
+    const bool isRead = this->Instances.Read(this->Actor, instances, this->Mesh);
+    this->Read.Corners = isRead ? source.Corners : 0;
+    return;
+  }
+  vtkPolyData* data = mapper->GetInput();
   this->Mesh.Corners = source.Corners;
   this->Mesh.IsDrawnInRanges = source.IsNumbered;
   this->Mesh.Indices.resize(source.IndexCount);
@@ -283,10 +246,9 @@ void vtkNBufferDrawHook::ReleaseGraphicsResources(vtkWindow*)
   for (Buffer& buffer : this->Buffers)
   {
     buffer.Object->ReleaseGraphicsResources();
-    buffer.IsUploaded = false;
     buffer.Marked.clear();
   }
   this->Instances.ReleaseGraphicsResources();
-  this->Splats.ReleaseGraphicsResources();
+  this->Own.ReleaseGraphicsResources();
 }
 VTK_ABI_NAMESPACE_END

@@ -5,13 +5,13 @@
  * @brief Lets a mapper draw only some of the primitives of an actor, from its own vertex buffers.
  *
  * vtkOpenGLPolyDataMapper calls SetShaderParameters() of the render passes in an actor's property
- * keys just before it binds its index buffer and draws (vtkNBufferDrawPass). The hook then puts
- * another index buffer into the place of the mapper's. Program, vertex buffers and uniforms stay
- * the same, so that each primitive has the same fragments, to the bit. No subclass of a mapper is
- * needed, and no shader is changed.
+ * keys just before it binds its index buffer and draws (vtkNBufferDrawPass). The hook then draws
+ * with another index buffer in the place of the mapper (vtkNBufferOwnDraw). Program, vertex buffers
+ * and uniforms stay the same, so that each primitive has the same fragments, to the bit. No
+ * subclass of a mapper is needed, and no shader is changed.
  *
  * Of a mesh with scalars or normals of cells, whose shader needs the number of each primitive,
- * ranges of the mapper's own index buffer are drawn instead (vtkNBufferRangeDraw).
+ * ranges of the mapper's own index buffer are drawn instead.
  *
  * A prop is drawn whole while it changes; if it has strips or lines as well as triangles; if its
  * mapper is neither vtkPolyDataMapper nor vtkDataSetMapper nor vtkGlyph3DMapper nor
@@ -21,9 +21,8 @@
  * What is said of strips and lines does not hold for composite data, of which whole blocks are left
  * out.
  *
- * The hook works only while one of its own draws is running (the class Draw). It then puts the
- * mapper's buffer back. Whatever else draws the actor gets the whole of it: hardware selectors,
- * other renderers, the application.
+ * The hook works only while one of its own draws is running (the class Draw). Whatever else draws
+ * the actor gets the whole of it: hardware selectors, other renderers, the application.
  */
 #ifndef vtkNBufferDrawHook_h
 #define vtkNBufferDrawHook_h
@@ -31,9 +30,7 @@
 #include "vtkNBufferBlockStream.h"
 #include "vtkNBufferInstanceStream.h"
 #include "vtkNBufferOwnDraw.h"
-#include "vtkNBufferRangeDraw.h"
 #include "vtkNBufferResourceCallback.h"
-#include "vtkNBufferSplatStream.h"
 #include "vtkNBufferUnits.h"
 
 #include "vtkNew.h"
@@ -48,11 +45,9 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractMapper;
 class vtkActor;
 class vtkNBufferDrawPass;
-class vtkOpenGLGlyph3DHelper;
 class vtkOpenGLHelper;
 class vtkOpenGLPolyDataMapper;
 class vtkOpenGLRenderWindow;
-class vtkPolyData;
 class vtkProp;
 class vtkRenderer;
 class vtkWindow;
@@ -80,6 +75,9 @@ public:
     /// Whether the shader reads values by the numbers of primitives, those of cells for example. It
     /// depends on the shader alone, and is not compared.
     bool IsNumbered = false;
+
+    bool HasInstances() const { return this->InstanceTime > 0; }
+    bool HasBlocks() const { return this->Corners == 2 && !this->HasInstances(); }
 
     bool operator==(const Source& other) const
     {
@@ -118,7 +116,7 @@ public:
   ///@}
 
   /// Let draws of this list draw the primitives of the units that are marked. `indices` are those
-  /// of the whole mesh that was read last.
+  /// of the whole mesh that was read last. The window's context must be current.
   void SetList(List list, const vtkNBufferUnits& units, const std::vector<unsigned int>& indices,
     const std::vector<unsigned char>& marked);
 
@@ -148,18 +146,15 @@ private:
   struct Buffer
   {
     vtkNew<vtkOpenGLIndexBufferObject> Object;
-    std::vector<unsigned char> Marked; ///< The units of which the list consists.
-    std::vector<unsigned int> Indices; ///< The list, until it is uploaded.
-    bool IsUploaded = false;
+    std::vector<unsigned char> Marked;          ///< The units of which the list consists.
     std::vector<vtkNBufferUnits::Range> Ranges; ///< The list, if primitives are numbered.
   };
 
   void BeforeDraw(vtkAbstractMapper* mapper, vtkProp* prop);
-  void SetInstances(vtkOpenGLGlyph3DHelper* mapper);
   void SetBlocks(vtkAbstractMapper* mapper);
-  void ReadSource(vtkOpenGLHelper* stream, const Source& source, vtkPolyData* data);
+  void SetStream(vtkAbstractMapper* mapper);
+  void ReadSource(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream, const Source& source);
   bool IsAsRead(const Source& source);
-  bool Upload(Buffer& buffer);
   void Restore();
 
   using Callback = vtkOpenGLResourceFreeCallback<vtkNBufferDrawHook>;
@@ -175,9 +170,6 @@ private:
   vtkNBufferInstanceStream Instances;
   vtkNBufferBlockStream Blocks;
   vtkNBufferOwnDraw Own;
-  vtkNBufferSplatStream Splats;
-  vtkOpenGLHelper* Changed = nullptr; ///< Its index buffer is one of ours.
-  vtkOpenGLIndexBufferObject* Original = nullptr;
 };
 
 VTK_ABI_NAMESPACE_END

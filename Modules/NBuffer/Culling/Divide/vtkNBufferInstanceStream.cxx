@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferInstanceStream.h"
 
+#include "vtkNBufferBox.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferGlyphs.h"
 #include "vtkNBufferProtectedMembers.h"
@@ -106,15 +107,6 @@ vtkIdType vtkNBufferInstanceStream::CountTriangles(vtkActor* actor)
   return cells > 0 && instances > VTK_INT_MAX / cells ? VTK_INT_MAX : instances * cells;
 }
 
-vtkMTimeType vtkNBufferInstanceStream::GetTime(vtkActor* actor)
-{
-  vtkNBufferSurface::UpdatePipeline(actor);
-  actor->ComputeMatrix();
-  vtkMapper* mapper = actor->GetMapper();
-  return std::max({ actor->GetMTime(), mapper->GetMTime(),
-    mapper->GetInputDataObject(0, 0)->GetMTime(), mapper->GetInputDataObject(1, 0)->GetMTime() });
-}
-
 std::size_t vtkNBufferInstanceStream::GetUnitSize(std::size_t indices, std::size_t unitSize)
 {
   return std::clamp<std::size_t>(3 * unitSize / std::max<std::size_t>(indices, 1), 1, LargestUnit);
@@ -158,30 +150,17 @@ bool vtkNBufferInstanceStream::Read(
    * second order. The second product adds the 8 u (sum_j |M_j| a_j + |M_3|) of
    * vtkNBufferBoxError.h. Both are less than 8 u (sum_j |M_j| 2 a_j + |M_3|): twice the magnitude.
    */
-  const glm::dvec3 middle = 0.5 * (low + high);
-  const glm::dvec3 half = 0.5 * (high - low);
-  const glm::dvec3 largest = glm::max(vtkNBufferGLM::Abs(low), vtkNBufferGLM::Abs(high));
   boxes.Corners = 2;
   boxes.Points.resize(2 * size);
   boxes.Indices.resize(2 * size);
   this->Magnitude = glm::dvec3(0.0);
   for (std::size_t i = 0; i < size; ++i)
   {
-    const float* matrix = &this->Matrices[i * MatrixSize];
-    glm::dvec3 center(matrix[12], matrix[13], matrix[14]);
-    glm::dvec3 reach(0.0);
-    glm::dvec3 magnitude = vtkNBufferGLM::Abs(center);
-    for (int k = 0; k < 3; ++k)
-    {
-      const glm::dvec3 column(matrix[4 * k], matrix[4 * k + 1], matrix[4 * k + 2]);
-      center += column * middle[k];
-      reach += vtkNBufferGLM::Abs(column) * half[k];
-      magnitude += vtkNBufferGLM::Abs(column) * largest[k];
-    }
-    // Some ten operations are rounded on numbers that are at most as large as this.
-    reach += magnitude * 0x1p-48;
-    boxes.Points[2 * i] = center - reach;
-    boxes.Points[2 * i + 1] = center + reach;
+    const glm::dmat4 toActor(glm::make_mat4(&this->Matrices[i * MatrixSize]));
+    vtkNBufferBox box;
+    const glm::dvec3 magnitude = box.SetPlace(toActor, low, high);
+    boxes.Points[2 * i] = box.Center - box.HalfSize;
+    boxes.Points[2 * i + 1] = box.Center + box.HalfSize;
     boxes.Indices[2 * i] = static_cast<unsigned int>(2 * i);
     boxes.Indices[2 * i + 1] = static_cast<unsigned int>(2 * i + 1);
     if (!vtkNBufferGLM::IsFinite(magnitude))
@@ -202,16 +181,10 @@ void vtkNBufferInstanceStream::Upload(int list, const std::vector<unsigned int>&
   UploadPart(target.Colors, this->Colors, ColorSize, corners);
 }
 
-void vtkNBufferInstanceStream::DrawNext(
-  int list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream)
-{
-  this->Own.SetNext(mapper, stream,
-    [this, list, mapper, stream]() { return this->Draw(this->Lists[list], mapper, stream); });
-}
-
 bool vtkNBufferInstanceStream::Draw(
-  const List& list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream)
+  int number, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream)
 {
+  const List& list = this->Lists[number];
   const auto buffers = vtkNBufferProtectedMembers::GetInstanceBuffers(mapper);
   const bool willAttach = buffers &&
     (buffers->BuildTime > buffers->LoadTime ||

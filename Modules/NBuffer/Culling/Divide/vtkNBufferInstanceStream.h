@@ -8,11 +8,10 @@
  * matrix, a matrix of normals and a color for each instance are in buffers of that mapper. This
  * class reads the buffers, so that it need not know how VTK makes them.
  *
- * VTK passes the number of instances to OpenGL itself, which cannot be changed. When everything for
- * the draw has been bound (vtkCommand::UpdateShaderEvent), this class therefore attaches buffers
- * with the chosen instances alone to the vertex array, draws them, attaches VTK's buffers again,
- * and lets VTK's own draw have no indices. Program, uniforms and vertices are VTK's, and the
- * instances keep their order.
+ * VTK passes the number of instances to OpenGL itself, which cannot be changed. In the place of
+ * VTK's draw (vtkNBufferOwnDraw), this class therefore attaches buffers with the chosen instances
+ * alone to the vertex array, draws them, and attaches VTK's buffers again. The instances keep their
+ * order.
  *
  * The unit of vtkNBufferUnits is here a group of instances. A mesh of two points for each instance,
  * the corners of its box, stands for them.
@@ -26,7 +25,6 @@
 #define vtkNBufferInstanceStream_h
 
 #include "vtkNBufferGLM.h"
-#include "vtkNBufferOwnDraw.h"
 #include "vtkNBufferUnits.h"
 
 #include "vtkNew.h"
@@ -57,12 +55,8 @@ public:
   /// in the actor's place and at its own depths, by one call.
   static bool MayBeDivided(vtkActor* actor);
 
-  ///@{
-  /// Of an actor that may be divided: how many cells all instances have, and the newest time of
-  /// what they are made of, whose pipelines are brought up to date.
+  /// How many cells all instances of an actor that may be divided have.
   static vtkIdType CountTriangles(vtkActor* actor);
-  static vtkMTimeType GetTime(vtkActor* actor);
-  ///@}
 
   /// How many instances make a unit, if the source has so many indices and a unit of a mesh has
   /// `unitSize` triangles.
@@ -78,11 +72,9 @@ public:
   /// Let list 0 or 1 consist of the instances whose corners are `corners`, in ascending order.
   void Upload(int list, const std::vector<unsigned int>& corners);
 
-  /// Let the draw whose shader parameters are being set draw only a list.
-  void DrawNext(int list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream);
-
-  /// Undo what DrawNext() has changed in the mapper.
-  void Restore() { this->Own.Restore(); }
+  /// Draw a list in the place of a mapper for whose draw everything has been bound. Returns false,
+  /// and draws nothing, if VTK is about to attach its buffers.
+  bool Draw(int list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream);
 
   void ReleaseGraphicsResources();
 
@@ -95,7 +87,6 @@ private:
     std::size_t Size = 0;
   };
 
-  bool Draw(const List& list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream);
   void Attach(vtkOpenGLHelper* stream, vtkOpenGLBufferObject* matrices,
     vtkOpenGLBufferObject* normalMatrices, vtkOpenGLBufferObject* colors);
 
@@ -104,7 +95,6 @@ private:
   std::vector<unsigned char> Colors; ///< 4 for each instance.
   glm::dvec3 Magnitude = glm::dvec3(0.0);
   std::array<List, 2> Lists;
-  vtkNBufferOwnDraw Own;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -2,19 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferOwnDraw.h"
 
+#include "vtkNBufferGL.h"
+
 #include "vtkCommand.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLIndexBufferObject.h"
+#include "vtkShaderProgram.h"
 
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
-void vtkNBufferOwnDraw::SetNext(
-  vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream, const std::function<bool()>& draw)
+namespace
+{
+/// VTK adds this uniform variable to the numbers of primitives. It is 0 for the first primitives
+/// that a mapper draws, and those that are divided are the only ones.
+const char* const Offset = "PrimitiveIDOffset";
+}
+
+void vtkNBufferOwnDraw::SetNext(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream,
+  bool hasIndices, const std::function<bool()>& draw)
 {
   this->Restore();
   this->Mapper = mapper;
   this->Stream = stream;
+  this->HasIndices = hasIndices;
   this->Function = draw;
   this->Observer =
     mapper->AddObserver(vtkCommand::UpdateShaderEvent, this, &vtkNBufferOwnDraw::Draw);
@@ -22,9 +33,21 @@ void vtkNBufferOwnDraw::SetNext(
 
 void vtkNBufferOwnDraw::Draw()
 {
-  if (this->IndexCount == 0 && this->Function())
+  if (this->IndexCount > 0 || !this->Function())
   {
-    this->IndexCount = std::exchange(this->Stream->IBO->IndexCount, 0);
+    return;
+  }
+  this->IndexCount = std::exchange(this->Stream->IBO->IndexCount, 0);
+  if (!this->HasIndices)
+  {
+    if (this->Nothing == 0)
+    {
+      glGenQueries(1, &this->Nothing);
+      glBeginQuery(GL_SAMPLES_PASSED, this->Nothing);
+      glEndQuery(GL_SAMPLES_PASSED);
+    }
+    glBeginConditionalRender(this->Nothing, GL_QUERY_WAIT);
+    this->IsDiscarding = true;
   }
 }
 
@@ -40,5 +63,50 @@ void vtkNBufferOwnDraw::Restore()
     this->Mapper = nullptr;
     this->Stream = nullptr;
   }
+  if (std::exchange(this->IsDiscarding, false))
+  {
+    glEndConditionalRender();
+  }
+}
+
+void vtkNBufferOwnDraw::ReleaseGraphicsResources()
+{
+  if (this->Nothing != 0)
+  {
+    glDeleteQueries(1, &this->Nothing);
+    this->Nothing = 0;
+  }
+}
+
+bool vtkNBufferOwnDraw::NumbersPrimitives(vtkOpenGLHelper* stream)
+{
+  return stream->Program->IsUniformUsed(Offset);
+}
+
+bool vtkNBufferOwnDraw::DrawIndices(vtkOpenGLIndexBufferObject* indices, bool arePoints)
+{
+  indices->Bind();
+  glDrawElements(arePoints ? GL_POINTS : GL_TRIANGLES, static_cast<GLsizei>(indices->IndexCount),
+    GL_UNSIGNED_INT, nullptr);
+  indices->Release();
+  return indices->IndexCount > 0;
+}
+
+bool vtkNBufferOwnDraw::DrawRanges(
+  const std::vector<vtkNBufferUnits::Range>& ranges, vtkOpenGLHelper* stream)
+{
+  const bool arePoints = stream->PrimitiveType == vtkOpenGLPolyDataMapper::PrimitivePoints;
+  const std::size_t corners = arePoints ? 1 : 3;
+  stream->IBO->Bind();
+  for (const vtkNBufferUnits::Range& range : ranges)
+  {
+    stream->Program->SetUniformi(Offset, static_cast<int>(range.Begin));
+    glDrawElements(arePoints ? GL_POINTS : GL_TRIANGLES,
+      static_cast<GLsizei>(corners * (range.End - range.Begin)), GL_UNSIGNED_INT,
+      reinterpret_cast<const void*>(corners * range.Begin * sizeof(unsigned int)));
+  }
+  stream->Program->SetUniformi(Offset, 0);
+  stream->IBO->Release();
+  return !ranges.empty();
 }
 VTK_ABI_NAMESPACE_END

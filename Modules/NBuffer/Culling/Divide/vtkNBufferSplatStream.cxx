@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferSplatStream.h"
 
-#include "vtkNBufferGL.h"
 #include "vtkNBufferSurface.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkOpenGLHelper.h"
-#include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
@@ -18,7 +16,6 @@
 #include <cstring>
 #include <numeric>
 #include <string>
-#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -91,19 +88,6 @@ vtkPolyData* vtkNBufferSplatStream::GetData(vtkActor* actor)
   return vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
 }
 
-vtkMTimeType vtkNBufferSplatStream::GetTime(vtkActor* actor)
-{
-  vtkNBufferSurface::UpdatePipeline(actor);
-  actor->ComputeMatrix();
-  return std::max(
-    { actor->GetMTime(), actor->GetMapper()->GetMTime(), GetData(actor)->GetMTime() });
-}
-
-double vtkNBufferSplatStream::GetMargin(vtkActor* actor)
-{
-  return 0.5 * actor->GetProperty()->GetPointSize() + 1.0;
-}
-
 bool vtkNBufferSplatStream::DrawsArrays(vtkOpenGLHelper* stream)
 {
   return stream->PrimitiveType != vtkOpenGLPolyDataMapper::PrimitivePoints;
@@ -134,45 +118,5 @@ void vtkNBufferSplatStream::ReadVertices(vtkPolyData* data, vtkNBufferUnits::Mes
     }
   }
   std::iota(mesh.Indices.begin(), mesh.Indices.end(), 0U);
-}
-
-void vtkNBufferSplatStream::DrawNext(
-  vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream, vtkOpenGLIndexBufferObject* vertices)
-{
-  this->Own.SetNext(mapper, stream, [this, vertices]() { return this->Draw(vertices); });
-}
-
-bool vtkNBufferSplatStream::Draw(vtkOpenGLIndexBufferObject* vertices)
-{
-  vertices->Bind();
-  glDrawElements(GL_POINTS, static_cast<GLsizei>(vertices->IndexCount), GL_UNSIGNED_INT, nullptr);
-  vertices->Release();
-  if (this->Nothing == 0)
-  {
-    glGenQueries(1, &this->Nothing);
-    glBeginQuery(GL_SAMPLES_PASSED, this->Nothing);
-    glEndQuery(GL_SAMPLES_PASSED);
-  }
-  glBeginConditionalRender(this->Nothing, GL_QUERY_WAIT);
-  this->IsDiscarding = true;
-  return true;
-}
-
-void vtkNBufferSplatStream::Restore()
-{
-  this->Own.Restore();
-  if (std::exchange(this->IsDiscarding, false))
-  {
-    glEndConditionalRender();
-  }
-}
-
-void vtkNBufferSplatStream::ReleaseGraphicsResources()
-{
-  if (this->Nothing != 0)
-  {
-    glDeleteQueries(1, &this->Nothing);
-    this->Nothing = 0;
-  }
 }
 VTK_ABI_NAMESPACE_END

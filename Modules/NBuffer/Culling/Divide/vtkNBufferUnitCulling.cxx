@@ -60,11 +60,6 @@ void vtkNBufferUnitCulling::SetUnits(vtkNBufferUnits units)
   this->DrawnUnits.assign(size, 0);
   this->FreshUnits.assign(size, 0);
   this->Tested = this->Seen = 0;
-  this->Open.clear();
-  for (const auto& level : this->Units.GetLevels())
-  {
-    this->Open.emplace_back(level.size());
-  }
 }
 
 vtkNBufferBox vtkNBufferUnitCulling::MakeBox(const vtkNBufferUnits::Box& bounds) const
@@ -118,8 +113,7 @@ void vtkNBufferUnitCulling::MarkOutside(
 {
   const vtkNBufferBox box = this->MakeBox(this->Units.GetLevels()[level][n]);
   vtkNBufferScreenBox screen;
-  const vtkNBufferPlacement placement =
-    projection.IsOutside(box) ? vtkNBufferPlacement::Outside : projection.Project(box, screen);
+  const vtkNBufferPlacement placement = projection.Place(box, screen);
   if (placement == vtkNBufferPlacement::Outside)
   {
     const std::size_t end = this->Units.GetEnd(level, n);
@@ -170,22 +164,6 @@ void vtkNBufferUnitCulling::Keep(std::size_t unit)
   ++this->Number.Kept;
 }
 
-void vtkNBufferUnitCulling::FindOpen()
-{
-  for (std::size_t i = 0; i < this->Units.GetSize(); ++i)
-  {
-    this->Open[0][i] = !(this->Marks[i] & Outside);
-  }
-  for (std::size_t level = 1; level < this->Open.size(); ++level)
-  {
-    std::fill(this->Open[level].begin(), this->Open[level].end(), 0);
-    for (std::size_t i = 0; i < this->Open[level - 1].size(); ++i)
-    {
-      this->Open[level][i / vtkNBufferUnits::Fanout] |= this->Open[level - 1][i];
-    }
-  }
-}
-
 void vtkNBufferUnitCulling::ClearDrawn()
 {
   std::fill(this->DrawnUnits.begin(), this->DrawnUnits.end(), 0);
@@ -196,7 +174,6 @@ int vtkNBufferUnitCulling::Test(const vtkNBufferProjection& projection, const De
 {
   std::fill(this->FreshUnits.begin(), this->FreshUnits.end(), 0);
   this->Turn = (this->Turn + 1) % Turns;
-  this->FindOpen();
   this->RunInThreads(
     [this, &projection, &depth](std::size_t level, std::size_t begin, std::size_t end)
     {
@@ -220,13 +197,18 @@ int vtkNBufferUnitCulling::Test(const vtkNBufferProjection& projection, const De
 
 void vtkNBufferUnitCulling::TestNode(std::size_t level, std::size_t n, Tests& tests)
 {
-  if (!this->Open[level][n])
+  if (level == 0 && (this->Marks[n] & Outside))
   {
     return;
   }
   const vtkNBufferBox box = this->MakeBox(this->Units.GetLevels()[level][n]);
   vtkNBufferScreenBox screen;
-  const bool isInside = tests.Projection.Project(box, screen) == vtkNBufferPlacement::Inside;
+  const vtkNBufferPlacement placement = tests.Projection.Project(box, screen);
+  if (placement == vtkNBufferPlacement::Outside)
+  {
+    return;
+  }
+  const bool isInside = placement == vtkNBufferPlacement::Inside;
   bool isHidden = isInside && tests.Levels.IsHidden(screen);
   const bool isDue = n / vtkNBufferUnits::Fanout % Turns == this->Turn;
   if (level == 0 && isInside && !isHidden && tests.Pixels && (!this->DrawnUnits[n] || isDue))

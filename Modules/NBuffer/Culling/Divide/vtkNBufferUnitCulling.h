@@ -95,7 +95,6 @@ private:
   void MarkOutside(std::size_t level, std::size_t n, const vtkNBufferProjection& projection);
   void KeepNearest(const vtkNBufferProjection& projection, std::size_t limit);
   void Keep(std::size_t unit);
-  void FindOpen();
   struct Tests;
   void TestNode(std::size_t level, std::size_t n, Tests& tests);
   template <typename Function>
@@ -103,10 +102,9 @@ private:
 
   vtkNBufferUnits Units;
   Rounding Errors;
-  std::vector<unsigned char> Marks;             ///< Of each unit.
-  std::vector<unsigned char> DrawnUnits;        ///< Whether it has been drawn.
-  std::vector<unsigned char> FreshUnits;        ///< Whether it is to be drawn next.
-  std::vector<std::vector<unsigned char>> Open; ///< Nodes with units to be tested.
+  std::vector<unsigned char> Marks;      ///< Of each unit.
+  std::vector<unsigned char> DrawnUnits; ///< Whether it has been drawn.
+  std::vector<unsigned char> FreshUnits; ///< Whether it is to be drawn next.
   Counts Number;
   int Tested = 0;        ///< How many units the last test has tested.
   int Seen = 0;          ///< How many of these it found visible.

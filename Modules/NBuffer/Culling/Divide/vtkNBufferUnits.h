@@ -48,7 +48,7 @@ public:
     std::vector<unsigned int> Indices; ///< The points of each primitive.
     std::size_t Corners = 3;           ///< How many points a primitive has: 3 or 1.
     std::vector<glm::dvec3> Points;
-    /// Whether each range of neighbours in this order is a draw of its own (vtkNBufferRangeDraw).
+    /// Whether each range of neighbours in this order is a draw of its own (vtkNBufferOwnDraw).
     /// Groups in space that would make too many draws are not made then.
     bool IsDrawnInRanges = false;
   };

@@ -39,10 +39,4 @@ void vtkNBufferDeferredProxy::ForEachDrawnProp(const std::function<void(vtkProp*
     this->TheOwner->ForEachDrawnHeldProp(visit);
   }
 }
-
-void vtkNBufferDeferredProxy::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Owner: " << this->TheOwner << "\n";
-}
 VTK_ABI_NAMESPACE_END

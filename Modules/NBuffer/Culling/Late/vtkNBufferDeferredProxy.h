@@ -22,7 +22,6 @@ class vtkNBufferDeferredProxy : public vtkNBufferStandIn
 public:
   static vtkNBufferDeferredProxy* New();
   vtkTypeMacro(vtkNBufferDeferredProxy, vtkNBufferStandIn);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
    * The owner of a proxy knows the props that are held back and decides which of them are drawn.

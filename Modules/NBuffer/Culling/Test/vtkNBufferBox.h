@@ -53,6 +53,42 @@ struct vtkNBufferBox
     }
     return box;
   }
+
+  /// Set Center and HalfSize to those of a box around all points between `low` and `high`, which
+  /// are in the coordinates of a matrix to the world. Returns how large the numbers are at most
+  /// that are added for that, along each axis.
+  glm::dvec3 SetPlace(const glm::dmat4& toWorld, const glm::dvec3& low, const glm::dvec3& high)
+  {
+    const glm::dvec3 middle = 0.5 * (low + high);
+    const glm::dvec3 half = 0.5 * (high - low);
+    const glm::dvec3 largest = glm::max(vtkNBufferGLM::Abs(low), vtkNBufferGLM::Abs(high));
+    this->Center = glm::dvec3(toWorld[3]);
+    this->HalfSize = glm::dvec3(0.0);
+    glm::dvec3 magnitude = vtkNBufferGLM::Abs(this->Center);
+    for (int k = 0; k < 3; ++k)
+    {
+      const glm::dvec3 column(toWorld[k]);
+      this->Center += column * middle[k];
+      this->HalfSize += vtkNBufferGLM::Abs(column) * half[k];
+      magnitude += vtkNBufferGLM::Abs(column) * largest[k];
+    }
+    // Some ten operations are rounded on numbers that are at most as large as this.
+    this->HalfSize += magnitude * 0x1p-48;
+    return magnitude;
+  }
+
+  /// Set Origin and Magnitude from those in the coordinates of a matrix to the world.
+  void SetRounding(const glm::dmat4& toWorld, const glm::dvec3& origin, const glm::dvec3& magnitude)
+  {
+    this->Origin = glm::dvec3(toWorld[3]);
+    this->Magnitude = glm::dvec3(0.0);
+    for (int k = 0; k < 3; ++k)
+    {
+      const glm::dvec3 column(toWorld[k]);
+      this->Origin += column * origin[k];
+      this->Magnitude += vtkNBufferGLM::Abs(column) * magnitude[k];
+    }
+  }
 };
 
 VTK_ABI_NAMESPACE_END

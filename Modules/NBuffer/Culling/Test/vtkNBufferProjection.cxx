@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferProjection.h"
 
-#include "vtkNBufferClipExtent.h"
 #include "vtkNBufferPolygonClip.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -15,12 +15,63 @@ namespace
 /// A relative margin, far larger than the error of unprojecting in double precision.
 constexpr double NearPlaneMargin = 1e-6;
 
-double Evaluate(const glm::dvec4& row, const glm::dvec3& point)
-{
-  return vtkNBufferBoxError::Evaluate(row, point);
+constexpr auto& Evaluate = vtkNBufferBoxError::Evaluate;
 }
 
-}
+/**
+ * The extent in normalised device coordinates, slack included, of points of a box that are added
+ * one by one in clip space. vtkNBufferBoxError.h derives the slack.
+ */
+class vtkNBufferProjection::Extent
+{
+public:
+  /// An empty extent for points of `box`. `worldToClip` are the rows of the matrix that gives their
+  /// clip coordinates.
+  Extent(const Rows& worldToClip, const vtkNBufferBox& box)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      this->Error[i] = vtkNBufferBoxError::GetVertexError(worldToClip[i], box);
+    }
+  }
+
+  /// How far the clip coordinates that a device computes may be from the exact ones.
+  const glm::dvec4& GetErrors() const { return this->Error; }
+
+  /// Add a point in clip space. Returns false for a point before the near plane, behind the eye, or
+  /// too near to the eye for its error to be bounded, and for NaN.
+  bool Add(const glm::dvec4& clip)
+  {
+    const double w = clip.w - this->Error.w;
+    // A comparison with NaN is false, which has to end here.
+    if (!(w > this->Error.w && clip.z + clip.w > this->Error.z + this->Error.w))
+    {
+      return false;
+    }
+    const double inverse = 1.0 / w;
+    const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
+    const glm::dvec3 slack =
+      (glm::dvec3(this->Error) + vtkNBufferGLM::Abs(ndc) * this->Error.w) * inverse;
+    this->Low = glm::min(this->Low, ndc - slack);
+    this->High = glm::max(this->High, ndc + slack);
+    this->Slack = glm::max(this->Slack, slack);
+    this->MaximumW = std::max(this->MaximumW, clip.w);
+    return true;
+  }
+
+  ///@{
+  /// The extent of what a device may draw of the points.
+  glm::dvec3 Low = glm::dvec3(std::numeric_limits<double>::infinity());
+  glm::dvec3 High = glm::dvec3(-std::numeric_limits<double>::infinity());
+  ///@}
+  /// The largest slack of any point along x, y and z.
+  glm::dvec3 Slack = glm::dvec3(0.0);
+  /// The largest clip coordinate w of any point.
+  double MaximumW = 0.0;
+
+private:
+  glm::dvec4 Error;
+};
 
 void vtkNBufferProjection::Set(const double worldToClip[16], int width, int height,
   double depthQuantum, int largestCoordinate, int subpixelBits)
@@ -92,7 +143,7 @@ vtkNBufferPlacement vtkNBufferProjection::Project(
     return center + (corner & 1 ? axes[0] : -axes[0]) + (corner & 2 ? axes[1] : -axes[1]) +
       (corner & 4 ? axes[2] : -axes[2]);
   };
-  vtkNBufferClipExtent extent(this->WorldToClip, box);
+  Extent extent(this->WorldToClip, box);
   bool before = true;
   for (int corner = 0; corner < 8 && before; ++corner)
   {
@@ -106,7 +157,7 @@ vtkNBufferPlacement vtkNBufferProjection::Project(
     {
       corners[corner] = getCorner(corner);
     }
-    extent = vtkNBufferClipExtent(this->WorldToClip, box);
+    extent = Extent(this->WorldToClip, box);
     const vtkNBufferPlacement placement = this->Clip(box, corners, extent);
     if (placement != vtkNBufferPlacement::Inside)
     {
@@ -117,7 +168,7 @@ vtkNBufferPlacement vtkNBufferProjection::Project(
 }
 
 vtkNBufferPlacement vtkNBufferProjection::Clip(
-  const vtkNBufferBox& box, const Corners& corners, vtkNBufferClipExtent& extent) const
+  const vtkNBufferBox& box, const Corners& corners, Extent& extent) const
 {
   if (!std::all_of(corners.begin(), corners.end(), vtkNBufferGLM::IsFinite<4>) ||
     !vtkNBufferGLM::IsFinite(extent.GetErrors()))
@@ -183,7 +234,7 @@ vtkNBufferPlacement vtkNBufferProjection::Clip(
 }
 
 vtkNBufferPlacement vtkNBufferProjection::Finish(
-  const vtkNBufferBox& box, const vtkNBufferClipExtent& extent, vtkNBufferScreenBox& result) const
+  const vtkNBufferBox& box, const Extent& extent, vtkNBufferScreenBox& result) const
 {
   if (!vtkNBufferGLM::IsFinite(extent.Low) || !vtkNBufferGLM::IsFinite(extent.High))
   {

@@ -30,7 +30,6 @@
 #include <optional>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkNBufferClipExtent;
 
 /// One camera, one viewport, one depth format.
 class VTKNBUFFER_EXPORT vtkNBufferProjection
@@ -78,6 +77,12 @@ public:
    * Crossing.
    */
   vtkNBufferPlacement Project(const vtkNBufferBox& box, vtkNBufferScreenBox& result) const;
+
+  /// The same where many boxes are outside: IsOutside() comes first.
+  vtkNBufferPlacement Place(const vtkNBufferBox& box, vtkNBufferScreenBox& result) const
+  {
+    return this->IsOutside(box) ? vtkNBufferPlacement::Outside : this->Project(box, result);
+  }
 
   /// The errors with which a device may draw a triangle of a box that is Inside, given the result
   /// of Project() for the box.
@@ -144,11 +149,11 @@ public:
   std::array<glm::dvec2, 8> GetCorners(const vtkNBufferBox& box) const;
 
 private:
+  class Extent;
   using Corners = std::array<glm::dvec4, 8>;
-  vtkNBufferPlacement Clip(
-    const vtkNBufferBox& box, const Corners& corners, vtkNBufferClipExtent& extent) const;
-  vtkNBufferPlacement Finish(const vtkNBufferBox& box, const vtkNBufferClipExtent& extent,
-    vtkNBufferScreenBox& result) const;
+  vtkNBufferPlacement Clip(const vtkNBufferBox& box, const Corners& corners, Extent& extent) const;
+  vtkNBufferPlacement Finish(
+    const vtkNBufferBox& box, const Extent& extent, vtkNBufferScreenBox& result) const;
 
   Rows WorldToClip{};
   Rows ClipToWorld{};

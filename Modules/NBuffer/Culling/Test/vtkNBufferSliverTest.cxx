@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -17,13 +16,6 @@ namespace
 double Cross(const glm::dvec2& a, const glm::dvec2& b)
 {
   return a.x * b.y - a.y * b.x;
-}
-
-/// The least and the greatest of each coordinate.
-std::pair<glm::dvec3, glm::dvec3> GetRange(const std::array<glm::dvec3, 3>& corners)
-{
-  const auto& [a, b, c] = corners;
-  return { glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c) };
 }
 
 /// How far a device may move a vertex when it snaps it, in x and in y, in pixels.
@@ -255,11 +247,11 @@ bool vtkNBufferSliverTest::MayBeSeen(
   sliver.HasPlane = height > 0.0 && height >= errors.LowestRelativeHeight * length;
   if (sliver.HasPlane)
   {
-    const auto [low, high] = GetRange(corners);
+    const auto [low, high] = std::minmax({ corners[0].z, corners[1].z, corners[2].z });
     const double slope = sliver.Steepness +
       (std::abs(sliver.Across) + twice * sliver.Steepness + 2.0 * errors.DepthError) / height;
     const double ofSlopes = std::min(errors.SlopeRounding, errors.SlopeRoundingPerLength * length) *
-      (high.z - low.z + 2.0 * errors.DepthError) / height;
+      (high - low + 2.0 * errors.DepthError) / height;
     if (slope * errors.DepthErrorPerSlope + ofSlopes <= errors.BoxSlack)
     {
       return false;
