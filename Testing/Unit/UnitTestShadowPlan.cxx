@@ -135,7 +135,7 @@ struct Situation
     EXPECT_TRUE(!dismissed || this->Draws.empty());
     EXPECT_TRUE(!dismissed || *dismissed == verdict || !this->Faces.empty());
     this->HasDismissed = dismissed.has_value();
-    this->Slabs = plan.GetNumberOfSlabs();
+    this->Slabs = static_cast<int>(choice.Slabs.size());
     this->CheckDraws();
     return verdict;
   }

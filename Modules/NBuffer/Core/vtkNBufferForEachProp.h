@@ -50,25 +50,29 @@ void Run(std::size_t count, Functor&& functor, vtkIdType perThread = PropsPerThr
 
 /// Call functor(i) for 0 to count - 1 like Run().
 template <typename Functor>
-void RunEach(std::size_t count, Functor&& functor)
+void RunEach(std::size_t count, Functor&& functor, vtkIdType perThread = PropsPerThread)
 {
-  Run(count,
+  Run(
+    count,
     [&functor](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
         functor(i);
       }
-    });
+    },
+    perThread);
 }
 
 /// As RunEach(), and calls prefetch(i) for a prop while functor() works on the prop that is
 /// PropsToFetchAhead before it. The first props of all are not prefetched.
 template <typename Prefetch, typename Functor>
-void RunAhead(std::size_t count, Prefetch&& prefetch, Functor&& functor)
+void RunAhead(
+  std::size_t count, Prefetch&& prefetch, Functor&& functor, vtkIdType perThread = PropsPerThread)
 {
   const auto size = static_cast<vtkIdType>(count);
-  RunEach(count,
+  RunEach(
+    count,
     [&](vtkIdType i)
     {
       if (i + PropsToFetchAhead < size)
@@ -76,7 +80,8 @@ void RunAhead(std::size_t count, Prefetch&& prefetch, Functor&& functor)
         prefetch(i + PropsToFetchAhead);
       }
       functor(i);
-    });
+    },
+    perThread);
 }
 }
 

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <functional>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -228,31 +227,17 @@ void vtkShadowMaskMaker::FindParts(const Work& work)
   }
 }
 
-vtkShadowMaskMaker::Verdicts vtkShadowMaskMaker::AddCasters(const Work& work, vtkShadowPlan& plan)
+void vtkShadowMaskMaker::AddCasters(const Work& work, vtkShadowPlan& plan)
 {
-  constexpr vtkIdType ahead = vtkNBufferForEachProp::PropsToFetchAhead;
   this->Choices.resize(this->Parts.size());
-  vtkNBufferForEachProp::Run(
-    this->Parts.size(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        if (i + ahead < end)
-        {
-          this->Parts[i + ahead]->Prefetch();
-        }
-        this->Choices[i] = plan.Decide(*this->Parts[i]);
-      }
-    },
+  vtkNBufferForEachProp::RunAhead(
+    this->Parts.size(), [this](vtkIdType i) { this->Parts[i]->Prefetch(); },
+    [this, &plan](vtkIdType i) { this->Choices[i] = plan.Decide(*this->Parts[i]); },
     CastersPerThread);
-  Verdicts verdicts = {};
   for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {
-    ++verdicts[static_cast<std::size_t>(this->Choices[i].Verdict)];
     plan.Draw(this->Choices[i], *this->Parts[i], work.LightVolumes.Store);
   }
-  return verdicts;
 }
 
 void vtkShadowMaskMaker::SetCoverage(std::size_t covered, std::size_t samples)
@@ -307,7 +292,6 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   const vtkShadowPlan::View& view = work.Camera.Plan;
   std::vector<vtkShadowLightSpace> spaces; // of litmaps
   std::optional<vtkShadowPlan> plan;
-  Verdicts verdicts = {};
   const bool automatic = work.Settings.Mode == vtkShadowMode::Automatic;
   this->FindParts(work);
   vtkShadowVolumeStore& store = work.LightVolumes.Store;
@@ -316,7 +300,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   {
     plan.emplace(light, view, vtkShadowMode::Unclamped, std::vector<vtkShadowPlan::Face>(),
       work.Settings.Tuning);
-    verdicts = this->AddCasters(work, *plan);
+    this->AddCasters(work, *plan);
     if (automatic &&
       this->IsLitmapWorthIt(work,
         vtkShadowCostModel::EstimateFragments(store.GetVolume(), plan->GetDraws(), view),
@@ -347,12 +331,14 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
     }
     plan.emplace(light, view, automatic ? vtkShadowMode::Scissored : work.Settings.Mode,
       std::move(litmaps), work.Settings.Tuning);
-    verdicts = this->AddCasters(work, *plan);
+    this->AddCasters(work, *plan);
     work.Statistics.PlanTime += clock.Restart();
   }
-  std::transform(verdicts.begin(), verdicts.end(), work.Statistics.Verdicts.begin(),
-    work.Statistics.Verdicts.begin(), std::plus<int>());
-  work.Statistics.Slabs += plan->GetNumberOfSlabs();
+  for (const vtkShadowPlan::Choice& choice : this->Choices)
+  {
+    ++work.Statistics.Verdicts[static_cast<std::size_t>(choice.Verdict)];
+    work.Statistics.Slabs += static_cast<int>(choice.Slabs.size());
+  }
   work.Statistics.Pieces += store.GetNumberOfPiecesMade();
   work.Statistics.Triangles += plan->GetNumberOfTriangles();
   const bool done = plan->GetDraws().empty() || this->Count(work, *plan);

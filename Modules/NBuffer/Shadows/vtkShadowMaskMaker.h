@@ -29,7 +29,7 @@
 #include "vtkShadowVolumeBuffer.h"
 #include "vtkShadowVolumeStore.h"
 
-#include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -99,13 +99,12 @@ private:
     vtkShadowVolumeStore Store;
     vtkShadowVolumeBuffer Buffer;
   };
-  using Verdicts = std::array<int, vtkShadowStatistics::NumberOfVerdicts>;
 
   std::size_t GetNumberOfSamples() const; ///< The number of all samples of the viewport.
   bool ReadReceivers(const Work& work);
   bool MakeLitmaps(const Work& work, const std::vector<vtkShadowLightSpace>& spaces);
   void FindParts(const Work& work);
-  Verdicts AddCasters(const Work& work, vtkShadowPlan& plan);
+  void AddCasters(const Work& work, vtkShadowPlan& plan);
   bool IsLitmapWorthIt(const Work& work, double fragments, long long triangles);
   bool IsLitmapWorthIt(const Work& work);      ///< The same by the number of triangles alone.
   long long EstimateCovered(const Work& work); ///< The number of samples that are not background.

@@ -186,7 +186,6 @@ void vtkShadowPlan::Draw(
   for (const BoxedSlab& slab : choice.Slabs)
   {
     this->Draws.AddClamped(caster, *choice.Space, slab.Slab, choice.Far, slab.Pixels, store);
-    ++this->Slabs;
   }
 }
 VTK_ABI_NAMESPACE_END

@@ -133,9 +133,6 @@ public:
   /// Returns true if no receiver can have a stencil count above `limit` when all volumes are drawn.
   bool IsCountBelow(int limit) const { return this->Draws.IsCountBelow(limit); }
 
-  /// The number of slabs drawn.
-  int GetNumberOfSlabs() const { return this->Slabs; }
-
 private:
   using Lookup = vtkShadowLitmapSet::Lookup;
 
@@ -151,7 +148,6 @@ private:
   vtkShadowMode Mode;
   double BoxCost; ///< In pixels; infinite if boxes are not used.
   int SlabGap;
-  int Slabs = 0;
 };
 
 VTK_ABI_NAMESPACE_END
