@@ -199,8 +199,8 @@ SHADOW_MUTANTS = {
          "this->P.GetCell(p1 + guardP) + 1, this->Q.GetCell(q1 + guardQ) + 1 };",
          "this->P.GetCell(p1), this->Q.GetCell(q1) };")],
     "box of pixels one column short": [
-        (DRAW_LIST, "draw.Box[2] = box.GetWidth();",
-         "draw.Box[2] = box.GetWidth() - 1;")],
+        (DRAW_LIST, "draw.Box = box;",
+         "draw.Box = box;\n    --draw.Box.X1;")],
     "slabs that begin at the caster end with the first of them": [
         (PLAN, "slabs.back().Far = far;", "slabs.back().Far = std::min(far, slabs.back().Far);")],
     "receivers next to the caster count as before it": [

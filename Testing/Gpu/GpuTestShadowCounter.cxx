@@ -154,7 +154,7 @@ protected:
     ASSERT_TRUE(this->Volume.Upload(volume, this->Why)) << this->Why;
     const vtkShadowCounter::Scope scope(this->Window, Viewport);
     this->Counter.ClearStencil(this->Target, Viewport);
-    ASSERT_TRUE(this->Counter.Count(this->Window, this->Target, this->Volume, MakeView(),
+    ASSERT_TRUE(this->Counter.Count(this->Window, this->Target, this->Volume, MakeView(Viewport),
       draws.data(), draws.data() + draws.size(), fragments, this->Why))
       << this->Why;
   }
@@ -251,10 +251,7 @@ TEST_F(GpuTestShadowCounter, DrawsKeepToTheirBoxes)
   std::vector<vtkShadowDraw> draws(2, MakeDraw(volume, true));
   draws[0].NumberOfIndices = draws[1].NumberOfIndices = draws[1].FirstIndex = half;
   draws[1].ZPass = false;
-  draws[1].Box[0] += 10;
-  draws[1].Box[1] += 6;
-  draws[1].Box[2] = 2;
-  draws[1].Box[3] = 2;
+  draws[1].Box = { 10, 6, 12, 8 };
   ASSERT_NO_FATAL_FAILURE(this->Count(volume, draws));
   this->ExpectStencil(
     [](int x, int y)
@@ -376,7 +373,7 @@ TEST_F(GpuTestShadowCounter, VolumesAreExactFarFromTheOrigin)
       MakeBlock(eye + size * glm::dvec3(-0.9, -0.3, -0.2), eye + size * glm::dvec3(-0.7, 0.3, 0.2)),
       { 1.0, 0.0, 0.0 }, { eye.x - 0.5 * size, eye.x + 0.5 * size });
     ASSERT_TRUE(this->Volume.Upload(store, this->Why)) << this->Why;
-    vtkShadowDrawList::View view = MakeView();
+    vtkShadowDrawList::View view = MakeView(Viewport);
     view.Eye = eye;
     view.EyeToClip = glm::scale(view.EyeToClip, glm::dvec3(1.0 / size));
     const vtkShadowDraw draw = MakeDraw(store, true);

@@ -52,8 +52,7 @@ protected:
 
   void Make(vtkShadowPicture picture)
   {
-    vtkShadowDrawList::View view = MakeView();
-    std::copy_n(Viewport, 4, view.Viewport);
+    const vtkShadowDrawList::View view = MakeView(Viewport);
     const vtkShadowDebugView::Subject subject = { nullptr, 0, this->Volume, this->Draws, view };
     const vtkShadowCounter::Scope scope(this->Window, Viewport);
     ASSERT_TRUE(
@@ -69,8 +68,7 @@ protected:
 // The front and the back of the column; the box cuts off its left side.
 TEST_F(GpuTestShadowDebugView, CountsAreThoseOfFragments)
 {
-  this->Draws[0].Box[0] += 8;
-  this->Draws[0].Box[2] -= 8;
+  this->Draws[0].Box.X0 = 8;
   ASSERT_NO_FATAL_FAILURE(this->Make(vtkShadowPicture::Counts));
   ASSERT_EQ(this->View.GetWidth(), Viewport[2]);
   ASSERT_EQ(this->View.GetHeight(), Viewport[3]);

@@ -163,8 +163,8 @@ TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
           const vtkShadowCounter::Scope scope(this->Window, Viewport);
           this->Counter.ClearMask(this->Target, 1, Viewport);
           this->Counter.ClearStencil(this->Target, Viewport);
-          ASSERT_TRUE(this->Counter.Count(this->Window, this->Target, this->Volume, MakeView(),
-            &draw, &draw + 1, nullptr, this->Why))
+          ASSERT_TRUE(this->Counter.Count(this->Window, this->Target, this->Volume,
+            MakeView(Viewport), &draw, &draw + 1, nullptr, this->Why))
             << this->Why;
           ASSERT_TRUE(this->Counter.Resolve(this->Window, this->Target, 1, 2, Viewport, this->Why))
             << this->Why;

@@ -31,9 +31,10 @@ protected:
   }
 
   /// The eye is the origin of the world, and looks along -z.
-  static vtkShadowDrawList::View MakeView()
+  static vtkShadowDrawList::View MakeView(const int viewport[4])
   {
     vtkShadowDrawList::View view;
+    std::copy_n(viewport, 4, view.Viewport);
     view.EyeToClip = glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1);
     return view;
   }
@@ -75,7 +76,7 @@ protected:
     vtkShadowDraw draw;
     draw.NumberOfIndices = static_cast<int>(store.GetVolume().GetIndices().size());
     draw.ZPass = zPass;
-    std::copy_n(viewport, 4, draw.Box);
+    draw.Box = { 0, 0, viewport[2], viewport[3] };
     return draw;
   }
 

@@ -48,19 +48,17 @@ TEST(ShadowDebugImage, EachNumberHasItsHeat)
 // Boxes at random, some out of the viewport: in each pixel the heat of the number of boxes there.
 TEST(ShadowDebugImage, ExtentsAreThoseOfTheBoxes)
 {
-  constexpr int viewport[4] = { 7, 5, 40, 30 };
   std::mt19937 random(3);
   const auto draw = [&random](int low, int high)
   { return std::uniform_int_distribution<int>(low, high)(random); };
   std::vector<vtkShadowDraw> draws(60);
   for (vtkShadowDraw& box : draws)
   {
-    box.Box[0] = draw(-5, 55);
-    box.Box[1] = draw(-5, 45);
-    box.Box[2] = draw(0, 30);
-    box.Box[3] = draw(0, 30);
+    const int x = draw(-12, 48);
+    const int y = draw(-10, 40);
+    box.Box = { x, y, x + draw(0, 30), y + draw(0, 30) };
   }
-  const Image image = vtkShadowDebugImage::PaintExtents(draws, viewport);
+  const Image image = vtkShadowDebugImage::PaintExtents(draws, 40, 30);
   ASSERT_EQ(image.size(), 4u * 40 * 30);
   int edges = 0;
   for (const auto& [x, y] : Pixels(40, 30))
@@ -69,10 +67,7 @@ TEST(ShadowDebugImage, ExtentsAreThoseOfTheBoxes)
     bool edge = false;
     for (const vtkShadowDraw& box : draws)
     {
-      const int x0 = box.Box[0] - 7;
-      const int y0 = box.Box[1] - 5;
-      const vtkNBufferRectangle r = vtkNBufferRectangle{ 0, 0, 40, 30 }.GetIntersection(
-        { x0, y0, x0 + box.Box[2], y0 + box.Box[3] });
+      const vtkNBufferRectangle r = box.Box.GetIntersection({ 0, 0, 40, 30 });
       const bool inside = IsIn(x, y, r);
       number += inside;
       edge = edge || (inside && !IsIn(x, y, { r.X0 + 1, r.Y0 + 1, r.X1 - 1, r.Y1 - 1 }));

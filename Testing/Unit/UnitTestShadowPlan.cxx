@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // What is drawn of a caster, where and how: decisions of vtkShadowPlan, without OpenGL.
+#include "Pixels.h"
 #include "ShadowCaster.h"
 
 #include "vtkShadowPlan.h"
@@ -188,7 +189,7 @@ struct Situation
 
 void ExpectBox(const vtkShadowDraw& draw, int x, int y, int width, int height)
 {
-  EXPECT_EQ(std::vector<int>(draw.Box, draw.Box + 4), (std::vector<int>{ x, y, width, height }));
+  EXPECT_EQ(draw.Box, (vtkNBufferRectangle{ x, y, x + width, y + height }));
 }
 }
 
@@ -233,7 +234,7 @@ TEST(ShadowPlan, WithoutALitmapAllIsDrawnEverywhere)
     Situation situation(MakeLightAbove());
     EXPECT_EQ(situation.Decide(mode, 4, false), Verdict::Whole);
     ASSERT_EQ(situation.Draws.size(), 1u);
-    ExpectBox(situation.Draws[0], 10, 20, 300, 200);
+    ExpectBox(situation.Draws[0], 0, 0, 300, 200);
   }
   Situation situation(MakeLightAbove(), MakeCube(), { { 0.0, 0.0, -3.0 } });
   EXPECT_EQ(situation.Decide(vtkShadowMode::Unclamped), Verdict::Whole) << "not asked";
@@ -280,7 +281,7 @@ TEST(ShadowPlan, BoxesHoldTheReceiversPixels)
   {
     situation.Decide(mode);
     ASSERT_EQ(situation.Draws.size(), 1u);
-    ExpectBox(situation.Draws[0], 15, 24, 8, 3);
+    ExpectBox(situation.Draws[0], 5, 4, 8, 3);
   }
 }
 
@@ -298,8 +299,8 @@ TEST(ShadowPlan, BoxesHoldTheTilesInShadow)
     ASSERT_EQ(situation.Draws.size(), 2u);
     // The pixels of the receiver's tile in the box of all.
     constexpr int size = vtkShadowTiles::Size;
-    ExpectBox(situation.Draws[0], 10 + 5, 20 + 6, size - 5 % size, size - 6 % size);
-    ExpectBox(situation.Draws[1], 10 + 150 / size * size, 20 + 100 / size * size, size, size);
+    ExpectBox(situation.Draws[0], 5, 6, size - 5 % size, size - 6 % size);
+    ExpectBox(situation.Draws[1], 150 / size * size, 100 / size * size, size, size);
     EXPECT_FALSE(situation.Draws[0].Again);
     EXPECT_TRUE(situation.Draws[1].Again);
 
@@ -371,7 +372,7 @@ TEST(ShadowPlan, CastersAtTheLightsPlane)
     ASSERT_EQ(static_cast<int>(situation.Draws.size()), c.Draws);
     if (c.X == 0.8)
     {
-      ExpectBox(situation.Draws[0], 15, 26, 1, 1);
+      ExpectBox(situation.Draws[0], 5, 6, 1, 1);
     }
   }
   // A point light shines on both sides.

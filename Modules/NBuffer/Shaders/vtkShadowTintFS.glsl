@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::Output::Dec
 
-// Draws volumes in one colour, for debug views.
+// Draws in one colour: masks where the stencil test passes, and volumes for debug views.
 uniform vec4 tint;
 
 void main()

@@ -5,7 +5,6 @@
 #include "vtkShadowTarget.h"
 
 #include "vtkNBufferDepthConvention.h"
-#include "vtkShadowMaskFS.h"
 #include "vtkShadowTintFS.h"
 #include "vtkShadowVolumeFS.h"
 #include "vtkShadowVolumeVS.h"
@@ -44,7 +43,7 @@ constexpr GLenum Capabilities[] = { GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_COVERAGE,
 }
 
 vtkShadowCounter::vtkShadowCounter()
-  : MaskPass(vtkShadowMaskFS, Failure)
+  : MaskPass(vtkShadowTintFS, Failure)
 {
 }
 
@@ -138,9 +137,10 @@ bool vtkShadowCounter::BeginVolumes(vtkOpenGLRenderWindow* window,
   return true;
 }
 
-void vtkShadowCounter::DrawVolume(const vtkShadowDraw& draw)
+void vtkShadowCounter::DrawVolume(const vtkShadowDraw& draw, const int viewport[4])
 {
-  glScissor(draw.Box[0], draw.Box[1], draw.Box[2], draw.Box[3]);
+  glScissor(viewport[0] + draw.Box.X0, viewport[1] + draw.Box.Y0, draw.Box.GetWidth(),
+    draw.Box.GetHeight());
   glDrawElements(GL_TRIANGLES, draw.NumberOfIndices, GL_UNSIGNED_INT,
     reinterpret_cast<const void*>(draw.FirstIndex * sizeof(unsigned int)));
 }
@@ -182,7 +182,7 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
       {
         (draw->Offset ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
       }
-      this->DrawVolume(*draw);
+      this->DrawVolume(*draw, view.Viewport);
     }
   };
   drawAll(true);
@@ -223,7 +223,7 @@ bool vtkShadowCounter::Show(vtkOpenGLRenderWindow* window, const vtkShadowVolume
   {
     this->TintProgram->SetUniform4f("tint", !edges ? one : draw.ZPass ? zPass : zFail);
     (draw.ZPass ? glDisable : glEnable)(GL_CLIP_DISTANCE0);
-    this->DrawVolume(draw);
+    this->DrawVolume(draw, view.Viewport);
   }
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_DEPTH_CLAMP);
@@ -235,10 +235,13 @@ bool vtkShadowCounter::Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTar
   int mask, int channel, const int viewport[4], std::string& why)
 {
   vtkNBufferGL::ClearErrors();
-  if (!this->MaskPass.Begin(window, why))
+  vtkShaderProgram* program = this->MaskPass.Begin(window, why);
+  if (!program)
   {
     return false;
   }
+  constexpr float shadow[4] = { 1.0f, 1.0f, 1.0f, 1.0f };
+  program->SetUniform4f("tint", shadow);
   glBindFramebuffer(GL_FRAMEBUFFER, target.GetMaskFramebuffer(mask));
   glScissor(viewport[0], viewport[1], viewport[2], viewport[3]);
   glStencilFunc(GL_NOTEQUAL, 0, 0xff);

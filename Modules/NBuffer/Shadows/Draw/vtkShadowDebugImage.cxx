@@ -124,10 +124,8 @@ Image PaintLitmaps(const vtkShadowLitmap* litmaps, int count, int width, int hei
   return image;
 }
 
-Image PaintExtents(const std::vector<vtkShadowDraw>& draws, const int viewport[4])
+Image PaintExtents(const std::vector<vtkShadowDraw>& draws, int width, int height)
 {
-  const int width = viewport[2];
-  const int height = viewport[3];
   Image image(4 * static_cast<std::size_t>(width) * height, 0);
   // A summed-area table: each box adds +1 and -1 at its corners, and the sum of these over all
   // pixels below and to the left of a pixel is the number of boxes that contain it.
@@ -136,10 +134,7 @@ Image PaintExtents(const std::vector<vtkShadowDraw>& draws, const int viewport[4
   std::vector<vtkNBufferRectangle> boxes;
   for (const vtkShadowDraw& draw : draws)
   {
-    const int x = draw.Box[0] - viewport[0];
-    const int y = draw.Box[1] - viewport[1];
-    const vtkNBufferRectangle box = { std::clamp(x, 0, width), std::clamp(y, 0, height),
-      std::clamp(x + draw.Box[2], 0, width), std::clamp(y + draw.Box[3], 0, height) };
+    const vtkNBufferRectangle box = draw.Box.GetIntersection({ 0, 0, width, height });
     if (!box.IsEmpty())
     {
       boxes.push_back(box);

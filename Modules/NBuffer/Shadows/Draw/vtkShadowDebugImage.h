@@ -48,7 +48,7 @@ VTKNBUFFER_EXPORT Image PaintLitmaps(
 /// Paints the edges of the boxes of all draws in white, and in each pixel, as heat, the number of
 /// boxes that contain it.
 VTKNBUFFER_EXPORT Image PaintExtents(
-  const std::vector<vtkShadowDraw>& draws, const int viewport[4]);
+  const std::vector<vtkShadowDraw>& draws, int width, int height);
 
 /// Replaces each pixel of an image by the heat of the number in its first channel.
 VTKNBUFFER_EXPORT void PaintCounts(Image& image);

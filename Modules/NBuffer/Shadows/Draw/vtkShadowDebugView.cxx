@@ -35,7 +35,8 @@ bool vtkShadowDebugView::Make(vtkOpenGLRenderWindow* window, vtkShadowPicture pi
         subject.Litmaps, subject.NumberOfLitmaps, this->GetWidth(), this->GetHeight());
       break;
     case vtkShadowPicture::Extents:
-      this->Image = vtkShadowDebugImage::PaintExtents(subject.Draws, this->Viewport);
+      this->Image =
+        vtkShadowDebugImage::PaintExtents(subject.Draws, this->GetWidth(), this->GetHeight());
       break;
     case vtkShadowPicture::Volumes:
     case vtkShadowPicture::Counts:

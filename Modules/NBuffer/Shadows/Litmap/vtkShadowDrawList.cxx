@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowDrawList.h"
 
-#include <algorithm>
-
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
@@ -54,8 +52,7 @@ void vtkShadowDrawList::AddDraws(const vtkShadowPart& caster, bool isNearCapItsO
   draw.MaximumCount = caster.Silhouette.GetMaximumCount();
   draw.Offset = isNearCapItsOwn && caster.Silhouette.GetCounting() == vtkShadowCounting::All;
   draw.ZPass = this->IsBeyondNearPlane(volume, piece);
-  const int* viewport = this->Camera.Viewport;
-  std::copy_n(viewport, 4, draw.Box);
+  draw.Box = { 0, 0, this->Camera.Viewport[2], this->Camera.Viewport[3] };
   if (boxes.empty() || !this->Camera.Boxes)
   {
     this->Draws.push_back(draw);
@@ -63,10 +60,7 @@ void vtkShadowDrawList::AddDraws(const vtkShadowPart& caster, bool isNearCapItsO
   }
   for (const vtkNBufferRectangle& box : boxes)
   {
-    draw.Box[0] = viewport[0] + box.X0;
-    draw.Box[1] = viewport[1] + box.Y0;
-    draw.Box[2] = box.GetWidth();
-    draw.Box[3] = box.GetHeight();
+    draw.Box = box;
     this->Draws.push_back(draw);
     draw.Again = true;
   }

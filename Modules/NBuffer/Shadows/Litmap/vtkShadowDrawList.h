@@ -55,11 +55,11 @@ VTK_ABI_NAMESPACE_BEGIN
 /// A run of a volume's triangles that are drawn in the same way.
 struct vtkShadowDraw
 {
-  int FirstIndex = 0;          ///< Where it begins in vtkShadowVolume::GetIndices().
-  int NumberOfIndices = 0;     ///< The number of its indices there.
-  bool ZPass = false;          ///< True for z-pass, false for z-fail.
-  int Box[4] = { 0, 0, 0, 0 }; ///< The pixels of the framebuffer to draw into: x, y, width, height.
-  int MaximumCount = 0;        ///< The largest stencil count that a receiver can get from it.
+  int FirstIndex = 0;      ///< Where it begins in vtkShadowVolume::GetIndices().
+  int NumberOfIndices = 0; ///< The number of its indices there.
+  bool ZPass = false;      ///< True for z-pass, false for z-fail.
+  vtkNBufferRectangle Box; ///< The pixels of the viewport to draw into.
+  int MaximumCount = 0;    ///< The largest stencil count that a receiver can get from it.
   /// True if the near cap lies in a surface that may be lit. A polygon offset then pushes the
   /// triangles away from the eye (vtkShadowCounter.h).
   bool Offset = false;
