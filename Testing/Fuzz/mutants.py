@@ -259,7 +259,7 @@ SHADOW_MUTANTS = {
     "frame key without lights": [
         (FRAME_KEY, "this->Lights == other.Lights &&", "")],
     "frame key without the camera": [
-        (FRAME_KEY, "this->WorldToClip == other.WorldToClip &&", "")],
+        (FRAME_KEY, "this->View.HasSameView(other.View) &&", "")],
     "frame key without props": [
         (FRAME_KEY, "this->PropsVersion == other.PropsVersion &&", "")],
     "keys of casters not looked at again": [

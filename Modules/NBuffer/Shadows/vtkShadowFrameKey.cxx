@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowFrameKey.h"
 
-#include "vtkNBufferCamera.h"
 #include "vtkNBufferCullerTraits.h"
 #include "vtkNBufferGL.h"
 #include "vtkNBufferStandIn.h"
@@ -74,13 +73,11 @@ vtkShadowFrameKey::vtkShadowFrameKey(const vtkRenderState* state,
   vtkMTimeType settingsTime)
   : Renderer(state->GetRenderer())
   , SettingsTime(settingsTime)
+  , View(vtkNBufferViewKey::Make(state->GetRenderer()))
   , Lights(lights)
   , PropsVersion(props.GetVersion())
   , Drawn(state->GetPropArray(), state->GetPropArray() + state->GetPropArrayCount())
 {
-  const vtkNBufferViewKey view = vtkNBufferViewKey::Make(state->GetRenderer());
-  this->ContextTime = view.ContextTime;
-  this->WorldToClip = view.WorldToClip;
   glGetIntegerv(GL_VIEWPORT, this->Viewport.data());
   glGetIntegerv(GL_SAMPLES, &this->Samples);
   this->Complete = IsPart(this->Drawn, props.GetProps());
@@ -93,9 +90,9 @@ vtkShadowFrameKey::vtkShadowFrameKey(const vtkRenderState* state,
 bool vtkShadowFrameKey::operator==(const vtkShadowFrameKey& other) const
 {
   return this->Complete && other.Complete && this->Renderer == other.Renderer &&
-    this->ContextTime == other.ContextTime && this->SettingsTime == other.SettingsTime &&
-    this->Viewport == other.Viewport && this->Samples == other.Samples &&
-    this->WorldToClip == other.WorldToClip && this->Lights == other.Lights &&
-    this->PropsVersion == other.PropsVersion && this->Drawn == other.Drawn;
+    this->SettingsTime == other.SettingsTime && this->Viewport == other.Viewport &&
+    this->Samples == other.Samples && this->View.HasSameView(other.View) &&
+    this->Lights == other.Lights && this->PropsVersion == other.PropsVersion &&
+    this->Drawn == other.Drawn;
 }
 VTK_ABI_NAMESPACE_END

@@ -17,6 +17,7 @@
 #ifndef vtkShadowFrameKey_h
 #define vtkShadowFrameKey_h
 
+#include "vtkNBufferCamera.h"
 #include "vtkShadowLightList.h"
 
 #include "vtkType.h"
@@ -44,11 +45,10 @@ public:
 private:
   bool Complete = false; ///< True if only the renderer's own props and stand-ins are drawn.
   const void* Renderer = nullptr;
-  vtkMTimeType ContextTime = 0;
   vtkMTimeType SettingsTime = 0;
   std::array<int, 4> Viewport = {};
   int Samples = 0; ///< The samples of a pixel of the framebuffer to draw to.
-  std::array<double, 16> WorldToClip = {};
+  vtkNBufferViewKey View;
   std::vector<vtkShadowLightSource> Lights;
   vtkMTimeType PropsVersion = 0;
   std::vector<vtkProp*> Drawn; ///< The drawn props, where they matter. Pointers are only compared.
