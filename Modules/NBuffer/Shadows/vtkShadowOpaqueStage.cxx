@@ -17,6 +17,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -36,9 +37,9 @@ int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& se
   vtkRenderer* renderer = state->GetRenderer();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkShadowStatistics& statistics = this->Statistics;
-  statistics = vtkShadowStatistics();
-  statistics.FailedFrames = this->FailedFrames;
-  statistics.PixelFrames = this->PixelFrames;
+  const vtkShadowStatistics before = std::exchange(statistics, {});
+  statistics.FailedFrames = before.FailedFrames;
+  statistics.PixelFrames = before.PixelFrames;
   this->Shading.SetLights({});
   const std::vector<vtkShadowLightSource> lights =
     vtkShadowLightSource::Find(renderer, settings.DoesLightCast);
@@ -95,7 +96,7 @@ int vtkShadowOpaqueStage::Render(const vtkRenderState* state, const Settings& se
     this->LeaveProps(state);
     if (!done)
     {
-      statistics.FailedFrames = ++this->FailedFrames;
+      ++statistics.FailedFrames;
       this->WarnOnce(this->HasWarned, "Drawn without shadows. " + this->Masks.GetError());
       this->DebugView.Clear();
     }
@@ -123,7 +124,7 @@ bool vtkShadowOpaqueStage::ReserveMasks(std::size_t lights)
   const bool done = this->Masks.Reserve(this->Window, lights);
   if (done && this->GetTarget().HasRefusedSamples())
   {
-    this->Statistics.PixelFrames = ++this->PixelFrames;
+    ++this->Statistics.PixelFrames;
     this->WarnOnce(this->HasWarnedOfSamples,
       "Shadows have one sample for each pixel. " + this->Masks.GetError());
   }

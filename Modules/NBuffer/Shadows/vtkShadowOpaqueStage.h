@@ -103,8 +103,6 @@ private:
   vtkShadowDebugView DebugView;
   vtkShadowFrameKey Key; ///< The key of the frame that the masks belong to.
   vtkShadowStatistics Statistics;
-  int FailedFrames = 0; ///< See vtkShadowStatistics::FailedFrames.
-  int PixelFrames = 0;  ///< See vtkShadowStatistics::PixelFrames.
   bool HasWarned = false;
   bool HasWarnedOfSamples = false;
   vtkOpenGLRenderWindow* Window = nullptr; ///< The window that the OpenGL objects belong to.
