@@ -91,7 +91,6 @@ void vtkShadowTopology::Build(
     if (!std::all_of(corners, corners + 3, isUsable) || isSame(0, 1) || isSame(1, 2) ||
       isSame(2, 0))
     {
-      ++this->Degenerates;
       continue;
     }
     for (int i = 0; i < 3; ++i)

@@ -21,7 +21,7 @@
  *       \|/
  *        1
  *
- * Two kinds of triangles are left out and counted: those that use a merged point twice (they have
+ * Two kinds of triangles are left out: those that use a merged point twice (they have
  * no area, and their edges cancel), and those with a coordinate that is not finite.
  *
  * The topology depends only on the coordinates before any matrix is applied, so it is built once
@@ -65,8 +65,8 @@ public:
 
   /**
    * Builds the topology. `triangles` holds three indices into `points` for each triangle, for at
-   * most 2^31 / 3 triangles. A triangle with an index out of range is left out and counted like
-   * one with a coordinate that is not finite.
+   * most 2^31 / 3 triangles. A triangle with an index out of range is left out like one
+   * with a coordinate that is not finite.
    */
   void Build(const vtkShadowPoints& points, const std::vector<vtkIdType>& triangles);
 
@@ -88,9 +88,6 @@ public:
   /// is connected by edges.
   const std::vector<int>& GetComponents() const { return this->Components; }
   int GetNumberOfComponents() const { return this->NumberOfComponents; }
-
-  /// The number of triangles that were left out because they have no area or no finite coordinates.
-  vtkIdType GetNumberOfDegenerates() const { return this->Degenerates; }
 
   /**
    * Returns true if every edge has as many uses along it (+1) as against it (-1). Then the surface
@@ -117,7 +114,6 @@ private:
   std::vector<Use> Uses;
   std::vector<int> Components;
   int NumberOfComponents = 0;
-  vtkIdType Degenerates = 0;
   bool Closed = false;
   bool Convex = false;
 };
