@@ -102,14 +102,14 @@ vtkNBufferDecision vtkNBufferBackend::Build(Kind wanted, const Job& job, std::st
   return vtkNBufferDecision::None;
 }
 
-void vtkNBufferBackend::Merge(vtkNBufferBaseMerger& shared, const Job& job)
+void vtkNBufferBackend::Merge(const std::function<bool(vtkNBufferLevels&)>& merge, const Job& job)
 {
   const vtkNBufferClock clock;
   vtkNBufferLevels& levels = job.Levels;
   // Levels above 0 are dropped: they may be of this depth alone.
   levels.Allocate(job.Source.Viewport[2], job.Source.Viewport[3], job.Factor, 1,
     vtkNBufferDepthConvention::Farthest);
-  this->IsMerged = shared.Merge(levels);
+  this->IsMerged = merge(levels);
   if (this->IsMerged && this->HasDepth)
   {
     this->MergePixels(levels, { 0, 0, job.Source.Viewport[2], job.Source.Viewport[3] });

@@ -28,25 +28,13 @@
 #include "vtkNew.h"
 #include "vtkType.h"
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
-
-/**
- * Whoever knows of depth that has not been drawn here, but will be nearer in the picture.
- */
-class vtkNBufferBaseMerger
-{
-public:
-  /// Make the texels of level 0 nearer where that is known. Returns whether it made one nearer.
-  virtual bool Merge(vtkNBufferLevels& base) = 0;
-
-protected:
-  ~vtkNBufferBaseMerger() = default;
-};
 
 class vtkNBufferBackend
 {
@@ -79,10 +67,12 @@ public:
   vtkNBufferDecision Build(Kind wanted, const Job& job, std::string& why);
 
   /**
-   * After Build(): let `shared` merge what else is known of the depth into level 0, and build the
-   * levels of `job` from it. GetDepth() then returns an image into which level 0 is merged, too.
+   * After Build(): let merge(levels) make the texels of level 0 nearer where it knows of depth that
+   * has not been drawn here, but will be nearer in the picture, and build the levels of `job` from
+   * it. merge() returns whether it made one nearer. GetDepth() then returns an image into which
+   * level 0 is merged, too.
    */
-  void Merge(vtkNBufferBaseMerger& shared, const Job& job);
+  void Merge(const std::function<bool(vtkNBufferLevels&)>& merge, const Job& job);
 
   /**
    * The depth image from which Build() made the levels of `job`: the farthest sample of each pixel

@@ -105,7 +105,9 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
   {
     this->Settings.Shared->GetReport().Step = source.GetStep();
     const int hidden = isTrial ? this->CountHidden(places) : 0;
-    this->Backend.Merge(*this->Settings.Shared, this->GetJob(levels));
+    this->Backend.Merge([this](vtkNBufferLevels& base)
+      { return this->Settings.Shared->Merge(base); },
+      this->GetJob(levels));
     if (isTrial)
     {
       this->Settings.Shared->SetGain(std::max(this->CountHidden(places) - hidden, 0));

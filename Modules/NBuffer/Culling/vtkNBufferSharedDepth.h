@@ -46,7 +46,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
 
-class vtkNBufferSharedDepth : public vtkNBufferBaseMerger
+class vtkNBufferSharedDepth
 {
 public:
   /// Writes the minima over all ranks of so many floats; see vtkNBufferDepthExchange.
@@ -102,7 +102,7 @@ public:
    * Join an exchange with level 0 of this rank's depth, if one is left, and merge into level 0 what
    * the exchanges of this frame have brought. Returns whether that made a texel nearer.
    */
-  bool Merge(vtkNBufferLevels& base) override;
+  bool Merge(vtkNBufferLevels& base);
 
   /// Join the exchanges that are left, and end the frame. The window's context must be current.
   void EndFrame(vtkRenderer* renderer, const Layout& layout);
