@@ -2,36 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferScissor.h"
 
-#include "vtkNBufferGL.h"
-
 #include <algorithm>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace vtkNBufferGL
 {
 ScopedScissor::ScopedScissor()
-  : Enabled(glIsEnabled(GL_SCISSOR_TEST))
 {
-  int box[4];
-  glGetIntegerv(GL_VIEWPORT, box);
-  this->Viewport = { box[0], box[1], box[0] + box[2], box[1] + box[3] };
-  glGetIntegerv(GL_SCISSOR_BOX, this->Box);
-  this->Outer = this->Viewport;
-  if (this->Enabled)
+  const auto getBox = [](GLenum name)
   {
-    this->Outer = this->Viewport.GetIntersection(
-      { this->Box[0], this->Box[1], this->Box[0] + this->Box[2], this->Box[1] + this->Box[3] });
+    int box[4];
+    glGetIntegerv(name, box);
+    return vtkNBufferRectangle{ box[0], box[1], box[0] + box[2], box[1] + box[3] };
+  };
+  const vtkNBufferRectangle before = getBox(GL_SCISSOR_BOX);
+  this->AtEnd([before] { glScissor(before.X0, before.Y0, before.GetWidth(), before.GetHeight()); });
+  this->Viewport = this->Outer = getBox(GL_VIEWPORT);
+  if (glIsEnabled(GL_SCISSOR_TEST))
+  {
+    this->Outer = this->Viewport.GetIntersection(before);
+    return;
   }
+  this->AtEnd([] { glDisable(GL_SCISSOR_TEST); });
   glEnable(GL_SCISSOR_TEST);
-}
-
-ScopedScissor::~ScopedScissor()
-{
-  glScissor(this->Box[0], this->Box[1], this->Box[2], this->Box[3]);
-  if (!this->Enabled)
-  {
-    glDisable(GL_SCISSOR_TEST);
-  }
 }
 
 void ScopedScissor::Set(const vtkNBufferRectangle& pixels) const

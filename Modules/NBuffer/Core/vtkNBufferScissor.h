@@ -7,6 +7,7 @@
 #ifndef vtkNBufferScissor_h
 #define vtkNBufferScissor_h
 
+#include "vtkNBufferGL.h"
 #include "vtkNBufferMath.h"
 #include "vtkNBufferModule.h" // For export macro
 
@@ -20,23 +21,18 @@ namespace vtkNBufferGL
  * guarantees that the fragments inside are the same as without a rectangle (OpenGL 4.6, appendix
  * A.3, rule 2: scissor parameters).
  */
-class VTKNBUFFER_EXPORT ScopedScissor
+class VTKNBUFFER_EXPORT ScopedScissor : public Scope
 {
 public:
   ScopedScissor();
-  ~ScopedScissor();
-  ScopedScissor(const ScopedScissor&) = delete;
-  void operator=(const ScopedScissor&) = delete;
 
   /// Set the rectangle, in pixels of the viewport that was set when the scope began. The renderer's
   /// own scissor box, if there is one, still applies.
   void Set(const vtkNBufferRectangle& pixels) const;
 
 private:
-  bool Enabled;
   vtkNBufferRectangle Viewport;
   vtkNBufferRectangle Outer; ///< Where drawing was allowed before, in framebuffer pixels.
-  int Box[4] = {};           ///< The scissor box before: x, y, width, height.
 };
 
 /// Call draw() once for each region (in pixels of the viewport), and restrict it to that region. If
