@@ -4,7 +4,8 @@
 """Summarises the test runs of one or more builds; the last line is "N passed, N failed, N skipped".
 
 That line counts each case once, on however many windows and VTKs it ran; the line before says on
-which ones. In each folder are
+which ones. A test of ctest that runs several cases of GoogleTest (Testing/AddCases.cmake) counts as
+these: its filter names them, and what it prints says what came of each. In each folder are
 
     test-list.json      what ctest lists (ctest --show-only=json-v1)
     test-results.xml    what ctest ran (ctest --output-junit)
@@ -39,6 +40,10 @@ import xml.etree.ElementTree
 PASSED, FAILED, SKIPPED = "passed", "failed", "skipped"
 # Drawn anew each time ctest is started, for a list too.
 SEED = re.compile(r"\.seed_\d+")
+FILTER = "--gtest_filter="
+# What GoogleTest prints when a case begins or ends.
+GOOGLE = re.compile(r"\[ +(RUN|OK|FAILED|SKIPPED) +\] ([^\s,]+)")
+NO_REASON = "was skipped without a reason"
 #: Lines of a failed test that are repeated.
 LAST_LINES = 30
 
@@ -59,19 +64,38 @@ class Build:
         results = self.read(folder / "test-results.xml", xml.etree.ElementTree.fromstring)
         #: (case, window) -> the program of GoogleTest, or ""
         self.listed = {}
+        #: name of a test -> the names of GoogleTest's cases that it runs
+        cases = {}
         for test in listed["tests"]:
             command = test.get("command") or [""]
-            google = any(word.startswith("--gtest_filter=") for word in command)
-            self.listed[self.split(test["name"])] = command[0] if google else ""
+            names = [word[len(FILTER):] for word in command if word.startswith(FILTER)]
+            window = self.split(test["name"])[1]
+            if names:
+                cases[test["name"]] = names[0].split(":")
+                label = test["name"].split(".")[0]
+                for name in cases[test["name"]]:
+                    self.listed[f"{label}.{name}", window] = command[0]
+            else:
+                self.listed[self.split(test["name"])] = ""
         #: (case, window) -> (outcome, reason)
         self.ran = {}
         #: A failed test's name, with window and seed -> the end of what it printed
         self.printed = {}
-        for case in results.iter("testcase") if results is not None else ():
-            outcome = self.ran[self.split(case.get("name"))] = classify(case)
-            if outcome[0] == FAILED:
-                text = case.findtext("system-out") or ""
-                self.printed[case.get("name")] = text.splitlines()[-LAST_LINES:]
+        for test in results.iter("testcase") if results is not None else ():
+            name = test.get("name")
+            outcome, lines = classify(test), (test.findtext("system-out") or "").splitlines()
+            if name not in cases:
+                self.add(self.split(name), name, outcome, lines)
+                continue
+            label, window = name.split(".")[0], self.split(name)[1]
+            for case, (result, printed) in split_cases(cases[name], outcome, lines).items():
+                self.add((f"{label}.{case}", window), f"{label}.{case} in {name}", result, printed)
+
+    def add(self, key, name, outcome, lines):
+        """Takes down what came of a run of a case."""
+        self.ran[key] = outcome
+        if outcome[0] == FAILED:
+            self.printed[name] = lines[-LAST_LINES:]
 
     def read(self, path, parse):
         try:
@@ -86,9 +110,40 @@ class Build:
         return (case, window) if window in self.windows else (SEED.sub("", name), "")
 
 
-def skip_reason(case):
+def end_of_case(word, lines):
+    """The outcome and the reason of a case of GoogleTest."""
+    if word != "SKIPPED":
+        return PASSED if word == "OK" else FAILED, ""
+    reason = skip_reason(lines)
+    return (SKIPPED, reason) if reason else (FAILED, NO_REASON)
+
+
+def split_cases(names, outcome, lines):
+    """case -> (outcome with reason, lines printed) of a process that runs cases of GoogleTest."""
+    if outcome[0] == SKIPPED and not any(GOOGLE.match(line) for line in lines):
+        # There is no window.
+        return {name: (outcome, lines) for name in names}
+    printed, found = {name: [] for name in names}, {}
+    current = None
+    for line in lines:
+        # A case may print no newline before its last line.
+        match = GOOGLE.search(line)
+        if match and match[1] == "RUN":
+            current = match[2]
+        elif match and match[2] == current:
+            found[current] = end_of_case(match[1], printed.get(current, []))
+            current = None
+        elif current in printed:
+            printed[current].append(line)
+    ends = {name: found.get(name, (FAILED, outcome[1] or "did not end")) for name in names}
+    if outcome[0] == FAILED and FAILED not in (end[0] for end in ends.values()):
+        # The process has failed after its last case.
+        return {name: (outcome, lines) for name in names}
+    return {name: (ends[name], printed[name]) for name in names}
+
+
+def skip_reason(lines):
     """From the line "SKIPPED: reason" that a test prints, or what GoogleTest makes of it."""
-    lines = (case.findtext("system-out") or "").splitlines()
     for line in lines:
         found = re.search(r"skipped: (.*\S)", line, re.IGNORECASE)
         if found:
@@ -109,8 +164,8 @@ def classify(case):
     message = skipped.get("message", "")
     if not message.startswith("SKIP_"):
         return FAILED, message or "did not run"
-    reason = skip_reason(case)
-    return (SKIPPED, reason) if reason else (FAILED, "was skipped without a reason")
+    reason = skip_reason((case.findtext("system-out") or "").splitlines())
+    return (SKIPPED, reason) if reason else (FAILED, NO_REASON)
 
 
 def gaps(builds):

@@ -33,8 +33,11 @@ run_tests() {
   rm -f "$folder/test-results.xml"
   ctest --test-dir "$folder" --build-config Release --show-only=json-v1 \
     "${ctest_arguments[@]}" >"$folder/test-list.json" || nbuffer_fail "ctest lists no tests"
+  # The summary reads all that tests print.
   "$@" --test-dir "$folder" --build-config Release --parallel 2 --output-on-failure \
-    --output-junit "$folder/test-results.xml" "${ctest_arguments[@]}" || status=$?
+    --output-junit "$folder/test-results.xml" \
+    --test-output-size-passed 10000000 --test-output-size-failed 10000000 \
+    "${ctest_arguments[@]}" || status=$?
 }
 ctest_arguments=("$@")
 

@@ -21,8 +21,26 @@ OLD = ("9.1.0", ["x"])
 
 
 def listed(name):
-    program = f"bin/nbuffer-{name.split('.')[0]}-tests"
-    return {"name": name, "command": [program, "--gtest_filter=x"]}
+    """A test of ctest: the fuzzer, or a program of GoogleTest that runs the cases after the colon or
+    the one of the test's own name."""
+    name, _, cases = name.partition(": ")
+    label, _, own = name.partition(".")
+    if label == "fuzz":
+        return {"name": name, "command": ["bin/nbuffer-fuzz"]}
+    for window in NEW[1] + OLD[1]:
+        own = own.removesuffix(f".{window}")
+    return {"name": name,
+            "command": [f"bin/nbuffer-{label}-tests", f"--gtest_filter={cases or own}"]}
+
+
+def printed(case, end="OK", *lines):
+    """What GoogleTest prints of a case, one that does not end if the end is empty."""
+    return "".join(f"{line}\n" for line in [
+        f"[ RUN      ] {case}", *lines, *([f"[ {end} ] {case} (3 ms)"] if end else [])])
+
+
+def prints(*texts):
+    return f"<system-out>{''.join(texts)}</system-out>"
 
 
 class SummarizeTests(unittest.TestCase):
@@ -37,11 +55,14 @@ class SummarizeTests(unittest.TestCase):
                 folders.append(str(folder))
                 (folder / "test-build.json").write_text(json.dumps(
                     {"vtk": vtk, "windows": windows, **(about[0] if about else {})}))
-                (folder / "test-list.json").write_text(json.dumps(
-                    {"tests": [listed(name) for name in names]}))
+                tests = [listed(name) for name in names]
+                (folder / "test-list.json").write_text(json.dumps({"tests": tests}))
+                # Where nothing else is given, all cases of a test have passed.
+                passed = {test["name"]: prints(*map(printed, test["command"][1].split("=")[1].split(":")))
+                          for test in tests if len(test["command"]) > 1}
                 cases = "".join(
-                    f"<testcase name={xml.sax.saxutils.quoteattr(name)} status=\"run\">{inner}</testcase>"
-                    for name, inner in ran.items())
+                    f"<testcase name={xml.sax.saxutils.quoteattr(name)} status=\"run\">"
+                    f"{inner or passed.get(name, '')}</testcase>" for name, inner in ran.items())
                 (folder / "test-results.xml").write_text(f"<testsuite>{cases}</testsuite>")
             sys.argv = ["summarize_tests.py", *folders, *options]
             with contextlib.redirect_stdout(io.StringIO()) as output:
@@ -73,11 +94,11 @@ class SummarizeTests(unittest.TestCase):
 
     def test_skipped_with_a_reason(self):
         names = ["image.A.B.osmesa", "image.A.B.egl", "unit.C.D"]
-        skip = SKIP + "<system-out>a.cxx:3: Skipped\nno EGL\n</system-out>"
+        skip = SKIP + prints("a.cxx:3: Skipped\nno EGL\n")
         lines = self.good((NEW, names, {names[0]: "", names[1]: skip, names[2]: ""}),
                           last="2 passed, 0 failed, 0 skipped")
         self.assertIn("skipped: image.A.B (VTK 9.7.0, egl): no EGL", lines)
-        skip = SKIP + "<system-out>SKIPPED: no window\n</system-out>"
+        skip = SKIP + prints("SKIPPED: no window\n")
         self.good((NEW, names, {names[0]: skip, names[1]: skip, names[2]: ""}),
                   last="1 passed, 0 failed, 1 skipped")
 
@@ -118,11 +139,38 @@ class SummarizeTests(unittest.TestCase):
 
     def test_end_of_what_a_failed_test_printed(self):
         text = "\n".join(["begin", *("frame" for _ in range(summarize_tests.LAST_LINES)), "bytes differ"])
-        failed = f"<failure/><system-out>{text}</system-out>"
+        failed = f"<failure/>{prints(text)}"
         build = (NEW, ["fuzz.fresh.seed_12", "unit.C.D"], {"fuzz.fresh.seed_98": failed, "unit.C.D": ""})
         for words in "end of what fuzz.fresh.seed_98 printed (VTK 9.7.0):", "bytes differ":
             self.bad(build, last="1 passed, 1 failed, 0 skipped", words=words)
         self.assertNotIn("begin", self.run_on(build)[1])
+
+    def test_cases_in_one_process(self):
+        name = "image.A.osmesa"
+        names = [f"{name}: A.B:A.C", "image.A.2.osmesa: A.D"]
+        lines = self.good((NEW, names, {name: "", "image.A.2.osmesa": ""}),
+                          last="3 passed, 0 failed, 0 skipped")
+        self.assertEqual(lines[-2], "3 cases in 3 runs: VTK 9.7.0 (osmesa, egl)")
+        one = (NEW, names[:1])
+        skipped = printed("A.C", "SKIPPED", "a.cxx:3: Skipped", "no OpenGL 4")
+        self.assertIn("skipped: image.A.C (VTK 9.7.0, osmesa): no OpenGL 4",
+                      self.good((*one, {name: prints(printed("A.B"), skipped)}),
+                                last="1 passed, 0 failed, 1 skipped"))
+        for end in "FAILED", "":
+            text = printed("A.B") + printed("A.C", end, "bytes differ")
+            build = (*one, {name: f"<failure/>{prints(text)}"})
+            self.bad(build, last="1 passed, 1 failed, 0 skipped", words="failed: image.A.C (VTK 9.7.0, osmesa)")
+            self.bad(build, last="1 passed, 1 failed, 0 skipped", words="bytes differ")
+
+    def test_process_of_several_cases(self):
+        name = "image.A.osmesa"
+        for inner in (f"<failure/>{prints(printed('A.B'), printed('A.C'))}",
+                      '<skipped message="Unable to find executable"/>'):
+            self.bad((NEW, [f"{name}: A.B:A.C"], {name: inner}),
+                     last="0 passed, 2 failed, 0 skipped", words="failed: image.A.B (VTK 9.7.0, osmesa)")
+        # It ends well without having run all of its cases.
+        self.bad((NEW, [f"{name}: A.B:A.C"], {name: prints(printed("A.B"))}),
+                 last="1 passed, 1 failed, 0 skipped", words="image.A.C (VTK 9.7.0, osmesa): did not end")
 
     def test_nothing_ran(self):
         self.bad((NEW, [], {}), last="0 passed, 0 failed, 0 skipped", words="no test passed")

@@ -30,17 +30,11 @@
 #include <vector>
 
 using LargeProps::AddWalls;
+using LargeProps::MakeOptionsWithoutDraws;
 using LargeProps::Walk;
 
 namespace
 {
-ComparisonOptions MakeOptions()
-{
-  ComparisonOptions options = LargeProps::MakeOptions();
-  options.CompareDraws = false; // A mapper of blocks of which none is drawn announces nothing.
-  return options;
-}
-
 using Blocks = vtkSmartPointer<vtkMultiBlockDataSet>;
 
 /// How the n-th block is changed before it is added.
@@ -151,12 +145,7 @@ void AddBlocks(Stage& stage, vtkDataObject* blocks)
   stage.GetActor(static_cast<int>(stage.Props.size()) - 1)->SetMapper(mapper);
 }
 
-struct Composite : NamedCase
-{
-  std::function<void(Stage&)> Build;
-};
-
-const Composite Cases[] = {
+const LargeProps::Case Cases[] = {
   { "City", [](Stage& stage) { AddBlocks(stage, MakeCity(14)); } },
   { "CellColors", [](Stage& stage) { AddBlocks(stage, MakeCity(14, ColorCells)); } },
   { "DifferentArrays",
@@ -235,7 +224,7 @@ const Composite Cases[] = {
 };
 }
 
-class CullerBlocks : public testing::TestWithParam<Composite>
+class CullerBlocks : public testing::TestWithParam<LargeProps::Case>
 {
 };
 INSTANTIATE_TEST_SUITE_P(Each, CullerBlocks, testing::ValuesIn(Cases), GetCaseName);
@@ -244,28 +233,15 @@ INSTANTIATE_TEST_SUITE_P(Each, CullerBlocks, testing::ValuesIn(Cases), GetCaseNa
 // not put back into the mapper.
 TEST_P(CullerBlocks, SameImage)
 {
-  for (const int samples : { 0, 4 })
-  {
-    ComparisonOptions options = MakeOptions();
-    options.MultiSamples = samples;
-    options.CompareDepth = samples == 0;
-    Comparison comparison(
-      [this](Stage& stage)
-      {
-        this->GetParam().Build(stage);
-        stage.GetRenderer()->SetBackground(0.2, 0.3, 0.4);
-      },
-      options);
-    const LargeProps::Units units = LargeProps::CompareWalk(
-      comparison, [](vtkRenderer* renderer, int frame) { Walk(renderer, frame); });
-    EXPECT_GT(units.Hidden, 40);
-    EXPECT_GT(units.Fresh, 10) << "blocks that come into view are drawn late";
-    // The mapper names all blocks as drawn.
-    std::vector<std::size_t> listed;
-    comparison.Both(
-      [&listed](Stage& stage) { listed.push_back(GetMapper(stage)->GetRenderedList().size()); });
-    EXPECT_EQ(listed.at(0), listed.at(1));
-  }
+  LargeProps::CompareWalks(this->GetParam().Build, MakeOptionsWithoutDraws(), 8, Walk, { 40, 10 },
+    [](Comparison& comparison)
+    {
+      // The mapper names all blocks as drawn.
+      std::vector<std::size_t> listed;
+      comparison.Both(
+        [&listed](Stage& stage) { listed.push_back(GetMapper(stage)->GetRenderedList().size()); });
+      EXPECT_EQ(listed.at(0), listed.at(1));
+    });
 }
 
 // Hazard: VTK scales the vertices of all blocks together, those that are switched off as well. Far
@@ -282,9 +258,8 @@ TEST(CullerBlocksRounding, CountsInvisibleBlocks)
       GetMapper(stage)->SetBlockVisibility(city->GetNumberOfBlocks(), false);
       AddWalls(stage);
     },
-    MakeOptions());
-  LargeProps::CompareWalk(
-    comparison, [](vtkRenderer* renderer, int frame) { Walk(renderer, frame); });
+    MakeOptionsWithoutDraws());
+  LargeProps::CompareWalk(comparison, Walk);
 }
 
 // Hazard: blocks of equal depth, of which the last one in VTK's order has to stay.
@@ -312,7 +287,7 @@ TEST(CullerBlocksTies, LastOneStays)
       stage.GetActor(0)->GetProperty()->LightingOff();
       Scenes::AddQuad(stage, 0, 0, 120, 173, 50.0); // the door
     },
-    MakeOptions());
+    MakeOptionsWithoutDraws());
   int fresh = 0;
   int queries = 0;
   for (int i = 0; i < 30; ++i)
@@ -328,12 +303,6 @@ TEST(CullerBlocksTies, LastOneStays)
 //------------------------------------------------------------------------------------------------
 namespace
 {
-struct Change : NamedCase
-{
-  Comparison::Change Apply;
-  bool IsDividedAfterwards = true;
-};
-
 /// Move points without a newer time of the tree of blocks.
 void Move(Stage& stage, unsigned int n, const glm::dvec3& by)
 {
@@ -341,7 +310,7 @@ void Move(Stage& stage, unsigned int n, const glm::dvec3& by)
   GetBlock(stage, n)->Modified();
 }
 
-const Change Changes[] = {
+const LargeProps::Change Changes[] = {
   { "Points",
     [](Stage& stage)
     {
@@ -410,7 +379,7 @@ const Change Changes[] = {
 };
 }
 
-class CullerBlocksChanges : public testing::TestWithParam<Change>
+class CullerBlocksChanges : public testing::TestWithParam<LargeProps::Change>
 {
 };
 INSTANTIATE_TEST_SUITE_P(Each, CullerBlocksChanges, testing::ValuesIn(Changes), GetCaseName);
@@ -424,17 +393,8 @@ TEST_P(CullerBlocksChanges, SameImage)
       AddBlocks(stage, MakeCity(14));
       AddWalls(stage);
     },
-    MakeOptions());
-  for (int i = 0; i < 4; ++i)
-  {
-    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-  }
-  EXPECT_GT(comparison.GetStatistics().Units, 0);
-  comparison.Frame("changed", this->GetParam().Apply);
-  for (int i = 4; i < 10; ++i)
-  {
-    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-  }
+    MakeOptionsWithoutDraws());
+  LargeProps::CompareChange(comparison, this->GetParam().Apply, Walk);
   EXPECT_EQ(comparison.GetStatistics().Units > 0, this->GetParam().IsDividedAfterwards);
 }
 
@@ -455,7 +415,7 @@ TEST(CullerBlocksChanges, AreNoticedWhileNothingIsDrawn)
         }
         Scenes::AddBox(stage, 0.0, 0.0, 0.0, 2.0, 2.0, 2.0);
       },
-      MakeOptions());
+      MakeOptionsWithoutDraws());
     for (int i = 0; i < 6; ++i)
     {
       comparison.Frame(
@@ -481,10 +441,7 @@ TEST(CullerBlocksChanges, AreNoticedWhileNothingIsDrawn)
 // Hazard: the list of the culler is used for selections, or hidden blocks cannot be picked.
 TEST(CullerBlocksPicking, SameBlocks)
 {
-  Comparison comparison([](Stage& stage) { AddBlocks(stage, MakeCity(14)); }, MakeOptions());
-  for (int i = 0; i < 6; ++i)
-  {
-    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-    LargeProps::ExpectSamePicks(comparison);
-  }
+  Comparison comparison(
+    [](Stage& stage) { AddBlocks(stage, MakeCity(14)); }, MakeOptionsWithoutDraws());
+  LargeProps::ComparePicks(comparison, Walk);
 }

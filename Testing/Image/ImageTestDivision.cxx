@@ -24,6 +24,7 @@
 #include <numeric>
 #include <random>
 
+using LargeProps::AddRandomArray;
 using LargeProps::AddWalls;
 using LargeProps::MakeOptions;
 using LargeProps::Walk;
@@ -47,14 +48,9 @@ vtkSmartPointer<vtkPolyData> MakeCity(int count)
   }
   append->Update();
   vtkSmartPointer<vtkPolyData> data = append->GetOutput();
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetName("colors");
-  colors->SetNumberOfComponents(3);
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
-    colors->InsertNextTuple3(random() % 256, random() % 256, random() % 256);
-  }
-  data->GetPointData()->SetScalars(colors);
+  vtkPointData* values = data->GetPointData();
+  values->SetScalars(AddRandomArray<vtkUnsignedCharArray>(
+    values, data->GetNumberOfPoints(), "colors", 3, 0.0, 256.0));
   return data;
 }
 
@@ -93,17 +89,12 @@ vtkSmartPointer<vtkPolyData> MakePoints(vtkPolyData* data)
 /// The mesh with a color for each cell instead of each point.
 vtkSmartPointer<vtkPolyData> ColorCells(vtkPolyData* data)
 {
-  std::minstd_rand random(17);
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetNumberOfComponents(3);
-  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
-  {
-    colors->InsertNextTuple3(random() % 256, random() % 256, random() % 256);
-  }
   auto result = vtkSmartPointer<vtkPolyData>::New();
   result->ShallowCopy(data);
   result->GetPointData()->SetScalars(nullptr);
-  result->GetCellData()->SetScalars(colors);
+  vtkCellData* values = result->GetCellData();
+  values->SetScalars(AddRandomArray<vtkUnsignedCharArray>(
+    values, data->GetNumberOfCells(), "cell colors", 3, 0.0, 256.0));
   return result;
 }
 
@@ -145,12 +136,7 @@ void AddTranslucentCity(Stage& stage, vtkPolyData* city)
   AddWalls(stage);
 }
 
-struct Large : NamedCase
-{
-  std::function<void(Stage&)> Build;
-};
-
-const Large Cases[] = {
+const LargeProps::Case Cases[] = {
   { "City", [](Stage& stage) { stage.AddActor(MakeCity(14), White); } },
   { "CityShuffled", [](Stage& stage) { stage.AddActor(Shuffle(MakeCity(14)), White); } },
   { "CityAndWalls",
@@ -272,7 +258,7 @@ const Large Cases[] = {
 };
 }
 
-class CullerDivision : public testing::TestWithParam<Large>
+class CullerDivision : public testing::TestWithParam<LargeProps::Case>
 {
 };
 INSTANTIATE_TEST_SUITE_P(Each, CullerDivision, testing::ValuesIn(Cases), GetCaseName);
@@ -281,28 +267,15 @@ INSTANTIATE_TEST_SUITE_P(Each, CullerDivision, testing::ValuesIn(Cases), GetCase
 // fresh units that are drawn over what comes after them.
 TEST_P(CullerDivision, SameImage)
 {
-  for (const int samples : { 0, 4 })
-  {
-    ComparisonOptions options = MakeOptions();
-    options.MultiSamples = samples;
-    options.CompareDepth = samples == 0;
-    Comparison comparison(
-      [this](Stage& stage)
-      {
-        this->GetParam().Build(stage);
-        stage.GetRenderer()->SetBackground(0.2, 0.3, 0.4);
-      },
-      options);
-    const LargeProps::Units units = LargeProps::CompareWalk(
-      comparison, [](vtkRenderer* renderer, int frame) { Walk(renderer, frame); });
-    EXPECT_GT(units.Hidden, 15);
-    EXPECT_GT(units.Fresh, 10) << "units that come into view are drawn late";
-    // Nothing changes: the units of the last test are drawn again.
-    comparison.Frame("still");
-    EXPECT_EQ(comparison.GetDecision(), Decision::Still);
-    EXPECT_GT(comparison.GetStatistics().Units, 0);
-    comparison.Frame("still");
-  }
+  LargeProps::CompareWalks(this->GetParam().Build, MakeOptions(), 8, Walk, { 15, 10 },
+    [](Comparison& comparison)
+    {
+      // Nothing changes: the units of the last test are drawn again.
+      comparison.Frame("still");
+      EXPECT_EQ(comparison.GetDecision(), Decision::Still);
+      EXPECT_GT(comparison.GetStatistics().Units, 0);
+      comparison.Frame("still");
+    });
 }
 
 class CullerDivisionTies : public testing::TestWithParam<bool>
@@ -368,18 +341,12 @@ TEST_P(CullerDivisionTies, LastOneStays)
 //------------------------------------------------------------------------------------------------
 namespace
 {
-struct Change : NamedCase
-{
-  Comparison::Change Apply;
-  bool IsDividedAfterwards = true;
-};
-
 vtkPolyData* GetData(Stage& stage)
 {
   return vtkPolyData::SafeDownCast(stage.GetActor(0)->GetMapper()->GetInputDataObject(0, 0));
 }
 
-const Change Changes[] = {
+const LargeProps::Change Changes[] = {
   { "Points",
     [](Stage& stage)
     {
@@ -465,7 +432,7 @@ const Change Changes[] = {
 };
 }
 
-class CullerDivisionChanges : public testing::TestWithParam<Change>
+class CullerDivisionChanges : public testing::TestWithParam<LargeProps::Change>
 {
 };
 INSTANTIATE_TEST_SUITE_P(Each, CullerDivisionChanges, testing::ValuesIn(Changes), GetCaseName);
@@ -473,25 +440,14 @@ INSTANTIATE_TEST_SUITE_P(Each, CullerDivisionChanges, testing::ValuesIn(Changes)
 // Hazard: units of data, or of a way to draw them, that have changed since.
 TEST_P(CullerDivisionChanges, SameImage)
 {
-  ComparisonOptions options = MakeOptions();
-  options.CompareDraws = false; // The new mapper's are not counted.
   Comparison comparison(
     [](Stage& stage)
     {
       stage.AddActor(MakeCity(14), White);
       AddWalls(stage);
     },
-    options);
-  for (int i = 0; i < 4; ++i)
-  {
-    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-  }
-  EXPECT_GT(comparison.GetStatistics().Units, 0);
-  comparison.Frame("changed", this->GetParam().Apply);
-  for (int i = 4; i < 10; ++i)
-  {
-    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-  }
+    LargeProps::MakeOptionsWithoutDraws()); // The new mapper's are not counted.
+  LargeProps::CompareChange(comparison, this->GetParam().Apply, Walk);
   EXPECT_EQ(comparison.GetStatistics().Units > 0, this->GetParam().IsDividedAfterwards);
 }
 
@@ -549,32 +505,14 @@ TEST_P(CullerDivisionPicking, SameCells)
       stage.AddActor(ofCells ? ColorCells(city) : city, White);
     },
     MakeOptions());
-  for (int i = 0; i < 6; ++i)
-  {
-    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-    EXPECT_TRUE(i < 3 || comparison.GetStatistics().UnitsHidden > 0) << i;
-    LargeProps::ExpectSamePicks(comparison);
-  }
+  LargeProps::ComparePicks(comparison, Walk);
 }
 
 // The setting, and both sides of the size from which on a prop is divided.
 TEST(CullerDivisionSettings, SizeAndSwitch)
 {
   Comparison comparison([](Stage& stage) { stage.AddActor(MakeCity(14), White); }, MakeOptions());
-  const auto frames = [&comparison]()
-  {
-    for (int i = 0; i < 4; ++i)
-    {
-      comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-    }
-    return comparison.GetStatistics().Units;
-  };
-  const int units = frames();
-  EXPECT_EQ(units, (6 * 2 * (14 * 14 + 1) + 7) / 8);
-  comparison.GetCuller()->DividePropsOff();
-  EXPECT_EQ(frames(), 0);
-  comparison.GetCuller()->DividePropsOn();
-  EXPECT_EQ(frames(), units);
+  LargeProps::CompareSwitch(comparison, Walk, (6 * 2 * (14 * 14 + 1) + 7) / 8);
 }
 
 // Hazard: a prop of which everything is seen pays for tests for ever.

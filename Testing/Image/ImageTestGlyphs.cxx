@@ -19,18 +19,18 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <random>
-#include <utility>
+#include <vector>
+
+using LargeProps::AddRandomArray;
+using LargeProps::AddTallWalls;
+using LargeProps::WalkFromOutside;
 
 namespace
 {
 ComparisonOptions MakeOptions(int unitSize = 12)
 {
-  ComparisonOptions options = LargeProps::MakeOptions(unitSize);
-  options.CompareDraws = false; // A mapper of which no instance is drawn announces nothing.
-  return options;
+  return LargeProps::MakeOptionsWithoutDraws(unitSize);
 }
 
 vtkSmartPointer<vtkPolyData> MakeCube(double length, bool withNormals = true)
@@ -48,50 +48,22 @@ vtkSmartPointer<vtkPolyData> MakeCube(double length, bool withNormals = true)
   return data;
 }
 
-/// Give each point a color, a size and a direction.
-void AddArrays(vtkPolyData* data)
-{
-  std::minstd_rand random(3);
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetName("colors");
-  colors->SetNumberOfComponents(3);
-  vtkNew<vtkFloatArray> sizes;
-  sizes->SetName("sizes");
-  vtkNew<vtkFloatArray> directions;
-  directions->SetName("directions");
-  directions->SetNumberOfComponents(3);
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
-    colors->InsertNextTuple3(random() % 256, random() % 256, random() % 256);
-    sizes->InsertNextValue(0.5F + static_cast<float>(random() % 100) / 100.0F);
-    directions->InsertNextTuple3(random() % 100 - 50.0, random() % 100 - 50.0, 7.0);
-  }
-  data->GetPointData()->SetScalars(colors);
-  data->GetPointData()->AddArray(sizes);
-  data->GetPointData()->AddArray(directions);
-}
-
+/// Points with a color, a size and a direction each.
 vtkSmartPointer<vtkPolyData> MakeData(vtkPoints* points)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
-  AddArrays(data);
+  vtkPointData* values = data->GetPointData();
+  const vtkIdType count = points->GetNumberOfPoints();
+  values->SetScalars(AddRandomArray<vtkUnsignedCharArray>(values, count, "colors", 3, 0.0, 256.0));
+  AddRandomArray<vtkFloatArray>(values, count, "sizes", 1, 0.5, 1.5);
+  AddRandomArray<vtkFloatArray>(values, count, "directions", 3, -50.0, 50.0);
   return data;
 }
 
-/// Points at random in a block of 60 x 60 x 8.
 vtkSmartPointer<vtkPolyData> MakeCloud(int count)
 {
-  std::minstd_rand random(5);
-  std::uniform_real_distribution<> uniform(-30.0, 30.0);
-  vtkNew<vtkPoints> points;
-  for (int i = 0; i < count; ++i)
-  {
-    const double x = uniform(random);
-    const double y = uniform(random);
-    points->InsertNextPoint(x, y, 4.0 + uniform(random) / 7.5);
-  }
-  return MakeData(points);
+  return MakeData(LargeProps::MakeCloudPoints(count));
 }
 
 /// Points on a lattice with steps of 2, some of them twice, in no order.
@@ -136,33 +108,17 @@ vtkGlyph3DMapper* AddGlyphs(Stage& stage, vtkPolyData* data, vtkPolyData* source
   return mapper;
 }
 
-void AddWalls(Stage& stage)
-{
-  Scenes::AddBox(stage, 6.0, 2.0, 1.0, 0.3, 22.0, 12.0);
-  Scenes::AddBox(stage, -8.0, 12.0, 1.0, 20.0, 0.3, 12.0);
-}
-
-void Walk(vtkRenderer* renderer, int frame)
-{
-  LargeProps::Walk(renderer, frame, -40.0, 0.13);
-}
-
-struct Glyphs : NamedCase
-{
-  std::function<void(Stage&)> Build;
-};
-
-const Glyphs Cases[] = {
+const LargeProps::Case Cases[] = {
   { "CloudAndWalls",
     [](Stage& stage)
     {
       AddGlyphs(stage, MakeCloud(2500), MakeCube(1.0));
-      AddWalls(stage);
+      AddTallWalls(stage);
     } },
   { "WallsFirst",
     [](Stage& stage)
     {
-      AddWalls(stage);
+      AddTallWalls(stage);
       AddGlyphs(stage, MakeCloud(2500), MakeCube(1.0));
     } },
   { "DenseCloud", [](Stage& stage) { AddGlyphs(stage, MakeCloud(2500), MakeCube(2.5)); } },
@@ -205,10 +161,10 @@ const Glyphs Cases[] = {
   { "LatticeAndWalls",
     [](Stage& stage)
     {
-      AddWalls(stage);
+      AddTallWalls(stage);
       AddGlyphs(stage, MakeLattice(), MakeCube(2.0));
       Scenes::AddBox(stage, 1.0, 1.0, 3.0, 6.0, 6.0, 6.0); // shares planes with the cubes
-      AddWalls(stage);
+      AddTallWalls(stage);
     } },
   { "ScaledAndTurned",
     [](Stage& stage)
@@ -222,7 +178,7 @@ const Glyphs Cases[] = {
       mapper->SetOrientationArray("directions");
       stage.GetActor(0)->RotateZ(20.0);
       stage.GetActor(0)->SetScale(1.0, 0.8, 1.1);
-      AddWalls(stage);
+      AddTallWalls(stage);
     } },
   { "Spheres",
     [](Stage& stage)
@@ -232,7 +188,7 @@ const Glyphs Cases[] = {
       sphere->Update();
       AddGlyphs(stage, MakeCloud(2500), sphere->GetOutput())->SetScaleFactor(2.0);
       GetMapper(stage)->ScalingOn();
-      AddWalls(stage);
+      AddTallWalls(stage);
     } },
   { "ClippingPlane",
     [](Stage& stage)
@@ -240,7 +196,7 @@ const Glyphs Cases[] = {
       vtkNew<vtkPlane> plane;
       plane->SetNormal(0.6, 0.0, 0.8);
       AddGlyphs(stage, MakeCloud(2500), MakeCube(2.0))->AddClippingPlane(plane);
-      AddWalls(stage);
+      AddTallWalls(stage);
     } },
   { "TwoProps",
     [](Stage& stage)
@@ -252,7 +208,7 @@ const Glyphs Cases[] = {
 };
 }
 
-class CullerGlyphs : public testing::TestWithParam<Glyphs>
+class CullerGlyphs : public testing::TestWithParam<LargeProps::Case>
 {
 };
 INSTANTIATE_TEST_SUITE_P(Each, CullerGlyphs, testing::ValuesIn(Cases), GetCaseName);
@@ -261,35 +217,17 @@ INSTANTIATE_TEST_SUITE_P(Each, CullerGlyphs, testing::ValuesIn(Cases), GetCaseNa
 // what comes after them, buffers that stay attached.
 TEST_P(CullerGlyphs, SameImage)
 {
-  for (const auto& [unitSize, samples] : { std::pair(12, 0), std::pair(100, 4) })
-  {
-    ComparisonOptions options = MakeOptions(unitSize);
-    options.MultiSamples = samples;
-    options.CompareDepth = samples == 0;
-    Comparison comparison(
-      [this](Stage& stage)
-      {
-        this->GetParam().Build(stage);
-        stage.GetRenderer()->SetBackground(0.2, 0.3, 0.4);
-      },
-      options);
-    const LargeProps::Units units = LargeProps::CompareWalk(comparison, Walk);
-    EXPECT_GT(units.Hidden, 100);
-    EXPECT_GT(units.Fresh, 10) << "instances that come into view are drawn late";
-    comparison.Frame("still");
-    comparison.Frame("still");
-  }
+  LargeProps::CompareWalks(this->GetParam().Build, MakeOptions(), 100, WalkFromOutside, { 100, 10 },
+    [](Comparison& comparison)
+    {
+      comparison.Frame("still");
+      comparison.Frame("still");
+    });
 }
 
 //------------------------------------------------------------------------------------------------
 namespace
 {
-struct Change : NamedCase
-{
-  Comparison::Change Apply;
-  bool IsDividedAfterwards = true;
-};
-
 vtkPolyData* GetData(Stage& stage)
 {
   return vtkPolyData::SafeDownCast(GetMapper(stage)->GetInputDataObject(0, 0));
@@ -300,7 +238,7 @@ vtkPolyData* GetSource(Stage& stage)
   return vtkPolyData::SafeDownCast(GetMapper(stage)->GetInputDataObject(1, 0));
 }
 
-const Change Changes[] = {
+const LargeProps::Change Changes[] = {
   { "Points",
     [](Stage& stage)
     {
@@ -395,7 +333,7 @@ const Change Changes[] = {
 };
 }
 
-class CullerGlyphsChanges : public testing::TestWithParam<Change>
+class CullerGlyphsChanges : public testing::TestWithParam<LargeProps::Change>
 {
 };
 INSTANTIATE_TEST_SUITE_P(Each, CullerGlyphsChanges, testing::ValuesIn(Changes), GetCaseName);
@@ -407,19 +345,10 @@ TEST_P(CullerGlyphsChanges, SameImage)
     [](Stage& stage)
     {
       AddGlyphs(stage, MakeCloud(2500), MakeCube(2.0));
-      AddWalls(stage);
+      AddTallWalls(stage);
     },
     MakeOptions());
-  for (int i = 0; i < 4; ++i)
-  {
-    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-  }
-  EXPECT_GT(comparison.GetStatistics().Units, 0);
-  comparison.Frame("changed", this->GetParam().Apply);
-  for (int i = 4; i < 10; ++i)
-  {
-    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-  }
+  LargeProps::CompareChange(comparison, this->GetParam().Apply, WalkFromOutside);
   EXPECT_EQ(comparison.GetStatistics().Units > 0, this->GetParam().IsDividedAfterwards);
 }
 
@@ -428,11 +357,7 @@ TEST(CullerGlyphsPicking, SamePoints)
 {
   Comparison comparison(
     [](Stage& stage) { AddGlyphs(stage, MakeCloud(800), MakeCube(2.5)); }, MakeOptions());
-  for (int i = 0; i < 5; ++i)
-  {
-    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-    LargeProps::ExpectSamePicks(comparison);
-  }
+  LargeProps::ComparePicks(comparison, WalkFromOutside);
 }
 
 // The number of units, and the switch.
@@ -440,17 +365,5 @@ TEST(CullerGlyphsSettings, SizeAndSwitch)
 {
   Comparison comparison(
     [](Stage& stage) { AddGlyphs(stage, MakeCloud(1000), MakeCube(2.5)); }, MakeOptions(48));
-  const auto frames = [&comparison]()
-  {
-    for (int i = 0; i < 4; ++i)
-    {
-      comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-    }
-    return comparison.GetStatistics().Units;
-  };
-  EXPECT_EQ(frames(), 1000 / 2);
-  comparison.GetCuller()->DividePropsOff();
-  EXPECT_EQ(frames(), 0);
-  comparison.GetCuller()->DividePropsOn();
-  EXPECT_EQ(frames(), 1000 / 2);
+  LargeProps::CompareSwitch(comparison, WalkFromOutside, 1000 / 2);
 }

@@ -18,43 +18,31 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <functional>
 #include <random>
-#include <utility>
+#include <vector>
+
+using LargeProps::AddRandomArray;
+using LargeProps::AddTallWalls;
+using LargeProps::MakeOptionsWithoutDraws;
+using LargeProps::WalkFromOutside;
 
 namespace
 {
-ComparisonOptions MakeOptions(int unitSize = 8)
-{
-  ComparisonOptions options = LargeProps::MakeOptions(unitSize);
-  options.CompareDraws = false; // A mapper of which no point is drawn announces nothing.
-  return options;
-}
-
 /// Points with a color, a size and an opacity each; with vertices for two of three, if asked for.
 vtkSmartPointer<vtkPolyData> MakeData(vtkPoints* points, bool withVertices)
 {
-  std::minstd_rand random(3);
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetName("colors");
-  colors->SetNumberOfComponents(3);
-  vtkNew<vtkFloatArray> sizes;
-  sizes->SetName("sizes");
-  vtkNew<vtkFloatArray> opacities;
-  opacities->SetName("opacities");
+  vtkPointData* values = data->GetPointData();
+  const vtkIdType count = points->GetNumberOfPoints();
+  values->SetScalars(AddRandomArray<vtkUnsignedCharArray>(values, count, "colors", 3, 0.0, 256.0));
+  AddRandomArray<vtkFloatArray>(values, count, "sizes", 1, 0.1, 0.6);
+  AddRandomArray<vtkFloatArray>(values, count, "opacities", 1, 0.0, 1.0);
   vtkNew<vtkCellArray> vertices;
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  for (vtkIdType i = 0; i < count; ++i)
   {
-    colors->InsertNextTuple3(random() % 256, random() % 256, random() % 256);
-    sizes->InsertNextValue(0.1F + static_cast<float>(random() % 100) / 200.0F);
-    opacities->InsertNextValue(static_cast<float>(random() % 100) / 100.0F);
     vertices->InsertNextCell(1, &i);
   }
-  data->GetPointData()->SetScalars(colors);
-  data->GetPointData()->AddArray(sizes);
-  data->GetPointData()->AddArray(opacities);
   if (withVertices)
   {
     data->SetVerts(vertices);
@@ -62,19 +50,9 @@ vtkSmartPointer<vtkPolyData> MakeData(vtkPoints* points, bool withVertices)
   return data;
 }
 
-/// Points at random in a block of 60 x 60 x 8.
 vtkSmartPointer<vtkPolyData> MakeCloud(int count, bool withVertices = false)
 {
-  std::minstd_rand random(5);
-  std::uniform_real_distribution<> uniform(-30.0, 30.0);
-  vtkNew<vtkPoints> points;
-  for (int i = 0; i < count; ++i)
-  {
-    const double x = uniform(random);
-    const double y = uniform(random);
-    points->InsertNextPoint(x, y, 4.0 + uniform(random) / 7.5);
-  }
-  return MakeData(points, withVertices);
+  return MakeData(LargeProps::MakeCloudPoints(count), withVertices);
 }
 
 /// Points on a lattice with steps of 1, each of them twice, with another color.
@@ -117,33 +95,17 @@ vtkPointGaussianMapper* AddSplats(Stage& stage, vtkPolyData* data)
   return mapper;
 }
 
-void AddWalls(Stage& stage)
-{
-  Scenes::AddBox(stage, 6.0, 2.0, 1.0, 0.3, 22.0, 12.0);
-  Scenes::AddBox(stage, -8.0, 12.0, 1.0, 20.0, 0.3, 12.0);
-}
-
-void Walk(vtkRenderer* renderer, int frame)
-{
-  LargeProps::Walk(renderer, frame, -40.0, 0.13);
-}
-
-struct Splats : NamedCase
-{
-  std::function<void(Stage&)> Build;
-};
-
-const Splats Cases[] = {
+const LargeProps::Case Cases[] = {
   { "CloudAndWalls",
     [](Stage& stage)
     {
       AddSplats(stage, MakeCloud(4000));
-      AddWalls(stage);
+      AddTallWalls(stage);
     } },
   { "WallsFirst",
     [](Stage& stage)
     {
-      AddWalls(stage);
+      AddTallWalls(stage);
       AddSplats(stage, MakeCloud(4000, true));
     } },
   { "LargePoints",
@@ -157,13 +119,13 @@ const Splats Cases[] = {
     {
       AddSplats(stage, MakeLattice());
       Scenes::AddBox(stage, 1.0, 1.0, 0.0, 6.0, 6.0, 6.0); // shares planes with the points
-      AddWalls(stage);
+      AddTallWalls(stage);
     } },
   { "OneColor",
     [](Stage& stage)
     {
       AddSplats(stage, MakeCloud(4000, true))->ScalarVisibilityOff();
-      AddWalls(stage);
+      AddTallWalls(stage);
     } },
   { "ScaledAndTurned",
     [](Stage& stage)
@@ -171,7 +133,7 @@ const Splats Cases[] = {
       AddSplats(stage, MakeCloud(4000));
       stage.GetActor(0)->RotateZ(20.0);
       stage.GetActor(0)->SetScale(1.0, 0.8, 1.1);
-      AddWalls(stage);
+      AddTallWalls(stage);
     } },
   { "ClippingPlane",
     [](Stage& stage)
@@ -179,7 +141,7 @@ const Splats Cases[] = {
       vtkNew<vtkPlane> plane;
       plane->SetNormal(0.6, 0.0, 0.8);
       AddSplats(stage, MakeCloud(4000))->AddClippingPlane(plane);
-      AddWalls(stage);
+      AddTallWalls(stage);
     } },
   // Both mappers have the same buffer, which the other one shifts.
   { "PointsOfAnotherMapper",
@@ -190,19 +152,19 @@ const Splats Cases[] = {
       const double white[3] = { 1.0, 1.0, 1.0 };
       stage.AddActor(data, white);
       stage.GetActor(1)->SetPosition(2.0, 1.0, 0.0);
-      AddWalls(stage);
+      AddTallWalls(stage);
     } },
   { "TwoProps",
     [](Stage& stage)
     {
       AddSplats(stage, MakeLattice());
       AddSplats(stage, MakeLattice());
-      AddWalls(stage);
+      AddTallWalls(stage);
     } },
 };
 }
 
-class CullerSplats : public testing::TestWithParam<Splats>
+class CullerSplats : public testing::TestWithParam<LargeProps::Case>
 {
 };
 INSTANTIATE_TEST_SUITE_P(Each, CullerSplats, testing::ValuesIn(Cases), GetCaseName);
@@ -210,24 +172,13 @@ INSTANTIATE_TEST_SUITE_P(Each, CullerSplats, testing::ValuesIn(Cases), GetCaseNa
 // Hazard: points stick out of their units, or are drawn in another order.
 TEST_P(CullerSplats, SameImage)
 {
-  for (const auto& [unitSize, samples] : { std::pair(8, 0), std::pair(16, 4) })
-  {
-    ComparisonOptions options = MakeOptions(unitSize);
-    options.MultiSamples = samples;
-    options.CompareDepth = samples == 0;
-    Comparison comparison(
-      [this](Stage& stage)
-      {
-        this->GetParam().Build(stage);
-        stage.GetRenderer()->SetBackground(0.2, 0.3, 0.4);
-      },
-      options);
-    const LargeProps::Units units = LargeProps::CompareWalk(comparison, Walk);
-    EXPECT_GT(units.Hidden, 20);
-    EXPECT_GT(units.Fresh, 5) << "units that come into view are drawn late";
-    comparison.Frame("still");
-    comparison.Frame("still");
-  }
+  LargeProps::CompareWalks(this->GetParam().Build, MakeOptionsWithoutDraws(), 16, WalkFromOutside,
+    { 20, 5 },
+    [](Comparison& comparison)
+    {
+      comparison.Frame("still");
+      comparison.Frame("still");
+    });
 }
 
 //------------------------------------------------------------------------------------------------
@@ -342,19 +293,10 @@ TEST_P(CullerSplatsChanges, SameImage)
     [](Stage& stage)
     {
       AddSplats(stage, MakeCloud(4000));
-      AddWalls(stage);
+      AddTallWalls(stage);
     },
-    MakeOptions());
-  for (int i = 0; i < 4; ++i)
-  {
-    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-  }
-  EXPECT_GT(comparison.GetStatistics().Units, 0);
-  comparison.Frame("changed", this->GetParam().Apply);
-  for (int i = 4; i < 10; ++i)
-  {
-    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-  }
+    MakeOptionsWithoutDraws());
+  LargeProps::CompareChange(comparison, this->GetParam().Apply, WalkFromOutside);
   const Outcome outcome = this->GetParam().Afterwards;
   EXPECT_EQ(comparison.GetStatistics().Units > 0, outcome == Outcome::Divided);
   EXPECT_EQ(comparison.GetDecision() == Decision::Blending, outcome == Outcome::Blended);
@@ -391,29 +333,19 @@ TEST(CullerSplatsBlending, InFrontOfWhatTheyHide)
 TEST(CullerSplatsPicking, SamePoints)
 {
   Comparison comparison(
-    [](Stage& stage) { AddSplats(stage, MakeCloud(800, true)); }, MakeOptions());
-  for (int i = 0; i < 5; ++i)
-  {
-    comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-    LargeProps::ExpectSamePicks(comparison);
-  }
+    [](Stage& stage)
+    {
+      AddSplats(stage, MakeCloud(800, true));
+      AddTallWalls(stage);
+    },
+    MakeOptionsWithoutDraws());
+  LargeProps::ComparePicks(comparison, WalkFromOutside);
 }
 
 // The number of units, and the switch.
 TEST(CullerSplatsSettings, SizeAndSwitch)
 {
-  Comparison comparison([](Stage& stage) { AddSplats(stage, MakeCloud(1000)); }, MakeOptions(50));
-  const auto frames = [&comparison]()
-  {
-    for (int i = 0; i < 4; ++i)
-    {
-      comparison.Frame([i](Stage& stage) { Walk(stage.GetRenderer(), i); });
-    }
-    return comparison.GetStatistics().Units;
-  };
-  EXPECT_EQ(frames(), 1000 / 50);
-  comparison.GetCuller()->DividePropsOff();
-  EXPECT_EQ(frames(), 0);
-  comparison.GetCuller()->DividePropsOn();
-  EXPECT_EQ(frames(), 1000 / 50);
+  Comparison comparison(
+    [](Stage& stage) { AddSplats(stage, MakeCloud(1000)); }, MakeOptionsWithoutDraws(50));
+  LargeProps::CompareSwitch(comparison, WalkFromOutside, 1000 / 50);
 }

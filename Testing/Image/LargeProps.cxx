@@ -28,13 +28,42 @@ ComparisonOptions MakeOptions(int unitSize)
   return options;
 }
 
+ComparisonOptions MakeOptionsWithoutDraws(int unitSize)
+{
+  ComparisonOptions options = MakeOptions(unitSize);
+  options.CompareDraws = false;
+  return options;
+}
+
 void AddWalls(Stage& stage)
 {
   Scenes::AddBox(stage, 6.0, 2.0, 1.0, 0.3, 12.0, 6.0);
   Scenes::AddBox(stage, -8.0, 12.0, 1.0, 10.0, 0.3, 6.0);
 }
 
-void Walk(vtkRenderer* renderer, int frame, double start, double above)
+void AddTallWalls(Stage& stage)
+{
+  Scenes::AddBox(stage, 6.0, 2.0, 1.0, 0.3, 22.0, 12.0);
+  Scenes::AddBox(stage, -8.0, 12.0, 1.0, 20.0, 0.3, 12.0);
+}
+
+vtkSmartPointer<vtkPoints> MakeCloudPoints(int count)
+{
+  std::minstd_rand random(5);
+  std::uniform_real_distribution<> uniform(-30.0, 30.0);
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  for (int i = 0; i < count; ++i)
+  {
+    const double x = uniform(random);
+    const double y = uniform(random);
+    points->InsertNextPoint(x, y, 4.0 + uniform(random) / 7.5);
+  }
+  return points;
+}
+
+namespace
+{
+void SetWalkCamera(vtkRenderer* renderer, int frame, double start, double above)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   const double t = 0.3 * frame;
@@ -45,12 +74,31 @@ void Walk(vtkRenderer* renderer, int frame, double start, double above)
   camera->SetClippingRange(0.05, 200.0);
 }
 
-Units CompareWalk(Comparison& comparison, const std::function<void(vtkRenderer*, int)>& walk)
+void CompareFrames(Comparison& comparison, const Path& path, int begin, int end)
+{
+  for (int i = begin; i < end; ++i)
+  {
+    comparison.Frame([&path, i](Stage& stage) { path(stage.GetRenderer(), i); });
+  }
+}
+}
+
+void Walk(vtkRenderer* renderer, int frame)
+{
+  SetWalkCamera(renderer, frame, -20.0, 0.0);
+}
+
+void WalkFromOutside(vtkRenderer* renderer, int frame)
+{
+  SetWalkCamera(renderer, frame, -40.0, 0.13);
+}
+
+Units CompareWalk(Comparison& comparison, const Path& path)
 {
   Units units;
   for (int i = 0; i < 14; ++i)
   {
-    comparison.Frame([&walk, i](Stage& stage) { walk(stage.GetRenderer(), i); });
+    CompareFrames(comparison, path, i, i + 1);
     units.Hidden += comparison.GetStatistics().UnitsHidden;
     units.Fresh += i > 2 ? comparison.GetStatistics().UnitsFresh : 0;
     EXPECT_TRUE(i < 2 || comparison.GetStatistics().Units > 0)
@@ -59,7 +107,50 @@ Units CompareWalk(Comparison& comparison, const std::function<void(vtkRenderer*,
   return units;
 }
 
-void ExpectSamePicks(Comparison& comparison)
+void CompareWalks(const Comparison::Change& build, ComparisonOptions options, int largeUnitSize,
+  const Path& path, const Units& least, const std::function<void(Comparison&)>& afterwards)
+{
+  for (const int samples : { 0, 4 })
+  {
+    options.MultiSamples = samples;
+    options.CompareDepth = samples == 0;
+    if (samples > 0)
+    {
+      options.Tuning.UnitSize = largeUnitSize;
+    }
+    Comparison comparison(
+      [&build](Stage& stage)
+      {
+        build(stage);
+        stage.GetRenderer()->SetBackground(0.2, 0.3, 0.4);
+      },
+      options);
+    const Units units = CompareWalk(comparison, path);
+    EXPECT_GT(units.Hidden, least.Hidden);
+    EXPECT_GT(units.Fresh, least.Fresh) << "units that come into view are drawn late";
+    afterwards(comparison);
+  }
+}
+
+void CompareChange(Comparison& comparison, const Comparison::Change& change, const Path& path)
+{
+  CompareFrames(comparison, path, 0, 4);
+  EXPECT_GT(comparison.GetStatistics().Units, 0);
+  comparison.Frame("changed", change);
+  CompareFrames(comparison, path, 4, 10);
+}
+
+void CompareSwitch(Comparison& comparison, const Path& path, int units)
+{
+  for (const bool divides : { true, false, true })
+  {
+    comparison.GetCuller()->SetDivideProps(divides);
+    CompareFrames(comparison, path, 0, 4);
+    EXPECT_EQ(comparison.GetStatistics().Units, divides ? units : 0);
+  }
+}
+
+static void ExpectSamePicks(Comparison& comparison)
 {
   using Pick = std::pair<int, vtkIdType>; // A block, 0 without composite data, and a cell.
   std::vector<std::vector<Pick>> picked;
@@ -87,5 +178,17 @@ void ExpectSamePicks(Comparison& comparison)
   ASSERT_EQ(picked.size(), 2U);
   EXPECT_GT(picked[0].size(), 0U);
   EXPECT_EQ(picked[0], picked[1]);
+}
+
+void ComparePicks(Comparison& comparison, const Path& path)
+{
+  int hidden = 0;
+  for (int i = 0; i < 6; ++i)
+  {
+    CompareFrames(comparison, path, i, i + 1);
+    hidden += comparison.GetStatistics().UnitsHidden;
+    ExpectSamePicks(comparison);
+  }
+  EXPECT_GT(hidden, 0);
 }
 }

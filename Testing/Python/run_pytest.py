@@ -26,7 +26,7 @@ def make_environment(folder):
         subprocess.run([sys.executable, "-m", "venv", "--clear", "--system-site-packages", folder],
                        check=True)
         done = subprocess.run([python, "-m", "pip", "install", "--quiet", "--no-deps",
-                               "--only-binary=:all:", "--require-hashes", "-r", REQUIREMENTS])
+                               "--no-compile", "--only-binary=:all:", "--require-hashes", "-r", REQUIREMENTS])
         if done.returncode == 0:
             stamp.write_text(REQUIREMENTS.read_text())
     return python

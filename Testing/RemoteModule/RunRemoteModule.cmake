@@ -22,6 +22,8 @@ execute_process(COMMAND "${CMAKE_COMMAND}" -S "${tree}" -B "${work}/build" -G "$
   "-DCMAKE_CXX_COMPILER_LAUNCHER=${cxx_compiler_launcher}"
   -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
   "-DVTK_DIR=${VTK_DIR}"
+  "-Dbuild_speed=${checkout}/CMake/VTKNBufferBuildSpeed.cmake"
+  "-DVTKNBUFFER_PRECOMPILE_HEADERS=${precompile}"
   COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND "${CMAKE_COMMAND}" --build "${work}/build" COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB libraries "${work}/build/lib*/*vtkNBuffer-tree.*")
