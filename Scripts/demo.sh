@@ -40,3 +40,6 @@ nbuffer_say "4 of 4: pictures of what is culled, and of the levels of the N-buff
 
 nbuffer_say "Written to out/"
 (cd "$out" && find . -type f | sort)
+
+nbuffer_say "The same walk in README.md"
+python3 "$nbuffer_source/Scripts/check_headline.py" "$out/walk.json"

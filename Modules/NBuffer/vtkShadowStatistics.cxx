@@ -66,6 +66,16 @@ std::string vtkShadowStatistics::GetAsJSON() const
   json["fragments"] = static_cast<Json::Int64>(this->Fragments);
   json["litmaps"] = this->Litmaps;
   json["unclamped_lights"] = this->UnclampedLights;
+  Json::Value& lights = json["light_costs"] = Json::Value(Json::arrayValue);
+  for (const vtkShadowLightCost& cost : this->LightCosts)
+  {
+    Json::Value light;
+    light["has_litmaps"] = cost.HasLitmaps;
+    light["whole_estimate"] = cost.WholeEstimate;
+    light["litmap_estimate"] = cost.LitmapEstimate;
+    light["time"] = cost.Time;
+    lights.append(light);
+  }
   json["read_backs"] = this->ReadBacks;
   json["failed_frames"] = this->FailedFrames;
   json["debug_draws"] = this->DebugDraws;

@@ -17,6 +17,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -92,6 +93,23 @@ enum class vtkShadowDecision : int
 };
 
 /**
+ * What the shadows of one light were estimated to take, and what they took, in milliseconds. The
+ * mode Automatic makes litmaps if they are estimated to take less than two thirds of WholeEstimate,
+ * which is what they save (vtkShadowCostModel.h). Both estimates are -1 in other modes.
+ */
+struct vtkShadowLightCost
+{
+  /// True if the light was drawn with litmaps.
+  bool HasLitmaps = false;
+  /// The estimate of its whole volumes; of their triangles alone where these suffice to decide.
+  double WholeEstimate = -1.0;
+  /// The estimate of its litmaps.
+  double LitmapEstimate = -1.0;
+  /// The time of the calling thread for this light in this frame. The device may take longer.
+  double Time = 0.0;
+};
+
+/**
  * Counts and times of one frame of one renderer (and eye).
  */
 struct VTKNBUFFER_EXPORT vtkShadowStatistics
@@ -138,6 +156,8 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   int Litmaps = 0;
   /// The lights that were drawn without litmaps in this frame.
   int UnclampedLights = 0;
+  /// Why, for each light that casts shadows, in their order.
+  std::vector<vtkShadowLightCost> LightCosts;
   /// The read-backs of depth from OpenGL.
   int ReadBacks = 0;
   /// The frames so far that were drawn without shadows because OpenGL refused something.

@@ -9,6 +9,7 @@
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
+#include "vtkLookupTable.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
@@ -55,6 +56,38 @@ vtkPolyDataMapper* GetMapper(Stage& stage, int prop)
 void LiftPoints(vtkPoints* points)
 {
   TestScene::MovePoints(points, { 0.0, 7.0, 0.0 });
+}
+
+/// The wall gets scalars and an opaque table, which is the mapper's or the scalars' own.
+void AddTable(Stage& stage, bool isOfScalars)
+{
+  vtkPolyData* data = GetData(stage, Wall::Index);
+  vtkNew<vtkFloatArray> scalars;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    scalars->InsertNextValue(static_cast<float>(i % 2));
+  }
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(2);
+  table->Build();
+  if (isOfScalars)
+  {
+    scalars->SetLookupTable(table);
+  }
+  else
+  {
+    GetMapper(stage, Wall::Index)->SetLookupTable(table);
+  }
+  data->GetPointData()->SetScalars(scalars);
+}
+
+void MakeTableTranslucent(Stage& stage)
+{
+  vtkLookupTable* own = GetData(stage, Wall::Index)->GetPointData()->GetScalars()->GetLookupTable();
+  vtkLookupTable* table =
+    own ? own : vtkLookupTable::SafeDownCast(GetMapper(stage, Wall::Index)->GetLookupTable());
+  table->SetTableValue(0, 1.0, 0.0, 0.0, 0.4);
+  table->SetTableValue(1, 0.0, 0.0, 1.0, 0.4);
 }
 
 void Nothing(Stage&) {}
@@ -340,6 +373,11 @@ const Change OccluderChanges[] = {
       }
       data->GetPointData()->SetScalars(colors);
     },
+    Wall::Index, Verdict::Translucent },
+  // The table of the mapper, or of the array of scalars, is all that changes.
+  { "OpacityInTheLookupTable", [](Stage& s) { AddTable(s, false); }, MakeTableTranslucent,
+    Wall::Index, Verdict::Translucent },
+  { "OpacityInTheLookupTableOfScalars", [](Stage& s) { AddTable(s, true); }, MakeTableTranslucent,
     Wall::Index, Verdict::Translucent },
   { "DataEmptied", Nothing, [](Stage& s) { GetData(s, Wall::Index)->Initialize(); }, Wall::Index,
     Verdict::Unknown },

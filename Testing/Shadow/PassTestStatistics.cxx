@@ -25,6 +25,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -35,6 +36,18 @@ std::string FindDifferenceInView(const Stage& stage, const Picture& expected, co
   const vtkNBufferRectangle view = GetPixels(stage.GetRenderer());
   const int region[4] = { view.X0, view.Y0, view.GetWidth(), view.GetHeight() };
   return FindDifference(expected, actual, region);
+}
+
+/// A sphere of so many triangles that litmaps are estimated to be worth their cost.
+void AddFineSphere(const Stage& stage)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(90);
+  sphere->SetPhiResolution(60);
+  sphere->SetRadius(0.2);
+  sphere->SetCenter(0.0, 0.0, 2.0);
+  sphere->Update();
+  ShadowShapes::AddMesh(stage.GetRenderer(), sphere->GetOutput());
 }
 
 /// No volume, litmap or read-back, and nothing cached anew.
@@ -152,22 +165,56 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
   Picture expected = expect(vtkShadowVolumeClampPass::Scissored, lights + 5 * points, 0);
   EXPECT_EQ(FindDifference(expected, expect(vtkShadowVolumeClampPass::Automatic, 0, lights)), "");
 
-  // Six of them, of a point light, cost more than they save longer than one does; triangles are
-  // taken to cost a fifth where the renderer is not software (vtkShadowCostModel.h).
-  const std::string name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const bool software =
-    name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos;
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(software ? 90 : 260);
-  sphere->SetPhiResolution(software ? 60 : 180);
-  sphere->SetRadius(0.2);
-  sphere->SetCenter(0.0, 0.0, 2.0);
-  sphere->Update();
-  ShadowShapes::AddMesh(stage.GetRenderer(), sphere->GetOutput());
+  // Six of them, of a point light, cost more than they save longer than one does.
+  AddFineSphere(stage);
   expected = expect(vtkShadowVolumeClampPass::Scissored, lights + 5 * points, 0);
   EXPECT_EQ(
     FindDifference(expected, expect(vtkShadowVolumeClampPass::Automatic, lights - points, points)),
     "");
+}
+
+// Hazard: the frames in which the device is measured show something else, or go on for ever; or a
+// light says nothing of why it has no litmaps.
+TEST_F(PassStatistics, AutomaticMeasuresTheDeviceOnce)
+{
+  const Stage stage = SetNamedStage("Directional");
+  AddFineSphere(stage);
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  std::vector<bool> hasLitmaps;
+  double estimates[2][2]; // before and after: whole volumes, litmaps
+  for (int frame = 0; frame < 8; ++frame)
+  {
+    SCOPED_TRACE(frame);
+    stage.GetRenderer()->GetActiveCamera()->Azimuth(1.0);
+    pass->SetMode(vtkShadowVolumeClampPass::Unclamped);
+    stage.Window->Render();
+    ASSERT_EQ(pass->GetStatistics().LightCosts.size(), 1u);
+    EXPECT_EQ(pass->GetStatistics().LightCosts[0].WholeEstimate, -1.0);
+    const Picture expected = TakePicture(stage.Window);
+    pass->SetMode(vtkShadowVolumeClampPass::Automatic);
+    stage.Window->Render();
+    const vtkShadowStatistics& statistics = pass->GetStatistics();
+    ASSERT_EQ(statistics.Decision, vtkShadowDecision::Drawn);
+    EXPECT_EQ(FindInconsistency(statistics), "");
+    EXPECT_EQ(FindDifference(expected, TakePicture(stage.Window)), "");
+    ASSERT_EQ(statistics.LightCosts.size(), 1u);
+    const vtkShadowLightCost& cost = statistics.LightCosts[0];
+    EXPECT_EQ(cost.HasLitmaps, statistics.UnclampedLights == 0);
+    EXPECT_GT(cost.WholeEstimate, 0.0);
+    EXPECT_GT(cost.LitmapEstimate, 0.0);
+    EXPECT_GT(cost.Time, 0.0);
+    hasLitmaps.push_back(cost.HasLitmaps);
+    estimates[frame > 0][0] = cost.WholeEstimate;
+    estimates[frame > 0][1] = cost.LitmapEstimate;
+    if (frame > 4)
+    {
+      EXPECT_EQ(cost.HasLitmaps, 2.0 / 3.0 * cost.WholeEstimate > cost.LitmapEstimate);
+    }
+  }
+  const std::vector<bool> trials(hasLitmaps.begin() + 1, hasLitmaps.begin() + 5);
+  EXPECT_EQ(trials, (std::vector<bool>{ false, false, true, true }));
+  EXPECT_NE(estimates[0][0], estimates[1][0]) << "measured";
+  EXPECT_NE(estimates[0][1], estimates[1][1]) << "measured";
 }
 
 // Silhouettes last until mesh, matrix or light change, and then only those of what changed.

@@ -3,12 +3,16 @@
 // From boxes to rectangles and depths: conservative for every sampled point, and not too much so.
 #include "Pixels.h"
 #include "SampledViews.h"
+#include "vtkNBufferLevels.h"
+#include "vtkNBufferPixelTest.h"
+#include "vtkNBufferSurface.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <vector>
 
 namespace
 {
@@ -318,6 +322,28 @@ TEST_P(NBufferProjectionOfDepths, BoxesMeetInTheirContactAlone)
 INSTANTIATE_TEST_SUITE_P(Each, NBufferProjectionOfDepths, testing::ValuesIn(DepthConventions),
   [](const auto& info) { return std::string(DepthConventionNames[static_cast<int>(info.param)]); });
 
+// Hazard: a slack that is several times as large as its derivation in vtkNBufferBoxError.h: safe,
+// and hides less. Every part of it is held to the derivation's number.
+TEST(NBufferProjectionOnce, SlackIsThatOfItsDerivation)
+{
+  constexpr double u = 0x1p-24;
+  constexpr double quantum = 0x1p-16;
+  constexpr double range = 0.25;
+  const vtkNBufferDepthFormat format = vtkNBufferDepthFormat::FromQuantum(quantum);
+  EXPECT_DOUBLE_EQ(format.Slack, 2.0 * quantum + 4.0 * u);
+  EXPECT_EQ(format.RelativeSlack, 0.0);
+  vtkNBufferBoxError error;
+  error.Set(format, 1000, 8);
+  const double interpolation = 16.0 * (std::exp2(-8.5) + 8.0 * u * 1000.0) * range;
+  EXPECT_NEAR(error.GetDepthSlack(0.5, range), format.Slack + interpolation, 1e-3 * interpolation);
+  EXPECT_DOUBLE_EQ(error.GetDepthSlack(0.5, 0.0), format.Slack);
+  vtkNBufferBox box;
+  box.Origin = { 1.0, 0.0, 0.0 };
+  box.Magnitude = { 1.0, 2.0, 3.0 };
+  EXPECT_DOUBLE_EQ(
+    vtkNBufferBoxError::GetVertexError({ 1.0, -2.0, 3.0, -4.0 }, box), 8.0 * u * (1 + 4 + 9 + 3));
+}
+
 // Hazard: a viewport that begins far from the window's corner is rounded with larger coordinates.
 TEST(NBufferProjectionOnce, SlackGrowsWithTheLargestCoordinate)
 {
@@ -361,6 +387,37 @@ TEST(NBufferProjectionOnce, BorderIsThatOfTheSubpixelGridInView)
   vtkNBufferScreenBox screen;
   ASSERT_EQ(MapWorldToPixels(100, 100, 8).Project(line, screen), vtkNBufferPlacement::Inside);
   EXPECT_DOUBLE_EQ(screen.Border, 1.0 + 0x1p-4);
+}
+
+// Hazard: the rectangle of a box is widened for the grid on which devices snap vertices, and its
+// outline is not: a pixel whose middle lies a twentieth beside the box counts as beside it.
+TEST(NBufferProjectionOnce, OutlinesAreWidenedForTheSubpixelGrid)
+{
+  constexpr int size = 32;
+  const vtkNBufferProjection projection = MapWorldToPixels(size, size);
+  std::vector<float> depth(size * size, 0.1f);
+  depth[15 * size + 20] = 1.0f; // The only pixel that is not before the box.
+  vtkNBufferLevels levels;
+  levels.BuildBase(depth.data(), size, size, 1, vtkNBufferDepthConvention::Farthest);
+  levels.BuildLevels(5);
+  vtkNBufferPixelTest test(projection, levels, depth.data(), 0.0);
+  const auto makeBox = [&projection](double right) {
+    return ProjectedBox(projection, { 10.0, right, 10.0, 20.0, 0.5, 0.6 });
+  };
+  const auto isHidden = [&](double right)
+  {
+    const ProjectedBox box = makeBox(right);
+    return test.IsHidden(box.Box, box.Screen);
+  };
+  EXPECT_FALSE(isHidden(20.5 - 0.05)) << "a vertex may be snapped to the middle";
+  EXPECT_TRUE(isHidden(20.5 - 0.08)) << "none is snapped so far";
+
+  vtkNBufferMesh mesh;
+  mesh.Points = { { 10.0, 10.0, 0.5 }, { 20.45, 15.5, 0.5 }, { 10.0, 20.0, 0.6 } };
+  mesh.Triangles = { { 0, 1, 2 } };
+  const double identity[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  std::size_t first = 0;
+  EXPECT_TRUE(test.MayBeSeen(mesh, identity, makeBox(20.45).Screen, first)) << "nor a corner";
 }
 
 // Hazard: a box that a device may snap to the middle of a pixel is said to lie between the middles;

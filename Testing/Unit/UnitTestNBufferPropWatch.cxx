@@ -83,12 +83,14 @@ struct StampedActor
     source->Update();
     this->Data->ShallowCopy(source->GetOutput());
     this->Mapper->SetInputData(this->Data);
+    this->Mapper->SetLookupTable(this->Table);
     this->Actor->SetMapper(this->Mapper);
     this->Actor->SetUserMatrix(this->Matrix);
     this->Actor->GetBounds();
   }
 
   vtkNew<vtkPolyData> Data;
+  vtkNew<vtkLookupTable> Table;
   vtkNew<vtkOpenGLPolyDataMapper> Mapper;
   vtkNew<vtkMatrix4x4> Matrix;
   vtkNew<vtkActor> Actor;
@@ -252,6 +254,7 @@ TEST(NBufferStamps, ChangesAreSeen)
     { "Mapper", [](StampedActor& s) { s.Mapper->SetScalarVisibility(false); } },
     { "NewLookupTable",
       [](StampedActor& s) { s.Mapper->SetLookupTable(vtkNew<vtkLookupTable>()); } },
+    { "OpacityInTheLookupTable", [](StampedActor& s) { s.Table->SetAlphaRange(0.5, 0.5); } },
     { "NewMapper",
       [](StampedActor& s)
       {
@@ -322,6 +325,7 @@ TEST(NBufferStamps, AllObjectsButTheActorAreObserved)
   watch.Observe(objects, actors);
   for (vtkObject* object : { static_cast<vtkObject*>(stamped.Actor->GetProperty()),
          static_cast<vtkObject*>(stamped.Matrix), static_cast<vtkObject*>(stamped.Mapper),
+         static_cast<vtkObject*>(stamped.Table),
          static_cast<vtkObject*>(stamped.Mapper->GetInputAlgorithm()),
          static_cast<vtkObject*>(stamped.Data), static_cast<vtkObject*>(stamped.Data->GetPoints()),
          static_cast<vtkObject*>(stamped.Data->GetPolys()),

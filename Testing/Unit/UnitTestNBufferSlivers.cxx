@@ -79,8 +79,9 @@ TEST_F(Slivers, WithoutAPlaneAnyDepth)
 TEST_F(Slivers, LowerThanTheErrorsOfItsVertices)
 {
   this->SetWall(0.5f);
-  const auto make = [](double height) -> Triangle
-  { return { { { 10.2, 20.5, 0.8 }, { 15.2, 20.5, 0.8 }, { 12.7, 20.5 + height, 0.80001 } } }; };
+  const auto make = [](double height) -> Triangle {
+    return { { { 10.2, 20.5, 0.8 }, { 15.2, 20.5, 0.8 }, { 12.7, 20.5 + height, 0.80001 } } };
+  };
   EXPECT_TRUE(this->MayBeSeen(make(5e-5)));
   EXPECT_FALSE(this->MayBeSeen(make(5e-3)));
 }

@@ -129,34 +129,35 @@ TEST(ShadowCostModel, NothingAndBesideTheView)
     << "behind";
 }
 
-// Both sides of the rule: much to draw, many samples, six faces, a fast device.
+// Both sides of the rule: much to draw, many samples, six faces.
 TEST(ShadowCostModel, LitmapsPayWhereTheySaveMoreThanTheyCost)
 {
   constexpr long long vga = 640 * 480;
   constexpr long long lexels = 256 * 256;
-  const auto pays =
-    [](double fragments, long long triangles, long long samples, int faces, bool software)
+  const auto pays = [](double fragments, long long triangles, long long samples, int faces)
   {
     return vtkShadowCostModel::IsLitmapWorthIt(
-      fragments, triangles, samples, samples, lexels, faces, software);
+      vtkShadowCostModel::EstimateWhole(fragments, triangles),
+      vtkShadowCostModel::EstimateLitmap(samples, samples, lexels, faces));
   };
-  EXPECT_FALSE(pays(0.0, 0, vga, 1, true));
-  EXPECT_FALSE(pays(0.9e6, 2000, vga, 1, true)) << "a few parts";
-  EXPECT_TRUE(pays(13e6, 250000, vga, 1, true)) << "a city";
-  EXPECT_TRUE(pays(5e6, 0, vga, 1, true)) << "few triangles that cover much";
-  EXPECT_TRUE(pays(0.0, 100000, vga, 1, true)) << "many triangles that cover nothing";
-  EXPECT_FALSE(pays(5e6, 0, vga, 6, true)) << "of a point light";
-  EXPECT_FALSE(pays(5e6, 0, 4 * vga, 1, true)) << "with four samples for each pixel";
-  EXPECT_FALSE(pays(5e6, 0, vga, 1, false)) << "on a device that fills faster";
-  EXPECT_TRUE(pays(5e6, 1000000, vga, 1, false)) << "and yet has much to draw";
+  EXPECT_FALSE(pays(0.0, 0, vga, 1));
+  EXPECT_FALSE(pays(0.9e6, 2000, vga, 1)) << "a few parts";
+  EXPECT_TRUE(pays(13e6, 250000, vga, 1)) << "a city";
+  EXPECT_TRUE(pays(5e6, 0, vga, 1)) << "few triangles that cover much";
+  EXPECT_TRUE(pays(0.0, 100000, vga, 1)) << "many triangles that cover nothing";
+  EXPECT_FALSE(pays(5e6, 0, vga, 6)) << "of a point light";
+  EXPECT_FALSE(pays(5e6, 0, 4 * vga, 1)) << "with four samples for each pixel";
   const auto paysIfSeen = [](long long seen)
-  { return vtkShadowCostModel::IsLitmapWorthIt(1e6, 40000, 2 * vga, seen, lexels, 1, true); };
+  {
+    return vtkShadowCostModel::IsLitmapWorthIt(vtkShadowCostModel::EstimateWhole(1e6, 40000),
+      vtkShadowCostModel::EstimateLitmap(2 * vga, seen, lexels, 1));
+  };
   EXPECT_FALSE(paysIfSeen(2 * vga));
   EXPECT_TRUE(paysIfSeen(vga / 4)) << "what is sky costs next to nothing";
   const auto paysInAnIcon = [](long long resolution)
   {
-    return vtkShadowCostModel::IsLitmapWorthIt(
-      0.0, 5000, 1000, 1000, resolution * resolution, 1, true);
+    return vtkShadowCostModel::IsLitmapWorthIt(vtkShadowCostModel::EstimateWhole(0.0, 5000),
+      vtkShadowCostModel::EstimateLitmap(1000, 1000, resolution * resolution, 1));
   };
   EXPECT_TRUE(paysInAnIcon(64));
   EXPECT_FALSE(paysInAnIcon(256)) << "lexels cost what they cost, however few samples";

@@ -380,6 +380,40 @@ TEST(ShadowPlan, CastersAtTheLightsPlane)
   EXPECT_EQ(point.Decide(vtkShadowMode::Unclamped, 4, false), Verdict::Whole);
 }
 
+// Hazard: a caster whose corner is in the cone of a spot is left out because its middle is not; or
+// a caster far beside the cone is not left out.
+TEST(ShadowPlan, CastersWithACornerInTheConeAreKept)
+{
+  std::mt19937 random(23);
+  int inCone = 0;
+  int leftOut = 0;
+  for (int n = 0; n < 4000; ++n)
+  {
+    vtkShadowLight light = MakeLightAbove(Kind::Spot, 0.0);
+    light.Direction = vtkNBufferGLM::Normalize(MakePoint(random, 1.0));
+    light.ConeAngle = MakeUniform(random, 5.0, 80.0);
+    const Point middle = MakePoint(random, 8.0);
+    const Point half = glm::abs(MakePoint(random, 1.0));
+    vtkShadowFootprint footprint;
+    footprint.Bounds = { middle - half, middle + half };
+    const bool isOutside = vtkShadowLitmapSet(light, {}).IsOutsideCone(footprint);
+    double angle = vtkMath::Pi(); // of the corner that is next to the axis
+    for (int i = 0; i < 8; ++i)
+    {
+      const Point corner =
+        middle + half * Point(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
+      const double cosine = glm::dot(vtkNBufferGLM::Normalize(corner), light.Direction);
+      angle = std::min(angle, std::acos(std::clamp(cosine, -1.0, 1.0)));
+    }
+    const bool isCornerInCone = angle < vtkMath::RadiansFromDegrees(light.ConeAngle);
+    EXPECT_FALSE(isOutside && isCornerInCone) << n;
+    inCone += isCornerInCone;
+    leftOut += isOutside;
+  }
+  EXPECT_GT(inCone, 500);
+  EXPECT_GT(leftOut, 1000);
+}
+
 // Groups of receivers make slabs of their own where they are far enough from each other.
 TEST(ShadowPlan, SlabsHoldTheReceivers)
 {
@@ -487,6 +521,13 @@ TEST(ShadowPlan, ZPassNeedsAllOfThePieceBeyondTheNearPlane)
   situation.SetNearPlane({ 0.0, 0.0, -1.0, -situation.Footprint.Block.High[2] });
   situation.Decide(vtkShadowMode::Scissored);
   EXPECT_FALSE(situation.Draws.at(0).ZPass);
+  // Nor does one that is so near to the cap that a device, in single precision, may cut it off.
+  situation.SetNearPlane({ 0.0, 0.0, -1.0, -situation.Footprint.Block.High[2] + 1e-7 });
+  situation.Decide(vtkShadowMode::Scissored);
+  EXPECT_FALSE(situation.Draws.at(0).ZPass);
+  situation.SetNearPlane({ 0.0, 0.0, -1.0, -situation.Footprint.Block.High[2] + 1e-5 });
+  situation.Decide(vtkShadowMode::Scissored);
+  EXPECT_TRUE(situation.Draws.at(0).ZPass);
 }
 
 // Lines of sight of a parallel camera end at infinity, where no volume of a positional light may.

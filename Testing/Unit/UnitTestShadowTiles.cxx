@@ -242,6 +242,41 @@ TEST(ShadowUmbra, HoldsAllThatIsInShadow)
   EXPECT_GT(left[1], 0) << "nothing but what is in shadow would be a surprise, of " << beside[1];
 }
 
+// Hazard: a point in a triangle, on its sides or behind them is said to be out of reach because the
+// equations of planes and sides are rounded. The blocks have no size, which would hide the error.
+TEST(ShadowUmbra, RoundingLeavesNothingOutOfReach)
+{
+  std::mt19937 random(29);
+  for (int n = 0; n < 500; ++n)
+  {
+    const bool positional = n % 2;
+    const vtkShadowLight light =
+      MakeLight(positional ? vtkShadowLightKind::Spot : vtkShadowLightKind::Directional,
+        Point(0.0, 0.0, 9.0) + MakePoint(random, 2.0));
+    const vtkShadowLightSpace frame(light);
+    ShadowMesh mesh;
+    mesh.Points = { MakePoint(random, 2.0), MakePoint(random, 2.0), MakePoint(random, 2.0) };
+    mesh.Triangles = { 0, 1, 2 };
+    const Caster caster(mesh, light, frame, vtkShadowCounting::All);
+    const vtkShadowUmbra umbra = caster.GetUmbra(frame);
+    const std::vector<Point>& corners = caster.GetPoints();
+    for (int i = 0; i < 20; ++i)
+    {
+      const double share = MakeUniform(random, 0.0, 1.0);
+      const double third = i % 2 ? MakeUniform(random, 0.0, 1.0 - share) : 0.0;
+      const Point x = share * corners[0] + third * corners[1] + (1.0 - share - third) * corners[2];
+      const Point ray = positional ? x - light.Position : light.Direction;
+      for (const double beyond : { 0.0, 0.5 })
+      {
+        // What is computed of it is rounded otherwise than the caster is.
+        const vtkShadowBlock block = MakeBlock(frame, x + beyond * ray, 0.0);
+        EXPECT_TRUE(umbra.MeetsRays(block)) << n;
+        EXPECT_TRUE(umbra.MayShadow(block)) << n;
+      }
+    }
+  }
+}
+
 // All triangles of a flat mesh are in one plane, however many: above it there is nothing to shadow.
 TEST(ShadowUmbra, SheetsOfManyTrianglesHaveOnePlane)
 {

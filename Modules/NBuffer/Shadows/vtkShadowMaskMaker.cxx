@@ -112,14 +112,18 @@ bool vtkShadowMaskMaker::Make(const Frame& frame, const Settings& settings)
     frame.Statistics.Fragments = 0;
   }
   this->LightVolumes.resize(std::max(this->LightVolumes.size(), lights.size()));
+  this->Trials.BeginFrame();
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
     const Work work = { frame, window, camera, settings, frame.Statistics, lights[i], i,
       vtkShadowLightSpace(lights[i].Geometry), this->LightVolumes[i] };
-    if (!this->Shade(work))
+    const vtkNBufferClock clock;
+    vtkShadowLightCost& cost = frame.Statistics.LightCosts.emplace_back();
+    if (!this->Shade(work, cost))
     {
       return false;
     }
+    cost.Time = clock.GetMilliseconds();
   }
   return true;
 }
@@ -261,20 +265,23 @@ long long vtkShadowMaskMaker::EstimateCovered(const Work& work)
   return std::llround(this->Coverage * static_cast<double>(samples));
 }
 
-bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work, double fragments, long long triangles)
+bool vtkShadowMaskMaker::IsLitmapWorthIt(
+  const Work& work, double fragments, long long triangles, vtkShadowLightCost& cost)
 {
   const auto samples = static_cast<long long>(this->GetNumberOfSamples());
+  cost.WholeEstimate = this->Trials.Whole * vtkShadowCostModel::EstimateWhole(fragments, triangles);
   const auto pay = [&](long long covered)
   {
     const long long lexels = static_cast<long long>(work.Settings.Tuning.LitmapResolution) *
       work.Settings.Tuning.LitmapResolution;
-    return vtkShadowCostModel::IsLitmapWorthIt(fragments, triangles, samples, covered, lexels,
-      work.GetNumberOfFaces(), vtkNBufferGL::GetSoftwareRenderer() != nullptr);
+    cost.LitmapEstimate = this->Trials.Litmap *
+      vtkShadowCostModel::EstimateLitmap(samples, covered, lexels, work.GetNumberOfFaces());
+    return vtkShadowCostModel::IsLitmapWorthIt(cost.WholeEstimate, cost.LitmapEstimate);
   };
   return pay(samples) || (pay(0) && pay(this->EstimateCovered(work)));
 }
 
-bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work)
+bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work, vtkShadowLightCost& cost)
 {
   long long triangles = 0;
   for (const vtkShadowPart* part : this->Parts)
@@ -282,10 +289,10 @@ bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work)
     triangles +=
       vtkShadowCostModel::CountTriangles(part->Silhouette, work.GetLight().IsPositional());
   }
-  return this->IsLitmapWorthIt(work, 0.0, triangles);
+  return this->IsLitmapWorthIt(work, 0.0, triangles, cost);
 }
 
-bool vtkShadowMaskMaker::Shade(const Work& work)
+bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
 {
   vtkNBufferClock clock;
   const vtkShadowLight& light = work.GetLight();
@@ -296,7 +303,22 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   this->FindParts(work);
   vtkShadowVolumeStore& store = work.LightVolumes.Store;
   store.BeginFrame();
-  if (work.Settings.Mode == vtkShadowMode::Unclamped || (automatic && !this->IsLitmapWorthIt(work)))
+  using Way = vtkShadowCostTrials::Way;
+  Way trial = Way::Estimated;
+  bool isWhole = work.Settings.Mode == vtkShadowMode::Unclamped;
+  if (automatic)
+  {
+    isWhole = !this->IsLitmapWorthIt(work, cost);
+    trial = this->Trials.Choose(cost.WholeEstimate);
+    this->Trials.Start(trial);
+    if (trial == Way::Litmaps && !this->ReadReceivers(work))
+    {
+      this->Error.clear(); // See EstimateCovered().
+      trial = Way::Estimated;
+    }
+    isWhole = trial == Way::Estimated ? isWhole : trial == Way::Whole;
+  }
+  if (isWhole)
   {
     plan.emplace(light, view, vtkShadowMode::Unclamped, std::vector<vtkShadowPlan::Face>(),
       work.Settings.Tuning);
@@ -304,7 +326,8 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
     if (automatic &&
       this->IsLitmapWorthIt(work,
         vtkShadowCostModel::EstimateFragments(store.GetVolume(), plan->GetDraws(), view),
-        plan->GetNumberOfTriangles()))
+        plan->GetNumberOfTriangles(), cost) &&
+      trial == Way::Estimated)
     {
       plan.reset();
     }
@@ -319,10 +342,12 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
     spaces = light.Kind == vtkShadowLightKind::Point
       ? MakeFaces(light)
       : std::vector<vtkShadowLightSpace>{ work.Space };
+    cost.HasLitmaps = true;
     if (!this->MakeLitmaps(work, spaces))
     {
       return false;
     }
+    this->Trials.Stop(trial, cost.LitmapEstimate);
     clock.Restart();
     std::vector<vtkShadowPlan::Face> litmaps;
     for (std::size_t i = 0; i < spaces.size(); ++i)
@@ -342,6 +367,10 @@ bool vtkShadowMaskMaker::Shade(const Work& work)
   work.Statistics.Pieces += store.GetNumberOfPiecesMade();
   work.Statistics.Triangles += plan->GetNumberOfTriangles();
   const bool done = plan->GetDraws().empty() || this->Count(work, *plan);
+  if (!cost.HasLitmaps)
+  {
+    this->Trials.Stop(trial, cost.WholeEstimate);
+  }
   work.Statistics.DrawTime += clock.GetMilliseconds();
   const vtkLight* pictured = work.Settings.PictureLight;
   if (done && (pictured ? pictured == work.Source.Source : work.Slot == 0))
@@ -409,5 +438,6 @@ void vtkShadowMaskMaker::Release()
     this->LitmapSource->Release();
   }
   this->Target.Release();
+  this->Trials = vtkShadowCostTrials();
 }
 VTK_ABI_NAMESPACE_END

@@ -16,6 +16,7 @@
 #define vtkShadowMaskMaker_h
 
 #include "vtkShadowCasterList.h"
+#include "vtkShadowCostTrials.h"
 #include "vtkShadowCounter.h"
 #include "vtkShadowDebugView.h"
 #include "vtkShadowLightList.h"
@@ -105,11 +106,14 @@ private:
   bool MakeLitmaps(const Work& work, const std::vector<vtkShadowLightSpace>& spaces);
   void FindParts(const Work& work);
   void AddCasters(const Work& work, vtkShadowPlan& plan);
-  bool IsLitmapWorthIt(const Work& work, double fragments, long long triangles);
-  bool IsLitmapWorthIt(const Work& work);      ///< The same by the number of triangles alone.
+  bool IsLitmapWorthIt(
+    const Work& work, double fragments, long long triangles, vtkShadowLightCost& cost);
+  /// The same by the number of triangles alone.
+  bool IsLitmapWorthIt(const Work& work, vtkShadowLightCost& cost);
   long long EstimateCovered(const Work& work); ///< The number of samples that are not background.
   void SetCoverage(std::size_t covered, std::size_t samples);
-  bool Shade(const Work& work);
+  /// Draws the shadows of a light, and sets all of `cost` but its Time.
+  bool Shade(const Work& work, vtkShadowLightCost& cost);
   bool Count(const Work& work, const vtkShadowPlan& plan);
 
   vtkShadowTarget Target;
@@ -125,6 +129,7 @@ private:
   double Coverage = 1.0;
   std::size_t CoverageSamples = 0; ///< The number of samples then.
   int CoverageAge = 0;             ///< The number of frames since then.
+  vtkShadowCostTrials Trials;      ///< Of the mode Automatic.
   int Viewport[4] = { 0, 0, 0, 0 };
   int Shadows = 0;
   std::string Error;

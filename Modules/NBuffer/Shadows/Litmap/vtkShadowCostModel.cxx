@@ -14,13 +14,8 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 // Nanoseconds, see the header.
-struct Costs
-{
-  double Fragment;
-  double Triangle;
-};
-constexpr Costs SoftwareCosts = { 5.0, 250.0 };
-constexpr Costs DeviceCosts = { 0.05, 45.0 };
+constexpr double FragmentCost = 5.0;
+constexpr double TriangleCost = 250.0;
 constexpr double ReadCost = 5.0;
 constexpr double LexelCost = 75.0;
 constexpr double CoveredCost = 26.0;
@@ -108,14 +103,22 @@ double EstimateFragments(const vtkShadowVolume& volume, const std::vector<vtkSha
                      : 0.0;
 }
 
-bool IsLitmapWorthIt(double fragments, long long triangles, long long samples, long long covered,
-  long long lexels, int faces, bool softwareRenderer)
+double EstimateWhole(double fragments, long long triangles)
 {
-  const Costs& costs = softwareRenderer ? SoftwareCosts : DeviceCosts;
-  const double drawing =
-    costs.Fragment * fragments + costs.Triangle * static_cast<double>(triangles);
-  return Saving * drawing > ReadCost * static_cast<double>(samples) +
-    faces * (LexelCost * static_cast<double>(lexels) + CoveredCost * static_cast<double>(covered));
+  return 1e-6 * (FragmentCost * fragments + TriangleCost * static_cast<double>(triangles));
+}
+
+double EstimateLitmap(long long samples, long long covered, long long lexels, int faces)
+{
+  return 1e-6 *
+    (ReadCost * static_cast<double>(samples) +
+      faces *
+        (LexelCost * static_cast<double>(lexels) + CoveredCost * static_cast<double>(covered)));
+}
+
+bool IsLitmapWorthIt(double whole, double litmap)
+{
+  return Saving * whole > litmap;
 }
 }
 VTK_ABI_NAMESPACE_END

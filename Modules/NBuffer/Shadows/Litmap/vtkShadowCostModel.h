@@ -18,18 +18,18 @@
  * are known only after the depth was read. If the decision depends on them, the number that was
  * found last is used (vtkShadowMaskMaker::EstimateCovered).
  *
- * Costs in nanoseconds:
+ * Costs in nanoseconds, fitted to llvmpipe on two cores (commits cf31101 and e218509):
  *
- *     |                                       | software renderers | devices |
- *     | a fragment in the stencil             |         5          |   0.05  |
- *     | a triangle, made and drawn            |       250          |    45   |
- *     | a sample, read                        |         5          |     5   |
- *     | a lexel, for each face                |        75          |    75   |
- *     | a sample with depth, for each face    |        26          |    26   |
+ *     |  5   | a fragment in the stencil          |
+ *     |  250 | a triangle, made (40) and drawn    |
+ *     |  5   | a sample, read                     |
+ *     |  75  | a lexel, for each face             |
+ *     |  26  | a sample with depth, for each face |
  *
- * The left column was fitted to llvmpipe on two cores (commits cf31101 and e218509), and so was
- * the host's work in both columns (lexels, samples, and 40 ns of a triangle). The costs of devices
- * are assumptions that no measurement supports. A wrong one costs time, but changes no shadow.
+ * They say how the parts of a cost compare with each other. What they amount to on a device is
+ * measured once for each pass and context (vtkShadowCostTrials.h): each side of the rule is
+ * multiplied by the ratio of a time and its estimate. A wrong cost costs time, but changes no
+ * shadow.
  */
 #ifndef vtkShadowCostModel_h
 #define vtkShadowCostModel_h
@@ -55,13 +55,16 @@ VTKNBUFFER_EXPORT long long CountTriangles(const vtkShadowSilhouette& silhouette
 VTKNBUFFER_EXPORT double EstimateFragments(const vtkShadowVolume& volume,
   const std::vector<vtkShadowDraw>& draws, const vtkShadowDrawList::View& view);
 
-/**
- * Returns true if the rule above says that litmaps are worth their cost. `fragments` and
- * `triangles` are those of all whole volumes of the light, `lexels` is the number of lexels of a
- * litmap, and `faces` the number of litmaps of the light, 1 or 6.
- */
-VTKNBUFFER_EXPORT bool IsLitmapWorthIt(double fragments, long long triangles, long long samples,
-  long long covered, long long lexels, int faces, bool softwareRenderer);
+/// Estimates the milliseconds of drawing all whole volumes of a light.
+VTKNBUFFER_EXPORT double EstimateWhole(double fragments, long long triangles);
+
+/// Estimates the milliseconds of making the litmaps of a light. `lexels` is the number of lexels of
+/// a litmap, and `faces` the number of litmaps of the light, 1 or 6.
+VTKNBUFFER_EXPORT double EstimateLitmap(
+  long long samples, long long covered, long long lexels, int faces);
+
+/// Returns true if the rule above says that litmaps are worth their cost.
+VTKNBUFFER_EXPORT bool IsLitmapWorthIt(double whole, double litmap);
 }
 
 VTK_ABI_NAMESPACE_END
