@@ -512,6 +512,38 @@ TEST_F(FuzzRuns, ConesOfWhatIsLitElsewhere)
 }
 
 // VTK culls the first frame after stereo by the frustum of an eye.
+// Large props that tie, drawn twice in a frame: by a pass of which that is not known, and by one of
+// which it is.
+TEST_F(FuzzRuns, LargePropsDrawnTwice)
+{
+  const char* scenes[] = {
+    R"("culler": {"minimum_number_of_primitives": 2, "unit_size": 1},
+       "props": [
+         {"from": 1, "id": 19, "shape": {"center": [2.0, -1.0, -0.25], "size": [1.0, 1.0, 0.5]}},
+         {"color": [0.26, 0.64, 0.49], "id": 34, "position": [2.0, -1.0, 0.0],
+          "shape": {"size": [1.0, 1.0, 0.0]}}],
+       "renderers": [{"pass": "OpaqueTwice"}],
+       "views": [{}])",
+    R"("culler": {"backend": 1, "minimum_number_of_primitives": 2, "unit_size": 5},
+       "lights": [{}],
+       "props": [
+         {"id": 21, "lighting": false,
+          "position": [2.3476532153820546, 2.4581524653482223, 0.3333333333333333],
+          "shape": {"size": [3.3500924238037624, 3.3500924238037624, 0.0]}},
+         {"id": 47, "shape": {"center": [3.9376663767061517, 0.4315671917532349, 0.3333333333333333],
+          "size": [3.113391472906648, 3.113391472906648, 0.0]}}],
+       "renderers": [{"pass": "ShadowVolumes"}],
+       "views": [{}, {"frame": 2, "view_angle": 45.0}, {"frame": 3,
+         "position": [17.72225197229073, 5.606002743863855, 11.649614229389915]}],
+       "window": {"width": 49})",
+  };
+  for (const std::string scene : scenes)
+  {
+    const Scenario scenario = FromJson(Parse("{\"frames\": 4, " + scene + "}"));
+    EXPECT_EQ(Checker().Run(scenario, true).Failure, "") << scene;
+  }
+}
+
 TEST_F(FuzzRuns, ShadowsAfterStereo)
 {
   const Scenario scenario = FromJson(Parse(

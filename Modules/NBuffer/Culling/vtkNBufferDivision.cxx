@@ -266,17 +266,20 @@ std::vector<int> vtkNBufferDivision::GetFresh() const
   return places;
 }
 
-void vtkNBufferDivision::AddDrawnInPart(std::vector<int>& places)
+void vtkNBufferDivision::AddMissing(std::vector<int>& places)
 {
   for (Entry& entry : this->Entries)
   {
-    const bool isMissing = entry.Place == this->Postponed && !entry.Prop->IsBegun();
     if (entry.IsActive && !this->Props.GetCandidate(entry.Place).IsTranslucent() &&
-      (isMissing || entry.Prop->IsDrawnInPart()))
+      entry.Prop->IsDrawnInPart())
     {
       places.push_back(entry.Place);
     }
     entry.IsActive = false;
+  }
+  if (this->Postponed >= 0)
+  {
+    places.push_back(this->Postponed);
   }
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());

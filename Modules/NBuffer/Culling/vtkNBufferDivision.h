@@ -93,9 +93,10 @@ public:
   /// not held back.
   std::vector<int> GetFresh() const;
 
-  /// Add the places of the props of which units in the view have not been drawn to `places`, which
-  /// are sorted then. From now on all props are drawn whole.
-  void AddDrawnInPart(std::vector<int>& places);
+  /// Add the places of the props that the renderer's list does not draw wholly to `places`, which
+  /// are sorted then: those of which units in the view have not been drawn, and the postponed one.
+  /// From now on all props are drawn whole.
+  void AddMissing(std::vector<int>& places);
 
   /// If the next draw of a prop draws only a small part of it, find out whether this part has
   /// fragments with the depth of an earlier draw (vtkNBufferTieQuery::HasTies()). If not, the prop

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -46,15 +47,32 @@ int vtkNBufferLateDraws::Draw(vtkRenderer* renderer, int place, int round, doubl
   return this->Division.Draw(place, drawWhole);
 }
 
-int vtkNBufferLateDraws::Repeat(vtkRenderer* renderer)
+int vtkNBufferLateDraws::Repeat(vtkRenderer* renderer, const std::vector<int>& heldBack)
 {
+  // The props of the list have been drawn with all their visible units, and in their places.
+  this->Drawn.erase(std::remove_if(this->Drawn.begin(), this->Drawn.end(),
+                      [&](const vtkNBufferDrawnProp& prop)
+                      {
+                        return prop.Index != this->Division.GetPostponed() &&
+                          !std::binary_search(heldBack.begin(), heldBack.end(), prop.Index);
+                      }),
+    this->Drawn.end());
+  // The others follow in one round. They may tie with units that were drawn after them before.
+  std::stable_sort(this->Drawn.begin(), this->Drawn.end(),
+    [](const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b) { return a.Index < b.Index; });
   int drawn = 0;
-  for (const vtkNBufferDrawnProp& prop : this->Drawn)
+  int last = -1;
+  for (vtkNBufferDrawnProp& prop : this->Drawn)
   {
-    vtkProp* heldBack = this->Props.GetProp(prop.Index);
-    heldBack->SetAllocatedRenderTime(heldBack->GetAllocatedRenderTime(), renderer);
-    drawn +=
-      this->Division.DrawAgain(prop.Index, [&]() { return this->DrawWhole(renderer, prop.Index); });
+    prop.Round = 1;
+    prop.MayTie = true;
+    if (std::exchange(last, prop.Index) != prop.Index)
+    {
+      vtkProp* heldBackProp = this->Props.GetProp(prop.Index);
+      heldBackProp->SetAllocatedRenderTime(heldBackProp->GetAllocatedRenderTime(), renderer);
+      drawn += this->Division.DrawAgain(
+        prop.Index, [&]() { return this->DrawWhole(renderer, prop.Index); });
+    }
   }
   return drawn;
 }

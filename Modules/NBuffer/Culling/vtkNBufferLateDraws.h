@@ -42,8 +42,12 @@ public:
   /// places. Returns the number of props drawn.
   int Draw(vtkRenderer* renderer, int place, int round, double time);
 
-  /// Draw all props of this frame again, in the same order. Returns the number of props drawn.
-  int Repeat(vtkRenderer* renderer);
+  /**
+   * Draw the props of this frame that are not in the renderer's list again, after VTK has drawn
+   * this list again. Returns the number of props drawn. `heldBack` is as in RestoreTieOrder(),
+   * which has to be called afterwards.
+   */
+  int Repeat(vtkRenderer* renderer, const std::vector<int>& heldBack);
 
   /**
    * Draw props once more where this is needed so that, of the props that have the same depth in a

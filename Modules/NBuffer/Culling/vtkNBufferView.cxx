@@ -234,8 +234,9 @@ int vtkNBufferView::Repeat(vtkRenderer* renderer)
 {
   // The statistics count only the draws of the first time.
   const vtkNBufferClock clock;
-  const int drawn = this->Draws.Repeat(renderer);
-  this->Draws.RestoreTieOrder(renderer, this->Partition.GetHeldBack(), true, this->Tested.Samples);
+  const std::vector<int>& heldBack = this->Partition.GetHeldBack();
+  const int drawn = this->Draws.Repeat(renderer, heldBack);
+  this->Draws.RestoreTieOrder(renderer, heldBack, true, this->Tested.Samples);
   this->Statistics.DrawTime += clock.GetMilliseconds();
   return drawn;
 }
@@ -337,7 +338,7 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
       this->Statistics.Decision = failure;
       // Draw what earlier rounds found hidden, too.
       std::vector<int> all = this->Partition.GetNotDrawn();
-      this->Division.AddDrawnInPart(all);
+      this->Division.AddMissing(all);
       draw(all);
       return false;
     }
@@ -406,7 +407,7 @@ int vtkNBufferView::DrawAll(
   this->List.ShowTranslucent();
   this->Draws.Clear();
   std::vector<int> all = this->Partition.GetHeldBack();
-  this->Division.AddDrawnInPart(all);
+  this->Division.AddMissing(all);
   for (int i : all)
   {
     this->Props.GetState(i).Verdict = vtkNBufferVerdict::Untested;
