@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What VTK leaves undefined is not in the scenarios.
+#include "Undefined.h"
+
+#include <gtest/gtest.h>
+
+using namespace TestScene;
+
+// With a render pass a selector of VTK 9.1 reads the number of a prop that it has never set.
+TEST(FuzzUndefined, NothingIsSelectedWithAPassThatComesLater)
+{
+  Scenario scenario;
+  scenario.Renderers.resize(1);
+  scenario.Changes.resize(2);
+  scenario.Changes[0].Kind = ChangeKind::Select;
+  scenario.Changes[1].Kind = ChangeKind::Pass;
+  scenario.Changes[1].Values = { static_cast<double>(PassKind::None) };
+  RemoveUndefined(scenario);
+  EXPECT_EQ(scenario.Changes.size(), 2u) << "without a pass a selection is defined";
+  scenario.Changes[1].Values = { static_cast<double>(PassKind::SSAO) };
+  RemoveUndefined(scenario);
+  ASSERT_EQ(scenario.Changes.size(), 1u);
+  EXPECT_EQ(scenario.Changes[0].Kind, ChangeKind::Pass);
+}
+
+// Far from the origin rounding leaves triangles of a small prop without extent.
+TEST(FuzzUndefined, NoFlatTrianglesWithoutExtentUnderAmbientOcclusion)
+{
+  Scenario scenario;
+  scenario.Renderers.resize(1);
+  scenario.Props.resize(2);
+  scenario.Props[0].Flat = scenario.Props[1].Flat = true;
+  scenario.Props[1].ShiftCoordinates = false;
+  RemoveUndefined(scenario);
+  EXPECT_TRUE(scenario.Props[1].Flat);
+  scenario.Renderers[0].SSAO = true;
+  RemoveUndefined(scenario);
+  EXPECT_TRUE(scenario.Props[0].Flat);
+  EXPECT_FALSE(scenario.Props[1].Flat);
+}
+
+// A billboard that two renderers share depends on which of them was modified last.
+TEST(FuzzUndefined, NoSharedBillboardsWithShadowVolumes)
+{
+  Scenario scenario;
+  scenario.Renderers.resize(2);
+  scenario.Props.resize(1);
+  scenario.Props[0].Kind = PropKind::Billboard;
+  scenario.Renderers[0].Pass = PassKind::ShadowVolumes;
+  RemoveUndefined(scenario);
+  EXPECT_EQ(scenario.Props[0].Kind, PropKind::Billboard);
+  scenario.Renderers[1].SharesProps = true;
+  RemoveUndefined(scenario);
+  EXPECT_EQ(scenario.Props[0].Kind, PropKind::Actor);
+}
+
+// VTK alone crashes with splats in a window that gets another context.
+TEST(FuzzUndefined, NoNewContextWithSplats)
+{
+  Scenario scenario;
+  scenario.Props.resize(1);
+  scenario.Changes.push_back({ 1, ChangeKind::NewContext, 0, {} });
+  RemoveUndefined(scenario);
+  EXPECT_EQ(scenario.Changes.size(), 1U);
+  scenario.Props[0].Kind = PropKind::Splats;
+  RemoveUndefined(scenario);
+  EXPECT_TRUE(scenario.Changes.empty());
+}
+
+// Splats keep the global offset with which their shaders were made.
+TEST(FuzzUndefined, NoChangedOffsetOfSplatsWithShadowVolumes)
+{
+  Scenario scenario;
+  scenario.Renderers.resize(1);
+  scenario.Props.resize(1);
+  scenario.Renderers[0].Pass = PassKind::ShadowVolumes;
+  scenario.Changes.push_back({ 1, ChangeKind::PolygonOffset, 0, { 1.0 } });
+  RemoveUndefined(scenario);
+  EXPECT_EQ(scenario.Changes.size(), 1U);
+  scenario.Props[0].Kind = PropKind::Splats;
+  RemoveUndefined(scenario);
+  EXPECT_TRUE(scenario.Changes.empty());
+}
