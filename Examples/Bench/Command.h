@@ -53,7 +53,7 @@ struct ViewOptions
 
   /// The possible values of --scene, for the help.
   std::string SceneHelp = "city, plant, isosurface, terrain, points-wall, points-terrain, "
-                          "glyph-wall, glyph-cloud, glyph-open "
+                          "glyph-wall, glyph-cloud, glyph-open, shells, leaves "
                           "(synthetic), a folder of "
                           ".kicad_pcb (with :actors behind: all "
                           "actors of VTK's importer), or a file of " +

@@ -25,8 +25,6 @@
 
 namespace NBufferExamples
 {
-namespace
-{
 vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* data, const glm::dvec3& color)
 {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -38,6 +36,8 @@ vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* data, const glm::dvec3& color)
   return actor;
 }
 
+namespace
+{
 /// A gyroid of six periods along each axis in the cube from -1 to 1: 0.9 million triangles.
 vtkSmartPointer<vtkPolyData> MakeGyroid()
 {

@@ -113,6 +113,10 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   {
     scene = MakeGlyphs(name, instances);
   }
+  else if (name == "shells" || name == "leaves")
+  {
+    scene = name == "shells" ? MakeSpheresInSpheres() : MakeForest();
+  }
   else if (IsKicadName(name))
   {
     scene = LoadKicad(name, options.Progress);
@@ -125,7 +129,7 @@ Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& optio
   {
     throw std::runtime_error("there is no file " + name +
       "; the scenes without a file are city, plant, isosurface, terrain, points-wall, "
-      "points-terrain, glyph-wall, glyph-cloud and glyph-open");
+      "points-terrain, glyph-wall, glyph-cloud, glyph-open, shells and leaves");
   }
   else if (IsCityFile(name))
   {

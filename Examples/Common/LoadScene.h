@@ -36,10 +36,10 @@ std::string FindData(const std::string& program, const std::string& name);
 
 /**
  * Loads a scene by one name: "city", "plant", "isosurface", "terrain", "points-wall",
- * "points-terrain", "glyph-wall", "glyph-cloud", "glyph-open", or a file of FileFormats.h (the maps
- * and boards, and a folder of boards, are described in SceneKinds.h); or by several names of files
- * that go together. A file may also be compressed (.gz). Throws std::runtime_error with the name of
- * the file, the cause, and a remedy where there is one.
+ * "points-terrain", "glyph-wall", "glyph-cloud", "glyph-open", "shells", "leaves", or a file of
+ * FileFormats.h (the maps and boards, and a folder of boards, are described in SceneKinds.h); or by
+ * several names of files that go together. A file may also be compressed (.gz). Throws
+ * std::runtime_error with the name of the file, the cause, and a remedy where there is one.
  */
 Scene LoadScene(const std::vector<std::string>& names, const SceneOptions& options);
 

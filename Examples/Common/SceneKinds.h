@@ -11,6 +11,7 @@
 #include "Scene.h"
 
 class vtkImporter;
+class vtkPolyData;
 
 namespace NBufferExamples
 {
@@ -25,6 +26,9 @@ using Progress = std::function<void(const std::string&)>;
  * 25 m.
  */
 Scene MakePlant(std::uint64_t seed);
+
+/// Makes an actor of a mesh that does not change.
+vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* data, const glm::dvec3& color);
 
 /// Makes an isosurface of 0.9 million triangles that fills a cube, with the paths "outside", around
 /// it, and "inside", through its channels.
@@ -44,6 +48,14 @@ Scene MakeTerrain(int points);
  * of which nothing is hidden.
  */
 Scene MakeGlyphs(const std::string& name, int count);
+
+/// Makes 64 spheres, each inside a larger one, half to almost as large as this: what the N-buffer
+/// paper (section 3.1) expects not to be found hidden.
+Scene MakeSpheresInSpheres();
+
+/// Makes 96 crowns of 4,000 small leaves in front of 400 cubes: what that section expects to hide
+/// them together.
+Scene MakeForest();
 
 /// Returns whether a name ends with .bsp or .bsp.gz, or with one of these and ":faces" or
 /// ":clusters".
