@@ -20,13 +20,13 @@ namespace NBufferExamples
 {
 namespace
 {
-vtkSmartPointer<vtkPolyData> MakeSphere(const glm::dvec3& center, double radius)
+vtkSmartPointer<vtkPolyData> MakeSphere(const glm::dvec3& center, double radius, int resolution)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetCenter(center.x, center.y, center.z);
   sphere->SetRadius(radius);
-  sphere->SetThetaResolution(24);
-  sphere->SetPhiResolution(16);
+  sphere->SetThetaResolution(2 * resolution);
+  sphere->SetPhiResolution(resolution + 1);
   sphere->Update();
   return sphere->GetOutput();
 }
@@ -94,10 +94,10 @@ Scene MakeSpheresInSpheres()
   for (int i = 0; i < side * side; ++i)
   {
     const glm::dvec3 center(2.5 * (i % side - 3.5), 0.0, 2.5 * (i / side - 3.5));
-    scene.Actors.push_back(MakeActor(MakeSphere(center, 1.0), { 0.5, 0.6, 0.7 }));
-    // From half as large to almost as large: the flat triangles of the shell are 0.97 away.
+    scene.Actors.push_back(MakeActor(MakeSphere(center, 1.0, 32), { 0.5, 0.6, 0.7 }));
     const double radius = 0.5 + 0.45 * i / (side * side - 1);
-    scene.Actors.push_back(MakeActor(MakeSphere(center, radius), { 0.9, 0.4, 0.2 }));
+    // So few triangles that each of them may be tested.
+    scene.Actors.push_back(MakeActor(MakeSphere(center, radius, 8), { 0.9, 0.4, 0.2 }));
   }
   AddPath(scene, { 0.0, -42.0, 0.0 }, 0.5);
   return scene;
