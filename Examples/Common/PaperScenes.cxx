@@ -20,7 +20,7 @@ namespace NBufferExamples
 {
 namespace
 {
-vtkSmartPointer<vtkPolyData> MakeSphere(const glm::dvec3& center, double radius, int resolution)
+vtkSmartPointer<vtkPolyData> MakeBall(const glm::dvec3& center, double radius, int resolution)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetCenter(center.x, center.y, center.z);
@@ -94,10 +94,10 @@ Scene MakeSpheresInSpheres()
   for (int i = 0; i < side * side; ++i)
   {
     const glm::dvec3 center(2.5 * (i % side - 3.5), 0.0, 2.5 * (i / side - 3.5));
-    scene.Actors.push_back(MakeActor(MakeSphere(center, 1.0, 32), { 0.5, 0.6, 0.7 }));
+    scene.Actors.push_back(MakeActor(MakeBall(center, 1.0, 32), { 0.5, 0.6, 0.7 }));
     const double radius = 0.5 + 0.45 * i / (side * side - 1);
     // So few triangles that each of them may be tested.
-    scene.Actors.push_back(MakeActor(MakeSphere(center, radius, 8), { 0.9, 0.4, 0.2 }));
+    scene.Actors.push_back(MakeActor(MakeBall(center, radius, 8), { 0.9, 0.4, 0.2 }));
   }
   AddPath(scene, { 0.0, -42.0, 0.0 }, 0.5);
   return scene;
