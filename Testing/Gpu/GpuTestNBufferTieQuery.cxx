@@ -9,6 +9,7 @@
 
 #include "vtkProperty.h"
 
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -94,6 +95,22 @@ TEST_F(GpuTestNBufferTieQuery, LeavesNoTrace)
       glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
       EXPECT_EQ(this->Read(GL_RED), redBefore);
       EXPECT_EQ(this->Read(GL_DEPTH_COMPONENT), depthBefore);
+    });
+}
+
+// Hazard: the next draws write no colors because an observer of the application has thrown.
+TEST_F(GpuTestNBufferTieQuery, LeavesNoTraceOfAnException)
+{
+  WhileDrawing(this->Window, this->Renderer,
+    [this]()
+    {
+      const GLStateSnapshot before = GLStateSnapshot::Capture(this->Window);
+      EXPECT_THROW(vtkNBufferTieQuery::HasTies([]() { throw std::runtime_error("drawn"); }),
+        std::runtime_error);
+      EXPECT_EQ(before.GetDifference(GLStateSnapshot::Capture(this->Window)), "");
+      int running = 0;
+      glGetQueryiv(GL_SAMPLES_PASSED, GL_CURRENT_QUERY, &running);
+      EXPECT_EQ(running, 0);
     });
 }
 
