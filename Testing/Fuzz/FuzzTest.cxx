@@ -431,7 +431,6 @@ TEST_F(FuzzRuns, ConesOfWhatIsLitElsewhere)
   }
 }
 
-// VTK culls the first frame after stereo by the frustum of an eye.
 // Large props that tie, drawn twice in a frame: by a pass of which that is not known, and by one of
 // which it is.
 TEST_F(FuzzRuns, LargePropsDrawnTwice)
@@ -464,6 +463,19 @@ TEST_F(FuzzRuns, LargePropsDrawnTwice)
   }
 }
 
+// The passes in the keys of an actor of two renderers, and of another one with its mapper, decide
+// when VTK makes the shaders.
+TEST_F(FuzzRuns, MapperSharedInTwoRenderers)
+{
+  const Scenario scenario = FromJson(Parse(
+    R"({"changes": [{"frame": 1, "kind": "Edges", "values": [1.0, 0.5, 0.5]}], "frames": 2,
+        "culler": {"minimum_number_of_primitives": 2},
+        "props": [{"lighting": false}, {"from": 1, "id": 13, "lighting": false, "mapper_of": 0}],
+        "renderers": [{}, {"shares_props": true}]})"));
+  EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
+}
+
+// VTK culls the first frame after stereo by the frustum of an eye.
 TEST_F(FuzzRuns, ShadowsAfterStereo)
 {
   const Scenario scenario = FromJson(Parse(

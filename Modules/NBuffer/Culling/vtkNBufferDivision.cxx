@@ -51,9 +51,7 @@ void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
     }
     auto* actor = static_cast<vtkActor*>(this->Props.GetProp(i));
     if (vtkNBufferLargeProps::MayBeDivided(this->Props.GetCandidate(i)) ||
-      std::any_of(this->Entries.begin(), this->Entries.end(),
-        [actor](const Entry& entry)
-        { return entry.Prop->GetActor()->GetMapper() == actor->GetMapper(); }))
+      this->Pass->IsAttachedTo(actor->GetMapper()))
     {
       Entry entry;
       entry.Place = i;
@@ -69,7 +67,9 @@ void vtkNBufferDivision::Update(vtkOpenGLRenderWindow* window, const vtkNBufferS
 {
   this->Postponed = -1;
   const int minimum = settings.DivideProps ? settings.MinimumNumberOfPrimitives : VTK_INT_MAX;
-  const bool isNew = std::exchange(this->Minimum, minimum) != minimum;
+  vtkSmartPointer<vtkNBufferDrawPass> pass = vtkNBufferDrawPass::Get(window);
+  const bool hasOtherPass = std::exchange(this->Pass, pass) != pass;
+  const bool isNew = std::exchange(this->Minimum, minimum) != minimum || hasOtherPass;
   if (isNew)
   {
     this->Entries.clear();

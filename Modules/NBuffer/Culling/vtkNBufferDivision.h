@@ -24,7 +24,7 @@
 #include "vtkNBufferDividedProp.h"
 #include "vtkNBufferDrawPass.h"
 #include "vtkNBufferTieOrder.h"
-#include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <functional>
 #include <memory>
@@ -149,10 +149,10 @@ private:
   Entry* Find(int place);
   void FindLarge(const std::vector<int>& places);
   vtkNBufferCandidateList& Props;
-  vtkNew<vtkNBufferDrawPass> Pass;
-  std::vector<Entry> Entries; ///< In the order of their places.
-  int ListNumber = -1;        ///< That of the list of candidates to which the places belong.
-  int Minimum = VTK_INT_MAX;  ///< The number of cells from which on a prop is large.
+  vtkSmartPointer<vtkNBufferDrawPass> Pass; ///< That of the window.
+  std::vector<Entry> Entries;               ///< In the order of their places.
+  int ListNumber = -1;       ///< That of the list of candidates to which the places belong.
+  int Minimum = VTK_INT_MAX; ///< The number of cells from which on a prop is large.
   int Postponed = -1;
 };
 

@@ -153,7 +153,7 @@ private:
     const std::function<int()>& drawWhole);
 
   vtkWeakPointer<vtkActor> Actor;
-  vtkNBufferDrawPass* Pass;
+  vtkSmartPointer<vtkNBufferDrawPass> Pass;
   vtkNBufferDrawHook Hook;
   Phase State = Phase::Waiting;
   int StillFrames = 0;

@@ -158,7 +158,7 @@ private:
   void Restore();
 
   using Callback = vtkOpenGLResourceFreeCallback<vtkNBufferDrawHook>;
-  vtkNBufferDrawPass* Pass;
+  vtkSmartPointer<vtkNBufferDrawPass> Pass;
   std::unique_ptr<Callback> Resources;
   std::array<Buffer, NumberOfLists> Buffers;
   vtkActor* Actor = nullptr; ///< Only compared; set while a Draw exists.

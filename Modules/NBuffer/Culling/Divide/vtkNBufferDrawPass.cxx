@@ -2,28 +2,62 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferDrawPass.h"
 
+#include "vtkActor.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkProp.h"
+#include "vtkWindow.h"
+
+#include <algorithm>
+#include <mutex>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkNBufferDrawPass);
 
-void vtkNBufferDrawPass::Attach(vtkProp* prop)
+vtkSmartPointer<vtkNBufferDrawPass> vtkNBufferDrawPass::Get(vtkWindow* window)
 {
-  if (!prop->GetPropertyKeys())
+  // Windows may be drawn by several threads.
+  static std::mutex mutex;
+  static std::map<vtkWindow*, vtkWeakPointer<vtkNBufferDrawPass>> passes;
+  const std::lock_guard<std::mutex> lock(mutex);
+  vtkSmartPointer<vtkNBufferDrawPass> pass = passes[window].Get();
+  if (!pass)
   {
-    vtkNew<vtkInformation> keys;
-    prop->SetPropertyKeys(keys);
+    pass = vtkSmartPointer<vtkNBufferDrawPass>::New();
+    passes[window] = pass;
   }
-  vtkOpenGLRenderPass::RenderPasses()->Append(prop->GetPropertyKeys(), this);
+  return pass;
 }
 
-void vtkNBufferDrawPass::Detach(vtkProp* prop)
+void vtkNBufferDrawPass::Attach(vtkActor* actor)
 {
-  vtkInformation* keys = prop->GetPropertyKeys();
+  User& user = this->Users[actor];
+  if (!user.Actor)
+  {
+    user = { actor, 0 };
+  }
+  if (user.Count++ > 0)
+  {
+    return;
+  }
+  if (!actor->GetPropertyKeys())
+  {
+    vtkNew<vtkInformation> keys;
+    actor->SetPropertyKeys(keys);
+  }
+  vtkOpenGLRenderPass::RenderPasses()->Append(actor->GetPropertyKeys(), this);
+}
+
+void vtkNBufferDrawPass::Detach(vtkActor* actor)
+{
+  const auto user = this->Users.find(actor);
+  if (--user->second.Count > 0)
+  {
+    return;
+  }
+  this->Users.erase(user);
+  vtkInformation* keys = actor->GetPropertyKeys();
   vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
   if (keys && passes->Length(keys) > 0)
   {
@@ -33,6 +67,13 @@ void vtkNBufferDrawPass::Detach(vtkProp* prop)
       keys->Remove(passes);
     }
   }
+}
+
+bool vtkNBufferDrawPass::IsAttachedTo(vtkMapper* mapper) const
+{
+  return std::any_of(this->Users.begin(), this->Users.end(),
+    [mapper](const auto& entry)
+    { return entry.second.Actor && entry.second.Actor->GetMapper() == mapper; });
 }
 
 bool vtkNBufferDrawPass::SetShaderParameters(

@@ -7,34 +7,47 @@
  *
  * A mapper makes its shaders anew if the passes of an actor are not those of the last draw. Actors
  * that share a mapper share its shaders as well, and what they see depends on when these are made.
- * Therefore all large props of a renderer have the same pass, and so has an actor that begins to
- * share the mapper of one of them. They keep it while they are in the renderer, whether they can be
- * divided at the moment or not.
+ * Therefore all large props of a window have the same pass, and so has an actor that begins to
+ * share the mapper of one of them. They keep it while they are in a renderer of the window, whether
+ * they can be divided at the moment or not.
  */
 #ifndef vtkNBufferDrawPass_h
 #define vtkNBufferDrawPass_h
 
+#include "vtkNBufferModule.h" // For export macro
 #include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
 #include "vtkOpenGLRenderPass.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
 #include <functional>
+#include <map>
 #include <utility>
 
-class vtkProp;
+class vtkActor;
+class vtkMapper;
+class vtkWindow;
 
 VTK_ABI_NAMESPACE_BEGIN
 
-class vtkNBufferDrawPass : public vtkOpenGLRenderPass
+class VTKNBUFFER_EXPORT vtkNBufferDrawPass : public vtkOpenGLRenderPass
 {
 public:
   static vtkNBufferDrawPass* New();
   vtkTypeMacro(vtkNBufferDrawPass, vtkOpenGLRenderPass);
 
+  /// The pass of a window. It is made if nobody holds one.
+  static vtkSmartPointer<vtkNBufferDrawPass> Get(vtkWindow* window);
+
   ///@{
-  /// Add the pass to the property keys of a prop, or remove it.
-  void Attach(vtkProp* prop);
-  void Detach(vtkProp* prop);
+  /// Add the pass to the property keys of an actor, or remove it when it has been detached as often
+  /// as attached: an actor may be in several renderers of the window.
+  void Attach(vtkActor* actor);
+  void Detach(vtkActor* actor);
   ///@}
+
+  /// Whether the pass is attached to an actor with this mapper.
+  bool IsAttachedTo(vtkMapper* mapper) const;
 
   /// Set what to do before a mapper draws a prop, or nullptr.
   void SetCallback(std::function<void(vtkAbstractMapper*, vtkProp*)> callback)
@@ -57,7 +70,14 @@ private:
   vtkNBufferDrawPass(const vtkNBufferDrawPass&) = delete;
   void operator=(const vtkNBufferDrawPass&) = delete;
 
+  struct User
+  {
+    vtkWeakPointer<vtkActor> Actor;
+    int Count = 0;
+  };
+
   std::function<void(vtkAbstractMapper*, vtkProp*)> Callback;
+  std::map<vtkActor*, User> Users; ///< Of an actor that has been deleted, Actor is null.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNBufferDrawPass.h"
+
+#include "vtkActor.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkNew.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderWindow.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+int CountPasses(vtkActor* actor)
+{
+  return actor->GetPropertyKeys()
+    ? vtkOpenGLRenderPass::RenderPasses()->Length(actor->GetPropertyKeys())
+    : 0;
+}
+
+TEST(NBufferDrawPass, OneForEachWindow)
+{
+  vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkRenderWindow> other;
+  const auto pass = vtkNBufferDrawPass::Get(window);
+  EXPECT_EQ(pass, vtkNBufferDrawPass::Get(window));
+  EXPECT_NE(pass, vtkNBufferDrawPass::Get(other));
+}
+
+// Two renderers have the same actor.
+TEST(NBufferDrawPass, StaysUntilItIsDetachedAsOftenAsAttached)
+{
+  vtkNew<vtkRenderWindow> window;
+  const auto pass = vtkNBufferDrawPass::Get(window);
+  vtkNew<vtkActor> actor;
+  vtkNew<vtkPolyDataMapper> mapper;
+  actor->SetMapper(mapper);
+  pass->Attach(actor);
+  pass->Attach(actor);
+  EXPECT_EQ(CountPasses(actor), 1);
+  EXPECT_TRUE(pass->IsAttachedTo(mapper));
+  pass->Detach(actor);
+  EXPECT_EQ(CountPasses(actor), 1);
+  pass->Detach(actor);
+  EXPECT_EQ(CountPasses(actor), 0);
+  EXPECT_FALSE(pass->IsAttachedTo(mapper));
+}
+
+// Nobody detaches the pass from an actor that has been deleted, and another actor may be made at
+// its address. The allocator
+// uses an address again soon.
+TEST(NBufferDrawPass, ForgetsActorsThatWereDeleted)
+{
+  vtkNew<vtkRenderWindow> window;
+  const auto pass = vtkNBufferDrawPass::Get(window);
+  for (int i = 0; i < 100; ++i)
+  {
+    vtkNew<vtkActor> actor;
+    pass->Attach(actor);
+    ASSERT_EQ(CountPasses(actor), 1);
+  }
+}
+}
