@@ -475,6 +475,22 @@ TEST_F(FuzzRuns, MapperSharedInTwoRenderers)
   EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
 }
 
+// The shader that pushes the box behind the wall away writes the depth at the middle of a pixel for
+// samples of a steep face that does not cover the middle.
+TEST_F(FuzzRuns, OffsetsOfMultisampledFaces)
+{
+  const Scenario scenario = FromJson(Parse(
+    R"({"changes": [{"kind": "PolygonOffset", "values": [1.0]}], "frames": 1,
+        "props": [
+          {"id": 104, "offset_units": 4000.0, "shape": {
+            "center": [-2.9563903808, -11.0864639282, -3.695487976],
+            "size": [2.956390380859375, 2.956390380859375, 2.956390380859375]}},
+          {"shape": {"size": [88.69171142578125, 44.345855712890625, 3.6954879760742188]}}],
+        "views": [{"position": [0.0, 0.0, 147.819519043]}],
+        "window": {"height": 117, "multi_samples": 4}})"));
+  EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
+}
+
 // VTK culls the first frame after stereo by the frustum of an eye.
 TEST_F(FuzzRuns, ShadowsAfterStereo)
 {

@@ -69,12 +69,10 @@ TEST(FuzzUndefined, NoNewContextWithSplats)
 }
 
 // Splats keep the global offset with which their shaders were made.
-TEST(FuzzUndefined, NoChangedOffsetOfSplatsWithShadowVolumes)
+TEST(FuzzUndefined, NoChangedOffsetOfSplats)
 {
   Scenario scenario;
-  scenario.Renderers.resize(1);
   scenario.Props.resize(1);
-  scenario.Renderers[0].Pass = PassKind::ShadowVolumes;
   scenario.Changes.push_back({ 1, ChangeKind::PolygonOffset, 0, { 1.0 } });
   RemoveUndefined(scenario);
   EXPECT_EQ(scenario.Changes.size(), 1U);

@@ -53,10 +53,12 @@ bool HasAmbientOcclusion(const Scenario& scene)
 
 void RemoveUndefined(Scenario& scene)
 {
-  const bool hasSplats = std::any_of(scene.Props.begin(), scene.Props.end(),
-    [](const Prop& prop) { return prop.Kind == PropKind::Splats; });
-  if (hasSplats)
+  if (std::any_of(scene.Props.begin(), scene.Props.end(),
+        [](const Prop& prop) { return prop.Kind == PropKind::Splats; }))
   {
+    // VTK does not make the shaders of splats anew when its global offsets of polygons change. A
+    // new pass does, and property keys that a pass gives to an actor that has none.
+    RemoveChanges(scene, ChangeKind::PolygonOffset);
     RemoveChanges(scene, ChangeKind::NewContext);
   }
   if (HasAmbientOcclusion(scene))
@@ -83,12 +85,6 @@ void RemoveUndefined(Scenario& scene)
   }
   if (HasPass(scene, HasShadowVolumes))
   {
-    // VTK does not make the shaders of splats anew when its global offsets of polygons change. The
-    // new pass does that the reference has in each frame.
-    if (hasSplats)
-    {
-      RemoveChanges(scene, ChangeKind::PolygonOffset);
-    }
     const bool sharesProps = std::any_of(scene.Renderers.begin(), scene.Renderers.end(),
       [](const Renderer& renderer) { return renderer.SharesProps; });
     for (Prop& prop : scene.Props)

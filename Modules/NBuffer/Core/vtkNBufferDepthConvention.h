@@ -70,12 +70,6 @@ constexpr bool IsDrawn(float stored)
   return Sign > 0.0 ? stored < Background : stored > Background;
 }
 
-/// Whether glPolygonOffset() with these arguments moves no fragment nearer to the eye.
-constexpr bool IsAwayFromEye(double factor, double units)
-{
-  return GetOrder(factor) >= 0.0 && GetOrder(units) >= 0.0;
-}
-
 ///@{
 /// Arguments of glDepthFunc(): a fragment passes if it is nearer than what is stored, if it is
 /// nearer or has the same depth, or if it is farther. The numbers are those of GL_LESS, GL_LEQUAL

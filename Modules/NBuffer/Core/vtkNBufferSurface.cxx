@@ -309,8 +309,7 @@ bool vtkNBufferSurface::DrawsLines(vtkMapper* mapper)
 
 bool vtkNBufferSurface::HasOffsetTowardsEye(vtkMapper* mapper, bool linesOrPoints)
 {
-  // Without global resolution only visible edges switch the mapper's parameters on. Parameters that
-  // push the surface away from the eye are harmless.
+  // Without global resolution only visible edges switch the mapper's parameters on.
   switch (vtkMapper::GetResolveCoincidentTopology())
   {
     case VTK_RESOLVE_OFF:
@@ -320,7 +319,13 @@ bool vtkNBufferSurface::HasOffsetTowardsEye(vtkMapper* mapper, bool linesOrPoint
       double factor = 0.0;
       double units = 0.0;
       mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
-      return linesOrPoints || !vtkNBufferDepthConvention::IsAwayFromEye(factor, units);
+      // With parameters, VTK's fragment shader writes the depth at the middle of the pixel. With
+      // multisampling the middle may lie outside of the triangle, by half a pixel's diagonal at
+      // most, and so nearer to the eye by less than the slope. A factor of 1 makes up for that.
+      return linesOrPoints ||
+        ((factor != 0.0 || units != 0.0) &&
+          (vtkNBufferDepthConvention::GetOrder(factor) < 1.0 ||
+            vtkNBufferDepthConvention::GetOrder(units) < 0.0));
     }
     default:
       return true;

@@ -96,8 +96,9 @@ public:
   static double GetLightingMargin(vtkActor* actor);
 
   /**
-   * Whether the polygon offset of a plain mapper, which draws `linesOrPoints` or not, may move its
-   * surface nearer to the eye. This depends on vtkNBufferPropWatch::GetGlobalState().
+   * Whether the polygon offset of a plain mapper, which draws `linesOrPoints` or not, may give a
+   * sample a depth nearer to the eye than its surface. This depends on
+   * vtkNBufferPropWatch::GetGlobalState().
    */
   static bool HasOffsetTowardsEye(vtkMapper* mapper, bool linesOrPoints);
 
