@@ -68,6 +68,34 @@ TEST(FuzzUndefined, NoNewContextWithSplats)
   EXPECT_TRUE(scenario.Changes.empty());
 }
 
+// VTK 9.1 alone crashes with such glyphs.
+TEST(FuzzUndefined, NoEdgesOfClippedGlyphs)
+{
+  Scenario scenario;
+  scenario.Props.resize(1);
+  scenario.Props[0].ClippingPlane = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0 };
+  scenario.Changes.push_back({ 1, ChangeKind::Edges, 0, { 1.0 } });
+  RemoveUndefined(scenario);
+  EXPECT_EQ(scenario.Changes.size(), 1U);
+  scenario.Props[0].Kind = PropKind::Glyphs;
+  RemoveUndefined(scenario);
+  EXPECT_TRUE(scenario.Changes.empty());
+}
+
+// A renderer without cullers draws them as opaque once.
+TEST(FuzzUndefined, NoTranslucentScalarsOfFilters)
+{
+  Scenario scenario;
+  scenario.Props.resize(1);
+  scenario.Props[0].Kind = PropKind::Piped;
+  scenario.Props[0].Scalars = Translucency::Opaque;
+  RemoveUndefined(scenario);
+  EXPECT_EQ(scenario.Props[0].Kind, PropKind::Piped);
+  scenario.Props[0].Scalars = Translucency::Some;
+  RemoveUndefined(scenario);
+  EXPECT_EQ(scenario.Props[0].Kind, PropKind::Actor);
+}
+
 // Splats keep the global offset with which their shaders were made.
 TEST(FuzzUndefined, NoChangedOffsetOfSplats)
 {

@@ -231,6 +231,7 @@ void MakeMaterials(Writer& writer)
 {
   const double share = writer.Any({ 0.0, 0.0, 0.05, 0.2 });
   const double flat = writer.Any({ 0.0, 0.5 });
+  const double piped = writer.Any({ 0.0, 0.0, 0.0, 0.0, 0.0, 0.5 });
   for (Prop& prop : writer.Scene.Props)
   {
     if (writer.Chance(share))
@@ -238,6 +239,10 @@ void MakeMaterials(Writer& writer)
       MakeOdd(writer, prop);
     }
     prop.Flat = writer.Chance(flat);
+    if (prop.Kind == PropKind::Actor && writer.Chance(piped))
+    {
+      prop.Kind = PropKind::Piped;
+    }
   }
   // These take long to draw in software, or their shaders to compile.
   if (writer.Chance(0.01))
@@ -277,7 +282,8 @@ void ChangeAnyProp(Writer& writer, int frame)
       break;
     case 6:
       add(ChangeKind::ReplaceData,
-        { writer.Between(0.1, 0.5) * writer.Scale, writer.Between(0.1, 0.5) * writer.Scale, 0.5 });
+        { writer.Between(0.1, 0.5) * writer.Scale, writer.Between(0.1, 0.5) * writer.Scale, 0.5,
+          writer.Any({ 0.0, 1.0 }) });
       break;
     case 7:
       add(ChangeKind::Scale, { writer.Between(0.2, 6.0), writer.Between(0.2, 6.0), 1.0 });

@@ -9,6 +9,7 @@
 #include "vtkRenderWindow.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace TestScene
 {
@@ -29,10 +30,12 @@ bool HasPass(const Scenario& scene, const Predicate& predicate)
       });
 }
 
-void RemoveChanges(Scenario& scene, ChangeKind kind)
+void RemoveChanges(Scenario& scene, ChangeKind kind, std::optional<int> target = {})
 {
-  scene.Changes.erase(std::remove_if(scene.Changes.begin(), scene.Changes.end(),
-                        [kind](const Change& change) { return change.Kind == kind; }),
+  scene.Changes.erase(
+    std::remove_if(scene.Changes.begin(), scene.Changes.end(),
+      [kind, target](const Change& change)
+      { return change.Kind == kind && change.Target == target.value_or(change.Target); }),
     scene.Changes.end());
 }
 
@@ -60,6 +63,20 @@ void RemoveUndefined(Scenario& scene)
     // new pass does, and property keys that a pass gives to an actor that has none.
     RemoveChanges(scene, ChangeKind::PolygonOffset);
     RemoveChanges(scene, ChangeKind::NewContext);
+  }
+  for (Prop& prop : scene.Props)
+  {
+    // Without a culler that reads bounds VTK finds out whether the scalars are translucent before
+    // the filter has run.
+    if (prop.Kind == PropKind::Piped && prop.Scalars == Translucency::Some)
+    {
+      prop.Kind = PropKind::Actor;
+    }
+    // VTK 9.1 does not compile their shader, and crashes.
+    if (prop.Kind == PropKind::Glyphs && !prop.ClippingPlane.empty())
+    {
+      RemoveChanges(scene, ChangeKind::Edges, prop.Id);
+    }
   }
   if (HasAmbientOcclusion(scene))
   {
@@ -100,14 +117,8 @@ void RemoveUndefined(Scenario& scene)
       {
         prop.ForceTranslucent = false;
         prop.Opacity = 1.0;
-        scene.Changes.erase(
-          std::remove_if(scene.Changes.begin(), scene.Changes.end(),
-            [&prop](const Change& change)
-            {
-              return change.Target == prop.Id &&
-                (change.Kind == ChangeKind::Opacity || change.Kind == ChangeKind::BlockOpacity);
-            }),
-          scene.Changes.end());
+        RemoveChanges(scene, ChangeKind::Opacity, prop.Id);
+        RemoveChanges(scene, ChangeKind::BlockOpacity, prop.Id);
       }
     }
   }

@@ -53,7 +53,7 @@ enum class ChangeKind
   Edges,          //
   MovePoints,     ///< Add 3 values to the points of the data, in place; shear x by the fourth, too.
                   ///< All observers of the points are removed before where a fifth is not 0.
-  ReplaceData,    ///< Another data set, whose shape has the 3 values as size.
+  ReplaceData,    ///< Another data set: its size, 3 values; a fourth reverses its points.
   ClippingPlane,  ///< The origin of the plane in place; 3 values.
   Rejoin,         ///< Removed from the renderer and added again, at the end.
   WindowSize,     ///< 2 values.

@@ -88,9 +88,13 @@ Shape GetSecondPart(const Shape& shape)
   return second;
 }
 
-void SetInput(vtkPolyDataMapper* mapper, const Prop& prop)
+void SetInput(vtkPolyDataMapper* mapper, const Prop& prop, bool reversePoints)
 {
   vtkSmartPointer<vtkPolyData> data = MakeShape(prop.Shape, prop.Scalars);
+  if (reversePoints)
+  {
+    ReversePoints(data);
+  }
   if (prop.Kind != PropKind::Piped)
   {
     mapper->SetInputData(data);
@@ -202,7 +206,7 @@ vtkSmartPointer<vtkMapper> MakeMapper(const Prop& prop)
     return mapper;
   }
   vtkNew<vtkPolyDataMapper> mapper;
-  SetInput(mapper, prop);
+  SetInput(mapper, prop, false);
   auto* openGL = vtkOpenGLPolyDataMapper::SafeDownCast(mapper);
   if (openGL && !prop.ShiftCoordinates)
   {
@@ -374,7 +378,10 @@ vtkSmartPointer<vtkProp3D> MakeProp3D(const Prop& prop, vtkCamera* camera)
 
 void MovePoints(vtkMapper* mapper, const Change& change)
 {
-  auto* data = mapper ? vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
+  auto* filter =
+    mapper ? vtkTransformFilter::SafeDownCast(mapper->GetInputAlgorithm(0, 0)) : nullptr;
+  vtkAlgorithm* user = filter ? static_cast<vtkAlgorithm*>(filter) : mapper;
+  auto* data = user ? vtkPolyData::SafeDownCast(user->GetInputDataObject(0, 0)) : nullptr;
   vtkPoints* points = data ? data->GetPoints() : nullptr;
   if (!points)
   {
@@ -395,7 +402,7 @@ void ReplaceData(vtkMapper* mapper, const Prop& description, const Change& chang
   {
     Prop other = description;
     other.Shape.Size = { GetValue(change, 0), GetValue(change, 1), GetValue(change, 2) };
-    SetInput(plain, other);
+    SetInput(plain, other, GetValue(change, 3) != 0.0);
   }
 }
 
@@ -423,8 +430,8 @@ void ChangeActor(vtkActor* actor, const Prop& description, const Change& change)
       property->SetEdgeVisibility(value != 0.0);
       break;
     case ChangeKind::MovePoints:
-      // What a filter puts out is its own.
-      if (description.Kind == PropKind::Actor || description.Kind == PropKind::Glyphs)
+      if (description.Kind == PropKind::Actor || description.Kind == PropKind::Piped ||
+        description.Kind == PropKind::Glyphs)
       {
         MovePoints(mapper, change);
       }

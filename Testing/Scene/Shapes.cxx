@@ -10,6 +10,7 @@
 #include "vtkCubeSource.h"
 #include "vtkCylinderSource.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -476,6 +477,45 @@ void MovePoints(vtkPoints* points, const glm::dvec3& way, double shear)
     points->SetPoint(i, p[0] + way.x + shear * p[2], p[1] + way.y, p[2] + way.z);
   }
   points->Modified();
+}
+
+void ReversePoints(vtkPolyData* data)
+{
+  const vtkIdType size = data->GetNumberOfPoints();
+  if (size == 0)
+  {
+    return;
+  }
+  vtkNew<vtkIdList> before;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    before->InsertNextId(size - 1 - i);
+    ids->InsertNextId(i);
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataType(data->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(size);
+  data->GetPoints()->GetPoints(before, points);
+  data->SetPoints(points);
+  vtkNew<vtkPointData> values;
+  values->CopyAllOn();
+  values->CopyAllocate(data->GetPointData(), size);
+  values->CopyData(data->GetPointData(), before, ids);
+  data->GetPointData()->ShallowCopy(values);
+  for (vtkCellArray* cells :
+    { data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() })
+  {
+    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+    {
+      cells->GetCellAtId(i, ids);
+      for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+      {
+        ids->SetId(k, size - 1 - ids->GetId(k));
+      }
+      cells->ReplaceCellAtId(i, ids);
+    }
+  }
 }
 
 vtkSmartPointer<vtkPolyData> MakeShape(const Shape& shape, Translucency scalars)

@@ -25,6 +25,9 @@ vtkSmartPointer<vtkPolyData> MakeBox(
 
 /// Moves all points, in place, and shears them by so much along x for each unit of z.
 void MovePoints(vtkPoints* points, const glm::dvec3& way, double shear = 0.0);
+
+/// Gives the points, and their values, the reverse order. The cells stay as they are.
+void ReversePoints(vtkPolyData* data);
 }
 
 #endif
