@@ -239,10 +239,7 @@ void MakeMaterials(Writer& writer)
       MakeOdd(writer, prop);
     }
     prop.Flat = writer.Chance(flat);
-    if (prop.Kind == PropKind::Actor && writer.Chance(piped))
-    {
-      prop.Kind = PropKind::Piped;
-    }
+    prop.Kind = prop.Kind == PropKind::Actor && writer.Chance(piped) ? PropKind::Piped : prop.Kind;
   }
   // These take long to draw in software, or their shaders to compile.
   if (writer.Chance(0.01))
@@ -382,14 +379,8 @@ void ChangeSettings(Writer& writer, int frame)
     case 11:
       add(ChangeKind::PolygonOffset, { writer.Any({ 0.0, 1.0, 2.0 }) });
       break;
-    case 12:
-      if (writer.Chance(0.5))
-      {
-        add(ChangeKind::NewContext, {});
-      }
-      break;
     default:
-      add(ChangeKind::Select, {});
+      add(writer.Any({ ChangeKind::NewContext, ChangeKind::Select, ChangeKind::Select }), {});
       break;
   }
 }

@@ -310,26 +310,20 @@ bool vtkNBufferSurface::DrawsLines(vtkMapper* mapper)
 bool vtkNBufferSurface::HasOffsetTowardsEye(vtkMapper* mapper, bool linesOrPoints)
 {
   // Without global resolution only visible edges switch the mapper's parameters on.
-  switch (vtkMapper::GetResolveCoincidentTopology())
+  if (vtkMapper::GetResolveCoincidentTopology() != VTK_RESOLVE_POLYGON_OFFSET)
   {
-    case VTK_RESOLVE_OFF:
-      return false;
-    case VTK_RESOLVE_POLYGON_OFFSET:
-    {
-      double factor = 0.0;
-      double units = 0.0;
-      mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
-      // With parameters, VTK's fragment shader writes the depth at the middle of the pixel. With
-      // multisampling the middle may lie outside of the triangle, by half a pixel's diagonal at
-      // most, and so nearer to the eye by less than the slope. A factor of 1 makes up for that.
-      return linesOrPoints ||
-        ((factor != 0.0 || units != 0.0) &&
-          (vtkNBufferDepthConvention::GetOrder(factor) < 1.0 ||
-            vtkNBufferDepthConvention::GetOrder(units) < 0.0));
-    }
-    default:
-      return true;
+    return vtkMapper::GetResolveCoincidentTopology() != VTK_RESOLVE_OFF;
   }
+  double factor = 0.0;
+  double units = 0.0;
+  mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
+  // With parameters, VTK's fragment shader writes the depth at the middle of the pixel. With
+  // multisampling the middle may lie outside of the triangle, by half a pixel's diagonal at most,
+  // and so nearer to the eye by less than the slope. A factor of 1 makes up for that.
+  return linesOrPoints ||
+    ((factor != 0.0 || units != 0.0) &&
+      (vtkNBufferDepthConvention::GetOrder(factor) < 1.0 ||
+        vtkNBufferDepthConvention::GetOrder(units) < 0.0));
 }
 
 std::optional<vtkNBufferSurface::BufferCoordinates> vtkNBufferSurface::GetBufferCoordinates(
