@@ -450,6 +450,21 @@ void ShareMappers(Writer& writer)
   }
 }
 
+void ReversePoints(Writer& writer)
+{
+  const Scenario& scene = writer.Scene;
+  if (scene.Culler.MinimumNumberOfPrimitives > 6 || scene.Frames < 3 || !writer.Chance(0.3))
+  {
+    return;
+  }
+  const int frame = writer.Integer(2, scene.Frames - 1);
+  for (const Prop& prop : scene.Props)
+  {
+    const glm::dvec3& size = prop.Shape.Size;
+    writer.AddChange(frame, ChangeKind::ReplaceData, prop.Id, { size.x, size.y, size.z, 1.0 });
+  }
+}
+
 void NestAssemblies(Writer& writer)
 {
   std::vector<Prop>& props = writer.Scene.Props;

@@ -27,6 +27,10 @@ const std::vector<NamedFamily>& GetFamilies();
 /// Let some props draw what an earlier prop of their renderer draws, each in its own way.
 void ShareMappers(Writer& writer);
 
+/// In some scenarios with large props, replace the data of all props by data of the same size whose
+/// points are in the reverse order: units of the same boxes, with other indices.
+void ReversePoints(Writer& writer);
+
 /// Make some props parts of the assembly that stands before them in the list.
 void NestAssemblies(Writer& writer);
 

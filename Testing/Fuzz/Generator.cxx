@@ -546,6 +546,7 @@ Scenario MakeScenario(std::uint64_t seed, ScenarioKind kind)
   }
   MakeMaterials(writer);
   MakeChanges(writer);
+  ReversePoints(writer);
   MakeRenderers(writer);
   if (shadows)
   {

@@ -74,6 +74,8 @@ MUTANTS = {
         ("vtkNBufferBlockStream.cxx", "this->Exchanged->swap(*GetBlockList(this->Changed).Blocks);", "")],
     "gaussian points as small as their middles": [
         (DIVIDED, "vtkNBufferSurface::GetMarginOfLines(this->Actor->GetProperty())", "0.0")],
+    "indices of the mesh before": [
+        (HOOK, "buffer.Marked.clear(); // The same units of another mesh have other indices.", "")],
     "units of data that have changed": [
         (DIVIDED, "data->GetMTime() == source.DataTime;", "true;"),
         (HOOK, "source.Corners == 0 || !(source == this->Read) || (source.IsNumbered",
@@ -199,6 +201,8 @@ SHADOW_MUTANTS = {
     "box of pixels one column short": [
         (DRAW_LIST, "draw.Box = box;",
          "draw.Box = box;\n    --draw.Box.X1;")],
+    "slabs that begin at the caster end with the first of them": [
+        (PLAN, "slabs.back().Far = far;", "slabs.back().Far = std::min(far, slabs.back().Far);")],
     "receivers next to the caster count as before it": [
         (PLAN, "lookup.IsInOneFace && lookup.Extent.Far < lookup.Near)",
          "lookup.IsInOneFace && lookup.Extent.Far < lookup.Far)")],
@@ -264,8 +268,6 @@ SHADOW_MUTANTS = {
 # These leave an error in so few frames that ten times as many are granted: other tolerances cover
 # most of what the missing one let through, or the frames that show it are rare.
 RARE = {
-    "indices of the mesh before": [
-        (HOOK, "buffer.Marked.clear(); // The same units of another mesh have other indices.", "")],
     "equal depths inside of a mesh not found by the device": [
         ("vtkNBufferTieQuery.cxx", "return passed > 0;", "return false;")],
     "only one part of what is drawn again followed": [
@@ -292,8 +294,6 @@ RARE_SHADOWS = {
     "half the cone": [
         (LITMAP_SET, "vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;",
          "0.5 * vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;")],
-    "slabs that begin at the caster end with the first of them": [
-        (PLAN, "slabs.back().Far = far;", "slabs.back().Far = std::min(far, slabs.back().Far);")],
     "volumes beyond the range of the stencil are not counted in portions": [
         (MASK_MAKER,
          "const bool allAtOnce = plan.IsCountBelow(vtkShadowCaster::MaximumCount);",
