@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Queries of an N-buffer in vertex and fragment programs: functions for the text of any shader of
-// GLSL 1.50 or later. C++ has this text as the string vtkNBufferQuery of vtkNBufferQuery.h. For
-// particles, for example, a vertex program rejects what is hidden:
+// Functions that query an N-buffer, for vertex and fragment shaders of GLSL 1.50 or later. Insert
+// this text into a shader; C++ has it as the string vtkNBufferQuery of vtkNBufferQuery.h. For
+// particles, for example, a vertex shader rejects what is hidden:
 //
 //     uniform sampler2DArray even;  // texture unit of vtkNBufferTexture::GetHandle(0)
 //     uniform sampler2DArray odd;   // texture unit of vtkNBufferTexture::GetHandle(1)
@@ -14,23 +14,23 @@
 //       gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // outside of the clip volume
 //     }
 //
-// Meaning. A vtkNBufferTexture holds maxima (the farthest depth) or minima (the nearest depth),
-// whichever Build() was called for; an application that needs both builds two. The functions that
-// are about hiding read maxima, those that are about showing read minima. They return what
-// vtkNBufferLevels::Query() returns for the same levels, bit for bit.
+// Meaning. A vtkNBufferTexture holds maxima (the farthest depth) or minima (the nearest depth), as
+// Build() was called for; an application that needs both builds two. NBufferFarthestOfSquare(),
+// NBufferFarthest() and NBufferHides() read maxima; NBufferNearestInOne() and NBufferShows() read
+// minima. They return what vtkNBufferLevels::Query() returns for the same levels, bit for bit.
 //
 // Units. Rectangles are half-open, (x0, y0, x1, y1) with x0 <= x < x1 and y upwards, in pixels that
 // are counted from the lower left corner of the rectangle that Build() was called for. Depths are
 // window depths in [0, 1], 0 at the near plane (GL_LESS or GL_LEQUAL).
 //
-// Range. Rectangles may lie partly or wholly outside of the image, and may be empty: only the pixels
-// inside count. A rectangle without such pixels is hidden and not shown. Images may have up to
-// 65,536 pixels a side. Where the level that a query needs is not built, nothing is known: nothing
-// is hidden then, and nothing is shown.
+// Range. Rectangles may lie partly or wholly outside of the image, and may be empty: only the
+// pixels inside count. A rectangle without such pixels is hidden and not shown. Images may have up
+// to 65,536 pixels a side. If the level that a query needs is not built, nothing is known, so that
+// the rectangle is neither hidden nor shown.
 //
 // The caller rounds to the safe side: a rectangle must contain every pixel that may be drawn,
-// `nearest` must not be farther than any fragment, and `farthest` not nearer (docs/precision.md says
-// how far the depth of a fragment may differ from that of its vertices).
+// `nearest` must not be farther than any fragment, and `farthest` must not be nearer than any
+// (docs/precision.md says how far the depth of a fragment may differ from that of its vertices).
 //
 // Cost. One texelFetch, or at most four, whatever the size of the rectangle, and some dozens of
 // integer operations; no loop has more than four turns, and no derivatives are used.
@@ -90,10 +90,10 @@ ivec2 NBufferGetStart(ivec4 texels, int level, ivec2 index)
 }
 
 // The farthest depth in the square of 2^level texels a side whose lower left corner is the texel
-// `corner` of level 0, in one lookup. Up to the border of the image the square is exact, which makes
-// it the query for sprites with a power of two as their size. A square that begins outside of the
-// image, on the left or below, is moved inside. Returns 0 for a square outside of the image, and 1
-// if the level is not built.
+// `corner` of level 0, in one lookup. What lies beyond the upper or right border of the image does
+// not count, so that the result is exact; this is the query for sprites whose size is a power of
+// two. A square that begins outside of the image, on the left or below, is moved inside. Returns 0
+// for a square outside of the image, and 1 if the level is not built.
 float NBufferFarthestOfSquare(
   sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec2 corner, int level)
 {
@@ -148,8 +148,8 @@ bool NBufferHides(
 }
 
 // The nearest depth over a rectangle, of an N-buffer of minima, in one lookup; where the square is
-// larger than the rectangle, a depth that may be nearer. Returns 1 for no pixels, and 0 if the level
-// is not built.
+// larger than the rectangle, a depth that may be nearer. Returns 1 for no pixels, and 0 if the
+// level is not built.
 float NBufferNearestInOne(
   sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels)
 {

@@ -6,7 +6,7 @@
 #ifndef vtkNBufferShared_h
 #define vtkNBufferShared_h
 
-// How the base pass reads depth: by a sampler, as integers, or from multisampled textures.
+// How vtkNBufferBaseFS.glsl reads depth: by a sampler, as integers, or from multisampled textures.
 #define NBUFFER_SOURCE_DEPTH 0
 #define NBUFFER_SOURCE_INTEGER 1
 #define NBUFFER_SOURCE_MULTISAMPLE 2
