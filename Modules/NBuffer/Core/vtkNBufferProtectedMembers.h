@@ -63,8 +63,8 @@ inline vtkShaderProperty* const& GetShaderProperty(const vtkProp* prop)
 }
 
 /**
- * What a mapper is about to draw, while it sets the parameters of its shader. Null unless triangles
- * or points are all that it draws.
+ * The stream (index buffer, program and vertex array) that a mapper is about to draw, while it sets
+ * the parameters of its shader; nullptr unless the mapper draws only triangles or only points.
  */
 inline vtkOpenGLHelper* GetOnlyStream(vtkOpenGLPolyDataMapper* mapper)
 {
