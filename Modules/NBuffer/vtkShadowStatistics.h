@@ -57,7 +57,9 @@ constexpr vtkShadowStageTimes UnknownShadowStageTimes = { -1.0, -1.0, -1.0 };
 enum class vtkShadowVerdict : int
 {
   Whole,             ///< Drawn whole: the mode is Unclamped, or no litmap was worth its cost.
-  Boxed,             ///< Drawn whole, but only inside boxes of pixels around its receivers.
+  Boxed,             ///< Drawn whole, but only inside boxes of pixels around its receivers. In mode
+                     ///< Culled, and where the device also draws outside of scissor boxes, it is
+                     ///< drawn in the whole viewport.
   Clamped,           ///< Drawn in slabs, inside such boxes.
   ThroughLightPlane, ///< As Boxed: the caster reaches to or behind the light's plane s = 0.
   NoReceiver,        ///< Not drawn: the camera sees nothing on the light rays through the caster.

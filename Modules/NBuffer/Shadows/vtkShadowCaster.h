@@ -39,6 +39,7 @@ class vtkPolyData;
 class vtkShadowCaster
 {
 public:
+  /// The largest count of a stencil of 8 bits.
   static constexpr int MaximumCount = 255;
 
   using Plane = vtkNBufferSurface::Plane;

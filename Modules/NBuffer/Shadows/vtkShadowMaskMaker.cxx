@@ -24,8 +24,8 @@ namespace
 /// The number of frames for which mode Automatic uses a share of samples that are not background.
 constexpr int CoverageFrames = 30;
 
-/// The number of casters for which a thread of its own pays. It is small because to decide about
-/// one caster may take longer than to decide about a hundred others.
+/// The number of casters for which a thread of its own saves time. It is small because to decide
+/// about one caster may take longer than to decide about a hundred others.
 constexpr vtkIdType CastersPerThread = 256;
 
 /// The faces of a cube around a point light.

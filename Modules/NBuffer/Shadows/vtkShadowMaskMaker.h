@@ -86,6 +86,7 @@ public:
 
   /// The masks. A light has the number that it has in Frame::Lights.
   vtkShadowTarget& GetTarget() { return this->Target; }
+  /// The viewport of the last Reserve(): x, y, width and height in pixels of the framebuffer.
   const int* GetViewport() const { return this->Viewport; }
   const std::string& GetError() const { return this->Error; }
 

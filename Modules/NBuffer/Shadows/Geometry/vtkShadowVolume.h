@@ -12,8 +12,8 @@
  *            /    |    \
  *           /  +=====+  \      near cap: the triangles that count
  *          /  /:::::::\  \
- *         /  /:::::::::\  \    sides: join the outlines of both caps, once for each
- *        /  /:::::::::::\  \   use of an edge that is left over
+ *         /  /:::::::::\  \    sides: join the outlines of both caps; each edge has as
+ *        /  /:::::::::::\  \   many sides as its multiplicity says
  *       /  +=============+  \  far cap: the near cap turned round and moved away
  *                              from the light
  *

@@ -90,8 +90,8 @@ public:
 
     int Viewport[4] = { 0, 0, 0, 0 }; ///< x, y, width, height in the framebuffer.
 
-    /// True to draw into boxes of pixels, false to draw into the whole viewport: some devices also
-    /// draw outside of a scissor box (vtkNBufferGL::KeepsToScissor).
+    /// True to draw into boxes of pixels, false to draw into the whole viewport: in mode Culled,
+    /// and because some devices also draw outside of a scissor box (vtkNBufferGL::KeepsToScissor).
     bool Boxes = true;
   };
 

@@ -27,7 +27,8 @@
  *
  *  - NoReceiver: there is no receiver on its rays. It is not drawn.
  *  - BeforeCaster: all receivers on its rays are nearer to the light. It is not drawn.
- *  - Boxed: its whole volume is drawn into boxes of pixels around the receivers.
+ *  - Boxed: its whole volume is drawn into boxes of pixels around the receivers, or into the whole
+ *    viewport if View::Boxes is false.
  *  - Clamped, in mode Clamped: only the part of its volume in the slabs that the receivers occupy
  *    is drawn into such boxes.
  *
