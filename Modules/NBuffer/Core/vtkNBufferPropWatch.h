@@ -12,9 +12,9 @@
  * - Stamps: the mapper shows polydata without a pipeline. Track() lists all objects, and each later
  *   check reads only their time stamps, one cache line for each. vtkActor::GetMTime() and
  *   vtkMapper::GetMTime() read some thirty cache lines one after the other, which for 15,000 props
- *   takes most of a culled frame. After Observe() only the actor's stamp is read, or
- *   none at all (IsWhollyObserved()), as long as vtkNBufferObservedObjects says that no observed
- *   object has been modified.
+ *   takes most of a culled frame. After Observe() only the actor's stamp is read, or no stamp at
+ *   all (IsWhollyObserved()), as long as vtkNBufferObservedObjects says that no observed object has
+ *   been modified.
  * - Pipeline: filters or sources make the polydata, or actor or mapper are of a class that the
  *   application vouches for, which may override GetMTime(). vtkActor::GetBounds() sends three
  *   requests up the pipeline, which takes as long as drawing a small prop. VTK begins each request

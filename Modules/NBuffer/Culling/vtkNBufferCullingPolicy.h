@@ -97,7 +97,7 @@ namespace vtkNBufferCullingPolicy
  * props, and the caller must hold back one of them, because without such a prop there is no test.
  *
  * A frame with fewer candidates Inside than `minimumNumberOfCandidates` is never tested. `backOff`
- * counts the frame; with nullptr every other frame that can be tested is tested.
+ * counts the frame, and leaves out frames of a pause and most idle frames; nullptr leaves out none.
  */
 VTKNBUFFER_EXPORT vtkNBufferDecision ChooseDecision(
   const vtkNBufferFrustumCounts& counts, int minimumNumberOfCandidates, vtkNBufferBackOff* backOff);

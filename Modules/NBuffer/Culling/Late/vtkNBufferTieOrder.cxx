@@ -11,12 +11,13 @@ namespace
 /// More rectangles leave out more pixels, but each costs a draw. More than four gained nothing.
 constexpr std::size_t MaximumNumberOfRegions = 4;
 
-/// Tiles along the longer side of the viewport.
+/// The number of tiles along the longer side of the viewport.
 constexpr int TilesPerSide = 32;
 
 /**
  * A prop that was drawn after props that follow it in the renderer's order, and the pixels of this
- * draw. For a prop that is drawn again, Round is larger than the number of any round.
+ * draw. If the draw is one that draws the prop once more, Round is larger than the number of any
+ * round.
  */
 struct LateDraw
 {
