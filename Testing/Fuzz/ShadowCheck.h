@@ -25,8 +25,8 @@ struct ShadowTally
   long long ClampedFlips = 0; ///< Samples at edges in which Clamped differs from Unclamped.
   long long ClampedFlipsElsewhere = 0; ///< Other samples in which Clamped differs from Unclamped.
   long long Strays = 0;        ///< Samples in which the mask of whole volumes contradicts rays.
-  long long UnlitStrays = 0;   ///< See ShadowStrays::Unlit.
-  long long PartedStrays = 0;  ///< See ShadowStrays::Parted.
+  long long UnlitStrays = 0;   ///< See `ShadowStrays::Unlit`.
+  long long PartedStrays = 0;  ///< See `ShadowStrays::Parted`.
   long long Rays = 0;          ///< Samples that were compared with rays.
   long long RaysAmbiguous = 0; ///< Those of them that differ and are ambiguous.
 };
