@@ -17,7 +17,8 @@
 // Meaning. A vtkNBufferTexture holds maxima (the farthest depth) or minima (the nearest depth), as
 // Build() was called for; an application that needs both builds two. NBufferFarthestOfSquare(),
 // NBufferFarthest() and NBufferHides() read maxima; NBufferNearestInOne() and NBufferShows() read
-// minima. They return what vtkNBufferLevels::Query() returns for the same levels, bit for bit.
+// minima. The depths that they find are those of vtkNBufferLevels::Query() for the same levels, bit
+// for bit.
 //
 // Units. Rectangles are half-open, (x0, y0, x1, y1) with x0 <= x < x1 and y upwards, in pixels that
 // are counted from the lower left corner of the rectangle that Build() was called for. Depths are
@@ -57,8 +58,8 @@ float NBufferFetch(sampler2DArray even, sampler2DArray odd, int level, ivec2 tex
   return level % 2 == 0 ? texelFetch(even, place, 0).r : texelFetch(odd, place, 0).r;
 }
 
-// The texels of level 0 that a rectangle of pixels touches inside the image; empty if x0 >= x1 or
-// y0 >= y1.
+// The texels of level 0 that a rectangle of pixels touches inside the image, as (x0, y0, x1, y1);
+// all four are 0 if it touches none.
 ivec4 NBufferToTexels(NBufferShape shape, ivec4 pixels)
 {
   ivec2 begin = max(pixels.xy, ivec2(0));
@@ -82,7 +83,7 @@ ivec2 NBufferCountSquares(ivec2 size, int level)
   return (size + ivec2((1 << level) - 1)) >> level;
 }
 
-// The texel whose square is number `index`, along x and y, of those that cover `texels`.
+// The lower left texel of square number `index`, along x and y, of those that cover `texels`.
 ivec2 NBufferGetStart(ivec4 texels, int level, ivec2 index)
 {
   int side = 1 << level;
@@ -106,8 +107,9 @@ float NBufferFarthestOfSquare(
   return level < shape.levels ? NBufferFetch(even, odd, level, max(corner, ivec2(0))) : 1.0;
 }
 
-// The farthest depth over a rectangle, in four lookups at most, or a depth beyond it where a square
-// is wider or higher than the rectangle. Returns 0 for no pixels, and 1 if the level is not built.
+// The farthest depth over a rectangle, in four lookups at most. If a square is wider or higher than
+// the rectangle, the result may be farther. Returns 0 if no pixel of the rectangle is inside the
+// image, and 1 if the level is not built.
 float NBufferFarthest(
   sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels)
 {
@@ -138,7 +140,7 @@ float NBufferFarthest(
   return farthest;
 }
 
-// Whether all that is drawn in a rectangle of pixels, and is nowhere nearer than `nearest`, is
+// Whether everything that is drawn in a rectangle of pixels and is nowhere nearer than `nearest` is
 // hidden by what the N-buffer of maxima was built from. Four lookups at most.
 bool NBufferHides(
   sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels, float nearest)
@@ -147,9 +149,9 @@ bool NBufferHides(
     NBufferToTexels(shape, pixels) == ivec4(0);
 }
 
-// The nearest depth over a rectangle, of an N-buffer of minima, in one lookup; where the square is
-// larger than the rectangle, a depth that may be nearer. Returns 1 for no pixels, and 0 if the
-// level is not built.
+// The nearest depth over a rectangle, of an N-buffer of minima, in one lookup. If the square is
+// larger than the rectangle, the result may be nearer. Returns 1 if no pixel of the rectangle is
+// inside the image, and 0 if the level is not built.
 float NBufferNearestInOne(
   sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels)
 {
@@ -165,9 +167,10 @@ float NBufferNearestInOne(
     : 0.0;
 }
 
-// Whether all that is drawn in a rectangle of pixels, and is nowhere farther than `farthest`, lies
-// before everything that the N-buffer of minima was built from. This is the early accept: if one
-// lookup says so, the lookups of NBufferHides() are not needed. False means that nothing is known.
+// Whether everything that is drawn in a rectangle of pixels and is nowhere farther than `farthest`
+// lies before everything that the N-buffer of minima was built from. This is the early accept: if
+// one lookup finds that it is true, the lookups of NBufferHides() are not needed. False means that
+// nothing is known.
 bool NBufferShows(
   sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels, float farthest)
 {

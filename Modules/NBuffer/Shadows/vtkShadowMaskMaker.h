@@ -107,8 +107,8 @@ private:
   bool MakeLitmaps(const Work& work, const std::vector<vtkShadowLightSpace>& spaces);
   void FindParts(const Work& work);
   void AddCasters(const Work& work, vtkShadowPlan& plan);
-  /// Estimates whether litmaps are worth their cost for a light whose whole volumes have so many
-  /// fragments and triangles, and sets the estimates of `cost`.
+  /// Returns whether litmaps are likely to be worth their cost for a light whose whole volumes have
+  /// this many fragments and triangles. Sets the estimates of `cost`.
   bool IsLitmapWorthIt(
     const Work& work, double fragments, long long triangles, vtkShadowLightCost& cost);
   /// Does the same by the number of triangles alone.

@@ -4,8 +4,8 @@
  * @class vtkShadowVolumeBuffer
  * @brief The vertices and indices of a light's shadow volumes on the device.
  *
- * Volumes are kept from frame to frame (vtkShadowVolumeStore.h). What is on the device stays there,
- * and only what has been added since is sent.
+ * Volumes are kept from frame to frame (vtkShadowVolumeStore.h). What is on the device stays there
+ * while there is room, and only what has been added since is sent.
  *
  * Vertices are in world coordinates, in double precision. Shaders calculate in floats, which have
  * 24 bits. So each coordinate is sent as the sum of two floats, `high` and `low`, and the vertex

@@ -63,8 +63,8 @@
  *
  * Both ends of the interval are projected to light coordinates. That loses nothing, because
  * straight lines stay straight in p and q. The tests against cone and cube face use the ball around
- * the interval, so that every sample that may be reached is a receiver. If the ball touches the
- * light's plane s = 0, its p and q are not known, and the radius is infinite.
+ * the interval, so that every sample that the light may reach is a receiver. If the ball touches
+ * the light's plane s = 0, p and q of the sample are not known, and the radius is infinite.
  */
 #ifndef vtkShadowReceiverProjector_h
 #define vtkShadowReceiverProjector_h
