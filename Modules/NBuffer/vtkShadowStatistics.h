@@ -90,7 +90,7 @@ enum class vtkShadowDecision : int
   NoLight,    ///< No light that is switched on can cast shadows.
   NoCaster,   ///< No prop can cast a shadow.
   NoReceiver, ///< No caster has a receiver; the frame was drawn as without the pass.
-  Failed,     ///< An OpenGL call failed; the frame was drawn as without the pass.
+  Failed,     ///< The shadows could not be drawn; the frame was drawn as without the pass.
   NumberOfDecisions
 };
 
@@ -165,7 +165,7 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   std::vector<vtkShadowLightCost> LightCosts;
   /// The read-backs of depth from OpenGL.
   int ReadBacks = 0;
-  /// The frames so far that were drawn without shadows because an OpenGL call failed.
+  /// The number of frames so far with the decision Failed.
   int FailedFrames = 0;
   /// How often something was drawn for a debug view: once for all volumes (Volumes and Counts), and
   /// once for the image.

@@ -55,8 +55,9 @@
  * Wireframes and points cast no shadows. Surfaces cast shadows as if their textures had no alpha
  * and their shaders displaced no vertex. In mode Clamped the volumes of a point light are clamped
  * only if their caster lies in one face of the cube around the light. The pass needs OpenGL 3.2
- * with depth and stencil in one texture. If an OpenGL call fails, the frame is drawn without
- * shadows, and the first such frame prints a warning.
+ * with depth and stencil in one texture. If the shadows cannot be drawn, for example because an
+ * OpenGL call fails, the frame is drawn without them, and the first such frame prints a warning
+ * with the cause.
  *
  * Cost: two draws of the opaque props, a read-back of the depth (where litmaps are made), and the
  * volumes.
