@@ -120,10 +120,10 @@ public:
   ///@{
   /// Whether the triangles of hidden props are searched for slivers that a rasteriser may draw
   /// nearer than the prop's box (vtkNBufferSliverTest). Without the culler the image has such stray
-  /// pixels, and Mesa's llvmpipe is known to draw them: one in 30 frames of a plant of thin pipes.
-  /// The search takes half a microsecond in every frame per hidden prop of some twenty points, and
-  /// 24 bytes per point and 12 per triangle of its mesh. A prop with a sliver that may be seen is
-  /// drawn: one in 300 of the hidden props of a street. Props of
+  /// pixels. Mesa's llvmpipe is known to draw them, for example in one of 30 frames of a plant of
+  /// thin pipes. The search takes half a microsecond in every frame per hidden prop of some twenty
+  /// points, and 24 bytes per point and 12 per triangle of its mesh. A prop with a sliver that may
+  /// be seen is drawn: one in 300 of the hidden props of a street. Props of
   /// vtkNBufferTuning::MinimumNumberOfPrimitives polygons or more are not searched. Default: off.
   vtkSetMacro(TestSlivers, bool);
   vtkGetMacro(TestSlivers, bool);

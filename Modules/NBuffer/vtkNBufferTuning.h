@@ -61,7 +61,7 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   /**
    * A prop whose mapper's input has at least MinimumNumberOfPrimitives cells is divided into units
    * of UnitSize triangles or points, when it has stayed the same for DivideAfter frames. With
-   * DivideInBackground a thread makes the units, which takes about 0.1 microseconds per triangle
+   * DivideInBackground a thread makes the units, which takes about 0.2 microseconds per triangle
    * (vtkNBufferUnits); until then the prop is drawn whole. The ranges are 1 to 2147483647, 1 to
    * 65536, and 0 to 2147483647.
    */

@@ -102,7 +102,7 @@ inline std::size_t GetNumberOfVertices(vtkOpenGLPolyDataMapper* mapper)
   return static_cast<std::size_t>(Access::Get(mapper)->GetNumberOfTuples("vertexMC"));
 }
 
-/// What the mapper of the instances of a vtkGlyph3DMapper has uploaded for them.
+/// The buffers that the internal mapper of a vtkGlyph3DMapper has uploaded for its instances.
 struct InstanceBuffers
 {
   vtkOpenGLBufferObject* Matrices;

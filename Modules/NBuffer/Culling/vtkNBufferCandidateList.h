@@ -114,8 +114,8 @@ public:
 private:
   void ProjectOne(int i, const vtkNBufferProjection& projection);
   void ProjectDeferred(int i);
-  /// Find the props that have to be read again, given whether VTK's settings for all mappers have
-  /// changed. Only compares times.
+  /// Find the props that have to be read again: all if vtkNBufferPropWatch::GetGlobalState() has
+  /// changed, otherwise those with a newer time. Only compares times.
   void FindStale(bool globalStateChanged);
   void RefreshStale(bool globalStateChanged);
   /// Call vtkNBufferCandidate::ReadParts() for the props that have parts.

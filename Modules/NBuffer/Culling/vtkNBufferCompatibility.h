@@ -7,8 +7,9 @@
  *
  * The culler may hold props back only if the renderer draws its opaque props once, from its active
  * camera, into a framebuffer with depth, and if nothing needs the props that the camera does not
- * see. This file knows which of VTK's own render passes meet these conditions. Any other pass can
- * declare that it does (vtkNBufferRenderPassTraits); if it does not, the culler draws everything.
+ * see. vtkNBufferKnownClasses knows which of VTK's own render passes meet these conditions. Any
+ * other pass can declare that it does (vtkNBufferRenderPassTraits), or the application can vouch
+ * for it (vtkNBufferCuller::AddKnownPass()); otherwise the culler draws everything.
  */
 #ifndef vtkNBufferCompatibility_h
 #define vtkNBufferCompatibility_h

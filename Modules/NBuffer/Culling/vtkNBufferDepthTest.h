@@ -78,7 +78,7 @@ public:
   vtkNBufferDecision Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
     std::initializer_list<const std::vector<int>*> places, int levels, std::string& why);
 
-  /// What units of props are compared with after Build(), until something is drawn.
+  /// The depth that units are compared with. It is valid after Build() until something is drawn.
   vtkNBufferDividedProp::Depth GetDepthOfUnits();
 
   /// Report to the other ranks the number of candidates in the frustum, and how many of them are
@@ -105,8 +105,8 @@ private:
   const float* GetDepth(const std::vector<int>& places);
   /// The screen box of a candidate, or nullptr for one that is not Inside.
   const vtkNBufferScreenBox* GetScreen(int i);
-  /// Put those of `tested` back into `places` of which a sliver may be visible. Before and after
-  /// the call `places` is a part of `tested`, in the same order.
+  /// Put back into `places` the candidates of `tested` that have a sliver that may be visible.
+  /// Before and after the call `places` is a part of `tested`, in the same order.
   void PutBackSlivers(const std::vector<int>& tested, std::vector<int>& places);
   bool HasVisibleSlivers(int i, vtkNBufferSliverTest& test);
 

@@ -68,7 +68,7 @@ public:
   /// Give the verdict Outside to props that are not held back and have no unit in the frustum.
   void MarkOutside();
 
-  /// Draw all props of this frame whole.
+  /// Let all props be drawn whole in this frame.
   void Reset();
 
   /// Whether a prop has to be drawn by Draw(), so that it has a proxy in the renderer's list.

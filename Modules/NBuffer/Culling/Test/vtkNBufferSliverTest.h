@@ -6,7 +6,7 @@
  *
  * The slack of a box (vtkNBufferBoxError.h) allows for the depth error of triangles that are at
  * least 1/16 pixel high on the screen. A lower triangle, a sliver, seldom owns a sample. Where it
- * does, a rasteriser that takes the depth plane of the vertices before they are snapped (Mesa's
+ * does, a rasteriser that uses the depth plane of the vertices before they are snapped (Mesa's
  * llvmpipe) extrapolates along a slope that grows without bound. VTK without a culler then shows a
  * stray pixel through the wall in front. Every curved surface has slivers along its outline. To
  * keep their stray pixels, this test looks at each triangle of a mesh whose box was found hidden.
@@ -23,9 +23,10 @@
  *                     where s <= R / L + r / h is the slope of its plane, along the longest side
  *                     and across it. In most cases the slack of the box allows for that.
  *
- * The last term is the error by the rounding of the slopes. They are sums of two products of sides
- * of L and depths of R, divided by an area of L h, each with an error of about 6 u, over a distance
- * of L. The term holds as long as rounding does not change the area much, 6 u L^2 << L h.
+ * The last term is for the rounding of the slopes. A slope is a sum of two products of a side (at
+ * most L) and a difference of depths (at most R), divided by an area (L h). Each product has an
+ * error of about 6 u, and the slope acts over a distance of at most L. The term holds as long as
+ * rounding does not change the area much, 6 u L^2 << L h.
  *
  * For each triangle that the slack of the box does not cover, the test finds the samples that it
  * may own, and the nearest depth that each of them may have:
@@ -39,10 +40,10 @@
  *    those of d and h. Of the samples outside of a triangle, those on one side are thus nearer than
  *    it, and those on the other are farther.
  *
- * Where h is less than the errors of the vertices, nothing is known of the plane. These errors
- * therefore count for each triangle and axis: with E of vtkNBufferBoxError.h, w of the nearest
- * corner, a the largest distance of a corner from the middle of the view and x its window
- * coordinate, in pixels,
+ * Where h is less than the errors of the vertices, nothing is known of the plane. These errors are
+ * therefore computed for each triangle and axis: with E of vtkNBufferBoxError.h, w of the nearest
+ * corner, a the largest distance of a corner from the middle of the view and x the largest window
+ * coordinate of a corner, both in pixels,
  *
  *     E' = E / w + u (4 a + 2 x),
  *
