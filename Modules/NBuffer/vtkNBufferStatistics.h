@@ -211,8 +211,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   /// The number of props that were drawn.
   int GetNumberOfPropsDrawn() const { return this->Props - this->GetNumberOfPropsNotDrawn(); }
 
-  /// A JSON object on one line, with a member for each field above. Verdicts and the decision are
-  /// given by name.
+  /// A JSON object on one line, with a member for each field above, such as held_back for HeldBack.
+  /// The times are in the member milliseconds. Verdicts and the decision are given by name.
   std::string GetAsJSON() const;
 
   ///@{

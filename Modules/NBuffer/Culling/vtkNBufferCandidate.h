@@ -118,7 +118,7 @@ public:
   /// different props. `observedAreUnchanged` is that of vtkNBufferPropWatch::MayHaveChanged().
   bool IsStale(bool observedAreUnchanged = false) const
   {
-    // Of a prop that is no plain actor only the class is compared, to notice another prop at the
+    // If the prop is no plain actor, only its class is compared, to notice another prop at the
     // address of a deleted one.
     return this->Verdict == vtkNBufferVerdict::NotAPlainActor
       ? this->Class != &typeid(*this->Prop)

@@ -156,7 +156,7 @@ private:
   bool SharesState = false;                          ///< Some object is used in several ways.
   bool BlendedParts = false;                         ///< A part of some prop is blended.
   std::vector<int> WithParts;                        ///< The places of the props that have parts.
-  std::vector<vtkNBufferSharedState::Uses> PartUses; ///< Of all parts of these props.
+  std::vector<vtkNBufferSharedState::Uses> PartUses; ///< The uses of all parts of these props.
 };
 
 VTK_ABI_NAMESPACE_END

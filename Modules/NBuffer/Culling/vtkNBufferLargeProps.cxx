@@ -79,7 +79,7 @@ bool vtkNBufferLargeProps::MayBeDivided(const vtkNBufferCandidate& candidate)
     return !candidate.GetSharesState() &&
       (vtkNBufferInstanceStream::MayBeDivided(actor) || vtkNBufferSplatStream::MayBeDivided(actor));
   }
-  // Of translucent composite data some blocks may be opaque.
+  // Translucent composite data may have opaque blocks.
   return candidate.HasPlacement() && HasUnits(actor->GetMapper()) &&
     !(candidate.IsTranslucent() && vtkNBufferSurface::IsComposite(actor->GetMapper()));
 }

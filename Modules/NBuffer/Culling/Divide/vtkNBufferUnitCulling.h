@@ -26,7 +26,7 @@ public:
   {
     const vtkNBufferLevels& Levels;
     const float* Pixels = nullptr; ///< The depth image, or nullptr if it is not in host memory.
-    double SampleDistance = 0.5;
+    double SampleDistance = 0.5;   ///< See vtkNBufferOcclusionTest.
   };
 
   /// How many units there are in this frame: all, those outside of the frustum, those that are
@@ -104,7 +104,7 @@ private:
 
   vtkNBufferUnits Units;
   Rounding Errors;
-  std::vector<unsigned char> Marks;      ///< Of each unit.
+  std::vector<unsigned char> Marks;      ///< One element for each unit.
   std::vector<unsigned char> DrawnUnits; ///< Whether it has been drawn.
   std::vector<unsigned char> FreshUnits; ///< Whether it is to be drawn next.
   Counts Number;

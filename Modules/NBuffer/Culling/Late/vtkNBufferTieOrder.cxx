@@ -165,8 +165,8 @@ std::vector<vtkNBufferRedraw> GetRedraws(
   std::sort(drawn.begin(), drawn.end(),
     [](const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b)
     {
-      // Of the parts of one prop the one drawn last comes first: the prop must be drawn once more
-      // where another part ties with it.
+      // Among the parts of one prop, the one drawn last comes first: the prop must be drawn once
+      // more where another part ties with it.
       return a.Index != b.Index ? a.Index < b.Index : a.Round > b.Round;
     });
   const vtkNBufferRectangle viewport = { 0, 0, projection.GetWidth(), projection.GetHeight() };

@@ -71,8 +71,8 @@ public:
    * Where the box is, and, if it is Inside, its pixels and its depths in `result`. NaN anywhere
    * gives Crossing. Takes about 70 ns.
    *
-   * Of a box that reaches behind the eye only the part inside the four sides of the view counts:
-   * a street under the viewer's feet begins some metres ahead on the screen. That part is cut out
+   * If a box reaches behind the eye, only its part inside the four sides of the view counts: a
+   * street under the viewer's feet begins some metres ahead on the screen. That part is cut out
    * first, which takes about a microsecond. Only boxes that cross the near plane in view remain
    * Crossing.
    */
@@ -158,7 +158,7 @@ private:
 
   Rows WorldToClip{};
   Rows ClipToWorld{};
-  std::array<glm::dvec4, 6> Planes{}; ///< Of the sides of the view; not negative inside.
+  std::array<glm::dvec4, 6> Planes{}; ///< The planes of the view, which are not negative inside.
   vtkNBufferBoxError Error;
   int Width = 0;
   int Height = 0;

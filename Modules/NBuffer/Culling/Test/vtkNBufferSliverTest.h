@@ -37,8 +37,8 @@
  *  - The depth is that of the plane of the vertices before they were snapped. With d the distance
  *    of the sample from the longest side, positive towards the third corner, it is the depth of
  *    that side there plus d / h times r, less the errors above. The errors of vertices are also
- *    those of d and h. Of the samples outside of a triangle, those on one side are thus nearer than
- *    it, and those on the other are farther.
+ *    those of d and h. Thus samples outside of the triangle are nearer than it on one side, and
+ *    farther on the other.
  *
  * Where h is less than the errors of the vertices, nothing is known of the plane. These errors are
  * therefore computed for each triangle and axis: with E of vtkNBufferBoxError.h, w of the nearest
