@@ -181,8 +181,8 @@ void LiftActorsPoints(vtkProp* prop)
 #endif
 }
 
-// Hazard: what hides others is not a plain actor, so that its depth changes without a trace that
-// the culler could follow.
+// Hazard: the occluder is not a plain actor, so that its depth changes without anything that the
+// culler could notice.
 TEST_P(CullerOccluders, WallStandsAndGoes)
 {
   const Occluder& occluder = this->GetParam();
@@ -307,8 +307,8 @@ const Occluder Occluders[] = {
 
 INSTANTIATE_TEST_SUITE_P(Each, CullerOccluders, testing::ValuesIn(Occluders), GetCaseName);
 
-// Hazard: an actor drawn twice, once by itself and once as a part of an assembly that pokes another
-// matrix into it while it draws.
+// Hazard: an actor is drawn twice, once by itself and once as a part of an assembly, which replaces
+// the actor's matrix while it draws.
 TEST(CullerOccludersOnce, PartOfAnAssemblyThatIsAlsoInTheRenderer)
 {
   constexpr int parts = 10;

@@ -16,7 +16,7 @@ const bool AsksForAnOldContext = setenv("MESA_GL_VERSION_OVERRIDE", "3.1", 1) ==
   setenv("MESA_GLSL_VERSION_OVERRIDE", "150", 1) == 0;
 }
 
-// Hazard: an OpenGL older than what VTK and the culler's passes are written for.
+// Hazard: the version of OpenGL is older than what VTK and the culler's passes need.
 TEST(CullerOldContext, DrawsEverything)
 {
   ASSERT_TRUE(AsksForAnOldContext);

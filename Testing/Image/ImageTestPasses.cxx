@@ -97,8 +97,8 @@ class CullerPasses : public testing::TestWithParam<Way>
 };
 }
 
-// Hazard: passes set keys on props, inject shader code, ask props for what they hold, and draw
-// into framebuffers of their own; a prop held back behind a proxy must not miss any of it.
+// Hazard: passes set keys on props, insert shader code, read what props contain, and draw into
+// their own framebuffers. A prop that is held back must get all of that, too.
 TEST_P(CullerPasses, Wall)
 {
   const Way& way = this->GetParam();

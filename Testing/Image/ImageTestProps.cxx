@@ -72,8 +72,8 @@ protected:
 };
 }
 
-// Hazard: a prop whose picture is not that of its bounds is culled because of its bounds; or a
-// plain one is kept, and nobody is told why.
+// Hazard: a prop that draws outside of its bounds is culled because of its bounds; or a plain one
+// is not culled, and its verdict does not say why.
 TEST_P(CullerKinds, BehindTheWall)
 {
   const Kind& kind = this->GetParam();

@@ -155,7 +155,7 @@ ComparisonOptions GetOptions()
 }
 
 // Hazard: the culler draws actors in another order than the renderer, or not at all. Where VTK
-// leaves something in an object that actors share, others get other colours or another place.
+// stores something in an object that actors share, other actors get wrong colours or a wrong place.
 TEST_P(CullerSharedState, IsLeftInTheSameOrder)
 {
   Comparison comparison(
@@ -173,7 +173,7 @@ TEST_P(CullerSharedState, IsLeftInTheSameOrder)
   }
 }
 
-// The parts of an assembly change without a trace that the culler could see.
+// Hazard: the parts of an assembly change without anything that the culler could notice.
 TEST(CullerSharedStateOnce, PartsAreReadInEachFrame)
 {
   Comparison comparison(

@@ -114,9 +114,9 @@ TEST_P(OracleSceneTest, SeesWhatIsDrawn)
   }
 }
 
-// Each light lights something and casts a shadow, but for one that is shut in. Windings, sharing,
-// grouping and order of the triangles are no part of the oracle's question, nor is where the world
-// is.
+// Each light lights something and casts a shadow, except for a light that is enclosed. The result
+// must not depend on winding, shared points, grouping and order of the triangles, or on the place
+// of the scene in the world.
 TEST_P(OracleSceneTest, HasLightAndShadowAndKeepsThem)
 {
   const NamedScenario& scene = this->GetParam();

@@ -101,7 +101,8 @@ TEST(NBufferKnownClasses, AnActorAndAPassAreKnownByName)
   EXPECT_TRUE(vtkNBufferKnownClasses::IsKnown(pass));
 }
 
-// Hazard: props that were read before stay as they were.
+// Hazard: an application vouches for a class, and props that were read before keep their old
+// verdicts.
 TEST(NBufferKnownClasses, ANewNameChangesTheGlobalState)
 {
   const auto before = vtkNBufferPropWatch::GetGlobalState();
@@ -113,7 +114,8 @@ TEST(NBufferKnownClasses, ANewNameChangesTheGlobalState)
   EXPECT_EQ(vtkNBufferPropWatch::GetGlobalState(), after) << "it was known";
 }
 
-// Hazard: what an application's GetMTime() adds is missed where time stamps are compared.
+// Hazard: time stamps are compared without calling GetMTime(), and what an application's GetMTime()
+// adds is missed.
 TEST(NBufferKnownClasses, TimesOfKnownClassesAreReadByTheirFunctions)
 {
   vtkNew<vtkPolyData> data;

@@ -49,7 +49,7 @@ TEST_F(NBufferPropList, SameListIsNoChange)
   EXPECT_EQ(this->List.GetSize(), 0u);
 }
 
-// Hazard: after a prop is removed, its neighbours get what was known of others.
+// Hazard: after a prop is removed, other props get what was stored for their neighbours.
 TEST_F(NBufferPropList, ItemsStayWithTheirProps)
 {
   this->Synchronize({ this->A, this->B, this->C });

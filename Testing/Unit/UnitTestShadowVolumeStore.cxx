@@ -93,7 +93,8 @@ TEST(ShadowVolumeStore, MakesOnlyWhatHasChanged)
   }
 }
 
-// What depends on the receivers or on the view of a parallel camera is made in each frame.
+// Volumes that depend on the receivers, or on the view of a parallel camera, are made in each
+// frame.
 TEST(ShadowVolumeStore, MakesWhatDependsOnMoreInEachFrame)
 {
   const vtkShadowBlock view = { { -5.0, -5.0, -5.0 }, { 5.0, 5.0, 5.0 } };
@@ -119,7 +120,7 @@ TEST(ShadowVolumeStore, MakesWhatDependsOnMoreInEachFrame)
   }
 }
 
-// Where everything moves, the store stays in proportion to what is drawn.
+// If everything moves, the size of the store stays in proportion to what is drawn.
 TEST(ShadowVolumeStore, BeginsAgainBeforeItIsMostlyUseless)
 {
   Frames frames;
