@@ -27,14 +27,14 @@ struct CameraCase
   double Near;
   double Far;
   bool Parallel;
-  double Offset;  ///< The world coordinate x and y of the scene; z is near 0.
+  double Offset;  ///< The world coordinates x and y of the eye, around which the scene lies.
   bool IsShifted; ///< Whether the vertex buffer holds coordinates relative to the scene.
 };
 
 enum class Kind
 {
   Facing,   ///< All corners have one depth, so that only quanta and rounding matter.
-  Slanted,  ///< The corners have any depths. Distances from a place are up to 2 to 200 pixels.
+  Slanted,  ///< The corners have any depths, up to 2 to 200 pixels away from a place.
   SubPixel, ///< As Slanted, but smaller than two pixels, around the middle of one.
   Steep,    ///< 1/16 to 1/4 pixel high, with a large range of depths across that height.
   Sliver,   ///< As Steep, but with lower heights, down to almost 0, and with any depths.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where vtkNBufferGL::DrawIn() lets others draw.
+// The pixels to which vtkNBufferGL::DrawIn() restricts draws.
 #include "vtkNBufferGL.h"
 #include "vtkNBufferScissor.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Props that are blended: they hide nothing, and the order of drawing shows.
+// Props that are blended: they hide nothing, and the image depends on the order of drawing.
 #include "CullerTest.h"
 #include "Scenes.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// When the culler does nothing, says so, and really does nothing.
+// When the culler does not test a frame: its decision says so, and it does no work.
 #include "CullerTest.h"
 #include "Scenes.h"
 #include "Tune.h"

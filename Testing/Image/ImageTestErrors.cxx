@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What fails is told once, with cause and remedy, is counted, and leaves the image as it is without
-// the culler. docs/limits.md lists the messages.
+// Failures: the culler warns once, with cause and remedy, counts the frames, and does not change
+// the image. docs/limits.md lists the messages.
 #include "CullerTest.h"
 #include "Scenes.h"
 #include "Tune.h"

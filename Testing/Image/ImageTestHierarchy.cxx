@@ -129,7 +129,7 @@ TEST(CullerHierarchy, IsBuiltAgainWhenTheListHasChangedAndStays)
   comparison.Both(
     [](Stage& stage) { stage.GetRenderer()->AddViewProp(stage.Props[Wall::FirstBehind + 3]); });
   check(0.3, "added");
-  // A list that changes in every frame never pays for a hierarchy.
+  // With a list that changes in every frame a hierarchy is never worth its cost.
   for (int i = 0; i < 6; ++i)
   {
     comparison.Both(

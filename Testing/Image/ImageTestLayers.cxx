@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a renderer leaves to the one behind it, and takes from the one before it.
+// What a renderer leaves for the next one of the window: the picture, the depth and OpenGL state.
 #include "CullerTest.h"
 #include "Scenes.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Observers that remove and delete what is being drawn, and frames that are given up half way.
+// Observers that remove and delete what is being drawn, and frames that are aborted.
 #include "CullerTest.h"
 #include "Scenes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The wall that hides the others, drawn by every kind of prop: as long as it stands they are
-// hidden, and once it is gone they are seen in that very frame.
+// A wall that hides other props, drawn by every kind of prop: while it is there they are hidden,
+// and in the first frame without it they are seen.
 #include "CompositeMapper.h"
 #include "CullerTest.h"
 #include "SceneProps.h"
@@ -190,7 +190,7 @@ TEST_P(CullerOccluders, WallStandsAndGoes)
   {
     GTEST_SKIP() << "this VTK comes without RenderingLOD";
   }
-  // Actors with levels of detail ask the window's interactor for the update rate.
+  // Actors with levels of detail read the update rate of the window's interactor.
   std::vector<vtkSmartPointer<vtkRenderWindowInteractor>> interactors;
   ComparisonOptions options;
   options.KeepMessages = occluder.KeepMessages;

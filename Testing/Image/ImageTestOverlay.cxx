@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What lies above the scene: 2-D actors, axes, scalar bars, an orientation marker in a layer of
-// its own.
+// What is drawn over the scene: 2-D actors, axes, scalar bars, and an orientation marker in its own
+// layer.
 #include "CullerTest.h"
 #include "Scenes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK's ways of drawing a frame: with each the image of the wall is the same, and the culler culls
-// or says why it does not.
+// VTK's render passes and settings of renderers: with each of them the image of the wall scene is
+// the same with the culler, and the culler culls or its decision says why it does not.
 #include "CullerTest.h"
 #include "ScenePasses.h"
 #include "Scenes.h"

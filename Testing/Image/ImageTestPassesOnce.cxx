@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What VTK's ways of drawing a frame do to ties, parts of the window, cities, samples and peels,
-// and frames between which they change.
+// VTK's render passes and settings of renderers together with ties, parts of the window, cities,
+// numbers of samples and peels, and changes of passes between frames.
 #include "CullerTest.h"
 #include "ScenePasses.h"
 #include "Scenes.h"
@@ -227,7 +227,7 @@ TEST(CullerPassesOnce, PropsWithoutTheKeysOfAPassStayOut)
 
 namespace
 {
-/// VTK asks this variable, when it draws, whether to peel layer by layer.
+/// VTK reads this variable, when it draws, to decide whether to peel layer by layer.
 class LegacyDepthPeeling
 {
 public:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Selecting and picking: what an application finds under the cursor is what it finds without the
-// culler, also where nothing is seen of it.
+// Selecting and picking: an application finds the same props with and without the culler, even
+// those that are hidden.
 #include "CullerTest.h"
 #include "Scenes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The culler beside vtkShadowVolumeClampPass: what the camera does not see is not drawn, and casts.
+// The culler with vtkShadowVolumeClampPass: hidden props are not drawn, and cast shadows.
 #include "CullerTest.h"
 #include "LightRig.h"
 #include "ScenePasses.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What VTK leaves from one prop to the next in objects that they share, besides the shaders of a
-// mapper that two actors have.
+// What VTK leaves for the next prop in objects that props share (ImageTestSharedMappers.cxx is
+// about the shaders of shared mappers).
 #include "CullerTest.h"
 #include "Scenes.h"
 

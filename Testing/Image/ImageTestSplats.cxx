@@ -28,7 +28,7 @@ using LargeProps::WalkFromOutside;
 
 namespace
 {
-/// Points with a color, a size and an opacity each; with vertices for two of three, if asked for.
+/// Points, each with a color, a size and an opacity; optionally with vertices for two of three.
 vtkSmartPointer<vtkPolyData> MakeData(vtkPoints* points, bool withVertices)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The oracle where the answer is known without it.
+// The oracle in scenes whose shadows are known.
 #include "ShadowShapes.h"
 #include "ShadowTest.h"
 

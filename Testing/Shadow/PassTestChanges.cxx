@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What changes between frames is seen in the next one: masks and image are those of a pass that has
-// seen no frame before.
+// Changes between frames show in the next one: its masks and image are those of a new pass.
 #include "CompositeMapper.h"
 #include "LightRig.h"
 #include "PassTestTools.h"

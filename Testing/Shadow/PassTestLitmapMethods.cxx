@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The paper's litmap beside the scattered one: where both find all receivers, and where it does
-// not.
+// The paper's litmap compared with the scattered one: where both find all receivers, and where the
+// paper's does not.
 #include "LightRig.h"
 #include "PassTestTools.h"
 #include "RerenderedLitmap.h"

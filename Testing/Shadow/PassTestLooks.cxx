@@ -146,7 +146,7 @@ TEST_P(PassLooks, LikeTheBaseline)
 
 namespace
 {
-/// All pixels of one grey level but for one.
+/// An image in which all pixels except one have the same grey level.
 vtkSmartPointer<vtkImageData> MakePicture(int width, int x, int y, int other)
 {
   auto picture = vtkSmartPointer<vtkImageData>::New();

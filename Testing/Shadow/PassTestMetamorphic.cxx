@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What leaves shadows as they are leaves the masks as they are; and VTK's own shadows, counted.
+// Changes that leave shadows as they are do not change the masks. And the errors of VTK's shadow
+// maps.
 #include "PassTestTools.h"
 #include "SceneChanges.h"
 #include "ScenePasses.h"

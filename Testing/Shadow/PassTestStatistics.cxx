@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a frame takes: nothing where nothing is due, and what OpenGL is left as.
+// What a frame costs, from nothing on, and the OpenGL state that it leaves.
 #include "LightRig.h"
 #include "PassTestTools.h"
 #include "ShadowShapes.h"

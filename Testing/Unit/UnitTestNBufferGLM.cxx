@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Between GLM's types and VTK's arrays; GLM rounds as VTK does where that matters.
+// Conversions between GLM's types and VTK's arrays. GLM rounds as VTK does where that matters.
 #include "PrintVectors.h"
 
 #include "vtkMath.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What holds for a node holds for all that is below it, by brute force over points.
+// What is true of a node must be true of everything below it: brute force over points.
 #include "RandomBoxes.h"
 #include "SampledViews.h"
 #include "vtkNBufferHierarchy.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The classes that an application vouches for: what is known of them, and from when on.
+// The classes that an application vouches for: what the module assumes about them, and from when
+// on.
 #include "CompositeMapper.h"
 
 #include "vtkNBufferCuller.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which squares answer a rectangle: every claim of vtkNBufferMath.h against brute force.
+// Which squares cover a rectangle: every claim of vtkNBufferMath.h against brute force.
 #include "Pixels.h"
 #include "vtkNBufferDepthConvention.h"
 #include "vtkNBufferMath.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a half space leaves of a polygon, of vectors and of numbers of points.
+// Cutting polygons by a half space. Their corners are vectors or indices of points.
 #include "vtkNBufferGLM.h"
 #include "vtkNBufferPolygonClip.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is known of props stays theirs when a renderer's list changes.
+// What is stored for each prop stays with it when a renderer's list changes.
 #include "vtkNBufferPropList.h"
 
 #include "vtkActor.h"

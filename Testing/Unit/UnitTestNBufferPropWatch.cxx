@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a change of what a prop draws is found, by which means, and what may change without a
-// trace.
+// Whether a change of what a prop draws is noticed, by which means, and what may change without
+// being noticed.
 #include "CompositeMapper.h"
 
 #include "vtkNBufferCandidate.h"

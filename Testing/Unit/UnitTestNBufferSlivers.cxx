@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which triangles of hidden meshes may be drawn before their box.
+// Which triangles of hidden meshes may be drawn nearer than their box.
 #include "ProjectedBox.h"
 #include "vtkNBufferSliverTest.h"
 #include "vtkNBufferSurface.h"

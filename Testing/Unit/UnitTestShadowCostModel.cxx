@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What drawing whole volumes is guessed to take, and when litmaps are worth it.
+// The estimated cost of drawing whole volumes, and when litmaps are worth their cost.
 #include "Pixels.h"
 #include "ShadowCaster.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which pieces of shadow volumes are kept from frame to frame, and what keeping them takes.
+// Which shadow volumes are kept from frame to frame, and how much memory they take.
 #include "ShadowCaster.h"
 #include "vtkShadowVolumeStore.h"
 
