@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CompositeMapper.h
- * @brief The mapper of composite data that draws with OpenGL, by its name in this version of VTK.
+ * @brief One name, CompositeMapper, for the mapper of composite data that draws with OpenGL, which
+ * has different names in different versions of VTK.
  */
 #ifndef CompositeMapper_h
 #define CompositeMapper_h

@@ -38,7 +38,7 @@ DrawnPolygon::DrawnPolygon(std::vector<Corner> corners, Planes planes, int width
       this->Clip(corners, axis, -1.0);
     }
   }
-  // Cut at all four sides, w is positive, but for a polygon through the eye.
+  // After cutting at all four sides w is positive, except for a polygon through the eye.
   this->Visible = corners.size() >= 3 &&
     std::all_of(corners.begin(), corners.end(), [](const Corner& c) { return c.Clip[3] > 0.0; });
   if (!this->Visible)

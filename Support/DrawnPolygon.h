@@ -16,7 +16,7 @@
  *    and adds that of the difference, the product and the sum: u (2 |b - a| + |r|). That is in
  *    proportion to the whole edge, not to the visible part of it: near the eye, where w is small,
  *    the new corners of an edge of kilometres are centimetres off. An error of t moves the corner
- *    along the edge, which changes no plane.
+ *    along the edge, and so inside of the polygon's plane.
  *  - The rest of the polygon is drawn as triangles of its corners; which triangles is not defined.
  *    Divided by w and measured across the polygon's plane, the error of corner i is e_i, in window
  *    depth. Inside one triangle the depth is off by at most sum_i l_i e_i with the sample's
@@ -28,7 +28,8 @@
  *    be that of the corners before they were snapped: 2^-8.5 times the slope.
  *
  * The bound is the largest sum of these errors over all triangles of corners that contain the
- * sample. The rounding of a depth that is stored is not part of it.
+ * sample, in window depth (0 to 1). It does not include the rounding of the depth that is stored.
+ * Coordinates x and y are pixels, from the lower left corner of the viewport.
  */
 #ifndef DrawnPolygon_h
 #define DrawnPolygon_h
@@ -46,7 +47,7 @@ public:
   };
 
   /// Returns the corner of a point (w = 1) or direction (w = 0) under a matrix, given row by row.
-  /// The device has both as floats.
+  /// The errors are those of a device on which both are floats.
   static Corner Transform(const double matrix[4][4], const double x[3], double w = 1.0);
 
   /// The planes that cut the polygon in addition to the four sides of the view.
@@ -63,8 +64,8 @@ public:
   /// Returns false if no part of the polygon is in view, or if it is seen edge-on.
   bool IsVisible() const { return this->Visible; }
 
-  /// Returns whether a part of the polygon is in view and has no area on the screen. It has no
-  /// plane there; only its place (GetBoundsY, GetRow) is known.
+  /// Returns whether a part of the polygon is in view and has no area on the screen. Then its depth
+  /// is unknown, and only GetBoundsY() and GetRow() have a meaning.
   bool IsEdgeOn() const { return this->EdgeOn; }
 
   /// Returns the least and the largest y of the part in view, in pixels.
@@ -74,15 +75,14 @@ public:
   /// diagonal.
   double GetThickness() const;
 
-  /// Sets the interval of x on the line `y` in which the polygon is, or is less than `margin`
-  /// pixels away in x and y. Returns false if there is none.
+  /// Sets [x0, x1] to the interval of the line `y` in which the polygon is at most `margin` pixels
+  /// away in x and in y. Returns false if there is none.
   bool GetRow(double y, double margin, double& x0, double& x1) const;
 
   /// Returns the exact window depth of the polygon's plane.
   double GetDepth(double x, double y) const;
 
-  /// Returns the bound in window depth; for a place outside of the polygon, the largest of all
-  /// bounds.
+  /// Returns the bound of the error; for a place outside of the polygon, the largest of all bounds.
   double GetBound(double x, double y) const;
 
 private:

@@ -21,13 +21,13 @@ struct OracleLight
 
   bool Positional;
   double Position[3];
-  double Direction[3];      ///< The unit vector away from the light.
+  double Direction[3];      ///< The unit vector along which the light shines.
   double ConeCosine = -2.0; ///< The cosine at the cone's edge; -2 for lights without a cone.
 };
 
 enum class OracleSample : unsigned char
 {
-  Background, ///< There is no triangle.
+  Background, ///< No triangle is seen.
   Lit,
   Shadowed, ///< The sample would be lit without shadows.
   Unlit ///< The light is on the other side of the triangle's plane than the eye, or the sample is
@@ -40,8 +40,8 @@ struct OracleImage
   int Width = 0;
   int Height = 0;
   std::vector<OracleSample> Samples; ///< Row by row, the lowest first.
-  /// Not 0 if the sample is so near to a boundary that rounding may decide: see
-  /// Oracle::IsAmbiguous() and ThinSides.h.
+  /// For each sample, not 0 if rounding may decide whether it is lit (Oracle::IsAmbiguous(),
+  /// ThinSides.h).
   std::vector<unsigned char> Ambiguous;
 
   int Count(OracleSample sample) const;

@@ -21,7 +21,7 @@
 namespace
 {
 constexpr double Jitter = 1.0 / 64.0; // pixels
-/// Of a step beside the sample, that leads off the plane of its triangle: the sine of 6 degrees.
+/// The sine of the angle between planes (6 degrees) from which on an edge is a sharp one.
 constexpr double SharpEdge = 0.1;
 /// Of a unit normal.
 constexpr double PlaneRounding = 1e-6;

@@ -3,8 +3,8 @@
 /**
  * @file RayOracle.h
  * @brief Finds which pixels are lit and which are in shadow, by rays in double precision. The
- * oracle shares no code with the pass. It needs no OpenGL, only a renderer in a window of the right
- * size, which need not have rendered.
+ * oracle shares no code with vtkShadowVolumeClampPass. It needs no OpenGL, only a renderer in a
+ * window of the right size, which need not have rendered.
  *
  * A sample is the centre of a pixel, or another place in the pixel. The ray of the camera's
  * matrices through the sample finds the nearest triangle and a point on it, the receiver. The
@@ -64,19 +64,22 @@ public:
   const RenderedTriangles& GetTriangles() const { return this->Triangles; }
   const TriangleTree& GetTree() const { return this->Tree; }
 
-  /// Returns the ray from the near to the far plane through pixel (x, y) of the viewport, `jitter`
-  /// pixels away from its sample. The direction has unit length.
+  /// Returns the ray from the near to the far plane through pixel (x, y) of the viewport: through a
+  /// place that is `jitterX` and `jitterY` pixels away from the sample. The direction has unit
+  /// length.
   Ray GetEyeRay(int x, int y, double jitterX = 0.0, double jitterY = 0.0) const;
 
-  /// Finds the receiver of a sample. Returns false where the ray meets no triangle.
+  /// Finds the receiver on the ray of GetEyeRay(). Returns false if the ray meets no triangle.
   bool GetReceiver(int x, int y, double jitterX, double jitterY, Receiver& receiver) const;
 
+  /// Returns whether the segment from the receiver to the light crosses another triangle of a
+  /// caster.
   bool IsShadowed(const Receiver& receiver, const OracleLight& light) const;
 
-  /// Returns how many triangles the open segment to the light crosses. Triangles that coincide are
-  /// counted one by one.
+  /// Returns how many of these triangles it crosses. Those that coincide are counted one by one.
   int CountCrossings(const Receiver& receiver, const OracleLight& light) const;
 
+  /// Classifies the receiver on the ray of GetEyeRay().
   Classification Classify(
     int x, int y, double jitterX, double jitterY, const OracleLight& light) const;
 
@@ -84,15 +87,16 @@ public:
    * Returns whether rounding may decide about a sample. That is so in four cases:
    *
    *  - The sample is marginal (Classification).
-   *  - One of the samples 1/64 of a pixel away in the four diagonal directions is of another kind,
-   *    or beyond an edge or a step of the surface, so that a rasteriser may find another surface.
-   *  - The sample is of another kind where rounding may put it: 1, 2, 4 or 8 units of depth of 24
-   *    bits along the eye ray, or 2 steps of a subpixel grid of 1/256 pixel away, and from there
-   *    back to its surface along the light's ray, which is a long way under grazing light. If the
-   *    triangle reaches out of the view, the bound of DrawnPolygon.h, which grows with the part
+   *  - One of the samples 1/64 of a pixel away in the four diagonal directions is of another kind
+   *    (OracleSample), or is beyond an edge or a step of the surface, so that a rasteriser may find
+   *    another surface.
+   *  - The sample is of another kind at a place to which rounding may move it: 1, 2, 4 or 8 units
+   * of 24-bit depth along the eye ray, or 2 steps of a subpixel grid of 1/256 pixel away, and from
+   *    there back to its surface along the light's ray, which is a long way under grazing light. If
+   *    the triangle reaches out of the view, the bound of DrawnPolygon.h, which grows with the part
    *    outside, is added to the units of depth.
    *  - The eye ray meets another triangle of a caster within 8 units of depth of the receiver, for
-   *    instance the other side of a thin sheet. As the cap of a volume, that triangle may be drawn
+   *    instance the other side of a thin sheet. That triangle, as the cap of a volume, may be drawn
    *    before the receiver.
    */
   bool IsAmbiguous(int x, int y, const OracleLight& light) const;
@@ -105,11 +109,11 @@ private:
   void FindClipped();
   Ray GetShadowRay(const Receiver& receiver, const OracleLight& light) const;
   /**
-   * Returns whether the surface at b, next to a, is another one than that at a, or is connected to
-   * it over a sharp edge only. If the planes of the two meet between them, neither point is farther
+   * Returns whether the neighbours a and b are on different surfaces, or on surfaces that meet only
+   * at a sharp edge. If the planes of a and b meet between these points, neither point is farther
    * from the other's plane than the sine of the planes' angle times the distance of the points.
-   * Points on sheets behind each other are farther, however small the angle from which they are
-   * seen.
+   * Points on two sheets, one behind the other, are farther, however small the angle from which the
+   * sheets are seen.
    */
   bool IsStep(const Receiver& a, const Receiver& b) const;
   bool IsAmbiguous(int x, int y, const OracleLight& light, const Classification& centre) const;
@@ -117,8 +121,8 @@ private:
   std::set<int> GetCrossed(const Receiver& receiver, const OracleLight& light) const;
   bool DependsOnRounding(int x, int y, const Receiver& receiver, const OracleLight& light) const;
   double GetWindowDepth(const double world[3]) const;
-  /// Returns how far the window depth of a surface may be drawn from the exact one, in addition to
-  /// DepthSteps.
+  /// Returns how far from the exact one the window depth of a surface may be drawn, in addition to
+  /// the units of depth of IsAmbiguous().
   double GetDepthBound(int x, int y, int triangle) const;
 
   int Width = 0;

@@ -12,11 +12,12 @@
  * before or behind a receiver that is closer to it than the bound.
  *
  * Only sides that are less than a pixel thick count, because for thicker sides the bound is far
- * larger than the errors that occur. A sliver that is thinner than two steps of the subpixel grid,
- * or that is seen edge-on, has no plane on the screen after its corners were snapped. If it is
- * drawn at all, its samples may get any depth, even one before or behind the whole side. (Often the
- * bound corresponds to a move of the side by a small part of a pixel. Rays through moved samples
- * still cannot replace the bound: beyond the end of the side they do not meet its plane.)
+ * larger than the errors that occur. A sliver that is thinner than two steps of the subpixel grid
+ * (1/256 pixel), or that is seen edge-on, has no plane on the screen after its corners were
+ * snapped. If it is drawn at all, its samples may get any depth, even one before or behind the
+ * whole side. (Often the bound corresponds to a move of the side by a small part of a pixel. Rays
+ * through moved samples still cannot replace the bound: beyond the end of the side they do not meet
+ * its plane.)
  */
 #ifndef ThinSides_h
 #define ThinSides_h

@@ -98,7 +98,7 @@ void TriangleTree::Traverse(const Ray& ray, Visitor&& visit) const
   constexpr double missed = std::numeric_limits<double>::infinity();
   const PreparedRay prepared(ray);
   double far = ray.Far;
-  // Medians halve: the depth is at most the number of bits of a count.
+  // A split at the median halves the triangles, so that the depth is at most the bits of an int.
   int stack[64];
   int size = 0;
   if (!this->Nodes.empty())

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CoverageMask.h
- * @brief What the ranks of a parallel program could exchange in place of the farthest depth of each
- * tile: also a mask of its nearer pixels, so that the walls of two ranks fill a tile together.
+ * @brief An alternative to the farthest depth of each tile, which the ranks of a parallel program
+ * exchange: it also has a mask of the tile's nearer pixels, so that the walls of two ranks can fill
+ * a tile together.
  *
- * It is measured here, and no exchange sends it.
+ * It is only measured here; vtkNBufferDepthExchange does not send it.
  */
 #ifndef CoverageMask_h
 #define CoverageMask_h
@@ -17,23 +18,26 @@ namespace NBufferBench
 {
 
 /**
- * Two statements for each tile of 4 x 4 pixels, and both are true of what the ranks have drawn
- * together: no pixel is farther than `All`, and no pixel of `Mask` is farther than `Near`. Merging
- * keeps that: the nearer `All` of two is true of both together, either mask with its depth is, and
- * so is the union of the masks with the farther of their depths. If the union covers the tile, that
- * depth is a bound for all pixels. Which of the three masks is kept is only a matter of worth.
+ * Makes two statements about each tile of 4 x 4 pixels, both of which are true of the depth that
+ * the ranks have drawn together: no pixel is farther than `All`, and no pixel of `Mask` is farther
+ * than `Near`. Merge() keeps them true: the nearer `All` of two ranks is a bound of both together.
+ * So is either mask with its depth, and the union of the masks with the farther of their depths; if
+ * the union covers the tile, that depth is also a bound for all pixels. All three masks are right.
+ * The one with the largest product is kept: its number of pixels times how much nearer than `All`
+ * its depth is.
  */
 class CoverageMask
 {
 public:
-  /// All pixels at the far plane.
+  /// Makes a mask without tiles; Merge() then copies the other mask.
   CoverageMask() = default;
+  /// Makes the mask of a depth image. Larger depths are farther.
   CoverageMask(const float* depth, int width, int height);
 
-  /// Merge what another rank has drawn.
+  /// Merges what another rank has drawn.
   void Merge(const CoverageMask& other);
 
-  /// Make the pixels as near as is known.
+  /// Moves the pixels of a depth image that are farther than the mask's bounds to these bounds.
   void Apply(float* depth) const;
 
 private:

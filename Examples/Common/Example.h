@@ -66,11 +66,12 @@ public:
   vtkActor* AddGlobe(const Triple& centre, double radius, const Triple& color);
   ///@}
 
-  /// Add boxes of one colour, all of them turned about the z axis (degrees), then moved to (x, y).
+  /// Adds boxes of one colour. All of them together are turned about the z axis by `turn` degrees,
+  /// then moved by (x, y).
   void AddCuboids(
     const Triple& color, const Boxes& boxes, double x = 0.0, double y = 0.0, double turn = 0.0);
 
-  /// Add a weak light from the eye, which casts no shadow, so that shadows are not black.
+  /// Adds a weak light from the eye, which casts no shadow, so that shadows are not black.
   void AddFill(double intensity);
 
   /**

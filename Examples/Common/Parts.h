@@ -21,7 +21,7 @@ namespace NBufferExamples
 {
 
 ///@{
-/// Returns a mapper that draws a mesh, or what a source makes, in the colour of the actor.
+/// Return a mapper that draws a mesh, or what a source makes, in the colour of the actor.
 vtkSmartPointer<vtkPolyDataMapper> MakePartMapper(vtkPolyData* data);
 vtkSmartPointer<vtkPolyDataMapper> MakePartMapper(vtkPolyDataAlgorithm* source);
 ///@}
@@ -29,8 +29,8 @@ vtkSmartPointer<vtkPolyDataMapper> MakePartMapper(vtkPolyDataAlgorithm* source);
 /// Paints a part by its number: the hues follow the golden ratio, with little saturation.
 void PaintPart(vtkActor* actor, std::size_t number, double value = 0.9);
 
-/// Adds a part of unit size at the origin, painted by its number. It is also seen where no light
-/// falls.
+/// Adds a part of unit size at the origin, painted by its number in the scene. It has an ambient
+/// part, so that it is not black where no light falls.
 vtkActor* AddPart(Scene& scene, vtkPolyDataMapper* mapper);
 
 /// Adds such a part at a place and in a size.

@@ -49,12 +49,12 @@ Scene MakeTerrain(int points);
  */
 Scene MakeGlyphs(const std::string& name, int count);
 
-/// Makes 64 spheres, each inside a larger one, half to almost as large as this: what the N-buffer
-/// paper (section 3.1) expects not to be found hidden.
+/// Makes 64 spheres, each inside a larger one whose radius it has to 50 to 95 %. The N-buffer paper
+/// (Decoret 2005, section 3.1) expects that the inner spheres are not found hidden.
 Scene MakeSpheresInSpheres();
 
-/// Makes 96 crowns of 4,000 small leaves in front of 400 cubes: what that section expects to hide
-/// them together.
+/// Makes 96 crowns of 4,000 small leaves in front of 400 cubes. The same section expects that the
+/// leaves hide the cubes together.
 Scene MakeForest();
 
 /// Returns whether a name ends with .bsp or .bsp.gz, or with one of these and ":faces" or

@@ -5,8 +5,8 @@
  * @brief Occlusion queries of OpenGL around boxes that are drawn without writing colour or depth.
  *
  * The boxes are compared with the depth of the bound framebuffer by GL_LEQUAL. All changes of state
- * go through vtkOpenGLState, so that VTK's own draws between the queries work as usual. Of OpenGL
- * only the answers of the queries are read.
+ * go through vtkOpenGLState, so that VTK's own draws between the queries work as usual. Nothing is
+ * read back from the device except for the answers of the queries.
  */
 #ifndef BoxQueries_h
 #define BoxQueries_h

@@ -64,8 +64,8 @@ public:
   /// Draws all particles. Does not wait for the device.
   bool Draw(const glm::dmat4& eyeToClip, ParticleCulling culling, std::string& why);
 
-  /// Finds out, without culling, how many fragments of each particle pass the depth test; if not
-  /// `testsDepth`, how many there are. This is one query of the hardware for each particle.
+  /// Counts the fragments of each particle, drawn without culling, by one hardware occlusion query
+  /// for each: those that pass the depth test or, if `testsDepth` is false, all of them.
   bool CountFragments(const glm::dmat4& eyeToClip, bool testsDepth,
     std::vector<unsigned int>& fragments, std::string& why);
 

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class QueryCuller
- * @brief Occlusion culling by queries of the hardware, each a draw: a peer to compare with.
+ * @brief Occlusion culling by hardware occlusion queries, each of which draws a box, to compare
+ * vtkNBufferCuller with.
  *
- * Every plain opaque prop (vtkNBufferCandidate) is drawn by one prop at the end of the renderer's
- * list, which alternates between queries and draws (FlatQueries.h, CoherentQueries.h). Caches,
- * frustum test and the order of equal depths are those of vtkNBufferCuller: props that may have the
+ * One prop at the end of the renderer's list draws all plain opaque props (vtkNBufferCandidate),
+ * and alternates between queries and draws (FlatQueries.h, CoherentQueries.h). Caches, frustum test
+ * and the order of equal depths are those of vtkNBufferCuller: props that may have the
  * same depth as one drawn after them are drawn once more (vtkNBufferTieOrder.h), so that the image
  * is that of VTK alone, byte for byte.
  *
@@ -104,7 +105,7 @@ private:
   BoxQueries Queries;
   CoherentQueries Tree;
   bool TreeIsOld = true;
-  int Samples = 0; ///< Of the framebuffer.
+  int Samples = 0; ///< The samples per pixel of the framebuffer.
   vtkRenderer* Renderer = nullptr;
   std::vector<vtkNBufferDrawnProp> Drawn;
 };

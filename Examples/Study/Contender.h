@@ -8,7 +8,8 @@
  *     position  PositionedLevels, which also find the pixel that keeps a box visible
  *     module    the test of vtkNBufferCuller with the same settings; it builds only the levels that
  *               it needs, with or without the second test of the pixels
- *     pixels    every box by its outline, pixel by pixel, as a query of the hardware does it
+ *     pixels    the test of each pixel in the outline of the box, as a hardware occlusion query
+ * does
  */
 #ifndef Contender_h
 #define Contender_h

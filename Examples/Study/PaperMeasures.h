@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PaperMeasures.h
- * @brief What the paper counts: the depth tests of a query of the hardware (table 2), and how much
- * more than a rectangle a structure covers (figure 4).
+ * @brief What the N-buffer paper counts: the depth tests of a hardware occlusion query (table 2),
+ * and how much more than a rectangle a structure covers (figure 4).
+ *
+ * X. Decoret, "N-Buffers for efficient depth map query", Computer Graphics Forum 24(3), 2005.
  */
 #ifndef PaperMeasures_h
 #define PaperMeasures_h
@@ -17,8 +19,9 @@
 namespace NBufferStudy
 {
 
-/// Returns the number of pixels whose centres lie in the outline of a box that is Inside, which is
-/// the number of pixels of its front faces. For a box that was clipped it is that of its rectangle.
+/// Returns the number of pixels whose centres lie in the outline of a box: those that its front
+/// faces cover. The placement of the box must be Inside. For a box that was clipped the result is
+/// the number of pixels of its rectangle.
 long long CountOutlinePixels(const vtkNBufferProjection& projection, const vtkNBufferBox& box,
   const vtkNBufferScreenBox& screen);
 
@@ -31,7 +34,7 @@ struct OverCoverage
 
   /// Returns the mean of the shares.
   double GetMean() const;
-  /// Returns the pixels that are covered in excess, over all sizes, divided by all pixels.
+  /// Returns the sum of (covered - area) over all sizes, divided by the sum of the areas.
   double GetShareOfArea() const;
   /// Returns a quantile of the shares.
   double GetQuantile(double share) const;

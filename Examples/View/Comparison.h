@@ -23,7 +23,7 @@ public:
   vtkNBufferCuller* GetCuller() { return this->Culler; }
 
   ///@{
-  /// Whether the scene is drawn with the culler; without it, it is drawn as by stock VTK.
+  /// Set and return whether the scene is drawn with the culler; otherwise stock VTK draws it.
   void SetCulling(bool on);
   bool IsCulling() const { return this->On; }
   ///@}

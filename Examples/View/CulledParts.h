@@ -39,7 +39,7 @@ public:
   int GetCount() const { return this->Count; }
 
 private:
-  /// Before the marks are drawn, the verdicts of the frame are known.
+  /// Is called before the marks are drawn, when the verdicts of the frame are known.
   void Update();
   /// Marks what is hidden of a part, and returns how much that is.
   int Mark(std::size_t part);

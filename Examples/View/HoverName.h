@@ -38,7 +38,8 @@ public:
 
 private:
   void Move();
-  /// A timer event without a timer ends the waiting, too; scripts send it.
+  /// Ends the waiting at the event of the timer, or at a timer event without a timer, as scripts
+  /// send it.
   bool Wait(vtkObject* caller, unsigned long event, void* timer);
   void Hide();
 

@@ -32,7 +32,7 @@ public:
   std::string Describe() const;
 
 private:
-  /// After the scene is drawn, its depth is read.
+  /// Reads the depth. Is called when the scene has been drawn.
   void Update();
 
   View& Where;

@@ -21,10 +21,11 @@ class Panel
 public:
   explicit Panel(View& view);
 
-  /// Each text may have several lines; an empty one is not drawn.
+  /// Set the text at the bottom and the list at the top. A text may have several lines; an empty
+  /// one is not drawn.
   void SetLines(const std::string& text);
   void SetList(const std::string& text);
-  /// A label at a place of the window, in pixels from its lower left corner.
+  /// Sets the label at a place of the window, in pixels from its lower left corner.
   void SetLabel(const std::string& text, int x, int y);
 
 private:

@@ -4,8 +4,7 @@
  * @class SunShadows
  * @brief The shadows of a view in the light of the sun of 21 June, which can be moved.
  *
- * The axis of the scene that points up is the vertical; without a map nobody knows where its north
- * is.
+ * The vertical is the scene's up axis. East is x, or y in scenes in which x points up.
  */
 #ifndef SunShadows_h
 #define SunShadows_h
@@ -32,7 +31,8 @@ public:
   bool IsShown() const { return this->Shown; }
   ///@}
 
-  /// Moves the sun; after the evening comes the morning.
+  /// Moves the sun by a number of hours. The hours of the night are left out: after 20:00 comes
+  /// 4:00.
   void Move(double hours);
 
   /// Returns the solar time as in 09:30.

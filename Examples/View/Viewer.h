@@ -48,7 +48,8 @@ public:
   /// Writes the picture of the window to a file.
   void WritePicture(const std::string& fileName);
 
-  /// Returns how many bytes differed in all verifications so far, frozen verdicts left aside.
+  /// Returns how many bytes differed in all verifications so far, except for those with frozen
+  /// verdicts.
   long long GetDifferingBytes() const { return this->DifferingBytes; }
 
 private:
@@ -71,7 +72,7 @@ private:
   /// Prints a line, and shows it in the next frame.
   void Say(const std::string& message);
   void Draw();
-  /// Before the text is drawn, the statistics of the frame are known.
+  /// Is called before the text is drawn, when the statistics of the frame are known.
   void WriteText();
 
   View Where;

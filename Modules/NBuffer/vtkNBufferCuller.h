@@ -95,7 +95,7 @@ public:
   vtkTypeMacro(vtkNBufferCuller, vtkCuller);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// From what the host builds the levels.
+  /// The depth image from which the host builds the levels.
   enum BackendType
   {
     Auto,   ///< Chosen once per graphics context; see GetBackendInUse().
@@ -111,8 +111,8 @@ public:
   ///@}
 
   ///@{
-  /// From what the levels are built (BackendType). They are the same, to the bit, with every
-  /// back-end. Default: Auto.
+  /// The depth image from which the levels are built (BackendType). Every back-end builds the same
+  /// levels, to the bit. Default: Auto.
   vtkSetClampMacro(Backend, int, Auto, CPU);
   vtkGetMacro(Backend, int);
   ///@}
@@ -120,10 +120,10 @@ public:
   ///@{
   /// Whether the triangles of hidden props are searched for slivers that a rasteriser may draw
   /// nearer than the prop's box (vtkNBufferSliverTest). Without the culler the image has such stray
-  /// pixels, and Mesa's llvmpipe is known to draw them: one in 30 frames of a plant of thin pipes.
-  /// The search takes half a microsecond in every frame per hidden prop of some twenty points, and
-  /// 24 bytes per point and 12 per triangle of its mesh. A prop with a sliver that may be seen is
-  /// drawn: one in 300 of the hidden props of a street. Props of
+  /// pixels. Mesa's llvmpipe is known to draw them, for example in one of 30 frames of a plant of
+  /// thin pipes. The search takes half a microsecond in every frame per hidden prop of some twenty
+  /// points, and 24 bytes per point and 12 per triangle of its mesh. A prop with a sliver that may
+  /// be seen is drawn: one in 300 of the hidden props of a street. Props of
   /// vtkNBufferTuning::MinimumNumberOfPrimitives polygons or more are not searched. Default: off.
   vtkSetMacro(TestSlivers, bool);
   vtkGetMacro(TestSlivers, bool);
@@ -163,7 +163,7 @@ public:
    * the next frame on every culler, and the casters of vtkShadowVolumeClampPass, treat it like the
    * class of VTK from which it is derived; its subclasses have to be named themselves. These
    * functions are static, because a promise holds for a class, and scripts and plug-ins have no
-   * access to every culler. A name cannot be taken out again; a null or empty one is an error.
+   * access to every culler. A name cannot be removed; a null or empty one is an error.
    *
    * A pass promises for itself, and for all passes that it calls, what vtkNBufferRenderPassTraits
    * lists, and that it uses the list of each frame, and not that of an earlier one. It draws each
@@ -190,8 +190,8 @@ public:
   ///@}
 
   ///@{
-  /// What gives the culler the depth that other ranks of a parallel program have drawn, in frames
-  /// of the exchange's renderer; see vtkNBufferDepthExchange. Default: nullptr.
+  /// The object that gives the culler the depth that other ranks of a parallel program have drawn
+  /// in the exchange's renderer; see vtkNBufferDepthExchange. Default: nullptr.
   void SetDepthExchange(vtkNBufferDepthExchange* exchange);
   vtkNBufferDepthExchange* GetDepthExchange() const;
   ///@}
@@ -200,14 +200,14 @@ public:
   /// that was culled last. Unknown if the prop was not in that frame. Costs one hash look-up.
   vtkNBufferVerdict GetVerdict(vtkProp* prop, vtkRenderer* renderer = nullptr) const;
 
-  /// The same of one part of a prop that is drawn unit by unit (SetDivideProps()): Visible if its
-  /// unit was drawn, otherwise Hidden or Outside, and Unknown if the prop has no such part. `part`
-  /// is the id of a point of the input for vtkGlyph3DMapper, and the flat index of a block for
-  /// composite data. For a mesh it is the number of the triangle or vertex in the order in which
-  /// VTK draws them, from 0 on: the id of the cell, if all cells are triangles or all are vertices.
-  /// The other parts of a unit have the same verdict. If the prop is drawn or culled as a whole,
-  /// any number has the verdict of the prop. The first call after a prop was divided may make a
-  /// table of 8 bytes per part; each further one costs two look-ups.
+  /// The verdict of one part of a prop that is drawn unit by unit (SetDivideProps()): Visible if
+  /// the unit of this part was drawn, otherwise Hidden or Outside, and Unknown if the prop has no
+  /// such part. `part` is the id of a point of the input for vtkGlyph3DMapper, and the flat index
+  /// of a block for composite data. For a mesh it is the number of the triangle or vertex in the
+  /// order in which VTK draws them, from 0 on: the id of the cell, if all cells are triangles or
+  /// all are vertices. The other parts of a unit have the same verdict. If the prop is drawn or
+  /// culled as a whole, every number has the verdict of the prop. The first call after a prop was
+  /// divided may make a table of 8 bytes per part; each further one costs two look-ups.
   vtkNBufferVerdict GetVerdict(vtkProp* prop, int part, vtkRenderer* renderer = nullptr) const;
 
   /// Counts and times of the last frame of `renderer`; nullptr means the renderer that was culled

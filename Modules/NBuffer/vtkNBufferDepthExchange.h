@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferDepthExchange
- * @brief Lets the cullers of a parallel program leave out what the walls of another rank hide.
+ * @brief Lets the culler of each rank of a parallel program leave out what occluders of other ranks
+ * hide.
  *
  * Where a scene is spread over the ranks of a parallel program, each rank draws its own props, and
  * the pictures are composited by depth (sort-last). A culler without an exchange knows only the
  * depth of its own rank. With an exchange, all ranks of the renderer share the depth that they have
  * drawn so far, reduced to tiles. The composited image stays the same, to the bit.
  *
- * This class knows no MPI: vtkNBufferParallelDepthExchange in the module VTK::NBufferParallel
+ * This class does not use MPI: vtkNBufferParallelDepthExchange in the module VTK::NBufferParallel
  * exchanges by a vtkMultiProcessController, and an application may derive a class of its own.
  *
  * @code
@@ -28,20 +29,21 @@
  * Apart from that, ranks may differ. A rank without props, or whose culler is missing, off, pausing
  * or steps aside, joins all exchanges at the end of its frame, with the depth of its picture; where
  * depth cannot be read, it contributes the far plane. So no rank ever waits for one that does not
- * come. Where the ranks' views, sizes or settings are not the same, an exchange fails, or depth is
- * read with different precision, each rank culls by its own depth.
+ * come. Each rank culls by its own depth alone if the ranks' views, sizes or settings differ, if an
+ * exchange fails, and for one frame if another rank's depth buffer turns out to be coarser.
  *
- * A rank uses its own depth alone, too, if the color of its pixels depends on other pixels: with
- * FXAA, SSAO, render passes and multisampling.
+ * A rank also uses its own depth alone with FXAA or SSAO, because a prop that another rank hides
+ * might change the color of pixels beside it, and with render passes or multisampling, because the
+ * depth of the test may not be the depth that is composited.
  *
  * ## Cost
  *
  * A frame has one exchange, and two after a cut of the camera. While nothing moves it has only a
  * poll, a message of 4 bytes by which the ranks find out whether anything has changed, and while
  * the ranks back off together it has no message (vtkNBufferExchangePlan.h). An exchange sends 4
- * bytes per tile, and 8 per rank: at 960 x 720 pixels 172,800 bytes. The time is that of an
- * all-reduce of that size, and the time until the slowest rank has drawn what it draws before its
- * first test.
+ * bytes per tile, 8 per rank and 176 more: with few ranks, 173 kB at 960 x 720 pixels. The time is
+ * that of an all-reduce of that size, and the time until the slowest rank has drawn what it draws
+ * before its first test.
  *
  * @sa vtkNBufferCuller
  */
@@ -66,7 +68,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The renderer whose depth is exchanged. It does not belong to the exchange. Default: nullptr.
+  /// The renderer whose depth is exchanged. The exchange does not keep it alive. Default: nullptr.
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer() const;
   ///@}
@@ -81,10 +83,10 @@ public:
   ///@}
 
   ///@{
-  /// The side of a tile in pixels: 1, 2, 4 or 8; other values are an error. Smaller tiles hide more
-  /// where the walls of two ranks fill a tile only together, and cost more bytes. While depth is
-  /// exchanged this replaces vtkNBufferTuning::BaseFactor. It must be the same on all ranks.
-  /// Default: 4.
+  /// The side of a tile in pixels: 1, 2, 4 or 8; other values are an error. Smaller tiles cost more
+  /// bytes and hide more: a tile hides nothing if the occluders of two ranks fill it only together.
+  /// While depth is exchanged this replaces vtkNBufferTuning::BaseFactor. It must be the same on
+  /// all ranks. Default: 4.
   void SetTileSize(int pixels);
   vtkGetMacro(TileSize, int);
   ///@}
@@ -98,15 +100,15 @@ public:
   ///@}
 
   ///@{
-  /// Of the last frame: the number of exchanges, the bytes of this rank's messages, polls included,
-  /// and the milliseconds spent in them, most of them for waiting for other ranks.
+  /// What the last frame cost: the number of exchanges, the bytes of this rank's messages, polls
+  /// included, and the milliseconds spent in them, most of them for waiting for other ranks.
   int GetNumberOfExchanges() const;
   long long GetNumberOfBytes() const;
   double GetExchangeTime() const;
   ///@}
 
   ///@{
-  /// The number of ranks, and the number of this one, which begins with 0.
+  /// The number of ranks, and the number of this rank, counted from 0.
   virtual int GetNumberOfRanks() = 0;
   virtual int GetRank() = 0;
   ///@}
@@ -117,7 +119,8 @@ public:
    */
   virtual bool ReduceToMinimum(const float* values, float* minima, int count) = 0;
 
-  /// For vtkNBufferCuller: what is shared in this frame of `renderer`, or nullptr if nothing is.
+  /// Called by vtkNBufferCuller: returns what is shared in this frame of `renderer`, or nullptr if
+  /// nothing is shared.
   std::shared_ptr<vtkNBufferSharedDepth> GetSharedDepth(vtkRenderer* renderer);
 
 protected:

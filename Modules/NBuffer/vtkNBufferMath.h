@@ -39,7 +39,7 @@
  *        +--+--+   +-----+                   +--+
  *         2 x 2     1 x 2      4 x 1, 3 x 1   1 x 4, 1 x 3
  *
- * Squares overlap where a side of the rectangle is no multiple of 2^k, which does not change an
+ * Squares overlap where a side of the rectangle is not a multiple of 2^k; this does not change an
  * extremum. Where a square is wider or higher than the rectangle, it ends with the rectangle on the
  * right and at the top, and reaches beyond it on the left and below, unless the border of the base
  * is in the way. It reaches down (towards y = 0) because below the screen extent of a prop there is

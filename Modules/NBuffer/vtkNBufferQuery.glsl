@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Queries of an N-buffer in vertex and fragment programs: functions for the text of any shader of
-// GLSL 1.50 or later. C++ has this text as the string vtkNBufferQuery of vtkNBufferQuery.h. For
-// particles, for example, a vertex program rejects what is hidden:
+// Functions that query an N-buffer, for vertex and fragment shaders of GLSL 1.50 or later. Insert
+// this text into a shader; C++ has it as the string vtkNBufferQuery of vtkNBufferQuery.h. For
+// particles, for example, a vertex shader rejects what is hidden:
 //
 //     uniform sampler2DArray even;  // texture unit of vtkNBufferTexture::GetHandle(0)
 //     uniform sampler2DArray odd;   // texture unit of vtkNBufferTexture::GetHandle(1)
@@ -14,23 +14,24 @@
 //       gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // outside of the clip volume
 //     }
 //
-// Meaning. A vtkNBufferTexture holds maxima (the farthest depth) or minima (the nearest depth),
-// whichever Build() was called for; an application that needs both builds two. The functions that
-// are about hiding read maxima, those that are about showing read minima. They return what
-// vtkNBufferLevels::Query() returns for the same levels, bit for bit.
+// Meaning. A vtkNBufferTexture holds maxima (the farthest depth) or minima (the nearest depth), as
+// Build() was called for; an application that needs both builds two. NBufferFarthestOfSquare(),
+// NBufferFarthest() and NBufferHides() read maxima; NBufferNearestInOne() and NBufferShows() read
+// minima. The depths that they find are those of vtkNBufferLevels::Query() for the same levels, bit
+// for bit.
 //
 // Units. Rectangles are half-open, (x0, y0, x1, y1) with x0 <= x < x1 and y upwards, in pixels that
 // are counted from the lower left corner of the rectangle that Build() was called for. Depths are
 // window depths in [0, 1], 0 at the near plane (GL_LESS or GL_LEQUAL).
 //
-// Range. Rectangles may lie partly or wholly outside of the image, and may be empty: only the pixels
-// inside count. A rectangle without such pixels is hidden and not shown. Images may have up to
-// 65,536 pixels a side. Where the level that a query needs is not built, nothing is known: nothing
-// is hidden then, and nothing is shown.
+// Range. Rectangles may lie partly or wholly outside of the image, and may be empty: only the
+// pixels inside count. A rectangle without such pixels is hidden and not shown. Images may have up
+// to 65,536 pixels a side. If the level that a query needs is not built, nothing is known, so that
+// the rectangle is neither hidden nor shown.
 //
 // The caller rounds to the safe side: a rectangle must contain every pixel that may be drawn,
-// `nearest` must not be farther than any fragment, and `farthest` not nearer (docs/precision.md says
-// how far the depth of a fragment may differ from that of its vertices).
+// `nearest` must not be farther than any fragment, and `farthest` must not be nearer than any
+// (docs/precision.md says how far the depth of a fragment may differ from that of its vertices).
 //
 // Cost. One texelFetch, or at most four, whatever the size of the rectangle, and some dozens of
 // integer operations; no loop has more than four turns, and no derivatives are used.
@@ -57,8 +58,8 @@ float NBufferFetch(sampler2DArray even, sampler2DArray odd, int level, ivec2 tex
   return level % 2 == 0 ? texelFetch(even, place, 0).r : texelFetch(odd, place, 0).r;
 }
 
-// The texels of level 0 that a rectangle of pixels touches inside the image; empty if x0 >= x1 or
-// y0 >= y1.
+// The texels of level 0 that a rectangle of pixels touches inside the image, as (x0, y0, x1, y1);
+// all four are 0 if it touches none.
 ivec4 NBufferToTexels(NBufferShape shape, ivec4 pixels)
 {
   ivec2 begin = max(pixels.xy, ivec2(0));
@@ -82,7 +83,7 @@ ivec2 NBufferCountSquares(ivec2 size, int level)
   return (size + ivec2((1 << level) - 1)) >> level;
 }
 
-// The texel whose square is number `index`, along x and y, of those that cover `texels`.
+// The lower left texel of square number `index`, along x and y, of those that cover `texels`.
 ivec2 NBufferGetStart(ivec4 texels, int level, ivec2 index)
 {
   int side = 1 << level;
@@ -90,10 +91,10 @@ ivec2 NBufferGetStart(ivec4 texels, int level, ivec2 index)
 }
 
 // The farthest depth in the square of 2^level texels a side whose lower left corner is the texel
-// `corner` of level 0, in one lookup. Up to the border of the image the square is exact, which makes
-// it the query for sprites with a power of two as their size. A square that begins outside of the
-// image, on the left or below, is moved inside. Returns 0 for a square outside of the image, and 1
-// if the level is not built.
+// `corner` of level 0, in one lookup. What lies beyond the upper or right border of the image does
+// not count, so that the result is exact; this is the query for sprites whose size is a power of
+// two. A square that begins outside of the image, on the left or below, is moved inside. Returns 0
+// for a square outside of the image, and 1 if the level is not built.
 float NBufferFarthestOfSquare(
   sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec2 corner, int level)
 {
@@ -106,8 +107,9 @@ float NBufferFarthestOfSquare(
   return level < shape.levels ? NBufferFetch(even, odd, level, max(corner, ivec2(0))) : 1.0;
 }
 
-// The farthest depth over a rectangle, in four lookups at most, or a depth beyond it where a square
-// is wider or higher than the rectangle. Returns 0 for no pixels, and 1 if the level is not built.
+// The farthest depth over a rectangle, in four lookups at most. If a square is wider or higher than
+// the rectangle, the result may be farther. Returns 0 if no pixel of the rectangle is inside the
+// image, and 1 if the level is not built.
 float NBufferFarthest(
   sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels)
 {
@@ -138,7 +140,7 @@ float NBufferFarthest(
   return farthest;
 }
 
-// Whether all that is drawn in a rectangle of pixels, and is nowhere nearer than `nearest`, is
+// Whether everything that is drawn in a rectangle of pixels and is nowhere nearer than `nearest` is
 // hidden by what the N-buffer of maxima was built from. Four lookups at most.
 bool NBufferHides(
   sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels, float nearest)
@@ -147,9 +149,9 @@ bool NBufferHides(
     NBufferToTexels(shape, pixels) == ivec4(0);
 }
 
-// The nearest depth over a rectangle, of an N-buffer of minima, in one lookup; where the square is
-// larger than the rectangle, a depth that may be nearer. Returns 1 for no pixels, and 0 if the level
-// is not built.
+// The nearest depth over a rectangle, of an N-buffer of minima, in one lookup. If the square is
+// larger than the rectangle, the result may be nearer. Returns 1 if no pixel of the rectangle is
+// inside the image, and 0 if the level is not built.
 float NBufferNearestInOne(
   sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels)
 {
@@ -165,9 +167,10 @@ float NBufferNearestInOne(
     : 0.0;
 }
 
-// Whether all that is drawn in a rectangle of pixels, and is nowhere farther than `farthest`, lies
-// before everything that the N-buffer of minima was built from. This is the early accept: if one
-// lookup says so, the lookups of NBufferHides() are not needed. False means that nothing is known.
+// Whether everything that is drawn in a rectangle of pixels and is nowhere farther than `farthest`
+// lies before everything that the N-buffer of minima was built from. This is the early accept: if
+// one lookup finds that it is true, the lookups of NBufferHides() are not needed. False means that
+// nothing is known.
 bool NBufferShows(
   sampler2DArray even, sampler2DArray odd, NBufferShape shape, ivec4 pixels, float farthest)
 {

@@ -101,13 +101,14 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   int Candidates = 0;
   /// The candidates whose boxes were tested against depth.
   int Tested = 0;
-  /// The tested candidates that the levels alone did not find hidden in the first round.
+  /// The tested opaque candidates that the levels alone did not find hidden in the first round.
   int PassedCoarseTest = 0;
-  /// The candidates that were not drawn before the first test.
+  /// The candidates that Cull() held back, and the translucent ones that this frame's test may
+  /// leave out.
   int HeldBack = 0;
   /// The props that were drawn once more to restore the order of equal depths (vtkNBufferTieOrder).
   int Redrawn = 0;
-  /// The props that had changed, so that what is cached of them was read again.
+  /// The props that had changed, so that the culler read them again.
   int Refreshed = 0;
 
   /// The frames of this window so far in which everything was drawn because of a failure.
@@ -140,8 +141,9 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   /// How many props were drawn a second time, for their fresh units.
   int FreshDraws = 0;
 
-  /// Draws of fresh units that write nothing, to count their fragments that have the depth of an
-  /// earlier one. If there are none, nothing is drawn once more because of these units.
+  /// The number of draws of fresh units that write nothing. Each counts the fragments that have the
+  /// same depth as an earlier one (vtkNBufferTieQuery). If there are none, nothing is drawn once
+  /// more because of these units.
   int TieQueries = 0;
 
   ///@{
@@ -209,8 +211,8 @@ struct VTKNBUFFER_EXPORT vtkNBufferStatistics
   /// The number of props that were drawn.
   int GetNumberOfPropsDrawn() const { return this->Props - this->GetNumberOfPropsNotDrawn(); }
 
-  /// A JSON object on one line, with a member for each field above. Verdicts and the decision are
-  /// given by name.
+  /// A JSON object on one line, with a member for each field above, such as held_back for HeldBack.
+  /// The times are in the member milliseconds. Verdicts and the decision are given by name.
   std::string GetAsJSON() const;
 
   ///@{

@@ -137,7 +137,7 @@ void vtkNBufferTexture::Internals::UseContext(vtkOpenGLRenderWindow* window)
   {
     return;
   }
-  // The same window has another context: the objects are gone with the old one.
+  // The window has another context now, and the objects are gone with the old one.
   if (this->ContextTime != 0)
   {
     this->Delete(vtkNBufferGL::Context::Gone);

@@ -53,12 +53,12 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Build `levels` levels (clamped to vtkNBufferMath::GetNumberOfLevels) over the rectangle
-   * (x, y, width, height) in framebuffer pixels of `source`, which describes the framebuffer bound
-   * for drawing. `factor`, the side in pixels of the square that a texel of level 0 covers, is 1,
-   * 2, 4 or 8. With multisampling a texel holds the extremum over all samples of its pixels. The
-   * window's context must be current. Cost: one pass over the depth, and for each further level one
-   * pass over the base; it does not wait for the device.
+   * Build `levels` levels (clamped to vtkNBufferMath::GetNumberOfLevels) over the rectangle (x, y,
+   * width, height) in framebuffer pixels of `source`, which describes the framebuffer bound for
+   * drawing. `factor`, the side in pixels of the square that a texel of level 0 covers, is 1, 2, 4
+   * or 8. With multisampling a texel holds the extremum over all samples of its pixels. The
+   * window's context must be current. Cost: one pass over the depth, and one over the texels of
+   * each further level; it does not wait for the device.
    */
   bool Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source, int x, int y,
     int width, int height, int factor, int levels, vtkNBufferExtremum extremum);

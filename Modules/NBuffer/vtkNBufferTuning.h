@@ -39,10 +39,11 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   /// The largest number of rounds (one test and one draw each) in a frame; 1 to 8.
   int MaximumNumberOfRounds = 6;
 
-  /// How many props are drawn before the first test, at most, in a view of which nothing is known
-  /// (vtkNBufferOccluderChoice.h); 1 to 4194303. The number is 1/512 of the props held back if that
-  /// is more. At most as many are drawn after the first test, and twice as many after each further
-  /// one. If no more than twice this number are left, all are drawn without another test.
+  /// The largest number of props that are drawn before the first test of a view of which nothing is
+  /// known (vtkNBufferOccluderChoice.h); 1 to 4194303. If 1/512 of the props held back is more,
+  /// that number is the limit. The same limit holds after the first test, and it doubles with each
+  /// further test. If a test leaves at most twice as many props as the limit, all of them are drawn
+  /// without another test.
   int RoundSize = 64;
 
   /// If a renderer has at least this many props, the culler uses a hierarchy over their boxes; 0
@@ -51,16 +52,16 @@ struct VTKNBUFFER_EXPORT vtkNBufferTuning
   int HierarchySize = 10000;
 
   /// The objects of a prop get observers (vtkNBufferObservedObjects) when the prop has not changed
-  /// for this many frames; 0 means never. From then on a frame reads no modification time, instead
-  /// of those of some fifteen objects. If the actor has a user's transform, or has never been
-  /// drawn, the frame still reads the time of the actor.
+  /// for this many frames; 0 means never. From then on a frame reads none of the modification times
+  /// of the prop's objects, of which there are about fifteen. If the actor has a user's transform,
+  /// or has never been drawn, each frame still reads the actor's own time.
   int ObserveAfter = 60;
 
   ///@{
   /**
    * A prop whose mapper's input has at least MinimumNumberOfPrimitives cells is divided into units
    * of UnitSize triangles or points, when it has stayed the same for DivideAfter frames. With
-   * DivideInBackground a thread makes the units, which takes about 0.1 microseconds per triangle
+   * DivideInBackground a thread makes the units, which takes about 0.2 microseconds per triangle
    * (vtkNBufferUnits); until then the prop is drawn whole. The ranges are 1 to 2147483647, 1 to
    * 65536, and 0 to 2147483647.
    */

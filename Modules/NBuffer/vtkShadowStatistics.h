@@ -5,9 +5,9 @@
  * @brief How much work and time the shadows of a frame took: casters by verdict, volumes,
  * fragments, milliseconds.
  *
- * The getters of vtkShadowVolumeClampPass, PrintSelf, JSON and tests all read one struct. Every
- * caster has one verdict for each light that casts shadows. For each such light the verdicts add up
- * to Casters, or to more if a caster is drawn in several parts, each with its own verdict.
+ * The getters of vtkShadowVolumeClampPass, PrintSelf, JSON and tests all read one struct. For each
+ * light that casts shadows, a caster has one verdict, or several if it is drawn in several parts.
+ * So the verdicts of one light add up to Casters or more.
  */
 #ifndef vtkShadowStatistics_h
 #define vtkShadowStatistics_h
@@ -57,7 +57,9 @@ constexpr vtkShadowStageTimes UnknownShadowStageTimes = { -1.0, -1.0, -1.0 };
 enum class vtkShadowVerdict : int
 {
   Whole,             ///< Drawn whole: the mode is Unclamped, or no litmap was worth its cost.
-  Boxed,             ///< Drawn whole, but only inside boxes of pixels around its receivers.
+  Boxed,             ///< Drawn whole, but only inside boxes of pixels around its receivers. In mode
+                     ///< Culled, and where the device also draws outside of scissor boxes, it is
+                     ///< drawn in the whole viewport.
   Clamped,           ///< Drawn in slabs, inside such boxes.
   ThroughLightPlane, ///< As Boxed: the caster reaches to or behind the light's plane s = 0.
   NoReceiver,        ///< Not drawn: the camera sees nothing on the light rays through the caster.
@@ -88,22 +90,24 @@ enum class vtkShadowDecision : int
   NoLight,    ///< No light that is switched on can cast shadows.
   NoCaster,   ///< No prop can cast a shadow.
   NoReceiver, ///< No caster has a receiver; the frame was drawn as without the pass.
-  Failed,     ///< OpenGL refused something; the frame was drawn as without the pass.
+  Failed,     ///< The shadows could not be drawn; the frame was drawn as without the pass.
   NumberOfDecisions
 };
 
 /**
- * What the shadows of one light were estimated to take, and what they took, in milliseconds. The
- * mode Automatic makes litmaps if they are estimated to take less than two thirds of WholeEstimate,
- * which is what they save (vtkShadowCostModel.h). Both estimates are -1 in other modes.
+ * The estimated and the measured times of the shadows of one light, in milliseconds. Litmaps are
+ * assumed to save two thirds of the time of whole volumes. So mode Automatic makes litmaps if
+ * LitmapEstimate is less than two thirds of WholeEstimate (vtkShadowCostModel.h). Both estimates
+ * are -1 in other modes.
  */
 struct vtkShadowLightCost
 {
   /// True if the light was drawn with litmaps.
   bool HasLitmaps = false;
-  /// The estimate of its whole volumes; of their triangles alone where these suffice to decide.
+  /// The estimate for drawing its whole volumes, or only for their triangles without the fragments
+  /// if this number already shows that litmaps are worth their cost.
   double WholeEstimate = -1.0;
-  /// The estimate of its litmaps.
+  /// The estimate for making its litmaps.
   double LitmapEstimate = -1.0;
   /// The time of the calling thread for this light in this frame. The device may take longer.
   double Time = 0.0;
@@ -126,7 +130,7 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   std::array<int, NumberOfShadowSkips> Skipped = {};
   /// The number of casters with each verdict, summed over the lights.
   std::array<int, NumberOfVerdicts> Verdicts = {};
-  /// The casters whose mesh or matrix had changed.
+  /// The number of casters whose mesh, matrix or clipping planes had changed.
   int Updates = 0;
   /// The silhouettes that were computed in this frame.
   int Silhouettes = 0;
@@ -156,13 +160,15 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   int Litmaps = 0;
   /// The lights that were drawn without litmaps in this frame.
   int UnclampedLights = 0;
-  /// Why, for each light that casts shadows, in their order.
+  /// The costs of each light that casts shadows, in the order of these lights. They say why a light
+  /// was drawn with or without litmaps.
   std::vector<vtkShadowLightCost> LightCosts;
   /// The read-backs of depth from OpenGL.
   int ReadBacks = 0;
-  /// The frames so far that were drawn without shadows because OpenGL refused something.
+  /// The number of frames so far with the decision Failed.
   int FailedFrames = 0;
-  /// The draw calls for debug views.
+  /// How often something was drawn for a debug view: once for all volumes (Volumes and Counts), and
+  /// once for the image.
   int DebugDraws = 0;
   /// The number of samples in each pixel of the masks.
   int Samples = 1;
@@ -183,8 +189,9 @@ struct VTKNBUFFER_EXPORT vtkShadowStatistics
   ///@}
 
   /// Milliseconds of the graphics device for each stage. They belong to the last frame whose times
-  /// have arrived, because the pass never waits for a timer (vtkShadowTimers.h). -1 before there is
-  /// one, unless vtkShadowTuning::MeasureDeviceTime is set, and if the driver has no timers.
+  /// have arrived, because the pass never waits for a timer (vtkShadowTimers.h). All are -1 until
+  /// there is such a frame, and always if vtkShadowTuning::MeasureDeviceTime is off or the driver
+  /// has no timers.
   vtkShadowStageTimes DeviceTimes = UnknownShadowStageTimes;
 
   /// The milliseconds of the graphics device for one stage.

@@ -40,12 +40,12 @@ struct VTKNBUFFER_EXPORT vtkShadowTuning
   /// the paper (see vtkShadowVolumeClampPass).
   int SlabGap = 4;
 
-  /// What one more box of pixels costs, in pixels; 0 to 1e9. A caster's volume is drawn once more
-  /// in each further box around its receivers. So there is a further box only if it leaves out at
-  /// least this many pixels, and 1/32 of this number more for each triangle of the volume. The
-  /// default is a compromise: software renderers take a few nanoseconds to fill a pixel and some
-  /// tenths of a microsecond to set up a triangle, whereas graphics devices are limited by what
-  /// they fill.
+  /// What one more box costs, in pixels; 0 to 1e9. A caster's volume is drawn into boxes of pixels
+  /// around its receivers, and once more for each further box. So a box is divided only if that
+  /// leaves out more than BoxCost * (1 + n / 32) pixels, where n is about the number of triangles
+  /// of the volume. The default is a compromise: software renderers take a few nanoseconds to fill
+  /// a pixel and some tenths of a microsecond to set up a triangle, whereas the time of graphics
+  /// devices depends mostly on the pixels that they fill.
   int BoxCost = 256;
 
   /// Whether the fragments of volumes are counted (vtkShadowStatistics::Fragments). The volumes are
@@ -64,9 +64,10 @@ struct VTKNBUFFER_EXPORT vtkShadowTuning
 
   ///@{
   /**
-   * Access by the name of a member as in this file, for Python and command lines, except for
-   * LitmapSource. A switch is 0 or 1. If there is no such name, Get() returns -1, and Set() returns false and changes nothing.
-   * Set() also refuses other numbers for a switch; FindFault() reports all other wrong values.
+   * Access by the name of a member as in this file, for Python and command lines. LitmapSource has
+   * no such access. A switch is 0 or 1. If there is no such name, Get() returns -1, and Set()
+   * returns false and changes nothing. Set() does the same if the value of a switch is neither 0
+   * nor 1. All other wrong values are set; FindFault() reports them.
    */
   static std::vector<std::string> GetNames();
   int Get(const std::string& name) const;

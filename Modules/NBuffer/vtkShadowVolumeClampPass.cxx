@@ -163,8 +163,8 @@ void vtkShadowVolumeClampPass::Render(const vtkRenderState* s)
   vtkRenderer* renderer = s->GetRenderer();
   if (renderer->GetPass() == this)
   {
-    // vtkCamera::Render() reads from the window whether there are two eyes. VTK's camera pass does
-    // not. The matrices that the camera keeps do not notice it without Modified().
+    // vtkCamera::Render() finds out from the window whether there are two eyes, and VTK's camera
+    // pass does not. Modified() makes the camera compute its cached matrices again.
     vtkCamera* camera = renderer->GetActiveCamera();
     if (camera->GetStereo() != renderer->GetRenderWindow()->GetStereoRender())
     {

@@ -30,16 +30,17 @@
  *
  * The pass first draws only the depth of the opaque props. Then, for each light, it draws the
  * shadow volumes of the casters into the stencil buffer, and turns the stencil into one channel of
- * a mask. Then it draws the opaque props for the image, with shaders (Phong and PBR) that weaken
- * each light where its mask says that the light does not shine, by
- * vtkLight::GetShadowAttenuation(). What is lit by all lights has, to the bit, the colour that it
- * has without the pass.
+ * a mask. Then it draws the opaque props for the image. Their shaders (Phong and PBR) multiply each
+ * light by 1 - vtkLight::GetShadowAttenuation() where its mask says that the light does not shine.
+ * Where all lights shine, the colour is, to the bit, the one without the pass.
  *
- * Mode says how much of the volumes is drawn. The pass scatters the depth of the receivers into a
- * litmap for each light (X. Decoret, "N-Buffers for efficient depth map query", Computer Graphics
- * Forum 24(3), 2005, section 3.3; vtkShadowReceivers.h says what differs). From the litmap the pass
- * knows which casters have no receiver and, for the others, the boxes of pixels of their receivers
- * (mode Scissored) and the depths of their receivers (mode Clamped). vtkShadowPlan.h has the rules.
+ * Mode says how much of the volumes is drawn. A receiver is a sample of the image on which a shadow
+ * may fall. For each light, the pass scatters the depths of the receivers into a litmap, an image
+ * of the receivers as the light sees them (X. Decoret, "N-Buffers for efficient depth map query",
+ * Computer Graphics Forum 24(3), 2005, section 3.3; vtkShadowLitmap.h says what differs). From the
+ * litmap the pass knows which casters have no receiver. For the others it knows the boxes of pixels
+ * of their receivers (mode Scissored) and the depths of their receivers, seen from the light (mode
+ * Clamped). vtkShadowPlan.h has the rules.
  *
  * With multisampling, the masks and the depth of the receivers have the same samples as the
  * framebuffer that is drawn. A fragment gets the mean of the mask over the samples in which it is
@@ -52,10 +53,11 @@
  * Casters are opaque surfaces of data sets, the blocks of composites of polydata, and the instances
  * of a vtkGlyph3DMapper with one source; GetStatistics() counts the other props by reason.
  * Wireframes and points cast no shadows. Surfaces cast shadows as if their textures had no alpha
- * and their shaders displaced no vertex. In mode Clamped the volumes of
- * a point light are clamped only if their caster lies in one face of the cube around the light. The
- * pass needs OpenGL 3.2 with depth and stencil in one texture. If OpenGL refuses anything, the
- * frame is drawn without shadows, and the first such frame prints a warning.
+ * and their shaders displaced no vertex. In mode Clamped the volumes of a point light are clamped
+ * only if their caster lies in one face of the cube around the light. The pass needs OpenGL 3.2
+ * with depth and stencil in one texture. If the shadows cannot be drawn, for example because an
+ * OpenGL call fails, the frame is drawn without them, and the first such frame prints a warning
+ * with the cause.
  *
  * Cost: two draws of the opaque props, a read-back of the depth (where litmaps are made), and the
  * volumes.
@@ -104,8 +106,8 @@ public:
    *    the bit, as with Unclamped.
    *  - Scissored: the same volumes, inside boxes of pixels around their receivers only. The image
    *    is the same, to the bit, as with Unclamped.
-   *  - Clamped: only slabs of these volumes around the receivers. Samples within 1/256 of a pixel
-   *    of a shadow's edge may differ.
+   *  - Clamped: only the parts of these volumes in slabs, which are the ranges of light depth that
+   *    have receivers. Samples within 1/256 of a pixel of a shadow's edge may differ.
    *  - Automatic, the default: Scissored for lights where that is likely to take less time
    *    (vtkShadowCostModel.h), Unclamped for the others.
    */
@@ -115,8 +117,8 @@ public:
 
   ///@{
   /**
-   * The constants that measurements and tests vary, in one call; see vtkShadowTuning. A value that
-   * is out of its range is an error, and the tuning stays as it was.
+   * The constants that measurements and tests vary; see vtkShadowTuning. If a value is out of its
+   * range, SetTuning() reports an error and changes nothing.
    */
   void SetTuning(const vtkShadowTuning& tuning);
   const vtkShadowTuning& GetTuning() const { return this->Tuning; }
@@ -139,7 +141,8 @@ public:
    *
    *  - Litmaps: the litmap of the light as three squares, which show the nearest and the farthest
    *    receiver (bright: near to the light) and the number of occupied bins of each lexel. A point
-   *    light has one row for each of its six litmaps. Nothing if there is no litmap (Unclamped).
+   *    light has one row for each of its six litmaps. Nothing is shown if the light has no litmap
+   *    (in mode Unclamped, and often in mode Automatic).
    *  - Extents: the boxes of pixels into which volumes are drawn, and for each pixel the number of
    *    boxes that contain it.
    *  - Volumes: the edges of the volumes' triangles in these boxes, blue where they are counted by
@@ -189,11 +192,13 @@ public:
 
   /**
    * Read back the mask of a light of the last frame: one value for each pixel of the viewport, row
-   * by row, the lowest row first. 0 means lit or that no opaque prop is seen, 255 means in shadow
-   * (also where the light does not reach). With multisampling, `sample` is a number below
-   * vtkShadowStatistics::Samples, or -1 for the mean over the samples of each pixel. The result is
-   * empty, and `width` and `height` are 0, if the frame was drawn without shadows of this light or
-   * there is no such sample. The window's context must be current.
+   * by row, the lowest row first. 0 means that the sample is lit or that no opaque prop is seen
+   * there; 255 means that it is in shadow. Where the light does not shine even without shadows (on
+   * a surface that faces away from it, or outside of a spot's cone), the value may be either. With
+   * multisampling, `sample` is a number below vtkShadowStatistics::Samples, or -1 for the mean over
+   * the samples of each pixel. The result is empty, and `width` and `height` are 0, if the frame
+   * was drawn without shadows of this light or there is no such sample. The window's context must
+   * be current.
    */
   std::vector<unsigned char> GetMask(vtkLight* light, int& width, int& height, int sample = -1);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ImageComparison.h
- * @brief Pictures against baselines, by vtkImageDifference.
+ * @brief Compares pictures with baselines by vtkImageDifference.
  *
  * README.md in this folder says how pixels are compared, and why with these numbers.
  */
@@ -14,20 +14,21 @@
 
 #include <string>
 
-/// Grey levels, of 255, by which a channel of a pixel may differ.
+/// The difference of a channel (0 to 255) that counts as no difference.
 constexpr int PixelTolerance = 24;
 
-/// The largest error at which two pictures are alike.
+/// Two pictures are alike if their error, as GetImageError() returns it, is not larger than this.
 constexpr double LargestImageError = 8.0;
 
 /**
- * How far two RGB pictures are apart: over all pixels but those of the border, two wide, the sum of
- * what the channels differ by beyond PixelTolerance, in units of 3 x 255. A pixel that is black in
- * one and white in the other counts 0.91. Infinite for pictures of different sizes.
+ * Returns the error of two RGB pictures: the sum over all pixels, except for a border of two
+ * pixels, of what the channels differ by beyond PixelTolerance, divided by 3 x 255. A pixel that is
+ * black in one picture and white in the other adds 0.91. The error of pictures of different sizes
+ * is infinite.
  */
 double GetImageError(vtkImageData* first, vtkImageData* second);
 
-/// A PNG file; throws std::runtime_error if it cannot be read.
+/// Reads a PNG file. Throws std::runtime_error if it cannot be read.
 vtkSmartPointer<vtkImageData> ReadPicture(const std::string& fileName);
 
 #endif

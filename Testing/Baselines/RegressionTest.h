@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RegressionTest.h
- * @brief What a window shows against the baseline that -V names, as vtkRegressionTestImage() does.
+ * @brief Compares the picture of a window with a baseline, as vtkRegressionTestImage() does.
  *
- * It is VTK's own vtkTesting where this VTK has the module TestingRendering. Wheels have not; there
- * ImageComparison.h compares, which is stricter, and the arguments mean the same.
+ * VTK's own vtkTesting compares where this VTK has the module TestingRendering. VTK's wheels do not
+ * have it. There ImageComparison.h compares, which is stricter; the arguments mean the same.
  */
 #ifndef RegressionTest_h
 #define RegressionTest_h
@@ -13,13 +13,13 @@
 class vtkRenderWindow;
 
 ///@{
-/// The results of vtkTesting.
+/// Two of the results of vtkTesting. The result 1 means that picture and baseline are alike.
 constexpr int RegressionTestFailed = 0;
 constexpr int RegressionTestIsInteractive = 3;
 ///@}
 
-/// `-V` names the baseline, `-T` the folder for what was drawn and, on failure, for the difference.
-/// With `-I` nothing is compared.
+/// Compares and returns the result. In the arguments of the program, -V names the baseline, and -T
+/// the folder for the picture. With -I nothing is compared.
 int RunRegressionTest(int argc, char* argv[], vtkRenderWindow* window);
 
 #endif

@@ -4,20 +4,20 @@
  * @file Checker.h
  * @brief Plays a scenario with and without the culler and compares every frame.
  *
- * With shadow volumes the reference draws the frame without them, with a pass that is Unclamped and
- * lives for this frame alone and, where the scenario is Clamped, with one that is so, too. The last
- * of these is what the culler's window has to be the same as, whose pass lives as long as the
- * scenario.
+ * A frame with shadow volumes is drawn several times by the reference: without shadows, by an
+ * Unclamped pass that is made for this frame alone and, if the mode is Clamped, also by a Clamped
+ * pass that is made for this frame alone. The image of the culler's window, whose pass lives as
+ * long as the scenario, must be the same as the last of these.
  *
  * A frame fails if
  *
- *  - a byte of the RGBA windows or, where it can be read, a bit of the depth differs,
- *  - a hardware selection before it found other props,
+ *  - a byte of the RGBA images or, where it can be read, a bit of the depth differs,
+ *  - a hardware selection before the frame found other props,
  *  - the statistics are not consistent in themselves or with the draws that mappers announced,
  *  - VTK or OpenGL reported an error or warning that they do not report without the culler,
- *  - the OpenGL state that it leaves, or what vtkOpenGLState remembers of it, is another one,
- *  - masks of shadows are not those of Unclamped (ShadowCheck.h says what Clamped may), or
- *    contradict rays; a pass failed, or its statistics are not consistent.
+ *  - the OpenGL state after the frame, or the copy of it in vtkOpenGLState, differs,
+ *  - masks of shadows differ from those of Unclamped more than ShadowCheck.h allows, or contradict
+ *    rays; a shadow pass failed, or its statistics are not consistent.
  */
 #ifndef Checker_h
 #define Checker_h
@@ -32,7 +32,7 @@
 
 namespace TestScene
 {
-/// Sums over frames.
+/// Sums over all frames that were checked.
 struct Tally
 {
   long long Scenarios = 0;
@@ -43,26 +43,25 @@ struct Tally
   long long Hidden = 0;
   long long Redrawn = 0;
   long long GLErrors = 0;
-  /// Frames after which VTK alone leaves an error for glGetError(): it drew something other than it
-  /// meant to, and what the image shows depends on nothing known. It is not compared.
+  /// Frames after which VTK alone (without culler and shadows) leaves an error for glGetError().
+  /// Their images are undefined and not compared.
   long long Undefined = 0;
-  /// Frames in which VTK alone, without culler and shadows, makes an OpenGL error, of which it may
-  /// know, or reports an error or warning.
+  /// Frames in which VTK alone makes an OpenGL error, or reports an error or warning.
   long long ReferenceFaults = 0;
   long long FramesWithHidden = 0;
-  std::map<std::string, long long> Decisions;       ///< Renderer frames by decision.
-  std::map<std::string, long long> Verdicts;        ///< Props by verdict.
-  std::map<std::string, long long> Features;        ///< Frames in which something took part.
-  long long ShadowFrames = 0;                       ///< With a pass with shadow volumes.
-  std::map<std::string, long long> ShadowDecisions; ///< Renderer frames by decision.
+  std::map<std::string, long long> Decisions;       ///< Frames of one renderer, by decision.
+  std::map<std::string, long long> Verdicts;        ///< Props, by verdict.
+  std::map<std::string, long long> Features;        ///< Frames, by what they use, such as stereo.
+  long long ShadowFrames = 0;                       ///< Frames with a shadow pass.
+  std::map<std::string, long long> ShadowDecisions; ///< Frames of one renderer, by decision.
   std::map<std::string, long long> ShadowVerdicts;  ///< Casters, for each light, by verdict.
   ShadowTally Shadows;
 };
 
 struct Outcome
 {
-  int Frame = -1;      ///< That failed; -1: none.
-  std::string Failure; ///< What is wrong, as text.
+  int Frame = -1;      ///< The frame that failed; -1 if none did.
+  std::string Failure; ///< The text that says what is wrong.
 
   bool HasFailed() const { return this->Frame >= 0; }
 };
@@ -73,19 +72,21 @@ public:
   explicit Checker(Role tested = Role::Culled, Role reference = Role::Reference);
 
   /**
-   * Up to the first frame that fails. Windows are kept from one scenario to the next, because
-   * making them and compiling their shaders takes most of the time; `freshWindows` makes new ones.
+   * Plays a scenario up to the first frame that fails. Windows are kept from one scenario to the
+   * next, because making them and compiling their shaders takes most of the time, unless
+   * `freshWindows` is true. Adds the counts to `tally`, if given.
    */
   Outcome Run(const Scenario& scenario, bool freshWindows, Tally* tally = nullptr);
 
-  /// Called after each frame, if set, with what is wrong in it: empty, or the last frame.
+  /// Is called after each frame, if it is set. `failure` is "" unless the frame has failed.
   std::function<void(
     const Player& reference, const Player& tested, int frame, const std::string& failure)>
     AfterFrame;
 
 private:
   struct Drawn;
-  /// What is wrong with what came with a frame; the text is what came before it.
+  /// Returns which errors of a frame are not those of VTK alone. `before` has the messages of VTK
+  /// while the frame was prepared.
   using Judge = std::function<std::string(const Drawn& drawn, const std::string& before)>;
 
   static Drawn Draw(Player& stage, ShadowPasses passes, bool captureState);
@@ -99,16 +100,16 @@ private:
   void Count(const Scenario& scenario, Tally& tally) const;
   void CountShadows(Tally& tally) const;
 
-  /// Not where two stages are compared to see whether VTK repeats itself.
+  /// False where two stages without the culler are compared, to see whether VTK repeats itself.
   const bool IsJudging;
   Player Reference;
   Player Tested;
   long long GLErrors = 0;
-  bool HasReferenceFault = false; ///< In the frame; see Tally.
-  bool HasMasks = false;          ///< In the frame, of the reference.
-  ShadowFrame Unclamped;          ///< Of the reference, in the frame.
-  ShadowTally Shadows;            ///< Since the beginning.
-  bool IsUndefined = false;       ///< The frame; see Tally.
+  bool HasReferenceFault = false; ///< Whether the frame is one of Tally::ReferenceFaults.
+  bool HasMasks = false;          ///< Whether Unclamped is that of the frame.
+  ShadowFrame Unclamped;          ///< What the reference's Unclamped pass has drawn.
+  ShadowTally Shadows;            ///< The sums over all frames so far.
+  bool IsUndefined = false;       ///< Whether the frame is one of Tally::Undefined.
 };
 }
 

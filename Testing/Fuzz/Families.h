@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Families.h
- * @brief Scenes around one hazard each, and the cameras that look at them.
+ * @brief The families of random scenes, each built around one hazard, with their cameras.
  */
 #ifndef Families_h
 #define Families_h
@@ -18,23 +18,24 @@ using Family = void (*)(Writer&);
 struct NamedFamily
 {
   const char* Name;
-  double Weight;
+  double Weight; ///< The family is chosen in proportion to its weight.
   Family Build;
 };
 
 const std::vector<NamedFamily>& GetFamilies();
 
-/// Let some props draw what an earlier prop of their renderer draws, each in its own way.
+/// Gives some props the mapper of an earlier prop in the same renderer.
 void ShareMappers(Writer& writer);
 
-/// In some scenarios with large props, replace the data of all props by data of the same size whose
-/// points are in the reverse order: units of the same boxes, with other indices.
+/// In some scenarios with large props, replaces the data of all props by data of the same size
+/// whose points are in the reverse order: the units have the same boxes, but other indices.
 void ReversePoints(Writer& writer);
 
-/// Make some props parts of the assembly that stands before them in the list.
+/// Makes some props parts of an assembly that is before them in the list.
 void NestAssemblies(Writer& writer);
 
-/// Props, views, lights and changes of any named scenario of the tests (NamedScenarios.h).
+/// Copies the props, views, lights and changes of a random named scenario (NamedScenarios.h): of a
+/// hazard of shadows if `shadows` is true, else of culling.
 void BuildNamed(Writer& writer, bool shadows);
 }
 

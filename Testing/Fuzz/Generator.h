@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Generator.h
- * @brief Scenarios from seeds.
+ * @brief Makes random scenarios from seeds.
  *
- * A family lays out a scene that is built around one hazard; what is random of window, passes,
- * culler, materials and changes comes on top of it, so that hazards meet each other. One in ten
- * scenarios begins as a named one (NamedScenarios.h) instead.
+ * A family (Families.h, ShadowFamilies.h) builds a scene around one hazard. Window, passes, culler,
+ * materials and changes are random in addition, so that hazards meet each other. One in ten
+ * scenarios begins with a named scenario (NamedScenarios.h) instead of a family.
  */
 #ifndef Generator_h
 #define Generator_h
@@ -23,7 +23,7 @@ enum class ScenarioKind
   Shadows ///< With vtkShadowVolumeClampPass.
 };
 
-/// The same for the same seed and kind, on every machine.
+/// Makes a scenario. The same seed and kind give the same scenario on every machine.
 Scenario MakeScenario(std::uint64_t seed, ScenarioKind kind = ScenarioKind::Culling);
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShadowCheck.h
- * @brief Masks of shadows against each other and against rays in double precision.
+ * @brief Compares masks of shadows with each other, and with rays in double precision.
  */
 #ifndef ShadowCheck_h
 #define ShadowCheck_h
@@ -17,98 +17,106 @@
 
 namespace TestScene
 {
-/// Sums over frames.
+/// Sums over all frames that were checked, over all lights.
 struct ShadowTally
 {
-  long long Samples = 0;      ///< Receivers whose masks were compared, for each light.
-  long long Shadowed = 0;     ///< Of these, in shadow.
+  long long Samples = 0;      ///< Receivers whose masks were compared.
+  long long Shadowed = 0;     ///< Those of them that are in shadow.
   long long ClampedFlips = 0; ///< Samples at edges in which Clamped differs from Unclamped.
-  long long ClampedFlipsElsewhere = 0;
-  long long Strays = 0;        ///< Samples of whole volumes that rays say are wrong.
-  long long UnlitStrays = 0;   ///< Such where the light is behind the surface, see ShadowStrays.
-  long long PartedStrays = 0;  ///< Ambiguous ones where volumes were counted in portions.
-  long long Rays = 0;          ///< Samples compared with rays.
-  long long RaysAmbiguous = 0; ///< Of these, ambiguous ones that differ.
+  long long ClampedFlipsElsewhere = 0; ///< Other samples in which Clamped differs from Unclamped.
+  long long Strays = 0;        ///< Samples in which the mask of whole volumes contradicts rays.
+  long long UnlitStrays = 0;   ///< See `ShadowStrays::Unlit`.
+  long long PartedStrays = 0;  ///< See `ShadowStrays::Parted`.
+  long long Rays = 0;          ///< Samples that were compared with rays.
+  long long RaysAmbiguous = 0; ///< Those of them that differ and are ambiguous.
 };
 
-/// What the light of one renderer falls on, and where it does not.
+/// The receivers of one renderer and their masks. All images have the size of its viewport, row by
+/// row, the lowest first.
 struct ShadowFrame
 {
   int Width = 0;
   int Height = 0;
-  std::vector<float> Depth; ///< Of each pixel, row by row, the lowest first.
-  /// For each light and pixel, row by row, the lowest first: not 0 if something opaque is seen
-  /// there that the light can reach.
+  std::vector<float> Depth;
+  /// For each light: not 0 in pixels that show something opaque in the reach of the light.
   std::vector<std::vector<unsigned char>> Receivers;
-  /// For each light and pixel: not 0 if what is seen there turns towards the light.
+  /// For each light: not 0 in pixels that show a surface which faces the light.
   std::vector<std::vector<unsigned char>> Facing;
-  std::vector<std::vector<unsigned char>> Masks; ///< All 0 for lights that threw no shadow.
+  std::vector<std::vector<unsigned char>> Masks; ///< For each light: all 0 if it casts no shadow.
 };
 
-/// What rays say of a light of the scene as it is.
+/// Casts rays to a light of the stage's scene, in the state in which the scene is when it is
+/// called.
 using RayJudge = std::function<OracleImage(int light)>;
 RayJudge MakeRayJudge(const Player& stage);
 
-/// Whether the depth in the window is that of the one renderer, sample by sample.
+/// Returns whether the window's depth is that of the receivers: there is one renderer, with a
+/// shadow pass, and no multisampling, stereo, text or volume.
 bool HasReadableReceivers(const Player& stage);
 
-/// After a frame with shadows, of a stage with HasReadableReceivers().
+/// Returns the receivers and masks of the last frame, of a stage with HasReadableReceivers().
 ShadowFrame CaptureShadows(const Player& stage);
 
 /**
- * What is wrong with the masks of `tested`; "" if nothing is. Where nothing is seen they are 0.
- * Scissored: receivers have the same mask.
- * In what follows surfaces that turn away from the light do not count, which are dark anyway.
- * Clamped: they may differ where the 3 x 3 pixels around a sample do not lie in a plane (the edge
- * of a surface, from behind which an edge of a shadow may come), and where they have both values in
- * `expected` (the edge of a shadow) in GetClampedFlips(receivers at such edges) samples.
- * Elsewhere MaximumFlipsElsewhere samples may differ, where sides of volumes are seen edge-on.
+ * Returns what is wrong with the masks of `tested`, in comparison with those of Unclamped
+ * (`expected`); "" if nothing is. In every mode masks must be 0 where nothing is seen.
  *
- * A straight edge that runs along a column or row of samples flips all of them at once, and so does
- * a surface seen edge-on in a depth buffer of coarse steps: where more differ, those are left out
- * that `judge` says are ambiguous, or right in `tested`.
+ * In all modes except Clamped, every receiver must have the same mask. In the mode Clamped,
+ * receivers that face the light may differ
+ *
+ *  - at edges of surfaces, where the 3 x 3 pixels around a sample do not lie in a plane: an edge of
+ * a shadow may come from behind such an edge;
+ *  - at edges of shadows, where these pixels have both values in `expected`: in GetClampedFlips(N)
+ *    of N receivers at such edges;
+ *  - elsewhere, where sides of volumes are seen edge-on: in MaximumFlipsElsewhere samples.
+ *
+ * A straight edge along a column or row of samples flips all of them at once, and so does a surface
+ * seen edge-on in a depth buffer of coarse steps. If more samples differ than are allowed, those do
+ * not count which `judge` finds ambiguous, or right in `tested`.
  */
 std::string CompareMasks(const ShadowFrame& expected, const ShadowFrame& tested, ShadowMode mode,
   ShadowTally& tally, const RayJudge& judge);
 long long GetClampedFlips(long long receiversAtEdges);
 constexpr long long MaximumFlipsElsewhere = 2;
 
-/// Receivers in which Scissored differs from Unclamped.
+/// The numbers of receivers in which Scissored differs from Unclamped although nothing is wrong.
 struct ShadowStrays
 {
-  long long Seen = 0;   ///< The light reaches them, so that the images differ, too.
-  long long Unlit = 0;  ///< They look away from the light: no image shows what their masks say.
-  long long Parted = 0; ///< Ambiguous ones, where the two have counted in different portions.
+  long long Seen = 0;   ///< Receivers that face the light, so that the images differ, too.
+  long long Unlit = 0;  ///< Receivers that face away from the light: no image shows their masks.
+  long long Parted = 0; ///< Ambiguous receivers, if volumes were counted in portions.
 };
 
 /**
- * Where Scissored (`tested`) differs from Unclamped (`expected`), if rays say for each sample that
- * Scissored is right and at most MaximumFlipsElsewhere of a light are seen; else nothing.
- * Rasterisers may draw slivers of whole volumes far off their planes (docs/shadows.md), where
- * Scissored leaves them out; an edge along a row of samples flips all of them at once.
+ * Returns where Scissored (`tested`) differs from Unclamped (`expected`). Returns nothing if rays
+ * contradict Scissored in one of these receivers, or if more than MaximumFlipsElsewhere of them,
+ * for one light, are Seen: then something is wrong. Rasterisers may draw slivers of whole volumes
+ * far off their planes (docs/shadows.md), where Scissored does not draw them.
  *
- * `parted`: counts were too high for one stencil, so that volumes were counted in portions, which
- * are others where some are left out. At the very edge of a surface rasterisers may miss one of the
- * two sides of a volume, and what that leaves is taken away or not by others in the same portion:
- * samples that rays say are ambiguous may differ then.
+ * `parted` says that counts were too high for one stencil, so that volumes were counted in
+ * portions. The portions of Scissored, which leaves out some volumes, are others. At the very edge
+ * of a surface, rasterisers may miss one of the two sides of a volume; whether another volume makes
+ * up for the wrong count depends on its being in the same portion. Then samples that rays find
+ * ambiguous may differ.
  */
 std::optional<ShadowStrays> FindStrays(
   const Player& stage, const ShadowFrame& expected, const ShadowFrame& tested, bool parted);
 
-/// Whether one of the two has counted the volumes of a light in portions.
+/// Returns whether a pass of one of the two stages has counted the volumes of a light in portions.
 bool HasParted(const Player& expected, const Player& tested);
 
-/// What is wrong with the masks by rays of the scene as it is: more than MaximumFlipsElsewhere
-/// samples of a light, the rest being strays.
+/// Compares the masks with rays, and returns for which lights more than MaximumFlipsElsewhere
+/// samples are wrong; "" if there are none. All wrong samples are added to the tally's Strays.
 std::string CompareWithRays(const Player& stage, const ShadowFrame& frame, ShadowTally& tally);
 
-/// Contradictions in the statistics of a stage's passes, and failures.
+/// Returns which shadow passes of a stage have failed or have inconsistent statistics; "" if none.
 std::string CheckShadowStatistics(const Player& stage);
 
-/// A line of JSON for each renderer that has such a pass.
+/// Returns a line of JSON for each renderer with a shadow pass.
 std::string GetShadowStatistics(const Player& stage);
 
-/// What statistics of different passes over the same frame have to share.
+/// Returns whether the shadow passes of two stages have different lights or casters, as text; "" if
+/// they have not, or if there are several renderers.
 std::string CompareShadowStatistics(const Player& expected, const Player& tested);
 }
 

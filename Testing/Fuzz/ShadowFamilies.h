@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShadowFamilies.h
- * @brief Scenes around the hazards of shadow volumes, and the lights in them and in other scenes.
+ * @brief The families of random scenes around hazards of shadow volumes, and random lights.
  */
 #ifndef ShadowFamilies_h
 #define ShadowFamilies_h
@@ -13,7 +13,7 @@ namespace TestScene
 {
 const std::vector<NamedFamily>& GetShadowFamilies();
 
-/// Lights, passes with shadow volumes and their changes for a scene that is complete otherwise.
+/// Adds lights, shadow passes and their changes to a scene that has everything else.
 void AddShadows(Writer& writer);
 }
 

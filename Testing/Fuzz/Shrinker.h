@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Shrinker.h
- * @brief From a scenario that fails to a small one that still does.
+ * @brief Finds a small scenario that still fails, from a larger one.
  *
- * Works on JSON, where it knows of two things only: elements of arrays can be left out, and members
- * of objects, which then have their defaults. Arrays are thinned by delta debugging (A. Zeller,
- * R. Hildebrandt, "Simplifying and isolating failure-inducing input", 2002).
+ * The shrinker works on JSON and does three things: it leaves out elements of arrays, it leaves out
+ * members of objects, which then have their defaults, and it lowers the number of frames. Arrays
+ * are thinned by delta debugging (A. Zeller, R. Hildebrandt, "Simplifying and isolating
+ * failure-inducing input", 2002).
  */
 #ifndef Shrinker_h
 #define Shrinker_h
@@ -17,18 +18,19 @@
 
 namespace TestScene
 {
-/// Whether something still fails. Shrink() calls it at most `budget` times.
+/// Returns whether a scenario still fails.
 using Oracle = std::function<bool(const Json::Value&)>;
 
 struct ShrinkResult
 {
   Json::Value Value;
-  int Questions = 0;
+  int Questions = 0; ///< How often the oracle was called.
 };
 
 /**
- * `value` must fail. Nothing can be taken out of the result without its ceasing to, unless the
- * budget was spent. Members whose names are in `keep` are not touched.
+ * Shrinks a scenario that fails. Without any one more of its elements or members the result would
+ * no longer fail, unless `budget` calls of `fails` were not enough to find that out. Ids and the
+ * seed are kept.
  */
 ShrinkResult Shrink(const Json::Value& value, const Oracle& fails, int budget);
 }

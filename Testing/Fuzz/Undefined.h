@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Undefined.h
- * @brief What VTK leaves undefined, so that it does not even repeat itself, taken out of scenarios.
+ * @brief Removes from scenarios what VTK leaves undefined.
  */
 #ifndef Undefined_h
 #define Undefined_h
@@ -11,16 +11,23 @@
 
 namespace TestScene
 {
-/// What VTK leaves undefined, so that it does not even repeat itself: with a render pass a selector
-/// draws props without having set their number; an overlay inside of an SSAO pass writes to one of
-/// its three attachments only; ambient occlusion does not clear its own framebuffer where the
-/// renderer does not erase, before 9.7 shows what it has not drawn of it in a part of a window, and
-/// blends normals, so that what lies before a flat triangle without extent gets its normal, which
-/// is no number; split stereo squeezes the whole window, and the next frame what of that is left
-/// outside of the viewports, so that pictures depend on how many frames there were, which with
-/// shadows is not the same; a billboard of several renderers is drawn where it was in another one,
-/// and splats with the global offset of the time when their shaders were made; where splats are
-/// drawn and the context is replaced, VTK crashes.
+/**
+ * Removes what VTK does not draw the same twice, or what makes it crash:
+ *
+ *  - With a render pass, a selector draws props before it has set their numbers.
+ *  - An overlay inside of an SSAO pass writes to only one of three attachments.
+ *  - Ambient occlusion does not clear its framebuffer if the renderer does not erase. Before
+ *    VTK 9.7 it shows undrawn parts of it in a renderer that fills a part of a window. It blends
+ *    normals, so that the NaN normal of a flat triangle without area spoils what is before it.
+ *  - Split stereo scales the whole window, with what earlier frames left outside of the viewports.
+ *    Windows that have drawn different numbers of frames differ, as they do with shadows.
+ *  - A billboard in several renderers is drawn where it was in another one.
+ *  - The shaders of splats keep the global polygon offset of the time when they were made. With
+ *    splats and a new context VTK crashes.
+ *  - Whether the scalars behind a filter are translucent is determined before the filter has run.
+ *  - VTK 9.1 crashes with clipped glyphs that get edges, and blends blocks of composite data in the
+ *    order of addresses.
+ */
 void RemoveUndefined(Scenario& scene);
 }
 

@@ -17,7 +17,7 @@
 
 namespace TestScene
 {
-/// Fills a scenario. Its window and number of frames are settled already.
+/// Fills a scenario whose window and number of frames are set already.
 class Writer
 {
 public:
@@ -31,7 +31,7 @@ public:
   }
 
   ///@{
-  /// Shorthand for random choices.
+  /// Make random choices. Integer() includes both ends.
   double Between(double low, double high) { return this->Random.Between(low, high); }
   int Integer(int low, int high)
   {
@@ -45,7 +45,7 @@ public:
   }
   ///@}
 
-  /// A plain actor of its own colour; the reference is good until the next one.
+  /// Adds a plain actor of a random colour. The reference is valid until the next prop is added.
   Prop& Add(ShapeKind kind, const glm::dvec3& center, const glm::dvec3& size);
   Prop& Box(const glm::dvec3& center, const glm::dvec3& size)
   {
@@ -53,15 +53,16 @@ public:
   }
   void AddChange(int frame, ChangeKind kind, int target, std::vector<double> values);
 
-  /// The camera walks, cuts, jumps back and forth or stays, before the plane z = 0.
+  /// Adds views of the plane z = 0: the camera walks, cuts, jumps back and forth, or stays. `width`
+  /// is the width of the scene.
   void AddViewsFromFront(double width);
 
-  /// The last view again, for a frame that changes a part of it; the first one has defaults.
+  /// Adds a view for a frame, as a copy of the last one, if there is one.
   View& AddView(int frame);
 
-  /// Props that the next changes may take away or open: what hides the others.
+  /// The Ids of props that hide others. Later changes may remove or move them.
   std::vector<int> Occluders;
-  /// World units across the view at the place of interest; the measure of moves.
+  /// The extent of the scene in world units; distances of moves are in proportion to it.
   double Scale = 10.0;
 
   Scenario& Scene;

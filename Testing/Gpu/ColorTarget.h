@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ColorTarget.h
- * @brief A framebuffer of nothing but colour.
+ * @brief A framebuffer object with colour and without depth.
  */
 #ifndef ColorTarget_h
 #define ColorTarget_h
@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-/// It is bound while it lives.
+/// The constructor binds the framebuffer; the destructor binds the one before.
 class ColorTarget
 {
 public:
@@ -40,7 +40,7 @@ public:
 
   void Bind() const { glBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer); }
 
-  /// RGBA of all pixels, the lowest row first.
+  /// Returns the RGBA bytes of all pixels, the lowest row first.
   std::vector<unsigned char> Read() const
   {
     this->Bind();

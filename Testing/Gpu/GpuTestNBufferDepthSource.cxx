@@ -144,7 +144,7 @@ TEST_F(GpuTestNBufferDepthSource, KnownIntegersAreReadWithinTheDerivedError)
     const vtkNBufferDepthSource source = this->Inspect();
     if (source.DepthBits != bits)
     {
-      continue; // The driver gives more bits than it was asked for.
+      continue; // The driver gives more bits than requested.
     }
     const std::int64_t largest = (std::int64_t(1) << bits) - 1;
     std::vector<double> exact;

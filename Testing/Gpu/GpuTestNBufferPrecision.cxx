@@ -234,7 +234,7 @@ class GpuTestNBufferPrecisionFormats
 {
 };
 
-// Hazard: a fragment nearer than the box that it belongs to is said to be.
+// Hazard: a fragment is drawn nearer than the nearest depth that the projection gives for its box.
 TEST_P(GpuTestNBufferPrecisionFormats, ErrorsStayUnderTheSlack)
 {
   const DepthFormat& format = GetDepthFormats()[GetParam()];
@@ -320,7 +320,8 @@ bool IsForetold(const vtkNBufferProjection& projection, const Triangle& triangle
 }
 }
 
-// Hazard: a fragment of a sliver nearer than its box, of which nothing warns.
+// Hazard: a fragment of a sliver is drawn nearer than its box, and the sliver test does not expect
+// it.
 TEST_F(GpuTestNBufferPrecision, SliversAreForetold)
 {
   constexpr int count = 400;
@@ -373,7 +374,8 @@ TEST_F(GpuTestNBufferPrecision, SliversAreForetold)
     << "llvmpipe draws some samples before their box";
 }
 
-// The same through mappers, with the boxes that the culler takes from them.
+// The same errors, of triangles that mappers draw, with the boxes that the culler computes for
+// their actors.
 TEST_F(GpuTestNBufferPrecision, ActorsStayUnderTheSlack)
 {
   this->Window = NewWindow(Width, Height);

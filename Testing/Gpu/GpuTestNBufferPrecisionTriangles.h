@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file GpuTestNBufferPrecisionTriangles.h
- * @brief Random triangles before random cameras, and their exact depth to judge what was drawn.
+ * @brief Random triangles before given cameras, and the comparison of drawn depth with exact depth.
  */
 #ifndef GpuTestNBufferPrecisionTriangles_h
 #define GpuTestNBufferPrecisionTriangles_h
@@ -19,7 +19,7 @@
 
 constexpr int Width = 640;
 constexpr int Height = 480;
-constexpr double LowestHeight = 1.0 / 16; // t of vtkNBufferProjection.h, in pixels
+constexpr double LowestHeight = 1.0 / 16; // The t of vtkNBufferBoxError.h, in pixels.
 
 struct CameraCase
 {
@@ -27,39 +27,46 @@ struct CameraCase
   double Near;
   double Far;
   bool Parallel;
-  double Offset;  ///< Of the scene from the world's origin.
+  double Offset;  ///< The world coordinates x and y of the eye, around which the scene lies.
   bool IsShifted; ///< Whether the vertex buffer holds coordinates relative to the scene.
 };
 
 enum class Kind
 {
-  Facing,   ///< One depth: quanta and rounding.
-  Slanted,  ///< Any depth, 2 to 200 pixels.
-  SubPixel, ///< Of less than two pixels, around the middle of one.
-  Steep,    ///< Seen edge-on: 1/16 pixel high and more, deep across.
-  Sliver,   ///< As steep ones, but lower, down to nothing, and of any depths.
-  Behind,   ///< Reaching behind the eye and out of the view.
+  Facing,   ///< All corners have one depth, so that only quanta and rounding matter.
+  Slanted,  ///< The corners have any depths, up to 2 to 200 pixels away from a place.
+  SubPixel, ///< As Slanted, but smaller than two pixels, around the middle of one.
+  Steep,    ///< 1/16 to 1/4 pixel high, with a large range of depths across that height.
+  Sliver,   ///< As Steep, but with lower heights, down to almost 0, and with any depths.
+  Behind,   ///< Reaches behind the eye and out of the view.
 };
 
 using Triangle = std::array<glm::dvec3, 3>;
 
-/// Pixels and window depth of a vertex.
+///@{
+/// Return x and y in pixels, and the window depth as z.
 glm::dvec3 ToScreen(const glm::dmat4& worldToClip, const glm::dvec3& point);
 Triangle ToScreen(const glm::dmat4& worldToClip, const Triangle& triangle);
+///@}
 
-/// The smallest height, in pixels.
+/// Returns the smallest height, in pixels.
 double GetHeight(const Triangle& onScreen);
 
-/// What was found of one kind under one camera.
+/// What was found about the triangles of one kind under one camera. Depths are window depths.
 struct Finding
 {
   long long Fragments = 0;
   long long Nearer = 0; ///< Fragments nearer than their triangle's exact nearest depth.
-  double Outside = 0.0; ///< Largest distance from the triangle's exact depth range,
-  double Slack = 0.0;   ///< what was granted there,
-  double Largest = 0.0; ///< and the largest ratio of the two.
-  double OfPlane = 0.0; ///< The same ratio for the distance from the exact plane.
+  ///@{
+  /// Of the fragment that comes closest to its slack: how far it is outside of its triangle's exact
+  /// range of depths, the slack there, and the ratio of the two.
+  double Outside = 0.0;
+  double Slack = 0.0;
+  double Largest = 0.0;
+  ///@}
+  double OfPlane = 0.0; ///< The largest such ratio for the distance from the exact plane.
 
+  /// Replaces the three values above if this fragment has a larger ratio.
   void AddOutside(double outside, double slack)
   {
     if (outside > this->Largest * slack)
@@ -71,6 +78,7 @@ struct Finding
   }
 };
 
+/// Makes random triangles for one camera.
 class Sampler
 {
 public:
@@ -80,31 +88,34 @@ public:
   {
     return std::uniform_real_distribution<double>(a, b)(this->Random);
   }
+  /// Returns a number in [a, b) whose logarithm is uniform.
   double Logarithmic(double a, double b) { return std::exp(Uniform(std::log(a), std::log(b))); }
 
   vtkCamera* GetCamera() const { return this->Camera; }
   const glm::dmat4& GetWorldToClip() const { return this->WorldToClip; }
   vtkNBufferProjection GetProjection(double quantum = 0x1p-24) const;
-  /// Where the vertex buffer has its zero.
+  /// Returns the origin, in world coordinates, of the coordinates in the vertex buffer.
   glm::dvec3 GetShift() const
   {
     return this->Case.IsShifted ? glm::dvec3(this->Case.Offset, this->Case.Offset, 0.0)
                                 : glm::dvec3(0.0);
   }
 
-  /// In world coordinates.
+  /// Returns a triangle in world coordinates.
   Triangle Make(Kind kind);
 
 private:
-  /// The worst for the plane: as low as is covered, as deep as can be across, and with a long edge
-  /// through the middles of pixels, or beside them by less than snapping can make up for.
+  /// Makes the worst case for the plane: a height near the lowest one that the slack covers, a
+  /// large range of depths, and a long edge within 1/512 pixel of the middles of pixels, so that
+  /// snapping decides which of them are covered.
   Triangle MakeSteep();
   Triangle MakeSliver();
 
-  /// Of the ground, a wall or the ceiling around the eye, on beyond and behind it.
+  /// Makes a triangle of the ground, a wall or the ceiling around the eye, which reaches far ahead
+  /// and may reach behind the eye.
   Triangle MakeGround();
 
-  /// Of a place on the screen in pixels, z in NDC.
+  /// Returns the world coordinates of a place on the screen: x and y in pixels, z in NDC.
   glm::dvec3 ToWorld(double x, double y, double z) const;
 
   const CameraCase& Case;
@@ -114,13 +125,14 @@ private:
   glm::dmat4 ClipToWorld;
 };
 
-/// Compares the depth of a rectangle with a triangle of which it is the only trace.
+/// Compares the depth of a rectangle, in which only one triangle was drawn, with this triangle.
 class Judge
 {
 public:
   Judge(const glm::dmat4& worldToClip, const Triangle& triangle, bool isBehind);
 
-  /// `depth` is that of the rectangle.
+  /// Checks all fragments against the slack. `depth` is that of the rectangle, row by row; `screen`
+  /// is the triangle's projected box.
   void Compare(const vtkNBufferScreenBox& screen, const vtkNBufferRectangle& rectangle,
     const std::vector<float>& depth, Finding& finding) const;
 
@@ -132,7 +144,7 @@ private:
   glm::dvec2 Slope;
 };
 
-/// The box that a candidate with this triangle has.
+/// Returns the box that a candidate with this triangle has.
 vtkNBufferBox BoundTriangle(const Triangle& triangle, const Sampler& sampler);
 
 #endif

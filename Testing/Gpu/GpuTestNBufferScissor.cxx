@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where vtkNBufferGL::DrawIn() lets others draw.
+// The pixels to which vtkNBufferGL::DrawIn() restricts draws.
 #include "vtkNBufferGL.h"
 #include "vtkNBufferScissor.h"
 
@@ -39,7 +39,7 @@ std::vector<bool> GetDrawn(const ColorTarget& target)
 
 using GpuTestNBufferScissor = WindowFixture;
 
-// Hazard: what is drawn again in regions is drawn beside them, or left out of them.
+// Hazard: what is drawn again in regions is also drawn outside of them, or is missing in them.
 TEST_F(GpuTestNBufferScissor, DrawsInRegionsAlone)
 {
   const vtkNBufferRectangle viewport = { 5, 3, 36, 22 };

@@ -246,7 +246,7 @@ TEST_P(GpuTestNBufferTextureSamples, EveryFormatTakesTheExtremumOfAllSamples)
   {
     SCOPED_TRACE(format.Name);
     const DepthTarget target(format, width, height, true, this->GetParam());
-    // A driver may give more than was asked for.
+    // A driver may give more than requested.
     const int count = target.GetSamples();
     if (!target.IsComplete() || count < this->GetParam())
     {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What vtkNBufferTexture leaves alone, allocates, refuses and lets go of.
+// The OpenGL state that vtkNBufferTexture restores, and what it allocates, refuses and releases.
 #include "vtkNBufferTexture.h"
 
 #include "DepthTarget.h"

@@ -75,7 +75,7 @@ TEST_F(GpuTestNBufferTieQuery, SeesEqualDepthsAlone)
   EXPECT_EQ(this->Draws, 4);
 }
 
-// Hazard: what is drawn to find ties changes the image, or state of OpenGL.
+// Hazard: the draws that find ties change the image or the state of OpenGL.
 TEST_F(GpuTestNBufferTieQuery, LeavesNoTrace)
 {
   WhileDrawing(this->Window, this->Renderer,
@@ -98,7 +98,8 @@ TEST_F(GpuTestNBufferTieQuery, LeavesNoTrace)
     });
 }
 
-// Hazard: the next draws write no colors because an observer of the application has thrown.
+// Hazard: an observer of the application throws during a query for ties, and the next draws write
+// no colors.
 TEST_F(GpuTestNBufferTieQuery, LeavesNoTraceOfAnException)
 {
   WhileDrawing(this->Window, this->Renderer,

@@ -107,7 +107,8 @@ protected:
   vtkShadowBlock Range;
 };
 
-// The ray through the centre of each lexel, computed here: where it meets what is seen.
+// Each lexel is compared with the ray through its centre: with the place where this ray meets a
+// surface that the camera sees.
 TEST_F(GpuTestRerenderedLitmap, LexelsHoldWhatIsSeenAtTheirCentres)
 {
   const std::vector<float> depth = MakeDepth(0.25f, 0.75f);
@@ -163,8 +164,9 @@ TEST_F(GpuTestRerenderedLitmap, LexelsHoldWhatIsSeenAtTheirCentres)
   }
 }
 
-// The paper's defect in its plainest form: what lies a little behind the depth of its pixel is not
-// seen, and what has no lexel's centre is not drawn. Scattering has both.
+// The defect of the paper's method in its simplest form: a point a little behind the depth of its
+// pixel counts as not seen, and a surface that covers no lexel's centre is not drawn. Scattering
+// finds both.
 TEST_F(GpuTestRerenderedLitmap, MissesWhatScatteringFinds)
 {
   const vtkShadowLight light = MakeLight(vtkShadowLightKind::Directional);
@@ -215,7 +217,7 @@ TEST_F(GpuTestRerenderedLitmap, StateIsSetAndRestored)
   UnspoilGLState();
 }
 
-// Hazard: names of a context that is gone, or of another one, are used again.
+// Hazard: names of objects of a context that is gone, or of another context, are used again.
 TEST_F(GpuTestRerenderedLitmap, WorksAgainAfterRelease)
 {
   for (int round = 0; round < 2; ++round)

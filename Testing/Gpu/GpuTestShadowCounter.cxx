@@ -197,7 +197,7 @@ TEST_F(GpuTestShadowCounter, TargetsGrowAndKeepBindings)
   EXPECT_EQ(this->Target.GetWidth(), 0);
 }
 
-// Hazard: what OpenGL refuses must not leave half a target.
+// Hazard: OpenGL refuses a target, and a part of it remains.
 TEST_F(GpuTestShadowCounter, TooLargeTargetsAreRefused)
 {
   int maximum = 0;
@@ -227,8 +227,8 @@ TEST_F(GpuTestShadowCounter, ClearsTheViewportOnly)
   }
 }
 
-// Only receivers in the volume are counted, on the way to them as well as behind them; modulo 256
-// in both directions.
+// Only receivers in the volume are counted, by z-pass and by z-fail. Counts are modulo 256 in both
+// directions.
 TEST_F(GpuTestShadowCounter, CountsReceiversInTheVolumeAndWraps)
 {
   for (const int copies : { 1, 255, 256, 300 })
@@ -243,7 +243,7 @@ TEST_F(GpuTestShadowCounter, CountsReceiversInTheVolumeAndWraps)
   }
 }
 
-// Draws keep to their boxes, and both ways of counting add up.
+// Draws change only pixels in their boxes, and draws by z-pass and by z-fail add up.
 TEST_F(GpuTestShadowCounter, DrawsKeepToTheirBoxes)
 {
   const vtkShadowVolumeStore volume = MakeVolume(2);
@@ -276,7 +276,8 @@ TEST_F(GpuTestShadowCounter, FragmentsAreThoseOfAllFaces)
   this->ExpectStencil([](int x, int y) { return IsShadowed(x, y) ? 1 : 0; });
 }
 
-// A channel is darkened where the count is not 0; the others, other masks and the stencil stay.
+// A channel of the mask is set where the count is not 0. The other channels, other masks and the
+// stencil do not change.
 TEST_F(GpuTestShadowCounter, ResolvesOneChannel)
 {
   const vtkShadowVolumeStore volume = MakeVolume(3);
@@ -296,7 +297,7 @@ TEST_F(GpuTestShadowCounter, ResolvesOneChannel)
   }
 }
 
-// Whatever the state was, counts are right and the state is as it was.
+// Counts are right in any OpenGL state, and the state is restored.
 TEST_F(GpuTestShadowCounter, StateIsSetAndRestored)
 {
   const vtkShadowVolumeStore volume = MakeVolume(1);
@@ -334,7 +335,7 @@ TEST_F(GpuTestShadowCounter, StateIsSetAndRestored)
   }
 }
 
-// What the device has is not sent again, and what is added is where it belongs.
+// Vertices that are on the device are not sent again, and new ones are in the right place.
 TEST_F(GpuTestShadowCounter, OnlyWhatIsAddedIsSent)
 {
   vtkShadowVolumeStore store = MakeVolume(1);
@@ -385,7 +386,7 @@ TEST_F(GpuTestShadowCounter, VolumesAreExactFarFromTheOrigin)
   }
 }
 
-// Hazard: names of a context that is gone, or of another one, are used again.
+// Hazard: names of objects of a context that is gone, or of another context, are used again.
 TEST_F(GpuTestShadowCounter, WorksAgainAfterRelease)
 {
   const vtkShadowVolumeStore volume = MakeVolume(1);

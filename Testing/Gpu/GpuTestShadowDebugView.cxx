@@ -65,7 +65,8 @@ protected:
   std::vector<vtkShadowDraw> Draws;
 };
 
-// The front and the back of the column; the box cuts off its left side.
+// The view counts the fragments of the front and of the back of the column, whose left side the box
+// cuts off.
 TEST_F(GpuTestShadowDebugView, CountsAreThoseOfFragments)
 {
   this->Draws[0].Box.X0 = 8;
@@ -99,8 +100,8 @@ TEST_F(GpuTestShadowDebugView, EdgesTellZPassFromZFail)
   }
 }
 
-// In the viewport of the framebuffer that is bound, where the image is not transparent; opacity
-// stays.
+// The view is drawn into the viewport of the bound framebuffer, where its image is not transparent.
+// Alpha does not change.
 TEST_F(GpuTestShadowDebugView, IsShownWhereItIsNotTransparent)
 {
   ASSERT_NO_FATAL_FAILURE(this->Make(vtkShadowPicture::Counts));
@@ -152,7 +153,8 @@ TEST_F(GpuTestShadowDebugView, StateIsSetAndRestored)
   }
 }
 
-// Times of a frame are known later, without waiting, and only of frames that were to be measured.
+// The times of a frame arrive in a later frame, without waiting, and only for frames that were to
+// be measured.
 TEST_F(GpuTestShadowDebugView, TimersMeasureIfAsked)
 {
   vtkShadowTimers timers;

@@ -125,7 +125,8 @@ TEST_F(GpuTestShadowSamples, ReaderKeepsTheState)
     });
 }
 
-// A count for each sample, where a volume's sides cross pixels, and within the viewport only.
+// Each sample has its own count, where the sides of a volume cross pixels, and only in the
+// viewport.
 TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
 {
   // Its shadow, along x: x in (-0.51, 0.47), y in (-0.31, 0.29), z in (-0.2, 0.2).
@@ -206,7 +207,8 @@ TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
     });
 }
 
-// Samples that textures do not have: one for each pixel, and asked for once.
+// Textures do not have the wanted number or places of samples: there is one sample for each pixel,
+// and OpenGL is not tried again for the same samples.
 TEST_F(GpuTestShadowSamples, RefusedSamplesLeaveOneForEachPixel)
 {
 #ifdef GL_DEBUG_OUTPUT

@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LevelComparison.h
+ * @brief The levels of a depth image in host memory, to compare those of the device with.
+ */
 #ifndef LevelComparison_h
 #define LevelComparison_h
 
@@ -10,7 +14,7 @@
 #include <string>
 #include <vector>
 
-/// Levels of `depth` in host memory, all that there are.
+/// Builds all levels of a depth image in host memory.
 inline vtkNBufferLevels BuildOnHost(
   const std::vector<float>& depth, int width, int height, int factor, vtkNBufferExtremum extremum)
 {
@@ -20,7 +24,7 @@ inline vtkNBufferLevels BuildOnHost(
   return levels;
 }
 
-/// The first texel of any level that differs in a bit; empty if none does.
+/// Returns which is the first texel that differs, in any level and in any bit; "" if none does.
 inline std::string FindDifference(const vtkNBufferLevels& expected, const vtkNBufferLevels& found)
 {
   std::ostringstream text;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShadowFixture.h
- * @brief What tests of the drawing of shadow volumes share: a box as caster, an eye that looks
- * along -z, and x and y of the viewport in [-1, 1].
+ * @brief What tests of drawing shadow volumes share: boxes as casters, and a parallel view along -z
+ * that shows x, y and z in [-1, 1].
  */
 #ifndef ShadowFixture_h
 #define ShadowFixture_h
@@ -20,7 +20,7 @@ class ShadowFixture : public WindowFixture
 protected:
   using WindowFixture::WindowFixture;
 
-  /// Releases what is of OpenGL, where tests are not skipped.
+  /// Releases the objects of OpenGL, unless the test was skipped.
   void TearDown() override
   {
     if (this->Window)
@@ -30,7 +30,7 @@ protected:
     }
   }
 
-  /// The eye is the origin of the world, and looks along -z.
+  /// Returns the view. The eye is the origin of the world.
   static vtkShadowDrawList::View MakeView(const int viewport[4])
   {
     vtkShadowDrawList::View view;
@@ -39,14 +39,14 @@ protected:
     return view;
   }
 
-  /// The box between two corners.
+  /// Makes the box between two corners.
   static ShadowMesh MakeBlock(const glm::dvec3& low, const glm::dvec3& high)
   {
     return MakeCube().Move(
       [&](const glm::dvec3& x) { return glm::mix(low, high, x + glm::dvec3(0.5)); });
   }
 
-  /// Adds what the mesh shadows between two depths in a light along a direction.
+  /// Adds the clamped volume of a mesh in a slab of a directional light.
   static void AddPiece(vtkShadowVolumeStore& store, const ShadowMesh& mesh,
     const glm::dvec3& direction, const vtkShadowSlab& slab)
   {
@@ -57,7 +57,7 @@ protected:
     store.AddClamped(caster.MakePart(), space, slab, caster.GetDepths(space).second);
   }
 
-  /// A store of so many copies of such a piece.
+  /// Returns a store with copies of such a clamped volume.
   static vtkShadowVolumeStore MakeVolume(
     const ShadowMesh& mesh, const glm::dvec3& direction, const vtkShadowSlab& slab, int copies = 1)
   {
@@ -69,7 +69,7 @@ protected:
     return store;
   }
 
-  /// All of a volume as one draw.
+  /// Returns the draw of all volumes of a store, into the whole viewport.
   static vtkShadowDraw MakeDraw(
     const vtkShadowVolumeStore& store, const int viewport[4], bool zPass = false)
   {
@@ -80,7 +80,7 @@ protected:
     return draw;
   }
 
-  /// Whether the centre of a pixel of the viewport has |x| < 0.5 and |y| < 0.3.
+  /// Returns whether the centre of a pixel of the viewport has |x| < 0.5 and |y| < 0.3.
   static bool IsInVolume(int x, int y, const int viewport[4])
   {
     const double u = 2.0 * (x + 0.5) / viewport[2] - 1.0;

@@ -22,7 +22,8 @@
 #include <string>
 #include <vector>
 
-/// Most of these tests draw into framebuffers of their own: any size of window will do.
+/// The size of the window, in pixels, does not matter for tests that draw into their own
+/// framebuffers.
 class WindowFixture : public OffscreenFixture
 {
 protected:
@@ -32,7 +33,7 @@ protected:
   {
   }
 
-  /// Leaves Window empty where tests are skipped.
+  /// Makes the window, unless the tests are skipped.
   void SetUp() override
   {
     OffscreenFixture::SetUp();
@@ -42,7 +43,7 @@ protected:
     }
   }
 
-  /// The depth of the framebuffer that is bound.
+  /// Returns where the depth of the bound framebuffer can be read.
   vtkNBufferDepthSource Inspect() const
   {
     vtkNBufferDepthSource source;
@@ -51,6 +52,7 @@ protected:
     return source;
   }
 
+  /// Reads the depth of a rectangle; of several samples in a pixel the extremum.
   std::vector<float> Read(const vtkNBufferDepthSource& source, const vtkNBufferRectangle& r,
     vtkNBufferExtremum extremum = vtkNBufferExtremum::Maximum) const
   {

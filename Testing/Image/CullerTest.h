@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CullerTest.h
- * @brief The same scene twice in one process, with and without the culler, compared to the byte.
+ * @brief Compares frames of a scene with and without the culler, byte for byte, in one process.
  *
- * A test gives a function that builds its scene. It is called for two stages, each with a window
- * of its own: the reference has no culler at all, the other one has vtkNBufferCuller added as a
- * user does. Every Frame() renders both and fails if
+ * A test gives a function that builds its scene. The function is called for two stages, each with
+ * its own window: the reference has no culler at all; the other one has vtkNBufferCuller, added as
+ * applications do. Every Frame() renders both and fails if
  *
- *  - a byte of the RGBA windows or, where it can be read, a bit of the depth differs,
+ *  - a byte of the RGBA images or, where it can be read, a bit of the depth differs,
  *  - the statistics are not consistent in themselves and with the draws that mappers announced,
  *  - VTK or OpenGL reported an error or a warning.
  *
- * Judge.h decides all of that.
+ * The checks are in Judge.h.
  */
 #ifndef CullerTest_h
 #define CullerTest_h
@@ -30,7 +30,7 @@
 #include <functional>
 #include <string>
 
-/// Order-independent transparency, where this VTK has a switch for it.
+/// Switches order-independent transparency, where this VTK has a switch for it.
 inline void SetUseOIT(vtkRenderer* renderer, bool on)
 {
 #if VTKNBUFFER_HAS_OIT_SWITCH
@@ -45,7 +45,7 @@ using TestScene::Stage;
 using Verdict = vtkNBufferVerdict;
 using Decision = vtkNBufferDecision;
 
-/// The first part of the parameter of a suite whose cases have names.
+/// The base of the parameters of a suite whose cases have names.
 struct NamedCase
 {
   const char* Name;
@@ -56,30 +56,32 @@ inline std::ostream& operator<<(std::ostream& os, const NamedCase& named)
 }
 inline constexpr auto GetCaseName = [](const auto& info) { return std::string(info.param.Name); };
 
-/// How a comparison is set up, where a test wants it otherwise.
+/// The options of a comparison.
 struct ComparisonOptions
 {
   int Width = 301;
   int Height = 173;
   int MultiSamples = 0;
-  /// vtkRenderer's own vtkFrustumCoverageCuller stays in front of ours; else ours is alone.
+  /// Whether VTK's default culler (vtkFrustumCoverageCuller) stays in front of vtkNBufferCuller.
   bool KeepDefaultCuller = true;
-  /// The reference is stock VTK (with vtkFrustumCoverageCuller), not VTK without any culler.
+  /// Whether the reference has VTK's default culler; otherwise it has none.
   bool StockReference = false;
-  /// Add the culler while the scene is built; else the test calls AddCuller().
+  /// Whether the constructor adds the culler; otherwise the test calls AddCuller().
   bool AddCuller = true;
-  /// Compare depth as well; not where the last renderer or a pass leaves none to read.
+  /// Whether depth is compared as well. False where the last renderer or a pass leaves none to
+  /// read.
   bool CompareDepth = true;
-  /// Read what was rendered instead of the copy that VTK makes of it to show. Where the formats of
-  /// depth differ VTK fails to make that copy; then its OpenGL errors are no failure.
+  /// Whether the rendered image is compared instead of the copy that VTK makes to show it. Where
+  /// the formats of depth differ, VTK fails to make that copy; its OpenGL errors are then no
+  /// failure.
   bool ReadRendered = false;
-  /// Compare the draws of each prop with the reference. Not in stereo: the statistics are those
-  /// of one eye.
+  /// Whether the draws of each prop are compared with the reference. False in stereo, where the
+  /// statistics are those of one eye.
   bool CompareDraws = true;
   int Backend = vtkNBufferCuller::Auto;
-  /// The culler's default RoundSize would draw most of these small scenes before the first test.
-  /// And it may not spare itself tests that hide little: most of these scenes are too small, and
-  /// their cameras too quick, for that to be what is to be tested.
+  /// With the default RoundSize most of these small scenes would be drawn before the first test.
+  /// With BackOff the culler would often not test, because tests hide little in small scenes and
+  /// after large moves of the camera.
   vtkNBufferTuning Tuning = []
   {
     vtkNBufferTuning tuning;
@@ -87,9 +89,9 @@ struct ComparisonOptions
     tuning.BackOff = false;
     return tuning;
   }();
-  /// What VTK reports is kept in Comparison::Messages instead of failing the test.
+  /// Whether the messages of VTK are added to Comparison::Messages instead of failing the test.
   bool KeepMessages = false;
-  /// The culler is not added at all; see GetControl().
+  /// Whether the culler is not added at all; see GetControl().
   bool Control = false;
 };
 
@@ -101,12 +103,15 @@ public:
   Comparison(const Change& build, const ComparisonOptions& options = ComparisonOptions());
   ~Comparison();
 
-  /// Do the same to both stages.
+  /// Applies a change to both stages.
   void Both(const Change& change);
-  /// Render both, changed, and compare; `what` names the frame in failures.
+  ///@{
+  /// Apply a change to both stages, render a frame of both, and compare. `what` describes the frame
+  /// in messages of failures.
   void Frame(const std::string& what = "", const Change& change = nullptr);
   void Frame(const Change& change) { this->Frame("", change); }
-  /// Add the culler to all renderers of the second stage as a user does.
+  ///@}
+  /// Adds the culler to all renderers of the second stage, as applications do.
   void AddCuller();
 
   vtkNBufferCuller* GetCuller() const { return this->Culled.Culler; }
@@ -140,24 +145,25 @@ private:
   int Frames = 0;
 };
 
-/// Names in failures instead of bytes.
+///@{
+/// Make GoogleTest print the names of values.
 void PrintTo(vtkNBufferVerdict verdict, std::ostream* os);
 void PrintTo(vtkNBufferDecision decision, std::ostream* os);
+///@}
 
-/// @name Environment variables
-/// For who looks for the cause of a failure.
+/// @name Environment variables that help to find the cause of a failure
 ///@{
-/// VTKNBUFFER_TEST_CONTROL: the control experiment. What differs without the culler on either side
-/// is a fault of the test. "stock": stock VTK on both sides; anything else: VTK without any culler
-/// against stock VTK. nullptr if it is not set.
+/// Returns VTKNBUFFER_TEST_CONTROL, or nullptr if it is not set. If it is set, neither stage has
+/// the culler, so that a difference is a fault of the test (a control experiment). With the value
+/// "stock", both stages have VTK's default culler; with another one, the reference has no culler.
 const char* GetControl();
-/// VTKNBUFFER_TEST_VERBOSE: print the statistics of each frame.
+/// Prints the statistics of a frame if VTKNBUFFER_TEST_VERBOSE is set.
 void PrintStatistics(const Stage& culled, const std::string& frame);
-/// VTKNBUFFER_TEST_OUTPUT names a folder for the pictures of frames that differ.
+/// Writes the pictures of a frame that differs to the folder that VTKNBUFFER_TEST_OUTPUT names.
 void WritePictures(const Stage& reference, const Stage& culled, const std::string& frame);
 ///@}
 
-/// No N-buffer work at all in this frame.
+/// Succeeds if the culler built no levels, read no depth and tested nothing in the frame.
 testing::AssertionResult DidNoWork(const vtkNBufferStatistics& statistics);
 
 #endif

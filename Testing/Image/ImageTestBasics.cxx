@@ -41,8 +41,8 @@ int GetPropsDrawnInRounds(const vtkNBufferStatistics& statistics)
 }
 }
 
-// Hazard: a culler that shows nothing but its own test scene; hidden props must be found at all,
-// and those that the first round drew for nothing must go with the next frame.
+// Hazard: the culler works only in its own test scenes: hidden props must be found in a plain one,
+// and those that the first round drew untested must be hidden in the next frame.
 TEST(CullerBasics, WallHidesWhatIsBehindIt)
 {
   Comparison comparison(Scenes::BuildWall);
@@ -62,7 +62,7 @@ TEST(CullerBasics, WallHidesWhatIsBehindIt)
   EXPECT_STREQ(comparison.GetCuller()->GetDecision(), "Culled");
 }
 
-// Hazard: nothing is known in the first frame, and a screenshot is often the only one.
+// Hazard: nothing is known in the first frame, which is often the only one that a screenshot needs.
 TEST(CullerBasics, FirstFrameIsCulled)
 {
   Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage); }, Defaults());
@@ -80,7 +80,7 @@ TEST(CullerBasics, FirstFrameIsCulled)
     statistics.Candidates - statistics.GetNumberOfPropsNotDrawn());
 }
 
-// Hazard: a moving camera uncovers what was hidden; nothing may appear a frame late.
+// Hazard: a moving camera uncovers what was hidden; nothing may appear one frame late.
 TEST(CullerBasics, WalkThroughTheCity)
 {
   Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage); }, Defaults());
@@ -102,7 +102,8 @@ TEST(CullerBasics, WalkThroughTheCity)
   }
 }
 
-// Hazard: after a cut nothing that was visible helps; rounds must find the new occluders.
+// Hazard: after a cut of the camera the verdicts of the last frame are of no use; rounds must find
+// the new occluders.
 TEST(CullerBasics, CameraCuts)
 {
   Comparison comparison([](Stage& stage) { Scenes::BuildCity(stage, 18); }, Defaults());
@@ -126,7 +127,7 @@ TEST(CullerBasics, CameraCuts)
   }
 }
 
-// Hazard: jumping to and fro between two views, each with the other's visible set.
+// Hazard: the camera jumps between two views, and each begins with the visible props of the other.
 TEST(CullerBasics, JumpingToAndFro)
 {
   Comparison comparison(Scenes::BuildWall);
@@ -147,7 +148,8 @@ TEST(CullerBasics, JumpingToAndFro)
   }
 }
 
-// Hazard: VTK builds the list of props in every Render(); a culler may come in at any time.
+// Hazard: VTK builds the list of props in every Render(), so that a culler may be added at any
+// time.
 TEST(CullerBasics, AddedAfterTheFirstRenderAndRemovedAgain)
 {
   ComparisonOptions options;
@@ -172,7 +174,7 @@ TEST(CullerBasics, AddedAfterTheFirstRenderAndRemovedAgain)
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
 }
 
-// Hazard: without vtkFrustumCoverageCuller nobody else tests the frustum.
+// Hazard: without vtkFrustumCoverageCuller no other culler tests the frustum.
 TEST(CullerBasics, WithoutTheDefaultCuller)
 {
   ComparisonOptions options;
@@ -183,7 +185,8 @@ TEST(CullerBasics, WithoutTheDefaultCuller)
   EXPECT_GT(comparison.GetStatistics().GetCount(Verdict::Outside), 0);
 }
 
-// Hazard: with TakeOverFrustumCulling off the default culler has removed and sorted before us.
+// Hazard: with TakeOverFrustumCulling off, the default culler stays in front, and has removed and
+// sorted props before vtkNBufferCuller gets the list.
 TEST(CullerBasics, BehindTheDefaultCuller)
 {
   ComparisonOptions options;
@@ -194,7 +197,7 @@ TEST(CullerBasics, BehindTheDefaultCuller)
   EXPECT_GT(comparison.GetHidden(), 60);
 }
 
-// Hazard: a prop that left or joined the renderer between two frames.
+// Hazard: a prop is added to the renderer or removed from it between two frames.
 TEST(CullerBasics, PropsComeAndGo)
 {
   Comparison comparison(Scenes::BuildWall);
@@ -227,7 +230,7 @@ TEST(CullerBasics, PropsComeAndGo)
   comparison.Frame("another scene", Scenes::BuildWall);
 }
 
-// Hazard: a pointer that is reused for a new prop must not inherit a verdict.
+// Hazard: a new prop at the address of a deleted one gets the verdict of that one.
 TEST(CullerBasics, ManyGenerationsOfProps)
 {
   Comparison comparison(Scenes::BuildWall);
@@ -264,7 +267,8 @@ TEST(CullerBasics, NoPropsAndOneProp)
   EXPECT_EQ(comparison.GetVerdict(0), Verdict::Untested);
 }
 
-// Hazard: off must mean off, and on again must not remember what was hidden long ago.
+// Hazard: with Enabled off something is still culled, or with Enabled on again the verdicts of long
+// ago are used.
 TEST(CullerBasics, EnabledOffDrawsAll)
 {
   Comparison comparison(Scenes::BuildWall);
@@ -319,7 +323,7 @@ const Setting Settings[] = {
 };
 }
 
-// Hazard: a setting that nobody walks with is a setting that nobody has tested.
+// Hazard: a combination of settings is wrong that no other test uses on a walk.
 TEST_P(CullerSettings, WalkThroughTheCity)
 {
   ComparisonOptions options;
@@ -453,7 +457,7 @@ TEST(CullerBasics, BaseFactorsOtherThanPowersUpToEightAreRefused)
     "BaseFactor", "1, 2, 4 or 8", { 1, 2, 4, 8 }, { 0, -4, 3, 5, 6, 7, 9, 16 });
 }
 
-// The same of all other constants that have a range.
+// Hazard: other constants of the tuning accept values out of their range.
 TEST(CullerBasics, TuningsOutOfRangeAreRefused)
 {
   constexpr int most = VTK_INT_MAX;
@@ -478,7 +482,7 @@ TEST(CullerBasics, TuningsOutOfRangeAreRefused)
     "0 to 1000000000", { 0, 256, 1000000000 }, { -1, 1000000001, most, least });
 }
 
-// Hazard: the reason for a back-end is that of another one, which the application has set before.
+// Hazard: the reason that is given for a back-end is that of the back-end which was set before.
 TEST(CullerBasics, BackendReasonIsThatOfTheSetting)
 {
   Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
@@ -493,7 +497,8 @@ TEST(CullerBasics, BackendReasonIsThatOfTheSetting)
   }
 }
 
-// Hazard: a culler asked before its first frame, or about a renderer that it never saw.
+// Hazard: the culler crashes if its results are read before the first frame, or for a renderer that
+// it never saw.
 TEST(CullerBasics, QuestionsBeforeTheFirstFrame)
 {
   TakeMessages();

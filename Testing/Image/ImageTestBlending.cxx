@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Props that are blended: they hide nothing, and the order of drawing shows.
+// Props that are blended: they hide nothing, and the image depends on the order of drawing.
 #include "CullerTest.h"
 #include "Scenes.h"
 
@@ -10,7 +10,7 @@
 
 using Scenes::Wall;
 
-// Hazard: a translucent wall that writes depth somewhere hides what shines through it.
+// Hazard: a translucent wall, which writes depth in some passes, hides what is seen through it.
 TEST(CullerProps, TranslucentPropsNeverHide)
 {
   for (int mode = 0; mode < 3; ++mode)
@@ -34,7 +34,7 @@ TEST(CullerProps, TranslucentPropsNeverHide)
   }
 }
 
-// Hazard: the order in which translucent props blend is that of the renderer's list.
+// Hazard: translucent props must blend in the order of the renderer's list.
 TEST(CullerProps, TranslucentPropsBetweenHeldBackOnesKeepTheirOrder)
 {
   Comparison comparison(
@@ -57,8 +57,8 @@ TEST(CullerProps, TranslucentPropsBetweenHeldBackOnesKeepTheirOrder)
   }
 }
 
-// Hazard: opaque by force with an opacity below one is blended in the opaque stage, so that what
-// it is drawn over, and how often, shows.
+// Hazard: a prop that is forced to be opaque, with an opacity below 1, is blended in the opaque
+// stage, so that the image depends on what was drawn before it, and on how often it is drawn.
 TEST(CullerProps, BlendedInTheOpaqueStage)
 {
   Comparison comparison(
@@ -87,8 +87,8 @@ TEST(CullerProps, BlendedInTheOpaqueStage)
   }
 }
 
-// Hazard: a part of an assembly is blended in the opaque stage, of which the assembly knows
-// nothing.
+// Hazard: a part of an assembly is blended in the opaque stage, which the assembly itself does not
+// show.
 TEST(CullerProps, BlendedPartOfAnAssembly)
 {
   Comparison comparison(
@@ -120,8 +120,8 @@ TEST(CullerProps, BlendedPartOfAnAssembly)
   }
 }
 
-// Hazard: VTK's own culler, which came first in the first frame, has left a translucent prop out;
-// its opaque block is then missing in the order of equal depths.
+// Hazard: VTK's own culler, which came first in the first frame, has removed a translucent prop
+// from the list; its opaque block is then missing in the order of equal depths.
 TEST(CullerProps, OpaqueBlockOfATranslucentPropThatComesIntoView)
 {
   ComparisonOptions options;

@@ -229,8 +229,8 @@ class CullerBlocks : public testing::TestWithParam<LargeProps::Case>
 };
 INSTANTIATE_TEST_SUITE_P(Each, CullerBlocks, testing::ValuesIn(Cases), GetCaseName);
 
-// Hazard: units whose boxes are too small, blocks in another order than VTK's, the list of blocks
-// not put back into the mapper.
+// Hazard: the boxes of units are too small, blocks are drawn in another order than VTK's, or the
+// culler's list of blocks stays in the mapper.
 TEST_P(CullerBlocks, SameImage)
 {
   LargeProps::CompareWalks(this->GetParam().Build, MakeOptionsWithoutDraws(), 8, Walk, { 40, 10 },
@@ -262,7 +262,7 @@ TEST(CullerBlocksRounding, CountsInvisibleBlocks)
   LargeProps::CompareWalk(comparison, Walk);
 }
 
-// Hazard: blocks of equal depth, of which the last one in VTK's order has to stay.
+// Hazard: of blocks with equal depth, the last one in VTK's order has to stay visible.
 TEST(CullerBlocksTies, LastOneStays)
 {
   Comparison comparison(
@@ -384,7 +384,7 @@ class CullerBlocksChanges : public testing::TestWithParam<LargeProps::Change>
 };
 INSTANTIATE_TEST_SUITE_P(Each, CullerBlocksChanges, testing::ValuesIn(Changes), GetCaseName);
 
-// Hazard: boxes of blocks that have changed since.
+// Hazard: blocks have changed, and their former boxes are tested.
 TEST_P(CullerBlocksChanges, SameImage)
 {
   Comparison comparison(
@@ -398,8 +398,8 @@ TEST_P(CullerBlocksChanges, SameImage)
   EXPECT_EQ(comparison.GetStatistics().Units > 0, this->GetParam().IsDividedAfterwards);
 }
 
-// Hazard: a block that moves into view while no other block of the prop is drawn. Nothing but its
-// own time says so.
+// Hazard: a block moves into view while no other block of the prop is drawn. Only the modification
+// time of the block shows that.
 TEST(CullerBlocksChanges, AreNoticedWhileNothingIsDrawn)
 {
   for (const bool behindTheWall : { true, false })
@@ -438,7 +438,8 @@ TEST(CullerBlocksChanges, AreNoticedWhileNothingIsDrawn)
   }
 }
 
-// Hazard: the list of the culler is used for selections, or hidden blocks cannot be picked.
+// Hazard: a selection draws only the culler's list of blocks, so that hidden blocks cannot be
+// picked.
 TEST(CullerBlocksPicking, SameBlocks)
 {
   Comparison comparison(

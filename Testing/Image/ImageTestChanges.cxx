@@ -99,8 +99,8 @@ protected:
 };
 }
 
-// Hazard: verdicts and bounds are cached; a change that leaves the actor's own time untouched must
-// still be noticed before the frame in which it is drawn.
+// Hazard: verdicts and bounds are cached; a change that does not modify the actor itself must still
+// be noticed before the frame in which it shows.
 TEST_P(CullerChanges, SeenInThatFrame)
 {
   const Change& change = this->GetParam();
@@ -440,7 +440,7 @@ TEST(CullerChangesOnce, ADoorThatOpens)
   EXPECT_LT(hidden, Wall::Behind / 4);
 }
 
-// Hazard: props that move and deform at once, each with caches of its own.
+// Hazard: all props move and deform at once, and each has its own caches.
 TEST(CullerChangesOnce, EverythingMoves)
 {
   Comparison comparison(Scenes::BuildWall);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// When the culler does nothing, says so, and really does nothing.
+// When the culler does not test a frame: its decision says so, and it does no work.
 #include "CullerTest.h"
 #include "Scenes.h"
 #include "Tune.h"
@@ -35,7 +35,7 @@ void BuildNothingHidden(Stage& stage)
 }
 }
 
-// Hazard: a read-back costs more than a handful of props.
+// Hazard: a read-back of depth takes longer than drawing a few props.
 TEST(CullerDecisions, FewCandidates)
 {
   Comparison comparison(
@@ -61,7 +61,8 @@ TEST(CullerDecisions, FewCandidates)
   EXPECT_GT(comparison.GetHidden(), 5);
 }
 
-// Hazard: what is outside the frustum does not count towards what is worth a test.
+// Hazard: props outside the frustum are counted where the culler decides whether a test is worth
+// its cost.
 TEST(CullerDecisions, FewCandidatesInTheFrustum)
 {
   ComparisonOptions options;
@@ -83,7 +84,8 @@ TEST(CullerDecisions, FewCandidatesInTheFrustum)
   EXPECT_TRUE(DidNoWork(comparison.GetStatistics()));
 }
 
-// Hazard: the default culler, before ours in the list, leaves few of many props and stays there.
+// Hazard: the default culler, in front of vtkNBufferCuller in the list, leaves few of many props,
+// and stays in front because these few are not worth a test.
 TEST(CullerDecisions, FewOfManyAreInView)
 {
   constexpr int inView = 5;
@@ -120,7 +122,8 @@ TEST(CullerDecisions, FewOfManyAreInView)
   }
 }
 
-// Hazard: where all candidates are hidden by other props, the nearest are drawn in every frame.
+// Hazard: all candidates are hidden by props that are not candidates, and yet the nearest
+// candidates are drawn untested in every frame.
 TEST(CullerDecisions, AllAreHiddenByOtherProps)
 {
   ComparisonOptions options;
@@ -148,7 +151,8 @@ TEST(CullerDecisions, AllAreHiddenByOtherProps)
   }
 }
 
-// Hazard: VTK redraws on every expose event; a still picture must not be tested again.
+// Hazard: VTK redraws at every expose event; a frame in which nothing has changed must not be
+// tested again.
 TEST(CullerDecisions, StillCamera)
 {
   Comparison comparison(Scenes::BuildWall);
@@ -174,7 +178,7 @@ TEST(CullerDecisions, StillCamera)
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
 }
 
-// Hazard: Modified() without a change of position must at worst cost a test.
+// Hazard: Modified() without a change of position may cost one test at most.
 TEST(CullerDecisions, CameraTouchedButNotMoved)
 {
   Comparison comparison(Scenes::BuildWall);
@@ -185,7 +189,8 @@ TEST(CullerDecisions, CameraTouchedButNotMoved)
   }
 }
 
-// Hazard: where nothing is hidden the tests are wasted; where something is again, they must resume.
+// Hazard: tests are wasted while nothing is hidden; they must pause then, and resume when something
+// is hidden again.
 TEST(CullerDecisions, BacksOffWhereNothingIsHiddenAndProbes)
 {
   ComparisonOptions options;
@@ -215,7 +220,8 @@ TEST(CullerDecisions, BacksOffWhereNothingIsHiddenAndProbes)
   EXPECT_LT(frames, 100) << "a probe must find the new wall";
 }
 
-// Hazard: all visible props held back and drawn after the test for nothing.
+// Hazard: although all props are visible, they are held back and drawn after a test that finds
+// nothing hidden.
 TEST(CullerDecisions, NothingHeldWhereEverythingWasVisible)
 {
   ComparisonOptions options;
@@ -233,7 +239,7 @@ TEST(CullerDecisions, NothingHeldWhereEverythingWasVisible)
   }
 }
 
-// Hazard: only the levels that rectangles ask for are worth building.
+// Hazard: levels are built that no rectangle needs.
 TEST(CullerDecisions, SmallPropsNeedFewLevels)
 {
   const auto build = [](double size)
@@ -267,7 +273,7 @@ TEST(CullerDecisions, SmallPropsNeedFewLevels)
   EXPECT_LE(small.GetStatistics().Texels, large.GetStatistics().Texels);
 }
 
-// Hazard: bounds are dear; props that do not change are not asked again.
+// Hazard: bounds are expensive to compute, and are computed again for props that have not changed.
 TEST(CullerDecisions, OnlyChangedPropsAreRefreshed)
 {
   Comparison comparison(Scenes::BuildWall);
@@ -281,7 +287,7 @@ TEST(CullerDecisions, OnlyChangedPropsAreRefreshed)
   EXPECT_EQ(comparison.GetStatistics().Refreshed, 1);
 }
 
-// Hazard: a setting of VTK for all mappers moves depths, and no prop has a newer time.
+// Hazard: a setting of VTK for all mappers moves depths without modifying any prop.
 TEST(CullerDecisions, SettingsOfAllMappersEndTheStill)
 {
   Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
@@ -296,7 +302,8 @@ TEST(CullerDecisions, SettingsOfAllMappersEndTheStill)
   vtkMapper::SetResolveCoincidentTopologyToDefault();
 }
 
-// Hazard: slivers of what was found hidden without looking at them stay away.
+// Hazard: TestSlivers is switched on in a still frame, and the old verdicts, for which slivers were
+// not tested, stay.
 TEST(CullerDecisions, SliversAreTestedFromTheNextFrameOn)
 {
   Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
@@ -310,7 +317,8 @@ TEST(CullerDecisions, SliversAreTestedFromTheNextFrameOn)
   EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
 }
 
-// Hazard: what Freeze keeps is shown from elsewhere, and thawed it must be right at once.
+// Hazard: frozen verdicts must stay while the camera moves, and the first frame without Freeze must
+// be right.
 TEST(CullerDecisions, FreezeKeepsTheVerdicts)
 {
   Comparison comparison(Scenes::BuildWall);
@@ -341,7 +349,7 @@ TEST(CullerDecisions, FreezeKeepsTheVerdicts)
   EXPECT_NE(comparison.GetDecision(), Decision::Frozen);
 }
 
-// Hazard: what has changed while frozen is no change any more when the frame thaws.
+// Hazard: a prop changes while the verdicts are frozen, and is not seen as changed afterwards.
 TEST(CullerDecisions, ChangesOfFrozenFramesCountWhenThawed)
 {
   Comparison comparison([](Stage& stage) { Scenes::BuildWall(stage); });
@@ -363,7 +371,7 @@ TEST(CullerDecisions, ChangesOfFrozenFramesCountWhenThawed)
   EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
 }
 
-// Hazard: a prop that joins while frozen has no verdict to keep.
+// Hazard: a prop that is added while the verdicts are frozen has no verdict.
 TEST(CullerDecisions, PropsThatJoinWhileFrozenAreDrawn)
 {
   Comparison comparison(Scenes::BuildWall);
@@ -404,7 +412,8 @@ TEST(CullerDecisions, GL2PSExportIsTheSame)
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
 }
 
-// Hazard: verdicts are kept for props by pointer; asked about others it must not crash.
+// Hazard: verdicts are stored by the pointers of props; reading the verdict of a prop that is not
+// among them must not crash.
 TEST(CullerDecisions, VerdictsOfStrangers)
 {
   Comparison comparison(Scenes::BuildWall);
@@ -418,7 +427,8 @@ TEST(CullerDecisions, VerdictsOfStrangers)
   EXPECT_EQ(comparison.GetCuller()->GetVerdict(comparison.Culled.Props[0]), Verdict::Visible);
 }
 
-// Hazard: the proxy is nobody's business: the renderer's own lists must never contain it.
+// Hazard: the culler's proxy gets into the renderer's own collections of props, where applications
+// would find it.
 TEST(CullerDecisions, TheRendererKeepsItsProps)
 {
   Comparison comparison(Scenes::BuildWall);

@@ -263,8 +263,8 @@ class CullerDivision : public testing::TestWithParam<LargeProps::Case>
 };
 INSTANTIATE_TEST_SUITE_P(Each, CullerDivision, testing::ValuesIn(Cases), GetCaseName);
 
-// Hazard: units whose boxes are too small, units in another order than the triangles of the mesh,
-// fresh units that are drawn over what comes after them.
+// Hazard: the boxes of units are too small, units are drawn in another order than the triangles of
+// the mesh, or fresh units are drawn over units that come after them.
 TEST_P(CullerDivision, SameImage)
 {
   LargeProps::CompareWalks(this->GetParam().Build, MakeOptions(), 8, Walk, { 15, 10 },
@@ -284,7 +284,8 @@ class CullerDivisionTies : public testing::TestWithParam<bool>
 INSTANTIATE_TEST_SUITE_P(Each, CullerDivisionTies, testing::Bool(),
   [](const auto& info) { return std::string(info.param ? "OfCells" : "OfPoints"); });
 
-// Hazard: triangles of equal depth in one mesh, of which the last one in its order has to stay.
+// Hazard: of triangles of one mesh with equal depth, the last one in the order of the mesh has to
+// stay visible.
 TEST_P(CullerDivisionTies, LastOneStays)
 {
   ComparisonOptions options = MakeOptions(2);
@@ -437,7 +438,8 @@ class CullerDivisionChanges : public testing::TestWithParam<LargeProps::Change>
 };
 INSTANTIATE_TEST_SUITE_P(Each, CullerDivisionChanges, testing::ValuesIn(Changes), GetCaseName);
 
-// Hazard: units of data, or of a way to draw them, that have changed since.
+// Hazard: the data, or the way in which they are drawn, have changed, and the former units are
+// used.
 TEST_P(CullerDivisionChanges, SameImage)
 {
   Comparison comparison(
@@ -457,8 +459,8 @@ class CullerDivisionSharing : public testing::TestWithParam<int>
 INSTANTIATE_TEST_SUITE_P(Each, CullerDivisionSharing, testing::Values(0, 1),
   [](const auto& info) { return std::string(info.param ? "Second" : "First"); });
 
-// Hazard: VTK makes the shaders of a shared mapper at another time because the culler adds its pass
-// to the actors, or takes it away.
+// Hazard: VTK compiles the shaders of a shared mapper in another frame than without the culler,
+// because the culler adds its pass to the actors or removes it.
 TEST_P(CullerDivisionSharing, SameImage)
 {
   Comparison comparison(
@@ -494,8 +496,8 @@ class CullerDivisionPicking : public testing::TestWithParam<bool>
 INSTANTIATE_TEST_SUITE_P(Each, CullerDivisionPicking, testing::Bool(),
   [](const auto& info) { return std::string(info.param ? "CellColors" : "PointColors"); });
 
-// Hazard: the ids that a selector draws are those of the list, or hidden triangles cannot be
-// picked.
+// Hazard: a selector draws the numbers of triangles in the culler's list instead of those in the
+// mesh, or hidden triangles cannot be picked.
 TEST_P(CullerDivisionPicking, SameCells)
 {
   Comparison comparison(
@@ -508,14 +510,14 @@ TEST_P(CullerDivisionPicking, SameCells)
   LargeProps::ComparePicks(comparison, Walk);
 }
 
-// The setting, and both sides of the size from which on a prop is divided.
+// Hazard: DivideProps or MinimumNumberOfPrimitives is ignored, just below or just above the limit.
 TEST(CullerDivisionSettings, SizeAndSwitch)
 {
   Comparison comparison([](Stage& stage) { stage.AddActor(MakeCity(14), White); }, MakeOptions());
   LargeProps::CompareSwitch(comparison, Walk, (6 * 2 * (14 * 14 + 1) + 7) / 8);
 }
 
-// Hazard: a prop of which everything is seen pays for tests for ever.
+// Hazard: a prop of which everything is seen is tested in every frame for nothing.
 TEST(CullerDivisionSettings, NothingHiddenIsLeftAlone)
 {
   ComparisonOptions options = MakeOptions();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What fails is told once, with cause and remedy, is counted, and leaves the image as it is without
-// the culler. docs/limits.md lists the messages.
+// Failures: the culler warns once, with cause and remedy, counts the frames, and does not change
+// the image. docs/limits.md lists the messages.
 #include "CullerTest.h"
 #include "Scenes.h"
 #include "Tune.h"
@@ -101,7 +101,7 @@ bool HasSamples(int samples)
 }
 }
 
-// Hazard: a window without an OpenGL context has no depth to ask for.
+// Hazard: a window without an OpenGL context has no depth to read.
 TEST(CullerErrors, NoContext)
 {
   TakeMessages();
@@ -135,7 +135,7 @@ TEST(CullerErrors, NoContext)
   Scenes::ExpectOneWarning(messages, { "has no OpenGL context", "VTK::RenderingOpenGL2" });
 }
 
-// Hazard: a renderer that belongs to no window is culled by an application.
+// Hazard: an application culls a renderer that belongs to no window.
 TEST(CullerErrors, NoWindow)
 {
   TakeMessages();
@@ -175,7 +175,8 @@ TEST(CullerErrors, NoFloatTexturesAndMultiSamples)
     { "Float textures are switched off", "without multisampling" });
 }
 
-// Hazard: where the back-end is a free choice, a missing feature of one must not cost the culling.
+// Hazard: with the setting Auto, a feature that only one back-end needs is missing, and nothing is
+// culled.
 TEST(CullerErrors, AutoDoesWithoutFloatTextures)
 {
   ComparisonOptions options;
@@ -214,7 +215,7 @@ TEST(CullerErrors, OwnFramebufferWithReadableDepth)
   EXPECT_GE(comparison.GetHidden(), Scenes::Wall::Hidden);
 }
 
-// Hazard: a failure that ends must not be held against the culler.
+// Hazard: the cause of a failure is gone, and the culler still does not test.
 TEST(CullerErrors, CullsAgainAfterAFailure)
 {
   ComparisonOptions options;

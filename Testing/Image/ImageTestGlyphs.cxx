@@ -213,8 +213,8 @@ class CullerGlyphs : public testing::TestWithParam<LargeProps::Case>
 };
 INSTANTIATE_TEST_SUITE_P(Each, CullerGlyphs, testing::ValuesIn(Cases), GetCaseName);
 
-// Hazard: boxes that are too small, instances in another order, fresh instances that are drawn over
-// what comes after them, buffers that stay attached.
+// Hazard: the boxes of instances are too small, instances are drawn in another order, fresh
+// instances are drawn over those that come after them, or the culler's buffers stay attached.
 TEST_P(CullerGlyphs, SameImage)
 {
   LargeProps::CompareWalks(this->GetParam().Build, MakeOptions(), 100, WalkFromOutside, { 100, 10 },
@@ -338,7 +338,8 @@ class CullerGlyphsChanges : public testing::TestWithParam<LargeProps::Change>
 };
 INSTANTIATE_TEST_SUITE_P(Each, CullerGlyphsChanges, testing::ValuesIn(Changes), GetCaseName);
 
-// Hazard: instances of data, or of a way to draw them, that have changed since.
+// Hazard: the data, or the way in which they are drawn, have changed, and the former instances are
+// used.
 TEST_P(CullerGlyphsChanges, SameImage)
 {
   Comparison comparison(
@@ -360,7 +361,7 @@ TEST(CullerGlyphsPicking, SamePoints)
   LargeProps::ComparePicks(comparison, WalkFromOutside);
 }
 
-// The number of units, and the switch.
+// The number of units, with DivideProps on and off.
 TEST(CullerGlyphsSettings, SizeAndSwitch)
 {
   Comparison comparison(

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A hazard of too many props for the list of a named scenario (ImageTestScenarios.cxx).
+// A hazard with too many props for a named scenario (ImageTestScenarios.cxx).
 #include "CullerTest.h"
 #include "Scenes.h"
 

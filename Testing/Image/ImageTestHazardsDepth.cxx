@@ -102,8 +102,8 @@ public:
 }
 
 // Hazard: a step of the depth format is larger than the distance between two surfaces, so that the
-// one behind may be drawn in front; rungs of a ladder lie in front of and behind quads of their
-// own, from far less than a step to far more.
+// farther one may be drawn in front. Each rung of a ladder is in front of a quad or behind it, at a
+// distance from far less than a step to far more.
 TEST_P(CullerDepthFormats, LadderOfDistances)
 {
   constexpr double Range = 200.0; // of the pixel camera
@@ -162,7 +162,8 @@ TEST_P(CullerDepthFormats, LadderOfDistances)
   }
 }
 
-// Hazard: depth of one format is taken for another's; a walk in perspective with decals.
+// Hazard: depth of one format is read as if it had another one. The scene is a walk in perspective
+// along a wall with decals.
 TEST_P(CullerDepthFormats, WallAndDecals)
 {
   for (int backend : { vtkNBufferCuller::CPU, vtkNBufferCuller::OpenGL })

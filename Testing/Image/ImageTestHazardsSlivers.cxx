@@ -88,7 +88,8 @@ class CullerSlivers : public testing::TestWithParam<Pipe>
 {
 };
 
-// Hazard: a stray pixel of a hidden prop, drawn before the wall that hides it, is missing.
+// Hazard: a rasteriser draws a pixel of a sliver in front of the wall that hides the prop, and the
+// culler leaves that prop out, so that the pixel is missing.
 TEST_P(CullerSlivers, AreDrawnWhereTheyShow)
 {
   const Pipe& pipe = this->GetParam();

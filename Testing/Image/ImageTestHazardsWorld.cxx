@@ -179,8 +179,8 @@ protected:
 };
 }
 
-// Hazard: a terrain in tiles, un-shifted as a map has it; float vertices and a float matrix lose
-// metres there, and slack that covers this hides nothing any more.
+// Hazard: a terrain in tiles has the large coordinates of a map. Float vertices and a float matrix
+// lose metres there, and slack that covers these errors hides nothing any more.
 TEST_P(CullerFarAway, Terrain)
 {
   Terrain terrain;
@@ -211,8 +211,8 @@ TEST_P(CullerFarAway, Terrain)
     });
 }
 
-// Hazard: details of centimetres at coordinates of millions; a board hides what is a few
-// centimetres behind it and not what sticks out by one.
+// Hazard: details of centimetres at coordinates of millions: a board must hide what is a few
+// centimetres behind it, and not what sticks out by one.
 TEST_P(CullerFarAway, DetailsOfCentimetres)
 {
   constexpr int Count = 48;
@@ -253,7 +253,7 @@ TEST_P(CullerFarAway, DetailsOfCentimetres)
     });
 }
 
-// Hazard: the same with a real city whose buildings stand where the map has them.
+// Hazard: a real city whose buildings have the large coordinates of a map.
 TEST_P(CullerFarAway, City)
 {
 #if VTKNBUFFER_TEST_HAS_CITY
@@ -296,8 +296,8 @@ TEST_P(CullerFarAway, City)
 #endif
 }
 
-// Hazard: points of a map that a file gives with six digits, so that they lie ten metres apart and
-// triangles are slivers. The terrain is not part of this repository.
+// Hazard: a file gives large coordinates of a map with six digits, so that points are ten metres
+// apart and triangles are slivers. The terrain is not part of this repository.
 TEST_P(CullerFarAway, TerrainOfAFile)
 {
   const char* file = std::getenv("VTKNBUFFER_TEST_TERRAIN");

@@ -30,7 +30,8 @@ const vtkNBufferStatistics& MoveAndRender(
 }
 }
 
-// Hazard: a prop is left out for what is true of its neighbours only.
+// Hazard: a prop is left out because of something that is true only of its neighbours in the
+// hierarchy.
 TEST(CullerHierarchy, VerdictsAreThoseOfTheTestOneByOne)
 {
   const auto build = [](Stage& stage) { Scenes::BuildCity(stage); };
@@ -77,7 +78,7 @@ TEST(CullerHierarchy, IsBuiltOnceForAListThatStays)
   EXPECT_EQ(comparison.GetStatistics().Builds, 0);
 }
 
-// Hazard: a prop moves, and is judged by where it was.
+// Hazard: a prop moves, and is tested at its former place.
 TEST(CullerHierarchy, IsRefitToPropsThatMove)
 {
   Comparison comparison(Scenes::BuildWall, MakeOptions(0));
@@ -109,7 +110,7 @@ TEST(CullerHierarchy, IsRefitToPropsThatMove)
   EXPECT_EQ(comparison.GetVerdict(Wall::FirstBehind), Verdict::Outside);
 }
 
-// Hazard: places of props in the list are no longer those of the hierarchy.
+// Hazard: the list of props changes, and the hierarchy refers to places of the old list.
 TEST(CullerHierarchy, IsBuiltAgainWhenTheListHasChangedAndStays)
 {
   Comparison comparison(Scenes::BuildWall, MakeOptions(0));
@@ -128,7 +129,7 @@ TEST(CullerHierarchy, IsBuiltAgainWhenTheListHasChangedAndStays)
   comparison.Both(
     [](Stage& stage) { stage.GetRenderer()->AddViewProp(stage.Props[Wall::FirstBehind + 3]); });
   check(0.3, "added");
-  // A list that changes in every frame never pays for a hierarchy.
+  // With a list that changes in every frame a hierarchy is never worth its cost.
   for (int i = 0; i < 6; ++i)
   {
     comparison.Both(
@@ -139,7 +140,8 @@ TEST(CullerHierarchy, IsBuiltAgainWhenTheListHasChangedAndStays)
   }
 }
 
-// Hazard: what a prop is changes, while its place in the list does not.
+// Hazard: a prop becomes a candidate, or ceases to be one, while its place in the list stays the
+// same.
 TEST(CullerHierarchy, PropsThatBecomeAndCeaseToBeCandidates)
 {
   Comparison comparison(

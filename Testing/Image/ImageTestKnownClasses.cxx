@@ -118,7 +118,7 @@ void ExpectVerdict(Comparison& comparison, Verdict expected)
 }
 }
 
-// Hazard: a pass that nobody knows draws something else than the renderer's props.
+// Hazard: a pass of an unknown class draws something else than the renderer's props.
 TEST(CullerKnownClasses, Pass)
 {
   Comparison comparison =
@@ -136,8 +136,8 @@ TEST(CullerKnownClasses, Pass)
   comparison.Frame("still");
 }
 
-// Hazard: a mapper that nobody knows draws outside its bounds. One that is known overrides
-// GetMTime(), and a change that shows only there is missed.
+// Hazard: a mapper of an unknown class draws outside its bounds. A mapper of a class that the
+// application vouches for overrides GetMTime(), and a change that shows only there is missed.
 TEST(CullerKnownClasses, Mapper)
 {
   Comparison comparison = MakeComparison(
@@ -169,8 +169,9 @@ TEST(CullerKnownClasses, Mapper)
   EXPECT_NE(comparison.GetDecision(), Decision::Still);
 }
 
-// Hazard: an actor that nobody knows draws anything. One that is known changes its mapper without a
-// newer time, and what the culler knows of the other mapper is used.
+// Hazard: an actor of an unknown class may draw anything. An actor of a class that the application
+// vouches for changes its mapper without a newer time, and what the culler knows of the old mapper
+// is used.
 TEST(CullerKnownClasses, ActorWithTwoMappers)
 {
   Comparison comparison = MakeComparison(

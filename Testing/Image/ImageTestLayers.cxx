@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a renderer leaves to the one behind it, and takes from the one before it.
+// What a renderer leaves for the next one of the window: the picture, the depth and OpenGL state.
 #include "CullerTest.h"
 #include "Scenes.h"
 
@@ -42,8 +42,8 @@ vtkActor* BuildLayerOverWall(Stage& stage)
 }
 }
 
-// Hazard: a renderer whose list is empty does nothing at all, not even what it does to the picture
-// of the layers below; so the list must not be emptied.
+// Hazard: a renderer whose list is empty does nothing at all, and does not even process (FXAA, for
+// example) the picture of the layers below. So the culler must not empty the list.
 TEST(CullerLayers, LayerWithNothingInsideProcessesWhatLiesBelow)
 {
   for (const bool stock : { false, true })
@@ -62,8 +62,10 @@ TEST(CullerLayers, LayerWithNothingInsideProcessesWhatLiesBelow)
   }
 }
 
-// Hazard: what ours keeps there is nothing that it knows to be seen, and VTK's own culler, behind
-// ours, removes it; what ours takes away, VTK's would keep, whose test is with a sphere.
+// Hazard: vtkNBufferCuller leaves a prop in the list although it may be outside, so that the list
+// is not empty; VTK's own culler, behind it, removes this prop. Another prop is removed by
+// vtkNBufferCuller, although VTK's culler, which tests spheres, would keep it. Together they empty
+// the list.
 TEST(CullerLayers, LayerWhoseRestTheDefaultCullerRemovesProcessesWhatLiesBelow)
 {
   ComparisonOptions options;
@@ -115,8 +117,8 @@ private:
 vtkStandardNewMacro(LeavesDepthTestOff);
 }
 
-// Hazard: a pass leaves the depth test off for the renderer behind it, where the last prop drawn
-// wins whatever its depth.
+// Hazard: a pass leaves the depth test off for the next renderer, in which the prop that is drawn
+// last then wins, whatever its depth is.
 TEST(CullerLayers, DepthTestLeftOffByAnotherRenderersPass)
 {
   ComparisonOptions options;

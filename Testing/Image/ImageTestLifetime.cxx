@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Observers that remove and delete what is being drawn, and frames that are given up half way.
+// Observers that remove and delete what is being drawn, and frames that are aborted.
 #include "CullerTest.h"
 #include "Scenes.h"
 
@@ -69,9 +69,9 @@ class CullerLifetime : public testing::TestWithParam<Moment>
 };
 }
 
-// Hazard: a prop that an observer removes and deletes during the frame stands in the list of the
-// frame as a plain pointer. With the culler it lives until the frame ends, and no longer. Stock VTK
-// would draw freed memory, so that the reference keeps the props itself.
+// Hazard: an observer removes and deletes a prop during the frame, while the list of the frame has
+// a plain pointer to it. With the culler the prop must live until the frame ends, and no longer.
+// Stock VTK would draw freed memory, so that the reference keeps the props itself.
 TEST_P(CullerLifetime, PropsDeletedByAnObserver)
 {
   const Moment& moment = this->GetParam();
@@ -138,7 +138,8 @@ INSTANTIATE_TEST_SUITE_P(At, CullerLifetime,
     Moment{ "WindowEnd", [](Stage& s) -> vtkObject* { return s.Window; }, vtkCommand::EndEvent }),
   GetCaseName);
 
-// Hazard: the culler owns the proxy that stands in the renderer's list while the frame is drawn.
+// Hazard: an observer deletes the culler, which owns the proxy in the renderer's list, while the
+// frame is drawn.
 TEST(CullerLifetimeOnce, CullerDeletedByAnObserver)
 {
   ComparisonOptions options;
@@ -166,7 +167,8 @@ TEST(CullerLifetimeOnce, CullerDeletedByAnObserver)
   EXPECT_GT(comparison.GetHidden(), 0);
 }
 
-// Hazard: a culler that outlives renderers would keep alive what it held for their frames.
+// Hazard: a culler that lives longer than a renderer keeps alive the props that it held for the
+// renderer's frames.
 TEST(CullerLifetimeOnce, PropsDieWithTheirRenderer)
 {
   vtkSmartPointer<vtkNBufferCuller> culler;
@@ -189,7 +191,7 @@ TEST(CullerLifetimeOnce, PropsDieWithTheirRenderer)
   EXPECT_EQ(props[1], nullptr);
 }
 
-// Hazard: an observer that adds props while the frame is drawn: they are in no list of this frame.
+// Hazard: an observer adds props while the frame is drawn; they are not in the list of this frame.
 TEST(CullerLifetimeOnce, PropsAddedByAnObserver)
 {
   Comparison comparison(Scenes::BuildWall);
@@ -248,8 +250,8 @@ void AbortNextFrame(Comparison& comparison, int prop, bool byCheck)
 }
 }
 
-// Hazard: an aborted frame has drawn some props and not others; neither its depth nor what it says
-// about who is hidden may be used in the next one.
+// Hazard: an aborted frame has drawn only some props. Neither its depth nor its verdicts may be
+// used in the next frame.
 TEST(CullerLifetimeOnce, AbortedFramesAreNotLearntFrom)
 {
   Comparison comparison(Scenes::BuildWall);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The wall that hides the others, drawn by every kind of prop: as long as it stands they are
-// hidden, and once it is gone they are seen in that very frame.
+// A wall that hides other props, drawn by every kind of prop: while it is there they are hidden,
+// and in the first frame without it they are seen.
 #include "CompositeMapper.h"
 #include "CullerTest.h"
 #include "SceneProps.h"
@@ -181,8 +181,8 @@ void LiftActorsPoints(vtkProp* prop)
 #endif
 }
 
-// Hazard: what hides others is not a plain actor, so that its depth changes without a trace that
-// the culler could follow.
+// Hazard: the occluder is not a plain actor, so that its depth changes without anything that the
+// culler could notice.
 TEST_P(CullerOccluders, WallStandsAndGoes)
 {
   const Occluder& occluder = this->GetParam();
@@ -190,7 +190,7 @@ TEST_P(CullerOccluders, WallStandsAndGoes)
   {
     GTEST_SKIP() << "this VTK comes without RenderingLOD";
   }
-  // Actors with levels of detail ask the window's interactor for the update rate.
+  // Actors with levels of detail read the update rate of the window's interactor.
   std::vector<vtkSmartPointer<vtkRenderWindowInteractor>> interactors;
   ComparisonOptions options;
   options.KeepMessages = occluder.KeepMessages;
@@ -307,8 +307,8 @@ const Occluder Occluders[] = {
 
 INSTANTIATE_TEST_SUITE_P(Each, CullerOccluders, testing::ValuesIn(Occluders), GetCaseName);
 
-// Hazard: an actor drawn twice, once by itself and once as a part of an assembly that pokes another
-// matrix into it while it draws.
+// Hazard: an actor is drawn twice, once by itself and once as a part of an assembly, which replaces
+// the actor's matrix while it draws.
 TEST(CullerOccludersOnce, PartOfAnAssemblyThatIsAlsoInTheRenderer)
 {
   constexpr int parts = 10;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A program of its own: Mesa gives contexts that say they are of OpenGL 3.1 while the environment
-// asks for them, in which VTK still draws.
+// This is a program of its own, because an environment variable makes Mesa report OpenGL 3.1 for
+// all contexts of a process. VTK still draws in them.
 #include "CullerTest.h"
 #include "Scenes.h"
 
@@ -16,7 +16,7 @@ const bool AsksForAnOldContext = setenv("MESA_GL_VERSION_OVERRIDE", "3.1", 1) ==
   setenv("MESA_GLSL_VERSION_OVERRIDE", "150", 1) == 0;
 }
 
-// Hazard: an OpenGL older than what VTK and the culler's passes are written for.
+// Hazard: the version of OpenGL is older than what VTK and the culler's passes need.
 TEST(CullerOldContext, DrawsEverything)
 {
   ASSERT_TRUE(AsksForAnOldContext);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What lies above the scene: 2-D actors, axes, scalar bars, an orientation marker in a layer of
-// its own.
+// What is drawn over the scene: 2-D actors, axes, scalar bars, and an orientation marker in its own
+// layer.
 #include "CullerTest.h"
 #include "Scenes.h"
 
@@ -20,8 +20,8 @@
 
 using Scenes::Wall;
 
-// Hazard: 2-D actors cover pixels without having depth: what lies below them is hidden by nothing,
-// and they are drawn in a stage of their own, whoever is held back.
+// Hazard: 2-D actors cover pixels without writing depth, so that they hide nothing. They are drawn
+// in their own stage, whether props are held back or not.
 TEST(CullerOverlay, TextScalarBarAxesAndCornerAnnotation)
 {
   Comparison comparison(
@@ -66,7 +66,7 @@ TEST(CullerOverlay, TextScalarBarAxesAndCornerAnnotation)
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
 }
 
-// Hazard: a marker in a layer above clears the depth of its corner between two renderers' frames.
+// Hazard: a marker in an upper layer clears the depth of its corner of the window.
 TEST(CullerOverlay, MarkerInALayerOfItsOwn)
 {
   Comparison comparison(

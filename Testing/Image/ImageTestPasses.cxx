@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK's ways of drawing a frame: with each the image of the wall is the same, and the culler culls
-// or says why it does not.
+// VTK's render passes and settings of renderers: with each of them the image of the wall scene is
+// the same with the culler, and the culler culls or its decision says why it does not.
 #include "CullerTest.h"
 #include "ScenePasses.h"
 #include "Scenes.h"
@@ -97,8 +97,8 @@ class CullerPasses : public testing::TestWithParam<Way>
 };
 }
 
-// Hazard: passes set keys on props, inject shader code, ask props for what they hold, and draw
-// into framebuffers of their own; a prop held back behind a proxy must not miss any of it.
+// Hazard: passes set keys on props, insert shader code, read what props contain, and draw into
+// their own framebuffers. A prop that is held back must get all of that, too.
 TEST_P(CullerPasses, Wall)
 {
   const Way& way = this->GetParam();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What VTK's ways of drawing a frame do to ties, parts of the window, cities, samples and peels,
-// and frames between which they change.
+// VTK's render passes and settings of renderers together with ties, parts of the window, cities,
+// numbers of samples and peels, and changes of passes between frames.
 #include "CullerTest.h"
 #include "ScenePasses.h"
 #include "Scenes.h"
@@ -24,8 +24,8 @@
 
 using Scenes::Wall;
 
-// Hazard: what is drawn once more for the order of equal depths is drawn under the same pass, with
-// its keys and shader code, as the first time.
+// Hazard: props that are drawn once more for the order of equal depths must be drawn under the same
+// pass as the first time, with its keys and its shader code.
 TEST(CullerPassesOnce, TiesUnderPasses)
 {
   const std::function<void(Stage&)> ways[] = { [](Stage& s) { s.GetRenderer()->SetUseSSAO(true); },
@@ -77,7 +77,8 @@ TEST(CullerPassesOnce, SSAOInPartsOfTheWindow)
   }
 }
 
-// Hazard: a city under the passes that inject most, walked through, so that rounds are drawn.
+// Hazard: a walk through a city, so that rounds are drawn, under the passes that change the shaders
+// most.
 TEST(CullerPassesOnce, CityWithSSAOAndTranslucentPropsAndFXAA)
 {
   Comparison comparison(
@@ -100,8 +101,8 @@ TEST(CullerPassesOnce, CityWithSSAOAndTranslucentPropsAndFXAA)
   }
 }
 
-// Hazard: a sample of a pixel sees past the silhouette that covers the others; what is read back
-// must be the farthest of them, whatever their number.
+// Hazard: one sample of a pixel sees past the silhouette that covers the others. The depth that is
+// read back must be the farthest one of all samples, whatever their number is.
 TEST(CullerPassesOnce, EveryNumberOfSamples)
 {
   GLint maximum = 0;
@@ -165,8 +166,8 @@ public:
 vtkStandardNewMacro(KeyedPass);
 }
 
-// Hazard: a pass that draws into more samples sees what lies between the middles of the pixels,
-// while nothing has changed but the pass.
+// Hazard: only the pass changes; the new one draws with more samples, and sees what is between the
+// middles of pixels.
 TEST(CullerPassesOnce, StillCameraUnderAnotherPass)
 {
   Comparison comparison(
@@ -190,8 +191,8 @@ TEST(CullerPassesOnce, StillCameraUnderAnotherPass)
   EXPECT_EQ(comparison.GetDecision(), Decision::OtherView);
 }
 
-// Hazard: for a pass that draws some of the props, others are drawn once more for the order of
-// equal depths.
+// Hazard: a pass draws only some of the props, and the culler draws others once more under this
+// pass, for the order of equal depths.
 TEST(CullerPassesOnce, PropsWithoutTheKeysOfAPassStayOut)
 {
   ComparisonOptions options;
@@ -226,7 +227,7 @@ TEST(CullerPassesOnce, PropsWithoutTheKeysOfAPassStayOut)
 
 namespace
 {
-/// VTK asks this variable, when it draws, whether to peel layer by layer.
+/// VTK reads this variable, when it draws, to decide whether to peel layer by layer.
 class LegacyDepthPeeling
 {
 public:
@@ -275,7 +276,8 @@ TEST(CullerPassesOnce, CityWithMultiSamples)
   }
 }
 
-// Hazard: a setting changed between two frames changes the framebuffer under the culler.
+// Hazard: a setting that changes between two frames replaces the framebuffer whose depth the culler
+// reads.
 TEST(CullerPassesOnce, SettingsChangeBetweenFrames)
 {
   Comparison comparison(Scenes::BuildWall);
@@ -304,8 +306,8 @@ TEST(CullerPassesOnce, SettingsChangeBetweenFrames)
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
 }
 
-// Hazard: ambient occlusion draws opaque props without samples, and translucent props that lie
-// between the middles of pixels follow in the samples of the window.
+// Hazard: ambient occlusion draws opaque props without multisampling. Translucent props between the
+// middles of pixels are drawn afterwards with the samples of the window.
 TEST(CullerPassesOnce, TranslucentPropsBetweenMiddlesAfterAmbientOcclusion)
 {
   ComparisonOptions options = Scenes::MakeExactOptions(160, 120, 4);

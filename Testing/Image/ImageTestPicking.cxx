@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Selecting and picking: what an application finds under the cursor is what it finds without the
-// culler, also where nothing is seen of it.
+// Selecting and picking: an application finds the same props with and without the culler, even
+// those that are hidden.
 #include "CullerTest.h"
 #include "Scenes.h"
 
@@ -81,7 +81,8 @@ std::vector<int> PickArea(Stage& stage, const Area& area)
 }
 }
 
-// Hazard: a hardware selector numbers the props of each pass; a proxy or a gap confuses all.
+// Hazard: a hardware selector numbers the props in each pass; a proxy in the list, or a missing
+// prop, would shift all numbers.
 TEST(CullerPicking, HardwareSelectionFindsTheSame)
 {
   Comparison comparison(
@@ -107,8 +108,8 @@ TEST(CullerPicking, HardwareSelectionFindsTheSame)
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
 }
 
-// Hazard: a selection of a part of the window, or of points, takes other passes; those right after
-// a culled frame must not see its list.
+// Hazard: a selection of a part of the window, or of points, uses other passes. Those directly
+// after a culled frame must not use its list.
 TEST(CullerPicking, HardwareSelectionOfPartsOfTheWindow)
 {
   Comparison comparison(
@@ -133,7 +134,8 @@ TEST(CullerPicking, HardwareSelectionOfPartsOfTheWindow)
   EXPECT_GT(found, Wall::Behind);
 }
 
-// Hazard: frozen verdicts are those of another camera; a selection wants all props of this one.
+// Hazard: frozen verdicts are those of another camera; a selection needs all props in view of the
+// present one.
 TEST(CullerPicking, HardwareSelectionWhileFrozen)
 {
   Comparison comparison(Scenes::BuildWall);
@@ -149,7 +151,7 @@ TEST(CullerPicking, HardwareSelectionWhileFrozen)
   comparison.Frame("thawed");
 }
 
-// Hazard: picking a prop by rendering goes the way of selection.
+// Hazard: picking a prop by rendering uses a hardware selection.
 TEST(CullerPicking, PropPickerPicksTheSame)
 {
   Comparison comparison(Scenes::BuildWall);
@@ -166,7 +168,8 @@ TEST(CullerPicking, PropPickerPicksTheSame)
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
 }
 
-// Hazard: a picker that reads the depth of the last frame finds what was drawn in it.
+// Hazard: a picker that reads the depth of the last frame must find the depth that VTK would have
+// drawn.
 TEST(CullerPicking, WorldPointPickerPicksTheSame)
 {
   Comparison comparison(Scenes::BuildWall);
@@ -184,7 +187,7 @@ TEST(CullerPicking, WorldPointPickerPicksTheSame)
   }
 }
 
-// Hazard: a picker that casts rays asks all props of the renderer, also those that were not drawn.
+// Hazard: a picker that casts rays must find props of the renderer that were not drawn, too.
 TEST(CullerPicking, CellAndPointPickersPickTheSame)
 {
   Comparison comparison(Scenes::BuildWall);
@@ -215,7 +218,7 @@ TEST(CullerPicking, CellAndPointPickersPickTheSame)
   EXPECT_GT(behind, 5) << "hidden props picked through the wall";
 }
 
-// Hazard: selecting through takes every prop in a frustum, hidden or not.
+// Hazard: selecting through finds every prop in a frustum, hidden or not.
 TEST(CullerPicking, AreaPickersFindWhatIsHidden)
 {
   Comparison comparison(Scenes::BuildWall);

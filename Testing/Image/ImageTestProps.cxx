@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Props of every kind: who is tested, who is drawn as usual, and under which verdict.
+// Props of every kind: which are tested, which are drawn as usual, and with which verdict.
 #include "CompositeMapper.h"
 #include "CullerTest.h"
 #include "SceneProps.h"
@@ -72,8 +72,8 @@ protected:
 };
 }
 
-// Hazard: a prop whose picture is not that of its bounds is culled because of its bounds; or a
-// plain one is kept, and nobody is told why.
+// Hazard: a prop that draws outside of its bounds is culled because of its bounds; or a plain one
+// is not culled, and its verdict does not say why.
 TEST_P(CullerKinds, BehindTheWall)
 {
   const Kind& kind = this->GetParam();
@@ -294,7 +294,7 @@ const Kind Kinds[] = {
   { "GlyphMapper", As(PropKind::Glyphs), Verdict::NotAPlainMapper },
   { "PointGaussianMapper", MakePointGaussian, Verdict::NotAPlainMapper },
   { "NoMapper", As(PropKind::NoMapper), Verdict::NotAPlainMapper },
-  // Hazard: a follower has turned since its bounds were asked.
+  // Hazard: a follower has turned since its bounds were computed.
   { "Follower", As(PropKind::Follower), Verdict::NotAPlainActor },
   // Hazard: an assembly draws its parts with a matrix that they do not know.
   { "Assembly",

@@ -122,7 +122,7 @@ TEST(CullerRanksDraw, PropsThatMoveWhileTheCameraIsStillAreExchanged)
 
 namespace
 {
-/// A wall of another rank is taken away while the camera stands still.
+/// A wall of another rank is removed while the camera stands still.
 RankOptions MakeFallingWall()
 {
   RankOptions options;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Ranks that are not like the others: that do not cull, or draw another size or view, or have other
-// settings. No rank waits for one that does not come, and the composited image is that of VTK
+// Ranks that differ from the others: they do not cull, draw another size or view, or have other
+// settings. No rank waits for a rank that does not join, and the composited image is that of VTK
 // alone.
 #include "RankFrames.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The culler beside vtkShadowVolumeClampPass: what the camera does not see is not drawn, and casts.
+// The culler with vtkShadowVolumeClampPass: hidden props are not drawn, and cast shadows.
 #include "CullerTest.h"
 #include "LightRig.h"
 #include "ScenePasses.h"
@@ -56,8 +56,8 @@ int CompareMasks(const Comparison& comparison)
 }
 }
 
-// Hazard: the depth of the receivers is drawn first, and that is where props are tested; the colour
-// is drawn after that, of the same props, in the same order.
+// Hazard: the pass draws all props twice. The culler tests them in the first draw, which is for the
+// depth of the receivers; the second one, for colour, must have the same props in the same order.
 TEST(CullerShadows, HiddenPropsCastAndAreNotDrawn)
 {
   Comparison comparison(
@@ -100,7 +100,7 @@ TEST(CullerShadows, MasksOfAStillFrameStand)
   EXPECT_EQ(GetPass(comparison.Culled)->GetStatistics().Updates, 1);
 }
 
-// Hazard: a hidden caster's shadow lies on what is seen.
+// Hazard: the shadow of a hidden caster is seen, and the caster must not be missing in the shadows.
 TEST(CullerShadows, ShadowOfAHiddenPropIsSeen)
 {
   Comparison comparison(
@@ -172,7 +172,8 @@ TEST(CullerShadows, Ties)
   EXPECT_GT(redrawn, 0);
 }
 
-// Hazard: other samples than those that were tested see past the silhouettes that hide a prop.
+// Hazard: the samples that are shown are not those that were tested, and see past the silhouettes
+// that hide a prop.
 TEST(CullerShadows, MultiSamples)
 {
   ComparisonOptions options;
@@ -194,7 +195,7 @@ TEST(CullerShadows, MultiSamples)
 }
 
 // Hazard: the opaque blocks of a translucent prop are drawn once more for the order of equal
-// depths, and without the shader of the shadows.
+// depths, and the shader for shadows is missing then.
 TEST(CullerShadows, OpaqueBlocksOfTranslucentPropsAreRedrawnInShadow)
 {
   ComparisonOptions options;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What VTK leaves from one prop to the next in objects that they share, besides the shaders of a
-// mapper that two actors have.
+// What VTK leaves for the next prop in objects that props share (ImageTestSharedMappers.cxx is
+// about the shaders of shared mappers).
 #include "CullerTest.h"
 #include "Scenes.h"
 
@@ -155,7 +155,7 @@ ComparisonOptions GetOptions()
 }
 
 // Hazard: the culler draws actors in another order than the renderer, or not at all. Where VTK
-// leaves something in an object that actors share, others get other colours or another place.
+// stores something in an object that actors share, other actors get wrong colours or a wrong place.
 TEST_P(CullerSharedState, IsLeftInTheSameOrder)
 {
   Comparison comparison(
@@ -173,7 +173,7 @@ TEST_P(CullerSharedState, IsLeftInTheSameOrder)
   }
 }
 
-// The parts of an assembly change without a trace that the culler could see.
+// Hazard: the parts of an assembly change without anything that the culler could notice.
 TEST(CullerSharedStateOnce, PartsAreReadInEachFrame)
 {
   Comparison comparison(

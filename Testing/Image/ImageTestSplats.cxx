@@ -28,7 +28,7 @@ using LargeProps::WalkFromOutside;
 
 namespace
 {
-/// Points with a color, a size and an opacity each; with vertices for two of three, if asked for.
+/// Points, each with a color, a size and an opacity; optionally with vertices for two of three.
 vtkSmartPointer<vtkPolyData> MakeData(vtkPoints* points, bool withVertices)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -169,7 +169,7 @@ class CullerSplats : public testing::TestWithParam<LargeProps::Case>
 };
 INSTANTIATE_TEST_SUITE_P(Each, CullerSplats, testing::ValuesIn(Cases), GetCaseName);
 
-// Hazard: points stick out of their units, or are drawn in another order.
+// Hazard: points reach out of the boxes of their units, or are drawn in another order.
 TEST_P(CullerSplats, SameImage)
 {
   LargeProps::CompareWalks(this->GetParam().Build, MakeOptionsWithoutDraws(), 16, WalkFromOutside,
@@ -285,8 +285,9 @@ class CullerSplatsChanges : public testing::TestWithParam<Change>
 };
 INSTANTIATE_TEST_SUITE_P(Each, CullerSplatsChanges, testing::ValuesIn(Changes), GetCaseName);
 
-// Hazard: points of data, or of a way to draw them, that have changed since; and splats that blend
-// with what is drawn before them, so that this must not be left out nor drawn later.
+// Hazard: the data, or the way in which they are drawn, have changed, and the former points are
+// used; or splats begin to blend with what is drawn before them, which must then be neither left
+// out nor drawn later.
 TEST_P(CullerSplatsChanges, SameImage)
 {
   Comparison comparison(
@@ -302,7 +303,7 @@ TEST_P(CullerSplatsChanges, SameImage)
   EXPECT_EQ(comparison.GetDecision() == Decision::Blending, outcome == Outcome::Blended);
 }
 
-// Hazard: the splats in front of boxes show what is drawn before them.
+// Hazard: splats in front of boxes blend with what was drawn before them.
 TEST(CullerSplatsBlending, InFrontOfWhatTheyHide)
 {
   for (const bool emissive : { false, true })
@@ -342,7 +343,7 @@ TEST(CullerSplatsPicking, SamePoints)
   LargeProps::ComparePicks(comparison, WalkFromOutside);
 }
 
-// The number of units, and the switch.
+// The number of units, with DivideProps on and off.
 TEST(CullerSplatsSettings, SizeAndSwitch)
 {
   Comparison comparison(

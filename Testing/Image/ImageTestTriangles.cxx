@@ -77,7 +77,7 @@ class CullerTriangles : public testing::TestWithParam<Change>
 {
 };
 
-// Hazard: triangles are not looked at, or those of data that have changed since.
+// Hazard: triangles are not tested, or the triangles of former data are tested.
 TEST_P(CullerTriangles, BehindTheEdgeOfAWall)
 {
   ComparisonOptions options = Scenes::MakeExactOptions(Width, Height, 4);

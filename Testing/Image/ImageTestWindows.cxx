@@ -33,7 +33,7 @@ class CullerWindowSizes : public testing::TestWithParam<std::pair<int, int>>
 };
 }
 
-// Hazard: odd, narrow, wide and tiny windows, whose base image has cut texels or a single one.
+// Hazard: windows are odd, narrow, wide or tiny, so that level 0 has cut texels or only one texel.
 TEST_P(CullerWindowSizes, WallAndCity)
 {
   const auto [width, height] = this->GetParam();
@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Each, CullerWindowSizes,
   [](const testing::TestParamInfo<std::pair<int, int>>& info)
   { return std::to_string(info.param.first) + "x" + std::to_string(info.param.second); });
 
-// Hazard: the framebuffer is allocated anew; levels and temporal state of the old size are void.
+// Hazard: the framebuffer has a new size; levels and verdicts of the old size must not be used.
 TEST(CullerWindows, ResizedBetweenFrames)
 {
   Comparison comparison(Scenes::BuildWall);
@@ -114,7 +114,7 @@ TEST(CullerWindows, ViewportOfSizeZero)
   EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
 }
 
-// Hazard: handles of a context that is gone must not be used in its successor.
+// Hazard: names of objects of a context that is gone are used in its successor.
 TEST(CullerWindows, ContextReleasedAndMadeAnew)
 {
   for (int backend : { vtkNBufferCuller::CPU, vtkNBufferCuller::OpenGL })
@@ -172,7 +172,8 @@ TEST(CullerWindows, WindowAndCullerDieInAnyOrder)
   EXPECT_EQ(TakeMessages(), "");
 }
 
-// Hazard: depth of one viewport taken for another's; viewports start anywhere and may be cut.
+// Hazard: the depth of one viewport is used for another one. Viewports may begin anywhere and be
+// cut.
 TEST(CullerWindows, FourViewportsOneCuller)
 {
   Comparison comparison(
@@ -232,7 +233,7 @@ TEST(CullerWindows, OnePropSetInTwoRenderers)
   EXPECT_NE(comparison.GetVerdict(Wall::FirstBehind, 1), Verdict::Unknown);
 }
 
-// Hazard: two renderers draw on the same pixels, the second one after clearing the depth.
+// Hazard: two renderers draw into the same pixels, the second one after the depth was cleared.
 TEST(CullerWindows, Layers)
 {
   for (bool preserveDepth : { false, true })
@@ -395,7 +396,8 @@ class CullerProjections : public testing::TestWithParam<Projection>
 };
 }
 
-// Hazard: w is 1 or the matrix is not the usual one; every camera setting that enters it.
+// Hazard: the projection matrix is an unusual one. Every setting of the camera that enters it is
+// tested; in parallel projection w is 1.
 TEST_P(CullerProjections, Wall)
 {
   Comparison comparison(Scenes::BuildWall);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LargeProps.h
- * @brief What the tests of props that are drawn unit by unit share.
+ * @brief What tests of large props share, which the culler draws unit by unit.
  */
 #ifndef LargeProps_h
 #define LargeProps_h
@@ -16,30 +16,34 @@
 
 namespace LargeProps
 {
-/// The scene of one case.
+/// A named scene.
 struct Case : NamedCase
 {
   std::function<void(Stage&)> Build;
 };
 
-/// What happens to a prop between two frames.
+/// A named change of a prop between two frames.
 struct Change : NamedCase
 {
   Comparison::Change Apply;
-  bool IsDividedAfterwards = true;
+  bool IsDividedAfterwards = true; ///< Whether the culler still draws the prop unit by unit then.
 };
 
-/// Units of so many triangles, made without delay.
+/// Returns options with which props of 100 primitives and more are divided at once, into units of
+/// `unitSize` triangles.
 ComparisonOptions MakeOptions(int unitSize = 8);
 
-/// The same for mappers that announce nothing when nothing of them is drawn.
+/// Returns the same options for mappers whose draws cannot be counted, because they announce
+/// nothing when none of their units is drawn.
 ComparisonOptions MakeOptionsWithoutDraws(int unitSize = 8);
 
-/// Two walls in a scene of about 60 x 60.
+///@{
+/// Add two walls to a scene of about 60 x 60 units.
 void AddWalls(Stage& stage);
 void AddTallWalls(Stage& stage);
+///@}
 
-/// Points at random in a block of 60 x 60 x 8.
+/// Returns random points in a block of 60 x 60 x 8 units.
 vtkSmartPointer<vtkPoints> MakeCloudPoints(int count);
 
 /// Adds an array of random values between two bounds.
@@ -61,38 +65,42 @@ vtkSmartPointer<Array> AddRandomArray(vtkDataSetAttributes* data, vtkIdType tupl
   return array;
 }
 
-/// Sets the camera of a frame.
+/// Sets the camera for the frame of this number.
 using Path = std::function<void(vtkRenderer*, int)>;
 
-/// Walk through a scene of about 60 x 60 at eye height, then look at it from above.
+///@{
+/// Walk through a scene of about 60 x 60 units at eye height for eight frames, then look at it from
+/// above. WalkFromOutside() begins farther outside.
 void Walk(vtkRenderer* renderer, int frame);
-/// The same, from farther outside.
 void WalkFromOutside(vtkRenderer* renderer, int frame);
+///@}
 
-/// How many units were hidden on a walk, and fresh after its first three frames.
+/// The sums over a walk of hidden units and, after its first three frames, of fresh units: those
+/// that the culler draws late.
 struct Units
 {
   int Hidden = 0;
   int Fresh = 0;
 };
 
-/// Compare 14 frames. From the third one on there are units.
+/// Compares 14 frames, and returns the sums. Expects that there are units from the third frame on.
 Units CompareWalk(Comparison& comparison, const Path& path);
 
-/// Compare a walk without multisampling and one with it, where units are larger, each with more
-/// hidden and fresh units than `least`. `afterwards` is called after each.
+/// Compares a walk without multisampling, and one with it and with units of `largeUnitSize`.
+/// Expects more hidden and fresh units than `least` in each. Calls `afterwards` after each.
 void CompareWalks(const Comparison::Change& build, ComparisonOptions options, int largeUnitSize,
   const Path& path, const Units& least, const std::function<void(Comparison&)>& afterwards);
 
-/// Compare 4 frames of a walk, which have units, the change, and 6 more frames.
+/// Compares 4 frames of a walk, expects that there are units then, applies the change, and compares
+/// it and 6 more frames.
 void CompareChange(Comparison& comparison, const Comparison::Change& change, const Path& path);
 
-/// A walk with the culler as it is, one on which it does not divide props, and one on which it
-/// divides them again.
+/// Compares three walks of 4 frames, in the second of which the culler does not divide props.
+/// Expects `units` units after the first and the third one, and 0 after the second one.
 void CompareSwitch(Comparison& comparison, const Path& path, int units);
 
-/// In each frame of a walk a selection of all cells that are seen finds the same ones in both
-/// stages, and at least one. In some frames units are hidden.
+/// Compares 6 frames of a walk. Expects that in each of them a hardware selection of all visible
+/// cells finds the same cells in both stages, and at least one; and that units are hidden in some.
 void ComparePicks(Comparison& comparison, const Path& path);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// GoogleTest's main, but 125 (skipped, with the reason) where the window system that the
-// environment asks for is missing, and VTK's messages collected from the start.
+// GoogleTest's main. It collects VTK's messages from the start, and returns 125 (skipped), with the
+// reason, if this VTK does not have the window class that the environment names.
 #include "CullerTest.h"
 
 #include "vtkAutoInit.h"

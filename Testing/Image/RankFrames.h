@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RankFrames.h
- * @brief Frames of the city, spread over the ranks of a parallel program: drawn by all ranks with
- * and without the culler, and the composited images compared.
+ * @brief Draws frames of the city (Scenes.h), spread over the ranks of a parallel program, with and
+ * without the culler, and compares the composited images.
  */
 #ifndef RankFrames_h
 #define RankFrames_h
@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+/// The size of the windows in pixels.
 constexpr int RankSize[2] = { 301, 173 };
 
 enum class Spread
@@ -26,10 +27,11 @@ enum class Spread
   Mixed   ///< Neighbours belong to different ranks.
 };
 
-/// Looks along the streets of the whole city; the props of a rank do not matter.
+/// Sets the camera for a walk through the city, with t in [0, 1]. All ranks have the same clipping
+/// range, whatever their props are.
 void SetRankCamera(vtkRenderer* renderer, double t);
 
-/// What one rank draws: with VTK alone, and with the culler.
+/// The two stages of a rank: one draws with VTK alone, the other one with the culler.
 struct RankStages
 {
   Stage Stock;
@@ -44,7 +46,7 @@ struct RankStages
   }
 };
 
-/// What all ranks have drawn of a frame.
+/// What all ranks have drawn in a frame. The lists have an entry for each rank.
 struct RankFrame
 {
   explicit RankFrame(int ranks)
@@ -54,35 +56,39 @@ struct RankFrame
     , Exchanges(ranks)
   {
   }
+  /// Returns the number of props that all ranks have drawn.
   int GetDrawn() const { return std::accumulate(this->Drawn.begin(), this->Drawn.end(), 0); }
 
   std::vector<TestScene::Picture> Stock;
   std::vector<TestScene::Picture> Culled;
-  std::vector<int> Drawn;
-  std::vector<int> Exchanges;
+  std::vector<int> Drawn;     ///< The props that the rank has drawn with the culler.
+  std::vector<int> Exchanges; ///< The exchanges of the rank in this frame.
 };
 
 struct RankOptions
 {
   int Ranks = 4;
   Spread How = Spread::Mixed;
-  bool Exchange = true;
+  bool Exchange = true; ///< Whether the cullers exchange depth.
   int TileSize = 4;
   bool BackOff = false;
   int Frames = 12;
-  /// Where the camera is in each frame.
+  /// Returns the t of SetRankCamera() for a frame.
   std::function<double(int frame)> Path = [](int frame) { return 0.01 * frame; };
-  /// Called for each rank before its first frame, and before and after each frame.
+  ///@{
+  /// Are called for each rank before its first frame, and before and after each frame.
   std::function<void(RankStages&, int rank)> Build;
   std::function<void(RankStages&, int rank, int frame)> Before;
   std::function<void(RankStages&, int rank, int frame)> After;
+  ///@}
 };
 
-/// Draw the frames on all ranks, and compare the composited images. The messages of VTK must
-/// contain `messages`, or there must be none if it is empty.
+/// Draws the frames on all ranks. Expects that the composited images with and without the culler
+/// are equal, that all ranks have made equally many exchanges in each frame, and that the messages
+/// of VTK contain `messages` (if it is "": that there are none).
 std::vector<RankFrame> DrawRanks(const RankOptions& options, const std::string& messages = "");
 
-/// The props drawn by all ranks in all frames from `first` on.
+/// Returns the number of props that all ranks have drawn in the frames from `first` on.
 int Sum(const std::vector<RankFrame>& frames, int first = 0);
 
 #endif

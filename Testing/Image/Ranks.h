@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Ranks.h
- * @brief The ranks of a parallel program, as threads of one process of which one runs at a time, so
- * that tests of the exchange need no MPI.
+ * @brief The ranks of a parallel program as threads of one process, so that tests of the exchange
+ * need no MPI. Only one of the threads runs at a time.
  */
 #ifndef Ranks_h
 #define Ranks_h
@@ -28,14 +28,15 @@ public:
 
   int GetCount() const { return static_cast<int>(this->States.size()); }
 
-  /// Call the function once for each rank. Returns false if a rank waited in a reduction for one
-  /// that had ended, or ranks joined one with different counts. With MPI the program would hang.
+  /// Calls the function once for each rank. Returns false if ranks have waited in a reduction for a
+  /// rank that had ended, or have given a reduction different counts. With MPI the program would
+  /// hang.
   bool Run(const std::function<void(int rank)>& function);
 
-  /// vtkNBufferDepthExchange::ReduceToMinimum() of a rank.
+  /// Does what vtkNBufferDepthExchange::ReduceToMinimum() does, for one rank.
   bool Reduce(int rank, const float* values, float* minima, int count);
 
-  /// The number of reductions so far.
+  /// Returns the number of reductions so far.
   int GetReductions() const { return this->Reductions; }
 
 private:
@@ -46,7 +47,7 @@ private:
     Ended
   };
 
-  /// Let the next rank run that is ready. If there is none, complete the reduction.
+  /// Lets the next rank run that is ready. If none is, completes the reduction first.
   void Pass(int rank);
 
   std::mutex Mutex;
@@ -59,6 +60,7 @@ private:
   bool IsBroken = false;
 };
 
+/// The exchange of depth of one rank.
 class RankExchange : public vtkNBufferDepthExchange
 {
 public:
@@ -82,8 +84,8 @@ private:
   int Rank = 0;
 };
 
-/// What compositing by depth makes of the pictures of all ranks: each pixel is that of the rank
-/// with the nearest depth, and of the first one of several.
+/// Composites the pictures of all ranks by depth: each pixel is that of the rank with the nearest
+/// depth there, or of the first of several such ranks.
 TestScene::Picture Composite(const std::vector<TestScene::Picture>& pictures);
 
 #endif

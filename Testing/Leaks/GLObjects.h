@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file GLObjects.h
- * @brief How many OpenGL objects of each kind live in the context that is current.
+ * @brief Counts the OpenGL objects of each kind in the current context.
  *
- * Every name up to a little beyond the newest one is tested (glIsTexture and the like). Names
- * that were generated and never bound are no objects yet. Sync objects have no names; the module
- * makes none.
+ * Every name up to 4096 beyond the newest one is tested by glIsTexture() and the like. A name that
+ * was generated and never bound is not an object yet. Sync objects are not counted, because they
+ * have no names; the module makes none.
  */
 #ifndef GLObjects_h
 #define GLObjects_h
@@ -16,11 +16,11 @@
 
 namespace GLObjects
 {
-/// By kind: "textures", "buffers", "framebuffers", "renderbuffers", "vertex arrays", "queries",
-/// "programs", "shaders".
+/// The numbers of objects by kind: "textures", "buffers", "framebuffers", "renderbuffers", "vertex
+/// arrays", "queries", "programs", "shaders".
 using Counts = std::map<std::string, int>;
 
-/// All commands are finished first.
+/// Waits until the device has finished all commands, and counts.
 Counts Count();
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LeakScene.h
- * @brief A wall with boxes behind it, and weak pointers to all that its frames are made of.
+ * @brief A wall with boxes behind it, and weak pointers that show which of its objects still live.
  */
 #ifndef LeakScene_h
 #define LeakScene_h
@@ -17,26 +17,29 @@
 
 namespace LeakScene
 {
-/// The wall hides them all, except for those that the first frame draws untested.
+/// The number of opaque boxes behind the wall, which hides all of them.
 constexpr int BoxesBehind = 60;
-/// Translucent ones behind the wall; they get gates instead of being held back.
+/// The number of translucent boxes behind the wall. The culler does not hold these back: in the
+/// renderer's list, a proxy takes the place of each.
 constexpr int TranslucentBehind = 6;
 
-/// A box with a mapper and data of its own: from a pipeline (`kind` 1) or without one (0), or
-/// without one and translucent (2).
+/// Makes a box with its own mapper and data. `kind` 0: opaque; 1: opaque, with data that come out
+/// of a filter; 2: translucent.
 vtkSmartPointer<vtkActor> MakeLeakBox(double x, double y, double z, double size, int kind);
 
-/// The wall, the boxes and a camera before it. The renderer alone keeps the props.
+/// Adds the wall and the boxes, and puts the camera in front of the wall. Only the renderer refers
+/// to the props.
 void Build(vtkRenderer* renderer);
 
-/// Another view of it; one that differs from frame to frame is culled anew.
+/// Moves the camera to a place that depends on the frame, so that the culler tests each frame anew.
 void SetCamera(vtkRenderer* renderer, int frame);
 
-/// Weak pointers to the props that stood in a renderer's list without being the renderer's own:
-/// those that the culler put there.
+/// Weak pointers to the props that the culler put into a renderer's list for a frame: those that
+/// the application did not add to the renderer.
 class ForeignProps
 {
 public:
+  /// Adds a prop that is not there yet.
   void Note(vtkProp* prop);
   int GetNumberOfProps() const { return static_cast<int>(this->Props.size()); }
   int GetNumberOfLivingProps() const;
@@ -45,7 +48,7 @@ private:
   std::vector<vtkWeakPointer<vtkProp>> Props;
 };
 
-/// A renderer that records them in every frame.
+/// A renderer that records its foreign props in every frame.
 class Renderer : public vtkOpenGLRenderer
 {
 public:

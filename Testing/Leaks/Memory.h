@@ -2,28 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Memory.h
- * @brief What the process and the module's own code hold on the heap.
+ * @brief How much of the heap the process and the module's own code use.
  *
- * GetModuleBlocks() does for the module what vtkDebugLeaks does for classes, without a VTK that was
- * built for it: the program replaces operator new and records every block whose caller lies in the
- * code of the module's shared library. All that the module makes owns such blocks, except for its
- * props (see Spy in LeakScene.h). Objects and strings that VTK and the C++ library allocate for it
- * only count in GetHeapBytes().
+ * GetModuleBlocks() finds leaks of the module as vtkDebugLeaks finds leaks of VTK's objects, but
+ * needs no special build of VTK: the program replaces operator new and records every block whose
+ * caller is in the module's shared library. Every object of the module owns such blocks, except for
+ * its props, which ForeignProps in LeakScene.h watches. Objects and strings that VTK and the C++
+ * library allocate for the module count in GetHeapBytes() alone.
  */
 #ifndef Memory_h
 #define Memory_h
 
 namespace Memory
 {
-/// Bytes that the whole process has in use on the heap, or -1 where that is unknown.
+/// Returns the bytes of the heap that the whole process uses, or -1 where that is unknown.
 long long GetHeapBytes();
 
-/// Blocks that the module's code allocated and nobody has freed, or -1 where they are not counted:
-/// under AddressSanitizer and valgrind, whose own checks for leaks stand in, and with a static
-/// module.
+/// Returns the number of blocks that the module's code has allocated and that have not been freed.
+/// Returns -1 where they are not counted: under AddressSanitizer and valgrind, which check for
+/// leaks themselves, and with a static module.
 long long GetModuleBlocks();
 
-/// Their size in bytes; -1 likewise.
+/// Returns the size of these blocks in bytes, or -1 where they are not counted.
 long long GetModuleBytes();
 }
 

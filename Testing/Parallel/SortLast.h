@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SortLast.h
- * @brief A small stand-in for vtkCompositedSynchronizedRenderers, which not every VTK has: sends
- * the camera of the first process to all at the beginning of a frame, and composites their pictures
- * by depth on the first process at its end.
+ * @brief A small replacement for vtkCompositedSynchronizedRenderers, which not every VTK has. At
+ * the beginning of a frame it sends the camera of the first process to all, and at the end of the
+ * frame it composites their pictures by depth on the first process.
  */
 #ifndef SortLast_h
 #define SortLast_h
@@ -22,16 +22,16 @@ public:
   static SortLast* New() { return new SortLast; }
   vtkTypeMacro(SortLast, vtkCommand);
 
-  /// To be called once, on all processes.
+  /// Must be called once, on all processes.
   void Attach(vtkRenderer* renderer, vtkMultiProcessController* controller);
 
   void Execute(vtkObject* caller, unsigned long event, void* data) override;
 
-  /// What the last frame has become: on the first process the composited picture.
+  /// Returns the composited picture of the last frame, on the first process only.
   const TestScene::Picture& GetPicture() const { return this->Picture; }
 
-  /// The CPU time of this process in the last frame, in milliseconds, without the time for sending
-  /// the camera and for compositing.
+  /// Returns the CPU time of this process in the last frame, in milliseconds, without the time for
+  /// sending the camera and for compositing.
   double GetTime() const { return this->Time; }
 
 private:
@@ -44,7 +44,7 @@ private:
   double Time = 0.0;
 };
 
-/// The CPU time that this process has used, in milliseconds.
+/// Returns the CPU time that this process has used, in milliseconds.
 double GetProcessTime();
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Geometry on which culling by depth goes wrong first.
+// Geometry with which culling by depth is most likely to be wrong.
 #include "HazardBuilder.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace
 using Verdict = vtkNBufferVerdict;
 
 //------------------------------------------------------------------------------------------------
-/// Exactly the same geometry many times over: only the last in the list shows.
+/// Fifty props with exactly the same geometry: only the last one in the list is seen.
 NamedScenario TheSameQuadFiftyTimes()
 {
   HazardBuilder scene("TheSameQuadFiftyTimes");
@@ -47,7 +47,7 @@ NamedScenario TheSameQuadFiftyTimes()
   return scene.Finish();
 }
 
-/// A decal lies on the face of a box: its nearest depth is the farthest depth there.
+/// A decal is on the face of a box: its nearest depth is the farthest depth of its pixels.
 NamedScenario DecalsOnFaces()
 {
   HazardBuilder scene("DecalsOnFaces");
@@ -93,7 +93,7 @@ NamedScenario AbuttingTilesAndBoxes()
   return scene.Finish();
 }
 
-/// The eye flies through the props, inside and out again.
+/// The eye flies through the props, into their boxes and out of them.
 NamedScenario FlyingThroughBoxes()
 {
   HazardBuilder scene("FlyingThroughBoxes");
@@ -147,7 +147,7 @@ NamedScenario Specks()
   return scene.Finish();
 }
 
-/// Gaps of about a pixel between slats: a reduced depth must take the farthest.
+/// Gaps between slats are about a pixel wide: a reduced depth must be the farthest one.
 NamedScenario FenceWithNarrowGaps(int baseFactor)
 {
   HazardBuilder scene("FenceWithNarrowGaps");
@@ -170,7 +170,7 @@ NamedScenario FenceWithNarrowGaps(int baseFactor)
 }
 
 /// Coordinates of millions with details of centimetres: vertices are rounded to float. VTK moves
-/// the points near to zero before, so that far away as many are hidden as near the origin.
+/// the points near to zero before that, so that as many props are hidden as near the origin.
 NamedScenario FarFromTheOrigin(double offset)
 {
   HazardBuilder scene("FarFromTheOrigin");
@@ -191,8 +191,8 @@ NamedScenario FarFromTheOrigin(double offset)
   return scene.Finish();
 }
 
-/// Long props that recede with the wall before them: the nearest depth of their boxes is that of
-/// one end, so that only the test of each pixel hides them.
+/// Long props recede behind a wall that recedes as well: the nearest depth of a box is that of one
+/// end, so that only the test of each pixel finds the props hidden.
 NamedScenario LongPropsAreHiddenPixelByPixel(bool testPixels, int multiSamples)
 {
   HazardBuilder scene("LongPropsAreHiddenPixelByPixel");
@@ -213,7 +213,7 @@ NamedScenario LongPropsAreHiddenPixelByPixel(bool testPixels, int multiSamples)
   return scene.Finish();
 }
 
-/// A large model matrix undone by small coordinates, and the other way round.
+/// A large model matrix with small coordinates, and the other way round.
 NamedScenario LargeMatricesAndScales()
 {
   HazardBuilder scene("LargeMatricesAndScales");
@@ -254,8 +254,8 @@ NamedScenario ExtremeClippingRanges()
   return scene.Finish();
 }
 
-/// Of a box that the near plane cuts, what is behind the plane is not drawn and has a depth that
-/// means nothing; the rest begins at depth 0, whatever the corners say.
+/// The near plane cuts a box. The part in front of the plane is not drawn, and its depth has no
+/// meaning; the rest begins at depth 0, whatever the depths of the corners are.
 NamedScenario NearPlaneThroughABox()
 {
   constexpr int count = 24;
@@ -300,7 +300,7 @@ NamedScenario NearPlaneThroughABox()
   return scene.Finish();
 }
 
-/// An eye inside a box sees its inner faces in all directions, and no corner says where.
+/// The eye is inside a box, and sees its inner faces in all directions, wherever its corners are.
 NamedScenario EyeInsideABox(bool parallel)
 {
   constexpr int rooms = 3;
@@ -338,8 +338,8 @@ NamedScenario EyeInsideABox(bool parallel)
   return scene.Finish();
 }
 
-/// What is behind the eye has w < 0 and would land, divided by it, upside down on the screen; a box
-/// that reaches from before the eye to behind it is in view with a part of it.
+/// Points behind the eye have w < 0: divided by w, they would be upside down on the screen. A part
+/// of a box that reaches from before the eye to behind it is in view.
 NamedScenario BoxesBehindTheEyeAndBesideIt()
 {
   constexpr int each = 40;
@@ -371,8 +371,8 @@ NamedScenario BoxesBehindTheEyeAndBesideIt()
   return scene.Finish();
 }
 
-/// A box smaller than a pixel, between the pixel centres or on one, seen past an edge or through a
-/// hole of one pixel.
+/// Boxes are smaller than a pixel, between the centres of pixels or on one, and are seen past an
+/// edge or through a hole of one pixel.
 NamedScenario BoxesSmallerThanAPixel()
 {
   constexpr int width = 211;
@@ -425,8 +425,8 @@ NamedScenario BoxesSmallerThanAPixel()
   return scene.Finish();
 }
 
-/// The camera jumps back and forth between views that have nothing in common; what one learns from
-/// a view must not be used in the other.
+/// The camera jumps back and forth between views that have nothing in common; what is known from
+/// one view must not be used in the other.
 NamedScenario TheCameraJumpsBackAndForth()
 {
   HazardBuilder scene("TheCameraJumpsBackAndForth");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes that are none.
+// Bounds that are not a box.
 #include "HazardBuilder.h"
 
 #include <functional>
@@ -17,9 +17,9 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 using Add = std::function<void(SceneBuilder&)>;
 
-/// Comparisons with NaN are false, infinite and uninitialised bounds are in no order, and a prop
-/// may have none at all: nothing that they say may cull anything, and the others stay hidden. `add`
-/// adds one prop.
+/// Comparisons with NaN are false, infinite and uninitialised bounds have no order, and a prop may
+/// have no bounds at all. Such bounds must not cull anything, and the other props must stay hidden.
+/// `add` adds one prop.
 NamedScenario AmongTheOthers(const std::string& name, const Add& add)
 {
   HazardBuilder scene("Each/CullerOddBounds.AmongTheOthers/" + name);

@@ -13,7 +13,7 @@ namespace
 using Verdict = vtkNBufferVerdict;
 using Decision = vtkNBufferDecision;
 
-/// A rectangle whose side falls between pixels in every way, and one behind it.
+/// A rectangle whose sides are at different places between pixels, and one behind it.
 struct RoundingCase
 {
   double Phase; ///< Of the covering rectangle's corners, in pixels.
@@ -38,8 +38,8 @@ std::vector<RoundingCase> MakeRoundingCases()
   return cases;
 }
 
-/// A side at x.5 pixels covers a pixel centre or does not; a rectangle rounded inward loses the row
-/// of pixels in which its box shows.
+/// A side at x.5 pixels may cover a pixel centre or not; a rectangle that is rounded inward loses
+/// the row of pixels in which its box is seen.
 NamedScenario RectanglesAtHalfPixels(int factor)
 {
   HazardBuilder scene("RectanglesAtHalfPixels", 403, 299);
@@ -79,8 +79,8 @@ NamedScenario RectanglesAtHalfPixels(int factor)
   return scene.Finish();
 }
 
-/// A box that reaches far beyond the window on all sides has a rectangle to be cut, after rounding;
-/// one row or column of pixels at the border decides.
+/// A box reaches far beyond the window on all sides. Its rectangle is cut after rounding, and a
+/// single row or column of pixels at the border decides whether it is hidden.
 NamedScenario BoxesLargerThanTheWindow(int factor)
 {
   constexpr int width = 253;
@@ -110,7 +110,7 @@ NamedScenario BoxesLargerThanTheWindow(int factor)
   return scene.Finish();
 }
 
-/// Seen in perspective, from so near that they go round the eye.
+/// The boxes are seen in perspective, from so near that they reach around the eye.
 NamedScenario BoxesLargerThanTheWindowInPerspective()
 {
   HazardBuilder scene("BoxesLargerThanTheWindow");
@@ -127,7 +127,7 @@ NamedScenario BoxesLargerThanTheWindowInPerspective()
   return scene.Finish();
 }
 
-/// Windows of a single texel, row or column, and such whose sides leave cut texels.
+/// Windows of a single texel, row or column, and windows with cut texels at the borders.
 NamedScenario WallInWindow(int width, int height, int factor)
 {
   HazardBuilder scene(
@@ -163,8 +163,8 @@ void SetViewport(HazardBuilder& scene, int renderer, const std::array<double, 4>
   scene.Change(ChangeKind::Viewport, renderer, { v[0], v[1], v[2], v[3] });
 }
 
-/// A viewport begins and ends at fractions that round up on one side and down on the other; depth
-/// is then read a pixel beside where it was drawn.
+/// A viewport begins and ends at fractions that are rounded up on one side and down on the other;
+/// depth may be read one pixel away from where it was drawn.
 NamedScenario ViewportsThatStartAnywhere()
 {
   constexpr int w = 203;
@@ -192,7 +192,7 @@ NamedScenario ViewportsThatStartAnywhere()
   return scene.Finish();
 }
 
-/// Viewports of a pixel and less, and such that reach over the border of the window.
+/// Viewports of a pixel and less, and viewports that reach beyond the border of the window.
 NamedScenario ViewportsOfAPixel()
 {
   constexpr double w = 41.0;
@@ -214,7 +214,8 @@ NamedScenario ViewportsOfAPixel()
   return scene.Finish();
 }
 
-/// A view mirrored in x, y or both turns faces and the order of a box's corners round.
+/// A view that is mirrored in x, y or both reverses the winding of faces and the order of a box's
+/// corners.
 NamedScenario MirroredViews(const std::array<double, 2>& mirror, bool parallel)
 {
   HazardBuilder scene("MirroredViews");
@@ -231,8 +232,8 @@ NamedScenario MirroredViews(const std::array<double, 2>& mirror, bool parallel)
   return scene.Finish();
 }
 
-/// A chain-link fence whose gaps are a pixel wide: a depth reduced by anything but the farthest, or
-/// drawn at a lower resolution, closes them and hides what shows through.
+/// A chain-link fence has gaps one pixel wide. A depth that is not reduced to the farthest one, or
+/// is drawn at a lower resolution, closes the gaps and hides what is seen through them.
 NamedScenario ChainLinkFence(int factor)
 {
   constexpr int width = 301;
@@ -299,7 +300,7 @@ NamedScenario ChainLinkFence(int factor)
   return scene.Finish();
 }
 
-/// An occluder moves on and uncovers what it hid; that has to show in the same frame.
+/// An occluder moves and uncovers what it hid, which has to be seen in the same frame.
 NamedScenario AMovingOccluderUncoversWhatItHid()
 {
   constexpr int height = 199;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines and points, equal depths, depths that cannot be told apart, matrices.
+// Lines and points, equal depths, depths that cannot be distinguished, matrices.
 #include "HazardBuilder.h"
 
 #include "vtkMapper.h"
@@ -15,8 +15,8 @@ namespace
 {
 using Verdict = vtkNBufferVerdict;
 
-/// Of equal depths the one drawn last stays, and a culler draws in another order; here stacks of
-/// coplanar quads of different colours appear from behind a door that slides.
+/// Of props with equal depths the one that is drawn last is seen, and a culler draws in another
+/// order. Stacks of coplanar quads of different colours appear from behind a sliding door.
 NamedScenario QuadsFacingTheCamera(int seed, bool parallel)
 {
   HazardBuilder scene("Seed/CullerTies.QuadsFacingTheCamera/" + std::to_string(seed - 1));
@@ -41,7 +41,7 @@ NamedScenario QuadsFacingTheCamera(int seed, bool parallel)
   return scene.Finish();
 }
 
-/// Seen at an angle, coplanar quads fight, pixel by pixel, in an order-dependent way.
+/// Seen at an angle, coplanar quads have z-fighting that depends on the order of drawing.
 NamedScenario QuadsAtAnAngle(int seed)
 {
   HazardBuilder scene("Seed/CullerTies.QuadsAtAnAngle/" + std::to_string(seed - 1));
@@ -83,7 +83,7 @@ NamedScenario BoxesThroughTheNearPlaneAndAroundTheEye()
   return scene.Finish();
 }
 
-/// Boxes of no thickness, lines and points as bounds. Lines are drawn, hidden or not.
+/// Bounds without thickness, and bounds that are a line or a point. Lines are drawn, hidden or not.
 NamedScenario FlatThinAndSinglePointBounds()
 {
   constexpr int each = 12; // before and behind the wall
@@ -126,8 +126,8 @@ NamedScenario FlatThinAndSinglePointBounds()
   return scene.Finish();
 }
 
-/// Wide lines and large points stick out of the projection of their bounds, past the edge of what
-/// hides the bounds.
+/// Wide lines and large points reach out of the projection of their bounds, past the edge of the
+/// occluder that hides these bounds.
 NamedScenario WideLinesStickOutOfTheirBounds()
 {
   HazardBuilder scene("WideLinesStickOutOfTheirBounds");
@@ -152,7 +152,7 @@ NamedScenario WideLinesStickOutOfTheirBounds()
   return scene.Finish();
 }
 
-/// The depth of a line goes on beyond its ends, for half a pixel and, where it is seen end-on,
+/// The depth of a line is extrapolated beyond its ends by half a pixel: if it is seen end-on,
 /// through the wall before it.
 NamedScenario LinesSeenEndOn()
 {
@@ -189,8 +189,9 @@ NamedScenario LinesSeenEndOn()
   return scene.Finish();
 }
 
-/// Nearly all depths crowd at 1 between a near plane of a millimetre and a far plane of 10,000 km;
-/// from some distance on they cannot be told apart, and culling by them would be chance.
+/// With the near plane at a millimetre and the far plane at 10,000 km, almost all depths are close
+/// to
+/// 1. From some distance on they cannot be distinguished, and verdicts would be random.
 NamedScenario NearOfAMillimetreAndFarOfTenThousandKilometres(bool parallel)
 {
   constexpr int columns = 9;
@@ -249,8 +250,8 @@ NamedScenario NearOfAMillimetreAndFarOfTenThousandKilometres(bool parallel)
   return scene.Finish();
 }
 
-/// Matrices that mirror, shear, flatten and turn actors; faces are turned round, and bounds are
-/// those of eight corners that have been moved.
+/// Matrices mirror, shear, flatten and rotate actors: the winding of faces is reversed, and bounds
+/// are those of eight transformed corners.
 NamedScenario UserMatricesWithMirrorAndShear()
 {
   constexpr int each = 48;
@@ -292,7 +293,7 @@ NamedScenario UserMatricesWithMirrorAndShear()
   return scene.Finish();
 }
 
-/// In a row of parts that touch, drawing one of them late has all others drawn again.
+/// In a row of parts that touch each other, one part is drawn late, and all others are drawn again.
 NamedScenario PartsThatTouchAreDrawnAgainWhereTheyTouch()
 {
   HazardBuilder scene("PartsThatTouchAreDrawnAgainWhereTheyTouch");
@@ -314,9 +315,9 @@ NamedScenario PartsThatTouchAreDrawnAgainWhereTheyTouch()
 }
 
 /// The nearest depth of a box that is flush with its own surface is the depth that the prop itself
-/// has drawn; by rounding it would hide itself, and flicker from then on. Seen from the front in
-/// perspective, in parallel and with a range of depth in which 0.1 is less than a step, and at an
-/// angle.
+/// has drawn. By rounding, the prop would hide itself and flicker from then on. It is seen from the
+/// front in perspective and in parallel projection, with a clipping range in which 0.1 is less than
+/// a step of depth, and at an angle.
 NamedScenario BoxesFlushWithTheirOwnSurface(int variant)
 {
   constexpr int columns = 12;
@@ -352,7 +353,7 @@ NamedScenario BoxesFlushWithTheirOwnSurface(int variant)
     if (i > 2)
     {
       scene.ExpectVerdict(MakeRange(0, count), Verdict::Visible);
-      // No prop was judged hidden by its own depth and then drawn late.
+      // No prop was found hidden by its own depth and then drawn late.
       scene.ExpectHidden(variant < 2 ? count : 0).Statistics = [](const vtkNBufferStatistics& s)
       { return s.HeldBack <= std::max(s.GetCount(Verdict::Hidden), 1); };
       if (variant < 2)
@@ -365,8 +366,8 @@ NamedScenario BoxesFlushWithTheirOwnSurface(int variant)
   return scene.Finish();
 }
 
-/// Offsets against coincident surfaces pull what is drawn in front of what its bounds lie behind;
-/// visible edges are pulled without any setting. `mode`: as of ChangeKind::PolygonOffset.
+/// Offsets for coincident surfaces draw a prop in front of an occluder that its bounds are behind;
+/// visible edges get an offset without any setting. `mode` is a value of ChangeKind::PolygonOffset.
 NamedScenario OffsetsBehindTheWall(const std::string& name, int mode)
 {
   constexpr int each = 16;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Fill.h
- * @brief Parts of a scenario in a renderer that somebody else made.
+ * @brief Puts parts of a scenario into a renderer that the caller has made.
  */
 #ifndef Fill_h
 #define Fill_h
@@ -14,19 +14,19 @@ class vtkRenderer;
 
 namespace TestScene
 {
-/// If both are actors, the first one draws with the mapper of the other from now on. Returns
-/// whether they are.
+/// Gives `prop` the mapper of `other` if both are actors. Returns whether they are.
 bool ShareMapper(vtkProp* prop, vtkProp* other);
 
-/// If `whole` is an assembly, the prop becomes one of its parts or is none any more. Returns
-/// whether it is an assembly.
+/// Adds a prop to the parts of an assembly, or removes it if not `present`. Returns false, and does
+/// nothing, if `whole` is not a vtkAssembly or `prop` is not a vtkProp3D.
 bool SetPart(vtkProp* whole, vtkProp* prop, bool present);
 
-/// The renderer's camera becomes that of the view.
+/// Sets the renderer's camera as the view describes it.
 void SetView(vtkRenderer* renderer, const View& view);
 
-/// Props, lights, viewport and view of the first frame of a scenario with one renderer, and what
-/// changes its props then. Nothing of the scenario is needed afterwards.
+/// Sets the viewport, the props, the lights and the camera of the first frame of a scenario with
+/// one renderer, and applies the changes of props in that frame. The renderer does not refer to the
+/// scenario afterwards.
 void Fill(vtkRenderer* renderer, const Scenario& scenario);
 }
 

@@ -5,8 +5,8 @@
  * @brief Decides for every rendering test whether two frames are the same: the bytes of the image,
  * the bits of the depth, the counts, and that neither VTK nor OpenGL reports an error.
  *
- * All functions return what is wrong as text, empty if nothing is, so that GoogleTest fails by
- * EXPECT_EQ(..., "") and the fuzzer can write the text into its report.
+ * Functions that return a std::string return what is wrong, or "" if nothing is, so that tests can
+ * use EXPECT_EQ(..., "") and the fuzzer can write the text into its report.
  */
 #ifndef Judge_h
 #define Judge_h
@@ -25,23 +25,24 @@ struct Picture
 {
   int Size[2] = { 0, 0 };
   std::vector<unsigned char> Colors; ///< RGBA of each pixel.
-  std::vector<float> Depths;         ///< Of each pixel; empty if depth was not read.
+  std::vector<float> Depths;         ///< The depth of each pixel; empty if it was not read.
 
   const unsigned char* GetColor(std::size_t pixel) const { return &this->Colors[4 * pixel]; }
 };
 
 enum class PictureSource
 {
-  Shown,   ///< The copy that VTK makes of what it rendered to show it.
-  Rendered ///< What was rendered. Where formats of depth differ VTK fails to make the copy.
+  Shown,   ///< The copy of the rendered image that VTK makes to show it.
+  Rendered ///< The rendered image itself. Where formats of depth differ, VTK fails to copy it.
 };
 
+/// Reads the last frame of a window.
 Picture TakePicture(
   vtkRenderWindow* window, bool withDepth = false, PictureSource source = PictureSource::Shown);
 
-/// In how many pixels the pictures differ, the first of them, and its values in both. `region`: x,
-/// y, width and height of the only part to compare. Depth is compared if both have it. Values of
-/// colours (0 to 255) may differ by `tolerance`.
+/// Returns in how many pixels the pictures differ, which is the first of them, and its values in
+/// both. Depth is compared if both pictures have it. `region`, if given, is the x, y, width and
+/// height of the part to compare. Channels of colours (0 to 255) may differ by `tolerance`.
 std::string FindDifference(
   const Picture& expected, const Picture& actual, const int region[4] = nullptr, int tolerance = 0);
 
@@ -57,38 +58,40 @@ struct Selected
 };
 void PrintTo(const Selected& selected, std::ostream* os);
 
-/// The props by their indices in the stage; -1 for others.
+/// What a selection finds of each prop, by the index of the prop in the stage, or by -1 if the prop
+/// is not in the stage.
 using Selection = std::map<int, Selected>;
 
-/// Selects in an area of the first renderer: its first and last column and row. `field`: of
-/// vtkDataObject, cells or points.
+/// Makes a hardware selection in the first renderer. `area` is the lower left and the upper right
+/// pixel, both inside. `field` is vtkDataObject::FIELD_ASSOCIATION_CELLS or _POINTS.
 Selection Select(const Stage& stage, const int area[4], int field);
 
-/// What came with a frame in addition to its image.
+/// The errors and warnings of a frame.
 struct FrameErrors
 {
   std::string GL;         ///< Errors of OpenGL, by glGetError() and by debug output.
-  bool IsPending = false; ///< VTK left one of them for glGetError() after the frame.
+  bool IsPending = false; ///< Whether glGetError() returned one of them after the frame.
   std::string VTK;        ///< Errors and warnings of VTK.
 };
 
-/// Render a frame of the stage, with its draws counted anew.
+/// Renders a frame of the stage. The counts of its draws begin at 0.
 FrameErrors RenderFrame(Stage& stage);
 
-/// Contradictions in the statistics of the stage's cullers.
+/// Returns the contradictions in the statistics of the stage's cullers.
 std::string FindInconsistency(const Stage& stage);
 
-/// Which props must have been drawn as often as in the reference.
+/// Which props must have been drawn at least as often as in the reference.
 enum class MustBeDrawn
 {
-  None,     ///< A culler that was there before decides as well.
-  Tested,   ///< Those that the culler found visible, or cut by the near plane.
-  NotCulled ///< All that the culler did not find hidden or outside.
+  None,     ///< None, because another culler may have removed any of them.
+  Tested,   ///< Those with the verdict Visible or NearPlane.
+  NotCulled ///< All except those with the verdict Hidden or Outside.
 };
 
-/// Props that were drawn against their verdict, and draws beyond those of the reference that the
-/// statistics do not count. `exactly`: where the draws of all props are known, all that the
-/// statistics count must have happened.
+/// Returns which props were drawn although they are culled, or were not drawn although they must
+/// be, and whether there are more additional draws, in comparison with the reference, than the
+/// statistics count. With `exactly` there may not be fewer either, if the draws of all props are
+/// counted.
 std::string FindWrongDraws(
   const Stage& reference, const Stage& tested, MustBeDrawn which, bool exactly);
 }

@@ -23,47 +23,53 @@ class vtkRenderer;
 
 namespace TestScene
 {
-/// What a test demands of a frame, apart from equal images: that culling takes place where it
+/// What a test demands of a frame in addition to equal images: that culling takes place where it
 /// should.
 struct Expectation
 {
-  int Frame = 0;
-  int Renderer = 0;
+  int Frame = 0;    ///< The number of the frame, from 0 on.
+  int Renderer = 0; ///< The number of the renderer, from 0 on.
+  ///@{
+  /// Limits for the number of hidden props.
   int MinimumHidden = 0;
   int MaximumHidden = 1000000;
-  int MinimumCulled = 0; ///< Hidden or outside.
-  /// If set: what the culler decided to do with the frame.
+  ///@}
+  /// The least number of props that are hidden or outside.
+  int MinimumCulled = 0;
+  /// The culler's decision about the frame; not checked if it is not set.
   std::optional<vtkNBufferDecision> Decision;
-  /// The indices of some props, each of which has one of the verdicts `Allowed`.
+  /// The indices of props each of which must have one of the verdicts `Allowed`.
   std::vector<int> Props;
   std::vector<vtkNBufferVerdict> Allowed;
-  /// So many of `Props` are hidden at least.
+  /// The least number of hidden props among `Props`.
   int MinimumHiddenOfProps = 0;
-  /// The indices of props of which those that the last frame found hidden are hidden again.
+  /// The indices of props that must be hidden if the last frame found them hidden.
   std::vector<int> StayHidden;
-  /// The image shows at least so many pixels of exactly this colour.
+  ///@{
+  /// The image must have at least MinimumPixels pixels of exactly this colour (from 0 to 1).
   glm::dvec3 Color = { 0.0, 0.0, 0.0 };
   int MinimumPixels = 0;
-  /// If set: what else is true of the frame's statistics.
+  ///@}
+  /// Must return true for the frame's statistics, if it is set.
   std::function<bool(const vtkNBufferStatistics&)> Statistics = {};
-  /// Nothing is expected where the window has no samples, which a driver may not have.
+  /// Whether nothing is expected of a window without multisampling, which some drivers lack.
   bool NeedsSamples = false;
 };
 
 struct NamedScenario
 {
-  /// Letters and digits. A hazard that is a case of another suite than CullerHazards has the names
-  /// of both with a dot between them.
+  /// A name of letters and digits. A case of another suite of tests than CullerHazards has a name
+  /// of the form SUITE.CASE.
   std::string Name;
   TestScene::Scenario Scenario;
   std::vector<Expectation> Expectations = {};
-  /// What the language of scenarios has no words for; null for most.
+  /// Adds to the renderer what a scenario cannot describe; empty for most scenarios.
   std::function<void(vtkRenderer*)> Finish = {};
 };
 
 class SceneBuilder;
 
-/// One frame, with all points stored as doubles.
+/// Makes a scenario of one frame. The points of all props are stored as doubles.
 NamedScenario MakeShadowScenario(const std::string& name,
   const std::function<void(SceneBuilder&)>& build, int width = 200, int height = 150,
   int multiSamples = 0);
@@ -74,12 +80,12 @@ std::vector<NamedScenario> GetCullingHazards();
 ///@}
 
 /// @name Hazards of shadows
-/// All have one renderer, whose pass is for who plays them to choose, and one frame or two.
+/// All have one renderer and one or two frames. They name no pass: who plays them chooses it.
 ///@{
 std::vector<NamedScenario> GetLightScenarios(); ///< Where the light is.
 std::vector<NamedScenario> GetViewScenarios();  ///< Where the camera is, and what window it has.
 std::vector<NamedScenario> GetMeshScenarios();  ///< What the casters are made of.
-std::vector<NamedScenario> GetLargeScenarios();
+std::vector<NamedScenario> GetLargeScenarios(); ///< Many casters, or very large ones.
 ///@}
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Player.h
- * @brief A stage that plays scenarios, frame by frame, with the culler or without.
+ * @brief A stage that plays scenarios, frame by frame, with or without the culler.
  */
 #ifndef Player_h
 #define Player_h
@@ -19,9 +19,10 @@ namespace TestScene
 {
 enum class Role
 {
-  Reference, ///< No culler at all.
-  Stock,     ///< The scenario's own, but ours: what differs now is not our fault.
-  Culled
+  Reference, ///< Draws without any culler.
+  Stock,     ///< Draws with VTK's own culler if the scenario keeps it, and without the culler under
+             ///< test, which is then not to blame for differences from Reference.
+  Culled     ///< Draws as Stock, and with the culler under test (vtkNBufferCuller).
 };
 
 class Player : public Stage
@@ -35,24 +36,24 @@ public:
   Player(const Player&) = delete;
   void operator=(const Player&) = delete;
 
-  /// Play this one from now on; the scenario must live until End(). A new window is only made
-  /// where the old one cannot become like a new one.
+  /// Begins a scenario, which must live until End(). Uses the window of the scenario before unless
+  /// its settings cannot be changed to those of this scenario.
   void Begin(const Scenario& scenario);
 
-  /// Do what the scenario says before a frame. Returns what selections found.
+  /// Applies the changes before a frame. Returns what its selections found, as text.
   std::string Prepare(int frame);
-  /// Which passes draw the next frame; to be called before each.
+  /// Sets the shadow passes that draw the next frame. Must be called before each frame.
   void UsePasses(ShadowPasses passes = ShadowPasses::Lasting);
 
-  /// Empty the window and keep it.
+  /// Ends the scenario: empties the window and keeps it.
   void End();
 
-  /// The next scenario gets a window, and with it a context, of its own.
+  /// Ends the scenario, and destroys the window with its context.
   void DropWindow();
 
   const LightRig& GetLights() const { return this->Lighting; }
 
-  /// The scenario that is played; nullptr before Begin() and after End().
+  /// Returns the scenario that is played; nullptr before Begin() and after End().
   const Scenario* GetScenario() const { return this->Scene; }
 
 private:
@@ -60,7 +61,7 @@ private:
   void AddCullers();
   void JoinAndLeave(int frame);
   void Join(int prop, bool present);
-  /// @name Changes of other kinds leave these as they are
+  /// @name Apply a change of their kind, and ignore other changes
   ///@{
   void ApplyToRenderer(const Change& change);
   void ApplyToWindow(const Change& change);
@@ -75,7 +76,7 @@ private:
   std::vector<vtkSmartPointer<vtkNBufferCuller>> Cullers; ///< One for each renderer, or the same.
   LightRig Lighting;
   std::vector<bool> Present; ///< Whether each prop is in its renderer.
-  std::map<int, int> Places; ///< The index of each prop, by Id.
+  std::map<int, int> Places; ///< The index of each prop in Scenario::Props, by its Id.
   int Frame = 0;
 };
 }

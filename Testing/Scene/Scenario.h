@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Scenario.h
- * @brief Some frames of a scene as plain data: made from a seed, written as JSON, run twice.
+ * @brief Some frames of a scene as plain data, which can be made from a seed, written as JSON, and
+ * played several times.
  *
  * A member that has its default is left out of the file, so that the defaults, like the names, are
- * part of the format. Every combination of values can be run: what refers to something that is not
- * there is passed over. The shrinker relies on both.
+ * part of the format. Every combination of values can be played: what refers to something that does
+ * not exist is ignored. The shrinker (Shrinker.h) relies on both.
+ *
+ * A member with the name of a property of VTK or of the module has its meaning and its unit.
  */
 #ifndef Scenario_h
 #define Scenario_h
@@ -31,14 +34,14 @@ enum class LightKind
 };
 NBUFFER_SCENE_NAMES(LightKind, "Directional", "Spot", "Point", "Headlight", "Camera");
 
-/// Every renderer has one of its own of each.
+/// A light. Each renderer gets its own copy.
 struct Light
 {
   LightKind Kind = LightKind::Directional;
   glm::dvec3 Position = { 3.0, 8.0, 5.0 };
   glm::dvec3 FocalPoint = { 0.0, 0.0, 0.0 };
-  double ConeAngle = 40.0; ///< Of spots.
-  double Exponent = 0.0;   ///< Of spots.
+  double ConeAngle = 40.0; ///< From the axis to the edge, in degrees; for spots only.
+  double Exponent = 0.0;   ///< For spots only.
   glm::dvec3 Attenuation = { 1.0, 0.0, 0.0 };
   glm::dvec3 Color = { 1.0, 1.0, 1.0 };
   double Intensity = 0.7;
@@ -78,13 +81,13 @@ struct Shadows
 struct Scenario
 {
   std::uint64_t Seed = 0;
-  std::string Family; ///< What kind of scene the generator made; only for people.
+  std::string Family; ///< The name of the generator's family, or of the hazard; for reports.
   int Frames = 1;
   TestScene::Window Window;
   std::vector<TestScene::Renderer> Renderers = std::vector<TestScene::Renderer>(1);
   TestScene::Culler Culler;
   TestScene::Shadows Shadows;
-  std::vector<TestScene::Light> Lights; ///< None: VTK's own headlight.
+  std::vector<TestScene::Light> Lights; ///< If there are none, VTK makes its headlight.
   std::vector<TestScene::Prop> Props;   ///< In the order in which they join the renderers.
   std::vector<TestScene::View> Views;
   std::vector<TestScene::Change> Changes;

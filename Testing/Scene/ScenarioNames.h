@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ScenarioNames.h
- * @brief Names of members and of the values of enumerators, as the files of scenarios have them.
+ * @brief The names of members and enumerators in the files of scenarios.
  */
 #ifndef ScenarioNames_h
 #define ScenarioNames_h
@@ -13,10 +13,10 @@
 
 namespace TestScene
 {
-/// "CasterKeys, OIT" becomes { "caster_keys", "oit" }.
+/// Returns the names of members in files: { "caster_keys", "oit" } for "CasterKeys, OIT".
 std::vector<std::string> MakeMemberNames(const std::string& members);
 
-/// Which members of a struct are in files.
+/// Lists the members of a struct that are written to files.
 #define NBUFFER_SCENE_MEMBERS(...)                                                                 \
   auto GetMembers()                                                                                \
   {                                                                                                \
@@ -33,7 +33,7 @@ std::vector<std::string> MakeMemberNames(const std::string& members);
   }                                                                                                \
   static_assert(true, "for the semicolon")
 
-/// Names of an enumerator's values in files, ended by a null pointer.
+/// Get() returns the names of an enumeration's values in files, and a null pointer at the end.
 template <typename Enum>
 struct EnumNames;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ScenarioProps.h
- * @brief What a scenario says of a prop.
+ * @brief The props of a scenario.
  */
 #ifndef ScenarioProps_h
 #define ScenarioProps_h
@@ -26,11 +26,12 @@ enum class ShapeKind
   Soup,      ///< `Detail` triangles anywhere in the box.
   Lines,     ///< `Detail` segments anywhere in the box.
   Points,    ///< `Detail` vertices anywhere in the box.
-  Book,      ///< `Detail` leaves round an upright spine that they share, wound by turns.
+  Book,      ///< `Detail` upright leaves that share an edge, the spine, wound one way and the other
+             ///< by turns.
   Strip,     ///< A triangle strip of 2 x `Detail` triangles, heights anywhere in the box.
   Stack,     ///< `Detail` level quads above each other.
-  Empty,     ///< No points at all; for an odd `Seed` not even a list of them.
-  NaNPoint,  ///< A box with a coordinate that is no number, or infinite for an odd `Seed`.
+  Empty,     ///< No points; for an odd `Seed` not even an empty vtkPoints.
+  NaNPoint,  ///< A box with a coordinate that is NaN, or infinite for an odd `Seed`.
   SharedBox, ///< A box whose eight points are shared by its faces.
   Globe,    ///< VTK's sphere with `Detail` meridians and parallels: one point at each pole, a seam.
   Cylinder, ///< VTK's cylinder along y with `Detail` sides.
@@ -43,6 +44,7 @@ NBUFFER_SCENE_NAMES(ShapeKind, "Box", "Sphere", "Quad", "Grating", "Lattice", "T
   "Lines", "Points", "Book", "Strip", "Stack", "Empty", "NaNPoint", "SharedBox", "Globe",
   "Cylinder", "Cone", "Tiles", "Scraps", "Mesh");
 
+/// A mesh that fills the box of the size `Size` around `Center`.
 struct Shape
 {
   ShapeKind Kind = ShapeKind::Box;
@@ -50,10 +52,11 @@ struct Shape
   glm::dvec3 Size = { 1.0, 1.0, 1.0 };
   int Detail = 1;
   double Fill = 0.5;
-  int Seed = 0;               ///< Points are stored as doubles if it is odd.
-  bool CellValues = false;    ///< Each cell has a color, and a normal for flat shading.
-  std::vector<double> Points; ///< Of a Mesh: three coordinates for each point.
-  /// Of a Mesh: for each polygon the number of its points and these; two are a line, one a vertex.
+  int Seed = 0;               ///< Of what is random. If it is odd, points are stored as doubles.
+  bool CellValues = false;    ///< Whether each cell has a color, and a normal for flat shading.
+  std::vector<double> Points; ///< For Mesh: three coordinates for each point.
+  /// For Mesh: for each polygon the number of its points, and the indices of these. A polygon of
+  /// two points is a line, one of one point a vertex.
   std::vector<double> Polygons;
 
   NBUFFER_SCENE_MEMBERS(Kind, Center, Size, Detail, Fill, Seed, CellValues, Points, Polygons);
@@ -93,7 +96,7 @@ NBUFFER_SCENE_NAMES(Representation, "Points", "Wireframe", "Surface");
 enum class Translucency
 {
   None,
-  Some, ///< Of the texture or the scalars: alpha below 1 in places.
+  Some, ///< Alpha is below 1 in places.
   Opaque
 };
 NBUFFER_SCENE_NAMES(Translucency, "None", "Some", "Opaque");
@@ -112,8 +115,8 @@ struct Prop
   PropKind Kind = PropKind::Actor;
   TestScene::Shape Shape;
   int Renderer = 0;
-  int From = 0;   ///< First frame in which it is in the renderer.
-  int Until = -1; ///< First frame in which it is not any more; -1: never.
+  int From = 0;   ///< The first frame in which the prop is in the renderer.
+  int Until = -1; ///< The first frame after that in which it is not; -1: it stays.
   glm::dvec3 Position = { 0.0, 0.0, 0.0 };
   glm::dvec3 Orientation = { 0.0, 0.0, 0.0 };
   glm::dvec3 Scale = { 1.0, 1.0, 1.0 };
@@ -130,20 +133,23 @@ struct Prop
   bool Tubes = false;
   double LineWidth = 1.0;
   double PointSize = 1.0;
-  int CulledFaces = 0; ///< 1 front, 2 back.
+  int CulledFaces = 0; ///< 0: none, 1: front faces, 2: back faces.
   bool ForceOpaque = false;
   bool ForceTranslucent = false;
   Translucency Texture = Translucency::None;
   Translucency Scalars = Translucency::None;
   TestScene::Shader Shader = TestScene::Shader::Original;
   std::vector<double> ClippingPlane; ///< Empty, or origin and normal.
-  bool ShiftCoordinates = true;      ///< Large coordinates are moved on their way to the device.
-  double OffsetFactor = 0.0;         ///< Relative polygon offset, where such offsets are on.
-  double OffsetUnits = 0.0;          ///< The other part of it.
-  bool UseBounds = true;             ///< vtkProp::UseBounds
-  bool Casts = true;                 ///< Has the key of Shadows::CasterKeys.
-  int MapperOf = -1; ///< Id of the actor before it whose mapper it shares; -1: none.
-  int PartOf = -1;   ///< Id of the assembly before it that it is a part of; -1: none.
+  bool ShiftCoordinates = true; ///< Whether VTK uploads large coordinates relative to an origin.
+  ///@{
+  /// The mapper's relative polygon offset, which has an effect where such offsets are on.
+  double OffsetFactor = 0.0;
+  double OffsetUnits = 0.0;
+  ///@}
+  bool UseBounds = true; ///< vtkProp::UseBounds
+  bool Casts = true;     ///< Whether the prop has the key of Shadows::CasterKeys.
+  int MapperOf = -1;     ///< The Id of an earlier actor whose mapper this one shares; -1: none.
+  int PartOf = -1;       ///< The Id of an earlier assembly of which this is a part; -1: none.
 
   NBUFFER_SCENE_MEMBERS(Id, Kind, Shape, Renderer, From, Until, Position, Orientation, Scale,
     UserMatrix, Color, Opacity, Visible, Lighting, Flat, Representation, Edges, Vertices, Spheres,

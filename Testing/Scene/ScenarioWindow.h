@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ScenarioWindow.h
- * @brief What a scenario says of its window, renderers and culler.
+ * @brief The window, the renderers and the culler of a scenario.
  */
 #ifndef ScenarioWindow_h
 #define ScenarioWindow_h
@@ -17,16 +17,16 @@ enum class PassKind
 {
   None,
   RenderSteps,
-  OpaqueTranslucent, ///< Lights, opaque, translucent, volumetric, overlay.
+  OpaqueTranslucent, ///< The passes for lights, opaque, translucent, volumetric and overlay props.
   OpaqueTwice,
   TranslucentFirst,
-  Default, ///< Lights, vtkDefaultPass.
+  Default, ///< vtkLightsPass and vtkDefaultPass.
   DepthPeeling,
   DualDepthPeeling,
   SSAO,
   FXAA,
-  Framebuffer,             ///< One that the culler does not know.
-  Sobel,                   ///< One that the culler does not know.
+  Framebuffer,             ///< vtkFramebufferPass, which the culler does not know.
+  Sobel,                   ///< vtkSobelGradientMagnitudePass, which the culler does not know.
   ShadowVolumes,           ///< vtkShadowVolumeClampPass as the pass of the renderer.
   ShadowVolumesInSequence, ///< In the place of the opaque pass of OpaqueTranslucent.
   SSAA
@@ -41,8 +41,8 @@ struct Renderer
   int Layer = 0;
   bool Erase = true;
   bool PreserveDepth = false;
-  bool SharesCamera = false; ///< With renderer 0.
-  bool SharesProps = false;  ///< All props of renderer 0 are in it as well.
+  bool SharesCamera = false; ///< Whether it has the camera of renderer 0.
+  bool SharesProps = false;  ///< Whether all props of renderer 0 are in this one as well.
   PassKind Pass = PassKind::None;
   bool SSAO = false;
   bool FXAA = false;
@@ -62,7 +62,7 @@ struct Window
   int MultiSamples = 0;
   bool StencilCapable = false;
   bool LineSmoothing = false;
-  int Stereo = -1; ///< A stereo type of VTK.
+  int Stereo = -1; ///< A stereo type of VTK; -1: no stereo.
   int TileScale = 1;
 
   NBUFFER_SCENE_MEMBERS(
@@ -70,12 +70,13 @@ struct Window
 };
 
 //------------------------------------------------------------------------------------------------
+/// Where vtkFrustumCoverageCuller, VTK's default culler, is in the list of cullers.
 enum class DefaultCuller
 {
   Removed,
-  Before, ///< vtkFrustumCoverageCuller where VTK puts it.
-  Behind,
-  NoTakeOver ///< Before, with TakeOverFrustumCulling off.
+  Before,    ///< Before vtkNBufferCuller, where VTK puts it.
+  Behind,    ///< After vtkNBufferCuller.
+  NoTakeOver ///< As Before, with TakeOverFrustumCulling off.
 };
 NBUFFER_SCENE_NAMES(DefaultCuller, "Removed", "Before", "Behind", "NoTakeOver");
 

@@ -16,8 +16,8 @@
 
 namespace TestScene
 {
-/// nullptr for PassKind::None. `shadows` is used by the kinds with shadow volumes; these are as the
-/// others, without shadows, where it is nullptr.
+/// Makes a pass; nullptr for PassKind::None. The kinds with shadow volumes use the pass `shadows`;
+/// if it is nullptr, they draw the same without shadows.
 vtkSmartPointer<vtkRenderPass> MakePass(PassKind kind, vtkRenderPass* shadows = nullptr);
 
 inline bool HasShadowVolumes(PassKind kind)
@@ -25,7 +25,7 @@ inline bool HasShadowVolumes(PassKind kind)
   return kind == PassKind::ShadowVolumes || kind == PassKind::ShadowVolumesInSequence;
 }
 
-/// A camera pass around the passes, as applications build their own pipelines.
+/// Makes a vtkCameraPass around a sequence of passes, as applications do.
 vtkSmartPointer<vtkRenderPass> MakeSequence(std::initializer_list<vtkRenderPass*> passes);
 }
 

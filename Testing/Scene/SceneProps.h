@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SceneProps.h
- * @brief VTK's props from their descriptions, and the changes that they suffer.
+ * @brief Makes VTK's props from their descriptions, and changes them.
  */
 #ifndef SceneProps_h
 #define SceneProps_h
@@ -18,13 +18,14 @@ class vtkTexture;
 
 namespace TestScene
 {
-/// Some: every second texel lets through what is behind it.
+/// Makes a texture of 4 x 4 texels with alpha. With Translucency::Some every second texel is
+/// translucent.
 vtkSmartPointer<vtkTexture> MakeTexture(Translucency translucency);
 
-/// `camera` is what followers follow.
+/// Makes a prop. Followers turn towards `camera`.
 vtkSmartPointer<vtkProp> MakeProp(const Prop& prop, vtkCamera* camera);
 
-/// Changes that do not fit the kind of prop leave it as it is.
+/// Applies a change to a prop. Ignores changes that do not fit the kind of prop.
 void ChangeProp(vtkProp* prop, const Prop& description, const Change& change);
 }
 

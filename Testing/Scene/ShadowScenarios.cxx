@@ -52,7 +52,7 @@ void WallAlongLight(SceneBuilder& scene)
   scene.Look({ -1.0, -12.0, 4.0 }, { 0.0, 0.0, 2.0 });
 }
 
-/// All of the floor is at one depth of the light.
+/// The whole floor has the same light depth.
 void LightStraightDown(SceneBuilder& scene)
 {
   scene.Floor(5.0);
@@ -132,7 +132,7 @@ void SpotCone(SceneBuilder& scene, double height, double cone, double exponent)
 //------------------------------------------------------------------------------
 // Cameras and windows.
 
-/// One-unit features where maps of the world have them.
+/// Features one unit in size, at coordinates as large as in maps of the world.
 void HugeCoordinates(SceneBuilder& scene)
 {
   const glm::dvec3 o = { 5e5, 4e6, 300.0 };
@@ -196,7 +196,7 @@ void ParallelCamera(SceneBuilder& scene)
   scene.LookParallel({ 3.0, -7.0, 5.0 }, { 0.3, 0.0, 0.3 }, 2.5);
 }
 
-/// The camera's plane is amid the casters; what is behind it casts into view.
+/// The camera is amid the casters; those behind it cast shadows into the view.
 void AmidCasters(SceneBuilder& scene)
 {
   AddBasics(scene);

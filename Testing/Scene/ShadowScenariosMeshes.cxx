@@ -26,7 +26,7 @@ void PaperSheets(SceneBuilder& scene)
   scene.Sheet({ -1.0, -1.5, 1.0 }, { 1.0, 0.0, 0.2 }, { 0.0, 1.0, 0.1 });
 }
 
-/// One long edge beside two short ones whose common point is not on it exactly.
+/// One long edge next to two short ones, whose common point is not exactly on the long one.
 void TJunctions(SceneBuilder& scene)
 {
   const auto at = [](double x, double y) { return glm::dvec3{ x, y, 1.0 + 0.1 * x + 0.07 * y }; };
@@ -44,7 +44,7 @@ void Coplanar(SceneBuilder& scene)
   scene.Box({ 0.0, 0.0, 0.25 }, { 0.5, 0.5, 0.5 });
 }
 
-/// So many sheets above each other: a count that a stencil of eight bits cannot hold.
+/// Sheets above each other, more than a stencil of eight bits can count.
 void Sheets(SceneBuilder& scene, int count)
 {
   std::vector<glm::dvec3> points;
@@ -114,7 +114,7 @@ void Matrices(SceneBuilder& scene)
     -0.3, 1.0, 0.0, 0.0, 0.0, 0.0, -1.5, 0.9, 0.0, 0.0, 0.0, 1.0 };
 }
 
-/// The cut is open: light falls in.
+/// The mesh is open where it is cut, so that light falls in.
 void ClippingPlanes(SceneBuilder& scene)
 {
   scene.Sphere({ 0.0, 0.0, 1.0 }, 0.8).ClippingPlane = { 0.1, 0.0, 1.1, 0.6, -0.3, -0.8 };
@@ -139,7 +139,7 @@ void QuadsStripsPolygons(SceneBuilder& scene)
   scene.Add(ShapeKind::Cylinder, { 0.9, -0.8, 0.6 }, { 0.8, 1.0, 0.8 }, 7);
 }
 
-/// Not to be seen, hence no casters: an actor, and an assembly whose parts are switched on.
+/// Invisible props, which do not cast: an actor, and an assembly whose parts are visible.
 void HiddenActor(SceneBuilder& scene)
 {
   scene.Box({ 0.5, 0.5, 0.3 }, { 0.6, 0.6, 0.6 });
@@ -149,7 +149,7 @@ void HiddenActor(SceneBuilder& scene)
   assembly.Visible = false;
 }
 
-/// One corner of a box is no number. Bounds are as they are without it.
+/// One corner of a box is NaN. The bounds are those without it.
 void NotANumber(SceneBuilder& scene)
 {
   scene.Sphere({ 0.0, 0.0, 1.0 }, 0.7);

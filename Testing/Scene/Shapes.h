@@ -14,19 +14,20 @@
 
 namespace TestScene
 {
-/// The same to the bit for equal shapes. `scalars`: one RGBA colour for each point, translucent in
-/// places or opaque, or none.
+/// Makes the mesh of a shape; equal shapes give the same bits. Unless `scalars` is None, each point
+/// has an RGBA colour, translucent in places (Some) or opaque (Opaque).
 vtkSmartPointer<vtkPolyData> MakeShape(
   const Shape& shape, Translucency scalars = Translucency::None);
 
-/// A box whose faces have points and normals of their own. `precision`: VTK_FLOAT or VTK_DOUBLE.
+/// Makes a box whose faces share no points, with normals. `precision` is VTK_FLOAT or VTK_DOUBLE.
 vtkSmartPointer<vtkPolyData> MakeBox(
   const glm::dvec3& center, const glm::dvec3& size, int precision = VTK_FLOAT);
 
-/// Moves all points, in place, and shears them by so much along x for each unit of z.
+/// Adds `way` to all points, in place, and `shear` times z to x.
 void MovePoints(vtkPoints* points, const glm::dvec3& way, double shear = 0.0);
 
-/// Gives the points, and their values, the reverse order. The cells stay as they are.
+/// Reverses the order of the points and of their values. Every cell keeps its place in the list and
+/// its shape.
 void ReversePoints(vtkPolyData* data);
 }
 

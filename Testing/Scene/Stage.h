@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Stage.h
- * @brief The window of a test: renderers, props whose draws are counted, and what is tested.
+ * @brief The window of a test: renderers, props whose draws are counted, and the culler under test.
  *
  * A stage is built by hand, prop by prop, or by a Player from a Scenario. Tests have two of them
  * that differ in one thing, the culler or the shadow pass, and let Judge.h compare them.
@@ -35,8 +35,8 @@ public:
 
   vtkSmartPointer<vtkRenderWindow> Window;
   std::vector<vtkSmartPointer<vtkRenderer>> Renderers;
-  /// All props in the order in which they were added. A Player has nullptr for a prop that has not
-  /// been in a renderer yet.
+  /// All props in the order in which they were added. A Player has them in the scenario's order,
+  /// with nullptr for a prop that has not been in a renderer yet.
   std::vector<vtkSmartPointer<vtkProp>> Props;
   /// The scene lights of the first renderer, for tests that compare the mask of each.
   std::vector<vtkLight*> Lights;
@@ -46,30 +46,35 @@ public:
   int GetNumberOfRenderers() const { return static_cast<int>(this->Renderers.size()); }
   vtkRenderer* GetRenderer(int index = 0) const { return this->Renderers[index]; }
   vtkActor* GetActor(int index) const;
-  /// Of a prop among Props; -1 if it is none of them.
+  /// Returns the index of a prop in Props; -1 if it is not there.
   int FindIndex(const vtkObjectBase* prop) const;
-  /// The vtkNBufferCuller in the renderer's list of cullers, or nullptr.
+  /// Returns the vtkNBufferCuller in a renderer's list of cullers, or nullptr.
   vtkNBufferCuller* GetCuller(int renderer = 0) const;
 
-  /// Add another renderer to the window.
+  /// Adds a renderer with this viewport to the window.
   vtkRenderer* AddRenderer(double x0, double y0, double x1, double y1, int layer = 0);
 
-  /// Add to the first renderer or to a given one. Draws of actors are counted.
+  /// Adds a prop to a renderer, by default to the first one. Draws of actors are counted.
   void Add(vtkProp* prop, vtkRenderer* renderer = nullptr);
   vtkActor* AddActor(vtkPolyData* data, const double color[3], vtkRenderer* renderer = nullptr);
 
-  /// Count the draws that the actor's mapper announces. Call this again after a change of mapper.
+  /// Counts the draws of an actor from now on, by the events of its mapper. Must be called again
+  /// after a change of the mapper.
   void CountDraws(vtkActor* actor);
+  /// Returns the number of draws of a prop since ResetDraws().
   int GetDraws(int prop) const { return *this->Draws[prop]; }
+  /// Returns whether this number is right: only for actors with a polydata mapper of their own.
   bool AreDrawsCounted(int prop) const;
+  /// Sets the numbers of draws of all props to 0.
   void ResetDraws();
 
-  /// Make the window's context current, if there is a window.
+  /// Makes the window's context current, if there is a window.
   void MakeCurrent() const;
 
 protected:
   std::vector<std::shared_ptr<int>> Draws;
-  std::set<int> DrawnWithOthers; ///< Indices: they share a mapper, or are parts of an assembly.
+  /// The indices of props that share a mapper or are parts of an assembly.
+  std::set<int> DrawnWithOthers;
 };
 }
 

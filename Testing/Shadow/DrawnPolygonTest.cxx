@@ -117,7 +117,7 @@ protected:
 };
 }
 
-// A ground of one triangle, seen from eye height, up to kilometres beyond what is in view.
+// A ground of one triangle, seen from eye height, reaches up to kilometres beyond the view.
 TEST_F(DrawnPolygonTest, LargeGround)
 {
   for (const double size : { 1e2, 1e3, 1e4, 1e5 })
@@ -142,8 +142,8 @@ TEST_F(DrawnPolygonTest, LargeGround)
   }
 }
 
-// As the sides of volumes: 1/50 to 1 pixel wide, from the middle of the view to beyond its border,
-// deep.
+// Triangles like the sides of volumes: 1/50 to 1 pixel wide, with a large range of depths, from the
+// middle of the view to beyond its border.
 TEST_F(DrawnPolygonTest, Slivers)
 {
   std::mt19937 random(3);
@@ -187,7 +187,8 @@ ThinSides::View LookAlongZ(int size)
 }
 }
 
-// A triangle 1/20 pixel wide and one of pixels throw shadows to the right and away from the eye.
+// The shadow of a triangle 1/20 pixel wide, and that of a wide triangle, reach to the right and
+// away from the eye.
 TEST(ThinSidesTest, ThinSidesAloneAreFound)
 {
   constexpr int size = 200;
@@ -223,8 +224,8 @@ TEST(ThinSidesTest, ThinSidesAloneAreFound)
   EXPECT_FALSE(thinnest.AreNear(150, 98, 0.001, 0.0));
 }
 
-// The light, an edge of the caster and the eye in one plane: the side on the edge is seen as a
-// line, and a rasteriser may draw its samples at any depth.
+// The light, an edge of the caster and the eye are in one plane, so that the side at this edge is
+// seen as a line. A rasteriser may draw its samples at any depth.
 TEST(ThinSidesTest, SidesSeenEdgeOnHaveAnyDepth)
 {
   constexpr int size = 201;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The oracle where the answer is known without it.
+// The oracle in scenes whose shadows are known.
 #include "ShadowShapes.h"
 #include "ShadowTest.h"
 
@@ -167,7 +167,8 @@ TEST_F(OracleTest, SphereAboveFloor)
   }
 }
 
-// The edge of a shadow on the floor, so many pixels beside the centres of a column.
+// The edge of a shadow on the floor is `distance` pixels away from the centres of a column of
+// pixels.
 TEST_F(OracleTest, NearAnEdgeIsAmbiguous)
 {
   for (const double distance : { -0.02, -0.015, -0.001, 0.001, 0.015, 0.02 })
@@ -195,8 +196,9 @@ TEST_F(OracleTest, NearAnEdgeIsAmbiguous)
   }
 }
 
-// Two sheets, half a pixel above each other, seen at an angle of 1 : 40 and all in shadow, so many
-// pixels beside the edge of the upper one: a rasteriser may see either.
+// Two sheets, one half a pixel above the other, are seen at an angle of 1 : 40, and everything is
+// in shadow. The samples are some distance away from the edge of the upper sheet: near the edge a
+// rasteriser may see either sheet.
 TEST_F(OracleTest, StepBetweenSheetsSeenAlmostEdgeOnIsAmbiguous)
 {
   for (const double distance : { -0.02, -0.015, -0.001, 0.001, 0.015, 0.02 })
@@ -233,8 +235,8 @@ TEST_F(OracleTest, GrazingLightIsAmbiguous)
   }
 }
 
-// Below a sheet seen from above is another one, the cap of whose volume is next to the first. The
-// view is 200 deep, so that a step of depth is 200 / 2^24.
+// A second sheet is just below a sheet that is seen from above, so that the cap of its volume is
+// next to the first one. The view is 200 deep, so that a step of depth is 200 / 2^24.
 TEST_F(OracleTest, CapsWithinStepsOfDepthAreAmbiguous)
 {
   for (const double steps : { 2.0, 50.0 })
@@ -254,8 +256,8 @@ TEST_F(OracleTest, CapsWithinStepsOfDepthAreAmbiguous)
   }
 }
 
-// Light at 45 degrees through a strip one step of depth wide, whose shadow is so many steps beside
-// the samples of a column. Depth that is rounded by as much moves the samples into it.
+// Light at 45 degrees passes a strip one step of depth wide, whose shadow is some steps away from
+// the samples of a column. Depth that is rounded by as much moves the samples into the shadow.
 TEST_F(OracleTest, ThinShadowsWithinStepsOfDepthAreAmbiguous)
 {
   constexpr double step = 200.0 / (1 << 24);
@@ -277,7 +279,7 @@ TEST_F(OracleTest, ThinShadowsWithinStepsOfDepthAreAmbiguous)
   }
 }
 
-// A cone of 45 degrees, 10 above the floor: a circle of radius 10.
+// A cone of 45 degrees, 10 above the floor, lights a circle of radius 10.
 TEST_F(OracleTest, ConeEndsTheLight)
 {
   Stage stage = SetPixelStage(40, 30,
@@ -311,8 +313,9 @@ TEST_F(OracleTest, SheetsHaveTwoSides)
   }
 }
 
-// A small floor on or above a large one, the light from above, the camera below: seen is the large
-// one, and the small one is between it and the light only where it does not coincide.
+// A small floor is on a large one or above it, the light is above, and the camera is below. The
+// large floor is seen; the small one is between it and the light only where the two do not
+// coincide.
 TEST_F(OracleTest, CoincidentSurfacesDoNotShadow)
 {
   for (const double z : { 0.0, 1e-4 })
@@ -338,7 +341,7 @@ TEST_F(OracleTest, CoincidentSurfacesDoNotShadow)
   }
 }
 
-// In shadow is what one or the other half of the casters shadows.
+// A sample is in shadow if one half of the casters or the other half shadows it.
 TEST_F(OracleTest, CastersCanBeChosen)
 {
   Stage stage = SetNamedStage("CadDirectional");

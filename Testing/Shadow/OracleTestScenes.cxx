@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The scenes: what is drawn is what the oracle sees, and what must not change its answer does not.
+// The oracle in the scenes of shadow hazards: it sees what is drawn, and changes that leave shadows
+// as they are do not change its result.
 #include "SceneChanges.h"
 #include "ShadowTest.h"
 
@@ -32,7 +33,8 @@ double GetDepth(
   return 0.5 * clip[2] / clip[3] + 0.5;
 }
 
-/// Pixels whose depth is not that of the oracle, nor between those 1/32 of a pixel beside.
+/// Counts pixels whose depth is not that of the oracle, nor between the oracle's depths at places
+/// 1/32 of a pixel away.
 int CountOtherDepths(Stage& stage)
 {
   const Oracle oracle(stage.GetRenderer());
@@ -114,9 +116,9 @@ TEST_P(OracleSceneTest, SeesWhatIsDrawn)
   }
 }
 
-// Each light lights something and casts a shadow, but for one that is shut in. Windings, sharing,
-// grouping and order of the triangles are no part of the oracle's question, nor is where the world
-// is.
+// Each light lights something and casts a shadow, except for a light that is enclosed. The result
+// must not depend on winding, shared points, grouping and order of the triangles, or on the place
+// of the scene in the world.
 TEST_P(OracleSceneTest, HasLightAndShadowAndKeepsThem)
 {
   const NamedScenario& scene = this->GetParam();

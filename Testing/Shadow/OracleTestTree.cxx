@@ -99,7 +99,7 @@ TEST_F(TreeTest, RandomTriangles)
   }
 }
 
-// Rays along axes, in the planes of faces and boxes, through corners and edges.
+// Rays are along axes, in the planes of faces and boxes, and through corners and edges.
 TEST_F(TreeTest, TrianglesOnAGrid)
 {
   std::mt19937 random(6);
@@ -119,7 +119,7 @@ TEST_F(TreeTest, TrianglesOnAGrid)
   }
 }
 
-// Rays through edges and corners of a closed mesh from inside, where nothing may pass between.
+// Rays from inside of a closed mesh through its edges and corners must cross a triangle.
 TEST_F(TreeTest, ClosedMeshesAreTight)
 {
   vtkSmartPointer<vtkPolyData> sphere = ShadowShapes::MakeGlobe({ 0.1, 0.2, 0.3 }, 1.0, 9);
@@ -153,7 +153,7 @@ TEST_F(TreeTest, ClosedMeshesAreTight)
   }
 }
 
-// Whole images: receivers and shadows by testing all triangles.
+// Receivers and shadows of whole images must equal those that are found by testing all triangles.
 TEST_F(TreeTest, ScenesByBruteForce)
 {
   for (const char* name :

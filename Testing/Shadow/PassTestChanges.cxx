@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What changes between frames is seen in the next one: masks and image are those of a pass that has
-// seen no frame before.
+// Changes between frames show in the next one: its masks and image are those of a new pass.
 #include "CompositeMapper.h"
 #include "LightRig.h"
 #include "PassTestTools.h"
@@ -350,7 +349,8 @@ INSTANTIATE_TEST_SUITE_P(Changes, PassChanges, ::testing::ValuesIn(GetChanges())
 
 using PassHistory = OffscreenFixture;
 
-// Lights that come and go, and with them the code of all shaders, leave nothing behind.
+// Lights are switched on and off, which changes the code of all shaders. The images must not depend
+// on earlier frames.
 TEST_F(PassHistory, SwitchingOnAndOff)
 {
   ChangingStage stage;
@@ -392,7 +392,7 @@ TEST_F(PassHistory, ModesAndResolutions)
   }
 }
 
-// A caster on its way through view and light; each frame is that of a pass without a past.
+// A caster moves through view and light. Each frame must equal that of a new pass.
 TEST_F(PassHistory, AMovingCaster)
 {
   ChangingStage stage;
@@ -406,7 +406,8 @@ TEST_F(PassHistory, AMovingCaster)
   }
 }
 
-// Hazard: actors and meshes of the next frame at the addresses of deleted ones of the last.
+// Hazard: actors and meshes of the next frame are at the addresses of deleted ones of the last
+// frame.
 TEST_F(PassHistory, ActorsThatAreReplaced)
 {
   ChangingStage stage;
@@ -421,7 +422,8 @@ TEST_F(PassHistory, ActorsThatAreReplaced)
   }
 }
 
-// Hazard: passes are noted in a prop's keys, several times where props share them.
+// Hazard: the pass is added to shared property keys once for each prop, and removed from them only
+// once.
 TEST_F(PassHistory, PropsThatShareTheirKeys)
 {
   ChangingStage stage;
@@ -436,7 +438,7 @@ TEST_F(PassHistory, PropsThatShareTheirKeys)
   EXPECT_EQ(stage.Pass->GetReferenceCount(), references);
 }
 
-// Hazard: a light that is new at the address of a deleted one that was not to cast.
+// Hazard: a new light is at the address of a deleted one that was not to cast.
 TEST_F(PassHistory, LightsAreNotRememberedByAddress)
 {
   ChangingStage stage;
@@ -457,7 +459,8 @@ TEST_F(PassHistory, LightsAreNotRememberedByAddress)
   EXPECT_TRUE(stage.Pass->GetLightCasts(light));
 }
 
-// Hazard: composite data without attributes of blocks is all visible and opaque.
+// Hazard: composite data without display attributes, all of whose blocks are visible and opaque, do
+// not cast.
 TEST_F(PassHistory, CompositeDataWithoutAttributes)
 {
   ChangingStage stage;
@@ -472,7 +475,7 @@ TEST_F(PassHistory, CompositeDataWithoutAttributes)
   EXPECT_TRUE(expected.Masks == actual.Masks);
 }
 
-// Lights that the camera carries move with it in the same frame.
+// Camera lights move with the camera in the same frame.
 TEST_F(PassHistory, CameraLights)
 {
   ChangingStage stage;

@@ -51,7 +51,7 @@ void Prepare(SceneBuilder& scene)
 }
 }
 
-// Hazard: a viewer that maps everything by vtkDataSetMapper has no casters.
+// Hazard: in a viewer that draws everything by vtkDataSetMapper nothing casts.
 TEST_F(ShadowDataSets, CastAsTheirSurfaces)
 {
   Stage asGrid = SetStage(Prepare);

@@ -89,7 +89,7 @@ TEST_F(PassDebugViews, AreLaidOverThePicture)
   }
 }
 
-// Off it draws nothing, makes no objects and keeps no image.
+// A debug view that is off draws nothing, makes no objects and keeps no image.
 TEST_F(PassDebugViews, OffCostsNothing)
 {
   const Stage stage = SetNamedStage("ManyLights");
@@ -119,7 +119,7 @@ TEST_F(PassDebugViews, OffCostsNothing)
   EXPECT_EQ(count(), after);
 }
 
-// What views and timers hold goes with the pass. (Programs stay in the window's
+// The objects of debug views and timers are deleted with the pass. (Programs stay in the window's
 // cache.)
 TEST_F(PassDebugViews, LeaveNoObjectsBehind)
 {
@@ -164,7 +164,7 @@ TEST_F(PassDebugViews, AreOfOneLight)
   EXPECT_EQ(pass->GetStatistics().DebugDraws, 0);
 }
 
-// Litmaps tell why no caster has a receiver.
+// The view of the litmaps is also drawn if no caster has a receiver, since it shows why.
 TEST_F(PassDebugViews, AreShownWithoutShadows)
 {
   const Stage stage = SetNamedStage("Directional");
@@ -183,7 +183,7 @@ TEST_F(PassDebugViews, AreShownWithoutShadows)
   EXPECT_EQ(pass->GetStatistics().DebugDraws, 1);
 }
 
-// What OpenGL is left as does not depend on the view.
+// The OpenGL state after a frame does not depend on the debug view.
 TEST_F(PassDebugViews, LeaveTheStateAsItIs)
 {
   const Stage stage = SetNamedStage("Inset");

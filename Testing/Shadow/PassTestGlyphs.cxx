@@ -204,8 +204,8 @@ TEST_F(PassGlyphs, MatricesAreThoseThatVTKUploads)
   EXPECT_GT(lines, 0);
 }
 
-// Hazard: a number of an instance that is not finite spoils the shadows of the others, or the
-// volume of one without an extent is drawn somewhere.
+// Hazard: a coordinate of one instance is not finite, and the shadows of the others are wrong; or
+// the volume of an instance without an extent is drawn somewhere.
 TEST_F(PassGlyphs, InstancesThatAreNowhereCastNothing)
 {
   const vtkSmartPointer<vtkPolyData> data = MakeData();
@@ -223,7 +223,7 @@ TEST_F(PassGlyphs, InstancesThatAreNowhereCastNothing)
   EXPECT_EQ(pass->GetStatistics().Casters, 1 + Count - 3);
 }
 
-// Hazard: shadows stay where instances were, or are made again where nothing has changed.
+// Hazard: shadows stay where instances have been, or are made again although nothing has changed.
 TEST_F(PassGlyphs, ChangesAreNoticed)
 {
   const vtkSmartPointer<vtkPolyData> data = MakeData();
@@ -286,7 +286,7 @@ TEST_F(PassGlyphs, ChangesAreNoticed)
   EXPECT_EQ(pass->GetStatistics().Casters, 1);
 }
 
-// Hazard: instances cast in another way than other props.
+// Hazard: instances cast other shadows than actors with the same places.
 TEST_F(PassGlyphs, CastAsActorsInTheirPlaces)
 {
   const vtkSmartPointer<vtkPolyData> source = MakeBox({ 0, 0, 0 }, { 0.4, 0.3, 0.2 });
@@ -316,7 +316,7 @@ TEST_F(PassGlyphs, CastAsActorsInTheirPlaces)
   }
 }
 
-// Hazard: one instance with a receiver lets all of them be drawn.
+// Hazard: because one instance has a receiver, the volumes of all instances are drawn.
 TEST_F(PassGlyphs, InstancesAreCulledOneByOne)
 {
   const vtkSmartPointer<vtkPolyData> data = MakeData();

@@ -56,8 +56,9 @@ NamedScenario GetColourScene(const std::string& name)
 
 using PassColours = OffscreenFixtureWithParam<const char*>;
 
-// What a light does not reach has the colour of the image in which it is switched off, all else
-// that of the image without shadows, whatever the lights, the shading and the attenuation.
+// Where a light does not reach, the colour is that of the image without this light; elsewhere it is
+// that of the image without shadows. This must be so for all lights, ways of shading and
+// attenuations.
 TEST_P(PassColours, AreThoseOfDimmedLights)
 {
   Stage stage = SetStage(GetColourScene(this->GetParam()));
@@ -92,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PassColours,
 
 using PassImages = OffscreenFixture;
 
-// Hazard: a pass that shades by itself changes what it has no business with.
+// Hazard: the pass changes images in which nothing is in shadow.
 TEST_F(PassImages, WithoutShadowAreThoseWithoutThePass)
 {
   const std::pair<const char*, std::function<void(const Stage&, vtkShadowVolumeClampPass*)>>
@@ -166,8 +167,8 @@ TEST_F(PassImages, InASequenceAreThoseOfThePassAlone)
   }
 }
 
-// Where coordinates are large and not shifted, VTK's shader ends a cone somewhere else: what it
-// sees in the cone has its shadow.
+// Where large coordinates are not shifted, VTK's shader ends a cone at another place. What the
+// shader finds in the cone must have its shadow.
 TEST_F(PassImages, ConesOfVerticesFarFromTheOrigin)
 {
   constexpr double x = 5e6;
@@ -194,7 +195,7 @@ TEST_F(PassImages, ConesOfVerticesFarFromTheOrigin)
   }
 }
 
-// More lights than one texture has masks for.
+// There are more lights than one texture has channels for.
 TEST_F(PassImages, ManyMasks)
 {
   Stage stage = SetNamedStage("Directional");

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The paper's litmap beside the scattered one: where both find all receivers, and where it does
-// not.
+// The paper's litmap compared with the scattered one: where both find all receivers, and where the
+// paper's does not.
 #include "LightRig.h"
 #include "PassTestTools.h"
 #include "RerenderedLitmap.h"
@@ -57,7 +57,7 @@ constexpr int Modes[] = { vtkShadowVolumeClampPass::Scissored, vtkShadowVolumeCl
 
 using PassLitmapMethods = OffscreenFixture;
 
-// Every receiver covers many lexels, and every pixel several.
+// Every receiver covers many lexels, and every pixel covers several.
 TEST_F(PassLitmapMethods, AgreeOnLargeReceivers)
 {
   const std::function<void(SceneBuilder&)> lights[] = {
@@ -102,7 +102,8 @@ TEST_F(PassLitmapMethods, AgreeOnLargeReceivers)
   }
 }
 
-// The defect for which litmaps are scattered: the shadow on a wall along the light.
+// The defect because of which the module scatters receivers: the shadow on a wall along the light
+// is lost.
 TEST_F(PassLitmapMethods, RerenderedMissesThinReceivers)
 {
   const Stage stage = SetStage(AddThinReceiver);
@@ -122,7 +123,7 @@ TEST_F(PassLitmapMethods, RerenderedMissesThinReceivers)
   }
 }
 
-// What does not cast is drawn into litmaps all the same.
+// Props that do not cast are drawn into litmaps, too.
 TEST_F(PassLitmapMethods, ReceiversNeedNotCast)
 {
   const Stage stage = SetStage(
@@ -147,7 +148,8 @@ TEST_F(PassLitmapMethods, ReceiversNeedNotCast)
   EXPECT_EQ(GetMask(stage, pass), rerendered);
 }
 
-// What it draws receivers with goes with it. (Programs stay in the window's cache.)
+// The objects by which receivers are drawn are deleted with the litmap source. (Programs stay in
+// the window's cache.)
 TEST_F(PassLitmapMethods, RerenderedLeavesNoObjectsBehind)
 {
   const Stage stage = SetNamedStage("ManyLights");

@@ -99,7 +99,8 @@ vtkSmartPointer<vtkImageData> Grab(vtkRenderWindow* window)
 
 using PassLooks = OffscreenFixtureWithParam<LookCase>;
 
-// Without shadows they do not, so that the baselines are of shadows.
+// Images without shadows must not be like the baselines, which shows that the baselines have
+// shadows.
 TEST_P(PassLooks, LikeTheBaseline)
 {
   const std::string name = this->GetParam().Name;
@@ -145,7 +146,7 @@ TEST_P(PassLooks, LikeTheBaseline)
 
 namespace
 {
-/// All pixels of one grey level but for one.
+/// An image in which all pixels except one have the same grey level.
 vtkSmartPointer<vtkImageData> MakePicture(int width, int x, int y, int other)
 {
   auto picture = vtkSmartPointer<vtkImageData>::New();
@@ -158,7 +159,7 @@ vtkSmartPointer<vtkImageData> MakePicture(int width, int x, int y, int other)
 }
 }
 
-// The error that decides: nothing up to the tolerance, then what is beyond.
+// Differences up to the tolerance count as 0, larger ones as what exceeds it.
 TEST(ImageComparison, CountsWhatIsBeyondTheTolerance)
 {
   const vtkSmartPointer<vtkImageData> plain = MakePicture(10, 4, 4, 100);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What leaves shadows as they are leaves the masks as they are; and VTK's own shadows, counted.
+// Changes that leave shadows as they are do not change the masks. And the errors of VTK's shadow
+// maps.
 #include "PassTestTools.h"
 #include "SceneChanges.h"
 #include "ScenePasses.h"
@@ -28,8 +29,8 @@ bool IsCompared(const OracleImage& oracle, std::size_t pixel)
 
 using PassMetamorphic = OffscreenFixtureWithParam<NamedScenario>;
 
-// Windings, sharing, grouping and order of triangles, and where the world is, are no part of the
-// question.
+// Masks must not depend on winding, shared points, grouping and order of the triangles, or on the
+// place of the scene in the world.
 TEST_P(PassMetamorphic, MasksAreKept)
 {
   const NamedScenario& scene = this->GetParam();
@@ -82,8 +83,9 @@ INSTANTIATE_TEST_SUITE_P(Meshes, PassMetamorphic,
 
 using PassComparison = OffscreenFixture;
 
-// VTK's own shadow maps for the same scenes. Wrong is a pixel that has less than half of its
-// brightness without shadows where a ray reaches the light, or half and more where none does.
+// VTK's own shadow maps for the same scenes. A pixel is wrong if it has less than half of its
+// brightness without shadows although a ray reaches the light, or half of it or more although none
+// does.
 TEST_F(PassComparison, WithShadowMaps)
 {
   std::cout << "scene: compared pixels, wrong of vtkShadowMapPass, wrong of this pass\n";

@@ -150,7 +150,7 @@ PictureComparison ComparePicture(const Stage& stage, vtkLight* light)
 }
 }
 
-// Odd sizes, viewports away from the corner, all kinds of light.
+// Odd sizes, viewports away from the corner of the window, and all kinds of lights.
 TEST_F(PassSamples, MasksMatchRays)
 {
   for (const char* name : { "Directional", "Spot", "Point", "Inset" })
@@ -178,7 +178,7 @@ TEST_F(PassSamples, MasksMatchRays)
   }
 }
 
-// What the oracle says at the samples it does not say at the centre.
+// The masks of samples must differ from what rays find at the centres of the pixels.
 TEST_F(PassSamples, MasksAreNotThoseOfCentres)
 {
   Stage stage = SetNamedStage("Directional");
@@ -241,7 +241,7 @@ TEST_F(PassSamples, PictureIsTheMeanOfItsSamples)
   }
 }
 
-// A plate so thin that one sample of each pixel sees it, and none of the centres.
+// A plate is so thin that one sample of each pixel sees it, and no centre does.
 TEST_F(PassSamples, SliverThatNoCentreSees)
 {
   Stage first = SetNamedStage("Directional");

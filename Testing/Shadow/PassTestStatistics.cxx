@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a frame takes: nothing where nothing is due, and what OpenGL is left as.
+// What a frame costs, from nothing on, and the OpenGL state that it leaves.
 #include "LightRig.h"
 #include "PassTestTools.h"
 #include "ShadowShapes.h"
@@ -65,7 +65,8 @@ void AddFineSphere(const Stage& stage)
 
 using PassStatistics = OffscreenFixture;
 
-// Where there is no light or nothing that casts, OpenGL is not asked for anything.
+// Without a light that casts, or without a caster, the pass draws nothing and makes no OpenGL
+// objects.
 TEST_F(PassStatistics, NothingDueCostsNothing)
 {
   for (const bool withLight : { false, true })
@@ -96,7 +97,7 @@ TEST_F(PassStatistics, NothingDueCostsNothing)
   }
 }
 
-// A still frame takes its masks from the last one; a moving camera makes no new objects.
+// A still frame uses the masks of the last one, and a moving camera makes no new objects.
 TEST_F(PassStatistics, FramesMakeNoNewObjects)
 {
   for (const int mode : ShadowModes)
@@ -139,7 +140,8 @@ TEST_F(PassStatistics, FragmentsAreCountedOnlyIfAsked)
   EXPECT_EQ(FindDifference(expected, TakePicture(stage.Window)), "");
 }
 
-// With few casters litmaps cost more than they save: no read-back, none made, and the same picture.
+// With few casters litmaps take more time than they save: there must be no read-back and no litmap,
+// and the same picture.
 TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
 {
   const Stage stage = SetNamedStage("ManyLights");
@@ -173,8 +175,8 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
     "");
 }
 
-// Hazard: the frames in which the device is measured show something else, or go on for ever; or a
-// light says nothing of why it has no litmaps.
+// Hazard: the frames in which the device is measured show another image, or they never end; or the
+// statistics do not say why a light has no litmaps.
 TEST_F(PassStatistics, AutomaticMeasuresTheDeviceOnce)
 {
   const Stage stage = SetNamedStage("Directional");
@@ -217,7 +219,8 @@ TEST_F(PassStatistics, AutomaticMeasuresTheDeviceOnce)
   EXPECT_NE(estimates[0][1], estimates[1][1]) << "measured";
 }
 
-// Silhouettes last until mesh, matrix or light change, and then only those of what changed.
+// Silhouettes are kept until mesh, matrix or light changes, and then only those are made again that
+// depend on the change.
 TEST_F(PassStatistics, SilhouettesAreMadeOnce)
 {
   const Stage stage = SetNamedStage("ManyLights");
@@ -253,7 +256,7 @@ TEST_F(PassStatistics, SilhouettesAreMadeOnce)
   expect(1, lights, "points moved");
 }
 
-// Whole volumes last as long as silhouettes, in every mode that draws them.
+// Whole volumes are kept as long as silhouettes, in every mode that draws them.
 TEST_F(PassStatistics, VolumesAreMadeOnce)
 {
   for (const int mode : { vtkShadowVolumeClampPass::Unclamped, vtkShadowVolumeClampPass::Culled,
@@ -289,7 +292,7 @@ TEST_F(PassStatistics, VolumesAreMadeOnce)
   }
 }
 
-// More casters than one thread is given.
+// There are more casters than one thread processes.
 TEST_F(PassStatistics, ManyCastersAreSharedOut)
 {
   constexpr int side = 66;
@@ -380,8 +383,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PassWork, ::testing::ValuesIn(GetScenarios()),
 //------------------------------------------------------------------------------------------------
 using PassState = OffscreenFixture;
 
-// What OpenGL and VTK's record of it are left as is what they are left as without shadows, but for
-// the program of the mapper that drew last, and textures in units that nothing holds.
+// The state of OpenGL, and VTK's record of it, are those after a frame without shadows, except for
+// the program of the mapper that drew last, and for textures in units that nothing uses.
 TEST_F(PassState, IsThatOfAFrameWithoutShadows)
 {
   for (const char* name : { "ManyLights", "Inset", "MultiSamples" })

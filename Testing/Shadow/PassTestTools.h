@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PassTestTools.h
- * @brief What tests of vtkShadowVolumeClampPass share: images, and what they have to be.
+ * @brief What tests of vtkShadowVolumeClampPass share: reading masks and images, and checking them.
  */
 #ifndef PassTestTools_h
 #define PassTestTools_h
@@ -21,60 +21,67 @@
 #include <array>
 #include <vector>
 
-/// The modes that draw volumes, each in its own way.
+/// The modes that differ in how they draw volumes.
 constexpr int ShadowModes[] = { vtkShadowVolumeClampPass::Unclamped,
   vtkShadowVolumeClampPass::Scissored, vtkShadowVolumeClampPass::Clamped };
 
-/// The pass as the pass of the stage's renderer, with Scissored: small scenes are not worth a
-/// litmap.
+/// Makes a pass with the mode Scissored, and sets it as the pass of the stage's renderer. (The mode
+/// Automatic would use no litmaps in scenes as small as those of the tests.)
 vtkSmartPointer<vtkShadowVolumeClampPass> AddPass(const Stage& stage);
 
-/// The places of the samples in a pixel of a window that has rendered, in [0, 1] from the lower
-/// left corner; one, the centre, without multisampling.
+/// Returns the places of the samples in a pixel of a window that has rendered, in [0, 1] from the
+/// lower left corner. Without multisampling there is one sample, the centre.
 std::vector<std::array<double, 2>> GetSamplePlaces(vtkRenderWindow* window);
 
-/// The mask of the last frame, or one sample of it; all 0, of `pixels` values, if nothing was in
-/// shadow.
+///@{
+/// Return the mask of the last frame, as the mean of each pixel's samples or, for `sample` >= 0, of
+/// one sample. If nothing was in shadow, the mask has `pixels` values, all 0.
 ShadowMask GetMask(
   vtkShadowVolumeClampPass* pass, vtkLight* light, std::size_t pixels, int sample = -1);
-/// Of a light of the stage.
 ShadowMask GetMask(
   const Stage& stage, vtkShadowVolumeClampPass* pass, std::size_t light = 0, int sample = -1);
-/// Of all lights.
+///@}
+/// Returns the masks of all lights of the stage.
 std::vector<ShadowMask> GetMasks(const Stage& stage, vtkShadowVolumeClampPass* pass);
-int CountShadowed(const ShadowMask& mask); ///< Wholly: 255.
+/// Returns the number of pixels that are wholly in shadow (255).
+int CountShadowed(const ShadowMask& mask);
 
-/// Number of pixels of a renderer.
+/// Returns the number of pixels of a renderer's viewport.
 std::size_t CountPixels(vtkRenderer* renderer);
 
-/// What OpenGL is left as when the renderer has drawn the next frame.
+/// Renders a frame, and returns the OpenGL state after the renderer's draw.
 GLStateSnapshot CaptureFrame(const Stage& stage);
 
-/// The OpenGL objects of the window's context.
+/// Returns the numbers of OpenGL objects in the window's context.
 GLObjects::Counts CountObjects(const Stage& stage);
-/// Programs stay in the window's cache.
+/// Returns these numbers without programs and shaders, which stay in the window's cache.
 GLObjects::Counts CountObjectsWithoutPrograms(const Stage& stage);
 
-/// The image of the next frame.
+/// Renders a frame, and returns its image.
 Picture RenderPicture(const Stage& stage);
 
-/// Renders and compares the masks of all lights of the scene with rays, sample by sample.
+/// Renders, and expects that the masks of all lights of the stage match the rays, sample by sample.
 void ExpectMatchesOracle(const Stage& stage, vtkShadowVolumeClampPass* pass);
 
-/// The same in all modes, and that Scissored has the masks of Unclamped wherever the light reaches.
+/// Expects the same in each of ShadowModes, and that the masks of Scissored equal those of
+/// Unclamped in all samples that rays find lit or shadowed.
 void ExpectAllModesMatchOracle(const Stage& stage, vtkShadowVolumeClampPass* pass);
 
 /**
- * Render, and compare each pixel of the image with one of the images without the pass in which
- * lights are dimmed to 1 - ShadowAttenuation: that in which the lights are dim whose masks are 255
- * there. Masks are of nothing but 0 and 255; with multisampling, pixels in which a light has
- * another mean are left out. The stage has one renderer and at most six lights that
- * cast; colours are exact for attenuations of 0, 0.5 and 1. Returns the number of shadowed pixels
- * of all lights. The renderer has the pass again afterwards.
+ * Renders, and compares the image with images without the pass, one for each set of lights, in
+ * which the lights of the set are dimmed to 1 - ShadowAttenuation. A pixel must equal that of the
+ * image in which those lights are dimmed whose masks are 255 there. Without multisampling masks
+ * must have no other values than 0 and 255; with multisampling, pixels with other values are not
+ * compared.
+ *
+ * The stage has one renderer and at most six lights that cast. Colours are exact for attenuations
+ * of 0, 0.5 and 1. Returns the number of shadowed pixels of all lights. The renderer has the pass
+ * again afterwards.
  */
 int ExpectComposedOfDimmed(const Stage& stage, vtkShadowVolumeClampPass* pass);
 
-/// The image of the renderer with vtkRenderStepsPass; its pass is as before afterwards.
+/// Returns the window's image with vtkRenderStepsPass in the place of the renderer's pass, which is
+/// restored.
 Picture GetPlainImage(vtkRenderWindow* window, vtkRenderer* renderer);
 
 #endif

@@ -42,7 +42,7 @@ std::array<Stage, 2> SetTwoStages(const std::string& rightScene)
 }
 }
 
-// One pass for each renderer.
+// Each renderer has its own pass.
 TEST_F(PassWindows, TwoRenderers)
 {
   const std::array<Stage, 2> stages = SetTwoStages("Spot");
@@ -63,7 +63,7 @@ TEST_F(PassWindows, TwoRenderers)
   }
 }
 
-// VTK's own passes take no notice of stereo until a frame was drawn without a pass.
+// VTK's own passes ignore stereo until a frame was drawn without a pass.
 TEST_F(PassWindows, EyesOfStereo)
 {
   const auto draw = [](int type, bool plainFrameBefore)
@@ -97,7 +97,7 @@ TEST_F(PassWindows, EyesOfStereo)
   EXPECT_EQ(FindDifference(right, draw(VTK_STEREO_RIGHT, true), viewport), "");
 }
 
-// Hazard: a viewport without a pixel is a failure.
+// Hazard: a viewport without a pixel counts as a failure.
 TEST_F(PassWindows, ViewportOfSizeZero)
 {
   const Stage stage = SetNamedStage("Directional");
@@ -127,7 +127,7 @@ TEST_F(PassWindows, OnePassForTwoRenderers)
   }
 }
 
-// A pass and actors that wander between windows.
+// A pass and actors are moved between windows.
 TEST_F(PassWindows, OnePassForTwoWindows)
 {
   std::array<Stage, 2> stages = { SetNamedStage("Directional"), SetNamedStage("Spot") };
@@ -178,8 +178,8 @@ TEST_F(PassWindows, MultiSamplesOnAndOff)
   }
 }
 
-// At the edges of surfaces a pixel may have samples in which nothing is seen: what volumes count
-// there, where Scissored leaves out casters, is in no mask.
+// At the edge of a surface, a pixel may have samples in which nothing is seen. What volumes count
+// there, where Scissored leaves out casters, must be in no mask.
 TEST_F(PassWindows, MultiSamplesBesideReceivers)
 {
   const Stage stage = SetNamedStage("ManyLights");
@@ -198,8 +198,8 @@ TEST_F(PassWindows, MultiSamplesBesideReceivers)
   }
 }
 
-// From inside a closed caster its own inside is seen, which is in shadow; and it may be seen
-// through what the near plane cuts away.
+// From inside of a closed caster its inside is seen, which is in shadow, and other things are seen
+// where the near plane cuts the caster away.
 TEST_F(PassWindows, CameraInsideAClosedCaster)
 {
   vtkNew<vtkSphereSource> sphere;
@@ -220,8 +220,8 @@ TEST_F(PassWindows, CameraInsideAClosedCaster)
   }
 }
 
-// Edges (before VTK 9.2) and cell colours come out of buffer textures, whose samplers must not
-// share a unit with those of the masks.
+// Edges (before VTK 9.2) and cell colours are read from buffer textures, whose samplers must not
+// share a texture unit with those of the masks.
 TEST_F(PassWindows, BufferTextures)
 {
   vtkNew<vtkSphereSource> sphere;
@@ -253,7 +253,7 @@ TEST_F(PassWindows, BufferTextures)
   }
 }
 
-// The culler and the pass: what is hidden from the camera casts all the same.
+// With the culler and the pass together, props that are hidden from the camera still cast.
 TEST_F(PassWindows, WithTheCuller)
 {
   for (const char* name : { "CityDirectional", "ManyLights" })
@@ -307,7 +307,7 @@ TEST_F(PassLifetime, NeverRendered)
   pass->ReleaseGraphicsResources(nullptr);
 }
 
-// Hazard: objects of a context that is gone.
+// Hazard: objects of a context that is gone are used.
 TEST_F(PassLifetime, ReleasedAndDrawnAgain)
 {
   const Stage stage = SetNamedStage("ManyLights");

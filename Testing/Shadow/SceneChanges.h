@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SceneChanges.h
- * @brief Changes of a scene that leave its shadows as they are. Those of meshes are for actors of
- * the renderer with polydata; parts of assemblies and composite data stay as they are.
+ * @brief Changes of a scene that must not change its shadows. Changes of meshes apply to actors of
+ * the renderer with polydata, and not to parts of assemblies or composite data.
  */
 #ifndef SceneChanges_h
 #define SceneChanges_h
@@ -17,20 +17,20 @@ class vtkRenderer;
 
 namespace SceneChanges
 {
-/// Turn every second polygon round. Its first point stays the first, so that quads are cut along
-/// the same diagonal. Strips stay as they are.
+/// Reverses the winding of every second polygon. Its first point stays the first one, so that quads
+/// are cut along the same diagonal. Strips are not changed.
 void FlipWindings(vtkRenderer* renderer);
 
-/// Give every polygon its own points; strips stay as they are.
+/// Gives every polygon its own points. Meshes with strips are not changed.
 void UnsharePoints(vtkRenderer* renderer);
 
-/// Two actors for each: one has the first half of the polygons, the other the second. Strips stay
-/// in the first.
+/// Moves the second half of each actor's polygons to another actor. Strips stay in the first one.
 void SplitActors(vtkRenderer* renderer);
 
+/// Reverses the order of the props in the renderer.
 void ReverseProps(vtkRenderer* renderer);
 
-/// Move props, lights, camera and clipping planes of actors.
+/// Moves everything by the offset: props, their clipping planes, lights and the camera.
 void Move(vtkRenderer* renderer, const glm::dvec3& offset);
 
 struct Change
@@ -39,7 +39,7 @@ struct Change
   std::function<void(vtkRenderer*)> Make;
 };
 
-/// All of them; the last one moves by a few units.
+/// Returns all of these changes. The last one moves everything by about 14 units.
 std::vector<Change> GetChanges();
 }
 

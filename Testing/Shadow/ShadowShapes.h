@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShadowShapes.h
- * @brief Meshes of VTK's in scenes that are described by scenarios otherwise.
+ * @brief Adds meshes of VTK, and what a scenario describes, to renderers of shadow tests.
  */
 #ifndef ShadowShapes_h
 #define ShadowShapes_h
@@ -24,14 +24,13 @@ using TestScene::MakeMesh;
 using TestScene::SceneBuilder;
 using Polygon = std::vector<int>;
 
-/// VTK's sphere source: one point at each pole, one seam.
+/// Makes a sphere by vtkSphereSource. It has one point at each pole and one seam.
 vtkSmartPointer<vtkPolyData> MakeGlobe(const Point& centre, double radius, int resolution);
 
-/// An actor with surfaces of a colour that follows from its number in the renderer, as those of
-/// scenarios.
+/// Adds an actor. Its colour follows from its number in the renderer, as in scenarios.
 vtkActor* AddMesh(vtkRenderer* renderer, vtkPolyData* mesh);
 
-/// Add to a renderer what is described; its viewport stays.
+/// Adds what `build` describes to a renderer, whose viewport does not change.
 void Fill(vtkRenderer* renderer, const std::function<void(SceneBuilder&)>& build);
 }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShadowTest.h
- * @brief What shadow tests share: the window of a scene, and comparing a mask with the oracle.
+ * @brief What shadow tests share: stages for their scenes, and comparing a mask with the ray oracle
+ * (RayOracle.h).
  */
 #ifndef ShadowTest_h
 #define ShadowTest_h
@@ -35,54 +36,55 @@ inline void PrintTo(const NamedScenario& scene, std::ostream* stream)
 }
 }
 
-/// All scenes in which shadows have gone wrong somewhere, and larger ones.
+/// Returns the named scenarios of shadow hazards (NamedScenarios.h).
 std::vector<NamedScenario> GetScenarios();
-/// One of them by name; throws std::out_of_range.
+/// Returns one of them. Throws std::out_of_range if there is none of this name.
 NamedScenario GetScenario(const std::string& name);
 
-/// The first frame of a scene, in a window of its size that has not rendered yet, with the scene's
-/// lights.
+/// Returns a stage with the first frame of a scene and its lights, in a window of the scene's size
+/// that has not rendered yet.
 Stage SetStage(const NamedScenario& scene);
-/// A scene as scenarios describe it; points are stored in double precision.
+/// Returns a stage with the scene that `build` describes. Points are stored as doubles.
 Stage SetStage(const std::function<void(TestScene::SceneBuilder&)>& build, int width = 200,
   int height = 150, int multiSamples = 0);
-/// A scene of GetScenarios().
+/// Returns a stage with a scene of GetScenarios().
 Stage SetNamedStage(const std::string& name);
-/// Adds what a scene describes to the stage.
+/// Adds what the first frame of a scene describes to the stage.
 void FillStage(const Stage& stage, const NamedScenario& scene);
-/// What happens in the scene's second frame. Returns false if it has only one.
+/// Applies the changes of props before the scene's second frame. Returns false if there is none.
 bool ChangeStage(const Stage& stage, const NamedScenario& scene);
 
-/// The pixels of the window that the renderer fills.
+/// Returns the pixels of the window that the renderer fills.
 vtkNBufferRectangle GetPixels(vtkRenderer* renderer);
 
-/// The actors of a renderer and those of its assemblies, in the order in which they were added.
+/// Returns the actors of a renderer and of its assemblies, in the order in which they were added.
 std::vector<vtkActor*> GetActors(vtkRenderer* renderer);
 
-/// A mask: one value for each pixel of the viewport, row by row, the lowest first; not 0: shadowed.
+/// A mask: one value for each pixel of the viewport, row by row, the lowest first. 0 means lit, any
+/// other value shadowed.
 using ShadowMask = std::vector<unsigned char>;
 
 struct MaskComparison
 {
-  int Samples = 0;            ///< Compared: lit or shadowed by the oracle.
-  int Shadowed = 0;           ///< Of these, shadowed by the oracle.
-  int Wrong = 0;              ///< They differ and are not ambiguous.
-  int AmbiguousDiffering = 0; ///< They differ and are ambiguous.
-  int FirstWrong[2] = { -1, -1 };
+  int Samples = 0;            ///< Samples that the oracle finds lit or shadowed: those compared.
+  int Shadowed = 0;           ///< Compared samples that the oracle finds shadowed.
+  int Wrong = 0;              ///< Compared samples that differ and are not ambiguous.
+  int AmbiguousDiffering = 0; ///< Compared samples that differ and are ambiguous.
+  int FirstWrong[2] = { -1, -1 }; ///< The pixel of the first wrong sample.
 };
 
 std::ostream& operator<<(std::ostream& stream, const MaskComparison& comparison);
 
-/// The mask's size has to be the oracle's.
+/// Compares a mask with an oracle image of the same size.
 MaskComparison CompareMask(const ShadowMask& mask, const OracleImage& oracle);
 
-/// The oracle's own answer as a mask; what is not compared is 0.
+/// Returns the oracle image as a mask: 1 where a sample is shadowed, else 0.
 ShadowMask MakeMask(const OracleImage& oracle);
 
-/// For EXPECT_TRUE: no sample is wrong. Says how many are and where, else the counts.
+/// Succeeds if no sample is wrong. The message has the counts and the first wrong sample.
 ::testing::AssertionResult MatchesOracle(const ShadowMask& mask, const OracleImage& oracle);
 
-/// Lit or in shadow: what masks are compared for.
+/// Returns whether the oracle finds a sample lit or shadowed: only these are compared.
 bool IsLitOrShadowed(const OracleImage& oracle, std::size_t pixel);
 
 #endif

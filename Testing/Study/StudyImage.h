@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file StudyImage.h
- * @brief Depth images and rectangles in them by chance.
+ * @brief Random depth images, and random rectangles in them.
  */
 #ifndef StudyImage_h
 #define StudyImage_h
@@ -24,12 +24,15 @@ struct Image : DepthImage
   }
 
   using DepthImage::Scan;
+  /// Returns the farthest depth in a rectangle.
   float Scan(const vtkNBufferRectangle& r) const
   {
     return this->Scan(r.X0, r.Y0, r.X1, r.Y1, vtkNBufferExtremum::Maximum);
   }
 };
 
+/// Returns a rectangle inside the image that is not empty. Each of its sides is at most 8 pixels
+/// long in about half of the cases.
 inline vtkNBufferRectangle MakeRectangle(const Image& image, std::mt19937& random)
 {
   const auto interval = [&random](int size, int& begin, int& end)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file StudyView.h
- * @brief A view along y, and which points lie in the outline of a box in it.
+ * @brief A view along y, and whether a point lies in the outline of a box.
  */
 #ifndef StudyView_h
 #define StudyView_h
@@ -14,7 +14,8 @@
 namespace StudyTest
 {
 
-/// From the origin along y, z up, 90 degrees high, near 1, far 1000.
+/// Returns the view from the origin along y, with z up, a vertical view angle of 90 degrees, and
+/// the clipping planes at the distances 1 and 1000.
 inline vtkNBufferProjection LookAlongY(int width, int height)
 {
   const double aspect = static_cast<double>(width) / height;
@@ -27,14 +28,14 @@ inline vtkNBufferProjection LookAlongY(int width, int height)
   return projection;
 }
 
-/// Stored depth at a distance along y.
+/// Returns the depth that this view stores at a distance along y.
 inline float GetDepth(double y)
 {
   return static_cast<float>(0.5 + 0.5 * (1001.0 / 999.0 - 2000.0 / 999.0 / y));
 }
 
-/// Whether a point lies in the convex hull of eight corners: no line through two of them has all
-/// of them on one side and the point on the other.
+/// Returns whether a point lies in the convex hull of eight corners: no line through two of them
+/// has all corners on one side and the point on the other.
 inline bool IsInHull(const std::array<glm::dvec2, 8>& corners, double x, double y)
 {
   const auto cross = [](const glm::dvec2& u, const glm::dvec2& v) { return u.x * v.y - u.y * v.x; };

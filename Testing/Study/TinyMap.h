@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TinyMap.h
- * @brief The bytes of a map of two rooms, made up here.
+ * @brief Makes the bytes of a small map (BspMap.h) of two rooms.
  */
 #ifndef TinyMap_h
 #define TinyMap_h
@@ -17,7 +17,7 @@
 namespace StudyTest
 {
 
-/// The numbers of a lump, little-endian.
+/// Appends numbers, little-endian, to the bytes of a lump. (A lump is a section of the file.)
 class Bytes
 {
 public:
@@ -46,9 +46,10 @@ public:
 constexpr int Lumps = 17;
 
 /**
- * Two rooms left and right of a wall of -1 < x < 1, which is not drawn; they do not see each other.
- * A quad at x = 500, a patch of one piece at x = -500 (its middle point at 300), 2000 wide both, a
- * door in no leaf, and a flare. A player starts at x = 100.
+ * Returns the lumps of a map. Its two rooms, which do not see each other, are on both sides of an
+ * opaque leaf, -1 < x < 1, which is not drawn. One room has a quad at x = 500, the other a patch of
+ * one piece at x = -500, whose middle point is at x = 300. Both are 2000 units wide and high. There
+ * are also a door in no leaf, and a flare. A player starts at x = 100.
  */
 inline std::vector<std::string> MakeLumps()
 {
@@ -105,6 +106,7 @@ inline std::vector<std::string> MakeLumps()
   return lumps;
 }
 
+/// Returns the file that consists of these lumps.
 inline std::string Join(const std::vector<std::string>& lumps, int version = 46)
 {
   Bytes file;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DepthImage.h
- * @brief A depth image by chance, and the double loop over it that everything is compared with.
+ * @brief A random depth image, and the plain loop over it with which tests compare fast queries.
  */
 #ifndef DepthImage_h
 #define DepthImage_h
@@ -19,9 +19,9 @@ struct DepthImage
 {
   enum class Fill
   {
-    Uniform, ///< Every pixel another depth, so that a texel too few or too many shows.
-    Outliers ///< Mostly near 1 with single outliers both ways: one texel missed changes an
-             ///< extremum.
+    Uniform, ///< Depths from 0 to 1: another one in each pixel, so that a wrong texel shows.
+    Outliers ///< Depths from 0.9 to 1, but in one of 16 pixels from 0 to 1: an extremum changes if
+             ///< a single texel is missed.
   };
 
   int Width;
@@ -42,7 +42,8 @@ struct DepthImage
     }
   }
 
-  /// The oracle: a loop over the pixels of a rectangle, cut to the image.
+  /// Returns the extremum over the pixels [x0, x1) x [y0, y1) that are in the image, or an infinity
+  /// if there are none.
   float Scan(int x0, int y0, int x1, int y1, vtkNBufferExtremum extremum) const
   {
     constexpr float infinity = std::numeric_limits<float>::infinity();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DepthTarget.h
- * @brief A framebuffer object with a depth attachment of a chosen kind, filled with known noise.
+ * @brief A framebuffer object with a depth attachment of a chosen format, filled with noise.
  */
 #ifndef DepthTarget_h
 #define DepthTarget_h
@@ -12,39 +12,42 @@
 struct DepthFormat
 {
   const char* Name;
-  unsigned int InternalFormat; ///< Sized GL format, with or without stencil.
+  unsigned int InternalFormat; ///< The sized format of OpenGL, with or without stencil.
 };
 
-/// 16, 24 and 32 bits, float, and packed with stencil.
+/// Returns the formats with 16, 24 and 32 bits, with floats, and with 24 bits and floats packed
+/// with stencil.
 const std::vector<DepthFormat>& GetDepthFormats();
 
-/// An OpenGL context must be current for all of it.
+/// An OpenGL context must be current for all functions, the destructor included.
 class DepthTarget
 {
 public:
-  /// `samples` 0: not multisampled. The attachment is a texture or a renderbuffer.
+  /// With `samples` 0 there is no multisampling. The attachment is a texture if `texture` is true,
+  /// else a renderbuffer.
   DepthTarget(const DepthFormat& format, int width, int height, bool texture, int samples = 0);
   ~DepthTarget();
   DepthTarget(const DepthTarget&) = delete;
   void operator=(const DepthTarget&) = delete;
 
-  /// False if the driver refuses this format or number of samples.
+  /// Returns false if the driver refuses this format or number of samples.
   bool IsComplete() const { return this->Complete; }
 
-  /// Samples per pixel that the driver gave, 0 without multisampling.
+  /// Returns the samples per pixel that the driver chose; 0 without multisampling.
   int GetSamples() const { return this->Samples; }
 
-  /// Bind for drawing and reading, with a viewport of this rectangle.
+  /// Binds the framebuffer for drawing and reading, with this rectangle as the viewport.
   void Bind(int x, int y, int width, int height) const;
 
   /**
-   * Write noise that differs in each pixel and sample: uniform, crowded at 0 and crowded at 1 in
-   * turn, with some exact 0 and 1.
+   * Writes noise that differs in each pixel and sample. By turns, runs of five pixels have uniform
+   * depths, depths crowded at 0, depths crowded at 1, and depths of exactly 0 or 1.
    */
   void Fill(unsigned int seed) const;
 
   /**
-   * The depth of one sample as a shader sees it, width * height floats; it must be a texture.
+   * Returns the depth of one sample of each pixel as a shader reads it: width * height floats, the
+   * lowest row first. The attachment must be a texture.
    */
   std::vector<float> Fetch(int sample = 0) const;
 

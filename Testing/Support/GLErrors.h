@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file GLErrors.h
- * @brief Errors of OpenGL in the context that is current.
+ * @brief The errors of OpenGL in the current context.
  */
 #ifndef GLErrors_h
 #define GLErrors_h
 
 #include <string>
 
-/// From now on `report` gets the text of each error that OpenGL makes in this context, at once, by
-/// debug output. Nothing happens before OpenGL 4.3, which has none.
+/// Makes OpenGL call `report` with the text of each error of this context at once (debug output).
+/// Does nothing before OpenGL 4.3, which has no debug output.
 void ReportGLErrors(void (*report)(const char* text));
 
-/// The same, for TakeGLErrors().
+/// Makes OpenGL collect the texts of errors of this context in the same way, for TakeGLErrors().
 void CollectGLErrors();
 
-/// What was collected, and what glGetError() says, which is cleared; "" if there was no error.
-/// `isPending`: whether glGetError() said anything.
+/// Returns and clears the collected texts and the errors of glGetError(); "" if there was no error.
+/// Sets `isPending`, if given, to whether glGetError() returned an error.
 std::string TakeGLErrors(bool* isPending = nullptr);
 
 #endif

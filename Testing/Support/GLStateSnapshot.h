@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file GLStateSnapshot.h
- * @brief The OpenGL state that drawing depends on, for "is as it was" checks.
+ * @brief The OpenGL state that drawing depends on, to check that something has not changed it.
  *
  *     const GLStateSnapshot before = GLStateSnapshot::Capture(window);
  *     DoSomething();
@@ -19,14 +19,15 @@ class vtkOpenGLRenderWindow;
 class GLStateSnapshot
 {
 public:
-  /// Read the state of OpenGL, and what vtkOpenGLState has stored of it. The window's context must
+  /// Reads the state of OpenGL, and the copies of it in vtkOpenGLState. The window's context must
   /// be current.
   static GLStateSnapshot Capture(vtkOpenGLRenderWindow* window);
 
-  /// Lines of "name: this value, then the other's"; empty if all are equal.
+  /// Returns a line "name: VALUE, then VALUE OF OTHER" for each value that differs; "" if none
+  /// does.
   std::string GetDifference(const GLStateSnapshot& other) const;
 
-  /// By name; "vtkOpenGLState " begins the names of what vtkOpenGLState remembers.
+  /// Returns all values by name. Names of values in vtkOpenGLState begin with "vtkOpenGLState ".
   const std::map<std::string, std::string>& GetValues() const { return this->Values; }
 
 private:
@@ -34,14 +35,14 @@ private:
 };
 
 /**
- * Give all state that a full-screen pass has to care about values that would spoil one: a tiny
- * viewport and scissor, blending, culling of both faces, masks off, odd pack parameters, depth and
- * stencil tests that never pass. Only OpenGL gets these values, not
- * vtkOpenGLState.
+ * Gives all state that a full-screen pass depends on values with which it would draw nothing or
+ * something wrong: a viewport and a scissor box of one pixel, blending, culling of both faces,
+ * masks that are off, odd pack parameters, depth and stencil tests that never pass. vtkOpenGLState
+ * does not learn these values.
  */
 void SpoilGLState();
 
-/// OpenGL's initial values for what SpoilGLState changes, except for viewport and scissor box.
+/// Gives what SpoilGLState() changes OpenGL's initial values, except for viewport and scissor box.
 void UnspoilGLState();
 
 #endif

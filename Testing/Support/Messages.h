@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Messages.h
- * @brief What VTK reports, kept for programs that compare it, or passed on; and whether there are
- * windows at all.
+ * @brief The errors and warnings of VTK, collected or passed on, and whether windows can be opened.
  */
 #ifndef Messages_h
 #define Messages_h
 
 #include <string>
 
-/// Text of the errors and warnings that VTK reported since the last call. They are collected from
-/// the first call on.
+/// Returns the text of the errors and warnings that VTK has reported since the last call. The first
+/// call begins to collect them.
 std::string TakeMessages();
 
-/// From now on `report` gets the text of each error of VTK at once, and warnings are printed.
+/// From now on calls `report` with the text of each error of VTK at once, and prints warnings.
 /// Neither is collected any more.
 void ReportErrors(void (*report)(const char* text));
 
-/// Empty, or why a window of the class that the environment selects does not work in this VTK.
+/// Returns why this VTK cannot use a window of the class that VTK_DEFAULT_OPENGL_WINDOW names, or
+/// of VTK's default class; "" if it can. Clears the collected messages.
 std::string FindWindowFault();
 
 #endif

@@ -6,9 +6,9 @@
  * none.
  *
  * The environment variable VTK_DEFAULT_OPENGL_WINDOW names the window class to test
- * (vtkOSOpenGLRenderWindow, vtkEGLRenderWindow, vtkXOpenGLRenderWindow); unset, VTK chooses.
- * VTK errors and OpenGL errors (by debug output, where the context has it) fail the test in which
- * they occur.
+ * (vtkOSOpenGLRenderWindow, vtkEGLRenderWindow, vtkXOpenGLRenderWindow); if it is not set, VTK
+ * chooses. Errors of VTK and of OpenGL (by debug output, where the context has it) fail the test in
+ * which they occur.
  *
  *     class TestSomething : public OffscreenFixture {};
  *     TEST_F(TestSomething, Works)
@@ -35,15 +35,16 @@ class OffscreenFixture : public ::testing::Test
 {
 public:
   /**
-   * A new off-screen window of the class under test whose context exists and is current, with
-   * debug output on. It has rendered once, empty. Sizes in pixels, 0 samples: no multisampling.
+   * Returns a new off-screen window of the class under test, which has rendered one empty frame and
+   * whose context is current, with debug output on. The size is in pixels; with 0 samples there is
+   * no multisampling.
    */
   static vtkSmartPointer<vtkOpenGLRenderWindow> NewWindow(
     int width, int height, int multiSamples = 0);
 
   /**
-   * Render `window` once and call `function` after `renderer` has drawn its props, while its
-   * framebuffer, viewport and depth are still those that it drew with.
+   * Renders `window` once, and calls `function` after `renderer` has drawn its props, while the
+   * framebuffer, the viewport and the depth are still those of this renderer.
    */
   static void WhileDrawing(
     vtkRenderWindow* window, vtkRenderer* renderer, const std::function<void()>& function);
@@ -52,7 +53,7 @@ protected:
   void SetUp() override;
 };
 
-/// The same for TEST_P.
+/// The fixture for tests with parameters (TEST_P).
 template <typename Parameter>
 class OffscreenFixtureWithParam
   : public OffscreenFixture

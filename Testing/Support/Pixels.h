@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Pixels.h
- * @brief Rectangles of pixels in tests: compared, printed, and looped over.
+ * @brief Comparing, printing and looping over rectangles of pixels.
  */
 #ifndef Pixels_h
 #define Pixels_h
@@ -23,7 +23,8 @@ inline std::ostream& operator<<(std::ostream& os, const vtkNBufferRectangle& r)
   return os << "[" << r.X0 << ", " << r.X1 << ") x [" << r.Y0 << ", " << r.Y1 << ")";
 }
 
-/// Whether a pixel lies in the rectangle, or all of another rectangle does.
+///@{
+/// Return whether a pixel, or the whole of a rectangle, lies in a rectangle.
 inline bool IsIn(int x, int y, const vtkNBufferRectangle& r)
 {
   return x >= r.X0 && x < r.X1 && y >= r.Y0 && y < r.Y1;
@@ -33,6 +34,7 @@ inline bool IsIn(const vtkNBufferRectangle& inner, const vtkNBufferRectangle& ou
   return inner.X0 >= outer.X0 && inner.Y0 >= outer.Y0 && inner.X1 <= outer.X1 &&
     inner.Y1 <= outer.Y1;
 }
+///@}
 
 /**
  * The pixels of a rectangle, row by row:
@@ -78,7 +80,7 @@ private:
   vtkNBufferRectangle All;
 };
 
-/// Calls function(rectangle) for every rectangle that is not empty within width x height pixels.
+/// Calls function(rectangle) for every non-empty rectangle in an image of width x height pixels.
 template <typename Function>
 void ForEachRectangle(int width, int height, Function function)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PrintVectors.h
- * @brief How GoogleTest shows a vector of GLM: with all digits.
+ * @brief Makes GoogleTest print vectors of GLM with 17 digits, enough to restore every double.
  */
 #ifndef PrintVectors_h
 #define PrintVectors_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ProjectedBox.h
- * @brief A box and where a projection puts it.
+ * @brief A box together with the result of projecting it.
  */
 #ifndef ProjectedBox_h
 #define ProjectedBox_h
@@ -12,7 +12,7 @@
 
 #include <array>
 
-/// A parallel view in which world x and y are pixels and z is the depth.
+/// Returns a parallel view in which world x and y are pixels and z is the window depth.
 inline vtkNBufferProjection MapWorldToPixels(int width, int height, int subpixelBits = 4)
 {
   const double worldToClip[16] = { 2.0 / width, 0.0, 0.0, -1.0, 0.0, 2.0 / height, 0.0, -1.0, 0.0,
@@ -33,9 +33,9 @@ struct ProjectedBox
 
   bool IsInside() const { return this->Placement == vtkNBufferPlacement::Inside; }
 
-  std::array<double, 6> Bounds; ///< As VTK has them: least x, largest x, least y and so on.
+  std::array<double, 6> Bounds; ///< In VTK's order: least x, largest x, least y and so on.
   vtkNBufferBox Box;
-  vtkNBufferScreenBox Screen; ///< Meaningless unless the box is Inside.
+  vtkNBufferScreenBox Screen; ///< Valid only if the placement is Inside.
   vtkNBufferPlacement Placement;
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RandomBoxes.h
- * @brief Boxes here and there, the same for the same seed.
+ * @brief Random boxes; the same seed gives the same boxes.
  */
 #ifndef RandomBoxes_h
 #define RandomBoxes_h
@@ -12,7 +12,8 @@
 #include <random>
 #include <vector>
 
-/// 120 x 140 x 20 units of them around (0, 60, 0): up to 2 wide, 4 deep and 1 high.
+/// Returns boxes that begin anywhere in a block of 120 x 140 x 20 units around (0, 60, 0). Each is
+/// up to 2 units long in x, 4 in y and 1 in z.
 inline std::vector<vtkNBufferBox> MakeRandomBoxes(int count, unsigned int seed)
 {
   std::mt19937 random(seed);

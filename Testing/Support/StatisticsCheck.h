@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file StatisticsCheck.h
- * @brief What has to be true of the statistics of every frame.
+ * @brief Checks what has to be true of the statistics of every frame.
  */
 #ifndef StatisticsCheck_h
 #define StatisticsCheck_h
@@ -12,12 +12,14 @@
 
 #include <string>
 
-/// Empty, or what contradicts what. `maximumNumberOfRounds` is that of the culler;
-/// `mayReadPixels`: the culler may have compared single pixels, whose lookups count, too.
+/// Returns the conditions that the culler's statistics violate, one a line; "" if there are none.
+/// `maximumNumberOfRounds` is that of the culler's tuning. If `mayReadPixels` is true, the culler
+/// may have compared single pixels, which count as lookups.
 std::string FindInconsistency(
   const vtkNBufferStatistics& statistics, int maximumNumberOfRounds, bool mayReadPixels);
 
-/// Empty, or what is wrong: verdicts add up, and nothing is counted twice.
+/// Returns the conditions that the statistics of a shadow pass violate, with these statistics as
+/// JSON; "" if there are none.
 std::string FindInconsistency(const vtkShadowStatistics& statistics);
 
 #endif

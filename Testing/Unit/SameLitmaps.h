@@ -27,7 +27,8 @@ inline bool IsSameBlock(const vtkShadowBlock& a, const vtkShadowBlock& b)
   return a.Low == b.Low && a.High == b.High;
 }
 
-/// Expects equal lexels of all levels, numbers, widest angles and tiles.
+/// Expects that two litmaps have equal lexels in all levels, equal tiles, the same number of
+/// receivers and the same widest angle.
 inline void ExpectSameLitmaps(const vtkShadowLitmap& a, const vtkShadowLitmap& b)
 {
   EXPECT_EQ(a.GetNumberOfReceivers(), b.GetNumberOfReceivers());

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SampledViews.h
- * @brief Random cameras and boxes, and brute force to judge what is said about them.
+ * @brief Random cameras and boxes, to test by brute force what a projection says about a box.
  *
  * Points are sampled in a box and projected twice: exactly (long double), and as a device may do
- * it, with vertices, matrix and sums rounded to float. Whatever is claimed of a box must hold for
- * every one of these points. That is tested for other depths than VTK's as well
+ * it, with vertices, matrix and sums rounded to float. What the projection says about a box must be
+ * true of each of these points. Other conventions of depth than VTK's are tested as well
  * (DepthConvention.h), so that the mathematics does not rely on how VTK's depth is rounded.
  */
 #ifndef SampledViews_h
@@ -34,13 +34,14 @@ struct View
   glm::dvec3 Direction = glm::dvec3(0.0);
   bool Parallel = false;
 
-  /// The order in another convention of a point with a window depth of VTK's.
+  /// Returns the order (DepthConvention.h), in another convention, of a point with this window
+  /// depth in VTK.
   double ToOrder(double windowDepth, DepthConvention convention) const;
 
-  std::string Text; ///< For failures.
+  std::string Text; ///< A description, for messages of failures.
 };
 
-/// The projection of a view with a depth buffer of floats.
+/// Returns the projection of a view with a depth buffer of floats.
 vtkNBufferProjection MakeProjection(
   const View& view, DepthConvention convention = DepthConvention::Forward);
 
@@ -55,37 +56,42 @@ public:
   double Uniform(double a, double b);
   int Integer(int a, int b);
 
-  /// Perspective and parallel, at `offset` from the origin, near and far from 1e-3 to 1e7.
+  /// Returns a view, perspective or parallel, whose eye is within 5 of `offset` in x, y and z. With
+  /// `extremeRange` the near plane is at 1e-3 to 10 and the far plane up to 1e7 times farther;
+  /// otherwise they are at 1 and 100.
   View MakeView(double offset, bool extremeRange = true);
 
-  /// Bounds near the view: small and large, flat and thin, before, around and behind the eye. All
-  /// coordinates are floats, as points of datasets are.
+  /// Returns bounds near the view: small or large, flat or thin, before, around or behind the eye.
+  /// All coordinates are floats, as the points of data sets are.
   std::array<double, 6> MakeBounds(const View& view);
 
-  /// The corners and `count` points on the surface and inside.
+  /// Returns the corners of a box, and `count` points on its surface and inside.
   std::vector<glm::dvec3> MakePoints(const std::array<double, 6>& bounds, int count);
 
 private:
   std::mt19937 Random;
 };
 
-/// Exact projection, if the point is before the eye and inside all six planes: x and y in pixels of
-/// the viewport, z the stored depth as order of distance.
+/// Projects a point exactly: x and y in pixels of the viewport, and the order of the stored depth
+/// as z. Returns nothing if the point is outside of the view volume.
 std::optional<glm::dvec3> ProjectExactly(
   const View& view, const glm::dvec3& point, DepthConvention convention = DepthConvention::Forward);
 
-/// The same in single precision, products added in the order of `permutation` (0 to 3 first).
+/// Projects a point in single precision. Each clip coordinate is a sum of four products, from left
+/// to right; `permutation`, from 0 to 3, is the product that changes places with the first one.
 std::optional<glm::dvec3> ProjectAsDevice(const View& view, const glm::dvec3& point,
   int permutation, DepthConvention convention = DepthConvention::Forward);
 
-/// Where the ray through pixel position (x, y) enters and leaves a box, in window depth.
+/// Returns VTK's window depths at which the ray through the pixel position (x, y) enters and leaves
+/// a box between the clipping planes, or nothing if it misses the box.
 std::optional<std::array<double, 2>> GetDepthsAlongRay(
   const View& view, const std::array<double, 6>& bounds, double x, double y);
 
-/// Whether a point of a box, drawn there, is where the projection says that the box is.
+/// Returns whether a projected point of a box is in the rectangle and between the depths that the
+/// projection gives for this box.
 bool IsWithin(const glm::dvec3& point, const vtkNBufferScreenBox& screen);
 
-/// For failures: the view, and the bounds with all digits.
+/// Returns the view and the bounds with all digits, for messages of failures.
 std::string GetText(const View& view, const std::array<double, 6>& bounds);
 
 #endif

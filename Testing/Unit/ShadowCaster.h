@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShadowCaster.h
- * @brief Lights and casters of meshes; what a shadow volume counts at a point, and what it should.
+ * @brief Casters with a light; what a shadow volume counts at a point, and what it should count.
  */
 #ifndef ShadowCaster_h
 #define ShadowCaster_h
@@ -15,6 +15,7 @@
 #include <optional>
 #include <utility>
 
+/// Makes a light at a position that shines towards a target.
 inline vtkShadowLight MakeLight(
   vtkShadowLightKind kind, const Point& position, const Point& target = Point(0.0))
 {
@@ -25,7 +26,8 @@ inline vtkShadowLight MakeLight(
   return light;
 }
 
-/// The six sides of a cube around a light, or its own axis if it is no point light.
+/// Returns the light spaces of a light: those of the six sides of a cube around a point light, or
+/// the one along the axis of another light.
 inline std::vector<vtkShadowLightSpace> MakeFrames(const vtkShadowLight& light)
 {
   if (light.Kind != vtkShadowLightKind::Point)
@@ -42,7 +44,7 @@ inline std::vector<vtkShadowLightSpace> MakeFrames(const vtkShadowLight& light)
   return frames;
 }
 
-/// Whether the light reaches x if nothing is between.
+/// Returns whether the light reaches x if nothing is between: for spots, whether x is in the cone.
 inline bool IsReached(const vtkShadowLight& light, const Point& x)
 {
   const Point ray = x - light.Position;
@@ -58,7 +60,7 @@ inline Point ToWorld(const vtkShadowLightSpace& space, const Point& pqs)
     pqs[2] * space.GetAxis();
 }
 
-/// A mesh as casters are: topology, and a silhouette for one light.
+/// A mesh with what a caster has: its topology, and its silhouette for one light.
 struct ShadowCaster
 {
   ShadowCaster(const ShadowMesh& mesh, const vtkShadowLight& light,
@@ -84,7 +86,8 @@ struct ShadowCaster
       this->Silhouette, this->GetPoints(), frame, slab, this->GetDepths(frame).second);
   }
 
-  /// The part that stands for it, which points to its points.
+  /// Returns the part of a volume store for this caster. It refers to the points and the silhouette
+  /// of this object.
   vtkShadowPart MakePart() const
   {
     const vtkShadowLightSpace space(this->Light);
@@ -92,7 +95,7 @@ struct ShadowCaster
       &this->GetPoints() };
   }
 
-  /// The least and the largest depth of its points.
+  /// Returns the least and the largest light depth of the points.
   std::pair<double, double> GetDepths(const vtkShadowLightSpace& frame) const
   {
     double least = std::numeric_limits<double>::infinity();
@@ -111,15 +114,17 @@ struct ShadowCaster
   vtkShadowSilhouette Silhouette;
 };
 
-/// Triangles that the open segment from the light to x crosses: all, or the ones that face the
-/// light as they are wound. None if that is not certain.
+/// Returns how many triangles the open segment from the light to x crosses; if `awayOnly`, how many
+/// of those that face away from the light as they are wound. Returns nothing if rounding may decide
+/// about one of them.
 std::optional<int> CountByBruteForce(
   const ShadowMesh& mesh, const vtkShadowLight& light, const Point& x, bool awayOnly);
 
-/// Signed crossings of the triangles of a volume on the way from x to infinity.
+/// Returns what the volume counts at x: the crossings of its triangles on a ray from x to infinity,
+/// +1 where the ray leaves the volume and -1 where it enters the volume.
 int CountInVolume(const vtkShadowVolume& volume, const Point& x, std::mt19937& random);
 
-/// Every directed edge is met by as many of the opposite direction.
+/// Returns whether the triangles of a volume use each edge equally often in both directions.
 bool IsWatertight(const vtkShadowVolume& volume);
 
 #endif

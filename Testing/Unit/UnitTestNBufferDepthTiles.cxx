@@ -32,7 +32,7 @@ std::vector<int> CountReads(
   return counts;
 }
 
-/// The drawing of the header: one block of 2 x 2 tiles and one tile.
+/// The example drawn in the header: one block of 2 x 2 tiles and one tile.
 TEST(UnitTestNBufferDepthTiles, AdjacentTilesAreOneRectangle)
 {
   vtkNBufferDepthTiles tiles;
@@ -59,8 +59,8 @@ TEST(UnitTestNBufferDepthTiles, NothingIsReadForNothing)
   EXPECT_TRUE(tiles.Add({ { 5, 5, 5, 20 }, { 100, 0, 120, 70 }, { -9, -9, 0, 0 } }).empty());
 }
 
-/// Each pixel of a rectangle is read once, and no pixel farther away than a tile; all of it again
-/// after Begin().
+/// Each pixel of a rectangle is read once, no pixel is read that is farther away than a tile, and
+/// all are read again after Begin().
 TEST(UnitTestNBufferDepthTiles, EachTileIsReadOnce)
 {
   std::mt19937 random(5);

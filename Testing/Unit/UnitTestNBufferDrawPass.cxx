@@ -29,7 +29,7 @@ TEST(NBufferDrawPass, OneForEachWindow)
   EXPECT_NE(pass, vtkNBufferDrawPass::Get(other));
 }
 
-// Two renderers have the same actor.
+// Two renderers have the same actor, so that the pass is attached to it twice.
 TEST(NBufferDrawPass, StaysUntilItIsDetachedAsOftenAsAttached)
 {
   vtkNew<vtkRenderWindow> window;
@@ -48,9 +48,8 @@ TEST(NBufferDrawPass, StaysUntilItIsDetachedAsOftenAsAttached)
   EXPECT_FALSE(pass->IsAttachedTo(mapper));
 }
 
-// Nobody detaches the pass from an actor that has been deleted, and another actor may be made at
-// its address. The allocator
-// uses an address again soon.
+// The pass is never detached from an actor that is deleted. A new actor may be made at its address
+// (the allocator uses an address again soon), and must get the pass.
 TEST(NBufferDrawPass, ForgetsActorsThatWereDeleted)
 {
   vtkNew<vtkRenderWindow> window;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What the ranks of a parallel program exchange: the reduction never hides what is seen, and all
-// ranks come to the same plan.
+// ranks compute the same plan.
 #include "vtkNBufferExchangeMessage.h"
 #include "vtkNBufferExchangePlan.h"
 #include "vtkNBufferLevels.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Between GLM's types and VTK's arrays; GLM rounds as VTK does where that matters.
+// Conversions between GLM's types and VTK's arrays. GLM rounds as VTK does where that matters.
 #include "PrintVectors.h"
 
 #include "vtkMath.h"
@@ -36,7 +36,8 @@ TEST(NBufferGLM, RowsAndColumns)
   EXPECT_EQ(vtkNBufferGLM::ToRows(matrix), rows);
 }
 
-// Hazard: world-to-clip, and what is compared with it, is not that of the mappers, to the bit.
+// Hazard: the world-to-clip matrix, or what is compared with it, differs in a bit from that of the
+// mappers.
 TEST(NBufferGLM, RoundsAsVTKDoes)
 {
   std::mt19937 random(5);
@@ -66,7 +67,7 @@ TEST(NBufferGLM, RoundsAsVTKDoes)
   EXPECT_EQ(vtkNBufferGLM::Normalize(glm::dvec3(0.0)), glm::dvec3(0.0));
 }
 
-// Hazard: what VTK leaves uninitialised is taken for the inverse of a degenerate camera.
+// Hazard: for a degenerate camera, uninitialised memory of VTK is used as the inverse matrix.
 TEST(NBufferGLM, TheInverseOfASingularMatrixIsNaN)
 {
   glm::dmat4 singular(1.0);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What holds for a node holds for all that is below it, by brute force over points.
+// What is true of a node must be true of everything below it: brute force over points.
 #include "RandomBoxes.h"
 #include "SampledViews.h"
 #include "vtkNBufferHierarchy.h"
@@ -157,7 +157,7 @@ TEST(NBufferHierarchy, OfSomeOfTheBoxes)
   CheckNodes(tree, boxes, {});
 }
 
-// The claims of the projection for a node, judged by points of the boxes below it.
+// What the projection says about a node must be true of the points of all boxes below it.
 TEST(NBufferHierarchy, WhatIsSaidOfANodeHoldsForThePointsBelow)
 {
   ViewSampler sampler(5);
@@ -217,7 +217,8 @@ TEST(NBufferHierarchy, WhatIsSaidOfANodeHoldsForThePointsBelow)
   EXPECT_GT(drawn, 10000);
 }
 
-// Twice as large everywhere: the same tree, and no rounding that differs.
+// All boxes become twice as large, so that a new build gives the same tree, and nothing is rounded
+// differently.
 TEST(NBufferHierarchy, RefitEqualsAnotherBuild)
 {
   std::vector<vtkNBufferBox> boxes = MakeRandomBoxes(500, 3);
@@ -299,7 +300,8 @@ TEST(NBufferHierarchy, EqualCentresAndHugeBoxes)
   CheckNodes(tree, boxes, GetAll(boxes));
 }
 
-// No order and no union is to be had with them; the tree around them must hold nevertheless.
+// Boxes that are not finite have no order and no union. The rest of the tree must be right
+// nevertheless.
 TEST(NBufferHierarchy, BoxesThatAreNotFiniteAreUnknownToTheRoot)
 {
   for (double bad : { NaN, Infinity, -Infinity, std::numeric_limits<double>::max() })

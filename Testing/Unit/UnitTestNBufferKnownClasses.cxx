@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The classes that an application vouches for: what is known of them, and from when on.
+// The classes that an application vouches for: what the module assumes about them, and from when
+// on.
 #include "CompositeMapper.h"
 
 #include "vtkNBufferCuller.h"
@@ -101,7 +102,8 @@ TEST(NBufferKnownClasses, AnActorAndAPassAreKnownByName)
   EXPECT_TRUE(vtkNBufferKnownClasses::IsKnown(pass));
 }
 
-// Hazard: props that were read before stay as they were.
+// Hazard: an application vouches for a class, and props that were read before keep their old
+// verdicts.
 TEST(NBufferKnownClasses, ANewNameChangesTheGlobalState)
 {
   const auto before = vtkNBufferPropWatch::GetGlobalState();
@@ -113,7 +115,8 @@ TEST(NBufferKnownClasses, ANewNameChangesTheGlobalState)
   EXPECT_EQ(vtkNBufferPropWatch::GetGlobalState(), after) << "it was known";
 }
 
-// Hazard: what an application's GetMTime() adds is missed where time stamps are compared.
+// Hazard: time stamps are compared without calling GetMTime(), and what an application's GetMTime()
+// adds is missed.
 TEST(NBufferKnownClasses, TimesOfKnownClassesAreReadByTheirFunctions)
 {
   vtkNew<vtkPolyData> data;

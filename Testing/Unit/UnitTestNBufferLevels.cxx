@@ -147,9 +147,9 @@ void ForEachBase(const Image& image, const std::vector<int>& factors, Function f
 }
 }
 
-// Hazard: border texels, non-square images and single rows are where a range query goes wrong;
-// here every rectangle of small images is asked. A factor larger than the image reduces it to one
-// texel and must not read beyond it.
+// Hazard: a range query is most often wrong at border texels, in images that are not square, and in
+// single rows. Here every rectangle of small images is queried. A factor larger than the image
+// reduces it to one texel, and must not read beyond the image.
 TEST(NBufferLevels, EveryRectangleOfSmallImages)
 {
   const std::pair<Image, std::vector<int>> cases[] = { { Image(1, 1, 7), { 1, 2, 4 } },
@@ -238,7 +238,7 @@ TEST(NBufferLevelsOnce, LevelsAreBuiltOneByOneAsIfAtOnce)
   CheckEveryTexel(levels, base, Extremum::Maximum);
 }
 
-// Hazard: memory is kept from build to build; values of an older, larger image must not show.
+// Hazard: memory is kept from build to build, and values of an older, larger image are used.
 TEST(NBufferLevelsOnce, ASmallerImageAfterALargerOne)
 {
   vtkNBufferLevels levels;
@@ -252,8 +252,7 @@ TEST(NBufferLevelsOnce, ASmallerImageAfterALargerOne)
   CheckEveryTexel(levels, Reduce(small, 4, Extremum::Minimum), Extremum::Minimum);
 }
 
-// Hazard: an image that is gone must not answer.
-// And a minimised window has no pixels.
+// Hazard: levels are queried after the image is gone. (A minimised window has no pixels.)
 TEST(NBufferLevelsOnce, WithoutAnImageThereIsNothing)
 {
   const auto expectNothing = [](vtkNBufferLevels& levels, int width = 0, int height = 0)
@@ -281,7 +280,7 @@ TEST(NBufferLevelsOnce, WithoutAnImageThereIsNothing)
   }
 }
 
-// Hazard: levels filled from the graphics device land where queries look for them.
+// Hazard: levels that are filled from the graphics device are not where queries look for them.
 TEST(NBufferLevelsOnce, AllocateIsFilledFromOutside)
 {
   const Image image(21, 13, 9);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which squares answer a rectangle: every claim of vtkNBufferMath.h against brute force.
+// Which squares cover a rectangle: every claim of vtkNBufferMath.h against brute force.
 #include "Pixels.h"
 #include "vtkNBufferDepthConvention.h"
 #include "vtkNBufferMath.h"
@@ -134,7 +134,7 @@ TEST(NBufferMath, CeilLog2)
   EXPECT_EQ(vtkNBufferMath::CeilLog2(INT_MAX), 31);
 }
 
-// Hazard: one level too few, and the largest rectangle has no answer.
+// Hazard: there is one level too few, and no level covers the largest rectangle.
 TEST(NBufferMath, NumberOfLevels)
 {
   EXPECT_EQ(vtkNBufferMath::GetNumberOfLevels(0, 5), 0);
@@ -151,7 +151,8 @@ TEST(NBufferMath, NumberOfLevels)
   }
 }
 
-// Hazard: a level coarser than needed keeps hidden props, a finer one misses pixels.
+// Hazard: with a level that is coarser than needed, hidden props are kept; with a finer one, pixels
+// are missed.
 TEST(NBufferMath, LevelsAreTheFinestForEverySizeUpTo600)
 {
   for (const auto& [w, h] : Sizes(600))
@@ -162,7 +163,8 @@ TEST(NBufferMath, LevelsAreTheFinestForEverySizeUpTo600)
   }
 }
 
-// Hazard: our rule is said to be the paper's five cases; if it were not, its bounds would not hold.
+// Hazard: the module's rule differs from the five cases of the paper, whose bounds would then not
+// hold.
 TEST(NBufferMath, LevelsAreThoseOfThePapersFiveCases)
 {
   for (const auto& [w, h] : Sizes(600))
@@ -178,7 +180,7 @@ TEST(NBufferMath, LevelsAreThoseOfThePapersFiveCases)
   }
 }
 
-// Hazard: sums overflow int for the largest sizes.
+// Hazard: sums overflow an int for the largest sizes.
 TEST(NBufferMath, LevelsOfHugeRectangles)
 {
   EXPECT_EQ(vtkNBufferMath::GetLevelForOneLookup(INT_MAX, 1), 31);
@@ -197,7 +199,7 @@ TEST(NBufferMath, EveryRectangleOfSmallImagesIsCovered)
   }
 }
 
-// Hazard: as above, for large rectangles at any offset.
+// Hazard: the same, for large rectangles at any place.
 TEST(NBufferMath, RandomRectanglesAreCovered)
 {
   std::mt19937 random(1);
@@ -212,9 +214,10 @@ TEST(NBufferMath, RandomRectanglesAreCovered)
   }
 }
 
-// Hazard: a cover much larger than its rectangle keeps what is hidden; the published bounds hold
-// for every size: nothing extra within a factor of two, less than the rectangle up to 4 : 1, less
-// than (aspect / 2 - 1) times the rectangle beyond.
+// Hazard: with a cover that is much larger than its rectangle, hidden props are kept. The published
+// bounds of what is covered in excess hold for every size: nothing for sides within a factor of
+// two, less than the rectangle up to 4 : 1, and less than (aspect / 2 - 1) times the rectangle
+// beyond.
 TEST(NBufferMath, OverCoverageIsBounded)
 {
   for (const auto& [w, h] : Sizes(512))
@@ -240,7 +243,8 @@ TEST(NBufferMath, OverCoverageIsBounded)
   }
 }
 
-// Hazard: a wide prop stands on the ground; a square that sticks out above it sees the sky.
+// Hazard: a square that sticks out above a wide prop on the ground contains the sky, so that the
+// prop is not hidden.
 TEST(NBufferMath, LargerSquaresArePushedDown)
 {
   const vtkNBufferCover wide = vtkNBufferMath::GetCoverOfFour({ 40, 40, 56, 41 });
@@ -257,7 +261,7 @@ TEST(NBufferMath, LargerSquaresArePushedDown)
   }
 }
 
-// Hazard: the base of an odd size drops its last row or column.
+// Hazard: the base of an image of odd size lacks the last row or column.
 TEST(NBufferMath, BaseSizeIsRoundedUp)
 {
   for (const auto& [factor, size] : Pixels({ 1, 0, 10, 71 }))
@@ -273,7 +277,7 @@ TEST(NBufferMath, BaseSizeIsRoundedUp)
   EXPECT_EQ(vtkNBufferMath::GetBaseSize(INT_MAX, 2), 1 << 30);
 }
 
-// Hazard: a rectangle rounded inward in the base misses the pixels of its border texels.
+// Hazard: a rectangle that is rounded inward in the base misses the pixels of its border texels.
 TEST(NBufferMath, BaseRectangleIsRoundedOutwardAndTight)
 {
   for (int factor = 1; factor <= 9; ++factor)
@@ -294,7 +298,7 @@ TEST(NBufferMath, BaseRectangleIsRoundedOutwardAndTight)
   }
 }
 
-// Hazard: one of the constants of a depth convention is changed and another one is not.
+// Hazard: one of the constants of a depth convention is changed, and another one is not.
 TEST(NBufferDepthConvention, ConstantsFollowFromTheOrder)
 {
   namespace Depth = vtkNBufferDepthConvention;
@@ -309,7 +313,7 @@ TEST(NBufferDepthConvention, ConstantsFollowFromTheOrder)
   EXPECT_NE(Depth::PassIfNearer, Depth::PassIfFarther);
 }
 
-// Hazard: inclusive and exclusive ends mixed up.
+// Hazard: inclusive and exclusive ends of rectangles are confused.
 TEST(NBufferMath, RectanglesAreHalfOpen)
 {
   const vtkNBufferRectangle r = { 2, 3, 5, 4 };

@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-// Hazard: an object changes a second time after its first event.
+// Hazard: after its first event an object changes a second time.
 TEST(NBufferObservedObjects, FirstChangeIsSeenAndEndsTheObservation)
 {
   vtkNBufferObservedObjects objects;
@@ -39,7 +39,7 @@ TEST(NBufferObservedObjects, FirstChangeIsSeenAndEndsTheObservation)
   EXPECT_TRUE(objects.TakeChange());
 }
 
-// Hazard: the observer of somebody else ends the event before it comes to ours.
+// Hazard: another observer aborts the event before it reaches the module's observer.
 TEST(NBufferObservedObjects, NoOtherObserverHidesAChange)
 {
   vtkNew<vtkProperty> property;
@@ -74,7 +74,8 @@ TEST(NBufferObservedObjects, RemovedObserversAreALoss)
   }
 }
 
-// Hazard: a deleted object is touched, or its address is taken for that of an observed one.
+// Hazard: a deleted object is accessed, or another object at its address is treated as the observed
+// one.
 TEST(NBufferObservedObjects, DeletedObjectsAreForgotten)
 {
   for (const bool deletionIsChange : { false, true })
@@ -90,7 +91,7 @@ TEST(NBufferObservedObjects, DeletedObjectsAreForgotten)
   }
 }
 
-// Hazard: events reach somebody who is not there any more.
+// Hazard: an event reaches an observer whose owner is deleted.
 TEST(NBufferObservedObjects, ObserversGoWithTheirOwner)
 {
   vtkNew<vtkProperty> property;
@@ -135,7 +136,7 @@ TEST(NBufferObservedObjects, ChangesInOtherThreadsAreSeen)
   EXPECT_EQ(objects.GetSize(), 0u);
 }
 
-// Hazard: observers fill the memory.
+// Hazard: observers use up the memory.
 TEST(NBufferObservedObjects, TheirNumberIsLimited)
 {
   vtkNBufferObservedObjects objects;

@@ -29,7 +29,7 @@ std::vector<std::size_t> Choose(const std::vector<vtkNBufferScreenBox>& boxes, i
 
 using Places = std::vector<std::size_t>;
 
-// Hazard: rows of houses are all drawn although the first one hides the others.
+// Hazard: all houses of a row are drawn although the first one hides the others.
 TEST(NBufferOccluderChoice, TheFirstOfARowIsChosen)
 {
   const vtkNBufferRectangle wide = { 0, 0, 64, 64 };
@@ -43,7 +43,7 @@ TEST(NBufferOccluderChoice, TheFirstOfARowIsChosen)
     Choose({ MakeScreenBox(wide, 0.1, 0.2), MakeScreenBox(beside, 0.5, 0.6) }, 1), Places({ 0 }));
 }
 
-// Hazard: ground that reaches far away is taken for a wall at its near end.
+// Hazard: ground that reaches far away is used as an occluder from its near end on.
 TEST(NBufferOccluderChoice, ABoxHidesBeyondItsFarEndOnly)
 {
   const vtkNBufferRectangle ground = { 0, 0, Side, Side };
@@ -53,7 +53,8 @@ TEST(NBufferOccluderChoice, ABoxHidesBeyondItsFarEndOnly)
     Places({ 0, 1 }));
 }
 
-// Hazard: a box that sticks out is left out; or one of which next to nothing sticks out is drawn.
+// Hazard: a box of which half sticks out is not chosen, or a box of which almost nothing sticks out
+// is.
 TEST(NBufferOccluderChoice, ABoxIsChosenIfHalfOfItIsOpen)
 {
   const vtkNBufferRectangle wall = { 0, 0, 64, Side };
@@ -86,7 +87,7 @@ TEST(NBufferOccluderChoice, AnySizeOfTheScreenIsCovered)
   }
 }
 
-// Hazard: half a million props are tested in six rounds that draw next to nothing.
+// Hazard: half a million props are tested in six rounds, each of which draws almost nothing.
 TEST(NBufferOccluderChoice, AGreatManyPropsHaveLargerRounds)
 {
   EXPECT_EQ(vtkNBufferOccluderChoice::GetLimit(64, 100), 64u);

@@ -229,7 +229,7 @@ using NBufferOcclusion = testing::TestWithParam<std::tuple<int, Convention>>;
 using NBufferOcclusionOfDepths = testing::TestWithParam<Convention>;
 }
 
-// Hazard: one pixel or one level forgotten, and a visible prop is gone.
+// Hazard: one pixel or one level is not read, and a visible prop is found hidden.
 TEST_P(NBufferOcclusion, HiddenBoxesAreHidden)
 {
   const auto [factor, convention] = this->GetParam();
@@ -290,7 +290,7 @@ INSTANTIATE_TEST_SUITE_P(BaseFactor, NBufferOcclusion,
       DepthConventionNames[static_cast<int>(std::get<1>(info.param))];
   });
 
-// Hazard: equal depth is visible: the last one drawn wins in VTK.
+// Hazard: equal depth counts as hidden, although in VTK the prop that is drawn last is seen.
 TEST_P(NBufferOcclusionOfDepths, EqualDepthIsVisible)
 {
   int nearlyFlush = 0;
@@ -316,8 +316,8 @@ TEST_P(NBufferOcclusionOfDepths, EqualDepthIsVisible)
   EXPECT_GT(nearlyFlush, 50);
 }
 
-// Hazard: > turned to >=. Boxes are nearer than their surface by a slack, so that no image would
-// show it; the numbers themselves do.
+// Hazard: > is replaced by >=. In images the slack moves boxes nearer than their surfaces, so that
+// only the numbers themselves show this error.
 TEST_P(NBufferOcclusionOfDepths, EqualNumbersAreVisible)
 {
   const double order = this->GetParam() == Convention::Forward ? 0.5 : -0.5;
@@ -333,7 +333,7 @@ TEST_P(NBufferOcclusionOfDepths, EqualNumbersAreVisible)
   EXPECT_GT(tested, 20);
 }
 
-// Hazard: a wall before everything that hides nothing.
+// Hazard: a wall in front of everything hides nothing.
 TEST_P(NBufferOcclusionOfDepths, ANearWallHidesAllBehindIt)
 {
   int tested = 0;
@@ -376,8 +376,8 @@ TEST_P(NBufferOcclusionOfDepths, OneOpenPixelKeepsTheBox)
   EXPECT_GT(opened, 50);
 }
 
-// Hazard: without multisampling a box is kept for pixels in whose middles it cannot be; or it is
-// left out although it is in the middle of a pixel.
+// Hazard: without multisampling a box is kept because of pixels whose middles it cannot cover, or
+// is found hidden although it covers the middle of a pixel.
 TEST_P(NBufferOcclusionOfDepths, OnlyMiddlesCountWithoutMultisampling)
 {
   int opened = 0;
@@ -411,8 +411,8 @@ TEST_P(NBufferOcclusionOfDepths, OnlyMiddlesCountWithoutMultisampling)
   EXPECT_GT(keptForTouchingTexels, 0) << "the rectangles of whole pixels keep more";
 }
 
-// Hazard: a triangle, a corner of one or a pixel is forgotten, or one that is nearer than its
-// plane.
+// Hazard: a triangle, one of its corners or a pixel is not tested; or a triangle is drawn nearer
+// than the test expects from its plane.
 TEST_P(NBufferOcclusionOfDepths, HiddenTrianglesAreHidden)
 {
   int hidden = 0;
@@ -438,7 +438,8 @@ TEST_P(NBufferOcclusionOfDepths, HiddenTrianglesAreHidden)
   EXPECT_GT(hidden, hiddenByBox + hiddenByBox / 20) << "triangles are meant to be sharper";
 }
 
-// Hazard: a triangle that is seen through one open pixel, or in its middle, does not keep its mesh.
+// Hazard: a triangle is seen through one open pixel, or only in the middle of that pixel, and its
+// mesh is found hidden.
 TEST_P(NBufferOcclusionOfDepths, OneOpenPixelKeepsTheMesh)
 {
   int opened = 0;
@@ -467,7 +468,8 @@ TEST_P(NBufferOcclusionOfDepths, OneOpenPixelKeepsTheMesh)
   EXPECT_GT(besideMiddles, 50) << "whole pixels keep more";
 }
 
-// Hazard: a triangle with a corner behind the eye or of NaN, of which nothing is known.
+// Hazard: a triangle has a corner behind the eye, or a NaN coordinate, and is found hidden although
+// nothing is known about it.
 TEST(NBufferTriangles, UnknownPlacesMayBeSeen)
 {
   ViewSampler sampler(39);
@@ -491,8 +493,8 @@ TEST(NBufferTriangles, UnknownPlacesMayBeSeen)
   }
 }
 
-// Hazard: the corners of boxes without thickness differ by rounding only, and so does the direction
-// of an outline's edge from one to the next.
+// Hazard: the corners of boxes without thickness differ only by rounding, and so do the directions
+// of an outline's edges.
 TEST_P(NBufferOcclusionOfDepths, NeedlesAndSheetsHaveAnOutline)
 {
   ViewSampler sampler(35);
@@ -525,7 +527,7 @@ TEST_P(NBufferOcclusionOfDepths, NeedlesAndSheetsHaveAnOutline)
   EXPECT_GT(tested, 1000);
 }
 
-// Hazard: a box that reaches through the near plane in view has no nearest depth.
+// Hazard: a box that crosses the near plane in view has no nearest depth.
 TEST_P(NBufferOcclusionOfDepths, TheNearPlaneInViewIsCrossing)
 {
   ViewSampler sampler(34);
@@ -547,7 +549,8 @@ TEST_P(NBufferOcclusionOfDepths, TheNearPlaneInViewIsCrossing)
   }
 }
 
-// Hazard: slack for depths near 1 where the stored ones are near 0 throws the precision away.
+// Hazard: in conventions whose far depths are near 0, the slack for depths near 1 would waste the
+// precision of floats.
 TEST_P(NBufferOcclusionOfDepths, FarBoxesAreTestedAsFinelyAsTheyAreStored)
 {
   Scene scene;
@@ -577,7 +580,7 @@ TEST_P(NBufferOcclusionOfDepths, FarBoxesAreTestedAsFinelyAsTheyAreStored)
 INSTANTIATE_TEST_SUITE_P(Each, NBufferOcclusionOfDepths, testing::ValuesIn(DepthConventions),
   [](const auto& info) { return std::string(DepthConventionNames[static_cast<int>(info.param)]); });
 
-// In parallel projection 1 / w is the same everywhere: nothing is known.
+// In parallel projection 1 / w is the same everywhere, so that nothing is found hidden.
 TEST(NBufferOcclusionOnce, InverseWSaysNothingInParallelProjection)
 {
   vtkNew<vtkCamera> camera;

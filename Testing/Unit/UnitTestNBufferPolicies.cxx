@@ -67,8 +67,9 @@ void Draw(const Prop& prop, std::vector<Pixel>& window,
 }
 }
 
-// Hazard: with equal depths the picture depends on the order of drawing; drawn in rounds and then
-// once more where said, it must be that of the renderer's order, for any rounds.
+// Hazard: with equal depths the picture depends on the order of drawing. Props that are drawn in
+// any rounds, and then once more where the rule says, must give the picture of the renderer's
+// order.
 TEST(NBufferTieOrder, RedrawsRestoreTheOrder)
 {
   const vtkNBufferProjection projection = MapWorldToPixels(Side, Side);
@@ -145,7 +146,7 @@ TEST(NBufferTieOrder, RedrawsRestoreTheOrder)
   EXPECT_GT(regions, 1000);
 }
 
-// Hazard: a chain of props that touch is drawn again from end to end for the first of them.
+// Hazard: because of its first prop, a whole chain of props that touch each other is drawn again.
 TEST(NBufferTieOrder, ChainsEndWhereRegionsDoNotMeet)
 {
   const vtkNBufferProjection projection = MapWorldToPixels(Side, Side);
@@ -168,7 +169,8 @@ TEST(NBufferTieOrder, ChainsEndWhereRegionsDoNotMeet)
   EXPECT_EQ(redraws[0].Regions[0].X1, 4);
 }
 
-// Hazard: a large prop that touches many small ones is drawn again all over.
+// Hazard: a large prop that touches many small ones is drawn again in its whole rectangle, or in
+// too many regions.
 TEST(NBufferTieOrder, RegionsAreNoMoreThanFour)
 {
   const vtkNBufferProjection projection = MapWorldToPixels(Side, Side);
@@ -223,8 +225,8 @@ TEST(NBufferTieOrder, OnlyPropsThatTouchTie)
   EXPECT_EQ(pixels.GetWidth(), Side);
 }
 
-// Hazard: of a prop that is drawn in parts the part that was drawn first wins although it comes
-// later in the mesh, or the whole prop is drawn again everywhere.
+// Hazard: of a prop that is drawn in parts, the part that was drawn first is covered by a part that
+// comes before it in the mesh; or the whole prop is drawn again everywhere.
 TEST(NBufferTieOrder, PartsOfOnePropAreRestored)
 {
   const vtkNBufferProjection projection = MapWorldToPixels(Side, Side);
@@ -242,7 +244,7 @@ TEST(NBufferTieOrder, PartsOfOnePropAreRestored)
 }
 
 // Hazard: a part that does not touch what was drawn late is drawn once more with the rest of its
-// prop, and wins against the next prop.
+// prop, and covers the next prop.
 TEST(NBufferTieOrder, PropsAreDrawnAgainWithAllParts)
 {
   const vtkNBufferProjection projection = MapWorldToPixels(Side, Side);
@@ -259,7 +261,8 @@ TEST(NBufferTieOrder, PropsAreDrawnAgainWithAllParts)
   EXPECT_EQ(drawn[redraws[1].Position].Index, 4);
 }
 
-// Hazard: a rest that never begins wastes tests, one that never ends hides nothing any more.
+// Hazard: a pause of the tests never begins, so that tests are wasted; or it never ends, so that
+// nothing is hidden any more.
 TEST(NBufferBackOff, RestsAndProbes)
 {
   vtkNBufferBackOff backOff;
@@ -290,7 +293,7 @@ TEST(NBufferBackOff, RestsAndProbes)
   EXPECT_FALSE(backOff.CountPausedFrame()) << "and all begins anew";
 }
 
-// Hazard: an empty frustum divides by nothing.
+// Hazard: with an empty frustum there is a division by 0.
 TEST(NBufferBackOff, EmptyFrustum)
 {
   vtkNBufferBackOff backOff;
@@ -324,7 +327,7 @@ Decision Choose(const vtkNBufferFrustumCounts& counts, vtkNBufferBackOff* backOf
 }
 }
 
-// Hazard: each reason not to test a frame has its own name, and the first one that holds is named.
+// Hazard: a frame is not tested, and the reason that is given is not the first one that applies.
 TEST(NBufferCullingPolicy, NamesTheReasonNotToTest)
 {
   EXPECT_EQ(Choose(MakeCounts()), Decision::Culled);
@@ -342,8 +345,8 @@ TEST(NBufferCullingPolicy, NamesTheReasonNotToTest)
   EXPECT_EQ(Choose(counts), Decision::NothingHeld) << "all of them cross the near plane";
 }
 
-// Hazard: where nothing is held back there is no proxy and no test, so that nothing is ever found
-// hidden again.
+// Hazard: where nothing is held back there are no proxy and no test, so that nothing would ever be
+// found hidden again.
 TEST(NBufferCullingPolicy, TestsEveryFewFramesWhereNothingIsHeldBack)
 {
   vtkNBufferFrustumCounts counts = MakeCounts();
@@ -367,7 +370,8 @@ TEST(NBufferCullingPolicy, TestsEveryFewFramesWhereNothingIsHeldBack)
   }
 }
 
-// Hazard: frames that are not tested for other reasons use up the rest that poor tests have earned.
+// Hazard: frames that are not tested for other reasons are counted as part of the pause after
+// useless tests.
 TEST(NBufferCullingPolicy, RestsAreCountedInFramesThatCouldBeTested)
 {
   vtkNBufferBackOff backOff;

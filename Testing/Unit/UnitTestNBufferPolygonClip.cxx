@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a half space leaves of a polygon, of vectors and of numbers of points.
+// Cutting polygons by a half space. Their corners are vectors or indices of points.
 #include "vtkNBufferGLM.h"
 #include "vtkNBufferPolygonClip.h"
 
@@ -51,7 +51,7 @@ TEST(NBufferPolygonClip, CornersOfKnownCuts)
   EXPECT_TRUE(Clip({}, { 1.0, 0.0, 0.0 }).empty());
 }
 
-// Hazard: a part that is in both halves, or in none.
+// Hazard: a part of a polygon is in both halves, or in neither.
 TEST(NBufferPolygonClip, BothSidesAreTheWhole)
 {
   std::mt19937 random(3);
@@ -64,7 +64,8 @@ TEST(NBufferPolygonClip, BothSidesAreTheWhole)
   }
 }
 
-// Corners may be numbers: the caller makes new points, once for each edge that is cut.
+// Corners may be indices of points: the caller makes the new points, once for each edge that is
+// cut.
 TEST(NBufferPolygonClip, NumbersOfPoints)
 {
   const std::vector<double> distances = { 1.0, -1.0, -3.0, 1.0 };

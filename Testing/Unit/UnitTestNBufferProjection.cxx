@@ -63,8 +63,9 @@ void ForEachBox(ViewSampler& sampler, int count, Function function)
 }
 }
 
-// Hazard: a point outside of its box's rectangle, or nearer than its nearest depth, is culled
-// although it is seen; a frustum test that divides by w loses boxes that reach behind the eye.
+// Hazard: a point is outside of its box's rectangle, or nearer than the box's nearest depth, and is
+// culled although it is seen; or a frustum test that divides by w loses boxes that reach behind the
+// eye.
 TEST_P(NBufferProjection, EverySampledPointIsCovered)
 {
   const auto [offset, convention] = this->GetParam();
@@ -125,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(Offset, NBufferProjection,
       DepthConventionNames[static_cast<int>(std::get<1>(info.param))];
   });
 
-// Hazard: slack that is safe because it is huge hides nothing.
+// Hazard: the slack is so large that nothing is found hidden.
 TEST(NBufferProjectionOnce, RectangleAndDepthAreTight)
 {
   ViewSampler sampler(6);
@@ -162,7 +163,8 @@ TEST(NBufferProjectionOnce, RectangleAndDepthAreTight)
   EXPECT_GT(compared, 200);
 }
 
-// Hazard: half of all boxes kept because they are called crossing although the eye is far.
+// Hazard: half of all boxes are classified as crossing, and kept, although the eye is far away from
+// them.
 TEST(NBufferProjectionOnce, CrossingOnlyAtTheNearPlane)
 {
   ViewSampler sampler(7);
@@ -179,7 +181,7 @@ TEST(NBufferProjectionOnce, CrossingOnlyAtTheNearPlane)
     });
 }
 
-// Hazard: bounds without meaning must never lead to a cull.
+// Hazard: a prop whose bounds are not finite is culled.
 TEST(NBufferProjectionOnce, NaNAndInfinityAreCrossing)
 {
   ViewSampler sampler(8);
@@ -235,7 +237,7 @@ TEST(NBufferProjectionOnce, BoxContainsItsBounds)
   }
 }
 
-// Hazard: a line of eight pixels behind an edge shows four of them above it.
+// Hazard: a line of eight pixels behind an edge is seen: four of its pixels are above the edge.
 TEST(NBufferProjectionOnce, MarginWidensTheRectangle)
 {
   ViewSampler sampler(10);
@@ -322,8 +324,8 @@ TEST_P(NBufferProjectionOfDepths, BoxesMeetInTheirContactAlone)
 INSTANTIATE_TEST_SUITE_P(Each, NBufferProjectionOfDepths, testing::ValuesIn(DepthConventions),
   [](const auto& info) { return std::string(DepthConventionNames[static_cast<int>(info.param)]); });
 
-// Hazard: a slack that is several times as large as its derivation in vtkNBufferBoxError.h: safe,
-// and hides less. Every part of it is held to the derivation's number.
+// Hazard: the slack is several times as large as its derivation in vtkNBufferBoxError.h says, which
+// is safe but hides less. Each part of it is compared with the number of the derivation.
 TEST(NBufferProjectionOnce, SlackIsThatOfItsDerivation)
 {
   constexpr double u = 0x1p-24;
@@ -362,8 +364,8 @@ TEST(NBufferProjectionOnce, SlackGrowsWithTheLargestCoordinate)
   EXPECT_GT(after.Screen.Farthest, before.Screen.Farthest);
 }
 
-// Hazard: a box gets the border of a fine grid although the device makes vertices elsewhere; or the
-// grid is fine and the border is not.
+// Hazard: a box gets the border of a fine subpixel grid although the device places vertices
+// elsewhere; or the grid is fine, and the box gets a wide border.
 TEST(NBufferProjectionOnce, BorderIsThatOfTheSubpixelGridInView)
 {
   const auto getBorder = [](int subpixelBits, double left, double right, double far = 0.6)
@@ -389,8 +391,9 @@ TEST(NBufferProjectionOnce, BorderIsThatOfTheSubpixelGridInView)
   EXPECT_DOUBLE_EQ(screen.Border, 1.0 + 0x1p-4);
 }
 
-// Hazard: the rectangle of a box is widened for the grid on which devices snap vertices, and its
-// outline is not: a pixel whose middle lies a twentieth beside the box counts as beside it.
+// Hazard: the rectangle of a box is widened for the grid to which devices snap vertices, but its
+// outline is not: a pixel whose middle is a twentieth of a pixel outside of the outline counts as
+// not covered.
 TEST(NBufferProjectionOnce, OutlinesAreWidenedForTheSubpixelGrid)
 {
   constexpr int size = 32;
@@ -420,8 +423,8 @@ TEST(NBufferProjectionOnce, OutlinesAreWidenedForTheSubpixelGrid)
   EXPECT_TRUE(test.MayBeSeen(mesh, identity, makeBox(20.45).Screen, first)) << "nor a corner";
 }
 
-// Hazard: a box that a device may snap to the middle of a pixel is said to lie between the middles;
-// or a box between the middles of pixels is said to be drawn.
+// Hazard: a device may snap a box to the middle of a pixel, and the box is said to be between the
+// middles; or a box between the middles is said to be drawn.
 TEST(NBufferProjectionOnce, MiddlesAreThoseThatAVertexMaySnapTo)
 {
   const auto getMiddles = [](double left, double right)

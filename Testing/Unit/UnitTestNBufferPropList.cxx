@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is known of props stays theirs when a renderer's list changes.
+// What is stored for each prop stays with it when a renderer's list changes.
 #include "vtkNBufferPropList.h"
 
 #include "vtkActor.h"
@@ -49,7 +49,7 @@ TEST_F(NBufferPropList, SameListIsNoChange)
   EXPECT_EQ(this->List.GetSize(), 0u);
 }
 
-// Hazard: after a prop is removed, its neighbours get what was known of others.
+// Hazard: after a prop is removed, other props get what was stored for their neighbours.
 TEST_F(NBufferPropList, ItemsStayWithTheirProps)
 {
   this->Synchronize({ this->A, this->B, this->C });

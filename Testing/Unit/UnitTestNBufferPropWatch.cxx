@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a change of what a prop draws is found, by which means, and what may change without a
-// trace.
+// Whether a change of what a prop draws is noticed, by which means, and what may change without
+// being noticed.
 #include "CompositeMapper.h"
 
 #include "vtkNBufferCandidate.h"
@@ -143,7 +143,8 @@ vtkNBufferPropWatch Watch(vtkProp* prop)
 }
 }
 
-// Hazard: a change upstream leaves the times of actor, mapper and data untouched.
+// Hazard: a change upstream does not change the times of actor, mapper and data before the pipeline
+// runs.
 TEST(NBufferPipeline, ChangesAreSeenBeforeTheyAreRun)
 {
   const ChangeOf<PipedActor> changes[] = {
@@ -194,7 +195,7 @@ TEST(NBufferPipeline, ChangesAreSeenBeforeTheyAreRun)
   }
 }
 
-// Hazard: a filter that marks itself as modified while it runs counts as changed for ever.
+// Hazard: a filter that modifies itself while it runs counts as changed in every frame.
 TEST(NBufferPipelines, RunningIsNoChange)
 {
   PipedActor piped;
@@ -211,8 +212,8 @@ TEST(NBufferPipelines, RunningIsNoChange)
   }
 }
 
-// Hazard: the pipeline is asked although something without a time of its own decides about the
-// image.
+// Hazard: the times of a pipeline are compared although the image depends on something that has no
+// time of its own.
 TEST(NBufferPipelines, WhatDoesNotShowInTimesIsNotTracked)
 {
   const auto tracks = [](const std::function<void(PipedActor&)>& prepare)
@@ -241,7 +242,7 @@ TEST(NBufferPipelines, WhatDoesNotShowInTimesIsNotTracked)
     }));
 }
 
-// Hazard: one of the objects that an actor without a pipeline is made of is not compared.
+// Hazard: one of the objects of an actor without a pipeline is not compared.
 TEST(NBufferStamps, ChangesAreSeen)
 {
   const ChangeOf<StampedActor> changes[] = {
@@ -314,7 +315,7 @@ TEST(NBufferStamps, ChangesAreSeen)
   }
 }
 
-// Hazard: one of the objects that are not compared any more is not observed.
+// Hazard: objects are observed instead of compared, and one of them is not observed.
 TEST(NBufferStamps, AllObjectsButTheActorAreObserved)
 {
   vtkNBufferObservedObjects objects;
@@ -337,7 +338,8 @@ TEST(NBufferStamps, AllObjectsButTheActorAreObserved)
   EXPECT_FALSE(watch.IsWhollyObserved()) << "a transform may depend on any number of others";
 }
 
-// Hazard: an actor that is not read any more moves, gets a shader property, or is deleted.
+// Hazard: an observed actor, which is not compared in each frame, moves, gets a shader property, or
+// is deleted.
 TEST(NBufferStamps, ActorsWithoutTransformsOfUsersAreObservedAsWell)
 {
   const ChangeOf<StampedActor> changes[] = {
@@ -376,8 +378,8 @@ TEST(NBufferStamps, ActorsWithoutTransformsOfUsersAreObservedAsWell)
   }
 }
 
-// Hazard: what is read in every frame anyway is taken for unchanged, because the change is that of
-// something behind the mapper.
+// Hazard: a prop that has to be read in every frame counts as unchanged, because only something
+// behind its mapper has changed.
 TEST(NBufferPropWatch, TimesFollowWhatHasToBeReadInEveryFrame)
 {
   const auto follows =
@@ -424,7 +426,7 @@ TEST(NBufferPropWatch, TimesFollowWhatHasToBeReadInEveryFrame)
   EXPECT_TRUE(follows(empty, [&]() { empty->SetPosition(1.0, 0.0, 0.0); }));
 }
 
-// Hazard: a still image is shown again although something moves without a trace.
+// Hazard: a still image is used again although a prop moves without a newer time.
 TEST(NBufferPropWatch, WhatMayChangeWithoutATraceIsSaid)
 {
   vtkNBufferPropWatch fresh;
@@ -468,8 +470,8 @@ TEST(NBufferPropWatch, WhatMayChangeWithoutATraceIsSaid)
 #endif
 }
 
-// Hazard: props with a matrix of their user's, as importers make them, are looked at anew in every
-// frame; or not even when it changes.
+// Hazard: props with a user matrix, as importers make them, are read anew in every frame; or a
+// change of the matrix is missed.
 TEST(NBufferPipelines, WithoutOneTransformsOfUsersAreAskedInParallel)
 {
   vtkNew<vtkSphereSource> source;
@@ -504,7 +506,8 @@ TEST(NBufferPipelines, WithoutOneTransformsOfUsersAreAskedInParallel)
   }
 }
 
-// Hazard: the functions of a plain actor are called for what has been made at its address since.
+// Hazard: another prop is made at the address of a deleted plain actor, and functions of the actor
+// are called for it.
 TEST(NBufferPropWatch, AnotherPropAtTheSameAddressIsAChange)
 {
   PipedActor piped;
@@ -526,7 +529,8 @@ TEST(NBufferPropWatch, AnotherPropAtTheSameAddressIsAChange)
   EXPECT_EQ(watch.GetMeans(), Means::None);
 }
 
-// Hazard: what a deleted actor was made of is observed for the prop that lies at its address now.
+// Hazard: another prop is made at the address of a deleted actor, and the objects of that actor are
+// observed for it.
 TEST(NBufferPropWatch, AnotherPropAtTheSameAddressHasNothingOfThePlainActor)
 {
   vtkNBufferObservedObjects objects;
@@ -558,7 +562,8 @@ TEST(NBufferPropWatch, AnotherPropAtTheSameAddressHasNothingOfThePlainActor)
   EXPECT_EQ(objects.GetSize(), 0u);
 }
 
-// Hazard: what is no plain actor is never read again, although its address is that of one now.
+// Hazard: a prop that is not a plain actor is never read again, although there is now a plain actor
+// at its address.
 TEST(NBufferPropWatch, APlainActorAtTheAddressOfAnotherPropBecomesACandidate)
 {
   StampedActor stamped;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which objects are used in several ways, whoever comes first.
+// Which shared objects are used in several ways, in any order of the props.
 #include "vtkNBufferSharedState.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which triangles of hidden meshes may be drawn before their box.
+// Which triangles of hidden meshes may be drawn nearer than their box.
 #include "ProjectedBox.h"
 #include "vtkNBufferSliverTest.h"
 #include "vtkNBufferSurface.h"
@@ -57,7 +57,7 @@ std::array<glm::dvec3, 3> MakeLow(
 }
 }
 
-// What the slack of a box covers is not looked at, however near the wall is behind it.
+// A triangle whose errors the slack of its box covers is not a sliver, and is not tested.
 TEST_F(Slivers, BoxCoversWhatIsNotLow)
 {
   this->SetWall(1.0f);
@@ -65,7 +65,8 @@ TEST_F(Slivers, BoxCoversWhatIsNotLow)
   EXPECT_FALSE(this->MayBeSeen(MakeLow(20.5, 0.08)));
 }
 
-// Below 64 u of their length any depth: only the nearest wall of all is before them.
+// A triangle whose height is below 64 u of its length may have any depth: only a wall nearer than
+// every depth hides it.
 TEST_F(Slivers, WithoutAPlaneAnyDepth)
 {
   this->SetWall(1e-6f);
@@ -75,7 +76,7 @@ TEST_F(Slivers, WithoutAPlaneAnyDepth)
   }
 }
 
-// Its vertices may err by more than it is high, so that nothing is known of its plane.
+// The vertices of a triangle may have larger errors than its height, so that its plane is unknown.
 TEST_F(Slivers, LowerThanTheErrorsOfItsVertices)
 {
   this->SetWall(0.5f);
@@ -86,7 +87,7 @@ TEST_F(Slivers, LowerThanTheErrorsOfItsVertices)
   EXPECT_FALSE(this->MayBeSeen(make(5e-3)));
 }
 
-// Two corners in one place stay in one place on every device.
+// Two corners that coincide do so on every device, which therefore draws nothing.
 TEST_F(Slivers, DegenerateOnesAreNotDrawn)
 {
   this->SetWall(1.0f);
@@ -96,7 +97,7 @@ TEST_F(Slivers, DegenerateOnesAreNotDrawn)
   EXPECT_TRUE(this->MayBeSeen({ { { 10, 20.5, 0.8 }, { 60, 20.5, 0.9 }, { 59, 20.5, 0.9 } } }));
 }
 
-// Samples more than 2^-8.5 pixels beside it are none of its own, so that it is not drawn.
+// A triangle is not drawn if it owns no sample: no sample is within 2^-8.5 pixels of it.
 TEST_F(Slivers, BesideAllSamples)
 {
   this->SetWall(1.0f);
@@ -115,7 +116,7 @@ TEST_F(Slivers, BesideAllSamples)
   EXPECT_FALSE(this->MayBeSeen({ { { 30.6, 10, 0.8 }, { 30.6, 40, 0.9 }, { 30.6, 20, 0.8 } } }));
 }
 
-// One that is low and has a plane is as near as its slope allows.
+// A sliver that has a plane is as near as the slope of this plane allows.
 TEST_F(Slivers, AsNearAsTheSlopeAllows)
 {
   // Exact depths begin at 0.8. The third corner is 0.05 behind the side below: a slope of 5 per
@@ -133,7 +134,7 @@ TEST_F(Slivers, AsNearAsTheSlopeAllows)
   EXPECT_FALSE(this->MayBeSeen(gentle));
 }
 
-// Samples on the other side of its longest side are none of its own.
+// A triangle does not own samples on the other side of its longest side.
 TEST_F(Slivers, OnlySamplesInIt)
 {
   this->SetWall(1.0f);
@@ -142,7 +143,7 @@ TEST_F(Slivers, OnlySamplesInIt)
   EXPECT_TRUE(this->MayBeSeen(MakeLow(20.501, 0.025, 0.8, 0.8, 0.85)));
 }
 
-// Where the wall is open beside it, pixels say more than texels.
+// The wall is open next to the sliver: its texels are open, but its pixels are not.
 TEST_F(Slivers, PixelsDecideWhereTheyAreAtHand)
 {
   const auto sliver = MakeLow(20.5, 0.005, 0.8, 0.8, 0.85);
@@ -155,7 +156,7 @@ TEST_F(Slivers, PixelsDecideWhereTheyAreAtHand)
   EXPECT_TRUE(this->MayBeSeen(sliver, 0.0, this->Depth.data()));
 }
 
-// A single pixel in which the wall is open.
+// The wall is open in a single pixel.
 TEST_F(Slivers, ThroughAHole)
 {
   this->SetWall(0.0f);

@@ -187,7 +187,8 @@ TEST_F(NBufferSurface, PolygonsAndStripsBecomeTriangles)
   EXPECT_EQ(mesh.Triangles.size(), 4u);
 }
 
-// Hazard: triangles of a prop are those of its former data, or take more time than they save.
+// Hazard: the triangles of a prop are those of its former data, or copying them takes more time
+// than they save.
 TEST_F(NBufferSurface, SmallMeshesAreCopiedAFewInAFrame)
 {
   vtkNBufferMeshes meshes;
@@ -240,7 +241,7 @@ TEST_F(NBufferSurface, SmallMeshesAreCopiedAFewInAFrame)
   EXPECT_EQ(countCopies(), 20);
 }
 
-// Hazard: large meshes are looked at in each frame, or meshes are kept for ever.
+// Hazard: large meshes are read again in each frame, or meshes are kept for ever.
 TEST_F(NBufferSurface, MeshesOfPropsAreKeptWhileTheyAreAskedFor)
 {
   vtkNBufferMeshes meshes;

@@ -106,7 +106,7 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Each, Units, testing::Bool(),
   [](const auto& info) { return std::string(info.param ? "Shuffled" : "PatchByPatch"); });
 
-// Hazard: a primitive in no unit or in two, or outside of the box of its unit.
+// Hazard: a primitive is in no unit or in two, or is outside of the box of its unit.
 TEST_P(Units, EachPrimitiveIsInOneUnitAndInItsBox)
 {
   const Mesh mesh = this->Get();
@@ -146,7 +146,8 @@ TEST_P(Units, AreFoundByTheirPrimitives)
   EXPECT_EQ(units.FindUnit(mesh.Indices.size() / 3), units.GetSize());
 }
 
-// Hazard: the order of drawing, which decides where depths are equal, is that of the units.
+// Hazard: the order of drawing, on which the image depends where depths are equal, becomes that of
+// the units.
 TEST_P(Units, KeepTheOrderOfDrawing)
 {
   const Mesh mesh = this->Get();
@@ -171,7 +172,7 @@ TEST_P(Units, KeepTheOrderOfDrawing)
   }
 }
 
-// Hazard: a range without a primitive of the units, with one of others, or out of order.
+// Hazard: a range lacks a primitive of the units, contains one of other units, or is out of order.
 TEST_P(Units, RangesAreThoseOfTheIndices)
 {
   const Mesh mesh = this->Get();
@@ -199,7 +200,7 @@ TEST_P(Units, RangesAreThoseOfTheIndices)
   }
 }
 
-// Hazard: a node of the hierarchy that does not contain what is below it.
+// Hazard: a node of the hierarchy does not contain everything below it.
 TEST_P(Units, NodesContainTheirUnits)
 {
   const vtkNBufferUnits units = vtkNBufferUnits::Make(this->Get(), 4);
@@ -222,7 +223,8 @@ TEST_P(Units, NodesContainTheirUnits)
   }
 }
 
-// Both sides: groups in space where the order of the file is of no use, runs where it is.
+// Units are groups of neighbours in space where the order in the file is of no use, and runs of
+// that order where it is.
 TEST(UnitsOfFiles, AreRunsOrGroupsWhicheverAreSmaller)
 {
   // A unit of a row by row terrain is a long strip, so that groups win there, too; a mesh that
@@ -253,7 +255,7 @@ TEST(UnitsOfFiles, PointsAreUnitsToo)
   EXPECT_EQ(GetAll(units, mesh)[5].size(), 100U);
 }
 
-// Hazard: numbers that are none, lists that are empty or wrong, boxes without extent.
+// Hazard: coordinates are NaN, lists are empty or wrong, boxes have no extent.
 TEST(UnitsOfFiles, BadNumbers)
 {
   EXPECT_EQ(vtkNBufferUnits::Make({}, 8).GetSize(), 0U);

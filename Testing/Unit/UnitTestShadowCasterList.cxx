@@ -57,7 +57,8 @@ protected:
 };
 }
 
-// Hazard: shadows of a still scene are drawn anew, or those of a scene that changes are kept.
+// Hazard: the shadows of a still scene are drawn anew, or those of a scene that has changed are
+// kept.
 TEST_F(ShadowCasterList, VersionGrowsWithChangesOnly)
 {
   EXPECT_TRUE(this->Update());
@@ -127,7 +128,7 @@ TEST_F(ShadowCasterList, InstancesShareTheirTopology)
   EXPECT_EQ(this->List.GetCasters(), casters);
 }
 
-// Hazard: glyphs cast from where they are not drawn.
+// Hazard: glyphs cast shadows from places where they are not drawn.
 TEST_F(ShadowCasterList, GlyphsThatAreNotKnownCastNothing)
 {
   vtkNew<vtkGlyph3DMapper> mapper;
@@ -158,7 +159,8 @@ TEST_F(ShadowCasterList, GlyphsThatAreNotKnownCastNothing)
   expect(false);
 }
 
-// Hazard: a block that comes or goes lets all others be read again, or an invisible one casts.
+// Hazard: a block is added or removed, and all other blocks are read again; or an invisible block
+// casts.
 TEST_F(ShadowCasterList, EachBlockIsACaster)
 {
   constexpr unsigned int count = 1000;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What drawing whole volumes is guessed to take, and when litmaps are worth it.
+// The estimated cost of drawing whole volumes, and when litmaps are worth their cost.
 #include "Pixels.h"
 #include "ShadowCaster.h"
 
@@ -95,7 +95,7 @@ struct Volume
 };
 }
 
-// Triangles at infinity, behind the eye and beside the view are cut as the device does.
+// Triangles at infinity, behind the eye and outside of the view are cut as the device does it.
 TEST(ShadowCostModel, EstimateIsTheNumberOfFragments)
 {
   for (const ShadowMesh& mesh : { MakeTetrahedron(), MakeCube(), MakeOpenRectangle(), MakeEll(),
@@ -113,7 +113,7 @@ TEST(ShadowCostModel, EstimateIsTheNumberOfFragments)
   }
 }
 
-// Of large volumes some triangles stand for all.
+// The number of fragments of a large volume is estimated from some of its triangles.
 TEST(ShadowCostModel, SomeTrianglesStandForAll)
 {
   const Volume one(MakeTorus(12, 9), true);
@@ -129,7 +129,8 @@ TEST(ShadowCostModel, NothingAndBesideTheView)
     << "behind";
 }
 
-// Both sides of the rule: much to draw, many samples, six faces.
+// Litmaps are worth their cost or not: with much or little to draw, with many samples, with six
+// faces.
 TEST(ShadowCostModel, LitmapsPayWhereTheySaveMoreThanTheyCost)
 {
   constexpr long long vga = 640 * 480;

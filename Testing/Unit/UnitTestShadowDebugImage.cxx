@@ -45,7 +45,8 @@ TEST(ShadowDebugImage, EachNumberHasItsHeat)
   EXPECT_EQ(GetHeat(1 << 30), GetHeat(256));
 }
 
-// Boxes at random, some out of the viewport: in each pixel the heat of the number of boxes there.
+// Boxes are random, and some reach out of the viewport. The colour of each pixel shows the number
+// of boxes there.
 TEST(ShadowDebugImage, ExtentsAreThoseOfTheBoxes)
 {
   std::mt19937 random(3);

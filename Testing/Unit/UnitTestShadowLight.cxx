@@ -35,8 +35,8 @@ vtkShadowLight RandomLight(std::mt19937& random, Kind kind)
 }
 }
 
-// Hazard: edges sum the signs of their triangles; a sign that depends on the order of the corners
-// leaves cracks. Small integers, so that every case that is edge-on is exactly 0.
+// Hazard: edges sum the signs of their triangles, and a sign that depends on the order of the
+// corners leaves cracks. Coordinates are small integers, so that every edge-on case is exactly 0.
 TEST(ShadowLight, FacingIsCyclicAntisymmetricAndMirrored)
 {
   std::mt19937 random(1);
@@ -66,7 +66,7 @@ TEST(ShadowLight, FacingIsCyclicAntisymmetricAndMirrored)
   EXPECT_GT(edgeOn, 500) << "the grid has to give many edge-on triangles";
 }
 
-// The convention itself: anticlockwise as the light sees it is 1.
+// The convention: a triangle that is anticlockwise as seen from the light has the sign 1.
 TEST(ShadowLight, FacingOfAFloor)
 {
   const Point a = { 0, 0, 0 };
@@ -85,7 +85,8 @@ TEST(ShadowLight, FacingOfAFloor)
   EXPECT_EQ(light.GetFacing(a, b, nan), 0);
 }
 
-// Hazard: planes and volumes are made in light coordinates and drawn in the world.
+// Hazard: planes and volumes are computed in light coordinates and drawn in the world, and the two
+// conversions do not match.
 TEST(ShadowLight, FramesGoThereAndBack)
 {
   std::mt19937 random(2);
@@ -117,7 +118,7 @@ TEST(ShadowLight, FramesGoThereAndBack)
   }
 }
 
-// Hazard: what the shader lights must be a receiver; the margin is on the safe side.
+// Hazard: a point that the shader lights is not a receiver. The margin must be on the safe side.
 TEST(ShadowLight, ReachesItsCone)
 {
   std::mt19937 random(3);

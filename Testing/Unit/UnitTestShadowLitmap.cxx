@@ -172,7 +172,8 @@ void CheckQuery(const Map& map, double p0, double q0, double p1, double q1, int 
 using ShadowLitmap = testing::TestWithParam<int>;
 }
 
-// Hazard: a receiver that is missed loses its shadow. Rectangles inside, partly and wholly outside.
+// Hazard: a receiver is missed and loses its shadow. Rectangles are inside, partly outside, or
+// wholly outside of the map.
 TEST_P(ShadowLitmap, RandomRectangles)
 {
   for (int count : { 0, 1, 40 })
@@ -205,7 +206,7 @@ TEST_P(ShadowLitmap, RandomRectangles)
 INSTANTIATE_TEST_SUITE_P(Resolutions, ShadowLitmap, testing::Values(1, 2, 3, 7, 64, 100),
   testing::PrintToStringParamName());
 
-// Hazard: a rectangle that is none (a caster at the light's own plane) must not miss anything.
+// Hazard: a caster at the light's own plane has no rectangle, and a query for it misses receivers.
 TEST(ShadowLitmapOnce, NaNAsksForTheWholeMap)
 {
   Map map;
@@ -222,7 +223,7 @@ TEST(ShadowLitmapOnce, NaNAsksForTheWholeMap)
   }
 }
 
-// Rectangles without a receiver near them are empty: casters there are culled.
+// Rectangles without a receiver near them are empty, so that casters there are culled.
 TEST(ShadowLitmapOnce, NothingIsFoundWhereNothingIs)
 {
   const Map map({ { { 0.0, 10.5, 8.0 }, { 0.0, 10.5, 8.0 }, 0.0, 3, 4 } }, 100);
@@ -233,7 +234,7 @@ TEST(ShadowLitmapOnce, NothingIsFoundWhereNothingIs)
   EXPECT_TRUE(map.Litmap.Query(0.0, -Infinity, 0.0, 9.0).IsEmpty()) << "beside the map";
 }
 
-// The guard: one lexel on all sides, cut to the map.
+// A query is widened by one lexel on all sides, and cut to the map.
 TEST(ShadowLitmapOnce, QueriesAreWidenedByALexel)
 {
   vtkShadowLitmap litmap;
@@ -242,7 +243,7 @@ TEST(ShadowLitmapOnce, QueriesAreWidenedByALexel)
   EXPECT_EQ(litmap.GetLexels(-0.5, 7.0, 0.5, 9.5), (vtkNBufferRectangle{ 0, 6, 2, 8 }));
 }
 
-// A long segment is put where it passes and not into its whole box.
+// A long segment is added to the lexels that it passes, and not to all lexels of its box.
 TEST(ShadowLitmapOnce, SegmentsAreThin)
 {
   const Map map({ { { -2.0, 10.0, 8.0 }, { 3.0, 11.0, 9.0 }, 1e-6, 3, 4 } }, 64);
@@ -253,7 +254,7 @@ TEST(ShadowLitmapOnce, SegmentsAreThin)
   EXPECT_LE(filled, 3 * 64);
 }
 
-// Hazard: values that are not finite would be put anywhere.
+// Hazard: receivers whose coordinates are not finite are added anywhere.
 TEST(ShadowLitmapOnce, RefusesWhatIsNotFinite)
 {
   Map map;
@@ -274,7 +275,7 @@ TEST(ShadowLitmapOnce, RefusesWhatIsNotFinite)
   EXPECT_TRUE(map.Litmap.Query(NaN, NaN, NaN, NaN).IsEmpty());
 }
 
-// A receiver whose place is not known is found everywhere.
+// A receiver whose place is unknown is found everywhere.
 TEST(ShadowLitmapOnce, AnInfiniteRadiusIsEverywhere)
 {
   const Map map({ { { 0.0, 0.0, 8.0 }, { 0.0, 0.0, 9.0 }, Infinity, 3, 4 } }, 64);
@@ -287,7 +288,7 @@ TEST(ShadowLitmapOnce, AnInfiniteRadiusIsEverywhere)
   }
 }
 
-// Hazard: all receivers at one p (a wall along the light) or in one place.
+// Hazard: all receivers have the same p (a wall along the light), or are in one place.
 TEST(ShadowLitmapOnce, RangesWithoutAWidth)
 {
   Map map;
@@ -305,7 +306,7 @@ TEST(ShadowLitmapOnce, RangesWithoutAWidth)
   EXPECT_EQ(slabs[0].Far, 4.0);
 }
 
-// Hazard: memory is kept; what an older, larger map held must not show.
+// Hazard: memory is kept, and receivers of an older, larger map are found.
 TEST(ShadowLitmapOnce, BeginForgets)
 {
   Map map;
@@ -321,7 +322,7 @@ TEST(ShadowLitmapOnce, BeginForgets)
   EXPECT_TRUE(map.Litmap.Query(-2.0, 10.0, 3.0, 11.0).IsEmpty()) << "not built";
 }
 
-// Gaps of bins part slabs exactly as told.
+// Empty bins separate slabs exactly if there are as many as SlabGap says.
 TEST(ShadowLitmapOnce, SlabsRespectTheGap)
 {
   Map map; // 64 bins of half a unit.
@@ -346,7 +347,7 @@ TEST(ShadowLitmapOnce, SlabsRespectTheGap)
   EXPECT_EQ(slabs.back().Far, 35.9);
 }
 
-// Hazard: a depth on the edge of a bin, rounded to one side here and to the other there.
+// Hazard: a depth on the edge of a bin is rounded down in one place of the code and up in another.
 TEST(ShadowLitmapOnce, SlabsHoldDepthsOnTheEdgesOfBins)
 {
   std::mt19937 random(13);
@@ -372,8 +373,8 @@ TEST(ShadowLitmapOnce, SlabsHoldDepthsOnTheEdgesOfBins)
   }
 }
 
-// Filled in parts, in any order: the same lexels, tiles and reach, to the bit. Parts that were used
-// before begin anew.
+// A litmap that is filled in parts, in any order, has the same lexels, tiles and widest angle, to
+// the bit. Parts that were used before are empty at first.
 TEST(ShadowLitmap, PartsJoin)
 {
   Map whole;
@@ -409,7 +410,7 @@ TEST(ShadowLitmap, PartsJoin)
   }
 }
 
-// A litmap filled lexel by lexel is the one of receivers that lie there.
+// A litmap that is filled lexel by lexel equals one that is filled with receivers in these lexels.
 TEST(ShadowLitmap, LexelsAreAddedAsReceivers)
 {
   const vtkShadowBlock range = { { 0.0, 0.0, 0.0 }, { 4.0, 4.0, 64.0 } };

@@ -270,7 +270,7 @@ TEST(ShadowPlan, VerdictsFollowTheReceivers)
   }
 }
 
-// Pixels of the receivers, in the framebuffer's coordinates.
+// A box contains the pixels of the receivers, in the coordinates of the framebuffer.
 TEST(ShadowPlan, BoxesHoldTheReceiversPixels)
 {
   Situation situation(MakeLightAbove());
@@ -285,8 +285,8 @@ TEST(ShadowPlan, BoxesHoldTheReceiversPixels)
   }
 }
 
-// With tiles known, only those that the shadow can reach, and apart from each other where what lies
-// between them is more than drawing twice costs.
+// If tiles are known, boxes contain only those that the shadow can reach. There are several boxes
+// where what is between them costs more than another draw.
 TEST(ShadowPlan, BoxesHoldTheTilesInShadow)
 {
   for (const auto mode : { vtkShadowMode::Scissored, vtkShadowMode::Clamped })
@@ -317,8 +317,8 @@ TEST(ShadowPlan, BoxesHoldTheTilesInShadow)
   }
 }
 
-// A tile with receivers before and behind the caster's shadow: a block around both would reach into
-// it, the layers do not.
+// A tile shows one receiver before the caster and one behind it, next to its shadow. One block
+// around both would reach into the shadow; the two layers of the tile do not.
 TEST(ShadowPlan, LayersKeepApartWhatATileSees)
 {
   for (const bool parted : { false, true })
@@ -338,7 +338,7 @@ TEST(ShadowPlan, LayersKeepApartWhatATileSees)
   }
 }
 
-// The cube reaches from -0.5 to 0.5 or so; spots below, in, and above it.
+// The cube reaches from -0.5 to 0.5. Spots are below it, in it, and above it.
 TEST(ShadowPlan, CastersAtTheLightsPlane)
 {
   using Mode = vtkShadowMode;
@@ -380,8 +380,8 @@ TEST(ShadowPlan, CastersAtTheLightsPlane)
   EXPECT_EQ(point.Decide(vtkShadowMode::Unclamped, 4, false), Verdict::Whole);
 }
 
-// Hazard: a caster whose corner is in the cone of a spot is left out because its middle is not; or
-// a caster far beside the cone is not left out.
+// Hazard: a caster with a corner in the cone of a spot is left out because its middle is outside;
+// or a caster far away from the cone is not left out.
 TEST(ShadowPlan, CastersWithACornerInTheConeAreKept)
 {
   std::mt19937 random(23);
@@ -414,7 +414,7 @@ TEST(ShadowPlan, CastersWithACornerInTheConeAreKept)
   EXPECT_GT(leftOut, 1000);
 }
 
-// Groups of receivers make slabs of their own where they are far enough from each other.
+// Groups of receivers that are far enough from each other have their own slabs.
 TEST(ShadowPlan, SlabsHoldTheReceivers)
 {
   Situation situation(MakeLightAbove());
@@ -444,8 +444,8 @@ TEST(ShadowPlan, SlabsHoldTheReceivers)
   }
 }
 
-// Before a point light what lies in one face of the cube is clamped along that face's axis; what
-// lies in two is drawn whole.
+// With a point light, a volume in one face of the cube is clamped along the axis of that face; a
+// volume in two faces is drawn whole.
 TEST(ShadowPlan, SlabsOfOneFace)
 {
   for (const double x : { 0.0, 10.0 })
@@ -474,7 +474,8 @@ TEST(ShadowPlan, SlabsOfOneFace)
   }
 }
 
-// Receivers before the caster need no slab; those within its depths are in one with it.
+// Receivers nearer to the light than the caster need no slab; those between the caster's depths
+// share one slab with it.
 TEST(ShadowPlan, SlabsThatReachTheCasterAreOne)
 {
   const ShadowMesh tall = MakeCube().Move([](const Point& x) { return x * Point(1.0, 1.0, 20.0); });
@@ -497,7 +498,7 @@ TEST(ShadowPlan, SlabsThatReachTheCasterAreOne)
   EXPECT_LT(before.GetHeights(before.Draws[0]).second, 0.0);
 }
 
-// z-pass only where all of the piece lies beyond the near plane.
+// z-pass is used only where the whole piece is beyond the near plane.
 TEST(ShadowPlan, ZPassNeedsAllOfThePieceBeyondTheNearPlane)
 {
   Situation situation(MakeLightAbove(), MakeCube(), { { 0.0, 0.0, -4.0 }, { 0.0, 0.0, -50.0 } });
@@ -530,7 +531,8 @@ TEST(ShadowPlan, ZPassNeedsAllOfThePieceBeyondTheNearPlane)
   EXPECT_TRUE(situation.Draws.at(0).ZPass);
 }
 
-// Lines of sight of a parallel camera end at infinity, where no volume of a positional light may.
+// Lines of sight of a parallel camera end at infinity, so that the volume of a positional light
+// must end before.
 TEST(ShadowPlan, PositionalVolumesOfParallelCamerasAreFinite)
 {
   for (const Kind kind : { Kind::Spot, Kind::Point })
@@ -545,7 +547,8 @@ TEST(ShadowPlan, PositionalVolumesOfParallelCamerasAreFinite)
   }
 }
 
-// Caps in surfaces that may be lit are those of open meshes, where the piece has one.
+// Only caps that are in lit surfaces are drawn with an offset: those of open meshes, if the piece
+// has such a cap.
 TEST(ShadowPlan, OffsetsAreForCapsInLitSurfaces)
 {
   Situation closed(MakeLightAbove(), MakeCube(), { { 0.0, 0.0, -3.0 } });

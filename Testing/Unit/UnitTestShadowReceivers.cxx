@@ -236,7 +236,8 @@ int CheckAll(
 using ShadowReceivers = testing::TestWithParam<Camera>;
 }
 
-// Hazard: a receiver in a lexel where no query looks, or outside of its extent, loses its shadow.
+// Hazard: a receiver is in a lexel that no query reads, or outside of the lexel's extent, and loses
+// its shadow.
 TEST_P(ShadowReceivers, NoneIsMissed)
 {
   vtkShadowLitmap litmap;
@@ -271,7 +272,7 @@ INSTANTIATE_TEST_SUITE_P(Cameras, ShadowReceivers,
     Camera{ true, 1.0, 20.0, { 5e6, -5e6, 5e6 }, 60.0, 16 },
     Camera{ true, 1e-3, 1e5, { 5e6, 0, 0 }, 60.0, 32 }));
 
-// Hazard: what lies between two faces of the cube around a point light belongs to both, or neither.
+// Hazard: a receiver between two faces of the cube around a point light belongs to neither.
 TEST(ShadowReceiversOnce, EdgesOfTheCube)
 {
   vtkShadowLitmap litmap;
@@ -306,7 +307,8 @@ TEST(ShadowReceiversOnce, Multisampling)
   EXPECT_EQ(found, litmap.GetNumberOfReceivers());
 }
 
-// As many threads as there may be, more than rows, too: the litmap of one thread, to the bit.
+// With any number of threads, even more than rows, the litmap equals that of one thread, to the
+// bit.
 TEST(ShadowReceiversOnce, ThreadsDoNotMatter)
 {
   for (const auto& [width, height] : { std::pair(61, 43), std::pair(700, 2) })
@@ -335,7 +337,7 @@ TEST(ShadowReceiversOnce, ThreadsDoNotMatter)
   }
 }
 
-// Only what has depth and is reached: counted exactly.
+// Receivers are the samples with depth that the light reaches; their number is exact.
 TEST(ShadowReceiversOnce, WhichSamplesAreReceivers)
 {
   Maker maker(Camera(), 40, 30, 8);
@@ -355,7 +357,7 @@ TEST(ShadowReceiversOnce, WhichSamplesAreReceivers)
   EXPECT_EQ(count(std::vector<float>(depth.size(), std::nanf(""))), 0);
 }
 
-// Conservative is not enough: what a spot does not reach is left out, but for a margin.
+// It is not enough to be conservative: what a spot does not reach is left out, except for a margin.
 TEST(ShadowReceiversOnce, OutsideOfTheConeIsLeftOut)
 {
   for (unsigned int seed = 0; seed < 20; ++seed)
@@ -383,7 +385,8 @@ TEST(ShadowReceiversOnce, OutsideOfTheConeIsLeftOut)
   }
 }
 
-// Lines and points are lit in their middle, which may be some pixels away from their samples.
+// Lines and points are lit as their middle is, which may be some pixels away from their samples:
+// receivers within that margin of the cone are added, and no others.
 TEST(ShadowReceiversOnce, OnlyWhatMayBeLitBesideItsSampleIsAdded)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -418,7 +421,8 @@ TEST(ShadowReceiversOnce, OnlyWhatMayBeLitBesideItsSampleIsAdded)
   }
 }
 
-// The same far from the origin, where VTK's shader may see the cone's end units beside it.
+// Far from the origin, VTK's shader may see the edge of the cone whole units away from its place:
+// receivers there are added, too.
 TEST(ShadowReceiversOnce, WhatRoundingBringsIntoTheConeIsNotLeftOut)
 {
   constexpr double far = 1e6;
@@ -455,7 +459,7 @@ TEST(ShadowReceiversOnce, WhatRoundingBringsIntoTheConeIsNotLeftOut)
   EXPECT_GT(more, 20);
 }
 
-// Conservative is not enough: an extent around a single receiver is tight.
+// It is not enough to be conservative: the extent around a single receiver is tight.
 TEST(ShadowReceiversOnce, ExtentsAreTight)
 {
   for (unsigned int seed = 0; seed < 50; ++seed)
@@ -493,8 +497,8 @@ TEST(ShadowReceiversOnce, ExtentsAreTight)
   }
 }
 
-// Something small before something far: each has a block of its own, and what lies between them is
-// in neither.
+// A small object is in front of a distant one: each has its own block, and neither block contains
+// what is between them.
 TEST(ShadowReceiversOnce, LayersAreWhatLiesApart)
 {
   for (const bool parallel : { false, true })

@@ -116,7 +116,7 @@ TEST(ShadowTileSet, BoxesAreApartAndHoldAllMarks)
   }
 }
 
-// A cut is made where it leaves out more than it costs.
+// A box is cut where the cut leaves out more than it costs.
 TEST(ShadowTileSet, CutsAreWorthTheirCost)
 {
   const vtkNBufferRectangle pixels = { 0, 0, 10 * Size, 10 * Size };
@@ -159,7 +159,7 @@ TEST(ShadowTiles, HoldTheirReceivers)
   EXPECT_FALSE(tiles.IsKnown());
 }
 
-// Of a surface that is all at one depth there is nothing to part, nor where there is no receiver.
+// A tile has one layer where a surface is at a single depth or no receiver is seen.
 TEST(ShadowTiles, OneDepthIsOneLayer)
 {
   vtkShadowView view;
@@ -182,7 +182,8 @@ TEST(ShadowTiles, OneDepthIsOneLayer)
   EXPECT_TRUE(litmap.GetTiles().Get(0, 0)[1].IsEmpty()) << "nothing is seen there";
 }
 
-// Whatever a volume counts is within its caster's reach, for all meshes, lights and countings.
+// Whatever a volume counts is in the umbra of its caster, for all meshes, lights and ways of
+// counting.
 TEST(ShadowUmbra, HoldsAllThatIsInShadow)
 {
   std::mt19937 random(17);
@@ -242,8 +243,9 @@ TEST(ShadowUmbra, HoldsAllThatIsInShadow)
   EXPECT_GT(left[1], 0) << "nothing but what is in shadow would be a surprise, of " << beside[1];
 }
 
-// Hazard: a point in a triangle, on its sides or behind them is said to be out of reach because the
-// equations of planes and sides are rounded. The blocks have no size, which would hide the error.
+// Hazard: the equations of planes and sides are rounded, so that a point in a triangle, on its
+// sides or behind them is said to be outside of the umbra. The blocks are points, since an extent
+// would hide the error.
 TEST(ShadowUmbra, RoundingLeavesNothingOutOfReach)
 {
   std::mt19937 random(29);
@@ -277,7 +279,8 @@ TEST(ShadowUmbra, RoundingLeavesNothingOutOfReach)
   }
 }
 
-// All triangles of a flat mesh are in one plane, however many: above it there is nothing to shadow.
+// All triangles of a flat mesh are in one plane, however many there are: what is above it is not in
+// the umbra.
 TEST(ShadowUmbra, SheetsOfManyTrianglesHaveOnePlane)
 {
   std::mt19937 random(3);
@@ -309,8 +312,8 @@ TEST(ShadowUmbra, SheetsOfManyTrianglesHaveOnePlane)
   EXPECT_TRUE(both[1].GetUmbra(slant).MayShadow(over)) << "too many planes to be looked at";
 }
 
-// A slab of ground does not reach what stands on it, though that is on its rays and beyond its
-// nearest corner.
+// The umbra of a slab of ground does not contain what stands on it, although that is on the rays of
+// the slab and farther from the light than the slab's nearest corner.
 TEST(ShadowUmbra, GroundDoesNotReachWhatStandsOnIt)
 {
   for (const bool positional : { false, true })

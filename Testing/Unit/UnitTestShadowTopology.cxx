@@ -327,7 +327,7 @@ TEST(ShadowTopology, OthersAreNotConvex)
   EXPECT_GE(rejected, 8);
 }
 
-// Hazard: what is taken for convex and is not overflows the stencil.
+// Hazard: a mesh that is not convex is treated as convex, and its counts overflow the stencil.
 TEST(ShadowTopology, ConvexityAgreesWithBruteForce)
 {
   std::mt19937 random(5);
@@ -373,7 +373,7 @@ TEST(ShadowTopology, StarsAreNotConvex)
   }
 }
 
-// Hazard: rounding errors hide a fold.
+// Hazard: rounding errors hide that a mesh is concave at an edge.
 TEST(ShadowTopology, ConcaveByLessThanRoundingIsNotConvex)
 {
   std::mt19937 random(7);

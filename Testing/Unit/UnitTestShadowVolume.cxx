@@ -203,7 +203,7 @@ TEST(ShadowVolume, SilhouettesOfKnownMeshes)
   EXPECT_EQ(CountMultiplicities(get(book, along)), (Multiplicities{ { 1, 10 } }));
 }
 
-// Hazard: holes, counts that do not cancel, images of caps that do not fit their sides.
+// Hazard: volumes have holes, counts do not cancel, or far caps do not fit the sides.
 TEST(ShadowVolume, CountsAgreeWithBruteForce)
 {
   std::mt19937 random(11);
@@ -223,7 +223,8 @@ TEST(ShadowVolume, CountsAgreeWithBruteForce)
   EXPECT_GT(shadowed, 1000);
 }
 
-// Hazard: the surface of a mirrored or badly wound body counts where it leaves the light.
+// Hazard: a mirrored or badly wound body begins to cast its shadow at the wrong one of its two
+// surfaces.
 TEST(ShadowVolume, InsideOutBodiesAreTurnedRound)
 {
   std::mt19937 random(12);
@@ -249,7 +250,8 @@ TEST(ShadowVolume, InsideOutBodiesAreTurnedRound)
   EXPECT_GT(shadowed, 500);
 }
 
-// Hazard: a count beyond the bound overflows the stencil; a bound far too large costs passes.
+// Hazard: a count is larger than its bound, and overflows the stencil; or a bound is far too large,
+// and more passes are drawn than needed.
 TEST(ShadowVolume, CountsAreBounded)
 {
   std::mt19937 random(15);
@@ -295,7 +297,7 @@ TEST(ShadowVolume, CountsAreBounded)
   EXPECT_EQ(around.Silhouette.GetMaximumCount(), around.Topology.GetNumberOfTriangles());
 }
 
-// Hazard: no triangle faces a light inside, so that nothing at all is dark.
+// Hazard: no triangle of a closed caster faces a light inside of it, and nothing is in shadow.
 TEST(ShadowVolume, LightInsideOrOnACaster)
 {
   std::mt19937 random(13);
@@ -326,8 +328,8 @@ TEST(ShadowVolume, LightInsideOrOnACaster)
   }
 }
 
-// What is in shadow does not depend on how triangles are wound or on which points they share, and
-// moves with the scene.
+// Shadows do not depend on the winding of triangles or on the points that they share, and they move
+// with the scene.
 TEST(ShadowVolume, ShadowsDoNotDependOnTheMeshsForm)
 {
   std::mt19937 random(14);
@@ -380,7 +382,7 @@ TEST(ShadowVolume, ShadowsDoNotDependOnTheMeshsForm)
   EXPECT_GT(shadowed, 200);
 }
 
-// Volumes of a parallel camera are hardly longer than they have to be.
+// Volumes for a parallel camera are hardly longer than necessary.
 TEST(ShadowVolume, LengthsForParallelCameras)
 {
   const auto getLowest = [](const vtkShadowLight& light, const vtkShadowBlock& view)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which pieces of shadow volumes are kept from frame to frame, and what keeping them takes.
+// Which shadow volumes are kept from frame to frame, and how much memory they take.
 #include "ShadowCaster.h"
 #include "vtkShadowVolumeStore.h"
 
@@ -93,7 +93,8 @@ TEST(ShadowVolumeStore, MakesOnlyWhatHasChanged)
   }
 }
 
-// What depends on the receivers or on the view of a parallel camera is made in each frame.
+// Volumes that depend on the receivers, or on the view of a parallel camera, are made in each
+// frame.
 TEST(ShadowVolumeStore, MakesWhatDependsOnMoreInEachFrame)
 {
   const vtkShadowBlock view = { { -5.0, -5.0, -5.0 }, { 5.0, 5.0, 5.0 } };
@@ -119,7 +120,7 @@ TEST(ShadowVolumeStore, MakesWhatDependsOnMoreInEachFrame)
   }
 }
 
-// Where everything moves, the store stays in proportion to what is drawn.
+// If everything moves, the size of the store stays in proportion to what is drawn.
 TEST(ShadowVolumeStore, BeginsAgainBeforeItIsMostlyUseless)
 {
   Frames frames;

@@ -153,14 +153,15 @@ const Fields<Shadows> ShadowFields = {
 };
 }
 
-// Hazard: a new enumerator without a name, or two with the same, makes JSON and overlays lie.
+// Hazard: a new enumerator has no name, or the name of another one, and JSON and overlays show a
+// wrong word.
 TEST(NBufferStatistics, EveryVerdictAndDecisionHasItsOwnName)
 {
   ExpectNames<Culling>(vtkNBufferVerdict::NumberOfVerdicts);
   ExpectNames<Culling>(vtkNBufferDecision::NumberOfDecisions);
 }
 
-// Hazard: a frame that nothing is known of must not look like a frame that culled.
+// Hazard: statistics without a frame look like those of a culled frame.
 TEST(NBufferStatistics, StartsAtZero)
 {
   const Culling statistics;
@@ -183,7 +184,7 @@ TEST(NBufferStatistics, DrawnHiddenAndOutsideAreAllProps)
     statistics.GetNumberOfPropsDrawn() + statistics.GetNumberOfPropsNotDrawn(), statistics.Props);
 }
 
-// Hazard: a field forgotten, mixed up, or cut to 32 bits in JSON.
+// Hazard: a field is missing in JSON, exchanged with another one, or cut to 32 bits.
 TEST(NBufferStatistics, JSONHoldsEveryField)
 {
   const Culling statistics = FillCulling();
@@ -209,7 +210,7 @@ TEST(ShadowStatistics, EveryEnumeratorHasItsOwnName)
   ExpectNames<Shadows>(vtkShadowStage::NumberOfStages);
 }
 
-// What was not measured must not look like what took no time.
+// A time that was not measured must not look like a time of 0.
 TEST(ShadowStatistics, NothingIsMeasuredAtFirst)
 {
   const Json::Value json = Parse(Shadows().GetAsJSON());
@@ -222,7 +223,7 @@ TEST(ShadowStatistics, NothingIsMeasuredAtFirst)
   }
 }
 
-// Hazard: a field forgotten, mixed up, or cut to 32 bits in JSON.
+// Hazard: a field is missing in JSON, exchanged with another one, or cut to 32 bits.
 TEST(ShadowStatistics, JSONHoldsEveryField)
 {
   Shadows statistics;

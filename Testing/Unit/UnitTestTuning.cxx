@@ -16,8 +16,8 @@ class TuningByName : public ::testing::Test
 using Tunings = ::testing::Types<vtkNBufferTuning, vtkShadowTuning>;
 TYPED_TEST_SUITE(TuningByName, Tunings);
 
-// Hazard: a constant that is printed, compared or checked, but cannot be reached by its name, or
-// the other way round.
+// Hazard: a constant is printed, compared or checked, but cannot be set by its name, or the other
+// way round.
 TYPED_TEST(TuningByName, EveryConstantIsReadSetComparedAndPrinted)
 {
   const TypeParam defaults;

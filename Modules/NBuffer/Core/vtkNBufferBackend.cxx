@@ -106,7 +106,7 @@ void vtkNBufferBackend::Merge(const std::function<bool(vtkNBufferLevels&)>& merg
 {
   const vtkNBufferClock clock;
   vtkNBufferLevels& levels = job.Levels;
-  // Levels above 0 are dropped: they may be of this depth alone.
+  // Levels above 0 are dropped, because they may have been built before the merge.
   levels.Allocate(job.Source.Viewport[2], job.Source.Viewport[3], job.Factor, 1,
     vtkNBufferDepthConvention::Farthest);
   this->IsMerged = merge(levels);

@@ -5,12 +5,13 @@
  * @brief Builds the levels of the depth of the framebuffer that is being drawn, and returns them in
  * host memory.
  *
- * There are two paths, which give the same levels to the bit. OpenGL: a fragment pass reduces the
- * depth to level 0, which is read back. CPU: the whole depth is read back, and the host reduces it.
- * The host builds the other levels in both: they hold 8 to 10 times as much as level 0, so that
- * reading them would take longer than building them.
+ * There are two paths, which build the same levels, to the bit. On the OpenGL path, a fragment pass
+ * reduces the depth to level 0, which is then read back. On the CPU path, the whole depth is read
+ * back, and the host reduces it. On both paths the host builds the other levels: together they are
+ * 8 to 10 times as large as level 0, so that reading them back would take longer than building
+ * them.
  *
- * Which one is faster depends on the machine. Software renderers reduce on the same processor, and
+ * Which path is faster depends on the machine. Software renderers reduce on the same processor, and
  * slower than the host does (docs/benchmarks.md), so Auto chooses the CPU there without a trial.
  * Elsewhere Auto measures both paths in real frames, once per graphics context: the first build, by
  * OpenGL, warms the passes up; the second, by OpenGL, and the third, by the CPU, are measured. Auto
@@ -39,7 +40,7 @@ class vtkOpenGLRenderWindow;
 class vtkNBufferBackend
 {
 public:
-  /// As vtkNBufferCuller::BackendType.
+  /// The path, with the same values as vtkNBufferCuller::BackendType.
   enum Kind
   {
     Auto,
@@ -61,16 +62,16 @@ public:
   /**
    * Build levels of the farthest depths over the viewport of the source. Returns None on success.
    * On failure returns NoFloatTextures or NoDepth, with cause and remedy in `why`, and leaves no
-   * levels. If `wanted` is Auto and the device cannot build, the CPU builds instead, now and later
-   * in this context.
+   * levels. If `wanted` is Auto and the OpenGL path fails, the CPU path is used instead, now and
+   * later in this context.
    */
   vtkNBufferDecision Build(Kind wanted, const Job& job, std::string& why);
 
   /**
-   * After Build(): let merge(levels) make the texels of level 0 nearer where it knows of depth that
-   * has not been drawn here, but will be nearer in the picture, and build the levels of `job` from
-   * it. merge() returns whether it made one nearer. GetDepth() then returns an image into which
-   * level 0 is merged, too.
+   * To be called after Build(), to add depth that other ranks have drawn. merge(levels) replaces
+   * texels of level 0 by nearer depth where the final picture has nearer depth; it returns whether
+   * it replaced any. The other levels of `job` are then built from level 0. If texels were
+   * replaced, GetDepth() returns an image in which no pixel is farther than its texel of level 0.
    */
   void Merge(const std::function<bool(vtkNBufferLevels&)>& merge, const Job& job);
 
@@ -120,22 +121,22 @@ private:
   /// Let the device reduce the depth to level 0 of `texture`.
   static vtkNBufferDecision Reduce(
     vtkNBufferTexture* texture, const Job& job, int factor, std::string& why);
-  /// Make the pixels of a rectangle of the depth image as near as their texels of level 0.
+  /// Replace each pixel of a rectangle of the depth image that is farther than its texel of level 0
+  /// by this texel.
   void MergePixels(const vtkNBufferLevels& levels, const vtkNBufferRectangle& pixels);
   /// Read rectangles of level 0 of `texture` back to their places in `base`.
   static vtkNBufferDecision ReadBack(vtkNBufferTexture* texture, const Job& job,
     const std::vector<vtkNBufferRectangle>& rectangles, float* base, std::string& why);
 
   vtkNew<vtkNBufferTexture> Texture;
-  /// The farthest sample of each pixel, where the device finds it: of a multisampled framebuffer,
-  /// and with the OpenGL path.
+  /// The farthest sample of each pixel, for multisampled framebuffers and for the OpenGL path.
   vtkNew<vtkNBufferTexture> FarthestTexture;
   ///@{
   /// The depth image. With the OpenGL path only the tiles that were read since the last Build() are
   /// defined.
   std::vector<float> Depth;
   bool HasDepth = false;
-  bool IsMerged = false; ///< Whether level 0 is merged into the depth image.
+  bool IsMerged = false; ///< Whether Merge() has made level 0 nearer.
   vtkNBufferDepthTiles Tiles;
   ///@}
   Kind InUse = Auto;

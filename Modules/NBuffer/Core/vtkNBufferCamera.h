@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferCamera
- * @brief The camera of a renderer for the eye that is being drawn, as culler and shadows use it.
+ * @brief The camera of a renderer, for the eye that is being drawn, as the culler and the shadow
+ * pass use it.
  *
  * vtkCamera::GetCompositeProjectionTransformMatrix() leaves out the shear that the eyes of a stereo
  * pair have. VTK's mappers multiply the projection matrix by the model-view matrix instead, and so
@@ -10,8 +11,9 @@
  *
  * VTK draws with the matrices that vtkOpenGLCamera keeps until camera or renderer are modified. A
  * window that is switched to stereo or back modifies neither, so that the matrices may be those of
- * an eye that is no longer drawn. This class takes the matrices that VTK draws with. Only where VTK
- * has not yet set the flag of the camera are they computed from the camera's parameters.
+ * an eye that is no longer drawn. VTK draws with these matrices nevertheless, and so this class
+ * uses them. Only if the stereo flag of the camera is not yet that of the window, it computes the
+ * matrices from the camera's parameters.
  */
 #ifndef vtkNBufferCamera_h
 #define vtkNBufferCamera_h

@@ -12,12 +12,12 @@
  *
  * Other renderers store other depths. With reversed depth, (1 - z / w) / 2, the near plane is at 1,
  * the background is at 0, and the farthest depth of a square is the minimum, not the maximum. This
- * is the only file that knows which depth is stored. All other files take from here
+ * is the only file that knows which depth is stored. All other files get these from here:
  *
  *  - the *order* of a depth, which grows with the distance from the eye whatever is stored; the
- *    mathematics of the culler (vtkNBufferProjection) compares orders and nothing else,
- *  - the extremum that the levels of an N-buffer must hold,
- *  - the depths that are stored on the near plane and in the background,
+ *    mathematics of the culler (vtkNBufferProjection) compares orders and nothing else;
+ *  - the extremum that the levels of an N-buffer must hold;
+ *  - the depths that are stored on the near plane and in the background;
  *  - the comparisons that are set with glDepthFunc, and which way glPolygonOffset moves.
  *
  * VTK's order of a point p is a linear function of p divided by w, as its x and y on the screen
@@ -53,8 +53,8 @@ constexpr double InverseScale = Sign / Scale;
 constexpr double InverseOffset = -Offset / Scale;
 ///@}
 
-/// The stored depth where nothing has been drawn. No drawn depth is farther. The depth buffer is
-/// cleared to this value.
+/// The stored depth where nothing has been drawn, to which the depth buffer is cleared. No drawn
+/// depth is farther.
 constexpr float Background = Sign > 0.0 ? 1.0f : 0.0f;
 
 /// The stored depth on the near plane. No drawn depth is nearer.

@@ -21,7 +21,8 @@ GLint GetAttachmentParameter(GLenum attachment, GLenum name)
   return value;
 }
 
-/// How far the samples of the framebuffer that is being drawn are from the middle of their pixel.
+/// The largest distance, in x or y, of a sample of the framebuffer that is being drawn from the
+/// middle of its pixel, in pixels.
 double GetSampleDistance()
 {
   double distance = 0.0;

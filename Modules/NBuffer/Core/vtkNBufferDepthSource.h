@@ -33,14 +33,15 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
   int Width = 0;                    ///< Width of the depth buffer in pixels.
   int Height = 0;                   ///< Height of the depth buffer in pixels.
   int Samples = 0;                  ///< Samples of a pixel; 0 and 1 both mean one.
-  double SampleDistance = 0.0;      ///< How far they may be from its middle in x or y, in pixels.
-  int DepthBits = 0;                ///< 0 if there is no depth buffer.
-  bool FloatDepth = false;          ///< Depth is floating-point, not unsigned normalised.
-  bool HasStencil = false;          ///< The buffer of depth holds a stencil, too.
-  bool DefaultDepthRange = true;    ///< glDepthRange is [0, 1].
-  bool Texture = false;             ///< The depth attachment is a texture, not a renderbuffer.
-  unsigned int DepthName = 0;       ///< GL name of the depth attachment.
-  int DepthLevel = 0;               ///< Mip level of a texture attachment.
+  /// How far a sample may be from the middle of its pixel in x and in y, in pixels.
+  double SampleDistance = 0.0;
+  int DepthBits = 0;             ///< 0 if there is no depth buffer.
+  bool FloatDepth = false;       ///< Depth is floating-point, not unsigned normalised.
+  bool HasStencil = false;       ///< The depth attachment also holds the stencil.
+  bool DefaultDepthRange = true; ///< glDepthRange is [0, 1].
+  bool Texture = false;          ///< The depth attachment is a texture, not a renderbuffer.
+  unsigned int DepthName = 0;    ///< GL name of the depth attachment.
+  int DepthLevel = 0;            ///< Mip level of a texture attachment.
 
   /**
    * Query the framebuffer that is bound for drawing and set all members. The window's context must
@@ -52,12 +53,12 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
 
   /**
    * Whether the viewport lies inside the depth buffer. It does not if a pass draws into a
-   * framebuffer that has the size of the viewport, but sets the viewport at its place in the window
-   * (vtkSSAOPass before VTK 9.7, if the renderer fills only a part of the window).
+   * framebuffer that is only as large as the viewport, but sets the viewport at its place in the
+   * window (vtkSSAOPass before VTK 9.7, if the renderer fills only a part of the window).
    */
   bool HoldsViewport() const;
 
-  /// The number of bits of a depth that both the buffer and a float in [0, 1] can hold; at most 24.
+  /// The number of bits of depth that both the buffer and a float near 1 can hold; at most 24.
   int GetPrecision() const { return std::min(this->DepthBits, 24); }
 
   /**
@@ -68,17 +69,20 @@ struct VTKNBUFFER_EXPORT vtkNBufferDepthSource
    * shader reads it. vtkNBufferDepthFormat::FromQuantum() allows for them:
    *
    *  - Storing costs at most one step: OpenGL takes one of the two nearest integers i of b bits.
-   *    (They are 1 / (2^b - 1) apart. What that exceeds the step by, 2^-2b, the second cost does
-   *    not use up for 16 bits, and for 24 bits the rounding of the slack covers it.)
+   *    (They are 1 / (2^b - 1) apart, about 2^-2b more than a step. For 16 bits, reading costs so
+   *    much less than a step that two steps are enough for both; for 24 bits, the rounding terms of
+   *    the slack cover the excess.)
    *  - Reading costs at most one more. OpenGL does not say how i becomes the float i / (2^b - 1),
    *    and glReadPixels() and texelFetch() differ on some devices. One of the two floats around the
    *    exact value is off by less than 2^-24. Read() and Mesa's llvmpipe multiply integers of 24
    *    bits by a rounded factor instead, which returns up to 1.25 * 2^-24 too far, but never too
-   *    near. The quarter matters only for the Minimum, which no culling uses.
+   *    near. The excess over one step, 0.25 * 2^-24, matters only for the Minimum, which the culler
+   *    does not use.
    *  - Copying to a texture (vtkNBufferTexture) costs nothing, because the format stays the same.
-   *  - Of 32 bits the last 8 are dropped, which costs less than a step and only to the safe side
-   *    (vtkNBufferBaseFS.glsl does the same). Where only samplers can read them, the shader moves
-   *    the value by the error of samplers to the safe side.
+   *  - Of normalised depth of 32 bits the last 8 bits are dropped, which moves the depth by less
+   *    than a step, and only to the safe side (vtkNBufferBaseFS.glsl does the same). Where only
+   *    samplers can read such depth, the shader moves the value to the safe side by the error of
+   *    samplers.
    */
   double GetStep() const { return std::ldexp(1.0, -this->GetPrecision()); }
 

@@ -39,7 +39,7 @@ public:
   /**
    * Get rectangles that share no pixel and consist of the tiles that touch any of `rectangles` and
    * were not in an earlier result since Begin(). The parts of `rectangles` outside of the image do
-   * not count. Cost: one visit of each tile of each rectangle, and one of each tile of the image.
+   * not count. It visits each tile of each rectangle once, and each tile of the image once.
    */
   std::vector<vtkNBufferRectangle> Add(const std::vector<vtkNBufferRectangle>& rectangles);
 

@@ -4,8 +4,8 @@
  * @file vtkNBufferForEachChild.h
  * @brief Visits the children of a node of composite data.
  *
- * vtk::Range() does the same, but each of its references copies the iterator, which begins again at
- * the first child: with thousands of children this takes seconds.
+ * vtk::Range() does the same, but each reference to a child copies the iterator, and the copy
+ * begins again at the first child. With thousands of children this takes seconds.
  */
 #ifndef vtkNBufferForEachChild_h
 #define vtkNBufferForEachChild_h

@@ -48,7 +48,7 @@ void Run(std::size_t count, Functor&& functor, vtkIdType perThread = PropsPerThr
   vtkSMPTools::For(0, size, perThread, functor);
 }
 
-/// Call functor(i) for 0 to count - 1 like Run().
+/// Call functor(i) for each i from 0 to count - 1, in parallel like Run().
 template <typename Functor>
 void RunEach(std::size_t count, Functor&& functor, vtkIdType perThread = PropsPerThread)
 {
@@ -64,8 +64,8 @@ void RunEach(std::size_t count, Functor&& functor, vtkIdType perThread = PropsPe
     perThread);
 }
 
-/// As RunEach(), and calls prefetch(i) for a prop while functor() works on the prop that is
-/// PropsToFetchAhead before it. The first props of all are not prefetched.
+/// Like RunEach(), but also calls prefetch(i) for a prop when functor() begins with the prop that
+/// is PropsToFetchAhead before it. The first props of all are not prefetched.
 template <typename Prefetch, typename Functor>
 void RunAhead(
   std::size_t count, Prefetch&& prefetch, Functor&& functor, vtkIdType perThread = PropsPerThread)

@@ -97,7 +97,7 @@ const char* GetSoftwareRenderer()
   return found == names.end() ? nullptr : *found;
 }
 
-/// Whether this is Mesa's softpipe, which does not keep two of OpenGL's promises.
+/// Whether the current context is that of Mesa's softpipe, which breaks two of OpenGL's promises.
 static bool IsSoftpipe()
 {
   const char* software = GetSoftwareRenderer();

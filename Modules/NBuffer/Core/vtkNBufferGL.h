@@ -110,8 +110,8 @@ protected:
 
   /// Transfer pixels with tightly packed rows until the scope ends, to or from a buffer object, or
   /// host memory if `buffer` is 0. `target` and `binding` are the target of the buffer and the
-  /// state variable of its binding, `parameters` those of glPixelStore for this direction, of which
-  /// the alignment must be the first.
+  /// state variable of its binding. `parameters` are the parameters of glPixelStore for this
+  /// direction; the alignment must be the first.
   void SetTransfer(
     GLenum target, GLenum binding, std::initializer_list<GLenum> parameters, unsigned int buffer);
 
@@ -166,8 +166,8 @@ public:
 
 /**
  * While it lives, shaders read plain depth from the GL_TEXTURE_2D or GL_TEXTURE_2D_MULTISAMPLE that
- * is bound to the active unit: no comparison, no filter, and only the level given. The texture's
- * own parameters, which belong to somebody else, are restored.
+ * is bound to the active unit: no comparison, no filter, and only the level given. The texture
+ * belongs to other code, so its own parameters are restored.
  */
 class VTKNBUFFER_EXPORT ScopedDepthSampling : public Scope
 {

@@ -21,7 +21,7 @@ namespace
 {
 using Arrays = vtkNBufferProtectedMembers::GlyphArrays;
 
-/// What VTK replaces a scale of 0 by.
+/// The scale by which VTK replaces a scale of 0.
 constexpr double SmallestScale = 1.0e-10;
 
 vtkDataSet* GetData(vtkGlyph3DMapper* mapper)

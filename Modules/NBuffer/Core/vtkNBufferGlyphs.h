@@ -4,11 +4,11 @@
  * @file vtkNBufferGlyphs.h
  * @brief The instances of a vtkGlyph3DMapper: one source, and where each of its copies is.
  *
- * VTK's mapper computes the matrices of the instances when it draws them, in a private class. Who
- * needs them earlier, or those of a prop that is never drawn, finds them here. GetMatrices()
- * repeats what vtkOpenGLGlyph3DMapper::RebuildStructures() does in VTK 9.1 to 9.7: position,
- * orientation, scale and mask of each point, computed in doubles and rounded to floats. A test
- * compares the result with the buffers that VTK uploads, bit for bit.
+ * VTK's mapper computes the matrices of the instances only when it draws them, and in a private
+ * class. The functions below give them earlier, and also for props that are never drawn.
+ * GetMatrices() repeats what vtkOpenGLGlyph3DMapper::RebuildStructures() does in VTK 9.1 to 9.7:
+ * position, orientation, scale and mask of each point, computed in doubles and rounded to floats. A
+ * test compares the result with the buffers that VTK uploads, bit for bit.
  */
 #ifndef vtkNBufferGlyphs_h
 #define vtkNBufferGlyphs_h
@@ -29,14 +29,15 @@ namespace vtkNBufferGlyphs
 {
 /**
  * The mapper if it is VTK's own and draws copies of one polydata at the points of one data set,
- * otherwise nullptr. So nullptr is the answer for several sources, a table of sources, composite
- * data, VTK's own culling of instances, which replaces sources by coarser ones, and subclasses,
- * which may draw anything.
+ * otherwise nullptr. It is nullptr for several sources, a table of sources and composite data; with
+ * VTK's own culling of instances, which replaces sources by coarser ones; and for subclasses, which
+ * may draw anything.
  */
 VTKNBUFFER_EXPORT vtkGlyph3DMapper* GetMapper(vtkMapper* mapper);
 
 ///@{
-/// Of such a mapper: the polydata, and the newest time of what the matrices are computed from.
+/// The polydata that such a mapper copies, and the newest time of what its matrices are computed
+/// from.
 VTKNBUFFER_EXPORT vtkPolyData* GetSource(vtkGlyph3DMapper* mapper);
 VTKNBUFFER_EXPORT vtkMTimeType GetTime(vtkGlyph3DMapper* mapper);
 ///@}

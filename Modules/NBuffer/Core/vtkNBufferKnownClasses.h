@@ -4,11 +4,11 @@
  * @file vtkNBufferKnownClasses.h
  * @brief Which classes of passes, mappers and actors are known to draw what the culler relies on.
  *
- * Known are the classes of VTK that were examined, and those that an application vouches for.
- * vtkNBufferCuller::AddKnownPass(), AddKnownMapper() and AddKnownActor() say what it promises. Its
- * names are kept for the whole process, because a promise holds for a class, and whoever gives it
- * (a script, a plug-in) may have no access to each culler. They cannot be taken out again. All
- * functions may be called by several threads.
+ * The known classes are those of VTK that were examined, and those that an application vouches for.
+ * vtkNBufferCuller::AddKnownPass(), AddKnownMapper() and AddKnownActor() say what the application
+ * promises by this. The names that it adds hold for the whole process, because a promise is about a
+ * class, and the code that gives it (a script, a plug-in) may have no access to every culler. They
+ * cannot be removed. All functions may be called by several threads.
  */
 #ifndef vtkNBufferKnownClasses_h
 #define vtkNBufferKnownClasses_h
@@ -63,8 +63,8 @@ VTKNBUFFER_EXPORT MapperKind GetKind(vtkMapper* mapper);
 VTKNBUFFER_EXPORT vtkActor* GetPlainActor(vtkProp* prop);
 ///@}
 
-/// Whether a plain actor with a mapper, and that mapper, are of VTK's own classes, of which it is
-/// known from which objects GetMTime() combines its time. Subclasses may override it.
+/// Whether a plain actor and its mapper, which must not be nullptr, are of VTK's own classes. Of
+/// these it is known which objects' times GetMTime() combines; subclasses may override GetMTime().
 VTKNBUFFER_EXPORT bool HaveKnownTimes(vtkActor* actor);
 }
 VTK_ABI_NAMESPACE_END

@@ -6,8 +6,8 @@
  *
  * Actors that show the same polydata share one mesh, which takes 24 bytes per point and 12 per
  * triangle. A mesh is released if it has not been requested for more than 256 frames; this is
- * checked in every 256th frame. The owner keeps the meshes of a prop (OfProp), because to get the
- * data of an actor from VTK, with their time, takes longer than to test a mesh of 20 points.
+ * checked in every 256th frame. The owner also keeps which meshes a prop has (OfProp): getting the
+ * data of an actor and their time from VTK takes longer than testing a mesh of 20 points.
  */
 #ifndef vtkNBufferMeshes_h
 #define vtkNBufferMeshes_h
@@ -41,20 +41,20 @@ public:
   struct OfProp
   {
     std::vector<Placed> Meshes;
-    vtkIdType Limit = -1; ///< That of Get(), or -1 if the meshes are not known.
+    vtkIdType Limit = -1; ///< The `limit` of the last Get(), or -1 if Get() has to read the meshes.
     int Frame = 0;        ///< The last frame that requested any of this.
     ///@{
-    /// Of FindSmall(): the triangles, or null before they are copied; whether the data has too many
-    /// polygons, or strips, or is no polydata; and with which triangle
-    /// vtkNBufferPixelTest::MayBeSeen() begins.
+    /// What FindSmall() knows: the triangles, or nullptr before they are copied; whether they are
+    /// never copied, because the data has too many polygons, has strips, or is no polydata; and
+    /// with which triangle vtkNBufferPixelTest::MayBeSeen() begins.
     std::shared_ptr<const vtkNBufferMesh> Small;
     bool IsTooLarge = false;
     std::size_t First = 0;
     ///@}
   };
 
-  /// Count a frame, and release meshes that have not been requested for a long time, those that are
-  /// kept included.
+  /// Count a frame. In every 256th frame, release the meshes that have not been requested for more
+  /// than 256 frames, in this cache and in `kept`.
   void BeginFrame(std::vector<OfProp>& kept);
 
   /**
@@ -66,11 +66,11 @@ public:
   const std::vector<Placed>& Get(vtkProp* prop, vtkIdType limit, OfProp& kept);
 
   /**
-   * Whether `kept.Small` is known: the triangles of an actor whose data is a polydata with at most
-   * MaximumNumberOfPolygons polygons and without strips. Copying them may take a tenth of a
-   * millisecond, because polygons have to be triangulated. They are therefore copied only if
-   * `mayCopy` is true, and for at most CopiesPerFrame actors in a frame. What is said of `kept`
-   * above holds here, too.
+   * Set `kept.Small` to the triangles of an actor whose data is a polydata with at most
+   * MaximumNumberOfPolygons polygons and without strips. Returns whether they are known now.
+   * Copying them may take a tenth of a millisecond, because polygons have to be triangulated. They
+   * are therefore copied only if `mayCopy` is true, and for at most CopiesPerFrame actors in a
+   * frame. As for Get(), `kept` must be replaced by an empty one if the actor or its data changes.
    */
   bool FindSmall(vtkActor* actor, bool mayCopy, OfProp& kept);
 

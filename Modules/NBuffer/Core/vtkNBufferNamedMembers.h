@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferNamedMembers.h
- * @brief The numbers of a struct by name: what vtkNBufferTuning and vtkShadowTuning do with all of
- * their constants.
+ * @brief Access to the numbers of a struct by name, for vtkNBufferTuning and vtkShadowTuning.
  *
- * Each of the two has one array of vtkNBufferNamedMember. Comparing, checking ranges, printing, and
- * access by name from Python and from command lines follow from it.
+ * Each of the two has one array of vtkNBufferNamedMember, with an element for each of its
+ * constants. The functions below use this array to compare, to check ranges, to print, and to find
+ * a constant by its name.
  */
 #ifndef vtkNBufferNamedMembers_h
 #define vtkNBufferNamedMembers_h
@@ -29,7 +29,7 @@ struct vtkNBufferNamedMember
   int Struct::*Number = nullptr;
   int Lowest = 0;
   int Highest = 1;
-  bool Struct::*Switch = nullptr; ///< Set instead of Number.
+  bool Struct::*Switch = nullptr; ///< Used instead of Number for a switch.
 
   constexpr vtkNBufferNamedMember(const char* name, int Struct::*number, int lowest, int highest)
     : Name(name)
@@ -52,7 +52,7 @@ struct vtkNBufferNamedMember
 
 namespace vtkNBufferNamedMembers
 {
-/// Return the member of a name, or nullptr if there is none.
+/// Return the member with this name, or nullptr if there is none.
 template <typename Struct, std::size_t N>
 const vtkNBufferNamedMember<Struct>* Find(
   const vtkNBufferNamedMember<Struct> (&members)[N], const std::string& name)
@@ -72,8 +72,8 @@ std::vector<std::string> GetNames(const vtkNBufferNamedMember<Struct> (&members)
   return names;
 }
 
-/// Set the member of a name, whatever its range. Return false if there is no such name, or if a
-/// switch gets a number that is neither 0 nor 1.
+/// Set the member with this name, without checking its range. Return false if there is no such
+/// name, or if a switch gets a number that is neither 0 nor 1.
 template <typename Struct, std::size_t N>
 bool Set(const vtkNBufferNamedMember<Struct> (&members)[N], Struct& object, const std::string& name,
   int value)

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferObservedObjects
- * @brief Whether any of many objects has been modified, without looking at each of them.
+ * @brief Finds out whether any of many objects has been modified, without looking at each of them.
  *
  * Every change of a modification time in VTK also invokes vtkCommand::ModifiedEvent. Each object
  * gets one observer of this event. The first event of an object sets a flag and removes the
  * observer again, so that an object that keeps changing costs nothing more.
  *
  * An application may remove the observer with RemoveAllObservers(). The command notices that it is
- * destroyed while its object lives, and TakeLoss() says so. (In VTK 9.1 an object that is being
- * deleted still has a reference when its observers are destroyed. TakeLoss() reports it, too.)
+ * destroyed while its object lives, and TakeLoss() then returns true. (In VTK 9.1 an object that is
+ * being deleted still has a reference when its observers are destroyed, so that TakeLoss() returns
+ * true then, too.)
  *
  * An observer takes about 300 bytes and half a microsecond to add, and makes a call of Modified()
  * take 34 ns instead of 6. Add(), TakeChange() and the destructor belong to one thread; Modified()
@@ -36,7 +37,7 @@ public:
   /// than their memory is worth.
   static constexpr std::size_t MaximumSize = 1 << 18;
 
-  /// With `deletionIsChange` TakeChange() also says whether an object was deleted.
+  /// If `deletionIsChange` is true, TakeChange() also returns true if an object was deleted.
   explicit vtkNBufferObservedObjects(bool deletionIsChange = false);
   ~vtkNBufferObservedObjects();
   vtkNBufferObservedObjects(const vtkNBufferObservedObjects&) = delete;
@@ -59,7 +60,8 @@ public:
 private:
   class Command;
   struct Record;
-  /// The commands share it, because they may outlive this object while an event is invoked.
+  /// The commands share this record, because they may outlive this object while an event is
+  /// invoked.
   std::shared_ptr<Record> Shared;
 };
 

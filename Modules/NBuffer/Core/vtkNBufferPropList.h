@@ -9,10 +9,10 @@
  * addresses and never dereferenced. This class mistakes a new prop at the address of a deleted one
  * for the old prop; vtkNBufferPropWatch notices the newer modification time.
  *
- * T is what the owner of the list knows of a prop, an item. When the list changes, items move with
- * their props. The item of a new prop is T(prop) or, if there is no such constructor, T(). The
- * items lie side by side in one vector. An owner that keeps more vectors with one element for each
- * prop passes them to Synchronize().
+ * An item, of type T, is what the owner of the list knows of one prop. When the list changes, items
+ * move with their props. The item of a new prop is T(prop) or, if there is no such constructor,
+ * T(). The items lie side by side in one vector. An owner that keeps more vectors with one element
+ * for each prop passes them to Synchronize().
  */
 #ifndef vtkNBufferPropList_h
 #define vtkNBufferPropList_h

@@ -42,8 +42,8 @@ using vtkNBufferProtectedMembers::GetOwnTime;
 
 namespace
 {
-/// Whether GetMTime() of a user's transform changes nothing, so that it may be called in parallel.
-/// vtkProp3D wraps a user's matrix in a vtkMatrixToLinearTransform.
+/// Whether GetMTime() of a user's transform modifies no object, so that it may be called in
+/// parallel. vtkProp3D wraps a user's matrix in a vtkMatrixToLinearTransform.
 bool IsPlain(vtkLinearTransform* transform)
 {
   return !transform || typeid(*transform) == typeid(vtkTransform) ||
@@ -246,7 +246,8 @@ bool vtkNBufferPropWatch::ActorHasChanged() const
 
 bool vtkNBufferPropWatch::ObjectsHaveChanged() const
 {
-  // In this order: each object is known to be alive only if the one before it has not changed.
+  // The order matters: an object is known to be alive only if the objects before it have not
+  // changed.
   for (int i = 0; i < this->Count; ++i)
   {
     if (GetOwnTime(this->Objects[i]) > this->Time)

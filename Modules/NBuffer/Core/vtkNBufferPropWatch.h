@@ -4,17 +4,17 @@
  * @class vtkNBufferPropWatch
  * @brief Whether what a prop draws has changed since it was last read.
  *
- * Culler and shadows cache what they know of a prop for as long as this class finds no change. An
- * actor consists of many objects (property, mapper, data, ...). VTK takes all modification times
- * from one global counter, so any change of any of them increases the newest of their times.
- * Track() chooses the cheapest means to detect that:
+ * The culler and the shadow pass cache what they know of a prop for as long as this class finds no
+ * change. An actor consists of many objects (property, mapper, data, ...). VTK takes all
+ * modification times from one global counter, so any change of any of them increases the newest of
+ * their times. Track() chooses the cheapest means to detect that:
  *
  * - Stamps: the mapper shows polydata without a pipeline. Track() lists all objects, and each later
  *   check reads only their time stamps, one cache line for each. vtkActor::GetMTime() and
  *   vtkMapper::GetMTime() read some thirty cache lines one after the other, which for 15,000 props
- *   takes most of a culled frame. After Observe() only the actor's stamp is read, or
- *   none at all (IsWhollyObserved()), as long as vtkNBufferObservedObjects says that no observed
- *   object has been modified.
+ *   takes most of a culled frame. After Observe() only the actor's stamp is read, or no stamp at
+ *   all (IsWhollyObserved()), as long as vtkNBufferObservedObjects says that no observed object has
+ *   been modified.
  * - Pipeline: filters or sources make the polydata, or actor or mapper are of a class that the
  *   application vouches for, which may override GetMTime(). vtkActor::GetBounds() sends three
  *   requests up the pipeline, which takes as long as drawing a small prop. VTK begins each request
@@ -29,9 +29,10 @@
  * The list of stamps mirrors GetMTime() of vtkActor, vtkMapper, vtkTrivialProducer, vtkPolyData,
  * vtkPoints and vtkFieldData, which are the same in VTK 9.1 to 9.7. Track() verifies that the list
  * gives the same time as these functions, and otherwise does not use it. An object is listed after
- * its owner: it is alive if its owner has not changed. Two more things are compared: the shader
- * property, which VTK creates later without marking its prop as modified, and the user's transform,
- * which importers give to each actor and which may concatenate any number of others.
+ * its owner: it is alive if its owner has not changed. Two objects are not in the list and are
+ * compared separately: the shader property, which VTK may create later without marking its prop as
+ * modified, and the user's transform, which importers give to each actor and which may concatenate
+ * any number of others.
  *
  * A filter may run again without a newer time because another time step is requested, because its
  * last run was aborted, or because its data was released. HasChanged() is true then.
@@ -139,8 +140,8 @@ public:
   /// The time of data (0 for none) and, if `withBlocks` is true, of the blocks of composite data.
   static vtkMTimeType GetDataTime(vtkDataObject* data, bool withBlocks);
 
-  /// What changes what props draw, or what is known of it, without changing their times: VTK's
-  /// settings for all mappers, and the version of vtkNBufferKnownClasses.
+  /// What may change what props draw, or which props are known, without changing the times of the
+  /// props: VTK's settings for all mappers, and the version of vtkNBufferKnownClasses.
   using GlobalState = std::array<double, 7>;
   static GlobalState GetGlobalState();
 

@@ -6,9 +6,9 @@
  * else. See vtkNBufferProtectedMembers.h.
  *
  * vtkCompositePolyDataMapper has one such mapper for all blocks with arrays of the same kinds. Its
- * class has changed between versions of VTK. All of them draw the blocks in the order of a list,
- * which is a std::map with elements that do not own the blocks. In VTK 9.3 the elements own them,
- * so that blocks cannot be left out there.
+ * class differs between versions of VTK, but each of these classes draws the blocks in the order of
+ * a list, a std::map. The elements of the list do not own the blocks, except in VTK 9.3, where
+ * blocks can therefore not be left out.
  */
 #ifndef vtkNBufferProtectedBlocks_h
 #define vtkNBufferProtectedBlocks_h
@@ -53,7 +53,7 @@ struct BlockList
 {
   BlockMap* Blocks = nullptr;        ///< In the order of drawing; null for all other mappers.
   vtkMTimeType BuildTime = 0;        ///< When the vertex buffers were made.
-  vtkOpenGLHelper* Stream = nullptr; ///< What it is about to draw of them: triangles, for example.
+  vtkOpenGLHelper* Stream = nullptr; ///< What it draws next of them: triangles, for example.
 };
 
 #if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2 || VTKNBUFFER_HAS_BATCHED_MAPPER
@@ -63,8 +63,8 @@ inline bool HasBlockLists(vtkAbstractMapper* mapper)
   return typeid(*mapper) == typeid(CompositeMapper);
 }
 
-/// The blocks of a mapper that is about to draw. After it has set the parameters of its shader, it
-/// draws those that are in the list.
+/// The blocks of a mapper that is about to draw. After the mapper has set the parameters of its
+/// shader, it draws the blocks that are in the list.
 inline BlockList GetBlockList(vtkAbstractMapper* mapper)
 {
   struct Access : BlockMapper

@@ -63,8 +63,8 @@ inline vtkShaderProperty* const& GetShaderProperty(const vtkProp* prop)
 }
 
 /**
- * What a mapper is about to draw, while it sets the parameters of its shader. Null unless triangles
- * or points are all that it draws.
+ * The stream (index buffer, program and vertex array) that a mapper is about to draw, while it sets
+ * the parameters of its shader; nullptr unless the mapper draws only triangles or only points.
  */
 inline vtkOpenGLHelper* GetOnlyStream(vtkOpenGLPolyDataMapper* mapper)
 {
@@ -102,7 +102,7 @@ inline std::size_t GetNumberOfVertices(vtkOpenGLPolyDataMapper* mapper)
   return static_cast<std::size_t>(Access::Get(mapper)->GetNumberOfTuples("vertexMC"));
 }
 
-/// What the mapper of the instances of a vtkGlyph3DMapper has uploaded for them.
+/// The buffers that the internal mapper of a vtkGlyph3DMapper has uploaded for its instances.
 struct InstanceBuffers
 {
   vtkOpenGLBufferObject* Matrices;

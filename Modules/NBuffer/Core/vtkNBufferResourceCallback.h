@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferResourceCallback.h
- * @brief vtkOpenGLResourceFreeCallback, also for versions of VTK that do not install its header.
+ * @brief Declares vtkOpenGLResourceFreeCallback, also for versions of VTK that do not install its
+ * header.
  *
  * A render window calls this object before the window's context is destroyed, so that the owner can
- * delete its OpenGL objects. The class is part of VTK's library in every version, but the header is
- * installed since VTK 9.5 only. The declaration for older versions must keep the names, the members
+ * delete its OpenGL objects. The class is part of VTK's library in every version, but VTK installs
+ * its header only since 9.5. The declaration for older versions must keep the names, the members
  * and their order.
  */
 #ifndef vtkNBufferResourceCallback_h

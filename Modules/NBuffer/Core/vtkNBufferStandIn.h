@@ -36,8 +36,8 @@ class vtkNBufferStandIn : public vtkProp
 public:
   vtkTypeMacro(vtkNBufferStandIn, vtkProp);
 
-  /// Draws a prop by calling the function that is given to it, or does not. Returns the number of
-  /// props drawn.
+  /// Draws a prop, or some of its units, by calling `drawWhole`; or draws nothing. Returns the
+  /// number of props drawn.
   using Drawer = std::function<int(const std::function<int()>& drawWhole)>;
 
   ///@{
@@ -56,9 +56,9 @@ protected:
 
   /**
    * Lends the property keys of a stand-in to a prop: the prop has them from the construction of
-   * this object to its destruction. Those that it has already, as a prop of the renderer's list
-   * does, are left alone. The prop's own vtkInformation is changed where the prop has one, because
-   * vtkProp::SetPropertyKeys() marks a prop as modified.
+   * this object to its destruction. Keys that the prop has already, because it is in the renderer's
+   * list, stay as they are. The prop's own vtkInformation is changed where the prop has one,
+   * because vtkProp::SetPropertyKeys() marks a prop as modified.
    */
   class ForwardedKeys
   {

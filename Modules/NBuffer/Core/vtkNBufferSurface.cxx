@@ -48,7 +48,7 @@ using Kind = vtkNBufferKnownClasses::MapperKind;
 
 namespace
 {
-/// The composite mapper that has attributes of blocks.
+/// The mapper of composite data whose blocks have attributes.
 #if VTKNBUFFER_HAS_COMPOSITE_MAPPER_2
 using CompositeMapper = vtkCompositePolyDataMapper2;
 #else
@@ -100,8 +100,8 @@ bool HasLines(vtkDataObject* data, bool orVertices)
   return mesh && (mesh->GetNumberOfLines() > 0 || (orVertices && mesh->GetNumberOfVerts() > 0));
 }
 
-/// Add the part of data or, if the data is composite, of each block. `part` has the attributes that
-/// they inherit.
+/// Add a part for the data or, if it is composite, for each block. `part` has the attributes that
+/// these inherit.
 void AddBlocks(vtkCompositeDataDisplayAttributes* attributes, vtkDataObject* data,
   vtkNBufferSurface::Part part, std::vector<vtkNBufferSurface::Part>& parts)
 {

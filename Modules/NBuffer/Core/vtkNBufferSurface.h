@@ -5,8 +5,8 @@
  * @brief What an actor draws: the one place that knows VTK's kinds of mappers.
  *
  * Culler and shadows support a new kind of mapper as soon as this class does. The static methods
- * read actor and mapper. An object of this class belongs to one actor and keeps the surface that is
- * extracted from the actor's data if these are no polydata.
+ * read actor and mapper. An object of this class belongs to one actor; if the actor's data is no
+ * polydata, it keeps the surface that is extracted.
  *
  * Which classes of mappers are supported depends on the purpose:
  *
@@ -61,27 +61,27 @@ public:
   static bool HasReplacedShaders(vtkActor* actor);
 
   /// Whether an actor with this property draws filled polygons without edges, vertices, spheres or
-  /// tubes. Spheres and tubes are drawn only for data with points or lines, if `linesOrPoints`.
+  /// tubes. Spheres and tubes count only if `linesOrPoints`, which says whether the data has such
+  /// cells.
   static bool DrawsAsSurface(vtkProperty* property, bool linesOrPoints);
 
   /// Whether the actor is placed by a device or in the physical world, not in world coordinates.
   static bool HasOtherCoordinates(vtkActor* actor);
   ///@}
 
-  /**
-   * The polydata that a plain mapper shows as it is, if its input is one and is exactly of this
-   * class; otherwise nullptr.
-   */
+  /// The input of a plain mapper if it is a single vtkPolyData, and no subclass, which the mapper
+  /// draws as it is; otherwise nullptr.
   static vtkPolyData* GetOnlyPolyData(vtkMapper* mapper);
 
-  /// Bring what feeds mapper and texture up to date, as VTK does before it draws. Does nothing for
-  /// a static mapper (vtkMapper::SetStatic()), and costs little where there is no pipeline.
+  /// Update the pipelines of mapper and texture, as VTK does before it draws. Does nothing for a
+  /// static mapper (vtkMapper::SetStatic()), and costs little where there is no pipeline.
   static void UpdatePipeline(vtkActor* actor);
 
   ///@{
   /**
    * How far outside its surface a plain actor draws, in pixels: half the width of its lines or
-   * points, plus 1 (GetMarginOfLines()), or 0 if it has neither. DrawsLines(): if it has lines.
+   * points, plus 1 (GetMarginOfLines()), or 0 if it surely has neither. DrawsLines(): whether it
+   * has lines.
    */
   static double GetMargin(vtkActor* actor);
   static double GetMarginOfLines(vtkProperty* property);
@@ -96,8 +96,8 @@ public:
   static double GetLightingMargin(vtkActor* actor);
 
   /**
-   * Whether the polygon offset of a plain mapper, which draws `linesOrPoints` or not, may give a
-   * sample a depth nearer to the eye than its surface. This depends on
+   * Whether the polygon offset of a plain mapper may give a sample a depth nearer to the eye than
+   * its surface. `linesOrPoints`: whether it draws such cells. This depends on
    * vtkNBufferPropWatch::GetGlobalState().
    */
   static bool HasOffsetTowardsEye(vtkMapper* mapper, bool linesOrPoints);

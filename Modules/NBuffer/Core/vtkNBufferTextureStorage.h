@@ -70,7 +70,7 @@ public:
   void Delete(vtkNBufferGL::Context context);
 
   vtkNBufferGL::GrowingTexture Copy;     ///< A copy of the depth from which level 0 is made.
-  vtkNBufferGL::GrowingTexture Integers; ///< The same depth as 32-bit integers.
+  vtkNBufferGL::GrowingTexture Integers; ///< A copy of the depth as 32-bit integers.
 
 private:
   struct Buffer

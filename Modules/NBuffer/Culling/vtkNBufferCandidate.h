@@ -76,10 +76,10 @@ public:
   ///@{
   /**
    * Whether the prop may blend in the opaque stage, so that the image depends on the order of
-   * drawing. IsBlended(): always, because the application forces a translucent prop to be opaque,
-   * or because of what it is (vtkNBufferSplatStream::Blends()).
-   * MayDrawLines(): if the window smoothes lines. MayLackNormals(): if there is ambient occlusion,
-   * which needs normals (see vtkNBufferCompatibility::DrawingSettings).
+   * drawing. If IsBlended(), it always does: it is a translucent prop that the application forces
+   * to be opaque, or it draws splats that blend (vtkNBufferSplatStream::Blends()). If
+   * MayDrawLines(), it does if the window smooths lines. If MayLackNormals(), it does if there is
+   * ambient occlusion, which needs normals (see vtkNBufferCompatibility::DrawingSettings).
    */
   bool IsBlended() const { return this->Blended; }
   bool MayDrawLines() const
@@ -118,8 +118,8 @@ public:
   /// different props. `observedAreUnchanged` is that of vtkNBufferPropWatch::MayHaveChanged().
   bool IsStale(bool observedAreUnchanged = false) const
   {
-    // Of a prop that is no plain actor only the class is compared. It differs if another prop has
-    // been made at the address of a deleted one.
+    // If the prop is no plain actor, only its class is compared, to notice another prop at the
+    // address of a deleted one.
     return this->Verdict == vtkNBufferVerdict::NotAPlainActor
       ? this->Class != &typeid(*this->Prop)
       : this->Watch.MayHaveChanged(observedAreUnchanged);
@@ -131,10 +131,10 @@ public:
   vtkNBufferPropWatch& GetWatch() { return this->Watch; }
 
   /**
-   * Read the prop again if it has changed or if `globalStateChanged` is true, because
-   * vtkNBufferPropWatch::GetGlobalState() has changed. May run the
-   * prop's pipeline, and takes as long as vtkProp::GetBounds(). Returns whether what the prop draws
-   * may have changed since the last call.
+   * Read the prop again if it has changed, or if `globalStateChanged` is true, because
+   * vtkNBufferPropWatch::GetGlobalState() has changed. May run the prop's pipeline, and takes as
+   * long as vtkProp::GetBounds(). Returns whether what the prop draws may have changed since the
+   * last call.
    */
   bool Refresh(bool globalStateChanged);
 

@@ -13,8 +13,8 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// ObserveSome() visits at most this many props, and observes at most this many objects and those
-/// of one prop more. That takes a millisecond.
+/// In one frame ObserveSome() visits at most PropsToObserve props. It stops after the prop with
+/// which it has observed at least ObjectsToObserve objects. That takes a millisecond.
 constexpr std::size_t PropsToObserve = 1024;
 constexpr std::size_t ObjectsToObserve = 2048;
 }

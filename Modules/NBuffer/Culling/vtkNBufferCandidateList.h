@@ -70,9 +70,9 @@ public:
   /// Whether the depth that any of the props writes may change without a newer modification time.
   bool HasUntrackedDepth() const { return this->UntrackedDepth; }
 
-  /// Whether the image may depend on the order in which the opaque stage draws: because a prop
-  /// blends there, given whether lines are smooth and whether there is ambient occlusion, or
-  /// because props share an object that they use in different ways (vtkNBufferSharedState).
+  /// Whether the image may depend on the order in which the opaque stage draws, because a prop
+  /// blends there, or because props share an object that they use in different ways
+  /// (vtkNBufferSharedState). The arguments are those of vtkNBufferCompatibility::DrawingSettings.
   bool HasBlending(bool smoothLines, bool ambientOcclusion) const;
 
   /// Set the counts of verdicts, of props drawn before the first test, and of the hierarchy's work.
@@ -114,15 +114,16 @@ public:
 private:
   void ProjectOne(int i, const vtkNBufferProjection& projection);
   void ProjectDeferred(int i);
-  /// Find the props that have to be read again, given whether VTK's settings for all mappers have
-  /// changed. Only compares times.
+  /// Find the props that have to be read again: all if vtkNBufferPropWatch::GetGlobalState() has
+  /// changed, otherwise those with a newer time. Only compares times.
   void FindStale(bool globalStateChanged);
   void RefreshStale(bool globalStateChanged);
   /// Call vtkNBufferCandidate::ReadParts() for the props that have parts.
   void ReadParts();
   /// Find out for each candidate whether another prop uses one of its objects in another way.
   void FindSharedState();
-  /// Observe the next few of the props that have not changed for a while. A turn visits all props.
+  /// Visit the next few props, and observe those that have not changed since the last visit. A turn
+  /// visits all props once.
   void ObserveSome();
   bool UsesTree() const { return this->GetSize() >= this->HierarchySize; }
 
@@ -135,7 +136,7 @@ private:
   std::vector<int> Changed; ///< The places of those that have changed.
   vtkNBufferCandidateTree Tree;
   vtkNBufferMeshes Meshes;
-  std::vector<vtkNBufferMeshes::OfProp> MeshesOfProps; ///< Of each prop.
+  std::vector<vtkNBufferMeshes::OfProp> MeshesOfProps; ///< One element for each prop.
   std::vector<int> Reached; ///< The places of the props that the tree leaves to ProjectOne().
   vtkNBufferObservedObjects Observed; ///< The objects of props, except for actors.
   /// A deleted actor counts as changed, because another prop may have been made at its address.
@@ -155,7 +156,7 @@ private:
   bool SharesState = false;                          ///< Some object is used in several ways.
   bool BlendedParts = false;                         ///< A part of some prop is blended.
   std::vector<int> WithParts;                        ///< The places of the props that have parts.
-  std::vector<vtkNBufferSharedState::Uses> PartUses; ///< Of all parts of these props.
+  std::vector<vtkNBufferSharedState::Uses> PartUses; ///< The uses of all parts of these props.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -29,7 +29,8 @@
  *    frame. Building takes about ten times as long as projecting all props one by one, and would
  *    never be worth its cost if the list changed in every frame.
  *  - It is built again if refits have made the leaves more than WorstGrowth times as large as they
- *    were built, or if many props are not in it, but at most every FramesBetweenBuilds frames.
+ *    were when it was built, or if many props are not in it, but at most once in
+ *    FramesBetweenBuilds frames.
  */
 #ifndef vtkNBufferCandidateTree_h
 #define vtkNBufferCandidateTree_h
@@ -95,7 +96,8 @@ public:
   /// this: what is hidden stays hidden, because depth only gets nearer while a frame is drawn.
   void MarkHidden(vtkNBufferOcclusionTest& test, std::vector<vtkNBufferState>& states);
 
-  /// The projection of the last FindPlacements(), for props that it has deferred.
+  /// The projection that was given to the last FindPlacements(), with which deferred props are
+  /// projected.
   const vtkNBufferProjection& GetProjection() const { return *this->Projection; }
 
 private:

@@ -121,7 +121,7 @@ bool IsDefaultFrustumCuller(vtkCuller* culler)
     frustum->GetSortingStyle() == VTK_CULLER_SORT_NONE;
 }
 
-/// Whether a culler comes after `self` that may remove props. It would not see the props that are
+/// Whether a culler that may remove props comes after `self`. It would not see the props that are
 /// held back.
 bool IsOtherBehind(vtkCullerCollection* cullers, vtkCuller* self)
 {

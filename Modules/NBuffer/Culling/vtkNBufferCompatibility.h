@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkNBufferCompatibility.h
- * @brief When the culler must draw everything. This is the only file that knows the ways in which
- * VTK draws a frame.
+ * @brief Finds out when the culler must draw everything. No other file knows the ways in which VTK
+ * draws a frame.
  *
  * The culler may hold props back only if the renderer draws its opaque props once, from its active
  * camera, into a framebuffer with depth, and if nothing needs the props that the camera does not
- * see. This file knows which of VTK's own render passes meet these conditions. Any other pass can
- * declare that it does (vtkNBufferRenderPassTraits); if it does not, the culler draws everything.
+ * see. vtkNBufferKnownClasses knows which of VTK's own render passes meet these conditions. Any
+ * other pass can declare that it does (vtkNBufferRenderPassTraits), or the application can vouch
+ * for it (vtkNBufferCuller::AddKnownPass()); otherwise the culler draws everything.
  */
 #ifndef vtkNBufferCompatibility_h
 #define vtkNBufferCompatibility_h
@@ -35,9 +36,9 @@ namespace vtkNBufferCompatibility
 /// Get the reason why `self` must not cull the next frame of `renderer`, or None if it may.
 VTKNBUFFER_EXPORT vtkNBufferDecision WhyNot(vtkRenderer* renderer, vtkCuller* self);
 
-/// Move the frustum cullers with default settings before `self` to the end of the collection, whose
-/// order is that in which cullers run: the frustum test of vtkNBufferView does everything that they
-/// do. If `self` is the last culler, they do not run again in this frame, because the renderer's
+/// Move the frustum cullers that have default settings and run before `self` to the end of the
+/// collection, so that they run last: the frustum test of vtkNBufferView does everything that they
+/// do. If `self` was the last culler, they do not run again in this frame, because the renderer's
 /// iterator is at its end already.
 VTKNBUFFER_EXPORT void MoveFrustumCullersBehind(vtkCullerCollection* cullers, vtkCuller* self);
 
@@ -52,15 +53,15 @@ VTKNBUFFER_EXPORT void MoveFrustumCullersBehind(vtkCullerCollection* cullers, vt
 vtkNBufferDecision WhyNotHere(vtkRenderer* renderer, const vtkNBufferViewKey& key,
   vtkNBufferBackend::Kind wanted, vtkNBufferDepthSource& source, std::string& why);
 
-/// Whether the renderer processes the image (FXAA, SSAO) after it has drawn its props. This changes
-/// what lower layers have drawn as well. VTK does it only if the renderer's list of props is not
-/// empty, but even if these props draw nothing.
+/// Whether the renderer processes the image (FXAA, SSAO) after it has drawn its props. This also
+/// changes what renderers of lower layers have drawn. VTK does it if the renderer's list of props
+/// is not empty, even if these props draw nothing.
 VTKNBUFFER_EXPORT bool ProcessesImage(vtkRenderer* renderer);
 
 /// Whether the depth that this renderer draws may be used to cull props of other ranks, and theirs
-/// to cull its props. The colour of each pixel must depend on that pixel alone, or a prop that
-/// another rank hides might shine into a pixel beside it. And the depth that is drawn must be the
-/// depth that is composited, which is known without render passes only.
+/// to cull its props. The colour of each pixel must depend on that pixel alone; otherwise a prop
+/// that another rank hides might change a pixel beside it. And the depth that is drawn must be the
+/// depth that is composited, which is certain only without render passes.
 VTKNBUFFER_EXPORT bool CanShareDepth(vtkRenderer* renderer);
 
 /// Whether one of the renderer's passes says that it may draw the same opaque props twice in a

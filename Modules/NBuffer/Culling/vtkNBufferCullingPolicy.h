@@ -82,7 +82,7 @@ private:
 struct vtkNBufferFrustumCounts
 {
   int Candidates = 0;    ///< All opaque and translucent candidates, in the frustum or not.
-  int Inside = 0;        ///< Opaque candidates, and units of any, that reach into the frustum.
+  int Inside = 0;        ///< Opaque candidates, and units of any prop, in the frustum.
   int Kept = 0;          ///< Those of Inside that can be tested and were visible in the last test.
   int HeldBack = 0;      ///< Opaque ones of Inside that can be tested and that are not Kept.
   int Translucent = 0;   ///< Translucent candidates that can be tested.
@@ -97,7 +97,7 @@ namespace vtkNBufferCullingPolicy
  * props, and the caller must hold back one of them, because without such a prop there is no test.
  *
  * A frame with fewer candidates Inside than `minimumNumberOfCandidates` is never tested. `backOff`
- * counts the frame; with nullptr every other frame that can be tested is tested.
+ * counts the frame, and leaves out frames of a pause and most idle frames; nullptr leaves out none.
  */
 VTKNBUFFER_EXPORT vtkNBufferDecision ChooseDecision(
   const vtkNBufferFrustumCounts& counts, int minimumNumberOfCandidates, vtkNBufferBackOff* backOff);

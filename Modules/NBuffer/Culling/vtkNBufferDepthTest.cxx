@@ -18,8 +18,8 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// The number of candidates from which on it is worth reading their pixels, if these are not in
-/// host memory yet.
+/// If the pixels are not in host memory yet, reading them is worth its cost for at least this many
+/// candidates.
 constexpr std::size_t CandidatesWorthARead = 32;
 
 template <typename Predicate>

@@ -11,7 +11,7 @@
  *  1. The box of each candidate is compared with the levels (vtkNBufferOcclusionTest).
  *  2. Candidates that the levels do not find hidden are compared with the pixels
  *     (vtkNBufferPixelTest): first their boxes, then the triangles of small meshes. This step needs
- *     the depth image, and is done where that is in host memory or worth reading.
+ *     the depth image, and is done only if that is in host memory or worth reading.
  *  3. With TestSlivers: candidates that were found hidden may have slivers that a device draws in
  *     front of their boxes (vtkNBufferSliverTest). Such candidates count as visible. Props of
  *     MinimumNumberOfPrimitives polygons or more, which are divided, are not examined.
@@ -41,14 +41,14 @@ class vtkOpenGLRenderWindow;
 /// begins.
 struct vtkNBufferSettings : vtkNBufferTuning
 {
-  /// Adapt the settings to a frame whose depth is shared by several ranks, or not if `shared` is
-  /// nullptr: level 0 has the size of the tiles, the candidates of all ranks count, the first
-  /// rounds of all ranks together are as large as that of one, and no rank backs off alone, because
-  /// it has to read its depth for the others in any case.
+  /// Adapt the settings to a frame in which several ranks share their depth; with nullptr nothing
+  /// is shared. A texel of level 0 is then a tile of the exchange. MinimumNumberOfCandidates counts
+  /// the candidates of all ranks. RoundSize is divided by the number of ranks. No rank backs off
+  /// alone, because it has to read its depth for the other ranks in any case.
   void Share(const std::shared_ptr<vtkNBufferSharedDepth>& shared);
 
-  /// Report the candidates of a frame that is not tested to the other ranks. If they are few, those
-  /// of all ranks may still be enough.
+  /// Report to the other ranks how many candidates a frame has that is not tested. Even if they are
+  /// too few for a test, those of all ranks together may be enough in the next frame.
   void ReportUntested(const vtkNBufferStatistics& statistics) const;
 
   /// The step of depth that the test allows for: that of the coarsest depth of any rank.
@@ -78,11 +78,12 @@ public:
   vtkNBufferDecision Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
     std::initializer_list<const std::vector<int>*> places, int levels, std::string& why);
 
-  /// What units of props are compared with after Build(), until something is drawn.
+  /// The depth that units are compared with. It is valid after Build() until something is drawn.
   vtkNBufferDividedProp::Depth GetDepthOfUnits();
 
-  /// Before the first Build() of a frame: the candidates in the frustum, and how many of them are
-  /// held back in a view that is new (0 if it is not), for the other ranks.
+  /// Report to the other ranks the number of candidates in the frustum, and how many of them are
+  /// held back in a new view (0 if the view is not new). To be called before the first Build() of a
+  /// frame.
   void SetCounts(int candidates, int newProps);
 
   /// Remove the places of hidden candidates from `places`. Returns how many candidates the levels
@@ -96,15 +97,16 @@ private:
     return { this->Window, this->Source, this->Settings.BaseFactor, levels, this->Levels,
       this->Statistics };
   }
-  /// How many candidates of all lists the levels hide; the statistics count only the time.
+  /// How many candidates of all lists RemoveHidden() finds hidden. The statistics count only the
+  /// time that this takes.
   int CountHidden(std::initializer_list<const std::vector<int>*> places);
-  /// The depth image, with the pixels of these candidates, if it is worth having for them, else
-  /// null.
+  /// The depth image, with at least the pixels of these candidates, or nullptr if it is not worth
+  /// reading for them.
   const float* GetDepth(const std::vector<int>& places);
-  /// The pixels of a candidate, or null for one that is not Inside.
+  /// The screen box of a candidate, or nullptr for one that is not Inside.
   const vtkNBufferScreenBox* GetScreen(int i);
-  /// Put those of `tested` back into `places` of which a sliver may be visible. Before and after
-  /// the call `places` is a part of `tested`, in the same order.
+  /// Put back into `places` the candidates of `tested` that have a sliver that may be visible.
+  /// Before and after the call `places` is a part of `tested`, in the same order.
   void PutBackSlivers(const std::vector<int>& tested, std::vector<int>& places);
   bool HasVisibleSlivers(int i, vtkNBufferSliverTest& test);
 

@@ -4,7 +4,7 @@
  * @class vtkNBufferDivision
  * @brief The large props of one view, which are culled unit by unit (vtkNBufferDividedProp).
  *
- * What it answers at each step of a frame:
+ * What its functions find out and do, in the order in which a frame calls them:
  *
  *     Update()     which props are large, and whether they have changed
  *     Classify()   which of them are tested in this frame, and which of their units are drawn first
@@ -12,10 +12,10 @@
  *     Test()       which of the other units may be seen
  *     Draw()       draws them
  *
- * Of a translucent prop, all units are tested when the depth of the opaque stage is complete
+ * All units of a translucent prop are tested when the depth of the opaque stage is complete
  * (TestTranslucent()).
  *
- * Props are named by their places in the list of candidates.
+ * The place of a prop is its index in the list of candidates.
  */
 #ifndef vtkNBufferDivision_h
 #define vtkNBufferDivision_h
@@ -51,15 +51,15 @@ public:
   /// Begin a frame, after the candidates have been brought up to date.
   void Update(vtkOpenGLRenderWindow* window, const vtkNBufferSettings& settings);
 
-  /// Set the view of the frame. To be called again if the format of the depth turns out to be
-  /// another one.
+  /// Set the view of the frame. To be called again if the framebuffer turns out to have another
+  /// depth format.
   void SetView(const vtkNBufferViewSetup& view);
 
   /// Find the units that are drawn first, and add all units in the frustum to the counts.
   void Classify(const vtkNBufferSettings& settings, vtkNBufferFrustumCounts& counts);
 
-  /// The number of translucent props that are tested unit by unit alone, because they reach the
-  /// near plane.
+  /// The number of translucent props of which the units are tested, but not the whole box, because
+  /// it reaches the near plane.
   int CountTranslucentAtNearPlane() const;
 
   /// Whether any unit is held back while its prop is not.
@@ -68,49 +68,48 @@ public:
   /// Give the verdict Outside to props that are not held back and have no unit in the frustum.
   void MarkOutside();
 
-  /// Draw all props of this frame whole.
+  /// Let all props be drawn whole in this frame.
   void Reset();
 
   /// Whether a prop has to be drawn by Draw(), so that it has a proxy in the renderer's list.
   bool Draws(int place);
 
-  /// An opaque prop with such a proxy is not in the list, because there was no room for it.
+  /// Record that an opaque prop that Draw() has to draw is not in the renderer's list, because the
+  /// list had no room for its proxy.
   void Postpone(int place) { this->Postponed = place; }
 
   /// The place of the prop given to Postpone(), or -1.
   int GetPostponed() const { return this->Postponed; }
 
-  /// Test the units of the props that have been drawn and, of those in `heldBack`, remove the
-  /// places of props without visible units.
+  /// Test the units of the props that have been drawn, and of those in `heldBack`. Removes props
+  /// without visible units from `heldBack`.
   void Test(const vtkNBufferDividedProp::Depth& depth, std::vector<int>& heldBack);
 
-  /// Test the units of translucent props, except for those that are hidden or, as `hasDrawn` says
-  /// of their places, have been drawn. Calls `hide` with the places of those without visible units.
+  /// Test the units of the translucent props that are not hidden as a whole and for which
+  /// `hasDrawn(place)` is false. Calls `hide(place)` for those without visible units.
   void TestTranslucent(const vtkNBufferDividedProp::Depth& depth,
     const std::function<bool(int)>& hasDrawn, const std::function<void(int)>& hide);
 
-  /// The places of the props with units that are to be drawn next although the props themselves are
-  /// not held back.
+  /// The places of the props that have been drawn and have fresh units, which are drawn next.
   std::vector<int> GetFresh() const;
 
-  /// Add the places of the props that the renderer's list does not draw wholly to `places`, which
-  /// are sorted then: those of which units in the view have not been drawn, and the postponed one.
-  /// From now on all props are drawn whole.
+  /// Add to `places` the opaque props that have been drawn, but without some of their units in the
+  /// view, and the postponed prop; then sort `places`. From now on all props are drawn whole.
   void AddMissing(std::vector<int>& places);
 
-  /// If the next draw of a prop draws only a small part of it, find out whether this part has
-  /// fragments with the depth of an earlier draw (vtkNBufferTieQuery::HasTies()). If not, the prop
-  /// need not be drawn once more. Empty if it was not worth finding out.
+  /// Whether the fresh units of a prop have fragments with the depth of an earlier draw
+  /// (vtkNBufferTieQuery::HasTies()). If not, the prop need not be drawn once more because of them.
+  /// Returns nullopt without a query unless fewer units are fresh than have been drawn.
   std::optional<bool> HasTies(int place, const std::function<int()>& drawWhole);
 
   ///@{
-  /// Draw what is to be drawn next of a prop, or once more what has been drawn of it, by calling
-  /// `drawWhole`. A prop that is not drawn unit by unit is drawn whole.
+  /// Draw by calling `drawWhole`: what is to be drawn next of a prop, or, with DrawAgain(), what
+  /// has been drawn of it already. A prop that is not drawn unit by unit is drawn whole.
   int Draw(int place, const std::function<int()>& drawWhole);
   int DrawAgain(int place, const std::function<int()>& drawWhole);
   ///@}
 
-  /// Draw a prop in a call of `drawWhole`.
+  /// Draw a prop itself; `drawWhole` calls this function.
   int Render(int place, vtkRenderer* renderer);
 
   /// Whether only some units of a prop are drawn in this frame.
@@ -142,17 +141,17 @@ private:
     bool IsHeldBack = false;
     bool IsPending = false; ///< Its units are to be tested before the translucent stage.
 
-    /// Whether draws of the prop draw some units, or read it.
+    /// Whether Draw() draws only some units of the prop, or reads what VTK draws of it.
     bool IsDrawnHere() const { return this->IsActive || this->Prop->IsReading(); }
   };
 
   Entry* Find(int place);
   void FindLarge(const std::vector<int>& places);
   vtkNBufferCandidateList& Props;
-  vtkSmartPointer<vtkNBufferDrawPass> Pass; ///< That of the window.
+  vtkSmartPointer<vtkNBufferDrawPass> Pass; ///< The pass of the window.
   std::vector<Entry> Entries;               ///< In the order of their places.
-  int ListNumber = -1;       ///< That of the list of candidates to which the places belong.
-  int Minimum = VTK_INT_MAX; ///< The number of cells from which on a prop is large.
+  int ListNumber = -1;       ///< vtkNBufferCandidateList::GetListNumber() of the places.
+  int Minimum = VTK_INT_MAX; ///< A prop with at least this many cells is large.
   int Postponed = -1;
 };
 

@@ -14,9 +14,13 @@
  * A prop behind that value is hidden in the image. (The minimum of the nearest depths of the tile
  * would be wrong: a single near pixel would hide what is seen beside it.)
  *
- * The reports of the ranks follow, written in such a way that the minima carry them, too: a number
- * x as -x for its maximum, the view as x and -x, which shows whether all ranks have the same, and
- * numbers to be added in one float for each rank, of which all others leave 0.
+ * The reports of the ranks follow. They are written so that the minima carry them, too:
+ *
+ *  - If the maximum of a number x is wanted, the message has -x.
+ *  - Of each number x of the view it has x and -x: their minima show whether all ranks sent the
+ *    same.
+ *  - If the sum of a number x is wanted, it has one float for each rank: -x for the rank that sends
+ *    it, and 0 for the others.
  */
 #ifndef vtkNBufferExchangeMessage_h
 #define vtkNBufferExchangeMessage_h
@@ -38,8 +42,8 @@ struct vtkNBufferRankReport
   bool Changed = false;         ///< Whether what the rank draws may have changed since the last
                                 ///< frame.
   bool Misfit = false;          ///< Whether the rank's layout is not the one that this message has.
-  int NewProps = 0;   ///< The props held back of a view that is new (vtkNBufferPartition::IsNew()).
-  int Candidates = 0; ///< The candidates in the frustum; less than 2^24, as all counts here.
+  int NewProps = 0;   ///< The props held back if the view is new (vtkNBufferPartition::IsNew()).
+  int Candidates = 0; ///< The candidates in the frustum; like all counts, less than 2^24.
   int Gain = 0;       ///< How many more props the last trial found hidden by all ranks' depth than
                       ///< by the rank's own.
 };
@@ -49,8 +53,8 @@ struct vtkNBufferRankReply
 {
   bool SameView = false; ///< Whether all ranks have the same view.
   double Step = 0.0;     ///< The largest step.
-  bool Changed = false;  ///< Whether any rank may have changed.
-  bool Misfit = false;   ///< Whether the message does not fit any rank's layout.
+  bool Changed = false;  ///< Whether what any of the ranks draws may have changed.
+  bool Misfit = false;   ///< Whether at least one rank reports a Misfit.
   int NewProps = 0;      ///< The largest number of any rank.
   int Candidates = 0;    ///< The sum over all ranks.
   int Gain = 0;          ///< The sum over all ranks.

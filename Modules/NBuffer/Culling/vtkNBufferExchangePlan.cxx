@@ -32,7 +32,8 @@ void vtkNBufferExchangePlan::Learn(const vtkNBufferRankReply& reply, int number)
   {
     this->BackOff.Learn(reply.Gain, std::max(reply.Candidates, 1));
   }
-  // The first exchange after a pause is a trial, and no verdicts of before are left.
+  // The first exchange after a pause is a trial, and the verdicts from before the pause are not
+  // used again.
   this->HadTrial = this->IsTrial();
   this->IsQuiet = this->IsQuiet && !this->BackOff.IsPaused();
   this->SinceTrial = this->BackOff.IsPaused() ? 0 : (this->SinceTrial + 1) % ExchangesPerTrial;

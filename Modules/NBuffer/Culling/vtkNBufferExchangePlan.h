@@ -15,17 +15,18 @@
  *  - After an exchange in which no rank has reported a change, each frame begins with a poll: a
  *    message of one float, by which the ranks find out whether anything has changed since. If not,
  *    the frame has no exchange, and all ranks use their verdicts once more.
- *  - It has neither while the ranks back off together. Every fourth exchange is a trial: each rank
- *    tests with its own depth, too, and reports in the next exchange how many more props the depth
- *    of all has hidden. Where that is next to nothing, vtkNBufferBackOff decides how long to pause.
+ *  - A frame has neither an exchange nor a poll while the ranks back off together. Every fourth
+ *    exchange is a trial: each rank tests with its own depth, too, and reports in the next exchange
+ *    how many more props the depth of all ranks has hidden. Where that is next to nothing,
+ *    vtkNBufferBackOff decides how long to pause.
  *
- * A frame in which nothing moves cannot do without the poll, unless it draws what only the walls of
- * other ranks hide. Proof: Let a prop of rank B be hidden by nothing but a wall of rank A. Compare
- * a frame before which nothing changes with a frame before which A removes the wall. If B receives
- * no message that A has sent, directly or by others, between the change and its own draw, then B
- * has received the same in both cases, and does the same. In the second case it has to draw the
- * prop, and so it does in both. Any rank may be A or B, so that each has to hear of each other one
- * in every frame, and the smallest all-reduce is the cheapest way.
+ * A frame in which nothing moves needs the poll, unless it draws what only other ranks hide. Proof:
+ * Let a prop of rank B be hidden by nothing but a wall of rank A. Compare a frame before which
+ * nothing changes with a frame before which A removes the wall. If no message of A, sent directly
+ * or through others, reaches B between the change and B's own draw, then B has received the same in
+ * both cases, and does the same. In the second case it has to draw the prop, and so it does in
+ * both. Any rank may be A or B, so that each rank has to hear from each other rank in every frame.
+ * The cheapest way is the smallest all-reduce.
  */
 #ifndef vtkNBufferExchangePlan_h
 #define vtkNBufferExchangePlan_h
@@ -39,10 +40,10 @@ VTK_ABI_NAMESPACE_BEGIN
 class VTKNBUFFER_EXPORT vtkNBufferExchangePlan
 {
 public:
-  /// How many exchanges there are to a trial.
+  /// One in this many exchanges is a trial.
   static constexpr int ExchangesPerTrial = 4;
-  /// A frame has a second exchange if a rank holds back more new props than this. Fewer are drawn
-  /// after the first one, however many of them are hidden.
+  /// A frame has a second exchange if a rank holds back more props than this of a new view. With
+  /// fewer, those that only the second exchange could hide are drawn.
   static constexpr int FewNewProps = 256;
 
   /// Begin a frame. With `mayBackOff` false, which must be the same on all ranks, the ranks never
@@ -52,8 +53,8 @@ public:
   /// Whether the number of exchanges depends on a poll that is still to come.
   bool HasPoll() const { return this->Planned > 0 && this->IsQuiet; }
 
-  /// The number of exchanges of this frame, those included that a poll may show to be unnecessary.
-  /// Only Learn() may make it larger.
+  /// The number of exchanges of this frame; a poll may reduce it to 0, and only Learn() may make it
+  /// larger.
   int GetNumberOfExchanges() const { return this->Planned; }
 
   /// Whether the first exchange of this frame is a trial.
@@ -62,7 +63,7 @@ public:
   /// Learn from the poll whether any rank has changed.
   void LearnPoll(bool changed);
 
-  /// Learn from the reply to an exchange; `number` counts those of the frame and begins with 0.
+  /// Learn from the reply to an exchange; `number` is its number in the frame, from 0 on.
   void Learn(const vtkNBufferRankReply& reply, int number);
 
 private:

@@ -18,14 +18,16 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// Whether a plain mapper of surfaces draws by streams that are known.
+/// Whether a plain mapper can be made to draw only some of its primitives or, for composite data,
+/// only some of its blocks.
 bool HasUnits(vtkMapper* mapper)
 {
   return !vtkNBufferSurface::IsComposite(mapper) || vtkNBufferBlockStream::MayBeDivided(mapper);
 }
 
-/// Whether there are at least so many cells. Composite data counts those of all of its blocks in
-/// each call, which takes milliseconds, where the first blocks may be enough.
+/// Whether data has at least `minimum` cells. (GetNumberOfElements() of composite data counts the
+/// cells of all blocks in each call, which takes milliseconds, where the first blocks may be
+/// enough.)
 bool HasCells(vtkDataObject* data, vtkIdType minimum)
 {
   auto* tree = vtkDataObjectTree::SafeDownCast(data);
@@ -77,7 +79,7 @@ bool vtkNBufferLargeProps::MayBeDivided(const vtkNBufferCandidate& candidate)
     return !candidate.GetSharesState() &&
       (vtkNBufferInstanceStream::MayBeDivided(actor) || vtkNBufferSplatStream::MayBeDivided(actor));
   }
-  // Of translucent composite data some blocks may be opaque.
+  // Translucent composite data may have opaque blocks.
   return candidate.HasPlacement() && HasUnits(actor->GetMapper()) &&
     !(candidate.IsTranslucent() && vtkNBufferSurface::IsComposite(actor->GetMapper()));
 }

@@ -16,8 +16,8 @@ class vtkNBufferCandidate;
 
 namespace vtkNBufferLargeProps
 {
-/// Whether a prop is a plain actor with a surface of at least `minimum` cells, with instances that
-/// have as many triangles, or with as many splats.
+/// Whether a prop is a plain actor with at least `minimum` cells in its surface, polygons in all of
+/// its instances together, or splats.
 bool IsLarge(vtkProp* prop, int minimum);
 
 /// Whether a prop that is large may be drawn unit by unit.

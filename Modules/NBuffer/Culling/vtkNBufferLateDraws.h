@@ -4,9 +4,9 @@
  * @class vtkNBufferLateDraws
  * @brief The props that were held back and have been drawn in this frame, in the order of drawing.
  *
- * It records the order in which the view draws them. It draws them again for a pass that draws its
- * list twice. Where depths are equal, it draws those props once more that have to be drawn last.
- * Late/README.md says what drawing late breaks, and which class repairs it.
+ * This class records the order in which the view draws them, and draws them again for a pass that
+ * draws its list twice. Where depths are equal, it draws those props once more that have to be
+ * drawn last. Late/README.md says what drawing late breaks, and which class repairs it.
  */
 #ifndef vtkNBufferLateDraws_h
 #define vtkNBufferLateDraws_h

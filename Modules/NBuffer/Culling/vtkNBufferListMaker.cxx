@@ -19,7 +19,7 @@ double vtkNBufferListMaker::Fill(bool isTestPending, vtkProp** props, int& count
   double total = 0.0;
   int kept = 0;
   double heldTotal = 0.0;
-  int lastDivided = -1; // In the list that is made here.
+  int lastDivided = -1; // An index into the list that is made here.
   this->NumberOfProxies = 0;
   for (int i = 0; i < this->Props.GetSize(); ++i)
   {

@@ -40,12 +40,13 @@ public:
   /// multipliers, as that function does. `isTestPending` says whether the proxy will test.
   double Fill(bool isTestPending, vtkProp** props, int& count, int& initialized);
 
-  /// Whether the translucent prop in a place of the list of candidates, which has a proxy, has been
-  /// drawn in the translucent stage of this frame.
+  /// Whether a translucent prop has been drawn in the translucent stage of this frame. `place` is
+  /// its index in the list of candidates; the prop must have a proxy.
   bool HasDrawnTranslucent(int place) const { return this->FindProxy(place)->HasDrawn(); }
 
   ///@{
-  /// Close the proxy of such a prop, which becomes Hidden, or open all of them.
+  /// Close the proxy of such a prop and set its verdict to Hidden, or open the proxies of all of
+  /// them and set their verdicts to Translucent.
   void HideTranslucent(int place);
   void ShowTranslucent();
   ///@}
@@ -63,7 +64,7 @@ private:
   /// These are created once and used again in every frame. The first ones are those of this frame,
   /// in the order of their places.
   std::vector<vtkSmartPointer<vtkNBufferPropProxy>> Proxies;
-  std::size_t NumberOfProxies = 0; ///< Those of this frame.
+  std::size_t NumberOfProxies = 0; ///< The number of proxies in use in this frame.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -28,7 +28,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace vtkNBufferOccluderChoice
 {
-/// The number of nearest props that are enough to choose from.
+/// It is enough to choose from this many of the nearest props.
 constexpr std::size_t MaximumSize = 256;
 
 /// The largest number of props that the first round may draw, if `props` are held back: `roundSize`

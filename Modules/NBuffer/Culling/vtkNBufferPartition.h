@@ -61,15 +61,15 @@ public:
 
   /// Whether the view is new: no prop is kept, and most of those held back have not been tested
   /// since they came into the frustum. (If other props hide all candidates, no prop is kept either,
-  /// but the candidates have been tested, and the view is not new.) If `afterCuts`, it is new, too,
+  /// but the candidates have been tested, and the view is not new.) With `afterCuts` it is also new
   /// if most of the props that the last test found visible have left the frustum.
   bool IsNew(bool afterCuts = false) const;
 
   /// Get those of the props held back that have not been drawn in this frame so far.
   std::vector<int> GetNotDrawn() const;
 
-  /// Store for the next frame which of the kept props this frame's test has found visible: those in
-  /// `visible`. Returns how many of the kept props it has found hidden.
+  /// Store for the next frame that this frame's test has found the kept props in `visible` visible,
+  /// and the other kept props hidden. Returns the number of the hidden ones.
   int SetVisibleKept(const std::vector<int>& visible);
 
   ///@{

@@ -20,8 +20,9 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// What the ranks have in common of a view. These are the numbers that are sent from rank to rank,
-/// and not matrices, because processors of different kinds may round these differently.
+/// What all ranks must have in common in a view. These are the numbers that applications send from
+/// rank to rank, and not matrices, because processors of different kinds may round matrices
+/// differently.
 std::vector<double> GetSharedView(vtkRenderer* renderer)
 {
   std::vector<double> view(26);
@@ -133,7 +134,8 @@ void vtkNBufferSharedDepth::Join(const float* texels)
   const vtkNBufferClock clock;
   const int number = this->Joined++;
   this->HasShared = false;
-  // Once more if a layout has changed; all ranks have then agreed on the new one, or not at all.
+  // If a layout has changed, the loop runs once more: all ranks agree on the new layout and
+  // exchange, or find that they do not agree and end here.
   while (this->Agree() && !this->Exchange(texels, number))
   {
     this->Agreed.clear();

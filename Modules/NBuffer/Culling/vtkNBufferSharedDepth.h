@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkNBufferSharedDepth
- * @brief The depth that all ranks of a parallel program have drawn of a renderer, as far as one
- * rank knows it; and that the rank joins every exchange.
+ * @brief What one rank of a parallel program knows of the depth that all ranks have drawn for a
+ * renderer. This class also makes the rank join every exchange.
  *
  * In each frame of the renderer:
  *
@@ -16,22 +16,23 @@
  *                     here, with the depth of its finished picture, or the far plane where depth
  *                     cannot be read
  *
- * What an exchange has brought is used until the end of the frame: all depths only get nearer. It
- * is not used where ranks have different views, or another rank has coarser depth than was assumed
- * when the boxes were placed; that depth is then assumed from the next frame on.
+ * The minima that an exchange has brought are used until the end of the frame, because depth only
+ * gets nearer while a frame is drawn. They are not used if the ranks have different views, or if
+ * another rank's depth buffer has a larger step than was assumed when the boxes were projected.
+ * That step is assumed from the next frame on.
  *
  * ## When the verdicts of the last frame are still valid
  *
- * They are if the depth of no rank has become farther since the last exchange. A rank can tell that
- * of its own depth if its culler says so, or if all that it gave to that exchange was the far
- * plane. If all ranks can tell (in the poll), nothing is exchanged.
+ * The verdicts are valid if no rank's depth has become farther since the last exchange. A rank
+ * knows this of its own depth if its culler has found no change, or if the rank gave nothing but
+ * the far plane to that exchange. If the poll shows that every rank knows it, nothing is exchanged.
  *
  * ## Layouts
  *
  * All messages of an exchange must have the same size. Before the first exchange the ranks agree on
  * their layout, which is the size of level 0 and the settings. A rank whose layout changes after
  * that, alone or together with the others, still sends a message of the size that was agreed on,
- * which says so; then all ranks agree anew in the same frame.
+ * and reports in it that its layout differs. All ranks then agree anew in the same frame.
  */
 #ifndef vtkNBufferSharedDepth_h
 #define vtkNBufferSharedDepth_h
@@ -49,10 +50,10 @@ class vtkRenderer;
 class vtkNBufferSharedDepth
 {
 public:
-  /// Writes the minima over all ranks of so many floats; see vtkNBufferDepthExchange.
+  /// See vtkNBufferDepthExchange::ReduceToMinimum().
   using Reduction = std::function<bool(const float* values, float* minima, int count)>;
 
-  /// What must be the same on all ranks, except for Rank.
+  /// The exchange's settings, which must be the same on all ranks, and the rank's own number.
   struct Layout
   {
     int Ranks = 1;
@@ -61,12 +62,12 @@ public:
     bool BackOff = true;
   };
 
-  /// What happened in the last frame that is over.
+  /// The messages of one frame, polls included.
   struct Counts
   {
     int Exchanges = 0;
-    long long Bytes = 0; ///< The size of this rank's messages.
-    double Time = 0.0;   ///< The milliseconds in them, most of them for waiting for other ranks.
+    long long Bytes = 0; ///< The size of this rank's messages, in bytes.
+    double Time = 0.0;   ///< Milliseconds spent in them, mostly waiting for other ranks.
   };
 
   explicit vtkNBufferSharedDepth(Reduction reduction)
@@ -77,40 +78,42 @@ public:
   /// Begin a frame of the renderer unless it has begun already.
   void BeginFrame(vtkRenderer* renderer, const Layout& layout);
 
-  /// Whether this frame has exchanges, as far as is known.
+  /// Whether this frame has exchanges, by what is known so far.
   bool IsShared() const { return this->Plan.GetNumberOfExchanges() > 0; }
 
   /**
-   * Join the poll of a frame that IsShared(), if it has one. `changed`: whether what this rank
-   * draws may have changed since the last frame. Returns whether no rank has changed, so that all
-   * verdicts of the last frame are still valid, and there is no exchange. Call it once in a frame,
-   * before anything is drawn.
+   * Join the poll of a frame for which IsShared() is true, if the frame has a poll. `changed` says
+   * whether what this rank draws may have changed since the last frame. Returns whether there is no
+   * exchange, because nothing has changed on any rank and all verdicts of the last frame are still
+   * valid. To be called once in a frame, before anything is drawn.
    */
   bool Poll(bool changed);
 
-  /// What the culler reports of this frame. The view is filled in already, and so is Gain before
-  /// the message is sent.
+  /// What this rank reports of this frame. The culler sets Step, NewProps and Candidates. This
+  /// class sets the other members.
   vtkNBufferRankReport& GetReport() { return this->Report; }
 
-  /// What a trial has found; see vtkNBufferRankReport::Gain.
+  /// Set what a trial has found; see vtkNBufferRankReport::Gain.
   void SetGain(int gain) { this->Gain = gain; }
 
-  /// Whether the culler is to count what its own depth hides, before it merges, and SetGain().
+  /// Whether the next Merge() is that of a trial. In a trial the culler counts what its own depth
+  /// hides before Merge(), and what all ranks' depth hides after it, and calls SetGain().
   bool IsTrial() const { return this->Joined == 0 && this->Plan.IsTrial(); }
 
   /**
-   * Join an exchange with level 0 of this rank's depth, if one is left, and merge into level 0 what
-   * the exchanges of this frame have brought. Returns whether that made a texel nearer.
+   * If an exchange is left in this frame, join it with level 0 of this rank's depth. Then merge
+   * into level 0 the minima that the last exchange has brought. Returns whether that made a texel
+   * nearer.
    */
   bool Merge(vtkNBufferLevels& base);
 
   /// Join the exchanges that are left, and end the frame. The window's context must be current.
   void EndFrame(vtkRenderer* renderer, const Layout& layout);
 
-  /// The largest step of any rank's depth buffer, as known when the frame began.
+  /// The largest step of any rank's depth buffer, in window depth, as known when the frame began.
   double GetStep() const { return this->AssumedStep; }
 
-  /// The candidates of the other ranks at the last exchange.
+  /// How many candidates the other ranks have reported in the last exchange.
   int GetOtherCandidates() const { return this->OtherCandidates; }
 
   const Layout& GetLayout() const { return this->Current; }
@@ -132,7 +135,7 @@ private:
   Counts LastCounts;
   std::vector<double> View;  ///< The view of the last frame.
   std::vector<float> Minima; ///< The last reply; it begins with level 0 of all ranks.
-  int Size[2] = { 0, 0 };    ///< That of level 0, in texels.
+  int Size[2] = { 0, 0 };    ///< The size of level 0, in texels.
   std::vector<float> Agreed; ///< What all ranks have agreed on; empty if they have not.
   bool HasBegun = false;
   bool HasMoved = false;  ///< Whether the view is not that of the last frame.

@@ -49,8 +49,8 @@ public:
 
   ///@{
   /// Collect what all actors use: first call Add() for all actors, and then AddCommon() for all of
-  /// them again. Only then is it known which objects are used in an uncommon way and in the common
-  /// one too.
+  /// them again. Only after the first pass is it known for which objects the second one has to find
+  /// out whether they are also used in the common way.
   void Add(const Uses& uses);
   void AddCommon(const Uses& uses);
   ///@}

@@ -5,12 +5,13 @@
  * @brief Whether a frame of a view draws the same as the last one, so that the verdicts of the last
  * one are still valid.
  *
- * It does unless the list of props, a prop, the view, or a setting has changed. If nothing is
- * erased at the beginning of a frame, its depth also depends on what was drawn before.
+ * It does unless the list of props, a prop, the view, or a setting has changed. If a frame does not
+ * begin by erasing color and depth, its depth also depends on what was drawn before, and it never
+ * counts as the same.
  *
- * In a parallel program this is about one rank; vtkNBufferSharedDepth::Poll() finds out about the
- * others. Here it counts as a change, too, if depth is shared that was not shared in the last
- * frame, or the other way round.
+ * In a parallel program this class compares the frames of one rank; vtkNBufferSharedDepth::Poll()
+ * finds out about the other ranks. It also counts as a change if depth is shared in only one of the
+ * two frames.
  */
 #ifndef vtkNBufferStillness_h
 #define vtkNBufferStillness_h

@@ -49,7 +49,7 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   const Phase before = this->State;
   const bool complete = before == Phase::Tested || before == Phase::Reused;
   this->Settings = settings;
-  // Ranks tell each other of whole props.
+  // Ranks report whole props to each other, so that props are not divided here.
   this->Settings.DivideProps = settings.DivideProps && !settings.Shared;
   this->ResetStatistics();
   this->Statistics.Props = count;
@@ -320,7 +320,7 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
   {
     drawOccluders(first);
   }
-  // Groups of units may be large.
+  // The boxes of groups of units may cover much of the viewport.
   const int levels = !this->Division.HasUnits()
     ? 1
     : vtkNBufferOcclusionTest::GetLevelsNeeded(
@@ -393,7 +393,7 @@ int vtkNBufferView::DrawRound(vtkRenderer* renderer, std::vector<int> props, int
       state.WasVisible = true;
       ++this->Statistics.DrawnInRound[std::min(round, vtkNBufferStatistics::MaximumNumberOfRounds)];
     }
-    // The first round is that of a prop for which the renderer's list had no room.
+    // Round 1 is reserved for a prop for which the renderer's list had no room.
     drawn += this->Draws.Draw(renderer, i, round + 1, time);
   }
   this->Statistics.DrawTime += clock.GetMilliseconds();

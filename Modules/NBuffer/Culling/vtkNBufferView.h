@@ -76,7 +76,7 @@ public:
   /// Begin a frame that is drawn as it would be without the culler, because of `reason`.
   void StepAside(vtkNBufferDecision reason, vtkProp** props, int count);
 
-  /// Count a failure because of which a frame draws everything. Warns with the text `why` if it is
+  /// Count a frame that draws everything because of `failure`. Warns with the text `why` if it is
   /// the first failure of its kind in the window.
   void Fail(vtkRenderer* renderer, vtkNBufferDecision failure, const std::string& why);
 
@@ -143,7 +143,7 @@ private:
 
   vtkNBufferViewSetup Setup;
   vtkNBufferDepthSource Tested; ///< The depth that was tested last.
-  int KeptInVain = 0; ///< Number of kept props that the last test found hidden, after their draw.
+  int KeptInVain = 0; ///< How many kept props the last test found hidden after they were drawn.
 };
 
 VTK_ABI_NAMESPACE_END

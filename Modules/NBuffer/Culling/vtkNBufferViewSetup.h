@@ -20,7 +20,7 @@ struct vtkNBufferViewSetup
   double DepthQuantum = 0x1p-24; ///< The step of the depth buffer used last, in window depth.
   int SubpixelBits = 4;          ///< vtkNBufferGL::GetSubpixelBits() of the context used last.
 
-  /// Set a projection from coordinates that the matrix takes to the world.
+  /// Set `projection` to one from the coordinates that `toWorld` takes to the world.
   void Apply(vtkNBufferProjection& projection, const glm::dmat4& toWorld = glm::dmat4(1.0)) const
   {
     const auto toClip =

@@ -6,7 +6,7 @@
 #ifndef vtkNBufferShared_h
 #define vtkNBufferShared_h
 
-// How the base pass reads depth: by a sampler, as integers, or from multisampled textures.
+// How vtkNBufferBaseFS.glsl reads depth: by a sampler, as integers, or from multisampled textures.
 #define NBUFFER_SOURCE_DEPTH 0
 #define NBUFFER_SOURCE_INTEGER 1
 #define NBUFFER_SOURCE_MULTISAMPLE 2
@@ -27,9 +27,9 @@
 // A shadow mask has four channels, one for each light.
 #define NBUFFER_SHADOW_LIGHTS_PER_MASK 4
 
-// A fragment is visible in a sample if the depth that is stored there is its own. The two depths
-// may come from different framebuffers. The tolerances are 1/64 of a pixel for the place of the
-// sample, and eight units of 24 bits for the depth.
+// A fragment is visible in a sample if the depth that is stored for the sample is that of the
+// fragment. The two depths may come from different framebuffers. The tolerances are 1/64 of a pixel
+// for the place of the sample, and eight steps of 24-bit depth for the depth.
 #define NBUFFER_SHADOW_PLACE_TOLERANCE 0.015625
 #define NBUFFER_SHADOW_DEPTH_TOLERANCE 4.76837158203125e-7
 

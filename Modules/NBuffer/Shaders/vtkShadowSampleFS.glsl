@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::Output::Dec
 
-// Copies one channel of one sample of each texel.
+// Copies one channel of one sample of each texel of a rectangle.
 uniform sampler2DMS samples; // the texture to read
 uniform int index;           // of the sample
 uniform int channel;

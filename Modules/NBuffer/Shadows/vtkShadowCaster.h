@@ -13,8 +13,8 @@
  *     points       the topology, and the values of the matrix and of the clipping planes
  *     silhouettes  the points, and the light in world coordinates
  *
- * The clipping planes of the mapper cut the triangles. The cut is left open, because VTK also draws
- * it open. A caster that is cut has a topology of its own.
+ * The clipping planes of the mapper cut the triangles. The cut is left open, as VTK draws it. A
+ * caster that is cut has a topology of its own.
  *
  * A stencil counts to 255. If more triangles of a caster may lie between a light and a receiver,
  * the triangles are split into several parts, which may be counted one after the other. A receiver
@@ -39,6 +39,7 @@ class vtkPolyData;
 class vtkShadowCaster
 {
 public:
+  /// The largest count of a stencil of 8 bits.
   static constexpr int MaximumCount = 255;
 
   using Plane = vtkNBufferSurface::Plane;
@@ -51,8 +52,8 @@ public:
   /// The topology of the triangles that VTK draws for a polydata.
   static std::shared_ptr<const vtkShadowTopology> MakeTopology(vtkPolyData* data);
 
-  /// Brings mesh, matrix (row by row) and clipping planes up to date. Returns whether anything has
-  /// changed. A mesh that has changed has a new topology.
+  /// Brings mesh, matrix (row by row) and clipping planes (in world coordinates) up to date.
+  /// Returns whether anything has changed. A mesh that has changed has a new topology.
   bool Update(const std::shared_ptr<const vtkShadowTopology>& mesh,
     const std::array<double, 16>& toWorld, const std::vector<Plane>& planes);
 
@@ -75,7 +76,7 @@ public:
   }
 
   ///@{
-  /// Make the processor fetch what UpdateParts() will read: first the caster itself, then what it
+  /// Make the processor load into its cache what UpdateParts() will read: the caster, then what it
   /// refers to. (With 15,000 casters, planning takes twice as long without this.)
   void Prefetch() const;
   void PrefetchParts(std::size_t slot) const;
@@ -99,7 +100,7 @@ private:
   std::array<double, 16> ToWorld = {};
   std::vector<Plane> Planes;
   std::shared_ptr<const vtkShadowTopology> MeshTopology;
-  std::shared_ptr<const vtkShadowTopology> Topology; ///< The topology of what the planes leave.
+  std::shared_ptr<const vtkShadowTopology> Topology; ///< The topology after clipping.
   vtkShadowPoints Points;
 };
 

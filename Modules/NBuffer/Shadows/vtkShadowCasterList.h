@@ -8,7 +8,7 @@
  * assemblies. An actor casts if it is drawn opaque, as a surface, by a mapper whose triangles are
  * known: those of a mesh or of the blocks of composite data (vtkNBufferSurface::GetParts()), or
  * those of the instances of a glyph (vtkNBufferGlyphs.h). Each block and each instance is a caster
- * of its own; invisible blocks and masked instances are none. The actors that do not cast are
+ * of its own; invisible blocks and masked instances are no casters. The actors that do not cast are
  * counted by reason (vtkShadowSkip).
  *
  * The instances of a glyph share the topology of their source. In addition, each takes about 300
@@ -77,10 +77,10 @@ private:
   /// A mesh of an actor.
   struct Mesh
   {
-    int Path = 0;                ///< The number of the actor in its assembly.
-    const void* Block = nullptr; ///< The polydata. The pointer is only compared.
-    vtkMTimeType Time = 0;       ///< That of the polydata when Topology was made.
-    vtkMTimeType InstancesTime = 0;
+    int Path = 0;                   ///< The number of the actor in its assembly.
+    const void* Block = nullptr;    ///< The polydata. The pointer is only compared.
+    vtkMTimeType Time = 0;          ///< The time of the polydata when Topology was made.
+    vtkMTimeType InstancesTime = 0; ///< vtkNBufferGlyphs::GetTime() when Casters were made.
     std::array<double, 16> ToWorld = {};
     std::vector<vtkNBufferSurface::Plane> Planes;
     std::shared_ptr<const vtkShadowTopology> Topology;
@@ -109,18 +109,20 @@ private:
   bool ReadProp(vtkProp* prop, Member& member);
   void AddProp(vtkProp* prop, Member& member);
   void AddActor(vtkActor* actor, int path, vtkMatrix4x4* matrix, Member& member);
-  /// Adds the casters of a part, of which `glyphs` draws instances if it is not nullptr.
+  /// Adds the casters of a part. If `glyphs` is not nullptr, it draws instances of the part, and
+  /// each of them is a caster.
   void AddMesh(const vtkNBufferSurface::Part& part, vtkGlyph3DMapper* glyphs, int path,
     const std::vector<vtkNBufferSurface::Plane>& planes, Member& member);
-  /// Takes a mesh out of OldMeshes. If it was not there, a new one is the result. `place` is where
-  /// it is among the meshes that are read now, which mostly come in the order of the last time.
+  /// Removes the mesh of an actor and a block from OldMeshes and returns it; returns a new mesh if
+  /// it is not there. `place` is the index of the mesh among those that are read now. It is mostly
+  /// the index in OldMeshes, too, and is tried first.
   Mesh TakeOldMesh(int path, const void* block, std::size_t place);
 
   vtkNBufferPropList<Member> Members;
   std::vector<vtkProp*> Visible;              ///< Used in Update(); a member to keep its memory.
   std::vector<vtkNBufferSurface::Part> Parts; ///< Used in AddActor(); a member to keep its memory.
   std::vector<Mesh> OldMeshes;                ///< The last meshes of the prop that is being read.
-  /// The places of OldMeshes by Block, made when one is not in its last place.
+  /// The indices of OldMeshes by Block, made when a mesh is not at the index that it had before.
   std::unordered_multimap<const void*, std::size_t> OldPlaces;
   vtkNBufferPropWatch::GlobalState GlobalState{};
   vtkMTimeType Version = 0;

@@ -25,7 +25,7 @@ class vtkRenderer;
 struct vtkShadowLightSource
 {
   vtkLight* Source = nullptr;
-  int Number = 0; ///< The place among the lights that are on, as in the names of VTK's uniforms.
+  int Number = 0; ///< The index among the lights that are on, as in the names of VTK's uniforms.
   float Attenuation = 1.0f; ///< The share of the light that its shadow takes away.
   vtkShadowLight Geometry;
 

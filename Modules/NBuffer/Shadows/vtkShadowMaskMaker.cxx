@@ -21,11 +21,11 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// For so many frames mode Automatic relies on the number of samples that are not background.
+/// The number of frames for which mode Automatic uses a share of samples that are not background.
 constexpr int CoverageFrames = 30;
 
-/// The number of casters that is worth a thread of its own. It is small because to decide about one
-/// caster may take longer than to decide about a hundred others.
+/// The number of casters for which a thread of its own saves time. It is small because to decide
+/// about one caster may take longer than to decide about a hundred others.
 constexpr vtkIdType CastersPerThread = 256;
 
 /// The faces of a cube around a point light.
@@ -42,7 +42,7 @@ std::vector<vtkShadowLightSpace> MakeFaces(const vtkShadowLight& light)
 }
 }
 
-/// One light of a frame.
+/// A light of a frame, and what is needed to make its part of a mask.
 struct vtkShadowMaskMaker::Work
 {
   const vtkShadowLight& GetLight() const { return this->Source.Geometry; }

@@ -65,7 +65,7 @@ public:
    * Allocates the masks of this many lights for the viewport that is set now. They get the samples
    * of the framebuffer that is bound for drawing. If the device refuses these samples, the masks
    * get one for each pixel, vtkShadowTarget::HasRefusedSamples() is true, and GetError() has the
-   * cause. Returns false, with the cause in GetError(), if OpenGL refuses that, too.
+   * cause. Returns false, with the cause in GetError(), if that fails, too.
    */
   bool Reserve(vtkOpenGLRenderWindow* window, std::size_t lights);
 
@@ -86,6 +86,7 @@ public:
 
   /// The masks. A light has the number that it has in Frame::Lights.
   vtkShadowTarget& GetTarget() { return this->Target; }
+  /// The viewport of the last Reserve(): x, y, width and height in pixels of the framebuffer.
   const int* GetViewport() const { return this->Viewport; }
   const std::string& GetError() const { return this->Error; }
 
@@ -106,13 +107,15 @@ private:
   bool MakeLitmaps(const Work& work, const std::vector<vtkShadowLightSpace>& spaces);
   void FindParts(const Work& work);
   void AddCasters(const Work& work, vtkShadowPlan& plan);
+  /// Returns whether litmaps are likely to be worth their cost for a light whose whole volumes have
+  /// this many fragments and triangles. Sets the estimates of `cost`.
   bool IsLitmapWorthIt(
     const Work& work, double fragments, long long triangles, vtkShadowLightCost& cost);
-  /// The same by the number of triangles alone.
+  /// Does the same by the number of triangles alone.
   bool IsLitmapWorthIt(const Work& work, vtkShadowLightCost& cost);
   long long EstimateCovered(const Work& work); ///< The number of samples that are not background.
   void SetCoverage(std::size_t covered, std::size_t samples);
-  /// Draws the shadows of a light, and sets all of `cost` but its Time.
+  /// Draws the shadows of a light, and sets all of `cost` except Time.
   bool Shade(const Work& work, vtkShadowLightCost& cost);
   bool Count(const Work& work, const vtkShadowPlan& plan);
 

@@ -9,7 +9,7 @@
  *     depth of the receivers: the opaque props, drawn into a vtkShadowTarget
  *        |
  *     masks (vtkShadowMaskMaker), or those of the last frame if nothing has changed
- *        |   no shadow is due, or OpenGL refuses: the props are drawn as without the pass
+ *        |   no volume is drawn, or a call fails: the props are drawn as without the pass
  *     the opaque props, with the masks (vtkShadowShading)
  *        |
  *     debug view, if there is one
@@ -70,7 +70,7 @@ public:
 
   /// Reads the mask of a light of the last frame, as vtkShadowVolumeClampPass::GetMask() describes.
   /// `size` receives its width and height in pixels. Returns false if the light did not cast, if
-  /// there is no such sample or, with the cause in `why`, if OpenGL refuses.
+  /// there is no such sample or, with the cause in `why`, if an OpenGL call fails.
   bool ReadMask(
     vtkLight* light, int sample, std::vector<unsigned char>& mask, int size[2], std::string& why);
 

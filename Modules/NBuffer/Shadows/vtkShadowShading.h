@@ -56,8 +56,8 @@ public:
   /// Sets the uniforms of a mapper's program. Call it within a Scope.
   void SetParameters(vtkShaderProgram* program);
 
-  /// Binds the masks of `target`, and `depth` if it is not nullptr, to texture units. Its end
-  /// releases them and restores the active texture unit.
+  /// Binds the masks of `target`, and `depth` if it is not nullptr, to texture units. When the
+  /// scope ends, it releases them and restores the active texture unit.
   class Scope
   {
   public:
@@ -78,7 +78,7 @@ private:
   int Samples = 1;               ///< The samples of a pixel in the masks.
   vtkTimeStamp Time;
   std::vector<vtkShadowLightSource> Lights;
-  std::vector<int> TextureUnits; ///< Unit i holds mask i.
+  std::vector<int> TextureUnits; ///< Element i is the texture unit of mask i.
   int DepthUnit = 0;
   /// The program whose uniforms were set last in this Scope, and its handle. Most props share their
   /// program, which keeps its uniforms from prop to prop.

@@ -120,7 +120,7 @@ bool vtkNBufferBlockStream::DrawNext(int list, vtkAbstractMapper* mapper)
     return false;
   }
   batch->Last = GetBlockList(mapper).Stream;
-  // Either an image, or values of cells, which are in a texture as well.
+  // The texture is either an image or has values of cells.
   batch->UsesTextures = batch->UsesTextures || vtkNBufferOwnDraw::NumbersPrimitives(batch->Last) ||
     batch->Last->Program->IsAttributeUsed("tcoord");
   this->Changed = mapper;

@@ -4,14 +4,16 @@
  * @class vtkNBufferBlockStream
  * @brief The blocks of composite data: reads which ones VTK draws, and lets it draw some of them.
  *
- * vtkCompositePolyDataMapper (before VTK 9.3, vtkCompositePolyDataMapper2) has a mapper of blocks
- * for all blocks with arrays of the same kinds. It has their vertices in common buffers, and draws
- * one block after the other, each by a call of OpenGL with uniforms of its own. Which blocks, and
- * in which order, is in a list (vtkNBufferProtectedBlocks.h). While this class lets it draw some of
- * them, the list has only these. Buffers, program, uniforms and order stay VTK's.
+ * vtkCompositePolyDataMapper (before VTK 9.3, vtkCompositePolyDataMapper2) has an internal mapper
+ * for all blocks with arrays of the same kinds, which is called a mapper of blocks here. That
+ * mapper has the vertices of its blocks in common buffers, and draws one block after the other,
+ * each by a call of OpenGL with uniforms of its own. Which blocks it draws, and in which order, is
+ * in a list (vtkNBufferProtectedBlocks.h). While this class lets it draw some of them, the list has
+ * only these. Buffers, program, uniforms and order stay VTK's.
  *
- * The unit of vtkNBufferUnits is here a block. A mesh of two points for each block, the corners of
- * its box, stands for them. Blocks have any kinds of cells, and may have values of cells.
+ * Here, a unit of vtkNBufferUnits is one block. The units are made from a mesh with two points for
+ * each block: two opposite corners of its box. Blocks may have cells of any kind, with or without
+ * values of cells.
  */
 #ifndef vtkNBufferBlockStream_h
 #define vtkNBufferBlockStream_h
@@ -42,8 +44,8 @@ public:
   vtkNBufferBlockStream(const vtkNBufferBlockStream&) = delete;
   void operator=(const vtkNBufferBlockStream&) = delete;
 
-  /// Whether this mapper has the blocks of composite data drawn by mappers of blocks, and no cells
-  /// of it are selected, which would be drawn by the same list.
+  /// Whether this mapper draws composite data by mappers of blocks, and no cells are selected,
+  /// which VTK would draw by the same list.
   static bool MayBeDivided(vtkMapper* mapper);
 
   /// Whether this is a mapper of blocks.
@@ -52,22 +54,24 @@ public:
   /// Forget all blocks.
   void Clear();
 
-  /// Add the boxes of the blocks that a mapper of blocks is about to draw to the mesh, if they have
+  /// Add to `boxes` the boxes of the blocks that a mapper of blocks is about to draw, if they have
   /// not been added since Clear().
   void Read(vtkAbstractMapper* mapper, vtkNBufferUnits::Mesh& boxes);
 
-  /// The number of a block among those that were read since Clear(), by its flat index; the largest
-  /// number if there is no such block.
+  /// The number of the block with this flat index among the blocks that were read since Clear();
+  /// the largest std::size_t if there is no such block.
   std::size_t FindBlock(unsigned int flatIndex) const;
 
   /// Begin a frame, in which VTK has not drawn any blocks yet.
   void BeginFrame();
 
-  /// Let list 0 or 1 consist of the blocks whose corners are `corners`, in ascending order.
+  /// Let list 0 or 1 consist of the blocks whose corners have these indices in the mesh of boxes,
+  /// in ascending order.
   void SetList(int list, const std::vector<unsigned int>& corners);
 
-  /// Let the draw whose shader parameters are being set draw only a list. Returns false, and does
-  /// nothing, if the mapper is about to draw other blocks than were read of it.
+  /// Let the next draw of `mapper`, for which VTK is setting the shader parameters, draw only a
+  /// list. Returns false, and does nothing, if the mapper is about to draw other blocks than those
+  /// that were read.
   bool DrawNext(int list, vtkAbstractMapper* mapper);
 
   /// Undo what DrawNext() has changed in the mapper.
@@ -75,8 +79,8 @@ public:
 
   /**
    * Draw the blocks of the actor again, as vtkActor::RenderOpaqueGeometry() does. That function
-   * visits each block several times before it draws the first one, in order to find out whether
-   * any has changed. If VTK has done so in this frame, this function does without. Returns false,
+   * visits each block several times before it draws the first one, in order to find out whether any
+   * has changed. If VTK has done so in this frame, this function leaves that out. Returns false,
    * and draws nothing, if VTK has not, or if the blocks have textures, which only VTK binds.
    */
   bool DrawDirectly(vtkActor* actor, vtkRenderer* renderer);
@@ -91,16 +95,16 @@ private:
     vtkMTimeType BuildTime;
     std::vector<Map::value_type> Blocks; ///< In the order of the list.
     std::array<Map, 2> Lists;
-    vtkOpenGLHelper* Last = nullptr; ///< What VTK has drawn last of it in this frame.
+    vtkOpenGLHelper* Last = nullptr; ///< The stream that was drawn last in this frame.
     bool UsesTextures = false;
   };
 
   Batch* Find(vtkAbstractMapper* mapper);
 
   std::vector<Batch> Batches;
-  std::map<unsigned int, std::size_t> Numbers; ///< Of the blocks, by their flat indices.
+  std::map<unsigned int, std::size_t> Numbers; ///< The numbers of the blocks, by flat index.
   vtkSmartPointer<vtkAbstractMapper> Changed;
-  Map* Exchanged = nullptr; ///< The list of that mapper, while the mapper has one of ours.
+  Map* Exchanged = nullptr; ///< Where the list of `Changed` is while it has one of ours.
   unsigned long Observer = 0;
 };
 

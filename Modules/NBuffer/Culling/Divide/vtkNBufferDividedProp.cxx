@@ -39,7 +39,8 @@ vtkNBufferDividedProp::~vtkNBufferDividedProp()
 
 void vtkNBufferDividedProp::Release()
 {
-  // A thread that is still building finishes first, which takes less than reading again.
+  // A thread that is still building is awaited here. That takes less time than reading the mesh
+  // again.
   this->Pending = {};
   this->State = Phase::Waiting;
   this->StillFrames = 0;
@@ -139,7 +140,7 @@ void vtkNBufferDividedProp::Build(const vtkNBufferTuning& tuning)
   {
     size = vtkNBufferInstanceStream::GetUnitSize(this->Hook.GetSource().IndexCount, size);
   }
-  // The member is not touched until the units are there.
+  // No other code uses the member Mesh until the units are made.
   this->Pending = std::async(tuning.DivideInBackground ? std::launch::async : std::launch::deferred,
     [this, size]() { return vtkNBufferUnits::Make(this->Mesh, size); });
 }

@@ -10,7 +10,8 @@
  *                     |             |
  *                     +-------------+---> Refused
  *
- *  - Waiting: The data has changed a moment ago. Nothing is done until it stays as it is.
+ *  - Waiting: The data has changed recently. Nothing is done until it has stayed the same for some
+ *    frames.
  *  - Reading: The next draw copies the list of indices that VTK draws, and the points.
  *  - Building: A thread makes the units from the copy. The prop is drawn whole.
  *  - Ready: The units are tested.
@@ -69,7 +70,7 @@ public:
   /// units are made.
   void BeginFrame(bool changed, vtkOpenGLRenderWindow* window, const vtkNBufferTuning& tuning);
 
-  /// Whether the next draw has to be one of Draw(), to read what is drawn.
+  /// Whether the next draw has to be made by Draw(), so that it can read what VTK draws.
   bool IsReading() const { return this->State == Phase::Reading; }
 
   /// Whether the units can be tested.
@@ -87,19 +88,20 @@ public:
   /// Steps 2 and 4: draw what is to be drawn next, by calling `drawWhole`, which draws the actor.
   int Draw(const std::function<int()>& drawWhole);
 
-  /// Draw what step 4 draws, and take no note of it.
+  /// Draw what step 4 draws, but do not count it as drawn.
   int TryFresh(const std::function<int()>& drawWhole);
 
   /// Draw the units that have been drawn in this frame once more, in the order of the mesh.
   int DrawAgain(const std::function<int()>& drawWhole);
 
-  /// Draw the actor in a call of `drawWhole`.
+  /// Draw the actor itself; `drawWhole` calls this function.
   int Render(vtkRenderer* renderer) { return this->Hook.Render(this->Actor, renderer); }
 
   /// Whether the first draw of this frame has been made.
   bool IsBegun() const { return this->IsDrawn; }
 
-  /// Whether all units have been tested after that draw. What a test has found hidden stays hidden.
+  /// Whether all units have been tested after that draw. No further test is needed then, because
+  /// what a test has found hidden stays hidden in this frame.
   bool IsSettled() const { return this->Settled; }
 
   /// Bounds of the fresh units in the coordinates of the mesh, in a few groups of neighbours.
@@ -118,8 +120,8 @@ public:
   /**
    * Whether the units are blocks of composite data that have changed. In this case the prop has to
    * be drawn whole, and is read again. If blocks change, the time of the data may stay the same.
-   * VTK takes notice when it draws them, so that this needs to be known only of props that are not
-   * drawn. It visits all blocks.
+   * VTK notices such changes when it draws, so that this function is needed only for props that are
+   * not drawn. It visits all blocks.
    */
   bool HasChangedBlocks();
 
@@ -132,7 +134,7 @@ public:
   /// Whether there are fewer fresh units than units that have been drawn in this frame.
   bool HasFewFresh() const;
 
-  /// Whether not all units in the view have been drawn, although something has.
+  /// Whether the prop has been drawn in this frame, but without some of its units in the view.
   bool IsDrawnInPart() const;
 
 private:

@@ -8,21 +8,22 @@
  * keys just before it binds its index buffer and draws (vtkNBufferDrawPass). The hook then draws
  * with another index buffer in the place of the mapper (vtkNBufferOwnDraw). Program, vertex buffers
  * and uniforms stay the same, so that each primitive has the same fragments, to the bit. No
- * subclass of a mapper is needed, and no shader is changed.
+ * subclass of a mapper is needed, and no shader is changed. What a mapper draws by one call of
+ * OpenGL is called a stream here: a vtkOpenGLHelper, with an index buffer, a program and a vertex
+ * array.
  *
- * Of a mesh with scalars or normals of cells, whose shader needs the number of each primitive,
- * ranges of the mapper's own index buffer are drawn instead.
+ * If a mesh has scalars or normals of cells, the shader needs the number of each primitive. Ranges
+ * of the mapper's own index buffer are then drawn instead.
  *
  * A prop is drawn whole while it changes; if it has strips or lines as well as triangles; if its
  * mapper is neither vtkPolyDataMapper nor vtkDataSetMapper nor vtkGlyph3DMapper nor
  * vtkPointGaussianMapper (vtkNBufferSplatStream) nor a mapper of composite data; and for some
  * frames if next to none of its units is hidden.
  *
- * What is said of strips and lines does not hold for composite data, of which whole blocks are left
- * out.
+ * Composite data may have strips and lines, because only whole blocks of it are left out.
  *
- * The hook works only while one of its own draws is running (the class Draw). Whatever else draws
- * the actor gets the whole of it: hardware selectors, other renderers, the application.
+ * The hook works only while one of its own draws is running (the class Draw). All other draws of
+ * the actor, by hardware selectors, other renderers or the application, draw the whole actor.
  */
 #ifndef vtkNBufferDrawHook_h
 #define vtkNBufferDrawHook_h
@@ -55,7 +56,8 @@ class vtkWindow;
 class vtkNBufferDrawHook
 {
 public:
-  /// The pass, which has to outlive the hook, is that of the props that the hook draws.
+  /// `pass`, which has to outlive the hook, must be in the property keys of the props that the hook
+  /// draws.
   explicit vtkNBufferDrawHook(vtkNBufferDrawPass* pass);
   ~vtkNBufferDrawHook();
   vtkNBufferDrawHook(const vtkNBufferDrawHook&) = delete;
@@ -72,8 +74,8 @@ public:
     /// blocks (vtkNBufferBlockStream), 0 for what cannot be divided.
     std::size_t Corners = 0;
     vtkMTimeType InstanceTime = 0; ///< When the instances were uploaded.
-    /// Whether the shader reads values by the numbers of primitives, those of cells for example. It
-    /// depends on the shader alone, and is not compared.
+    /// Whether the shader reads values by the numbers of primitives, for example values of cells.
+    /// This depends on the shader alone, and is not compared.
     bool IsNumbered = false;
 
     bool HasInstances() const { return this->InstanceTime > 0; }
@@ -87,7 +89,7 @@ public:
     }
   };
 
-  /// What a draw draws. The first two are lists of indices on the device.
+  /// What a draw draws.
   enum List
   {
     Drawn, ///< The units that have been drawn in this frame.
@@ -103,7 +105,7 @@ public:
     this->Blocks.BeginFrame();
   }
 
-  /// Read what the next draw draws: afterwards GetSource() and TakeMesh() have it.
+  /// Let the next draw read what it draws, for GetSource() and TakeMesh().
   void ReadNext();
 
   ///@{
@@ -134,7 +136,7 @@ public:
     vtkNBufferDrawHook* Hook;
   };
 
-  /// Draw the actor while an object of that class exists.
+  /// Draw the actor. To be called while a Draw exists.
   int Render(vtkActor* actor, vtkRenderer* renderer);
 
   /// Whether a draw of a list drew everything, because the source has changed.

@@ -6,15 +6,15 @@
  * draw.
  *
  * A mapper makes its shaders anew if the passes of an actor are not those of the last draw. Actors
- * that share a mapper share its shaders as well, and what they see depends on when these are made.
- * Therefore all large props of a window have the same pass, and so has an actor that begins to
- * share the mapper of one of them. They keep it while they are in a renderer of the window, whether
- * they can be divided at the moment or not.
+ * that share a mapper share its shaders as well, and what they look like depends on when these are
+ * made. Therefore all large props of a window have the same pass, and so has an actor that begins
+ * to share the mapper of one of them. They keep it while they are in a renderer of the window,
+ * whether they can be divided at the moment or not.
  */
 #ifndef vtkNBufferDrawPass_h
 #define vtkNBufferDrawPass_h
 
-#include "vtkNBufferModule.h" // For export macro
+#include "vtkNBufferModule.h"     // For export macro
 #include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
 #include "vtkOpenGLRenderPass.h"
 #include "vtkSmartPointer.h"
@@ -36,12 +36,12 @@ public:
   static vtkNBufferDrawPass* New();
   vtkTypeMacro(vtkNBufferDrawPass, vtkOpenGLRenderPass);
 
-  /// The pass of a window. It is made if nobody holds one.
+  /// The pass of a window, which is created if no other code holds a reference to it.
   static vtkSmartPointer<vtkNBufferDrawPass> Get(vtkWindow* window);
 
   ///@{
-  /// Add the pass to the property keys of an actor, or remove it when it has been detached as often
-  /// as attached: an actor may be in several renderers of the window.
+  /// Add the pass to the property keys of an actor, or remove it after as many calls of Detach() as
+  /// of Attach(): an actor may be in several renderers of the window.
   void Attach(vtkActor* actor);
   void Detach(vtkActor* actor);
   ///@}
@@ -77,7 +77,7 @@ private:
   };
 
   std::function<void(vtkAbstractMapper*, vtkProp*)> Callback;
-  std::map<vtkActor*, User> Users; ///< Of an actor that has been deleted, Actor is null.
+  std::map<vtkActor*, User> Users; ///< If an actor has been deleted, its User::Actor is null.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -13,11 +13,11 @@
  * alone to the vertex array, draws them, and attaches VTK's buffers again. The instances keep their
  * order.
  *
- * The unit of vtkNBufferUnits is here a group of instances. A mesh of two points for each instance,
- * the corners of its box, stands for them.
+ * Here, a unit of vtkNBufferUnits is a group of instances. The units are made from a mesh with two
+ * points for each instance: two opposite corners of its box.
  *
- * Not divided are mappers with several sources, with a tree of sources, with composite data, with a
- * mask, or with VTK's own culling of instances; and sources that are not triangles alone. The
+ * A mapper is not divided if it has several sources, a tree of sources, composite data, a mask, or
+ * VTK's own culling of instances, or if its source does not consist of triangles alone. The
  * instances are read again if actor, mapper, data or source change. The copy in host memory takes
  * 104 bytes for each instance.
  */
@@ -48,18 +48,18 @@ public:
   vtkNBufferInstanceStream(const vtkNBufferInstanceStream&) = delete;
   void operator=(const vtkNBufferInstanceStream&) = delete;
 
-  /// The mapper if it is the one that draws instances, otherwise nullptr.
+  /// The mapper if it is the internal one that draws the instances, otherwise nullptr.
   static vtkOpenGLGlyph3DHelper* GetHelper(vtkAbstractMapper* mapper);
 
   /// Whether the actor has a vtkGlyph3DMapper, and it is known what that draws: an opaque surface
   /// in the actor's place and at its own depths, by one call.
   static bool MayBeDivided(vtkActor* actor);
 
-  /// How many cells all instances of an actor that may be divided have.
+  /// The number of polygons in all instances of an actor that may be divided; at most VTK_INT_MAX.
   static vtkIdType CountTriangles(vtkActor* actor);
 
-  /// How many instances make a unit, if the source has so many indices and a unit of a mesh has
-  /// `unitSize` triangles.
+  /// How many instances make a unit, if the triangles of the source have `indices` indices and a
+  /// unit of a mesh has `unitSize` triangles.
   static std::size_t GetUnitSize(std::size_t indices, std::size_t unitSize);
 
   /// Copy the instances that a mapper is about to draw, and make the mesh of their boxes. Returns
@@ -69,11 +69,12 @@ public:
   /// vtkNBufferBox::Magnitude of the boxes that were read last, in their coordinates.
   const glm::dvec3& GetMagnitude() const { return this->Magnitude; }
 
-  /// Let list 0 or 1 consist of the instances whose corners are `corners`, in ascending order.
+  /// Let list 0 or 1 consist of the instances whose corners have these indices in the mesh of
+  /// boxes, in ascending order.
   void Upload(int list, const std::vector<unsigned int>& corners);
 
-  /// Draw a list in the place of a mapper for whose draw everything has been bound. Returns false,
-  /// and draws nothing, if VTK is about to attach its buffers.
+  /// Draw a list in the place of `mapper`, for whose draw VTK has bound everything. Returns false,
+  /// and draws nothing, if the list is empty or if VTK has yet to attach its buffers.
   bool Draw(int list, vtkOpenGLGlyph3DHelper* mapper, vtkOpenGLHelper* stream);
 
   void ReleaseGraphicsResources();

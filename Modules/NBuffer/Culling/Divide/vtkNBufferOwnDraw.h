@@ -5,18 +5,18 @@
  * @brief Draws in the place of a draw of vtkOpenGLPolyDataMapper.
  *
  * When everything for the mapper's draw has been bound (vtkCommand::UpdateShaderEvent), this class
- * calls a function that draws, and then lets VTK's own draw have no indices. Program, textures,
- * uniforms and vertices are VTK's.
+ * calls a function that draws, and then sets the number of indices of VTK's own draw to 0. Program,
+ * textures, uniforms and vertices are VTK's.
  *
- * A draw without an index buffer (vtkNBufferSplatStream) takes no notice of that. OpenGL discards
- * it instead: within glBeginConditionalRender() with a query that has counted nothing, nothing is
- * drawn.
+ * This does not stop a draw without an index buffer (vtkNBufferSplatStream). Such a draw is made
+ * after glBeginConditionalRender() with a query that has counted nothing, so that OpenGL discards
+ * it.
  *
- * Of a mesh that has scalars or normals of cells, ranges of VTK's own list of indices are drawn.
- * The shader of vtkOpenGLPolyDataMapper reads the values of a cell from a texture, at the place
+ * If a mesh has scalars or normals of cells, ranges of VTK's own list of indices are drawn. The
+ * shader of vtkOpenGLPolyDataMapper reads the values of a cell from a texture, at the place
  * gl_PrimitiveID + PrimitiveIDOffset. OpenGL counts gl_PrimitiveID from the beginning of each draw,
- * so that the triangles of a shortened list would have the values of others. Each range is drawn
- * with the number of its first primitive in the uniform variable PrimitiveIDOffset.
+ * so that the triangles of a shortened list would get the values of other cells. Each range is
+ * drawn with the number of its first primitive in the uniform variable PrimitiveIDOffset.
  */
 #ifndef vtkNBufferOwnDraw_h
 #define vtkNBufferOwnDraw_h
@@ -41,9 +41,9 @@ public:
   vtkNBufferOwnDraw(const vtkNBufferOwnDraw&) = delete;
   void operator=(const vtkNBufferOwnDraw&) = delete;
 
-  /// Let `draw` draw instead of the mapper, the shader parameters of whose stream are being set. If
-  /// it returns false, it has drawn nothing, and VTK draws. `hasIndices`: whether VTK's draw has an
-  /// index buffer.
+  /// Let `draw` draw in the place of the mapper, which is setting the shader parameters of
+  /// `stream`. If `draw` returns false, it has drawn nothing, and VTK draws. `hasIndices` says
+  /// whether VTK's draw has an index buffer.
   void SetNext(vtkOpenGLPolyDataMapper* mapper, vtkOpenGLHelper* stream, bool hasIndices,
     const std::function<bool()>& draw);
 
@@ -53,28 +53,28 @@ public:
   void ReleaseGraphicsResources();
 
   ///@{
-  /// Draw primitives by a list of indices, or ranges of the primitives of a stream, for which
-  /// everything has been bound. Returns false if there are none.
+  /// Draw the primitives of a list of indices, or ranges of the primitives of a stream, when
+  /// everything else has been bound. Returns false if there are no primitives.
   static bool DrawIndices(vtkOpenGLIndexBufferObject* indices, bool arePoints);
   static bool DrawRanges(
     const std::vector<vtkNBufferUnits::Range>& ranges, vtkOpenGLHelper* stream);
   ///@}
 
-  /// Whether the shader of a stream, whose parameters are being set, reads values by the numbers of
-  /// primitives.
+  /// Whether the shader of a stream reads values by the numbers of primitives. To be called while
+  /// VTK is setting the parameters of that shader.
   static bool NumbersPrimitives(vtkOpenGLHelper* stream);
 
 private:
   void Draw();
 
-  vtkSmartPointer<vtkOpenGLPolyDataMapper> Mapper; ///< Of the draw that is running.
+  vtkSmartPointer<vtkOpenGLPolyDataMapper> Mapper; ///< The mapper of the draw that is running.
   vtkOpenGLHelper* Stream = nullptr;
   std::function<bool()> Function;
   unsigned long Observer = 0;
-  std::size_t IndexCount = 0; ///< That of the stream, while it has been taken away.
+  std::size_t IndexCount = 0; ///< The stream's number of indices, while that is set to 0.
   bool HasIndices = true;
   unsigned int Nothing = 0;  ///< A query that has counted nothing, or 0.
-  bool IsDiscarding = false; ///< Until Restore() nothing is drawn.
+  bool IsDiscarding = false; ///< Whether OpenGL discards all draws until Restore().
 };
 
 VTK_ABI_NAMESPACE_END

@@ -4,9 +4,10 @@
  * @file vtkNBufferSplatStream.h
  * @brief The points of a vtkPointGaussianMapper: what it draws, and which of them may be divided.
  *
- * The mapper has a helper draw, a mapper of polydata with one vertex for each splat. Since VTK 9.3
- * the helper draws by an index buffer. Before, it calls glDrawArrays() for all vertices, which no
- * number that can be changed prevents; see vtkNBufferOwnDraw.
+ * The mapper lets a helper draw, which is a mapper of polydata with one vertex for each splat.
+ * Since VTK 9.3 the helper draws by an index buffer. In older versions it calls glDrawArrays() for
+ * all vertices, and setting the number of indices to 0 does not prevent that; see
+ * vtkNBufferOwnDraw.
  *
  * Only splats with the scale factor 0, drawn as opaque points, are divided. Splats with a radius
  * are blended among opaque props, with the depth of the whole splat, so that what is drawn before
@@ -26,11 +27,12 @@ class vtkPolyData;
 
 namespace vtkNBufferSplatStream
 {
-/// The mapper if it is the one that draws splats, otherwise nullptr.
+/// The mapper if it is the helper that draws splats, otherwise nullptr.
 vtkOpenGLPolyDataMapper* GetHelper(vtkAbstractMapper* mapper);
 
 /// Whether an actor draws splats in the opaque stage that are blended with what has been drawn
-/// before: emissive ones, and those that are less opaque at their borders or by an array.
+/// before: emissive ones, those that are less opaque at their borders, and those with an array of
+/// opacities.
 bool Blends(vtkActor* actor);
 
 /// Whether the actor has a vtkPointGaussianMapper that draws one polydata.

@@ -18,8 +18,8 @@ namespace
 /// groups of vtkNBufferUnits::Fanout.
 constexpr std::size_t Turns = 8;
 
-/// A view is new if of the units that the last test found visible fewer than one in this many are
-/// in the frustum, or if of the units in the frustum fewer were in that of the last test.
+/// A view is new if less than 1/NewView of the units that the last test found visible are in the
+/// frustum, or if the frustum has more than NewView times as many units as that of the last test.
 constexpr int NewView = 4;
 
 /// The threads share the nodes of this level, of 512 units each, in groups of this size.

@@ -3,7 +3,7 @@
 /**
  * @class vtkNBufferUnitCulling
  * @brief Which units of one large prop (vtkNBufferUnits) may be seen, have been drawn, and are to
- * be drawn next. No OpenGL. vtkNBufferDividedProp says what happens when.
+ * be drawn next. No OpenGL. vtkNBufferDividedProp says in which order its functions are called.
  */
 #ifndef vtkNBufferUnitCulling_h
 #define vtkNBufferUnitCulling_h
@@ -26,10 +26,11 @@ public:
   {
     const vtkNBufferLevels& Levels;
     const float* Pixels = nullptr; ///< The depth image, or nullptr if it is not in host memory.
-    double SampleDistance = 0.5;
+    double SampleDistance = 0.5;   ///< See vtkNBufferOcclusionTest.
   };
 
-  /// How many units there are of each kind in this frame.
+  /// How many units there are in this frame: all, those outside of the frustum, those that are
+  /// drawn first (kept), and the fresh ones.
   struct Counts
   {
     int Units = 0;
@@ -60,18 +61,19 @@ public:
   /// least one is drawn.
   void FindKept(const vtkNBufferProjection& projection);
 
-  /// If the prop has not been drawn, no unit counts as drawn.
+  /// Let no unit count as drawn. To be called before Test() if the prop has not been drawn.
   void ClearDrawn();
 
   /// Test the units in the frustum. Those that are visible and not drawn are fresh. Returns their
   /// number.
   int Test(const vtkNBufferProjection& projection, const Depth& depth);
 
-  /// The fresh units have been drawn.
+  /// Let the fresh units count as drawn.
   void AddFreshToDrawn();
 
   ///@{
-  /// 1 for each unit that has been drawn in this frame, or that is fresh.
+  /// For each unit, 1 if it has been drawn in this frame (GetDrawn()) or is fresh (GetFresh()),
+  /// otherwise 0.
   const std::vector<unsigned char>& GetDrawn() const { return this->DrawnUnits; }
   const std::vector<unsigned char>& GetFresh() const { return this->FreshUnits; }
   ///@}
@@ -102,7 +104,7 @@ private:
 
   vtkNBufferUnits Units;
   Rounding Errors;
-  std::vector<unsigned char> Marks;      ///< Of each unit.
+  std::vector<unsigned char> Marks;      ///< One element for each unit.
   std::vector<unsigned char> DrawnUnits; ///< Whether it has been drawn.
   std::vector<unsigned char> FreshUnits; ///< Whether it is to be drawn next.
   Counts Number;

@@ -106,8 +106,8 @@ void SplitAtMedian(Entry* begin, Entry* end, std::size_t unitSize)
   const glm::vec3 extent = all.High - all.Low;
   int axis = extent.y > extent.x ? 1 : 0;
   axis = extent.z > extent[axis] ? 2 : axis;
-  // The first part has a power of 2 of units, at least half of all, so that no node, which has a
-  // power of 8 of units, has some of both parts.
+  // The number of units of the first part is a power of 2 and at least half of all. A node has a
+  // power of 8 units, so that no node has units of both parts.
   std::size_t first = unitSize;
   while (2 * first < size)
   {

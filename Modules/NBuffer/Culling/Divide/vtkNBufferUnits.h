@@ -10,10 +10,10 @@
  * have the smaller boxes. Many files list their triangles row by row or part by part, so that runs
  * are small. Isosurfaces and scans do not.
  *
- * Groups in space are the leaves of a k-d tree of the middles of the primitives, which is split
- * across the longest side until each part is a unit. They only say which primitives belong
- * together: GetIndices() and GetRanges() return the primitives of any set of units in the order in
- * which the mesh is drawn, because of several fragments of equal depth the last one drawn stays.
+ * Groups in space are the leaves of a k-d tree of the middles of the primitives: each part is split
+ * across its longest side until it is a unit. They only say which primitives belong together:
+ * GetIndices() and GetRanges() return the primitives of any set of units in the order in which the
+ * mesh is drawn, because of several fragments of equal depth the last one drawn stays.
  *
  * Level 0 of the hierarchy consists of the units. A node of a higher level bounds up to Fanout
  * nodes of the level below it:
@@ -46,7 +46,7 @@ public:
   struct Mesh
   {
     std::vector<unsigned int> Indices; ///< The points of each primitive.
-    std::size_t Corners = 3;           ///< How many points a primitive has: 3 or 1.
+    std::size_t Corners = 3;           ///< Points of a primitive: 3, 1, or 2 for a box.
     std::vector<glm::dvec3> Points;
     /// Whether each range of neighbours in this order is a draw of its own (vtkNBufferOwnDraw).
     /// Groups in space that would make too many draws are not made then.
@@ -60,7 +60,7 @@ public:
     std::size_t End = 0;
   };
 
-  /// Infinite if a point is not finite.
+  /// The bounds of a unit or node, which are infinite if a point in it is not finite.
   struct Box
   {
     glm::vec3 Low;
@@ -98,7 +98,7 @@ public:
     std::vector<unsigned int>& indices) const;
 
   /// Get the ranges of the primitives whose units are marked in `drawn`, in the order of drawing.
-  /// Those that follow each other are one.
+  /// Adjacent ranges are merged.
   std::vector<Range> GetRanges(const std::vector<unsigned char>& drawn) const;
 
   /// Get the bounds of the units that are marked, in a few groups of neighbours, at most 16.
@@ -108,7 +108,8 @@ public:
   std::vector<std::size_t> GetUnitsOfPrimitives() const;
 
   /// Get the unit of one primitive, or GetSize() if there is no such primitive. If the units are
-  /// groups in space, the first call calls GetUnitsOfPrimitives(), which takes 8 bytes for each.
+  /// groups in space, the first call makes a table by GetUnitsOfPrimitives(), which takes 8 bytes
+  /// for each primitive.
   std::size_t FindUnit(std::size_t primitive);
 
 private:
@@ -119,7 +120,7 @@ private:
   std::size_t UnitSize = 1;
   std::size_t Corners = 3;
   std::size_t NumberOfPrimitives = 0;
-  std::vector<std::size_t> UnitOfPrimitive; ///< Of FindUnit(), which makes it.
+  std::vector<std::size_t> UnitOfPrimitive; ///< The table of FindUnit().
   std::vector<unsigned int> Order; ///< The primitives of all units; empty if units are runs.
   std::vector<std::vector<Box>> Levels;
 };

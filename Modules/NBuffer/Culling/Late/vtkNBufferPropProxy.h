@@ -27,8 +27,8 @@ public:
   vtkTypeMacro(vtkNBufferPropProxy, vtkNBufferStandIn);
 
   /// Represent a prop for one frame, without a reference. `place` is that of the prop in the list
-  /// of candidates. Whether a prop is translucent is known, and takes long to find out for one with
-  /// many blocks.
+  /// of candidates. The caller knows whether the prop is translucent; to find it out here would
+  /// take long for a prop with many blocks. `drawer` draws the prop.
   void SetProp(int place, vtkProp* prop, bool isTranslucent, Drawer drawer);
 
   /// A closed proxy draws nothing in the translucent stage.

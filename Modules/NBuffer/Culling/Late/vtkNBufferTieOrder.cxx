@@ -11,12 +11,13 @@ namespace
 /// More rectangles leave out more pixels, but each costs a draw. More than four gained nothing.
 constexpr std::size_t MaximumNumberOfRegions = 4;
 
-/// Tiles along the longer side of the viewport.
+/// The number of tiles along the longer side of the viewport.
 constexpr int TilesPerSide = 32;
 
 /**
  * A prop that was drawn after props that follow it in the renderer's order, and the pixels of this
- * draw. For a prop that is drawn again, Round is larger than the number of any round.
+ * draw. If the draw is one that draws the prop once more, Round is larger than the number of any
+ * round.
  */
 struct LateDraw
 {
@@ -164,8 +165,8 @@ std::vector<vtkNBufferRedraw> GetRedraws(
   std::sort(drawn.begin(), drawn.end(),
     [](const vtkNBufferDrawnProp& a, const vtkNBufferDrawnProp& b)
     {
-      // Of the parts of one prop the one drawn last comes first: the prop must be drawn once more
-      // where another part ties with it.
+      // Among the parts of one prop, the one drawn last comes first: the prop must be drawn once
+      // more where another part ties with it.
       return a.Index != b.Index ? a.Index < b.Index : a.Round > b.Round;
     });
   const vtkNBufferRectangle viewport = { 0, 0, projection.GetWidth(), projection.GetHeight() };

@@ -41,9 +41,9 @@
 VTK_ABI_NAMESPACE_BEGIN
 
 /**
- * A prop that has been drawn in this frame, or a part of one. Of a prop that was drawn in several
- * rounds there is an entry for each round. Any of them stands for the whole prop when it is drawn
- * once more.
+ * A prop that has been drawn in this frame, or a part of one. A prop that was drawn in several
+ * rounds has an entry for each round. Any of them stands for the whole prop when it is drawn once
+ * more.
  */
 struct vtkNBufferDrawnProp
 {

@@ -11,8 +11,9 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// While it lives, also if an observer of the application throws, the query counts the fragments
-/// that have the depth of their sample, and none writes a color.
+/// While an object of this class exists, the query counts the fragments that have the depth of
+/// their sample, and no fragment writes a color. The state is restored even if an observer of the
+/// application throws an exception.
 class EqualDepthOnly : public vtkNBufferGL::Scope
 {
 public:

@@ -55,8 +55,8 @@ struct vtkNBufferBox
   }
 
   /// Set Center and HalfSize to those of a box around all points between `low` and `high`, which
-  /// are in the coordinates of a matrix to the world. Returns how large the numbers are at most
-  /// that are added for that, along each axis.
+  /// are in coordinates that `toWorld` takes to the world. Returns, for each axis, the largest size
+  /// of the numbers that are added for that.
   glm::dvec3 SetPlace(const glm::dmat4& toWorld, const glm::dvec3& low, const glm::dvec3& high)
   {
     const glm::dvec3 middle = 0.5 * (low + high);
@@ -77,7 +77,8 @@ struct vtkNBufferBox
     return magnitude;
   }
 
-  /// Set Origin and Magnitude from those in the coordinates of a matrix to the world.
+  /// Set Origin and Magnitude from `origin` and `magnitude`, which are in coordinates that
+  /// `toWorld` takes to the world.
   void SetRounding(const glm::dmat4& toWorld, const glm::dvec3& origin, const glm::dvec3& magnitude)
   {
     this->Origin = glm::dvec3(toWorld[3]);

@@ -12,7 +12,7 @@ constexpr double DepthErrors = 4.0;
 constexpr double PlaneErrors = 8.0;
 constexpr double PositionErrors = 16.0;
 constexpr double OvershootInPixels = 1.0 / 362; // half the diagonal of a step of 2^-8
-// Of single triangles, see vtkNBufferSliverTest.h, in units of UnitRoundoff.
+// The factors for single triangles (vtkNBufferSliverTest.h), in units of UnitRoundoff.
 constexpr double SlopeErrors = 32.0;
 constexpr double LowestRelativeHeight = 64.0;
 }

@@ -15,7 +15,7 @@
  * with a matrix that VTK composes in double precision and rounds to float: from the buffer to the
  * world, p = o + L v, and from the world to clip coordinates, M. A clip coordinate is a sum of four
  * products. The vertex is rounded (u), the matrix element is rounded (u), and one product and three
- * additions are rounded (4 u); 2 u more absorb what is of second order:
+ * additions are rounded (4 u); 2 u more cover terms of second order:
  *
  *     E = 8 u (sum_j |M_j| m_j + |M_j o + M_3|),     m_j = sum_k |L_jk| max |v_k|,
  *

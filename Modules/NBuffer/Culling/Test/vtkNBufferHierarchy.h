@@ -69,7 +69,8 @@ public:
   /// Replace the box of a place that is in the tree. The nodes follow with the next Refit().
   void Move(int place, const vtkNBufferBox& box);
 
-  /// Fit the nodes to the boxes that were replaced. Returns the number of nodes that were fitted.
+  /// Fit the nodes to the boxes that were replaced since the last call. Returns the number of nodes
+  /// that were fitted.
   int Refit();
 
   /**
@@ -80,7 +81,7 @@ public:
   double GetGrowth() const;
 
   /// Call descend(const Node&) for node `root` and the nodes below it, each before its children.
-  /// The function returns whether to visit what is below the node.
+  /// descend() returns whether to visit what is below the node.
   template <typename Descend>
   void Visit(int root, Descend&& descend) const
   {

@@ -6,8 +6,8 @@
  *
  * A box is hidden if its nearest depth is farther than the farthest depth drawn in its rectangle
  * (Decoret 2005, section 3.1), which takes at most four lookups. This test leaves some props
- * false-visible, mainly because one nearest depth stands for the whole box, and above all props
- * that are long. vtkNBufferPixelTest compares the faces of such boxes with the pixels.
+ * false-visible, above all long ones, mainly because one nearest depth stands for the whole box.
+ * vtkNBufferPixelTest compares the faces of such boxes with the pixels.
  */
 #ifndef vtkNBufferOcclusionTest_h
 #define vtkNBufferOcclusionTest_h

@@ -28,9 +28,9 @@
  * part of the box are looked at pixel by pixel, beginning at the top, where houses, masts and trees
  * stick out. The test stops at the first pixel in which the box may be visible.
  *
- * A mesh is tested in the same way, triangle by triangle, if its box is not hidden. Often only an
- * empty part of a box is visible, for example between two roofs or through the gaps of a fence.
- * With E the error of vertices in pixels, B the border of the box and u and n as in
+ * If the box of a mesh is not hidden, the mesh is tested in the same way, triangle by triangle.
+ * Often only an empty part of a box is visible, for example between two roofs or through the gaps
+ * of a fence. With E the error of vertices in pixels, B the border of the box and u and n as in
  * vtkNBufferBoxError.h, g the slope of the triangle, R its depth range and h its height on the
  * screen, a device draws
  *
@@ -107,8 +107,9 @@ private:
   template <typename Points>
   void AddEdge(const glm::dvec2& normal, const Points& points, const glm::dvec2& slack);
   void SetEdges(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen);
+  /// Set the box under test.
   void SetOutline(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen);
-  /// The same for a triangle, with x and y in pixels and the order of depth in z.
+  /// Set the triangle under test, with x and y in pixels and the order of depth in z.
   void SetOutline(const Corners& corners, const Errors& errors, const glm::dvec2& slack);
   /// Whether nothing can be seen of what the outline covers in a rectangle.
   bool IsHidden(const vtkNBufferRectangle& pixels);

@@ -71,14 +71,14 @@ public:
    * Where the box is, and, if it is Inside, its pixels and its depths in `result`. NaN anywhere
    * gives Crossing. Takes about 70 ns.
    *
-   * Of a box that reaches behind the eye only the part inside the four sides of the view counts:
-   * a street under the viewer's feet begins some metres ahead on the screen. That part is cut out
+   * If a box reaches behind the eye, only its part inside the four sides of the view counts: a
+   * street under the viewer's feet begins some metres ahead on the screen. That part is cut out
    * first, which takes about a microsecond. Only boxes that cross the near plane in view remain
    * Crossing.
    */
   vtkNBufferPlacement Project(const vtkNBufferBox& box, vtkNBufferScreenBox& result) const;
 
-  /// The same where many boxes are outside: IsOutside() comes first.
+  /// Like Project(), but faster where many boxes are outside, because IsOutside() comes first.
   vtkNBufferPlacement Place(const vtkNBufferBox& box, vtkNBufferScreenBox& result) const
   {
     return this->IsOutside(box) ? vtkNBufferPlacement::Outside : this->Project(box, result);
@@ -118,9 +118,10 @@ public:
    * How far to inflate: let b be the coordinate of a face of the other box on world axis j, and N
    * the clip-to-world matrix. Then L(q) = (N_j - b N_3) q = (p_j - b) / w is linear in the NDC
    * point q of a world point p. For the upper face, L is not positive at any point of the other
-   * box. Between two fragments in one place, L differs by no more than
-   * r = sum_k |N_jk - b N_3k| (slack_k of one + slack_k of the other). So p_j <= b + w_max r for a
-   * fragment of this box, whose largest w is w_max. Lower faces likewise. Takes about 0.15 us.
+   * box. Between two fragments in one place, L differs by no more than r = sum_k |N_jk - b N_3k|
+   * (slack_k of one + slack_k of the other). So p_j <= b + w_max r for a fragment of this box,
+   * whose largest w is w_max. The same holds for lower faces, with the opposite sign. Takes about
+   * 0.15 us.
    */
   vtkNBufferRectangle GetContact(const vtkNBufferBox& box, const vtkNBufferScreenBox& screen,
     const vtkNBufferBox& other, const vtkNBufferScreenBox& otherScreen) const;
@@ -157,7 +158,7 @@ private:
 
   Rows WorldToClip{};
   Rows ClipToWorld{};
-  std::array<glm::dvec4, 6> Planes{}; ///< Of the sides of the view; not negative inside.
+  std::array<glm::dvec4, 6> Planes{}; ///< The planes of the view, which are not negative inside.
   vtkNBufferBoxError Error;
   int Width = 0;
   int Height = 0;

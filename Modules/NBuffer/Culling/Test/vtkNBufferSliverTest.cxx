@@ -34,14 +34,14 @@ struct vtkNBufferSliverTest::Sliver
   glm::dvec3 From;
   glm::dvec3 To;
   glm::dvec3 Third;
-  double Length;    ///< Of the longest side.
-  double Height;    ///< Over the longest side.
+  double Length;    ///< The length of the longest side, in pixels.
+  double Height;    ///< The height over the longest side, in pixels.
   double Across;    ///< The depth of the third corner less that of the foot of the height.
   glm::dvec2 Error; ///< How far a corner may be from its exact place before it is snapped.
-  double Beside;    ///< The same, across the longest side.
+  double Beside;    ///< The same in the direction across the longest side.
   double Steepness; ///< The slope of the longest side as a device may draw it.
   double Rounding;  ///< How much nearer than its plane a sample may be, for the slopes' rounding.
-  bool HasPlane;    ///< If not, its samples may have any depth.
+  bool HasPlane;    ///< If false, its samples may have any depth.
 
   /// Whether a sample, at most `reach` from a place in x and in y, may lie in the triangle as
   /// snapped.

@@ -6,7 +6,7 @@
  *
  * The slack of a box (vtkNBufferBoxError.h) allows for the depth error of triangles that are at
  * least 1/16 pixel high on the screen. A lower triangle, a sliver, seldom owns a sample. Where it
- * does, a rasteriser that takes the depth plane of the vertices before they are snapped (Mesa's
+ * does, a rasteriser that uses the depth plane of the vertices before they are snapped (Mesa's
  * llvmpipe) extrapolates along a slope that grows without bound. VTK without a culler then shows a
  * stray pixel through the wall in front. Every curved surface has slivers along its outline. To
  * keep their stray pixels, this test looks at each triangle of a mesh whose box was found hidden.
@@ -23,26 +23,27 @@
  *                     where s <= R / L + r / h is the slope of its plane, along the longest side
  *                     and across it. In most cases the slack of the box allows for that.
  *
- * The last term is the error by the rounding of the slopes. They are sums of two products of sides
- * of L and depths of R, divided by an area of L h, each with an error of about 6 u, over a distance
- * of L. The term holds as long as rounding does not change the area much, 6 u L^2 << L h.
+ * The last term is for the rounding of the slopes. A slope is a sum of two products of a side (at
+ * most L) and a difference of depths (at most R), divided by an area (L h). Each product has an
+ * error of about 6 u, and the slope acts over a distance of at most L. The term holds as long as
+ * rounding does not change the area much, 6 u L^2 << L h.
  *
  * For each triangle that the slack of the box does not cover, the test finds the samples that it
  * may own, and the nearest depth that each of them may have:
  *
- *  - A device draws samples that lie in the triangle as snapped: its corners are at most 1/512
- *    pixel, in x and in y, and the errors of vertices away from the exact ones. A sample may lie in
- *    such a triangle only if the three areas that it spans with the sides may have one sign.
+ *  - A device draws the samples that lie in the snapped triangle. Its corners differ from the exact
+ *    ones, in x and in y, by at most 1/512 pixel plus the errors of vertices. A sample may lie in
+ *    such a triangle only if the three areas that it spans with the sides may have the same sign.
  *  - The depth is that of the plane of the vertices before they were snapped. With d the distance
  *    of the sample from the longest side, positive towards the third corner, it is the depth of
- *    that side there plus d / h times r, less the errors above. d and h err by those of the
- *    vertices. Of the samples outside of a triangle, those on one side are thus nearer than it, and
- *    those on the other are farther.
+ *    that side there plus d / h times r, less the errors above. The errors of vertices are also
+ *    those of d and h. Thus samples outside of the triangle are nearer than it on one side, and
+ *    farther on the other.
  *
- * Where h is less than the errors of the vertices, nothing is known of the plane. These errors
- * therefore count for each triangle and axis: with E of vtkNBufferBoxError.h, w of the nearest
- * corner, a the largest distance of a corner from the middle of the view and x its window
- * coordinate, in pixels,
+ * Where h is less than the errors of the vertices, nothing is known of the plane. These errors are
+ * therefore computed for each triangle and axis: with E of vtkNBufferBoxError.h, w of the nearest
+ * corner, a the largest distance of a corner from the middle of the view and x the largest window
+ * coordinate of a corner, both in pixels,
  *
  *     E' = E / w + u (4 a + 2 x),
  *
@@ -55,8 +56,8 @@
  * A device also cuts triangles (at the near plane, the sides of the view and clipping planes),
  * which may make them lower than they were. The test does not cover these.
  *
- * Most triangles own no sample or are no slivers. Takes about 10 ns per point and 3 ns per triangle
- * for these.
+ * Most triangles own no sample or are no slivers. For these the test takes about 10 ns per point
+ * and 3 ns per triangle.
  */
 #ifndef vtkNBufferSliverTest_h
 #define vtkNBufferSliverTest_h
@@ -96,8 +97,9 @@ private:
   /// The corners of a triangle: x and y in pixels, and the order of depth in z.
   using Corners = std::array<glm::dvec3, 3>;
 
-  /// A projected point. In x and in y, the samples that it may lie on or before are those of the
-  /// pixels from First on, and those that it may lie on or behind end with the pixel Last.
+  /// A projected point. First is the first pixel, in x and in y, whose samples may have the same or
+  /// a larger coordinate than the point; Last is the last one whose samples may have the same or a
+  /// smaller coordinate.
   struct Point
   {
     glm::dvec2 Place;
@@ -106,8 +108,8 @@ private:
     glm::ivec2 Last;
   };
 
-  /// Project the points of a mesh, and store the results in Points. `reach` is how far from its
-  /// place a point may own a sample, in x and in y.
+  /// Project the points of a mesh, and store the results in Points. `reach` is how far, in x and in
+  /// y, a sample that a point owns may be from the point.
   void Project(
     const vtkNBufferMesh& mesh, const vtkNBufferProjection::Rows& toWindow, double reach);
 

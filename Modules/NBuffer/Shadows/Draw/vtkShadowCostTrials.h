@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkShadowCostTrials
- * @brief Measures once how the costs of vtkShadowCostModel compare with this device.
+ * @brief Measures once how the estimates of vtkShadowCostModel compare with times on this device.
  *
- * In four frames one light is drawn in a way that its estimate does not choose: twice with whole
- * volumes, then twice with litmaps. The second time of each is measured; in the first one OpenGL
- * may compile programs. The pass waits for the device in these frames only. They come after the
- * first frame of a light whose estimate is large: a small one says little, and nothing depends on
- * it.
+ * In four frames one light is drawn in a given way, whatever its estimates say: twice with whole
+ * volumes, then twice with litmaps. Only the second time of each way counts, because OpenGL may
+ * compile programs in the first. The pass waits for the device in these frames only. The trials
+ * follow the first frame in which a light's estimate of its whole volumes is at least 1 ms: a
+ * smaller estimate says little, and nothing depends on it.
  */
 #ifndef vtkShadowCostTrials_h
 #define vtkShadowCostTrials_h
@@ -24,7 +24,7 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkShadowCostTrials
 {
 public:
-  /// How a light is to be drawn; Estimated means that this is no trial.
+  /// How a light is to be drawn. Estimated is no trial: the estimates decide.
   enum class Way
   {
     Estimated,
@@ -34,7 +34,7 @@ public:
 
   void BeginFrame() { this->HasTried = false; }
 
-  /// Chooses for a light with this estimate of its whole volumes, in milliseconds.
+  /// Chooses the way for a light with this estimate of its whole volumes, in milliseconds.
   Way Choose(double wholeEstimate)
   {
     constexpr Way ways[] = { Way::Estimated, Way::Whole, Way::Whole, Way::Litmaps, Way::Litmaps };
@@ -58,7 +58,8 @@ public:
     }
   }
 
-  /// Ends it, and corrects the factor of the way by what it was estimated to take.
+  /// Ends the measurement, and multiplies the factor of the way by the ratio of the measured time
+  /// to `estimate`, in milliseconds.
   void Stop(Way way, double estimate)
   {
     if (way != Way::Estimated && estimate > 0.0)
@@ -73,8 +74,8 @@ public:
 
 private:
   vtkNBufferClock Clock;
-  std::size_t Trials = 0; ///< The frames so far.
-  bool HasTried = false;  ///< True if this frame is one of them.
+  std::size_t Trials = 0; ///< The entries of `ways` that were used so far.
+  bool HasTried = false;  ///< True if one was used in this frame.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -19,11 +19,12 @@
  * If all triangles count (vtkShadowCounting::All), the near cap may lie in a lit surface. The cap
  * then has the depth of the surface, and a fragment of equal depth fails the depth test, so that
  * the surface stays lit. But the shader program of the volumes may compute a depth that is two
- * units off, and its vertices may be rounded to the next step of the subpixel grid (1/256 of a
- * pixel). A polygon offset pushes such volumes away from the eye by two units and by the change of
- * their depth over 1/128 of a pixel. Where a device bends volumes that it offsets
- * (vtkNBufferGL::OffsetsBeyondFarPlane), the fragment shader offsets them instead, by four units:
- * its sum and the conversion of what it writes are rounded by at most one unit each.
+ * units off (a unit is a step of 24-bit depth), and its vertices may be rounded to the next step of
+ * the subpixel grid (1/256 of a pixel). A polygon offset pushes such volumes away from the eye by
+ * two units and by the change of their depth over 1/128 of a pixel. Where the device offsets
+ * corners instead of fragments, which bends triangles (vtkNBufferGL::OffsetsBeyondFarPlane), the
+ * fragment shader offsets the volumes. It adds four units, because its sum and the conversion of
+ * the depth that it writes are rounded by at most one unit each.
  *
  * In a multisampled target, each sample has its own depth and count.
  */
@@ -51,8 +52,9 @@ public:
   vtkShadowCounter();
 
   /**
-   * Sets the OpenGL state for counting, and restores the state at its end. One scope serves for all
-   * lights of a frame. The other functions, except Show() and Release(), require it.
+   * Sets the OpenGL state for counting, and restores the previous state when the scope ends. One
+   * scope serves for all lights of a frame. The other functions, except Show() and Release(),
+   * require it.
    */
   class Scope : public vtkNBufferGL::ScopedPass
   {
@@ -68,17 +70,18 @@ public:
   ///@}
 
   /**
-   * Counts the draws of an uploaded volume from `first` to the one before `last`. If `fragments` is
-   * not null, the number of fragments of the volumes is added to it, whether or not they pass the
-   * depth test; in a multisampled target it is the number of their samples. This doubles the draws
-   * and waits for the device. Returns false, with the cause in `why`, if OpenGL refuses.
+   * Draws the volumes `first` to `last - 1` of an uploaded buffer into the stencil, which counts
+   * their faces. If `fragments` is not null, the number of fragments of the volumes is added to it,
+   * whether or not they pass the depth test; in a multisampled target it is the number of their
+   * samples. Then each volume is drawn twice, and the host waits for the device. Returns false,
+   * with the cause in `why`, if an OpenGL call fails.
    */
   bool Count(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
     const vtkShadowVolumeBuffer& volume, const vtkShadowDrawList::View& view,
     const vtkShadowDraw* first, const vtkShadowDraw* last, long long* fragments, std::string& why);
 
   /// Sets a channel of a mask to shadow where the count is not 0 and something has been drawn.
-  /// Returns false, with the cause in `why`, if OpenGL refuses.
+  /// Returns false, with the cause in `why`, if an OpenGL call fails.
   bool Resolve(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target, int mask, int channel,
     const int viewport[4], std::string& why);
 
@@ -86,7 +89,7 @@ public:
    * Draws volumes for a debug view, without a depth test, into the colours of the framebuffer that
    * is bound and the viewport that is set. With `edges` it draws the edges of triangles, blue for
    * z-pass and orange for z-fail; otherwise each fragment adds 1/255 to all channels. Call it
-   * within a ScopedPass. Returns false, with the cause in `why`, if OpenGL refuses.
+   * within a ScopedPass. Returns false, with the cause in `why`, if an OpenGL call fails.
    */
   bool Show(vtkOpenGLRenderWindow* window, const vtkShadowVolumeBuffer& volume,
     const vtkShadowDrawList::View& view, const std::vector<vtkShadowDraw>& draws, bool edges,

@@ -33,23 +33,23 @@ public:
   struct Subject
   {
     const vtkShadowLitmap* Litmaps = nullptr; ///< One, or the six of a point light.
-    int NumberOfLitmaps = 0;                  ///< 0 if the light needed no litmap.
+    int NumberOfLitmaps = 0;                  ///< 0 if the light was drawn without litmaps.
     const vtkShadowVolumeBuffer& Volume;
     const std::vector<vtkShadowDraw>& Draws; ///< The draws of Volume.
     const vtkShadowDrawList::View& View;     ///< The view that they were made for.
   };
 
   /**
-   * Makes the image. Returns false, with the cause in `why`, if OpenGL refuses. Call it within a
-   * vtkShadowCounter::Scope, whose state is restored.
+   * Makes the image. Returns false, with the cause in `why`, if an OpenGL call fails. Call it
+   * within a vtkShadowCounter::Scope, whose state is restored.
    */
   bool Make(vtkOpenGLRenderWindow* window, vtkShadowPicture picture, const Subject& subject,
     vtkShadowCounter& counter, vtkShadowStatistics& statistics, std::string& why);
 
   /**
    * Blends the image, if there is one, over the colours of the framebuffer that is bound. Depth and
-   * opacity of the framebuffer stay. Returns false, with the cause in `why`, if OpenGL refuses.
-   * Restores the state.
+   * opacity of the framebuffer do not change. Returns false, with the cause in `why`, if an OpenGL
+   * call fails. Restores the state of OpenGL.
    */
   bool Show(vtkOpenGLRenderWindow* window, vtkShadowStatistics& statistics, std::string& why);
 
@@ -73,7 +73,7 @@ private:
 
   vtkShadowDebugImage::Image Image;
   int Viewport[4] = { 0, 0, 0, 0 };
-  vtkNBufferGL::GrowingTexture Texture; ///< As large as the framebuffer, to be drawn in its pixels.
+  vtkNBufferGL::GrowingTexture Texture; ///< Each texel is for the framebuffer's pixel there.
   vtkNBufferGL::FullScreenPass Pass;
 };
 VTK_ABI_NAMESPACE_END

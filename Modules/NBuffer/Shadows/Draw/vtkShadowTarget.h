@@ -4,9 +4,9 @@
  * @file vtkShadowTarget.h
  * @brief The framebuffers in which shadows are counted, and the masks that result.
  *
- * VTK's own framebuffers have no stencil buffer before VTK 9.7, and OpenGL reports no error:
- * without one the stencil test always passes. So this class has its own depth and stencil (24 and 8
- * bits), in a texture that several framebuffers share:
+ * Before VTK 9.7, VTK's own framebuffers have no stencil buffer. OpenGL reports no error then, but
+ * the stencil test always passes. So this class has its own depth and stencil (24 and 8 bits), in a
+ * texture that several framebuffers share:
  *
  *     framebuffer   colour     depth and stencil
  *     depth         none       shared      receivers and shadow volumes are drawn into it
@@ -19,9 +19,9 @@
  *     mask       0   0   0   0   1   1   1  ...
  *     channel    r   g   b   a   r   g   b  ...
  *
- * All textures have the samples of the framebuffer that the shadows are for, at the same places in
- * a pixel. With several samples they are GL_TEXTURE_2D_MULTISAMPLE with fixed sample locations,
- * else GL_TEXTURE_2D. The objects grow and never shrink until Release().
+ * All textures have as many samples as the framebuffer for which the shadows are made, at the same
+ * places in a pixel. With several samples they are GL_TEXTURE_2D_MULTISAMPLE with fixed sample
+ * locations, else GL_TEXTURE_2D. The objects grow and never shrink until Release().
  */
 #ifndef vtkShadowTarget_h
 #define vtkShadowTarget_h
@@ -58,7 +58,7 @@ public:
    * or normalised colours. `rectangle` is x, y, width and height in texels. `values` receives one
    * float in [0, 1] for each of its texels, row by row, the lowest first. Depth of 24 bits differs
    * by at most one unit in the last place of a float; 0 and 1 are exact. Returns false, with the
-   * cause in `why`, if OpenGL refuses. Restores the state of OpenGL. Waits for the device.
+   * cause in `why`, if an OpenGL call fails. Restores the state of OpenGL. Waits for the device.
    */
   bool Read(vtkOpenGLRenderWindow* window, unsigned int texture, int sample, int channel,
     const int rectangle[4], float* values, std::string& why);
@@ -90,7 +90,7 @@ public:
    * Makes room for images of at least this size in pixels, for this many masks, with these samples
    * of a pixel. If textures on this device cannot have these samples, they get one for each pixel,
    * HasRefusedSamples() is true, and the cause is in `why`. Returns false, with the cause and a
-   * remedy in `why`, if OpenGL refuses that, too. Restores the draw and read framebuffer.
+   * remedy in `why`, if that fails, too. Restores the draw and read framebuffer.
    */
   bool Reserve(vtkOpenGLRenderWindow* window, int width, int height, int masks,
     const SamplePlaces& samples, std::string& why);
@@ -127,13 +127,13 @@ public:
   /**
    * Reads the depth of the receivers in a viewport (x, y, width and height in pixels): an image for
    * each sample, one after the other. Images are row by row, the lowest first. Returns false, with
-   * the cause in `why`, if OpenGL refuses. Waits for the device.
+   * the cause in `why`, if an OpenGL call fails. Waits for the device.
    */
   bool ReadDepth(vtkOpenGLRenderWindow* window, const int viewport[4], std::vector<float>& depth,
     std::string& why);
 
-  /// Likewise reads the mask of a light, given by its number: 0 is lit, 255 is in shadow. `sample`
-  /// is the number of a sample; a negative number gives the mean of all samples.
+  /// Reads the mask of a light, given by its number, in the same way: 0 is lit, 255 is in shadow.
+  /// `sample` is the number of a sample; a negative number gives the mean of all samples.
   bool ReadMask(vtkOpenGLRenderWindow* window, const int viewport[4], std::size_t light, int sample,
     std::vector<unsigned char>& mask, std::string& why);
 

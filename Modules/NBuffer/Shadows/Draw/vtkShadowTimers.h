@@ -5,11 +5,11 @@
  * @brief Measures how long the graphics device takes for the stages of a frame with shadows.
  *
  * The times come from VTK's vtkOpenGLRenderTimerLog, which reads time stamps of the device when
- * they have arrived and never waits for them. The log is this class's own, because the one of the
- * render window belongs to the application. This class adds what the log does not do: it requires
- * OpenGL 3.3, adds up the pieces of a stage, and flushes around each piece. Renderers that collect
- * draws before they execute them (llvmpipe, tiled devices) would otherwise report the time of the
- * last tile only.
+ * they have arrived and never waits for them. This class has a log of its own, because the log of
+ * the render window belongs to the application. The class also does what the log does not do: it
+ * requires OpenGL 3.3 or ARB_timer_query, adds up the pieces of a stage, and flushes around each
+ * piece. Renderers that collect draws before they execute them (llvmpipe, tiled devices) would
+ * otherwise report the time of the last tile only.
  */
 #ifndef vtkShadowTimers_h
 #define vtkShadowTimers_h
@@ -39,8 +39,8 @@ public:
 
   /**
    * Milliseconds, by vtkShadowStage, of the last frame whose time stamps had arrived when Begin()
-   * was called. A stage that this frame did not have takes 0. All are -1 until there is such a
-   * frame, while nothing is measured, and without timers.
+   * was called. The time of a stage that this frame did not have is 0. All are -1 until there is
+   * such a frame, while nothing is measured, and without timers.
    */
   const vtkShadowStageTimes& GetTimes() const { return this->Times; }
 

@@ -4,8 +4,8 @@
  * @class vtkShadowVolumeBuffer
  * @brief The vertices and indices of a light's shadow volumes on the device.
  *
- * Volumes are kept from frame to frame (vtkShadowVolumeStore.h). What is on the device stays there,
- * and only what has been added since is sent.
+ * Volumes are kept from frame to frame (vtkShadowVolumeStore.h). What is on the device stays there
+ * while there is room, and only what has been added since is sent.
  *
  * Vertices are in world coordinates, in double precision. Shaders calculate in floats, which have
  * 24 bits. So each coordinate is sent as the sum of two floats, `high` and `low`, and the vertex
@@ -33,11 +33,11 @@ class VTKNBUFFER_EXPORT vtkShadowVolumeBuffer
 {
 public:
   /// Sends what the store's volume holds and the device does not have yet. If there is nothing to
-  /// send, nothing of OpenGL is called. Returns false, with the cause in `why`, if OpenGL refuses.
+  /// send, OpenGL is not called. Returns false, with the cause in `why`, if an OpenGL call fails.
   bool Upload(const vtkShadowVolumeStore& store, std::string& why);
 
-  /// Binds the vertices to the current program, which vtkShadowVolumeVS.glsl belongs to, and sets
-  /// its camera. Leaves its vertex array bound.
+  /// Binds the vertices to the current program, which must use vtkShadowVolumeVS.glsl, and sets the
+  /// program's camera. The vertex array of this object stays bound.
   void Bind(vtkShaderProgram* program, const vtkShadowDrawList::View& view) const;
 
   /// The bytes that were sent to the device since construction.

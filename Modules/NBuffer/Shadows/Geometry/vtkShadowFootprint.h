@@ -39,8 +39,8 @@ struct vtkShadowFootprint
     return result;
   }
 
-  /// Returns the footprint of the triangles that count only (vtkShadowSilhouette.h). `points` must
-  /// be those that the silhouette was computed with.
+  /// Returns the footprint of the triangles that count (vtkShadowSilhouette.h), and of no others.
+  /// `points` must be those that the silhouette was computed with.
   static vtkShadowFootprint Make(const vtkShadowSilhouette& silhouette,
     const vtkShadowPoints& points, const vtkShadowLightSpace& space)
   {
@@ -68,7 +68,7 @@ struct vtkShadowFootprint
 /// A caster, or some of its triangles, as one light sees it.
 struct vtkShadowPart
 {
-  /// Makes the processor fetch what vtkShadowPlan::EarlyOut() will read.
+  /// Makes the processor load into its cache what vtkShadowPlan::EarlyOut() will read.
   void Prefetch() const
   {
     vtkNBufferForEachProp::Fetch(&this->Footprint.Block);

@@ -83,9 +83,9 @@ struct VTKNBUFFER_EXPORT vtkShadowLight
    */
   int GetFacing(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const;
 
-  /// The cosine of ConeAngle plus 0.01 degrees, or of 180 degrees if that is less. A point counts
-  /// as inside a spot's cone if the cosine of its angle from the axis is at least this value. It is
-  /// -1 for the kinds without a cone.
+  /// The cosine of the angle ConeAngle + 0.01 degrees, which is at most 180 degrees here. A point
+  /// counts as inside a spot's cone if the cosine of its angle from the axis is at least this
+  /// value. It is -1 for the kinds without a cone.
   double GetConeCosine() const;
 };
 

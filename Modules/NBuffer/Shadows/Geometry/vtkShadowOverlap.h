@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkShadowOverlap.h
- * @brief An upper bound of how many things one ray of a light meets. No OpenGL.
+ * @brief An upper bound of how many triangles one ray of a light meets. No OpenGL.
  */
 #ifndef vtkShadowOverlap_h
 #define vtkShadowOverlap_h
@@ -17,12 +17,12 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace vtkShadowOverlap
 {
-/// Things that cover the same rectangle of rays, from Low to High in (p, q).
+/// A triangle, or those of a caster, inside the rectangle of rays from Low to High in (p, q).
 struct Item
 {
   glm::dvec2 Low = glm::dvec2(std::numeric_limits<double>::infinity());
   glm::dvec2 High = glm::dvec2(-std::numeric_limits<double>::infinity());
-  int Weight = 1; ///< The number of these things.
+  int Weight = 1; ///< The largest number of these triangles that one ray meets.
 };
 
 /**

@@ -76,15 +76,15 @@ public:
   };
 
   /**
-   * Computes triangles and outline. `points` are the topology's merged points in world coordinates,
-   * where an invertible affine matrix has moved them. All replaces a `counting` of Away if the
-   * topology is not closed. With Away, a component that is wound inside out in world coordinates
-   * is treated as if its winding were reversed.
+   * Computes triangles and outline. `points` are the topology's merged points, moved to world
+   * coordinates by an invertible affine matrix. If the topology is not closed, All is used whatever
+   * `counting` is. With Away, a component that is wound inside out in world coordinates is treated
+   * as if its winding were reversed.
    */
   void Compute(const vtkShadowTopology& topology, const vtkShadowPoints& points,
     const vtkShadowLight& light, vtkShadowCounting counting);
 
-  /// When Compute() was called last, as vtkTimeStamp counts; 0 before. Two silhouettes with the
+  /// The time of the last Compute() (vtkTimeStamp), or 0 before the first. Two silhouettes with the
   /// same time are copies of each other.
   vtkMTimeType GetMTime() const { return this->ComputeTime.GetMTime(); }
 
@@ -106,8 +106,9 @@ public:
   int GetMaximumCount() const { return this->MaximumCount; }
 
   /**
-   * With All, a vector in world coordinates for each merged point, away from the light along the
-   * ray through the point. The near cap has the point moved by this vector. With Away it is empty.
+   * With All, a vector in world coordinates for each merged point, along the ray of the light
+   * through the point and away from the light. The near cap consists of the points moved by these
+   * vectors. With Away there are no vectors.
    *
    * Without the push the near cap would lie in the lit surface, which VTK draws with other rounding
    * errors: cap and surface are clipped at the borders of the view, with errors in proportion to

@@ -20,19 +20,19 @@
  * A point for which no triangle fulfils all three is not in shadow of the caster, whatever the
  * caster's shape. This excludes the caster's own lit side (if the triangles that face away count),
  * everything that the light meets before the caster, and what stands between the wings of a
- * building. It also excludes what stands on a ground that has a thickness: of such a ground only
- * the lower side and the walls count.
+ * building. It also excludes what stands on a ground that has a thickness: only the lower side and
+ * the walls of such a ground count.
  *
  * If at most 64 triangles count, each of them is tested. Otherwise conditions 1 and 2 are tested
  * with the ranges of p, q and s of all triangles together. Condition 3 is then tested only if the
  * triangles have at most 64 planes: P must lie beyond one of them. Consecutive triangles in one
  * plane share it. (The planes of a sphere would say little more than its nearest corner.)
  *
- * Two more kinds of receivers need no shadow, but depth alone cannot identify them with certainty.
- * The first are receivers whose surface faces away from the light: VTK interpolates normals and
- * turns them towards the camera, so that such a facet may be lit in part. The second are receivers
- * on the caster's own unlit side: a sample as deep as an unlit facet may belong to something just
- * before it (a relief or a poster on a wall), which the wall has to shadow.
+ * Two more kinds of receivers could do without a shadow, but depth alone cannot identify them with
+ * certainty. The first are receivers whose surface faces away from the light: VTK interpolates
+ * normals and turns them towards the camera, so that such a facet may be lit in part. The second
+ * are receivers on the caster's own unlit side: a sample as deep as an unlit facet may belong to
+ * something just before the facet (a relief or a poster on a wall), which the wall has to shadow.
  */
 #ifndef vtkShadowUmbra_h
 #define vtkShadowUmbra_h

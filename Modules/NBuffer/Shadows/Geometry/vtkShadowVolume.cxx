@@ -92,7 +92,7 @@ private:
   std::function<unsigned int(int)> Make;
 };
 
-/// The piece that begins here. End() completes it.
+/// Returns a piece that begins after all indices and vertices so far. End() sets where it ends.
 vtkShadowPiece vtkShadowVolume::Begin() const
 {
   return { this->Indices.size(), 0, this->Vertices.size(), 0 };

@@ -12,8 +12,8 @@
  *            /    |    \
  *           /  +=====+  \      near cap: the triangles that count
  *          /  /:::::::\  \
- *         /  /:::::::::\  \    sides: join the outlines of both caps, once for each
- *        /  /:::::::::::\  \   use of an edge that is left over
+ *         /  /:::::::::\  \    sides: join the outlines of both caps; each edge has as
+ *        /  /:::::::::::\  \   many sides as its multiplicity says
  *       /  +=============+  \  far cap: the near cap turned round and moved away
  *                              from the light
  *
@@ -34,15 +34,15 @@
  * not say whether a triangle with three such corners is drawn: Mesa's llvmpipe does not draw it,
  * NVIDIA's driver does. For a parallel camera the whole volume of a light at L therefore ends
  * beyond everything that the camera can see, which lies in a box: a far corner is L + k (P - L) for
- * the near corner P, so that the far cap is the near cap made k times as large. A seen point on the
- * ray from L through point Q of the caster is L + t (Q - L) with t <= D / d, where D is the largest
- * distance of the box from L, and d the least distance of the triangles that count. It lies in the
- * volume if k is at least D / d. Volumes of directional lights have no triangle with three such
- * corners and stay infinite.
+ * the near corner P, so that the far cap is the near cap made k times as large. A visible point on
+ * the ray from L through point Q of the caster is L + t (Q - L) with t <= D / d. Here D is the
+ * largest distance from L to a point of the box, and d the least distance from L to a triangle that
+ * counts. So the volume holds the point if k is at least D / d. Volumes of directional lights have
+ * no triangle with three such corners and stay infinite.
  *
- * A whole volume for perspective cameras depends on the caster and the light alone. So vertices are
- * in world coordinates, and not relative to the eye, and such a volume is made once and kept while
- * camera and receivers change (vtkShadowVolumeStore.h).
+ * A whole volume for perspective cameras depends on the caster and the light alone. So it is made
+ * once and kept while camera and receivers change (vtkShadowVolumeStore.h), and vertices are in
+ * world coordinates, not relative to the eye.
  *
  * A clamped piece is the part of the volume between the planes s = near and s = far
  * (vtkShadowLight.h). It holds the same receivers as the whole volume if all receivers on the
@@ -82,15 +82,15 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-/// What was added to a volume at once: runs of its indices and of its vertices.
+/// The part of a volume that one call added: ranges of its indices and of its vertices.
 struct vtkShadowPiece
 {
   std::size_t GetNumberOfIndices() const { return this->EndIndex - this->FirstIndex; }
 
   std::size_t FirstIndex = 0;
-  std::size_t EndIndex = 0; ///< The one after the last.
+  std::size_t EndIndex = 0; ///< The number after that of the last index.
   std::size_t FirstVertex = 0;
-  std::size_t EndVertex = 0; ///< The one after the last.
+  std::size_t EndVertex = 0; ///< The number after that of the last vertex.
 };
 
 class VTKNBUFFER_EXPORT vtkShadowVolume

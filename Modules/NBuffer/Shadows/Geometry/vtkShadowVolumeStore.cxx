@@ -5,10 +5,9 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// A store that holds no more indices than this times those in use does not begin again.
+/// The store is cleared if it holds more indices than Surplus times those that the last frame used,
+/// plus SmallNumberOfIndices, so that it is not cleared for the sake of a few casters.
 constexpr std::size_t Surplus = 4;
-
-/// Nor does one that holds no more than this, so that it does not begin again for a few casters.
 constexpr std::size_t SmallNumberOfIndices = 1 << 16;
 }
 

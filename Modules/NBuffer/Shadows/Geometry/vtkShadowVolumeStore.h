@@ -17,10 +17,11 @@
  *     frame 2   | A | B | C | B' |           B has moved
  *     frame 3   | A | B | C | B' | B" |      B has moved again: two pieces are useless now
  *
- * The store begins again with nothing if the last frame added pieces and used less than a quarter
- * of what the store then held. So it stays small, and making what is used again costs less than a
- * quarter of what was made since it began. A frame that adds nothing loses nothing, even if it
- * draws little or nothing.
+ * The store is cleared at the start of a frame if the last frame added pieces, and if the store
+ * holds more than 65,536 indices and, besides these, more than four times the indices of the pieces
+ * that the last frame used. So the store stays small, and the pieces that have to be made again
+ * cost less than a quarter of those made since it was last cleared. After a frame that adds nothing
+ * the store is not cleared, even if the frame draws little or nothing.
  */
 #ifndef vtkShadowVolumeStore_h
 #define vtkShadowVolumeStore_h
@@ -56,7 +57,7 @@ public:
 
   const vtkShadowVolume& GetVolume() const { return this->Volume; }
 
-  /// When the store last began with nothing. While it is the same, the volume has only grown.
+  /// The time when the store was last cleared. While it is the same, the volume has only grown.
   vtkMTimeType GetTime() const { return this->Time.GetMTime(); }
 
   /// The number of pieces that were made since the frame began.

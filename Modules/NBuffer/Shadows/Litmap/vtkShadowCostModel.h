@@ -6,17 +6,18 @@
  * OpenGL.
  *
  * Litmaps leave out at least about two thirds of what is drawn (nbuffer-bench shadow, scene simple,
- * 20 casters: 73 % of the fragments, commit e218509), and more where there are many casters. They
- * cost the read-back of the receivers' depth, the lexels and their levels, and the projection of
- * each sample that is not background; the last two six times for a point light. So a litmap is
- * worth it if
+ * 20 casters: 73 % of the fragments, commit e218509), and more where there are many casters. Three
+ * things cost time: to read the depth of the receivers back; to clear the lexels and build their
+ * levels; and to project each sample that is not background. The last two are done six times for a
+ * point light. So litmaps are worth their cost if
  *
  *     2/3 (fragments * cost + triangles * cost)
  *       >  samples * cost + faces * (lexels * cost + covered * cost)
  *
- * `samples` are all samples of the viewport, `covered` those that are not background. The latter
- * are known only after the depth was read. If the decision depends on them, the number that was
- * found last is used (vtkShadowMaskMaker::EstimateCovered).
+ * Each `cost` is the one that the table below has for this term. `samples` are all samples of the
+ * viewport, `covered` those that are not background. The number of the latter is known only after
+ * the depth was read. If the decision depends on it, the number of an earlier frame may be used
+ * (vtkShadowMaskMaker::EstimateCovered).
  *
  * Costs in nanoseconds, fitted to llvmpipe on two cores (commits cf31101 and e218509):
  *
@@ -26,10 +27,10 @@
  *     |  75  | a lexel, for each face             |
  *     |  26  | a sample with depth, for each face |
  *
- * They say how the parts of a cost compare with each other. What they amount to on a device is
- * measured once for each pass and context (vtkShadowCostTrials.h): each side of the rule is
- * multiplied by the ratio of a time and its estimate. A wrong cost costs time, but changes no
- * shadow.
+ * These numbers say how the terms compare with each other. How much time they stand for on a device
+ * is measured once for each pass and context (vtkShadowCostTrials.h): each side of the rule is
+ * multiplied by the ratio of a measured time to its estimate. A wrong cost costs time, but changes
+ * no shadow.
  */
 #ifndef vtkShadowCostModel_h
 #define vtkShadowCostModel_h

@@ -7,20 +7,20 @@
  *
  * ## z-pass or z-fail
  *
- * The stencil counts the faces of volumes on the line of sight: +1 where it enters a volume, -1
- * where it leaves one. There are two ways to count for receiver R:
+ * The stencil counts the faces of volumes on the line of sight: +1 where the line enters a volume,
+ * -1 where it leaves one. There are two ways to count for receiver R:
  *
  *            enters           leaves          z-pass: the sum of the faces before R, here +1
  *      eye ----(+1)-----R-----(-1)---->       z-fail: minus the sum of those behind R, here -(-1)
  *                                             Both are 1: R is in shadow.
  *
- * z-pass is right if the eye is outside of the piece: from an eye inside of it, the face with the
- * (+1) is not before R. z-fail is always right. z-pass is used if the whole piece lies beyond the
- * near plane, where the eye never is. This condition is stricter than necessary: an eye outside of
- * the piece would suffice if depth clamp replaced clipping at the near plane. But then a triangle
- * that reaches behind the eye is clipped at w = 0, where depths have no bound, and rasterisers that
- * interpolate depth on the screen lose the depth of the whole triangle. With z-fail, what lies
- * before the near plane never counts and is clipped away.
+ * z-pass is right if the eye is outside of the piece of volume: if the eye is inside, the face with
+ * the (+1) is not before R. z-fail is always right. z-pass is used if the whole piece lies beyond
+ * the near plane, where the eye never is. This condition is stricter than necessary: it would
+ * suffice that the eye is outside of the piece, if depth clamp replaced clipping at the near plane.
+ * But then a triangle that reaches behind the eye is clipped at w = 0, where depths have no bound,
+ * and rasterisers that interpolate depth on the screen lose the depth of the whole triangle. With
+ * z-fail, what lies before the near plane never counts and is clipped away.
  *
  * z-fail assumes that lines of sight end outside of all volumes, and that all faces behind the
  * receiver are drawn. For a parallel camera volumes of positional lights therefore end at finite
@@ -63,7 +63,7 @@ struct vtkShadowDraw
   /// True if the near cap lies in a surface that may be lit. A polygon offset then pushes the
   /// triangles away from the eye (vtkShadowCounter.h).
   bool Offset = false;
-  /// True if it repeats the triangles of the draw before in another box. Both count as one.
+  /// True if it draws the triangles of the draw before it in another box. Both count as one draw.
   bool Again = false;
 };
 
@@ -90,8 +90,8 @@ public:
 
     int Viewport[4] = { 0, 0, 0, 0 }; ///< x, y, width, height in the framebuffer.
 
-    /// True to draw into boxes of pixels, false to draw into the whole viewport. Not all devices
-    /// keep to scissor boxes (vtkNBufferGL::KeepsToScissor).
+    /// True to draw into boxes of pixels, false to draw into the whole viewport: in mode Culled,
+    /// and because some devices also draw outside of a scissor box (vtkNBufferGL::KeepsToScissor).
     bool Boxes = true;
   };
 
@@ -106,7 +106,7 @@ public:
   /// none.
   void AddWhole(const vtkShadowPart& caster, const Boxes& boxes, vtkShadowVolumeStore& store);
 
-  /// Likewise adds those of a clamped piece of a caster's volume (vtkShadowVolume::AddClamped).
+  /// Adds the draws of a clamped piece of a caster's volume (vtkShadowVolume::AddClamped).
   void AddClamped(const vtkShadowPart& caster, const vtkShadowLightSpace& space,
     const vtkShadowSlab& slab, double casterFar, const Boxes& boxes, vtkShadowVolumeStore& store);
 

@@ -81,11 +81,11 @@ public:
     this->WidestAngle = angle > this->WidestAngle ? angle : this->WidestAngle;
   }
 
-  /// The largest of these angles, or 0 if there is no such receiver since Begin().
+  /// The largest of these angles, or 0 if no such receiver was added since Begin().
   double GetWidestAngle() const { return this->WidestAngle; }
 
-  /// The same receivers by tiles of the screen. They have a Begin() of their own; until it is
-  /// called, they are not known (vtkShadowTiles::IsKnown()).
+  /// The same receivers by tiles of the screen. The tiles have a Begin() of their own; until it is
+  /// called, vtkShadowTiles::IsKnown() is false.
   vtkShadowTiles& GetTiles() { return this->Tiles; }
   const vtkShadowTiles& GetTiles() const { return this->Tiles; }
 
@@ -173,7 +173,7 @@ private:
   Scale Q;
   Scale Depths;
   ///@{
-  /// The least and the largest p and q of the map and of receivers outside of it.
+  /// The least and the largest p and q of the litmap's range and of receivers outside of it.
   glm::dvec2 Low = glm::dvec2(0.0);
   glm::dvec2 High = glm::dvec2(0.0);
   ///@}

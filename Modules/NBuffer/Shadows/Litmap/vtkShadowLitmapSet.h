@@ -44,7 +44,7 @@ public:
     const vtkShadowLitmap* Litmap;
   };
 
-  /// One litmap, and the rays that a caster is looked up with in it.
+  /// One litmap, and the rays of a caster for which it is read.
   struct FaceQuery
   {
     Face Map; ///< The litmap.
@@ -56,11 +56,12 @@ public:
   /// The result of LookUp().
   struct Lookup
   {
-    std::vector<FaceQuery> Queries; ///< The litmaps that it has looked at; empty without points.
+    std::vector<FaceQuery> Queries; ///< The litmaps that were read; empty without `points`.
     vtkShadowExtent Extent;         ///< The merged extent of all receivers on the caster's rays.
-    bool IsInOneFace = false;       ///< True if all its rays are known and in one litmap.
-    double Near = 0.0;              ///< If so, the depth of the caster's nearest point there.
-    double Far = 0.0;               ///< If so, the depth of the caster's farthest point there.
+    /// True if all rays of the caster are known and in one litmap. Only then are Near and Far valid.
+    bool IsInOneFace = false;
+    double Near = 0.0; ///< The depth of the caster's nearest point in this litmap.
+    double Far = 0.0;  ///< The depth of the caster's farthest point in this litmap.
   };
 
   /// `faces` has one litmap, six for a point light, or none if nothing is known of the receivers.

@@ -28,8 +28,8 @@ public:
   virtual ~vtkShadowLitmapSource() = default;
 
   /// Called when the depth of the receivers of a frame has been read. `depth` is as
-  /// vtkShadowReceivers::Scatter() describes it, but `view` does not list the samples of a pixel.
-  /// Returns false, with the cause in `why`, if the source cannot work.
+  /// vtkShadowReceivers::Scatter() describes it, but view.Samples does not list the samples of a
+  /// pixel. Returns false, with the cause in `why`, if the source cannot work.
   virtual bool BeginFrame(
     vtkRenderer* renderer, const float* depth, const vtkShadowView& view, std::string& why) = 0;
 

@@ -27,7 +27,8 @@
  *
  *  - NoReceiver: there is no receiver on its rays. It is not drawn.
  *  - BeforeCaster: all receivers on its rays are nearer to the light. It is not drawn.
- *  - Boxed: its whole volume is drawn into boxes of pixels around the receivers.
+ *  - Boxed: its whole volume is drawn into boxes of pixels around the receivers, or into the whole
+ *    viewport if View::Boxes is false.
  *  - Clamped, in mode Clamped: only the part of its volume in the slabs that the receivers occupy
  *    is drawn into such boxes.
  *
@@ -105,9 +106,9 @@ public:
   };
 
   /**
-   * A plan without casters. `litmaps` has the litmap of the light, or the six of a point light,
-   * with their levels built. If it is empty, or with mode Unclamped, all volumes are drawn whole.
-   * The light, the litmaps and their light spaces must outlive the plan.
+   * Makes a plan without casters. `litmaps` has the litmap of the light, or the six of a point
+   * light, with their levels built. If it is empty, or with mode Unclamped, all volumes are drawn
+   * whole. The light, the litmaps and their light spaces must outlive the plan.
    */
   vtkShadowPlan(const vtkShadowLight& light, const View& view, vtkShadowMode mode,
     std::vector<Face> litmaps, const vtkShadowTuning& tuning);
@@ -116,8 +117,8 @@ public:
   Choice Decide(const vtkShadowPart& caster) const;
 
   /// Returns the verdict if the caster's footprint and one lookup prove that it is not drawn, else
-  /// nothing. Decide() begins with this test, because it does not read the caster's points, which
-  /// take long to fetch from memory if there are many casters.
+  /// nothing. Decide() begins with this test, because the test does not read the caster's points,
+  /// which take long to fetch from memory if there are many casters.
   std::optional<vtkShadowVerdict> EarlyOut(const vtkShadowPart& caster) const;
 
   /// Carries out the decision about a caster: adds its draws to GetDraws(). Their triangles are in

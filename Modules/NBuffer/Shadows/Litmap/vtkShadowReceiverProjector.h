@@ -16,15 +16,15 @@
  * ## The interval on the line of sight
  *
  * The sample lies on the line of sight through its place in the image, in an interval of depths.
- * Three errors add up: the depth that was read is off by up to two quanta, the steps of storing and
- * of reading (vtkNBufferDepthSource::GetStep), the depth of a volume that is drawn against it by a
- * third one, and both depths are off because they are transformed to clip coordinates in float. For
- * four million random points (views of 1 to 120 degrees, far / near 3 to 1e8; commit 7323db1) the
- * last error was at most 5.4 * 2^-24 in window depth. It grows with r, the distance of the image's
- * corners from the eye in units of the distance of its centre. The interval reaches 3 quanta +
- * 4 (1 + r) 2^-24 of window depth to both sides. (If near and far plane are close together for
- * their distance from the eye, the last error is larger. But then a quantum is so short a length
- * that the radius below covers it.)
+ * Three errors add up. First, the depth that was read is off by up to two quanta, one each for
+ * storing and for reading it (vtkNBufferDepthSource::GetStep). Second, the depth of a volume that
+ * is compared with it is off by a third quantum. Third, both depths were transformed to clip
+ * coordinates in float. For four million random points (views of 1 to 120 degrees, far / near 3 to
+ * 1e8; commit 7323db1) this last error was at most 5.4 * 2^-24 in window depth. It grows with r,
+ * which is the distance from the eye to the image's farthest corner, divided by that to its centre.
+ * So the interval reaches 3 quanta + 4 (1 + r) 2^-24 of window depth to both sides. (If the
+ * distance between near and far plane is small compared with their distance from the eye, the last
+ * error is larger. But then a quantum is so short a length that the radius below covers it.)
  *
  * ## The radius around it
  *
@@ -35,7 +35,7 @@
  * Litmaps and tiles must hold all samples for which a volume may be drawn. So the radius grows by a
  * quarter of a pixel. (The margin of one lexel in vtkShadowLitmap::Query() may be smaller.)
  *
- * ## What VTK's shader takes to be in a spot's cone
+ * ## Samples that VTK's shader may find in a spot's cone
  *
  * When VTK's shader decides whether a sample lies in a spot's cone, it uses a position with other
  * errors than the depth. The position comes from corners that are transformed to view coordinates
@@ -49,21 +49,22 @@
  * sample, so vtkShadowLitmap::GetWidestAngle() keeps the largest angle of these samples.
  *
  * With multisampling a fragment decides only once whether it lies in a spot's cone: for the centre
- * of the pixel, to which its surface is extrapolated. The samples do not tell the depth there. So a
- * sample is also a receiver if the line of sight through the centre of its pixel meets the cone and
- * the cone is at most 64 pixel widths from the sample. On a surface that is seen at an angle of one
- * degree, the point at the centre may be that far from the sample.
+ * of the pixel, to which its surface is extrapolated. The depth there is not known from the
+ * samples. So a sample is also a receiver if the line of sight through the centre of its pixel
+ * meets the cone and the cone is at most 64 pixel widths from the sample. On a surface that is seen
+ * at an angle of one degree, the point at the centre may be that far from the sample.
  *
- * VTK lights lines and points for their middle. So a sample is also a receiver if the cone is at
- * most vtkShadowView::LightingMargin pixel widths from it. This margin is infinite, and every
- * sample is a receiver, if something is drawn whose shaders may light it for any place.
+ * VTK computes the light on a line or a point at the middle of its width. So a sample is also a
+ * receiver if the cone is at most vtkShadowView::LightingMargin pixel widths from it. This margin
+ * is infinite, and every sample is a receiver, if something is drawn whose shaders may compute the
+ * light for any other place.
  *
  * ## Projection
  *
  * Both ends of the interval are projected to light coordinates. That loses nothing, because
  * straight lines stay straight in p and q. The tests against cone and cube face use the ball around
- * the interval, so that every sample that may be reached is a receiver. If the ball touches the
- * light's plane s = 0, its p and q are not known, and the radius is infinite.
+ * the interval, so that every sample that the light may reach is a receiver. If the ball touches
+ * the light's plane s = 0, p and q of the sample are not known, and the radius is infinite.
  */
 #ifndef vtkShadowReceiverProjector_h
 #define vtkShadowReceiverProjector_h
@@ -89,8 +90,8 @@ struct vtkShadowView
   int Height = 0;                        ///< The number of rows, at most 65535.
   double DepthQuantum = 0x1p-24;         ///< The step of the depth format near 1.
 
-  /// The largest distance, in pixels, from a fragment to the place for which VTK lights it.
-  /// Infinity stands for any place.
+  /// The largest distance, in pixels, from a fragment to the place at which VTK computes the light
+  /// on it. Infinity stands for any place.
   double LightingMargin = 0.0;
 
   /// The places of the samples in a pixel, in [0, 1] from its lower left corner.
@@ -152,8 +153,8 @@ private:
   glm::dvec3 Direction;       ///< The light's direction along u, v and the axis.
   glm::dvec3 Eye;             ///< The eye relative to the apex, along u, v and the axis.
   double WorldError;          ///< The rounding error of world coordinates, in world units.
-  double ShaderOffset = 0.0;  ///< S less the distance of the sample from the eye.
-  double PlaceFactor = 0.0;   ///< The error of a position is E times this, w being exact.
+  double ShaderOffset = 0.0;  ///< S minus the distance of the sample from the eye.
+  double PlaceFactor = 0.0;   ///< The error of a position is E times this, if w is exact.
   double InverseFactor = 0.0; ///< The error of 1 / w is E times this.
   double GuardAtW1;           ///< The size of a quarter of a pixel in world units where w = 1.
 

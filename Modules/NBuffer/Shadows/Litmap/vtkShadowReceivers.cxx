@@ -18,12 +18,12 @@ constexpr int RangeStride = 4;
 
 using Receiver = vtkShadowReceiverProjector::Receiver;
 
-/// The pixels to look at: those that fulfil both conditions.
+/// Selects the pixels that fulfil both conditions.
 struct Lattice
 {
   int Stride = 1; ///< The numbers of their row and column are multiples of this.
   int Band = 0;   ///< The number of their row of tiles is Band modulo Bands.
-  int Bands = 1;  ///< The number of bands into which the rows of tiles are dealt out.
+  int Bands = 1;  ///< The number of bands; the rows of tiles take turns.
 };
 
 /// Calls functor(receiver, x, y, depth) for each receiver in these pixels.
@@ -118,7 +118,7 @@ void SplitLayers(const float* depth, const vtkShadowView& view, vtkShadowTiles& 
 }
 
 /// The number of bands, which threads scatter in parallel. Each band has lexels of its own. To
-/// clear and merge a lexel costs about a third of what it costs to scatter a sample.
+/// clear and merge a lexel takes about a third of the time of scattering a sample.
 int GetNumberOfBands(const vtkShadowView& view, int resolution)
 {
   const double samples = static_cast<double>(view.Samples.size()) * view.Width * view.Height;

@@ -20,9 +20,9 @@
  *
  * Where the camera sees past an edge, a tile has receivers in two places: on the surface that ends
  * at the edge, and on the surface behind it. One block around both would also hold the empty space
- * between them. For small things before a distant ground, that space is most of what they shadow,
- * and tiles would be marked without need. So a tile has two layers, divided at a window depth of
- * its own (SetSplit()), with a block for each.
+ * between them. If small things stand before a distant ground, their shadows mostly reach only that
+ * space, and tiles would be marked without need. So a tile has two layers, divided at a window
+ * depth of its own (SetSplit()), with a block for each.
  */
 #ifndef vtkShadowTiles_h
 #define vtkShadowTiles_h
@@ -42,8 +42,8 @@ public:
   /// The width and height of a tile in pixels.
   static constexpr int Size = 4;
 
-  /// The blocks of a tile in light coordinates: of the receivers with a window depth less than its
-  /// split, and of the others.
+  /// The blocks of a tile in light coordinates: that of the receivers with a window depth less than
+  /// the tile's split, and that of the others.
   using Layers = std::array<vtkShadowBlock, 2>;
 
   /// Removes all receivers and splits, and sets the size of the image in pixels. With a size of 0
