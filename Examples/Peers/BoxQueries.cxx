@@ -71,7 +71,7 @@ bool BoxQueries::Begin(vtkOpenGLRenderWindow* window, QueryTarget target, std::s
            "the shader of the boxes does not compile on this driver", why) != nullptr;
 }
 
-int BoxQueries::Ask(const ClipBox& box)
+int BoxQueries::Query(const ClipBox& box)
 {
   const int query = this->Count++;
   if (query == static_cast<int>(this->Queries.size()))

@@ -53,7 +53,7 @@ public:
   bool Begin(vtkOpenGLRenderWindow* window, QueryTarget target, std::string& why);
 
   /// Draws a box within a query. Returns the number of the query in this frame, from 0 on.
-  int Ask(const ClipBox& box);
+  int Query(const ClipBox& box);
 
   /// Returns whether the answer of a query has arrived.
   bool HasAnswer(int query) const;

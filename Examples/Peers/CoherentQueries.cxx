@@ -38,12 +38,12 @@ void CoherentQueries::Draw(QueryHost& host)
     while (!this->Queue.empty() &&
       (this->Distances.empty() || host.HasAnswer(this->Queue.front().Query)))
     {
-      const Asked asked = this->Queue.front();
+      const Queried queried = this->Queue.front();
       this->Queue.pop_front();
-      if (host.IsVisible(asked.Query))
+      if (host.IsVisible(queried.Query))
       {
-        this->PullUp(asked.Node);
-        this->Open(host, asked.Node);
+        this->PullUp(queried.Node);
+        this->Open(host, queried.Node);
       }
     }
     if (!this->Distances.empty())
@@ -69,7 +69,7 @@ void CoherentQueries::Visit(QueryHost& host, const Entry& entry)
     this->Open(host, entry.Node);
     return;
   }
-  const int query = entry.Box.Placement == vtkNBufferPlacement::Inside ? host.Ask(entry.Box) : -1;
+  const int query = entry.Box.Placement == vtkNBufferPlacement::Inside ? host.Query(entry.Box) : -1;
   if (query < 0)
   {
     this->PullUp(entry.Node);

@@ -67,7 +67,7 @@ private:
       return a.Box.GetNearest() > b.Box.GetNearest();
     }
   };
-  struct Asked
+  struct Queried
   {
     int Node;
     int Query;
@@ -82,7 +82,7 @@ private:
   std::vector<int> Props;
   std::vector<State> States;
   std::priority_queue<Entry, std::vector<Entry>, Later> Distances;
-  std::deque<Asked> Queue;
+  std::deque<Queried> Queue;
   long long Frame = 0;
   int Visits = 0;
 };

@@ -36,7 +36,7 @@ inline void DrawByFlatQueries(QueryHost& host, std::vector<FlatItem>& items)
     {
       continue;
     }
-    const int query = item.Box.Placement == vtkNBufferPlacement::Inside ? host.Ask(item.Box) : -1;
+    const int query = item.Box.Placement == vtkNBufferPlacement::Inside ? host.Query(item.Box) : -1;
     if (query < 0 || host.IsVisible(query))
     {
       host.Draw(item.Prop);

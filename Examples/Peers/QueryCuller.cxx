@@ -83,10 +83,10 @@ PlacedBox QueryCuller::Place(const vtkNBufferBox& box)
   return placed;
 }
 
-int QueryCuller::Ask(const PlacedBox& box)
+int QueryCuller::Query(const PlacedBox& box)
 {
   ClipBox clip;
-  return MakeClipBox(this->Projection, box.Box, box.Screen, clip) ? this->Queries.Ask(clip) : -1;
+  return MakeClipBox(this->Projection, box.Box, box.Screen, clip) ? this->Queries.Query(clip) : -1;
 }
 
 bool QueryCuller::IsVisible(int query)

@@ -84,7 +84,7 @@ private:
   void operator=(const QueryCuller&) = delete;
 
   PlacedBox Place(const vtkNBufferBox& box) override;
-  int Ask(const PlacedBox& box) override;
+  int Query(const PlacedBox& box) override;
   bool HasAnswer(int query) override { return this->Queries.HasAnswer(query); }
   bool IsVisible(int query) override;
   void Draw(int prop) override;

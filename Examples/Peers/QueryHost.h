@@ -36,7 +36,7 @@ public:
 
   /// Begins a query: would a sample of the box pass the depth test now? Returns the number of the
   /// query, or -1 if the box cannot have a query; it counts as visible then.
-  virtual int Ask(const PlacedBox& box) = 0;
+  virtual int Query(const PlacedBox& box) = 0;
 
   /// Returns whether the answer has arrived. Never waits.
   virtual bool HasAnswer(int query) = 0;

@@ -338,14 +338,15 @@ std::string Checker::CheckShadows(bool& strays)
       CompareMasks(this->Unclamped, tested, mode, this->Shadows, MakeRayJudge(this->Tested));
     const std::optional<ShadowStrays> found = masks.empty() || mode == ShadowMode::Clamped
       ? std::nullopt
-      : FindStrays(this->Tested, this->Unclamped, tested, HasParted(this->Reference, this->Tested));
+      : FindStrays(
+          this->Tested, this->Unclamped, tested, CountsInPortions(this->Reference, this->Tested));
     if (found)
     {
       this->Shadows.Strays += found->Seen;
       this->Shadows.UnlitStrays += found->Unlit;
-      this->Shadows.PartedStrays += found->Parted;
+      this->Shadows.StraysInPortions += found->InPortions;
     }
-    strays = found && found->Seen + found->Parted > 0;
+    strays = found && found->Seen + found->InPortions > 0;
     failure += found ? "" : masks;
   }
   return failure;

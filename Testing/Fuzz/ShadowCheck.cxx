@@ -338,7 +338,7 @@ std::string CompareMasks(const ShadowFrame& expected, const ShadowFrame& tested,
 }
 
 std::optional<ShadowStrays> FindStrays(
-  const Player& stage, const ShadowFrame& expected, const ShadowFrame& tested, bool parted)
+  const Player& stage, const ShadowFrame& expected, const ShadowFrame& tested, bool inPortions)
 {
   const Oracle oracle = MakeOracle(stage);
   ShadowStrays all;
@@ -358,11 +358,11 @@ std::optional<ShadowStrays> FindStrays(
     }
     const int number = static_cast<int>(light);
     const OracleImage rays = oracle.Cast(OracleLight(stage.GetLights().GetLight(0, number)));
-    if (parted)
+    if (inPortions)
     {
       const auto end = std::remove_if(
         differing.begin(), differing.end(), [&](std::size_t i) { return rays.Ambiguous[i] != 0; });
-      all.Parted += differing.end() - end;
+      all.InPortions += differing.end() - end;
       differing.erase(end, differing.end());
     }
     const bool right = std::all_of(differing.begin(), differing.end(),
@@ -380,7 +380,7 @@ std::optional<ShadowStrays> FindStrays(
   return all;
 }
 
-bool HasParted(const Player& expected, const Player& tested)
+bool CountsInPortions(const Player& expected, const Player& tested)
 {
   std::vector<vtkShadowVolumeClampPass*> passes = GetPasses(expected);
   const std::vector<vtkShadowVolumeClampPass*> others = GetPasses(tested);

@@ -24,11 +24,11 @@ struct ShadowTally
   long long Shadowed = 0;     ///< Those of them that are in shadow.
   long long ClampedFlips = 0; ///< Samples at edges in which Clamped differs from Unclamped.
   long long ClampedFlipsElsewhere = 0; ///< Other samples in which Clamped differs from Unclamped.
-  long long Strays = 0;        ///< Samples in which the mask of whole volumes contradicts rays.
-  long long UnlitStrays = 0;   ///< See `ShadowStrays::Unlit`.
-  long long PartedStrays = 0;  ///< See `ShadowStrays::Parted`.
-  long long Rays = 0;          ///< Samples that were compared with rays.
-  long long RaysAmbiguous = 0; ///< Those of them that differ and are ambiguous.
+  long long Strays = 0;           ///< Samples in which the mask of whole volumes contradicts rays.
+  long long UnlitStrays = 0;      ///< See `ShadowStrays::Unlit`.
+  long long StraysInPortions = 0; ///< See `ShadowStrays::InPortions`.
+  long long Rays = 0;             ///< Samples that were compared with rays.
+  long long RaysAmbiguous = 0;    ///< Those of them that differ and are ambiguous.
 };
 
 /// The receivers of one renderer and their masks. All images have the size of its viewport, row by
@@ -82,9 +82,9 @@ constexpr long long MaximumFlipsElsewhere = 2;
 /// The numbers of receivers in which Scissored differs from Unclamped although nothing is wrong.
 struct ShadowStrays
 {
-  long long Seen = 0;   ///< Receivers that face the light, so that the images differ, too.
-  long long Unlit = 0;  ///< Receivers that face away from the light: no image shows their masks.
-  long long Parted = 0; ///< Ambiguous receivers, if volumes were counted in portions.
+  long long Seen = 0;  ///< Receivers that face the light, so that the images differ, too.
+  long long Unlit = 0; ///< Receivers that face away from the light: no image shows their masks.
+  long long InPortions = 0; ///< Ambiguous receivers, if volumes were counted in portions.
 };
 
 /**
@@ -93,17 +93,17 @@ struct ShadowStrays
  * for one light, are Seen: then something is wrong. Rasterisers may draw slivers of whole volumes
  * far off their planes (docs/shadows.md), where Scissored does not draw them.
  *
- * `parted` says that counts were too high for one stencil, so that volumes were counted in
+ * `inPortions` says that counts were too high for one stencil, so that volumes were counted in
  * portions. The portions of Scissored, which leaves out some volumes, are others. At the very edge
  * of a surface, rasterisers may miss one of the two sides of a volume; whether another volume makes
  * up for the wrong count depends on its being in the same portion. Then samples that rays find
  * ambiguous may differ.
  */
 std::optional<ShadowStrays> FindStrays(
-  const Player& stage, const ShadowFrame& expected, const ShadowFrame& tested, bool parted);
+  const Player& stage, const ShadowFrame& expected, const ShadowFrame& tested, bool inPortions);
 
 /// Returns whether a pass of one of the two stages has counted the volumes of a light in portions.
-bool HasParted(const Player& expected, const Player& tested);
+bool CountsInPortions(const Player& expected, const Player& tested);
 
 /// Compares the masks with rays, and returns for which lights more than MaximumFlipsElsewhere
 /// samples are wrong; "" if there are none. All wrong samples are added to the tally's Strays.

@@ -70,8 +70,6 @@ MUTANTS = {
         (OWN_DRAW,
          "this->Stream->IBO->IndexCount = std::exchange(this->IndexCount, 0);",
          "this->IndexCount = 0;")],
-    "a mapper keeps the list of the blocks that were drawn": [
-        ("vtkNBufferBlockStream.cxx", "this->Exchanged->swap(*GetBlockList(this->Changed).Blocks);", "")],
     "gaussian points as small as their middles": [
         (DIVIDED, "vtkNBufferSurface::GetMarginOfLines(this->Actor->GetProperty())", "0.0")],
     "indices of the mesh before": [
@@ -201,8 +199,6 @@ SHADOW_MUTANTS = {
     "box of pixels one column short": [
         (DRAW_LIST, "draw.Box = box;",
          "draw.Box = box;\n    --draw.Box.X1;")],
-    "slabs that begin at the caster end with the first of them": [
-        (PLAN, "slabs.back().Far = far;", "slabs.back().Far = std::min(far, slabs.back().Far);")],
     "receivers next to the caster count as before it": [
         (PLAN, "lookup.IsInOneFace && lookup.Extent.Far < lookup.Near)",
          "lookup.IsInOneFace && lookup.Extent.Far < lookup.Far)")],
@@ -268,6 +264,8 @@ SHADOW_MUTANTS = {
 # These leave an error in so few frames that ten times as many are granted: other tolerances cover
 # most of what the missing one let through, or the frames that show it are rare.
 RARE = {
+    "a mapper keeps the list of the blocks that were drawn": [
+        ("vtkNBufferBlockStream.cxx", "this->Exchanged->swap(*GetBlockList(this->Changed).Blocks);", "")],
     "equal depths inside of a mesh not found by the device": [
         ("vtkNBufferTieQuery.cxx", "return passed > 0;", "return false;")],
     "only one part of what is drawn again followed": [
@@ -291,6 +289,8 @@ RARE = {
 }
 
 RARE_SHADOWS = {
+    "slabs that begin at the caster end with the first of them": [
+        (PLAN, "slabs.back().Far = far;", "slabs.back().Far = std::min(far, slabs.back().Far);")],
     "half the cone": [
         (LITMAP_SET, "vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;",
          "0.5 * vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;")],

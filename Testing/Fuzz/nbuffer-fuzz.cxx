@@ -263,7 +263,7 @@ private:
     json["shadow_samples_flipped_by_clamping"] = Json::Int64(t.Shadows.ClampedFlips);
     json["shadow_strays"] = Json::Int64(t.Shadows.Strays);
     json["shadow_strays_unlit"] = Json::Int64(t.Shadows.UnlitStrays);
-    json["shadow_strays_parted"] = Json::Int64(t.Shadows.PartedStrays);
+    json["shadow_strays_in_portions"] = Json::Int64(t.Shadows.StraysInPortions);
     json["shadow_samples_flipped_away_from_edges"] = Json::Int64(t.Shadows.ClampedFlipsElsewhere);
     json["shadow_rays"] = Json::Int64(t.Shadows.Rays);
     json["shadow_rays_ambiguous"] = Json::Int64(t.Shadows.RaysAmbiguous);

@@ -155,7 +155,7 @@ TEST_F(GpuTestShadowDebugView, StateIsSetAndRestored)
 
 // The times of a frame arrive in a later frame, without waiting, and only for frames that were to
 // be measured.
-TEST_F(GpuTestShadowDebugView, TimersMeasureIfAsked)
+TEST_F(GpuTestShadowDebugView, TimersMeasureIfSwitchedOn)
 {
   vtkShadowTimers timers;
   timers.Begin(false);

@@ -204,7 +204,7 @@ TEST_F(PassDebugViews, LeaveTheStateAsItIs)
 //------------------------------------------------------------------------------------------------
 using PassDeviceTimes = OffscreenFixture;
 
-TEST_F(PassDeviceTimes, AreMeasuredIfAsked)
+TEST_F(PassDeviceTimes, AreMeasuredIfSwitchedOn)
 {
   const Stage stage = SetNamedStage("ManyLights");
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);

@@ -127,7 +127,7 @@ TEST_F(PassStatistics, FramesMakeNoNewObjects)
   }
 }
 
-TEST_F(PassStatistics, FragmentsAreCountedOnlyIfAsked)
+TEST_F(PassStatistics, FragmentsAreCountedOnlyIfSwitchedOn)
 {
   const Stage stage = SetNamedStage("Directional");
   vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);

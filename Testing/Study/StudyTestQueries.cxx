@@ -48,7 +48,7 @@ public:
     return placed;
   }
 
-  int Ask(const PlacedBox& box) override
+  int Query(const PlacedBox& box) override
   {
     bool visible = false;
     for (int i : this->Visible)
@@ -238,7 +238,7 @@ TEST(StudyQueries, PaddedBoxesReachBeyondWhatIsDrawn)
   EXPECT_GT(asked, 500);
 }
 
-TEST(StudyQueries, WhatTouchesTheNearPlaneIsNotAsked)
+TEST(StudyQueries, WhatTouchesTheNearPlaneIsNotQueried)
 {
   const vtkNBufferProjection projection = StudyTest::LookAlongY(Width, Height);
   int inside = 0;

@@ -265,7 +265,7 @@ TEST(NBufferHierarchy, OnlyWhatIsAboveAMoveIsRefit)
   ExpectSameBoxes(tree, all);
 }
 
-TEST(NBufferHierarchy, NothingIsAskedBelowASkippedNode)
+TEST(NBufferHierarchy, NothingIsTestedBelowASkippedNode)
 {
   const std::vector<vtkNBufferBox> boxes = MakeRandomBoxes(100, 3);
   vtkNBufferHierarchy tree;

@@ -472,7 +472,7 @@ TEST(NBufferPropWatch, WhatMayChangeWithoutATraceIsSaid)
 
 // Hazard: props with a user matrix, as importers make them, are read anew in every frame; or a
 // change of the matrix is missed.
-TEST(NBufferPipelines, WithoutOneTransformsOfUsersAreAskedInParallel)
+TEST(NBufferPipelines, WithoutOneTransformsOfUsersAreComparedInParallel)
 {
   vtkNew<vtkSphereSource> source;
   source->Update();

@@ -242,7 +242,7 @@ TEST_F(NBufferSurface, SmallMeshesAreCopiedAFewInAFrame)
 }
 
 // Hazard: large meshes are read again in each frame, or meshes are kept for ever.
-TEST_F(NBufferSurface, MeshesOfPropsAreKeptWhileTheyAreAskedFor)
+TEST_F(NBufferSurface, MeshesOfPropsAreKeptWhileTheyAreRequested)
 {
   vtkNBufferMeshes meshes;
   std::vector<vtkNBufferMeshes::OfProp> kept(2);

@@ -207,7 +207,7 @@ INSTANTIATE_TEST_SUITE_P(Resolutions, ShadowLitmap, testing::Values(1, 2, 3, 7, 
   testing::PrintToStringParamName());
 
 // Hazard: a caster at the light's own plane has no rectangle, and a query for it misses receivers.
-TEST(ShadowLitmapOnce, NaNAsksForTheWholeMap)
+TEST(ShadowLitmapOnce, NaNQueriesTheWholeMap)
 {
   Map map;
   map.Receivers = MakeReceivers(map, 30, 9);

@@ -321,20 +321,20 @@ TEST(ShadowPlan, BoxesHoldTheTilesInShadow)
 // around both would reach into the shadow; the two layers of the tile do not.
 TEST(ShadowPlan, LayersKeepApartWhatATileSees)
 {
-  for (const bool parted : { false, true })
+  for (const bool hasLayers : { false, true })
   {
     Situation situation(MakeLightAbove());
     vtkShadowTiles& tiles = situation.Litmap.GetTiles();
     tiles.Begin(300, 200);
-    if (parted)
+    if (hasLayers)
     {
       tiles.SetSplit(20 / vtkShadowTiles::Size, 20 / vtkShadowTiles::Size, 0.5f);
     }
     situation.AddReceiver({ 0.0, 0.0, 3.0 }, 20, 20, 0.25f);  // on its rays, before it
     situation.AddReceiver({ 0.6, 0.0, -3.0 }, 20, 20, 0.75f); // beyond, beside its rays
-    EXPECT_EQ(
-      situation.Decide(vtkShadowMode::Scissored), parted ? Verdict::BeforeCaster : Verdict::Boxed);
-    EXPECT_EQ(situation.Draws.empty(), parted);
+    EXPECT_EQ(situation.Decide(vtkShadowMode::Scissored),
+      hasLayers ? Verdict::BeforeCaster : Verdict::Boxed);
+    EXPECT_EQ(situation.Draws.empty(), hasLayers);
   }
 }
 
