@@ -70,9 +70,9 @@ MUTANTS = {
         (OWN_DRAW,
          "this->Stream->IBO->IndexCount = std::exchange(this->IndexCount, 0);",
          "this->IndexCount = 0;")],
-    "gaussian points as small as their middles": [
+    "size of gaussian points left out": [
         (DIVIDED, "vtkNBufferSurface::GetMarginOfLines(this->Actor->GetProperty())", "0.0")],
-    "indices of the mesh before": [
+    "indices of a mesh that was replaced": [
         (HOOK, "buffer.Marked.clear(); // The same units of another mesh have other indices.", "")],
     "units of data that have changed": [
         (DIVIDED, "data->GetMTime() == source.DataTime;", "true;"),
@@ -214,7 +214,7 @@ SHADOW_MUTANTS = {
          "return this->MayShadow(tile[0]);")],
     "sides of triangles that look the wrong way": [
         (REACH, "(inside > 0.0 ? -1.0 : 1.0) / length;", "1.0 / length;")],
-    "beyond the plane of every triangle, not of one": [
+    "receivers must be beyond the planes of all triangles, not of one": [
         (REACH, "return std::any_of(this->Facets.begin(), this->Facets.end(),\n      [&](",
          "return std::all_of(this->Facets.begin(), this->Facets.end(),\n      [&](")],
     "a face around a point light left out": [
@@ -291,7 +291,7 @@ RARE = {
 RARE_SHADOWS = {
     "slabs that begin at the caster end with the first of them": [
         (PLAN, "slabs.back().Far = far;", "slabs.back().Far = std::min(far, slabs.back().Far);")],
-    "half the cone": [
+    "half of a spot's cone angle": [
         (LITMAP_SET, "vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;",
          "0.5 * vtkMath::RadiansFromDegrees(this->Light.ConeAngle) + margin;")],
     "volumes beyond the range of the stencil are not counted in portions": [
