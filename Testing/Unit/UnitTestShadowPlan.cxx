@@ -380,6 +380,28 @@ TEST(ShadowPlan, CastersAtTheLightsPlane)
   EXPECT_EQ(point.Decide(vtkShadowMode::Unclamped, 4, false), Verdict::Whole);
 }
 
+// Hazard: a caster touches the light's plane, and a rounding error puts it before the plane, so
+// that its p and q, which are divided by next to 0, count.
+TEST(ShadowPlan, CastersThatTouchTheLightsPlaneAreThroughIt)
+{
+  std::mt19937 random(29);
+  for (int n = 0; n < 1000; ++n)
+  {
+    vtkShadowLight light = MakeLightAbove(Kind::Spot, 0.0);
+    light.Position = MakePoint(random, 8.0);
+    light.Direction = vtkNBufferGLM::Normalize(MakePoint(random, 1.0));
+    const vtkShadowLightSpace space(light);
+    const Point touching = light.Position + MakeUniform(random, 1.0, 100.0) * space.GetU();
+    const Point before = light.Position + MakeUniform(random, 1.0, 10.0) * space.GetAxis();
+    const vtkShadowLitmapSet set(light, {});
+    EXPECT_TRUE(set.IsThroughLightPlane(
+      vtkShadowFootprint::Make(std::array{ touching, before }, space).Block));
+    const Point nearly = touching + 1e-4 * space.GetAxis();
+    EXPECT_FALSE(
+      set.IsThroughLightPlane(vtkShadowFootprint::Make(std::array{ nearly, before }, space).Block));
+  }
+}
+
 // Hazard: a caster with a corner in the cone of a spot is left out because its middle is outside;
 // or a caster far away from the cone is not left out.
 TEST(ShadowPlan, CastersWithACornerInTheConeAreKept)
