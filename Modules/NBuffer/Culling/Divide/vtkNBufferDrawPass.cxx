@@ -10,28 +10,52 @@
 #include "vtkWindow.h"
 
 #include <algorithm>
+#include <iterator>
 #include <mutex>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkNBufferDrawPass);
 
+struct vtkNBufferDrawPass::Registry
+{
+  std::mutex Mutex; ///< Windows may be drawn by several threads.
+  std::map<vtkWindow*, vtkNBufferDrawPass*> Passes;
+};
+
 vtkSmartPointer<vtkNBufferDrawPass> vtkNBufferDrawPass::Get(vtkWindow* window)
 {
-  // Windows may be drawn by several threads.
-  static std::mutex mutex;
-  static std::map<vtkWindow*, vtkWeakPointer<vtkNBufferDrawPass>> passes;
-  const std::lock_guard<std::mutex> lock(mutex);
-  vtkSmartPointer<vtkNBufferDrawPass> pass = passes[window].Get();
+  static const auto registry = std::make_shared<Registry>();
+  const std::lock_guard<std::mutex> lock(registry->Mutex);
+  vtkSmartPointer<vtkNBufferDrawPass> pass = registry->Passes[window];
   if (!pass)
   {
     pass = vtkSmartPointer<vtkNBufferDrawPass>::New();
-    passes[window] = pass;
+    pass->Owner = registry;
+    pass->Window = window;
+    registry->Passes[window] = pass;
   }
   return pass;
 }
 
+vtkNBufferDrawPass::~vtkNBufferDrawPass()
+{
+  if (this->Owner)
+  {
+    const std::lock_guard<std::mutex> lock(this->Owner->Mutex);
+    this->Owner->Passes.erase(this->Window);
+  }
+}
+
 void vtkNBufferDrawPass::Attach(vtkActor* actor)
 {
+  if (this->Users.size() >= this->UsersToCheck)
+  {
+    for (auto user = this->Users.begin(); user != this->Users.end();)
+    {
+      user = user->second.Actor ? std::next(user) : this->Users.erase(user);
+    }
+    this->UsersToCheck = 2 * this->Users.size() + 1;
+  }
   User& user = this->Users[actor];
   if (!user.Actor)
   {

@@ -22,6 +22,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <utility>
 
 class vtkActor;
@@ -64,7 +65,7 @@ public:
 
 protected:
   vtkNBufferDrawPass() = default;
-  ~vtkNBufferDrawPass() override = default;
+  ~vtkNBufferDrawPass() override;
 
 private:
   vtkNBufferDrawPass(const vtkNBufferDrawPass&) = delete;
@@ -76,8 +77,13 @@ private:
     int Count = 0;
   };
 
+  struct Registry;
+
+  std::shared_ptr<Registry> Owner; ///< The passes of all windows, kept until the last pass ends.
+  vtkWindow* Window = nullptr;     ///< The key of this pass in the registry.
   std::function<void(vtkAbstractMapper*, vtkProp*)> Callback;
   std::map<vtkActor*, User> Users; ///< If an actor has been deleted, its User::Actor is null.
+  std::size_t UsersToCheck = 16;   ///< From this number on, deleted actors are removed.
 };
 
 VTK_ABI_NAMESPACE_END
