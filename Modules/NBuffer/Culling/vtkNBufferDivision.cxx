@@ -50,7 +50,8 @@ void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
       continue;
     }
     auto* actor = static_cast<vtkActor*>(this->Props.GetProp(i));
-    if (vtkNBufferLargeProps::MayBeDivided(this->Props.GetCandidate(i)) ||
+    const vtkNBufferCandidate& candidate = this->Props.GetCandidate(i);
+    if (vtkNBufferLargeProps::MayBeDivided(candidate) || candidate.GetSharesState() ||
       this->Pass->IsAttachedTo(actor->GetMapper()))
     {
       Entry entry;
