@@ -4,7 +4,6 @@
 
 #include "vtkNBufferCandidateList.h"
 #include "vtkNBufferDepthTest.h"
-#include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferLargeProps.h"
 #include "vtkNBufferSplatStream.h"
 #include "vtkNBufferTieQuery.h"
@@ -42,19 +41,6 @@ vtkNBufferVerdict vtkNBufferDivision::GetVerdict(int place, std::optional<int> p
   return isInParts ? entry->Prop->GetVerdict(*part) : whole;
 }
 
-bool vtkNBufferDivision::IsDrawnByOthers(vtkMapper* mapper)
-{
-  for (int i = 0; i < this->Props.GetSize(); ++i)
-  {
-    auto* actor = vtkActor::SafeDownCast(this->Props.GetProp(i));
-    if (actor && actor->GetMapper() == mapper && !vtkNBufferKnownClasses::GetPlainActor(actor))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
 {
   for (const int i : places)
@@ -65,8 +51,7 @@ void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
     }
     auto* actor = static_cast<vtkActor*>(this->Props.GetProp(i));
     const vtkNBufferCandidate& candidate = this->Props.GetCandidate(i);
-    if (vtkNBufferLargeProps::MayBeDivided(candidate) ||
-      (candidate.GetSharesState() && !this->IsDrawnByOthers(actor->GetMapper())) ||
+    if (vtkNBufferLargeProps::MayBeDivided(candidate) || candidate.GetSharesState() ||
       this->Pass->IsAttachedTo(actor->GetMapper()))
     {
       Entry entry;

@@ -33,7 +33,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkNBufferCandidateList;
-class vtkMapper;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 struct vtkNBufferSettings;
@@ -147,8 +146,6 @@ private:
   };
 
   Entry* Find(int place);
-  /// Whether an actor that is not plain, and so has no draw pass, has this mapper.
-  bool IsDrawnByOthers(vtkMapper* mapper);
   void FindLarge(const std::vector<int>& places);
   vtkNBufferCandidateList& Props;
   vtkSmartPointer<vtkNBufferDrawPass> Pass; ///< The pass of the window.
