@@ -50,8 +50,7 @@ void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
       continue;
     }
     auto* actor = static_cast<vtkActor*>(this->Props.GetProp(i));
-    const vtkNBufferCandidate& candidate = this->Props.GetCandidate(i);
-    if (vtkNBufferLargeProps::MayBeDivided(candidate) || candidate.GetSharesState() ||
+    if (vtkNBufferLargeProps::MayBeDivided(this->Props.GetCandidate(i)) ||
       this->Pass->IsAttachedTo(actor->GetMapper()))
     {
       Entry entry;

@@ -7,9 +7,9 @@
  *
  * A mapper makes its shaders anew if the passes of an actor are not those of the last draw. Actors
  * that share a mapper share its shaders as well, and what they look like depends on when these are
- * made. Therefore all large props of a window have the same pass, and so have large props that
- * cannot be divided because they share a mapper. They keep it while they are in a renderer of the
- * window, whether they can be divided at the moment or not.
+ * made. Therefore all large props of a window have the same pass, and so has an actor that begins
+ * to share the mapper of one of them. They keep it while they are in a renderer of the window,
+ * whether they can be divided at the moment or not.
  */
 #ifndef vtkNBufferDrawPass_h
 #define vtkNBufferDrawPass_h
