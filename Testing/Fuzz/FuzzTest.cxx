@@ -463,16 +463,31 @@ TEST_F(FuzzRuns, LargePropsDrawnTwice)
   }
 }
 
-// The passes in the keys of an actor of two renderers, and of another one with its mapper, decide
-// when VTK makes the shaders.
-TEST_F(FuzzRuns, MapperSharedInTwoRenderers)
+// The passes in the keys of actors that share a mapper decide when VTK makes the shaders: actors of
+// two renderers, and an actor that shares no more when the other one is hidden.
+TEST_F(FuzzRuns, SharedMappers)
 {
-  const Scenario scenario = FromJson(Parse(
-    R"({"changes": [{"frame": 1, "kind": "Edges", "values": [1.0, 0.5, 0.5]}], "frames": 2,
-        "culler": {"minimum_number_of_primitives": 2},
-        "props": [{"lighting": false}, {"from": 1, "id": 13, "lighting": false, "mapper_of": 0}],
-        "renderers": [{}, {"shares_props": true}]})"));
-  EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
+  const char* scenes[] = {
+    R"("changes": [{"frame": 1, "kind": "Edges", "values": [1.0, 0.5, 0.5]}],
+       "props": [{"lighting": false}, {"from": 1, "id": 13, "lighting": false, "mapper_of": 0}],
+       "renderers": [{}, {"shares_props": true}])",
+    R"("changes": [{"frame": 1, "kind": "Visible", "target": 1}],
+       "props": [{"shape": {"detail": 48, "kind": "Scraps"}},
+         {"id": 1, "mapper_of": 0, "representation": "Wireframe"}],
+       "views": [{"position": [58.39031072528671, 19.319374522965372, 86.602540378443877]}])",
+    R"("changes": [{"kind": "Visible", "target": 1, "values": [0.0]},
+         {"frame": 1, "kind": "Visible", "target": 1, "values": [1.0]},
+         {"frame": 2, "kind": "Visible", "target": 1, "values": [0.0]}],
+       "props": [{"shape": {"detail": 48, "kind": "Scraps"}},
+         {"id": 1, "kind": "Follower", "mapper_of": 0, "representation": "Wireframe"}],
+       "views": [{"position": [58.39031072528671, 19.319374522965372, 86.602540378443877]}])",
+  };
+  for (const std::string scene : scenes)
+  {
+    const Scenario scenario = FromJson(
+      Parse(R"({"culler": {"minimum_number_of_primitives": 2}, "frames": 3, )" + scene + "}"));
+    EXPECT_EQ(Checker().Run(scenario, true).Failure, "") << scene;
+  }
 }
 
 // The shader that pushes the box behind the wall away writes the depth at the middle of a pixel for

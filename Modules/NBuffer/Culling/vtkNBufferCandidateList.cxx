@@ -206,6 +206,10 @@ void vtkNBufferCandidateList::FindSharedState()
   {
     vtkNBufferCandidate& candidate = this->Candidates[i];
     candidate.SetSharesState(state.IsMixed(candidate.GetUses()));
+    if (candidate.GetSharesState())
+    {
+      vtkNBufferSharedState::MarkAsMixed(static_cast<vtkActor*>(candidate.GetProp())->GetMapper());
+    }
     if (std::exchange(this->States[i].OwnVerdict, candidate.GetVerdict()) != candidate.GetVerdict())
     {
       this->Tree.HasChanged(static_cast<int>(i));

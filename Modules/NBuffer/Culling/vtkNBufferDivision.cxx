@@ -45,12 +45,15 @@ void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
 {
   for (const int i : places)
   {
-    if (this->Find(i) || !vtkNBufferLargeProps::IsLarge(this->Props.GetProp(i), this->Minimum))
+    auto* actor = vtkActor::SafeDownCast(this->Props.GetProp(i));
+    const vtkNBufferCandidate& candidate = this->Props.GetCandidate(i);
+    const bool isPlain = candidate.GetVerdict() != vtkNBufferVerdict::NotAPlainActor;
+    if (!actor || this->Find(i) ||
+      (isPlain && !vtkNBufferLargeProps::IsLarge(actor, this->Minimum)))
     {
       continue;
     }
-    auto* actor = static_cast<vtkActor*>(this->Props.GetProp(i));
-    if (vtkNBufferLargeProps::MayBeDivided(this->Props.GetCandidate(i)) ||
+    if (vtkNBufferLargeProps::MayBeDivided(candidate) ||
       this->Pass->IsAttachedTo(actor->GetMapper()))
     {
       Entry entry;

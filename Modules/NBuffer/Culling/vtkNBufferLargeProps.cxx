@@ -69,15 +69,15 @@ bool vtkNBufferLargeProps::IsLarge(vtkProp* prop, int minimum)
 bool vtkNBufferLargeProps::MayBeDivided(const vtkNBufferCandidate& candidate)
 {
   vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(candidate.GetProp());
-  if (!actor)
+  if (!actor || !actor->GetMapper() || vtkNBufferSharedState::WasMixed(actor->GetMapper()))
   {
     return false;
   }
   // VTK does not know the bounds of instances and splats.
   if (candidate.GetVerdict() == vtkNBufferVerdict::NotAPlainMapper)
   {
-    return !candidate.GetSharesState() &&
-      (vtkNBufferInstanceStream::MayBeDivided(actor) || vtkNBufferSplatStream::MayBeDivided(actor));
+    return vtkNBufferInstanceStream::MayBeDivided(actor) ||
+      vtkNBufferSplatStream::MayBeDivided(actor);
   }
   // Translucent composite data may have opaque blocks.
   return candidate.HasPlacement() && HasUnits(actor->GetMapper()) &&

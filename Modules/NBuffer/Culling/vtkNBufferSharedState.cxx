@@ -7,6 +7,8 @@
 
 #include "vtkActor.h"
 #include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkLookupTable.h"
 #include "vtkMapper.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -21,6 +23,8 @@
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
+vtkInformationKeyMacro(vtkNBufferSharedState, WAS_MIXED, Integer);
+
 namespace
 {
 void Combine(std::size_t& hash, std::size_t value)
@@ -154,5 +158,15 @@ bool vtkNBufferSharedState::HasMixed() const
 {
   return std::any_of(this->Uncommon.begin(), this->Uncommon.end(),
     [](const auto& entry) { return entry.second.IsMixed; });
+}
+
+void vtkNBufferSharedState::MarkAsMixed(vtkMapper* mapper)
+{
+  mapper->GetInformation()->Set(WAS_MIXED(), 1);
+}
+
+bool vtkNBufferSharedState::WasMixed(vtkMapper* mapper)
+{
+  return mapper->GetInformation()->Has(WAS_MIXED()) != 0;
 }
 VTK_ABI_NAMESPACE_END

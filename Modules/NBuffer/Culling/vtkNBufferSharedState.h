@@ -26,6 +26,8 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
+class vtkInformationIntegerKey;
+class vtkMapper;
 
 class VTKNBUFFER_EXPORT vtkNBufferSharedState
 {
@@ -61,7 +63,17 @@ public:
   /// Whether any object is used in several ways.
   bool HasMixed() const;
 
+  ///@{
+  /// Mark the mapper of an actor whose uses are mixed. The mark stays when the other actor is
+  /// hidden or uses the object in the same way: VTK goes on with the shaders that the mapper has
+  /// made, and must not be given a reason to make them anew, which a vtkNBufferDrawPass is.
+  static void MarkAsMixed(vtkMapper* mapper);
+  static bool WasMixed(vtkMapper* mapper);
+  ///@}
+
 private:
+  static vtkInformationIntegerKey* WAS_MIXED(); ///< In the information of a marked mapper.
+
   struct Entry
   {
     std::size_t Way;
