@@ -40,6 +40,10 @@
 // indices.
 #define VTKNBUFFER_HAS_BATCHED_MAPPER (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 4)
 
+// The geometry shader of surfaces with visible edges leaves their triangles as they are. Older
+// versions widen each triangle by half of the width of the edges.
+#define VTKNBUFFER_EDGES_KEEP_TRIANGLES (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 4)
+
 // vtkAlgorithm::ABORTED(): a filter whose last run did not come to its end.
 #define VTKNBUFFER_HAS_ABORTED_FILTERS (VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 3)
 

@@ -264,7 +264,13 @@ void BuildScraps(Writer& writer)
         { writer.Between(5.0, 9.0), writer.Between(5.0, 9.0), writer.Any({ 0.0, 1.0, 2.0 }) });
     mesh.Shape.Detail = writer.Integer(10, 64);
     mesh.Shape.Seed = writer.Integer(0, 1000);
-    // Not drawn, so that the rest of a scenario stays what it was for its seed.
+    // What follows takes no more random numbers: the rest of a scenario stays what it was.
+    mesh.Edges = mesh.Shape.Seed % 5 == 0;
+    mesh.LineWidth = mesh.Edges ? 2.0 : mesh.LineWidth;
+    if (mesh.Shape.Seed % 4 == 2)
+    {
+      mesh.Shape.Kind = ShapeKind::Ribbons;
+    }
     if (mesh.Shape.Seed % 4 == 1)
     {
       mesh.Kind = PropKind::Splats;

@@ -49,6 +49,9 @@ MUTANTS = {
         (CANDIDATE, "this->Box.Margin = vtkNBufferSurface::GetMargin(actor);",
          "this->Box.Margin = 0.0;")],
 
+    "offsets that visible edges switch on are ignored": [
+        (SURFACE, "!(isOff && actor->GetProperty()->GetEdgeVisibility()))", "isOff)")],
+
     # The hierarchy over the props.
     "hierarchy of boxes that lack their upper parts": [
         (HIERARCHY, "this->High = glm::max(this->High, high);",

@@ -359,7 +359,8 @@ const LargeProps::Change Changes[] = {
       stage.GetActor(0)->SetPosition(2.0, 1.0, 0.3);
       stage.GetActor(0)->RotateX(4.0);
     } },
-  { "Edges", [](Stage& stage) { stage.GetActor(0)->GetProperty()->EdgeVisibilityOn(); }, false },
+  { "Edges", [](Stage& stage) { stage.GetActor(0)->GetProperty()->EdgeVisibilityOn(); },
+    VTKNBUFFER_EDGES_KEEP_TRIANGLES },
   { "Selection",
     [](Stage& stage)
     {

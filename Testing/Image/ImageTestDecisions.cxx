@@ -132,7 +132,7 @@ TEST(CullerDecisions, AllAreHiddenByOtherProps)
     [](Stage& stage)
     {
       const int wall = Scenes::AddBox(stage, 0.0, 0.0, 0.0, 60.0, 60.0, 0.5);
-      stage.GetActor(wall)->GetProperty()->EdgeVisibilityOn(); // no candidate
+      stage.GetActor(wall)->GetProperty()->VertexVisibilityOn(); // no candidate
       for (int i = 0; i < 60; ++i)
       {
         Scenes::AddBox(stage, i % 10 - 5.0, i / 10 - 3.0, -4.0, 0.5, 0.5, 0.5);

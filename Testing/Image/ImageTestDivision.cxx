@@ -31,6 +31,8 @@ using LargeProps::Walk;
 
 namespace
 {
+const double White[3] = { 1.0, 1.0, 1.0 };
+
 /// Houses on a ground, all of them one mesh, with a color at each point.
 vtkSmartPointer<vtkPolyData> MakeCity(int count)
 {
@@ -69,6 +71,30 @@ vtkSmartPointer<vtkPolyData> Shuffle(vtkPolyData* data)
   result->ShallowCopy(data);
   result->SetPolys(cells);
   return result;
+}
+
+/// The same quads, each of them as a strip.
+vtkSmartPointer<vtkPolyData> MakeStrips(vtkPolyData* data)
+{
+  vtkNew<vtkCellArray> strips;
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    vtkIdList* quad = data->GetCell(i)->GetPointIds();
+    strips->InsertNextCell({ quad->GetId(0), quad->GetId(1), quad->GetId(3), quad->GetId(2) });
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->ShallowCopy(data);
+  result->SetPolys(nullptr);
+  result->SetStrips(strips);
+  return result;
+}
+
+/// Adds a city with visible edges of a few pixels.
+void AddCityWithEdges(Stage& stage, vtkPolyData* city)
+{
+  stage.AddActor(city, White);
+  stage.GetActor(0)->GetProperty()->EdgeVisibilityOn();
+  stage.GetActor(0)->GetProperty()->SetLineWidth(3.0F);
 }
 
 /// Each point of the mesh as a vertex.
@@ -126,8 +152,6 @@ vtkSmartPointer<vtkPolyData> MakeBumps()
   return TestScene::MakeShape(shape);
 }
 
-const double White[3] = { 1.0, 1.0, 1.0 };
-
 /// A city that is translucent, between two walls that are not.
 void AddTranslucentCity(Stage& stage, vtkPolyData* city)
 {
@@ -178,6 +202,14 @@ const LargeProps::Case Cases[] = {
       stage.AddActor(MakeBumps(), White);
       AddWalls(stage);
     } },
+  { "Strips", [](Stage& stage) { stage.AddActor(MakeStrips(MakeCity(14)), White); } },
+  { "StripsWithCellColors",
+    [](Stage& stage) { stage.AddActor(ColorCells(MakeStrips(MakeCity(14))), White); } },
+#if VTKNBUFFER_EDGES_KEEP_TRIANGLES
+  { "Edges", [](Stage& stage) { AddCityWithEdges(stage, MakeCity(14)); } },
+  { "EdgesShuffled", [](Stage& stage) { AddCityWithEdges(stage, Shuffle(MakeCity(14))); } },
+  { "EdgesOfStrips", [](Stage& stage) { AddCityWithEdges(stage, MakeStrips(MakeCity(14))); } },
+#endif
   { "Points",
     [](Stage& stage)
     {
@@ -401,7 +433,8 @@ const LargeProps::Change Changes[] = {
     } },
   { "Wireframe",
     [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetRepresentationToWireframe(); }, false },
-  { "Edges", [](Stage& stage) { stage.GetActor(0)->GetProperty()->EdgeVisibilityOn(); }, false },
+  { "Edges", [](Stage& stage) { stage.GetActor(0)->GetProperty()->EdgeVisibilityOn(); },
+    VTKNBUFFER_EDGES_KEEP_TRIANGLES },
   { "Lines",
     [](Stage& stage)
     {

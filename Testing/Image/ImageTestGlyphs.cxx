@@ -308,7 +308,8 @@ const LargeProps::Change Changes[] = {
     false },
   { "Wireframe",
     [](Stage& stage) { stage.GetActor(0)->GetProperty()->SetRepresentationToWireframe(); }, false },
-  { "Edges", [](Stage& stage) { stage.GetActor(0)->GetProperty()->EdgeVisibilityOn(); }, false },
+  { "Edges", [](Stage& stage) { stage.GetActor(0)->GetProperty()->EdgeVisibilityOn(); },
+    VTKNBUFFER_EDGES_KEEP_TRIANGLES },
   { "Lines",
     [](Stage& stage)
     {

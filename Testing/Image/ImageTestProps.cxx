@@ -226,7 +226,8 @@ const Kind Kinds[] = {
     Verdict::NotASurface },
   { "Points", As([](Prop& p) { p.Representation = Representation::Points; }),
     Verdict::NotASurface },
-  { "EdgeVisibility", As([](Prop& p) { p.Edges = true; }), Verdict::NotASurface },
+  { "EdgeVisibility", As([](Prop& p) { p.Edges = true; }),
+    VTKNBUFFER_EDGES_KEEP_TRIANGLES ? Verdict::Hidden : Verdict::NotASurface },
   { "VertexVisibility", As([](Prop& p) { p.Vertices = true; }), Verdict::NotASurface },
   { "SpheresForPoints",
     As(

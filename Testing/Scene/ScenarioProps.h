@@ -37,12 +37,13 @@ enum class ShapeKind
   Cylinder, ///< VTK's cylinder along y with `Detail` sides.
   Cone,     ///< VTK's cone along x with `Detail` sides.
   Tiles,    ///< An upright rectangle of `Detail` x `Detail` quads that share their points.
-  Scraps, ///< `Detail` upright quads that overlap in three planes, shaded by normals of their own.
-  Mesh    ///< `Points` and `Polygons` as they are, moved to `Center` and scaled by `Size`.
+  Scraps,  ///< `Detail` upright quads that overlap in three planes, shaded by normals of their own.
+  Ribbons, ///< The same quads, each of them a strip.
+  Mesh     ///< `Points` and `Polygons` as they are, moved to `Center` and scaled by `Size`.
 };
 NBUFFER_SCENE_NAMES(ShapeKind, "Box", "Sphere", "Quad", "Grating", "Lattice", "Terrain", "Soup",
   "Lines", "Points", "Book", "Strip", "Stack", "Empty", "NaNPoint", "SharedBox", "Globe",
-  "Cylinder", "Cone", "Tiles", "Scraps", "Mesh");
+  "Cylinder", "Cone", "Tiles", "Scraps", "Ribbons", "Mesh");
 
 /// A mesh that fills the box of the size `Size` around `Center`.
 struct Shape

@@ -247,7 +247,7 @@ void AddTiles(Builder& builder, int detail)
   }
 }
 
-void AddScraps(Builder& builder, int detail, NBufferExamples::Random& random)
+void AddScraps(Builder& builder, int detail, bool asStrips, NBufferExamples::Random& random)
 {
   for (int i = 0; i < detail; ++i)
   {
@@ -262,7 +262,14 @@ void AddScraps(Builder& builder, int detail, NBufferExamples::Random& random)
     builder.Point(x + width, y, z, normal);
     builder.Point(x + width, y + height, z, normal);
     builder.Point(x, y + height, z, normal);
-    builder.Polygon({ first, first + 1, first + 2, first + 3 });
+    if (asStrips)
+    {
+      builder.Strips->InsertNextCell({ first, first + 1, first + 3, first + 2 });
+    }
+    else
+    {
+      builder.Polygon({ first, first + 1, first + 2, first + 3 });
+    }
   }
 }
 
@@ -415,7 +422,8 @@ void AddCells(Builder& builder, const Shape& shape, int detail)
       AddTiles(builder, detail);
       break;
     case ShapeKind::Scraps:
-      AddScraps(builder, detail, random);
+    case ShapeKind::Ribbons:
+      AddScraps(builder, detail, shape.Kind == ShapeKind::Ribbons, random);
       break;
     case ShapeKind::Mesh:
       AddMesh(builder, shape);

@@ -64,7 +64,8 @@ inline vtkShaderProperty* const& GetShaderProperty(const vtkProp* prop)
 
 /**
  * The stream (index buffer, program and vertex array) that a mapper is about to draw, while it sets
- * the parameters of its shader; nullptr unless the mapper draws only triangles or only points.
+ * the parameters of its shader; nullptr unless the mapper draws only the triangles of polygons, only
+ * those of strips, or only points.
  */
 inline vtkOpenGLHelper* GetOnlyStream(vtkOpenGLPolyDataMapper* mapper)
 {
@@ -75,7 +76,8 @@ inline vtkOpenGLHelper* GetOnlyStream(vtkOpenGLPolyDataMapper* mapper)
       vtkOpenGLHelper* stream = mapper->*&Access::LastBoundBO;
       vtkOpenGLHelper* streams = mapper->*&Access::Primitives;
       vtkOpenGLHelper* selected = mapper->*&Access::SelectionPrimitives;
-      const bool isKnown = stream == streams + PrimitiveTris || stream == streams + PrimitivePoints;
+      const bool isKnown = stream == streams + PrimitiveTris ||
+        stream == streams + PrimitiveTriStrips || stream == streams + PrimitivePoints;
       bool isOnly = isKnown && !(mapper->*&Access::PointPicking);
       for (int i = PrimitiveStart; i <= PrimitiveTriStrips; ++i)
       {

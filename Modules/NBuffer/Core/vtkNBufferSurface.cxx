@@ -237,8 +237,9 @@ bool vtkNBufferSurface::HasReplacedShaders(vtkActor* actor)
 
 bool vtkNBufferSurface::DrawsAsSurface(vtkProperty* property, bool linesOrPoints)
 {
-  return property->GetRepresentation() == VTK_SURFACE && !property->GetEdgeVisibility() &&
-    !property->GetVertexVisibility() &&
+  const bool mayHaveEdges = VTKNBUFFER_EDGES_KEEP_TRIANGLES && !linesOrPoints;
+  return property->GetRepresentation() == VTK_SURFACE &&
+    (mayHaveEdges || !property->GetEdgeVisibility()) && !property->GetVertexVisibility() &&
     !(linesOrPoints && (property->GetRenderPointsAsSpheres() || property->GetRenderLinesAsTubes()));
 }
 
@@ -307,16 +308,19 @@ bool vtkNBufferSurface::DrawsLines(vtkMapper* mapper)
   return data ? HasLineCells(data) : HasLines(input, false);
 }
 
-bool vtkNBufferSurface::HasOffsetTowardsEye(vtkMapper* mapper, bool linesOrPoints)
+bool vtkNBufferSurface::HasOffsetTowardsEye(vtkActor* actor, bool linesOrPoints)
 {
   // Without global resolution only visible edges switch the mapper's parameters on.
-  if (vtkMapper::GetResolveCoincidentTopology() != VTK_RESOLVE_POLYGON_OFFSET)
+  const int resolution = vtkMapper::GetResolveCoincidentTopology();
+  const bool isOff = resolution == VTK_RESOLVE_OFF;
+  if (resolution != VTK_RESOLVE_POLYGON_OFFSET &&
+    !(isOff && actor->GetProperty()->GetEdgeVisibility()))
   {
-    return vtkMapper::GetResolveCoincidentTopology() != VTK_RESOLVE_OFF;
+    return !isOff;
   }
   double factor = 0.0;
   double units = 0.0;
-  mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
+  actor->GetMapper()->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
   // With parameters, VTK's fragment shader writes the depth at the middle of the pixel. With
   // multisampling the middle may lie outside of the triangle, by half a pixel's diagonal at most,
   // and so nearer to the eye by less than the slope. A factor of 1 makes up for that.

@@ -60,9 +60,9 @@ public:
   /// Whether the user has replaced parts of the actor's shaders, which may then draw anything.
   static bool HasReplacedShaders(vtkActor* actor);
 
-  /// Whether an actor with this property draws filled polygons without edges, vertices, spheres or
-  /// tubes. Spheres and tubes count only if `linesOrPoints`, which says whether the data has such
-  /// cells.
+  /// Whether an actor with this property draws its filled polygons and nothing outside of them:
+  /// no vertices, and no spheres or tubes if `linesOrPoints`, which says whether the data has such
+  /// cells. Visible edges are drawn inside of polygons (VTKNBUFFER_EDGES_KEEP_TRIANGLES).
   static bool DrawsAsSurface(vtkProperty* property, bool linesOrPoints);
 
   /// Whether the actor is placed by a device or in the physical world, not in world coordinates.
@@ -96,11 +96,11 @@ public:
   static double GetLightingMargin(vtkActor* actor);
 
   /**
-   * Whether the polygon offset of a plain mapper may give a sample a depth nearer to the eye than
+   * Whether the polygon offset of an actor with a plain mapper may give a sample a depth nearer to the eye than
    * its surface. `linesOrPoints`: whether it draws such cells. This depends on
    * vtkNBufferPropWatch::GetGlobalState().
    */
-  static bool HasOffsetTowardsEye(vtkMapper* mapper, bool linesOrPoints);
+  static bool HasOffsetTowardsEye(vtkActor* actor, bool linesOrPoints);
 
   /**
    * The coordinates in the vertex buffers of a plain mapper. VTK may shift and scale vertices

@@ -121,7 +121,7 @@ vtkNBufferVerdict vtkNBufferCandidate::Classify(vtkActor* actor, vtkNBufferVerdi
   {
     return vtkNBufferVerdict::ShaderReplaced;
   }
-  if (vtkNBufferSurface::HasOffsetTowardsEye(mapper, linesOrPoints))
+  if (vtkNBufferSurface::HasOffsetTowardsEye(actor, linesOrPoints))
   {
     return vtkNBufferVerdict::DepthOffset;
   }

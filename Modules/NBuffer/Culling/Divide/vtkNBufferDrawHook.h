@@ -15,7 +15,7 @@
  * If a mesh has scalars or normals of cells, the shader needs the number of each primitive. Ranges
  * of the mapper's own index buffer are then drawn instead.
  *
- * A prop is drawn whole while it changes; if it has strips or lines as well as triangles; if its
+ * A prop is drawn whole while it changes; if it has strips or lines as well as polygons; if its
  * mapper is neither vtkPolyDataMapper nor vtkDataSetMapper nor vtkGlyph3DMapper nor
  * vtkPointGaussianMapper (vtkNBufferSplatStream) nor a mapper of composite data; and for some
  * frames if next to none of its units is hidden.

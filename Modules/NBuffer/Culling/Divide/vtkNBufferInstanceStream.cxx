@@ -93,7 +93,7 @@ bool vtkNBufferInstanceStream::MayBeDivided(vtkActor* actor)
   return mapper && !mapper->GetMasking() && !vtkNBufferSurface::HasOtherCoordinates(actor) &&
     vtkNBufferSurface::DrawsAsSurface(actor->GetProperty(), false) &&
     !vtkNBufferSurface::HasReplacedShaders(actor) &&
-    !vtkNBufferSurface::HasOffsetTowardsEye(mapper, false) &&
+    !vtkNBufferSurface::HasOffsetTowardsEye(actor, false) &&
     !actor->HasTranslucentPolygonalGeometry() && actor->HasOpaqueGeometry();
 }
 

@@ -77,7 +77,7 @@ bool vtkNBufferSplatStream::MayBeDivided(vtkActor* actor)
   auto* mapper = static_cast<vtkPointGaussianMapper*>(actor->GetMapper());
   return mapper->GetScaleFactor() == 0.0 && !Blends(actor) &&
     !vtkNBufferSurface::HasOtherCoordinates(actor) &&
-    !vtkNBufferSurface::HasOffsetTowardsEye(mapper, true) &&
+    !vtkNBufferSurface::HasOffsetTowardsEye(actor, true) &&
     vtkNBufferSurface::DrawsAsSurface(actor->GetProperty(), true) &&
     !vtkNBufferSurface::HasReplacedShaders(actor) && !actor->HasTranslucentPolygonalGeometry() &&
     actor->HasOpaqueGeometry();
