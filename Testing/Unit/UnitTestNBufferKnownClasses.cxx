@@ -88,12 +88,12 @@ TEST(NBufferKnownClasses, AMapperIsOfTheKindOfItsBase)
 TEST(NBufferKnownClasses, AnActorAndAPassAreKnownByName)
 {
   vtkNew<OwnFollower> follower;
-  EXPECT_EQ(vtkNBufferSurface::GetPlainActor(follower), nullptr);
+  EXPECT_EQ(vtkNBufferKnownClasses::GetPlainActor(follower), nullptr);
   vtkNBufferCuller::AddKnownActor("OwnFollower");
-  EXPECT_EQ(vtkNBufferSurface::GetPlainActor(follower), follower);
-  EXPECT_EQ(vtkNBufferSurface::GetPlainActor(vtkNew<vtkFollower>()), nullptr);
+  EXPECT_EQ(vtkNBufferKnownClasses::GetPlainActor(follower), follower);
+  EXPECT_EQ(vtkNBufferKnownClasses::GetPlainActor(vtkNew<vtkFollower>()), nullptr);
   vtkNBufferCuller::AddKnownActor("OwnVolume");
-  EXPECT_EQ(vtkNBufferSurface::GetPlainActor(vtkNew<OwnVolume>()), nullptr) << "it is no actor";
+  EXPECT_EQ(vtkNBufferKnownClasses::GetPlainActor(vtkNew<OwnVolume>()), nullptr) << "it is no actor";
 
   EXPECT_TRUE(vtkNBufferKnownClasses::IsKnown(vtkNew<vtkFramebufferPass>()));
   vtkNew<OwnCameraPass> pass;

@@ -4,6 +4,7 @@
 #include "CompositeMapper.h"
 #include "PrintVectors.h"
 
+#include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferMeshes.h"
 #include "vtkNBufferSurface.h"
 
@@ -67,8 +68,8 @@ protected:
 
 TEST_F(NBufferSurface, SubclassesMayDrawAnythingButCast)
 {
-  EXPECT_EQ(vtkNBufferSurface::GetPlainActor(this->Actor), this->Actor);
-  EXPECT_EQ(vtkNBufferSurface::GetPlainActor(vtkNew<vtkFollower>()), nullptr);
+  EXPECT_EQ(vtkNBufferKnownClasses::GetPlainActor(this->Actor), this->Actor);
+  EXPECT_EQ(vtkNBufferKnownClasses::GetPlainActor(vtkNew<vtkFollower>()), nullptr);
 
   EXPECT_TRUE(vtkNBufferSurface::IsPlain(vtkNew<vtkOpenGLPolyDataMapper>()));
   EXPECT_TRUE(vtkNBufferSurface::IsPlain(vtkNew<vtkDataSetMapper>()));

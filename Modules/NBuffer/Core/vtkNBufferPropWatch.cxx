@@ -143,7 +143,7 @@ void vtkNBufferPropWatch::Track(vtkProp* prop, bool withBlocks)
   this->Time = 0;
   this->Complete = this->IsSettled = false;
   this->Forget();
-  this->Actor = vtkNBufferSurface::GetPlainActor(prop);
+  this->Actor = vtkNBufferKnownClasses::GetPlainActor(prop);
   this->Mapper = this->Actor ? this->Actor->GetMapper() : nullptr;
   if (!this->Actor)
   {

@@ -64,8 +64,8 @@ inline vtkShaderProperty* const& GetShaderProperty(const vtkProp* prop)
 
 /**
  * The stream (index buffer, program and vertex array) that a mapper is about to draw, while it sets
- * the parameters of its shader; nullptr unless the mapper draws only the triangles of polygons, only
- * those of strips, or only points.
+ * the parameters of its shader; nullptr unless the mapper draws only the triangles of polygons,
+ * only those of strips, or only points.
  */
 inline vtkOpenGLHelper* GetOnlyStream(vtkOpenGLPolyDataMapper* mapper)
 {

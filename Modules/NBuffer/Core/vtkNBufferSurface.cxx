@@ -212,11 +212,6 @@ bool IsShifted(vtkOpenGLPolyDataMapper* mapper, const glm::dvec3& low, const glm
 }
 }
 
-vtkActor* vtkNBufferSurface::GetPlainActor(vtkProp* prop)
-{
-  return vtkNBufferKnownClasses::GetPlainActor(prop);
-}
-
 bool vtkNBufferSurface::IsPlain(vtkMapper* mapper)
 {
   return GetKind(mapper) != Kind::Other;

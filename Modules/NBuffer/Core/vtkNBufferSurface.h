@@ -34,7 +34,6 @@ class vtkGeometryFilter;
 class vtkMapper;
 class vtkMatrix4x4;
 class vtkPolyData;
-class vtkProp;
 class vtkProperty;
 
 /// The triangles that VTK's OpenGL mappers draw for a polydata, in model coordinates.
@@ -48,9 +47,6 @@ class VTKNBUFFER_EXPORT vtkNBufferSurface
 {
 public:
   ///@{
-  /// The prop if it is a vtkOpenGLActor or of a subclass that is known, otherwise nullptr.
-  static vtkActor* GetPlainActor(vtkProp* prop);
-
   /// Whether all that a mapper draws in the opaque stage is known to lie within its bounds.
   static bool IsPlain(vtkMapper* mapper);
 
@@ -96,8 +92,8 @@ public:
   static double GetLightingMargin(vtkActor* actor);
 
   /**
-   * Whether the polygon offset of an actor with a plain mapper may give a sample a depth nearer to the eye than
-   * its surface. `linesOrPoints`: whether it draws such cells. This depends on
+   * Whether the polygon offset of an actor with a plain mapper may give a sample a depth nearer to
+   * the eye than its surface. `linesOrPoints`: whether it draws such cells. This depends on
    * vtkNBufferPropWatch::GetGlobalState().
    */
   static bool HasOffsetTowardsEye(vtkActor* actor, bool linesOrPoints);

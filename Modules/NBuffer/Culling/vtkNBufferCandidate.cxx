@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNBufferCandidate.h"
 
+#include "vtkNBufferKnownClasses.h"
 #include "vtkNBufferSplatStream.h"
 #include "vtkNBufferSurface.h"
 
@@ -71,7 +72,7 @@ bool vtkNBufferCandidate::Refresh(bool globalStateChanged)
     return false;
   }
   const vtkNBufferVerdict verdictBefore = this->Verdict;
-  vtkActor* actor = vtkNBufferSurface::GetPlainActor(this->Prop);
+  vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(this->Prop);
   if (!actor)
   {
     // The prop may be a new one, at the address of a plain actor that has been deleted.

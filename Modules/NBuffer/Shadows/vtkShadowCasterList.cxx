@@ -4,6 +4,7 @@
 
 #include "vtkNBufferForEachProp.h"
 #include "vtkNBufferGlyphs.h"
+#include "vtkNBufferKnownClasses.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
@@ -134,7 +135,7 @@ bool vtkShadowCasterList::ReadProp(vtkProp* prop, Member& member)
   member.Meshes.clear();
   member.Skipped.fill(0);
   member.LightingMargin = 0.0;
-  if (vtkActor* actor = vtkNBufferSurface::GetPlainActor(prop))
+  if (vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(prop))
   {
     vtkNBufferSurface::UpdatePipeline(actor);
   }
@@ -158,7 +159,7 @@ void vtkShadowCasterList::AddProp(vtkProp* prop, Member& member)
     return;
   }
   // Plain actors need no paths, which would take more time than all the rest.
-  if (vtkActor* actor = vtkNBufferSurface::GetPlainActor(prop))
+  if (vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(prop))
   {
     this->AddActor(actor, 0, actor->GetMatrix(), member);
     return;
