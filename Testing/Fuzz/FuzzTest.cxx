@@ -490,6 +490,16 @@ TEST_F(FuzzRuns, SharedMappers)
   }
 }
 
+// The edges make the shader number the triangles, so that the prop is read again while nothing else
+// changes.
+TEST_F(FuzzRuns, EdgesOfALargeProp)
+{
+  const Scenario scenario = FromJson(Parse(
+    R"({"changes": [{"frame": 3, "kind": "Edges", "values": [1.0, 0.5, 0.5]}], "frames": 6,
+        "culler": {"minimum_number_of_primitives": 2, "unit_size": 1}, "props": [{}]})"));
+  EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
+}
+
 // The shader that pushes the box behind the wall away writes the depth at the middle of a pixel for
 // samples of a steep face that does not cover the middle.
 TEST_F(FuzzRuns, OffsetsOfMultisampledFaces)

@@ -111,7 +111,7 @@ void vtkNBufferDivision::Update(vtkOpenGLRenderWindow* window, const vtkNBufferS
     }
     const bool hasChanged = std::binary_search(changed.begin(), changed.end(), entry.Place);
     entry.Prop->BeginFrame(hasChanged, window, settings);
-    entry.IsActive = entry.IsActive && !hasChanged;
+    entry.IsActive = entry.IsActive && !hasChanged && entry.Prop->IsReady();
   }
 }
 
