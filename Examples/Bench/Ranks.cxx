@@ -3,13 +3,15 @@
 #include "Ranks.h"
 
 #include "CoverageMask.h"
+#include "Scene.h"
 
 #include "vtkNBufferCuller.h"
 #include "vtkNBufferDepthExchange.h"
 #include "vtkNBufferExchangeMessage.h"
 
+#include "vtkActor.h"
 #include "vtkObjectFactory.h"
-#include "vtkProp.h"
+#include "vtkPropCollection.h"
 
 #include <algorithm>
 
@@ -93,8 +95,38 @@ struct Rank
   vtkNew<vtkNBufferCuller> Culler;
   vtkNew<SimulatedExchange> Exchange;
 
-  int GetDrawn() { return this->Renderer->GetNumberOfPropsRendered(); }
+  /// The props that were drawn, or the units if the mesh is divided.
+  int GetDrawn()
+  {
+    const vtkNBufferStatistics& statistics = this->Culler->GetStatistics(this->Renderer);
+    return statistics.Units > 0 ? statistics.UnitsKept + statistics.UnitsFresh
+                                : this->Renderer->GetNumberOfPropsRendered();
+  }
 };
+
+/// Replaces the props of a renderer by one mesh, which its culler divides at once.
+void MergeProps(Rank& rank)
+{
+  NBufferExamples::Scene part;
+  vtkPropCollection* props = rank.Renderer->GetViewProps();
+  for (int i = 0; i < props->GetNumberOfItems(); ++i)
+  {
+    part.Actors.emplace_back(static_cast<vtkActor*>(props->GetItemAsObject(i)));
+  }
+  if (part.Actors.empty())
+  {
+    return;
+  }
+  part.Merge(false);
+  rank.Renderer->RemoveAllViewProps();
+  rank.Renderer->AddViewProp(part.Actors.front());
+  vtkNBufferTuning tuning = rank.Culler->GetTuning();
+  tuning.MinimumNumberOfPrimitives = 2;
+  tuning.DivideAfter = 0;
+  tuning.DivideInBackground = false;
+  tuning.ReuseWhenStill = false; // A culler does not begin to test units while nothing moves.
+  rank.Culler->SetTuning(tuning);
+}
 
 /// Draws a frame of each rank.
 void DrawRound(Session& session, std::vector<Rank>& ranks)
@@ -109,7 +141,8 @@ void DrawRound(Session& session, std::vector<Rank>& ranks)
 }
 
 RankCounts SimulateRanks(Session& session, const NBufferExamples::CameraPose& pose, int count,
-  const std::vector<int>& rankOf, const std::vector<int>& owners, int tileSize, bool mask)
+  const std::vector<int>& rankOf, const std::vector<int>& owners, int tileSize, bool mask,
+  bool merge)
 {
   session.SetPose(pose);
   vtkRenderer* all = session.GetRenderer();
@@ -139,7 +172,14 @@ RankCounts SimulateRanks(Session& session, const NBufferExamples::CameraPose& po
   {
     ranks[rankOf[i]].Renderer->AddViewProp(props[i]);
   }
-  for (int round = 0; round < 3; ++round)
+  for (Rank& rank : ranks)
+  {
+    if (merge)
+    {
+      MergeProps(rank);
+    }
+  }
+  for (int round = 0; round < (merge ? Rounds : 3); ++round)
   {
     DrawRound(session, ranks);
   }
@@ -168,7 +208,8 @@ RankCounts SimulateRanks(Session& session, const NBufferExamples::CameraPose& po
   for (int owner : owners)
   {
     Rank& rank = ranks[rankOf[owner]];
-    const vtkNBufferVerdict verdict = rank.Culler->GetVerdict(props[owner], rank.Renderer);
+    vtkProp* prop = merge ? rank.Renderer->GetViewProps()->GetLastProp() : props[owner];
+    const vtkNBufferVerdict verdict = rank.Culler->GetVerdict(prop, rank.Renderer);
     result.VisibleHidden += verdict == vtkNBufferVerdict::Hidden ? 1 : 0;
   }
   for (Rank& rank : ranks)

@@ -25,6 +25,7 @@ struct RanksOptions
   std::string Spread = "kd";
   int TileSize = 4;
   bool Mask = false;
+  bool Merge = false;
   std::string JSON;
 };
 
@@ -45,6 +46,7 @@ int RunRanksCommand(RanksOptions& options)
   report["spread"] = options.Spread;
   report["tile"] = options.TileSize;
   report["mask"] = options.Mask;
+  report["merged_ranks"] = options.Merge;
   report["own_a_pixel"] = static_cast<int>(owners.size());
   std::cout << owners.size() << " props own a pixel\n";
   int errors = 0;
@@ -52,7 +54,8 @@ int RunRanksCommand(RanksOptions& options)
   {
     const RankCounts counts = SimulateRanks(session, path.back(), ranks,
       NBufferExamples::SpreadActors(scene, options.Spread, ranks),
-      std::vector<int>(owners.begin(), owners.end()), options.TileSize, options.Mask);
+      std::vector<int>(owners.begin(), owners.end()), options.TileSize, options.Mask,
+      options.Merge);
     Json::Value& entry = report["ranks"][std::to_string(ranks)];
     entry["drawn_local"] = counts.Local;
     entry["drawn_shared"] = counts.Shared;
@@ -61,10 +64,11 @@ int RunRanksCommand(RanksOptions& options)
     entry["bytes"] = static_cast<Json::Int64>(counts.Bytes);
     entry["visible_hidden"] = counts.VisibleHidden;
     errors += counts.VisibleHidden;
-    std::cout << ranks << " ranks: " << counts.Local << " props drawn by their own depth, "
-              << counts.Shared << " by that of all (" << counts.Busiest << " by one rank, "
-              << counts.Idle << " ranks draw none), " << counts.Bytes << " bytes, "
-              << counts.VisibleHidden << " visible props hidden" << std::endl;
+    std::cout << ranks << " ranks: " << counts.Local << (options.Merge ? " units" : " props")
+              << " drawn by their own depth, " << counts.Shared << " by that of all ("
+              << counts.Busiest << " by one rank, " << counts.Idle << " ranks draw none), "
+              << counts.Bytes << " bytes, " << counts.VisibleHidden << " visible props hidden"
+              << std::endl;
   }
   WriteJSON(report, options.JSON);
   return errors == 0 ? Success : ImagesDiffer;
@@ -87,6 +91,8 @@ void AddRanksCommand(CLI::App& app, const std::string& program, Run& run)
     ->check(CLI::IsMember({ 1, 2, 4, 8 }));
   command->add_flag("--mask", options->Mask,
     "Tiles of 4 x 4 pixels with a mask of the nearer ones, which no exchange sends");
+  command->add_flag("--merge-ranks", options->Merge,
+    "The props of each rank are one mesh, of which units are counted");
   command->add_option("--json", options->JSON, "File for the figures");
   command->callback([options, &run]() { run = [options]() { return RunRanksCommand(*options); }; });
 }

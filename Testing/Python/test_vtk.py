@@ -91,6 +91,15 @@ def test_settings_are_set_by_the_names_that_are_listed(target):
     assert vtknbuffer.get_settings(target) == settings
 
 
+def test_every_property_of_the_culler_is_a_setting():
+    culler = vtknbuffer.vtkNBufferCuller()
+    own = set(dir(culler)) - set(dir(rendering.vtkCuller))
+    names = {name[3:] for name in own if name.startswith("Set") and f"Get{name[3:]}" in own}
+    settings = vtknbuffer.get_settings(culler)
+    assert {vtknbuffer._snake_case(name) for name in names - {"Tuning", "DepthExchange"}} \
+        <= set(settings)
+
+
 @pytest.mark.parametrize("settings, error, text", [
     ({"round_sise": 1}, TypeError, "no setting round_sise; there are enabled"),
     ({"round_size": 0}, ValueError, "RoundSize must be 1 to"),
@@ -98,7 +107,8 @@ def test_settings_are_set_by_the_names_that_are_listed(target):
     ({"round_size": 1.5}, ValueError, "whole number"),
     ({"back_off": 2}, ValueError, "0 or 1"),
     ({"backend": "gpu"}, ValueError, "one of auto, opengl, cpu"),
-    ({"test_slivers": 3}, ValueError, "one of never, on_software, always"),
+    ({"backend": 3}, ValueError, "one of auto, opengl, cpu"),
+    ({"test_slivers": "never"}, ValueError, "True or False"),
 ])
 def test_wrong_settings_are_refused_and_change_nothing(settings, error, text):
     culler = vtknbuffer.vtkNBufferCuller()

@@ -71,7 +71,7 @@ vtkNBufferDepthTest::vtkNBufferDepthTest(vtkNBufferBackend& backend, vtkNBufferL
 
 vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
   const vtkNBufferDepthSource& source, std::initializer_list<const std::vector<int>*> places,
-  int levels, std::string& why)
+  int levels, const std::function<int()>& countHiddenUnits, std::string& why)
 {
   this->Window = window;
   this->Source = source;
@@ -104,13 +104,14 @@ vtkNBufferDecision vtkNBufferDepthTest::Build(vtkOpenGLRenderWindow* window,
   if (failure == vtkNBufferDecision::None && isShared)
   {
     this->Settings.Shared->GetReport().Step = source.GetStep();
-    const int hidden = isTrial ? this->CountHidden(places) : 0;
+    const int hidden = isTrial ? this->CountHidden(places) + countHiddenUnits() : 0;
     this->Backend.Merge([this](vtkNBufferLevels& base)
       { return this->Settings.Shared->Merge(base); },
       this->GetJob(levels));
     if (isTrial)
     {
-      this->Settings.Shared->SetGain(std::max(this->CountHidden(places) - hidden, 0));
+      this->Settings.Shared->SetGain(
+        std::max(this->CountHidden(places) + countHiddenUnits() - hidden, 0));
     }
   }
   return failure;

@@ -28,6 +28,7 @@
 #include "vtkNBufferStatistics.h"
 #include "vtkNBufferTuning.h"
 
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <string>
@@ -72,18 +73,20 @@ public:
   /**
    * Build the levels that the candidates in all lists of `places` need, and at least `levels` of
    * them, from the depth of the framebuffer that is bound for drawing, which `source` describes.
-   * Returns None, or a failure with its cause and remedy in `why`, as vtkNBufferBackend::Build()
-   * does.
+   * `countHiddenUnits` says how many units of large props the levels hide. It is only called in a
+   * trial (vtkNBufferExchangePlan). Returns None, or a failure with its cause and remedy in `why`,
+   * as vtkNBufferBackend::Build() does.
    */
   vtkNBufferDecision Build(vtkOpenGLRenderWindow* window, const vtkNBufferDepthSource& source,
-    std::initializer_list<const std::vector<int>*> places, int levels, std::string& why);
+    std::initializer_list<const std::vector<int>*> places, int levels,
+    const std::function<int()>& countHiddenUnits, std::string& why);
 
   /// The depth that units are compared with. It is valid after Build() until something is drawn.
   vtkNBufferDividedProp::Depth GetDepthOfUnits();
 
-  /// Report to the other ranks the number of candidates in the frustum, and how many of them are
-  /// held back in a new view (0 if the view is not new). To be called before the first Build() of a
-  /// frame.
+  /// Report to the other ranks the number of candidates and units in the frustum, and how many of
+  /// the candidates are held back in a new view (0 if the view is not new). To be called before the
+  /// first Build() of a frame.
   void SetCounts(int candidates, int newProps);
 
   /// Remove the places of hidden candidates from `places`. Returns how many candidates the levels

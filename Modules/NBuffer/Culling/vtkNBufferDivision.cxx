@@ -178,6 +178,23 @@ bool vtkNBufferDivision::HoldsUnits() const
     });
 }
 
+int vtkNBufferDivision::CountInView() const
+{
+  return std::accumulate(this->Entries.begin(), this->Entries.end(), 0,
+    [](int count, const Entry& entry)
+    {
+      const vtkNBufferDividedProp::Counts& units = entry.Prop->GetCounts();
+      return entry.IsActive ? count + units.Units - units.Outside : count;
+    });
+}
+
+int vtkNBufferDivision::CountHidden(const vtkNBufferLevels& levels) const
+{
+  return std::accumulate(this->Entries.begin(), this->Entries.end(), 0,
+    [&levels](int count, const Entry& entry)
+    { return entry.IsActive ? count + entry.Prop->CountHidden(entry.Projection, levels) : count; });
+}
+
 void vtkNBufferDivision::MarkOutside()
 {
   for (Entry& entry : this->Entries)

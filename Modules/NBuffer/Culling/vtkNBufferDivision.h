@@ -65,6 +65,13 @@ public:
   /// Whether any unit is held back while its prop is not.
   bool HoldsUnits() const;
 
+  ///@{
+  /// The number of units in the frustum, and how many of them are behind what the levels hold.
+  /// (Units of translucent props are left out.)
+  int CountInView() const;
+  int CountHidden(const vtkNBufferLevels& levels) const;
+  ///@}
+
   /// Give the verdict Outside to props that are not held back and have no unit in the frustum.
   void MarkOutside();
 

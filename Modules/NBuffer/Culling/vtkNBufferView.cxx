@@ -49,8 +49,6 @@ double vtkNBufferView::Cull(vtkRenderer* renderer, vtkProp** props, int& count, 
   const Phase before = this->State;
   const bool complete = before == Phase::Tested || before == Phase::Reused;
   this->Settings = settings;
-  // Ranks report whole props to each other, so that props are not divided here.
-  this->Settings.DivideProps = settings.DivideProps && !settings.Shared;
   this->ResetStatistics();
   this->Statistics.Props = count;
   this->Partition.Clear();
@@ -315,7 +313,8 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
   const bool isNew = this->Partition.IsNew(this->Settings.Shared != nullptr);
   vtkNBufferDepthTest test(
     *this->Backend, this->Levels, this->Projection, this->Props, this->Statistics, this->Settings);
-  test.SetCounts(this->Partition.GetSize(), isNew ? static_cast<int>(left.size()) : 0);
+  test.SetCounts(this->Partition.GetSize() + this->Division.CountInView(),
+    isNew ? static_cast<int>(left.size()) : 0);
   if (isNew)
   {
     drawOccluders(first);
@@ -327,11 +326,13 @@ bool vtkNBufferView::DrawRounds(vtkRenderer* renderer, int& drawn)
         { 0, 0, this->Projection.GetWidth() / 2, this->Projection.GetHeight() / 2 },
         this->Settings.BaseFactor);
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  const auto countHiddenUnits = [this]() { return this->Division.CountHidden(this->Levels); };
   for (;;)
   {
     std::string why;
     const vtkNBufferDecision failure = test.Build(window, this->Tested,
-      { &this->Partition.GetKept(), &left, &this->Partition.GetTranslucent() }, levels, why);
+      { &this->Partition.GetKept(), &left, &this->Partition.GetTranslucent() }, levels,
+      countHiddenUnits, why);
     if (failure != vtkNBufferDecision::None)
     {
       this->Fail(renderer, failure, why);

@@ -116,6 +116,10 @@ public:
     return this->Culling.MakeBox(bounds);
   }
   const Counts& GetCounts() const { return this->Culling.GetCounts(); }
+  int CountHidden(const vtkNBufferProjection& projection, const vtkNBufferLevels& levels) const
+  {
+    return this->Culling.CountHidden(projection, levels);
+  }
 
   /**
    * Whether the units are blocks of composite data that have changed. In this case the prop has to

@@ -238,6 +238,22 @@ void vtkNBufferUnitCulling::TestNode(std::size_t level, std::size_t n, Tests& te
   }
 }
 
+int vtkNBufferUnitCulling::CountHidden(
+  const vtkNBufferProjection& projection, const vtkNBufferLevels& levels) const
+{
+  vtkNBufferOcclusionTest test(levels);
+  int count = 0;
+  for (std::size_t i = 0; i < this->Units.GetSize(); ++i)
+  {
+    vtkNBufferScreenBox screen;
+    count += !(this->Marks[i] & Outside) &&
+      projection.Project(this->MakeBox(this->Units.GetLevels()[0][i]), screen) ==
+        vtkNBufferPlacement::Inside &&
+      test.IsHidden(screen);
+  }
+  return count;
+}
+
 void vtkNBufferUnitCulling::AddFreshToDrawn()
 {
   std::transform(this->FreshUnits.begin(), this->FreshUnits.end(), this->DrawnUnits.begin(),

@@ -68,6 +68,9 @@ public:
   /// number.
   int Test(const vtkNBufferProjection& projection, const Depth& depth);
 
+  /// How many units in the frustum are behind what the levels hold. Changes nothing.
+  int CountHidden(const vtkNBufferProjection& projection, const vtkNBufferLevels& levels) const;
+
   /// Let the fresh units count as drawn.
   void AddFreshToDrawn();
 

@@ -42,7 +42,8 @@ _PROPERTIES = {
         "enabled": None,
         "freeze": None,
         "backend": ("auto", "opengl", "cpu"),
-        "test_slivers": ("never", "on_software", "always"),
+        "test_slivers": None,
+        "divide_props": None,
     },
     vtkShadowVolumeClampPass: {
         "mode": ("unclamped", "culled", "scissored", "clamped", "automatic"),
@@ -61,6 +62,8 @@ def _snake_case(name):
 def _property_value(name, names, value):
     """Return the number that the C++ setter takes, or raise ValueError."""
     if names is None:
+        if value not in (False, True):
+            raise ValueError(f"{name} must be True or False, not {value!r}")
         return bool(value)
     if isinstance(value, str) and value.lower() in names:
         return names.index(value.lower())
@@ -84,7 +87,7 @@ def configure(target, **settings):
     """Change settings of a culler or a shadow pass.
 
     The names are those of the C++ setters and of the tuning in lower case, such as
-    ``test_slivers="always"`` or ``round_size=16``; ``get_settings()`` lists them. If a name or a
+    ``test_slivers=True`` or ``round_size=16``; ``get_settings()`` lists them. If a name or a
     value is wrong, TypeError or ValueError is raised, and no setting is changed.
     """
     properties = _properties(target)
