@@ -125,6 +125,9 @@ void MergeProps(Rank& rank)
   tuning.DivideAfter = 0;
   tuning.DivideInBackground = false;
   tuning.ReuseWhenStill = false; // A culler does not begin to test units while nothing moves.
+  // A mesh that is drawn whole would count as one unit.
+  tuning.MinimumNumberOfCandidates = 1;
+  tuning.BackOff = false;
   rank.Culler->SetTuning(tuning);
 }
 
