@@ -49,9 +49,6 @@ MUTANTS = {
         (CANDIDATE, "this->Box.Margin = vtkNBufferSurface::GetMargin(actor);",
          "this->Box.Margin = 0.0;")],
 
-    "offsets that visible edges switch on are ignored": [
-        (SURFACE, "!(isOff && actor->GetProperty()->GetEdgeVisibility()))", "isOff)")],
-
     # The hierarchy over the props.
     "hierarchy of boxes that lack their upper parts": [
         (HIERARCHY, "this->High = glm::max(this->High, high);",
@@ -267,6 +264,8 @@ SHADOW_MUTANTS = {
 # These leave an error in so few frames that ten times as many are granted: other tolerances cover
 # most of what the missing one let through, or the frames that show it are rare.
 RARE = {
+    "offsets that visible edges switch on are ignored": [
+        (SURFACE, "!(isOff && actor->GetProperty()->GetEdgeVisibility()))", "isOff)")],
     "a mapper keeps the list of the blocks that were drawn": [
         ("vtkNBufferBlockStream.cxx", "this->Exchanged->swap(*GetBlockList(this->Changed).Blocks);", "")],
     "equal depths inside of a mesh not found by the device": [
