@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Command.h"
 
+#include "vtkActor.h"
+#include "vtkProperty.h"
 #include "vtkVersion.h"
 
 #include <algorithm>
@@ -20,6 +22,7 @@ void ViewOptions::AddTo(CLI::App& command, const std::string& program)
     ->check(CLI::IsMember({ "polydata", "composite" }));
   command.add_flag("--shuffle", this->Shuffle,
     "The triangles of a scene that is one mesh in a random order, always the same one");
+  command.add_flag("--edges", this->Edges, "All surfaces show their edges");
   command
     .add_option("--points", this->Points,
       "Points of the scenes points-wall and points-terrain; default: 1000000")
@@ -79,6 +82,10 @@ NBufferExamples::Scene ViewOptions::LoadScene() const
   {
     scene.Shuffle();
   }
+  for (const vtkSmartPointer<vtkActor>& actor : scene.Actors)
+  {
+    actor->GetProperty()->SetEdgeVisibility(this->Edges);
+  }
   return scene;
 }
 
@@ -106,6 +113,7 @@ void ViewOptions::Describe(
   report["scene"] = scene.Name;
   report["merged"] = this->Merge;
   report["shuffled"] = this->Shuffle;
+  report["edges"] = this->Edges;
   if (this->Points > 0)
   {
     report["points"] = this->Points;

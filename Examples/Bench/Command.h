@@ -45,6 +45,7 @@ struct ViewOptions
   bool SplitRegions = false; ///< As in NBufferExamples::SceneOptions.
   std::string Merge;         ///< What the scene becomes: "", "polydata" or "composite".
   bool Shuffle = false;      ///< Whether the triangles of the only mesh are shuffled.
+  bool Edges = false;        ///< Whether all surfaces show their edges.
   int Points = 0;            ///< As in NBufferExamples::SceneOptions.
   int Instances = 0;         ///< As in NBufferExamples::SceneOptions.
   int Props = 0;             ///< The scene is copied until it has this many props; 0: not copied.
