@@ -50,7 +50,7 @@ bool vtkNBufferLargeProps::IsLarge(vtkProp* prop, int minimum)
   vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(prop);
   if (actor && vtkNBufferInstanceStream::MayBeDivided(actor))
   {
-    return vtkNBufferInstanceStream::CountTriangles(actor) >= minimum;
+    return vtkNBufferInstanceStream::CountPolygons(actor) >= minimum;
   }
   if (actor && vtkNBufferSplatStream::DrawsSplats(actor))
   {

@@ -97,7 +97,7 @@ bool vtkNBufferInstanceStream::MayBeDivided(vtkActor* actor)
     !actor->HasTranslucentPolygonalGeometry() && actor->HasOpaqueGeometry();
 }
 
-vtkIdType vtkNBufferInstanceStream::CountTriangles(vtkActor* actor)
+vtkIdType vtkNBufferInstanceStream::CountPolygons(vtkActor* actor)
 {
   vtkMapper* mapper = actor->GetMapper();
   const vtkIdType instances =

@@ -56,7 +56,7 @@ public:
   static bool MayBeDivided(vtkActor* actor);
 
   /// The number of polygons in all instances of an actor that may be divided; at most VTK_INT_MAX.
-  static vtkIdType CountTriangles(vtkActor* actor);
+  static vtkIdType CountPolygons(vtkActor* actor);
 
   /// How many instances make a unit, if the triangles of the source have `indices` indices and a
   /// unit of a mesh has `unitSize` triangles.

@@ -9,7 +9,7 @@
  * segment of a directional light comes from infinity.) There are two ways to choose these:
  *
  *      Away: a closed caster,                     All: an open caster,
- *      the light outside                          or the light or the eye inside
+ *      the light outside                          or the light inside, or its inside is seen
  *
  *            light                                      light
  *             v v                                        v v
