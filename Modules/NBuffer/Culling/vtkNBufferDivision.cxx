@@ -45,9 +45,10 @@ void vtkNBufferDivision::FindLarge(const std::vector<int>& places)
 {
   for (const int i : places)
   {
-    auto* actor = vtkActor::SafeDownCast(this->Props.GetProp(i));
+    vtkProp* prop = this->Props.GetProp(i);
     const vtkNBufferCandidate& candidate = this->Props.GetCandidate(i);
     const bool isPlain = candidate.GetVerdict() != vtkNBufferVerdict::NotAPlainActor;
+    auto* actor = isPlain ? static_cast<vtkActor*>(prop) : vtkActor::SafeDownCast(prop);
     if (!actor || this->Find(i) ||
       (isPlain && !vtkNBufferLargeProps::IsLarge(actor, this->Minimum)))
     {
