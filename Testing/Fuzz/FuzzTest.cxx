@@ -481,6 +481,10 @@ TEST_F(FuzzRuns, SharedMappers)
        "props": [{"shape": {"detail": 48, "kind": "Scraps"}},
          {"id": 1, "kind": "Follower", "mapper_of": 0, "representation": "Wireframe"}],
        "views": [{"position": [58.39031072528671, 19.319374522965372, 86.602540378443877]}])",
+    R"("changes": [{"frame": 1, "kind": "Representation", "values": [1.0]}],
+       "props": [{"shape": {"detail": 53, "kind": "Grating", "size": [11.0, 11.0, 0.0]}},
+         {"id": 2, "kind": "Assembly"}, {"id": 3, "mapper_of": 0, "part_of": 2}],
+       "views": [{"position": [6.0, -0.4, -20.0]}])",
   };
   for (const std::string scene : scenes)
   {

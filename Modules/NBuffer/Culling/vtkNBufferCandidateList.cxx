@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_set>
 #include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -202,13 +203,19 @@ void vtkNBufferCandidateList::FindSharedState()
       (state.*add)(uses);
     }
   }
+  std::unordered_set<const void*> mappersOfParts;
+  for (const vtkNBufferSharedState::Uses& uses : this->PartUses)
+  {
+    mappersOfParts.insert(uses.front().Object);
+  }
   for (std::size_t i = 0; i < this->Candidates.GetSize(); ++i)
   {
     vtkNBufferCandidate& candidate = this->Candidates[i];
     candidate.SetSharesState(state.IsMixed(candidate.GetUses()));
-    if (candidate.GetSharesState())
+    const void* mapper = candidate.GetUses().front().Object;
+    if (mapper && (candidate.GetSharesState() || mappersOfParts.count(mapper) > 0))
     {
-      vtkNBufferSharedState::MarkAsMixed(static_cast<vtkActor*>(candidate.GetProp())->GetMapper());
+      vtkNBufferSharedState::KeepWhole(static_cast<vtkActor*>(candidate.GetProp())->GetMapper());
     }
     if (std::exchange(this->States[i].OwnVerdict, candidate.GetVerdict()) != candidate.GetVerdict())
     {

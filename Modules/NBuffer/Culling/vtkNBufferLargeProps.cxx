@@ -69,7 +69,7 @@ bool vtkNBufferLargeProps::IsLarge(vtkProp* prop, int minimum)
 bool vtkNBufferLargeProps::MayBeDivided(const vtkNBufferCandidate& candidate)
 {
   vtkActor* actor = vtkNBufferKnownClasses::GetPlainActor(candidate.GetProp());
-  if (!actor || !actor->GetMapper() || vtkNBufferSharedState::WasMixed(actor->GetMapper()))
+  if (!actor || !actor->GetMapper() || vtkNBufferSharedState::IsKeptWhole(actor->GetMapper()))
   {
     return false;
   }

@@ -23,7 +23,7 @@
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
-vtkInformationKeyMacro(vtkNBufferSharedState, WAS_MIXED, Integer);
+vtkInformationKeyMacro(vtkNBufferSharedState, KEPT_WHOLE, Integer);
 
 namespace
 {
@@ -160,13 +160,13 @@ bool vtkNBufferSharedState::HasMixed() const
     [](const auto& entry) { return entry.second.IsMixed; });
 }
 
-void vtkNBufferSharedState::MarkAsMixed(vtkMapper* mapper)
+void vtkNBufferSharedState::KeepWhole(vtkMapper* mapper)
 {
-  mapper->GetInformation()->Set(WAS_MIXED(), 1);
+  mapper->GetInformation()->Set(KEPT_WHOLE(), 1);
 }
 
-bool vtkNBufferSharedState::WasMixed(vtkMapper* mapper)
+bool vtkNBufferSharedState::IsKeptWhole(vtkMapper* mapper)
 {
-  return mapper->GetInformation()->Has(WAS_MIXED()) != 0;
+  return mapper->GetInformation()->Has(KEPT_WHOLE()) != 0;
 }
 VTK_ABI_NAMESPACE_END

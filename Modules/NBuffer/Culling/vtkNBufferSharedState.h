@@ -43,7 +43,7 @@ public:
     }
   };
 
-  /// What one actor uses: its mapper, a lookup table, and an array of points.
+  /// What one actor uses: its mapper first, a lookup table, and an array of points.
   using Uses = std::array<Use, 3>;
 
   /// The uses of an actor whose pipeline is up to date.
@@ -64,15 +64,17 @@ public:
   bool HasMixed() const;
 
   ///@{
-  /// Mark the mapper of an actor whose uses are mixed. The mark stays when the other actor is
-  /// hidden or uses the object in the same way: VTK goes on with the shaders that the mapper has
-  /// made, and must not be given a reason to make them anew, which a vtkNBufferDrawPass is.
-  static void MarkAsMixed(vtkMapper* mapper);
-  static bool WasMixed(vtkMapper* mapper);
+  /// Mark a mapper that must not get a reason to make its shaders anew, which a vtkNBufferDrawPass
+  /// is: that of an actor whose uses are mixed, or which has this mapper in common with a part of
+  /// an assembly (VTK gives the parts the property keys of the assembly, so that they cannot have
+  /// the pass). The mark stays when the other actor is hidden or uses the object in the same way,
+  /// because VTK goes on with the shaders that the mapper has made.
+  static void KeepWhole(vtkMapper* mapper);
+  static bool IsKeptWhole(vtkMapper* mapper);
   ///@}
 
 private:
-  static vtkInformationIntegerKey* WAS_MIXED(); ///< In the information of a marked mapper.
+  static vtkInformationIntegerKey* KEPT_WHOLE(); ///< In the information of a marked mapper.
 
   struct Entry
   {

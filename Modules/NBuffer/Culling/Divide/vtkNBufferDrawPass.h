@@ -10,7 +10,7 @@
  * made. Therefore all large props of a window have the same pass, and so has an actor that begins
  * to share the mapper of one of them. They keep it while they are in a renderer of the window,
  * whether they can be divided at the moment or not. An actor whose mapper was in use in several
- * ways before does not get the pass (vtkNBufferSharedState::MarkAsMixed()).
+ * ways before does not get the pass (vtkNBufferSharedState::KeepWhole()).
  */
 #ifndef vtkNBufferDrawPass_h
 #define vtkNBufferDrawPass_h
