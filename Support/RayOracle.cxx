@@ -240,22 +240,19 @@ bool Oracle::IsAmbiguous(int x, int y, const OracleLight& light) const
 
 bool Oracle::IsAmbiguous(int x, int y, const OracleLight& light, const Classification& centre) const
 {
-  if (centre.Marginal)
+  Receiver receiver;
+  const bool isHit = this->GetReceiver(x, y, 0.0, 0.0, receiver);
+  if (centre.Marginal || (isHit && this->GetWindowDepth(receiver.Position) > 1.0 - DepthSteps))
   {
     return true;
   }
-  Receiver receiver;
-  this->GetReceiver(x, y, 0.0, 0.0, receiver);
   for (const double jitterX : { -Jitter, Jitter })
   {
     for (const double jitterY : { -Jitter, Jitter })
     {
-      if (this->Classify(x, y, jitterX, jitterY, light).Sample != centre.Sample)
-      {
-        return true;
-      }
       Receiver beside;
-      if (this->GetReceiver(x, y, jitterX, jitterY, beside) && this->IsStep(receiver, beside))
+      if (this->Classify(x, y, jitterX, jitterY, light).Sample != centre.Sample ||
+        (this->GetReceiver(x, y, jitterX, jitterY, beside) && this->IsStep(receiver, beside)))
       {
         return true;
       }

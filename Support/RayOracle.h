@@ -84,7 +84,7 @@ public:
     int x, int y, double jitterX, double jitterY, const OracleLight& light) const;
 
   /**
-   * Returns whether rounding may decide about a sample. That is so in four cases:
+   * Returns whether rounding may decide about a sample. That is so in five cases:
    *
    *  - The sample is marginal (Classification).
    *  - One of the samples 1/64 of a pixel away in the four diagonal directions is of another kind
@@ -98,6 +98,8 @@ public:
    *  - The eye ray meets another triangle of a caster within 8 units of depth of the receiver, for
    *    instance the other side of a thin sheet. That triangle, as the cap of a volume, may be drawn
    *    before the receiver.
+   *  - The surface is less than 4 units of depth before the far plane. Its depth may be stored as
+   *    that of the background.
    */
   bool IsAmbiguous(int x, int y, const OracleLight& light) const;
 

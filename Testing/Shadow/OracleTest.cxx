@@ -196,6 +196,18 @@ TEST_F(OracleTest, NearAnEdgeIsAmbiguous)
   }
 }
 
+// The floor is 100 below the eye, and `gap` before the far plane.
+TEST_F(OracleTest, WhatIsStoredAsBackgroundIsAmbiguous)
+{
+  for (const double gap : { 1e-6, 1e-3 })
+  {
+    Stage stage = SetPixelStage(20, 10, MakeFloor(100.0, { 1.0, 0.0, -1.0 }));
+    stage.GetRenderer()->GetActiveCamera()->SetClippingRange(1.0, 100.0 + gap);
+    const OracleImage image = Cast(stage);
+    EXPECT_EQ(image.CountAmbiguous(), gap < 1e-5 ? 200 : 0) << gap;
+  }
+}
+
 // Two sheets, one half a pixel above the other, are seen at an angle of 1 : 40, and everything is
 // in shadow. The samples are some distance away from the edge of the upper sheet: near the edge a
 // rasteriser may see either sheet.
