@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <numeric>
 #include <random>
+#include <string>
 
 using LargeProps::AddRandomArray;
 using LargeProps::AddWalls;
@@ -205,11 +206,9 @@ const LargeProps::Case Cases[] = {
   { "Strips", [](Stage& stage) { stage.AddActor(MakeStrips(MakeCity(14)), White); } },
   { "StripsWithCellColors",
     [](Stage& stage) { stage.AddActor(ColorCells(MakeStrips(MakeCity(14))), White); } },
-#if VTKNBUFFER_EDGES_KEEP_TRIANGLES
   { "Edges", [](Stage& stage) { AddCityWithEdges(stage, MakeCity(14)); } },
   { "EdgesShuffled", [](Stage& stage) { AddCityWithEdges(stage, Shuffle(MakeCity(14))); } },
   { "EdgesOfStrips", [](Stage& stage) { AddCityWithEdges(stage, MakeStrips(MakeCity(14))); } },
-#endif
   { "Points",
     [](Stage& stage)
     {
@@ -299,6 +298,10 @@ INSTANTIATE_TEST_SUITE_P(Each, CullerDivision, testing::ValuesIn(Cases), GetCase
 // the mesh, or fresh units are drawn over units that come after them.
 TEST_P(CullerDivision, SameImage)
 {
+  if (!VTKNBUFFER_EDGES_KEEP_TRIANGLES && std::string(this->GetParam().Name).find("Edges") == 0)
+  {
+    GTEST_SKIP() << "surfaces with edges are divided from VTK 9.4 on";
+  }
   LargeProps::CompareWalks(this->GetParam().Build, MakeOptions(), 8, Walk, { 15, 10 },
     [](Comparison& comparison)
     {
