@@ -494,6 +494,19 @@ TEST_F(FuzzRuns, SharedMappers)
   }
 }
 
+// The only prop of a layer lies between the middles of pixels and is hidden while nothing moves.
+// VTK does not process the image of a renderer without props.
+TEST_F(FuzzRuns, LayerWithNothingToDraw)
+{
+  const Scenario scenario = FromJson(Parse(
+    R"({"frames": 3, "props": [{"id": 13},
+          {"id": 14, "shape": {"center": [-0.58, -2.71, -7.44]}},
+          {"id": 16, "renderer": 1, "shape": {"center": [1.41, 2.75, -2.3]}}],
+        "renderers": [{}, {"fxaa": true, "layer": 1, "shares_camera": true}],
+        "views": [{"position": [0.0, 0.0, 20.0]}], "window": {"height": 5, "width": 3}})"));
+  EXPECT_EQ(Checker().Run(scenario, true).Failure, "");
+}
+
 // The edges make the shader number the triangles, so that the prop is read again while nothing else
 // changes.
 TEST_F(FuzzRuns, EdgesOfALargeProp)

@@ -263,13 +263,23 @@ void vtkNBufferCandidateList::ProjectDeferred(int i)
 
 void vtkNBufferCandidateList::KeepIfNoneIsInside()
 {
+  vtkNBufferState* hidden = nullptr;
   for (std::size_t i = 0; i < this->States.size(); ++i)
   {
-    if (this->Candidates[i].HasPlacement() &&
-      this->States[i].Placement != vtkNBufferPlacement::Outside)
+    const vtkNBufferVerdict verdict = this->States[i].Verdict;
+    if (verdict == vtkNBufferVerdict::Hidden)
+    {
+      hidden = &this->States[i];
+    }
+    else if (this->Candidates[i].HasPlacement() && verdict != vtkNBufferVerdict::Outside)
     {
       return;
     }
+  }
+  if (hidden)
+  {
+    hidden->Verdict = vtkNBufferVerdict::Untested;
+    return;
   }
   for (vtkNBufferState& state : this->States)
   {

@@ -61,8 +61,9 @@ public:
   void MarkHidden(vtkNBufferOcclusionTest& test) { this->Tree.MarkHidden(test, this->States); }
 
   /**
-   * If no candidate or translucent prop reaches into the view, let the renderer draw those that are
-   * outside nevertheless. VTK skips a renderer whose list is empty, image processing included.
+   * If all candidates and translucent props are hidden or outside, let the renderer draw a hidden
+   * one or, if there is none, those that are outside. VTK skips a renderer whose list is empty,
+   * image processing included. (A prop that owns no sample is hidden or outside wherever it is.)
    * Props of other kinds are not enough to prevent this: a culler that runs later may remove them.
    */
   void KeepIfNoneIsInside();
