@@ -242,7 +242,8 @@ bool Oracle::IsAmbiguous(int x, int y, const OracleLight& light, const Classific
 {
   Receiver receiver;
   const bool isHit = this->GetReceiver(x, y, 0.0, 0.0, receiver);
-  if (centre.Marginal || (isHit && this->GetWindowDepth(receiver.Position) > 1.0 - DepthSteps))
+  if (centre.Marginal ||
+    (isHit && this->GetWindowDepth(receiver.Position) > 1.0 - DepthSteps / 4.0))
   {
     return true;
   }

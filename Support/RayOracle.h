@@ -98,7 +98,7 @@ public:
    *  - The eye ray meets another triangle of a caster within 8 units of depth of the receiver, for
    *    instance the other side of a thin sheet. That triangle, as the cap of a volume, may be drawn
    *    before the receiver.
-   *  - The surface is less than 4 units of depth before the far plane. Its depth may be stored as
+   *  - The surface is less than a unit of depth before the far plane. Its depth may be stored as
    *    that of the background.
    */
   bool IsAmbiguous(int x, int y, const OracleLight& light) const;

@@ -84,7 +84,10 @@ NBufferExamples::Scene ViewOptions::LoadScene() const
   }
   for (const vtkSmartPointer<vtkActor>& actor : scene.Actors)
   {
-    actor->GetProperty()->SetEdgeVisibility(this->Edges);
+    if (this->Edges) // A file may have switched them on.
+    {
+      actor->GetProperty()->EdgeVisibilityOn();
+    }
   }
   return scene;
 }
