@@ -70,6 +70,12 @@ struct vtkNBufferRectangle
   int GetHeight() const { return this->Y1 - this->Y0; }
   bool IsEmpty() const { return this->X1 <= this->X0 || this->Y1 <= this->Y0; }
 
+  bool operator==(const vtkNBufferRectangle& other) const
+  {
+    return this->X0 == other.X0 && this->Y0 == other.Y0 && this->X1 == other.X1 &&
+      this->Y1 == other.Y1;
+  }
+
   /// The pixels that two rectangles share; empty if there are none.
   vtkNBufferRectangle GetIntersection(const vtkNBufferRectangle& other) const
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Pixels.h
- * @brief Comparing, printing and looping over rectangles of pixels.
+ * @brief Printing and looping over rectangles of pixels.
  */
 #ifndef Pixels_h
 #define Pixels_h
@@ -10,13 +10,7 @@
 #include "vtkNBufferMath.h"
 
 #include <ostream>
-#include <tuple>
 #include <utility>
-
-inline bool operator==(const vtkNBufferRectangle& a, const vtkNBufferRectangle& b)
-{
-  return std::tie(a.X0, a.Y0, a.X1, a.Y1) == std::tie(b.X0, b.Y0, b.X1, b.Y1);
-}
 
 inline std::ostream& operator<<(std::ostream& os, const vtkNBufferRectangle& r)
 {

@@ -51,15 +51,22 @@ struct Frames
     this->Casters[caster].AddWhole(expected, this->View);
     const vtkShadowVolume& volume = this->Store.GetVolume();
     ASSERT_EQ(piece.GetNumberOfIndices(), expected.GetIndices().size());
-    ASSERT_EQ(piece.EndVertex - piece.FirstVertex, expected.GetVertices().size());
     ASSERT_LE(piece.EndIndex, volume.GetIndices().size());
+    vtkShadowBlock corners;
     for (std::size_t i = 0; i < piece.GetNumberOfIndices(); ++i)
     {
       const unsigned int vertex = volume.GetIndices()[piece.FirstIndex + i];
-      ASSERT_GE(vertex, piece.FirstVertex);
-      ASSERT_LT(vertex, piece.EndVertex);
-      ASSERT_EQ(volume.GetVertices()[vertex], expected.GetVertices()[expected.GetIndices()[i]]);
+      const glm::dvec4 place = volume.GetVertices()[vertex];
+      ASSERT_EQ(place, expected.GetVertices()[expected.GetIndices()[i]]);
+      const vtkShadowBlock& box = place.w != 0.0 ? piece.Points : piece.Directions;
+      ASSERT_TRUE(box.Meets({ glm::dvec3(place), glm::dvec3(place) }));
+      corners.Add(place);
     }
+    // The boxes are as small as can be.
+    vtkShadowBlock both = piece.Points;
+    both.Add(piece.Directions.Low, piece.Directions.High);
+    ASSERT_EQ(both.Low, corners.Low);
+    ASSERT_EQ(both.High, corners.High);
   }
 
   vtkShadowLight Light;

@@ -16,14 +16,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
+#include <functional>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-/// The number of frames for which mode Automatic uses a share of samples that are not background.
-constexpr int CoverageFrames = 30;
-
 /// The number of casters for which a thread of its own saves time. It is small because to decide
 /// about one caster may take longer than to decide about a hundred others.
 constexpr vtkIdType CastersPerThread = 256;
@@ -96,7 +93,7 @@ bool vtkShadowMaskMaker::Make(const Frame& frame, const Settings& settings)
   this->Error.clear();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(frame.Renderer->GetRenderWindow());
   this->IsDepthRead = false;
-  ++this->CoverageAge;
+  this->Coverage.BeginFrame();
   vtkShadowCamera camera(frame.Renderer);
   std::copy_n(this->Viewport, 4, camera.Plan.Viewport);
   camera.Plan.Boxes = settings.Mode != vtkShadowMode::Culled &&
@@ -147,7 +144,7 @@ bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
   {
     const auto covered =
       std::count_if(this->Depth.begin(), this->Depth.end(), vtkNBufferDepthConvention::IsDrawn);
-    this->SetCoverage(static_cast<std::size_t>(covered), this->Depth.size());
+    this->Coverage.Set(static_cast<std::size_t>(covered), this->Depth.size());
   }
   work.Statistics.ReadTime += clock.GetMilliseconds();
   if (this->LitmapSource && this->LitmapSource != work.Settings.Tuning.LitmapSource)
@@ -221,6 +218,10 @@ void vtkShadowMaskMaker::FindParts(const Work& work)
       partLists[i] = &casters[i]->GetParts(work.Slot);
     });
   work.Statistics.Silhouettes += built;
+  if (built > 0)
+  {
+    work.LightVolumes.Whole.reset();
+  }
   this->Parts.clear();
   for (const std::vector<vtkShadowPart>* parts : partLists)
   {
@@ -244,32 +245,39 @@ void vtkShadowMaskMaker::AddCasters(const Work& work, vtkShadowPlan& plan)
   }
 }
 
-void vtkShadowMaskMaker::SetCoverage(std::size_t covered, std::size_t samples)
+vtkShadowPlan& vtkShadowMaskMaker::PlanWhole(const Work& work)
 {
-  this->Coverage = static_cast<double>(covered) / static_cast<double>(samples);
-  this->CoverageSamples = samples;
-  this->CoverageAge = 0;
+  Volumes& volumes = work.LightVolumes;
+  const vtkMTimeType version = work.Frame.Casters.GetVersion();
+  const vtkMTimeType time = volumes.Store.GetTime();
+  if (!volumes.Whole || volumes.CastersVersion != version || volumes.StoreTime != time ||
+    !volumes.Whole->SetView(work.Camera.Plan))
+  {
+    volumes.Whole.emplace(work.GetLight(), work.Camera.Plan, vtkShadowMode::Unclamped,
+      std::vector<vtkShadowPlan::Face>(), work.Settings.Tuning);
+    this->AddCasters(work, *volumes.Whole);
+    volumes.CastersVersion = version;
+    volumes.StoreTime = time;
+  }
+  return *volumes.Whole;
 }
 
 long long vtkShadowMaskMaker::EstimateCovered(const Work& work)
 {
   const std::size_t samples = this->GetNumberOfSamples();
-  if (!this->IsDepthRead &&
-    (this->CoverageSamples != samples || this->CoverageAge >= CoverageFrames) &&
-    !this->ReadReceivers(work))
+  if (!this->IsDepthRead && !this->Coverage.IsKnown(samples) && !this->ReadReceivers(work))
   {
     // This is no failure: with full coverage the light gets no litmaps, which alone need the depth.
     this->Error.clear();
-    this->SetCoverage(samples, samples);
+    this->Coverage.Set(samples, samples);
   }
-  return std::llround(this->Coverage * static_cast<double>(samples));
+  return this->Coverage.Get(samples);
 }
 
-bool vtkShadowMaskMaker::IsLitmapWorthIt(
-  const Work& work, double fragments, long long triangles, vtkShadowLightCost& cost)
+bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work, vtkShadowLightCost& cost)
 {
   const auto samples = static_cast<long long>(this->GetNumberOfSamples());
-  cost.WholeEstimate = this->Trials.Whole * vtkShadowCostModel::EstimateWhole(fragments, triangles);
+  cost.WholeEstimate = this->Trials.Whole * work.LightVolumes.Estimate.GetTime();
   const auto pay = [&](long long covered)
   {
     const long long lexels = static_cast<long long>(work.Settings.Tuning.LitmapResolution) *
@@ -281,24 +289,14 @@ bool vtkShadowMaskMaker::IsLitmapWorthIt(
   return pay(samples) || (pay(0) && pay(this->EstimateCovered(work)));
 }
 
-bool vtkShadowMaskMaker::IsLitmapWorthIt(const Work& work, vtkShadowLightCost& cost)
-{
-  long long triangles = 0;
-  for (const vtkShadowPart* part : this->Parts)
-  {
-    triangles +=
-      vtkShadowCostModel::CountTriangles(part->Silhouette, work.GetLight().IsPositional());
-  }
-  return this->IsLitmapWorthIt(work, 0.0, triangles, cost);
-}
-
 bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
 {
   vtkNBufferClock clock;
   const vtkShadowLight& light = work.GetLight();
   const vtkShadowPlan::View& view = work.Camera.Plan;
   std::vector<vtkShadowLightSpace> spaces; // of litmaps
-  std::optional<vtkShadowPlan> plan;
+  vtkShadowPlan* plan = nullptr;
+  std::optional<vtkShadowPlan> clamped;
   const bool automatic = work.Settings.Mode == vtkShadowMode::Automatic;
   this->FindParts(work);
   vtkShadowVolumeStore& store = work.LightVolumes.Store;
@@ -306,8 +304,11 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
   using Way = vtkShadowCostTrials::Way;
   Way trial = Way::Estimated;
   bool isWhole = work.Settings.Mode == vtkShadowMode::Unclamped;
+  bool isEstimated = false;
   if (automatic)
   {
+    isEstimated = work.LightVolumes.Estimate.BeginFrame(
+      this->Parts, light.IsPositional(), this->GetNumberOfSamples());
     isWhole = !this->IsLitmapWorthIt(work, cost);
     trial = this->Trials.Choose(cost.WholeEstimate);
     this->Trials.Start(trial);
@@ -320,16 +321,14 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
   }
   if (isWhole)
   {
-    plan.emplace(light, view, vtkShadowMode::Unclamped, std::vector<vtkShadowPlan::Face>(),
-      work.Settings.Tuning);
-    this->AddCasters(work, *plan);
-    if (automatic &&
-      this->IsLitmapWorthIt(work,
-        vtkShadowCostModel::EstimateFragments(store.GetVolume(), plan->GetDraws(), view),
-        plan->GetNumberOfTriangles(), cost) &&
-      trial == Way::Estimated)
+    plan = &this->PlanWhole(work);
+    if (automatic && (!isEstimated || trial != Way::Estimated))
     {
-      plan.reset();
+      work.LightVolumes.Estimate.Measure(store.GetVolume(), *plan, view);
+      if (this->IsLitmapWorthIt(work, cost) && trial == Way::Estimated)
+      {
+        plan = nullptr;
+      }
     }
   }
   work.Statistics.PlanTime += clock.Restart();
@@ -354,16 +353,14 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
     {
       litmaps.push_back({ &spaces[i], &this->Litmaps[i] });
     }
-    plan.emplace(light, view, automatic ? vtkShadowMode::Scissored : work.Settings.Mode,
+    plan = &clamped.emplace(light, view, automatic ? vtkShadowMode::Scissored : work.Settings.Mode,
       std::move(litmaps), work.Settings.Tuning);
     this->AddCasters(work, *plan);
     work.Statistics.PlanTime += clock.Restart();
   }
-  for (const vtkShadowPlan::Choice& choice : this->Choices)
-  {
-    ++work.Statistics.Verdicts[static_cast<std::size_t>(choice.Verdict)];
-    work.Statistics.Slabs += static_cast<int>(choice.Slabs.size());
-  }
+  std::transform(plan->GetVerdicts().begin(), plan->GetVerdicts().end(),
+    work.Statistics.Verdicts.begin(), work.Statistics.Verdicts.begin(), std::plus<int>());
+  work.Statistics.Slabs += plan->GetNumberOfSlabs();
   work.Statistics.Pieces += store.GetNumberOfPiecesMade();
   work.Statistics.Triangles += plan->GetNumberOfTriangles();
   const bool done = plan->GetDraws().empty() || this->Count(work, *plan);

@@ -18,7 +18,9 @@
 #include "vtkShadowCasterList.h"
 #include "vtkShadowCostTrials.h"
 #include "vtkShadowCounter.h"
+#include "vtkShadowCoverage.h"
 #include "vtkShadowDebugView.h"
+#include "vtkShadowEstimate.h"
 #include "vtkShadowLightList.h"
 #include "vtkShadowLitmap.h"
 #include "vtkShadowPlan.h"
@@ -31,6 +33,7 @@
 #include "vtkShadowVolumeStore.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -95,11 +98,15 @@ public:
 
 private:
   struct Work;
-  /// The volumes of a light, which are kept from frame to frame.
+  /// What is kept of a light from frame to frame.
   struct Volumes
   {
     vtkShadowVolumeStore Store;
     vtkShadowVolumeBuffer Buffer;
+    std::optional<vtkShadowPlan> Whole; ///< The plan of its whole volumes; see PlanWhole().
+    vtkMTimeType CastersVersion = 0;    ///< vtkShadowCasterList::GetVersion() of that plan.
+    vtkMTimeType StoreTime = 0;         ///< vtkShadowVolumeStore::GetTime() of that plan.
+    vtkShadowEstimate Estimate;         ///< What drawing its whole volumes costs.
   };
 
   std::size_t GetNumberOfSamples() const; ///< The number of all samples of the viewport.
@@ -107,14 +114,13 @@ private:
   bool MakeLitmaps(const Work& work, const std::vector<vtkShadowLightSpace>& spaces);
   void FindParts(const Work& work);
   void AddCasters(const Work& work, vtkShadowPlan& plan);
-  /// Returns whether litmaps are likely to be worth their cost for a light whose whole volumes have
-  /// this many fragments and triangles. Sets the estimates of `cost`.
-  bool IsLitmapWorthIt(
-    const Work& work, double fragments, long long triangles, vtkShadowLightCost& cost);
-  /// Does the same by the number of triangles alone.
+  /// Plans to draw all whole volumes. While neither casters nor light change, this is the last such
+  /// plan, in another view.
+  vtkShadowPlan& PlanWhole(const Work& work);
+  /// Returns whether litmaps are likely to be worth their cost by the estimate of the light. Sets
+  /// the estimates of `cost`.
   bool IsLitmapWorthIt(const Work& work, vtkShadowLightCost& cost);
   long long EstimateCovered(const Work& work); ///< The number of samples that are not background.
-  void SetCoverage(std::size_t covered, std::size_t samples);
   /// Draws the shadows of a light, and sets all of `cost` except Time.
   bool Shade(const Work& work, vtkShadowLightCost& cost);
   bool Count(const Work& work, const vtkShadowPlan& plan);
@@ -128,11 +134,8 @@ private:
   std::vector<Volumes> LightVolumes;       ///< By the number of the light.
   std::vector<const vtkShadowPart*> Parts; ///< Of all casters, in order, for the current light.
   std::vector<vtkShadowPlan::Choice> Choices; ///< The decision about each of Parts.
-  /// The share of the samples that were not background when the depth was last read, in [0, 1].
-  double Coverage = 1.0;
-  std::size_t CoverageSamples = 0; ///< The number of samples then.
-  int CoverageAge = 0;             ///< The number of frames since then.
-  vtkShadowCostTrials Trials;      ///< Of the mode Automatic.
+  vtkShadowCoverage Coverage;
+  vtkShadowCostTrials Trials; ///< Of the mode Automatic.
   int Viewport[4] = { 0, 0, 0, 0 };
   int Shadows = 0;
   std::string Error;

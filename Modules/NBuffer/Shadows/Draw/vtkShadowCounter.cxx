@@ -40,6 +40,55 @@ constexpr GLenum StencilNames[2][7] = { { GL_STENCIL_FUNC, GL_STENCIL_REF, GL_ST
 constexpr GLenum Capabilities[] = { GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_COVERAGE,
   GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK, GL_DEPTH_CLAMP,
   GL_POLYGON_OFFSET_FILL };
+
+const void* GetPlace(const vtkShadowDraw& draw)
+{
+  return reinterpret_cast<const void*>(draw.FirstIndex * sizeof(unsigned int));
+}
+
+void SetBox(const vtkNBufferRectangle& box, const int viewport[4])
+{
+  glScissor(viewport[0] + box.X0, viewport[1] + box.Y0, box.GetWidth(), box.GetHeight());
+}
+
+void DrawVolume(const vtkShadowDraw& draw, const int viewport[4])
+{
+  SetBox(draw.Box, viewport);
+  glDrawElements(GL_TRIANGLES, draw.NumberOfIndices, GL_UNSIGNED_INT, GetPlace(draw));
+}
+
+/// Draws into the same box with the same OpenGL state, which one call draws. Counts in the stencil
+/// do not depend on the order of volumes.
+class Batch
+{
+public:
+  void Add(const vtkShadowDraw& draw)
+  {
+    if (draw.FirstIndex == this->End)
+    {
+      this->Counts.back() += draw.NumberOfIndices;
+    }
+    else
+    {
+      this->Counts.push_back(draw.NumberOfIndices);
+      this->Places.push_back(GetPlace(draw));
+    }
+    this->End = draw.FirstIndex + draw.NumberOfIndices;
+  }
+
+  bool IsEmpty() const { return this->Counts.empty(); }
+
+  void Draw() const
+  {
+    glMultiDrawElements(GL_TRIANGLES, this->Counts.data(), GL_UNSIGNED_INT, this->Places.data(),
+      static_cast<GLsizei>(this->Counts.size()));
+  }
+
+private:
+  std::vector<GLsizei> Counts;
+  std::vector<const void*> Places;
+  int End = -1; ///< The index after the last one that was added.
+};
 }
 
 vtkShadowCounter::vtkShadowCounter()
@@ -137,14 +186,6 @@ bool vtkShadowCounter::BeginVolumes(vtkOpenGLRenderWindow* window,
   return true;
 }
 
-void vtkShadowCounter::DrawVolume(const vtkShadowDraw& draw, const int viewport[4])
-{
-  glScissor(viewport[0] + draw.Box.X0, viewport[1] + draw.Box.Y0, draw.Box.GetWidth(),
-    draw.Box.GetHeight());
-  glDrawElements(GL_TRIANGLES, draw.NumberOfIndices, GL_UNSIGNED_INT,
-    reinterpret_cast<const void*>(draw.FirstIndex * sizeof(unsigned int)));
-}
-
 bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarget& target,
   const vtkShadowVolumeBuffer& volume, const vtkShadowDrawList::View& view,
   const vtkShadowDraw* first, const vtkShadowDraw* last, long long* fragments, std::string& why)
@@ -164,25 +205,53 @@ bool vtkShadowCounter::Count(vtkOpenGLRenderWindow* window, const vtkShadowTarge
   glPolygonOffset(OffsetFactor, OffsetUnits);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(vtkNBufferDepthConvention::PassIfNearer);
+  const vtkNBufferRectangle everywhere = { 0, 0, view.Viewport[2], view.Viewport[3] };
+  Batch batches[2][2]; // The draws into the whole viewport, by ZPass and Offset.
+  for (const vtkShadowDraw* draw = first; draw != last; ++draw)
+  {
+    if (draw->Box == everywhere)
+    {
+      batches[draw->ZPass][draw->Offset].Add(*draw);
+    }
+  }
+  const auto setState = [&](bool counting, bool zPass, bool offset)
+  {
+    this->SetDirection(zPass);
+    if (!counting)
+    {
+      glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    }
+    if (isOffsetByShader)
+    {
+      this->VolumeProgram->SetUniformf("factor", offset ? OffsetFactor : 0.0f);
+      this->VolumeProgram->SetUniformf("bias", offset ? OffsetByShader : 0.0f);
+    }
+    else
+    {
+      (offset ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
+    }
+  };
   const auto drawAll = [&](bool counting)
   {
     for (const vtkShadowDraw* draw = first; draw != last; ++draw)
     {
-      this->SetDirection(draw->ZPass);
-      if (!counting)
+      if (!(draw->Box == everywhere))
       {
-        glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+        setState(counting, draw->ZPass, draw->Offset);
+        DrawVolume(*draw, view.Viewport);
       }
-      if (isOffsetByShader)
+    }
+    SetBox(everywhere, view.Viewport);
+    for (const bool zPass : { false, true })
+    {
+      for (const bool offset : { false, true })
       {
-        this->VolumeProgram->SetUniformf("factor", draw->Offset ? OffsetFactor : 0.0f);
-        this->VolumeProgram->SetUniformf("bias", draw->Offset ? OffsetByShader : 0.0f);
+        if (!batches[zPass][offset].IsEmpty())
+        {
+          setState(counting, zPass, offset);
+          batches[zPass][offset].Draw();
+        }
       }
-      else
-      {
-        (draw->Offset ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
-      }
-      this->DrawVolume(*draw, view.Viewport);
     }
   };
   drawAll(true);
@@ -223,7 +292,7 @@ bool vtkShadowCounter::Show(vtkOpenGLRenderWindow* window, const vtkShadowVolume
   {
     this->TintProgram->SetUniform4f("tint", !edges ? one : draw.ZPass ? zPass : zFail);
     (draw.ZPass ? glDisable : glEnable)(GL_CLIP_DISTANCE0);
-    this->DrawVolume(draw, view.Viewport);
+    DrawVolume(draw, view.Viewport);
   }
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_DEPTH_CLAMP);

@@ -103,7 +103,6 @@ private:
     const std::string& fragmentShader, const vtkShadowVolumeBuffer& volume,
     const vtkShadowDrawList::View& view, std::string& why);
   void SetDirection(bool zPass);
-  void DrawVolume(const vtkShadowDraw& draw, const int viewport[4]);
 
   vtkNBufferGL::Query Query;
   vtkNBufferGL::FullScreenPass MaskPass;

@@ -92,21 +92,21 @@ private:
   std::function<unsigned int(int)> Make;
 };
 
-/// Returns a piece that begins after all indices and vertices so far. End() sets where it ends.
-vtkShadowPiece vtkShadowVolume::Begin() const
+void vtkShadowVolume::Begin()
 {
-  return { this->Indices.size(), 0, this->Vertices.size(), 0 };
+  this->Piece = vtkShadowPiece();
+  this->Piece.FirstIndex = this->Indices.size();
 }
 
-vtkShadowPiece vtkShadowVolume::End(vtkShadowPiece piece) const
+vtkShadowPiece vtkShadowVolume::End()
 {
-  piece.EndIndex = this->Indices.size();
-  piece.EndVertex = this->Vertices.size();
-  return piece;
+  this->Piece.EndIndex = this->Indices.size();
+  return this->Piece;
 }
 
 unsigned int vtkShadowVolume::AddVertex(const glm::dvec3& x, double w)
 {
+  (w != 0.0 ? this->Piece.Points : this->Piece.Directions).Add(x);
   this->Vertices.emplace_back(x, w);
   return static_cast<unsigned int>(this->Vertices.size() - 1);
 }
@@ -171,7 +171,7 @@ void vtkShadowVolume::AddSides(
 vtkShadowPiece vtkShadowVolume::AddWhole(const vtkShadowSilhouette& silhouette,
   const vtkShadowPoints& points, const vtkShadowLight& light, const vtkShadowBlock* view)
 {
-  const vtkShadowPiece piece = this->Begin();
+  this->Begin();
   Image nearImage(
     points, [&](int i) { return this->AddVertex(GetNearPoint(silhouette, points, i), 1.0); });
   this->AddTriangles(silhouette, nearImage, Side::Near);
@@ -193,14 +193,14 @@ vtkShadowPiece vtkShadowVolume::AddWhole(const vtkShadowSilhouette& silhouette,
     Image farImage(points, [end](int) { return end; });
     this->AddSides(silhouette, nearImage, farImage);
   }
-  return this->End(piece);
+  return this->End();
 }
 
 vtkShadowPiece vtkShadowVolume::AddClamped(const vtkShadowSilhouette& silhouette,
   const vtkShadowPoints& points, const vtkShadowLightSpace& space, const vtkShadowSlab& slab,
   double casterFar)
 {
-  const vtkShadowPiece piece = this->Begin();
+  this->Begin();
   const bool nearPlane = casterFar < slab.Near;
   const double farDepth =
     slab.Far > casterFar ? slab.Far : casterFar + 1e-6 * (casterFar - slab.Near);
@@ -224,7 +224,7 @@ vtkShadowPiece vtkShadowVolume::AddClamped(const vtkShadowSilhouette& silhouette
   }
   this->AddFan(silhouette, farImage, Side::Far);
   this->AddSides(silhouette, nearImage, farImage);
-  return this->End(piece);
+  return this->End();
 }
 
 VTK_ABI_NAMESPACE_END

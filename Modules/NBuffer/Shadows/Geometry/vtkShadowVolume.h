@@ -82,15 +82,15 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 
-/// The part of a volume that one call added: ranges of its indices and of its vertices.
+/// The part of a volume that one call added: a range of its indices, and where its vertices are.
 struct vtkShadowPiece
 {
   std::size_t GetNumberOfIndices() const { return this->EndIndex - this->FirstIndex; }
 
   std::size_t FirstIndex = 0;
-  std::size_t EndIndex = 0; ///< The number after that of the last index.
-  std::size_t FirstVertex = 0;
-  std::size_t EndVertex = 0; ///< The number after that of the last vertex.
+  std::size_t EndIndex = 0;  ///< The number after that of the last index.
+  vtkShadowBlock Points;     ///< The box around its vertices with w = 1, in world coordinates.
+  vtkShadowBlock Directions; ///< The box around its vertices with w = 0.
 };
 
 class VTKNBUFFER_EXPORT vtkShadowVolume
@@ -127,8 +127,8 @@ private:
     Far
   };
 
-  vtkShadowPiece Begin() const;
-  vtkShadowPiece End(vtkShadowPiece piece) const;
+  void Begin();         ///< Begins a piece.
+  vtkShadowPiece End(); ///< Ends the piece that was begun last, and returns it.
   unsigned int AddVertex(const glm::dvec3& x, double w);
   void AddTriangle(unsigned int a, unsigned int b, unsigned int c);
   void AddTriangles(const vtkShadowSilhouette& silhouette, Image& image, Side side);
@@ -137,6 +137,7 @@ private:
 
   std::vector<glm::dvec4> Vertices;
   std::vector<unsigned int> Indices;
+  vtkShadowPiece Piece; ///< The one that was begun last.
 };
 
 VTK_ABI_NAMESPACE_END

@@ -2,23 +2,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowDrawList.h"
 
+#include <cmath>
+
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 /// A generous bound of the rounding error of a distance from the near plane, relative to the sum of
 /// the magnitudes of its terms.
 constexpr double Margin = 1e-6;
+
+glm::dvec4 GetNearPlane(const vtkShadowDrawList::View& view)
+{
+  return glm::row(view.EyeToClip, 2) + glm::row(view.EyeToClip, 3);
+}
 }
 
 vtkShadowDrawList::vtkShadowDrawList(const vtkShadowLight& light, const View& view)
   : Light(light)
   , Camera(view)
-  , NearPlane(glm::row(view.EyeToClip, 2) + glm::row(view.EyeToClip, 3))
+  , NearPlane(GetNearPlane(view))
 {
+}
+
+bool vtkShadowDrawList::SetView(const View& view)
+{
+  if (this->Light.IsPositional() &&
+    !(this->Camera.ParallelView.IsEmpty() && view.ParallelView.IsEmpty()))
+  {
+    return false;
+  }
+  this->Camera = view;
+  this->NearPlane = GetNearPlane(view);
+  for (std::size_t i = 0; i < this->Draws.size(); ++i)
+  {
+    this->Draws[i].Box = { 0, 0, view.Viewport[2], view.Viewport[3] };
+    this->Draws[i].ZPass = this->IsBeyondNearPlane(this->Pieces[i]);
+  }
+  return true;
 }
 
 void vtkShadowDrawList::AddRays(const vtkShadowSilhouette& silhouette, const vtkShadowBlock& rays)
 {
+  this->Bound.reset();
   this->Items.push_back({ rays.Low, rays.High, silhouette.GetMaximumCount() });
 }
 
@@ -28,18 +53,18 @@ void vtkShadowDrawList::AddWhole(
   const vtkShadowBlock& view = this->Camera.ParallelView;
   const vtkShadowPiece piece =
     store.GetWhole(caster, this->Light, view.IsEmpty() ? nullptr : &view);
-  this->AddDraws(caster, true, boxes, store.GetVolume(), piece);
+  this->AddDraws(caster, true, boxes, piece);
 }
 
 void vtkShadowDrawList::AddClamped(const vtkShadowPart& caster, const vtkShadowLightSpace& space,
   const vtkShadowSlab& slab, double casterFar, const Boxes& boxes, vtkShadowVolumeStore& store)
 {
   const vtkShadowPiece piece = store.AddClamped(caster, space, slab, casterFar);
-  this->AddDraws(caster, casterFar >= slab.Near, boxes, store.GetVolume(), piece);
+  this->AddDraws(caster, casterFar >= slab.Near, boxes, piece);
 }
 
 void vtkShadowDrawList::AddDraws(const vtkShadowPart& caster, bool isNearCapItsOwn,
-  const Boxes& boxes, const vtkShadowVolume& volume, const vtkShadowPiece& piece)
+  const Boxes& boxes, const vtkShadowPiece& piece)
 {
   vtkShadowDraw draw;
   draw.FirstIndex = static_cast<int>(piece.FirstIndex);
@@ -51,38 +76,46 @@ void vtkShadowDrawList::AddDraws(const vtkShadowPart& caster, bool isNearCapItsO
   this->Triangles += draw.NumberOfIndices / 3;
   draw.MaximumCount = caster.Silhouette.GetMaximumCount();
   draw.Offset = isNearCapItsOwn && caster.Silhouette.GetCounting() == vtkShadowCounting::All;
-  draw.ZPass = this->IsBeyondNearPlane(volume, piece);
+  draw.ZPass = this->IsBeyondNearPlane(piece);
   draw.Box = { 0, 0, this->Camera.Viewport[2], this->Camera.Viewport[3] };
   if (boxes.empty() || !this->Camera.Boxes)
   {
     this->Draws.push_back(draw);
+    this->Pieces.push_back(piece);
     return;
   }
   for (const vtkNBufferRectangle& box : boxes)
   {
     draw.Box = box;
     this->Draws.push_back(draw);
+    this->Pieces.push_back(piece);
     draw.Again = true;
   }
 }
 
-bool vtkShadowDrawList::IsBeyondNearPlane(
-  const vtkShadowVolume& volume, const vtkShadowPiece& piece) const
+bool vtkShadowDrawList::IsBeyondNearPlane(const vtkShadowPiece& piece) const
 {
-  for (std::size_t i = piece.FirstVertex; i < piece.EndVertex; ++i)
+  // Whether z + w is positive in a box of vertices that have this w.
+  const auto isBeyond = [this](const vtkShadowBlock& box, double w)
   {
-    const glm::dvec4 terms = this->NearPlane * this->Camera.ToEye(volume.GetVertices()[i]);
-    const auto addUp = [](const glm::dvec4& x) { return x[0] + x[1] + x[2] + x[3]; };
-    if (!(addUp(terms) > Margin * addUp(glm::abs(terms))))
-    {
-      return false;
-    }
-  }
-  return true;
+    const glm::dvec3 normal(this->NearPlane);
+    const glm::dvec3 low = normal * (box.Low - w * this->Camera.Eye);
+    const glm::dvec3 high = normal * (box.High - w * this->Camera.Eye);
+    const double constant = w * this->NearPlane.w;
+    const auto addUp = [](const glm::dvec3& x) { return x[0] + x[1] + x[2]; };
+    return box.IsEmpty() ||
+      addUp(glm::min(low, high)) + constant >
+      Margin * (addUp(glm::max(glm::abs(low), glm::abs(high))) + std::abs(constant));
+  };
+  return isBeyond(piece.Points, 1.0) && isBeyond(piece.Directions, 0.0);
 }
 
 bool vtkShadowDrawList::IsCountBelow(int limit) const
 {
-  return vtkShadowOverlap::GetBound(this->Items) <= limit;
+  if (!this->Bound)
+  {
+    this->Bound = vtkShadowOverlap::GetBound(this->Items);
+  }
+  return *this->Bound <= limit;
 }
 VTK_ABI_NAMESPACE_END

@@ -15,12 +15,12 @@
  *                                             Both are 1: R is in shadow.
  *
  * z-pass is right if the eye is outside of the piece of volume: if the eye is inside, the face with
- * the (+1) is not before R. z-fail is always right. z-pass is used if the whole piece lies beyond
- * the near plane, where the eye never is. This condition is stricter than necessary: it would
- * suffice that the eye is outside of the piece, if depth clamp replaced clipping at the near plane.
- * But then a triangle that reaches behind the eye is clipped at w = 0, where depths have no bound,
- * and rasterisers that interpolate depth on the screen lose the depth of the whole triangle. With
- * z-fail, what lies before the near plane never counts and is clipped away.
+ * the (+1) is not before R. z-fail is always right. z-pass is used if the box around the piece lies
+ * beyond the near plane, where the eye never is. This condition is stricter than necessary: it
+ * would suffice that the eye is outside of the piece, if depth clamp replaced clipping at the near
+ * plane. But then a triangle that reaches behind the eye is clipped at w = 0, where depths have no
+ * bound, and rasterisers that interpolate depth on the screen lose the depth of the whole triangle.
+ * With z-fail, what lies before the near plane never counts and is clipped away.
  *
  * z-fail assumes that lines of sight end outside of all volumes, and that all faces behind the
  * receiver are drawn. For a parallel camera volumes of positional lights therefore end at finite
@@ -48,6 +48,7 @@
 #include "vtkShadowSilhouette.h"
 #include "vtkShadowVolumeStore.h"
 
+#include <optional>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -95,8 +96,11 @@ public:
     bool Boxes = true;
   };
 
-  /// `light` must outlive the list.
   vtkShadowDrawList(const vtkShadowLight& light, const View& view);
+
+  /// Changes the view of a list in which all draws are whole volumes, drawn everywhere. Returns
+  /// false, and changes nothing, if the volumes depend on the view (vtkShadowVolume.h).
+  bool SetView(const View& view);
 
   /// Adds the rays of a caster that will be drawn, for IsCountBelow(). Rays that are not finite
   /// stand for any ray.
@@ -121,15 +125,17 @@ public:
 
 private:
   void AddDraws(const vtkShadowPart& caster, bool isNearCapItsOwn, const Boxes& boxes,
-    const vtkShadowVolume& volume, const vtkShadowPiece& piece);
-  bool IsBeyondNearPlane(const vtkShadowVolume& volume, const vtkShadowPiece& piece) const;
+    const vtkShadowPiece& piece);
+  bool IsBeyondNearPlane(const vtkShadowPiece& piece) const;
 
-  const vtkShadowLight& Light;
+  vtkShadowLight Light;
   View Camera;
   glm::dvec4 NearPlane; ///< As a row: its product with a vertex relative to the eye is z + w.
   std::vector<vtkShadowDraw> Draws;
+  std::vector<vtkShadowPiece> Pieces; ///< The piece of each draw.
   long long Triangles = 0;
   std::vector<vtkShadowOverlap::Item> Items; ///< The rays of the casters, weighted by their counts.
+  mutable std::optional<long long> Bound;    ///< vtkShadowOverlap::GetBound() of Items, if known.
 };
 
 VTK_ABI_NAMESPACE_END

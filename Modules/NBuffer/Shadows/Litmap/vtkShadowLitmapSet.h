@@ -58,14 +58,15 @@ public:
   {
     std::vector<FaceQuery> Queries; ///< The litmaps that were read; empty without `points`.
     vtkShadowExtent Extent;         ///< The merged extent of all receivers on the caster's rays.
-    /// True if all rays of the caster are known and in one litmap. Only then are Near and Far valid.
+    /// True if all rays of the caster are known and in one litmap. Only then are Near and Far
+    /// valid.
     bool IsInOneFace = false;
     double Near = 0.0; ///< The depth of the caster's nearest point in this litmap.
     double Far = 0.0;  ///< The depth of the caster's farthest point in this litmap.
   };
 
   /// `faces` has one litmap, six for a point light, or none if nothing is known of the receivers.
-  /// The light, the light spaces and the litmaps must outlive the set.
+  /// The light spaces and the litmaps must outlive the set.
   vtkShadowLitmapSet(const vtkShadowLight& light, std::vector<Face> faces);
 
   /// Returns true if there is any litmap.
@@ -105,7 +106,7 @@ private:
   /// The angle in radians from a spot's axis beyond which there is no receiver.
   double GetWidestAngle() const;
 
-  const vtkShadowLight& Light;
+  vtkShadowLight Light;
   std::vector<Face> Faces;
 };
 

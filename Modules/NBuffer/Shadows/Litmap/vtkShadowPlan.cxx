@@ -171,6 +171,8 @@ std::vector<vtkShadowSlab> vtkShadowPlan::GetSlabs(const Lookup& lookup) const
 void vtkShadowPlan::Draw(
   const Choice& choice, const vtkShadowPart& caster, vtkShadowVolumeStore& store)
 {
+  ++this->Verdicts[static_cast<std::size_t>(choice.Verdict)];
+  this->Slabs += static_cast<int>(choice.Slabs.size());
   if (!choice.IsDrawn())
   {
     return;

@@ -66,6 +66,7 @@
 #include "vtkShadowStatistics.h"
 #include "vtkShadowTuning.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -108,10 +109,13 @@ public:
   /**
    * Makes a plan without casters. `litmaps` has the litmap of the light, or the six of a point
    * light, with their levels built. If it is empty, or with mode Unclamped, all volumes are drawn
-   * whole. The light, the litmaps and their light spaces must outlive the plan.
+   * whole. The litmaps and their light spaces must outlive the plan.
    */
   vtkShadowPlan(const vtkShadowLight& light, const View& view, vtkShadowMode mode,
     std::vector<Face> litmaps, const vtkShadowTuning& tuning);
+
+  /// Changes the view of a plan without litmaps; see vtkShadowDrawList::SetView().
+  bool SetView(const View& view) { return this->Draws.SetView(view); }
 
   /// Decides about a caster. It changes nothing and may be called in parallel.
   Choice Decide(const vtkShadowPart& caster) const;
@@ -121,12 +125,21 @@ public:
   /// which take long to fetch from memory if there are many casters.
   std::optional<vtkShadowVerdict> EarlyOut(const vtkShadowPart& caster) const;
 
-  /// Carries out the decision about a caster: adds its draws to GetDraws(). Their triangles are in
-  /// `store`.
+  /// Counts the decision about a caster and carries it out: adds its draws to GetDraws(). Their
+  /// triangles are in `store`.
   void Draw(const Choice& choice, const vtkShadowPart& caster, vtkShadowVolumeStore& store);
 
   /// The draws of all casters.
   const std::vector<vtkShadowDraw>& GetDraws() const { return this->Draws.GetDraws(); }
+
+  /// The number of casters with each verdict.
+  const std::array<int, vtkShadowStatistics::NumberOfVerdicts>& GetVerdicts() const
+  {
+    return this->Verdicts;
+  }
+
+  /// The number of slabs that are drawn.
+  int GetNumberOfSlabs() const { return this->Slabs; }
 
   /// See vtkShadowDrawList::GetNumberOfTriangles().
   long long GetNumberOfTriangles() const { return this->Draws.GetNumberOfTriangles(); }
@@ -149,6 +162,8 @@ private:
   vtkShadowMode Mode;
   double BoxCost; ///< In pixels; infinite if boxes are not used.
   int SlabGap;
+  std::array<int, vtkShadowStatistics::NumberOfVerdicts> Verdicts = {};
+  int Slabs = 0;
 };
 
 VTK_ABI_NAMESPACE_END

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkShadowEstimate
+ * @brief What drawing the whole volumes of a light is likely to cost, kept for some frames. No
+ * OpenGL.
+ *
+ * To count triangles and to measure fragments (vtkShadowCostModel.h) takes 1 to 4 ms where there
+ * are thousands of casters, and both change little from frame to frame.
+ */
+#ifndef vtkShadowEstimate_h
+#define vtkShadowEstimate_h
+
+#include "vtkShadowCostModel.h"
+#include "vtkShadowCoverage.h"
+#include "vtkShadowPlan.h"
+
+#include <cstddef>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+class vtkShadowEstimate
+{
+public:
+  /**
+   * Begins a frame with these parts of casters and so many samples in the viewport. Returns true if
+   * the last estimate is used again. Otherwise makes one from the number of triangles alone.
+   */
+  bool BeginFrame(
+    const std::vector<const vtkShadowPart*>& parts, bool isPositional, std::size_t samples)
+  {
+    if (this->Parts == parts.size() && this->Samples == samples &&
+      ++this->Age < vtkShadowCoverage::Frames)
+    {
+      return true;
+    }
+    *this = vtkShadowEstimate();
+    this->Parts = parts.size();
+    this->Samples = samples;
+    for (const vtkShadowPart* part : parts)
+    {
+      this->Triangles += vtkShadowCostModel::CountTriangles(part->Silhouette, isPositional);
+    }
+    return false;
+  }
+
+  /// Makes an estimate from the triangles and fragments of a plan that draws all volumes whole.
+  void Measure(
+    const vtkShadowVolume& volume, const vtkShadowPlan& plan, const vtkShadowPlan::View& view)
+  {
+    this->Fragments = vtkShadowCostModel::EstimateFragments(volume, plan.GetDraws(), view);
+    this->Triangles = plan.GetNumberOfTriangles();
+  }
+
+  /// The estimate in milliseconds, before any correction (vtkShadowCostTrials.h).
+  double GetTime() const
+  {
+    return vtkShadowCostModel::EstimateWhole(this->Fragments, this->Triangles);
+  }
+
+private:
+  double Fragments = 0.0; ///< 0 if they were not measured.
+  long long Triangles = 0;
+  std::size_t Parts = 0;   ///< The number of parts of casters then.
+  std::size_t Samples = 0; ///< The number of samples of the viewport then.
+  int Age = 0;             ///< The number of frames since then.
+};
+
+VTK_ABI_NAMESPACE_END
+#endif
+// VTK-HeaderTest-Exclude: vtkShadowEstimate.h
