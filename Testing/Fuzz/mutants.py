@@ -222,8 +222,11 @@ SHADOW_MUTANTS = {
 
     # Volumes and counting.
     "z-pass where the piece crosses the near plane": [
-        (DRAW_LIST, "if (!(addUp(terms) > Margin * addUp(glm::abs(terms))))",
-         "if (!(addUp(glm::abs(terms)) >= 0.0))")],
+        (DRAW_LIST, "return isBeyond(piece.Points, 1.0) && isBeyond(piece.Directions, 0.0);",
+         "return isBeyond(piece.Directions, 0.0);")],
+    "the last plan of whole volumes is kept when the light or a caster changes": [
+        ("vtkShadowMaskMaker.cxx", "    work.LightVolumes.Whole.reset();\n", ""),
+        ("vtkShadowMaskMaker.cxx", "volumes.CastersVersion != version ||", "")],
     "far cap of a clamped piece missing": [
         (VOLUME, "  }\n  this->AddFan(silhouette, farImage, Side::Far);", "  }")],
     "volumes of casters that moved are kept": [

@@ -8,7 +8,6 @@
 #include "ShadowFixture.h"
 #include "vtkShadowTarget.h"
 
-#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -176,6 +175,8 @@ TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
         glEnable(GL_MULTISAMPLE);
 
         const int all[4] = { 0, 0, Width, Height };
+        const vtkNBufferRectangle viewport = { Viewport[0], Viewport[1], Viewport[0] + Viewport[2],
+          Viewport[1] + Viewport[3] };
         int mixed = 0;
         std::vector<int> shadowed(static_cast<std::size_t>(Width) * Height, 0);
         for (std::size_t sample = 0; sample < places.size(); ++sample)
@@ -187,7 +188,8 @@ TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
             const double u = 2.0 * (x - Viewport[0] + places[sample][0]) / Viewport[2] - 1.0;
             const double v = 2.0 * (y - Viewport[1] + places[sample][1]) / Viewport[3] - 1.0;
             const float value = mask[y * Width + x];
-            if (std::max(std::abs(u), std::abs(v)) >= 1.0)
+            // Some samples lie on the edge of their pixel, so that u and v do not tell.
+            if (!IsIn(x, y, viewport))
             {
               ASSERT_NEAR(value, 0.5f, 0.01f) << "at (" << x << ", " << y << ")";
               continue;
@@ -202,7 +204,8 @@ TEST_F(GpuTestShadowSamples, CountsAndMasksAreBySample)
         {
           mixed += count > 0 && count < static_cast<int>(places.size());
         }
-        EXPECT_GT(mixed, 10);
+        // Two samples of a pixel may lie on the same side of most edges.
+        EXPECT_GT(mixed, places.size() > 2 ? 10 : 0);
       }
     });
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The VTKNBuffer authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CullerTest.h"
+#include "TestedBackend.h"
 
 #include "vtkCullerCollection.h"
 #include "vtkPNGWriter.h"
@@ -89,7 +90,7 @@ Comparison::Comparison(const Change& build, const ComparisonOptions& options)
     if (stage == &this->Culled)
     {
       stage->Culler = vtkSmartPointer<vtkNBufferCuller>::New();
-      stage->Culler->SetBackend(options.Backend);
+      stage->Culler->SetBackend(GetTestedBackend(options.Backend));
       stage->Culler->SetTuning(options.Tuning);
     }
     build(*stage);

@@ -182,6 +182,7 @@ TEST(CullerErrors, AutoDoesWithoutFloatTextures)
   ComparisonOptions options;
   options.Tuning.AllowFloatTextures = false;
   Comparison comparison(Scenes::BuildWall, options);
+  comparison.GetCuller()->SetBackend(vtkNBufferCuller::Auto);
   Scenes::Settle(comparison);
   EXPECT_GE(comparison.GetHidden(), Scenes::Wall::Hidden);
   EXPECT_EQ(comparison.GetStatistics().FailedFrames, 0);

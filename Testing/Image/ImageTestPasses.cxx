@@ -125,7 +125,8 @@ TEST_P(CullerPasses, Wall)
     EXPECT_EQ(comparison.GetDecision(), way.Expected);
     if (way.Expected == Decision::Culled)
     {
-      EXPECT_GT(comparison.GetHidden(), Wall::Behind / 3);
+      EXPECT_GT(comparison.GetHidden(), Wall::Behind / 3)
+        << comparison.GetCuller()->GetStatisticsAsJSON();
     }
     else
     {

@@ -96,7 +96,8 @@ TEST(CullerWindows, ResizedToZeroAndBack)
     TakeMessages(); // VTK's own: it draws in a size of its choice, or in none
     comparison.Frame("back", [](Stage& stage) { stage.Window->SetSize(301, 173); });
     EXPECT_EQ(comparison.GetDecision(), Decision::Culled);
-    EXPECT_GE(comparison.GetHidden(), Wall::Hidden);
+    EXPECT_GE(comparison.GetHidden(), Wall::Hidden)
+      << comparison.GetCuller()->GetStatisticsAsJSON();
   }
 }
 

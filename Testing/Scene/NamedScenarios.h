@@ -54,6 +54,8 @@ struct Expectation
   std::function<bool(const vtkNBufferStatistics&)> Statistics = {};
   /// Whether nothing is expected of a window without multisampling, which some drivers lack.
   bool NeedsSamples = false;
+  /// Whether nothing is expected of a back-end that does not test all pixels (TestedBackend.h).
+  bool NeedsPixels = false;
 };
 
 struct NamedScenario

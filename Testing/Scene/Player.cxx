@@ -6,6 +6,7 @@
 #include "Judge.h"
 #include "SceneBuilder.h"
 #include "SceneProps.h"
+#include "TestedBackend.h"
 #include "Tune.h"
 
 #include "vtkNBufferVTKVersion.h"
@@ -198,7 +199,7 @@ void Player::AddCullers()
     if (this->Cullers.empty() || settings.OnePerRenderer)
     {
       auto culler = vtkSmartPointer<vtkNBufferCuller>::New();
-      culler->SetBackend(settings.Backend);
+      culler->SetBackend(GetTestedBackend(settings.Backend));
       Tune(culler, &vtkNBufferTuning::BaseFactor, settings.BaseFactor);
       Tune(
         culler, &vtkNBufferTuning::MinimumNumberOfCandidates, settings.MinimumNumberOfCandidates);

@@ -93,13 +93,15 @@ struct PictureComparison
   int Mixed = 0;    ///< Of these, with samples lit and in shadow.
   int Wrong = 0;    ///< Of these, off by more than rounding.
   int First[2] = { -1, -1 };
+  glm::dvec3 Error = glm::dvec3(0.0); ///< The largest error, in steps of 8 bits.
 };
 
 std::ostream& operator<<(std::ostream& stream, const PictureComparison& comparison)
 {
   return stream << comparison.Compared << " pixels, " << comparison.Mixed << " mixed, "
                 << comparison.Wrong << " wrong, the first (" << comparison.First[0] << ", "
-                << comparison.First[1] << ")";
+                << comparison.First[1] << "), off by up to " << comparison.Error.x << ", "
+                << comparison.Error.y << ", " << comparison.Error.z;
 }
 
 /// The picture of the last frame with the means of samples that are shaded one by one.
@@ -138,8 +140,9 @@ PictureComparison ComparePicture(const Stage& stage, vtkLight* light)
     }
     ++result.Compared;
     result.Mixed += kinds[i] == 3;
-    const bool right =
-      glm::all(glm::lessThanEqual(glm::abs(means[i] - actual[i]), glm::dvec3(rounding)));
+    const glm::dvec3 error = glm::abs(means[i] - actual[i]);
+    result.Error = glm::max(result.Error, 255.0 * error);
+    const bool right = glm::all(glm::lessThanEqual(error, glm::dvec3(rounding)));
     if (!right && result.Wrong++ == 0)
     {
       result.First[0] = static_cast<int>(i) % width;

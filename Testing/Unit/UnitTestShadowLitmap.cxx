@@ -394,13 +394,18 @@ TEST(ShadowLitmap, PartsJoin)
       litmap.GetTiles().Begin(width, height);
       litmap.GetTiles().SetSplit(whole.Receivers[1].X / vtkShadowTiles::Size,
         whole.Receivers[1].Y % height / vtkShadowTiles::Size, 0.5f);
-      litmap.Split(filled == 0 ? 1 : count);
+      const int parts = filled == 0 ? 1 : count;
+      litmap.Split(parts);
+      for (int part = 0; part < parts; ++part)
+      {
+        EXPECT_EQ(&litmap.BeginPart(part) == &litmap, part == 0);
+      }
       for (std::size_t i = 0; i < whole.Receivers.size(); ++i)
       {
         const Receiver& r = whole.Receivers[i];
-        vtkShadowLitmap& part = litmap.GetPart(filled == 0 ? 0 : static_cast<int>(i) % count);
+        vtkShadowLitmap& part = litmap.GetPart(static_cast<int>(i) % parts);
         ASSERT_TRUE(part.Add(r.A, r.B, r.Radius, r.X, r.Y));
-        part.GetTiles().Add(r.A, r.B, radius, r.X, r.Y % height, i % 2 ? 0.75f : 0.25f);
+        litmap.GetTiles().Add(r.A, r.B, radius, r.X, r.Y % height, i % 2 ? 0.75f : 0.25f);
         part.WidenAngle(0.001 * static_cast<double>(i));
       }
       litmap.Join();

@@ -24,16 +24,17 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace vtkNBufferLevelBuilder
 {
-/// A level with fewer texels is built by one thread. Waking threads for 691,200 pixels made the
+/// A level with fewer floats is built by one thread. Waking threads for 691,200 pixels made the
 /// build slower on two cores; the size at which threads begin to help has not been measured.
 constexpr vtkIdType TexelsWorthAThread = 1 << 22;
 
 /// Call functor(begin, end) for ranges that cover the rows 0 to rows - 1, in parallel if the rows
-/// have enough texels in total.
+/// have so many texels in total.
 template <typename Functor>
-void ForEachRow(int rows, vtkIdType texels, Functor&& functor)
+void ForEachRow(
+  int rows, vtkIdType texels, Functor&& functor, vtkIdType worthAThread = TexelsWorthAThread)
 {
-  if (texels < TexelsWorthAThread)
+  if (texels < worthAThread)
   {
     functor(0, rows);
     return;
@@ -63,9 +64,11 @@ void BuildRow(const Texel* a, const Texel* b, int width, int step, Texel* __rest
 
 /// Build level i + 1 from level i, whose squares have the side `step`.
 template <typename Merge, typename Texel>
-void BuildLevel(const Texel* below, int width, int height, int step, Texel* level)
+void BuildLevel(
+  const Texel* below, int width, int height, int step, Texel* level, vtkIdType worthAThread)
 {
-  ForEachRow(height, static_cast<vtkIdType>(width) * height,
+  ForEachRow(
+    height, static_cast<vtkIdType>(width) * height,
     [=](int begin, int end)
     {
       for (int y = begin; y < end; ++y)
@@ -74,17 +77,21 @@ void BuildLevel(const Texel* below, int width, int height, int step, Texel* leve
           below + static_cast<std::size_t>(std::min(y + step, height - 1)) * width, width, step,
           level + static_cast<std::size_t>(y) * width);
       }
-    });
+    },
+    worthAThread);
 }
 
-/// Build the levels first to end - 1, each from the level below it; `first` is at least 1.
+/// Build the levels first to end - 1, each from the level below it; `first` is at least 1. Several
+/// threads build a level of at least `worthAThread` texels.
 template <typename Merge, typename Texel>
-void BuildLevels(Texel* texels, int width, int height, int first, int end)
+void BuildLevels(Texel* texels, int width, int height, int first, int end,
+  vtkIdType worthAThread = TexelsWorthAThread)
 {
   const std::size_t size = static_cast<std::size_t>(width) * height;
   for (int i = first; i < end; ++i)
   {
-    BuildLevel<Merge>(texels + (i - 1) * size, width, height, 1 << (i - 1), texels + i * size);
+    BuildLevel<Merge>(
+      texels + (i - 1) * size, width, height, 1 << (i - 1), texels + i * size, worthAThread);
   }
 }
 }

@@ -4,6 +4,8 @@
 
 #include "vtkNBufferLevelBuilder.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +13,11 @@
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
+constexpr vtkIdType RowsPerThread = 16;
+
+/// The number of lexels for which several threads build a level.
+constexpr vtkIdType LexelsWorthAThread = 1 << 14;
+
 struct MergeExtents
 {
   vtkShadowExtent operator()(vtkShadowExtent a, const vtkShadowExtent& b) const
@@ -141,32 +148,43 @@ bool vtkShadowLitmap::AddLexel(int i, int j, vtkShadowExtent extent)
   return true;
 }
 
-void vtkShadowLitmap::Split(int count)
+vtkShadowLitmap& vtkShadowLitmap::BeginPart(int i)
 {
-  const vtkShadowBlock range = { { this->P.Low, this->Q.Low, this->Depths.Low },
-    { this->P.High, this->Q.High, this->Depths.High } };
-  this->Parts.resize(static_cast<std::size_t>(std::max(count, 1) - 1));
-  for (vtkShadowLitmap& part : this->Parts)
+  if (i == 0)
   {
-    part.Begin(this->Resolution, range);
-    part.Tiles = this->Tiles;
+    return *this;
   }
+  vtkShadowLitmap& part = this->Parts[static_cast<std::size_t>(i - 1)];
+  part.Begin(this->Resolution,
+    { { this->P.Low, this->Q.Low, this->Depths.Low },
+      { this->P.High, this->Q.High, this->Depths.High } });
+  return part;
 }
 
 void vtkShadowLitmap::Join()
 {
-  const std::size_t size = static_cast<std::size_t>(this->Resolution) * this->Resolution;
+  if (this->Parts.empty())
+  {
+    return;
+  }
+  const auto width = static_cast<std::size_t>(this->Resolution);
+  vtkSMPTools::For(0, this->Resolution, RowsPerThread,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (const vtkShadowLitmap& part : this->Parts)
+      {
+        for (std::size_t k = begin * width; k < end * width; ++k)
+        {
+          this->Lexels[k].Merge(part.Lexels[k]);
+        }
+      }
+    });
   for (const vtkShadowLitmap& part : this->Parts)
   {
-    for (std::size_t k = 0; k < size; ++k)
-    {
-      this->Lexels[k].Merge(part.Lexels[k]);
-    }
     this->Low = glm::min(this->Low, part.Low);
     this->High = glm::max(this->High, part.High);
     this->NumberOfReceivers += part.NumberOfReceivers;
     this->Everywhere.Merge(part.Everywhere);
-    this->Tiles.Merge(part.Tiles);
     this->WidenAngle(part.WidestAngle);
   }
 }
@@ -186,8 +204,8 @@ void vtkShadowLitmap::Build()
   {
     this->Lexels.resize(size * this->NumberOfLevels);
   }
-  vtkNBufferLevelBuilder::BuildLevels<MergeExtents>(
-    this->Lexels.data(), this->Resolution, this->Resolution, 1, this->NumberOfLevels);
+  vtkNBufferLevelBuilder::BuildLevels<MergeExtents>(this->Lexels.data(), this->Resolution,
+    this->Resolution, 1, this->NumberOfLevels, LexelsWorthAThread);
 }
 
 const vtkShadowExtent* vtkShadowLitmap::GetLevelData(int level) const

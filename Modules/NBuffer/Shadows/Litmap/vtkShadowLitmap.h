@@ -89,18 +89,20 @@ public:
   vtkShadowTiles& GetTiles() { return this->Tiles; }
   const vtkShadowTiles& GetTiles() const { return this->Tiles; }
 
-  /**
-   * Makes `count` parts (at least 1) so that several threads can add receivers, each to its own
-   * part. Call it after Begin() of litmap and tiles, when the tiles have their splits, and before
-   * receivers are added. Part 0 is the litmap itself; the memory of the others is kept.
-   */
-  void Split(int count);
+  /// Makes `count` parts (at least 1) so that several threads can add receivers, each to its own
+  /// part. Call it after Begin() and before receivers are added. The memory of parts is kept.
+  void Split(int count) { this->Parts.resize(static_cast<std::size_t>(std::max(count, 1) - 1)); }
 
-  /// One of the parts that Split() made.
+  /// Clears one of the parts that Split() made, and returns it. Part 0 is the litmap itself, which
+  /// is clear already. Threads may clear different parts at the same time. Only the litmap itself
+  /// has tiles.
+  vtkShadowLitmap& BeginPart(int i);
+
+  /// A part that has begun.
   vtkShadowLitmap& GetPart(int i) { return i == 0 ? *this : this->Parts[i - 1]; }
 
-  /// Merges the parts that Split() made. The order of receivers does not matter to extents and
-  /// blocks, so the litmap is the same to the bit with any number of parts.
+  /// Merges the parts, all of which must have begun. The order of receivers does not matter to
+  /// extents, so the litmap is the same to the bit with any number of parts.
   void Join();
 
   /// Builds the levels for Query(). Call it when all receivers have been added. More of them may be

@@ -118,14 +118,15 @@ void SplitLayers(const float* depth, const vtkShadowView& view, vtkShadowTiles& 
 }
 
 /// The number of bands, which threads scatter in parallel. Each band has lexels of its own. To
-/// clear and merge a lexel takes about a third of the time of scattering a sample.
+/// clear and merge a lexel takes about a third of the time of scattering a sample. Each thread
+/// merges a part of the lexels of all bands.
 int GetNumberOfBands(const vtkShadowView& view, int resolution)
 {
   const double samples = static_cast<double>(view.Samples.size()) * view.Width * view.Height;
   const double lexels = static_cast<double>(resolution) * resolution;
   const int threads = std::min(vtkSMPTools::GetEstimatedNumberOfThreads(), view.Height);
   int bands = 1;
-  while (bands < threads && 3.0 * samples > lexels * bands * (bands + 1))
+  while (bands < threads && 3.0 * samples * threads > lexels * bands * (bands + 1))
   {
     ++bands;
   }
@@ -162,20 +163,21 @@ vtkIdType Scatter(const float* depth, const vtkShadowView& view, const vtkShadow
   const vtkShadowLightSpace& space, int resolution, vtkShadowLitmap& litmap)
 {
   litmap.Begin(resolution, GetRange(depth, view, light, space));
-  litmap.GetTiles().Begin(view.Width, view.Height);
-  SplitLayers(depth, view, litmap.GetTiles());
+  vtkShadowTiles& tiles = litmap.GetTiles(); // Each band has rows of its own.
+  tiles.Begin(view.Width, view.Height);
+  SplitLayers(depth, view, tiles);
   const int bands = GetNumberOfBands(view, litmap.GetResolution());
   litmap.Split(bands);
   const auto addBand = [&](int band)
   {
-    vtkShadowLitmap& part = litmap.GetPart(band);
+    vtkShadowLitmap& part = litmap.BeginPart(band);
     vtkShadowReceiverProjector projector(view, light, space);
     ForEachReceiver(depth, view, projector, { 1, band, bands },
-      [&part](const Receiver& receiver, int x, int y, float windowDepth)
+      [&part, &tiles](const Receiver& receiver, int x, int y, float windowDepth)
       {
         if (part.Add(receiver.A, receiver.B, receiver.Radius, x, y))
         {
-          part.GetTiles().Add(receiver.A, receiver.B, receiver.GetRadii(), x, y, windowDepth);
+          tiles.Add(receiver.A, receiver.B, receiver.GetRadii(), x, y, windowDepth);
           part.WidenAngle(receiver.Angle);
         }
       });

@@ -50,17 +50,6 @@ void vtkShadowTiles::Begin(int width, int height)
   this->Splits.assign(size, std::numeric_limits<float>::infinity());
 }
 
-void vtkShadowTiles::Merge(const vtkShadowTiles& other)
-{
-  for (std::size_t k = 0; k < this->Tiles.size(); ++k)
-  {
-    for (std::size_t layer = 0; layer < this->Tiles[k].size(); ++layer)
-    {
-      this->Tiles[k][layer].Add(other.Tiles[k][layer].Low, other.Tiles[k][layer].High);
-    }
-  }
-}
-
 vtkShadowTileSet::vtkShadowTileSet(const vtkNBufferRectangle& pixels)
   : Pixels(pixels)
 {

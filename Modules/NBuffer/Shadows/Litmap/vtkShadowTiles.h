@@ -60,7 +60,8 @@ public:
   /**
    * Adds a receiver with window depth `depth` that covers pixel (x, y) of the image. It lies
    * somewhere on the segment from a to b in light coordinates (p, q, s), or at most radius[i] from
-   * it in coordinate i. An infinite radius means anywhere.
+   * it in coordinate i. An infinite radius means anywhere. Threads may add to different tiles at
+   * the same time.
    */
   void Add(
     const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& radius, int x, int y, float depth)
@@ -68,9 +69,6 @@ public:
     const std::size_t tile = this->GetIndex(x / Size, y / Size);
     this->Tiles[tile][depth >= this->Splits[tile]].AddSegment(a, b, radius);
   }
-
-  /// Adds the receivers of other tiles with the same size and splits.
-  void Merge(const vtkShadowTiles& other);
 
   /// Returns true if the image has a size.
   bool IsKnown() const { return this->Columns > 0; }
