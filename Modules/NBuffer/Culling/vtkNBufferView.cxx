@@ -11,6 +11,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 
+#include VTKNBUFFER_GL_HEADER
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -190,6 +192,8 @@ int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* require
 int vtkNBufferView::TestAndDraw(vtkRenderer* renderer)
 {
   this->State = Phase::Incomplete;
+  // The device draws the kept props while the test is prepared, which reads their depth next.
+  glFlush();
   vtkNBufferDepthSource source;
   const vtkNBufferDecision obstacle = this->PrepareTest(renderer, source);
   if (obstacle != vtkNBufferDecision::None)
