@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TestedBackend.h
- * @brief The back-end of the culler in tests that do not ask for one.
+ * @brief The back-end of the culler in tests that name none.
  */
 #ifndef TestedBackend_h
 #define TestedBackend_h

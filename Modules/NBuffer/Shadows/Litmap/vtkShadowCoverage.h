@@ -10,7 +10,7 @@
 #ifndef vtkShadowCoverage_h
 #define vtkShadowCoverage_h
 
-#include "vtkABINamespace.h"
+#include "vtkNBufferVTKVersion.h" // For VTK_ABI_NAMESPACE_BEGIN
 
 #include <cmath>
 #include <cstddef>
