@@ -109,7 +109,8 @@ public:
    *  - Clamped: only the parts of these volumes in slabs, which are the ranges of light depth that
    *    have receivers. Samples within 1/256 of a pixel of a shadow's edge may differ.
    *  - Automatic, the default: Scissored for lights where that is likely to take less time
-   *    (vtkShadowCostModel.h), Unclamped for the others.
+   *    (vtkShadowCostModel.h), Unclamped for the others. For a spot it then leaves out the casters
+   *    that shadow nothing near its cone.
    */
   vtkSetClampMacro(Mode, int, Unclamped, Automatic);
   vtkGetMacro(Mode, int);

@@ -218,12 +218,14 @@ SHADOW_MUTANTS = {
         (REACH, "return std::any_of(this->Facets.begin(), this->Facets.end(),\n      [&](",
          "return std::all_of(this->Facets.begin(), this->Facets.end(),\n      [&](")],
     "a face around a point light left out": [
-        (MASK_MAKER, "for (int i = 0; i < 6; ++i)", "for (int i = 0; i < 5; ++i)")],
+        ("vtkShadowLight.cxx", "for (int i = 0; i < 6; ++i)", "for (int i = 0; i < 5; ++i)")],
 
     # Volumes and counting.
     "z-pass where the piece crosses the near plane": [
         (DRAW_LIST, "return isBeyond(piece.Points, 1.0) && isBeyond(piece.Directions, 0.0);",
          "return isBeyond(piece.Directions, 0.0);")],
+    "casters in a spot's cone are left out without litmaps": [
+        ("vtkShadowLitmapSet.cxx", "nearest.Angle - this->GetWidestAngle());", "nearest.Angle);")],
     "the last plan of whole volumes is kept when the light or a caster changes": [
         ("vtkShadowMaskMaker.cxx", "    work.LightVolumes.Whole.reset();\n", ""),
         ("vtkShadowMaskMaker.cxx", "volumes.CastersVersion != version ||", "")],

@@ -4,6 +4,7 @@
 // What a frame costs, from nothing on, and the OpenGL state that it leaves.
 #include "LightRig.h"
 #include "PassTestTools.h"
+#include "SceneBuilder.h"
 #include "ShadowShapes.h"
 #include "Tune.h"
 
@@ -173,6 +174,32 @@ TEST_F(PassStatistics, AutomaticMakesLitmapsWhereTheyPay)
   EXPECT_EQ(
     FindDifference(expected, expect(vtkShadowVolumeClampPass::Automatic, lights - points, points)),
     "");
+}
+
+// Hazard: without a litmap the volumes of all casters around a spot are drawn, most of which shadow
+// nothing that it lights; or one that does is left out.
+TEST_F(PassStatistics, AutomaticLeavesOutCastersBesideTheCone)
+{
+  const Stage stage = SetStage(
+    [](TestScene::SceneBuilder& scene)
+    {
+      scene.Box({ 0.0, 0.0, -0.1 }, { 20.0, 20.0, 0.2 });
+      scene.Box({ 0.3, 0.2, 1.0 }, { 0.6, 0.6, 0.6 });
+      for (int i = 0; i < 5; ++i)
+      {
+        scene.Box({ 2.0 * i - 4.0, 0.0, 8.0 }, { 0.5, 0.5, 0.5 }); // behind the light
+      }
+      scene.Spot({ 0.0, 0.0, 5.0 }, { 0.0, 0.0, 0.0 }, 20.0);
+    });
+  vtkSmartPointer<vtkShadowVolumeClampPass> pass = AddPass(stage);
+  pass->SetMode(vtkShadowVolumeClampPass::Unclamped);
+  const Picture expected = RenderPicture(stage);
+  EXPECT_EQ(pass->GetStatistics().GetCount(vtkShadowVerdict::OutsideCone), 0);
+  pass->SetMode(vtkShadowVolumeClampPass::Automatic);
+  EXPECT_EQ(FindDifference(expected, RenderPicture(stage)), "");
+  EXPECT_EQ(pass->GetStatistics().UnclampedLights, 1);
+  EXPECT_EQ(pass->GetStatistics().GetCount(vtkShadowVerdict::OutsideCone), 5);
+  EXPECT_EQ(pass->GetStatistics().GetCount(vtkShadowVerdict::Whole), 2);
 }
 
 // Hazard: the frames in which the device is measured show another image, or they never end; or the

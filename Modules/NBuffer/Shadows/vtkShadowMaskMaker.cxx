@@ -9,6 +9,7 @@
 #include "vtkShadowCamera.h"
 #include "vtkShadowCostModel.h"
 #include "vtkShadowLitmapSource.h"
+#include "vtkShadowReceiverProjector.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -24,19 +25,6 @@ namespace
 /// The number of casters for which a thread of its own saves time. It is small because to decide
 /// about one caster may take longer than to decide about a hundred others.
 constexpr vtkIdType CastersPerThread = 256;
-
-/// The faces of a cube around a point light.
-std::vector<vtkShadowLightSpace> MakeFaces(const vtkShadowLight& light)
-{
-  std::vector<vtkShadowLightSpace> faces;
-  for (int i = 0; i < 6; ++i)
-  {
-    glm::dvec3 axis(0.0);
-    axis[i / 2] = i % 2 ? -1.0 : 1.0;
-    faces.emplace_back(light, axis);
-  }
-  return faces;
-}
 }
 
 /// A light of a frame, and what is needed to make its part of a mask.
@@ -131,6 +119,14 @@ std::size_t vtkShadowMaskMaker::GetNumberOfSamples() const
     static_cast<std::size_t>(this->Viewport[3]);
 }
 
+vtkShadowView vtkShadowMaskMaker::GetReceiverView(const Work& work) const
+{
+  vtkShadowView view = work.Camera.GetView();
+  view.Samples = this->Target.GetSamples();
+  view.LightingMargin = work.Frame.Casters.GetLightingMargin();
+  return view;
+}
+
 bool vtkShadowMaskMaker::ReadReceivers(const Work& work)
 {
   if (this->IsDepthRead)
@@ -168,9 +164,7 @@ bool vtkShadowMaskMaker::MakeLitmaps(
   const vtkNBufferClock clock;
   const int resolution = work.Settings.Tuning.LitmapResolution;
   const float* depth = this->Depth.data();
-  vtkShadowView view = work.Camera.GetView();
-  view.Samples = this->Target.GetSamples();
-  view.LightingMargin = work.Frame.Casters.GetLightingMargin();
+  const vtkShadowView view = this->GetReceiverView(work);
   this->Litmaps.resize(std::max(this->Litmaps.size(), spaces.size()));
   for (std::size_t i = 0; i < spaces.size(); ++i)
   {
@@ -245,15 +239,28 @@ void vtkShadowMaskMaker::AddCasters(const Work& work, vtkShadowPlan& plan)
   }
 }
 
-vtkShadowPlan& vtkShadowMaskMaker::PlanWhole(const Work& work)
+vtkShadowPlan::View vtkShadowMaskMaker::GetWholeView(const Work& work) const
+{
+  vtkShadowPlan::View view = work.Camera.Plan;
+  if (work.Settings.Mode == vtkShadowMode::Automatic &&
+    work.GetLight().Kind == vtkShadowLightKind::Spot)
+  {
+    const vtkShadowReceiverProjector receivers(
+      this->GetReceiverView(work), work.GetLight(), work.Space);
+    view.ConeReach = receivers.GetConeReach().RoundedUp();
+  }
+  return view;
+}
+
+vtkShadowPlan& vtkShadowMaskMaker::PlanWhole(const Work& work, const vtkShadowPlan::View& view)
 {
   Volumes& volumes = work.LightVolumes;
   const vtkMTimeType version = work.Frame.Casters.GetVersion();
   const vtkMTimeType time = volumes.Store.GetTime();
   if (!volumes.Whole || volumes.CastersVersion != version || volumes.StoreTime != time ||
-    !volumes.Whole->SetView(work.Camera.Plan))
+    !volumes.Whole->SetView(view))
   {
-    volumes.Whole.emplace(work.GetLight(), work.Camera.Plan, vtkShadowMode::Unclamped,
+    volumes.Whole.emplace(work.GetLight(), view, vtkShadowMode::Unclamped,
       std::vector<vtkShadowPlan::Face>(), work.Settings.Tuning);
     this->AddCasters(work, *volumes.Whole);
     volumes.CastersVersion = version;
@@ -293,7 +300,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
 {
   vtkNBufferClock clock;
   const vtkShadowLight& light = work.GetLight();
-  const vtkShadowPlan::View& view = work.Camera.Plan;
+  const vtkShadowPlan::View view = this->GetWholeView(work);
   std::vector<vtkShadowLightSpace> spaces; // of litmaps
   vtkShadowPlan* plan = nullptr;
   std::optional<vtkShadowPlan> clamped;
@@ -308,7 +315,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
   if (automatic)
   {
     isEstimated = work.LightVolumes.Estimate.BeginFrame(
-      this->Parts, light.IsPositional(), this->GetNumberOfSamples());
+      this->Parts, light, view.ConeReach, this->GetNumberOfSamples());
     isWhole = !this->IsLitmapWorthIt(work, cost);
     trial = this->Trials.Choose(cost.WholeEstimate);
     this->Trials.Start(trial);
@@ -321,7 +328,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
   }
   if (isWhole)
   {
-    plan = &this->PlanWhole(work);
+    plan = &this->PlanWhole(work, view);
     if (automatic && (!isEstimated || trial != Way::Estimated))
     {
       work.LightVolumes.Estimate.Measure(store.GetVolume(), *plan, view);
@@ -339,7 +346,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
   else
   {
     spaces = light.Kind == vtkShadowLightKind::Point
-      ? MakeFaces(light)
+      ? vtkShadowLightSpace::MakeFaces(light)
       : std::vector<vtkShadowLightSpace>{ work.Space };
     cost.HasLitmaps = true;
     if (!this->MakeLitmaps(work, spaces))

@@ -110,13 +110,16 @@ private:
   };
 
   std::size_t GetNumberOfSamples() const; ///< The number of all samples of the viewport.
+  vtkShadowView GetReceiverView(const Work& work) const;
   bool ReadReceivers(const Work& work);
   bool MakeLitmaps(const Work& work, const std::vector<vtkShadowLightSpace>& spaces);
   void FindParts(const Work& work);
   void AddCasters(const Work& work, vtkShadowPlan& plan);
-  /// Plans to draw all whole volumes. While neither casters nor light change, this is the last such
+  /// The camera's view for plans of whole volumes. In mode Automatic it has a ConeReach for a spot.
+  vtkShadowPlan::View GetWholeView(const Work& work) const;
+  /// Plans to draw whole volumes. While neither casters nor light change, this is the last such
   /// plan, in another view.
-  vtkShadowPlan& PlanWhole(const Work& work);
+  vtkShadowPlan& PlanWhole(const Work& work, const vtkShadowPlan::View& view);
   /// Returns whether litmaps are likely to be worth their cost by the estimate of the light. Sets
   /// the estimates of `cost`.
   bool IsLitmapWorthIt(const Work& work, vtkShadowLightCost& cost);

@@ -47,4 +47,16 @@ glm::dvec3 vtkShadowLightSpace::Extrude(const glm::dvec3& x, double s) const
   return this->Positional ? this->Apex + (x - this->Apex) * (s / depth)
                           : x + (s - depth) * this->Axis;
 }
+
+std::vector<vtkShadowLightSpace> vtkShadowLightSpace::MakeFaces(const vtkShadowLight& light)
+{
+  std::vector<vtkShadowLightSpace> faces;
+  for (int i = 0; i < 6; ++i)
+  {
+    glm::dvec3 axis(0.0);
+    axis[i / 2] = i % 2 ? -1.0 : 1.0;
+    faces.emplace_back(light, axis);
+  }
+  return faces;
+}
 VTK_ABI_NAMESPACE_END

@@ -36,6 +36,8 @@
 #include "vtkNBufferGLM.h"
 #include "vtkNBufferModule.h" // For export macro
 
+#include <vector>
+
 VTK_ABI_NAMESPACE_BEGIN
 
 enum class vtkShadowLightKind
@@ -101,6 +103,9 @@ public:
   /// The light coordinates of a spot or point light around another axis, in world coordinates. The
   /// axis may have any length except 0.
   vtkShadowLightSpace(const vtkShadowLight& light, const glm::dvec3& axis);
+
+  /// The light coordinates for the six faces of a cube around a point light.
+  static std::vector<vtkShadowLightSpace> MakeFaces(const vtkShadowLight& light);
 
   bool IsPositional() const { return this->Positional; }
 

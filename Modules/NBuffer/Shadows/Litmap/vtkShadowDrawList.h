@@ -42,6 +42,7 @@
 
 #include "vtkNBufferMath.h"
 #include "vtkNBufferModule.h" // For export macro
+#include "vtkShadowConeReach.h"
 #include "vtkShadowFootprint.h"
 #include "vtkShadowLight.h"
 #include "vtkShadowOverlap.h"
@@ -90,6 +91,9 @@ public:
     vtkShadowBlock ParallelView;
 
     int Viewport[4] = { 0, 0, 0, 0 }; ///< x, y, width, height in the framebuffer.
+
+    /// Without litmaps, which casters of a spot are not drawn. The default is none.
+    vtkShadowConeReach ConeReach;
 
     /// True to draw into boxes of pixels, false to draw into the whole viewport: in mode Culled,
     /// and because some devices also draw outside of a scissor box (vtkNBufferGL::KeepsToScissor).

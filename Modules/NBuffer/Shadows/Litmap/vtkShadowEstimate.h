@@ -26,9 +26,10 @@ public:
   /**
    * Begins a frame with these parts of casters and so many samples in the viewport. Returns true if
    * the last estimate is used again. Otherwise makes one from the number of triangles alone.
+   * `coneReach` is vtkShadowPlan::View::ConeReach.
    */
-  bool BeginFrame(
-    const std::vector<const vtkShadowPart*>& parts, bool isPositional, std::size_t samples)
+  bool BeginFrame(const std::vector<const vtkShadowPart*>& parts, const vtkShadowLight& light,
+    const vtkShadowConeReach& coneReach, std::size_t samples)
   {
     if (this->Parts == parts.size() && this->Samples == samples &&
       ++this->Age < vtkShadowCoverage::Frames)
@@ -38,9 +39,14 @@ public:
     *this = vtkShadowEstimate();
     this->Parts = parts.size();
     this->Samples = samples;
+    const vtkShadowLitmapSet cone(light, {});
     for (const vtkShadowPart* part : parts)
     {
-      this->Triangles += vtkShadowCostModel::CountTriangles(part->Silhouette, isPositional);
+      if (!cone.IsBeyondReach(part->Footprint, coneReach))
+      {
+        this->Triangles +=
+          vtkShadowCostModel::CountTriangles(part->Silhouette, light.IsPositional());
+      }
     }
     return false;
   }

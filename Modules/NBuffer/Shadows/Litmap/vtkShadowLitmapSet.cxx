@@ -95,24 +95,36 @@ double vtkShadowLitmapSet::GetWidestAngle() const
   return this->IsKnown() ? std::max(cone, this->Faces[0].Litmap->GetWidestAngle()) : cone;
 }
 
-bool vtkShadowLitmapSet::IsOutsideCone(const vtkShadowFootprint& footprint) const
+vtkShadowLitmapSet::Nearest vtkShadowLitmapSet::GetNearest(
+  const vtkShadowFootprint& footprint) const
 {
-  if (this->Light.Kind != vtkShadowLightKind::Spot)
-  {
-    return false;
-  }
   const vtkShadowBlock& bounds = footprint.Bounds;
   const glm::dvec3 toCenter = 0.5 * (bounds.Low + bounds.High) - this->Light.Position;
   const double distance = glm::length(toCenter);
-  const glm::dvec3 size = bounds.High - bounds.Low;
-  const double radius =
-    std::sqrt(0.25 * size[0] * size[0] + 0.25 * size[1] * size[1] + 0.25 * size[2] * size[2]);
+  const double radius = 0.5 * glm::length(bounds.High - bounds.Low);
   if (!(distance > radius))
   {
-    return false;
+    return {};
   }
   const double angle =
     std::acos(std::clamp(glm::dot(toCenter, this->Light.Direction) / distance, -1.0, 1.0));
-  return angle - std::asin(radius / distance) > this->GetWidestAngle();
+  return { angle - std::asin(radius / distance), distance - radius };
+}
+
+bool vtkShadowLitmapSet::IsOutsideCone(const vtkShadowFootprint& footprint) const
+{
+  return this->Light.Kind == vtkShadowLightKind::Spot &&
+    this->GetNearest(footprint).Angle > this->GetWidestAngle();
+}
+
+bool vtkShadowLitmapSet::IsBeyondReach(
+  const vtkShadowFootprint& footprint, const vtkShadowConeReach& reach) const
+{
+  if (this->Light.Kind != vtkShadowLightKind::Spot || std::isinf(reach.A0))
+  {
+    return false;
+  }
+  const Nearest nearest = this->GetNearest(footprint);
+  return reach.Excludes(nearest.Distance, nearest.Angle - this->GetWidestAngle());
 }
 VTK_ABI_NAMESPACE_END

@@ -23,6 +23,7 @@
 #define vtkShadowLitmapSet_h
 
 #include "vtkNBufferModule.h" // For export macro
+#include "vtkShadowConeReach.h"
 #include "vtkShadowFootprint.h"
 #include "vtkShadowLight.h"
 #include "vtkShadowLitmap.h"
@@ -95,6 +96,9 @@ public:
       this->GetWidestAngle() < 0.5 * vtkMath::Pi();
   }
 
+  /// Returns true if the caster of a spot shadows no receiver, whatever the litmap says.
+  bool IsBeyondReach(const vtkShadowFootprint& footprint, const vtkShadowConeReach& reach) const;
+
   /// Returns true if the sphere around the caster's bounds lies outside of a spot's cone. The cone
   /// is widened to hold the receivers outside of it.
   bool IsOutsideCone(const vtkShadowFootprint& footprint) const;
@@ -105,6 +109,15 @@ private:
 
   /// The angle in radians from a spot's axis beyond which there is no receiver.
   double GetWidestAngle() const;
+
+  /// The sphere around a caster's bounds as seen from the light: the least angle from the axis, in
+  /// radians, and the least distance. The angle is negative if the light is in the sphere.
+  struct Nearest
+  {
+    double Angle = -1.0;
+    double Distance = 0.0;
+  };
+  Nearest GetNearest(const vtkShadowFootprint& footprint) const;
 
   vtkShadowLight Light;
   std::vector<Face> Faces;

@@ -22,6 +22,7 @@ vtkShadowPlan::vtkShadowPlan(const vtkShadowLight& light, const View& view, vtkS
   , Draws(light, view)
   , Mode(mode)
   , BoxCost(view.Boxes ? tuning.BoxCost : std::numeric_limits<double>::infinity())
+  , ConeReach(view.ConeReach)
   , SlabGap(tuning.SlabGap)
 {
 }
@@ -39,7 +40,9 @@ std::optional<vtkShadowVerdict> vtkShadowPlan::EarlyOut(const vtkShadowPart& cas
   }
   if (!this->HasLitmaps())
   {
-    return {};
+    return this->Litmaps.IsBeyondReach(caster.Footprint, this->ConeReach)
+      ? std::optional(vtkShadowVerdict::OutsideCone)
+      : std::nullopt;
   }
   if (this->Litmaps.IsBehindSpot(caster.Footprint))
   {

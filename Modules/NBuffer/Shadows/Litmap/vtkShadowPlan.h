@@ -51,7 +51,8 @@
  *         /cone \                   around its bounds lies outside of the spot's cone.
  *
  * Receivers outside of the cone (vtkShadowReceiverProjector.h) widen it. If one of them may lie
- * behind the light, the verdict is never BehindLight.
+ * behind the light, the verdict is never BehindLight. Without litmaps a caster is OutsideCone if
+ * that follows from its place and the camera's alone (vtkShadowConeReach.h).
  *
  * With the six litmaps of a point light, the volumes of casters whose rays are all in one face can
  * be clamped to slabs; the volumes of others are never clamped.
@@ -109,13 +110,18 @@ public:
   /**
    * Makes a plan without casters. `litmaps` has the litmap of the light, or the six of a point
    * light, with their levels built. If it is empty, or with mode Unclamped, all volumes are drawn
-   * whole. The litmaps and their light spaces must outlive the plan.
+   * whole, except for those that View::ConeReach excludes. The litmaps and their light spaces must
+   * outlive the plan.
    */
   vtkShadowPlan(const vtkShadowLight& light, const View& view, vtkShadowMode mode,
     std::vector<Face> litmaps, const vtkShadowTuning& tuning);
 
-  /// Changes the view of a plan without litmaps; see vtkShadowDrawList::SetView().
-  bool SetView(const View& view) { return this->Draws.SetView(view); }
+  /// Changes the view of a plan without litmaps; see vtkShadowDrawList::SetView(). Returns false if
+  /// View::ConeReach differs.
+  bool SetView(const View& view)
+  {
+    return view.ConeReach == this->ConeReach && this->Draws.SetView(view);
+  }
 
   /// Decides about a caster. It changes nothing and may be called in parallel.
   Choice Decide(const vtkShadowPart& caster) const;
@@ -161,6 +167,7 @@ private:
   vtkShadowDrawList Draws;
   vtkShadowMode Mode;
   double BoxCost; ///< In pixels; infinite if boxes are not used.
+  vtkShadowConeReach ConeReach;
   int SlabGap;
   std::array<int, vtkShadowStatistics::NumberOfVerdicts> Verdicts = {};
   int Slabs = 0;

@@ -63,6 +63,7 @@ double GetCornerDistance(const vtkShadowView& view)
 vtkShadowReceiverProjector::vtkShadowReceiverProjector(
   const vtkShadowView& view, const vtkShadowLight& light, const vtkShadowLightSpace& space)
   : Kind(light.Kind)
+  , Size(view.Width, view.Height)
   , DepthError(3.0 * view.DepthQuantum + DepthRounding * (1.0 + GetCornerDistance(view)))
   , ConeCosine(light.GetConeCosine())
   , LightingMargin(view.LightingMargin)
@@ -122,6 +123,53 @@ double vtkShadowReceiverProjector::GetShaderError(double distance) const
   const double left = 1.0 - error * this->InverseFactor;
   return left > 0.0 ? error * (this->PlaceFactor + distance * this->InverseFactor) / left
                     : std::numeric_limits<double>::infinity();
+}
+
+vtkShadowConeReach vtkShadowReceiverProjector::GetConeReach() const
+{
+  if (this->ByCentre)
+  {
+    return {};
+  }
+  // The corners of the far plane are farthest away. There the interval of depths is longest, too,
+  // and a pixel is widest.
+  double farthest = 0.0;
+  double length = 0.0;
+  double guard = 0.0;
+  bool isParallel = true;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double x = corner % 2 * this->Size.x;
+    const double y = corner / 2 * this->Size.y;
+    const auto getPoint = [&](double depth) { return this->Matrix * glm::dvec4(x, y, depth, 1.0); };
+    const glm::dvec4 a = getPoint(1.0 - 2.0 * this->DepthError);
+    const glm::dvec4 b = getPoint(1.0);
+    const glm::dvec3 end = glm::dvec3(b) / b.w;
+    farthest = std::max(farthest, glm::distance(end, this->Eye));
+    length = std::max(length, glm::distance(end, glm::dvec3(a) / a.w));
+    guard = std::max(guard, this->GuardAtW1 / std::min(std::abs(a.w), std::abs(b.w)));
+    isParallel = isParallel && a.w == b.w;
+  }
+  // The interval, and as much for the difference between both of its ends as seen from the light.
+  const double interval = 1.5 * length;
+  const double pixels = guard + this->LightingMargin * guard / Guard;
+  // Project() adds up the coordinates of vectors, which gives at most sqrt(3) times their length.
+  const double scale = std::sqrt(3.0);
+  const double shader = ShaderRounding /
+    (1.0 - ShaderRounding * (this->ShaderOffset + scale * farthest) * this->InverseFactor);
+  const double farScale = 1.0 / farthest;
+  vtkShadowConeReach reach;
+  reach.A0 = this->WorldError + shader * this->ShaderOffset * this->PlaceFactor +
+    (isParallel ? interval + pixels : 0.0);
+  reach.A1 = PositionRounding * scale +
+    shader * scale * (this->PlaceFactor + this->ShaderOffset * this->InverseFactor) +
+    (isParallel ? 0.0 : pixels * farScale);
+  reach.A2 =
+    shader * 3.0 * this->InverseFactor + (isParallel ? 0.0 : interval * farScale * farScale);
+  reach.Farthest = farthest;
+  reach.EyeToLight = glm::length(this->Eye);
+  const bool isKnown = shader > 0.0 && std::isfinite(reach.A0 + reach.A1 + reach.A2 + farthest);
+  return isKnown ? reach : vtkShadowConeReach();
 }
 
 void vtkShadowReceiverProjector::SetRow(const std::array<double, 2>& sample, int y)

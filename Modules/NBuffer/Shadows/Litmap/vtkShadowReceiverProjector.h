@@ -69,6 +69,8 @@
 #ifndef vtkShadowReceiverProjector_h
 #define vtkShadowReceiverProjector_h
 
+#include "vtkNBufferModule.h" // For export macro
+#include "vtkShadowConeReach.h"
 #include "vtkShadowLight.h"
 
 #include <array>
@@ -98,7 +100,7 @@ struct vtkShadowView
   std::vector<std::array<double, 2>> Samples = { { { 0.5, 0.5 } } };
 };
 
-class vtkShadowReceiverProjector
+class VTKNBUFFER_EXPORT vtkShadowReceiverProjector
 {
 public:
   /// Where a receiver may lie, as vtkShadowLitmap::Add() and vtkShadowTiles::Add() take it.
@@ -127,6 +129,11 @@ public:
   /// An upper bound of |p| and |q| of what the light reaches; infinity if there is none.
   double GetLimit() const { return this->Limit; }
 
+  /// What is known of all samples that the view can have: how far from a spot's cone they may be
+  /// and still be receivers, plus how far from its exact place a volume may be drawn there. With
+  /// multisampling nothing is known.
+  vtkShadowConeReach GetConeReach() const;
+
 private:
   /// Returns false if the light reaches nothing in a ball. `middle` is relative to the apex, along
   /// u, v and the axis, here and in GetAngle().
@@ -146,6 +153,7 @@ private:
   double GetShaderError(double distance) const;
 
   vtkShadowLightKind Kind;
+  glm::dvec2 Size;   ///< The width and height of the image.
   double DepthError; ///< The largest error of a window depth.
   double Limit = std::numeric_limits<double>::infinity();
   double ConeCosine;          ///< vtkShadowLight::GetConeCosine().
