@@ -437,7 +437,7 @@ void MoveFarAway(Writer& writer)
   const glm::dvec3 origin = { offset, 0.9 * offset, writer.Any({ 0.0, 0.0, 0.8 }) * offset };
   const bool inMatrix = writer.Chance(0.3);
   const bool shift = writer.Chance(0.3);
-  // Rays are cast at double coordinates.
+  // Rays are cast at double coordinates. VTK does not shift the matrices of glyphs.
   scene.Shadows.CompareRays = scene.Shadows.CompareRays && shift;
   const auto place = [&](glm::dvec3& point, bool absolute)
   { point = factor * point + (absolute ? origin : glm::dvec3(0.0)); };
@@ -447,6 +447,7 @@ void MoveFarAway(Writer& writer)
     place(prop.Shape.Center, !inMatrix);
     place(prop.Shape.Size, false);
     prop.ShiftCoordinates = shift;
+    scene.Shadows.CompareRays = scene.Shadows.CompareRays && prop.Kind != PropKind::Glyphs;
     if (prop.ClippingPlane.size() == 6)
     {
       prop.ClippingPlane.clear();
