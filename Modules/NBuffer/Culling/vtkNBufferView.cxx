@@ -192,14 +192,14 @@ int vtkNBufferView::DrawHeldProps(vtkRenderer* renderer, vtkInformation* require
 int vtkNBufferView::TestAndDraw(vtkRenderer* renderer)
 {
   this->State = Phase::Incomplete;
-  // The device draws the kept props while the test is prepared, which reads their depth next.
-  glFlush();
   vtkNBufferDepthSource source;
   const vtkNBufferDecision obstacle = this->PrepareTest(renderer, source);
   if (obstacle != vtkNBufferDecision::None)
   {
     return this->DrawAll(renderer, nullptr, obstacle);
   }
+  // The device begins to draw the kept props now, and not when their depth is read.
+  glFlush();
   this->Tested = source;
   this->KeptInVain = 0;
   int drawn = 0;
