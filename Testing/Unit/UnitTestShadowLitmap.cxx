@@ -396,14 +396,16 @@ TEST(ShadowLitmap, PartsJoin)
         whole.Receivers[1].Y % height / vtkShadowTiles::Size, 0.5f);
       const int parts = filled == 0 ? 1 : count;
       litmap.Split(parts);
+      std::vector<vtkShadowLitmap*> begun;
       for (int part = 0; part < parts; ++part)
       {
-        EXPECT_EQ(&litmap.BeginPart(part) == &litmap, part == 0);
+        begun.push_back(&litmap.BeginPart(part));
+        EXPECT_EQ(begun.back() == &litmap, part == 0);
       }
       for (std::size_t i = 0; i < whole.Receivers.size(); ++i)
       {
         const Receiver& r = whole.Receivers[i];
-        vtkShadowLitmap& part = litmap.GetPart(static_cast<int>(i) % parts);
+        vtkShadowLitmap& part = *begun[i % begun.size()];
         ASSERT_TRUE(part.Add(r.A, r.B, r.Radius, r.X, r.Y));
         litmap.GetTiles().Add(r.A, r.B, radius, r.X, r.Y % height, i % 2 ? 0.75f : 0.25f);
         part.WidenAngle(0.001 * static_cast<double>(i));

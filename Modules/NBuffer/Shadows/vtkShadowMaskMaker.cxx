@@ -303,7 +303,7 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
   const vtkShadowPlan::View view = this->GetWholeView(work);
   std::vector<vtkShadowLightSpace> spaces; // of litmaps
   vtkShadowPlan* plan = nullptr;
-  std::optional<vtkShadowPlan> clamped;
+  std::optional<vtkShadowPlan> planByLitmaps;
   const bool automatic = work.Settings.Mode == vtkShadowMode::Automatic;
   this->FindParts(work);
   vtkShadowVolumeStore& store = work.LightVolumes.Store;
@@ -360,8 +360,9 @@ bool vtkShadowMaskMaker::Shade(const Work& work, vtkShadowLightCost& cost)
     {
       litmaps.push_back({ &spaces[i], &this->Litmaps[i] });
     }
-    plan = &clamped.emplace(light, view, automatic ? vtkShadowMode::Scissored : work.Settings.Mode,
-      std::move(litmaps), work.Settings.Tuning);
+    plan =
+      &planByLitmaps.emplace(light, view, automatic ? vtkShadowMode::Scissored : work.Settings.Mode,
+        std::move(litmaps), work.Settings.Tuning);
     this->AddCasters(work, *plan);
     work.Statistics.PlanTime += clock.Restart();
   }

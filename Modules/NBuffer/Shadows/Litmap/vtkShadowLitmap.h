@@ -98,9 +98,6 @@ public:
   /// has tiles.
   vtkShadowLitmap& BeginPart(int i);
 
-  /// A part that has begun.
-  vtkShadowLitmap& GetPart(int i) { return i == 0 ? *this : this->Parts[i - 1]; }
-
   /// Merges the parts, all of which must have begun. The order of receivers does not matter to
   /// extents, so the litmap is the same to the bit with any number of parts.
   void Join();
